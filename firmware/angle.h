@@ -1,0 +1,16 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Sine and cosine of binary angles: a full turn is 2^32, so angles wrap by themselves and a stored
+ * one never drifts. */
+#ifndef LIM_ANGLE_H
+#define LIM_ANGLE_H
+
+#include "config.h"
+
+#define ANGLE_QUARTER (UINT32_C(1) << 30)
+
+/* Within 4 units of 2^-30; exact at multiples of a quarter turn. Antisymmetric to the bit. */
+int32_t sin_q30(uint32_t angle);
+int32_t cos_q30(uint32_t angle);
+
+#endif

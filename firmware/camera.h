@@ -1,0 +1,28 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * The camera: where the eye is, where it looks, and how wide. */
+#ifndef LIM_CAMERA_H
+#define LIM_CAMERA_H
+
+#include "config.h"
+#include "errors.h"
+
+#define LIM_TAN_MIN_Q28 (UINT32_C(1) << 22) /* 1/64 */
+#define LIM_TAN_MAX_Q28 (UINT32_C(1) << 30) /* 4: half an angle of 152 degrees */
+#define LIM_NEAR_MAX_Q8 (INT32_C(1) << 24)
+
+/* A full turn is 2^32. Yaw 0 looks along -z, a quarter turn along -x: counter-clockwise from above;
+ * pitch raises the view; roll turns the picture counter-clockwise. Nothing is accumulated: a stored
+ * angle cannot drift. */
+struct lim_camera {
+    int32_t eye_q8[3]; /* units with 8 fraction bits, |eye_q8| < 2^28 */
+    uint32_t yaw, pitch, roll;
+    uint32_t tan_x_q28, tan_y_q28; /* tangents of the half-angles of view, 1/64..4 */
+    int32_t near_q8;               /* distance of the near plane, units: 1..2^24 (1/256 to 65536) */
+};
+
+/* Sets both tangents for square pixels from the vertical angle of view (a full turn is 2^32; it
+ * must stay under half a turn). Returns LIM_ERR_CAMERA when one leaves 1/64..4. */
+LIM_MUST_CHECK int lim_camera_set_fov(struct lim_camera *camera, uint32_t fov_y, uint16_t w_px, uint16_t h_px);
+
+#endif

@@ -1,0 +1,99 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Sutherland and Hodgman, a plane at a time, each adding at most one vertex to a convex polygon.
+ * (Corners that lie along a plane within rounding may cross it more often: what exceeds the
+ * limit then is dropped, beyond the edge of the screen.) Distances are taken at half scale or
+ * less, because z + x/2 reaches 1.5 * 2^31. */
+#include "clip.h"
+
+#include "fixed.h"
+
+enum clip_plane { CLIP_NEAR, CLIP_LEFT, CLIP_RIGHT, CLIP_TOP, CLIP_BOTTOM };
+
+/* Inside where >= 0. */
+static int32_t distance(enum clip_plane plane, const struct view_point *p, int32_t near_qv)
+{
+    const int32_t half_z = p->z_qv >> 1;
+
+    switch (plane) {
+    case CLIP_NEAR:
+        return half_z - (near_qv >> 1);
+    case CLIP_LEFT:
+        return half_z + (p->x_qv >> 2);
+    case CLIP_RIGHT:
+        return half_z - (p->x_qv >> 2);
+    case CLIP_TOP:
+        return half_z + (p->y_qv >> 2);
+    default:
+        return half_z - (p->y_qv >> 2);
+    }
+}
+
+static struct view_point cut(const struct view_point *inner, int32_t inner_d, const struct view_point *outer,
+                             int32_t outer_d)
+{
+    const uint32_t t_q31 = ratio_q31((uint32_t)inner_d, (uint32_t)inner_d - (uint32_t)outer_d);
+
+    return (struct view_point){lerp_q31(inner->x_qv, outer->x_qv, t_q31), lerp_q31(inner->y_qv, outer->y_qv, t_q31),
+                               lerp_q31(inner->z_qv, outer->z_qv, t_q31)};
+}
+
+static void append(struct clip_polygon *polygon, struct view_point point)
+{
+    if (polygon->n < CLIP_MAX_VERTICES) polygon->at[polygon->n++] = point;
+}
+
+/* from -> to, which may not be the same polygon. */
+static void clip_plane(const struct clip_polygon *from, struct clip_polygon *to, enum clip_plane plane, int32_t near_qv)
+{
+    const struct view_point *here = &from->at[from->n - 1];
+    int32_t here_d = distance(plane, here, near_qv);
+
+    to->n = 0;
+    for (uint8_t k = 0; k < from->n; k++) {
+        const struct view_point *next = &from->at[k];
+        const int32_t next_d = distance(plane, next, near_qv);
+
+        if (here_d >= 0 && next_d < 0) append(to, cut(here, here_d, next, next_d));
+        if (here_d < 0 && next_d >= 0) append(to, cut(next, next_d, here, here_d));
+        if (next_d >= 0) append(to, *next);
+        here = next;
+        here_d = next_d;
+    }
+    if (to->n < 3) to->n = 0;
+}
+
+static bool crosses(const struct clip_polygon *polygon, enum clip_plane plane, int32_t near_qv)
+{
+    for (uint8_t k = 0; k < polygon->n; k++) {
+        if (distance(plane, &polygon->at[k], near_qv) < 0) return true;
+    }
+    return false;
+}
+
+static int32_t clamp_s32(int32_t x, int32_t limit)
+{
+    return x > limit ? limit : x < -limit ? -limit : x;
+}
+
+/* Rounding may leave a cut point a unit outside of the planes; the projection needs it inside. */
+static void settle(struct view_point *point, int32_t near_qv)
+{
+    if (point->z_qv < near_qv) point->z_qv = near_qv;
+    const int32_t band_qv = point->z_qv > INT32_MAX / 2 ? INT32_MAX : 2 * point->z_qv;
+    point->x_qv = clamp_s32(point->x_qv, band_qv);
+    point->y_qv = clamp_s32(point->y_qv, band_qv);
+}
+
+void clip(struct clip_polygon *polygon, int32_t near_qv)
+{
+    struct clip_polygon cut_polygon;
+
+    for (uint8_t plane = 0; plane < CLIP_PLANES && polygon->n; plane++) {
+        if (!crosses(polygon, (enum clip_plane)plane, near_qv)) continue;
+        clip_plane(polygon, &cut_polygon, (enum clip_plane)plane, near_qv);
+        *polygon = cut_polygon;
+    }
+    for (uint8_t k = 0; k < polygon->n; k++)
+        settle(&polygon->at[k], near_qv);
+}

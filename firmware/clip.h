@@ -1,0 +1,21 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * CLIP: a convex polygon in view space against the near plane and the guard band |x|, |y| <= 2z.
+ * An edge is always cut from its inner to its outer end, so two polygons that share the edge get
+ * the same point. Never against the screen itself: EDGE and SPAN do that without new vertices. */
+#ifndef LIM_CLIP_H
+#define LIM_CLIP_H
+
+#include "view.h"
+
+enum { CLIP_PLANES = 5, CLIP_MAX_VERTICES = LIM_MAX_VERTICES + CLIP_PLANES };
+
+struct clip_polygon {
+    uint8_t n; /* 0: nothing is left; else 3..CLIP_MAX_VERTICES */
+    struct view_point at[CLIP_MAX_VERTICES];
+};
+
+/* In place. Every point that is left has near <= z and |x|, |y| <= 2z. */
+void clip(struct clip_polygon *polygon, int32_t near_qv);
+
+#endif

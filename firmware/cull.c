@@ -1,0 +1,68 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * The left side of the open rectangle is x - l z >= 0 in view space, l in -1..1 the screen position
+ * of the left edge of its first pixel: half a pixel outside the first pixel's centre. The normal is
+ * row x of the view matrix minus l times row z, kept with two bits less so that a box test fits 32
+ * bits: 2 * (131,000 + 56,756) units * 2^12 < 2^31.
+ *
+ * Slack, in units of the offset's last place at reach r: each component of the normal is off by at
+ * most 5/8 (1/2 from its own rounding, 1/8 from the product's), times the sum of the distances in
+ * x, y and z, below sqrt(3) * 131,000 * 2^r; l by 2^-15, times z * 2^(12-r); and the eye of the view
+ * matrix, which is not quite the camera's when that is outside of the cube (view.c), by 1/8 times the
+ * same sum. Together below 186,700 * 2^r. */
+#include "cull.h"
+
+#include "fixed.h"
+
+#define CULL_SLACK INT32_C(190000)
+
+enum { CULL_DROPPED_BITS = 2 };
+
+/* Position of pixel edge i of n on the screen, -1..1, rounded to nearest. */
+static int32_t edge_q14(uint16_t i, uint16_t n)
+{
+    return ((int32_t)i * 32768 + n / 2) / n - 16384;
+}
+
+/* sign * (row - l * ahead) */
+static void set_plane(struct cull_plane *plane, const struct view *view, const int32_t eye_q8[3], uint8_t row,
+                      int32_t l_q14, int8_t sign)
+{
+    int64_t offset_q8 = 0;
+
+    for (uint8_t i = 0; i < 3; i++) {
+        const int32_t ahead = shift_round_s32(l_q14 * view->matrix_qv[2][i], 14);
+        const int32_t n = sign * (view->matrix_qv[row][i] - ahead);
+        plane->n[i] = (int16_t)shift_round_s32(n, CULL_DROPPED_BITS);
+        offset_q8 -= (int64_t)plane->n[i] * eye_q8[i];
+    }
+    plane->offset = (int32_t)(offset_q8 >> 8) + CULL_SLACK * ((int32_t)1 << view->reach);
+}
+
+void cull_set(struct cull *cull, const struct view *view, const int32_t eye_q8[3], const struct rect *open)
+{
+    set_plane(&cull->sides[0], view, eye_q8, 0, edge_q14(open->x0, view->w_px), 1);
+    set_plane(&cull->sides[1], view, eye_q8, 0, edge_q14(open->x1, view->w_px), -1);
+    set_plane(&cull->sides[2], view, eye_q8, 1, edge_q14(open->y0, view->h_px), 1);
+    set_plane(&cull->sides[3], view, eye_q8, 1, edge_q14(open->y1, view->h_px), -1);
+}
+
+/* The box's corner farthest along the normal. The sum wraps on the way; its value fits. */
+static bool reaches(const struct cull_plane *plane, const LIM_FLASH struct lim_box *box)
+{
+    uint32_t value = (uint32_t)plane->offset;
+
+    for (uint8_t i = 0; i < 3; i++) {
+        const int32_t n = plane->n[i];
+        value += (uint32_t)(n * box->centre[i]) + abs_s32(n) * box->half[i];
+    }
+    return (int32_t)value >= 0;
+}
+
+bool cull_sees(const struct cull *cull, const LIM_FLASH struct lim_box *box)
+{
+    for (uint8_t i = 0; i < 4; i++) {
+        if (!reaches(&cull->sides[i], box)) return false;
+    }
+    return true;
+}

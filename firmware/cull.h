@@ -1,0 +1,29 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Which subtrees can still be seen? The planes of the open rectangle (the pixels that are not yet
+ * painted lie inside it) against a subtree's box. Conservative: says "no" only when it is certain. */
+#ifndef LIM_CULL_H
+#define LIM_CULL_H
+
+#include "scene.h"
+#include "view.h"
+
+/* Pixels x0 <= x < x1, y0 <= y < y1. */
+struct rect {
+    uint16_t x0, y0, x1, y1;
+};
+
+struct cull_plane {
+    int16_t n[3];   /* points inwards; LIM_MATRIX_BITS - 2 - reach fraction bits, |n| <= 2 */
+    int32_t offset; /* plus the slack that makes it conservative */
+};
+
+struct cull {
+    struct cull_plane sides[4]; /* left, right, top, bottom */
+};
+
+void cull_set(struct cull *cull, const struct view *view, const int32_t eye_q8[3], const struct rect *open);
+
+bool cull_sees(const struct cull *cull, const LIM_FLASH struct lim_box *box);
+
+#endif

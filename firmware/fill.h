@@ -1,0 +1,22 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Pixels into memory: RGB565 as the bus wants it, the byte with the red bits first. */
+#ifndef LIM_FILL_H
+#define LIM_FILL_H
+
+#include "config.h"
+
+/* A colour as the target's memory holds it. */
+static inline uint16_t memory_colour(uint16_t rgb565)
+{
+#if __BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__
+    return (uint16_t)(rgb565 << 8 | rgb565 >> 8);
+#else
+    return rgb565;
+#endif
+}
+
+/* n pixels from x on; `line` is 4-byte aligned. */
+void fill(uint16_t *line, uint16_t x_px, uint16_t n_px, uint16_t colour);
+
+#endif

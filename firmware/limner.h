@@ -1,0 +1,40 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Limner: solid 3D scenes on small displays, in fixed point, without allocation.
+ *
+ *     struct lim lim;
+ *     static uint32_t mem[LIM_MEM_B(240, 240) / 4];
+ *     int err = lim_init(&lim, &hall_scene, &target, mem, sizeof mem);
+ *     if (!err) err = lim_frame(&lim, &camera);
+ *
+ * The caller owns all memory. Three kinds of trouble are never mixed: a caller's bug asserts
+ * (LIM_ASSERT); bad data or hardware returns a negative code; a pool that is too small makes the
+ * frame slower, never wrong, and is counted in struct lim_stats. */
+#ifndef LIM_LIMNER_H
+#define LIM_LIMNER_H
+
+#include "camera.h"
+#include "config.h"
+#include "errors.h"
+#include "scene.h"
+#include "stats.h"
+#include "target.h"
+
+struct lim;
+
+/* Least and comfortable memory for a scene on a target; comfortable = what the scene's limits ask. */
+size_t lim_mem_min_b(const struct lim_scene *scene, const struct lim_target *target);
+size_t lim_mem_b(const struct lim_scene *scene, const struct lim_target *target);
+
+/* Prepares *lim. scene, target and mem (4-byte aligned) must outlive it; the target is copied. */
+LIM_MUST_CHECK int lim_init(struct lim *lim, const struct lim_scene *scene, const struct lim_target *target, void *mem,
+                            size_t mem_b);
+
+/* Renders one frame through the target. 0, an enum lim_error, or what the target returned. */
+LIM_MUST_CHECK int lim_frame(struct lim *lim, const struct lim_camera *camera);
+
+const struct lim_stats *lim_stats(const struct lim *lim);
+
+#include "state.h" /* struct lim: complete, so that callers can place it; its fields are private */
+
+#endif

@@ -1,0 +1,171 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Nearest first. Pass one walks the tree, closes gaps, and retains the polygons that closed some;
+ * pass two paints them line by line. When a pool is exhausted, the frame is finished in bands: the
+ * same two passes over half the lines, a quarter, one line, half a line. A band of one pixel needs
+ * one polygon and no gap, so every frame ends. */
+#include "order.h"
+
+#include "project.h"
+
+enum { POLYGONS_PER_SHRINK = 20 }; /* the open view is drawn together this often */
+
+/* SPAN for one polygon that is not folded. */
+static enum span_result close_lines(struct spans *spans, const struct screen_polygon *polygon, int16_t top,
+                                    int16_t bottom)
+{
+    struct edge_pair pair;
+    uint8_t result = SPAN_NOTHING;
+    int16_t y = top;
+
+    edge_begin(&pair, polygon->at, polygon->n, polygon->shape.first, top);
+    while (y < bottom) {
+        const int16_t turn = edge_turn(&pair, polygon->at, polygon->n, y);
+        const int16_t end = turn < bottom ? turn : bottom;
+        for (;;) {
+            if (pair.left.x < pair.right.x) {
+                result |= (uint8_t)span_close(spans, &spans->lines[y], pair.left.x, pair.right.x, NULL, NULL);
+            }
+            if (++y == end) break;
+            edge_step(&pair.left);
+            edge_step(&pair.right);
+        }
+        if (pair.left_end > turn) edge_step(&pair.left);
+        if (pair.right_end > turn) edge_step(&pair.right);
+    }
+    return result & SPAN_EXHAUSTED ? SPAN_EXHAUSTED : (enum span_result)result;
+}
+
+/* false: a pool is exhausted. */
+static bool take_plain(struct lim *lim, const struct screen_polygon *polygon)
+{
+    const struct rect *open = &lim->spans.open;
+    const int16_t top = polygon->shape.top > (int16_t)open->y0 ? polygon->shape.top : (int16_t)open->y0;
+    const int16_t bottom = polygon->shape.bottom < (int16_t)open->y1 ? polygon->shape.bottom : (int16_t)open->y1;
+
+    if (top >= bottom) return true;
+    if (LIM_HAS_STATS) lim->stats.lines += (uint32_t)(bottom - top);
+    const enum span_result result = close_lines(&lim->spans, polygon, top, bottom);
+    if (result == SPAN_NOTHING) return true;
+    if (result == SPAN_EXHAUSTED) return false;
+    if (LIM_HAS_STATS) lim->stats.polygons_seen++;
+    const struct retained_polygon seen = {polygon->at,   polygon->n,       polygon->shape.first,
+                                          (uint16_t)top, (uint16_t)bottom, polygon->colour};
+    return retain(&lim->retained, lim->spans.lines, &seen);
+}
+
+static bool take(struct lim *lim, const struct screen_polygon *polygon)
+{
+    struct screen_polygon triangle;
+
+    if (!polygon->shape.folded) return take_plain(lim, polygon);
+    for (uint8_t k = 1; k + 1 < polygon->n; k++) {
+        project_fan(polygon, k, &triangle);
+        if (!take_plain(lim, &triangle)) return false;
+    }
+    return true;
+}
+
+static void shrink(struct lim *lim)
+{
+    if (spans_shrink(&lim->spans)) cull_set(&lim->cull, &lim->view, lim->eye.at_q8, &lim->spans.open);
+}
+
+/* All polygons of one run. false: a pool is exhausted. */
+static bool take_run(struct lim *lim, uint16_t run, uint8_t *since_shrink)
+{
+    const LIM_FLASH uint16_t *record = &lim->scene->polygons[run];
+    struct screen_polygon polygon;
+
+    for (;;) {
+        const uint16_t head = record[0];
+        if (project(&polygon, &lim->view, lim->scene, record, &lim->spans.open, &lim->stats)) {
+            if (!take(lim, &polygon)) return false;
+            if (!lim->spans.open_lines) return true;
+        }
+        if (++*since_shrink == POLYGONS_PER_SHRINK) {
+            *since_shrink = 0;
+            shrink(lim);
+        }
+        if (head & LIM_POLYGON_LAST) return true;
+        record += LIM_POLYGON_HEAD_WORDS + (head & LIM_POLYGON_COUNT);
+    }
+}
+
+static void note_pools(struct lim *lim)
+{
+    if (lim->retained.used > lim->stats.retained_cells_max) lim->stats.retained_cells_max = lim->retained.used;
+    if (lim->spans.fresh > lim->stats.gaps_max) lim->stats.gaps_max = lim->spans.fresh;
+}
+
+/* Pass one over a band. false: a pool is exhausted. */
+static bool collect(struct lim *lim, const struct rect *band)
+{
+    uint8_t since_shrink = 0;
+    uint16_t run;
+
+    spans_open(&lim->spans, band);
+    lim->retained.used = 0;
+    cull_set(&lim->cull, &lim->view, lim->eye.at_q8, band);
+    walk_begin(&lim->walk, lim->scene, &lim->eye, lim->stack, false);
+    while (lim->spans.open_lines && (run = walk_next(&lim->walk, &lim->cull, &lim->stats)) != LIM_NONE) {
+        if (!take_run(lim, run, &since_shrink)) return false;
+    }
+    if (LIM_HAS_STATS) note_pools(lim);
+    return true;
+}
+
+/* A smaller band that starts where this one does. */
+static void halve(struct rect *band)
+{
+    const uint16_t lines = (uint16_t)(band->y1 - band->y0), pixels = (uint16_t)(band->x1 - band->x0);
+
+    LIM_ASSERT(lines > 1 || pixels > 1);
+    if (lines > 1)
+        band->y1 = (uint16_t)(band->y0 + lines / 2);
+    else
+        band->x1 = (uint16_t)(band->x0 + pixels / 2);
+}
+
+/* The band of the same size that follows: to the right, or below. */
+static void follow(struct rect *band, const struct lim_target *target)
+{
+    const uint16_t lines = (uint16_t)(band->y1 - band->y0), pixels = (uint16_t)(band->x1 - band->x0);
+
+    if (band->x1 < target->w_px) {
+        band->x0 = band->x1;
+        band->x1 = (uint16_t)(target->w_px - band->x0 < pixels ? target->w_px : band->x0 + pixels);
+        return;
+    }
+    band->x0 = 0;
+    band->x1 = pixels;
+    band->y0 = band->y1;
+    band->y1 = (uint16_t)(target->h_px - band->y0 < lines ? target->h_px : band->y0 + lines);
+}
+
+/* Both passes. 1: a pool is exhausted, and *y is the first line that is not yet painted. */
+static int draw_band(struct lim *lim, const struct rect *band, uint16_t *y)
+{
+    *y = band->y0;
+    if (!collect(lim, band)) return 1;
+    return paint_band(&lim->paint, &lim->spans, &lim->retained, band, y, &lim->stats);
+}
+
+int nearest_frame(struct lim *lim)
+{
+    struct rect band = {0, 0, lim->target.w_px, lim->target.h_px};
+
+    while (band.y0 < lim->target.h_px) {
+        uint16_t y;
+        const int err = draw_band(lim, &band, &y);
+        if (err < 0) return err;
+        if (err) {
+            band.y0 = y;
+            halve(&band);
+            if (LIM_HAS_STATS) lim->stats.bands++;
+        } else {
+            follow(&band, &lim->target);
+        }
+    }
+    return 0;
+}

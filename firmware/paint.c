@@ -1,0 +1,152 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * The list of active polygons is kept in walk order, which is the order of their cells. New ones
+ * arrive far to near (retain.h), so each is put in front of the one before it or further up. */
+#include "paint.h"
+
+static const union retained_cell *cells_of(const struct retained *retained, const struct active *active)
+{
+    return &retained->cells[active->polygon];
+}
+
+_Static_assert(sizeof(union retained_cell) == sizeof(struct lim_point), "points lie one a cell");
+
+static const struct lim_point *points_of(const union retained_cell *cells)
+{
+    return &cells[RETAINED_HEAD_CELLS].at;
+}
+
+static void turn(struct active *active, const union retained_cell *cells, int16_t y)
+{
+    const int16_t at = edge_turn(&active->pair, points_of(cells), cells[0].link.n, y);
+    const int16_t bottom = (int16_t)cells[1].look.bottom;
+
+    active->turn = at < bottom ? at : bottom;
+}
+
+/* Starts one polygon on line y. false: no room. */
+static bool activate(struct paint *paint, const struct retained *retained, uint16_t polygon, uint16_t y)
+{
+    const uint16_t self = paint->free;
+    const union retained_cell *cells = &retained->cells[polygon];
+    uint16_t *link = &paint->first;
+
+    if (self == LIM_NONE) return false;
+    struct active *active = &paint->pool[self];
+    paint->free = active->next;
+    paint->used++;
+    while (*link != LIM_NONE && paint->pool[*link].polygon < polygon)
+        link = &paint->pool[*link].next;
+    active->next = *link;
+    *link = self;
+    active->polygon = polygon;
+    edge_begin(&active->pair, points_of(cells), cells[0].link.n, cells[0].link.first, (int16_t)y);
+    turn(active, cells, (int16_t)y);
+    return true;
+}
+
+static bool activate_line(struct paint *paint, const struct retained *retained, uint16_t polygon, uint16_t y)
+{
+    for (; polygon != LIM_NONE; polygon = retained->cells[polygon].link.next) {
+        if (!activate(paint, retained, polygon, y)) return false;
+    }
+    return true;
+}
+
+struct sink {
+    uint16_t *line;
+    uint16_t colour;
+    uint16_t painted_px;
+};
+
+static void paint_piece(void *ctx, uint16_t x0, uint16_t x1)
+{
+    struct sink *sink = ctx;
+
+    fill(sink->line, x0, (uint16_t)(x1 - x0), sink->colour);
+    if (LIM_HAS_STATS) sink->painted_px = (uint16_t)(sink->painted_px + x1 - x0);
+}
+
+/* Moves a polygon to line y. false: it has ended. */
+static bool advance(struct active *active, const union retained_cell *cells, int16_t y)
+{
+    if (y >= (int16_t)cells[1].look.bottom) return false;
+    if (active->pair.left_end > y) edge_step(&active->pair.left);
+    if (active->pair.right_end > y) edge_step(&active->pair.right);
+    if (y >= active->turn) turn(active, cells, y);
+    return true;
+}
+
+static void paint_polygons(struct paint *paint, struct spans *spans, const struct retained *retained, struct line *open,
+                           uint16_t y, struct sink *sink)
+{
+    uint16_t *link = &paint->first;
+
+    while (*link != LIM_NONE) {
+        const uint16_t self = *link;
+        struct active *active = &paint->pool[self];
+        const union retained_cell *cells = cells_of(retained, active);
+        const int16_t left = active->pair.left.x, right = active->pair.right.x;
+
+        sink->colour = cells[1].look.colour;
+        if (left < right) (void)span_close(spans, open, left, right, paint_piece, sink);
+        if (advance(active, cells, (int16_t)(y + 1))) {
+            link = &active->next;
+        } else {
+            *link = active->next;
+            active->next = paint->free;
+            paint->free = self;
+            paint->used--;
+        }
+    }
+}
+
+static void paint_background(const struct spans *spans, const struct line *open, const struct paint *paint,
+                             uint16_t *pixels, struct lim_stats *stats)
+{
+    const struct gap *gap = &open->gap;
+
+    for (;;) {
+        fill(pixels, gap->x0, (uint16_t)(gap->x1 - gap->x0), paint->background);
+        if (LIM_HAS_STATS) stats->pixels_background += (uint16_t)(gap->x1 - gap->x0);
+        if (gap->next == LIM_NONE) return;
+        gap = &spans->pool[gap->next];
+    }
+}
+
+static int paint_line(struct paint *paint, struct spans *spans, const struct retained *retained,
+                      const struct rect *band, uint16_t y, struct lim_stats *stats)
+{
+    struct line open = {{band->x0, band->x1, LIM_NONE}, LIM_NONE};
+    struct sink sink = {paint->target->lend(paint->target->ctx, y), 0, 0};
+
+    if (!sink.line) return LIM_ERR_TARGET;
+    if (LIM_HAS_STATS && paint->used > stats->active_max) stats->active_max = paint->used;
+    spans_reset_pool(spans);
+    paint_polygons(paint, spans, retained, &open, y, &sink);
+    paint_background(spans, &open, paint, sink.line, stats);
+    if (LIM_HAS_STATS) stats->pixels_painted += sink.painted_px;
+    return paint->target->done(paint->target->ctx, y, band->x0, (uint16_t)(band->x1 - band->x0));
+}
+
+static void start(struct paint *paint)
+{
+    for (uint16_t i = 0; i < paint->pool_size; i++)
+        paint->pool[i].next = (uint16_t)(i + 1);
+    paint->pool[paint->pool_size - 1].next = LIM_NONE;
+    paint->free = 0;
+    paint->first = LIM_NONE;
+    paint->used = 0;
+}
+
+int paint_band(struct paint *paint, struct spans *spans, const struct retained *retained, const struct rect *band,
+               uint16_t *y, struct lim_stats *stats)
+{
+    start(paint);
+    for (*y = band->y0; *y < band->y1; ++*y) {
+        if (!activate_line(paint, retained, spans->lines[*y].retained, *y)) return 1;
+        const int err = paint_line(paint, spans, retained, band, *y, stats);
+        if (err) return err;
+    }
+    return 0;
+}

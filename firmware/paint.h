@@ -1,0 +1,40 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * PAINT: line by line, the retained polygons' pixels into the memory that the target lends. In:
+ * retained polygons, listed by their top line. Out: finished lines, top to bottom. Each line
+ * closes its gaps once more, nearest polygon first, so every pixel is written exactly once; what
+ * stays open is background. Memory: a list of the polygons that cross the line, lent. */
+#ifndef LIM_PAINT_H
+#define LIM_PAINT_H
+
+#include "edge.h"
+#include "errors.h"
+#include "fill.h"
+#include "retain.h"
+#include "span.h"
+#include "stats.h"
+#include "target.h"
+
+/* A retained polygon that crosses the current line. */
+struct active {
+    struct edge_pair pair;
+    uint16_t polygon; /* its first cell; the list is sorted by it, nearest first */
+    int16_t turn;     /* the line on which its edges change, or its bottom */
+    uint16_t next;    /* in the list, or LIM_NONE */
+};
+
+struct paint {
+    const struct lim_target *target;
+    struct active *pool;
+    uint16_t pool_size;
+    uint16_t first, free; /* lists through `next` */
+    uint16_t used;
+    uint16_t background; /* as it lies in memory */
+};
+
+/* Paints the lines of `band`, from *y on; *y moves with the lines that are finished. The lines'
+ * gaps are used up. 1: too many polygons cross line *y for the pool; negative: the target's error. */
+LIM_MUST_CHECK int paint_band(struct paint *paint, struct spans *spans, const struct retained *retained,
+                              const struct rect *band, uint16_t *y, struct lim_stats *stats);
+
+#endif

@@ -1,0 +1,42 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * The polygons that have at least one visible pixel, retained between SPAN and PAINT: their points
+ * on the screen, a colour, and the line on which they start. A tenth of the memory that their
+ * spans would take. The pool is lent by the caller. */
+#ifndef LIM_RETAIN_H
+#define LIM_RETAIN_H
+
+#include "profile.h"
+#include "span.h"
+
+/* A retained polygon is two head cells and one cell a vertex. */
+union retained_cell {
+    struct {
+        uint16_t next; /* the polygon retained before this one that starts on the same line */
+        uint8_t n, first;
+    } link;
+    struct {
+        uint16_t bottom; /* the line after its last */
+        uint16_t colour; /* as it lies in memory */
+    } look;
+    struct lim_point at;
+};
+
+enum { RETAINED_HEAD_CELLS = 2 };
+
+struct retained {
+    union retained_cell *cells;
+    uint16_t size, used;
+};
+
+struct retained_polygon {
+    const struct lim_point *at;
+    uint8_t n, first;
+    uint16_t top, bottom; /* lines top <= y < bottom, on the screen */
+    uint16_t colour;
+};
+
+/* Links the polygon into its top line. false: the pool is exhausted. */
+bool retain(struct retained *retained, struct line *lines, const struct retained_polygon *polygon);
+
+#endif

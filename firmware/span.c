@@ -1,0 +1,139 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * A piece that covers a gap's left end, right end, middle or all of it: the gap loses its left
+ * end, its right end, splits in two (the only case that takes memory), or is unlinked. An emptied
+ * gap must be unlinked at once: a later polygon would find its neighbour through it. */
+#include "span.h"
+
+void spans_reset_pool(struct spans *spans)
+{
+    spans->free = LIM_NONE;
+    spans->fresh = 0;
+}
+
+void spans_open(struct spans *spans, const struct rect *open)
+{
+    for (uint16_t y = open->y0; y < open->y1; y++) {
+        spans->lines[y] = (struct line){{open->x0, open->x1, LIM_NONE}, LIM_NONE};
+    }
+    spans->open = *open;
+    spans->open_lines = (uint16_t)(open->y1 - open->y0);
+    spans_reset_pool(spans);
+}
+
+static uint16_t take_gap(struct spans *spans)
+{
+    const uint16_t taken = spans->free;
+
+    if (taken == LIM_NONE) return spans->fresh < spans->pool_size ? spans->fresh++ : LIM_NONE;
+    spans->free = spans->pool[taken].next;
+    return taken;
+}
+
+static void give_back(struct spans *spans, uint16_t gap)
+{
+    spans->pool[gap].next = spans->free;
+    spans->free = gap;
+}
+
+/* Unlinks the gap *link, whose predecessor is `before` (NULL: it is the line's first). Returns the
+ * gap that follows, now in its place, or NULL. */
+static struct gap *unlink_gap(struct spans *spans, struct gap *gap, struct gap *before)
+{
+    const uint16_t next = gap->next;
+
+    if (before) {
+        const uint16_t self = before->next;
+        before->next = next;
+        give_back(spans, self);
+        return next == LIM_NONE ? NULL : &spans->pool[next];
+    }
+    if (next == LIM_NONE) {
+        gap->x0 = gap->x1 = 0;
+        spans->open_lines--;
+        return NULL;
+    }
+    *gap = spans->pool[next];
+    give_back(spans, next);
+    return gap;
+}
+
+/* [x0, x1) lies inside the gap and touches neither end. */
+static bool split_gap(struct spans *spans, struct gap *gap, uint16_t x0, uint16_t x1)
+{
+    const uint16_t right = take_gap(spans);
+
+    if (right == LIM_NONE) return false;
+    spans->pool[right] = (struct gap){x1, gap->x1, gap->next};
+    gap->x1 = x0;
+    gap->next = right;
+    return true;
+}
+
+enum span_result span_close(struct spans *spans, struct line *line, int16_t x0, int16_t x1, span_sink *sink, void *ctx)
+{
+    enum span_result result = SPAN_NOTHING;
+    struct gap *gap = &line->gap, *before = NULL;
+
+    while (gap) {
+        const int16_t open0 = (int16_t)gap->x0, open1 = (int16_t)gap->x1;
+        if (open0 >= x1) break;
+        struct gap *next = gap->next == LIM_NONE ? NULL : &spans->pool[gap->next];
+        if (open1 <= x0 || open0 == open1) {
+            before = gap;
+            gap = next;
+            continue;
+        }
+        const uint16_t from = (uint16_t)(x0 > open0 ? x0 : open0), to = (uint16_t)(x1 < open1 ? x1 : open1);
+        if (x0 > open0 && x1 < open1 && !split_gap(spans, gap, from, to)) return SPAN_EXHAUSTED;
+        if (sink) sink(ctx, from, to);
+        result = SPAN_SOME;
+        if (x0 <= open0 && x1 >= open1) {
+            gap = unlink_gap(spans, gap, before);
+            continue;
+        }
+        if (x0 <= open0)
+            gap->x0 = to;
+        else
+            gap->x1 = from;
+        if (x1 < open1) break;
+        before = gap;
+        gap = next;
+    }
+    return result;
+}
+
+static bool is_closed(const struct line *line)
+{
+    return line->gap.x0 == line->gap.x1;
+}
+
+static uint16_t last_open(const struct spans *spans, const struct line *line)
+{
+    const struct gap *gap = &line->gap;
+
+    while (gap->next != LIM_NONE)
+        gap = &spans->pool[gap->next];
+    return gap->x1;
+}
+
+bool spans_shrink(struct spans *spans)
+{
+    struct rect open = spans->open;
+    uint16_t x0 = open.x1, x1 = open.x0;
+
+    while (open.y0 < open.y1 && is_closed(&spans->lines[open.y0]))
+        open.y0++;
+    while (open.y0 < open.y1 && is_closed(&spans->lines[open.y1 - 1]))
+        open.y1--;
+    for (uint16_t y = open.y0; y < open.y1; y++) {
+        const struct line *line = &spans->lines[y];
+        if (is_closed(line)) continue;
+        const uint16_t end = last_open(spans, line);
+        if (line->gap.x0 < x0) x0 = line->gap.x0;
+        if (end > x1) x1 = end;
+    }
+    const bool smaller = x0 > open.x0 || x1 < open.x1 || open.y0 > spans->open.y0 || open.y1 < spans->open.y1;
+    spans->open = (struct rect){x0, open.y0, x1, open.y1};
+    return smaller;
+}

@@ -1,0 +1,34 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * A target: what the renderer paints into. A panel with one line of memory is one, and so is a
+ * framebuffer. */
+#ifndef LIM_TARGET_H
+#define LIM_TARGET_H
+
+#include "config.h"
+
+enum lim_format {
+    LIM_RGB565 /* two bytes a pixel as the bus wants them: the byte with the red bits first */
+};
+
+enum lim_method {
+    LIM_NEAREST_FIRST, /* every pixel painted once, line by line; no framebuffer needed */
+    LIM_PAINTER        /* back to front; the target lends all its lines at any time */
+};
+
+/* Where pixels go. Lines are lent from the top down; each is passed to done() before the next is
+ * lent, in one or (when a pool was exhausted) several pieces from left to right. The painter
+ * alone lends lines in any order, several times, and calls done() once for each at the end. */
+struct lim_target {
+    uint16_t w_px, h_px; /* 1..LIM_MAX_SIDE_PX each */
+    enum lim_format format;
+    enum lim_method method;
+    void *ctx; /* passed to both functions */
+    /* Lends the memory of line y_px, w_px pixels, 4-byte aligned; NULL: cannot (LIM_ERR_TARGET). */
+    void *(*lend)(void *ctx, uint16_t y_px);
+    /* Pixels x_px .. x_px + n_px - 1 of line y_px are final. A negative code ends the frame and
+     * comes back from lim_frame() unchanged. */
+    int (*done)(void *ctx, uint16_t y_px, uint16_t x_px, uint16_t n_px);
+};
+
+#endif

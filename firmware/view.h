@@ -1,0 +1,68 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * VIEW: camera and vertices -> points on the screen, rounded once. In: scene vertices (16-bit
+ * units). Out: view-space points for CLIP, screen points (struct lim_point) for EDGE. Memory: a
+ * small cache of projected vertices, lent by the caller.
+ *
+ * View space: x to the right, y down, z ahead, each row scaled by the lens so that the visible
+ * part is |x| <= z, |y| <= z. Format: LIM_MATRIX_BITS fraction bits less `reach`, called _qv. */
+#ifndef LIM_VIEW_H
+#define LIM_VIEW_H
+
+#include "camera.h"
+#include "profile.h"
+#include "scene.h"
+
+enum { VIEW_CACHE_ENTRIES = 64 }; /* a power of two */
+
+struct view_point {
+    int32_t x_qv, y_qv, z_qv; /* |value| < 2^31 */
+};
+
+/* Where a vertex lies outside: bits 0..4 against what is visible, GUARD against the guard band
+ * |x|, |y| <= 2z or the near plane: such a polygon must be clipped. */
+enum view_code {
+    VIEW_NEAR = 1,
+    VIEW_LEFT = 2,
+    VIEW_RIGHT = 4,
+    VIEW_TOP = 8,
+    VIEW_BOTTOM = 16,
+    VIEW_OUTSIDE = 31,
+    VIEW_GUARD = 32
+};
+
+struct view_cached {
+    uint16_t vertex; /* LIM_NONE: empty */
+    uint8_t codes;
+    struct lim_point at; /* meaningless when codes has VIEW_GUARD */
+};
+
+struct view {
+    int16_t matrix_qv[3][3];          /* |entry| <= 2^LIM_MATRIX_BITS >> reach */
+    int32_t shift_qv[3];              /* view position of the origin of the scene */
+    int32_t near_qv;                  /* >= 2^15 */
+    uint8_t reach;                    /* view space holds 2^(17 + reach) units */
+    int32_t half_w_sub, half_h_sub;   /* half the screen, sub-pixels */
+    int32_t centre_x_qr, centre_y_qr; /* its centre and the rounding of the result, ratio format */
+    uint16_t w_px, h_px;
+    struct view_cached *cache;
+    uint32_t vertices; /* transformed since view_begin() */
+};
+
+/* Once per target: screen geometry. `cache` has VIEW_CACHE_ENTRIES entries. */
+void view_init(struct view *view, uint16_t w_px, uint16_t h_px, struct view_cached *cache);
+
+/* Once per frame. false: the camera is out of range (limner.h). */
+bool view_begin(struct view *view, const struct lim_camera *camera);
+
+void view_transform(const struct view *view, const LIM_FLASH struct lim_vertex *vertex, struct view_point *out);
+
+/* Needs near <= z and |x|, |y| <= 2z + 1. */
+struct lim_point view_project(const struct view *view, const struct view_point *point);
+
+/* Projects a polygon's n vertices (indices in `corners`) through the cache; out gets n points.
+ * Returns all codes that any vertex has, OR'ed, in bits 0..7 and those that all have in 8..15. */
+uint16_t view_polygon(struct view *view, const struct lim_scene *scene, const LIM_FLASH uint16_t *corners, uint8_t n,
+                      struct lim_point *out);
+
+#endif
