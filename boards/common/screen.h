@@ -1,0 +1,51 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Joins the renderer and a panel: a lim_target whose finished pixels go to the panel at once.
+ * Lines that come whole and in order travel in one window a frame; a piece that does not continue
+ * where the last one ended opens a window of its own. With memory for two lines one is painted
+ * while the other is on its way (DMA).
+ *
+ *     static uint32_t mem[SCREEN_MEM_B(240, 2) / 4];
+ *     int err = screen_init(&screen, &display.panel, LIM_NEAREST_FIRST, mem, sizeof mem);
+ *     ...lim_init(&lim, &scene, &screen.target, ...)...
+ *     screen_begin_frame(&screen);
+ *     err = lim_frame(&lim, &camera);
+ *     if (!err) err = screen_end_frame(&screen); */
+#ifndef BOARDS_SCREEN_H
+#define BOARDS_SCREEN_H
+
+#include "errors.h"
+#include "panel.h"
+#include "target.h"
+
+/* Bytes for n_lines of w_px RGB565 pixels, each line 4-byte aligned. Lines: 1, slow on a bus that
+ * works alone; 2, the most that nearest first uses; the panel's h_px for the painter. */
+#define SCREEN_LINE_B(w_px) (((w_px)*2u + 3u) / 4u * 4u)
+#define SCREEN_MEM_B(w_px, n_lines) ((size_t)SCREEN_LINE_B(w_px) * (n_lines))
+
+/* Private but for `target`. */
+struct screen {
+    struct lim_target target; /* what the renderer paints into */
+    struct panel *panel;
+    uint8_t *mem;
+    uint16_t line_b, n_lines; /* length of a line in mem, and how many are used */
+    uint16_t lent_line;       /* nearest first: index of the line lent last */
+    bool lent_line_sent;      /* some of it went to the panel, and may still be on its way */
+    bool window_open;         /* pixels can follow at next_x_px, next_y_px */
+    uint16_t window_end_y_px; /* first line below the window */
+    uint16_t next_x_px, next_y_px;
+};
+
+/* Prepares *screen, which must not move, for the panel's present size: call it again after a
+ * change of rotation. mem is 4-byte aligned; it and the panel must outlive *screen.
+ * LIM_ERR_MEMORY: mem_b holds no line, or for the painter not all. */
+LIM_MUST_CHECK int screen_init(struct screen *screen, struct panel *panel, enum lim_method method, void *mem,
+                               size_t mem_b);
+
+/* Before each frame: whatever was sent to the panel meanwhile, the frame starts with a window. */
+void screen_begin_frame(struct screen *screen);
+
+/* After each frame: waits until it has left. 0 or the panel's negative code. */
+LIM_MUST_CHECK int screen_end_frame(struct screen *screen);
+
+#endif

@@ -1,0 +1,66 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * What a panel needs from a port: a bus that takes bytes, pins with a level, a clock that waits.
+ * Three small interfaces, each a context and functions, so that one panel driver serves SPI
+ * peripherals with DMA, Linux spidev, USB bridges and emulated chips.
+ * Every function returns 0 or a negative code of the port's own; panels pass it on unchanged. */
+#ifndef HAL_BUS_H
+#define HAL_BUS_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#define HAL_MUST_CHECK __attribute__((warn_unused_result))
+
+/* Bytes from host to panel. Chip select, clock rate, bit order and the greatest length of a
+ * message are the port's own affair: it splits what is too long, and may release chip select
+ * between whole bytes. */
+struct bus {
+    void *ctx; /* passed to both functions */
+    /* Sends n_b bytes, in order. The transfer may go on after the return (DMA): the data must stay as
+     * it is until the next write() or flush() has returned, with or without an error; an error that
+     * comes late is that call's. */
+    int (*write)(void *ctx, const uint8_t *data, size_t n_b) HAL_MUST_CHECK;
+    /* Returns when the last byte has left, or will not leave. NULL: write() never returns earlier. */
+    int (*flush)(void *ctx) HAL_MUST_CHECK;
+};
+
+/* An output: data/command, reset, backlight. Levels are electrical. */
+struct pin {
+    void *ctx;
+    int (*set)(void *ctx, bool high) HAL_MUST_CHECK; /* NULL: not wired */
+};
+
+struct clock {
+    void *ctx;
+    /* Returns after delay_us or later. */
+    int (*delay)(void *ctx, uint32_t delay_us) HAL_MUST_CHECK;
+};
+
+HAL_MUST_CHECK static inline int bus_write(const struct bus *bus, const uint8_t *data, size_t n_b)
+{
+    return bus->write(bus->ctx, data, n_b);
+}
+
+HAL_MUST_CHECK static inline int bus_flush(const struct bus *bus)
+{
+    return bus->flush ? bus->flush(bus->ctx) : 0;
+}
+
+static inline bool pin_is_wired(const struct pin *pin)
+{
+    return pin->set != NULL;
+}
+
+HAL_MUST_CHECK static inline int pin_set(const struct pin *pin, bool high)
+{
+    return pin->set(pin->ctx, high);
+}
+
+HAL_MUST_CHECK static inline int clock_delay(const struct clock *clock, uint32_t delay_us)
+{
+    return clock->delay(clock->ctx, delay_us);
+}
+
+#endif

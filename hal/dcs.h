@@ -1,0 +1,68 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * What all colour controllers that speak the MIPI Display Command Set on SPI share: windows,
+ * pixels, rotation, offsets, sleep, reset. A chip is a constant struct dcs_chip; a module is a
+ * struct dcs_config: how a piece of glass is joined to the chip, and the chip to the host.
+ * No allocation, no globals: all state is in the caller's struct dcs. */
+#ifndef HAL_DCS_H
+#define HAL_DCS_H
+
+#include "panel.h"
+
+/* Commands of MIPI DCS, by the names that the chips' datasheets use; a chip's setup list needs them. */
+enum dcs_command {
+    DCS_SWRESET = 0x01,
+    DCS_SLPIN = 0x10,
+    DCS_SLPOUT = 0x11,
+    DCS_NORON = 0x13,
+    DCS_INVOFF = 0x20,
+    DCS_INVON = 0x21,
+    DCS_DISPOFF = 0x28,
+    DCS_DISPON = 0x29,
+    DCS_CASET = 0x2A,
+    DCS_RASET = 0x2B,
+    DCS_RAMWR = 0x2C,
+    DCS_MADCTL = 0x36,
+    DCS_COLMOD = 0x3A
+};
+
+/* How a chip differs from the others. */
+struct dcs_chip {
+    uint16_t mem_w_px, mem_h_px; /* size of its memory with MADCTL = 0 */
+    const uint8_t *setup;        /* sent once it is awake: command, number of arguments, arguments; repeated */
+    size_t setup_b;              /* length of the list */
+};
+
+/* How a module is made and wired. All zero but the required fields is an upright RGB module at
+ * the memory's corner, without reset and backlight pins. */
+struct dcs_config {
+    struct bus bus;               /* required */
+    struct pin dc;                /* data (high) or command (low); required */
+    struct pin reset;             /* active low; not wired: reset by command */
+    struct pin backlight;         /* high: lit; not wired: always lit */
+    struct clock clock;           /* required */
+    uint16_t w_px, h_px;          /* size of the glass, upright: 1 .. the memory's; 0 is refused */
+    uint16_t ox_px, oy_px;        /* memory column and row of the glass's top left pixel; offset + size <= memory's */
+    enum panel_rotation rotation; /* of the picture at start; 0: upright */
+    bool mirror;                  /* left and right of the picture swapped, for a view in a mirror */
+    bool bgr;                     /* glass whose red and blue come out swapped without it */
+    bool invert;                  /* glass whose colours come out negative without it, as IPS glass does */
+};
+
+/* State of one panel; private but for `panel`. */
+struct dcs {
+    struct panel panel; /* what the application uses */
+    const struct dcs_chip *chip;
+    struct dcs_config config;
+    enum panel_rotation rotation;
+    bool inverted;    /* the negative is asked for */
+    uint8_t dc_known; /* what D/C was last set to, as far as known */
+    uint32_t left_px; /* pixels that the open window still takes; 0: no window */
+};
+
+/* Fills *dcs without touching the hardware; panel_init() does. The configuration is copied; chip and
+ * the ports' contexts must outlive *dcs, which must not move. PANEL_ERR_CONFIG: a required
+ * function is missing or the glass leaves the memory. */
+HAL_MUST_CHECK int dcs_setup(struct dcs *dcs, const struct dcs_chip *chip, const struct dcs_config *config);
+
+#endif

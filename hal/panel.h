@@ -1,0 +1,102 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * A panel: a display's controller chip behind one interface, whatever the chip and the port.
+ * Open a window, send its pixels row by row; everything else is optional comfort.
+ * All functions return 0, an enum panel_error, or the port's negative code unchanged. After an
+ * error the window is closed; the next panel_window(), or panel_init() when the chip itself may
+ * have lost its state, starts afresh. */
+#ifndef HAL_PANEL_H
+#define HAL_PANEL_H
+
+#include "bus.h"
+#include "target.h" /* enum lim_format, nothing else */
+
+enum panel_error {
+    PANEL_ERR_CONFIG = -2001,     /* the configuration does not fit the chip */
+    PANEL_ERR_WINDOW = -2002,     /* outside the panel, or more pixels than the window has left */
+    PANEL_ERR_UNSUPPORTED = -2003 /* this panel cannot do it, or the pin is not wired */
+};
+
+/* Quarter turns of the picture on the glass, clockwise. */
+enum panel_rotation { PANEL_UPRIGHT, PANEL_TURNED_90, PANEL_TURNED_180, PANEL_TURNED_270 };
+
+struct panel_ops;
+
+/* Filled by the chip's setup function, which also says what memory must outlive it. */
+struct panel {
+    const struct panel_ops *ops;
+    void *chip;             /* the driver's own state */
+    uint16_t w_px, h_px;    /* size of the picture, after rotation */
+    enum lim_format format; /* what panel_pixels() takes */
+};
+
+/* What a chip's driver implements. The first four are required; NULL elsewhere: unsupported. */
+struct panel_ops {
+    int (*init)(struct panel *panel);
+    int (*window)(struct panel *panel, uint16_t x_px, uint16_t y_px, uint16_t w_px, uint16_t h_px);
+    int (*pixels)(struct panel *panel, const void *data, size_t n_px);
+    int (*flush)(struct panel *panel);
+    int (*sleep)(struct panel *panel, bool asleep);
+    int (*blank)(struct panel *panel, bool blank);
+    int (*set_rotation)(struct panel *panel, enum panel_rotation rotation);
+    int (*set_inverted)(struct panel *panel, bool inverted);
+    int (*set_backlight)(struct panel *panel, bool lit);
+};
+
+/* Resets and configures the chip, from any state, and lights the panel; what it then shows until
+ * the first frame is whatever its memory held. Takes up to half a second. */
+HAL_MUST_CHECK static inline int panel_init(struct panel *panel)
+{
+    return panel->ops->init(panel);
+}
+
+/* The next pixels fill this rectangle of the picture, row by row from the top left. */
+HAL_MUST_CHECK static inline int panel_window(struct panel *panel, uint16_t x_px, uint16_t y_px, uint16_t w_px,
+                                              uint16_t h_px)
+{
+    return panel->ops->window(panel, x_px, y_px, w_px, h_px);
+}
+
+/* Sends the window's next n_px pixels, packed in the panel's format; their bytes fit a size_t. The
+ * data must stay as it is until the next call has returned (see struct bus). */
+HAL_MUST_CHECK static inline int panel_pixels(struct panel *panel, const void *data, size_t n_px)
+{
+    return panel->ops->pixels(panel, data, n_px);
+}
+
+/* Waits until all pixels have left, and reports what went wrong on their way. */
+HAL_MUST_CHECK static inline int panel_flush(struct panel *panel)
+{
+    return panel->ops->flush(panel);
+}
+
+/* Least power; the chip's memory is kept. Frames are sent to a panel that is awake. */
+HAL_MUST_CHECK static inline int panel_sleep(struct panel *panel, bool asleep)
+{
+    return panel->ops->sleep ? panel->ops->sleep(panel, asleep) : PANEL_ERR_UNSUPPORTED;
+}
+
+/* Hides the picture and puts the backlight out, or shows it again; frames may be sent meanwhile. */
+HAL_MUST_CHECK static inline int panel_blank(struct panel *panel, bool blank)
+{
+    return panel->ops->blank ? panel->ops->blank(panel, blank) : PANEL_ERR_UNSUPPORTED;
+}
+
+/* Changes panel->w_px and h_px. What the panel shows is wrong until the next whole frame. */
+HAL_MUST_CHECK static inline int panel_set_rotation(struct panel *panel, enum panel_rotation rotation)
+{
+    return panel->ops->set_rotation ? panel->ops->set_rotation(panel, rotation) : PANEL_ERR_UNSUPPORTED;
+}
+
+/* true: shows the negative of the picture. */
+HAL_MUST_CHECK static inline int panel_set_inverted(struct panel *panel, bool inverted)
+{
+    return panel->ops->set_inverted ? panel->ops->set_inverted(panel, inverted) : PANEL_ERR_UNSUPPORTED;
+}
+
+HAL_MUST_CHECK static inline int panel_set_backlight(struct panel *panel, bool lit)
+{
+    return panel->ops->set_backlight ? panel->ops->set_backlight(panel, lit) : PANEL_ERR_UNSUPPORTED;
+}
+
+#endif

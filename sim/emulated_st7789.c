@@ -1,0 +1,466 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * The emulated ST7789: bytes, D/C and reset in; memory, a picture and complaints out.
+ * A byte goes down one of three ways: as a command (D/C low), as an argument of the last command,
+ * or as part of a pixel while RAMWR or RAMWRC is in force. Times are checked against the
+ * datasheet's, on a clock that only the driver's own waits advance. */
+#include "emulated_st7789.h"
+
+#include <assert.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <string.h>
+
+enum { ROW_ORDER = 0x80, COLUMN_ORDER = 0x40, EXCHANGE = 0x20, BLUE_FIRST = 0x08, MADCTL_RESERVED = 0x03 };
+
+enum { RESET_PULSE_US = 10, LISTEN_US = 5000, SLEEP_CHANGE_US = 120000 };
+
+struct emulated_command {
+    uint8_t code;
+    uint8_t n_args;
+    const char *name;
+    void (*run)(struct emulated_st7789 *chip); /* when its last argument has come; NULL: no visible effect */
+};
+
+__attribute__((format(printf, 3, 4))) static void complain(struct emulated_st7789 *chip, enum emulated_complaint kind,
+                                                           const char *format, ...)
+{
+    va_list args;
+    va_start(args, format);
+    vsnprintf(chip->complaint, sizeof chip->complaint, format, args);
+    va_end(args);
+    chip->complaints++;
+    chip->complaints_of[kind]++;
+    if (chip->on_complaint) chip->on_complaint(chip->on_complaint_ctx, chip->complaint);
+}
+
+static uint16_t columns_end(const struct emulated_st7789 *chip)
+{
+    return chip->madctl & EXCHANGE ? EMULATED_ST7789_H_PX : EMULATED_ST7789_W_PX;
+}
+
+static uint16_t rows_end(const struct emulated_st7789 *chip)
+{
+    return chip->madctl & EXCHANGE ? EMULATED_ST7789_W_PX : EMULATED_ST7789_H_PX;
+}
+
+/* What both kinds of reset do; memory keeps its contents. */
+static void reset_registers(struct emulated_st7789 *chip)
+{
+    chip->asleep = true;
+    chip->display_on = false;
+    chip->inverted = false;
+    chip->columns[0] = 0;
+    chip->columns[1] = (uint16_t)(columns_end(chip) - 1);
+    chip->rows[0] = 0;
+    chip->rows[1] = (uint16_t)(rows_end(chip) - 1);
+    chip->address_valid = false;
+    chip->ready_us = chip->now_us + LISTEN_US;
+    chip->sleep_out_from_us = chip->now_us + SLEEP_CHANGE_US;
+    chip->sleep_in_from_us = chip->now_us;
+}
+
+static void reset_hardware(struct emulated_st7789 *chip)
+{
+    chip->madctl = 0;
+    chip->bits_a_pixel = 24;
+    chip->command = NULL;
+    chip->writing = false;
+    chip->n_bits = 0;
+    reset_registers(chip);
+}
+
+static bool too_soon(struct emulated_st7789 *chip, uint64_t from_us)
+{
+    if (chip->now_us >= from_us) return false;
+    complain(chip, EMULATED_TOO_SOON, "%s came %u us too soon", chip->command->name,
+             (unsigned)(from_us - chip->now_us));
+    return true;
+}
+
+static void run_swreset(struct emulated_st7789 *chip)
+{
+    too_soon(chip, chip->sleep_in_from_us); /* not allowed while sleep is being left */
+    reset_registers(chip);
+}
+
+static void run_slpin(struct emulated_st7789 *chip)
+{
+    if (chip->asleep || too_soon(chip, chip->sleep_in_from_us)) return;
+    chip->asleep = true;
+    chip->ready_us = chip->now_us + LISTEN_US;
+    chip->sleep_out_from_us = chip->now_us + SLEEP_CHANGE_US;
+}
+
+static void run_slpout(struct emulated_st7789 *chip)
+{
+    if (!chip->asleep || too_soon(chip, chip->sleep_out_from_us)) return;
+    chip->asleep = false;
+    chip->ready_us = chip->now_us + LISTEN_US;
+    chip->sleep_in_from_us = chip->now_us + SLEEP_CHANGE_US;
+}
+
+static void run_invoff(struct emulated_st7789 *chip)
+{
+    chip->inverted = false;
+}
+
+static void run_invon(struct emulated_st7789 *chip)
+{
+    chip->inverted = true;
+}
+
+static void run_dispoff(struct emulated_st7789 *chip)
+{
+    chip->display_on = false;
+}
+
+static void run_dispon(struct emulated_st7789 *chip)
+{
+    if (chip->asleep) complain(chip, EMULATED_ASLEEP, "DISPON while asleep");
+    chip->display_on = true;
+}
+
+static void set_range(struct emulated_st7789 *chip, uint16_t range[2], uint16_t end)
+{
+    unsigned first = chip->args[0] * 256u + chip->args[1];
+    unsigned last = chip->args[2] * 256u + chip->args[3];
+    chip->address_valid = false;
+    if (first > last || last >= end) {
+        complain(chip, EMULATED_RANGE, "%s %u..%u: memory is 0..%u here", chip->command->name, first, last, end - 1u);
+        return;
+    }
+    range[0] = (uint16_t)first;
+    range[1] = (uint16_t)last;
+}
+
+static void run_caset(struct emulated_st7789 *chip)
+{
+    set_range(chip, chip->columns, columns_end(chip));
+}
+
+static void run_raset(struct emulated_st7789 *chip)
+{
+    set_range(chip, chip->rows, rows_end(chip));
+}
+
+static void run_madctl(struct emulated_st7789 *chip)
+{
+    if (chip->args[0] & MADCTL_RESERVED) complain(chip, EMULATED_ARGS_VALUE, "MADCTL 0x%02X", chip->args[0]);
+    chip->madctl = chip->args[0];
+    chip->address_valid = false;
+}
+
+static void run_colmod(struct emulated_st7789 *chip)
+{
+    switch (chip->args[0] & 0x07) {
+    case 3:
+        chip->bits_a_pixel = 12;
+        break;
+    case 5:
+        chip->bits_a_pixel = 16;
+        break;
+    case 6: /* six bits in each of three bytes */
+        chip->bits_a_pixel = 24;
+        break;
+    default:
+        complain(chip, EMULATED_ARGS_VALUE, "COLMOD 0x%02X", chip->args[0]);
+    }
+}
+
+static void start_writing(struct emulated_st7789 *chip)
+{
+    chip->writing = true;
+    chip->n_bits = 0;
+    if (chip->asleep) complain(chip, EMULATED_ASLEEP, "%s while asleep", chip->command->name);
+    if (chip->address_valid) return;
+    complain(chip, EMULATED_PIXELS_OUTSIDE, "%s without a valid window", chip->command->name);
+    chip->ignore_data = true;
+}
+
+/* A window that fitted may not fit any more once columns and rows were exchanged. */
+static void run_ramwr(struct emulated_st7789 *chip)
+{
+    chip->frame_writes++;
+    chip->x = chip->columns[0];
+    chip->y = chip->rows[0];
+    chip->window_full = false;
+    chip->address_valid = chip->columns[1] < columns_end(chip) && chip->rows[1] < rows_end(chip);
+    start_writing(chip);
+}
+
+static const struct emulated_command *find_command(uint8_t code)
+{
+    static const struct emulated_command commands[] = {
+        {0x00, 0, "NOP", NULL},
+        {0x01, 0, "SWRESET", run_swreset},
+        {0x10, 0, "SLPIN", run_slpin},
+        {0x11, 0, "SLPOUT", run_slpout},
+        {0x13, 0, "NORON", NULL},
+        {0x20, 0, "INVOFF", run_invoff},
+        {0x21, 0, "INVON", run_invon},
+        {0x28, 0, "DISPOFF", run_dispoff},
+        {0x29, 0, "DISPON", run_dispon},
+        {0x2A, 4, "CASET", run_caset},
+        {0x2B, 4, "RASET", run_raset},
+        {0x2C, 0, "RAMWR", run_ramwr},
+        {0x34, 0, "TEOFF", NULL},
+        {0x35, 1, "TEON", NULL},
+        {0x36, 1, "MADCTL", run_madctl},
+        {0x3A, 1, "COLMOD", run_colmod},
+        {0x3C, 0, "RAMWRC", start_writing},
+    };
+    for (size_t i = 0; i < sizeof commands / sizeof commands[0]; i++) {
+        if (commands[i].code == code) return &commands[i];
+    }
+    return NULL;
+}
+
+static void end_command(struct emulated_st7789 *chip)
+{
+    const struct emulated_command *command = chip->command;
+    if (chip->writing && chip->n_bits >= 8) { /* 4 bits over are the filling after an odd 12-bit pixel */
+        complain(chip, EMULATED_PIXEL_SPLIT, "pixel cut after %u of %u bits", chip->n_bits, chip->bits_a_pixel);
+    }
+    if (command && chip->n_args < command->n_args) {
+        complain(chip, EMULATED_ARGS_SHORT, "%s ended after %u of %u arguments", command->name, chip->n_args,
+                 command->n_args);
+    }
+    chip->command = NULL;
+    chip->writing = false;
+    chip->ignore_data = false;
+    chip->n_args = 0;
+    chip->n_bits = 0;
+}
+
+static void run_if_complete(struct emulated_st7789 *chip)
+{
+    if (chip->n_args == chip->command->n_args && chip->command->run) chip->command->run(chip);
+}
+
+static void receive_command(struct emulated_st7789 *chip, uint8_t code)
+{
+    end_command(chip);
+    chip->command = find_command(code);
+    if (!chip->command) {
+        complain(chip, EMULATED_UNKNOWN_COMMAND, "command 0x%02X is unknown or not modelled", code);
+        chip->ignore_data = true;
+        return;
+    }
+    too_soon(chip, chip->ready_us);
+    run_if_complete(chip);
+}
+
+static void receive_argument(struct emulated_st7789 *chip, uint8_t byte)
+{
+    if (!chip->command || chip->n_args == chip->command->n_args) {
+        complain(chip, EMULATED_ARGS_EXTRA, "data 0x%02X after %s, which takes %u bytes: too many, or no RAMWR", byte,
+                 chip->command ? chip->command->name : "no command", chip->command ? chip->command->n_args : 0);
+        chip->ignore_data = true;
+        return;
+    }
+    chip->args[chip->n_args++] = byte;
+    run_if_complete(chip);
+}
+
+static struct emulated_pixel decode(uint32_t raw, unsigned bits)
+{
+    struct emulated_pixel pixel = {.raw = raw};
+    for (unsigned i = 0; i < 3; i++) {
+        unsigned c;
+        if (bits == 12) {
+            c = (raw >> (8 - 4 * i) & 15) * 17;
+        } else if (bits == 24) {
+            c = raw >> (18 - 8 * i) & 63;
+            c = c << 2 | c >> 4;
+        } else if (i == 1) {
+            c = raw >> 5 & 63;
+            c = c << 2 | c >> 4;
+        } else {
+            c = raw >> (i == 0 ? 11 : 0) & 31;
+            c = c << 3 | c >> 2;
+        }
+        pixel.rgb[i] = (uint8_t)c;
+    }
+    return pixel;
+}
+
+/* The address counter runs along columns, then rows, and from the window's end to its start. */
+static void advance_address(struct emulated_st7789 *chip)
+{
+    if (chip->x++ < chip->columns[1]) return;
+    chip->x = chip->columns[0];
+    if (chip->y++ < chip->rows[1]) return;
+    chip->y = chip->rows[0];
+    chip->window_full = true;
+}
+
+static void store_pixel(struct emulated_st7789 *chip, uint32_t raw)
+{
+    if (chip->window_full) {
+        complain(chip, EMULATED_PIXELS_OUTSIDE, "more pixels than the window %u..%u, %u..%u holds", chip->columns[0],
+                 chip->columns[1], chip->rows[0], chip->rows[1]);
+        chip->window_full = false;
+    }
+    unsigned column = chip->madctl & EXCHANGE ? chip->y : chip->x;
+    unsigned row = chip->madctl & EXCHANGE ? chip->x : chip->y;
+    if (chip->madctl & COLUMN_ORDER) column = EMULATED_ST7789_W_PX - 1 - column;
+    if (chip->madctl & ROW_ORDER) row = EMULATED_ST7789_H_PX - 1 - row;
+    chip->memory[row][column] = decode(raw, chip->bits_a_pixel);
+    advance_address(chip);
+}
+
+static void receive_pixel_byte(struct emulated_st7789 *chip, uint8_t byte)
+{
+    chip->bits = chip->bits << 8 | byte;
+    chip->n_bits = (uint8_t)(chip->n_bits + 8);
+    if (chip->n_bits < chip->bits_a_pixel) return;
+    chip->n_bits = (uint8_t)(chip->n_bits - chip->bits_a_pixel);
+    store_pixel(chip, chip->bits >> chip->n_bits & ((UINT32_C(1) << chip->bits_a_pixel) - 1));
+}
+
+static void receive(struct emulated_st7789 *chip, const uint8_t *data, size_t n_b)
+{
+    chip->bus_b += n_b;
+    if (chip->reset_low) {
+        if (n_b > 0) complain(chip, EMULATED_RESET, "%zu bytes while reset is low", n_b);
+        return;
+    }
+    for (size_t i = 0; i < n_b; i++) {
+        if (!chip->dc_high) {
+            receive_command(chip, data[i]);
+        } else if (chip->ignore_data) {
+            continue;
+        } else if (chip->writing) {
+            receive_pixel_byte(chip, data[i]);
+        } else {
+            receive_argument(chip, data[i]);
+        }
+    }
+}
+
+static int bus_flush_chip(void *ctx)
+{
+    struct emulated_st7789 *chip = ctx;
+    receive(chip, chip->pending, chip->pending_b);
+    chip->pending_b = 0;
+    return 0;
+}
+
+static int bus_write_chip(void *ctx, const uint8_t *data, size_t n_b)
+{
+    struct emulated_st7789 *chip = ctx;
+    int err = bus_flush_chip(chip);
+    if (err) return err;
+    chip->pending = data;
+    chip->pending_b = n_b;
+    return chip->deferred ? 0 : bus_flush_chip(chip);
+}
+
+static int set_dc(void *ctx, bool high)
+{
+    struct emulated_st7789 *chip = ctx;
+    chip->dc_high = high;
+    return 0;
+}
+
+static int set_reset(void *ctx, bool high)
+{
+    struct emulated_st7789 *chip = ctx;
+    if (!high && !chip->reset_low) chip->reset_low_us = chip->now_us;
+    if (high && chip->reset_low) {
+        uint64_t pulse_us = chip->now_us - chip->reset_low_us;
+        if (pulse_us < RESET_PULSE_US) {
+            complain(chip, EMULATED_RESET, "reset low for %u us only", (unsigned)pulse_us);
+        } else {
+            reset_hardware(chip);
+        }
+    }
+    chip->reset_low = !high;
+    return 0;
+}
+
+static int set_backlight(void *ctx, bool high)
+{
+    struct emulated_st7789 *chip = ctx;
+    chip->backlight_low = !high;
+    return 0;
+}
+
+static int delay(void *ctx, uint32_t delay_us)
+{
+    struct emulated_st7789 *chip = ctx;
+    chip->now_us += delay_us;
+    return 0;
+}
+
+struct bus emulated_st7789_bus(struct emulated_st7789 *chip)
+{
+    return (struct bus){.ctx = chip, .write = bus_write_chip, .flush = bus_flush_chip};
+}
+
+struct pin emulated_st7789_dc(struct emulated_st7789 *chip)
+{
+    return (struct pin){.ctx = chip, .set = set_dc};
+}
+
+struct pin emulated_st7789_reset(struct emulated_st7789 *chip)
+{
+    return (struct pin){.ctx = chip, .set = set_reset};
+}
+
+struct pin emulated_st7789_backlight(struct emulated_st7789 *chip)
+{
+    return (struct pin){.ctx = chip, .set = set_backlight};
+}
+
+struct clock emulated_st7789_clock(struct emulated_st7789 *chip)
+{
+    return (struct clock){.ctx = chip, .delay = delay};
+}
+
+void emulated_st7789_init(struct emulated_st7789 *chip, const struct emulated_module *module)
+{
+    assert(module->ox_px + module->w_px <= EMULATED_ST7789_W_PX);
+    assert(module->oy_px + module->h_px <= EMULATED_ST7789_H_PX);
+    memset(chip, 0, sizeof *chip);
+    chip->module = *module;
+    uint32_t noise = 1;
+    for (unsigned row = 0; row < EMULATED_ST7789_H_PX; row++) {
+        for (unsigned column = 0; column < EMULATED_ST7789_W_PX; column++) {
+            noise = noise * 1664525u + 1013904223u;
+            chip->memory[row][column] = decode(noise >> 16, 16);
+        }
+    }
+    reset_hardware(chip);
+}
+
+static void see(const struct emulated_st7789 *chip, const struct emulated_pixel *pixel, uint8_t rgb[3])
+{
+    bool lit = chip->display_on && !chip->asleep && !chip->reset_low && !chip->backlight_low;
+    bool negative = chip->inverted != chip->module.ips;
+    bool swapped = ((chip->madctl & BLUE_FIRST) != 0) != chip->module.bgr;
+    for (unsigned i = 0; i < 3; i++) {
+        uint8_t c = pixel->rgb[swapped ? 2 - i : i];
+        rgb[i] = !lit ? 0 : negative ? (uint8_t)(255 - c) : c;
+    }
+}
+
+void emulated_st7789_show(const struct emulated_st7789 *chip, unsigned quarter_turns, uint8_t *rgb, uint32_t *raw)
+{
+    const struct emulated_module *module = &chip->module;
+    unsigned w_px = quarter_turns % 2 ? module->h_px : module->w_px;
+    unsigned h_px = quarter_turns % 2 ? module->w_px : module->h_px;
+    for (unsigned i = 0; i < w_px * h_px; i++) {
+        unsigned x = i % w_px;
+        unsigned y = i / w_px;
+        unsigned right = w_px - 1 - x;
+        unsigned below = h_px - 1 - y;
+        const unsigned column[] = {x, below, right, y};
+        const unsigned row[] = {y, x, below, right};
+        const struct emulated_pixel *pixel =
+            &chip->memory[module->oy_px + row[quarter_turns % 4]][module->ox_px + column[quarter_turns % 4]];
+        if (rgb) see(chip, pixel, &rgb[(size_t)3 * i]);
+        if (raw) raw[i] = pixel->raw;
+    }
+}

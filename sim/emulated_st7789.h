@@ -1,0 +1,94 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * An ST7789 with its glass, emulated from the datasheet: it takes bytes, pin levels and waits as
+ * a port passes them on, keeps its own 240x320 memory and registers, and shows what a viewer of
+ * the glass would see. What a driver does against the protocol is complained about, counted
+ * and described; the chip then carries on as well as a real one might. It knows nothing of hal/'s
+ * tables, so that neither can hide the other's mistakes. */
+#ifndef SIM_EMULATED_ST7789_H
+#define SIM_EMULATED_ST7789_H
+
+#include "bus.h"
+
+enum { EMULATED_ST7789_W_PX = 240, EMULATED_ST7789_H_PX = 320, EMULATED_ST7789_MAX_ARGS = 4 };
+
+enum emulated_complaint {
+    EMULATED_UNKNOWN_COMMAND, /* not in the datasheet, or not modelled here */
+    EMULATED_ARGS_SHORT,      /* D/C went low before the command had all its arguments */
+    EMULATED_ARGS_EXTRA,      /* data after the last argument: also pixels without RAMWR */
+    EMULATED_ARGS_VALUE,      /* an argument that the command does not define */
+    EMULATED_RANGE,           /* column or row beyond memory, or start after end */
+    EMULATED_PIXELS_OUTSIDE,  /* pixels beyond the window's last, or with no valid window */
+    EMULATED_PIXEL_SPLIT,     /* a command came between the bytes of a pixel */
+    EMULATED_ASLEEP,          /* display switched on or pixels sent before sleep was left */
+    EMULATED_TOO_SOON,        /* less than the required time after reset, SLPIN or SLPOUT */
+    EMULATED_RESET,           /* reset pulse under 10 us, or bytes sent while reset is low */
+    EMULATED_COMPLAINTS
+};
+
+/* The module round the chip. */
+struct emulated_module {
+    uint16_t w_px, h_px;   /* glass, upright; with the offsets it must lie within memory */
+    uint16_t ox_px, oy_px; /* memory column and row behind the glass's top left pixel */
+    bool ips;              /* glass that shows the negative unless inversion is on */
+    bool bgr;              /* glass with blue first: true colours need MADCTL's BGR bit */
+};
+
+struct emulated_pixel {
+    uint32_t raw;   /* as written: 12, 16 or 24 bits, the first on the bus highest */
+    uint8_t rgb[3]; /* its colour, before inversion and BGR */
+};
+
+/* About 600 kB: place it in static memory or on the heap. All of it may be read. */
+struct emulated_st7789 {
+    /* To be set after init, if wanted. */
+    void (*on_complaint)(void *ctx, const char *text); /* called for each complaint */
+    void *on_complaint_ctx;
+    bool deferred; /* what is written is read only by the next write or flush, as with DMA */
+
+    unsigned complaints;                         /* all */
+    unsigned complaints_of[EMULATED_COMPLAINTS]; /* of each kind */
+    char complaint[160];                         /* text of the last */
+    uint64_t now_us;                             /* virtual time: the sum of all waits */
+    uint64_t bus_b;                              /* bytes received */
+    uint32_t frame_writes;                       /* RAMWR commands */
+
+    /* Module and pins. */
+    struct emulated_module module;
+    const uint8_t *pending; /* deferred bytes */
+    size_t pending_b;
+    bool dc_high, reset_low, backlight_low;
+    uint64_t reset_low_us, ready_us, sleep_in_from_us, sleep_out_from_us;
+
+    /* Registers, and the command under way. */
+    bool asleep, display_on, inverted;
+    uint8_t madctl, bits_a_pixel;
+    uint16_t columns[2], rows[2];           /* CASET and RASET: first and last */
+    const struct emulated_command *command; /* being received, or receiving pixels; NULL: none */
+    uint8_t args[EMULATED_ST7789_MAX_ARGS];
+    uint16_t n_args;
+    bool writing, ignore_data; /* the command takes pixels; its data were complained about already */
+    bool address_valid, window_full;
+    uint16_t x, y; /* address counter */
+    uint32_t bits; /* bits of the pixel under way */
+    uint8_t n_bits;
+    struct emulated_pixel memory[EMULATED_ST7789_H_PX][EMULATED_ST7789_W_PX];
+};
+
+/* Power on: registers at their defaults, memory full of noise. */
+void emulated_st7789_init(struct emulated_st7789 *chip, const struct emulated_module *module);
+
+/* The port of this chip, for a driver's configuration. */
+struct bus emulated_st7789_bus(struct emulated_st7789 *chip);
+struct pin emulated_st7789_dc(struct emulated_st7789 *chip);
+struct pin emulated_st7789_reset(struct emulated_st7789 *chip);
+struct pin emulated_st7789_backlight(struct emulated_st7789 *chip);
+struct clock emulated_st7789_clock(struct emulated_st7789 *chip);
+
+/* What is on the glass, for a picture that was turned clockwise by `quarter_turns` (0..3) and whose
+ * viewer has turned the module back by as much: w x h pixels, rows from the top left; w and h are
+ * the glass's, swapped for odd turns. rgb (3 bytes a pixel) is what the eye sees, black when the
+ * display is off, asleep or unlit; raw is what was written. Either may be NULL. */
+void emulated_st7789_show(const struct emulated_st7789 *chip, unsigned quarter_turns, uint8_t *rgb, uint32_t *raw);
+
+#endif
