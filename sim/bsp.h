@@ -1,0 +1,69 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * The BSP tree of a mesh. Nodes carry the stored planes of coplanar groups; polygons across a
+ * plane are split at exact points; each piece lies, up to the tolerance, on the side of every
+ * plane above it that it was filed under. */
+#ifndef SIM_BSP_H
+#define SIM_BSP_H
+
+#include "coplanar.h"
+#include "edges.h"
+#include "splitter.h"
+
+#define BSP_NONE UINT32_MAX
+
+/* A corner of a piece and the edge that leads to the next corner. */
+struct bsp_corner {
+    uint32_t point, edge;
+};
+
+/* A polygon of the mesh, or what splitting left of it. */
+struct bsp_piece {
+    size_t first; /* corners[first .. first + count) */
+    uint32_t count;
+    uint32_t polygon;         /* of the mesh */
+    double centre[3], radius; /* a sphere that holds it; units */
+};
+
+struct bsp_node {
+    uint32_t group;         /* of coplanar polygons, whose plane is the node's */
+    uint32_t front, back;   /* child nodes or BSP_NONE */
+    uint32_t parent;        /* BSP_NONE at the root */
+    bool in_front;          /* is it its parent's front child? */
+    size_t first, count;    /* its pieces: placed[first .. first + count) */
+};
+
+struct bsp {
+    const struct mesh *mesh;
+    const struct coplanar *coplanar;
+    double tolerance_units; /* a corner this near to a plane counts as on it; 0: only if exactly on it */
+    struct edges edges;     /* leads to the points */
+    struct bsp_corner *corners;
+    struct bsp_piece *pieces;
+    struct bsp_node *nodes; /* parents before children, front subtrees before back ones */
+    uint32_t *placed;       /* pieces, node by node */
+    size_t corner_count, corner_capacity, piece_count, piece_capacity, node_count, node_capacity;
+    size_t placed_count, placed_capacity;
+    size_t splits, depth;
+};
+
+/* More pieces than any scene can hold: building stops there. */
+enum { BSP_PIECES_MAX = 1 << 18 };
+
+/* Builds the tree. `points` holds exactly the mesh's points and receives those of the splits.
+ * False if the pieces become too many. bsp_free() it either way. */
+bool bsp_build(struct bsp *bsp, const struct mesh *mesh, const struct coplanar *coplanar, double tolerance_units,
+               struct exact_points *points, const struct splitter *splitter);
+
+enum { BSP_ON = 0, BSP_FRONT = 1, BSP_BACK = 2, BSP_BOTH = BSP_FRONT | BSP_BACK };
+
+/* Where the corners of a piece are: a sum of BSP_FRONT and BSP_BACK. */
+int bsp_piece_sides(const struct bsp *bsp, const struct bsp_piece *piece, const struct plane *plane);
+
+/* How far any corner of a piece lies on the wrong side of a plane that the piece is filed under,
+ * or off the plane that it is filed in; an upper bound, in units, 0 if exactly none does. */
+double bsp_worst_violation(const struct bsp *bsp);
+
+void bsp_free(struct bsp *bsp); /* leaves the points alone */
+
+#endif

@@ -1,0 +1,60 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Where the camera is in each frame, in metres and double precision: read from a camera file (a
+ * line a frame, `ex ey ez tx ty tz`, '#' starts a comment) or an orbit around a scene; and its
+ * conversion to the renderer's fixed-point camera. */
+#ifndef SIM_CAMERA_PATH_H
+#define SIM_CAMERA_PATH_H
+
+#include "compiled.h"
+#include "error.h"
+#include "limner.h"
+
+#include <stddef.h>
+
+struct viewpoint {
+    double eye_m[3], target_m[3];
+    size_t line; /* in the file, from 1; an orbit counts its frames */
+};
+
+struct camera_path {
+    char *name; /* the file's, for error messages */
+    struct viewpoint *frames;
+    size_t count; /* at least 1 */
+};
+
+/* The picture's half-sizes at distance 1, and where the view begins. */
+struct lens {
+    double tan_x, tan_y;
+    double near_m;
+};
+
+/* Orthonormal axes of the view; right = forward x up. */
+struct view_axes {
+    double right[3], up[3], forward[3];
+};
+
+/* Refuses, by FILE:LINE: reason, what is not six finite numbers, and an eye on its target. */
+bool camera_path_read(const char *path, struct camera_path *out, struct error *err);
+
+/* frame_count frames once around the scene's bounds, from where all of it is in view. */
+bool camera_path_orbit(const struct compiled *scene, const struct lens *lens, size_t frame_count,
+                       struct camera_path *out, struct error *err);
+
+void camera_path_free(struct camera_path *path);
+
+/* fov_deg is vertical; pixels are square. Refuses what struct lim_camera cannot hold. */
+bool lens_init(struct lens *lens, double fov_deg, double near_m, unsigned w_px, unsigned h_px, struct error *err);
+
+/* 0.1 m; a tenth of the longest side of a scene smaller than a metre; the least the renderer can
+ * hold in one of thousands of kilometres. */
+double lens_default_near_m(const struct grid *grid);
+
+/* Looking straight up the picture's up is -z, straight down it is +z. */
+void viewpoint_axes(const struct viewpoint *viewpoint, struct view_axes *axes);
+
+/* Rounds to nearest; refuses, naming the line, an eye or near plane out of the renderer's range. */
+bool camera_path_to_camera(const struct camera_path *path, size_t frame, const struct lens *lens,
+                           const struct grid *grid, struct lim_camera *camera, struct error *err);
+
+#endif

@@ -1,0 +1,233 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * `limner render`: options -> scene and camera path -> frames -> files and tables. Either all files
+ * that were asked for are there at the end, or none. */
+#include "commands.h"
+#include "dump.h"
+#include "frame_table.h"
+#include "hashes.h"
+#include "ids.h"
+#include "options.h"
+#include "outputs.h"
+
+#include <errno.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+enum { GIF_FRAMES_PER_S = 15, PATH_SIZE = 4096 };
+
+struct render {
+    struct options options;
+    struct compiled scene;
+    struct lens lens;
+    struct camera_path path;
+    struct simulator simulator;
+    struct ids ids;             /* --ids, --compare */
+    struct reference reference; /* --compare */
+    struct outputs outputs;
+    FILE *gif_file, *sheet_file, *ids_file, *hashes_file; /* NULL: not asked for */
+    struct frame_row *rows;                               /* one a frame */
+    uint64_t *hashes;                                     /* one a frame */
+    uint16_t *film_pixels;                                /* all frames, for --gif and --sheet */
+};
+
+/* Begin -------------------------------------------------------------------------------------- */
+
+static bool open_output(struct render *render, const char *path, FILE **file, struct error *err)
+{
+    if (!path) return true;
+    *file = outputs_open(&render->outputs, path, err);
+    return *file != NULL;
+}
+
+/* What can be refused without the scene is refused before it is compiled. */
+static bool open_outputs(struct render *render, struct error *err)
+{
+    const struct options *options = &render->options;
+    if (options->compare && options_scene_is_compiled(options))
+        return error_set(err, "--compare: %s holds no source polygons; give the model", options->scene_path);
+    return open_output(render, options->gif_path, &render->gif_file, err) &&
+           open_output(render, options->sheet_path, &render->sheet_file, err) &&
+           open_output(render, options->ids_path, &render->ids_file, err) &&
+           open_output(render, options->hashes_path, &render->hashes_file, err);
+}
+
+static bool allocate(struct render *render, struct error *err)
+{
+    const struct options *options = &render->options;
+    const size_t frame_count = render->path.count, pixel_count = (size_t)options->w_px * options->h_px;
+    render->rows = calloc(frame_count, sizeof render->rows[0]);
+    render->hashes = calloc(frame_count, sizeof render->hashes[0]);
+    bool want_film = render->gif_file || render->sheet_file;
+    if (want_film) render->film_pixels = calloc(frame_count, pixel_count * sizeof render->film_pixels[0]);
+    return (render->rows && render->hashes && (!want_film || render->film_pixels)) ||
+           error_set(err, "%zu frames of %ux%u pixels: out of memory", frame_count, options->w_px, options->h_px);
+}
+
+static bool start(struct render *render, struct error *err)
+{
+    const struct options *options = &render->options;
+    const unsigned w_px = options->w_px, h_px = options->h_px;
+    if (!simulator_init(&render->simulator, &render->scene.scene, options->panel, options->method, w_px, h_px, err))
+        return false;
+    bool want_ids = options->ids_path || options->compare;
+    if (want_ids && !ids_init(&render->ids, &render->scene, options->method, w_px, h_px, err)) return false;
+    return !options->compare || reference_read(&render->reference, options->scene_path, w_px, h_px, err);
+}
+
+/* Frames ------------------------------------------------------------------------------------- */
+
+static bool write_frame(struct render *render, size_t frame, struct error *err)
+{
+    char path[PATH_SIZE];
+    if (!output_pattern_path(render->options.frame_pattern, frame, path, sizeof path, err)) return false;
+    FILE *file = outputs_open(&render->outputs, path, err);
+    if (!file) return false;
+    struct film film = simulator_film(&render->simulator);
+    gdImagePtr image = image_from_frame(&film, 0);
+    bool ok = image_write_png(image, file, path, err);
+    if (image) gdImageDestroy(image);
+    return outputs_close(file, path, ok ? err : &(struct error){0}) && ok;
+}
+
+static bool identify_frame(struct render *render, size_t frame, const struct lim_camera *camera, struct error *err)
+{
+    if (!ids_frame(&render->ids, camera, err)) return false;
+    if (render->ids_file && !ids_write(&render->ids, render->ids_file))
+        return error_set(err, "%s: cannot be written", render->options.ids_path);
+    if (!render->options.compare) return true;
+    reference_draw(&render->reference, &render->path.frames[frame], &render->lens);
+    render->rows[frame].compare =
+        compare_picture(render->ids.faces, &render->reference, NULL, 1.0 / render->scene.grid.units_per_m);
+    return true;
+}
+
+static bool render_frame(struct render *render, size_t frame, struct error *err)
+{
+    const size_t pixel_count = simulator_pixel_count(&render->simulator);
+    struct lim_camera camera;
+    if (!camera_path_to_camera(&render->path, frame, &render->lens, &render->scene.grid, &camera, err) ||
+        !simulator_frame(&render->simulator, &camera, err))
+        return false;
+    struct frame_row *row = &render->rows[frame];
+    row->stats = *lim_stats(&render->simulator.lim);
+    row->pixels = pixel_count;
+    row->bus_b = render->simulator.bus_b;
+    render->hashes[frame] = hash_pixels(render->simulator.pixels, pixel_count);
+    if (render->film_pixels)
+        memcpy(render->film_pixels + frame * pixel_count, render->simulator.pixels,
+               pixel_count * sizeof render->film_pixels[0]);
+    if (render->options.frame_pattern && !write_frame(render, frame, err)) return false;
+    bool want_ids = render->options.ids_path || render->options.compare;
+    return !want_ids || identify_frame(render, frame, &camera, err);
+}
+
+static bool render_frames(struct render *render, struct error *err)
+{
+    const bool show_progress = isatty(STDERR_FILENO);
+    bool ok = true;
+    for (size_t frame = 0; ok && frame < render->path.count; frame++) {
+        if (show_progress) fprintf(stderr, "\rframe %zu of %zu", frame + 1, render->path.count);
+        ok = render_frame(render, frame, err);
+    }
+    if (show_progress) fputs("\r\x1B[K", stderr);
+    return ok;
+}
+
+/* End ---------------------------------------------------------------------------------------- */
+
+static bool write_sheet(struct render *render, const struct film *film, struct error *err)
+{
+    gdImagePtr sheet = image_contact_sheet(film);
+    bool ok = image_write_png(sheet, render->sheet_file, render->options.sheet_path, err);
+    if (sheet) gdImageDestroy(sheet);
+    return ok;
+}
+
+static bool write_films(struct render *render, struct error *err)
+{
+    const struct options *options = &render->options;
+    const struct film film = {options->w_px, options->h_px, render->path.count, render->film_pixels};
+    if (render->gif_file && !image_write_gif(&film, GIF_FRAMES_PER_S, render->gif_file, options->gif_path, err))
+        return false;
+    if (render->sheet_file && !write_sheet(render, &film, err)) return false;
+    if (render->hashes_file && !hashes_write(render->hashes, render->path.count, render->hashes_file))
+        return error_set(err, "%s: cannot be written", options->hashes_path);
+    return true;
+}
+
+static bool close_output(FILE **file, const char *path, struct error *err)
+{
+    FILE *closing = *file;
+    *file = NULL;
+    return !closing || outputs_close(closing, path, err);
+}
+
+static bool close_outputs(struct render *render, struct error *err)
+{
+    const struct options *options = &render->options;
+    return close_output(&render->gif_file, options->gif_path, err) &&
+           close_output(&render->sheet_file, options->sheet_path, err) &&
+           close_output(&render->ids_file, options->ids_path, err) &&
+           close_output(&render->hashes_file, options->hashes_path, err) && outputs_keep(&render->outputs, err);
+}
+
+static bool print_tables(const struct render *render, struct error *err)
+{
+    if (render->options.stats) {
+        printf("%ux%u pixels, %s\n", render->options.w_px, render->options.h_px,
+               render->simulator.board ? "through the emulated st7789"
+                                       : "into plain memory: no emulated panel, nothing sent on a bus");
+        frame_table_print_stats(render->rows, render->path.count, stdout);
+    }
+    if (render->options.compare) frame_table_print_compare(render->rows, render->path.count, stdout);
+    return (fflush(stdout) == 0 && !ferror(stdout)) || error_set(err, "standard output: %s", strerror(errno));
+}
+
+/* Checks come last: a frame that differs is worth looking at, so the files stay. */
+static bool check(const struct render *render, struct error *err)
+{
+    if (render->options.check_path &&
+        !hashes_check(render->hashes, render->path.count, render->options.check_path, err))
+        return false;
+    struct film last = simulator_film(&render->simulator);
+    return dump_last_frame(&last, err);
+}
+
+static bool render_run(struct render *render, struct error *err)
+{
+    if (!open_outputs(render, err) ||
+        !options_load(&render->options, &render->scene, &render->lens, &render->path, err) || !allocate(render, err) ||
+        !start(render, err) || !render_frames(render, err) || !write_films(render, err) || !close_outputs(render, err))
+        return false;
+    return print_tables(render, err) && check(render, err);
+}
+
+static void render_free(struct render *render)
+{
+    struct error ignored; /* the first one counts */
+    close_output(&render->gif_file, "", &ignored);
+    close_output(&render->sheet_file, "", &ignored);
+    close_output(&render->ids_file, "", &ignored);
+    close_output(&render->hashes_file, "", &ignored);
+    outputs_discard(&render->outputs);
+    simulator_free(&render->simulator);
+    ids_free(&render->ids);
+    reference_free(&render->reference);
+    camera_path_free(&render->path);
+    compiled_free(&render->scene);
+    free(render->rows);
+    free(render->hashes);
+    free(render->film_pixels);
+}
+
+int cmd_render(int argc, char **argv)
+{
+    struct render render = {0};
+    struct error err;
+    bool ok = options_parse(argc, argv, OPTIONS_RENDER, &render.options, &err) && render_run(&render, &err);
+    render_free(&render);
+    if (!ok) fprintf(stderr, "limner: %s\n", err.text);
+    return ok ? EXIT_SUCCESS : EXIT_FAILURE;
+}

@@ -1,0 +1,12 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * The subcommands of `limner`. argv[0] is the subcommand's name, its arguments follow; the result
+ * is the exit status of the program. Each prints its own errors: one line on stderr. */
+#ifndef SIM_COMMANDS_H
+#define SIM_COMMANDS_H
+
+int cmd_compile(int argc, char **argv);
+int cmd_render(int argc, char **argv);
+int cmd_view(int argc, char **argv);
+
+#endif

@@ -1,0 +1,36 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * How far a rendered picture, given as face numbers, is from the reference picture. */
+#ifndef SIM_COMPARE_H
+#define SIM_COMPARE_H
+
+#include "reference.h"
+
+struct compare_counts {
+    size_t pixels;
+    size_t wrong;  /* another face than the reference's */
+    size_t beyond; /* wrong, and none of the reference's 3x3 pixels around has the face either: no
+                      edge shifted by a pixel explains it */
+    size_t holes;  /* beyond, and farther than all of those 3x3 pixels, or background where none of
+                      them is: one sees through a surface */
+};
+
+struct comparison {
+    struct compare_counts total;
+    struct compare_counts worst; /* the frame with the most wrong pixels */
+    size_t frames, worst_frame;
+};
+
+/* Compares a picture of the reference's size with the frame the reference drew last. Farther
+ * means by more than 8 grid units and 0.1 %. `groups` maps face numbers to those that count as
+ * one (mesh.merged_into), NULL: each for itself. */
+struct compare_counts compare_picture(const uint32_t *rendered, const struct reference *reference,
+                                      const uint32_t *groups, double unit_m);
+
+/* Adds a frame to the sum over a camera path. */
+void comparison_add(struct comparison *comparison, const struct compare_counts *frame);
+
+double compare_wrong_percent(const struct compare_counts *counts);
+double compare_beyond_ppm(const struct compare_counts *counts);
+
+#endif

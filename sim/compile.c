@@ -1,0 +1,160 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Mesh to compiled scene: exact points, coplanar groups, a tree for each heuristic wanted, the
+ * best of them kept. */
+#include "encode.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* What every heuristic starts from. */
+struct compilation {
+    const struct mesh *mesh;
+    const struct compile_options *options;
+    struct exact_points points;
+    struct coplanar coplanar;
+};
+
+static const double GRID_END = 32767.5; /* halves round up: 32767.5 would be 32768 */
+
+/* Bytes of a scene's arrays and its struct lim_scene, as a 32-bit microcontroller holds them. */
+static size_t flash_b(const struct lim_scene *scene)
+{
+    enum { POINTERS = 6, POINTER_B = 4, COUNTS = 8, SCENE_B = POINTERS * POINTER_B + COUNTS * 2 + 5 * 2 + 2 };
+    return SCENE_B + scene->vertex_count * sizeof *scene->vertices + scene->node_count * sizeof *scene->nodes +
+           scene->plane_count * sizeof *scene->planes + scene->exact_count * sizeof *scene->exact +
+           scene->box_count * sizeof *scene->boxes + scene->polygon_words * sizeof *scene->polygons;
+}
+
+/* The smaller the better: bytes of flash, with splits and depth as bytes on top. A split costs
+ * instructions in every frame that shows it; a level of depth costs 4 bytes of stack. */
+static size_t badness(const struct compile_report *report)
+{
+    enum { SPLIT_B = 40, LEVEL_B = 4 };
+    return report->flash_b + report->splits * SPLIT_B + report->depth * LEVEL_B;
+}
+
+static void report_set(struct compile_report *report, const struct bsp *bsp, const struct encoding *encoding,
+                       const struct lim_scene *scene, const struct splitter *splitter)
+{
+    *report = (struct compile_report){.mesh = bsp->mesh->counts,
+                                      .polygons_in = bsp->mesh->polygon_count,
+                                      .polygons_out = encoding->record_count,
+                                      .splits = bsp->splits,
+                                      .collapsed = encoding->collapsed,
+                                      .depth = encoding->depth,
+                                      .worst_violation_units = bsp_worst_violation(bsp),
+                                      .flash_b = flash_b(scene)};
+    for (size_t i = 0; i < scene->node_count; i++) report->kinds[scene->nodes[i].kind]++;
+    snprintf(report->splitter, sizeof report->splitter, "%s", splitter->name);
+}
+
+/* One heuristic, from the list of polygons to the scene. */
+static bool compile_with(struct compilation *work, const struct splitter *splitter, struct compiled *out,
+                         struct error *err)
+{
+    struct bsp bsp;
+    struct encoding encoding = {0};
+    bool ok = bsp_build(&bsp, work->mesh, &work->coplanar, work->options->tolerance_units, &work->points, splitter) ||
+              error_set(err, "scene too large: split into more than %d pieces", BSP_PIECES_MAX);
+    ok = ok && encode_bsp(&bsp, &encoding, err);
+    if (ok) {
+        lim_image_make(&encoding, &work->mesh->grid, out);
+        report_set(&out->report, &bsp, &encoding, &out->scene, splitter);
+    }
+    encoding_free(&encoding);
+    bsp_free(&bsp);
+    exact_truncate(&work->points, work->mesh->point_count);
+    return ok;
+}
+
+static bool is_wanted(const struct compile_options *options, const struct splitter *splitter)
+{
+    if (strcmp(options->splitter, "auto") != 0) return strcmp(options->splitter, splitter->name) == 0;
+    return splitter != &splitters[0]; /* "first" is for lists that are in order already */
+}
+
+static void progress(const struct compilation *work, const char *step)
+{
+    if (work->options->progress) fprintf(stderr, "\rcompiling: %zu polygons, %-20s", work->mesh->polygon_count, step);
+}
+
+/* Keeps the best of all; an error is the last one, and counts only if none succeeds. */
+static bool compile_best(struct compilation *work, struct compiled *out, struct error *err)
+{
+    bool ok = false;
+    error_set(err, "--splitter %s: no such heuristic; there are auto, first, fewest and balanced",
+              work->options->splitter);
+    for (size_t i = 0; i < splitter_count; i++) {
+        struct compiled candidate = {0};
+        if (!is_wanted(work->options, &splitters[i])) continue;
+        progress(work, splitters[i].name);
+        if (!compile_with(work, &splitters[i], &candidate, err)) continue;
+        if (!ok || badness(&candidate.report) < badness(&out->report)) {
+            struct compiled worse = *out;
+            *out = candidate;
+            candidate = worse;
+        }
+        compiled_free(&candidate);
+        ok = true;
+    }
+    return ok;
+}
+
+/* Corners only: points that no polygon uses may lie anywhere. */
+static bool check_grid(const struct compilation *work, struct error *err)
+{
+    for (size_t i = 0; i < work->mesh->corner_count; i++)
+        for (int k = 0; k < 3; k++)
+            if (!(fabs(work->points.approx[work->mesh->corners[i]][k]) < GRID_END))
+                return error_set(err, "vertex %lu lies beyond the 16-bit grid",
+                                 (unsigned long)work->mesh->corners[i] + 1);
+    return work->mesh->polygon_count > 0 || error_set(err, "no polygons");
+}
+
+bool compile_mesh(const struct mesh *mesh, const struct compile_options *options, struct compiled *out,
+                  struct error *err)
+{
+    struct compilation work = {.mesh = mesh, .options = options};
+    *out = (struct compiled){0};
+    for (size_t i = 0; i < mesh->point_count; i++) exact_add_m(&work.points, mesh->points[i], &mesh->grid);
+    bool ok = check_grid(&work, err);
+    if (ok) {
+        progress(&work, "planes");
+        coplanar_find(mesh, work.points.approx, options->tolerance_units, &work.coplanar);
+        ok = compile_best(&work, out, err);
+        if (options->progress) fputs("\r\033[K", stderr);
+    }
+    coplanar_free(&work.coplanar);
+    exact_free(&work.points);
+    return ok;
+}
+
+static bool compile_loaded(const struct model *model, const struct compile_options *options, struct compiled *out,
+                           struct error *err)
+{
+    struct mesh mesh;
+    if (!mesh_clean(model, &mesh, err)) return false;
+    bool ok = (options->keep_faces || mesh_merge(&mesh, err)) && mesh_insert_t_vertices(&mesh, err) &&
+              compile_mesh(&mesh, options, out, err);
+    mesh_free(&mesh);
+    return ok;
+}
+
+bool compile_model(const char *path, const struct compile_options *options, struct compiled *out, struct error *err)
+{
+    struct model model;
+    *out = (struct compiled){0};
+    if (!model_import(path, &model, err)) return false;
+    bool ok = compile_loaded(&model, options, out, err) || error_prefix(err, path);
+    model_free(&model);
+    return ok;
+}
+
+void compiled_free(struct compiled *scene)
+{
+    free(scene->image);
+    *scene = (struct compiled){0};
+}

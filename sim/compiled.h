@@ -1,0 +1,59 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * A compiled scene on the host: what flash would hold, and what only the host wants to know. Made
+ * by compile_mesh() or read from a .lim file; written as .lim or as C source. firmware/SCENE.md. */
+#ifndef SIM_COMPILED_H
+#define SIM_COMPILED_H
+
+#include "error.h"
+#include "mesh.h"
+#include "scene.h"
+
+struct compile_options {
+    double tolerance_units; /* a polygon this near to a plane lies on it; 0.5 by default, 0 = exact */
+    const char *splitter;   /* "auto", "first", "fewest", "balanced": heuristic of the tree builder */
+    bool keep_faces;        /* do not merge: every face keeps its own number in --ids */
+    bool progress;          /* show progress on stderr */
+};
+
+struct compile_report {
+    struct mesh_counts mesh;
+    size_t polygons_in, polygons_out;  /* before and after splitting */
+    size_t splits;
+    size_t collapsed;                  /* pieces that the grid rounded to nothing */
+    size_t depth;
+    size_t kinds[6];                   /* nodes by enum lim_plane_kind */
+    double worst_violation_units;      /* certified: how far any vertex lies on the wrong side */
+    char splitter[16];                 /* the heuristic that won */
+    size_t flash_b;                    /* bytes of all arrays and the struct lim_scene on a 32-bit MCU */
+};
+
+struct compiled {
+    struct lim_scene scene; /* its pointers lead into `image` */
+    struct grid grid;
+    uint32_t *faces;        /* polygon_count entries: face number (1-based) of each record, in order */
+    void *image;            /* the .lim file's bytes, owned */
+    size_t image_b;
+    struct compile_report report; /* all zero when read from a file */
+};
+
+/* Builds the exact BSP tree of a mesh (T-vertices already in it) and encodes it. */
+bool compile_mesh(const struct mesh *mesh, const struct compile_options *options, struct compiled *out,
+                  struct error *err);
+
+/* Model file -> compiled scene, all steps. */
+bool compile_model(const char *path, const struct compile_options *options, struct compiled *out, struct error *err);
+
+/* .lim files: versioned, checksummed, little-endian. A refused file is named with the reason:
+ * missing, truncated, no Limner scene, wrong version, checksum, or an index out of range. */
+bool lim_file_write(const struct compiled *scene, const char *path, struct error *err);
+bool lim_file_read(const char *path, struct compiled *out, struct error *err);
+
+/* NAME.c and NAME.h: const arrays and the configuration for a firmware build. `name` is a path
+ * without suffix; its last part prefixes the C symbols. */
+bool c_source_write(const struct compiled *scene, const char *name, struct error *err);
+
+void compile_report_print(const struct compiled *scene, const char *name);
+void compiled_free(struct compiled *scene);
+
+#endif

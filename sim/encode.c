@@ -1,0 +1,268 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Writes nodes, runs of polygon records, planes and vertices in the order in which a walk comes
+ * to them: each node, then its front subtree, then its back subtree. */
+#include "encode.h"
+
+#include "grow.h"
+#include "outline.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+enum { COUNT_MAX = 0xFFFF };
+
+/* What encoding needs to remember on the way. */
+struct encoder {
+    const struct bsp *bsp;
+    struct encoding *out;
+    struct lim_vertex *snapped; /* the exact points, rounded */
+    struct map vertices;        /* coordinates -> index */
+    struct map planes;          /* group -> index */
+    struct outline outline;     /* the piece at hand */
+};
+
+uint16_t rgb565_from_rgb888(uint32_t colour)
+{
+    uint32_t red = colour >> 16 & 0xFF, green = colour >> 8 & 0xFF, blue = colour & 0xFF;
+    return (uint16_t)((red * 31 + 127) / 255 << 11 | (green * 63 + 127) / 255 << 5 | (blue * 31 + 127) / 255);
+}
+
+/* Records ------------------------------------------------------------------------------------ */
+
+static void word_add(struct encoding *out, size_t word)
+{
+    out->words = grow(out->words, out->word_count, &out->word_capacity, sizeof *out->words);
+    out->words[out->word_count++] = (uint16_t)word;
+}
+
+static uint32_t vertex_index(struct encoder *work, struct lim_vertex vertex)
+{
+    struct encoding *out = work->out;
+    uint64_t key = (uint64_t)(uint16_t)vertex.x << 32 | (uint64_t)(uint16_t)vertex.y << 16 | (uint16_t)vertex.z;
+    uint32_t index = *map_at(&work->vertices, key, (uint32_t)out->vertex_count);
+    if (index < out->vertex_count) return index;
+    out->vertices = grow(out->vertices, out->vertex_count, &out->vertex_capacity, sizeof *out->vertices);
+    out->vertices[out->vertex_count++] = vertex;
+    return index;
+}
+
+static void record_add(struct encoder *work, const struct outline *outline, const struct mesh_polygon *polygon)
+{
+    struct encoding *out = work->out;
+    out->faces = grow(out->faces, out->record_count, &out->face_capacity, sizeof *out->faces);
+    out->faces[out->record_count++] = polygon->face;
+    word_add(out, outline->count);
+    word_add(out, rgb565_from_rgb888(polygon->colour));
+    for (size_t i = 0; i < outline->count; i++) word_add(out, vertex_index(work, outline->corners[i]));
+    out->widest = outline->count > out->widest ? outline->count : out->widest;
+}
+
+static struct outline outline_part(const struct outline *whole, size_t from, size_t count)
+{
+    struct outline part = {.count = count, .corners = grow_zeroed(count, sizeof *part.corners)};
+    for (size_t i = 0; i < count; i++) part.corners[i] = whole->corners[(from + i) % whole->count];
+    return part;
+}
+
+/* An outline with too many corners is halved; each level halves their number. */
+static void outline_add(struct encoder *work, const struct outline *outline, const struct mesh_polygon *polygon)
+{
+    if (outline->count <= LIM_MAX_VERTICES) {
+        record_add(work, outline, polygon);
+        return;
+    }
+    size_t from = outline_chord(outline), half = outline->count / 2;
+    struct outline parts[2] = {outline_part(outline, from, half + 1),
+                               outline_part(outline, from + half, outline->count - half + 1)};
+    for (int i = 0; i < 2; i++) {
+        outline_add(work, &parts[i], polygon);
+        free(parts[i].corners);
+    }
+}
+
+static void outline_turn(struct outline *outline)
+{
+    for (size_t i = 0, j = outline->count; i + 1 < j; i++) {
+        struct lim_vertex corner = outline->corners[i];
+        outline->corners[i] = outline->corners[--j];
+        outline->corners[j] = corner;
+    }
+}
+
+static void piece_encode(struct encoder *work, uint32_t index, bool back_run)
+{
+    const struct bsp_piece *piece = &work->bsp->pieces[index];
+    const struct mesh_polygon *polygon = &work->bsp->mesh->polygons[piece->polygon];
+    bool turned = work->bsp->coplanar->faces_back[piece->polygon] != back_run;
+    if (turned && !polygon->two_sided) return;
+    outline_trace(work->bsp, piece, work->snapped, &work->outline);
+    if (turned) outline_turn(&work->outline);
+    if (work->outline.count) outline_add(work, &work->outline, polygon);
+}
+
+/* The records of a node's pieces that are seen from one side; their word offset or LIM_NONE. */
+static size_t run_encode(struct encoder *work, const struct bsp_node *node, bool back_run)
+{
+    struct encoding *out = work->out;
+    size_t first = out->word_count, last = first;
+    for (size_t i = 0; i < node->count; i++) piece_encode(work, work->bsp->placed[node->first + i], back_run);
+    if (out->word_count == first) return LIM_NONE;
+    for (size_t at = first; at < out->word_count; at += LIM_POLYGON_HEAD_WORDS + out->words[at]) last = at;
+    out->words[last] |= LIM_POLYGON_LAST;
+    return first;
+}
+
+/* Planes ------------------------------------------------------------------------------------- */
+
+static size_t exact_add(struct encoding *out, const struct plane *plane)
+{
+    out->exact = grow(out->exact, out->exact_count, &out->exact_capacity, sizeof *out->exact);
+    struct lim_plane_exact *exact = &out->exact[out->exact_count];
+    for (int i = 0; i < 3; i++) exact->n[i] = (int32_t)plane->n[i];
+    exact->d_lo = (uint32_t)plane->d;
+    exact->d_hi = (int32_t)((plane->d - exact->d_lo) / (INT64_C(1) << 32));
+    return out->exact_count++;
+}
+
+static void plane_add(struct encoding *out, const struct plane *plane)
+{
+    struct lim_plane stored = {.exact = LIM_NONE, .d = (int32_t)plane->d};
+    if (plane->kind == LIM_PLANE_LARGE) {
+        stored = plane_filter(plane->n, plane->d);
+        stored.exact = (uint16_t)exact_add(out, plane);
+    } else {
+        for (int i = 0; i < 3; i++) stored.n[i] = (int16_t)plane->n[i];
+    }
+    out->planes = grow(out->planes, out->plane_count, &out->plane_capacity, sizeof *out->planes);
+    out->planes[out->plane_count++] = stored;
+}
+
+/* What goes into a node's field `plane`. */
+static size_t plane_index(struct encoder *work, uint32_t group)
+{
+    const struct plane *plane = &work->bsp->coplanar->planes[group];
+    if (plane->kind <= LIM_PLANE_Z) return (uint16_t)(int16_t)plane->d;
+    uint32_t index = *map_at(&work->planes, group, (uint32_t)work->out->plane_count);
+    if (index == work->out->plane_count) plane_add(work->out, plane);
+    return index;
+}
+
+/* Nodes -------------------------------------------------------------------------------------- */
+
+/* For each node of the tree the node that takes its place: itself if it has something to draw or
+ * to divide, its only child otherwise, BSP_NONE if its whole subtree rounded to nothing. */
+static uint32_t *find_heirs(struct encoder *work)
+{
+    const struct bsp *bsp = work->bsp;
+    uint32_t *heirs = grow_zeroed(bsp->node_count, sizeof *heirs);
+    for (uint32_t i = (uint32_t)bsp->node_count; i-- > 0;) {
+        const struct bsp_node *node = &bsp->nodes[i];
+        size_t drawn = 0;
+        for (size_t k = 0; k < node->count; k++) {
+            outline_trace(bsp, &bsp->pieces[bsp->placed[node->first + k]], work->snapped, &work->outline);
+            drawn += work->outline.count > 0;
+        }
+        work->out->collapsed += node->count - drawn;
+        uint32_t front = node->front == BSP_NONE ? BSP_NONE : heirs[node->front];
+        uint32_t back = node->back == BSP_NONE ? BSP_NONE : heirs[node->back];
+        bool needed = drawn || (front != BSP_NONE && back != BSP_NONE);
+        heirs[i] = needed ? i : front != BSP_NONE ? front : back;
+    }
+    return heirs;
+}
+
+static uint16_t child_index(const uint32_t *heirs, const uint32_t *numbers, uint32_t child)
+{
+    return child == BSP_NONE || heirs[child] == BSP_NONE ? LIM_NONE : (uint16_t)numbers[heirs[child]];
+}
+
+static struct lim_node node_encode(struct encoder *work, const struct bsp_node *node)
+{
+    struct lim_node out = {.front = LIM_NONE, .back = LIM_NONE, .box = LIM_NONE};
+    out.kind = (uint16_t)work->bsp->coplanar->planes[node->group].kind;
+    out.plane = (uint16_t)plane_index(work, node->group);
+    out.front_run = (uint16_t)run_encode(work, node, false);
+    out.back_run = (uint16_t)run_encode(work, node, true);
+    return out;
+}
+
+/* The tree's nodes come in the order wanted already; only the needed ones are numbered. */
+static void nodes_encode(struct encoder *work, const uint32_t *heirs)
+{
+    const struct bsp *bsp = work->bsp;
+    struct encoding *out = work->out;
+    uint32_t *numbers = grow_zeroed(bsp->node_count, sizeof *numbers);
+    for (uint32_t i = 0; i < bsp->node_count; i++)
+        if (heirs[i] == i) numbers[i] = (uint32_t)out->node_count++;
+    out->nodes = grow_zeroed(out->node_count, sizeof *out->nodes);
+    for (uint32_t i = 0; i < bsp->node_count; i++) {
+        if (heirs[i] != i) continue;
+        struct lim_node node = node_encode(work, &bsp->nodes[i]);
+        node.front = child_index(heirs, numbers, bsp->nodes[i].front);
+        node.back = child_index(heirs, numbers, bsp->nodes[i].back);
+        out->nodes[numbers[i]] = node;
+    }
+    free(numbers);
+}
+
+static bool check_count(size_t count, const char *what, struct error *err)
+{
+    return count <= COUNT_MAX || error_set(err, "scene too large: %zu %s, %d are the most (%zu too many)", count, what,
+                                           COUNT_MAX, count - COUNT_MAX);
+}
+
+static bool check_counts(const struct encoding *out, struct error *err)
+{
+    if (out->node_count == 0) return error_set(err, "nothing is left of the scene on its grid");
+    return check_count(out->vertex_count, "vertices", err) && check_count(out->node_count, "nodes", err) &&
+           check_count(out->word_count, "words of polygons", err);
+}
+
+/* Parents come before children. */
+static size_t tree_depth(const struct encoding *out)
+{
+    size_t *depths = grow_zeroed(out->node_count, sizeof *depths), deepest = 0;
+    for (size_t i = 0; i < out->node_count; i++) {
+        const uint16_t children[2] = {out->nodes[i].front, out->nodes[i].back};
+        deepest = depths[i] + 1 > deepest ? depths[i] + 1 : deepest;
+        for (int k = 0; k < 2; k++)
+            if (children[k] != LIM_NONE) depths[children[k]] = depths[i] + 1;
+    }
+    free(depths);
+    return deepest;
+}
+
+bool encode_bsp(const struct bsp *bsp, struct encoding *out, struct error *err)
+{
+    const struct exact_points *points = bsp->edges.points;
+    struct encoder work = {.bsp = bsp, .out = out};
+    *out = (struct encoding){0};
+    work.snapped = grow_zeroed(points->count, sizeof *work.snapped);
+    for (uint32_t i = 0; i < points->count; i++) work.snapped[i] = exact_snap(points, i);
+    uint32_t *heirs = find_heirs(&work);
+    nodes_encode(&work, heirs);
+    bool ok = check_counts(out, err);
+    if (ok) {
+        out->depth = tree_depth(out);
+        encode_boxes(out);
+    }
+    free(heirs);
+    free(work.snapped);
+    free(work.outline.corners);
+    map_free(&work.vertices);
+    map_free(&work.planes);
+    return ok;
+}
+
+void encoding_free(struct encoding *encoding)
+{
+    free(encoding->vertices);
+    free(encoding->nodes);
+    free(encoding->planes);
+    free(encoding->exact);
+    free(encoding->boxes);
+    free(encoding->words);
+    free(encoding->faces);
+    *encoding = (struct encoding){0};
+}

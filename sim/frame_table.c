@@ -1,0 +1,142 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * One table of columns, each a name, a format and where the number comes from; mean and worst
+ * follow from it. */
+#include "frame_table.h"
+
+struct column {
+    const char *name;
+    int width, decimals;
+    double (*value)(const struct frame_row *row);
+};
+
+#define STATS_VALUE(field)                                                                                             \
+    static double stats_##field(const struct frame_row *row)                                                           \
+    {                                                                                                                  \
+        return row->stats.field;                                                                                       \
+    }
+STATS_VALUE(nodes)
+STATS_VALUE(boxes)
+STATS_VALUE(boxes_out)
+STATS_VALUE(polygons)
+STATS_VALUE(polygons_seen)
+STATS_VALUE(vertices)
+STATS_VALUE(clipped)
+STATS_VALUE(folded)
+STATS_VALUE(lines)
+STATS_VALUE(bands)
+STATS_VALUE(retained_cells_max)
+STATS_VALUE(gaps_max)
+STATS_VALUE(active_max)
+
+static double overdraw(const struct frame_row *row)
+{
+    double covered = (double)row->pixels - row->stats.pixels_background;
+    return covered > 0.0 ? row->stats.pixels_painted / covered : 1.0;
+}
+
+static double bus_b(const struct frame_row *row)
+{
+    return (double)row->bus_b;
+}
+
+static double wrong_percent(const struct frame_row *row)
+{
+    return compare_wrong_percent(&row->compare);
+}
+
+static double wrong_pixels(const struct frame_row *row)
+{
+    return (double)row->compare.wrong;
+}
+
+static double beyond_pixels(const struct frame_row *row)
+{
+    return (double)row->compare.beyond;
+}
+
+static double hole_pixels(const struct frame_row *row)
+{
+    return (double)row->compare.holes;
+}
+
+static const struct column STATS_COLUMNS[] = {
+    {"nodes", 7, 0, stats_nodes},
+    {"boxes", 7, 0, stats_boxes},
+    {"out", 6, 0, stats_boxes_out},
+    {"polygons", 8, 0, stats_polygons},
+    {"seen", 6, 0, stats_polygons_seen},
+    {"vertices", 8, 0, stats_vertices},
+    {"clipped", 7, 0, stats_clipped},
+    {"folded", 6, 0, stats_folded},
+    {"lines", 7, 0, stats_lines},
+    {"overdraw", 8, 3, overdraw},
+    {"bands", 5, 0, stats_bands},
+    {"retained", 8, 0, stats_retained_cells_max},
+    {"gaps", 6, 0, stats_gaps_max},
+    {"active", 6, 0, stats_active_max},
+    {"bus_b", 8, 0, bus_b},
+};
+
+static const struct column COMPARE_COLUMNS[] = {
+    {"wrong_px", 8, 0, wrong_pixels},
+    {"wrong_%", 8, 4, wrong_percent},
+    {"beyond_px", 9, 0, beyond_pixels},
+    {"holes_px", 8, 0, hole_pixels},
+};
+
+static double column_mean(const struct column *column, const struct frame_row *rows, size_t count)
+{
+    double sum = 0.0;
+    for (size_t i = 0; i < count; i++)
+        sum += column->value(&rows[i]);
+    return sum / (double)count;
+}
+
+static double column_worst(const struct column *column, const struct frame_row *rows, size_t count)
+{
+    double worst = column->value(&rows[0]);
+    for (size_t i = 1; i < count; i++)
+        if (column->value(&rows[i]) > worst) worst = column->value(&rows[i]);
+    return worst;
+}
+
+static void print_table(const struct column *columns, size_t column_count, const struct frame_row *rows, size_t count,
+                        FILE *out)
+{
+    fprintf(out, "%5s", "frame");
+    for (size_t c = 0; c < column_count; c++)
+        fprintf(out, " %*s", columns[c].width, columns[c].name);
+    for (size_t i = 0; i < count; i++) {
+        fprintf(out, "\n%5zu", i);
+        for (size_t c = 0; c < column_count; c++)
+            fprintf(out, " %*.*f", columns[c].width, columns[c].decimals, columns[c].value(&rows[i]));
+    }
+    fprintf(out, "\n%5s", "mean");
+    for (size_t c = 0; c < column_count; c++) {
+        int decimals = columns[c].decimals ? columns[c].decimals : 1;
+        fprintf(out, " %*.*f", columns[c].width, decimals, column_mean(&columns[c], rows, count));
+    }
+    fprintf(out, "\n%5s", "worst");
+    for (size_t c = 0; c < column_count; c++)
+        fprintf(out, " %*.*f", columns[c].width, columns[c].decimals, column_worst(&columns[c], rows, count));
+    fputc('\n', out);
+}
+
+void frame_table_print_stats(const struct frame_row *rows, size_t count, FILE *out)
+{
+    print_table(STATS_COLUMNS, sizeof STATS_COLUMNS / sizeof STATS_COLUMNS[0], rows, count, out);
+}
+
+void frame_table_print_compare(const struct frame_row *rows, size_t count, FILE *out)
+{
+    struct comparison sum = {0};
+    for (size_t i = 0; i < count; i++)
+        comparison_add(&sum, &rows[i].compare);
+    print_table(COMPARE_COLUMNS, sizeof COMPARE_COLUMNS / sizeof COMPARE_COLUMNS[0], rows, count, out);
+    fprintf(out,
+            "compared with the reference: %zu frames, wrong %.4f %% (worst %.4f %%, frame %zu), "
+            "beyond a one-pixel shift %.2f ppm, holes %zu\n",
+            count, compare_wrong_percent(&sum.total), compare_wrong_percent(&sum.worst), sum.worst_frame,
+            compare_beyond_ppm(&sum.total), sum.total.holes);
+}

@@ -1,0 +1,24 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * What `limner render` tells of each frame: the renderer's counters (--stats) and the deviations
+ * from the reference picture (--compare), as tables with mean and worst. */
+#ifndef SIM_FRAME_TABLE_H
+#define SIM_FRAME_TABLE_H
+
+#include "compare.h"
+#include "limner.h"
+
+#include <stdio.h>
+
+struct frame_row {
+    struct lim_stats stats;
+    size_t pixels; /* w_px * h_px */
+    size_t bus_b;
+    struct compare_counts compare;
+};
+
+/* Overdraw is pixels painted by polygons per pixel that shows one; 1 is ideal. */
+void frame_table_print_stats(const struct frame_row *rows, size_t count, FILE *out);
+void frame_table_print_compare(const struct frame_row *rows, size_t count, FILE *out);
+
+#endif

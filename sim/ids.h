@@ -1,0 +1,28 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Which face each pixel shows: the same firmware renders a copy of the scene whose colours are
+ * the polygons' numbers, so the answer is the renderer's own and not a model of it. */
+#ifndef SIM_IDS_H
+#define SIM_IDS_H
+
+#include "compiled.h"
+#include "simulator.h"
+
+struct ids {
+    struct simulator simulator; /* into plain memory */
+    struct lim_scene scene;     /* the copy */
+    uint16_t *polygons;         /* its records, colour = ordinal + 1 */
+    uint32_t *face_of_colour;   /* polygon_count + 1 entries; [0] is the background, 0 */
+    uint32_t *faces;            /* the last frame: w_px * h_px face numbers, 0 = background */
+};
+
+bool ids_init(struct ids *ids, const struct compiled *scene, enum lim_method method, unsigned w_px, unsigned h_px,
+              struct error *err);
+bool ids_frame(struct ids *ids, const struct lim_camera *camera, struct error *err);
+
+/* Appends the last frame to a file: uint32 little-endian a pixel. */
+bool ids_write(const struct ids *ids, FILE *file);
+
+void ids_free(struct ids *ids);
+
+#endif

@@ -1,0 +1,209 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Model files by assimp. No post-processing: the library would triangulate, merge and reorder. The
+ * node tree is walked twice, first to count (and to refuse what is too large or out of range), then
+ * to fill three arrays of exactly that size. Arithmetic after the library's float32 is double. */
+#include "import.h"
+
+#include "model_colour.h"
+#include "model_io.h"
+
+#include <assimp/cimport.h>
+#include <assimp/config.h>
+#include <assimp/scene.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { MOST_CORNERS = 1 << 26 };
+
+struct affine {
+    double m[3][4];
+};
+
+struct import {
+    const char *path;
+    const struct aiScene *scene;
+    struct model *model;
+    struct error *err;
+    struct affine transform;    /* of the node being read */
+    struct model_paint paint;   /* of the mesh being read */
+};
+
+typedef bool mesh_reader(struct import *import, const struct aiMesh *mesh);
+
+static struct affine affine_identity(void) { return (struct affine){{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}}; }
+
+static struct affine affine_of(const struct aiMatrix4x4 *m)
+{
+    return (struct affine){{{m->a1, m->a2, m->a3, m->a4}, {m->b1, m->b2, m->b3, m->b4}, {m->c1, m->c2, m->c3, m->c4}}};
+}
+
+static struct affine affine_times(const struct affine *a, const struct affine *b)
+{
+    struct affine out;
+    for (int row = 0; row < 3; row++)
+        for (int column = 0; column < 4; column++) {
+            double sum = column == 3 ? a->m[row][3] : 0;
+            for (int k = 0; k < 3; k++)
+                sum += a->m[row][k] * b->m[k][column];
+            out.m[row][column] = sum;
+        }
+    return out;
+}
+
+static bool affine_mirrors(const struct affine *a)
+{
+    const double(*m)[4] = a->m;
+    return m[0][0] * (m[1][1] * m[2][2] - m[1][2] * m[2][1]) - m[0][1] * (m[1][0] * m[2][2] - m[1][2] * m[2][0]) +
+               m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]) <
+           0;
+}
+
+/* Parents first; a node's meshes in their order, then its children. */
+static bool walk(struct import *import, const struct aiNode *node, struct affine parent, mesh_reader *read)
+{
+    const struct affine own = affine_of(&node->mTransformation), here = affine_times(&parent, &own);
+    for (unsigned i = 0; i < node->mNumMeshes; i++) {
+        import->transform = here;
+        if (!read(import, import->scene->mMeshes[node->mMeshes[i]])) return false;
+    }
+    for (unsigned i = 0; i < node->mNumChildren; i++)
+        if (!walk(import, node->mChildren[i], here, read)) return false;
+    return true;
+}
+
+static bool count_mesh(struct import *import, const struct aiMesh *mesh)
+{
+    struct model *model = import->model;
+    model->point_count += mesh->mNumVertices;
+    for (unsigned i = 0; i < mesh->mNumFaces; i++) {
+        const struct aiFace *face = &mesh->mFaces[i];
+        if (face->mNumIndices < 3) continue;
+        model->face_count++;
+        model->corner_count += face->mNumIndices;
+        for (unsigned k = 0; k < face->mNumIndices; k++)
+            if (face->mIndices[k] >= mesh->mNumVertices)
+                return error_set(import->err, "%s: face %zu: vertex index %u is out of range, there are %u",
+                                 import->path, model->face_count, face->mIndices[k], mesh->mNumVertices);
+    }
+    if (model->corner_count > MOST_CORNERS || model->point_count > MOST_CORNERS)
+        return error_set(import->err, "%s: more than %d corners or vertices", import->path, MOST_CORNERS);
+    return true;
+}
+
+static void add_points(struct import *import, const struct aiMesh *mesh)
+{
+    struct model *model = import->model;
+    for (unsigned i = 0; i < mesh->mNumVertices; i++) {
+        const struct aiVector3D *v = &mesh->mVertices[i];
+        double *point = model->points[model->point_count++];
+        for (int axis = 0; axis < 3; axis++) {
+            const double *row = import->transform.m[axis];
+            point[axis] = row[0] * v->x + row[1] * v->y + row[2] * v->z + row[3];
+        }
+    }
+}
+
+static bool add_face(struct import *import, const struct aiFace *from, uint32_t first_point, uint32_t colour)
+{
+    struct model *model = import->model;
+    bool mirrored = affine_mirrors(&import->transform);
+    struct model_face *face = &model->faces[model->face_count++];
+    *face = (struct model_face){.first = (uint32_t)model->corner_count,
+                                .count = from->mNumIndices,
+                                .colour = colour,
+                                .two_sided = import->paint.two_sided};
+    for (unsigned k = 0; k < from->mNumIndices; k++) {
+        uint32_t corner = first_point + from->mIndices[mirrored ? from->mNumIndices - 1 - k : k];
+        const double *p = model->points[corner];
+        if (!isfinite(p[0]) || !isfinite(p[1]) || !isfinite(p[2]))
+            return error_set(import->err, "%s: face %zu has a corner whose coordinates are NaN or infinite",
+                             import->path, model->face_count);
+        model->corners[model->corner_count++] = corner;
+    }
+    return true;
+}
+
+static bool add_mesh(struct import *import, const struct aiMesh *mesh)
+{
+    uint32_t first_point = (uint32_t)import->model->point_count;
+    add_points(import, mesh);
+    import->paint = model_paint_of(import->scene, mesh);
+    for (unsigned i = 0; i < mesh->mNumFaces; i++) {
+        const struct aiFace *face = &mesh->mFaces[i];
+        if (face->mNumIndices < 3) continue;
+        if (!add_face(import, face, first_point, model_face_colour(&import->paint, mesh, face))) return false;
+    }
+    return true;
+}
+
+static bool allocate(struct import *import)
+{
+    struct model *model = import->model;
+    if (model->face_count == 0) return error_set(import->err, "%s: there are no faces in it", import->path);
+    model->points = calloc(model->point_count, sizeof *model->points);
+    model->corners = calloc(model->corner_count, sizeof *model->corners);
+    model->faces = calloc(model->face_count, sizeof *model->faces);
+    model->point_count = model->corner_count = model->face_count = 0;
+    if (!model->points || !model->corners || !model->faces)
+        return error_set(import->err, "%s: not enough memory", import->path);
+    return true;
+}
+
+static bool read_scene(struct import *import)
+{
+    const struct aiNode *root = import->scene->mRootNode;
+    return root && walk(import, root, affine_identity(), count_mesh) && allocate(import) &&
+           walk(import, root, affine_identity(), add_mesh);
+}
+
+/* The library drops such faces with no more than a line in its log. */
+static void watch_log(const char *message, char *dropped)
+{
+    if (strstr(message, "out-of-range")) *dropped = true;
+}
+
+static bool refuse(const char *path, struct error *err)
+{
+    const char *reason = aiGetErrorString();
+    if (strstr(reason, "No suitable reader")) reason = "not in a format that the importer knows";
+    size_t length = strlen(reason);
+    while (length > 0 && strchr(" .\r\n", reason[length - 1]))
+        length--;
+    return error_set(err, "%s: %.*s", path, (int)length, reason);
+}
+
+static const struct aiScene *import_file(const char *path, struct error *err)
+{
+    char dropped = false;
+    struct aiLogStream log = {.callback = watch_log, .user = &dropped};
+    struct aiFileIO io = model_io();
+    struct aiPropertyStore *settings = aiCreatePropertyStore();
+    /* Else a file without a mesh would get one made up from its skeleton. */
+    aiSetImportPropertyInteger(settings, AI_CONFIG_IMPORT_NO_SKELETON_MESHES, 1);
+    aiAttachLogStream(&log);
+    const struct aiScene *scene = aiImportFileExWithProperties(path, 0, &io, settings);
+    aiDetachLogStream(&log);
+    aiReleasePropertyStore(settings);
+    if (scene && !dropped) return scene;
+    aiReleaseImport(scene);
+    if (dropped)
+        error_set(err, "%s: vertex indices of some faces are out of range", path);
+    else
+        refuse(path, err);
+    return NULL;
+}
+
+bool import_model(const char *path, struct model *model, struct error *err)
+{
+    *model = (struct model){0};
+    if (!model_io_check(path, err)) return false;
+    const struct aiScene *scene = import_file(path, err);
+    if (!scene) return false;
+    struct import import = {.path = path, .scene = scene, .model = model, .err = err};
+    bool ok = read_scene(&import);
+    aiReleaseImport(scene);
+    if (!ok) model_free(model);
+    return ok;
+}

@@ -1,0 +1,197 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * One pass over each array. Every check names the element and what is wrong with it. */
+#include "lim_check.h"
+
+#include "grow.h"
+#include "plane.h"
+
+#include <stdlib.h>
+
+enum { VERTICES_MAX = 250, COORDINATE_MAX = 32767, HALF_MAX = 32768 };
+enum { SMALL_SUM_MAX = 32767, PLANE_D_END = 1 << 30, FILTER_D_FACTOR = 1 << 17 };
+#define EXACT_D_END (INT64_C(1) << 48)
+
+/* What is known of the nodes and words met so far. */
+struct checker {
+    const struct lim_scene *scene;
+    struct error *err;
+    uint16_t *depths; /* of each node; 0: no parent seen yet */
+    bool *used_words; /* words that belong to a record already */
+    size_t records, words;
+};
+
+static bool check_vertices(const struct lim_scene *scene, struct error *err)
+{
+    for (size_t i = 0; i < scene->vertex_count; i++) {
+        const struct lim_vertex *vertex = &scene->vertices[i];
+        if (vertex->x < -COORDINATE_MAX || vertex->y < -COORDINATE_MAX || vertex->z < -COORDINATE_MAX)
+            return error_set(err, "vertex %zu: a coordinate is -32768", i);
+    }
+    return true;
+}
+
+static bool check_boxes(const struct lim_scene *scene, struct error *err)
+{
+    for (size_t i = 0; i < scene->box_count; i++)
+        for (int k = 0; k < 3; k++)
+            if (scene->boxes[i].half[k] > HALF_MAX)
+                return error_set(err, "box %zu: half is %u, more than %d", i, (unsigned)scene->boxes[i].half[k],
+                                 HALF_MAX);
+    return true;
+}
+
+/* Planes ------------------------------------------------------------------------------------- */
+
+/* d beyond 2^17 times the longest component would not fit into its filter. */
+static bool exact_within_bounds(const int64_t n[3], int64_t d)
+{
+    int64_t longest = 0, size_d = d < 0 ? -d : d;
+    for (int k = 0; k < 3; k++) {
+        int64_t size = n[k] < 0 ? -n[k] : n[k];
+        longest = size > longest ? size : longest;
+    }
+    return longest > 0 && longest <= INT32_MAX && size_d < EXACT_D_END && size_d < longest * FILTER_D_FACTOR;
+}
+
+static bool check_filter(const struct lim_scene *scene, size_t index, struct error *err)
+{
+    const struct lim_plane *plane = &scene->planes[index];
+    if (plane->exact >= scene->exact_count)
+        return error_set(err, "plane %zu: exact plane %u of %u", index, (unsigned)plane->exact,
+                         (unsigned)scene->exact_count);
+    const struct lim_plane_exact *exact = &scene->exact[plane->exact];
+    const int64_t n[3] = {exact->n[0], exact->n[1], exact->n[2]};
+    const int64_t d = (int64_t)exact->d_hi * (INT64_C(1) << 32) + exact->d_lo;
+    if (!exact_within_bounds(n, d)) return error_set(err, "exact plane %u: out of bounds", (unsigned)plane->exact);
+    const struct lim_plane filter = plane_filter(n, d);
+    return (filter.n[0] == plane->n[0] && filter.n[1] == plane->n[1] && filter.n[2] == plane->n[2] &&
+            filter.d == plane->d) ||
+           error_set(err, "plane %zu: does not match its exact plane", index);
+}
+
+static bool check_plane(const struct lim_scene *scene, size_t index, struct error *err)
+{
+    const struct lim_plane *plane = &scene->planes[index];
+    if (plane->d <= -PLANE_D_END || plane->d >= PLANE_D_END)
+        return error_set(err, "plane %zu: d is %ld, beyond 2^30", index, (long)plane->d);
+    int sum = abs(plane->n[0]) + abs(plane->n[1]) + abs(plane->n[2]);
+    if (sum == 0 || sum > SMALL_SUM_MAX)
+        return error_set(err, "plane %zu: the components of its normal add up to %d", index, sum);
+    return plane->exact == LIM_NONE || check_filter(scene, index, err);
+}
+
+static bool check_planes(const struct lim_scene *scene, struct error *err)
+{
+    for (size_t i = 0; i < scene->plane_count; i++)
+        if (!check_plane(scene, i, err)) return false;
+    return true;
+}
+
+static bool check_node_plane(const struct checker *work, size_t index)
+{
+    const struct lim_node *node = &work->scene->nodes[index];
+    if (node->kind > LIM_PLANE_LARGE)
+        return error_set(work->err, "node %zu: no such kind of plane: %u", index, (unsigned)node->kind);
+    if (node->kind <= LIM_PLANE_Z) return true;
+    if (node->plane >= work->scene->plane_count)
+        return error_set(work->err, "node %zu: plane %u of %u", index, (unsigned)node->plane,
+                         (unsigned)work->scene->plane_count);
+    const struct lim_plane *plane = &work->scene->planes[node->plane];
+    bool is_large = plane->exact != LIM_NONE, is_upright = plane->n[1] == 0;
+    if (is_large != (node->kind == LIM_PLANE_LARGE) || (node->kind == LIM_PLANE_XZ && !is_upright))
+        return error_set(work->err, "node %zu: plane %u is not of its kind", index, (unsigned)node->plane);
+    return true;
+}
+
+/* Runs --------------------------------------------------------------------------------------- */
+
+static bool check_record(struct checker *work, size_t at)
+{
+    const struct lim_scene *scene = work->scene;
+    const uint16_t head = scene->polygons[at], count = head & LIM_POLYGON_COUNT;
+    size_t words = LIM_POLYGON_HEAD_WORDS + (size_t)count;
+    if (head & ~(LIM_POLYGON_COUNT | LIM_POLYGON_LAST))
+        return error_set(work->err, "polygon at word %zu: unknown flags", at);
+    if (count < 3 || count > scene->limits.vertices)
+        return error_set(work->err, "polygon at word %zu: %u vertices", at, (unsigned)count);
+    if (at + words > scene->polygon_words) return error_set(work->err, "polygon at word %zu: runs over the end", at);
+    for (size_t i = 0; i < words; i++) {
+        if (work->used_words[at + i]) return error_set(work->err, "polygon at word %zu: overlaps another", at);
+        work->used_words[at + i] = true;
+        if (i >= LIM_POLYGON_HEAD_WORDS && scene->polygons[at + i] >= scene->vertex_count)
+            return error_set(work->err, "polygon at word %zu: vertex %u of %u", at, (unsigned)scene->polygons[at + i],
+                             (unsigned)scene->vertex_count);
+    }
+    work->records++;
+    work->words += words;
+    return true;
+}
+
+static bool check_run(struct checker *work, size_t node, uint16_t run)
+{
+    if (run == LIM_NONE) return true;
+    for (size_t at = run;; at += LIM_POLYGON_HEAD_WORDS + (work->scene->polygons[at] & LIM_POLYGON_COUNT)) {
+        if (at >= work->scene->polygon_words)
+            return error_set(work->err, "node %zu: a run begins or goes on behind the last polygon", node);
+        if (!check_record(work, at)) return false;
+        if (work->scene->polygons[at] & LIM_POLYGON_LAST) return true;
+    }
+}
+
+/* Nodes -------------------------------------------------------------------------------------- */
+
+/* Every node but the root has one parent, which comes before it: so the nodes are a tree. */
+static bool check_child(struct checker *work, size_t index, uint16_t child)
+{
+    if (child == LIM_NONE) return true;
+    if (child <= index || child >= work->scene->node_count)
+        return error_set(work->err, "node %zu: child %u of %u", index, (unsigned)child,
+                         (unsigned)work->scene->node_count);
+    if (work->depths[child]) return error_set(work->err, "node %u: has two parents", (unsigned)child);
+    work->depths[child] = (uint16_t)(work->depths[index] + 1);
+    return true;
+}
+
+static bool check_node(struct checker *work, size_t index)
+{
+    const struct lim_scene *scene = work->scene;
+    const struct lim_node *node = &scene->nodes[index];
+    if (work->depths[index] == 0) return error_set(work->err, "node %zu: has no parent", index);
+    if (work->depths[index] > scene->limits.depth)
+        return error_set(work->err, "node %zu: lies deeper than the limit of %u", index,
+                         (unsigned)scene->limits.depth);
+    if (node->box != LIM_NONE && node->box >= scene->box_count)
+        return error_set(work->err, "node %zu: box %u of %u", index, (unsigned)node->box, (unsigned)scene->box_count);
+    return check_node_plane(work, index) && check_run(work, index, node->front_run) &&
+           check_run(work, index, node->back_run) && check_child(work, index, node->front) &&
+           check_child(work, index, node->back);
+}
+
+static bool check_nodes(struct checker *work)
+{
+    const struct lim_scene *scene = work->scene;
+    if (scene->node_count == 0) return error_set(work->err, "no nodes");
+    if (scene->limits.vertices > VERTICES_MAX)
+        return error_set(work->err, "limit of %u vertices a polygon, %d are the most",
+                         (unsigned)scene->limits.vertices, VERTICES_MAX);
+    work->depths[0] = 1;
+    for (size_t i = 0; i < scene->node_count; i++)
+        if (!check_node(work, i)) return false;
+    if (work->records != scene->polygon_count || work->words != scene->polygon_words)
+        return error_set(work->err, "%zu polygons in %zu words are drawn, %u in %u are there", work->records,
+                         work->words, (unsigned)scene->polygon_count, (unsigned)scene->polygon_words);
+    return true;
+}
+
+bool lim_check(const struct lim_scene *scene, struct error *err)
+{
+    struct checker work = {.scene = scene, .err = err};
+    if (!check_vertices(scene, err) || !check_planes(scene, err) || !check_boxes(scene, err)) return false;
+    work.depths = grow_zeroed(scene->node_count, sizeof *work.depths);
+    work.used_words = grow_zeroed(scene->polygon_words, sizeof *work.used_words);
+    bool ok = check_nodes(&work);
+    free(work.depths);
+    free(work.used_words);
+    return ok;
+}

@@ -1,0 +1,62 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * The host program `limner`: hands its arguments to a subcommand. */
+#include "commands.h"
+#include "fly.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+static const char USAGE[] = "usage: limner compile MODEL -o NAME   write NAME.c, NAME.h and NAME.lim\n"
+                            "       limner render MODEL|SCENE.lim  draw frames into files\n"
+                            "       limner view MODEL|SCENE.lim    fly through a scene\n"
+                            "       limner help                    this text\n"
+                            "\n"
+                            "render and view:\n"
+                            "  --camera FILE       a line a frame: ex ey ez tx ty tz, metres (an orbit of 16 frames)\n"
+                            "  --size WxH          pixels, 1 to 1024 each (240x240)\n"
+                            "  --fov DEG           vertical field of view (60)\n"
+                            "  --near M            distance of the near plane, metres (0.1)\n"
+                            "  --panel NAME        st7789 or memory (st7789 where the size fits into it)\n"
+                            "  --method NAME       nearest or painter (nearest)\n"
+                            "  --splitter NAME     auto, first, fewest or balanced (auto)\n"
+                            "  --tolerance UNITS   how far a polygon may be off a plane that it lies on (0.5)\n"
+                            "render only:\n"
+                            "  -o PATTERN          a PNG file a frame ('out/%03d.png' if nothing else is asked for)\n"
+                            "  --gif FILE          all frames, animated\n"
+                            "  --sheet FILE        up to 24 frames in one PNG file\n"
+                            "  --ids FILE          face numbers: uint32 little-endian a pixel, 0 = background\n"
+                            "  --stats             what each frame cost\n"
+                            "  --compare           how each frame differs from the double-precision reference\n"
+                            "  --write-hashes FILE a hash a frame\n"
+                            "  --check FILE        compare with such a file; exit status 1 if a frame differs\n"
+                            "environment, render and view:\n"
+                            "  LIMNER_DUMP=x.png   write the last frame shown\n"
+                            "  LIMNER_CHECK=x.png  compare it; exit status 1 if it differs\n";
+
+static const struct {
+    const char *name;
+    int (*run)(int argc, char **argv);
+} COMMANDS[] = {{"compile", cmd_compile}, {"render", cmd_render}, {"view", cmd_view}};
+
+static bool asks_for_help(const char *argument)
+{
+    return strcmp(argument, "help") == 0 || strcmp(argument, "--help") == 0 || strcmp(argument, "-h") == 0;
+}
+
+int main(int argc, char **argv)
+{
+    if (argc < 2) {
+        fputs("limner: no command; `limner help` lists them\n", stderr);
+        return EXIT_FAILURE;
+    }
+    if (asks_for_help(argv[1]) || (argc == 3 && asks_for_help(argv[2]))) {
+        printf("%s\nkeys of view: %s\n", USAGE, FLY_HELP);
+        return EXIT_SUCCESS;
+    }
+    for (size_t i = 0; i < sizeof COMMANDS / sizeof COMMANDS[0]; i++)
+        if (strcmp(argv[1], COMMANDS[i].name) == 0) return COMMANDS[i].run(argc - 1, argv + 1);
+    fprintf(stderr, "limner: no command '%s'; `limner help` lists them\n", argv[1]);
+    return EXIT_FAILURE;
+}

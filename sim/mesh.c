@@ -1,0 +1,111 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * A model made fit for the tree: mesh_clean() welds its points, and mends or drops its faces, each
+ * on its own, in the file's order. */
+#include "mesh.h"
+
+#include "grid.h"
+#include "grow.h"
+#include "loop.h"
+#include "polygon_list.h"
+#include "triangulate.h"
+#include "weld.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+static const double FLAT_UNITS = 0.5; /* what rounding to the grid does anyway */
+
+double mesh_weld_m(const struct grid *grid) { return 1 / (16 * grid->units_per_m); }
+double mesh_near_m(const struct grid *grid) { return mesh_weld_m(grid) / 2; }
+double mesh_flat_m(const struct grid *grid) { return FLAT_UNITS / grid->units_per_m; }
+
+struct cleaning {
+    struct mesh *mesh;
+    struct polygon_list list;
+    double near_m, flat_m;
+};
+
+static bool add_if_area(struct cleaning *cleaning, const struct loop *loop, const struct mesh_polygon *like)
+{
+    if (!loop_has_area(loop, cleaning->near_m)) return false;
+    polygon_list_add(&cleaning->list, loop->corners, loop->count, like);
+    return true;
+}
+
+static bool add_triangles(struct cleaning *cleaning, const struct loop *loop, const struct loop_view *view,
+                          const struct mesh_polygon *like)
+{
+    bool any = false;
+    uint32_t(*triangles)[3] = grow_zeroed(loop->count - 2, sizeof *triangles);
+    triangulate(loop, view, cleaning->near_m, triangles);
+    for (size_t i = 0; i < loop->count - 2; i++) {
+        const struct loop triangle = {loop->points, triangles[i], 3};
+        any |= add_if_area(cleaning, &triangle, like);
+    }
+    free(triangles);
+    return any;
+}
+
+/* `corners` are the face's, welded; they are tidied in place. */
+static void clean_face(struct cleaning *cleaning, uint32_t *corners, size_t count, const struct mesh_polygon *like)
+{
+    struct mesh *mesh = cleaning->mesh;
+    const struct loop loop = {mesh->points, corners, loop_tidy(mesh->points, corners, count, cleaning->near_m)};
+    if (!loop_has_area(&loop, cleaning->near_m)) {
+        mesh->counts.zero_area++;
+        return;
+    }
+    const struct loop_plane plane = loop_plane_of(&loop);
+    const struct loop_view view = loop_view_along(plane.normal);
+    bool flat = loop_off_plane_m(&loop, &plane) <= cleaning->flat_m;
+    bool whole = flat && loop_is_convex(&loop, &view, cleaning->near_m);
+    if (!flat)
+        mesh->counts.non_planar++;
+    else if (!whole)
+        mesh->counts.concave++;
+    bool any = whole ? add_if_area(cleaning, &loop, like) : add_triangles(cleaning, &loop, &view, like);
+    mesh->merged_into[like->face] = any ? like->face : 0;
+}
+
+static void clean_faces(struct cleaning *cleaning, const struct model *model, const uint32_t *welded)
+{
+    uint32_t *corners = NULL;
+    size_t capacity = 0;
+    for (size_t i = 0; i < model->face_count; i++) {
+        const struct model_face *face = &model->faces[i];
+        for (uint32_t k = 0; k < face->count; k++) {
+            corners = grow(corners, k, &capacity, sizeof *corners);
+            corners[k] = welded[model->corners[face->first + k]];
+        }
+        const struct mesh_polygon like = {
+            .face = (uint32_t)i + 1, .colour = face->colour, .two_sided = face->two_sided};
+        clean_face(cleaning, corners, face->count, &like);
+    }
+    free(corners);
+}
+
+bool mesh_clean(const struct model *model, struct mesh *mesh, struct error *err)
+{
+    *mesh = (struct mesh){.counts.faces = model->face_count};
+    if (!grid_choose(model, &mesh->grid, err)) return false;
+    struct cleaning cleaning = {
+        .mesh = mesh, .near_m = mesh_near_m(&mesh->grid), .flat_m = mesh_flat_m(&mesh->grid)};
+    mesh->merged_into = grow_zeroed(model->face_count + 1, sizeof *mesh->merged_into);
+    uint32_t *welded = weld_points(model, mesh_weld_m(&mesh->grid), mesh);
+    clean_faces(&cleaning, model, welded);
+    free(welded);
+    bool ok = polygon_list_move(&cleaning.list, mesh, err);
+    if (ok && mesh->polygon_count == 0) ok = error_set(err, "no face has an area: the corners of each are on one line");
+    if (!ok) mesh_free(mesh);
+    return ok;
+}
+
+void mesh_free(struct mesh *mesh)
+{
+    free(mesh->points);
+    free(mesh->corners);
+    free(mesh->polygons);
+    free(mesh->merged_into);
+    *mesh = (struct mesh){0};
+}

@@ -1,0 +1,77 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * A mesh ready for the tree: welded vertices, convex planar polygons, each knowing its face in the
+ * model file. model -> mesh_clean -> (mesh_merge) -> mesh_insert_t_vertices -> tree. */
+#ifndef SIM_MESH_H
+#define SIM_MESH_H
+
+#include "error.h"
+#include "model.h"
+
+/* The scene's integer grid: unit = (metre - origin) * units_per_m, rounded to nearest. */
+struct grid {
+    double origin_m[3];
+    double units_per_m;
+};
+
+struct mesh_polygon {
+    uint32_t first, count; /* corners[first .. first + count) */
+    uint32_t face;         /* 1-based number in the model file; the first one, if merged */
+    uint32_t colour;       /* 0xRRGGBB */
+    bool two_sided;
+};
+
+/* What became of the input; the report prints it. */
+struct mesh_counts {
+    size_t faces;       /* in the model file */
+    size_t zero_area;   /* faces dropped: all corners on one line */
+    size_t non_planar;  /* faces triangulated because a corner leaves the plane */
+    size_t concave;     /* faces triangulated because they are not convex */
+    size_t merged;      /* polygons that vanished into a coplanar neighbour */
+    size_t t_vertices;  /* vertices inserted into edges of other polygons */
+};
+
+struct mesh {
+    double (*points)[3]; /* metres, no two nearer than mesh_weld_m(); some may be unused */
+    size_t point_count;
+    uint32_t *corners;
+    size_t corner_count;
+    struct mesh_polygon *polygons;
+    size_t polygon_count;
+    struct grid grid;
+    struct mesh_counts counts;
+    uint32_t *merged_into; /* counts.faces + 1 entries: merged_into[face] = face number of the polygon
+                              that holds it (its first piece, if it was cut), itself if unmerged, 0
+                              if dropped */
+};
+
+/* Points nearer than this are one: 1/16 unit, 2^-20 of the scene's longest side. A float32 importer
+ * is 16 times finer. */
+double mesh_weld_m(const struct grid *grid);
+
+/* A point nearer than this to an edge lies on it: half of mesh_weld_m(), so that dividing an edge
+ * at the points on it always comes to an end. */
+double mesh_near_m(const struct grid *grid);
+
+/* A polygon is flat while its corners stay this near to its plane: half a unit. */
+double mesh_flat_m(const struct grid *grid);
+
+/* Welds, drops faces of no area, triangulates what is not flat or not convex. Chooses the grid: the
+ * largest scale at which every coordinate fits -32767..32767, the origin in the middle of the bounds.
+ * Corners in the middle of a straight side are kept. Refuses a model of which nothing is left, or one
+ * whose outlier squeezes the rest into a few units; the text does not name the file. The caller owns
+ * *mesh. */
+bool mesh_clean(const struct model *model, struct mesh *mesh, struct error *err);
+
+/* Joins coplanar neighbours of one colour wherever the union is convex, and drops corners in the
+ * middle of straight sides; mesh_insert_t_vertices() brings back those that others need. Polygons
+ * stay in the order of their first faces. */
+bool mesh_merge(struct mesh *mesh, struct error *err);
+
+/* Adds to each polygon the corners of others that lie inside its edges, in order. Afterwards two
+ * polygons that touch along an edge share both its ends, so no crack can open between them. */
+bool mesh_insert_t_vertices(struct mesh *mesh, struct error *err);
+
+void mesh_free(struct mesh *mesh);
+
+#endif

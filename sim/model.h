@@ -1,0 +1,44 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * A model as its file has it: polygons in metres, in the file's order, nothing mended yet.
+ * Imported by assimp (OBJ, glTF, STL, PLY, ...); quads and n-gons are kept. */
+#ifndef SIM_MODEL_H
+#define SIM_MODEL_H
+
+#include "error.h"
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+struct model_face {
+    uint32_t first, count; /* corners[first .. first + count), counter-clockwise seen from outside */
+    uint32_t colour;       /* 0xRRGGBB as a display shows it (sRGB): material times vertex colours */
+    bool two_sided;        /* the material asks for both sides */
+};
+
+struct model {
+    double (*points)[3]; /* metres, y up, right-handed, node transforms applied; some may be unused */
+    size_t point_count;
+    uint32_t *corners; /* indices into points */
+    size_t corner_count;
+    struct model_face *faces; /* faces[i] is face number i + 1 of the file */
+    size_t face_count;
+};
+
+enum { MODEL_DEFAULT_COLOUR = 0xC8C8C8 }; /* of faces that have neither material nor vertex colours */
+
+/* Reads a model file. Refuses, naming file and reason: missing, unreadable or unknown format, no
+ * faces, NaN or infinite coordinates, indices out of range, more than 2^26 corners. On success the
+ * caller owns *model, otherwise it is empty.
+ *
+ * Faces are numbered from 1; points and lines are none. In OBJ, STL and PLY files the order is that
+ * of the file. Formats with a node tree (glTF, ...) are numbered node by node, parents first, then
+ * by mesh of the node, then by face of the mesh. A mirroring transform turns its faces round.
+ *
+ * OBJ colours are taken as sRGB. Base colours of physically based materials (glTF) are linear
+ * light, as that format says, and become sRGB here. Textures are not read. */
+bool model_import(const char *path, struct model *model, struct error *err);
+void model_free(struct model *model);
+
+#endif

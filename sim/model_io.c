@@ -1,0 +1,118 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Files for the importer library, read whole into memory. One allocation holds the library's
+ * handle, our own record and the bytes; closing the handle frees it. */
+#include "model_io.h"
+
+#include <errno.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <strings.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+enum { LARGEST_FILE_B = 1 << 30 };
+
+struct model_file {
+    struct aiFile handle; /* first, so that the library's pointer is also ours */
+    size_t at_b, size_b;
+    char bytes[];
+};
+
+static struct model_file *own(struct aiFile *handle) { return (struct model_file *)(void *)handle; }
+
+static size_t file_read(struct aiFile *handle, char *buffer, size_t item_b, size_t count)
+{
+    struct model_file *file = own(handle);
+    if (item_b == 0) return 0;
+    size_t left = (file->size_b - file->at_b) / item_b;
+    if (count > left) count = left;
+    memcpy(buffer, file->bytes + file->at_b, count * item_b);
+    file->at_b += count * item_b;
+    return count;
+}
+
+static size_t file_write(struct aiFile *handle, const char *buffer, size_t item_b, size_t count)
+{
+    (void)handle, (void)buffer, (void)item_b, (void)count;
+    return 0;
+}
+
+static size_t file_tell(struct aiFile *handle) { return own(handle)->at_b; }
+static size_t file_size(struct aiFile *handle) { return own(handle)->size_b; }
+static void file_flush(struct aiFile *handle) { (void)handle; }
+
+static enum aiReturn file_seek(struct aiFile *handle, size_t offset, enum aiOrigin origin)
+{
+    struct model_file *file = own(handle);
+    size_t base = origin == aiOrigin_SET ? 0 : origin == aiOrigin_CUR ? file->at_b : file->size_b;
+    size_t at_b = base + offset; /* a negative offset wraps, and so ends where it should */
+    if (at_b > file->size_b) return aiReturn_FAILURE;
+    file->at_b = at_b;
+    return aiReturn_SUCCESS;
+}
+
+static bool has_obj_suffix(const char *path)
+{
+    size_t length = strlen(path);
+    return length >= 4 && strcasecmp(path + length - 4, ".obj") == 0;
+}
+
+/* `o` and `g` lines become comments. */
+static void drop_obj_groups(char *text, size_t size_b)
+{
+    bool line_start = true;
+    for (size_t i = 0; i < size_b; i++) {
+        if (line_start && (text[i] == 'o' || text[i] == 'g')) text[i] = '#';
+        line_start = text[i] == '\n' || text[i] == '\r';
+    }
+}
+
+static struct model_file *read_whole(FILE *stream, size_t size_b)
+{
+    struct model_file *file = calloc(1, sizeof *file + size_b);
+    if (!file) return NULL;
+    file->size_b = fread(file->bytes, 1, size_b, stream);
+    return file;
+}
+
+static struct aiFile *file_open(struct aiFileIO *io, const char *path, const char *mode)
+{
+    (void)io;
+    struct error ignored;
+    if (mode[0] != 'r' || !model_io_check(path, &ignored)) return NULL;
+    struct stat status;
+    FILE *stream = fopen(path, "rb");
+    if (!stream) return NULL;
+    struct model_file *file = fstat(fileno(stream), &status) ? NULL : read_whole(stream, (size_t)status.st_size);
+    fclose(stream);
+    if (!file) return NULL;
+    if (has_obj_suffix(path)) drop_obj_groups(file->bytes, file->size_b);
+    file->handle = (struct aiFile){.ReadProc = file_read,
+                                   .WriteProc = file_write,
+                                   .TellProc = file_tell,
+                                   .FileSizeProc = file_size,
+                                   .SeekProc = file_seek,
+                                   .FlushProc = file_flush};
+    return &file->handle;
+}
+
+static void file_close(struct aiFileIO *io, struct aiFile *handle)
+{
+    (void)io;
+    free(handle);
+}
+
+struct aiFileIO model_io(void) { return (struct aiFileIO){.OpenProc = file_open, .CloseProc = file_close}; }
+
+bool model_io_check(const char *path, struct error *err)
+{
+    struct stat status;
+    if (stat(path, &status) || access(path, R_OK)) return error_set(err, "%s: %s", path, strerror(errno));
+    if (S_ISDIR(status.st_mode)) return error_set(err, "%s: is a folder, not a model", path);
+    if (!S_ISREG(status.st_mode)) return error_set(err, "%s: is not a regular file", path);
+    if (status.st_size == 0) return error_set(err, "%s: the file is empty", path);
+    if (status.st_size > LARGEST_FILE_B) return error_set(err, "%s: the file is larger than 1 GiB", path);
+    return true;
+}

@@ -1,0 +1,242 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Options are checked here for their form and range; what depends on the scene (lens, near plane,
+ * camera) is checked where the scene is known. */
+#include "options.h"
+
+#include "outputs.h"
+
+#include <errno.h>
+#include <getopt.h>
+#include <stdlib.h>
+#include <string.h>
+#include <strings.h>
+#include <unistd.h>
+
+enum { SIDE_MAX_PX = 1024, ORBIT_FRAMES = 16 };
+
+enum option_code {
+    OPTION_OUT = 'o',
+    OPTION_GIF = 256,
+    OPTION_SHEET,
+    OPTION_IDS,
+    OPTION_STATS,
+    OPTION_COMPARE,
+    OPTION_CHECK,
+    OPTION_WRITE_HASHES,
+    OPTION_CAMERA,
+    OPTION_SIZE,
+    OPTION_FOV,
+    OPTION_NEAR,
+    OPTION_PANEL,
+    OPTION_METHOD,
+    OPTION_SPLITTER,
+    OPTION_TOLERANCE
+};
+
+/* Those that only `render` has come first. */
+enum { RENDER_ONLY_OPTIONS = 7 };
+static const struct option OPTIONS[] = {
+    {"gif", required_argument, NULL, OPTION_GIF},
+    {"sheet", required_argument, NULL, OPTION_SHEET},
+    {"ids", required_argument, NULL, OPTION_IDS},
+    {"stats", no_argument, NULL, OPTION_STATS},
+    {"compare", no_argument, NULL, OPTION_COMPARE},
+    {"check", required_argument, NULL, OPTION_CHECK},
+    {"write-hashes", required_argument, NULL, OPTION_WRITE_HASHES},
+    {"camera", required_argument, NULL, OPTION_CAMERA},
+    {"size", required_argument, NULL, OPTION_SIZE},
+    {"fov", required_argument, NULL, OPTION_FOV},
+    {"near", required_argument, NULL, OPTION_NEAR},
+    {"panel", required_argument, NULL, OPTION_PANEL},
+    {"method", required_argument, NULL, OPTION_METHOD},
+    {"splitter", required_argument, NULL, OPTION_SPLITTER},
+    {"tolerance", required_argument, NULL, OPTION_TOLERANCE},
+    {NULL, 0, NULL, 0},
+};
+
+static bool parse_number(const char *option, const char *text, double *out, struct error *err)
+{
+    char *end;
+    errno = 0;
+    *out = strtod(text, &end);
+    return (end != text && *end == '\0' && errno == 0) || error_set(err, "%s %s: not a number", option, text);
+}
+
+/* Digits up to `stop`; 0 if there are none or too many. */
+static unsigned parse_side(const char **at, char stop)
+{
+    unsigned side_px = 0;
+    while (**at >= '0' && **at <= '9') {
+        if (side_px <= SIDE_MAX_PX) side_px = side_px * 10 + (unsigned)(**at - '0');
+        ++*at;
+    }
+    return **at == stop && side_px <= SIDE_MAX_PX ? side_px : 0;
+}
+
+static bool parse_size(const char *text, struct options *out, struct error *err)
+{
+    const char *at = text;
+    out->w_px = parse_side(&at, 'x');
+    if (out->w_px) {
+        at++;
+        out->h_px = parse_side(&at, '\0');
+    }
+    return (out->w_px && out->h_px) ||
+           error_set(err, "--size %s: must be WxH, each from 1 to %d pixels", text, SIDE_MAX_PX);
+}
+
+static bool parse_panel(const char *text, enum simulator_panel *out, struct error *err)
+{
+    if (strcmp(text, "st7789") == 0)
+        *out = SIMULATOR_ST7789;
+    else if (strcmp(text, "memory") == 0)
+        *out = SIMULATOR_MEMORY;
+    else
+        return error_set(err, "--panel %s: no such panel; there are st7789 and memory", text);
+    return true;
+}
+
+static bool parse_method(const char *text, enum lim_method *out, struct error *err)
+{
+    if (strcmp(text, "nearest") == 0)
+        *out = LIM_NEAREST_FIRST;
+    else if (strcmp(text, "painter") == 0)
+        *out = LIM_PAINTER;
+    else
+        return error_set(err, "--method %s: no such method; there are nearest and painter", text);
+    return true;
+}
+
+static bool parse_tolerance(const char *text, double *out, struct error *err)
+{
+    if (!parse_number("--tolerance", text, out, err)) return false;
+    return (*out >= 0.0 && *out <= 1024.0) || error_set(err, "--tolerance %s: must be 0 to 1024 units", text);
+}
+
+static bool parse_near(const char *text, double *out, struct error *err)
+{
+    if (!parse_number("--near", text, out, err)) return false;
+    return *out > 0.0 || error_set(err, "--near %s: the near plane must lie in front of the eye", text);
+}
+
+static bool parse_option(int code, const char *text, struct options *out, struct error *err)
+{
+    switch (code) {
+    case OPTION_CAMERA:
+        out->camera_path = text;
+        return true;
+    case OPTION_SIZE:
+        return parse_size(text, out, err);
+    case OPTION_FOV:
+        return parse_number("--fov", text, &out->fov_deg, err);
+    case OPTION_NEAR:
+        return parse_near(text, &out->near_m, err);
+    case OPTION_PANEL:
+        return parse_panel(text, &out->panel, err);
+    case OPTION_METHOD:
+        return parse_method(text, &out->method, err);
+    case OPTION_SPLITTER:
+        out->compile.splitter = text;
+        return true;
+    case OPTION_TOLERANCE:
+        return parse_tolerance(text, &out->compile.tolerance_units, err);
+    case OPTION_OUT:
+        out->frame_pattern = text;
+        return output_pattern_check(text, err);
+    case OPTION_GIF:
+        out->gif_path = text;
+        return true;
+    case OPTION_SHEET:
+        out->sheet_path = text;
+        return true;
+    case OPTION_IDS:
+        out->ids_path = text;
+        return true;
+    case OPTION_STATS:
+        out->stats = true;
+        return true;
+    case OPTION_COMPARE:
+        out->compare = true;
+        return true;
+    case OPTION_CHECK:
+        out->check_path = text;
+        return true;
+    case OPTION_WRITE_HASHES:
+        out->hashes_path = text;
+        return true;
+    default:
+        return false;
+    }
+}
+
+static bool unusable_option(int code, char **argv, struct error *err)
+{
+    const char *given = argv[optind - 1];
+    if (code == ':') return error_set(err, "%s: needs a value", given);
+    return error_set(err, "%s: no such option here; `limner help` lists them", given);
+}
+
+/* A panel is emulated wherever its memory holds the picture. */
+static bool choose_panel(struct options *out, struct error *err)
+{
+    if (out->panel == SIMULATOR_ST7789 && !simulator_panel_holds(out->w_px, out->h_px))
+        return error_set(err, "--panel st7789: %ux%u pixels do not fit into its memory", out->w_px, out->h_px);
+    if (out->panel == SIMULATOR_ANY)
+        out->panel = simulator_panel_holds(out->w_px, out->h_px) ? SIMULATOR_ST7789 : SIMULATOR_MEMORY;
+    return true;
+}
+
+static bool asks_for_output(const struct options *options)
+{
+    return options->frame_pattern || options->gif_path || options->sheet_path || options->ids_path ||
+           options->check_path || options->hashes_path || options->stats || options->compare;
+}
+
+bool options_parse(int argc, char **argv, enum options_set set, struct options *out, struct error *err)
+{
+    const bool is_render = set == OPTIONS_RENDER;
+    *out = (struct options){.w_px = 240,
+                            .h_px = 240,
+                            .fov_deg = 60.0,
+                            .method = LIM_NEAREST_FIRST,
+                            .panel = SIMULATOR_ANY,
+                            .compile = {.tolerance_units = 0.5, .splitter = "auto"}};
+    opterr = 0;
+    optind = 1;
+    int code;
+    while ((code = getopt_long(argc, argv, is_render ? ":o:" : ":", OPTIONS + (is_render ? 0 : RENDER_ONLY_OPTIONS),
+                               NULL)) != -1) {
+        if (code == ':' || code == '?') return unusable_option(code, argv, err);
+        if (!parse_option(code, optarg, out, err)) return false;
+    }
+    if (optind >= argc) return error_set(err, "%s: needs a model or a .lim file", argv[0]);
+    if (optind + 1 < argc) return error_set(err, "%s: one scene at a time, what is '%s'?", argv[0], argv[optind + 1]);
+    out->scene_path = argv[optind];
+    if (is_render && !asks_for_output(out)) out->frame_pattern = "out/%03d.png";
+    out->compile.keep_faces = out->ids_path || out->compare;
+    out->compile.progress = isatty(STDERR_FILENO);
+    return choose_panel(out, err);
+}
+
+bool options_scene_is_compiled(const struct options *options)
+{
+    const char *suffix = strrchr(options->scene_path, '.');
+    return suffix && strcasecmp(suffix, ".lim") == 0;
+}
+
+static bool load_scene(const struct options *options, struct compiled *scene, struct error *err)
+{
+    if (options_scene_is_compiled(options)) return lim_file_read(options->scene_path, scene, err);
+    return compile_model(options->scene_path, &options->compile, scene, err);
+}
+
+bool options_load(const struct options *options, struct compiled *scene, struct lens *lens, struct camera_path *path,
+                  struct error *err)
+{
+    if (options->camera_path && !camera_path_read(options->camera_path, path, err)) return false;
+    if (!load_scene(options, scene, err)) return false;
+    double near_m = options->near_m > 0.0 ? options->near_m : lens_default_near_m(&scene->grid);
+    if (!lens_init(lens, options->fov_deg, near_m, options->w_px, options->h_px, err)) return false;
+    return options->camera_path || camera_path_orbit(scene, lens, ORBIT_FRAMES, path, err);
+}

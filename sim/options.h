@@ -1,0 +1,36 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * The command line of `limner render` and `limner view`. */
+#ifndef SIM_OPTIONS_H
+#define SIM_OPTIONS_H
+
+#include "camera_path.h"
+#include "simulator.h"
+
+struct options {
+    const char *scene_path;  /* a model, or a compiled scene in a .lim file */
+    const char *camera_path; /* NULL: an orbit */
+    unsigned w_px, h_px;
+    double fov_deg;
+    double near_m; /* 0: not given */
+    enum lim_method method;
+    enum simulator_panel panel;
+    struct compile_options compile;
+    /* limner render only; NULL or false: not asked for */
+    const char *frame_pattern, *gif_path, *sheet_path, *ids_path, *check_path, *hashes_path;
+    bool stats, compare;
+};
+
+enum options_set { OPTIONS_RENDER, OPTIONS_VIEW };
+
+/* Fills in the defaults too. The strings stay argv's. */
+bool options_parse(int argc, char **argv, enum options_set set, struct options *out, struct error *err);
+
+/* Reads the camera file (or plans an orbit) and the scene: a .lim file as it is, anything else
+ * compiled. *scene and *path must be zero and are the caller's to free, also after a failure. */
+bool options_load(const struct options *options, struct compiled *scene, struct lens *lens, struct camera_path *path,
+                  struct error *err);
+
+bool options_scene_is_compiled(const struct options *options);
+
+#endif

@@ -1,0 +1,73 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Neighbours trace a common edge through the same points, so what rounding does to one it does to
+ * the other. A piece that becomes a line of two points there and back may go: its two neighbours
+ * meet in that line. A line of three points must stay, it bridges two outlines that differ. */
+#include "outline.h"
+
+#include "grow.h"
+
+#include <math.h>
+
+static bool same(struct lim_vertex a, struct lim_vertex b)
+{
+    return a.x == b.x && a.y == b.y && a.z == b.z;
+}
+
+static void outline_add(struct outline *outline, struct lim_vertex corner)
+{
+    if (outline->count && same(outline->corners[outline->count - 1], corner)) return;
+    outline->corners = grow(outline->corners, outline->count, &outline->capacity, sizeof *outline->corners);
+    outline->corners[outline->count++] = corner;
+}
+
+static bool has_three_corners(const struct outline *outline)
+{
+    for (size_t i = 2; i < outline->count; i++)
+        if (!same(outline->corners[i], outline->corners[0]) && !same(outline->corners[i], outline->corners[1]))
+            return true;
+    return false;
+}
+
+void outline_trace(const struct bsp *bsp, const struct bsp_piece *piece, const struct lim_vertex *snapped,
+                   struct outline *outline)
+{
+    const struct bsp_corner *corners = &bsp->corners[piece->first];
+    outline->count = 0;
+    for (size_t i = 0; i < piece->count; i++) {
+        const struct bsp_corner *from = &corners[i], *to = &corners[(i + 1) % piece->count];
+        outline_add(outline, snapped[from->point]);
+        struct edge_range range = edges_between_ends(&bsp->edges, from->edge, from->point, to->point);
+        for (size_t k = 0, at = range.first; k < range.count; k++, at += (size_t)range.step)
+            outline_add(outline, snapped[bsp->edges.cuts[at].point]);
+    }
+    while (outline->count > 1 && same(outline->corners[outline->count - 1], outline->corners[0])) outline->count--;
+    if (!has_three_corners(outline)) outline->count = 0;
+}
+
+/* The square of twice the area of corners from .. from + count - 1. */
+static double area_square(const struct outline *outline, size_t from, size_t count)
+{
+    double sum[3] = {0.0, 0.0, 0.0};
+    struct lim_vertex o = outline->corners[from % outline->count];
+    for (size_t i = 1; i + 1 < count; i++) {
+        struct lim_vertex p = outline->corners[(from + i) % outline->count];
+        struct lim_vertex q = outline->corners[(from + i + 1) % outline->count];
+        const double a[3] = {p.x - o.x, p.y - o.y, p.z - o.z}, b[3] = {q.x - o.x, q.y - o.y, q.z - o.z};
+        for (int k = 0; k < 3; k++) sum[k] += a[(k + 1) % 3] * b[(k + 2) % 3] - a[(k + 2) % 3] * b[(k + 1) % 3];
+    }
+    return sum[0] * sum[0] + sum[1] * sum[1] + sum[2] * sum[2];
+}
+
+size_t outline_chord(const struct outline *outline)
+{
+    size_t half = outline->count / 2, best = 0;
+    double best_area = -1.0;
+    for (size_t from = 0; from < outline->count; from++) {
+        double area = fmin(area_square(outline, from, half + 1),
+                           area_square(outline, from + half, outline->count - half + 1));
+        if (area > best_area) best = from;
+        best_area = fmax(area, best_area);
+    }
+    return best;
+}

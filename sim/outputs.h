@@ -1,0 +1,37 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * The files that a command writes: all of them or none. Each is written beside its place as
+ * NAME.part, and takes its place when the command has succeeded; folders are made as needed. */
+#ifndef SIM_OUTPUTS_H
+#define SIM_OUTPUTS_H
+
+#include "error.h"
+
+#include <stddef.h>
+#include <stdio.h>
+
+struct output_path; /* of a file or folder */
+
+struct outputs {
+    struct output_path *paths; /* in the order of their making */
+    size_t count;
+};
+
+/* Begins a file, its folders included; NULL on error. Devices and pipes are opened as they are. */
+FILE *outputs_open(struct outputs *outputs, const char *path, struct error *err);
+
+/* Closes a file of outputs_open(); what could not be written is an error. */
+bool outputs_close(FILE *file, const char *path, struct error *err);
+
+/* Puts every file in its place and frees the list. */
+bool outputs_keep(struct outputs *outputs, struct error *err);
+
+/* Removes every file and folder made, and frees the list. */
+void outputs_discard(struct outputs *outputs);
+
+/* A pattern with exactly one %d, %5d or %05d becomes the path of a numbered file; `path` holds
+ * size bytes. Anything else is refused. */
+bool output_pattern_check(const char *pattern, struct error *err);
+bool output_pattern_path(const char *pattern, size_t number, char *path, size_t size, struct error *err);
+
+#endif

@@ -1,0 +1,170 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * The choice of a stored plane. Candidates, cheapest first: an axis plane, an upright plane
+ * (n[1] = 0), a small integer normal, and at last a LARGE one, which is always good enough.
+ *
+ * A small normal is a simultaneous approximation of the ideal direction by fractions with one
+ * denominator m; the best m up to 2^14 or so is off by about m^-1.5, which moves the plane by a
+ * few hundredths of a unit at the far end of the grid. */
+#include "plane.h"
+
+#include <float.h>
+#include <math.h>
+
+enum { SMALL_SUM_MAX = 32767, FILTER_MAX = 8191, LARGE_MAX = 1 << 30 };
+
+static double dot(const double a[3], const double b[3])
+{
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+static int longest_axis(const double v[3])
+{
+    int axis = fabs(v[1]) > fabs(v[0]) ? 1 : 0;
+    return fabs(v[2]) > fabs(v[axis]) ? 2 : axis;
+}
+
+double plane_distance(const struct plane *plane, const double point[3])
+{
+    double sum = (double)plane->n[0] * point[0] + (double)plane->n[1] * point[1] + (double)plane->n[2] * point[2];
+    return (sum - (double)plane->d) / plane->length;
+}
+
+/* Half way between the extreme corners along n, which halves the largest error. */
+static double middle(const struct plane_fit *fit, const double n[3])
+{
+    double low = DBL_MAX, high = -DBL_MAX;
+    for (size_t i = 0; i < fit->corner_count; i++) {
+        double along = dot(n, fit->corners[i]);
+        low = fmin(low, along);
+        high = fmax(high, along);
+    }
+    return low + (high - low) / 2.0;
+}
+
+static void plane_place(const struct plane_fit *fit, const double n[3], enum lim_plane_kind kind, struct plane *out)
+{
+    for (int i = 0; i < 3; i++) out->n[i] = (int64_t)n[i];
+    out->d = (int64_t)floor(middle(fit, n) + 0.5);
+    out->kind = kind;
+    out->length = sqrt(dot(n, n));
+}
+
+static int side_of(double distance, double tolerance)
+{
+    return (distance > tolerance) - (distance < -tolerance);
+}
+
+static bool plane_good_enough(const struct plane_fit *fit, const struct plane *plane)
+{
+    for (size_t i = 0; i < fit->corner_count; i++)
+        if (fabs(plane_distance(plane, fit->corners[i])) > fit->tolerance_units) return false;
+    if (fit->tolerance_units == 0.0) return true; /* through all corners: it is the ideal plane */
+    const double n[3] = {(double)plane->n[0], (double)plane->n[1], (double)plane->n[2]};
+    double ideal_d = middle(fit, fit->normal), sign = dot(n, fit->normal) < 0.0 ? -1.0 : 1.0;
+    for (size_t i = 0; i < fit->point_count; i++) {
+        int ideal = side_of((dot(fit->normal, fit->points[i]) - ideal_d) * sign, fit->tolerance_units);
+        int stored = side_of(plane_distance(plane, fit->points[i]), fit->tolerance_units);
+        if (stored != ideal && stored != 0) return false;
+    }
+    return true;
+}
+
+static bool try_axis(const struct plane_fit *fit, struct plane *out)
+{
+    int axis = longest_axis(fit->normal);
+    double n[3] = {0.0, 0.0, 0.0};
+    n[axis] = 1.0;
+    plane_place(fit, n, (enum lim_plane_kind)(LIM_PLANE_X + axis), out);
+    return plane_good_enough(fit, out);
+}
+
+/* How far normal * m is from its rounding n, relative to m. */
+static double rounding_error(const double normal[3], double m, double n[3])
+{
+    double worst = 0.0;
+    for (int i = 0; i < 3; i++) {
+        n[i] = floor(normal[i] * m + 0.5);
+        worst = fmax(worst, fabs(normal[i] * m - n[i]));
+    }
+    return worst / m;
+}
+
+/* The integer normal within SMALL's bound that is nearest to a direction whose longest component
+ * is 1. Only a halved error is worth longer integers: that keeps (1, 0, 1) from becoming
+ * (5000, 0, 5000) by the noise of doubles. */
+static void small_normal(const double direction[3], double best[3])
+{
+    double best_error = DBL_MAX, n[3];
+    double sum = fabs(direction[0]) + fabs(direction[1]) + fabs(direction[2]);
+    for (double m = 1.0; m * sum <= SMALL_SUM_MAX - 2.0 && best_error > DBL_EPSILON; m += 1.0) {
+        double error = rounding_error(direction, m, n);
+        if (error >= best_error / 2.0) continue;
+        best_error = error;
+        for (int i = 0; i < 3; i++) best[i] = n[i];
+    }
+}
+
+static bool try_small(const struct plane_fit *fit, bool upright, struct plane *out)
+{
+    double direction[3] = {fit->normal[0], upright ? 0.0 : fit->normal[1], fit->normal[2]};
+    double longest = fabs(direction[longest_axis(direction)]);
+    if (longest < 0.5) return false; /* not upright at all */
+    for (int i = 0; i < 3; i++) direction[i] /= longest;
+    double n[3] = {0.0, 0.0, 0.0};
+    small_normal(direction, n);
+    plane_place(fit, n, upright ? LIM_PLANE_XZ : LIM_PLANE_SMALL, out);
+    return plane_good_enough(fit, out);
+}
+
+static void place_large(const struct plane_fit *fit, struct plane *out)
+{
+    double n[3], scale = LARGE_MAX / fabs(fit->normal[longest_axis(fit->normal)]);
+    for (int i = 0; i < 3; i++) n[i] = floor(fit->normal[i] * scale + 0.5);
+    plane_place(fit, n, LIM_PLANE_LARGE, out);
+}
+
+void plane_store(const struct plane_fit *fit, struct plane *out)
+{
+    if (try_axis(fit, out) || try_small(fit, true, out) || try_small(fit, false, out)) return;
+    place_large(fit, out);
+}
+
+/* value * FILTER_MAX / longest to nearest, halves away from zero: |value| < 2^48 keeps the
+ * product within 2^61. */
+static int64_t filter_scale(int64_t value, int64_t longest)
+{
+    int64_t half = value < 0 ? -(longest / 2) : longest / 2;
+    return (value * FILTER_MAX + half) / longest;
+}
+
+struct lim_plane plane_filter(const int64_t n[3], int64_t d)
+{
+    int64_t longest = 1;
+    for (int i = 0; i < 3; i++) {
+        int64_t size = n[i] < 0 ? -n[i] : n[i];
+        longest = size > longest ? size : longest;
+    }
+    struct lim_plane filter = {.d = (int32_t)filter_scale(d, longest)};
+    for (int i = 0; i < 3; i++) filter.n[i] = (int16_t)filter_scale(n[i], longest);
+    return filter;
+}
+
+void plane_exact(const struct lim_scene *scene, uint16_t node, int64_t n[3], int64_t *d)
+{
+    const struct lim_node *at = &scene->nodes[node];
+    if (at->kind <= LIM_PLANE_Z) {
+        for (int i = 0; i < 3; i++) n[i] = i == at->kind;
+        *d = (int16_t)at->plane;
+        return;
+    }
+    const struct lim_plane *plane = &scene->planes[at->plane];
+    if (at->kind != LIM_PLANE_LARGE) {
+        for (int i = 0; i < 3; i++) n[i] = plane->n[i];
+        *d = plane->d;
+        return;
+    }
+    const struct lim_plane_exact *exact = &scene->exact[plane->exact];
+    for (int i = 0; i < 3; i++) n[i] = exact->n[i];
+    *d = (int64_t)exact->d_hi * (INT64_C(1) << 32) + exact->d_lo;
+}

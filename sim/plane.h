@@ -1,0 +1,47 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Planes as a scene stores them: integers, so that the firmware decides sides exactly and the
+ * compiler partitions by the very same planes. Each gets the cheapest kind that is good enough. */
+#ifndef SIM_PLANE_H
+#define SIM_PLANE_H
+
+#include "scene.h"
+
+#include <stddef.h>
+
+/* n . p = d. |n[i]| <= 2^30, |d| < 2^48; within scene.h's bounds for its kind. */
+struct plane {
+    int64_t n[3], d;
+    enum lim_plane_kind kind;
+    double length; /* |n|, rounded */
+};
+
+/* No plane is stored with a larger error, in units, at a point of the grid: LARGE normals round
+ * by 2^-31 of their length, which at 2^16 * sqrt(3) units from the face is 2^-14. */
+#define PLANE_STORAGE_ERROR_UNITS (1.0 / 4096.0)
+
+/* What a stored plane has to get right. */
+struct plane_fit {
+    double normal[3];        /* unit length */
+    double (*corners)[3];    /* of the polygons that shall lie on the plane; units */
+    size_t corner_count;
+    double (*points)[3];     /* of the whole mesh; units */
+    size_t point_count;
+    double tolerance_units;  /* 0: cheap kinds only if they hold every corner exactly */
+};
+
+/* Chooses the stored plane: parallel to fit->normal, in the middle of fit->corners. A cheap kind
+ * is taken only if no corner lies farther than the tolerance from it, no point that lies on the
+ * ideal plane leaves it, and no other point changes sides. Otherwise it is LARGE. */
+void plane_store(const struct plane_fit *fit, struct plane *out);
+
+/* Signed distance of a point, in units; off by less than 2^-30 for points of the grid. */
+double plane_distance(const struct plane *plane, const double point[3]);
+
+/* The filter record of a LARGE plane: exactly what scene.h prescribes; its field `exact` is 0. */
+struct lim_plane plane_filter(const int64_t n[3], int64_t d);
+
+/* The exact plane of a node, whatever its kind. */
+void plane_exact(const struct lim_scene *scene, uint16_t node, int64_t n[3], int64_t *d);
+
+#endif

@@ -1,0 +1,324 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * A ray d from the eye meets a convex polygon when d . (a - e) x (b - e) has one sign for all
+ * edges a -> b. On the screen that is a linear function of the pixel, and so is the inverse depth
+ * of the polygon's plane; corners behind the eye need no clipping. Two polygons with a common
+ * edge compute exact negatives of the same function, so no ray can slip between them. */
+#include "reference.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* a * u + b * v + c, for u and v from -1 to 1 across the picture, v upwards. */
+struct reference_edge {
+    double a, b, c;
+};
+
+struct reference_polygon {
+    uint32_t first, count; /* points[first .. first + count) */
+    uint32_t face;
+    bool two_sided;
+    double normal[3], offset_m;          /* normal . p = offset_m; not of unit length */
+    struct reference_edge inverse_depth; /* of the plane, for the frame being drawn */
+    double depth_min_m, depth_max_m;     /* of the corners, the same */
+};
+
+struct pixel_rect {
+    int x0, y0, x1, y1; /* inclusive */
+};
+
+struct frame_view {
+    double eye_m[3];
+    double right[3], up[3]; /* scaled by the half-sizes of the picture: their length is tan_x, tan_y */
+    double forward[3];
+    double near_m;
+    int w_px, h_px;
+};
+
+static double dot(const double a[3], const double b[3])
+{
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+static void cross(const double a[3], const double b[3], double out[3])
+{
+    for (int i = 0; i < 3; i++) {
+        int j = (i + 1) % 3, k = (i + 2) % 3;
+        out[i] = a[j] * b[k] - a[k] * b[j];
+    }
+}
+
+static void subtract(const double a[3], const double b[3], double out[3])
+{
+    for (int i = 0; i < 3; i++)
+        out[i] = a[i] - b[i];
+}
+
+static double edge_at(const struct reference_edge *edge, double u, double v)
+{
+    return edge->a * u + edge->b * v + edge->c;
+}
+
+static double pixel_u(const struct frame_view *view, int x_px)
+{
+    return (2.0 * x_px + 1.0) / view->w_px - 1.0;
+}
+
+static double pixel_v(const struct frame_view *view, int y_px)
+{
+    return 1.0 - (2.0 * y_px + 1.0) / view->h_px;
+}
+
+/* Scene -------------------------------------------------------------------------------------- */
+
+/* Newell's normal: the sum over all edges, so that no three corners are singled out. */
+static void polygon_plane(struct reference_polygon *polygon, double (*points)[3])
+{
+    double centre[3] = {0};
+    memset(polygon->normal, 0, sizeof polygon->normal);
+    for (uint32_t i = 0; i < polygon->count; i++)
+        for (int axis = 0; axis < 3; axis++)
+            centre[axis] += points[i][axis] / polygon->count;
+    for (uint32_t i = 0; i < polygon->count; i++) {
+        double a[3], b[3], term[3];
+        subtract(points[i], centre, a);
+        subtract(points[(i + 1) % polygon->count], centre, b);
+        cross(a, b, term);
+        for (int axis = 0; axis < 3; axis++)
+            polygon->normal[axis] += term[axis];
+    }
+    polygon->offset_m = dot(polygon->normal, centre);
+}
+
+static void copy_polygons(struct reference *reference, const struct mesh *mesh)
+{
+    uint32_t first = 0;
+    for (size_t p = 0; p < mesh->polygon_count; p++) {
+        const struct mesh_polygon *from = &mesh->polygons[p];
+        struct reference_polygon *to = &reference->polygons[p];
+        *to = (struct reference_polygon){
+            .first = first, .count = from->count, .face = from->face, .two_sided = from->two_sided};
+        for (uint32_t i = 0; i < from->count; i++)
+            memcpy(reference->points[first + i], mesh->points[mesh->corners[from->first + i]],
+                   sizeof reference->points[0]);
+        polygon_plane(to, &reference->points[first]);
+        first += from->count;
+    }
+}
+
+bool reference_init(struct reference *reference, const struct mesh *mesh, unsigned w_px, unsigned h_px,
+                    struct error *err)
+{
+    size_t corner_count = 0, corners_max = 0, pixel_count = (size_t)w_px * h_px;
+    for (size_t p = 0; p < mesh->polygon_count; p++) {
+        corner_count += mesh->polygons[p].count;
+        if (mesh->polygons[p].count > corners_max) corners_max = mesh->polygons[p].count;
+    }
+    *reference = (struct reference){.polygon_count = mesh->polygon_count, .w_px = w_px, .h_px = h_px};
+    reference->points = calloc(corner_count, sizeof reference->points[0]);
+    reference->polygons = calloc(mesh->polygon_count, sizeof reference->polygons[0]);
+    reference->edges = calloc(corners_max, sizeof reference->edges[0]);
+    reference->faces = calloc(pixel_count, sizeof reference->faces[0]);
+    reference->depths_m = calloc(pixel_count, sizeof reference->depths_m[0]);
+    if (!reference->points || !reference->polygons || !reference->edges || !reference->faces || !reference->depths_m) {
+        reference_free(reference);
+        return error_set(err, "reference picture: out of memory");
+    }
+    copy_polygons(reference, mesh);
+    return true;
+}
+
+bool reference_read(struct reference *reference, const char *model_path, unsigned w_px, unsigned h_px,
+                    struct error *err)
+{
+    struct model model;
+    struct mesh mesh;
+    if (!model_import(model_path, &model, err)) return false;
+    bool ok = mesh_clean(&model, &mesh, err);
+    model_free(&model);
+    if (!ok) return false;
+    ok = reference_init(reference, &mesh, w_px, h_px, err);
+    mesh_free(&mesh);
+    return ok;
+}
+
+void reference_free(struct reference *reference)
+{
+    free(reference->points);
+    free(reference->polygons);
+    free(reference->edges);
+    free(reference->faces);
+    free(reference->depths_m);
+    memset(reference, 0, sizeof *reference);
+}
+
+/* One polygon -------------------------------------------------------------------------------- */
+
+static struct reference_edge edge_from_vector(const struct frame_view *view, const double vector[3], double scale)
+{
+    return (struct reference_edge){scale * dot(vector, view->right), scale * dot(vector, view->up),
+                                   scale * dot(vector, view->forward)};
+}
+
+static void polygon_edges(const struct reference_polygon *polygon, double (*points)[3], const struct frame_view *view,
+                          bool is_front, struct reference_edge *edges)
+{
+    for (uint32_t i = 0; i < polygon->count; i++) {
+        double a[3], b[3], normal[3];
+        subtract(points[i], view->eye_m, a);
+        subtract(points[(i + 1) % polygon->count], view->eye_m, b);
+        cross(a, b, normal);
+        /* Counter-clockwise around the ray, seen against it: these normals point outwards. */
+        edges[i] = edge_from_vector(view, normal, is_front ? -1.0 : 1.0);
+    }
+}
+
+static void bounds_add(const struct frame_view *view, const double p[3], double low[2], double high[2])
+{
+    const double tan_x_2 = dot(view->right, view->right), tan_y_2 = dot(view->up, view->up);
+    const double depth = dot(p, view->forward);
+    const double at[2] = {dot(p, view->right) / tan_x_2 / depth, -dot(p, view->up) / tan_y_2 / depth};
+    for (int i = 0; i < 2; i++) {
+        low[i] = fmin(low[i], at[i]);
+        high[i] = fmax(high[i], at[i]);
+    }
+}
+
+static int clamp_px(double px, int size_px)
+{
+    return (int)fmax(-1.0, fmin(px, size_px));
+}
+
+/* Bounds on the screen of what lies beyond the near plane, a pixel wider; also the depths. */
+static struct pixel_rect polygon_bounds(struct reference_polygon *polygon, double (*points)[3],
+                                        const struct frame_view *view)
+{
+    double low[2] = {INFINITY, INFINITY}, high[2] = {-INFINITY, -INFINITY};
+    double a[3], b[3];
+    subtract(points[polygon->count - 1], view->eye_m, a);
+    double depth_a = dot(a, view->forward);
+    polygon->depth_min_m = polygon->depth_max_m = depth_a;
+    for (uint32_t i = 0; i < polygon->count; i++) {
+        subtract(points[i], view->eye_m, b);
+        double depth_b = dot(b, view->forward);
+        if ((depth_a < view->near_m) != (depth_b < view->near_m)) {
+            double along = (view->near_m - depth_a) / (depth_b - depth_a), crossing[3];
+            for (int axis = 0; axis < 3; axis++)
+                crossing[axis] = a[axis] + along * (b[axis] - a[axis]);
+            bounds_add(view, crossing, low, high);
+        }
+        if (depth_b >= view->near_m) bounds_add(view, b, low, high);
+        polygon->depth_min_m = fmin(polygon->depth_min_m, depth_b);
+        polygon->depth_max_m = fmax(polygon->depth_max_m, depth_b);
+        memcpy(a, b, sizeof a);
+        depth_a = depth_b;
+    }
+    if (low[0] > high[0]) return (struct pixel_rect){0, 0, -1, -1};
+    return (struct pixel_rect){
+        .x0 = (int)fmax(0.0, clamp_px((low[0] + 1.0) / 2.0 * view->w_px - 1.0, view->w_px)),
+        .y0 = (int)fmax(0.0, clamp_px((low[1] + 1.0) / 2.0 * view->h_px - 1.0, view->h_px)),
+        .x1 = (int)fmin(view->w_px - 1, clamp_px((high[0] + 1.0) / 2.0 * view->w_px + 1.0, view->w_px)),
+        .y1 = (int)fmin(view->h_px - 1, clamp_px((high[1] + 1.0) / 2.0 * view->h_px + 1.0, view->h_px))};
+}
+
+static bool is_inside(const struct reference_edge *edges, uint32_t count, double u, double v)
+{
+    for (uint32_t i = 0; i < count; i++)
+        if (edge_at(&edges[i], u, v) < 0.0) return false;
+    return true;
+}
+
+/* Narrows the line to the interval between the edges: by division to within a pixel, then by the
+ * edge functions themselves, so that the decision is always theirs. */
+static void line_interval(const struct reference_edge *edges, uint32_t count, const struct frame_view *view, double v,
+                          int *x0_px, int *x1_px)
+{
+    for (uint32_t i = 0; i < count; i++) {
+        double crossing_px = (-(edges[i].b * v + edges[i].c) / edges[i].a + 1.0) / 2.0 * view->w_px;
+        if (edges[i].a > 0.0) *x0_px = (int)fmax(*x0_px, clamp_px(crossing_px - 2.0, view->w_px));
+        if (edges[i].a < 0.0) *x1_px = (int)fmin(*x1_px, clamp_px(crossing_px + 1.0, view->w_px));
+    }
+    while (*x0_px <= *x1_px && !is_inside(edges, count, pixel_u(view, *x0_px), v))
+        ++*x0_px;
+    while (*x0_px <= *x1_px && !is_inside(edges, count, pixel_u(view, *x1_px), v))
+        --*x1_px;
+}
+
+/* Equal depths, give or take rounding, go to the lower face number. */
+static bool is_nearer(double depth_m, uint32_t face, double best_m, uint32_t best_face)
+{
+    const double tie = 1e-9;
+    if (depth_m < best_m * (1.0 - tie)) return true;
+    return depth_m <= best_m * (1.0 + tie) && face < best_face;
+}
+
+static void draw_line(struct reference *reference, const struct reference_polygon *polygon,
+                      const struct frame_view *view, int y_px, int x0_px, int x1_px)
+{
+    const double v = pixel_v(view, y_px);
+    for (int x_px = x0_px; x_px <= x1_px; x_px++) {
+        size_t pixel = (size_t)y_px * reference->w_px + (size_t)x_px;
+        double inverse = edge_at(&polygon->inverse_depth, pixel_u(view, x_px), v);
+        if (!(inverse > 0.0 && inverse * view->near_m <= 1.0)) continue;
+        if (!is_nearer(1.0 / inverse, polygon->face, reference->depths_m[pixel], reference->faces[pixel])) continue;
+        reference->depths_m[pixel] = 1.0 / inverse;
+        reference->faces[pixel] = polygon->face;
+    }
+}
+
+static void draw_polygon(struct reference *reference, struct reference_polygon *polygon, const struct frame_view *view)
+{
+    double(*points)[3] = &reference->points[polygon->first];
+    /* The plane's offset from the eye is negative when its normal points towards the eye. */
+    double offset_m = polygon->offset_m - dot(polygon->normal, view->eye_m);
+    polygon->inverse_depth = edge_from_vector(view, polygon->normal, 1.0 / offset_m);
+    struct pixel_rect rect = polygon_bounds(polygon, points, view);
+    bool is_front = offset_m < 0.0;
+    if (offset_m == 0.0 || (!is_front && !polygon->two_sided)) return;
+
+    polygon_edges(polygon, points, view, is_front, reference->edges);
+    for (int y_px = rect.y0; y_px <= rect.y1; y_px++) {
+        int x0_px = rect.x0, x1_px = rect.x1;
+        line_interval(reference->edges, polygon->count, view, pixel_v(view, y_px), &x0_px, &x1_px);
+        draw_line(reference, polygon, view, y_px, x0_px, x1_px);
+    }
+}
+
+/* Frames ------------------------------------------------------------------------------------- */
+
+void reference_draw(struct reference *reference, const struct viewpoint *viewpoint, const struct lens *lens)
+{
+    struct view_axes axes;
+    viewpoint_axes(viewpoint, &axes);
+    struct frame_view view = {.near_m = lens->near_m, .w_px = (int)reference->w_px, .h_px = (int)reference->h_px};
+    memcpy(view.eye_m, viewpoint->eye_m, sizeof view.eye_m);
+    for (int i = 0; i < 3; i++) {
+        view.right[i] = axes.right[i] * lens->tan_x;
+        view.up[i] = axes.up[i] * lens->tan_y;
+        view.forward[i] = axes.forward[i];
+    }
+    size_t pixel_count = (size_t)reference->w_px * reference->h_px;
+    memset(reference->faces, 0, pixel_count * sizeof reference->faces[0]);
+    for (size_t i = 0; i < pixel_count; i++)
+        reference->depths_m[i] = INFINITY;
+    for (size_t p = 0; p < reference->polygon_count; p++)
+        draw_polygon(reference, &reference->polygons[p], &view);
+}
+
+double reference_depth_of(const struct reference *reference, uint32_t face, size_t pixel)
+{
+    const struct frame_view view = {.w_px = (int)reference->w_px, .h_px = (int)reference->h_px};
+    const double u = pixel_u(&view, (int)(pixel % reference->w_px));
+    const double v = pixel_v(&view, (int)(pixel / reference->w_px));
+    double nearest_m = INFINITY;
+    for (size_t p = 0; p < reference->polygon_count; p++) {
+        const struct reference_polygon *polygon = &reference->polygons[p];
+        if (polygon->face != face) continue;
+        double inverse = edge_at(&polygon->inverse_depth, u, v);
+        double depth_m = inverse > 0.0 ? 1.0 / inverse : INFINITY;
+        depth_m = fmax(polygon->depth_min_m, fmin(depth_m, polygon->depth_max_m));
+        nearest_m = fmin(nearest_m, depth_m);
+    }
+    return nearest_m;
+}

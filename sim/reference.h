@@ -1,0 +1,43 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * The reference picture: rays through pixel centres against the source polygons in double
+ * precision, nearest hit wins. It knows nothing of the tree, the grid, T-vertices or splits, so
+ * that it can find fault with all of them. */
+#ifndef SIM_REFERENCE_H
+#define SIM_REFERENCE_H
+
+#include "camera_path.h"
+#include "mesh.h"
+
+struct reference_polygon;
+struct reference_edge;
+
+struct reference {
+    double (*points)[3]; /* metres */
+    struct reference_polygon *polygons;
+    size_t polygon_count;
+    struct reference_edge *edges; /* of one polygon at a time */
+    unsigned w_px, h_px;
+    uint32_t *faces;  /* w_px * h_px face numbers from the top left, 0 = background */
+    double *depths_m; /* along the view axis; infinite for the background */
+};
+
+/* Copies what it needs of the mesh as mesh_clean() leaves it. Allocates for pictures of this size. */
+bool reference_init(struct reference *reference, const struct mesh *mesh, unsigned w_px, unsigned h_px,
+                    struct error *err);
+
+/* The same from a model file: imported and cleaned, nothing else. */
+bool reference_read(struct reference *reference, const char *model_path, unsigned w_px, unsigned h_px,
+                    struct error *err);
+
+/* Draws into faces and depths_m. Pixel (0, 0) is the top left one; its centre lies at
+ * x = -tan_x * (1 - 1 / w_px), y = tan_y * (1 - 1 / h_px) on the plane at distance 1. */
+void reference_draw(struct reference *reference, const struct viewpoint *viewpoint, const struct lens *lens);
+
+/* Depth of a face's plane on the ray of a pixel of the last frame drawn, held within the depths
+ * of the face's own corners: seen edge-on the plane alone could be anywhere. */
+double reference_depth_of(const struct reference *reference, uint32_t face, size_t pixel);
+
+void reference_free(struct reference *reference);
+
+#endif

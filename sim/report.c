@@ -1,0 +1,85 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * What compiling made of a model, as a table. */
+#include "compiled.h"
+#include "limner.h"
+
+#include <stdio.h>
+
+enum { PANEL_PX = 240 };
+
+static void print_count(const char *what, size_t count)
+{
+    printf("  %-28s %8zu\n", what, count);
+}
+
+/* What happened to the input, as far as it did. */
+static void print_mended(const struct mesh_counts *mesh)
+{
+    const struct {
+        const char *what;
+        size_t count;
+    } rows[] = {{"no area, dropped", mesh->zero_area},
+                {"not planar, triangulated", mesh->non_planar},
+                {"not convex, triangulated", mesh->concave},
+                {"merged into a neighbour", mesh->merged},
+                {"T-vertices inserted", mesh->t_vertices}};
+    print_count("faces in the model", mesh->faces);
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++)
+        if (rows[i].count) print_count(rows[i].what, rows[i].count);
+}
+
+static void print_tree(const struct compiled *scene)
+{
+    static const char *const kinds[] = {"x = const",         "y = const", "z = const", "upright",
+                                        "16-bit normal", "32-bit normal"};
+    const struct compile_report *report = &scene->report;
+    print_count("polygons before splitting", report->polygons_in);
+    print_count("splits", report->splits);
+    if (report->collapsed) print_count("pieces rounded to nothing", report->collapsed);
+    print_count("polygons in the scene", report->polygons_out);
+    print_count("most vertices of a polygon", scene->scene.limits.vertices);
+    printf("  %-28s %8s\n", "splitter", report->splitter);
+    print_count("depth of the tree", report->depth);
+    print_count("nodes", scene->scene.node_count);
+    for (size_t i = 0; i < sizeof kinds / sizeof *kinds; i++)
+        if (report->kinds[i]) printf("    %-26s %8zu\n", kinds[i], report->kinds[i]);
+    printf("  %-28s %8.1f\n", "units per metre", scene->grid.units_per_m);
+    printf("  %-28s %8.4f units\n", "worst wrong side, certified", report->worst_violation_units);
+}
+
+static void print_bytes(const char *what, size_t size_b, size_t polygons)
+{
+    printf("  %-28s %8zu %10.1f\n", what, size_b, (double)size_b / (double)polygons);
+}
+
+static void print_flash(const struct compiled *scene)
+{
+    const struct lim_scene *arrays = &scene->scene;
+    size_t polygons = scene->report.polygons_in;
+    printf("%-30s %8s %10s\n", "flash", "bytes", "a polygon");
+    print_bytes("vertices", arrays->vertex_count * sizeof *arrays->vertices, polygons);
+    print_bytes("nodes", arrays->node_count * sizeof *arrays->nodes, polygons);
+    print_bytes("planes", arrays->plane_count * sizeof *arrays->planes, polygons);
+    print_bytes("exact planes", arrays->exact_count * sizeof *arrays->exact, polygons);
+    print_bytes("boxes", arrays->box_count * sizeof *arrays->boxes, polygons);
+    print_bytes("polygons", arrays->polygon_words * sizeof *arrays->polygons, polygons);
+    print_bytes("in all", scene->report.flash_b, polygons);
+}
+
+static void print_ram(const struct lim_scene *scene)
+{
+    const struct lim_target target = {.w_px = PANEL_PX, .h_px = PANEL_PX, .format = LIM_RGB565};
+    printf("RAM at %dx%d pixels, nearest first\n", PANEL_PX, PANEL_PX);
+    print_count("working memory, bytes", lim_mem_b(scene, &target));
+    print_count("least, bytes", lim_mem_min_b(scene, &target));
+}
+
+void compile_report_print(const struct compiled *scene, const char *name)
+{
+    printf("%s\n", name);
+    print_mended(&scene->report.mesh);
+    print_tree(scene);
+    print_flash(scene);
+    print_ram(&scene->scene);
+}

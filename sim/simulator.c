@@ -1,0 +1,144 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Owns everything that a frame needs: the renderer's memory, and either the panel board or plain
+ * lines. Plain memory serves both methods, as it can lend every line at any time. */
+#include "simulator.h"
+
+#include "panel_board.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+bool simulator_panel_holds(unsigned w_px, unsigned h_px)
+{
+    return panel_board_holds(w_px, h_px);
+}
+
+/* Plain memory ------------------------------------------------------------------------------- */
+
+static void *memory_lend(void *ctx, uint16_t y_px)
+{
+    struct simulator *simulator = ctx;
+    return simulator->lines + y_px * simulator->line_b;
+}
+
+static int memory_done(void *ctx, uint16_t y_px, uint16_t x_px, uint16_t n_px)
+{
+    struct simulator *simulator = ctx;
+    const uint8_t *bytes = simulator->lines + y_px * simulator->line_b;
+    uint16_t *pixels = simulator->pixels + (size_t)y_px * simulator->target.w_px;
+    for (unsigned x = x_px; x < (unsigned)x_px + n_px; x++)
+        pixels[x] = (uint16_t)(bytes[2 * x] << 8 | bytes[2 * x + 1]);
+    return 0;
+}
+
+static bool memory_init(struct simulator *simulator, enum lim_method method, unsigned w_px, unsigned h_px,
+                        struct error *err)
+{
+    simulator->line_b = SCREEN_LINE_B(w_px);
+    simulator->lines = calloc(h_px, simulator->line_b);
+    simulator->target = (struct lim_target){.w_px = (uint16_t)w_px,
+                                            .h_px = (uint16_t)h_px,
+                                            .format = LIM_RGB565,
+                                            .method = method,
+                                            .ctx = simulator,
+                                            .lend = memory_lend,
+                                            .done = memory_done};
+    return simulator->lines || error_set(err, "simulator: out of memory");
+}
+
+/* Panel -------------------------------------------------------------------------------------- */
+
+static bool board_init(struct simulator *simulator, enum lim_method method, unsigned w_px, unsigned h_px,
+                       struct error *err)
+{
+    struct panel_board *board = calloc(1, sizeof *board);
+    if (!board) return error_set(err, "simulator: out of memory");
+    if (!panel_board_init(board, method, w_px, h_px, err)) {
+        free(board);
+        return false;
+    }
+    simulator->board = board;
+    simulator->target = board->screen.target;
+    return true;
+}
+
+/* Renderer ----------------------------------------------------------------------------------- */
+
+static const char *reason_of(int code)
+{
+    switch (code) {
+    case LIM_ERR_MEMORY:
+        return "too little memory";
+    case LIM_ERR_SCENE:
+        return "the scene needs more than the renderer was built for";
+    case LIM_ERR_TARGET:
+        return "the target's size or format is not supported";
+    case LIM_ERR_CAMERA:
+        return "the camera's position or lens is out of range";
+    default:
+        return "the panel failed";
+    }
+}
+
+static bool renderer_init(struct simulator *simulator, const struct lim_scene *scene, struct error *err)
+{
+    size_t pixel_count = (size_t)simulator->target.w_px * simulator->target.h_px;
+    simulator->pixels = calloc(pixel_count, sizeof simulator->pixels[0]);
+    simulator->mem_b = lim_mem_b(scene, &simulator->target);
+    simulator->mem = malloc(simulator->mem_b);
+    if (!simulator->pixels || !simulator->mem) return error_set(err, "simulator: out of memory");
+    int code = lim_init(&simulator->lim, scene, &simulator->target, simulator->mem, simulator->mem_b);
+    return code == 0 || error_set(err, "renderer: %s (%d)", reason_of(code), code);
+}
+
+bool simulator_init(struct simulator *simulator, const struct lim_scene *scene, enum simulator_panel panel,
+                    enum lim_method method, unsigned w_px, unsigned h_px, struct error *err)
+{
+    memset(simulator, 0, sizeof *simulator);
+    if (panel == SIMULATOR_ANY) panel = panel_board_holds(w_px, h_px) ? SIMULATOR_ST7789 : SIMULATOR_MEMORY;
+    bool ok = panel == SIMULATOR_ST7789 ? board_init(simulator, method, w_px, h_px, err)
+                                        : memory_init(simulator, method, w_px, h_px, err);
+    ok = ok && renderer_init(simulator, scene, err);
+    if (!ok) simulator_free(simulator);
+    return ok;
+}
+
+static int board_frame(struct simulator *simulator, const struct lim_camera *camera)
+{
+    screen_begin_frame(&simulator->board->screen);
+    int err = lim_frame(&simulator->lim, camera);
+    if (err) return err;
+    return screen_end_frame(&simulator->board->screen);
+}
+
+bool simulator_frame(struct simulator *simulator, const struct lim_camera *camera, struct error *err)
+{
+    struct panel_board *board = simulator->board;
+    uint64_t before_b = board ? board->chip.bus_b : 0;
+    int code = board ? board_frame(simulator, camera) : lim_frame(&simulator->lim, camera);
+    if (code) return error_set(err, "renderer: %s (%d)", reason_of(code), code);
+    if (!board) return true;
+    simulator->bus_b = (size_t)(board->chip.bus_b - before_b);
+    return panel_board_read(board, simulator->pixels, err);
+}
+
+struct film simulator_film(const struct simulator *simulator)
+{
+    return (struct film){simulator->target.w_px, simulator->target.h_px, 1, simulator->pixels};
+}
+
+size_t simulator_pixel_count(const struct simulator *simulator)
+{
+    return (size_t)simulator->target.w_px * simulator->target.h_px;
+}
+
+void simulator_free(struct simulator *simulator)
+{
+    if (simulator->board) panel_board_free(simulator->board);
+    free(simulator->board);
+    free(simulator->lines);
+    free(simulator->pixels);
+    free(simulator->mem);
+    memset(simulator, 0, sizeof *simulator);
+}

@@ -1,0 +1,49 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * The firmware's renderer on the host: a board whose panel is emulated. Frames go through the
+ * real screen code, panel driver and byte stream into the emulated chip's memory, and are read
+ * back from its glass; or, for sizes that no chip has, into plain memory. */
+#ifndef SIM_SIMULATOR_H
+#define SIM_SIMULATOR_H
+
+#include "error.h"
+#include "image.h"
+#include "limner.h"
+
+enum simulator_panel {
+    SIMULATOR_ANY,    /* the first below that can hold the picture */
+    SIMULATOR_ST7789, /* 240x320 at most */
+    SIMULATOR_MEMORY
+};
+
+struct panel_board;
+
+struct simulator {
+    struct lim lim;
+    struct lim_target target;
+    void *mem; /* lim's, mem_b of it */
+    size_t mem_b;
+    uint16_t *pixels;          /* the last frame: RGB565 as numbers, row by row from the top left */
+    size_t bus_b;              /* bytes sent to the panel for it */
+    struct panel_board *board; /* NULL: plain memory */
+    uint8_t *lines;            /* plain memory's, line_b each; NULL with a panel */
+    size_t line_b;
+};
+
+bool simulator_panel_holds(unsigned w_px, unsigned h_px);
+
+/* Starts renderer and panel. The scene must outlive it, and *simulator stay where it is. */
+bool simulator_init(struct simulator *simulator, const struct lim_scene *scene, enum simulator_panel panel,
+                    enum lim_method method, unsigned w_px, unsigned h_px, struct error *err);
+
+/* Renders a frame into `pixels`. An error of the renderer or driver, or a complaint of the
+ * emulated chip about the protocol, is an error here. */
+bool simulator_frame(struct simulator *simulator, const struct lim_camera *camera, struct error *err);
+
+/* The last frame as a film of one; it stays the simulator's. */
+struct film simulator_film(const struct simulator *simulator);
+size_t simulator_pixel_count(const struct simulator *simulator);
+
+void simulator_free(struct simulator *simulator);
+
+#endif

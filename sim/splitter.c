@@ -1,0 +1,97 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Greedy choice: every candidate plane is tried on the list and the cheapest wins. Candidates are
+ * the planes of the groups in the list, or a regular sample of them when the list is long. */
+#include "splitter.h"
+
+#include "bsp.h"
+#include "grow.h"
+
+#include <float.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* Pieces tried against planes at one node: bounds the time on long lists. */
+enum { TRIALS_A_NODE = 100000, CANDIDATES_MIN = 8 };
+
+const struct splitter splitters[] = {
+    {"first", 0.0, 0.0, 0.0, 0.0},        {"fewest", 1000.0, 1.0, 1.0, 0.0},   {"balanced", 2.0, 1.0, 1.0, 0.0},
+    {"weighted-8", 8.0, 1.0, 1.0, 0.0},   {"weighted-12", 12.0, 1.0, 1.0, 0.5}, {"weighted-20", 20.0, 1.0, 1.0, 1.0},
+    {"weighted-32", 32.0, 1.0, 1.0, 0.0}, {"weighted-64", 64.0, 1.0, 1.0, 0.5},
+};
+const size_t splitter_count = sizeof splitters / sizeof *splitters;
+
+static uint32_t piece_group(const struct bsp *bsp, uint32_t piece)
+{
+    return bsp->coplanar->group[bsp->pieces[piece].polygon];
+}
+
+/* Dearer kinds cost bytes and time on the way; a fraction of a split decides between equals. */
+static double kind_cost(enum lim_plane_kind kind)
+{
+    static const double cost[] = {0.0, 0.0, 0.0, 1.0, 1.5, 3.0};
+    return cost[kind];
+}
+
+/* The cost of dividing the list by a group's plane; may stop early once it exceeds `limit`. */
+static double division_cost(const struct splitter *splitter, const struct bsp *bsp, const uint32_t *list, size_t count,
+                            uint32_t group, double limit)
+{
+    const struct plane *plane = &bsp->coplanar->planes[group];
+    double on = 0.0, front = 0.0, back = 0.0, splits = 0.0;
+    double least = kind_cost(plane->kind) - splitter->coplanar_gain * (double)count;
+    for (size_t i = 0; i < count && least + splits * splitter->split_cost <= limit; i++) {
+        if (piece_group(bsp, list[i]) == group) {
+            on += 1.0;
+            continue;
+        }
+        int sides = bsp_piece_sides(bsp, &bsp->pieces[list[i]], plane);
+        splits += sides == BSP_BOTH;
+        front += sides == BSP_FRONT;
+        back += sides == BSP_BACK;
+    }
+    double cost = kind_cost(plane->kind) + splits * splitter->split_cost + fabs(front - back) * splitter->imbalance_cost -
+                  on * splitter->coplanar_gain;
+    if (count > 40 && fmin(front, back) * 10.0 < (double)count) cost += splitter->lopsided_cost * (double)count;
+    return cost;
+}
+
+/* The distinct groups of a list, in its order. The caller frees them. */
+static uint32_t *list_groups(const struct bsp *bsp, const uint32_t *list, size_t count, size_t *group_count)
+{
+    uint32_t *groups = grow_zeroed(count, sizeof *groups);
+    bool *seen = grow_zeroed(bsp->coplanar->count, sizeof *seen);
+    *group_count = 0;
+    for (size_t i = 0; i < count; i++) {
+        uint32_t group = piece_group(bsp, list[i]);
+        if (!seen[group]) groups[(*group_count)++] = group;
+        seen[group] = true;
+    }
+    free(seen);
+    return groups;
+}
+
+static uint32_t cheapest(const struct splitter *splitter, const struct bsp *bsp, const uint32_t *list, size_t count)
+{
+    size_t group_count, affordable = TRIALS_A_NODE / count;
+    uint32_t *groups = list_groups(bsp, list, count, &group_count);
+    if (affordable < CANDIDATES_MIN) affordable = CANDIDATES_MIN;
+    size_t tries = group_count < affordable ? group_count : affordable;
+    uint32_t best = groups[0];
+    double best_cost = DBL_MAX;
+    for (size_t i = 0; i < tries; i++) {
+        uint32_t group = groups[i * group_count / tries];
+        double cost = division_cost(splitter, bsp, list, count, group, best_cost);
+        if (cost < best_cost) best = group;
+        best_cost = fmin(cost, best_cost);
+    }
+    free(groups);
+    return best;
+}
+
+uint32_t splitter_choose(const struct splitter *splitter, const struct bsp *bsp, const uint32_t *list, size_t count)
+{
+    if (splitter == &splitters[0] || count == 1) return piece_group(bsp, list[0]);
+    return cheapest(splitter, bsp, list, count);
+}
