@@ -1,0 +1,54 @@
+# SPDX-License-Identifier: MIT
+#
+# The promises of profile fast on the benchmark scenes, as the program itself measures them: 64
+# frames of 240x240 pixels against the reference.
+. tests/tap.sh
+
+scenes=sim/scenes
+
+# at_most NAME VALUE LIMIT
+at_most() {
+    echo "$1: $2, at most $3"
+    awk -v value="$2" -v limit="$3" 'BEGIN { exit !(value != "" && value + 0 <= limit + 0) }'
+}
+
+# The last line of --compare: "... wrong W % (worst ...), beyond a one-pixel shift B ppm, holes H".
+measure() { # SCENE
+    "$BUILD/limner" render "$scenes/$1.obj" --camera "$scenes/$1.cam" --size 240x240 --stats --compare \
+        --sheet "$work/$1.png" >"$work/$1.txt"
+}
+
+field() { # SCENE BEFORE: the number after a phrase in the closing line
+    sed -n "\$s/.*$2 \([0-9.]*\).*/\1/p" "$work/$1.txt"
+}
+
+mean() { # SCENE COLUMN: of the statistics' line of means
+    awk -v column="$2" '$1 == "frame" && !at { for (i = 1; i <= NF; i++) if ($i == column) at = i }
+        $1 == "mean" && !shown { print $at; shown = 1 }' "$work/$1.txt"
+}
+
+reported() { # SCENE LABEL: a number of the compiler's report
+    sed -n "s/^ *$2  *\([0-9]*\).*/\1/p" "$work/$1.report" | head -n 1
+}
+
+accurate() { # SCENE WRONG_PERCENT BEYOND_PPM
+    measure "$1" && at_most "wrong, %" "$(field "$1" wrong)" "$2" &&
+        at_most "beyond a pixel, ppm" "$(field "$1" shift)" "$3" && at_most holes "$(field "$1" holes)" 0
+}
+
+rooms_are_cheap() {
+    at_most "polygons reached" "$(mean rooms polygons)" 90 && at_most overdraw "$(mean rooms overdraw)" 1 &&
+        at_most bands "$(mean rooms bands)" 0
+}
+
+rooms_compile_small() {
+    "$BUILD/limner" compile "$scenes/rooms.obj" --keep-faces -o "$work/rooms" >"$work/rooms.report" &&
+        at_most splits "$(reported rooms splits)" 20 && at_most "bytes of flash" "$(reported rooms 'in all')" 63488
+}
+
+tap_check "rooms: wrong <= 0.05 %, beyond a pixel <= 6 ppm, no holes" accurate rooms 0.05 6
+tap_check "rooms-tilted: the same" accurate rooms-tilted 0.05 6
+tap_check "teapot: wrong <= 0.08 %, beyond a pixel <= 80 ppm, no holes" accurate teapot 0.08 80
+tap_check "rooms: <= 90 polygons reached a frame, every pixel painted once, no bands" rooms_are_cheap
+tap_check "rooms: <= 20 splits, <= 62 KB of flash" rooms_compile_small
+tap_done

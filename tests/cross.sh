@@ -1,0 +1,80 @@
+# SPDX-License-Identifier: MIT
+#
+# firmware/ and hal/ compile without a warning for every kind of processor that they are meant for, and
+# the objects are what a microcontroller wants: no library, no mutable globals, no floating point.
+. tests/tap.sh
+
+targets='x86-64 cortex-m0plus cortex-m4 rv32imc avr'
+
+# Prefix of the tools, and flags. With -mgeneral-regs-only the PC has no floating point either.
+tools_of() {
+    case $1 in
+    x86-64) echo '' ;;
+    cortex-*) echo arm-none-eabi- ;;
+    rv32imc) echo riscv64-unknown-elf- ;;
+    avr) echo avr- ;;
+    esac
+}
+
+flags_of() {
+    case $1 in
+    x86-64) echo -std=c11 -mgeneral-regs-only -fno-pie ;;
+    cortex-m0plus) echo -std=c11 -mthumb -mcpu=cortex-m0plus ;;
+    cortex-m4) echo -std=c11 -mthumb -mcpu=cortex-m4 -mfloat-abi=soft ;;
+    rv32imc) echo -std=c11 -march=rv32imc -mabi=ilp32 ;;
+    avr) echo -std=gnu11 -mmcu=atmega32u4 ;; # gnu: __flash is no part of C
+    esac
+}
+
+compile_all() { # TARGET FOLDER: compiles every file of the folder, tells all the warnings
+    mkdir -p "$work/$1/$2"
+    failed=0
+    for source in "$2"/*.c; do
+        [ -e "$source" ] || continue
+        # shellcheck disable=SC2046,SC2086 # flags are words
+        "$(tools_of "$1")gcc" $(flags_of "$1") -O2 -ffreestanding $WARNINGS -Ifirmware -Ihal \
+            -c -o "$work/$1/${source%.c}.o" "$source" || failed=1
+    done
+    return $failed
+}
+
+# Integer support of libgcc, by the ABI's names: arithmetic on 8 to 64 bits (no sf, df: those are
+# floating point), switch tables, AVR's reads of flash. __do_copy_data and __do_clear_bss are not
+# among them: AVR objects ask for these when constants would take up RAM.
+integer_support='^(memcpy|memmove|memset|memcmp)$
+^__aeabi_(u?idiv(mod)?|u?ldivmod|lmul|llsl|llsr|lasr|u?lcmp|mem(cpy|move|set|clr)[48]?)$
+^__[a-z]+([qhds]i|psi)[234](_s8)?$
+^__gnu_thumb1_case_[us](qi|hi|si)$
+^__(tablejump2?__|.?load_[1-4])$'
+
+own_symbols_only() { # TARGET
+    "$(tools_of "$1")nm" --defined-only -P "$work/$1"/firmware/*.o | awk 'NF > 1 { print $1 }' >"$work/defined"
+    "$(tools_of "$1")nm" --undefined-only -P -A "$work/$1"/firmware/*.o | sed "s,^$work/,," >"$work/undefined"
+    printf '%s\n' "$integer_support" >"$work/support"
+    awk -v defined="$work/defined" -v support="$work/support" '
+        BEGIN {
+            while ((getline name < defined) > 0) known[name] = 1
+            while ((getline pattern < support) > 0) allowed = allowed (allowed ? "|" : "") pattern
+        }
+        !known[$2] && $2 !~ allowed { print; bad = 1 }
+        END { exit bad }' "$work/undefined"
+}
+
+no_mutable_data() { # TARGET
+    "$(tools_of "$1")nm" -P -A "$work/$1"/*/*.o | sed "s,^$work/,," |
+        awk '$3 ~ /^[BbCcDdGgSs]$/ { print; bad = 1 } END { exit bad }'
+}
+
+standard_headers_only() {
+    ! grep -nE '^[[:space:]]*#[[:space:]]*include[[:space:]]*<' firmware/*.[ch] |
+        grep -vE '<(stdint|stddef|stdbool)\.h>'
+}
+
+tap_check "firmware includes only <stdint.h>, <stddef.h>, <stdbool.h> and itself" standard_headers_only
+for target in $targets; do
+    tap_check "$target: firmware compiles without a warning" compile_all "$target" firmware
+    tap_check "$target: hal compiles without a warning" compile_all "$target" hal
+    tap_check "$target: firmware needs only itself and integer support" own_symbols_only "$target"
+    tap_check "$target: no mutable data" no_mutable_data "$target"
+done
+tap_done

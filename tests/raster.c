@@ -1,0 +1,51 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Follows a polygon's two boundaries down its lines, without any clipping. */
+#include "raster.h"
+
+#include "project.h"
+
+static void add_interval(struct coverage *coverage, int16_t y, int16_t x0, int16_t x1)
+{
+    const int32_t row = y - coverage->y0;
+
+    if (row < 0 || row >= coverage->h) return;
+    for (int32_t x = x0 - coverage->x0; x < x1 - coverage->x0; x++) {
+        if (x < 0 || x >= coverage->w) continue;
+        uint8_t *count = &coverage->count[row * coverage->w + x];
+        if (*count < 255) ++*count;
+    }
+}
+
+static void add_plain(struct coverage *coverage, const struct edge_shape *shape, const struct lim_point *at, uint8_t n)
+{
+    struct edge_pair pair;
+
+    if (shape->top >= shape->bottom) return;
+    edge_begin(&pair, at, n, shape->first, shape->top);
+    for (int16_t y = shape->top;;) {
+        add_interval(coverage, y, pair.left.x, pair.right.x);
+        if (++y >= shape->bottom) return;
+        if (pair.left_end > y) edge_step(&pair.left);
+        if (pair.right_end > y) edge_step(&pair.right);
+        (void)edge_turn(&pair, at, n, y);
+    }
+}
+
+bool raster_add(struct coverage *coverage, const struct lim_point *at, uint8_t n)
+{
+    struct screen_polygon polygon = {.n = n}, triangle;
+
+    for (uint8_t k = 0; k < n; k++)
+        polygon.at[k] = at[k];
+    edge_measure(&polygon.shape, at, n);
+    if (!polygon.shape.folded) {
+        add_plain(coverage, &polygon.shape, at, n);
+        return false;
+    }
+    for (uint8_t k = 1; k + 1 < n; k++) {
+        project_fan(&polygon, k, &triangle);
+        add_plain(coverage, &triangle.shape, triangle.at, 3);
+    }
+    return true;
+}

@@ -1,0 +1,231 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * The rig of the panel tests: an emulated module, the driver and the screen on it, a port between
+ * them whose n-th call can be made to fail, and a test card with checks of what the viewer sees.
+ * The card has a colour in each corner, clockwise red, green, blue and grey, and elsewhere a value
+ * that differs from its neighbours', so that a shift by one pixel shows. */
+#ifndef TESTS_ST7789_RIG_H
+#define TESTS_ST7789_RIG_H
+
+#include "cmocka_ready.h"
+#include "emulated_st7789.h"
+#include "screen.h"
+#include "st7789.h"
+
+#include <string.h>
+
+enum { MOST_PX = 240 * 320, RED = 0xF800, GREEN = 0x07E0, BLUE = 0x001F, GREY = 0x8410 };
+
+/* Calls to a port, one of which may fail. The decorator stands between driver and emulated chip. */
+struct fault {
+    long calls;      /* so far */
+    long fail_at;    /* index of the call that fails; -1: none */
+    long calls_late; /* calls that came after the failed one, before it was cleared */
+    long pin_sets;   /* calls that set a pin */
+    bool late;       /* the call that fails takes effect all the same */
+    bool failed;
+    int code;
+};
+
+struct rig {
+    struct emulated_st7789 chip;
+    struct dcs_config config;
+    struct dcs display;
+    struct screen screen;
+    struct fault fault;
+    struct bus bus; /* the chip's own port, behind the decorator */
+    struct pin dc, reset, backlight;
+    struct clock clock;
+    uint32_t mem[SCREEN_MEM_B(320, 320) / 4];
+    uint32_t raw[MOST_PX];
+    uint8_t rgb[MOST_PX * 3];
+};
+
+static struct rig rig; /* too large for a stack; every test sets it up afresh */
+
+static inline int fault_hit(struct fault *fault)
+{
+    if (fault->failed) fault->calls_late++;
+    if (fault->calls++ != fault->fail_at) return 0;
+    fault->failed = true;
+    return fault->code;
+}
+
+/* A bus that fails at once loses the transfer under way as well. */
+static inline int faulty_write(void *ctx, const uint8_t *data, size_t n_b)
+{
+    int err = fault_hit(&rig.fault);
+    if (err && rig.fault.late) {
+        assert_int_equal(bus_write(ctx, data, n_b), 0);
+        assert_int_equal(bus_flush(ctx), 0);
+    }
+    if (err) rig.chip.pending_b = 0;
+    return err ? err : bus_write(ctx, data, n_b);
+}
+
+static inline int faulty_flush(void *ctx)
+{
+    int err = fault_hit(&rig.fault);
+    if (err) rig.chip.pending_b = 0;
+    return err ? err : bus_flush(ctx);
+}
+
+static inline int faulty_set(void *ctx, bool high)
+{
+    int err = fault_hit(&rig.fault);
+    rig.fault.pin_sets++;
+    if (err && !rig.fault.late) return err;
+    int pin_err = pin_set(ctx, high);
+    return err ? err : pin_err;
+}
+
+static inline int faulty_delay(void *ctx, uint32_t delay_us)
+{
+    int err = fault_hit(&rig.fault);
+    return err ? err : clock_delay(ctx, delay_us);
+}
+
+/* A fault is forgotten, and call number fail_at will be the next one. */
+static inline void fault_arm(long fail_at)
+{
+    rig.fault = (struct fault){.fail_at = fail_at, .code = -7000 - (int)(fail_at % 1000)};
+}
+
+/* An emulated module and a configuration that suits it, all pins wired. */
+static inline void rig_setup(struct emulated_module module)
+{
+    emulated_st7789_init(&rig.chip, &module);
+    rig.bus = emulated_st7789_bus(&rig.chip);
+    rig.dc = emulated_st7789_dc(&rig.chip);
+    rig.reset = emulated_st7789_reset(&rig.chip);
+    rig.backlight = emulated_st7789_backlight(&rig.chip);
+    rig.clock = emulated_st7789_clock(&rig.chip);
+    rig.config = (struct dcs_config){
+        .bus = {&rig.bus, faulty_write, faulty_flush},
+        .dc = {&rig.dc, faulty_set},
+        .reset = {&rig.reset, faulty_set},
+        .backlight = {&rig.backlight, faulty_set},
+        .clock = {&rig.clock, faulty_delay},
+        .w_px = module.w_px,
+        .h_px = module.h_px,
+        .ox_px = module.ox_px,
+        .oy_px = module.oy_px,
+        .bgr = module.bgr,
+        .invert = module.ips,
+    };
+    fault_arm(-1);
+}
+
+static const struct emulated_module module_240x240 = {.w_px = 240, .h_px = 240, .ips = true};
+static const struct emulated_module module_135x240 = {.w_px = 135, .h_px = 240, .ox_px = 52, .oy_px = 40, .ips = true};
+static const struct emulated_module module_240x280 = {.w_px = 240, .h_px = 280, .oy_px = 20, .ips = true};
+static const struct emulated_module module_small = {.w_px = 17, .h_px = 24, .ox_px = 100, .oy_px = 90, .ips = true};
+
+static inline uint16_t card_px(unsigned x, unsigned y, unsigned w, unsigned h)
+{
+    unsigned side = (w < h ? w : h) / 4;
+    bool left = x < side, right = x >= w - side, top = y < side, bottom = y >= h - side;
+    if (top && left) return RED;
+    if (top && right) return GREEN;
+    if (bottom && right) return BLUE;
+    if (bottom && left) return GREY;
+    return (uint16_t)(x * 211u + y * 31u);
+}
+
+/* Paints as the renderer does: junk first, then the line; in pieces of at most piece_px. */
+static inline int draw_lines(struct screen *screen, unsigned first, unsigned end, unsigned piece_px)
+{
+    const struct lim_target *target = &screen->target;
+    for (unsigned y = first; y < end; y++) {
+        uint8_t *line = target->lend(target->ctx, (uint16_t)y);
+        assert_non_null(line);
+        memset(line, 0xEE, 2u * target->w_px);
+        for (unsigned x = 0; x < target->w_px; x++) {
+            uint16_t px = card_px(x, y, target->w_px, target->h_px);
+            line[2 * x] = (uint8_t)(px >> 8);
+            line[2 * x + 1] = (uint8_t)px;
+        }
+        for (unsigned x = 0; x < target->w_px; x += piece_px) {
+            unsigned n = target->w_px - x < piece_px ? target->w_px - x : piece_px;
+            int err = target->done(target->ctx, (uint16_t)y, (uint16_t)x, (uint16_t)n);
+            if (err) return err;
+        }
+    }
+    return 0;
+}
+
+static inline int draw_frame(struct screen *screen)
+{
+    screen_begin_frame(screen);
+    int err = draw_lines(screen, 0, screen->target.h_px, screen->target.w_px);
+    if (err) return err;
+    return screen_end_frame(screen);
+}
+
+static inline void rig_open(unsigned n_lines)
+{
+    assert_int_equal(st7789_setup(&rig.display, &rig.config), 0);
+    struct panel *panel = &rig.display.panel;
+    size_t mem_b = SCREEN_MEM_B(panel->w_px, n_lines);
+    assert_int_equal(screen_init(&rig.screen, panel, LIM_NEAREST_FIRST, rig.mem, mem_b), 0);
+}
+
+static inline void rig_start(unsigned n_lines)
+{
+    rig_open(n_lines);
+    assert_int_equal(panel_init(&rig.display.panel), 0);
+}
+
+static inline void assert_quiet(void)
+{
+    if (rig.chip.complaints > 0) fail_msg("%u complaints, last: %s", rig.chip.complaints, rig.chip.complaint);
+}
+
+static inline void assert_complaint(enum emulated_complaint kind)
+{
+    if (rig.chip.complaints != 1 || rig.chip.complaints_of[kind] != 1) {
+        fail_msg("%u complaints, last: %s", rig.chip.complaints, rig.chip.complaint);
+    }
+    assert_true(rig.chip.complaint[0] != '\0');
+}
+
+/* Every pixel of the picture as the viewer has it, mirrored back if need be. */
+static inline void assert_card_shown(unsigned quarter_turns, bool mirrored)
+{
+    unsigned w = rig.display.panel.w_px, h = rig.display.panel.h_px;
+    emulated_st7789_show(&rig.chip, quarter_turns, NULL, rig.raw);
+    for (unsigned y = 0; y < h; y++) {
+        for (unsigned x = 0; x < w; x++) {
+            uint32_t shown = rig.raw[y * w + (mirrored ? w - 1 - x : x)];
+            uint16_t drawn = card_px(x, y, w, h);
+            if (shown != drawn) fail_msg("pixel %u,%u is %04x, not %04x", x, y, (unsigned)shown, drawn);
+        }
+    }
+}
+
+/* Colours at the glass's corners, clockwise from the top left of the upright glass. */
+static inline void corners(uint32_t seen[4])
+{
+    unsigned w = rig.config.w_px, h = rig.config.h_px;
+    const size_t at[] = {0, w - 1, (size_t)w * h - 1, (size_t)w * (h - 1)};
+    emulated_st7789_show(&rig.chip, 0, rig.rgb, NULL);
+    for (unsigned i = 0; i < 4; i++) {
+        const uint8_t *rgb = &rig.rgb[at[i] * 3];
+        seen[i] = (uint32_t)rgb[0] << 16 | (uint32_t)rgb[1] << 8 | rgb[2];
+    }
+}
+
+static const uint32_t seen_rgb[4] = {0xFF0000, 0x00FF00, 0x0000FF, 0x848284};
+
+static inline void assert_corners(uint32_t a, uint32_t b, uint32_t c, uint32_t d)
+{
+    uint32_t seen[4];
+    corners(seen);
+    const uint32_t expected[] = {a, b, c, d};
+    for (unsigned i = 0; i < 4; i++) {
+        if (seen[i] != expected[i])
+            fail_msg("corner %u is %06x, not %06x", i, (unsigned)seen[i], (unsigned)expected[i]);
+    }
+}
+
+#endif

@@ -1,0 +1,286 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Whole frames: both orders, any memory, failing targets, bad cameras and bad set-ups. */
+#include "closed_scene.h"
+#include "cmocka_ready.h"
+#include "compiled.h"
+#include "limner.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+enum { W_PX = 120, H_PX = 90, SCENES = 8, FRAMES = 6, NEVER = -1, DEVICE_ERROR = -5 };
+
+/* A target in memory that watches how it is used, and fails when told to. */
+struct canvas {
+    uint16_t pixels[H_PX][W_PX];
+    uint8_t done[H_PX][W_PX]; /* how often each pixel was final */
+    int32_t calls, fail_at;   /* lend() and done() together; NEVER */
+};
+
+static void *lend(void *ctx, uint16_t y_px)
+{
+    struct canvas *canvas = ctx;
+
+    assert_true(y_px < H_PX);
+    return canvas->calls++ == canvas->fail_at ? NULL : canvas->pixels[y_px];
+}
+
+static int done(void *ctx, uint16_t y_px, uint16_t x_px, uint16_t n_px)
+{
+    struct canvas *canvas = ctx;
+
+    if (canvas->calls++ == canvas->fail_at) return DEVICE_ERROR;
+    assert_true(n_px > 0 && x_px + n_px <= W_PX);
+    for (uint16_t x = x_px; x < x_px + n_px; x++)
+        canvas->done[y_px][x]++;
+    return 0;
+}
+
+static void wipe(struct canvas *canvas)
+{
+    memset(canvas, 0x5A, sizeof canvas->pixels);
+    memset(canvas->done, 0, sizeof canvas->done);
+    canvas->calls = 0;
+    canvas->fail_at = NEVER;
+}
+
+static void assert_every_pixel_done_once(const struct canvas *canvas)
+{
+    for (int y = 0; y < H_PX; y++) {
+        for (int x = 0; x < W_PX; x++)
+            assert_int_equal(canvas->done[y][x], 1);
+    }
+}
+
+struct stage {
+    struct closed_scene closed;
+    struct mesh mesh;
+    struct compiled scene;
+    struct lens lens;
+    struct canvas canvas;
+    struct lim lim;
+    void *mem;
+};
+
+static struct lim_target target_of(struct stage *stage, enum lim_method method)
+{
+    return (struct lim_target){W_PX, H_PX, LIM_RGB565, method, &stage->canvas, lend, done};
+}
+
+static void stage_init(struct stage *stage, struct random *random)
+{
+    const struct compile_options options = {.tolerance_units = 0.5, .splitter = "fewest"};
+    struct error err;
+
+    memset(stage, 0, sizeof *stage);
+    closed_scene_make(&stage->closed, random);
+    if (!mesh_clean(&stage->closed.model, &stage->mesh, &err) || !mesh_insert_t_vertices(&stage->mesh, &err) ||
+        !compile_mesh(&stage->mesh, &options, &stage->scene, &err))
+        fail_msg("%s", err.text);
+    assert_true(lens_init(&stage->lens, 60, 0.1, W_PX, H_PX, &err));
+}
+
+static void stage_free(struct stage *stage)
+{
+    free(stage->mem);
+    compiled_free(&stage->scene);
+    mesh_free(&stage->mesh);
+    closed_scene_free(&stage->closed);
+}
+
+/* mem_b 0: what the scene asks for. */
+static void stage_start(struct stage *stage, enum lim_method method, size_t mem_b)
+{
+    const struct lim_target target = target_of(stage, method);
+
+    if (!mem_b) mem_b = lim_mem_b(&stage->scene.scene, &target);
+    free(stage->mem);
+    stage->mem = malloc(mem_b);
+    assert_int_equal(lim_init(&stage->lim, &stage->scene.scene, &target, stage->mem, mem_b), LIM_OK);
+}
+
+static struct lim_camera random_camera(struct stage *stage, struct random *random)
+{
+    struct viewpoint viewpoint = closed_scene_viewpoint(&stage->closed, random);
+    const struct camera_path path = {"random", &viewpoint, 1};
+    struct lim_camera camera;
+    struct error err;
+
+    assert_true(camera_path_to_camera(&path, 0, &stage->lens, &stage->scene.grid, &camera, &err));
+    camera.roll = (uint32_t)random_u64(random);
+    return camera;
+}
+
+static void draw(struct stage *stage, const struct lim_camera *camera)
+{
+    wipe(&stage->canvas);
+    assert_int_equal(lim_frame(&stage->lim, camera), LIM_OK);
+    assert_every_pixel_done_once(&stage->canvas);
+}
+
+static void nearest_first_paints_each_pixel_once_and_leaves_no_background(void **state)
+{
+    struct random random = {31};
+
+    (void)state;
+    for (int s = 0; s < SCENES; s++) {
+        struct stage stage;
+        stage_init(&stage, &random);
+        stage_start(&stage, LIM_NEAREST_FIRST, 0);
+        for (int f = 0; f < FRAMES; f++) {
+            const struct lim_camera camera = random_camera(&stage, &random);
+            draw(&stage, &camera);
+            assert_int_equal(lim_stats(&stage.lim)->pixels_painted, W_PX * H_PX);
+            assert_int_equal(lim_stats(&stage.lim)->pixels_background, 0);
+        }
+        stage_free(&stage);
+    }
+}
+
+static void the_painter_gives_the_same_picture(void **state)
+{
+    struct random random = {32};
+
+    (void)state;
+    for (int s = 0; s < SCENES; s++) {
+        struct stage stage;
+        uint16_t nearest[H_PX][W_PX];
+        stage_init(&stage, &random);
+        for (int f = 0; f < FRAMES; f++) {
+            const struct lim_camera camera = random_camera(&stage, &random);
+            stage_start(&stage, LIM_NEAREST_FIRST, 0);
+            draw(&stage, &camera);
+            memcpy(nearest, stage.canvas.pixels, sizeof nearest);
+            stage_start(&stage, LIM_PAINTER, 0);
+            draw(&stage, &camera);
+            assert_memory_equal(nearest, stage.canvas.pixels, sizeof nearest);
+        }
+        stage_free(&stage);
+    }
+}
+
+/* From the least that lim_init() takes up to what the scene asks for: bands, but the same pixels. */
+static void any_memory_gives_the_same_picture(void **state)
+{
+    struct random random = {33};
+    uint32_t bands_at_least_memory = 0;
+
+    (void)state;
+    for (int s = 0; s < SCENES; s++) {
+        struct stage stage;
+        uint16_t plenty[H_PX][W_PX];
+        stage_init(&stage, &random);
+        const struct lim_target target = target_of(&stage, LIM_NEAREST_FIRST);
+        const size_t least_b = lim_mem_min_b(&stage.scene.scene, &target);
+        const size_t asked_b = lim_mem_b(&stage.scene.scene, &target);
+        const struct lim_camera camera = random_camera(&stage, &random);
+        stage_start(&stage, LIM_NEAREST_FIRST, 0);
+        draw(&stage, &camera);
+        memcpy(plenty, stage.canvas.pixels, sizeof plenty);
+        for (int part = 0; part <= 4; part++) {
+            stage_start(&stage, LIM_NEAREST_FIRST, least_b + (asked_b - least_b) * (size_t)(part * part) / 64);
+            draw(&stage, &camera);
+            assert_memory_equal(plenty, stage.canvas.pixels, sizeof plenty);
+            if (part == 0) bands_at_least_memory += lim_stats(&stage.lim)->bands;
+        }
+        stage_free(&stage);
+    }
+    assert_true(bands_at_least_memory > SCENES); /* the case is really there */
+}
+
+static void a_target_that_fails_at_any_call_ends_the_frame_and_the_next_is_whole(void **state)
+{
+    static const enum lim_method methods[] = {LIM_NEAREST_FIRST, LIM_PAINTER};
+    struct random random = {34};
+    struct stage stage;
+
+    (void)state;
+    stage_init(&stage, &random);
+    const struct lim_camera camera = random_camera(&stage, &random);
+    for (int m = 0; m < 2; m++) {
+        uint16_t whole[H_PX][W_PX];
+        stage_start(&stage, methods[m], 0);
+        draw(&stage, &camera);
+        memcpy(whole, stage.canvas.pixels, sizeof whole);
+        const int32_t calls = stage.canvas.calls;
+        assert_true(calls >= 2 * H_PX);
+        for (int32_t n = 0; n < calls; n++) {
+            wipe(&stage.canvas);
+            stage.canvas.fail_at = n;
+            const int err = lim_frame(&stage.lim, &camera);
+            assert_true(err == LIM_ERR_TARGET || err == DEVICE_ERROR);
+            assert_int_equal(stage.canvas.calls, n + 1); /* nothing is asked of it afterwards */
+        }
+        draw(&stage, &camera);
+        assert_memory_equal(whole, stage.canvas.pixels, sizeof whole);
+    }
+    stage_free(&stage);
+}
+
+static void cameras_out_of_range_are_refused(void **state)
+{
+    struct random random = {35};
+    struct stage stage;
+
+    (void)state;
+    stage_init(&stage, &random);
+    stage_start(&stage, LIM_NEAREST_FIRST, 0);
+    const struct lim_camera good = random_camera(&stage, &random);
+    struct lim_camera bad[7] = {good, good, good, good, good, good, good};
+    bad[0].eye_q8[1] = INT32_C(1) << 28;
+    bad[1].eye_q8[2] = -(INT32_C(1) << 28);
+    bad[2].tan_x_q28 = LIM_TAN_MAX_Q28 + 1;
+    bad[3].tan_y_q28 = LIM_TAN_MIN_Q28 - 1;
+    bad[4].near_q8 = 0;
+    bad[5].near_q8 = LIM_NEAR_MAX_Q8 + 1;
+    bad[6].eye_q8[0] = INT32_MIN;
+    for (int i = 0; i < 7; i++) {
+        wipe(&stage.canvas);
+        assert_int_equal(lim_frame(&stage.lim, &bad[i]), LIM_ERR_CAMERA);
+        assert_int_equal(stage.canvas.calls, 0);
+    }
+    draw(&stage, &good);
+    stage_free(&stage);
+}
+
+static void set_ups_that_cannot_work_are_refused(void **state)
+{
+    struct random random = {36};
+    struct stage stage;
+
+    (void)state;
+    stage_init(&stage, &random);
+    struct lim_scene scene = stage.scene.scene;
+    const struct lim_target good = target_of(&stage, LIM_NEAREST_FIRST);
+    const size_t least_b = lim_mem_min_b(&scene, &good);
+    void *mem = malloc(least_b);
+    struct lim_target bad[4] = {good, good, good, good};
+    bad[0].w_px = 0;
+    bad[1].h_px = LIM_MAX_SIDE_PX + 1;
+    bad[2].lend = NULL;
+    bad[3].format = (enum lim_format)77;
+    for (int i = 0; i < 4; i++) {
+        assert_int_equal(lim_init(&stage.lim, &scene, &bad[i], mem, least_b), LIM_ERR_TARGET);
+    }
+    assert_int_equal(lim_init(&stage.lim, &scene, &good, mem, least_b - 1), LIM_ERR_MEMORY);
+    assert_int_equal(lim_init(&stage.lim, &scene, &good, mem, least_b), LIM_OK);
+    scene.limits.vertices = LIM_MAX_VERTICES + 1;
+    assert_int_equal(lim_init(&stage.lim, &scene, &good, mem, least_b), LIM_ERR_SCENE);
+    free(mem);
+    stage_free(&stage);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(nearest_first_paints_each_pixel_once_and_leaves_no_background),
+        cmocka_unit_test(the_painter_gives_the_same_picture),
+        cmocka_unit_test(any_memory_gives_the_same_picture),
+        cmocka_unit_test(a_target_that_fails_at_any_call_ends_the_frame_and_the_next_is_whole),
+        cmocka_unit_test(cameras_out_of_range_are_refused),
+        cmocka_unit_test(set_ups_that_cannot_work_are_refused),
+    };
+
+    return cmocka_run_group_tests_name("frame", tests, NULL, NULL);
+}

@@ -1,0 +1,333 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * The simulator on a scene small enough to write by hand, a room of six walls: panel and plain
+ * memory show the same, face numbers agree with the colours and with the reference picture. */
+#include "cmocka_ready.h"
+#include "compare.h"
+#include "ids.h"
+#include "panel_board.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+enum { WALLS = 6, WALL_WORDS = LIM_POLYGON_HEAD_WORDS + 4, HALF_UNITS = 1000 };
+
+/* Wall w lies at x, y, z = -1000, then x, y, z = 1000; corner c has its bits 0, 1, 2 as x, y, z. */
+static const uint16_t WALL_CORNERS[WALLS][4] = {{0, 2, 6, 4}, {0, 4, 5, 1}, {0, 1, 3, 2},
+                                                {1, 5, 7, 3}, {2, 3, 7, 6}, {4, 6, 7, 5}};
+
+static uint16_t wall_colour(size_t wall)
+{
+    return (uint16_t)(0x1234 * (wall + 1));
+}
+
+struct room {
+    struct lim_vertex vertices[8];
+    struct lim_node nodes[WALLS];
+    uint16_t polygons[WALLS * WALL_WORDS];
+    uint32_t faces[WALLS]; /* 11, 12, ... */
+    struct compiled compiled;
+};
+
+/* Every plane has the whole room on one side, so the tree is a chain. */
+static void room_wall(struct room *room, uint16_t wall)
+{
+    bool is_low = wall < 3;
+    uint16_t next = wall + 1 < WALLS ? (uint16_t)(wall + 1) : LIM_NONE, run = (uint16_t)(wall * WALL_WORDS);
+    uint16_t *words = &room->polygons[run];
+    room->nodes[wall] = (struct lim_node){.kind = (uint16_t)(LIM_PLANE_X + wall % 3),
+                                          .plane = (uint16_t)(is_low ? -HALF_UNITS : HALF_UNITS),
+                                          .front = is_low ? next : LIM_NONE,
+                                          .back = is_low ? LIM_NONE : next,
+                                          .front_run = is_low ? run : LIM_NONE,
+                                          .back_run = is_low ? LIM_NONE : run,
+                                          .box = LIM_NONE};
+    words[0] = 4 | LIM_POLYGON_LAST;
+    words[1] = wall_colour(wall);
+    memcpy(words + LIM_POLYGON_HEAD_WORDS, WALL_CORNERS[wall], sizeof WALL_CORNERS[wall]);
+    room->faces[wall] = 11u + wall;
+}
+
+static void room_init(struct room *room)
+{
+    memset(room, 0, sizeof *room);
+    for (int c = 0; c < 8; c++)
+        room->vertices[c] = (struct lim_vertex){(int16_t)(c & 1 ? HALF_UNITS : -HALF_UNITS),
+                                                (int16_t)(c & 2 ? HALF_UNITS : -HALF_UNITS),
+                                                (int16_t)(c & 4 ? HALF_UNITS : -HALF_UNITS)};
+    for (uint16_t wall = 0; wall < WALLS; wall++)
+        room_wall(room, wall);
+    room->compiled = (struct compiled){
+        .scene = {.vertices = room->vertices,
+                  .nodes = room->nodes,
+                  .polygons = room->polygons,
+                  .vertex_count = 8,
+                  .node_count = WALLS,
+                  .polygon_words = WALLS * WALL_WORDS,
+                  .polygon_count = WALLS,
+                  .background = 0xF81F,
+                  .limits = {.depth = WALLS, .vertices = 4, .retained_cells = 512, .gaps = 512, .active = 16}},
+        .grid = {.units_per_m = 100.0},
+        .faces = room->faces};
+}
+
+/* A view from within the room, the same for the same seed. */
+static struct viewpoint random_viewpoint(unsigned seed)
+{
+    struct viewpoint viewpoint = {.line = 1};
+    srand(seed);
+    for (int i = 0; i < 3; i++) {
+        viewpoint.eye_m[i] = rand() % 1800 / 100.0 - 9.0;
+        viewpoint.target_m[i] = rand() % 4000 / 100.0 - 20.0;
+    }
+    return viewpoint;
+}
+
+static struct lim_camera make_camera(const struct viewpoint *viewpoint, const struct lens *lens,
+                                     const struct room *room)
+{
+    struct viewpoint copy = *viewpoint;
+    struct camera_path path = {.name = "test.cam", .frames = &copy, .count = 1};
+    struct lim_camera camera;
+    struct error err;
+    assert_true(camera_path_to_camera(&path, 0, lens, &room->compiled.grid, &camera, &err));
+    return camera;
+}
+
+static struct lens make_lens(unsigned w_px, unsigned h_px)
+{
+    struct lens lens;
+    struct error err;
+    assert_true(lens_init(&lens, 75.0, 0.1, w_px, h_px, &err));
+    return lens;
+}
+
+static uint16_t *picture(const struct room *room, enum simulator_panel panel, enum lim_method method, unsigned w_px,
+                         unsigned h_px, unsigned seed)
+{
+    struct lens lens = make_lens(w_px, h_px);
+    struct viewpoint viewpoint = random_viewpoint(seed);
+    struct lim_camera camera = make_camera(&viewpoint, &lens, room);
+    struct simulator simulator;
+    struct error err;
+    size_t size_b = (size_t)w_px * h_px * sizeof(uint16_t);
+    uint16_t *pixels = malloc(size_b);
+    assert_non_null(pixels);
+    assert_true(simulator_init(&simulator, &room->compiled.scene, panel, method, w_px, h_px, &err));
+    assert_int_equal(simulator.board != NULL, panel == SIMULATOR_ST7789);
+    assert_true(simulator_frame(&simulator, &camera, &err));
+    memcpy(pixels, simulator.pixels, size_b);
+    simulator_free(&simulator);
+    return pixels;
+}
+
+/* Tests -------------------------------------------------------------------------------------- */
+
+static void panel_and_memory_show_the_same_by_both_methods(void **state)
+{
+    (void)state;
+    static const unsigned sizes[][2] = {{240, 240}, {240, 320}, {135, 240}, {1, 1}, {3, 7}};
+    struct room room;
+    room_init(&room);
+    for (size_t i = 0; i < sizeof sizes / sizeof sizes[0]; i++) {
+        unsigned w_px = sizes[i][0], h_px = sizes[i][1], seed = (unsigned)i;
+        uint16_t *expected = picture(&room, SIMULATOR_MEMORY, LIM_NEAREST_FIRST, w_px, h_px, seed);
+        for (int panel = SIMULATOR_ST7789; panel <= SIMULATOR_MEMORY; panel++) {
+            for (int method = LIM_NEAREST_FIRST; method <= LIM_PAINTER; method++) {
+                uint16_t *pixels =
+                    picture(&room, (enum simulator_panel)panel, (enum lim_method)method, w_px, h_px, seed);
+                assert_memory_equal(pixels, expected, (size_t)w_px * h_px * sizeof *pixels);
+                free(pixels);
+            }
+        }
+        free(expected);
+    }
+}
+
+static void sizes_that_no_panel_has_are_rendered_into_memory(void **state)
+{
+    (void)state;
+    static const unsigned sizes[][2] = {{1024, 1024}, {241, 5}, {5, 321}, {401, 299}};
+    struct room room;
+    room_init(&room);
+    for (size_t i = 0; i < sizeof sizes / sizeof sizes[0]; i++) {
+        unsigned w_px = sizes[i][0], h_px = sizes[i][1];
+        assert_false(simulator_panel_holds(w_px, h_px));
+        if (w_px < 100 || h_px < 100) continue; /* too thin for a lens */
+        uint16_t *pixels = picture(&room, SIMULATOR_MEMORY, LIM_NEAREST_FIRST, w_px, h_px, 7);
+        for (size_t p = 0; p < (size_t)w_px * h_px; p++)
+            assert_int_not_equal(pixels[p], 0xF81F);
+        free(pixels);
+    }
+}
+
+static void wall_straight_ahead_is_in_the_middle(void **state)
+{
+    (void)state;
+    static const double targets_m[WALLS][3] = {{-1, 0, 0}, {0, -1, 0}, {0, 0, -1}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    struct room room;
+    room_init(&room);
+    struct lens lens = make_lens(240, 240);
+    struct simulator simulator;
+    struct error err;
+    assert_true(simulator_init(&simulator, &room.compiled.scene, SIMULATOR_ANY, LIM_NEAREST_FIRST, 240, 240, &err));
+    assert_non_null(simulator.board);
+    for (size_t wall = 0; wall < WALLS; wall++) {
+        struct viewpoint viewpoint = {.line = 1};
+        memcpy(viewpoint.target_m, targets_m[wall], sizeof viewpoint.target_m);
+        struct lim_camera camera = make_camera(&viewpoint, &lens, &room);
+        assert_true(simulator_frame(&simulator, &camera, &err));
+        assert_int_equal(simulator.pixels[120 * 240 + 120], wall_colour(wall));
+        assert_in_range(simulator.bus_b, 2 * 240 * 240, 2 * 240 * 240 + 64);
+    }
+    simulator_free(&simulator);
+}
+
+static void face_numbers_agree_with_the_colours(void **state)
+{
+    (void)state;
+    struct room room;
+    room_init(&room);
+    for (int method = LIM_NEAREST_FIRST; method <= LIM_PAINTER; method++) {
+        uint16_t *pixels = picture(&room, SIMULATOR_ST7789, (enum lim_method)method, 240, 240, 5);
+        struct lens lens = make_lens(240, 240);
+        struct viewpoint viewpoint = random_viewpoint(5);
+        struct lim_camera camera = make_camera(&viewpoint, &lens, &room);
+        struct ids ids;
+        struct error err;
+        assert_true(ids_init(&ids, &room.compiled, (enum lim_method)method, 240, 240, &err));
+        assert_true(ids_frame(&ids, &camera, &err));
+        for (size_t i = 0; i < 240 * 240; i++)
+            assert_int_equal(pixels[i], wall_colour(ids.faces[i] - 11));
+        assert_int_equal(room.polygons[1], wall_colour(0)); /* the original scene is untouched */
+        ids_free(&ids);
+        free(pixels);
+    }
+}
+
+static void face_numbers_are_written_little_endian(void **state)
+{
+    (void)state;
+    struct room room;
+    room_init(&room);
+    for (size_t wall = 0; wall < WALLS; wall++)
+        room.faces[wall] = 0x01020304;
+    struct lens lens = make_lens(1, 1);
+    struct viewpoint viewpoint = random_viewpoint(1);
+    struct lim_camera camera = make_camera(&viewpoint, &lens, &room);
+    struct ids ids;
+    struct error err;
+    unsigned char bytes[5];
+    assert_true(ids_init(&ids, &room.compiled, LIM_NEAREST_FIRST, 1, 1, &err));
+    assert_true(ids_frame(&ids, &camera, &err));
+    FILE *file = tmpfile();
+    assert_true(ids_write(&ids, file));
+    rewind(file);
+    assert_int_equal(fread(bytes, 1, sizeof bytes, file), 4);
+    assert_memory_equal(bytes, ((unsigned char[]){4, 3, 2, 1}), 4);
+    fclose(file);
+    ids_free(&ids);
+}
+
+static void room_mesh(const struct room *room, struct mesh *mesh, double points[8][3], uint32_t corners[WALLS * 4],
+                      struct mesh_polygon polygons[WALLS])
+{
+    for (int c = 0; c < 8; c++)
+        for (int axis = 0; axis < 3; axis++)
+            points[c][axis] = (c >> axis & 1 ? 10.0 : -10.0);
+    for (uint32_t wall = 0; wall < WALLS; wall++) {
+        polygons[wall] = (struct mesh_polygon){.first = 4 * wall, .count = 4, .face = room->faces[wall]};
+        for (uint32_t i = 0; i < 4; i++)
+            corners[4 * wall + i] = WALL_CORNERS[wall][i];
+    }
+    *mesh = (struct mesh){.points = points,
+                          .point_count = 8,
+                          .corners = corners,
+                          .corner_count = WALLS * 4,
+                          .polygons = polygons,
+                          .polygon_count = WALLS,
+                          .grid = room->compiled.grid};
+}
+
+static void frames_agree_with_the_reference_picture(void **state)
+{
+    (void)state;
+    struct room room;
+    room_init(&room);
+    double points[8][3];
+    uint32_t corners[WALLS * 4];
+    struct mesh_polygon polygons[WALLS];
+    struct mesh mesh;
+    room_mesh(&room, &mesh, points, corners, polygons);
+    struct reference reference;
+    struct ids ids;
+    struct error err;
+    struct lens lens = make_lens(200, 120);
+    assert_true(reference_init(&reference, &mesh, 200, 120, &err));
+    assert_true(ids_init(&ids, &room.compiled, LIM_NEAREST_FIRST, 200, 120, &err));
+    struct comparison sum = {0};
+    for (unsigned seed = 0; seed < 100; seed++) {
+        struct viewpoint viewpoint = random_viewpoint(seed);
+        struct lim_camera camera = make_camera(&viewpoint, &lens, &room);
+        assert_true(ids_frame(&ids, &camera, &err));
+        reference_draw(&reference, &viewpoint, &lens);
+        struct compare_counts counts = compare_picture(ids.faces, &reference, NULL, 0.01);
+        comparison_add(&sum, &counts);
+    }
+    assert_true(compare_wrong_percent(&sum.total) < 0.05);
+    assert_int_equal(sum.total.beyond, 0);
+    assert_int_equal(sum.total.holes, 0);
+    ids_free(&ids);
+    reference_free(&reference);
+}
+
+static void complaint_of_the_panel_is_an_error(void **state)
+{
+    (void)state;
+    struct room room;
+    room_init(&room);
+    struct lens lens = make_lens(24, 24);
+    struct viewpoint viewpoint = random_viewpoint(1);
+    struct lim_camera camera = make_camera(&viewpoint, &lens, &room);
+    struct simulator simulator;
+    struct error err;
+    assert_true(simulator_init(&simulator, &room.compiled.scene, SIMULATOR_ANY, LIM_NEAREST_FIRST, 24, 24, &err));
+    static const uint8_t stray[] = {1, 2, 3};
+    struct bus bus = emulated_st7789_bus(&simulator.board->chip);
+    assert_int_equal(bus_write(&bus, stray, sizeof stray), 0);
+    assert_false(simulator_frame(&simulator, &camera, &err));
+    assert_memory_equal(err.text, "emulated st7789: ", strlen("emulated st7789: "));
+    simulator_free(&simulator);
+}
+
+static void error_of_the_renderer_is_passed_on(void **state)
+{
+    (void)state;
+    struct room room;
+    room_init(&room);
+    struct lens lens = make_lens(24, 24);
+    struct viewpoint viewpoint = random_viewpoint(1);
+    struct lim_camera camera = make_camera(&viewpoint, &lens, &room);
+    struct simulator simulator;
+    struct error err;
+    assert_true(simulator_init(&simulator, &room.compiled.scene, SIMULATOR_ANY, LIM_NEAREST_FIRST, 24, 24, &err));
+    camera.near_q8 = 0;
+    assert_false(simulator_frame(&simulator, &camera, &err));
+    assert_string_equal(err.text, "renderer: the camera's position or lens is out of range (-1004)");
+    simulator_free(&simulator);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(panel_and_memory_show_the_same_by_both_methods),
+        cmocka_unit_test(sizes_that_no_panel_has_are_rendered_into_memory),
+        cmocka_unit_test(wall_straight_ahead_is_in_the_middle),
+        cmocka_unit_test(face_numbers_agree_with_the_colours),
+        cmocka_unit_test(face_numbers_are_written_little_endian),
+        cmocka_unit_test(frames_agree_with_the_reference_picture),
+        cmocka_unit_test(complaint_of_the_panel_is_an_error),
+        cmocka_unit_test(error_of_the_renderer_is_passed_on),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
