@@ -21,7 +21,7 @@ suites     := $(if $(filter all,$(SUITES)),$(ALL_SUITES),$(SUITES))
 ifeq ($(MAKELEVEL),0)
 MAKEFLAGS += -j$(shell nproc) --output-sync --no-print-directory
 endif
-# Begins a recipe line whose output must appear as it comes. The + does that, but not under `make -n`, where it would run.
+# Begins a recipe line whose output must appear as it comes: with +, but not under `make -n`, where + would run it.
 LIVE = $(if $(findstring n,$(firstword -$(MAKEFLAGS))),,+)@
 
 .PHONY: all run view check test test-fixed test-programs models-table format clean help packages force
@@ -139,7 +139,7 @@ $(if $(unknown),$(error there is no suite $(unknown); there are: all $(ALL_SUITE
 
 programs := $(sort $(foreach suite,$(suites),$(suite-$(suite))))
 
-test: $(BUILD)/limner $(demo) $(programs) ## run the host and Arm suites; SUITES=all: every suite there is
+test: $(BUILD)/limner $(demo) $(programs) ## run the host and Arm suites; SUITES=all: every suite
 	$(LIVE)sh tests/run.sh $(programs)
 
 check: ## run the host suite only

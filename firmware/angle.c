@@ -9,7 +9,8 @@
 enum { SERIES_TERMS = 8 };
 
 /* (-1)^k (pi/2)^(2k+1) / (2k+1)! in Q30. */
-static const int32_t series_q30[SERIES_TERMS] = {1686629713, -693598668, 85569306, -5026995, 172272, -3864, 61, -1};
+static const LIM_FLASH int32_t series_q30[SERIES_TERMS] = {1686629713, -693598668, 85569306, -5026995,
+                                                           172272,     -3864,      61,       -1};
 
 /* t_q30 in 0..2^30: the part of a quarter turn. */
 static int32_t quarter_sin_q30(int32_t t_q30)
@@ -23,16 +24,16 @@ static int32_t quarter_sin_q30(int32_t t_q30)
     return mul_q30(sum_q30, t_q30);
 }
 
-int32_t sin_q30(uint32_t angle)
+int32_t lim_sin_q30(uint32_t angle)
 {
-    const int32_t part_q30 = (int32_t)(angle & (ANGLE_QUARTER - 1));
-    const bool falling = (angle & ANGLE_QUARTER) != 0;
+    const int32_t part_q30 = (int32_t)(angle & (LIM_ANGLE_QUARTER - 1));
+    const bool falling = (angle & LIM_ANGLE_QUARTER) != 0;
     const int32_t sine_q30 = quarter_sin_q30(falling ? (INT32_C(1) << 30) - part_q30 : part_q30);
 
     return angle >> 31 ? -sine_q30 : sine_q30;
 }
 
-int32_t cos_q30(uint32_t angle)
+int32_t lim_cos_q30(uint32_t angle)
 {
-    return sin_q30(angle + ANGLE_QUARTER);
+    return lim_sin_q30(angle + LIM_ANGLE_QUARTER);
 }

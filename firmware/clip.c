@@ -11,7 +11,7 @@
 enum clip_plane { CLIP_NEAR, CLIP_LEFT, CLIP_RIGHT, CLIP_TOP, CLIP_BOTTOM };
 
 /* Inside where >= 0. */
-static int32_t distance(enum clip_plane plane, const struct view_point *p, int32_t near_qv)
+static int32_t distance(enum clip_plane plane, const struct lim_view_point *p, int32_t near_qv)
 {
     const int32_t half_z = p->z_qv >> 1;
 
@@ -29,29 +29,30 @@ static int32_t distance(enum clip_plane plane, const struct view_point *p, int32
     }
 }
 
-static struct view_point cut(const struct view_point *inner, int32_t inner_d, const struct view_point *outer,
-                             int32_t outer_d)
+static struct lim_view_point cut(const struct lim_view_point *inner, int32_t inner_d,
+                                 const struct lim_view_point *outer, int32_t outer_d)
 {
     const uint32_t t_q31 = ratio_q31((uint32_t)inner_d, (uint32_t)inner_d - (uint32_t)outer_d);
 
-    return (struct view_point){lerp_q31(inner->x_qv, outer->x_qv, t_q31), lerp_q31(inner->y_qv, outer->y_qv, t_q31),
-                               lerp_q31(inner->z_qv, outer->z_qv, t_q31)};
+    return (struct lim_view_point){lerp_q31(inner->x_qv, outer->x_qv, t_q31), lerp_q31(inner->y_qv, outer->y_qv, t_q31),
+                                   lerp_q31(inner->z_qv, outer->z_qv, t_q31)};
 }
 
-static void append(struct clip_polygon *polygon, struct view_point point)
+static void append(struct lim_clip_polygon *polygon, struct lim_view_point point)
 {
     if (polygon->n < CLIP_MAX_VERTICES) polygon->at[polygon->n++] = point;
 }
 
 /* from -> to, which may not be the same polygon. */
-static void clip_plane(const struct clip_polygon *from, struct clip_polygon *to, enum clip_plane plane, int32_t near_qv)
+static void clip_plane(const struct lim_clip_polygon *from, struct lim_clip_polygon *to, enum clip_plane plane,
+                       int32_t near_qv)
 {
-    const struct view_point *here = &from->at[from->n - 1];
+    const struct lim_view_point *here = &from->at[from->n - 1];
     int32_t here_d = distance(plane, here, near_qv);
 
     to->n = 0;
     for (uint8_t k = 0; k < from->n; k++) {
-        const struct view_point *next = &from->at[k];
+        const struct lim_view_point *next = &from->at[k];
         const int32_t next_d = distance(plane, next, near_qv);
 
         if (here_d >= 0 && next_d < 0) append(to, cut(here, here_d, next, next_d));
@@ -63,7 +64,7 @@ static void clip_plane(const struct clip_polygon *from, struct clip_polygon *to,
     if (to->n < 3) to->n = 0;
 }
 
-static bool crosses(const struct clip_polygon *polygon, enum clip_plane plane, int32_t near_qv)
+static bool crosses(const struct lim_clip_polygon *polygon, enum clip_plane plane, int32_t near_qv)
 {
     for (uint8_t k = 0; k < polygon->n; k++) {
         if (distance(plane, &polygon->at[k], near_qv) < 0) return true;
@@ -77,7 +78,7 @@ static int32_t clamp_s32(int32_t x, int32_t limit)
 }
 
 /* Rounding may leave a cut point a unit outside of the planes; the projection needs it inside. */
-static void settle(struct view_point *point, int32_t near_qv)
+static void settle(struct lim_view_point *point, int32_t near_qv)
 {
     if (point->z_qv < near_qv) point->z_qv = near_qv;
     const int32_t band_qv = point->z_qv > INT32_MAX / 2 ? INT32_MAX : 2 * point->z_qv;
@@ -85,9 +86,9 @@ static void settle(struct view_point *point, int32_t near_qv)
     point->y_qv = clamp_s32(point->y_qv, band_qv);
 }
 
-void clip(struct clip_polygon *polygon, int32_t near_qv)
+void lim_clip(struct lim_clip_polygon *polygon, int32_t near_qv)
 {
-    struct clip_polygon cut_polygon;
+    struct lim_clip_polygon cut_polygon;
 
     for (uint8_t plane = 0; plane < CLIP_PLANES && polygon->n; plane++) {
         if (!crosses(polygon, (enum clip_plane)plane, near_qv)) continue;

@@ -10,12 +10,12 @@
 
 enum { CLIP_PLANES = 5, CLIP_MAX_VERTICES = LIM_MAX_VERTICES + CLIP_PLANES };
 
-struct clip_polygon {
+struct lim_clip_polygon {
     uint8_t n; /* 0: nothing is left; else 3..CLIP_MAX_VERTICES */
-    struct view_point at[CLIP_MAX_VERTICES];
+    struct lim_view_point at[CLIP_MAX_VERTICES];
 };
 
 /* In place. Every point that is left has near <= z and |x|, |y| <= 2z. */
-void clip(struct clip_polygon *polygon, int32_t near_qv);
+void lim_clip(struct lim_clip_polygon *polygon, int32_t near_qv);
 
 #endif

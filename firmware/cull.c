@@ -25,7 +25,7 @@ static int32_t edge_q14(uint16_t i, uint16_t n)
 }
 
 /* sign * (row - l * ahead) */
-static void set_plane(struct cull_plane *plane, const struct view *view, const int32_t eye_q8[3], uint8_t row,
+static void set_plane(struct lim_cull_plane *plane, const struct lim_view *view, const int32_t eye_q8[3], uint8_t row,
                       int32_t l_q14, int8_t sign)
 {
     int64_t offset_q8 = 0;
@@ -39,7 +39,8 @@ static void set_plane(struct cull_plane *plane, const struct view *view, const i
     plane->offset = (int32_t)(offset_q8 >> 8) + CULL_SLACK * ((int32_t)1 << view->reach);
 }
 
-void cull_set(struct cull *cull, const struct view *view, const int32_t eye_q8[3], const struct rect *open)
+void lim_cull_set(struct lim_cull *cull, const struct lim_view *view, const int32_t eye_q8[3],
+                  const struct lim_rect *open)
 {
     set_plane(&cull->sides[0], view, eye_q8, 0, edge_q14(open->x0, view->w_px), 1);
     set_plane(&cull->sides[1], view, eye_q8, 0, edge_q14(open->x1, view->w_px), -1);
@@ -48,7 +49,7 @@ void cull_set(struct cull *cull, const struct view *view, const int32_t eye_q8[3
 }
 
 /* The box's corner farthest along the normal. The sum wraps on the way; its value fits. */
-static bool reaches(const struct cull_plane *plane, const LIM_FLASH struct lim_box *box)
+static bool reaches(const struct lim_cull_plane *plane, const LIM_FLASH struct lim_box *box)
 {
     uint32_t value = (uint32_t)plane->offset;
 
@@ -59,7 +60,7 @@ static bool reaches(const struct cull_plane *plane, const LIM_FLASH struct lim_b
     return (int32_t)value >= 0;
 }
 
-bool cull_sees(const struct cull *cull, const LIM_FLASH struct lim_box *box)
+bool lim_cull_sees(const struct lim_cull *cull, const LIM_FLASH struct lim_box *box)
 {
     for (uint8_t i = 0; i < 4; i++) {
         if (!reaches(&cull->sides[i], box)) return false;

@@ -9,21 +9,22 @@
 #include "view.h"
 
 /* Pixels x0 <= x < x1, y0 <= y < y1. */
-struct rect {
+struct lim_rect {
     uint16_t x0, y0, x1, y1;
 };
 
-struct cull_plane {
+struct lim_cull_plane {
     int16_t n[3];   /* points inwards; LIM_MATRIX_BITS - 2 - reach fraction bits, |n| <= 2 */
     int32_t offset; /* plus the slack that makes it conservative */
 };
 
-struct cull {
-    struct cull_plane sides[4]; /* left, right, top, bottom */
+struct lim_cull {
+    struct lim_cull_plane sides[4]; /* left, right, top, bottom */
 };
 
-void cull_set(struct cull *cull, const struct view *view, const int32_t eye_q8[3], const struct rect *open);
+void lim_cull_set(struct lim_cull *cull, const struct lim_view *view, const int32_t eye_q8[3],
+                  const struct lim_rect *open);
 
-bool cull_sees(const struct cull *cull, const LIM_FLASH struct lim_box *box);
+bool lim_cull_sees(const struct lim_cull *cull, const LIM_FLASH struct lim_box *box);
 
 #endif

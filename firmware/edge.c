@@ -20,7 +20,7 @@ static inline lim_sub_area sum_of_products(lim_sub_area a, lim_sub_area b, lim_s
     return (lim_sub_area)((lim_sub_wrap)a * (lim_sub_wrap)b + (lim_sub_wrap)c * (lim_sub_wrap)d);
 }
 
-static void edge_set(struct edge *edge, struct lim_point a, struct lim_point b, int16_t y, int16_t end)
+static void edge_set(struct lim_edge *edge, struct lim_point a, struct lim_point b, int16_t y, int16_t end)
 {
     const int32_t dx = (int32_t)b.x - a.x, dy = (int32_t)b.y - a.y;
     const lim_sub_area n = sum_of_products(a.x, dy, dx, y * LIM_SUB - a.y);
@@ -49,7 +49,7 @@ static void edge_set(struct edge *edge, struct lim_point a, struct lim_point b, 
 }
 
 /* The left boundary runs forward through the vertices, the right one backward. */
-static void turn_left(struct edge_pair *pair, const struct lim_point *at, uint8_t n, int16_t y)
+static void turn_left(struct lim_edge_pair *pair, const struct lim_point *at, uint8_t n, int16_t y)
 {
     uint8_t from, to = pair->left_at;
     int16_t end;
@@ -64,7 +64,7 @@ static void turn_left(struct edge_pair *pair, const struct lim_point *at, uint8_
     pair->left_end = end;
 }
 
-static void turn_right(struct edge_pair *pair, const struct lim_point *at, uint8_t n, int16_t y)
+static void turn_right(struct lim_edge_pair *pair, const struct lim_point *at, uint8_t n, int16_t y)
 {
     uint8_t from, to = pair->right_at;
     int16_t end;
@@ -79,12 +79,12 @@ static void turn_right(struct edge_pair *pair, const struct lim_point *at, uint8
     pair->right_end = end;
 }
 
-static int16_t next_turn(const struct edge_pair *pair)
+static int16_t next_turn(const struct lim_edge_pair *pair)
 {
     return pair->left_end < pair->right_end ? pair->left_end : pair->right_end;
 }
 
-void edge_begin(struct edge_pair *pair, const struct lim_point *at, uint8_t n, uint8_t first, int16_t y)
+void lim_edge_begin(struct lim_edge_pair *pair, const struct lim_point *at, uint8_t n, uint8_t first, int16_t y)
 {
     pair->left_at = first;
     pair->right_at = first;
@@ -92,7 +92,7 @@ void edge_begin(struct edge_pair *pair, const struct lim_point *at, uint8_t n, u
     turn_right(pair, at, n, y);
 }
 
-int16_t edge_turn(struct edge_pair *pair, const struct lim_point *at, uint8_t n, int16_t y)
+int16_t lim_edge_turn(struct lim_edge_pair *pair, const struct lim_point *at, uint8_t n, int16_t y)
 {
     if (pair->left_end <= y) turn_left(pair, at, n, y);
     if (pair->right_end <= y) turn_right(pair, at, n, y);
@@ -116,7 +116,7 @@ static uint8_t choose_apex(const struct lim_point *at, uint8_t n, uint8_t top_at
 }
 
 /* The boundary's direction, down (1) or up (-1), changes twice on a plain polygon, once around. */
-void edge_measure(struct edge_shape *shape, const struct lim_point *at, uint8_t n)
+void lim_edge_measure(struct lim_edge_shape *shape, const struct lim_point *at, uint8_t n)
 {
     int8_t first_direction = 0, direction = 0;
     uint8_t turns = 0, top_at = 0, bottom_at = 0;

@@ -12,7 +12,7 @@
 #include "profile.h"
 
 /* The first pixel centre at or right of the edge is `x` on the current line. */
-struct edge {
+struct lim_edge {
     int32_t error;      /* (exact x - x) * denominator, in -denominator+1 .. 0 */
     int32_t step_error; /* what a line adds to it, 0 .. denominator-1 */
     int32_t denominator;
@@ -20,14 +20,14 @@ struct edge {
 };
 
 /* Both boundaries of a polygon, on their way down. */
-struct edge_pair {
-    struct edge left, right;
+struct lim_edge_pair {
+    struct lim_edge left, right;
     int16_t left_end, right_end; /* the line on which each edge hands over to the next one */
     uint8_t left_at, right_at;   /* the vertex at which each edge ends */
 };
 
 /* What a polygon looks like to EDGE; lines are relative to nothing: line y is screen line y. */
-struct edge_shape {
+struct lim_edge_shape {
     int16_t top, bottom; /* lines top <= y < bottom; may lie outside of the screen */
     int16_t left, right; /* pixels left <= x < right, likewise */
     uint8_t first;       /* a vertex on the top line */
@@ -35,16 +35,16 @@ struct edge_shape {
     bool folded;         /* its boundary turns more than twice: rounding bent it */
 };
 
-void edge_measure(struct edge_shape *shape, const struct lim_point *at, uint8_t n);
+void lim_edge_measure(struct lim_edge_shape *shape, const struct lim_point *at, uint8_t n);
 
 /* Starts both boundaries on line y, top <= y < bottom, of a polygon that is not folded. */
-void edge_begin(struct edge_pair *pair, const struct lim_point *at, uint8_t n, uint8_t first, int16_t y);
+void lim_edge_begin(struct lim_edge_pair *pair, const struct lim_point *at, uint8_t n, uint8_t first, int16_t y);
 
 /* Replaces the edges that end on line y. Returns the line on which it must be called again. */
-int16_t edge_turn(struct edge_pair *pair, const struct lim_point *at, uint8_t n, int16_t y);
+int16_t lim_edge_turn(struct lim_edge_pair *pair, const struct lim_point *at, uint8_t n, int16_t y);
 
 /* To the next line. */
-static inline void edge_step(struct edge *edge)
+static inline void lim_edge_step(struct lim_edge *edge)
 {
     edge->x = (int16_t)(edge->x + edge->step_x);
     edge->error += edge->step_error;

@@ -26,7 +26,7 @@ static bool fits_s16(const int32_t at_q8[3], uint8_t shift)
     return true;
 }
 
-void eye_set(struct eye *eye, const int32_t at_q8[3])
+void lim_eye_set(struct lim_eye *eye, const int32_t at_q8[3])
 {
     uint32_t sum = 0;
 
@@ -47,13 +47,13 @@ static int8_t sign_s64(int64_t value)
 }
 
 /* n.c - d in 64 bits: |n| < 2^31, |c| < 2^28, |d| < 2^48, together below 3 * 2^59 + 2^56. */
-static int8_t exact_side(const struct eye *eye, const int32_t n[3], int64_t d)
+static int8_t exact_side(const struct lim_eye *eye, const int32_t n[3], int64_t d)
 {
     return sign_s64((int64_t)n[0] * eye->at_q8[0] + (int64_t)n[1] * eye->at_q8[1] + (int64_t)n[2] * eye->at_q8[2] -
                     d * 256);
 }
 
-static int8_t undecided_side(const struct eye *eye, const struct lim_scene *scene,
+static int8_t undecided_side(const struct lim_eye *eye, const struct lim_scene *scene,
                              const LIM_FLASH struct lim_plane *plane)
 {
     if (plane->exact == LIM_NONE) {
@@ -72,7 +72,8 @@ static int8_t axis_side(int32_t at_q8, uint16_t plane)
     return (int8_t)((at_q8 > plane_q8) - (at_q8 < plane_q8));
 }
 
-static int8_t filtered_side(const struct eye *eye, const struct lim_scene *scene, const LIM_FLASH struct lim_node *node)
+static int8_t filtered_side(const struct lim_eye *eye, const struct lim_scene *scene,
+                            const LIM_FLASH struct lim_node *node)
 {
     const LIM_FLASH struct lim_plane *plane = &scene->planes[node->plane];
     const int32_t slack = node->kind == LIM_PLANE_LARGE ? eye->large_slack : SMALL_SLACK;
@@ -85,7 +86,7 @@ static int8_t filtered_side(const struct eye *eye, const struct lim_scene *scene
     return undecided_side(eye, scene, plane);
 }
 
-int8_t eye_side(const struct eye *eye, const struct lim_scene *scene, const LIM_FLASH struct lim_node *node)
+int8_t lim_eye_side(const struct lim_eye *eye, const struct lim_scene *scene, const LIM_FLASH struct lim_node *node)
 {
     if (node->kind <= LIM_PLANE_Z) return axis_side(eye->at_q8[node->kind], node->plane);
     return filtered_side(eye, scene, node);

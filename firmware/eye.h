@@ -7,18 +7,18 @@
 
 #include "scene.h"
 
-#define EYE_MAX_Q8 (INT32_C(1) << 28) /* |eye_q8| stays below: 64-bit plane values cannot overflow */
+#define LIM_EYE_MAX_Q8 (INT32_C(1) << 28) /* |eye_q8| stays below: 64-bit plane values cannot overflow */
 
-struct eye {
+struct lim_eye {
     int32_t at_q8[3];    /* units */
     int16_t reduced[3];  /* floor(at / 2^shift), 16 bits whatever the distance */
     uint8_t shift;       /* 0 inside the 16-bit cube of the scene */
     int32_t large_slack; /* how far the filter of a LARGE plane can be off, in its own scale */
 };
 
-void eye_set(struct eye *eye, const int32_t at_q8[3]);
+void lim_eye_set(struct lim_eye *eye, const int32_t at_q8[3]);
 
 /* 1: in front of the node's plane, -1: behind it, 0: exactly on it. */
-int8_t eye_side(const struct eye *eye, const struct lim_scene *scene, const LIM_FLASH struct lim_node *node);
+int8_t lim_eye_side(const struct lim_eye *eye, const struct lim_scene *scene, const LIM_FLASH struct lim_node *node);
 
 #endif

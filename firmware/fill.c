@@ -5,7 +5,7 @@
 
 typedef uint32_t __attribute__((may_alias)) pixel_pair; /* the lines are arrays of uint16_t */
 
-void fill(uint16_t *line, uint16_t x_px, uint16_t n_px, uint16_t colour)
+void lim_fill(uint16_t *line, uint16_t x_px, uint16_t n_px, uint16_t colour)
 {
     uint16_t *p = line + x_px;
     const uint32_t pair = (uint32_t)colour << 16 | colour;

@@ -7,7 +7,7 @@
 #include "config.h"
 
 /* A colour as the target's memory holds it. */
-static inline uint16_t memory_colour(uint16_t rgb565)
+static inline uint16_t lim_memory_colour(uint16_t rgb565)
 {
 #if __BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__
     return (uint16_t)(rgb565 << 8 | rgb565 >> 8);
@@ -17,6 +17,6 @@ static inline uint16_t memory_colour(uint16_t rgb565)
 }
 
 /* n pixels from x on; `line` is 4-byte aligned. */
-void fill(uint16_t *line, uint16_t x_px, uint16_t n_px, uint16_t colour);
+void lim_fill(uint16_t *line, uint16_t x_px, uint16_t n_px, uint16_t colour);
 
 #endif

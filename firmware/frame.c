@@ -13,16 +13,10 @@ struct shares {
     uint16_t active, retained_cells, gaps;
 };
 
-static size_t fixed_b(const struct lim_scene *scene, const struct lim_target *target)
-{
-    return VIEW_CACHE_ENTRIES * sizeof(struct view_cached) + target->h_px * sizeof(struct line) +
-           scene->limits.depth * sizeof(struct walk_pending);
-}
-
-/* One polygon, one gap: what a band of one pixel needs. Odd sizes are rounded up to words. */
+/* One polygon, one gap: what a band of one pixel needs. */
 static struct shares least(const struct lim_scene *scene)
 {
-    return (struct shares){1, (uint16_t)(RETAINED_HEAD_CELLS + scene->limits.vertices + CLIP_PLANES), 1};
+    return (struct shares){1, (uint16_t)(LIM_RETAINED_HEAD_CELLS + scene->limits.vertices + CLIP_PLANES), 1};
 }
 
 static struct shares comfortable(const struct lim_scene *scene)
@@ -36,15 +30,9 @@ static struct shares comfortable(const struct lim_scene *scene)
                            limits->gaps > floor.gaps ? limits->gaps : floor.gaps};
 }
 
-static size_t shares_b(const struct shares *shares)
-{
-    return shares->active * sizeof(struct active) + shares->retained_cells * sizeof(union retained_cell) +
-           shares->gaps * sizeof(struct gap);
-}
-
 static size_t total_b(const struct lim_scene *scene, const struct lim_target *target, struct shares shares)
 {
-    return (fixed_b(scene, target) + shares_b(&shares) + 3) & ~(size_t)3;
+    return LIM_MEM_B(target->h_px, scene->limits.depth, shares.retained_cells, shares.gaps, shares.active);
 }
 
 size_t lim_mem_min_b(const struct lim_scene *scene, const struct lim_target *target)
@@ -85,16 +73,16 @@ static void share_out(struct lim *lim, void *mem, struct shares shares)
 {
     uint8_t *at = mem;
 
-    lim->paint.pool = cut(&at, shares.active * sizeof(struct active));
+    lim->paint.pool = cut(&at, shares.active * sizeof(struct lim_active));
     lim->paint.pool_size = shares.active;
-    lim->retained.cells = cut(&at, shares.retained_cells * sizeof(union retained_cell));
+    lim->retained.cells = cut(&at, shares.retained_cells * sizeof(union lim_retained_cell));
     lim->retained.size = shares.retained_cells;
-    struct view_cached *cache = cut(&at, VIEW_CACHE_ENTRIES * sizeof(struct view_cached));
-    lim->spans.lines = cut(&at, lim->target.h_px * sizeof(struct line));
-    lim->spans.pool = cut(&at, shares.gaps * sizeof(struct gap));
+    struct lim_view_cached *cache = cut(&at, LIM_VIEW_CACHE_ENTRIES * sizeof(struct lim_view_cached));
+    lim->spans.lines = cut(&at, lim->target.h_px * sizeof(struct lim_line));
+    lim->spans.pool = cut(&at, shares.gaps * sizeof(struct lim_gap));
     lim->spans.pool_size = shares.gaps;
-    lim->stack = cut(&at, lim->scene->limits.depth * sizeof(struct walk_pending));
-    view_init(&lim->view, lim->target.w_px, lim->target.h_px, cache);
+    lim->stack = cut(&at, lim->scene->limits.depth * sizeof(struct lim_walk_pending));
+    lim_view_init(&lim->view, lim->target.w_px, lim->target.h_px, cache);
 }
 
 static bool target_is_usable(const struct lim_target *target)
@@ -113,7 +101,7 @@ int lim_init(struct lim *lim, const struct lim_scene *scene, const struct lim_ta
     lim->scene = scene;
     lim->target = *target;
     lim->paint.target = &lim->target;
-    lim->paint.background = memory_colour(scene->background);
+    lim->paint.background = lim_memory_colour(scene->background);
     share_out(lim, mem, divide(scene, target, mem_b));
     return LIM_OK;
 }
@@ -121,9 +109,9 @@ int lim_init(struct lim *lim, const struct lim_scene *scene, const struct lim_ta
 int lim_frame(struct lim *lim, const struct lim_camera *camera)
 {
     lim->stats = (struct lim_stats){0};
-    if (!view_begin(&lim->view, camera)) return LIM_ERR_CAMERA;
-    eye_set(&lim->eye, camera->eye_q8);
-    const int err = lim->target.method == LIM_PAINTER ? painter_frame(lim) : nearest_frame(lim);
+    if (!lim_view_begin(&lim->view, camera)) return LIM_ERR_CAMERA;
+    lim_eye_set(&lim->eye, camera->eye_q8);
+    const int err = lim->target.method == LIM_PAINTER ? lim_painter_frame(lim) : lim_nearest_frame(lim);
     lim->stats.vertices = lim->view.vertices;
     return err;
 }

@@ -3,7 +3,7 @@
  * Limner: solid 3D scenes on small displays, in fixed point, without allocation.
  *
  *     struct lim lim;
- *     static uint32_t mem[LIM_MEM_B(240, 240) / 4];
+ *     static uint32_t mem[HALL_SCENE_MEM_B(240) / 4];
  *     int err = lim_init(&lim, &hall_scene, &target, mem, sizeof mem);
  *     if (!err) err = lim_frame(&lim, &camera);
  *

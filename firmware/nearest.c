@@ -11,56 +11,56 @@
 enum { POLYGONS_PER_SHRINK = 20 }; /* the open view is drawn together this often */
 
 /* SPAN for one polygon that is not folded. */
-static enum span_result close_lines(struct spans *spans, const struct screen_polygon *polygon, int16_t top,
-                                    int16_t bottom)
+static enum lim_span_result close_lines(struct lim_spans *spans, const struct lim_screen_polygon *polygon, int16_t top,
+                                        int16_t bottom)
 {
-    struct edge_pair pair;
-    uint8_t result = SPAN_NOTHING;
+    struct lim_edge_pair pair;
+    uint8_t result = LIM_SPAN_NOTHING;
     int16_t y = top;
 
-    edge_begin(&pair, polygon->at, polygon->n, polygon->shape.first, top);
+    lim_edge_begin(&pair, polygon->at, polygon->n, polygon->shape.first, top);
     while (y < bottom) {
-        const int16_t turn = edge_turn(&pair, polygon->at, polygon->n, y);
+        const int16_t turn = lim_edge_turn(&pair, polygon->at, polygon->n, y);
         const int16_t end = turn < bottom ? turn : bottom;
         for (;;) {
             if (pair.left.x < pair.right.x) {
-                result |= (uint8_t)span_close(spans, &spans->lines[y], pair.left.x, pair.right.x, NULL, NULL);
+                result |= (uint8_t)lim_span_close(spans, &spans->lines[y], pair.left.x, pair.right.x, NULL, NULL);
             }
             if (++y == end) break;
-            edge_step(&pair.left);
-            edge_step(&pair.right);
+            lim_edge_step(&pair.left);
+            lim_edge_step(&pair.right);
         }
-        if (pair.left_end > turn) edge_step(&pair.left);
-        if (pair.right_end > turn) edge_step(&pair.right);
+        if (pair.left_end > turn) lim_edge_step(&pair.left);
+        if (pair.right_end > turn) lim_edge_step(&pair.right);
     }
-    return result & SPAN_EXHAUSTED ? SPAN_EXHAUSTED : (enum span_result)result;
+    return result & LIM_SPAN_EXHAUSTED ? LIM_SPAN_EXHAUSTED : (enum lim_span_result)result;
 }
 
 /* false: a pool is exhausted. */
-static bool take_plain(struct lim *lim, const struct screen_polygon *polygon)
+static bool take_plain(struct lim *lim, const struct lim_screen_polygon *polygon)
 {
-    const struct rect *open = &lim->spans.open;
+    const struct lim_rect *open = &lim->spans.open;
     const int16_t top = polygon->shape.top > (int16_t)open->y0 ? polygon->shape.top : (int16_t)open->y0;
     const int16_t bottom = polygon->shape.bottom < (int16_t)open->y1 ? polygon->shape.bottom : (int16_t)open->y1;
 
     if (top >= bottom) return true;
     if (LIM_HAS_STATS) lim->stats.lines += (uint32_t)(bottom - top);
-    const enum span_result result = close_lines(&lim->spans, polygon, top, bottom);
-    if (result == SPAN_NOTHING) return true;
-    if (result == SPAN_EXHAUSTED) return false;
+    const enum lim_span_result result = close_lines(&lim->spans, polygon, top, bottom);
+    if (result == LIM_SPAN_NOTHING) return true;
+    if (result == LIM_SPAN_EXHAUSTED) return false;
     if (LIM_HAS_STATS) lim->stats.polygons_seen++;
-    const struct retained_polygon seen = {polygon->at,   polygon->n,       polygon->shape.first,
-                                          (uint16_t)top, (uint16_t)bottom, polygon->colour};
-    return retain(&lim->retained, lim->spans.lines, &seen);
+    const struct lim_retained_polygon seen = {polygon->at,   polygon->n,       polygon->shape.first,
+                                              (uint16_t)top, (uint16_t)bottom, polygon->colour};
+    return lim_retain(&lim->retained, lim->spans.lines, &seen);
 }
 
-static bool take(struct lim *lim, const struct screen_polygon *polygon)
+static bool take(struct lim *lim, const struct lim_screen_polygon *polygon)
 {
-    struct screen_polygon triangle;
+    struct lim_screen_polygon triangle;
 
     if (!polygon->shape.folded) return take_plain(lim, polygon);
     for (uint8_t k = 1; k + 1 < polygon->n; k++) {
-        project_fan(polygon, k, &triangle);
+        lim_project_fan(polygon, k, &triangle);
         if (!take_plain(lim, &triangle)) return false;
     }
     return true;
@@ -68,18 +68,18 @@ static bool take(struct lim *lim, const struct screen_polygon *polygon)
 
 static void shrink(struct lim *lim)
 {
-    if (spans_shrink(&lim->spans)) cull_set(&lim->cull, &lim->view, lim->eye.at_q8, &lim->spans.open);
+    if (lim_spans_shrink(&lim->spans)) lim_cull_set(&lim->cull, &lim->view, lim->eye.at_q8, &lim->spans.open);
 }
 
 /* All polygons of one run. false: a pool is exhausted. */
 static bool take_run(struct lim *lim, uint16_t run, uint8_t *since_shrink)
 {
     const LIM_FLASH uint16_t *record = &lim->scene->polygons[run];
-    struct screen_polygon polygon;
+    struct lim_screen_polygon polygon;
 
     for (;;) {
         const uint16_t head = record[0];
-        if (project(&polygon, &lim->view, lim->scene, record, &lim->spans.open, &lim->stats)) {
+        if (lim_project(&polygon, &lim->view, lim->scene, record, &lim->spans.open, &lim->stats)) {
             if (!take(lim, &polygon)) return false;
             if (!lim->spans.open_lines) return true;
         }
@@ -99,16 +99,16 @@ static void note_pools(struct lim *lim)
 }
 
 /* Pass one over a band. false: a pool is exhausted. */
-static bool collect(struct lim *lim, const struct rect *band)
+static bool collect(struct lim *lim, const struct lim_rect *band)
 {
     uint8_t since_shrink = 0;
     uint16_t run;
 
-    spans_open(&lim->spans, band);
+    lim_spans_open(&lim->spans, band);
     lim->retained.used = 0;
-    cull_set(&lim->cull, &lim->view, lim->eye.at_q8, band);
-    walk_begin(&lim->walk, lim->scene, &lim->eye, lim->stack, false);
-    while (lim->spans.open_lines && (run = walk_next(&lim->walk, &lim->cull, &lim->stats)) != LIM_NONE) {
+    lim_cull_set(&lim->cull, &lim->view, lim->eye.at_q8, band);
+    lim_walk_begin(&lim->walk, lim->scene, &lim->eye, lim->stack, false);
+    while (lim->spans.open_lines && (run = lim_walk_next(&lim->walk, &lim->cull, &lim->stats)) != LIM_NONE) {
         if (!take_run(lim, run, &since_shrink)) return false;
     }
     if (LIM_HAS_STATS) note_pools(lim);
@@ -116,7 +116,7 @@ static bool collect(struct lim *lim, const struct rect *band)
 }
 
 /* A smaller band that starts where this one does. */
-static void halve(struct rect *band)
+static void halve(struct lim_rect *band)
 {
     const uint16_t lines = (uint16_t)(band->y1 - band->y0), pixels = (uint16_t)(band->x1 - band->x0);
 
@@ -128,7 +128,7 @@ static void halve(struct rect *band)
 }
 
 /* The band of the same size that follows: to the right, or below. */
-static void follow(struct rect *band, const struct lim_target *target)
+static void follow(struct lim_rect *band, const struct lim_target *target)
 {
     const uint16_t lines = (uint16_t)(band->y1 - band->y0), pixels = (uint16_t)(band->x1 - band->x0);
 
@@ -144,16 +144,16 @@ static void follow(struct rect *band, const struct lim_target *target)
 }
 
 /* Both passes. 1: a pool is exhausted, and *y is the first line that is not yet painted. */
-static int draw_band(struct lim *lim, const struct rect *band, uint16_t *y)
+static int draw_band(struct lim *lim, const struct lim_rect *band, uint16_t *y)
 {
     *y = band->y0;
     if (!collect(lim, band)) return 1;
-    return paint_band(&lim->paint, &lim->spans, &lim->retained, band, y, &lim->stats);
+    return lim_paint_band(&lim->paint, &lim->spans, &lim->retained, band, y, &lim->stats);
 }
 
-int nearest_frame(struct lim *lim)
+int lim_nearest_frame(struct lim *lim)
 {
-    struct rect band = {0, 0, lim->target.w_px, lim->target.h_px};
+    struct lim_rect band = {0, 0, lim->target.w_px, lim->target.h_px};
 
     while (band.y0 < lim->target.h_px) {
         uint16_t y;

@@ -4,35 +4,35 @@
  * arrive far to near (retain.h), so each is put in front of the one before it or further up. */
 #include "paint.h"
 
-static const union retained_cell *cells_of(const struct retained *retained, const struct active *active)
+static const union lim_retained_cell *cells_of(const struct lim_retained *retained, const struct lim_active *active)
 {
     return &retained->cells[active->polygon];
 }
 
-_Static_assert(sizeof(union retained_cell) == sizeof(struct lim_point), "points lie one a cell");
+_Static_assert(sizeof(union lim_retained_cell) == sizeof(struct lim_point), "points lie one a cell");
 
-static const struct lim_point *points_of(const union retained_cell *cells)
+static const struct lim_point *points_of(const union lim_retained_cell *cells)
 {
-    return &cells[RETAINED_HEAD_CELLS].at;
+    return &cells[LIM_RETAINED_HEAD_CELLS].at;
 }
 
-static void turn(struct active *active, const union retained_cell *cells, int16_t y)
+static void turn(struct lim_active *active, const union lim_retained_cell *cells, int16_t y)
 {
-    const int16_t at = edge_turn(&active->pair, points_of(cells), cells[0].link.n, y);
+    const int16_t at = lim_edge_turn(&active->pair, points_of(cells), cells[0].link.n, y);
     const int16_t bottom = (int16_t)cells[1].look.bottom;
 
     active->turn = at < bottom ? at : bottom;
 }
 
 /* Starts one polygon on line y. false: no room. */
-static bool activate(struct paint *paint, const struct retained *retained, uint16_t polygon, uint16_t y)
+static bool activate(struct lim_paint *paint, const struct lim_retained *retained, uint16_t polygon, uint16_t y)
 {
     const uint16_t self = paint->free;
-    const union retained_cell *cells = &retained->cells[polygon];
+    const union lim_retained_cell *cells = &retained->cells[polygon];
     uint16_t *link = &paint->first;
 
     if (self == LIM_NONE) return false;
-    struct active *active = &paint->pool[self];
+    struct lim_active *active = &paint->pool[self];
     paint->free = active->next;
     paint->used++;
     while (*link != LIM_NONE && paint->pool[*link].polygon < polygon)
@@ -40,12 +40,12 @@ static bool activate(struct paint *paint, const struct retained *retained, uint1
     active->next = *link;
     *link = self;
     active->polygon = polygon;
-    edge_begin(&active->pair, points_of(cells), cells[0].link.n, cells[0].link.first, (int16_t)y);
+    lim_edge_begin(&active->pair, points_of(cells), cells[0].link.n, cells[0].link.first, (int16_t)y);
     turn(active, cells, (int16_t)y);
     return true;
 }
 
-static bool activate_line(struct paint *paint, const struct retained *retained, uint16_t polygon, uint16_t y)
+static bool activate_line(struct lim_paint *paint, const struct lim_retained *retained, uint16_t polygon, uint16_t y)
 {
     for (; polygon != LIM_NONE; polygon = retained->cells[polygon].link.next) {
         if (!activate(paint, retained, polygon, y)) return false;
@@ -63,33 +63,33 @@ static void paint_piece(void *ctx, uint16_t x0, uint16_t x1)
 {
     struct sink *sink = ctx;
 
-    fill(sink->line, x0, (uint16_t)(x1 - x0), sink->colour);
+    lim_fill(sink->line, x0, (uint16_t)(x1 - x0), sink->colour);
     if (LIM_HAS_STATS) sink->painted_px = (uint16_t)(sink->painted_px + x1 - x0);
 }
 
 /* Moves a polygon to line y. false: it has ended. */
-static bool advance(struct active *active, const union retained_cell *cells, int16_t y)
+static bool advance(struct lim_active *active, const union lim_retained_cell *cells, int16_t y)
 {
     if (y >= (int16_t)cells[1].look.bottom) return false;
-    if (active->pair.left_end > y) edge_step(&active->pair.left);
-    if (active->pair.right_end > y) edge_step(&active->pair.right);
+    if (active->pair.left_end > y) lim_edge_step(&active->pair.left);
+    if (active->pair.right_end > y) lim_edge_step(&active->pair.right);
     if (y >= active->turn) turn(active, cells, y);
     return true;
 }
 
-static void paint_polygons(struct paint *paint, struct spans *spans, const struct retained *retained, struct line *open,
-                           uint16_t y, struct sink *sink)
+static void paint_polygons(struct lim_paint *paint, struct lim_spans *spans, const struct lim_retained *retained,
+                           struct lim_line *open, uint16_t y, struct sink *sink)
 {
     uint16_t *link = &paint->first;
 
     while (*link != LIM_NONE) {
         const uint16_t self = *link;
-        struct active *active = &paint->pool[self];
-        const union retained_cell *cells = cells_of(retained, active);
+        struct lim_active *active = &paint->pool[self];
+        const union lim_retained_cell *cells = cells_of(retained, active);
         const int16_t left = active->pair.left.x, right = active->pair.right.x;
 
         sink->colour = cells[1].look.colour;
-        if (left < right) (void)span_close(spans, open, left, right, paint_piece, sink);
+        if (left < right) (void)lim_span_close(spans, open, left, right, paint_piece, sink);
         if (advance(active, cells, (int16_t)(y + 1))) {
             link = &active->next;
         } else {
@@ -101,35 +101,35 @@ static void paint_polygons(struct paint *paint, struct spans *spans, const struc
     }
 }
 
-static void paint_background(const struct spans *spans, const struct line *open, const struct paint *paint,
+static void paint_background(const struct lim_spans *spans, const struct lim_line *open, const struct lim_paint *paint,
                              uint16_t *pixels, struct lim_stats *stats)
 {
-    const struct gap *gap = &open->gap;
+    const struct lim_gap *gap = &open->gap;
 
     for (;;) {
-        fill(pixels, gap->x0, (uint16_t)(gap->x1 - gap->x0), paint->background);
+        lim_fill(pixels, gap->x0, (uint16_t)(gap->x1 - gap->x0), paint->background);
         if (LIM_HAS_STATS) stats->pixels_background += (uint16_t)(gap->x1 - gap->x0);
         if (gap->next == LIM_NONE) return;
         gap = &spans->pool[gap->next];
     }
 }
 
-static int paint_line(struct paint *paint, struct spans *spans, const struct retained *retained,
-                      const struct rect *band, uint16_t y, struct lim_stats *stats)
+static int paint_line(struct lim_paint *paint, struct lim_spans *spans, const struct lim_retained *retained,
+                      const struct lim_rect *band, uint16_t y, struct lim_stats *stats)
 {
-    struct line open = {{band->x0, band->x1, LIM_NONE}, LIM_NONE};
+    struct lim_line open = {{band->x0, band->x1, LIM_NONE}, LIM_NONE};
     struct sink sink = {paint->target->lend(paint->target->ctx, y), 0, 0};
 
     if (!sink.line) return LIM_ERR_TARGET;
     if (LIM_HAS_STATS && paint->used > stats->active_max) stats->active_max = paint->used;
-    spans_reset_pool(spans);
+    lim_spans_reset_pool(spans);
     paint_polygons(paint, spans, retained, &open, y, &sink);
     paint_background(spans, &open, paint, sink.line, stats);
     if (LIM_HAS_STATS) stats->pixels_painted += sink.painted_px;
     return paint->target->done(paint->target->ctx, y, band->x0, (uint16_t)(band->x1 - band->x0));
 }
 
-static void start(struct paint *paint)
+static void start(struct lim_paint *paint)
 {
     for (uint16_t i = 0; i < paint->pool_size; i++)
         paint->pool[i].next = (uint16_t)(i + 1);
@@ -139,8 +139,8 @@ static void start(struct paint *paint)
     paint->used = 0;
 }
 
-int paint_band(struct paint *paint, struct spans *spans, const struct retained *retained, const struct rect *band,
-               uint16_t *y, struct lim_stats *stats)
+int lim_paint_band(struct lim_paint *paint, struct lim_spans *spans, const struct lim_retained *retained,
+                   const struct lim_rect *band, uint16_t *y, struct lim_stats *stats)
 {
     start(paint);
     for (*y = band->y0; *y < band->y1; ++*y) {

@@ -16,16 +16,16 @@
 #include "target.h"
 
 /* A retained polygon that crosses the current line. */
-struct active {
-    struct edge_pair pair;
+struct lim_active {
+    struct lim_edge_pair pair;
     uint16_t polygon; /* its first cell; the list is sorted by it, nearest first */
     int16_t turn;     /* the line on which its edges change, or its bottom */
     uint16_t next;    /* in the list, or LIM_NONE */
 };
 
-struct paint {
+struct lim_paint {
     const struct lim_target *target;
-    struct active *pool;
+    struct lim_active *pool;
     uint16_t pool_size;
     uint16_t first, free; /* lists through `next` */
     uint16_t used;
@@ -34,7 +34,7 @@ struct paint {
 
 /* Paints the lines of `band`, from *y on; *y moves with the lines that are finished. The lines'
  * gaps are used up. 1: too many polygons cross line *y for the pool; negative: the target's error. */
-LIM_MUST_CHECK int paint_band(struct paint *paint, struct spans *spans, const struct retained *retained,
-                              const struct rect *band, uint16_t *y, struct lim_stats *stats);
+LIM_MUST_CHECK int lim_paint_band(struct lim_paint *paint, struct lim_spans *spans, const struct lim_retained *retained,
+                                  const struct lim_rect *band, uint16_t *y, struct lim_stats *stats);
 
 #endif

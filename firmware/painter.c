@@ -14,7 +14,7 @@ static int fill_piece(struct lim *lim, uint16_t y, uint16_t x0, uint16_t x1, uin
     uint16_t *line = lim->target.lend(lim->target.ctx, y);
 
     if (!line) return LIM_ERR_TARGET;
-    fill(line, x0, (uint16_t)(x1 - x0), colour);
+    lim_fill(line, x0, (uint16_t)(x1 - x0), colour);
     return 0;
 }
 
@@ -29,47 +29,47 @@ static int fill_clamped(struct lim *lim, int16_t y, int16_t x0, int16_t x1, uint
     return fill_piece(lim, (uint16_t)y, (uint16_t)x0, (uint16_t)x1, colour);
 }
 
-static int paint_plain(struct lim *lim, const struct screen_polygon *polygon)
+static int paint_plain(struct lim *lim, const struct lim_screen_polygon *polygon)
 {
     const int16_t h_px = (int16_t)lim->target.h_px;
     const int16_t bottom = polygon->shape.bottom < h_px ? polygon->shape.bottom : h_px;
     int16_t y = polygon->shape.top > 0 ? polygon->shape.top : 0;
-    struct edge_pair pair;
+    struct lim_edge_pair pair;
 
     if (y >= bottom) return 0;
     if (LIM_HAS_STATS) lim->stats.lines += (uint32_t)(bottom - y);
-    edge_begin(&pair, polygon->at, polygon->n, polygon->shape.first, y);
+    lim_edge_begin(&pair, polygon->at, polygon->n, polygon->shape.first, y);
     for (;;) {
         const int err = fill_clamped(lim, y, pair.left.x, pair.right.x, polygon->colour);
         if (err) return err;
         if (++y == bottom) return 0;
-        if (pair.left_end > y) edge_step(&pair.left);
-        if (pair.right_end > y) edge_step(&pair.right);
-        (void)edge_turn(&pair, polygon->at, polygon->n, y);
+        if (pair.left_end > y) lim_edge_step(&pair.left);
+        if (pair.right_end > y) lim_edge_step(&pair.right);
+        (void)lim_edge_turn(&pair, polygon->at, polygon->n, y);
     }
 }
 
-static int paint_any(struct lim *lim, const struct screen_polygon *polygon)
+static int paint_any(struct lim *lim, const struct lim_screen_polygon *polygon)
 {
-    struct screen_polygon triangle;
+    struct lim_screen_polygon triangle;
 
     if (!polygon->shape.folded) return paint_plain(lim, polygon);
     for (uint8_t k = 1; k + 1 < polygon->n; k++) {
-        project_fan(polygon, k, &triangle);
+        lim_project_fan(polygon, k, &triangle);
         const int err = paint_plain(lim, &triangle);
         if (err) return err;
     }
     return 0;
 }
 
-static int paint_run(struct lim *lim, uint16_t run, const struct rect *screen)
+static int paint_run(struct lim *lim, uint16_t run, const struct lim_rect *screen)
 {
     const LIM_FLASH uint16_t *record = &lim->scene->polygons[run];
-    struct screen_polygon polygon;
+    struct lim_screen_polygon polygon;
 
     for (;;) {
         const uint16_t head = record[0];
-        if (project(&polygon, &lim->view, lim->scene, record, screen, &lim->stats)) {
+        if (lim_project(&polygon, &lim->view, lim->scene, record, screen, &lim->stats)) {
             const int err = paint_any(lim, &polygon);
             if (err) return err;
         }
@@ -96,16 +96,16 @@ static int finish(struct lim *lim)
     return 0;
 }
 
-int painter_frame(struct lim *lim)
+int lim_painter_frame(struct lim *lim)
 {
-    const struct rect screen = {0, 0, lim->target.w_px, lim->target.h_px};
+    const struct lim_rect screen = {0, 0, lim->target.w_px, lim->target.h_px};
     uint16_t run;
     int err = paint_background(lim);
 
     if (err) return err;
-    cull_set(&lim->cull, &lim->view, lim->eye.at_q8, &screen);
-    walk_begin(&lim->walk, lim->scene, &lim->eye, lim->stack, true);
-    while ((run = walk_next(&lim->walk, &lim->cull, &lim->stats)) != LIM_NONE) {
+    lim_cull_set(&lim->cull, &lim->view, lim->eye.at_q8, &screen);
+    lim_walk_begin(&lim->walk, lim->scene, &lim->eye, lim->stack, true);
+    while ((run = lim_walk_next(&lim->walk, &lim->cull, &lim->stats)) != LIM_NONE) {
         err = paint_run(lim, run, &screen);
         if (err) return err;
     }
@@ -114,7 +114,7 @@ int painter_frame(struct lim *lim)
 
 #else
 
-int painter_frame(struct lim *lim)
+int lim_painter_frame(struct lim *lim)
 {
     (void)lim;
     return LIM_ERR_TARGET;

@@ -6,48 +6,48 @@
 
 #include "fill.h"
 
-static void clip_and_project(struct screen_polygon *out, const struct view *view, const struct lim_scene *scene,
+static void clip_and_project(struct lim_screen_polygon *out, const struct lim_view *view, const struct lim_scene *scene,
                              const LIM_FLASH uint16_t *corners)
 {
-    struct clip_polygon clipped;
+    struct lim_clip_polygon clipped;
 
     clipped.n = out->n;
     for (uint8_t k = 0; k < out->n; k++)
-        view_transform(view, &scene->vertices[corners[k]], &clipped.at[k]);
-    clip(&clipped, view->near_qv);
+        lim_view_transform(view, &scene->vertices[corners[k]], &clipped.at[k]);
+    lim_clip(&clipped, view->near_qv);
     out->n = clipped.n;
     for (uint8_t k = 0; k < out->n; k++)
-        out->at[k] = view_project(view, &clipped.at[k]);
+        out->at[k] = lim_view_project(view, &clipped.at[k]);
 }
 
-static bool meets(const struct edge_shape *shape, const struct rect *open)
+static bool meets(const struct lim_edge_shape *shape, const struct lim_rect *open)
 {
     return shape->top < shape->bottom && shape->left < shape->right && shape->top < (int16_t)open->y1 &&
            shape->bottom > (int16_t)open->y0 && shape->left < (int16_t)open->x1 && shape->right > (int16_t)open->x0;
 }
 
-bool project(struct screen_polygon *out, struct view *view, const struct lim_scene *scene,
-             const LIM_FLASH uint16_t *record, const struct rect *open, struct lim_stats *stats)
+bool lim_project(struct lim_screen_polygon *out, struct lim_view *view, const struct lim_scene *scene,
+                 const LIM_FLASH uint16_t *record, const struct lim_rect *open, struct lim_stats *stats)
 {
     const LIM_FLASH uint16_t *corners = record + LIM_POLYGON_HEAD_WORDS;
 
     out->n = (uint8_t)(record[0] & LIM_POLYGON_COUNT);
     LIM_ASSERT(out->n <= LIM_MAX_VERTICES);
-    const uint16_t codes = view_polygon(view, scene, corners, out->n, out->at);
+    const uint16_t codes = lim_view_polygon(view, scene, corners, out->n, out->at);
     if (LIM_HAS_STATS) stats->polygons++;
-    if (codes >> 8 & VIEW_OUTSIDE) return false;
-    if (codes & VIEW_GUARD) {
+    if (codes >> 8 & LIM_VIEW_OUTSIDE) return false;
+    if (codes & LIM_VIEW_GUARD) {
         if (LIM_HAS_STATS) stats->clipped++;
         clip_and_project(out, view, scene, corners);
         if (!out->n) return false;
     }
-    edge_measure(&out->shape, out->at, out->n);
+    lim_edge_measure(&out->shape, out->at, out->n);
     if (LIM_HAS_STATS) stats->folded += out->shape.folded;
-    out->colour = memory_colour(record[1]);
+    out->colour = lim_memory_colour(record[1]);
     return meets(&out->shape, open);
 }
 
-void project_fan(const struct screen_polygon *folded, uint8_t k, struct screen_polygon *triangle)
+void lim_project_fan(const struct lim_screen_polygon *folded, uint8_t k, struct lim_screen_polygon *triangle)
 {
     const uint8_t apex = folded->shape.apex;
 
@@ -56,5 +56,5 @@ void project_fan(const struct screen_polygon *folded, uint8_t k, struct screen_p
     triangle->at[0] = folded->at[apex];
     triangle->at[1] = folded->at[(apex + k) % folded->n];
     triangle->at[2] = folded->at[(apex + k + 1) % folded->n];
-    edge_measure(&triangle->shape, triangle->at, 3);
+    lim_edge_measure(&triangle->shape, triangle->at, 3);
 }

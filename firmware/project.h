@@ -10,18 +10,18 @@
 #include "stats.h"
 #include "view.h"
 
-struct screen_polygon {
-    struct edge_shape shape;
+struct lim_screen_polygon {
+    struct lim_edge_shape shape;
     uint16_t colour; /* as it lies in memory */
     uint8_t n;
     struct lim_point at[CLIP_MAX_VERTICES];
 };
 
 /* `record` is a polygon record (scene.h). false: nothing of it can be inside `open`. */
-bool project(struct screen_polygon *out, struct view *view, const struct lim_scene *scene,
-             const LIM_FLASH uint16_t *record, const struct rect *open, struct lim_stats *stats);
+bool lim_project(struct lim_screen_polygon *out, struct lim_view *view, const struct lim_scene *scene,
+                 const LIM_FLASH uint16_t *record, const struct lim_rect *open, struct lim_stats *stats);
 
 /* The k-th triangle, 1 <= k <= n - 2, of the fan that stands for a folded polygon. */
-void project_fan(const struct screen_polygon *folded, uint8_t k, struct screen_polygon *triangle);
+void lim_project_fan(const struct lim_screen_polygon *folded, uint8_t k, struct lim_screen_polygon *triangle);
 
 #endif

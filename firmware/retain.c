@@ -4,14 +4,14 @@
  * runs from far to near. */
 #include "retain.h"
 
-bool retain(struct retained *retained, struct line *lines, const struct retained_polygon *polygon)
+bool lim_retain(struct lim_retained *retained, struct lim_line *lines, const struct lim_retained_polygon *polygon)
 {
-    const uint16_t needed = (uint16_t)(RETAINED_HEAD_CELLS + polygon->n);
+    const uint16_t needed = (uint16_t)(LIM_RETAINED_HEAD_CELLS + polygon->n);
 
     if (needed > retained->size - retained->used) return false;
     const uint16_t self = retained->used;
-    union retained_cell *cells = &retained->cells[self];
-    struct line *line = &lines[polygon->top];
+    union lim_retained_cell *cells = &retained->cells[self];
+    struct lim_line *line = &lines[polygon->top];
 
     cells[0].link.next = line->retained;
     cells[0].link.n = polygon->n;
@@ -19,7 +19,7 @@ bool retain(struct retained *retained, struct line *lines, const struct retained
     cells[1].look.bottom = polygon->bottom;
     cells[1].look.colour = polygon->colour;
     for (uint8_t k = 0; k < polygon->n; k++)
-        cells[RETAINED_HEAD_CELLS + k].at = polygon->at[k];
+        cells[LIM_RETAINED_HEAD_CELLS + k].at = polygon->at[k];
     line->retained = self;
     retained->used = (uint16_t)(self + needed);
     return true;

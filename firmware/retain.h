@@ -10,7 +10,7 @@
 #include "span.h"
 
 /* A retained polygon is two head cells and one cell a vertex. */
-union retained_cell {
+union lim_retained_cell {
     struct {
         uint16_t next; /* the polygon retained before this one that starts on the same line */
         uint8_t n, first;
@@ -22,14 +22,14 @@ union retained_cell {
     struct lim_point at;
 };
 
-enum { RETAINED_HEAD_CELLS = 2 };
+enum { LIM_RETAINED_HEAD_CELLS = 2 };
 
-struct retained {
-    union retained_cell *cells;
+struct lim_retained {
+    union lim_retained_cell *cells;
     uint16_t size, used;
 };
 
-struct retained_polygon {
+struct lim_retained_polygon {
     const struct lim_point *at;
     uint8_t n, first;
     uint16_t top, bottom; /* lines top <= y < bottom, on the screen */
@@ -37,6 +37,6 @@ struct retained_polygon {
 };
 
 /* Links the polygon into its top line. false: the pool is exhausted. */
-bool retain(struct retained *retained, struct line *lines, const struct retained_polygon *polygon);
+bool lim_retain(struct lim_retained *retained, struct lim_line *lines, const struct lim_retained_polygon *polygon);
 
 #endif

@@ -5,23 +5,23 @@
  * gap must be unlinked at once: a later polygon would find its neighbour through it. */
 #include "span.h"
 
-void spans_reset_pool(struct spans *spans)
+void lim_spans_reset_pool(struct lim_spans *spans)
 {
     spans->free = LIM_NONE;
     spans->fresh = 0;
 }
 
-void spans_open(struct spans *spans, const struct rect *open)
+void lim_spans_open(struct lim_spans *spans, const struct lim_rect *open)
 {
     for (uint16_t y = open->y0; y < open->y1; y++) {
-        spans->lines[y] = (struct line){{open->x0, open->x1, LIM_NONE}, LIM_NONE};
+        spans->lines[y] = (struct lim_line){{open->x0, open->x1, LIM_NONE}, LIM_NONE};
     }
     spans->open = *open;
     spans->open_lines = (uint16_t)(open->y1 - open->y0);
-    spans_reset_pool(spans);
+    lim_spans_reset_pool(spans);
 }
 
-static uint16_t take_gap(struct spans *spans)
+static uint16_t take_gap(struct lim_spans *spans)
 {
     const uint16_t taken = spans->free;
 
@@ -30,7 +30,7 @@ static uint16_t take_gap(struct spans *spans)
     return taken;
 }
 
-static void give_back(struct spans *spans, uint16_t gap)
+static void give_back(struct lim_spans *spans, uint16_t gap)
 {
     spans->pool[gap].next = spans->free;
     spans->free = gap;
@@ -38,7 +38,7 @@ static void give_back(struct spans *spans, uint16_t gap)
 
 /* Unlinks the gap *link, whose predecessor is `before` (NULL: it is the line's first). Returns the
  * gap that follows, now in its place, or NULL. */
-static struct gap *unlink_gap(struct spans *spans, struct gap *gap, struct gap *before)
+static struct lim_gap *unlink_gap(struct lim_spans *spans, struct lim_gap *gap, struct lim_gap *before)
 {
     const uint16_t next = gap->next;
 
@@ -59,35 +59,36 @@ static struct gap *unlink_gap(struct spans *spans, struct gap *gap, struct gap *
 }
 
 /* [x0, x1) lies inside the gap and touches neither end. */
-static bool split_gap(struct spans *spans, struct gap *gap, uint16_t x0, uint16_t x1)
+static bool split_gap(struct lim_spans *spans, struct lim_gap *gap, uint16_t x0, uint16_t x1)
 {
     const uint16_t right = take_gap(spans);
 
     if (right == LIM_NONE) return false;
-    spans->pool[right] = (struct gap){x1, gap->x1, gap->next};
+    spans->pool[right] = (struct lim_gap){x1, gap->x1, gap->next};
     gap->x1 = x0;
     gap->next = right;
     return true;
 }
 
-enum span_result span_close(struct spans *spans, struct line *line, int16_t x0, int16_t x1, span_sink *sink, void *ctx)
+enum lim_span_result lim_span_close(struct lim_spans *spans, struct lim_line *line, int16_t x0, int16_t x1,
+                                    lim_span_sink *sink, void *ctx)
 {
-    enum span_result result = SPAN_NOTHING;
-    struct gap *gap = &line->gap, *before = NULL;
+    enum lim_span_result result = LIM_SPAN_NOTHING;
+    struct lim_gap *gap = &line->gap, *before = NULL;
 
     while (gap) {
         const int16_t open0 = (int16_t)gap->x0, open1 = (int16_t)gap->x1;
         if (open0 >= x1) break;
-        struct gap *next = gap->next == LIM_NONE ? NULL : &spans->pool[gap->next];
+        struct lim_gap *next = gap->next == LIM_NONE ? NULL : &spans->pool[gap->next];
         if (open1 <= x0 || open0 == open1) {
             before = gap;
             gap = next;
             continue;
         }
         const uint16_t from = (uint16_t)(x0 > open0 ? x0 : open0), to = (uint16_t)(x1 < open1 ? x1 : open1);
-        if (x0 > open0 && x1 < open1 && !split_gap(spans, gap, from, to)) return SPAN_EXHAUSTED;
+        if (x0 > open0 && x1 < open1 && !split_gap(spans, gap, from, to)) return LIM_SPAN_EXHAUSTED;
         if (sink) sink(ctx, from, to);
-        result = SPAN_SOME;
+        result = LIM_SPAN_SOME;
         if (x0 <= open0 && x1 >= open1) {
             gap = unlink_gap(spans, gap, before);
             continue;
@@ -103,23 +104,23 @@ enum span_result span_close(struct spans *spans, struct line *line, int16_t x0, 
     return result;
 }
 
-static bool is_closed(const struct line *line)
+static bool is_closed(const struct lim_line *line)
 {
     return line->gap.x0 == line->gap.x1;
 }
 
-static uint16_t last_open(const struct spans *spans, const struct line *line)
+static uint16_t last_open(const struct lim_spans *spans, const struct lim_line *line)
 {
-    const struct gap *gap = &line->gap;
+    const struct lim_gap *gap = &line->gap;
 
     while (gap->next != LIM_NONE)
         gap = &spans->pool[gap->next];
     return gap->x1;
 }
 
-bool spans_shrink(struct spans *spans)
+bool lim_spans_shrink(struct lim_spans *spans)
 {
-    struct rect open = spans->open;
+    struct lim_rect open = spans->open;
     uint16_t x0 = open.x1, x1 = open.x0;
 
     while (open.y0 < open.y1 && is_closed(&spans->lines[open.y0]))
@@ -127,13 +128,13 @@ bool spans_shrink(struct spans *spans)
     while (open.y0 < open.y1 && is_closed(&spans->lines[open.y1 - 1]))
         open.y1--;
     for (uint16_t y = open.y0; y < open.y1; y++) {
-        const struct line *line = &spans->lines[y];
+        const struct lim_line *line = &spans->lines[y];
         if (is_closed(line)) continue;
         const uint16_t end = last_open(spans, line);
         if (line->gap.x0 < x0) x0 = line->gap.x0;
         if (end > x1) x1 = end;
     }
     const bool smaller = x0 > open.x0 || x1 < open.x1 || open.y0 > spans->open.y0 || open.y1 < spans->open.y1;
-    spans->open = (struct rect){x0, open.y0, x1, open.y1};
+    spans->open = (struct lim_rect){x0, open.y0, x1, open.y1};
     return smaller;
 }

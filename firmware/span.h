@@ -9,45 +9,46 @@
 #include "cull.h"
 
 /* Pixels x0 <= x < x1. */
-struct gap {
+struct lim_gap {
     uint16_t x0, x1;
     uint16_t next; /* in the pool, or LIM_NONE */
 };
 
-struct line {
-    struct gap gap;    /* x0 == x1: the line is closed */
-    uint16_t retained; /* PAINT's list of polygons that start on this line, or LIM_NONE */
+struct lim_line {
+    struct lim_gap gap; /* x0 == x1: the line is closed */
+    uint16_t retained;  /* PAINT's list of polygons that start on this line, or LIM_NONE */
 };
 
-struct spans {
-    struct line *lines; /* one for each screen line */
-    struct gap *pool;
+struct lim_spans {
+    struct lim_line *lines; /* one for each screen line */
+    struct lim_gap *pool;
     uint16_t pool_size;
     uint16_t free;  /* list of gaps that were given back */
     uint16_t fresh; /* gaps from here on were never used */
     uint16_t open_lines;
-    struct rect open; /* holds every open pixel */
+    struct lim_rect open; /* holds every open pixel */
 };
 
-enum span_result {
-    SPAN_NOTHING = 0,  /* all of it was closed before */
-    SPAN_SOME = 1,     /* some of it was open, and is closed now */
-    SPAN_EXHAUSTED = 2 /* no gap was left in the pool; the lines are as they were found or further */
+enum lim_span_result {
+    LIM_SPAN_NOTHING = 0,  /* all of it was closed before */
+    LIM_SPAN_SOME = 1,     /* some of it was open, and is closed now */
+    LIM_SPAN_EXHAUSTED = 2 /* no gap was left in the pool; the lines are as they were found or further */
 };
 
 /* Receives a piece [x0, x1) of a line that was open, left to right. */
-typedef void span_sink(void *ctx, uint16_t x0, uint16_t x1);
+typedef void lim_span_sink(void *ctx, uint16_t x0, uint16_t x1);
 
 /* Opens the pixels of `open`, and no others. */
-void spans_open(struct spans *spans, const struct rect *open);
+void lim_spans_open(struct lim_spans *spans, const struct lim_rect *open);
 
 /* Gives all gaps back; only single lines are used from now on. */
-void spans_reset_pool(struct spans *spans);
+void lim_spans_reset_pool(struct lim_spans *spans);
 
 /* Closes [x0, x1) of a line; x0 < x1, any values. Pieces that were open go to `sink`, if any. */
-enum span_result span_close(struct spans *spans, struct line *line, int16_t x0, int16_t x1, span_sink *sink, void *ctx);
+enum lim_span_result lim_span_close(struct lim_spans *spans, struct lim_line *line, int16_t x0, int16_t x1,
+                                    lim_span_sink *sink, void *ctx);
 
 /* Draws `open` together around what is open. true: it became smaller than it was. */
-bool spans_shrink(struct spans *spans);
+bool lim_spans_shrink(struct lim_spans *spans);
 
 #endif

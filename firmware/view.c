@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * Range: a vertex is at most 131,000 * 2^reach units from the eye (view_begin chooses reach so), and
+ * Range: a vertex is at most 131,000 * 2^reach units from the eye (lim_view_begin chooses reach so), and
  * a row of the matrix has length <= 1, so |x_qv| < 131,000 * 2^14 plus 98,304 for the rounding of
  * three entries plus 1 for the shift: below 2^31. The sum wraps on the way; its value does not.
  * A larger reach costs no accuracy: the matrix loses the bits that the distance gives back. */
@@ -13,7 +13,7 @@
 #define REACH_UNITS UINT64_C(131000)
 
 /* Fraction bits of x / z: 16, or 14 where the screen is too wide for 16 + 15 bits. */
-static inline uint8_t ratio_bits(const struct view *view)
+static inline uint8_t ratio_bits(const struct lim_view *view)
 {
     return LIM_WIDE && (view->w_px > LIM_NARROW_SIDE_PX || view->h_px > LIM_NARROW_SIDE_PX) ? 14 : 16;
 }
@@ -25,7 +25,7 @@ static int32_t centre_qr(int32_t half_sub, uint8_t bits)
     return (half_sub - LIM_SUB / 2) * ((int32_t)1 << bits) + ((int32_t)1 << (bits - 1));
 }
 
-void view_init(struct view *view, uint16_t w_px, uint16_t h_px, struct view_cached *cache)
+void lim_view_init(struct lim_view *view, uint16_t w_px, uint16_t h_px, struct lim_view_cached *cache)
 {
     view->w_px = w_px;
     view->h_px = h_px;
@@ -39,9 +39,9 @@ void view_init(struct view *view, uint16_t w_px, uint16_t h_px, struct view_cach
 /* Rows right, up and ahead of the camera in the scene's axes. */
 static void orientation_q30(const struct lim_camera *camera, int32_t right[3], int32_t up[3], int32_t ahead[3])
 {
-    const int32_t sin_yaw = sin_q30(camera->yaw), cos_yaw = cos_q30(camera->yaw);
-    const int32_t sin_pitch = sin_q30(camera->pitch), cos_pitch = cos_q30(camera->pitch);
-    const int32_t sin_roll = sin_q30(camera->roll), cos_roll = cos_q30(camera->roll);
+    const int32_t sin_yaw = lim_sin_q30(camera->yaw), cos_yaw = lim_cos_q30(camera->yaw);
+    const int32_t sin_pitch = lim_sin_q30(camera->pitch), cos_pitch = lim_cos_q30(camera->pitch);
+    const int32_t sin_roll = lim_sin_q30(camera->roll), cos_roll = lim_cos_q30(camera->roll);
     const int32_t level_right[3] = {cos_yaw, 0, -sin_yaw};
     const int32_t level_up[3] = {mul_q30(sin_yaw, sin_pitch), cos_pitch, mul_q30(cos_yaw, sin_pitch)};
 
@@ -82,7 +82,7 @@ static void anchor_of(const int32_t eye_q8[3], int32_t anchor_q8[3])
 /* One row: unit vector times lens scale, and where it puts the origin. The 16-bit entries m are a
  * little off from the true row M. M (v - eye) is taken as m (v - anchor) + M (anchor - eye): the error
  * is (m - M) (v - anchor), which vanishes towards the vertices nearest to the eye. */
-static void set_row(struct view *view, uint8_t row, const int32_t axis_q30[3], int32_t scale_q30,
+static void set_row(struct lim_view *view, uint8_t row, const int32_t axis_q30[3], int32_t scale_q30,
                     const int32_t eye_q8[3], const int32_t anchor_q8[3])
 {
     const uint8_t dropped = (uint8_t)(30 - LIM_MATRIX_BITS + view->reach);
@@ -100,7 +100,7 @@ static void set_row(struct view *view, uint8_t row, const int32_t axis_q30[3], i
 static bool in_range(const struct lim_camera *camera)
 {
     for (uint8_t i = 0; i < 3; i++) {
-        if (camera->eye_q8[i] <= -EYE_MAX_Q8 || camera->eye_q8[i] >= EYE_MAX_Q8) return false;
+        if (camera->eye_q8[i] <= -LIM_EYE_MAX_Q8 || camera->eye_q8[i] >= LIM_EYE_MAX_Q8) return false;
     }
     return camera->tan_x_q28 >= LIM_TAN_MIN_Q28 && camera->tan_x_q28 <= LIM_TAN_MAX_Q28 &&
            camera->tan_y_q28 >= LIM_TAN_MIN_Q28 && camera->tan_y_q28 <= LIM_TAN_MAX_Q28 && camera->near_q8 >= 1 &&
@@ -122,7 +122,7 @@ static int32_t near_qv(const struct lim_camera *camera, int32_t ahead_scale_q30,
     return near < INT32_C(1) << 15 ? INT32_C(1) << 15 : near > INT32_C(1) << 30 ? INT32_C(1) << 30 : (int32_t)near;
 }
 
-bool view_begin(struct view *view, const struct lim_camera *camera)
+bool lim_view_begin(struct lim_view *view, const struct lim_camera *camera)
 {
     int32_t right[3], up[3], ahead[3], anchor_q8[3];
     uint32_t zoom_q28 = UINT32_C(1) << 28; /* min(tan_x, tan_y, 1): the longest row has length 1 */
@@ -139,13 +139,13 @@ bool view_begin(struct view *view, const struct lim_camera *camera)
     set_row(view, 1, up, lens_scale_q30(zoom_q28, camera->tan_y_q28), camera->eye_q8, anchor_q8);
     set_row(view, 2, ahead, (int32_t)(zoom_q28 << 2), camera->eye_q8, anchor_q8);
     view->near_qv = near_qv(camera, (int32_t)(zoom_q28 << 2), view->reach);
-    for (uint8_t i = 0; i < VIEW_CACHE_ENTRIES; i++)
+    for (uint8_t i = 0; i < LIM_VIEW_CACHE_ENTRIES; i++)
         view->cache[i].vertex = LIM_NONE;
     view->vertices = 0;
     return true;
 }
 
-static inline int32_t row_qv(const struct view *view, uint8_t row, const LIM_FLASH struct lim_vertex *vertex)
+static inline int32_t row_qv(const struct lim_view *view, uint8_t row, const LIM_FLASH struct lim_vertex *vertex)
 {
     const int16_t *m = view->matrix_qv[row];
 
@@ -153,7 +153,8 @@ static inline int32_t row_qv(const struct view *view, uint8_t row, const LIM_FLA
                      (uint32_t)((int32_t)m[2] * vertex->z) + (uint32_t)view->shift_qv[row]);
 }
 
-void view_transform(const struct view *view, const LIM_FLASH struct lim_vertex *vertex, struct view_point *out)
+void lim_view_transform(const struct lim_view *view, const LIM_FLASH struct lim_vertex *vertex,
+                        struct lim_view_point *out)
 {
     out->x_qv = row_qv(view, 0, vertex);
     out->y_qv = row_qv(view, 1, vertex);
@@ -167,7 +168,7 @@ static inline int32_t ratio_qr(int32_t x_qv, uint8_t shift, uint32_t recip_q15, 
     return shift_round_s32(shift_round_s32(x_qv, shift) * (int32_t)recip_q15, (uint8_t)(29 - bits));
 }
 
-struct lim_point view_project(const struct view *view, const struct view_point *point)
+struct lim_point lim_view_project(const struct lim_view *view, const struct lim_view_point *point)
 {
     const uint8_t bits = ratio_bits(view);
     uint8_t zeros;
@@ -182,38 +183,39 @@ struct lim_point view_project(const struct view *view, const struct view_point *
 
 /* A point behind the eye can be outside on both sides; one bit of the two is enough, because the
  * codes are only used to find a side that every vertex is outside of. */
-static uint8_t codes_of(const struct view *view, const struct view_point *point)
+static uint8_t codes_of(const struct lim_view *view, const struct lim_view_point *point)
 {
     const int32_t z_qv = point->z_qv;
     const int32_t x_qv = (int32_t)abs_s32(point->x_qv), y_qv = (int32_t)abs_s32(point->y_qv);
     uint8_t codes = 0;
 
-    if (z_qv < view->near_qv) codes = VIEW_NEAR | VIEW_GUARD;
-    if (x_qv > z_qv) codes = (uint8_t)(codes | (point->x_qv < 0 ? VIEW_LEFT : VIEW_RIGHT));
-    if (y_qv > z_qv) codes = (uint8_t)(codes | (point->y_qv < 0 ? VIEW_TOP : VIEW_BOTTOM));
-    if (x_qv >> 1 > z_qv || y_qv >> 1 > z_qv) codes |= VIEW_GUARD;
+    if (z_qv < view->near_qv) codes = LIM_VIEW_NEAR | LIM_VIEW_GUARD;
+    if (x_qv > z_qv) codes = (uint8_t)(codes | (point->x_qv < 0 ? LIM_VIEW_LEFT : LIM_VIEW_RIGHT));
+    if (y_qv > z_qv) codes = (uint8_t)(codes | (point->y_qv < 0 ? LIM_VIEW_TOP : LIM_VIEW_BOTTOM));
+    if (x_qv >> 1 > z_qv || y_qv >> 1 > z_qv) codes |= LIM_VIEW_GUARD;
     return codes;
 }
 
-static void fill_cache(struct view *view, const struct lim_scene *scene, uint16_t vertex, struct view_cached *entry)
+static void fill_cache(struct lim_view *view, const struct lim_scene *scene, uint16_t vertex,
+                       struct lim_view_cached *entry)
 {
-    struct view_point point;
+    struct lim_view_point point;
 
-    view_transform(view, &scene->vertices[vertex], &point);
+    lim_view_transform(view, &scene->vertices[vertex], &point);
     entry->vertex = vertex;
     entry->codes = codes_of(view, &point);
-    if (!(entry->codes & VIEW_GUARD)) entry->at = view_project(view, &point);
+    if (!(entry->codes & LIM_VIEW_GUARD)) entry->at = lim_view_project(view, &point);
     if (LIM_HAS_STATS) view->vertices++;
 }
 
-uint16_t view_polygon(struct view *view, const struct lim_scene *scene, const LIM_FLASH uint16_t *corners, uint8_t n,
-                      struct lim_point *out)
+uint16_t lim_view_polygon(struct lim_view *view, const struct lim_scene *scene, const LIM_FLASH uint16_t *corners,
+                          uint8_t n, struct lim_point *out)
 {
     uint8_t any = 0, all = 0xFF;
 
     for (uint8_t k = 0; k < n; k++) {
         const uint16_t vertex = corners[k];
-        struct view_cached *entry = &view->cache[vertex % VIEW_CACHE_ENTRIES];
+        struct lim_view_cached *entry = &view->cache[vertex % LIM_VIEW_CACHE_ENTRIES];
 
         if (entry->vertex != vertex) fill_cache(view, scene, vertex, entry);
         any |= entry->codes;

@@ -13,31 +13,31 @@
 #include "profile.h"
 #include "scene.h"
 
-enum { VIEW_CACHE_ENTRIES = 64 }; /* a power of two */
+enum { LIM_VIEW_CACHE_ENTRIES = 64 }; /* a power of two */
 
-struct view_point {
+struct lim_view_point {
     int32_t x_qv, y_qv, z_qv; /* |value| < 2^31 */
 };
 
 /* Where a vertex lies outside: bits 0..4 against what is visible, GUARD against the guard band
  * |x|, |y| <= 2z or the near plane: such a polygon must be clipped. */
-enum view_code {
-    VIEW_NEAR = 1,
-    VIEW_LEFT = 2,
-    VIEW_RIGHT = 4,
-    VIEW_TOP = 8,
-    VIEW_BOTTOM = 16,
-    VIEW_OUTSIDE = 31,
-    VIEW_GUARD = 32
+enum lim_view_code {
+    LIM_VIEW_NEAR = 1,
+    LIM_VIEW_LEFT = 2,
+    LIM_VIEW_RIGHT = 4,
+    LIM_VIEW_TOP = 8,
+    LIM_VIEW_BOTTOM = 16,
+    LIM_VIEW_OUTSIDE = 31,
+    LIM_VIEW_GUARD = 32
 };
 
-struct view_cached {
+struct lim_view_cached {
     uint16_t vertex; /* LIM_NONE: empty */
     uint8_t codes;
-    struct lim_point at; /* meaningless when codes has VIEW_GUARD */
+    struct lim_point at; /* meaningless when codes has LIM_VIEW_GUARD */
 };
 
-struct view {
+struct lim_view {
     int16_t matrix_qv[3][3];          /* |entry| <= 2^LIM_MATRIX_BITS >> reach */
     int32_t shift_qv[3];              /* view position of the origin of the scene */
     int32_t near_qv;                  /* >= 2^15 */
@@ -45,24 +45,25 @@ struct view {
     int32_t half_w_sub, half_h_sub;   /* half the screen, sub-pixels */
     int32_t centre_x_qr, centre_y_qr; /* its centre and the rounding of the result, ratio format */
     uint16_t w_px, h_px;
-    struct view_cached *cache;
-    uint32_t vertices; /* transformed since view_begin() */
+    struct lim_view_cached *cache;
+    uint32_t vertices; /* transformed since lim_view_begin() */
 };
 
-/* Once per target: screen geometry. `cache` has VIEW_CACHE_ENTRIES entries. */
-void view_init(struct view *view, uint16_t w_px, uint16_t h_px, struct view_cached *cache);
+/* Once per target: screen geometry. `cache` has LIM_VIEW_CACHE_ENTRIES entries. */
+void lim_view_init(struct lim_view *view, uint16_t w_px, uint16_t h_px, struct lim_view_cached *cache);
 
 /* Once per frame. false: the camera is out of range (limner.h). */
-bool view_begin(struct view *view, const struct lim_camera *camera);
+bool lim_view_begin(struct lim_view *view, const struct lim_camera *camera);
 
-void view_transform(const struct view *view, const LIM_FLASH struct lim_vertex *vertex, struct view_point *out);
+void lim_view_transform(const struct lim_view *view, const LIM_FLASH struct lim_vertex *vertex,
+                        struct lim_view_point *out);
 
 /* Needs near <= z and |x|, |y| <= 2z + 1. */
-struct lim_point view_project(const struct view *view, const struct view_point *point);
+struct lim_point lim_view_project(const struct lim_view *view, const struct lim_view_point *point);
 
 /* Projects a polygon's n vertices (indices in `corners`) through the cache; out gets n points.
  * Returns all codes that any vertex has, OR'ed, in bits 0..7 and those that all have in 8..15. */
-uint16_t view_polygon(struct view *view, const struct lim_scene *scene, const LIM_FLASH uint16_t *corners, uint8_t n,
-                      struct lim_point *out);
+uint16_t lim_view_polygon(struct lim_view *view, const struct lim_scene *scene, const LIM_FLASH uint16_t *corners,
+                          uint8_t n, struct lim_point *out);
 
 #endif

@@ -12,26 +12,26 @@
 #include "stats.h"
 
 /* A node whose near subtree is under way: its own polygons and its far subtree come later. */
-struct walk_pending {
+struct lim_walk_pending {
     uint16_t node;
     int8_t side; /* of the eye */
 };
 
-struct walk {
+struct lim_walk {
     const struct lim_scene *scene;
-    const struct eye *eye;
-    struct walk_pending *stack;
+    const struct lim_eye *eye;
+    struct lim_walk_pending *stack;
     uint16_t depth;
     uint16_t next; /* the subtree to enter, or LIM_NONE: the stack's top is due */
     bool back_to_front;
 };
 
 /* `stack` has scene->limits.depth entries. */
-void walk_begin(struct walk *walk, const struct lim_scene *scene, const struct eye *eye, struct walk_pending *stack,
-                bool back_to_front);
+void lim_walk_begin(struct lim_walk *walk, const struct lim_scene *scene, const struct lim_eye *eye,
+                    struct lim_walk_pending *stack, bool back_to_front);
 
 /* The next run's word offset into scene->polygons, or LIM_NONE when the walk is over. `cull` may
  * have changed since the last call: the open view only ever shrinks. */
-uint16_t walk_next(struct walk *walk, const struct cull *cull, struct lim_stats *stats);
+uint16_t lim_walk_next(struct lim_walk *walk, const struct lim_cull *cull, struct lim_stats *stats);
 
 #endif

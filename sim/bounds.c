@@ -69,7 +69,8 @@ void encode_boxes(struct encoding *encoding)
 {
     struct bounds *all = grow_zeroed(encoding->node_count, sizeof *all);
     encoding->boxes = grow_zeroed(encoding->node_count, sizeof *encoding->boxes);
-    for (size_t i = encoding->node_count; i-- > 0;) all[i] = bounds_of(encoding, all, i);
+    for (size_t i = encoding->node_count; i-- > 0;)
+        all[i] = bounds_of(encoding, all, i);
     for (size_t i = 0; i < encoding->node_count; i++) {
         if (all[i].polygons < SUBTREE_BOX_POLYGONS) continue;
         encoding->nodes[i].box = (uint16_t)encoding->box_count;

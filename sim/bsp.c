@@ -9,7 +9,6 @@
 
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
 /* A list of pieces that shall become a subtree. Lists lie on a stack, the next task's on top. */
 struct task {
@@ -240,7 +239,8 @@ static void divide(struct bsp *bsp, const struct splitter *splitter, struct stac
     uint32_t group = splitter_choose(splitter, bsp, list, count);
     struct bsp_node *node = node_add(bsp, &task, group);
     front->count = back->count = 0;
-    for (size_t i = 0; i < count; i++) file_piece(bsp, node, list[i], front, back);
+    for (size_t i = 0; i < count; i++)
+        file_piece(bsp, node, list[i], front, back);
     stack->count = task.first;
     struct task child = {.parent = (uint32_t)(bsp->node_count - 1), .depth = task.depth + 1};
     stack_push(stack, child, back);
@@ -255,9 +255,11 @@ bool bsp_build(struct bsp *bsp, const struct mesh *mesh, const struct coplanar *
     bsp->edges.points = points;
     struct stack stack = {0};
     struct list front = {0}, back = {0};
-    for (size_t i = 0; i < mesh->polygon_count; i++) list_add(&front, piece_of_polygon(bsp, (uint32_t)i));
+    for (size_t i = 0; i < mesh->polygon_count; i++)
+        list_add(&front, piece_of_polygon(bsp, (uint32_t)i));
     stack_push(&stack, (struct task){.parent = BSP_NONE, .depth = 1}, &front);
-    while (stack.task_count && bsp->piece_count <= BSP_PIECES_MAX) divide(bsp, splitter, &stack, &front, &back);
+    while (stack.task_count && bsp->piece_count <= BSP_PIECES_MAX)
+        divide(bsp, splitter, &stack, &front, &back);
     bool complete = stack.task_count == 0;
     edges_sort(&bsp->edges);
     free(front.items);

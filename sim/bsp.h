@@ -26,11 +26,11 @@ struct bsp_piece {
 };
 
 struct bsp_node {
-    uint32_t group;         /* of coplanar polygons, whose plane is the node's */
-    uint32_t front, back;   /* child nodes or BSP_NONE */
-    uint32_t parent;        /* BSP_NONE at the root */
-    bool in_front;          /* is it its parent's front child? */
-    size_t first, count;    /* its pieces: placed[first .. first + count) */
+    uint32_t group;       /* of coplanar polygons, whose plane is the node's */
+    uint32_t front, back; /* child nodes or BSP_NONE */
+    uint32_t parent;      /* BSP_NONE at the root */
+    bool in_front;        /* is it its parent's front child? */
+    size_t first, count;  /* its pieces: placed[first .. first + count) */
 };
 
 struct bsp {

@@ -6,14 +6,13 @@
 
 #include <ctype.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
 enum { NAME_MAX_B = 64, PATH_MAX_B = 1024, NUMBERS_A_LINE = 16 };
 
 /* What prefixes the symbols and the macros of a scene. */
 struct prefix {
-    const char *file;         /* last part of the path */
+    const char *file;        /* last part of the path */
     char symbol[NAME_MAX_B]; /* "hall" */
     char macro[NAME_MAX_B];  /* "HALL" */
 };
@@ -50,7 +49,11 @@ static void write_header(FILE *file, const struct compiled *scene, const struct 
     fprintf(file, "/* unit = (metre - origin) * units per metre */\n");
     fprintf(file, "#define %s_UNITS_PER_M %.17g\n", macro, scene->grid.units_per_m);
     for (int i = 0; i < 3; i++)
-        fprintf(file, "#define %s_ORIGIN_%c_M %.17g\n", macro, "XYZ"[i], scene->grid.origin_m[i]);
+        fprintf(file, "#define %s_ORIGIN_%c_M %.17g\n", macro, "XYZ"[i], scene -> grid.origin_m[i]);
+    const struct lim_limits *limits = &scene->scene.limits;
+    fprintf(file, "\n/* Bytes for lim_init() on a target of h_px lines; limner.h has the rest of the expression. */\n");
+    fprintf(file, "#define %s_SCENE_MEM_B(h_px) LIM_MEM_B(h_px, %u, %u, %u, %u)\n", macro, (unsigned)limits->depth,
+            (unsigned)limits->retained_cells, (unsigned)limits->gaps, (unsigned)limits->active);
     fprintf(file, "\nstruct lim_scene;\nextern const struct lim_scene %s_scene;\n\n#endif\n", prefix->symbol);
 }
 

@@ -10,12 +10,13 @@
 #include <stdlib.h>
 #include <unistd.h>
 
-enum option_code { OPTION_TOLERANCE = 256, OPTION_SPLITTER, OPTION_KEEP_FACES, OPTION_REPORT };
+enum option_code { OPTION_TOLERANCE = 256, OPTION_SPLITTER, OPTION_KEEP_FACES, OPTION_UNLIT, OPTION_REPORT };
 
 static const struct option OPTIONS[] = {
     {"tolerance", required_argument, NULL, OPTION_TOLERANCE},
     {"splitter", required_argument, NULL, OPTION_SPLITTER},
     {"keep-faces", no_argument, NULL, OPTION_KEEP_FACES},
+    {"unlit", no_argument, NULL, OPTION_UNLIT},
     {"report", no_argument, NULL, OPTION_REPORT},
     {NULL, 0, NULL, 0},
 };
@@ -48,6 +49,9 @@ static bool parse_option(int code, char **argv, struct request *out, struct erro
     case OPTION_KEEP_FACES:
         out->compile.keep_faces = true;
         return true;
+    case OPTION_UNLIT:
+        out->compile.unlit = true;
+        return true;
     case OPTION_REPORT:
         out->report_only = true;
         return true;
@@ -61,6 +65,7 @@ static bool parse_option(int code, char **argv, struct request *out, struct erro
 static bool parse(int argc, char **argv, struct request *out, struct error *err)
 {
     *out = (struct request){.compile = {.tolerance_units = 0.5, .splitter = "auto"}};
+    out->compile.predict = true;
     out->compile.progress = isatty(STDERR_FILENO);
     opterr = 0;
     optind = 1;

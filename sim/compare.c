@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT
  *
  * A pixel is judged against the 3x3 pixels of the reference around it (fewer at the border): that
- * is all that rounding an edge to the grid can change. */
+ * is all that rounding an edge to the grid can change. Where something is thinner than a pixel
+ * those may miss what lies beside it, so a hole has to stand a closer look as well. */
 #include "compare.h"
 
 #include <math.h>
@@ -32,9 +33,8 @@ static struct neighbourhood look_around(const struct reference *reference, const
     return around;
 }
 
-/* Of a pixel that is beyond. */
-static bool is_hole(const struct reference *reference, const struct neighbourhood *around, size_t pixel,
-                    uint32_t rendered, double unit_m)
+static bool is_farther(const struct reference *reference, const struct neighbourhood *around, size_t pixel,
+                       uint32_t rendered, double unit_m)
 {
     if (rendered == 0) return true;
     double tolerance_m = 8.0 * unit_m + 0.001 * around->depth_max_m;
@@ -52,7 +52,8 @@ struct compare_counts compare_picture(const uint32_t *rendered, const struct ref
         struct neighbourhood around = look_around(reference, groups, pixel, face);
         if (around.has_face) continue;
         counts.beyond++;
-        if (is_hole(reference, &around, pixel, rendered[pixel], unit_m)) counts.holes++;
+        counts.holes += is_farther(reference, &around, pixel, rendered[pixel], unit_m) &&
+                        !reference_sees_nearby(reference, groups, face, pixel);
     }
     return counts;
 }

@@ -12,7 +12,8 @@ struct compare_counts {
     size_t beyond; /* wrong, and none of the reference's 3x3 pixels around has the face either: no
                       edge shifted by a pixel explains it */
     size_t holes;  /* beyond, and farther than all of those 3x3 pixels, or background where none of
-                      them is: one sees through a surface */
+                      them is, and the reference does not see the face anywhere within a pixel,
+                      between the pixels either: one sees through a surface */
 };
 
 struct comparison {

@@ -3,6 +3,9 @@
  * Mesh to compiled scene: exact points, coplanar groups, a tree for each heuristic wanted, the
  * best of them kept. */
 #include "encode.h"
+#include "light.h"
+#include "pools.h"
+#include "predict.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -46,8 +49,10 @@ static void report_set(struct compile_report *report, const struct bsp *bsp, con
                                       .collapsed = encoding->collapsed,
                                       .depth = encoding->depth,
                                       .worst_violation_units = bsp_worst_violation(bsp),
+                                      .wrong_percent = NAN,
                                       .flash_b = flash_b(scene)};
-    for (size_t i = 0; i < scene->node_count; i++) report->kinds[scene->nodes[i].kind]++;
+    for (size_t i = 0; i < scene->node_count; i++)
+        report->kinds[scene->nodes[i].kind]++;
     snprintf(report->splitter, sizeof report->splitter, "%s", splitter->name);
 }
 
@@ -114,21 +119,63 @@ static bool check_grid(const struct compilation *work, struct error *err)
     return work->mesh->polygon_count > 0 || error_set(err, "no polygons");
 }
 
+/* Corners that a polygon has on the grid: neighbours that round to the same point are one. */
+static size_t corners_on_grid(const struct compilation *work, const struct mesh_polygon *polygon)
+{
+    const uint32_t *corners = &work->mesh->corners[polygon->first];
+    size_t count = 0;
+    for (uint32_t i = 0; i < polygon->count; i++) {
+        const double *here = work->points.approx[corners[i]];
+        const double *next = work->points.approx[corners[i + 1 < polygon->count ? i + 1 : 0]];
+        count += floor(here[0] + 0.5) != floor(next[0] + 0.5) || floor(here[1] + 0.5) != floor(next[1] + 0.5) ||
+                 floor(here[2] + 0.5) != floor(next[2] + 0.5);
+    }
+    return count;
+}
+
+/* Splits only add to the words of polygons: what is too much before is not worth a tree. */
+static bool check_size(const struct compilation *work, struct error *err)
+{
+    size_t words = 0;
+    for (size_t i = 0; i < work->mesh->polygon_count; i++) {
+        const struct mesh_polygon *polygon = &work->mesh->polygons[i];
+        const size_t corners = corners_on_grid(work, polygon);
+        if (corners >= 3) words += (LIM_POLYGON_HEAD_WORDS + corners) * (polygon->two_sided ? 2 : 1);
+    }
+    return encode_check_count(words, "words of polygons", err);
+}
+
 bool compile_mesh(const struct mesh *mesh, const struct compile_options *options, struct compiled *out,
                   struct error *err)
 {
     struct compilation work = {.mesh = mesh, .options = options};
     *out = (struct compiled){0};
-    for (size_t i = 0; i < mesh->point_count; i++) exact_add_m(&work.points, mesh->points[i], &mesh->grid);
-    bool ok = check_grid(&work, err);
+    for (size_t i = 0; i < mesh->point_count; i++)
+        exact_add_m(&work.points, mesh->points[i], &mesh->grid);
+    bool ok = check_grid(&work, err) && check_size(&work, err);
     if (ok) {
         progress(&work, "planes");
         coplanar_find(mesh, work.points.approx, options->tolerance_units, &work.coplanar);
-        ok = compile_best(&work, out, err);
+        ok = compile_best(&work, out, err) && pools_measure(out, err);
         if (options->progress) fputs("\r\033[K", stderr);
+        if (!ok) compiled_free(out);
     }
     coplanar_free(&work.coplanar);
     exact_free(&work.points);
+    return ok;
+}
+
+/* The reference has to see the polygons before any are merged. */
+static bool compile_cleaned(struct mesh *mesh, const struct compile_options *options, struct compiled *out,
+                            struct error *err)
+{
+    struct reference reference = {0};
+    if (options->predict && !reference_init(&reference, mesh, PREDICT_SIDE_PX, PREDICT_SIDE_PX, err)) return false;
+    bool ok = (options->keep_faces || mesh_merge(mesh, err)) && mesh_insert_t_vertices(mesh, err) &&
+              compile_mesh(mesh, options, out, err);
+    if (ok && options->predict)
+        ok = predict_wrong_percent(out, &reference, mesh->merged_into, &out->report.wrong_percent, err);
+    reference_free(&reference);
     return ok;
 }
 
@@ -137,8 +184,7 @@ static bool compile_loaded(const struct model *model, const struct compile_optio
 {
     struct mesh mesh;
     if (!mesh_clean(model, &mesh, err)) return false;
-    bool ok = (options->keep_faces || mesh_merge(&mesh, err)) && mesh_insert_t_vertices(&mesh, err) &&
-              compile_mesh(&mesh, options, out, err);
+    bool ok = compile_cleaned(&mesh, options, out, err);
     mesh_free(&mesh);
     return ok;
 }
@@ -148,6 +194,7 @@ bool compile_model(const char *path, const struct compile_options *options, stru
     struct model model;
     *out = (struct compiled){0};
     if (!model_import(path, &model, err)) return false;
+    if (!options->unlit) light_bake(&model);
     bool ok = compile_loaded(&model, options, out, err) || error_prefix(err, path);
     model_free(&model);
     return ok;

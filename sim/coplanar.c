@@ -63,7 +63,8 @@ static void face_plane_set(const struct grouping *work, uint32_t index, struct f
     newell(work, polygon, face->normal);
     face->polygon = index;
     face->area = sqrt(dot(face->normal, face->normal));
-    for (int k = 0; k < 3; k++) face->normal[k] = face->area > 0.0 ? face->normal[k] / face->area : k == 1;
+    for (int k = 0; k < 3; k++)
+        face->normal[k] = face->area > 0.0 ? face->normal[k] / face->area : k == 1;
     for (uint32_t i = 0; i < polygon->count; i++) {
         double along = dot(face->normal, corner_at(work, polygon, i));
         low = fmin(low, along);
@@ -131,7 +132,8 @@ static uint32_t group_start(struct grouping *work, const struct face_plane *face
 static void group_polygons(struct grouping *work, uint32_t *group_of)
 {
     size_t count = work->mesh->polygon_count;
-    for (size_t i = 0; i < count; i++) face_plane_set(work, (uint32_t)i, &work->faces[i]);
+    for (size_t i = 0; i < count; i++)
+        face_plane_set(work, (uint32_t)i, &work->faces[i]);
     qsort(work->faces, count, sizeof *work->faces, larger_first);
     for (size_t i = 0; i < count; i++) {
         uint32_t group = group_search(work, &work->faces[i]);
@@ -143,8 +145,10 @@ static void group_polygons(struct grouping *work, uint32_t *group_of)
 static void gather_corners(const struct grouping *work, const uint32_t *group_of, size_t *starts, double (*corners)[3])
 {
     const struct mesh *mesh = work->mesh;
-    for (size_t i = 0; i < mesh->polygon_count; i++) starts[group_of[i] + 1] += mesh->polygons[i].count;
-    for (size_t g = 0; g < work->head_count; g++) starts[g + 1] += starts[g];
+    for (size_t i = 0; i < mesh->polygon_count; i++)
+        starts[group_of[i] + 1] += mesh->polygons[i].count;
+    for (size_t g = 0; g < work->head_count; g++)
+        starts[g + 1] += starts[g];
     size_t *fill = grow_zeroed(work->head_count, sizeof *fill);
     for (size_t i = 0; i < mesh->polygon_count; i++)
         for (uint32_t k = 0; k < mesh->polygons[i].count; k++) {

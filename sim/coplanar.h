@@ -11,8 +11,8 @@
 struct coplanar {
     struct plane *planes; /* of the groups */
     size_t count;
-    uint32_t *group;      /* of each polygon of the mesh */
-    bool *faces_back;     /* of each polygon: does it face the back of its plane? */
+    uint32_t *group;  /* of each polygon of the mesh */
+    bool *faces_back; /* of each polygon: does it face the back of its plane? */
 };
 
 /* Groups the polygons whose corners lie within the tolerance of one plane, the largest polygon's.

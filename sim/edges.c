@@ -67,7 +67,8 @@ static int cut_order(const void *left, const void *right)
 
 void edges_sort(struct edges *edges)
 {
-    for (size_t i = 0; i < edges->cut_count; i++) edges->cuts[i].edges = edges;
+    for (size_t i = 0; i < edges->cut_count; i++)
+        edges->cuts[i].edges = edges;
     if (edges->cut_count) qsort(edges->cuts, edges->cut_count, sizeof *edges->cuts, cut_order);
 }
 

@@ -8,7 +8,6 @@
 #include "outline.h"
 
 #include <stdlib.h>
-#include <string.h>
 
 enum { COUNT_MAX = 0xFFFF };
 
@@ -54,14 +53,16 @@ static void record_add(struct encoder *work, const struct outline *outline, cons
     out->faces[out->record_count++] = polygon->face;
     word_add(out, outline->count);
     word_add(out, rgb565_from_rgb888(polygon->colour));
-    for (size_t i = 0; i < outline->count; i++) word_add(out, vertex_index(work, outline->corners[i]));
+    for (size_t i = 0; i < outline->count; i++)
+        word_add(out, vertex_index(work, outline->corners[i]));
     out->widest = outline->count > out->widest ? outline->count : out->widest;
 }
 
 static struct outline outline_part(const struct outline *whole, size_t from, size_t count)
 {
     struct outline part = {.count = count, .corners = grow_zeroed(count, sizeof *part.corners)};
-    for (size_t i = 0; i < count; i++) part.corners[i] = whole->corners[(from + i) % whole->count];
+    for (size_t i = 0; i < count; i++)
+        part.corners[i] = whole->corners[(from + i) % whole->count];
     return part;
 }
 
@@ -106,9 +107,11 @@ static size_t run_encode(struct encoder *work, const struct bsp_node *node, bool
 {
     struct encoding *out = work->out;
     size_t first = out->word_count, last = first;
-    for (size_t i = 0; i < node->count; i++) piece_encode(work, work->bsp->placed[node->first + i], back_run);
+    for (size_t i = 0; i < node->count; i++)
+        piece_encode(work, work->bsp->placed[node->first + i], back_run);
     if (out->word_count == first) return LIM_NONE;
-    for (size_t at = first; at < out->word_count; at += LIM_POLYGON_HEAD_WORDS + out->words[at]) last = at;
+    for (size_t at = first; at < out->word_count; at += LIM_POLYGON_HEAD_WORDS + out->words[at])
+        last = at;
     out->words[last] |= LIM_POLYGON_LAST;
     return first;
 }
@@ -119,7 +122,8 @@ static size_t exact_add(struct encoding *out, const struct plane *plane)
 {
     out->exact = grow(out->exact, out->exact_count, &out->exact_capacity, sizeof *out->exact);
     struct lim_plane_exact *exact = &out->exact[out->exact_count];
-    for (int i = 0; i < 3; i++) exact->n[i] = (int32_t)plane->n[i];
+    for (int i = 0; i < 3; i++)
+        exact->n[i] = (int32_t)plane->n[i];
     exact->d_lo = (uint32_t)plane->d;
     exact->d_hi = (int32_t)((plane->d - exact->d_lo) / (INT64_C(1) << 32));
     return out->exact_count++;
@@ -132,7 +136,8 @@ static void plane_add(struct encoding *out, const struct plane *plane)
         stored = plane_filter(plane->n, plane->d);
         stored.exact = (uint16_t)exact_add(out, plane);
     } else {
-        for (int i = 0; i < 3; i++) stored.n[i] = (int16_t)plane->n[i];
+        for (int i = 0; i < 3; i++)
+            stored.n[i] = (int16_t)plane->n[i];
     }
     out->planes = grow(out->planes, out->plane_count, &out->plane_capacity, sizeof *out->planes);
     out->planes[out->plane_count++] = stored;
@@ -206,7 +211,7 @@ static void nodes_encode(struct encoder *work, const uint32_t *heirs)
     free(numbers);
 }
 
-static bool check_count(size_t count, const char *what, struct error *err)
+bool encode_check_count(size_t count, const char *what, struct error *err)
 {
     return count <= COUNT_MAX || error_set(err, "scene too large: %zu %s, %d are the most (%zu too many)", count, what,
                                            COUNT_MAX, count - COUNT_MAX);
@@ -215,8 +220,8 @@ static bool check_count(size_t count, const char *what, struct error *err)
 static bool check_counts(const struct encoding *out, struct error *err)
 {
     if (out->node_count == 0) return error_set(err, "nothing is left of the scene on its grid");
-    return check_count(out->vertex_count, "vertices", err) && check_count(out->node_count, "nodes", err) &&
-           check_count(out->word_count, "words of polygons", err);
+    return encode_check_count(out->vertex_count, "vertices", err) && encode_check_count(out->node_count, "nodes", err) &&
+           encode_check_count(out->word_count, "words of polygons", err);
 }
 
 /* Parents come before children. */
@@ -239,7 +244,8 @@ bool encode_bsp(const struct bsp *bsp, struct encoding *out, struct error *err)
     struct encoder work = {.bsp = bsp, .out = out};
     *out = (struct encoding){0};
     work.snapped = grow_zeroed(points->count, sizeof *work.snapped);
-    for (uint32_t i = 0; i < points->count; i++) work.snapped[i] = exact_snap(points, i);
+    for (uint32_t i = 0; i < points->count; i++)
+        work.snapped[i] = exact_snap(points, i);
     uint32_t *heirs = find_heirs(&work);
     nodes_encode(&work, heirs);
     bool ok = check_counts(out, err);

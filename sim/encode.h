@@ -26,12 +26,12 @@ struct encoding {
  * which array is too long by how much. The caller frees *out either way. */
 bool encode_bsp(const struct bsp *bsp, struct encoding *out, struct error *err);
 
+/* Refuses a count that does not fit 16 bits. */
+bool encode_check_count(size_t count, const char *what, struct error *err);
+
 /* Gives every subtree of SUBTREE_BOX_POLYGONS polygons or more its bounding box. */
 enum { SUBTREE_BOX_POLYGONS = 4 };
 void encode_boxes(struct encoding *encoding);
-
-/* What memory a frame needs. */
-struct lim_limits encode_limits(const struct encoding *encoding);
 
 void encoding_free(struct encoding *encoding);
 

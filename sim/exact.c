@@ -12,7 +12,8 @@
 void exact_truncate(struct exact_points *points, size_t count)
 {
     for (; points->count > count; points->count--)
-        for (int i = 0; i < 3; i++) mpq_clear(points->at[points->count - 1][i]);
+        for (int i = 0; i < 3; i++)
+            mpq_clear(points->at[points->count - 1][i]);
 }
 
 void exact_free(struct exact_points *points)
@@ -29,14 +30,16 @@ static uint32_t points_add(struct exact_points *points)
     size_t index = points->count;
     points->at = grow(points->at, index, &points->at_capacity, sizeof *points->at);
     points->approx = grow(points->approx, index, &points->approx_capacity, sizeof *points->approx);
-    for (int i = 0; i < 3; i++) mpq_init(points->at[index][i]);
+    for (int i = 0; i < 3; i++)
+        mpq_init(points->at[index][i]);
     points->count++;
     return (uint32_t)index;
 }
 
 static void points_approximate(struct exact_points *points, uint32_t point)
 {
-    for (int i = 0; i < 3; i++) points->approx[point][i] = mpq_get_d(points->at[point][i]);
+    for (int i = 0; i < 3; i++)
+        points->approx[point][i] = mpq_get_d(points->at[point][i]);
 }
 
 uint32_t exact_add_m(struct exact_points *points, const double point_m[3], const struct grid *grid)

@@ -28,9 +28,18 @@ static int compare_axis(const void *left, const void *right, int axis)
     return (a > b) - (a < b);
 }
 
-static int by_x(const void *left, const void *right) { return compare_axis(left, right, 0); }
-static int by_y(const void *left, const void *right) { return compare_axis(left, right, 1); }
-static int by_z(const void *left, const void *right) { return compare_axis(left, right, 2); }
+static int by_x(const void *left, const void *right)
+{
+    return compare_axis(left, right, 0);
+}
+static int by_y(const void *left, const void *right)
+{
+    return compare_axis(left, right, 1);
+}
+static int by_z(const void *left, const void *right)
+{
+    return compare_axis(left, right, 2);
+}
 
 static int by_distance(const void *left, const void *right)
 {

@@ -26,13 +26,16 @@ struct import {
     const struct aiScene *scene;
     struct model *model;
     struct error *err;
-    struct affine transform;    /* of the node being read */
-    struct model_paint paint;   /* of the mesh being read */
+    struct affine transform;  /* of the node being read */
+    struct model_paint paint; /* of the mesh being read */
 };
 
 typedef bool mesh_reader(struct import *import, const struct aiMesh *mesh);
 
-static struct affine affine_identity(void) { return (struct affine){{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}}; }
+static struct affine affine_identity(void)
+{
+    return (struct affine){{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}};
+}
 
 static struct affine affine_of(const struct aiMatrix4x4 *m)
 {
@@ -113,7 +116,8 @@ static bool add_face(struct import *import, const struct aiFace *from, uint32_t 
     *face = (struct model_face){.first = (uint32_t)model->corner_count,
                                 .count = from->mNumIndices,
                                 .colour = colour,
-                                .two_sided = import->paint.two_sided};
+                                .two_sided = import->paint.two_sided,
+                                .unlit = import->paint.unlit};
     for (unsigned k = 0; k < from->mNumIndices; k++) {
         uint32_t corner = first_point + from->mIndices[mirrored ? from->mNumIndices - 1 - k : k];
         const double *p = model->points[corner];

@@ -159,8 +159,7 @@ static bool check_node(struct checker *work, size_t index)
     const struct lim_node *node = &scene->nodes[index];
     if (work->depths[index] == 0) return error_set(work->err, "node %zu: has no parent", index);
     if (work->depths[index] > scene->limits.depth)
-        return error_set(work->err, "node %zu: lies deeper than the limit of %u", index,
-                         (unsigned)scene->limits.depth);
+        return error_set(work->err, "node %zu: lies deeper than the limit of %u", index, (unsigned)scene->limits.depth);
     if (node->box != LIM_NONE && node->box >= scene->box_count)
         return error_set(work->err, "node %zu: box %u of %u", index, (unsigned)node->box, (unsigned)scene->box_count);
     return check_node_plane(work, index) && check_run(work, index, node->front_run) &&
@@ -173,8 +172,8 @@ static bool check_nodes(struct checker *work)
     const struct lim_scene *scene = work->scene;
     if (scene->node_count == 0) return error_set(work->err, "no nodes");
     if (scene->limits.vertices > VERTICES_MAX)
-        return error_set(work->err, "limit of %u vertices a polygon, %d are the most",
-                         (unsigned)scene->limits.vertices, VERTICES_MAX);
+        return error_set(work->err, "limit of %u vertices a polygon, %d are the most", (unsigned)scene->limits.vertices,
+                         VERTICES_MAX);
     work->depths[0] = 1;
     for (size_t i = 0; i < scene->node_count; i++)
         if (!check_node(work, i)) return false;

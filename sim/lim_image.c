@@ -27,7 +27,7 @@ static_assert(offsetof(struct lim_plane, d) == 8, "plane");
 static_assert(sizeof(struct lim_plane_exact) == 20, "exact plane");
 static_assert(offsetof(struct lim_plane_exact, d_lo) == 16, "exact plane");
 static_assert(sizeof(struct lim_box) == 12, "box");
-static_assert(sizeof(struct lim_limits) == sizeof ((struct lim_file_header *)0)->limits, "limits");
+static_assert(sizeof(struct lim_limits) == sizeof((struct lim_file_header *)0)->limits, "limits");
 
 /* Element size of each section, and the widths of its fields in bytes, as a repeating pattern. */
 static const struct {
@@ -42,7 +42,13 @@ static const struct {
     [SECTION_POLYGONS] = {sizeof(uint16_t), "2"},
     [SECTION_FACES] = {sizeof(uint32_t), "4"},
 };
-static const char HEADER_FIELDS[] = "11111111" "4444" "8888" "2222222" "2" "22222" "222";
+static const char HEADER_FIELDS[] = "11111111"
+                                    "4444"
+                                    "8888"
+                                    "2222222"
+                                    "2"
+                                    "22222"
+                                    "222";
 
 static size_t align_b(size_t size_b)
 {
@@ -52,7 +58,8 @@ static size_t align_b(size_t size_b)
 size_t lim_image_section_b(const struct lim_file_header *header, enum lim_section section)
 {
     size_t at_b = sizeof *header;
-    for (int i = 0; i < (int)section; i++) at_b += align_b(header->counts[i] * SECTIONS[i].size_b);
+    for (int i = 0; i < (int)section; i++)
+        at_b += align_b(header->counts[i] * SECTIONS[i].size_b);
     return at_b;
 }
 
@@ -93,12 +100,13 @@ static struct lim_file_header header_of(const struct encoding *encoding, const s
     const size_t counts[SECTION_COUNT] = {encoding->vertex_count, encoding->node_count, encoding->plane_count,
                                           encoding->exact_count,  encoding->box_count,  encoding->word_count,
                                           encoding->record_count};
-    const struct lim_limits limits = encode_limits(encoding);
+    const struct lim_limits limits = {.depth = (uint16_t)encoding->depth, .vertices = (uint16_t)encoding->widest};
     struct lim_file_header header = {.version = LIM_FILE_VERSION, .header_b = sizeof header};
     memcpy(header.magic, lim_file_magic, sizeof header.magic);
     header.units_per_m = grid->units_per_m;
     memcpy(header.origin_m, grid->origin_m, sizeof header.origin_m);
-    for (int i = 0; i < SECTION_COUNT; i++) header.counts[i] = (uint16_t)counts[i];
+    for (int i = 0; i < SECTION_COUNT; i++)
+        header.counts[i] = (uint16_t)counts[i];
     memcpy(header.limits, &limits, sizeof header.limits);
     header.file_b = (uint32_t)lim_image_section_b(&header, SECTION_COUNT);
     return header;
@@ -116,6 +124,13 @@ void lim_image_make(const struct encoding *encoding, const struct grid *grid, st
             memcpy(image + lim_image_section_b(&header, (enum lim_section)i), sections[i],
                    header.counts[i] * SECTIONS[i].size_b);
     lim_image_bind(image, out);
+}
+
+void lim_image_set_limits(struct compiled *scene, const struct lim_limits *limits)
+{
+    struct lim_file_header *header = scene->image;
+    memcpy(header->limits, limits, sizeof header->limits);
+    scene->scene.limits = *limits;
 }
 
 /* Reverses each field's bytes; the pattern of widths repeats until the end. */

@@ -29,8 +29,8 @@ struct lim_file_header {
     uint32_t version;
     uint32_t header_b;
     uint32_t file_b;
-    uint32_t crc32;                 /* of all bytes of the file behind this field, as zlib's crc32() */
-    double units_per_m;             /* IEEE 754 */
+    uint32_t crc32;     /* of all bytes of the file behind this field, as zlib's crc32() */
+    double units_per_m; /* IEEE 754 */
     double origin_m[3];
     uint16_t counts[SECTION_COUNT]; /* elements in each section */
     uint16_t background;            /* RGB565 as a number */
@@ -45,6 +45,9 @@ size_t lim_image_section_b(const struct lim_file_header *header, enum lim_sectio
 
 /* Points *scene into the image. */
 void lim_image_bind(void *image, struct compiled *scene);
+
+/* Sets the limits of the scene and of its image. */
+void lim_image_set_limits(struct compiled *scene, const struct lim_limits *limits);
 
 /* Turns the header, or the sections that a header in this host's order describes, between this
  * host's byte order and the other one. */

@@ -10,7 +10,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const double *corner_at(const struct loop *loop, size_t i) { return loop->points[loop->corners[i]]; }
+static const double *corner_at(const struct loop *loop, size_t i)
+{
+    return loop->points[loop->corners[i]];
+}
 
 static bool is_near(double (*points)[3], uint32_t a, uint32_t b, uint32_t p, double near_m)
 {
@@ -22,8 +25,7 @@ size_t loop_tidy(double (*points)[3], uint32_t *corners, size_t count, double ne
     size_t kept_in_a_row = 0;
     for (size_t i = 0; count >= 3 && kept_in_a_row < count;) {
         uint32_t before = corners[(i + count - 1) % count], here = corners[i], after = corners[(i + 1) % count];
-        bool useless = here == before || before == after || is_near(points, before, here, after, near_m) ||
-                       is_near(points, here, after, before, near_m);
+        bool useless = is_near(points, before, here, after, near_m) || is_near(points, here, after, before, near_m);
         if (!useless) {
             kept_in_a_row++;
             i = (i + 1) % count;
@@ -157,20 +159,37 @@ static size_t left_turns(const struct loop *loop, const struct loop_view *view, 
     return depth;
 }
 
-bool loop_is_convex(const struct loop *loop, const struct loop_view *view, double near_m)
+/* is_near(), but along the plane only: a corner off the plane is another matter. */
+static bool is_near_in_plane(const struct loop *loop, const struct loop_plane *plane, uint32_t a, uint32_t b,
+                             uint32_t p, double near_m)
 {
-    size_t start = leftmost(loop, view);
+    const double *from = loop->points[a];
+    double flat[2][3];
+    for (int i = 0; i < 2; i++) {
+        const double *point = loop->points[i ? p : b];
+        vec3_sub(flat[i], point, from);
+        double off = vec3_dot(flat[i], plane->normal);
+        for (int axis = 0; axis < 3; axis++)
+            flat[i][axis] = point[axis] - off * plane->normal[axis];
+    }
+    return vec3_segment_distance2(from, flat[0], flat[1]) < near_m * near_m;
+}
+
+bool loop_is_convex(const struct loop *loop, const struct loop_plane *plane, double near_m)
+{
+    const struct loop_view view = loop_view_along(plane->normal);
+    size_t start = leftmost(loop, &view);
     size_t *steps = grow_zeroed(loop->count + 1, sizeof *steps);
-    size_t sides = left_turns(loop, view, start, steps) - 1;
+    size_t sides = left_turns(loop, &view, start, steps) - 1;
     bool convex = sides >= 3, came_back = false;
     for (size_t side = 0; convex && side < sides; side++) {
         uint32_t from = loop->corners[(start + steps[side]) % loop->count];
         uint32_t to = loop->corners[(start + steps[side + 1]) % loop->count];
-        double along = loop->points[to][view->u] - loop->points[from][view->u];
+        double along = loop->points[to][view.u] - loop->points[from][view.u];
         if (along < 0) came_back = true;
         if (along > 0 && came_back) convex = false; /* a second time round, like a star */
         for (size_t step = steps[side] + 1; convex && step < steps[side + 1]; step++)
-            convex = is_near(loop->points, from, to, loop->corners[(start + step) % loop->count], near_m);
+            convex = is_near_in_plane(loop, plane, from, to, loop->corners[(start + step) % loop->count], near_m);
     }
     free(steps);
     return convex;

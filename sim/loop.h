@@ -44,7 +44,7 @@ struct loop_view loop_view_along(const double normal[3]);
 /* Twice the signed area of a triangle of points as the view sees it: > 0 is counter-clockwise. */
 double loop_turn(double (*points)[3], const struct loop_view *view, uint32_t a, uint32_t b, uint32_t c);
 
-/* Convex as the view sees it, straight corners allowed; goes round once. */
-bool loop_is_convex(const struct loop *loop, const struct loop_view *view, double near_m);
+/* Convex within its plane, straight corners allowed; goes round once. */
+bool loop_is_convex(const struct loop *loop, const struct loop_plane *plane, double near_m);
 
 #endif

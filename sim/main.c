@@ -8,11 +8,18 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const char USAGE[] = "usage: limner compile MODEL -o NAME   write NAME.c, NAME.h and NAME.lim\n"
+static const char USAGE[] = "usage: limner compile MODEL -o NAME   write NAME.c, NAME.h and NAME.lim, and report\n"
                             "       limner render MODEL|SCENE.lim  draw frames into files\n"
                             "       limner view MODEL|SCENE.lim    fly through a scene\n"
                             "       limner help                    this text\n"
                             "\n"
+                            "all three, for a MODEL:\n"
+                            "  --splitter NAME     how the tree is built: auto, first, fewest or balanced (auto)\n"
+                            "  --tolerance UNITS   how far a polygon may be off a plane that it lies on (0.5)\n"
+                            "  --unlit             colours as they are in the model: no light is baked in\n"
+                            "compile only:\n"
+                            "  --keep-faces        do not merge coplanar neighbours of one colour\n"
+                            "  --report            without -o: only report\n"
                             "render and view:\n"
                             "  --camera FILE       a line a frame: ex ey ez tx ty tz, metres (an orbit of 16 frames)\n"
                             "  --size WxH          pixels, 1 to 1024 each (240x240)\n"
@@ -20,8 +27,6 @@ static const char USAGE[] = "usage: limner compile MODEL -o NAME   write NAME.c,
                             "  --near M            distance of the near plane, metres (0.1)\n"
                             "  --panel NAME        st7789 or memory (st7789 where the size fits into it)\n"
                             "  --method NAME       nearest or painter (nearest)\n"
-                            "  --splitter NAME     auto, first, fewest or balanced (auto)\n"
-                            "  --tolerance UNITS   how far a polygon may be off a plane that it lies on (0.5)\n"
                             "render only:\n"
                             "  -o PATTERN          a PNG file a frame ('out/%03d.png' if nothing else is asked for)\n"
                             "  --gif FILE          all frames, animated\n"

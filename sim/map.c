@@ -17,7 +17,8 @@ static size_t map_home(const struct map *map, uint64_t key)
 static struct map_entry *map_slot(const struct map *map, uint64_t key)
 {
     size_t at = map_home(map, key);
-    while (map->entries[at].used && map->entries[at].key != key) at = (at + 1) & (map->capacity - 1);
+    while (map->entries[at].used && map->entries[at].key != key)
+        at = (at + 1) & (map->capacity - 1);
     return &map->entries[at];
 }
 

@@ -35,7 +35,10 @@ struct merging {
     size_t joined_capacity;
 };
 
-static uint64_t edge_key(uint32_t from, uint32_t to) { return (uint64_t)from << 32 | to; }
+static uint64_t edge_key(uint32_t from, uint32_t to)
+{
+    return (uint64_t)from << 32 | to;
+}
 
 static int by_length(const void *left, const void *right)
 {
@@ -111,13 +114,6 @@ static size_t join(struct merging *merging, const struct shared_edge *edge, cons
     return count;
 }
 
-static bool faces_same_way(const struct merging *merging, const struct part *part, const struct loop_plane *plane)
-{
-    const struct loop loop = {merging->mesh->points, part->corners, part->count};
-    const struct loop_plane own = loop_plane_of(&loop);
-    return vec3_dot(own.normal, plane->normal) > 0;
-}
-
 /* Leaves the union in merging->joined and returns its corners; 0 if it would not be a flat convex
  * polygon. Flatness is judged before tidying, while all corners of both are there. */
 static size_t union_of(struct merging *merging, const struct shared_edge *edge, const struct part *p,
@@ -128,10 +124,8 @@ static size_t union_of(struct merging *merging, const struct shared_edge *edge, 
     if (loop.count == 0 || !loop_has_area(&loop, merging->near_m)) return 0;
     const struct loop_plane plane = loop_plane_of(&loop);
     if (loop_off_plane_m(&loop, &plane) > merging->flat_m) return 0;
-    if (!faces_same_way(merging, p, &plane) || !faces_same_way(merging, q, &plane)) return 0;
     loop.count = loop_tidy(loop.points, merging->joined, loop.count, merging->near_m);
-    const struct loop_view view = loop_view_along(plane.normal);
-    return loop.count >= 3 && loop_is_convex(&loop, &view, merging->near_m) ? loop.count : 0;
+    return loop.count >= 3 && loop_is_convex(&loop, &plane, merging->near_m) ? loop.count : 0;
 }
 
 static uint32_t *copy_of(const uint32_t *corners, size_t count)

@@ -16,9 +16,18 @@
 
 static const double FLAT_UNITS = 0.5; /* what rounding to the grid does anyway */
 
-double mesh_weld_m(const struct grid *grid) { return 1 / (16 * grid->units_per_m); }
-double mesh_near_m(const struct grid *grid) { return mesh_weld_m(grid) / 2; }
-double mesh_flat_m(const struct grid *grid) { return FLAT_UNITS / grid->units_per_m; }
+double mesh_weld_m(const struct grid *grid)
+{
+    return 1 / (16 * grid->units_per_m);
+}
+double mesh_near_m(const struct grid *grid)
+{
+    return mesh_weld_m(grid) / 2;
+}
+double mesh_flat_m(const struct grid *grid)
+{
+    return FLAT_UNITS / grid->units_per_m;
+}
 
 struct cleaning {
     struct mesh *mesh;
@@ -33,12 +42,13 @@ static bool add_if_area(struct cleaning *cleaning, const struct loop *loop, cons
     return true;
 }
 
-static bool add_triangles(struct cleaning *cleaning, const struct loop *loop, const struct loop_view *view,
+static bool add_triangles(struct cleaning *cleaning, const struct loop *loop, const struct loop_plane *plane,
                           const struct mesh_polygon *like)
 {
     bool any = false;
+    const struct loop_view view = loop_view_along(plane->normal);
     uint32_t(*triangles)[3] = grow_zeroed(loop->count - 2, sizeof *triangles);
-    triangulate(loop, view, cleaning->near_m, triangles);
+    triangulate(loop, &view, triangles);
     for (size_t i = 0; i < loop->count - 2; i++) {
         const struct loop triangle = {loop->points, triangles[i], 3};
         any |= add_if_area(cleaning, &triangle, like);
@@ -57,14 +67,13 @@ static void clean_face(struct cleaning *cleaning, uint32_t *corners, size_t coun
         return;
     }
     const struct loop_plane plane = loop_plane_of(&loop);
-    const struct loop_view view = loop_view_along(plane.normal);
     bool flat = loop_off_plane_m(&loop, &plane) <= cleaning->flat_m;
-    bool whole = flat && loop_is_convex(&loop, &view, cleaning->near_m);
+    bool whole = flat && loop_is_convex(&loop, &plane, cleaning->near_m);
     if (!flat)
         mesh->counts.non_planar++;
     else if (!whole)
         mesh->counts.concave++;
-    bool any = whole ? add_if_area(cleaning, &loop, like) : add_triangles(cleaning, &loop, &view, like);
+    bool any = whole ? add_if_area(cleaning, &loop, like) : add_triangles(cleaning, &loop, &plane, like);
     mesh->merged_into[like->face] = any ? like->face : 0;
 }
 
@@ -89,8 +98,7 @@ bool mesh_clean(const struct model *model, struct mesh *mesh, struct error *err)
 {
     *mesh = (struct mesh){.counts.faces = model->face_count};
     if (!grid_choose(model, &mesh->grid, err)) return false;
-    struct cleaning cleaning = {
-        .mesh = mesh, .near_m = mesh_near_m(&mesh->grid), .flat_m = mesh_flat_m(&mesh->grid)};
+    struct cleaning cleaning = {.mesh = mesh, .near_m = mesh_near_m(&mesh->grid), .flat_m = mesh_flat_m(&mesh->grid)};
     mesh->merged_into = grow_zeroed(model->face_count + 1, sizeof *mesh->merged_into);
     uint32_t *welded = weld_points(model, mesh_weld_m(&mesh->grid), mesh);
     clean_faces(&cleaning, model, welded);

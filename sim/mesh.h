@@ -23,12 +23,12 @@ struct mesh_polygon {
 
 /* What became of the input; the report prints it. */
 struct mesh_counts {
-    size_t faces;       /* in the model file */
-    size_t zero_area;   /* faces dropped: all corners on one line */
-    size_t non_planar;  /* faces triangulated because a corner leaves the plane */
-    size_t concave;     /* faces triangulated because they are not convex */
-    size_t merged;      /* polygons that vanished into a coplanar neighbour */
-    size_t t_vertices;  /* vertices inserted into edges of other polygons */
+    size_t faces;      /* in the model file */
+    size_t zero_area;  /* faces dropped: all corners on one line */
+    size_t non_planar; /* faces triangulated because a corner leaves the plane */
+    size_t concave;    /* faces triangulated because they are not convex */
+    size_t merged;     /* polygons that vanished into a coplanar neighbour */
+    size_t t_vertices; /* vertices inserted into edges of other polygons */
 };
 
 struct mesh {

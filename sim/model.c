@@ -39,7 +39,10 @@ static rlim_t memory_in_use_b(void)
     return (rlim_t)pages * (rlim_t)sysconf(_SC_PAGESIZE);
 }
 
-static rlim_t cpu_limit_s(rlim_t file_b) { return LEAST_CPU_S + file_b / 1000000; }
+static rlim_t cpu_limit_s(rlim_t file_b)
+{
+    return LEAST_CPU_S + file_b / 1000000;
+}
 
 static void limit(int resource, rlim_t soft)
 {

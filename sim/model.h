@@ -15,6 +15,7 @@ struct model_face {
     uint32_t first, count; /* corners[first .. first + count), counter-clockwise seen from outside */
     uint32_t colour;       /* 0xRRGGBB as a display shows it (sRGB): material times vertex colours */
     bool two_sided;        /* the material asks for both sides */
+    bool unlit;            /* the material's colour is final: no light is baked in */
 };
 
 struct model {

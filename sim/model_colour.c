@@ -34,16 +34,25 @@ struct model_paint model_paint_of(const struct aiScene *scene, const struct aiMe
     bool found = base || (!is_made_up(material) &&
                           aiGetMaterialColor(material, AI_MATKEY_COLOR_DIFFUSE, &colour) == aiReturn_SUCCESS);
     if (found) paint = (struct model_paint){.rgb = {colour.r, colour.g, colour.b}, .linear = base};
+    int shading = 0;
+    aiGetMaterialIntegerArray(material, AI_MATKEY_SHADING_MODEL, &shading, NULL);
+    paint.unlit = shading == aiShadingMode_NoShading;
     int two_sided = 0;
     aiGetMaterialIntegerArray(material, AI_MATKEY_TWOSIDED, &two_sided, NULL);
     paint.two_sided = two_sided != 0;
     return paint;
 }
 
-static double srgb_from_linear(double c) { return c <= 0.0031308 ? 12.92 * c : 1.055 * pow(c, 1 / 2.4) - 0.055; }
+static double srgb_from_linear(double c)
+{
+    return c <= 0.0031308 ? 12.92 * c : 1.055 * pow(c, 1 / 2.4) - 0.055;
+}
 
 /* NaN, which a file may hold, becomes black. */
-static uint32_t byte_from_unit(double c) { return c > 0 ? (uint32_t)(255 * fmin(c, 1) + 0.5) : 0; }
+static uint32_t byte_from_unit(double c)
+{
+    return c > 0 ? (uint32_t)(255 * fmin(c, 1) + 0.5) : 0;
+}
 
 uint32_t model_face_colour(const struct model_paint *paint, const struct aiMesh *mesh, const struct aiFace *face)
 {

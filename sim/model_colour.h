@@ -12,6 +12,7 @@ struct model_paint {
     double rgb[3];  /* 0..1 */
     bool linear;    /* rgb and vertex colours are linear light, not sRGB */
     bool two_sided; /* the material asks for both sides */
+    bool unlit;     /* it is not to be lit: `illum 0` of MTL, KHR_materials_unlit of glTF */
 };
 
 /* The mesh's material; light grey where it has none, white where vertex colours say it all. */

@@ -20,7 +20,10 @@ struct model_file {
     char bytes[];
 };
 
-static struct model_file *own(struct aiFile *handle) { return (struct model_file *)(void *)handle; }
+static struct model_file *own(struct aiFile *handle)
+{
+    return (struct model_file *)(void *)handle;
+}
 
 static size_t file_read(struct aiFile *handle, char *buffer, size_t item_b, size_t count)
 {
@@ -39,9 +42,18 @@ static size_t file_write(struct aiFile *handle, const char *buffer, size_t item_
     return 0;
 }
 
-static size_t file_tell(struct aiFile *handle) { return own(handle)->at_b; }
-static size_t file_size(struct aiFile *handle) { return own(handle)->size_b; }
-static void file_flush(struct aiFile *handle) { (void)handle; }
+static size_t file_tell(struct aiFile *handle)
+{
+    return own(handle)->at_b;
+}
+static size_t file_size(struct aiFile *handle)
+{
+    return own(handle)->size_b;
+}
+static void file_flush(struct aiFile *handle)
+{
+    (void)handle;
+}
 
 static enum aiReturn file_seek(struct aiFile *handle, size_t offset, enum aiOrigin origin)
 {
@@ -104,7 +116,10 @@ static void file_close(struct aiFileIO *io, struct aiFile *handle)
     free(handle);
 }
 
-struct aiFileIO model_io(void) { return (struct aiFileIO){.OpenProc = file_open, .CloseProc = file_close}; }
+struct aiFileIO model_io(void)
+{
+    return (struct aiFileIO){.OpenProc = file_open, .CloseProc = file_close};
+}
 
 bool model_io_check(const char *path, struct error *err)
 {

@@ -31,7 +31,8 @@ enum option_code {
     OPTION_PANEL,
     OPTION_METHOD,
     OPTION_SPLITTER,
-    OPTION_TOLERANCE
+    OPTION_TOLERANCE,
+    OPTION_UNLIT
 };
 
 /* Those that only `render` has come first. */
@@ -52,6 +53,7 @@ static const struct option OPTIONS[] = {
     {"method", required_argument, NULL, OPTION_METHOD},
     {"splitter", required_argument, NULL, OPTION_SPLITTER},
     {"tolerance", required_argument, NULL, OPTION_TOLERANCE},
+    {"unlit", no_argument, NULL, OPTION_UNLIT},
     {NULL, 0, NULL, 0},
 };
 
@@ -136,6 +138,9 @@ static bool parse_option(int code, const char *text, struct options *out, struct
         return parse_panel(text, &out->panel, err);
     case OPTION_METHOD:
         return parse_method(text, &out->method, err);
+    case OPTION_UNLIT:
+        out->compile.unlit = true;
+        return true;
     case OPTION_SPLITTER:
         out->compile.splitter = text;
         return true;

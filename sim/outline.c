@@ -41,7 +41,8 @@ void outline_trace(const struct bsp *bsp, const struct bsp_piece *piece, const s
         for (size_t k = 0, at = range.first; k < range.count; k++, at += (size_t)range.step)
             outline_add(outline, snapped[bsp->edges.cuts[at].point]);
     }
-    while (outline->count > 1 && same(outline->corners[outline->count - 1], outline->corners[0])) outline->count--;
+    while (outline->count > 1 && same(outline->corners[outline->count - 1], outline->corners[0]))
+        outline->count--;
     if (!has_three_corners(outline)) outline->count = 0;
 }
 
@@ -54,7 +55,8 @@ static double area_square(const struct outline *outline, size_t from, size_t cou
         struct lim_vertex p = outline->corners[(from + i) % outline->count];
         struct lim_vertex q = outline->corners[(from + i + 1) % outline->count];
         const double a[3] = {p.x - o.x, p.y - o.y, p.z - o.z}, b[3] = {q.x - o.x, q.y - o.y, q.z - o.z};
-        for (int k = 0; k < 3; k++) sum[k] += a[(k + 1) % 3] * b[(k + 2) % 3] - a[(k + 2) % 3] * b[(k + 1) % 3];
+        for (int k = 0; k < 3; k++)
+            sum[k] += a[(k + 1) % 3] * b[(k + 2) % 3] - a[(k + 2) % 3] * b[(k + 1) % 3];
     }
     return sum[0] * sum[0] + sum[1] * sum[1] + sum[2] * sum[2];
 }
@@ -64,8 +66,8 @@ size_t outline_chord(const struct outline *outline)
     size_t half = outline->count / 2, best = 0;
     double best_area = -1.0;
     for (size_t from = 0; from < outline->count; from++) {
-        double area = fmin(area_square(outline, from, half + 1),
-                           area_square(outline, from + half, outline->count - half + 1));
+        double area =
+            fmin(area_square(outline, from, half + 1), area_square(outline, from + half, outline->count - half + 1));
         if (area > best_area) best = from;
         best_area = fmax(area, best_area);
     }

@@ -44,7 +44,8 @@ static double middle(const struct plane_fit *fit, const double n[3])
 
 static void plane_place(const struct plane_fit *fit, const double n[3], enum lim_plane_kind kind, struct plane *out)
 {
-    for (int i = 0; i < 3; i++) out->n[i] = (int64_t)n[i];
+    for (int i = 0; i < 3; i++)
+        out->n[i] = (int64_t)n[i];
     out->d = (int64_t)floor(middle(fit, n) + 0.5);
     out->kind = kind;
     out->length = sqrt(dot(n, n));
@@ -101,7 +102,8 @@ static void small_normal(const double direction[3], double best[3])
         double error = rounding_error(direction, m, n);
         if (error >= best_error / 2.0) continue;
         best_error = error;
-        for (int i = 0; i < 3; i++) best[i] = n[i];
+        for (int i = 0; i < 3; i++)
+            best[i] = n[i];
     }
 }
 
@@ -110,7 +112,8 @@ static bool try_small(const struct plane_fit *fit, bool upright, struct plane *o
     double direction[3] = {fit->normal[0], upright ? 0.0 : fit->normal[1], fit->normal[2]};
     double longest = fabs(direction[longest_axis(direction)]);
     if (longest < 0.5) return false; /* not upright at all */
-    for (int i = 0; i < 3; i++) direction[i] /= longest;
+    for (int i = 0; i < 3; i++)
+        direction[i] /= longest;
     double n[3] = {0.0, 0.0, 0.0};
     small_normal(direction, n);
     plane_place(fit, n, upright ? LIM_PLANE_XZ : LIM_PLANE_SMALL, out);
@@ -120,7 +123,8 @@ static bool try_small(const struct plane_fit *fit, bool upright, struct plane *o
 static void place_large(const struct plane_fit *fit, struct plane *out)
 {
     double n[3], scale = LARGE_MAX / fabs(fit->normal[longest_axis(fit->normal)]);
-    for (int i = 0; i < 3; i++) n[i] = floor(fit->normal[i] * scale + 0.5);
+    for (int i = 0; i < 3; i++)
+        n[i] = floor(fit->normal[i] * scale + 0.5);
     plane_place(fit, n, LIM_PLANE_LARGE, out);
 }
 
@@ -146,7 +150,8 @@ struct lim_plane plane_filter(const int64_t n[3], int64_t d)
         longest = size > longest ? size : longest;
     }
     struct lim_plane filter = {.d = (int32_t)filter_scale(d, longest)};
-    for (int i = 0; i < 3; i++) filter.n[i] = (int16_t)filter_scale(n[i], longest);
+    for (int i = 0; i < 3; i++)
+        filter.n[i] = (int16_t)filter_scale(n[i], longest);
     return filter;
 }
 
@@ -154,17 +159,20 @@ void plane_exact(const struct lim_scene *scene, uint16_t node, int64_t n[3], int
 {
     const struct lim_node *at = &scene->nodes[node];
     if (at->kind <= LIM_PLANE_Z) {
-        for (int i = 0; i < 3; i++) n[i] = i == at->kind;
+        for (int i = 0; i < 3; i++)
+            n[i] = i == at->kind;
         *d = (int16_t)at->plane;
         return;
     }
     const struct lim_plane *plane = &scene->planes[at->plane];
     if (at->kind != LIM_PLANE_LARGE) {
-        for (int i = 0; i < 3; i++) n[i] = plane->n[i];
+        for (int i = 0; i < 3; i++)
+            n[i] = plane->n[i];
         *d = plane->d;
         return;
     }
     const struct lim_plane_exact *exact = &scene->exact[plane->exact];
-    for (int i = 0; i < 3; i++) n[i] = exact->n[i];
+    for (int i = 0; i < 3; i++)
+        n[i] = exact->n[i];
     *d = (int64_t)exact->d_hi * (INT64_C(1) << 32) + exact->d_lo;
 }

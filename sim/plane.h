@@ -22,12 +22,12 @@ struct plane {
 
 /* What a stored plane has to get right. */
 struct plane_fit {
-    double normal[3];        /* unit length */
-    double (*corners)[3];    /* of the polygons that shall lie on the plane; units */
+    double normal[3];     /* unit length */
+    double (*corners)[3]; /* of the polygons that shall lie on the plane; units */
     size_t corner_count;
-    double (*points)[3];     /* of the whole mesh; units */
+    double (*points)[3]; /* of the whole mesh; units */
     size_t point_count;
-    double tolerance_units;  /* 0: cheap kinds only if they hold every corner exactly */
+    double tolerance_units; /* 0: cheap kinds only if they hold every corner exactly */
 };
 
 /* Chooses the stored plane: parallel to fit->normal, in the middle of fit->corners. A cheap kind

@@ -15,7 +15,8 @@ struct polygon_list {
 };
 
 /* Appends a polygon with these corners; everything else is as in `like`. */
-void polygon_list_add(struct polygon_list *list, const uint32_t *corners, size_t count, const struct mesh_polygon *like);
+void polygon_list_add(struct polygon_list *list, const uint32_t *corners, size_t count,
+                      const struct mesh_polygon *like);
 
 /* Gives the list to the mesh, in place of the polygons that it had. Refuses a list that had to stop
  * at 2^28 corners; the mesh is as it was then, and the list empty in any case. */

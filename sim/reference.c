@@ -28,14 +28,6 @@ struct pixel_rect {
     int x0, y0, x1, y1; /* inclusive */
 };
 
-struct frame_view {
-    double eye_m[3];
-    double right[3], up[3]; /* scaled by the half-sizes of the picture: their length is tan_x, tan_y */
-    double forward[3];
-    double near_m;
-    int w_px, h_px;
-};
-
 static double dot(const double a[3], const double b[3])
 {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
@@ -60,12 +52,12 @@ static double edge_at(const struct reference_edge *edge, double u, double v)
     return edge->a * u + edge->b * v + edge->c;
 }
 
-static double pixel_u(const struct frame_view *view, int x_px)
+static double pixel_u(const struct reference_view *view, int x_px)
 {
     return (2.0 * x_px + 1.0) / view->w_px - 1.0;
 }
 
-static double pixel_v(const struct frame_view *view, int y_px)
+static double pixel_v(const struct reference_view *view, int y_px)
 {
     return 1.0 - (2.0 * y_px + 1.0) / view->h_px;
 }
@@ -155,14 +147,14 @@ void reference_free(struct reference *reference)
 
 /* One polygon -------------------------------------------------------------------------------- */
 
-static struct reference_edge edge_from_vector(const struct frame_view *view, const double vector[3], double scale)
+static struct reference_edge edge_from_vector(const struct reference_view *view, const double vector[3], double scale)
 {
     return (struct reference_edge){scale * dot(vector, view->right), scale * dot(vector, view->up),
                                    scale * dot(vector, view->forward)};
 }
 
-static void polygon_edges(const struct reference_polygon *polygon, double (*points)[3], const struct frame_view *view,
-                          bool is_front, struct reference_edge *edges)
+static void polygon_edges(const struct reference_polygon *polygon, double (*points)[3],
+                          const struct reference_view *view, bool is_front, struct reference_edge *edges)
 {
     for (uint32_t i = 0; i < polygon->count; i++) {
         double a[3], b[3], normal[3];
@@ -174,7 +166,7 @@ static void polygon_edges(const struct reference_polygon *polygon, double (*poin
     }
 }
 
-static void bounds_add(const struct frame_view *view, const double p[3], double low[2], double high[2])
+static void bounds_add(const struct reference_view *view, const double p[3], double low[2], double high[2])
 {
     const double tan_x_2 = dot(view->right, view->right), tan_y_2 = dot(view->up, view->up);
     const double depth = dot(p, view->forward);
@@ -192,7 +184,7 @@ static int clamp_px(double px, int size_px)
 
 /* Bounds on the screen of what lies beyond the near plane, a pixel wider; also the depths. */
 static struct pixel_rect polygon_bounds(struct reference_polygon *polygon, double (*points)[3],
-                                        const struct frame_view *view)
+                                        const struct reference_view *view)
 {
     double low[2] = {INFINITY, INFINITY}, high[2] = {-INFINITY, -INFINITY};
     double a[3], b[3];
@@ -231,8 +223,8 @@ static bool is_inside(const struct reference_edge *edges, uint32_t count, double
 
 /* Narrows the line to the interval between the edges: by division to within a pixel, then by the
  * edge functions themselves, so that the decision is always theirs. */
-static void line_interval(const struct reference_edge *edges, uint32_t count, const struct frame_view *view, double v,
-                          int *x0_px, int *x1_px)
+static void line_interval(const struct reference_edge *edges, uint32_t count, const struct reference_view *view,
+                          double v, int *x0_px, int *x1_px)
 {
     for (uint32_t i = 0; i < count; i++) {
         double crossing_px = (-(edges[i].b * v + edges[i].c) / edges[i].a + 1.0) / 2.0 * view->w_px;
@@ -254,7 +246,7 @@ static bool is_nearer(double depth_m, uint32_t face, double best_m, uint32_t bes
 }
 
 static void draw_line(struct reference *reference, const struct reference_polygon *polygon,
-                      const struct frame_view *view, int y_px, int x0_px, int x1_px)
+                      const struct reference_view *view, int y_px, int x0_px, int x1_px)
 {
     const double v = pixel_v(view, y_px);
     for (int x_px = x0_px; x_px <= x1_px; x_px++) {
@@ -267,19 +259,24 @@ static void draw_line(struct reference *reference, const struct reference_polygo
     }
 }
 
-static void draw_polygon(struct reference *reference, struct reference_polygon *polygon, const struct frame_view *view)
+/* The polygon's plane, seen from the eye. Returns its offset from there, negative for a front. */
+static double set_plane(struct reference_polygon *polygon, const struct reference_view *view)
 {
-    double(*points)[3] = &reference->points[polygon->first];
-    /* The plane's offset from the eye is negative when its normal points towards the eye. */
-    double offset_m = polygon->offset_m - dot(polygon->normal, view->eye_m);
+    const double offset_m = polygon->offset_m - dot(polygon->normal, view->eye_m);
     polygon->inverse_depth = edge_from_vector(view, polygon->normal, 1.0 / offset_m);
-    struct pixel_rect rect = polygon_bounds(polygon, points, view);
+    return offset_m;
+}
+
+static void draw_polygon(struct reference *reference, struct reference_polygon *polygon,
+                         const struct reference_view *view, const struct pixel_rect *rect)
+{
+    const double offset_m = set_plane(polygon, view);
     bool is_front = offset_m < 0.0;
     if (offset_m == 0.0 || (!is_front && !polygon->two_sided)) return;
 
-    polygon_edges(polygon, points, view, is_front, reference->edges);
-    for (int y_px = rect.y0; y_px <= rect.y1; y_px++) {
-        int x0_px = rect.x0, x1_px = rect.x1;
+    polygon_edges(polygon, &reference->points[polygon->first], view, is_front, reference->edges);
+    for (int y_px = rect->y0; y_px <= rect->y1; y_px++) {
+        int x0_px = rect->x0, x1_px = rect->x1;
         line_interval(reference->edges, polygon->count, view, pixel_v(view, y_px), &x0_px, &x1_px);
         draw_line(reference, polygon, view, y_px, x0_px, x1_px);
     }
@@ -287,30 +284,73 @@ static void draw_polygon(struct reference *reference, struct reference_polygon *
 
 /* Frames ------------------------------------------------------------------------------------- */
 
-void reference_draw(struct reference *reference, const struct viewpoint *viewpoint, const struct lens *lens)
+static void wipe(struct reference *reference)
 {
-    struct view_axes axes;
-    viewpoint_axes(viewpoint, &axes);
-    struct frame_view view = {.near_m = lens->near_m, .w_px = (int)reference->w_px, .h_px = (int)reference->h_px};
-    memcpy(view.eye_m, viewpoint->eye_m, sizeof view.eye_m);
-    for (int i = 0; i < 3; i++) {
-        view.right[i] = axes.right[i] * lens->tan_x;
-        view.up[i] = axes.up[i] * lens->tan_y;
-        view.forward[i] = axes.forward[i];
-    }
     size_t pixel_count = (size_t)reference->w_px * reference->h_px;
     memset(reference->faces, 0, pixel_count * sizeof reference->faces[0]);
     for (size_t i = 0; i < pixel_count; i++)
         reference->depths_m[i] = INFINITY;
-    for (size_t p = 0; p < reference->polygon_count; p++)
-        draw_polygon(reference, &reference->polygons[p], &view);
+}
+
+void reference_draw(struct reference *reference, const struct viewpoint *viewpoint, const struct lens *lens)
+{
+    struct view_axes axes;
+    viewpoint_axes(viewpoint, &axes);
+    struct reference_view *view = &reference->view;
+    *view = (struct reference_view){.near_m = lens->near_m, .w_px = (int)reference->w_px, .h_px = (int)reference->h_px};
+    memcpy(view->eye_m, viewpoint->eye_m, sizeof view->eye_m);
+    for (int i = 0; i < 3; i++) {
+        view->right[i] = axes.right[i] * lens->tan_x;
+        view->up[i] = axes.up[i] * lens->tan_y;
+        view->forward[i] = axes.forward[i];
+    }
+    wipe(reference);
+    for (size_t p = 0; p < reference->polygon_count; p++) {
+        struct reference_polygon *polygon = &reference->polygons[p];
+        const struct pixel_rect rect = polygon_bounds(polygon, &reference->points[polygon->first], view);
+        draw_polygon(reference, polygon, view, &rect);
+    }
+}
+
+/* A picture of the two pixels' width around a pixel's centre. */
+static struct reference_view close_up(const struct reference *reference, size_t pixel, int size_px)
+{
+    struct reference_view view = reference->view;
+    const double u = pixel_u(&view, (int)(pixel % reference->w_px)), v = pixel_v(&view, (int)(pixel / reference->w_px));
+    for (int i = 0; i < 3; i++) {
+        view.forward[i] += u * view.right[i] + v * view.up[i];
+        view.right[i] *= 2.0 / view.w_px;
+        view.up[i] *= 2.0 / view.h_px;
+    }
+    view.w_px = view.h_px = size_px;
+    return view;
+}
+
+bool reference_sees_nearby(const struct reference *reference, const uint32_t *groups, uint32_t group, size_t pixel)
+{
+    enum { SIZE_PX = 16, PIXELS = SIZE_PX * SIZE_PX };
+    uint32_t faces[PIXELS];
+    double depths_m[PIXELS];
+    const struct pixel_rect all = {0, 0, SIZE_PX - 1, SIZE_PX - 1};
+    const struct reference_view view = close_up(reference, pixel, SIZE_PX);
+    struct reference small = *reference;
+    small.w_px = small.h_px = SIZE_PX;
+    small.faces = faces;
+    small.depths_m = depths_m;
+    wipe(&small);
+    for (size_t p = 0; p < reference->polygon_count; p++) {
+        struct reference_polygon polygon = reference->polygons[p];
+        draw_polygon(&small, &polygon, &view, &all);
+    }
+    for (int i = 0; i < PIXELS; i++)
+        if ((groups ? groups[faces[i]] : faces[i]) == group) return true;
+    return false;
 }
 
 double reference_depth_of(const struct reference *reference, uint32_t face, size_t pixel)
 {
-    const struct frame_view view = {.w_px = (int)reference->w_px, .h_px = (int)reference->h_px};
-    const double u = pixel_u(&view, (int)(pixel % reference->w_px));
-    const double v = pixel_v(&view, (int)(pixel / reference->w_px));
+    const double u = pixel_u(&reference->view, (int)(pixel % reference->w_px));
+    const double v = pixel_v(&reference->view, (int)(pixel / reference->w_px));
     double nearest_m = INFINITY;
     for (size_t p = 0; p < reference->polygon_count; p++) {
         const struct reference_polygon *polygon = &reference->polygons[p];

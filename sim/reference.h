@@ -12,14 +12,24 @@
 struct reference_polygon;
 struct reference_edge;
 
+/* A picture's rays: right * u + up * v + forward, u and v from -1 to 1, v upwards. */
+struct reference_view {
+    double eye_m[3];
+    double right[3], up[3]; /* scaled by the half-sizes of the picture: their length is tan_x, tan_y */
+    double forward[3];
+    double near_m;
+    int w_px, h_px;
+};
+
 struct reference {
     double (*points)[3]; /* metres */
     struct reference_polygon *polygons;
     size_t polygon_count;
     struct reference_edge *edges; /* of one polygon at a time */
     unsigned w_px, h_px;
-    uint32_t *faces;  /* w_px * h_px face numbers from the top left, 0 = background */
-    double *depths_m; /* along the view axis; infinite for the background */
+    struct reference_view view; /* of the last frame drawn */
+    uint32_t *faces;            /* w_px * h_px face numbers from the top left, 0 = background */
+    double *depths_m;           /* along the view axis; infinite for the background */
 };
 
 /* Copies what it needs of the mesh as mesh_clean() leaves it. Allocates for pictures of this size. */
@@ -37,6 +47,11 @@ void reference_draw(struct reference *reference, const struct viewpoint *viewpoi
 /* Depth of a face's plane on the ray of a pixel of the last frame drawn, held within the depths
  * of the face's own corners: seen edge-on the plane alone could be anywhere. */
 double reference_depth_of(const struct reference *reference, uint32_t face, size_t pixel);
+
+/* Whether a face of a group (`groups` as in compare.h) is to be seen anywhere within a pixel of a
+ * pixel's centre in the last frame drawn, on a lattice of 1/8 pixels: finer than what the pixels around
+ * it tell. Slow: for the few pixels that are worth it. */
+bool reference_sees_nearby(const struct reference *reference, const uint32_t *groups, uint32_t group, size_t pixel);
 
 void reference_free(struct reference *reference);
 

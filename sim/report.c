@@ -2,11 +2,11 @@
  *
  * What compiling made of a model, as a table. */
 #include "compiled.h"
-#include "limner.h"
+#include "pools.h"
+#include "predict.h"
 
+#include <math.h>
 #include <stdio.h>
-
-enum { PANEL_PX = 240 };
 
 static void print_count(const char *what, size_t count)
 {
@@ -31,8 +31,8 @@ static void print_mended(const struct mesh_counts *mesh)
 
 static void print_tree(const struct compiled *scene)
 {
-    static const char *const kinds[] = {"x = const",         "y = const", "z = const", "upright",
-                                        "16-bit normal", "32-bit normal"};
+    static const char *const kinds[] = {"x = const", "y = const",     "z = const",
+                                        "upright",   "16-bit normal", "32-bit normal"};
     const struct compile_report *report = &scene->report;
     print_count("polygons before splitting", report->polygons_in);
     print_count("splits", report->splits);
@@ -46,6 +46,9 @@ static void print_tree(const struct compiled *scene)
         if (report->kinds[i]) printf("    %-26s %8zu\n", kinds[i], report->kinds[i]);
     printf("  %-28s %8.1f\n", "units per metre", scene->grid.units_per_m);
     printf("  %-28s %8.4f units\n", "worst wrong side, certified", report->worst_violation_units);
+    if (!isnan(report->wrong_percent))
+        printf("  %-28s %8.4f %%, %d sampled cameras\n", "wrong pixels, predicted", report->wrong_percent,
+               PREDICT_CAMERAS);
 }
 
 static void print_bytes(const char *what, size_t size_b, size_t polygons)
@@ -67,12 +70,11 @@ static void print_flash(const struct compiled *scene)
     print_bytes("in all", scene->report.flash_b, polygons);
 }
 
-static void print_ram(const struct lim_scene *scene)
+static void print_ram(const struct lim_limits *limits)
 {
-    const struct lim_target target = {.w_px = PANEL_PX, .h_px = PANEL_PX, .format = LIM_RGB565};
-    printf("RAM at %dx%d pixels, nearest first\n", PANEL_PX, PANEL_PX);
-    print_count("working memory, bytes", lim_mem_b(scene, &target));
-    print_count("least, bytes", lim_mem_min_b(scene, &target));
+    printf("RAM at %dx%d pixels, nearest first\n", POOLS_SIDE_PX, POOLS_SIDE_PX);
+    print_count("working memory, bytes", pools_mcu_mem_b(limits, POOLS_SIDE_PX));
+    print_count("least, bytes", pools_mcu_mem_min_b(limits, POOLS_SIDE_PX));
 }
 
 void compile_report_print(const struct compiled *scene, const char *name)
@@ -81,5 +83,5 @@ void compile_report_print(const struct compiled *scene, const char *name)
     print_mended(&scene->report.mesh);
     print_tree(scene);
     print_flash(scene);
-    print_ram(&scene->scene);
+    print_ram(&scene->scene.limits);
 }

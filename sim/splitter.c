@@ -10,13 +10,12 @@
 #include <float.h>
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
 /* Pieces tried against planes at one node: bounds the time on long lists. */
 enum { TRIALS_A_NODE = 100000, CANDIDATES_MIN = 8 };
 
 const struct splitter splitters[] = {
-    {"first", 0.0, 0.0, 0.0, 0.0},        {"fewest", 1000.0, 1.0, 1.0, 0.0},   {"balanced", 2.0, 1.0, 1.0, 0.0},
+    {"first", 0.0, 0.0, 0.0, 0.0},        {"fewest", 1000.0, 1.0, 1.0, 0.0},    {"balanced", 2.0, 1.0, 1.0, 0.0},
     {"weighted-8", 8.0, 1.0, 1.0, 0.0},   {"weighted-12", 12.0, 1.0, 1.0, 0.5}, {"weighted-20", 20.0, 1.0, 1.0, 1.0},
     {"weighted-32", 32.0, 1.0, 1.0, 0.0}, {"weighted-64", 64.0, 1.0, 1.0, 0.5},
 };
@@ -51,8 +50,8 @@ static double division_cost(const struct splitter *splitter, const struct bsp *b
         front += sides == BSP_FRONT;
         back += sides == BSP_BACK;
     }
-    double cost = kind_cost(plane->kind) + splits * splitter->split_cost + fabs(front - back) * splitter->imbalance_cost -
-                  on * splitter->coplanar_gain;
+    double cost = kind_cost(plane->kind) + splits * splitter->split_cost +
+                  fabs(front - back) * splitter->imbalance_cost - on * splitter->coplanar_gain;
     if (count > 40 && fmin(front, back) * 10.0 < (double)count) cost += splitter->lopsided_cost * (double)count;
     return cost;
 }

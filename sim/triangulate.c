@@ -11,12 +11,11 @@
 #include <string.h>
 
 /* What a corner must satisfy to be cut off, from the ideal down to anything. */
-enum demand { DEMAND_EAR, DEMAND_LEFT_TURN, DEMAND_NO_RIGHT_TURN, DEMAND_NOTHING };
+enum demand { DEMAND_EAR, DEMAND_LEFT_TURN, DEMAND_NOTHING };
 
 struct clipping {
     double (*points)[3];
     const struct loop_view *view;
-    double near_m;
     uint32_t *left; /* the loop that is left */
     size_t count;
 };
@@ -39,19 +38,9 @@ static bool holds_other_corner(const struct clipping *clipping, const uint32_t e
 
 static bool satisfies(const struct clipping *clipping, const uint32_t ear[3], enum demand demand)
 {
-    double turn = loop_turn(clipping->points, clipping->view, ear[0], ear[1], ear[2]);
-    const struct loop triangle = {clipping->points, ear, 3};
-    switch (demand) {
-    case DEMAND_EAR:
-        return turn > 0 && loop_has_area(&triangle, clipping->near_m) && !holds_other_corner(clipping, ear);
-    case DEMAND_LEFT_TURN:
-        return turn > 0 && !holds_other_corner(clipping, ear);
-    case DEMAND_NO_RIGHT_TURN:
-        return turn >= 0;
-    case DEMAND_NOTHING:
-    default:
-        return true;
-    }
+    if (demand == DEMAND_NOTHING) return true;
+    if (loop_turn(clipping->points, clipping->view, ear[0], ear[1], ear[2]) <= 0) return false;
+    return demand == DEMAND_LEFT_TURN || !holds_other_corner(clipping, ear);
 }
 
 static void ear_at(const struct clipping *clipping, size_t i, uint32_t ear[3])
@@ -72,9 +61,9 @@ static size_t find_ear(const struct clipping *clipping, size_t from, uint32_t ea
         }
 }
 
-void triangulate(const struct loop *loop, const struct loop_view *view, double near_m, uint32_t (*triangles)[3])
+void triangulate(const struct loop *loop, const struct loop_view *view, uint32_t (*triangles)[3])
 {
-    struct clipping clipping = {loop->points, view, near_m, grow_zeroed(loop->count, sizeof(uint32_t)), loop->count};
+    struct clipping clipping = {loop->points, view, grow_zeroed(loop->count, sizeof(uint32_t)), loop->count};
     memcpy(clipping.left, loop->corners, loop->count * sizeof *loop->corners);
     size_t from = 1;
     while (clipping.count > 3) {

@@ -8,6 +8,6 @@
 
 /* Writes count - 2 triangles of three corners each, with the loop's orientation. Where corners lie
  * on one line, or the loop crosses itself, some may have no area: the caller drops them. */
-void triangulate(const struct loop *loop, const struct loop_view *view, double near_m, uint32_t (*triangles)[3]);
+void triangulate(const struct loop *loop, const struct loop_view *view, uint32_t (*triangles)[3]);
 
 #endif

@@ -12,7 +12,10 @@ static inline void vec3_sub(double out[3], const double a[3], const double b[3])
         out[axis] = a[axis] - b[axis];
 }
 
-static inline double vec3_dot(const double a[3], const double b[3]) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+static inline double vec3_dot(const double a[3], const double b[3])
+{
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
 
 static inline double vec3_distance2(const double a[3], const double b[3])
 {

@@ -11,8 +11,8 @@
 #include <string.h>
 
 struct welding {
-    uint32_t *index;   /* of each point of the model: in the mesh, or UINT32_MAX while it is free */
-    uint32_t staying;  /* the mesh index of the point that takes others along */
+    uint32_t *index;  /* of each point of the model: in the mesh, or UINT32_MAX while it is free */
+    uint32_t staying; /* the mesh index of the point that takes others along */
 };
 
 static void take_along(void *context, uint32_t point)

@@ -189,11 +189,11 @@ static void angle_vectors(struct report *report)
 
     for (uint8_t quarter = 0; quarter < 4; quarter++) {
         const uint32_t angle = (uint32_t)quarter << 30;
-        expect(report, "sin_q30", angle, 0, sin_q30(angle), (int64_t)sines[quarter] * one);
-        expect(report, "cos_q30", angle, 0, cos_q30(angle), (int64_t)sines[(quarter + 1) & 3] * one);
-        expect(report, "sin_q30 odd", angle + 1, 0, sin_q30(angle + 1) + sin_q30(0u - angle - 1), 0);
+        expect(report, "lim_sin_q30", angle, 0, lim_sin_q30(angle), (int64_t)sines[quarter] * one);
+        expect(report, "lim_cos_q30", angle, 0, lim_cos_q30(angle), (int64_t)sines[(quarter + 1) & 3] * one);
+        expect(report, "lim_sin_q30 odd", angle + 1, 0, lim_sin_q30(angle + 1) + lim_sin_q30(0u - angle - 1), 0);
     }
-    expect(report, "sin_q30 of 30 degrees", 357913941, 0, sin_q30(357913941), 536870912);
+    expect(report, "lim_sin_q30 of 30 degrees", 357913941, 0, lim_sin_q30(357913941), 536870912);
 }
 
 static int64_t random_recip(uint32_t *random)
@@ -221,15 +221,15 @@ static int64_t random_lerp(uint32_t *random)
 
 static int64_t random_sine(uint32_t *random)
 {
-    return sin_q30(random_u32(random));
+    return lim_sin_q30(random_u32(random));
 }
 
 /* A camera anywhere in the cube, a vertex anywhere: transformed, and projected where it may be. */
 static int64_t random_vertex(uint32_t *random)
 {
-    struct view_cached cache[VIEW_CACHE_ENTRIES];
-    struct view view;
-    struct view_point p;
+    struct lim_view_cached cache[LIM_VIEW_CACHE_ENTRIES];
+    struct lim_view view;
+    struct lim_view_point p;
     struct lim_camera camera = {{0}, 0, 0, 0, UINT32_C(155000000), UINT32_C(155000000), 256 * 16};
     const struct lim_vertex vertex = {(int16_t)random_u32(random), (int16_t)random_u32(random),
                                       (int16_t)random_u32(random)};
@@ -239,13 +239,13 @@ static int64_t random_vertex(uint32_t *random)
     camera.yaw = random_u32(random);
     camera.pitch = random_u32(random);
     camera.roll = random_u32(random);
-    view_init(&view, 240, 135, cache);
-    if (!view_begin(&view, &camera)) return -1;
-    view_transform(&view, &vertex, &p);
+    lim_view_init(&view, 240, 135, cache);
+    if (!lim_view_begin(&view, &camera)) return -1;
+    lim_view_transform(&view, &vertex, &p);
     if (p.z_qv < view.near_qv || abs_s32(p.x_qv) / 2 > (uint32_t)p.z_qv || abs_s32(p.y_qv) / 2 > (uint32_t)p.z_qv) {
         return (int64_t)p.x_qv * 3 + (int64_t)p.y_qv * 5 + p.z_qv;
     }
-    const struct lim_point at = view_project(&view, &p);
+    const struct lim_point at = lim_view_project(&view, &p);
     return (int64_t)at.x * 65536 + at.y;
 }
 
@@ -253,23 +253,23 @@ static int64_t random_vertex(uint32_t *random)
 static int64_t random_edges(uint32_t *random)
 {
     struct lim_point at[3];
-    struct edge_shape shape;
-    struct edge_pair pair;
+    struct lim_edge_shape shape;
+    struct lim_edge_pair pair;
     uint32_t hash = 0;
 
     for (uint8_t i = 0; i < 3; i++) {
         at[i].x = (lim_sub)((int32_t)(random_u32(random) % 30720u) - 7712);
         at[i].y = (lim_sub)((int32_t)(random_u32(random) % 30720u) - 7712);
     }
-    edge_measure(&shape, at, 3);
+    lim_edge_measure(&shape, at, 3);
     if (shape.top >= shape.bottom) return 0;
-    edge_begin(&pair, at, 3, shape.first, shape.top);
+    lim_edge_begin(&pair, at, 3, shape.first, shape.top);
     for (int16_t y = shape.top;;) {
         hash = hash_s64(hash, (int64_t)pair.left.x * 4096 + pair.right.x);
         if (++y >= shape.bottom) return hash;
-        if (pair.left_end > y) edge_step(&pair.left);
-        if (pair.right_end > y) edge_step(&pair.right);
-        (void)edge_turn(&pair, at, 3, y);
+        if (pair.left_end > y) lim_edge_step(&pair.left);
+        if (pair.right_end > y) lim_edge_step(&pair.right);
+        (void)lim_edge_turn(&pair, at, 3, y);
     }
 }
 
@@ -295,15 +295,15 @@ static void side_vectors(struct report *report)
         {{16384, 0, 16383}, {1, 0, 0, -1}},
         {{16385, 5, 16383}, {1, 1, 1, -1}},
         {{16383, -5, 16383}, {1, -1, -1, -1}},
-        {{EYE_MAX_Q8 - 1, EYE_MAX_Q8 - 1, EYE_MAX_Q8 - 1}, {1, -1, -1, -1}},
-        {{EYE_MAX_Q8 - 1, -(EYE_MAX_Q8 - 1), 0}, {1, 1, 1, 1}},
+        {{LIM_EYE_MAX_Q8 - 1, LIM_EYE_MAX_Q8 - 1, LIM_EYE_MAX_Q8 - 1}, {1, -1, -1, -1}},
+        {{LIM_EYE_MAX_Q8 - 1, -(LIM_EYE_MAX_Q8 - 1), 0}, {1, 1, 1, 1}},
     };
 
     for (uint8_t i = 0; i < sizeof table / sizeof *table; i++) {
-        struct eye eye;
-        eye_set(&eye, table[i].eye_q8);
+        struct lim_eye eye;
+        lim_eye_set(&eye, table[i].eye_q8);
         for (uint8_t k = 0; k < 4; k++) {
-            expect(report, "eye_side", i, k, eye_side(&eye, &scene, &nodes[k]), table[i].expected[k]);
+            expect(report, "lim_eye_side", i, k, lim_eye_side(&eye, &scene, &nodes[k]), table[i].expected[k]);
         }
     }
 }
@@ -321,7 +321,7 @@ int fixed_vectors_run(void (*put)(const char *line))
     series(&report, "recip_q16", random_recip);
     series(&report, "ratio_q31", random_ratio);
     series(&report, "lerp_q31", random_lerp);
-    series(&report, "sin_q30", random_sine);
+    series(&report, "lim_sin_q30", random_sine);
     series(&report, "vertex", random_vertex);
     series(&report, "edges", random_edges);
     return report.failed;

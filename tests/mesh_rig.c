@@ -46,7 +46,8 @@ struct mesh_polygon *mesh_rig_add(struct mesh *mesh, const double (*corners_m)[3
                                      .count = (uint32_t)count,
                                      .face = (uint32_t)mesh->polygon_count,
                                      .colour = RIG_COLOUR};
-    for (size_t i = 0; i < count; i++) mesh->corners[mesh->corner_count++] = point_index(mesh, corners_m[i]);
+    for (size_t i = 0; i < count; i++)
+        mesh->corners[mesh->corner_count++] = point_index(mesh, corners_m[i]);
     mesh->counts.faces = mesh->polygon_count;
     return polygon;
 }
@@ -73,10 +74,12 @@ void mesh_rig_box(struct mesh *mesh, const double centre_m[3], const double half
         const double at[3] = {i & 4 ? half_m[0] : -half_m[0], i & 2 ? half_m[1] : -half_m[1],
                               i & 1 ? half_m[2] : -half_m[2]};
         turned(at, yaw, pitch, corners_m[i]);
-        for (int k = 0; k < 3; k++) corners_m[i][k] += centre_m[k];
+        for (int k = 0; k < 3; k++)
+            corners_m[i][k] += centre_m[k];
     }
     for (int face = 0; face < 6; face++) {
-        for (int i = 0; i < 4; i++) memcpy(quad_m[i], corners_m[faces[face][i]], sizeof quad_m[i]);
+        for (int i = 0; i < 4; i++)
+            memcpy(quad_m[i], corners_m[faces[face][i]], sizeof quad_m[i]);
         mesh_rig_add(mesh, (const double(*)[3])quad_m, 4);
     }
 }

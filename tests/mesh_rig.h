@@ -16,9 +16,8 @@ void mesh_rig_free(struct mesh *mesh);
 /* Adds a polygon; equal corners of polygons become one point, faces are numbered from 1. */
 struct mesh_polygon *mesh_rig_add(struct mesh *mesh, const double (*corners_m)[3], size_t count);
 
-/* A wall of a plan view, 2 m high, from (x0, y0) to (x1, y1) with its
- * front on the left. Plan x
- * is the scene's z and plan y its x, so that axis planes face up and right in plan. */
+/* A wall of a plan view, 2 m high, from (x0, y0) to (x1, y1) with its front on the left. Plan x is
+ * the scene's z and plan y its x, so that the planes of walls along the axes face up or right in plan. */
 void mesh_rig_wall(struct mesh *mesh, uint32_t face, double x0, double y0, double x1, double y1);
 
 /* A closed box of quads, turned about two axes. */
@@ -27,7 +26,7 @@ void mesh_rig_box(struct mesh *mesh, const double centre_m[3], const double half
 /* A closed ball of quads and triangles, rings * 2 faces around. */
 void mesh_rig_ball(struct mesh *mesh, const double centre_m[3], double radius_m, unsigned rings);
 
-/* A tree of needles and boxes through one another: closed solids only, coordinates within 10 m. */
+/* Boxes, needles and balls through one another: closed solids only, within 10 m of the origin. */
 void mesh_rig_solids(struct mesh *mesh, struct random *random, unsigned count);
 
 /* Compiles with the splitter and tolerance given; a failure ends the test. compiled_free() it. */

@@ -17,34 +17,34 @@ static void add_interval(struct coverage *coverage, int16_t y, int16_t x0, int16
     }
 }
 
-static void add_plain(struct coverage *coverage, const struct edge_shape *shape, const struct lim_point *at, uint8_t n)
+static void add_plain(struct coverage *coverage, const struct lim_edge_shape *shape, const struct lim_point *at, uint8_t n)
 {
-    struct edge_pair pair;
+    struct lim_edge_pair pair;
 
     if (shape->top >= shape->bottom) return;
-    edge_begin(&pair, at, n, shape->first, shape->top);
+    lim_edge_begin(&pair, at, n, shape->first, shape->top);
     for (int16_t y = shape->top;;) {
         add_interval(coverage, y, pair.left.x, pair.right.x);
         if (++y >= shape->bottom) return;
-        if (pair.left_end > y) edge_step(&pair.left);
-        if (pair.right_end > y) edge_step(&pair.right);
-        (void)edge_turn(&pair, at, n, y);
+        if (pair.left_end > y) lim_edge_step(&pair.left);
+        if (pair.right_end > y) lim_edge_step(&pair.right);
+        (void)lim_edge_turn(&pair, at, n, y);
     }
 }
 
 bool raster_add(struct coverage *coverage, const struct lim_point *at, uint8_t n)
 {
-    struct screen_polygon polygon = {.n = n}, triangle;
+    struct lim_screen_polygon polygon = {.n = n}, triangle;
 
     for (uint8_t k = 0; k < n; k++)
         polygon.at[k] = at[k];
-    edge_measure(&polygon.shape, at, n);
+    lim_edge_measure(&polygon.shape, at, n);
     if (!polygon.shape.folded) {
         add_plain(coverage, &polygon.shape, at, n);
         return false;
     }
     for (uint8_t k = 1; k + 1 < n; k++) {
-        project_fan(&polygon, k, &triangle);
+        lim_project_fan(&polygon, k, &triangle);
         add_plain(coverage, &triangle.shape, triangle.at, 3);
     }
     return true;

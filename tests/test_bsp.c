@@ -33,7 +33,8 @@ static bool is_in_front(const struct order *order, uint16_t node)
 static size_t record_at(const struct lim_scene *scene, uint16_t run)
 {
     size_t record = 0, at = 0;
-    for (; at < run; record++) at += LIM_POLYGON_HEAD_WORDS + (scene->polygons[at] & LIM_POLYGON_COUNT);
+    for (; at < run; record++)
+        at += LIM_POLYGON_HEAD_WORDS + (scene->polygons[at] & LIM_POLYGON_COUNT);
     return record;
 }
 
@@ -65,7 +66,8 @@ static void assert_order(const struct compiled *scene, double x, double y, bool 
     struct order nearest = {.scene = scene, .eye = {order.eye[0], 0, order.eye[2]}, .cull = cull};
     walk(&nearest, 0, false);
     assert_int_equal(nearest.count, order.count);
-    for (size_t i = 0; i < order.count; i++) assert_int_equal(nearest.names[i], order.names[order.count - 1 - i]);
+    for (size_t i = 0; i < order.count; i++)
+        assert_int_equal(nearest.names[i], order.names[order.count - 1 - i]);
 }
 
 /* The tree as text: NAME(front,back), '-' for no child. */
@@ -104,11 +106,11 @@ static void worked_example_of_eight_polygons(void **state)
         char name;
         double x0, y0, x1, y1;
     } walls[] = {
-        {'A', 0, 2, 0, -2},     /* front: x > 0 */
-        {'B', -8, 5, -2, 5},    /* front: y > 5 */
-        {'b', 2, 10, 8, 10},    /* front: y > 10 */
-        {'C', -8, -3, -2, -3},  {'c', 2, -10, 8, -10}, /* front: y > -10 */
-        {'D', -8, 12, -2, 12},  {'d', 2, 15, 8, 15},   {'e', 3, -4, 7, -5},
+        {'A', 0, 2, 0, -2},                           /* front: x > 0 */
+        {'B', -8, 5, -2, 5},                          /* front: y > 5 */
+        {'b', 2, 10, 8, 10},                          /* front: y > 10 */
+        {'C', -8, -3, -2, -3}, {'c', 2, -10, 8, -10}, /* front: y > -10 */
+        {'D', -8, 12, -2, 12}, {'d', 2, 15, 8, 15},   {'e', 3, -4, 7, -5},
     };
     struct mesh mesh = mesh_rig(1000.0);
     for (size_t i = 0; i < sizeof walls / sizeof *walls; i++)
@@ -286,14 +288,16 @@ static void check_areas(struct grove *grove)
     assert_non_null(sums);
     for (size_t i = 0; i < count; i++) {
         const struct mesh_polygon *polygon = &grove->mesh.polygons[i];
-        for (int k = 0; k < 3; k++) mpq_init(sums[i][k]);
+        for (int k = 0; k < 3; k++)
+            mpq_init(sums[i][k]);
         add_area(sums[i], &grove->points, &grove->mesh.corners[polygon->first], polygon->count, 1);
     }
     for (size_t i = 0; i < bsp->placed_count; i++) {
         const struct bsp_piece *piece = &bsp->pieces[bsp->placed[i]];
         uint32_t loop[64];
         assert_in_range(piece->count, 3, 64);
-        for (uint32_t k = 0; k < piece->count; k++) loop[k] = bsp->corners[piece->first + k].point;
+        for (uint32_t k = 0; k < piece->count; k++)
+            loop[k] = bsp->corners[piece->first + k].point;
         add_area(sums[piece->polygon], &grove->points, loop, piece->count, -1);
     }
     for (size_t i = 0; i < count; i++)
@@ -331,11 +335,32 @@ static void cut_points_lie_between_the_ends_of_their_edge(void **state)
     for_all_groves(check_cuts);
 }
 
+/* A wall across another's plane whose top corner lies on it, exactly or nearly: the cut goes
+ * through that corner, and only the opposite edge gets a new one. */
+static void a_corner_on_a_plane_is_no_reason_for_a_new_one(void **state)
+{
+    (void)state;
+    for (int off = -1; off <= 1; off++) {
+        struct mesh mesh = mesh_rig(1000.0);
+        const double corners_m[3][3] = {{-3.0, -1.0, 0.0}, {3.0, -1.0, 0.0}, {off * 0.004, 1.0, 0.0}};
+        mesh_rig_wall(&mesh, 'a', -5, 0, 5, 0);
+        mesh_rig_add(&mesh, corners_m, 3);
+        struct compiled scene = mesh_rig_compile(&mesh, "first", 5.0);
+        assert_int_equal(scene.report.splits, 1);
+        assert_int_equal(scene.scene.vertex_count, 4 + 3 + 1);
+        assert_int_equal(scene.scene.limits.vertices, 4); /* the first wall's */
+        assert_int_equal(scene.scene.polygon_words, 6 + 5 + 5);
+        compiled_free(&scene);
+        mesh_rig_free(&mesh);
+    }
+}
+
 static void polygons_of_one_plane_share_a_node(void **state)
 {
     (void)state;
     struct mesh mesh = mesh_rig(1000.0);
-    for (int i = 0; i < 10; i++) mesh_rig_wall(&mesh, 'a', i, i * 0.5, i + 0.8, i * 0.5 + 0.4);
+    for (int i = 0; i < 10; i++)
+        mesh_rig_wall(&mesh, 'a', i, i * 0.5, i + 0.8, i * 0.5 + 0.4);
     struct compiled scene = mesh_rig_compile(&mesh, "auto", 0.5);
     assert_int_equal(scene.scene.node_count, 1);
     assert_int_equal(scene.scene.polygon_count, 10);
@@ -381,6 +406,7 @@ int main(void)
         cmocka_unit_test(no_piece_is_farther_on_a_wrong_side_than_certified),
         cmocka_unit_test(pieces_have_exactly_the_area_of_their_polygon),
         cmocka_unit_test(cut_points_lie_between_the_ends_of_their_edge),
+        cmocka_unit_test(a_corner_on_a_plane_is_no_reason_for_a_new_one),
         cmocka_unit_test(polygons_of_one_plane_share_a_node),
         cmocka_unit_test(opposite_faces_of_one_plane_get_a_run_each),
         cmocka_unit_test(a_tree_may_be_as_deep_as_the_scene_has_planes),

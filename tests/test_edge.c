@@ -172,8 +172,8 @@ static void edges_are_exact_at_the_extremes(void **state)
     (void)state;
     for (int k = 0; k < 20000; k++) {
         struct lim_point at[3];
-        struct edge_shape shape;
-        struct edge_pair pair;
+        struct lim_edge_shape shape;
+        struct lim_edge_pair pair;
         for (int i = 0; i < 3; i++) {
             at[i].x = (lim_sub)(random_u64(&random) % 8 ? random_in(&random, low, high)
                                                         : (random_u64(&random) & 1 ? low : high));
@@ -181,20 +181,20 @@ static void edges_are_exact_at_the_extremes(void **state)
                                                         : (random_u64(&random) & 1 ? low : high));
         }
         at[1].y = (lim_sub)(random_u64(&random) % 4 ? at[1].y : at[0].y + 1); /* one sub-pixel high */
-        edge_measure(&shape, at, 3);
+        lim_edge_measure(&shape, at, 3);
         assert_false(shape.folded);
         if (shape.top >= shape.bottom) continue;
         const int16_t start = (int16_t)random_in(&random, shape.top, shape.bottom - 1);
-        edge_begin(&pair, at, 3, shape.first, start);
+        lim_edge_begin(&pair, at, 3, shape.first, start);
         for (int16_t y = start;;) {
             const struct lim_point l1 = at[pair.left_at], l0 = at[(pair.left_at + 2) % 3];
             const struct lim_point r1 = at[pair.right_at], r0 = at[(pair.right_at + 1) % 3];
             assert_int_equal(pair.left.x, first_pixel(l0, l1, y));
             assert_int_equal(pair.right.x, first_pixel(r0, r1, y));
             if (++y >= shape.bottom) break;
-            if (pair.left_end > y) edge_step(&pair.left);
-            if (pair.right_end > y) edge_step(&pair.right);
-            (void)edge_turn(&pair, at, 3, y);
+            if (pair.left_end > y) lim_edge_step(&pair.left);
+            if (pair.right_end > y) lim_edge_step(&pair.right);
+            (void)lim_edge_turn(&pair, at, 3, y);
         }
     }
 }

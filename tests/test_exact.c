@@ -26,7 +26,8 @@ static struct plane plane_of(int64_t a, int64_t b, int64_t c, int64_t d)
 static struct plane random_plane(struct random *random, int64_t most)
 {
     int64_t n[3];
-    for (int k = 0; k < 3; k++) n[k] = random_in(random, -most, most);
+    for (int k = 0; k < 3; k++)
+        n[k] = random_in(random, -most, most);
     return plane_of(n[0], n[1], n[2] | 1, random_in(random, -most * 30000, most * 30000));
 }
 
@@ -57,8 +58,8 @@ static void snapping_rounds_halves_up(void **state)
     static const struct {
         double at;
         int snapped;
-    } cases[] = {{0.5, 1},      {-0.5, 0},          {1.5, 2},          {-1.5, -1},     {0.49999999999999994, 0},
-                 {2.25, 2},     {-2.75, -3},        {32767.25, 32767}, {-32767.5, -32767}, {-32767.25, -32767},
+    } cases[] = {{0.5, 1},           {-0.5, 0},   {1.5, 2},          {-1.5, -1},         {0.49999999999999994, 0},
+                 {2.25, 2},          {-2.75, -3}, {32767.25, 32767}, {-32767.5, -32767}, {-32767.25, -32767},
                  {-0.5000000001, -1}};
     struct exact_points points = {0};
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
@@ -83,7 +84,8 @@ static void a_crossing_lies_exactly_on_plane_and_line(void **state)
     for (int i = 0; i < 2000; i++) {
         struct plane plane = random_plane(&random, INT64_C(1) << (1 + i % 30));
         double at[2][3];
-        for (int k = 0; k < 6; k++) at[k / 3][k % 3] = random_unit(&random) * 65534.0 - 32767.0;
+        for (int k = 0; k < 6; k++)
+            at[k / 3][k % 3] = random_unit(&random) * 65534.0 - 32767.0;
         uint32_t a = add(&points, at[0][0], at[0][1], at[0][2]), b = add(&points, at[1][0], at[1][1], at[1][2]);
         uint32_t cut = exact_add_crossing(&points, a, b, &plane);
         assert_int_equal(exact_side(&points, cut, &plane), 0);
@@ -110,12 +112,15 @@ static void sides_agree_with_whole_numbers(void **state)
     for (int i = 0; i < 100000; i++) {
         struct plane plane = random_plane(&random, 1000);
         int64_t at_q20[3], value = 0;
-        for (int k = 0; k < 3; k++) at_q20[k] = random_in(&random, -32767, 32767) * (1 << 20);
-        for (int k = 0; k < 3; k++) value += plane.n[k] * at_q20[k];
+        for (int k = 0; k < 3; k++)
+            at_q20[k] = random_in(&random, -32767, 32767) * (1 << 20);
+        for (int k = 0; k < 3; k++)
+            value += plane.n[k] * at_q20[k];
         plane.d = value / (1 << 20) + random_in(&random, -1, 1);
         at_q20[0] += random_in(&random, -1, 1);
         value = -plane.d * (1 << 20);
-        for (int k = 0; k < 3; k++) value += plane.n[k] * at_q20[k];
+        for (int k = 0; k < 3; k++)
+            value += plane.n[k] * at_q20[k];
         uint32_t point =
             add(&points, (double)at_q20[0] / (1 << 20), (double)at_q20[1] / (1 << 20), (double)at_q20[2] / (1 << 20));
         assert_int_equal(exact_side(&points, point, &plane), (value > 0) - (value < 0));
@@ -153,7 +158,8 @@ static void fit_setup(struct fit_rig *rig, struct random *random, const double n
     for (int i = 0; i < FIT_POINTS; i++) {
         double u = random_unit(random) * 40000.0 - 20000.0, v = random_unit(random) * 40000.0 - 20000.0;
         double off = i % 3 == 0 ? 0.0 : i % 3 == 1 ? 1.0 : random_unit(random) * 10000.0;
-        for (int k = 0; k < 3; k++) rig->points[i][k] = at[k] + u * along[k] + v * across[k] + off * normal[k];
+        for (int k = 0; k < 3; k++)
+            rig->points[i][k] = at[k] + u * along[k] + v * across[k] + off * normal[k];
     }
     rig->fit = (struct plane_fit){.corners = rig->corners,
                                   .corner_count = 4,
@@ -190,7 +196,8 @@ static void stored_planes_decide_as_ideal_ones(void **state)
         double normal[3] = {random_unit(&random) - 0.5, i % 4 == 0 ? 0.0 : random_unit(&random) - 0.5,
                             random_unit(&random) - 0.5};
         double length = sqrt(normal[0] * normal[0] + normal[1] * normal[1] + normal[2] * normal[2]);
-        for (int k = 0; k < 3; k++) normal[k] = i % 8 == 1 ? (k == i / 8 % 3 ? -1.0 : 0.0) : normal[k] / length;
+        for (int k = 0; k < 3; k++)
+            normal[k] = i % 8 == 1 ? (k == i / 8 % 3 ? -1.0 : 0.0) : normal[k] / length;
         struct fit_rig rig;
         struct plane plane;
         double tolerance = i % 5 ? 0.5 : 0.001;
@@ -199,14 +206,16 @@ static void stored_planes_decide_as_ideal_ones(void **state)
         kinds[plane.kind]++;
         assert_within_bounds(&plane);
         double facing = 0.0;
-        for (int k = 0; k < 3; k++) facing += (double)plane.n[k] * normal[k];
+        for (int k = 0; k < 3; k++)
+            facing += (double)plane.n[k] * normal[k];
         for (int p = 0; p < FIT_POINTS; p++) {
             double distance = plane_distance(&plane, rig.points[p]) * (facing < 0.0 ? -1.0 : 1.0);
             if (p % 3 == 0) assert_true(fabs(distance) <= tolerance);
             if (p % 3 == 1) assert_true(distance > tolerance);
         }
     }
-    for (int kind = 0; kind < 6; kind++) assert_true(kinds[kind] > 0);
+    for (int kind = 0; kind < 6; kind++)
+        assert_true(kinds[kind] > 0);
 }
 
 static void simple_normals_stay_simple(void **state)

@@ -104,7 +104,7 @@ static void make_large(struct random *random, struct fixture *f)
 
 static int32_t clamp_eye(int64_t at_q8)
 {
-    const int64_t limit = EYE_MAX_Q8 - 1;
+    const int64_t limit = LIM_EYE_MAX_Q8 - 1;
 
     return (int32_t)(at_q8 > limit ? limit : at_q8 < -limit ? -limit : at_q8);
 }
@@ -121,7 +121,7 @@ static void make_eye(struct random *random, const struct fixture *f, int64_t ran
     for (int i = 0; i < 3; i++)
         rest -= i == axis ? 0 : (__int128)f->n[i] * eye_q8[i];
     const __int128 on_plane_q8 = rest / f->n[axis] + random_in(random, -2, 2);
-    if (on_plane_q8 > -EYE_MAX_Q8 && on_plane_q8 < EYE_MAX_Q8) eye_q8[axis] = clamp_eye((int64_t)on_plane_q8);
+    if (on_plane_q8 > -LIM_EYE_MAX_Q8 && on_plane_q8 < LIM_EYE_MAX_Q8) eye_q8[axis] = clamp_eye((int64_t)on_plane_q8);
 }
 
 static void no_side_is_decided_wrongly(enum lim_plane_kind kind, uint64_t seed)
@@ -135,7 +135,7 @@ static void no_side_is_decided_wrongly(enum lim_plane_kind kind, uint64_t seed)
 
     mpz_inits(oracle.sum, oracle.term, NULL);
     for (int k = 0; k < CASES_PER_KIND; k++) {
-        struct eye eye;
+        struct lim_eye eye;
         int32_t eye_q8[3];
         if (kind <= LIM_PLANE_Z)
             make_axis(&random, &f);
@@ -144,9 +144,9 @@ static void no_side_is_decided_wrongly(enum lim_plane_kind kind, uint64_t seed)
         else
             make_large(&random, &f);
         make_eye(&random, &f, ranges_q8[k % 4], eye_q8);
-        eye_set(&eye, eye_q8);
+        lim_eye_set(&eye, eye_q8);
         const int expected = oracle_side(&oracle, f.n, f.d, eye_q8);
-        wrong += eye_side(&eye, &scene, &f.node) != expected;
+        wrong += lim_eye_side(&eye, &scene, &f.node) != expected;
         on += expected == 0;
     }
     mpz_clears(oracle.sum, oracle.term, NULL);

@@ -95,8 +95,8 @@ static void sine_is_within_4_units_of_2_30(void **state)
     for (uint64_t k = 0; k < UINT64_C(1) << 32; k += 4093) { /* all four quadrants */
         const uint32_t angle = (uint32_t)k;
         const double turn = 2 * pi * angle / 4294967296.0;
-        const double error = fabs(sin_q30(angle) - 1073741824.0 * sin(turn));
-        const double cosine_error = fabs(cos_q30(angle) - 1073741824.0 * cos(turn));
+        const double error = fabs(lim_sin_q30(angle) - 1073741824.0 * sin(turn));
+        const double cosine_error = fabs(lim_cos_q30(angle) - 1073741824.0 * cos(turn));
         if (error > worst) worst = error;
         if (cosine_error > worst) worst = cosine_error;
     }
@@ -142,23 +142,23 @@ static void reference_ratios(const struct lim_camera *c, const struct lim_vertex
 static double worst_projection_px(int64_t range_q8, uint64_t seed, uint16_t side_px)
 {
     struct random random = {seed};
-    struct view_cached cache[VIEW_CACHE_ENTRIES];
-    struct view view;
+    struct lim_view_cached cache[LIM_VIEW_CACHE_ENTRIES];
+    struct lim_view view;
     double worst = 0;
     int seen = 0;
 
-    view_init(&view, side_px, side_px, cache);
+    lim_view_init(&view, side_px, side_px, cache);
     for (int k = 0; k < 400000 || seen < 1000; k++) {
         const struct lim_camera camera = random_camera(&random, range_q8);
         const struct lim_vertex v = {(int16_t)random_u64(&random), (int16_t)random_u64(&random),
                                      (int16_t)random_u64(&random)};
-        struct view_point p;
+        struct lim_view_point p;
         double truth[3];
-        assert_true(view_begin(&view, &camera));
-        view_transform(&view, &v, &p);
+        assert_true(lim_view_begin(&view, &camera));
+        lim_view_transform(&view, &v, &p);
         reference_ratios(&camera, &v, truth);
         if (truth[2] < 1000 || fabs(truth[0]) > 1 || fabs(truth[1]) > 1) continue;
-        const struct lim_point at = view_project(&view, &p);
+        const struct lim_point at = lim_view_project(&view, &p);
         const double x_px = (truth[0] + 1) * side_px / 2 - 0.5, y_px = (truth[1] + 1) * side_px / 2 - 0.5;
         const double error = fmax(fabs((double)at.x / LIM_SUB - x_px), fabs((double)at.y / LIM_SUB - y_px));
         if (error > worst) worst = error;

@@ -10,9 +10,9 @@
 enum { W = 200, POOL = 100 };
 
 struct fixture {
-    struct line line;
-    struct gap pool[POOL];
-    struct spans spans;
+    struct lim_line line;
+    struct lim_gap pool[POOL];
+    struct lim_spans spans;
     bool open[W];
     bool fresh[W]; /* what the pieces of the last call covered */
     uint16_t last_end;
@@ -20,13 +20,13 @@ struct fixture {
 
 static void open_line(struct fixture *f, uint16_t pool_size)
 {
-    const struct rect all = {0, 0, W, 1};
+    const struct lim_rect all = {0, 0, W, 1};
 
     memset(f, 0, sizeof *f);
     f->spans.lines = &f->line;
     f->spans.pool = f->pool;
     f->spans.pool_size = pool_size;
-    spans_open(&f->spans, &all);
+    lim_spans_open(&f->spans, &all);
     for (int x = 0; x < W; x++)
         f->open[x] = true;
 }
@@ -42,21 +42,21 @@ static void note_piece(void *ctx, uint16_t x0, uint16_t x1)
         f->fresh[x] = true;
 }
 
-static enum span_result close_and_compare(struct fixture *f, int16_t x0, int16_t x1)
+static enum lim_span_result close_and_compare(struct fixture *f, int16_t x0, int16_t x1)
 {
     bool any = false;
 
     memset(f->fresh, 0, sizeof f->fresh);
     f->last_end = 0;
-    const enum span_result result = span_close(&f->spans, &f->line, x0, x1, note_piece, f);
-    if (result == SPAN_EXHAUSTED) return result;
+    const enum lim_span_result result = lim_span_close(&f->spans, &f->line, x0, x1, note_piece, f);
+    if (result == LIM_SPAN_EXHAUSTED) return result;
     for (int x = 0; x < W; x++) {
         const bool expected = f->open[x] && x >= x0 && x < x1;
         assert_int_equal(f->fresh[x], expected);
         any |= expected;
         if (expected) f->open[x] = false;
     }
-    assert_int_equal(result, any ? SPAN_SOME : SPAN_NOTHING);
+    assert_int_equal(result, any ? LIM_SPAN_SOME : LIM_SPAN_NOTHING);
     return result;
 }
 
@@ -65,7 +65,7 @@ static void assert_gaps_are_what_is_open(const struct fixture *f)
     bool open[W] = {false};
     uint16_t end = 0;
 
-    for (const struct gap *gap = &f->line.gap;; gap = &f->pool[gap->next]) {
+    for (const struct lim_gap *gap = &f->line.gap;; gap = &f->pool[gap->next]) {
         for (int x = gap->x0; x < gap->x1; x++)
             open[x] = true;
         assert_true(gap->x0 >= end);
@@ -88,7 +88,7 @@ static void random_intervals_agree_with_a_picture(void **state)
         for (int k = 0; k < 60; k++) {
             const int16_t x0 = (int16_t)random_in(&random, -60, W + 20);
             const int16_t x1 = (int16_t)(x0 + random_in(&random, 1, longest));
-            assert_int_not_equal(close_and_compare(&f, x0, x1), SPAN_EXHAUSTED);
+            assert_int_not_equal(close_and_compare(&f, x0, x1), LIM_SPAN_EXHAUSTED);
             assert_gaps_are_what_is_open(&f);
         }
         bool any = false;
@@ -106,9 +106,9 @@ static void closing_everything_closes_the_line(void **state)
     open_line(&f, POOL);
     for (int16_t x = 10; x < W; x = (int16_t)(x + 20))
         close_and_compare(&f, x, (int16_t)(x + 5));
-    assert_int_equal(close_and_compare(&f, -512, 1536), SPAN_SOME);
+    assert_int_equal(close_and_compare(&f, -512, 1536), LIM_SPAN_SOME);
     assert_int_equal(f.spans.open_lines, 0);
-    assert_int_equal(close_and_compare(&f, 0, W), SPAN_NOTHING);
+    assert_int_equal(close_and_compare(&f, 0, W), LIM_SPAN_NOTHING);
 }
 
 static void gaps_that_were_given_back_are_used_again(void **state)
@@ -119,9 +119,9 @@ static void gaps_that_were_given_back_are_used_again(void **state)
     open_line(&f, 2);
     close_and_compare(&f, 50, 60);
     close_and_compare(&f, 100, 110);
-    assert_int_equal(close_and_compare(&f, 150, 160), SPAN_EXHAUSTED);
-    assert_int_equal(close_and_compare(&f, 110, W), SPAN_SOME); /* the last gap goes */
-    assert_int_equal(close_and_compare(&f, 20, 30), SPAN_SOME); /* and is used here */
+    assert_int_equal(close_and_compare(&f, 150, 160), LIM_SPAN_EXHAUSTED);
+    assert_int_equal(close_and_compare(&f, 110, W), LIM_SPAN_SOME); /* the last gap goes */
+    assert_int_equal(close_and_compare(&f, 20, 30), LIM_SPAN_SOME); /* and is used here */
     assert_gaps_are_what_is_open(&f);
 }
 
@@ -131,33 +131,33 @@ static void an_empty_pool_still_cuts_ends(void **state)
 
     (void)state;
     open_line(&f, 0);
-    assert_int_equal(close_and_compare(&f, -5, 30), SPAN_SOME);
-    assert_int_equal(close_and_compare(&f, 170, 300), SPAN_SOME);
-    assert_int_equal(close_and_compare(&f, 80, 90), SPAN_EXHAUSTED);
-    assert_int_equal(close_and_compare(&f, 30, 170), SPAN_SOME);
+    assert_int_equal(close_and_compare(&f, -5, 30), LIM_SPAN_SOME);
+    assert_int_equal(close_and_compare(&f, 170, 300), LIM_SPAN_SOME);
+    assert_int_equal(close_and_compare(&f, 80, 90), LIM_SPAN_EXHAUSTED);
+    assert_int_equal(close_and_compare(&f, 30, 170), LIM_SPAN_SOME);
     assert_int_equal(f.spans.open_lines, 0);
 }
 
 static void the_open_rectangle_shrinks_to_what_is_open(void **state)
 {
-    struct line lines[10];
-    struct gap pool[POOL];
-    struct spans spans = {.lines = lines, .pool = pool, .pool_size = POOL};
-    const struct rect all = {0, 0, W, 10};
+    struct lim_line lines[10];
+    struct lim_gap pool[POOL];
+    struct lim_spans spans = {.lines = lines, .pool = pool, .pool_size = POOL};
+    const struct lim_rect all = {0, 0, W, 10};
 
     (void)state;
-    spans_open(&spans, &all);
-    assert_false(spans_shrink(&spans));
+    lim_spans_open(&spans, &all);
+    assert_false(lim_spans_shrink(&spans));
     for (int y = 0; y < 10; y++) {
         if (y < 3 || y == 9)
-            span_close(&spans, &lines[y], 0, W, NULL, NULL);
+            lim_span_close(&spans, &lines[y], 0, W, NULL, NULL);
         else
-            span_close(&spans, &lines[y], -9, (int16_t)(40 + y), NULL, NULL);
+            lim_span_close(&spans, &lines[y], -9, (int16_t)(40 + y), NULL, NULL);
     }
-    span_close(&spans, &lines[5], 100, 120, NULL, NULL);
+    lim_span_close(&spans, &lines[5], 100, 120, NULL, NULL);
     for (int y = 3; y < 9; y++)
-        span_close(&spans, &lines[y], (int16_t)(150 + y), 999, NULL, NULL);
-    assert_true(spans_shrink(&spans));
+        lim_span_close(&spans, &lines[y], (int16_t)(150 + y), 999, NULL, NULL);
+    assert_true(lim_spans_shrink(&spans));
     assert_int_equal(spans.open.x0, 43);
     assert_int_equal(spans.open.x1, 158);
     assert_int_equal(spans.open.y0, 3);

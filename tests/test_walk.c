@@ -32,16 +32,16 @@ static void walk_all(const struct tree *tree, const int32_t eye_units[3], bool b
     const struct lim_scene scene = {
         .nodes = tree->nodes, .planes = tree->planes, .node_count = tree->count, .limits = {.depth = MAX_DEPTH}};
     const int32_t eye_q8[3] = {eye_units[0] * 256, eye_units[1] * 256, eye_units[2] * 256};
-    const struct cull cull = {0};
+    const struct lim_cull cull = {0};
     struct lim_stats stats = {0};
-    struct walk_pending stack[MAX_DEPTH];
-    struct walk walk;
-    struct eye eye;
+    struct lim_walk_pending stack[MAX_DEPTH];
+    struct lim_walk walk;
+    struct lim_eye eye;
     uint16_t run;
 
-    eye_set(&eye, eye_q8);
-    walk_begin(&walk, &scene, &eye, stack, back_to_front);
-    while ((run = walk_next(&walk, &cull, &stats)) != LIM_NONE)
+    lim_eye_set(&eye, eye_q8);
+    lim_walk_begin(&walk, &scene, &eye, stack, back_to_front);
+    while ((run = lim_walk_next(&walk, &cull, &stats)) != LIM_NONE)
         *order++ = (char)run;
     *order = 0;
 }

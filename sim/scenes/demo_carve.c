@@ -9,7 +9,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { LINES = 256, SOLID = -1 };
+enum {
+    LINES = 256, /* far more than two for every box and the panels between them */
+    SOLID = -1,
+};
 
 struct lattice {
     int *line[3]; /* mm, ascending */
@@ -160,8 +163,10 @@ static struct cuts cuts_find(const struct view *view, const struct space *space,
         cuts.count = sort_unique(cuts.at_mm, cuts.count);
     }
     int tile_mm = view->axis == 1 && view->facing > 0 ? space->tile_mm[along / 2] : 0;
-    if (tile_mm) cuts_tile(&cuts, space->lo_mm[along], tile_mm);
-    else cuts_divide(&cuts, view->axis == 1 ? 3 * space->panel_mm / 2 : space->panel_mm);
+    if (tile_mm)
+        cuts_tile(&cuts, space->lo_mm[along], tile_mm);
+    else
+        cuts_divide(&cuts, view->axis == 1 ? 3 * space->panel_mm / 2 : space->panel_mm);
     cuts.count = sort_unique(cuts.at_mm, cuts.count);
     return cuts;
 }

@@ -2,21 +2,22 @@
  *
  * The plan of the house: studio, library and kitchen in the north, hall, stairs, bedchamber and a
  * walled court in the south, joined into a ring by doorways; windows; daylight, sun and lamps. */
-#include "demo_carve.h"
 #include "demo_house.h"
+#include "demo_carve.h"
 #include "demo_joinery.h"
 
 #define COUNT(array) (sizeof(array) / sizeof *(array))
 
 static const struct space rooms[] = {
+    /* from, to; floor, chequered with; wall, ceiling, dado and its height; size of panels and tiles */
     /* hall */
-    {{0, 0, 5050}, {4400, 3200, 10000}, MARBLE_WHITE, MARBLE_BLACK, WHITEWASH, OAK_DARK, GREY_BLUE, 150, 1000, {550, 550}},
+    {{0, 0, 5050}, {4400, 3200, 10000}, MARBLE, BASALT, WHITEWASH, OAK_DARK, GREY_BLUE, 150, 1000, {550, 550}},
     /* studio */
     {{0, 0, 0}, {5400, 3400, 4800}, PLANK, PLANK, PLASTER, OAK_DARK, GREY_BLUE, 1000, 1000, {450, 1600}},
     /* library */
     {{5650, 0, 0}, {8450, 2900, 4800}, PLANK_DARK, PLANK_DARK, SAGE, CREAM, WALNUT, 900, 1000, {700, 800}},
     /* kitchen */
-    {{8700, 0, 0}, {13400, 2900, 4800}, TERRACOTTA, TERRACOTTA_DARK, OCHRE, OAK_DARK, DELFT_WHITE, 300, 1000, {672, 686}},
+    {{8700, 0, 0}, {13400, 2900, 4800}, TILE, TILE_DARK, OCHRE, OAK_DARK, DELFT_WHITE, 300, 1000, {672, 686}},
     /* bedchamber */
     {{7700, 0, 5050}, {10900, 2800, 10000}, OAK_PALE, OAK_PALE, GREY_BLUE, WHITEWASH, WHITEWASH, 0, 1000, {400, 1650}},
     /* stairs, and the shaft of light above their landing */
@@ -24,7 +25,7 @@ static const struct space rooms[] = {
     {{6250, 3200, 5050}, {7450, 4700, 6050}, SKY, SKY, WHITEWASH, SKY, WHITEWASH, 0, 800, {0, 0}},
     /* court, the air over its walls, the air over the eaves */
     {{11250, 0, 5150}, {14700, 2200, 10000}, PAVING, PAVING_DARK, BRICK, SKY, BRICK_DARK, 0, 900, {690, 606}},
-    {{11250, 2200, 5150}, {14700, 3100, 10000}, STONE, STONE, BRICK, SKY, BRICK, 0, 900, {0, 0}},
+    {{11250, 2200, 5150}, {14700, 3100, 10000}, STONE, STONE, BRICK, SKY, BRICK, 0, 1700, {0, 0}},
     {{14700, 2200, 5150}, {15300, 3100, 10000}, STONE, STONE, SKY, SKY, SKY, 0, 0, {0, 0}},
     {{11250, 2200, 10000}, {15300, 3100, 11600}, STONE, STONE, SKY, SKY, SKY, 0, 0, {0, 0}},
     {{10400, 3100, 4300}, {15300, 5400, 11600}, SKY, SKY, SKY, SKY_TOP, SKY, 0, 0, {0, 0}},
@@ -37,25 +38,25 @@ static const struct space rooms[] = {
 };
 
 static const struct space doorways[] = {
-    {{1550, 0, 4800}, {2450, 2150, 5050}, STONE, STONE, OAK, OAK, OAK, 0, 0, {0, 0}},    /* hall - studio */
-    {{5400, 0, 2150}, {5650, 2150, 3050}, OAK, OAK, OAK, OAK, OAK, 0, 0, {0, 0}},        /* studio - library */
-    {{8450, 0, 2150}, {8700, 2150, 3050}, STONE, STONE, OAK, OAK, OAK, 0, 0, {0, 0}},    /* library - kitchen */
+    {{1550, 0, 4800}, {2450, 2150, 5050}, STONE, STONE, OAK, OAK, OAK, 0, 0, {0, 0}}, /* hall - studio */
+    {{5400, 0, 2150}, {5650, 2150, 3050}, OAK, OAK, OAK, OAK, OAK, 0, 0, {0, 0}},     /* studio - library */
+    {{8450, 0, 2150}, {8700, 2150, 3050}, STONE, STONE, OAK, OAK, OAK, 0, 0, {0, 0}}, /* library - kitchen */
     {{11900, 0, 4800}, {12800, 2150, 5150}, STONE, STONE, GREEN_PAINT, GREEN_PAINT, OAK, 0, 0, {0, 0}}, /* - court */
     {{10900, 0, 7050}, {11250, 2150, 7950}, STONE, STONE, GREEN_PAINT, GREEN_PAINT, OAK, 0, 0, {0, 0}}, /* - bed */
-    {{7450, 0, 7050}, {7700, 2150, 7950}, OAK, OAK, OAK, OAK, OAK, 0, 0, {0, 0}},        /* bedchamber - stairs */
-    {{4400, 0, 7050}, {4650, 2150, 7950}, STONE, STONE, OAK, OAK, OAK, 0, 0, {0, 0}},    /* stairs - hall */
+    {{7450, 0, 7050}, {7700, 2150, 7950}, OAK, OAK, OAK, OAK, OAK, 0, 0, {0, 0}},     /* bedchamber - stairs */
+    {{4400, 0, 7050}, {4650, 2150, 7950}, STONE, STONE, OAK, OAK, OAK, 0, 0, {0, 0}}, /* stairs - hall */
 };
 
 const struct window house_windows[] = {
-    {{1500, 900, 10000}, {2800, 2600, 10350}, SOUTH, 2, 2, true, 0.8},  /* hall */
-    {{400, 2300, 10000}, {1300, 2800, 10350}, SOUTH, 2, 1, true, 1.0},  /* over the front door */
-    {{-350, 900, 6850}, {0, 2500, 8150}, WEST, 2, 2, true, 0.8},        /* hall, at the end of the enfilade */
-    {{-350, 900, 8700}, {0, 2500, 9600}, WEST, 2, 2, true, 0.8},        /* hall */
-    {{1200, 1000, -350}, {4200, 3000, 0}, NORTH, 3, 2, false, 1.0},     /* studio */
-    {{6450, 1100, -350}, {7650, 2500, 0}, NORTH, 2, 2, false, 2.2},     /* library */
-    {{10000, 1100, -350}, {11600, 2400, 0}, NORTH, 2, 2, false, 2.2},   /* kitchen */
-    {{7950, 900, 10000}, {9050, 2400, 10350}, SOUTH, 2, 2, true, 1.7},  /* bedchamber */
-    {{4950, 900, 10000}, {6050, 2600, 10350}, SOUTH, 2, 2, true, 0.8},  /* stairs */
+    {{1500, 900, 10000}, {2800, 2600, 10350}, SOUTH, 2, 2, true, 0.8}, /* hall */
+    {{400, 2300, 10000}, {1300, 2800, 10350}, SOUTH, 2, 1, true, 1.0}, /* over the front door */
+    {{-350, 900, 6850}, {0, 2500, 8150}, WEST, 2, 2, true, 0.8},       /* hall, at the end of the enfilade */
+    {{-350, 900, 8700}, {0, 2500, 9600}, WEST, 2, 2, true, 0.8},       /* hall */
+    {{1200, 1000, -350}, {4200, 3000, 0}, NORTH, 3, 2, false, 1.0},    /* studio */
+    {{6450, 1100, -350}, {7650, 2500, 0}, NORTH, 2, 2, false, 2.2},    /* library */
+    {{10000, 1100, -350}, {11600, 2400, 0}, NORTH, 2, 2, false, 2.2},  /* kitchen */
+    {{7950, 900, 10000}, {9050, 2400, 10350}, SOUTH, 2, 2, true, 2.2}, /* bedchamber */
+    {{4950, 900, 10000}, {6050, 2600, 10350}, SOUTH, 2, 2, true, 0.8}, /* stairs */
 };
 const size_t house_window_count = COUNT(house_windows);
 
@@ -74,15 +75,14 @@ const size_t house_sky_count = COUNT(house_skies);
 const struct vec3 house_sun = {0.42, -0.55, -0.72};
 
 const struct lamp house_lamps[] = {
-    {{13.62, 0.45, 2.6}, 0.12, {6.0, 3.3, 1.4}},   /* kitchen fire */
+    {{13.62, 0.45, 2.6}, 0.12, {6.0, 3.3, 1.4}},  /* kitchen fire */
     {{7.55, 1.32, 0.55}, 0.06, {2.4, 1.8, 1.0}},  /* library desk */
-    {{2.2, 2.45, 7.5}, 0.25, {1.2, 0.8, 0.35}},    /* hall chandelier */
-    {{10.6, 1.25, 9.3}, 0.05, {0.8, 0.45, 0.15}},  /* bedchamber candle */
+    {{2.2, 2.45, 7.5}, 0.25, {1.2, 0.8, 0.35}},   /* hall chandelier */
+    {{10.6, 1.25, 9.3}, 0.05, {0.8, 0.45, 0.15}}, /* bedchamber candle */
 };
 const size_t house_lamp_count = COUNT(house_lamps);
 
-const struct vec3 house_kitchen_door[4] = {
-    {11.9, 0, 5.15}, {12.8, 0, 5.15}, {12.8, 2.15, 5.15}, {11.9, 2.15, 5.15}};
+const struct vec3 house_kitchen_door[4] = {{11.9, 0, 5.15}, {12.8, 0, 5.15}, {12.8, 2.15, 5.15}, {11.9, 2.15, 5.15}};
 
 const struct vec3 house_court_edges[2][2] = {
     {{11.25, 3.1, 10}, {11.25, 3.1, 5.15}}, /* the western eaves */
@@ -95,9 +95,12 @@ struct frame window_frame(const struct window *window)
     const int *lo = window->lo_mm, *hi = window->hi_mm;
     double x = (lo[0] + hi[0]) / 2.0, z = (lo[2] + hi[2]) / 2.0;
     switch (window->outward) {
-    case NORTH: return frame_at(x, lo[1], lo[2], 0);
-    case SOUTH: return frame_at(x, lo[1], hi[2], 180);
-    case WEST: break;
+    case NORTH:
+        return frame_at(x, lo[1], lo[2], 0);
+    case SOUTH:
+        return frame_at(x, lo[1], hi[2], 180);
+    case WEST:
+        break;
     }
     return frame_at(lo[0], lo[1], z, 90);
 }

@@ -7,9 +7,8 @@
 
 #define COUNT(array) (sizeof(array) / sizeof *(array))
 
-/* Outlines are convex, in the plane across an axis: 0: z and y, 1: x and z, 2: x and y, in millimetres. */
-
-/* A flat shape some millimetres before a surface: panels of doors, rugs, what is seen far away. */
+/* A flat shape some millimetres before a surface: panels of doors, rugs, what is seen far away.
+ * Its outline is convex, in the plane across an axis: 0: z and y, 1: x and z, 2: x and y. */
 struct cutout {
     int axis, at_mm;
     int facing; /* +1 or -1 along the axis */
@@ -28,19 +27,20 @@ static const struct cutout cutouts[] = {
     /* door on the landing */
     {0, 7445, -1, OAK, 4, {{5150, 1895}, {5900, 1895}, {5900, 3790}, {5150, 3790}}},
     /* rugs in the bedchamber and the library */
-    {1, 4, 1, RED_DARK, 4, {{8300, 6900}, {10250, 6650}, {10450, 8100}, {8500, 8350}}},
+    {1, 4, 1, RED_CLOTH, 4, {{8300, 6900}, {10250, 6650}, {10450, 8100}, {8500, 8350}}},
     {1, 7, 1, BLUE_CLOTH, 4, {{8450, 7018}, {9297, 6909}, {9453, 8091}, {8606, 8200}}},
     {1, 7, 1, BLUE_CLOTH, 4, {{9297, 6909}, {10144, 6800}, {10300, 7982}, {9453, 8091}}},
+    {1, 10, 1, YELLOW_CLOTH, 4, {{8880, 7560}, {9350, 6990}, {9880, 7430}, {9410, 8000}}},
+    {1, 13, 1, RED_CLOTH, 4, {{9010, 7550}, {9360, 7110}, {9750, 7440}, {9400, 7880}}},
     {1, 4, 1, BLUE_CLOTH, 4, {{6250, 1500}, {7900, 1500}, {7900, 3700}, {6250, 3700}}},
     {1, 7, 1, RED_CLOTH, 4, {{6430, 1680}, {7720, 1680}, {7720, 2600}, {6430, 2600}}},
     {1, 7, 1, RED_CLOTH, 4, {{6430, 2600}, {7720, 2600}, {7720, 3520}, {6430, 3520}}},
     {1, 10, 1, YELLOW_CLOTH, 4, {{7075, 1900}, {7500, 2600}, {7075, 3300}, {6650, 2600}}},
     {1, 13, 1, BLUE_CLOTH, 4, {{7075, 2060}, {7400, 2600}, {7075, 3140}, {6750, 2600}}},
-    /* skies are hazy low down: street, west, north, over the court */
+    /* skies are hazy low down: street, west, north */
     {2, 12395, -1, SKY_LOW, 4, {{-890, -290}, {10190, -290}, {10190, 2000}, {-890, 2000}}},
     {0, -1895, 1, SKY_LOW, 4, {{5210, -290}, {9790, -290}, {9790, 1900}, {5210, 1900}}},
     {2, -1995, 1, SKY_LOW, 4, {{610, -290}, {12290, -290}, {12290, 2000}, {610, 2000}}},
-    {2, 11595, -1, SKY_LOW, 4, {{11260, 2210}, {15290, 2210}, {15290, 3300}, {11260, 3300}}},
     /* across the street */
     {2, 12390, -1, FAR_TREE, 5, {{5000, -290}, {6600, -290}, {6800, 1300}, {5900, 1900}, {4900, 1400}}},
     {2, 12380, -1, FAR_HOUSE, 4, {{1500, -290}, {2900, -290}, {2900, 1900}, {1500, 1900}}},
@@ -52,14 +52,19 @@ static const struct cutout cutouts[] = {
     /* in the west */
     {0, -1890, 1, FAR_HOUSE, 4, {{6900, 900}, {7600, 900}, {7600, 1700}, {6900, 1700}}},
     {0, -1890, 1, FAR_ROOF, 3, {{6800, 1700}, {7700, 1700}, {7250, 2150}}},
-    {0, -1880, 1, FAR_TREE, 6, {{5210, -290}, {9790, -290}, {9790, 1250}, {8600, 1500}, {7000, 1300}, {5210, 1100}}},
+    {0, -1880, 1, FAR_TREE, 6, {{5210, -290}, {9790, -290}, {9790, 1250}, {8600, 1500}, {7000, 1400}, {5210, 1100}}},
     /* the gardens */
     {2, -1990, 1, FAR_TREE, 5, {{1400, -290}, {3100, -290}, {3000, 1700}, {2200, 2100}, {1300, 1600}}},
     {2, -1980, 1, FAR_HOUSE2, 4, {{6300, 600}, {7200, 600}, {7200, 1900}, {6300, 1900}}},
     {2, -1980, 1, FAR_ROOF, 3, {{6200, 1900}, {7300, 1900}, {6750, 2450}}},
     {2, -1970, 1, FAR_HEDGE, 4, {{610, -290}, {12290, -290}, {12290, 1200}, {610, 1350}}},
     /* clouds over the court */
-    {2, 11590, -1, SKY_CLOUD, 6, {{11300, 3700}, {12900, 3650}, {13500, 3850}, {12700, 4150}, {12000, 4200}, {11500, 4000}}},
+    {2,
+     11590,
+     -1,
+     SKY_CLOUD,
+     6,
+     {{11300, 3700}, {12900, 3650}, {13500, 3850}, {12700, 4150}, {12000, 4200}, {11500, 4000}}},
     {0, 15290, -1, SKY_CLOUD, 6, {{6000, 3900}, {8200, 3850}, {8800, 4050}, {8000, 4400}, {7000, 4450}, {6300, 4200}}},
 };
 
@@ -119,7 +124,8 @@ void joinery_window(struct soup *soup, const struct window *window)
     for (int i = 0; i < window->columns; i++) {
         int left = width_mm * i / window->columns - width_mm / 2 + (i ? BAR_MM / 2 : 0);
         int right = width_mm * (i + 1) / window->columns - width_mm / 2 - (i + 1 < window->columns ? BAR_MM / 2 : 0);
-        struct box upright = {{right, 0, BAR_FROM_MM}, {right + BAR_MM, height_mm, BAR_TO_MM}, WHITEWASH, LEG | NO_BACK, 0};
+        struct box upright = {
+            {right, 0, BAR_FROM_MM}, {right + BAR_MM, height_mm, BAR_TO_MM}, WHITEWASH, LEG | NO_BACK, 0};
         if (i + 1 < window->columns) shape_box(soup, &frame, &upright);
         for (int j = 1; j < window->rows; j++) {
             int y = height_mm * j / window->rows - BAR_MM / 2;
@@ -139,9 +145,9 @@ struct beams {
 };
 
 static const struct beams all_beams[] = {
-    {true, 0, 4400, 3200, 5700, 1180, 4, 180, 200, 2, OAK},   /* hall */
-    {false, 0, 4800, 3400, 680, 1010, 5, 180, 220, 2, OAK},   /* studio */
-    {false, 0, 4800, 2900, 9290, 1177, 4, 160, 180, 2, OAK},  /* kitchen */
+    {true, 0, 4400, 3200, 5700, 1180, 4, 180, 200, 2, OAK},  /* hall */
+    {false, 0, 4800, 3400, 680, 1010, 5, 180, 220, 2, OAK},  /* studio */
+    {false, 0, 4800, 2900, 9290, 1177, 4, 160, 180, 2, OAK}, /* kitchen */
     {true, 7700, 10900, 2800, 6700, 1300, 3, 140, 140, 2, OAK_PALE},
 };
 
@@ -154,10 +160,16 @@ static void add_beams(struct soup *soup, const struct beams *beams)
             int end = piece + 1 < beams->pieces ? start + length_mm : beams->to_mm;
             int low = beams->ceiling_mm - beams->depth_mm, half = beams->width_mm / 2;
             struct frame world = frame_at(0, 0, 0, 0);
-            struct box along_x = {{start, low, middle - half}, {end, beams->ceiling_mm, middle + half}, beams->material,
-                                  NO_ENDS | NO_TOP, 0};
-            struct box along_z = {{middle - half, low, start}, {middle + half, beams->ceiling_mm, end}, beams->material,
-                                  NO_FRONT | NO_BACK | NO_TOP, 0};
+            struct box along_x = {{start, low, middle - half},
+                                  {end, beams->ceiling_mm, middle + half},
+                                  beams->material,
+                                  NO_ENDS | NO_TOP,
+                                  0};
+            struct box along_z = {{middle - half, low, start},
+                                  {middle + half, beams->ceiling_mm, end},
+                                  beams->material,
+                                  NO_FRONT | NO_BACK | NO_TOP,
+                                  0};
             shape_box(soup, &world, beams->along_x ? &along_x : &along_z);
         }
 }
@@ -170,10 +182,13 @@ static void add_steps(struct soup *soup)
     struct frame world = frame_at(0, 0, 0, 0);
     for (int i = 0; i < STEPS; i++) {
         int left = STAIR_X_MM + i * TREAD_MM, right = i + 1 < STEPS ? left + TREAD_MM : STAIR_END_MM;
-        struct box step = {{left, i * RISE_MM, STAIR_BACK_MM}, {right, (i + 1) * RISE_MM, STAIR_FRONT_MM}, OAK,
-                           NO_RIGHT | NO_BOTTOM | NO_BACK | NO_FRONT, 0};
-        struct box side = {{left, 0, STAIR_BACK_MM}, {right, (i + 1) * RISE_MM, STAIR_FRONT_MM}, GREEN_PAINT,
-                           ~NO_FRONT, 0};
+        struct box step = {{left, i * RISE_MM, STAIR_BACK_MM},
+                           {right, (i + 1) * RISE_MM, STAIR_FRONT_MM},
+                           OAK,
+                           NO_RIGHT | NO_BOTTOM | NO_BACK | NO_FRONT,
+                           0};
+        struct box side = {
+            {left, 0, STAIR_BACK_MM}, {right, (i + 1) * RISE_MM, STAIR_FRONT_MM}, GREEN_PAINT, ~NO_FRONT, 0};
         shape_box(soup, &world, &step);
         shape_box(soup, &world, &side);
     }
@@ -200,9 +215,8 @@ static void add_banister(struct soup *soup)
     struct box rest[] = {
         {{0, 0, -45}, {80, 960, 45}, OAK_DARK, STANDING, 0},
         {{80, 820, -35}, {598, 880, 35}, OAK_DARK, NO_LEFT, 0},
-        {{200, 0, -16}, {232, 820, 16}, OAK_PALE, LEG, 0},
-        {{350, 0, -16}, {382, 820, 16}, OAK_PALE, LEG, 0},
-        {{500, 0, -16}, {532, 820, 16}, OAK_PALE, LEG, 0},
+        {{230, 0, -16}, {262, 820, 16}, OAK_PALE, LEG, 0},
+        {{440, 0, -16}, {472, 820, 16}, OAK_PALE, LEG, 0},
     };
     for (size_t i = 0; i < COUNT(rest); i++)
         shape_box(soup, &landing, &rest[i]);
@@ -251,8 +265,8 @@ static void add_roofs(struct soup *soup)
         double x0 = 11250 + 4050.0 * i / PARTS, x1 = 11250 + 4050.0 * (i + 1) / PARTS, x0_high = i ? x0 : 10400;
         const double west[4][3] = {{11250, 3100, z1}, {11250, 3100, z0}, {10400, 4100, z0_high}, {10400, 4100, z1}};
         const double north[4][3] = {{x0, 3100, 5150}, {x1, 3100, 5150}, {x1, 4100, 4300}, {x0_high, 4100, 4300}};
-        shape_quad(soup, &world, west, ROOF_TILE);
-        shape_quad(soup, &world, north, ROOF_TILE);
+        shape_quad(soup, &world, west, ROOFING);
+        shape_quad(soup, &world, north, ROOFING);
     }
 }
 

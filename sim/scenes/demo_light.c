@@ -13,8 +13,8 @@
 enum { SPOTS = 6, FAN = 48, SEEN = SPOTS * FAN, SKY_SAMPLES = 16, BALL_SAMPLES = 4, BOUNCES = 5 };
 
 static const double far_m = 100;
-static const double off_surface_m = 0.002;
-static const struct vec3 sun_power = {7.5, 5.9, 3.9};
+static const double off_surface_m = 0.005;
+static const struct vec3 sun_power = {6.2, 5.0, 3.4};
 static const struct vec3 sky_power = {7.6, 8.3, 9.0};
 static const struct vec3 ambient = {0.010, 0.011, 0.013};
 
@@ -139,7 +139,8 @@ static void gather_direct(struct baker *baker, size_t number)
         open++;
     }
     for (int i = open * FAN; i < SEEN; i++)
-        baker->seen[number * SEEN + (size_t)i] = open ? baker->seen[number * SEEN + (size_t)(i % (open * FAN))] : NOTHING;
+        baker->seen[number * SEEN + (size_t)i] =
+            open ? baker->seen[number * SEEN + (size_t)(i % (open * FAN))] : NOTHING;
     baker->direct[number] = vec_add(ambient, vec_scale(sum, 1.0 / (open ? open : 1)));
 }
 

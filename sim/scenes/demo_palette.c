@@ -1,36 +1,69 @@
 /* SPDX-License-Identifier: MIT
  *
- * Median cut (Heckbert): the box of colours that is widest in one channel is halved at its middle
- * value until there are as many boxes as the palette may hold. Each box becomes the mean of its
- * colours, rounded to the levels of a 5-6-5 bit panel. */
+ * First a median cut (Heckbert): the group of colours that is widest in one part is halved at
+ * its middle value until there are as many groups as the palette may hold. Then Lloyd's rounds
+ * move every colour to the nearest group's mean. Means are rounded to a panel's 5-6-5 bits. */
 #include "demo_palette.h"
 
 #include <stdlib.h>
 
-enum { PALETTE = 320 };
+enum { PALETTE = 360, ROUNDS = 12 };
 
-/* The colours of a few polygons, and their extent in each channel. */
-struct shades {
-    int lo[3], hi[3];
+/* Colours that will become one. */
+struct group {
+    double lo[3], hi[3], mean[3];
     size_t count;
 };
 
-static int channel(uint32_t colour, int i)
+struct palette {
+    const struct soup *soup;
+    struct group groups[PALETTE];
+    int count;
+    double (*part)[3]; /* of each polygon's colour */
+    int *group_of;
+};
+
+/* Luma and two colour differences. The differences count double: on a wall a wrong hue strikes
+ * the eye more than a wrong brightness. */
+static void split_colour(uint32_t colour, double part[3])
 {
-    return (int)(colour >> (16 - 8 * i) & 255);
+    double r = colour >> 16, g = colour >> 8 & 255, b = colour & 255;
+    part[0] = 0.299 * r + 0.587 * g + 0.114 * b;
+    part[1] = 2 * (r - part[0]);
+    part[2] = 2 * (b - part[0]);
 }
 
-static void shades_add(struct shades *group, uint32_t colour)
+/* To the nearest level of so many bits, and back to 8 bits as a panel widens it. */
+static uint32_t round_channel(double value, int bits)
 {
-    for (int i = 0; i < 3; i++) {
-        int c = channel(colour, i);
-        group->lo[i] = group->count && group->lo[i] < c ? group->lo[i] : c;
-        group->hi[i] = group->count && group->hi[i] > c ? group->hi[i] : c;
+    uint32_t level = (uint32_t)(fmin(255, fmax(0, value)) * ((1 << bits) - 1) / 255 + 0.5);
+    return level << (8 - bits) | level >> (2 * bits - 8);
+}
+
+static uint32_t join_colour(const double part[3])
+{
+    double r = part[0] + part[1] / 2, b = part[0] + part[2] / 2;
+    double g = (part[0] - 0.299 * r - 0.114 * b) / 0.587;
+    return round_channel(r, 5) << 16 | round_channel(g, 6) << 8 | round_channel(b, 5);
+}
+
+static void measure_groups(struct palette *palette)
+{
+    for (int i = 0; i < palette->count; i++)
+        palette->groups[i] = (struct group){.lo = {999, 999, 999}, .hi = {-999, -999, -999}};
+    for (size_t i = 0; i < palette->soup->count; i++) {
+        struct group *group = &palette->groups[palette->group_of[i]];
+        group->count++;
+        for (int j = 0; j < 3; j++) {
+            double c = palette->part[i][j];
+            if (c < group->lo[j]) group->lo[j] = c;
+            if (c > group->hi[j]) group->hi[j] = c;
+            group->mean[j] += (c - group->mean[j]) / (double)group->count;
+        }
     }
-    group->count++;
 }
 
-static int shades_widest(const struct shades *group)
+static int widest_part(const struct group *group)
 {
     int widest = 0;
     for (int i = 1; i < 3; i++)
@@ -38,62 +71,66 @@ static int shades_widest(const struct shades *group)
     return widest;
 }
 
-static int shades_width(const struct shades *group)
+static double group_width(const struct group *group)
 {
-    int widest = shades_widest(group);
+    int widest = widest_part(group);
     return group->hi[widest] - group->lo[widest];
 }
 
-/* Moves the polygons in the upper half of the box to a new one. */
-static void shades_halve(struct shades *groups, int lower, int upper, const struct soup *soup, int *group_of)
+static int widest_group(const struct palette *palette)
 {
-    int axis = shades_widest(&groups[lower]), middle = (groups[lower].lo[axis] + groups[lower].hi[axis]) / 2;
-    groups[lower] = groups[upper] = (struct shades){.count = 0};
-    for (size_t i = 0; i < soup->count; i++) {
-        if (group_of[i] != lower) continue;
-        if (channel(soup->polygons[i].colour, axis) > middle) group_of[i] = upper;
-        shades_add(&groups[group_of[i]], soup->polygons[i].colour);
+    int widest = 0;
+    for (int i = 1; i < palette->count; i++)
+        if (group_width(&palette->groups[i]) > group_width(&palette->groups[widest])) widest = i;
+    return widest;
+}
+
+static void median_cut(struct palette *palette)
+{
+    for (measure_groups(palette); palette->count < PALETTE; measure_groups(palette)) {
+        int lower = widest_group(palette), upper = palette->count++;
+        int axis = widest_part(&palette->groups[lower]);
+        double middle = (palette->groups[lower].lo[axis] + palette->groups[lower].hi[axis]) / 2;
+        for (size_t i = 0; i < palette->soup->count; i++)
+            if (palette->group_of[i] == lower && palette->part[i][axis] > middle) palette->group_of[i] = upper;
     }
 }
 
-static void split_all(struct shades *groups, const struct soup *soup, int *group_of)
+static int nearest_group(const struct palette *palette, const double part[3])
 {
-    int count = 1;
-    for (size_t i = 0; i < soup->count; i++)
-        shades_add(&groups[0], soup->polygons[i].colour);
-    while (count < PALETTE) {
-        int worst = 0;
-        for (int i = 1; i < count; i++)
-            if (shades_width(&groups[i]) > shades_width(&groups[worst])) worst = i;
-        if (shades_width(&groups[worst]) == 0) break;
-        shades_halve(groups, worst, count, soup, group_of);
-        count++;
+    int nearest = 0;
+    double least = HUGE_VAL;
+    for (int i = 0; i < palette->count; i++) {
+        double distance = 0;
+        for (int j = 0; j < 3; j++) {
+            double d = part[j] - palette->groups[i].mean[j];
+            distance += d * d;
+        }
+        if (palette->groups[i].count && distance < least) {
+            least = distance;
+            nearest = i;
+        }
     }
-}
-
-/* To the nearest level of so many bits, and back to 8 bits as a panel widens it. */
-static uint32_t round_channel(double value, int bits)
-{
-    uint32_t level = (uint32_t)(value * ((1 << bits) - 1) / 255 + 0.5);
-    return level << (8 - bits) | level >> (2 * bits - 8);
+    return nearest;
 }
 
 void palette_reduce(struct soup *soup)
 {
-    struct shades groups[PALETTE] = {{.count = 0}};
-    double sum[PALETTE][3] = {{0}};
-    int *group_of = demo_realloc(NULL, soup->count * sizeof *group_of);
-    for (size_t i = 0; i < soup->count; i++)
-        group_of[i] = 0;
-    split_all(groups, soup, group_of);
-    for (size_t i = 0; i < soup->count; i++)
-        for (int c = 0; c < 3; c++)
-            sum[group_of[i]][c] += channel(soup->polygons[i].colour, c);
+    struct palette palette = {.soup = soup, .count = 1};
+    palette.group_of = demo_realloc(NULL, soup->count * sizeof *palette.group_of);
+    palette.part = demo_realloc(NULL, soup->count * sizeof *palette.part);
     for (size_t i = 0; i < soup->count; i++) {
-        const double *group_sum = sum[group_of[i]];
-        double count = (double)groups[group_of[i]].count;
-        soup->polygons[i].colour = round_channel(group_sum[0] / count, 5) << 16 |
-                                   round_channel(group_sum[1] / count, 6) << 8 | round_channel(group_sum[2] / count, 5);
+        palette.group_of[i] = 0;
+        split_colour(soup->polygons[i].colour, palette.part[i]);
     }
-    free(group_of);
+    median_cut(&palette);
+    for (int round = 0; round < ROUNDS; round++) {
+        for (size_t i = 0; i < soup->count; i++)
+            palette.group_of[i] = nearest_group(&palette, palette.part[i]);
+        measure_groups(&palette);
+    }
+    for (size_t i = 0; i < soup->count; i++)
+        soup->polygons[i].colour = join_colour(palette.groups[palette.group_of[i]].mean);
+    free(palette.part);
+    free(palette.group_of);
 }

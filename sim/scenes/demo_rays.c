@@ -80,8 +80,8 @@ static void build_node(struct rays *rays, struct item *items, int first, int cou
     static int (*const compare[3])(const void *, const void *) = {compare_x, compare_y, compare_z};
     struct rays_node *node = &rays->nodes[rays->node_count++];
     int axis = node_bounds(node, rays->soup, items + first, count);
-    *node = (struct rays_node){{node->lo[0], node->lo[1], node->lo[2]}, {node->hi[0], node->hi[1], node->hi[2]}, first,
-                               count, axis, 0};
+    *node = (struct rays_node){
+        {node->lo[0], node->lo[1], node->lo[2]}, {node->hi[0], node->hi[1], node->hi[2]}, first, count, axis, 0};
     if (count <= LEAF_POLYGONS) return;
     qsort(items + first, (size_t)count, sizeof *items, compare[axis]);
     node->count = 0;
@@ -182,11 +182,8 @@ static int cast(const struct rays *rays, struct ray *ray, bool any)
 
 static struct ray ray_make(struct vec3 from, struct vec3 direction, double reach_m)
 {
-    return (struct ray){from,
-                        direction,
-                        {from.x, from.y, from.z},
-                        {1 / direction.x, 1 / direction.y, 1 / direction.z},
-                        reach_m};
+    return (struct ray){
+        from, direction, {from.x, from.y, from.z}, {1 / direction.x, 1 / direction.y, 1 / direction.z}, reach_m};
 }
 
 int rays_first(const struct rays *rays, struct vec3 from, struct vec3 direction)

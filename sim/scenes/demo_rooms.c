@@ -2,8 +2,8 @@
  *
  * What stands and hangs where, room by room: things, pictures, cloth, books and vines. Positions
  * in millimetres; yaw in degrees, 0 faces south, 90 east, 180 north, -90 west. */
-#include "demo_pictures.h"
 #include "demo_rooms.h"
+#include "demo_pictures.h"
 #include "demo_things.h"
 
 #define COUNT(array) (sizeof(array) / sizeof *(array))
@@ -16,32 +16,64 @@ struct standing {
 
 static const struct standing furniture[] = {
     /* hall */
-    {TABLE, 640, 0, 7500, 90}, {JUG, 560, 770, 7300, 20}, {BOWL, 720, 770, 7570, 0}, {OPEN_BOOK, 600, 770, 7900, 70},
-    {CHAIR, 1480, 0, 7850, 258}, {CHAIR, 520, 0, 6420, 20}, {CHEST, 3430, 0, 5330, 0}, {VASE, 3700, 540, 5320, 0},
-    {CHANDELIER, 2200, 2430, 7470, 27}, {POT_PLANT, 3980, 0, 9560, 15},
-   
+    {TABLE, 640, 0, 7500, 90},
+    {JUG, 560, 770, 7300, 20},
+    {BOWL, 720, 770, 7570, 0},
+    {OPEN_BOOK, 600, 770, 7900, 70},
+    {CHAIR, 1480, 0, 7850, 258},
+    {CHAIR, 520, 0, 6420, 20},
+    {CHEST, 3430, 0, 5330, 0},
+    {VASE, 3700, 540, 5320, 0},
+    {CHANDELIER, 2200, 2430, 7470, 27},
+    {POT_PLANT, 3980, 0, 9560, 15},
+
     /* studio */
-    {LONG_TABLE, 2500, 0, 620, 0}, {BUST, 1880, 770, 560, 15}, 
-    {STOOL, 3420, 0, 3480, 10}, {CHAIR, 4560, 0, 780, -32}, {CHEST, 380, 0, 1150, 90},
-    {BOTTLES, 380, 540, 1150, 80}, {SIDE_TABLE, 3060, 0, 4420, 178},
-    {BRUSHES, 2850, 730, 4380, 40}, {PAINTS, 3170, 730, 4450, 95}, {POT_PLANT, 330, 0, 320, 40},
+    {LONG_TABLE, 2500, 0, 620, 0},
+    {BUST, 1880, 770, 560, 15},
+    {STOOL, 3420, 0, 3480, 10},
+    {CHAIR, 4560, 0, 780, -32},
+    {CHEST, 380, 0, 1150, 90},
+    {BOTTLES, 380, 540, 1150, 80},
+    {PAINTS, 2420, 770, 720, -14},
+    {BRUSHES, 2800, 770, 560, 0},
+    {BOWL, 3150, 770, 640, 0},
+    {POT_PLANT, 330, 0, 320, 40},
     /* library */
-    {DESK, 7050, 0, 480, 0}, {DESK_LAMP, 7480, 765, 420, 0}, {OPEN_BOOK, 6960, 765, 560, 8}, 
-    {CHAIR, 6950, 0, 1160, 172}, {GLOBE, 5990, 0, 1250, 25}, {ARMCHAIR, 6380, 0, 4250, 138}, 
+    {DESK, 7050, 0, 480, 0},
+    {DESK_LAMP, 7480, 765, 420, 0},
+    {OPEN_BOOK, 6960, 765, 560, 8},
+    {CHAIR, 6950, 0, 1160, 172},
+    {GLOBE, 5990, 0, 1250, 25},
+    {ARMCHAIR, 6380, 0, 4250, 138},
     /* kitchen */
-    {LONG_TABLE, 10850, 0, 1280, 3}, {LOAF, 10480, 770, 1220, 0}, {JUG, 11000, 770, 1350, 30}, {BOWL, 11350, 770, 1200, 0},
-    {BENCH, 10800, 0, 1980, 1}, {DRESSER, 9980, 0, 4560, 180}, {PLATES, 9980, 0, 4560, 180}, 
-    {PANS, 12550, 1900, 0, 0}, {STOOL, 12550, 0, 1450, 0},
-    {CAT, 12250, 0, 2950, 118}, {BARREL, 13060, 0, 4430, 14},
+    {LONG_TABLE, 10850, 0, 1280, 3},
+    {LOAF, 10480, 770, 1220, 0},
+    {JUG, 11000, 770, 1350, 30},
+    {BOWL, 11350, 770, 1200, 0},
+    {BENCH, 10800, 0, 1980, 1},
+    {DRESSER, 9980, 0, 4560, 180},
+    {PLATES, 9980, 0, 4560, 180},
+    {PANS, 12550, 1900, 0, 0},
+    {STOOL, 12550, 0, 1450, 0},
+    {CAT, 12250, 0, 2950, 118},
+    {BARREL, 13060, 0, 4430, 14},
     /* bedchamber */
-    {BED, 9720, 0, 5760, 0}, {SIDE_TABLE, 10560, 0, 9420, -90}, {CANDLE, 10560, 730, 9270, 0}, 
-    {CUPBOARD, 7940, 0, 9060, 90}, {CHEST, 8060, 0, 6320, 90}, {CLOTH, 8060, 540, 6200, 80},
+    {BED, 9720, 0, 5760, 0},
+    {SIDE_TABLE, 10560, 0, 9420, -90},
+    {CANDLE, 10560, 730, 9270, 0},
+    {CUPBOARD, 7940, 0, 9060, 90},
+    {CHEST, 8060, 0, 6320, 90},
     {MIRROR, 10900, 1250, 8480, -90},
     /* stairs */
-    {CLOCK, 4795, 0, 8650, 90}, {BENCH, 6650, 0, 9740, 180}, 
+    {CLOCK, 4795, 0, 8650, 90},
     /* court */
-    {BENCH, 12750, 0, 9720, 180}, {TUB_TREE, 14180, 0, 5720, 0}, {TUB_TREE, 11720, 0, 9450, 40}, {PUMP, 14230, 0, 7050, -90},
-    {BUCKET, 13650, 0, 7450, 0}, {POT_PLANT, 14250, 0, 8900, 10}, {POT_PLANT, 13850, 0, 9550, 60},
+    {BENCH, 12750, 0, 9720, 180},
+    {TUB_TREE, 14180, 0, 5720, 0},
+    {TUB_TREE, 11720, 0, 9450, 40},
+    {PUMP, 14230, 0, 7050, -90},
+    {BUCKET, 13650, 0, 7450, 0},
+    {POT_PLANT, 14250, 0, 8900, 10},
+    {POT_PLANT, 13850, 0, 9550, 60},
     {TREE, 12230, 2200, 10630, 30},
 };
 
@@ -53,12 +85,12 @@ struct hanging {
 };
 
 static const struct hanging pictures[] = {
-    {SEASCAPE, 3430, 1720, 5050, 0, 1100, 760},      {MAP, 4400, 1650, 6050, -90, 1300, 950},
-    {WINDMILL, 820, 1700, 5050, 0, 860, 640}, {PORTRAIT, 0, 1800, 2500, 90, 760, 960},
+    {SEASCAPE, 3430, 1720, 5050, 0, 1100, 760},        {MAP, 4400, 1650, 6050, -90, 1300, 950},
+    {WINDMILL, 820, 1700, 5050, 0, 860, 640},          {PORTRAIT, 0, 1800, 2500, 90, 760, 960},
     {MINIATURE_LADY, 3700, 1650, 4800, 180, 260, 330}, {MINIATURE_LORD, 4250, 1700, 4800, 180, 260, 330},
     {MINIATURE_LADY, 4800, 1650, 4800, 180, 260, 330}, {STILL_LIFE, 5400, 1750, 1100, -90, 900, 700},
-    {SEASCAPE, 7700, 1750, 6200, 90, 760, 560},      {STILL_LIFE, 4650, 1750, 6500, 90, 600, 500},
-    {WINDMILL, 7450, 1700, 8900, -90, 900, 700},    
+    {SEASCAPE, 7700, 1750, 6200, 90, 760, 560},        {STILL_LIFE, 4650, 1750, 6500, 90, 600, 500},
+    {WINDMILL, 7450, 1700, 8900, -90, 900, 700},
 };
 
 struct hung_cloth {
@@ -85,9 +117,9 @@ struct vine {
 };
 
 static const struct vine vines[] = {
-    {14700, 1250, 8300, -90, 1500, 1500, 24},
-    {12700, 1450, 10000, 180, 2200, 900, 24},
-    {11250, 2350, 8600, 90, 900, 1300, 12},
+    {14700, 1250, 8300, -90, 1500, 1500, 20},
+    {12700, 1450, 10000, 180, 2200, 900, 14},
+    {11250, 2350, 8600, 90, 900, 1300, 8},
 };
 
 static void add_vine(struct soup *soup, const struct vine *vine)
@@ -106,8 +138,9 @@ static void add_vine(struct soup *soup, const struct vine *vine)
 static void add_books(struct soup *soup, const struct frame *shelf, int from_mm, int to_mm, int most_mm)
 {
     int height = 0, next = most_mm - 90;
-    for (int left = from_mm, right; (right = left + 100 + (int)(110 * soup_random(soup))) < to_mm; left = right) {
-        int before = height, depth = 60 + (int)(40 * soup_random(soup)), colour = BOOK_RED + (int)(6 * soup_random(soup));
+    for (int left = from_mm, right; (right = left + 110 + (int)(120 * soup_random(soup))) < to_mm; left = right) {
+        int before = height, depth = 60 + (int)(40 * soup_random(soup)),
+            colour = BOOK_RED + (int)(6 * soup_random(soup));
         height = next;
         next = soup_random(soup) < 0.12 ? 0 : most_mm - 30 - (int)(150 * soup_random(soup));
         /* the taller of two neighbours shows its side */

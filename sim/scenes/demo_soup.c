@@ -8,7 +8,6 @@
 #include <stdlib.h>
 
 static const double on_plane_m = 0.001;
-static const double least_area_m2 = 2e-5;
 
 void *demo_realloc(void *memory, size_t size_b)
 {
@@ -139,13 +138,19 @@ struct prism prism_sweep(const struct vec3 *outline, int count, struct vec3 axis
     return prism;
 }
 
-void soup_cut(struct soup *soup, size_t index, const struct prism *prism)
+struct polygon polygon_clip_prism(const struct polygon *polygon, const struct prism *prism)
 {
-    struct polygon inside = soup->polygons[index];
+    struct polygon inside = *polygon;
+    if (polygon->count + prism->count > POLYGON_CORNERS) inside.count = 0;
     for (int i = 0; i < prism->count && inside.count; i++)
         inside = polygon_clip(&inside, prism->plane[i]);
-    if (!inside.count || polygon_area(&inside) < least_area_m2) return;
-    struct polygon rest = soup->polygons[index];
+    return inside;
+}
+
+void soup_cut(struct soup *soup, size_t index, const struct prism *prism)
+{
+    struct polygon rest = soup->polygons[index], inside = polygon_clip_prism(&rest, prism);
+    if (!inside.count) return;
     for (int i = 0; i < prism->count; i++) {
         struct polygon outside = polygon_clip(&rest, plane_flip(prism->plane[i]));
         if (!outside.count) continue;

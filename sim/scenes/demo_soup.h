@@ -12,7 +12,7 @@
 #include <stdint.h>
 
 enum {
-    POLYGON_CORNERS = 16,
+    POLYGON_CORNERS = 24,
     PRISM_PLANES = 12,
 };
 
@@ -57,7 +57,7 @@ struct plane plane_towards(struct vec3 normal, struct vec3 on, struct vec3 insid
 struct prism prism_sweep(const struct vec3 *outline, int count, struct vec3 axis);
 
 /* Cuts a polygon along a prism: it becomes the part inside, pieces of the rest are added at the
- * end. Left alone if next to nothing of it is inside. */
+ * end. Left alone if nothing of it is inside. */
 void soup_cut(struct soup *soup, size_t index, const struct prism *prism);
 
 double polygon_area(const struct polygon *polygon);
@@ -68,5 +68,8 @@ struct vec3 polygon_point(const struct polygon *polygon, double u, double v);
 /* The part of a polygon inside a plane; count 0 if nothing is left. Corners within a millimetre
  * of the plane count as on it, so that no slivers come about. */
 struct polygon polygon_clip(const struct polygon *polygon, struct plane plane);
+
+/* The same for all of a prism's planes; count 0 also if it could get too many corners. */
+struct polygon polygon_clip_prism(const struct polygon *polygon, const struct prism *prism);
 
 #endif

@@ -23,13 +23,6 @@ static bool sun_reaches(const struct rays *rays, const struct polygon *polygon)
     return false;
 }
 
-static struct polygon clip_by_prism(struct polygon polygon, const struct prism *prism)
-{
-    for (int i = 0; i < prism->count && polygon.count; i++)
-        polygon = polygon_clip(&polygon, prism->plane[i]);
-    return polygon;
-}
-
 static void cut_by_prism(struct soup *soup, const struct rays *rays, const struct prism *prism)
 {
     size_t end = soup->count;
@@ -37,18 +30,16 @@ static void cut_by_prism(struct soup *soup, const struct rays *rays, const struc
         const struct polygon *polygon = &soup->polygons[i];
         if (polygon_area(polygon) < least_cut_m2) continue;
         if (vec_dot(polygon->normal, house_sun) > -1e-3 || materials[polygon->material].emission > 0) continue;
-        struct polygon inside = clip_by_prism(*polygon, prism);
-        if (inside.count && polygon_area(&inside) > 4e-4 && sun_reaches(rays, &inside))
-            soup_cut(soup, i, prism);
+        struct polygon inside = polygon_clip_prism(polygon, prism);
+        if (inside.count && polygon_area(&inside) > 4e-4 && sun_reaches(rays, &inside)) soup_cut(soup, i, prism);
     }
 }
 
 static void prism_narrow(struct prism *prism, const struct frame *frame, const double x_mm[2], const double y_mm[2],
                          double z_mm)
 {
-    struct vec3 outline[4] = {
-        frame_point(frame, x_mm[0], y_mm[0], z_mm), frame_point(frame, x_mm[1], y_mm[0], z_mm),
-        frame_point(frame, x_mm[1], y_mm[1], z_mm), frame_point(frame, x_mm[0], y_mm[1], z_mm)};
+    struct vec3 outline[4] = {frame_point(frame, x_mm[0], y_mm[0], z_mm), frame_point(frame, x_mm[1], y_mm[0], z_mm),
+                              frame_point(frame, x_mm[1], y_mm[1], z_mm), frame_point(frame, x_mm[0], y_mm[1], z_mm)};
     struct prism swept = prism_sweep(outline, 4, house_sun);
     for (int i = 0; i < swept.count; i++)
         prism->plane[prism->count++] = swept.plane[i];

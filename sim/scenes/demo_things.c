@@ -26,12 +26,9 @@ static const struct box side_table_boxes[] = {
 };
 
 static const struct box long_table_boxes[] = {
-    {{-780, 0, -320}, {-690, 710, -230}, OAK, LEG, 0},
-    {{690, 0, -320}, {780, 710, -230}, OAK, LEG, 0},
-    {{-780, 0, 230}, {-690, 710, 320}, OAK, LEG, 0},
-    {{690, 0, 230}, {780, 710, 320}, OAK, LEG, 0},
-    {{-740, 120, -40}, {740, 190, 40}, OAK, 0, 0},
-    {{-880, 710, -410}, {880, 770, 410}, OAK_PALE, 0, 0},
+    {{-780, 0, -320}, {-690, 710, -230}, OAK, LEG, 0}, {{690, 0, -320}, {780, 710, -230}, OAK, LEG, 0},
+    {{-780, 0, 230}, {-690, 710, 320}, OAK, LEG, 0},   {{690, 0, 230}, {780, 710, 320}, OAK, LEG, 0},
+    {{-740, 120, -40}, {740, 190, 40}, OAK, 0, 0},     {{-880, 710, -410}, {880, 770, 410}, OAK_PALE, 0, 0},
 };
 
 static const struct box chair_boxes[] = {
@@ -53,8 +50,10 @@ static const struct box armchair_boxes[] = {
 };
 
 static const struct turned stool_turned[] = {
-    {-120, -120, OAK, 3, 2, true, {{32, 0}, {24, 420}}}, {120, -120, OAK, 3, 2, true, {{32, 0}, {24, 420}}},
-    {0, 140, OAK, 3, 2, true, {{32, 0}, {24, 420}}},     {0, 0, OAK_PALE, 7, 2, false, {{190, 420}, {200, 465}}},
+    {-120, -120, OAK, 3, 2, true, {{32, 0}, {24, 420}}},
+    {120, -120, OAK, 3, 2, true, {{32, 0}, {24, 420}}},
+    {0, 140, OAK, 3, 2, true, {{32, 0}, {24, 420}}},
+    {0, 0, OAK_PALE, 7, 2, false, {{190, 420}, {200, 465}}},
 };
 
 static const struct box bench_boxes[] = {
@@ -72,12 +71,9 @@ static const struct box chest_boxes[] = {
 };
 
 static const struct box desk_boxes[] = {
-    {{-620, 0, -290}, {-280, 720, 270}, WALNUT, LEG, 0},
-    {{280, 0, -290}, {620, 720, 270}, WALNUT, LEG, 0},
-    {{-660, 720, -310}, {660, 765, 310}, OAK, 0, 0},
-    {{-580, 420, 270}, {-320, 660, 276}, OAK, ~NO_FRONT, 0},
-    {{-580, 100, 270}, {-320, 360, 276}, OAK, ~NO_FRONT, 0},
-    {{320, 420, 270}, {580, 660, 276}, OAK, ~NO_FRONT, 0},
+    {{-620, 0, -290}, {-280, 720, 270}, WALNUT, LEG, 0},     {{280, 0, -290}, {620, 720, 270}, WALNUT, LEG, 0},
+    {{-660, 720, -310}, {660, 765, 310}, OAK, 0, 0},         {{-580, 420, 270}, {-320, 660, 276}, OAK, ~NO_FRONT, 0},
+    {{-580, 100, 270}, {-320, 360, 276}, OAK, ~NO_FRONT, 0}, {{320, 420, 270}, {580, 660, 276}, OAK, ~NO_FRONT, 0},
     {{320, 100, 270}, {580, 360, 276}, OAK, ~NO_FRONT, 0},
 };
 
@@ -120,8 +116,8 @@ static const struct box clock_boxes[] = {
 };
 
 static const struct turned barrel_turned[] = {
-    {0, 0, OAK, 7, 2, true, {{215, 0}, {250, 200}}},     {0, 0, EBONY, 7, 2, true, {{250, 200}, {258, 260}}},
-    {0, 0, OAK, 7, 2, true, {{258, 260}, {258, 440}}},   {0, 0, EBONY, 7, 2, true, {{258, 440}, {250, 500}}},
+    {0, 0, OAK, 7, 2, true, {{215, 0}, {250, 200}}},    {0, 0, EBONY, 7, 2, true, {{250, 200}, {258, 260}}},
+    {0, 0, OAK, 7, 2, true, {{258, 260}, {258, 440}}},  {0, 0, EBONY, 7, 2, true, {{258, 440}, {250, 500}}},
     {0, 0, OAK, 7, 2, false, {{250, 500}, {215, 700}}},
 };
 
@@ -152,10 +148,8 @@ static const struct box bookcase_boxes[] = {
 
 /* Leaning back, in a frame already leaning; the canvas rests on the ledge at 800. */
 static const struct box easel_boxes[] = {
-    {{-420, 70, -40}, {-360, 1900, 0}, OAK, 0, 0},
-    {{360, 70, -40}, {420, 1900, 0}, OAK, 0, 0},
-    {{-360, 480, -35}, {360, 540, -5}, OAK, NO_ENDS, 0},
-    {{-360, 1780, -35}, {360, 1840, -5}, OAK, NO_ENDS, 0},
+    {{-420, 70, -40}, {-360, 1900, 0}, OAK, 0, 0},       {{360, 70, -40}, {420, 1900, 0}, OAK, 0, 0},
+    {{-360, 480, -35}, {360, 540, -5}, OAK, NO_ENDS, 0}, {{-360, 1780, -35}, {360, 1840, -5}, OAK, NO_ENDS, 0},
     {{-520, 760, 0}, {520, 800, 90}, OAK_PALE, 0, 0},
 };
 
@@ -250,9 +244,9 @@ static const struct turned brushes_turned[] = {
 };
 
 static const struct box paints_boxes[] = {
-    {{-230, 0, -140}, {230, 14, 140}, OAK_PALE, NO_BOTTOM, 0},    {{-190, 14, 40}, {-120, 18, 110}, RED_CLOTH, ~NO_TOP, 0},
-    {{-80, 14, 50}, {-10, 18, 115}, LEMON, ~NO_TOP, 0},           {{30, 14, 45}, {100, 18, 110}, BLUE_CLOTH, ~NO_TOP, 0},
-    {{130, 14, 10}, {195, 18, 80}, LEAF, ~NO_TOP, 0},             {{-180, 14, -70}, {-110, 18, 0}, LINEN, ~NO_TOP, 0},
+    {{-230, 0, -140}, {230, 14, 140}, OAK_PALE, NO_BOTTOM, 0}, {{-190, 14, 40}, {-120, 18, 110}, RED_CLOTH, ~NO_TOP, 0},
+    {{-80, 14, 50}, {-10, 18, 115}, LEMON, ~NO_TOP, 0},        {{30, 14, 45}, {100, 18, 110}, BLUE_CLOTH, ~NO_TOP, 0},
+    {{130, 14, 10}, {195, 18, 80}, LEAF, ~NO_TOP, 0},          {{-180, 14, -70}, {-110, 18, 0}, LINEN, ~NO_TOP, 0},
     {{-60, 14, -80}, {10, 18, -15}, BRICK, ~NO_TOP, 0},
 };
 
@@ -286,14 +280,6 @@ static const struct turned bucket_turned[] = {
     {0, 0, PAINT_SEA_DARK, 7, 1, false, {{145, 260}}},
 };
 
-static const struct turned basket_turned[] = {
-    {0, 0, BREAD, 7, 2, true, {{140, 0}, {200, 220}}},
-    {0, 0, OAK_DARK, 7, 1, false, {{200, 220}}},
-    {-70, 30, APPLE, 4, 2, false, {{65, 221}, {30, 300}}},
-    {70, 50, APPLE, 4, 2, false, {{65, 221}, {30, 300}}},
-    {10, -80, LEAF_LIGHT, 4, 2, false, {{65, 221}, {30, 300}}},
-};
-
 static const struct turned tree_turned[] = {
     {0, 0, OAK_DARK, 4, 2, true, {{130, 0}, {90, 500}}},
     {0, 0, LEAF_DARK, 7, 3, true, {{150, 450}, {800, 700}, {950, 1100}}},
@@ -308,25 +294,10 @@ static const struct box open_book_boxes[] = {
 
 /* A rail with copper pans, for a wall; the frame stands at the rail's middle. */
 static const struct box pans_boxes[] = {
-    {{-520, 0, 0}, {520, 45, 30}, OAK_DARK, NO_BACK, 0},
-    {{-410, -160, 30}, {-385, 40, 45}, EBONY, ~NO_FRONT, 0},
-    {{-20, -120, 30}, {5, 40, 45}, EBONY, ~NO_FRONT, 0},
-    {{350, -180, 30}, {375, 40, 45}, EBONY, ~NO_FRONT, 0},
-    {{-530, -420, 5}, {-265, -160, 55}, COPPER, NO_BACK, 0},
-    {{-110, -320, 5}, {95, -120, 55}, BRASS, NO_BACK, 0},
+    {{-520, 0, 0}, {520, 45, 30}, OAK_DARK, NO_BACK, 0},     {{-410, -160, 30}, {-385, 40, 45}, EBONY, ~NO_FRONT, 0},
+    {{-20, -120, 30}, {5, 40, 45}, EBONY, ~NO_FRONT, 0},     {{350, -180, 30}, {375, 40, 45}, EBONY, ~NO_FRONT, 0},
+    {{-530, -420, 5}, {-265, -160, 55}, COPPER, NO_BACK, 0}, {{-110, -320, 5}, {95, -120, 55}, BRASS, NO_BACK, 0},
     {{220, -460, 5}, {505, -180, 55}, COPPER, NO_BACK, 0},
-};
-
-static const struct box canvas_back_boxes[] = {
-    {{-400, 0, 0}, {400, 1000, 12}, PAPER, 0, 0},     {{-400, 0, 12}, {-340, 1000, 34}, OAK_PALE, NO_BACK, 0},
-    {{340, 0, 12}, {400, 1000, 34}, OAK_PALE, NO_BACK, 0}, {{-340, 0, 12}, {340, 60, 34}, OAK_PALE, NO_BACK | NO_ENDS, 0},
-    {{-340, 940, 12}, {340, 1000, 34}, OAK_PALE, NO_BACK | NO_ENDS, 0},
-    {{-340, 470, 12}, {340, 530, 30}, OAK_PALE, NO_BACK | NO_ENDS, 0},
-};
-
-static const struct box cloth_boxes[] = {
-    {{-240, 0, -180}, {240, 60, 180}, LINEN, NO_BOTTOM, 25},
-    {{-230, 60, -170}, {200, 110, 160}, BLUE_PALE, NO_BOTTOM, 20},
 };
 
 static const struct box mirror_boxes[] = {
@@ -376,12 +347,9 @@ const struct thing things[THINGS] = {
     [PLATES] = {BOXES(plates_boxes), TURNED(plates_turned)},
     [PUMP] = {BOXES(pump_boxes)},
     [BUCKET] = {TURNED(bucket_turned)},
-    [BASKET] = {TURNED(basket_turned)},
     [TREE] = {TURNED(tree_turned)},
     [OPEN_BOOK] = {BOXES(open_book_boxes)},
     [PANS] = {BOXES(pans_boxes)},
-    [CANVAS_BACK] = {BOXES(canvas_back_boxes)},
-    [CLOTH] = {BOXES(cloth_boxes)},
     [MIRROR] = {BOXES(mirror_boxes)},
     [CAT] = {BOXES(cat_boxes), TURNED(cat_turned)},
 };

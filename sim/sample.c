@@ -1,0 +1,93 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Free space, by the tree: go down on the eye's side of each plane; where that ends, the last plane's
+ * polygons face the eye (space) or turn their backs on it (matter). Right for closed scenes; in open
+ * ones it still finds the side from which polygons are seen. */
+#include "sample.h"
+
+#include "eye.h"
+
+#include <math.h>
+
+enum { TRIES = 200 };
+
+static double random_unit(struct sampler *sampler)
+{
+    sampler->state ^= sampler->state >> 12;
+    sampler->state ^= sampler->state << 25;
+    sampler->state ^= sampler->state >> 27;
+    return (double)(sampler->state * UINT64_C(0x2545F4914F6CDD1D) >> 11) / 9007199254740992.0;
+}
+
+static void vertex_m(const struct compiled *scene, size_t index, double out_m[3])
+{
+    const struct lim_vertex *vertex = &scene->scene.vertices[index];
+    const double units[3] = {vertex->x, vertex->y, vertex->z};
+    for (int i = 0; i < 3; i++)
+        out_m[i] = scene->grid.origin_m[i] + units[i] / scene->grid.units_per_m;
+}
+
+void sampler_init(struct sampler *sampler, const struct compiled *scene)
+{
+    *sampler = (struct sampler){.scene = scene, .state = 0x9E3779B97F4A7C15};
+    for (size_t v = 0; v < scene->scene.vertex_count; v++) {
+        double at_m[3];
+        vertex_m(scene, v, at_m);
+        for (int i = 0; i < 3; i++) {
+            if (v == 0 || at_m[i] < sampler->low_m[i]) sampler->low_m[i] = at_m[i];
+            if (v == 0 || at_m[i] > sampler->high_m[i]) sampler->high_m[i] = at_m[i];
+        }
+    }
+}
+
+static bool is_free(const struct compiled *scene, const double at_m[3])
+{
+    struct lim_eye eye;
+    int32_t at_q8[3];
+    uint16_t index = 0;
+
+    for (int i = 0; i < 3; i++)
+        at_q8[i] = (int32_t)lround((at_m[i] - scene->grid.origin_m[i]) * scene->grid.units_per_m * 256.0);
+    lim_eye_set(&eye, at_q8);
+    for (;;) {
+        const struct lim_node *node = &scene->scene.nodes[index];
+        const bool in_front = lim_eye_side(&eye, &scene->scene, node) > 0;
+        const uint16_t child = in_front ? node->front : node->back;
+        if (child == LIM_NONE) return (in_front ? node->front_run : node->back_run) != LIM_NONE;
+        index = child;
+    }
+}
+
+/* Anywhere in the bounds, or in bounds four times as wide. */
+static void random_point(struct sampler *sampler, double out_m[3])
+{
+    const double spread = random_unit(sampler) < 0.5 ? 1.0 : 4.0;
+    double longest_m = 0;
+    for (int i = 0; i < 3; i++)
+        longest_m = fmax(longest_m, sampler->high_m[i] - sampler->low_m[i]);
+    for (int i = 0; i < 3; i++) {
+        const double side_m = spread > 1 ? longest_m * spread : sampler->high_m[i] - sampler->low_m[i];
+        out_m[i] = (sampler->low_m[i] + sampler->high_m[i]) / 2 + (random_unit(sampler) - 0.5) * side_m;
+    }
+}
+
+static double distance_m(const struct viewpoint *viewpoint)
+{
+    const double *e = viewpoint->eye_m, *t = viewpoint->target_m;
+    return hypot(hypot(e[0] - t[0], e[1] - t[1]), e[2] - t[2]);
+}
+
+struct viewpoint sampler_next(struct sampler *sampler)
+{
+    const double apart_m = 16.0 / sampler->scene->grid.units_per_m; /* eye and target */
+    struct viewpoint viewpoint = {.line = 1};
+
+    for (int i = 0; i < TRIES; i++) {
+        random_point(sampler, viewpoint.eye_m);
+        if (is_free(sampler->scene, viewpoint.eye_m)) break;
+    }
+    const double count = sampler->scene->scene.vertex_count;
+    vertex_m(sampler->scene, (size_t)(random_unit(sampler) * count), viewpoint.target_m);
+    if (distance_m(&viewpoint) < apart_m) viewpoint.target_m[2] += 2 * apart_m;
+    return viewpoint;
+}

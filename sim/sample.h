@@ -1,0 +1,24 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Cameras sampled in a scene's free space: what the compiler measures memory and accuracy on, so
+ * that neither is tuned to one path. The same scene gives the same cameras, on every machine. */
+#ifndef SIM_SAMPLE_H
+#define SIM_SAMPLE_H
+
+#include "camera_path.h"
+#include "compiled.h"
+
+struct sampler {
+    const struct compiled *scene;
+    uint64_t state;             /* of the random numbers */
+    double low_m[3], high_m[3]; /* bounds of the scene */
+};
+
+/* The scene must outlive the sampler and have polygons. */
+void sampler_init(struct sampler *sampler, const struct compiled *scene);
+
+/* An eye in front of whatever polygons face it (in a closed building: inside of it; around an
+ * object: outside, up to one and a half times its size away), looking at some vertex. */
+struct viewpoint sampler_next(struct sampler *sampler);
+
+#endif

@@ -1,0 +1,55 @@
+# SPDX-License-Identifier: MIT
+#
+# Prints README's table: what the compiler and the simulator measure on the benchmark scenes and the
+# demo. `make tables` puts it into README.md between its markers; `sh sim/tables.sh --check` says
+# whether it is there already. Needs a built $BUILD/limner and $BUILD/scenes.
+set -eu
+
+: "${BUILD:=build}"
+readme=README.md
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+
+reported() { # LABEL: a number of the compiler's report
+    sed -n "s/^ *$1  *\([0-9]*\).*/\1/p" "$work/report" | head -n 1
+}
+
+mean() { # COLUMN: of the statistics' line of means
+    awk -v column="$1" '$1 == "frame" && !at { for (i = 1; i <= NF; i++) if ($i == column) at = i }
+        $1 == "mean" && !shown { print $at; shown = 1 }' "$work/frames"
+}
+
+closing() { # PHRASE: the number after it in the comparison's closing line
+    sed -n "\$s/.*$1 \([0-9.]*\).*/\1/p" "$work/frames"
+}
+
+row() { # NAME FOLDER
+    "$BUILD/limner" compile "$2/$1.obj" --keep-faces -o "$work/scene" >"$work/report"
+    "$BUILD/limner" render "$2/$1.obj" --camera "$2/$1.cam" --size 240x240 --stats --compare \
+        --sheet "$work/sheet.png" >"$work/frames"
+    echo "| $1 | $(reported 'faces in the model') | $(reported splits) | $(reported 'in all')" \
+        "| $(reported 'working memory, bytes') | $(mean polygons) | $(mean seen) | $(mean overdraw)" \
+        "| $(closing wrong) | $(closing shift) | $(closing holes) |"
+}
+
+table() {
+    echo "| scene | polygons | splits | flash, bytes | RAM, bytes | reached | seen | overdraw | wrong, % | beyond 1 px, ppm | holes |"
+    echo "|---|---|---|---|---|---|---|---|---|---|---|"
+    row demo "$BUILD/scenes"
+    for scene in rooms rooms-tilted teapot; do row "$scene" sim/scenes; done
+}
+
+# README with the table between the markers.
+filled() {
+    awk -v table="$work/table" '
+        /<!-- table end -->/ { inside = 0 }
+        !inside { print }
+        /<!-- table begin/ { inside = 1; while ((getline line < table) > 0) print line }' "$readme"
+}
+
+table >"$work/table"
+case ${1:-} in
+--write) filled >"$work/readme" && cp "$work/readme" "$readme" ;;
+--check) filled | diff "$readme" - ;;
+*) cat "$work/table" ;;
+esac

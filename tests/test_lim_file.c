@@ -1,0 +1,385 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * .lim files: what is written is read again; whatever is damaged is refused, and nothing that is
+ * accepted can lead a reader out of its arrays. */
+#include "cmocka_ready.h"
+#include "lim_check.h"
+#include "lim_image.h"
+#include "mesh_rig.h"
+#include "plane.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+static char folder[] = "/tmp/test_lim_file.XXXXXX";
+static char path[64];
+static struct compiled scene; /* with planes of every kind */
+
+static int setup(void **state)
+{
+    (void)state;
+    struct random random = {5};
+    struct mesh mesh = mesh_rig(3000.0);
+    const double centre_m[3] = {0.0, 0.0, 0.0}, half_m[3] = {1.0, 2.0, 3.0};
+    mesh_rig_box(&mesh, centre_m, half_m, 0.0, 0.0);
+    mesh_rig_solids(&mesh, &random, 8);
+    scene = mesh_rig_compile(&mesh, "weighted-12", 0.01);
+    mesh_rig_free(&mesh);
+    if (!mkdtemp(folder)) return -1;
+    snprintf(path, sizeof path, "%s/scene.lim", folder);
+    return 0;
+}
+
+static int teardown(void **state)
+{
+    (void)state;
+    compiled_free(&scene);
+    unlink(path);
+    return rmdir(folder);
+}
+
+/* The file's bytes, freshly written. The caller frees them. */
+static unsigned char *written_bytes(void)
+{
+    struct error err;
+    if (!lim_file_write(&scene, path, &err)) fail_msg("%s", err.text);
+    unsigned char *bytes = malloc(scene.image_b);
+    FILE *file = fopen(path, "rb");
+    assert_true(bytes && file);
+    assert_int_equal(fread(bytes, 1, scene.image_b, file), scene.image_b);
+    assert_int_equal(fgetc(file), EOF);
+    fclose(file);
+    return bytes;
+}
+
+static void write_bytes(const unsigned char *bytes, size_t count)
+{
+    FILE *file = fopen(path, "wb");
+    assert_non_null(file);
+    assert_int_equal(fwrite(bytes, 1, count, file), count);
+    fclose(file);
+}
+
+static bool reads(struct error *err)
+{
+    struct compiled read;
+    bool ok = lim_file_read(path, &read, err);
+    if (!ok) assert_null(read.image);
+    compiled_free(&read);
+    return ok;
+}
+
+static void assert_unreadable(const char *reason)
+{
+    struct error err = {""};
+    assert_false(reads(&err));
+    if (strncmp(err.text, path, strlen(path)) != 0) fail_msg("'%s' does not begin with the path", err.text);
+    if (!strstr(err.text, reason)) fail_msg("'%s' lacks '%s'", err.text, reason);
+}
+
+static void put_crc32(unsigned char *bytes)
+{
+    uint32_t crc32 = lim_image_crc32(bytes, scene.image_b);
+    for (int i = 0; i < 4; i++)
+        bytes[20 + i] = (unsigned char)(crc32 >> 8 * i);
+}
+
+static void what_is_written_is_read(void **state)
+{
+    (void)state;
+    struct compiled read;
+    struct error err;
+    free(written_bytes());
+    if (!lim_file_read(path, &read, &err)) fail_msg("%s", err.text);
+    assert_int_equal(read.image_b, scene.image_b);
+    assert_memory_equal((char *)read.image + LIM_FILE_CRC_FROM_B, (char *)scene.image + LIM_FILE_CRC_FROM_B,
+                        scene.image_b - LIM_FILE_CRC_FROM_B);
+    assert_int_equal(read.scene.node_count, scene.scene.node_count);
+    assert_memory_equal(&read.scene.limits, &scene.scene.limits, sizeof read.scene.limits);
+    assert_memory_equal(read.faces, scene.faces, scene.scene.polygon_count * sizeof *read.faces);
+    assert_memory_equal(&read.grid, &scene.grid, sizeof read.grid);
+    assert_int_equal(read.report.polygons_in, 0);
+    compiled_free(&read);
+}
+
+/* The first bytes as firmware/SCENE.md has them, whatever the host's byte order. */
+static void the_file_is_little_endian(void **state)
+{
+    (void)state;
+    unsigned char *bytes = written_bytes();
+    const unsigned char start[] = {0x89, 'L', 'I', 'M', '\r', '\n', 0x1A, '\n', 1, 0, 0, 0, 88, 0, 0, 0};
+    assert_memory_equal(bytes, start, sizeof start);
+    assert_int_equal(bytes[16] | bytes[17] << 8 | bytes[18] << 16, scene.image_b);
+    assert_int_equal(bytes[30] | bytes[31] << 8, 0x40A7); /* 3000.0 = 2^11 * 1.46.. */
+    assert_int_equal(bytes[56] | bytes[57] << 8, scene.scene.vertex_count);
+    assert_int_equal((int16_t)(bytes[88] | bytes[89] << 8), scene.scene.vertices[0].x);
+    free(bytes);
+}
+
+/* Two hosts of different byte order swap the same fields. */
+static void swapping_reverses_fields_and_undoes_itself(void **state)
+{
+    (void)state;
+    struct lim_file_header header;
+    unsigned char *bytes = malloc(scene.image_b);
+    assert_non_null(bytes);
+    memcpy(bytes, scene.image, scene.image_b);
+    memcpy(&header, bytes, sizeof header);
+    lim_image_swap_sections(bytes, &header);
+    lim_image_swap_header(bytes);
+    assert_memory_equal(bytes, scene.image, LIM_FILE_MAGIC_B);
+    assert_memory_equal(bytes + 8, ((unsigned char[]){0, 0, 0, 1, 0, 0, 0, 88}), 8);
+    const unsigned char *plane = bytes + lim_image_section_b(&header, SECTION_PLANES);
+    const struct lim_plane *first = &scene.scene.planes[0];
+    assert_int_equal((int16_t)(plane[0] << 8 | plane[1]), first->n[0]);
+    assert_int_equal((uint16_t)(plane[10] << 8 | plane[11]), (uint16_t)first->d);
+    assert_int_equal((uint16_t)(plane[8] << 8 | plane[9]), (uint16_t)((uint32_t)first->d >> 16));
+    lim_image_swap_header(bytes);
+    lim_image_swap_sections(bytes, &header);
+    assert_memory_equal(bytes, scene.image, scene.image_b);
+    free(bytes);
+}
+
+static void files_that_are_no_scenes_are_refused(void **state)
+{
+    (void)state;
+    unlink(path);
+    assert_unreadable("No such file");
+    write_bytes((const unsigned char *)"", 0);
+    assert_unreadable("empty file");
+    write_bytes((const unsigned char *)"v 0 0 0\nv 1 0 0\n", 16);
+    assert_unreadable("not a Limner scene");
+    unlink(path);
+    assert_int_equal(mkdir(path, 0777), 0);
+    assert_unreadable("directory");
+    rmdir(path);
+}
+
+static void files_cut_short_are_refused_at_any_length(void **state)
+{
+    (void)state;
+    unsigned char *bytes = written_bytes();
+    for (size_t count = 1; count < scene.image_b; count += count < 200 ? 1 : 97) {
+        write_bytes(bytes, count);
+        assert_unreadable("truncated");
+    }
+    write_bytes(bytes, scene.image_b);
+    FILE *file = fopen(path, "ab");
+    assert_non_null(file);
+    fputc(0, file);
+    fclose(file);
+    assert_unreadable("goes on behind its");
+    free(bytes);
+}
+
+static void other_versions_are_refused_by_number(void **state)
+{
+    (void)state;
+    unsigned char *bytes = written_bytes();
+    bytes[8] = 2;
+    write_bytes(bytes, scene.image_b);
+    assert_unreadable("version 2; this program reads version 1");
+    free(bytes);
+}
+
+/* Every bit of the header, and one of every 50 bytes behind it. */
+static void any_flipped_bit_is_noticed(void **state)
+{
+    (void)state;
+    unsigned char *bytes = written_bytes();
+    struct error err;
+    for (size_t bit = 0; bit < scene.image_b * 8; bit += bit < 88 * 8 ? 1 : 397) {
+        bytes[bit / 8] ^= (unsigned char)(1 << bit % 8);
+        write_bytes(bytes, scene.image_b);
+        assert_false(reads(&err));
+        bytes[bit / 8] ^= (unsigned char)(1 << bit % 8);
+    }
+    free(bytes);
+}
+
+/* Promises broken one by one, with a right checksum ------------------------------------------- */
+
+/* The file with one 16-bit field changed is refused for the reason. */
+static void assert_field_refused(size_t at_b, uint16_t value, const char *reason)
+{
+    unsigned char *bytes = written_bytes();
+    bytes[at_b] = (unsigned char)value;
+    bytes[at_b + 1] = (unsigned char)(value >> 8);
+    put_crc32(bytes);
+    write_bytes(bytes, scene.image_b);
+    assert_unreadable(reason);
+    free(bytes);
+}
+
+static size_t at_b(enum lim_section section, size_t index, size_t size_b, size_t field_b)
+{
+    return lim_image_section_b(scene.image, section) + index * size_b + field_b;
+}
+
+static size_t node_at_b(size_t index, size_t field)
+{
+    return at_b(SECTION_NODES, index, sizeof(struct lim_node), field * 2);
+}
+
+/* The first node that satisfies a condition on one field. */
+static size_t node_with(size_t field, uint16_t low, uint16_t high)
+{
+    for (size_t i = 0; i < scene.scene.node_count; i++) {
+        uint16_t fields[7];
+        memcpy(fields, &scene.scene.nodes[i], sizeof fields);
+        if (fields[field] >= low && fields[field] <= high) return i;
+    }
+    fail();
+    return 0;
+}
+
+enum { KIND, PLANE, FRONT, BACK, FRONT_RUN, BACK_RUN, BOX };
+
+static void nodes_that_lie_are_refused(void **state)
+{
+    (void)state;
+    const struct lim_scene *s = &scene.scene;
+    size_t parent = node_with(FRONT, 1, 0xFFFE), run = node_with(FRONT_RUN, 0, 0xFFFE);
+    size_t small = node_with(KIND, LIM_PLANE_SMALL, LIM_PLANE_SMALL);
+    assert_field_refused(node_at_b(0, KIND), 6, "node 0: no such kind of plane: 6");
+    assert_field_refused(node_at_b(small, KIND), LIM_PLANE_LARGE, "is not of its kind");
+    assert_field_refused(node_at_b(small, KIND), LIM_PLANE_XZ, "is not of its kind");
+    assert_field_refused(node_at_b(small, PLANE), s->plane_count, "plane ");
+    assert_field_refused(node_at_b(parent, FRONT), s->node_count, "child ");
+    assert_field_refused(node_at_b(parent, FRONT), (uint16_t)parent, "child ");
+    assert_field_refused(node_at_b(parent, FRONT), LIM_NONE, "has no parent");
+    assert_field_refused(node_at_b(parent, BACK), s->nodes[parent].front, "has two parents");
+    assert_field_refused(node_at_b(run, FRONT_RUN), s->polygon_words, "behind the last polygon");
+    assert_field_refused(node_at_b(run, FRONT_RUN), LIM_NONE, "are drawn");
+    assert_field_refused(node_at_b(run, BACK_RUN), s->nodes[run].front_run, "overlaps another");
+    assert_field_refused(node_at_b(0, BOX), s->box_count, "box ");
+}
+
+static void polygons_that_lie_are_refused(void **state)
+{
+    (void)state;
+    const struct lim_scene *s = &scene.scene;
+    size_t words = lim_image_section_b(scene.image, SECTION_POLYGONS);
+    assert_field_refused(words, 0x8002, "2 vertices");
+    assert_field_refused(words, (uint16_t)(s->limits.vertices + 1), "vertices");
+    assert_field_refused(words, (uint16_t)(s->polygons[0] | 0x100), "unknown flags");
+    assert_field_refused(words + 4, s->vertex_count, "vertex ");
+    assert_field_refused(at_b(SECTION_VERTICES, 3, 6, 2), 0x8000, "vertex 3: a coordinate is -32768");
+}
+
+static void planes_and_boxes_that_lie_are_refused(void **state)
+{
+    (void)state;
+    const struct lim_scene *s = &scene.scene;
+    size_t large = node_with(KIND, LIM_PLANE_LARGE, LIM_PLANE_LARGE), plane = s->nodes[large].plane;
+    size_t upright = s->nodes[node_with(KIND, LIM_PLANE_XZ, LIM_PLANE_XZ)].plane;
+    assert_field_refused(at_b(SECTION_PLANES, plane, 12, 0), (uint16_t)(s->planes[plane].n[0] + 1),
+                         "does not match its exact plane");
+    assert_field_refused(at_b(SECTION_PLANES, plane, 12, 6), s->exact_count, "exact plane ");
+    assert_field_refused(at_b(SECTION_PLANES, plane, 12, 10), 0x4000, "beyond 2^30");
+    assert_field_refused(at_b(SECTION_PLANES, upright, 12, 0), 32767, "add up to");
+    assert_field_refused(at_b(SECTION_PLANES, upright, 12, 2), 1, "is not of its kind");
+    assert_field_refused(at_b(SECTION_EXACT, s->planes[plane].exact, 20, 14), 0x7FFF, "out of bounds");
+    assert_field_refused(at_b(SECTION_BOXES, 2, 12, 8), 32769, "box 2: half is 32769");
+}
+
+static void limits_and_grids_that_lie_are_refused(void **state)
+{
+    (void)state;
+    const struct lim_limits *limits = &scene.scene.limits;
+    assert_field_refused(72, (uint16_t)(limits->depth - 1), "lies deeper than the limit");
+    assert_field_refused(74, (uint16_t)(limits->vertices - 1), "vertices");
+    assert_field_refused(74, 251, "limit of 251 vertices");
+    assert_field_refused(30, 0x7FF8, "units per metre");
+    assert_field_refused(38, 0x7FF0, "the origin is not finite");
+}
+
+/* Random damage with a right checksum --------------------------------------------------------- */
+
+/* What a walk may touch, in all: it ends, and every index is in range. */
+static void walk_everything(const struct lim_scene *s)
+{
+    size_t records = 0, checksum = 0;
+    for (size_t i = 0; i < s->node_count; i++) {
+        const uint16_t runs[2] = {s->nodes[i].front_run, s->nodes[i].back_run};
+        int64_t n[3], d;
+        plane_exact(s, (uint16_t)i, n, &d);
+        checksum += (size_t)d;
+        assert_true(s->nodes[i].front == LIM_NONE || (s->nodes[i].front > i && s->nodes[i].front < s->node_count));
+        assert_true(s->nodes[i].back == LIM_NONE || (s->nodes[i].back > i && s->nodes[i].back < s->node_count));
+        assert_true(s->nodes[i].box == LIM_NONE || s->nodes[i].box < s->box_count);
+        for (int k = 0; k < 2; k++)
+            for (const uint16_t *at = runs[k] == LIM_NONE ? NULL : &s->polygons[runs[k]]; at; records++) {
+                for (size_t v = 0; v < (*at & LIM_POLYGON_COUNT); v++)
+                    checksum += (size_t)s->vertices[at[2 + v]].x;
+                at = *at & LIM_POLYGON_LAST ? NULL : at + 2 + (*at & LIM_POLYGON_COUNT);
+            }
+    }
+    assert_int_equal(records, s->polygon_count);
+    assert_true(checksum != 1);
+}
+
+static void damage_is_refused_or_harmless(void **state)
+{
+    (void)state;
+    struct random random = {77};
+    unsigned char *whole = written_bytes(), *bytes = malloc(scene.image_b);
+    assert_non_null(bytes);
+    int accepted = 0;
+    for (int i = 0; i < 1500; i++) {
+        memcpy(bytes, whole, scene.image_b);
+        for (int64_t changes = random_in(&random, 1, 3); changes > 0; changes--)
+            bytes[random_in(&random, 24, (int64_t)scene.image_b - 1)] = (unsigned char)random_u64(&random);
+        put_crc32(bytes);
+        write_bytes(bytes, scene.image_b);
+        struct compiled read;
+        struct error err;
+        if (!lim_file_read(path, &read, &err)) continue;
+        accepted++;
+        walk_everything(&read.scene);
+        compiled_free(&read);
+    }
+    assert_in_range(accepted, 50, 1450); /* colours and most coordinates may be anything */
+    free(whole);
+    free(bytes);
+}
+
+/* Writing ------------------------------------------------------------------------------------ */
+
+static void what_cannot_be_written_leaves_nothing_behind(void **state)
+{
+    (void)state;
+    struct error err;
+    unlink(path);
+    assert_int_equal(mkdir(path, 0777), 0);
+    assert_false(lim_file_write(&scene, path, &err));
+    assert_non_null(strstr(err.text, path));
+    assert_int_equal(rmdir(path), 0); /* still empty */
+    assert_false(lim_file_write(&scene, "/proc/limner.lim", &err));
+    assert_non_null(strstr(err.text, "/proc/limner.lim"));
+    assert_false(lim_file_write(&scene, "/dev/full", &err));
+    assert_non_null(strstr(err.text, "/dev/full"));
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(what_is_written_is_read),
+        cmocka_unit_test(the_file_is_little_endian),
+        cmocka_unit_test(swapping_reverses_fields_and_undoes_itself),
+        cmocka_unit_test(files_that_are_no_scenes_are_refused),
+        cmocka_unit_test(files_cut_short_are_refused_at_any_length),
+        cmocka_unit_test(other_versions_are_refused_by_number),
+        cmocka_unit_test(any_flipped_bit_is_noticed),
+        cmocka_unit_test(nodes_that_lie_are_refused),
+        cmocka_unit_test(polygons_that_lie_are_refused),
+        cmocka_unit_test(planes_and_boxes_that_lie_are_refused),
+        cmocka_unit_test(limits_and_grids_that_lie_are_refused),
+        cmocka_unit_test(damage_is_refused_or_harmless),
+        cmocka_unit_test(what_cannot_be_written_leaves_nothing_behind),
+    };
+    return cmocka_run_group_tests(tests, setup, teardown);
+}
