@@ -24,7 +24,7 @@ endif
 # Begins a recipe line whose output must appear as it comes: with +, but not under `make -n`, where + would run it.
 LIVE = $(if $(findstring n,$(firstword -$(MAKEFLAGS))),,+)@
 
-.PHONY: all run view check test test-fixed test-programs models-table format clean help packages force
+.PHONY: all run view check test test-fixed test-programs models-table tables format clean help packages force
 .SECONDARY:
 .DELETE_ON_ERROR:
 
@@ -152,6 +152,9 @@ test-programs: $(test_programs) ## build the unit tests without running them
 
 models-table: $(BUILD)/limner ## write the outcomes of Debian's test models anew
 	$(LIVE)sh tests/models.sh --table > tests/models.expected
+
+tables: $(BUILD)/limner $(demo) ## measure README's table and draw its picture anew
+	$(LIVE)sh sim/tables.sh --write
 
 # -- Housekeeping ------------------------------------------------------------------------------------------------------
 

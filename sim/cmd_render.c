@@ -7,6 +7,7 @@
 #include "frame_table.h"
 #include "hashes.h"
 #include "ids.h"
+#include "interrupt.h"
 #include "options.h"
 #include "outputs.h"
 
@@ -127,9 +128,10 @@ static bool render_frames(struct render *render, struct error *err)
 {
     const bool show_progress = isatty(STDERR_FILENO);
     bool ok = true;
+    interrupt_watch();
     for (size_t frame = 0; ok && frame < render->path.count; frame++) {
         if (show_progress) fprintf(stderr, "\rframe %zu of %zu", frame + 1, render->path.count);
-        ok = render_frame(render, frame, err);
+        ok = interrupt_check(err) && render_frame(render, frame, err);
     }
     if (show_progress) fputs("\r\x1B[K", stderr);
     return ok;

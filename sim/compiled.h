@@ -20,22 +20,22 @@ struct compile_options {
 
 struct compile_report {
     struct mesh_counts mesh;
-    size_t polygons_in, polygons_out;  /* before and after splitting */
+    size_t polygons_in, polygons_out; /* before and after splitting */
     size_t splits;
-    size_t collapsed;                  /* pieces that the grid rounded to nothing */
+    size_t collapsed; /* pieces that the grid rounded to nothing */
     size_t depth;
-    size_t kinds[6];                   /* nodes by enum lim_plane_kind */
-    double worst_violation_units;      /* certified: how far any vertex lies on the wrong side */
-    char splitter[16];                 /* the heuristic that won */
-    double wrong_percent;              /* on sampled cameras; only if options.predict, else NaN */
-    size_t flash_b;                    /* bytes of all arrays and the struct lim_scene on a 32-bit MCU */
+    size_t kinds[6];              /* nodes by enum lim_plane_kind */
+    double worst_violation_units; /* certified: how far any vertex lies on the wrong side */
+    char splitter[16];            /* the heuristic that won */
+    double wrong_percent;         /* on sampled cameras; only if options.predict, else NaN */
+    size_t flash_b;               /* bytes of all arrays and the struct lim_scene on a 32-bit MCU */
 };
 
 struct compiled {
     struct lim_scene scene; /* its pointers lead into `image` */
     struct grid grid;
-    uint32_t *faces;        /* polygon_count entries: face number (1-based) of each record, in order */
-    void *image;            /* the .lim file's bytes, owned */
+    uint32_t *faces; /* polygon_count entries: face number (1-based) of each record, in order */
+    void *image;     /* the .lim file's bytes, owned */
     size_t image_b;
     struct compile_report report; /* all zero when read from a file */
 };

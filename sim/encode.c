@@ -220,7 +220,8 @@ bool encode_check_count(size_t count, const char *what, struct error *err)
 static bool check_counts(const struct encoding *out, struct error *err)
 {
     if (out->node_count == 0) return error_set(err, "nothing is left of the scene on its grid");
-    return encode_check_count(out->vertex_count, "vertices", err) && encode_check_count(out->node_count, "nodes", err) &&
+    return encode_check_count(out->vertex_count, "vertices", err) &&
+           encode_check_count(out->node_count, "nodes", err) &&
            encode_check_count(out->word_count, "words of polygons", err);
 }
 

@@ -9,7 +9,7 @@
 #include <math.h>
 
 static const double TO_LAMP[3] = {-0.4, 0.8, 0.45}; /* any length */
-static const double MIDDLE = 0.62, SWING = 0.38;     /* brightness: MIDDLE + SWING * cosine */
+static const double MIDDLE = 0.62, SWING = 0.38;    /* brightness: MIDDLE + SWING * cosine */
 
 /* Newell's normal; not of unit length. */
 static void normal_of(const struct model *model, const struct model_face *face, double out[3])
@@ -33,7 +33,8 @@ static double brightness(const double normal[3])
 static uint32_t dimmed(uint32_t colour, double by)
 {
     uint32_t out = 0;
-    for (int shift = 16; shift >= 0; shift -= 8) out = out << 8 | (uint32_t)((colour >> shift & 0xFF) * by + 0.5);
+    for (int shift = 16; shift >= 0; shift -= 8)
+        out = out << 8 | (uint32_t)((colour >> shift & 0xFF) * by + 0.5);
     return out;
 }
 

@@ -129,7 +129,7 @@ bool reference_read(struct reference *reference, const char *model_path, unsigne
     if (!model_import(model_path, &model, err)) return false;
     bool ok = mesh_clean(&model, &mesh, err);
     model_free(&model);
-    if (!ok) return false;
+    if (!ok) return error_prefix(err, model_path);
     ok = reference_init(reference, &mesh, w_px, h_px, err);
     mesh_free(&mesh);
     return ok;

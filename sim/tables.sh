@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 #
-# Prints README's table: what the compiler and the simulator measure on the benchmark scenes and the
-# demo. `make tables` puts it into README.md between its markers; `sh sim/tables.sh --check` says
-# whether it is there already. Needs a built $BUILD/limner and $BUILD/scenes.
+# Prints README's table: what the compiler and the simulator measure on the demo and the benchmark
+# scenes. With --write puts it into README.md between its markers, and the picture beside the demo;
+# with --check says how README differs. Needs $BUILD/limner and $BUILD/scenes.
 set -eu
 
 : "${BUILD:=build}"
@@ -47,9 +47,15 @@ filled() {
         /<!-- table begin/ { inside = 1; while ((getline line < table) > 0) print line }' "$readme"
 }
 
+# Twelve frames of the demo's walk.
+picture() {
+    awk 'NR % 8 == 5' "$BUILD/scenes/demo.cam" >"$work/few.cam"
+    "$BUILD/limner" render "$BUILD/scenes/demo.obj" --camera "$work/few.cam" --sheet sim/scenes/demo.png
+}
+
 table >"$work/table"
 case ${1:-} in
---write) filled >"$work/readme" && cp "$work/readme" "$readme" ;;
+--write) filled >"$work/readme" && cp "$work/readme" "$readme" && picture ;;
 --check) filled | diff "$readme" - ;;
 *) cat "$work/table" ;;
 esac

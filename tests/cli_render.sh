@@ -224,6 +224,20 @@ renders_benchmarks() { # a frame of each, from the first line of its camera path
 }
 tap_check "a frame of each benchmark scene has no holes" renders_benchmarks
 
+# Background jobs of a shell without job control ignore SIGINT for good: TERM stands for it.
+cleans_up_when_interrupted() {
+    yes '0 1 3 0 0 0' | head -n 100000 >long.cam
+    mkdir stopped && cd stopped || return 1
+    "$limner" render ../pyramid.obj --camera ../long.cam -o 'f/%06d.png' --gif x.gif >said 2>&1 &
+    pid=$!
+    for _ in 1 2 3 4 5 6 7 8 9 10; do # until it is well under way
+        sleep 0.2
+        [ ! -e f ] || break
+    done
+    kill -TERM $pid && { wait $pid; [ $? -eq 1 ]; } && grep -q '^limner: interrupted$' said && rm said && [ -z "$(ls)" ]
+}
+tap_check "an interrupted render leaves nothing behind" cleans_up_when_interrupted
+
 # -- View ----------------------------------------------------------------------------------------------------------------
 
 shows_in_terminal() {

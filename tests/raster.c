@@ -17,7 +17,8 @@ static void add_interval(struct coverage *coverage, int16_t y, int16_t x0, int16
     }
 }
 
-static void add_plain(struct coverage *coverage, const struct lim_edge_shape *shape, const struct lim_point *at, uint8_t n)
+static void add_plain(struct coverage *coverage, const struct lim_edge_shape *shape, const struct lim_point *at,
+                      uint8_t n)
 {
     struct lim_edge_pair pair;
 

@@ -83,8 +83,8 @@ bool write_mtl(FILE *file, const struct soup *soup)
     for (size_t i = 0; i < soup->count; i++) {
         unsigned colour = (unsigned)soup->polygons[i].colour;
         if (i && colour == soup->polygons[i - 1].colour) continue;
-        fprintf(file, "newmtl c%06x\nillum 0\nKd %.6f %.6f %.6f\n", colour, (colour >> 16) / 255.0, (colour >> 8 & 255) / 255.0,
-                (colour & 255) / 255.0);
+        fprintf(file, "newmtl c%06x\nillum 0\nKd %.6f %.6f %.6f\n", colour, (colour >> 16) / 255.0,
+                (colour >> 8 & 255) / 255.0, (colour & 255) / 255.0);
     }
     return !ferror(file);
 }

@@ -5,13 +5,25 @@
  * for whatever sends a line of pixels to it. */
 #include "limner.h"
 
+#include "angle.h"
 #include "display.h"
 #include "teapot.h"
 
-enum { W_PX = 240, H_PX = 240, FRAMES = 3 };
+/* What the scene asks for. With less, down to lim_mem_min_b(), the same frames take longer. */
+#ifndef MEM_B
+#define MEM_B TEAPOT_SCENE_MEM_B(DISPLAY_H_PX)
+#endif
+
+#define DEGREES(a) ((uint32_t)((a)*UINT64_C(4294967296) / 360)) /* a full turn is 2^32 */
+
+enum { FRAMES = 3, NEAR_UNITS = 16, DISTANCE_UNITS = 62000, HEIGHT_UNITS = 34000 };
 
 /* One line of pixels, lent to the renderer and sent when it comes back. */
-static uint32_t line[W_PX / 2];
+static _Alignas(4) uint16_t line[DISPLAY_W_PX];
+
+/* All of the renderer's memory; the linker says if it does not fit. */
+static struct lim lim;
+static uint32_t mem[MEM_B / 4];
 
 static void *lend(void *ctx, uint16_t y_px)
 {
@@ -23,24 +35,28 @@ static void *lend(void *ctx, uint16_t y_px)
 static int done(void *ctx, uint16_t y_px, uint16_t x_px, uint16_t n_px)
 {
     (void)ctx;
-    return display_line(y_px, x_px, (const uint16_t *)(const void *)line + x_px, n_px);
+    return display_line(y_px, x_px, line + x_px, n_px);
 }
 
-/* All of the renderer's memory; the linker says if it does not fit. */
-static struct lim lim;
-static uint32_t mem[TEAPOT_SCENE_MEM_B(H_PX) / 4];
+/* Puts the eye on a circle around the model, looking at it from above. */
+static void orbit(struct lim_camera *camera, uint32_t angle)
+{
+    camera->eye_q8[0] = (int32_t)((int64_t)lim_sin_q30(angle) * DISTANCE_UNITS >> 22);
+    camera->eye_q8[1] = INT32_C(256) * HEIGHT_UNITS;
+    camera->eye_q8[2] = (int32_t)((int64_t)lim_cos_q30(angle) * DISTANCE_UNITS >> 22);
+    camera->yaw = angle;
+    camera->pitch = 0 - DEGREES(29);
+}
 
 int main(void)
 {
-    const struct lim_target target = {W_PX, H_PX, LIM_RGB565, LIM_NEAREST_FIRST, NULL, lend, done};
-    struct lim_camera camera = {.near_q8 = 256 * 16};
+    const struct lim_target target = {DISPLAY_W_PX, DISPLAY_H_PX, LIM_RGB565, LIM_NEAREST_FIRST, NULL, lend, done};
+    struct lim_camera camera = {.near_q8 = 256 * NEAR_UNITS};
     int err = lim_init(&lim, &teapot_scene, &target, mem, sizeof mem);
 
-    if (!err) err = lim_camera_set_fov(&camera, (uint32_t)(UINT64_C(60) * 4294967296 / 360), W_PX, H_PX);
-    camera.eye_q8[1] = INT32_C(8000) * 256;
-    camera.eye_q8[2] = INT32_C(70000) * 256;
-    for (int frame = 0; frame < FRAMES && !err; frame++) {
-        camera.yaw = (uint32_t)frame * UINT32_C(0x01000000); /* 1.4 degrees a frame */
+    if (!err) err = lim_camera_set_fov(&camera, DEGREES(60), DISPLAY_W_PX, DISPLAY_H_PX);
+    for (uint32_t frame = 0; frame < FRAMES && !err; frame++) {
+        orbit(&camera, DEGREES(20) + frame * DEGREES(40));
         err = lim_frame(&lim, &camera);
     }
     return err != 0;
