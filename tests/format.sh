@@ -17,9 +17,8 @@ licensed() {
         -o -name Makefile -o -name run \) -exec grep -L 'SPDX-License-Identifier: MIT' {} + | grep .
 }
 
-short() {
-    # shellcheck disable=SC2086
-    find $folders -name '*.[ch]' -exec awk '
+short() { # tests may be long: they are read one at a time
+    find firmware hal boards sim -name '*.[ch]' -exec awk '
         FNR == 501 { print FILENAME " has more than 500 lines"; long = 1 }
         END { exit long }' {} +
 }
@@ -31,6 +30,6 @@ tidy() {
 
 tap_check "every C file is laid out by clang-format (make format mends it)" formatted
 tap_check "every source file names the licence" licensed
-tap_check "no C file is longer than 500 lines" short
+tap_check "no C file but a test is longer than 500 lines" short
 tap_check "the top level holds nothing else" tidy
 tap_done
