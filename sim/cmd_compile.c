@@ -3,6 +3,7 @@
  * limner compile MODEL -o NAME: writes NAME.c, NAME.h and NAME.lim, all or none, and says what the
  * scene costs. */
 #include "commands.h"
+#include "parse.h"
 #include "scene_files.h"
 
 #include <getopt.h>
@@ -10,13 +11,21 @@
 #include <stdlib.h>
 #include <unistd.h>
 
-enum option_code { OPTION_TOLERANCE = 256, OPTION_SPLITTER, OPTION_KEEP_FACES, OPTION_UNLIT, OPTION_REPORT };
+enum option_code {
+    OPTION_TOLERANCE = 256,
+    OPTION_SPLITTER,
+    OPTION_KEEP_FACES,
+    OPTION_UNLIT,
+    OPTION_SIZE,
+    OPTION_REPORT
+};
 
 static const struct option OPTIONS[] = {
     {"tolerance", required_argument, NULL, OPTION_TOLERANCE},
     {"splitter", required_argument, NULL, OPTION_SPLITTER},
     {"keep-faces", no_argument, NULL, OPTION_KEEP_FACES},
     {"unlit", no_argument, NULL, OPTION_UNLIT},
+    {"size", required_argument, NULL, OPTION_SIZE},
     {"report", no_argument, NULL, OPTION_REPORT},
     {NULL, 0, NULL, 0},
 };
@@ -26,14 +35,6 @@ struct request {
     struct compile_options compile;
     bool report_only;
 };
-
-static bool parse_tolerance(const char *text, double *out, struct error *err)
-{
-    char *end;
-    *out = strtod(text, &end);
-    return (end != text && *end == '\0' && *out >= 0.0 && *out <= 1024.0) ||
-           error_set(err, "--tolerance %s: must be 0 to 1024 units", text);
-}
 
 static bool parse_option(int code, char **argv, struct request *out, struct error *err)
 {
@@ -52,6 +53,8 @@ static bool parse_option(int code, char **argv, struct request *out, struct erro
     case OPTION_UNLIT:
         out->compile.unlit = true;
         return true;
+    case OPTION_SIZE:
+        return parse_size(optarg, &out->compile.w_px, &out->compile.h_px, err);
     case OPTION_REPORT:
         out->report_only = true;
         return true;
@@ -64,8 +67,8 @@ static bool parse_option(int code, char **argv, struct request *out, struct erro
 
 static bool parse(int argc, char **argv, struct request *out, struct error *err)
 {
-    *out = (struct request){.compile = {.tolerance_units = 0.5, .splitter = "auto"}};
-    out->compile.predict = true;
+    *out = (struct request){
+        .compile = {.tolerance_units = 0.5, .splitter = "auto", .w_px = 240, .h_px = 240, .predict = true}};
     out->compile.progress = isatty(STDERR_FILENO);
     opterr = 0;
     optind = 1;

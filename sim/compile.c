@@ -145,6 +145,11 @@ static bool check_size(const struct compilation *work, struct error *err)
     return encode_check_count(words, "words of polygons", err);
 }
 
+static unsigned side_or_default(unsigned side_px)
+{
+    return side_px ? side_px : 240;
+}
+
 bool compile_mesh(const struct mesh *mesh, const struct compile_options *options, struct compiled *out,
                   struct error *err)
 {
@@ -156,7 +161,8 @@ bool compile_mesh(const struct mesh *mesh, const struct compile_options *options
     if (ok) {
         progress(&work, "planes");
         coplanar_find(mesh, work.points.approx, options->tolerance_units, &work.coplanar);
-        ok = compile_best(&work, out, err) && pools_measure(out, err);
+        ok = compile_best(&work, out, err) &&
+             pools_measure(out, side_or_default(options->w_px), side_or_default(options->h_px), err);
         if (options->progress) fputs("\r\033[K", stderr);
         if (!ok) compiled_free(out);
     }

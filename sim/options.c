@@ -5,6 +5,7 @@
 #include "options.h"
 
 #include "outputs.h"
+#include "parse.h"
 
 #include <errno.h>
 #include <getopt.h>
@@ -13,7 +14,7 @@
 #include <strings.h>
 #include <unistd.h>
 
-enum { SIDE_MAX_PX = 1024, ORBIT_FRAMES = 16 };
+enum { ORBIT_FRAMES = 16 };
 
 enum option_code {
     OPTION_OUT = 'o',
@@ -57,37 +58,6 @@ static const struct option OPTIONS[] = {
     {NULL, 0, NULL, 0},
 };
 
-static bool parse_number(const char *option, const char *text, double *out, struct error *err)
-{
-    char *end;
-    errno = 0;
-    *out = strtod(text, &end);
-    return (end != text && *end == '\0' && errno == 0) || error_set(err, "%s %s: not a number", option, text);
-}
-
-/* Digits up to `stop`; 0 if there are none or too many. */
-static unsigned parse_side(const char **at, char stop)
-{
-    unsigned side_px = 0;
-    while (**at >= '0' && **at <= '9') {
-        if (side_px <= SIDE_MAX_PX) side_px = side_px * 10 + (unsigned)(**at - '0');
-        ++*at;
-    }
-    return **at == stop && side_px <= SIDE_MAX_PX ? side_px : 0;
-}
-
-static bool parse_size(const char *text, struct options *out, struct error *err)
-{
-    const char *at = text;
-    out->w_px = parse_side(&at, 'x');
-    if (out->w_px) {
-        at++;
-        out->h_px = parse_side(&at, '\0');
-    }
-    return (out->w_px && out->h_px) ||
-           error_set(err, "--size %s: must be WxH, each from 1 to %d pixels", text, SIDE_MAX_PX);
-}
-
 static bool parse_panel(const char *text, enum simulator_panel *out, struct error *err)
 {
     if (strcmp(text, "st7789") == 0)
@@ -110,12 +80,6 @@ static bool parse_method(const char *text, enum lim_method *out, struct error *e
     return true;
 }
 
-static bool parse_tolerance(const char *text, double *out, struct error *err)
-{
-    if (!parse_number("--tolerance", text, out, err)) return false;
-    return (*out >= 0.0 && *out <= 1024.0) || error_set(err, "--tolerance %s: must be 0 to 1024 units", text);
-}
-
 static bool parse_near(const char *text, double *out, struct error *err)
 {
     if (!parse_number("--near", text, out, err)) return false;
@@ -129,7 +93,7 @@ static bool parse_option(int code, const char *text, struct options *out, struct
         out->camera_path = text;
         return true;
     case OPTION_SIZE:
-        return parse_size(text, out, err);
+        return parse_size(text, &out->w_px, &out->h_px, err);
     case OPTION_FOV:
         return parse_number("--fov", text, &out->fov_deg, err);
     case OPTION_NEAR:
@@ -221,6 +185,8 @@ bool options_parse(int argc, char **argv, enum options_set set, struct options *
     if (is_render && !asks_for_output(out)) out->frame_pattern = "out/%03d.png";
     out->compile.keep_faces = out->ids_path || out->compare;
     out->compile.progress = isatty(STDERR_FILENO);
+    out->compile.w_px = out->w_px;
+    out->compile.h_px = out->h_px;
     return choose_panel(out, err);
 }
 

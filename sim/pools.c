@@ -61,7 +61,9 @@ static bool sample_frames(const struct compiled *scene, struct simulator *simula
     struct lens lens;
 
     sampler_init(&sampler, scene);
-    if (!lens_init(&lens, FOV_DEG, lens_default_near_m(&scene->grid), POOLS_SIDE_PX, POOLS_SIDE_PX, err)) return false;
+    if (!lens_init(&lens, FOV_DEG, lens_default_near_m(&scene->grid), simulator->target.w_px, simulator->target.h_px,
+                   err))
+        return false;
     for (int i = 0; i < CAMERAS; i++) {
         struct viewpoint viewpoint = sampler_next(&sampler);
         const struct camera_path path = {"sampled cameras", &viewpoint, 1};
@@ -73,7 +75,7 @@ static bool sample_frames(const struct compiled *scene, struct simulator *simula
     return true;
 }
 
-bool pools_measure(struct compiled *scene, struct error *err)
+bool pools_measure(struct compiled *scene, unsigned w_px, unsigned h_px, struct error *err)
 {
     struct lim_limits limits = scene->scene.limits;
     struct usage usage = {0};
@@ -81,15 +83,15 @@ bool pools_measure(struct compiled *scene, struct error *err)
     struct simulator simulator;
 
     roomy.scene.limits.retained_cells = roomy.scene.limits.gaps = roomy.scene.limits.active = PLENTY;
-    if (!simulator_init(&simulator, &roomy.scene, SIMULATOR_MEMORY, LIM_NEAREST_FIRST, POOLS_SIDE_PX, POOLS_SIDE_PX,
-                        err))
-        return false;
+    if (!simulator_init(&simulator, &roomy.scene, SIMULATOR_MEMORY, LIM_NEAREST_FIRST, w_px, h_px, err)) return false;
     const bool ok = sample_frames(&roomy, &simulator, &usage, err);
     simulator_free(&simulator);
     limits.retained_cells = with_margin(most(usage.cells, usage.cameras), least_cells(&limits));
     limits.gaps = with_margin(most(usage.gaps, usage.cameras), 1);
     limits.active = with_margin(most(usage.active, usage.cameras), 1);
     lim_image_set_limits(scene, &limits);
+    scene->report.w_px = w_px;
+    scene->report.h_px = h_px;
     return ok;
 }
 

@@ -6,11 +6,9 @@
 
 #include "compiled.h"
 
-enum { POOLS_SIDE_PX = 240 };
-
 /* Sets scene->scene.limits and the image's, pools included: the most that any of 256 sampled cameras
- * but the greediest needs on a square of POOLS_SIDE_PX, and an eighth on top. */
-bool pools_measure(struct compiled *scene, struct error *err);
+ * but the greediest needs at this size, and an eighth on top. */
+bool pools_measure(struct compiled *scene, unsigned w_px, unsigned h_px, struct error *err);
 
 /* Bytes that lim_init() wants on a 32-bit microcontroller whose firmware is built for 341 pixels a
  * side at most (this host's structs are larger), with these limits, and at the least. */

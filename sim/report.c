@@ -70,11 +70,12 @@ static void print_flash(const struct compiled *scene)
     print_bytes("in all", scene->report.flash_b, polygons);
 }
 
-static void print_ram(const struct lim_limits *limits)
+static void print_ram(const struct compiled *scene)
 {
-    printf("RAM at %dx%d pixels, nearest first\n", POOLS_SIDE_PX, POOLS_SIDE_PX);
-    print_count("working memory, bytes", pools_mcu_mem_b(limits, POOLS_SIDE_PX));
-    print_count("least, bytes", pools_mcu_mem_min_b(limits, POOLS_SIDE_PX));
+    const struct lim_limits *limits = &scene->scene.limits;
+    printf("RAM at %ux%u pixels, nearest first\n", scene->report.w_px, scene->report.h_px);
+    print_count("working memory, bytes", pools_mcu_mem_b(limits, scene->report.h_px));
+    print_count("least, bytes", pools_mcu_mem_min_b(limits, scene->report.h_px));
 }
 
 void compile_report_print(const struct compiled *scene, const char *name)
@@ -83,5 +84,5 @@ void compile_report_print(const struct compiled *scene, const char *name)
     print_mended(&scene->report.mesh);
     print_tree(scene);
     print_flash(scene);
-    print_ram(&scene->scene.limits);
+    print_ram(scene);
 }

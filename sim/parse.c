@@ -1,0 +1,44 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Form and range of option values; nothing here knows a scene. */
+#include "parse.h"
+
+#include <errno.h>
+#include <stdlib.h>
+
+bool parse_number(const char *option, const char *text, double *out, struct error *err)
+{
+    char *end;
+    errno = 0;
+    *out = strtod(text, &end);
+    return (end != text && *end == '\0' && errno == 0) || error_set(err, "%s %s: not a number", option, text);
+}
+
+/* Digits up to `stop`; 0 if there are none or too many. */
+static unsigned parse_side(const char **at, char stop)
+{
+    unsigned side_px = 0;
+    while (**at >= '0' && **at <= '9') {
+        if (side_px <= PARSE_SIDE_MAX_PX) side_px = side_px * 10 + (unsigned)(**at - '0');
+        ++*at;
+    }
+    return **at == stop && side_px <= PARSE_SIDE_MAX_PX ? side_px : 0;
+}
+
+bool parse_size(const char *text, unsigned *w_px, unsigned *h_px, struct error *err)
+{
+    const char *at = text;
+    *w_px = parse_side(&at, 'x');
+    if (*w_px) {
+        at++;
+        *h_px = parse_side(&at, '\0');
+    }
+    return (*w_px && *h_px) ||
+           error_set(err, "--size %s: must be WxH, each from 1 to %d pixels", text, PARSE_SIDE_MAX_PX);
+}
+
+bool parse_tolerance(const char *text, double *units, struct error *err)
+{
+    if (!parse_number("--tolerance", text, units, err)) return false;
+    return (*units >= 0.0 && *units <= 1024.0) || error_set(err, "--tolerance %s: must be 0 to 1024 units", text);
+}

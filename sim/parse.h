@@ -1,0 +1,19 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Values of command-line options that more than one command takes. Each refusal names the option. */
+#ifndef SIM_PARSE_H
+#define SIM_PARSE_H
+
+#include "error.h"
+
+enum { PARSE_SIDE_MAX_PX = 1024 };
+
+bool parse_number(const char *option, const char *text, double *out, struct error *err);
+
+/* --size WxH */
+bool parse_size(const char *text, unsigned *w_px, unsigned *h_px, struct error *err);
+
+/* --tolerance UNITS */
+bool parse_tolerance(const char *text, double *units, struct error *err);
+
+#endif
