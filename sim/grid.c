@@ -137,6 +137,60 @@ static bool refuse_outlier(struct place *places, size_t count, double longest_m,
                      bulk_m * GRID_SPAN_UNITS / longest_m, GRID_SPAN_UNITS);
 }
 
+/* Mean square of what rounding to the grid moves a coordinate, in square metres. */
+static double rounding_error(const struct place *places, size_t count, const struct grid *grid)
+{
+    double sum = 0;
+    for (size_t i = 0; i < count; i++)
+        for (int axis = 0; axis < 3; axis++) {
+            const double units = (places[i].point[axis] - grid->origin_m[axis]) * grid->units_per_m;
+            const double error_m = (units - floor(units + 0.5)) / grid->units_per_m;
+            sum += error_m * error_m;
+        }
+    return sum / (3.0 * (double)count);
+}
+
+/* The largest scale at which multiples of step_m are whole units. 0: none is as large as 1. */
+static struct grid lattice_grid(const struct bounds *all, double step_m)
+{
+    struct grid grid = {.units_per_m = 0};
+    double half_m = 0;
+    for (int axis = 0; axis < 3; axis++) {
+        const double middle_m = all->low[axis] + (all->high[axis] - all->low[axis]) / 2;
+        grid.origin_m[axis] = floor(middle_m / step_m + 0.5) * step_m;
+        half_m = fmax(half_m, fmax(all->high[axis] - grid.origin_m[axis], grid.origin_m[axis] - all->low[axis]));
+    }
+    grid.units_per_m = floor(GRID_SPAN_UNITS / 2 / half_m * step_m) / step_m;
+    return grid;
+}
+
+/* What people build has its corners on multiples of something: where the scale divides that, they
+ * round to the grid without error. A little resolution is given for it, no more than a third. */
+static void prefer_lattice(const struct place *places, size_t count, const struct bounds *all, struct grid *grid)
+{
+    static const double STEPS_M[] = {1.0,  0.5,   0.25,  0.2,   0.1,    0.05,   0.025,      0.02,
+                                     0.01, 0.005, 0.002, 0.001, 0.0005, 0.0001, 0.0254 / 4, 0.0254};
+    const double least_units_per_m = grid->units_per_m * 2 / 3;
+    double best = rounding_error(places, count, grid);
+    for (size_t i = 0; i < sizeof STEPS_M / sizeof *STEPS_M; i++) {
+        const struct grid candidate = lattice_grid(all, STEPS_M[i]);
+        if (!(candidate.units_per_m >= least_units_per_m)) continue;
+        const double error = rounding_error(places, count, &candidate);
+        if (error >= best) continue;
+        best = error;
+        *grid = candidate;
+    }
+}
+
+static void choose_scale(const struct place *places, size_t count, const struct bounds *all, double longest_m,
+                         struct grid *grid)
+{
+    for (int axis = 0; axis < 3; axis++)
+        grid->origin_m[axis] = all->low[axis] + (all->high[axis] - all->low[axis]) / 2;
+    grid->units_per_m = GRID_SPAN_UNITS / longest_m;
+    prefer_lattice(places, count, all, grid);
+}
+
 bool grid_choose(const struct model *model, struct grid *grid, struct error *err)
 {
     struct place *places = grow_zeroed(model->corner_count, sizeof *places);
@@ -145,9 +199,7 @@ bool grid_choose(const struct model *model, struct grid *grid, struct error *err
     double longest_m = longest_side(&all);
     bool ok = longest_m > 0 ? refuse_outlier(places, count, longest_m, err)
                             : error_set(err, "no face has an area: all corners are at one place");
+    if (ok) choose_scale(places, count, &all, longest_m, grid);
     free(places);
-    for (int axis = 0; axis < 3; axis++)
-        grid->origin_m[axis] = all.low[axis] + (all.high[axis] - all.low[axis]) / 2;
-    grid->units_per_m = ok ? GRID_SPAN_UNITS / longest_m : 0;
     return ok;
 }

@@ -43,11 +43,28 @@ static void the_grid_fits_the_longest_side_exactly(void **state)
 {
     (void)state;
     struct model model = {0};
-    TINY(&model, {10, -1, 5}, {14, -1, 5}, {14, 1, 5});
+    TINY(&model, {10, -2, 5}, {14, -2, 5}, {14, 2, 5});
     struct mesh mesh = cleaned(&model);
     assert_true(mesh.grid.origin_m[0] == 12 && mesh.grid.origin_m[1] == 0 && mesh.grid.origin_m[2] == 5);
     assert_true(mesh.grid.units_per_m == 65534.0 / 4);
     assert_true(mesh_weld_m(&mesh.grid) == 1 / (16 * mesh.grid.units_per_m));
+    mesh_free(&mesh);
+}
+
+/* 7.31 m: at the largest scale a centimetre would be 89.65 units. */
+static void corners_on_whole_centimetres_round_without_error(void **state)
+{
+    (void)state;
+    struct model model = {0};
+    TINY(&model, {0.02, 0, 0.5}, {7.33, 0, 0.5}, {7.33, 2.45, 0.5}, {0.02, 2.45, 0.51});
+    struct mesh mesh = cleaned(&model);
+    assert_true(fabs(mesh.grid.units_per_m - 8900) < 1e-6);
+    for (size_t i = 0; i < mesh.point_count; i++)
+        for (int axis = 0; axis < 3; axis++) {
+            double units = (mesh.points[i][axis] - mesh.grid.origin_m[axis]) * mesh.grid.units_per_m;
+            assert_true(fabs(units - round(units)) < 1e-6);
+            assert_true(fabs(units) <= 32767);
+        }
     mesh_free(&mesh);
 }
 
@@ -348,6 +365,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_grid_fits_the_longest_side_exactly),
+        cmocka_unit_test(corners_on_whole_centimetres_round_without_error),
         cmocka_unit_test(points_that_no_face_uses_do_not_count),
         cmocka_unit_test(points_nearer_than_a_sixteenth_unit_are_welded_to_the_first),
         cmocka_unit_test(welded_points_keep_their_distance),

@@ -16,7 +16,7 @@
 
 #define DEGREES(a) ((uint32_t)((a)*UINT64_C(4294967296) / 360)) /* a full turn is 2^32 */
 
-enum { FRAMES = 3, NEAR_UNITS = 16, DISTANCE_UNITS = 62000, HEIGHT_UNITS = 34000 };
+enum { FRAMES = 3, NEAR_UNITS = 16, DISTANCE_UNITS = 64000, HEIGHT_UNITS = 33000 };
 
 /* One line of pixels, lent to the renderer and sent when it comes back. */
 static _Alignas(4) uint16_t line[DISPLAY_W_PX];
@@ -45,7 +45,7 @@ static void orbit(struct lim_camera *camera, uint32_t angle)
     camera->eye_q8[1] = INT32_C(256) * HEIGHT_UNITS;
     camera->eye_q8[2] = (int32_t)((int64_t)lim_cos_q30(angle) * DISTANCE_UNITS >> 22);
     camera->yaw = angle;
-    camera->pitch = 0 - DEGREES(29);
+    camera->pitch = 0 - DEGREES(28);
 }
 
 int main(void)
@@ -54,9 +54,9 @@ int main(void)
     struct lim_camera camera = {.near_q8 = 256 * NEAR_UNITS};
     int err = lim_init(&lim, &teapot_scene, &target, mem, sizeof mem);
 
-    if (!err) err = lim_camera_set_fov(&camera, DEGREES(60), DISPLAY_W_PX, DISPLAY_H_PX);
+    if (!err) err = lim_camera_set_fov(&camera, DEGREES(52), DISPLAY_W_PX, DISPLAY_H_PX);
     for (uint32_t frame = 0; frame < FRAMES && !err; frame++) {
-        orbit(&camera, DEGREES(20) + frame * DEGREES(40));
+        orbit(&camera, DEGREES(15) + frame * DEGREES(30));
         err = lim_frame(&lim, &camera);
     }
     return err != 0;
