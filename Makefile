@@ -66,7 +66,7 @@ FLAGS = -std=c11 $(OPT) $(WARNINGS) -ffp-contract=off -D_POSIX_C_SOURCE=200809L 
 LINKS = $(shell pkg-config --libs $(LIBRARIES)) -lgmp -lz -lm
 
 object  = $(patsubst %.c,$(BUILD)/host/%.o,$(1))
-sources := $(wildcard firmware/*.c hal/*.c boards/common/*.c sim/*.c)
+sources := $(filter-out sim/core.c,$(wildcard firmware/*.c hal/*.c boards/common/*.c sim/*.c))
 library := $(BUILD)/host/liblimner.a
 
 # The compiler reads its flags from this file, so that whatever is compiled is compiled anew when they change.
@@ -83,7 +83,26 @@ $(BUILD)/host/%.o: %.c $(BUILD)/host/flags
 	@rm -f $@
 	@ar rcs $@ $^
 
-$(library): $(call object,$(filter-out sim/main.c,$(sources)))
+# The renderer once for each precision profile, all names but that of its table made local.
+profiles     := fast fine
+core_sources := $(wildcard firmware/*.c) sim/core.c
+core_object   = $(patsubst %.c,$(BUILD)/core-$(1)/%.o,$(core_sources))
+
+define core
+$(BUILD)/core-$(1)/%.o: %.c $(BUILD)/host/flags
+	@mkdir -p $$(@D)
+	@echo "CC $$< ($(1))"
+	@$$(CC) @$(BUILD)/host/flags -DLIM_PROFILE=LIM_PROFILE_$(shell echo $(1) | tr a-z A-Z) -DCORE=core_$(1) -c -o $$@ $$<
+
+$(BUILD)/core-$(1).o: $(call core_object,$(1))
+	@ld -r -o $$@ $$^
+	@objcopy --keep-global-symbol=core_$(1) $$@
+
+-include $(patsubst %.o,%.d,$(call core_object,$(1)))
+endef
+$(foreach profile,$(profiles),$(eval $(call core,$(profile))))
+
+$(library): $(call object,$(filter-out sim/main.c,$(sources))) $(patsubst %,$(BUILD)/core-%.o,$(profiles))
 
 $(BUILD)/limner: $(call object,sim/main.c) $(library)
 	@echo "LD $@"

@@ -15,7 +15,9 @@
 #endif
 
 /* Precision profiles; profile.h turns the choice into formats. */
+#define LIM_PROFILE_DRAFT 0
 #define LIM_PROFILE_FAST 1
+#define LIM_PROFILE_FINE 2
 
 #ifndef LIM_PROFILE
 #define LIM_PROFILE LIM_PROFILE_FAST

@@ -77,15 +77,38 @@ static inline uint32_t recip_q16(uint32_t z, uint8_t *shift)
     return ((left_q16 << 8) - fall_q16 * fraction_q8) >> 8;
 }
 
-/* num / den in Q31 for 0 <= num <= den, den >= 1: the 16-bit reciprocal and one Newton step, which
- * squares its relative error of 2^-15 to 2^-29. Never above 1. */
+/* The high half of a product: floor(a b / 2^32). From 16-bit limbs where a 32 x 32 -> 64 multiplication
+ * is a library call; the same bits either way. */
+static inline int32_t mul_high_s32(int32_t a, int32_t b)
+{
+#if defined(__ARM_ARCH_6M__) || defined(__AVR__)
+    const int32_t a_high = a >> 16, b_high = b >> 16;
+    const uint32_t a_low = (uint32_t)a & 0xFFFFu, b_low = (uint32_t)b & 0xFFFFu;
+    const uint32_t low = a_low * b_low;
+    const int32_t middle = a_high * (int32_t)b_low + (int32_t)(low >> 16); /* b_low < 2^16: no overflow */
+    const int32_t other = b_high * (int32_t)a_low + (int32_t)((uint32_t)middle & 0xFFFFu);
+    return a_high * b_high + (middle >> 16) + (other >> 16);
+#else
+    return (int32_t)(((int64_t)a * b) >> 32);
+#endif
+}
+
+/* 1/z for z >= 1 as r * 2^(shift - 62), r in 2^30 .. 2^31 - 1, where shift = clz(z): the 16-bit reciprocal
+ * and one Newton step, which squares its relative error of 2^-14.3 to 2^-28.6. */
+static inline uint32_t recip_q31_of(uint32_t z, uint8_t *shift)
+{
+    const uint32_t guess_q31 = recip_q16(z, shift) << 15;
+    const uint32_t product_q31 = (uint32_t)(((uint64_t)(z << *shift) * guess_q31) >> 31);
+    const uint32_t recip_q31 = (uint32_t)(((uint64_t)guess_q31 * (0u - product_q31)) >> 31);
+
+    return recip_q31 >> 31 ? 0x7FFFFFFFu : recip_q31;
+}
+
+/* num / den in Q31 for 0 <= num <= den, den >= 1. Never above 1. */
 static inline uint32_t ratio_q31(uint32_t num, uint32_t den)
 {
     uint8_t n;
-    const uint32_t guess_q31 = recip_q16(den, &n) << 15;
-    const uint32_t den_q31 = den << n;
-    const uint32_t product_q31 = (uint32_t)(((uint64_t)den_q31 * guess_q31) >> 31);
-    const uint32_t recip_q31 = (uint32_t)(((uint64_t)guess_q31 * (0u - product_q31)) >> 31);
+    const uint32_t recip_q31 = recip_q31_of(den, &n);
     const uint64_t ratio = ((uint64_t)(num << n) * recip_q31) >> 31;
 
     return ratio > UINT32_C(1) << 31 ? UINT32_C(1) << 31 : (uint32_t)ratio;

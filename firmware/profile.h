@@ -9,17 +9,21 @@
 #include "config.h"
 
 #if LIM_PROFILE == LIM_PROFILE_FAST
-#define LIM_MATRIX_BITS 14 /* fraction bits of the view matrix, 16-bit entries */
-#define LIM_SUB_BITS 6     /* fraction bits of a screen coordinate: 1/64 pixel */
+#define LIM_SUB_BITS 6 /* 1/64 pixel */
+#define LIM_SPLIT_ROWS 0
+#elif LIM_PROFILE == LIM_PROFILE_FINE
+#define LIM_SUB_BITS 8   /* 1/256 pixel */
+#define LIM_SPLIT_ROWS 1 /* matrix entries of 30 bits, in two limbs; x / z in 28 bits */
 #else
 #error "unknown LIM_PROFILE"
 #endif
 
+#define LIM_MATRIX_BITS 14                   /* fraction bits of a 16-bit matrix entry, and of view space */
 #define LIM_SUB ((int32_t)1 << LIM_SUB_BITS) /* sub-pixels in a pixel */
 
-/* Screen coordinates span -w/2 .. 3w/2 because of the guard band. Up to 341 pixels a side they fit
- * 16 bits, and so does all of EDGE in 32; wider targets need twice as much. */
-#define LIM_NARROW_SIDE_PX 341
+/* Screen coordinates span -w/2 .. 3w/2 because of the guard band. Up to this many pixels a side they
+ * fit 16 bits, and so does all of EDGE in 32; wider targets need twice as much. */
+#define LIM_NARROW_SIDE_PX (21845 >> LIM_SUB_BITS)
 #define LIM_WIDE (LIM_MAX_SIDE_PX > LIM_NARROW_SIDE_PX)
 
 #if LIM_WIDE

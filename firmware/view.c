@@ -86,15 +86,23 @@ static void set_row(struct lim_view *view, uint8_t row, const int32_t axis_q30[3
                     const int32_t eye_q8[3], const int32_t anchor_q8[3])
 {
     const uint8_t dropped = (uint8_t)(30 - LIM_MATRIX_BITS + view->reach);
-    int64_t inside_qv8 = 0, outside_q38 = 0;
+    int64_t inside_qv8 = 0, inside_qv23 = 0, outside_q38 = 0;
 
     for (uint8_t i = 0; i < 3; i++) {
         const int32_t entry_q30 = mul_q30(axis_q30[i], scale_q30);
-        view->matrix_qv[row][i] = (int16_t)shift_round_s32(entry_q30, dropped);
-        inside_qv8 -= (int64_t)view->matrix_qv[row][i] * anchor_q8[i];
+        const int16_t entry_qv = (int16_t)shift_round_s32(entry_q30, dropped);
+        view->matrix_qv[row][i] = entry_qv;
+        inside_qv8 -= (int64_t)entry_qv * anchor_q8[i];
+        if (LIM_SPLIT_ROWS) {
+            const int32_t rest_q30 = entry_q30 - entry_qv * ((int32_t)1 << dropped);
+            const int16_t low = (int16_t)shift_round_s32(rest_q30, (uint8_t)(dropped - 15));
+            view->low_qv15[row][i] = low;
+            inside_qv23 -= (int64_t)low * anchor_q8[i];
+        }
         outside_q38 += (int64_t)entry_q30 * (anchor_q8[i] - eye_q8[i]);
     }
-    view->shift_qv[row] = (int32_t)shift_round_s64(inside_qv8 + shift_round_s64(outside_q38, dropped), 8);
+    view->shift_qv[row] = (int32_t)shift_round_s64(
+        inside_qv8 + shift_round_s64(inside_qv23, 15) + shift_round_s64(outside_q38, dropped), 8);
 }
 
 static bool in_range(const struct lim_camera *camera)
@@ -145,12 +153,18 @@ bool lim_view_begin(struct lim_view *view, const struct lim_camera *camera)
     return true;
 }
 
+static inline uint32_t dot(const int16_t m[3], const LIM_FLASH struct lim_vertex *vertex)
+{
+    return (uint32_t)((int32_t)m[0] * vertex->x) + (uint32_t)((int32_t)m[1] * vertex->y) +
+           (uint32_t)((int32_t)m[2] * vertex->z);
+}
+
 static inline int32_t row_qv(const struct lim_view *view, uint8_t row, const LIM_FLASH struct lim_vertex *vertex)
 {
-    const int16_t *m = view->matrix_qv[row];
+    uint32_t sum_qv = dot(view->matrix_qv[row], vertex) + (uint32_t)view->shift_qv[row];
 
-    return (int32_t)((uint32_t)((int32_t)m[0] * vertex->x) + (uint32_t)((int32_t)m[1] * vertex->y) +
-                     (uint32_t)((int32_t)m[2] * vertex->z) + (uint32_t)view->shift_qv[row]);
+    if (LIM_SPLIT_ROWS) sum_qv += (uint32_t)shift_round_s32((int32_t)dot(view->low_qv15[row], vertex), 15);
+    return (int32_t)sum_qv;
 }
 
 void lim_view_transform(const struct lim_view *view, const LIM_FLASH struct lim_vertex *vertex,
@@ -160,6 +174,34 @@ void lim_view_transform(const struct lim_view *view, const LIM_FLASH struct lim_
     out->y_qv = row_qv(view, 1, vertex);
     out->z_qv = row_qv(view, 2, vertex);
 }
+
+#if LIM_SPLIT_ROWS
+
+/* x / z in 28 bits: x at a quarter of z's normalised scale times the reciprocal. */
+static inline int32_t ratio_q28(int32_t x_qv, uint8_t zeros, int32_t recip_q31)
+{
+    const int32_t x_scaled = zeros >= 2 ? x_qv * ((int32_t)1 << (zeros - 2)) : x_qv >> (2 - zeros);
+
+    return mul_high_s32(x_scaled, recip_q31);
+}
+
+static inline lim_sub to_screen(int32_t ratio_q28, int32_t half_sub)
+{
+    const int32_t twice_sub = mul_high_s32(ratio_q28, half_sub * 32);
+
+    return (lim_sub)(((twice_sub + 1) >> 1) + half_sub - LIM_SUB / 2);
+}
+
+struct lim_point lim_view_project(const struct lim_view *view, const struct lim_view_point *point)
+{
+    uint8_t zeros;
+    const int32_t recip_q31 = (int32_t)recip_q31_of((uint32_t)point->z_qv, &zeros);
+
+    return (struct lim_point){to_screen(ratio_q28(point->x_qv, zeros, recip_q31), view->half_w_sub),
+                              to_screen(ratio_q28(point->y_qv, zeros, recip_q31), view->half_h_sub)};
+}
+
+#else
 
 /* z becomes 15 bits, 2^14 .. 2^15 - 1, and x with it at most 2^16; times the reciprocal's 15 bits
  * that is x / z in Q29, at most 2^30. */
@@ -180,6 +222,8 @@ struct lim_point lim_view_project(const struct lim_view *view, const struct lim_
     return (struct lim_point){(lim_sub)((x_qr * view->half_w_sub + view->centre_x_qr) >> bits),
                               (lim_sub)((y_qr * view->half_h_sub + view->centre_y_qr) >> bits)};
 }
+
+#endif
 
 /* A point behind the eye can be outside on both sides; one bit of the two is enough, because the
  * codes are only used to find a side that every vertex is outside of. */

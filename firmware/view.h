@@ -38,6 +38,7 @@ struct lim_view_cached {
 };
 
 struct lim_view {
+    int16_t low_qv15[3][3];           /* 15 further bits of the matrix, -2^14..2^14; LIM_SPLIT_ROWS only */
     int16_t matrix_qv[3][3];          /* |entry| <= 2^LIM_MATRIX_BITS >> reach */
     int32_t shift_qv[3];              /* view position of the origin of the scene */
     int32_t near_qv;                  /* >= 2^15 */

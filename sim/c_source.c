@@ -46,6 +46,9 @@ static void write_header(FILE *file, const struct compiled *scene, const struct 
     fprintf(file, "#ifndef %s_SCENE_H\n#define %s_SCENE_H\n\n", macro, macro);
     fprintf(file, "#ifndef LIM_MAX_VERTICES\n#define LIM_MAX_VERTICES %u\n#endif\n\n",
             (unsigned)scene->scene.limits.vertices);
+    if (scene->report.core)
+        fprintf(file, "#ifndef LIM_PROFILE\n#define LIM_PROFILE LIM_PROFILE_%s\n#endif\n\n",
+                scene->report.core == &core_fine ? "FINE" : "FAST");
     fprintf(file, "/* unit = (metre - origin) * units per metre */\n");
     fprintf(file, "#define %s_UNITS_PER_M %.17g\n", macro, scene->grid.units_per_m);
     for (int i = 0; i < 3; i++)

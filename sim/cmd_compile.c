@@ -17,6 +17,7 @@ enum option_code {
     OPTION_KEEP_FACES,
     OPTION_UNLIT,
     OPTION_SIZE,
+    OPTION_PRECISION,
     OPTION_REPORT
 };
 
@@ -25,6 +26,7 @@ static const struct option OPTIONS[] = {
     {"splitter", required_argument, NULL, OPTION_SPLITTER},
     {"keep-faces", no_argument, NULL, OPTION_KEEP_FACES},
     {"unlit", no_argument, NULL, OPTION_UNLIT},
+    {"precision", required_argument, NULL, OPTION_PRECISION},
     {"size", required_argument, NULL, OPTION_SIZE},
     {"report", no_argument, NULL, OPTION_REPORT},
     {NULL, 0, NULL, 0},
@@ -53,6 +55,8 @@ static bool parse_option(int code, char **argv, struct request *out, struct erro
     case OPTION_UNLIT:
         out->compile.unlit = true;
         return true;
+    case OPTION_PRECISION:
+        return parse_precision(optarg, &out->compile.core, err);
     case OPTION_SIZE:
         return parse_size(optarg, &out->compile.w_px, &out->compile.h_px, err);
     case OPTION_REPORT:

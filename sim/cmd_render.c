@@ -57,23 +57,23 @@ static bool open_outputs(struct render *render, struct error *err)
 static bool allocate(struct render *render, struct error *err)
 {
     const struct options *options = &render->options;
-    const size_t frame_count = render->path.count, pixel_count = (size_t)options->w_px * options->h_px;
+    const size_t frame_count = render->path.count, pixel_count = (size_t)options->setup.w_px * options->setup.h_px;
     render->rows = calloc(frame_count, sizeof render->rows[0]);
     render->hashes = calloc(frame_count, sizeof render->hashes[0]);
     bool want_film = render->gif_file || render->sheet_file;
     if (want_film) render->film_pixels = calloc(frame_count, pixel_count * sizeof render->film_pixels[0]);
     return (render->rows && render->hashes && (!want_film || render->film_pixels)) ||
-           error_set(err, "%zu frames of %ux%u pixels: out of memory", frame_count, options->w_px, options->h_px);
+           error_set(err, "%zu frames of %ux%u pixels: out of memory", frame_count, options->setup.w_px,
+                     options->setup.h_px);
 }
 
 static bool start(struct render *render, struct error *err)
 {
     const struct options *options = &render->options;
-    const unsigned w_px = options->w_px, h_px = options->h_px;
-    if (!simulator_init(&render->simulator, &render->scene.scene, options->panel, options->method, w_px, h_px, err))
-        return false;
+    const unsigned w_px = options->setup.w_px, h_px = options->setup.h_px;
+    if (!simulator_init(&render->simulator, &render->scene.scene, &options->setup, err)) return false;
     bool want_ids = options->ids_path || options->compare;
-    if (want_ids && !ids_init(&render->ids, &render->scene, options->method, w_px, h_px, err)) return false;
+    if (want_ids && !ids_init(&render->ids, &render->scene, &options->setup, err)) return false;
     return !options->compare || reference_read(&render->reference, options->scene_path, w_px, h_px, err);
 }
 
@@ -112,7 +112,7 @@ static bool render_frame(struct render *render, size_t frame, struct error *err)
         !simulator_frame(&render->simulator, &camera, err))
         return false;
     struct frame_row *row = &render->rows[frame];
-    row->stats = *lim_stats(&render->simulator.lim);
+    row->stats = *simulator_stats(&render->simulator);
     row->pixels = pixel_count;
     row->bus_b = render->simulator.bus_b;
     render->hashes[frame] = hash_pixels(render->simulator.pixels, pixel_count);
@@ -150,7 +150,7 @@ static bool write_sheet(struct render *render, const struct film *film, struct e
 static bool write_films(struct render *render, struct error *err)
 {
     const struct options *options = &render->options;
-    const struct film film = {options->w_px, options->h_px, render->path.count, render->film_pixels};
+    const struct film film = {options->setup.w_px, options->setup.h_px, render->path.count, render->film_pixels};
     if (render->gif_file && !image_write_gif(&film, GIF_FRAMES_PER_S, render->gif_file, options->gif_path, err))
         return false;
     if (render->sheet_file && !write_sheet(render, &film, err)) return false;
@@ -178,7 +178,7 @@ static bool close_outputs(struct render *render, struct error *err)
 static bool print_tables(const struct render *render, struct error *err)
 {
     if (render->options.stats) {
-        printf("%ux%u pixels, %s\n", render->options.w_px, render->options.h_px,
+        printf("%ux%u pixels, %s\n", render->options.setup.w_px, render->options.setup.h_px,
                render->simulator.board ? "through the emulated st7789"
                                        : "into plain memory: no emulated panel, nothing sent on a bus");
         frame_table_print_stats(render->rows, render->path.count, stdout);

@@ -22,8 +22,7 @@ static bool view_open(struct viewing *view, struct flight *flight, struct error 
     struct lim_camera camera;
     if (!options_load(options, &view->scene, &lens, &view->path, err) ||
         !camera_path_to_camera(&view->path, 0, &lens, &view->scene.grid, &camera, err) ||
-        !simulator_init(&view->simulator, &view->scene.scene, options->panel, options->method, options->w_px,
-                        options->h_px, err))
+        !simulator_init(&view->simulator, &view->scene.scene, &options->setup, err))
         return false;
     flight_init(flight, &view->simulator, &camera, &view->scene.grid);
     return true;

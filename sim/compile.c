@@ -180,7 +180,8 @@ static bool compile_cleaned(struct mesh *mesh, const struct compile_options *opt
     bool ok = (options->keep_faces || mesh_merge(mesh, err)) && mesh_insert_t_vertices(mesh, err) &&
               compile_mesh(mesh, options, out, err);
     if (ok && options->predict)
-        ok = predict_wrong_percent(out, &reference, mesh->merged_into, &out->report.wrong_percent, err);
+        ok = predict_wrong_percent(out, options->core, &reference, mesh->merged_into, &out->report.wrong_percent, err);
+    out->report.core = options->core ? options->core : &core_fast;
     reference_free(&reference);
     return ok;
 }

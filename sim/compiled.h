@@ -5,18 +5,20 @@
 #ifndef SIM_COMPILED_H
 #define SIM_COMPILED_H
 
+#include "core.h"
 #include "error.h"
 #include "mesh.h"
 #include "scene.h"
 
 struct compile_options {
-    double tolerance_units; /* a polygon this near to a plane lies on it; 0.5 by default, 0 = exact */
-    const char *splitter;   /* "auto", "first", "fewest", "balanced": heuristic of the tree builder */
-    bool keep_faces;        /* do not merge: every face keeps its own number in --ids */
-    unsigned w_px, h_px;    /* the panel that pool sizes are measured for; 0: 240 */
-    bool unlit;             /* colours stay as they are in the model: no light is baked in */
-    bool predict;           /* measure the wrong-pixel share for the report: takes a second or so */
-    bool progress;          /* show progress on stderr */
+    double tolerance_units;  /* a polygon this near to a plane lies on it; 0.5 by default, 0 = exact */
+    const char *splitter;    /* "auto", "first", "fewest", "balanced": heuristic of the tree builder */
+    bool keep_faces;         /* do not merge: every face keeps its own number in --ids */
+    const struct core *core; /* precision profile of the prediction and of NAME.h; NULL: fast */
+    unsigned w_px, h_px;     /* the panel that pool sizes are measured for; 0: 240 */
+    bool unlit;              /* colours stay as they are in the model: no light is baked in */
+    bool predict;            /* measure the wrong-pixel share for the report: takes a second or so */
+    bool progress;           /* show progress on stderr */
 };
 
 struct compile_report {
@@ -29,6 +31,7 @@ struct compile_report {
     double worst_violation_units; /* certified: how far any vertex lies on the wrong side */
     char splitter[16];            /* the heuristic that won */
     unsigned w_px, h_px;          /* of the panel that the pools were measured for */
+    const struct core *core;      /* the precision profile asked for */
     double wrong_percent;         /* on sampled cameras; only if options.predict, else NaN */
     size_t flash_b;               /* bytes of all arrays and the struct lim_scene on a 32-bit MCU */
 };

@@ -32,14 +32,15 @@ static bool copy_scene(struct ids *ids, const struct compiled *scene)
     return true;
 }
 
-bool ids_init(struct ids *ids, const struct compiled *scene, enum lim_method method, unsigned w_px, unsigned h_px,
-              struct error *err)
+bool ids_init(struct ids *ids, const struct compiled *scene, const struct simulator_setup *setup, struct error *err)
 {
+    struct simulator_setup plain = *setup;
+    plain.panel = SIMULATOR_MEMORY;
     memset(ids, 0, sizeof *ids);
-    ids->faces = calloc((size_t)w_px * h_px, sizeof ids->faces[0]);
+    ids->faces = calloc((size_t)setup->w_px * setup->h_px, sizeof ids->faces[0]);
     bool ok = ids->faces && copy_scene(ids, scene);
     if (!ok) error_set(err, "face numbers: out of memory");
-    ok = ok && simulator_init(&ids->simulator, &ids->scene, SIMULATOR_MEMORY, method, w_px, h_px, err);
+    ok = ok && simulator_init(&ids->simulator, &ids->scene, &plain, err);
     if (!ok) ids_free(ids);
     return ok;
 }

@@ -16,8 +16,8 @@ struct ids {
     uint32_t *faces;            /* the last frame: w_px * h_px face numbers, 0 = background */
 };
 
-bool ids_init(struct ids *ids, const struct compiled *scene, enum lim_method method, unsigned w_px, unsigned h_px,
-              struct error *err);
+/* Drawn as `setup` says, but always into plain memory. */
+bool ids_init(struct ids *ids, const struct compiled *scene, const struct simulator_setup *setup, struct error *err);
 bool ids_frame(struct ids *ids, const struct lim_camera *camera, struct error *err);
 
 /* Appends the last frame to a file: uint32 little-endian a pixel. */

@@ -14,6 +14,7 @@ static const char USAGE[] = "usage: limner compile MODEL -o NAME   write NAME.c,
                             "       limner help                    this text\n"
                             "\n"
                             "all three, for a MODEL:\n"
+                            "  --precision NAME    fast or fine (fast)\n"
                             "  --splitter NAME     how the tree is built: auto, first, fewest or balanced (auto)\n"
                             "  --tolerance UNITS   how far a polygon may be off a plane that it lies on (0.5)\n"
                             "  --size WxH          of the panel, 1 to 1024 pixels each (240x240)\n"

@@ -33,7 +33,8 @@ enum option_code {
     OPTION_METHOD,
     OPTION_SPLITTER,
     OPTION_TOLERANCE,
-    OPTION_UNLIT
+    OPTION_UNLIT,
+    OPTION_PRECISION
 };
 
 /* Those that only `render` has come first. */
@@ -52,6 +53,7 @@ static const struct option OPTIONS[] = {
     {"near", required_argument, NULL, OPTION_NEAR},
     {"panel", required_argument, NULL, OPTION_PANEL},
     {"method", required_argument, NULL, OPTION_METHOD},
+    {"precision", required_argument, NULL, OPTION_PRECISION},
     {"splitter", required_argument, NULL, OPTION_SPLITTER},
     {"tolerance", required_argument, NULL, OPTION_TOLERANCE},
     {"unlit", no_argument, NULL, OPTION_UNLIT},
@@ -93,15 +95,17 @@ static bool parse_option(int code, const char *text, struct options *out, struct
         out->camera_path = text;
         return true;
     case OPTION_SIZE:
-        return parse_size(text, &out->w_px, &out->h_px, err);
+        return parse_size(text, &out->setup.w_px, &out->setup.h_px, err);
     case OPTION_FOV:
         return parse_number("--fov", text, &out->fov_deg, err);
     case OPTION_NEAR:
         return parse_near(text, &out->near_m, err);
     case OPTION_PANEL:
-        return parse_panel(text, &out->panel, err);
+        return parse_panel(text, &out->setup.panel, err);
     case OPTION_METHOD:
-        return parse_method(text, &out->method, err);
+        return parse_method(text, &out->setup.method, err);
+    case OPTION_PRECISION:
+        return parse_precision(text, &out->setup.core, err);
     case OPTION_UNLIT:
         out->compile.unlit = true;
         return true;
@@ -149,10 +153,12 @@ static bool unusable_option(int code, char **argv, struct error *err)
 /* A panel is emulated wherever its memory holds the picture. */
 static bool choose_panel(struct options *out, struct error *err)
 {
-    if (out->panel == SIMULATOR_ST7789 && !simulator_panel_holds(out->w_px, out->h_px))
-        return error_set(err, "--panel st7789: %ux%u pixels do not fit into its memory", out->w_px, out->h_px);
-    if (out->panel == SIMULATOR_ANY)
-        out->panel = simulator_panel_holds(out->w_px, out->h_px) ? SIMULATOR_ST7789 : SIMULATOR_MEMORY;
+    if (out->setup.panel == SIMULATOR_ST7789 && !simulator_panel_holds(out->setup.w_px, out->setup.h_px))
+        return error_set(err, "--panel st7789: %ux%u pixels do not fit into its memory", out->setup.w_px,
+                         out->setup.h_px);
+    if (out->setup.panel == SIMULATOR_ANY)
+        out->setup.panel =
+            simulator_panel_holds(out->setup.w_px, out->setup.h_px) ? SIMULATOR_ST7789 : SIMULATOR_MEMORY;
     return true;
 }
 
@@ -165,11 +171,8 @@ static bool asks_for_output(const struct options *options)
 bool options_parse(int argc, char **argv, enum options_set set, struct options *out, struct error *err)
 {
     const bool is_render = set == OPTIONS_RENDER;
-    *out = (struct options){.w_px = 240,
-                            .h_px = 240,
+    *out = (struct options){.setup = {240, 240, LIM_NEAREST_FIRST, SIMULATOR_ANY, &core_fast},
                             .fov_deg = 60.0,
-                            .method = LIM_NEAREST_FIRST,
-                            .panel = SIMULATOR_ANY,
                             .compile = {.tolerance_units = 0.5, .splitter = "auto"}};
     opterr = 0;
     optind = 1;
@@ -185,8 +188,9 @@ bool options_parse(int argc, char **argv, enum options_set set, struct options *
     if (is_render && !asks_for_output(out)) out->frame_pattern = "out/%03d.png";
     out->compile.keep_faces = out->ids_path || out->compare;
     out->compile.progress = isatty(STDERR_FILENO);
-    out->compile.w_px = out->w_px;
-    out->compile.h_px = out->h_px;
+    out->compile.w_px = out->setup.w_px;
+    out->compile.h_px = out->setup.h_px;
+    out->compile.core = out->setup.core;
     return choose_panel(out, err);
 }
 
@@ -208,6 +212,6 @@ bool options_load(const struct options *options, struct compiled *scene, struct 
     if (options->camera_path && !camera_path_read(options->camera_path, path, err)) return false;
     if (!load_scene(options, scene, err)) return false;
     double near_m = options->near_m > 0.0 ? options->near_m : lens_default_near_m(&scene->grid);
-    if (!lens_init(lens, options->fov_deg, near_m, options->w_px, options->h_px, err)) return false;
+    if (!lens_init(lens, options->fov_deg, near_m, options->setup.w_px, options->setup.h_px, err)) return false;
     return options->camera_path || camera_path_orbit(scene, lens, ORBIT_FRAMES, path, err);
 }

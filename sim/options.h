@@ -10,11 +10,9 @@
 struct options {
     const char *scene_path;  /* a model, or a compiled scene in a .lim file */
     const char *camera_path; /* NULL: an orbit */
-    unsigned w_px, h_px;
+    struct simulator_setup setup;
     double fov_deg;
     double near_m; /* 0: not given */
-    enum lim_method method;
-    enum simulator_panel panel;
     struct compile_options compile;
     /* limner render only; NULL or false: not asked for */
     const char *frame_pattern, *gif_path, *sheet_path, *ids_path, *check_path, *hashes_path;

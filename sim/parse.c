@@ -37,6 +37,12 @@ bool parse_size(const char *text, unsigned *w_px, unsigned *h_px, struct error *
            error_set(err, "--size %s: must be WxH, each from 1 to %d pixels", text, PARSE_SIDE_MAX_PX);
 }
 
+bool parse_precision(const char *text, const struct core **core, struct error *err)
+{
+    *core = core_find(text);
+    return *core || error_set(err, "--precision %s: no such profile; there are fast and fine", text);
+}
+
 bool parse_tolerance(const char *text, double *units, struct error *err)
 {
     if (!parse_number("--tolerance", text, units, err)) return false;

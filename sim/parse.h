@@ -4,6 +4,7 @@
 #ifndef SIM_PARSE_H
 #define SIM_PARSE_H
 
+#include "core.h"
 #include "error.h"
 
 enum { PARSE_SIDE_MAX_PX = 1024 };
@@ -12,6 +13,9 @@ bool parse_number(const char *option, const char *text, double *out, struct erro
 
 /* --size WxH */
 bool parse_size(const char *text, unsigned *w_px, unsigned *h_px, struct error *err);
+
+/* --precision NAME */
+bool parse_precision(const char *text, const struct core **core, struct error *err);
 
 /* --tolerance UNITS */
 bool parse_tolerance(const char *text, double *units, struct error *err);

@@ -19,12 +19,9 @@ struct usage {
     uint16_t cells[CAMERAS], gaps[CAMERAS], active[CAMERAS];
 };
 
-/* Sizes of the structs in caller's memory on a 32-bit MCU; tests/arm/sizes.c asserts them. */
-enum { CACHE_B = 64 * 8, LINE_B = 8, PENDING_B = 4, CELL_B = 4, GAP_B = 6, ACTIVE_B = 48, HEAD_CELLS = 2, CLIPPED = 5 };
-
 static uint16_t least_cells(const struct lim_limits *limits)
 {
-    return (uint16_t)(HEAD_CELLS + limits->vertices + CLIPPED);
+    return (uint16_t)(MCU_HEAD_CELLS + limits->vertices + MCU_CLIP_PLANES);
 }
 
 static uint16_t with_margin(uint16_t used, uint16_t least)
@@ -70,7 +67,7 @@ static bool sample_frames(const struct compiled *scene, struct simulator *simula
         struct lim_camera camera;
         if (!camera_path_to_camera(&path, 0, &lens, &scene->grid, &camera, err)) continue;
         if (!simulator_frame(simulator, &camera, err)) return false;
-        note(usage, lim_stats(&simulator->lim));
+        note(usage, simulator_stats(simulator));
     }
     return true;
 }
@@ -80,10 +77,11 @@ bool pools_measure(struct compiled *scene, unsigned w_px, unsigned h_px, struct 
     struct lim_limits limits = scene->scene.limits;
     struct usage usage = {0};
     struct compiled roomy = *scene; /* shares the arrays */
+    const struct simulator_setup setup = {w_px, h_px, LIM_NEAREST_FIRST, SIMULATOR_MEMORY, NULL};
     struct simulator simulator;
 
     roomy.scene.limits.retained_cells = roomy.scene.limits.gaps = roomy.scene.limits.active = PLENTY;
-    if (!simulator_init(&simulator, &roomy.scene, SIMULATOR_MEMORY, LIM_NEAREST_FIRST, w_px, h_px, err)) return false;
+    if (!simulator_init(&simulator, &roomy.scene, &setup, err)) return false;
     const bool ok = sample_frames(&roomy, &simulator, &usage, err);
     simulator_free(&simulator);
     limits.retained_cells = with_margin(most(usage.cells, usage.cameras), least_cells(&limits));
@@ -95,18 +93,29 @@ bool pools_measure(struct compiled *scene, unsigned w_px, unsigned h_px, struct 
     return ok;
 }
 
-static size_t mem_b(const struct lim_limits *limits, unsigned h_px, size_t cells, size_t gaps, size_t active)
+/* Whether a firmware for this panel needs wide screen coordinates in this profile. */
+static bool is_wide(const struct compile_report *report)
 {
-    const size_t fixed_b = CACHE_B + h_px * (size_t)LINE_B + limits->depth * (size_t)PENDING_B;
-    return (fixed_b + cells * CELL_B + gaps * GAP_B + active * ACTIVE_B + 3) & ~(size_t)3;
+    const unsigned narrow_px = report->core == &core_fine ? 85 : 341;
+    return report->w_px > narrow_px || report->h_px > narrow_px;
 }
 
-size_t pools_mcu_mem_b(const struct lim_limits *limits, unsigned h_px)
+static size_t mem_b(const struct compiled *scene, size_t cells, size_t gaps, size_t active)
 {
-    return mem_b(limits, h_px, limits->retained_cells, limits->gaps, limits->active);
+    const bool wide = is_wide(&scene->report);
+    const size_t cached_b = wide ? MCU_CACHED_WIDE_B : MCU_CACHED_B, cell_b = wide ? MCU_CELL_WIDE_B : MCU_CELL_B;
+    const size_t fixed_b = MCU_CACHE_ENTRIES * cached_b + scene->report.h_px * (size_t)MCU_LINE_B +
+                           scene->scene.limits.depth * (size_t)MCU_PENDING_B;
+    return (fixed_b + cells * cell_b + gaps * MCU_GAP_B + active * MCU_ACTIVE_B + 3) & ~(size_t)3;
 }
 
-size_t pools_mcu_mem_min_b(const struct lim_limits *limits, unsigned h_px)
+size_t pools_mcu_mem_b(const struct compiled *scene)
 {
-    return mem_b(limits, h_px, least_cells(limits), 1, 1);
+    const struct lim_limits *limits = &scene->scene.limits;
+    return mem_b(scene, limits->retained_cells, limits->gaps, limits->active);
+}
+
+size_t pools_mcu_mem_min_b(const struct compiled *scene)
+{
+    return mem_b(scene, least_cells(&scene->scene.limits), 1, 1);
 }

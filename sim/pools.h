@@ -10,9 +10,25 @@
  * but the greediest needs at this size, and an eighth on top. */
 bool pools_measure(struct compiled *scene, unsigned w_px, unsigned h_px, struct error *err);
 
-/* Bytes that lim_init() wants on a 32-bit microcontroller whose firmware is built for 341 pixels a
- * side at most (this host's structs are larger), with these limits, and at the least. */
-size_t pools_mcu_mem_b(const struct lim_limits *limits, unsigned h_px);
-size_t pools_mcu_mem_min_b(const struct lim_limits *limits, unsigned h_px);
+/* Sizes of the structs in the caller's memory on a 32-bit MCU, of a firmware built for narrow screen
+ * coordinates and for wide ones (profile.h). tests/arm/sizes.c asserts them. */
+enum {
+    MCU_CACHE_ENTRIES = 64,
+    MCU_CACHED_B = 8,
+    MCU_CACHED_WIDE_B = 12,
+    MCU_LINE_B = 8,
+    MCU_PENDING_B = 4,
+    MCU_CELL_B = 4,
+    MCU_CELL_WIDE_B = 8,
+    MCU_GAP_B = 6,
+    MCU_ACTIVE_B = 48,
+    MCU_HEAD_CELLS = 2,
+    MCU_CLIP_PLANES = 5
+};
+
+/* Bytes that lim_init() wants on a 32-bit MCU for the panel and the precision of scene->report, and
+ * the least that it takes. This host's structs are larger. */
+size_t pools_mcu_mem_b(const struct compiled *scene);
+size_t pools_mcu_mem_min_b(const struct compiled *scene);
 
 #endif

@@ -29,13 +29,14 @@ static bool compare_views(const struct compiled *scene, struct ids *ids, struct 
     return true;
 }
 
-bool predict_wrong_percent(const struct compiled *scene, struct reference *reference, const uint32_t *groups,
-                           double *percent, struct error *err)
+bool predict_wrong_percent(const struct compiled *scene, const struct core *core, struct reference *reference,
+                           const uint32_t *groups, double *percent, struct error *err)
 {
+    const struct simulator_setup setup = {PREDICT_SIDE_PX, PREDICT_SIDE_PX, LIM_NEAREST_FIRST, SIMULATOR_MEMORY, core};
     struct comparison sum = {0};
     struct ids ids;
 
-    if (!ids_init(&ids, scene, LIM_NEAREST_FIRST, PREDICT_SIDE_PX, PREDICT_SIDE_PX, err)) return false;
+    if (!ids_init(&ids, scene, &setup, err)) return false;
     const bool ok = compare_views(scene, &ids, reference, groups, &sum, err);
     *percent = compare_wrong_percent(&sum.total);
     ids_free(&ids);

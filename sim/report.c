@@ -46,6 +46,7 @@ static void print_tree(const struct compiled *scene)
         if (report->kinds[i]) printf("    %-26s %8zu\n", kinds[i], report->kinds[i]);
     printf("  %-28s %8.1f\n", "units per metre", scene->grid.units_per_m);
     printf("  %-28s %8.4f units\n", "worst wrong side, certified", report->worst_violation_units);
+    if (report->core) printf("  %-28s %8s\n", "precision", report->core->name);
     if (!isnan(report->wrong_percent))
         printf("  %-28s %8.4f %%, %d sampled cameras\n", "wrong pixels, predicted", report->wrong_percent,
                PREDICT_CAMERAS);
@@ -72,10 +73,9 @@ static void print_flash(const struct compiled *scene)
 
 static void print_ram(const struct compiled *scene)
 {
-    const struct lim_limits *limits = &scene->scene.limits;
     printf("RAM at %ux%u pixels, nearest first\n", scene->report.w_px, scene->report.h_px);
-    print_count("working memory, bytes", pools_mcu_mem_b(limits, scene->report.h_px));
-    print_count("least, bytes", pools_mcu_mem_min_b(limits, scene->report.h_px));
+    print_count("working memory, bytes", pools_mcu_mem_b(scene));
+    print_count("least, bytes", pools_mcu_mem_min_b(scene));
 }
 
 void compile_report_print(const struct compiled *scene, const char *name)

@@ -85,29 +85,38 @@ static bool renderer_init(struct simulator *simulator, const struct lim_scene *s
 {
     size_t pixel_count = (size_t)simulator->target.w_px * simulator->target.h_px;
     simulator->pixels = calloc(pixel_count, sizeof simulator->pixels[0]);
-    simulator->mem_b = lim_mem_b(scene, &simulator->target);
+    simulator->mem_b = simulator->core->mem_b(scene, &simulator->target);
     simulator->mem = malloc(simulator->mem_b);
-    if (!simulator->pixels || !simulator->mem) return error_set(err, "simulator: out of memory");
-    int code = lim_init(&simulator->lim, scene, &simulator->target, simulator->mem, simulator->mem_b);
+    simulator->lim = calloc(1, simulator->core->lim_b);
+    if (!simulator->pixels || !simulator->mem || !simulator->lim) return error_set(err, "simulator: out of memory");
+    int code = simulator->core->init(simulator->lim, scene, &simulator->target, simulator->mem, simulator->mem_b);
     return code == 0 || error_set(err, "renderer: %s (%d)", reason_of(code), code);
 }
 
-bool simulator_init(struct simulator *simulator, const struct lim_scene *scene, enum simulator_panel panel,
-                    enum lim_method method, unsigned w_px, unsigned h_px, struct error *err)
+bool simulator_init(struct simulator *simulator, const struct lim_scene *scene, const struct simulator_setup *setup,
+                    struct error *err)
 {
+    enum simulator_panel panel = setup->panel;
     memset(simulator, 0, sizeof *simulator);
-    if (panel == SIMULATOR_ANY) panel = panel_board_holds(w_px, h_px) ? SIMULATOR_ST7789 : SIMULATOR_MEMORY;
-    bool ok = panel == SIMULATOR_ST7789 ? board_init(simulator, method, w_px, h_px, err)
-                                        : memory_init(simulator, method, w_px, h_px, err);
+    simulator->core = setup->core ? setup->core : &core_fast;
+    if (panel == SIMULATOR_ANY)
+        panel = panel_board_holds(setup->w_px, setup->h_px) ? SIMULATOR_ST7789 : SIMULATOR_MEMORY;
+    bool ok = panel == SIMULATOR_ST7789 ? board_init(simulator, setup->method, setup->w_px, setup->h_px, err)
+                                        : memory_init(simulator, setup->method, setup->w_px, setup->h_px, err);
     ok = ok && renderer_init(simulator, scene, err);
     if (!ok) simulator_free(simulator);
     return ok;
 }
 
+const struct lim_stats *simulator_stats(const struct simulator *simulator)
+{
+    return simulator->core->stats(simulator->lim);
+}
+
 static int board_frame(struct simulator *simulator, const struct lim_camera *camera)
 {
     screen_begin_frame(&simulator->board->screen);
-    int err = lim_frame(&simulator->lim, camera);
+    int err = simulator->core->frame(simulator->lim, camera);
     if (err) return err;
     return screen_end_frame(&simulator->board->screen);
 }
@@ -116,7 +125,7 @@ bool simulator_frame(struct simulator *simulator, const struct lim_camera *camer
 {
     struct panel_board *board = simulator->board;
     uint64_t before_b = board ? board->chip.bus_b : 0;
-    int code = board ? board_frame(simulator, camera) : lim_frame(&simulator->lim, camera);
+    int code = board ? board_frame(simulator, camera) : simulator->core->frame(simulator->lim, camera);
     if (code) return error_set(err, "renderer: %s (%d)", reason_of(code), code);
     if (!board) return true;
     simulator->bus_b = (size_t)(board->chip.bus_b - before_b);
@@ -140,5 +149,6 @@ void simulator_free(struct simulator *simulator)
     free(simulator->lines);
     free(simulator->pixels);
     free(simulator->mem);
+    free(simulator->lim);
     memset(simulator, 0, sizeof *simulator);
 }

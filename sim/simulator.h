@@ -6,9 +6,9 @@
 #ifndef SIM_SIMULATOR_H
 #define SIM_SIMULATOR_H
 
+#include "core.h"
 #include "error.h"
 #include "image.h"
-#include "limner.h"
 
 enum simulator_panel {
     SIMULATOR_ANY,    /* the first below that can hold the picture */
@@ -16,10 +16,19 @@ enum simulator_panel {
     SIMULATOR_MEMORY
 };
 
+/* What a picture is drawn with. */
+struct simulator_setup {
+    unsigned w_px, h_px;
+    enum lim_method method;
+    enum simulator_panel panel;
+    const struct core *core; /* the precision profile; NULL: fast */
+};
+
 struct panel_board;
 
 struct simulator {
-    struct lim lim;
+    const struct core *core;
+    void *lim; /* the core's state */
     struct lim_target target;
     void *mem; /* lim's, mem_b of it */
     size_t mem_b;
@@ -33,12 +42,15 @@ struct simulator {
 bool simulator_panel_holds(unsigned w_px, unsigned h_px);
 
 /* Starts renderer and panel. The scene must outlive it, and *simulator stay where it is. */
-bool simulator_init(struct simulator *simulator, const struct lim_scene *scene, enum simulator_panel panel,
-                    enum lim_method method, unsigned w_px, unsigned h_px, struct error *err);
+bool simulator_init(struct simulator *simulator, const struct lim_scene *scene, const struct simulator_setup *setup,
+                    struct error *err);
 
 /* Renders a frame into `pixels`. An error of the renderer or driver, or a complaint of the
  * emulated chip about the protocol, is an error here. */
 bool simulator_frame(struct simulator *simulator, const struct lim_camera *camera, struct error *err);
+
+/* What the last frame took. */
+const struct lim_stats *simulator_stats(const struct simulator *simulator);
 
 /* The last frame as a film of one; it stays the simulator's. */
 struct film simulator_film(const struct simulator *simulator);

@@ -5,23 +5,26 @@
 . tests/tap.sh
 . tests/arm/arm.sh
 
-run_on_host() {
+run_on_host() { # PROFILE
     # shellcheck disable=SC2086 # flags are words
-    $CC -std=c11 -O2 $WARNINGS -Ifirmware -Ihal -o "$work/host" \
+    $CC -std=c11 -O2 $WARNINGS -Ifirmware -Ihal -DLIM_PROFILE="LIM_PROFILE_$1" -o "$work/host" \
         tests/arm/host.c tests/arm/fixed_main.c tests/fixed_vectors.c firmware/*.c &&
-        "$work/host" >"$work/host.txt" && [ -s "$work/host.txt" ]
+        "$work/host" >"$work/host-$1.txt" && [ -s "$work/host-$1.txt" ]
 }
 
-run_on_arm() { # MACHINE
-    arm_link "$1" "$work/$1.elf" tests/arm/fixed_main.c tests/fixed_vectors.c firmware/*.c || return 1
-    if ! arm_run "$1" "$work/$1.elf" >"$work/$1.txt"; then
-        tail -n 3 "$work/$1.txt"
+run_on_arm() { # PROFILE MACHINE
+    arm_link "$2" "$work/$2.elf" -DLIM_PROFILE="LIM_PROFILE_$1" tests/arm/fixed_main.c tests/fixed_vectors.c \
+        firmware/*.c || return 1
+    if ! arm_run "$2" "$work/$2.elf" >"$work/$2.txt"; then
+        tail -n 3 "$work/$2.txt"
         return 1
     fi
-    diff "$work/host.txt" "$work/$1.txt"
+    diff "$work/host-$1.txt" "$work/$2.txt"
 }
 
-tap_check "the fixed-point vectors hold on the host" run_on_host
-tap_check "Cortex-M0 gives what the host gives" run_on_arm m0
-tap_check "Cortex-M4 gives what the host gives" run_on_arm m4
+for profile in FAST FINE; do
+    tap_check "$profile: the fixed-point vectors hold on the host" run_on_host $profile
+    tap_check "$profile: Cortex-M0 gives what the host gives" run_on_arm $profile m0
+    tap_check "$profile: Cortex-M4 gives what the host gives" run_on_arm $profile m4
+done
 tap_done

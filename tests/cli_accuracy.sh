@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 #
-# The promises of profile fast on the benchmark scenes, as the program itself measures them: 64
+# The promises of the precision profiles on the benchmark scenes, as the program itself measures them: 64
 # frames of 240x240 pixels against the reference.
 . tests/tap.sh
 
@@ -13,9 +13,9 @@ at_most() {
 }
 
 # The last line of --compare: "... wrong W % (worst ...), beyond a one-pixel shift B ppm, holes H".
-measure() { # SCENE
-    "$BUILD/limner" render "$scenes/$1.obj" --camera "$scenes/$1.cam" --size 240x240 --stats --compare \
-        --sheet "$work/$1.png" >"$work/$1.txt"
+measure() { # SCENE PRECISION
+    "$BUILD/limner" render "$scenes/$1.obj" --camera "$scenes/$1.cam" --size 240x240 --precision "$2" --stats \
+        --compare --sheet "$work/$1.png" >"$work/$1.txt"
 }
 
 field() { # SCENE BEFORE: the number after a phrase in the closing line
@@ -31,9 +31,9 @@ reported() { # SCENE LABEL: a number of the compiler's report
     sed -n "s/^ *$2  *\([0-9]*\).*/\1/p" "$work/$1.report" | head -n 1
 }
 
-accurate() { # SCENE WRONG_PERCENT BEYOND_PPM
-    measure "$1" && at_most "wrong, %" "$(field "$1" wrong)" "$2" &&
-        at_most "beyond a pixel, ppm" "$(field "$1" shift)" "$3" && at_most holes "$(field "$1" holes)" 0
+accurate() { # SCENE PRECISION WRONG_PERCENT BEYOND_PPM
+    measure "$1" "$2" && at_most "wrong, %" "$(field "$1" wrong)" "$3" &&
+        at_most "beyond a pixel, ppm" "$(field "$1" shift)" "$4" && at_most holes "$(field "$1" holes)" 0
 }
 
 rooms_are_cheap() {
@@ -46,9 +46,12 @@ rooms_compile_small() {
         at_most splits "$(reported rooms splits)" 20 && at_most "bytes of flash" "$(reported rooms 'in all')" 63488
 }
 
-tap_check "rooms: wrong <= 0.05 %, beyond a pixel <= 6 ppm, no holes" accurate rooms 0.05 6
-tap_check "rooms-tilted: the same" accurate rooms-tilted 0.05 6
-tap_check "teapot: wrong <= 0.08 %, beyond a pixel <= 80 ppm, no holes" accurate teapot 0.08 80
+tap_check "fine: rooms: wrong <= 0.03 %, beyond a pixel <= 6 ppm, no holes" accurate rooms fine 0.03 6
+tap_check "fine: rooms-tilted: the same" accurate rooms-tilted fine 0.03 6
+tap_check "fine: teapot: wrong <= 0.06 %, beyond a pixel <= 60 ppm, no holes" accurate teapot fine 0.06 60
+tap_check "fast: teapot: wrong <= 0.08 %, beyond a pixel <= 80 ppm, no holes" accurate teapot fast 0.08 80
+tap_check "fast: rooms-tilted: wrong <= 0.05 %, beyond a pixel <= 6 ppm, no holes" accurate rooms-tilted fast 0.05 6
+tap_check "fast: rooms: the same" accurate rooms fast 0.05 6
 tap_check "rooms: <= 90 polygons reached a frame, every pixel painted once, no bands" rooms_are_cheap
 tap_check "rooms: <= 20 splits, <= 62 KB of flash" rooms_compile_small
 tap_done

@@ -26,16 +26,37 @@ flags_of() {
     esac
 }
 
+compile() { # TARGET OBJECT SOURCE [FLAG...]
+    cross_target=$1 cross_object=$2 cross_source=$3
+    shift 3
+    # shellcheck disable=SC2046,SC2086 # flags are words
+    "$(tools_of "$cross_target")gcc" $(flags_of "$cross_target") -O2 -ffreestanding $WARNINGS -Ifirmware -Ihal "$@" \
+        -c -o "$cross_object" "$cross_source"
+}
+
 compile_all() { # TARGET FOLDER: compiles every file of the folder, tells all the warnings
     mkdir -p "$work/$1/$2"
     failed=0
     for source in "$2"/*.c; do
         [ -e "$source" ] || continue
-        # shellcheck disable=SC2046,SC2086 # flags are words
-        "$(tools_of "$1")gcc" $(flags_of "$1") -O2 -ffreestanding $WARNINGS -Ifirmware -Ihal \
-            -c -o "$work/$1/${source%.c}.o" "$source" || failed=1
+        compile "$1" "$work/$1/${source%.c}.o" "$source" || failed=1
     done
     return $failed
+}
+
+compile_variants() { # TARGET: other profiles, other screen coordinates
+    failed=0
+    for source in firmware/*.c; do
+        compile "$1" "$work/variant.o" "$source" -DLIM_PROFILE=LIM_PROFILE_FINE -DLIM_MAX_SIDE_PX=128 || failed=1
+        compile "$1" "$work/variant.o" "$source" -DLIM_MAX_SIDE_PX=240 -DLIM_HAS_STATS=0 -DLIM_HAS_PAINTER=0 || failed=1
+    done
+    return $failed
+}
+
+sizes_hold() { # TARGET
+    compile "$1" "$work/sizes.o" tests/arm/sizes.c -DLIM_MAX_SIDE_PX=240 &&
+        compile "$1" "$work/sizes.o" tests/arm/sizes.c -DLIM_MAX_SIDE_PX=480 &&
+        compile "$1" "$work/sizes.o" tests/arm/sizes.c -DLIM_MAX_SIDE_PX=240 -DLIM_PROFILE=LIM_PROFILE_FINE
 }
 
 # Integer support of libgcc, by the ABI's names: arithmetic on 8 to 64 bits (no sf, df: those are
@@ -76,5 +97,9 @@ for target in $targets; do
     tap_check "$target: hal compiles without a warning" compile_all "$target" hal
     tap_check "$target: firmware needs only itself and integer support" own_symbols_only "$target"
     tap_check "$target: no mutable data" no_mutable_data "$target"
+    tap_check "$target: other configurations compile without a warning" compile_variants "$target"
+done
+for target in cortex-m0plus cortex-m4 rv32imc; do
+    tap_check "$target: structs are as large as the compiler reports" sizes_hold "$target"
 done
 tap_done

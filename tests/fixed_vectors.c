@@ -147,6 +147,22 @@ static void rounding_vectors(struct report *report)
     expect(report, "mul_q30", -1, INT32_C(1) << 29, mul_q30(-1, INT32_C(1) << 29), 0);
 }
 
+/* Both ends of the range in all combinations, and what carries from limb to limb. */
+static void product_vectors(struct report *report)
+{
+    static const int32_t ends[] = {INT32_MIN, INT32_MIN + 1, -65537, -65536, -65535,        -1,       0,
+                                   1,         65535,         65536,  65537,  INT32_MAX - 1, INT32_MAX};
+    enum { ENDS = sizeof ends / sizeof *ends };
+
+    for (uint8_t i = 0; i < ENDS; i++) {
+        for (uint8_t k = 0; k < ENDS; k++) {
+            const int64_t product = (int64_t)ends[i] * ends[k];
+            const int64_t floor = product >= 0 ? product / 4294967296 : -((4294967295 - product) / 4294967296);
+            expect(report, "mul_high_s32", ends[i], ends[k], mul_high_s32(ends[i], ends[k]), floor);
+        }
+    }
+}
+
 static void recip_vectors(struct report *report)
 {
     static const struct {
@@ -217,6 +233,13 @@ static int64_t random_lerp(uint32_t *random)
     const int32_t a = (int32_t)random_u32(random) >> 1, b = (int32_t)random_u32(random) >> 1;
 
     return lerp_q31(a, b, random_u32(random) >> 1);
+}
+
+static int64_t random_product(uint32_t *random)
+{
+    const int32_t a = (int32_t)random_u32(random), b = (int32_t)random_u32(random);
+
+    return mul_high_s32(a, b);
 }
 
 static int64_t random_sine(uint32_t *random)
@@ -314,6 +337,7 @@ int fixed_vectors_run(void (*put)(const char *line))
 
     clz_vectors(&report);
     rounding_vectors(&report);
+    product_vectors(&report);
     recip_vectors(&report);
     ratio_vectors(&report);
     angle_vectors(&report);
@@ -321,6 +345,7 @@ int fixed_vectors_run(void (*put)(const char *line))
     series(&report, "recip_q16", random_recip);
     series(&report, "ratio_q31", random_ratio);
     series(&report, "lerp_q31", random_lerp);
+    series(&report, "mul_high_s32", random_product);
     series(&report, "lim_sin_q30", random_sine);
     series(&report, "vertex", random_vertex);
     series(&report, "edges", random_edges);

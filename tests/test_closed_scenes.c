@@ -29,12 +29,13 @@ static void compile(const struct model *model, struct mesh *mesh, struct compile
 static void compare_frames(const struct closed_scene *closed, const struct compiled *scene, struct reference *reference,
                            struct random *random, struct totals *totals)
 {
+    const struct simulator_setup setup = {.w_px = SIDE_PX, .h_px = SIDE_PX};
     struct lens lens;
     struct ids ids;
     struct error err;
 
     assert_true(lens_init(&lens, 60, 0.1, SIDE_PX, SIDE_PX, &err));
-    assert_true(ids_init(&ids, scene, LIM_NEAREST_FIRST, SIDE_PX, SIDE_PX, &err));
+    assert_true(ids_init(&ids, scene, &setup, &err));
     for (int k = 0; k < FRAMES; k++) {
         struct viewpoint viewpoint = closed_scene_viewpoint(closed, random);
         const struct camera_path path = {"random", &viewpoint, 1};
@@ -44,8 +45,8 @@ static void compare_frames(const struct closed_scene *closed, const struct compi
         reference_draw(reference, &viewpoint, &lens);
         const struct compare_counts counts = compare_picture(ids.faces, reference, NULL, 1.0 / scene->grid.units_per_m);
         comparison_add(&totals->comparison, &counts);
-        totals->folded += lim_stats(&ids.simulator.lim)->folded;
-        totals->bands += lim_stats(&ids.simulator.lim)->bands;
+        totals->folded += simulator_stats(&ids.simulator)->folded;
+        totals->bands += simulator_stats(&ids.simulator)->bands;
     }
     ids_free(&ids);
 }

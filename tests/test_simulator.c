@@ -113,7 +113,8 @@ static uint16_t *picture(const struct room *room, enum simulator_panel panel, en
     size_t size_b = (size_t)w_px * h_px * sizeof(uint16_t);
     uint16_t *pixels = malloc(size_b);
     assert_non_null(pixels);
-    assert_true(simulator_init(&simulator, &room->compiled.scene, panel, method, w_px, h_px, &err));
+    assert_true(simulator_init(&simulator, &room->compiled.scene,
+                               &(struct simulator_setup){w_px, h_px, method, panel, NULL}, &err));
     assert_int_equal(simulator.board != NULL, panel == SIMULATOR_ST7789);
     assert_true(simulator_frame(&simulator, &camera, &err));
     memcpy(pixels, simulator.pixels, size_b);
@@ -170,7 +171,8 @@ static void wall_straight_ahead_is_in_the_middle(void **state)
     struct lens lens = make_lens(240, 240);
     struct simulator simulator;
     struct error err;
-    assert_true(simulator_init(&simulator, &room.compiled.scene, SIMULATOR_ANY, LIM_NEAREST_FIRST, 240, 240, &err));
+    assert_true(
+        simulator_init(&simulator, &room.compiled.scene, &(struct simulator_setup){.w_px = 240, .h_px = 240}, &err));
     assert_non_null(simulator.board);
     for (size_t wall = 0; wall < WALLS; wall++) {
         struct viewpoint viewpoint = {.line = 1};
@@ -195,7 +197,9 @@ static void face_numbers_agree_with_the_colours(void **state)
         struct lim_camera camera = make_camera(&viewpoint, &lens, &room);
         struct ids ids;
         struct error err;
-        assert_true(ids_init(&ids, &room.compiled, (enum lim_method)method, 240, 240, &err));
+        assert_true(ids_init(&ids, &room.compiled,
+                             &(struct simulator_setup){.w_px = 240, .h_px = 240, .method = (enum lim_method)method},
+                             &err));
         assert_true(ids_frame(&ids, &camera, &err));
         for (size_t i = 0; i < 240 * 240; i++)
             assert_int_equal(pixels[i], wall_colour(ids.faces[i] - 11));
@@ -218,7 +222,7 @@ static void face_numbers_are_written_little_endian(void **state)
     struct ids ids;
     struct error err;
     unsigned char bytes[5];
-    assert_true(ids_init(&ids, &room.compiled, LIM_NEAREST_FIRST, 1, 1, &err));
+    assert_true(ids_init(&ids, &room.compiled, &(struct simulator_setup){.w_px = 1, .h_px = 1}, &err));
     assert_true(ids_frame(&ids, &camera, &err));
     FILE *file = tmpfile();
     assert_true(ids_write(&ids, file));
@@ -264,7 +268,7 @@ static void frames_agree_with_the_reference_picture(void **state)
     struct error err;
     struct lens lens = make_lens(200, 120);
     assert_true(reference_init(&reference, &mesh, 200, 120, &err));
-    assert_true(ids_init(&ids, &room.compiled, LIM_NEAREST_FIRST, 200, 120, &err));
+    assert_true(ids_init(&ids, &room.compiled, &(struct simulator_setup){.w_px = 200, .h_px = 120}, &err));
     struct comparison sum = {0};
     for (unsigned seed = 0; seed < 100; seed++) {
         struct viewpoint viewpoint = random_viewpoint(seed);
@@ -291,7 +295,8 @@ static void complaint_of_the_panel_is_an_error(void **state)
     struct lim_camera camera = make_camera(&viewpoint, &lens, &room);
     struct simulator simulator;
     struct error err;
-    assert_true(simulator_init(&simulator, &room.compiled.scene, SIMULATOR_ANY, LIM_NEAREST_FIRST, 24, 24, &err));
+    assert_true(
+        simulator_init(&simulator, &room.compiled.scene, &(struct simulator_setup){.w_px = 24, .h_px = 24}, &err));
     static const uint8_t stray[] = {1, 2, 3};
     struct bus bus = emulated_st7789_bus(&simulator.board->chip);
     assert_int_equal(bus_write(&bus, stray, sizeof stray), 0);
@@ -310,7 +315,8 @@ static void error_of_the_renderer_is_passed_on(void **state)
     struct lim_camera camera = make_camera(&viewpoint, &lens, &room);
     struct simulator simulator;
     struct error err;
-    assert_true(simulator_init(&simulator, &room.compiled.scene, SIMULATOR_ANY, LIM_NEAREST_FIRST, 24, 24, &err));
+    assert_true(
+        simulator_init(&simulator, &room.compiled.scene, &(struct simulator_setup){.w_px = 24, .h_px = 24}, &err));
     camera.near_q8 = 0;
     assert_false(simulator_frame(&simulator, &camera, &err));
     assert_string_equal(err.text, "renderer: the camera's position or lens is out of range (-1004)");

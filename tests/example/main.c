@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT
  *
- * The renderer in one's own firmware: everything there is to it. Compiled with the scene's header
- * as configuration (-DLIM_CONFIG='"teapot.h"'). The display is yours: display_line() here stands
- * for whatever sends a line of pixels to it. */
+ * The renderer in one's own firmware: everything there is to it. Compiled for the scene and the
+ * display (-DLIM_CONFIG='"teapot.h"' -DLIM_MAX_SIDE_PX=240). The display is yours: display_line()
+ * here stands for whatever sends a line of pixels to it. */
 #include "limner.h"
 
 #include "angle.h"
@@ -14,9 +14,11 @@
 #define MEM_B TEAPOT_SCENE_MEM_B(DISPLAY_H_PX)
 #endif
 
-#define DEGREES(a) ((uint32_t)((a)*UINT64_C(4294967296) / 360)) /* a full turn is 2^32 */
+/* Both are constants once compiled: no floating point is left at run time. */
+#define UNITS(metres) ((int32_t)((metres)*TEAPOT_UNITS_PER_M))
+#define DEGREES(angle) ((uint32_t)((angle)*UINT64_C(4294967296) / 360)) /* a full turn is 2^32 */
 
-enum { FRAMES = 3, NEAR_UNITS = 16, DISTANCE_UNITS = 64000, HEIGHT_UNITS = 33000 };
+enum { FRAMES = 3 };
 
 /* One line of pixels, lent to the renderer and sent when it comes back. */
 static _Alignas(4) uint16_t line[DISPLAY_W_PX];
@@ -41,9 +43,9 @@ static int done(void *ctx, uint16_t y_px, uint16_t x_px, uint16_t n_px)
 /* Puts the eye on a circle around the model, looking at it from above. */
 static void orbit(struct lim_camera *camera, uint32_t angle)
 {
-    camera->eye_q8[0] = (int32_t)((int64_t)lim_sin_q30(angle) * DISTANCE_UNITS >> 22);
-    camera->eye_q8[1] = INT32_C(256) * HEIGHT_UNITS;
-    camera->eye_q8[2] = (int32_t)((int64_t)lim_cos_q30(angle) * DISTANCE_UNITS >> 22);
+    camera->eye_q8[0] = (int32_t)((int64_t)lim_sin_q30(angle) * UNITS(3.9) >> 22);
+    camera->eye_q8[1] = UNITS(2.0) * 256;
+    camera->eye_q8[2] = (int32_t)((int64_t)lim_cos_q30(angle) * UNITS(3.9) >> 22);
     camera->yaw = angle;
     camera->pitch = 0 - DEGREES(28);
 }
@@ -51,7 +53,7 @@ static void orbit(struct lim_camera *camera, uint32_t angle)
 int main(void)
 {
     const struct lim_target target = {DISPLAY_W_PX, DISPLAY_H_PX, LIM_RGB565, LIM_NEAREST_FIRST, NULL, lend, done};
-    struct lim_camera camera = {.near_q8 = 256 * NEAR_UNITS};
+    struct lim_camera camera = {.near_q8 = UNITS(0.1) * 256};
     int err = lim_init(&lim, &teapot_scene, &target, mem, sizeof mem);
 
     if (!err) err = lim_camera_set_fov(&camera, DEGREES(52), DISPLAY_W_PX, DISPLAY_H_PX);

@@ -1,0 +1,20 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * The sizes on which the compiler's report of RAM rests are those of the renderer on this CPU.
+ * Compiled for 32-bit MCUs with narrow and with wide screen coordinates; never linked. */
+#include "limner.h"
+
+/* Only its constants are wanted, and it is a header of the host's. */
+#define SIM_COMPILED_H
+struct compiled;
+struct error;
+#include "../../sim/pools.h"
+
+_Static_assert((int)MCU_CACHE_ENTRIES == (int)LIM_VIEW_CACHE_ENTRIES, "cache entries");
+_Static_assert((LIM_WIDE ? MCU_CACHED_WIDE_B : MCU_CACHED_B) == sizeof(struct lim_view_cached), "cache entry");
+_Static_assert(MCU_LINE_B == sizeof(struct lim_line), "line");
+_Static_assert(MCU_PENDING_B == sizeof(struct lim_walk_pending), "pending node");
+_Static_assert((LIM_WIDE ? MCU_CELL_WIDE_B : MCU_CELL_B) == sizeof(union lim_retained_cell), "retained cell");
+_Static_assert(MCU_GAP_B == sizeof(struct lim_gap), "gap");
+_Static_assert(MCU_ACTIVE_B == sizeof(struct lim_active), "active polygon");
+_Static_assert((int)MCU_HEAD_CELLS == (int)LIM_RETAINED_HEAD_CELLS, "head of a retained polygon");
