@@ -1,148 +1,380 @@
 /* SPDX-License-Identifier: MIT
  *
- * What the compiler measures on sampled cameras: eyes in free space, pools that suffice for them,
- * the share of wrong pixels. */
-#include "closed_scene.h"
+ * Sampled cameras stand in free space, and the pools measured with them are neither too small nor
+ * much too large. */
+#include "camera_path.h"
 #include "cmocka_ready.h"
+#include "lim_image.h"
 #include "mesh_rig.h"
 #include "pools.h"
-#include "predict.h"
 #include "sample.h"
 #include "simulator.h"
 
 #include <math.h>
 #include <string.h>
 
-enum { SIDE_PX = 120, EYES = 200 };
+enum { SIDE_PX = 240, CAMERAS = 256, BOX_FACES = 6 };
 
-static void compile(const struct model *model, struct compiled *scene, struct reference *reference)
-{
-    const struct compile_options options = {
-        .tolerance_units = 0.5, .splitter = "fewest", .keep_faces = true, .w_px = SIDE_PX, .h_px = SIDE_PX};
+/* Scenes ------------------------------------------------------------------------------------- */
+
+/* A room, its walls facing inwards (a box mirrored), and boxes that stand free in it. */
+struct room {
     struct mesh mesh;
-    struct error err;
+    size_t furniture; /* boxes after the room's */
+};
 
-    if (!mesh_clean(model, &mesh, &err) || !reference_init(reference, &mesh, PREDICT_SIDE_PX, PREDICT_SIDE_PX, &err) ||
-        !mesh_insert_t_vertices(&mesh, &err) || !compile_mesh(&mesh, &options, scene, &err))
-        fail_msg("%s", err.text);
-    mesh_free(&mesh);
+static struct room furnished_room(void)
+{
+    static const double pieces[][2][3] = {{{-2.5, -1, -1.5}, {0.8, 0.9, 0.6}}, {{2, 0, 1.5}, {0.5, 1.2, 0.7}},
+                                          {{0.3, 1.2, -1}, {0.6, 0.2, 0.9}},   {{-1.5, 1, 1.8}, {0.4, 0.4, 0.4}},
+                                          {{1.8, -1.2, -1.6}, {1, 0.3, 0.3}},  {{0, -1.4, 1.5}, {0.3, 0.3, 0.8}}};
+    const double centre_m[3] = {0, 0, 0}, mirrored_m[3] = {-4, 2.2, 3};
+    struct room room = {mesh_rig(3000.0), sizeof pieces / sizeof *pieces};
+
+    mesh_rig_box(&room.mesh, centre_m, mirrored_m, 0, 0);
+    for (size_t i = 0; i < room.furniture; i++)
+        mesh_rig_box(&room.mesh, pieces[i][0], pieces[i][1], 0.4 * (double)i, i % 2 ? 0 : 0.3);
+    return room;
 }
 
-/* Walls seen from behind are seen through, so an eye outside of the building would see all of it. */
-static void eyes_sampled_in_a_building_are_inside_of_it(void **state)
+static struct compiled compile_for(const struct mesh *mesh, unsigned w_px, unsigned h_px)
 {
-    const struct compile_options options = {.tolerance_units = 0.5, .splitter = "fewest"};
+    const struct compile_options options = {.tolerance_units = 0.5, .splitter = "fewest", .w_px = w_px, .h_px = h_px};
     struct compiled scene;
-    struct sampler sampler;
     struct error err;
+
+    if (!compile_mesh(mesh, &options, &scene, &err)) fail_msg("%s", err.text);
+    return scene;
+}
+
+static struct mesh solids(uint64_t seed)
+{
+    struct random random = {seed};
+    struct mesh mesh = mesh_rig(3000.0);
+
+    mesh_rig_solids(&mesh, &random, 16);
+    return mesh;
+}
+
+/* Cameras ------------------------------------------------------------------------------------ */
+
+/* Signed distance of a point from a polygon's plane. */
+static double distance_m(const struct mesh *mesh, size_t polygon, const double at_m[3])
+{
+    const uint32_t *corners = &mesh->corners[mesh->polygons[polygon].first];
+    const double *a = mesh->points[corners[0]], *b = mesh->points[corners[1]], *c = mesh->points[corners[2]];
+    double along = 0, square = 0;
+
+    for (int i = 0; i < 3; i++) {
+        const int j = (i + 1) % 3, k = (i + 2) % 3;
+        const double n = (b[j] - a[j]) * (c[k] - a[k]) - (b[k] - a[k]) * (c[j] - a[j]);
+        along += n * (at_m[i] - a[i]);
+        square += n * n;
+    }
+    return along / sqrt(square);
+}
+
+/* How far a point is before the nearest, or the farthest, of a box's faces. */
+static double least_m(const struct mesh *mesh, size_t box, const double at_m[3])
+{
+    double least = INFINITY;
+    for (size_t i = 0; i < BOX_FACES; i++)
+        least = fmin(least, distance_m(mesh, box * BOX_FACES + i, at_m));
+    return least;
+}
+
+static double most_m(const struct mesh *mesh, size_t box, const double at_m[3])
+{
+    double most = -INFINITY;
+    for (size_t i = 0; i < BOX_FACES; i++)
+        most = fmax(most, distance_m(mesh, box * BOX_FACES + i, at_m));
+    return most;
+}
+
+static void in_a_closed_room_eyes_are_inside_and_not_in_the_furniture(void **state)
+{
+    struct room room = furnished_room();
+    struct compiled scene = mesh_rig_compile(&room.mesh, "auto", 0.5);
+    const double unit_m = 1 / scene.grid.units_per_m;
+    struct sampler sampler;
 
     (void)state;
-    assert_true(compile_model("sim/scenes/rooms.obj", &options, &scene, &err));
     sampler_init(&sampler, &scene);
-    for (int k = 0; k < EYES; k++) {
+    for (int i = 0; i < 5000; i++) {
         const struct viewpoint viewpoint = sampler_next(&sampler);
-        const double *eye = viewpoint.eye_m;
-        assert_true(eye[0] > -1.91 && eye[0] < 21.91 && eye[1] > -0.01 && eye[1] < 3.01 && eye[2] > -1.91 &&
-                    eye[2] < 21.91);
+        assert_true(least_m(&room.mesh, 0, viewpoint.eye_m) > -unit_m);
+        for (size_t box = 1; box <= room.furniture; box++)
+            assert_true(most_m(&room.mesh, box, viewpoint.eye_m) > -unit_m);
     }
     compiled_free(&scene);
+    mesh_rig_free(&room.mesh);
 }
 
-static void eyes_sampled_around_an_object_are_outside_of_it(void **state)
+/* From near and far, from all sides: no octant of space goes without. */
+static void around_a_box_eyes_are_outside(void **state)
 {
-    const double half_m[3] = {1, 2, 0.5}, centre_m[3] = {3, 4, 5};
-    struct mesh mesh = mesh_rig(1000);
+    const double centre_m[3] = {1, 2, 3}, half_m[3] = {1, 0.5, 2};
+    struct mesh mesh = mesh_rig(3000.0);
+    int in_octant[8] = {0}, within_1_m = 0, beyond_3_m = 0;
+    struct sampler sampler;
+
+    (void)state;
+    mesh_rig_box(&mesh, centre_m, half_m, 0.5, 0.3);
+    struct compiled scene = mesh_rig_compile(&mesh, "auto", 0.5);
+    sampler_init(&sampler, &scene);
+    for (int i = 0; i < 5000; i++) {
+        const struct viewpoint viewpoint = sampler_next(&sampler);
+        const double *eye_m = viewpoint.eye_m, out_m = most_m(&mesh, 0, eye_m);
+        assert_true(out_m > -1 / scene.grid.units_per_m);
+        in_octant[(eye_m[0] > 1) + 2 * (eye_m[1] > 2) + 4 * (eye_m[2] > 3)]++;
+        within_1_m += out_m < 1;
+        beyond_3_m += out_m > 3;
+    }
+    for (int i = 0; i < 8; i++)
+        assert_true(in_octant[i] > 300);
+    assert_true(within_1_m > 500 && beyond_3_m > 500);
+    compiled_free(&scene);
+    mesh_rig_free(&mesh);
+}
+
+static bool is_vertex(const struct compiled *scene, const double at_m[3])
+{
+    for (size_t v = 0; v < scene->scene.vertex_count; v++) {
+        const struct lim_vertex *vertex = &scene->scene.vertices[v];
+        const double units[3] = {vertex->x, vertex->y, vertex->z};
+        double off_m = 0;
+        for (int i = 0; i < 3; i++)
+            off_m += fabs(scene->grid.origin_m[i] + units[i] / scene->grid.units_per_m - at_m[i]);
+        if (off_m < 1e-9) return true;
+    }
+    return false;
+}
+
+/* Now this one, now that; a vertex too near to the eye is none to look at, which is rare. */
+static void cameras_look_at_vertices(void **state)
+{
+    struct mesh mesh = solids(3);
+    struct compiled scene = mesh_rig_compile(&mesh, "auto", 0.5);
+    struct sampler sampler;
+    int at_vertex = 0, at_the_last = 0;
+    double last_m[3] = {0};
+
+    (void)state;
+    sampler_init(&sampler, &scene);
+    for (int i = 0; i < 500; i++) {
+        const struct viewpoint viewpoint = sampler_next(&sampler);
+        at_the_last += memcmp(last_m, viewpoint.target_m, sizeof last_m) == 0;
+        memcpy(last_m, viewpoint.target_m, sizeof last_m);
+        at_vertex += is_vertex(&scene, viewpoint.target_m);
+    }
+    assert_true(at_vertex >= 495 && at_the_last < 50);
+    compiled_free(&scene);
+    mesh_rig_free(&mesh);
+}
+
+/* A box of 16 units: many eyes are too near to their vertices. */
+static void eye_and_target_stay_apart(void **state)
+{
+    const double centre_m[3] = {0, 0, 0}, half_m[3] = {1, 1, 1};
+    struct mesh mesh = mesh_rig(8.0);
     struct sampler sampler;
 
     (void)state;
     mesh_rig_box(&mesh, centre_m, half_m, 0, 0);
-    struct compiled scene = mesh_rig_compile(&mesh, "fewest", 0.5);
+    struct compiled scene = mesh_rig_compile(&mesh, "auto", 0.5);
     sampler_init(&sampler, &scene);
-    for (int k = 0; k < EYES; k++) {
+    for (int i = 0; i < 1000; i++) {
         const struct viewpoint viewpoint = sampler_next(&sampler);
-        bool outside = false;
-        for (int i = 0; i < 3; i++)
-            outside |= fabs(viewpoint.eye_m[i] - centre_m[i]) > half_m[i] - 0.002;
-        assert_true(outside);
+        double square = 0;
+        for (int k = 0; k < 3; k++)
+            square += pow(viewpoint.eye_m[k] - viewpoint.target_m[k], 2);
+        assert_true(sqrt(square) * scene.grid.units_per_m > 15.99);
     }
     compiled_free(&scene);
     mesh_rig_free(&mesh);
 }
 
-static uint32_t bands_over_sampled_cameras(const struct compiled *scene)
+static void the_same_scene_gives_the_same_cameras(void **state)
 {
-    const struct simulator_setup setup = {.w_px = SIDE_PX, .h_px = SIDE_PX, .panel = SIMULATOR_MEMORY};
+    struct mesh mesh = solids(4);
+    struct compiled scene = mesh_rig_compile(&mesh, "auto", 0.5);
+    struct sampler first, second;
+
+    (void)state;
+    sampler_init(&first, &scene);
+    sampler_init(&second, &scene);
+    struct viewpoint before = {0};
+    for (int i = 0; i < 200; i++) {
+        const struct viewpoint a = sampler_next(&first), b = sampler_next(&second);
+        assert_memory_equal(a.eye_m, b.eye_m, sizeof a.eye_m);
+        assert_memory_equal(a.target_m, b.target_m, sizeof a.target_m);
+        assert_memory_not_equal(a.eye_m, before.eye_m, sizeof a.eye_m);
+        before = a;
+    }
+    compiled_free(&scene);
+    mesh_rig_free(&mesh);
+}
+
+/* Pools -------------------------------------------------------------------------------------- */
+
+/* The sampled cameras whose frames need bands, if the scene's limits were these. */
+static int banded(const struct compiled *scene, const struct lim_limits *limits, unsigned side_px)
+{
+    struct compiled copy = *scene; /* shares the arrays */
     struct simulator simulator;
     struct sampler sampler;
     struct lens lens;
     struct error err;
-    uint32_t bands = 0;
+    int frames = 0;
 
-    assert_true(simulator_init(&simulator, &scene->scene, &setup, &err));
-    assert_true(lens_init(&lens, 60, 0.1, SIDE_PX, SIDE_PX, &err));
-    sampler_init(&sampler, scene);
-    for (int k = 0; k < 256; k++) {
+    copy.scene.limits = *limits;
+    assert_true(lens_init(&lens, 60, lens_default_near_m(&scene->grid), side_px, side_px, &err));
+    const struct simulator_setup setup = {.w_px = side_px, .h_px = side_px, .panel = SIMULATOR_MEMORY};
+    assert_true(simulator_init(&simulator, &copy.scene, &setup, &err));
+    sampler_init(&sampler, &copy);
+    for (int i = 0; i < CAMERAS; i++) {
         struct viewpoint viewpoint = sampler_next(&sampler);
         const struct camera_path path = {"sampled", &viewpoint, 1};
         struct lim_camera camera;
         assert_true(camera_path_to_camera(&path, 0, &lens, &scene->grid, &camera, &err));
         assert_true(simulator_frame(&simulator, &camera, &err));
-        bands += simulator_stats(&simulator)->bands > 0;
+        frames += simulator_stats(&simulator)->bands > 0;
     }
     simulator_free(&simulator);
-    return bands;
+    return frames;
 }
 
-static void measured_pools_suffice_for_the_cameras_they_were_measured_on(void **state)
+/* The greediest camera of each pool may; the others must not. */
+static void sampled_cameras_need_no_bands(void **state)
 {
-    struct random random = {52};
-    struct closed_scene closed;
-    struct compiled scene;
-    struct reference reference;
-
     (void)state;
-    closed_scene_make(&closed, &random);
-    compile(&closed.model, &scene, &reference);
-    assert_true(bands_over_sampled_cameras(&scene) <= 3); /* one is left out of each of three pools */
-    assert_true(pools_mcu_mem_b(&scene) > pools_mcu_mem_min_b(&scene));
-    scene.scene.limits.retained_cells = 20; /* with too little there are bands: the check can fail */
-    assert_true(bands_over_sampled_cameras(&scene) > 100);
-    reference_free(&reference);
-    compiled_free(&scene);
-    closed_scene_free(&closed);
+    for (uint64_t seed = 1; seed <= 3; seed++) {
+        struct mesh mesh = solids(seed);
+        struct compiled scene = compile_for(&mesh, SIDE_PX, SIDE_PX);
+        assert_in_range(banded(&scene, &scene.scene.limits, SIDE_PX), 0, 3);
+        compiled_free(&scene);
+        mesh_rig_free(&mesh);
+    }
 }
 
-static void prediction_is_small_for_few_edges_and_the_same_each_time(void **state)
+/* With three quarters of any pool alone, more do: no pool is larger than an eighth and some. */
+static void no_pool_is_much_too_large(void **state)
 {
-    struct random random = {53};
-    struct closed_scene closed;
-    struct compiled scene;
-    struct reference reference;
-    struct error err;
-    double first, second, fine;
+    struct mesh mesh = solids(2);
+    struct compiled scene = compile_for(&mesh, SIDE_PX, SIDE_PX);
+    const struct lim_limits limits = scene.scene.limits;
+    struct lim_limits cells = limits, gaps = limits, active = limits;
 
     (void)state;
-    closed_scene_make(&closed, &random);
-    compile(&closed.model, &scene, &reference);
-    assert_true(isnan(scene.report.wrong_percent)); /* not asked for */
-    assert_true(predict_wrong_percent(&scene, NULL, &reference, NULL, &first, &err));
-    assert_true(predict_wrong_percent(&scene, &core_fast, &reference, NULL, &second, &err));
-    assert_true(predict_wrong_percent(&scene, &core_fine, &reference, NULL, &fine, &err));
-    assert_true(first == second);
-    assert_true(first > 0 && first < 0.1);
-    assert_true(fine < first);
-    reference_free(&reference);
+    cells.retained_cells = (uint16_t)(limits.retained_cells / 4 * 3);
+    gaps.gaps = (uint16_t)(limits.gaps / 4 * 3);
+    active.active = (uint16_t)(limits.active / 4 * 3);
+    const int most = banded(&scene, &limits, SIDE_PX);
+    assert_true(banded(&scene, &cells, SIDE_PX) > most);
+    assert_true(banded(&scene, &gaps, SIDE_PX) > most);
+    assert_true(banded(&scene, &active, SIDE_PX) > most);
     compiled_free(&scene);
-    closed_scene_free(&closed);
+    mesh_rig_free(&mesh);
+}
+
+/* A triangle alone: two head cells, three vertices, five more where it is clipped. */
+static void pools_are_never_below_the_least(void **state)
+{
+    const double corners_m[3][3] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+    struct mesh mesh = mesh_rig(3000.0);
+
+    (void)state;
+    mesh_rig_add(&mesh, corners_m, 3);
+    struct compiled scene = compile_for(&mesh, SIDE_PX, SIDE_PX);
+    const struct lim_limits *limits = &scene.scene.limits;
+    assert_int_equal(limits->retained_cells, 2 + 3 + 5);
+    assert_in_range(limits->gaps, 1, SIDE_PX + SIDE_PX / 8 + 1);
+    assert_in_range(limits->active, 1, 2);
+    const size_t least_b = pools_mcu_mem_min_b(&scene);
+    scene.scene.limits = (struct lim_limits){1, 3, 10, 1, 1};
+    assert_int_equal(least_b, pools_mcu_mem_b(&scene));
+    compiled_free(&scene);
+    mesh_rig_free(&mesh);
+}
+
+static void every_compilation_measures_the_same(void **state)
+{
+    struct mesh mesh = solids(5);
+    struct compiled first = compile_for(&mesh, SIDE_PX, SIDE_PX), second = compile_for(&mesh, SIDE_PX, SIDE_PX);
+
+    (void)state;
+    assert_int_equal(first.image_b, second.image_b);
+    assert_memory_equal(first.image, second.image, first.image_b);
+    assert_memory_equal(&first.scene.limits, &second.scene.limits, sizeof first.scene.limits);
+    compiled_free(&second);
+    compiled_free(&first);
+    mesh_rig_free(&mesh);
+}
+
+static void limits_go_into_the_image(void **state)
+{
+    struct mesh mesh = solids(6);
+    struct compiled scene = compile_for(&mesh, SIDE_PX, SIDE_PX);
+    const struct lim_file_header *header = scene.image;
+
+    (void)state;
+    assert_true(scene.scene.limits.gaps > 1);
+    assert_memory_equal(header->limits, &scene.scene.limits, sizeof header->limits);
+    compiled_free(&scene);
+    mesh_rig_free(&mesh);
+}
+
+/* Fewer lines have fewer gaps; a picture of no size stands for 240 x 240. */
+static void pools_are_measured_for_the_panel(void **state)
+{
+    struct mesh mesh = solids(7);
+    struct compiled large = compile_for(&mesh, SIDE_PX, SIDE_PX), small = compile_for(&mesh, 80, 60),
+                    open = compile_for(&mesh, 0, 0);
+
+    (void)state;
+    assert_true(small.scene.limits.gaps < large.scene.limits.gaps / 2);
+    assert_in_range(banded(&small, &small.scene.limits, 60), 0, 3);
+    assert_int_equal(small.report.w_px, 80);
+    assert_int_equal(small.report.h_px, 60);
+    assert_memory_equal(&open.scene.limits, &large.scene.limits, sizeof open.scene.limits);
+    compiled_free(&open);
+    compiled_free(&small);
+    compiled_free(&large);
+    mesh_rig_free(&mesh);
+}
+
+/* Vertex cache 512, 100 lines of 8, 10 pending nodes of 4, 101 cells of 4, 21 gaps of 6, 5 active of
+ * 48; the sum to the next multiple of 4. At the least: 2 + 4 + 5 cells, a gap, an active polygon. Wide
+ * screen coordinates double the cells and take half as much again in the cache. */
+static void bytes_on_a_microcontroller_add_up(void **state)
+{
+    struct compiled scene = {.scene = {.limits = {10, 4, 101, 21, 5}}, .report = {.w_px = 100, .h_px = 100}};
+
+    (void)state;
+    assert_int_equal(pools_mcu_mem_b(&scene), 512 + 800 + 40 + 404 + 126 + 240 + 2);
+    assert_int_equal(pools_mcu_mem_min_b(&scene), 512 + 800 + 40 + 44 + 6 + 48 + 2);
+    scene.report.core = &core_fine;
+    assert_int_equal(pools_mcu_mem_b(&scene), 768 + 800 + 40 + 808 + 126 + 240 + 2);
+    scene.report.core = &core_fast;
+    scene.report.w_px = 342;
+    assert_int_equal(pools_mcu_mem_b(&scene), 768 + 800 + 40 + 808 + 126 + 240 + 2);
 }
 
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(eyes_sampled_in_a_building_are_inside_of_it),
-        cmocka_unit_test(eyes_sampled_around_an_object_are_outside_of_it),
-        cmocka_unit_test(measured_pools_suffice_for_the_cameras_they_were_measured_on),
-        cmocka_unit_test(prediction_is_small_for_few_edges_and_the_same_each_time),
+        cmocka_unit_test(in_a_closed_room_eyes_are_inside_and_not_in_the_furniture),
+        cmocka_unit_test(around_a_box_eyes_are_outside),
+        cmocka_unit_test(cameras_look_at_vertices),
+        cmocka_unit_test(eye_and_target_stay_apart),
+        cmocka_unit_test(the_same_scene_gives_the_same_cameras),
+        cmocka_unit_test(sampled_cameras_need_no_bands),
+        cmocka_unit_test(no_pool_is_much_too_large),
+        cmocka_unit_test(pools_are_never_below_the_least),
+        cmocka_unit_test(every_compilation_measures_the_same),
+        cmocka_unit_test(limits_go_into_the_image),
+        cmocka_unit_test(pools_are_measured_for_the_panel),
+        cmocka_unit_test(bytes_on_a_microcontroller_add_up),
     };
 
     return cmocka_run_group_tests_name("pools", tests, NULL, NULL);
