@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT
  *
- * Sutherland and Hodgman, a plane at a time, each adding at most one vertex to a convex polygon.
- * (Corners that lie along a plane within rounding may cross it more often: what exceeds the
- * limit then is dropped, beyond the edge of the screen.) Distances are taken at half scale or
+ * Sutherland and Hodgman, a plane at a time, each adding at most one vertex. Corners of an edge that
+ * lies along a plane may cross it many times, by rounding alone: where several are outside, one that
+ * stands between two inner ones is replaced by one point, not by two. Distances are taken at half scale or
  * less, because z + x/2 reaches 1.5 * 2^31. */
 #include "clip.h"
 
@@ -40,15 +40,16 @@ static struct lim_view_point cut(const struct lim_view_point *inner, int32_t inn
 
 static void append(struct lim_clip_polygon *polygon, struct lim_view_point point)
 {
-    if (polygon->n < CLIP_MAX_VERTICES) polygon->at[polygon->n++] = point;
+    LIM_ASSERT(polygon->n < CLIP_MAX_VERTICES);
+    polygon->at[polygon->n++] = point;
 }
 
-/* from -> to, which may not be the same polygon. */
+/* from -> to, which may not be the same polygon; `outside` of from's vertices are. */
 static void clip_plane(const struct lim_clip_polygon *from, struct lim_clip_polygon *to, enum clip_plane plane,
-                       int32_t near_qv)
+                       int32_t near_qv, uint8_t outside)
 {
     const struct lim_view_point *here = &from->at[from->n - 1];
-    int32_t here_d = distance(plane, here, near_qv);
+    int32_t before_d = distance(plane, &from->at[from->n - 2], near_qv), here_d = distance(plane, here, near_qv);
 
     to->n = 0;
     for (uint8_t k = 0; k < from->n; k++) {
@@ -56,20 +57,23 @@ static void clip_plane(const struct lim_clip_polygon *from, struct lim_clip_poly
         const int32_t next_d = distance(plane, next, near_qv);
 
         if (here_d >= 0 && next_d < 0) append(to, cut(here, here_d, next, next_d));
-        if (here_d < 0 && next_d >= 0) append(to, cut(next, next_d, here, here_d));
+        const bool alone = before_d >= 0 && outside > 1;
+        if (here_d < 0 && next_d >= 0 && !alone) append(to, cut(next, next_d, here, here_d));
         if (next_d >= 0) append(to, *next);
         here = next;
+        before_d = here_d;
         here_d = next_d;
     }
     if (to->n < 3) to->n = 0;
 }
 
-static bool crosses(const struct lim_clip_polygon *polygon, enum clip_plane plane, int32_t near_qv)
+static uint8_t count_outside(const struct lim_clip_polygon *polygon, enum clip_plane plane, int32_t near_qv)
 {
-    for (uint8_t k = 0; k < polygon->n; k++) {
-        if (distance(plane, &polygon->at[k], near_qv) < 0) return true;
-    }
-    return false;
+    uint8_t outside = 0;
+
+    for (uint8_t k = 0; k < polygon->n; k++)
+        outside = (uint8_t)(outside + (distance(plane, &polygon->at[k], near_qv) < 0));
+    return outside;
 }
 
 static int32_t clamp_s32(int32_t x, int32_t limit)
@@ -91,8 +95,9 @@ void lim_clip(struct lim_clip_polygon *polygon, int32_t near_qv)
     struct lim_clip_polygon cut_polygon;
 
     for (uint8_t plane = 0; plane < CLIP_PLANES && polygon->n; plane++) {
-        if (!crosses(polygon, (enum clip_plane)plane, near_qv)) continue;
-        clip_plane(polygon, &cut_polygon, (enum clip_plane)plane, near_qv);
+        const uint8_t outside = count_outside(polygon, (enum clip_plane)plane, near_qv);
+        if (!outside) continue;
+        clip_plane(polygon, &cut_polygon, (enum clip_plane)plane, near_qv, outside);
         *polygon = cut_polygon;
     }
     for (uint8_t k = 0; k < polygon->n; k++)

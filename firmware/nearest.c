@@ -115,15 +115,15 @@ static bool collect(struct lim *lim, const struct lim_rect *band)
     return true;
 }
 
-/* A smaller band that starts where this one does. */
+/* A smaller band that starts where this one does. What PAINT has left of a band may be a single
+ * pixel, which is smaller already. */
 static void halve(struct lim_rect *band)
 {
     const uint16_t lines = (uint16_t)(band->y1 - band->y0), pixels = (uint16_t)(band->x1 - band->x0);
 
-    LIM_ASSERT(lines > 1 || pixels > 1);
     if (lines > 1)
         band->y1 = (uint16_t)(band->y0 + lines / 2);
-    else
+    else if (pixels > 1)
         band->x1 = (uint16_t)(band->x0 + pixels / 2);
 }
 

@@ -62,19 +62,30 @@ static int paint_any(struct lim *lim, const struct lim_screen_polygon *polygon)
     return 0;
 }
 
+static const LIM_FLASH uint16_t *record_after(const LIM_FLASH uint16_t *record)
+{
+    return record + LIM_POLYGON_HEAD_WORDS + (record[0] & LIM_POLYGON_COUNT);
+}
+
+/* Last record first: where rounding makes neighbours in a plane overlap, the first is on top in both
+ * orders. Records can only be read forward, so each is found anew. */
 static int paint_run(struct lim *lim, uint16_t run, const struct lim_rect *screen)
 {
-    const LIM_FLASH uint16_t *record = &lim->scene->polygons[run];
+    const LIM_FLASH uint16_t *const first = &lim->scene->polygons[run];
+    const LIM_FLASH uint16_t *record = first, *end;
     struct lim_screen_polygon polygon;
 
+    while (!(record[0] & LIM_POLYGON_LAST))
+        record = record_after(record);
     for (;;) {
-        const uint16_t head = record[0];
         if (lim_project(&polygon, &lim->view, lim->scene, record, screen, &lim->stats)) {
             const int err = paint_any(lim, &polygon);
             if (err) return err;
         }
-        if (head & LIM_POLYGON_LAST) return 0;
-        record += LIM_POLYGON_HEAD_WORDS + (head & LIM_POLYGON_COUNT);
+        if (record == first) return 0;
+        end = record;
+        for (record = first; record_after(record) != end;)
+            record = record_after(record);
     }
 }
 

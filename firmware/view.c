@@ -236,7 +236,7 @@ static uint8_t codes_of(const struct lim_view *view, const struct lim_view_point
     if (z_qv < view->near_qv) codes = LIM_VIEW_NEAR | LIM_VIEW_GUARD;
     if (x_qv > z_qv) codes = (uint8_t)(codes | (point->x_qv < 0 ? LIM_VIEW_LEFT : LIM_VIEW_RIGHT));
     if (y_qv > z_qv) codes = (uint8_t)(codes | (point->y_qv < 0 ? LIM_VIEW_TOP : LIM_VIEW_BOTTOM));
-    if (x_qv >> 1 > z_qv || y_qv >> 1 > z_qv) codes |= LIM_VIEW_GUARD;
+    if (x_qv >> 1 > z_qv - 2 || y_qv >> 1 > z_qv - 2) codes |= LIM_VIEW_GUARD;
     return codes;
 }
 

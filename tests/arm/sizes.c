@@ -4,6 +4,8 @@
  * Compiled for 32-bit MCUs with narrow and with wide screen coordinates; never linked. */
 #include "limner.h"
 
+#include "clip.h"
+
 /* Only its constants are wanted, and it is a header of the host's. */
 #define SIM_COMPILED_H
 struct compiled;
@@ -18,3 +20,4 @@ _Static_assert((LIM_WIDE ? MCU_CELL_WIDE_B : MCU_CELL_B) == sizeof(union lim_ret
 _Static_assert(MCU_GAP_B == sizeof(struct lim_gap), "gap");
 _Static_assert(MCU_ACTIVE_B == sizeof(struct lim_active), "active polygon");
 _Static_assert((int)MCU_HEAD_CELLS == (int)LIM_RETAINED_HEAD_CELLS, "head of a retained polygon");
+_Static_assert((int)MCU_CLIP_PLANES == (int)CLIP_PLANES, "vertices that clipping adds");
