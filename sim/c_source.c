@@ -46,6 +46,12 @@ static void write_header(FILE *file, const struct compiled *scene, const struct 
     fprintf(file, "#ifndef %s_SCENE_H\n#define %s_SCENE_H\n\n", macro, macro);
     fprintf(file, "#ifndef LIM_MAX_VERTICES\n#define LIM_MAX_VERTICES %u\n#endif\n\n",
             (unsigned)scene->scene.limits.vertices);
+    const unsigned side_px = scene->report.w_px > scene->report.h_px ? scene->report.w_px : scene->report.h_px;
+    if (side_px)
+        fprintf(file,
+                "/* The longest side of the panel that the memory below is for. */\n"
+                "#ifndef LIM_MAX_SIDE_PX\n#define LIM_MAX_SIDE_PX %u\n#endif\n\n",
+                side_px < 8 ? 8 : side_px);
     if (scene->report.core)
         fprintf(file, "#ifndef LIM_PROFILE\n#define LIM_PROFILE LIM_PROFILE_%s\n#endif\n\n",
                 scene->report.core == &core_fine ? "FINE" : "FAST");
