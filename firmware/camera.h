@@ -18,7 +18,10 @@ struct lim_camera {
     int32_t eye_q8[3]; /* units with 8 fraction bits, |eye_q8| < 2^28 */
     uint32_t yaw, pitch, roll;
     uint32_t tan_x_q28, tan_y_q28; /* tangents of the half-angles of view, 1/64..4 */
-    int32_t near_q8;               /* distance of the near plane, units: 1..2^24 (1/256 to 65536) */
+    /* Distance of the near plane, units: 1..2^24 (1/256 to 65536). The one in use is never nearer than
+     * 2 / min(1, tan_x, tan_y) units, and twice that for each doubling of the eye's distance once it is
+     * outside of the 16-bit cube: nearer by, z has too few bits to divide by. */
+    int32_t near_q8;
 };
 
 /* Sets both tangents for square pixels from the vertical angle of view (a full turn is 2^32; it

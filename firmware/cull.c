@@ -5,16 +5,16 @@
  * row x of the view matrix minus l times row z, kept with two bits less so that a box test fits 32
  * bits: 2 * (131,000 + 56,756) units * 2^12 < 2^31.
  *
- * Slack, in units of the offset's last place at reach r: each component of the normal is off by at
- * most 5/8 (1/2 from its own rounding, 1/8 from the product's), times the sum of the distances in
- * x, y and z, below sqrt(3) * 131,000 * 2^r; l by 2^-15, times z * 2^(12-r); and the eye of the view
- * matrix, which is not quite the camera's when that is outside of the cube (view.c), by 1/8 times the
- * same sum. Together below 186,700 * 2^r. */
+ * Slack, in units of the offset's last place at reach r; let s be the sum of the distances in x, y and z,
+ * below sqrt(3) * 131,000 * 2^r. Each component of the normal is off by at most 5/8 (1/2 from its own
+ * rounding, 1/8 from the product's), times s. l is off by 2^-15, times z * 2^(12-r). The eye of the view
+ * matrix, which is not quite the camera's when that is outside of the cube (view.c), moves row and
+ * ahead by at most 1/8 each, times s. Together below 215,000 * 2^r. */
 #include "cull.h"
 
 #include "fixed.h"
 
-#define CULL_SLACK INT32_C(190000)
+#define CULL_SLACK INT32_C(216000)
 
 enum { CULL_DROPPED_BITS = 2 };
 

@@ -120,8 +120,8 @@ static int32_t lens_scale_q30(uint32_t zoom_q28, uint32_t tan_q28)
     return (int32_t)(((uint64_t)zoom_q28 << 30) / tan_q28);
 }
 
-/* The near plane in view space, but no nearer than 2 units at reach 0: below that z has too few
- * bits to divide by. */
+/* The near plane in view space, where z must have 15 bits at least to divide by: camera.h says what
+ * that is in units. */
 static int32_t near_qv(const struct lim_camera *camera, int32_t ahead_scale_q30, uint8_t reach)
 {
     const int64_t near =

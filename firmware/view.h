@@ -59,7 +59,7 @@ bool lim_view_begin(struct lim_view *view, const struct lim_camera *camera);
 void lim_view_transform(const struct lim_view *view, const LIM_FLASH struct lim_vertex *vertex,
                         struct lim_view_point *out);
 
-/* Needs near <= z and |x|, |y| <= 2z + 1. */
+/* Needs near <= z and |x|, |y| <= 2z. */
 struct lim_point lim_view_project(const struct lim_view *view, const struct lim_view_point *point);
 
 /* Projects a polygon's n vertices (indices in `corners`) through the cache; out gets n points.
