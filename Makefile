@@ -12,7 +12,7 @@ CC    := gcc
 endif
 export BUILD CC
 
-ALL_SUITES := host arm cross compilers sanitize models format soak
+ALL_SUITES := host arm cpus cross compilers sanitize models features prove format soak
 SUITES     := host arm
 suites     := $(if $(filter all,$(SUITES)),$(ALL_SUITES),$(SUITES))
 
@@ -24,7 +24,7 @@ endif
 # Begins a recipe line whose output must appear as it comes: with +, but not under `make -n`, where + would run it.
 LIVE = $(if $(findstring n,$(firstword -$(MAKEFLAGS))),,+)@
 
-.PHONY: all run view check test test-fixed test-programs models-table tables format clean help packages force
+.PHONY: all extremes soak run view check test test-fixed test-programs models-table tables footprint tradeoff prove exhaustive fuzz format clean help packages force
 .SECONDARY:
 .DELETE_ON_ERROR:
 
@@ -37,18 +37,26 @@ help: ## list the goals
 # -- Debian packages: what every build needs, and what a goal or a suite needs beside ----------------------------------
 
 packages-build         := gcc libc6-dev pkg-config libassimp-dev libgd-dev libgmp-dev zlib1g-dev
-packages-host          := libcmocka-dev
-packages-arm           := gcc-arm-none-eabi qemu-system-arm
+packages-host          := libcmocka-dev libosmesa6-dev
+packages-arm           := gcc-arm-none-eabi qemu-system-arm gnuplot-nox
 packages-fixed         := $(packages-host) $(packages-arm)
+packages-cpus          := $(packages-arm) gcc-riscv64-unknown-elf gcc-avr avr-libc gcc-powerpc-linux-gnu \
+	libc6-dev-powerpc-cross qemu-system-misc qemu-user simavr
 packages-cross         := gcc-arm-none-eabi gcc-riscv64-unknown-elf gcc-avr
 packages-compilers     := clang
 packages-sanitize      := $(packages-host)
 packages-models        := assimp-testmodels
+packages-features      := clang
 packages-format        := clang-format
 packages-soak          := $(packages-host)
+packages-extremes      := $(packages-host)
+packages-prove         := frama-c-base why3 z3
+packages-fuzz          := clang libclang-rt-dev
 packages-view          := libsdl2-dev
 packages-models-table  := $(packages-models)
 packages-test-programs := $(packages-host)
+packages-footprint     := gcc-arm-none-eabi
+packages-tradeoff      := $(packages-arm) gcc-riscv64-unknown-elf qemu-system-misc
 packages-test          := $(foreach suite,$(suites),$(packages-$(suite)))
 
 packages:
@@ -77,22 +85,28 @@ $(BUILD)/host/flags: force | packages
 $(BUILD)/host/%.o: %.c $(BUILD)/host/flags
 	@mkdir -p $(@D)
 	@echo "CC $<"
-	@$(CC) @$(BUILD)/host/flags -c -o $@ $<
+	@$(CC) @$(BUILD)/host/flags $(PLACES) -c -o $@ $<
 
 %.a:
 	@rm -f $@
 	@ar rcs $@ $^
 
-# The renderer once for each precision profile, all names but that of its table made local.
-profiles     := fast fine
+# The renderer once for each precision profile, and with other sub-pixel bits (fast_4: profile fast, 4 bits) for
+# measurements; all names but that of its table made local.
+profiles     := draft fast fine exact
+cores        := $(profiles) fast_4 fast_5 fast_8 fine_6
+export PROFILES = $(profiles)
 core_sources := $(wildcard firmware/*.c) sim/core.c
 core_object   = $(patsubst %.c,$(BUILD)/core-$(1)/%.o,$(core_sources))
+core_words    = $(subst _, ,$(shell echo $(1) | tr a-z A-Z))
+core_flags    = -DCORE=core_$(1) -DLIM_PROFILE=LIM_PROFILE_$(firstword $(core_words)) \
+	$(addprefix -DLIM_SUB_BITS=,$(word 2,$(core_words)))
 
 define core
 $(BUILD)/core-$(1)/%.o: %.c $(BUILD)/host/flags
 	@mkdir -p $$(@D)
 	@echo "CC $$< ($(1))"
-	@$$(CC) @$(BUILD)/host/flags -DLIM_PROFILE=LIM_PROFILE_$(shell echo $(1) | tr a-z A-Z) -DCORE=core_$(1) -c -o $$@ $$<
+	@$$(CC) @$(BUILD)/host/flags $(core_flags) -c -o $$@ $$<
 
 $(BUILD)/core-$(1).o: $(call core_object,$(1))
 	@ld -r -o $$@ $$^
@@ -100,13 +114,21 @@ $(BUILD)/core-$(1).o: $(call core_object,$(1))
 
 -include $(patsubst %.o,%.d,$(call core_object,$(1)))
 endef
-$(foreach profile,$(profiles),$(eval $(call core,$(profile))))
+$(foreach name,$(cores),$(eval $(call core,$(name))))
 
-$(library): $(call object,$(filter-out sim/main.c,$(sources))) $(patsubst %,$(BUILD)/core-%.o,$(profiles))
+$(library): $(call object,$(filter-out sim/main.c,$(sources))) $(patsubst %,$(BUILD)/core-%.o,$(cores))
 
-$(BUILD)/limner: $(call object,sim/main.c) $(library)
+$(BUILD)/limner: $(call object,sim/main.c) $(library) | $(BUILD)/count_plugin.so
 	@echo "LD $@"
-	@$(CC) $(OPT) -o $@ $^ $(LINKS)
+	@$(CC) $(OPT) -o $@ $(filter %.o %.a,$^) $(LINKS)
+
+# `limner measure` builds firmware for emulated processors, and QEMU loads a plugin that counts.
+$(call object,sim/measure_cost.c sim/cmd_measure.c): PLACES = -DLIM_SOURCE_FOLDER='"$(CURDIR)"' \
+	-DLIM_COUNT_PLUGIN='"$(abspath $(BUILD))/count_plugin.so"'
+
+$(BUILD)/count_plugin.so: sim/targets/count_plugin.c $(BUILD)/host/flags
+	@echo "CC $< (plugin)"
+	@$(CC) -std=c11 -O2 $(WARNINGS) -fPIC -fvisibility=hidden -shared -o $@ $<
 
 # -- The demo ----------------------------------------------------------------------------------------------------------
 
@@ -141,15 +163,23 @@ $(test_library): $(call object,$(filter-out tests/test_%.c tests/soak_%.c,$(test
 $(test_programs): $(BUILD)/tests/%: $(BUILD)/host/tests/%.o $(test_library) $(library)
 	@mkdir -p $(@D)
 	@echo "LD $@"
-	@$(CC) $(OPT) -o $@ $^ -lcmocka $(LINKS)
+	@$(CC) $(OPT) -o $@ $^ -lcmocka $(test_links) $(LINKS)
 
-suite-host      := $(filter $(BUILD)/tests/test_%,$(test_programs)) $(wildcard tests/cli_*.sh)
+$(BUILD)/tests/test_osmesa: test_links := -lOSMesa
+
+extremes := $(filter $(BUILD)/tests/test_extreme_%,$(test_programs))
+tests/cli_extremes.sh: $(extremes)
+
+suite-host      := $(filter-out $(extremes),$(filter $(BUILD)/tests/test_%,$(test_programs))) $(wildcard tests/cli_*.sh)
 suite-arm       := $(wildcard tests/arm_*.sh)
 suite-fixed     := $(BUILD)/tests/test_fixed tests/arm_fixed.sh
+suite-cpus      := $(wildcard tests/cpus_*.sh)
 suite-cross     := tests/cross.sh
 suite-compilers := tests/compilers.sh
 suite-sanitize  := tests/sanitize.sh
 suite-models    := tests/models.sh
+suite-features  := tests/features.sh
+suite-prove     := tests/prove.sh
 suite-format    := tests/format.sh
 suite-soak      := $(filter $(BUILD)/tests/soak_%,$(test_programs))
 
@@ -167,13 +197,48 @@ check: ## run the host suite only
 test-fixed: ## run the fixed-point tests on the host and on emulated Arm
 	@$(MAKE) test SUITES=fixed
 
+extremes: $(extremes) packages ## run the tests of extremes and write tests/EXTREMES.md anew
+	$(LIVE)EXTREMES=write sh tests/cli_extremes.sh
+
+soak: $(suite-soak) packages ## 10^9 pixels of random closed scenes in every profile
+	$(LIVE)for program in $(suite-soak); do $$program || exit 1; done
+
 test-programs: $(test_programs) ## build the unit tests without running them
+
+# -- Proofs, exhaustion, fuzzing: see tests/prove.sh, tests/exhaustive.h, tests/fuzz.h --------------------------------
+
+FUZZ_TARGETS := camera camera_file lim_file render
+FUZZ_FLAGS   := -max_total_time=60
+export FUZZ_FLAGS
+
+prove: ## prove that the arithmetic of the kernels cannot overflow
+	@$(MAKE) test SUITES=prove
+
+exhaustive: $(BUILD)/tests/exhaustive ## try all 2^32 arguments of every unary kernel
+	$(LIVE)$<
+
+fuzz: packages ## fuzz each target for a minute; FUZZ_TARGETS=render FUZZ_FLAGS=-runs=1000000: other ones, longer
+	$(LIVE)sh tests/fuzz.sh $(FUZZ_TARGETS)
+
+$(BUILD)/tests/exhaustive: $(call object,tests/exhaustive/main.c tests/exhaustive.c) $(library)
+	@mkdir -p $(@D)
+	@$(CC) $(OPT) -o $@ $^ $(LINKS)
+
+$(BUILD)/tests/fuzz: $(call object,tests/libfuzzer/main.c $(wildcard tests/fuzz*.c) tests/closed_scene.c) $(library)
+	@mkdir -p $(@D)
+	@$(CC) $(OPT) -fsanitize=fuzzer -o $@ $^ $(LINKS)
 
 models-table: $(BUILD)/limner ## write the outcomes of Debian's test models anew
 	$(LIVE)sh tests/models.sh --table > tests/models.expected
 
 tables: $(BUILD)/limner $(demo) ## measure README's table and draw its picture anew
 	$(LIVE)sh sim/tables.sh --write
+
+footprint: $(BUILD)/limner $(demo) ## compile README's table of flash, RAM and stack anew
+	$(LIVE)sh sim/footprint_table.sh --write
+
+tradeoff: $(BUILD)/limner $(demo) ## measure accuracy against cost for README; everything into out/tradeoff/
+	$(LIVE)sh sim/tradeoff.sh --write
 
 # -- Housekeeping ------------------------------------------------------------------------------------------------------
 
@@ -183,4 +248,4 @@ format: packages ## lay out every C file by .clang-format
 clean: ## remove build/ and out/
 	@rm -rf $(BUILD) out
 
--include $(patsubst %.o,%.d,$(call object,$(sources) $(generator) $(test_sources)))
+-include $(patsubst %.o,%.d,$(call object,$(sources) $(generator) $(test_sources) tests/exhaustive/main.c tests/libfuzzer/main.c))

@@ -13,17 +13,23 @@ static const LIM_FLASH int32_t series_q30[SERIES_TERMS] = {1686629713, -69359866
                                                            172272,     -3864,      61,       -1};
 
 /* t_q30 in 0..2^30: the part of a quarter turn. */
+/*@ requires 0 <= t_q30 <= 1073741824;
+    assigns \nothing;
+    ensures 0 <= \result <= 1073741824; */
 static int32_t quarter_sin_q30(int32_t t_q30)
 {
     const int32_t square_q30 = mul_q30(t_q30, t_q30);
     int32_t sum_q30 = 0;
 
-    if (t_q30 == INT32_C(1) << 30) return INT32_C(1) << 30;
+    //@ loop pragma UNROLL "completely", 9;
     for (uint8_t k = SERIES_TERMS; k-- > 0;)
         sum_q30 = mul_q30(sum_q30, square_q30) + series_q30[k];
-    return mul_q30(sum_q30, t_q30);
+    const int32_t sine_q30 = mul_q30(sum_q30, t_q30);
+    return sine_q30 > INT32_C(1) << 30 ? INT32_C(1) << 30 : sine_q30; /* rounding exceeds it by 1 */
 }
 
+/*@ assigns \nothing;
+    ensures -1073741824 <= \result <= 1073741824; */
 int32_t lim_sin_q30(uint32_t angle)
 {
     const int32_t part_q30 = (int32_t)(angle & (LIM_ANGLE_QUARTER - 1));
@@ -33,6 +39,8 @@ int32_t lim_sin_q30(uint32_t angle)
     return angle >> 31 ? -sine_q30 : sine_q30;
 }
 
+/*@ assigns \nothing;
+    ensures -1073741824 <= \result <= 1073741824; */
 int32_t lim_cos_q30(uint32_t angle)
 {
     return lim_sin_q30(angle + LIM_ANGLE_QUARTER);

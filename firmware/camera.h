@@ -19,8 +19,8 @@ struct lim_camera {
     uint32_t yaw, pitch, roll;
     uint32_t tan_x_q28, tan_y_q28; /* tangents of the half-angles of view, 1/64..4 */
     /* Distance of the near plane, units: 1..2^24 (1/256 to 65536). The one in use is never nearer than
-     * 2 / min(1, tan_x, tan_y) units, and twice that for each doubling of the eye's distance once it is
-     * outside of the 16-bit cube: nearer by, z has too few bits to divide by. */
+     * 2^-16 / min(1, tan_x, tan_y) of the distance of the scene's far end, nor than 1 unit: less than 2 units
+     * for an eye within the grid and a lens of 90 degrees. Nearer by, z has too few bits to divide by. */
     int32_t near_q8;
 };
 

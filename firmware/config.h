@@ -18,9 +18,34 @@
 #define LIM_PROFILE_DRAFT 0
 #define LIM_PROFILE_FAST 1
 #define LIM_PROFILE_FINE 2
+#define LIM_PROFILE_EXACT 3
 
 #ifndef LIM_PROFILE
 #define LIM_PROFILE LIM_PROFILE_FAST
+#endif
+
+/* Features: 1 is linked, 0 is not. What a scene needs is in its header; hosts have everything.
+ *
+ * The order of drawing, enum lim_method: one of them at least. */
+#ifndef LIM_HAS_NEAREST
+#define LIM_HAS_NEAREST 1 /* nearest first: walk, spans, retained polygons */
+#endif
+#ifndef LIM_HAS_PAINTER
+#define LIM_HAS_PAINTER 1 /* back to front into a framebuffer */
+#endif
+#ifndef LIM_HAS_CONVEX
+#define LIM_HAS_CONVEX 1 /* one convex solid: no tree walk, no spans */
+#endif
+
+/* What the scene's arrays hold. */
+#ifndef LIM_HAS_CULL
+#define LIM_HAS_CULL 1 /* bounds of subtrees, to be tested against the open view */
+#endif
+#ifndef LIM_HAS_SLANTED
+#define LIM_HAS_SLANTED 1 /* planes off the axes: XZ, SMALL, LARGE */
+#endif
+#ifndef LIM_HAS_LARGE
+#define LIM_HAS_LARGE 1 /* LARGE planes: a filter and an exact plane */
 #endif
 
 /* 1: lim_frame() counts its work in struct lim_stats. 0: the counters stay zero and cost nothing. */
@@ -28,10 +53,8 @@
 #define LIM_HAS_STATS 1
 #endif
 
-/* 1: the back-to-front painter into a framebuffer is linked. */
-#ifndef LIM_HAS_PAINTER
-#define LIM_HAS_PAINTER 1
-#endif
+/* The walk through the tree serves two orders. */
+#define LIM_HAS_TREE (LIM_HAS_NEAREST || LIM_HAS_PAINTER)
 
 /* Longest side of any target, in pixels: 8..1024. Up to 341 all screen arithmetic fits 32 bits. */
 #ifndef LIM_MAX_SIDE_PX
@@ -50,12 +73,25 @@
 #define LIM_FLASH
 #endif
 
+/* Code for the rare case: out of line, so that the usual one stays short. */
+#if defined(__GNUC__)
+#define LIM_RARE __attribute__((noinline, cold))
+#else
+#define LIM_RARE
+#endif
+
 /* A caller's bug ends here. Define LIM_ASSERT before this header to hook it up; the default keeps
  * the renderer free of any library. The condition is evaluated only where a hook asks for it. */
 #ifndef LIM_ASSERT
 #define LIM_ASSERT(condition) ((void)0)
 #endif
 
+#if !LIM_HAS_TREE && !LIM_HAS_CONVEX
+#error "LIM_HAS_NEAREST, LIM_HAS_PAINTER or LIM_HAS_CONVEX must be 1"
+#endif
+#if LIM_HAS_LARGE && !LIM_HAS_SLANTED
+#error "LIM_HAS_LARGE needs LIM_HAS_SLANTED"
+#endif
 #if LIM_MAX_SIDE_PX < 8 || LIM_MAX_SIDE_PX > 1024
 #error "LIM_MAX_SIDE_PX must be 8..1024"
 #endif

@@ -3,23 +3,25 @@
  * The left side of the open rectangle is x - l z >= 0 in view space, l in -1..1 the screen position
  * of the left edge of its first pixel: half a pixel outside the first pixel's centre. The normal is
  * row x of the view matrix minus l times row z, kept with two bits less so that a box test fits 32
- * bits: 2 * (131,000 + 56,756) units * 2^12 < 2^31.
+ * bits: its length is at most scale / 2, a box's centre is as far as the scene's far end, whose distance times
+ * scale is below 2^31, and its half diagonal below 56,756 units: 2^30 + 56,756 * 2^14 < 2^31.
  *
- * Slack, in units of the offset's last place at reach r; let s be the sum of the distances in x, y and z,
- * below sqrt(3) * 131,000 * 2^r. Each component of the normal is off by at most 5/8 (1/2 from its own
- * rounding, 1/8 from the product's), times s. l is off by 2^-15, times z * 2^(12-r). The eye of the view
- * matrix, which is not quite the camera's when that is outside of the cube (view.c), moves row and
- * ahead by at most 1/8 each, times s. Together below 215,000 * 2^r. */
+ * Slack, in units of the offset's last place; let D be the distance of the scene's far end. Each component of
+ * the normal is off by at most 5/8 (1/2 from its own rounding, 1/8 from the product's), times a sum of three
+ * distances below sqrt(3) D. l is off by 2^-15, times z * 2^13. The eye of the view matrix, which is
+ * not quite the camera's when that is outside of the scene's box (rows.c), moves row and ahead by at
+ * most 1/8 each, times sqrt(3) D. Together below 1.8 D. */
 #include "cull.h"
 
 #include "fixed.h"
 
-#define CULL_SLACK INT32_C(216000)
-
-enum { CULL_DROPPED_BITS = 2 };
+enum { CULL_DROPPED_BITS = 2, MARGIN_Q14 = LIM_SUB_BITS ? 0 : 1 << (14 - LIM_DRAFT_MARGIN_BITS) };
 
 /* Position of pixel edge i of n on the screen, -1..1, rounded to nearest. */
-static int32_t edge_q14(uint16_t i, uint16_t n)
+/*@ requires 1 <= n <= 1024 && i <= n;
+    assigns \nothing;
+    ensures -16384 <= \result <= 16384; */
+static int32_t edge_q14(uint16_t i, int32_t n)
 {
     return ((int32_t)i * 32768 + n / 2) / n - 16384;
 }
@@ -31,21 +33,22 @@ static void set_plane(struct lim_cull_plane *plane, const struct lim_view *view,
     int64_t offset_q8 = 0;
 
     for (uint8_t i = 0; i < 3; i++) {
-        const int32_t ahead = shift_round_s32(l_q14 * view->matrix_qv[2][i], 14);
-        const int32_t n = sign * (view->matrix_qv[row][i] - ahead);
+        const int32_t ahead =
+            shift_round_s32(l_q14 * (int32_t)view->rows.row[2].n_qv[i], (uint8_t)(14 + view->rows.tele_bits));
+        const int32_t n = sign * ((int32_t)view->rows.row[row].n_qv[i] - ahead);
         plane->n[i] = (int16_t)shift_round_s32(n, CULL_DROPPED_BITS);
         offset_q8 -= (int64_t)plane->n[i] * eye_q8[i];
     }
-    plane->offset = (int32_t)(offset_q8 >> 8) + CULL_SLACK * ((int32_t)1 << view->reach);
+    plane->offset = (int32_t)(offset_q8 >> 8) + 2 * (int32_t)view->rows.far_units;
 }
 
 void lim_cull_set(struct lim_cull *cull, const struct lim_view *view, const int32_t eye_q8[3],
                   const struct lim_rect *open)
 {
-    set_plane(&cull->sides[0], view, eye_q8, 0, edge_q14(open->x0, view->w_px), 1);
-    set_plane(&cull->sides[1], view, eye_q8, 0, edge_q14(open->x1, view->w_px), -1);
-    set_plane(&cull->sides[2], view, eye_q8, 1, edge_q14(open->y0, view->h_px), 1);
-    set_plane(&cull->sides[3], view, eye_q8, 1, edge_q14(open->y1, view->h_px), -1);
+    set_plane(&cull->sides[0], view, eye_q8, 0, edge_q14(open->x0, view->width.px), 1);
+    set_plane(&cull->sides[1], view, eye_q8, 0, edge_q14(open->x1, view->width.px) + MARGIN_Q14, -1);
+    set_plane(&cull->sides[2], view, eye_q8, 1, edge_q14(open->y0, view->height.px), 1);
+    set_plane(&cull->sides[3], view, eye_q8, 1, edge_q14(open->y1, view->height.px) + MARGIN_Q14, -1);
 }
 
 /* The box's corner farthest along the normal. The sum wraps on the way; its value fits. */

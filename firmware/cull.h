@@ -14,7 +14,7 @@ struct lim_rect {
 };
 
 struct lim_cull_plane {
-    int16_t n[3];   /* points inwards; LIM_MATRIX_BITS - 2 - reach fraction bits, |n| <= 2 */
+    int16_t n[3];   /* points inwards; two bits less than the view matrix, length <= 2^14 */
     int32_t offset; /* plus the slack that makes it conservative */
 };
 

@@ -2,39 +2,57 @@
  *
  * An edge from (ax, ay) down to (bx, by), all in sub-pixels, S of them in a pixel, meets line y at
  * N / dy with N = ax dy + dx (y S - ay). The first pixel centre at or right of it is
- * x = ceil(N / (S dy)), and N - x S dy is the error. A line further down N grows by dx S.
+ * x = ceil(N / (S dy)) = ceil(M / dy) with M = ceil(N / S): a ceiling of a ceiling. M takes an edge from
+ * line to line by adding dx, and needs S times less room than N: with ax = wx S + px, ay = wy S + py
  *
- * Range: the intersection lies between the end points, so |N| <= 1.5 w S * 2 h S: below 2^31 for
- * 341 pixels a side. The sum may wrap on the way. S dy < 2^21 there, 2^24 for 1024 pixels. */
+ *     M = wx dy + dx (y - wy) + ceil((px dy - dx py) / S)
+ *
+ * Range: the intersection lies between the end points, so |M| <= 1.5 w * 2 h S: below 2^31 for 1024
+ * pixels a side and 9 sub-pixel bits, and 64 bits do beyond. The sum may wrap on the way. px, py < S and
+ * |dx|, dy <= 2 * 1024 S: the last term's numerator stays below 2^30. */
 #include "edge.h"
 
 /* The first line at or below y. */
+/*@ requires -8388608 <= y <= 8388608;
+    assigns \nothing; */
 static inline int16_t line_of(lim_sub y)
 {
-    return (int16_t)((y + (LIM_SUB - 1)) >> LIM_SUB_BITS);
+    return (int16_t)(((y + (LIM_SUB - 1)) >> LIM_SUB_BITS) + LIM_ORIGIN_PX);
 }
 
-/* a b + c d, whose value fits although the sum may wrap on the way. */
-static inline lim_sub_area sum_of_products(lim_sub_area a, lim_sub_area b, lim_sub_area c, lim_sub_area d)
+/* M above, for line y from the origin. */
+/*@ requires -2 * 1024 * LIM_SUB <= dx <= 2 * 1024 * LIM_SUB && 0 < dy <= 2 * 1024 * LIM_SUB;
+    requires -8388608 <= a.x <= 8388608 && -8388608 <= a.y <= 8388608;
+    assigns \nothing; */
+static inline lim_sub_area meeting(struct lim_point a, int32_t dx, int32_t dy, int16_t y)
 {
-    return (lim_sub_area)((lim_sub_wrap)a * (lim_sub_wrap)b + (lim_sub_wrap)c * (lim_sub_wrap)d);
+    const int32_t part_x = a.x & (LIM_SUB - 1), part_y = a.y & (LIM_SUB - 1);
+    const lim_sub_area part = (lim_sub_area)part_x * dy - (lim_sub_area)part_y * dx;
+    const lim_sub_wrap whole = (lim_sub_wrap)(a.x >> LIM_SUB_BITS) * (lim_sub_wrap)dy +
+                               (lim_sub_wrap)(y - (a.y >> LIM_SUB_BITS)) * (lim_sub_wrap)dx;
+
+    return (lim_sub_area)(whole + (lim_sub_wrap)((part + (LIM_SUB - 1)) >> LIM_SUB_BITS));
 }
 
+/*@ requires \valid(edge) && a.y < b.y && -2 * 1024 * LIM_SUB <= b.x - a.x <= 2 * 1024 * LIM_SUB;
+    requires b.y - a.y <= 2 * 1024 * LIM_SUB && -8388608 <= a.x <= 8388608 && -8388608 <= a.y <= 8388608;
+    assigns *edge;
+    ensures edge->denominator > 0 && -edge->denominator < edge->error <= 0;
+    ensures 0 <= edge->step_error < edge->denominator; */
 static void edge_set(struct lim_edge *edge, struct lim_point a, struct lim_point b, int16_t y, int16_t end)
 {
     const int32_t dx = (int32_t)b.x - a.x, dy = (int32_t)b.y - a.y;
-    const lim_sub_area n = sum_of_products(a.x, dy, dx, y * LIM_SUB - a.y);
-    const int32_t denominator = dy * LIM_SUB;
-    int32_t x = (int32_t)(n / denominator); /* rounds to zero: up, if negative */
-    int32_t error = (int32_t)(n - (lim_sub_area)x * denominator);
+    const lim_sub_area m = meeting(a, dx, dy, (int16_t)(y - LIM_ORIGIN_PX));
+    int32_t x = (int32_t)(m / dy); /* rounds to zero: up, if negative */
+    int32_t error = (int32_t)(m - (lim_sub_area)x * dy);
 
     if (error > 0) {
         x++;
-        error -= denominator;
+        error -= dy;
     }
-    edge->x = (int16_t)x;
+    edge->x = (int16_t)(x + LIM_ORIGIN_PX);
     edge->error = error;
-    edge->denominator = denominator;
+    edge->denominator = dy;
     edge->step_x = 0;
     edge->step_error = 0;
     if (end - y < 2) return; /* never stepped */
@@ -45,7 +63,7 @@ static void edge_set(struct lim_edge *edge, struct lim_point a, struct lim_point
         rest += dy;
     }
     edge->step_x = (int16_t)step;
-    edge->step_error = rest * LIM_SUB;
+    edge->step_error = rest;
 }
 
 /* The left boundary runs forward through the vertices, the right one backward. */

@@ -13,9 +13,9 @@
 
 /* The first pixel centre at or right of the edge is `x` on the current line. */
 struct lim_edge {
-    int32_t error;      /* (exact x - x) * denominator, in -denominator+1 .. 0 */
-    int32_t step_error; /* what a line adds to it, 0 .. denominator-1 */
-    int32_t denominator;
+    int32_t error;       /* M - x * denominator (edge.c), in -denominator+1 .. 0 */
+    int32_t step_error;  /* what a line adds to it, 0 .. denominator-1 */
+    int32_t denominator; /* lines from end to end, in sub-pixels */
     int16_t x, step_x;
 };
 
@@ -44,6 +44,10 @@ void lim_edge_begin(struct lim_edge_pair *pair, const struct lim_point *at, uint
 int16_t lim_edge_turn(struct lim_edge_pair *pair, const struct lim_point *at, uint8_t n, int16_t y);
 
 /* To the next line. */
+/*@ requires \valid(edge) && 0 < edge->denominator <= 16777216;
+    requires 0 <= edge->step_error < edge->denominator && -edge->denominator < edge->error <= 0;
+    assigns edge->x, edge->error;
+    ensures -edge->denominator < edge->error <= 0; */
 static inline void lim_edge_step(struct lim_edge *edge)
 {
     edge->x = (int16_t)(edge->x + edge->step_x);

@@ -35,59 +35,74 @@ void lim_eye_set(struct lim_eye *eye, const int32_t at_q8[3])
         eye->shift++;
     for (uint8_t i = 0; i < 3; i++) {
         eye->at_q8[i] = at_q8[i];
-        eye->reduced[i] = (int16_t)(at_q8[i] >> 8 >> eye->shift);
+        eye->reduced[i] = (at_q8[i] >> 8 >> eye->shift);
         sum += abs_s32(eye->reduced[i]);
     }
+    eye->near_kind = eye->shift ? LIM_PLANE_Z : LIM_PLANE_SMALL;
     eye->large_slack = LARGE_SLACK_FIXED + (int32_t)((sum + 1) >> 1);
 }
 
-static int8_t sign_s64(int64_t value)
+/*@ assigns \nothing;
+    ensures (\result > 0 <==> value > 0) && (\result < 0 <==> value < 0); */
+static int16_t sign_s64(int64_t value)
 {
-    return (int8_t)((value > 0) - (value < 0));
+    return (int16_t)((value > 0) - (value < 0));
 }
 
 /* n.c - d in 64 bits: |n| < 2^31, |c| < 2^28, |d| < 2^48, together below 3 * 2^59 + 2^56. */
-static int8_t exact_side(const struct lim_eye *eye, const int32_t n[3], int64_t d)
+/*@ requires \valid_read(eye) && \valid_read(n + (0 .. 2)) && -281474976710656 < d < 281474976710656;
+    requires \forall integer i; 0 <= i < 3 ==> -2147483648 < n[i] && -268435456 < eye->at_q8[i] < 268435456;
+    assigns \nothing;
+    ensures \let side = n[0] * eye->at_q8[0] + n[1] * eye->at_q8[1] + n[2] * eye->at_q8[2] - d * 256;
+            (\result > 0 <==> side > 0) && (\result < 0 <==> side < 0); */
+static int16_t exact_side(const struct lim_eye *eye, const int32_t n[3], int64_t d)
 {
     return sign_s64((int64_t)n[0] * eye->at_q8[0] + (int64_t)n[1] * eye->at_q8[1] + (int64_t)n[2] * eye->at_q8[2] -
                     d * 256);
 }
 
-static int8_t undecided_side(const struct lim_eye *eye, const struct lim_scene *scene,
-                             const LIM_FLASH struct lim_plane *plane)
+/*@ requires \valid_read(eye) && \valid_read(plane) && -1073741824 < plane->d < 1073741824;
+    requires \forall integer i; 0 <= i < 3 ==> -268435456 < eye->at_q8[i] < 268435456;
+    assigns \nothing; */
+static LIM_RARE int16_t near_undecided(const struct lim_eye *eye, const LIM_FLASH struct lim_plane *plane)
 {
-    if (plane->exact == LIM_NONE) {
-        const int32_t n[3] = {plane->n[0], plane->n[1], plane->n[2]};
-        return exact_side(eye, n, plane->d);
-    }
-    const LIM_FLASH struct lim_plane_exact *exact = &scene->exact[plane->exact];
+    const int32_t n[3] = {plane->n[0], plane->n[1], plane->n[2]};
+
+    return exact_side(eye, n, plane->d);
+}
+
+static LIM_RARE int16_t large_undecided(const struct lim_eye *eye, const LIM_FLASH struct lim_plane_exact *exact)
+{
     const int32_t n[3] = {exact->n[0], exact->n[1], exact->n[2]};
+
     return exact_side(eye, n, (int64_t)exact->d_hi * (INT64_C(1) << 32) + exact->d_lo);
 }
 
-static int8_t axis_side(int32_t at_q8, uint16_t plane)
+/* What a shift leaves of a decided value is neither 0 nor -1: that takes |value| >= 2^16, more than the slack, and
+ * leaves 16 bits. */
+/*@ requires \valid_read(eye) && \valid_read(plane) && -1073741824 < plane->d < 1073741824;
+    requires \forall integer i; 0 <= i < 3 ==> -268435456 < eye->at_q8[i] < 268435456;
+    requires \forall integer i; 0 <= i < 3 ==> -32768 <= eye->reduced[i] <= 32767;
+    requires -32767 <= plane->n[0] <= 32767 && -32767 <= plane->n[1] <= 32767 && -32767 <= plane->n[2] <= 32767;
+    assigns \nothing; */
+int16_t lim_eye_near_side(const struct lim_eye *eye, const LIM_FLASH struct lim_plane *plane)
 {
-    const int32_t plane_q8 = (int32_t)(int16_t)plane * 256;
+    const int32_t value =
+        plane->n[0] * eye->reduced[0] + plane->n[1] * eye->reduced[1] + plane->n[2] * eye->reduced[2] - plane->d;
+    const int32_t side = value >> 16;
 
-    return (int8_t)((at_q8 > plane_q8) - (at_q8 < plane_q8));
+    return (uint32_t)(side + 1) <= 1 ? near_undecided(eye, plane) : (int16_t)side;
 }
 
-static int8_t filtered_side(const struct lim_eye *eye, const struct lim_scene *scene,
-                            const LIM_FLASH struct lim_node *node)
+int16_t lim_eye_far_side(const struct lim_eye *eye, const struct lim_scene *scene,
+                         const LIM_FLASH struct lim_plane *plane)
 {
-    const LIM_FLASH struct lim_plane *plane = &scene->planes[node->plane];
-    const int32_t slack = node->kind == LIM_PLANE_LARGE ? eye->large_slack : SMALL_SLACK;
-    int32_t value = (int32_t)plane->n[0] * eye->reduced[0] + (int32_t)plane->n[2] * eye->reduced[2];
+    const bool is_large = LIM_HAS_LARGE && plane->exact != LIM_NONE;
+    const int32_t slack = is_large ? eye->large_slack : SMALL_SLACK;
+    const int32_t value = plane->n[0] * eye->reduced[0] + plane->n[1] * eye->reduced[1] +
+                          plane->n[2] * eye->reduced[2] - (plane->d >> eye->shift);
 
-    if (node->kind != LIM_PLANE_XZ) value += (int32_t)plane->n[1] * eye->reduced[1];
-    value -= plane->d >> eye->shift;
     if (value >= slack) return 1;
     if (value <= -slack) return -1;
-    return undecided_side(eye, scene, plane);
-}
-
-int8_t lim_eye_side(const struct lim_eye *eye, const struct lim_scene *scene, const LIM_FLASH struct lim_node *node)
-{
-    if (node->kind <= LIM_PLANE_Z) return axis_side(eye->at_q8[node->kind], node->plane);
-    return filtered_side(eye, scene, node);
+    return is_large ? large_undecided(eye, &scene->exact[plane->exact]) : near_undecided(eye, plane);
 }

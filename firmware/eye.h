@@ -11,14 +11,32 @@
 
 struct lim_eye {
     int32_t at_q8[3];    /* units */
-    int16_t reduced[3];  /* floor(at / 2^shift), 16 bits whatever the distance */
+    int32_t reduced[3];  /* floor(at / 2^shift), within 16 bits whatever the distance */
     uint8_t shift;       /* 0 inside the 16-bit cube of the scene */
+    uint8_t near_kind;   /* the last enum lim_plane_kind that needs neither shift nor slack */
     int32_t large_slack; /* how far the filter of a LARGE plane can be off, in its own scale */
 };
 
 void lim_eye_set(struct lim_eye *eye, const int32_t at_q8[3]);
 
-/* 1: in front of the node's plane, -1: behind it, 0: exactly on it. */
-int8_t lim_eye_side(const struct lim_eye *eye, const struct lim_scene *scene, const LIM_FLASH struct lim_node *node);
+/* Positive: in front of the plane, negative: behind it, 0: exactly on it. The first for planes with 16-bit
+ * numbers (XZ, SMALL) and an eye with shift 0, the second for every plane that has a record, and any eye. */
+int16_t lim_eye_near_side(const struct lim_eye *eye, const LIM_FLASH struct lim_plane *plane);
+int16_t lim_eye_far_side(const struct lim_eye *eye, const struct lim_scene *scene,
+                         const LIM_FLASH struct lim_plane *plane);
+
+/* The same for a node's plane, whatever its kind. */
+static inline int16_t lim_eye_side(const struct lim_eye *eye, const struct lim_scene *scene,
+                                   const LIM_FLASH struct lim_node *node)
+{
+    const uint16_t kind = node->kind;
+
+    if (!LIM_HAS_SLANTED || kind <= LIM_PLANE_Z) {
+        const int32_t at_q8 = eye->at_q8[kind], plane_q8 = (int32_t)(int16_t)node->plane * 256;
+        return (int16_t)((at_q8 > plane_q8) - (at_q8 < plane_q8));
+    }
+    const LIM_FLASH struct lim_plane *plane = &scene->planes[node->plane];
+    return kind <= eye->near_kind ? lim_eye_near_side(eye, plane) : lim_eye_far_side(eye, scene, plane);
+}
 
 #endif

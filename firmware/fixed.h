@@ -2,7 +2,8 @@
  *
  * Fixed-point helpers. A name's suffix is its format: x_q16 has 16 fraction bits. Right shifts of
  * negative numbers are arithmetic (floor) on every compiler that this project supports; left
- * shifts of negative numbers are never written. */
+ * shifts of negative numbers are never written.
+ * `make prove` proves the contracts (ACSL); what they admit, `make exhaustive` tries for all 2^32 arguments. */
 #ifndef LIM_FIXED_H
 #define LIM_FIXED_H
 
@@ -10,101 +11,208 @@
 
 _Static_assert((-3 >> 1) == -2, "right shifts must be arithmetic");
 
+/* Whether 32 x 32 -> 64 is an instruction; where it is a library call, limbs of 16 bits take its place. */
+#if defined(__ARM_ARCH_6M__) || defined(__AVR__)
+#define LIM_LONG_MULTIPLY 0
+#else
+#define LIM_LONG_MULTIPLY 1
+#endif
+
 /* round(2^24 / (256 + i)), entry 0 clipped to 65535. */
 extern const LIM_FLASH uint16_t lim_recip_table_q16[257];
 
-/* Leading zeros of x, which must not be 0. */
-static inline uint8_t clz_u32(uint32_t x)
+/*@ predicate is_clz(integer x, integer n) =
+      0 <= n <= 31 && 2147483648 <= x << n <= 4294967295 && (x >= 32768 ==> n <= 16) &&
+      (x < 2147483648 ==> n >= 1) && (x < 1073741824 ==> n >= 2); */
+
+/* x, which must not be 0, shifted left until its highest bit is set; *zeros says how far. */
+/*@ requires x >= 1 && \valid(zeros);
+    assigns *zeros;
+    ensures is_clz(x, *zeros) && \result == x << *zeros; */
+static inline uint32_t normalise_u32(uint32_t x, uint8_t *zeros)
 {
 #if defined(__ARM_ARCH_6M__) || defined(__AVR__) || (defined(__riscv) && !defined(__riscv_zbb))
-    uint8_t n = 0; /* no such instruction: halve the search five times */
-    if (x < UINT32_C(1) << 16) {
+    uint32_t n = 0; /* no such instruction: halve the search five times */
+    if (!(x >> 16)) {
         n = 16;
         x <<= 16;
     }
-    if (x < UINT32_C(1) << 24) {
-        n = (uint8_t)(n + 8);
+    if (!(x >> 24)) {
+        n += 8;
         x <<= 8;
     }
-    if (x < UINT32_C(1) << 28) {
-        n = (uint8_t)(n + 4);
+    if (!(x >> 28)) {
+        n += 4;
         x <<= 4;
     }
-    if (x < UINT32_C(1) << 30) {
-        n = (uint8_t)(n + 2);
+    if (!(x >> 30)) {
+        n += 2;
         x <<= 2;
     }
-    return (uint8_t)(n + (x < UINT32_C(1) << 31));
+    if (!(x >> 31)) {
+        n++;
+        x <<= 1;
+    }
+    *zeros = (uint8_t)n;
+    return x;
 #else
-    return (uint8_t)__builtin_clz(x);
+    *zeros = (uint8_t)__builtin_clz(x);
+    return x << *zeros;
 #endif
 }
 
+/* Leading zeros of x, which must not be 0. */
+/*@ requires x >= 1;
+    assigns \nothing;
+    ensures is_clz(x, \result); */
+static inline uint8_t clz_u32(uint32_t x)
+{
+    uint8_t zeros;
+
+    (void)normalise_u32(x, &zeros);
+    return zeros;
+}
+
+/*@ assigns \nothing; */
 static inline uint32_t abs_s32(int32_t x)
 {
     return x < 0 ? 0u - (uint32_t)x : (uint32_t)x;
 }
 
 /* x / 2^bits rounded to nearest, ties up; bits 1..30, |x| + 2^(bits - 1) < 2^31. */
-static inline int32_t shift_round_s32(int32_t x, uint8_t bits)
+/*@ requires 1 <= bits <= 30 && x + (1 << (bits - 1)) <= 2147483647;
+    assigns \nothing;
+    ensures \result == (x + (1 << (bits - 1))) >> bits; */
+static inline int32_t shift_round_s32(int32_t x, uint32_t bits)
 {
     return (x + ((int32_t)1 << (bits - 1))) >> bits;
 }
 
 /* The same for 64 bits; bits 1..62. */
+/*@ requires 1 <= bits <= 62 && x + (1 << (bits - 1)) <= 9223372036854775807;
+    assigns \nothing;
+    ensures \result == (x + (1 << (bits - 1))) >> bits; */
 static inline int64_t shift_round_s64(int64_t x, uint8_t bits)
 {
     return (x + ((int64_t)1 << (bits - 1))) >> bits;
 }
 
+/*@ requires -1073741824 <= b_q30 <= 1073741824;
+    assigns \nothing;
+    ensures 0 <= a_q30 ==> -a_q30 <= \result <= a_q30;
+    ensures a_q30 <= 0 ==> a_q30 <= \result <= -a_q30;
+    ensures 0 <= b_q30 && 0 <= a_q30 ==> 0 <= \result;
+    ensures 0 <= b_q30 && a_q30 <= 0 ==> \result <= 0; */
 static inline int32_t mul_q30(int32_t a_q30, int32_t b_q30)
 {
     return (int32_t)shift_round_s64((int64_t)a_q30 * b_q30, 30);
 }
 
-/* 1/z for z >= 1 as r * 2^(shift - 47), r in 2^15..2^16, where shift = clz(z): table and linear
- * interpolation on the mantissa. Within 1.6 units of r's last place over all 2^32 inputs. */
-static inline uint32_t recip_q16(uint32_t z, uint8_t *shift)
+/* 1/z for z >= 1 as r * 2^(shift - 55), r in 2^23 .. 2^24, where shift = clz(z): table and linear
+ * interpolation on the mantissa. */
+/*@ requires z >= 1 && \valid(shift) && \separated(shift, lim_recip_table_q16 + (0 .. 256));
+    assigns *shift;
+    ensures is_clz(z, *shift);
+    admit ensures 8388608 <= \result <= 16776960; */
+static inline uint32_t recip_q24(uint32_t z, uint8_t *shift)
 {
-    const uint8_t n = clz_u32(z);
-    const uint32_t mantissa_q31 = z << n;
-    const uint16_t index = (uint16_t)((mantissa_q31 >> 23) & 255u);
-    const uint32_t fraction_q8 = (mantissa_q31 >> 15) & 255u;
-    const uint32_t left_q16 = lim_recip_table_q16[index];
-    const uint32_t fall_q16 = left_q16 - lim_recip_table_q16[index + 1];
+    const uint32_t mantissa_q31 = normalise_u32(z, shift);
+    const LIM_FLASH uint16_t *entry_q16 = &lim_recip_table_q16[mantissa_q31 << 1 >> 24];
+    const uint32_t fraction_q8 = mantissa_q31 << 9 >> 24;
+    const uint32_t left_q16 = entry_q16[0], fall_q16 = left_q16 - entry_q16[1];
 
-    *shift = n;
-    return ((left_q16 << 8) - fall_q16 * fraction_q8) >> 8;
+    return (left_q16 << 8) - fall_q16 * fraction_q8;
 }
 
-/* The high half of a product: floor(a b / 2^32). From 16-bit limbs where a 32 x 32 -> 64 multiplication
- * is a library call; the same bits either way. */
-static inline int32_t mul_high_s32(int32_t a, int32_t b)
+/* The same as r * 2^(shift - 47), r in 2^15 .. 2^16 - 1. Within 1.6 units of r's last place over all 2^32
+ * inputs. */
+/*@ requires z >= 1 && \valid(shift) && \separated(shift, lim_recip_table_q16 + (0 .. 256));
+    assigns *shift;
+    ensures is_clz(z, *shift);
+    ensures 32768 <= \result <= 65535; */
+static inline uint32_t recip_q16(uint32_t z, uint8_t *shift)
 {
-#if defined(__ARM_ARCH_6M__) || defined(__AVR__)
+    return recip_q24(z, shift) >> 8;
+}
+
+/* And as r * 2^(shift - 46), r in 2^14 .. 2^15, rounded to nearest. */
+/*@ requires z >= 1 && \valid(shift) && \separated(shift, lim_recip_table_q16 + (0 .. 256));
+    assigns *shift;
+    ensures is_clz(z, *shift);
+    ensures 16384 <= \result <= 32768;
+    admit ensures \result * (z << *shift) <= 70368744177664 + 8589934592; */
+static inline uint32_t recip_q15_of(uint32_t z, uint8_t *shift)
+{
+    return (recip_q24(z, shift) + 256) >> 9;
+}
+
+/* The high half of a product, floor(a b / 2^32): the same bits in two forms. */
+/*@ assigns \nothing;
+    ensures \result == (a * b) >> 32; */
+static inline int32_t mul_high_wide_s32(int32_t a, int32_t b)
+{
+    return (int32_t)(((int64_t)a * b) >> 32);
+}
+
+/* From 16-bit limbs: |high| <= 2^15 and 0 <= low < 2^16, so no sum leaves 32 bits. */
+/*@ assigns \nothing; */
+static inline int32_t mul_high_limbs_s32(int32_t a, int32_t b)
+{
     const int32_t a_high = a >> 16, b_high = b >> 16;
     const uint32_t a_low = (uint32_t)a & 0xFFFFu, b_low = (uint32_t)b & 0xFFFFu;
     const uint32_t low = a_low * b_low;
-    const int32_t middle = a_high * (int32_t)b_low + (int32_t)(low >> 16); /* b_low < 2^16: no overflow */
+    const int32_t middle = a_high * (int32_t)b_low + (int32_t)(low >> 16);
+    //@ assert -2147450880 <= b_high * (int32_t)a_low <= 2147385345;
     const int32_t other = b_high * (int32_t)a_low + (int32_t)((uint32_t)middle & 0xFFFFu);
+    //@ assert -1073709056 <= a_high * b_high <= 1073741824;
     return a_high * b_high + (middle >> 16) + (other >> 16);
-#else
-    return (int32_t)(((int64_t)a * b) >> 32);
-#endif
+}
+
+/*@ assigns \nothing; */
+static inline int32_t mul_high_s32(int32_t a, int32_t b)
+{
+    return LIM_LONG_MULTIPLY ? mul_high_wide_s32(a, b) : mul_high_limbs_s32(a, b);
+}
+
+/* floor(a b / 2^32) for a positive b of which only the upper 16 bits are set: with limbs, two products. */
+/*@ requires 0 <= b;
+    assigns \nothing; */
+static inline int32_t mul_s32_top(int32_t a, int32_t b)
+{
+    if (LIM_LONG_MULTIPLY) return mul_high_wide_s32(a, b);
+    const uint32_t top = (uint32_t)b >> 16;
+
+    return (a >> 16) * (int32_t)top + (int32_t)((((uint32_t)a & 0xFFFFu) * top) >> 16);
+}
+
+/* The same without signs. */
+/*@ assigns \nothing; */
+static inline uint32_t mul_u32_top(uint32_t a, uint32_t b)
+{
+    if (LIM_LONG_MULTIPLY) return (uint32_t)(((uint64_t)a * b) >> 32);
+    const uint32_t top = b >> 16;
+
+    return (a >> 16) * top + (((a & 0xFFFFu) * top) >> 16);
 }
 
 /* 1/z for z >= 1 as r * 2^(shift - 62), r in 2^30 .. 2^31 - 1, where shift = clz(z): the 16-bit reciprocal
- * and one Newton step, which squares its relative error of 2^-14.3 to 2^-28.6. */
+ * and one Newton step, which squares its relative error of 2^-14.3 to 2^-28.6, and never ends above 1/z
+ * by more than its rounding: within 3 units of r's last place over all 2^32 inputs. */
+/*@ requires z >= 1 && \valid(shift) && \separated(shift, lim_recip_table_q16 + (0 .. 256));
+    assigns *shift;
+    ensures is_clz(z, *shift);
+    admit ensures 1073741824 <= \result <= 2147483647; */
 static inline uint32_t recip_q31_of(uint32_t z, uint8_t *shift)
 {
-    const uint32_t guess_q31 = recip_q16(z, shift) << 15;
-    const uint32_t product_q31 = (uint32_t)(((uint64_t)(z << *shift) * guess_q31) >> 31);
-    const uint32_t recip_q31 = (uint32_t)(((uint64_t)guess_q31 * (0u - product_q31)) >> 31);
+    const uint32_t guess_q32 = recip_q16(z, shift) << 16;
 
-    return recip_q31 >> 31 ? 0x7FFFFFFFu : recip_q31;
+    return mul_u32_top(0u - mul_u32_top(z << *shift, guess_q32), guess_q32);
 }
 
 /* num / den in Q31 for 0 <= num <= den, den >= 1. Never above 1. */
+/*@ requires 0 <= num <= den && den >= 1;
+    assigns \nothing;
+    ensures \result <= 2147483648; */
 static inline uint32_t ratio_q31(uint32_t num, uint32_t den)
 {
     uint8_t n;
@@ -114,10 +222,14 @@ static inline uint32_t ratio_q31(uint32_t num, uint32_t den)
     return ratio > UINT32_C(1) << 31 ? UINT32_C(1) << 31 : (uint32_t)ratio;
 }
 
-/* a + (b - a) * t, rounded to nearest, for t in 0..1. b - a must fit 32 bits. */
+/* a + (b - a) * t, rounded to nearest, for t in 0..1. */
+/*@ requires t_q31 <= 2147483648;
+    assigns \nothing; */
 static inline int32_t lerp_q31(int32_t a, int32_t b, uint32_t t_q31)
 {
-    return a + (int32_t)shift_round_s64((int64_t)(b - a) * (int64_t)t_q31, 31);
+    const int64_t way_q31 = ((int64_t)b - a) * t_q31;
+
+    return (int32_t)(a + shift_round_s64(way_q31, 31));
 }
 
 #endif

@@ -1,122 +1,94 @@
 /* SPDX-License-Identifier: MIT
  *
- * The public functions: memory is shared out once, in lim_init(); a frame is a camera taken in,
- * then drawn in the target's order. */
+ * The public functions: memory is shared out once, in lim_init(); a frame is a camera taken in, then
+ * drawn in the target's order. Orders that are not linked fall out of these functions at compile time. */
 #include "limner.h"
 
-#include "clip.h"
-#include "fill.h"
 #include "order.h"
 
-/* The caller's memory, cut in this order: widest alignment first. */
-struct shares {
-    uint16_t active, retained_cells, gaps;
-};
-
-/* One polygon, one gap: what a band of one pixel needs. */
-static struct shares least(const struct lim_scene *scene)
+static bool method_is_linked(enum lim_method method)
 {
-    return (struct shares){1, (uint16_t)(LIM_RETAINED_HEAD_CELLS + scene->limits.vertices + CLIP_PLANES), 1};
+    return (LIM_HAS_NEAREST && method == LIM_NEAREST_FIRST) || (LIM_HAS_PAINTER && method == LIM_PAINTER) ||
+           (LIM_HAS_CONVEX && method == LIM_CONVEX);
 }
 
-static struct shares comfortable(const struct lim_scene *scene)
-{
-    const struct shares floor = least(scene);
-    const struct lim_limits *limits = &scene->limits;
+/* Whether the method, which is linked, is this one: constants where it is the only one. */
+#define IS_CONVEX(target) (LIM_HAS_CONVEX && (!LIM_HAS_TREE || (target)->method == LIM_CONVEX))
+#define IS_PAINTER(target) (LIM_HAS_PAINTER && (!LIM_HAS_NEAREST || (target)->method == LIM_PAINTER))
 
-    return (struct shares){limits->active > floor.active ? limits->active : floor.active,
-                           limits->retained_cells > floor.retained_cells ? limits->retained_cells
-                                                                         : floor.retained_cells,
-                           limits->gaps > floor.gaps ? limits->gaps : floor.gaps};
-}
-
-static size_t total_b(const struct lim_scene *scene, const struct lim_target *target, struct shares shares)
+static size_t asked_b(const struct lim_scene *scene, const struct lim_target *target, bool least)
 {
-    return LIM_MEM_B(target->h_px, scene->limits.depth, shares.retained_cells, shares.gaps, shares.active);
+    if (IS_CONVEX(target)) return lim_convex_mem_b(scene, target, least);
+    if (IS_PAINTER(target)) return lim_painter_mem_b(scene);
+    return lim_nearest_mem_b(scene, target, least);
 }
 
 size_t lim_mem_min_b(const struct lim_scene *scene, const struct lim_target *target)
 {
-    return total_b(scene, target, least(scene));
+    return asked_b(scene, target, true);
 }
 
 size_t lim_mem_b(const struct lim_scene *scene, const struct lim_target *target)
 {
-    return total_b(scene, target, comfortable(scene));
-}
-
-/* Scales the comfortable shares down to what there is; never below the least. */
-static struct shares divide(const struct lim_scene *scene, const struct lim_target *target, size_t mem_b)
-{
-    const struct shares least_shares = least(scene), wanted = comfortable(scene);
-    const size_t floor_b = total_b(scene, target, least_shares), wanted_b = total_b(scene, target, wanted);
-
-    if (mem_b >= wanted_b) return wanted;
-    const uint32_t part_q16 = (uint32_t)(((uint64_t)(mem_b - floor_b) << 16) / (wanted_b - floor_b));
-    struct shares shares = least_shares;
-    shares.active = (uint16_t)(shares.active + (((wanted.active - shares.active) * (uint64_t)part_q16) >> 16));
-    shares.retained_cells = (uint16_t)(shares.retained_cells +
-                                       (((wanted.retained_cells - shares.retained_cells) * (uint64_t)part_q16) >> 16));
-    shares.gaps = (uint16_t)(shares.gaps + (((wanted.gaps - shares.gaps) * (uint64_t)part_q16) >> 16));
-    return shares;
-}
-
-static void *cut(uint8_t **mem, size_t size_b)
-{
-    void *piece = *mem;
-
-    *mem += size_b;
-    return piece;
-}
-
-static void share_out(struct lim *lim, void *mem, struct shares shares)
-{
-    uint8_t *at = mem;
-
-    lim->paint.pool = cut(&at, shares.active * sizeof(struct lim_active));
-    lim->paint.pool_size = shares.active;
-    lim->retained.cells = cut(&at, shares.retained_cells * sizeof(union lim_retained_cell));
-    lim->retained.size = shares.retained_cells;
-    struct lim_view_cached *cache = cut(&at, LIM_VIEW_CACHE_ENTRIES * sizeof(struct lim_view_cached));
-    lim->spans.lines = cut(&at, lim->target.h_px * sizeof(struct lim_line));
-    lim->spans.pool = cut(&at, shares.gaps * sizeof(struct lim_gap));
-    lim->spans.pool_size = shares.gaps;
-    lim->stack = cut(&at, lim->scene->limits.depth * sizeof(struct lim_walk_pending));
-    lim_view_init(&lim->view, lim->target.w_px, lim->target.h_px, cache);
+    return asked_b(scene, target, false);
 }
 
 static bool target_is_usable(const struct lim_target *target)
 {
     return target->w_px >= 1 && target->w_px <= LIM_MAX_SIDE_PX && target->h_px >= 1 &&
            target->h_px <= LIM_MAX_SIDE_PX && target->format == LIM_RGB565 && target->lend && target->done &&
-           (target->method == LIM_NEAREST_FIRST || (LIM_HAS_PAINTER && target->method == LIM_PAINTER));
+           method_is_linked(target->method);
+}
+
+/* A tree without forks has as many levels as nodes. */
+static bool scene_is_usable(const struct lim_scene *scene, const struct lim_target *target)
+{
+    return scene->limits.vertices <= LIM_MAX_VERTICES && (LIM_HAS_SLANTED || !scene->plane_count) &&
+           (LIM_HAS_LARGE || !scene->exact_count) && !(IS_CONVEX(target) && scene->limits.depth != scene->node_count);
 }
 
 int lim_init(struct lim *lim, const struct lim_scene *scene, const struct lim_target *target, void *mem, size_t mem_b)
 {
     LIM_ASSERT(lim && scene && target && mem && ((uintptr_t)mem & 3) == 0);
-    if (scene->limits.vertices > LIM_MAX_VERTICES) return LIM_ERR_SCENE;
     if (!target_is_usable(target)) return LIM_ERR_TARGET;
+    if (!scene_is_usable(scene, target)) return LIM_ERR_SCENE;
     if (mem_b < lim_mem_min_b(scene, target)) return LIM_ERR_MEMORY;
     lim->scene = scene;
     lim->target = *target;
-    lim->paint.target = &lim->target;
-    lim->paint.background = lim_memory_colour(scene->background);
-    share_out(lim, mem, divide(scene, target, mem_b));
+    if (IS_CONVEX(target))
+        lim_convex_init(lim, mem, mem_b);
+    else if (IS_PAINTER(target))
+        lim_painter_init(lim, mem);
+    else
+        lim_nearest_init(lim, mem, mem_b);
     return LIM_OK;
+}
+
+static int draw(struct lim *lim)
+{
+    if (IS_CONVEX(&lim->target)) return lim_convex_frame(lim);
+    if (IS_PAINTER(&lim->target)) return lim_painter_frame(lim);
+    return lim_nearest_frame(lim);
 }
 
 int lim_frame(struct lim *lim, const struct lim_camera *camera)
 {
-    lim->stats = (struct lim_stats){0};
-    if (!lim_view_begin(&lim->view, camera)) return LIM_ERR_CAMERA;
+    if (LIM_HAS_STATS) *lim_stats_of(lim) = (struct lim_stats){0};
+    if (!lim_view_begin(&lim->view, lim->scene, camera)) return LIM_ERR_CAMERA;
     lim_eye_set(&lim->eye, camera->eye_q8);
-    const int err = lim->target.method == LIM_PAINTER ? lim_painter_frame(lim) : lim_nearest_frame(lim);
-    lim->stats.vertices = lim->view.vertices;
+    const int err = draw(lim);
+    if (LIM_HAS_STATS) lim_stats_of(lim)->vertices = lim->view.vertices;
     return err;
 }
 
 const struct lim_stats *lim_stats(const struct lim *lim)
 {
+#if LIM_HAS_STATS
     return &lim->stats;
+#else
+    static const struct lim_stats none = {0};
+
+    (void)lim;
+    return &none;
+#endif
 }

@@ -8,6 +8,8 @@
 
 #include "project.h"
 
+#if LIM_HAS_NEAREST
+
 enum { POLYGONS_PER_SHRINK = 20 }; /* the open view is drawn together this often */
 
 /* SPAN for one polygon that is not folded. */
@@ -44,11 +46,11 @@ static bool take_plain(struct lim *lim, const struct lim_screen_polygon *polygon
     const int16_t bottom = polygon->shape.bottom < (int16_t)open->y1 ? polygon->shape.bottom : (int16_t)open->y1;
 
     if (top >= bottom) return true;
-    if (LIM_HAS_STATS) lim->stats.lines += (uint32_t)(bottom - top);
+    if (LIM_HAS_STATS) lim_stats_of(lim)->lines += (uint32_t)(bottom - top);
     const enum lim_span_result result = close_lines(&lim->spans, polygon, top, bottom);
     if (result == LIM_SPAN_NOTHING) return true;
     if (result == LIM_SPAN_EXHAUSTED) return false;
-    if (LIM_HAS_STATS) lim->stats.polygons_seen++;
+    if (LIM_HAS_STATS) lim_stats_of(lim)->polygons_seen++;
     const struct lim_retained_polygon seen = {polygon->at,   polygon->n,       polygon->shape.first,
                                               (uint16_t)top, (uint16_t)bottom, polygon->colour};
     return lim_retain(&lim->retained, lim->spans.lines, &seen);
@@ -68,7 +70,9 @@ static bool take(struct lim *lim, const struct lim_screen_polygon *polygon)
 
 static void shrink(struct lim *lim)
 {
-    if (lim_spans_shrink(&lim->spans)) lim_cull_set(&lim->cull, &lim->view, lim->eye.at_q8, &lim->spans.open);
+    const bool smaller = lim_spans_shrink(&lim->spans);
+
+    if (LIM_HAS_CULL && smaller) lim_cull_set(lim_cull_of(lim), &lim->view, lim->eye.at_q8, &lim->spans.open);
 }
 
 /* All polygons of one run. false: a pool is exhausted. */
@@ -79,7 +83,7 @@ static bool take_run(struct lim *lim, uint16_t run, uint8_t *since_shrink)
 
     for (;;) {
         const uint16_t head = record[0];
-        if (lim_project(&polygon, &lim->view, lim->scene, record, &lim->spans.open, &lim->stats)) {
+        if (lim_project(&polygon, &lim->view, lim->scene, record, &lim->spans.open, lim_stats_of(lim))) {
             if (!take(lim, &polygon)) return false;
             if (!lim->spans.open_lines) return true;
         }
@@ -94,8 +98,10 @@ static bool take_run(struct lim *lim, uint16_t run, uint8_t *since_shrink)
 
 static void note_pools(struct lim *lim)
 {
-    if (lim->retained.used > lim->stats.retained_cells_max) lim->stats.retained_cells_max = lim->retained.used;
-    if (lim->spans.fresh > lim->stats.gaps_max) lim->stats.gaps_max = lim->spans.fresh;
+    struct lim_stats *stats = lim_stats_of(lim);
+
+    if (lim->retained.used > stats->retained_cells_max) stats->retained_cells_max = lim->retained.used;
+    if (lim->spans.fresh > stats->gaps_max) stats->gaps_max = lim->spans.fresh;
 }
 
 /* Pass one over a band. false: a pool is exhausted. */
@@ -106,9 +112,10 @@ static bool collect(struct lim *lim, const struct lim_rect *band)
 
     lim_spans_open(&lim->spans, band);
     lim->retained.used = 0;
-    lim_cull_set(&lim->cull, &lim->view, lim->eye.at_q8, band);
+    if (LIM_HAS_CULL) lim_cull_set(lim_cull_of(lim), &lim->view, lim->eye.at_q8, band);
     lim_walk_begin(&lim->walk, lim->scene, &lim->eye, lim->stack, false);
-    while (lim->spans.open_lines && (run = lim_walk_next(&lim->walk, &lim->cull, &lim->stats)) != LIM_NONE) {
+    while (lim->spans.open_lines &&
+           (run = lim_walk_next(&lim->walk, lim_cull_of(lim), lim_stats_of(lim))) != LIM_NONE) {
         if (!take_run(lim, run, &since_shrink)) return false;
     }
     if (LIM_HAS_STATS) note_pools(lim);
@@ -148,7 +155,7 @@ static int draw_band(struct lim *lim, const struct lim_rect *band, uint16_t *y)
 {
     *y = band->y0;
     if (!collect(lim, band)) return 1;
-    return lim_paint_band(&lim->paint, &lim->spans, &lim->retained, band, y, &lim->stats);
+    return lim_paint_band(&lim->paint, &lim->spans, &lim->retained, band, y, lim_stats_of(lim));
 }
 
 int lim_nearest_frame(struct lim *lim)
@@ -162,10 +169,12 @@ int lim_nearest_frame(struct lim *lim)
         if (err) {
             band.y0 = y;
             halve(&band);
-            if (LIM_HAS_STATS) lim->stats.bands++;
+            if (LIM_HAS_STATS) lim_stats_of(lim)->bands++;
         } else {
             follow(&band, &lim->target);
         }
     }
     return 0;
 }
+
+#endif

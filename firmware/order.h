@@ -1,16 +1,27 @@
 /* SPDX-License-Identifier: MIT
  *
- * The two orders in which a frame can be drawn. Both start from a camera that lim_view_begin() and
- * lim_eye_set() have taken in, and both return 0, an enum lim_error, or the target's error. */
+ * The orders in which a frame can be drawn, enum lim_method: what memory each asks for (`least`: with
+ * less it is refused), how it cuts the caller's memory up, and a frame. Frames start from a camera that
+ * lim_view_begin() and lim_eye_set() have taken in; they return 0, an enum lim_error, or the target's
+ * error. An order that is not linked is declared all the same: no call of it is ever reached. */
 #ifndef LIM_ORDER_H
 #define LIM_ORDER_H
 
 #include "limner.h"
 
-/* Nearest first, without a framebuffer: nearest.c. */
+/* Nearest first, without a framebuffer: nearest.c, and its memory in pools.c. */
+size_t lim_nearest_mem_b(const struct lim_scene *scene, const struct lim_target *target, bool least);
+void lim_nearest_init(struct lim *lim, void *mem, size_t mem_b);
 LIM_MUST_CHECK int lim_nearest_frame(struct lim *lim);
 
 /* Back to front, into one: painter.c. */
+size_t lim_painter_mem_b(const struct lim_scene *scene);
+void lim_painter_init(struct lim *lim, void *mem);
 LIM_MUST_CHECK int lim_painter_frame(struct lim *lim);
+
+/* One convex solid: convex.c. */
+size_t lim_convex_mem_b(const struct lim_scene *scene, const struct lim_target *target, bool least);
+void lim_convex_init(struct lim *lim, void *mem, size_t mem_b);
+LIM_MUST_CHECK int lim_convex_frame(struct lim *lim);
 
 #endif

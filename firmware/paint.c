@@ -4,6 +4,8 @@
  * arrive far to near (retain.h), so each is put in front of the one before it or further up. */
 #include "paint.h"
 
+#if LIM_HAS_NEAREST
+
 static const union lim_retained_cell *cells_of(const struct lim_retained *retained, const struct lim_active *active)
 {
     return &retained->cells[active->polygon];
@@ -150,3 +152,5 @@ int lim_paint_band(struct lim_paint *paint, struct lim_spans *spans, const struc
     }
     return 0;
 }
+
+#endif

@@ -5,9 +5,23 @@
  * end. */
 #include "order.h"
 
+#include "fill.h"
 #include "project.h"
 
 #if LIM_HAS_PAINTER
+
+size_t lim_painter_mem_b(const struct lim_scene *scene)
+{
+    return LIM_PAINTER_MEM_B(scene->limits.depth);
+}
+
+void lim_painter_init(struct lim *lim, void *mem)
+{
+    struct lim_view_cached *cache = mem;
+
+    lim->stack = (struct lim_walk_pending *)(void *)(cache + LIM_VIEW_CACHE_ENTRIES);
+    lim_view_init(&lim->view, lim->target.w_px, lim->target.h_px, cache);
+}
 
 static int fill_piece(struct lim *lim, uint16_t y, uint16_t x0, uint16_t x1, uint16_t colour)
 {
@@ -25,7 +39,7 @@ static int fill_clamped(struct lim *lim, int16_t y, int16_t x0, int16_t x1, uint
     if (x0 < 0) x0 = 0;
     if (x1 > w_px) x1 = w_px;
     if (x0 >= x1) return 0;
-    if (LIM_HAS_STATS) lim->stats.pixels_painted += (uint32_t)(x1 - x0);
+    if (LIM_HAS_STATS) lim_stats_of(lim)->pixels_painted += (uint32_t)(x1 - x0);
     return fill_piece(lim, (uint16_t)y, (uint16_t)x0, (uint16_t)x1, colour);
 }
 
@@ -37,7 +51,7 @@ static int paint_plain(struct lim *lim, const struct lim_screen_polygon *polygon
     struct lim_edge_pair pair;
 
     if (y >= bottom) return 0;
-    if (LIM_HAS_STATS) lim->stats.lines += (uint32_t)(bottom - y);
+    if (LIM_HAS_STATS) lim_stats_of(lim)->lines += (uint32_t)(bottom - y);
     lim_edge_begin(&pair, polygon->at, polygon->n, polygon->shape.first, y);
     for (;;) {
         const int err = fill_clamped(lim, y, pair.left.x, pair.right.x, polygon->colour);
@@ -78,7 +92,7 @@ static int paint_run(struct lim *lim, uint16_t run, const struct lim_rect *scree
     while (!(record[0] & LIM_POLYGON_LAST))
         record = record_after(record);
     for (;;) {
-        if (lim_project(&polygon, &lim->view, lim->scene, record, screen, &lim->stats)) {
+        if (lim_project(&polygon, &lim->view, lim->scene, record, screen, lim_stats_of(lim))) {
             const int err = paint_any(lim, &polygon);
             if (err) return err;
         }
@@ -91,8 +105,10 @@ static int paint_run(struct lim *lim, uint16_t run, const struct lim_rect *scree
 
 static int paint_background(struct lim *lim)
 {
+    const uint16_t background = lim_memory_colour(lim->scene->background);
+
     for (uint16_t y = 0; y < lim->target.h_px; y++) {
-        const int err = fill_piece(lim, y, 0, lim->target.w_px, lim->paint.background);
+        const int err = fill_piece(lim, y, 0, lim->target.w_px, background);
         if (err) return err;
     }
     return 0;
@@ -114,21 +130,13 @@ int lim_painter_frame(struct lim *lim)
     int err = paint_background(lim);
 
     if (err) return err;
-    lim_cull_set(&lim->cull, &lim->view, lim->eye.at_q8, &screen);
+    if (LIM_HAS_CULL) lim_cull_set(lim_cull_of(lim), &lim->view, lim->eye.at_q8, &screen);
     lim_walk_begin(&lim->walk, lim->scene, &lim->eye, lim->stack, true);
-    while ((run = lim_walk_next(&lim->walk, &lim->cull, &lim->stats)) != LIM_NONE) {
+    while ((run = lim_walk_next(&lim->walk, lim_cull_of(lim), lim_stats_of(lim))) != LIM_NONE) {
         err = paint_run(lim, run, &screen);
         if (err) return err;
     }
     return finish(lim);
-}
-
-#else
-
-int lim_painter_frame(struct lim *lim)
-{
-    (void)lim;
-    return LIM_ERR_TARGET;
 }
 
 #endif

@@ -13,11 +13,11 @@ static void clip_and_project(struct lim_screen_polygon *out, const struct lim_vi
 
     clipped.n = out->n;
     for (uint8_t k = 0; k < out->n; k++)
-        lim_view_transform(view, &scene->vertices[corners[k]], &clipped.at[k]);
-    lim_clip(&clipped, view->near_qv);
+        lim_view_transform(view, scene, &scene->vertices[corners[k]], &clipped.at[k]);
+    lim_clip(&clipped, view->rows.near_qv);
     out->n = clipped.n;
     for (uint8_t k = 0; k < out->n; k++)
-        out->at[k] = lim_view_project(view, &clipped.at[k]);
+        lim_view_project(view, &clipped.at[k], &out->at[k]);
 }
 
 static bool meets(const struct lim_edge_shape *shape, const struct lim_rect *open)
@@ -34,15 +34,15 @@ bool lim_project(struct lim_screen_polygon *out, struct lim_view *view, const st
     out->n = (uint8_t)(record[0] & LIM_POLYGON_COUNT);
     LIM_ASSERT(out->n <= LIM_MAX_VERTICES);
     const uint16_t codes = lim_view_polygon(view, scene, corners, out->n, out->at);
-    if (LIM_HAS_STATS) stats->polygons++;
+    if (LIM_HAS_STATS && stats) stats->polygons++;
     if (codes >> 8 & LIM_VIEW_OUTSIDE) return false;
     if (codes & LIM_VIEW_GUARD) {
-        if (LIM_HAS_STATS) stats->clipped++;
+        if (LIM_HAS_STATS && stats) stats->clipped++;
         clip_and_project(out, view, scene, corners);
         if (!out->n) return false;
     }
     lim_edge_measure(&out->shape, out->at, out->n);
-    if (LIM_HAS_STATS) stats->folded += out->shape.folded;
+    if (LIM_HAS_STATS && stats) stats->folded += out->shape.folded;
     out->colour = lim_memory_colour(record[1]);
     return meets(&out->shape, open);
 }

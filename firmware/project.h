@@ -17,7 +17,8 @@ struct lim_screen_polygon {
     struct lim_point at[CLIP_MAX_VERTICES];
 };
 
-/* `record` is a polygon record (scene.h). false: nothing of it can be inside `open`. */
+/* `record` is a polygon record (scene.h). false: nothing of it can be inside `open`. A polygon that is
+ * projected once more is not counted again: `stats` is NULL. */
 bool lim_project(struct lim_screen_polygon *out, struct lim_view *view, const struct lim_scene *scene,
                  const LIM_FLASH uint16_t *record, const struct lim_rect *open, struct lim_stats *stats);
 

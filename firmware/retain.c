@@ -4,6 +4,8 @@
  * runs from far to near. */
 #include "retain.h"
 
+#if LIM_HAS_NEAREST
+
 bool lim_retain(struct lim_retained *retained, struct lim_line *lines, const struct lim_retained_polygon *polygon)
 {
     const uint16_t needed = (uint16_t)(LIM_RETAINED_HEAD_CELLS + polygon->n);
@@ -24,3 +26,5 @@ bool lim_retain(struct lim_retained *retained, struct lim_line *lines, const str
     retained->used = (uint16_t)(self + needed);
     return true;
 }
+
+#endif

@@ -12,10 +12,15 @@
 
 #define LIM_NONE 0xFFFFu /* "no such index", in every index field below */
 
-enum { LIM_SCENE_VERSION = 1 };
+enum { LIM_SCENE_VERSION = 2 };
 
 struct lim_vertex {
     int16_t x, y, z; /* units */
+};
+
+/* What rounding to units took from a vertex: in profile exact it is drawn at units + fraction. */
+struct lim_fraction {
+    int8_t x_q8, y_q8, z_q8;
 };
 
 /* How a node's plane is stored; each kind is decided exactly. */
@@ -84,6 +89,7 @@ struct lim_scene {
     const LIM_FLASH struct lim_plane_exact *exact;
     const LIM_FLASH struct lim_box *boxes;
     const LIM_FLASH uint16_t *polygons;
+    const LIM_FLASH struct lim_fraction *fractions; /* vertex_count of them, or NULL */
     uint16_t vertex_count, node_count, plane_count, exact_count, box_count;
     uint16_t polygon_words; /* length of `polygons` */
     uint16_t polygon_count; /* records in it */

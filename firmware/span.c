@@ -5,6 +5,8 @@
  * gap must be unlinked at once: a later polygon would find its neighbour through it. */
 #include "span.h"
 
+#if LIM_HAS_NEAREST
+
 void lim_spans_reset_pool(struct lim_spans *spans)
 {
     spans->free = LIM_NONE;
@@ -138,3 +140,5 @@ bool lim_spans_shrink(struct lim_spans *spans)
     spans->open = (struct lim_rect){x0, open.y0, x1, open.y1};
     return smaller;
 }
+
+#endif

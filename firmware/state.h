@@ -1,10 +1,11 @@
 /* SPDX-License-Identifier: MIT
  *
- * The renderer's state: a stage a member, in the order in which data passes them. Complete here so
- * that callers can place it; its members are private. */
+ * The renderer's state: a stage a member, in the order in which data passes them, and no member for a
+ * stage that is not linked. Complete here so that callers can place it; its members are private. */
 #ifndef LIM_STATE_H
 #define LIM_STATE_H
 
+#include "convex.h"
 #include "cull.h"
 #include "eye.h"
 #include "paint.h"
@@ -15,26 +16,64 @@
 #include "view.h"
 #include "walk.h"
 
-/* Bytes that lim_init() cuts up: a constant expression when its arguments are. A scene's header has
- * it with the scene's limits filled in: NAME_SCENE_MEM_B(h_px). */
+/* Bytes that lim_init() cuts up, for each order: constant expressions when their arguments are. A scene's
+ * header has its own with the scene's limits filled in: NAME_SCENE_MEM_B(h_px). */
 #define LIM_MEM_B(h_px, depth, cell_count, gap_count, active_count)                                                    \
-    ((LIM_VIEW_CACHE_ENTRIES * sizeof(struct lim_view_cached) + (h_px) * sizeof(struct lim_line) +                     \
-      (depth) * sizeof(struct lim_walk_pending) + (cell_count) * sizeof(union lim_retained_cell) +                     \
-      (gap_count) * sizeof(struct lim_gap) + (active_count) * sizeof(struct lim_active) + 3) &                         \
-     ~(size_t)3)
+    LIM_MEM_ALIGNED_B(LIM_VIEW_CACHE_ENTRIES * sizeof(struct lim_view_cached) + (h_px) * sizeof(struct lim_line) +     \
+                      (depth) * sizeof(struct lim_walk_pending) + (cell_count) * sizeof(union lim_retained_cell) +     \
+                      (gap_count) * sizeof(struct lim_gap) + (active_count) * sizeof(struct lim_active))
+#define LIM_PAINTER_MEM_B(depth)                                                                                       \
+    LIM_MEM_ALIGNED_B(LIM_VIEW_CACHE_ENTRIES * sizeof(struct lim_view_cached) +                                        \
+                      (depth) * sizeof(struct lim_walk_pending))
+#define LIM_CONVEX_MEM_B(h_px, polygon_count, active_count)                                                            \
+    LIM_MEM_ALIGNED_B(LIM_VIEW_CACHE_ENTRIES * sizeof(struct lim_view_cached) + (h_px) * sizeof(uint16_t) +            \
+                      (polygon_count) * sizeof(struct lim_face) + (active_count) * sizeof(struct lim_crossing))
+#define LIM_MEM_ALIGNED_B(size_b) (((size_b) + 3) & ~(size_t)3)
 
 struct lim {
     const struct lim_scene *scene;
     struct lim_target target;
     struct lim_eye eye;
+    struct lim_view view;
+#if LIM_HAS_CULL
     struct lim_cull cull;
+#endif
+#if LIM_HAS_TREE
     struct lim_walk walk;
     struct lim_walk_pending *stack;
-    struct lim_view view;
+#endif
+#if LIM_HAS_NEAREST
     struct lim_spans spans;
     struct lim_retained retained;
     struct lim_paint paint;
+#endif
+#if LIM_HAS_CONVEX
+    struct lim_convex convex;
+#endif
+#if LIM_HAS_STATS
     struct lim_stats stats;
+#endif
 };
+
+/* Members that may not be there: NULL then. */
+static inline struct lim_stats *lim_stats_of(struct lim *lim)
+{
+#if LIM_HAS_STATS
+    return &lim->stats;
+#else
+    (void)lim;
+    return NULL;
+#endif
+}
+
+static inline struct lim_cull *lim_cull_of(struct lim *lim)
+{
+#if LIM_HAS_CULL
+    return &lim->cull;
+#else
+    (void)lim;
+    return NULL;
+#endif
+}
 
 #endif

@@ -13,7 +13,8 @@ enum lim_format {
 
 enum lim_method {
     LIM_NEAREST_FIRST, /* every pixel painted once, line by line; no framebuffer needed */
-    LIM_PAINTER        /* back to front; the target lends all its lines at any time */
+    LIM_PAINTER,       /* back to front; the target lends all its lines at any time */
+    LIM_CONVEX         /* a single convex solid, line by line; the same pixels as nearest first, for less */
 };
 
 /* Where pixels go. Lines are lent from the top down; each is passed to done() before the next is

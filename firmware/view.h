@@ -5,13 +5,12 @@
  * small cache of projected vertices, lent by the caller.
  *
  * View space: x to the right, y down, z ahead, each row scaled by the lens so that the visible
- * part is |x| <= z, |y| <= z. Format: LIM_MATRIX_BITS fraction bits less `reach`, called _qv. */
+ * part is |x| <= z, |y| <= z. Its scale, called _qv, is the frame's own: see rows.c. */
 #ifndef LIM_VIEW_H
 #define LIM_VIEW_H
 
-#include "camera.h"
-#include "profile.h"
-#include "scene.h"
+#include "perspective.h"
+#include "rows.h"
 
 enum { LIM_VIEW_CACHE_ENTRIES = 64 }; /* a power of two */
 
@@ -38,14 +37,8 @@ struct lim_view_cached {
 };
 
 struct lim_view {
-    int16_t low_qv15[3][3];           /* 15 further bits of the matrix, -2^14..2^14; LIM_SPLIT_ROWS only */
-    int16_t matrix_qv[3][3];          /* |entry| <= 2^LIM_MATRIX_BITS >> reach */
-    int32_t shift_qv[3];              /* view position of the origin of the scene */
-    int32_t near_qv;                  /* >= 2^15 */
-    uint8_t reach;                    /* view space holds 2^(17 + reach) units */
-    int32_t half_w_sub, half_h_sub;   /* half the screen, sub-pixels */
-    int32_t centre_x_qr, centre_y_qr; /* its centre and the rounding of the result, ratio format */
-    uint16_t w_px, h_px;
+    struct lim_rows rows;
+    struct lim_side width, height;
     struct lim_view_cached *cache;
     uint32_t vertices; /* transformed since lim_view_begin() */
 };
@@ -54,13 +47,14 @@ struct lim_view {
 void lim_view_init(struct lim_view *view, uint16_t w_px, uint16_t h_px, struct lim_view_cached *cache);
 
 /* Once per frame. false: the camera is out of range (limner.h). */
-bool lim_view_begin(struct lim_view *view, const struct lim_camera *camera);
+bool lim_view_begin(struct lim_view *view, const struct lim_scene *scene, const struct lim_camera *camera);
 
-void lim_view_transform(const struct lim_view *view, const LIM_FLASH struct lim_vertex *vertex,
-                        struct lim_view_point *out);
+/* `vertex` is one of the scene's. */
+void lim_view_transform(const struct lim_view *view, const struct lim_scene *scene,
+                        const LIM_FLASH struct lim_vertex *vertex, struct lim_view_point *out);
 
 /* Needs near <= z and |x|, |y| <= 2z. */
-struct lim_point lim_view_project(const struct lim_view *view, const struct lim_view_point *point);
+void lim_view_project(const struct lim_view *view, const struct lim_view_point *point, struct lim_point *out);
 
 /* Projects a polygon's n vertices (indices in `corners`) through the cache; out gets n points.
  * Returns all codes that any vertex has, OR'ed, in bits 0..7 and those that all have in 8..15. */

@@ -5,6 +5,8 @@
  * drawn; either order of the subtrees is right, and the one of an eye behind is taken. */
 #include "walk.h"
 
+#if LIM_HAS_TREE
+
 void lim_walk_begin(struct lim_walk *walk, const struct lim_scene *scene, const struct lim_eye *eye,
                     struct lim_walk_pending *stack, bool back_to_front)
 {
@@ -16,7 +18,7 @@ void lim_walk_begin(struct lim_walk *walk, const struct lim_scene *scene, const 
     walk->back_to_front = back_to_front;
 }
 
-static uint16_t child(const struct lim_walk *walk, const LIM_FLASH struct lim_node *node, int8_t side, bool first)
+static uint16_t child(const struct lim_walk *walk, const LIM_FLASH struct lim_node *node, int16_t side, bool first)
 {
     const bool eye_in_front = side > 0;
 
@@ -26,7 +28,7 @@ static uint16_t child(const struct lim_walk *walk, const LIM_FLASH struct lim_no
 static bool skipped(const struct lim_walk *walk, const LIM_FLASH struct lim_node *node, const struct lim_cull *cull,
                     struct lim_stats *stats)
 {
-    if (node->box == LIM_NONE) return false;
+    if (!LIM_HAS_CULL || node->box == LIM_NONE) return false;
     if (LIM_HAS_STATS) stats->boxes++;
     if (lim_cull_sees(cull, &walk->scene->boxes[node->box])) return false;
     if (LIM_HAS_STATS) stats->boxes_out++;
@@ -41,7 +43,7 @@ static void enter(struct lim_walk *walk, const struct lim_cull *cull, struct lim
     walk->next = LIM_NONE;
     if (skipped(walk, node, cull, stats)) return;
     if (LIM_HAS_STATS) stats->nodes++;
-    const int8_t side = lim_eye_side(walk->eye, walk->scene, node);
+    const int16_t side = lim_eye_side(walk->eye, walk->scene, node);
     LIM_ASSERT(walk->depth < walk->scene->limits.depth);
     walk->stack[walk->depth++] = (struct lim_walk_pending){index, side};
     walk->next = child(walk, node, side, true);
@@ -71,3 +73,5 @@ uint16_t lim_walk_next(struct lim_walk *walk, const struct lim_cull *cull, struc
         }
     }
 }
+
+#endif

@@ -14,7 +14,7 @@
 /* A node whose near subtree is under way: its own polygons and its far subtree come later. */
 struct lim_walk_pending {
     uint16_t node;
-    int8_t side; /* of the eye */
+    int16_t side; /* of the eye: its sign counts */
 };
 
 struct lim_walk {

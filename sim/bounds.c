@@ -21,6 +21,22 @@ static void bounds_extend(struct bounds *bounds, const int low[3], const int hig
     }
 }
 
+/* A vertex with a fraction lies between two units. */
+static void bounds_add_vertex(const struct encoding *encoding, uint16_t index, struct bounds *bounds)
+{
+    const struct lim_vertex *vertex = &encoding->vertices[index];
+    int low[3] = {vertex->x, vertex->y, vertex->z}, high[3] = {vertex->x, vertex->y, vertex->z};
+    if (encoding->fractions) {
+        const struct lim_fraction *fraction = &encoding->fractions[index];
+        const int rest_q8[3] = {fraction->x_q8, fraction->y_q8, fraction->z_q8};
+        for (int k = 0; k < 3; k++) {
+            low[k] -= rest_q8[k] < 0;
+            high[k] += rest_q8[k] > 0;
+        }
+    }
+    bounds_extend(bounds, low, high);
+}
+
 static void bounds_add_run(const struct encoding *encoding, uint16_t run, struct bounds *bounds)
 {
     if (run == LIM_NONE) return;
@@ -28,9 +44,7 @@ static void bounds_add_run(const struct encoding *encoding, uint16_t run, struct
         const uint16_t count = at[0] & LIM_POLYGON_COUNT;
         next = at + LIM_POLYGON_HEAD_WORDS + count;
         for (const uint16_t *index = at + LIM_POLYGON_HEAD_WORDS; index < next; index++) {
-            const struct lim_vertex *vertex = &encoding->vertices[*index];
-            const int at_units[3] = {vertex->x, vertex->y, vertex->z};
-            bounds_extend(bounds, at_units, at_units);
+            bounds_add_vertex(encoding, *index, bounds);
         }
         bounds->polygons++;
         if (at[0] & LIM_POLYGON_LAST) return;

@@ -8,7 +8,7 @@
 #endif
 
 #define QUOTE(text) #text
-#define PROFILE_NAME(core) (&QUOTE(core)[sizeof "core_" - 1])
+#define CORE_NAME(core) (&QUOTE(core)[sizeof "core_" - 1])
 
 static int init(void *lim, const struct lim_scene *scene, const struct lim_target *target, void *mem, size_t mem_b)
 {
@@ -25,4 +25,35 @@ static const struct lim_stats *stats(const void *lim)
     return lim_stats(lim);
 }
 
-const struct core CORE = {PROFILE_NAME(CORE), sizeof(struct lim), lim_mem_b, init, frame, stats};
+static bool project(void *lim, uint16_t vertex, double at_px[2])
+{
+    struct lim *const state = lim;
+    struct lim_point at;
+
+    if (lim_view_polygon(&state->view, state->scene, &vertex, 1, &at) & LIM_VIEW_GUARD) return false;
+    at_px[0] = (double)at.x / LIM_SUB + LIM_ORIGIN_PX;
+    at_px[1] = (double)at.y / LIM_SUB + LIM_ORIGIN_PX;
+    return true;
+}
+
+static int8_t eye_side(const struct lim_scene *scene, uint16_t node, const int32_t eye_q8[3])
+{
+    struct lim_eye eye;
+
+    lim_eye_set(&eye, eye_q8);
+    const int16_t side = lim_eye_side(&eye, scene, &scene->nodes[node]);
+    return (int8_t)((side > 0) - (side < 0));
+}
+
+const struct core CORE = {.name = CORE_NAME(CORE),
+                          .profile = LIM_PROFILE,
+                          .sub_bits = LIM_SUB_BITS,
+                          .is_profile = LIM_SUB_BITS == LIM_PROFILE_SUB_BITS,
+                          .narrow_px = LIM_NARROW_SIDE_PX,
+                          .lim_b = sizeof(struct lim),
+                          .mem_b = lim_mem_b,
+                          .init = init,
+                          .frame = frame,
+                          .stats = stats,
+                          .project = project,
+                          .eye_side = eye_side};

@@ -8,16 +8,27 @@
 #include "limner.h"
 
 struct core {
-    const char *name;
-    size_t lim_b; /* of the state, struct lim in its own build */
+    const char *name;   /* "fast"; "fast_4" has other sub-pixel bits than its profile's own */
+    uint8_t profile;    /* LIM_PROFILE_... */
+    uint8_t sub_bits;   /* of a pixel */
+    bool is_profile;    /* the profile as firmware has it: one of draft, fast, fine, exact */
+    uint16_t narrow_px; /* up to so many pixels a side a firmware's screen coordinates fit 16 bits */
+    size_t lim_b;       /* of the state, struct lim in its own build */
     size_t (*mem_b)(const struct lim_scene *scene, const struct lim_target *target);
     /* lim_init(), lim_frame() and lim_stats(); `lim` is lim_b bytes of the caller's. */
     int (*init)(void *lim, const struct lim_scene *scene, const struct lim_target *target, void *mem, size_t mem_b);
     int (*frame)(void *lim, const struct lim_camera *camera);
     const struct lim_stats *(*stats)(const void *lim);
+    /* For measurements: where the camera of the last frame puts a vertex, in pixels, the centre of the first
+     * one at 0 (false: it is left to clipping); which side of a node's plane an eye is on, as WALK decides it. */
+    bool (*project)(void *lim, uint16_t vertex, double at_px[2]);
+    int8_t (*eye_side)(const struct lim_scene *scene, uint16_t node, const int32_t eye_q8[3]);
 };
 
-extern const struct core core_fast, core_fine;
+extern const struct core core_draft, core_fast, core_fine, core_exact;
+
+/* All of them, the four profiles first, cheapest first; NULL behind the last. */
+extern const struct core *const cores[];
 
 /* By name, or NULL. */
 const struct core *core_find(const char *name);

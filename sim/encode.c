@@ -7,6 +7,7 @@
 #include "grow.h"
 #include "outline.h"
 
+#include <math.h>
 #include <stdlib.h>
 
 enum { COUNT_MAX = 0xFFFF };
@@ -15,8 +16,10 @@ enum { COUNT_MAX = 0xFFFF };
 struct encoder {
     const struct bsp *bsp;
     struct encoding *out;
-    struct lim_vertex *snapped; /* the exact points, rounded */
-    struct map vertices;        /* coordinates -> index */
+    bool with_fractions;
+    struct grid_point *snapped; /* the exact points, rounded */
+    struct map columns;         /* x and y -> number */
+    struct map vertices;        /* number and z -> index */
     struct map planes;          /* group -> index */
     struct outline outline;     /* the piece at hand */
 };
@@ -35,14 +38,31 @@ static void word_add(struct encoding *out, size_t word)
     out->words[out->word_count++] = (uint16_t)word;
 }
 
-static uint32_t vertex_index(struct encoder *work, struct lim_vertex vertex)
+/* Units to nearest, halves up, and what is left: -128..127. */
+static void vertex_add(struct encoder *work, struct grid_point point)
 {
     struct encoding *out = work->out;
-    uint64_t key = (uint64_t)(uint16_t)vertex.x << 32 | (uint64_t)(uint16_t)vertex.y << 16 | (uint16_t)vertex.z;
-    uint32_t index = *map_at(&work->vertices, key, (uint32_t)out->vertex_count);
-    if (index < out->vertex_count) return index;
+    int units[3], rest_q8[3];
+    for (int k = 0; k < 3; k++) {
+        units[k] = (int)floor(point.q8[k] / 256.0 + 0.5);
+        rest_q8[k] = point.q8[k] - units[k] * 256;
+    }
+    if (work->with_fractions) {
+        out->fractions = grow(out->fractions, out->vertex_count, &out->fraction_capacity, sizeof *out->fractions);
+        out->fractions[out->vertex_count] =
+            (struct lim_fraction){(int8_t)rest_q8[0], (int8_t)rest_q8[1], (int8_t)rest_q8[2]};
+    }
     out->vertices = grow(out->vertices, out->vertex_count, &out->vertex_capacity, sizeof *out->vertices);
-    out->vertices[out->vertex_count++] = vertex;
+    out->vertices[out->vertex_count++] = (struct lim_vertex){(int16_t)units[0], (int16_t)units[1], (int16_t)units[2]};
+}
+
+static uint32_t vertex_index(struct encoder *work, struct grid_point point)
+{
+    const uint64_t mask = 0xFFFFFF; /* 24 bits a coordinate: too many for one key */
+    const uint64_t x = (uint64_t)point.q8[0] & mask, y = (uint64_t)point.q8[1] & mask, z = (uint64_t)point.q8[2] & mask;
+    const uint64_t column = *map_at(&work->columns, x << 24 | y, (uint32_t)work->columns.count);
+    const uint32_t index = *map_at(&work->vertices, column << 24 | z, (uint32_t)work->out->vertex_count);
+    if (index == work->out->vertex_count) vertex_add(work, point);
     return index;
 }
 
@@ -85,7 +105,7 @@ static void outline_add(struct encoder *work, const struct outline *outline, con
 static void outline_turn(struct outline *outline)
 {
     for (size_t i = 0, j = outline->count; i + 1 < j; i++) {
-        struct lim_vertex corner = outline->corners[i];
+        struct grid_point corner = outline->corners[i];
         outline->corners[i] = outline->corners[--j];
         outline->corners[j] = corner;
     }
@@ -239,14 +259,14 @@ static size_t tree_depth(const struct encoding *out)
     return deepest;
 }
 
-bool encode_bsp(const struct bsp *bsp, struct encoding *out, struct error *err)
+bool encode_bsp(const struct bsp *bsp, bool with_fractions, struct encoding *out, struct error *err)
 {
     const struct exact_points *points = bsp->edges.points;
-    struct encoder work = {.bsp = bsp, .out = out};
+    struct encoder work = {.bsp = bsp, .out = out, .with_fractions = with_fractions};
     *out = (struct encoding){0};
     work.snapped = grow_zeroed(points->count, sizeof *work.snapped);
     for (uint32_t i = 0; i < points->count; i++)
-        work.snapped[i] = exact_snap(points, i);
+        work.snapped[i] = exact_snap(points, i, with_fractions ? 8 : 0);
     uint32_t *heirs = find_heirs(&work);
     nodes_encode(&work, heirs);
     bool ok = check_counts(out, err);
@@ -257,6 +277,7 @@ bool encode_bsp(const struct bsp *bsp, struct encoding *out, struct error *err)
     free(heirs);
     free(work.snapped);
     free(work.outline.corners);
+    map_free(&work.columns);
     map_free(&work.vertices);
     map_free(&work.planes);
     return ok;
@@ -265,6 +286,7 @@ bool encode_bsp(const struct bsp *bsp, struct encoding *out, struct error *err)
 void encoding_free(struct encoding *encoding)
 {
     free(encoding->vertices);
+    free(encoding->fractions);
     free(encoding->nodes);
     free(encoding->planes);
     free(encoding->exact);

@@ -120,12 +120,12 @@ int exact_compare(const struct exact_points *points, uint32_t a, uint32_t b, int
     return mpq_cmp(points->at[a][axis], points->at[b][axis]);
 }
 
-/* floor(q + 1/2) = floor((2 num + den) / (2 den)) */
-static long round_half_up(const mpq_t q)
+/* floor(q 2^bits + 1/2) = floor((2^(bits + 1) num + den) / (2 den)) */
+static long round_half_up(const mpq_t q, int bits)
 {
     mpz_t num, den;
     mpz_inits(num, den, NULL);
-    mpz_mul_2exp(num, mpq_numref(q), 1);
+    mpz_mul_2exp(num, mpq_numref(q), (mp_bitcnt_t)bits + 1);
     mpz_add(num, num, mpq_denref(q));
     mpz_mul_2exp(den, mpq_denref(q), 1);
     mpz_fdiv_q(num, num, den);
@@ -134,9 +134,11 @@ static long round_half_up(const mpq_t q)
     return rounded;
 }
 
-struct lim_vertex exact_snap(const struct exact_points *points, uint32_t point)
+struct grid_point exact_snap(const struct exact_points *points, uint32_t point, int fraction_bits)
 {
-    mpq_t *at = points->at[point];
-    return (struct lim_vertex){(int16_t)round_half_up(at[0]), (int16_t)round_half_up(at[1]),
-                               (int16_t)round_half_up(at[2])};
+    const int32_t step_q8 = 256 >> fraction_bits;
+    struct grid_point snapped;
+    for (int k = 0; k < 3; k++)
+        snapped.q8[k] = (int32_t)round_half_up(points->at[point][k], fraction_bits) * step_q8;
+    return snapped;
 }

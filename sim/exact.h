@@ -11,6 +11,11 @@
 
 #include <gmp.h>
 
+/* Units with 8 fraction bits, on the grid or between its points: |q8| <= 32767.5 * 256. */
+struct grid_point {
+    int32_t q8[3];
+};
+
 struct exact_points {
     mpq_t (*at)[3];
     double (*approx)[3]; /* at, truncated: a relative error of at most 2^-52 */
@@ -35,7 +40,7 @@ int exact_side(const struct exact_points *points, uint32_t point, const struct p
 /* The order of two points along an axis, exact: negative, 0, positive. */
 int exact_compare(const struct exact_points *points, uint32_t a, uint32_t b, int axis);
 
-/* The nearest grid point; halves round up. */
-struct lim_vertex exact_snap(const struct exact_points *points, uint32_t point);
+/* The nearest point whose coordinates have fraction_bits bits, 0..8; halves round up. */
+struct grid_point exact_snap(const struct exact_points *points, uint32_t point, int fraction_bits);
 
 #endif

@@ -67,7 +67,9 @@ static bool check_header(const struct lim_file_header *header, const char *path,
     if (header->version != LIM_FILE_VERSION)
         return error_set(err, "%s: version %lu; this program reads version %d, compile the model again", path,
                          (unsigned long)header->version, LIM_FILE_VERSION);
-    if (header->header_b != sizeof *header || header->file_b != lim_image_section_b(header, SECTION_COUNT))
+    const uint16_t fractions = header->counts[SECTION_FRACTIONS];
+    if (header->header_b != sizeof *header || header->file_b != lim_image_section_b(header, SECTION_COUNT) ||
+        (fractions && fractions != header->counts[SECTION_VERTICES]))
         return error_set(err, "%s: damaged: the header contradicts itself", path);
     return true;
 }

@@ -18,8 +18,9 @@ static_assert(sizeof(struct lim_file_header) == 88, "header");
 static_assert(offsetof(struct lim_file_header, crc32) + 4 == LIM_FILE_CRC_FROM_B, "header");
 static_assert(offsetof(struct lim_file_header, units_per_m) == 24, "header");
 static_assert(offsetof(struct lim_file_header, counts) == 56, "header");
-static_assert(offsetof(struct lim_file_header, limits) == 72, "header");
+static_assert(offsetof(struct lim_file_header, limits) == 74, "header");
 static_assert(sizeof(struct lim_vertex) == 6, "vertex");
+static_assert(sizeof(struct lim_fraction) == 3, "fraction");
 static_assert(sizeof(struct lim_node) == 14, "node");
 static_assert(offsetof(struct lim_node, box) == 12, "node");
 static_assert(sizeof(struct lim_plane) == 12, "plane");
@@ -41,14 +42,15 @@ static const struct {
     [SECTION_BOXES] = {sizeof(struct lim_box), "2"},
     [SECTION_POLYGONS] = {sizeof(uint16_t), "2"},
     [SECTION_FACES] = {sizeof(uint32_t), "4"},
+    [SECTION_FRACTIONS] = {sizeof(struct lim_fraction), "1"},
 };
 static const char HEADER_FIELDS[] = "11111111"
                                     "4444"
                                     "8888"
-                                    "2222222"
+                                    "22222222"
                                     "2"
                                     "22222"
-                                    "222";
+                                    "22";
 
 static size_t align_b(size_t size_b)
 {
@@ -83,6 +85,7 @@ void lim_image_bind(void *image, struct compiled *scene)
         .exact = section_at(image, SECTION_EXACT),
         .boxes = section_at(image, SECTION_BOXES),
         .polygons = section_at(image, SECTION_POLYGONS),
+        .fractions = header->counts[SECTION_FRACTIONS] ? section_at(image, SECTION_FRACTIONS) : NULL,
         .vertex_count = header->counts[SECTION_VERTICES],
         .node_count = header->counts[SECTION_NODES],
         .plane_count = header->counts[SECTION_PLANES],
@@ -99,7 +102,7 @@ static struct lim_file_header header_of(const struct encoding *encoding, const s
 {
     const size_t counts[SECTION_COUNT] = {encoding->vertex_count, encoding->node_count, encoding->plane_count,
                                           encoding->exact_count,  encoding->box_count,  encoding->word_count,
-                                          encoding->record_count};
+                                          encoding->record_count, encoding->fractions ? encoding->vertex_count : 0};
     const struct lim_limits limits = {.depth = (uint16_t)encoding->depth, .vertices = (uint16_t)encoding->widest};
     struct lim_file_header header = {.version = LIM_FILE_VERSION, .header_b = sizeof header};
     memcpy(header.magic, lim_file_magic, sizeof header.magic);
@@ -116,7 +119,7 @@ void lim_image_make(const struct encoding *encoding, const struct grid *grid, st
 {
     const struct lim_file_header header = header_of(encoding, grid);
     const void *sections[SECTION_COUNT] = {encoding->vertices, encoding->nodes, encoding->planes, encoding->exact,
-                                           encoding->boxes,    encoding->words, encoding->faces};
+                                           encoding->boxes,    encoding->words, encoding->faces,  encoding->fractions};
     unsigned char *image = grow_zeroed(header.file_b, 1);
     memcpy(image, &header, sizeof header);
     for (int i = 0; i < SECTION_COUNT; i++)

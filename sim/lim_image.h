@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * The bytes of a .lim file, as firmware/SCENE.md specifies them: a header and seven sections with
+ * The bytes of a .lim file, as firmware/SCENE.md specifies them: a header and eight sections with
  * the structs of scene.h, little-endian. In memory an image has the host's byte order, so that a
  * struct lim_scene can point into it. */
 #ifndef SIM_LIM_IMAGE_H
@@ -8,7 +8,7 @@
 
 #include "compiled.h"
 
-enum { LIM_FILE_VERSION = 1, LIM_FILE_ALIGN_B = 8, LIM_FILE_MAGIC_B = 8 };
+enum { LIM_FILE_VERSION = 2, LIM_FILE_ALIGN_B = 8, LIM_FILE_MAGIC_B = 8 };
 
 extern const unsigned char lim_file_magic[LIM_FILE_MAGIC_B];
 
@@ -21,6 +21,7 @@ enum lim_section {
     SECTION_BOXES,
     SECTION_POLYGONS,
     SECTION_FACES,
+    SECTION_FRACTIONS,
     SECTION_COUNT
 };
 
@@ -35,7 +36,7 @@ struct lim_file_header {
     uint16_t counts[SECTION_COUNT]; /* elements in each section */
     uint16_t background;            /* RGB565 as a number */
     uint16_t limits[5];             /* the fields of struct lim_limits in their order */
-    uint16_t zero[3];
+    uint16_t zero[2];
 };
 
 enum { LIM_FILE_CRC_FROM_B = 24 }; /* the first byte that crc32 covers */

@@ -9,12 +9,12 @@
 
 #include <math.h>
 
-static bool same(struct lim_vertex a, struct lim_vertex b)
+static bool same(struct grid_point a, struct grid_point b)
 {
-    return a.x == b.x && a.y == b.y && a.z == b.z;
+    return a.q8[0] == b.q8[0] && a.q8[1] == b.q8[1] && a.q8[2] == b.q8[2];
 }
 
-static void outline_add(struct outline *outline, struct lim_vertex corner)
+static void outline_add(struct outline *outline, struct grid_point corner)
 {
     if (outline->count && same(outline->corners[outline->count - 1], corner)) return;
     outline->corners = grow(outline->corners, outline->count, &outline->capacity, sizeof *outline->corners);
@@ -29,7 +29,7 @@ static bool has_three_corners(const struct outline *outline)
     return false;
 }
 
-void outline_trace(const struct bsp *bsp, const struct bsp_piece *piece, const struct lim_vertex *snapped,
+void outline_trace(const struct bsp *bsp, const struct bsp_piece *piece, const struct grid_point *snapped,
                    struct outline *outline)
 {
     const struct bsp_corner *corners = &bsp->corners[piece->first];
@@ -50,11 +50,15 @@ void outline_trace(const struct bsp *bsp, const struct bsp_piece *piece, const s
 static double area_square(const struct outline *outline, size_t from, size_t count)
 {
     double sum[3] = {0.0, 0.0, 0.0};
-    struct lim_vertex o = outline->corners[from % outline->count];
+    struct grid_point o = outline->corners[from % outline->count];
     for (size_t i = 1; i + 1 < count; i++) {
-        struct lim_vertex p = outline->corners[(from + i) % outline->count];
-        struct lim_vertex q = outline->corners[(from + i + 1) % outline->count];
-        const double a[3] = {p.x - o.x, p.y - o.y, p.z - o.z}, b[3] = {q.x - o.x, q.y - o.y, q.z - o.z};
+        struct grid_point p = outline->corners[(from + i) % outline->count];
+        struct grid_point q = outline->corners[(from + i + 1) % outline->count];
+        double a[3], b[3];
+        for (int k = 0; k < 3; k++) {
+            a[k] = p.q8[k] - o.q8[k];
+            b[k] = q.q8[k] - o.q8[k];
+        }
         for (int k = 0; k < 3; k++)
             sum[k] += a[(k + 1) % 3] * b[(k + 2) % 3] - a[(k + 2) % 3] * b[(k + 1) % 3];
     }

@@ -8,12 +8,12 @@
 #include "bsp.h"
 
 struct outline {
-    struct lim_vertex *corners;
+    struct grid_point *corners;
     size_t count, capacity; /* count 0: rounding left fewer than three different corners */
 };
 
 /* Replaces what is in *outline. `snapped` are the exact points, rounded. */
-void outline_trace(const struct bsp *bsp, const struct bsp_piece *piece, const struct lim_vertex *snapped,
+void outline_trace(const struct bsp *bsp, const struct bsp_piece *piece, const struct grid_point *snapped,
                    struct outline *outline);
 
 /* The best chord to halve an outline of more than 3 corners by: from corner *from to corner

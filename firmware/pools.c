@@ -1,0 +1,93 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * The memory of the nearest-first order: lines and cache as they must be, pools between the least and
+ * what the scene's limits ask for. */
+#include "order.h"
+
+#include "clip.h"
+
+#if LIM_HAS_NEAREST
+
+struct shares {
+    uint16_t active, retained_cells, gaps;
+};
+
+/* One polygon, one gap: what a band of one pixel needs. */
+static struct shares least_shares(const struct lim_scene *scene)
+{
+    return (struct shares){1, (uint16_t)(LIM_RETAINED_HEAD_CELLS + scene->limits.vertices + CLIP_PLANES), 1};
+}
+
+static uint16_t greater(uint16_t a, uint16_t b)
+{
+    return a > b ? a : b;
+}
+
+static struct shares comfortable_shares(const struct lim_scene *scene)
+{
+    const struct shares least = least_shares(scene);
+    const struct lim_limits *limits = &scene->limits;
+
+    return (struct shares){greater(limits->active, least.active), greater(limits->retained_cells, least.retained_cells),
+                           greater(limits->gaps, least.gaps)};
+}
+
+static size_t total_b(const struct lim_scene *scene, const struct lim_target *target, struct shares shares)
+{
+    return LIM_MEM_B(target->h_px, scene->limits.depth, shares.retained_cells, shares.gaps, shares.active);
+}
+
+size_t lim_nearest_mem_b(const struct lim_scene *scene, const struct lim_target *target, bool least)
+{
+    return total_b(scene, target, least ? least_shares(scene) : comfortable_shares(scene));
+}
+
+/* from + (to - from) * part; part < 1. */
+static uint16_t between(uint16_t from, uint16_t to, uint16_t part_q8)
+{
+    return (uint16_t)(from + (((uint32_t)(to - from) * part_q8) >> 8));
+}
+
+/* Scales the comfortable shares down to what there is; never below the least. The pools together are
+ * below 2^24 bytes. */
+static struct shares divide(const struct lim_scene *scene, const struct lim_target *target, size_t mem_b)
+{
+    const struct shares least = least_shares(scene), wanted = comfortable_shares(scene);
+    const size_t least_b = total_b(scene, target, least), wanted_b = total_b(scene, target, wanted);
+
+    if (mem_b >= wanted_b) return wanted;
+    const uint16_t part_q8 = (uint16_t)(((uint32_t)(mem_b - least_b) << 8) / (uint32_t)(wanted_b - least_b));
+    return (struct shares){between(least.active, wanted.active, part_q8),
+                           between(least.retained_cells, wanted.retained_cells, part_q8),
+                           between(least.gaps, wanted.gaps, part_q8)};
+}
+
+static void *cut(uint8_t **mem, size_t size_b)
+{
+    void *piece = *mem;
+
+    *mem += size_b;
+    return piece;
+}
+
+/* Widest alignment first. */
+void lim_nearest_init(struct lim *lim, void *mem, size_t mem_b)
+{
+    const struct shares shares = divide(lim->scene, &lim->target, mem_b);
+    uint8_t *at = mem;
+
+    lim->paint.target = &lim->target;
+    lim->paint.background = lim_memory_colour(lim->scene->background);
+    lim->paint.pool = cut(&at, shares.active * sizeof(struct lim_active));
+    lim->paint.pool_size = shares.active;
+    lim->retained.cells = cut(&at, shares.retained_cells * sizeof(union lim_retained_cell));
+    lim->retained.size = shares.retained_cells;
+    struct lim_view_cached *cache = cut(&at, LIM_VIEW_CACHE_ENTRIES * sizeof(struct lim_view_cached));
+    lim->spans.lines = cut(&at, lim->target.h_px * sizeof(struct lim_line));
+    lim->spans.pool = cut(&at, shares.gaps * sizeof(struct lim_gap));
+    lim->spans.pool_size = shares.gaps;
+    lim->stack = cut(&at, lim->scene->limits.depth * sizeof(struct lim_walk_pending));
+    lim_view_init(&lim->view, lim->target.w_px, lim->target.h_px, cache);
+}
+
+#endif

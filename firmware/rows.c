@@ -1,0 +1,197 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Which scale? View space holds 2^31, so the farther the scene's far end, the shorter the rows: scale times
+ * distance stays below that. x / z does not mind the scale, but the rounding of the entries does, in a
+ * way that is as good as random; so the best of some scales next to the largest is taken. */
+#include "rows.h"
+
+#include "eye.h"
+#include "orientation.h"
+#include "perspective.h"
+
+/* With limbs a bit is left unused, so that the projection need not look for it. */
+#define VIEW_LIMIT_QV ((UINT32_C(1) << (LIM_HAS_LIMBS ? 30 : 31)) - (UINT32_C(1) << 18))
+
+enum { SCALE_MAX = 32767, SCALES = LIM_HAS_LIMBS ? 1 : 32 };
+
+/* The matrix before rounding, and the box that holds the scene. */
+struct lens {
+    int32_t entries_q30[3][3]; /* rows of length <= 1 */
+    int32_t low_q8[3], high_q8[3];
+    const int32_t *eye_q8;
+};
+
+static bool in_range(const struct lim_camera *camera)
+{
+    for (uint8_t i = 0; i < 3; i++) {
+        if (camera->eye_q8[i] <= -LIM_EYE_MAX_Q8 || camera->eye_q8[i] >= LIM_EYE_MAX_Q8) return false;
+    }
+    return camera->tan_x_q28 >= LIM_TAN_MIN_Q28 && camera->tan_x_q28 <= LIM_TAN_MAX_Q28 &&
+           camera->tan_y_q28 >= LIM_TAN_MIN_Q28 && camera->tan_y_q28 <= LIM_TAN_MAX_Q28 && camera->near_q8 >= 1 &&
+           camera->near_q8 <= LIM_NEAR_MAX_Q8;
+}
+
+/* min(tan_x, tan_y, 1): the longest row has length 1, and the one of z this length. */
+static uint32_t zoom_q28_of(const struct lim_camera *camera)
+{
+    uint32_t zoom_q28 = UINT32_C(1) << 28;
+
+    if (camera->tan_x_q28 < zoom_q28) zoom_q28 = camera->tan_x_q28;
+    if (camera->tan_y_q28 < zoom_q28) zoom_q28 = camera->tan_y_q28;
+    return zoom_q28;
+}
+
+/* floor(a 2^30 / b) for a <= b < 2^31, bit by bit: a 64-bit division would be 700 bytes of library. */
+static uint32_t quotient_q30(uint32_t a, uint32_t b)
+{
+    uint32_t ratio_q30 = a == b, rest = a == b ? 0 : a;
+
+    for (uint8_t i = 0; i < 30; i++) {
+        rest <<= 1;
+        ratio_q30 <<= 1;
+        if (rest < b) continue;
+        rest -= b;
+        ratio_q30++;
+    }
+    return ratio_q30;
+}
+
+static void scale_axis(int32_t row_q30[3], const int32_t axis_q30[3], uint32_t scale_q30)
+{
+    for (uint8_t i = 0; i < 3; i++)
+        row_q30[i] = mul_q30(axis_q30[i], (int32_t)scale_q30);
+}
+
+static void set_entries(struct lens *lens, const struct lim_camera *camera, uint32_t zoom_q28, uint8_t tele_bits)
+{
+    struct lim_orientation look;
+
+    lim_orientation_set(&look, camera);
+    scale_axis(lens->entries_q30[0], look.right_q30, quotient_q30(zoom_q28, camera->tan_x_q28));
+    scale_axis(lens->entries_q30[1], look.down_q30, quotient_q30(zoom_q28, camera->tan_y_q28));
+    scale_axis(lens->entries_q30[2], look.ahead_q30, zoom_q28 << 2 << tele_bits);
+}
+
+/* The root's box; a scene too small to have one gets the whole grid. */
+static void set_box(struct lens *lens, const struct lim_scene *scene)
+{
+    const bool boxed = scene->node_count && scene->nodes[0].box != LIM_NONE;
+
+    for (uint8_t i = 0; i < 3; i++) {
+        const int32_t centre = boxed ? scene->boxes[scene->nodes[0].box].centre[i] : 0;
+        const int32_t half = boxed ? (int32_t)scene->boxes[scene->nodes[0].box].half[i] : 32768;
+        lens->low_q8[i] = (centre - half) * 256;
+        lens->high_q8[i] = (centre + half) * 256;
+    }
+}
+
+/* Not below the distance of the box's farthest corner. For a >= b >= c >= 0 the length of (a, b, c) is at
+ * most a + (sqrt(2) - 1) b + (sqrt(3) - sqrt(2)) c: lengths are convex, and the two agree along the edges
+ * (1, 0, 0), (1, 1, 0) and (1, 1, 1) of that wedge. 107/256 and 82/256 are a little more. */
+static uint32_t far_units_of(const struct lens *lens)
+{
+    uint32_t side[3];
+
+    for (uint8_t i = 0; i < 3; i++) {
+        const int32_t below_q8 = lens->eye_q8[i] - lens->low_q8[i], above_q8 = lens->high_q8[i] - lens->eye_q8[i];
+        side[i] = (uint32_t)((below_q8 > above_q8 ? below_q8 : above_q8) >> 8) + 1;
+        for (uint8_t k = i; k > 0 && side[k] > side[k - 1]; k--) {
+            const uint32_t smaller = side[k - 1];
+            side[k - 1] = side[k];
+            side[k] = smaller;
+        }
+    }
+    return side[0] + (side[1] * 107 + side[2] * 82) / 256 + 1;
+}
+
+/* How far rounding moves the entries at this scale: the sum of squares, in units of 2^-26. An entry counts
+ * as much as it moves a vertex on the screen; the row of z was made 2^tele_bits times as long. */
+static uint32_t rounding_at(const struct lens *lens, uint32_t scale, uint8_t tele_bits)
+{
+    uint32_t sum_q26 = 0;
+
+    for (uint8_t row = 0; row < 3; row++) {
+        const uint8_t dropped = (uint8_t)(19 + (row == 2 ? tele_bits : 0));
+        for (uint8_t i = 0; i < 3; i++) {
+            const uint32_t rest_q32 = (uint32_t)lens->entries_q30[row][i] * scale * 4; /* entry * scale, modulo 1 */
+            const int32_t rest_q13 = (int32_t)rest_q32 >> dropped;
+            sum_q26 += (uint32_t)(rest_q13 * rest_q13);
+        }
+    }
+    return sum_q26;
+}
+
+static uint32_t choose_scale(const struct lens *lens, uint32_t far_units, uint8_t tele_bits)
+{
+    const uint32_t most = VIEW_LIMIT_QV / far_units < SCALE_MAX ? VIEW_LIMIT_QV / far_units : SCALE_MAX;
+    uint32_t best = most, least_rounding = UINT32_MAX;
+
+    if (SCALES == 1) return most;
+    for (uint32_t scale = most; scale > most - SCALES; scale--) {
+        const uint32_t rounding = rounding_at(lens, scale, tele_bits);
+        if (rounding >= least_rounding) continue;
+        least_rounding = rounding;
+        best = scale;
+    }
+    return best;
+}
+
+/* The point of the box that is nearest to the eye. */
+static int32_t anchor_q8_of(const struct lens *lens, uint8_t i)
+{
+    const int32_t eye_q8 = lens->eye_q8[i];
+
+    return eye_q8 < lens->low_q8[i] ? lens->low_q8[i] : eye_q8 > lens->high_q8[i] ? lens->high_q8[i] : eye_q8;
+}
+
+/* The entries n are a little off from the true row N. N (v - eye) is taken as n (v - anchor) + N (anchor -
+ * eye): the error is (n - N) (v - anchor), which vanishes towards the vertices nearest to the eye. */
+static void set_row(struct lim_row *row, const struct lens *lens, const int32_t entries_q30[3], uint32_t scale)
+{
+    int64_t inside_qv8 = 0, inside_qv23 = 0, outside_q38 = 0;
+
+    for (uint8_t i = 0; i < 3; i++) {
+        const int32_t anchor_q8 = anchor_q8_of(lens, i);
+        const int64_t entry_qv30 = (int64_t)entries_q30[i] * scale;
+        row->n_qv[i] = (int16_t)shift_round_s64(entry_qv30, 30);
+        inside_qv8 -= (int64_t)row->n_qv[i] * anchor_q8;
+#if LIM_HAS_LIMBS
+        row->low_qv15[i] = (int16_t)shift_round_s64(entry_qv30 - row->n_qv[i] * (INT64_C(1) << 30), 15);
+        inside_qv23 -= (int64_t)row->low_qv15[i] * anchor_q8;
+#endif
+#if LIM_HAS_LIMBS && LIM_LONG_MULTIPLY
+        row->n_qv16[i] = ((int32_t)row->n_qv[i] * (INT32_C(1) << 15) + (int32_t)row->low_qv15[i]) * 2;
+#endif
+        outside_q38 += (int64_t)entries_q30[i] * (anchor_q8 - lens->eye_q8[i]);
+    }
+    const int64_t outside_qv23 = shift_round_s64(outside_q38, 15) * scale;
+    row->shift_qv = (int32_t)shift_round_s64(inside_qv8 + shift_round_s64(inside_qv23 + outside_qv23, 15), 8);
+}
+
+/* z must have some bits to divide by: camera.h says what that is in units. */
+static int32_t near_qv_of(const struct lim_camera *camera, uint32_t zoom_q28, uint32_t scale)
+{
+    const uint64_t near_q24 = ((uint64_t)(uint32_t)camera->near_q8 * zoom_q28) >> 12;
+    const uint64_t near_qv = (near_q24 * scale + (UINT32_C(1) << 23)) >> 24;
+
+    if (near_qv < PERSPECTIVE_Z_MIN_QV) return PERSPECTIVE_Z_MIN_QV;
+    return near_qv > UINT32_C(1) << 29 ? INT32_C(1) << 29 : (int32_t)near_qv;
+}
+
+bool lim_rows_set(struct lim_rows *rows, const struct lim_scene *scene, const struct lim_camera *camera)
+{
+    struct lens lens = {.eye_q8 = camera->eye_q8};
+
+    if (!in_range(camera)) return false;
+    const uint32_t zoom_q28 = zoom_q28_of(camera);
+    rows->tele_bits = LIM_HAS_LIMBS ? 0 : (uint8_t)(clz_u32(zoom_q28 - 1) - 4); /* limbs have the bits anyway */
+    set_entries(&lens, camera, zoom_q28, rows->tele_bits);
+    set_box(&lens, scene);
+    rows->far_units = far_units_of(&lens);
+    const uint32_t scale = choose_scale(&lens, rows->far_units, rows->tele_bits);
+    for (uint8_t i = 0; i < 3; i++)
+        set_row(&rows->row[i], &lens, lens.entries_q30[i], scale);
+    rows->row[2].shift_qv += (1 << rows->tele_bits) >> 1; /* rounds what lim_view_transform() shifts */
+    rows->near_qv = near_qv_of(camera, zoom_q28, scale);
+    return true;
+}
