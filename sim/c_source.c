@@ -1,74 +1,14 @@
 /* SPDX-License-Identifier: MIT
  *
- * A scene as C: const arrays for flash in NAME.c; in NAME.h its limits as configuration (config.h
- * includes that file through LIM_CONFIG, before any type is known), its grid, its declaration. */
+ * A scene as C: const arrays for flash in NAME.c. */
+#include "c_name.h"
 #include "scene_files.h"
 
-#include <ctype.h>
 #include <stdio.h>
-#include <string.h>
 
-enum { NAME_MAX_B = 64, PATH_MAX_B = 1024, NUMBERS_A_LINE = 16 };
+enum { NUMBERS_A_LINE = 16 };
 
-/* What prefixes the symbols and the macros of a scene. */
-struct prefix {
-    const char *file;        /* last part of the path */
-    char symbol[NAME_MAX_B]; /* "hall" */
-    char macro[NAME_MAX_B];  /* "HALL" */
-};
-
-/* The name of the file with every other character turned into '_', and a letter in front. */
-static bool prefix_init(struct prefix *prefix, const char *name, struct error *err)
-{
-    const char *slash = strrchr(name, '/');
-    prefix->file = slash ? slash + 1 : name;
-    size_t length = strlen(prefix->file);
-    if (length == 0) return error_set(err, "-o '%s': names a folder, not a scene", name);
-    bool has_letter = isalpha((unsigned char)prefix->file[0]) != 0;
-    int printed = snprintf(prefix->symbol, NAME_MAX_B, "%s%s", has_letter ? "" : "scene_", prefix->file);
-    if (printed >= NAME_MAX_B) return error_set(err, "-o '%s': the name is too long for C symbols", name);
-    for (size_t i = 0; i <= strlen(prefix->symbol); i++) {
-        unsigned char letter = (unsigned char)prefix->symbol[i];
-        if (letter && (letter > 0x7F || !isalnum(letter))) prefix->symbol[i] = '_';
-        prefix->macro[i] = (char)toupper((unsigned char)prefix->symbol[i]);
-    }
-    return true;
-}
-
-/* NAME.h ------------------------------------------------------------------------------------- */
-
-static void write_header(FILE *file, const struct compiled *scene, const struct prefix *prefix)
-{
-    const char *macro = prefix->macro;
-    fprintf(file, "/* A scene for Limner, written by `limner compile`: %u polygons, %.6g units per metre.\n",
-            (unsigned)scene->scene.polygon_count, scene->grid.units_per_m);
-    fprintf(file, " * Build with -DLIM_CONFIG='\"%s.h\"' to fit the renderer to this scene. */\n", prefix->file);
-    fprintf(file, "#ifndef %s_SCENE_H\n#define %s_SCENE_H\n\n", macro, macro);
-    fprintf(file, "#ifndef LIM_MAX_VERTICES\n#define LIM_MAX_VERTICES %u\n#endif\n\n",
-            (unsigned)scene->scene.limits.vertices);
-    const unsigned side_px = scene->report.w_px > scene->report.h_px ? scene->report.w_px : scene->report.h_px;
-    if (side_px)
-        fprintf(file,
-                "/* The longest side of the panel that the memory below is for. */\n"
-                "#ifndef LIM_MAX_SIDE_PX\n#define LIM_MAX_SIDE_PX %u\n#endif\n\n",
-                side_px < 8 ? 8 : side_px);
-    if (scene->report.core)
-        fprintf(file, "#ifndef LIM_PROFILE\n#define LIM_PROFILE LIM_PROFILE_%s\n#endif\n\n",
-                scene->report.core == &core_fine ? "FINE" : "FAST");
-    fprintf(file, "/* unit = (metre - origin) * units per metre */\n");
-    fprintf(file, "#define %s_UNITS_PER_M %.17g\n", macro, scene->grid.units_per_m);
-    for (int i = 0; i < 3; i++)
-        fprintf(file, "#define %s_ORIGIN_%c_M %.17g\n", macro, "XYZ"[i], scene -> grid.origin_m[i]);
-    const struct lim_limits *limits = &scene->scene.limits;
-    fprintf(file, "\n/* Bytes for lim_init() on a target of h_px lines; limner.h has the rest of the expression. */\n");
-    fprintf(file, "#define %s_SCENE_MEM_B(h_px) LIM_MEM_B(h_px, %u, %u, %u, %u)\n", macro, (unsigned)limits->depth,
-            (unsigned)limits->retained_cells, (unsigned)limits->gaps, (unsigned)limits->active);
-    fprintf(file, "\nstruct lim_scene;\nextern const struct lim_scene %s_scene;\n\n#endif\n", prefix->symbol);
-}
-
-/* NAME.c ------------------------------------------------------------------------------------- */
-
-static void begin_array(FILE *file, const struct prefix *prefix, const char *type, const char *name, unsigned count)
+static void begin_array(FILE *file, const struct c_name *prefix, const char *type, const char *name, unsigned count)
 {
     fprintf(file, "\nstatic const LIM_FLASH %s %s_%s[%u] = {", type, prefix->symbol, name, count);
 }
@@ -78,7 +18,7 @@ static void end_array(FILE *file)
     fputs("\n};\n", file);
 }
 
-static void write_vertices(FILE *file, const struct lim_scene *scene, const struct prefix *prefix)
+static void write_vertices(FILE *file, const struct lim_scene *scene, const struct c_name *prefix)
 {
     begin_array(file, prefix, "struct lim_vertex", "vertices", scene->vertex_count);
     for (size_t i = 0; i < scene->vertex_count; i++) {
@@ -88,7 +28,17 @@ static void write_vertices(FILE *file, const struct lim_scene *scene, const stru
     end_array(file);
 }
 
-static void write_nodes(FILE *file, const struct lim_scene *scene, const struct prefix *prefix)
+static void write_fractions(FILE *file, const struct lim_scene *scene, const struct c_name *prefix)
+{
+    begin_array(file, prefix, "struct lim_fraction", "fractions", scene->vertex_count);
+    for (size_t i = 0; i < scene->vertex_count; i++) {
+        const struct lim_fraction *fraction = &scene->fractions[i];
+        fprintf(file, "%s{%d, %d, %d},", i % 4 ? " " : "\n    ", fraction->x_q8, fraction->y_q8, fraction->z_q8);
+    }
+    end_array(file);
+}
+
+static void write_nodes(FILE *file, const struct lim_scene *scene, const struct c_name *prefix)
 {
     begin_array(file, prefix, "struct lim_node", "nodes", scene->node_count);
     for (size_t i = 0; i < scene->node_count; i++) {
@@ -100,7 +50,7 @@ static void write_nodes(FILE *file, const struct lim_scene *scene, const struct 
     end_array(file);
 }
 
-static void write_planes(FILE *file, const struct lim_scene *scene, const struct prefix *prefix)
+static void write_planes(FILE *file, const struct lim_scene *scene, const struct c_name *prefix)
 {
     begin_array(file, prefix, "struct lim_plane", "planes", scene->plane_count);
     for (size_t i = 0; i < scene->plane_count; i++) {
@@ -111,7 +61,7 @@ static void write_planes(FILE *file, const struct lim_scene *scene, const struct
     end_array(file);
 }
 
-static void write_exact(FILE *file, const struct lim_scene *scene, const struct prefix *prefix)
+static void write_exact(FILE *file, const struct lim_scene *scene, const struct c_name *prefix)
 {
     begin_array(file, prefix, "struct lim_plane_exact", "exact", scene->exact_count);
     for (size_t i = 0; i < scene->exact_count; i++) {
@@ -122,7 +72,7 @@ static void write_exact(FILE *file, const struct lim_scene *scene, const struct 
     end_array(file);
 }
 
-static void write_boxes(FILE *file, const struct lim_scene *scene, const struct prefix *prefix)
+static void write_boxes(FILE *file, const struct lim_scene *scene, const struct c_name *prefix)
 {
     begin_array(file, prefix, "struct lim_box", "boxes", scene->box_count);
     for (size_t i = 0; i < scene->box_count; i++) {
@@ -133,7 +83,7 @@ static void write_boxes(FILE *file, const struct lim_scene *scene, const struct 
     end_array(file);
 }
 
-static void write_polygons(FILE *file, const struct lim_scene *scene, const struct prefix *prefix)
+static void write_polygons(FILE *file, const struct lim_scene *scene, const struct c_name *prefix)
 {
     begin_array(file, prefix, "uint16_t", "polygons", scene->polygon_words);
     for (size_t i = 0; i < scene->polygon_words; i++)
@@ -142,12 +92,12 @@ static void write_polygons(FILE *file, const struct lim_scene *scene, const stru
 }
 
 /* C has no arrays of no elements: what is empty is left out, here and where it is written. */
-static void write_pointer(FILE *file, const struct prefix *prefix, const char *field, unsigned count)
+static void write_pointer(FILE *file, const struct c_name *prefix, const char *field, unsigned count)
 {
     if (count) fprintf(file, "    .%s = %s_%s,\n", field, prefix->symbol, field);
 }
 
-static void write_scene(FILE *file, const struct lim_scene *scene, const struct prefix *prefix)
+static void write_scene(FILE *file, const struct lim_scene *scene, const struct c_name *prefix)
 {
     const struct lim_limits *limits = &scene->limits;
     fprintf(file, "\nconst struct lim_scene %s_scene = {\n", prefix->symbol);
@@ -157,6 +107,7 @@ static void write_scene(FILE *file, const struct lim_scene *scene, const struct 
     write_pointer(file, prefix, "exact", scene->exact_count);
     write_pointer(file, prefix, "boxes", scene->box_count);
     write_pointer(file, prefix, "polygons", scene->polygon_words);
+    write_pointer(file, prefix, "fractions", scene->fractions ? scene->vertex_count : 0);
     fprintf(file, "    .vertex_count = %u,\n    .node_count = %u,\n    .plane_count = %u,\n    .exact_count = %u,\n",
             (unsigned)scene->vertex_count, (unsigned)scene->node_count, (unsigned)scene->plane_count,
             (unsigned)scene->exact_count);
@@ -168,13 +119,16 @@ static void write_scene(FILE *file, const struct lim_scene *scene, const struct 
             (unsigned)limits->gaps, (unsigned)limits->active);
 }
 
-static void write_source(FILE *file, const struct compiled *scene, const struct prefix *prefix)
+static void write_source(FILE *file, const struct compiled *scene, const struct c_name *prefix,
+                         const struct c_name *header)
 {
     const struct lim_scene *arrays = &scene->scene;
-    fprintf(file, "/* The arrays of %s.h, written by `limner compile`. */\n", prefix->file);
-    fprintf(file, "#include \"scene.h\"\n\n#include \"%s.h\"\n\n", prefix->file);
+    fprintf(file, "/* The arrays of %s, declared in %s.h; written by `limner compile`. */\n", prefix->file,
+            header->file);
+    fprintf(file, "#include \"scene.h\"\n\n#include \"%s.h\"\n\n", header->file);
     fprintf(file, "_Static_assert(LIM_SCENE_VERSION == %d, \"compile this scene again\");\n", LIM_SCENE_VERSION);
     write_vertices(file, arrays, prefix);
+    if (arrays->fractions) write_fractions(file, arrays, prefix);
     write_nodes(file, arrays, prefix);
     if (arrays->plane_count) write_planes(file, arrays, prefix);
     if (arrays->exact_count) write_exact(file, arrays, prefix);
@@ -185,30 +139,25 @@ static void write_source(FILE *file, const struct compiled *scene, const struct 
 
 /* Files -------------------------------------------------------------------------------------- */
 
-static bool put_file(const struct compiled *scene, const char *name, const char *suffix, struct outputs *outputs,
-                     void (*write)(FILE *, const struct compiled *, const struct prefix *), struct error *err)
+bool c_source_put(const struct named_scene *scene, const char *header, struct outputs *outputs, struct error *err)
 {
-    struct prefix prefix;
-    char path[PATH_MAX_B];
-    if (snprintf(path, sizeof path, "%s%s", name, suffix) >= (int)sizeof path)
-        return error_set(err, "-o '%.64s...': the path is too long", name);
-    if (!prefix_init(&prefix, name, err)) return false;
+    char path[C_PATH_MAX_B];
+    struct c_name name, header_name;
+    if (!c_path(path, scene->name, ".c", err) || !c_name_init(&name, scene->name, err) ||
+        !c_name_init(&header_name, header, err))
+        return false;
     FILE *file = outputs_open(outputs, path, err);
     if (!file) return false;
-    write(file, scene, &prefix);
+    write_source(file, scene->scene, &name, &header_name);
     return outputs_close(file, path, err);
-}
-
-bool c_source_put(const struct compiled *scene, const char *name, struct outputs *outputs, struct error *err)
-{
-    return put_file(scene, name, ".h", outputs, write_header, err) &&
-           put_file(scene, name, ".c", outputs, write_source, err);
 }
 
 bool c_source_write(const struct compiled *scene, const char *name, struct error *err)
 {
+    const struct named_scene named = {scene, name};
     struct outputs outputs = {0};
-    return scene_files_finish(&outputs, c_source_put(scene, name, &outputs, err), err);
+    bool ok = c_header_put(&named, 1, name, &outputs, err) && c_source_put(&named, name, &outputs, err);
+    return scene_files_finish(&outputs, ok, err);
 }
 
 bool scene_files_finish(struct outputs *outputs, bool ok, struct error *err)

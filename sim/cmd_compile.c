@@ -1,14 +1,18 @@
 /* SPDX-License-Identifier: MIT
  *
- * limner compile MODEL -o NAME: writes NAME.c, NAME.h and NAME.lim, all or none, and says what the
- * scene costs. */
+ * limner compile MODEL... -o NAME: writes NAME.c, NAME.h and NAME.lim, all or none, and says what the
+ * scene costs. Of several models each becomes NAME_MODEL.c and .lim; they share NAME.h. */
+#include "c_name.h"
+#include "choose.h"
 #include "commands.h"
+#include "grow.h"
 #include "parse.h"
 #include "scene_files.h"
 
 #include <getopt.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 #include <unistd.h>
 
 enum option_code {
@@ -18,6 +22,10 @@ enum option_code {
     OPTION_UNLIT,
     OPTION_SIZE,
     OPTION_PRECISION,
+    OPTION_MAX_ERROR,
+    OPTION_MAX_VERTEX_ERROR,
+    OPTION_CAMERA,
+    OPTION_CORE,
     OPTION_REPORT
 };
 
@@ -27,16 +35,34 @@ static const struct option OPTIONS[] = {
     {"keep-faces", no_argument, NULL, OPTION_KEEP_FACES},
     {"unlit", no_argument, NULL, OPTION_UNLIT},
     {"precision", required_argument, NULL, OPTION_PRECISION},
+    {"max-error", required_argument, NULL, OPTION_MAX_ERROR},
+    {"max-vertex-error", required_argument, NULL, OPTION_MAX_VERTEX_ERROR},
+    {"camera", required_argument, NULL, OPTION_CAMERA},
+    {"core", required_argument, NULL, OPTION_CORE},
     {"size", required_argument, NULL, OPTION_SIZE},
     {"report", no_argument, NULL, OPTION_REPORT},
     {NULL, 0, NULL, 0},
 };
 
 struct request {
-    const char *model, *name; /* what to compile, and the path to write to, without suffix */
+    char **models; /* what to compile */
+    size_t model_count;
+    const char *name; /* the path to write to, without suffix */
     struct compile_options compile;
+    struct choice_bound bound; /* of --max-error and its like */
     bool report_only;
 };
+
+static bool has_bound(const struct request *request)
+{
+    return request->bound.wrong_percent >= 0.0 || request->bound.vertex_px >= 0.0;
+}
+
+static bool parse_core(const char *name, const struct measure_cpu **out, struct error *err)
+{
+    *out = measure_cpu_find(name);
+    return *out || error_set(err, "--core %s: no such processor; there are m0plus, m3, m4 and rv32", name);
+}
 
 static bool parse_option(int code, char **argv, struct request *out, struct error *err)
 {
@@ -59,6 +85,15 @@ static bool parse_option(int code, char **argv, struct request *out, struct erro
         return parse_precision(optarg, &out->compile.core, err);
     case OPTION_SIZE:
         return parse_size(optarg, &out->compile.w_px, &out->compile.h_px, err);
+    case OPTION_MAX_ERROR:
+        return parse_bound("--max-error", optarg, "%", &out->bound.wrong_percent, err);
+    case OPTION_MAX_VERTEX_ERROR:
+        return parse_bound("--max-vertex-error", optarg, "px", &out->bound.vertex_px, err);
+    case OPTION_CAMERA:
+        out->bound.camera = optarg;
+        return true;
+    case OPTION_CORE:
+        return parse_core(optarg, &out->bound.cpu, err);
     case OPTION_REPORT:
         out->report_only = true;
         return true;
@@ -69,38 +104,130 @@ static bool parse_option(int code, char **argv, struct request *out, struct erro
     }
 }
 
+static bool check_bound(const struct request *request, struct error *err)
+{
+    if (!has_bound(request))
+        return (!request->bound.camera && !request->bound.cpu) ||
+               error_set(err, "compile: --camera and --core go with --max-error or --max-vertex-error");
+    if (request->compile.core) return error_set(err, "compile: --precision leaves --max-error nothing to choose");
+    return request->model_count == 1 || error_set(err, "compile: --max-error takes one model at a time");
+}
+
 static bool parse(int argc, char **argv, struct request *out, struct error *err)
 {
     *out = (struct request){
         .compile = {.tolerance_units = 0.5, .splitter = "auto", .w_px = 240, .h_px = 240, .predict = true}};
+    out->bound = (struct choice_bound){.wrong_percent = -1.0, .vertex_px = -1.0};
     out->compile.progress = isatty(STDERR_FILENO);
     opterr = 0;
     optind = 1;
     for (int code; (code = getopt_long(argc, argv, ":o:", OPTIONS, NULL)) != -1;)
         if (!parse_option(code, argv, out, err)) return false;
     if (optind >= argc) return error_set(err, "compile: needs a model");
-    if (optind + 1 < argc) return error_set(err, "compile: one model at a time, what is '%s'?", argv[optind + 1]);
-    out->model = argv[optind];
-    return out->name || out->report_only || error_set(err, "compile: needs -o NAME, or --report alone");
+    out->models = &argv[optind];
+    out->model_count = (size_t)(argc - optind);
+    return check_bound(out, err) &&
+           (out->name || out->report_only || error_set(err, "compile: needs -o NAME, or --report alone"));
 }
 
-static bool write_files(const struct compiled *scene, const char *name, struct error *err)
+/* What becomes of the models, one to one. */
+struct result {
+    struct compiled *scenes;
+    struct named_scene *named;
+    char (*names)[C_PATH_MAX_B];
+    size_t count; /* so far */
+};
+
+/* NAME for a single model; NAME_hall for house/hall.obj where there are others. */
+static bool name_scene(const struct request *request, size_t i, char name[C_PATH_MAX_B], struct error *err)
 {
-    char path[1024];
+    if (request->model_count == 1) return c_path(name, request->name, "", err);
+    const char *slash = strrchr(request->models[i], '/'), *file = slash ? slash + 1 : request->models[i];
+    const char *dot = strrchr(file, '.');
+    char suffix[C_NAME_MAX_B];
+    if (snprintf(suffix, sizeof suffix, "_%.*s", dot ? (int)(dot - file) : (int)strlen(file), file) >= C_NAME_MAX_B)
+        return error_set(err, "%s: the name is too long for C symbols", request->models[i]);
+    return c_path(name, request->name, suffix, err);
+}
+
+static bool names_differ(const struct result *result, size_t i, const char *model, struct error *err)
+{
+    struct c_name mine, other;
+    if (!c_name_init(&mine, result->names[i], err)) return false;
+    for (size_t k = 0; k < i; k++) {
+        if (!c_name_init(&other, result->names[k], err)) return false;
+        if (strcmp(mine.macro, other.macro) == 0)
+            return error_set(err, "%s: a scene of that name is there already", model);
+    }
+    return true;
+}
+
+/* Names first: what cannot be written is not worth compiling. */
+static bool name_all(const struct request *request, struct result *result, struct error *err)
+{
+    for (size_t i = 0; i < request->model_count; i++)
+        if (!name_scene(request, i, result->names[i], err) || !names_differ(result, i, request->models[i], err))
+            return false;
+    return true;
+}
+
+static bool compile_all(const struct request *request, struct result *result, struct error *err)
+{
+    for (size_t i = 0; i < request->model_count; i++) {
+        if (!compile_model(request->models[i], &request->compile, &result->scenes[i], err)) return false;
+        result->named[i] = (struct named_scene){&result->scenes[i], result->names[i]};
+        result->count++;
+    }
+    return true;
+}
+
+static bool put_scene(const struct named_scene *scene, const char *header, struct outputs *outputs, struct error *err)
+{
+    char path[C_PATH_MAX_B];
+    return c_path(path, scene->name, ".lim", err) && c_source_put(scene, header, outputs, err) &&
+           lim_file_put(scene->scene, path, outputs, err);
+}
+
+static bool write_files(const struct result *result, const char *name, struct error *err)
+{
     struct outputs outputs = {0};
-    if (snprintf(path, sizeof path, "%s.lim", name) >= (int)sizeof path)
-        return error_set(err, "-o '%.64s...': the path is too long", name);
-    bool ok = c_source_put(scene, name, &outputs, err) && lim_file_put(scene, path, &outputs, err);
+    bool ok = c_header_put(result->named, result->count, name, &outputs, err);
+    for (size_t i = 0; ok && i < result->count; i++)
+        ok = put_scene(&result->named[i], name, &outputs, err);
     return scene_files_finish(&outputs, ok, err);
 }
 
-static bool run(const struct request *request, struct error *err)
+static void print_reports(const struct request *request, const struct result *result)
 {
-    struct compiled scene;
-    if (!compile_model(request->model, &request->compile, &scene, err)) return false;
-    bool ok = !request->name || write_files(&scene, request->name, err);
-    if (ok) compile_report_print(&scene, request->name ? request->name : request->model);
-    compiled_free(&scene);
+    for (size_t i = 0; i < result->count; i++)
+        compile_report_print(&result->scenes[i], request->name ? result->names[i] : request->models[i]);
+}
+
+/* The precision that the bound asks for; evidence goes to standard output. */
+static bool choose(struct request *request, struct error *err)
+{
+    struct choice choice;
+    if (!has_bound(request)) return true;
+    const bool ok = choose_core(request->models[0], &request->compile, &request->bound, &choice, err);
+    if (choice.frames) choice_print(&choice, &request->bound, stdout);
+    fflush(stdout); /* the import forks */
+    request->compile.core = choice.core;
+    return ok;
+}
+
+static bool run(struct request *request, struct error *err)
+{
+    const size_t count = request->model_count;
+    struct result result = {grow_zeroed(count, sizeof *result.scenes), grow_zeroed(count, sizeof *result.named),
+                            grow_zeroed(count, sizeof *result.names), 0};
+    bool ok = (!request->name || name_all(request, &result, err)) && choose(request, err) &&
+              compile_all(request, &result, err) && (!request->name || write_files(&result, request->name, err));
+    if (ok) print_reports(request, &result);
+    for (size_t i = 0; i < result.count; i++)
+        compiled_free(&result.scenes[i]);
+    free(result.scenes);
+    free(result.named);
+    free(result.names);
     return ok;
 }
 

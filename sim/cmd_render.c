@@ -2,6 +2,7 @@
  *
  * `limner render`: options -> scene and camera path -> frames -> files and tables. Either all files
  * that were asked for are there at the end, or none. */
+#include "cameras_c.h"
 #include "commands.h"
 #include "dump.h"
 #include "frame_table.h"
@@ -27,10 +28,10 @@ struct render {
     struct ids ids;             /* --ids, --compare */
     struct reference reference; /* --compare */
     struct outputs outputs;
-    FILE *gif_file, *sheet_file, *ids_file, *hashes_file; /* NULL: not asked for */
-    struct frame_row *rows;                               /* one a frame */
-    uint64_t *hashes;                                     /* one a frame */
-    uint16_t *film_pixels;                                /* all frames, for --gif and --sheet */
+    FILE *gif_file, *sheet_file, *ids_file, *hashes_file, *cameras_file; /* NULL: not asked for */
+    struct frame_row *rows;                                              /* one a frame */
+    uint64_t *hashes;                                                    /* one a frame */
+    uint16_t *film_pixels;                                               /* all frames, for --gif and --sheet */
 };
 
 /* Begin -------------------------------------------------------------------------------------- */
@@ -51,7 +52,8 @@ static bool open_outputs(struct render *render, struct error *err)
     return open_output(render, options->gif_path, &render->gif_file, err) &&
            open_output(render, options->sheet_path, &render->sheet_file, err) &&
            open_output(render, options->ids_path, &render->ids_file, err) &&
-           open_output(render, options->hashes_path, &render->hashes_file, err);
+           open_output(render, options->hashes_path, &render->hashes_file, err) &&
+           open_output(render, options->cameras_path, &render->cameras_file, err);
 }
 
 static bool allocate(struct render *render, struct error *err)
@@ -172,7 +174,8 @@ static bool close_outputs(struct render *render, struct error *err)
     return close_output(&render->gif_file, options->gif_path, err) &&
            close_output(&render->sheet_file, options->sheet_path, err) &&
            close_output(&render->ids_file, options->ids_path, err) &&
-           close_output(&render->hashes_file, options->hashes_path, err) && outputs_keep(&render->outputs, err);
+           close_output(&render->hashes_file, options->hashes_path, err) &&
+           close_output(&render->cameras_file, options->cameras_path, err) && outputs_keep(&render->outputs, err);
 }
 
 static bool print_tables(const struct render *render, struct error *err)
@@ -197,11 +200,19 @@ static bool check(const struct render *render, struct error *err)
     return dump_last_frame(&last, err);
 }
 
+static bool write_cameras(const struct render *render, struct error *err)
+{
+    const struct simulator_setup *setup = &render->options.setup;
+    return !render->cameras_file || cameras_c_write(&render->path, &render->lens, &render->scene.grid, setup->w_px,
+                                                    setup->h_px, render->cameras_file, err);
+}
+
 static bool render_run(struct render *render, struct error *err)
 {
     if (!open_outputs(render, err) ||
         !options_load(&render->options, &render->scene, &render->lens, &render->path, err) || !allocate(render, err) ||
-        !start(render, err) || !render_frames(render, err) || !write_films(render, err) || !close_outputs(render, err))
+        !start(render, err) || !render_frames(render, err) || !write_films(render, err) ||
+        !write_cameras(render, err) || !close_outputs(render, err))
         return false;
     return print_tables(render, err) && check(render, err);
 }
@@ -213,6 +224,7 @@ static void render_free(struct render *render)
     close_output(&render->sheet_file, "", &ignored);
     close_output(&render->ids_file, "", &ignored);
     close_output(&render->hashes_file, "", &ignored);
+    close_output(&render->cameras_file, "", &ignored);
     outputs_discard(&render->outputs);
     simulator_free(&render->simulator);
     ids_free(&render->ids);

@@ -8,5 +8,6 @@
 int cmd_compile(int argc, char **argv);
 int cmd_render(int argc, char **argv);
 int cmd_view(int argc, char **argv);
+int cmd_measure(int argc, char **argv);
 
 #endif

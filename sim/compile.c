@@ -2,6 +2,7 @@
  *
  * Mesh to compiled scene: exact points, coplanar groups, a tree for each heuristic wanted, the
  * best of them kept. */
+#include "convexity.h"
 #include "encode.h"
 #include "light.h"
 #include "pools.h"
@@ -25,10 +26,11 @@ static const double GRID_END = 32767.5; /* halves round up: 32767.5 would be 327
 /* Bytes of a scene's arrays and its struct lim_scene, as a 32-bit microcontroller holds them. */
 static size_t flash_b(const struct lim_scene *scene)
 {
-    enum { POINTERS = 6, POINTER_B = 4, COUNTS = 8, SCENE_B = POINTERS * POINTER_B + COUNTS * 2 + 5 * 2 + 2 };
+    enum { POINTERS = 7, POINTER_B = 4, COUNTS = 8, SCENE_B = POINTERS * POINTER_B + COUNTS * 2 + 5 * 2 + 2 };
     return SCENE_B + scene->vertex_count * sizeof *scene->vertices + scene->node_count * sizeof *scene->nodes +
            scene->plane_count * sizeof *scene->planes + scene->exact_count * sizeof *scene->exact +
-           scene->box_count * sizeof *scene->boxes + scene->polygon_words * sizeof *scene->polygons;
+           scene->box_count * sizeof *scene->boxes + scene->polygon_words * sizeof *scene->polygons +
+           (scene->fractions ? scene->vertex_count * sizeof *scene->fractions : 0);
 }
 
 /* The smaller the better: bytes of flash, with splits and depth as bytes on top. A split costs
@@ -49,11 +51,31 @@ static void report_set(struct compile_report *report, const struct bsp *bsp, con
                                       .collapsed = encoding->collapsed,
                                       .depth = encoding->depth,
                                       .worst_violation_units = bsp_worst_violation(bsp),
+                                      .convex = scene_is_convex(scene),
                                       .wrong_percent = NAN,
                                       .flash_b = flash_b(scene)};
     for (size_t i = 0; i < scene->node_count; i++)
         report->kinds[scene->nodes[i].kind]++;
     snprintf(report->splitter, sizeof report->splitter, "%s", splitter->name);
+}
+
+/* Profile exact draws vertices with fractions; for the others they would only take flash. */
+static bool is_exact(const struct compile_options *options)
+{
+    return options->core && options->core->profile == LIM_PROFILE_EXACT;
+}
+
+/* A convex solid is drawn as a whole: bounds of its parts would only take flash. Those of all of it,
+ * the root's, tell the camera how far the scene reaches. */
+static void image_make(struct encoding *encoding, const struct grid *grid, struct compiled *out)
+{
+    lim_image_make(encoding, grid, out);
+    if (encoding->box_count < 2 || !scene_is_convex(&out->scene)) return;
+    for (size_t i = 1; i < encoding->node_count; i++)
+        encoding->nodes[i].box = LIM_NONE;
+    encoding->box_count = 1;
+    free(out->image);
+    lim_image_make(encoding, grid, out);
 }
 
 /* One heuristic, from the list of polygons to the scene. */
@@ -64,9 +86,9 @@ static bool compile_with(struct compilation *work, const struct splitter *splitt
     struct encoding encoding = {0};
     bool ok = bsp_build(&bsp, work->mesh, &work->coplanar, work->options->tolerance_units, &work->points, splitter) ||
               error_set(err, "scene too large: split into more than %d pieces", BSP_PIECES_MAX);
-    ok = ok && encode_bsp(&bsp, &encoding, err);
+    ok = ok && encode_bsp(&bsp, is_exact(work->options), &encoding, err);
     if (ok) {
-        lim_image_make(&encoding, &work->mesh->grid, out);
+        image_make(&encoding, &work->mesh->grid, out);
         report_set(&out->report, &bsp, &encoding, &out->scene, splitter);
     }
     encoding_free(&encoding);

@@ -30,6 +30,7 @@ struct compile_report {
     size_t kinds[6];              /* nodes by enum lim_plane_kind */
     double worst_violation_units; /* certified: how far any vertex lies on the wrong side */
     char splitter[16];            /* the heuristic that won */
+    bool convex;                  /* one convex solid: firmware draws it without walk and spans */
     unsigned w_px, h_px;          /* of the panel that the pools were measured for */
     const struct core *core;      /* the precision profile asked for */
     double wrong_percent;         /* on sampled cameras; only if options.predict, else NaN */
@@ -58,7 +59,7 @@ bool lim_file_write(const struct compiled *scene, const char *path, struct error
 bool lim_file_read(const char *path, struct compiled *out, struct error *err);
 
 /* NAME.c and NAME.h: const arrays and the configuration for a firmware build. `name` is a path
- * without suffix; its last part prefixes the C symbols. */
+ * without suffix; its last part prefixes the C symbols. scene_files.h has more. */
 bool c_source_write(const struct compiled *scene, const char *name, struct error *err);
 
 void compile_report_print(const struct compiled *scene, const char *name);

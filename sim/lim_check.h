@@ -9,7 +9,7 @@
 #include "scene.h"
 
 /* Refuses indices out of range, nodes that are no tree, runs that do not end or overlap, planes
- * and boxes out of bounds, and limits that the scene exceeds. */
+ * and boxes out of bounds, boxes that do not hold their subtrees, and limits that the scene exceeds. */
 bool lim_check(const struct lim_scene *scene, struct error *err);
 
 #endif

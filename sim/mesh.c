@@ -11,6 +11,8 @@
 #include "triangulate.h"
 #include "weld.h"
 
+#include <float.h>
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -30,10 +32,52 @@ double mesh_flat_m(const struct grid *grid)
 }
 
 struct cleaning {
+    const struct model *model;
     struct mesh *mesh;
     struct polygon_list list;
     double near_m, flat_m;
+    size_t first_too_small; /* index of the face */
 };
+
+/* The longest side of a face's bounds in the model. */
+static double face_size_m(const struct model *model, const struct model_face *face)
+{
+    double size_m = 0.0;
+    for (int axis = 0; axis < 3; axis++) {
+        double low_m = DBL_MAX, high_m = -DBL_MAX;
+        for (uint32_t k = 0; k < face->count; k++) {
+            const double at_m = model->points[model->corners[face->first + k]][axis];
+            low_m = fmin(low_m, at_m);
+            high_m = fmax(high_m, at_m);
+        }
+        size_m = fmax(size_m, high_m - low_m);
+    }
+    return size_m;
+}
+
+/* A face without area on the grid: had it one in the model? */
+static void note_dropped(struct cleaning *cleaning, size_t index)
+{
+    const struct model_face *face = &cleaning->model->faces[index];
+    const struct loop loop = {cleaning->model->points, &cleaning->model->corners[face->first], face->count};
+    if (face->count < 3 || !loop_has_area(&loop, face_size_m(cleaning->model, face) * 1e-6)) {
+        cleaning->mesh->counts.zero_area++;
+        return;
+    }
+    if (cleaning->mesh->counts.too_small++ == 0) cleaning->first_too_small = index;
+}
+
+/* A scene without most of its faces is not what the model shows. */
+static bool refuse_vanished(const struct cleaning *cleaning, struct error *err)
+{
+    const struct mesh_counts *counts = &cleaning->mesh->counts;
+    const size_t with_area = counts->faces - counts->zero_area;
+    if (counts->too_small * 2 <= with_area) return true;
+    const struct model_face *face = &cleaning->model->faces[cleaning->first_too_small];
+    return error_set(err, "face %zu is %.3g m wide and a unit of the grid %.3g m: %zu of %zu faces would vanish",
+                     cleaning->first_too_small + 1, face_size_m(cleaning->model, face),
+                     1.0 / cleaning->mesh->grid.units_per_m, counts->too_small, with_area);
+}
 
 static bool add_if_area(struct cleaning *cleaning, const struct loop *loop, const struct mesh_polygon *like)
 {
@@ -63,7 +107,7 @@ static void clean_face(struct cleaning *cleaning, uint32_t *corners, size_t coun
     struct mesh *mesh = cleaning->mesh;
     const struct loop loop = {mesh->points, corners, loop_tidy(mesh->points, corners, count, cleaning->near_m)};
     if (!loop_has_area(&loop, cleaning->near_m)) {
-        mesh->counts.zero_area++;
+        note_dropped(cleaning, like->face - 1);
         return;
     }
     const struct loop_plane plane = loop_plane_of(&loop);
@@ -98,12 +142,14 @@ bool mesh_clean(const struct model *model, struct mesh *mesh, struct error *err)
 {
     *mesh = (struct mesh){.counts.faces = model->face_count};
     if (!grid_choose(model, &mesh->grid, err)) return false;
-    struct cleaning cleaning = {.mesh = mesh, .near_m = mesh_near_m(&mesh->grid), .flat_m = mesh_flat_m(&mesh->grid)};
+    struct cleaning cleaning = {
+        .model = model, .mesh = mesh, .near_m = mesh_near_m(&mesh->grid), .flat_m = mesh_flat_m(&mesh->grid)};
     mesh->merged_into = grow_zeroed(model->face_count + 1, sizeof *mesh->merged_into);
     uint32_t *welded = weld_points(model, mesh_weld_m(&mesh->grid), mesh);
     clean_faces(&cleaning, model, welded);
     free(welded);
     bool ok = polygon_list_move(&cleaning.list, mesh, err);
+    ok = ok && refuse_vanished(&cleaning, err);
     if (ok && mesh->polygon_count == 0) ok = error_set(err, "no face has an area: the corners of each are on one line");
     if (!ok) mesh_free(mesh);
     return ok;

@@ -25,6 +25,7 @@ struct mesh_polygon {
 struct mesh_counts {
     size_t faces;      /* in the model file */
     size_t zero_area;  /* faces dropped: all corners on one line */
+    size_t too_small;  /* faces dropped: they have an area, but corners that the grid cannot tell apart */
     size_t non_planar; /* faces triangulated because a corner leaves the plane */
     size_t concave;    /* faces triangulated because they are not convex */
     size_t merged;     /* polygons that vanished into a coplanar neighbour */
@@ -59,7 +60,8 @@ double mesh_flat_m(const struct grid *grid);
 /* Welds, drops faces of no area, triangulates what is not flat or not convex. Chooses the grid: the
  * largest scale at which every coordinate fits -32767..32767, the origin in the middle of the bounds.
  * Corners in the middle of a straight side are kept. Refuses a model of which nothing is left, or one
- * whose outlier squeezes the rest into a few units; the text does not name the file. The caller owns
+ * whose outlier squeezes the rest into a few units, or most faces into nothing; the text does not name the
+ * file. The caller owns
  * *mesh. */
 bool mesh_clean(const struct model *model, struct mesh *mesh, struct error *err);
 

@@ -25,6 +25,7 @@ enum option_code {
     OPTION_COMPARE,
     OPTION_CHECK,
     OPTION_WRITE_HASHES,
+    OPTION_WRITE_CAMERAS,
     OPTION_CAMERA,
     OPTION_SIZE,
     OPTION_FOV,
@@ -38,7 +39,7 @@ enum option_code {
 };
 
 /* Those that only `render` has come first. */
-enum { RENDER_ONLY_OPTIONS = 7 };
+enum { RENDER_ONLY_OPTIONS = 8 };
 static const struct option OPTIONS[] = {
     {"gif", required_argument, NULL, OPTION_GIF},
     {"sheet", required_argument, NULL, OPTION_SHEET},
@@ -47,6 +48,7 @@ static const struct option OPTIONS[] = {
     {"compare", no_argument, NULL, OPTION_COMPARE},
     {"check", required_argument, NULL, OPTION_CHECK},
     {"write-hashes", required_argument, NULL, OPTION_WRITE_HASHES},
+    {"write-cameras", required_argument, NULL, OPTION_WRITE_CAMERAS},
     {"camera", required_argument, NULL, OPTION_CAMERA},
     {"size", required_argument, NULL, OPTION_SIZE},
     {"fov", required_argument, NULL, OPTION_FOV},
@@ -77,8 +79,10 @@ static bool parse_method(const char *text, enum lim_method *out, struct error *e
         *out = LIM_NEAREST_FIRST;
     else if (strcmp(text, "painter") == 0)
         *out = LIM_PAINTER;
+    else if (strcmp(text, "convex") == 0)
+        *out = LIM_CONVEX;
     else
-        return error_set(err, "--method %s: no such method; there are nearest and painter", text);
+        return error_set(err, "--method %s: no such method; there are nearest, painter and convex", text);
     return true;
 }
 
@@ -138,6 +142,9 @@ static bool parse_option(int code, const char *text, struct options *out, struct
     case OPTION_WRITE_HASHES:
         out->hashes_path = text;
         return true;
+    case OPTION_WRITE_CAMERAS:
+        out->cameras_path = text;
+        return true;
     default:
         return false;
     }
@@ -165,7 +172,7 @@ static bool choose_panel(struct options *out, struct error *err)
 static bool asks_for_output(const struct options *options)
 {
     return options->frame_pattern || options->gif_path || options->sheet_path || options->ids_path ||
-           options->check_path || options->hashes_path || options->stats || options->compare;
+           options->check_path || options->hashes_path || options->cameras_path || options->stats || options->compare;
 }
 
 bool options_parse(int argc, char **argv, enum options_set set, struct options *out, struct error *err)

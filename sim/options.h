@@ -15,7 +15,7 @@ struct options {
     double near_m; /* 0: not given */
     struct compile_options compile;
     /* limner render only; NULL or false: not asked for */
-    const char *frame_pattern, *gif_path, *sheet_path, *ids_path, *check_path, *hashes_path;
+    const char *frame_pattern, *gif_path, *sheet_path, *ids_path, *check_path, *hashes_path, *cameras_path;
     bool stats, compare;
 };
 

@@ -5,6 +5,7 @@
 
 #include <errno.h>
 #include <stdlib.h>
+#include <string.h>
 
 bool parse_number(const char *option, const char *text, double *out, struct error *err)
 {
@@ -40,7 +41,17 @@ bool parse_size(const char *text, unsigned *w_px, unsigned *h_px, struct error *
 bool parse_precision(const char *text, const struct core **core, struct error *err)
 {
     *core = core_find(text);
-    return *core || error_set(err, "--precision %s: no such profile; there are fast and fine", text);
+    return *core || error_set(err, "--precision %s: no such profile; there are draft, fast, fine and exact", text);
+}
+
+bool parse_bound(const char *option, const char *text, const char *unit, double *out, struct error *err)
+{
+    char *end;
+    errno = 0;
+    *out = strtod(text, &end);
+    if (end == text || errno || (*end && strcmp(end, unit) != 0))
+        return error_set(err, "%s %s: not a number of %s", option, text, unit);
+    return *out > 0.0 || error_set(err, "%s %s: must be above 0", option, text);
 }
 
 bool parse_tolerance(const char *text, double *units, struct error *err)

@@ -17,6 +17,9 @@ bool parse_size(const char *text, unsigned *w_px, unsigned *h_px, struct error *
 /* --precision NAME */
 bool parse_precision(const char *text, const struct core **core, struct error *err);
 
+/* A number above 0, with its unit or without: `0.03%`, `0.25px`. */
+bool parse_bound(const char *option, const char *text, const char *unit, double *out, struct error *err);
+
 /* --tolerance UNITS */
 bool parse_tolerance(const char *text, double *units, struct error *err);
 

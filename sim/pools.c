@@ -72,50 +72,86 @@ static bool sample_frames(const struct compiled *scene, struct simulator *simula
     return true;
 }
 
+static bool sample_method(const struct compiled *scene, const struct simulator_setup *setup, struct usage *usage,
+                          struct error *err)
+{
+    struct simulator simulator;
+    if (!simulator_init(&simulator, &scene->scene, setup, err)) return false;
+    const bool ok = sample_frames(scene, &simulator, usage, err);
+    simulator_free(&simulator);
+    return ok;
+}
+
+/* A convex solid's own method counts faces that cover no pixel as well: a few more cross a line. */
+static bool sample_convex(struct compiled *roomy, struct simulator_setup *setup, uint16_t *active, struct error *err)
+{
+    struct usage usage = {0};
+    setup->method = LIM_CONVEX;
+    roomy->scene.limits.active = roomy->scene.polygon_count;
+    if (!sample_method(roomy, setup, &usage, err)) return false;
+    const uint16_t crossing = with_margin(most(usage.active, usage.cameras), 1);
+    *active = crossing > *active ? crossing : *active;
+    return true;
+}
+
 bool pools_measure(struct compiled *scene, unsigned w_px, unsigned h_px, struct error *err)
 {
     struct lim_limits limits = scene->scene.limits;
     struct usage usage = {0};
     struct compiled roomy = *scene; /* shares the arrays */
-    const struct simulator_setup setup = {w_px, h_px, LIM_NEAREST_FIRST, SIMULATOR_MEMORY, NULL};
-    struct simulator simulator;
+    struct simulator_setup setup = {w_px, h_px, LIM_NEAREST_FIRST, SIMULATOR_MEMORY, NULL};
 
     roomy.scene.limits.retained_cells = roomy.scene.limits.gaps = roomy.scene.limits.active = PLENTY;
-    if (!simulator_init(&simulator, &roomy.scene, &setup, err)) return false;
-    const bool ok = sample_frames(&roomy, &simulator, &usage, err);
-    simulator_free(&simulator);
+    if (!sample_method(&roomy, &setup, &usage, err)) return false;
     limits.retained_cells = with_margin(most(usage.cells, usage.cameras), least_cells(&limits));
     limits.gaps = with_margin(most(usage.gaps, usage.cameras), 1);
     limits.active = with_margin(most(usage.active, usage.cameras), 1);
+    if (scene->report.convex && !sample_convex(&roomy, &setup, &limits.active, err)) return false;
     lim_image_set_limits(scene, &limits);
     scene->report.w_px = w_px;
     scene->report.h_px = h_px;
-    return ok;
+    return true;
 }
 
 /* Whether a firmware for this panel needs wide screen coordinates in this profile. */
 static bool is_wide(const struct compile_report *report)
 {
-    const unsigned narrow_px = report->core == &core_fine ? 85 : 341;
+    const unsigned narrow_px = report->core ? report->core->narrow_px : core_fast.narrow_px;
     return report->w_px > narrow_px || report->h_px > narrow_px;
 }
 
-static size_t mem_b(const struct compiled *scene, size_t cells, size_t gaps, size_t active)
+static size_t aligned_b(size_t size_b)
+{
+    return (size_b + 3) & ~(size_t)3;
+}
+
+static size_t nearest_b(const struct compiled *scene, size_t cells, size_t gaps, size_t active)
 {
     const bool wide = is_wide(&scene->report);
     const size_t cached_b = wide ? MCU_CACHED_WIDE_B : MCU_CACHED_B, cell_b = wide ? MCU_CELL_WIDE_B : MCU_CELL_B;
     const size_t fixed_b = MCU_CACHE_ENTRIES * cached_b + scene->report.h_px * (size_t)MCU_LINE_B +
                            scene->scene.limits.depth * (size_t)MCU_PENDING_B;
-    return (fixed_b + cells * cell_b + gaps * MCU_GAP_B + active * MCU_ACTIVE_B + 3) & ~(size_t)3;
+    return aligned_b(fixed_b + cells * cell_b + gaps * MCU_GAP_B + active * MCU_ACTIVE_B);
+}
+
+static size_t convex_b(const struct compiled *scene, size_t active)
+{
+    const bool wide = is_wide(&scene->report);
+    const size_t cached_b = wide ? MCU_CACHED_WIDE_B : MCU_CACHED_B, point_b = wide ? MCU_CELL_WIDE_B : MCU_CELL_B;
+    const size_t crossing_b = MCU_CROSSING_B + (scene->scene.limits.vertices + (size_t)MCU_CLIP_PLANES) * point_b;
+    return aligned_b(MCU_CACHE_ENTRIES * cached_b + scene->report.h_px * (size_t)MCU_TOP_B +
+                     scene->scene.polygon_count * (size_t)MCU_FACE_B + active * crossing_b);
 }
 
 size_t pools_mcu_mem_b(const struct compiled *scene)
 {
     const struct lim_limits *limits = &scene->scene.limits;
-    return mem_b(scene, limits->retained_cells, limits->gaps, limits->active);
+    if (scene->report.convex) return convex_b(scene, limits->active);
+    return nearest_b(scene, limits->retained_cells, limits->gaps, limits->active);
 }
 
 size_t pools_mcu_mem_min_b(const struct compiled *scene)
 {
-    return mem_b(scene, least_cells(&scene->scene.limits), 1, 1);
+    if (scene->report.convex) return convex_b(scene, 1);
+    return nearest_b(scene, least_cells(&scene->scene.limits), 1, 1);
 }

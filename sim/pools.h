@@ -22,12 +22,15 @@ enum {
     MCU_CELL_WIDE_B = 8,
     MCU_GAP_B = 6,
     MCU_ACTIVE_B = 48,
+    MCU_TOP_B = 2,
+    MCU_FACE_B = 4,
+    MCU_CROSSING_B = 64, /* and a point for each vertex */
     MCU_HEAD_CELLS = 2,
     MCU_CLIP_PLANES = 5
 };
 
-/* Bytes that lim_init() wants on a 32-bit MCU for the panel and the precision of scene->report, and
- * the least that it takes. This host's structs are larger. */
+/* Bytes that lim_init() wants on a 32-bit MCU for the panel, the precision and the method of scene->report,
+ * and the least that it takes. This host's structs are larger. */
 size_t pools_mcu_mem_b(const struct compiled *scene);
 size_t pools_mcu_mem_min_b(const struct compiled *scene);
 

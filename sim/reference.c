@@ -15,6 +15,10 @@ struct reference_edge {
     double a, b, c;
 };
 
+struct pixel_rect {
+    int x0, y0, x1, y1; /* inclusive */
+};
+
 struct reference_polygon {
     uint32_t first, count; /* points[first .. first + count) */
     uint32_t face;
@@ -22,10 +26,7 @@ struct reference_polygon {
     double normal[3], offset_m;          /* normal . p = offset_m; not of unit length */
     struct reference_edge inverse_depth; /* of the plane, for the frame being drawn */
     double depth_min_m, depth_max_m;     /* of the corners, the same */
-};
-
-struct pixel_rect {
-    int x0, y0, x1, y1; /* inclusive */
+    struct pixel_rect bounds;            /* on the screen, the same */
 };
 
 static double dot(const double a[3], const double b[3])
@@ -307,8 +308,8 @@ void reference_draw(struct reference *reference, const struct viewpoint *viewpoi
     wipe(reference);
     for (size_t p = 0; p < reference->polygon_count; p++) {
         struct reference_polygon *polygon = &reference->polygons[p];
-        const struct pixel_rect rect = polygon_bounds(polygon, &reference->points[polygon->first], view);
-        draw_polygon(reference, polygon, view, &rect);
+        polygon->bounds = polygon_bounds(polygon, &reference->points[polygon->first], view);
+        draw_polygon(reference, polygon, view, &polygon->bounds);
     }
 }
 
@@ -326,36 +327,54 @@ static struct reference_view close_up(const struct reference *reference, size_t 
     return view;
 }
 
-bool reference_sees_nearby(const struct reference *reference, const uint32_t *groups, uint32_t group, size_t pixel)
+enum { LOOK_PX = 128 }; /* the size of the closest look */
+
+/* Whether a polygon may reach into the two pixels' width around a pixel, in the last frame drawn. What lies beside
+ * the screen has bounds at its border. */
+static bool may_be_near(const struct reference *reference, const struct reference_polygon *polygon, size_t pixel)
 {
-    enum { SIZE_PX = 16, PIXELS = SIZE_PX * SIZE_PX };
-    uint32_t faces[PIXELS];
-    double depths_m[PIXELS];
-    const struct pixel_rect all = {0, 0, SIZE_PX - 1, SIZE_PX - 1};
-    const struct reference_view view = close_up(reference, pixel, SIZE_PX);
+    const int x_px = (int)(pixel % reference->w_px), y_px = (int)(pixel / reference->w_px);
+    const struct pixel_rect *bounds = &polygon->bounds;
+    return x_px >= bounds->x0 - 2 && x_px <= bounds->x1 + 2 && y_px >= bounds->y0 - 2 && y_px <= bounds->y1 + 2;
+}
+
+static bool sees_in(const struct reference *reference, const uint32_t *groups, uint32_t group, size_t pixel,
+                    const struct reference_view *view)
+{
+    uint32_t faces[LOOK_PX * LOOK_PX];
+    double depths_m[LOOK_PX * LOOK_PX];
+    const struct pixel_rect all = {0, 0, view->w_px - 1, view->h_px - 1};
     struct reference small = *reference;
-    small.w_px = small.h_px = SIZE_PX;
+    small.w_px = small.h_px = (unsigned)view->w_px;
     small.faces = faces;
     small.depths_m = depths_m;
     wipe(&small);
     for (size_t p = 0; p < reference->polygon_count; p++) {
         struct reference_polygon polygon = reference->polygons[p];
-        draw_polygon(&small, &polygon, &view, &all);
+        if (may_be_near(reference, &polygon, pixel)) draw_polygon(&small, &polygon, view, &all);
     }
-    for (int i = 0; i < PIXELS; i++)
+    for (int i = 0; i < view->w_px * view->h_px; i++)
         if ((groups ? groups[faces[i]] : faces[i]) == group) return true;
     return false;
 }
 
+bool reference_sees_nearby(const struct reference *reference, const uint32_t *groups, uint32_t group, size_t pixel)
+{
+    const struct reference_view glance = close_up(reference, pixel, LOOK_PX / 8);
+    const struct reference_view look = close_up(reference, pixel, LOOK_PX);
+    return sees_in(reference, groups, group, pixel, &glance) || sees_in(reference, groups, group, pixel, &look);
+}
+
 double reference_depth_of(const struct reference *reference, uint32_t face, size_t pixel)
 {
-    const double u = pixel_u(&reference->view, (int)(pixel % reference->w_px));
-    const double v = pixel_v(&reference->view, (int)(pixel / reference->w_px));
+    const struct reference_view *view = &reference->view;
+    const double u = pixel_u(view, (int)(pixel % reference->w_px)), v = pixel_v(view, (int)(pixel / reference->w_px));
     double nearest_m = INFINITY;
     for (size_t p = 0; p < reference->polygon_count; p++) {
         const struct reference_polygon *polygon = &reference->polygons[p];
         if (polygon->face != face) continue;
-        double inverse = edge_at(&polygon->inverse_depth, u, v);
+        const struct reference_edge *plane = &polygon->inverse_depth;
+        double inverse = edge_at(plane, u, v) + 2.0 * fabs(plane->a) / view->w_px + 2.0 * fabs(plane->b) / view->h_px;
         double depth_m = inverse > 0.0 ? 1.0 / inverse : INFINITY;
         depth_m = fmax(polygon->depth_min_m, fmin(depth_m, polygon->depth_max_m));
         nearest_m = fmin(nearest_m, depth_m);

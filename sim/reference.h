@@ -44,12 +44,12 @@ bool reference_read(struct reference *reference, const char *model_path, unsigne
  * x = -tan_x * (1 - 1 / w_px), y = tan_y * (1 - 1 / h_px) on the plane at distance 1. */
 void reference_draw(struct reference *reference, const struct viewpoint *viewpoint, const struct lens *lens);
 
-/* Depth of a face's plane on the ray of a pixel of the last frame drawn, held within the depths
- * of the face's own corners: seen edge-on the plane alone could be anywhere. */
+/* The least depth of a face's plane within a pixel of a pixel's centre in the last frame drawn, held
+ * within the depths of the face's own corners: seen edge-on the plane alone could be anywhere. */
 double reference_depth_of(const struct reference *reference, uint32_t face, size_t pixel);
 
 /* Whether a face of a group (`groups` as in compare.h) is to be seen anywhere within a pixel of a
- * pixel's centre in the last frame drawn, on a lattice of 1/8 pixels: finer than what the pixels around
+ * pixel's centre in the last frame drawn, on a lattice of 1/64 pixels: finer than what the pixels around
  * it tell. Slow: for the few pixels that are worth it. */
 bool reference_sees_nearby(const struct reference *reference, const uint32_t *groups, uint32_t group, size_t pixel);
 

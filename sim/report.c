@@ -19,11 +19,9 @@ static void print_mended(const struct mesh_counts *mesh)
     const struct {
         const char *what;
         size_t count;
-    } rows[] = {{"no area, dropped", mesh->zero_area},
-                {"not planar, triangulated", mesh->non_planar},
-                {"not convex, triangulated", mesh->concave},
-                {"merged into a neighbour", mesh->merged},
-                {"T-vertices inserted", mesh->t_vertices}};
+    } rows[] = {{"no area, dropped", mesh->zero_area},          {"too small for the grid", mesh->too_small},
+                {"not planar, triangulated", mesh->non_planar}, {"not convex, triangulated", mesh->concave},
+                {"merged into a neighbour", mesh->merged},      {"T-vertices inserted", mesh->t_vertices}};
     print_count("faces in the model", mesh->faces);
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++)
         if (rows[i].count) print_count(rows[i].what, rows[i].count);
@@ -41,6 +39,7 @@ static void print_tree(const struct compiled *scene)
     print_count("most vertices of a polygon", scene->scene.limits.vertices);
     printf("  %-28s %8s\n", "splitter", report->splitter);
     print_count("depth of the tree", report->depth);
+    if (report->convex) printf("  %-28s %8s\n", "one convex solid", "yes");
     print_count("nodes", scene->scene.node_count);
     for (size_t i = 0; i < sizeof kinds / sizeof *kinds; i++)
         if (report->kinds[i]) printf("    %-26s %8zu\n", kinds[i], report->kinds[i]);
@@ -73,7 +72,8 @@ static void print_flash(const struct compiled *scene)
 
 static void print_ram(const struct compiled *scene)
 {
-    printf("RAM at %ux%u pixels, nearest first\n", scene->report.w_px, scene->report.h_px);
+    printf("RAM at %ux%u pixels, %s\n", scene->report.w_px, scene->report.h_px,
+           scene->report.convex ? "as one convex solid" : "nearest first");
     print_count("working memory, bytes", pools_mcu_mem_b(scene));
     print_count("least, bytes", pools_mcu_mem_min_b(scene));
 }

@@ -1,18 +1,27 @@
 /* SPDX-License-Identifier: MIT
  *
- * The files of a compiled scene, each as part of a set of outputs that is kept or discarded as a
- * whole. */
+ * The files of compiled scenes, each as part of a set of outputs that is kept or discarded as a
+ * whole. Names are paths without suffix. */
 #ifndef SIM_SCENE_FILES_H
 #define SIM_SCENE_FILES_H
 
 #include "compiled.h"
 #include "outputs.h"
 
+struct named_scene {
+    const struct compiled *scene;
+    const char *name;
+};
+
 /* NAME.lim, at the path given. */
 bool lim_file_put(const struct compiled *scene, const char *path, struct outputs *outputs, struct error *err);
 
-/* NAME.c and NAME.h, at the path given without its suffix. */
-bool c_source_put(const struct compiled *scene, const char *name, struct outputs *outputs, struct error *err);
+/* HEADER.h: the configuration that all the scenes share, and what a program has to know of each. */
+bool c_header_put(const struct named_scene *scenes, size_t count, const char *header, struct outputs *outputs,
+                  struct error *err);
+
+/* NAME.c: the arrays. It includes HEADER.h. */
+bool c_source_put(const struct named_scene *scene, const char *header, struct outputs *outputs, struct error *err);
 
 /* Keeps the outputs if `ok`, discards them otherwise; whether both went well. */
 bool scene_files_finish(struct outputs *outputs, bool ok, struct error *err);

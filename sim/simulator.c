@@ -4,6 +4,7 @@
  * lines. Plain memory serves both methods, as it can lend every line at any time. */
 #include "simulator.h"
 
+#include "convexity.h"
 #include "panel_board.h"
 
 #include <stdlib.h>
@@ -98,6 +99,8 @@ bool simulator_init(struct simulator *simulator, const struct lim_scene *scene, 
 {
     enum simulator_panel panel = setup->panel;
     memset(simulator, 0, sizeof *simulator);
+    if (setup->method == LIM_CONVEX && !scene_is_convex(scene))
+        return error_set(err, "--method convex: the scene is not one convex solid");
     simulator->core = setup->core ? setup->core : &core_fast;
     if (panel == SIMULATOR_ANY)
         panel = panel_board_holds(setup->w_px, setup->h_px) ? SIMULATOR_ST7789 : SIMULATOR_MEMORY;

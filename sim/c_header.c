@@ -1,0 +1,94 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * NAME.h: the needs of its scenes as configuration (config.h includes that file through LIM_CONFIG,
+ * before any type is known); of each scene its grid, its memory, its declaration. */
+#include "c_name.h"
+#include "needs.h"
+#include "scene_files.h"
+
+static void write_memory(FILE *file, const struct compiled *scene, const char *macro)
+{
+    const struct lim_limits *limits = &scene->scene.limits;
+    fprintf(file, "\n/* How to draw it, and bytes for lim_init() on a target of h_px lines; limner.h has the rest of "
+                  "both expressions. */\n");
+    fprintf(file, "#define %s_SCENE_METHOD %s\n", macro, scene->report.convex ? "LIM_CONVEX" : "LIM_NEAREST_FIRST");
+    fprintf(file, "#define %s_SCENE_MEM_B(h_px) ", macro);
+    if (scene->report.convex)
+        fprintf(file, "LIM_CONVEX_MEM_B(h_px, %u, %u)\n", (unsigned)scene->scene.polygon_count,
+                (unsigned)limits->active);
+    else
+        fprintf(file, "LIM_MEM_B(h_px, %u, %u, %u, %u)\n", (unsigned)limits->depth, (unsigned)limits->retained_cells,
+                (unsigned)limits->gaps, (unsigned)limits->active);
+}
+
+static void write_scene(FILE *file, const struct compiled *scene, const struct c_name *name)
+{
+    const char *macro = name->macro;
+    fprintf(file, "\n/* %s: %u polygons%s. unit = (metre - origin) * units per metre */\n", name->file,
+            (unsigned)scene->scene.polygon_count, scene->report.convex ? ", one convex solid" : "");
+    fprintf(file, "#define %s_UNITS_PER_M %.17g\n", macro, scene->grid.units_per_m);
+    for (int i = 0; i < 3; i++)
+        fprintf(file, "#define %s_ORIGIN_%c_M %.17g\n", macro, "XYZ"[i], scene -> grid.origin_m[i]);
+    write_memory(file, scene, macro);
+    fprintf(file, "\nextern const struct lim_scene %s_scene;\n", name->symbol);
+}
+
+/* One after the other is shown in one block of memory: the greatest of all. */
+static bool write_shared_memory(FILE *file, const struct named_scene *scenes, size_t count, const char *macro,
+                                struct error *err)
+{
+    fputs("\n/* Enough for any of the scenes. */\n", file);
+    fprintf(file, "#define %s_LARGER_B(a, b) ((a) > (b) ? (a) : (b))\n#define %s_SCENE_MEM_B(h_px) ", macro, macro);
+    for (size_t i = 0; i + 1 < count; i++)
+        fprintf(file, "%s_LARGER_B(", macro);
+    for (size_t i = 0; i < count; i++) {
+        struct c_name name;
+        if (!c_name_init(&name, scenes[i].name, err)) return false;
+        fprintf(file, "%s%s_SCENE_MEM_B(h_px)%s", i ? ", " : "", name.macro, i ? ")" : "");
+    }
+    fputs("\n", file);
+    return true;
+}
+
+static void write_configuration(FILE *file, const struct named_scene *scenes, size_t count, const struct c_name *header)
+{
+    struct needs needs = needs_of(scenes[0].scene);
+    for (size_t i = 1; i < count; i++) {
+        const struct needs more = needs_of(scenes[i].scene);
+        needs = needs_union(&needs, &more);
+    }
+    fprintf(file, "/* %s for Limner, written by `limner compile`.\n", count > 1 ? "Scenes" : "A scene");
+    fprintf(file, " * Build with -DLIM_CONFIG='\"%s.h\"' to fit the renderer to %s. */\n", header->file,
+            count > 1 ? "them" : "it");
+    fprintf(file, "#ifndef %s_SCENE_H\n#define %s_SCENE_H\n\n", header->macro, header->macro);
+    needs_write(&needs, file);
+    fputs("\nstruct lim_scene;\n", file);
+}
+
+static bool write_header(FILE *file, const struct named_scene *scenes, size_t count, const char *header,
+                         struct error *err)
+{
+    struct c_name name;
+    if (!c_name_init(&name, header, err)) return false;
+    write_configuration(file, scenes, count, &name);
+    for (size_t i = 0; i < count; i++) {
+        struct c_name scene_name;
+        if (!c_name_init(&scene_name, scenes[i].name, err)) return false;
+        write_scene(file, scenes[i].scene, &scene_name);
+    }
+    if (count > 1 && !write_shared_memory(file, scenes, count, name.macro, err)) return false;
+    fputs("\n#endif\n", file);
+    return true;
+}
+
+bool c_header_put(const struct named_scene *scenes, size_t count, const char *header, struct outputs *outputs,
+                  struct error *err)
+{
+    char path[C_PATH_MAX_B];
+    struct c_name name;
+    if (!c_path(path, header, ".h", err) || !c_name_init(&name, header, err)) return false;
+    FILE *file = outputs_open(outputs, path, err);
+    if (!file) return false;
+    bool written = write_header(file, scenes, count, header, err);
+    return outputs_close(file, path, err) && written;
+}

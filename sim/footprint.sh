@@ -1,0 +1,57 @@
+# SPDX-License-Identifier: MIT
+#
+# What a scene costs in a firmware, for scripts to source: compiled for a Cortex-M at -Os, the renderer linked by
+# what lim_init() and lim_frame() reach. Runs in the project's folder. After footprint_of: the renderer's code and
+# tables, the scene's data, the RAM of struct lim and the scene's memory, the worst-case stack; all bytes.
+# Needs sim/targets/targets.sh to be sourced as well, and $WARNINGS.
+# shellcheck shell=sh
+
+footprint_flags='-Os -ffreestanding -ffunction-sections -fdata-sections -Ifirmware'
+
+# footprint_objects CORE FOLDER HEADER [FLAG...]: the renderer's objects and call graphs in FOLDER, which has the
+# scene's HEADER.
+footprint_objects() {
+    footprint_core=$1 footprint_dir=$2 footprint_header=$3
+    shift 3
+    rm -rf "$footprint_dir/$footprint_core"
+    mkdir "$footprint_dir/$footprint_core"
+    for footprint_source in firmware/*.c; do
+        footprint_object=${footprint_source##*/}
+        # shellcheck disable=SC2046,SC2086 # flags are words
+        $(target_compiler "$footprint_core") $(target_flags "$footprint_core") $footprint_flags $WARNINGS \
+            -fcallgraph-info=su -I"$footprint_dir" -DLIM_CONFIG="\"$footprint_header\"" "$@" \
+            -c -o "$footprint_dir/$footprint_core/${footprint_object%.c}.o" "$footprint_source" || return 1
+    done
+}
+
+# footprint_link CORE FOLDER: what of the objects lim_init() and lim_frame() need, in FOLDER/CORE/renderer.elf. Of a C
+# library it needs memcpy and memset at most.
+footprint_link() {
+    # shellcheck disable=SC2046 # flags are words
+    $(target_compiler "$1") $(target_flags "$1") -Os -ffreestanding -ffunction-sections -Isim/targets -c \
+        -o "$2/$1/library.image" sim/targets/image.c &&
+        $(target_compiler "$1") $(target_flags "$1") -nostdlib -Wl,--gc-sections -Wl,-e,lim_frame \
+            -Wl,-u,lim_frame,-u,lim_init -o "$2/$1/renderer.elf" "$2/$1"/*.o "$2/$1/library.image" -lgcc
+}
+
+footprint_size() { # CORE FILE COLUMN: 1 text, 2 data, 3 bss
+    "$(target_tools "$1")size" "$2" | awk -v column="$3" 'NR > 1 { sum += $column } END { print sum }'
+}
+
+# footprint_ram CORE FOLDER HEADER SCENE H_PX [FLAG...]: struct lim, and what SCENE asks for; SCENE in capitals.
+footprint_ram() {
+    footprint_core=$1 footprint_dir=$2 footprint_header=$3 footprint_scene=$4 footprint_h_px=$5
+    shift 5
+    printf '#include "limner.h"\nstruct lim lim;\nuint32_t mem[%s_SCENE_MEM_B(%s) / 4];\n' "$footprint_scene" \
+        "$footprint_h_px" >"$footprint_dir/ram.c"
+    # shellcheck disable=SC2046,SC2086 # flags are words
+    $(target_compiler "$footprint_core") $(target_flags "$footprint_core") $footprint_flags \
+        -I"$footprint_dir" -DLIM_CONFIG="\"$footprint_header\"" "$@" -c -o "$footprint_dir/ram.image" \
+        "$footprint_dir/ram.c" && footprint_size "$footprint_core" "$footprint_dir/ram.image" 3
+}
+
+# footprint_stack CORE FOLDER: the bytes and the path, without what the target's lend() and done() take.
+footprint_stack() {
+    awk -f sim/stack.awk -v roots='lim_init lim_frame' -v calls='span.c=paint_piece' \
+        -v outside='paint.c painter.c convex.c' "$2/$1"/*.ci
+}

@@ -1,0 +1,165 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Options and their lists of names, divided by commas. */
+#include "measure_request.h"
+
+#include "child.h"
+#include "parse.h"
+
+#include <getopt.h>
+#include <stdio.h>
+#include <string.h>
+#include <strings.h>
+#include <unistd.h>
+
+enum option_code {
+    OPTION_CAMERA = 256,
+    OPTION_SIZE,
+    OPTION_FOV,
+    OPTION_NEAR,
+    OPTION_PRECISION,
+    OPTION_CORE,
+    OPTION_NO_COST,
+    OPTION_KEEP_FACES,
+    OPTION_UNLIT
+};
+
+static const struct option OPTIONS[] = {
+    {"camera", required_argument, NULL, OPTION_CAMERA},
+    {"size", required_argument, NULL, OPTION_SIZE},
+    {"fov", required_argument, NULL, OPTION_FOV},
+    {"near", required_argument, NULL, OPTION_NEAR},
+    {"precision", required_argument, NULL, OPTION_PRECISION},
+    {"core", required_argument, NULL, OPTION_CORE},
+    {"no-cost", no_argument, NULL, OPTION_NO_COST},
+    {"keep-faces", no_argument, NULL, OPTION_KEEP_FACES},
+    {"unlit", no_argument, NULL, OPTION_UNLIT},
+    {NULL, 0, NULL, 0},
+};
+
+/* Calls `add` for each name of a list. */
+static bool parse_list(const char *option, const char *text, struct measure_request *out,
+                       bool (*add)(struct measure_request *out, const char *name, struct error *err), struct error *err)
+{
+    for (;;) {
+        char name[32];
+        const size_t length = strcspn(text, ",");
+        if (length == 0 || length >= sizeof name) return error_set(err, "%s: names, divided by commas", option);
+        snprintf(name, sizeof name, "%.*s", (int)length, text);
+        if (!add(out, name, err)) return false;
+        if (!text[length]) return true;
+        text += length + 1;
+    }
+}
+
+static bool add_core(struct measure_request *out, const char *name, struct error *err)
+{
+    const struct core *core = core_find(name);
+    if (!core) return error_set(err, "--precision %s: no such profile or variant", name);
+    for (size_t i = 0; i < out->core_count; i++)
+        if (out->cores[i] == core) return error_set(err, "--precision %s: named twice", name);
+    if (out->core_count == MEASURE_CORES_MAX) return error_set(err, "--precision: too many");
+    out->cores[out->core_count++] = core;
+    return true;
+}
+
+static bool add_cpu(struct measure_request *out, const char *name, struct error *err)
+{
+    const struct measure_cpu *cpu = measure_cpu_find(name);
+    if (!cpu) return error_set(err, "--core %s: no such processor; there are m0plus, m3, m4 and rv32", name);
+    for (size_t i = 0; i < out->cpu_count; i++)
+        if (out->cpus[i] == cpu) return error_set(err, "--core %s: named twice", name);
+    if (out->cpu_count == MEASURE_REQUEST_CPUS_MAX) return error_set(err, "--core: too many");
+    out->cpus[out->cpu_count++] = cpu;
+    return true;
+}
+
+static bool parse_near(const char *text, double *out, struct error *err)
+{
+    if (!parse_number("--near", text, out, err)) return false;
+    return *out > 0.0 || error_set(err, "--near %s: the near plane must lie in front of the eye", text);
+}
+
+static bool parse_option(int code, char **argv, struct measure_request *out, bool *no_cost, struct error *err)
+{
+    switch (code) {
+    case 'o':
+        out->folder = optarg;
+        return *optarg || error_set(err, "-o: needs a folder");
+    case OPTION_CAMERA:
+        out->camera = optarg;
+        return true;
+    case OPTION_SIZE:
+        return parse_size(optarg, &out->w_px, &out->h_px, err);
+    case OPTION_FOV:
+        return parse_number("--fov", optarg, &out->fov_deg, err);
+    case OPTION_NEAR:
+        return parse_near(optarg, &out->near_m, err);
+    case OPTION_PRECISION:
+        return parse_list("--precision", optarg, out, add_core, err);
+    case OPTION_CORE:
+        return parse_list("--core", optarg, out, add_cpu, err);
+    case OPTION_NO_COST:
+        *no_cost = true;
+        return true;
+    case OPTION_KEEP_FACES:
+        out->compile.keep_faces = true;
+        return true;
+    case OPTION_UNLIT:
+        out->compile.unlit = true;
+        return true;
+    case ':':
+        return error_set(err, "%s: needs a value", argv[optind - 1]);
+    default:
+        return error_set(err, "%s: no such option here; `limner help` lists them", argv[optind - 1]);
+    }
+}
+
+static bool take_model(int argc, char **argv, struct measure_request *out, struct error *err)
+{
+    if (optind >= argc) return error_set(err, "measure: needs a model");
+    if (optind + 1 < argc) return error_set(err, "measure: one model at a time, what is '%s'?", argv[optind + 1]);
+    out->model = argv[optind];
+    const char *slash = strrchr(out->model, '/'), *name = slash ? slash + 1 : out->model;
+    const char *dot = strrchr(name, '.');
+    if (dot && strcasecmp(dot, ".lim") == 0)
+        return error_set(err, "%s: accuracy is measured against the model, not against a compiled scene", out->model);
+    snprintf(out->name, sizeof out->name, "%.*s", (int)(dot ? dot - name : (long)strlen(name)), name);
+    return true;
+}
+
+static void fill_in(struct measure_request *out, bool no_cost)
+{
+    if (!out->core_count)
+        for (size_t i = 0; cores[i] && i < MEASURE_CORES_MAX; i++)
+            out->cores[out->core_count++] = cores[i];
+    if (!out->cpu_count && !no_cost)
+        for (size_t i = 0; i < measure_cpu_count; i++)
+            out->cpus[out->cpu_count++] = &measure_cpus[i];
+    out->compile.w_px = out->w_px;
+    out->compile.h_px = out->h_px;
+    out->compile.progress = isatty(STDERR_FILENO);
+}
+
+bool measure_request_parse(int argc, char **argv, struct measure_request *out, struct error *err)
+{
+    bool no_cost = false;
+    *out = (struct measure_request){
+        .w_px = 240, .h_px = 240, .fov_deg = 60.0, .compile = {.tolerance_units = 0.5, .splitter = "auto"}};
+    opterr = 0;
+    optind = 1;
+    for (int code; (code = getopt_long(argc, argv, ":o:", OPTIONS, NULL)) != -1;)
+        if (!parse_option(code, argv, out, &no_cost, err)) return false;
+    if (!take_model(argc, argv, out, err)) return false;
+    if (no_cost && out->cpu_count) return error_set(err, "measure: --core and --no-cost exclude each other");
+    fill_in(out, no_cost);
+    return true;
+}
+
+bool measure_request_check(const struct measure_request *request, struct error *err)
+{
+    for (size_t i = 0; i < request->cpu_count; i++)
+        if (!measure_cpu_check(request->cpus[i], err)) return false;
+    if (!request->folder || !request->cpu_count || child_exists("gnuplot")) return true;
+    return error_set(err, "gnuplot: not found; the plot needs Debian's package gnuplot-nox (or leave out -o)");
+}

@@ -1,0 +1,31 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * The command line of `limner measure`. */
+#ifndef SIM_MEASURE_REQUEST_H
+#define SIM_MEASURE_REQUEST_H
+
+#include "measure.h"
+
+enum { MEASURE_CORES_MAX = 32, MEASURE_REQUEST_CPUS_MAX = 8, MEASURE_NAME_B = 128, MEASURE_ORBIT_FRAMES = 16 };
+
+/* gnuplot's script. */
+#define MEASURE_PLOT LIM_SOURCE_FOLDER "/sim/measure.gp"
+
+struct measure_request {
+    const char *model, *camera, *folder; /* camera and folder: NULL, not given */
+    char name[MEASURE_NAME_B];           /* the model's, without folder and suffix */
+    unsigned w_px, h_px;
+    double fov_deg, near_m; /* near_m 0: not given */
+    struct compile_options compile;
+    const struct core *cores[MEASURE_CORES_MAX];
+    const struct measure_cpu *cpus[MEASURE_REQUEST_CPUS_MAX];
+    size_t core_count, cpu_count; /* cpu_count 0: accuracy only */
+};
+
+/* Fills in the defaults too: every renderer on every processor. The strings stay argv's. */
+bool measure_request_parse(int argc, char **argv, struct measure_request *out, struct error *err);
+
+/* Whether all the tools that it takes are there. */
+bool measure_request_check(const struct measure_request *request, struct error *err);
+
+#endif

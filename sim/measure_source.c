@@ -1,0 +1,122 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * The same steps as compile_model() takes, with what is known on the way kept: the reference sees the
+ * faces before any are merged, and every point of the mesh can be found by its place on the grid. */
+#include "measure.h"
+
+#include "grow.h"
+#include "light.h"
+#include "vec3.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* The point of the grid that is nearest to a place, units, as a key; halves go up. */
+static uint64_t grid_key(const double units[3])
+{
+    uint64_t key = 0;
+    for (int i = 0; i < 3; i++)
+        key = key << 16 | (uint16_t)(int32_t)floor(units[i] + 0.5);
+    return key;
+}
+
+static uint64_t point_key(const struct mesh *mesh, const double point_m[3])
+{
+    double units[3];
+    for (int i = 0; i < 3; i++)
+        units[i] = (point_m[i] - mesh->grid.origin_m[i]) * mesh->grid.units_per_m;
+    return grid_key(units);
+}
+
+static void index_points(struct measure_source *source)
+{
+    const struct mesh *mesh = &source->mesh;
+    source->next_point = grow_zeroed(mesh->point_count, sizeof *source->next_point);
+    for (uint32_t i = 0; i < mesh->point_count; i++) {
+        uint32_t *first = map_at(&source->points, point_key(mesh, mesh->points[i]), MEASURE_NO_POINT);
+        source->next_point[i] = *first;
+        *first = i;
+    }
+}
+
+static bool read_mesh(struct measure_source *source, const struct model *model, const struct compile_options *options,
+                      unsigned w_px, unsigned h_px, struct error *err)
+{
+    struct mesh *mesh = &source->mesh;
+    if (!mesh_clean(model, mesh, err)) return false;
+    if (!reference_init(&source->reference, mesh, w_px, h_px, err) || !(options->keep_faces || mesh_merge(mesh, err)) ||
+        !mesh_insert_t_vertices(mesh, err))
+        return false;
+    index_points(source);
+    return true;
+}
+
+bool measure_source_read(struct measure_source *source, const char *model_path, const struct compile_options *options,
+                         unsigned w_px, unsigned h_px, struct error *err)
+{
+    struct model model;
+    *source = (struct measure_source){0};
+    if (!model_import(model_path, &model, err)) return false;
+    if (!options->unlit) light_bake(&model);
+    const bool ok = read_mesh(source, &model, options, w_px, h_px, err) || error_prefix(err, model_path);
+    model_free(&model);
+    if (!ok) measure_source_free(source);
+    return ok;
+}
+
+static void vertex_units(const struct lim_scene *scene, uint16_t vertex, double out[3])
+{
+    const struct lim_vertex *at = &scene->vertices[vertex];
+    out[0] = at->x;
+    out[1] = at->y;
+    out[2] = at->z;
+    if (!scene->fractions) return;
+    const struct lim_fraction *fraction = &scene->fractions[vertex];
+    out[0] += fraction->x_q8 / 256.0;
+    out[1] += fraction->y_q8 / 256.0;
+    out[2] += fraction->z_q8 / 256.0;
+}
+
+/* Among the mesh's points that round to a place, the one nearest to the vertex, if any is nearer than
+ * the best so far. */
+static void find_nearer(const struct measure_source *source, const double place[3], const double vertex_m[3],
+                        double *best2, double out_m[3])
+{
+    const uint32_t *first = map_find(&source->points, grid_key(place));
+    for (uint32_t i = first ? *first : MEASURE_NO_POINT; i != MEASURE_NO_POINT; i = source->next_point[i]) {
+        const double distance2 = vec3_distance2(source->mesh.points[i], vertex_m);
+        if (distance2 >= *best2) continue;
+        *best2 = distance2;
+        memcpy(out_m, source->mesh.points[i], sizeof source->mesh.points[i]);
+    }
+}
+
+/* A vertex with fractions may have been rounded over the border between two points of the grid: what
+ * lies half a fraction's last place to either side of it, along each axis, is looked up. */
+bool measure_source_point(const struct measure_source *source, const struct lim_scene *scene, uint16_t vertex,
+                          double out_m[3])
+{
+    const struct grid *grid = &source->mesh.grid;
+    const double reach = scene->fractions ? 1.0 / 512.0 : 0.0;
+    double units[3], vertex_m[3], best2 = INFINITY;
+    vertex_units(scene, vertex, units);
+    for (int i = 0; i < 3; i++)
+        vertex_m[i] = grid->origin_m[i] + units[i] / grid->units_per_m;
+    for (int sides = 0; sides < 8; sides++) {
+        double place[3];
+        for (int i = 0; i < 3; i++)
+            place[i] = units[i] + (sides >> i & 1 ? reach : -reach);
+        find_nearer(source, place, vertex_m, &best2, out_m);
+    }
+    return best2 < INFINITY;
+}
+
+void measure_source_free(struct measure_source *source)
+{
+    reference_free(&source->reference);
+    mesh_free(&source->mesh);
+    map_free(&source->points);
+    free(source->next_point);
+    *source = (struct measure_source){0};
+}

@@ -1,0 +1,62 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Counters and the painter are nobody's need: who wants them says so to the C compiler. */
+#include "needs.h"
+
+enum { SIDE_MIN_PX = 8 };
+
+static unsigned greater(unsigned a, unsigned b)
+{
+    return a > b ? a : b;
+}
+
+struct needs needs_of(const struct compiled *scene)
+{
+    return (struct needs){.nearest = !scene->report.convex,
+                          .convex = scene->report.convex,
+                          .cull = scene->scene.box_count > 0 && !scene->report.convex,
+                          .slanted = scene->scene.plane_count > 0,
+                          .large = scene->scene.exact_count > 0,
+                          .vertices = scene->scene.limits.vertices,
+                          .side_px = greater(scene->report.w_px, scene->report.h_px),
+                          .core = scene->report.core};
+}
+
+struct needs needs_union(const struct needs *a, const struct needs *b)
+{
+    return (struct needs){.nearest = a->nearest || b->nearest,
+                          .convex = a->convex || b->convex,
+                          .cull = a->cull || b->cull,
+                          .slanted = a->slanted || b->slanted,
+                          .large = a->large || b->large,
+                          .vertices = greater(a->vertices, b->vertices),
+                          .side_px = greater(a->side_px, b->side_px),
+                          .core = a->core};
+}
+
+static void write_macro(FILE *file, const char *name, unsigned value)
+{
+    fprintf(file, "#ifndef LIM_%s\n#define LIM_%s %u\n#endif\n", name, name, value);
+}
+
+/* A profile's own sub-pixel bits go without saying. */
+static void write_profile(FILE *file, const struct core *core)
+{
+    static const char *const names[] = {"DRAFT", "FAST", "FINE", "EXACT"};
+    fprintf(file, "#ifndef LIM_PROFILE\n#define LIM_PROFILE LIM_PROFILE_%s\n#endif\n", names[core->profile]);
+    if (!core->is_profile) write_macro(file, "SUB_BITS", core->sub_bits);
+}
+
+void needs_write(const struct needs *needs, FILE *file)
+{
+    write_macro(file, "HAS_NEAREST", needs->nearest);
+    write_macro(file, "HAS_CONVEX", needs->convex);
+    write_macro(file, "HAS_PAINTER", 0);
+    write_macro(file, "HAS_CULL", needs->cull);
+    write_macro(file, "HAS_SLANTED", needs->slanted);
+    write_macro(file, "HAS_LARGE", needs->large);
+    write_macro(file, "HAS_STATS", 0);
+    write_macro(file, "MAX_VERTICES", needs->vertices);
+    if (needs->side_px) write_macro(file, "MAX_SIDE_PX", greater(needs->side_px, SIDE_MIN_PX));
+    if (needs->core) write_profile(file, needs->core);
+}

@@ -1,0 +1,28 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * What a renderer must contain to draw a scene, or any of several: the configuration of a firmware
+ * (config.h). */
+#ifndef SIM_NEEDS_H
+#define SIM_NEEDS_H
+
+#include "compiled.h"
+
+#include <stdio.h>
+
+struct needs {
+    bool nearest, convex;      /* methods */
+    bool cull, slanted, large; /* what the methods have to do with the scene's boxes and planes */
+    unsigned vertices;         /* most of any polygon */
+    unsigned side_px;          /* longest of any panel that pools were measured for; 0: none */
+    const struct core *core;   /* precision; NULL: not said */
+};
+
+struct needs needs_of(const struct compiled *scene);
+
+/* All that either needs. Both have the same precision. */
+struct needs needs_union(const struct needs *a, const struct needs *b);
+
+/* As macros, each of which a build may define itself. */
+void needs_write(const struct needs *needs, FILE *file);
+
+#endif

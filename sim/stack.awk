@@ -1,0 +1,103 @@
+# SPDX-License-Identifier: MIT
+#
+# The worst-case stack of functions, from what gcc -fcallgraph-info=su writes: awk -f sim/stack.awk
+# -v roots='lim_init lim_frame' [-v calls='span.c=paint_piece ...'] [-v outside='paint.c ...'] *.ci
+# `calls` says where a file's calls through a pointer lead; those of the files in `outside` lead to somebody
+# else's functions, whose stack comes on top. Prints the bytes of the deepest root, and the path there. An
+# error: recursion, a frame without bound, a pointer not accounted for.
+
+# Code of the compiler's own library, written in assembly or without call graph: more than any of it takes.
+BEGIN {
+    library_b = 64
+    count = split(calls, pairs, " ")
+    for (i = 1; i <= count; i++) {
+        at = index(pairs[i], "=")
+        leads[substr(pairs[i], 1, at - 1)] = substr(pairs[i], at + 1)
+    }
+    count = split(outside, names, " ")
+    for (i = 1; i <= count; i++) is_outside[names[i]] = 1
+}
+
+function fail(text) {
+    print "stack: " text > "/dev/stderr"
+    failed = 1
+    exit 1
+}
+
+function quoted(key,   rest) {
+    rest = substr($0, index($0, key ": \"") + length(key) + 3)
+    return substr(rest, 1, index(rest, "\"") - 1)
+}
+
+# A function's own name: that of a static one is FILE:NAME.
+function plain(title,   parts, n) {
+    n = split(title, parts, ":")
+    sub(/\.(isra|constprop|part|cold)(\.[0-9]+)*/, "", parts[n])
+    return parts[n]
+}
+
+/^node: / {
+    title = quoted("title")
+    label = quoted("label")
+    if (label !~ / bytes \(/) next
+    if (label ~ /bytes \(dynamic\)/) fail(plain(title) ": its stack has no bound")
+    own_b[title] = label
+    sub(/.*\\n/, "", own_b[title])
+    own_b[title] += 0
+    by_name[plain(title)] = title
+}
+
+# A call through a pointer becomes one of what the pointer leads to.
+/^edge: / {
+    from = quoted("sourcename")
+    to = quoted("targetname")
+    if (to == "__indirect_call") {
+        file = quoted("label")
+        sub(/:.*/, "", file)
+        sub(/.*\//, "", file)
+        if (file in is_outside) next
+        if (!(file in leads)) fail(file ": calls through a pointer, and nobody says where to")
+        to = "*" leads[file]
+    }
+    callees[from] = callees[from] " " to
+}
+
+# Bytes of a function and all that it calls; `via` is the deepest way there.
+function deepest(title,   list, n, i, callee, below_b, most_b, name) {
+    if (title in known_b) return known_b[title]
+    if (!(title in own_b)) {
+        via[title] = plain(title) " " library_b
+        return known_b[title] = library_b
+    }
+    if (title in entered) fail(plain(title) ": calls itself")
+    entered[title] = 1
+    name = plain(title)
+    n = split(callees[title], list, " ")
+    for (i = 1; i <= n; i++) {
+        callee = list[i]
+        if (sub(/^\*/, "", callee)) {
+            if (!(callee in by_name)) fail(callee ": no such function")
+            callee = by_name[callee]
+        }
+        below_b = deepest(callee)
+        if (below_b <= most_b) continue
+        most_b = below_b
+        via[title] = via[callee]
+    }
+    via[title] = name " " own_b[title] (most_b ? ", " via[title] : "")
+    delete entered[title]
+    return known_b[title] = own_b[title] + most_b
+}
+
+END {
+    if (failed) exit 1
+    count = split(roots, names, " ")
+    for (i = 1; i <= count; i++) {
+        if (!(names[i] in by_name)) fail(names[i] ": no such function")
+        bytes = deepest(by_name[names[i]])
+        if (bytes <= worst_b) continue
+        worst_b = bytes
+        worst = by_name[names[i]]
+    }
+    print worst_b ": " via[worst]
+}

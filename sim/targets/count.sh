@@ -1,0 +1,46 @@
+# SPDX-License-Identifier: MIT
+#
+# The two outward steps of counting instructions; `limner measure` does what lies between. From the
+# project's folder:
+#   sh sim/targets/count.sh build CORE FOLDER          FOLDER/model.[ch], cameras.h -> image, image.map, marks
+#   sh sim/targets/count.sh run CORE FOLDER PLUGIN     image, ranges -> counts; the frames' hashes -> hashes;
+#                                                      the functions that a range's start is from -> inlined
+# An image without statistics and without the painter, as a product would be. What is for debuggers changes no code.
+set -eu
+
+: "${WARNINGS:=-Wall}"
+. sim/targets/targets.sh
+
+step=$1 core=$2 folder=$3
+
+compile() { # OBJECT SOURCE FLAG...
+    object=$1 source=$2
+    shift 2
+    # shellcheck disable=SC2046,SC2086 # flags are words
+    $(target_compiler "$core") $(target_flags "$core") -O2 -g $WARNINGS -ffreestanding -ffunction-sections \
+        -fdata-sections -Ifirmware -I"$folder" "$@" -c -o "$object" "$source"
+}
+
+# The renderer's objects in a folder of their own, so that the linker's map tells whose is what.
+build() {
+    set -- '-DLIM_CONFIG="model.h"' -DLIM_HAS_STATS=0 -DLIM_HAS_PAINTER=0
+    mkdir -p "$folder/firmware"
+    for source in firmware/*.c; do
+        compile "$folder/${source%.c}.o" "$source" "$@"
+    done
+    compile "$folder/model.o" "$folder/model.c" "$@"
+    target_link "$core" "$folder/image" "$@" -I"$folder" -Wl,--wrap=main -Wl,-Map,"$folder/image.map" \
+        sim/targets/count_check.c sim/targets/frames.c "$folder/model.o" "$folder"/firmware/*.o
+}
+
+run() { # PLUGIN
+    target_run "$core" "$folder/image" -icount shift=0 -plugin "$1,ranges=$folder/ranges,out=$folder/counts" \
+        >"$folder/hashes"
+    sed -n 's/^range \([0-9a-f]*\) .*/\1/p' "$folder/ranges" |
+        "$(target_tools "$core")addr2line" -a -i -f -e "$folder/image" >"$folder/inlined"
+}
+
+case $step in
+build) build ;;
+run) run "$4" ;;
+esac

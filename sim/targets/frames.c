@@ -1,0 +1,130 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Renders every camera of a list, line by line, and prints each frame's number and hash just as
+ * `limner render --write-hashes` does. Compiled for a scene (`limner compile -o DIR/model`) and for
+ * its cameras and screen (`limner render --write-cameras DIR/cameras.h`). Exit status 0, or 1 when
+ * the renderer failed or painted out of order. */
+#include "limner.h"
+
+#include "cameras.h"
+#include "console.h"
+#include "model.h"
+
+/* What the scene asks for. With less, down to lim_mem_min_b(), the same frames take longer. */
+#ifndef FRAMES_MEM_B
+#define FRAMES_MEM_B MODEL_SCENE_MEM_B(CAMERAS_H_PX)
+#endif
+
+#define FNV_OFFSET_HIGH UINT32_C(0xcbf29ce4)
+#define FNV_OFFSET_LOW UINT32_C(0x84222325)
+enum { FNV_PRIME_LOW = 0x1b3 }; /* the prime is 2^40 + this */
+
+struct screen {
+    _Alignas(4) uint16_t line[CAMERAS_W_PX];
+    uint32_t hash_high, hash_low; /* FNV-1a, 64 bits, of the bytes as the bus gets them */
+    uint32_t painted_px;          /* of this frame */
+};
+
+static struct lim lim;
+static uint32_t mem[FRAMES_MEM_B / 4];
+static struct screen screen;
+
+int main(void);
+void frame_begin(uint16_t frame);
+void frame_end(uint16_t frame);
+
+/* Two marks for whoever counts instructions: between them there is lim_frame() alone. */
+__attribute__((noinline)) void frame_begin(uint16_t frame)
+{
+    __asm__ volatile("" ::"r"(frame));
+}
+
+__attribute__((noinline)) void frame_end(uint16_t frame)
+{
+    __asm__ volatile("" ::"r"(frame));
+}
+
+/* In 32-bit products only: a 64-bit one would be a library call that the renderer makes too, and
+ * who counts could not tell the two apart. */
+static void hash_byte(struct screen *to, uint8_t byte)
+{
+    const uint32_t low = to->hash_low ^ byte;
+    const uint32_t carry = ((low >> 16) * FNV_PRIME_LOW + (((low & 0xFFFFu) * FNV_PRIME_LOW) >> 16)) >> 16;
+    to->hash_high = to->hash_high * FNV_PRIME_LOW + carry + (low << 8);
+    to->hash_low = low * FNV_PRIME_LOW;
+}
+
+static void *lend(void *ctx, uint16_t y_px)
+{
+    (void)y_px;
+    return ((struct screen *)ctx)->line;
+}
+
+/* Pixels must come from left to right and from the top down, each once. */
+static int done(void *ctx, uint16_t y_px, uint16_t x_px, uint16_t n_px)
+{
+    struct screen *to = ctx;
+    const uint8_t *bytes = (const uint8_t *)(to->line + x_px);
+
+    if (to->painted_px != (uint32_t)y_px * CAMERAS_W_PX + x_px || x_px + n_px > CAMERAS_W_PX) return -1;
+    for (uint16_t i = 0; i < 2 * n_px; i++)
+        hash_byte(to, bytes[i]);
+    to->painted_px += n_px;
+    return 0;
+}
+
+static void put_hex(uint32_t number)
+{
+    char digits[9];
+
+    for (int8_t i = 7; i >= 0; i--, number >>= 4)
+        digits[i] = "0123456789abcdef"[number & 15u];
+    digits[8] = 0;
+    console_put(digits);
+}
+
+static void put_decimal(uint16_t number)
+{
+    char digits[6];
+    uint8_t at = sizeof digits - 1;
+
+    digits[at] = 0;
+    do
+        digits[--at] = (char)('0' + number % 10);
+    while (number /= 10);
+    console_put(&digits[at]);
+}
+
+static int render(uint16_t frame)
+{
+    const struct lim_camera camera = cameras[frame];
+
+    screen.hash_high = FNV_OFFSET_HIGH;
+    screen.hash_low = FNV_OFFSET_LOW;
+    screen.painted_px = 0;
+    frame_begin(frame);
+    const int err = lim_frame(&lim, &camera);
+    frame_end(frame);
+    return err || screen.painted_px != (uint32_t)CAMERAS_W_PX * CAMERAS_H_PX;
+}
+
+static void put_frame(uint16_t frame)
+{
+    put_decimal(frame);
+    console_put(" ");
+    put_hex(screen.hash_high);
+    put_hex(screen.hash_low);
+    console_put("\n");
+}
+
+int main(void)
+{
+    const struct lim_target target = {CAMERAS_W_PX, CAMERAS_H_PX, LIM_RGB565, LIM_NEAREST_FIRST, &screen, lend, done};
+    int err = lim_init(&lim, &model_scene, &target, mem, sizeof mem);
+
+    for (uint16_t frame = 0; frame < CAMERAS_COUNT && !err; frame++) {
+        err = render(frame);
+        if (!err) put_frame(frame);
+    }
+    return err != 0;
+}

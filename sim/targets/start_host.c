@@ -1,0 +1,11 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Stands in for the start-up code where a target has an operating system. */
+#include "console.h"
+
+#include <stdio.h>
+
+void console_put(const char *text)
+{
+    fputs(text, stdout);
+}

@@ -1,0 +1,35 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Made by mkdtemp(), removed from the leaves to the root without following links. */
+#define _XOPEN_SOURCE 700
+#include "work_folder.h"
+
+#include <errno.h>
+#include <ftw.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { OPEN_FOLDERS = 16 };
+
+bool work_folder_make(struct work_folder *folder, struct error *err)
+{
+    const char *parent = getenv("TMPDIR");
+    if (!parent || parent[0] != '/') parent = "/tmp";
+    const int length = snprintf(folder->path, sizeof folder->path, "%s/limner-XXXXXX", parent);
+    if (length < (int)sizeof folder->path && mkdtemp(folder->path)) return true;
+    folder->path[0] = '\0';
+    return error_set(err, "%s: cannot make a folder in it: %s", parent, strerror(errno));
+}
+
+static int remove_entry(const char *path, const struct stat *status, int kind, struct FTW *place)
+{
+    (void)status, (void)kind, (void)place;
+    return remove(path);
+}
+
+void work_folder_remove(struct work_folder *folder)
+{
+    if (folder->path[0]) nftw(folder->path, remove_entry, OPEN_FOLDERS, FTW_DEPTH | FTW_PHYS);
+    folder->path[0] = '\0';
+}

@@ -1,0 +1,20 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * A folder for files that nobody is to see, in $TMPDIR or /tmp. */
+#ifndef SIM_WORK_FOLDER_H
+#define SIM_WORK_FOLDER_H
+
+#include "error.h"
+
+#include <stddef.h>
+
+struct work_folder {
+    char path[512]; /* empty: there is none */
+};
+
+bool work_folder_make(struct work_folder *folder, struct error *err);
+
+/* With all that is in it. */
+void work_folder_remove(struct work_folder *folder);
+
+#endif
