@@ -84,7 +84,8 @@ tap_check "files of an earlier run are replaced" replaces_old_files
 
 refuse "compile without a model is refused" '^limner: compile: needs a model'
 refuse "compile without a name is refused" '^limner: compile: needs -o NAME' ../pyramid.obj
-refuse "two models are refused" "what is 'b.obj'" ../pyramid.obj b.obj -o x
+refuse "a second model that is missing is refused" '^limner: b\.obj: .*No such file' ../pyramid.obj b.obj -o x
+refuse "two scenes of one name are refused" 'a scene of that name is there already' ../pyramid.obj ../pyramid.obj -o x
 refuse "an unknown option is refused" '^limner: --colour: no such option' --colour ../pyramid.obj -o x
 refuse "a missing value is refused" '^limner: --tolerance: needs a value' ../pyramid.obj -o x --tolerance
 refuse "a negative tolerance is refused" '^limner: --tolerance -1: must be 0 to 1024 units' ../pyramid.obj -o x --tolerance -1

@@ -12,8 +12,8 @@ build() { # NAME FLAG...
     name=$1
     shift
     # shellcheck disable=SC2086 # flags are words
-    $CC -std=c11 -O2 $WARNINGS "$@" -DLIM_CONFIG='"teapot.h"' -Ifirmware -I"$work" -o "$work/$name" \
-        tests/example/*.c tests/arm/host.c "$work/teapot.c" firmware/*.c
+    $CC -std=c11 -O2 $WARNINGS "$@" -DLIM_CONFIG='"teapot.h"' -Ifirmware -Isim/targets -I"$work" -o "$work/$name" \
+        tests/example/*.c sim/targets/start_host.c "$work/teapot.c" firmware/*.c
 }
 
 # Three frames; neither nothing nor everything is painted.

@@ -44,11 +44,15 @@ compile_all() { # TARGET FOLDER: compiles every file of the folder, tells all th
     return $failed
 }
 
-compile_variants() { # TARGET: other profiles, other screen coordinates
+compile_variants() { # TARGET: other profiles, other screen coordinates, fewer features
     failed=0
     for source in firmware/*.c; do
-        compile "$1" "$work/variant.o" "$source" -DLIM_PROFILE=LIM_PROFILE_FINE -DLIM_MAX_SIDE_PX=128 || failed=1
+        for profile in $(echo "${PROFILES:?is set by the Makefile}" | tr '[:lower:]' '[:upper:]'); do
+            compile "$1" "$work/variant.o" "$source" -DLIM_PROFILE="LIM_PROFILE_$profile" -DLIM_MAX_SIDE_PX=128 || failed=1
+        done
         compile "$1" "$work/variant.o" "$source" -DLIM_MAX_SIDE_PX=240 -DLIM_HAS_STATS=0 -DLIM_HAS_PAINTER=0 || failed=1
+        compile "$1" "$work/variant.o" "$source" -DLIM_HAS_STATS=0 -DLIM_HAS_PAINTER=0 -DLIM_HAS_NEAREST=0 \
+            -DLIM_HAS_CULL=0 -DLIM_HAS_LARGE=0 -DLIM_HAS_SLANTED=0 || failed=1
     done
     return $failed
 }

@@ -254,6 +254,7 @@ static int64_t random_vertex(uint32_t *random)
     struct lim_view view;
     struct lim_view_point p;
     struct lim_camera camera = {{0}, 0, 0, 0, UINT32_C(155000000), UINT32_C(155000000), 256 * 16};
+    const struct lim_scene scene = {0};
     const struct lim_vertex vertex = {(int16_t)random_u32(random), (int16_t)random_u32(random),
                                       (int16_t)random_u32(random)};
 
@@ -263,12 +264,13 @@ static int64_t random_vertex(uint32_t *random)
     camera.pitch = random_u32(random);
     camera.roll = random_u32(random);
     lim_view_init(&view, 240, 135, cache);
-    if (!lim_view_begin(&view, &camera)) return -1;
-    lim_view_transform(&view, &vertex, &p);
-    if (p.z_qv < view.near_qv || abs_s32(p.x_qv) / 2 > (uint32_t)p.z_qv || abs_s32(p.y_qv) / 2 > (uint32_t)p.z_qv) {
+    if (!lim_view_begin(&view, &scene, &camera)) return -1;
+    lim_view_transform(&view, &scene, &vertex, &p);
+    if (p.z_qv < view.rows.near_qv || abs_s32(p.x_qv) / 2 > (uint32_t)p.z_qv || abs_s32(p.y_qv) / 2 > (uint32_t)p.z_qv) {
         return (int64_t)p.x_qv * 3 + (int64_t)p.y_qv * 5 + p.z_qv;
     }
-    const struct lim_point at = lim_view_project(&view, &p);
+    struct lim_point at;
+    lim_view_project(&view, &p, &at);
     return (int64_t)at.x * 65536 + at.y;
 }
 
@@ -326,7 +328,8 @@ static void side_vectors(struct report *report)
         struct lim_eye eye;
         lim_eye_set(&eye, table[i].eye_q8);
         for (uint8_t k = 0; k < 4; k++) {
-            expect(report, "lim_eye_side", i, k, lim_eye_side(&eye, &scene, &nodes[k]), table[i].expected[k]);
+            const int16_t side = lim_eye_side(&eye, &scene, &nodes[k]);
+            expect(report, "lim_eye_side", i, k, (side > 0) - (side < 0), table[i].expected[k]);
         }
     }
 }

@@ -18,6 +18,7 @@ static void an_edge_that_zigzags_across_a_clip_plane_adds_one_vertex_at_most(voi
     enum { T_VERTICES = 16, N = T_VERTICES + 2 };
     struct lim_view_cached cache[LIM_VIEW_CACHE_ENTRIES];
     struct lim_vertex corners[N];
+    const struct lim_scene scene = {.vertices = corners};
     struct lim_view view;
     int zigzags = 0;
 
@@ -32,13 +33,13 @@ static void an_edge_that_zigzags_across_a_clip_plane_adds_one_vertex_at_most(voi
         const struct lim_camera camera = {{-114487, 102400, 228973}, along, 0, 0, one_q28, one_q28, near_q8};
         struct lim_clip_polygon polygon = {.n = N};
         int outside = 0;
-        assert_true(lim_view_begin(&view, &camera));
+        assert_true(lim_view_begin(&view, &scene, &camera));
         for (int k = 0; k < N; k++) {
-            lim_view_transform(&view, &corners[k], &polygon.at[k]);
-            outside += polygon.at[k].z_qv < view.near_qv;
+            lim_view_transform(&view, &scene, &corners[k], &polygon.at[k]);
+            outside += polygon.at[k].z_qv < view.rows.near_qv;
         }
         zigzags += outside > 4 && outside < T_VERTICES / 2 + 2;
-        lim_clip(&polygon, view.near_qv);
+        lim_clip(&polygon, view.rows.near_qv);
         assert_in_range(polygon.n, 3, N + 1);
     }
     assert_true(zigzags > 4);

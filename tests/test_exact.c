@@ -63,9 +63,13 @@ static void snapping_rounds_halves_up(void **state)
                  {-0.5000000001, -1}};
     struct exact_points points = {0};
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
-        const struct lim_vertex snapped = exact_snap(&points, add(&points, cases[i].at, -cases[i].at, 7.0));
-        assert_int_equal(snapped.x, cases[i].snapped);
-        assert_int_equal(snapped.z, 7);
+        const struct grid_point snapped = exact_snap(&points, add(&points, cases[i].at, -cases[i].at, 7.0), 0);
+        assert_int_equal(snapped.q8[0], cases[i].snapped * 256);
+        assert_int_equal(snapped.q8[2], 7 * 256);
+        const struct grid_point finer =
+            exact_snap(&points, add(&points, cases[i].at / 256.0, -cases[i].at / 256.0, 7.125), 8);
+        assert_int_equal(finer.q8[0], cases[i].snapped);
+        assert_int_equal(finer.q8[2], 7 * 256 + 32);
     }
     exact_free(&points);
 }

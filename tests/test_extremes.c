@@ -14,6 +14,9 @@
 enum { MAX_W_PX = 84, MAX_H_PX = 48, SCENES = 10, FRAMES = 800, BOX_FRAMES = 20000, VIEWS = 200000 };
 enum { CULL_VIEWS = 40000, CULL_POINTS = 30, ROLLED_FRAMES = 60, ROLLED_PX = 64 };
 
+/* No box: the whole grid may be full. */
+static const struct lim_scene grid_scene = {0};
+
 static uint32_t any_angle(struct random *random)
 {
     const uint32_t eighth = (uint32_t)(random_u64(random) & 7) << 29;
@@ -348,18 +351,19 @@ static void view_space_fits_32_bits_for_every_camera_and_vertex(void **state)
         int16_t v[3];
         any_vertex(&random, v);
         if (k % 2) aim(&camera, v);
-        assert_true(lim_view_begin(&view, &camera));
-        assert_in_range(view.near_qv, 1 << 15, 1 << 30);
+        assert_true(lim_view_begin(&view, &grid_scene, &camera));
+        assert_in_range(view.rows.near_qv, 1 << 15, 1 << 30);
         const struct lim_vertex vertex = {v[0], v[1], v[2]};
         struct lim_view_point point;
-        lim_view_transform(&view, &vertex, &point);
+        lim_view_transform(&view, &grid_scene, &vertex, &point);
         const int32_t got_qv[3] = {point.x_qv, point.y_qv, point.z_qv};
         for (int row = 0; row < 3; row++) {
-            int64_t exact_qv = view.shift_qv[row];
+            int64_t exact_qv = view.rows.row[row].shift_qv;
             for (int i = 0; i < 3; i++)
-                exact_qv += (int64_t)view.matrix_qv[row][i] * v[i];
-            assert_true(llabs(got_qv[row] - exact_qv) < 1 << 18); /* no wrap; profile fine adds a low limb */
+                exact_qv += (int64_t)view.rows.row[row].n_qv[i] * v[i];
             if (llabs(exact_qv) > most) most = llabs(exact_qv);
+            if (row == 2) exact_qv >>= view.rows.tele_bits;
+            assert_true(llabs(got_qv[row] - exact_qv) < 1 << 18); /* no wrap; profile fine adds a low limb */
         }
     }
     assert_true(most > INT64_C(1) << 30); /* the last bit is in use */
@@ -413,13 +417,14 @@ static void no_box_with_a_vertex_on_an_open_pixel_is_culled(void **state)
         any_vertex(&random, target);
         aim(&camera, target);
         lim_view_init(&view, w_px, h_px, cache);
-        assert_true(lim_view_begin(&view, &camera));
+        assert_true(lim_view_begin(&view, &grid_scene, &camera));
         for (int p = 0; p < CULL_POINTS; p++) {
             struct lim_view_point point;
             point_in_view(&random, &camera, target, v);
-            lim_view_transform(&view, &(struct lim_vertex){v[0], v[1], v[2]}, &point);
-            if (point.z_qv < view.near_qv || llabs(point.x_qv) > point.z_qv || llabs(point.y_qv) > point.z_qv) continue;
-            const struct lim_point at = lim_view_project(&view, &point);
+            lim_view_transform(&view, &grid_scene, &(struct lim_vertex){v[0], v[1], v[2]}, &point);
+            if (point.z_qv < view.rows.near_qv || llabs(point.x_qv) > point.z_qv || llabs(point.y_qv) > point.z_qv) continue;
+            struct lim_point at;
+            lim_view_project(&view, &point, &at);
             const int x_px = (at.x + LIM_SUB / 2) >> LIM_SUB_BITS, y_px = (at.y + LIM_SUB / 2) >> LIM_SUB_BITS;
             if (x_px < 0 || x_px >= w_px || y_px < 0 || y_px >= h_px || !is_inside_pixel(at, x_px, y_px)) continue;
             const struct lim_rect open = {(uint16_t)random_in(&random, 0, x_px), (uint16_t)y_px, (uint16_t)(x_px + 1),

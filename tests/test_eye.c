@@ -146,7 +146,8 @@ static void no_side_is_decided_wrongly(enum lim_plane_kind kind, uint64_t seed)
         make_eye(&random, &f, ranges_q8[k % 4], eye_q8);
         lim_eye_set(&eye, eye_q8);
         const int expected = oracle_side(&oracle, f.n, f.d, eye_q8);
-        wrong += lim_eye_side(&eye, &scene, &f.node) != expected;
+        const int16_t side = lim_eye_side(&eye, &scene, &f.node);
+        wrong += (side > 0) - (side < 0) != expected;
         on += expected == 0;
     }
     mpz_clears(oracle.sum, oracle.term, NULL);

@@ -15,6 +15,9 @@
 #include <stdio.h>
 #include <string.h>
 
+/* No box: the whole grid may be full. */
+static const struct lim_scene grid_scene = {0};
+
 static const double pi = 3.14159265358979323846;
 
 static void show_if_wrong(const char *line)
@@ -53,6 +56,42 @@ static void reciprocal_is_within_1_6_ulp(void **state)
     assert_true(worst < 1.6);
 }
 
+/* Where limbs carry, borrow or change sign: within two of 0, of every power of two and of both ends. */
+static size_t fill_edge_cases(int32_t cases[static 5 * 33])
+{
+    size_t count = 0;
+
+    for (int bit = 0; bit <= 32; bit++)
+        for (int offset = -2; offset <= 2; offset++)
+            cases[count++] = (int32_t)(uint32_t)((bit < 32 ? UINT64_C(1) << bit : 0) + (uint64_t)offset);
+    return count;
+}
+
+static void limbs_multiply_like_wide_integers(void **state)
+{
+    enum { RANDOM_PAIRS = 10000000 };
+    int32_t cases[5 * 33];
+    const size_t count = fill_edge_cases(cases);
+    struct random random = {6};
+
+    (void)state;
+    for (size_t i = 0; i < count; i++)
+        for (size_t k = 0; k < count; k++)
+            assert_int_equal(mul_high_limbs_s32(cases[i], cases[k]), mul_high_wide_s32(cases[i], cases[k]));
+    for (int k = 0; k < RANDOM_PAIRS; k++) {
+        const uint64_t pair = random_u64(&random);
+        const int32_t a = (int32_t)(uint32_t)(pair >> 32), b = (int32_t)(uint32_t)pair;
+        const uint16_t c = (uint16_t)pair;
+        if (mul_high_limbs_s32(a, b) != mul_high_wide_s32(a, b) ||
+            mul_s32_top(a, c / 2 * 65536) != (int32_t)(((int64_t)a * (c / 2)) >> 16) ||
+            mul_u32_top((uint32_t)a, (uint32_t)c << 16) != (uint32_t)(((uint64_t)(uint32_t)a * c) >> 16))
+            fail_msg("%ld * %ld or %u", (long)a, (long)b, (unsigned)c);
+    }
+    assert_int_equal(mul_high_wide_s32(INT32_MIN, INT32_MAX), -1073741824);
+    assert_int_equal(mul_high_wide_s32(INT32_MIN, INT32_MIN), 1073741824);
+    assert_int_equal(mul_high_wide_s32(-1, 1), -1);
+}
+
 static void ratio_is_within_8_units_of_2_31(void **state)
 {
     struct random random = {4};
@@ -77,10 +116,10 @@ static void lerp_rounds_to_nearest_and_meets_its_ends(void **state)
 
     (void)state;
     for (int k = 0; k < 1000000; k++) {
-        const int32_t a = (int32_t)random_in(&random, -1073741824, 1073741823);
-        const int32_t b = (int32_t)random_in(&random, -1073741824, 1073741823);
+        const int32_t a = (int32_t)random_in(&random, INT32_MIN, INT32_MAX);
+        const int32_t b = (int32_t)random_in(&random, INT32_MIN, INT32_MAX);
         const uint32_t t_q31 = (uint32_t)random_in(&random, 0, INT64_C(1) << 31);
-        const __int128 scaled = (__int128)a * (INT64_C(1) << 31) + (__int128)(b - a) * t_q31;
+        const __int128 scaled = (__int128)a * (INT64_C(1) << 31) + ((__int128)b - a) * t_q31;
         assert_int_equal(lerp_q31(a, b, t_q31), (int64_t)((scaled + (1 << 30)) >> 31));
         assert_int_equal(lerp_q31(a, b, 0), a);
         assert_int_equal(lerp_q31(a, b, UINT32_C(1) << 31), b);
@@ -154,11 +193,12 @@ static double worst_projection_px(int64_t range_q8, uint64_t seed, uint16_t side
                                      (int16_t)random_u64(&random)};
         struct lim_view_point p;
         double truth[3];
-        assert_true(lim_view_begin(&view, &camera));
-        lim_view_transform(&view, &v, &p);
+        assert_true(lim_view_begin(&view, &grid_scene, &camera));
+        lim_view_transform(&view, &grid_scene, &v, &p);
         reference_ratios(&camera, &v, truth);
         if (truth[2] < 1000 || fabs(truth[0]) > 1 || fabs(truth[1]) > 1) continue;
-        const struct lim_point at = lim_view_project(&view, &p);
+        struct lim_point at;
+        lim_view_project(&view, &p, &at);
         const double x_px = (truth[0] + 1) * side_px / 2 - 0.5, y_px = (truth[1] + 1) * side_px / 2 - 0.5;
         const double error = fmax(fabs((double)at.x / LIM_SUB - x_px), fabs((double)at.y / LIM_SUB - y_px));
         if (error > worst) worst = error;
@@ -204,6 +244,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(every_helper_is_right_at_its_limits),
         cmocka_unit_test(reciprocal_is_within_1_6_ulp),
+        cmocka_unit_test(limbs_multiply_like_wide_integers),
         cmocka_unit_test(ratio_is_within_8_units_of_2_31),
         cmocka_unit_test(lerp_rounds_to_nearest_and_meets_its_ends),
         cmocka_unit_test(sine_is_within_4_units_of_2_30),

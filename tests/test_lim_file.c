@@ -110,7 +110,7 @@ static void the_file_is_little_endian(void **state)
 {
     (void)state;
     unsigned char *bytes = written_bytes();
-    const unsigned char start[] = {0x89, 'L', 'I', 'M', '\r', '\n', 0x1A, '\n', 1, 0, 0, 0, 88, 0, 0, 0};
+    const unsigned char start[] = {0x89, 'L', 'I', 'M', '\r', '\n', 0x1A, '\n', 2, 0, 0, 0, 88, 0, 0, 0};
     assert_memory_equal(bytes, start, sizeof start);
     assert_int_equal(bytes[16] | bytes[17] << 8 | bytes[18] << 16, scene.image_b);
     assert_int_equal(bytes[30] | bytes[31] << 8, 0x40A7); /* 3000.0 = 2^11 * 1.46.. */
@@ -131,7 +131,7 @@ static void swapping_reverses_fields_and_undoes_itself(void **state)
     lim_image_swap_sections(bytes, &header);
     lim_image_swap_header(bytes);
     assert_memory_equal(bytes, scene.image, LIM_FILE_MAGIC_B);
-    assert_memory_equal(bytes + 8, ((unsigned char[]){0, 0, 0, 1, 0, 0, 0, 88}), 8);
+    assert_memory_equal(bytes + 8, ((unsigned char[]){0, 0, 0, 2, 0, 0, 0, 88}), 8);
     const unsigned char *plane = bytes + lim_image_section_b(&header, SECTION_PLANES);
     const struct lim_plane *first = &scene.scene.planes[0];
     assert_int_equal((int16_t)(plane[0] << 8 | plane[1]), first->n[0]);
@@ -179,9 +179,9 @@ static void other_versions_are_refused_by_number(void **state)
 {
     (void)state;
     unsigned char *bytes = written_bytes();
-    bytes[8] = 2;
+    bytes[8] = 3;
     write_bytes(bytes, scene.image_b);
-    assert_unreadable("version 2; this program reads version 1");
+    assert_unreadable("version 3; this program reads version 2");
     free(bytes);
 }
 
@@ -284,15 +284,17 @@ static void planes_and_boxes_that_lie_are_refused(void **state)
     assert_field_refused(at_b(SECTION_PLANES, upright, 12, 2), 1, "is not of its kind");
     assert_field_refused(at_b(SECTION_EXACT, s->planes[plane].exact, 20, 14), 0x7FFF, "out of bounds");
     assert_field_refused(at_b(SECTION_BOXES, 2, 12, 8), 32769, "box 2: half is 32769");
+    assert_field_refused(at_b(SECTION_BOXES, s->nodes[0].box, 12, 8), (uint16_t)(s->boxes[s->nodes[0].box].half[1] / 2),
+                         "node 0: its box does not hold its polygons");
 }
 
 static void limits_and_grids_that_lie_are_refused(void **state)
 {
     (void)state;
     const struct lim_limits *limits = &scene.scene.limits;
-    assert_field_refused(72, (uint16_t)(limits->depth - 1), "lies deeper than the limit");
-    assert_field_refused(74, (uint16_t)(limits->vertices - 1), "vertices");
-    assert_field_refused(74, 251, "limit of 251 vertices");
+    assert_field_refused(74, (uint16_t)(limits->depth - 1), "lies deeper than the limit");
+    assert_field_refused(76, (uint16_t)(limits->vertices - 1), "vertices");
+    assert_field_refused(76, 251, "limit of 251 vertices");
     assert_field_refused(30, 0x7FF8, "units per metre");
     assert_field_refused(38, 0x7FF0, "the origin is not finite");
 }

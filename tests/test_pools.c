@@ -356,8 +356,24 @@ static void bytes_on_a_microcontroller_add_up(void **state)
     scene.report.core = &core_fine;
     assert_int_equal(pools_mcu_mem_b(&scene), 768 + 800 + 40 + 808 + 126 + 240 + 2);
     scene.report.core = &core_fast;
-    scene.report.w_px = 342;
+    scene.report.w_px = 255;
+    assert_int_equal(pools_mcu_mem_b(&scene), 512 + 800 + 40 + 404 + 126 + 240 + 2);
+    scene.report.w_px = 256;
     assert_int_equal(pools_mcu_mem_b(&scene), 768 + 800 + 40 + 808 + 126 + 240 + 2);
+}
+
+/* A convex solid: 100 heads of 2, 12 faces of 4, 5 crossings of 64 and a point of 4 for each of 4 + 5 vertices; at
+ * the least one crossing. Wide coordinates double the points. */
+static void so_do_those_of_a_convex_solid(void **state)
+{
+    struct compiled scene = {.scene = {.polygon_count = 12, .limits = {12, 4, 101, 21, 5}},
+                             .report = {.w_px = 100, .h_px = 100, .convex = true}};
+
+    (void)state;
+    assert_int_equal(pools_mcu_mem_b(&scene), 512 + 200 + 48 + 5 * (64 + 9 * 4));
+    assert_int_equal(pools_mcu_mem_min_b(&scene), 512 + 200 + 48 + 64 + 9 * 4);
+    scene.report.w_px = 342;
+    assert_int_equal(pools_mcu_mem_b(&scene), 768 + 200 + 48 + 5 * (64 + 9 * 8));
 }
 
 int main(void)
@@ -375,6 +391,7 @@ int main(void)
         cmocka_unit_test(limits_go_into_the_image),
         cmocka_unit_test(pools_are_measured_for_the_panel),
         cmocka_unit_test(bytes_on_a_microcontroller_add_up),
+        cmocka_unit_test(so_do_those_of_a_convex_solid),
     };
 
     return cmocka_run_group_tests_name("pools", tests, NULL, NULL);

@@ -21,3 +21,11 @@ _Static_assert(MCU_GAP_B == sizeof(struct lim_gap), "gap");
 _Static_assert(MCU_ACTIVE_B == sizeof(struct lim_active), "active polygon");
 _Static_assert((int)MCU_HEAD_CELLS == (int)LIM_RETAINED_HEAD_CELLS, "head of a retained polygon");
 _Static_assert((int)MCU_CLIP_PLANES == (int)CLIP_PLANES, "vertices that clipping adds");
+
+#if LIM_HAS_CONVEX
+_Static_assert(MCU_TOP_B == sizeof *((struct lim_convex *)0)->tops, "head of a line's faces");
+_Static_assert(MCU_FACE_B == sizeof(struct lim_face), "face");
+_Static_assert(MCU_CROSSING_B + CLIP_MAX_VERTICES * (LIM_WIDE ? MCU_CELL_WIDE_B : MCU_CELL_B) ==
+                   sizeof(struct lim_crossing),
+               "face that crosses a line");
+#endif

@@ -5,7 +5,7 @@
  * from left to right and from the top down, each once; others are refused. */
 #include "display.h"
 
-#include "../arm/arm.h"
+#include "console.h"
 
 enum { FNV_OFFSET = 0x811C9DC5u, FNV_PRIME = 0x01000193u, BACKGROUND = 0, PIXELS = DISPLAY_W_PX * DISPLAY_H_PX };
 
@@ -20,16 +20,16 @@ static void put_number(uint32_t number, uint32_t base)
     do
         digits[--at] = "0123456789abcdef"[number % base];
     while (number /= base);
-    arm_put(&digits[at]);
+    console_put(&digits[at]);
 }
 
 static void put_frame(void)
 {
-    arm_put("hash ");
+    console_put("hash ");
     put_number(hash, 16);
-    arm_put(" painted ");
+    console_put(" painted ");
     put_number(painted, 10);
-    arm_put("\n");
+    console_put("\n");
 }
 
 int display_line(uint16_t y_px, uint16_t x_px, const uint16_t *pixels, uint16_t n_px)

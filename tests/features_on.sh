@@ -1,0 +1,50 @@
+# SPDX-License-Identifier: MIT
+#
+# For test scripts to source: builds the renderer with some of its features and renders with it. A choice of
+# features is a number, a bit each; what a scene needs is there in any case. Every build, with all warnings as errors,
+# must paint what the full renderer of `limner render` paints.
+# shellcheck shell=sh
+
+features='LIM_HAS_NEAREST LIM_HAS_CONVEX LIM_HAS_PAINTER LIM_HAS_STATS LIM_HAS_CULL LIM_HAS_SLANTED LIM_HAS_LARGE'
+features_count=7
+
+features_prepare() { # NAME [NAME-OF-CAMERAS]: the scene as C, ten cameras, and the hashes that the full renderer gives
+    mkdir -p "$work/$1"
+    awk '!/^#/ && NF && n++ % 7 == 0' "sim/scenes/${2:-$1}.cam" | head -n 10 >"$work/few.cam"
+    "$BUILD/limner" compile "sim/scenes/$1.obj" --size 96x64 -o "$work/$1/model" >/dev/null &&
+        "$BUILD/limner" render "$work/$1/model.lim" --camera "$work/few.cam" --size 96x64 \
+            --write-hashes "$work/$1/expected" --write-cameras "$work/$1/cameras.h" || return 1
+    [ "$(cut -d ' ' -f 2 "$work/$1/expected" | sort -u | wc -l)" -eq 10 ]
+}
+
+# The flags of a choice. A flag is 1 if its bit is or the scene's header says so; large planes are slanted.
+features_flags() { # NAME CHOICE
+    awk -v choice="$2" -v names="$features" '
+        /#define LIM_HAS_/ { needed[$2] = $3 }
+        END {
+            count = split(names, name, " ")
+            for (i = 1; i <= count; i++) on[name[i]] = needed[name[i]] || int(choice / 2 ^ (i - 1)) % 2
+            if (on["LIM_HAS_LARGE"]) on["LIM_HAS_SLANTED"] = 1
+            for (i = 1; i <= count; i++) printf "-D%s=%d ", name[i], on[name[i]]
+        }' "$work/$1/model.h"
+}
+
+# features_draw COMPILER NAME CHOICE: every method that is linked gives the expected hashes.
+features_draw() {
+    flags=$(features_flags "$2" "$3")
+    echo "$1 $flags"
+    # shellcheck disable=SC2086 # flags are words
+    $1 -std=c11 -O1 $WARNINGS $flags -DLIM_CONFIG='"model.h"' -Ifirmware -I"$work/$2" -o "$work/$2/program" \
+        tests/features/main.c "$work/$2/model.c" firmware/*.c && "$work/$2/program" >"$work/$2/frames" || return 1
+    split -l 10 "$work/$2/frames" "$work/$2/method."
+    for method in "$work/$2"/method.*; do
+        diff "$work/$2/expected" "$method" || return 1
+    done
+    [ "$(wc -l <"$work/$2/frames")" -eq $((10 * $(features_methods "$2" "$flags"))) ] && rm "$work/$2"/method.*
+}
+
+# How many methods draw this scene: a scene that is not convex is not drawn by the convex one.
+features_methods() { # NAME FLAGS
+    convex=$(grep -c 'SCENE_METHOD LIM_CONVEX' "$work/$1/model.h")
+    echo "$2" | awk -v convex="$convex" '{ print /NEAREST=1/ + /PAINTER=1/ + (convex && /CONVEX=1/) }'
+}

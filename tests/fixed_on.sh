@@ -1,0 +1,29 @@
+# SPDX-License-Identifier: MIT
+#
+# For test scripts to source: fixed_on CORE... runs the fixed-point vectors in every precision profile on the
+# host and on emulated processors (sim/targets/targets.sh); what they print must be equal to the letter.
+# shellcheck shell=sh
+. sim/targets/targets.sh
+
+fixed_link() { # CORE PROFILE
+    target_link "$1" "$work/fixed-$1" -DLIM_PROFILE="LIM_PROFILE_$(echo "$2" | tr '[:lower:]' '[:upper:]')" \
+        tests/targets/fixed_main.c -Itests tests/fixed_vectors.c firmware/*.c
+}
+
+fixed_expected() { # PROFILE
+    fixed_link host "$1" && target_run host "$work/fixed-host" >"$work/$1.txt" && [ -s "$work/$1.txt" ]
+}
+
+fixed_agree() { # CORE PROFILE
+    fixed_link "$1" "$2" && target_run "$1" "$work/fixed-$1" >"$work/$1.txt" || return 1
+    diff "$work/$2.txt" "$work/$1.txt"
+}
+
+fixed_on() { # CORE...
+    for profile in ${PROFILES:?is set by the Makefile}; do
+        tap_check "$profile: the fixed-point vectors hold on the host" fixed_expected "$profile"
+        for core; do
+            tap_check "$profile: $core gives what the host gives" fixed_agree "$core" "$profile"
+        done
+    done
+}

@@ -1,0 +1,42 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Fuzz targets: what to do with bytes of anybody's making. libFuzzer drives them (fuzz_main.c) and
+ * the host suite replays their corpora (test_fuzz_corpus.c), so a target says what broke instead of ending
+ * the program. Memory errors are the sanitizers' to find. */
+#ifndef TESTS_FUZZ_H
+#define TESTS_FUZZ_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+struct fuzz_target {
+    const char *name; /* and of its folder in tests/corpus */
+    /* NULL: every promise was kept; else the one that was not. */
+    const char *(*run)(const uint8_t *bytes, size_t size_b);
+    /* Makes a mutated input whole again (sizes, checksums), in place, at most max_b long; returns its
+     * length. NULL: every input is as good as another. */
+    size_t (*mend)(uint8_t *bytes, size_t size_b, size_t max_b);
+};
+
+extern const struct fuzz_target fuzz_camera, fuzz_camera_file, fuzz_lim_file, fuzz_render;
+
+/* By name, or NULL. */
+const struct fuzz_target *fuzz_find(const char *name);
+
+/* What is left of an input. Behind its end everything is 0. */
+struct fuzz_bytes {
+    const uint8_t *at;
+    size_t left_b;
+};
+
+uint8_t fuzz_u8(struct fuzz_bytes *bytes);
+uint16_t fuzz_u16(struct fuzz_bytes *bytes); /* little-endian, as are the others */
+uint32_t fuzz_u32(struct fuzz_bytes *bytes);
+
+/* 0 .. n - 1, from one byte; n is 1..256. */
+uint8_t fuzz_below(struct fuzz_bytes *bytes, unsigned n);
+
+/* A path under which the bytes can be read as a file, until the next call. */
+const char *fuzz_as_file(const uint8_t *bytes, size_t size_b);
+
+#endif

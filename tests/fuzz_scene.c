@@ -1,0 +1,223 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Numbers are taken from the bytes in the order of the scene and brought into range: so a mutation of a
+ * byte is a small change of the scene. Planes go through vertices, where decisions are hard. */
+#include "fuzz_scene.h"
+
+#include "plane.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+static int16_t coordinate(struct fuzz_bytes *bytes)
+{
+    const int16_t value = (int16_t)fuzz_u16(bytes);
+
+    return value == INT16_MIN ? INT16_MAX : value;
+}
+
+static int8_t fraction_q8(struct fuzz_bytes *bytes)
+{
+    return (int8_t)(fuzz_u8(bytes) - 128);
+}
+
+static void make_vertices(struct fuzz_scene *made, struct fuzz_bytes *bytes)
+{
+    made->scene.vertex_count = (uint16_t)(3 + fuzz_below(bytes, FUZZ_VERTICES_MAX - 2));
+    if (fuzz_below(bytes, 2)) made->scene.fractions = made->fractions;
+    for (int i = 0; i < made->scene.vertex_count; i++) {
+        made->vertices[i] = (struct lim_vertex){coordinate(bytes), coordinate(bytes), coordinate(bytes)};
+        if (made->scene.fractions)
+            made->fractions[i] = (struct lim_fraction){fraction_q8(bytes), fraction_q8(bytes), fraction_q8(bytes)};
+    }
+}
+
+/* Runs --------------------------------------------------------------------------------------- */
+
+static uint16_t make_run(struct fuzz_scene *made, struct fuzz_bytes *bytes)
+{
+    struct lim_scene *scene = &made->scene;
+    const uint16_t run = scene->polygon_words;
+    const uint8_t records = fuzz_below(bytes, FUZZ_RUN_MAX + 1);
+
+    for (uint8_t k = 1; k <= records; k++) {
+        const uint8_t corners = (uint8_t)(3 + fuzz_below(bytes, FUZZ_CORNERS_MAX - 2));
+        uint16_t *word = &made->polygons[scene->polygon_words];
+        *word++ = (uint16_t)(corners | (k == records ? LIM_POLYGON_LAST : 0));
+        *word++ = fuzz_u8(bytes);
+        for (uint8_t i = 0; i < corners; i++)
+            *word++ = fuzz_below(bytes, scene->vertex_count);
+        scene->polygon_words = (uint16_t)(scene->polygon_words + LIM_POLYGON_HEAD_WORDS + corners);
+        scene->polygon_count++;
+        if (corners > scene->limits.vertices) scene->limits.vertices = corners;
+    }
+    return records ? run : LIM_NONE;
+}
+
+/* Planes ------------------------------------------------------------------------------------- */
+
+static int64_t offset_through(const int64_t n[3], const struct lim_vertex *v)
+{
+    return n[0] * v->x + n[1] * v->y + n[2] * v->z;
+}
+
+static struct lim_plane large_plane(struct fuzz_scene *made, struct fuzz_bytes *bytes, const struct lim_vertex *through)
+{
+    struct lim_plane_exact *exact = &made->exact[made->scene.exact_count];
+    int64_t n[3];
+
+    for (int i = 0; i < 3; i++) {
+        n[i] = (int32_t)fuzz_u32(bytes);
+        if (n[i] == INT32_MIN) n[i] = INT32_MAX;
+    }
+    if (!n[0] && !n[1] && !n[2]) n[1] = 1;
+    const int64_t d = offset_through(n, through);
+    for (int i = 0; i < 3; i++)
+        exact->n[i] = (int32_t)n[i];
+    exact->d_lo = (uint32_t)d;
+    exact->d_hi = (int32_t)((d - exact->d_lo) / (INT64_C(1) << 32));
+    struct lim_plane filter = plane_filter(n, d);
+    filter.exact = made->scene.exact_count++;
+    return filter;
+}
+
+static struct lim_plane small_plane(struct fuzz_bytes *bytes, const struct lim_vertex *through, bool is_upright)
+{
+    int64_t n[3];
+
+    for (int i = 0; i < 3; i++)
+        n[i] = is_upright && i == 1 ? 0 : (int16_t)fuzz_u16(bytes);
+    while (llabs(n[0]) + llabs(n[1]) + llabs(n[2]) > 32767)
+        for (int i = 0; i < 3; i++)
+            n[i] /= 2;
+    if (!n[0] && !n[1] && !n[2]) n[2] = 1;
+    return (struct lim_plane){.n = {(int16_t)n[0], (int16_t)n[1], (int16_t)n[2]},
+                              .exact = LIM_NONE,
+                              .d = (int32_t)offset_through(n, through)};
+}
+
+static void make_plane(struct fuzz_scene *made, struct lim_node *node, struct fuzz_bytes *bytes)
+{
+    const struct lim_vertex *through = &made->vertices[fuzz_below(bytes, made->scene.vertex_count)];
+
+    node->kind = fuzz_below(bytes, LIM_PLANE_LARGE + 1);
+    if (node->kind <= LIM_PLANE_Z) {
+        const int16_t at[3] = {through->x, through->y, through->z};
+        node->plane = (uint16_t)at[node->kind];
+        return;
+    }
+    node->plane = made->scene.plane_count;
+    made->planes[made->scene.plane_count++] = node->kind == LIM_PLANE_LARGE
+                                                  ? large_plane(made, bytes, through)
+                                                  : small_plane(bytes, through, node->kind == LIM_PLANE_XZ);
+}
+
+/* The tree ----------------------------------------------------------------------------------- */
+
+/* Hangs a node under an earlier one that has a place free; there always is one. */
+static uint16_t hang(struct lim_node *nodes, uint16_t index, struct fuzz_bytes *bytes)
+{
+    uint16_t parent = fuzz_below(bytes, index);
+
+    while (nodes[parent].front != LIM_NONE && nodes[parent].back != LIM_NONE)
+        parent = (uint16_t)((parent + 1) % index);
+    const bool in_front = nodes[parent].front == LIM_NONE && (nodes[parent].back != LIM_NONE || fuzz_below(bytes, 2));
+    *(in_front ? &nodes[parent].front : &nodes[parent].back) = index;
+    return parent;
+}
+
+static void make_nodes(struct fuzz_scene *made, struct fuzz_bytes *bytes)
+{
+    uint16_t depths[FUZZ_NODES_MAX] = {1};
+
+    made->scene.node_count = (uint16_t)(1 + fuzz_below(bytes, FUZZ_NODES_MAX));
+    for (uint16_t i = 0; i < made->scene.node_count; i++) {
+        struct lim_node *node = &made->nodes[i];
+        if (i) depths[i] = (uint16_t)(depths[hang(made->nodes, i, bytes)] + 1);
+        if (depths[i] > made->scene.limits.depth) made->scene.limits.depth = depths[i];
+        node->front = node->back = node->box = LIM_NONE;
+        make_plane(made, node, bytes);
+        node->front_run = make_run(made, bytes);
+        node->back_run = make_run(made, bytes);
+    }
+}
+
+/* Boxes -------------------------------------------------------------------------------------- */
+
+struct bounds {
+    int32_t low[3], high[3]; /* low > high: empty */
+};
+
+static void bounds_add(struct bounds *bounds, const int32_t low[3], const int32_t high[3])
+{
+    for (int i = 0; i < 3; i++) {
+        if (low[i] < bounds->low[i]) bounds->low[i] = low[i];
+        if (high[i] > bounds->high[i]) bounds->high[i] = high[i];
+    }
+}
+
+static void bounds_add_run(struct bounds *bounds, const struct fuzz_scene *made, uint16_t run)
+{
+    const uint16_t *record = run == LIM_NONE ? NULL : &made->polygons[run];
+
+    while (record) {
+        const uint16_t corners = record[0] & LIM_POLYGON_COUNT;
+        for (uint16_t k = 0; k < corners; k++) {
+            const struct lim_vertex *v = &made->vertices[record[LIM_POLYGON_HEAD_WORDS + k]];
+            const int32_t at[3] = {v->x, v->y, v->z};
+            bounds_add(bounds, at, at);
+        }
+        record = record[0] & LIM_POLYGON_LAST ? NULL : record + LIM_POLYGON_HEAD_WORDS + corners;
+    }
+}
+
+static struct lim_box box_of(const struct bounds *bounds)
+{
+    struct lim_box box;
+
+    for (int i = 0; i < 3; i++) {
+        const int32_t centre = (bounds->low[i] + bounds->high[i]) / 2;
+        const int32_t below = centre - bounds->low[i], above = bounds->high[i] - centre;
+        box.centre[i] = (int16_t)centre;
+        box.half[i] = (uint16_t)(below > above ? below : above);
+    }
+    return box;
+}
+
+/* Exact bounds, children before parents; some nodes have none. */
+static void make_boxes(struct fuzz_scene *made, struct fuzz_bytes *bytes)
+{
+    static const struct bounds empty = {{INT16_MAX, INT16_MAX, INT16_MAX}, {INT16_MIN, INT16_MIN, INT16_MIN}};
+    struct bounds bounds[FUZZ_NODES_MAX];
+
+    for (uint16_t i = made->scene.node_count; i-- > 0;) {
+        struct lim_node *node = &made->nodes[i];
+        bounds[i] = empty;
+        bounds_add_run(&bounds[i], made, node->front_run);
+        bounds_add_run(&bounds[i], made, node->back_run);
+        if (node->front != LIM_NONE) bounds_add(&bounds[i], bounds[node->front].low, bounds[node->front].high);
+        if (node->back != LIM_NONE) bounds_add(&bounds[i], bounds[node->back].low, bounds[node->back].high);
+        if (bounds[i].low[0] > bounds[i].high[0] || fuzz_below(bytes, 2)) continue;
+        node->box = made->scene.box_count;
+        made->boxes[made->scene.box_count++] = box_of(&bounds[i]);
+    }
+}
+
+void fuzz_scene_make(struct fuzz_scene *made, struct fuzz_bytes *bytes)
+{
+    memset(made, 0, sizeof *made);
+    made->scene.vertices = made->vertices;
+    made->scene.nodes = made->nodes;
+    made->scene.planes = made->planes;
+    made->scene.exact = made->exact;
+    made->scene.boxes = made->boxes;
+    made->scene.polygons = made->polygons;
+    made->scene.limits.vertices = 3;
+    made->scene.background = fuzz_u8(bytes);
+    make_vertices(made, bytes);
+    make_nodes(made, bytes);
+    make_boxes(made, bytes);
+    made->scene.limits.retained_cells = fuzz_u8(bytes);
+    made->scene.limits.gaps = fuzz_u8(bytes);
+    made->scene.limits.active = fuzz_u8(bytes);
+}

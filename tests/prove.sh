@@ -1,0 +1,64 @@
+# SPDX-License-Identifier: MIT
+#
+# Proves what the contracts (ACSL) of the arithmetic kernels state, and that nothing in them overflows, divides by
+# zero, shifts too far or reaches outside of its memory: Frama-C's WP makes the goals, Z3 discharges them. A
+# goal that is lost fails, and so does one that is missing: tests/prove/expected has how many there must be,
+# and `sh tests/prove.sh --table` writes it anew.
+. tests/tap.sh
+
+export WHY3CONFIG="$work/why3.conf"
+
+# A build's name, and what it defines: each has forms of the kernels that the others have not.
+builds='fast fine_limbs exact'
+flags_of() {
+    case $1 in
+    fast) echo -DLIM_PROFILE=LIM_PROFILE_FAST ;;
+    fine_limbs) echo -DLIM_PROFILE=LIM_PROFILE_FINE -D__ARM_ARCH_6M__ ;;
+    exact) echo -DLIM_PROFILE=LIM_PROFILE_EXACT ;;
+    esac
+}
+
+# Lines "BUILD FUNCTION PROVED OF" for the functions that tests/prove/kernels lists for the build.
+prove() { # BUILD
+    functions=$(awk -v build="$1" '$1 == build { print $2 }' tests/prove/kernels | paste -sd ,)
+    # shellcheck disable=SC2046 # flags_of prints a list
+    (cd tests/prove && frama-c -c11 -cpp-extra-args="-I../../firmware $(flags_of "$1")" -wp -wp-rte -wp-fct "$functions" \
+        -wp-prover tip,z3 -wp-auto wp:range -wp-auto-width 31 -wp-timeout 10 -wp-par "$(nproc)" \
+        -wp-session "$work/$1.session" kernels.c) >"$work/$1.log" 2>&1 || return 1
+    awk -v build="$1" -v functions="$functions" '
+        BEGIN { count = split(functions, names, ",") }
+        /^\[wp\] \[.*\] Goal typed_/ {
+            goal = $0
+            sub(/.* Goal typed_/, "", goal)
+            best = ""
+            for (i = 1; i <= count; i++)
+                if (index(goal, names[i] "_") == 1 && length(names[i]) > length(best)) best = names[i]
+            of[best]++
+            if ($0 ~ / : Valid/) proved[best]++
+        }
+        END { for (i = 1; i <= count; i++) print build, names[i], proved[names[i]] + 0, of[names[i]] + 0 }' "$work/$1.log"
+}
+
+why3 config detect >"$work/why3.log" 2>&1
+for build in $builds; do
+    prove "$build" >>"$work/goals" || { cat "$work/$build.log" >&2; exit 1; }
+done
+
+if [ "${1:-}" = --table ]; then
+    awk '{ print $1, $2, $4 }' "$work/goals" >tests/prove/expected
+    cat "$work/goals"
+    exit 0
+fi
+
+while read -r build kernel proved of; do
+    expected=$(awk -v build="$build" -v kernel="$kernel" '$1 == build && $2 == kernel { print $3 }' tests/prove/expected)
+    name="$kernel ($build): $proved goals proved of $of"
+    if [ "$proved" -eq "$of" ] && [ "$proved" -ge "${expected:-1}" ]; then
+        tap_ok "$name"
+    else
+        grep "Goal typed_${kernel}_" "$work/$build.log" | grep -v ': Valid' >"$work/lost" || true
+        echo "expected: ${expected:-some}" >>"$work/lost"
+        tap_fail "$name" "$work/lost"
+    fi
+done <"$work/goals"
+tap_done
