@@ -12,7 +12,7 @@ CC    := gcc
 endif
 export BUILD CC
 
-ALL_SUITES := host arm cpus cross compilers sanitize models features prove format soak
+ALL_SUITES := host arm cpus cross compilers sanitize models prove format
 SUITES     := host arm
 suites     := $(if $(filter all,$(SUITES)),$(ALL_SUITES),$(SUITES))
 
@@ -32,7 +32,7 @@ all: $(BUILD)/limner ## build the host program, build/limner (the default)
 
 help: ## list the goals
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "  make %-14s %s\n", $$1, $$2 }' Makefile
-	@echo "Suites of make test: $(ALL_SUITES)"
+	@echo "Suites of make test: $(ALL_SUITES); on demand: features (all combinations)"
 
 # -- Debian packages: what every build needs, and what a goal or a suite needs beside ----------------------------------
 
@@ -183,8 +183,8 @@ suite-prove     := tests/prove.sh
 suite-format    := tests/format.sh
 suite-soak      := $(filter $(BUILD)/tests/soak_%,$(test_programs))
 
-unknown := $(filter-out $(ALL_SUITES) fixed,$(suites))
-$(if $(unknown),$(error there is no suite $(unknown); there are: all $(ALL_SUITES)))
+unknown := $(filter-out $(ALL_SUITES) fixed features soak,$(suites))
+$(if $(unknown),$(error there is no suite $(unknown); there are: all $(ALL_SUITES) features))
 
 programs := $(sort $(foreach suite,$(suites),$(suite-$(suite))))
 

@@ -27,6 +27,8 @@ static inline int16_t line_of(lim_sub y)
 static inline lim_sub_area meeting(struct lim_point a, int32_t dx, int32_t dy, int16_t y)
 {
     const int32_t part_x = a.x & (LIM_SUB - 1), part_y = a.y & (LIM_SUB - 1);
+    //@ assert 0 <= part_x * dy <= 2048 * LIM_SUB * LIM_SUB;
+    //@ assert -2048 * LIM_SUB * LIM_SUB <= part_y * dx <= 2048 * LIM_SUB * LIM_SUB;
     const lim_sub_area part = (lim_sub_area)part_x * dy - (lim_sub_area)part_y * dx;
     const lim_sub_wrap whole = (lim_sub_wrap)(a.x >> LIM_SUB_BITS) * (lim_sub_wrap)dy +
                                (lim_sub_wrap)(y - (a.y >> LIM_SUB_BITS)) * (lim_sub_wrap)dx;

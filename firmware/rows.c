@@ -75,11 +75,11 @@ static void set_entries(struct lens *lens, const struct lim_camera *camera, uint
 /* The root's box; a scene too small to have one gets the whole grid. */
 static void set_box(struct lens *lens, const struct lim_scene *scene)
 {
-    const bool boxed = scene->node_count && scene->nodes[0].box != LIM_NONE;
+    const uint16_t root = scene->node_count ? scene->nodes[0].box : LIM_NONE;
 
     for (uint8_t i = 0; i < 3; i++) {
-        const int32_t centre = boxed ? scene->boxes[scene->nodes[0].box].centre[i] : 0;
-        const int32_t half = boxed ? (int32_t)scene->boxes[scene->nodes[0].box].half[i] : 32768;
+        const int32_t centre = root == LIM_NONE ? 0 : scene->boxes[root].centre[i];
+        const int32_t half = root == LIM_NONE ? 32768 : (int32_t)scene->boxes[root].half[i];
         lens->low_q8[i] = (centre - half) * 256;
         lens->high_q8[i] = (centre + half) * 256;
     }

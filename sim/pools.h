@@ -11,7 +11,7 @@
 bool pools_measure(struct compiled *scene, unsigned w_px, unsigned h_px, struct error *err);
 
 /* Sizes of the structs in the caller's memory on a 32-bit MCU, of a firmware built for narrow screen
- * coordinates and for wide ones (profile.h). tests/arm/sizes.c asserts them. */
+ * coordinates and for wide ones (profile.h). tests/targets/sizes.c asserts them. */
 enum {
     MCU_CACHE_ENTRIES = 64,
     MCU_CACHED_B = 8,

@@ -4,6 +4,7 @@
 #include "extreme.h"
 
 #include "cmocka_ready.h"
+#include "effort.h"
 
 #include <math.h>
 #include <stdarg.h>
@@ -133,7 +134,7 @@ void extreme_run(const struct extreme_plan *plan)
         struct extreme extreme;
         extreme_open(&extreme, &model, profiles[k], &plan->picture);
         assert_true(extreme.scene.grid.units_per_m == 1);
-        for (int f = 0; f < plan->frames && extreme.sum.holes <= HOLES_ENOUGH; f++)
+        for (int f = 0; f < effort(plan->frames) && extreme.sum.holes <= HOLES_ENOUGH; f++)
             plan->look(&extreme, &random);
         extreme_judge(&extreme, plan->name, plan->order);
         extreme_close(&extreme);

@@ -212,10 +212,18 @@ static void angle_vectors(struct report *report)
     expect(report, "lim_sin_q30 of 30 degrees", 357913941, 0, lim_sin_q30(357913941), 536870912);
 }
 
+/* A number of any length. */
+static uint32_t random_length_u32(uint32_t *random)
+{
+    const uint8_t shift = random_u32(random) & 31;
+
+    return random_u32(random) >> shift;
+}
+
 static int64_t random_recip(uint32_t *random)
 {
     uint8_t shift;
-    const uint32_t z = random_u32(random) >> (random_u32(random) & 31);
+    const uint32_t z = random_length_u32(random);
     const uint32_t recip = recip_q16(z ? z : 1, &shift);
 
     return (int64_t)recip << 8 | shift;
@@ -223,7 +231,7 @@ static int64_t random_recip(uint32_t *random)
 
 static int64_t random_ratio(uint32_t *random)
 {
-    const uint32_t den = (random_u32(random) >> (random_u32(random) & 31)) | 1;
+    const uint32_t den = random_length_u32(random) | 1;
 
     return ratio_q31(random_u32(random) % den, den);
 }
@@ -255,9 +263,11 @@ static int64_t random_vertex(uint32_t *random)
     struct lim_view_point p;
     struct lim_camera camera = {{0}, 0, 0, 0, UINT32_C(155000000), UINT32_C(155000000), 256 * 16};
     const struct lim_scene scene = {0};
-    const struct lim_vertex vertex = {(int16_t)random_u32(random), (int16_t)random_u32(random),
-                                      (int16_t)random_u32(random)};
+    struct lim_vertex vertex;
 
+    vertex.x = (int16_t)random_u32(random);
+    vertex.y = (int16_t)random_u32(random);
+    vertex.z = (int16_t)random_u32(random);
     for (uint8_t i = 0; i < 3; i++)
         camera.eye_q8[i] = (int32_t)random_u32(random) >> 8;
     camera.yaw = random_u32(random);

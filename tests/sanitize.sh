@@ -4,7 +4,8 @@
 . tests/tap.sh
 
 build=$BUILD/sanitize
-export ASAN_OPTIONS=detect_leaks=1 UBSAN_OPTIONS=print_stacktrace=1
+# The longest tests do a part of their work here.
+export TEST_EFFORT=5 ASAN_OPTIONS=detect_leaks=1 UBSAN_OPTIONS=print_stacktrace=1
 
 make_all() {
     make -s BUILD="$build" OPT='-O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all' DEPS=skip \

@@ -3,15 +3,16 @@
  * No ray gets through a closed scene: 10^8 pixels of random ones in every profile. */
 #include "closed_run.h"
 #include "cmocka_ready.h"
+#include "effort.h"
 
 static void random_closed_scenes_have_no_holes(void **state)
 {
-    const struct closed_run_plan plan = {.seed = 20262, .scenes = 44, .frames = 40, .side_px = 240};
+    const struct closed_run_plan plan = {.seed = 20262, .scenes = effort(44), .frames = 40, .side_px = 240};
     struct closed_run_sum sums[PROFILES_MAX];
     const size_t count = closed_run(&plan, sums);
 
     (void)state;
-    closed_run_judge(sums, count, 100000000);
+    closed_run_judge(sums, count, (size_t)effort(100000000));
 }
 
 int main(void)

@@ -31,6 +31,9 @@
       axiom right_32: \forall integer x; (x >> 32) * 4294967296 <= x < (x >> 32) * 4294967296 + 4294967296;
       axiom low_7: \forall integer x; x == (x >> 7) * 128 + (x & 127);
       axiom low_8: \forall integer x; x == (x >> 8) * 256 + (x & 255);
+      axiom low_9: \forall integer x; x == (x >> 9) * 512 + (x & 511);
+      axiom low_10: \forall integer x; x == (x >> 10) * 1024 + (x & 1023);
+      axiom low_11: \forall integer x; x == (x >> 11) * 2048 + (x & 2047);
       axiom low_12: \forall integer x; x == (x >> 12) * 4096 + (x & 4095);
       axiom low_16: \forall integer x; x == (x >> 16) * 65536 + (x & 65535);
       axiom low_30: \forall integer x; x == (x >> 30) * 1073741824 + (x & 1073741823);
