@@ -15,7 +15,7 @@ struct encoding {
     struct lim_plane_exact *exact;
     struct lim_box *boxes;
     uint16_t *words;
-    uint32_t *faces; /* of each record */
+    uint32_t *faces;                /* of each record */
     struct lim_fraction *fractions; /* of each vertex; NULL: there are none */
     size_t vertex_count, node_count, plane_count, exact_count, box_count, word_count, record_count;
     size_t vertex_capacity, fraction_capacity, plane_capacity, exact_capacity, word_capacity, face_capacity;
@@ -23,8 +23,8 @@ struct encoding {
     size_t collapsed;     /* pieces that rounding left without three corners */
 };
 
-/* Encodes a tree, with the vertices' fractions or without. Refuses one that leaves nothing to draw, or too much for 16-bit indices, saying
- * which array is too long by how much. The caller frees *out either way. */
+/* Encodes a tree, with the vertices' fractions or without. Refuses one that leaves nothing to draw, or too much for
+ * 16-bit indices, saying which array is too long by how much. The caller frees *out either way. */
 bool encode_bsp(const struct bsp *bsp, bool with_fractions, struct encoding *out, struct error *err);
 
 /* Refuses a count that does not fit 16 bits. */

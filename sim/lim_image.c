@@ -100,8 +100,9 @@ void lim_image_bind(void *image, struct compiled *scene)
 
 static struct lim_file_header header_of(const struct encoding *encoding, const struct grid *grid)
 {
-    const size_t counts[SECTION_COUNT] = {encoding->vertex_count, encoding->node_count, encoding->plane_count,
-                                          encoding->exact_count,  encoding->box_count,  encoding->word_count,
+    const size_t counts[SECTION_COUNT] = {encoding->vertex_count, encoding->node_count,
+                                          encoding->plane_count,  encoding->exact_count,
+                                          encoding->box_count,    encoding->word_count,
                                           encoding->record_count, encoding->fractions ? encoding->vertex_count : 0};
     const struct lim_limits limits = {.depth = (uint16_t)encoding->depth, .vertices = (uint16_t)encoding->widest};
     struct lim_file_header header = {.version = LIM_FILE_VERSION, .header_b = sizeof header};

@@ -6,6 +6,7 @@
 set terminal pngcairo size 1000, 420 * ((ARGC - 1 + 1) / 2) font 'sans,10'
 set datafile separator ','
 set datafile columnheaders
+set datafile missing NaN
 set logscale y
 set xlabel 'thousand instructions a frame'
 set ylabel 'pixels of a wrong polygon, %'

@@ -47,9 +47,10 @@ static double recip_q16_error(uint32_t z)
 /* Never so large that the projection could overflow: r times the mantissa is at most 2^46 + 2^33. */
 static double recip_q15_error(uint32_t z)
 {
-    uint8_t zeros;
+    uint8_t zeros = 0;
+    const uint64_t recip_q15 = z ? recip_q15_of(z, &zeros) : 0;
 
-    if (z && recip_q15_of(z, &zeros) * ((uint64_t)z << zeros) > (UINT64_C(1) << 46) + (UINT64_C(1) << 33)) return NAN;
+    if (recip_q15 * ((uint64_t)z << zeros) > (UINT64_C(1) << 46) + (UINT64_C(1) << 33)) return NAN;
     return recip_error(z, recip_q15_of, 15, 1u << 14, 1u << 15);
 }
 

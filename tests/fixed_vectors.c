@@ -276,7 +276,8 @@ static int64_t random_vertex(uint32_t *random)
     lim_view_init(&view, 240, 135, cache);
     if (!lim_view_begin(&view, &scene, &camera)) return -1;
     lim_view_transform(&view, &scene, &vertex, &p);
-    if (p.z_qv < view.rows.near_qv || abs_s32(p.x_qv) / 2 > (uint32_t)p.z_qv || abs_s32(p.y_qv) / 2 > (uint32_t)p.z_qv) {
+    if (p.z_qv < view.rows.near_qv || abs_s32(p.x_qv) / 2 > (uint32_t)p.z_qv ||
+        abs_s32(p.y_qv) / 2 > (uint32_t)p.z_qv) {
         return (int64_t)p.x_qv * 3 + (int64_t)p.y_qv * 5 + p.z_qv;
     }
     struct lim_point at;

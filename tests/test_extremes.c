@@ -422,7 +422,8 @@ static void no_box_with_a_vertex_on_an_open_pixel_is_culled(void **state)
             struct lim_view_point point;
             point_in_view(&random, &camera, target, v);
             lim_view_transform(&view, &grid_scene, &(struct lim_vertex){v[0], v[1], v[2]}, &point);
-            if (point.z_qv < view.rows.near_qv || llabs(point.x_qv) > point.z_qv || llabs(point.y_qv) > point.z_qv) continue;
+            if (point.z_qv < view.rows.near_qv || llabs(point.x_qv) > point.z_qv || llabs(point.y_qv) > point.z_qv)
+                continue;
             struct lim_point at;
             lim_view_project(&view, &point, &at);
             const int x_px = (at.x + LIM_SUB / 2) >> LIM_SUB_BITS, y_px = (at.y + LIM_SUB / 2) >> LIM_SUB_BITS;
