@@ -79,7 +79,7 @@ write() {
 
 # The columns of accuracy alone.
 accuracies() { # SCENE < TABLE
-    awk -F '|' -v scene=" $1 " '$2 == scene && NF > 10 { print $2 "|" $3 "|" $4 "|" $5 "|" $6 }'
+    awk -F '|' -v scene=" $1 " '$2 == scene && NF > 6 { print $2 "|" $3 "|" $4 "|" $5 "|" $6 }'
 }
 
 check() { # SCENE
