@@ -46,12 +46,14 @@ static bool check_boxes(const struct lim_scene *scene, struct error *err)
 /* d beyond 2^17 times the longest component would not fit into its filter. */
 static bool exact_within_bounds(const int64_t n[3], int64_t d)
 {
-    int64_t longest = 0, size_d = d < 0 ? -d : d;
+    int64_t longest = 0;
     for (int k = 0; k < 3; k++) {
         int64_t size = n[k] < 0 ? -n[k] : n[k];
         longest = size > longest ? size : longest;
     }
-    return longest > 0 && longest <= INT32_MAX && size_d < EXACT_D_END && size_d < longest * FILTER_D_FACTOR;
+    if (longest == 0 || longest > INT32_MAX) return false;
+    const int64_t end = longest * FILTER_D_FACTOR < EXACT_D_END ? longest * FILTER_D_FACTOR : EXACT_D_END;
+    return -end < d && d < end;
 }
 
 static bool check_filter(const struct lim_scene *scene, size_t index, struct error *err)

@@ -270,6 +270,17 @@ static void polygons_that_lie_are_refused(void **state)
     assert_field_refused(at_b(SECTION_VERTICES, 3, 6, 2), 0x8000, "vertex 3: a coordinate is -32768");
 }
 
+static void assert_d_refused(size_t exact, int64_t d)
+{
+    unsigned char *bytes = written_bytes();
+    for (int i = 0; i < 8; i++) /* the high half comes first */
+        bytes[at_b(SECTION_EXACT, exact, 20, 12) + (size_t)(i ^ 4)] = (unsigned char)((uint64_t)d >> 8 * i);
+    put_crc32(bytes);
+    write_bytes(bytes, scene.image_b);
+    assert_unreadable("out of bounds");
+    free(bytes);
+}
+
 static void planes_and_boxes_that_lie_are_refused(void **state)
 {
     (void)state;
@@ -283,6 +294,7 @@ static void planes_and_boxes_that_lie_are_refused(void **state)
     assert_field_refused(at_b(SECTION_PLANES, upright, 12, 0), 32767, "add up to");
     assert_field_refused(at_b(SECTION_PLANES, upright, 12, 2), 1, "is not of its kind");
     assert_field_refused(at_b(SECTION_EXACT, s->planes[plane].exact, 20, 14), 0x7FFF, "out of bounds");
+    assert_d_refused(s->planes[plane].exact, INT64_MIN);
     assert_field_refused(at_b(SECTION_BOXES, 2, 12, 8), 32769, "box 2: half is 32769");
     assert_field_refused(at_b(SECTION_BOXES, s->nodes[0].box, 12, 8), (uint16_t)(s->boxes[s->nodes[0].box].half[1] / 2),
                          "node 0: its box does not hold its polygons");
