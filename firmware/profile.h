@@ -6,8 +6,8 @@
  *
  *   draft  16-bit rows and ratios, whole pixels
  *   fast   the same, 1/128 pixel
- *   fine   rows of 29 bits in two limbs, ratios of 28 bits, 1/512 pixel
- *   exact  fine, vertices with 8 further bits, 1/4096 pixel */
+ *   fine   rows of 29 bits in two limbs, ratios of 19 bits, 1/512 pixel
+ *   exact  the same rows, ratios of 27 bits, vertices with 8 further bits, 1/4096 pixel */
 #ifndef LIM_PROFILE_H
 #define LIM_PROFILE_H
 
