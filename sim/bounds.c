@@ -2,16 +2,13 @@
  *
  * Bounding boxes of subtrees, from the rounded vertices that are drawn. A box costs 12 bytes and,
  * on the way, about what two small polygons do: subtrees of fewer polygons go without. */
+#include "bounds.h"
+
 #include "encode.h"
 
 #include "grow.h"
 
 #include <stdlib.h>
-
-struct bounds {
-    int low[3], high[3]; /* empty: low > high */
-    size_t polygons;
-};
 
 static void bounds_extend(struct bounds *bounds, const int low[3], const int high[3])
 {
@@ -22,12 +19,12 @@ static void bounds_extend(struct bounds *bounds, const int low[3], const int hig
 }
 
 /* A vertex with a fraction lies between two units. */
-static void bounds_add_vertex(const struct encoding *encoding, uint16_t index, struct bounds *bounds)
+static void bounds_add_vertex(const struct lim_scene *scene, uint16_t index, struct bounds *bounds)
 {
-    const struct lim_vertex *vertex = &encoding->vertices[index];
+    const struct lim_vertex *vertex = &scene->vertices[index];
     int low[3] = {vertex->x, vertex->y, vertex->z}, high[3] = {vertex->x, vertex->y, vertex->z};
-    if (encoding->fractions) {
-        const struct lim_fraction *fraction = &encoding->fractions[index];
+    if (scene->fractions) {
+        const struct lim_fraction *fraction = &scene->fractions[index];
         const int rest_q8[3] = {fraction->x_q8, fraction->y_q8, fraction->z_q8};
         for (int k = 0; k < 3; k++) {
             low[k] -= rest_q8[k] < 0;
@@ -37,22 +34,44 @@ static void bounds_add_vertex(const struct encoding *encoding, uint16_t index, s
     bounds_extend(bounds, low, high);
 }
 
-static void bounds_add_run(const struct encoding *encoding, uint16_t run, struct bounds *bounds)
+static void bounds_add_run(const struct lim_scene *scene, uint16_t run, struct bounds *bounds)
 {
     if (run == LIM_NONE) return;
-    for (const uint16_t *at = &encoding->words[run], *next;; at = next) {
+    for (const uint16_t *at = &scene->polygons[run], *next;; at = next) {
         const uint16_t count = at[0] & LIM_POLYGON_COUNT;
         next = at + LIM_POLYGON_HEAD_WORDS + count;
         for (const uint16_t *index = at + LIM_POLYGON_HEAD_WORDS; index < next; index++) {
-            bounds_add_vertex(encoding, *index, bounds);
+            bounds_add_vertex(scene, *index, bounds);
         }
         bounds->polygons++;
         if (at[0] & LIM_POLYGON_LAST) return;
     }
 }
 
+static struct bounds bounds_of(const struct lim_scene *scene, const struct bounds *all, size_t index)
+{
+    const struct lim_node *node = &scene->nodes[index];
+    const uint16_t children[2] = {node->front, node->back};
+    struct bounds bounds = {.low = {INT16_MAX, INT16_MAX, INT16_MAX}, .high = {INT16_MIN, INT16_MIN, INT16_MIN}};
+    bounds_add_run(scene, node->front_run, &bounds);
+    bounds_add_run(scene, node->back_run, &bounds);
+    for (int k = 0; k < 2; k++) {
+        if (children[k] == LIM_NONE) continue;
+        bounds_extend(&bounds, all[children[k]].low, all[children[k]].high);
+        bounds.polygons += all[children[k]].polygons;
+    }
+    return bounds;
+}
+
+/* Children come after their parents. */
+void bounds_of_subtrees(const struct lim_scene *scene, struct bounds *all)
+{
+    for (size_t i = scene->node_count; i-- > 0;)
+        all[i] = bounds_of(scene, all, i);
+}
+
 /* The centre is rounded down, so the upper half is the larger one: at most 32768. */
-static struct lim_box box_of(const struct bounds *bounds)
+struct lim_box bounds_box(const struct bounds *bounds)
 {
     struct lim_box box;
     for (int k = 0; k < 3; k++) {
@@ -64,31 +83,28 @@ static struct lim_box box_of(const struct bounds *bounds)
     return box;
 }
 
-static struct bounds bounds_of(const struct encoding *encoding, const struct bounds *all, size_t index)
+bool bounds_fit(const struct bounds *bounds, const struct lim_box *box)
 {
-    const struct lim_node *node = &encoding->nodes[index];
-    const uint16_t children[2] = {node->front, node->back};
-    struct bounds bounds = {.low = {INT16_MAX, INT16_MAX, INT16_MAX}, .high = {INT16_MIN, INT16_MIN, INT16_MIN}};
-    bounds_add_run(encoding, node->front_run, &bounds);
-    bounds_add_run(encoding, node->back_run, &bounds);
-    for (int k = 0; k < 2; k++) {
-        if (children[k] == LIM_NONE) continue;
-        bounds_extend(&bounds, all[children[k]].low, all[children[k]].high);
-        bounds.polygons += all[children[k]].polygons;
-    }
-    return bounds;
+    for (int k = 0; k < 3; k++)
+        if (bounds->low[k] < box->centre[k] - box->half[k] || bounds->high[k] > box->centre[k] + box->half[k])
+            return false;
+    return true;
 }
 
 void encode_boxes(struct encoding *encoding)
 {
+    const struct lim_scene scene = {.vertices = encoding->vertices,
+                                    .fractions = encoding->fractions,
+                                    .nodes = encoding->nodes,
+                                    .polygons = encoding->words,
+                                    .node_count = (uint16_t)encoding->node_count};
     struct bounds *all = grow_zeroed(encoding->node_count, sizeof *all);
     encoding->boxes = grow_zeroed(encoding->node_count, sizeof *encoding->boxes);
-    for (size_t i = encoding->node_count; i-- > 0;)
-        all[i] = bounds_of(encoding, all, i);
+    bounds_of_subtrees(&scene, all);
     for (size_t i = 0; i < encoding->node_count; i++) {
         if (all[i].polygons < SUBTREE_BOX_POLYGONS) continue;
         encoding->nodes[i].box = (uint16_t)encoding->box_count;
-        encoding->boxes[encoding->box_count++] = box_of(&all[i]);
+        encoding->boxes[encoding->box_count++] = bounds_box(&all[i]);
     }
     free(all);
 }

@@ -17,7 +17,7 @@ enum { FOV_DEG = 60 };
 /* What is measured: the model, its scene without and with fractions, the views. */
 struct trial {
     struct measure_source source;
-    struct compiled plain, fractions;
+    struct measure_scenes scenes;
     struct camera_path path;
     struct lens lens;
     struct measure_candidate candidates[CHOICE_CORES_MAX];
@@ -36,16 +36,6 @@ static void list_cores(struct choice *choice)
     qsort(choice->rows, choice->count, sizeof *choice->rows, by_bits);
 }
 
-static bool compile_for(struct trial *trial, const struct core *core, const struct compile_options *options,
-                        const struct compiled **out, struct error *err)
-{
-    struct compiled *scene = core->profile == LIM_PROFILE_EXACT ? &trial->fractions : &trial->plain;
-    struct compile_options mine = *options;
-    mine.core = core;
-    *out = scene;
-    return scene->image || compile_mesh(&trial->source.mesh, &mine, scene, err);
-}
-
 /* Viewpoints that the renderer cannot take are passed over, as when pools are measured. */
 static bool sample_path(struct trial *trial, struct error *err)
 {
@@ -55,11 +45,11 @@ static bool sample_path(struct trial *trial, struct error *err)
     trial->path.name = grow_zeroed(sizeof NAME, 1);
     memcpy(trial->path.name, NAME, sizeof NAME);
     trial->path.frames = grow_zeroed(CHOICE_SAMPLES, sizeof *trial->path.frames);
-    sampler_init(&sampler, &trial->plain);
+    sampler_init(&sampler, &trial->scenes.plain);
     for (int i = 0; i < CHOICE_SAMPLES; i++) {
         trial->path.frames[trial->path.count] = sampler_next(&sampler);
-        trial->path.count +=
-            camera_path_to_camera(&trial->path, trial->path.count, &trial->lens, &trial->plain.grid, &camera, err);
+        trial->path.count += camera_path_to_camera(&trial->path, trial->path.count, &trial->lens,
+                                                   &trial->scenes.plain.grid, &camera, err);
     }
     return trial->path.count > 0;
 }
@@ -71,11 +61,12 @@ static bool prepare(struct trial *trial, const char *model_path, const struct co
     if (!measure_source_read(&trial->source, model_path, options, options->w_px, options->h_px, err)) return false;
     for (size_t i = 0; i < choice->count; i++) {
         trial->candidates[i].core = choice->rows[i].core;
-        if (!compile_for(trial, choice->rows[i].core, options, &trial->candidates[i].scene, err))
+        if (!measure_scene_for(&trial->scenes, &trial->source, choice->rows[i].core, options,
+                               &trial->candidates[i].scene, err))
             return error_prefix(err, model_path);
     }
-    return lens_init(&trial->lens, FOV_DEG, lens_default_near_m(&trial->plain.grid), options->w_px, options->h_px,
-                     err) &&
+    return lens_init(&trial->lens, FOV_DEG, lens_default_near_m(&trial->scenes.plain.grid), options->w_px,
+                     options->h_px, err) &&
            (bound->camera || sample_path(trial, err));
 }
 
@@ -152,8 +143,7 @@ bool choose_core(const char *model_path, const struct compile_options *options, 
     if (ok && !best) ok = refuse(out, model_path, err);
     measure_source_free(&trial.source);
     camera_path_free(&trial.path);
-    compiled_free(&trial.plain);
-    compiled_free(&trial.fractions);
+    measure_scenes_free(&trial.scenes);
     return ok;
 }
 

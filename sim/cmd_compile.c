@@ -58,12 +58,6 @@ static bool has_bound(const struct request *request)
     return request->bound.wrong_percent >= 0.0 || request->bound.vertex_px >= 0.0;
 }
 
-static bool parse_core(const char *name, const struct measure_cpu **out, struct error *err)
-{
-    *out = measure_cpu_find(name);
-    return *out || error_set(err, "--core %s: no such processor; there are m0plus, m3, m4 and rv32", name);
-}
-
 static bool parse_option(int code, char **argv, struct request *out, struct error *err)
 {
     switch (code) {
@@ -93,7 +87,7 @@ static bool parse_option(int code, char **argv, struct request *out, struct erro
         out->bound.camera = optarg;
         return true;
     case OPTION_CORE:
-        return parse_core(optarg, &out->bound.cpu, err);
+        return measure_cpu_parse(optarg, &out->bound.cpu, err);
     case OPTION_REPORT:
         out->report_only = true;
         return true;

@@ -22,7 +22,7 @@ enum { PATH_MAX_B = 1024 };
 struct measurement {
     struct measure_request request;
     struct measure_source source;
-    struct compiled plain, exact; /* the scene without and with fractions; what nobody needs stays empty */
+    struct measure_scenes scenes;
     struct camera_path path;
     struct lens lens;
     struct measure_candidate *candidates; /* one a row */
@@ -45,18 +45,6 @@ static void progress_end(const struct measurement *measurement)
 
 /* Start -------------------------------------------------------------------------------------- */
 
-/* Profile exact wants vertices with fractions, to the others these would be flash for nothing. */
-static bool compile_for(struct measurement *measurement, const struct core *core, const struct compiled **out,
-                        struct error *err)
-{
-    struct compile_options options = measurement->request.compile;
-    struct compiled *scene = core->profile == LIM_PROFILE_EXACT ? &measurement->exact : &measurement->plain;
-    options.core = core;
-    *out = scene;
-    return scene->image || compile_mesh(&measurement->source.mesh, &options, scene, err) ||
-           error_prefix(err, measurement->request.model);
-}
-
 static bool prepare(struct measurement *measurement, struct error *err)
 {
     const struct measure_request *request = &measurement->request;
@@ -75,7 +63,9 @@ static bool prepare(struct measurement *measurement, struct error *err)
         return error_set(err, "measure: out of memory");
     for (size_t i = 0; i < count; i++) {
         measurement->table.rows[i].core = measurement->candidates[i].core = request->cores[i];
-        if (!compile_for(measurement, request->cores[i], &measurement->candidates[i].scene, err)) return false;
+        if (!measure_scene_for(&measurement->scenes, &measurement->source, request->cores[i], &request->compile,
+                               &measurement->candidates[i].scene, err))
+            return error_prefix(err, request->model);
     }
     return request->camera || camera_path_orbit(measurement->candidates[0].scene, &measurement->lens,
                                                 MEASURE_ORBIT_FRAMES, &measurement->path, err);
@@ -213,8 +203,7 @@ static void measurement_free(struct measurement *measurement)
     work_folder_remove(&measurement->folder);
     measure_source_free(&measurement->source);
     camera_path_free(&measurement->path);
-    compiled_free(&measurement->plain);
-    compiled_free(&measurement->exact);
+    measure_scenes_free(&measurement->scenes);
     free(measurement->candidates);
     free(measurement->accuracies);
     free(measurement->table.rows);

@@ -3,6 +3,7 @@
  * One pass over each array. Every check names the element and what is wrong with it. */
 #include "lim_check.h"
 
+#include "bounds.h"
 #include "grow.h"
 #include "plane.h"
 
@@ -187,59 +188,20 @@ static bool check_nodes(struct checker *work)
 
 /* Bounds: checked last, when all indices are known to be in range ------------------------------- */
 
-struct bounds {
-    int16_t low[3], high[3]; /* low > high: nothing */
-};
-
-static void bounds_add(struct bounds *bounds, const int16_t low[3], const int16_t high[3])
+/* The renderer scales its arithmetic by the root's box, and skips what a box does not show. */
+static bool check_bounds(const struct checker *work)
 {
-    for (int i = 0; i < 3; i++) {
-        if (low[i] < bounds->low[i]) bounds->low[i] = low[i];
-        if (high[i] > bounds->high[i]) bounds->high[i] = high[i];
-    }
-}
-
-static void bounds_add_run(struct bounds *bounds, const struct lim_scene *scene, uint16_t run)
-{
-    const uint16_t *record = run == LIM_NONE ? NULL : &scene->polygons[run];
-    while (record) {
-        const uint16_t *corners = record + LIM_POLYGON_HEAD_WORDS, count = record[0] & LIM_POLYGON_COUNT;
-        for (size_t k = 0; k < count; k++) {
-            const struct lim_vertex *vertex = &scene->vertices[corners[k]];
-            const int16_t at[3] = {vertex->x, vertex->y, vertex->z};
-            bounds_add(bounds, at, at);
-        }
-        record = record[0] & LIM_POLYGON_LAST ? NULL : corners + count;
-    }
-}
-
-static bool box_holds(const struct lim_box *box, const struct bounds *bounds)
-{
-    for (int i = 0; i < 3; i++)
-        if (bounds->low[i] < box->centre[i] - box->half[i] || bounds->high[i] > box->centre[i] + box->half[i])
-            return false;
-    return true;
-}
-
-/* The renderer scales its arithmetic by the root's box, and skips what a box does not show. Children
- * come after their parents: from the last node to the root. */
-static bool check_bounds(const struct checker *work, struct bounds *bounds)
-{
-    static const struct bounds nothing = {{INT16_MAX, INT16_MAX, INT16_MAX}, {INT16_MIN, INT16_MIN, INT16_MIN}};
     const struct lim_scene *scene = work->scene;
-    for (size_t i = scene->node_count; i-- > 0;) {
-        const struct lim_node *node = &scene->nodes[i];
-        const uint16_t children[2] = {node->front, node->back};
-        bounds[i] = nothing;
-        bounds_add_run(&bounds[i], scene, node->front_run);
-        bounds_add_run(&bounds[i], scene, node->back_run);
-        for (int k = 0; k < 2; k++)
-            if (children[k] != LIM_NONE) bounds_add(&bounds[i], bounds[children[k]].low, bounds[children[k]].high);
-        if (node->box != LIM_NONE && bounds[i].low[0] <= bounds[i].high[0] &&
-            !box_holds(&scene->boxes[node->box], &bounds[i]))
-            return error_set(work->err, "node %zu: its box does not hold its polygons", i);
+    struct bounds *all = grow_zeroed(scene->node_count, sizeof *all);
+    bool ok = true;
+    bounds_of_subtrees(scene, all);
+    for (size_t i = 0; ok && i < scene->node_count; i++) {
+        const uint16_t box = scene->nodes[i].box;
+        ok = box == LIM_NONE || !all[i].polygons || bounds_fit(&all[i], &scene->boxes[box]) ||
+             error_set(work->err, "node %zu: its box does not hold its polygons", i);
     }
-    return true;
+    free(all);
+    return ok;
 }
 
 bool lim_check(const struct lim_scene *scene, struct error *err)
@@ -248,9 +210,7 @@ bool lim_check(const struct lim_scene *scene, struct error *err)
     if (!check_vertices(scene, err) || !check_planes(scene, err) || !check_boxes(scene, err)) return false;
     work.depths = grow_zeroed(scene->node_count, sizeof *work.depths);
     work.used_words = grow_zeroed(scene->polygon_words, sizeof *work.used_words);
-    struct bounds *bounds = grow_zeroed(scene->node_count, sizeof *bounds);
-    bool ok = check_nodes(&work) && check_bounds(&work, bounds);
-    free(bounds);
+    bool ok = check_nodes(&work) && check_bounds(&work);
     free(work.depths);
     free(work.used_words);
     return ok;

@@ -58,6 +58,18 @@ struct measure_candidate {
     const struct compiled *scene;
 };
 
+/* A model's scene without and with fractions; what nobody asks for stays empty. */
+struct measure_scenes {
+    struct compiled plain, fractions;
+};
+
+/* The scene that a renderer wants: profile exact with fractions, for the others these would be flash for
+ * nothing. Compiled when first asked for. */
+bool measure_scene_for(struct measure_scenes *scenes, const struct measure_source *source, const struct core *core,
+                       const struct compile_options *options, const struct compiled **out, struct error *err);
+
+void measure_scenes_free(struct measure_scenes *scenes);
+
 /* Calls back before each frame, for progress; false ends the measurement. */
 struct measure_progress {
     bool (*frame)(void *ctx, size_t frame, size_t frames, struct error *err);
@@ -85,6 +97,9 @@ extern const struct measure_cpu measure_cpus[];
 extern const size_t measure_cpu_count;
 
 const struct measure_cpu *measure_cpu_find(const char *name);
+
+/* --core NAME */
+bool measure_cpu_parse(const char *name, const struct measure_cpu **out, struct error *err);
 
 /* Refuses, naming the Debian package, when a tool for the processor is not there. */
 bool measure_cpu_check(const struct measure_cpu *cpu, struct error *err);

@@ -47,6 +47,12 @@ static bool check_tool(const char *program, const char *package, struct error *e
                      package);
 }
 
+bool measure_cpu_parse(const char *name, const struct measure_cpu **out, struct error *err)
+{
+    *out = measure_cpu_find(name);
+    return *out || error_set(err, "--core %s: no such processor; there are m0plus, m3, m4 and rv32", name);
+}
+
 bool measure_cpu_check(const struct measure_cpu *cpu, struct error *err)
 {
     if (access(LIM_SOURCE_FOLDER "/sim/targets/count.sh", R_OK) != 0 || access(LIM_COUNT_PLUGIN, R_OK) != 0)

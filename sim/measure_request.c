@@ -65,8 +65,8 @@ static bool add_core(struct measure_request *out, const char *name, struct error
 
 static bool add_cpu(struct measure_request *out, const char *name, struct error *err)
 {
-    const struct measure_cpu *cpu = measure_cpu_find(name);
-    if (!cpu) return error_set(err, "--core %s: no such processor; there are m0plus, m3, m4 and rv32", name);
+    const struct measure_cpu *cpu;
+    if (!measure_cpu_parse(name, &cpu, err)) return false;
     for (size_t i = 0; i < out->cpu_count; i++)
         if (out->cpus[i] == cpu) return error_set(err, "--core %s: named twice", name);
     if (out->cpu_count == MEASURE_REQUEST_CPUS_MAX) return error_set(err, "--core: too many");

@@ -120,3 +120,19 @@ void measure_source_free(struct measure_source *source)
     free(source->next_point);
     *source = (struct measure_source){0};
 }
+
+bool measure_scene_for(struct measure_scenes *scenes, const struct measure_source *source, const struct core *core,
+                       const struct compile_options *options, const struct compiled **out, struct error *err)
+{
+    struct compiled *scene = core->profile == LIM_PROFILE_EXACT ? &scenes->fractions : &scenes->plain;
+    struct compile_options mine = *options;
+    mine.core = core;
+    *out = scene;
+    return scene->image || compile_mesh(&source->mesh, &mine, scene, err);
+}
+
+void measure_scenes_free(struct measure_scenes *scenes)
+{
+    compiled_free(&scenes->plain);
+    compiled_free(&scenes->fractions);
+}

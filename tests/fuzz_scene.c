@@ -4,6 +4,7 @@
  * byte is a small change of the scene. Planes go through vertices, where decisions are hard. */
 #include "fuzz_scene.h"
 
+#include "bounds.h"
 #include "plane.h"
 
 #include <stdlib.h>
@@ -144,62 +145,16 @@ static void make_nodes(struct fuzz_scene *made, struct fuzz_bytes *bytes)
 
 /* Boxes -------------------------------------------------------------------------------------- */
 
-struct bounds {
-    int32_t low[3], high[3]; /* low > high: empty */
-};
-
-static void bounds_add(struct bounds *bounds, const int32_t low[3], const int32_t high[3])
-{
-    for (int i = 0; i < 3; i++) {
-        if (low[i] < bounds->low[i]) bounds->low[i] = low[i];
-        if (high[i] > bounds->high[i]) bounds->high[i] = high[i];
-    }
-}
-
-static void bounds_add_run(struct bounds *bounds, const struct fuzz_scene *made, uint16_t run)
-{
-    const uint16_t *record = run == LIM_NONE ? NULL : &made->polygons[run];
-
-    while (record) {
-        const uint16_t corners = record[0] & LIM_POLYGON_COUNT;
-        for (uint16_t k = 0; k < corners; k++) {
-            const struct lim_vertex *v = &made->vertices[record[LIM_POLYGON_HEAD_WORDS + k]];
-            const int32_t at[3] = {v->x, v->y, v->z};
-            bounds_add(bounds, at, at);
-        }
-        record = record[0] & LIM_POLYGON_LAST ? NULL : record + LIM_POLYGON_HEAD_WORDS + corners;
-    }
-}
-
-static struct lim_box box_of(const struct bounds *bounds)
-{
-    struct lim_box box;
-
-    for (int i = 0; i < 3; i++) {
-        const int32_t centre = (bounds->low[i] + bounds->high[i]) / 2;
-        const int32_t below = centre - bounds->low[i], above = bounds->high[i] - centre;
-        box.centre[i] = (int16_t)centre;
-        box.half[i] = (uint16_t)(below > above ? below : above);
-    }
-    return box;
-}
-
-/* Exact bounds, children before parents; some nodes have none. */
+/* As the compiler makes them; some nodes have none. */
 static void make_boxes(struct fuzz_scene *made, struct fuzz_bytes *bytes)
 {
-    static const struct bounds empty = {{INT16_MAX, INT16_MAX, INT16_MAX}, {INT16_MIN, INT16_MIN, INT16_MIN}};
     struct bounds bounds[FUZZ_NODES_MAX];
 
+    bounds_of_subtrees(&made->scene, bounds);
     for (uint16_t i = made->scene.node_count; i-- > 0;) {
-        struct lim_node *node = &made->nodes[i];
-        bounds[i] = empty;
-        bounds_add_run(&bounds[i], made, node->front_run);
-        bounds_add_run(&bounds[i], made, node->back_run);
-        if (node->front != LIM_NONE) bounds_add(&bounds[i], bounds[node->front].low, bounds[node->front].high);
-        if (node->back != LIM_NONE) bounds_add(&bounds[i], bounds[node->back].low, bounds[node->back].high);
-        if (bounds[i].low[0] > bounds[i].high[0] || fuzz_below(bytes, 2)) continue;
-        node->box = made->scene.box_count;
-        made->boxes[made->scene.box_count++] = box_of(&bounds[i]);
+        if (!bounds[i].polygons || fuzz_below(bytes, 2)) continue;
+        made->nodes[i].box = made->scene.box_count;
+        made->boxes[made->scene.box_count++] = bounds_box(&bounds[i]);
     }
 }
 
