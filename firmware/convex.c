@@ -65,7 +65,7 @@ static void note_faces(struct lim *lim)
 {
     for (uint16_t i = 0; i < lim->scene->node_count; i++) {
         const LIM_FLASH struct lim_node *node = &lim->scene->nodes[i];
-        const int16_t side = lim_eye_side(&lim->eye, lim->scene, node);
+        const int32_t side = lim_eye_side(lim_eye_of(lim), node);
         const uint16_t run = side > 0 ? node->front_run : node->back_run;
         if (LIM_HAS_STATS) lim_stats_of(lim)->nodes++;
         if (side && run != LIM_NONE) note_run(lim, run);

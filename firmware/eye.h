@@ -12,31 +12,48 @@
 struct lim_eye {
     int32_t at_q8[3];    /* units */
     int32_t reduced[3];  /* floor(at / 2^shift), within 16 bits whatever the distance */
+    uint16_t near_end;   /* a lim_node.plane below this is decided by lim_eye_near_side() */
     uint8_t shift;       /* 0 inside the 16-bit cube of the scene */
-    uint8_t near_kind;   /* the last enum lim_plane_kind that needs neither shift nor slack */
     int32_t large_slack; /* how far the filter of a LARGE plane can be off, in its own scale */
+    const struct lim_scene *scene;
+    const LIM_FLASH struct lim_plane *planes; /* the scene's: a load less on the way to each */
 };
 
-void lim_eye_set(struct lim_eye *eye, const int32_t at_q8[3]);
+void lim_eye_set(struct lim_eye *eye, const struct lim_scene *scene, const int32_t at_q8[3]);
 
-/* Positive: in front of the plane, negative: behind it, 0: exactly on it. The first for planes with 16-bit
- * numbers (XZ, SMALL) and an eye with shift 0, the second for every plane that has a record, and any eye. */
-int16_t lim_eye_near_side(const struct lim_eye *eye, const LIM_FLASH struct lim_plane *plane);
-int16_t lim_eye_far_side(const struct lim_eye *eye, const struct lim_scene *scene,
-                         const LIM_FLASH struct lim_plane *plane);
+/* The side of a node's plane that is not an axis plane, from anywhere: positive in front, negative behind, 0 exactly
+ * on it. The second is for where lim_eye_near_side() cannot tell. */
+int32_t lim_eye_far_side(const struct lim_eye *eye, const LIM_FLASH struct lim_node *node);
+int32_t lim_eye_close_side(const struct lim_eye *eye, const LIM_FLASH struct lim_node *node);
 
-/* The same for a node's plane, whatever its kind. */
-static inline int16_t lim_eye_side(const struct lim_eye *eye, const struct lim_scene *scene,
-                                   const LIM_FLASH struct lim_node *node)
+/* 0: the eye may be on either side. The sum is n . s - d + slack, so a shift of slack's bits and one more leaves
+ * nothing of -slack .. slack - 1, and only there. |n . s| <= 32767 * 2^15 and scene.h's bound of d keep it in 32 bits.
+ */
+/*@ requires \valid_read(eye) && \valid_read(plane);
+    requires -1073676288 <= plane->slack_less_d - 65536 <= 1073676288;
+    requires \forall integer i; 0 <= i < 3 ==> -32768 <= eye->reduced[i] <= 32767;
+    assigns \nothing; */
+static inline int32_t lim_eye_near_side(const struct lim_eye *eye, const LIM_FLASH struct lim_plane *plane)
 {
-    const uint16_t kind = node->kind;
+    int32_t sum = lim_plane_x(plane) * eye->reduced[0];
 
-    if (!LIM_HAS_SLANTED || kind <= LIM_PLANE_Z) {
-        const int32_t at_q8 = eye->at_q8[kind], plane_q8 = (int32_t)(int16_t)node->plane * 256;
-        return (int16_t)((at_q8 > plane_q8) - (at_q8 < plane_q8));
+    sum += lim_plane_y(plane) * eye->reduced[1];
+    sum += lim_plane_z(plane) * eye->reduced[2];
+    sum += plane->slack_less_d;
+    return sum >> 17;
+}
+
+/* On which side of a node's plane the eye is: positive in front, negative behind, 0 exactly on it. */
+static inline int32_t lim_eye_side(const struct lim_eye *eye, const LIM_FLASH struct lim_node *node)
+{
+    const uint16_t at = node->plane;
+
+    if (LIM_HAS_SLANTED && at < eye->near_end) {
+        const int32_t side = lim_eye_near_side(eye, lim_plane_at(eye->planes, at));
+        return side ? side : lim_eye_close_side(eye, node);
     }
-    const LIM_FLASH struct lim_plane *plane = &scene->planes[node->plane];
-    return kind <= eye->near_kind ? lim_eye_near_side(eye, plane) : lim_eye_far_side(eye, scene, plane);
+    if (LIM_HAS_SLANTED && at < LIM_PLANE_X) return lim_eye_far_side(eye, node);
+    return eye->at_q8[at & 3] - (int32_t)node->offset * 256;
 }
 
 #endif

@@ -75,7 +75,7 @@ int lim_frame(struct lim *lim, const struct lim_camera *camera)
 {
     if (LIM_HAS_STATS) *lim_stats_of(lim) = (struct lim_stats){0};
     if (!lim_view_begin(&lim->view, lim->scene, camera)) return LIM_ERR_CAMERA;
-    lim_eye_set(&lim->eye, camera->eye_q8);
+    lim_eye_set(lim_eye_of(lim), lim->scene, camera->eye_q8);
     const int err = draw(lim);
     if (LIM_HAS_STATS) lim_stats_of(lim)->vertices = lim->view.vertices;
     return err;

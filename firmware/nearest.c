@@ -72,7 +72,7 @@ static void shrink(struct lim *lim)
 {
     const bool smaller = lim_spans_shrink(&lim->spans);
 
-    if (LIM_HAS_CULL && smaller) lim_cull_set(lim_cull_of(lim), &lim->view, lim->eye.at_q8, &lim->spans.open);
+    if (LIM_HAS_CULL && smaller) lim_cull_set(lim_cull_of(lim), &lim->view, lim_eye_of(lim)->at_q8, &lim->spans.open);
 }
 
 /* All polygons of one run. false: a pool is exhausted. */
@@ -112,8 +112,8 @@ static bool collect(struct lim *lim, const struct lim_rect *band)
 
     lim_spans_open(&lim->spans, band);
     lim->retained.used = 0;
-    if (LIM_HAS_CULL) lim_cull_set(lim_cull_of(lim), &lim->view, lim->eye.at_q8, band);
-    lim_walk_begin(&lim->walk, lim->scene, &lim->eye, lim->stack, false);
+    if (LIM_HAS_CULL) lim_cull_set(lim_cull_of(lim), &lim->view, lim_eye_of(lim)->at_q8, band);
+    lim_walk_begin(&lim->walk, lim->stack, false);
     while (lim->spans.open_lines &&
            (run = lim_walk_next(&lim->walk, lim_cull_of(lim), lim_stats_of(lim))) != LIM_NONE) {
         if (!take_run(lim, run, &since_shrink)) return false;

@@ -130,8 +130,8 @@ int lim_painter_frame(struct lim *lim)
     int err = paint_background(lim);
 
     if (err) return err;
-    if (LIM_HAS_CULL) lim_cull_set(lim_cull_of(lim), &lim->view, lim->eye.at_q8, &screen);
-    lim_walk_begin(&lim->walk, lim->scene, &lim->eye, lim->stack, true);
+    if (LIM_HAS_CULL) lim_cull_set(lim_cull_of(lim), &lim->view, lim_eye_of(lim)->at_q8, &screen);
+    lim_walk_begin(&lim->walk, lim->stack, true);
     while ((run = lim_walk_next(&lim->walk, lim_cull_of(lim), lim_stats_of(lim))) != LIM_NONE) {
         err = paint_run(lim, run, &screen);
         if (err) return err;

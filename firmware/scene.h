@@ -12,7 +12,7 @@
 
 #define LIM_NONE 0xFFFFu /* "no such index", in every index field below */
 
-enum { LIM_SCENE_VERSION = 2 };
+enum { LIM_SCENE_VERSION = 3 };
 
 struct lim_vertex {
     int16_t x, y, z; /* units */
@@ -23,24 +23,22 @@ struct lim_fraction {
     int8_t x_q8, y_q8, z_q8;
 };
 
-/* How a node's plane is stored; each kind is decided exactly. */
-enum lim_plane_kind {
-    LIM_PLANE_X,     /* x = plane: the node's field `plane` is the offset itself, an int16_t */
-    LIM_PLANE_Y,     /* y = plane */
-    LIM_PLANE_Z,     /* z = plane */
-    LIM_PLANE_XZ,    /* upright: lim_plane with n[1] == 0 and exact == LIM_NONE */
-    LIM_PLANE_SMALL, /* lim_plane with exact == LIM_NONE: n and d are the plane */
-    LIM_PLANE_LARGE  /* lim_plane is a filter; lim_plane_exact decides when it cannot */
-};
-
-/* Bounds that the compiler keeps: |n[0]| + |n[1]| + |n[2]| <= 32767 and |d| < 2^30.
- * LARGE: n = the exact normal times s, rounded, with s such that the longest component is at
- * most 8191; d = the exact d times s, rounded. */
+/* A plane that is not an axis plane. Bounds that the compiler keeps: 0 < |n[0]| + |n[1]| + |n[2]| <= 32767 and
+ * |d| <= LIM_PLANE_D_MAX, so that n . p - d fits 32 bits for every p of the 16-bit cube.
+ * With an exact plane (LARGE), n and d are only a filter: the exact normal times s, rounded, with s such that
+ * its longest component is 8191; d = the exact d times s, rounded. */
 struct lim_plane {
-    int16_t n[3];
-    uint16_t exact; /* index into lim_scene.exact, or LIM_NONE */
-    int32_t d;      /* n . p of the points on the plane, in n's scale times units */
+    int32_t n_yx;         /* n[1] in the upper half, n[0] in the lower one: two are loaded at once */
+    int32_t n_z_exact;    /* n[2], and below it an index into lim_scene.exact or LIM_NONE: n and d are the plane */
+    int32_t slack_less_d; /* LIM_PLANE_SLACK - d; d = n . p of the points on the plane, in n's scale times units */
 };
+#define LIM_PLANE(nx, ny, nz, exact, d)                                                                                \
+    {                                                                                                                  \
+        LIM_PLANE_HALVES(ny, nx), LIM_PLANE_HALVES(nz, exact), LIM_PLANE_SLACK - (d)                                   \
+    }
+#define LIM_PLANE_HALVES(upper, lower) ((int32_t)((upper)*INT32_C(65536) + (int32_t)(uint16_t)(lower)))
+#define LIM_PLANE_SLACK (INT32_C(1) << 16) /* where |n . p - d| is less, eye.c does not trust it */
+#define LIM_PLANE_D_MAX ((INT32_C(1) << 30) - LIM_PLANE_SLACK)
 
 /* |n[i]| < 2^31, |d| < 2^48; d = d_hi * 2^32 + d_lo. */
 struct lim_plane_exact {
@@ -57,9 +55,14 @@ struct lim_plane_exact {
 #define LIM_POLYGON_LAST 0x8000u
 enum { LIM_POLYGON_HEAD_WORDS = 2 };
 
+/* What a node's field `plane` says of an axis plane, x, y or z = offset. Any smaller number is a place in
+ * lim_scene.planes, in words of 4 bytes. */
+enum { LIM_PLANE_X = 0xFFFC, LIM_PLANE_Y, LIM_PLANE_Z }; /* x, y and z in the last two bits */
+enum { LIM_PLANE_WORDS = sizeof(struct lim_plane) / 4 };
+
 struct lim_node {
-    uint16_t kind;        /* enum lim_plane_kind */
-    uint16_t plane;       /* offset or index into lim_scene.planes, by kind */
+    uint16_t plane;       /* above */
+    int16_t offset;       /* of an axis plane, units; else 0 */
     uint16_t front, back; /* child nodes on either side of the plane, or LIM_NONE */
     uint16_t front_run;   /* word offset of the polygons that face the front, or LIM_NONE */
     uint16_t back_run;    /* the same for those that face the back */
@@ -96,5 +99,37 @@ struct lim_scene {
     uint16_t background;    /* colour where no polygon is seen, RGB565 as a number */
     struct lim_limits limits;
 };
+
+/* Whatever a plane's record packs. */
+static inline int16_t lim_plane_x(const LIM_FLASH struct lim_plane *plane)
+{
+    return (int16_t)plane->n_yx;
+}
+
+static inline int16_t lim_plane_y(const LIM_FLASH struct lim_plane *plane)
+{
+    return (int16_t)(plane->n_yx >> 16);
+}
+
+static inline int16_t lim_plane_z(const LIM_FLASH struct lim_plane *plane)
+{
+    return (int16_t)(plane->n_z_exact >> 16);
+}
+
+static inline uint16_t lim_plane_exact(const LIM_FLASH struct lim_plane *plane)
+{
+    return (uint16_t)plane->n_z_exact;
+}
+
+static inline int32_t lim_plane_d(const LIM_FLASH struct lim_plane *plane)
+{
+    return LIM_PLANE_SLACK - plane->slack_less_d;
+}
+
+/* The plane that a node's field `plane` names, if not an axis plane. */
+static inline const LIM_FLASH struct lim_plane *lim_plane_at(const LIM_FLASH struct lim_plane *planes, uint16_t words)
+{
+    return (const LIM_FLASH struct lim_plane *)((const LIM_FLASH uint32_t *)planes + words);
+}
 
 #endif

@@ -33,7 +33,6 @@
 struct lim {
     const struct lim_scene *scene;
     struct lim_target target;
-    struct lim_eye eye;
     struct lim_view view;
 #if LIM_HAS_CULL
     struct lim_cull cull;
@@ -41,6 +40,8 @@ struct lim {
 #if LIM_HAS_TREE
     struct lim_walk walk;
     struct lim_walk_pending *stack;
+#else
+    struct lim_eye eye;
 #endif
 #if LIM_HAS_NEAREST
     struct lim_spans spans;
@@ -55,7 +56,7 @@ struct lim {
 #endif
 };
 
-/* Members that may not be there: NULL then. */
+/* Members that may not be there, NULL then, or elsewhere. */
 static inline struct lim_stats *lim_stats_of(struct lim *lim)
 {
 #if LIM_HAS_STATS
@@ -63,6 +64,15 @@ static inline struct lim_stats *lim_stats_of(struct lim *lim)
 #else
     (void)lim;
     return NULL;
+#endif
+}
+
+static inline struct lim_eye *lim_eye_of(struct lim *lim)
+{
+#if LIM_HAS_TREE
+    return &lim->walk.eye;
+#else
+    return &lim->eye;
 #endif
 }
 

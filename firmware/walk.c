@@ -7,22 +7,12 @@
 
 #if LIM_HAS_TREE
 
-void lim_walk_begin(struct lim_walk *walk, const struct lim_scene *scene, const struct lim_eye *eye,
-                    struct lim_walk_pending *stack, bool back_to_front)
+void lim_walk_begin(struct lim_walk *walk, struct lim_walk_pending *stack, bool back_to_front)
 {
-    walk->scene = scene;
-    walk->eye = eye;
     walk->stack = stack;
     walk->depth = 0;
-    walk->next = scene->node_count ? 0 : LIM_NONE;
+    walk->next = walk->eye.scene->node_count ? 0 : LIM_NONE;
     walk->back_to_front = back_to_front;
-}
-
-static uint16_t child(const struct lim_walk *walk, const LIM_FLASH struct lim_node *node, int16_t side, bool first)
-{
-    const bool eye_in_front = side > 0;
-
-    return (eye_in_front == first) != walk->back_to_front ? node->front : node->back;
 }
 
 static bool skipped(const struct lim_walk *walk, const LIM_FLASH struct lim_node *node, const struct lim_cull *cull,
@@ -30,48 +20,44 @@ static bool skipped(const struct lim_walk *walk, const LIM_FLASH struct lim_node
 {
     if (!LIM_HAS_CULL || node->box == LIM_NONE) return false;
     if (LIM_HAS_STATS) stats->boxes++;
-    if (lim_cull_sees(cull, &walk->scene->boxes[node->box])) return false;
+    if (lim_cull_sees(cull, &walk->eye.scene->boxes[node->box])) return false;
     if (LIM_HAS_STATS) stats->boxes_out++;
     return true;
 }
 
-static void enter(struct lim_walk *walk, const struct lim_cull *cull, struct lim_stats *stats)
+/* Remembers what comes after the node's near subtree. Returns the root of that, or LIM_NONE. */
+static inline uint16_t enter(struct lim_walk *walk, uint16_t index, const struct lim_cull *cull,
+                             struct lim_stats *stats)
 {
-    const uint16_t index = walk->next;
-    const LIM_FLASH struct lim_node *node = &walk->scene->nodes[index];
+    const LIM_FLASH struct lim_node *node = &walk->eye.scene->nodes[index];
 
-    walk->next = LIM_NONE;
-    if (skipped(walk, node, cull, stats)) return;
+    if (skipped(walk, node, cull, stats)) return LIM_NONE;
     if (LIM_HAS_STATS) stats->nodes++;
-    const int16_t side = lim_eye_side(walk->eye, walk->scene, node);
-    LIM_ASSERT(walk->depth < walk->scene->limits.depth);
-    walk->stack[walk->depth++] = (struct lim_walk_pending){index, side};
-    walk->next = child(walk, node, side, true);
-}
-
-/* Takes the top of the stack: its far subtree is next. Returns its own run. */
-static uint16_t leave(struct lim_walk *walk)
-{
-    const struct lim_walk_pending *top = &walk->stack[--walk->depth];
-    const LIM_FLASH struct lim_node *node = &walk->scene->nodes[top->node];
-
-    walk->next = child(walk, node, top->side, false);
-    if (top->side == 0) return LIM_NONE;
-    return top->side > 0 ? node->front_run : node->back_run;
+    const int32_t side = lim_eye_side(&walk->eye, node);
+    const bool front_first = (side > 0) != walk->back_to_front;
+    LIM_ASSERT(walk->depth < walk->eye.scene->limits.depth);
+    struct lim_walk_pending *pending = &walk->stack[walk->depth++];
+    pending->run = side > 0 ? node->front_run : side < 0 ? node->back_run : (uint16_t)LIM_NONE;
+    pending->far = front_first ? node->back : node->front;
+    return front_first ? node->front : node->back;
 }
 
 uint16_t lim_walk_next(struct lim_walk *walk, const struct lim_cull *cull, struct lim_stats *stats)
 {
+    uint16_t next = walk->next;
+
     for (;;) {
-        if (walk->next != LIM_NONE) {
-            enter(walk, cull, stats);
-        } else if (walk->depth) {
-            const uint16_t run = leave(walk);
-            if (run != LIM_NONE) return run;
-        } else {
-            return LIM_NONE;
-        }
+        while (next != LIM_NONE)
+            next = enter(walk, next, cull, stats);
+        if (!walk->depth) break;
+        const struct lim_walk_pending *top = &walk->stack[--walk->depth];
+        next = top->far;
+        if (top->run == LIM_NONE) continue;
+        walk->next = next;
+        return top->run;
     }
+    walk->next = LIM_NONE;
+    return LIM_NONE;
 }
 
 #endif

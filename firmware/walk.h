@@ -11,24 +11,21 @@
 #include "scene.h"
 #include "stats.h"
 
-/* A node whose near subtree is under way: its own polygons and its far subtree come later. */
+/* What comes when a node's near subtree is done: its own polygons, then its far subtree. LIM_NONE: nothing. */
 struct lim_walk_pending {
-    uint16_t node;
-    int16_t side; /* of the eye: its sign counts */
+    uint16_t run, far;
 };
 
 struct lim_walk {
-    const struct lim_scene *scene;
-    const struct lim_eye *eye;
+    struct lim_eye eye; /* here, not pointed to: its fields are read at every node */
     struct lim_walk_pending *stack;
     uint16_t depth;
     uint16_t next; /* the subtree to enter, or LIM_NONE: the stack's top is due */
     bool back_to_front;
 };
 
-/* `stack` has scene->limits.depth entries. */
-void lim_walk_begin(struct lim_walk *walk, const struct lim_scene *scene, const struct lim_eye *eye,
-                    struct lim_walk_pending *stack, bool back_to_front);
+/* Through the scene of walk->eye, which is set. `stack` has limits.depth entries. */
+void lim_walk_begin(struct lim_walk *walk, struct lim_walk_pending *stack, bool back_to_front);
 
 /* The next run's word offset into scene->polygons, or LIM_NONE when the walk is over. `cull` may
  * have changed since the last call: the open view only ever shrinks. */

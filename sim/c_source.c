@@ -43,8 +43,8 @@ static void write_nodes(FILE *file, const struct lim_scene *scene, const struct 
     begin_array(file, prefix, "struct lim_node", "nodes", scene->node_count);
     for (size_t i = 0; i < scene->node_count; i++) {
         const struct lim_node *node = &scene->nodes[i];
-        fprintf(file, "%s{%u, %u, %u, %u, %u, %u, %u},", i % 2 ? " " : "\n    ", (unsigned)node->kind,
-                (unsigned)node->plane, (unsigned)node->front, (unsigned)node->back, (unsigned)node->front_run,
+        fprintf(file, "%s{%u, %d, %u, %u, %u, %u, %u},", i % 2 ? " " : "\n    ", (unsigned)node->plane,
+                (int)node->offset, (unsigned)node->front, (unsigned)node->back, (unsigned)node->front_run,
                 (unsigned)node->back_run, (unsigned)node->box);
     }
     end_array(file);
@@ -55,8 +55,8 @@ static void write_planes(FILE *file, const struct lim_scene *scene, const struct
     begin_array(file, prefix, "struct lim_plane", "planes", scene->plane_count);
     for (size_t i = 0; i < scene->plane_count; i++) {
         const struct lim_plane *plane = &scene->planes[i];
-        fprintf(file, "%s{{%d, %d, %d}, %u, %ld},", i % 2 ? " " : "\n    ", plane->n[0], plane->n[1], plane->n[2],
-                (unsigned)plane->exact, (long)plane->d);
+        fprintf(file, "%sLIM_PLANE(%d, %d, %d, %u, %ld),", i % 2 ? " " : "\n    ", lim_plane_x(plane),
+                lim_plane_y(plane), lim_plane_z(plane), (unsigned)lim_plane_exact(plane), (long)lim_plane_d(plane));
     }
     end_array(file);
 }

@@ -55,7 +55,7 @@ static void report_set(struct compile_report *report, const struct bsp *bsp, con
                                       .wrong_percent = NAN,
                                       .flash_b = flash_b(scene)};
     for (size_t i = 0; i < scene->node_count; i++)
-        report->kinds[scene->nodes[i].kind]++;
+        report->kinds[plane_kind_of(scene, (uint16_t)i)]++;
     snprintf(report->splitter, sizeof report->splitter, "%s", splitter->name);
 }
 

@@ -8,6 +8,7 @@
 #include "core.h"
 #include "error.h"
 #include "mesh.h"
+#include "plane.h"
 #include "scene.h"
 
 struct compile_options {
@@ -27,7 +28,7 @@ struct compile_report {
     size_t splits;
     size_t collapsed; /* pieces that the grid rounded to nothing */
     size_t depth;
-    size_t kinds[6];              /* nodes by enum lim_plane_kind */
+    size_t kinds[PLANE_KINDS];    /* nodes by enum plane_kind */
     double worst_violation_units; /* certified: how far any vertex lies on the wrong side */
     char splitter[16];            /* the heuristic that won */
     bool convex;                  /* one convex solid: firmware draws it without walk and spans */

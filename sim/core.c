@@ -40,8 +40,8 @@ static int8_t eye_side(const struct lim_scene *scene, uint16_t node, const int32
 {
     struct lim_eye eye;
 
-    lim_eye_set(&eye, eye_q8);
-    const int16_t side = lim_eye_side(&eye, scene, &scene->nodes[node]);
+    lim_eye_set(&eye, scene, eye_q8);
+    const int32_t side = lim_eye_side(&eye, &scene->nodes[node]);
     return (int8_t)((side > 0) - (side < 0));
 }
 

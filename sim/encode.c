@@ -10,7 +10,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-enum { COUNT_MAX = 0xFFFF };
+enum { COUNT_MAX = 0xFFFF, PLANES_MAX = LIM_PLANE_X / LIM_PLANE_WORDS };
 
 /* What encoding needs to remember on the way. */
 struct encoder {
@@ -149,28 +149,36 @@ static size_t exact_add(struct encoding *out, const struct plane *plane)
     return out->exact_count++;
 }
 
-static void plane_add(struct encoding *out, const struct plane *plane)
+/* A plane as long as the bounds of scene.h allow is the same plane, and fewer eyes are too close to it for 16 bits. */
+static struct lim_plane small_record(const struct plane *plane)
 {
-    struct lim_plane stored = {.exact = LIM_NONE, .d = (int32_t)plane->d};
-    if (plane->kind == LIM_PLANE_LARGE) {
-        stored = plane_filter(plane->n, plane->d);
-        stored.exact = (uint16_t)exact_add(out, plane);
-    } else {
-        for (int i = 0; i < 3; i++)
-            stored.n[i] = (int16_t)plane->n[i];
-    }
-    out->planes = grow(out->planes, out->plane_count, &out->plane_capacity, sizeof *out->planes);
-    out->planes[out->plane_count++] = stored;
+    const int64_t sum = llabs(plane->n[0]) + llabs(plane->n[1]) + llabs(plane->n[2]), d = llabs(plane->d);
+    const int64_t by_sum = PLANE_SUM_MAX / sum, by_d = d ? LIM_PLANE_D_MAX / d : by_sum;
+    const int64_t factor = by_sum < by_d ? by_sum : by_d;
+    const int64_t n[3] = {plane->n[0] * factor, plane->n[1] * factor, plane->n[2] * factor};
+    return plane_record(n, plane->d * factor);
 }
 
-/* What goes into a node's field `plane`. */
-static size_t plane_index(struct encoder *work, uint32_t group)
+static void plane_add(struct encoding *out, const struct plane *plane)
+{
+    out->planes = grow(out->planes, out->plane_count, &out->plane_capacity, sizeof *out->planes);
+    out->planes[out->plane_count++] = plane->kind == PLANE_LARGE
+                                          ? plane_filter(plane->n, plane->d, (uint16_t)exact_add(out, plane))
+                                          : small_record(plane);
+}
+
+/* Where a node finds its plane. */
+static void node_place(struct encoder *work, uint32_t group, struct lim_node *node)
 {
     const struct plane *plane = &work->bsp->coplanar->planes[group];
-    if (plane->kind <= LIM_PLANE_Z) return (uint16_t)(int16_t)plane->d;
+    if (plane->kind <= PLANE_Z) {
+        node->plane = (uint16_t)(LIM_PLANE_X + plane->kind);
+        node->offset = (int16_t)plane->d;
+        return;
+    }
     uint32_t index = *map_at(&work->planes, group, (uint32_t)work->out->plane_count);
     if (index == work->out->plane_count) plane_add(work->out, plane);
-    return index;
+    node->plane = (uint16_t)(index * LIM_PLANE_WORDS);
 }
 
 /* Nodes -------------------------------------------------------------------------------------- */
@@ -205,8 +213,7 @@ static uint16_t child_index(const uint32_t *heirs, const uint32_t *numbers, uint
 static struct lim_node node_encode(struct encoder *work, const struct bsp_node *node)
 {
     struct lim_node out = {.front = LIM_NONE, .back = LIM_NONE, .box = LIM_NONE};
-    out.kind = (uint16_t)work->bsp->coplanar->planes[node->group].kind;
-    out.plane = (uint16_t)plane_index(work, node->group);
+    node_place(work, node->group, &out);
     out.front_run = (uint16_t)run_encode(work, node, false);
     out.back_run = (uint16_t)run_encode(work, node, true);
     return out;
@@ -231,10 +238,15 @@ static void nodes_encode(struct encoder *work, const uint32_t *heirs)
     free(numbers);
 }
 
+static bool check_count(size_t count, size_t most, const char *what, struct error *err)
+{
+    return count <= most ||
+           error_set(err, "scene too large: %zu %s, %zu are the most (%zu too many)", count, what, most, count - most);
+}
+
 bool encode_check_count(size_t count, const char *what, struct error *err)
 {
-    return count <= COUNT_MAX || error_set(err, "scene too large: %zu %s, %d are the most (%zu too many)", count, what,
-                                           COUNT_MAX, count - COUNT_MAX);
+    return check_count(count, COUNT_MAX, what, err);
 }
 
 static bool check_counts(const struct encoding *out, struct error *err)
@@ -242,6 +254,7 @@ static bool check_counts(const struct encoding *out, struct error *err)
     if (out->node_count == 0) return error_set(err, "nothing is left of the scene on its grid");
     return encode_check_count(out->vertex_count, "vertices", err) &&
            encode_check_count(out->node_count, "nodes", err) &&
+           check_count(out->plane_count, PLANES_MAX, "planes that are not axis planes", err) &&
            encode_check_count(out->word_count, "words of polygons", err);
 }
 

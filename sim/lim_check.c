@@ -8,9 +8,10 @@
 #include "plane.h"
 
 #include <stdlib.h>
+#include <string.h>
 
 enum { VERTICES_MAX = 250, COORDINATE_MAX = 32767, HALF_MAX = 32768 };
-enum { SMALL_SUM_MAX = 32767, PLANE_D_END = 1 << 30, FILTER_D_FACTOR = 1 << 17 };
+enum { FILTER_D_FACTOR = 1 << 17 };
 #define EXACT_D_END (INT64_C(1) << 48)
 
 /* What is known of the nodes and words met so far. */
@@ -60,28 +61,28 @@ static bool exact_within_bounds(const int64_t n[3], int64_t d)
 static bool check_filter(const struct lim_scene *scene, size_t index, struct error *err)
 {
     const struct lim_plane *plane = &scene->planes[index];
-    if (plane->exact >= scene->exact_count)
-        return error_set(err, "plane %zu: exact plane %u of %u", index, (unsigned)plane->exact,
-                         (unsigned)scene->exact_count);
-    const struct lim_plane_exact *exact = &scene->exact[plane->exact];
+    const uint16_t at = lim_plane_exact(plane);
+    if (at >= scene->exact_count)
+        return error_set(err, "plane %zu: exact plane %u of %u", index, (unsigned)at, (unsigned)scene->exact_count);
+    const struct lim_plane_exact *exact = &scene->exact[at];
     const int64_t n[3] = {exact->n[0], exact->n[1], exact->n[2]};
     const int64_t d = (int64_t)exact->d_hi * (INT64_C(1) << 32) + exact->d_lo;
-    if (!exact_within_bounds(n, d)) return error_set(err, "exact plane %u: out of bounds", (unsigned)plane->exact);
-    const struct lim_plane filter = plane_filter(n, d);
-    return (filter.n[0] == plane->n[0] && filter.n[1] == plane->n[1] && filter.n[2] == plane->n[2] &&
-            filter.d == plane->d) ||
+    if (!exact_within_bounds(n, d)) return error_set(err, "exact plane %u: out of bounds", (unsigned)at);
+    const struct lim_plane filter = plane_filter(n, d, at);
+    return memcmp(&filter, plane, sizeof filter) == 0 ||
            error_set(err, "plane %zu: does not match its exact plane", index);
 }
 
 static bool check_plane(const struct lim_scene *scene, size_t index, struct error *err)
 {
     const struct lim_plane *plane = &scene->planes[index];
-    if (plane->d <= -PLANE_D_END || plane->d >= PLANE_D_END)
-        return error_set(err, "plane %zu: d is %ld, beyond 2^30", index, (long)plane->d);
-    int sum = abs(plane->n[0]) + abs(plane->n[1]) + abs(plane->n[2]);
-    if (sum == 0 || sum > SMALL_SUM_MAX)
+    const int64_t d = (int64_t)LIM_PLANE_SLACK - plane->slack_less_d;
+    if (d < -LIM_PLANE_D_MAX || d > LIM_PLANE_D_MAX)
+        return error_set(err, "plane %zu: d is %lld, beyond %ld", index, (long long)d, (long)LIM_PLANE_D_MAX);
+    int sum = abs(lim_plane_x(plane)) + abs(lim_plane_y(plane)) + abs(lim_plane_z(plane));
+    if (sum == 0 || sum > PLANE_SUM_MAX)
         return error_set(err, "plane %zu: the components of its normal add up to %d", index, sum);
-    return plane->exact == LIM_NONE || check_filter(scene, index, err);
+    return lim_plane_exact(plane) == LIM_NONE || check_filter(scene, index, err);
 }
 
 static bool check_planes(const struct lim_scene *scene, struct error *err)
@@ -94,16 +95,11 @@ static bool check_planes(const struct lim_scene *scene, struct error *err)
 static bool check_node_plane(const struct checker *work, size_t index)
 {
     const struct lim_node *node = &work->scene->nodes[index];
-    if (node->kind > LIM_PLANE_LARGE)
-        return error_set(work->err, "node %zu: no such kind of plane: %u", index, (unsigned)node->kind);
-    if (node->kind <= LIM_PLANE_Z) return true;
-    if (node->plane >= work->scene->plane_count)
-        return error_set(work->err, "node %zu: plane %u of %u", index, (unsigned)node->plane,
+    if (node->plane > LIM_PLANE_Z) return error_set(work->err, "node %zu: has no plane", index);
+    if (node->plane >= LIM_PLANE_X) return true;
+    if (node->plane % LIM_PLANE_WORDS || node->plane / LIM_PLANE_WORDS >= work->scene->plane_count)
+        return error_set(work->err, "node %zu: plane at word %u, where none of %u begins", index, (unsigned)node->plane,
                          (unsigned)work->scene->plane_count);
-    const struct lim_plane *plane = &work->scene->planes[node->plane];
-    bool is_large = plane->exact != LIM_NONE, is_upright = plane->n[1] == 0;
-    if (is_large != (node->kind == LIM_PLANE_LARGE) || (node->kind == LIM_PLANE_XZ && !is_upright))
-        return error_set(work->err, "node %zu: plane %u is not of its kind", index, (unsigned)node->plane);
     return true;
 }
 

@@ -24,7 +24,7 @@ static_assert(sizeof(struct lim_fraction) == 3, "fraction");
 static_assert(sizeof(struct lim_node) == 14, "node");
 static_assert(offsetof(struct lim_node, box) == 12, "node");
 static_assert(sizeof(struct lim_plane) == 12, "plane");
-static_assert(offsetof(struct lim_plane, d) == 8, "plane");
+static_assert(offsetof(struct lim_plane, slack_less_d) == 8, "plane");
 static_assert(sizeof(struct lim_plane_exact) == 20, "exact plane");
 static_assert(offsetof(struct lim_plane_exact, d_lo) == 16, "exact plane");
 static_assert(sizeof(struct lim_box) == 12, "box");
@@ -37,7 +37,7 @@ static const struct {
 } SECTIONS[SECTION_COUNT] = {
     [SECTION_VERTICES] = {sizeof(struct lim_vertex), "2"},
     [SECTION_NODES] = {sizeof(struct lim_node), "2"},
-    [SECTION_PLANES] = {sizeof(struct lim_plane), "22224"},
+    [SECTION_PLANES] = {sizeof(struct lim_plane), "4"},
     [SECTION_EXACT] = {sizeof(struct lim_plane_exact), "4"},
     [SECTION_BOXES] = {sizeof(struct lim_box), "2"},
     [SECTION_POLYGONS] = {sizeof(uint16_t), "2"},

@@ -11,7 +11,7 @@
 #include <float.h>
 #include <math.h>
 
-enum { SMALL_SUM_MAX = 32767, FILTER_MAX = 8191, LARGE_MAX = 1 << 30 };
+enum { FILTER_MAX = 8191, LARGE_MAX = 1 << 30 };
 
 static double dot(const double a[3], const double b[3])
 {
@@ -42,7 +42,7 @@ static double middle(const struct plane_fit *fit, const double n[3])
     return low + (high - low) / 2.0;
 }
 
-static void plane_place(const struct plane_fit *fit, const double n[3], enum lim_plane_kind kind, struct plane *out)
+static void plane_place(const struct plane_fit *fit, const double n[3], enum plane_kind kind, struct plane *out)
 {
     for (int i = 0; i < 3; i++)
         out->n[i] = (int64_t)n[i];
@@ -76,7 +76,7 @@ static bool try_axis(const struct plane_fit *fit, struct plane *out)
     int axis = longest_axis(fit->normal);
     double n[3] = {0.0, 0.0, 0.0};
     n[axis] = 1.0;
-    plane_place(fit, n, (enum lim_plane_kind)(LIM_PLANE_X + axis), out);
+    plane_place(fit, n, (enum plane_kind)(PLANE_X + axis), out);
     return plane_good_enough(fit, out);
 }
 
@@ -98,7 +98,7 @@ static void small_normal(const double direction[3], double best[3])
 {
     double best_error = DBL_MAX, n[3];
     double sum = fabs(direction[0]) + fabs(direction[1]) + fabs(direction[2]);
-    for (double m = 1.0; m * sum <= SMALL_SUM_MAX - 2.0 && best_error > DBL_EPSILON; m += 1.0) {
+    for (double m = 1.0; m * sum <= PLANE_SUM_MAX - 2.0 && best_error > DBL_EPSILON; m += 1.0) {
         double error = rounding_error(direction, m, n);
         if (error >= best_error / 2.0) continue;
         best_error = error;
@@ -116,7 +116,7 @@ static bool try_small(const struct plane_fit *fit, bool upright, struct plane *o
         direction[i] /= longest;
     double n[3] = {0.0, 0.0, 0.0};
     small_normal(direction, n);
-    plane_place(fit, n, upright ? LIM_PLANE_XZ : LIM_PLANE_SMALL, out);
+    plane_place(fit, n, upright ? PLANE_XZ : PLANE_SMALL, out);
     return plane_good_enough(fit, out);
 }
 
@@ -125,7 +125,7 @@ static void place_large(const struct plane_fit *fit, struct plane *out)
     double n[3], scale = LARGE_MAX / fabs(fit->normal[longest_axis(fit->normal)]);
     for (int i = 0; i < 3; i++)
         n[i] = floor(fit->normal[i] * scale + 0.5);
-    plane_place(fit, n, LIM_PLANE_LARGE, out);
+    plane_place(fit, n, PLANE_LARGE, out);
 }
 
 void plane_store(const struct plane_fit *fit, struct plane *out)
@@ -142,36 +142,55 @@ static int64_t filter_scale(int64_t value, int64_t longest)
     return (value * FILTER_MAX + half) / longest;
 }
 
-struct lim_plane plane_filter(const int64_t n[3], int64_t d)
+static struct lim_plane record(const int64_t n[3], int64_t d, uint16_t exact)
 {
-    int64_t longest = 1;
+    return (struct lim_plane)LIM_PLANE((int16_t)n[0], (int16_t)n[1], (int16_t)n[2], exact, (int32_t)d);
+}
+
+struct lim_plane plane_record(const int64_t n[3], int64_t d)
+{
+    return record(n, d, LIM_NONE);
+}
+
+struct lim_plane plane_filter(const int64_t n[3], int64_t d, uint16_t exact)
+{
+    int64_t longest = 1, filter[3];
     for (int i = 0; i < 3; i++) {
         int64_t size = n[i] < 0 ? -n[i] : n[i];
         longest = size > longest ? size : longest;
     }
-    struct lim_plane filter = {.d = (int32_t)filter_scale(d, longest)};
     for (int i = 0; i < 3; i++)
-        filter.n[i] = (int16_t)filter_scale(n[i], longest);
-    return filter;
+        filter[i] = filter_scale(n[i], longest);
+    return record(filter, filter_scale(d, longest), exact);
+}
+
+enum plane_kind plane_kind_of(const struct lim_scene *scene, uint16_t node)
+{
+    const uint16_t at = scene->nodes[node].plane;
+    if (at >= LIM_PLANE_X) return (enum plane_kind)(at - LIM_PLANE_X);
+    const struct lim_plane *plane = lim_plane_at(scene->planes, at);
+    if (lim_plane_exact(plane) != LIM_NONE) return PLANE_LARGE;
+    return lim_plane_y(plane) == 0 ? PLANE_XZ : PLANE_SMALL;
 }
 
 void plane_exact(const struct lim_scene *scene, uint16_t node, int64_t n[3], int64_t *d)
 {
     const struct lim_node *at = &scene->nodes[node];
-    if (at->kind <= LIM_PLANE_Z) {
+    if (at->plane >= LIM_PLANE_X) {
         for (int i = 0; i < 3; i++)
-            n[i] = i == at->kind;
-        *d = (int16_t)at->plane;
+            n[i] = i == at->plane - LIM_PLANE_X;
+        *d = at->offset;
         return;
     }
-    const struct lim_plane *plane = &scene->planes[at->plane];
-    if (at->kind != LIM_PLANE_LARGE) {
-        for (int i = 0; i < 3; i++)
-            n[i] = plane->n[i];
-        *d = plane->d;
+    const struct lim_plane *plane = lim_plane_at(scene->planes, at->plane);
+    if (lim_plane_exact(plane) == LIM_NONE) {
+        n[0] = lim_plane_x(plane);
+        n[1] = lim_plane_y(plane);
+        n[2] = lim_plane_z(plane);
+        *d = lim_plane_d(plane);
         return;
     }
-    const struct lim_plane_exact *exact = &scene->exact[plane->exact];
+    const struct lim_plane_exact *exact = &scene->exact[lim_plane_exact(plane)];
     for (int i = 0; i < 3; i++)
         n[i] = exact->n[i];
     *d = (int64_t)exact->d_hi * (INT64_C(1) << 32) + exact->d_lo;

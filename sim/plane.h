@@ -9,12 +9,18 @@
 
 #include <stddef.h>
 
+/* What a plane costs: axis planes, upright ones (n[1] = 0), and SMALL ones are exact in 16-bit numbers, LARGE ones are
+ * stored twice, as a filter and exactly. */
+enum plane_kind { PLANE_X, PLANE_Y, PLANE_Z, PLANE_XZ, PLANE_SMALL, PLANE_LARGE, PLANE_KINDS };
+
 /* n . p = d. |n[i]| <= 2^30, |d| < 2^48; within scene.h's bounds for its kind. */
 struct plane {
     int64_t n[3], d;
-    enum lim_plane_kind kind;
+    enum plane_kind kind;
     double length; /* |n|, rounded */
 };
+
+enum { PLANE_SUM_MAX = 32767 }; /* of |n[0]| + |n[1]| + |n[2]| in a record */
 
 /* No plane is stored with a larger error, in units, at a point of the grid: LARGE normals round
  * by 2^-31 of their length, which at 2^16 * sqrt(3) units from the face is 2^-14. */
@@ -38,10 +44,13 @@ void plane_store(const struct plane_fit *fit, struct plane *out);
 /* Signed distance of a point, in units; off by less than 2^-30 for points of the grid. */
 double plane_distance(const struct plane *plane, const double point[3]);
 
-/* The filter record of a LARGE plane: exactly what scene.h prescribes; its field `exact` is 0. */
-struct lim_plane plane_filter(const int64_t n[3], int64_t d);
+/* The record of a plane within scene.h's bounds; of a LARGE plane, exactly the filter that scene.h prescribes, which
+ * belongs to the exact plane of that index. */
+struct lim_plane plane_record(const int64_t n[3], int64_t d);
+struct lim_plane plane_filter(const int64_t n[3], int64_t d, uint16_t exact);
 
-/* The exact plane of a node, whatever its kind. */
+/* The kind of a node's plane, and the exact plane. */
+enum plane_kind plane_kind_of(const struct lim_scene *scene, uint16_t node);
 void plane_exact(const struct lim_scene *scene, uint16_t node, int64_t n[3], int64_t *d);
 
 #endif

@@ -48,10 +48,10 @@ static bool is_free(const struct compiled *scene, const double at_m[3])
 
     for (int i = 0; i < 3; i++)
         at_q8[i] = (int32_t)lround((at_m[i] - scene->grid.origin_m[i]) * scene->grid.units_per_m * 256.0);
-    lim_eye_set(&eye, at_q8);
+    lim_eye_set(&eye, &scene->scene, at_q8);
     for (;;) {
         const struct lim_node *node = &scene->scene.nodes[index];
-        const bool in_front = lim_eye_side(&eye, &scene->scene, node) > 0;
+        const bool in_front = lim_eye_side(&eye, node) > 0;
         const uint16_t child = in_front ? node->front : node->back;
         if (child == LIM_NONE) return (in_front ? node->front_run : node->back_run) != LIM_NONE;
         index = child;

@@ -27,7 +27,7 @@ static uint32_t piece_group(const struct bsp *bsp, uint32_t piece)
 }
 
 /* Dearer kinds cost bytes and time on the way; a fraction of a split decides between equals. */
-static double kind_cost(enum lim_plane_kind kind)
+static double kind_cost(enum plane_kind kind)
 {
     static const double cost[] = {0.0, 0.0, 0.0, 1.0, 1.5, 3.0};
     return cost[kind];

@@ -311,35 +311,35 @@ static int64_t random_edges(uint32_t *random)
 
 static void side_vectors(struct report *report)
 {
+    enum { SIDES = 3 };
     static const LIM_FLASH struct lim_plane_exact exact[1] = {{{INT32_MAX, -INT32_MAX, 1}, 32767, UINT32_MAX}};
-    static const LIM_FLASH struct lim_plane planes[2] = {{{16383, 0, -16384}, LIM_NONE, 0},
-                                                         {{8191, -8191, 0}, 0, 536805376}};
-    static const LIM_FLASH struct lim_node nodes[4] = {
-        {LIM_PLANE_X, 0x8000, LIM_NONE, LIM_NONE, LIM_NONE, LIM_NONE, LIM_NONE},
-        {LIM_PLANE_XZ, 0, LIM_NONE, LIM_NONE, LIM_NONE, LIM_NONE, LIM_NONE},
-        {LIM_PLANE_SMALL, 0, LIM_NONE, LIM_NONE, LIM_NONE, LIM_NONE, LIM_NONE},
-        {LIM_PLANE_LARGE, 1, LIM_NONE, LIM_NONE, LIM_NONE, LIM_NONE, LIM_NONE},
+    static const LIM_FLASH struct lim_plane planes[2] = {LIM_PLANE(16383, 0, -16384, LIM_NONE, 0),
+                                                         LIM_PLANE(8191, -8191, 0, 0, 536805376)};
+    static const LIM_FLASH struct lim_node nodes[SIDES] = {
+        {LIM_PLANE_X, -32768, LIM_NONE, LIM_NONE, LIM_NONE, LIM_NONE, LIM_NONE},
+        {0, 0, LIM_NONE, LIM_NONE, LIM_NONE, LIM_NONE, LIM_NONE},
+        {LIM_PLANE_WORDS, 0, LIM_NONE, LIM_NONE, LIM_NONE, LIM_NONE, LIM_NONE},
     };
     const struct lim_scene scene = {.nodes = nodes, .planes = planes, .exact = exact};
     static const struct {
         int32_t eye_q8[3];
-        int8_t expected[4];
+        int8_t expected[SIDES];
     } table[] = {
-        {{-32768 * 256, 0, 0}, {0, -1, -1, -1}},
-        {{-32768 * 256 + 1, 0, 0}, {1, -1, -1, -1}},
-        {{-32768 * 256 - 1, 0, 0}, {-1, -1, -1, -1}},
-        {{16384, 0, 16383}, {1, 0, 0, -1}},
-        {{16385, 5, 16383}, {1, 1, 1, -1}},
-        {{16383, -5, 16383}, {1, -1, -1, -1}},
-        {{LIM_EYE_MAX_Q8 - 1, LIM_EYE_MAX_Q8 - 1, LIM_EYE_MAX_Q8 - 1}, {1, -1, -1, -1}},
-        {{LIM_EYE_MAX_Q8 - 1, -(LIM_EYE_MAX_Q8 - 1), 0}, {1, 1, 1, 1}},
+        {{-32768 * 256, 0, 0}, {0, -1, -1}},
+        {{-32768 * 256 + 1, 0, 0}, {1, -1, -1}},
+        {{-32768 * 256 - 1, 0, 0}, {-1, -1, -1}},
+        {{16384, 0, 16383}, {1, 0, -1}},
+        {{16385, 5, 16383}, {1, 1, -1}},
+        {{16383, -5, 16383}, {1, -1, -1}},
+        {{LIM_EYE_MAX_Q8 - 1, LIM_EYE_MAX_Q8 - 1, LIM_EYE_MAX_Q8 - 1}, {1, -1, -1}},
+        {{LIM_EYE_MAX_Q8 - 1, -(LIM_EYE_MAX_Q8 - 1), 0}, {1, 1, 1}},
     };
 
     for (uint8_t i = 0; i < sizeof table / sizeof *table; i++) {
         struct lim_eye eye;
-        lim_eye_set(&eye, table[i].eye_q8);
-        for (uint8_t k = 0; k < 4; k++) {
-            const int16_t side = lim_eye_side(&eye, &scene, &nodes[k]);
+        lim_eye_set(&eye, &scene, table[i].eye_q8);
+        for (uint8_t k = 0; k < SIDES; k++) {
+            const int32_t side = lim_eye_side(&eye, &nodes[k]);
             expect(report, "lim_eye_side", i, k, (side > 0) - (side < 0), table[i].expected[k]);
         }
     }

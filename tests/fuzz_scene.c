@@ -77,9 +77,7 @@ static struct lim_plane large_plane(struct fuzz_scene *made, struct fuzz_bytes *
         exact->n[i] = (int32_t)n[i];
     exact->d_lo = (uint32_t)d;
     exact->d_hi = (int32_t)((d - exact->d_lo) / (INT64_C(1) << 32));
-    struct lim_plane filter = plane_filter(n, d);
-    filter.exact = made->scene.exact_count++;
-    return filter;
+    return plane_filter(n, d, made->scene.exact_count++);
 }
 
 static struct lim_plane small_plane(struct fuzz_bytes *bytes, const struct lim_vertex *through, bool is_upright)
@@ -92,25 +90,23 @@ static struct lim_plane small_plane(struct fuzz_bytes *bytes, const struct lim_v
         for (int i = 0; i < 3; i++)
             n[i] /= 2;
     if (!n[0] && !n[1] && !n[2]) n[2] = 1;
-    return (struct lim_plane){.n = {(int16_t)n[0], (int16_t)n[1], (int16_t)n[2]},
-                              .exact = LIM_NONE,
-                              .d = (int32_t)offset_through(n, through)};
+    return plane_record(n, offset_through(n, through));
 }
 
 static void make_plane(struct fuzz_scene *made, struct lim_node *node, struct fuzz_bytes *bytes)
 {
     const struct lim_vertex *through = &made->vertices[fuzz_below(bytes, made->scene.vertex_count)];
 
-    node->kind = fuzz_below(bytes, LIM_PLANE_LARGE + 1);
-    if (node->kind <= LIM_PLANE_Z) {
+    const uint8_t kind = fuzz_below(bytes, PLANE_KINDS);
+    if (kind <= PLANE_Z) {
         const int16_t at[3] = {through->x, through->y, through->z};
-        node->plane = (uint16_t)at[node->kind];
+        node->plane = (uint16_t)(LIM_PLANE_X + kind);
+        node->offset = at[kind];
         return;
     }
-    node->plane = made->scene.plane_count;
-    made->planes[made->scene.plane_count++] = node->kind == LIM_PLANE_LARGE
-                                                  ? large_plane(made, bytes, through)
-                                                  : small_plane(bytes, through, node->kind == LIM_PLANE_XZ);
+    node->plane = (uint16_t)(made->scene.plane_count * LIM_PLANE_WORDS);
+    made->planes[made->scene.plane_count++] =
+        kind == PLANE_LARGE ? large_plane(made, bytes, through) : small_plane(bytes, through, kind == PLANE_XZ);
 }
 
 /* The tree ----------------------------------------------------------------------------------- */

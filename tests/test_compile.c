@@ -147,6 +147,24 @@ static struct compiled compile_solids(uint64_t seed, const char *splitter)
     return scene;
 }
 
+/* Twice a plane that is exact in its record would break one bound or the other. */
+static void planes_are_as_long_as_their_bounds_allow(void **state)
+{
+    (void)state;
+    struct compiled scene = compile_solids(7, "fewest");
+    size_t small = 0;
+    for (uint16_t i = 0; i < scene.scene.node_count; i++) {
+        const enum plane_kind kind = plane_kind_of(&scene.scene, i);
+        if (kind != PLANE_XZ && kind != PLANE_SMALL) continue;
+        int64_t n[3], d;
+        plane_exact(&scene.scene, i, n, &d);
+        assert_true(2 * (llabs(n[0]) + llabs(n[1]) + llabs(n[2])) > PLANE_SUM_MAX || 2 * llabs(d) > LIM_PLANE_D_MAX);
+        small++;
+    }
+    assert_true(small > 10);
+    compiled_free(&scene);
+}
+
 static void records_face_the_side_of_their_run(void **state)
 {
     (void)state;
@@ -442,6 +460,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(closed_solids_stay_closed_on_the_grid),
+        cmocka_unit_test(planes_are_as_long_as_their_bounds_allow),
         cmocka_unit_test(records_face_the_side_of_their_run),
         cmocka_unit_test(boxes_hold_their_subtrees),
         cmocka_unit_test(colours_are_rounded_to_565),

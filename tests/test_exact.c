@@ -20,7 +20,7 @@ static uint32_t add(struct exact_points *points, double x, double y, double z)
 static struct plane plane_of(int64_t a, int64_t b, int64_t c, int64_t d)
 {
     const double length = sqrt((double)a * (double)a + (double)b * (double)b + (double)c * (double)c);
-    return (struct plane){.n = {a, b, c}, .d = d, .kind = LIM_PLANE_LARGE, .length = length};
+    return (struct plane){.n = {a, b, c}, .d = d, .kind = PLANE_LARGE, .length = length};
 }
 
 static struct plane random_plane(struct random *random, int64_t most)
@@ -181,13 +181,13 @@ static void assert_within_bounds(const struct plane *plane)
         sum += size;
         longest = size > longest ? size : longest;
     }
-    if (plane->kind == LIM_PLANE_LARGE) {
+    if (plane->kind == PLANE_LARGE) {
         assert_true(longest <= INT64_C(1) << 30 && llabs((long long)plane->d) < INT64_C(1) << 48);
         return;
     }
     assert_true(sum > 0 && sum <= 32767 && llabs((long long)plane->d) < INT64_C(1) << 30);
-    if (plane->kind == LIM_PLANE_XZ) assert_true(plane->n[1] == 0);
-    if (plane->kind <= LIM_PLANE_Z) assert_true(sum == 1 && plane->n[plane->kind] == 1);
+    if (plane->kind == PLANE_XZ) assert_true(plane->n[1] == 0);
+    if (plane->kind <= PLANE_Z) assert_true(sum == 1 && plane->n[plane->kind] == 1);
 }
 
 /* With the tolerance: what lies on the ideal plane stays on the stored one, a unit off stays off. */
@@ -231,7 +231,7 @@ static void simple_normals_stay_simple(void **state)
     const double diagonal[3] = {sqrt(0.5), 0.0, -sqrt(0.5)};
     fit_setup(&rig, &random, diagonal, 100.0, 0.5);
     plane_store(&rig.fit, &plane);
-    assert_int_equal(plane.kind, LIM_PLANE_XZ);
+    assert_int_equal(plane.kind, PLANE_XZ);
     assert_int_equal(plane.n[0], -plane.n[2]);
     const double slope[3] = {2.0 / 3.0, 2.0 / 3.0, 1.0 / 3.0};
     fit_setup(&rig, &random, slope, 100.0, 0.5);
@@ -253,10 +253,12 @@ static void filters_are_exact_planes_scaled_and_rounded(void **state)
         }
         if (longest < INT64_C(1) << 28) continue; /* the compiler's normals are long */
         int64_t d = random_in(&random, -90000 * longest, 90000 * longest);
-        struct lim_plane filter = plane_filter(n, d);
+        struct lim_plane filter = plane_filter(n, d, 7);
+        const long long scaled[3] = {lim_plane_x(&filter), lim_plane_y(&filter), lim_plane_z(&filter)};
         for (int k = 0; k < 3; k++)
-            assert_true(llabs(2 * (n[k] * 8191 - filter.n[k] * (long long)longest)) <= longest);
-        assert_true(llabs(2 * (d * 8191 - filter.d * (long long)longest)) <= longest);
+            assert_true(llabs(2 * (n[k] * 8191 - scaled[k] * longest)) <= longest);
+        assert_true(llabs(2 * (d * 8191 - lim_plane_d(&filter) * (long long)longest)) <= longest);
+        assert_int_equal(lim_plane_exact(&filter), 7);
     }
 }
 

@@ -37,6 +37,7 @@ static int oracle_side(struct oracle *o, const int64_t n[3], int64_t d, const in
 }
 
 struct fixture {
+    enum plane_kind kind;
     struct lim_node node;
     struct lim_plane plane;
     struct lim_plane_exact exact;
@@ -73,9 +74,10 @@ static void make_axis(struct random *random, struct fixture *f)
 {
     const int16_t offset = (int16_t)component(random, 32767);
 
-    f->node.plane = (uint16_t)offset;
+    f->node.plane = (uint16_t)(LIM_PLANE_X + f->kind);
+    f->node.offset = offset;
     for (int i = 0; i < 3; i++)
-        f->n[i] = i == (int)f->node.kind;
+        f->n[i] = i == (int)f->kind;
     f->d = offset;
 }
 
@@ -84,10 +86,10 @@ static void make_small(struct random *random, struct fixture *f)
     do {
         for (int i = 0; i < 3; i++)
             f->n[i] = component(random, 16383);
-        if (f->node.kind == LIM_PLANE_XZ) f->n[1] = 0;
+        if (f->kind == PLANE_XZ) f->n[1] = 0;
         f->d = dot_with_grid_point(random, f->n);
-    } while (llabs(f->n[0]) + llabs(f->n[1]) + llabs(f->n[2]) > 32767 || llabs(f->d) >= 1 << 30);
-    f->plane = (struct lim_plane){{(int16_t)f->n[0], (int16_t)f->n[1], (int16_t)f->n[2]}, LIM_NONE, (int32_t)f->d};
+    } while (llabs(f->n[0]) + llabs(f->n[1]) + llabs(f->n[2]) > 32767 || llabs(f->d) > LIM_PLANE_D_MAX);
+    f->plane = plane_record(f->n, f->d);
 }
 
 static void make_large(struct random *random, struct fixture *f)
@@ -97,7 +99,7 @@ static void make_large(struct random *random, struct fixture *f)
             f->n[i] = component(random, INT64_C(1) << 30);
     } while (!f->n[0] && !f->n[1] && !f->n[2]);
     f->d = dot_with_grid_point(random, f->n);
-    f->plane = plane_filter(f->n, f->d);
+    f->plane = plane_filter(f->n, f->d, 0);
     f->exact = (struct lim_plane_exact){
         {(int32_t)f->n[0], (int32_t)f->n[1], (int32_t)f->n[2]}, (int32_t)(f->d >> 32), (uint32_t)f->d};
 }
@@ -124,11 +126,11 @@ static void make_eye(struct random *random, const struct fixture *f, int64_t ran
     if (on_plane_q8 > -LIM_EYE_MAX_Q8 && on_plane_q8 < LIM_EYE_MAX_Q8) eye_q8[axis] = clamp_eye((int64_t)on_plane_q8);
 }
 
-static void no_side_is_decided_wrongly(enum lim_plane_kind kind, uint64_t seed)
+static void no_side_is_decided_wrongly(enum plane_kind kind, uint64_t seed)
 {
     static const int64_t ranges_q8[] = {32767 * 256, 40000 * 256, 200000 * 256, (INT64_C(1) << 28) - 1};
     struct random random = {seed};
-    struct fixture f = {.node = {(uint16_t)kind, 0, LIM_NONE, LIM_NONE, LIM_NONE, LIM_NONE, LIM_NONE}};
+    struct fixture f = {.kind = kind, .node = {0, 0, LIM_NONE, LIM_NONE, LIM_NONE, LIM_NONE, LIM_NONE}};
     const struct lim_scene scene = {.planes = &f.plane, .exact = &f.exact};
     struct oracle oracle;
     size_t wrong = 0, on = 0;
@@ -137,16 +139,16 @@ static void no_side_is_decided_wrongly(enum lim_plane_kind kind, uint64_t seed)
     for (int k = 0; k < CASES_PER_KIND; k++) {
         struct lim_eye eye;
         int32_t eye_q8[3];
-        if (kind <= LIM_PLANE_Z)
+        if (kind <= PLANE_Z)
             make_axis(&random, &f);
-        else if (kind <= LIM_PLANE_SMALL)
+        else if (kind <= PLANE_SMALL)
             make_small(&random, &f);
         else
             make_large(&random, &f);
         make_eye(&random, &f, ranges_q8[k % 4], eye_q8);
-        lim_eye_set(&eye, eye_q8);
+        lim_eye_set(&eye, &scene, eye_q8);
         const int expected = oracle_side(&oracle, f.n, f.d, eye_q8);
-        const int16_t side = lim_eye_side(&eye, &scene, &f.node);
+        const int32_t side = lim_eye_side(&eye, &f.node);
         wrong += (side > 0) - (side < 0) != expected;
         on += expected == 0;
     }
@@ -160,27 +162,27 @@ static void no_side_is_decided_wrongly(enum lim_plane_kind kind, uint64_t seed)
 static void axis_planes_are_decided_rightly(void **state)
 {
     (void)state;
-    no_side_is_decided_wrongly(LIM_PLANE_X, 11);
-    no_side_is_decided_wrongly(LIM_PLANE_Y, 12);
-    no_side_is_decided_wrongly(LIM_PLANE_Z, 13);
+    no_side_is_decided_wrongly(PLANE_X, 11);
+    no_side_is_decided_wrongly(PLANE_Y, 12);
+    no_side_is_decided_wrongly(PLANE_Z, 13);
 }
 
 static void upright_planes_are_decided_rightly(void **state)
 {
     (void)state;
-    no_side_is_decided_wrongly(LIM_PLANE_XZ, 14);
+    no_side_is_decided_wrongly(PLANE_XZ, 14);
 }
 
 static void small_planes_are_decided_rightly(void **state)
 {
     (void)state;
-    no_side_is_decided_wrongly(LIM_PLANE_SMALL, 15);
+    no_side_is_decided_wrongly(PLANE_SMALL, 15);
 }
 
 static void large_planes_are_decided_rightly(void **state)
 {
     (void)state;
-    no_side_is_decided_wrongly(LIM_PLANE_LARGE, 16);
+    no_side_is_decided_wrongly(PLANE_LARGE, 16);
 }
 
 int main(void)

@@ -110,7 +110,7 @@ static void the_file_is_little_endian(void **state)
 {
     (void)state;
     unsigned char *bytes = written_bytes();
-    const unsigned char start[] = {0x89, 'L', 'I', 'M', '\r', '\n', 0x1A, '\n', 2, 0, 0, 0, 88, 0, 0, 0};
+    const unsigned char start[] = {0x89, 'L', 'I', 'M', '\r', '\n', 0x1A, '\n', 3, 0, 0, 0, 88, 0, 0, 0};
     assert_memory_equal(bytes, start, sizeof start);
     assert_int_equal(bytes[16] | bytes[17] << 8 | bytes[18] << 16, scene.image_b);
     assert_int_equal(bytes[30] | bytes[31] << 8, 0x40A7); /* 3000.0 = 2^11 * 1.46.. */
@@ -131,12 +131,12 @@ static void swapping_reverses_fields_and_undoes_itself(void **state)
     lim_image_swap_sections(bytes, &header);
     lim_image_swap_header(bytes);
     assert_memory_equal(bytes, scene.image, LIM_FILE_MAGIC_B);
-    assert_memory_equal(bytes + 8, ((unsigned char[]){0, 0, 0, 2, 0, 0, 0, 88}), 8);
+    assert_memory_equal(bytes + 8, ((unsigned char[]){0, 0, 0, 3, 0, 0, 0, 88}), 8);
     const unsigned char *plane = bytes + lim_image_section_b(&header, SECTION_PLANES);
     const struct lim_plane *first = &scene.scene.planes[0];
-    assert_int_equal((int16_t)(plane[0] << 8 | plane[1]), first->n[0]);
-    assert_int_equal((uint16_t)(plane[10] << 8 | plane[11]), (uint16_t)first->d);
-    assert_int_equal((uint16_t)(plane[8] << 8 | plane[9]), (uint16_t)((uint32_t)first->d >> 16));
+    assert_int_equal((int16_t)(plane[2] << 8 | plane[3]), lim_plane_x(first));
+    assert_int_equal((uint16_t)(plane[10] << 8 | plane[11]), (uint16_t)first->slack_less_d);
+    assert_int_equal((uint16_t)(plane[8] << 8 | plane[9]), (uint16_t)((uint32_t)first->slack_less_d >> 16));
     lim_image_swap_header(bytes);
     lim_image_swap_sections(bytes, &header);
     assert_memory_equal(bytes, scene.image, scene.image_b);
@@ -179,9 +179,9 @@ static void other_versions_are_refused_by_number(void **state)
 {
     (void)state;
     unsigned char *bytes = written_bytes();
-    bytes[8] = 3;
+    bytes[8] = LIM_FILE_VERSION + 1;
     write_bytes(bytes, scene.image_b);
-    assert_unreadable("version 3; this program reads version 2");
+    assert_unreadable("version 4; this program reads version 3");
     free(bytes);
 }
 
@@ -236,18 +236,17 @@ static size_t node_with(size_t field, uint16_t low, uint16_t high)
     return 0;
 }
 
-enum { KIND, PLANE, FRONT, BACK, FRONT_RUN, BACK_RUN, BOX };
+enum { PLANE, OFFSET, FRONT, BACK, FRONT_RUN, BACK_RUN, BOX };
 
 static void nodes_that_lie_are_refused(void **state)
 {
     (void)state;
     const struct lim_scene *s = &scene.scene;
     size_t parent = node_with(FRONT, 1, 0xFFFE), run = node_with(FRONT_RUN, 0, 0xFFFE);
-    size_t small = node_with(KIND, LIM_PLANE_SMALL, LIM_PLANE_SMALL);
-    assert_field_refused(node_at_b(0, KIND), 6, "node 0: no such kind of plane: 6");
-    assert_field_refused(node_at_b(small, KIND), LIM_PLANE_LARGE, "is not of its kind");
-    assert_field_refused(node_at_b(small, KIND), LIM_PLANE_XZ, "is not of its kind");
-    assert_field_refused(node_at_b(small, PLANE), s->plane_count, "plane ");
+    size_t slanted = node_with(PLANE, 0, LIM_PLANE_X - 1);
+    assert_field_refused(node_at_b(0, PLANE), LIM_NONE, "node 0: has no plane");
+    assert_field_refused(node_at_b(slanted, PLANE), (uint16_t)(s->nodes[slanted].plane + 1), "where none of ");
+    assert_field_refused(node_at_b(slanted, PLANE), (uint16_t)(s->plane_count * LIM_PLANE_WORDS), "where none of ");
     assert_field_refused(node_at_b(parent, FRONT), s->node_count, "child ");
     assert_field_refused(node_at_b(parent, FRONT), (uint16_t)parent, "child ");
     assert_field_refused(node_at_b(parent, FRONT), LIM_NONE, "has no parent");
@@ -281,20 +280,30 @@ static void assert_d_refused(size_t exact, int64_t d)
     free(bytes);
 }
 
+/* The first plane with or without an exact one. */
+static size_t plane_with(bool has_exact)
+{
+    for (size_t i = 0; i < scene.scene.plane_count; i++)
+        if ((lim_plane_exact(&scene.scene.planes[i]) != LIM_NONE) == has_exact) return i;
+    fail();
+    return 0;
+}
+
 static void planes_and_boxes_that_lie_are_refused(void **state)
 {
     (void)state;
     const struct lim_scene *s = &scene.scene;
-    size_t large = node_with(KIND, LIM_PLANE_LARGE, LIM_PLANE_LARGE), plane = s->nodes[large].plane;
-    size_t upright = s->nodes[node_with(KIND, LIM_PLANE_XZ, LIM_PLANE_XZ)].plane;
-    assert_field_refused(at_b(SECTION_PLANES, plane, 12, 0), (uint16_t)(s->planes[plane].n[0] + 1),
+    size_t large = plane_with(true), small = plane_with(false);
+    const uint16_t exact = lim_plane_exact(&s->planes[large]);
+    assert_field_refused(at_b(SECTION_PLANES, large, 12, 0), (uint16_t)(lim_plane_x(&s->planes[large]) + 1),
                          "does not match its exact plane");
-    assert_field_refused(at_b(SECTION_PLANES, plane, 12, 6), s->exact_count, "exact plane ");
-    assert_field_refused(at_b(SECTION_PLANES, plane, 12, 10), 0x4000, "beyond 2^30");
-    assert_field_refused(at_b(SECTION_PLANES, upright, 12, 0), 32767, "add up to");
-    assert_field_refused(at_b(SECTION_PLANES, upright, 12, 2), 1, "is not of its kind");
-    assert_field_refused(at_b(SECTION_EXACT, s->planes[plane].exact, 20, 14), 0x7FFF, "out of bounds");
-    assert_d_refused(s->planes[plane].exact, INT64_MIN);
+    assert_field_refused(at_b(SECTION_PLANES, large, 12, 4), s->exact_count, "exact plane ");
+    assert_field_refused(at_b(SECTION_PLANES, large, 12, 10), 0x4001, "beyond 1073676288");
+    assert_field_refused(at_b(SECTION_PLANES, large, 12, 10), 0x8000, "beyond 1073676288");
+    assert_field_refused(at_b(SECTION_PLANES, small, 12, 0), 32767, "add up to");
+    assert_field_refused(at_b(SECTION_PLANES, small, 12, 2), 32767, "add up to");
+    assert_field_refused(at_b(SECTION_EXACT, exact, 20, 14), 0x7FFF, "out of bounds");
+    assert_d_refused(exact, INT64_MIN);
     assert_field_refused(at_b(SECTION_BOXES, 2, 12, 8), 32769, "box 2: half is 32769");
     assert_field_refused(at_b(SECTION_BOXES, s->nodes[0].box, 12, 8), (uint16_t)(s->boxes[s->nodes[0].box].half[1] / 2),
                          "node 0: its box does not hold its polygons");

@@ -17,12 +17,13 @@ struct tree {
     bool two_sided; /* polygons that can be seen from both sides */
 };
 
-static uint16_t add(struct tree *tree, char name, uint16_t kind, uint16_t plane)
+/* An axis plane at an offset, or another plane, whose offset is 0. */
+static uint16_t add(struct tree *tree, char name, uint16_t plane, int16_t offset)
 {
     const uint16_t run = (uint16_t)name;
 
     tree->nodes[tree->count] =
-        (struct lim_node){kind, plane, LIM_NONE, LIM_NONE, run, tree->two_sided ? run : (uint16_t)LIM_NONE, LIM_NONE};
+        (struct lim_node){plane, offset, LIM_NONE, LIM_NONE, run, tree->two_sided ? run : (uint16_t)LIM_NONE, LIM_NONE};
     return tree->count++;
 }
 
@@ -36,11 +37,10 @@ static void walk_all(const struct tree *tree, const int32_t eye_units[3], bool b
     struct lim_stats stats = {0};
     struct lim_walk_pending stack[MAX_DEPTH];
     struct lim_walk walk;
-    struct lim_eye eye;
     uint16_t run;
 
-    lim_eye_set(&eye, eye_q8);
-    lim_walk_begin(&walk, &scene, &eye, stack, back_to_front);
+    lim_eye_set(&walk.eye, &scene, eye_q8);
+    lim_walk_begin(&walk, stack, back_to_front);
     while ((run = lim_walk_next(&walk, &cull, &stats)) != LIM_NONE)
         *order++ = (char)run;
     *order = 0;
@@ -73,10 +73,10 @@ static void assert_order(const struct tree *tree, const int32_t eye_units[3], co
 static void make_lettered_tree(struct tree *tree)
 {
     *tree = (struct tree){.two_sided = true};
-    const uint16_t a = add(tree, 'A', LIM_PLANE_X, (uint16_t)-1);
+    const uint16_t a = add(tree, 'A', LIM_PLANE_X, -1);
     const uint16_t b2 = add(tree, 'B', LIM_PLANE_X, 5);
     const uint16_t d2 = add(tree, '2', LIM_PLANE_X, 7);
-    const uint16_t c2 = add(tree, 'C', LIM_PLANE_X, (uint16_t)-2);
+    const uint16_t c2 = add(tree, 'C', LIM_PLANE_X, -2);
     const uint16_t d3 = add(tree, '3', LIM_PLANE_X, 9);
     const uint16_t b1 = add(tree, 'b', LIM_PLANE_X, 6);
     const uint16_t d1 = add(tree, '1', LIM_PLANE_X, 8);
@@ -123,7 +123,7 @@ static struct lim_plane plan_plane(int16_t ax, int16_t az, int16_t bx, int16_t b
 {
     const int16_t n0 = (int16_t)(az - bz), n2 = (int16_t)(bx - ax);
 
-    return (struct lim_plane){{n0, 0, n2}, LIM_NONE, (int32_t)n0 * ax + (int32_t)n2 * az};
+    return (struct lim_plane)LIM_PLANE(n0, 0, n2, LIM_NONE, (int32_t)n0 * ax + (int32_t)n2 * az);
 }
 
 /* 3( front 2( front 5a, back 1 ), back 4( back 5b ) ); names: 3 2 1 4, a = 5a, b = 5b. */
@@ -137,7 +137,7 @@ static void make_plan(struct tree *tree, bool two_sided)
     for (uint16_t i = 0; i < 6; i++) {
         const int16_t *s = segments[i];
         tree->planes[i] = plan_plane(s[0], s[1], s[2], s[3]);
-        add(tree, names[i], LIM_PLANE_XZ, i);
+        add(tree, names[i], (uint16_t)(i * LIM_PLANE_WORDS), 0);
     }
     tree->nodes[0].front = 1;
     tree->nodes[0].back = 4;
