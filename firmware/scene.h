@@ -101,16 +101,25 @@ struct lim_scene {
 };
 
 /* Whatever a plane's record packs. */
+/*@ requires \valid_read(plane);
+    assigns \nothing;
+    ensures \result == (int16_t)plane->n_yx; */
 static inline int16_t lim_plane_x(const LIM_FLASH struct lim_plane *plane)
 {
     return (int16_t)plane->n_yx;
 }
 
+/*@ requires \valid_read(plane);
+    assigns \nothing;
+    ensures \result == plane->n_yx >> 16; */
 static inline int16_t lim_plane_y(const LIM_FLASH struct lim_plane *plane)
 {
     return (int16_t)(plane->n_yx >> 16);
 }
 
+/*@ requires \valid_read(plane);
+    assigns \nothing;
+    ensures \result == plane->n_z_exact >> 16; */
 static inline int16_t lim_plane_z(const LIM_FLASH struct lim_plane *plane)
 {
     return (int16_t)(plane->n_z_exact >> 16);
