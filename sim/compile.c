@@ -184,7 +184,7 @@ bool compile_mesh(const struct mesh *mesh, const struct compile_options *options
         progress(&work, "planes");
         coplanar_find(mesh, work.points.approx, options->tolerance_units, &work.coplanar);
         ok = compile_best(&work, out, err) &&
-             pools_measure(out, side_or_default(options->w_px), side_or_default(options->h_px), err);
+             pools_measure(out, options->core, side_or_default(options->w_px), side_or_default(options->h_px), err);
         if (options->progress) fputs("\r\033[K", stderr);
         if (!ok) compiled_free(out);
     }

@@ -124,9 +124,10 @@ void measure_source_free(struct measure_source *source)
 bool measure_scene_for(struct measure_scenes *scenes, const struct measure_source *source, const struct core *core,
                        const struct compile_options *options, const struct compiled **out, struct error *err)
 {
-    struct compiled *scene = core->profile == LIM_PROFILE_EXACT ? &scenes->fractions : &scenes->plain;
+    const bool is_exact = core->profile == LIM_PROFILE_EXACT;
+    struct compiled *scene = is_exact ? &scenes->fractions : &scenes->plain;
     struct compile_options mine = *options;
-    mine.core = core;
+    mine.core = is_exact ? core : NULL; /* what the others share is compiled for fast */
     *out = scene;
     return scene->image || compile_mesh(&source->mesh, &mine, scene, err);
 }

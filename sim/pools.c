@@ -94,12 +94,12 @@ static bool sample_convex(struct compiled *roomy, struct simulator_setup *setup,
     return true;
 }
 
-bool pools_measure(struct compiled *scene, unsigned w_px, unsigned h_px, struct error *err)
+bool pools_measure(struct compiled *scene, const struct core *core, unsigned w_px, unsigned h_px, struct error *err)
 {
     struct lim_limits limits = scene->scene.limits;
     struct usage usage = {0};
     struct compiled roomy = *scene; /* shares the arrays */
-    struct simulator_setup setup = {w_px, h_px, LIM_NEAREST_FIRST, SIMULATOR_MEMORY, NULL};
+    struct simulator_setup setup = {w_px, h_px, LIM_NEAREST_FIRST, SIMULATOR_MEMORY, core};
 
     roomy.scene.limits.retained_cells = roomy.scene.limits.gaps = roomy.scene.limits.active = PLENTY;
     if (!sample_method(&roomy, &setup, &usage, err)) return false;

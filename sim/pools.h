@@ -7,8 +7,8 @@
 #include "compiled.h"
 
 /* Sets scene->scene.limits and the image's, pools included: the most that any of 256 sampled cameras
- * but the greediest needs at this size, and an eighth on top. */
-bool pools_measure(struct compiled *scene, unsigned w_px, unsigned h_px, struct error *err);
+ * but the greediest needs at this size and precision (NULL: fast), and an eighth on top. */
+bool pools_measure(struct compiled *scene, const struct core *core, unsigned w_px, unsigned h_px, struct error *err);
 
 /* Sizes of the structs in the caller's memory on a 32-bit MCU, of a firmware built for narrow screen
  * coordinates and for wide ones (profile.h). tests/targets/sizes.c asserts them. */

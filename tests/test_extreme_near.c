@@ -5,59 +5,23 @@
 #include "boxes.h"
 #include "cmocka_ready.h"
 #include "extreme.h"
+#include "random_camera.h"
 
 #include <math.h>
 
 enum { BOXES = 12, BOX_FRAMES = 1500, CELL_FRAMES = 400 };
 
-/* Along the axes, half-way between them, or a hair off: a whole turn has 8 eighths. */
-static uint32_t aligned_angle(struct random *random)
-{
-    const uint32_t eighth = (uint32_t)random_in(random, 0, 7) << 29;
-
-    switch (random_u64(random) % 3) {
-    case 0:
-        return eighth;
-    case 1:
-        return eighth + (uint32_t)random_in(random, -3, 3);
-    default:
-        return (uint32_t)random_u64(random);
-    }
-}
-
-/* As many long lenses as wide ones, and often either end of the range. */
-static uint32_t any_tan_q28(struct random *random)
-{
-    switch (random_u64(random) % 5) {
-    case 0:
-        return LIM_TAN_MIN_Q28;
-    case 1:
-        return LIM_TAN_MAX_Q28;
-    default:
-        return (uint32_t)random_in(random, LIM_TAN_MIN_Q28, 2 * LIM_TAN_MIN_Q28) << random_in(random, 0, 7);
-    }
-}
-
-/* From the eye to the corners of the near plane that is in use (camera.h), in units. */
-static double near_reach(const struct lim_camera *camera)
-{
-    const double tan_x = ldexp(camera->tan_x_q28, -28), tan_y = ldexp(camera->tan_y_q28, -28);
-    const double zoom = fmin(1, fmin(tan_x, tan_y));
-
-    return fmax(2 / zoom, camera->near_q8 / 256.0) * sqrt(1 + tan_x * tan_x + tan_y * tan_y);
-}
-
 /* Some units further from the walls than the near plane reaches, and no more along most axes. */
 static struct lim_camera camera_beside_walls(const int32_t half_units[3], struct random *random)
 {
-    struct lim_camera camera = {.yaw = aligned_angle(random),
-                                .pitch = aligned_angle(random),
-                                .roll = aligned_angle(random),
-                                .tan_x_q28 = any_tan_q28(random),
+    struct lim_camera camera = {.yaw = random_angle(random),
+                                .pitch = random_angle(random),
+                                .roll = random_angle(random),
+                                .tan_x_q28 = random_tan_q28(random),
                                 .near_q8 = (int32_t)random_in(random, 1, 1024)};
 
-    camera.tan_y_q28 = random_u64(random) % 2 ? camera.tan_x_q28 : any_tan_q28(random);
-    const int32_t margin = (int32_t)ceil(near_reach(&camera)) + 2;
+    camera.tan_y_q28 = random_u64(random) % 2 ? camera.tan_x_q28 : random_tan_q28(random);
+    const int32_t margin = (int32_t)ceil(near_reach_units(&camera)) + 2;
     for (int i = 0; i < 3; i++) {
         const int32_t most = half_units[i] > margin ? half_units[i] - margin : 0;
         const int32_t at = random_u64(random) % 3 ? most : (int32_t)random_in(random, 0, most);

@@ -6,6 +6,7 @@
 #include "cmocka_ready.h"
 #include "compiled.h"
 #include "limner.h"
+#include "random_camera.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -16,33 +17,6 @@ enum { CULL_VIEWS = 40000, CULL_POINTS = 30, ROLLED_FRAMES = 60, ROLLED_PX = 64 
 
 /* No box: the whole grid may be full. */
 static const struct lim_scene grid_scene = {0};
-
-static uint32_t any_angle(struct random *random)
-{
-    const uint32_t eighth = (uint32_t)(random_u64(random) & 7) << 29;
-
-    switch (random_u64(random) % 3) {
-    case 0:
-        return eighth;
-    case 1:
-        return eighth + (uint32_t)random_in(random, -3, 3);
-    default:
-        return (uint32_t)random_u64(random);
-    }
-}
-
-/* As many long lenses as wide ones, and often either end of the range. */
-static uint32_t any_tan_q28(struct random *random)
-{
-    switch (random_u64(random) % 5) {
-    case 0:
-        return LIM_TAN_MIN_Q28;
-    case 1:
-        return LIM_TAN_MAX_Q28;
-    default:
-        return (uint32_t)random_in(random, LIM_TAN_MIN_Q28, 2 * LIM_TAN_MIN_Q28) << random_in(random, 0, 7);
-    }
-}
 
 /* In the 16-bit cube, around it, or as far off as it may be. */
 static int32_t any_eye_q8(struct random *random)
@@ -67,11 +41,11 @@ static struct lim_camera any_camera(struct random *random)
 
     for (int i = 0; i < 3; i++)
         camera.eye_q8[i] = any_eye_q8(random);
-    camera.yaw = any_angle(random);
-    camera.pitch = any_angle(random);
-    camera.roll = any_angle(random);
-    camera.tan_x_q28 = any_tan_q28(random);
-    camera.tan_y_q28 = random_u64(random) % 2 ? camera.tan_x_q28 : any_tan_q28(random);
+    camera.yaw = random_angle(random);
+    camera.pitch = random_angle(random);
+    camera.roll = random_angle(random);
+    camera.tan_x_q28 = random_tan_q28(random);
+    camera.tan_y_q28 = random_u64(random) % 2 ? camera.tan_x_q28 : random_tan_q28(random);
     camera.near_q8 = random_u64(random) % 2 ? 1 : (int32_t)(INT32_C(1) << random_in(random, 0, 24));
     return camera;
 }
@@ -243,8 +217,8 @@ static void rolled_and_long_views_of_closed_scenes_show_no_background(void **sta
             struct lim_stats stats;
             struct error err;
             assert_true(camera_path_to_camera(&path, 0, &lens, &stage.scene.grid, &camera, &err));
-            camera.roll = any_angle(&random);
-            if (f % 2) camera.tan_x_q28 = camera.tan_y_q28 = any_tan_q28(&random) / 4 + LIM_TAN_MIN_Q28;
+            camera.roll = random_angle(&random);
+            if (f % 2) camera.tan_x_q28 = camera.tan_y_q28 = random_tan_q28(&random) / 4 + LIM_TAN_MIN_Q28;
             draw(&canvas, &stage.scene.scene, &camera, ROLLED_PX, MAX_H_PX, LIM_NEAREST_FIRST, false, &stats);
             assert_int_equal(stats.pixels_background, 0);
         }
@@ -294,15 +268,6 @@ static void box_make(struct box *box, const int16_t low[3], const int16_t high[3
                                     .limits = {6, 4, 200, 200, 20}};
 }
 
-/* From the eye to the corners of the near plane where it is nearest to the eye, in units. */
-static double near_reach(const struct lim_camera *camera)
-{
-    const double tan_x = ldexp(camera->tan_x_q28, -28), tan_y = ldexp(camera->tan_y_q28, -28);
-    const double zoom = fmin(1, fmin(tan_x, tan_y));
-
-    return fmax(2 / zoom, camera->near_q8 / 256.0) * sqrt(1 + tan_x * tan_x + tan_y * tan_y);
-}
-
 /* Polygons that pass the eye at a hair, vertices behind it, walls in line with the near plane: the
  * side faced is all there is to see, however near, as long as the near plane does not reach it. */
 static void a_box_seen_from_inside_fills_the_screen_up_to_the_near_plane(void **state)
@@ -318,7 +283,7 @@ static void a_box_seen_from_inside_fills_the_screen_up_to_the_near_plane(void **
         struct canvas canvas;
         struct lim_stats stats;
         camera.near_q8 = (int32_t)random_in(&random, 1, 1024);
-        const int32_t margin = (int32_t)ceil(near_reach(&camera)) + 2;
+        const int32_t margin = (int32_t)ceil(near_reach_units(&camera)) + 2;
         for (int i = 0; i < 3; i++) {
             low[i] = (int16_t)random_in(&random, -32768, random_u64(&random) % 2 ? -32000 : 0);
             high[i] = (int16_t)random_in(&random, low[i] + 2 * margin + 2, low[i] + 2 * margin + 31000);
