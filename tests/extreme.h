@@ -62,7 +62,7 @@ void extreme_row(const char *name, const char *profile, const char *promised, co
 /* The usual row: holes and misplaced pixels of the frames so far. Holes are always promised to be none. With
  * `order`, so are misplaced pixels, which say that the order is exact; but not of profile draft, whose
  * corners are up to 0.7 pixels off, nor where faces are so thin that the reference's lattice of 1/64
- * pixels misses them. */
+ * pixels misses them. And so is the profile's share of wrong pixels, on screens that are not mostly edge. */
 void extreme_judge(const struct extreme *extreme, const char *name, bool order);
 
 #endif
