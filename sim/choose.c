@@ -5,6 +5,8 @@
 #include "choose.h"
 
 #include "grow.h"
+#include "interrupt.h"
+#include "progress.h"
 #include "sample.h"
 #include "work_folder.h"
 
@@ -76,11 +78,20 @@ static bool meets(const struct accuracy *accuracy, const struct choice_bound *bo
            (bound->vertex_px < 0.0 || accuracy->vertex_max_px <= bound->vertex_px);
 }
 
+static bool on_frame(void *ctx, size_t frame, size_t frames, struct error *err)
+{
+    (void)ctx;
+    progress("choosing: accuracy, frame %zu of %zu", frame + 1, frames);
+    return interrupt_check(err);
+}
+
 static bool measure_rows(struct trial *trial, const struct measure_views *views, const struct choice_bound *bound,
                          struct choice *choice, struct error *err)
 {
+    const struct measure_progress frames = {on_frame, NULL};
     struct accuracy accuracies[CHOICE_CORES_MAX];
-    if (!measure_accuracy(&trial->source, views, trial->candidates, choice->count, accuracies, NULL, err)) return false;
+    if (!measure_accuracy(&trial->source, views, trial->candidates, choice->count, accuracies, &frames, err))
+        return false;
     choice->frames = trial->path.count;
     for (size_t i = 0; i < choice->count; i++) {
         choice->rows[i].accuracy = accuracies[i];
@@ -97,6 +108,7 @@ static bool count_rows(struct trial *trial, const struct measure_views *views, c
     for (size_t i = 0; ok && i < choice->count; i++) {
         struct cost cost;
         if (!choice->rows[i].meets) continue;
+        progress("choosing: instructions of %s", choice->rows[i].core->name);
         ok = measure_cost(&trial->candidates[i], bound->cpu, views, folder.path, &cost, err);
         if (ok) choice->rows[i].instructions = cost.mean;
     }
@@ -133,11 +145,13 @@ bool choose_core(const char *model_path, const struct compile_options *options, 
     struct trial trial = {0};
     *out = (struct choice){0};
     list_cores(out);
+    interrupt_watch();
     bool ok =
         (!bound->cpu || measure_cpu_check(bound->cpu, err)) && prepare(&trial, model_path, options, bound, out, err);
     const struct measure_views views = {&trial.path, &trial.lens, options->w_px, options->h_px};
     ok = ok && measure_rows(&trial, &views, bound, out, err) &&
          (!bound->cpu || count_rows(&trial, &views, bound, out, err));
+    progress_end();
     const struct choice_row *best = ok ? cheapest(out) : NULL;
     if (best) out->core = best->core;
     if (ok && !best) ok = refuse(out, model_path, err);

@@ -112,7 +112,6 @@ static bool parse(int argc, char **argv, struct request *out, struct error *err)
     *out = (struct request){
         .compile = {.tolerance_units = 0.5, .splitter = "auto", .w_px = 240, .h_px = 240, .predict = true}};
     out->bound = (struct choice_bound){.wrong_percent = -1.0, .vertex_px = -1.0};
-    out->compile.progress = isatty(STDERR_FILENO);
     opterr = 0;
     optind = 1;
     for (int code; (code = getopt_long(argc, argv, ":o:", OPTIONS, NULL)) != -1;)

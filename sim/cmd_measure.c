@@ -7,6 +7,7 @@
 #include "measure_request.h"
 #include "measure_table.h"
 #include "outputs.h"
+#include "progress.h"
 #include "work_folder.h"
 
 #include "child.h"
@@ -30,18 +31,7 @@ struct measurement {
     struct measure_table table;
     struct work_folder folder;
     struct outputs outputs;
-    bool show_progress;
 };
-
-static void progress(const struct measurement *measurement, const char *what, size_t at, size_t count)
-{
-    if (measurement->show_progress) fprintf(stderr, "\r\x1B[Kmeasuring %s: %zu of %zu", what, at, count);
-}
-
-static void progress_end(const struct measurement *measurement)
-{
-    if (measurement->show_progress) fputs("\r\x1B[K", stderr);
-}
 
 /* Start -------------------------------------------------------------------------------------- */
 
@@ -75,7 +65,8 @@ static bool prepare(struct measurement *measurement, struct error *err)
 
 static bool on_frame(void *ctx, size_t frame, size_t frames, struct error *err)
 {
-    progress(ctx, "accuracy, frame", frame + 1, frames);
+    (void)ctx;
+    progress("measuring accuracy, frame: %zu of %zu", frame + 1, frames);
     return interrupt_check(err);
 }
 
@@ -85,7 +76,7 @@ static bool measure_costs(struct measurement *measurement, const struct measure_
     const size_t count = table->row_count * table->cpu_count;
     for (size_t i = 0; i < count; i++) {
         const size_t row = i / table->cpu_count, cpu = i % table->cpu_count;
-        progress(measurement, "instructions, run", i + 1, count);
+        progress("measuring instructions, run: %zu of %zu", i + 1, count);
         if (!interrupt_check(err) || !measure_cost(&measurement->candidates[row], table->cpus[cpu], views,
                                                    measurement->folder.path, &table->rows[row].costs[cpu], err))
             return false;
@@ -97,7 +88,7 @@ static bool measure_all(struct measurement *measurement, struct error *err)
 {
     const struct measure_request *request = &measurement->request;
     const struct measure_views views = {&measurement->path, &measurement->lens, request->w_px, request->h_px};
-    const struct measure_progress frames = {on_frame, measurement};
+    const struct measure_progress frames = {on_frame, NULL};
     struct measure_table *table = &measurement->table;
     table->scene = request->name;
     table->w_px = request->w_px;
@@ -187,11 +178,10 @@ static bool write_files(struct measurement *measurement, struct error *err)
 
 static bool run(struct measurement *measurement, struct error *err)
 {
-    measurement->show_progress = isatty(STDERR_FILENO);
     interrupt_watch();
     const bool ok = measure_request_check(&measurement->request, err) && work_folder_make(&measurement->folder, err) &&
                     prepare(measurement, err) && measure_all(measurement, err) && write_files(measurement, err);
-    progress_end(measurement);
+    progress_end();
     if (!ok) return false;
     measure_table_markdown(&measurement->table, stdout);
     return (fflush(stdout) == 0 && !ferror(stdout)) || error_set(err, "standard output: %s", strerror(errno));

@@ -11,11 +11,11 @@
 #include "interrupt.h"
 #include "options.h"
 #include "outputs.h"
+#include "progress.h"
 
 #include <errno.h>
 #include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
 
 enum { GIF_FRAMES_PER_S = 15, PATH_SIZE = 4096 };
 
@@ -128,14 +128,13 @@ static bool render_frame(struct render *render, size_t frame, struct error *err)
 
 static bool render_frames(struct render *render, struct error *err)
 {
-    const bool show_progress = isatty(STDERR_FILENO);
     bool ok = true;
     interrupt_watch();
     for (size_t frame = 0; ok && frame < render->path.count; frame++) {
-        if (show_progress) fprintf(stderr, "\rframe %zu of %zu", frame + 1, render->path.count);
+        progress("frame %zu of %zu", frame + 1, render->path.count);
         ok = interrupt_check(err) && render_frame(render, frame, err);
     }
-    if (show_progress) fputs("\r\x1B[K", stderr);
+    progress_end();
     return ok;
 }
 

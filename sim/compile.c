@@ -7,6 +7,7 @@
 #include "light.h"
 #include "pools.h"
 #include "predict.h"
+#include "progress.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -103,11 +104,6 @@ static bool is_wanted(const struct compile_options *options, const struct splitt
     return splitter != &splitters[0]; /* "first" is for lists that are in order already */
 }
 
-static void progress(const struct compilation *work, const char *step)
-{
-    if (work->options->progress) fprintf(stderr, "\rcompiling: %zu polygons, %-20s", work->mesh->polygon_count, step);
-}
-
 /* Keeps the best of all; an error is the last one, and counts only if none succeeds. */
 static bool compile_best(struct compilation *work, struct compiled *out, struct error *err)
 {
@@ -117,7 +113,7 @@ static bool compile_best(struct compilation *work, struct compiled *out, struct 
     for (size_t i = 0; i < splitter_count; i++) {
         struct compiled candidate = {0};
         if (!is_wanted(work->options, &splitters[i])) continue;
-        progress(work, splitters[i].name);
+        progress("compiling: %zu polygons, %s", work->mesh->polygon_count, splitters[i].name);
         if (!compile_with(work, &splitters[i], &candidate, err)) continue;
         if (!ok || badness(&candidate.report) < badness(&out->report)) {
             struct compiled worse = *out;
@@ -181,11 +177,11 @@ bool compile_mesh(const struct mesh *mesh, const struct compile_options *options
         exact_add_m(&work.points, mesh->points[i], &mesh->grid);
     bool ok = check_grid(&work, err) && check_size(&work, err);
     if (ok) {
-        progress(&work, "planes");
+        progress("compiling: %zu polygons, planes", mesh->polygon_count);
         coplanar_find(mesh, work.points.approx, options->tolerance_units, &work.coplanar);
         ok = compile_best(&work, out, err) &&
              pools_measure(out, options->core, side_or_default(options->w_px), side_or_default(options->h_px), err);
-        if (options->progress) fputs("\r\033[K", stderr);
+        progress_end();
         if (!ok) compiled_free(out);
     }
     coplanar_free(&work.coplanar);

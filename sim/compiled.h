@@ -19,7 +19,6 @@ struct compile_options {
     unsigned w_px, h_px;     /* the panel that pool sizes are measured for; 0: 240 */
     bool unlit;              /* colours stay as they are in the model: no light is baked in */
     bool predict;            /* measure the wrong-pixel share for the report: takes a second or so */
-    bool progress;           /* show progress on stderr */
 };
 
 struct compile_report {

@@ -138,7 +138,6 @@ static void fill_in(struct measure_request *out, bool no_cost)
             out->cpus[out->cpu_count++] = &measure_cpus[i];
     out->compile.w_px = out->w_px;
     out->compile.h_px = out->h_px;
-    out->compile.progress = isatty(STDERR_FILENO);
 }
 
 bool measure_request_parse(int argc, char **argv, struct measure_request *out, struct error *err)

@@ -194,7 +194,6 @@ bool options_parse(int argc, char **argv, enum options_set set, struct options *
     out->scene_path = argv[optind];
     if (is_render && !asks_for_output(out)) out->frame_pattern = "out/%03d.png";
     out->compile.keep_faces = out->ids_path || out->compare;
-    out->compile.progress = isatty(STDERR_FILENO);
     out->compile.w_px = out->setup.w_px;
     out->compile.h_px = out->setup.h_px;
     out->compile.core = out->setup.core;

@@ -6,10 +6,10 @@
 #include "closed_scene.h"
 #include "cmocka_ready.h"
 #include "ids.h"
+#include "progress.h"
 
 #include <stdio.h>
 #include <string.h>
-#include <unistd.h>
 
 /* One scene, ready to be drawn in every profile. */
 struct closed_stage {
@@ -83,16 +83,6 @@ static void draw(struct closed_stage *stage, size_t k, struct closed_run_sum *su
     holes_add(&sum->holes, sum->profile, ids->faces, &stage->reference, 1 / grid->units_per_m);
 }
 
-static void show_progress(const struct closed_run_plan *plan, int scene, const struct closed_run_sum *sums)
-{
-    if (!isatty(STDERR_FILENO)) return;
-    if (scene < plan->scenes)
-        fprintf(stderr, "\rclosed scenes: %d of %d, %zu million pixels a profile", scene, plan->scenes,
-                sums[0].holes.pixels / 1000000);
-    else
-        fputs("\r\033[K", stderr);
-}
-
 size_t closed_run(const struct closed_run_plan *plan, struct closed_run_sum sums[PROFILES_MAX])
 {
     const struct core *profiles[PROFILES_MAX];
@@ -104,7 +94,8 @@ size_t closed_run(const struct closed_run_plan *plan, struct closed_run_sum sums
         sums[k].profile = profiles[k];
     for (int s = 0; s < plan->scenes; s++) {
         static struct closed_stage stage;
-        show_progress(plan, s, sums);
+        progress("closed scenes: %d of %d, %zu million pixels a profile", s, plan->scenes,
+                 sums[0].holes.pixels / 1000000);
         stage_open(&stage, &random, sums, count, plan->side_px);
         for (int f = 0; f < plan->frames; f++) {
             const struct viewpoint viewpoint = closed_scene_viewpoint(&stage.closed, &random);
@@ -114,7 +105,7 @@ size_t closed_run(const struct closed_run_plan *plan, struct closed_run_sum sums
         }
         stage_close(&stage, count);
     }
-    show_progress(plan, plan->scenes, sums);
+    progress_end();
     return count;
 }
 
