@@ -79,13 +79,26 @@ int32_t lim_eye_close_side(const struct lim_eye *eye, const LIM_FLASH struct lim
     return exact_side(eye, n, lim_plane_d(plane));
 }
 
+/*@ requires \valid_read(eye) && \valid_read(plane) && 0 <= eye->shift <= 31;
+    requires -1073676288 <= plane->slack_less_d - 65536 <= 1073676288;
+    requires -32768 <= eye->reduced[0] <= 32767 && -32768 <= eye->reduced[1] <= 32767;
+    requires -32768 <= eye->reduced[2] <= 32767;
+    requires size((int16_t)plane->n_yx) + size(plane->n_yx >> 16) + size(plane->n_z_exact >> 16) <= 32767;
+    assigns \nothing; */
+static int32_t far_value(const struct lim_eye *eye, const LIM_FLASH struct lim_plane *plane)
+{
+    const int32_t d = lim_plane_d(plane) >> eye->shift;
+
+    //@ assert -1073676288 <= d <= 1073676288;
+    return lim_eye_dot(eye, plane) - d;
+}
+
 int32_t lim_eye_far_side(const struct lim_eye *eye, const LIM_FLASH struct lim_node *node)
 {
     const LIM_FLASH struct lim_plane *plane = lim_plane_at(eye->planes, node->plane);
     const bool is_large = LIM_HAS_LARGE && lim_plane_exact(plane) != LIM_NONE;
     const int32_t slack = is_large ? eye->large_slack : SMALL_SLACK;
-    const int32_t value = lim_plane_x(plane) * eye->reduced[0] + lim_plane_y(plane) * eye->reduced[1] +
-                          lim_plane_z(plane) * eye->reduced[2] - (lim_plane_d(plane) >> eye->shift);
+    const int32_t value = far_value(eye, plane);
 
     return value >= slack || value <= -slack ? value : lim_eye_close_side(eye, node);
 }

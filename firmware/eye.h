@@ -26,10 +26,30 @@ void lim_eye_set(struct lim_eye *eye, const struct lim_scene *scene, const int32
 int32_t lim_eye_far_side(const struct lim_eye *eye, const LIM_FLASH struct lim_node *node);
 int32_t lim_eye_close_side(const struct lim_eye *eye, const LIM_FLASH struct lim_node *node);
 
-/* 0: the eye may be on either side. The sum is n . s - d + slack, so a shift of slack's bits and one more leaves
- * nothing of -slack .. slack - 1, and only there. |n . s| <= 32767 * 2^15 and scene.h's bound of d keep it in 32 bits.
- */
+/* n . s of the reduced eye s. */
 //@ logic integer size(integer i) = i < 0 ? -i : i;
+/*@ requires \valid_read(eye) && \valid_read(plane);
+    requires -32768 <= eye->reduced[0] <= 32767 && -32768 <= eye->reduced[1] <= 32767;
+    requires -32768 <= eye->reduced[2] <= 32767;
+    requires size((int16_t)plane->n_yx) + size(plane->n_yx >> 16) + size(plane->n_z_exact >> 16) <= 32767;
+    assigns \nothing;
+    ensures -32767 * 32768 <= \result <= 32767 * 32768; */
+static inline int32_t lim_eye_dot(const struct lim_eye *eye, const LIM_FLASH struct lim_plane *plane)
+{
+    const int32_t x = lim_plane_x(plane), y = lim_plane_y(plane), z = lim_plane_z(plane);
+    //@ assert size(x) + size(y) + size(z) <= 32767;
+    //@ assert -size(x) * 32768 <= x * eye->reduced[0] <= size(x) * 32768;
+    //@ assert -size(y) * 32768 <= y * eye->reduced[1] <= size(y) * 32768;
+    //@ assert -size(z) * 32768 <= z * eye->reduced[2] <= size(z) * 32768;
+    int32_t sum = x * eye->reduced[0];
+
+    sum += y * eye->reduced[1];
+    sum += z * eye->reduced[2];
+    return sum;
+}
+
+/* 0: the eye may be on either side. The sum is n . s - d + slack, so a shift of slack's bits and one more leaves
+ * nothing of -slack .. slack - 1, and only there. scene.h's bounds keep it in 32 bits. */
 /*@ requires \valid_read(eye) && \valid_read(plane);
     requires -1073676288 <= plane->slack_less_d - 65536 <= 1073676288;
     requires -32768 <= eye->reduced[0] <= 32767 && -32768 <= eye->reduced[1] <= 32767;
@@ -38,17 +58,7 @@ int32_t lim_eye_close_side(const struct lim_eye *eye, const LIM_FLASH struct lim
     assigns \nothing; */
 static inline int32_t lim_eye_near_side(const struct lim_eye *eye, const LIM_FLASH struct lim_plane *plane)
 {
-    const int32_t x = lim_plane_x(plane), y = lim_plane_y(plane), z = lim_plane_z(plane);
-    //@ assert size(x) + size(y) + size(z) <= 32767;
-    int32_t sum = x * eye->reduced[0];
-
-    //@ assert -size(x) * 32768 <= sum <= size(x) * 32768;
-    sum += y * eye->reduced[1];
-    //@ assert -(size(x) + size(y)) * 32768 <= sum <= (size(x) + size(y)) * 32768;
-    sum += z * eye->reduced[2];
-    //@ assert -32767 * 32768 <= sum <= 32767 * 32768;
-    sum += plane->slack_less_d;
-    return sum >> 17;
+    return (lim_eye_dot(eye, plane) + plane->slack_less_d) >> 17;
 }
 
 /* On which side of a node's plane the eye is: positive in front, negative behind, 0 exactly on it. */

@@ -130,6 +130,9 @@ static inline uint16_t lim_plane_exact(const LIM_FLASH struct lim_plane *plane)
     return (uint16_t)plane->n_z_exact;
 }
 
+/*@ requires \valid_read(plane) && -1073676288 <= plane->slack_less_d - 65536 <= 1073676288;
+    assigns \nothing;
+    ensures \result == 65536 - plane->slack_less_d; */
 static inline int32_t lim_plane_d(const LIM_FLASH struct lim_plane *plane)
 {
     return LIM_PLANE_SLACK - plane->slack_less_d;
