@@ -144,9 +144,10 @@ static void cuts_divide(struct cuts *cuts, int panel_mm)
     }
 }
 
+/* A rest narrower than a quarter of a tile makes the last one wider, rather than be a sliver. */
 static void cuts_tile(struct cuts *cuts, int from_mm, int tile_mm)
 {
-    int end_mm = cuts->at_mm[cuts->count - 1];
+    int end_mm = cuts->at_mm[cuts->count - 1] - tile_mm / 4;
     for (int at_mm = from_mm + tile_mm; at_mm < end_mm; at_mm += tile_mm)
         if (at_mm > cuts->at_mm[0]) cuts->at_mm[cuts->count++] = at_mm;
 }
@@ -197,7 +198,8 @@ static void add_panel(struct soup *soup, const struct view *view, const struct s
     mid_mm[view->axis] = 0;
     mid_mm[view->u] = (u_mm[0] + u_mm[1]) / 2;
     mid_mm[view->v] = (v_mm[0] + v_mm[1]) / 2;
-    soup_add(soup, corner, 4, panel_material(view, space, mid_mm));
+    int material = panel_material(view, space, mid_mm);
+    if (material != LEFT_OUT) soup_add(soup, corner, 4, material);
 }
 
 /* The lattice interval that holds a position. */

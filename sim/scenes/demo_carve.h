@@ -8,6 +8,9 @@
 
 #include "demo_soup.h"
 
+/* Instead of a material: no surface. */
+enum { LEFT_OUT = -1 };
+
 /* One box of air, in millimetres, and the materials of the surfaces around it. */
 struct space {
     int lo_mm[3], hi_mm[3];

@@ -90,31 +90,51 @@ static void add_cutouts(struct soup *soup)
     }
 }
 
-/* The frame round one side of a doorway: two posts and a lintel. */
+/* How far a doorway's posts and lintel stand out from the wall. */
+enum { POST_MM = 30, LINTEL_MM = 50 };
+
+/* The frame round one side of a doorway: two posts and a lintel. The lining covers the posts' inner
+ * sides. */
 static void door_case(struct soup *soup, struct frame frame, int width_mm, int height_mm, int material)
 {
     int in = width_mm / 2, out = in + 100;
     struct box parts[] = {
-        {{-out, 0, 0}, {-in, height_mm, 30}, material, LEG | NO_BACK, 0},
-        {{in, 0, 0}, {out, height_mm, 30}, material, LEG | NO_BACK, 0},
-        {{-out - 20, height_mm, 0}, {out + 20, height_mm + 110, 50}, material, NO_BACK | NO_TOP, 0},
+        {{-out, 0, 0}, {-in, height_mm, POST_MM}, material, LEG | NO_BACK | NO_RIGHT, 0},
+        {{in, 0, 0}, {out, height_mm, POST_MM}, material, LEG | NO_BACK | NO_LEFT, 0},
+        {{-out - 20, height_mm, 0}, {out + 20, height_mm + 110, LINTEL_MM}, material, NO_BACK | NO_TOP, 0},
     };
     for (size_t i = 0; i < COUNT(parts); i++)
         shape_box(soup, &frame, &parts[i]);
 }
 
+/* The boards at the sides of a passage of some width, height and depth behind the frame. They reach
+ * from post to post in one piece: the posts' inner sides alone would be thinner than a pixel to
+ * whoever walks towards them. */
+static void door_lining(struct soup *soup, const struct frame *frame, const int size_mm[3], int material)
+{
+    double in = size_mm[0] / 2.0, top = size_mm[1], near = POST_MM, far = -size_mm[2] - POST_MM;
+    const double left[4][3] = {{-in, 0, near}, {-in, 0, far}, {-in, top, far}, {-in, top, near}};
+    const double right[4][3] = {{in, 0, far}, {in, 0, near}, {in, top, near}, {in, top, far}};
+    shape_quad(soup, frame, left, material);
+    shape_quad(soup, frame, right, material);
+}
+
+int doorway_axis(const struct space *doorway)
+{
+    return doorway->hi_mm[0] - doorway->lo_mm[0] < doorway->hi_mm[2] - doorway->lo_mm[2] ? 0 : 2;
+}
+
 void joinery_doorway(struct soup *soup, const struct space *doorway)
 {
     const int *lo = doorway->lo_mm, *hi = doorway->hi_mm;
-    bool through_x = hi[0] - lo[0] < hi[2] - lo[2];
+    int axis = doorway_axis(doorway), across = 2 - axis;
+    const int size_mm[3] = {hi[across] - lo[across], hi[1], hi[axis] - lo[axis]};
     double x = (lo[0] + hi[0]) / 2.0, z = (lo[2] + hi[2]) / 2.0;
-    if (through_x) {
-        door_case(soup, frame_at(lo[0], 0, z, -90), hi[2] - lo[2], hi[1], doorway->wall);
-        door_case(soup, frame_at(hi[0], 0, z, 90), hi[2] - lo[2], hi[1], doorway->wall);
-    } else {
-        door_case(soup, frame_at(x, 0, lo[2], 180), hi[0] - lo[0], hi[1], doorway->wall);
-        door_case(soup, frame_at(x, 0, hi[2], 0), hi[0] - lo[0], hi[1], doorway->wall);
-    }
+    struct frame near = axis ? frame_at(x, 0, hi[2], 0) : frame_at(hi[0], 0, z, 90);
+    struct frame far = axis ? frame_at(x, 0, lo[2], 180) : frame_at(lo[0], 0, z, -90);
+    door_case(soup, near, size_mm[0], size_mm[1], doorway->wall);
+    door_case(soup, far, size_mm[0], size_mm[1], doorway->wall);
+    door_lining(soup, &near, size_mm, doorway->wall);
 }
 
 void joinery_window(struct soup *soup, const struct window *window)
@@ -124,12 +144,11 @@ void joinery_window(struct soup *soup, const struct window *window)
     for (int i = 0; i < window->columns; i++) {
         int left = width_mm * i / window->columns - width_mm / 2 + (i ? BAR_MM / 2 : 0);
         int right = width_mm * (i + 1) / window->columns - width_mm / 2 - (i + 1 < window->columns ? BAR_MM / 2 : 0);
-        struct box upright = {
-            {right, 0, BAR_FROM_MM}, {right + BAR_MM, height_mm, BAR_TO_MM}, WHITEWASH, LEG | NO_BACK, 0};
+        struct box upright = {{right, 0, BAR_AT_MM}, {right + BAR_MM, height_mm, BAR_AT_MM}, WHITEWASH, ~NO_FRONT, 0};
         if (i + 1 < window->columns) shape_box(soup, &frame, &upright);
         for (int j = 1; j < window->rows; j++) {
             int y = height_mm * j / window->rows - BAR_MM / 2;
-            struct box rail = {{left, y, BAR_FROM_MM}, {right, y + BAR_MM, BAR_TO_MM}, WHITEWASH, NO_ENDS | NO_BACK, 0};
+            struct box rail = {{left, y, BAR_AT_MM}, {right, y + BAR_MM, BAR_AT_MM}, WHITEWASH, ~NO_FRONT, 0};
             shape_box(soup, &frame, &rail);
         }
     }
@@ -226,31 +245,33 @@ static void add_banister(struct soup *soup)
 static const struct box fireplace[] = {
     {{-900, 0, 0}, {-700, 1350, 140}, STONE, LEG | NO_BACK, 0},
     {{700, 0, 0}, {900, 1350, 140}, STONE, LEG | NO_BACK, 0},
-    {{-950, 1350, 0}, {950, 1500, 340}, OAK, NO_BACK, 0},
-    {{-900, 1500, 0}, {900, 2100, 290}, WHITEWASH, NO_BACK | LEG, 70},
+    {{-950, 1350, 0}, {950, 1560, 340}, OAK, NO_BACK, 0},
+    {{-900, 1560, 0}, {900, 2100, 290}, WHITEWASH, NO_BACK | LEG, 70},
     {{-830, 2100, 0}, {830, 2900, 220}, WHITEWASH, NO_BACK | LEG, 70},
     {{-820, 0, 140}, {820, 40, 620}, SLATE, NO_BACK | STANDING, 0},
     {{-330, 0, -330}, {-300, 95, 40}, EBONY, STANDING, 0},
     {{300, 0, -330}, {330, 95, 40}, EBONY, STANDING, 0},
 };
 
+/* In a frame turned by 45 degrees: an edge towards the room shows two sides broadly, and none edge-on. */
 static const struct turned flames[] = {
-    {-130, -190, FLAME, 4, 2, false, {{75, 210}, {0, 520}}},
-    {30, -210, FLAME, 4, 2, false, {{95, 210}, {0, 680}}},
-    {170, -180, EMBER, 4, 2, false, {{65, 210}, {0, 450}}},
-    {0, -200, EMBER, 6, 2, false, {{240, 2}, {150, 60}}},
+    {-99, -85, FLAME, 4, 2, false, {{85, 210}, {0, 520}}},
+    {28, 14, FLAME, 4, 2, false, {{105, 210}, {0, 680}}},
+    {106, 134, EMBER, 4, 2, false, {{75, 210}, {0, 450}}},
+    {0, 0, EMBER, 6, 2, false, {{240, 2}, {150, 60}}},
 };
 
 static void add_fireplace(struct soup *soup)
 {
     struct frame frame = frame_at(13400, 0, 2600, -90);
+    struct frame fire = frame_turn(frame_move(frame, 0, 0, -200), 45);
     struct frame log = frame_turn(frame_move(frame, 0, 96, -260), 3);
     struct frame log2 = frame_turn(frame_move(frame, 0, 96, -90), -2);
     struct box wood = {{-380, 0, -55}, {380, 100, 55}, OAK_DARK, 0, 0};
     for (size_t i = 0; i < COUNT(fireplace); i++)
         shape_box(soup, &frame, &fireplace[i]);
     for (size_t i = 0; i < COUNT(flames); i++)
-        shape_turned(soup, &frame, &flames[i]);
+        shape_turned(soup, &fire, &flames[i]);
     shape_box(soup, &log, &wood);
     shape_box(soup, &log2, &wood);
 }

@@ -45,7 +45,6 @@ const struct material materials[MATERIALS] = {
     [YELLOW_CLOTH] = {0xdcb04a, 0.04, 0},
     [LINEN] = {0xf0e9da, 0.02, 0},
     [ROSE] = {0xd39a86, 0.03, 0},
-    [LEATHER] = {0x8a4326, 0.05, 0},
 
     [BRASS] = {0xcfa244, 0.05, 0},
     [COPPER] = {0xc26e3f, 0.06, 0},

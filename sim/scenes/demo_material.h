@@ -45,7 +45,6 @@ enum material_id {
     YELLOW_CLOTH,
     LINEN,
     ROSE,
-    LEATHER,
     BRASS,
     COPPER,
     PEWTER,

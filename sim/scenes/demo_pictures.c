@@ -31,23 +31,23 @@ static const struct stroke seascape[] = {
     {LINEN, 4, {{575, 380}, {740, 400}, {700, 640}, {575, 660}}},
     {LINEN, 3, {{530, 380}, {530, 820}, {390, 400}}},
     {RED_CLOTH, 3, {{560, 880}, {560, 830}, {660, 850}}},
-    {PAINT_SAND, 3, {{0, 400}, {220, 400}, {0, 440}}},
+    {PAINT_SAND, 3, {{0, 385}, {240, 385}, {0, 440}}},
 };
 
 static const struct stroke windmill[] = {
-    {PAINT_SUN, 4, {{0, 330}, {1000, 330}, {1000, 520}, {0, 480}}},
+    {PAINT_SUN, 4, {{0, 300}, {1000, 300}, {1000, 520}, {0, 480}}},
     {PAINT_CLOUD, 5, {{60, 720}, {330, 680}, {470, 760}, {300, 880}, {120, 850}}},
     {PAINT_GREEN, 4, {{0, 0}, {1000, 0}, {1000, 330}, {0, 330}}},
     {LEAF_DARK, 4, {{0, 0}, {420, 0}, {240, 230}, {0, 280}}},
     {PAINT_SEA, 4, {{500, 0}, {760, 0}, {690, 300}, {655, 300}}},
     {BRICK, 4, {{290, 240}, {450, 240}, {425, 560}, {315, 560}}},
-    {PAINT_DARK, 3, {{310, 560}, {430, 560}, {370, 660}}},
+    {PAINT_DARK, 3, {{305, 550}, {435, 550}, {370, 660}}},
     {PAINT_DARK, 4, {{345, 240}, {395, 240}, {395, 340}, {345, 340}}},
     {LINEN, 4, {{355, 590}, {385, 580}, {650, 830}, {620, 870}}},
     {LINEN, 4, {{350, 570}, {375, 600}, {130, 860}, {95, 820}}},
     {LINEN, 4, {{575, 335}, {610, 370}, {385, 585}, {360, 560}}},
     {LINEN, 4, {{125, 380}, {160, 345}, {370, 560}, {345, 585}}},
-    {LEAF, 4, {{780, 330}, {960, 330}, {920, 430}, {820, 420}}},
+    {LEAF, 4, {{780, 315}, {960, 315}, {920, 430}, {820, 420}}},
 };
 
 static const struct stroke portrait[] = {
@@ -67,7 +67,7 @@ static const struct stroke still_life[] = {
     {GREEN_CLOTH, 4, {{0, 0}, {1000, 0}, {1000, 280}, {0, 280}}},
     {LINEN, 4, {{560, 0}, {1000, 0}, {1000, 290}, {640, 290}}},
     {PEWTER, 6, {{150, 270}, {330, 270}, {370, 430}, {290, 560}, {190, 560}, {110, 430}}},
-    {PEWTER, 4, {{200, 560}, {280, 560}, {290, 720}, {190, 720}}},
+    {PEWTER, 4, {{200, 540}, {280, 540}, {290, 720}, {190, 720}}},
     {LEMON, 6, {{420, 240}, {530, 240}, {580, 310}, {530, 370}, {430, 370}, {380, 310}}},
     {APPLE, 6, {{680, 250}, {790, 250}, {840, 340}, {790, 430}, {680, 430}, {630, 340}}},
     {WINE, 5, {{560, 400}, {640, 440}, {660, 560}, {540, 560}, {520, 470}}},
@@ -109,7 +109,8 @@ static const struct picture pictures[PICTURES] = {
     [MAP] = {PAPER, EBONY, 35, COUNT(map), map},
 };
 
-/* Each stroke lies on the one before, this much higher: no two share a plane. */
+/* Each stroke lies on the one before, this much higher: no two share a plane. So strokes that meet
+ * overlap: what merely touched would show what lies below to whoever looks from the side. */
 static const double coat_mm = 1.5;
 
 static void paint(struct soup *soup, const struct frame *canvas, const struct picture *picture, int width_mm,
@@ -127,9 +128,12 @@ static void paint(struct soup *soup, const struct frame *canvas, const struct pi
 
 void picture_stretch(struct soup *soup, const struct frame *frame, enum picture_id id, int width_mm, int height_mm)
 {
-    struct box stretcher = {{-width_mm / 2, 0, 0}, {width_mm / 2, height_mm, 25}, PAPER, NO_FRONT, 0};
-    struct box ground = {{-width_mm / 2, 0, 0}, {width_mm / 2, height_mm, 25}, pictures[id].ground, ~NO_FRONT, 0};
-    struct frame canvas = frame_move(*frame, 0, 0, 25);
+    /* its sides reach up to the last stroke, so that none is seen to float */
+    int ground_mm = 10, thick_mm = ground_mm + (int)ceil(pictures[id].strokes * coat_mm);
+    struct box stretcher = {{-width_mm / 2, 0, 0}, {width_mm / 2, height_mm, thick_mm}, PAPER, NO_FRONT, 0};
+    struct box ground = {
+        {-width_mm / 2, 0, 0}, {width_mm / 2, height_mm, ground_mm}, pictures[id].ground, ~NO_FRONT, 0};
+    struct frame canvas = frame_move(*frame, 0, 0, ground_mm);
     shape_box(soup, frame, &stretcher);
     shape_box(soup, frame, &ground);
     paint(soup, &canvas, &pictures[id], width_mm, height_mm);

@@ -17,10 +17,10 @@ struct standing {
 static const struct standing furniture[] = {
     /* hall */
     {TABLE, 640, 0, 7500, 90},
-    {JUG, 560, 770, 7300, 20},
-    {BOWL, 720, 770, 7570, 0},
+    {JUG, 560, 770, 7300, 30},
+    {BOWL, 720, 770, 7570, 45},
     {OPEN_BOOK, 600, 770, 7900, 70},
-    {CHAIR, 1480, 0, 7850, 258},
+    {CHAIR, 1480, 0, 7850, 238},
     {CHAIR, 520, 0, 6420, 20},
     {CHEST, 3430, 0, 5330, 0},
     {VASE, 3700, 540, 5320, 0},
@@ -55,7 +55,7 @@ static const struct standing furniture[] = {
     {PLATES, 9980, 0, 4560, 180},
     {PANS, 12550, 1900, 0, 0},
     {STOOL, 12550, 0, 1450, 0},
-    {CAT, 12250, 0, 2950, 118},
+    {CAT, 12250, 0, 2950, 148},
     {BARREL, 13060, 0, 4430, 14},
     /* bedchamber */
     {BED, 9720, 0, 5760, 0},
@@ -89,7 +89,7 @@ static const struct hanging pictures[] = {
     {WINDMILL, 820, 1700, 5050, 0, 860, 640},          {PORTRAIT, 0, 1800, 2500, 90, 760, 960},
     {MINIATURE_LADY, 3700, 1650, 4800, 180, 260, 330}, {MINIATURE_LORD, 4250, 1700, 4800, 180, 260, 330},
     {MINIATURE_LADY, 4800, 1650, 4800, 180, 260, 330}, {STILL_LIFE, 5400, 1750, 1100, -90, 900, 700},
-    {SEASCAPE, 7700, 1750, 6200, 90, 760, 560},        {STILL_LIFE, 4650, 1750, 6500, 90, 600, 500},
+    {SEASCAPE, 7700, 1750, 6200, 90, 760, 560},        {STILL_LIFE, 4650, 1770, 6500, 90, 600, 500},
     {WINDMILL, 7450, 1700, 8900, -90, 900, 700},
 };
 
@@ -134,16 +134,17 @@ static void add_vine(struct soup *soup, const struct vine *vine)
     }
 }
 
-/* Books side by side along a shelf, with a gap here and there. */
+/* Books side by side along a shelf, with a gap here and there. Between gaps their spines are flush, so
+ * that only the taller of two neighbours shows its side. */
 static void add_books(struct soup *soup, const struct frame *shelf, int from_mm, int to_mm, int most_mm)
 {
-    int height = 0, next = most_mm - 90;
+    int height = 0, next = most_mm - 90, depth = 0;
     for (int left = from_mm, right; (right = left + 110 + (int)(120 * soup_random(soup))) < to_mm; left = right) {
-        int before = height, depth = 60 + (int)(40 * soup_random(soup)),
-            colour = BOOK_RED + (int)(6 * soup_random(soup));
+        int before = height, drawn = 60 + (int)(40 * soup_random(soup));
+        int colour = BOOK_RED + (int)(6 * soup_random(soup));
+        if (!before) depth = drawn;
         height = next;
         next = soup_random(soup) < 0.12 ? 0 : most_mm - 30 - (int)(150 * soup_random(soup));
-        /* the taller of two neighbours shows its side */
         int hidden = LEG | NO_BACK | (before >= height ? NO_LEFT : 0) | (next >= height ? NO_RIGHT : 0);
         struct box book = {{left, 0, -130}, {right, height, depth}, colour, hidden & ~NO_TOP, 0};
         if (height) shape_box(soup, shelf, &book);
@@ -152,7 +153,7 @@ static void add_books(struct soup *soup, const struct frame *shelf, int from_mm,
 
 static void add_bookcase(struct soup *soup, const struct standing *item)
 {
-    static const int shelf_mm[][2] = {{90, 440}, {560, 440}, {1030, 440}, {1500, 470}};
+    static const int shelf_mm[][2] = {{90, 440}, {560, 440}, {1030, 440}, {1515, 455}};
     struct frame frame = frame_at(item->x_mm, item->y_mm, item->z_mm, item->yaw_deg);
     thing_build(soup, &frame, BOOKCASE);
     for (size_t i = 0; i < COUNT(shelf_mm); i++) {

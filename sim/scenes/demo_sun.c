@@ -45,7 +45,7 @@ static void prism_narrow(struct prism *prism, const struct frame *frame, const d
         prism->plane[prism->count++] = swept.plane[i];
 }
 
-/* What passes between the bars, whose thickness counts, and then through the wall's inner face. */
+/* What passes between the bars and then through the wall's inner face. */
 static struct prism pane_prism(const struct window *window, int column, int row)
 {
     struct prism prism = {.count = 0};
@@ -58,8 +58,7 @@ static struct prism pane_prism(const struct window *window, int column, int row)
     if (column + 1 < window->columns) x[1] -= half;
     if (row) y[0] += half;
     if (row + 1 < window->rows) y[1] -= half;
-    prism_narrow(&prism, &frame, x, y, BAR_FROM_MM);
-    prism_narrow(&prism, &frame, x, y, BAR_TO_MM);
+    prism_narrow(&prism, &frame, x, y, BAR_AT_MM);
     return prism;
 }
 

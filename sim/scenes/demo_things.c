@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: MIT
  *
- * Furniture and household things as tables of boxes and turned solids. */
+ * Furniture and household things as tables of boxes and turned solids. What stands on something
+ * touches it: a gap of a millimetre is a crack thinner than a pixel. Nothing begins or ends at 1500,
+ * the height of the walk's eye, where edges at different distances meet on one line of the picture. */
 #include "demo_things.h"
 
 #define COUNT(array) (sizeof(array) / sizeof *(array))
@@ -36,9 +38,9 @@ static const struct box chair_boxes[] = {
     {{175, 0, 165}, {220, 430, 210}, WALNUT, LEG, 0},
     {{-220, 0, -210}, {-175, 1000, -165}, WALNUT, STANDING, 0},
     {{175, 0, -210}, {220, 1000, -165}, WALNUT, STANDING, 0},
-    {{-230, 430, -160}, {230, 470, 220}, WALNUT, NO_BOTTOM, 0},
-    {{-200, 470, -150}, {200, 475, 200}, RED_CLOTH, ~NO_TOP, 0},
-    {{-175, 660, -200}, {175, 940, -175}, RED_CLOTH, NO_ENDS, 0},
+    {{-230, 430, -160}, {230, 470, 220}, WALNUT, LEG, 0},
+    {{-230, 470, -160}, {230, 470, 220}, RED_CLOTH, ~NO_TOP, 0},
+    {{-175, 660, -188}, {175, 940, -188}, RED_CLOTH, NO_ENDS | LEG, 0}, /* cloth alone, seen from both sides */
 };
 
 static const struct box armchair_boxes[] = {
@@ -105,9 +107,9 @@ static const struct box bed_boxes[] = {
 
 static const struct box clock_boxes[] = {
     {{-230, 0, -140}, {230, 440, 140}, WALNUT, STANDING | NO_BACK, 0},
-    {{-170, 440, -140}, {170, 1500, 100}, WALNUT, LEG | NO_BACK, 0},
+    {{-170, 440, -140}, {170, 1480, 100}, WALNUT, LEG | NO_BACK, 0},
     {{-100, 620, 100}, {100, 1380, 106}, OAK, ~NO_FRONT, 0},
-    {{-230, 1500, -140}, {230, 2000, 130}, OAK_DARK, NO_BACK | NO_TOP, 0},
+    {{-230, 1480, -140}, {230, 2000, 130}, OAK_DARK, NO_BACK | NO_TOP, 0},
     {{-270, 2000, -140}, {270, 2120, 170}, WALNUT, NO_BACK, 70},
     {{-165, 1590, 130}, {165, 1920, 136}, BRASS, ~NO_FRONT, 0},
     {{-120, 1635, 130}, {120, 1875, 140}, PAPER, ~NO_FRONT, 0},
@@ -134,7 +136,7 @@ static const struct box dresser_boxes[] = {
     {{-790, 1900, -220}, {790, 1970, 60}, OAK_PALE, NO_BACK, 0},
 };
 
-/* 1500 wide, shelves at 90, 560, 1030 and 1500; the books are set in by the room. */
+/* 1500 wide, shelves at 90, 560, 1030 and 1515; the books are set in by the room. */
 static const struct box bookcase_boxes[] = {
     {{-750, 0, -150}, {-715, 2000, 150}, WALNUT, LEG | NO_BACK, 0},
     {{715, 0, -150}, {750, 2000, 150}, WALNUT, LEG | NO_BACK, 0},
@@ -142,7 +144,7 @@ static const struct box bookcase_boxes[] = {
     {{-715, 0, -130}, {715, 90, 140}, WALNUT, NO_ENDS | NO_BACK | STANDING, 0},
     {{-715, 530, -130}, {715, 560, 140}, WALNUT, NO_ENDS | NO_BACK, 0},
     {{-715, 1000, -130}, {715, 1030, 140}, WALNUT, NO_ENDS | NO_BACK, 0},
-    {{-715, 1470, -130}, {715, 1500, 140}, WALNUT, NO_ENDS | NO_BACK, 0},
+    {{-715, 1485, -130}, {715, 1515, 140}, WALNUT, NO_ENDS | NO_BACK, 0},
     {{-780, 2000, -150}, {780, 2080, 180}, WALNUT, NO_BACK, 0},
 };
 
@@ -155,21 +157,21 @@ static const struct box easel_boxes[] = {
 
 static const struct turned chandelier_turned[] = {
     {0, 0, BRASS, 6, 3, false, {{0, -180}, {100, -60}, {20, 120}}},
-    {0, 0, BRASS, 3, 2, true, {{10, 120}, {10, 570}}},
-    {300, 0, LINEN, 3, 2, true, {{16, 37}, {16, 150}}},
-    {-300, 0, LINEN, 3, 2, true, {{16, 37}, {16, 150}}},
-    {0, 300, LINEN, 3, 2, true, {{16, 37}, {16, 150}}},
-    {0, -300, LINEN, 3, 2, true, {{16, 37}, {16, 150}}},
-    {300, 0, FLAME, 3, 2, false, {{16, 150}, {0, 230}}},
-    {-300, 0, FLAME, 3, 2, false, {{16, 150}, {0, 230}}},
-    {0, 300, FLAME, 3, 2, false, {{16, 150}, {0, 230}}},
-    {0, -300, FLAME, 3, 2, false, {{16, 150}, {0, 230}}},
+    {0, 0, BRASS, 3, 2, true, {{18, 120}, {18, 570}}},
+    {300, 0, LINEN, 3, 2, true, {{24, 36}, {24, 150}}},
+    {-300, 0, LINEN, 3, 2, true, {{24, 36}, {24, 150}}},
+    {0, 300, LINEN, 3, 2, true, {{24, 36}, {24, 150}}},
+    {0, -300, LINEN, 3, 2, true, {{24, 36}, {24, 150}}},
+    {300, 0, FLAME, 3, 2, false, {{24, 150}, {0, 250}}},
+    {-300, 0, FLAME, 3, 2, false, {{24, 150}, {0, 250}}},
+    {0, 300, FLAME, 3, 2, false, {{24, 150}, {0, 250}}},
+    {0, -300, FLAME, 3, 2, false, {{24, 150}, {0, 250}}},
 };
 static const struct box chandelier_boxes[] = {
-    {{-330, 10, -12}, {-70, 36, 12}, BRASS, NO_RIGHT, 0},
-    {{70, 10, -12}, {330, 36, 12}, BRASS, NO_LEFT, 0},
-    {{-12, 10, -330}, {12, 36, -70}, BRASS, NO_FRONT, 0},
-    {{-12, 10, 70}, {12, 36, 330}, BRASS, NO_BACK, 0},
+    {{-330, 10, -24}, {-70, 36, 24}, BRASS, NO_RIGHT, 0},
+    {{70, 10, -24}, {330, 36, 24}, BRASS, NO_LEFT, 0},
+    {{-24, 10, -330}, {24, 36, -70}, BRASS, NO_FRONT, 0},
+    {{-24, 10, 70}, {24, 36, 330}, BRASS, NO_BACK, 0},
 };
 
 static const struct turned globe_turned[] = {
@@ -187,8 +189,8 @@ static const struct turned desk_lamp_turned[] = {
 
 static const struct turned candle_turned[] = {
     {0, 0, BRASS, 5, 3, false, {{70, 0}, {16, 30}, {24, 150}}},
-    {0, 0, LINEN, 4, 2, true, {{15, 151}, {15, 320}}},
-    {0, 0, FLAME, 4, 2, false, {{15, 320}, {0, 400}}},
+    {0, 0, LINEN, 4, 2, true, {{18, 150}, {18, 320}}},
+    {0, 0, FLAME, 4, 2, false, {{18, 320}, {0, 400}}},
 };
 
 static const struct turned jug_turned[] = {
@@ -198,29 +200,29 @@ static const struct turned jug_turned[] = {
 
 static const struct turned bowl_turned[] = {
     {0, 0, POTTERY, 7, 2, false, {{80, 0}, {175, 100}}},
-    {-60, 30, APPLE, 4, 2, false, {{60, 101}, {30, 175}}},
-    {65, 20, LEMON, 4, 2, false, {{58, 101}, {20, 180}}},
-    {0, -80, ORANGE, 4, 2, false, {{60, 101}, {25, 185}}},
+    {-60, 30, APPLE, 4, 2, false, {{60, 100}, {30, 175}}},
+    {65, 20, LEMON, 4, 2, false, {{58, 100}, {20, 180}}},
+    {0, -80, ORANGE, 4, 2, false, {{60, 100}, {25, 185}}},
 };
 
 static const struct turned vase_turned[] = {
     {0, 0, BLUE_CLOTH, 6, 3, false, {{60, 0}, {110, 120}, {45, 320}}},
-    {0, 0, LEAF, 5, 2, false, {{30, 321}, {140, 450}}},
-    {-70, 40, RED_CLOTH, 4, 3, false, {{0, 452}, {75, 520}, {0, 590}}},
-    {70, 0, YELLOW_CLOTH, 4, 3, false, {{0, 452}, {70, 540}, {0, 630}}},
+    {0, 0, LEAF, 5, 2, false, {{30, 320}, {140, 450}}},
+    {-70, 40, RED_CLOTH, 4, 3, false, {{0, 450}, {75, 520}, {0, 590}}},
+    {70, 0, YELLOW_CLOTH, 4, 3, false, {{0, 450}, {70, 540}, {0, 630}}},
 };
 
 static const struct turned pot_plant_turned[] = {
     {0, 0, CLAY, 6, 2, true, {{130, 0}, {205, 320}}},
     {0, 0, EARTH, 6, 1, false, {{205, 320}}},
-    {0, 0, LEAF_DARK, 6, 3, false, {{60, 321}, {270, 520}, {90, 860}}},
-    {0, 0, LEAF, 5, 3, false, {{90, 862}, {190, 900}, {0, 1150}}},
+    {0, 0, LEAF_DARK, 6, 3, true, {{60, 320}, {270, 520}, {90, 860}}},
+    {0, 0, LEAF, 6, 3, false, {{90, 860}, {190, 900}, {0, 1150}}},
 };
 
 static const struct turned tub_tree_turned[] = {
     {0, 0, OAK_PALE, 7, 2, true, {{190, 0}, {240, 400}}},
     {0, 0, EARTH, 7, 1, false, {{240, 400}}},
-    {0, 0, OAK_DARK, 4, 2, true, {{45, 401}, {35, 1010}}},
+    {0, 0, OAK_DARK, 4, 2, true, {{45, 400}, {35, 1010}}},
     {0, 0, LEAF_DARK, 7, 3, true, {{60, 1000}, {360, 1150}, {430, 1400}}},
     {0, 0, LEAF, 7, 3, false, {{430, 1400}, {330, 1700}, {0, 1900}}},
 };
@@ -239,8 +241,8 @@ static const struct turned bottles_turned[] = {
 
 static const struct turned brushes_turned[] = {
     {0, 0, CLAY, 5, 2, false, {{50, 0}, {60, 130}}},
-    {-20, 10, OAK_PALE, 3, 2, false, {{5, 131}, {7, 300}}},
-    {20, -15, RED_CLOTH, 3, 2, false, {{5, 131}, {7, 330}}},
+    {-20, 10, OAK_PALE, 3, 2, false, {{8, 130}, {10, 300}}},
+    {20, -15, RED_CLOTH, 3, 2, false, {{8, 130}, {10, 330}}},
 };
 
 static const struct box paints_boxes[] = {
@@ -270,7 +272,7 @@ static const struct turned plates_turned[] = {
 static const struct box pump_boxes[] = {
     {{-320, 0, -60}, {320, 400, 420}, STONE, STANDING, 0},
     {{-260, 400, 0}, {260, 405, 360}, PAINT_SEA, ~NO_TOP, 0},
-    {{-110, 0, -200}, {110, 1500, -62}, OAK_DARK, STANDING, 0},
+    {{-110, 0, -200}, {110, 1540, -62}, OAK_DARK, STANDING, 0},
     {{-25, 760, -62}, {25, 820, 140}, PEWTER, NO_BACK, 0},
     {{112, 640, -150}, {150, 1260, -110}, PEWTER, 0, 0},
 };
@@ -287,9 +289,8 @@ static const struct turned tree_turned[] = {
 };
 
 static const struct box open_book_boxes[] = {
-    {{-210, 0, -140}, {210, 12, 140}, LEATHER, NO_BOTTOM, 0},
-    {{-200, 12, -130}, {-4, 45, 130}, PAPER, NO_BOTTOM, 12},
-    {{4, 12, -130}, {200, 45, 130}, PAPER, NO_BOTTOM, 12},
+    {{-205, 0, -135}, {0, 45, 135}, PAPER, NO_BOTTOM, 14},
+    {{0, 0, -135}, {205, 45, 135}, PAPER, NO_BOTTOM, 14},
 };
 
 /* A rail with copper pans, for a wall; the frame stands at the rail's middle. */
@@ -305,12 +306,12 @@ static const struct box mirror_boxes[] = {
     {{-200, 60, 0}, {200, 580, 44}, BLUE_PALE, ~NO_FRONT, 0},
 };
 
-static const struct box cat_boxes[] = {{{-15, 0, -330}, {15, 30, -104}, HAIR, NO_FRONT | NO_BOTTOM, 0}};
+static const struct box cat_boxes[] = {{{-22, 0, -330}, {22, 40, -95}, HAIR, NO_FRONT | NO_BOTTOM, 0}};
 static const struct turned cat_turned[] = {
     {0, 0, HAIR, 6, 3, false, {{105, 0}, {112, 70}, {58, 235}}},
-    {0, 20, HAIR, 6, 3, false, {{50, 236}, {76, 275}, {44, 335}}},
-    {-24, 20, HAIR, 4, 2, false, {{18, 336}, {0, 380}}},
-    {24, 20, HAIR, 4, 2, false, {{18, 336}, {0, 380}}},
+    {0, 20, HAIR, 6, 3, false, {{50, 235}, {76, 275}, {44, 335}}},
+    {-22, 20, HAIR, 3, 2, false, {{18, 335}, {0, 385}}},
+    {22, 20, HAIR, 3, 2, false, {{18, 335}, {0, 385}}},
 };
 
 const struct thing things[THINGS] = {
