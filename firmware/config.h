@@ -56,6 +56,9 @@
 /* The walk through the tree serves two orders. */
 #define LIM_HAS_TREE (LIM_HAS_NEAREST || LIM_HAS_PAINTER)
 
+/* Planes off the axes are tried in 32 bits first. One convex solid has too few of them for that to pay. */
+#define LIM_HAS_FILTER (LIM_HAS_TREE && LIM_HAS_SLANTED)
+
 /* Longest side of any target, in pixels: 8..1024. Up to 341 all screen arithmetic fits 32 bits. */
 #ifndef LIM_MAX_SIDE_PX
 #define LIM_MAX_SIDE_PX 1024

@@ -29,22 +29,29 @@ static bool fits_s16(const int32_t at_q8[3], uint8_t shift)
     return true;
 }
 
-void lim_eye_set(struct lim_eye *eye, const struct lim_scene *scene, const int32_t at_q8[3])
+/* What the filter sees of the eye. */
+static void reduce(struct lim_eye *eye)
 {
     uint32_t sum = 0;
 
-    eye->scene = scene;
-    eye->planes = scene->planes;
     eye->shift = 0;
-    while (!fits_s16(at_q8, eye->shift))
+    while (!fits_s16(eye->at_q8, eye->shift))
         eye->shift++;
     for (uint8_t i = 0; i < 3; i++) {
-        eye->at_q8[i] = at_q8[i];
-        eye->reduced[i] = (at_q8[i] >> 8 >> eye->shift);
+        eye->reduced[i] = (eye->at_q8[i] >> 8 >> eye->shift);
         sum += abs_s32(eye->reduced[i]);
     }
     eye->large_slack = LARGE_SLACK_FIXED + (int32_t)((sum + 1) >> 1);
     eye->near_end = eye->shift || eye->large_slack > LIM_PLANE_SLACK ? 0 : LIM_PLANE_X;
+}
+
+void lim_eye_set(struct lim_eye *eye, const struct lim_scene *scene, const int32_t at_q8[3])
+{
+    eye->scene = scene;
+    eye->planes = scene->planes;
+    for (uint8_t i = 0; i < 3; i++)
+        eye->at_q8[i] = at_q8[i];
+    if (LIM_HAS_FILTER) reduce(eye);
 }
 
 /*@ assigns \nothing;

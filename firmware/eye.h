@@ -22,7 +22,7 @@ struct lim_eye {
 void lim_eye_set(struct lim_eye *eye, const struct lim_scene *scene, const int32_t at_q8[3]);
 
 /* The side of a node's plane that is not an axis plane, from anywhere: positive in front, negative behind, 0 exactly
- * on it. The second is for where lim_eye_near_side() cannot tell. */
+ * on it. The second, without a filter, is for where lim_eye_near_side() cannot tell. */
 int32_t lim_eye_far_side(const struct lim_eye *eye, const LIM_FLASH struct lim_node *node);
 int32_t lim_eye_close_side(const struct lim_eye *eye, const LIM_FLASH struct lim_node *node);
 
@@ -66,11 +66,12 @@ static inline int32_t lim_eye_side(const struct lim_eye *eye, const LIM_FLASH st
 {
     const uint16_t at = node->plane;
 
-    if (LIM_HAS_SLANTED && at < eye->near_end) {
+    if (LIM_HAS_FILTER && at < eye->near_end) {
         const int32_t side = lim_eye_near_side(eye, lim_plane_at(eye->planes, at));
         return side ? side : lim_eye_close_side(eye, node);
     }
-    if (LIM_HAS_SLANTED && at < LIM_PLANE_X) return lim_eye_far_side(eye, node);
+    if (LIM_HAS_SLANTED && at < LIM_PLANE_X)
+        return LIM_HAS_FILTER ? lim_eye_far_side(eye, node) : lim_eye_close_side(eye, node);
     return eye->at_q8[at & 3] - (int32_t)node->offset * 256;
 }
 
