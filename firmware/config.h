@@ -53,6 +53,16 @@
 #define LIM_HAS_STATS 1
 #endif
 
+/* 1: reciprocals come from a table of 514 bytes. 0: from two divisions, with the same bits, which cost a vertex a few
+ * instructions. By default the table is left out where a core divides in hardware and -Os asks for small code. */
+#ifndef LIM_RECIP_TABLE
+#if defined(__OPTIMIZE_SIZE__) && (defined(__ARM_FEATURE_IDIV) || defined(__riscv_div) || defined(__x86_64__))
+#define LIM_RECIP_TABLE 0
+#else
+#define LIM_RECIP_TABLE 1
+#endif
+#endif
+
 /* The walk through the tree serves two orders. */
 #define LIM_HAS_TREE (LIM_HAS_NEAREST || LIM_HAS_PAINTER)
 

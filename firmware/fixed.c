@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
  * The reciprocal table of fixed.h: entry i is 2^24 / (256 + i), rounded to nearest; the first,
- * 65536, does not fit 16 bits and is one less. */
+ * 65536, does not fit 16 bits and is one less. Linked if LIM_RECIP_TABLE is 1. */
 #include "fixed.h"
 
 const LIM_FLASH uint16_t lim_recip_table_q16[257] = {

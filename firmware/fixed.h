@@ -108,8 +108,18 @@ static inline int32_t mul_q30(int32_t a_q30, int32_t b_q30)
     return (int32_t)shift_round_s64((int64_t)a_q30 * b_q30, 30);
 }
 
-/* 1/z for z >= 1 as r * 2^(shift - 55), r in 2^23 .. 2^24, where shift = clz(z): table and linear
- * interpolation on the mantissa. */
+/* The table's entry for 256 <= divisor <= 512, by division. */
+/*@ requires 256 <= divisor <= 512;
+    assigns \nothing; */
+static inline uint32_t recip_divided_q16(uint32_t divisor)
+{
+    const uint32_t rounded_q16 = ((UINT32_C(1) << 24) + divisor / 2) / divisor;
+
+    return rounded_q16 - (rounded_q16 >> 16);
+}
+
+/* 1/z for z >= 1 as r * 2^(shift - 55), r in 2^23 .. 2^24, where shift = clz(z): linear interpolation
+ * between the table's entries, or what is divided in their place (LIM_RECIP_TABLE). */
 /*@ requires z >= 1 && \valid(shift) && \separated(shift, lim_recip_table_q16 + (0 .. 256));
     assigns *shift;
     ensures is_clz(z, *shift);
@@ -118,8 +128,9 @@ static inline uint32_t recip_q24(uint32_t z, uint8_t *shift)
 {
     const uint32_t mantissa_q31 = normalise_u32(z, shift);
     const LIM_FLASH uint16_t *entry_q16 = &lim_recip_table_q16[mantissa_q31 << 1 >> 24];
-    const uint32_t fraction_q8 = mantissa_q31 << 9 >> 24;
-    const uint32_t left_q16 = entry_q16[0], fall_q16 = left_q16 - entry_q16[1];
+    const uint32_t divisor = mantissa_q31 >> 23, fraction_q8 = mantissa_q31 << 9 >> 24;
+    const uint32_t left_q16 = LIM_RECIP_TABLE ? entry_q16[0] : recip_divided_q16(divisor);
+    const uint32_t fall_q16 = left_q16 - (LIM_RECIP_TABLE ? entry_q16[1] : recip_divided_q16(divisor + 1));
 
     return (left_q16 << 8) - fall_q16 * fraction_q8;
 }

@@ -56,6 +56,13 @@ static void reciprocal_is_within_1_6_ulp(void **state)
     assert_true(worst < 1.6);
 }
 
+static void the_reciprocals_table_and_divisions_agree(void **state)
+{
+    (void)state;
+    for (uint32_t i = 0; i <= 256; i++)
+        assert_int_equal(recip_divided_q16(256 + i), lim_recip_table_q16[i]);
+}
+
 /* Where limbs carry, borrow or change sign: within two of 0, of every power of two and of both ends. */
 static size_t fill_edge_cases(int32_t cases[static 5 * 33])
 {
@@ -244,6 +251,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(every_helper_is_right_at_its_limits),
         cmocka_unit_test(reciprocal_is_within_1_6_ulp),
+        cmocka_unit_test(the_reciprocals_table_and_divisions_agree),
         cmocka_unit_test(limbs_multiply_like_wide_integers),
         cmocka_unit_test(ratio_is_within_8_units_of_2_31),
         cmocka_unit_test(lerp_rounds_to_nearest_and_meets_its_ends),
