@@ -18,7 +18,7 @@ struct lim_stats {
     uint32_t lines;             /* polygon lines stepped by SPAN */
     uint32_t pixels_painted;    /* pixels written by polygons; nearest first: each pixel at most once */
     uint32_t pixels_background; /* pixels filled with the background */
-    uint32_t bands;             /* extra walks because a pool was exhausted */
+    uint32_t bands;             /* extra walks because a pool was exhausted; convex: faces' lines without room */
     uint16_t retained_cells_max, gaps_max, active_max; /* most used of each pool in one walk */
 };
 

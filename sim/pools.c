@@ -152,6 +152,6 @@ size_t pools_mcu_mem_b(const struct compiled *scene)
 
 size_t pools_mcu_mem_min_b(const struct compiled *scene)
 {
-    if (scene->report.convex) return convex_b(scene, 1);
+    if (scene->report.convex) return convex_b(scene, 0);
     return nearest_b(scene, least_cells(&scene->scene.limits), 1, 1);
 }

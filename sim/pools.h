@@ -23,8 +23,8 @@ enum {
     MCU_GAP_B = 6,
     MCU_ACTIVE_B = 48,
     MCU_TOP_B = 2,
-    MCU_FACE_B = 4,
-    MCU_CROSSING_B = 64, /* and a point for each vertex */
+    MCU_FACE_B = 6,
+    MCU_CROSSING_B = 56, /* and a point for each vertex */
     MCU_HEAD_CELLS = 2,
     MCU_CLIP_PLANES = 5
 };

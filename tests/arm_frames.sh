@@ -1,10 +1,13 @@
 # SPDX-License-Identifier: MIT
 #
-# Frames of the rooms on emulated Cortex-M0 and Cortex-M4 are those of the host, in every precision profile; at -Os
-# Cortex-M4 divides where the others have a table (LIM_RECIP_TABLE).
+# Frames of the rooms, and of a convex solid by its own method, on emulated Cortex-M0 and Cortex-M4 are those of the
+# host, in every precision profile; at -Os Cortex-M4 divides where the others have a table (LIM_RECIP_TABLE).
 # (Suite `cpus` has the other processors and another scene.)
 . tests/tap.sh
 . tests/frames_on.sh
 
 frames_on sim/scenes/rooms 96x64 microbit m4 m4:-Os
+cp sim/scenes/icosahedron.obj "$work/solid.obj"
+cp sim/scenes/teapot.cam "$work/solid.cam"
+frames_on "$work/solid" 96x64 microbit m4 m4:-Os
 tap_done

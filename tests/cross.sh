@@ -58,9 +58,9 @@ compile_variants() { # TARGET: other profiles, other screen coordinates, fewer f
 }
 
 sizes_hold() { # TARGET
-    compile "$1" "$work/sizes.o" tests/targets/sizes.c -DLIM_MAX_SIDE_PX=240 &&
-        compile "$1" "$work/sizes.o" tests/targets/sizes.c -DLIM_MAX_SIDE_PX=480 &&
-        compile "$1" "$work/sizes.o" tests/targets/sizes.c -DLIM_MAX_SIDE_PX=240 -DLIM_PROFILE=LIM_PROFILE_FINE
+    compile "$1" "$work/sizes.o" tests/targets/sizes.c -DLIM_HAS_STATS=0 -DLIM_MAX_SIDE_PX=240 &&
+        compile "$1" "$work/sizes.o" tests/targets/sizes.c -DLIM_HAS_STATS=0 -DLIM_MAX_SIDE_PX=480 &&
+        compile "$1" "$work/sizes.o" tests/targets/sizes.c -DLIM_HAS_STATS=0 -DLIM_MAX_SIDE_PX=240 -DLIM_PROFILE=LIM_PROFILE_FINE
 }
 
 # Integer support of libgcc, by the ABI's names: arithmetic on 8 to 64 bits (no sf, df: those are

@@ -119,7 +119,7 @@ static void put_frame(uint16_t frame)
 
 int main(void)
 {
-    const struct lim_target target = {CAMERAS_W_PX, CAMERAS_H_PX, LIM_RGB565, LIM_NEAREST_FIRST, &screen, lend, done};
+    const struct lim_target target = {CAMERAS_W_PX, CAMERAS_H_PX, LIM_RGB565, MODEL_SCENE_METHOD, &screen, lend, done};
     int err = lim_init(&lim, &model_scene, &target, mem, sizeof mem);
 
     for (uint16_t frame = 0; frame < CAMERAS_COUNT && !err; frame++) {
