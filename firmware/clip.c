@@ -8,71 +8,62 @@
 
 #include "fixed.h"
 
-enum clip_plane { CLIP_NEAR, CLIP_LEFT, CLIP_RIGHT, CLIP_TOP, CLIP_BOTTOM };
+/* The near plane is 0; x has planes 1 and 2, y 3 and 4, to the left or top and to the right or bottom. */
+struct clip_plane {
+    uint_fast8_t number;
+    int32_t near_qv;
+};
 
 /* Inside where >= 0. */
-static int32_t distance(enum clip_plane plane, const struct lim_view_point *p, int32_t near_qv)
+static LIM_RARE int32_t distance(const struct lim_view_point *p, const struct clip_plane *plane)
 {
     const int32_t half_z = p->z_qv >> 1;
 
-    switch (plane) {
-    case CLIP_NEAR:
-        return half_z - (near_qv >> 1);
-    case CLIP_LEFT:
-        return half_z + (p->x_qv >> 2);
-    case CLIP_RIGHT:
-        return half_z - (p->x_qv >> 2);
-    case CLIP_TOP:
-        return half_z + (p->y_qv >> 2);
-    default:
-        return half_z - (p->y_qv >> 2);
+    if (!plane->number) return half_z - (plane->near_qv >> 1);
+    const int32_t quarter = p->qv[(plane->number - 1) >> 1] >> 2;
+    return plane->number & 1 ? half_z + quarter : half_z - quarter;
+}
+
+/* 1 or 0. */
+static uint32_t is_outside(const struct lim_view_point *p, const struct clip_plane *plane)
+{
+    return (uint32_t)distance(p, plane) >> 31;
+}
+
+static LIM_RARE void cut(struct lim_view_point *out, const struct lim_view_point *inner,
+                         const struct lim_view_point *outer, const struct clip_plane *plane)
+{
+    const uint32_t inner_d = (uint32_t)distance(inner, plane), outer_d = (uint32_t)distance(outer, plane);
+    const uint32_t t_q31 = ratio_q31(inner_d, inner_d - outer_d);
+
+    for (uint_fast8_t i = 0; i < 3; i++)
+        out->qv[i] = lerp_q31(inner->qv[i], outer->qv[i], t_q31);
+}
+
+/* `outside` of the n vertices are. Returns how many `to` receives. */
+static uint_fast8_t clip_plane(const struct lim_view_point *from, uint_fast8_t n, struct lim_view_point *to,
+                               const struct clip_plane *plane, uint32_t outside)
+{
+    const struct lim_view_point *here = &from[n - 1];
+    uint32_t outer = is_outside(here - 1, plane) << 1 | is_outside(here, plane); /* a bit a vertex */
+    uint_fast8_t put = 0;
+
+    for (uint_fast8_t k = 0; k < n; k++, here = from++) {
+        outer = outer << 1 | is_outside(from, plane);
+        const bool leaves = (outer & 3) == 1, enters = (outer & 3) == 2, alone = !(outer & 4) && outside > 1;
+        if (leaves) cut(&to[put++], here, from, plane);
+        if (enters && !alone) cut(&to[put++], from, here, plane);
+        if (!(outer & 1)) to[put++] = *from;
     }
+    return put < 3 ? 0 : put;
 }
 
-static struct lim_view_point cut(const struct lim_view_point *inner, int32_t inner_d,
-                                 const struct lim_view_point *outer, int32_t outer_d)
+static uint32_t count_outside(const struct lim_view_point *at, uint_fast8_t n, const struct clip_plane *plane)
 {
-    const uint32_t t_q31 = ratio_q31((uint32_t)inner_d, (uint32_t)inner_d - (uint32_t)outer_d);
+    uint32_t outside = 0;
 
-    return (struct lim_view_point){lerp_q31(inner->x_qv, outer->x_qv, t_q31), lerp_q31(inner->y_qv, outer->y_qv, t_q31),
-                                   lerp_q31(inner->z_qv, outer->z_qv, t_q31)};
-}
-
-static void append(struct lim_clip_polygon *polygon, struct lim_view_point point)
-{
-    LIM_ASSERT(polygon->n < CLIP_MAX_VERTICES);
-    polygon->at[polygon->n++] = point;
-}
-
-/* from -> to, which may not be the same polygon; `outside` of from's vertices are. */
-static void clip_plane(const struct lim_clip_polygon *from, struct lim_clip_polygon *to, enum clip_plane plane,
-                       int32_t near_qv, uint8_t outside)
-{
-    const struct lim_view_point *here = &from->at[from->n - 1];
-    int32_t before_d = distance(plane, &from->at[from->n - 2], near_qv), here_d = distance(plane, here, near_qv);
-
-    to->n = 0;
-    for (uint8_t k = 0; k < from->n; k++) {
-        const struct lim_view_point *next = &from->at[k];
-        const int32_t next_d = distance(plane, next, near_qv);
-
-        if (here_d >= 0 && next_d < 0) append(to, cut(here, here_d, next, next_d));
-        const bool alone = before_d >= 0 && outside > 1;
-        if (here_d < 0 && next_d >= 0 && !alone) append(to, cut(next, next_d, here, here_d));
-        if (next_d >= 0) append(to, *next);
-        here = next;
-        before_d = here_d;
-        here_d = next_d;
-    }
-    if (to->n < 3) to->n = 0;
-}
-
-static uint8_t count_outside(const struct lim_clip_polygon *polygon, enum clip_plane plane, int32_t near_qv)
-{
-    uint8_t outside = 0;
-
-    for (uint8_t k = 0; k < polygon->n; k++)
-        outside = (uint8_t)(outside + (distance(plane, &polygon->at[k], near_qv) < 0));
+    for (; n > 0; n--)
+        outside += is_outside(at++, plane);
     return outside;
 }
 
@@ -85,21 +76,25 @@ static int32_t clamp_s32(int32_t x, int32_t limit)
 static void settle(struct lim_view_point *point, int32_t near_qv)
 {
     if (point->z_qv < near_qv) point->z_qv = near_qv;
-    const int32_t band_qv = point->z_qv > INT32_MAX / 2 ? INT32_MAX : 2 * point->z_qv;
-    point->x_qv = clamp_s32(point->x_qv, band_qv);
-    point->y_qv = clamp_s32(point->y_qv, band_qv);
+    if (point->z_qv > INT32_MAX / 2) return;
+    point->x_qv = clamp_s32(point->x_qv, 2 * point->z_qv);
+    point->y_qv = clamp_s32(point->y_qv, 2 * point->z_qv);
 }
 
-void lim_clip(struct lim_clip_polygon *polygon, int32_t near_qv)
+struct lim_clip_polygon *lim_clip(struct lim_clip_polygon polygons[2], int32_t near_qv)
 {
-    struct lim_clip_polygon cut_polygon;
+    struct lim_clip_polygon *polygon = &polygons[0], *other = &polygons[1];
 
-    for (uint8_t plane = 0; plane < CLIP_PLANES && polygon->n; plane++) {
-        const uint8_t outside = count_outside(polygon, (enum clip_plane)plane, near_qv);
+    for (struct clip_plane plane = {0, near_qv}; plane.number < CLIP_PLANES; plane.number++) {
+        const uint32_t outside = count_outside(polygon->at, polygon->n, &plane);
         if (!outside) continue;
-        clip_plane(polygon, &cut_polygon, (enum clip_plane)plane, near_qv, outside);
-        *polygon = cut_polygon;
+        other->n = (uint8_t)clip_plane(polygon->at, polygon->n, other->at, &plane, outside);
+        LIM_ASSERT(other->n <= CLIP_MAX_VERTICES);
+        struct lim_clip_polygon *const clipped = other;
+        other = polygon;
+        polygon = clipped;
     }
-    for (uint8_t k = 0; k < polygon->n; k++)
+    for (uint_fast8_t k = 0; k < polygon->n; k++)
         settle(&polygon->at[k], near_qv);
+    return polygon;
 }

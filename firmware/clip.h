@@ -15,7 +15,8 @@ struct lim_clip_polygon {
     struct lim_view_point at[CLIP_MAX_VERTICES];
 };
 
-/* In place. Every point that is left has near <= z and |x|, |y| <= 2z. */
-void lim_clip(struct lim_clip_polygon *polygon, int32_t near_qv);
+/* polygons[0] is clipped, in two places by turns; returns the one with the result. Every point that is left has
+ * near <= z and |x|, |y| <= 2z. */
+struct lim_clip_polygon *lim_clip(struct lim_clip_polygon polygons[2], int32_t near_qv);
 
 #endif

@@ -228,9 +228,9 @@ static inline uint32_t ratio_q31(uint32_t num, uint32_t den)
 {
     uint8_t n;
     const uint32_t recip_q31 = recip_q31_of(den, &n);
-    const uint64_t ratio = ((uint64_t)(num << n) * recip_q31) >> 31;
+    const uint32_t ratio_q31 = (uint32_t)(((uint64_t)(num << n) * recip_q31) >> 31);
 
-    return ratio > UINT32_C(1) << 31 ? UINT32_C(1) << 31 : (uint32_t)ratio;
+    return ratio_q31 > UINT32_C(1) << 31 ? UINT32_C(1) << 31 : ratio_q31;
 }
 
 /* a + (b - a) * t, rounded to nearest, for t in 0..1. */

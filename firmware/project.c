@@ -9,15 +9,15 @@
 static void clip_and_project(struct lim_screen_polygon *out, const struct lim_view *view, const struct lim_scene *scene,
                              const LIM_FLASH uint16_t *corners)
 {
-    struct lim_clip_polygon clipped;
+    struct lim_clip_polygon polygons[2];
 
-    clipped.n = out->n;
+    polygons[0].n = out->n;
     for (uint8_t k = 0; k < out->n; k++)
-        lim_view_transform(view, scene, &scene->vertices[corners[k]], &clipped.at[k]);
-    lim_clip(&clipped, view->rows.near_qv);
-    out->n = clipped.n;
+        lim_view_transform(view, scene, &scene->vertices[corners[k]], &polygons[0].at[k]);
+    const struct lim_clip_polygon *clipped = lim_clip(polygons, view->rows.near_qv);
+    out->n = clipped->n;
     for (uint8_t k = 0; k < out->n; k++)
-        lim_view_project(view, &clipped.at[k], &out->at[k]);
+        lim_view_project(view, &clipped->at[k], &out->at[k]);
 }
 
 static bool meets(const struct lim_edge_shape *shape, const struct lim_rect *open)

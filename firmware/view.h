@@ -14,8 +14,14 @@
 
 enum { LIM_VIEW_CACHE_ENTRIES = 64 }; /* a power of two */
 
+/* |coordinate| < 2^31. */
 struct lim_view_point {
-    int32_t x_qv, y_qv, z_qv; /* |value| < 2^31 */
+    union {
+        struct {
+            int32_t x_qv, y_qv, z_qv;
+        };
+        int32_t qv[3]; /* the same */
+    };
 };
 
 /* Where a vertex lies outside: bits 0..4 against what is visible, GUARD against the guard band
