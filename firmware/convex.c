@@ -93,8 +93,8 @@ static void advance(struct lim_crossing *crossing, int16_t y)
 {
     struct lim_edge_pair *pair = &crossing->pair;
 
-    if (pair->left_end > y) lim_edge_step(&pair->left);
-    if (pair->right_end > y) lim_edge_step(&pair->right);
+    if (pair->left.end > y) lim_edge_step(&pair->left);
+    if (pair->right.end > y) lim_edge_step(&pair->right);
     (void)lim_edge_turn(pair, crossing->polygon.at, crossing->polygon.n, y);
 }
 

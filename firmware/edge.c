@@ -68,100 +68,85 @@ static void edge_set(struct lim_edge *edge, struct lim_point a, struct lim_point
     edge->step_error = rest;
 }
 
-/* The left boundary runs forward through the vertices, the right one backward. */
-static void turn_left(struct lim_edge_pair *pair, const struct lim_point *at, uint8_t n, int16_t y)
+/* The next edge of a boundary that goes on below line y. The left boundary runs forward through the vertices, the right
+ * one backward: `step` is 1 or n - 1. */
+static void turn(struct lim_edge *edge, const struct lim_point *at, uint8_t n, uint8_t step, int16_t y)
 {
-    uint8_t from, to = pair->left_at;
+    uint_fast16_t from, to = edge->to;
     int16_t end;
 
     do {
         from = to;
-        to = (uint8_t)(to + 1 == n ? 0 : to + 1);
+        to += step;
+        if (to >= n) to -= n;
         end = line_of(at[to].y);
     } while (end <= y);
-    edge_set(&pair->left, at[from], at[to], y, end);
-    pair->left_at = to;
-    pair->left_end = end;
-}
-
-static void turn_right(struct lim_edge_pair *pair, const struct lim_point *at, uint8_t n, int16_t y)
-{
-    uint8_t from, to = pair->right_at;
-    int16_t end;
-
-    do {
-        from = to;
-        to = (uint8_t)(to == 0 ? n - 1 : to - 1);
-        end = line_of(at[to].y);
-    } while (end <= y);
-    edge_set(&pair->right, at[from], at[to], y, end);
-    pair->right_at = to;
-    pair->right_end = end;
-}
-
-static int16_t next_turn(const struct lim_edge_pair *pair)
-{
-    return pair->left_end < pair->right_end ? pair->left_end : pair->right_end;
+    edge_set(edge, at[from], at[to], y, end);
+    edge->to = (uint8_t)to;
+    edge->end = end;
 }
 
 void lim_edge_begin(struct lim_edge_pair *pair, const struct lim_point *at, uint8_t n, uint8_t first, int16_t y)
 {
-    pair->left_at = first;
-    pair->right_at = first;
-    turn_left(pair, at, n, y);
-    turn_right(pair, at, n, y);
+    pair->left.to = pair->right.to = first;
+    pair->left.end = pair->right.end = y;
+    (void)lim_edge_turn(pair, at, n, y);
 }
 
 int16_t lim_edge_turn(struct lim_edge_pair *pair, const struct lim_point *at, uint8_t n, int16_t y)
 {
-    if (pair->left_end <= y) turn_left(pair, at, n, y);
-    if (pair->right_end <= y) turn_right(pair, at, n, y);
-    return next_turn(pair);
+    if (pair->left.end <= y) turn(&pair->left, at, n, 1, y);
+    if (pair->right.end <= y) turn(&pair->right, at, n, (uint8_t)(n - 1), y);
+    return pair->left.end < pair->right.end ? pair->left.end : pair->right.end;
+}
+
+/* line_of() from the origin: what two of them have between them is the same. */
+static int32_t row_of(lim_sub y)
+{
+    return (y + (LIM_SUB - 1)) >> LIM_SUB_BITS;
 }
 
 /* A folded polygon has more than one local extreme of either kind. Where the extra ones lie near
  * its top, a fan from the bottom sees every other corner, and the other way round. */
-static uint8_t choose_apex(const struct lim_point *at, uint8_t n, uint8_t top_at, uint8_t bottom_at)
+static LIM_RARE uint8_t choose_apex(const struct lim_point *at, uint8_t n, uint8_t top_at, int32_t bottom)
 {
-    int16_t highest_bottom = INT16_MAX, lowest_top = INT16_MIN;
+    const int32_t top = row_of(at[top_at].y);
+    int32_t highest_bottom = bottom, lowest_top = top, after = row_of(at[0].y), here = row_of(at[n - 1].y);
+    uint8_t bottom_at = 0;
 
-    for (uint8_t k = 0; k < n; k++) {
-        const int16_t before = line_of(at[k == 0 ? n - 1 : k - 1].y), here = line_of(at[k].y);
-        const int16_t after = line_of(at[k + 1 == n ? 0 : k + 1].y);
+    for (uint8_t k = n; k-- > 0;) {
+        const int32_t before = row_of(at[k ? k - 1 : n - 1].y);
         if (here >= before && here >= after && here < highest_bottom) highest_bottom = here;
         if (here <= before && here <= after && here > lowest_top) lowest_top = here;
+        if (here == bottom) bottom_at = k;
+        after = here;
+        here = before;
     }
-    const int16_t top = line_of(at[top_at].y), bottom = line_of(at[bottom_at].y);
     return highest_bottom - top < bottom - lowest_top ? bottom_at : top_at;
 }
 
-/* The boundary's direction, down (1) or up (-1), changes twice on a plain polygon, once around. */
+/* A plain polygon's boundary goes from its top to its bottom and back; what goes farther is folded. */
 void lim_edge_measure(struct lim_edge_shape *shape, const struct lim_point *at, uint8_t n)
 {
-    int8_t first_direction = 0, direction = 0;
-    uint8_t turns = 0, top_at = 0, bottom_at = 0;
-    int16_t before = line_of(at[n - 1].y), top = INT16_MAX, bottom = INT16_MIN;
-    lim_sub left = at[0].x, right = at[0].x;
+    int32_t before = row_of(at[n - 1].y), top = INT32_MAX, bottom = INT32_MIN, left = INT32_MAX, right = INT32_MIN,
+            way = 0;
+    uint8_t top_at = 0;
 
     for (uint8_t k = 0; k < n; k++) {
-        const int16_t line = line_of(at[k].y);
-        const int8_t now = (int8_t)((line > before) - (line < before));
+        const int32_t x = at[k].x, row = row_of(at[k].y);
 
-        if (now && direction && now != direction) turns++;
-        if (now && !direction) first_direction = now;
-        if (now) direction = now;
-        if (line < top) top = line, top_at = k;
-        if (line > bottom) bottom = line, bottom_at = k;
-        if (at[k].x < left) left = at[k].x;
-        if (at[k].x > right) right = at[k].x;
-        before = line;
+        way += row > before ? row - before : before - row;
+        if (row < top) top = row, top_at = k;
+        if (row > bottom) bottom = row;
+        if (x < left) left = x;
+        if (x > right) right = x;
+        before = row;
     }
-    turns = (uint8_t)(turns + (direction != first_direction));
-    shape->top = top;
-    shape->bottom = bottom;
-    shape->left = line_of(left);
-    shape->right = line_of(right);
+    shape->top = (int16_t)(top + LIM_ORIGIN_PX);
+    shape->bottom = (int16_t)(bottom + LIM_ORIGIN_PX);
+    shape->left = line_of((lim_sub)left);
+    shape->right = line_of((lim_sub)right);
     shape->first = top_at;
-    shape->folded = turns > 2;
-    shape->apex = shape->folded ? choose_apex(at, n, top_at, bottom_at) : 0;
+    shape->folded = way > 2 * (bottom - top);
+    if (shape->folded) shape->apex = choose_apex(at, n, top_at, bottom);
 }

@@ -17,13 +17,13 @@ struct lim_edge {
     int32_t step_error;  /* what a line adds to it, 0 .. denominator-1 */
     int32_t denominator; /* lines from end to end, in sub-pixels */
     int16_t x, step_x;
+    int16_t end; /* the line on which it hands over to the next edge */
+    uint8_t to;  /* the vertex at which it ends */
 };
 
 /* Both boundaries of a polygon, on their way down. */
 struct lim_edge_pair {
     struct lim_edge left, right;
-    int16_t left_end, right_end; /* the line on which each edge hands over to the next one */
-    uint8_t left_at, right_at;   /* the vertex at which each edge ends */
 };
 
 /* What a polygon looks like to EDGE; lines are relative to nothing: line y is screen line y. */
@@ -31,7 +31,7 @@ struct lim_edge_shape {
     int16_t top, bottom; /* lines top <= y < bottom; may lie outside of the screen */
     int16_t left, right; /* pixels left <= x < right, likewise */
     uint8_t first;       /* a vertex on the top line */
-    uint8_t apex;        /* from which a fan of triangles covers a folded polygon */
+    uint8_t apex;        /* if folded: from which a fan of triangles covers the polygon */
     bool folded;         /* its boundary turns more than twice: rounding bent it */
 };
 

@@ -32,8 +32,8 @@ static enum lim_span_result close_lines(struct lim_spans *spans, const struct li
             lim_edge_step(&pair.left);
             lim_edge_step(&pair.right);
         }
-        if (pair.left_end > turn) lim_edge_step(&pair.left);
-        if (pair.right_end > turn) lim_edge_step(&pair.right);
+        if (pair.left.end > turn) lim_edge_step(&pair.left);
+        if (pair.right.end > turn) lim_edge_step(&pair.right);
     }
     return result & LIM_SPAN_EXHAUSTED ? LIM_SPAN_EXHAUSTED : (enum lim_span_result)result;
 }

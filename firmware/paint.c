@@ -73,8 +73,8 @@ static void paint_piece(void *ctx, uint16_t x0, uint16_t x1)
 static bool advance(struct lim_active *active, const union lim_retained_cell *cells, int16_t y)
 {
     if (y >= (int16_t)cells[1].look.bottom) return false;
-    if (active->pair.left_end > y) lim_edge_step(&active->pair.left);
-    if (active->pair.right_end > y) lim_edge_step(&active->pair.right);
+    if (active->pair.left.end > y) lim_edge_step(&active->pair.left);
+    if (active->pair.right.end > y) lim_edge_step(&active->pair.right);
     if (y >= active->turn) turn(active, cells, y);
     return true;
 }

@@ -57,8 +57,8 @@ static int paint_plain(struct lim *lim, const struct lim_screen_polygon *polygon
         const int err = fill_clamped(lim, y, pair.left.x, pair.right.x, polygon->colour);
         if (err) return err;
         if (++y == bottom) return 0;
-        if (pair.left_end > y) lim_edge_step(&pair.left);
-        if (pair.right_end > y) lim_edge_step(&pair.right);
+        if (pair.left.end > y) lim_edge_step(&pair.left);
+        if (pair.right.end > y) lim_edge_step(&pair.right);
         (void)lim_edge_turn(&pair, polygon->at, polygon->n, y);
     }
 }

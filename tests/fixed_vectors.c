@@ -303,8 +303,8 @@ static int64_t random_edges(uint32_t *random)
     for (int16_t y = shape.top;;) {
         hash = hash_s64(hash, (int64_t)pair.left.x * 4096 + pair.right.x);
         if (++y >= shape.bottom) return hash;
-        if (pair.left_end > y) lim_edge_step(&pair.left);
-        if (pair.right_end > y) lim_edge_step(&pair.right);
+        if (pair.left.end > y) lim_edge_step(&pair.left);
+        if (pair.right.end > y) lim_edge_step(&pair.right);
         (void)lim_edge_turn(&pair, at, 3, y);
     }
 }

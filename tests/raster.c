@@ -27,8 +27,8 @@ static void add_plain(struct coverage *coverage, const struct lim_edge_shape *sh
     for (int16_t y = shape->top;;) {
         add_interval(coverage, y, pair.left.x, pair.right.x);
         if (++y >= shape->bottom) return;
-        if (pair.left_end > y) lim_edge_step(&pair.left);
-        if (pair.right_end > y) lim_edge_step(&pair.right);
+        if (pair.left.end > y) lim_edge_step(&pair.left);
+        if (pair.right.end > y) lim_edge_step(&pair.right);
         (void)lim_edge_turn(&pair, at, n, y);
     }
 }
