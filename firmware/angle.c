@@ -18,13 +18,13 @@ static const LIM_FLASH int32_t series_q30[SERIES_TERMS] = {1686629713, -69359866
     ensures 0 <= \result <= 1073741824; */
 static int32_t quarter_sin_q30(int32_t t_q30)
 {
-    const int32_t square_q30 = mul_q30(t_q30, t_q30);
+    const int32_t square_q30 = lim_mul_q30(t_q30, t_q30);
     int32_t sum_q30 = 0;
 
     //@ loop pragma UNROLL "completely", 9;
     for (uint8_t k = SERIES_TERMS; k-- > 0;)
-        sum_q30 = mul_q30(sum_q30, square_q30) + series_q30[k];
-    const int32_t sine_q30 = mul_q30(sum_q30, t_q30);
+        sum_q30 = lim_mul_q30(sum_q30, square_q30) + series_q30[k];
+    const int32_t sine_q30 = lim_mul_q30(sum_q30, t_q30);
     return sine_q30 > INT32_C(1) << 30 ? INT32_C(1) << 30 : sine_q30; /* rounding exceeds it by 1 */
 }
 

@@ -103,10 +103,7 @@ static inline int64_t shift_round_s64(int64_t x, uint8_t bits)
     ensures a_q30 <= 0 ==> a_q30 <= \result <= -a_q30;
     ensures 0 <= b_q30 && 0 <= a_q30 ==> 0 <= \result;
     ensures 0 <= b_q30 && a_q30 <= 0 ==> \result <= 0; */
-static inline int32_t mul_q30(int32_t a_q30, int32_t b_q30)
-{
-    return (int32_t)shift_round_s64((int64_t)a_q30 * b_q30, 30);
-}
+int32_t lim_mul_q30(int32_t a_q30, int32_t b_q30);
 
 /* The table's entry for 256 <= divisor <= 512, by division. */
 /*@ requires 256 <= divisor <= 512;

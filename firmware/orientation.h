@@ -6,12 +6,8 @@
 
 #include "camera.h"
 
-/* The camera's axes in the scene's, unit vectors within 8 units of 2^-30 a component: to the right, down
- * and ahead, in the order in which view space has them. */
-struct lim_orientation {
-    int32_t right_q30[3], down_q30[3], ahead_q30[3];
-};
-
-void lim_orientation_set(struct lim_orientation *orientation, const struct lim_camera *camera);
+/* The camera's axes in the scene's, one after the other, unit vectors within 8 units of 2^-30 a component: to the
+ * right, down and ahead, in the order in which view space has them. */
+void lim_orientation_set(int32_t axes_q30[9], const struct lim_camera *camera);
 
 #endif

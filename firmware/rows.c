@@ -14,16 +14,16 @@
 
 enum { SCALE_MAX = 32767, SCALES = LIM_HAS_LIMBS ? 1 : 32 };
 
-/* The matrix before rounding, and the box that holds the scene. */
+/* The matrix before rounding, and where the eye is beside the box that holds the scene. */
 struct lens {
-    int32_t entries_q30[3][3]; /* rows of length <= 1 */
-    int32_t low_q8[3], high_q8[3];
+    int32_t entries_q30[9]; /* rows of length <= 1 */
+    int32_t anchor_q8[3];   /* the point of the box that is nearest to the eye */
     const int32_t *eye_q8;
 };
 
 static bool in_range(const struct lim_camera *camera)
 {
-    for (uint8_t i = 0; i < 3; i++) {
+    for (uint_fast8_t i = 0; i < 3; i++) {
         if (camera->eye_q8[i] <= -LIM_EYE_MAX_Q8 || camera->eye_q8[i] >= LIM_EYE_MAX_Q8) return false;
     }
     return camera->tan_x_q28 >= LIM_TAN_MIN_Q28 && camera->tan_x_q28 <= LIM_TAN_MAX_Q28 &&
@@ -46,7 +46,7 @@ static uint32_t quotient_q30(uint32_t a, uint32_t b)
 {
     uint32_t ratio_q30 = a == b, rest = a == b ? 0 : a;
 
-    for (uint8_t i = 0; i < 30; i++) {
+    for (uint_fast8_t i = 0; i < 30; i++) {
         rest <<= 1;
         ratio_q30 <<= 1;
         if (rest < b) continue;
@@ -56,52 +56,47 @@ static uint32_t quotient_q30(uint32_t a, uint32_t b)
     return ratio_q30;
 }
 
-static void scale_axis(int32_t row_q30[3], const int32_t axis_q30[3], uint32_t scale_q30)
+static void scale_row(int32_t row_q30[3], uint32_t scale_q30)
 {
-    for (uint8_t i = 0; i < 3; i++)
-        row_q30[i] = mul_q30(axis_q30[i], (int32_t)scale_q30);
+    for (uint_fast8_t i = 0; i < 3; i++)
+        row_q30[i] = lim_mul_q30(row_q30[i], (int32_t)scale_q30);
 }
 
-static void set_entries(struct lens *lens, const struct lim_camera *camera, uint32_t zoom_q28, uint8_t tele_bits)
+static void set_entries(int32_t entries_q30[9], const struct lim_camera *camera, uint32_t zoom_q28, uint8_t tele_bits)
 {
-    struct lim_orientation look;
-
-    lim_orientation_set(&look, camera);
-    scale_axis(lens->entries_q30[0], look.right_q30, quotient_q30(zoom_q28, camera->tan_x_q28));
-    scale_axis(lens->entries_q30[1], look.down_q30, quotient_q30(zoom_q28, camera->tan_y_q28));
-    scale_axis(lens->entries_q30[2], look.ahead_q30, zoom_q28 << 2 << tele_bits);
+    lim_orientation_set(entries_q30, camera);
+    scale_row(entries_q30, quotient_q30(zoom_q28, camera->tan_x_q28));
+    scale_row(entries_q30 + 3, quotient_q30(zoom_q28, camera->tan_y_q28));
+    scale_row(entries_q30 + 6, zoom_q28 << 2 << tele_bits);
 }
 
-/* The root's box; a scene too small to have one gets the whole grid. */
-static void set_box(struct lens *lens, const struct lim_scene *scene)
+/* The root's; a scene too small to have one gets the whole grid. */
+static const LIM_FLASH struct lim_box *box_of(const struct lim_scene *scene)
 {
+    static const LIM_FLASH struct lim_box grid = {{0, 0, 0}, {32768, 32768, 32768}};
     const uint16_t root = scene->node_count ? scene->nodes[0].box : LIM_NONE;
 
-    for (uint8_t i = 0; i < 3; i++) {
-        const int32_t centre = root == LIM_NONE ? 0 : scene->boxes[root].centre[i];
-        const int32_t half = root == LIM_NONE ? 32768 : (int32_t)scene->boxes[root].half[i];
-        lens->low_q8[i] = (centre - half) * 256;
-        lens->high_q8[i] = (centre + half) * 256;
-    }
+    return root == LIM_NONE ? &grid : &scene->boxes[root];
 }
 
-/* Not below the distance of the box's farthest corner. For a >= b >= c >= 0 the length of (a, b, c) is at
- * most a + (sqrt(2) - 1) b + (sqrt(3) - sqrt(2)) c: lengths are convex, and the two agree along the edges
- * (1, 0, 0), (1, 1, 0) and (1, 1, 1) of that wedge. 107/256 and 82/256 are a little more. */
-static uint32_t far_units_of(const struct lens *lens)
+/* Sets the anchor. Returns what is not below the distance of the box's farthest corner. For a >= b >= c >= 0 the length
+ * of (a, b, c) is at most a + (sqrt(2) - 1) b + (sqrt(3) - sqrt(2)) c: lengths are convex, and the two agree along the
+ * edges (1, 0, 0), (1, 1, 0) and (1, 1, 1) of that wedge. 107/256 and 82/256 are a little more. */
+static uint32_t set_anchor(struct lens *lens, const LIM_FLASH struct lim_box *box)
 {
-    uint32_t side[3];
+    uint32_t longest = 0, shortest = UINT32_MAX, sum = 0;
 
-    for (uint8_t i = 0; i < 3; i++) {
-        const int32_t below_q8 = lens->eye_q8[i] - lens->low_q8[i], above_q8 = lens->high_q8[i] - lens->eye_q8[i];
-        side[i] = (uint32_t)((below_q8 > above_q8 ? below_q8 : above_q8) >> 8) + 1;
-        for (uint8_t k = i; k > 0 && side[k] > side[k - 1]; k--) {
-            const uint32_t smaller = side[k - 1];
-            side[k - 1] = side[k];
-            side[k] = smaller;
-        }
+    for (uint_fast8_t i = 0; i < 3; i++) {
+        const int32_t low_q8 = (box->centre[i] - (int32_t)box->half[i]) * 256;
+        const int32_t high_q8 = (box->centre[i] + (int32_t)box->half[i]) * 256;
+        const int32_t eye_q8 = lens->eye_q8[i], below_q8 = eye_q8 - low_q8, above_q8 = high_q8 - eye_q8;
+        const uint32_t side = (uint32_t)((below_q8 > above_q8 ? below_q8 : above_q8) >> 8) + 1;
+        lens->anchor_q8[i] = below_q8 < 0 ? low_q8 : above_q8 < 0 ? high_q8 : eye_q8;
+        sum += side;
+        if (side > longest) longest = side;
+        if (side < shortest) shortest = side;
     }
-    return side[0] + (side[1] * 107 + side[2] * 82) / 256 + 1;
+    return longest + ((sum - longest - shortest) * 107 + shortest * 82) / 256 + 1;
 }
 
 /* How far rounding moves the entries at this scale: the sum of squares, in units of 2^-26. An entry counts
@@ -110,13 +105,10 @@ static uint32_t rounding_at(const struct lens *lens, uint32_t scale, uint8_t tel
 {
     uint32_t sum_q26 = 0;
 
-    for (uint8_t row = 0; row < 3; row++) {
-        const uint8_t dropped = (uint8_t)(19 + (row == 2 ? tele_bits : 0));
-        for (uint8_t i = 0; i < 3; i++) {
-            const uint32_t rest_q32 = (uint32_t)lens->entries_q30[row][i] * scale * 4; /* entry * scale, modulo 1 */
-            const int32_t rest_q13 = (int32_t)rest_q32 >> dropped;
-            sum_q26 += (uint32_t)(rest_q13 * rest_q13);
-        }
+    for (uint_fast8_t i = 0; i < 9; i++) {
+        const uint32_t rest_q32 = (uint32_t)lens->entries_q30[i] * scale * 4; /* entry * scale, modulo 1 */
+        const int32_t rest_q13 = (int32_t)rest_q32 >> (i < 6 ? 19 : 19 + tele_bits);
+        sum_q26 += (uint32_t)(rest_q13 * rest_q13);
     }
     return sum_q26;
 }
@@ -136,22 +128,14 @@ static uint32_t choose_scale(const struct lens *lens, uint32_t far_units, uint8_
     return best;
 }
 
-/* The point of the box that is nearest to the eye. */
-static int32_t anchor_q8_of(const struct lens *lens, uint8_t i)
-{
-    const int32_t eye_q8 = lens->eye_q8[i];
-
-    return eye_q8 < lens->low_q8[i] ? lens->low_q8[i] : eye_q8 > lens->high_q8[i] ? lens->high_q8[i] : eye_q8;
-}
-
 /* The entries n are a little off from the true row N. N (v - eye) is taken as n (v - anchor) + N (anchor -
  * eye): the error is (n - N) (v - anchor), which vanishes towards the vertices nearest to the eye. */
-static void set_row(struct lim_row *row, const struct lens *lens, const int32_t entries_q30[3], uint32_t scale)
+static void set_row(struct lim_row *row, const struct lens *lens, const int32_t entries_q30[3], int32_t scale)
 {
     int64_t inside_qv8 = 0, inside_qv23 = 0, outside_q38 = 0;
 
-    for (uint8_t i = 0; i < 3; i++) {
-        const int32_t anchor_q8 = anchor_q8_of(lens, i);
+    for (uint_fast8_t i = 0; i < 3; i++) {
+        const int32_t anchor_q8 = lens->anchor_q8[i];
         const int64_t entry_qv30 = (int64_t)entries_q30[i] * scale;
         row->n_qv[i] = (int16_t)shift_round_s64(entry_qv30, 30);
         inside_qv8 -= (int64_t)row->n_qv[i] * anchor_q8;
@@ -168,29 +152,30 @@ static void set_row(struct lim_row *row, const struct lens *lens, const int32_t 
     row->shift_qv = (int32_t)shift_round_s64(inside_qv8 + shift_round_s64(inside_qv23 + outside_qv23, 15), 8);
 }
 
-/* z must have some bits to divide by: camera.h says what that is in units. */
+/* z must have some bits to divide by: camera.h says what that is in units. near < 2^24 + 1, zoom <= 2^28 and scale <
+ * 2^15, so the product is below 2^31. */
 static int32_t near_qv_of(const struct lim_camera *camera, uint32_t zoom_q28, uint32_t scale)
 {
     const uint64_t near_q24 = ((uint64_t)(uint32_t)camera->near_q8 * zoom_q28) >> 12;
-    const uint64_t near_qv = (near_q24 * scale + (UINT32_C(1) << 23)) >> 24;
+    const int32_t near_qv = (int32_t)((near_q24 * scale + (UINT32_C(1) << 23)) >> 24);
 
     if (near_qv < PERSPECTIVE_Z_MIN_QV) return PERSPECTIVE_Z_MIN_QV;
-    return near_qv > UINT32_C(1) << 29 ? INT32_C(1) << 29 : (int32_t)near_qv;
+    return near_qv > INT32_C(1) << 29 ? INT32_C(1) << 29 : near_qv;
 }
 
 bool lim_rows_set(struct lim_rows *rows, const struct lim_scene *scene, const struct lim_camera *camera)
 {
-    struct lens lens = {.eye_q8 = camera->eye_q8};
+    struct lens lens;
 
     if (!in_range(camera)) return false;
+    lens.eye_q8 = camera->eye_q8;
     const uint32_t zoom_q28 = zoom_q28_of(camera);
     rows->tele_bits = LIM_HAS_LIMBS ? 0 : (uint8_t)(clz_u32(zoom_q28 - 1) - 4); /* limbs have the bits anyway */
-    set_entries(&lens, camera, zoom_q28, rows->tele_bits);
-    set_box(&lens, scene);
-    rows->far_units = far_units_of(&lens);
+    set_entries(lens.entries_q30, camera, zoom_q28, rows->tele_bits);
+    rows->far_units = set_anchor(&lens, box_of(scene));
     const uint32_t scale = choose_scale(&lens, rows->far_units, rows->tele_bits);
-    for (uint8_t i = 0; i < 3; i++)
-        set_row(&rows->row[i], &lens, lens.entries_q30[i], scale);
+    for (uint_fast8_t i = 0; i < 3; i++)
+        set_row(&rows->row[i], &lens, lens.entries_q30 + 3 * i, (int32_t)scale);
     rows->row[2].shift_qv += (1 << rows->tele_bits) >> 1; /* rounds what lim_view_transform() shifts */
     rows->near_qv = near_qv_of(camera, zoom_q28, scale);
     return true;

@@ -141,10 +141,10 @@ static void rounding_vectors(struct report *report)
     expect(report, "shift_round_s64", INT64_MIN, 62, shift_round_s64(INT64_MIN, 62), -2);
     expect(report, "abs_s32", INT32_MIN, 0, abs_s32(INT32_MIN), INT64_C(2147483648));
     expect(report, "abs_s32", -1, 0, abs_s32(-1), 1);
-    expect(report, "mul_q30", -(INT32_C(1) << 30), INT32_C(1) << 30, mul_q30(-(INT32_C(1) << 30), INT32_C(1) << 30),
-           -(INT32_C(1) << 30));
-    expect(report, "mul_q30", 1, INT32_C(1) << 29, mul_q30(1, INT32_C(1) << 29), 1);
-    expect(report, "mul_q30", -1, INT32_C(1) << 29, mul_q30(-1, INT32_C(1) << 29), 0);
+    expect(report, "lim_mul_q30", -(INT32_C(1) << 30), INT32_C(1) << 30,
+           lim_mul_q30(-(INT32_C(1) << 30), INT32_C(1) << 30), -(INT32_C(1) << 30));
+    expect(report, "lim_mul_q30", 1, INT32_C(1) << 29, lim_mul_q30(1, INT32_C(1) << 29), 1);
+    expect(report, "lim_mul_q30", -1, INT32_C(1) << 29, lim_mul_q30(-1, INT32_C(1) << 29), 0);
 }
 
 /* Both ends of the range in all combinations, and what carries from limb to limb. */

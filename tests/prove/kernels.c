@@ -12,5 +12,6 @@ int __builtin_clz(unsigned x);
 #include "angle.c"
 #include "edge.c"
 #include "eye.c"
+#include "fixed.c"
 #include "perspective.h"
 #include "transform.h"
