@@ -71,31 +71,15 @@ static void note_faces(struct lim *lim, struct lim_screen_polygon *polygon)
 
 /* Pass two: the faces that cross a line ----------------------------------------------------------- */
 
-static void fill_between(struct lim *lim, uint16_t *line, const struct lim_crossing *crossing)
+/* The polygon's pixels on line y: its first one, or that below the last. */
+static void fill_next(struct lim *lim, uint16_t *line, struct lim_crossing *crossing, int16_t y)
 {
+    lim_edge_advance(&crossing->pair, crossing->polygon.at, crossing->polygon.n, y);
     const int16_t w_px = (int16_t)lim->target.w_px, left = crossing->pair.left.x, right = crossing->pair.right.x;
     const int16_t x0 = left > 0 ? left : 0, x1 = right < w_px ? right : w_px;
-
     if (x0 >= x1) return;
     lim_fill(line, (uint16_t)x0, (uint16_t)(x1 - x0), crossing->polygon.colour);
     if (LIM_HAS_STATS) lim_stats_of(lim)->pixels_painted += (uint32_t)(x1 - x0);
-}
-
-static void begin(struct lim_crossing *crossing, int16_t y)
-{
-    const struct lim_screen_polygon *polygon = &crossing->polygon;
-
-    lim_edge_begin(&crossing->pair, polygon->at, polygon->n, polygon->shape.first, y);
-}
-
-/* From the line above to line y. */
-static void advance(struct lim_crossing *crossing, int16_t y)
-{
-    struct lim_edge_pair *pair = &crossing->pair;
-
-    if (pair->left.end > y) lim_edge_step(&pair->left);
-    if (pair->right.end > y) lim_edge_step(&pair->right);
-    (void)lim_edge_turn(pair, crossing->polygon.at, crossing->polygon.n, y);
 }
 
 /* A folded face: its triangles begin anew on each line. */
@@ -103,11 +87,11 @@ static LIM_RARE void fill_fan(struct lim *lim, uint16_t *line, const struct lim_
 {
     struct lim_crossing triangle;
 
-    for (uint8_t k = 1; k + 1 < folded->n; k++) {
-        lim_project_fan(folded, k, &triangle.polygon);
+    for (uint_fast8_t k = 1; k + 1u < folded->n; k++) {
+        lim_project_fan(folded, (uint8_t)k, &triangle.polygon);
         if (y < triangle.polygon.shape.top || y >= triangle.polygon.shape.bottom) continue;
-        begin(&triangle, y);
-        fill_between(lim, line, &triangle);
+        lim_edge_begin(&triangle.pair, triangle.polygon.shape.first);
+        fill_next(lim, line, &triangle, y);
     }
 }
 
@@ -125,6 +109,7 @@ static struct lim_crossing *enter(struct lim *lim, struct lim_face *face, struct
     }
     if (LIM_HAS_STATS && crossing == spare) lim_stats_of(lim)->bands++;
     (void)project(lim, &crossing->polygon, face->record, NULL);
+    lim_edge_begin(&crossing->pair, crossing->polygon.shape.first);
     return crossing;
 }
 
@@ -143,19 +128,14 @@ static void note_seen(struct lim *lim, struct lim_face *face, uint32_t painted_b
 static bool paint_face(struct lim *lim, uint16_t *line, struct lim_face *face, struct lim_crossing *spare, int16_t y)
 {
     const uint32_t painted_before = LIM_HAS_STATS ? lim_stats_of(lim)->pixels_painted : 0;
-    const bool is_new = face->crossing == LIM_NONE;
-    struct lim_crossing *crossing = is_new ? enter(lim, face, spare, y) : &lim->convex.pool[face->crossing];
+    const bool has_entry = face->crossing != LIM_NONE;
+    struct lim_crossing *crossing = has_entry ? &lim->convex.pool[face->crossing] : enter(lim, face, spare, y);
     const struct lim_edge_shape *shape = &crossing->polygon.shape;
 
-    if (shape->folded) {
+    if (shape->folded)
         fill_fan(lim, line, &crossing->polygon, y);
-    } else {
-        if (is_new)
-            begin(crossing, y);
-        else
-            advance(crossing, y);
-        fill_between(lim, line, crossing);
-    }
+    else
+        fill_next(lim, line, crossing, y);
     note_seen(lim, face, painted_before);
     return shape->bottom > y + 1;
 }

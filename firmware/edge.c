@@ -86,18 +86,25 @@ static void turn(struct lim_edge *edge, const struct lim_point *at, uint8_t n, u
     edge->end = end;
 }
 
-void lim_edge_begin(struct lim_edge_pair *pair, const struct lim_point *at, uint8_t n, uint8_t first, int16_t y)
-{
-    pair->left.to = pair->right.to = first;
-    pair->left.end = pair->right.end = y;
-    (void)lim_edge_turn(pair, at, n, y);
-}
-
 int16_t lim_edge_turn(struct lim_edge_pair *pair, const struct lim_point *at, uint8_t n, int16_t y)
 {
     if (pair->left.end <= y) turn(&pair->left, at, n, 1, y);
     if (pair->right.end <= y) turn(&pair->right, at, n, (uint8_t)(n - 1), y);
     return pair->left.end < pair->right.end ? pair->left.end : pair->right.end;
+}
+
+static void advance(struct lim_edge *edge, const struct lim_point *at, uint8_t n, uint8_t step, int16_t y)
+{
+    if (edge->end > y)
+        lim_edge_step(edge);
+    else
+        turn(edge, at, n, step, y);
+}
+
+void lim_edge_advance(struct lim_edge_pair *pair, const struct lim_point *at, uint8_t n, int16_t y)
+{
+    advance(&pair->left, at, n, 1, y);
+    advance(&pair->right, at, n, (uint8_t)(n - 1), y);
 }
 
 /* line_of() from the origin: what two of them have between them is the same. */
@@ -106,23 +113,22 @@ static int32_t row_of(lim_sub y)
     return (y + (LIM_SUB - 1)) >> LIM_SUB_BITS;
 }
 
-/* A folded polygon has more than one local extreme of either kind. Where the extra ones lie near
- * its top, a fan from the bottom sees every other corner, and the other way round. */
+/* A folded polygon has more than one local extreme of either kind, a low one a line below a high one as a rule. Where
+ * the extra ones lie near its top, a fan from the bottom sees every other corner, and the other way round. */
 static LIM_RARE uint8_t choose_apex(const struct lim_point *at, uint8_t n, uint8_t top_at, int32_t bottom)
 {
     const int32_t top = row_of(at[top_at].y);
-    int32_t highest_bottom = bottom, lowest_top = top, after = row_of(at[0].y), here = row_of(at[n - 1].y);
+    int32_t lowest_top = top, after = row_of(at[1].y), here = row_of(at[0].y);
     uint8_t bottom_at = 0;
 
-    for (uint8_t k = n; k-- > 0;) {
-        const int32_t before = row_of(at[k ? k - 1 : n - 1].y);
-        if (here >= before && here >= after && here < highest_bottom) highest_bottom = here;
+    for (uint_fast8_t k = n; k-- > 0;) {
+        const int32_t before = row_of(at[k].y);
         if (here <= before && here <= after && here > lowest_top) lowest_top = here;
-        if (here == bottom) bottom_at = k;
+        if (before == bottom) bottom_at = (uint8_t)k;
         after = here;
         here = before;
     }
-    return highest_bottom - top < bottom - lowest_top ? bottom_at : top_at;
+    return 2 * lowest_top + 1 < top + bottom ? bottom_at : top_at;
 }
 
 /* A plain polygon's boundary goes from its top to its bottom and back; what goes farther is folded. */

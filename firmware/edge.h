@@ -37,11 +37,20 @@ struct lim_edge_shape {
 
 void lim_edge_measure(struct lim_edge_shape *shape, const struct lim_point *at, uint8_t n);
 
-/* Starts both boundaries on line y, top <= y < bottom, of a polygon that is not folded. */
-void lim_edge_begin(struct lim_edge_pair *pair, const struct lim_point *at, uint8_t n, uint8_t first, int16_t y);
+/* Both boundaries of a polygon that is not folded, before its first line; lim_edge_turn() takes them to any. */
+static inline void lim_edge_begin(struct lim_edge_pair *pair, uint8_t first)
+{
+    pair->left.to = pair->right.to = first;
+    pair->left.end = pair->right.end = INT16_MIN;
+}
 
-/* Replaces the edges that end on line y. Returns the line on which it must be called again. */
+/* Replaces the edges that end on line y or above, top <= y < bottom. Returns the line on which it must be called
+ * again. */
 int16_t lim_edge_turn(struct lim_edge_pair *pair, const struct lim_point *at, uint8_t n, int16_t y);
+
+/* From the line above to line y, or from lim_edge_begin() to any line: steps the edges that go on, replaces the others.
+ */
+void lim_edge_advance(struct lim_edge_pair *pair, const struct lim_point *at, uint8_t n, int16_t y);
 
 /* To the next line. */
 /*@ requires \valid(edge) && 0 < edge->denominator <= 16777216;

@@ -52,14 +52,12 @@ static int paint_plain(struct lim *lim, const struct lim_screen_polygon *polygon
 
     if (y >= bottom) return 0;
     if (LIM_HAS_STATS) lim_stats_of(lim)->lines += (uint32_t)(bottom - y);
-    lim_edge_begin(&pair, polygon->at, polygon->n, polygon->shape.first, y);
+    lim_edge_begin(&pair, polygon->shape.first);
     for (;;) {
+        lim_edge_advance(&pair, polygon->at, polygon->n, y);
         const int err = fill_clamped(lim, y, pair.left.x, pair.right.x, polygon->colour);
         if (err) return err;
         if (++y == bottom) return 0;
-        if (pair.left.end > y) lim_edge_step(&pair.left);
-        if (pair.right.end > y) lim_edge_step(&pair.right);
-        (void)lim_edge_turn(&pair, polygon->at, polygon->n, y);
     }
 }
 

@@ -299,13 +299,11 @@ static int64_t random_edges(uint32_t *random)
     }
     lim_edge_measure(&shape, at, 3);
     if (shape.top >= shape.bottom) return 0;
-    lim_edge_begin(&pair, at, 3, shape.first, shape.top);
+    lim_edge_begin(&pair, shape.first);
     for (int16_t y = shape.top;;) {
+        lim_edge_advance(&pair, at, 3, y);
         hash = hash_s64(hash, (int64_t)pair.left.x * 4096 + pair.right.x);
         if (++y >= shape.bottom) return hash;
-        if (pair.left.end > y) lim_edge_step(&pair.left);
-        if (pair.right.end > y) lim_edge_step(&pair.right);
-        (void)lim_edge_turn(&pair, at, 3, y);
     }
 }
 

@@ -23,13 +23,11 @@ static void add_plain(struct coverage *coverage, const struct lim_edge_shape *sh
     struct lim_edge_pair pair;
 
     if (shape->top >= shape->bottom) return;
-    lim_edge_begin(&pair, at, n, shape->first, shape->top);
+    lim_edge_begin(&pair, shape->first);
     for (int16_t y = shape->top;;) {
+        lim_edge_advance(&pair, at, n, y);
         add_interval(coverage, y, pair.left.x, pair.right.x);
         if (++y >= shape->bottom) return;
-        if (pair.left.end > y) lim_edge_step(&pair.left);
-        if (pair.right.end > y) lim_edge_step(&pair.right);
-        (void)lim_edge_turn(&pair, at, n, y);
     }
 }
 

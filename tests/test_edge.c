@@ -185,16 +185,14 @@ static void edges_are_exact_at_the_extremes(void **state)
         assert_false(shape.folded);
         if (shape.top >= shape.bottom) continue;
         const int16_t start = (int16_t)random_in(&random, shape.top, shape.bottom - 1);
-        lim_edge_begin(&pair, at, 3, shape.first, start);
+        lim_edge_begin(&pair, shape.first);
         for (int16_t y = start;;) {
+            lim_edge_advance(&pair, at, 3, y);
             const struct lim_point l1 = at[pair.left.to], l0 = at[(pair.left.to + 2) % 3];
             const struct lim_point r1 = at[pair.right.to], r0 = at[(pair.right.to + 1) % 3];
             assert_int_equal(pair.left.x, first_pixel(l0, l1, y));
             assert_int_equal(pair.right.x, first_pixel(r0, r1, y));
             if (++y >= shape.bottom) break;
-            if (pair.left.end > y) lim_edge_step(&pair.left);
-            if (pair.right.end > y) lim_edge_step(&pair.right);
-            (void)lim_edge_turn(&pair, at, 3, y);
         }
     }
 }
