@@ -93,6 +93,14 @@
 #define LIM_RARE
 #endif
 
+/* Before a loop of n turns: written out n times, unless small code is asked for. */
+#if defined(__GNUC__) && !defined(__clang__) && !defined(__OPTIMIZE_SIZE__)
+#define LIM_UNROLLED(n) LIM_PRAGMA(GCC unroll n)
+#define LIM_PRAGMA(words) _Pragma(#words)
+#else
+#define LIM_UNROLLED(n)
+#endif
+
 /* A caller's bug ends here. Define LIM_ASSERT before this header to hook it up; the default keeps
  * the renderer free of any library. The condition is evaluated only where a hook asks for it. */
 #ifndef LIM_ASSERT

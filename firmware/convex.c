@@ -19,14 +19,14 @@ void lim_convex_init(struct lim *lim, void *mem, size_t mem_b)
 {
     struct lim_convex *convex = &lim->convex;
     const uint16_t polygon_count = lim->scene->polygon_count;
-    const size_t spare_b = mem_b - lim_convex_mem_b(lim->scene, &lim->target, true);
-    const size_t room = spare_b / sizeof(struct lim_crossing);
+    const size_t least_b = lim_convex_mem_b(lim->scene, &lim->target, true);
+    const size_t room = (mem_b - least_b) / sizeof(struct lim_crossing);
+    struct lim_view_cached *cache = mem;
 
-    convex->pool_size = room < polygon_count ? (uint16_t)room : polygon_count;
-    convex->pool = mem;
-    struct lim_view_cached *cache = (struct lim_view_cached *)(void *)(convex->pool + convex->pool_size);
     convex->faces = (struct lim_face *)(void *)(cache + LIM_VIEW_CACHE_ENTRIES);
     convex->tops = (uint16_t *)(void *)(convex->faces + polygon_count);
+    convex->pool = (struct lim_crossing *)(void *)((uint8_t *)mem + least_b);
+    convex->pool_size = room < polygon_count ? (uint16_t)room : polygon_count;
     lim_view_init(&lim->view, lim->target.w_px, lim->target.h_px, cache);
 }
 
@@ -60,7 +60,7 @@ static void note_run(struct lim *lim, struct lim_screen_polygon *polygon, uint16
 
 static void note_faces(struct lim *lim, struct lim_screen_polygon *polygon)
 {
-    for (uint16_t i = 0; i < lim->scene->node_count; i++) {
+    for (uint_fast16_t i = 0; i < lim->scene->node_count; i++) {
         const LIM_FLASH struct lim_node *node = &lim->scene->nodes[i];
         const int32_t side = lim_eye_side(lim_eye_of(lim), node);
         const uint16_t run = side > 0 ? node->front_run : node->back_run;
@@ -83,8 +83,9 @@ static void fill_next(struct lim *lim, uint16_t *line, struct lim_crossing *cros
 }
 
 /* A folded face: its triangles begin anew on each line. */
-static LIM_RARE void fill_fan(struct lim *lim, uint16_t *line, const struct lim_screen_polygon *folded, int16_t y)
+static LIM_RARE void fill_fan(struct lim *lim, uint16_t *line, const struct lim_crossing *face, int16_t y)
 {
+    const struct lim_screen_polygon *folded = &face->polygon;
     struct lim_crossing triangle;
 
     for (uint_fast8_t k = 1; k + 1u < folded->n; k++) {
@@ -101,10 +102,10 @@ static struct lim_crossing *enter(struct lim *lim, struct lim_face *face, struct
     struct lim_convex *convex = &lim->convex;
     struct lim_crossing *crossing = spare;
 
-    for (uint16_t i = 0; i < convex->pool_size; i++) {
+    for (uint_fast16_t i = 0; i < convex->pool_size; i++) {
         if (convex->pool[i].polygon.shape.bottom > y) continue;
         crossing = &convex->pool[i];
-        face->crossing = i;
+        face->crossing = (uint16_t)i;
         break;
     }
     if (LIM_HAS_STATS && crossing == spare) lim_stats_of(lim)->bands++;
@@ -133,7 +134,7 @@ static bool paint_face(struct lim *lim, uint16_t *line, struct lim_face *face, s
     const struct lim_edge_shape *shape = &crossing->polygon.shape;
 
     if (shape->folded)
-        fill_fan(lim, line, &crossing->polygon, y);
+        fill_fan(lim, line, crossing, y);
     else
         fill_next(lim, line, crossing, y);
     note_seen(lim, face, painted_before);
@@ -189,9 +190,9 @@ static int draw_line(struct lim *lim, struct lim_crossing *spare, uint16_t y)
 
 static void start(struct lim_convex *convex, const struct lim *lim)
 {
-    for (uint16_t i = 0; i < convex->pool_size; i++)
+    for (uint_fast16_t i = 0; i < convex->pool_size; i++)
         convex->pool[i].polygon.shape.bottom = 0;
-    for (uint16_t y = 0; y < lim->target.h_px; y++)
+    for (uint_fast16_t y = 0; y < lim->target.h_px; y++)
         convex->tops[y] = LIM_NONE;
     convex->farthest = lim->scene->polygon_count;
     convex->first = LIM_NONE;
@@ -203,8 +204,8 @@ int lim_convex_frame(struct lim *lim)
 
     start(&lim->convex, lim);
     note_faces(lim, &spare.polygon);
-    for (uint16_t y = 0; y < lim->target.h_px; y++) {
-        const int err = draw_line(lim, &spare, y);
+    for (uint_fast16_t y = 0; y < lim->target.h_px; y++) {
+        const int err = draw_line(lim, &spare, (uint16_t)y);
         if (err) return err;
     }
     return 0;

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
- * The reciprocal table of fixed.h: entry i is 2^24 / (256 + i), rounded to nearest; the first,
- * 65536, does not fit 16 bits and is one less. Linked if LIM_RECIP_TABLE is 1. */
+ * What of fixed.h is not worth a copy at each call. The reciprocal table: entry i is 2^24 / (256 + i), rounded to
+ * nearest; the first, 65536, does not fit 16 bits and is one less. Linked if LIM_RECIP_TABLE is 1. */
 #include "fixed.h"
 
 const LIM_FLASH uint16_t lim_recip_table_q16[257] = {
@@ -22,6 +22,22 @@ const LIM_FLASH uint16_t lim_recip_table_q16[257] = {
     34953, 34880, 34808, 34735, 34664, 34592, 34521, 34450, 34380, 34309, 34239, 34169, 34100, 34031, 33962, 33893,
     33825, 33757, 33689, 33622, 33554, 33487, 33421, 33354, 33288, 33222, 33157, 33091, 33026, 32961, 32897, 32832,
     32768};
+
+/* An entry: 2^24 / divisor. */
+static uint32_t divided_q16(uint32_t divisor)
+{
+    const uint32_t rounded_q16 = ((UINT32_C(1) << 24) + divisor / 2) / divisor;
+
+    return rounded_q16 - (rounded_q16 >> 16);
+}
+
+uint32_t lim_recip_divided_q24(uint32_t mantissa_q31)
+{
+    const uint32_t divisor = mantissa_q31 >> 23, fraction_q8 = mantissa_q31 << 9 >> 24;
+    const uint32_t left_q16 = divided_q16(divisor), fall_q16 = left_q16 - divided_q16(divisor + 1);
+
+    return (left_q16 << 8) - fall_q16 * fraction_q8;
+}
 
 int32_t lim_mul_q30(int32_t a_q30, int32_t b_q30)
 {

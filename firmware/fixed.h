@@ -21,6 +21,11 @@ _Static_assert((-3 >> 1) == -2, "right shifts must be arithmetic");
 /* round(2^24 / (256 + i)), entry 0 clipped to 65535. */
 extern const LIM_FLASH uint16_t lim_recip_table_q16[257];
 
+/* What recip_q24() makes of the table and a mantissa, 2^31 .. 2^32 - 1, from two divisions: the same bits. */
+/*@ requires 2147483648 <= mantissa_q31;
+    assigns \nothing; */
+uint32_t lim_recip_divided_q24(uint32_t mantissa_q31);
+
 /*@ predicate is_clz(integer x, integer n) =
       0 <= n <= 31 && 2147483648 <= x << n <= 4294967295 && (x >= 32768 ==> n <= 16) &&
       (x < 2147483648 ==> n >= 1) && (x < 1073741824 ==> n >= 2); */
@@ -105,18 +110,8 @@ static inline int64_t shift_round_s64(int64_t x, uint8_t bits)
     ensures 0 <= b_q30 && a_q30 <= 0 ==> \result <= 0; */
 int32_t lim_mul_q30(int32_t a_q30, int32_t b_q30);
 
-/* The table's entry for 256 <= divisor <= 512, by division. */
-/*@ requires 256 <= divisor <= 512;
-    assigns \nothing; */
-static inline uint32_t recip_divided_q16(uint32_t divisor)
-{
-    const uint32_t rounded_q16 = ((UINT32_C(1) << 24) + divisor / 2) / divisor;
-
-    return rounded_q16 - (rounded_q16 >> 16);
-}
-
 /* 1/z for z >= 1 as r * 2^(shift - 55), r in 2^23 .. 2^24, where shift = clz(z): linear interpolation
- * between the table's entries, or what is divided in their place (LIM_RECIP_TABLE). */
+ * between the table's entries, or what is divided in their place (LIM_RECIP_TABLE, config.h). */
 /*@ requires z >= 1 && \valid(shift) && \separated(shift, lim_recip_table_q16 + (0 .. 256));
     assigns *shift;
     ensures is_clz(z, *shift);
@@ -124,10 +119,10 @@ static inline uint32_t recip_divided_q16(uint32_t divisor)
 static inline uint32_t recip_q24(uint32_t z, uint8_t *shift)
 {
     const uint32_t mantissa_q31 = normalise_u32(z, shift);
+    if (!LIM_RECIP_TABLE) return lim_recip_divided_q24(mantissa_q31);
     const LIM_FLASH uint16_t *entry_q16 = &lim_recip_table_q16[mantissa_q31 << 1 >> 24];
-    const uint32_t divisor = mantissa_q31 >> 23, fraction_q8 = mantissa_q31 << 9 >> 24;
-    const uint32_t left_q16 = LIM_RECIP_TABLE ? entry_q16[0] : recip_divided_q16(divisor);
-    const uint32_t fall_q16 = left_q16 - (LIM_RECIP_TABLE ? entry_q16[1] : recip_divided_q16(divisor + 1));
+    const uint32_t fraction_q8 = mantissa_q31 << 9 >> 24;
+    const uint32_t left_q16 = entry_q16[0], fall_q16 = left_q16 - entry_q16[1];
 
     return (left_q16 << 8) - fall_q16 * fraction_q8;
 }

@@ -33,6 +33,9 @@
 struct lim {
     const struct lim_scene *scene;
     struct lim_target target;
+#if LIM_HAS_CONVEX
+    struct lim_convex convex;
+#endif
     struct lim_view view;
 #if LIM_HAS_CULL
     struct lim_cull cull;
@@ -47,9 +50,6 @@ struct lim {
     struct lim_spans spans;
     struct lim_retained retained;
     struct lim_paint paint;
-#endif
-#if LIM_HAS_CONVEX
-    struct lim_convex convex;
 #endif
 #if LIM_HAS_STATS
     struct lim_stats stats;

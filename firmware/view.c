@@ -15,7 +15,7 @@ bool lim_view_begin(struct lim_view *view, const struct lim_scene *scene, const 
     if (!lim_rows_set(&view->rows, scene, camera)) return false;
     for (uint8_t i = 0; i < LIM_VIEW_CACHE_ENTRIES; i++)
         view->cache[i].vertex = LIM_NONE;
-    view->vertices = 0;
+    if (LIM_HAS_STATS) view->vertices = 0;
     return true;
 }
 
@@ -24,21 +24,21 @@ void lim_view_transform(const struct lim_view *view, const struct lim_scene *sce
 {
     const struct lim_row *row = view->rows.row;
     const struct lim_vertex at = *vertex;
-    int32_t x_qv = transform_row(&row[0], &at), y_qv = transform_row(&row[1], &at), z_qv = transform_row(&row[2], &at);
 
+    LIM_UNROLLED(3)
+    for (uint_fast8_t i = 0; i < 3; i++)
+        out->qv[i] = transform_row(&row[i], &at);
 #if LIM_HAS_FRACTIONS
     if (scene->fractions) {
         const struct lim_fraction fraction = scene->fractions[vertex - scene->vertices];
-        x_qv += transform_fraction(&row[0], &fraction);
-        y_qv += transform_fraction(&row[1], &fraction);
-        z_qv += transform_fraction(&row[2], &fraction);
+        LIM_UNROLLED(3)
+        for (uint_fast8_t i = 0; i < 3; i++)
+            out->qv[i] += transform_fraction(&row[i], &fraction);
     }
 #else
     (void)scene;
 #endif
-    out->x_qv = x_qv;
-    out->y_qv = y_qv;
-    out->z_qv = LIM_HAS_LIMBS ? z_qv : z_qv >> view->rows.tele_bits;
+    if (!LIM_HAS_LIMBS) out->z_qv >>= view->rows.tele_bits;
 }
 
 void lim_view_project(const struct lim_view *view, const struct lim_view_point *point, struct lim_point *out)
