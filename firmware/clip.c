@@ -67,7 +67,7 @@ static uint32_t count_outside(const struct lim_view_point *at, uint_fast8_t n, c
     return outside;
 }
 
-static int32_t clamp_s32(int32_t x, int32_t limit)
+static LIM_RARE int32_t clamp_s32(int32_t x, int32_t limit)
 {
     return x > limit ? limit : x < -limit ? -limit : x;
 }

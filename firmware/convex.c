@@ -10,16 +10,16 @@
 
 #if LIM_HAS_CONVEX
 
-size_t lim_convex_mem_b(const struct lim_scene *scene, const struct lim_target *target, bool least)
+size_t lim_convex_mem_b(const struct lim_scene *scene, const struct lim_target *target, uint16_t active)
 {
-    return LIM_CONVEX_MEM_B(target->h_px, scene->polygon_count, least ? 0 : scene->limits.active);
+    return LIM_CONVEX_MEM_B(target->h_px, scene->polygon_count, active);
 }
 
 void lim_convex_init(struct lim *lim, void *mem, size_t mem_b)
 {
     struct lim_convex *convex = &lim->convex;
     const uint16_t polygon_count = lim->scene->polygon_count;
-    const size_t least_b = lim_convex_mem_b(lim->scene, &lim->target, true);
+    const size_t least_b = lim_convex_mem_b(lim->scene, &lim->target, 0);
     const size_t room = (mem_b - least_b) / sizeof(struct lim_crossing);
     struct lim_view_cached *cache = mem;
 
@@ -71,6 +71,11 @@ static void note_faces(struct lim *lim, struct lim_screen_polygon *polygon)
 
 /* Pass two: the faces that cross a line ----------------------------------------------------------- */
 
+static LIM_RARE void begin(struct lim_crossing *crossing)
+{
+    lim_edge_begin(&crossing->pair, crossing->polygon.n, crossing->polygon.shape.first);
+}
+
 /* The polygon's pixels on line y: its first one, or that below the last. */
 static void fill_next(struct lim *lim, uint16_t *line, struct lim_crossing *crossing, int16_t y)
 {
@@ -91,7 +96,7 @@ static LIM_RARE void fill_fan(struct lim *lim, uint16_t *line, const struct lim_
     for (uint_fast8_t k = 1; k + 1u < folded->n; k++) {
         lim_project_fan(folded, (uint8_t)k, &triangle.polygon);
         if (y < triangle.polygon.shape.top || y >= triangle.polygon.shape.bottom) continue;
-        lim_edge_begin(&triangle.pair, triangle.polygon.shape.first);
+        begin(&triangle);
         fill_next(lim, line, &triangle, y);
     }
 }
@@ -110,7 +115,7 @@ static struct lim_crossing *enter(struct lim *lim, struct lim_face *face, struct
     }
     if (LIM_HAS_STATS && crossing == spare) lim_stats_of(lim)->bands++;
     (void)project(lim, &crossing->polygon, face->record, NULL);
-    lim_edge_begin(&crossing->pair, crossing->polygon.shape.first);
+    begin(crossing);
     return crossing;
 }
 

@@ -68,16 +68,15 @@ static void edge_set(struct lim_edge *edge, struct lim_point a, struct lim_point
     edge->step_error = rest;
 }
 
-/* The next edge of a boundary that goes on below line y. The left boundary runs forward through the vertices, the right
- * one backward: `step` is 1 or n - 1. */
-static void turn(struct lim_edge *edge, const struct lim_point *at, uint8_t n, uint8_t step, int16_t y)
+/* The next edge of a boundary that goes on below line y. */
+static void turn(struct lim_edge *edge, const struct lim_point *at, uint8_t n, int16_t y)
 {
     uint_fast16_t from, to = edge->to;
     int16_t end;
 
     do {
         from = to;
-        to += step;
+        to += edge->step;
         if (to >= n) to -= n;
         end = line_of(at[to].y);
     } while (end <= y);
@@ -88,27 +87,27 @@ static void turn(struct lim_edge *edge, const struct lim_point *at, uint8_t n, u
 
 int16_t lim_edge_turn(struct lim_edge_pair *pair, const struct lim_point *at, uint8_t n, int16_t y)
 {
-    if (pair->left.end <= y) turn(&pair->left, at, n, 1, y);
-    if (pair->right.end <= y) turn(&pair->right, at, n, (uint8_t)(n - 1), y);
+    if (pair->left.end <= y) turn(&pair->left, at, n, y);
+    if (pair->right.end <= y) turn(&pair->right, at, n, y);
     return pair->left.end < pair->right.end ? pair->left.end : pair->right.end;
 }
 
-static void advance(struct lim_edge *edge, const struct lim_point *at, uint8_t n, uint8_t step, int16_t y)
+static void advance(struct lim_edge *edge, const struct lim_point *at, uint8_t n, int16_t y)
 {
     if (edge->end > y)
         lim_edge_step(edge);
     else
-        turn(edge, at, n, step, y);
+        turn(edge, at, n, y);
 }
 
 void lim_edge_advance(struct lim_edge_pair *pair, const struct lim_point *at, uint8_t n, int16_t y)
 {
-    advance(&pair->left, at, n, 1, y);
-    advance(&pair->right, at, n, (uint8_t)(n - 1), y);
+    advance(&pair->left, at, n, y);
+    advance(&pair->right, at, n, y);
 }
 
-/* line_of() from the origin: what two of them have between them is the same. */
-static int32_t row_of(lim_sub y)
+/* line_of() from the origin: what two of them have between them is the same. So are columns. */
+static int32_t row_of(int32_t y)
 {
     return (y + (LIM_SUB - 1)) >> LIM_SUB_BITS;
 }
@@ -150,8 +149,8 @@ void lim_edge_measure(struct lim_edge_shape *shape, const struct lim_point *at, 
     }
     shape->top = (int16_t)(top + LIM_ORIGIN_PX);
     shape->bottom = (int16_t)(bottom + LIM_ORIGIN_PX);
-    shape->left = line_of((lim_sub)left);
-    shape->right = line_of((lim_sub)right);
+    shape->left = (int16_t)(row_of(left) + LIM_ORIGIN_PX);
+    shape->right = (int16_t)(row_of(right) + LIM_ORIGIN_PX);
     shape->first = top_at;
     shape->folded = way > 2 * (bottom - top);
     if (shape->folded) shape->apex = choose_apex(at, n, top_at, bottom);

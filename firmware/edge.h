@@ -17,8 +17,9 @@ struct lim_edge {
     int32_t step_error;  /* what a line adds to it, 0 .. denominator-1 */
     int32_t denominator; /* lines from end to end, in sub-pixels */
     int16_t x, step_x;
-    int16_t end; /* the line on which it hands over to the next edge */
-    uint8_t to;  /* the vertex at which it ends */
+    int16_t end;  /* the line on which it hands over to the next edge */
+    uint8_t to;   /* the vertex at which it ends */
+    uint8_t step; /* from there to the next one, modulo their number: the left boundary runs forward */
 };
 
 /* Both boundaries of a polygon, on their way down. */
@@ -38,10 +39,12 @@ struct lim_edge_shape {
 void lim_edge_measure(struct lim_edge_shape *shape, const struct lim_point *at, uint8_t n);
 
 /* Both boundaries of a polygon that is not folded, before its first line; lim_edge_turn() takes them to any. */
-static inline void lim_edge_begin(struct lim_edge_pair *pair, uint8_t first)
+static inline void lim_edge_begin(struct lim_edge_pair *pair, uint8_t n, uint8_t first)
 {
     pair->left.to = pair->right.to = first;
     pair->left.end = pair->right.end = INT16_MIN;
+    pair->left.step = 1;
+    pair->right.step = (uint8_t)(n - 1);
 }
 
 /* Replaces the edges that end on line y or above, top <= y < bottom. Returns the line on which it must be called

@@ -18,7 +18,7 @@ static bool method_is_linked(enum lim_method method)
 
 static size_t asked_b(const struct lim_scene *scene, const struct lim_target *target, bool least)
 {
-    if (IS_CONVEX(target)) return lim_convex_mem_b(scene, target, least);
+    if (IS_CONVEX(target)) return lim_convex_mem_b(scene, target, least ? 0 : scene->limits.active);
     if (IS_PAINTER(target)) return lim_painter_mem_b(scene);
     return lim_nearest_mem_b(scene, target, least);
 }

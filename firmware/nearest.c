@@ -20,7 +20,7 @@ static enum lim_span_result close_lines(struct lim_spans *spans, const struct li
     uint8_t result = LIM_SPAN_NOTHING;
     int16_t y = top;
 
-    lim_edge_begin(&pair, polygon->shape.first);
+    lim_edge_begin(&pair, polygon->n, polygon->shape.first);
     while (y < bottom) {
         const int16_t turn = lim_edge_turn(&pair, polygon->at, polygon->n, y);
         const int16_t end = turn < bottom ? turn : bottom;

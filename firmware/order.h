@@ -19,8 +19,8 @@ size_t lim_painter_mem_b(const struct lim_scene *scene);
 void lim_painter_init(struct lim *lim, void *mem);
 LIM_MUST_CHECK int lim_painter_frame(struct lim *lim);
 
-/* One convex solid: convex.c. */
-size_t lim_convex_mem_b(const struct lim_scene *scene, const struct lim_target *target, bool least);
+/* One convex solid: convex.c. `active`: for how many faces on a line; 0 is the least. */
+size_t lim_convex_mem_b(const struct lim_scene *scene, const struct lim_target *target, uint16_t active);
 void lim_convex_init(struct lim *lim, void *mem, size_t mem_b);
 LIM_MUST_CHECK int lim_convex_frame(struct lim *lim);
 

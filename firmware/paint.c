@@ -42,7 +42,7 @@ static bool activate(struct lim_paint *paint, const struct lim_retained *retaine
     active->next = *link;
     *link = self;
     active->polygon = polygon;
-    lim_edge_begin(&active->pair, cells[0].link.first);
+    lim_edge_begin(&active->pair, cells[0].link.n, cells[0].link.first);
     turn(active, cells, (int16_t)y);
     return true;
 }

@@ -52,7 +52,7 @@ static int paint_plain(struct lim *lim, const struct lim_screen_polygon *polygon
 
     if (y >= bottom) return 0;
     if (LIM_HAS_STATS) lim_stats_of(lim)->lines += (uint32_t)(bottom - y);
-    lim_edge_begin(&pair, polygon->shape.first);
+    lim_edge_begin(&pair, polygon->n, polygon->shape.first);
     for (;;) {
         lim_edge_advance(&pair, polygon->at, polygon->n, y);
         const int err = fill_clamped(lim, y, pair.left.x, pair.right.x, polygon->colour);

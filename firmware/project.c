@@ -6,18 +6,19 @@
 
 #include "fill.h"
 
-static void clip_and_project(struct lim_screen_polygon *out, const struct lim_view *view, const struct lim_scene *scene,
-                             const LIM_FLASH uint16_t *corners)
+/* Returns how many vertices are left. */
+static uint8_t clip_and_project(struct lim_point *out, const struct lim_view *view, const struct lim_scene *scene,
+                                const LIM_FLASH uint16_t *corners, uint8_t n)
 {
     struct lim_clip_polygon polygons[2];
 
-    polygons[0].n = out->n;
-    for (uint8_t k = 0; k < out->n; k++)
+    polygons[0].n = n;
+    for (uint_fast8_t k = 0; k < n; k++)
         lim_view_transform(view, scene, &scene->vertices[corners[k]], &polygons[0].at[k]);
     const struct lim_clip_polygon *clipped = lim_clip(polygons, view->rows.near_qv);
-    out->n = clipped->n;
-    for (uint8_t k = 0; k < out->n; k++)
-        lim_view_project(view, &clipped->at[k], &out->at[k]);
+    for (uint_fast8_t k = 0; k < clipped->n; k++)
+        lim_view_project(view, &clipped->at[k], &out[k]);
+    return clipped->n;
 }
 
 static bool meets(const struct lim_edge_shape *shape, const struct lim_rect *open)
@@ -38,7 +39,7 @@ bool lim_project(struct lim_screen_polygon *out, struct lim_view *view, const st
     if (codes >> 8 & LIM_VIEW_OUTSIDE) return false;
     if (codes & LIM_VIEW_GUARD) {
         if (LIM_HAS_STATS && stats) stats->clipped++;
-        clip_and_project(out, view, scene, corners);
+        out->n = clip_and_project(out->at, view, scene, corners, out->n);
         if (!out->n) return false;
     }
     lim_edge_measure(&out->shape, out->at, out->n);

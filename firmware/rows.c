@@ -107,7 +107,7 @@ static uint32_t rounding_at(const struct lens *lens, uint32_t scale, uint8_t tel
 
     for (uint_fast8_t i = 0; i < 9; i++) {
         const uint32_t rest_q32 = (uint32_t)lens->entries_q30[i] * scale * 4; /* entry * scale, modulo 1 */
-        const int32_t rest_q13 = (int32_t)rest_q32 >> (i < 6 ? 19 : 19 + tele_bits);
+        const int32_t rest_q13 = (int32_t)rest_q32 >> (i < 6 ? 0 : tele_bits) >> 19;
         sum_q26 += (uint32_t)(rest_q13 * rest_q13);
     }
     return sum_q26;
@@ -119,11 +119,11 @@ static uint32_t choose_scale(const struct lens *lens, uint32_t far_units, uint8_
     uint32_t best = most, least_rounding = UINT32_MAX;
 
     if (SCALES == 1) return most;
-    for (uint32_t scale = most; scale > most - SCALES; scale--) {
-        const uint32_t rounding = rounding_at(lens, scale, tele_bits);
+    for (uint_fast8_t k = 0; k < SCALES; k++) {
+        const uint32_t rounding = rounding_at(lens, most - k, tele_bits);
         if (rounding >= least_rounding) continue;
         least_rounding = rounding;
-        best = scale;
+        best = most - k;
     }
     return best;
 }

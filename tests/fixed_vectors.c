@@ -299,7 +299,7 @@ static int64_t random_edges(uint32_t *random)
     }
     lim_edge_measure(&shape, at, 3);
     if (shape.top >= shape.bottom) return 0;
-    lim_edge_begin(&pair, shape.first);
+    lim_edge_begin(&pair, 3, shape.first);
     for (int16_t y = shape.top;;) {
         lim_edge_advance(&pair, at, 3, y);
         hash = hash_s64(hash, (int64_t)pair.left.x * 4096 + pair.right.x);

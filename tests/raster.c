@@ -23,7 +23,7 @@ static void add_plain(struct coverage *coverage, const struct lim_edge_shape *sh
     struct lim_edge_pair pair;
 
     if (shape->top >= shape->bottom) return;
-    lim_edge_begin(&pair, shape->first);
+    lim_edge_begin(&pair, n, shape->first);
     for (int16_t y = shape->top;;) {
         lim_edge_advance(&pair, at, n, y);
         add_interval(coverage, y, pair.left.x, pair.right.x);

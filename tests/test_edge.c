@@ -185,7 +185,7 @@ static void edges_are_exact_at_the_extremes(void **state)
         assert_false(shape.folded);
         if (shape.top >= shape.bottom) continue;
         const int16_t start = (int16_t)random_in(&random, shape.top, shape.bottom - 1);
-        lim_edge_begin(&pair, shape.first);
+        lim_edge_begin(&pair, 3, shape.first);
         for (int16_t y = start;;) {
             lim_edge_advance(&pair, at, 3, y);
             const struct lim_point l1 = at[pair.left.to], l0 = at[(pair.left.to + 2) % 3];
