@@ -50,12 +50,14 @@ bool lim_project(struct lim_screen_polygon *out, struct lim_view *view, const st
 
 void lim_project_fan(const struct lim_screen_polygon *folded, uint8_t k, struct lim_screen_polygon *triangle)
 {
-    const uint8_t apex = folded->shape.apex;
+    uint_fast16_t corner = folded->shape.apex;
 
     triangle->n = 3;
     triangle->colour = folded->colour;
-    triangle->at[0] = folded->at[apex];
-    triangle->at[1] = folded->at[(apex + k) % folded->n];
-    triangle->at[2] = folded->at[(apex + k + 1) % folded->n];
+    for (uint_fast8_t i = 0; i < 3; i++) {
+        triangle->at[i] = folded->at[corner];
+        corner += i ? 1u : k;
+        if (corner >= folded->n) corner -= folded->n;
+    }
     lim_edge_measure(&triangle->shape, triangle->at, 3);
 }

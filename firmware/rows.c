@@ -23,10 +23,11 @@ struct lens {
 
 static bool in_range(const struct lim_camera *camera)
 {
-    for (uint_fast8_t i = 0; i < 3; i++) {
-        if (camera->eye_q8[i] <= -LIM_EYE_MAX_Q8 || camera->eye_q8[i] >= LIM_EYE_MAX_Q8) return false;
-    }
-    return camera->tan_x_q28 >= LIM_TAN_MIN_Q28 && camera->tan_x_q28 <= LIM_TAN_MAX_Q28 &&
+    uint32_t away_q8 = 0; /* as many bits as the longest has */
+
+    for (uint_fast8_t i = 0; i < 3; i++)
+        away_q8 |= abs_s32(camera->eye_q8[i]);
+    return away_q8 < LIM_EYE_MAX_Q8 && camera->tan_x_q28 >= LIM_TAN_MIN_Q28 && camera->tan_x_q28 <= LIM_TAN_MAX_Q28 &&
            camera->tan_y_q28 >= LIM_TAN_MIN_Q28 && camera->tan_y_q28 <= LIM_TAN_MAX_Q28 && camera->near_q8 >= 1 &&
            camera->near_q8 <= LIM_NEAR_MAX_Q8;
 }
@@ -42,15 +43,14 @@ static uint32_t zoom_q28_of(const struct lim_camera *camera)
 }
 
 /* floor(a 2^30 / b) for a <= b < 2^31, bit by bit: a 64-bit division would be 700 bytes of library. */
-static uint32_t quotient_q30(uint32_t a, uint32_t b)
+static LIM_RARE uint32_t quotient_q30(uint32_t a, uint32_t b)
 {
-    uint32_t ratio_q30 = a == b, rest = a == b ? 0 : a;
+    uint32_t ratio_q30 = 0;
 
-    for (uint_fast8_t i = 0; i < 30; i++) {
-        rest <<= 1;
+    for (uint_fast8_t i = 0; i < 31; i++, a <<= 1) {
         ratio_q30 <<= 1;
-        if (rest < b) continue;
-        rest -= b;
+        if (a < b) continue;
+        a -= b;
         ratio_q30++;
     }
     return ratio_q30;
@@ -91,7 +91,10 @@ static uint32_t set_anchor(struct lens *lens, const LIM_FLASH struct lim_box *bo
         const int32_t high_q8 = (box->centre[i] + (int32_t)box->half[i]) * 256;
         const int32_t eye_q8 = lens->eye_q8[i], below_q8 = eye_q8 - low_q8, above_q8 = high_q8 - eye_q8;
         const uint32_t side = (uint32_t)((below_q8 > above_q8 ? below_q8 : above_q8) >> 8) + 1;
-        lens->anchor_q8[i] = below_q8 < 0 ? low_q8 : above_q8 < 0 ? high_q8 : eye_q8;
+        int32_t anchor_q8 = eye_q8;
+        if (anchor_q8 < low_q8) anchor_q8 = low_q8;
+        if (anchor_q8 > high_q8) anchor_q8 = high_q8;
+        lens->anchor_q8[i] = anchor_q8;
         sum += side;
         if (side > longest) longest = side;
         if (side < shortest) shortest = side;
@@ -138,10 +141,10 @@ static void set_row(struct lim_row *row, const struct lens *lens, const int32_t 
         const int32_t anchor_q8 = lens->anchor_q8[i];
         const int64_t entry_qv30 = (int64_t)entries_q30[i] * scale;
         row->n_qv[i] = (int16_t)shift_round_s64(entry_qv30, 30);
-        inside_qv8 -= (int64_t)row->n_qv[i] * anchor_q8;
+        inside_qv8 += (int64_t)row->n_qv[i] * -anchor_q8;
 #if LIM_HAS_LIMBS
         row->low_qv15[i] = (int16_t)shift_round_s64(entry_qv30 - row->n_qv[i] * (INT64_C(1) << 30), 15);
-        inside_qv23 -= (int64_t)row->low_qv15[i] * anchor_q8;
+        inside_qv23 += (int64_t)row->low_qv15[i] * -anchor_q8;
 #endif
 #if LIM_HAS_LIMBS && LIM_LONG_MULTIPLY
         row->n_qv16[i] = ((int32_t)row->n_qv[i] * (INT32_C(1) << 15) + (int32_t)row->low_qv15[i]) * 2;
