@@ -94,7 +94,7 @@
 #endif
 
 /* Before a loop of n turns: written out n times, unless small code is asked for. */
-#if defined(__GNUC__) && !defined(__clang__) && !defined(__OPTIMIZE_SIZE__)
+#if defined(__GNUC__) && __GNUC__ >= 8 && !defined(__clang__) && !defined(__OPTIMIZE_SIZE__)
 #define LIM_UNROLLED(n) LIM_PRAGMA(GCC unroll n)
 #define LIM_PRAGMA(words) _Pragma(#words)
 #else
