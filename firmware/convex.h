@@ -22,8 +22,8 @@ struct lim_face {
 /* A face that crosses the current line, and where its boundaries are unless it is folded. Free for another
  * one on the lines from polygon.shape.bottom on. */
 struct lim_crossing {
-    struct lim_edge_pair pair;
     struct lim_screen_polygon polygon;
+    struct lim_edge_pair pair;
 };
 
 struct lim_convex {
