@@ -52,7 +52,7 @@ int lim_init(struct lim *lim, const struct lim_scene *scene, const struct lim_ta
     LIM_ASSERT(lim && scene && target && mem && ((uintptr_t)mem & 3) == 0);
     if (!target_is_usable(target)) return LIM_ERR_TARGET;
     if (!scene_is_usable(scene, target)) return LIM_ERR_SCENE;
-    if (mem_b < lim_mem_min_b(scene, target)) return LIM_ERR_MEMORY;
+    if (mem_b < asked_b(scene, target, true)) return LIM_ERR_MEMORY;
     lim->scene = scene;
     lim->target = *target;
     if (IS_CONVEX(target))

@@ -23,8 +23,10 @@ static uint8_t clip_and_project(struct lim_point *out, const struct lim_view *vi
 
 static bool meets(const struct lim_edge_shape *shape, const struct lim_rect *open)
 {
-    return shape->top < shape->bottom && shape->left < shape->right && shape->top < (int16_t)open->y1 &&
-           shape->bottom > (int16_t)open->y0 && shape->left < (int16_t)open->x1 && shape->right > (int16_t)open->x0;
+    if (shape->top >= shape->bottom || shape->top >= (int16_t)open->y1 || shape->bottom <= (int16_t)open->y0)
+        return false;
+    return !LIM_HAS_TREE ||
+           (shape->left < shape->right && shape->left < (int16_t)open->x1 && shape->right > (int16_t)open->x0);
 }
 
 bool lim_project(struct lim_screen_polygon *out, struct lim_view *view, const struct lim_scene *scene,

@@ -155,12 +155,12 @@ static void set_row(struct lim_row *row, const struct lens *lens, const int32_t 
     row->shift_qv = (int32_t)shift_round_s64(inside_qv8 + shift_round_s64(inside_qv23 + outside_qv23, 15), 8);
 }
 
-/* z must have some bits to divide by: camera.h says what that is in units. near < 2^24 + 1, zoom <= 2^28 and scale <
- * 2^15, so the product is below 2^31. */
+/* z must have some bits to divide by: camera.h says what that is in units. near <= 2^24, zoom <= 2^28 and scale < 2^15
+ * have a product below 2^31. */
 static int32_t near_qv_of(const struct lim_camera *camera, uint32_t zoom_q28, uint32_t scale)
 {
-    const uint64_t near_q24 = ((uint64_t)(uint32_t)camera->near_q8 * zoom_q28) >> 12;
-    const int32_t near_qv = (int32_t)((near_q24 * scale + (UINT32_C(1) << 23)) >> 24);
+    const int32_t scale_q15 = lim_mul_q30((int32_t)(zoom_q28 << 2), (int32_t)(scale << 15));
+    const int32_t near_qv = lim_mul_q30(camera->near_q8 << 6, scale_q15 << 1);
 
     if (near_qv < PERSPECTIVE_Z_MIN_QV) return PERSPECTIVE_Z_MIN_QV;
     return near_qv > INT32_C(1) << 29 ? INT32_C(1) << 29 : near_qv;
