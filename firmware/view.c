@@ -51,9 +51,9 @@ void lim_view_project(const struct lim_view *view, const struct lim_view_point *
 
 /* Where the rounding of a projection can carry a point from beyond the last pixels onto them, they have to
  * be left out by a margin. With sub-pixels the last half pixel is margin enough. */
-static inline int32_t border_of(int32_t z_qv)
+static inline int32_t margin_of(int32_t z_qv)
 {
-    return LIM_SUB_BITS || z_qv < 0 ? z_qv : z_qv + (z_qv >> LIM_DRAFT_MARGIN_BITS);
+    return LIM_SUB_BITS || z_qv < 0 ? 0 : z_qv >> LIM_DRAFT_MARGIN_BITS;
 }
 
 /* A point behind the eye can be outside on both sides; one bit of the two is enough, because the
@@ -62,12 +62,12 @@ static uint8_t codes_of(const struct lim_view *view, const struct lim_view_point
 {
     const int32_t z_qv = point->z_qv;
     const int32_t x_qv = (int32_t)abs_s32(point->x_qv), y_qv = (int32_t)abs_s32(point->y_qv);
-    const int32_t border_qv = border_of(z_qv);
+    const int32_t margin_qv = margin_of(z_qv); /* taken from x and y: z has no room for it */
     uint8_t codes = 0;
 
     if (z_qv < view->rows.near_qv) codes = LIM_VIEW_NEAR | LIM_VIEW_GUARD;
-    if (x_qv > border_qv) codes = (uint8_t)(codes | (point->x_qv < 0 ? LIM_VIEW_LEFT : LIM_VIEW_RIGHT));
-    if (y_qv > border_qv) codes = (uint8_t)(codes | (point->y_qv < 0 ? LIM_VIEW_TOP : LIM_VIEW_BOTTOM));
+    if (x_qv - margin_qv > z_qv) codes = (uint8_t)(codes | (point->x_qv < 0 ? LIM_VIEW_LEFT : LIM_VIEW_RIGHT));
+    if (y_qv - margin_qv > z_qv) codes = (uint8_t)(codes | (point->y_qv < 0 ? LIM_VIEW_TOP : LIM_VIEW_BOTTOM));
     if (x_qv >> 1 > z_qv - 2 || y_qv >> 1 > z_qv - 2) codes |= LIM_VIEW_GUARD;
     return codes;
 }
