@@ -26,7 +26,7 @@ static int32_t edge_q14(uint16_t i, int32_t n)
     return ((int32_t)i * 32768 + n / 2) / n - 16384;
 }
 
-/* sign * (row - l * ahead) */
+/* sign * (row - l * ahead). The offset's value fits 32 bits: see above. */
 static void set_plane(struct lim_cull_plane *plane, const struct lim_view *view, const int32_t eye_q8[3], uint8_t row,
                       int32_t l_q14, int8_t sign)
 {
@@ -39,7 +39,7 @@ static void set_plane(struct lim_cull_plane *plane, const struct lim_view *view,
         plane->n[i] = (int16_t)shift_round_s32(n, CULL_DROPPED_BITS);
         offset_q8 -= (int64_t)plane->n[i] * eye_q8[i];
     }
-    plane->offset = (int32_t)(offset_q8 >> 8) + 2 * (int32_t)view->rows.far_units;
+    plane->offset = (int32_t)((uint32_t)(offset_q8 >> 8) + 2 * view->rows.far_units);
 }
 
 void lim_cull_set(struct lim_cull *cull, const struct lim_view *view, const int32_t eye_q8[3],
@@ -52,10 +52,14 @@ void lim_cull_set(struct lim_cull *cull, const struct lim_view *view, const int3
 }
 
 /* The box's corner farthest along the normal. The sum wraps on the way; its value fits. */
+/*@ requires \valid_read(plane) && \valid_read(box);
+    requires \forall integer i; 0 <= i <= 2 ==> -16416 <= plane->n[i] <= 16416;
+    assigns \nothing; */
 static bool reaches(const struct lim_cull_plane *plane, const LIM_FLASH struct lim_box *box)
 {
     uint32_t value = (uint32_t)plane->offset;
 
+    //@ loop pragma UNROLL "completely", 4;
     for (uint8_t i = 0; i < 3; i++) {
         const int32_t n = plane->n[i];
         value += (uint32_t)(n * box->centre[i]) + abs_s32(n) * box->half[i];
@@ -63,8 +67,14 @@ static bool reaches(const struct lim_cull_plane *plane, const LIM_FLASH struct l
     return (int32_t)value >= 0;
 }
 
+/*@ requires \valid_read(cull) && \valid_read(box);
+    requires \forall integer i, k; 0 <= i <= 2 && 0 <= k <= 3 ==> -16416 <= cull->sides[k].n[i] <= 16416;
+    assigns \nothing; */
 bool lim_cull_sees(const struct lim_cull *cull, const LIM_FLASH struct lim_box *box)
 {
+    /*@ loop invariant 0 <= i <= 4;
+        loop assigns i;
+        loop variant 4 - i; */
     for (uint8_t i = 0; i < 4; i++) {
         if (!reaches(&cull->sides[i], box)) return false;
     }

@@ -26,14 +26,21 @@ extern const LIM_FLASH uint16_t lim_recip_table_q16[257];
     assigns \nothing; */
 uint32_t lim_recip_divided_q24(uint32_t mantissa_q31);
 
+/* The prover multiplies no inequality unless it is told to. */
+/*@ ghost
+    /@ requires a <= b && 0 <= by;
+       assigns \nothing;
+       ensures a * by <= b * by; @/
+    static inline void scale(int64_t a, int64_t b, int64_t by) {} */
+
 /*@ predicate is_clz(integer x, integer n) =
-      0 <= n <= 31 && 2147483648 <= x << n <= 4294967295 && (x >= 32768 ==> n <= 16) &&
+      0 <= n <= 31 && 2147483648 <= x * (1 << n) <= 4294967295 && (x >= 32768 ==> n <= 16) &&
       (x < 2147483648 ==> n >= 1) && (x < 1073741824 ==> n >= 2); */
 
 /* x, which must not be 0, shifted left until its highest bit is set; *zeros says how far. */
 /*@ requires x >= 1 && \valid(zeros);
     assigns *zeros;
-    ensures is_clz(x, *zeros) && \result == x << *zeros; */
+    ensures is_clz(x, *zeros) && \result == x * (1 << *zeros); */
 static inline uint32_t normalise_u32(uint32_t x, uint8_t *zeros)
 {
 #if defined(__ARM_ARCH_6M__) || defined(__AVR__) || (defined(__riscv) && !defined(__riscv_zbb))
@@ -62,7 +69,7 @@ static inline uint32_t normalise_u32(uint32_t x, uint8_t *zeros)
     return x;
 #else
     *zeros = (uint8_t)__builtin_clz(x);
-    return x << *zeros;
+    return x * (UINT32_C(1) << *zeros);
 #endif
 }
 
@@ -78,10 +85,11 @@ static inline uint8_t clz_u32(uint32_t x)
     return zeros;
 }
 
-/*@ assigns \nothing; */
+/*@ assigns \nothing;
+    ensures \result == (x < 0 ? -x : x); */
 static inline uint32_t abs_s32(int32_t x)
 {
-    return x < 0 ? 0u - (uint32_t)x : (uint32_t)x;
+    return x < 0 ? (uint32_t) - (x + 1) + 1 : (uint32_t)x;
 }
 
 /* x / 2^bits rounded to nearest, ties up; bits 1..30, |x| + 2^(bits - 1) < 2^31. */
@@ -110,12 +118,15 @@ static inline int64_t shift_round_s64(int64_t x, uint8_t bits)
     ensures 0 <= b_q30 && a_q30 <= 0 ==> \result <= 0; */
 int32_t lim_mul_q30(int32_t a_q30, int32_t b_q30);
 
+/*@ predicate is_recip_q24(integer r, integer mantissa) =
+      8388608 <= r <= 16776960 && -410 * mantissa <= r * mantissa - 36028797018963968 <= 410 * mantissa; */
+
 /* 1/z for z >= 1 as r * 2^(shift - 55), r in 2^23 .. 2^24, where shift = clz(z): linear interpolation
  * between the table's entries, or what is divided in their place (LIM_RECIP_TABLE, config.h). */
 /*@ requires z >= 1 && \valid(shift) && \separated(shift, lim_recip_table_q16 + (0 .. 256));
     assigns *shift;
     ensures is_clz(z, *shift);
-    admit ensures 8388608 <= \result <= 16776960; */
+    admit ensures is_recip_q24(\result, z * (1 << *shift)); */
 static inline uint32_t recip_q24(uint32_t z, uint8_t *shift)
 {
     const uint32_t mantissa_q31 = normalise_u32(z, shift);
@@ -143,10 +154,13 @@ static inline uint32_t recip_q16(uint32_t z, uint8_t *shift)
     assigns *shift;
     ensures is_clz(z, *shift);
     ensures 16384 <= \result <= 32768;
-    admit ensures \result * (z << *shift) <= 70368744177664 + 8589934592; */
+    ensures \result * (z * (1 << *shift)) <= 70368744177664 + 8589934592; */
 static inline uint32_t recip_q15_of(uint32_t z, uint8_t *shift)
 {
-    return (recip_q24(z, shift) + 256) >> 9;
+    const uint32_t r_q24 = recip_q24(z, shift);
+
+    //@ ghost scale(((r_q24 + 256) >> 9) * 512, (int64_t)r_q24 + 256, z * ((int64_t)1 << *shift));
+    return (r_q24 + 256) >> 9;
 }
 
 /* The high half of a product, floor(a b / 2^32): the same bits in two forms. */
@@ -158,45 +172,62 @@ static inline int32_t mul_high_wide_s32(int32_t a, int32_t b)
 }
 
 /* From 16-bit limbs: |high| <= 2^15 and 0 <= low < 2^16, so no sum leaves 32 bits. */
-/*@ assigns \nothing; */
+/*@ assigns \nothing;
+    ensures \result == (a * b) >> 32; */
 static inline int32_t mul_high_limbs_s32(int32_t a, int32_t b)
 {
     const int32_t a_high = a >> 16, b_high = b >> 16;
-    const uint32_t a_low = (uint32_t)a & 0xFFFFu, b_low = (uint32_t)b & 0xFFFFu;
+    const uint32_t a_low = (uint32_t)(a & 0xFFFF), b_low = (uint32_t)(b & 0xFFFF);
+    //@ assert a == a_high * 65536 + a_low && 0 <= a_low <= 65535 && -32768 <= a_high <= 32767;
+    //@ assert b == b_high * 65536 + b_low && 0 <= b_low <= 65535 && -32768 <= b_high <= 32767;
     const uint32_t low = a_low * b_low;
     const int32_t middle = a_high * (int32_t)b_low + (int32_t)(low >> 16);
     //@ assert -2147450880 <= b_high * (int32_t)a_low <= 2147385345;
-    const int32_t other = b_high * (int32_t)a_low + (int32_t)((uint32_t)middle & 0xFFFFu);
+    const int32_t other = b_high * (int32_t)a_low + (middle & 0xFFFF);
     //@ assert -1073709056 <= a_high * b_high <= 1073741824;
+    //@ assert parts: a * b == a_high * b_high * 4294967296 + (a_high * b_low + b_high * a_low) * 65536 + low;
     return a_high * b_high + (middle >> 16) + (other >> 16);
 }
 
-/*@ assigns \nothing; */
+/*@ assigns \nothing;
+    ensures \result == (a * b) >> 32; */
 static inline int32_t mul_high_s32(int32_t a, int32_t b)
 {
     return LIM_LONG_MULTIPLY ? mul_high_wide_s32(a, b) : mul_high_limbs_s32(a, b);
 }
 
 /* floor(a b / 2^32) for a positive b of which only the upper 16 bits are set: with limbs, two products. */
-/*@ requires 0 <= b;
-    assigns \nothing; */
+/*@ requires 0 <= b && b % 65536 == 0;
+    assigns \nothing;
+    ensures \result == (a * b) >> 32; */
 static inline int32_t mul_s32_top(int32_t a, int32_t b)
 {
     if (LIM_LONG_MULTIPLY) return mul_high_wide_s32(a, b);
     const uint32_t top = (uint32_t)b >> 16;
+    //@ assert b == top * 65536 && a == (a >> 16) * 65536 + (a & 0xFFFF);
+    //@ assert a * b == (a >> 16) * top * 4294967296 + (a & 0xFFFF) * top * 65536;
+    //@ assert -1073741824 <= (a >> 16) * top <= 1073741824 && 0 <= (a & 0xFFFF) * top <= 2147450880;
 
-    return (a >> 16) * (int32_t)top + (int32_t)((((uint32_t)a & 0xFFFFu) * top) >> 16);
+    return (a >> 16) * (int32_t)top + (int32_t)(((uint32_t)(a & 0xFFFF) * top) >> 16);
 }
 
 /* The same without signs. */
-/*@ assigns \nothing; */
+/*@ requires b % 65536 == 0;
+    assigns \nothing;
+    ensures !LIM_LONG_MULTIPLY ==> \result == (a * b) >> 32; */
 static inline uint32_t mul_u32_top(uint32_t a, uint32_t b)
 {
     if (LIM_LONG_MULTIPLY) return (uint32_t)(((uint64_t)a * b) >> 32);
     const uint32_t top = b >> 16;
+    //@ assert b == top * 65536 && a == (a >> 16) * 65536 + (a & 0xFFFF);
+    //@ assert a * b == (a >> 16) * top * 4294967296 + (a & 0xFFFF) * top * 65536;
+    //@ assert 0 <= (a >> 16) * top <= 4294836225 && 0 <= (a & 0xFFFF) * top <= 4294836225;
 
     return (a >> 16) * top + (((a & 0xFFFFu) * top) >> 16);
 }
+
+/*@ predicate is_recip_q31(integer r, integer mantissa) =
+      1073741824 <= r <= 2147483647 && r * mantissa <= 4611686018427387904 + 3 * mantissa; */
 
 /* 1/z for z >= 1 as r * 2^(shift - 62), r in 2^30 .. 2^31 - 1, where shift = clz(z): the 16-bit reciprocal
  * and one Newton step, which squares its relative error of 2^-14.3 to 2^-28.6, and never ends above 1/z
@@ -204,12 +235,12 @@ static inline uint32_t mul_u32_top(uint32_t a, uint32_t b)
 /*@ requires z >= 1 && \valid(shift) && \separated(shift, lim_recip_table_q16 + (0 .. 256));
     assigns *shift;
     ensures is_clz(z, *shift);
-    admit ensures 1073741824 <= \result <= 2147483647; */
+    admit ensures is_recip_q31(\result, z * (1 << *shift)); */
 static inline uint32_t recip_q31_of(uint32_t z, uint8_t *shift)
 {
-    const uint32_t guess_q32 = recip_q16(z, shift) << 16;
+    const uint32_t guess_q32 = recip_q16(z, shift) * 65536;
 
-    return mul_u32_top(0u - mul_u32_top(z << *shift, guess_q32), guess_q32);
+    return mul_u32_top(0u - mul_u32_top(z * (UINT32_C(1) << *shift), guess_q32), guess_q32);
 }
 
 /* num / den in Q31 for 0 <= num <= den, den >= 1. Never above 1. */
@@ -220,7 +251,7 @@ static inline uint32_t ratio_q31(uint32_t num, uint32_t den)
 {
     uint8_t n;
     const uint32_t recip_q31 = recip_q31_of(den, &n);
-    const uint32_t ratio_q31 = (uint32_t)(((uint64_t)(num << n) * recip_q31) >> 31);
+    const uint32_t ratio_q31 = (uint32_t)(((uint64_t)(num * (UINT32_C(1) << n)) * recip_q31) >> 31);
 
     return ratio_q31 > UINT32_C(1) << 31 ? UINT32_C(1) << 31 : ratio_q31;
 }

@@ -60,6 +60,8 @@ static inline int32_t transform_limbs(const struct lim_row *row, const struct li
 }
 
 #if LIM_LONG_MULTIPLY
+/*@ requires \valid_read(row) && \valid_read(at);
+    assigns \nothing; */
 static inline int32_t transform_long(const struct lim_row *row, const struct lim_vertex *at)
 {
     const uint64_t sum_qv32 = (uint64_t)((int64_t)row->n_qv16[0] * (at->x * INT32_C(65536))) +
@@ -84,10 +86,16 @@ static inline int32_t transform_row(const struct lim_row *row, const struct lim_
 }
 
 #if LIM_HAS_FRACTIONS
-/* What a vertex's fraction adds to a row. */
+/* What a vertex's fraction adds to a row: at most 3/2 of its largest entry, 49,151. */
+/*@ requires \valid_read(row) && \valid_read(fraction);
+    requires -32767 <= row->n_qv[0] <= 32767 && -32767 <= row->n_qv[1] <= 32767 && -32767 <= row->n_qv[2] <= 32767;
+    assigns \nothing;
+    ensures -49151 <= \result <= 49151; */
 static inline int32_t transform_fraction(const struct lim_row *row, const struct lim_fraction *fraction)
 {
-    return shift_round_s32((int32_t)transform_dot(row->n_qv, fraction->x_q8, fraction->y_q8, fraction->z_q8), 8);
+    return shift_round_s32((int32_t)row->n_qv[0] * fraction->x_q8 + (int32_t)row->n_qv[1] * fraction->y_q8 +
+                               (int32_t)row->n_qv[2] * fraction->z_q8,
+                           8);
 }
 #endif
 

@@ -5,11 +5,12 @@
 
 /*@ requires x != 0;
     assigns \nothing;
-    ensures 0 <= \result <= 31 && 2147483648 <= x << \result <= 4294967295 && (x >= 32768 ==> \result <= 16) &&
+    ensures 0 <= \result <= 31 && 2147483648 <= x * (1 << \result) <= 4294967295 && (x >= 32768 ==> \result <= 16) &&
             (x < 2147483648 ==> \result >= 1) && (x < 1073741824 ==> \result >= 2); */
 int __builtin_clz(unsigned x);
 
 #include "angle.c"
+#include "cull.c"
 #include "edge.c"
 #include "eye.c"
 #include "fixed.c"

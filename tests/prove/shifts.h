@@ -24,6 +24,7 @@
       axiom right_14: \forall integer x; (x >> 14) * 16384 <= x < (x >> 14) * 16384 + 16384;
       axiom right_15: \forall integer x; (x >> 15) * 32768 <= x < (x >> 15) * 32768 + 32768;
       axiom right_16: \forall integer x; (x >> 16) * 65536 <= x < (x >> 16) * 65536 + 65536;
+      axiom right_20: \forall integer x; (x >> 20) * 1048576 <= x < (x >> 20) * 1048576 + 1048576;
       axiom right_24: \forall integer x; (x >> 24) * 16777216 <= x < (x >> 24) * 16777216 + 16777216;
       axiom right_28: \forall integer x; (x >> 28) * 268435456 <= x < (x >> 28) * 268435456 + 268435456;
       axiom right_30: \forall integer x; (x >> 30) * 1073741824 <= x < (x >> 30) * 1073741824 + 1073741824;
