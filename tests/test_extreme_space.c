@@ -218,6 +218,31 @@ static void nearly_coplanar_faces(void **state)
     extreme_run(&plan);
 }
 
+/* The end of the scene straight ahead, as far from the eye as anything can be: z is all but 2^31. */
+static void build_corridor(struct model *model)
+{
+    const double low_m[3] = {-300, -300, -BOXES_END_M}, high_m[3] = {300, 300, BOXES_END_M};
+
+    boxes_add_room(model, low_m, high_m);
+}
+
+static void look_along(struct extreme *extreme, struct random *random)
+{
+    const double end_m = random_u64(random) % 2 ? BOXES_END_M : -BOXES_END_M;
+    const double eye_m[3] = {random_unit(random) * 20 - 10, random_unit(random) * 20 - 10, end_m * 0.9998};
+    const double target_m[3] = {0, 0, -end_m};
+
+    extreme_frame(extreme, eye_m, target_m);
+}
+
+static void the_far_end_of_a_corridor(void **state)
+{
+    const struct extreme_plan plan = {"corridor-end", {320, 320, 90, 4}, build_corridor, look_along, 20, true};
+
+    (void)state;
+    extreme_run(&plan);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -226,6 +251,7 @@ int main(void)
         cmocka_unit_test(slivers_of_one_unit),
         cmocka_unit_test(coplanar_faces),
         cmocka_unit_test(nearly_coplanar_faces),
+        cmocka_unit_test(the_far_end_of_a_corridor),
     };
 
     return cmocka_run_group_tests_name("extremes of the model", tests, NULL, NULL);
