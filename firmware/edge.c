@@ -9,7 +9,7 @@
  *
  * Range: the intersection lies between the end points, so |M| <= 1.5 w * 2 h S: below 2^31 for 1024
  * pixels a side and 9 sub-pixel bits, and 64 bits do beyond. The sum may wrap on the way. px, py < S and
- * |dx|, dy <= 2 * 1024 S: the last term's numerator stays below 2^30. */
+ * |dx|, dy <= 2050 S (perspective.h): the last term's numerator stays below 2^31. */
 #include "edge.h"
 
 /* The first line at or below y. */
@@ -21,23 +21,30 @@ static inline int16_t line_of(lim_sub y)
 }
 
 /* M above, for line y from the origin. */
-/*@ requires -2 * 1024 * LIM_SUB <= dx <= 2 * 1024 * LIM_SUB && 0 < dy <= 2 * 1024 * LIM_SUB;
+/*@ requires -2050 * LIM_SUB <= dx <= 2050 * LIM_SUB && 0 < dy <= 2050 * LIM_SUB;
     requires -8388608 <= a.x <= 8388608 && -8388608 <= a.y <= 8388608;
-    assigns \nothing; */
+    assigns \nothing;
+    ensures LIM_SUB_BITS > 9 ==>
+            0 <= \result * LIM_SUB - (a.x * dy + dx * (y * LIM_SUB - a.y)) < LIM_SUB; */
 static inline lim_sub_area meeting(struct lim_point a, int32_t dx, int32_t dy, int16_t y)
 {
     const int32_t part_x = a.x & (LIM_SUB - 1), part_y = a.y & (LIM_SUB - 1);
-    //@ assert 0 <= part_x * dy <= 2048 * LIM_SUB * LIM_SUB;
-    //@ assert -2048 * LIM_SUB * LIM_SUB <= part_y * dx <= 2048 * LIM_SUB * LIM_SUB;
+    const int32_t whole_x = a.x >> LIM_SUB_BITS, whole_y = a.y >> LIM_SUB_BITS;
+    //@ assert 0 <= part_x * dy <= 2050 * LIM_SUB * LIM_SUB;
+    //@ assert -2050 * LIM_SUB * LIM_SUB <= part_y * dx <= 2050 * LIM_SUB * LIM_SUB;
+    //@ assert a.x == whole_x * LIM_SUB + part_x && a.y == whole_y * LIM_SUB + part_y;
     const lim_sub_area part = (lim_sub_area)part_x * dy - (lim_sub_area)part_y * dx;
-    const lim_sub_wrap whole = (lim_sub_wrap)(a.x >> LIM_SUB_BITS) * (lim_sub_wrap)dy +
-                               (lim_sub_wrap)(y - (a.y >> LIM_SUB_BITS)) * (lim_sub_wrap)dx;
+    const lim_sub_wrap whole =
+        (lim_sub_wrap)whole_x * (lim_sub_wrap)dy + (lim_sub_wrap)(y - whole_y) * (lim_sub_wrap)dx;
+    //@ assert a.x * dy == whole_x * dy * LIM_SUB + part_x * dy;
+    //@ assert dx * (y * LIM_SUB - a.y) == (y - whole_y) * dx * LIM_SUB - part_y * dx;
 
     return (lim_sub_area)(whole + (lim_sub_wrap)((part + (LIM_SUB - 1)) >> LIM_SUB_BITS));
 }
 
-/*@ requires \valid(edge) && a.y < b.y && -2 * 1024 * LIM_SUB <= b.x - a.x <= 2 * 1024 * LIM_SUB;
-    requires b.y - a.y <= 2 * 1024 * LIM_SUB && -8388608 <= a.x <= 8388608 && -8388608 <= a.y <= 8388608;
+/*@ requires \valid(edge) && a.y < b.y && -2050 * LIM_SUB <= b.x - a.x <= 2050 * LIM_SUB;
+    requires b.y - a.y <= 2050 * LIM_SUB && -8388608 <= a.x <= 8388608 && -8388608 <= a.y <= 8388608;
+    requires a.y <= (y - LIM_ORIGIN_PX) * LIM_SUB <= b.y && -8388608 <= b.x <= 8388608;
     assigns *edge;
     ensures edge->denominator > 0 && -edge->denominator < edge->error <= 0;
     ensures 0 <= edge->step_error < edge->denominator; */
@@ -45,8 +52,23 @@ static void edge_set(struct lim_edge *edge, struct lim_point a, struct lim_point
 {
     const int32_t dx = (int32_t)b.x - a.x, dy = (int32_t)b.y - a.y;
     const lim_sub_area m = meeting(a, dx, dy, (int16_t)(y - LIM_ORIGIN_PX));
+    /* For the prover: line y meets the edge between its ends, so the quotient is not far from the screen. */
+    /*@ ghost int64_t down = (int64_t)(y - LIM_ORIGIN_PX) * LIM_SUB - a.y;
+              scale(a.x, 8388608, dy - down);
+              scale(-8388608, a.x, dy - down);
+              scale(b.x, 8388608, down);
+              scale(-8388608, b.x, down); */
+    //@ assert a.x * dy + dx * down == a.x * (dy - down) + b.x * down;
+    //@ assert LIM_SUB_BITS > 9 ==> -8388608 * dy <= m * LIM_SUB <= 8388608 * dy + LIM_SUB;
+    //@ assert LIM_SUB_BITS > 9 ==> -2049 * dy <= m <= 2049 * dy;
+    //@ assert m == (m / dy) * dy + m % dy && -dy < m % dy < dy;
+    //@ assert LIM_SUB_BITS > 9 ==> -2050 * dy < (m / dy) * dy < 2050 * dy;
+    /*@ ghost if (m / dy >= 2050) scale(2050, m / dy, dy);
+              if (m / dy <= -2050) scale(m / dy, -2050, dy); */
+    //@ assert LIM_SUB_BITS > 9 ==> -2050 < m / dy < 2050;
     int32_t x = (int32_t)(m / dy); /* rounds to zero: up, if negative */
     int32_t error = (int32_t)(m - (lim_sub_area)x * dy);
+    //@ assert x == m / dy && error == m - x * dy && -dy < error < dy;
 
     if (error > 0) {
         x++;

@@ -87,7 +87,7 @@ int32_t lim_eye_close_side(const struct lim_eye *eye, const LIM_FLASH struct lim
 }
 
 /*@ requires \valid_read(eye) && \valid_read(plane) && 0 <= eye->shift <= 31;
-    requires -1073676288 <= plane->slack_less_d - 65536 <= 1073676288;
+    requires -1073676289 <= plane->slack_less_d - 65536 <= 1073676289;
     requires -32768 <= eye->reduced[0] <= 32767 && -32768 <= eye->reduced[1] <= 32767;
     requires -32768 <= eye->reduced[2] <= 32767;
     requires size((int16_t)plane->n_yx) + size(plane->n_yx >> 16) + size(plane->n_z_exact >> 16) <= 32767;
@@ -96,7 +96,7 @@ static int32_t far_value(const struct lim_eye *eye, const LIM_FLASH struct lim_p
 {
     const int32_t d = lim_plane_d(plane) >> eye->shift;
 
-    //@ assert -1073676288 <= d <= 1073676288;
+    //@ assert -1073676289 <= d <= 1073676289;
     return lim_eye_dot(eye, plane) - d;
 }
 

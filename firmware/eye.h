@@ -51,7 +51,7 @@ static inline int32_t lim_eye_dot(const struct lim_eye *eye, const LIM_FLASH str
 /* 0: the eye may be on either side. The sum is n . s - d + slack, so a shift of slack's bits and one more leaves
  * nothing of -slack .. slack - 1, and only there. scene.h's bounds keep it in 32 bits. */
 /*@ requires \valid_read(eye) && \valid_read(plane);
-    requires -1073676288 <= plane->slack_less_d - 65536 <= 1073676288;
+    requires -1073676289 <= plane->slack_less_d - 65536 <= 1073676289;
     requires -32768 <= eye->reduced[0] <= 32767 && -32768 <= eye->reduced[1] <= 32767;
     requires -32768 <= eye->reduced[2] <= 32767;
     requires size((int16_t)plane->n_yx) + size(plane->n_yx >> 16) + size(plane->n_z_exact >> 16) <= 32767;

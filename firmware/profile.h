@@ -52,10 +52,10 @@ typedef int32_t lim_sub;
 typedef int16_t lim_sub;
 #endif
 
-/* EDGE's sums of products (edge.c), and the same where they may wrap on the way. */
+/* EDGE's sums of products (edge.c), and what they are summed in: 32 bits may wrap on the way, 64 never need to. */
 #if LIM_SUB_BITS > 9
 typedef int64_t lim_sub_area;
-typedef uint64_t lim_sub_wrap;
+typedef int64_t lim_sub_wrap;
 #else
 typedef int32_t lim_sub_area;
 typedef uint32_t lim_sub_wrap;

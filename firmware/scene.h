@@ -37,8 +37,8 @@ struct lim_plane {
         LIM_PLANE_HALVES(ny, nx), LIM_PLANE_HALVES(nz, exact), LIM_PLANE_SLACK - (d)                                   \
     }
 #define LIM_PLANE_HALVES(upper, lower) ((int32_t)((upper)*INT32_C(65536) + (int32_t)(uint16_t)(lower)))
-#define LIM_PLANE_SLACK (INT32_C(1) << 16) /* where |n . p - d| is less, eye.c does not trust it */
-#define LIM_PLANE_D_MAX ((INT32_C(1) << 30) - LIM_PLANE_SLACK)
+#define LIM_PLANE_SLACK (INT32_C(1) << 16)       /* where |n . p - d| is less, eye.c does not trust it */
+#define LIM_PLANE_D_MAX (INT32_C(32767) * 32767) /* enough for any plane through a point of the grid */
 
 /* |n[i]| < 2^31, |d| < 2^48; d = d_hi * 2^32 + d_lo. */
 struct lim_plane_exact {
@@ -130,7 +130,7 @@ static inline uint16_t lim_plane_exact(const LIM_FLASH struct lim_plane *plane)
     return (uint16_t)plane->n_z_exact;
 }
 
-/*@ requires \valid_read(plane) && -1073676288 <= plane->slack_less_d - 65536 <= 1073676288;
+/*@ requires \valid_read(plane) && -1073676289 <= plane->slack_less_d - 65536 <= 1073676289;
     assigns \nothing;
     ensures \result == 65536 - plane->slack_less_d; */
 static inline int32_t lim_plane_d(const LIM_FLASH struct lim_plane *plane)

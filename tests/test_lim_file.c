@@ -298,8 +298,8 @@ static void planes_and_boxes_that_lie_are_refused(void **state)
     assert_field_refused(at_b(SECTION_PLANES, large, 12, 0), (uint16_t)(lim_plane_x(&s->planes[large]) + 1),
                          "does not match its exact plane");
     assert_field_refused(at_b(SECTION_PLANES, large, 12, 4), s->exact_count, "exact plane ");
-    assert_field_refused(at_b(SECTION_PLANES, large, 12, 10), 0x4001, "beyond 1073676288");
-    assert_field_refused(at_b(SECTION_PLANES, large, 12, 10), 0x8000, "beyond 1073676288");
+    assert_field_refused(at_b(SECTION_PLANES, large, 12, 10), 0x4001, "beyond 1073676289");
+    assert_field_refused(at_b(SECTION_PLANES, large, 12, 10), 0x8000, "beyond 1073676289");
     assert_field_refused(at_b(SECTION_PLANES, small, 12, 0), 32767, "add up to");
     assert_field_refused(at_b(SECTION_PLANES, small, 12, 2), 32767, "add up to");
     assert_field_refused(at_b(SECTION_EXACT, exact, 20, 14), 0x7FFF, "out of bounds");
