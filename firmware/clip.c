@@ -88,8 +88,8 @@ struct lim_clip_polygon *lim_clip(struct lim_clip_polygon polygons[2], int32_t n
     for (struct clip_plane plane = {0, near_qv}; plane.number < CLIP_PLANES; plane.number++) {
         const uint32_t outside = count_outside(polygon->at, polygon->n, &plane);
         if (!outside) continue;
+        LIM_ASSERT(polygon->n < CLIP_MAX_VERTICES); /* one more may come */
         other->n = (uint8_t)clip_plane(polygon->at, polygon->n, other->at, &plane, outside);
-        LIM_ASSERT(other->n <= CLIP_MAX_VERTICES);
         struct lim_clip_polygon *const clipped = other;
         other = polygon;
         polygon = clipped;

@@ -42,10 +42,10 @@
 #define LIM_HAS_CULL 1 /* bounds of subtrees, to be tested against the open view */
 #endif
 #ifndef LIM_HAS_SLANTED
-#define LIM_HAS_SLANTED 1 /* planes off the axes: XZ, SMALL, LARGE */
+#define LIM_HAS_SLANTED 1 /* planes off the axes */
 #endif
 #ifndef LIM_HAS_LARGE
-#define LIM_HAS_LARGE 1 /* LARGE planes: a filter and an exact plane */
+#define LIM_HAS_LARGE 1 /* LARGE planes: with an exact plane beside their filter */
 #endif
 
 /* 1: lim_frame() counts its work in struct lim_stats. 0: the counters stay zero and cost nothing. */

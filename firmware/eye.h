@@ -10,7 +10,8 @@
 #define LIM_EYE_MAX_Q8 (INT32_C(1) << 28) /* |eye_q8| stays below: 64-bit plane values cannot overflow */
 
 struct lim_eye {
-    int32_t at_q8[3];    /* units */
+    int32_t at_q8[3]; /* units */
+    /* What the filter needs, if LIM_HAS_FILTER. */
     int32_t reduced[3];  /* floor(at / 2^shift), within 16 bits whatever the distance */
     uint16_t near_end;   /* a lim_node.plane below this is decided by lim_eye_near_side() */
     uint8_t shift;       /* 0 inside the 16-bit cube of the scene */
@@ -22,7 +23,7 @@ struct lim_eye {
 void lim_eye_set(struct lim_eye *eye, const struct lim_scene *scene, const int32_t at_q8[3]);
 
 /* The side of a node's plane that is not an axis plane, from anywhere: positive in front, negative behind, 0 exactly
- * on it. The second, without a filter, is for where lim_eye_near_side() cannot tell. */
+ * on it. The second multiplies in 64 bits at once: for where the filter cannot tell, and for builds without one. */
 int32_t lim_eye_far_side(const struct lim_eye *eye, const LIM_FLASH struct lim_node *node);
 int32_t lim_eye_close_side(const struct lim_eye *eye, const LIM_FLASH struct lim_node *node);
 

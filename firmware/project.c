@@ -21,6 +21,7 @@ static uint8_t clip_and_project(struct lim_point *out, const struct lim_view *vi
     return clipped->n;
 }
 
+/* To the left or right of the view a convex solid may keep faces that the tree's orders drop: they cover no pixel. */
 static bool meets(const struct lim_edge_shape *shape, const struct lim_rect *open)
 {
     if (shape->top >= shape->bottom || shape->top >= (int16_t)open->y1 || shape->bottom <= (int16_t)open->y0)

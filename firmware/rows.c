@@ -11,6 +11,7 @@
 
 /* With limbs a bit is left unused, so that the projection need not look for it. */
 #define VIEW_LIMIT_QV ((UINT32_C(1) << (LIM_HAS_LIMBS ? 30 : 31)) - (UINT32_C(1) << 18))
+_Static_assert(VIEW_LIMIT_QV + 98304 + (LIM_HAS_LIMBS ? 49152 : 0) <= PERSPECTIVE_MAX_QV, "rounding (transform.h)");
 
 enum { SCALE_MAX = 32767, SCALES = LIM_HAS_LIMBS ? 1 : 32 };
 
@@ -155,12 +156,12 @@ static void set_row(struct lim_row *row, const struct lens *lens, const int32_t 
     row->shift_qv = (int32_t)shift_round_s64(inside_qv8 + shift_round_s64(inside_qv23 + outside_qv23, 15), 8);
 }
 
-/* z must have some bits to divide by: camera.h says what that is in units. near <= 2^24, zoom <= 2^28 and scale < 2^15
- * have a product below 2^31. */
+/* z must have some bits to divide by: camera.h says what that is in units. near <= 2^16 units, zoom <= 1 and scale
+ * < 2^15 have a product below 2^31. */
 static int32_t near_qv_of(const struct lim_camera *camera, uint32_t zoom_q28, uint32_t scale)
 {
     const int32_t scale_q15 = lim_mul_q30((int32_t)(zoom_q28 << 2), (int32_t)(scale << 15));
-    const int32_t near_qv = lim_mul_q30(camera->near_q8 << 6, scale_q15 << 1);
+    const int32_t near_qv = lim_mul_q30(scale_q15 << 1, camera->near_q8 << 6);
 
     if (near_qv < PERSPECTIVE_Z_MIN_QV) return PERSPECTIVE_Z_MIN_QV;
     return near_qv > INT32_C(1) << 29 ? INT32_C(1) << 29 : near_qv;

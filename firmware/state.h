@@ -26,8 +26,9 @@
     LIM_MEM_ALIGNED_B(LIM_VIEW_CACHE_ENTRIES * sizeof(struct lim_view_cached) +                                        \
                       (depth) * sizeof(struct lim_walk_pending))
 #define LIM_CONVEX_MEM_B(h_px, polygon_count, active_count)                                                            \
-    LIM_MEM_ALIGNED_B(LIM_VIEW_CACHE_ENTRIES * sizeof(struct lim_view_cached) + (h_px) * sizeof(uint16_t) +            \
-                      (polygon_count) * sizeof(struct lim_face) + (active_count) * sizeof(struct lim_crossing))
+    LIM_MEM_ALIGNED_B(LIM_MEM_ALIGNED_B(LIM_VIEW_CACHE_ENTRIES * sizeof(struct lim_view_cached) +                      \
+                                        (h_px) * sizeof(uint16_t) + (polygon_count) * sizeof(struct lim_face)) +       \
+                      (active_count) * sizeof(struct lim_crossing))
 #define LIM_MEM_ALIGNED_B(size_b) (((size_b) + 3) & ~(size_t)3)
 
 struct lim {

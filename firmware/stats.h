@@ -15,11 +15,11 @@ struct lim_stats {
     uint32_t vertices;          /* vertices transformed */
     uint32_t clipped;           /* polygons that met the near plane or the guard band */
     uint32_t folded;            /* polygons that rounding made non-monotone, drawn as triangles */
-    uint32_t lines;             /* polygon lines stepped by SPAN */
+    uint32_t lines;             /* lines of polygons that were stepped */
     uint32_t pixels_painted;    /* pixels written by polygons; nearest first: each pixel at most once */
-    uint32_t pixels_background; /* pixels filled with the background */
+    uint32_t pixels_background; /* pixels filled with the background; convex: those that no face has painted, about */
     uint32_t bands;             /* extra walks because a pool was exhausted; convex: faces' lines without room */
-    uint16_t retained_cells_max, gaps_max, active_max; /* most used of each pool in one walk */
+    uint16_t retained_cells_max, gaps_max, active_max; /* most used of each pool in one walk; convex: faces on a line */
 };
 
 #endif

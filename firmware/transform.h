@@ -6,9 +6,9 @@
  *
  *     floor(n . v / 2^15) = high . v + floor(low . v / 2^15).
  *
- * Range: rows.c scales the rows so that every vertex lies below 2^31 - 2^17 in view space, in truth; rounding
- * three entries adds 98,304 at most, the limb and the fraction 1 each. Sums wrap on the way; their values
- * do not. */
+ * Range: rows.c scales the rows so that every vertex lies below 2^31 - 2^18 in view space, in truth, 2^30 - 2^18 with
+ * limbs; rounding three entries adds 98,304 at most, the limb 1 and the fraction 49,151. Sums wrap on the way; their
+ * values do not. */
 #ifndef LIM_TRANSFORM_H
 #define LIM_TRANSFORM_H
 

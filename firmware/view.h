@@ -46,7 +46,7 @@ struct lim_view {
     struct lim_rows rows;
     struct lim_side width, height;
     struct lim_view_cached *cache;
-    uint32_t vertices; /* transformed since lim_view_begin() */
+    uint32_t vertices; /* transformed since lim_view_begin(), if LIM_HAS_STATS */
 };
 
 /* Once per target: screen geometry. `cache` has LIM_VIEW_CACHE_ENTRIES entries. */

@@ -7,6 +7,7 @@
 #include "grow.h"
 #include "outline.h"
 
+#include <assert.h>
 #include <math.h>
 #include <stdlib.h>
 
@@ -155,6 +156,7 @@ static struct lim_plane small_record(const struct plane *plane)
     const int64_t sum = llabs(plane->n[0]) + llabs(plane->n[1]) + llabs(plane->n[2]), d = llabs(plane->d);
     const int64_t by_sum = PLANE_SUM_MAX / sum, by_d = d ? LIM_PLANE_D_MAX / d : by_sum;
     const int64_t factor = by_sum < by_d ? by_sum : by_d;
+    assert(factor >= 1); /* plane.c */
     const int64_t n[3] = {plane->n[0] * factor, plane->n[1] * factor, plane->n[2] * factor};
     return plane_record(n, plane->d * factor);
 }

@@ -97,6 +97,7 @@ static bool check_node_plane(const struct checker *work, size_t index)
     const struct lim_node *node = &work->scene->nodes[index];
     if (node->plane > LIM_PLANE_Z) return error_set(work->err, "node %zu: has no plane", index);
     if (node->plane >= LIM_PLANE_X) return true;
+    if (node->offset) return error_set(work->err, "node %zu: an offset beside a plane of its own", index);
     if (node->plane % LIM_PLANE_WORDS || node->plane / LIM_PLANE_WORDS >= work->scene->plane_count)
         return error_set(work->err, "node %zu: plane at word %u, where none of %u begins", index, (unsigned)node->plane,
                          (unsigned)work->scene->plane_count);

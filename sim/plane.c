@@ -93,7 +93,8 @@ static double rounding_error(const double normal[3], double m, double n[3])
 
 /* The integer normal within SMALL's bound that is nearest to a direction whose longest component
  * is 1. Only a halved error is worth longer integers: that keeps (1, 0, 1) from becoming
- * (5000, 0, 5000) by the noise of doubles. */
+ * (5000, 0, 5000) by the noise of doubles. Rounding adds less than 2 to the sum: with it |d| <= 32766 * 32767.5, which
+ * is within LIM_PLANE_D_MAX. */
 static void small_normal(const double direction[3], double best[3])
 {
     double best_error = DBL_MAX, n[3];

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT
  *
  * Frames from sampled cameras with pools that cannot run out; what they used, and some more. Who needs
- * even more falls back to bands. The greediest is left out: in an open scene it may be a stray, an
- * eye where nobody is meant to be. */
+ * even more falls back to bands, or projects a solid's faces again. The greediest is left out: in an open scene it may
+ * be a stray, an eye where nobody is meant to be. */
 #include "pools.h"
 
 #include "lim_image.h"
@@ -82,7 +82,8 @@ static bool sample_method(const struct compiled *scene, const struct simulator_s
     return ok;
 }
 
-/* A convex solid's own method counts faces that cover no pixel as well: a few more cross a line. */
+/* A convex solid's own method counts faces that cover no pixel as well, and in a firmware of its own those beside
+ * the screen (project.c): a few more cross a line. */
 static bool sample_convex(struct compiled *roomy, struct simulator_setup *setup, uint16_t *active, struct error *err)
 {
     struct usage usage = {0};

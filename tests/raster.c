@@ -35,13 +35,13 @@ bool raster_add(struct coverage *coverage, const struct lim_point *at, uint8_t n
 {
     struct lim_screen_polygon polygon = {.n = n}, triangle;
 
-    for (uint8_t k = 0; k < n; k++)
-        polygon.at[k] = at[k];
     lim_edge_measure(&polygon.shape, at, n);
     if (!polygon.shape.folded) {
         add_plain(coverage, &polygon.shape, at, n);
         return false;
     }
+    for (uint8_t k = 0; k < n; k++) /* what the renderer can hold */
+        polygon.at[k] = at[k];
     for (uint8_t k = 1; k + 1 < n; k++) {
         lim_project_fan(&polygon, k, &triangle);
         add_plain(coverage, &triangle.shape, triangle.at, 3);

@@ -5,6 +5,7 @@
 #include "random.h"
 #include "raster.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -197,12 +198,37 @@ static void edges_are_exact_at_the_extremes(void **state)
     }
 }
 
+/* Corners on an ellipse, in sub-pixels, from any of them on: as many as a byte counts. */
+static void a_polygon_of_255_corners_is_its_fan(void **state)
+{
+    enum { CORNERS = 255, SIZE = 200 };
+    static uint8_t whole[SIZE * SIZE], parts[SIZE * SIZE];
+
+    (void)state;
+    for (int start = 0; start < CORNERS; start += 2) {
+        struct coverage polygon = {0, 0, SIZE, SIZE, whole}, fan = {0, 0, SIZE, SIZE, parts};
+        struct lim_point at[CORNERS];
+        memset(whole, 0, sizeof whole);
+        memset(parts, 0, sizeof parts);
+        for (int k = 0; k < CORNERS; k++) {
+            const double turn = -6.283185307179586 * (k + start) / CORNERS; /* counter-clockwise, y down */
+            at[k] = (struct lim_point){(lim_sub)lround((100 + 99 * cos(turn)) * LIM_SUB),
+                                       (lim_sub)lround((100 + 90 * sin(turn)) * LIM_SUB)};
+        }
+        assert_false(raster_add(&polygon, at, CORNERS));
+        for (int k = 1; k + 1 < CORNERS; k++)
+            raster_add(&fan, (const struct lim_point[]){at[0], at[k], at[k + 1]}, 3);
+        assert_memory_equal(whole, parts, sizeof whole);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(random_meshes_cover_every_pixel_exactly_once),
         cmocka_unit_test(folded_neighbours_leave_no_gap),
         cmocka_unit_test(edges_are_exact_at_the_extremes),
+        cmocka_unit_test(a_polygon_of_255_corners_is_its_fan),
     };
 
     return cmocka_run_group_tests_name("edge", tests, NULL, NULL);

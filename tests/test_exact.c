@@ -185,7 +185,7 @@ static void assert_within_bounds(const struct plane *plane)
         assert_true(longest <= INT64_C(1) << 30 && llabs((long long)plane->d) < INT64_C(1) << 48);
         return;
     }
-    assert_true(sum > 0 && sum <= 32767 && llabs((long long)plane->d) < INT64_C(1) << 30);
+    assert_true(sum > 0 && sum <= 32767 && llabs((long long)plane->d) <= LIM_PLANE_D_MAX);
     if (plane->kind == PLANE_XZ) assert_true(plane->n[1] == 0);
     if (plane->kind <= PLANE_Z) assert_true(sum == 1 && plane->n[plane->kind] == 1);
 }

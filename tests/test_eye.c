@@ -39,8 +39,8 @@ static int oracle_side(struct oracle *o, const int64_t n[3], int64_t d, const in
 struct fixture {
     enum plane_kind kind;
     struct lim_node node;
-    struct lim_plane plane;
-    struct lim_plane_exact exact;
+    struct lim_plane planes[3];      /* the last is the node's */
+    struct lim_plane_exact exact[2]; /* likewise */
     int64_t n[3], d;
 };
 
@@ -89,7 +89,7 @@ static void make_small(struct random *random, struct fixture *f)
         if (f->kind == PLANE_XZ) f->n[1] = 0;
         f->d = dot_with_grid_point(random, f->n);
     } while (llabs(f->n[0]) + llabs(f->n[1]) + llabs(f->n[2]) > 32767 || llabs(f->d) > LIM_PLANE_D_MAX);
-    f->plane = plane_record(f->n, f->d);
+    f->planes[2] = plane_record(f->n, f->d);
 }
 
 static void make_large(struct random *random, struct fixture *f)
@@ -99,8 +99,8 @@ static void make_large(struct random *random, struct fixture *f)
             f->n[i] = component(random, INT64_C(1) << 30);
     } while (!f->n[0] && !f->n[1] && !f->n[2]);
     f->d = dot_with_grid_point(random, f->n);
-    f->plane = plane_filter(f->n, f->d, 0);
-    f->exact = (struct lim_plane_exact){
+    f->planes[2] = plane_filter(f->n, f->d, 1);
+    f->exact[1] = (struct lim_plane_exact){
         {(int32_t)f->n[0], (int32_t)f->n[1], (int32_t)f->n[2]}, (int32_t)(f->d >> 32), (uint32_t)f->d};
 }
 
@@ -126,12 +126,19 @@ static void make_eye(struct random *random, const struct fixture *f, int64_t ran
     if (on_plane_q8 > -LIM_EYE_MAX_Q8 && on_plane_q8 < LIM_EYE_MAX_Q8) eye_q8[axis] = clamp_eye((int64_t)on_plane_q8);
 }
 
+static int sign_of(int32_t side)
+{
+    return (side > 0) - (side < 0);
+}
+
+/* With the filter and without it. */
 static void no_side_is_decided_wrongly(enum plane_kind kind, uint64_t seed)
 {
     static const int64_t ranges_q8[] = {32767 * 256, 40000 * 256, 200000 * 256, (INT64_C(1) << 28) - 1};
     struct random random = {seed};
-    struct fixture f = {.kind = kind, .node = {0, 0, LIM_NONE, LIM_NONE, LIM_NONE, LIM_NONE, LIM_NONE}};
-    const struct lim_scene scene = {.planes = &f.plane, .exact = &f.exact};
+    struct fixture f = {.kind = kind,
+                        .node = {2 * LIM_PLANE_WORDS, 0, LIM_NONE, LIM_NONE, LIM_NONE, LIM_NONE, LIM_NONE}};
+    const struct lim_scene scene = {.planes = f.planes, .exact = f.exact};
     struct oracle oracle;
     size_t wrong = 0, on = 0;
 
@@ -149,7 +156,8 @@ static void no_side_is_decided_wrongly(enum plane_kind kind, uint64_t seed)
         lim_eye_set(&eye, &scene, eye_q8);
         const int expected = oracle_side(&oracle, f.n, f.d, eye_q8);
         const int32_t side = lim_eye_side(&eye, &f.node);
-        wrong += (side > 0) - (side < 0) != expected;
+        wrong += sign_of(side) != expected;
+        if (kind > PLANE_Z) wrong += sign_of(lim_eye_close_side(&eye, &f.node)) != expected;
         on += expected == 0;
     }
     mpz_clears(oracle.sum, oracle.term, NULL);

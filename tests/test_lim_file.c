@@ -245,6 +245,7 @@ static void nodes_that_lie_are_refused(void **state)
     size_t parent = node_with(FRONT, 1, 0xFFFE), run = node_with(FRONT_RUN, 0, 0xFFFE);
     size_t slanted = node_with(PLANE, 0, LIM_PLANE_X - 1);
     assert_field_refused(node_at_b(0, PLANE), LIM_NONE, "node 0: has no plane");
+    assert_field_refused(node_at_b(slanted, OFFSET), 1, "an offset beside a plane of its own");
     assert_field_refused(node_at_b(slanted, PLANE), (uint16_t)(s->nodes[slanted].plane + 1), "where none of ");
     assert_field_refused(node_at_b(slanted, PLANE), (uint16_t)(s->plane_count * LIM_PLANE_WORDS), "where none of ");
     assert_field_refused(node_at_b(parent, FRONT), s->node_count, "child ");
