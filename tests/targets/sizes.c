@@ -9,6 +9,7 @@
 /* Only its constants are wanted, and it is a header of the host's. */
 #define SIM_COMPILED_H
 struct compiled;
+struct core;
 struct error;
 #include "../../sim/pools.h"
 
