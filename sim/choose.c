@@ -78,20 +78,11 @@ static bool meets(const struct accuracy *accuracy, const struct choice_bound *bo
            (bound->vertex_px < 0.0 || accuracy->vertex_max_px <= bound->vertex_px);
 }
 
-static bool on_frame(void *ctx, size_t frame, size_t frames, struct error *err)
-{
-    (void)ctx;
-    progress("choosing: accuracy, frame %zu of %zu", frame + 1, frames);
-    return interrupt_check(err);
-}
-
 static bool measure_rows(struct trial *trial, const struct measure_views *views, const struct choice_bound *bound,
                          struct choice *choice, struct error *err)
 {
-    const struct measure_progress frames = {on_frame, NULL};
     struct accuracy accuracies[CHOICE_CORES_MAX];
-    if (!measure_accuracy(&trial->source, views, trial->candidates, choice->count, accuracies, &frames, err))
-        return false;
+    if (!measure_accuracy(&trial->source, views, trial->candidates, choice->count, accuracies, err)) return false;
     choice->frames = trial->path.count;
     for (size_t i = 0; i < choice->count; i++) {
         choice->rows[i].accuracy = accuracies[i];
@@ -108,8 +99,8 @@ static bool count_rows(struct trial *trial, const struct measure_views *views, c
     for (size_t i = 0; ok && i < choice->count; i++) {
         struct cost cost;
         if (!choice->rows[i].meets) continue;
-        progress("choosing: instructions of %s", choice->rows[i].core->name);
-        ok = measure_cost(&trial->candidates[i], bound->cpu, views, folder.path, &cost, err);
+        progress("instructions of %s", choice->rows[i].core->name);
+        ok = interrupt_check(err) && measure_cost(&trial->candidates[i], bound->cpu, views, folder.path, &cost, err);
         if (ok) choice->rows[i].instructions = cost.mean;
     }
     work_folder_remove(&folder);

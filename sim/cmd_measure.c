@@ -62,20 +62,13 @@ static bool prepare(struct measurement *measurement, struct error *err)
 
 /* Measuring ---------------------------------------------------------------------------------- */
 
-static bool on_frame(void *ctx, size_t frame, size_t frames, struct error *err)
-{
-    (void)ctx;
-    progress("measuring accuracy, frame: %zu of %zu", frame + 1, frames);
-    return interrupt_check(err);
-}
-
 static bool measure_costs(struct measurement *measurement, const struct measure_views *views, struct error *err)
 {
     struct measure_table *table = &measurement->table;
     const size_t count = table->row_count * table->cpu_count;
     for (size_t i = 0; i < count; i++) {
         const size_t row = i / table->cpu_count, cpu = i % table->cpu_count;
-        progress("measuring instructions, run: %zu of %zu", i + 1, count);
+        progress("instructions, run %zu of %zu", i + 1, count);
         if (!interrupt_check(err) || !measure_cost(&measurement->candidates[row], table->cpus[cpu], views,
                                                    measurement->folder.path, &table->rows[row].costs[cpu], err))
             return false;
@@ -87,7 +80,6 @@ static bool measure_all(struct measurement *measurement, struct error *err)
 {
     const struct measure_request *request = &measurement->request;
     const struct measure_views views = {&measurement->path, &measurement->lens, request->w_px, request->h_px};
-    const struct measure_progress frames = {on_frame, NULL};
     struct measure_table *table = &measurement->table;
     table->scene = request->name;
     table->w_px = request->w_px;
@@ -96,7 +88,7 @@ static bool measure_all(struct measurement *measurement, struct error *err)
     table->cpu_count = request->cpu_count;
     table->row_count = request->core_count;
     if (!measure_accuracy(&measurement->source, &views, measurement->candidates, table->row_count,
-                          measurement->accuracies, &frames, err))
+                          measurement->accuracies, err))
         return false;
     for (size_t i = 0; i < table->row_count; i++)
         table->rows[i].accuracy = measurement->accuracies[i];

@@ -70,16 +70,11 @@ bool measure_scene_for(struct measure_scenes *scenes, const struct measure_sourc
 
 void measure_scenes_free(struct measure_scenes *scenes);
 
-/* Calls back before each frame, for progress; false ends the measurement. */
-struct measure_progress {
-    bool (*frame)(void *ctx, size_t frame, size_t frames, struct error *err);
-    void *ctx;
-};
-
-/* Draws all frames with all candidates, and each once with the reference. `progress` may be NULL. */
+/* Draws all frames with all candidates, and each once with the reference. Shows progress; an interrupt (interrupt.h)
+ * ends it before the next frame. */
 bool measure_accuracy(struct measure_source *source, const struct measure_views *views,
                       const struct measure_candidate *candidates, size_t count, struct accuracy *out,
-                      const struct measure_progress *progress, struct error *err);
+                      struct error *err);
 
 /* -- Cost ------------------------------------------------------------------------------------- */
 

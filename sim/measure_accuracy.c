@@ -5,7 +5,9 @@
 #include "measure.h"
 
 #include "ids.h"
+#include "interrupt.h"
 #include "plane.h"
+#include "progress.h"
 #include "vec3.h"
 
 #include <math.h>
@@ -146,11 +148,11 @@ static bool measure_frame(struct measured *measured, const struct measure_source
 }
 
 static bool measure_frames(struct measured *measured, size_t count, struct measure_source *source,
-                           const struct measure_views *views, struct accuracy *out,
-                           const struct measure_progress *progress, struct error *err)
+                           const struct measure_views *views, struct accuracy *out, struct error *err)
 {
     for (size_t frame = 0; frame < views->path->count; frame++) {
-        if (progress && !progress->frame(progress->ctx, frame, views->path->count, err)) return false;
+        progress("accuracy, frame %zu of %zu", frame + 1, views->path->count);
+        if (!interrupt_check(err)) return false;
         reference_draw(&source->reference, &views->path->frames[frame], views->lens);
         for (size_t i = 0; i < count; i++)
             if (!measure_frame(&measured[i], source, views, frame, &out[i], err)) return false;
@@ -159,15 +161,14 @@ static bool measure_frames(struct measured *measured, size_t count, struct measu
 }
 
 bool measure_accuracy(struct measure_source *source, const struct measure_views *views,
-                      const struct measure_candidate *candidates, size_t count, struct accuracy *out,
-                      const struct measure_progress *progress, struct error *err)
+                      const struct measure_candidate *candidates, size_t count, struct accuracy *out, struct error *err)
 {
     struct measured *measured = calloc(count, sizeof *measured);
     bool ok = measured || error_set(err, "accuracy: out of memory");
     memset(out, 0, count * sizeof *out);
     for (size_t i = 0; ok && i < count; i++)
         ok = measured_init(&measured[i], &candidates[i], views, err);
-    ok = ok && measure_frames(measured, count, source, views, out, progress, err);
+    ok = ok && measure_frames(measured, count, source, views, out, err);
     for (size_t i = 0; measured && i < count; i++)
         measured_free(&measured[i]);
     free(measured);

@@ -53,7 +53,7 @@ static struct accuracy accuracy_of(struct rig *rig, const struct core *core)
     struct accuracy accuracy;
     struct error err;
 
-    if (!measure_accuracy(&rig->source, &views, &candidate, 1, &accuracy, NULL, &err)) fail_msg("%s", err.text);
+    if (!measure_accuracy(&rig->source, &views, &candidate, 1, &accuracy, &err)) fail_msg("%s", err.text);
     return accuracy;
 }
 
