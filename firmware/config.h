@@ -48,6 +48,10 @@
 #define LIM_HAS_LARGE 1 /* LARGE planes: with an exact plane beside their filter */
 #endif
 
+#ifndef LIM_HAS_LEAVES
+#define LIM_HAS_LEAVES 1 /* leaves: ordered clusters and sets without a tree */
+#endif
+
 /* 1: lim_frame() counts its work in struct lim_stats. 0: the counters stay zero and cost nothing. */
 #ifndef LIM_HAS_STATS
 #define LIM_HAS_STATS 1

@@ -54,7 +54,7 @@ static void note_run(struct lim *lim, struct lim_screen_polygon *polygon, uint16
         const uint16_t head = lim->scene->polygons[record];
         if (project(lim, polygon, record, lim_stats_of(lim))) note_face(&lim->convex, record, polygon->shape.top);
         if (head & LIM_POLYGON_LAST) return;
-        record = (uint16_t)(record + LIM_POLYGON_HEAD_WORDS + (head & LIM_POLYGON_COUNT));
+        record = (uint16_t)(record + lim_record_words(head));
     }
 }
 
@@ -62,7 +62,7 @@ static void note_faces(struct lim *lim, struct lim_screen_polygon *polygon)
 {
     for (uint_fast16_t i = 0; i < lim->scene->node_count; i++) {
         const LIM_FLASH struct lim_node *node = &lim->scene->nodes[i];
-        const int32_t side = lim_eye_side(lim_eye_of(lim), node);
+        const int32_t side = lim_eye_side(lim_eye_of(lim), &node->split);
         const uint16_t run = side > 0 ? node->front_run : node->back_run;
         if (LIM_HAS_STATS) lim_stats_of(lim)->nodes++;
         if (side && run != LIM_NONE) note_run(lim, polygon, run);

@@ -73,9 +73,9 @@ static int32_t exact_side(const struct lim_eye *eye, const int32_t n[3], int64_t
                     d * 256);
 }
 
-int32_t lim_eye_close_side(const struct lim_eye *eye, const LIM_FLASH struct lim_node *node)
+int32_t lim_eye_close_side(const struct lim_eye *eye, const LIM_FLASH struct lim_plane_ref *ref)
 {
-    const LIM_FLASH struct lim_plane *plane = lim_plane_at(eye->planes, node->plane);
+    const LIM_FLASH struct lim_plane *plane = lim_plane_at(eye->planes, ref->plane);
 
     if (LIM_HAS_LARGE && lim_plane_exact(plane) != LIM_NONE) {
         const LIM_FLASH struct lim_plane_exact *exact = &eye->scene->exact[lim_plane_exact(plane)];
@@ -100,12 +100,12 @@ static int32_t far_value(const struct lim_eye *eye, const LIM_FLASH struct lim_p
     return lim_eye_dot(eye, plane) - d;
 }
 
-int32_t lim_eye_far_side(const struct lim_eye *eye, const LIM_FLASH struct lim_node *node)
+int32_t lim_eye_far_side(const struct lim_eye *eye, const LIM_FLASH struct lim_plane_ref *ref)
 {
-    const LIM_FLASH struct lim_plane *plane = lim_plane_at(eye->planes, node->plane);
+    const LIM_FLASH struct lim_plane *plane = lim_plane_at(eye->planes, ref->plane);
     const bool is_large = LIM_HAS_LARGE && lim_plane_exact(plane) != LIM_NONE;
     const int32_t slack = is_large ? eye->large_slack : SMALL_SLACK;
     const int32_t value = far_value(eye, plane);
 
-    return value >= slack || value <= -slack ? value : lim_eye_close_side(eye, node);
+    return value >= slack || value <= -slack ? value : lim_eye_close_side(eye, ref);
 }

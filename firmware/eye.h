@@ -22,10 +22,10 @@ struct lim_eye {
 
 void lim_eye_set(struct lim_eye *eye, const struct lim_scene *scene, const int32_t at_q8[3]);
 
-/* The side of a node's plane that is not an axis plane, from anywhere: positive in front, negative behind, 0 exactly
+/* The side of a plane that is not an axis plane, from anywhere: positive in front, negative behind, 0 exactly
  * on it. The second multiplies in 64 bits at once: for where the filter cannot tell, and for builds without one. */
-int32_t lim_eye_far_side(const struct lim_eye *eye, const LIM_FLASH struct lim_node *node);
-int32_t lim_eye_close_side(const struct lim_eye *eye, const LIM_FLASH struct lim_node *node);
+int32_t lim_eye_far_side(const struct lim_eye *eye, const LIM_FLASH struct lim_plane_ref *ref);
+int32_t lim_eye_close_side(const struct lim_eye *eye, const LIM_FLASH struct lim_plane_ref *ref);
 
 /* n . s of the reduced eye s. */
 //@ logic integer size(integer i) = i < 0 ? -i : i;
@@ -62,18 +62,26 @@ static inline int32_t lim_eye_near_side(const struct lim_eye *eye, const LIM_FLA
     return (lim_eye_dot(eye, plane) + plane->slack_less_d) >> 17;
 }
 
-/* On which side of a node's plane the eye is: positive in front, negative behind, 0 exactly on it. */
-static inline int32_t lim_eye_side(const struct lim_eye *eye, const LIM_FLASH struct lim_node *node)
+/* On which side of a plane the eye is: positive in front, negative behind, 0 exactly on it. */
+static inline int32_t lim_eye_side(const struct lim_eye *eye, const LIM_FLASH struct lim_plane_ref *ref)
 {
-    const uint16_t at = node->plane;
+    const uint16_t at = ref->plane;
 
     if (LIM_HAS_FILTER && at < eye->near_end) {
         const int32_t side = lim_eye_near_side(eye, lim_plane_at(eye->planes, at));
-        return side ? side : lim_eye_close_side(eye, node);
+        return side ? side : lim_eye_close_side(eye, ref);
     }
     if (LIM_HAS_SLANTED && at < LIM_PLANE_X)
-        return LIM_HAS_FILTER ? lim_eye_far_side(eye, node) : lim_eye_close_side(eye, node);
-    return eye->at_q8[at & 3] - (int32_t)node->offset * 256;
+        return LIM_HAS_FILTER ? lim_eye_far_side(eye, ref) : lim_eye_close_side(eye, ref);
+    return eye->at_q8[at & 3] - (int32_t)ref->offset * 256;
+}
+
+/* Whether a record of a run that WALK gave faces the eye: those of a node do, those of a leaf may. */
+static inline bool lim_record_is_seen(const struct lim_eye *eye, const LIM_FLASH uint16_t *record)
+{
+    if (!LIM_HAS_LEAVES || !(record[0] & LIM_POLYGON_PLANE)) return true;
+    const int32_t side = lim_eye_side(eye, lim_record_plane(record));
+    return record[0] & LIM_POLYGON_BACK ? side < 0 : side > 0;
 }
 
 #endif

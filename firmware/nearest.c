@@ -83,7 +83,8 @@ static bool take_run(struct lim *lim, uint16_t run, uint8_t *since_shrink)
 
     for (;;) {
         const uint16_t head = record[0];
-        if (lim_project(&polygon, &lim->view, lim->scene, record, &lim->spans.open, lim_stats_of(lim))) {
+        if (lim_record_is_seen(&lim->walk.eye, record) &&
+            lim_project(&polygon, &lim->view, lim->scene, record, &lim->spans.open, lim_stats_of(lim))) {
             if (!take(lim, &polygon)) return false;
             if (!lim->spans.open_lines) return true;
         }
@@ -92,7 +93,7 @@ static bool take_run(struct lim *lim, uint16_t run, uint8_t *since_shrink)
             shrink(lim);
         }
         if (head & LIM_POLYGON_LAST) return true;
-        record += LIM_POLYGON_HEAD_WORDS + (head & LIM_POLYGON_COUNT);
+        record += lim_record_words(head);
     }
 }
 

@@ -76,7 +76,7 @@ static int paint_any(struct lim *lim, const struct lim_screen_polygon *polygon)
 
 static const LIM_FLASH uint16_t *record_after(const LIM_FLASH uint16_t *record)
 {
-    return record + LIM_POLYGON_HEAD_WORDS + (record[0] & LIM_POLYGON_COUNT);
+    return record + lim_record_words(record[0]);
 }
 
 /* Last record first: where rounding makes neighbours in a plane overlap, the first is on top in both
@@ -90,7 +90,8 @@ static int paint_run(struct lim *lim, uint16_t run, const struct lim_rect *scree
     while (!(record[0] & LIM_POLYGON_LAST))
         record = record_after(record);
     for (;;) {
-        if (lim_project(&polygon, &lim->view, lim->scene, record, screen, lim_stats_of(lim))) {
+        if (lim_record_is_seen(&lim->walk.eye, record) &&
+            lim_project(&polygon, &lim->view, lim->scene, record, screen, lim_stats_of(lim))) {
             const int err = paint_any(lim, &polygon);
             if (err) return err;
         }

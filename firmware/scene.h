@@ -12,7 +12,7 @@
 
 #define LIM_NONE 0xFFFFu /* "no such index", in every index field below */
 
-enum { LIM_SCENE_VERSION = 3 };
+enum { LIM_SCENE_VERSION = 4 };
 
 struct lim_vertex {
     int16_t x, y, z; /* units */
@@ -47,22 +47,33 @@ struct lim_plane_exact {
     uint32_t d_lo;
 };
 
-/* A run is a sequence of polygon records in lim_scene.polygons that share a plane and a facing:
- * word 0: bits 0..7 number of vertices, bit 15 set in the run's last record, the rest zero;
- * word 1: colour, RGB565 as a number (red in bits 11..15);
- * then one vertex index a word, counter-clockwise seen from the side that the polygon faces. */
-#define LIM_POLYGON_COUNT 0x00FFu
-#define LIM_POLYGON_LAST 0x8000u
-enum { LIM_POLYGON_HEAD_WORDS = 2 };
-
-/* What a node's field `plane` says of an axis plane, x, y or z = offset. Any smaller number is a place in
+/* What lim_plane_ref.plane says of an axis plane, x, y or z = offset. Any smaller number is a place in
  * lim_scene.planes, in words of 4 bytes. */
 enum { LIM_PLANE_X = 0xFFFC, LIM_PLANE_Y, LIM_PLANE_Z }; /* x, y and z in the last two bits */
 enum { LIM_PLANE_WORDS = sizeof(struct lim_plane) / 4 };
 
+/* Where to find a plane. */
+struct lim_plane_ref {
+    uint16_t plane; /* above; LIM_NONE: there is none */
+    int16_t offset; /* of an axis plane, units; else 0 */
+};
+
+/* A run is a sequence of polygon records in lim_scene.polygons:
+ * word 0: bits 0..7 number of vertices, bits 8..14 flags, bit 15 set in the run's last record;
+ * word 1: colour, RGB565 as a number (red in bits 11..15);
+ * then one vertex index a word, counter-clockwise seen from the side that the polygon faces;
+ * then what the flags announce, in their order.
+ * The records of a node's run share its plane and a facing. Those of a leaf have planes of their own. */
+#define LIM_POLYGON_COUNT 0x00FFu
+#define LIM_POLYGON_PLANE 0x0100u /* its plane, a struct lim_plane_ref: two words */
+#define LIM_POLYGON_BACK 0x0200u  /* it faces the back of that plane */
+#define LIM_POLYGON_LAST 0x8000u
+enum { LIM_POLYGON_HEAD_WORDS = 2 };
+
+/* A leaf has no plane and no children; its front_run comes in an order that is right from everywhere, nearest
+ * first (sets without a tree: in any order), and is never LIM_NONE. */
 struct lim_node {
-    uint16_t plane;       /* above */
-    int16_t offset;       /* of an axis plane, units; else 0 */
+    struct lim_plane_ref split;
     uint16_t front, back; /* child nodes on either side of the plane, or LIM_NONE */
     uint16_t front_run;   /* word offset of the polygons that face the front, or LIM_NONE */
     uint16_t back_run;    /* the same for those that face the back */
@@ -138,7 +149,22 @@ static inline int32_t lim_plane_d(const LIM_FLASH struct lim_plane *plane)
     return LIM_PLANE_SLACK - plane->slack_less_d;
 }
 
-/* The plane that a node's field `plane` names, if not an axis plane. */
+/* Words of a record, which begins with `head`. */
+static inline uint16_t lim_record_words(uint16_t head)
+{
+    uint16_t words = (uint16_t)(LIM_POLYGON_HEAD_WORDS + (head & LIM_POLYGON_COUNT));
+
+    if (LIM_HAS_LEAVES && head & LIM_POLYGON_PLANE) words += sizeof(struct lim_plane_ref) / 2;
+    return words;
+}
+
+/* The plane of a record of a leaf. */
+static inline const LIM_FLASH struct lim_plane_ref *lim_record_plane(const LIM_FLASH uint16_t *record)
+{
+    return (const LIM_FLASH struct lim_plane_ref *)(record + LIM_POLYGON_HEAD_WORDS + (record[0] & LIM_POLYGON_COUNT));
+}
+
+/* The plane that lim_plane_ref.plane names, if not an axis plane. */
 static inline const LIM_FLASH struct lim_plane *lim_plane_at(const LIM_FLASH struct lim_plane *planes, uint16_t words)
 {
     return (const LIM_FLASH struct lim_plane *)((const LIM_FLASH uint32_t *)planes + words);

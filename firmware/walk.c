@@ -25,6 +25,14 @@ static bool skipped(const struct lim_walk *walk, const LIM_FLASH struct lim_node
     return true;
 }
 
+/* Its run is due at once. */
+static inline uint16_t enter_leaf(struct lim_walk *walk, const LIM_FLASH struct lim_node *node)
+{
+    LIM_ASSERT(walk->depth < walk->eye.scene->limits.depth);
+    walk->stack[walk->depth++] = (struct lim_walk_pending){node->front_run, LIM_NONE};
+    return LIM_NONE;
+}
+
 /* Remembers what comes after the node's near subtree. Returns the root of that, or LIM_NONE. */
 static inline uint16_t enter(struct lim_walk *walk, uint16_t index, const struct lim_cull *cull,
                              struct lim_stats *stats)
@@ -33,7 +41,8 @@ static inline uint16_t enter(struct lim_walk *walk, uint16_t index, const struct
 
     if (skipped(walk, node, cull, stats)) return LIM_NONE;
     if (LIM_HAS_STATS) stats->nodes++;
-    const int32_t side = lim_eye_side(&walk->eye, node);
+    if (LIM_HAS_LEAVES && node->split.plane == LIM_NONE) return enter_leaf(walk, node);
+    const int32_t side = lim_eye_side(&walk->eye, &node->split);
     const bool front_first = (side > 0) != walk->back_to_front;
     LIM_ASSERT(walk->depth < walk->eye.scene->limits.depth);
     struct lim_walk_pending *pending = &walk->stack[walk->depth++];

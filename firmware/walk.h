@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT
  *
  * WALK: the tree's polygons in visibility order, a run at a time. In: the scene, the eye, the open
- * view. Out: runs (scene.h) that face the eye. Memory: a stack as deep as the tree, lent by the
- * caller; no recursion. */
+ * view. Out: runs (scene.h) that face the eye, and leaves' runs, whose records may or may not. Memory: a stack as deep
+ * as the tree, lent by the caller; no recursion. */
 #ifndef LIM_WALK_H
 #define LIM_WALK_H
 

@@ -38,11 +38,10 @@ static void bounds_add_run(const struct lim_scene *scene, uint16_t run, struct b
 {
     if (run == LIM_NONE) return;
     for (const uint16_t *at = &scene->polygons[run], *next;; at = next) {
-        const uint16_t count = at[0] & LIM_POLYGON_COUNT;
-        next = at + LIM_POLYGON_HEAD_WORDS + count;
-        for (const uint16_t *index = at + LIM_POLYGON_HEAD_WORDS; index < next; index++) {
-            bounds_add_vertex(scene, *index, bounds);
-        }
+        const uint16_t *corners = at + LIM_POLYGON_HEAD_WORDS;
+        next = at + lim_record_words(at[0]);
+        for (size_t k = 0; k < (at[0] & LIM_POLYGON_COUNT); k++)
+            bounds_add_vertex(scene, corners[k], bounds);
         bounds->polygons++;
         if (at[0] & LIM_POLYGON_LAST) return;
     }

@@ -6,6 +6,7 @@
 #include "bsp.h"
 
 #include "grow.h"
+#include "tree.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -82,6 +83,24 @@ static uint32_t piece_of_polygon(struct bsp *bsp, uint32_t index)
     return piece_add(bsp, first, index);
 }
 
+/* Planes ------------------------------------------------------------------------------------- */
+
+const struct plane *bsp_plane(const struct bsp *bsp, uint32_t group)
+{
+    return group < bsp->coplanar->count ? &bsp->coplanar->planes[group] : &bsp->cuts[group - bsp->coplanar->count];
+}
+
+uint32_t bsp_cut(struct bsp *bsp, enum plane_kind axis, int32_t d)
+{
+    const uint32_t index = *map_at(&bsp->cut_of, (uint64_t)axis << 32 | (uint32_t)d, (uint32_t)bsp->cut_count);
+    if (index == bsp->cut_count) {
+        bsp->cuts = grow(bsp->cuts, bsp->cut_count, &bsp->cut_capacity, sizeof *bsp->cuts);
+        bsp->cuts[bsp->cut_count++] =
+            (struct plane){.n = {axis == PLANE_X, axis == PLANE_Y, axis == PLANE_Z}, .d = d, .kind = axis, .length = 1};
+    }
+    return (uint32_t)bsp->coplanar->count + index;
+}
+
 /* Sides -------------------------------------------------------------------------------------- */
 
 static int corner_side(const struct bsp *bsp, uint32_t point, const struct plane *plane)
@@ -118,7 +137,7 @@ struct crossing {
 static struct crossing find_crossing(struct bsp *bsp, const struct bsp_piece *piece, uint32_t from, int side,
                                      uint32_t group)
 {
-    const struct plane *plane = &bsp->coplanar->planes[group];
+    const struct plane *plane = bsp_plane(bsp, group);
     const struct bsp_corner *corners = &bsp->corners[piece->first];
     uint32_t before = from, at;
     int at_side;
@@ -163,7 +182,7 @@ static void piece_split(struct bsp *bsp, uint32_t index, uint32_t group, struct 
 {
     const struct bsp_piece piece = bsp->pieces[index];
     uint32_t top = 0, bottom = 0;
-    find_extremes(bsp, &piece, &bsp->coplanar->planes[group], &top, &bottom);
+    find_extremes(bsp, &piece, bsp_plane(bsp, group), &top, &bottom);
     struct crossing down = find_crossing(bsp, &piece, top, 1, group);
     struct crossing up = find_crossing(bsp, &piece, bottom, -1, group);
     uint32_t cut = edges_add_cut(&bsp->edges, down.point, up.point);
@@ -181,17 +200,20 @@ static void place(struct bsp *bsp, struct bsp_node *node, uint32_t piece)
     node->count++;
 }
 
-/* A piece of another group that lies within the tolerance all over goes to the side of its middle. */
-static void file_piece(struct bsp *bsp, struct bsp_node *node, uint32_t index, struct list *front, struct list *back)
+/* A piece of another group that lies within the tolerance all over goes to the side of its middle; so does every
+ * piece where nothing is to be split. */
+static void file_piece(struct bsp *bsp, struct bsp_node *node, uint32_t index, bool splits, struct list *front,
+                       struct list *back)
 {
     const struct bsp_piece *piece = &bsp->pieces[index];
-    const struct plane *plane = &bsp->coplanar->planes[node->group];
+    const struct plane *plane = bsp_plane(bsp, node->group);
     if (bsp->coplanar->group[piece->polygon] == node->group) {
         place(bsp, node, index);
         return;
     }
     int sides = bsp_piece_sides(bsp, piece, plane);
-    if (sides == BSP_ON) sides = plane_distance(plane, piece->centre) >= 0.0 ? BSP_FRONT : BSP_BACK;
+    if (sides == BSP_ON || (sides == BSP_BOTH && !splits))
+        sides = plane_distance(plane, piece->centre) >= 0.0 ? BSP_FRONT : BSP_BACK;
     if (sides == BSP_BOTH)
         piece_split(bsp, index, node->group, front, back);
     else
@@ -229,18 +251,38 @@ static void stack_push(struct stack *stack, struct task task, const struct list 
     stack->tasks[stack->task_count++] = task;
 }
 
-/* Turns the task on top of the stack into a node and up to two tasks. */
-static void divide(struct bsp *bsp, const struct splitter *splitter, struct stack *stack, struct list *front,
+/* Makes a leaf of the list, if the kind of tree has one here. */
+static bool end_in_leaf(struct bsp *bsp, enum tree_kind kind, const struct task *task, const uint32_t *list,
+                        size_t count)
+{
+    uint32_t *order = grow_zeroed(count, sizeof *order);
+    const bool ends = tree_ends(bsp, kind, list, count, order);
+    if (ends) {
+        struct bsp_node *node = node_add(bsp, task, BSP_NONE);
+        for (size_t i = 0; i < count; i++)
+            place(bsp, node, order[i]);
+    }
+    free(order);
+    return ends;
+}
+
+/* Turns the task on top of the stack into a leaf, or into a node and up to two tasks. */
+static void divide(struct bsp *bsp, const struct bsp_plan *plan, struct stack *stack, struct list *front,
                    struct list *back)
 {
     const struct task task = stack->tasks[--stack->task_count];
     const uint32_t *list = stack->pieces + task.first;
     size_t count = stack->count - task.first;
-    uint32_t group = splitter_choose(splitter, bsp, list, count);
+    if (end_in_leaf(bsp, plan->kind, &task, list, count)) {
+        stack->count = task.first;
+        return;
+    }
+    uint32_t group = tree_divider(bsp, plan, (struct tree_place){task.parent, task.in_front}, list, count);
     struct bsp_node *node = node_add(bsp, &task, group);
+    const bool splits = plan->kind != TREE_OCTREE_CENTRE;
     front->count = back->count = 0;
     for (size_t i = 0; i < count; i++)
-        file_piece(bsp, node, list[i], front, back);
+        file_piece(bsp, node, list[i], splits, front, back);
     stack->count = task.first;
     struct task child = {.parent = (uint32_t)(bsp->node_count - 1), .depth = task.depth + 1};
     stack_push(stack, child, back);
@@ -248,10 +290,10 @@ static void divide(struct bsp *bsp, const struct splitter *splitter, struct stac
     stack_push(stack, child, front);
 }
 
-bool bsp_build(struct bsp *bsp, const struct mesh *mesh, const struct coplanar *coplanar, double tolerance_units,
-               struct exact_points *points, const struct splitter *splitter)
+bool bsp_build(struct bsp *bsp, const struct mesh *mesh, const struct coplanar *coplanar, const struct bsp_plan *plan,
+               struct exact_points *points)
 {
-    *bsp = (struct bsp){.mesh = mesh, .coplanar = coplanar, .tolerance_units = tolerance_units};
+    *bsp = (struct bsp){.mesh = mesh, .coplanar = coplanar, .tolerance_units = plan->tolerance_units};
     bsp->edges.points = points;
     struct stack stack = {0};
     struct list front = {0}, back = {0};
@@ -259,7 +301,7 @@ bool bsp_build(struct bsp *bsp, const struct mesh *mesh, const struct coplanar *
         list_add(&front, piece_of_polygon(bsp, (uint32_t)i));
     stack_push(&stack, (struct task){.parent = BSP_NONE, .depth = 1}, &front);
     while (stack.task_count && bsp->piece_count <= BSP_PIECES_MAX)
-        divide(bsp, splitter, &stack, &front, &back);
+        divide(bsp, plan, &stack, &front, &back);
     bool complete = stack.task_count == 0;
     edges_sort(&bsp->edges);
     free(front.items);
@@ -272,6 +314,8 @@ bool bsp_build(struct bsp *bsp, const struct mesh *mesh, const struct coplanar *
 void bsp_free(struct bsp *bsp)
 {
     edges_free(&bsp->edges);
+    map_free(&bsp->cut_of);
+    free(bsp->cuts);
     free(bsp->corners);
     free(bsp->pieces);
     free(bsp->nodes);

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT
  *
- * The BSP tree of a mesh. Nodes carry the stored planes of coplanar groups; polygons across a
- * plane are split at exact points; each piece lies, up to the tolerance, on the side of every
+ * The tree of a mesh. Nodes carry the stored planes of coplanar groups, or cuts, which are axis planes
+ * with no polygon of their own; leaves carry polygons in an order that is right from everywhere. Polygons
+ * across a plane are split at exact points; each piece lies, up to the tolerance, on the side of every
  * plane above it that it was filed under. */
 #ifndef SIM_BSP_H
 #define SIM_BSP_H
@@ -9,6 +10,7 @@
 #include "coplanar.h"
 #include "edges.h"
 #include "splitter.h"
+#include "tree_kind.h"
 
 #define BSP_NONE UINT32_MAX
 
@@ -26,11 +28,11 @@ struct bsp_piece {
 };
 
 struct bsp_node {
-    uint32_t group;       /* of coplanar polygons, whose plane is the node's */
+    uint32_t group;       /* of coplanar polygons, whose plane is the node's; or a cut; BSP_NONE: a leaf */
     uint32_t front, back; /* child nodes or BSP_NONE */
     uint32_t parent;      /* BSP_NONE at the root */
     bool in_front;        /* is it its parent's front child? */
-    size_t first, count;  /* its pieces: placed[first .. first + count) */
+    size_t first, count;  /* its pieces: placed[first .. first + count); a leaf's nearest first */
 };
 
 struct bsp {
@@ -42,6 +44,9 @@ struct bsp {
     struct bsp_piece *pieces;
     struct bsp_node *nodes; /* parents before children, front subtrees before back ones */
     uint32_t *placed;       /* pieces, node by node */
+    struct plane *cuts;     /* group coplanar->count + i is cuts[i] */
+    struct map cut_of;      /* (axis, d) -> i */
+    size_t cut_count, cut_capacity;
     size_t corner_count, corner_capacity, piece_count, piece_capacity, node_count, node_capacity;
     size_t placed_count, placed_capacity;
     size_t splits, depth;
@@ -50,10 +55,23 @@ struct bsp {
 /* More pieces than any scene can hold: building stops there. */
 enum { BSP_PIECES_MAX = 1 << 18 };
 
+/* How a tree is to be built. */
+struct bsp_plan {
+    enum tree_kind kind;
+    const struct splitter *splitter; /* chooses among the planes of the polygons */
+    double tolerance_units;
+};
+
 /* Builds the tree. `points` holds exactly the mesh's points and receives those of the splits.
  * False if the pieces become too many. bsp_free() it either way. */
-bool bsp_build(struct bsp *bsp, const struct mesh *mesh, const struct coplanar *coplanar, double tolerance_units,
-               struct exact_points *points, const struct splitter *splitter);
+bool bsp_build(struct bsp *bsp, const struct mesh *mesh, const struct coplanar *coplanar, const struct bsp_plan *plan,
+               struct exact_points *points);
+
+/* The plane of a group or a cut. */
+const struct plane *bsp_plane(const struct bsp *bsp, uint32_t group);
+
+/* The group that stands for the axis plane of that kind, PLANE_X..PLANE_Z, at d. */
+uint32_t bsp_cut(struct bsp *bsp, enum plane_kind axis, int32_t d);
 
 enum { BSP_ON = 0, BSP_FRONT = 1, BSP_BACK = 2, BSP_BOTH = BSP_FRONT | BSP_BACK };
 

@@ -43,8 +43,8 @@ static void write_nodes(FILE *file, const struct lim_scene *scene, const struct 
     begin_array(file, prefix, "struct lim_node", "nodes", scene->node_count);
     for (size_t i = 0; i < scene->node_count; i++) {
         const struct lim_node *node = &scene->nodes[i];
-        fprintf(file, "%s{%u, %d, %u, %u, %u, %u, %u},", i % 2 ? " " : "\n    ", (unsigned)node->plane,
-                (int)node->offset, (unsigned)node->front, (unsigned)node->back, (unsigned)node->front_run,
+        fprintf(file, "%s{{%u, %d}, %u, %u, %u, %u, %u},", i % 2 ? " " : "\n    ", (unsigned)node->split.plane,
+                (int)node->split.offset, (unsigned)node->front, (unsigned)node->back, (unsigned)node->front_run,
                 (unsigned)node->back_run, (unsigned)node->box);
     }
     end_array(file);

@@ -43,7 +43,7 @@ static size_t badness(const struct compile_report *report)
 }
 
 static void report_set(struct compile_report *report, const struct bsp *bsp, const struct encoding *encoding,
-                       const struct lim_scene *scene, const struct splitter *splitter)
+                       const struct lim_scene *scene, const struct bsp_plan *plan)
 {
     *report = (struct compile_report){.mesh = bsp->mesh->counts,
                                       .polygons_in = bsp->mesh->polygon_count,
@@ -56,8 +56,12 @@ static void report_set(struct compile_report *report, const struct bsp *bsp, con
                                       .wrong_percent = NAN,
                                       .flash_b = flash_b(scene)};
     for (size_t i = 0; i < scene->node_count; i++)
-        report->kinds[plane_kind_of(scene, (uint16_t)i)]++;
-    snprintf(report->splitter, sizeof report->splitter, "%s", splitter->name);
+        if (scene->nodes[i].split.plane == LIM_NONE)
+            report->leaves++;
+        else
+            report->kinds[plane_kind_of(scene, &scene->nodes[i].split)]++;
+    report->tree = plan->kind;
+    snprintf(report->splitter, sizeof report->splitter, "%s", plan->splitter->name);
 }
 
 /* Profile exact draws vertices with fractions; for the others they would only take flash. */
@@ -80,17 +84,18 @@ static void image_make(struct encoding *encoding, const struct grid *grid, struc
 }
 
 /* One heuristic, from the list of polygons to the scene. */
-static bool compile_with(struct compilation *work, const struct splitter *splitter, struct compiled *out,
-                         struct error *err)
+static bool compile_with(struct compilation *work, enum tree_kind kind, const struct splitter *splitter,
+                         struct compiled *out, struct error *err)
 {
+    const struct bsp_plan plan = {kind, splitter, work->options->tolerance_units};
     struct bsp bsp;
     struct encoding encoding = {0};
-    bool ok = bsp_build(&bsp, work->mesh, &work->coplanar, work->options->tolerance_units, &work->points, splitter) ||
+    bool ok = bsp_build(&bsp, work->mesh, &work->coplanar, &plan, &work->points) ||
               error_set(err, "scene too large: split into more than %d pieces", BSP_PIECES_MAX);
     ok = ok && encode_bsp(&bsp, is_exact(work->options), &encoding, err);
     if (ok) {
         image_make(&encoding, &work->mesh->grid, out);
-        report_set(&out->report, &bsp, &encoding, &out->scene, splitter);
+        report_set(&out->report, &bsp, &encoding, &out->scene, &plan);
     }
     encoding_free(&encoding);
     bsp_free(&bsp);
@@ -98,8 +103,11 @@ static bool compile_with(struct compilation *work, const struct splitter *splitt
     return ok;
 }
 
-static bool is_wanted(const struct compile_options *options, const struct splitter *splitter)
+/* A set has no planes to choose. */
+static bool is_wanted(const struct compile_options *options, enum tree_kind kind, const struct splitter *splitter)
 {
+    const bool kind_wanted = options->tree == TREE_AUTO ? kind == TREE_BSP : kind == options->tree;
+    if (!kind_wanted || (kind == TREE_NONE && splitter != &splitters[1])) return false;
     if (strcmp(options->splitter, "auto") != 0) return strcmp(options->splitter, splitter->name) == 0;
     return splitter != &splitters[0]; /* "first" is for lists that are in order already */
 }
@@ -110,11 +118,13 @@ static bool compile_best(struct compilation *work, struct compiled *out, struct 
     bool ok = false;
     error_set(err, "--splitter %s: no such heuristic; there are auto, first, fewest and balanced",
               work->options->splitter);
-    for (size_t i = 0; i < splitter_count; i++) {
+    for (size_t i = 0; i < splitter_count * TREE_KINDS; i++) {
+        const struct splitter *splitter = &splitters[i % splitter_count];
+        const enum tree_kind kind = (enum tree_kind)(i / splitter_count);
         struct compiled candidate = {0};
-        if (!is_wanted(work->options, &splitters[i])) continue;
-        progress("compiling: %zu polygons, %s", work->mesh->polygon_count, splitters[i].name);
-        if (!compile_with(work, &splitters[i], &candidate, err)) continue;
+        if (!is_wanted(work->options, kind, splitter)) continue;
+        progress("compiling: %zu polygons, %s, %s", work->mesh->polygon_count, tree_names[kind], splitter->name);
+        if (!compile_with(work, kind, splitter, &candidate, err)) continue;
         if (!ok || badness(&candidate.report) < badness(&out->report)) {
             struct compiled worse = *out;
             *out = candidate;

@@ -10,9 +10,11 @@
 #include "mesh.h"
 #include "plane.h"
 #include "scene.h"
+#include "tree_kind.h"
 
 struct compile_options {
     double tolerance_units;  /* a polygon this near to a plane lies on it; 0.5 by default, 0 = exact */
+    enum tree_kind tree;     /* TREE_AUTO by default */
     const char *splitter;    /* "auto", "first", "fewest", "balanced": heuristic of the tree builder */
     bool keep_faces;         /* do not merge: every face keeps its own number in --ids */
     const struct core *core; /* precision profile of the prediction and of NAME.h; NULL: fast */
@@ -28,6 +30,8 @@ struct compile_report {
     size_t collapsed; /* pieces that the grid rounded to nothing */
     size_t depth;
     size_t kinds[PLANE_KINDS];    /* nodes by enum plane_kind */
+    size_t leaves;                /* nodes without a plane */
+    enum tree_kind tree;          /* the kind that won */
     double worst_violation_units; /* certified: how far any vertex lies on the wrong side */
     char splitter[16];            /* the heuristic that won */
     bool convex;                  /* one convex solid: firmware draws it without walk and spans */

@@ -9,6 +9,7 @@
 static bool link_is_right(const struct lim_scene *scene, uint16_t i)
 {
     const struct lim_node *node = &scene->nodes[i];
+    if (node->split.plane == LIM_NONE) return false;
     const uint16_t after = i + 1 < scene->node_count ? (uint16_t)(i + 1) : LIM_NONE;
     if (node->front_run != LIM_NONE && node->back_run != LIM_NONE) return false;
     if (node->front_run != LIM_NONE) return node->front == LIM_NONE && node->back == after;
@@ -21,7 +22,7 @@ static bool all_behind(const struct lim_scene *scene, uint16_t i)
 {
     const int facing = scene->nodes[i].front_run != LIM_NONE ? 1 : -1;
     int64_t n[3], d, slack = 0;
-    plane_exact(scene, i, n, &d);
+    plane_exact(scene, &scene->nodes[i].split, n, &d);
     for (int k = 0; k < 3; k++)
         slack += n[k] < 0 ? -n[k] : n[k];
     for (size_t v = 0; v < scene->vertex_count; v++) {

@@ -36,12 +36,12 @@ static bool project(void *lim, uint16_t vertex, double at_px[2])
     return true;
 }
 
-static int8_t eye_side(const struct lim_scene *scene, uint16_t node, const int32_t eye_q8[3])
+static int8_t eye_side(const struct lim_scene *scene, const struct lim_plane_ref *ref, const int32_t eye_q8[3])
 {
     struct lim_eye eye;
 
     lim_eye_set(&eye, scene, eye_q8);
-    const int32_t side = lim_eye_side(&eye, &scene->nodes[node]);
+    const int32_t side = lim_eye_side(&eye, ref);
     return (int8_t)((side > 0) - (side < 0));
 }
 

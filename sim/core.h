@@ -20,9 +20,9 @@ struct core {
     int (*frame)(void *lim, const struct lim_camera *camera);
     const struct lim_stats *(*stats)(const void *lim);
     /* For measurements: where the camera of the last frame puts a vertex, in pixels, the centre of the first
-     * one at 0 (false: it is left to clipping); which side of a node's plane an eye is on, as WALK decides it. */
+     * one at 0 (false: it is left to clipping); which side of a plane an eye is on, as WALK decides it. */
     bool (*project)(void *lim, uint16_t vertex, double at_px[2]);
-    int8_t (*eye_side)(const struct lim_scene *scene, uint16_t node, const int32_t eye_q8[3]);
+    int8_t (*eye_side)(const struct lim_scene *scene, const struct lim_plane_ref *ref, const int32_t eye_q8[3]);
 };
 
 extern const struct core core_draft, core_fast, core_fine, core_exact;

@@ -23,6 +23,8 @@ struct encoder {
     struct map vertices;        /* number and z -> index */
     struct map planes;          /* group -> index */
     struct outline outline;     /* the piece at hand */
+    uint16_t flags;             /* of its records */
+    struct lim_plane_ref own;   /* with LIM_POLYGON_PLANE: their plane */
 };
 
 uint16_t rgb565_from_rgb888(uint32_t colour)
@@ -72,10 +74,15 @@ static void record_add(struct encoder *work, const struct outline *outline, cons
     struct encoding *out = work->out;
     out->faces = grow(out->faces, out->record_count, &out->face_capacity, sizeof *out->faces);
     out->faces[out->record_count++] = polygon->face;
-    word_add(out, outline->count);
+    out->last_record = out->word_count;
+    word_add(out, outline->count | work->flags);
     word_add(out, rgb565_from_rgb888(polygon->colour));
     for (size_t i = 0; i < outline->count; i++)
         word_add(out, vertex_index(work, outline->corners[i]));
+    if (work->flags & LIM_POLYGON_PLANE) {
+        word_add(out, work->own.plane);
+        word_add(out, (uint16_t)work->own.offset);
+    }
     out->widest = outline->count > out->widest ? outline->count : out->widest;
 }
 
@@ -127,13 +134,12 @@ static void piece_encode(struct encoder *work, uint32_t index, bool back_run)
 static size_t run_encode(struct encoder *work, const struct bsp_node *node, bool back_run)
 {
     struct encoding *out = work->out;
-    size_t first = out->word_count, last = first;
+    size_t first = out->word_count;
+    work->flags = 0;
     for (size_t i = 0; i < node->count; i++)
         piece_encode(work, work->bsp->placed[node->first + i], back_run);
     if (out->word_count == first) return LIM_NONE;
-    for (size_t at = first; at < out->word_count; at += LIM_POLYGON_HEAD_WORDS + out->words[at])
-        last = at;
-    out->words[last] |= LIM_POLYGON_LAST;
+    out->words[out->last_record] |= LIM_POLYGON_LAST;
     return first;
 }
 
@@ -169,18 +175,14 @@ static void plane_add(struct encoding *out, const struct plane *plane)
                                           : small_record(plane);
 }
 
-/* Where a node finds its plane. */
-static void node_place(struct encoder *work, uint32_t group, struct lim_node *node)
+/* Where a node or a record finds its plane. */
+static struct lim_plane_ref plane_ref(struct encoder *work, uint32_t group)
 {
-    const struct plane *plane = &work->bsp->coplanar->planes[group];
-    if (plane->kind <= PLANE_Z) {
-        node->plane = (uint16_t)(LIM_PLANE_X + plane->kind);
-        node->offset = (int16_t)plane->d;
-        return;
-    }
+    const struct plane *plane = bsp_plane(work->bsp, group);
+    if (plane->kind <= PLANE_Z) return (struct lim_plane_ref){(uint16_t)(LIM_PLANE_X + plane->kind), (int16_t)plane->d};
     uint32_t index = *map_at(&work->planes, group, (uint32_t)work->out->plane_count);
     if (index == work->out->plane_count) plane_add(work->out, plane);
-    node->plane = (uint16_t)(index * LIM_PLANE_WORDS);
+    return (struct lim_plane_ref){(uint16_t)(index * LIM_PLANE_WORDS), 0};
 }
 
 /* Nodes -------------------------------------------------------------------------------------- */
@@ -212,10 +214,31 @@ static uint16_t child_index(const uint32_t *heirs, const uint32_t *numbers, uint
     return child == BSP_NONE || heirs[child] == BSP_NONE ? LIM_NONE : (uint16_t)numbers[heirs[child]];
 }
 
+/* A leaf's pieces in their order, with a record for each side from which one is seen. */
+static size_t leaf_encode(struct encoder *work, const struct bsp_node *node)
+{
+    size_t first = work->out->word_count;
+    for (size_t i = 0; i < node->count; i++) {
+        const uint32_t index = work->bsp->placed[node->first + i];
+        work->own = plane_ref(work, work->bsp->coplanar->group[work->bsp->pieces[index].polygon]);
+        for (int back = 0; back < 2; back++) {
+            work->flags = (uint16_t)(LIM_POLYGON_PLANE | (back ? LIM_POLYGON_BACK : 0));
+            piece_encode(work, index, back);
+        }
+    }
+    work->out->words[work->out->last_record] |= LIM_POLYGON_LAST;
+    return first;
+}
+
 static struct lim_node node_encode(struct encoder *work, const struct bsp_node *node)
 {
     struct lim_node out = {.front = LIM_NONE, .back = LIM_NONE, .box = LIM_NONE};
-    node_place(work, node->group, &out);
+    if (node->group == BSP_NONE) {
+        out.split.plane = out.back_run = LIM_NONE;
+        out.front_run = (uint16_t)leaf_encode(work, node);
+        return out;
+    }
+    out.split = plane_ref(work, node->group);
     out.front_run = (uint16_t)run_encode(work, node, false);
     out.back_run = (uint16_t)run_encode(work, node, true);
     return out;

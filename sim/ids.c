@@ -12,7 +12,7 @@ static void number_records(struct ids *ids)
     uint16_t colour = 1;
     for (size_t word = 0; word < ids->scene.polygon_words; colour++) {
         ids->polygons[word + 1] = colour;
-        word += LIM_POLYGON_HEAD_WORDS + (ids->polygons[word] & LIM_POLYGON_COUNT);
+        word += lim_record_words(ids->polygons[word]);
     }
 }
 

@@ -92,49 +92,62 @@ static bool check_planes(const struct lim_scene *scene, struct error *err)
     return true;
 }
 
-static bool check_node_plane(const struct checker *work, size_t index)
+/* `what` and its number name who refers to the plane. */
+static bool check_plane_ref(const struct checker *work, const struct lim_plane_ref *ref, const char *what, size_t index)
 {
-    const struct lim_node *node = &work->scene->nodes[index];
-    if (node->plane > LIM_PLANE_Z) return error_set(work->err, "node %zu: has no plane", index);
-    if (node->plane >= LIM_PLANE_X) return true;
-    if (node->offset) return error_set(work->err, "node %zu: an offset beside a plane of its own", index);
-    if (node->plane % LIM_PLANE_WORDS || node->plane / LIM_PLANE_WORDS >= work->scene->plane_count)
-        return error_set(work->err, "node %zu: plane at word %u, where none of %u begins", index, (unsigned)node->plane,
-                         (unsigned)work->scene->plane_count);
+    if (ref->plane > LIM_PLANE_Z) return error_set(work->err, "%s %zu: has no plane", what, index);
+    if (ref->plane >= LIM_PLANE_X) return true;
+    if (ref->offset) return error_set(work->err, "%s %zu: an offset beside a plane of its own", what, index);
+    if (ref->plane % LIM_PLANE_WORDS || ref->plane / LIM_PLANE_WORDS >= work->scene->plane_count)
+        return error_set(work->err, "%s %zu: plane at word %u, where none of %u begins", what, index,
+                         (unsigned)ref->plane, (unsigned)work->scene->plane_count);
     return true;
 }
 
 /* Runs --------------------------------------------------------------------------------------- */
 
-static bool check_record(struct checker *work, size_t at)
+/* Records of leaves have planes of their own, and no others. */
+static bool check_flags(const struct checker *work, size_t at, bool in_leaf)
+{
+    const uint16_t flags = work->scene->polygons[at] & (uint16_t) ~(LIM_POLYGON_COUNT | LIM_POLYGON_LAST);
+    if (flags & ~(LIM_POLYGON_PLANE | LIM_POLYGON_BACK))
+        return error_set(work->err, "polygon at word %zu: unknown flags", at);
+    if (in_leaf ? !(flags & LIM_POLYGON_PLANE) : flags)
+        return error_set(work->err, "polygon at word %zu: %s", at,
+                         in_leaf ? "in a leaf, without a plane" : "a plane of its own beside its node's");
+    return true;
+}
+
+static bool check_record(struct checker *work, size_t at, bool in_leaf)
 {
     const struct lim_scene *scene = work->scene;
     const uint16_t head = scene->polygons[at], count = head & LIM_POLYGON_COUNT;
-    size_t words = LIM_POLYGON_HEAD_WORDS + (size_t)count;
-    if (head & ~(LIM_POLYGON_COUNT | LIM_POLYGON_LAST))
-        return error_set(work->err, "polygon at word %zu: unknown flags", at);
+    const size_t words = lim_record_words(head);
+    if (!check_flags(work, at, in_leaf)) return false;
     if (count < 3 || count > scene->limits.vertices)
         return error_set(work->err, "polygon at word %zu: %u vertices", at, (unsigned)count);
     if (at + words > scene->polygon_words) return error_set(work->err, "polygon at word %zu: runs over the end", at);
     for (size_t i = 0; i < words; i++) {
         if (work->used_words[at + i]) return error_set(work->err, "polygon at word %zu: overlaps another", at);
         work->used_words[at + i] = true;
-        if (i >= LIM_POLYGON_HEAD_WORDS && scene->polygons[at + i] >= scene->vertex_count)
+        if (i >= LIM_POLYGON_HEAD_WORDS && i < LIM_POLYGON_HEAD_WORDS + (size_t)count &&
+            scene->polygons[at + i] >= scene->vertex_count)
             return error_set(work->err, "polygon at word %zu: vertex %u of %u", at, (unsigned)scene->polygons[at + i],
                              (unsigned)scene->vertex_count);
     }
     work->records++;
     work->words += words;
-    return true;
+    return !in_leaf || check_plane_ref(work, lim_record_plane(&scene->polygons[at]), "polygon at word", at);
 }
 
 static bool check_run(struct checker *work, size_t node, uint16_t run)
 {
+    const bool in_leaf = work->scene->nodes[node].split.plane == LIM_NONE;
     if (run == LIM_NONE) return true;
-    for (size_t at = run;; at += LIM_POLYGON_HEAD_WORDS + (work->scene->polygons[at] & LIM_POLYGON_COUNT)) {
+    for (size_t at = run;; at += lim_record_words(work->scene->polygons[at])) {
         if (at >= work->scene->polygon_words)
             return error_set(work->err, "node %zu: a run begins or goes on behind the last polygon", node);
-        if (!check_record(work, at)) return false;
+        if (!check_record(work, at, in_leaf)) return false;
         if (work->scene->polygons[at] & LIM_POLYGON_LAST) return true;
     }
 }
@@ -153,6 +166,17 @@ static bool check_child(struct checker *work, size_t index, uint16_t child)
     return true;
 }
 
+/* A node's plane, or that a leaf is one. */
+static bool check_split(const struct checker *work, size_t index)
+{
+    const struct lim_node *node = &work->scene->nodes[index];
+    if (node->split.plane != LIM_NONE) return check_plane_ref(work, &node->split, "node", index);
+    if (node->split.offset || node->front != LIM_NONE || node->back != LIM_NONE || node->back_run != LIM_NONE ||
+        node->front_run == LIM_NONE)
+        return error_set(work->err, "node %zu: has no plane, and is not a leaf either", index);
+    return true;
+}
+
 static bool check_node(struct checker *work, size_t index)
 {
     const struct lim_scene *scene = work->scene;
@@ -162,7 +186,7 @@ static bool check_node(struct checker *work, size_t index)
         return error_set(work->err, "node %zu: lies deeper than the limit of %u", index, (unsigned)scene->limits.depth);
     if (node->box != LIM_NONE && node->box >= scene->box_count)
         return error_set(work->err, "node %zu: box %u of %u", index, (unsigned)node->box, (unsigned)scene->box_count);
-    return check_node_plane(work, index) && check_run(work, index, node->front_run) &&
+    return check_split(work, index) && check_run(work, index, node->front_run) &&
            check_run(work, index, node->back_run) && check_child(work, index, node->front) &&
            check_child(work, index, node->back);
 }

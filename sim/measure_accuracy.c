@@ -35,7 +35,7 @@ static bool measured_init(struct measured *measured, const struct measure_candid
     if (!measured->record_words || !measured->is_done) return error_set(err, "accuracy: out of memory");
     for (size_t p = 1; p < scene->polygon_count; p++) {
         const size_t before = measured->record_words[p - 1];
-        measured->record_words[p] = before + LIM_POLYGON_HEAD_WORDS + (scene->polygons[before] & LIM_POLYGON_COUNT);
+        measured->record_words[p] = before + lim_record_words(scene->polygons[before]);
     }
     return true;
 }
@@ -108,24 +108,43 @@ static void measure_vertices(struct measured *measured, const struct measure_sou
 
 __extension__ typedef __int128 wide;
 
-static int true_side(const struct lim_scene *scene, uint16_t node, const int32_t eye_q8[3])
+static int true_side(const struct lim_scene *scene, const struct lim_plane_ref *ref, const int32_t eye_q8[3])
 {
     int64_t n[3], d;
-    plane_exact(scene, node, n, &d);
+    plane_exact(scene, ref, n, &d);
     wide value = -(wide)d * 256;
     for (int i = 0; i < 3; i++)
         value += (wide)n[i] * eye_q8[i];
     return (value > 0) - (value < 0);
 }
 
+static void measure_side(const struct measure_candidate *candidate, const struct lim_plane_ref *ref,
+                         const int32_t eye_q8[3], struct accuracy *out)
+{
+    const struct lim_scene *scene = &candidate->scene->scene;
+    out->sides++;
+    out->sides_wrong += candidate->core->eye_side(scene, ref, eye_q8) != true_side(scene, ref, eye_q8);
+}
+
+static void measure_leaf_sides(const struct measure_candidate *candidate, const uint16_t *record,
+                               const int32_t eye_q8[3], struct accuracy *out)
+{
+    for (;; record += lim_record_words(*record)) {
+        measure_side(candidate, lim_record_plane(record), eye_q8, out);
+        if (*record & LIM_POLYGON_LAST) return;
+    }
+}
+
 static void measure_sides(const struct measure_candidate *candidate, const struct lim_camera *camera,
                           struct accuracy *out)
 {
     const struct lim_scene *scene = &candidate->scene->scene;
-    for (uint16_t node = 0; node < scene->node_count; node++) {
-        out->sides++;
-        out->sides_wrong +=
-            candidate->core->eye_side(scene, node, camera->eye_q8) != true_side(scene, node, camera->eye_q8);
+    for (uint16_t i = 0; i < scene->node_count; i++) {
+        const struct lim_node *node = &scene->nodes[i];
+        if (node->split.plane == LIM_NONE)
+            measure_leaf_sides(candidate, &scene->polygons[node->front_run], camera->eye_q8, out);
+        else
+            measure_side(candidate, &node->split, camera->eye_q8, out);
     }
 }
 

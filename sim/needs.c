@@ -15,6 +15,7 @@ struct needs needs_of(const struct compiled *scene)
     return (struct needs){.nearest = !scene->report.convex,
                           .convex = scene->report.convex,
                           .cull = scene->scene.box_count > 0 && !scene->report.convex,
+                          .leaves = scene->report.leaves > 0,
                           .slanted = scene->scene.plane_count > 0,
                           .large = scene->scene.exact_count > 0,
                           .vertices = scene->scene.limits.vertices,
@@ -27,6 +28,7 @@ struct needs needs_union(const struct needs *a, const struct needs *b)
     return (struct needs){.nearest = a->nearest || b->nearest,
                           .convex = a->convex || b->convex,
                           .cull = a->cull || b->cull,
+                          .leaves = a->leaves || b->leaves,
                           .slanted = a->slanted || b->slanted,
                           .large = a->large || b->large,
                           .vertices = greater(a->vertices, b->vertices),
@@ -53,6 +55,7 @@ void needs_write(const struct needs *needs, FILE *file)
     write_macro(file, "HAS_CONVEX", needs->convex);
     write_macro(file, "HAS_PAINTER", 0);
     write_macro(file, "HAS_CULL", needs->cull);
+    write_macro(file, "HAS_LEAVES", needs->leaves);
     write_macro(file, "HAS_SLANTED", needs->slanted);
     write_macro(file, "HAS_LARGE", needs->large);
     write_macro(file, "HAS_STATS", 0);

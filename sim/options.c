@@ -32,6 +32,7 @@ enum option_code {
     OPTION_PANEL,
     OPTION_METHOD,
     OPTION_SPLITTER,
+    OPTION_TREE,
     OPTION_TOLERANCE,
     OPTION_UNLIT,
     OPTION_PRECISION
@@ -56,6 +57,7 @@ static const struct option OPTIONS[] = {
     {"method", required_argument, NULL, OPTION_METHOD},
     {"precision", required_argument, NULL, OPTION_PRECISION},
     {"splitter", required_argument, NULL, OPTION_SPLITTER},
+    {"tree", required_argument, NULL, OPTION_TREE},
     {"tolerance", required_argument, NULL, OPTION_TOLERANCE},
     {"unlit", no_argument, NULL, OPTION_UNLIT},
     {NULL, 0, NULL, 0},
@@ -72,16 +74,13 @@ static bool parse_panel(const char *text, enum simulator_panel *out, struct erro
     return true;
 }
 
-static bool parse_method(const char *text, enum lim_method *out, struct error *err)
+static bool parse_method(const char *text, struct options *out, struct error *err)
 {
-    if (strcmp(text, "nearest") == 0)
-        *out = LIM_NEAREST_FIRST;
-    else if (strcmp(text, "painter") == 0)
-        *out = LIM_PAINTER;
-    else if (strcmp(text, "convex") == 0)
-        *out = LIM_CONVEX;
-    else
-        return error_set(err, "--method %s: no such method; there are nearest, painter and convex", text);
+    const struct method *method = method_parse(text, err);
+    if (!method) return false;
+    out->method = method;
+    out->setup.method = method->draws;
+    if (method->tree != TREE_AUTO) out->compile.tree = method->tree;
     return true;
 }
 
@@ -106,7 +105,7 @@ static bool parse_option(int code, const char *text, struct options *out, struct
     case OPTION_PANEL:
         return parse_panel(text, &out->setup.panel, err);
     case OPTION_METHOD:
-        return parse_method(text, &out->setup.method, err);
+        return parse_method(text, out, err);
     case OPTION_PRECISION:
         return parse_precision(text, &out->setup.core, err);
     case OPTION_UNLIT:
@@ -115,6 +114,8 @@ static bool parse_option(int code, const char *text, struct options *out, struct
     case OPTION_SPLITTER:
         out->compile.splitter = text;
         return true;
+    case OPTION_TREE:
+        return tree_kind_parse(text, &out->compile.tree, err);
     case OPTION_TOLERANCE:
         return parse_tolerance(text, &out->compile.tolerance_units, err);
     case OPTION_OUT:
@@ -207,7 +208,11 @@ bool options_scene_is_compiled(const struct options *options)
 
 static bool load_scene(const struct options *options, struct compiled *scene, struct error *err)
 {
-    if (options_scene_is_compiled(options)) return lim_file_read(options->scene_path, scene, err);
+    if (options_scene_is_compiled(options)) {
+        if (options->compile.tree != TREE_AUTO)
+            return error_set(err, "%s: has its tree already; give the model for another one", options->scene_path);
+        return lim_file_read(options->scene_path, scene, err);
+    }
     return compile_model(options->scene_path, &options->compile, scene, err);
 }
 

@@ -165,25 +165,23 @@ struct lim_plane plane_filter(const int64_t n[3], int64_t d, uint16_t exact)
     return record(filter, filter_scale(d, longest), exact);
 }
 
-enum plane_kind plane_kind_of(const struct lim_scene *scene, uint16_t node)
+enum plane_kind plane_kind_of(const struct lim_scene *scene, const struct lim_plane_ref *ref)
 {
-    const uint16_t at = scene->nodes[node].plane;
-    if (at >= LIM_PLANE_X) return (enum plane_kind)(at - LIM_PLANE_X);
-    const struct lim_plane *plane = lim_plane_at(scene->planes, at);
+    if (ref->plane >= LIM_PLANE_X) return (enum plane_kind)(ref->plane - LIM_PLANE_X);
+    const struct lim_plane *plane = lim_plane_at(scene->planes, ref->plane);
     if (lim_plane_exact(plane) != LIM_NONE) return PLANE_LARGE;
     return lim_plane_y(plane) == 0 ? PLANE_XZ : PLANE_SMALL;
 }
 
-void plane_exact(const struct lim_scene *scene, uint16_t node, int64_t n[3], int64_t *d)
+void plane_exact(const struct lim_scene *scene, const struct lim_plane_ref *ref, int64_t n[3], int64_t *d)
 {
-    const struct lim_node *at = &scene->nodes[node];
-    if (at->plane >= LIM_PLANE_X) {
+    if (ref->plane >= LIM_PLANE_X) {
         for (int i = 0; i < 3; i++)
-            n[i] = i == at->plane - LIM_PLANE_X;
-        *d = at->offset;
+            n[i] = i == ref->plane - LIM_PLANE_X;
+        *d = ref->offset;
         return;
     }
-    const struct lim_plane *plane = lim_plane_at(scene->planes, at->plane);
+    const struct lim_plane *plane = lim_plane_at(scene->planes, ref->plane);
     if (lim_plane_exact(plane) == LIM_NONE) {
         n[0] = lim_plane_x(plane);
         n[1] = lim_plane_y(plane);

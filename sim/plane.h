@@ -49,8 +49,8 @@ double plane_distance(const struct plane *plane, const double point[3]);
 struct lim_plane plane_record(const int64_t n[3], int64_t d);
 struct lim_plane plane_filter(const int64_t n[3], int64_t d, uint16_t exact);
 
-/* The kind of a node's plane, and the exact plane. */
-enum plane_kind plane_kind_of(const struct lim_scene *scene, uint16_t node);
-void plane_exact(const struct lim_scene *scene, uint16_t node, int64_t n[3], int64_t *d);
+/* The kind of a plane that a scene names, and the exact plane. */
+enum plane_kind plane_kind_of(const struct lim_scene *scene, const struct lim_plane_ref *ref);
+void plane_exact(const struct lim_scene *scene, const struct lim_plane_ref *ref, int64_t n[3], int64_t *d);
 
 #endif

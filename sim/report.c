@@ -37,12 +37,14 @@ static void print_tree(const struct compiled *scene)
     if (report->collapsed) print_count("pieces rounded to nothing", report->collapsed);
     print_count("polygons in the scene", report->polygons_out);
     print_count("most vertices of a polygon", scene->scene.limits.vertices);
-    printf("  %-28s %8s\n", "splitter", report->splitter);
+    printf("  %-28s %8s\n", "tree", tree_names[report->tree]);
+    if (report->tree != TREE_NONE) printf("  %-28s %8s\n", "splitter", report->splitter);
     print_count("depth of the tree", report->depth);
     if (report->convex) printf("  %-28s %8s\n", "one convex solid", "yes");
     print_count("nodes", scene->scene.node_count);
     for (size_t i = 0; i < sizeof kinds / sizeof *kinds; i++)
         if (report->kinds[i]) printf("    %-26s %8zu\n", kinds[i], report->kinds[i]);
+    if (report->leaves) print_count("  leaves with an order", report->leaves);
     printf("  %-28s %8.1f\n", "units per metre", scene->grid.units_per_m);
     printf("  %-28s %8.4f units\n", "worst wrong side, certified", report->worst_violation_units);
     if (report->core) printf("  %-28s %8s\n", "precision", report->core->name);

@@ -51,7 +51,8 @@ static bool is_free(const struct compiled *scene, const double at_m[3])
     lim_eye_set(&eye, &scene->scene, at_q8);
     for (;;) {
         const struct lim_node *node = &scene->scene.nodes[index];
-        const bool in_front = lim_eye_side(&eye, node) > 0;
+        if (node->split.plane == LIM_NONE) return true; /* a leaf does not tell */
+        const bool in_front = lim_eye_side(&eye, &node->split) > 0;
         const uint16_t child = in_front ? node->front : node->back;
         if (child == LIM_NONE) return (in_front ? node->front_run : node->back_run) != LIM_NONE;
         index = child;

@@ -20,9 +20,11 @@ static double point_violation(const struct bsp *bsp, uint32_t point, const struc
     return truth == 0 || (truth == side) ? 0.0 : SLACK_UNITS * 2.0;
 }
 
+/* A leaf's pieces lie in planes of their own. */
 static double piece_violation(const struct bsp *bsp, const struct bsp_piece *piece, uint32_t node, int side)
 {
-    const struct plane *plane = &bsp->coplanar->planes[bsp->nodes[node].group];
+    const uint32_t group = bsp->nodes[node].group;
+    const struct plane *plane = bsp_plane(bsp, group == BSP_NONE ? bsp->coplanar->group[piece->polygon] : group);
     if (side && plane_distance(plane, piece->centre) * side > piece->radius) return 0.0;
     double worst = 0.0;
     for (size_t i = 0; i < piece->count; i++)

@@ -313,12 +313,12 @@ static void side_vectors(struct report *report)
     static const LIM_FLASH struct lim_plane_exact exact[1] = {{{INT32_MAX, -INT32_MAX, 1}, 32767, UINT32_MAX}};
     static const LIM_FLASH struct lim_plane planes[2] = {LIM_PLANE(16383, 0, -16384, LIM_NONE, 0),
                                                          LIM_PLANE(8191, -8191, 0, 0, 536805376)};
-    static const LIM_FLASH struct lim_node nodes[SIDES] = {
-        {LIM_PLANE_X, -32768, LIM_NONE, LIM_NONE, LIM_NONE, LIM_NONE, LIM_NONE},
-        {0, 0, LIM_NONE, LIM_NONE, LIM_NONE, LIM_NONE, LIM_NONE},
-        {LIM_PLANE_WORDS, 0, LIM_NONE, LIM_NONE, LIM_NONE, LIM_NONE, LIM_NONE},
+    static const LIM_FLASH struct lim_plane_ref refs[SIDES] = {
+        {LIM_PLANE_X, -32768},
+        {0, 0},
+        {LIM_PLANE_WORDS, 0},
     };
-    const struct lim_scene scene = {.nodes = nodes, .planes = planes, .exact = exact};
+    const struct lim_scene scene = {.planes = planes, .exact = exact};
     static const struct {
         int32_t eye_q8[3];
         int8_t expected[SIDES];
@@ -337,7 +337,7 @@ static void side_vectors(struct report *report)
         struct lim_eye eye;
         lim_eye_set(&eye, &scene, table[i].eye_q8);
         for (uint8_t k = 0; k < SIDES; k++) {
-            const int32_t side = lim_eye_side(&eye, &nodes[k]);
+            const int32_t side = lim_eye_side(&eye, &refs[k]);
             expect(report, "lim_eye_side", i, k, (side > 0) - (side < 0), table[i].expected[k]);
         }
     }

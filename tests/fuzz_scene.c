@@ -100,11 +100,11 @@ static void make_plane(struct fuzz_scene *made, struct lim_node *node, struct fu
     const uint8_t kind = fuzz_below(bytes, PLANE_KINDS);
     if (kind <= PLANE_Z) {
         const int16_t at[3] = {through->x, through->y, through->z};
-        node->plane = (uint16_t)(LIM_PLANE_X + kind);
-        node->offset = at[kind];
+        node->split.plane = (uint16_t)(LIM_PLANE_X + kind);
+        node->split.offset = at[kind];
         return;
     }
-    node->plane = (uint16_t)(made->scene.plane_count * LIM_PLANE_WORDS);
+    node->split.plane = (uint16_t)(made->scene.plane_count * LIM_PLANE_WORDS);
     made->planes[made->scene.plane_count++] =
         kind == PLANE_LARGE ? large_plane(made, bytes, through) : small_plane(bytes, through, kind == PLANE_XZ);
 }

@@ -24,7 +24,7 @@ struct order {
 static bool is_in_front(const struct order *order, uint16_t node)
 {
     int64_t n[3], d;
-    plane_exact(&order->scene->scene, node, n, &d);
+    plane_exact(&order->scene->scene, &order->scene->scene.nodes[node].split, n, &d);
     int64_t value = n[0] * order->eye[0] + n[1] * order->eye[1] + n[2] * order->eye[2] - d;
     assert_true(value != 0);
     return value > 0;
@@ -34,7 +34,7 @@ static size_t record_at(const struct lim_scene *scene, uint16_t run)
 {
     size_t record = 0, at = 0;
     for (; at < run; record++)
-        at += LIM_POLYGON_HEAD_WORDS + (scene->polygons[at] & LIM_POLYGON_COUNT);
+        at += lim_record_words(scene->polygons[at]);
     return record;
 }
 
@@ -174,7 +174,8 @@ static void grove_plant(struct grove *grove, uint64_t seed, const struct splitte
     for (size_t i = 0; i < grove->mesh.point_count; i++)
         exact_add_m(&grove->points, grove->mesh.points[i], &grove->mesh.grid);
     coplanar_find(&grove->mesh, grove->points.approx, tolerance, &grove->coplanar);
-    assert_true(bsp_build(&grove->bsp, &grove->mesh, &grove->coplanar, tolerance, &grove->points, splitter));
+    const struct bsp_plan plan = {TREE_BSP, splitter, tolerance};
+    assert_true(bsp_build(&grove->bsp, &grove->mesh, &grove->coplanar, &plan, &grove->points));
 }
 
 static void grove_fell(struct grove *grove)

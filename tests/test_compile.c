@@ -70,7 +70,7 @@ static struct directed_list open_edges(const struct lim_scene *scene)
         for (size_t i = 0; i < count; i++)
             edges.items[edges.count++] =
                 directed_edge(scene->vertices[corners[i]], scene->vertices[corners[(i + 1) % count]]);
-        at += LIM_POLYGON_HEAD_WORDS + (size_t)count;
+        at += lim_record_words(scene->polygons[at]);
     }
     cancel(&edges);
     return edges;
@@ -114,7 +114,7 @@ static const uint16_t *run_first(const struct lim_scene *scene, uint16_t node, b
 
 static const uint16_t *run_next(const uint16_t *record)
 {
-    return *record & LIM_POLYGON_LAST ? NULL : record + LIM_POLYGON_HEAD_WORDS + (*record & LIM_POLYGON_COUNT);
+    return *record & LIM_POLYGON_LAST ? NULL : record + lim_record_words(*record);
 }
 
 /* Newell's sum of a record's corners along the node's normal; slivers may have any sign. */
@@ -123,7 +123,7 @@ static void check_facing(const struct lim_scene *scene, uint16_t node, const uin
     const uint16_t count = record[0] & LIM_POLYGON_COUNT, *corners = record + LIM_POLYGON_HEAD_WORDS;
     int64_t n[3], d;
     double along = 0.0, square = 0.0;
-    plane_exact(scene, node, n, &d);
+    plane_exact(scene, &scene->nodes[node].split, n, &d);
     for (int k = 0; k < 3; k++) {
         double sum = 0.0;
         for (size_t i = 0; i < count; i++) {
@@ -154,10 +154,10 @@ static void planes_are_as_long_as_their_bounds_allow(void **state)
     struct compiled scene = compile_solids(7, "fewest");
     size_t small = 0;
     for (uint16_t i = 0; i < scene.scene.node_count; i++) {
-        const enum plane_kind kind = plane_kind_of(&scene.scene, i);
+        const enum plane_kind kind = plane_kind_of(&scene.scene, &scene.scene.nodes[i].split);
         if (kind != PLANE_XZ && kind != PLANE_SMALL) continue;
         int64_t n[3], d;
-        plane_exact(&scene.scene, i, n, &d);
+        plane_exact(&scene.scene, &scene.scene.nodes[i].split, n, &d);
         assert_true(2 * (llabs(n[0]) + llabs(n[1]) + llabs(n[2])) > PLANE_SUM_MAX || 2 * llabs(d) > LIM_PLANE_D_MAX);
         small++;
     }

@@ -251,8 +251,8 @@ static void box_make(struct box *box, const int16_t low[3], const int16_t high[3
                                     (uint16_t)base,           (uint16_t)(base + (far ? v : u)),
                                     (uint16_t)(base + u + v), (uint16_t)(base + (far ? u : v))};
         memcpy(&box->polygons[run], record, sizeof record);
-        box->nodes[side] = (struct lim_node){
-            .plane = (uint16_t)(LIM_PLANE_X + axis), .offset = far ? high[axis] : low[axis], .box = LIM_NONE};
+        box->nodes[side] =
+            (struct lim_node){.split = {(uint16_t)(LIM_PLANE_X + axis), far ? high[axis] : low[axis]}, .box = LIM_NONE};
         box->nodes[side].front = box->nodes[side].back = LIM_NONE;
         box->nodes[side].front_run = box->nodes[side].back_run = LIM_NONE;
         *(far ? &box->nodes[side].back : &box->nodes[side].front) = next;

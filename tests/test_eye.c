@@ -38,7 +38,7 @@ static int oracle_side(struct oracle *o, const int64_t n[3], int64_t d, const in
 
 struct fixture {
     enum plane_kind kind;
-    struct lim_node node;
+    struct lim_plane_ref ref;
     struct lim_plane planes[3];      /* the last is the node's */
     struct lim_plane_exact exact[2]; /* likewise */
     int64_t n[3], d;
@@ -74,8 +74,8 @@ static void make_axis(struct random *random, struct fixture *f)
 {
     const int16_t offset = (int16_t)component(random, 32767);
 
-    f->node.plane = (uint16_t)(LIM_PLANE_X + f->kind);
-    f->node.offset = offset;
+    f->ref.plane = (uint16_t)(LIM_PLANE_X + f->kind);
+    f->ref.offset = offset;
     for (int i = 0; i < 3; i++)
         f->n[i] = i == (int)f->kind;
     f->d = offset;
@@ -136,8 +136,7 @@ static void no_side_is_decided_wrongly(enum plane_kind kind, uint64_t seed)
 {
     static const int64_t ranges_q8[] = {32767 * 256, 40000 * 256, 200000 * 256, (INT64_C(1) << 28) - 1};
     struct random random = {seed};
-    struct fixture f = {.kind = kind,
-                        .node = {2 * LIM_PLANE_WORDS, 0, LIM_NONE, LIM_NONE, LIM_NONE, LIM_NONE, LIM_NONE}};
+    struct fixture f = {.kind = kind, .ref = {2 * LIM_PLANE_WORDS, 0}};
     const struct lim_scene scene = {.planes = f.planes, .exact = f.exact};
     struct oracle oracle;
     size_t wrong = 0, on = 0;
@@ -155,9 +154,9 @@ static void no_side_is_decided_wrongly(enum plane_kind kind, uint64_t seed)
         make_eye(&random, &f, ranges_q8[k % 4], eye_q8);
         lim_eye_set(&eye, &scene, eye_q8);
         const int expected = oracle_side(&oracle, f.n, f.d, eye_q8);
-        const int32_t side = lim_eye_side(&eye, &f.node);
+        const int32_t side = lim_eye_side(&eye, &f.ref);
         wrong += sign_of(side) != expected;
-        if (kind > PLANE_Z) wrong += sign_of(lim_eye_close_side(&eye, &f.node)) != expected;
+        if (kind > PLANE_Z) wrong += sign_of(lim_eye_close_side(&eye, &f.ref)) != expected;
         on += expected == 0;
     }
     mpz_clears(oracle.sum, oracle.term, NULL);

@@ -181,7 +181,7 @@ static void other_versions_are_refused_by_number(void **state)
     unsigned char *bytes = written_bytes();
     bytes[8] = LIM_FILE_VERSION + 1;
     write_bytes(bytes, scene.image_b);
-    assert_unreadable("version 4; this program reads version 3");
+    assert_unreadable("version 5; this program reads version 4");
     free(bytes);
 }
 
@@ -246,7 +246,7 @@ static void nodes_that_lie_are_refused(void **state)
     size_t slanted = node_with(PLANE, 0, LIM_PLANE_X - 1);
     assert_field_refused(node_at_b(0, PLANE), LIM_NONE, "node 0: has no plane");
     assert_field_refused(node_at_b(slanted, OFFSET), 1, "an offset beside a plane of its own");
-    assert_field_refused(node_at_b(slanted, PLANE), (uint16_t)(s->nodes[slanted].plane + 1), "where none of ");
+    assert_field_refused(node_at_b(slanted, PLANE), (uint16_t)(s->nodes[slanted].split.plane + 1), "where none of ");
     assert_field_refused(node_at_b(slanted, PLANE), (uint16_t)(s->plane_count * LIM_PLANE_WORDS), "where none of ");
     assert_field_refused(node_at_b(parent, FRONT), s->node_count, "child ");
     assert_field_refused(node_at_b(parent, FRONT), (uint16_t)parent, "child ");
@@ -265,7 +265,8 @@ static void polygons_that_lie_are_refused(void **state)
     size_t words = lim_image_section_b(scene.image, SECTION_POLYGONS);
     assert_field_refused(words, 0x8002, "2 vertices");
     assert_field_refused(words, (uint16_t)(s->limits.vertices + 1), "vertices");
-    assert_field_refused(words, (uint16_t)(s->polygons[0] | 0x100), "unknown flags");
+    assert_field_refused(words, (uint16_t)(s->polygons[0] | 0x4000), "unknown flags");
+    assert_field_refused(words, (uint16_t)(s->polygons[0] | LIM_POLYGON_PLANE), "a plane of its own beside its node's");
     assert_field_refused(words + 4, s->vertex_count, "vertex ");
     assert_field_refused(at_b(SECTION_VERTICES, 3, 6, 2), 0x8000, "vertex 3: a coordinate is -32768");
 }
@@ -330,8 +331,10 @@ static void walk_everything(const struct lim_scene *s)
     for (size_t i = 0; i < s->node_count; i++) {
         const uint16_t runs[2] = {s->nodes[i].front_run, s->nodes[i].back_run};
         int64_t n[3], d;
-        plane_exact(s, (uint16_t)i, n, &d);
-        checksum += (size_t)d;
+        if (s->nodes[i].split.plane != LIM_NONE) {
+            plane_exact(s, &s->nodes[i].split, n, &d);
+            checksum += (size_t)d;
+        }
         assert_true(s->nodes[i].front == LIM_NONE || (s->nodes[i].front > i && s->nodes[i].front < s->node_count));
         assert_true(s->nodes[i].back == LIM_NONE || (s->nodes[i].back > i && s->nodes[i].back < s->node_count));
         assert_true(s->nodes[i].box == LIM_NONE || s->nodes[i].box < s->box_count);
@@ -339,7 +342,7 @@ static void walk_everything(const struct lim_scene *s)
             for (const uint16_t *at = runs[k] == LIM_NONE ? NULL : &s->polygons[runs[k]]; at; records++) {
                 for (size_t v = 0; v < (*at & LIM_POLYGON_COUNT); v++)
                     checksum += (size_t)s->vertices[at[2 + v]].x;
-                at = *at & LIM_POLYGON_LAST ? NULL : at + 2 + (*at & LIM_POLYGON_COUNT);
+                at = *at & LIM_POLYGON_LAST ? NULL : at + lim_record_words(*at);
             }
     }
     assert_int_equal(records, s->polygon_count);

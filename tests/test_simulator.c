@@ -35,8 +35,8 @@ static void room_wall(struct room *room, uint16_t wall)
     bool is_low = wall < 3;
     uint16_t next = wall + 1 < WALLS ? (uint16_t)(wall + 1) : LIM_NONE, run = (uint16_t)(wall * WALL_WORDS);
     uint16_t *words = &room->polygons[run];
-    room->nodes[wall] = (struct lim_node){.plane = (uint16_t)(LIM_PLANE_X + wall % 3),
-                                          .offset = (int16_t)(is_low ? -HALF_UNITS : HALF_UNITS),
+    room->nodes[wall] = (struct lim_node){.split.plane = (uint16_t)(LIM_PLANE_X + wall % 3),
+                                          .split.offset = (int16_t)(is_low ? -HALF_UNITS : HALF_UNITS),
                                           .front = is_low ? next : LIM_NONE,
                                           .back = is_low ? LIM_NONE : next,
                                           .front_run = is_low ? run : LIM_NONE,

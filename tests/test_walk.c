@@ -22,8 +22,8 @@ static uint16_t add(struct tree *tree, char name, uint16_t plane, int16_t offset
 {
     const uint16_t run = (uint16_t)name;
 
-    tree->nodes[tree->count] =
-        (struct lim_node){plane, offset, LIM_NONE, LIM_NONE, run, tree->two_sided ? run : (uint16_t)LIM_NONE, LIM_NONE};
+    tree->nodes[tree->count] = (struct lim_node){
+        {plane, offset}, LIM_NONE, LIM_NONE, run, tree->two_sided ? run : (uint16_t)LIM_NONE, LIM_NONE};
     return tree->count++;
 }
 

@@ -1,0 +1,17 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Axis planes that divide a list of polygons, whatever planes these lie in: axis trees and octrees. */
+#ifndef SIM_AXIS_CUT_H
+#define SIM_AXIS_CUT_H
+
+#include "tree.h"
+
+/* The cheapest of the axis planes through the pieces' bounds; splits weigh most, then balance. BSP_NONE: each leaves
+ * nearly the whole list on one side. */
+uint32_t axis_cut_best(struct bsp *bsp, const uint32_t *list, size_t count);
+
+/* The plane that halves the cube, or the half or quarter of one, in which the list stands: x, y and z by turns, and
+ * those at once that leave all pieces on one side. BSP_NONE: the cube has become too small. */
+uint32_t axis_cut_halving(struct bsp *bsp, struct tree_place place, const uint32_t *list, size_t count);
+
+#endif

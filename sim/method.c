@@ -1,0 +1,31 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * The methods. */
+#include "method.h"
+
+#include <stdio.h>
+#include <string.h>
+
+const struct method methods[] = {
+    {"nearest", LIM_NEAREST_FIRST, TREE_AUTO},
+    {"painter", LIM_PAINTER, TREE_AUTO},
+    {"convex", LIM_CONVEX, TREE_AUTO},
+    {"bsp", LIM_NEAREST_FIRST, TREE_BSP},
+    {"clusters", LIM_NEAREST_FIRST, TREE_CLUSTERS},
+    {"axis", LIM_NEAREST_FIRST, TREE_AXIS},
+    {"octree", LIM_NEAREST_FIRST, TREE_OCTREE},
+    {"octree-centre", LIM_NEAREST_FIRST, TREE_OCTREE_CENTRE},
+};
+const size_t method_count = sizeof methods / sizeof *methods;
+
+const struct method *method_parse(const char *text, struct error *err)
+{
+    char names[256];
+    size_t used = 0;
+    for (size_t i = 0; i < method_count; i++) {
+        if (strcmp(text, methods[i].name) == 0) return &methods[i];
+        used += (size_t)snprintf(names + used, sizeof names - used, "%s%s", i ? ", " : "", methods[i].name);
+    }
+    error_set(err, "--method %s: no such method; there are %s", text, names);
+    return NULL;
+}

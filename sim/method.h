@@ -1,0 +1,23 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Visibility methods by name: what the firmware does, and the tree that it does it on. */
+#ifndef SIM_METHOD_H
+#define SIM_METHOD_H
+
+#include "error.h"
+#include "target.h"
+#include "tree_kind.h"
+
+struct method {
+    const char *name;
+    enum lim_method draws;
+    enum tree_kind tree; /* TREE_AUTO: any will do */
+};
+
+extern const struct method methods[];
+extern const size_t method_count;
+
+/* By its name, from --method; an unknown one is refused with the list of those there are. */
+const struct method *method_parse(const char *text, struct error *err);
+
+#endif
