@@ -10,7 +10,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-enum { CANDIDATES_MAX = 48, CUBE_END = 32768, CELL_MIN_UNITS = 16 };
+enum { CROSSING_SHARE = 8, CANDIDATES_MAX = 48, CUBE_END = 32768, CELL_MIN_UNITS = 16 };
 
 struct tally {
     size_t front, back, both;
@@ -26,6 +26,14 @@ static struct tally tally_of(const struct bsp *bsp, const uint32_t *list, size_t
         tally.both += sides == BSP_BOTH;
     }
     return tally;
+}
+
+/* Where many pieces lie across a cut, their own planes divide them better; and one side must not keep nearly all:
+ * otherwise lists would grow faster than they are divided. */
+static bool pays(struct tally tally, size_t count)
+{
+    const size_t larger = (tally.front > tally.back ? tally.front : tally.back) + tally.both;
+    return tally.both * CROSSING_SHARE <= count && larger * 4 <= count * 3;
 }
 
 /* Best cut ----------------------------------------------------------------------------------- */
@@ -55,11 +63,21 @@ static int32_t *ends_along(const struct bsp *bsp, const uint32_t *list, size_t c
     return ends;
 }
 
+size_t axis_cut_candidates(const struct bsp *bsp, const uint32_t *list, size_t count, int axis, size_t most,
+                           int32_t *out)
+{
+    int32_t *ends = ends_along(bsp, list, count, axis);
+    const size_t tries = 2 * count < most ? 2 * count : most;
+    for (size_t i = 0; i < tries; i++)
+        out[i] = ends[i * 2 * count / tries];
+    free(ends);
+    return tries;
+}
+
 static double cost_of(struct tally tally, size_t count)
 {
     const double split_cost = 4.0;
-    const size_t larger = (tally.front > tally.back ? tally.front : tally.back) + tally.both;
-    if (larger * 10 > count * 9) return DBL_MAX; /* hardly a step forward */
+    if (!pays(tally, count)) return DBL_MAX;
     return split_cost * (double)tally.both + fabs((double)tally.front - (double)tally.back);
 }
 
@@ -68,15 +86,14 @@ uint32_t axis_cut_best(struct bsp *bsp, const uint32_t *list, size_t count)
     double least = DBL_MAX;
     uint32_t best = BSP_NONE;
     for (int axis = 0; axis < 3; axis++) {
-        int32_t *ends = ends_along(bsp, list, count, axis);
-        const size_t tries = 2 * count < CANDIDATES_MAX ? 2 * count : CANDIDATES_MAX;
+        int32_t at[CANDIDATES_MAX];
+        const size_t tries = axis_cut_candidates(bsp, list, count, axis, CANDIDATES_MAX, at);
         for (size_t i = 0; i < tries; i++) {
-            const uint32_t cut = bsp_cut(bsp, (enum plane_kind)(PLANE_X + axis), ends[i * 2 * count / tries]);
+            const uint32_t cut = bsp_cut(bsp, (enum plane_kind)(PLANE_X + axis), at[i]);
             const double cost = cost_of(tally_of(bsp, list, count, cut), count);
             if (cost < least) best = cut;
             least = fmin(least, cost);
         }
-        free(ends);
     }
     return best;
 }
@@ -116,7 +133,8 @@ uint32_t axis_cut_halving(struct bsp *bsp, struct tree_place place, const uint32
         if (cell.high[axis] - cell.low[axis] < CELL_MIN_UNITS) return BSP_NONE;
         const uint32_t cut = bsp_cut(bsp, (enum plane_kind)(PLANE_X + axis), middle);
         const struct tally tally = tally_of(bsp, list, count, cut);
-        if (tally.front + tally.both && tally.back + tally.both) return cut;
+        if (tally.front + tally.both && tally.back + tally.both)
+            return tally.both * CROSSING_SHARE <= count ? cut : BSP_NONE;
         if (tally.front)
             cell.low[axis] = middle;
         else

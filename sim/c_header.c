@@ -11,14 +11,22 @@ static void write_memory(FILE *file, const struct compiled *scene, const char *m
     const struct lim_limits *limits = &scene->scene.limits;
     fprintf(file, "\n/* How to draw it, and bytes for lim_init() on a target of h_px lines; limner.h has the rest of "
                   "both expressions. */\n");
-    fprintf(file, "#define %s_SCENE_METHOD %s\n", macro, scene->report.convex ? "LIM_CONVEX" : "LIM_NEAREST_FIRST");
+    fprintf(file, "#define %s_SCENE_METHOD %s\n", macro, method_symbol(scene->report.draws));
     fprintf(file, "#define %s_SCENE_MEM_B(h_px) ", macro);
-    if (scene->report.convex)
+    if (scene->report.draws == LIM_CONVEX)
         fprintf(file, "LIM_CONVEX_MEM_B(h_px, %u, %u)\n", (unsigned)scene->scene.polygon_count,
                 (unsigned)limits->active);
+    else if (scene->report.draws == LIM_PAINTER)
+        fprintf(file, "LIM_PAINTER_MEM_B(%u)\n", (unsigned)limits->depth);
     else
         fprintf(file, "LIM_MEM_B(h_px, %u, %u, %u, %u)\n", (unsigned)limits->depth, (unsigned)limits->retained_cells,
                 (unsigned)limits->gaps, (unsigned)limits->active);
+}
+
+/* What the target must be able to lend at any time. */
+static void write_lines(FILE *file, const struct compiled *scene, const char *macro)
+{
+    fprintf(file, "#define %s_SCENE_LINES(h_px) %s\n", macro, scene->report.draws == LIM_PAINTER ? "(h_px)" : "1");
 }
 
 static void write_scene(FILE *file, const struct compiled *scene, const struct c_name *name)
@@ -30,6 +38,7 @@ static void write_scene(FILE *file, const struct compiled *scene, const struct c
     for (int i = 0; i < 3; i++)
         fprintf(file, "#define %s_ORIGIN_%c_M %.17g\n", macro, "XYZ"[i], scene -> grid.origin_m[i]);
     write_memory(file, scene, macro);
+    write_lines(file, scene, macro);
     fprintf(file, "\nextern const struct lim_scene %s_scene;\n", name->symbol);
 }
 

@@ -65,14 +65,25 @@ static bool sort(struct relation *relation, const uint32_t *list, uint32_t *orde
     return done == relation->count;
 }
 
-bool cluster_order(const struct bsp *bsp, const uint32_t *list, size_t count, uint32_t *order)
+static void relation_make(struct relation *relation, const struct bsp *bsp, const uint32_t *list, size_t count)
 {
-    struct relation relation = {grow_zeroed(count * count, 1), count, grow_zeroed(count, sizeof *relation.hidden_by)};
+    *relation = (struct relation){grow_zeroed(count * count, 1), count, grow_zeroed(count, sizeof(uint32_t))};
     for (size_t p = 0; p < count; p++)
         for (size_t q = p + 1; q < count; q++)
-            relate(&relation, bsp, list, p, q);
+            relate(relation, bsp, list, p, q);
+}
+
+static void relation_free(struct relation *relation)
+{
+    free(relation->hides);
+    free(relation->hidden_by);
+}
+
+bool cluster_order(const struct bsp *bsp, const uint32_t *list, size_t count, uint32_t *order)
+{
+    struct relation relation;
+    relation_make(&relation, bsp, list, count);
     const bool sorted = sort(&relation, list, order);
-    free(relation.hides);
-    free(relation.hidden_by);
+    relation_free(&relation);
     return sorted;
 }

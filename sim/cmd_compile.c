@@ -18,6 +18,7 @@ enum option_code {
     OPTION_TOLERANCE = 256,
     OPTION_SPLITTER,
     OPTION_TREE,
+    OPTION_METHOD,
     OPTION_KEEP_FACES,
     OPTION_UNLIT,
     OPTION_SIZE,
@@ -33,6 +34,7 @@ static const struct option OPTIONS[] = {
     {"tolerance", required_argument, NULL, OPTION_TOLERANCE},
     {"splitter", required_argument, NULL, OPTION_SPLITTER},
     {"tree", required_argument, NULL, OPTION_TREE},
+    {"method", required_argument, NULL, OPTION_METHOD},
     {"keep-faces", no_argument, NULL, OPTION_KEEP_FACES},
     {"unlit", no_argument, NULL, OPTION_UNLIT},
     {"precision", required_argument, NULL, OPTION_PRECISION},
@@ -70,6 +72,8 @@ static bool parse_option(int code, char **argv, struct request *out, struct erro
     case OPTION_SPLITTER:
         out->compile.splitter = optarg;
         return true;
+    case OPTION_METHOD:
+        return compile_method_parse(optarg, &out->compile, err);
     case OPTION_TREE:
         return tree_kind_parse(optarg, &out->compile.tree, err);
     case OPTION_KEEP_FACES:

@@ -42,6 +42,13 @@ static size_t badness(const struct compile_report *report)
     return report->flash_b + report->splits * SPLIT_B + report->depth * LEVEL_B;
 }
 
+/* A convex solid's own method is the cheapest that draws it. */
+static enum lim_method draws_with(const struct compile_options *options, bool convex)
+{
+    if (options->method) return options->method->draws;
+    return convex ? LIM_CONVEX : LIM_NEAREST_FIRST;
+}
+
 static void report_set(struct compile_report *report, const struct bsp *bsp, const struct encoding *encoding,
                        const struct lim_scene *scene, const struct bsp_plan *plan)
 {
@@ -53,6 +60,7 @@ static void report_set(struct compile_report *report, const struct bsp *bsp, con
                                       .depth = encoding->depth,
                                       .worst_violation_units = bsp_worst_violation(bsp),
                                       .convex = scene_is_convex(scene),
+                                      .tree = plan->kind,
                                       .wrong_percent = NAN,
                                       .flash_b = flash_b(scene)};
     for (size_t i = 0; i < scene->node_count; i++)
@@ -60,7 +68,6 @@ static void report_set(struct compile_report *report, const struct bsp *bsp, con
             report->leaves++;
         else
             report->kinds[plane_kind_of(scene, &scene->nodes[i].split)]++;
-    report->tree = plan->kind;
     snprintf(report->splitter, sizeof report->splitter, "%s", plan->splitter->name);
 }
 
@@ -96,6 +103,7 @@ static bool compile_with(struct compilation *work, enum tree_kind kind, const st
     if (ok) {
         image_make(&encoding, &work->mesh->grid, out);
         report_set(&out->report, &bsp, &encoding, &out->scene, &plan);
+        out->report.draws = draws_with(work->options, out->report.convex);
     }
     encoding_free(&encoding);
     bsp_free(&bsp);
@@ -178,6 +186,12 @@ static unsigned side_or_default(unsigned side_px)
     return side_px ? side_px : 240;
 }
 
+static bool check_method(const struct compile_options *options, const struct compiled *scene, struct error *err)
+{
+    return scene->report.draws != LIM_CONVEX || scene->report.convex ||
+           error_set(err, "--method %s: the scene is not one convex solid", options->method->name);
+}
+
 bool compile_mesh(const struct mesh *mesh, const struct compile_options *options, struct compiled *out,
                   struct error *err)
 {
@@ -189,7 +203,7 @@ bool compile_mesh(const struct mesh *mesh, const struct compile_options *options
     if (ok) {
         progress("compiling: %zu polygons, planes", mesh->polygon_count);
         coplanar_find(mesh, work.points.approx, options->tolerance_units, &work.coplanar);
-        ok = compile_best(&work, out, err) &&
+        ok = compile_best(&work, out, err) && check_method(options, out, err) &&
              pools_measure(out, options->core, side_or_default(options->w_px), side_or_default(options->h_px), err);
         progress_end();
         if (!ok) compiled_free(out);
@@ -197,6 +211,14 @@ bool compile_mesh(const struct mesh *mesh, const struct compile_options *options
     coplanar_free(&work.coplanar);
     exact_free(&work.points);
     return ok;
+}
+
+bool compile_method_parse(const char *text, struct compile_options *out, struct error *err)
+{
+    out->method = method_parse(text, err);
+    if (!out->method) return false;
+    if (out->method->tree != TREE_AUTO) out->tree = out->method->tree;
+    return true;
 }
 
 /* The reference has to see the polygons before any are merged. */

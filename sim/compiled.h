@@ -8,19 +8,20 @@
 #include "core.h"
 #include "error.h"
 #include "mesh.h"
+#include "method.h"
 #include "plane.h"
 #include "scene.h"
-#include "tree_kind.h"
 
 struct compile_options {
-    double tolerance_units;  /* a polygon this near to a plane lies on it; 0.5 by default, 0 = exact */
-    enum tree_kind tree;     /* TREE_AUTO by default */
-    const char *splitter;    /* "auto", "first", "fewest", "balanced": heuristic of the tree builder */
-    bool keep_faces;         /* do not merge: every face keeps its own number in --ids */
-    const struct core *core; /* precision profile of the prediction and of NAME.h; NULL: fast */
-    unsigned w_px, h_px;     /* the panel that pool sizes are measured for; 0: 240 */
-    bool unlit;              /* colours stay as they are in the model: no light is baked in */
-    bool predict;            /* measure the wrong-pixel share for the report: takes a second or so */
+    double tolerance_units;      /* a polygon this near to a plane lies on it; 0.5 by default, 0 = exact */
+    const struct method *method; /* how it is to be drawn; NULL: convex for one convex solid, else nearest first */
+    enum tree_kind tree;         /* TREE_AUTO by default */
+    const char *splitter;        /* "auto", "first", "fewest", "balanced": heuristic of the tree builder */
+    bool keep_faces;             /* do not merge: every face keeps its own number in --ids */
+    const struct core *core;     /* precision profile of the prediction and of NAME.h; NULL: fast */
+    unsigned w_px, h_px;         /* the panel that pool sizes are measured for; 0: 240 */
+    bool unlit;                  /* colours stay as they are in the model: no light is baked in */
+    bool predict;                /* measure the wrong-pixel share for the report: takes a second or so */
 };
 
 struct compile_report {
@@ -34,7 +35,8 @@ struct compile_report {
     enum tree_kind tree;          /* the kind that won */
     double worst_violation_units; /* certified: how far any vertex lies on the wrong side */
     char splitter[16];            /* the heuristic that won */
-    bool convex;                  /* one convex solid: firmware draws it without walk and spans */
+    bool convex;                  /* one convex solid */
+    enum lim_method draws;        /* what firmware draws it with */
     unsigned w_px, h_px;          /* of the panel that the pools were measured for */
     const struct core *core;      /* the precision profile asked for */
     double wrong_percent;         /* on sampled cameras; only if options.predict, else NaN */
@@ -49,6 +51,9 @@ struct compiled {
     size_t image_b;
     struct compile_report report; /* all zero when read from a file */
 };
+
+/* --method: names how to draw and, for some methods, the tree. */
+bool compile_method_parse(const char *text, struct compile_options *out, struct error *err);
 
 /* Builds the exact BSP tree of a mesh (T-vertices already in it) and encodes it. */
 bool compile_mesh(const struct mesh *mesh, const struct compile_options *options, struct compiled *out,

@@ -26,7 +26,7 @@ static bool measured_init(struct measured *measured, const struct measure_candid
                           const struct measure_views *views, struct error *err)
 {
     const struct lim_scene *scene = &candidate->scene->scene;
-    const struct simulator_setup setup = {views->w_px, views->h_px, LIM_NEAREST_FIRST, SIMULATOR_MEMORY,
+    const struct simulator_setup setup = {views->w_px, views->h_px, candidate->scene->report.draws, SIMULATOR_MEMORY,
                                           candidate->core};
     measured->candidate = candidate;
     if (!ids_init(&measured->ids, candidate->scene, &setup, err)) return false;

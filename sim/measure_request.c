@@ -20,7 +20,9 @@ enum option_code {
     OPTION_CORE,
     OPTION_NO_COST,
     OPTION_KEEP_FACES,
-    OPTION_UNLIT
+    OPTION_UNLIT,
+    OPTION_METHOD,
+    OPTION_TREE
 };
 
 static const struct option OPTIONS[] = {
@@ -33,6 +35,8 @@ static const struct option OPTIONS[] = {
     {"no-cost", no_argument, NULL, OPTION_NO_COST},
     {"keep-faces", no_argument, NULL, OPTION_KEEP_FACES},
     {"unlit", no_argument, NULL, OPTION_UNLIT},
+    {"method", required_argument, NULL, OPTION_METHOD},
+    {"tree", required_argument, NULL, OPTION_TREE},
     {NULL, 0, NULL, 0},
 };
 
@@ -98,6 +102,10 @@ static bool parse_option(int code, char **argv, struct measure_request *out, boo
         return parse_list("--precision", optarg, out, add_core, err);
     case OPTION_CORE:
         return parse_list("--core", optarg, out, add_cpu, err);
+    case OPTION_METHOD:
+        return compile_method_parse(optarg, &out->compile, err);
+    case OPTION_TREE:
+        return tree_kind_parse(optarg, &out->compile.tree, err);
     case OPTION_NO_COST:
         *no_cost = true;
         return true;

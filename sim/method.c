@@ -29,3 +29,17 @@ const struct method *method_parse(const char *text, struct error *err)
     error_set(err, "--method %s: no such method; there are %s", text, names);
     return NULL;
 }
+
+const char *method_title(enum lim_method draws)
+{
+    static const char *const titles[] = {
+        [LIM_NEAREST_FIRST] = "nearest first", [LIM_PAINTER] = "back to front", [LIM_CONVEX] = "as one convex solid"};
+    return titles[draws];
+}
+
+const char *method_symbol(enum lim_method draws)
+{
+    static const char *const symbols[] = {
+        [LIM_NEAREST_FIRST] = "LIM_NEAREST_FIRST", [LIM_PAINTER] = "LIM_PAINTER", [LIM_CONVEX] = "LIM_CONVEX"};
+    return symbols[draws];
+}

@@ -20,4 +20,10 @@ extern const size_t method_count;
 /* By its name, from --method; an unknown one is refused with the list of those there are. */
 const struct method *method_parse(const char *text, struct error *err);
 
+/* What the tables and the report call it. */
+const char *method_title(enum lim_method draws);
+
+/* Its C name, enum lim_method. */
+const char *method_symbol(enum lim_method draws);
+
 #endif

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * Counters and the painter are nobody's need: who wants them says so to the C compiler. */
+ * Counters are nobody's need: who wants them says so to the C compiler. */
 #include "needs.h"
 
 enum { SIDE_MIN_PX = 8 };
@@ -12,9 +12,10 @@ static unsigned greater(unsigned a, unsigned b)
 
 struct needs needs_of(const struct compiled *scene)
 {
-    return (struct needs){.nearest = !scene->report.convex,
-                          .convex = scene->report.convex,
-                          .cull = scene->scene.box_count > 0 && !scene->report.convex,
+    return (struct needs){.nearest = scene->report.draws == LIM_NEAREST_FIRST,
+                          .convex = scene->report.draws == LIM_CONVEX,
+                          .painter = scene->report.draws == LIM_PAINTER,
+                          .cull = scene->scene.box_count > 0 && scene->report.draws != LIM_CONVEX,
                           .leaves = scene->report.leaves > 0,
                           .slanted = scene->scene.plane_count > 0,
                           .large = scene->scene.exact_count > 0,
@@ -27,6 +28,7 @@ struct needs needs_union(const struct needs *a, const struct needs *b)
 {
     return (struct needs){.nearest = a->nearest || b->nearest,
                           .convex = a->convex || b->convex,
+                          .painter = a->painter || b->painter,
                           .cull = a->cull || b->cull,
                           .leaves = a->leaves || b->leaves,
                           .slanted = a->slanted || b->slanted,
@@ -53,7 +55,7 @@ void needs_write(const struct needs *needs, FILE *file)
 {
     write_macro(file, "HAS_NEAREST", needs->nearest);
     write_macro(file, "HAS_CONVEX", needs->convex);
-    write_macro(file, "HAS_PAINTER", 0);
+    write_macro(file, "HAS_PAINTER", needs->painter);
     write_macro(file, "HAS_CULL", needs->cull);
     write_macro(file, "HAS_LEAVES", needs->leaves);
     write_macro(file, "HAS_SLANTED", needs->slanted);

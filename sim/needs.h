@@ -10,12 +10,12 @@
 #include <stdio.h>
 
 struct needs {
-    bool nearest, convex;      /* methods */
-    bool leaves;               /* ordered clusters */
-    bool cull, slanted, large; /* what the methods have to do with the scene's boxes and planes */
-    unsigned vertices;         /* most of any polygon */
-    unsigned side_px;          /* longest of any panel that pools were measured for; 0: none */
-    const struct core *core;   /* precision; NULL: not said */
+    bool nearest, convex, painter; /* methods */
+    bool leaves;                   /* ordered clusters */
+    bool cull, slanted, large;     /* what the methods have to do with the scene's boxes and planes */
+    unsigned vertices;             /* most of any polygon */
+    unsigned side_px;              /* longest of any panel that pools were measured for; 0: none */
+    const struct core *core;       /* precision; NULL: not said */
 };
 
 struct needs needs_of(const struct compiled *scene);

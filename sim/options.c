@@ -76,11 +76,8 @@ static bool parse_panel(const char *text, enum simulator_panel *out, struct erro
 
 static bool parse_method(const char *text, struct options *out, struct error *err)
 {
-    const struct method *method = method_parse(text, err);
-    if (!method) return false;
-    out->method = method;
-    out->setup.method = method->draws;
-    if (method->tree != TREE_AUTO) out->compile.tree = method->tree;
+    if (!compile_method_parse(text, &out->compile, err)) return false;
+    out->setup.method = out->compile.method->draws;
     return true;
 }
 

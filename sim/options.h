@@ -5,13 +5,11 @@
 #define SIM_OPTIONS_H
 
 #include "camera_path.h"
-#include "method.h"
 #include "simulator.h"
 
 struct options {
-    const char *scene_path;      /* a model, or a compiled scene in a .lim file */
-    const char *camera_path;     /* NULL: an orbit */
-    const struct method *method; /* NULL: not given */
+    const char *scene_path;  /* a model, or a compiled scene in a .lim file */
+    const char *camera_path; /* NULL: an orbit */
     struct simulator_setup setup;
     double fov_deg;
     double near_m; /* 0: not given */

@@ -144,15 +144,23 @@ static size_t convex_b(const struct compiled *scene, size_t active)
                      scene->scene.polygon_count * (size_t)MCU_FACE_B + active * crossing_b);
 }
 
+static size_t painter_b(const struct compiled *scene)
+{
+    const size_t cached_b = is_wide(&scene->report) ? MCU_CACHED_WIDE_B : MCU_CACHED_B;
+    return aligned_b(MCU_CACHE_ENTRIES * cached_b + scene->scene.limits.depth * (size_t)MCU_PENDING_B);
+}
+
 size_t pools_mcu_mem_b(const struct compiled *scene)
 {
     const struct lim_limits *limits = &scene->scene.limits;
-    if (scene->report.convex) return convex_b(scene, limits->active);
+    if (scene->report.draws == LIM_CONVEX) return convex_b(scene, limits->active);
+    if (scene->report.draws == LIM_PAINTER) return painter_b(scene);
     return nearest_b(scene, limits->retained_cells, limits->gaps, limits->active);
 }
 
 size_t pools_mcu_mem_min_b(const struct compiled *scene)
 {
-    if (scene->report.convex) return convex_b(scene, 0);
+    if (scene->report.draws == LIM_CONVEX) return convex_b(scene, 0);
+    if (scene->report.draws == LIM_PAINTER) return painter_b(scene);
     return nearest_b(scene, least_cells(&scene->scene.limits), 1, 1);
 }

@@ -32,7 +32,8 @@ static bool compare_views(const struct compiled *scene, struct ids *ids, struct 
 bool predict_wrong_percent(const struct compiled *scene, const struct core *core, struct reference *reference,
                            const uint32_t *groups, double *percent, struct error *err)
 {
-    const struct simulator_setup setup = {PREDICT_SIDE_PX, PREDICT_SIDE_PX, LIM_NEAREST_FIRST, SIMULATOR_MEMORY, core};
+    const struct simulator_setup setup = {PREDICT_SIDE_PX, PREDICT_SIDE_PX, scene->report.draws, SIMULATOR_MEMORY,
+                                          core};
     struct comparison sum = {0};
     struct ids ids;
 

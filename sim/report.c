@@ -74,8 +74,7 @@ static void print_flash(const struct compiled *scene)
 
 static void print_ram(const struct compiled *scene)
 {
-    printf("RAM at %ux%u pixels, %s\n", scene->report.w_px, scene->report.h_px,
-           scene->report.convex ? "as one convex solid" : "nearest first");
+    printf("RAM at %ux%u pixels, %s\n", scene->report.w_px, scene->report.h_px, method_title(scene->report.draws));
     print_count("working memory, bytes", pools_mcu_mem_b(scene));
     print_count("least, bytes", pools_mcu_mem_min_b(scene));
 }

@@ -191,7 +191,7 @@ static void any_memory_gives_the_same_picture(void **state)
 
 static void a_target_that_fails_at_any_call_ends_the_frame_and_the_next_is_whole(void **state)
 {
-    static const enum lim_method methods[] = {LIM_NEAREST_FIRST, LIM_PAINTER};
+    static const enum lim_method orders[] = {LIM_NEAREST_FIRST, LIM_PAINTER};
     struct random random = {34};
     struct stage stage;
 
@@ -200,7 +200,7 @@ static void a_target_that_fails_at_any_call_ends_the_frame_and_the_next_is_whole
     const struct lim_camera camera = random_camera(&stage, &random);
     for (int m = 0; m < 2; m++) {
         uint16_t whole[H_PX][W_PX];
-        stage_start(&stage, methods[m], 0);
+        stage_start(&stage, orders[m], 0);
         draw(&stage, &camera);
         memcpy(whole, stage.canvas.pixels, sizeof whole);
         const int32_t calls = stage.canvas.calls;

@@ -19,8 +19,10 @@
 #define FNV_OFFSET_LOW UINT32_C(0x84222325)
 enum { FNV_PRIME_LOW = 0x1b3 }; /* the prime is 2^40 + this */
 
+enum { LINES = MODEL_SCENE_LINES(CAMERAS_H_PX) }; /* that the method wants to have at any time */
+
 struct screen {
-    _Alignas(4) uint16_t line[CAMERAS_W_PX];
+    _Alignas(4) uint16_t lines[LINES][(CAMERAS_W_PX + 1) / 2 * 2]; /* each aligned for words */
     uint32_t hash_high, hash_low; /* FNV-1a, 64 bits, of the bytes as the bus gets them */
     uint32_t painted_px;          /* of this frame */
 };
@@ -56,15 +58,14 @@ static void hash_byte(struct screen *to, uint8_t byte)
 
 static void *lend(void *ctx, uint16_t y_px)
 {
-    (void)y_px;
-    return ((struct screen *)ctx)->line;
+    return ((struct screen *)ctx)->lines[y_px % LINES];
 }
 
 /* Pixels must come from left to right and from the top down, each once. */
 static int done(void *ctx, uint16_t y_px, uint16_t x_px, uint16_t n_px)
 {
     struct screen *to = ctx;
-    const uint8_t *bytes = (const uint8_t *)(to->line + x_px);
+    const uint8_t *bytes = (const uint8_t *)(to->lines[y_px % LINES] + x_px);
 
     if (to->painted_px != (uint32_t)y_px * CAMERAS_W_PX + x_px || x_px + n_px > CAMERAS_W_PX) return -1;
     for (uint16_t i = 0; i < 2 * n_px; i++)
