@@ -367,13 +367,15 @@ static void bytes_on_a_microcontroller_add_up(void **state)
 static void so_do_those_of_a_convex_solid(void **state)
 {
     struct compiled scene = {.scene = {.polygon_count = 12, .limits = {12, 4, 101, 21, 5}},
-                             .report = {.w_px = 100, .h_px = 100, .convex = true}};
+                             .report = {.w_px = 100, .h_px = 100, .draws = LIM_CONVEX}};
 
     (void)state;
     assert_int_equal(pools_mcu_mem_b(&scene), 512 + 200 + 72 + 5 * (56 + 9 * 4));
     assert_int_equal(pools_mcu_mem_min_b(&scene), 512 + 200 + 72);
     scene.report.w_px = 342;
     assert_int_equal(pools_mcu_mem_b(&scene), 768 + 200 + 72 + 5 * (56 + 9 * 8));
+    scene.report.draws = LIM_PAINTER; /* the vertex cache, and 12 nodes of 4 */
+    assert_int_equal(pools_mcu_mem_b(&scene), 768 + 48);
 }
 
 int main(void)
