@@ -8,7 +8,7 @@
 
 #include "view.h"
 
-enum { CLIP_PLANES = 5, CLIP_MAX_VERTICES = LIM_MAX_VERTICES + CLIP_PLANES };
+enum { CLIP_PLANES = 5, CLIP_MAX_VERTICES = LIM_PIECE_VERTICES + CLIP_PLANES };
 
 struct lim_clip_polygon {
     uint8_t n; /* 0: nothing is left; else 3..CLIP_MAX_VERTICES */

@@ -36,6 +36,12 @@
 #ifndef LIM_HAS_CONVEX
 #define LIM_HAS_CONVEX 1 /* one convex solid: no tree walk, no spans */
 #endif
+#ifndef LIM_HAS_DEPTH
+#define LIM_HAS_DEPTH 1 /* all polygons sorted by their farthest points, spans */
+#endif
+#ifndef LIM_HAS_NEWELL
+#define LIM_HAS_NEWELL 1 /* the same, put right by comparing polygons and splitting them */
+#endif
 
 /* What the scene's arrays hold. */
 #ifndef LIM_HAS_CULL
@@ -67,11 +73,15 @@
 #endif
 #endif
 
-/* The walk through the tree serves two orders. */
+/* The walk through the tree serves two orders, a sorted list of polygons two others; spans serve all that paint
+ * nearest first, and a vertex beside the view is left out by all that look for what is hidden. */
 #define LIM_HAS_TREE (LIM_HAS_NEAREST || LIM_HAS_PAINTER)
+#define LIM_HAS_SORTED (LIM_HAS_DEPTH || LIM_HAS_NEWELL)
+#define LIM_HAS_SPANS (LIM_HAS_NEAREST || LIM_HAS_SORTED)
+#define LIM_HAS_HIDDEN (LIM_HAS_TREE || LIM_HAS_SORTED)
 
 /* Planes off the axes are tried in 32 bits first. One convex solid has too few of them for that to pay. */
-#define LIM_HAS_FILTER (LIM_HAS_TREE && LIM_HAS_SLANTED)
+#define LIM_HAS_FILTER (LIM_HAS_HIDDEN && LIM_HAS_SLANTED)
 
 /* Longest side of any target, in pixels: 8..1024. Up to 341 all screen arithmetic fits 32 bits. */
 #ifndef LIM_MAX_SIDE_PX
@@ -81,6 +91,17 @@
 /* Most vertices of a polygon in the scene, before clipping: 3..250. */
 #ifndef LIM_MAX_VERTICES
 #define LIM_MAX_VERTICES 64
+#endif
+
+#define LIM_CUT_VERTICES 8
+
+/* Most vertices of anything that is clipped: cutting polygons adds some. What would have more is left whole. */
+#if !LIM_HAS_NEWELL
+#define LIM_PIECE_VERTICES LIM_MAX_VERTICES
+#elif LIM_MAX_VERTICES <= 250 - LIM_CUT_VERTICES
+#define LIM_PIECE_VERTICES (LIM_MAX_VERTICES + LIM_CUT_VERTICES)
+#else
+#define LIM_PIECE_VERTICES 250
 #endif
 
 /* Const scene data lives in flash. Only AVR needs another address space to reach it. */
@@ -111,8 +132,8 @@
 #define LIM_ASSERT(condition) ((void)0)
 #endif
 
-#if !LIM_HAS_TREE && !LIM_HAS_CONVEX
-#error "LIM_HAS_NEAREST, LIM_HAS_PAINTER or LIM_HAS_CONVEX must be 1"
+#if !LIM_HAS_HIDDEN && !LIM_HAS_CONVEX
+#error "one of LIM_HAS_NEAREST, _PAINTER, _CONVEX, _DEPTH and _NEWELL must be 1"
 #endif
 #if LIM_HAS_LARGE && !LIM_HAS_SLANTED
 #error "LIM_HAS_LARGE needs LIM_HAS_SLANTED"

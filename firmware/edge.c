@@ -171,7 +171,7 @@ void lim_edge_measure(struct lim_edge_shape *shape, const struct lim_point *at, 
     }
     shape->top = (int16_t)(top + LIM_ORIGIN_PX);
     shape->bottom = (int16_t)(bottom + LIM_ORIGIN_PX);
-    if (LIM_HAS_TREE) {
+    if (LIM_HAS_HIDDEN) {
         shape->left = (int16_t)(row_of(left) + LIM_ORIGIN_PX);
         shape->right = (int16_t)(row_of(right) + LIM_ORIGIN_PX);
     }

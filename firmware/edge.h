@@ -30,7 +30,7 @@ struct lim_edge_pair {
 /* What a polygon looks like to EDGE; lines are relative to nothing: line y is screen line y. */
 struct lim_edge_shape {
     int16_t top, bottom; /* lines top <= y < bottom; may lie outside of the screen */
-    int16_t left, right; /* pixels left <= x < right, likewise; set if LIM_HAS_TREE, which looks for what is hidden */
+    int16_t left, right; /* pixels left <= x < right, likewise; set if LIM_HAS_HIDDEN, which looks for what is hidden */
     uint8_t first;       /* a vertex on the top line */
     uint8_t apex;        /* if folded: from which a fan of triangles covers the polygon */
     bool folded;         /* its boundary turns more than twice: rounding bent it */

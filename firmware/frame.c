@@ -9,12 +9,13 @@
 static bool method_is_linked(enum lim_method method)
 {
     return (LIM_HAS_NEAREST && method == LIM_NEAREST_FIRST) || (LIM_HAS_PAINTER && method == LIM_PAINTER) ||
-           (LIM_HAS_CONVEX && method == LIM_CONVEX);
+           (LIM_HAS_CONVEX && method == LIM_CONVEX) || (LIM_HAS_DEPTH && method == LIM_DEPTH) ||
+           (LIM_HAS_NEWELL && method == LIM_NEWELL);
 }
 
 /* Whether the method, which is linked, is this one: constants where it is the only one. */
-#define IS_CONVEX(target) (LIM_HAS_CONVEX && (!LIM_HAS_TREE || (target)->method == LIM_CONVEX))
-#define IS_PAINTER(target) (LIM_HAS_PAINTER && (!LIM_HAS_NEAREST || (target)->method == LIM_PAINTER))
+#define IS_CONVEX(target) (LIM_HAS_CONVEX && (!LIM_HAS_HIDDEN || (target)->method == LIM_CONVEX))
+#define IS_PAINTER(target) (LIM_HAS_PAINTER && (!LIM_HAS_SPANS || (target)->method == LIM_PAINTER))
 
 static size_t asked_b(const struct lim_scene *scene, const struct lim_target *target, bool least)
 {

@@ -6,9 +6,10 @@
  * one polygon and no gap, so every frame ends. */
 #include "order.h"
 
+#include "piece.h"
 #include "project.h"
 
-#if LIM_HAS_NEAREST
+#if LIM_HAS_SPANS
 
 enum { POLYGONS_PER_SHRINK = 20 }; /* the open view is drawn together this often */
 
@@ -68,6 +69,16 @@ static bool take(struct lim *lim, const struct lim_screen_polygon *polygon)
     return true;
 }
 
+static void note_pools(struct lim *lim)
+{
+    struct lim_stats *stats = lim_stats_of(lim);
+
+    if (lim->retained.used > stats->retained_cells_max) stats->retained_cells_max = lim->retained.used;
+    if (lim->spans.fresh > stats->gaps_max) stats->gaps_max = lim->spans.fresh;
+}
+
+/* Where polygons come from: the walk through the tree, or the sorted list. false: a pool is exhausted. */
+#if LIM_HAS_NEAREST
 static void shrink(struct lim *lim)
 {
     const bool smaller = lim_spans_shrink(&lim->spans);
@@ -75,7 +86,6 @@ static void shrink(struct lim *lim)
     if (LIM_HAS_CULL && smaller) lim_cull_set(lim_cull_of(lim), &lim->view, lim_eye_of(lim)->at_q8, &lim->spans.open);
 }
 
-/* All polygons of one run. false: a pool is exhausted. */
 static bool take_run(struct lim *lim, uint16_t run, uint8_t *since_shrink)
 {
     const LIM_FLASH uint16_t *record = &lim->scene->polygons[run];
@@ -97,28 +107,71 @@ static bool take_run(struct lim *lim, uint16_t run, uint8_t *since_shrink)
     }
 }
 
-static void note_pools(struct lim *lim)
-{
-    struct lim_stats *stats = lim_stats_of(lim);
-
-    if (lim->retained.used > stats->retained_cells_max) stats->retained_cells_max = lim->retained.used;
-    if (lim->spans.fresh > stats->gaps_max) stats->gaps_max = lim->spans.fresh;
-}
-
-/* Pass one over a band. false: a pool is exhausted. */
-static bool collect(struct lim *lim, const struct lim_rect *band)
+static bool collect_from_tree(struct lim *lim, const struct lim_rect *band)
 {
     uint8_t since_shrink = 0;
     uint16_t run;
 
-    lim_spans_open(&lim->spans, band);
-    lim->retained.used = 0;
     if (LIM_HAS_CULL) lim_cull_set(lim_cull_of(lim), &lim->view, lim_eye_of(lim)->at_q8, band);
     lim_walk_begin(&lim->walk, lim->stack, false);
     while (lim->spans.open_lines &&
            (run = lim_walk_next(&lim->walk, lim_cull_of(lim), lim_stats_of(lim))) != LIM_NONE) {
         if (!take_run(lim, run, &since_shrink)) return false;
     }
+    return true;
+}
+#endif
+
+#if LIM_HAS_SORTED
+static bool is_piece(const struct lim *lim, uint16_t entry)
+{
+#if LIM_HAS_NEWELL
+    return LIM_IS_NEWELL(&lim->target) && lim->sorter.newell.polygons[entry].cuts != LIM_NONE;
+#else
+    (void)lim;
+    (void)entry;
+    return false;
+#endif
+}
+
+static bool collect_from_list(struct lim *lim)
+{
+    const struct lim_rect *open = &lim->spans.open;
+    struct lim_screen_polygon polygon;
+    uint8_t since_shrink = 0;
+
+    for (uint16_t at = lim->sorter.first; at != LIM_NONE && lim->spans.open_lines; at = lim->sorter.list[at].next) {
+        const LIM_FLASH uint16_t *record = &lim->scene->polygons[lim->sorter.list[at].record];
+        if (!lim_project(&polygon, &lim->view, lim->scene, record, open, lim_stats_of(lim))) continue;
+        if (!(LIM_HAS_NEWELL && is_piece(lim, at) ? lim_piece_take(lim, at, &polygon) : take(lim, &polygon)))
+            return false;
+        if (++since_shrink < POLYGONS_PER_SHRINK) continue;
+        since_shrink = 0;
+        (void)lim_spans_shrink(&lim->spans);
+    }
+    return true;
+}
+#endif
+
+static bool collect_from_source(struct lim *lim, const struct lim_rect *band)
+{
+#if LIM_HAS_SORTED
+    if (LIM_IS_SORTED(&lim->target)) return collect_from_list(lim);
+#endif
+#if LIM_HAS_NEAREST
+    return collect_from_tree(lim, band);
+#else
+    (void)band;
+    return true;
+#endif
+}
+
+/* Pass one over a band. */
+static bool collect(struct lim *lim, const struct lim_rect *band)
+{
+    lim_spans_open(&lim->spans, band);
+    lim->retained.used = 0;
+    if (!collect_from_source(lim, band)) return false;
     if (LIM_HAS_STATS) note_pools(lim);
     return true;
 }
@@ -163,6 +216,7 @@ int lim_nearest_frame(struct lim *lim)
 {
     struct lim_rect band = {0, 0, lim->target.w_px, lim->target.h_px};
 
+    if (LIM_IS_SORTED(&lim->target)) lim_sorted_order(lim);
     while (band.y0 < lim->target.h_px) {
         uint16_t y;
         const int err = draw_band(lim, &band, &y);

@@ -9,7 +9,12 @@
 
 #include "limner.h"
 
-/* Nearest first, without a framebuffer: nearest.c, and its memory in pools.c. */
+/* Which sorted order the method is, if it is one; constants where there is no choice. */
+#define LIM_IS_SORTED(target) (LIM_HAS_SORTED && (!LIM_HAS_NEAREST || (target)->method >= LIM_DEPTH))
+#define LIM_IS_NEWELL(target)                                                                                          \
+    (LIM_HAS_NEWELL && ((!LIM_HAS_NEAREST && !LIM_HAS_DEPTH) || (target)->method == LIM_NEWELL))
+
+/* Nearest first, without a framebuffer: nearest.c, and its memory in pools.c. From the tree, or from a sorted list. */
 size_t lim_nearest_mem_b(const struct lim_scene *scene, const struct lim_target *target, bool least);
 void lim_nearest_init(struct lim *lim, void *mem, size_t mem_b);
 LIM_MUST_CHECK int lim_nearest_frame(struct lim *lim);

@@ -4,7 +4,7 @@
  * arrive far to near (retain.h), so each is put in front of the one before it or further up. */
 #include "paint.h"
 
-#if LIM_HAS_NEAREST
+#if LIM_HAS_SPANS
 
 static const union lim_retained_cell *cells_of(const struct lim_retained *retained, const struct lim_active *active)
 {
@@ -18,8 +18,22 @@ static const struct lim_point *points_of(const union lim_retained_cell *cells)
     return &cells[LIM_RETAINED_HEAD_CELLS].at;
 }
 
+/* A piece has no edges: its lines are there, the last one first. */
+static LIM_RARE void take_line(struct lim_active *active, const union lim_retained_cell *cells, int16_t y)
+{
+    const struct lim_point line = points_of(cells)[(int16_t)cells[1].look.bottom - 1 - y];
+
+    active->pair.left.x = (int16_t)line.x;
+    active->pair.right.x = (int16_t)line.y;
+    active->turn = (int16_t)(y + 1);
+}
+
 static void turn(struct lim_active *active, const union lim_retained_cell *cells, int16_t y)
 {
+    if (LIM_HAS_NEWELL && !cells[0].link.n) {
+        take_line(active, cells, y);
+        return;
+    }
     const int16_t at = lim_edge_turn(&active->pair, points_of(cells), cells[0].link.n, y);
     const int16_t bottom = (int16_t)cells[1].look.bottom;
 

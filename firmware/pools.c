@@ -6,16 +6,16 @@
 
 #include "clip.h"
 
-#if LIM_HAS_NEAREST
+#if LIM_HAS_SPANS
 
 struct shares {
-    uint16_t active, retained_cells, gaps;
+    uint16_t active, retained_cells, gaps, pieces;
 };
 
 /* One polygon, one gap: what a band of one pixel needs. */
 static struct shares least_shares(const struct lim_scene *scene)
 {
-    return (struct shares){1, (uint16_t)(LIM_RETAINED_HEAD_CELLS + scene->limits.vertices + CLIP_PLANES), 1};
+    return (struct shares){1, (uint16_t)(LIM_RETAINED_HEAD_CELLS + scene->limits.vertices + CLIP_PLANES), 1, 0};
 }
 
 static uint16_t greater(uint16_t a, uint16_t b)
@@ -23,23 +23,37 @@ static uint16_t greater(uint16_t a, uint16_t b)
     return a > b ? a : b;
 }
 
-static struct shares comfortable_shares(const struct lim_scene *scene)
+static uint16_t comfortable_pieces(const struct lim_scene *scene, const struct lim_target *target)
+{
+    const uint16_t most = (uint16_t)(LIM_SORTED_MAX - scene->polygon_count);
+
+    if (!LIM_IS_NEWELL(target)) return 0;
+    return scene->limits.pieces < most ? scene->limits.pieces : most;
+}
+
+static struct shares comfortable_shares(const struct lim_scene *scene, const struct lim_target *target)
 {
     const struct shares least = least_shares(scene);
     const struct lim_limits *limits = &scene->limits;
 
     return (struct shares){greater(limits->active, least.active), greater(limits->retained_cells, least.retained_cells),
-                           greater(limits->gaps, least.gaps)};
+                           greater(limits->gaps, least.gaps), comfortable_pieces(scene, target)};
 }
 
 static size_t total_b(const struct lim_scene *scene, const struct lim_target *target, struct shares shares)
 {
-    return LIM_MEM_B(target->h_px, scene->limits.depth, shares.retained_cells, shares.gaps, shares.active);
+    const uint16_t cells = shares.retained_cells;
+
+    if (LIM_IS_NEWELL(target))
+        return LIM_NEWELL_MEM_B(target->h_px, scene->polygon_count, shares.pieces, cells, shares.gaps, shares.active);
+    if (LIM_IS_SORTED(target))
+        return LIM_DEPTH_MEM_B(target->h_px, scene->polygon_count, cells, shares.gaps, shares.active);
+    return LIM_MEM_B(target->h_px, scene->limits.depth, cells, shares.gaps, shares.active);
 }
 
 size_t lim_nearest_mem_b(const struct lim_scene *scene, const struct lim_target *target, bool least)
 {
-    return total_b(scene, target, least ? least_shares(scene) : comfortable_shares(scene));
+    return total_b(scene, target, least ? least_shares(scene) : comfortable_shares(scene, target));
 }
 
 /* from + (to - from) * part; part < 1. */
@@ -48,18 +62,28 @@ static uint16_t between(uint16_t from, uint16_t to, uint16_t part_q8)
     return (uint16_t)(from + (((uint32_t)(to - from) * part_q8) >> 8));
 }
 
+/* What is left over goes to pieces, up to what a list holds. */
+static struct shares with_surplus(struct shares wanted, const struct lim_scene *scene, size_t surplus_b)
+{
+    const size_t more = surplus_b / (LIM_NEWELL_MEM_B(0, 0, 1, 0, 0, 0) - LIM_NEWELL_MEM_B(0, 0, 0, 0, 0, 0));
+    const size_t most = LIM_SORTED_MAX - scene->polygon_count - wanted.pieces;
+
+    wanted.pieces = (uint16_t)(wanted.pieces + (more < most ? more : most));
+    return wanted;
+}
+
 /* Scales the comfortable shares down to what there is; never below the least. The pools together are
  * below 2^24 bytes. */
 static struct shares divide(const struct lim_scene *scene, const struct lim_target *target, size_t mem_b)
 {
-    const struct shares least = least_shares(scene), wanted = comfortable_shares(scene);
+    const struct shares least = least_shares(scene), wanted = comfortable_shares(scene, target);
     const size_t least_b = total_b(scene, target, least), wanted_b = total_b(scene, target, wanted);
 
-    if (mem_b >= wanted_b) return wanted;
+    if (mem_b >= wanted_b) return LIM_IS_NEWELL(target) ? with_surplus(wanted, scene, mem_b - wanted_b) : wanted;
     const uint16_t part_q8 = (uint16_t)(((uint32_t)(mem_b - least_b) << 8) / (uint32_t)(wanted_b - least_b));
     return (struct shares){between(least.active, wanted.active, part_q8),
                            between(least.retained_cells, wanted.retained_cells, part_q8),
-                           between(least.gaps, wanted.gaps, part_q8)};
+                           between(least.gaps, wanted.gaps, part_q8), between(0, wanted.pieces, part_q8)};
 }
 
 static void *cut(uint8_t **mem, size_t size_b)
@@ -70,12 +94,32 @@ static void *cut(uint8_t **mem, size_t size_b)
     return piece;
 }
 
+#if LIM_HAS_SORTED
+static void cut_sorter(struct lim *lim, uint8_t **at, const struct shares *shares)
+{
+    struct lim_sorter *sorter = &lim->sorter;
+
+    sorter->size = (uint16_t)(lim->scene->polygon_count + shares->pieces);
+    sorter->list = cut(at, sorter->size * sizeof *sorter->list);
+#if LIM_HAS_NEWELL
+    if (!LIM_IS_NEWELL(&lim->target)) return;
+    sorter->newell.polygons = cut(at, sorter->size * sizeof *sorter->newell.polygons);
+    sorter->newell.cut_size = (uint16_t)(2 * shares->pieces);
+    sorter->newell.cuts = cut(at, sorter->newell.cut_size * sizeof *sorter->newell.cuts);
+    sorter->newell.options = (struct lim_newell_options){false, false};
+#endif
+}
+#endif
+
 /* Widest alignment first. */
 void lim_nearest_init(struct lim *lim, void *mem, size_t mem_b)
 {
     const struct shares shares = divide(lim->scene, &lim->target, mem_b);
     uint8_t *at = mem;
 
+#if LIM_HAS_SORTED
+    if (LIM_IS_SORTED(&lim->target)) cut_sorter(lim, &at, &shares);
+#endif
     lim->paint.target = &lim->target;
     lim->paint.background = lim_memory_colour(lim->scene->background);
     lim->paint.pool = cut(&at, shares.active * sizeof(struct lim_active));
@@ -86,7 +130,9 @@ void lim_nearest_init(struct lim *lim, void *mem, size_t mem_b)
     lim->spans.lines = cut(&at, lim->target.h_px * sizeof(struct lim_line));
     lim->spans.pool = cut(&at, shares.gaps * sizeof(struct lim_gap));
     lim->spans.pool_size = shares.gaps;
-    lim->stack = cut(&at, lim->scene->limits.depth * sizeof(struct lim_walk_pending));
+#if LIM_HAS_TREE
+    if (!LIM_IS_SORTED(&lim->target)) lim->stack = cut(&at, lim->scene->limits.depth * sizeof(struct lim_walk_pending));
+#endif
     lim_view_init(&lim->view, lim->target.w_px, lim->target.h_px, cache);
 }
 

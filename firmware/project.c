@@ -26,7 +26,7 @@ static bool meets(const struct lim_edge_shape *shape, const struct lim_rect *ope
 {
     if (shape->top >= shape->bottom || shape->top >= (int16_t)open->y1 || shape->bottom <= (int16_t)open->y0)
         return false;
-    return !LIM_HAS_TREE ||
+    return !LIM_HAS_HIDDEN ||
            (shape->left < shape->right && shape->left < (int16_t)open->x1 && shape->right > (int16_t)open->x0);
 }
 

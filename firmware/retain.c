@@ -4,7 +4,7 @@
  * runs from far to near. */
 #include "retain.h"
 
-#if LIM_HAS_NEAREST
+#if LIM_HAS_SPANS
 
 bool lim_retain(struct lim_retained *retained, struct lim_line *lines, const struct lim_retained_polygon *polygon)
 {

@@ -9,7 +9,8 @@
 #include "profile.h"
 #include "span.h"
 
-/* A retained polygon is two head cells and one cell a vertex. */
+/* A retained polygon is two head cells and one cell a vertex; a piece of one (piece.h) has n = 0 and a cell a line,
+ * bottom to top: x its first pixel, y the one after its last. */
 union lim_retained_cell {
     struct {
         uint16_t next; /* the polygon retained before this one that starts on the same line */

@@ -86,14 +86,15 @@ struct lim_box {
     uint16_t half[3];  /* units, 0..32768 */
 };
 
-/* What memory a frame needs; the compiler measures the last three on sampled cameras, and a
- * frame that needs more falls back to bands. */
+/* What memory a frame needs; the compiler measures all but the first two on sampled cameras. A frame that needs more
+ * falls back to bands; without room for pieces, polygons go by their farthest points (LIM_NEWELL). */
 struct lim_limits {
     uint16_t depth;          /* nodes on the longest path from the root: least stack of the walk */
     uint16_t vertices;       /* most vertices of any polygon */
     uint16_t retained_cells; /* points and heads of the polygons retained between SPAN and PAINT */
     uint16_t gaps;           /* gaps beyond the first of each line, all lines together */
     uint16_t active;         /* polygons that cross one line */
+    uint16_t pieces;         /* LIM_NEWELL: how often polygons are split */
 };
 
 struct lim_scene {

@@ -5,7 +5,7 @@
  * gap must be unlinked at once: a later polygon would find its neighbour through it. */
 #include "span.h"
 
-#if LIM_HAS_NEAREST
+#if LIM_HAS_SPANS
 
 void lim_spans_reset_pool(struct lim_spans *spans)
 {

@@ -10,6 +10,7 @@
 #include "eye.h"
 #include "paint.h"
 #include "retain.h"
+#include "sorted.h"
 #include "span.h"
 #include "stats.h"
 #include "target.h"
@@ -29,6 +30,13 @@
     LIM_MEM_ALIGNED_B(LIM_MEM_ALIGNED_B(LIM_VIEW_CACHE_ENTRIES * sizeof(struct lim_view_cached) +                      \
                                         (h_px) * sizeof(uint16_t) + (polygon_count) * sizeof(struct lim_face)) +       \
                       (active_count) * sizeof(struct lim_crossing))
+/* `piece_count`: how often a frame's polygons can be split. */
+#define LIM_DEPTH_MEM_B(h_px, polygon_count, cell_count, gap_count, active_count)                                      \
+    (LIM_MEM_B(h_px, 0, cell_count, gap_count, active_count) + (polygon_count) * sizeof(struct lim_sorted))
+#define LIM_NEWELL_MEM_B(h_px, polygon_count, piece_count, cell_count, gap_count, active_count)                        \
+    (LIM_DEPTH_MEM_B(h_px, (polygon_count) + (piece_count), cell_count, gap_count, active_count) +                     \
+     ((polygon_count) + (piece_count)) * sizeof(struct lim_newell_polygon) +                                           \
+     (piece_count) * (2 * sizeof(struct lim_cut)))
 #define LIM_MEM_ALIGNED_B(size_b) (((size_b) + 3) & ~(size_t)3)
 
 struct lim {
@@ -47,7 +55,10 @@ struct lim {
 #else
     struct lim_eye eye;
 #endif
-#if LIM_HAS_NEAREST
+#if LIM_HAS_SORTED
+    struct lim_sorter sorter;
+#endif
+#if LIM_HAS_SPANS
     struct lim_spans spans;
     struct lim_retained retained;
     struct lim_paint paint;

@@ -6,6 +6,27 @@
 
 #include "config.h"
 
+/* The tests of LIM_NEWELL in their textbook order, and where they are tried swapped. */
+enum lim_newell_test {
+    LIM_TEST_X,          /* 1: the extents in x do not overlap, in whole pixels */
+    LIM_TEST_Y,          /* 2: nor those in y */
+    LIM_TEST_P_BEHIND,   /* 3: P lies behind Q's plane */
+    LIM_TEST_Q_IN_FRONT, /* 4: Q lies in front of P's plane */
+    LIM_TEST_APART,      /* 5: the projections do not overlap */
+    LIM_TEST_Q_BEHIND,   /* 3': Q lies behind P's plane */
+    LIM_TEST_P_IN_FRONT, /* 4': P lies in front of Q's plane */
+    LIM_TESTS
+};
+
+/* What it took to order a frame's polygons. */
+struct lim_newell_stats {
+    uint32_t comparisons;        /* pairs whose extents in z overlap */
+    uint32_t decided[LIM_TESTS]; /* which test settled how many of them */
+    uint32_t swaps;              /* a Q that goes before its P */
+    uint32_t splits;             /* polygons or pieces cut in two */
+    uint32_t forced;             /* pairs left to their farthest points: no room, or nothing to split */
+};
+
 /* What a frame did; all zero when LIM_HAS_STATS is 0. */
 struct lim_stats {
     uint32_t nodes;             /* nodes visited */
@@ -19,6 +40,12 @@ struct lim_stats {
     uint32_t pixels_painted;    /* pixels written by polygons; nearest first: each pixel at most once */
     uint32_t pixels_background; /* pixels filled with the background; convex: those that no face has painted, about */
     uint32_t bands;             /* extra walks because a pool was exhausted; convex: faces' lines without room */
+#if LIM_HAS_SORTED
+    uint32_t sorted; /* entries of the sorted list, pieces included */
+#endif
+#if LIM_HAS_NEWELL
+    struct lim_newell_stats newell;
+#endif
     uint16_t retained_cells_max, gaps_max, active_max; /* most used of each pool in one walk; convex: faces on a line */
 };
 

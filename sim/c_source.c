@@ -114,9 +114,11 @@ static void write_scene(FILE *file, const struct lim_scene *scene, const struct 
     fprintf(file, "    .box_count = %u,\n    .polygon_words = %u,\n    .polygon_count = %u,\n    .background = %u,\n",
             (unsigned)scene->box_count, (unsigned)scene->polygon_words, (unsigned)scene->polygon_count,
             (unsigned)scene->background);
-    fprintf(file, "    .limits = {.depth = %u, .vertices = %u, .retained_cells = %u, .gaps = %u, .active = %u},\n};\n",
+    fprintf(file,
+            "    .limits = {.depth = %u, .vertices = %u, .retained_cells = %u, .gaps = %u, .active = %u, .pieces = "
+            "%u},\n};\n",
             (unsigned)limits->depth, (unsigned)limits->vertices, (unsigned)limits->retained_cells,
-            (unsigned)limits->gaps, (unsigned)limits->active);
+            (unsigned)limits->gaps, (unsigned)limits->active, (unsigned)limits->pieces);
 }
 
 static void write_source(FILE *file, const struct compiled *scene, const struct c_name *prefix,

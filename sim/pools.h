@@ -24,6 +24,9 @@ enum {
     MCU_ACTIVE_B = 48,
     MCU_TOP_B = 2,
     MCU_FACE_B = 6,
+    MCU_SORTED_B = 8,
+    MCU_NEWELL_B = 20,
+    MCU_CUT_B = 4,
     MCU_CROSSING_B = 56, /* and a point for each vertex */
     MCU_HEAD_CELLS = 2,
     MCU_CLIP_PLANES = 5

@@ -52,6 +52,7 @@ compile_variants() { # TARGET: other profiles, other screen coordinates, fewer f
         done
         compile "$1" "$work/variant.o" "$source" -DLIM_MAX_SIDE_PX=240 -DLIM_HAS_STATS=0 -DLIM_HAS_PAINTER=0 || failed=1
         compile "$1" "$work/variant.o" "$source" -DLIM_HAS_STATS=0 -DLIM_HAS_PAINTER=0 -DLIM_HAS_NEAREST=0 \
+            -DLIM_HAS_DEPTH=0 -DLIM_HAS_NEWELL=0 \
             -DLIM_HAS_CULL=0 -DLIM_HAS_LARGE=0 -DLIM_HAS_SLANTED=0 || failed=1
     done
     return $failed

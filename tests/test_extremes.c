@@ -265,7 +265,7 @@ static void box_make(struct box *box, const int16_t low[3], const int16_t high[3
                                     .node_count = 6,
                                     .polygon_words = 36,
                                     .polygon_count = 6,
-                                    .limits = {6, 4, 200, 200, 20}};
+                                    .limits = {6, 4, 200, 200, 20, 0}};
 }
 
 /* Polygons that pass the eye at a hair, vertices behind it, walls in line with the near plane: the

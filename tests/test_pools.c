@@ -291,7 +291,7 @@ static void pools_are_never_below_the_least(void **state)
     assert_in_range(limits->gaps, 1, SIDE_PX + SIDE_PX / 8 + 1);
     assert_in_range(limits->active, 1, 2);
     const size_t least_b = pools_mcu_mem_min_b(&scene);
-    scene.scene.limits = (struct lim_limits){1, 3, 10, 1, 0}; /* one convex solid, so no entry is needed */
+    scene.scene.limits = (struct lim_limits){1, 3, 10, 1, 0, 0}; /* one convex solid, so no entry is needed */
     assert_int_equal(least_b, pools_mcu_mem_b(&scene));
     compiled_free(&scene);
     mesh_rig_free(&mesh);
@@ -348,7 +348,7 @@ static void pools_are_measured_for_the_panel(void **state)
  * screen coordinates double the cells and take half as much again in the cache. */
 static void bytes_on_a_microcontroller_add_up(void **state)
 {
-    struct compiled scene = {.scene = {.limits = {10, 4, 101, 21, 5}}, .report = {.w_px = 100, .h_px = 100}};
+    struct compiled scene = {.scene = {.limits = {10, 4, 101, 21, 5, 0}}, .report = {.w_px = 100, .h_px = 100}};
 
     (void)state;
     assert_int_equal(pools_mcu_mem_b(&scene), 512 + 800 + 40 + 404 + 126 + 240 + 2);
@@ -366,7 +366,7 @@ static void bytes_on_a_microcontroller_add_up(void **state)
  * the least no crossing. Wide coordinates double the points. */
 static void so_do_those_of_a_convex_solid(void **state)
 {
-    struct compiled scene = {.scene = {.polygon_count = 12, .limits = {12, 4, 101, 21, 5}},
+    struct compiled scene = {.scene = {.polygon_count = 12, .limits = {12, 4, 101, 21, 5, 0}},
                              .report = {.w_px = 100, .h_px = 100, .draws = LIM_CONVEX}};
 
     (void)state;

@@ -23,6 +23,10 @@ _Static_assert(MCU_ACTIVE_B == sizeof(struct lim_active), "active polygon");
 _Static_assert((int)MCU_HEAD_CELLS == (int)LIM_RETAINED_HEAD_CELLS, "head of a retained polygon");
 _Static_assert((int)MCU_CLIP_PLANES == (int)CLIP_PLANES, "vertices that clipping adds");
 
+_Static_assert(MCU_SORTED_B == sizeof(struct lim_sorted), "entry of the sorted list");
+_Static_assert(MCU_NEWELL_B == sizeof(struct lim_newell_polygon), "what a depth sort knows of an entry");
+_Static_assert(MCU_CUT_B == sizeof(struct lim_cut), "cut");
+
 #if LIM_HAS_CONVEX
 _Static_assert(MCU_TOP_B == sizeof *((struct lim_convex *)0)->tops, "head of a line's faces");
 _Static_assert(MCU_FACE_B == sizeof(struct lim_face), "face");

@@ -1,0 +1,51 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Corners of the sorted list's pieces, and planes to compare them with: in units, whole records exactly, pieces
+ * with 12 fraction bits, cut by the planes that made them. */
+#ifndef LIM_CORNERS_H
+#define LIM_CORNERS_H
+
+#include "fixed.h"
+#include "scene.h"
+
+struct lim;
+
+enum { LIM_CORNER_ONE_Q12 = 4096 };
+
+struct lim_corners {
+    uint8_t n;
+    int32_t at_q12[LIM_PIECE_VERTICES][3]; /* |coordinate| <= 2^27 */
+};
+
+/* A scene's plane, unpacked. */
+struct lim_plane_wide {
+    int32_t n[3];
+    int64_t d;
+    int64_t slack; /* |n . p - d| up to this is on it: newell.h */
+    bool narrow;   /* n . p - d fits 32 bits for every vertex p: scene.h's bounds */
+};
+
+/* The plane of an entry of the list. */
+const LIM_FLASH struct lim_plane_ref *lim_plane_of(const struct lim *lim, uint16_t entry);
+void lim_plane_load(struct lim_plane_wide *plane, const struct lim *lim, uint16_t entry);
+
+/* n . p - d, of a point in units where one is 1, or in units / one. */
+static inline int64_t lim_plane_value(const struct lim_plane_wide *plane, int32_t x, int32_t y, int32_t z, int32_t one)
+{
+    return (int64_t)plane->n[0] * x + (int64_t)plane->n[1] * y + (int64_t)plane->n[2] * z - plane->d * one;
+}
+
+static inline int64_t lim_corner_value(const struct lim_plane_wide *plane, const int32_t at_q12[3])
+{
+    return lim_plane_value(plane, at_q12[0], at_q12[1], at_q12[2], LIM_CORNER_ONE_Q12);
+}
+
+/* Where the plane meets the way from a point in front to one behind, any three coordinates: always from the front, so
+ * that both sides get the same. The values are n . p - d there, in any one scale. */
+void lim_plane_cross(int32_t out[3], const int32_t front[3], int64_t front_value, const int32_t back[3],
+                     int64_t back_value);
+
+/* The corners of an entry, in one of two places. NULL: there are too many, or none. */
+const struct lim_corners *lim_corners_of(const struct lim *lim, uint16_t entry, struct lim_corners places[2]);
+
+#endif

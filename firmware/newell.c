@@ -1,0 +1,247 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * The list begins with the swapped entries, the last one first: each waits for the one before it. Behind them all
+ * is sorted. So "swapped already" is a circle, and the search for overlaps in z ends at the first sorted
+ * entry that has none.
+ *
+ * It ends. A split is made only by a plane on both sides of which the polygon has corners, and its pieces are never
+ * split by that plane again: there are as many splits at most as the planes allow, and never more than there is
+ * room. Between two splits an entry leaves the list, or one more of those in it is swapped, or nothing can be
+ * done and the entry leaves all the same. */
+#include "order.h"
+
+#include "piece.h"
+
+#if LIM_HAS_NEWELL
+
+/* On which sides of each other's planes two polygons lie; asked once, when it is needed. */
+struct couple {
+    uint16_t p, q;
+    uint8_t p_sides, q_sides;
+    bool known;
+};
+
+void lim_newell_set(struct lim *lim, const struct lim_newell_options *options)
+{
+    lim->sorter.newell.options = *options;
+}
+
+static uint16_t within(int16_t at, uint16_t end)
+{
+    return at < 0 ? 0 : at > (int16_t)end ? end : (uint16_t)at;
+}
+
+bool lim_newell_add(struct lim *lim, uint16_t entry, const LIM_FLASH uint16_t *record, int32_t near_qv, uint16_t node,
+                    bool eye_in_front)
+{
+    const uint16_t w_px = lim->target.w_px, h_px = lim->target.h_px;
+    const struct lim_rect screen = {0, 0, w_px, h_px};
+    struct lim_screen_polygon polygon;
+
+    if (!lim_project(&polygon, &lim->view, lim->scene, record, &screen, NULL)) return false;
+    const struct lim_edge_shape *shape = &polygon.shape;
+    const struct lim_rect rect = {within(shape->left, w_px), within(shape->top, h_px), within(shape->right, w_px),
+                                  within(shape->bottom, h_px)};
+    lim->sorter.newell.polygons[entry] =
+        (struct lim_newell_polygon){near_qv, rect, node, LIM_NONE, eye_in_front, false};
+    return true;
+}
+
+static struct lim_newell_polygon *polygon_of(struct lim *lim, uint16_t entry)
+{
+    return &lim->sorter.newell.polygons[entry];
+}
+
+static void count(struct lim *lim, enum lim_newell_test test)
+{
+    if (LIM_HAS_STATS) lim_stats_of(lim)->newell.decided[test]++;
+}
+
+/* Front is where the eye is. */
+static uint8_t seen_from_eye(uint8_t sides, bool eye_in_front)
+{
+    if (eye_in_front || sides == 0 || sides == LIM_SIDE_BOTH) return sides;
+    return LIM_SIDE_BOTH - sides;
+}
+
+static void look_at_planes(struct lim *lim, struct couple *couple)
+{
+    if (couple->known) return;
+    couple->known = true;
+    couple->p_sides =
+        seen_from_eye(lim_piece_sides(lim, couple->p, couple->q), polygon_of(lim, couple->q)->eye_in_front);
+    couple->q_sides =
+        seen_from_eye(lim_piece_sides(lim, couple->q, couple->p), polygon_of(lim, couple->p)->eye_in_front);
+}
+
+static bool passes(struct lim *lim, struct couple *couple, enum lim_newell_test test)
+{
+    const struct lim_rect *p = &polygon_of(lim, couple->p)->rect, *q = &polygon_of(lim, couple->q)->rect;
+
+    if (test == LIM_TEST_X) return p->x1 <= q->x0 || q->x1 <= p->x0;
+    if (test == LIM_TEST_Y) return p->y1 <= q->y0 || q->y1 <= p->y0;
+    if (test == LIM_TEST_APART) return !lim_piece_overlap(lim, couple->p, couple->q);
+    look_at_planes(lim, couple);
+    if (test == LIM_TEST_P_BEHIND) return !(couple->p_sides & LIM_SIDE_FRONT);
+    if (test == LIM_TEST_Q_IN_FRONT) return !(couple->q_sides & LIM_SIDE_BACK);
+    if (test == LIM_TEST_Q_BEHIND) return !(couple->q_sides & LIM_SIDE_FRONT);
+    return !(couple->p_sides & LIM_SIDE_BACK);
+}
+
+/* Whether P may be painted before Q. */
+static bool may_precede(struct lim *lim, struct couple *couple)
+{
+    static const LIM_FLASH uint8_t orders[2][5] = {
+        {LIM_TEST_X, LIM_TEST_Y, LIM_TEST_P_BEHIND, LIM_TEST_Q_IN_FRONT, LIM_TEST_APART},
+        {LIM_TEST_P_BEHIND, LIM_TEST_Q_IN_FRONT, LIM_TEST_X, LIM_TEST_Y, LIM_TEST_APART}};
+    const LIM_FLASH uint8_t *order = orders[lim->sorter.newell.options.planes_first];
+
+    if (LIM_HAS_STATS) lim_stats_of(lim)->newell.comparisons++;
+    for (uint_fast8_t i = 0; i < 5; i++) {
+        const enum lim_newell_test test = (enum lim_newell_test)order[i];
+        if (!passes(lim, couple, test)) continue;
+        count(lim, test);
+        return true;
+    }
+    return false;
+}
+
+/* The first Q that the head P must not be painted before, in couple->q. false: none. */
+static bool find_obstacle(struct lim *lim, struct couple *couple)
+{
+    const struct lim_sorted *list = lim->sorter.list;
+    const int32_t near_qv = polygon_of(lim, couple->p)->near_qv;
+
+    for (uint16_t q = list[couple->p].next; q != LIM_NONE; q = list[q].next) {
+        if (list[q].far_qv <= near_qv) {
+            if (polygon_of(lim, q)->swapped) continue;
+            return false;
+        }
+        couple->q = q;
+        couple->known = false;
+        if (!may_precede(lim, couple)) return true;
+    }
+    return false;
+}
+
+static void unlink_entry(struct lim *lim, uint16_t entry)
+{
+    uint16_t *link = &lim->sorter.first;
+
+    while (*link != entry)
+        link = &lim->sorter.list[*link].next;
+    *link = lim->sorter.list[entry].next;
+}
+
+/* Into its sorted place, behind what is swapped. */
+static void insert(struct lim *lim, uint16_t entry)
+{
+    struct lim_sorted *list = lim->sorter.list;
+    uint16_t *link = &lim->sorter.first;
+
+    while (*link != LIM_NONE && (polygon_of(lim, *link)->swapped || lim_sorted_precedes(&list[*link], &list[entry])))
+        link = &list[*link].next;
+    list[entry].next = *link;
+    *link = entry;
+}
+
+static void swap(struct lim *lim, uint16_t q)
+{
+    unlink_entry(lim, q);
+    lim->sorter.list[q].next = lim->sorter.first;
+    lim->sorter.first = q;
+    polygon_of(lim, q)->swapped = true;
+    if (LIM_HAS_STATS) lim_stats_of(lim)->newell.swaps++;
+}
+
+/* Splits an entry of the list and sorts both pieces in. false: no room, and nothing has changed. */
+static bool split(struct lim *lim, uint16_t entry, uint16_t by)
+{
+    const uint16_t other = lim_piece_split(lim, entry, by);
+
+    if (other == LIM_NONE) return false;
+    if (LIM_HAS_STATS) lim_stats_of(lim)->newell.splits++;
+    polygon_of(lim, entry)->swapped = polygon_of(lim, other)->swapped = false;
+    unlink_entry(lim, entry);
+    insert(lim, entry);
+    insert(lim, other);
+    return true;
+}
+
+/* Nothing waits for anything any more: a piece may be what was waited for. */
+static void forget_swaps(struct lim *lim)
+{
+    uint16_t head;
+
+    while ((head = lim->sorter.first) != LIM_NONE && polygon_of(lim, head)->swapped) {
+        lim->sorter.first = lim->sorter.list[head].next;
+        polygon_of(lim, head)->swapped = false;
+        insert(lim, head);
+    }
+}
+
+/* Those that lie on both sides of the other's plane. The plane stays that of the whole. */
+static bool split_couple(struct lim *lim, struct couple *couple)
+{
+    look_at_planes(lim, couple);
+    const bool p_splits = couple->p_sides == LIM_SIDE_BOTH;
+    const bool q_splits = couple->q_sides == LIM_SIDE_BOTH && !(p_splits && lim->sorter.newell.options.split_one);
+    bool done = false;
+
+    if (p_splits) done = split(lim, couple->p, couple->q);
+    if (q_splits) done |= split(lim, couple->q, couple->p);
+    if (done) forget_swaps(lim);
+    return done;
+}
+
+/* P waits for Q at the end of a circle, and neither reaches through the other's plane: some two of the circle do, for
+ * polygons none of which does have an order from everywhere. */
+static bool split_circle(struct lim *lim, uint16_t last)
+{
+    const struct lim_sorted *list = lim->sorter.list;
+
+    for (uint16_t a = lim->sorter.first;; a = list[a].next) {
+        for (uint16_t b = lim->sorter.first; b != a; b = list[b].next) {
+            struct couple couple = {.p = a, .q = b};
+            if (split_couple(lim, &couple)) return true;
+        }
+        if (a == last) return false;
+    }
+}
+
+/* P must not go before Q: Q goes first, or something is split. false: neither. */
+static bool resolve(struct lim *lim, struct couple *couple)
+{
+    const bool in_circle = polygon_of(lim, couple->q)->swapped;
+
+    if (!in_circle) {
+        static const LIM_FLASH uint8_t swapped[2] = {LIM_TEST_Q_BEHIND, LIM_TEST_P_IN_FRONT};
+        for (uint_fast8_t i = 0; i < 2; i++) {
+            if (!passes(lim, couple, (enum lim_newell_test)swapped[i])) continue;
+            count(lim, (enum lim_newell_test)swapped[i]);
+            swap(lim, couple->q);
+            return true;
+        }
+    }
+    return split_couple(lim, couple) || (in_circle && split_circle(lim, couple->q));
+}
+
+void lim_newell_order(struct lim *lim)
+{
+    struct lim_sorter *sorter = &lim->sorter;
+    uint16_t nearest = LIM_NONE;
+
+    while (sorter->first != LIM_NONE) {
+        struct couple couple = {.p = sorter->first};
+        if (find_obstacle(lim, &couple)) {
+            if (resolve(lim, &couple)) continue;
+            if (LIM_HAS_STATS) lim_stats_of(lim)->newell.forced++;
+        }
+        sorter->first = sorter->list[couple.p].next;
+        sorter->list[couple.p].next = nearest;
+        nearest = couple.p;
+    }
+    sorter->first = nearest;
+}
+
+#endif

@@ -1,0 +1,246 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Sides are those of whole vertices, exact, as long as they decide. What they leave open is decided on the piece's
+ * own corners. */
+#include "piece.h"
+
+#include "corners.h"
+#include "order.h"
+
+#if LIM_HAS_NEWELL
+
+static uint8_t side_of(int64_t value, int64_t slack)
+{
+    return value > slack ? LIM_SIDE_FRONT : value < -slack ? LIM_SIDE_BACK : 0;
+}
+
+/* The same for a vertex and a narrow plane. */
+static uint8_t narrow_side_of(const struct lim_plane_wide *plane, const struct lim_vertex *at)
+{
+    const int32_t slack = (int32_t)plane->slack, d = (int32_t)plane->d;
+    const int32_t value = plane->n[0] * at->x + plane->n[1] * at->y + plane->n[2] * at->z - d;
+
+    return value > slack ? LIM_SIDE_FRONT : value < -slack ? LIM_SIDE_BACK : 0;
+}
+
+static uint8_t sides_of_whole(const struct lim *lim, uint16_t entry, const struct lim_plane_wide *plane)
+{
+    const LIM_FLASH uint16_t *record = &lim->scene->polygons[lim->sorter.list[entry].record];
+    uint8_t sides = 0;
+
+    for (uint_fast8_t k = 0; k < (record[0] & LIM_POLYGON_COUNT) && sides != LIM_SIDE_BOTH; k++) {
+        const struct lim_vertex at = lim->scene->vertices[record[LIM_POLYGON_HEAD_WORDS + k]];
+        sides |= plane->narrow ? narrow_side_of(plane, &at)
+                               : side_of(lim_plane_value(plane, at.x, at.y, at.z, 1), plane->slack);
+    }
+    return sides;
+}
+
+static bool is_same(const LIM_FLASH struct lim_plane_ref *a, const LIM_FLASH struct lim_plane_ref *b)
+{
+    return a->plane == b->plane && a->offset == b->offset;
+}
+
+/* 0: it was never cut by that plane. */
+static uint8_t remembered_side(const struct lim *lim, uint16_t entry, const LIM_FLASH struct lim_plane_ref *plane)
+{
+    const struct lim_newell *newell = &lim->sorter.newell;
+
+    for (uint16_t cut = newell->polygons[entry].cuts; cut != LIM_NONE; cut = newell->cuts[cut].next) {
+        const uint16_t by = newell->cuts[cut].by;
+        if (!is_same(lim_plane_of(lim, by & LIM_SORTED_MAX), plane)) continue;
+        return by & LIM_CUT_FRONT ? LIM_SIDE_FRONT : LIM_SIDE_BACK;
+    }
+    return 0;
+}
+
+static LIM_RARE uint8_t sides_of_piece(const struct lim *lim, uint16_t entry, const struct lim_plane_wide *plane)
+{
+    struct lim_corners places[2];
+    const struct lim_corners *corners = lim_corners_of(lim, entry, places);
+    uint8_t sides = 0;
+
+    if (!corners) return LIM_SIDE_FRONT;
+    for (uint_fast8_t k = 0; k < corners->n; k++)
+        sides |= side_of(lim_corner_value(plane, corners->at_q12[k]), plane->slack * LIM_CORNER_ONE_Q12);
+    return sides;
+}
+
+uint8_t lim_piece_sides(const struct lim *lim, uint16_t of, uint16_t by)
+{
+    const bool is_whole = lim->sorter.newell.polygons[of].cuts == LIM_NONE;
+    struct lim_plane_wide plane;
+
+    if (!is_whole) {
+        const uint8_t side = remembered_side(lim, of, lim_plane_of(lim, by));
+        if (side) return side;
+    }
+    lim_plane_load(&plane, lim, by);
+    const uint8_t sides = sides_of_whole(lim, of, &plane);
+    return is_whole || sides != LIM_SIDE_BOTH ? sides : sides_of_piece(lim, of, &plane);
+}
+
+/* On the screen ------------------------------------------------------------------------------- */
+
+/* transform.h's rows times a corner with fraction bits. Sums stay below 2^59; values where a vertex's do. */
+static int32_t transform_q12(const struct lim_row *row, const int32_t at_q12[3])
+{
+    int64_t sum = 0;
+
+    for (uint_fast8_t i = 0; i < 3; i++) {
+#if LIM_HAS_LIMBS
+        sum += ((int64_t)row->n_qv[i] * 32768 + row->low_qv15[i]) * at_q12[i];
+#else
+        sum += (int64_t)row->n_qv[i] * at_q12[i];
+#endif
+    }
+    return (int32_t)(sum >> (LIM_HAS_LIMBS ? 27 : 12)) + row->shift_qv;
+}
+
+/* As lim_newell_polygon has them; z before a long lens's bits are shifted out. */
+static void view_corner(const struct lim *lim, const int32_t at_q12[3], struct lim_view_point *out, int32_t *z_qv)
+{
+    for (uint_fast8_t i = 0; i < 3; i++)
+        out->qv[i] = transform_q12(&lim->view.rows.row[i], at_q12);
+    *z_qv = out->z_qv;
+    if (!LIM_HAS_LIMBS) out->z_qv >>= lim->view.rows.tele_bits;
+}
+
+static LIM_RARE bool project_piece(const struct lim *lim, uint16_t entry, struct lim_screen_polygon *out)
+{
+    struct lim_corners places[2];
+    struct lim_clip_polygon clips[2];
+    const struct lim_corners *corners = lim_corners_of(lim, entry, places);
+    int32_t z_qv;
+
+    if (!corners) return false;
+    clips[0].n = corners->n;
+    for (uint_fast8_t k = 0; k < corners->n; k++)
+        view_corner(lim, corners->at_q12[k], &clips[0].at[k], &z_qv);
+    const struct lim_clip_polygon *clipped = lim_clip(clips, lim->view.rows.near_qv);
+    out->n = clipped->n;
+    for (uint_fast8_t k = 0; k < clipped->n; k++)
+        lim_view_project(&lim->view, &clipped->at[k], &out->at[k]);
+    return out->n >= 3;
+}
+
+static bool project(struct lim *lim, uint16_t entry, const struct lim_rect *open, struct lim_screen_polygon *out)
+{
+    if (lim->sorter.newell.polygons[entry].cuts != LIM_NONE) return project_piece(lim, entry, out);
+    return lim_project(out, &lim->view, lim->scene, &lim->scene->polygons[lim->sorter.list[entry].record], open, NULL);
+}
+
+static uint16_t greater(uint16_t a, uint16_t b)
+{
+    return a > b ? a : b;
+}
+
+static uint16_t smaller(uint16_t a, uint16_t b)
+{
+    return a < b ? a : b;
+}
+
+static struct lim_rect intersection(const struct lim_rect *a, const struct lim_rect *b)
+{
+    return (struct lim_rect){greater(a->x0, b->x0), greater(a->y0, b->y0), smaller(a->x1, b->x1),
+                             smaller(a->y1, b->y1)};
+}
+
+/* Whether an edge of `a` has all of `b` on its outer side, or on it. y points down and corners run counter-clockwise
+ * as seen: the inner side is the negative one. */
+static bool parts(const struct lim_screen_polygon *a, const struct lim_screen_polygon *b)
+{
+    struct lim_point from = a->at[a->n - 1];
+
+    for (uint_fast8_t k = 0; k < a->n; from = a->at[k++]) {
+        const int32_t dx = (int32_t)a->at[k].x - from.x, dy = (int32_t)a->at[k].y - from.y;
+        uint_fast8_t i = 0;
+        if (!dx && !dy) continue;
+        while (i < b->n && (int64_t)dx * ((int32_t)b->at[i].y - from.y) >= (int64_t)dy * ((int32_t)b->at[i].x - from.x))
+            i++;
+        if (i == b->n) return true;
+    }
+    return false;
+}
+
+bool lim_piece_overlap(struct lim *lim, uint16_t a, uint16_t b)
+{
+    const struct lim_newell_polygon *polygons = lim->sorter.newell.polygons;
+    const struct lim_rect both = intersection(&polygons[a].rect, &polygons[b].rect);
+    struct lim_screen_polygon first, second;
+
+    if (!project(lim, a, &both, &first) || !project(lim, b, &both, &second)) return false;
+    return !parts(&first, &second) && !parts(&second, &first);
+}
+
+/* Splitting ----------------------------------------------------------------------------------- */
+
+/* A pixel more on each side, for a piece is painted by its whole and a line. Without any pixel it is nearer than the
+ * near plane, or out of view: what the whole has is as good. */
+static struct lim_rect rect_of(const struct lim *lim, uint16_t entry, const struct lim_rect *whole)
+{
+    struct lim_screen_polygon polygon;
+
+    if (!project_piece(lim, entry, &polygon)) return *whole;
+    lim_edge_measure(&polygon.shape, polygon.at, polygon.n);
+    const struct lim_edge_shape *shape = &polygon.shape;
+    const struct lim_rect own = {
+        shape->left > 0 ? (uint16_t)(shape->left - 1) : 0, shape->top > 0 ? (uint16_t)(shape->top - 1) : 0,
+        shape->right >= 0 ? (uint16_t)(shape->right + 1) : 0, shape->bottom >= 0 ? (uint16_t)(shape->bottom + 1) : 0};
+    const struct lim_rect both = intersection(&own, whole);
+    return both.x0 < both.x1 && both.y0 < both.y1 ? both : *whole;
+}
+
+/* What is known of an entry after a cut. false: it has too many corners. */
+static bool measure(struct lim *lim, uint16_t entry)
+{
+    struct lim_newell_polygon *polygon = &lim->sorter.newell.polygons[entry];
+    struct lim_corners places[2];
+    const struct lim_corners *corners = lim_corners_of(lim, entry, places);
+    int32_t near_qv = INT32_MAX, far_qv = INT32_MIN;
+
+    if (!corners) return false;
+    for (uint_fast8_t k = 0; k < corners->n; k++) {
+        const int32_t z_qv = transform_q12(&lim->view.rows.row[2], corners->at_q12[k]);
+        if (z_qv < near_qv) near_qv = z_qv;
+        if (z_qv > far_qv) far_qv = z_qv;
+    }
+    polygon->near_qv = near_qv;
+    lim->sorter.list[entry].far_qv = far_qv;
+    return true;
+}
+
+static void remember(struct lim *lim, uint16_t entry, uint16_t by)
+{
+    struct lim_newell *newell = &lim->sorter.newell;
+
+    newell->cuts[newell->cuts_used] = (struct lim_cut){newell->polygons[entry].cuts, by};
+    newell->polygons[entry].cuts = newell->cuts_used++;
+}
+
+uint16_t lim_piece_split(struct lim *lim, uint16_t entry, uint16_t by)
+{
+    struct lim_sorter *sorter = &lim->sorter;
+    struct lim_newell *newell = &sorter->newell;
+    const uint16_t other = sorter->used;
+
+    if (other == sorter->size || newell->cut_size - newell->cuts_used < 2) return LIM_NONE;
+    const struct lim_sorted before = sorter->list[entry];
+    const struct lim_newell_polygon polygon = newell->polygons[entry];
+    sorter->list[other] = before;
+    newell->polygons[other] = polygon;
+    remember(lim, entry, (uint16_t)(by | LIM_CUT_FRONT));
+    remember(lim, other, by);
+    if (!measure(lim, entry) || !measure(lim, other)) {
+        newell->cuts_used = (uint16_t)(newell->cuts_used - 2);
+        sorter->list[entry] = before;
+        newell->polygons[entry] = polygon;
+        return LIM_NONE;
+    }
+    newell->polygons[entry].rect = rect_of(lim, entry, &polygon.rect);
+    newell->polygons[other].rect = rect_of(lim, other, &polygon.rect);
+    sorter->used++;
+    return other;
+}
+
+#endif

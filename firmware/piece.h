@@ -1,0 +1,32 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Pieces of split polygons. A piece is a whole record and a list of planes, each with the side on which the piece
+ * lies. It gets no vertices of its own on the screen: of each line's pixels of the whole polygon it takes those on
+ * its side of the plane's trace, and the piece on the other side takes the rest. So pieces together have the
+ * pixels of the whole, each once, whatever is rounded, and neighbours of the whole notice nothing. */
+#ifndef LIM_PIECE_H
+#define LIM_PIECE_H
+
+#include "project.h"
+#include "sorted.h"
+
+struct lim;
+
+/* On which sides of a plane something lies: none is "on it". */
+enum { LIM_SIDE_FRONT = 1, LIM_SIDE_BACK = 2, LIM_SIDE_BOTH = 3 };
+
+/* The sides of the plane of entry `by` on which entry `of` has corners. What was cut to a side is on that. */
+uint8_t lim_piece_sides(const struct lim *lim, uint16_t of, uint16_t by);
+
+/* Cuts `entry` in two by the plane of entry `by`; the piece in front of it stays in place. Returns the new entry of the
+ * other, in no list yet, or LIM_NONE: there is no room. */
+uint16_t lim_piece_split(struct lim *lim, uint16_t entry, uint16_t by);
+
+/* Test 5, on the screen, rounded to sub-pixels as it is painted: no edge of either has all of the other on its outer
+ * side. What only touches does not overlap. */
+bool lim_piece_overlap(struct lim *lim, uint16_t a, uint16_t b);
+
+/* SPAN for a piece of a projected polygon. false: a pool is exhausted. */
+bool lim_piece_take(struct lim *lim, uint16_t entry, const struct lim_screen_polygon *whole);
+
+#endif

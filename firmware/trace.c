@@ -1,0 +1,202 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * A plane cuts a polygon along a line, and that line and the eye span a plane through the eye, m . r = 0. The
+ * ray through the centre of pixel (x, y) of w times h is r = ((2x + 1 - w) / w, (2y + 1 - h) / h, 1), so along a line
+ * of pixels w h m . r steps by 2 h m[0]: with |m| < 2^30 all of it stays below 2^52. */
+#include "corners.h"
+#include "order.h"
+#include "piece.h"
+
+#if LIM_HAS_NEWELL
+
+/* m above, and >= 0 where the plane's front is; all 0, which is all front, if the line is a point. */
+struct trace {
+    int32_t m[3];
+    int64_t w_px, h_px;
+};
+
+/* Halves, so that differences of two products fit 64 bits. */
+static void halve_point(int32_t out[3], const struct lim_view_point *point)
+{
+    for (uint_fast8_t i = 0; i < 3; i++)
+        out[i] = point->qv[i] >> 1;
+}
+
+/* Where the polygon's boundary leaves the front of the plane and where it comes back; and the corner that is farthest
+ * from it. */
+struct chord {
+    int32_t out[3], back[3], far[3];
+    int64_t far_value;
+};
+
+static void find_chord(struct chord *chord, const struct lim *lim, const LIM_FLASH uint16_t *record,
+                       const struct lim_plane_wide *plane)
+{
+    const LIM_FLASH uint16_t *corners = record + LIM_POLYGON_HEAD_WORDS;
+    const uint_fast8_t n = record[0] & LIM_POLYGON_COUNT;
+    int32_t before[3] = {0, 0, 0}, here[3];
+    int64_t value_before = 0;
+
+    *chord = (struct chord){.far_value = 0};
+    for (uint_fast8_t k = 0; k <= n; k++) {
+        const LIM_FLASH struct lim_vertex *vertex = &lim->scene->vertices[corners[k < n ? k : 0]];
+        struct lim_view_point point;
+        lim_view_transform(&lim->view, lim->scene, vertex, &point);
+        const int64_t value = lim_plane_value(plane, vertex->x, vertex->y, vertex->z, 1);
+        halve_point(here, &point);
+        if (k && value_before >= 0 && value < 0) lim_plane_cross(chord->out, before, value_before, here, value);
+        if (k && value_before < 0 && value >= 0) lim_plane_cross(chord->back, here, value, before, value_before);
+        const int64_t size = value < 0 ? -value : value;
+        if (size > (chord->far_value < 0 ? -chord->far_value : chord->far_value)) {
+            chord->far_value = value;
+            for (uint_fast8_t i = 0; i < 3; i++)
+                chord->far[i] = here[i];
+        }
+        for (uint_fast8_t i = 0; i < 3; i++)
+            before[i] = here[i];
+        value_before = value;
+    }
+}
+
+static void set_trace(struct trace *trace, const struct lim *lim, const LIM_FLASH uint16_t *record,
+                      const struct lim_plane_wide *plane)
+{
+    struct chord chord;
+    int64_t m[3], dot = 0;
+    uint64_t bits = 0;
+
+    find_chord(&chord, lim, record, plane);
+    for (uint_fast8_t i = 0; i < 3; i++) {
+        const uint_fast8_t j = i < 2 ? i + 1 : 0, k = i ? i - 1 : 2;
+        m[i] = (int64_t)chord.out[j] * chord.back[k] - (int64_t)chord.out[k] * chord.back[j];
+        bits |= m[i] < 0 ? 0 - (uint64_t)m[i] : (uint64_t)m[i];
+    }
+    uint8_t shift = 0;
+    while (bits >> shift >> 30)
+        shift++;
+    for (uint_fast8_t i = 0; i < 3; i++) {
+        trace->m[i] = (int32_t)(m[i] >> shift);
+        dot += (int64_t)trace->m[i] * (chord.far[i] >> 1);
+    }
+    if ((dot < 0) != (chord.far_value < 0)) {
+        for (uint_fast8_t i = 0; i < 3; i++)
+            trace->m[i] = -trace->m[i];
+    }
+    trace->w_px = lim->target.w_px;
+    trace->h_px = lim->target.h_px;
+}
+
+static bool is_in_front(int64_t value)
+{
+    return value >= 0;
+}
+
+/* Leaves of the pixels x <= .. < y of line `y_px` those on one side. */
+static void narrow(struct lim_point *line, const struct trace *trace, int16_t y_px, bool front)
+{
+    const int64_t step = 2 * trace->m[0] * trace->h_px;
+    const int64_t first = trace->m[0] * trace->h_px * (2 * (int64_t)line->x + 1 - trace->w_px) +
+                          trace->m[1] * trace->w_px * (2 * (int64_t)y_px + 1 - trace->h_px) +
+                          trace->m[2] * trace->w_px * trace->h_px;
+    const int64_t x0 = line->x;
+    int64_t low = x0, high = (int64_t)line->y - 1;
+    const bool keeps_low = is_in_front(first) == front, keeps_high = is_in_front(first + step * (high - x0)) == front;
+
+    if (keeps_low && keeps_high) return;
+    if (!keeps_low && !keeps_high) {
+        line->y = line->x;
+        return;
+    }
+    while (high - low > 1) {
+        const int64_t middle = (low + high) / 2;
+        if ((is_in_front(first + step * (middle - x0)) == front) == keeps_low)
+            low = middle;
+        else
+            high = middle;
+    }
+    if (keeps_low)
+        line->y = (lim_sub)high;
+    else
+        line->x = (lim_sub)high;
+}
+
+/* The part of the screen that is drawn: no line leaves it. */
+static void fill_lines(struct lim_point *last, const struct lim_screen_polygon *whole, const struct lim_rect *open,
+                       int16_t top, int16_t bottom)
+{
+    struct lim_edge_pair pair;
+
+    lim_edge_begin(&pair, whole->n, whole->shape.first);
+    for (int16_t y = top; y < bottom; y++) {
+        lim_edge_advance(&pair, whole->at, whole->n, y);
+        struct lim_point *line = &last[bottom - 1 - y];
+        line->x = pair.left.x > (int16_t)open->x0 ? pair.left.x : (int16_t)open->x0;
+        line->y = pair.right.x < (int16_t)open->x1 ? pair.right.x : (int16_t)open->x1;
+    }
+}
+
+static void cut_lines(const struct lim *lim, uint16_t entry, struct lim_point *last, int16_t top, int16_t bottom)
+{
+    const struct lim_newell *newell = &lim->sorter.newell;
+    const LIM_FLASH uint16_t *record = &lim->scene->polygons[lim->sorter.list[entry].record];
+
+    for (uint16_t cut = newell->polygons[entry].cuts; cut != LIM_NONE; cut = newell->cuts[cut].next) {
+        struct lim_plane_wide plane;
+        struct trace trace;
+        lim_plane_load(&plane, lim, newell->cuts[cut].by & LIM_SORTED_MAX);
+        set_trace(&trace, lim, record, &plane);
+        for (int16_t y = top; y < bottom; y++) {
+            struct lim_point *line = &last[bottom - 1 - y];
+            if (line->x < line->y) narrow(line, &trace, y, newell->cuts[cut].by & LIM_CUT_FRONT);
+        }
+    }
+}
+
+static enum lim_span_result close_lines(struct lim_spans *spans, const struct lim_point *last, int16_t top,
+                                        int16_t bottom)
+{
+    uint8_t result = LIM_SPAN_NOTHING;
+
+    for (int16_t y = top; y < bottom; y++) {
+        const struct lim_point *line = &last[bottom - 1 - y];
+        if (line->x < line->y)
+            result |= (uint8_t)lim_span_close(spans, &spans->lines[y], (int16_t)line->x, (int16_t)line->y, NULL, NULL);
+    }
+    return result & LIM_SPAN_EXHAUSTED ? LIM_SPAN_EXHAUSTED : (enum lim_span_result)result;
+}
+
+static bool take_plain(struct lim *lim, uint16_t entry, const struct lim_screen_polygon *whole)
+{
+    const struct lim_rect *open = &lim->spans.open;
+    const int16_t top = whole->shape.top > (int16_t)open->y0 ? whole->shape.top : (int16_t)open->y0;
+    const int16_t bottom = whole->shape.bottom < (int16_t)open->y1 ? whole->shape.bottom : (int16_t)open->y1;
+    struct lim_retained *retained = &lim->retained;
+    struct lim_point *last = &retained->cells[retained->used].at + LIM_RETAINED_HEAD_CELLS;
+
+    if (top >= bottom) return true;
+    if (LIM_RETAINED_HEAD_CELLS + bottom - top > retained->size - retained->used) return false;
+    if (LIM_HAS_STATS) lim_stats_of(lim)->lines += (uint32_t)(bottom - top);
+    fill_lines(last, whole, open, top, bottom);
+    cut_lines(lim, entry, last, top, bottom);
+    const enum lim_span_result result = close_lines(&lim->spans, last, top, bottom);
+    if (result != LIM_SPAN_SOME) return result == LIM_SPAN_NOTHING;
+    if (LIM_HAS_STATS) lim_stats_of(lim)->polygons_seen++;
+    const struct lim_retained_polygon seen = {last, 0, 0, (uint16_t)top, (uint16_t)bottom, whole->colour};
+    if (!lim_retain(retained, lim->spans.lines, &seen)) return false;
+    retained->used = (uint16_t)(retained->used + (bottom - top));
+    return true;
+}
+
+bool lim_piece_take(struct lim *lim, uint16_t entry, const struct lim_screen_polygon *whole)
+{
+    struct lim_screen_polygon triangle;
+
+    if (!whole->shape.folded) return take_plain(lim, entry, whole);
+    for (uint8_t k = 1; k + 1 < whole->n; k++) {
+        lim_project_fan(whole, k, &triangle);
+        if (!take_plain(lim, entry, &triangle)) return false;
+    }
+    return true;
+}
+
+#endif
