@@ -6,6 +6,17 @@
 #include "needs.h"
 #include "scene_files.h"
 
+static void write_sorted_memory(FILE *file, const struct compiled *scene)
+{
+    const struct lim_limits *limits = &scene->scene.limits;
+    if (scene->report.draws == LIM_NEWELL)
+        fprintf(file, "LIM_NEWELL_MEM_B(h_px, %u, %u", (unsigned)scene->scene.polygon_count, (unsigned)limits->pieces);
+    else
+        fprintf(file, "LIM_DEPTH_MEM_B(h_px, %u", (unsigned)scene->scene.polygon_count);
+    fprintf(file, ", %u, %u, %u)\n", (unsigned)limits->retained_cells, (unsigned)limits->gaps,
+            (unsigned)limits->active);
+}
+
 static void write_memory(FILE *file, const struct compiled *scene, const char *macro)
 {
     const struct lim_limits *limits = &scene->scene.limits;
@@ -18,6 +29,8 @@ static void write_memory(FILE *file, const struct compiled *scene, const char *m
                 (unsigned)limits->active);
     else if (scene->report.draws == LIM_PAINTER)
         fprintf(file, "LIM_PAINTER_MEM_B(%u)\n", (unsigned)limits->depth);
+    else if (method_sorts(scene->report.draws))
+        write_sorted_memory(file, scene);
     else
         fprintf(file, "LIM_MEM_B(h_px, %u, %u, %u, %u)\n", (unsigned)limits->depth, (unsigned)limits->retained_cells,
                 (unsigned)limits->gaps, (unsigned)limits->active);

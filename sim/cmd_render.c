@@ -74,8 +74,10 @@ static bool start(struct render *render, struct error *err)
     const struct options *options = &render->options;
     const unsigned w_px = options->setup.w_px, h_px = options->setup.h_px;
     if (!simulator_init(&render->simulator, &render->scene.scene, &options->setup, err)) return false;
+    render->simulator.core->newell(render->simulator.lim, &options->newell);
     bool want_ids = options->ids_path || options->compare;
     if (want_ids && !ids_init(&render->ids, &render->scene, &options->setup, err)) return false;
+    if (want_ids) render->ids.simulator.core->newell(render->ids.simulator.lim, &options->newell);
     return !options->compare || reference_read(&render->reference, options->scene_path, w_px, h_px, err);
 }
 
@@ -184,6 +186,8 @@ static bool print_tables(const struct render *render, struct error *err)
                render->simulator.board ? "through the emulated st7789"
                                        : "into plain memory: no emulated panel, nothing sent on a bus");
         frame_table_print_stats(render->rows, render->path.count, stdout);
+        if (render->options.setup.method == LIM_NEWELL)
+            frame_table_print_newell(render->rows, render->path.count, stdout);
     }
     if (render->options.compare) frame_table_print_compare(render->rows, render->path.count, stdout);
     return (fflush(stdout) == 0 && !ferror(stdout)) || error_set(err, "standard output: %s", strerror(errno));

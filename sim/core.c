@@ -15,6 +15,11 @@ static int init(void *lim, const struct lim_scene *scene, const struct lim_targe
     return lim_init(lim, scene, target, mem, mem_b);
 }
 
+static void newell(void *lim, const struct lim_newell_options *options)
+{
+    lim_newell_set(lim, options);
+}
+
 static int frame(void *lim, const struct lim_camera *camera)
 {
     return lim_frame(lim, camera);
@@ -53,6 +58,7 @@ const struct core CORE = {.name = CORE_NAME(CORE),
                           .lim_b = sizeof(struct lim),
                           .mem_b = lim_mem_b,
                           .init = init,
+                          .newell = newell,
                           .frame = frame,
                           .stats = stats,
                           .project = project,

@@ -17,6 +17,7 @@ struct core {
     size_t (*mem_b)(const struct lim_scene *scene, const struct lim_target *target);
     /* lim_init(), lim_frame() and lim_stats(); `lim` is lim_b bytes of the caller's. */
     int (*init)(void *lim, const struct lim_scene *scene, const struct lim_target *target, void *mem, size_t mem_b);
+    void (*newell)(void *lim, const struct lim_newell_options *options); /* lim_newell_set() */
     int (*frame)(void *lim, const struct lim_camera *camera);
     const struct lim_stats *(*stats)(const void *lim);
     /* For measurements: where the camera of the last frame puts a vertex, in pixels, the centre of the first

@@ -78,6 +78,31 @@ static const struct column STATS_COLUMNS[] = {
     {"bus_b", 8, 0, bus_b},
 };
 
+#define NEWELL_VALUE(name, field)                                                                                      \
+    static double newell_##name(const struct frame_row *row)                                                           \
+    {                                                                                                                  \
+        return row->stats.newell.field;                                                                                \
+    }
+STATS_VALUE(sorted)
+NEWELL_VALUE(comparisons, comparisons)
+NEWELL_VALUE(x, decided[LIM_TEST_X])
+NEWELL_VALUE(y, decided[LIM_TEST_Y])
+NEWELL_VALUE(p_behind, decided[LIM_TEST_P_BEHIND])
+NEWELL_VALUE(q_in_front, decided[LIM_TEST_Q_IN_FRONT])
+NEWELL_VALUE(apart, decided[LIM_TEST_APART])
+NEWELL_VALUE(q_behind, decided[LIM_TEST_Q_BEHIND])
+NEWELL_VALUE(p_in_front, decided[LIM_TEST_P_IN_FRONT])
+NEWELL_VALUE(swaps, swaps)
+NEWELL_VALUE(splits, splits)
+NEWELL_VALUE(forced, forced)
+
+static const struct column NEWELL_COLUMNS[] = {
+    {"sorted", 7, 0, stats_sorted},  {"compared", 9, 0, newell_comparisons},  {"1:x", 8, 0, newell_x},
+    {"2:y", 8, 0, newell_y},         {"3:P_behind", 10, 0, newell_p_behind},  {"4:Q_front", 9, 0, newell_q_in_front},
+    {"5:apart", 8, 0, newell_apart}, {"3':Q_behind", 11, 0, newell_q_behind}, {"4':P_front", 10, 0, newell_p_in_front},
+    {"swaps", 6, 0, newell_swaps},   {"splits", 6, 0, newell_splits},         {"forced", 6, 0, newell_forced},
+};
+
 static const struct column COMPARE_COLUMNS[] = {
     {"wrong_px", 8, 0, wrong_pixels},
     {"wrong_%", 8, 4, wrong_percent},
@@ -126,6 +151,11 @@ static void print_table(const struct column *columns, size_t column_count, const
 void frame_table_print_stats(const struct frame_row *rows, size_t count, FILE *out)
 {
     print_table(STATS_COLUMNS, sizeof STATS_COLUMNS / sizeof STATS_COLUMNS[0], rows, count, out);
+}
+
+void frame_table_print_newell(const struct frame_row *rows, size_t count, FILE *out)
+{
+    print_table(NEWELL_COLUMNS, sizeof NEWELL_COLUMNS / sizeof NEWELL_COLUMNS[0], rows, count, out);
 }
 
 void frame_table_print_compare(const struct frame_row *rows, size_t count, FILE *out)

@@ -19,6 +19,10 @@ struct frame_row {
 
 /* Overdraw is pixels painted by polygons per pixel that shows one; 1 is ideal. */
 void frame_table_print_stats(const struct frame_row *rows, size_t count, FILE *out);
+
+/* What LIM_NEWELL compared, which test decided how often, what it swapped, split and could not settle. */
+void frame_table_print_newell(const struct frame_row *rows, size_t count, FILE *out);
+
 void frame_table_print_compare(const struct frame_row *rows, size_t count, FILE *out);
 
 #endif

@@ -15,6 +15,8 @@ const struct method methods[] = {
     {"axis", LIM_NEAREST_FIRST, TREE_AXIS},
     {"octree", LIM_NEAREST_FIRST, TREE_OCTREE},
     {"octree-centre", LIM_NEAREST_FIRST, TREE_OCTREE_CENTRE},
+    {"depth", LIM_DEPTH, TREE_NONE},
+    {"newell", LIM_NEWELL, TREE_NONE},
 };
 const size_t method_count = sizeof methods / sizeof *methods;
 
@@ -32,14 +34,25 @@ const struct method *method_parse(const char *text, struct error *err)
 
 const char *method_title(enum lim_method draws)
 {
-    static const char *const titles[] = {
-        [LIM_NEAREST_FIRST] = "nearest first", [LIM_PAINTER] = "back to front", [LIM_CONVEX] = "as one convex solid"};
+    static const char *const titles[] = {[LIM_NEAREST_FIRST] = "nearest first",
+                                         [LIM_PAINTER] = "back to front",
+                                         [LIM_CONVEX] = "as one convex solid",
+                                         [LIM_DEPTH] = "by farthest points",
+                                         [LIM_NEWELL] = "by Newell's depth sort"};
     return titles[draws];
 }
 
 const char *method_symbol(enum lim_method draws)
 {
-    static const char *const symbols[] = {
-        [LIM_NEAREST_FIRST] = "LIM_NEAREST_FIRST", [LIM_PAINTER] = "LIM_PAINTER", [LIM_CONVEX] = "LIM_CONVEX"};
+    static const char *const symbols[] = {[LIM_NEAREST_FIRST] = "LIM_NEAREST_FIRST",
+                                          [LIM_PAINTER] = "LIM_PAINTER",
+                                          [LIM_CONVEX] = "LIM_CONVEX",
+                                          [LIM_DEPTH] = "LIM_DEPTH",
+                                          [LIM_NEWELL] = "LIM_NEWELL"};
     return symbols[draws];
+}
+
+bool method_sorts(enum lim_method draws)
+{
+    return draws == LIM_DEPTH || draws == LIM_NEWELL;
 }

@@ -23,6 +23,9 @@ const struct method *method_parse(const char *text, struct error *err);
 /* What the tables and the report call it. */
 const char *method_title(enum lim_method draws);
 
+/* Whether it sorts all polygons, whatever the tree. */
+bool method_sorts(enum lim_method draws);
+
 /* Its C name, enum lim_method. */
 const char *method_symbol(enum lim_method draws);
 

@@ -10,12 +10,19 @@ static unsigned greater(unsigned a, unsigned b)
     return a > b ? a : b;
 }
 
+static bool walks_tree(enum lim_method draws)
+{
+    return draws == LIM_NEAREST_FIRST || draws == LIM_PAINTER;
+}
+
 struct needs needs_of(const struct compiled *scene)
 {
     return (struct needs){.nearest = scene->report.draws == LIM_NEAREST_FIRST,
                           .convex = scene->report.draws == LIM_CONVEX,
                           .painter = scene->report.draws == LIM_PAINTER,
-                          .cull = scene->scene.box_count > 0 && scene->report.draws != LIM_CONVEX,
+                          .depth = scene->report.draws == LIM_DEPTH,
+                          .newell = scene->report.draws == LIM_NEWELL,
+                          .cull = scene->scene.box_count > 0 && walks_tree(scene->report.draws),
                           .leaves = scene->report.leaves > 0,
                           .slanted = scene->scene.plane_count > 0,
                           .large = scene->scene.exact_count > 0,
@@ -29,6 +36,8 @@ struct needs needs_union(const struct needs *a, const struct needs *b)
     return (struct needs){.nearest = a->nearest || b->nearest,
                           .convex = a->convex || b->convex,
                           .painter = a->painter || b->painter,
+                          .depth = a->depth || b->depth,
+                          .newell = a->newell || b->newell,
                           .cull = a->cull || b->cull,
                           .leaves = a->leaves || b->leaves,
                           .slanted = a->slanted || b->slanted,
@@ -56,6 +65,8 @@ void needs_write(const struct needs *needs, FILE *file)
     write_macro(file, "HAS_NEAREST", needs->nearest);
     write_macro(file, "HAS_CONVEX", needs->convex);
     write_macro(file, "HAS_PAINTER", needs->painter);
+    write_macro(file, "HAS_DEPTH", needs->depth);
+    write_macro(file, "HAS_NEWELL", needs->newell);
     write_macro(file, "HAS_CULL", needs->cull);
     write_macro(file, "HAS_LEAVES", needs->leaves);
     write_macro(file, "HAS_SLANTED", needs->slanted);

@@ -11,6 +11,7 @@
 
 struct needs {
     bool nearest, convex, painter; /* methods */
+    bool depth, newell;            /* more of them */
     bool leaves;                   /* ordered clusters */
     bool cull, slanted, large;     /* what the methods have to do with the scene's boxes and planes */
     unsigned vertices;             /* most of any polygon */

@@ -35,11 +35,12 @@ enum option_code {
     OPTION_TREE,
     OPTION_TOLERANCE,
     OPTION_UNLIT,
-    OPTION_PRECISION
+    OPTION_PRECISION,
+    OPTION_NEWELL
 };
 
 /* Those that only `render` has come first. */
-enum { RENDER_ONLY_OPTIONS = 8 };
+enum { RENDER_ONLY_OPTIONS = 9 };
 static const struct option OPTIONS[] = {
     {"gif", required_argument, NULL, OPTION_GIF},
     {"sheet", required_argument, NULL, OPTION_SHEET},
@@ -49,6 +50,7 @@ static const struct option OPTIONS[] = {
     {"check", required_argument, NULL, OPTION_CHECK},
     {"write-hashes", required_argument, NULL, OPTION_WRITE_HASHES},
     {"write-cameras", required_argument, NULL, OPTION_WRITE_CAMERAS},
+    {"newell", required_argument, NULL, OPTION_NEWELL},
     {"camera", required_argument, NULL, OPTION_CAMERA},
     {"size", required_argument, NULL, OPTION_SIZE},
     {"fov", required_argument, NULL, OPTION_FOV},
@@ -81,6 +83,22 @@ static bool parse_method(const char *text, struct options *out, struct error *er
     return true;
 }
 
+/* Names, divided by commas. */
+static bool parse_newell(const char *text, struct lim_newell_options *out, struct error *err)
+{
+    while (*text) {
+        const size_t length = strcspn(text, ",");
+        if (length == 6 && strncmp(text, "planes", length) == 0)
+            out->planes_first = true;
+        else if (length == 3 && strncmp(text, "one", length) == 0)
+            out->split_one = true;
+        else
+            return error_set(err, "--newell %.*s: no such choice; there are planes and one", (int)length, text);
+        text += length + (text[length] == ',');
+    }
+    return true;
+}
+
 static bool parse_near(const char *text, double *out, struct error *err)
 {
     if (!parse_number("--near", text, out, err)) return false;
@@ -103,6 +121,8 @@ static bool parse_option(int code, const char *text, struct options *out, struct
         return parse_panel(text, &out->setup.panel, err);
     case OPTION_METHOD:
         return parse_method(text, out, err);
+    case OPTION_NEWELL:
+        return parse_newell(text, &out->newell, err);
     case OPTION_PRECISION:
         return parse_precision(text, &out->setup.core, err);
     case OPTION_UNLIT:
@@ -206,7 +226,7 @@ bool options_scene_is_compiled(const struct options *options)
 static bool load_scene(const struct options *options, struct compiled *scene, struct error *err)
 {
     if (options_scene_is_compiled(options)) {
-        if (options->compile.tree != TREE_AUTO)
+        if (options->compile.tree != TREE_AUTO && !method_sorts(options->setup.method))
             return error_set(err, "%s: has its tree already; give the model for another one", options->scene_path);
         return lim_file_read(options->scene_path, scene, err);
     }

@@ -17,6 +17,7 @@ struct options {
     /* limner render only; NULL or false: not asked for */
     const char *frame_pattern, *gif_path, *sheet_path, *ids_path, *check_path, *hashes_path, *cameras_path;
     bool stats, compare;
+    struct lim_newell_options newell;
 };
 
 enum options_set { OPTIONS_RENDER, OPTIONS_VIEW };

@@ -11,12 +11,13 @@
 
 #include <stdlib.h>
 
-enum { CAMERAS = 256, STRAYS = 1, PLENTY = 60000, FOV_DEG = 60 };
+enum { CAMERAS = 256, STRAYS = 1, LEAST_PIECES = 8, PLENTY_OF_PIECES = 16000, PLENTY = 60000, FOV_DEG = 60 };
 
 /* What each camera used of each pool. */
 struct usage {
     size_t cameras;
     uint16_t cells[CAMERAS], gaps[CAMERAS], active[CAMERAS];
+    uint32_t splits_max; /* strays included: without room for a piece the picture may be wrong */
 };
 
 static uint16_t least_cells(const struct lim_limits *limits)
@@ -48,6 +49,7 @@ static void note(struct usage *usage, const struct lim_stats *stats)
     usage->cells[i] = stats->retained_cells_max;
     usage->gaps[i] = stats->gaps_max;
     usage->active[i] = stats->active_max;
+    if (stats->newell.splits > usage->splits_max) usage->splits_max = stats->newell.splits;
 }
 
 /* Out-of-range cameras (a scene of thousands of kilometres) are passed over. */
@@ -95,18 +97,28 @@ static bool sample_convex(struct compiled *roomy, struct simulator_setup *setup,
     return true;
 }
 
+/* Half as many again: no camera was asked for the worst. */
+static uint16_t pieces_for(const struct usage *usage)
+{
+    const uint32_t wanted = usage->splits_max ? usage->splits_max + usage->splits_max / 2 + LEAST_PIECES : 0;
+    return (uint16_t)(wanted < LIM_SORTED_MAX ? wanted : LIM_SORTED_MAX);
+}
+
 bool pools_measure(struct compiled *scene, const struct core *core, unsigned w_px, unsigned h_px, struct error *err)
 {
     struct lim_limits limits = scene->scene.limits;
     struct usage usage = {0};
     struct compiled roomy = *scene; /* shares the arrays */
-    struct simulator_setup setup = {w_px, h_px, LIM_NEAREST_FIRST, SIMULATOR_MEMORY, core};
+    const enum lim_method method = method_sorts(scene->report.draws) ? scene->report.draws : LIM_NEAREST_FIRST;
+    struct simulator_setup setup = {w_px, h_px, method, SIMULATOR_MEMORY, core};
 
     roomy.scene.limits.retained_cells = roomy.scene.limits.gaps = roomy.scene.limits.active = PLENTY;
+    roomy.scene.limits.pieces = PLENTY_OF_PIECES;
     if (!sample_method(&roomy, &setup, &usage, err)) return false;
     limits.retained_cells = with_margin(most(usage.cells, usage.cameras), least_cells(&limits));
     limits.gaps = with_margin(most(usage.gaps, usage.cameras), 1);
     limits.active = with_margin(most(usage.active, usage.cameras), 1);
+    limits.pieces = pieces_for(&usage);
     if (scene->report.convex && !sample_convex(&roomy, &setup, &limits.active, err)) return false;
     lim_image_set_limits(scene, &limits);
     scene->report.w_px = w_px;
@@ -126,13 +138,21 @@ static size_t aligned_b(size_t size_b)
     return (size_b + 3) & ~(size_t)3;
 }
 
-static size_t nearest_b(const struct compiled *scene, size_t cells, size_t gaps, size_t active)
+static size_t sorted_b(const struct compiled *scene, size_t pieces)
 {
-    const bool wide = is_wide(&scene->report);
+    const size_t count = scene->scene.polygon_count;
+    if (scene->report.draws == LIM_DEPTH) return count * MCU_SORTED_B;
+    return (count + pieces) * (MCU_SORTED_B + MCU_NEWELL_B) + pieces * 2 * MCU_CUT_B;
+}
+
+static size_t nearest_b(const struct compiled *scene, size_t cells, size_t gaps, size_t active, size_t pieces)
+{
+    const bool wide = is_wide(&scene->report), sorts = method_sorts(scene->report.draws);
     const size_t cached_b = wide ? MCU_CACHED_WIDE_B : MCU_CACHED_B, cell_b = wide ? MCU_CELL_WIDE_B : MCU_CELL_B;
     const size_t fixed_b = MCU_CACHE_ENTRIES * cached_b + scene->report.h_px * (size_t)MCU_LINE_B +
-                           scene->scene.limits.depth * (size_t)MCU_PENDING_B;
-    return aligned_b(fixed_b + cells * cell_b + gaps * MCU_GAP_B + active * MCU_ACTIVE_B);
+                           (sorts ? 0 : scene->scene.limits.depth * (size_t)MCU_PENDING_B);
+    return (sorts ? sorted_b(scene, pieces) : 0) +
+           aligned_b(fixed_b + cells * cell_b + gaps * MCU_GAP_B + active * MCU_ACTIVE_B);
 }
 
 static size_t convex_b(const struct compiled *scene, size_t active)
@@ -155,12 +175,12 @@ size_t pools_mcu_mem_b(const struct compiled *scene)
     const struct lim_limits *limits = &scene->scene.limits;
     if (scene->report.draws == LIM_CONVEX) return convex_b(scene, limits->active);
     if (scene->report.draws == LIM_PAINTER) return painter_b(scene);
-    return nearest_b(scene, limits->retained_cells, limits->gaps, limits->active);
+    return nearest_b(scene, limits->retained_cells, limits->gaps, limits->active, limits->pieces);
 }
 
 size_t pools_mcu_mem_min_b(const struct compiled *scene)
 {
     if (scene->report.draws == LIM_CONVEX) return convex_b(scene, 0);
     if (scene->report.draws == LIM_PAINTER) return painter_b(scene);
-    return nearest_b(scene, least_cells(&scene->scene.limits), 1, 1);
+    return nearest_b(scene, least_cells(&scene->scene.limits), 1, 1, 0);
 }
