@@ -57,6 +57,9 @@
 #ifndef LIM_HAS_LEAVES
 #define LIM_HAS_LEAVES 1 /* leaves: ordered clusters and sets without a tree */
 #endif
+#ifndef LIM_HAS_TRANSPARENT
+#define LIM_HAS_TRANSPARENT 1 /* polygons that what lies behind them shines through */
+#endif
 
 /* 1: lim_frame() counts its work in struct lim_stats. 0: the counters stay zero and cost nothing. */
 #ifndef LIM_HAS_STATS

@@ -6,6 +6,7 @@
  * one polygon and no gap, so every frame ends. */
 #include "order.h"
 
+#include "layers.h"
 #include "piece.h"
 #include "project.h"
 
@@ -48,12 +49,22 @@ static bool take_plain(struct lim *lim, const struct lim_screen_polygon *polygon
 
     if (top >= bottom) return true;
     if (LIM_HAS_STATS) lim_stats_of(lim)->lines += (uint32_t)(bottom - top);
-    const enum lim_span_result result = close_lines(&lim->spans, polygon, top, bottom);
+    const uint8_t alpha = lim_alpha_of(polygon);
+    const enum lim_span_result result = alpha == LIM_OPAQUE ? close_lines(&lim->spans, polygon, top, bottom)
+                                        : lim_layers_see(&lim->spans, polygon, top, bottom) ? LIM_SPAN_SOME
+                                                                                            : LIM_SPAN_NOTHING;
     if (result == LIM_SPAN_NOTHING) return true;
     if (result == LIM_SPAN_EXHAUSTED) return false;
     if (LIM_HAS_STATS) lim_stats_of(lim)->polygons_seen++;
-    const struct lim_retained_polygon seen = {polygon->at,   polygon->n,       polygon->shape.first,
-                                              (uint16_t)top, (uint16_t)bottom, polygon->colour};
+    struct lim_retained_polygon seen = {
+        .at = polygon->at,
+        .n = polygon->n,
+        .first = polygon->shape.first,
+        .top = (uint16_t)top,
+        .bottom = (uint16_t)bottom,
+        .colour = polygon->colour,
+    };
+    if (LIM_HAS_TRANSPARENT) lim_retained_set_alpha(&seen, alpha);
     return lim_retain(&lim->retained, lim->spans.lines, &seen);
 }
 
@@ -204,12 +215,32 @@ static void follow(struct lim_rect *band, const struct lim_target *target)
     band->y1 = (uint16_t)(target->h_px - band->y0 < lines ? target->h_px : band->y0 + lines);
 }
 
-/* Both passes. 1: a pool is exhausted, and *y is the first line that is not yet painted. */
+/* Both passes. Positive: a pool is exhausted (LIM_PAINT_...), and *y is the first line that is not yet painted. */
 static int draw_band(struct lim *lim, const struct lim_rect *band, uint16_t *y)
 {
     *y = band->y0;
-    if (!collect(lim, band)) return 1;
+    if (!collect(lim, band)) return LIM_PAINT_ACTIVE;
     return lim_paint_band(&lim->paint, &lim->spans, &lim->retained, band, y, lim_stats_of(lim));
+}
+
+/* How far the stack must reach, and how many polygons wait at one pixel, is not bounded where some are transparent.
+ * The painter's order needs no pool at all: a line for which any is too small is painted so. */
+static bool wants_painter(const struct lim *lim, const struct lim_rect *band, int exhausted)
+{
+    return LIM_HAS_TRANSPARENT && lim->scene->limits.layers &&
+           (exhausted == LIM_PAINT_LAYERS || band->y1 - band->y0 == 1);
+}
+
+/* The band's first line; what is left of the band comes next. */
+static int paint_first_line(struct lim *lim, struct lim_rect *band)
+{
+    const int err = lim_painter_line(lim, band->y0);
+
+    if (band->y1 - band->y0 > 1)
+        band->y0++;
+    else
+        follow(band, &lim->target);
+    return err;
 }
 
 int lim_nearest_frame(struct lim *lim)
@@ -223,8 +254,13 @@ int lim_nearest_frame(struct lim *lim)
         if (err < 0) return err;
         if (err) {
             band.y0 = y;
-            halve(&band);
             if (LIM_HAS_STATS) lim_stats_of(lim)->bands++;
+            if (wants_painter(lim, &band, err)) {
+                const int failed = paint_first_line(lim, &band);
+                if (failed) return failed;
+            } else {
+                halve(&band);
+            }
         } else {
             follow(&band, &lim->target);
         }

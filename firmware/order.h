@@ -24,6 +24,9 @@ size_t lim_painter_mem_b(const struct lim_scene *scene);
 void lim_painter_init(struct lim *lim, void *mem);
 LIM_MUST_CHECK int lim_painter_frame(struct lim *lim);
 
+/* Line y of a frame of nearest first, which is lent already or is lent now, and done: in the painter's order. */
+LIM_MUST_CHECK int lim_painter_line(struct lim *lim, uint16_t y);
+
 /* One convex solid: convex.c. `active`: for how many faces on a line; 0 is the least. */
 size_t lim_convex_mem_b(const struct lim_scene *scene, const struct lim_target *target, uint16_t active);
 void lim_convex_init(struct lim *lim, void *mem, size_t mem_b);

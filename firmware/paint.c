@@ -21,7 +21,7 @@ static const struct lim_point *points_of(const union lim_retained_cell *cells)
 /* A piece has no edges: its lines are there, the last one first. */
 static LIM_RARE void take_line(struct lim_active *active, const union lim_retained_cell *cells, int16_t y)
 {
-    const struct lim_point line = points_of(cells)[(int16_t)cells[1].look.bottom - 1 - y];
+    const struct lim_point line = points_of(cells)[lim_retained_bottom(cells) - 1 - y];
 
     active->pair.left.x = (int16_t)line.x;
     active->pair.right.x = (int16_t)line.y;
@@ -35,7 +35,7 @@ static void turn(struct lim_active *active, const union lim_retained_cell *cells
         return;
     }
     const int16_t at = lim_edge_turn(&active->pair, points_of(cells), cells[0].link.n, y);
-    const int16_t bottom = (int16_t)cells[1].look.bottom;
+    const int16_t bottom = lim_retained_bottom(cells);
 
     active->turn = at < bottom ? at : bottom;
 }
@@ -86,11 +86,42 @@ static void paint_piece(void *ctx, uint16_t x0, uint16_t x1)
 /* Moves a polygon to line y. false: it has ended. */
 static bool advance(struct lim_active *active, const union lim_retained_cell *cells, int16_t y)
 {
-    if (y >= (int16_t)cells[1].look.bottom) return false;
+    if (y >= lim_retained_bottom(cells)) return false;
     if (active->pair.left.end > y) lim_edge_step(&active->pair.left);
     if (active->pair.right.end > y) lim_edge_step(&active->pair.right);
     if (y >= active->turn) turn(active, cells, y);
     return true;
+}
+
+/* Stages that may not be there, NULL then. */
+static inline struct lim_layers *layers_of(struct lim_paint *paint)
+{
+#if LIM_HAS_TRANSPARENT
+    return &paint->layers;
+#else
+    (void)paint;
+    return NULL;
+#endif
+}
+
+static inline void keep_lent(struct lim_paint *paint, uint16_t *line)
+{
+#if LIM_HAS_TRANSPARENT
+    paint->lent = line;
+#else
+    (void)paint, (void)line;
+#endif
+}
+
+/* A transparent polygon leaves its pixels open. */
+static void push_layers(struct lim_paint *paint, const struct lim_spans *spans, const struct lim_line *open,
+                        const struct lim_active *active, const union lim_retained_cell *cells)
+{
+    const int16_t left = active->pair.left.x, right = active->pair.right.x;
+    const struct lim_layer piece = {left > 0 ? (uint16_t)left : 0, right > 0 ? (uint16_t)right : 0,
+                                    cells[1].look.colour, lim_retained_alpha(cells)};
+
+    if (!layers_of(paint)->exhausted) lim_layers_push(layers_of(paint), spans, open, &piece);
 }
 
 static void paint_polygons(struct lim_paint *paint, struct lim_spans *spans, const struct lim_retained *retained,
@@ -105,7 +136,12 @@ static void paint_polygons(struct lim_paint *paint, struct lim_spans *spans, con
         const int16_t left = active->pair.left.x, right = active->pair.right.x;
 
         sink->colour = cells[1].look.colour;
-        if (left < right) (void)lim_span_close(spans, open, left, right, paint_piece, sink);
+        if (left < right) {
+            if (LIM_HAS_TRANSPARENT && lim_retained_alpha(cells) != LIM_OPAQUE)
+                push_layers(paint, spans, open, active, cells);
+            else
+                (void)lim_span_close(spans, open, left, right, paint_piece, sink);
+        }
         if (advance(active, cells, (int16_t)(y + 1))) {
             link = &active->next;
         } else {
@@ -130,6 +166,21 @@ static void paint_background(const struct lim_spans *spans, const struct lim_lin
     }
 }
 
+/* false: the stack was too small. */
+static bool blend(struct lim_paint *paint, uint16_t *line, struct lim_stats *stats)
+{
+    struct lim_layers *layers = layers_of(paint);
+
+    if (layers->exhausted) {
+        layers->exhausted = false;
+        layers->used = 0;
+        return false;
+    }
+    if (LIM_HAS_STATS && layers->used > stats->layers_max) stats->layers_max = layers->used;
+    lim_layers_blend(layers, line);
+    return true;
+}
+
 static int paint_line(struct lim_paint *paint, struct lim_spans *spans, const struct lim_retained *retained,
                       const struct lim_rect *band, uint16_t y, struct lim_stats *stats)
 {
@@ -142,6 +193,10 @@ static int paint_line(struct lim_paint *paint, struct lim_spans *spans, const st
     paint_polygons(paint, spans, retained, &open, y, &sink);
     paint_background(spans, &open, paint, sink.line, stats);
     if (LIM_HAS_STATS) stats->pixels_painted += sink.painted_px;
+    if (LIM_HAS_TRANSPARENT && !blend(paint, sink.line, stats)) {
+        keep_lent(paint, sink.line);
+        return LIM_PAINT_LAYERS;
+    }
     return paint->target->done(paint->target->ctx, y, band->x0, (uint16_t)(band->x1 - band->x0));
 }
 
@@ -160,7 +215,7 @@ int lim_paint_band(struct lim_paint *paint, struct lim_spans *spans, const struc
 {
     start(paint);
     for (*y = band->y0; *y < band->y1; ++*y) {
-        if (!activate_line(paint, retained, spans->lines[*y].retained, *y)) return 1;
+        if (!activate_line(paint, retained, spans->lines[*y].retained, *y)) return LIM_PAINT_ACTIVE;
         const int err = paint_line(paint, spans, retained, band, *y, stats);
         if (err) return err;
     }

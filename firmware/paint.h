@@ -3,13 +3,15 @@
  * PAINT: line by line, the retained polygons' pixels into the memory that the target lends. In:
  * retained polygons, listed by their top line. Out: finished lines, top to bottom. Each line
  * closes its gaps once more, nearest polygon first, so every pixel is written exactly once; what
- * stays open is background. Memory: a list of the polygons that cross the line, lent. */
+ * stays open is background. Memory: a list of the polygons that cross the line, lent, and a stack for what is
+ * transparent (layers.h). */
 #ifndef LIM_PAINT_H
 #define LIM_PAINT_H
 
 #include "edge.h"
 #include "errors.h"
 #include "fill.h"
+#include "layers.h"
 #include "retain.h"
 #include "span.h"
 #include "stats.h"
@@ -30,10 +32,20 @@ struct lim_paint {
     uint16_t first, free; /* lists through `next` */
     uint16_t used;
     uint16_t background; /* as it lies in memory */
+#if LIM_HAS_TRANSPARENT
+    struct lim_layers layers;
+    uint16_t *lent; /* the line that could not be finished, or NULL */
+#endif
+};
+
+/* lim_paint_band(): what it could not finish. */
+enum {
+    LIM_PAINT_ACTIVE = 1, /* too many polygons cross line *y for the pool */
+    LIM_PAINT_LAYERS = 2  /* too much of line *y, which is lent, is transparent for the stack */
 };
 
 /* Paints the lines of `band`, from *y on; *y moves with the lines that are finished. The lines'
- * gaps are used up. 1: too many polygons cross line *y for the pool; negative: the target's error. */
+ * gaps are used up. Positive: above; negative: the target's error. */
 LIM_MUST_CHECK int lim_paint_band(struct lim_paint *paint, struct lim_spans *spans, const struct lim_retained *retained,
                                   const struct lim_rect *band, uint16_t *y, struct lim_stats *stats);
 

@@ -2,13 +2,33 @@
  *
  * Back to front into a framebuffer: the least code, and the reference for the other order. Every
  * line is lent once for the background, once for each polygon that crosses it, and is done at the
- * end. */
+ * end. Nearest first comes here with single lines that are too transparent for its pools: this order needs none. */
 #include "order.h"
 
 #include "fill.h"
 #include "project.h"
 
-#if LIM_HAS_PAINTER
+#if LIM_HAS_PAINTER || LIM_HAS_TRANSPARENT
+
+/* The line that nearest first could not finish, or NULL. */
+static uint16_t *lent_of(const struct lim *lim)
+{
+#if LIM_HAS_NEAREST && LIM_HAS_TRANSPARENT
+    return lim->paint.lent;
+#else
+    (void)lim;
+    return NULL;
+#endif
+}
+
+static void set_lent(struct lim *lim, uint16_t *line)
+{
+#if LIM_HAS_NEAREST && LIM_HAS_TRANSPARENT
+    lim->paint.lent = line;
+#else
+    (void)lim, (void)line;
+#endif
+}
 
 size_t lim_painter_mem_b(const struct lim_scene *scene)
 {
@@ -20,19 +40,30 @@ void lim_painter_init(struct lim *lim, void *mem)
     struct lim_view_cached *cache = mem;
 
     lim->stack = (struct lim_walk_pending *)(void *)(cache + LIM_VIEW_CACHE_ENTRIES);
+    set_lent(lim, NULL);
     lim_view_init(&lim->view, lim->target.w_px, lim->target.h_px, cache);
 }
 
-static int fill_piece(struct lim *lim, uint16_t y, uint16_t x0, uint16_t x1, uint16_t colour)
+static uint16_t *line_at(struct lim *lim, uint16_t y)
 {
-    uint16_t *line = lim->target.lend(lim->target.ctx, y);
+    uint16_t *const lent = lent_of(lim);
+
+    return lent ? lent : lim->target.lend(lim->target.ctx, y);
+}
+
+static int fill_piece(struct lim *lim, uint16_t y, uint16_t x0, uint16_t x1, const struct lim_screen_polygon *polygon)
+{
+    uint16_t *line = line_at(lim, y);
 
     if (!line) return LIM_ERR_TARGET;
-    lim_fill(line, x0, (uint16_t)(x1 - x0), colour);
+    if (LIM_HAS_TRANSPARENT && lim_alpha_of(polygon) != LIM_OPAQUE)
+        lim_blend(line, x0, (uint16_t)(x1 - x0), polygon->colour, lim_alpha_of(polygon));
+    else
+        lim_fill(line, x0, (uint16_t)(x1 - x0), polygon->colour);
     return 0;
 }
 
-static int fill_clamped(struct lim *lim, int16_t y, int16_t x0, int16_t x1, uint16_t colour)
+static int fill_clamped(struct lim *lim, int16_t y, int16_t x0, int16_t x1, const struct lim_screen_polygon *polygon)
 {
     const int16_t w_px = (int16_t)lim->target.w_px;
 
@@ -40,14 +71,14 @@ static int fill_clamped(struct lim *lim, int16_t y, int16_t x0, int16_t x1, uint
     if (x1 > w_px) x1 = w_px;
     if (x0 >= x1) return 0;
     if (LIM_HAS_STATS) lim_stats_of(lim)->pixels_painted += (uint32_t)(x1 - x0);
-    return fill_piece(lim, (uint16_t)y, (uint16_t)x0, (uint16_t)x1, colour);
+    return fill_piece(lim, (uint16_t)y, (uint16_t)x0, (uint16_t)x1, polygon);
 }
 
-static int paint_plain(struct lim *lim, const struct lim_screen_polygon *polygon)
+static int paint_plain(struct lim *lim, const struct lim_screen_polygon *polygon, const struct lim_rect *screen)
 {
-    const int16_t h_px = (int16_t)lim->target.h_px;
-    const int16_t bottom = polygon->shape.bottom < h_px ? polygon->shape.bottom : h_px;
-    int16_t y = polygon->shape.top > 0 ? polygon->shape.top : 0;
+    const int16_t first = (int16_t)screen->y0, end = (int16_t)screen->y1;
+    const int16_t bottom = polygon->shape.bottom < end ? polygon->shape.bottom : end;
+    int16_t y = polygon->shape.top > first ? polygon->shape.top : first;
     struct lim_edge_pair pair;
 
     if (y >= bottom) return 0;
@@ -55,20 +86,20 @@ static int paint_plain(struct lim *lim, const struct lim_screen_polygon *polygon
     lim_edge_begin(&pair, polygon->n, polygon->shape.first);
     for (;;) {
         lim_edge_advance(&pair, polygon->at, polygon->n, y);
-        const int err = fill_clamped(lim, y, pair.left.x, pair.right.x, polygon->colour);
+        const int err = fill_clamped(lim, y, pair.left.x, pair.right.x, polygon);
         if (err) return err;
         if (++y == bottom) return 0;
     }
 }
 
-static int paint_any(struct lim *lim, const struct lim_screen_polygon *polygon)
+static int paint_any(struct lim *lim, const struct lim_screen_polygon *polygon, const struct lim_rect *screen)
 {
     struct lim_screen_polygon triangle;
 
-    if (!polygon->shape.folded) return paint_plain(lim, polygon);
+    if (!polygon->shape.folded) return paint_plain(lim, polygon, screen);
     for (uint8_t k = 1; k + 1 < polygon->n; k++) {
         lim_project_fan(polygon, k, &triangle);
-        const int err = paint_plain(lim, &triangle);
+        const int err = paint_plain(lim, &triangle, screen);
         if (err) return err;
     }
     return 0;
@@ -92,7 +123,7 @@ static int paint_run(struct lim *lim, uint16_t run, const struct lim_rect *scree
     for (;;) {
         if (lim_record_is_seen(&lim->walk.eye, record) &&
             lim_project(&polygon, &lim->view, lim->scene, record, screen, lim_stats_of(lim))) {
-            const int err = paint_any(lim, &polygon);
+            const int err = paint_any(lim, &polygon, screen);
             if (err) return err;
         }
         if (record == first) return 0;
@@ -102,40 +133,58 @@ static int paint_run(struct lim *lim, uint16_t run, const struct lim_rect *scree
     }
 }
 
-static int paint_background(struct lim *lim)
+static int paint_background(struct lim *lim, const struct lim_rect *screen)
 {
     const uint16_t background = lim_memory_colour(lim->scene->background);
 
-    for (uint16_t y = 0; y < lim->target.h_px; y++) {
-        const int err = fill_piece(lim, y, 0, lim->target.w_px, background);
-        if (err) return err;
+    for (uint16_t y = screen->y0; y < screen->y1; y++) {
+        uint16_t *line = line_at(lim, y);
+        if (!line) return LIM_ERR_TARGET;
+        lim_fill(line, 0, lim->target.w_px, background);
     }
     return 0;
 }
 
-static int finish(struct lim *lim)
+static int finish(struct lim *lim, const struct lim_rect *screen)
 {
-    for (uint16_t y = 0; y < lim->target.h_px; y++) {
+    for (uint16_t y = screen->y0; y < screen->y1; y++) {
         const int err = lim->target.done(lim->target.ctx, y, 0, lim->target.w_px);
         if (err) return err;
     }
     return 0;
 }
 
+/* All of some lines. */
+static int paint_lines(struct lim *lim, const struct lim_rect *screen)
+{
+    uint16_t run;
+    int err = paint_background(lim, screen);
+
+    if (err) return err;
+    if (LIM_HAS_CULL) lim_cull_set(lim_cull_of(lim), &lim->view, lim_eye_of(lim)->at_q8, screen);
+    lim_walk_begin(&lim->walk, lim->stack, true);
+    while ((run = lim_walk_next(&lim->walk, lim_cull_of(lim), lim_stats_of(lim))) != LIM_NONE) {
+        err = paint_run(lim, run, screen);
+        if (err) return err;
+    }
+    return finish(lim, screen);
+}
+
 int lim_painter_frame(struct lim *lim)
 {
     const struct lim_rect screen = {0, 0, lim->target.w_px, lim->target.h_px};
-    uint16_t run;
-    int err = paint_background(lim);
 
-    if (err) return err;
-    if (LIM_HAS_CULL) lim_cull_set(lim_cull_of(lim), &lim->view, lim_eye_of(lim)->at_q8, &screen);
-    lim_walk_begin(&lim->walk, lim->stack, true);
-    while ((run = lim_walk_next(&lim->walk, lim_cull_of(lim), lim_stats_of(lim))) != LIM_NONE) {
-        err = paint_run(lim, run, &screen);
-        if (err) return err;
-    }
-    return finish(lim);
+    return paint_lines(lim, &screen);
+}
+
+int lim_painter_line(struct lim *lim, uint16_t y)
+{
+    const struct lim_rect screen = {0, y, lim->target.w_px, (uint16_t)(y + 1)};
+
+    if (!lent_of(lim)) set_lent(lim, lim->target.lend(lim->target.ctx, y));
+    const int err = lent_of(lim) ? paint_lines(lim, &screen) : LIM_ERR_TARGET;
+    set_lent(lim, NULL);
+    return err;
 }
 
 #endif

@@ -10,12 +10,36 @@
 
 struct shares {
     uint16_t active, retained_cells, gaps, pieces;
+#if LIM_HAS_TRANSPARENT
+    uint16_t layers;
+#endif
 };
 
-/* One polygon, one gap: what a band of one pixel needs. */
+static inline uint16_t layers_of(const struct shares *shares)
+{
+#if LIM_HAS_TRANSPARENT
+    return shares->layers;
+#else
+    (void)shares;
+    return 0;
+#endif
+}
+
+static inline void set_layers(struct shares *shares, uint16_t layers)
+{
+#if LIM_HAS_TRANSPARENT
+    shares->layers = layers;
+#else
+    (void)shares, (void)layers;
+#endif
+}
+
+/* One polygon, one gap: what a band of one pixel needs. Lines that are transparent need nothing (nearest.c). */
 static struct shares least_shares(const struct lim_scene *scene)
 {
-    return (struct shares){1, (uint16_t)(LIM_RETAINED_HEAD_CELLS + scene->limits.vertices + CLIP_PLANES), 1, 0};
+    return (struct shares){.active = 1,
+                           .retained_cells = (uint16_t)(LIM_RETAINED_HEAD_CELLS + scene->limits.vertices + CLIP_PLANES),
+                           .gaps = 1};
 }
 
 static uint16_t greater(uint16_t a, uint16_t b)
@@ -36,19 +60,26 @@ static struct shares comfortable_shares(const struct lim_scene *scene, const str
     const struct shares least = least_shares(scene);
     const struct lim_limits *limits = &scene->limits;
 
-    return (struct shares){greater(limits->active, least.active), greater(limits->retained_cells, least.retained_cells),
-                           greater(limits->gaps, least.gaps), comfortable_pieces(scene, target)};
+    struct shares wanted = {.active = greater(limits->active, least.active),
+                            .retained_cells = greater(limits->retained_cells, least.retained_cells),
+                            .gaps = greater(limits->gaps, least.gaps),
+                            .pieces = comfortable_pieces(scene, target)};
+    if (LIM_HAS_TRANSPARENT) set_layers(&wanted, limits->layers);
+    return wanted;
 }
 
 static size_t total_b(const struct lim_scene *scene, const struct lim_target *target, struct shares shares)
 {
-    const uint16_t cells = shares.retained_cells;
+    const uint16_t cells = shares.retained_cells, gaps = shares.gaps;
+    size_t sum_b = LIM_HAS_TRANSPARENT ? LIM_LAYERS_MEM_B(layers_of(&shares)) : 0;
 
     if (LIM_IS_NEWELL(target))
-        return LIM_NEWELL_MEM_B(target->h_px, scene->polygon_count, shares.pieces, cells, shares.gaps, shares.active);
-    if (LIM_IS_SORTED(target))
-        return LIM_DEPTH_MEM_B(target->h_px, scene->polygon_count, cells, shares.gaps, shares.active);
-    return LIM_MEM_B(target->h_px, scene->limits.depth, cells, shares.gaps, shares.active);
+        sum_b += LIM_NEWELL_MEM_B(target->h_px, scene->polygon_count, shares.pieces, cells, gaps, shares.active);
+    else if (LIM_IS_SORTED(target))
+        sum_b += LIM_DEPTH_MEM_B(target->h_px, scene->polygon_count, cells, gaps, shares.active);
+    else
+        sum_b += LIM_MEM_B(target->h_px, scene->limits.depth, cells, gaps, shares.active);
+    return sum_b;
 }
 
 size_t lim_nearest_mem_b(const struct lim_scene *scene, const struct lim_target *target, bool least)
@@ -81,9 +112,12 @@ static struct shares divide(const struct lim_scene *scene, const struct lim_targ
 
     if (mem_b >= wanted_b) return LIM_IS_NEWELL(target) ? with_surplus(wanted, scene, mem_b - wanted_b) : wanted;
     const uint16_t part_q8 = (uint16_t)(((uint32_t)(mem_b - least_b) << 8) / (uint32_t)(wanted_b - least_b));
-    return (struct shares){between(least.active, wanted.active, part_q8),
-                           between(least.retained_cells, wanted.retained_cells, part_q8),
-                           between(least.gaps, wanted.gaps, part_q8), between(0, wanted.pieces, part_q8)};
+    struct shares shares = {.active = between(least.active, wanted.active, part_q8),
+                            .retained_cells = between(least.retained_cells, wanted.retained_cells, part_q8),
+                            .gaps = between(least.gaps, wanted.gaps, part_q8),
+                            .pieces = between(0, wanted.pieces, part_q8)};
+    if (LIM_HAS_TRANSPARENT) set_layers(&shares, between(0, layers_of(&wanted), part_q8));
+    return shares;
 }
 
 static void *cut(uint8_t **mem, size_t size_b)
@@ -110,6 +144,15 @@ static void cut_sorter(struct lim *lim, uint8_t **at, const struct shares *share
 #endif
 }
 #endif
+static inline void init_layers(struct lim_paint *paint, uint8_t **mem, const struct shares *shares)
+{
+#if LIM_HAS_TRANSPARENT
+    paint->layers = (struct lim_layers){cut(mem, LIM_LAYERS_MEM_B(shares->layers)), shares->layers, 0, false};
+    paint->lent = NULL;
+#else
+    (void)paint, (void)mem, (void)shares;
+#endif
+}
 
 /* Widest alignment first. */
 void lim_nearest_init(struct lim *lim, void *mem, size_t mem_b)
@@ -133,6 +176,7 @@ void lim_nearest_init(struct lim *lim, void *mem, size_t mem_b)
 #if LIM_HAS_TREE
     if (!LIM_IS_SORTED(&lim->target)) lim->stack = cut(&at, lim->scene->limits.depth * sizeof(struct lim_walk_pending));
 #endif
+    init_layers(&lim->paint, &at, &shares);
     lim_view_init(&lim->view, lim->target.w_px, lim->target.h_px, cache);
 }
 

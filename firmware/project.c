@@ -30,6 +30,22 @@ static bool meets(const struct lim_edge_shape *shape, const struct lim_rect *ope
            (shape->left < shape->right && shape->left < (int16_t)open->x1 && shape->right > (int16_t)open->x0);
 }
 
+static inline void set_alpha(struct lim_screen_polygon *out, uint8_t alpha)
+{
+#if LIM_HAS_TRANSPARENT
+    out->alpha = alpha;
+#else
+    (void)out, (void)alpha;
+#endif
+}
+
+static inline uint8_t alpha_of(const LIM_FLASH uint16_t *record)
+{
+    const uint16_t head = record[0];
+
+    return (uint8_t)(head & LIM_POLYGON_ALPHA ? record[lim_record_alpha_at(head)] : LIM_OPAQUE);
+}
+
 bool lim_project(struct lim_screen_polygon *out, struct lim_view *view, const struct lim_scene *scene,
                  const LIM_FLASH uint16_t *record, const struct lim_rect *open, struct lim_stats *stats)
 {
@@ -48,6 +64,7 @@ bool lim_project(struct lim_screen_polygon *out, struct lim_view *view, const st
     lim_edge_measure(&out->shape, out->at, out->n);
     if (LIM_HAS_STATS && stats) stats->folded += out->shape.folded;
     out->colour = lim_memory_colour(record[1]);
+    if (LIM_HAS_TRANSPARENT) set_alpha(out, alpha_of(record));
     return meets(&out->shape, open);
 }
 
@@ -57,6 +74,7 @@ void lim_project_fan(const struct lim_screen_polygon *folded, uint8_t k, struct 
 
     triangle->n = 3;
     triangle->colour = folded->colour;
+    if (LIM_HAS_TRANSPARENT) set_alpha(triangle, lim_alpha_of(folded));
     for (uint_fast8_t i = 0; i < 3; i++) {
         triangle->at[i] = folded->at[corner];
         corner += i ? 1u : k;

@@ -4,6 +4,7 @@
 #ifndef LIM_PROJECT_H
 #define LIM_PROJECT_H
 
+#include "blend.h"
 #include "clip.h"
 #include "cull.h"
 #include "edge.h"
@@ -14,8 +15,21 @@ struct lim_screen_polygon {
     struct lim_edge_shape shape;
     uint16_t colour; /* as it lies in memory */
     uint8_t n;
+#if LIM_HAS_TRANSPARENT
+    uint8_t alpha;
+#endif
     struct lim_point at[CLIP_MAX_VERTICES];
 };
+
+static inline uint8_t lim_alpha_of(const struct lim_screen_polygon *polygon)
+{
+#if LIM_HAS_TRANSPARENT
+    return polygon->alpha;
+#else
+    (void)polygon;
+    return LIM_OPAQUE;
+#endif
+}
 
 /* `record` is a polygon record (scene.h). false: nothing of it can be inside `open`. A polygon that is
  * projected once more is not counted again: `stats` is NULL. */

@@ -67,6 +67,7 @@ struct lim_plane_ref {
 #define LIM_POLYGON_COUNT 0x00FFu
 #define LIM_POLYGON_PLANE 0x0100u /* its plane, a struct lim_plane_ref: two words */
 #define LIM_POLYGON_BACK 0x0200u  /* it faces the back of that plane */
+#define LIM_POLYGON_ALPHA 0x0400u /* its alpha, a word: 1..254, of 255 */
 #define LIM_POLYGON_LAST 0x8000u
 enum { LIM_POLYGON_HEAD_WORDS = 2 };
 
@@ -95,6 +96,7 @@ struct lim_limits {
     uint16_t gaps;           /* gaps beyond the first of each line, all lines together */
     uint16_t active;         /* polygons that cross one line */
     uint16_t pieces;         /* LIM_NEWELL: how often polygons are split */
+    uint16_t layers;         /* pieces of transparent polygons on one line; 0: there are no such polygons */
 };
 
 struct lim_scene {
@@ -156,6 +158,7 @@ static inline uint16_t lim_record_words(uint16_t head)
     uint16_t words = (uint16_t)(LIM_POLYGON_HEAD_WORDS + (head & LIM_POLYGON_COUNT));
 
     if (LIM_HAS_LEAVES && head & LIM_POLYGON_PLANE) words += sizeof(struct lim_plane_ref) / 2;
+    if (LIM_HAS_TRANSPARENT && head & LIM_POLYGON_ALPHA) words++;
     return words;
 }
 
@@ -163,6 +166,12 @@ static inline uint16_t lim_record_words(uint16_t head)
 static inline const LIM_FLASH struct lim_plane_ref *lim_record_plane(const LIM_FLASH uint16_t *record)
 {
     return (const LIM_FLASH struct lim_plane_ref *)(record + LIM_POLYGON_HEAD_WORDS + (record[0] & LIM_POLYGON_COUNT));
+}
+
+/* Where the alpha of a record with LIM_POLYGON_ALPHA is, in words. */
+static inline uint16_t lim_record_alpha_at(uint16_t head)
+{
+    return (uint16_t)(lim_record_words(head & (LIM_POLYGON_COUNT | LIM_POLYGON_PLANE)));
 }
 
 /* The plane that lim_plane_ref.plane names, if not an axis plane. */

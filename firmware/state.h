@@ -23,6 +23,8 @@
     LIM_MEM_ALIGNED_B(LIM_VIEW_CACHE_ENTRIES * sizeof(struct lim_view_cached) + (h_px) * sizeof(struct lim_line) +     \
                       (depth) * sizeof(struct lim_walk_pending) + (cell_count) * sizeof(union lim_retained_cell) +     \
                       (gap_count) * sizeof(struct lim_gap) + (active_count) * sizeof(struct lim_active))
+/* Beside LIM_MEM_B(), if the scene has transparent polygons. */
+#define LIM_LAYERS_MEM_B(layer_count) ((layer_count) * sizeof(struct lim_layer))
 #define LIM_PAINTER_MEM_B(depth)                                                                                       \
     LIM_MEM_ALIGNED_B(LIM_VIEW_CACHE_ENTRIES * sizeof(struct lim_view_cached) +                                        \
                       (depth) * sizeof(struct lim_walk_pending))

@@ -47,6 +47,7 @@ struct lim_stats {
     struct lim_newell_stats newell;
 #endif
     uint16_t retained_cells_max, gaps_max, active_max; /* most used of each pool in one walk; convex: faces on a line */
+    uint16_t layers_max;                               /* most transparent pieces of one line, nearest first */
 };
 
 #endif

@@ -4,6 +4,7 @@
  * ray through the centre of pixel (x, y) of w times h is r = ((2x + 1 - w) / w, (2y + 1 - h) / h, 1), so along a line
  * of pixels w h m . r steps by 2 h m[0]: with |m| < 2^30 all of it stays below 2^52. */
 #include "corners.h"
+#include "layers.h"
 #include "order.h"
 #include "piece.h"
 
@@ -165,6 +166,23 @@ static enum lim_span_result close_lines(struct lim_spans *spans, const struct li
     return result & LIM_SPAN_EXHAUSTED ? LIM_SPAN_EXHAUSTED : (enum lim_span_result)result;
 }
 
+static bool see_lines(const struct lim_spans *spans, const struct lim_point *last, int16_t top, int16_t bottom)
+{
+    for (int16_t y = top; y < bottom; y++) {
+        const struct lim_point *line = &last[bottom - 1 - y];
+        if (lim_layers_see_line(spans, (uint16_t)y, (int16_t)line->x, (int16_t)line->y)) return true;
+    }
+    return false;
+}
+
+/* A transparent piece leaves its pixels open. */
+static enum lim_span_result pass(struct lim *lim, uint8_t alpha, const struct lim_point *last, int16_t top,
+                                 int16_t bottom)
+{
+    if (!LIM_HAS_TRANSPARENT || alpha == LIM_OPAQUE) return close_lines(&lim->spans, last, top, bottom);
+    return see_lines(&lim->spans, last, top, bottom) ? LIM_SPAN_SOME : LIM_SPAN_NOTHING;
+}
+
 static bool take_plain(struct lim *lim, uint16_t entry, const struct lim_screen_polygon *whole)
 {
     const struct lim_rect *open = &lim->spans.open;
@@ -178,13 +196,26 @@ static bool take_plain(struct lim *lim, uint16_t entry, const struct lim_screen_
     if (LIM_HAS_STATS) lim_stats_of(lim)->lines += (uint32_t)(bottom - top);
     fill_lines(last, whole, open, top, bottom);
     cut_lines(lim, entry, last, top, bottom);
-    const enum lim_span_result result = close_lines(&lim->spans, last, top, bottom);
+    const uint8_t alpha = lim_alpha_of(whole);
+    const enum lim_span_result result = pass(lim, alpha, last, top, bottom);
     if (result != LIM_SPAN_SOME) return result == LIM_SPAN_NOTHING;
     if (LIM_HAS_STATS) lim_stats_of(lim)->polygons_seen++;
-    const struct lim_retained_polygon seen = {last, 0, 0, (uint16_t)top, (uint16_t)bottom, whole->colour};
+    struct lim_retained_polygon seen = {
+        .at = last, .top = (uint16_t)top, .bottom = (uint16_t)bottom, .colour = whole->colour};
+    if (LIM_HAS_TRANSPARENT) lim_retained_set_alpha(&seen, alpha);
     if (!lim_retain(retained, lim->spans.lines, &seen)) return false;
     retained->used = (uint16_t)(retained->used + (bottom - top));
     return true;
+}
+
+struct lim_point lim_piece_line(const struct lim *lim, uint16_t entry, const struct lim_screen_polygon *whole, int16_t y)
+{
+    const struct lim_rect screen = {0, 0, lim->target.w_px, lim->target.h_px};
+    struct lim_point line;
+
+    fill_lines(&line, whole, &screen, y, (int16_t)(y + 1));
+    cut_lines(lim, entry, &line, y, (int16_t)(y + 1));
+    return line;
 }
 
 bool lim_piece_take(struct lim *lim, uint16_t entry, const struct lim_screen_polygon *whole)

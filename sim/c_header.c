@@ -6,15 +6,21 @@
 #include "needs.h"
 #include "scene_files.h"
 
-static void write_sorted_memory(FILE *file, const struct compiled *scene)
+/* What the three orders that leave gaps need. */
+static void write_spans_memory(FILE *file, const struct compiled *scene)
 {
     const struct lim_limits *limits = &scene->scene.limits;
+    const unsigned count = (unsigned)scene->scene.polygon_count;
+
+    if (limits->layers) fprintf(file, "(LIM_LAYERS_MEM_B(%u) + ", (unsigned)limits->layers);
     if (scene->report.draws == LIM_NEWELL)
-        fprintf(file, "LIM_NEWELL_MEM_B(h_px, %u, %u", (unsigned)scene->scene.polygon_count, (unsigned)limits->pieces);
+        fprintf(file, "LIM_NEWELL_MEM_B(h_px, %u, %u", count, (unsigned)limits->pieces);
+    else if (scene->report.draws == LIM_DEPTH)
+        fprintf(file, "LIM_DEPTH_MEM_B(h_px, %u", count);
     else
-        fprintf(file, "LIM_DEPTH_MEM_B(h_px, %u", (unsigned)scene->scene.polygon_count);
-    fprintf(file, ", %u, %u, %u)\n", (unsigned)limits->retained_cells, (unsigned)limits->gaps,
-            (unsigned)limits->active);
+        fprintf(file, "LIM_MEM_B(h_px, %u", (unsigned)limits->depth);
+    fprintf(file, ", %u, %u, %u)%s\n", (unsigned)limits->retained_cells, (unsigned)limits->gaps,
+            (unsigned)limits->active, limits->layers ? ")" : "");
 }
 
 static void write_memory(FILE *file, const struct compiled *scene, const char *macro)
@@ -29,11 +35,8 @@ static void write_memory(FILE *file, const struct compiled *scene, const char *m
                 (unsigned)limits->active);
     else if (scene->report.draws == LIM_PAINTER)
         fprintf(file, "LIM_PAINTER_MEM_B(%u)\n", (unsigned)limits->depth);
-    else if (method_sorts(scene->report.draws))
-        write_sorted_memory(file, scene);
     else
-        fprintf(file, "LIM_MEM_B(h_px, %u, %u, %u, %u)\n", (unsigned)limits->depth, (unsigned)limits->retained_cells,
-                (unsigned)limits->gaps, (unsigned)limits->active);
+        write_spans_memory(file, scene);
 }
 
 /* What the target must be able to lend at any time. */

@@ -115,10 +115,10 @@ static void write_scene(FILE *file, const struct lim_scene *scene, const struct 
             (unsigned)scene->box_count, (unsigned)scene->polygon_words, (unsigned)scene->polygon_count,
             (unsigned)scene->background);
     fprintf(file,
-            "    .limits = {.depth = %u, .vertices = %u, .retained_cells = %u, .gaps = %u, .active = %u, .pieces = "
-            "%u},\n};\n",
+            "    .limits = {.depth = %u, .vertices = %u, .retained_cells = %u, .gaps = %u, .active = %u,\n"
+            "               .pieces = %u, .layers = %u},\n};\n",
             (unsigned)limits->depth, (unsigned)limits->vertices, (unsigned)limits->retained_cells,
-            (unsigned)limits->gaps, (unsigned)limits->active, (unsigned)limits->pieces);
+            (unsigned)limits->gaps, (unsigned)limits->active, (unsigned)limits->pieces, (unsigned)limits->layers);
 }
 
 static void write_source(FILE *file, const struct compiled *scene, const struct c_name *prefix,

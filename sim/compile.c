@@ -27,7 +27,7 @@ static const double GRID_END = 32767.5; /* halves round up: 32767.5 would be 327
 /* Bytes of a scene's arrays and its struct lim_scene, as a 32-bit microcontroller holds them. */
 static size_t flash_b(const struct lim_scene *scene)
 {
-    enum { POINTERS = 7, POINTER_B = 4, COUNTS = 8, SCENE_B = POINTERS * POINTER_B + COUNTS * 2 + 5 * 2 + 2 };
+    enum { POINTERS = 7, POINTER_B = 4, COUNTS = 8, SCENE_B = POINTERS * POINTER_B + COUNTS * 2 + 6 * 2 };
     return SCENE_B + scene->vertex_count * sizeof *scene->vertices + scene->node_count * sizeof *scene->nodes +
            scene->plane_count * sizeof *scene->planes + scene->exact_count * sizeof *scene->exact +
            scene->box_count * sizeof *scene->boxes + scene->polygon_words * sizeof *scene->polygons +
@@ -176,7 +176,8 @@ static bool check_size(const struct compilation *work, struct error *err)
     for (size_t i = 0; i < work->mesh->polygon_count; i++) {
         const struct mesh_polygon *polygon = &work->mesh->polygons[i];
         const size_t corners = corners_on_grid(work, polygon);
-        if (corners >= 3) words += (LIM_POLYGON_HEAD_WORDS + corners) * (polygon->two_sided ? 2 : 1);
+        const size_t extra = polygon->transparency > 0;
+        if (corners >= 3) words += (LIM_POLYGON_HEAD_WORDS + corners + extra) * (polygon->two_sided ? 2 : 1);
     }
     return encode_check_count(words, "words of polygons", err);
 }

@@ -4,6 +4,7 @@
 #include "convexity.h"
 
 #include "plane.h"
+#include "records.h"
 
 /* One run of polygons, and everything else behind it. */
 static bool link_is_right(const struct lim_scene *scene, uint16_t i)
@@ -32,8 +33,10 @@ static bool all_behind(const struct lim_scene *scene, uint16_t i)
     return true;
 }
 
+/* Its method paints a solid's faces over its background: they must hide it. */
 bool scene_is_convex(const struct lim_scene *scene)
 {
+    if (records_with(scene, LIM_POLYGON_ALPHA)) return false;
     for (uint16_t i = 0; i < scene->node_count; i++)
         if (!link_is_right(scene, i)) return false;
     for (uint16_t i = 0; i < scene->node_count; i++)

@@ -75,7 +75,7 @@ static void record_add(struct encoder *work, const struct outline *outline, cons
     out->faces = grow(out->faces, out->record_count, &out->face_capacity, sizeof *out->faces);
     out->faces[out->record_count++] = polygon->face;
     out->last_record = out->word_count;
-    word_add(out, outline->count | work->flags);
+    word_add(out, outline->count | work->flags | (polygon->transparency ? LIM_POLYGON_ALPHA : 0));
     word_add(out, rgb565_from_rgb888(polygon->colour));
     for (size_t i = 0; i < outline->count; i++)
         word_add(out, vertex_index(work, outline->corners[i]));
@@ -83,6 +83,7 @@ static void record_add(struct encoder *work, const struct outline *outline, cons
         word_add(out, work->own.plane);
         word_add(out, (uint16_t)work->own.offset);
     }
+    if (polygon->transparency) word_add(out, LIM_OPAQUE - polygon->transparency);
     out->widest = outline->count > out->widest ? outline->count : out->widest;
 }
 

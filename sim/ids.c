@@ -6,13 +6,16 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Records follow each other without gaps: SCENE.md. */
+/* Records follow each other without gaps: SCENE.md. What is transparent becomes opaque: a pixel has the number of the
+ * nearest polygon, whatever shines through it. */
 static void number_records(struct ids *ids)
 {
     uint16_t colour = 1;
     for (size_t word = 0; word < ids->scene.polygon_words; colour++) {
+        const uint16_t head = ids->polygons[word];
         ids->polygons[word + 1] = colour;
-        word += lim_record_words(ids->polygons[word]);
+        if (head & LIM_POLYGON_ALPHA) ids->polygons[word + lim_record_alpha_at(head)] = LIM_OPAQUE;
+        word += lim_record_words(head);
     }
 }
 

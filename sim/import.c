@@ -108,6 +108,19 @@ static void add_points(struct import *import, const struct aiMesh *mesh)
     }
 }
 
+/* Of the last face. Opacities beyond 0..1 occur, and what they mean is plain. */
+static bool set_transparency(struct import *import, double opacity)
+{
+    struct model *model = import->model;
+    if (!isfinite(opacity))
+        return error_set(import->err, "%s: face %zu: the opacity of its material is NaN or infinite", import->path,
+                         model->face_count);
+    const double clamped = fmin(fmax(opacity, 0), 1);
+    model->alpha_clamped += clamped != opacity;
+    model->faces[model->face_count - 1].transparency = (uint8_t)(255 * (1 - clamped) + 0.5);
+    return true;
+}
+
 static bool add_face(struct import *import, const struct aiFace *from, uint32_t first_point, uint32_t colour)
 {
     struct model *model = import->model;
@@ -137,7 +150,9 @@ static bool add_mesh(struct import *import, const struct aiMesh *mesh)
     for (unsigned i = 0; i < mesh->mNumFaces; i++) {
         const struct aiFace *face = &mesh->mFaces[i];
         if (face->mNumIndices < 3) continue;
-        if (!add_face(import, face, first_point, model_face_colour(&import->paint, mesh, face))) return false;
+        if (!add_face(import, face, first_point, model_face_colour(&import->paint, mesh, face)) ||
+            !set_transparency(import, model_face_opacity(&import->paint, mesh, face)))
+            return false;
     }
     return true;
 }

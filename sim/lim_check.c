@@ -3,6 +3,7 @@
  * One pass over each array. Every check names the element and what is wrong with it. */
 #include "lim_check.h"
 
+#include "blend.h"
 #include "bounds.h"
 #include "grow.h"
 #include "plane.h"
@@ -106,13 +107,23 @@ static bool check_plane_ref(const struct checker *work, const struct lim_plane_r
 
 /* Runs --------------------------------------------------------------------------------------- */
 
+static bool check_alpha(const struct checker *work, size_t at)
+{
+    const struct lim_scene *scene = work->scene;
+    const uint16_t alpha = scene->polygons[at + lim_record_alpha_at(scene->polygons[at])];
+    if (alpha < 1 || alpha >= LIM_OPAQUE)
+        return error_set(work->err, "polygon at word %zu: its alpha is %u", at, (unsigned)alpha);
+    return scene->limits.layers > 0 ||
+           error_set(work->err, "polygon at word %zu: transparent, and the limit of layers is 0", at);
+}
+
 /* Records of leaves have planes of their own, and no others. */
 static bool check_flags(const struct checker *work, size_t at, bool in_leaf)
 {
     const uint16_t flags = work->scene->polygons[at] & (uint16_t) ~(LIM_POLYGON_COUNT | LIM_POLYGON_LAST);
-    if (flags & ~(LIM_POLYGON_PLANE | LIM_POLYGON_BACK))
+    if (flags & ~(LIM_POLYGON_PLANE | LIM_POLYGON_BACK | LIM_POLYGON_ALPHA))
         return error_set(work->err, "polygon at word %zu: unknown flags", at);
-    if (in_leaf ? !(flags & LIM_POLYGON_PLANE) : flags)
+    if (in_leaf ? !(flags & LIM_POLYGON_PLANE) : flags & (LIM_POLYGON_PLANE | LIM_POLYGON_BACK))
         return error_set(work->err, "polygon at word %zu: %s", at,
                          in_leaf ? "in a leaf, without a plane" : "a plane of its own beside its node's");
     return true;
@@ -135,6 +146,7 @@ static bool check_record(struct checker *work, size_t at, bool in_leaf)
             return error_set(work->err, "polygon at word %zu: vertex %u of %u", at, (unsigned)scene->polygons[at + i],
                              (unsigned)scene->vertex_count);
     }
+    if (head & LIM_POLYGON_ALPHA && !check_alpha(work, at)) return false;
     work->records++;
     work->words += words;
     return !in_leaf || check_plane_ref(work, lim_record_plane(&scene->polygons[at]), "polygon at word", at);

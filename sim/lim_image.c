@@ -49,8 +49,7 @@ static const char HEADER_FIELDS[] = "11111111"
                                     "8888"
                                     "22222222"
                                     "2"
-                                    "22222"
-                                    "22";
+                                    "2222222";
 
 static size_t align_b(size_t size_b)
 {

@@ -35,8 +35,7 @@ struct lim_file_header {
     double origin_m[3];
     uint16_t counts[SECTION_COUNT]; /* elements in each section */
     uint16_t background;            /* RGB565 as a number */
-    uint16_t limits[6];             /* the fields of struct lim_limits in their order */
-    uint16_t zero[1];
+    uint16_t limits[7];             /* the fields of struct lim_limits in their order */
 };
 
 enum { LIM_FILE_CRC_FROM_B = 24 }; /* the first byte that crc32 covers */

@@ -140,7 +140,8 @@ static bool try_merge(struct merging *merging, const struct shared_edge *edge)
     struct mesh *mesh = merging->mesh;
     uint32_t left = part_of(merging->parts, edge->left), right = part_of(merging->parts, edge->right);
     const struct mesh_polygon *p = &mesh->polygons[left], *q = &mesh->polygons[right];
-    if (left == right || p->colour != q->colour || p->two_sided != q->two_sided) return false;
+    if (left == right || p->colour != q->colour || p->transparency != q->transparency || p->two_sided != q->two_sided)
+        return false;
     size_t count = union_of(merging, edge, &merging->parts[left], &merging->parts[right]);
     if (count == 0) return false;
     struct part *kept = &merging->parts[left < right ? left : right];

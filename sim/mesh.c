@@ -16,6 +16,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+enum { INVISIBLE = 255 }; /* as a transparency */
+
 static const double FLAT_UNITS = 0.5; /* what rounding to the grid does anyway */
 
 double mesh_weld_m(const struct grid *grid)
@@ -71,7 +73,7 @@ static void note_dropped(struct cleaning *cleaning, size_t index)
 static bool refuse_vanished(const struct cleaning *cleaning, struct error *err)
 {
     const struct mesh_counts *counts = &cleaning->mesh->counts;
-    const size_t with_area = counts->faces - counts->zero_area;
+    const size_t with_area = counts->faces - counts->invisible - counts->zero_area;
     if (counts->too_small * 2 <= with_area) return true;
     const struct model_face *face = &cleaning->model->faces[cleaning->first_too_small];
     return error_set(err, "face %zu is %.3g m wide and a unit of the grid %.3g m: %zu of %zu faces would vanish",
@@ -127,12 +129,18 @@ static void clean_faces(struct cleaning *cleaning, const struct model *model, co
     size_t capacity = 0;
     for (size_t i = 0; i < model->face_count; i++) {
         const struct model_face *face = &model->faces[i];
+        if (face->transparency == INVISIBLE) {
+            cleaning->mesh->counts.invisible++;
+            continue;
+        }
         for (uint32_t k = 0; k < face->count; k++) {
             corners = grow(corners, k, &capacity, sizeof *corners);
             corners[k] = welded[model->corners[face->first + k]];
         }
-        const struct mesh_polygon like = {
-            .face = (uint32_t)i + 1, .colour = face->colour, .two_sided = face->two_sided};
+        const struct mesh_polygon like = {.face = (uint32_t)i + 1,
+                                          .colour = face->colour,
+                                          .transparency = face->transparency,
+                                          .two_sided = face->two_sided};
         clean_face(cleaning, corners, face->count, &like);
     }
     free(corners);
@@ -140,7 +148,7 @@ static void clean_faces(struct cleaning *cleaning, const struct model *model, co
 
 bool mesh_clean(const struct model *model, struct mesh *mesh, struct error *err)
 {
-    *mesh = (struct mesh){.counts.faces = model->face_count};
+    *mesh = (struct mesh){.counts = {.faces = model->face_count, .clamped = model->alpha_clamped}};
     if (!grid_choose(model, &mesh->grid, err)) return false;
     struct cleaning cleaning = {
         .model = model, .mesh = mesh, .near_m = mesh_near_m(&mesh->grid), .flat_m = mesh_flat_m(&mesh->grid)};
@@ -150,6 +158,8 @@ bool mesh_clean(const struct model *model, struct mesh *mesh, struct error *err)
     free(welded);
     bool ok = polygon_list_move(&cleaning.list, mesh, err);
     ok = ok && refuse_vanished(&cleaning, err);
+    if (ok && mesh->counts.invisible == mesh->counts.faces)
+        ok = error_set(err, "every face is invisible: the opacity of all materials is 0");
     if (ok && mesh->polygon_count == 0) ok = error_set(err, "no face has an area: the corners of each are on one line");
     if (!ok) mesh_free(mesh);
     return ok;

@@ -18,12 +18,15 @@ struct mesh_polygon {
     uint32_t first, count; /* corners[first .. first + count) */
     uint32_t face;         /* 1-based number in the model file; the first one, if merged */
     uint32_t colour;       /* 0xRRGGBB */
+    uint8_t transparency;  /* 0 is opaque, up to 254 */
     bool two_sided;
 };
 
 /* What became of the input; the report prints it. */
 struct mesh_counts {
     size_t faces;      /* in the model file */
+    size_t clamped;    /* faces whose opacity was below 0 or above 1 */
+    size_t invisible;  /* faces dropped: of opacity 0 */
     size_t zero_area;  /* faces dropped: all corners on one line */
     size_t too_small;  /* faces dropped: they have an area, but corners that the grid cannot tell apart */
     size_t non_planar; /* faces triangulated because a corner leaves the plane */
@@ -57,7 +60,7 @@ double mesh_near_m(const struct grid *grid);
 /* A polygon is flat while its corners stay this near to its plane: half a unit. */
 double mesh_flat_m(const struct grid *grid);
 
-/* Welds, drops faces of no area, triangulates what is not flat or not convex. Chooses the grid: the
+/* Welds, drops faces of no area or opacity, triangulates what is not flat or not convex. Chooses the grid: the
  * largest scale at which every coordinate fits -32767..32767, the origin in the middle of the bounds.
  * Corners in the middle of a straight side are kept. Refuses a model of which nothing is left, or one
  * whose outlier squeezes the rest into a few units, or most faces into nothing; the text does not name the
@@ -65,7 +68,7 @@ double mesh_flat_m(const struct grid *grid);
  * *mesh. */
 bool mesh_clean(const struct model *model, struct mesh *mesh, struct error *err);
 
-/* Joins coplanar neighbours of one colour wherever the union is convex, and drops corners in the
+/* Joins coplanar neighbours of one colour and opacity wherever the union is convex, and drops corners in the
  * middle of straight sides; mesh_insert_t_vertices() brings back those that others need. Polygons
  * stay in the order of their first faces. */
 bool mesh_merge(struct mesh *mesh, struct error *err);

@@ -24,7 +24,7 @@ static const rlim_t LEAST_MEMORY_B = (rlim_t)1 << 30;
 
 struct result {
     bool ok;
-    size_t point_count, corner_count, face_count;
+    size_t point_count, corner_count, face_count, alpha_clamped;
     struct error err;
 };
 
@@ -86,6 +86,7 @@ _Noreturn static void run_child(const char *path, rlim_t file_b, FILE *out)
     result.point_count = model.point_count;
     result.corner_count = model.corner_count;
     result.face_count = model.face_count;
+    result.alpha_clamped = model.alpha_clamped;
     _exit(write_result(out, &result, &model) ? EXIT_SUCCESS : EXIT_FAILURE);
 }
 
@@ -109,6 +110,7 @@ static bool read_result(const char *path, FILE *in, struct model *model, struct 
     model->point_count = result.point_count;
     model->corner_count = result.corner_count;
     model->face_count = result.face_count;
+    model->alpha_clamped = result.alpha_clamped;
     model->points = read_all(in, model->point_count, sizeof *model->points);
     model->corners = read_all(in, model->corner_count, sizeof *model->corners);
     model->faces = read_all(in, model->face_count, sizeof *model->faces);

@@ -15,6 +15,7 @@ struct model_face {
     uint32_t first, count; /* corners[first .. first + count), counter-clockwise seen from outside */
     uint32_t colour;       /* 0xRRGGBB as a display shows it (sRGB): material times vertex colours */
     bool two_sided;        /* the material asks for both sides */
+    uint8_t transparency;  /* 0 is opaque, 255 invisible */
     bool unlit;            /* the material's colour is final: no light is baked in */
 };
 
@@ -25,20 +26,24 @@ struct model {
     size_t corner_count;
     struct model_face *faces; /* faces[i] is face number i + 1 of the file */
     size_t face_count;
+    size_t alpha_clamped; /* faces whose material's opacity was below 0 or above 1, and is the nearer of them now */
 };
 
 enum { MODEL_DEFAULT_COLOUR = 0xC8C8C8 }; /* of faces that have neither material nor vertex colours */
 
 /* Reads a model file. Refuses, naming file and reason: missing, unreadable or unknown format, no
- * faces, NaN or infinite coordinates, indices out of range, more than 2^26 corners. On success the
- * caller owns *model, otherwise it is empty.
+ * faces, NaN or infinite coordinates, an opacity that is NaN, indices out of range, more than 2^26 corners. On success
+ * the caller owns *model, otherwise it is empty.
  *
  * Faces are numbered from 1; points and lines are none. In OBJ, STL and PLY files the order is that
  * of the file. Formats with a node tree (glTF, ...) are numbered node by node, parents first, then
  * by mesh of the node, then by face of the mesh. A mirroring transform turns its faces round.
  *
  * OBJ colours are taken as sRGB. Base colours of physically based materials (glTF) are linear
- * light, as that format says, and become sRGB here. Textures are not read. */
+ * light, as that format says, and become sRGB here. Textures are not read.
+ *
+ * Opacity is MTL's `d` (or 1 - `Tr`); glTF's base colour's and vertex colours' alpha where alphaMode is BLEND, all or
+ * nothing where it is MASK, and nothing where it is OPAQUE. */
 bool model_import(const char *path, struct model *model, struct error *err);
 void model_free(struct model *model);
 

@@ -6,6 +6,7 @@
 
 #include "model.h"
 
+#include <assimp/GltfMaterial.h>
 #include <assimp/material.h>
 #include <math.h>
 #include <string.h>
@@ -21,7 +22,29 @@ static bool is_made_up(const struct aiMaterial *material)
 static struct model_paint default_paint(const struct aiMesh *mesh)
 {
     double grey = mesh->mColors[0] ? 1.0 : (MODEL_DEFAULT_COLOUR & 0xFF) / 255.0;
-    return (struct model_paint){.rgb = {grey, grey, grey}};
+    return (struct model_paint){.rgb = {grey, grey, grey}, .opacity = 1.0};
+}
+
+static float number_of(const struct aiMaterial *material, const char *key, unsigned type, unsigned index,
+                       float otherwise)
+{
+    float number = otherwise;
+    unsigned count = 1;
+    return aiGetMaterialFloatArray(material, key, type, index, &number, &count) == aiReturn_SUCCESS ? number
+                                                                                                    : otherwise;
+}
+
+/* glTF says in `alphaMode` what its alpha means; other formats have an opacity and no more. */
+static void set_opacity(struct model_paint *paint, const struct aiMaterial *material)
+{
+    struct aiString mode;
+    const double opacity = number_of(material, AI_MATKEY_OPACITY, 1.0F);
+    const bool has_mode = aiGetMaterialString(material, AI_MATKEY_GLTF_ALPHAMODE, &mode) == aiReturn_SUCCESS;
+    paint->opacity = opacity;
+    paint->blends = has_mode && strcmp(mode.data, "BLEND") == 0;
+    if (!has_mode || paint->blends) return;
+    const bool masked = strcmp(mode.data, "MASK") == 0;
+    paint->opacity = masked && opacity < number_of(material, AI_MATKEY_GLTF_ALPHACUTOFF, 0.5F) ? 0.0 : 1.0;
 }
 
 struct model_paint model_paint_of(const struct aiScene *scene, const struct aiMesh *mesh)
@@ -40,6 +63,7 @@ struct model_paint model_paint_of(const struct aiScene *scene, const struct aiMe
     int two_sided = 0;
     aiGetMaterialIntegerArray(material, AI_MATKEY_TWOSIDED, &two_sided, NULL);
     paint.two_sided = two_sided != 0;
+    set_opacity(&paint, material);
     return paint;
 }
 
@@ -52,6 +76,15 @@ static double srgb_from_linear(double c)
 static uint32_t byte_from_unit(double c)
 {
     return c > 0 ? (uint32_t)(255 * fmin(c, 1) + 0.5) : 0;
+}
+
+double model_face_opacity(const struct model_paint *paint, const struct aiMesh *mesh, const struct aiFace *face)
+{
+    if (!paint->blends || !mesh->mColors[0]) return paint->opacity;
+    double sum = 0;
+    for (unsigned i = 0; i < face->mNumIndices; i++)
+        sum += mesh->mColors[0][face->mIndices[i]].a;
+    return paint->opacity * sum / face->mNumIndices;
 }
 
 uint32_t model_face_colour(const struct model_paint *paint, const struct aiMesh *mesh, const struct aiFace *face)

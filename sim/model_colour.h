@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * What colour the importer's materials give to a face. */
+ * What colour and opacity the importer's materials give to a face. */
 #ifndef SIM_MODEL_COLOUR_H
 #define SIM_MODEL_COLOUR_H
 
@@ -11,12 +11,17 @@
 struct model_paint {
     double rgb[3];  /* 0..1 */
     bool linear;    /* rgb and vertex colours are linear light, not sRGB */
+    double opacity; /* as the file has it, which may be beyond 0..1, or no number */
+    bool blends;    /* the vertex colours' alpha counts too: alphaMode BLEND of glTF */
     bool two_sided; /* the material asks for both sides */
     bool unlit;     /* it is not to be lit: `illum 0` of MTL, KHR_materials_unlit of glTF */
 };
 
 /* The mesh's material; light grey where it has none, white where vertex colours say it all. */
 struct model_paint model_paint_of(const struct aiScene *scene, const struct aiMesh *mesh);
+
+/* The opacity of a face of this paint: its own times the mean of the vertex colours' alphas, if those count. */
+double model_face_opacity(const struct model_paint *paint, const struct aiMesh *mesh, const struct aiFace *face);
 
 /* 0xRRGGBB (sRGB): the paint times the mean of the face's vertex colours. */
 uint32_t model_face_colour(const struct model_paint *paint, const struct aiMesh *mesh, const struct aiFace *face);

@@ -14,6 +14,7 @@ struct needs {
     bool depth, newell;            /* more of them */
     bool leaves;                   /* ordered clusters */
     bool cull, slanted, large;     /* what the methods have to do with the scene's boxes and planes */
+    bool transparent;              /* polygons with alpha */
     unsigned vertices;             /* most of any polygon */
     unsigned side_px;              /* longest of any panel that pools were measured for; 0: none */
     const struct core *core;       /* precision; NULL: not said */

@@ -6,6 +6,7 @@
 #include "pools.h"
 
 #include "lim_image.h"
+#include "records.h"
 #include "sample.h"
 #include "simulator.h"
 
@@ -16,7 +17,7 @@ enum { CAMERAS = 256, STRAYS = 1, LEAST_PIECES = 8, PLENTY_OF_PIECES = 16000, PL
 /* What each camera used of each pool. */
 struct usage {
     size_t cameras;
-    uint16_t cells[CAMERAS], gaps[CAMERAS], active[CAMERAS];
+    uint16_t cells[CAMERAS], gaps[CAMERAS], active[CAMERAS], layers[CAMERAS];
     uint32_t splits_max; /* strays included: without room for a piece the picture may be wrong */
 };
 
@@ -50,6 +51,7 @@ static void note(struct usage *usage, const struct lim_stats *stats)
     usage->gaps[i] = stats->gaps_max;
     usage->active[i] = stats->active_max;
     if (stats->newell.splits > usage->splits_max) usage->splits_max = stats->newell.splits;
+    usage->layers[i] = stats->layers_max;
 }
 
 /* Out-of-range cameras (a scene of thousands of kilometres) are passed over. */
@@ -112,13 +114,16 @@ bool pools_measure(struct compiled *scene, const struct core *core, unsigned w_p
     const enum lim_method method = method_sorts(scene->report.draws) ? scene->report.draws : LIM_NEAREST_FIRST;
     struct simulator_setup setup = {w_px, h_px, method, SIMULATOR_MEMORY, core};
 
+    const bool transparent = records_with(&scene->scene, LIM_POLYGON_ALPHA) > 0;
     roomy.scene.limits.retained_cells = roomy.scene.limits.gaps = roomy.scene.limits.active = PLENTY;
     roomy.scene.limits.pieces = PLENTY_OF_PIECES;
+    roomy.scene.limits.layers = transparent ? PLENTY : 0;
     if (!sample_method(&roomy, &setup, &usage, err)) return false;
     limits.retained_cells = with_margin(most(usage.cells, usage.cameras), least_cells(&limits));
     limits.gaps = with_margin(most(usage.gaps, usage.cameras), 1);
     limits.active = with_margin(most(usage.active, usage.cameras), 1);
     limits.pieces = pieces_for(&usage);
+    limits.layers = transparent ? with_margin(most(usage.layers, usage.cameras), 1) : 0;
     if (scene->report.convex && !sample_convex(&roomy, &setup, &limits.active, err)) return false;
     lim_image_set_limits(scene, &limits);
     scene->report.w_px = w_px;
@@ -155,6 +160,11 @@ static size_t nearest_b(const struct compiled *scene, size_t cells, size_t gaps,
            aligned_b(fixed_b + cells * cell_b + gaps * MCU_GAP_B + active * MCU_ACTIVE_B);
 }
 
+static size_t layers_b(const struct lim_limits *limits)
+{
+    return limits->layers * (size_t)MCU_LAYER_B;
+}
+
 static size_t convex_b(const struct compiled *scene, size_t active)
 {
     const bool wide = is_wide(&scene->report);
@@ -175,7 +185,7 @@ size_t pools_mcu_mem_b(const struct compiled *scene)
     const struct lim_limits *limits = &scene->scene.limits;
     if (scene->report.draws == LIM_CONVEX) return convex_b(scene, limits->active);
     if (scene->report.draws == LIM_PAINTER) return painter_b(scene);
-    return nearest_b(scene, limits->retained_cells, limits->gaps, limits->active, limits->pieces);
+    return nearest_b(scene, limits->retained_cells, limits->gaps, limits->active, limits->pieces) + layers_b(limits);
 }
 
 size_t pools_mcu_mem_min_b(const struct compiled *scene)

@@ -22,6 +22,7 @@ enum {
     MCU_CELL_WIDE_B = 8,
     MCU_GAP_B = 6,
     MCU_ACTIVE_B = 48,
+    MCU_LAYER_B = 8,
     MCU_TOP_B = 2,
     MCU_FACE_B = 6,
     MCU_SORTED_B = 8,

@@ -4,6 +4,7 @@
 #include "compiled.h"
 #include "pools.h"
 #include "predict.h"
+#include "records.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -19,12 +20,21 @@ static void print_mended(const struct mesh_counts *mesh)
     const struct {
         const char *what;
         size_t count;
-    } rows[] = {{"no area, dropped", mesh->zero_area},          {"too small for the grid", mesh->too_small},
-                {"not planar, triangulated", mesh->non_planar}, {"not convex, triangulated", mesh->concave},
-                {"merged into a neighbour", mesh->merged},      {"T-vertices inserted", mesh->t_vertices}};
+    } rows[] = {{"opacity beyond 0..1, clamped", mesh->clamped}, {"invisible, dropped", mesh->invisible},
+                {"no area, dropped", mesh->zero_area},           {"too small for the grid", mesh->too_small},
+                {"not planar, triangulated", mesh->non_planar},  {"not convex, triangulated", mesh->concave},
+                {"merged into a neighbour", mesh->merged},       {"T-vertices inserted", mesh->t_vertices}};
     print_count("faces in the model", mesh->faces);
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++)
         if (rows[i].count) print_count(rows[i].what, rows[i].count);
+}
+
+static void print_transparent(const struct compiled *scene)
+{
+    const size_t count = records_with(&scene->scene, LIM_POLYGON_ALPHA);
+    if (!count) return;
+    print_count("  of these transparent", count);
+    print_count("  layers on a line, room for", scene->scene.limits.layers);
 }
 
 static void print_tree(const struct compiled *scene)
@@ -36,6 +46,7 @@ static void print_tree(const struct compiled *scene)
     print_count("splits", report->splits);
     if (report->collapsed) print_count("pieces rounded to nothing", report->collapsed);
     print_count("polygons in the scene", report->polygons_out);
+    print_transparent(scene);
     print_count("most vertices of a polygon", scene->scene.limits.vertices);
     printf("  %-28s %8s\n", "tree", tree_names[report->tree]);
     if (report->tree != TREE_NONE) printf("  %-28s %8s\n", "splitter", report->splitter);

@@ -42,8 +42,10 @@ tap_check "the full renderer paints the rooms" features_prepare rooms
 tap_check "the full renderer paints the icosahedron" features_prepare icosahedron teapot
 pairwise_on "$CC" rooms
 pairwise_on "$CC" icosahedron
+tap_check "the full renderer paints the glass" features_prepare glass
+pairwise_on "$CC" glass
 if command -v clang >/dev/null; then
-    for name in rooms icosahedron; do
+    for name in rooms icosahedron glass; do
         tap_check "clang: $name with what it needs alone" features_draw clang $name 0
         tap_check "clang: $name with every feature" features_draw clang $name 127
     done

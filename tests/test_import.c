@@ -92,6 +92,32 @@ static void linear_base_colours_become_srgb_and_both_sides_are_asked_for(void **
     model_free(&model);
 }
 
+static void assert_transparencies(const char *path, const uint8_t *expected, size_t count, size_t clamped)
+{
+    struct model model = imported(path);
+    assert_int_equal(model.face_count, count);
+    for (size_t i = 0; i < count; i++)
+        assert_int_equal(model.faces[i].transparency, expected[i]);
+    assert_int_equal(model.alpha_clamped, clamped);
+    model_free(&model);
+}
+
+/* d 0.5, Tr 0.75, d 1.5, d -0.5, nothing. */
+static void opacities_of_mtl_are_taken_and_clamped(void **state)
+{
+    const uint8_t expected[] = {128, 191, 0, 255, 0};
+    (void)state;
+    assert_transparencies("tests/models/opacity.obj", expected, sizeof expected, 2);
+}
+
+/* The alpha 0.4: BLEND, OPAQUE, MASK below the cutoff 0.5, MASK above 0.3, BLEND times the vertices' mean 0.5, OPAQUE. */
+static void alpha_modes_of_gltf_decide_what_alpha_means(void **state)
+{
+    const uint8_t expected[] = {153, 0, 255, 0, 204, 0};
+    (void)state;
+    assert_transparencies("tests/models/alpha_modes.gltf", expected, sizeof expected, 0);
+}
+
 static void benchmark_scenes_import_whole(void **state)
 {
     (void)state;
@@ -113,6 +139,13 @@ static void assert_refused(const char *path, const char *line)
     assert_null(model.points);
     assert_null(model.corners);
     assert_null(model.faces);
+}
+
+static void opacities_that_are_no_numbers_are_refused(void **state)
+{
+    (void)state;
+    assert_refused("tests/models/opacity_nan.obj",
+                   "tests/models/opacity_nan.obj: face 2: the opacity of its material is NaN or infinite");
 }
 
 static void files_that_are_no_models_are_refused(void **state)
@@ -220,6 +253,9 @@ int main(void)
         cmocka_unit_test(corner_colours_are_averaged),
         cmocka_unit_test(a_mirroring_node_turns_its_faces_round),
         cmocka_unit_test(linear_base_colours_become_srgb_and_both_sides_are_asked_for),
+        cmocka_unit_test(opacities_of_mtl_are_taken_and_clamped),
+        cmocka_unit_test(alpha_modes_of_gltf_decide_what_alpha_means),
+        cmocka_unit_test(opacities_that_are_no_numbers_are_refused),
         cmocka_unit_test(benchmark_scenes_import_whole),
         cmocka_unit_test(files_that_are_no_models_are_refused),
         cmocka_unit_test(models_without_faces_are_refused),

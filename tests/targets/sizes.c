@@ -20,6 +20,7 @@ _Static_assert(MCU_PENDING_B == sizeof(struct lim_walk_pending), "pending node")
 _Static_assert((LIM_WIDE ? MCU_CELL_WIDE_B : MCU_CELL_B) == sizeof(union lim_retained_cell), "retained cell");
 _Static_assert(MCU_GAP_B == sizeof(struct lim_gap), "gap");
 _Static_assert(MCU_ACTIVE_B == sizeof(struct lim_active), "active polygon");
+_Static_assert(MCU_LAYER_B == sizeof(struct lim_layer), "transparent piece of a line");
 _Static_assert((int)MCU_HEAD_CELLS == (int)LIM_RETAINED_HEAD_CELLS, "head of a retained polygon");
 _Static_assert((int)MCU_CLIP_PLANES == (int)CLIP_PLANES, "vertices that clipping adds");
 
