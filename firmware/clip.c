@@ -40,6 +40,26 @@ static LIM_RARE void cut(struct lim_view_point *out, const struct lim_view_point
         out->qv[i] = lerp_q31(inner->qv[i], outer->qv[i], t_q31);
 }
 
+/* The edge that leads on from a cut: along the plane, or what is left of one that enters. */
+static inline void set_hidden(struct lim_view_point *point, bool hidden)
+{
+#if LIM_HAS_WIREFRAME
+    point->hidden = hidden;
+#else
+    (void)point, (void)hidden;
+#endif
+}
+
+static inline bool is_hidden(const struct lim_view_point *point)
+{
+#if LIM_HAS_WIREFRAME
+    return point->hidden;
+#else
+    (void)point;
+    return false;
+#endif
+}
+
 /* `outside` of the n vertices are. Returns how many `to` receives. */
 static uint_fast8_t clip_plane(const struct lim_view_point *from, uint_fast8_t n, struct lim_view_point *to,
                                const struct clip_plane *plane, uint32_t outside)
@@ -51,7 +71,9 @@ static uint_fast8_t clip_plane(const struct lim_view_point *from, uint_fast8_t n
     for (uint_fast8_t k = 0; k < n; k++, here = from++) {
         outer = outer << 1 | is_outside(from, plane);
         const bool leaves = (outer & 3) == 1, enters = (outer & 3) == 2, alone = !(outer & 4) && outside > 1;
+        if (LIM_HAS_WIREFRAME && leaves) set_hidden(&to[put], true);
         if (leaves) cut(&to[put++], here, from, plane);
+        if (LIM_HAS_WIREFRAME && enters && !alone) set_hidden(&to[put], is_hidden(here));
         if (enters && !alone) cut(&to[put++], from, here, plane);
         if (!(outer & 1)) to[put++] = *from;
     }

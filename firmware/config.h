@@ -61,6 +61,11 @@
 #define LIM_HAS_TRANSPARENT 1 /* polygons that what lies behind them shines through */
 #endif
 
+/* 1: lim_set_wireframe() is there. */
+#ifndef LIM_HAS_WIREFRAME
+#define LIM_HAS_WIREFRAME 1
+#endif
+
 /* 1: lim_frame() counts its work in struct lim_stats. 0: the counters stay zero and cost nothing. */
 #ifndef LIM_HAS_STATS
 #define LIM_HAS_STATS 1
@@ -82,6 +87,9 @@
 #define LIM_HAS_SORTED (LIM_HAS_DEPTH || LIM_HAS_NEWELL)
 #define LIM_HAS_SPANS (LIM_HAS_NEAREST || LIM_HAS_SORTED)
 #define LIM_HAS_HIDDEN (LIM_HAS_TREE || LIM_HAS_SORTED)
+
+/* What nearest first leaves to the painter's order where its pools are too small, line by line. */
+#define LIM_HAS_FALLBACK (LIM_HAS_NEAREST && (LIM_HAS_TRANSPARENT || LIM_HAS_WIREFRAME))
 
 /* Planes off the axes are tried in 32 bits first. One convex solid has too few of them for that to pay. */
 #define LIM_HAS_FILTER (LIM_HAS_HIDDEN && LIM_HAS_SLANTED)

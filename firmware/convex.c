@@ -8,6 +8,8 @@
  * A face for which the pool has no room is projected anew for each of its lines. */
 #include "order.h"
 
+#include "wire.h"
+
 #if LIM_HAS_CONVEX
 
 size_t lim_convex_mem_b(const struct lim_scene *scene, const struct lim_target *target, uint16_t active)
@@ -83,7 +85,12 @@ static void fill_next(struct lim *lim, uint16_t *line, struct lim_crossing *cros
     const int16_t w_px = (int16_t)lim->target.w_px, left = crossing->pair.left.x, right = crossing->pair.right.x;
     const int16_t x0 = left > 0 ? left : 0, x1 = right < w_px ? right : w_px;
     if (x0 >= x1) return;
-    lim_fill(line, (uint16_t)x0, (uint16_t)(x1 - x0), crossing->polygon.colour);
+    if (LIM_HAS_WIREFRAME && lim_wireframe_of(lim)) {
+        const struct lim_wire wire = lim_wire_of(&crossing->polygon, lim_wireframe_of(lim), lim_background_of(lim), y);
+        lim_wire_fill(line, &wire, (uint16_t)x0, (uint16_t)x1);
+    } else {
+        lim_fill(line, (uint16_t)x0, (uint16_t)(x1 - x0), crossing->polygon.colour);
+    }
     if (LIM_HAS_STATS) lim_stats_of(lim)->pixels_painted += (uint32_t)(x1 - x0);
 }
 
@@ -94,7 +101,7 @@ static LIM_RARE void fill_fan(struct lim *lim, uint16_t *line, const struct lim_
     struct lim_crossing triangle;
 
     for (uint_fast8_t k = 1; k + 1u < folded->n; k++) {
-        lim_project_fan(folded, (uint8_t)k, &triangle.polygon);
+        lim_project_fan(folded, (uint8_t)(LIM_HAS_WIREFRAME ? folded->n - 1u - k : k), &triangle.polygon);
         if (y < triangle.polygon.shape.top || y >= triangle.polygon.shape.bottom) continue;
         begin(&triangle);
         fill_next(lim, line, &triangle, y);
@@ -187,7 +194,7 @@ static int draw_line(struct lim *lim, struct lim_crossing *spare, uint16_t y)
     uint16_t *line = lim->target.lend(lim->target.ctx, y);
 
     if (!line) return LIM_ERR_TARGET;
-    lim_fill(line, 0, w_px, lim_memory_colour(lim->scene->background));
+    lim_fill(line, 0, w_px, lim_background_of(lim));
     const uint16_t count = paint_faces(lim, line, spare, y);
     if (LIM_HAS_STATS) note_line(lim, count, painted_before);
     return lim->target.done(lim->target.ctx, y, 0, w_px);

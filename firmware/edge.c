@@ -179,3 +179,22 @@ void lim_edge_measure(struct lim_edge_shape *shape, const struct lim_point *at, 
     shape->folded = way > 2 * (bottom - top);
     if (shape->folded) shape->apex = choose_apex(at, n, top_at, bottom);
 }
+
+#if LIM_HAS_WIREFRAME
+
+int16_t lim_edge_line_of(lim_sub at)
+{
+    return line_of(at);
+}
+
+int16_t lim_edge_column(struct lim_point upper, struct lim_point lower, int16_t y)
+{
+    struct lim_edge edge;
+
+    if (y < line_of(upper.y)) return line_of(upper.x);
+    if (y >= line_of(lower.y)) return line_of(lower.x);
+    edge_set(&edge, upper, lower, y, (int16_t)(y + 1));
+    return edge.x;
+}
+
+#endif

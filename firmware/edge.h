@@ -55,6 +55,13 @@ int16_t lim_edge_turn(struct lim_edge_pair *pair, const struct lim_point *at, ui
  */
 void lim_edge_advance(struct lim_edge_pair *pair, const struct lim_point *at, uint8_t n, int16_t y);
 
+/* The first line at or below a point, or the first column at or right of it. */
+int16_t lim_edge_line_of(lim_sub at);
+
+/* The first column at or right of an edge on line y; above and below its lines, that of its end. For wireframe: it
+ * divides. */
+int16_t lim_edge_column(struct lim_point upper, struct lim_point lower, int16_t y);
+
 /* To the next line. */
 /*@ requires \valid(edge) && 0 < edge->denominator <= 16777216;
     requires 0 <= edge->step_error < edge->denominator && -edge->denominator < edge->error <= 0;

@@ -49,6 +49,14 @@ static bool scene_is_usable(const struct lim_scene *scene, const struct lim_targ
            !(LIM_HAS_TRANSPARENT && IS_CONVEX(target) && scene->limits.layers);
 }
 
+static inline void init_wireframe(struct lim *lim)
+{
+#if LIM_HAS_WIREFRAME
+    lim->wireframe = (struct lim_wireframe){0};
+#endif
+    (void)lim;
+}
+
 int lim_init(struct lim *lim, const struct lim_scene *scene, const struct lim_target *target, void *mem, size_t mem_b)
 {
     LIM_ASSERT(lim && scene && target && mem && ((uintptr_t)mem & 3) == 0);
@@ -57,6 +65,7 @@ int lim_init(struct lim *lim, const struct lim_scene *scene, const struct lim_ta
     if (mem_b < asked_b(scene, target, true)) return LIM_ERR_MEMORY;
     lim->scene = scene;
     lim->target = *target;
+    init_wireframe(lim);
     if (IS_CONVEX(target))
         lim_convex_init(lim, mem, mem_b);
     else if (IS_PAINTER(target))

@@ -30,6 +30,10 @@ size_t lim_mem_b(const struct lim_scene *scene, const struct lim_target *target)
 LIM_MUST_CHECK int lim_init(struct lim *lim, const struct lim_scene *scene, const struct lim_target *target, void *mem,
                             size_t mem_b);
 
+/* How frames are drawn from now on; lim_init() turns it off. There if LIM_HAS_WIREFRAME. Scenes compiled with
+ * --wireframe know which of their edges the compiler made, which are not drawn. */
+void lim_set_wireframe(struct lim *lim, const struct lim_wireframe *wireframe);
+
 /* Renders one frame through the target. 0, an enum lim_error, or what the target returned. */
 LIM_MUST_CHECK int lim_frame(struct lim *lim, const struct lim_camera *camera);
 

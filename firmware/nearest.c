@@ -49,7 +49,8 @@ static bool take_plain(struct lim *lim, const struct lim_screen_polygon *polygon
 
     if (top >= bottom) return true;
     if (LIM_HAS_STATS) lim_stats_of(lim)->lines += (uint32_t)(bottom - top);
-    const uint8_t alpha = lim_alpha_of(polygon);
+    const bool wireframe = lim_wireframe_of(lim);
+    const uint8_t alpha = wireframe ? (uint8_t)LIM_OPAQUE : lim_alpha_of(polygon);
     const enum lim_span_result result = alpha == LIM_OPAQUE ? close_lines(&lim->spans, polygon, top, bottom)
                                         : lim_layers_see(&lim->spans, polygon, top, bottom) ? LIM_SPAN_SOME
                                                                                             : LIM_SPAN_NOTHING;
@@ -65,6 +66,7 @@ static bool take_plain(struct lim *lim, const struct lim_screen_polygon *polygon
         .colour = polygon->colour,
     };
     if (LIM_HAS_TRANSPARENT) lim_retained_set_alpha(&seen, alpha);
+    if (LIM_HAS_WIREFRAME) lim_retained_set_hidden(&seen, wireframe ? lim_hidden_of(polygon) : NULL);
     return lim_retain(&lim->retained, lim->spans.lines, &seen);
 }
 
@@ -223,12 +225,13 @@ static int draw_band(struct lim *lim, const struct lim_rect *band, uint16_t *y)
     return lim_paint_band(&lim->paint, &lim->spans, &lim->retained, band, y, lim_stats_of(lim));
 }
 
-/* How far the stack must reach, and how many polygons wait at one pixel, is not bounded where some are transparent.
- * The painter's order needs no pool at all: a line for which any is too small is painted so. */
+/* How far the stack must reach, and how many polygons wait at one pixel, is not bounded where some are transparent; and
+ * wireframe retains more of a polygon than the least pool was made for. The painter's order needs no pool at all: a
+ * line for which any is too small is painted so. */
 static bool wants_painter(const struct lim *lim, const struct lim_rect *band, int exhausted)
 {
-    return LIM_HAS_TRANSPARENT && lim->scene->limits.layers &&
-           (exhausted == LIM_PAINT_LAYERS || band->y1 - band->y0 == 1);
+    if (!LIM_HAS_FALLBACK || !(lim->scene->limits.layers || lim_wireframe_of(lim))) return false;
+    return exhausted == LIM_PAINT_LAYERS || band->y1 - band->y0 == 1;
 }
 
 /* The band's first line; what is left of the band comes next. */

@@ -73,13 +73,50 @@ struct sink {
     uint16_t *line;
     uint16_t colour;
     uint16_t painted_px;
+#if LIM_HAS_WIREFRAME
+    struct lim_wire wire; /* of no corners: polygons are filled */
+#endif
 };
+
+/* NULL: polygons are filled. */
+static inline const struct lim_wire *wire_of(const struct sink *sink)
+{
+#if LIM_HAS_WIREFRAME
+    return sink->wire.n ? &sink->wire : NULL;
+#else
+    (void)sink;
+    return NULL;
+#endif
+}
+
+static inline void set_wire(struct sink *sink, const struct lim_paint *paint, const union lim_retained_cell *cells,
+                            uint16_t y)
+{
+#if LIM_HAS_WIREFRAME
+    const struct lim_wireframe *style = paint->wireframe;
+    const uint8_t n = cells[0].link.n;
+
+    sink->wire.n = 0;
+    if (!style->on) return;
+    sink->wire = (struct lim_wire){.at = points_of(cells),
+                                   .hidden = cells[LIM_RETAINED_HEAD_CELLS + n].hidden,
+                                   .colour = style->one_colour ? lim_memory_colour(style->colour) : sink->colour,
+                                   .background = paint->background,
+                                   .y = (int16_t)y,
+                                   .n = n};
+#else
+    (void)sink, (void)paint, (void)cells, (void)y;
+#endif
+}
 
 static void paint_piece(void *ctx, uint16_t x0, uint16_t x1)
 {
     struct sink *sink = ctx;
 
-    lim_fill(sink->line, x0, (uint16_t)(x1 - x0), sink->colour);
+    if (LIM_HAS_WIREFRAME && wire_of(sink))
+        lim_wire_fill(sink->line, wire_of(sink), x0, x1);
+    else
+        lim_fill(sink->line, x0, (uint16_t)(x1 - x0), sink->colour);
     if (LIM_HAS_STATS) sink->painted_px = (uint16_t)(sink->painted_px + x1 - x0);
 }
 
@@ -106,7 +143,7 @@ static inline struct lim_layers *layers_of(struct lim_paint *paint)
 
 static inline void keep_lent(struct lim_paint *paint, uint16_t *line)
 {
-#if LIM_HAS_TRANSPARENT
+#if LIM_HAS_FALLBACK
     paint->lent = line;
 #else
     (void)paint, (void)line;
@@ -136,6 +173,7 @@ static void paint_polygons(struct lim_paint *paint, struct lim_spans *spans, con
         const int16_t left = active->pair.left.x, right = active->pair.right.x;
 
         sink->colour = cells[1].look.colour;
+        if (LIM_HAS_WIREFRAME) set_wire(sink, paint, cells, y);
         if (left < right) {
             if (LIM_HAS_TRANSPARENT && lim_retained_alpha(cells) != LIM_OPAQUE)
                 push_layers(paint, spans, open, active, cells);
@@ -185,8 +223,10 @@ static int paint_line(struct lim_paint *paint, struct lim_spans *spans, const st
                       const struct lim_rect *band, uint16_t y, struct lim_stats *stats)
 {
     struct lim_line open = {{band->x0, band->x1, LIM_NONE}, LIM_NONE};
-    struct sink sink = {paint->target->lend(paint->target->ctx, y), 0, 0};
+    struct sink sink;
 
+    sink.line = paint->target->lend(paint->target->ctx, y);
+    sink.colour = sink.painted_px = 0;
     if (!sink.line) return LIM_ERR_TARGET;
     if (LIM_HAS_STATS && paint->used > stats->active_max) stats->active_max = paint->used;
     lim_spans_reset_pool(spans);

@@ -16,6 +16,7 @@
 #include "span.h"
 #include "stats.h"
 #include "target.h"
+#include "wire.h"
 
 /* A retained polygon that crosses the current line. */
 struct lim_active {
@@ -34,7 +35,12 @@ struct lim_paint {
     uint16_t background; /* as it lies in memory */
 #if LIM_HAS_TRANSPARENT
     struct lim_layers layers;
+#endif
+#if LIM_HAS_FALLBACK
     uint16_t *lent; /* the line that could not be finished, or NULL */
+#endif
+#if LIM_HAS_WIREFRAME
+    const struct lim_wireframe *wireframe;
 #endif
 };
 

@@ -7,13 +7,14 @@
 
 #include "fill.h"
 #include "project.h"
+#include "wire.h"
 
-#if LIM_HAS_PAINTER || LIM_HAS_TRANSPARENT
+#if LIM_HAS_PAINTER || LIM_HAS_FALLBACK
 
 /* The line that nearest first could not finish, or NULL. */
 static uint16_t *lent_of(const struct lim *lim)
 {
-#if LIM_HAS_NEAREST && LIM_HAS_TRANSPARENT
+#if LIM_HAS_FALLBACK
     return lim->paint.lent;
 #else
     (void)lim;
@@ -23,7 +24,7 @@ static uint16_t *lent_of(const struct lim *lim)
 
 static void set_lent(struct lim *lim, uint16_t *line)
 {
-#if LIM_HAS_NEAREST && LIM_HAS_TRANSPARENT
+#if LIM_HAS_FALLBACK
     lim->paint.lent = line;
 #else
     (void)lim, (void)line;
@@ -56,7 +57,10 @@ static int fill_piece(struct lim *lim, uint16_t y, uint16_t x0, uint16_t x1, con
     uint16_t *line = line_at(lim, y);
 
     if (!line) return LIM_ERR_TARGET;
-    if (LIM_HAS_TRANSPARENT && lim_alpha_of(polygon) != LIM_OPAQUE)
+    if (LIM_HAS_WIREFRAME && lim_wireframe_of(lim)) {
+        const struct lim_wire wire = lim_wire_of(polygon, lim_wireframe_of(lim), lim_background_of(lim), (int16_t)y);
+        lim_wire_fill(line, &wire, x0, x1);
+    } else if (LIM_HAS_TRANSPARENT && lim_alpha_of(polygon) != LIM_OPAQUE)
         lim_blend(line, x0, (uint16_t)(x1 - x0), polygon->colour, lim_alpha_of(polygon));
     else
         lim_fill(line, x0, (uint16_t)(x1 - x0), polygon->colour);
@@ -97,7 +101,7 @@ static int paint_any(struct lim *lim, const struct lim_screen_polygon *polygon, 
     struct lim_screen_polygon triangle;
 
     if (!polygon->shape.folded) return paint_plain(lim, polygon, screen);
-    for (uint8_t k = 1; k + 1 < polygon->n; k++) {
+    for (uint8_t k = (uint8_t)(polygon->n - 2); k > 0; k--) { /* the first is on top, as in the other order */
         lim_project_fan(polygon, k, &triangle);
         const int err = paint_plain(lim, &triangle, screen);
         if (err) return err;
@@ -135,7 +139,7 @@ static int paint_run(struct lim *lim, uint16_t run, const struct lim_rect *scree
 
 static int paint_background(struct lim *lim, const struct lim_rect *screen)
 {
-    const uint16_t background = lim_memory_colour(lim->scene->background);
+    const uint16_t background = lim_background_of(lim);
 
     for (uint16_t y = screen->y0; y < screen->y1; y++) {
         uint16_t *line = line_at(lim, y);

@@ -148,10 +148,20 @@ static inline void init_layers(struct lim_paint *paint, uint8_t **mem, const str
 {
 #if LIM_HAS_TRANSPARENT
     paint->layers = (struct lim_layers){cut(mem, LIM_LAYERS_MEM_B(shares->layers)), shares->layers, 0, false};
-    paint->lent = NULL;
 #else
     (void)paint, (void)mem, (void)shares;
 #endif
+}
+
+static inline void init_fallback(struct lim *lim)
+{
+#if LIM_HAS_FALLBACK
+    lim->paint.lent = NULL;
+#endif
+#if LIM_HAS_WIREFRAME
+    lim->paint.wireframe = &lim->wireframe;
+#endif
+    (void)lim;
 }
 
 /* Widest alignment first. */
@@ -164,7 +174,7 @@ void lim_nearest_init(struct lim *lim, void *mem, size_t mem_b)
     if (LIM_IS_SORTED(&lim->target)) cut_sorter(lim, &at, &shares);
 #endif
     lim->paint.target = &lim->target;
-    lim->paint.background = lim_memory_colour(lim->scene->background);
+    lim->paint.background = lim_background_of(lim);
     lim->paint.pool = cut(&at, shares.active * sizeof(struct lim_active));
     lim->paint.pool_size = shares.active;
     lim->retained.cells = cut(&at, shares.retained_cells * sizeof(union lim_retained_cell));
@@ -177,6 +187,7 @@ void lim_nearest_init(struct lim *lim, void *mem, size_t mem_b)
     if (!LIM_IS_SORTED(&lim->target)) lim->stack = cut(&at, lim->scene->limits.depth * sizeof(struct lim_walk_pending));
 #endif
     init_layers(&lim->paint, &at, &shares);
+    init_fallback(lim);
     lim_view_init(&lim->view, lim->target.w_px, lim->target.h_px, cache);
 }
 

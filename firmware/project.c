@@ -6,16 +6,63 @@
 
 #include "fill.h"
 
+/* For wireframe: which edges are not drawn, as flags beside the polygon, and in its corners while it is clipped. */
+static void set_hidden(struct lim_screen_polygon *out, uint_fast8_t k, bool hidden)
+{
+#if LIM_HAS_WIREFRAME
+    const uint16_t bit = (uint16_t)(1u << (k & 15));
+
+    out->hidden[k >> 4] = (uint16_t)(hidden ? out->hidden[k >> 4] | bit : out->hidden[k >> 4] & ~bit);
+#else
+    (void)out, (void)k, (void)hidden;
+#endif
+}
+
+static bool is_hidden(const struct lim_screen_polygon *polygon, uint_fast8_t k)
+{
+    return lim_hidden_of(polygon)[k >> 4] >> (k & 15) & 1;
+}
+
+static void read_hidden(struct lim_screen_polygon *out, const LIM_FLASH uint16_t *record)
+{
+    const uint16_t head = record[0], at = lim_record_edges_at(head);
+
+    for (uint_fast8_t k = 0; k < out->n; k++)
+        set_hidden(out, k, head & LIM_POLYGON_EDGES && record[at + (k >> 4)] >> (k & 15) & 1);
+}
+
+static void hidden_to_corners(const struct lim_screen_polygon *polygon, struct lim_clip_polygon *corners)
+{
+#if LIM_HAS_WIREFRAME
+    for (uint_fast8_t k = 0; k < corners->n; k++)
+        corners->at[k].hidden = is_hidden(polygon, k);
+#else
+    (void)polygon, (void)corners;
+#endif
+}
+
+static void hidden_from_corners(struct lim_screen_polygon *polygon, const struct lim_clip_polygon *corners)
+{
+#if LIM_HAS_WIREFRAME
+    for (uint_fast8_t k = 0; k < corners->n; k++)
+        set_hidden(polygon, k, corners->at[k].hidden);
+#else
+    (void)polygon, (void)corners;
+#endif
+}
+
 /* Returns how many vertices are left. */
 static uint8_t clip_and_project(struct lim_point *out, const struct lim_view *view, const struct lim_scene *scene,
-                                const LIM_FLASH uint16_t *corners, uint8_t n)
+                                const LIM_FLASH uint16_t *corners, uint8_t n, struct lim_screen_polygon *outlined)
 {
     struct lim_clip_polygon polygons[2];
 
     polygons[0].n = n;
     for (uint_fast8_t k = 0; k < n; k++)
         lim_view_transform(view, scene, &scene->vertices[corners[k]], &polygons[0].at[k]);
+    if (LIM_HAS_WIREFRAME) hidden_to_corners(outlined, &polygons[0]);
     const struct lim_clip_polygon *clipped = lim_clip(polygons, view->rows.near_qv);
+    if (LIM_HAS_WIREFRAME) hidden_from_corners(outlined, clipped);
     for (uint_fast8_t k = 0; k < clipped->n; k++)
         lim_view_project(view, &clipped->at[k], &out[k]);
     return clipped->n;
@@ -56,9 +103,10 @@ bool lim_project(struct lim_screen_polygon *out, struct lim_view *view, const st
     const uint16_t codes = lim_view_polygon(view, scene, corners, out->n, out->at);
     if (LIM_HAS_STATS && stats) stats->polygons++;
     if (codes >> 8 & LIM_VIEW_OUTSIDE) return false;
+    if (LIM_HAS_WIREFRAME) read_hidden(out, record);
     if (codes & LIM_VIEW_GUARD) {
         if (LIM_HAS_STATS && stats) stats->clipped++;
-        out->n = clip_and_project(out->at, view, scene, corners, out->n);
+        out->n = clip_and_project(out->at, view, scene, corners, out->n, out);
         if (!out->n) return false;
     }
     lim_edge_measure(&out->shape, out->at, out->n);
@@ -68,11 +116,25 @@ bool lim_project(struct lim_screen_polygon *out, struct lim_view *view, const st
     return meets(&out->shape, open);
 }
 
+/* Of a triangle's edges those are the polygon's that lead on from a corner to the next: the first one in the first
+ * triangle, the last one in the last, and the middle one in all. */
+static void hidden_of_fan(const struct lim_screen_polygon *folded, uint8_t k, struct lim_screen_polygon *triangle)
+{
+    const uint8_t n = folded->n;
+    const uint_fast8_t apex = folded->shape.apex;
+    const uint_fast16_t second = (uint_fast16_t)(apex + k), third = second + 1;
+
+    set_hidden(triangle, 0, k > 1 || is_hidden(folded, apex));
+    set_hidden(triangle, 1, is_hidden(folded, (uint_fast8_t)(second < n ? second : second - n)));
+    set_hidden(triangle, 2, k + 2 < n || is_hidden(folded, (uint_fast8_t)(third < n ? third : third - n)));
+}
+
 void lim_project_fan(const struct lim_screen_polygon *folded, uint8_t k, struct lim_screen_polygon *triangle)
 {
     uint_fast16_t corner = folded->shape.apex;
 
     triangle->n = 3;
+    if (LIM_HAS_WIREFRAME) hidden_of_fan(folded, k, triangle);
     triangle->colour = folded->colour;
     if (LIM_HAS_TRANSPARENT) set_alpha(triangle, lim_alpha_of(folded));
     for (uint_fast8_t i = 0; i < 3; i++) {

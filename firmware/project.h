@@ -18,6 +18,9 @@ struct lim_screen_polygon {
 #if LIM_HAS_TRANSPARENT
     uint8_t alpha;
 #endif
+#if LIM_HAS_WIREFRAME
+    uint16_t hidden[(CLIP_MAX_VERTICES + 15) / 16]; /* an edge a bit: not drawn */
+#endif
     struct lim_point at[CLIP_MAX_VERTICES];
 };
 
@@ -28,6 +31,17 @@ static inline uint8_t lim_alpha_of(const struct lim_screen_polygon *polygon)
 #else
     (void)polygon;
     return LIM_OPAQUE;
+#endif
+}
+
+/* NULL: there are none. */
+static inline const uint16_t *lim_hidden_of(const struct lim_screen_polygon *polygon)
+{
+#if LIM_HAS_WIREFRAME
+    return polygon->hidden;
+#else
+    (void)polygon;
+    return NULL;
 #endif
 }
 

@@ -6,6 +6,8 @@
 
 #if LIM_HAS_SPANS
 
+enum { CELL_WORDS = sizeof(union lim_retained_cell) / 2 };
+
 static inline uint8_t alpha_of(const struct lim_retained_polygon *polygon)
 {
 #if LIM_HAS_TRANSPARENT
@@ -16,12 +18,33 @@ static inline uint8_t alpha_of(const struct lim_retained_polygon *polygon)
 #endif
 }
 
+/* NULL: not in wireframe, where nothing is transparent. */
+static inline const uint16_t *hidden_of(const struct lim_retained_polygon *polygon)
+{
+#if LIM_HAS_WIREFRAME
+    return polygon->hidden;
+#else
+    (void)polygon;
+    return NULL;
+#endif
+}
+
+/* Over as many cells as it takes: they follow each other. */
+static inline void copy_words(uint16_t *to, const uint16_t *from, uint8_t count)
+{
+    while (count--)
+        *to++ = *from++;
+}
+
 bool lim_retain(struct lim_retained *retained, struct lim_line *lines, const struct lim_retained_polygon *polygon)
 {
     const uint8_t alpha = alpha_of(polygon);
     const bool transparent = LIM_HAS_TRANSPARENT && alpha != LIM_OPAQUE;
     const bool is_piece = LIM_HAS_NEWELL && !polygon->n;
-    const uint16_t needed = (uint16_t)(LIM_RETAINED_HEAD_CELLS + polygon->n + (transparent && !is_piece));
+    const uint16_t *const hidden = hidden_of(polygon);
+    const uint8_t words = (uint8_t)(LIM_HAS_WIREFRAME && hidden ? (polygon->n + 15) / 16 : 0);
+    const uint16_t needed = (uint16_t)(LIM_RETAINED_HEAD_CELLS + polygon->n + (transparent && !is_piece) +
+                                       (words + CELL_WORDS - 1) / CELL_WORDS);
 
     if (needed > retained->size - retained->used) return false;
     const uint16_t self = retained->used;
@@ -42,6 +65,7 @@ bool lim_retain(struct lim_retained *retained, struct lim_line *lines, const str
         else
             cells[LIM_RETAINED_HEAD_CELLS + polygon->n].alpha = alpha;
     }
+    if (words) copy_words(cells[LIM_RETAINED_HEAD_CELLS + polygon->n].hidden, hidden, words);
     line->retained = self;
     retained->used = (uint16_t)(self + needed);
     return true;

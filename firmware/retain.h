@@ -10,9 +10,9 @@
 #include "profile.h"
 #include "span.h"
 
-/* A retained polygon is two head cells and one cell a vertex; if it is transparent, one more with its alpha. A piece of
- * one (piece.h) has n = 0, its alpha in the place of `first`, and a cell a line, bottom to top: x its first pixel, y
- * the one after its last. */
+/* A retained polygon is two head cells and one cell a vertex; if it is transparent, one more with its alpha; in
+ * wireframe, as many as the flags of its edges take, an edge a bit. A piece of one (piece.h) has n = 0, its alpha in
+ * the place of `first`, and a cell a line, bottom to top: x its first pixel, y the one after its last. */
 union lim_retained_cell {
     struct {
         uint16_t next; /* the polygon retained before this one that starts on the same line */
@@ -24,6 +24,7 @@ union lim_retained_cell {
     } look;
     struct lim_point at;
     uint16_t alpha;
+    uint16_t hidden[sizeof(struct lim_point) / 2];
 };
 
 enum { LIM_RETAINED_HEAD_CELLS = 2 };
@@ -42,7 +43,19 @@ struct lim_retained_polygon {
 #if LIM_HAS_TRANSPARENT
     uint8_t alpha;
 #endif
+#if LIM_HAS_WIREFRAME
+    const uint16_t *hidden; /* NULL: not in wireframe */
+#endif
 };
+
+static inline void lim_retained_set_hidden(struct lim_retained_polygon *polygon, const uint16_t *hidden)
+{
+#if LIM_HAS_WIREFRAME
+    polygon->hidden = hidden;
+#else
+    (void)polygon, (void)hidden;
+#endif
+}
 
 static inline void lim_retained_set_alpha(struct lim_retained_polygon *polygon, uint8_t alpha)
 {

@@ -68,6 +68,7 @@ struct lim_plane_ref {
 #define LIM_POLYGON_PLANE 0x0100u /* its plane, a struct lim_plane_ref: two words */
 #define LIM_POLYGON_BACK 0x0200u  /* it faces the back of that plane */
 #define LIM_POLYGON_ALPHA 0x0400u /* its alpha, a word: 1..254, of 255 */
+#define LIM_POLYGON_EDGES 0x0800u /* an edge a bit, (n + 15) / 16 words: bit k set, and wireframe leaves edge k out */
 #define LIM_POLYGON_LAST 0x8000u
 enum { LIM_POLYGON_HEAD_WORDS = 2 };
 
@@ -159,6 +160,8 @@ static inline uint16_t lim_record_words(uint16_t head)
 
     if (LIM_HAS_LEAVES && head & LIM_POLYGON_PLANE) words += sizeof(struct lim_plane_ref) / 2;
     if (LIM_HAS_TRANSPARENT && head & LIM_POLYGON_ALPHA) words++;
+    if (LIM_HAS_WIREFRAME && head & LIM_POLYGON_EDGES)
+        words = (uint16_t)(words + ((head & LIM_POLYGON_COUNT) + 15) / 16);
     return words;
 }
 
@@ -172,6 +175,12 @@ static inline const LIM_FLASH struct lim_plane_ref *lim_record_plane(const LIM_F
 static inline uint16_t lim_record_alpha_at(uint16_t head)
 {
     return (uint16_t)(lim_record_words(head & (LIM_POLYGON_COUNT | LIM_POLYGON_PLANE)));
+}
+
+/* Where the flags of the edges of a record with LIM_POLYGON_EDGES are, in words. */
+static inline uint16_t lim_record_edges_at(uint16_t head)
+{
+    return lim_record_words(head & (LIM_POLYGON_COUNT | LIM_POLYGON_PLANE | LIM_POLYGON_ALPHA));
 }
 
 /* The plane that lim_plane_ref.plane names, if not an axis plane. */

@@ -8,6 +8,7 @@
 #include "convex.h"
 #include "cull.h"
 #include "eye.h"
+#include "fill.h"
 #include "paint.h"
 #include "retain.h"
 #include "sorted.h"
@@ -65,6 +66,9 @@ struct lim {
     struct lim_retained retained;
     struct lim_paint paint;
 #endif
+#if LIM_HAS_WIREFRAME
+    struct lim_wireframe wireframe;
+#endif
 #if LIM_HAS_STATS
     struct lim_stats stats;
 #endif
@@ -79,6 +83,25 @@ static inline struct lim_stats *lim_stats_of(struct lim *lim)
     (void)lim;
     return NULL;
 #endif
+}
+
+/* NULL: polygons are filled. */
+static inline const struct lim_wireframe *lim_wireframe_of(const struct lim *lim)
+{
+#if LIM_HAS_WIREFRAME
+    return lim->wireframe.on ? &lim->wireframe : NULL;
+#else
+    (void)lim;
+    return NULL;
+#endif
+}
+
+/* As it lies in memory. */
+static inline uint16_t lim_background_of(const struct lim *lim)
+{
+    const struct lim_wireframe *wireframe = lim_wireframe_of(lim);
+
+    return lim_memory_colour(wireframe && wireframe->one_colour ? wireframe->background : lim->scene->background);
 }
 
 static inline struct lim_eye *lim_eye_of(struct lim *lim)

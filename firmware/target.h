@@ -19,6 +19,14 @@ enum lim_method {
     LIM_NEWELL         /* the same, then compared and split until nothing is wrong: newell.h */
 };
 
+/* Hidden-line wireframe: polygons are filled with the background, and their edges drawn in their own colours or all in
+ * one. Nothing shines through. */
+struct lim_wireframe {
+    bool on;
+    bool one_colour;
+    uint16_t colour, background; /* if one_colour, RGB565 as numbers; else the polygons' and the scene's own */
+};
+
 /* Where pixels go. Lines are lent from the top down; each is passed to done() before the next is
  * lent, in one or (when a pool was exhausted) several pieces from left to right. The painter
  * alone lends lines in any order, several times, and calls done() once for each at the end. */

@@ -22,6 +22,9 @@ struct lim_view_point {
         };
         int32_t qv[3]; /* the same */
     };
+#if LIM_HAS_WIREFRAME
+    bool hidden; /* the edge from here to the next point is not drawn */
+#endif
 };
 
 /* Where a vertex lies outside: bits 0..4 against what is visible, GUARD against the guard band

@@ -6,6 +6,7 @@
 #include "bsp.h"
 
 #include "grow.h"
+#include "inner.h"
 #include "tree.h"
 
 #include <math.h>
@@ -78,8 +79,12 @@ static uint32_t piece_of_polygon(struct bsp *bsp, uint32_t index)
     const struct mesh_polygon *polygon = &bsp->mesh->polygons[index];
     const uint32_t *corners = &bsp->mesh->corners[polygon->first];
     size_t first = bsp->corner_count;
-    for (uint32_t i = 0; i < polygon->count; i++)
-        corner_add(bsp, corners[i], edges_between(&bsp->edges, corners[i], corners[(i + 1) % polygon->count]));
+    for (uint32_t i = 0; i < polygon->count; i++) {
+        const uint32_t next = corners[(i + 1) % polygon->count];
+        const uint32_t edge = edges_between(&bsp->edges, corners[i], next);
+        bsp->edges.items[edge].hidden = inner_has(bsp->mesh, corners[i], next);
+        corner_add(bsp, corners[i], edge);
+    }
     return piece_add(bsp, first, index);
 }
 

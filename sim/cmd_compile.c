@@ -21,6 +21,7 @@ enum option_code {
     OPTION_METHOD,
     OPTION_KEEP_FACES,
     OPTION_UNLIT,
+    OPTION_WIREFRAME,
     OPTION_SIZE,
     OPTION_PRECISION,
     OPTION_MAX_ERROR,
@@ -37,6 +38,7 @@ static const struct option OPTIONS[] = {
     {"method", required_argument, NULL, OPTION_METHOD},
     {"keep-faces", no_argument, NULL, OPTION_KEEP_FACES},
     {"unlit", no_argument, NULL, OPTION_UNLIT},
+    {"wireframe", no_argument, NULL, OPTION_WIREFRAME},
     {"precision", required_argument, NULL, OPTION_PRECISION},
     {"max-error", required_argument, NULL, OPTION_MAX_ERROR},
     {"max-vertex-error", required_argument, NULL, OPTION_MAX_VERTEX_ERROR},
@@ -81,6 +83,9 @@ static bool parse_option(int code, char **argv, struct request *out, struct erro
         return true;
     case OPTION_UNLIT:
         out->compile.unlit = true;
+        return true;
+    case OPTION_WIREFRAME:
+        out->compile.wireframe = true;
         return true;
     case OPTION_PRECISION:
         return parse_precision(optarg, &out->compile.core, err);

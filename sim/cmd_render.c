@@ -75,6 +75,7 @@ static bool start(struct render *render, struct error *err)
     const unsigned w_px = options->setup.w_px, h_px = options->setup.h_px;
     if (!simulator_init(&render->simulator, &render->scene.scene, &options->setup, err)) return false;
     render->simulator.core->newell(render->simulator.lim, &options->newell);
+    simulator_set_wireframe(&render->simulator, &options->wireframe);
     bool want_ids = options->ids_path || options->compare;
     if (want_ids && !ids_init(&render->ids, &render->scene, &options->setup, err)) return false;
     if (want_ids) render->ids.simulator.core->newell(render->ids.simulator.lim, &options->newell);

@@ -24,6 +24,7 @@ static bool view_open(struct viewing *view, struct flight *flight, struct error 
         !camera_path_to_camera(&view->path, 0, &lens, &view->scene.grid, &camera, err) ||
         !simulator_init(&view->simulator, &view->scene.scene, &options->setup, err))
         return false;
+    simulator_set_wireframe(&view->simulator, &options->wireframe);
     flight_init(flight, &view->simulator, &camera, &view->scene.grid);
     return true;
 }

@@ -99,7 +99,7 @@ static bool compile_with(struct compilation *work, enum tree_kind kind, const st
     struct encoding encoding = {0};
     bool ok = bsp_build(&bsp, work->mesh, &work->coplanar, &plan, &work->points) ||
               error_set(err, "scene too large: split into more than %d pieces", BSP_PIECES_MAX);
-    ok = ok && encode_bsp(&bsp, is_exact(work->options), &encoding, err);
+    ok = ok && encode_bsp(&bsp, is_exact(work->options), work->options->wireframe, &encoding, err);
     if (ok) {
         image_make(&encoding, &work->mesh->grid, out);
         report_set(&out->report, &bsp, &encoding, &out->scene, &plan);
@@ -204,7 +204,9 @@ bool compile_mesh(const struct mesh *mesh, const struct compile_options *options
     if (ok) {
         progress("compiling: %zu polygons, planes", mesh->polygon_count);
         coplanar_find(mesh, work.points.approx, options->tolerance_units, &work.coplanar);
-        ok = compile_best(&work, out, err) && check_method(options, out, err) &&
+        ok = compile_best(&work, out, err) && check_method(options, out, err);
+        out->report.wireframe = options->wireframe;
+        ok = ok &&
              pools_measure(out, options->core, side_or_default(options->w_px), side_or_default(options->h_px), err);
         progress_end();
         if (!ok) compiled_free(out);

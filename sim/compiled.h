@@ -21,6 +21,7 @@ struct compile_options {
     const struct core *core;     /* precision profile of the prediction and of NAME.h; NULL: fast */
     unsigned w_px, h_px;         /* the panel that pool sizes are measured for; 0: 240 */
     bool unlit;                  /* colours stay as they are in the model: no light is baked in */
+    bool wireframe;              /* for drawing as wireframe: edges that are not the model's are known */
     bool predict;                /* measure the wrong-pixel share for the report: takes a second or so */
 };
 
@@ -35,6 +36,7 @@ struct compile_report {
     enum tree_kind tree;          /* the kind that won */
     double worst_violation_units; /* certified: how far any vertex lies on the wrong side */
     char splitter[16];            /* the heuristic that won */
+    bool wireframe;               /* firmware can draw it as wireframe */
     bool convex;                  /* one convex solid */
     enum lim_method draws;        /* what firmware draws it with */
     unsigned w_px, h_px;          /* of the panel that the pools were measured for */

@@ -30,6 +30,11 @@ static const struct lim_stats *stats(const void *lim)
     return lim_stats(lim);
 }
 
+static void set_wireframe(void *lim, const struct lim_wireframe *wireframe)
+{
+    lim_set_wireframe(lim, wireframe);
+}
+
 static bool project(void *lim, uint16_t vertex, double at_px[2])
 {
     struct lim *const state = lim;
@@ -61,5 +66,6 @@ const struct core CORE = {.name = CORE_NAME(CORE),
                           .newell = newell,
                           .frame = frame,
                           .stats = stats,
+                          .set_wireframe = set_wireframe,
                           .project = project,
                           .eye_side = eye_side};

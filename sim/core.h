@@ -20,6 +20,7 @@ struct core {
     void (*newell)(void *lim, const struct lim_newell_options *options); /* lim_newell_set() */
     int (*frame)(void *lim, const struct lim_camera *camera);
     const struct lim_stats *(*stats)(const void *lim);
+    void (*set_wireframe)(void *lim, const struct lim_wireframe *wireframe);
     /* For measurements: where the camera of the last frame puts a vertex, in pixels, the centre of the first
      * one at 0 (false: it is left to clipping); which side of a plane an eye is on, as WALK decides it. */
     bool (*project)(void *lim, uint16_t vertex, double at_px[2]);

@@ -19,7 +19,7 @@ static uint64_t pair_key(uint32_t high, uint32_t low)
 uint32_t edges_add_cut(struct edges *edges, uint32_t a, uint32_t b)
 {
     edges->items = grow(edges->items, edges->count, &edges->capacity, sizeof *edges->items);
-    edges->items[edges->count] = (struct edge){{a, b}};
+    edges->items[edges->count] = (struct edge){{a, b}, true};
     return (uint32_t)edges->count++;
 }
 
@@ -27,7 +27,10 @@ uint32_t edges_between(struct edges *edges, uint32_t a, uint32_t b)
 {
     uint32_t low = a < b ? a : b, high = a < b ? b : a;
     uint32_t *edge = map_at(&edges->by_ends, pair_key(high, low), ABSENT);
-    if (*edge == ABSENT) *edge = edges_add_cut(edges, low, high);
+    if (*edge == ABSENT) {
+        *edge = edges_add_cut(edges, low, high);
+        edges->items[*edge].hidden = false;
+    }
     return *edge;
 }
 

@@ -12,6 +12,7 @@
 /* A line between two points. Parts of a cut edge remain the same edge. */
 struct edge {
     uint32_t ends[2];
+    bool hidden; /* no edge of the model: a cut, or a diagonal */
 };
 
 struct edge_cut {

@@ -17,7 +17,7 @@ enum { COUNT_MAX = 0xFFFF, PLANES_MAX = LIM_PLANE_X / LIM_PLANE_WORDS };
 struct encoder {
     const struct bsp *bsp;
     struct encoding *out;
-    bool with_fractions;
+    bool with_fractions, with_edges;
     struct grid_point *snapped; /* the exact points, rounded */
     struct map columns;         /* x and y -> number */
     struct map vertices;        /* number and z -> index */
@@ -69,13 +69,32 @@ static uint32_t vertex_index(struct encoder *work, struct grid_point point)
     return index;
 }
 
+static bool outline_hides(const struct outline *outline)
+{
+    for (size_t i = 0; i < outline->count; i++)
+        if (outline->hidden[i]) return true;
+    return false;
+}
+
+static void edges_add_words(struct encoding *out, const struct outline *outline)
+{
+    for (size_t first = 0; first < outline->count; first += 16) {
+        size_t word = 0;
+        for (size_t k = first; k < outline->count && k < first + 16; k++)
+            word |= (size_t)outline->hidden[k] << (k - first);
+        word_add(out, word);
+    }
+}
+
 static void record_add(struct encoder *work, const struct outline *outline, const struct mesh_polygon *polygon)
 {
     struct encoding *out = work->out;
     out->faces = grow(out->faces, out->record_count, &out->face_capacity, sizeof *out->faces);
     out->faces[out->record_count++] = polygon->face;
     out->last_record = out->word_count;
-    word_add(out, outline->count | work->flags | (polygon->transparency ? LIM_POLYGON_ALPHA : 0));
+    const bool with_edges = work->with_edges && outline_hides(outline);
+    word_add(out, outline->count | work->flags | (polygon->transparency ? LIM_POLYGON_ALPHA : 0) |
+                      (with_edges ? LIM_POLYGON_EDGES : 0));
     word_add(out, rgb565_from_rgb888(polygon->colour));
     for (size_t i = 0; i < outline->count; i++)
         word_add(out, vertex_index(work, outline->corners[i]));
@@ -84,14 +103,19 @@ static void record_add(struct encoder *work, const struct outline *outline, cons
         word_add(out, (uint16_t)work->own.offset);
     }
     if (polygon->transparency) word_add(out, LIM_OPAQUE - polygon->transparency);
+    if (with_edges) edges_add_words(out, outline);
     out->widest = outline->count > out->widest ? outline->count : out->widest;
 }
 
 static struct outline outline_part(const struct outline *whole, size_t from, size_t count)
 {
-    struct outline part = {.count = count, .corners = grow_zeroed(count, sizeof *part.corners)};
-    for (size_t i = 0; i < count; i++)
+    struct outline part = {.count = count,
+                           .corners = grow_zeroed(count, sizeof *part.corners),
+                           .hidden = grow_zeroed(count, sizeof *part.hidden)};
+    for (size_t i = 0; i < count; i++) {
         part.corners[i] = whole->corners[(from + i) % whole->count];
+        part.hidden[i] = i + 1 == count || whole->hidden[(from + i) % whole->count]; /* the last one is the chord */
+    }
     return part;
 }
 
@@ -107,7 +131,7 @@ static void outline_add(struct encoder *work, const struct outline *outline, con
                                outline_part(outline, from + half, outline->count - half + 1)};
     for (int i = 0; i < 2; i++) {
         outline_add(work, &parts[i], polygon);
-        free(parts[i].corners);
+        outline_free(&parts[i]);
     }
 }
 
@@ -118,6 +142,11 @@ static void outline_turn(struct outline *outline)
         outline->corners[i] = outline->corners[--j];
         outline->corners[j] = corner;
     }
+    for (size_t i = 0, j = outline->count - 1; i + 1 < j; i++) { /* the last edge stays the last */
+        bool hidden = outline->hidden[i];
+        outline->hidden[i] = outline->hidden[--j];
+        outline->hidden[j] = hidden;
+    }
 }
 
 static void piece_encode(struct encoder *work, uint32_t index, bool back_run)
@@ -127,7 +156,7 @@ static void piece_encode(struct encoder *work, uint32_t index, bool back_run)
     bool turned = work->bsp->coplanar->faces_back[piece->polygon] != back_run;
     if (turned && !polygon->two_sided) return;
     outline_trace(work->bsp, piece, work->snapped, &work->outline);
-    if (turned) outline_turn(&work->outline);
+    if (turned && work->outline.count) outline_turn(&work->outline);
     if (work->outline.count) outline_add(work, &work->outline, polygon);
 }
 
@@ -298,10 +327,10 @@ static size_t tree_depth(const struct encoding *out)
     return deepest;
 }
 
-bool encode_bsp(const struct bsp *bsp, bool with_fractions, struct encoding *out, struct error *err)
+bool encode_bsp(const struct bsp *bsp, bool with_fractions, bool with_edges, struct encoding *out, struct error *err)
 {
     const struct exact_points *points = bsp->edges.points;
-    struct encoder work = {.bsp = bsp, .out = out, .with_fractions = with_fractions};
+    struct encoder work = {.bsp = bsp, .out = out, .with_fractions = with_fractions, .with_edges = with_edges};
     *out = (struct encoding){0};
     work.snapped = grow_zeroed(points->count, sizeof *work.snapped);
     for (uint32_t i = 0; i < points->count; i++)
@@ -315,7 +344,7 @@ bool encode_bsp(const struct bsp *bsp, bool with_fractions, struct encoding *out
     }
     free(heirs);
     free(work.snapped);
-    free(work.outline.corners);
+    outline_free(&work.outline);
     map_free(&work.columns);
     map_free(&work.vertices);
     map_free(&work.planes);

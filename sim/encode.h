@@ -24,9 +24,10 @@ struct encoding {
     size_t collapsed;     /* pieces that rounding left without three corners */
 };
 
-/* Encodes a tree, with the vertices' fractions or without. Refuses one that leaves nothing to draw, or too much for
- * 16-bit indices, saying which array is too long by how much. The caller frees *out either way. */
-bool encode_bsp(const struct bsp *bsp, bool with_fractions, struct encoding *out, struct error *err);
+/* Encodes a tree, with the vertices' fractions or without, with what wireframe wants to know of the edges or without.
+ * Refuses one that leaves nothing to draw, or too much for 16-bit indices, saying which array is too long by how much.
+ * The caller frees *out either way. */
+bool encode_bsp(const struct bsp *bsp, bool with_fractions, bool with_edges, struct encoding *out, struct error *err);
 
 /* Refuses a count that does not fit 16 bits. */
 bool encode_check_count(size_t count, const char *what, struct error *err);

@@ -121,7 +121,7 @@ static bool check_alpha(const struct checker *work, size_t at)
 static bool check_flags(const struct checker *work, size_t at, bool in_leaf)
 {
     const uint16_t flags = work->scene->polygons[at] & (uint16_t) ~(LIM_POLYGON_COUNT | LIM_POLYGON_LAST);
-    if (flags & ~(LIM_POLYGON_PLANE | LIM_POLYGON_BACK | LIM_POLYGON_ALPHA))
+    if (flags & ~(LIM_POLYGON_PLANE | LIM_POLYGON_BACK | LIM_POLYGON_ALPHA | LIM_POLYGON_EDGES))
         return error_set(work->err, "polygon at word %zu: unknown flags", at);
     if (in_leaf ? !(flags & LIM_POLYGON_PLANE) : flags & (LIM_POLYGON_PLANE | LIM_POLYGON_BACK))
         return error_set(work->err, "polygon at word %zu: %s", at,

@@ -26,6 +26,8 @@ static const char USAGE[] =
     "  --tolerance UNITS   how far a polygon may be off a plane that it lies on (0.5)\n"
     "  --size WxH          of the panel, 1 to 1024 pixels each (240x240)\n"
     "  --unlit             colours as they are in the model: no light is baked in\n"
+    "  --wireframe         for drawing outlines alone, hidden lines left out (render, view: drawn so;\n"
+    "                      --wireframe=RRGGBB,RRGGBB: all lines and the background in these colours)\n"
     "compile only:\n"
     "  --keep-faces        do not merge coplanar neighbours of one colour\n"
     "  --report            without -o: only report\n"

@@ -4,6 +4,7 @@
  * neighbours share whole edges, and straight corners are dropped after: those that another polygon
  * needs come back as T-vertices, for they lie within near_m of the side that lost them. */
 #include "grow.h"
+#include "inner.h"
 #include "loop.h"
 #include "map.h"
 #include "mesh.h"
@@ -170,6 +171,14 @@ static bool is_side(const struct merging *merging, const struct part *part, size
     return true;
 }
 
+/* No face has any edge of that side. */
+static bool is_inner_side(const struct merging *merging, const struct part *part, size_t i, size_t j)
+{
+    for (size_t k = i; k != j; k = (k + 1) % part->count)
+        if (!inner_has(merging->mesh, part->corners[k], part->corners[(k + 1) % part->count])) return false;
+    return true;
+}
+
 /* Marks the corners where the part bends. Returns how many. */
 static size_t mark_bends(const struct merging *merging, const struct part *part, bool *bends)
 {
@@ -196,6 +205,7 @@ static void straighten(const struct merging *merging, struct part *part)
         while (!bends[j])
             j = (j + 1) % part->count;
         bool drop = is_side(merging, part, i, j);
+        if (drop && is_inner_side(merging, part, i, j)) inner_add(merging->mesh, part->corners[i], part->corners[j]);
         kept[kept_count++] = part->corners[i];
         for (size_t k = (i + 1) % part->count; !drop && k != j; k = (k + 1) % part->count)
             kept[kept_count++] = part->corners[k];

@@ -6,6 +6,7 @@
 
 #include "grid.h"
 #include "grow.h"
+#include "inner.h"
 #include "loop.h"
 #include "polygon_list.h"
 #include "triangulate.h"
@@ -97,6 +98,8 @@ static bool add_triangles(struct cleaning *cleaning, const struct loop *loop, co
     triangulate(loop, &view, triangles);
     for (size_t i = 0; i < loop->count - 2; i++) {
         const struct loop triangle = {loop->points, triangles[i], 3};
+        for (int k = 0; k < 3; k++)
+            inner_add(cleaning->mesh, triangles[i][k], triangles[i][(k + 1) % 3]);
         any |= add_if_area(cleaning, &triangle, like);
     }
     free(triangles);
@@ -121,6 +124,17 @@ static void clean_face(struct cleaning *cleaning, uint32_t *corners, size_t coun
         mesh->counts.concave++;
     bool any = whole ? add_if_area(cleaning, &loop, like) : add_triangles(cleaning, &loop, &plane, like);
     mesh->merged_into[like->face] = any ? like->face : 0;
+}
+
+/* All edges of triangles were added: those of faces, of this one or another, are none. */
+static void remove_outlines(struct mesh *mesh, const struct model *model, const uint32_t *welded)
+{
+    for (size_t i = 0; i < model->face_count && mesh->inner.count; i++) {
+        const uint32_t *corners = &model->corners[model->faces[i].first];
+        const uint32_t count = model->faces[i].count;
+        for (uint32_t k = 0; k < count; k++)
+            inner_remove(mesh, welded[corners[k]], welded[corners[k + 1 < count ? k + 1 : 0]]);
+    }
 }
 
 static void clean_faces(struct cleaning *cleaning, const struct model *model, const uint32_t *welded)
@@ -155,6 +169,7 @@ bool mesh_clean(const struct model *model, struct mesh *mesh, struct error *err)
     mesh->merged_into = grow_zeroed(model->face_count + 1, sizeof *mesh->merged_into);
     uint32_t *welded = weld_points(model, mesh_weld_m(&mesh->grid), mesh);
     clean_faces(&cleaning, model, welded);
+    remove_outlines(mesh, model, welded);
     free(welded);
     bool ok = polygon_list_move(&cleaning.list, mesh, err);
     ok = ok && refuse_vanished(&cleaning, err);
@@ -171,5 +186,6 @@ void mesh_free(struct mesh *mesh)
     free(mesh->corners);
     free(mesh->polygons);
     free(mesh->merged_into);
+    map_free(&mesh->inner);
     *mesh = (struct mesh){0};
 }

@@ -6,6 +6,7 @@
 #define SIM_MESH_H
 
 #include "error.h"
+#include "map.h"
 #include "model.h"
 
 /* The scene's integer grid: unit = (metre - origin) * units_per_m, rounded to nearest. */
@@ -44,6 +45,7 @@ struct mesh {
     size_t polygon_count;
     struct grid grid;
     struct mesh_counts counts;
+    struct map inner;      /* edges that no face has: inner.h */
     uint32_t *merged_into; /* counts.faces + 1 entries: merged_into[face] = face number of the polygon
                               that holds it (its first piece, if it was cut), itself if unmerged, 0
                               if dropped */

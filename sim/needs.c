@@ -27,6 +27,7 @@ struct needs needs_of(const struct compiled *scene)
                           .slanted = scene->scene.plane_count > 0,
                           .large = scene->scene.exact_count > 0,
                           .transparent = scene->scene.limits.layers > 0,
+                          .wireframe = scene->report.wireframe,
                           .vertices = scene->scene.limits.vertices,
                           .side_px = greater(scene->report.w_px, scene->report.h_px),
                           .core = scene->report.core};
@@ -44,6 +45,7 @@ struct needs needs_union(const struct needs *a, const struct needs *b)
                           .slanted = a->slanted || b->slanted,
                           .large = a->large || b->large,
                           .transparent = a->transparent || b->transparent,
+                          .wireframe = a->wireframe || b->wireframe,
                           .vertices = greater(a->vertices, b->vertices),
                           .side_px = greater(a->side_px, b->side_px),
                           .core = a->core};
@@ -74,6 +76,7 @@ void needs_write(const struct needs *needs, FILE *file)
     write_macro(file, "HAS_SLANTED", needs->slanted);
     write_macro(file, "HAS_LARGE", needs->large);
     write_macro(file, "HAS_TRANSPARENT", needs->transparent);
+    write_macro(file, "HAS_WIREFRAME", needs->wireframe);
     write_macro(file, "HAS_STATS", 0);
     write_macro(file, "MAX_VERTICES", needs->vertices);
     if (needs->side_px) write_macro(file, "MAX_SIDE_PX", greater(needs->side_px, SIDE_MIN_PX));

@@ -15,6 +15,7 @@ struct needs {
     bool leaves;                   /* ordered clusters */
     bool cull, slanted, large;     /* what the methods have to do with the scene's boxes and planes */
     bool transparent;              /* polygons with alpha */
+    bool wireframe;                /* to be drawn so */
     unsigned vertices;             /* most of any polygon */
     unsigned side_px;              /* longest of any panel that pools were measured for; 0: none */
     const struct core *core;       /* precision; NULL: not said */

@@ -35,6 +35,7 @@ enum option_code {
     OPTION_TREE,
     OPTION_TOLERANCE,
     OPTION_UNLIT,
+    OPTION_WIREFRAME,
     OPTION_PRECISION,
     OPTION_NEWELL
 };
@@ -62,6 +63,7 @@ static const struct option OPTIONS[] = {
     {"tree", required_argument, NULL, OPTION_TREE},
     {"tolerance", required_argument, NULL, OPTION_TOLERANCE},
     {"unlit", no_argument, NULL, OPTION_UNLIT},
+    {"wireframe", optional_argument, NULL, OPTION_WIREFRAME},
     {NULL, 0, NULL, 0},
 };
 
@@ -128,6 +130,9 @@ static bool parse_option(int code, const char *text, struct options *out, struct
     case OPTION_UNLIT:
         out->compile.unlit = true;
         return true;
+    case OPTION_WIREFRAME:
+        out->compile.wireframe = true;
+        return parse_wireframe(text, &out->wireframe, err);
     case OPTION_SPLITTER:
         out->compile.splitter = text;
         return true;

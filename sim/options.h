@@ -6,6 +6,7 @@
 
 #include "camera_path.h"
 #include "simulator.h"
+#include "target.h"
 
 struct options {
     const char *scene_path;  /* a model, or a compiled scene in a .lim file */
@@ -14,6 +15,7 @@ struct options {
     double fov_deg;
     double near_m; /* 0: not given */
     struct compile_options compile;
+    struct lim_wireframe wireframe;
     /* limner render only; NULL or false: not asked for */
     const char *frame_pattern, *gif_path, *sheet_path, *ids_path, *check_path, *hashes_path, *cameras_path;
     bool stats, compare;

@@ -8,17 +8,22 @@
 #include "grow.h"
 
 #include <math.h>
+#include <stdlib.h>
 
 static bool same(struct grid_point a, struct grid_point b)
 {
     return a.q8[0] == b.q8[0] && a.q8[1] == b.q8[1] && a.q8[2] == b.q8[2];
 }
 
-static void outline_add(struct outline *outline, struct grid_point corner)
+/* Where an edge shrinks to nothing, the next one leads on. */
+static void outline_add(struct outline *outline, struct grid_point corner, bool hidden)
 {
-    if (outline->count && same(outline->corners[outline->count - 1], corner)) return;
-    outline->corners = grow(outline->corners, outline->count, &outline->capacity, sizeof *outline->corners);
-    outline->corners[outline->count++] = corner;
+    if (!outline->count || !same(outline->corners[outline->count - 1], corner)) {
+        outline->corners = grow(outline->corners, outline->count, &outline->capacity, sizeof *outline->corners);
+        outline->hidden = grow(outline->hidden, outline->count, &outline->hidden_capacity, sizeof *outline->hidden);
+        outline->corners[outline->count++] = corner;
+    }
+    outline->hidden[outline->count - 1] = hidden;
 }
 
 static bool has_three_corners(const struct outline *outline)
@@ -36,14 +41,22 @@ void outline_trace(const struct bsp *bsp, const struct bsp_piece *piece, const s
     outline->count = 0;
     for (size_t i = 0; i < piece->count; i++) {
         const struct bsp_corner *from = &corners[i], *to = &corners[(i + 1) % piece->count];
-        outline_add(outline, snapped[from->point]);
+        const bool hidden = bsp->edges.items[from->edge].hidden;
+        outline_add(outline, snapped[from->point], hidden);
         struct edge_range range = edges_between_ends(&bsp->edges, from->edge, from->point, to->point);
         for (size_t k = 0, at = range.first; k < range.count; k++, at += (size_t)range.step)
-            outline_add(outline, snapped[bsp->edges.cuts[at].point]);
+            outline_add(outline, snapped[bsp->edges.cuts[at].point], hidden);
     }
     while (outline->count > 1 && same(outline->corners[outline->count - 1], outline->corners[0]))
         outline->count--;
     if (!has_three_corners(outline)) outline->count = 0;
+}
+
+void outline_free(struct outline *outline)
+{
+    free(outline->corners);
+    free(outline->hidden);
+    *outline = (struct outline){0};
 }
 
 /* The square of twice the area of corners from .. from + count - 1. */

@@ -9,12 +9,16 @@
 
 struct outline {
     struct grid_point *corners;
+    bool *hidden; /* of each corner: the edge to the next one is none of the model's */
+    size_t hidden_capacity;
     size_t count, capacity; /* count 0: rounding left fewer than three different corners */
 };
 
 /* Replaces what is in *outline. `snapped` are the exact points, rounded. */
 void outline_trace(const struct bsp *bsp, const struct bsp_piece *piece, const struct grid_point *snapped,
                    struct outline *outline);
+
+void outline_free(struct outline *outline);
 
 /* The best chord to halve an outline of more than 3 corners by: from corner *from to corner
  * *from + count / 2 (modulo count), where the smaller part is as large as possible. */

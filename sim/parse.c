@@ -3,9 +3,13 @@
  * Form and range of option values; nothing here knows a scene. */
 #include "parse.h"
 
+#include "encode.h"
+
 #include <errno.h>
 #include <stdlib.h>
 #include <string.h>
+
+enum { COLOUR_DIGITS = 6 };
 
 bool parse_number(const char *option, const char *text, double *out, struct error *err)
 {
@@ -13,6 +17,22 @@ bool parse_number(const char *option, const char *text, double *out, struct erro
     errno = 0;
     *out = strtod(text, &end);
     return (end != text && *end == '\0' && errno == 0) || error_set(err, "%s %s: not a number", option, text);
+}
+
+/* Six hexadecimal digits, then `stop`. */
+static bool parse_colour(const char *text, char stop, uint16_t *rgb565)
+{
+    if (strspn(text, "0123456789abcdefABCDEF") != COLOUR_DIGITS || text[COLOUR_DIGITS] != stop) return false;
+    *rgb565 = rgb565_from_rgb888((uint32_t)strtoul(text, NULL, 16));
+    return true;
+}
+
+bool parse_wireframe(const char *text, struct lim_wireframe *out, struct error *err)
+{
+    *out = (struct lim_wireframe){.on = true, .one_colour = text != NULL};
+    return !text ||
+           (parse_colour(text, ',', &out->colour) && parse_colour(text + COLOUR_DIGITS + 1, '\0', &out->background)) ||
+           error_set(err, "--wireframe=%s: must be two colours, the line's and the background's: RRGGBB,RRGGBB", text);
 }
 
 /* Digits up to `stop`; 0 if there are none or too many. */

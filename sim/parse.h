@@ -11,6 +11,9 @@ enum { PARSE_SIDE_MAX_PX = 1024 };
 
 bool parse_number(const char *option, const char *text, double *out, struct error *err);
 
+/* --wireframe[=RRGGBB,RRGGBB]: the line's colour and the background's; NULL: the polygons' and the scene's own. */
+bool parse_wireframe(const char *text, struct lim_wireframe *out, struct error *err);
+
 /* --size WxH */
 bool parse_size(const char *text, unsigned *w_px, unsigned *h_px, struct error *err);
 

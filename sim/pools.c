@@ -76,11 +76,12 @@ static bool sample_frames(const struct compiled *scene, struct simulator *simula
     return true;
 }
 
-static bool sample_method(const struct compiled *scene, const struct simulator_setup *setup, struct usage *usage,
-                          struct error *err)
+static bool sample_method(const struct compiled *scene, const struct simulator_setup *setup, bool wireframe,
+                          struct usage *usage, struct error *err)
 {
     struct simulator simulator;
     if (!simulator_init(&simulator, &scene->scene, setup, err)) return false;
+    simulator_set_wireframe(&simulator, &(struct lim_wireframe){.on = wireframe});
     const bool ok = sample_frames(scene, &simulator, usage, err);
     simulator_free(&simulator);
     return ok;
@@ -93,7 +94,7 @@ static bool sample_convex(struct compiled *roomy, struct simulator_setup *setup,
     struct usage usage = {0};
     setup->method = LIM_CONVEX;
     roomy->scene.limits.active = roomy->scene.polygon_count;
-    if (!sample_method(roomy, setup, &usage, err)) return false;
+    if (!sample_method(roomy, setup, false, &usage, err)) return false;
     const uint16_t crossing = with_margin(most(usage.active, usage.cameras), 1);
     *active = crossing > *active ? crossing : *active;
     return true;
@@ -106,24 +107,40 @@ static uint16_t pieces_for(const struct usage *usage)
     return (uint16_t)(wanted < LIM_SORTED_MAX ? wanted : LIM_SORTED_MAX);
 }
 
+static uint16_t greater(uint16_t a, uint16_t b)
+{
+    return a > b ? a : b;
+}
+
+/* Raises the limits to what the orders with spans need. */
+static bool sample_spans(struct compiled *roomy, const struct simulator_setup *setup, bool wireframe,
+                         struct lim_limits *limits, struct error *err)
+{
+    struct usage usage = {0};
+    if (!sample_method(roomy, setup, wireframe, &usage, err)) return false;
+    const uint16_t cells = with_margin(most(usage.cells, usage.cameras), least_cells(limits));
+    limits->retained_cells = greater(limits->retained_cells, cells);
+    limits->gaps = greater(limits->gaps, with_margin(most(usage.gaps, usage.cameras), 1));
+    limits->active = greater(limits->active, with_margin(most(usage.active, usage.cameras), 1));
+    limits->pieces = greater(limits->pieces, pieces_for(&usage));
+    if (roomy->scene.limits.layers)
+        limits->layers = greater(limits->layers, with_margin(most(usage.layers, usage.cameras), 1));
+    return true;
+}
+
 bool pools_measure(struct compiled *scene, const struct core *core, unsigned w_px, unsigned h_px, struct error *err)
 {
-    struct lim_limits limits = scene->scene.limits;
-    struct usage usage = {0};
+    struct lim_limits limits = {.depth = scene->scene.limits.depth, .vertices = scene->scene.limits.vertices};
     struct compiled roomy = *scene; /* shares the arrays */
     const enum lim_method method = method_sorts(scene->report.draws) ? scene->report.draws : LIM_NEAREST_FIRST;
     struct simulator_setup setup = {w_px, h_px, method, SIMULATOR_MEMORY, core};
 
-    const bool transparent = records_with(&scene->scene, LIM_POLYGON_ALPHA) > 0;
     roomy.scene.limits.retained_cells = roomy.scene.limits.gaps = roomy.scene.limits.active = PLENTY;
     roomy.scene.limits.pieces = PLENTY_OF_PIECES;
-    roomy.scene.limits.layers = transparent ? PLENTY : 0;
-    if (!sample_method(&roomy, &setup, &usage, err)) return false;
-    limits.retained_cells = with_margin(most(usage.cells, usage.cameras), least_cells(&limits));
-    limits.gaps = with_margin(most(usage.gaps, usage.cameras), 1);
-    limits.active = with_margin(most(usage.active, usage.cameras), 1);
-    limits.pieces = pieces_for(&usage);
-    limits.layers = transparent ? with_margin(most(usage.layers, usage.cameras), 1) : 0;
+    roomy.scene.limits.layers = records_with(&scene->scene, LIM_POLYGON_ALPHA) ? PLENTY : 0;
+    if (!sample_spans(&roomy, &setup, false, &limits, err) ||
+        (scene->report.wireframe && !sample_spans(&roomy, &setup, true, &limits, err)))
+        return false;
     if (scene->report.convex && !sample_convex(&roomy, &setup, &limits.active, err)) return false;
     lim_image_set_limits(scene, &limits);
     scene->report.w_px = w_px;
@@ -169,7 +186,9 @@ static size_t convex_b(const struct compiled *scene, size_t active)
 {
     const bool wide = is_wide(&scene->report);
     const size_t cached_b = wide ? MCU_CACHED_WIDE_B : MCU_CACHED_B, point_b = wide ? MCU_CELL_WIDE_B : MCU_CELL_B;
-    const size_t crossing_b = MCU_CROSSING_B + (scene->scene.limits.vertices + (size_t)MCU_CLIP_PLANES) * point_b;
+    const size_t points = scene->scene.limits.vertices + (size_t)MCU_CLIP_PLANES;
+    const size_t flags_b = scene->report.wireframe ? (points + 15) / 16 * 2 : 0;
+    const size_t crossing_b = MCU_CROSSING_B + points * point_b + aligned_b(flags_b);
     return aligned_b(MCU_CACHE_ENTRIES * cached_b + scene->report.h_px * (size_t)MCU_TOP_B +
                      scene->scene.polygon_count * (size_t)MCU_FACE_B + active * crossing_b);
 }

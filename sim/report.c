@@ -37,6 +37,11 @@ static void print_transparent(const struct compiled *scene)
     print_count("  layers on a line, room for", scene->scene.limits.layers);
 }
 
+static void print_outlines(const struct compiled *scene)
+{
+    print_count("with edges that are not drawn", records_with(&scene->scene, LIM_POLYGON_EDGES));
+}
+
 static void print_tree(const struct compiled *scene)
 {
     static const char *const kinds[] = {"x = const", "y = const",     "z = const",
@@ -51,6 +56,7 @@ static void print_tree(const struct compiled *scene)
     printf("  %-28s %8s\n", "tree", tree_names[report->tree]);
     if (report->tree != TREE_NONE) printf("  %-28s %8s\n", "splitter", report->splitter);
     print_count("depth of the tree", report->depth);
+    if (report->wireframe) print_outlines(scene);
     if (report->convex) printf("  %-28s %8s\n", "one convex solid", "yes");
     print_count("nodes", scene->scene.node_count);
     for (size_t i = 0; i < sizeof kinds / sizeof *kinds; i++)

@@ -111,6 +111,11 @@ bool simulator_init(struct simulator *simulator, const struct lim_scene *scene, 
     return ok;
 }
 
+void simulator_set_wireframe(struct simulator *simulator, const struct lim_wireframe *wireframe)
+{
+    simulator->core->set_wireframe(simulator->lim, wireframe);
+}
+
 const struct lim_stats *simulator_stats(const struct simulator *simulator)
 {
     return simulator->core->stats(simulator->lim);

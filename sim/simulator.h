@@ -45,6 +45,9 @@ bool simulator_panel_holds(unsigned w_px, unsigned h_px);
 bool simulator_init(struct simulator *simulator, const struct lim_scene *scene, const struct simulator_setup *setup,
                     struct error *err);
 
+/* How frames are drawn from now on. */
+void simulator_set_wireframe(struct simulator *simulator, const struct lim_wireframe *wireframe);
+
 /* Renders a frame into `pixels`. An error of the renderer or driver, or a complaint of the
  * emulated chip about the protocol, is an error here. */
 bool simulator_frame(struct simulator *simulator, const struct lim_camera *camera, struct error *err);

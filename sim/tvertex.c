@@ -5,6 +5,7 @@
  * vertices. The parts are divided again, since they are a trifle off the whole; that ends because
  * points are at least weld_m apart, near_m is half of that, and so every part is shorter. */
 #include "grow.h"
+#include "inner.h"
 #include "loop.h"
 #include "mesh.h"
 #include "point_tree.h"
@@ -67,6 +68,7 @@ static void divide(struct inserting *inserting, uint32_t a, uint32_t b)
     uint32_t from = a;
     for (size_t i = 0; i < count; i++) {
         uint32_t point = inserting->hits[base + i].point;
+        inner_divide(inserting->mesh, from, point, b);
         divide(inserting, from, point);
         add_to_loop(inserting, point);
         from = point;

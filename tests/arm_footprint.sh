@@ -133,14 +133,15 @@ for core in m0plus m4; do
     tap_check "$core: it has a walk, spans and retained polygons" links $core rooms '^lim_(walk_next|span_close|retain)$'
     tap_check "$core: and neither painter nor convex code" links_no $core rooms 'painter|convex'
     tap_check "$core: nor anything for transparent polygons" links_no $core rooms 'blend|layer|alpha'
+    tap_check "$core: nor for wireframe" links_no $core rooms 'wire|hidden|edge_column'
     tap_check "$core: the renderer of the glass builds" built $core glass
     tap_check "$core: it blends, and paints backwards what its stack cannot hold" links $core glass '^lim_(blend|painter_line)$'
     tap_check "$core: the renderer of the icosahedron builds" built $core icosahedron
     tap_check "$core: it has no walk, no culling, no spans, nothing retained" links_no $core icosahedron \
-        'walk|cull|span|retain|nearest|painter|lim_paint'
+        'walk|cull|span|retain|nearest|painter|lim_paint|wire'
 done
 tap_check "nor has it state for them" has_no_member icosahedron walk stack cull spans retained paint stats
-tap_check "the rooms have no state for a convex solid" has_no_member rooms convex stats paint.layers
+tap_check "the rooms have no state for a convex solid" has_no_member rooms convex stats paint.layers wireframe
 tap_check "counters cost what they count in, and without them nothing is counted" counters_cost_their_own_size
 tap_check "a scene without large planes has no code for them" no_exact_planes rooms
 tap_check "subtree bounds are only tested where there are some" grows_with icosahedron -DLIM_HAS_NEAREST=1 -DLIM_HAS_CULL=1

@@ -6,6 +6,7 @@
 . tests/frames_on.sh
 
 for method in depth newell; do
+    frames_options="--method $method"
     frames_on sim/scenes/knot 120x90 host m0plus m3 m4 rv32 powerpc m0plus:-Os rv32:-O0
 done
 tap_done

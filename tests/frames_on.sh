@@ -1,20 +1,24 @@
 # SPDX-License-Identifier: MIT
 #
-# For test scripts to source: frames_on SCENE SIZE CORE[:FLAG]... renders (by $method, if set) eight frames of a scene's camera file
+# For test scripts to source: frames_on SCENE SIZE CORE[:FLAG]... renders eight frames of a scene's camera file
 # in every precision profile on emulated processors (sim/targets/targets.sh), compiled with the flag if there is
 # one, and compares the hashes of all pixels with those of `limner render`. Where RAM is scarce the
 # renderer has half of it, whatever the scene asks for: the same frames, perhaps in more bands.
 # shellcheck shell=sh
 . sim/targets/targets.sh
 
+frames_options= # of compile and render, beside: --wireframe, --method newell
+
 frames_expected() { # PROFILE: the scene as C, its cameras, and the host's hashes, all different
     frames_dir=$work/$1
     mkdir -p "$frames_dir"
     awk '!/^#/ && NF && n++ % 8 == 0' "$scene.cam" | head -n 8 >"$work/few.cam"
-    "$BUILD/limner" compile "$scene.obj" --size "$size" --precision "$1" ${method:+--method "$method"} \
-        -o "$frames_dir/model" >/dev/null &&
+    # shellcheck disable=SC2086 # options are words
+    "$BUILD/limner" compile "$scene.obj" --size "$size" --precision "$1" $frames_options -o "$frames_dir/model" \
+        >/dev/null &&
         "$BUILD/limner" render "$frames_dir/model.lim" --camera "$work/few.cam" --size "$size" --precision "$1" \
-            ${method:+--method "$method"} --write-hashes "$frames_dir/expected" --write-cameras "$frames_dir/cameras.h" || return 1
+            $frames_options \
+            --write-hashes "$frames_dir/expected" --write-cameras "$frames_dir/cameras.h" || return 1
     cat "$frames_dir/expected"
     [ "$(cut -d ' ' -f 2 "$frames_dir/expected" | sort -u | wc -l)" -eq 8 ]
 }

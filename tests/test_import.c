@@ -110,7 +110,8 @@ static void opacities_of_mtl_are_taken_and_clamped(void **state)
     assert_transparencies("tests/models/opacity.obj", expected, sizeof expected, 2);
 }
 
-/* The alpha 0.4: BLEND, OPAQUE, MASK below the cutoff 0.5, MASK above 0.3, BLEND times the vertices' mean 0.5, OPAQUE. */
+/* The alpha 0.4: BLEND, OPAQUE, MASK below the cutoff 0.5, MASK above 0.3, BLEND times the vertices' mean 0.5, OPAQUE.
+ */
 static void alpha_modes_of_gltf_decide_what_alpha_means(void **state)
 {
     const uint8_t expected[] = {153, 0, 255, 0, 204, 0};

@@ -123,6 +123,7 @@ int main(void)
     const struct lim_target target = {CAMERAS_W_PX, CAMERAS_H_PX, LIM_RGB565, MODEL_SCENE_METHOD, &screen, lend, done};
     int err = lim_init(&lim, &model_scene, &target, mem, sizeof mem);
 
+    if (LIM_HAS_WIREFRAME && !err) lim_set_wireframe(&lim, &(const struct lim_wireframe){.on = true});
     for (uint16_t frame = 0; frame < CAMERAS_COUNT && !err; frame++) {
         err = render(frame);
         if (!err) put_frame(frame);

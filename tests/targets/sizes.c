@@ -31,7 +31,8 @@ _Static_assert(MCU_CUT_B == sizeof(struct lim_cut), "cut");
 #if LIM_HAS_CONVEX
 _Static_assert(MCU_TOP_B == sizeof *((struct lim_convex *)0)->tops, "head of a line's faces");
 _Static_assert(MCU_FACE_B == sizeof(struct lim_face), "face");
-_Static_assert(MCU_CROSSING_B + CLIP_MAX_VERTICES * (LIM_WIDE ? MCU_CELL_WIDE_B : MCU_CELL_B) ==
+enum { FLAGS_B = LIM_HAS_WIREFRAME ? (CLIP_MAX_VERTICES + 15) / 16 * 2 : 0 };
+_Static_assert(MCU_CROSSING_B + CLIP_MAX_VERTICES * (LIM_WIDE ? MCU_CELL_WIDE_B : MCU_CELL_B) + (FLAGS_B + 3) / 4 * 4 ==
                    sizeof(struct lim_crossing),
                "face that crosses a line");
 #endif
