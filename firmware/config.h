@@ -89,7 +89,7 @@
 #define LIM_HAS_HIDDEN (LIM_HAS_TREE || LIM_HAS_SORTED)
 
 /* What nearest first leaves to the painter's order where its pools are too small, line by line. */
-#define LIM_HAS_FALLBACK (LIM_HAS_NEAREST && (LIM_HAS_TRANSPARENT || LIM_HAS_WIREFRAME))
+#define LIM_HAS_FALLBACK (LIM_HAS_SPANS && (LIM_HAS_TRANSPARENT || LIM_HAS_WIREFRAME))
 
 /* Planes off the axes are tried in 32 bits first. One convex solid has too few of them for that to pay. */
 #define LIM_HAS_FILTER (LIM_HAS_HIDDEN && LIM_HAS_SLANTED)

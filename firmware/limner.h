@@ -31,7 +31,8 @@ LIM_MUST_CHECK int lim_init(struct lim *lim, const struct lim_scene *scene, cons
                             size_t mem_b);
 
 /* How frames are drawn from now on; lim_init() turns it off. There if LIM_HAS_WIREFRAME. Scenes compiled with
- * --wireframe know which of their edges the compiler made, which are not drawn. */
+ * --wireframe know which of their edges the compiler made, which are not drawn. LIM_NEWELL: polygons
+ * that it splits are filled, not outlined. */
 void lim_set_wireframe(struct lim *lim, const struct lim_wireframe *wireframe);
 
 /* Renders one frame through the target. 0, an enum lim_error, or what the target returned. */

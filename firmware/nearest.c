@@ -136,17 +136,6 @@ static bool collect_from_tree(struct lim *lim, const struct lim_rect *band)
 #endif
 
 #if LIM_HAS_SORTED
-static bool is_piece(const struct lim *lim, uint16_t entry)
-{
-#if LIM_HAS_NEWELL
-    return LIM_IS_NEWELL(&lim->target) && lim->sorter.newell.polygons[entry].cuts != LIM_NONE;
-#else
-    (void)lim;
-    (void)entry;
-    return false;
-#endif
-}
-
 static bool collect_from_list(struct lim *lim)
 {
     const struct lim_rect *open = &lim->spans.open;
@@ -156,7 +145,7 @@ static bool collect_from_list(struct lim *lim)
     for (uint16_t at = lim->sorter.first; at != LIM_NONE && lim->spans.open_lines; at = lim->sorter.list[at].next) {
         const LIM_FLASH uint16_t *record = &lim->scene->polygons[lim->sorter.list[at].record];
         if (!lim_project(&polygon, &lim->view, lim->scene, record, open, lim_stats_of(lim))) continue;
-        if (!(LIM_HAS_NEWELL && is_piece(lim, at) ? lim_piece_take(lim, at, &polygon) : take(lim, &polygon)))
+        if (!(LIM_HAS_NEWELL && lim_is_piece(lim, at) ? lim_piece_take(lim, at, &polygon) : take(lim, &polygon)))
             return false;
         if (++since_shrink < POLYGONS_PER_SHRINK) continue;
         since_shrink = 0;

@@ -14,6 +14,18 @@
 #define LIM_IS_NEWELL(target)                                                                                          \
     (LIM_HAS_NEWELL && ((!LIM_HAS_NEAREST && !LIM_HAS_DEPTH) || (target)->method == LIM_NEWELL))
 
+/* Whether an entry of the sorted list is a piece of a polygon that was split. */
+static inline bool lim_is_piece(const struct lim *lim, uint16_t entry)
+{
+#if LIM_HAS_NEWELL
+    return LIM_IS_NEWELL(&lim->target) && lim->sorter.newell.polygons[entry].cuts != LIM_NONE;
+#else
+    (void)lim;
+    (void)entry;
+    return false;
+#endif
+}
+
 /* Nearest first, without a framebuffer: nearest.c, and its memory in pools.c. From the tree, or from a sorted list. */
 size_t lim_nearest_mem_b(const struct lim_scene *scene, const struct lim_target *target, bool least);
 void lim_nearest_init(struct lim *lim, void *mem, size_t mem_b);

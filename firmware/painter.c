@@ -6,6 +6,7 @@
 #include "order.h"
 
 #include "fill.h"
+#include "piece.h"
 #include "project.h"
 #include "wire.h"
 
@@ -109,6 +110,8 @@ static int paint_any(struct lim *lim, const struct lim_screen_polygon *polygon, 
     return 0;
 }
 
+/* Where polygons come from, far to near: the walk through the tree, or the sorted list. */
+#if LIM_HAS_TREE
 static const LIM_FLASH uint16_t *record_after(const LIM_FLASH uint16_t *record)
 {
     return record + lim_record_words(record[0]);
@@ -137,6 +140,71 @@ static int paint_run(struct lim *lim, uint16_t run, const struct lim_rect *scree
     }
 }
 
+static int paint_tree(struct lim *lim, const struct lim_rect *screen)
+{
+    uint16_t run;
+
+    if (LIM_HAS_CULL) lim_cull_set(lim_cull_of(lim), &lim->view, lim_eye_of(lim)->at_q8, screen);
+    lim_walk_begin(&lim->walk, lim->stack, true);
+    while ((run = lim_walk_next(&lim->walk, lim_cull_of(lim), lim_stats_of(lim))) != LIM_NONE) {
+        const int err = paint_run(lim, run, screen);
+        if (err) return err;
+    }
+    return 0;
+}
+#endif
+
+#if LIM_HAS_SORTED && LIM_HAS_FALLBACK
+/* A piece of a split polygon, on the one line that it is asked for. */
+static int paint_piece(struct lim *lim, uint16_t entry, const struct lim_screen_polygon *whole, uint16_t y)
+{
+    const uint8_t fans = whole->shape.folded ? (uint8_t)(whole->n - 2) : 1;
+    struct lim_screen_polygon triangle;
+
+    for (uint8_t k = fans; k > 0; k--) {
+        const struct lim_screen_polygon *polygon = whole;
+        if (whole->shape.folded) {
+            lim_project_fan(whole, k, &triangle);
+            polygon = &triangle;
+        }
+        if (polygon->shape.top > (int16_t)y || polygon->shape.bottom <= (int16_t)y) continue;
+        const struct lim_point line = lim_piece_line(lim, entry, polygon, (int16_t)y);
+        const int err = fill_clamped(lim, (int16_t)y, (int16_t)line.x, (int16_t)line.y, polygon);
+        if (err) return err;
+    }
+    return 0;
+}
+
+static int paint_list(struct lim *lim, const struct lim_rect *screen)
+{
+    struct lim_screen_polygon polygon;
+    int err = 0;
+
+    lim_sorted_reverse(&lim->sorter);
+    for (uint16_t at = lim->sorter.first; at != LIM_NONE && !err; at = lim->sorter.list[at].next) {
+        const LIM_FLASH uint16_t *record = &lim->scene->polygons[lim->sorter.list[at].record];
+        if (!lim_project(&polygon, &lim->view, lim->scene, record, screen, lim_stats_of(lim))) continue;
+        err = LIM_HAS_NEWELL && lim_is_piece(lim, at) ? paint_piece(lim, at, &polygon, screen->y0)
+                                                      : paint_any(lim, &polygon, screen);
+    }
+    lim_sorted_reverse(&lim->sorter);
+    return err;
+}
+#endif
+
+static int paint_from_source(struct lim *lim, const struct lim_rect *screen)
+{
+#if LIM_HAS_SORTED && LIM_HAS_FALLBACK
+    if (LIM_IS_SORTED(&lim->target)) return paint_list(lim, screen);
+#endif
+#if LIM_HAS_TREE
+    return paint_tree(lim, screen);
+#else
+    (void)screen;
+    return 0;
+#endif
+}
+
 static int paint_background(struct lim *lim, const struct lim_rect *screen)
 {
     const uint16_t background = lim_background_of(lim);
@@ -161,17 +229,10 @@ static int finish(struct lim *lim, const struct lim_rect *screen)
 /* All of some lines. */
 static int paint_lines(struct lim *lim, const struct lim_rect *screen)
 {
-    uint16_t run;
     int err = paint_background(lim, screen);
 
-    if (err) return err;
-    if (LIM_HAS_CULL) lim_cull_set(lim_cull_of(lim), &lim->view, lim_eye_of(lim)->at_q8, screen);
-    lim_walk_begin(&lim->walk, lim->stack, true);
-    while ((run = lim_walk_next(&lim->walk, lim_cull_of(lim), lim_stats_of(lim))) != LIM_NONE) {
-        err = paint_run(lim, run, screen);
-        if (err) return err;
-    }
-    return finish(lim, screen);
+    if (!err) err = paint_from_source(lim, screen);
+    return err ? err : finish(lim, screen);
 }
 
 int lim_painter_frame(struct lim *lim)

@@ -28,7 +28,8 @@ bool lim_piece_overlap(struct lim *lim, uint16_t a, uint16_t b);
 
 /* The pixels x <= .. < y of a line of the screen that a piece has of a projected polygon that is not folded and has
  * that line. */
-struct lim_point lim_piece_line(const struct lim *lim, uint16_t entry, const struct lim_screen_polygon *whole, int16_t y);
+struct lim_point lim_piece_line(const struct lim *lim, uint16_t entry, const struct lim_screen_polygon *whole,
+                                int16_t y);
 
 /* SPAN for a piece of a projected polygon. false: a pool is exhausted. */
 bool lim_piece_take(struct lim *lim, uint16_t entry, const struct lim_screen_polygon *whole);

@@ -103,17 +103,17 @@ static void add_all(struct lim *lim)
     }
 }
 
-static uint16_t reverse(struct lim_sorted *list, uint16_t first)
+void lim_sorted_reverse(struct lim_sorter *sorter)
 {
-    uint16_t reversed = LIM_NONE;
+    uint16_t first = sorter->first;
 
+    sorter->first = LIM_NONE;
     while (first != LIM_NONE) {
-        const uint16_t next = list[first].next;
-        list[first].next = reversed;
-        reversed = first;
+        const uint16_t next = sorter->list[first].next;
+        sorter->list[first].next = sorter->first;
+        sorter->first = first;
         first = next;
     }
-    return reversed;
 }
 
 void lim_sorted_order(struct lim *lim)
@@ -130,7 +130,7 @@ void lim_sorted_order(struct lim *lim)
 #if LIM_HAS_NEWELL
     if (LIM_IS_NEWELL(&lim->target)) lim_newell_order(lim);
 #endif
-    if (!LIM_IS_NEWELL(&lim->target)) sorter->first = reverse(sorter->list, sorter->first);
+    if (!LIM_IS_NEWELL(&lim->target)) lim_sorted_reverse(sorter);
 #if LIM_HAS_STATS
     lim->stats.sorted = sorter->used;
 #endif

@@ -35,6 +35,9 @@ void lim_sorted_order(struct lim *lim);
  * in which a scene has them. Returns its first entry. */
 uint16_t lim_sorted_sort(struct lim_sorted *list, uint16_t first);
 
+/* Turns the list round. */
+void lim_sorted_reverse(struct lim_sorter *sorter);
+
 /* Whether a is to be painted before b. */
 static inline bool lim_sorted_precedes(const struct lim_sorted *a, const struct lim_sorted *b)
 {

@@ -208,7 +208,8 @@ static bool take_plain(struct lim *lim, uint16_t entry, const struct lim_screen_
     return true;
 }
 
-struct lim_point lim_piece_line(const struct lim *lim, uint16_t entry, const struct lim_screen_polygon *whole, int16_t y)
+struct lim_point lim_piece_line(const struct lim *lim, uint16_t entry, const struct lim_screen_polygon *whole,
+                                int16_t y)
 {
     const struct lim_rect screen = {0, 0, lim->target.w_px, lim->target.h_px};
     struct lim_point line;

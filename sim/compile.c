@@ -189,6 +189,7 @@ static unsigned side_or_default(unsigned side_px)
 
 static bool check_method(const struct compile_options *options, const struct compiled *scene, struct error *err)
 {
+    if (options->wireframe && !method_draws_wireframe(scene->report.draws, err)) return false;
     return scene->report.draws != LIM_CONVEX || scene->report.convex ||
            error_set(err, "--method %s: the scene is not one convex solid", options->method->name);
 }

@@ -56,3 +56,9 @@ bool method_sorts(enum lim_method draws)
 {
     return draws == LIM_DEPTH || draws == LIM_NEWELL;
 }
+
+bool method_draws_wireframe(enum lim_method draws, struct error *err)
+{
+    return draws != LIM_NEWELL ||
+           error_set(err, "--wireframe --method newell: pieces of split polygons have no outline; take another method");
+}

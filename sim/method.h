@@ -26,6 +26,9 @@ const char *method_title(enum lim_method draws);
 /* Whether it sorts all polygons, whatever the tree. */
 bool method_sorts(enum lim_method draws);
 
+/* Refuses what cannot draw wireframes. */
+bool method_draws_wireframe(enum lim_method draws, struct error *err);
+
 /* Its C name, enum lim_method. */
 const char *method_symbol(enum lim_method draws);
 

@@ -215,6 +215,7 @@ bool options_parse(int argc, char **argv, enum options_set set, struct options *
     if (optind + 1 < argc) return error_set(err, "%s: one scene at a time, what is '%s'?", argv[0], argv[optind + 1]);
     out->scene_path = argv[optind];
     if (is_render && !asks_for_output(out)) out->frame_pattern = "out/%03d.png";
+    if (out->wireframe.on && !method_draws_wireframe(out->setup.method, err)) return false;
     out->compile.keep_faces = out->ids_path || out->compare;
     out->compile.w_px = out->setup.w_px;
     out->compile.h_px = out->setup.h_px;

@@ -36,6 +36,13 @@ is_refused() { # VALUE
         ! ls "$work"/none* 2>/dev/null
 }
 
+newell_refuses() { # COMMAND OPTION...
+    command=$1
+    shift
+    ! "$BUILD/limner" "$command" sim/scenes/icosahedron.obj --method newell --wireframe "$@" 2>"$work/said" &&
+        grep -qx 'limner: --wireframe --method newell: .*' "$work/said" && ! ls "$work"/none* 2>/dev/null
+}
+
 for method in nearest painter; do
     tap_check "$method: the glass is as it was" golden glass glass --method $method
     tap_check "$method: the rooms are as they were" golden rooms rooms --method $method
@@ -45,6 +52,8 @@ for method in nearest painter convex; do
 done
 tap_check "a scene compiled for it knows its edges" compiled
 tap_check "another one does not" plain
+tap_check "Newell's pieces have no outline: compile refuses" newell_refuses compile -o "$work/none"
+tap_check "render refuses too" newell_refuses render -o "$work/none%d.png"
 tap_check "lines and background take the colours given" two_colours
 for value in '' 000000 000000, 000000,00000 000000,FFFFFF, 00000g,FFFFFF '000000 FFFFFF' +00000,FFFFFF; do
     tap_check "colours '$value' are refused" is_refused "$value"

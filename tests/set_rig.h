@@ -19,6 +19,7 @@ struct set {
     struct lim_node leaf;
     struct lim_scene scene;
     uint16_t last; /* the last record */
+    uint8_t alpha; /* of what is added; 0: opaque */
 };
 
 /* Where a set is drawn. */

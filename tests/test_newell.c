@@ -153,7 +153,7 @@ static void with_the_option_only_one_of_them_is_split(void **state)
 }
 
 /* Bars that rise from behind the one before to before the one after: 1 hides 2, 2 hides 3, 3 hides 1. */
-static void make_ring(struct set *set, bool along_plus_z)
+static void make_ring_of(struct set *set, const uint16_t colours[3], uint8_t alpha, bool along_plus_z)
 {
     static const int16_t bars[3][4][3] = {
         {{-1200, -900, 2300}, {1200, -900, 1700}, {1200, -500, 1700}, {-1200, -500, 2300}},
@@ -161,8 +161,16 @@ static void make_ring(struct set *set, bool along_plus_z)
         {{-700, -1200, 1700}, {500, 1200, 2300}, {100, 1200, 2300}, {-1100, -1200, 1700}}};
 
     set_init(set);
+    set->alpha = alpha;
     for (int i = 0; i < 3; i++)
-        set_add_seen(set, (uint16_t)(i + 1), along_plus_z, 4, bars[i]);
+        set_add_seen(set, colours[i], along_plus_z, 4, bars[i]);
+}
+
+static void make_ring(struct set *set, bool along_plus_z)
+{
+    static const uint16_t names[3] = {1, 2, 3};
+
+    make_ring_of(set, names, 0, along_plus_z);
 }
 
 static void assert_right(const struct set *set, const struct set_view *view, bool along_plus_z)
@@ -281,6 +289,33 @@ static void without_room_to_split_the_rest_goes_by_farthest_points(void **state)
     assert_in_range(pieces, 1, 6);
 }
 
+/* Pieces of glass: blended from the stack of layers, and, without room for it, line by line far to near. */
+static void what_shines_through_pieces_needs_no_memory_either(void **state)
+{
+    static const uint16_t colours[3] = {0xF800, 0x07E0, 0x001F};
+    const struct lim_camera camera = set_camera(false);
+    struct set set, opaque;
+    struct set_view plenty, least, solid;
+
+    (void)state;
+    make_ring_of(&opaque, colours, 0, false);
+    set_draw(&opaque, LIM_NEWELL, NULL, -1, &camera, &solid);
+    make_ring_of(&set, colours, 100, false);
+    set.scene.limits.layers = 100;
+    set_draw(&set, LIM_NEWELL, NULL, -1, &camera, &plenty);
+    assert_int_equal(lim_stats(&plenty.lim)->bands, 0);
+    assert_true(lim_stats(&plenty.lim)->newell.splits > 0);
+    assert_in_range(lim_stats(&plenty.lim)->layers_max, 2, 12);
+    assert_memory_not_equal(plenty.pixels, solid.pixels, sizeof plenty.pixels);
+    set.scene.limits = (struct lim_limits){1, 4, 0, 0, 0, set.scene.limits.pieces, 1};
+    set_draw(&set, LIM_NEWELL, NULL, -1, &camera, &least);
+    assert_true(lim_stats(&least.lim)->bands > 10);
+    assert_memory_equal(plenty.pixels, least.pixels, sizeof plenty.pixels);
+    set_view_free(&plenty);
+    set_view_free(&least);
+    set_view_free(&solid);
+}
+
 /* Bands: lines, gaps and retained polygons for one pixel at a time; the order stays what it is. */
 static void any_memory_beside_gives_the_same_picture(void **state)
 {
@@ -292,7 +327,7 @@ static void any_memory_beside_gives_the_same_picture(void **state)
     make_ring(&set, false);
     set_draw(&set, LIM_NEWELL, NULL, -1, &camera, &plenty);
     assert_int_equal(lim_stats(&plenty.lim)->bands, 0);
-    set.scene.limits = (struct lim_limits){1, 4, 0, 0, 0, set.scene.limits.pieces};
+    set.scene.limits = (struct lim_limits){1, 4, 0, 0, 0, set.scene.limits.pieces, 0};
     set_draw(&set, LIM_NEWELL, NULL, -1, &camera, &least);
     assert_true(lim_stats(&least.lim)->bands > 10);
     assert_int_equal(lim_stats(&least.lim)->newell.splits, lim_stats(&plenty.lim)->newell.splits);
@@ -306,6 +341,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(with_depths_apart_farthest_points_are_right),
         cmocka_unit_test(by_farthest_point_they_are_1_2_3),
+        cmocka_unit_test(what_shines_through_pieces_needs_no_memory_either),
         cmocka_unit_test(any_memory_beside_gives_the_same_picture),
         cmocka_unit_test(S1_S2_S3_become_S2_S1_S3_and_then_S3_S2_S1),
         cmocka_unit_test(two_that_pass_through_each_other_become_Q2_P1_P2_Q1),
