@@ -133,12 +133,21 @@ $(BUILD)/count_plugin.so: sim/targets/count_plugin.c $(BUILD)/host/flags
 # -- The demo ----------------------------------------------------------------------------------------------------------
 
 demo      := $(BUILD)/scenes/demo.obj $(BUILD)/scenes/demo.cam
-generator := $(wildcard sim/scenes/*.c)
+textured  := $(addprefix $(BUILD)/scenes/textured/textured,.obj .cam)
+generator := $(filter-out %textured.c sim/scenes/textured_%,$(wildcard sim/scenes/*.c))
+textured_generator := $(wildcard sim/scenes/textured_*.c) sim/scenes/generate_textured.c
 
 $(BUILD)/generate_demo: $(call object,$(generator))
 	@$(CC) $(OPT) -o $@ $^ -lm
 
 $(demo) &: $(BUILD)/generate_demo
+	@mkdir -p $(@D)
+	@$< $(@D)
+
+$(BUILD)/generate_textured: $(call object,$(textured_generator))
+	@$(CC) $(OPT) -o $@ $^ $(LINKS)
+
+$(textured) &: $(BUILD)/generate_textured
 	@mkdir -p $(@D)
 	@$< $(@D)
 
@@ -188,7 +197,7 @@ $(if $(unknown),$(error there is no suite $(unknown); there are: all $(ALL_SUITE
 
 programs := $(sort $(foreach suite,$(suites),$(suite-$(suite))))
 
-test: $(BUILD)/limner $(demo) $(programs) ## run the host and Arm suites; SUITES=all: every suite
+test: $(BUILD)/limner $(demo) $(textured) $(programs) ## run the host and Arm suites; SUITES=all: every suite
 	$(LIVE)sh tests/run.sh $(programs)
 
 check: ## run the host suite only
@@ -248,4 +257,4 @@ format: packages ## lay out every C file by .clang-format
 clean: ## remove build/ and out/
 	@rm -rf $(BUILD) out
 
--include $(patsubst %.o,%.d,$(call object,$(sources) $(generator) $(test_sources) tests/exhaustive/main.c tests/libfuzzer/main.c))
+-include $(patsubst %.o,%.d,$(call object,$(sources) $(generator) $(textured_generator) $(test_sources) tests/exhaustive/main.c tests/libfuzzer/main.c))

@@ -60,6 +60,9 @@
 #ifndef LIM_HAS_TRANSPARENT
 #define LIM_HAS_TRANSPARENT 1 /* polygons that what lies behind them shines through */
 #endif
+#ifndef LIM_HAS_TEXTURE
+#define LIM_HAS_TEXTURE 1 /* polygons with a texture */
+#endif
 
 /* 1: lim_set_wireframe() is there. */
 #ifndef LIM_HAS_WIREFRAME
@@ -127,6 +130,13 @@
 #define LIM_RARE __attribute__((noinline, cold))
 #else
 #define LIM_RARE
+#endif
+
+/* Not inlined, but not rare: a loop that wants all registers for itself. */
+#if defined(__GNUC__)
+#define LIM_ALONE __attribute__((noinline))
+#else
+#define LIM_ALONE
 #endif
 
 /* Before a loop of n turns: written out n times, unless small code is asked for. */

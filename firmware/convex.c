@@ -73,9 +73,32 @@ static void note_faces(struct lim *lim, struct lim_screen_polygon *polygon)
 
 /* Pass two: the faces that cross a line ----------------------------------------------------------- */
 
-static LIM_RARE void begin(struct lim_crossing *crossing)
+static LIM_RARE void begin(struct lim *lim, struct lim_crossing *crossing)
 {
+#if LIM_HAS_TEXTURE
+    if (crossing->polygon.texture != LIM_NONE)
+        lim_texture_set(&lim->texturing, crossing->polygon.texture, &crossing->gradients);
+#else
+    (void)lim;
+#endif
     lim_edge_begin(&crossing->pair, crossing->polygon.n, crossing->polygon.shape.first);
+}
+
+/* false: it is of one colour. */
+static bool fill_textured(struct lim *lim, uint16_t *line, const struct lim_crossing *crossing, int16_t y, int16_t x0,
+                          int16_t x1)
+{
+#if LIM_HAS_TEXTURE
+    const struct lim_textured_span span = {&lim->texturing, &crossing->gradients, y, crossing->pair.left.x,
+                                           crossing->pair.right.x};
+
+    if (crossing->polygon.texture == LIM_NONE) return false;
+    lim_texture_fill(&span, line, (uint16_t)x0, (uint16_t)x1, lim_stats_of(lim));
+    return true;
+#else
+    (void)lim, (void)line, (void)crossing, (void)y, (void)x0, (void)x1;
+    return false;
+#endif
 }
 
 /* The polygon's pixels on line y: its first one, or that below the last. */
@@ -88,7 +111,7 @@ static void fill_next(struct lim *lim, uint16_t *line, struct lim_crossing *cros
     if (LIM_HAS_WIREFRAME && lim_wireframe_of(lim)) {
         const struct lim_wire wire = lim_wire_of(&crossing->polygon, lim_wireframe_of(lim), lim_background_of(lim), y);
         lim_wire_fill(line, &wire, (uint16_t)x0, (uint16_t)x1);
-    } else {
+    } else if (!fill_textured(lim, line, crossing, y, x0, x1)) {
         lim_fill(line, (uint16_t)x0, (uint16_t)(x1 - x0), crossing->polygon.colour);
     }
     if (LIM_HAS_STATS) lim_stats_of(lim)->pixels_painted += (uint32_t)(x1 - x0);
@@ -103,7 +126,7 @@ static LIM_RARE void fill_fan(struct lim *lim, uint16_t *line, const struct lim_
     for (uint_fast8_t k = 1; k + 1u < folded->n; k++) {
         lim_project_fan(folded, (uint8_t)(LIM_HAS_WIREFRAME ? folded->n - 1u - k : k), &triangle.polygon);
         if (y < triangle.polygon.shape.top || y >= triangle.polygon.shape.bottom) continue;
-        begin(&triangle);
+        begin(lim, &triangle);
         fill_next(lim, line, &triangle, y);
     }
 }
@@ -122,7 +145,7 @@ static struct lim_crossing *enter(struct lim *lim, struct lim_face *face, struct
     }
     if (LIM_HAS_STATS && crossing == spare) lim_stats_of(lim)->bands++;
     (void)project(lim, &crossing->polygon, face->record, NULL);
-    begin(crossing);
+    begin(lim, crossing);
     return crossing;
 }
 

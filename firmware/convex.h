@@ -8,6 +8,7 @@
 #define LIM_CONVEX_H
 
 #include "project.h"
+#include "texture.h"
 
 /* A polygon that faces the eye and meets the screen. */
 struct lim_face {
@@ -24,6 +25,9 @@ struct lim_face {
 struct lim_crossing {
     struct lim_screen_polygon polygon;
     struct lim_edge_pair pair;
+#if LIM_HAS_TEXTURE
+    struct lim_gradients gradients; /* if it has a texture */
+#endif
 };
 
 struct lim_convex {

@@ -86,6 +86,8 @@ int lim_frame(struct lim *lim, const struct lim_camera *camera)
 {
     if (LIM_HAS_STATS) *lim_stats_of(lim) = (struct lim_stats){0};
     if (!lim_view_begin(&lim->view, lim->scene, camera)) return LIM_ERR_CAMERA;
+    if (LIM_HAS_TEXTURE && lim_texture_count(lim->scene))
+        lim_texture_begin(lim_texturing_of(lim), lim->scene, &lim->view, camera);
     lim_eye_set(lim_eye_of(lim), lim->scene, camera->eye_q8);
     const int err = draw(lim);
     if (LIM_HAS_STATS) lim_stats_of(lim)->vertices = lim->view.vertices;

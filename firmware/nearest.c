@@ -57,16 +57,7 @@ static bool take_plain(struct lim *lim, const struct lim_screen_polygon *polygon
     if (result == LIM_SPAN_NOTHING) return true;
     if (result == LIM_SPAN_EXHAUSTED) return false;
     if (LIM_HAS_STATS) lim_stats_of(lim)->polygons_seen++;
-    struct lim_retained_polygon seen = {
-        .at = polygon->at,
-        .n = polygon->n,
-        .first = polygon->shape.first,
-        .top = (uint16_t)top,
-        .bottom = (uint16_t)bottom,
-        .colour = polygon->colour,
-    };
-    if (LIM_HAS_TRANSPARENT) lim_retained_set_alpha(&seen, alpha);
-    if (LIM_HAS_WIREFRAME) lim_retained_set_hidden(&seen, wireframe ? lim_hidden_of(polygon) : NULL);
+    const struct lim_retained_polygon seen = lim_retained_of(polygon, top, bottom, wireframe);
     return lim_retain(&lim->retained, lim->spans.lines, &seen);
 }
 

@@ -40,6 +40,15 @@ static void turn(struct lim_active *active, const union lim_retained_cell *cells
     active->turn = at < bottom ? at : bottom;
 }
 
+static void set_texture(const struct lim_paint *paint, struct lim_active *active, const union lim_retained_cell *cells)
+{
+#if LIM_HAS_TEXTURE
+    if (lim_retained_has_texture(cells)) lim_texture_set(paint->texturing, cells[1].look.colour, &active->gradients);
+#else
+    (void)paint, (void)active, (void)cells;
+#endif
+}
+
 /* Starts one polygon on line y. false: no room. */
 static bool activate(struct lim_paint *paint, const struct lim_retained *retained, uint16_t polygon, uint16_t y)
 {
@@ -56,6 +65,7 @@ static bool activate(struct lim_paint *paint, const struct lim_retained *retaine
     active->next = *link;
     *link = self;
     active->polygon = polygon;
+    set_texture(paint, active, cells);
     lim_edge_begin(&active->pair, cells[0].link.n, cells[0].link.first);
     turn(active, cells, (int16_t)y);
     return true;
@@ -75,6 +85,10 @@ struct sink {
     uint16_t painted_px;
 #if LIM_HAS_WIREFRAME
     struct lim_wire wire; /* of no corners: polygons are filled */
+#endif
+#if LIM_HAS_TEXTURE
+    struct lim_textured_span span; /* no gradients: of one colour */
+    struct lim_stats *stats;
 #endif
 };
 
@@ -109,13 +123,37 @@ static inline void set_wire(struct sink *sink, const struct lim_paint *paint, co
 #endif
 }
 
+static inline void set_span(struct sink *sink, const struct lim_active *active, const union lim_retained_cell *cells)
+{
+#if LIM_HAS_TEXTURE
+    sink->span.gradients = lim_retained_has_texture(cells) ? &active->gradients : NULL;
+    sink->span.left = active->pair.left.x;
+    sink->span.right = active->pair.right.x;
+#else
+    (void)sink, (void)active, (void)cells;
+#endif
+}
+
+/* false: it is of one colour. */
+static inline bool paint_textured(const struct sink *sink, uint16_t x0, uint16_t x1)
+{
+#if LIM_HAS_TEXTURE
+    if (!sink->span.gradients) return false;
+    lim_texture_fill(&sink->span, sink->line, x0, x1, sink->stats);
+    return true;
+#else
+    (void)sink, (void)x0, (void)x1;
+    return false;
+#endif
+}
+
 static void paint_piece(void *ctx, uint16_t x0, uint16_t x1)
 {
     struct sink *sink = ctx;
 
     if (LIM_HAS_WIREFRAME && wire_of(sink))
         lim_wire_fill(sink->line, wire_of(sink), x0, x1);
-    else
+    else if (!paint_textured(sink, x0, x1))
         lim_fill(sink->line, x0, (uint16_t)(x1 - x0), sink->colour);
     if (LIM_HAS_STATS) sink->painted_px = (uint16_t)(sink->painted_px + x1 - x0);
 }
@@ -173,6 +211,7 @@ static void paint_polygons(struct lim_paint *paint, struct lim_spans *spans, con
         const int16_t left = active->pair.left.x, right = active->pair.right.x;
 
         sink->colour = cells[1].look.colour;
+        set_span(sink, active, cells);
         if (LIM_HAS_WIREFRAME) set_wire(sink, paint, cells, y);
         if (left < right) {
             if (LIM_HAS_TRANSPARENT && lim_retained_alpha(cells) != LIM_OPAQUE)
@@ -219,6 +258,17 @@ static bool blend(struct lim_paint *paint, uint16_t *line, struct lim_stats *sta
     return true;
 }
 
+static inline void begin_span(struct sink *sink, const struct lim_paint *paint, uint16_t y, struct lim_stats *stats)
+{
+#if LIM_HAS_TEXTURE
+    sink->span.texturing = paint->texturing;
+    sink->span.y = (int16_t)y;
+    sink->stats = stats;
+#else
+    (void)sink, (void)paint, (void)y, (void)stats;
+#endif
+}
+
 static int paint_line(struct lim_paint *paint, struct lim_spans *spans, const struct lim_retained *retained,
                       const struct lim_rect *band, uint16_t y, struct lim_stats *stats)
 {
@@ -228,6 +278,7 @@ static int paint_line(struct lim_paint *paint, struct lim_spans *spans, const st
     sink.line = paint->target->lend(paint->target->ctx, y);
     sink.colour = sink.painted_px = 0;
     if (!sink.line) return LIM_ERR_TARGET;
+    begin_span(&sink, paint, y, stats);
     if (LIM_HAS_STATS && paint->used > stats->active_max) stats->active_max = paint->used;
     lim_spans_reset_pool(spans);
     paint_polygons(paint, spans, retained, &open, y, &sink);

@@ -16,6 +16,7 @@
 #include "span.h"
 #include "stats.h"
 #include "target.h"
+#include "texture.h"
 #include "wire.h"
 
 /* A retained polygon that crosses the current line. */
@@ -24,10 +25,16 @@ struct lim_active {
     uint16_t polygon; /* its first cell; the list is sorted by it, nearest first */
     int16_t turn;     /* the line on which its edges change, or its bottom */
     uint16_t next;    /* in the list, or LIM_NONE */
+#if LIM_HAS_TEXTURE
+    struct lim_gradients gradients; /* if it has a texture */
+#endif
 };
 
 struct lim_paint {
     const struct lim_target *target;
+#if LIM_HAS_TEXTURE
+    const struct lim_texturing *texturing;
+#endif
     struct lim_active *pool;
     uint16_t pool_size;
     uint16_t first, free; /* lists through `next` */

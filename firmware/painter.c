@@ -53,30 +53,39 @@ static uint16_t *line_at(struct lim *lim, uint16_t y)
     return lent ? lent : lim->target.lend(lim->target.ctx, y);
 }
 
-static int fill_piece(struct lim *lim, uint16_t y, uint16_t x0, uint16_t x1, const struct lim_screen_polygon *polygon)
+static int fill_piece(struct lim *lim, const struct lim_textured_span *span, uint16_t x0, uint16_t x1,
+                      const struct lim_screen_polygon *polygon)
 {
-    uint16_t *line = line_at(lim, y);
+    uint16_t *line = line_at(lim, (uint16_t)span->y);
 
     if (!line) return LIM_ERR_TARGET;
     if (LIM_HAS_WIREFRAME && lim_wireframe_of(lim)) {
-        const struct lim_wire wire = lim_wire_of(polygon, lim_wireframe_of(lim), lim_background_of(lim), (int16_t)y);
+        const struct lim_wire wire = lim_wire_of(polygon, lim_wireframe_of(lim), lim_background_of(lim), span->y);
         lim_wire_fill(line, &wire, x0, x1);
     } else if (LIM_HAS_TRANSPARENT && lim_alpha_of(polygon) != LIM_OPAQUE)
         lim_blend(line, x0, (uint16_t)(x1 - x0), polygon->colour, lim_alpha_of(polygon));
+    else if (LIM_HAS_TEXTURE && lim_screen_texture(polygon) != LIM_NONE)
+        lim_texture_fill(span, line, x0, x1, lim_stats_of(lim));
     else
         lim_fill(line, x0, (uint16_t)(x1 - x0), polygon->colour);
     return 0;
 }
 
-static int fill_clamped(struct lim *lim, int16_t y, int16_t x0, int16_t x1, const struct lim_screen_polygon *polygon)
+/* `span`: the polygon's pixels on the line, before anything is cut off. */
+static int fill_clamped(struct lim *lim, const struct lim_textured_span *span, const struct lim_screen_polygon *polygon)
 {
     const int16_t w_px = (int16_t)lim->target.w_px;
+    const int16_t x0 = span->left < 0 ? 0 : span->left, x1 = span->right > w_px ? w_px : span->right;
 
-    if (x0 < 0) x0 = 0;
-    if (x1 > w_px) x1 = w_px;
     if (x0 >= x1) return 0;
     if (LIM_HAS_STATS) lim_stats_of(lim)->pixels_painted += (uint32_t)(x1 - x0);
-    return fill_piece(lim, (uint16_t)y, (uint16_t)x0, (uint16_t)x1, polygon);
+    return fill_piece(lim, span, (uint16_t)x0, (uint16_t)x1, polygon);
+}
+
+static void begin_texture(struct lim *lim, const struct lim_screen_polygon *polygon, struct lim_gradients *gradients)
+{
+    if (LIM_HAS_TEXTURE && lim_screen_texture(polygon) != LIM_NONE)
+        lim_texture_set(lim_texturing_of(lim), lim_screen_texture(polygon), gradients);
 }
 
 static int paint_plain(struct lim *lim, const struct lim_screen_polygon *polygon, const struct lim_rect *screen)
@@ -85,13 +94,16 @@ static int paint_plain(struct lim *lim, const struct lim_screen_polygon *polygon
     const int16_t bottom = polygon->shape.bottom < end ? polygon->shape.bottom : end;
     int16_t y = polygon->shape.top > first ? polygon->shape.top : first;
     struct lim_edge_pair pair;
+    struct lim_gradients gradients;
 
     if (y >= bottom) return 0;
     if (LIM_HAS_STATS) lim_stats_of(lim)->lines += (uint32_t)(bottom - y);
+    begin_texture(lim, polygon, &gradients);
     lim_edge_begin(&pair, polygon->n, polygon->shape.first);
     for (;;) {
         lim_edge_advance(&pair, polygon->at, polygon->n, y);
-        const int err = fill_clamped(lim, y, pair.left.x, pair.right.x, polygon);
+        const struct lim_textured_span span = {lim_texturing_of(lim), &gradients, y, pair.left.x, pair.right.x};
+        const int err = fill_clamped(lim, &span, polygon);
         if (err) return err;
         if (++y == bottom) return 0;
     }
@@ -160,6 +172,7 @@ static int paint_piece(struct lim *lim, uint16_t entry, const struct lim_screen_
 {
     const uint8_t fans = whole->shape.folded ? (uint8_t)(whole->n - 2) : 1;
     struct lim_screen_polygon triangle;
+    struct lim_gradients gradients;
 
     for (uint8_t k = fans; k > 0; k--) {
         const struct lim_screen_polygon *polygon = whole;
@@ -169,7 +182,10 @@ static int paint_piece(struct lim *lim, uint16_t entry, const struct lim_screen_
         }
         if (polygon->shape.top > (int16_t)y || polygon->shape.bottom <= (int16_t)y) continue;
         const struct lim_point line = lim_piece_line(lim, entry, polygon, (int16_t)y);
-        const int err = fill_clamped(lim, (int16_t)y, (int16_t)line.x, (int16_t)line.y, polygon);
+        const struct lim_textured_span span = {lim_texturing_of(lim), &gradients, (int16_t)y, (int16_t)line.x,
+                                               (int16_t)line.y};
+        begin_texture(lim, polygon, &gradients);
+        const int err = fill_clamped(lim, &span, polygon);
         if (err) return err;
     }
     return 0;

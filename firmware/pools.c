@@ -175,6 +175,9 @@ void lim_nearest_init(struct lim *lim, void *mem, size_t mem_b)
 #endif
     lim->paint.target = &lim->target;
     lim->paint.background = lim_background_of(lim);
+#if LIM_HAS_TEXTURE
+    lim->paint.texturing = &lim->texturing;
+#endif
     lim->paint.pool = cut(&at, shares.active * sizeof(struct lim_active));
     lim->paint.pool_size = shares.active;
     lim->retained.cells = cut(&at, shares.retained_cells * sizeof(union lim_retained_cell));

@@ -68,6 +68,20 @@ static uint8_t clip_and_project(struct lim_point *out, const struct lim_view *vi
     return clipped->n;
 }
 
+/* A scene whose textures are taken away keeps its records. */
+static void note_texture(struct lim_screen_polygon *out, const struct lim_scene *scene,
+                         const LIM_FLASH uint16_t *record)
+{
+#if LIM_HAS_TEXTURE
+    const bool has_one = record[0] & LIM_POLYGON_TEXTURE && scene->texture_count;
+    const uint16_t end = (uint16_t)((uint16_t)(record - scene->polygons) + lim_record_words(record[0]));
+
+    out->texture = has_one ? (uint16_t)(end - LIM_POLYGON_TEXTURE_WORDS) : LIM_NONE;
+#else
+    (void)out, (void)scene, (void)record;
+#endif
+}
+
 /* To the left or right of the view a convex solid may keep faces that the tree's orders drop: they cover no pixel. */
 static bool meets(const struct lim_edge_shape *shape, const struct lim_rect *open)
 {
@@ -113,6 +127,7 @@ bool lim_project(struct lim_screen_polygon *out, struct lim_view *view, const st
     if (LIM_HAS_STATS && stats) stats->folded += out->shape.folded;
     out->colour = lim_memory_colour(record[1]);
     if (LIM_HAS_TRANSPARENT) set_alpha(out, alpha_of(record));
+    note_texture(out, scene, record);
     return meets(&out->shape, open);
 }
 
@@ -137,6 +152,9 @@ void lim_project_fan(const struct lim_screen_polygon *folded, uint8_t k, struct 
     if (LIM_HAS_WIREFRAME) hidden_of_fan(folded, k, triangle);
     triangle->colour = folded->colour;
     if (LIM_HAS_TRANSPARENT) set_alpha(triangle, lim_alpha_of(folded));
+#if LIM_HAS_TEXTURE
+    triangle->texture = folded->texture;
+#endif
     for (uint_fast8_t i = 0; i < 3; i++) {
         triangle->at[i] = folded->at[corner];
         corner += i ? 1u : k;

@@ -21,6 +21,9 @@ struct lim_screen_polygon {
 #if LIM_HAS_WIREFRAME
     uint16_t hidden[(CLIP_MAX_VERTICES + 15) / 16]; /* an edge a bit: not drawn */
 #endif
+#if LIM_HAS_TEXTURE
+    uint16_t texture; /* the word of lim_scene.polygons at which its record names its texture, or LIM_NONE */
+#endif
     struct lim_point at[CLIP_MAX_VERTICES];
 };
 
@@ -42,6 +45,16 @@ static inline const uint16_t *lim_hidden_of(const struct lim_screen_polygon *pol
 #else
     (void)polygon;
     return NULL;
+#endif
+}
+
+static inline uint16_t lim_screen_texture(const struct lim_screen_polygon *polygon)
+{
+#if LIM_HAS_TEXTURE
+    return polygon->texture;
+#else
+    (void)polygon;
+    return LIM_NONE;
 #endif
 }
 

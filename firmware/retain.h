@@ -8,6 +8,7 @@
 
 #include "blend.h"
 #include "profile.h"
+#include "project.h"
 #include "span.h"
 
 /* A retained polygon is two head cells and one cell a vertex; if it is transparent, one more with its alpha; in
@@ -19,8 +20,8 @@ union lim_retained_cell {
         uint8_t n, first;
     } link;
     struct {
-        uint16_t bottom; /* the line after its last, and LIM_RETAINED_TRANSPARENT */
-        uint16_t colour; /* as it lies in memory */
+        uint16_t bottom; /* the line after its last, with LIM_RETAINED_TRANSPARENT or LIM_RETAINED_TEXTURE */
+        uint16_t colour; /* as it lies in memory; with LIM_RETAINED_TEXTURE lim_screen_polygon.texture */
     } look;
     struct lim_point at;
     uint16_t alpha;
@@ -29,6 +30,7 @@ union lim_retained_cell {
 
 enum { LIM_RETAINED_HEAD_CELLS = 2 };
 #define LIM_RETAINED_TRANSPARENT 0x8000u
+#define LIM_RETAINED_TEXTURE 0x4000u
 
 struct lim_retained {
     union lim_retained_cell *cells;
@@ -38,7 +40,7 @@ struct lim_retained {
 struct lim_retained_polygon {
     const struct lim_point *at;
     uint8_t n, first;
-    uint16_t top, bottom; /* lines top <= y < bottom, on the screen */
+    uint16_t top, bottom; /* lines top <= y < bottom, on the screen; bottom perhaps with LIM_RETAINED_TEXTURE */
     uint16_t colour;
 #if LIM_HAS_TRANSPARENT
     uint8_t alpha;
@@ -48,29 +50,44 @@ struct lim_retained_polygon {
 #endif
 };
 
-static inline void lim_retained_set_hidden(struct lim_retained_polygon *polygon, const uint16_t *hidden)
+/* What is transparent has no texture; in wireframe all is opaque and has none. */
+static inline struct lim_retained_polygon lim_retained_of(const struct lim_screen_polygon *polygon, int16_t top,
+                                                          int16_t bottom, bool wireframe)
 {
-#if LIM_HAS_WIREFRAME
-    polygon->hidden = hidden;
-#else
-    (void)polygon, (void)hidden;
-#endif
-}
+    struct lim_retained_polygon seen = {
+        .at = polygon->at,
+        .n = polygon->n,
+        .first = polygon->shape.first,
+        .top = (uint16_t)top,
+        .bottom = (uint16_t)bottom,
+        .colour = polygon->colour,
+    };
 
-static inline void lim_retained_set_alpha(struct lim_retained_polygon *polygon, uint8_t alpha)
-{
 #if LIM_HAS_TRANSPARENT
-    polygon->alpha = alpha;
-#else
-    (void)polygon, (void)alpha;
+    seen.alpha = wireframe ? LIM_OPAQUE : polygon->alpha;
 #endif
+#if LIM_HAS_WIREFRAME
+    seen.hidden = wireframe ? polygon->hidden : NULL;
+#endif
+    if (LIM_HAS_TEXTURE && lim_screen_texture(polygon) != LIM_NONE && !wireframe &&
+        lim_alpha_of(polygon) == LIM_OPAQUE) {
+        seen.colour = lim_screen_texture(polygon);
+        seen.bottom |= LIM_RETAINED_TEXTURE;
+    }
+    return seen;
 }
 
 static inline int16_t lim_retained_bottom(const union lim_retained_cell *cells)
 {
-    const uint16_t bottom = cells[1].look.bottom;
+    const uint16_t flags =
+        (LIM_HAS_TRANSPARENT ? LIM_RETAINED_TRANSPARENT : 0u) | (LIM_HAS_TEXTURE ? LIM_RETAINED_TEXTURE : 0u);
 
-    return (int16_t)(LIM_HAS_TRANSPARENT ? bottom & (LIM_RETAINED_TRANSPARENT - 1) : bottom);
+    return (int16_t)(cells[1].look.bottom & ~flags);
+}
+
+static inline bool lim_retained_has_texture(const union lim_retained_cell *cells)
+{
+    return LIM_HAS_TEXTURE && cells[1].look.bottom & LIM_RETAINED_TEXTURE;
 }
 
 static inline uint8_t lim_retained_alpha(const union lim_retained_cell *cells)

@@ -65,12 +65,13 @@ struct lim_plane_ref {
  * then what the flags announce, in their order.
  * The records of a node's run share its plane and a facing. Those of a leaf have planes of their own. */
 #define LIM_POLYGON_COUNT 0x00FFu
-#define LIM_POLYGON_PLANE 0x0100u /* its plane, a struct lim_plane_ref: two words */
-#define LIM_POLYGON_BACK 0x0200u  /* it faces the back of that plane */
-#define LIM_POLYGON_ALPHA 0x0400u /* its alpha, a word: 1..254, of 255 */
-#define LIM_POLYGON_EDGES 0x0800u /* an edge a bit, (n + 15) / 16 words: bit k set, and wireframe leaves edge k out */
+#define LIM_POLYGON_PLANE 0x0100u   /* its plane, a struct lim_plane_ref: two words */
+#define LIM_POLYGON_BACK 0x0200u    /* it faces the back of that plane */
+#define LIM_POLYGON_ALPHA 0x0400u   /* its alpha, a word: 1..254, of 255 */
+#define LIM_POLYGON_EDGES 0x0800u   /* an edge a bit, (n + 15) / 16 words: bit k set, and wireframe leaves edge k out */
+#define LIM_POLYGON_TEXTURE 0x1000u /* indices of its texture and of its mapping: two words, the last ones */
 #define LIM_POLYGON_LAST 0x8000u
-enum { LIM_POLYGON_HEAD_WORDS = 2 };
+enum { LIM_POLYGON_HEAD_WORDS = 2, LIM_POLYGON_TEXTURE_WORDS = 2 };
 
 /* A leaf has no plane and no children; its front_run comes in an order that is right from everywhere, nearest
  * first (sets without a tree: in any order), and is never LIM_NONE. */
@@ -87,6 +88,37 @@ struct lim_box {
     int16_t centre[3]; /* units */
     uint16_t half[3];  /* units, 0..32768 */
 };
+
+/* Where a textured polygon shows which texel: texel i, i = 0 across and 1 down, is uv[i] . p / 2^bits[i] plus a
+ * constant at p, units, on the plane n . p = d. The components of n and of either uv add up to 32767 at most, without
+ * their signs. */
+struct lim_mapping {
+    int16_t n[3];
+    int16_t uv[2][3];
+    int16_t level_q4; /* log2 of texels a unit, the mean of both directions, and half of log2 |n| */
+    uint8_t bits[2];  /* 0..40 */
+    uint16_t zero;
+    int32_t d;
+    int32_t at_zero_q16[2]; /* the texel at p = 0, modulo 2^16 */
+};
+
+/* A picture of 2^w_bits x 2^h_bits texels, an index of the palette each, a row after the other from the top; then the
+ * same in half the size, and so on. Sizes are 0..10 bits. */
+struct lim_texture {
+    uint16_t texels;  /* where it begins in lim_scene.texels, in blocks */
+    uint16_t palette; /* where its colours begin in lim_scene.palettes */
+    uint8_t w_bits, h_bits;
+    uint8_t levels; /* 1..min(w_bits, h_bits) + 1 */
+    uint8_t zero;
+};
+enum { LIM_TEXEL_BLOCK = 16 };
+
+/* A colour as the target's memory holds it, in a constant: lim_memory_colour(). */
+#if __BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__
+#define LIM_MEMORY_COLOUR(rgb565) ((uint16_t)((rgb565) << 8 | (rgb565) >> 8))
+#else
+#define LIM_MEMORY_COLOUR(rgb565) ((uint16_t)(rgb565))
+#endif
 
 /* What memory a frame needs; the compiler measures all but the first two on sampled cameras. A frame that needs more
  * falls back to bands; without room for pieces, polygons go by their farthest points (LIM_NEWELL). */
@@ -113,7 +145,24 @@ struct lim_scene {
     uint16_t polygon_count; /* records in it */
     uint16_t background;    /* colour where no polygon is seen, RGB565 as a number */
     struct lim_limits limits;
+#if LIM_HAS_TEXTURE
+    const LIM_FLASH struct lim_mapping *mappings;
+    const LIM_FLASH struct lim_texture *textures;
+    const LIM_FLASH uint16_t *palettes; /* colours as they lie in memory: fill.h */
+    const LIM_FLASH uint8_t *texels;    /* indices of colours */
+    uint16_t mapping_count, texture_count, palette_colours, texel_blocks;
+#endif
 };
+
+static inline uint16_t lim_texture_count(const struct lim_scene *scene)
+{
+#if LIM_HAS_TEXTURE
+    return scene->texture_count;
+#else
+    (void)scene;
+    return 0;
+#endif
+}
 
 /* Whatever a plane's record packs. */
 /*@ requires \valid_read(plane);
@@ -162,6 +211,7 @@ static inline uint16_t lim_record_words(uint16_t head)
     if (LIM_HAS_TRANSPARENT && head & LIM_POLYGON_ALPHA) words++;
     if (LIM_HAS_WIREFRAME && head & LIM_POLYGON_EDGES)
         words = (uint16_t)(words + ((head & LIM_POLYGON_COUNT) + 15) / 16);
+    if (LIM_HAS_TEXTURE && head & LIM_POLYGON_TEXTURE) words += LIM_POLYGON_TEXTURE_WORDS;
     return words;
 }
 

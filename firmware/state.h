@@ -15,6 +15,7 @@
 #include "span.h"
 #include "stats.h"
 #include "target.h"
+#include "texture.h"
 #include "view.h"
 #include "walk.h"
 
@@ -49,6 +50,9 @@ struct lim {
     struct lim_convex convex;
 #endif
     struct lim_view view;
+#if LIM_HAS_TEXTURE
+    struct lim_texturing texturing;
+#endif
 #if LIM_HAS_CULL
     struct lim_cull cull;
 #endif
@@ -110,6 +114,16 @@ static inline struct lim_eye *lim_eye_of(struct lim *lim)
     return &lim->walk.eye;
 #else
     return &lim->eye;
+#endif
+}
+
+static inline struct lim_texturing *lim_texturing_of(struct lim *lim)
+{
+#if LIM_HAS_TEXTURE
+    return &lim->texturing;
+#else
+    (void)lim;
+    return NULL;
 #endif
 }
 

@@ -39,6 +39,9 @@ struct lim_stats {
     uint32_t lines;             /* lines of polygons that were stepped */
     uint32_t pixels_painted;    /* pixels written by polygons; nearest first: each pixel at most once */
     uint32_t pixels_background; /* pixels filled with the background; convex: those that no face has painted, about */
+#if LIM_HAS_TEXTURE
+    uint32_t divisions; /* for the perspective of textures */
+#endif
     uint32_t bands;             /* extra walks because a pool was exhausted; convex: faces' lines without room */
 #if LIM_HAS_SORTED
     uint32_t sorted; /* entries of the sorted list, pieces included */

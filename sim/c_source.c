@@ -2,6 +2,7 @@
  *
  * A scene as C: const arrays for flash in NAME.c. */
 #include "c_name.h"
+#include "fill.h"
 #include "scene_files.h"
 
 #include <stdio.h>
@@ -91,10 +92,72 @@ static void write_polygons(FILE *file, const struct lim_scene *scene, const stru
     end_array(file);
 }
 
+static void write_mappings(FILE *file, const struct lim_scene *scene, const struct c_name *prefix)
+{
+    begin_array(file, prefix, "struct lim_mapping", "mappings", scene->mapping_count);
+    for (size_t i = 0; i < scene->mapping_count; i++) {
+        const struct lim_mapping *m = &scene->mappings[i];
+        fprintf(file, "\n    {{%d, %d, %d}, {{%d, %d, %d}, {%d, %d, %d}}, %d, {%u, %u}, 0, %ld, {%ld, %ld}},", m->n[0],
+                m->n[1], m->n[2], m->uv[0][0], m->uv[0][1], m->uv[0][2], m->uv[1][0], m->uv[1][1], m->uv[1][2],
+                m->level_q4, m->bits[0], m->bits[1], (long)m->d, (long)m->at_zero_q16[0], (long)m->at_zero_q16[1]);
+    }
+    end_array(file);
+}
+
+static void write_looks(FILE *file, const struct lim_scene *scene, const struct c_name *prefix)
+{
+    begin_array(file, prefix, "struct lim_texture", "textures", scene->texture_count);
+    for (size_t i = 0; i < scene->texture_count; i++) {
+        const struct lim_texture *texture = &scene->textures[i];
+        fprintf(file, "%s{%u, %u, %u, %u, %u, 0},", i % 4 ? " " : "\n    ", (unsigned)texture->texels,
+                (unsigned)texture->palette, texture->w_bits, texture->h_bits, texture->levels);
+    }
+    end_array(file);
+}
+
+/* Numbers, which the macro turns into what memory holds. */
+static void write_palettes(FILE *file, const struct lim_scene *scene, const struct c_name *prefix)
+{
+    begin_array(file, prefix, "uint16_t", "palettes", scene->palette_colours);
+    for (size_t i = 0; i < scene->palette_colours; i++)
+        fprintf(file, "%sLIM_MEMORY_COLOUR(%u),", i % 4 ? " " : "\n    ", lim_memory_colour(scene->palettes[i]));
+    end_array(file);
+}
+
+static void write_texels(FILE *file, const struct lim_scene *scene, const struct c_name *prefix)
+{
+    const unsigned count = scene->texel_blocks * (unsigned)LIM_TEXEL_BLOCK;
+    begin_array(file, prefix, "uint8_t", "texels", count);
+    for (size_t i = 0; i < count; i++)
+        fprintf(file, "%s%u,", i % NUMBERS_A_LINE ? " " : "\n    ", scene->texels[i]);
+    end_array(file);
+}
+
+static void write_textures(FILE *file, const struct lim_scene *scene, const struct c_name *prefix)
+{
+    write_mappings(file, scene, prefix);
+    write_looks(file, scene, prefix);
+    write_palettes(file, scene, prefix);
+    write_texels(file, scene, prefix);
+}
+
 /* C has no arrays of no elements: what is empty is left out, here and where it is written. */
 static void write_pointer(FILE *file, const struct c_name *prefix, const char *field, unsigned count)
 {
     if (count) fprintf(file, "    .%s = %s_%s,\n", field, prefix->symbol, field);
+}
+
+static void write_texture_fields(FILE *file, const struct lim_scene *scene, const struct c_name *prefix)
+{
+    if (!scene->texture_count) return;
+    write_pointer(file, prefix, "mappings", scene->mapping_count);
+    write_pointer(file, prefix, "textures", scene->texture_count);
+    write_pointer(file, prefix, "palettes", scene->palette_colours);
+    write_pointer(file, prefix, "texels", scene->texel_blocks);
+    fprintf(file,
+            "    .mapping_count = %u,\n    .texture_count = %u,\n    .palette_colours = %u,\n    .texel_blocks = %u,\n",
+            (unsigned)scene->mapping_count, (unsigned)scene->texture_count, (unsigned)scene->palette_colours,
+            (unsigned)scene->texel_blocks);
 }
 
 static void write_scene(FILE *file, const struct lim_scene *scene, const struct c_name *prefix)
@@ -114,6 +177,7 @@ static void write_scene(FILE *file, const struct lim_scene *scene, const struct 
     fprintf(file, "    .box_count = %u,\n    .polygon_words = %u,\n    .polygon_count = %u,\n    .background = %u,\n",
             (unsigned)scene->box_count, (unsigned)scene->polygon_words, (unsigned)scene->polygon_count,
             (unsigned)scene->background);
+    write_texture_fields(file, scene, prefix);
     fprintf(file,
             "    .limits = {.depth = %u, .vertices = %u, .retained_cells = %u, .gaps = %u, .active = %u,\n"
             "               .pieces = %u, .layers = %u},\n};\n",
@@ -136,6 +200,7 @@ static void write_source(FILE *file, const struct compiled *scene, const struct 
     if (arrays->exact_count) write_exact(file, arrays, prefix);
     if (arrays->box_count) write_boxes(file, arrays, prefix);
     write_polygons(file, arrays, prefix);
+    if (arrays->texture_count) write_textures(file, arrays, prefix);
     write_scene(file, arrays, prefix);
 }
 

@@ -69,6 +69,12 @@ static bool allocate(struct render *render, struct error *err)
                      options->setup.h_px);
 }
 
+static void print_notes(const struct compile_report *report)
+{
+    for (size_t i = 0; i < report->note_count; i++)
+        fprintf(stderr, "limner: note: %s\n", report->notes[i].text);
+}
+
 static bool start(struct render *render, struct error *err)
 {
     const struct options *options = &render->options;
@@ -79,6 +85,7 @@ static bool start(struct render *render, struct error *err)
     bool want_ids = options->ids_path || options->compare;
     if (want_ids && !ids_init(&render->ids, &render->scene, &options->setup, err)) return false;
     if (want_ids) render->ids.simulator.core->newell(render->ids.simulator.lim, &options->newell);
+    print_notes(&render->scene.report);
     return !options->compare || reference_read(&render->reference, options->scene_path, w_px, h_px, err);
 }
 

@@ -4,6 +4,7 @@
  * best of them kept. */
 #include "convexity.h"
 #include "encode.h"
+#include "grow.h"
 #include "light.h"
 #include "pools.h"
 #include "predict.h"
@@ -24,6 +25,15 @@ struct compilation {
 
 static const double GRID_END = 32767.5; /* halves round up: 32767.5 would be 32768 */
 
+/* Texture arrays and, in struct lim_scene, four pointers and counts; scenes without textures have neither. */
+static size_t texture_flash_b(const struct lim_scene *scene)
+{
+    enum { FIELDS_B = 4 * 4 + 4 * 2 };
+    if (!scene->texture_count) return 0;
+    return FIELDS_B + scene->mapping_count * sizeof *scene->mappings + scene->texture_count * sizeof *scene->textures +
+           scene->palette_colours * sizeof *scene->palettes + scene->texel_blocks * (size_t)LIM_TEXEL_BLOCK;
+}
+
 /* Bytes of a scene's arrays and its struct lim_scene, as a 32-bit microcontroller holds them. */
 static size_t flash_b(const struct lim_scene *scene)
 {
@@ -31,7 +41,7 @@ static size_t flash_b(const struct lim_scene *scene)
     return SCENE_B + scene->vertex_count * sizeof *scene->vertices + scene->node_count * sizeof *scene->nodes +
            scene->plane_count * sizeof *scene->planes + scene->exact_count * sizeof *scene->exact +
            scene->box_count * sizeof *scene->boxes + scene->polygon_words * sizeof *scene->polygons +
-           (scene->fractions ? scene->vertex_count * sizeof *scene->fractions : 0);
+           (scene->fractions ? scene->vertex_count * sizeof *scene->fractions : 0) + texture_flash_b(scene);
 }
 
 /* The smaller the better: bytes of flash, with splits and depth as bytes on top. A split costs
@@ -225,6 +235,14 @@ bool compile_method_parse(const char *text, struct compile_options *out, struct 
     return true;
 }
 
+static void report_notes(struct compile_report *report, const struct mesh *mesh)
+{
+    if (!mesh->note_count) return;
+    report->notes = grow_zeroed(mesh->note_count, sizeof *report->notes);
+    memcpy(report->notes, mesh->notes, mesh->note_count * sizeof *report->notes);
+    report->note_count = mesh->note_count;
+}
+
 /* The reference has to see the polygons before any are merged. */
 static bool compile_cleaned(struct mesh *mesh, const struct compile_options *options, struct compiled *out,
                             struct error *err)
@@ -235,6 +253,7 @@ static bool compile_cleaned(struct mesh *mesh, const struct compile_options *opt
               compile_mesh(mesh, options, out, err);
     if (ok && options->predict)
         ok = predict_wrong_percent(out, options->core, &reference, mesh->merged_into, &out->report.wrong_percent, err);
+    if (ok) report_notes(&out->report, mesh);
     out->report.core = options->core ? options->core : &core_fast;
     reference_free(&reference);
     return ok;
@@ -264,5 +283,6 @@ bool compile_model(const char *path, const struct compile_options *options, stru
 void compiled_free(struct compiled *scene)
 {
     free(scene->image);
+    free(scene->report.notes);
     *scene = (struct compiled){0};
 }

@@ -3,6 +3,8 @@
  * Compiled once for each profile, together with the renderer's sources; CORE is the table's name. */
 #include "core.h"
 
+#include "project.h"
+
 #ifndef CORE
 #error "CORE and LIM_PROFILE are set by the Makefile"
 #endif
@@ -55,6 +57,56 @@ static int8_t eye_side(const struct lim_scene *scene, const struct lim_plane_ref
     return (int8_t)((side > 0) - (side < 0));
 }
 
+static void line_texels(const struct lim *lim, const struct lim_textured_span *span, core_texel *take, void *ctx)
+{
+    const int16_t w_px = (int16_t)lim->target.w_px, end = span->right < w_px ? span->right : w_px;
+    struct lim_texture_line line;
+
+    if (span->left >= end || end <= 0) return;
+    lim_texture_line_begin(&line, span, span->left > 0 ? span->left : 0);
+    for (int16_t x = span->left > 0 ? span->left : 0; x < end; x++) {
+        if (x == line.end) lim_texture_line_next(&line);
+        const uint32_t place = lim_texture_at(&line, x).at;
+        const struct core_texel_at at = {(uint16_t)x,
+                                         (uint16_t)span->y,
+                                         {(place & 0xFFFF) / 65536.0, (place >> 16) / 65536.0},
+                                         line.level,
+                                         x == line.x};
+        take(ctx, &at);
+    }
+}
+
+static void polygon_texels(struct lim *lim, const struct lim_screen_polygon *polygon, core_texel *take, void *ctx)
+{
+    const int16_t h_px = (int16_t)lim->target.h_px;
+    const int16_t bottom = polygon->shape.bottom < h_px ? polygon->shape.bottom : h_px;
+    struct lim_gradients gradients;
+    struct lim_edge_pair pair;
+
+    lim_texture_set(&lim->texturing, polygon->texture, &gradients);
+    lim_edge_begin(&pair, polygon->n, polygon->shape.first);
+    for (int16_t y = polygon->shape.top > 0 ? polygon->shape.top : 0; y < bottom; y++) {
+        lim_edge_advance(&pair, polygon->at, polygon->n, y);
+        const struct lim_textured_span span = {&lim->texturing, &gradients, y, pair.left.x, pair.right.x};
+        line_texels(lim, &span, take, ctx);
+    }
+}
+
+static void texels(void *state, uint16_t record, core_texel *take, void *ctx)
+{
+    struct lim *const lim = state;
+    const struct lim_rect screen = {0, 0, lim->target.w_px, lim->target.h_px};
+    struct lim_screen_polygon polygon, triangle;
+
+    if (!lim_project(&polygon, &lim->view, lim->scene, &lim->scene->polygons[record], &screen, NULL)) return;
+    if (polygon.texture == LIM_NONE) return;
+    if (!polygon.shape.folded) polygon_texels(lim, &polygon, take, ctx);
+    for (uint8_t k = 1; polygon.shape.folded && k + 1 < polygon.n; k++) {
+        lim_project_fan(&polygon, k, &triangle);
+        polygon_texels(lim, &triangle, take, ctx);
+    }
+}
+
 const struct core CORE = {.name = CORE_NAME(CORE),
                           .profile = LIM_PROFILE,
                           .sub_bits = LIM_SUB_BITS,
@@ -68,4 +120,5 @@ const struct core CORE = {.name = CORE_NAME(CORE),
                           .stats = stats,
                           .set_wireframe = set_wireframe,
                           .project = project,
-                          .eye_side = eye_side};
+                          .eye_side = eye_side,
+                          .texels = texels};

@@ -7,6 +7,15 @@
 
 #include "limner.h"
 
+/* What of its texture a pixel shows. */
+struct core_texel_at {
+    uint16_t x_px, y_px;
+    double uv[2]; /* in pictures, modulo 1 */
+    unsigned level;
+    bool divided; /* it is the result of a division, not between two */
+};
+typedef void core_texel(void *ctx, const struct core_texel_at *at);
+
 struct core {
     const char *name;   /* "fast"; "fast_4" has other sub-pixel bits than its profile's own */
     uint8_t profile;    /* LIM_PROFILE_... */
@@ -25,6 +34,8 @@ struct core {
      * one at 0 (false: it is left to clipping); which side of a plane an eye is on, as WALK decides it. */
     bool (*project)(void *lim, uint16_t vertex, double at_px[2]);
     int8_t (*eye_side)(const struct lim_scene *scene, const struct lim_plane_ref *ref, const int32_t eye_q8[3]);
+    /* Each pixel that a record may cover, and the texel there as the last frame would paint it. */
+    void (*texels)(void *lim, uint16_t record, core_texel *take, void *ctx);
 };
 
 extern const struct core core_draft, core_fast, core_fine, core_exact;

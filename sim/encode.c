@@ -24,7 +24,8 @@ struct encoder {
     struct map planes;          /* group -> index */
     struct outline outline;     /* the piece at hand */
     uint16_t flags;             /* of its records */
-    struct lim_plane_ref own;   /* with LIM_POLYGON_PLANE: their plane */
+    struct texture_encoder textures;
+    struct lim_plane_ref own; /* with LIM_POLYGON_PLANE: their plane */
 };
 
 uint16_t rgb565_from_rgb888(uint32_t colour)
@@ -93,9 +94,11 @@ static void record_add(struct encoder *work, const struct outline *outline, cons
     out->faces[out->record_count++] = polygon->face;
     out->last_record = out->word_count;
     const bool with_edges = work->with_edges && outline_hides(outline);
-    word_add(out, outline->count | work->flags | (polygon->transparency ? LIM_POLYGON_ALPHA : 0) |
-                      (with_edges ? LIM_POLYGON_EDGES : 0));
-    word_add(out, rgb565_from_rgb888(polygon->colour));
+    uint16_t texture[LIM_POLYGON_TEXTURE_WORDS];
+    const bool is_textured = !polygon->transparency && texture_encode(&work->textures, polygon, texture);
+    word_add(out, outline->count | work->flags | (polygon->transparency ? LIM_POLYGON_ALPHA : 0u) |
+                      (with_edges ? LIM_POLYGON_EDGES : 0u) | (is_textured ? LIM_POLYGON_TEXTURE : 0u));
+    word_add(out, rgb565_from_rgb888(polygon->mapping ? texture_flat_colour(work->bsp->mesh, polygon) : polygon->colour));
     for (size_t i = 0; i < outline->count; i++)
         word_add(out, vertex_index(work, outline->corners[i]));
     if (work->flags & LIM_POLYGON_PLANE) {
@@ -104,6 +107,8 @@ static void record_add(struct encoder *work, const struct outline *outline, cons
     }
     if (polygon->transparency) word_add(out, LIM_OPAQUE - polygon->transparency);
     if (with_edges) edges_add_words(out, outline);
+    for (size_t i = 0; is_textured && i < LIM_POLYGON_TEXTURE_WORDS; i++)
+        word_add(out, texture[i]);
     out->widest = outline->count > out->widest ? outline->count : out->widest;
 }
 
@@ -310,7 +315,7 @@ static bool check_counts(const struct encoding *out, struct error *err)
     return encode_check_count(out->vertex_count, "vertices", err) &&
            encode_check_count(out->node_count, "nodes", err) &&
            check_count(out->plane_count, PLANES_MAX, "planes that are not axis planes", err) &&
-           encode_check_count(out->word_count, "words of polygons", err);
+           encode_check_count(out->word_count, "words of polygons", err) && texture_arrays_check(&out->textures, err);
 }
 
 /* Parents come before children. */
@@ -332,11 +337,13 @@ bool encode_bsp(const struct bsp *bsp, bool with_fractions, bool with_edges, str
     const struct exact_points *points = bsp->edges.points;
     struct encoder work = {.bsp = bsp, .out = out, .with_fractions = with_fractions, .with_edges = with_edges};
     *out = (struct encoding){0};
+    texture_encoder_init(&work.textures, bsp->mesh, &out->textures);
     work.snapped = grow_zeroed(points->count, sizeof *work.snapped);
     for (uint32_t i = 0; i < points->count; i++)
         work.snapped[i] = exact_snap(points, i, with_fractions ? 8 : 0);
     uint32_t *heirs = find_heirs(&work);
     nodes_encode(&work, heirs);
+    texture_encoder_finish(&work.textures);
     bool ok = check_counts(out, err);
     if (ok) {
         out->depth = tree_depth(out);
@@ -348,6 +355,7 @@ bool encode_bsp(const struct bsp *bsp, bool with_fractions, bool with_edges, str
     map_free(&work.columns);
     map_free(&work.vertices);
     map_free(&work.planes);
+    texture_encoder_free(&work.textures);
     return ok;
 }
 
@@ -361,5 +369,6 @@ void encoding_free(struct encoding *encoding)
     free(encoding->boxes);
     free(encoding->words);
     free(encoding->faces);
+    texture_arrays_free(&encoding->textures);
     *encoding = (struct encoding){0};
 }

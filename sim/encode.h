@@ -6,6 +6,7 @@
 
 #include "bsp.h"
 #include "compiled.h"
+#include "encode_texture.h"
 #include "map.h"
 
 struct encoding {
@@ -19,7 +20,8 @@ struct encoding {
     struct lim_fraction *fractions; /* of each vertex; NULL: there are none */
     size_t vertex_count, node_count, plane_count, exact_count, box_count, word_count, record_count;
     size_t vertex_capacity, fraction_capacity, plane_capacity, exact_capacity, word_capacity, face_capacity;
-    size_t last_record;   /* the word with which the newest record begins */
+    size_t last_record; /* the word with which the newest record begins */
+    struct texture_arrays textures;
     size_t depth, widest; /* nodes on the longest path; most vertices of a record */
     size_t collapsed;     /* pieces that rounding left without three corners */
 };

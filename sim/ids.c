@@ -32,6 +32,7 @@ static bool copy_scene(struct ids *ids, const struct compiled *scene)
     memcpy(ids->face_of_colour + 1, scene->faces, original->polygon_count * sizeof ids->face_of_colour[0]);
     ids->scene.polygons = ids->polygons;
     ids->scene.background = 0;
+    ids->scene.texture_count = 0; /* flat, so that a pixel is a number */
     return true;
 }
 

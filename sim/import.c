@@ -5,8 +5,10 @@
  * to fill three arrays of exactly that size. Arithmetic after the library's float32 is double. */
 #include "import.h"
 
+#include "grow.h"
 #include "model_colour.h"
 #include "model_io.h"
+#include "picture.h"
 
 #include <assimp/cimport.h>
 #include <assimp/config.h>
@@ -28,6 +30,9 @@ struct import {
     struct error *err;
     struct affine transform;  /* of the node being read */
     struct model_paint paint; /* of the mesh being read */
+    uint32_t picture;         /* the same */
+    unsigned uv_set;
+    size_t picture_capacity, point_total;
 };
 
 typedef bool mesh_reader(struct import *import, const struct aiMesh *mesh);
@@ -121,6 +126,43 @@ static bool set_transparency(struct import *import, double opacity)
     return true;
 }
 
+/* Pictures are named again and again, by each material that shows them. */
+static uint32_t picture_number(struct import *import, const char *name)
+{
+    struct model *model = import->model;
+    for (size_t i = 0; i < model->picture_count; i++)
+        if (strncmp(model->pictures[i].name, name, TEXTURE_NAME_B - 1) == 0) return (uint32_t)i + 1;
+    model->pictures = grow(model->pictures, model->picture_count, &import->picture_capacity, sizeof *model->pictures);
+    picture_read(import->scene, import->path, name, &model->pictures[model->picture_count]);
+    return (uint32_t)++model->picture_count;
+}
+
+static void find_picture(struct import *import, const struct aiMesh *mesh)
+{
+    struct aiString name;
+    import->picture = 0;
+    if (mesh->mMaterialIndex < import->scene->mNumMaterials &&
+        picture_name_of(import->scene->mMaterials[mesh->mMaterialIndex], &name, &import->uv_set))
+        import->picture = picture_number(import, name.data);
+}
+
+/* The library counts v from the bottom. Without coordinates there is nothing to show: NaN says so. */
+static bool add_uvs(struct import *import, const struct aiMesh *mesh, uint32_t first_point)
+{
+    struct model *model = import->model;
+    if (!import->picture) return true;
+    if (!model->uvs) model->uvs = calloc(import->point_total, sizeof *model->uvs);
+    if (!model->uvs) return error_set(import->err, "%s: not enough memory", import->path);
+    const struct aiVector3D *uvs =
+        import->uv_set < AI_MAX_NUMBER_OF_TEXTURECOORDS ? mesh->mTextureCoords[import->uv_set] : NULL;
+    for (unsigned i = 0; i < mesh->mNumVertices; i++) {
+        double *uv = model->uvs[first_point + i];
+        uv[0] = uvs ? uvs[i].x : NAN;
+        uv[1] = uvs ? 1.0 - uvs[i].y : NAN;
+    }
+    return true;
+}
+
 static bool add_face(struct import *import, const struct aiFace *from, uint32_t first_point, uint32_t colour)
 {
     struct model *model = import->model;
@@ -129,8 +171,10 @@ static bool add_face(struct import *import, const struct aiFace *from, uint32_t 
     *face = (struct model_face){.first = (uint32_t)model->corner_count,
                                 .count = from->mNumIndices,
                                 .colour = colour,
+                                .picture = import->picture,
                                 .two_sided = import->paint.two_sided,
                                 .unlit = import->paint.unlit};
+    if (face->picture) model->pictures[face->picture - 1].faces++;
     for (unsigned k = 0; k < from->mNumIndices; k++) {
         uint32_t corner = first_point + from->mIndices[mirrored ? from->mNumIndices - 1 - k : k];
         const double *p = model->points[corner];
@@ -147,6 +191,8 @@ static bool add_mesh(struct import *import, const struct aiMesh *mesh)
     uint32_t first_point = (uint32_t)import->model->point_count;
     add_points(import, mesh);
     import->paint = model_paint_of(import->scene, mesh);
+    find_picture(import, mesh);
+    if (!add_uvs(import, mesh, first_point)) return false;
     for (unsigned i = 0; i < mesh->mNumFaces; i++) {
         const struct aiFace *face = &mesh->mFaces[i];
         if (face->mNumIndices < 3) continue;
@@ -164,6 +210,7 @@ static bool allocate(struct import *import)
     model->points = calloc(model->point_count, sizeof *model->points);
     model->corners = calloc(model->corner_count, sizeof *model->corners);
     model->faces = calloc(model->face_count, sizeof *model->faces);
+    import->point_total = model->point_count;
     model->point_count = model->corner_count = model->face_count = 0;
     if (!model->points || !model->corners || !model->faces)
         return error_set(import->err, "%s: not enough memory", import->path);

@@ -121,12 +121,23 @@ static bool check_alpha(const struct checker *work, size_t at)
 static bool check_flags(const struct checker *work, size_t at, bool in_leaf)
 {
     const uint16_t flags = work->scene->polygons[at] & (uint16_t) ~(LIM_POLYGON_COUNT | LIM_POLYGON_LAST);
-    if (flags & ~(LIM_POLYGON_PLANE | LIM_POLYGON_BACK | LIM_POLYGON_ALPHA | LIM_POLYGON_EDGES))
+    if (flags & ~(LIM_POLYGON_PLANE | LIM_POLYGON_BACK | LIM_POLYGON_ALPHA | LIM_POLYGON_EDGES | LIM_POLYGON_TEXTURE))
         return error_set(work->err, "polygon at word %zu: unknown flags", at);
     if (in_leaf ? !(flags & LIM_POLYGON_PLANE) : flags & (LIM_POLYGON_PLANE | LIM_POLYGON_BACK))
         return error_set(work->err, "polygon at word %zu: %s", at,
                          in_leaf ? "in a leaf, without a plane" : "a plane of its own beside its node's");
     return true;
+}
+
+static bool check_texture_words(const struct checker *work, size_t at)
+{
+    const struct lim_scene *scene = work->scene;
+    const uint16_t *record = &scene->polygons[at];
+    if (!(record[0] & LIM_POLYGON_TEXTURE)) return true;
+    const uint16_t *words = record + lim_record_words(record[0]) - LIM_POLYGON_TEXTURE_WORDS;
+    return (words[0] < scene->texture_count && words[1] < scene->mapping_count) ||
+           error_set(work->err, "polygon at word %zu: texture %u of %u, mapping %u of %u", at, (unsigned)words[0],
+                     (unsigned)scene->texture_count, (unsigned)words[1], (unsigned)scene->mapping_count);
 }
 
 static bool check_record(struct checker *work, size_t at, bool in_leaf)
@@ -149,6 +160,7 @@ static bool check_record(struct checker *work, size_t at, bool in_leaf)
     if (head & LIM_POLYGON_ALPHA && !check_alpha(work, at)) return false;
     work->records++;
     work->words += words;
+    if (!check_texture_words(work, at)) return false;
     return !in_leaf || check_plane_ref(work, lim_record_plane(&scene->polygons[at]), "polygon at word", at);
 }
 
@@ -240,7 +252,9 @@ static bool check_bounds(const struct checker *work)
 bool lim_check(const struct lim_scene *scene, struct error *err)
 {
     struct checker work = {.scene = scene, .err = err};
-    if (!check_vertices(scene, err) || !check_planes(scene, err) || !check_boxes(scene, err)) return false;
+    if (!check_vertices(scene, err) || !check_planes(scene, err) || !check_boxes(scene, err) ||
+        !lim_check_textures(scene, err))
+        return false;
     work.depths = grow_zeroed(scene->node_count, sizeof *work.depths);
     work.used_words = grow_zeroed(scene->polygon_words, sizeof *work.used_words);
     bool ok = check_nodes(&work) && check_bounds(&work);

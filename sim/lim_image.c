@@ -14,11 +14,11 @@
 /* No text, and damaged by whatever turns line ends: the idea of PNG's signature. */
 const unsigned char lim_file_magic[LIM_FILE_MAGIC_B] = {0x89, 'L', 'I', 'M', '\r', '\n', 0x1A, '\n'};
 
-static_assert(sizeof(struct lim_file_header) == 88, "header");
+static_assert(sizeof(struct lim_file_header) == 96, "header");
 static_assert(offsetof(struct lim_file_header, crc32) + 4 == LIM_FILE_CRC_FROM_B, "header");
 static_assert(offsetof(struct lim_file_header, units_per_m) == 24, "header");
 static_assert(offsetof(struct lim_file_header, counts) == 56, "header");
-static_assert(offsetof(struct lim_file_header, limits) == 74, "header");
+static_assert(offsetof(struct lim_file_header, limits) == 82, "header");
 static_assert(sizeof(struct lim_vertex) == 6, "vertex");
 static_assert(sizeof(struct lim_fraction) == 3, "fraction");
 static_assert(sizeof(struct lim_node) == 14, "node");
@@ -28,6 +28,9 @@ static_assert(offsetof(struct lim_plane, slack_less_d) == 8, "plane");
 static_assert(sizeof(struct lim_plane_exact) == 20, "exact plane");
 static_assert(offsetof(struct lim_plane_exact, d_lo) == 16, "exact plane");
 static_assert(sizeof(struct lim_box) == 12, "box");
+static_assert(sizeof(struct lim_mapping) == 36, "mapping");
+static_assert(offsetof(struct lim_mapping, bits) == 20, "mapping");
+static_assert(sizeof(struct lim_texture) == 8, "texture");
 static_assert(sizeof(struct lim_limits) == sizeof((struct lim_file_header *)0)->limits, "limits");
 
 /* Element size of each section, and the widths of its fields in bytes, as a repeating pattern. */
@@ -43,11 +46,15 @@ static const struct {
     [SECTION_POLYGONS] = {sizeof(uint16_t), "2"},
     [SECTION_FACES] = {sizeof(uint32_t), "4"},
     [SECTION_FRACTIONS] = {sizeof(struct lim_fraction), "1"},
+    [SECTION_MAPPINGS] = {sizeof(struct lim_mapping), "2222222222112444"},
+    [SECTION_TEXTURES] = {sizeof(struct lim_texture), "221111"},
+    [SECTION_PALETTES] = {sizeof(uint16_t), "1"}, /* as in memory, the same on every host */
+    [SECTION_TEXELS] = {LIM_TEXEL_BLOCK, "1"},
 };
 static const char HEADER_FIELDS[] = "11111111"
                                     "4444"
                                     "8888"
-                                    "22222222"
+                                    "222222222222"
                                     "2"
                                     "2222222";
 
@@ -95,14 +102,25 @@ void lim_image_bind(void *image, struct compiled *scene)
         .background = header->background,
     };
     memcpy(&scene->scene.limits, header->limits, sizeof scene->scene.limits);
+    scene->scene.mappings = section_at(image, SECTION_MAPPINGS);
+    scene->scene.textures = section_at(image, SECTION_TEXTURES);
+    scene->scene.palettes = section_at(image, SECTION_PALETTES);
+    scene->scene.texels = section_at(image, SECTION_TEXELS);
+    scene->scene.mapping_count = header->counts[SECTION_MAPPINGS];
+    scene->scene.texture_count = header->counts[SECTION_TEXTURES];
+    scene->scene.palette_colours = header->counts[SECTION_PALETTES];
+    scene->scene.texel_blocks = header->counts[SECTION_TEXELS];
 }
 
 static struct lim_file_header header_of(const struct encoding *encoding, const struct grid *grid)
 {
-    const size_t counts[SECTION_COUNT] = {encoding->vertex_count, encoding->node_count,
-                                          encoding->plane_count,  encoding->exact_count,
-                                          encoding->box_count,    encoding->word_count,
-                                          encoding->record_count, encoding->fractions ? encoding->vertex_count : 0};
+    const struct texture_arrays *textures = &encoding->textures;
+    const size_t counts[SECTION_COUNT] = {encoding->vertex_count,    encoding->node_count,
+                                          encoding->plane_count,     encoding->exact_count,
+                                          encoding->box_count,       encoding->word_count,
+                                          encoding->record_count,    encoding->fractions ? encoding->vertex_count : 0,
+                                          textures->mapping_count,   textures->texture_count,
+                                          textures->palette_colours, textures->texel_count / LIM_TEXEL_BLOCK};
     const struct lim_limits limits = {.depth = (uint16_t)encoding->depth, .vertices = (uint16_t)encoding->widest};
     struct lim_file_header header = {.version = LIM_FILE_VERSION, .header_b = sizeof header};
     memcpy(header.magic, lim_file_magic, sizeof header.magic);
@@ -118,8 +136,11 @@ static struct lim_file_header header_of(const struct encoding *encoding, const s
 void lim_image_make(const struct encoding *encoding, const struct grid *grid, struct compiled *out)
 {
     const struct lim_file_header header = header_of(encoding, grid);
-    const void *sections[SECTION_COUNT] = {encoding->vertices, encoding->nodes, encoding->planes, encoding->exact,
-                                           encoding->boxes,    encoding->words, encoding->faces,  encoding->fractions};
+    const struct texture_arrays *textures = &encoding->textures;
+    const void *sections[SECTION_COUNT] = {encoding->vertices, encoding->nodes,     encoding->planes,
+                                           encoding->exact,    encoding->boxes,     encoding->words,
+                                           encoding->faces,    encoding->fractions, textures->mappings,
+                                           textures->textures, textures->palettes,  textures->texels};
     unsigned char *image = grow_zeroed(header.file_b, 1);
     memcpy(image, &header, sizeof header);
     for (int i = 0; i < SECTION_COUNT; i++)

@@ -41,6 +41,10 @@ struct accuracy {
     double vertex_sum2_px, vertex_max_px;
     /* Every node's plane from every eye: decisions, and those that 128-bit arithmetic contradicts. */
     size_t sides, sides_wrong;
+    /* Pixels of textured faces: how far the texel shown is from the true one, mean and 99 of 100, texels of the level
+     * of detail shown; the mean in texels of the whole picture; divisions a frame, for the perspective. */
+    size_t texel_pixels;
+    double texel_mean, texel_p99, texel_mean_finest, divisions;
 };
 
 double accuracy_vertex_rms_px(const struct accuracy *accuracy);

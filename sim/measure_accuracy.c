@@ -6,6 +6,7 @@
 
 #include "ids.h"
 #include "interrupt.h"
+#include "measure_texels.h"
 #include "plane.h"
 #include "progress.h"
 #include "vec3.h"
@@ -18,8 +19,10 @@
 struct measured {
     const struct measure_candidate *candidate;
     struct ids ids;
-    size_t *record_words; /* where each polygon's record begins */
-    bool *is_done;        /* of each vertex, in this frame */
+    size_t *record_words;     /* where each polygon's record begins */
+    bool *is_done;            /* of each vertex, in this frame */
+    struct simulator painted; /* if the scene has textures: what ids shows without them */
+    struct texel_errors texels;
 };
 
 static bool measured_init(struct measured *measured, const struct measure_candidate *candidate,
@@ -30,6 +33,7 @@ static bool measured_init(struct measured *measured, const struct measure_candid
                                           candidate->core};
     measured->candidate = candidate;
     if (!ids_init(&measured->ids, candidate->scene, &setup, err)) return false;
+    if (scene->texture_count && !simulator_init(&measured->painted, scene, &setup, err)) return false;
     measured->record_words = calloc(scene->polygon_count, sizeof *measured->record_words);
     measured->is_done = calloc(scene->vertex_count, sizeof *measured->is_done);
     if (!measured->record_words || !measured->is_done) return error_set(err, "accuracy: out of memory");
@@ -43,6 +47,8 @@ static bool measured_init(struct measured *measured, const struct measure_candid
 static void measured_free(struct measured *measured)
 {
     ids_free(&measured->ids);
+    simulator_free(&measured->painted);
+    texel_errors_free(&measured->texels);
     free(measured->record_words);
     free(measured->is_done);
 }
@@ -148,6 +154,29 @@ static void measure_sides(const struct measure_candidate *candidate, const struc
     }
 }
 
+/* Texels ------------------------------------------------------------------------------------- */
+
+static bool measure_texels(struct measured *measured, const struct measure_source *source,
+                           const struct lim_camera *camera, struct error *err)
+{
+    const struct compiled *scene = measured->candidate->scene;
+    const struct texel_frame frame = {
+        measured->candidate->core, scene,         &measured->ids,           &measured->painted,
+        &source->reference,        &source->mesh, source->mesh.merged_into, measured->record_words};
+    if (!scene->scene.texture_count) return true;
+    return simulator_frame(&measured->painted, camera, err) && texel_errors_add(&measured->texels, &frame, err);
+}
+
+static void sum_up_texels(const struct texel_errors *errors, size_t frames, struct accuracy *out)
+{
+    if (!errors->pixels) return;
+    out->texel_pixels = errors->pixels;
+    out->texel_mean = texel_errors_mean(errors);
+    out->texel_p99 = texel_errors_p99(errors);
+    out->texel_mean_finest = errors->sum_finest / (double)errors->pixels;
+    out->divisions = (double)errors->divisions / (double)frames;
+}
+
 /* Frames ------------------------------------------------------------------------------------- */
 
 static bool measure_frame(struct measured *measured, const struct measure_source *source,
@@ -163,7 +192,7 @@ static bool measure_frame(struct measured *measured, const struct measure_source
     comparison_add(&out->pixels, &counts);
     measure_vertices(measured, source, out);
     measure_sides(measured->candidate, &camera, out);
-    return true;
+    return measure_texels(measured, source, &camera, err);
 }
 
 static bool measure_frames(struct measured *measured, size_t count, struct measure_source *source,
@@ -188,6 +217,8 @@ bool measure_accuracy(struct measure_source *source, const struct measure_views 
     for (size_t i = 0; ok && i < count; i++)
         ok = measured_init(&measured[i], &candidates[i], views, err);
     ok = ok && measure_frames(measured, count, source, views, out, err);
+    for (size_t i = 0; ok && i < count; i++)
+        sum_up_texels(&measured[i].texels, views->path->count, &out[i]);
     for (size_t i = 0; measured && i < count; i++)
         measured_free(&measured[i]);
     free(measured);

@@ -51,6 +51,24 @@ static void print_accuracies(const struct measure_table *table, FILE *out)
             first->vertices_without_source);
 }
 
+/* Only scenes with textures have such a table. */
+static void print_texels(const struct measure_table *table, FILE *out)
+{
+    if (!table->rows[0].accuracy.texel_pixels) return;
+    fputs("\n| precision | texel error mean | 99 of 100 | mean, of the whole picture | divisions a frame "
+          "|\n|---|---|---|---|---|\n",
+          out);
+    for (size_t i = 0; i < table->row_count; i++) {
+        const struct accuracy *accuracy = &table->rows[i].accuracy;
+        fprintf(out, "| %s | %.3f | %.2f | %.3f | %.0f |\n", table->rows[i].core->name, accuracy->texel_mean,
+                accuracy->texel_p99, accuracy->texel_mean_finest, accuracy->divisions);
+    }
+    fprintf(out,
+            "\nTexels shown, at the pixels' centres, against the model's own faces in double precision: distances "
+            "in texels of the level of detail shown, and of the whole picture; %zu pixels.\n",
+            table->rows[0].accuracy.texel_pixels);
+}
+
 static void print_kernel(double instructions, FILE *out)
 {
     if (isnan(instructions))
@@ -121,6 +139,7 @@ void measure_table_markdown(const struct measure_table *table, FILE *out)
     fprintf(out, "# %s, %ux%u pixels, %zu frames\n\n", table->scene, table->w_px, table->h_px,
             table->rows[0].accuracy.pixels.frames);
     print_accuracies(table, out);
+    print_texels(table, out);
     for (size_t cpu = 0; cpu < table->cpu_count; cpu++) {
         fprintf(out, "\n## %s\n\n", table->cpus[cpu]->title);
         fputs("| precision | wrong, % | instructions a frame | worst frame (its number) | a vertex | a plane test "

@@ -7,6 +7,7 @@
 #include "inner.h"
 #include "loop.h"
 #include "map.h"
+#include "mapping.h"
 #include "mesh.h"
 #include "polygon_list.h"
 #include "vec3.h"
@@ -136,6 +137,15 @@ static uint32_t *copy_of(const uint32_t *corners, size_t count)
     return copy;
 }
 
+/* Is either's texture right on the other one, too? */
+static bool show_the_same(const struct merging *merging, uint32_t left, uint32_t right)
+{
+    const struct mesh *mesh = merging->mesh;
+    const uint32_t a = mesh->polygons[left].mapping, b = mesh->polygons[right].mapping;
+    const struct part *p = &merging->parts[left], *q = &merging->parts[right];
+    return mapping_agree(mesh, a, b, p->corners, p->count) && mapping_agree(mesh, a, b, q->corners, q->count);
+}
+
 static bool try_merge(struct merging *merging, const struct shared_edge *edge)
 {
     struct mesh *mesh = merging->mesh;
@@ -143,6 +153,7 @@ static bool try_merge(struct merging *merging, const struct shared_edge *edge)
     const struct mesh_polygon *p = &mesh->polygons[left], *q = &mesh->polygons[right];
     if (left == right || p->colour != q->colour || p->transparency != q->transparency || p->two_sided != q->two_sided)
         return false;
+    if (!show_the_same(merging, left, right)) return false;
     size_t count = union_of(merging, edge, &merging->parts[left], &merging->parts[right]);
     if (count == 0) return false;
     struct part *kept = &merging->parts[left < right ? left : right];

@@ -8,6 +8,7 @@
 #include "grow.h"
 #include "inner.h"
 #include "loop.h"
+#include "mapping.h"
 #include "polygon_list.h"
 #include "triangulate.h"
 #include "weld.h"
@@ -38,6 +39,7 @@ struct cleaning {
     const struct model *model;
     struct mesh *mesh;
     struct polygon_list list;
+    const uint32_t *welded; /* for each point of the model that of the mesh */
     double near_m, flat_m;
     size_t first_too_small; /* index of the face */
 };
@@ -89,6 +91,15 @@ static bool add_if_area(struct cleaning *cleaning, const struct loop *loop, cons
     return true;
 }
 
+/* false: the texture is bent over the polygon. */
+static bool set_mapping(struct cleaning *cleaning, const struct loop *loop, struct mesh_polygon *polygon)
+{
+    bool is_affine;
+    const struct model_face *face = &cleaning->model->faces[polygon->face - 1];
+    polygon->mapping = mapping_add(cleaning->mesh, cleaning->model, face, cleaning->welded, loop, &is_affine);
+    return is_affine;
+}
+
 static bool add_triangles(struct cleaning *cleaning, const struct loop *loop, const struct loop_plane *plane,
                           const struct mesh_polygon *like)
 {
@@ -100,7 +111,9 @@ static bool add_triangles(struct cleaning *cleaning, const struct loop *loop, co
         const struct loop triangle = {loop->points, triangles[i], 3};
         for (int k = 0; k < 3; k++)
             inner_add(cleaning->mesh, triangles[i][k], triangles[i][(k + 1) % 3]);
-        any |= add_if_area(cleaning, &triangle, like);
+        struct mesh_polygon piece = *like;
+        if (loop_has_area(&triangle, cleaning->near_m)) set_mapping(cleaning, &triangle, &piece);
+        any |= add_if_area(cleaning, &triangle, &piece);
     }
     free(triangles);
     return any;
@@ -122,7 +135,12 @@ static void clean_face(struct cleaning *cleaning, uint32_t *corners, size_t coun
         mesh->counts.non_planar++;
     else if (!whole)
         mesh->counts.concave++;
-    bool any = whole ? add_if_area(cleaning, &loop, like) : add_triangles(cleaning, &loop, &plane, like);
+    struct mesh_polygon polygon = *like;
+    if (whole && !set_mapping(cleaning, &loop, &polygon)) {
+        whole = false;
+        mesh->counts.bent++;
+    }
+    bool any = whole ? add_if_area(cleaning, &loop, &polygon) : add_triangles(cleaning, &loop, &plane, like);
     mesh->merged_into[like->face] = any ? like->face : 0;
 }
 
@@ -164,10 +182,15 @@ bool mesh_clean(const struct model *model, struct mesh *mesh, struct error *err)
 {
     *mesh = (struct mesh){.counts = {.faces = model->face_count, .clamped = model->alpha_clamped}};
     if (!grid_choose(model, &mesh->grid, err)) return false;
+    if (!mesh_textures_make(model, mesh, err)) {
+        mesh_free(mesh);
+        return false;
+    }
     struct cleaning cleaning = {
         .model = model, .mesh = mesh, .near_m = mesh_near_m(&mesh->grid), .flat_m = mesh_flat_m(&mesh->grid)};
     mesh->merged_into = grow_zeroed(model->face_count + 1, sizeof *mesh->merged_into);
     uint32_t *welded = weld_points(model, mesh_weld_m(&mesh->grid), mesh);
+    cleaning.welded = welded;
     clean_faces(&cleaning, model, welded);
     remove_outlines(mesh, model, welded);
     free(welded);
@@ -187,5 +210,10 @@ void mesh_free(struct mesh *mesh)
     free(mesh->polygons);
     free(mesh->merged_into);
     map_free(&mesh->inner);
+    free(mesh->mappings);
+    free(mesh->notes);
+    for (size_t i = 0; i < mesh->texture_count; i++)
+        texture_free(&mesh->textures[i]);
+    free(mesh->textures);
     *mesh = (struct mesh){0};
 }

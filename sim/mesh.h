@@ -21,6 +21,20 @@ struct mesh_polygon {
     uint32_t colour;       /* 0xRRGGBB */
     uint8_t transparency;  /* 0 is opaque, up to 254 */
     bool two_sided;
+    uint32_t mapping; /* of mesh.mappings; 0: it has no texture */
+};
+
+/* Which part of a texture a polygon shows: gradient[i] . (p - centre) + uv[i] at p on the plane through the centre, in
+ * pictures, i = 0 across and 1 down. */
+struct mapping {
+    uint32_t texture;              /* of mesh.textures */
+    double centre_m[3], normal[3]; /* of length 1 */
+    double gradient[2][3], uv[2];  /* gradients lie in the plane; pictures a metre */
+};
+
+/* One line of text on what could not be taken as it was. */
+struct note {
+    char text[256];
 };
 
 /* What became of the input; the report prints it. */
@@ -32,6 +46,8 @@ struct mesh_counts {
     size_t too_small;  /* faces dropped: they have an area, but corners that the grid cannot tell apart */
     size_t non_planar; /* faces triangulated because a corner leaves the plane */
     size_t concave;    /* faces triangulated because they are not convex */
+    size_t bent;       /* faces triangulated because their texture is bent */
+    size_t unmapped;   /* polygons without their texture: its coordinates are missing, not finite or too far apart */
     size_t merged;     /* polygons that vanished into a coplanar neighbour */
     size_t t_vertices; /* vertices inserted into edges of other polygons */
 };
@@ -46,6 +62,12 @@ struct mesh {
     struct grid grid;
     struct mesh_counts counts;
     struct map inner;      /* edges that no face has: inner.h */
+    struct texture *textures; /* of the model's pictures, one to one; no texels: it could not be read, or is not used */
+    size_t texture_count;
+    struct note *notes; /* on textures, for people */
+    size_t note_count, note_capacity;
+    struct mapping *mappings; /* the first one is none */
+    size_t mapping_count, mapping_capacity;
     uint32_t *merged_into; /* counts.faces + 1 entries: merged_into[face] = face number of the polygon
                               that holds it (its first piece, if it was cut), itself if unmerged, 0
                               if dropped */
@@ -70,7 +92,11 @@ double mesh_flat_m(const struct grid *grid);
  * *mesh. */
 bool mesh_clean(const struct model *model, struct mesh *mesh, struct error *err);
 
-/* Joins coplanar neighbours of one colour and opacity wherever the union is convex, and drops corners in the
+/* Makes the model's pictures textures: those that a face shows. Together they get no larger than a scene can hold: if
+ * need be, the largest are made smaller. What became of each goes to mesh->notes. */
+bool mesh_textures_make(const struct model *model, struct mesh *mesh, struct error *err);
+
+/* Joins coplanar neighbours of one colour, opacity and texture wherever the union is convex, and drops corners in the
  * middle of straight sides; mesh_insert_t_vertices() brings back those that others need. Polygons
  * stay in the order of their first faces. */
 bool mesh_merge(struct mesh *mesh, struct error *err);

@@ -24,7 +24,8 @@ static const rlim_t LEAST_MEMORY_B = (rlim_t)1 << 30;
 
 struct result {
     bool ok;
-    size_t point_count, corner_count, face_count, alpha_clamped;
+    size_t point_count, corner_count, face_count, alpha_clamped, picture_count;
+    bool has_uvs;
     struct error err;
 };
 
@@ -62,7 +63,21 @@ static void limit_child(rlim_t file_b)
 
 static bool write_all(FILE *out, const void *items, size_t count, size_t item_b)
 {
-    return fwrite(items, item_b, count, out) == count;
+    return count == 0 || fwrite(items, item_b, count, out) == count;
+}
+
+static size_t pixel_count(const struct picture *picture)
+{
+    return (size_t)picture->w_px * picture->h_px;
+}
+
+static bool write_pictures(FILE *out, const struct model *model)
+{
+    bool written = !model->uvs || write_all(out, model->uvs, model->point_count, sizeof *model->uvs);
+    written = written && write_all(out, model->pictures, model->picture_count, sizeof *model->pictures);
+    for (size_t i = 0; written && i < model->picture_count; i++)
+        written = write_all(out, model->pictures[i].pixels, pixel_count(&model->pictures[i]), sizeof(uint32_t));
+    return written;
 }
 
 static bool write_result(FILE *out, const struct result *result, const struct model *model)
@@ -71,7 +86,7 @@ static bool write_result(FILE *out, const struct result *result, const struct mo
     if (written && result->ok)
         written = write_all(out, model->points, model->point_count, sizeof *model->points) &&
                   write_all(out, model->corners, model->corner_count, sizeof *model->corners) &&
-                  write_all(out, model->faces, model->face_count, sizeof *model->faces);
+                  write_all(out, model->faces, model->face_count, sizeof *model->faces) && write_pictures(out, model);
     return written && fflush(out) == 0;
 }
 
@@ -87,6 +102,8 @@ _Noreturn static void run_child(const char *path, rlim_t file_b, FILE *out)
     result.corner_count = model.corner_count;
     result.face_count = model.face_count;
     result.alpha_clamped = model.alpha_clamped;
+    result.picture_count = model.picture_count;
+    result.has_uvs = model.uvs != NULL;
     _exit(write_result(out, &result, &model) ? EXIT_SUCCESS : EXIT_FAILURE);
 }
 
@@ -96,6 +113,22 @@ static void *read_all(FILE *in, size_t count, size_t item_b)
     if (!items || fread(items, item_b, count, in) == count) return items;
     free(items);
     return NULL;
+}
+
+static bool read_pictures(FILE *in, const struct result *result, struct model *model)
+{
+    model->uvs = result->has_uvs ? read_all(in, model->point_count, sizeof *model->uvs) : NULL;
+    if (result->has_uvs && !model->uvs) return false;
+    model->pictures = result->picture_count ? read_all(in, result->picture_count, sizeof *model->pictures) : NULL;
+    if (!model->pictures) return result->picture_count == 0;
+    for (size_t i = 0; i < result->picture_count; i++)
+        model->pictures[i].pixels = NULL; /* what the child had is not ours */
+    model->picture_count = result->picture_count;
+    for (size_t i = 0; i < model->picture_count; i++) {
+        const size_t count = pixel_count(&model->pictures[i]);
+        if (count && !(model->pictures[i].pixels = read_all(in, count, sizeof(uint32_t)))) return false;
+    }
+    return true;
 }
 
 static bool read_result(const char *path, FILE *in, struct model *model, struct error *err)
@@ -114,7 +147,7 @@ static bool read_result(const char *path, FILE *in, struct model *model, struct 
     model->points = read_all(in, model->point_count, sizeof *model->points);
     model->corners = read_all(in, model->corner_count, sizeof *model->corners);
     model->faces = read_all(in, model->face_count, sizeof *model->faces);
-    if (model->points && model->corners && model->faces) return true;
+    if (model->points && model->corners && model->faces && read_pictures(in, &result, model)) return true;
     model_free(model);
     return error_set(err, "%s: not enough memory", path);
 }
@@ -153,5 +186,9 @@ void model_free(struct model *model)
     free(model->points);
     free(model->corners);
     free(model->faces);
+    free(model->uvs);
+    for (size_t i = 0; i < model->picture_count; i++)
+        free(model->pictures[i].pixels);
+    free(model->pictures);
     *model = (struct model){0};
 }

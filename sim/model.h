@@ -6,6 +6,7 @@
 #define SIM_MODEL_H
 
 #include "error.h"
+#include "texture.h"
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -16,17 +17,21 @@ struct model_face {
     uint32_t colour;       /* 0xRRGGBB as a display shows it (sRGB): material times vertex colours */
     bool two_sided;        /* the material asks for both sides */
     uint8_t transparency;  /* 0 is opaque, 255 invisible */
+    uint32_t picture;      /* 1-based, of what the face shows, times its colour; 0: none */
     bool unlit;            /* the material's colour is final: no light is baked in */
 };
 
 struct model {
     double (*points)[3]; /* metres, y up, right-handed, node transforms applied; some may be unused */
+    double (*uvs)[2]; /* of each point, in pictures, across from the left and down from the top; NULL: there are none */
     size_t point_count;
     uint32_t *corners; /* indices into points */
     size_t corner_count;
     struct model_face *faces; /* faces[i] is face number i + 1 of the file */
     size_t face_count;
     size_t alpha_clamped; /* faces whose material's opacity was below 0 or above 1, and is the nearer of them now */
+    struct picture *pictures; /* also those that cannot be read */
+    size_t picture_count;
 };
 
 enum { MODEL_DEFAULT_COLOUR = 0xC8C8C8 }; /* of faces that have neither material nor vertex colours */
@@ -40,7 +45,8 @@ enum { MODEL_DEFAULT_COLOUR = 0xC8C8C8 }; /* of faces that have neither material
  * by mesh of the node, then by face of the mesh. A mirroring transform turns its faces round.
  *
  * OBJ colours are taken as sRGB. Base colours of physically based materials (glTF) are linear
- * light, as that format says, and become sRGB here. Textures are not read.
+ * light, as that format says, and become sRGB here. Of the textures the one
+ * of the colour is read, as opaque; it repeats, whatever the file says. One that cannot be read is no error.
  *
  * Opacity is MTL's `d` (or 1 - `Tr`); glTF's base colour's and vertex colours' alpha where alphaMode is BLEND, all or
  * nothing where it is MASK, and nothing where it is OPAQUE. */

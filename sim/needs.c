@@ -24,6 +24,7 @@ struct needs needs_of(const struct compiled *scene)
                           .newell = scene->report.draws == LIM_NEWELL,
                           .cull = scene->scene.box_count > 0 && walks_tree(scene->report.draws),
                           .leaves = scene->report.leaves > 0,
+                          .textures = scene->scene.texture_count > 0,
                           .slanted = scene->scene.plane_count > 0,
                           .large = scene->scene.exact_count > 0,
                           .transparent = scene->scene.limits.layers > 0,
@@ -42,6 +43,7 @@ struct needs needs_union(const struct needs *a, const struct needs *b)
                           .newell = a->newell || b->newell,
                           .cull = a->cull || b->cull,
                           .leaves = a->leaves || b->leaves,
+                          .textures = a->textures || b->textures,
                           .slanted = a->slanted || b->slanted,
                           .large = a->large || b->large,
                           .transparent = a->transparent || b->transparent,
@@ -73,6 +75,7 @@ void needs_write(const struct needs *needs, FILE *file)
     write_macro(file, "HAS_NEWELL", needs->newell);
     write_macro(file, "HAS_CULL", needs->cull);
     write_macro(file, "HAS_LEAVES", needs->leaves);
+    write_macro(file, "HAS_TEXTURE", needs->textures);
     write_macro(file, "HAS_SLANTED", needs->slanted);
     write_macro(file, "HAS_LARGE", needs->large);
     write_macro(file, "HAS_TRANSPARENT", needs->transparent);

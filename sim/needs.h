@@ -13,6 +13,7 @@ struct needs {
     bool nearest, convex, painter; /* methods */
     bool depth, newell;            /* more of them */
     bool leaves;                   /* ordered clusters */
+    bool textures;
     bool cull, slanted, large;     /* what the methods have to do with the scene's boxes and planes */
     bool transparent;              /* polygons with alpha */
     bool wireframe;                /* to be drawn so */

@@ -171,10 +171,11 @@ static size_t nearest_b(const struct compiled *scene, size_t cells, size_t gaps,
 {
     const bool wide = is_wide(&scene->report), sorts = method_sorts(scene->report.draws);
     const size_t cached_b = wide ? MCU_CACHED_WIDE_B : MCU_CACHED_B, cell_b = wide ? MCU_CELL_WIDE_B : MCU_CELL_B;
+    const size_t active_b = MCU_ACTIVE_B + (scene->scene.texture_count ? (size_t)MCU_ACTIVE_TEXTURE_B : 0);
     const size_t fixed_b = MCU_CACHE_ENTRIES * cached_b + scene->report.h_px * (size_t)MCU_LINE_B +
                            (sorts ? 0 : scene->scene.limits.depth * (size_t)MCU_PENDING_B);
     return (sorts ? sorted_b(scene, pieces) : 0) +
-           aligned_b(fixed_b + cells * cell_b + gaps * MCU_GAP_B + active * MCU_ACTIVE_B);
+           aligned_b(fixed_b + cells * cell_b + gaps * MCU_GAP_B + active * active_b);
 }
 
 static size_t layers_b(const struct lim_limits *limits)
@@ -188,7 +189,8 @@ static size_t convex_b(const struct compiled *scene, size_t active)
     const size_t cached_b = wide ? MCU_CACHED_WIDE_B : MCU_CACHED_B, point_b = wide ? MCU_CELL_WIDE_B : MCU_CELL_B;
     const size_t points = scene->scene.limits.vertices + (size_t)MCU_CLIP_PLANES;
     const size_t flags_b = scene->report.wireframe ? (points + 15) / 16 * 2 : 0;
-    const size_t crossing_b = MCU_CROSSING_B + points * point_b + aligned_b(flags_b);
+    const size_t texture_b = scene->scene.texture_count ? (size_t)MCU_CROSSING_TEXTURE_B : 0;
+    const size_t crossing_b = MCU_CROSSING_B + texture_b + points * point_b + aligned_b(flags_b);
     return aligned_b(MCU_CACHE_ENTRIES * cached_b + scene->report.h_px * (size_t)MCU_TOP_B +
                      scene->scene.polygon_count * (size_t)MCU_FACE_B + active * crossing_b);
 }

@@ -21,7 +21,7 @@ struct pixel_rect {
 
 struct reference_polygon {
     uint32_t first, count; /* points[first .. first + count) */
-    uint32_t face;
+    uint32_t face, mapping;
     bool two_sided;
     double normal[3], offset_m;          /* normal . p = offset_m; not of unit length */
     struct reference_edge inverse_depth; /* of the plane, for the frame being drawn */
@@ -90,8 +90,11 @@ static void copy_polygons(struct reference *reference, const struct mesh *mesh)
     for (size_t p = 0; p < mesh->polygon_count; p++) {
         const struct mesh_polygon *from = &mesh->polygons[p];
         struct reference_polygon *to = &reference->polygons[p];
-        *to = (struct reference_polygon){
-            .first = first, .count = from->count, .face = from->face, .two_sided = from->two_sided};
+        *to = (struct reference_polygon){.first = first,
+                                         .count = from->count,
+                                         .face = from->face,
+                                         .mapping = from->mapping,
+                                         .two_sided = from->two_sided};
         for (uint32_t i = 0; i < from->count; i++)
             memcpy(reference->points[first + i], mesh->points[mesh->corners[from->first + i]],
                    sizeof reference->points[0]);
@@ -113,8 +116,10 @@ bool reference_init(struct reference *reference, const struct mesh *mesh, unsign
     reference->polygons = calloc(mesh->polygon_count, sizeof reference->polygons[0]);
     reference->edges = calloc(corners_max, sizeof reference->edges[0]);
     reference->faces = calloc(pixel_count, sizeof reference->faces[0]);
+    reference->mappings = calloc(pixel_count, sizeof reference->mappings[0]);
     reference->depths_m = calloc(pixel_count, sizeof reference->depths_m[0]);
-    if (!reference->points || !reference->polygons || !reference->edges || !reference->faces || !reference->depths_m) {
+    if (!reference->points || !reference->polygons || !reference->edges || !reference->faces || !reference->mappings ||
+        !reference->depths_m) {
         reference_free(reference);
         return error_set(err, "reference picture: out of memory");
     }
@@ -142,6 +147,7 @@ void reference_free(struct reference *reference)
     free(reference->polygons);
     free(reference->edges);
     free(reference->faces);
+    free(reference->mappings);
     free(reference->depths_m);
     memset(reference, 0, sizeof *reference);
 }
@@ -257,6 +263,7 @@ static void draw_line(struct reference *reference, const struct reference_polygo
         if (!is_nearer(1.0 / inverse, polygon->face, reference->depths_m[pixel], reference->faces[pixel])) continue;
         reference->depths_m[pixel] = 1.0 / inverse;
         reference->faces[pixel] = polygon->face;
+        reference->mappings[pixel] = polygon->mapping;
     }
 }
 
@@ -289,8 +296,18 @@ static void wipe(struct reference *reference)
 {
     size_t pixel_count = (size_t)reference->w_px * reference->h_px;
     memset(reference->faces, 0, pixel_count * sizeof reference->faces[0]);
+    memset(reference->mappings, 0, pixel_count * sizeof reference->mappings[0]);
     for (size_t i = 0; i < pixel_count; i++)
         reference->depths_m[i] = INFINITY;
+}
+
+void reference_point(const struct reference *reference, size_t pixel, double out_m[3])
+{
+    const struct reference_view *view = &reference->view;
+    const double u = pixel_u(view, (int)(pixel % reference->w_px)), v = pixel_v(view, (int)(pixel / reference->w_px));
+    for (int i = 0; i < 3; i++)
+        out_m[i] =
+            view->eye_m[i] + reference->depths_m[pixel] * (view->right[i] * u + view->up[i] * v + view->forward[i]);
 }
 
 void reference_draw(struct reference *reference, const struct viewpoint *viewpoint, const struct lens *lens)

@@ -29,6 +29,7 @@ struct reference {
     unsigned w_px, h_px;
     struct reference_view view; /* of the last frame drawn */
     uint32_t *faces;            /* w_px * h_px face numbers from the top left, 0 = background */
+    uint32_t *mappings;         /* what of a texture: mesh_polygon.mapping of the polygon seen */
     double *depths_m;           /* along the view axis; infinite for the background */
 };
 
@@ -43,6 +44,9 @@ bool reference_read(struct reference *reference, const char *model_path, unsigne
 /* Draws into faces and depths_m. Pixel (0, 0) is the top left one; its centre lies at
  * x = -tan_x * (1 - 1 / w_px), y = tan_y * (1 - 1 / h_px) on the plane at distance 1. */
 void reference_draw(struct reference *reference, const struct viewpoint *viewpoint, const struct lens *lens);
+
+/* Where the ray through a pixel's centre ended in the last frame drawn, metres; only where a face is seen. */
+void reference_point(const struct reference *reference, size_t pixel, double out_m[3]);
 
 /* The least depth of a face's plane within a pixel of a pixel's centre in the last frame drawn, held
  * within the depths of the face's own corners: seen edge-on the plane alone could be anywhere. */

@@ -23,6 +23,7 @@ static void print_mended(const struct mesh_counts *mesh)
     } rows[] = {{"opacity beyond 0..1, clamped", mesh->clamped}, {"invisible, dropped", mesh->invisible},
                 {"no area, dropped", mesh->zero_area},           {"too small for the grid", mesh->too_small},
                 {"not planar, triangulated", mesh->non_planar},  {"not convex, triangulated", mesh->concave},
+                {"texture bent, triangulated", mesh->bent},      {"no texture coordinates", mesh->unmapped},
                 {"merged into a neighbour", mesh->merged},       {"T-vertices inserted", mesh->t_vertices}};
     print_count("faces in the model", mesh->faces);
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++)
@@ -70,6 +71,12 @@ static void print_tree(const struct compiled *scene)
                PREDICT_CAMERAS);
 }
 
+static void print_notes(const struct compile_report *report)
+{
+    for (size_t i = 0; i < report->note_count; i++)
+        printf("  note: %s\n", report->notes[i].text);
+}
+
 static void print_bytes(const char *what, size_t size_b, size_t polygons)
 {
     printf("  %-28s %8zu %10.1f\n", what, size_b, (double)size_b / (double)polygons);
@@ -86,6 +93,13 @@ static void print_flash(const struct compiled *scene)
     print_bytes("exact planes", arrays->exact_count * sizeof *arrays->exact, polygons);
     print_bytes("boxes", arrays->box_count * sizeof *arrays->boxes, polygons);
     print_bytes("polygons", arrays->polygon_words * sizeof *arrays->polygons, polygons);
+    if (arrays->texture_count) {
+        print_bytes("texels", arrays->texel_blocks * (size_t)LIM_TEXEL_BLOCK, polygons);
+        print_bytes("palettes", arrays->palette_colours * sizeof *arrays->palettes, polygons);
+        print_bytes("mappings and textures",
+                    arrays->mapping_count * sizeof *arrays->mappings + arrays->texture_count * sizeof *arrays->textures,
+                    polygons);
+    }
     print_bytes("in all", scene->report.flash_b, polygons);
 }
 
@@ -100,6 +114,7 @@ void compile_report_print(const struct compiled *scene, const char *name)
 {
     printf("%s\n", name);
     print_mended(&scene->report.mesh);
+    print_notes(&scene->report);
     print_tree(scene);
     print_flash(scene);
     print_ram(scene);

@@ -128,6 +128,8 @@ tap_check "the teapot compiles to C" prepare teapot sim/scenes/teapot.obj '0 1 3
 tap_check "the icosahedron compiles to C" prepare icosahedron sim/scenes/icosahedron.obj '0 1 3 0 0 0' '0.8 0.6 0.4 0.3 0.3 0'
 tap_check "the glass compiles to C" prepare glass sim/scenes/glass.obj '1 1.5 4 0 0.9 0' '0.1 0.9 0.3 1 0.6 0.5'
 tap_check "the report calls it one convex solid" grep -qE 'one convex solid +yes' "$work/icosahedron/report"
+tap_check "the textured rooms compile to C" prepare textured "$BUILD/scenes/textured/textured.obj" \
+    '2 1.6 1 0 1.4 0' '3.2 1.6 1 3.3 0.2 1'
 for core in m0plus m4; do
     tap_check "$core: the renderer of the rooms builds" built $core rooms
     tap_check "$core: it has a walk, spans and retained polygons" links $core rooms '^lim_(walk_next|span_close|retain)$'
@@ -136,19 +138,23 @@ for core in m0plus m4; do
     tap_check "$core: nor for wireframe" links_no $core rooms 'wire|hidden|edge_column'
     tap_check "$core: the renderer of the glass builds" built $core glass
     tap_check "$core: it blends, and paints backwards what its stack cannot hold" links $core glass '^lim_(blend|painter_line)$'
+    tap_check "$core: nor anything of textures" links_no $core rooms 'texture|texel|palette|mapping'
+    tap_check "$core: the renderer of the textured rooms builds" built $core textured
+    tap_check "$core: it has all of that" links $core textured '^lim_texture_(begin|set|fill)$'
     tap_check "$core: the renderer of the icosahedron builds" built $core icosahedron
     tap_check "$core: it has no walk, no culling, no spans, nothing retained" links_no $core icosahedron \
         'walk|cull|span|retain|nearest|painter|lim_paint|wire'
 done
 tap_check "nor has it state for them" has_no_member icosahedron walk stack cull spans retained paint stats
 tap_check "the rooms have no state for a convex solid" has_no_member rooms convex stats paint.layers wireframe
+tap_check "nor for textures" has_no_member rooms texturing paint.texturing
 tap_check "counters cost what they count in, and without them nothing is counted" counters_cost_their_own_size
 tap_check "a scene without large planes has no code for them" no_exact_planes rooms
 tap_check "subtree bounds are only tested where there are some" grows_with icosahedron -DLIM_HAS_NEAREST=1 -DLIM_HAS_CULL=1
 tap_check "m4: the renderer of the rooms takes 7 KB at most" within m4 rooms 7168
 tap_check "m4: that of a convex solid takes 4 KB at most" within m4 icosahedron 4096
 for core in m0plus m4; do
-    for name in rooms teapot icosahedron glass; do
+    for name in rooms teapot icosahedron glass textured; do
         tap_check "$core: $name uses no more stack than the bound, and two thirds of it" stack_holds $core $name
     done
 done

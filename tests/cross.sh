@@ -61,6 +61,7 @@ compile_variants() { # TARGET: other profiles, other screen coordinates, fewer f
 sizes_hold() { # TARGET
     compile "$1" "$work/sizes.o" tests/targets/sizes.c -DLIM_HAS_STATS=0 -DLIM_MAX_SIDE_PX=240 &&
         compile "$1" "$work/sizes.o" tests/targets/sizes.c -DLIM_HAS_STATS=0 -DLIM_MAX_SIDE_PX=480 &&
+        compile "$1" "$work/sizes.o" tests/targets/sizes.c -DLIM_HAS_STATS=0 -DLIM_MAX_SIDE_PX=240 -DLIM_HAS_TEXTURE=0 &&
         compile "$1" "$work/sizes.o" tests/targets/sizes.c -DLIM_HAS_STATS=0 -DLIM_MAX_SIDE_PX=240 -DLIM_PROFILE=LIM_PROFILE_FINE
 }
 

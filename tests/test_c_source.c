@@ -67,15 +67,14 @@ static void assert_same_array(const void *built, const void *compiled, size_t co
 
 static void assert_same_scene(const struct lim_scene *built, const struct lim_scene *compiled)
 {
-    const size_t counts_b = sizeof *built - offsetof(struct lim_scene, vertex_count);
+    const size_t counts_b = offsetof(struct lim_scene, limits) - offsetof(struct lim_scene, vertex_count);
     assert_same_array(built->vertices, compiled->vertices, compiled->vertex_count, sizeof *built->vertices);
     assert_same_array(built->nodes, compiled->nodes, compiled->node_count, sizeof *built->nodes);
     assert_same_array(built->planes, compiled->planes, compiled->plane_count, sizeof *built->planes);
     assert_same_array(built->exact, compiled->exact, compiled->exact_count, sizeof *built->exact);
     assert_same_array(built->boxes, compiled->boxes, compiled->box_count, sizeof *built->boxes);
     assert_same_array(built->polygons, compiled->polygons, compiled->polygon_words, sizeof *built->polygons);
-    assert_memory_equal(&built->vertex_count, &compiled->vertex_count,
-                        counts_b - counts_b % 4); /* what follows may be padding */
+    assert_memory_equal(&built->vertex_count, &compiled->vertex_count, counts_b);
     assert_memory_equal(&built->limits, &compiled->limits, sizeof built->limits);
 }
 

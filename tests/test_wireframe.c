@@ -56,13 +56,13 @@ static struct lim_camera camera_at(const struct stage *stage, struct viewpoint v
     return camera;
 }
 
-struct picture {
+struct drawing {
     uint16_t pixels[PIXELS];
     struct lim_stats stats;
 };
 
 static void draw(const struct stage *stage, const struct core *core, enum lim_method method,
-                 const struct lim_wireframe *wireframe, const struct lim_camera *camera, struct picture *out)
+                 const struct lim_wireframe *wireframe, const struct lim_camera *camera, struct drawing *out)
 {
     const struct simulator_setup setup = {W_PX, H_PX, method, SIMULATOR_MEMORY, core};
     struct simulator simulator;
@@ -95,13 +95,13 @@ static void random_polygon(struct mesh *mesh, struct random *random)
     mesh_rig_add(mesh, (const double(*)[3])corners, count)->colour = 0x808080;
 }
 
-static bool is_covered(const struct picture *filled, int x, int y)
+static bool is_covered(const struct drawing *filled, int x, int y)
 {
     return filled->pixels[y * W_PX + x] != BACKGROUND;
 }
 
 /* Pixels whose neighbours are all on the screen. Returns how many are stroked. */
-static size_t assert_outline(const struct picture *filled, const struct picture *wire)
+static size_t assert_outline(const struct drawing *filled, const struct drawing *wire)
 {
     size_t stroked = 0;
 
@@ -127,7 +127,7 @@ static void a_pixel_is_stroked_where_a_neighbour_is_not_the_polygons(void **stat
         random_polygon(&stage.mesh, &random);
         compile(&stage, "auto", true, NULL);
         for (int f = 0; f < 30; f++) {
-            static struct picture filled, wire;
+            static struct drawing filled, wire;
             struct viewpoint viewpoint = {{0}, {0}, 1};
             for (int k = 0; k < 3; k++) {
                 viewpoint.eye_m[k] = 2 * random_unit(&random) - 1 + (k == 2 ? 2.5 : 0);
@@ -181,7 +181,7 @@ struct astray {
     size_t lines, far, missing;
 };
 
-static struct astray compare(const struct picture *picture, const struct segments *segments)
+static struct astray compare(const struct drawing *picture, const struct segments *segments)
 {
     static const double NEAR_PX = 1.5;
     struct astray astray = {0};
@@ -217,7 +217,7 @@ static void add_segment(struct segments *segments, const struct stage *stage, co
 static struct astray astray_in(const struct stage *stage, const struct viewpoint *viewpoint,
                                const double (*edges)[2][3], size_t count)
 {
-    static struct picture picture;
+    static struct drawing picture;
     struct segments segments = {.count = 0};
     const struct lim_camera camera = camera_at(stage, *viewpoint);
 
@@ -326,7 +326,7 @@ static void the_near_plane_makes_no_line(void **state)
     const double floor[4][3] = {{-3, -0.05, 1}, {3, -0.05, 1}, {3, -0.05, -5}, {-3, -0.05, -5}};
     const struct viewpoint viewpoint = {{0, 0, 0}, {0, 0, -1}, 1};
     struct stage stage = {.mesh = mesh_rig(3000.0)};
-    static struct picture filled, wire;
+    static struct drawing filled, wire;
     struct error err;
 
     (void)state;
@@ -378,7 +378,7 @@ static void both_orders_paint_the_same_in_every_profile(void **state)
             struct stage stage;
             random_scene(&stage, &random, profiles[p], &closed);
             for (int f = 0; f < 5; f++) {
-                static struct picture nearest, painter;
+                static struct drawing nearest, painter;
                 struct lim_camera camera = camera_at(&stage, closed_scene_viewpoint(&closed, &random));
                 camera.roll = (uint32_t)random_u64(&random);
                 const struct lim_wireframe own = {.on = true};
@@ -405,7 +405,7 @@ static void convex_solids_are_painted_the_same_by_their_own_method(void **state)
         convex_rig_add(&stage.mesh, &random, s % CONVEX_RIG_KINDS);
         compile(&stage, "auto", true, NULL);
         for (int f = 0; stage.scene.report.convex && f < 10; f++) {
-            static struct picture nearest, convex;
+            static struct drawing nearest, convex;
             const struct lim_camera camera = camera_at(&stage, convex_rig_viewpoint(&random));
             draw(&stage, NULL, LIM_NEAREST_FIRST, &WHITE, &camera, &nearest);
             draw(&stage, NULL, LIM_CONVEX, &WHITE, &camera, &convex);

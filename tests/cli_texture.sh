@@ -1,0 +1,111 @@
+# SPDX-License-Identifier: MIT
+#
+# Textures from the command line: what the report says of pictures that are resized or not to be read, frames of the
+# textured demo by every order, the scene as a file, and how far texels are from the model's own.
+. tests/tap.sh
+
+limner=$(cd "$BUILD" && pwd)/limner
+demo=$(cd "$BUILD/scenes/textured" && pwd)
+models=$(pwd)/tests/models
+cp "$models"/quarters.* "$work"
+cp -R "$demo" "$work/demo"
+cd "$work" || exit 1
+printf '0.5 0.5 1.4 0.5 0.5 0\n' >front.cam
+
+hashes() { # FILE MODEL-OR-SCENE CAMERA OPTION...
+    hashes_to=$1 hashes_of=$2 hashes_camera=$3
+    shift 3
+    timeout 120 "$limner" render "$hashes_of" --camera "$hashes_camera" --write-hashes "$hashes_to" "$@" 2>said
+}
+
+# Four squares of one colour each are the same picture.
+quarters_are_where_they_belong() { # SUFFIX
+    hashes flat.hashes flat.obj front.cam --unlit --size 64x64 &&
+        hashes "$1.hashes" quarters."$1" front.cam --unlit --size 64x64 || return 1; cat said flat.hashes "$1.hashes"; cmp flat.hashes "$1.hashes"
+}
+
+flat_quarters() {
+    printf 'newmtl %s\nKd %s\n' red '1 0 0' green '0 1 0' blue '0 0 1' white '1 1 1' >flat.mtl
+    cat <<'OBJ'
+mtllib flat.mtl
+v 0 0 0
+v 0.5 0 0
+v 1 0 0
+v 0 0.5 0
+v 0.5 0.5 0
+v 1 0.5 0
+v 0 1 0
+v 0.5 1 0
+v 1 1 0
+usemtl red
+f 4 5 8 7
+usemtl green
+f 5 6 9 8
+usemtl blue
+f 1 2 5 4
+usemtl white
+f 2 3 6 5
+OBJ
+}
+
+same_frames() { # FILE FILE
+    diff "$1" "$2" && [ "$(cut -d ' ' -f 2 "$1" | sort -u | wc -l)" -gt 40 ]
+}
+
+orders_agree() { # PRECISION
+    hashes near demo/textured.obj demo/textured.cam --precision "$1" --size 120x90 &&
+        hashes far demo/textured.obj demo/textured.cam --precision "$1" --size 120x90 --method painter && same_frames near far
+}
+
+file_agrees() {
+    "$limner" compile demo/textured.obj -o scene >report && hashes model demo/textured.obj demo/textured.cam &&
+        hashes file scene.lim demo/textured.cam && same_frames model file
+}
+
+notes() { # PATTERN MODEL: the report and the renderer say the same, and both go on
+    "$limner" compile "$2" --report >report || return 1
+    grep 'note: ' report
+    hashes none "$2" front.cam && cat said && grep -q "note: $1" report && grep -q "^limner: note: $1" said
+}
+
+is_flat() { # MODEL: of one colour
+    "$limner" render "$1" --camera front.cam --size 8x8 --fov 40 -o 'flat%d.png' 2>/dev/null &&
+        "$limner" compile "$1" -o bare >/dev/null && grep -q 'LIM_HAS_TEXTURE 0' bare.h
+}
+
+texels_are_near() { # PRECISION MOST
+    timeout 120 "$limner" measure demo/textured.obj --camera demo/textured.cam --no-cost --precision "$1" >table || return 1
+    mean=$(awk -F '|' '/texel error mean/ { getline; getline; print $3; exit }' table)
+    whole=$(awk -F '|' '/texel error mean/ { getline; getline; print $5; exit }' table)
+    echo "$1: $mean texels of the level shown, $whole of the whole picture"
+    awk -v mean="$mean" -v whole="$whole" -v most="$2" 'BEGIN { exit !(mean > 0 && mean <= most && whole <= most) }'
+}
+
+flat_quarters >flat.obj
+tap_check 'an OBJ names its picture' quarters_are_where_they_belong obj
+tap_check 'a GLB holds it' quarters_are_where_they_belong glb
+for precision in draft fast fine exact; do
+    tap_check "$precision: both orders paint the textured demo alike" orders_agree $precision
+done
+tap_check 'a .lim file shows what the model shows' file_agrees
+tap_check 'fast: texels are within a quarter' texels_are_near fast 0.25
+tap_check 'fine: within a 12th' texels_are_near fine 0.083
+tap_check 'exact: within a 40th' texels_are_near exact 0.025
+tap_check 'the demo is what it was' "$limner" render demo/textured.obj --camera demo/textured.cam --size 120x90 --check "$OLDPWD/tests/textured.hashes"
+
+tap_check 'what is resized is noted' notes 'texture bricks.png: 120x90 pixels, resized to 128x64' demo/textured.obj
+sed 's/quarters.png/none.png/' quarters.mtl >none.mtl
+sed 's/quarters.mtl/none.mtl/' quarters.obj >none.obj
+tap_check 'a missing picture is noted' notes 'texture none.png: there is no such file; faces of a flat colour instead: 1' none.obj
+tap_check 'and leaves a flat face, without a texture in the firmware' is_flat none.obj
+head -c 40 quarters.png >none.png
+tap_check 'so is a damaged one' notes 'texture none.png: damaged' none.obj
+: >none.png
+tap_check 'and an empty one' notes 'texture none.png: the file is empty' none.obj
+sed 's/^vt 1 0/vt 1e20 0/' quarters.obj >far.obj
+tap_check 'coordinates out of all range leave a flat face' is_flat far.obj
+grep -v '^vt' quarters.obj | sed 's,/[0-9],,g' >bare.obj
+tap_check 'so do none at all' is_flat bare.obj
+"$limner" compile bare.obj --report >report
+tap_check 'which the report counts' grep -q 'no texture coordinates *1$' report
+tap_done

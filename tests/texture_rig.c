@@ -1,0 +1,68 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * All memory is model_free()'s. */
+#include "texture_rig.h"
+
+#include "cmocka_ready.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+uint32_t texture_rig_picture(struct model *model, uint32_t w_px, uint32_t h_px, struct random *random)
+{
+    model->pictures = realloc(model->pictures, (model->picture_count + 1) * sizeof *model->pictures);
+    struct picture *picture = &model->pictures[model->picture_count];
+    *picture = (struct picture){.found_w_px = w_px, .found_h_px = h_px, .w_px = w_px, .h_px = h_px};
+    snprintf(picture->name, sizeof picture->name, "picture %zu", model->picture_count + 1);
+    picture->pixels = calloc((size_t)w_px * h_px, sizeof *picture->pixels);
+    for (size_t i = 0; i < (size_t)w_px * h_px; i++)
+        picture->pixels[i] = (uint32_t)(random_u64(random) & 0xFFFFFF);
+    return (uint32_t)++model->picture_count;
+}
+
+void texture_rig_face(struct model *model, uint32_t picture, size_t count, const double (*places)[3],
+                      const double (*uvs)[2])
+{
+    model->points = realloc(model->points, (model->point_count + count) * sizeof *model->points);
+    model->uvs = realloc(model->uvs, (model->point_count + count) * sizeof *model->uvs);
+    model->corners = realloc(model->corners, (model->corner_count + count) * sizeof *model->corners);
+    model->faces = realloc(model->faces, (model->face_count + 1) * sizeof *model->faces);
+    model->faces[model->face_count++] = (struct model_face){
+        .first = (uint32_t)model->corner_count, .count = (uint32_t)count, .colour = 0xFFFFFF, .picture = picture};
+    for (size_t i = 0; i < count; i++) {
+        memcpy(model->points[model->point_count], places[i], sizeof *places);
+        memcpy(model->uvs[model->point_count], uvs[i], sizeof *uvs);
+        model->corners[model->corner_count++] = (uint32_t)model->point_count++;
+    }
+    if (picture) model->pictures[picture - 1].faces++;
+}
+
+void texture_rig_room(struct model *model, uint32_t picture, double repeat)
+{
+    for (int side = 0; side < 6; side++) {
+        const int x = side / 2, y = (x + 1) % 3, z = (x + 2) % 3;
+        double places[4][3], uvs[4][2];
+        for (int k = 0; k < 4; k++) {
+            const int corner = side % 2 ? 3 - k : k; /* round the other way on the opposite side */
+            const double right = corner == 0 || corner == 3, up = corner >= 2;
+            places[k][x] = side % 2 ? -1 : 1;
+            places[k][y] = 2 * right - 1;
+            places[k][z] = 2 * up - 1;
+            uvs[k][0] = repeat * right;
+            uvs[k][1] = repeat * up;
+        }
+        texture_rig_face(model, picture, 4, places, uvs);
+    }
+}
+
+struct compiled texture_rig_compile(const struct model *model, struct mesh *mesh, const struct core *core)
+{
+    const struct compile_options options = {.tolerance_units = 0.5, .splitter = "auto", .core = core};
+    struct compiled scene;
+    struct error err;
+    if (!mesh_clean(model, mesh, &err) || !mesh_insert_t_vertices(mesh, &err) ||
+        !compile_mesh(mesh, &options, &scene, &err))
+        fail_msg("%s", err.text);
+    return scene;
+}
