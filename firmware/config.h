@@ -94,6 +94,11 @@
 /* What nearest first leaves to the painter's order where its pools are too small, line by line. */
 #define LIM_HAS_FALLBACK (LIM_HAS_SPANS && (LIM_HAS_TRANSPARENT || LIM_HAS_WIREFRAME))
 
+/* Portals say which boxes can be seen from where: what walks no tree, or tests no boxes, has no use for them. */
+#ifndef LIM_HAS_PORTALS
+#define LIM_HAS_PORTALS (LIM_HAS_TREE && LIM_HAS_CULL)
+#endif
+
 /* Planes off the axes are tried in 32 bits first. One convex solid has too few of them for that to pay. */
 #define LIM_HAS_FILTER (LIM_HAS_HIDDEN && LIM_HAS_SLANTED)
 
@@ -158,6 +163,9 @@
 #endif
 #if LIM_HAS_LARGE && !LIM_HAS_SLANTED
 #error "LIM_HAS_LARGE needs LIM_HAS_SLANTED"
+#endif
+#if LIM_HAS_PORTALS && !(LIM_HAS_TREE && LIM_HAS_CULL)
+#error "LIM_HAS_PORTALS needs LIM_HAS_CULL and an order that walks the tree"
 #endif
 #if LIM_MAX_SIDE_PX < 8 || LIM_MAX_SIDE_PX > 1024
 #error "LIM_MAX_SIDE_PX must be 8..1024"

@@ -66,6 +66,7 @@ int lim_init(struct lim *lim, const struct lim_scene *scene, const struct lim_ta
     lim->scene = scene;
     lim->target = *target;
     init_wireframe(lim);
+    lim_lend_portals(lim, NULL);
     if (IS_CONVEX(target))
         lim_convex_init(lim, mem, mem_b);
     else if (IS_PAINTER(target))
@@ -73,6 +74,19 @@ int lim_init(struct lim *lim, const struct lim_scene *scene, const struct lim_ta
     else
         lim_nearest_init(lim, mem, mem_b);
     return LIM_OK;
+}
+
+static void find_shown(struct lim *lim, const struct lim_camera *camera)
+{
+#if LIM_HAS_PORTALS
+    lim->walk.shown = NULL;
+    if (!lim->portals.bits) return;
+    const uint32_t ball_units = lim_portals_ball_units(camera, lim->view.rows.far_units);
+    if (lim_portals_unpack(&lim->portals, lim_eye_of(lim), ball_units)) lim->walk.shown = lim->portals.bits;
+#else
+    (void)lim;
+    (void)camera;
+#endif
 }
 
 static int draw(struct lim *lim)
@@ -89,6 +103,7 @@ int lim_frame(struct lim *lim, const struct lim_camera *camera)
     if (LIM_HAS_TEXTURE && lim_texture_count(lim->scene))
         lim_texture_begin(lim_texturing_of(lim), lim->scene, &lim->view, camera);
     lim_eye_set(lim_eye_of(lim), lim->scene, camera->eye_q8);
+    if (LIM_HAS_PORTALS) find_shown(lim, camera);
     const int err = draw(lim);
     if (LIM_HAS_STATS) lim_stats_of(lim)->vertices = lim->view.vertices;
     return err;

@@ -34,7 +34,7 @@ static void set_lent(struct lim *lim, uint16_t *line)
 
 size_t lim_painter_mem_b(const struct lim_scene *scene)
 {
-    return LIM_PAINTER_MEM_B(scene->limits.depth);
+    return LIM_PAINTER_MEM_B(scene->limits.depth) + lim_portals_mem_b(scene);
 }
 
 void lim_painter_init(struct lim *lim, void *mem)
@@ -43,6 +43,7 @@ void lim_painter_init(struct lim *lim, void *mem)
 
     lim->stack = (struct lim_walk_pending *)(void *)(cache + LIM_VIEW_CACHE_ENTRIES);
     set_lent(lim, NULL);
+    lim_lend_portals(lim, lim->stack + lim->scene->limits.depth);
     lim_view_init(&lim->view, lim->target.w_px, lim->target.h_px, cache);
 }
 

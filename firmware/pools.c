@@ -79,7 +79,7 @@ static size_t total_b(const struct lim_scene *scene, const struct lim_target *ta
         sum_b += LIM_DEPTH_MEM_B(target->h_px, scene->polygon_count, cells, gaps, shares.active);
     else
         sum_b += LIM_MEM_B(target->h_px, scene->limits.depth, cells, gaps, shares.active);
-    return sum_b;
+    return sum_b + (LIM_IS_SORTED(target) ? 0 : lim_portals_mem_b(scene));
 }
 
 size_t lim_nearest_mem_b(const struct lim_scene *scene, const struct lim_target *target, bool least)
@@ -191,6 +191,7 @@ void lim_nearest_init(struct lim *lim, void *mem, size_t mem_b)
 #endif
     init_layers(&lim->paint, &at, &shares);
     init_fallback(lim);
+    if (!LIM_IS_SORTED(&lim->target)) lim_lend_portals(lim, at);
     lim_view_init(&lim->view, lim->target.w_px, lim->target.h_px, cache);
 }
 

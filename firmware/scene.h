@@ -12,7 +12,7 @@
 
 #define LIM_NONE 0xFFFFu /* "no such index", in every index field below */
 
-enum { LIM_SCENE_VERSION = 4 };
+enum { LIM_SCENE_VERSION = 5 };
 
 struct lim_vertex {
     int16_t x, y, z; /* units */
@@ -120,6 +120,16 @@ enum { LIM_TEXEL_BLOCK = 16 };
 #define LIM_MEMORY_COLOUR(rgb565) ((uint16_t)(rgb565))
 #endif
 
+/* From which cell on a sight holds. A cell is where the tree ends: twice the number of the node whose child is missing,
+ * and 1 more behind its plane. Places come in the order of their cells. Only scenes of up to 32767 nodes have any.
+ *
+ * A sight is a bit a box, whether anything of its subtree may be seen, lowest first; a byte of zeros is followed by how
+ * many of them there are, 1..255. */
+struct lim_place {
+    uint16_t cell;
+    uint16_t sight; /* where it begins in lim_scene.sights, or LIM_NONE: nothing is known, everything is walked */
+};
+
 /* What memory a frame needs; the compiler measures all but the first two on sampled cameras. A frame that needs more
  * falls back to bands; without room for pieces, polygons go by their farthest points (LIM_NEWELL). */
 struct lim_limits {
@@ -151,6 +161,11 @@ struct lim_scene {
     const LIM_FLASH uint16_t *palettes; /* colours as they lie in memory: fill.h */
     const LIM_FLASH uint8_t *texels;    /* indices of colours */
     uint16_t mapping_count, texture_count, palette_colours, texel_blocks;
+#endif
+#if LIM_HAS_PORTALS
+    const LIM_FLASH struct lim_place *places;
+    const LIM_FLASH uint8_t *sights;
+    uint16_t place_count, sight_bytes;
 #endif
 };
 

@@ -59,6 +59,9 @@ struct lim {
 #if LIM_HAS_TREE
     struct lim_walk walk;
     struct lim_walk_pending *stack;
+#if LIM_HAS_PORTALS
+    struct lim_portals portals;
+#endif
 #else
     struct lim_eye eye;
 #endif
@@ -77,6 +80,19 @@ struct lim {
     struct lim_stats stats;
 #endif
 };
+
+/* lim_portals_mem_b() bytes, or nothing: then nothing is looked up. */
+static inline void lim_lend_portals(struct lim *lim, void *mem)
+{
+#if LIM_HAS_PORTALS
+    uint8_t *bits = lim_portals_mem_b(lim->scene) ? mem : NULL;
+    lim->portals.bits = bits;
+    lim->portals.stack = bits ? (uint16_t *)(void *)(bits + LIM_PORTALS_BITS_B(lim->scene->box_count)) : NULL;
+#else
+    (void)lim;
+    (void)mem;
+#endif
+}
 
 /* Members that may not be there, NULL then, or elsewhere. */
 static inline struct lim_stats *lim_stats_of(struct lim *lim)

@@ -31,6 +31,7 @@ struct lim_newell_stats {
 struct lim_stats {
     uint32_t nodes;             /* nodes visited */
     uint32_t boxes, boxes_out;  /* subtree bounds tested; of these out of the open view */
+    uint32_t hidden;            /* subtrees that cannot be seen from where the eye is */
     uint32_t polygons;          /* polygons reached: front-facing, in a subtree that was not skipped */
     uint32_t polygons_seen;     /* of these, with at least one pixel */
     uint32_t vertices;          /* vertices transformed */
@@ -42,7 +43,7 @@ struct lim_stats {
 #if LIM_HAS_TEXTURE
     uint32_t divisions; /* for the perspective of textures */
 #endif
-    uint32_t bands;             /* extra walks because a pool was exhausted; convex: faces' lines without room */
+    uint32_t bands; /* extra walks because a pool was exhausted; convex: faces' lines without room */
 #if LIM_HAS_SORTED
     uint32_t sorted; /* entries of the sorted list, pieces included */
 #endif

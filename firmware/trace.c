@@ -196,7 +196,8 @@ static bool take_plain(struct lim *lim, uint16_t entry, const struct lim_screen_
     if (LIM_HAS_STATS) lim_stats_of(lim)->lines += (uint32_t)(bottom - top);
     fill_lines(last, whole, open, top, bottom);
     cut_lines(lim, entry, last, top, bottom);
-    const enum lim_span_result result = pass(lim, lim_wireframe_of(lim) ? (uint8_t)LIM_OPAQUE : lim_alpha_of(whole), last, top, bottom);
+    const enum lim_span_result result =
+        pass(lim, lim_wireframe_of(lim) ? (uint8_t)LIM_OPAQUE : lim_alpha_of(whole), last, top, bottom);
     if (result != LIM_SPAN_SOME) return result == LIM_SPAN_NOTHING;
     if (LIM_HAS_STATS) lim_stats_of(lim)->polygons_seen++;
     struct lim_retained_polygon seen = lim_retained_of(whole, top, bottom, lim_wireframe_of(lim));

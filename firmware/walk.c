@@ -15,10 +15,25 @@ void lim_walk_begin(struct lim_walk *walk, struct lim_walk_pending *stack, bool 
     walk->back_to_front = back_to_front;
 }
 
+static bool is_hidden(const struct lim_walk *walk, uint16_t box)
+{
+#if LIM_HAS_PORTALS
+    return walk->shown && !lim_portals_show(walk->shown, box);
+#else
+    (void)walk;
+    (void)box;
+    return false;
+#endif
+}
+
 static bool skipped(const struct lim_walk *walk, const LIM_FLASH struct lim_node *node, const struct lim_cull *cull,
                     struct lim_stats *stats)
 {
     if (!LIM_HAS_CULL || node->box == LIM_NONE) return false;
+    if (LIM_HAS_PORTALS && is_hidden(walk, node->box)) {
+        if (LIM_HAS_STATS) stats->hidden++;
+        return true;
+    }
     if (LIM_HAS_STATS) stats->boxes++;
     if (lim_cull_sees(cull, &walk->eye.scene->boxes[node->box])) return false;
     if (LIM_HAS_STATS) stats->boxes_out++;

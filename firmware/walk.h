@@ -8,6 +8,7 @@
 
 #include "cull.h"
 #include "eye.h"
+#include "portals.h"
 #include "scene.h"
 #include "stats.h"
 
@@ -22,6 +23,9 @@ struct lim_walk {
     uint16_t depth;
     uint16_t next; /* the subtree to enter, or LIM_NONE: the stack's top is due */
     bool back_to_front;
+#if LIM_HAS_PORTALS
+    const uint8_t *shown; /* a bit a box: its subtree may be seen; NULL: nothing is known */
+#endif
 };
 
 /* Through the scene of walk->eye, which is set. `stack` has limits.depth entries. */

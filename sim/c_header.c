@@ -12,15 +12,14 @@ static void write_spans_memory(FILE *file, const struct compiled *scene)
     const struct lim_limits *limits = &scene->scene.limits;
     const unsigned count = (unsigned)scene->scene.polygon_count;
 
-    if (limits->layers) fprintf(file, "(LIM_LAYERS_MEM_B(%u) + ", (unsigned)limits->layers);
     if (scene->report.draws == LIM_NEWELL)
         fprintf(file, "LIM_NEWELL_MEM_B(h_px, %u, %u", count, (unsigned)limits->pieces);
     else if (scene->report.draws == LIM_DEPTH)
         fprintf(file, "LIM_DEPTH_MEM_B(h_px, %u", count);
     else
         fprintf(file, "LIM_MEM_B(h_px, %u", (unsigned)limits->depth);
-    fprintf(file, ", %u, %u, %u)%s\n", (unsigned)limits->retained_cells, (unsigned)limits->gaps,
-            (unsigned)limits->active, limits->layers ? ")" : "");
+    fprintf(file, ", %u, %u, %u)", (unsigned)limits->retained_cells, (unsigned)limits->gaps, (unsigned)limits->active);
+    if (limits->layers) fprintf(file, " + LIM_LAYERS_MEM_B(%u)", (unsigned)limits->layers);
 }
 
 static void write_memory(FILE *file, const struct compiled *scene, const char *macro)
@@ -29,14 +28,16 @@ static void write_memory(FILE *file, const struct compiled *scene, const char *m
     fprintf(file, "\n/* How to draw it, and bytes for lim_init() on a target of h_px lines; limner.h has the rest of "
                   "both expressions. */\n");
     fprintf(file, "#define %s_SCENE_METHOD %s\n", macro, method_symbol(scene->report.draws));
-    fprintf(file, "#define %s_SCENE_MEM_B(h_px) ", macro);
+    fprintf(file, "#define %s_SCENE_MEM_B(h_px) (", macro);
     if (scene->report.draws == LIM_CONVEX)
-        fprintf(file, "LIM_CONVEX_MEM_B(h_px, %u, %u)\n", (unsigned)scene->scene.polygon_count,
-                (unsigned)limits->active);
+        fprintf(file, "LIM_CONVEX_MEM_B(h_px, %u, %u)", (unsigned)scene->scene.polygon_count, (unsigned)limits->active);
     else if (scene->report.draws == LIM_PAINTER)
-        fprintf(file, "LIM_PAINTER_MEM_B(%u)\n", (unsigned)limits->depth);
+        fprintf(file, "LIM_PAINTER_MEM_B(%u)", (unsigned)limits->depth);
     else
         write_spans_memory(file, scene);
+    if (scene->scene.place_count)
+        fprintf(file, " + LIM_PORTALS_MEM_B(%u, %u)", (unsigned)scene->scene.box_count, (unsigned)limits->depth);
+    fputs(")\n", file);
 }
 
 /* What the target must be able to lend at any time. */

@@ -84,6 +84,19 @@ static void write_boxes(FILE *file, const struct lim_scene *scene, const struct 
     end_array(file);
 }
 
+static void write_places(FILE *file, const struct lim_scene *scene, const struct c_name *prefix)
+{
+    begin_array(file, prefix, "struct lim_place", "places", scene->place_count);
+    for (size_t i = 0; i < scene->place_count; i++)
+        fprintf(file, "%s{%u, %u},", i % 8 ? " " : "\n    ", (unsigned)scene->places[i].cell,
+                (unsigned)scene->places[i].sight);
+    end_array(file);
+    begin_array(file, prefix, "uint8_t", "sights", scene->sight_bytes);
+    for (size_t i = 0; i < scene->sight_bytes; i++)
+        fprintf(file, "%s%u,", i % NUMBERS_A_LINE ? " " : "\n    ", (unsigned)scene->sights[i]);
+    end_array(file);
+}
+
 static void write_polygons(FILE *file, const struct lim_scene *scene, const struct c_name *prefix)
 {
     begin_array(file, prefix, "uint16_t", "polygons", scene->polygon_words);
@@ -160,6 +173,16 @@ static void write_texture_fields(FILE *file, const struct lim_scene *scene, cons
             (unsigned)scene->texel_blocks);
 }
 
+/* A build may do without. */
+static void write_portals(FILE *file, const struct lim_scene *scene, const struct c_name *prefix)
+{
+    fputs("#if LIM_HAS_PORTALS\n", file);
+    write_pointer(file, prefix, "places", scene->place_count);
+    write_pointer(file, prefix, "sights", scene->sight_bytes);
+    fprintf(file, "    .place_count = %u,\n    .sight_bytes = %u,\n#endif\n", (unsigned)scene->place_count,
+            (unsigned)scene->sight_bytes);
+}
+
 static void write_scene(FILE *file, const struct lim_scene *scene, const struct c_name *prefix)
 {
     const struct lim_limits *limits = &scene->limits;
@@ -171,6 +194,7 @@ static void write_scene(FILE *file, const struct lim_scene *scene, const struct 
     write_pointer(file, prefix, "boxes", scene->box_count);
     write_pointer(file, prefix, "polygons", scene->polygon_words);
     write_pointer(file, prefix, "fractions", scene->fractions ? scene->vertex_count : 0);
+    if (scene->place_count) write_portals(file, scene, prefix);
     fprintf(file, "    .vertex_count = %u,\n    .node_count = %u,\n    .plane_count = %u,\n    .exact_count = %u,\n",
             (unsigned)scene->vertex_count, (unsigned)scene->node_count, (unsigned)scene->plane_count,
             (unsigned)scene->exact_count);
@@ -201,6 +225,11 @@ static void write_source(FILE *file, const struct compiled *scene, const struct 
     if (arrays->box_count) write_boxes(file, arrays, prefix);
     write_polygons(file, arrays, prefix);
     if (arrays->texture_count) write_textures(file, arrays, prefix);
+    if (arrays->place_count) {
+        fputs("\n#if LIM_HAS_PORTALS", file);
+        write_places(file, arrays, prefix);
+        fputs("#endif\n", file);
+    }
     write_scene(file, arrays, prefix);
 }
 

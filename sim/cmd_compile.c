@@ -7,6 +7,7 @@
 #include "commands.h"
 #include "grow.h"
 #include "parse.h"
+#include "portal_choice.h"
 #include "scene_files.h"
 
 #include <getopt.h>
@@ -20,6 +21,7 @@ enum option_code {
     OPTION_TREE,
     OPTION_METHOD,
     OPTION_KEEP_FACES,
+    OPTION_PORTALS,
     OPTION_UNLIT,
     OPTION_WIREFRAME,
     OPTION_SIZE,
@@ -36,6 +38,7 @@ static const struct option OPTIONS[] = {
     {"splitter", required_argument, NULL, OPTION_SPLITTER},
     {"tree", required_argument, NULL, OPTION_TREE},
     {"method", required_argument, NULL, OPTION_METHOD},
+    {"portals", required_argument, NULL, OPTION_PORTALS},
     {"keep-faces", no_argument, NULL, OPTION_KEEP_FACES},
     {"unlit", no_argument, NULL, OPTION_UNLIT},
     {"wireframe", no_argument, NULL, OPTION_WIREFRAME},
@@ -78,6 +81,8 @@ static bool parse_option(int code, char **argv, struct request *out, struct erro
         return compile_method_parse(optarg, &out->compile, err);
     case OPTION_TREE:
         return tree_kind_parse(optarg, &out->compile.tree, err);
+    case OPTION_PORTALS:
+        return portals_parse(optarg, &out->compile.portals, err);
     case OPTION_KEEP_FACES:
         out->compile.keep_faces = true;
         return true;
@@ -121,8 +126,12 @@ static bool check_bound(const struct request *request, struct error *err)
 
 static bool parse(int argc, char **argv, struct request *out, struct error *err)
 {
-    *out = (struct request){
-        .compile = {.tolerance_units = 0.5, .splitter = "auto", .w_px = 240, .h_px = 240, .predict = true}};
+    *out = (struct request){.compile = {.tolerance_units = 0.5,
+                                        .splitter = "auto",
+                                        .w_px = 240,
+                                        .h_px = 240,
+                                        .portals = PORTALS_AUTO,
+                                        .predict = true}};
     out->bound = (struct choice_bound){.wrong_percent = -1.0, .vertex_px = -1.0};
     opterr = 0;
     optind = 1;

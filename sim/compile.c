@@ -7,6 +7,7 @@
 #include "grow.h"
 #include "light.h"
 #include "pools.h"
+#include "portal_choice.h"
 #include "predict.h"
 #include "progress.h"
 
@@ -218,7 +219,8 @@ bool compile_mesh(const struct mesh *mesh, const struct compile_options *options
         ok = compile_best(&work, out, err) && check_method(options, out, err);
         out->report.wireframe = options->wireframe;
         ok = ok &&
-             pools_measure(out, options->core, side_or_default(options->w_px), side_or_default(options->h_px), err);
+             pools_measure(out, options->core, side_or_default(options->w_px), side_or_default(options->h_px), err) &&
+             portals_add(out, options, err);
         progress_end();
         if (!ok) compiled_free(out);
     }
@@ -232,6 +234,7 @@ bool compile_method_parse(const char *text, struct compile_options *out, struct 
     out->method = method_parse(text, err);
     if (!out->method) return false;
     if (out->method->tree != TREE_AUTO) out->tree = out->method->tree;
+    if (out->method->portals) out->portals = PORTALS_ON;
     return true;
 }
 

@@ -12,6 +12,8 @@
 #include "plane.h"
 #include "scene.h"
 
+enum portals_wanted { PORTALS_OFF, PORTALS_AUTO, PORTALS_ON };
+
 struct compile_options {
     double tolerance_units;      /* a polygon this near to a plane lies on it; 0.5 by default, 0 = exact */
     const struct method *method; /* how it is to be drawn; NULL: convex for one convex solid, else nearest first */
@@ -22,7 +24,19 @@ struct compile_options {
     unsigned w_px, h_px;         /* the panel that pool sizes are measured for; 0: 240 */
     bool unlit;                  /* colours stay as they are in the model: no light is baked in */
     bool wireframe;              /* for drawing as wireframe: edges that are not the model's are known */
+    enum portals_wanted portals; /* whether to store what is seen from where; AUTO: if it pays */
     bool predict;                /* measure the wrong-pixel share for the report: takes a second or so */
+};
+
+/* What portals would spare, or do. */
+struct portal_report {
+    bool tried, kept;
+    char refused[96];                       /* why not tried; empty: not asked for */
+    size_t zones, sights, bytes;            /* rooms, different sights, flash that they take */
+    double mean_polygons;                   /* that a sight shows, from anywhere in closed cells */
+    size_t cameras, different;              /* sampled pictures; those that differ with portals: none may */
+    size_t polygons_before, polygons_after; /* reached in all of them */
+    size_t vertices_before, vertices_after;
 };
 
 struct compile_report {
@@ -44,6 +58,7 @@ struct compile_report {
     double wrong_percent;         /* on sampled cameras; only if options.predict, else NaN */
     struct note *notes;           /* on textures, for people; owned */
     size_t note_count;
+    struct portal_report portals;
     size_t flash_b; /* bytes of all arrays and the struct lim_scene on a 32-bit MCU */
 };
 

@@ -98,7 +98,8 @@ static void record_add(struct encoder *work, const struct outline *outline, cons
     const bool is_textured = !polygon->transparency && texture_encode(&work->textures, polygon, texture);
     word_add(out, outline->count | work->flags | (polygon->transparency ? LIM_POLYGON_ALPHA : 0u) |
                       (with_edges ? LIM_POLYGON_EDGES : 0u) | (is_textured ? LIM_POLYGON_TEXTURE : 0u));
-    word_add(out, rgb565_from_rgb888(polygon->mapping ? texture_flat_colour(work->bsp->mesh, polygon) : polygon->colour));
+    word_add(out,
+             rgb565_from_rgb888(polygon->mapping ? texture_flat_colour(work->bsp->mesh, polygon) : polygon->colour));
     for (size_t i = 0; i < outline->count; i++)
         word_add(out, vertex_index(work, outline->corners[i]));
     if (work->flags & LIM_POLYGON_PLANE) {

@@ -249,6 +249,49 @@ static bool check_bounds(const struct checker *work)
     return ok;
 }
 
+/* Sights ----------------------------------------------------------------------------------------- */
+
+static bool check_place(const struct lim_scene *scene, size_t index, struct error *err)
+{
+    const struct lim_place *place = &scene->places[index];
+    if (place->cell >= 2 * (size_t)scene->node_count)
+        return error_set(err, "place %zu: cell %u of %u nodes", index, (unsigned)place->cell,
+                         (unsigned)scene->node_count);
+    if (index && place->cell <= scene->places[index - 1].cell)
+        return error_set(err, "place %zu: does not come after the one before it", index);
+    if (place->sight == LIM_NONE || place->sight < scene->sight_bytes) return true;
+    return error_set(err, "place %zu: sight at byte %u of %u", index, (unsigned)place->sight,
+                     (unsigned)scene->sight_bytes);
+}
+
+/* A sight has a bit for each box, and no more. */
+static bool check_sight(const struct lim_scene *scene, size_t index, struct error *err)
+{
+    const size_t size_b = ((size_t)scene->box_count + 7) / 8;
+    size_t at = scene->places[index].sight, to = 0;
+    if (at == LIM_NONE) return true;
+    while (to < size_b && at < scene->sight_bytes) {
+        const size_t zeros = scene->sights[at] ? 1 : at + 1 < scene->sight_bytes ? scene->sights[at + 1] : 0;
+        if (zeros == 0) break;
+        at += scene->sights[at] ? 1 : 2;
+        to += zeros;
+    }
+    return to == size_b || error_set(err, "place %zu: its sight does not end with the boxes", index);
+}
+
+/* The renderer numbers cells with 16 bits, goes down to them by planes, and needs boxes to skip. */
+static bool check_places(const struct lim_scene *scene, struct error *err)
+{
+    for (size_t i = 0; scene->place_count && i < scene->node_count; i++)
+        if (scene->nodes[i].split.plane == LIM_NONE) return error_set(err, "node %zu: a leaf in a scene of places", i);
+    if (scene->place_count && (scene->node_count > INT16_MAX || scene->box_count == 0))
+        return error_set(err, "places in a scene of %u nodes and %u boxes", (unsigned)scene->node_count,
+                         (unsigned)scene->box_count);
+    for (size_t i = 0; i < scene->place_count; i++)
+        if (!check_place(scene, i, err) || !check_sight(scene, i, err)) return false;
+    return true;
+}
+
 bool lim_check(const struct lim_scene *scene, struct error *err)
 {
     struct checker work = {.scene = scene, .err = err};
@@ -257,7 +300,7 @@ bool lim_check(const struct lim_scene *scene, struct error *err)
         return false;
     work.depths = grow_zeroed(scene->node_count, sizeof *work.depths);
     work.used_words = grow_zeroed(scene->polygon_words, sizeof *work.used_words);
-    bool ok = check_nodes(&work) && check_bounds(&work);
+    bool ok = check_nodes(&work) && check_bounds(&work) && check_places(scene, err);
     free(work.depths);
     free(work.used_words);
     return ok;

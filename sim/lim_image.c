@@ -8,17 +8,18 @@
 #include "grow.h"
 
 #include <assert.h>
+#include <stdlib.h>
 #include <string.h>
 #include <zlib.h>
 
 /* No text, and damaged by whatever turns line ends: the idea of PNG's signature. */
 const unsigned char lim_file_magic[LIM_FILE_MAGIC_B] = {0x89, 'L', 'I', 'M', '\r', '\n', 0x1A, '\n'};
 
-static_assert(sizeof(struct lim_file_header) == 96, "header");
+static_assert(sizeof(struct lim_file_header) == 104, "header");
 static_assert(offsetof(struct lim_file_header, crc32) + 4 == LIM_FILE_CRC_FROM_B, "header");
 static_assert(offsetof(struct lim_file_header, units_per_m) == 24, "header");
 static_assert(offsetof(struct lim_file_header, counts) == 56, "header");
-static_assert(offsetof(struct lim_file_header, limits) == 82, "header");
+static_assert(offsetof(struct lim_file_header, limits) == 86, "header");
 static_assert(sizeof(struct lim_vertex) == 6, "vertex");
 static_assert(sizeof(struct lim_fraction) == 3, "fraction");
 static_assert(sizeof(struct lim_node) == 14, "node");
@@ -31,6 +32,7 @@ static_assert(sizeof(struct lim_box) == 12, "box");
 static_assert(sizeof(struct lim_mapping) == 36, "mapping");
 static_assert(offsetof(struct lim_mapping, bits) == 20, "mapping");
 static_assert(sizeof(struct lim_texture) == 8, "texture");
+static_assert(sizeof(struct lim_place) == 4, "place");
 static_assert(sizeof(struct lim_limits) == sizeof((struct lim_file_header *)0)->limits, "limits");
 
 /* Element size of each section, and the widths of its fields in bytes, as a repeating pattern. */
@@ -50,13 +52,16 @@ static const struct {
     [SECTION_TEXTURES] = {sizeof(struct lim_texture), "221111"},
     [SECTION_PALETTES] = {sizeof(uint16_t), "1"}, /* as in memory, the same on every host */
     [SECTION_TEXELS] = {LIM_TEXEL_BLOCK, "1"},
+    [SECTION_PLACES] = {sizeof(struct lim_place), "2"},
+    [SECTION_SIGHTS] = {sizeof(uint8_t), "1"},
 };
 static const char HEADER_FIELDS[] = "11111111"
                                     "4444"
                                     "8888"
-                                    "222222222222"
+                                    "22222222222222"
                                     "2"
-                                    "2222222";
+                                    "2222222"
+                                    "22";
 
 static size_t align_b(size_t size_b)
 {
@@ -92,6 +97,10 @@ void lim_image_bind(void *image, struct compiled *scene)
         .boxes = section_at(image, SECTION_BOXES),
         .polygons = section_at(image, SECTION_POLYGONS),
         .fractions = header->counts[SECTION_FRACTIONS] ? section_at(image, SECTION_FRACTIONS) : NULL,
+        .places = header->counts[SECTION_PLACES] ? section_at(image, SECTION_PLACES) : NULL,
+        .sights = header->counts[SECTION_SIGHTS] ? section_at(image, SECTION_SIGHTS) : NULL,
+        .place_count = header->counts[SECTION_PLACES],
+        .sight_bytes = header->counts[SECTION_SIGHTS],
         .vertex_count = header->counts[SECTION_VERTICES],
         .node_count = header->counts[SECTION_NODES],
         .plane_count = header->counts[SECTION_PLANES],
@@ -148,6 +157,24 @@ void lim_image_make(const struct encoding *encoding, const struct grid *grid, st
             memcpy(image + lim_image_section_b(&header, (enum lim_section)i), sections[i],
                    header.counts[i] * SECTIONS[i].size_b);
     lim_image_bind(image, out);
+}
+
+void lim_image_set_sights(struct compiled *scene, const struct lim_place *places, size_t place_count,
+                          const uint8_t *sights, size_t sight_bytes)
+{
+    struct lim_file_header header;
+    memcpy(&header, scene->image, sizeof header);
+    const size_t kept_b = lim_image_section_b(&header, SECTION_PLACES);
+    header.counts[SECTION_PLACES] = (uint16_t)place_count;
+    header.counts[SECTION_SIGHTS] = (uint16_t)sight_bytes;
+    header.file_b = (uint32_t)lim_image_section_b(&header, SECTION_COUNT);
+    unsigned char *image = grow_zeroed(header.file_b, 1);
+    memcpy(image, scene->image, kept_b);
+    memcpy(image, &header, sizeof header);
+    if (place_count) memcpy(image + kept_b, places, place_count * sizeof *places);
+    if (sight_bytes) memcpy(section_at(image, SECTION_SIGHTS), sights, sight_bytes);
+    free(scene->image);
+    lim_image_bind(image, scene);
 }
 
 void lim_image_set_limits(struct compiled *scene, const struct lim_limits *limits)

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * The bytes of a .lim file, as firmware/SCENE.md specifies them: a header and eight sections with
+ * The bytes of a .lim file, as firmware/SCENE.md specifies them: a header and ten sections with
  * the structs of scene.h, little-endian. In memory an image has the host's byte order, so that a
  * struct lim_scene can point into it. */
 #ifndef SIM_LIM_IMAGE_H
@@ -8,7 +8,7 @@
 
 #include "compiled.h"
 
-enum { LIM_FILE_VERSION = 4, LIM_FILE_ALIGN_B = 8, LIM_FILE_MAGIC_B = 8 };
+enum { LIM_FILE_VERSION = 5, LIM_FILE_ALIGN_B = 8, LIM_FILE_MAGIC_B = 8 };
 
 extern const unsigned char lim_file_magic[LIM_FILE_MAGIC_B];
 
@@ -26,6 +26,8 @@ enum lim_section {
     SECTION_TEXTURES,
     SECTION_PALETTES,
     SECTION_TEXELS, /* in blocks */
+    SECTION_PLACES,
+    SECTION_SIGHTS,
     SECTION_COUNT
 };
 
@@ -40,6 +42,7 @@ struct lim_file_header {
     uint16_t counts[SECTION_COUNT]; /* elements in each section */
     uint16_t background;            /* RGB565 as a number */
     uint16_t limits[7];             /* the fields of struct lim_limits in their order */
+    uint16_t zero[2];
 };
 
 enum { LIM_FILE_CRC_FROM_B = 24 }; /* the first byte that crc32 covers */
@@ -49,6 +52,10 @@ size_t lim_image_section_b(const struct lim_file_header *header, enum lim_sectio
 
 /* Points *scene into the image. */
 void lim_image_bind(void *image, struct compiled *scene);
+
+/* Gives a scene sights, or none: makes its image anew. The arrays stay the caller's. */
+void lim_image_set_sights(struct compiled *scene, const struct lim_place *places, size_t place_count,
+                          const uint8_t *sights, size_t sight_bytes);
 
 /* Sets the limits of the scene and of its image. */
 void lim_image_set_limits(struct compiled *scene, const struct lim_limits *limits);

@@ -5,6 +5,7 @@
 
 #include "child.h"
 #include "parse.h"
+#include "portal_choice.h"
 
 #include <getopt.h>
 #include <stdio.h>
@@ -22,6 +23,7 @@ enum option_code {
     OPTION_KEEP_FACES,
     OPTION_UNLIT,
     OPTION_METHOD,
+    OPTION_PORTALS,
     OPTION_TREE
 };
 
@@ -36,6 +38,7 @@ static const struct option OPTIONS[] = {
     {"keep-faces", no_argument, NULL, OPTION_KEEP_FACES},
     {"unlit", no_argument, NULL, OPTION_UNLIT},
     {"method", required_argument, NULL, OPTION_METHOD},
+    {"portals", required_argument, NULL, OPTION_PORTALS},
     {"tree", required_argument, NULL, OPTION_TREE},
     {NULL, 0, NULL, 0},
 };
@@ -102,6 +105,8 @@ static bool parse_option(int code, char **argv, struct measure_request *out, boo
         return parse_list("--precision", optarg, out, add_core, err);
     case OPTION_CORE:
         return parse_list("--core", optarg, out, add_cpu, err);
+    case OPTION_PORTALS:
+        return portals_parse(optarg, &out->compile.portals, err);
     case OPTION_METHOD:
         return compile_method_parse(optarg, &out->compile, err);
     case OPTION_TREE:

@@ -61,7 +61,7 @@ struct mesh {
     size_t polygon_count;
     struct grid grid;
     struct mesh_counts counts;
-    struct map inner;      /* edges that no face has: inner.h */
+    struct map inner;         /* edges that no face has: inner.h */
     struct texture *textures; /* of the model's pictures, one to one; no texels: it could not be read, or is not used */
     size_t texture_count;
     struct note *notes; /* on textures, for people */

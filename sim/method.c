@@ -7,16 +7,17 @@
 #include <string.h>
 
 const struct method methods[] = {
-    {"nearest", LIM_NEAREST_FIRST, TREE_AUTO},
-    {"painter", LIM_PAINTER, TREE_AUTO},
-    {"convex", LIM_CONVEX, TREE_AUTO},
-    {"bsp", LIM_NEAREST_FIRST, TREE_BSP},
-    {"clusters", LIM_NEAREST_FIRST, TREE_CLUSTERS},
-    {"axis", LIM_NEAREST_FIRST, TREE_AXIS},
-    {"octree", LIM_NEAREST_FIRST, TREE_OCTREE},
-    {"octree-centre", LIM_NEAREST_FIRST, TREE_OCTREE_CENTRE},
-    {"depth", LIM_DEPTH, TREE_NONE},
-    {"newell", LIM_NEWELL, TREE_NONE},
+    {"nearest", LIM_NEAREST_FIRST, TREE_AUTO, false},
+    {"painter", LIM_PAINTER, TREE_AUTO, false},
+    {"convex", LIM_CONVEX, TREE_AUTO, false},
+    {"bsp", LIM_NEAREST_FIRST, TREE_BSP, false},
+    {"clusters", LIM_NEAREST_FIRST, TREE_CLUSTERS, false},
+    {"axis", LIM_NEAREST_FIRST, TREE_AXIS, false},
+    {"octree", LIM_NEAREST_FIRST, TREE_OCTREE, false},
+    {"octree-centre", LIM_NEAREST_FIRST, TREE_OCTREE_CENTRE, false},
+    {"portals", LIM_NEAREST_FIRST, TREE_BSP, true},
+    {"depth", LIM_DEPTH, TREE_NONE, false},
+    {"newell", LIM_NEWELL, TREE_NONE, false},
 };
 const size_t method_count = sizeof methods / sizeof *methods;
 

@@ -12,6 +12,7 @@ struct method {
     const char *name;
     enum lim_method draws;
     enum tree_kind tree; /* TREE_AUTO: any will do */
+    bool portals;        /* what can be seen from where is in the scene, whether it pays or not */
 };
 
 extern const struct method methods[];

@@ -29,7 +29,7 @@ struct model {
     size_t corner_count;
     struct model_face *faces; /* faces[i] is face number i + 1 of the file */
     size_t face_count;
-    size_t alpha_clamped; /* faces whose material's opacity was below 0 or above 1, and is the nearer of them now */
+    size_t alpha_clamped;     /* faces whose material's opacity was below 0 or above 1, and is the nearer of them now */
     struct picture *pictures; /* also those that cannot be read */
     size_t picture_count;
 };

@@ -25,6 +25,7 @@ struct needs needs_of(const struct compiled *scene)
                           .cull = scene->scene.box_count > 0 && walks_tree(scene->report.draws),
                           .leaves = scene->report.leaves > 0,
                           .textures = scene->scene.texture_count > 0,
+                          .portals = scene->scene.place_count > 0,
                           .slanted = scene->scene.plane_count > 0,
                           .large = scene->scene.exact_count > 0,
                           .transparent = scene->scene.limits.layers > 0,
@@ -44,6 +45,7 @@ struct needs needs_union(const struct needs *a, const struct needs *b)
                           .cull = a->cull || b->cull,
                           .leaves = a->leaves || b->leaves,
                           .textures = a->textures || b->textures,
+                          .portals = a->portals || b->portals,
                           .slanted = a->slanted || b->slanted,
                           .large = a->large || b->large,
                           .transparent = a->transparent || b->transparent,
@@ -76,6 +78,7 @@ void needs_write(const struct needs *needs, FILE *file)
     write_macro(file, "HAS_CULL", needs->cull);
     write_macro(file, "HAS_LEAVES", needs->leaves);
     write_macro(file, "HAS_TEXTURE", needs->textures);
+    write_macro(file, "HAS_PORTALS", needs->portals);
     write_macro(file, "HAS_SLANTED", needs->slanted);
     write_macro(file, "HAS_LARGE", needs->large);
     write_macro(file, "HAS_TRANSPARENT", needs->transparent);

@@ -14,12 +14,13 @@ struct needs {
     bool depth, newell;            /* more of them */
     bool leaves;                   /* ordered clusters */
     bool textures;
-    bool cull, slanted, large;     /* what the methods have to do with the scene's boxes and planes */
-    bool transparent;              /* polygons with alpha */
-    bool wireframe;                /* to be drawn so */
-    unsigned vertices;             /* most of any polygon */
-    unsigned side_px;              /* longest of any panel that pools were measured for; 0: none */
-    const struct core *core;       /* precision; NULL: not said */
+    bool portals;              /* what can be seen from where */
+    bool cull, slanted, large; /* what the methods have to do with the scene's boxes and planes */
+    bool transparent;          /* polygons with alpha */
+    bool wireframe;            /* to be drawn so */
+    unsigned vertices;         /* most of any polygon */
+    unsigned side_px;          /* longest of any panel that pools were measured for; 0: none */
+    const struct core *core;   /* precision; NULL: not said */
 };
 
 struct needs needs_of(const struct compiled *scene);

@@ -234,7 +234,9 @@ static bool load_scene(const struct options *options, struct compiled *scene, st
     if (options_scene_is_compiled(options)) {
         if (options->compile.tree != TREE_AUTO && !method_sorts(options->setup.method))
             return error_set(err, "%s: has its tree already; give the model for another one", options->scene_path);
-        return lim_file_read(options->scene_path, scene, err);
+        return lim_file_read(options->scene_path, scene, err) &&
+               (options->compile.portals != PORTALS_ON || scene->scene.place_count ||
+                error_set(err, "%s: --method portals needs a scene compiled with --portals on", options->scene_path));
     }
     return compile_model(options->scene_path, &options->compile, scene, err);
 }

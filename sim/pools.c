@@ -6,6 +6,7 @@
 #include "pools.h"
 
 #include "lim_image.h"
+#include "portals.h"
 #include "records.h"
 #include "sample.h"
 #include "simulator.h"
@@ -175,7 +176,8 @@ static size_t nearest_b(const struct compiled *scene, size_t cells, size_t gaps,
     const size_t fixed_b = MCU_CACHE_ENTRIES * cached_b + scene->report.h_px * (size_t)MCU_LINE_B +
                            (sorts ? 0 : scene->scene.limits.depth * (size_t)MCU_PENDING_B);
     return (sorts ? sorted_b(scene, pieces) : 0) +
-           aligned_b(fixed_b + cells * cell_b + gaps * MCU_GAP_B + active * active_b);
+           aligned_b(fixed_b + cells * cell_b + gaps * MCU_GAP_B + active * active_b) +
+           (sorts ? 0 : lim_portals_mem_b(&scene->scene));
 }
 
 static size_t layers_b(const struct lim_limits *limits)
@@ -198,7 +200,8 @@ static size_t convex_b(const struct compiled *scene, size_t active)
 static size_t painter_b(const struct compiled *scene)
 {
     const size_t cached_b = is_wide(&scene->report) ? MCU_CACHED_WIDE_B : MCU_CACHED_B;
-    return aligned_b(MCU_CACHE_ENTRIES * cached_b + scene->scene.limits.depth * (size_t)MCU_PENDING_B);
+    return aligned_b(MCU_CACHE_ENTRIES * cached_b + scene->scene.limits.depth * (size_t)MCU_PENDING_B) +
+           lim_portals_mem_b(&scene->scene);
 }
 
 size_t pools_mcu_mem_b(const struct compiled *scene)

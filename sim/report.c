@@ -77,6 +77,26 @@ static void print_notes(const struct compile_report *report)
         printf("  note: %s\n", report->notes[i].text);
 }
 
+/* Bytes against polygons: what the compiler decided by. */
+static void print_portals(const struct portal_report *portals)
+{
+    if (portals->refused[0]) printf("portals: %s\n", portals->refused);
+    if (!portals->tried) return;
+    printf("%-30s %8s\n", "portals",
+           portals->kept        ? "kept"
+           : portals->different ? "left out: pictures differ"
+                                : "left out");
+    print_count("rooms", portals->zones);
+    print_count("different sights", portals->sights);
+    print_count("bytes", portals->bytes);
+    printf("  %-28s %8.1f\n", "polygons a sight shows", portals->mean_polygons);
+    printf("  %-28s %8.1f, %zu sampled cameras\n", "polygons reached, without",
+           (double)portals->polygons_before / (double)portals->cameras, portals->cameras);
+    printf("  %-28s %8.1f\n", "polygons reached, with", (double)portals->polygons_after / (double)portals->cameras);
+    printf("  %-28s %8.1f\n", "vertices, without", (double)portals->vertices_before / (double)portals->cameras);
+    printf("  %-28s %8.1f\n", "vertices, with", (double)portals->vertices_after / (double)portals->cameras);
+}
+
 static void print_bytes(const char *what, size_t size_b, size_t polygons)
 {
     printf("  %-28s %8zu %10.1f\n", what, size_b, (double)size_b / (double)polygons);
@@ -118,4 +138,5 @@ void compile_report_print(const struct compiled *scene, const char *name)
     print_tree(scene);
     print_flash(scene);
     print_ram(scene);
+    print_portals(&scene->report.portals);
 }

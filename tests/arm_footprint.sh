@@ -133,7 +133,7 @@ tap_check "the textured rooms compile to C" prepare textured "$BUILD/scenes/text
 for core in m0plus m4; do
     tap_check "$core: the renderer of the rooms builds" built $core rooms
     tap_check "$core: it has a walk, spans and retained polygons" links $core rooms '^lim_(walk_next|span_close|retain)$'
-    tap_check "$core: and neither painter nor convex code" links_no $core rooms 'painter|convex'
+    tap_check "$core: and neither painter nor convex code, nor portals" links_no $core rooms 'painter|convex|portal'
     tap_check "$core: nor anything for transparent polygons" links_no $core rooms 'blend|layer|alpha'
     tap_check "$core: nor for wireframe" links_no $core rooms 'wire|hidden|edge_column'
     tap_check "$core: the renderer of the glass builds" built $core glass

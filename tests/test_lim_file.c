@@ -110,12 +110,12 @@ static void the_file_is_little_endian(void **state)
 {
     (void)state;
     unsigned char *bytes = written_bytes();
-    const unsigned char start[] = {0x89, 'L', 'I', 'M', '\r', '\n', 0x1A, '\n', 4, 0, 0, 0, 88, 0, 0, 0};
+    const unsigned char start[] = {0x89, 'L', 'I', 'M', '\r', '\n', 0x1A, '\n', 5, 0, 0, 0, 104, 0, 0, 0};
     assert_memory_equal(bytes, start, sizeof start);
     assert_int_equal(bytes[16] | bytes[17] << 8 | bytes[18] << 16, scene.image_b);
     assert_int_equal(bytes[30] | bytes[31] << 8, 0x40A7); /* 3000.0 = 2^11 * 1.46.. */
     assert_int_equal(bytes[56] | bytes[57] << 8, scene.scene.vertex_count);
-    assert_int_equal((int16_t)(bytes[88] | bytes[89] << 8), scene.scene.vertices[0].x);
+    assert_int_equal((int16_t)(bytes[104] | bytes[105] << 8), scene.scene.vertices[0].x);
     free(bytes);
 }
 
@@ -131,7 +131,7 @@ static void swapping_reverses_fields_and_undoes_itself(void **state)
     lim_image_swap_sections(bytes, &header);
     lim_image_swap_header(bytes);
     assert_memory_equal(bytes, scene.image, LIM_FILE_MAGIC_B);
-    assert_memory_equal(bytes + 8, ((unsigned char[]){0, 0, 0, 4, 0, 0, 0, 88}), 8);
+    assert_memory_equal(bytes + 8, ((unsigned char[]){0, 0, 0, 5, 0, 0, 0, 104}), 8);
     const unsigned char *plane = bytes + lim_image_section_b(&header, SECTION_PLANES);
     const struct lim_plane *first = &scene.scene.planes[0];
     assert_int_equal((int16_t)(plane[2] << 8 | plane[3]), lim_plane_x(first));
@@ -181,7 +181,7 @@ static void other_versions_are_refused_by_number(void **state)
     unsigned char *bytes = written_bytes();
     bytes[8] = LIM_FILE_VERSION + 1;
     write_bytes(bytes, scene.image_b);
-    assert_unreadable("version 5; this program reads version 4");
+    assert_unreadable("version 6; this program reads version 5");
     free(bytes);
 }
 
@@ -191,7 +191,7 @@ static void any_flipped_bit_is_noticed(void **state)
     (void)state;
     unsigned char *bytes = written_bytes();
     struct error err;
-    for (size_t bit = 0; bit < scene.image_b * 8; bit += bit < 88 * 8 ? 1 : 397) {
+    for (size_t bit = 0; bit < scene.image_b * 8; bit += bit < 104 * 8 ? 1 : 397) {
         bytes[bit / 8] ^= (unsigned char)(1 << bit % 8);
         write_bytes(bytes, scene.image_b);
         assert_false(reads(&err));
@@ -315,9 +315,9 @@ static void limits_and_grids_that_lie_are_refused(void **state)
 {
     (void)state;
     const struct lim_limits *limits = &scene.scene.limits;
-    assert_field_refused(74, (uint16_t)(limits->depth - 1), "lies deeper than the limit");
-    assert_field_refused(76, (uint16_t)(limits->vertices - 1), "vertices");
-    assert_field_refused(76, 251, "limit of 251 vertices");
+    assert_field_refused(86, (uint16_t)(limits->depth - 1), "lies deeper than the limit");
+    assert_field_refused(88, (uint16_t)(limits->vertices - 1), "vertices");
+    assert_field_refused(88, 251, "limit of 251 vertices");
     assert_field_refused(30, 0x7FF8, "units per metre");
     assert_field_refused(38, 0x7FF0, "the origin is not finite");
 }
