@@ -263,7 +263,7 @@ static void draw_line(struct reference *reference, const struct reference_polygo
         if (!is_nearer(1.0 / inverse, polygon->face, reference->depths_m[pixel], reference->faces[pixel])) continue;
         reference->depths_m[pixel] = 1.0 / inverse;
         reference->faces[pixel] = polygon->face;
-        reference->mappings[pixel] = polygon->mapping;
+        if (reference->mappings) reference->mappings[pixel] = polygon->mapping;
     }
 }
 
@@ -296,7 +296,7 @@ static void wipe(struct reference *reference)
 {
     size_t pixel_count = (size_t)reference->w_px * reference->h_px;
     memset(reference->faces, 0, pixel_count * sizeof reference->faces[0]);
-    memset(reference->mappings, 0, pixel_count * sizeof reference->mappings[0]);
+    if (reference->mappings) memset(reference->mappings, 0, pixel_count * sizeof reference->mappings[0]);
     for (size_t i = 0; i < pixel_count; i++)
         reference->depths_m[i] = INFINITY;
 }
@@ -364,6 +364,7 @@ static bool sees_in(const struct reference *reference, const uint32_t *groups, u
     struct reference small = *reference;
     small.w_px = small.h_px = (unsigned)view->w_px;
     small.faces = faces;
+    small.mappings = NULL;
     small.depths_m = depths_m;
     wipe(&small);
     for (size_t p = 0; p < reference->polygon_count; p++) {

@@ -29,7 +29,7 @@ struct reference {
     unsigned w_px, h_px;
     struct reference_view view; /* of the last frame drawn */
     uint32_t *faces;            /* w_px * h_px face numbers from the top left, 0 = background */
-    uint32_t *mappings;         /* what of a texture: mesh_polygon.mapping of the polygon seen */
+    uint32_t *mappings;         /* what of a texture: mesh_polygon.mapping of the polygon seen; or NULL */
     double *depths_m;           /* along the view axis; infinite for the background */
 };
 
