@@ -139,6 +139,20 @@ bool camera_path_read(const char *name, struct camera_path *out, struct error *e
     return ok;
 }
 
+bool camera_path_few(const struct camera_path *path, size_t count, struct camera_path *out, struct error *err)
+{
+    out->count = count < path->count ? count : path->count;
+    out->name = strdup(path->name);
+    out->frames = calloc(out->count, sizeof *out->frames);
+    if (!out->name || !out->frames) {
+        camera_path_free(out);
+        return error_set(err, "%s: out of memory", path->name);
+    }
+    for (size_t i = 0; i < out->count; i++)
+        out->frames[i] = path->frames[i * path->count / out->count];
+    return true;
+}
+
 void camera_path_free(struct camera_path *path)
 {
     free(path->name);

@@ -41,6 +41,9 @@ bool camera_path_read(const char *path, struct camera_path *out, struct error *e
 bool camera_path_orbit(const struct compiled *scene, const struct lens *lens, size_t frame_count,
                        struct camera_path *out, struct error *err);
 
+/* A copy with at most `count` of the frames, the first of them and others as evenly as can be. */
+bool camera_path_few(const struct camera_path *path, size_t count, struct camera_path *out, struct error *err);
+
 void camera_path_free(struct camera_path *path);
 
 /* fov_deg is vertical; pixels are square. Refuses what struct lim_camera cannot hold. */

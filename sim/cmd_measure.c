@@ -38,13 +38,7 @@ static bool prepare(struct measurement *measurement, struct error *err)
 {
     const struct measure_request *request = &measurement->request;
     const size_t count = request->core_count;
-    if (request->camera && !camera_path_read(request->camera, &measurement->path, err)) return false;
-    if (!measure_source_read(&measurement->source, request->model, &request->compile, request->w_px, request->h_px,
-                             err))
-        return false;
-    const struct grid *grid = &measurement->source.mesh.grid;
-    const double near_m = request->near_m > 0.0 ? request->near_m : lens_default_near_m(grid);
-    if (!lens_init(&measurement->lens, request->fov_deg, near_m, request->w_px, request->h_px, err)) return false;
+    if (!measure_request_load(request, &measurement->source, &measurement->lens, &measurement->path, err)) return false;
     measurement->candidates = calloc(count, sizeof *measurement->candidates);
     measurement->accuracies = calloc(count, sizeof *measurement->accuracies);
     measurement->table.rows = calloc(count, sizeof *measurement->table.rows);
@@ -194,7 +188,7 @@ int cmd_measure(int argc, char **argv)
 {
     struct measurement measurement = {0};
     struct error err;
-    const bool ok = measure_request_parse(argc, argv, &measurement.request, &err) && run(&measurement, &err);
+    const bool ok = measure_request_parse(argc, argv, MEASURE_PRECISIONS, &measurement.request, &err) && run(&measurement, &err);
     measurement_free(&measurement);
     if (!ok) fprintf(stderr, "limner: %s\n", err.text);
     return ok ? EXIT_SUCCESS : EXIT_FAILURE;

@@ -8,6 +8,7 @@
 int cmd_compile(int argc, char **argv);
 int cmd_render(int argc, char **argv);
 int cmd_view(int argc, char **argv);
+int cmd_compare(int argc, char **argv);
 int cmd_measure(int argc, char **argv);
 
 #endif

@@ -33,12 +33,25 @@ static struct neighbourhood look_around(const struct reference *reference, const
     return around;
 }
 
-static bool is_farther(const struct reference *reference, const struct neighbourhood *around, size_t pixel,
-                       uint32_t rendered, double unit_m)
+static bool is_farther(const struct reference *reference, const uint32_t *groups, const struct neighbourhood *around,
+                       size_t pixel, uint32_t group, double unit_m)
 {
-    if (rendered == 0) return true;
+    if (group == 0) return true;
     double tolerance_m = 8.0 * unit_m + 0.001 * around->depth_max_m;
-    return reference_depth_of(reference, rendered, pixel) > around->depth_max_m + tolerance_m;
+    return reference_depth_of(reference, groups, group, pixel) > around->depth_max_m + tolerance_m;
+}
+
+enum compare_verdict compare_pixel(const uint32_t *rendered, const struct reference *reference, const uint32_t *groups,
+                                   double unit_m, size_t pixel)
+{
+    const uint32_t group = group_of(groups, rendered[pixel]);
+    if (group == group_of(groups, reference->faces[pixel])) return COMPARE_RIGHT;
+    const struct neighbourhood around = look_around(reference, groups, pixel, group);
+    if (around.has_face) return COMPARE_WRONG;
+    if (!is_farther(reference, groups, &around, pixel, group, unit_m) ||
+        reference_sees_nearby(reference, groups, group, pixel))
+        return COMPARE_BEYOND;
+    return group ? COMPARE_ORDER : COMPARE_OPEN;
 }
 
 struct compare_counts compare_picture(const uint32_t *rendered, const struct reference *reference,
@@ -46,16 +59,18 @@ struct compare_counts compare_picture(const uint32_t *rendered, const struct ref
 {
     struct compare_counts counts = {.pixels = (size_t)reference->w_px * reference->h_px};
     for (size_t pixel = 0; pixel < counts.pixels; pixel++) {
-        uint32_t face = group_of(groups, rendered[pixel]);
-        if (face == group_of(groups, reference->faces[pixel])) continue;
-        counts.wrong++;
-        struct neighbourhood around = look_around(reference, groups, pixel, face);
-        if (around.has_face) continue;
-        counts.beyond++;
-        counts.holes += is_farther(reference, &around, pixel, rendered[pixel], unit_m) &&
-                        !reference_sees_nearby(reference, groups, face, pixel);
+        const enum compare_verdict verdict = compare_pixel(rendered, reference, groups, unit_m, pixel);
+        counts.wrong += verdict >= COMPARE_WRONG;
+        counts.beyond += verdict >= COMPARE_BEYOND;
+        counts.holes += verdict >= COMPARE_OPEN;
+        counts.order += verdict == COMPARE_ORDER;
     }
     return counts;
+}
+
+static bool is_faultier(const struct compare_counts *a, const struct compare_counts *b)
+{
+    return a->holes > b->holes || (a->holes == b->holes && a->wrong > b->wrong);
 }
 
 void comparison_add(struct comparison *comparison, const struct compare_counts *frame)
@@ -64,10 +79,15 @@ void comparison_add(struct comparison *comparison, const struct compare_counts *
         comparison->worst = *frame;
         comparison->worst_frame = comparison->frames;
     }
+    if (comparison->frames == 0 || is_faultier(frame, &comparison->faultiest)) {
+        comparison->faultiest = *frame;
+        comparison->faultiest_frame = comparison->frames;
+    }
     comparison->total.pixels += frame->pixels;
     comparison->total.wrong += frame->wrong;
     comparison->total.beyond += frame->beyond;
     comparison->total.holes += frame->holes;
+    comparison->total.order += frame->order;
     comparison->frames++;
 }
 

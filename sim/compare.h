@@ -14,12 +14,20 @@ struct compare_counts {
     size_t holes;  /* beyond, and farther than all of those 3x3 pixels, or background where none of
                       them is, and the reference does not see the face anywhere within a pixel,
                       between the pixels either: one sees through a surface */
+    size_t order;  /* of the holes, those that show another face and not the background: what is behind
+                      was painted in front */
 };
+
+/* What is the matter with a pixel, each worse than the one before; the last two are holes: the background, or
+ * another face, shows through. */
+enum compare_verdict { COMPARE_RIGHT, COMPARE_WRONG, COMPARE_BEYOND, COMPARE_OPEN, COMPARE_ORDER };
 
 struct comparison {
     struct compare_counts total;
     struct compare_counts worst; /* the frame with the most wrong pixels */
     size_t frames, worst_frame;
+    struct compare_counts faultiest; /* the one with the most holes; of several, with the most wrong pixels */
+    size_t faultiest_frame;
 };
 
 /* Compares a picture of the reference's size with the frame the reference drew last. Farther
@@ -27,6 +35,10 @@ struct comparison {
  * one (mesh.merged_into), NULL: each for itself. */
 struct compare_counts compare_picture(const uint32_t *rendered, const struct reference *reference,
                                       const uint32_t *groups, double unit_m);
+
+/* The same for one pixel. */
+enum compare_verdict compare_pixel(const uint32_t *rendered, const struct reference *reference, const uint32_t *groups,
+                                   double unit_m, size_t pixel);
 
 /* Adds a frame to the sum over a camera path. */
 void comparison_add(struct comparison *comparison, const struct compare_counts *frame);

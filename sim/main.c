@@ -14,6 +14,7 @@ static const char USAGE[] =
     "       limner render MODEL|SCENE.lim  draw frames into files\n"
     "       limner view MODEL|SCENE.lim    fly through a scene\n"
     "       limner measure MODEL           what each precision gets wrong and costs\n"
+    "       limner compare MODEL           what each visibility method gets wrong and costs\n"
     "       limner help                    this text\n"
     "\n"
     "all three, for a MODEL:\n"
@@ -60,6 +61,13 @@ static const char USAGE[] =
     "  --precision LIST    names, divided by commas (all, with other sub-pixel bits too)\n"
     "  --core LIST         processors: m0plus, m3, m4, rv32 (all)\n"
     "  --no-cost           accuracy only: takes neither compilers nor emulators\n"
+    "compare:\n"
+    "  --camera, --size, --fov, --near, --unlit, --keep-faces, --no-cost as above\n"
+    "  -o DIR              compare.md, compare.csv, and in red what is wrong: sheet.png, METHOD.png\n"
+    "  --precision NAME    (fast)\n"
+    "  --core LIST         processors (m0plus,m4); without their tools: dashes\n"
+    "  --frames N          of the cameras, evenly chosen (all)\n"
+    "  --cost-frames N     of these, for instructions (4)\n"
     "environment, render and view:\n"
     "  LIMNER_DUMP=x.png   write the last frame shown\n"
     "  LIMNER_CHECK=x.png  compare it; exit status 1 if it differs\n";
@@ -67,7 +75,8 @@ static const char USAGE[] =
 static const struct {
     const char *name;
     int (*run)(int argc, char **argv);
-} COMMANDS[] = {{"compile", cmd_compile}, {"render", cmd_render}, {"view", cmd_view}, {"measure", cmd_measure}};
+} COMMANDS[] = {{"compile", cmd_compile}, {"render", cmd_render}, {"view", cmd_view}, {"measure", cmd_measure},
+                {"compare", cmd_compare}};
 
 static bool asks_for_help(const char *argument)
 {

@@ -45,6 +45,8 @@ struct accuracy {
      * of detail shown; the mean in texels of the whole picture; divisions a frame, for the perspective. */
     size_t texel_pixels;
     double texel_mean, texel_p99, texel_mean_finest, divisions;
+    /* Of methods that sort: polygons split in all frames, and pairs whose order could not be settled. */
+    size_t splits, forced;
 };
 
 double accuracy_vertex_rms_px(const struct accuracy *accuracy);

@@ -190,6 +190,8 @@ static bool measure_frame(struct measured *measured, const struct measure_source
     const struct compare_counts counts = compare_picture(measured->ids.faces, &source->reference,
                                                          source->mesh.merged_into, 1.0 / scene->grid.units_per_m);
     comparison_add(&out->pixels, &counts);
+    out->splits += simulator_stats(&measured->ids.simulator)->newell.splits;
+    out->forced += simulator_stats(&measured->ids.simulator)->newell.forced;
     measure_vertices(measured, source, out);
     measure_sides(measured->candidate, &camera, out);
     return measure_texels(measured, source, &camera, err);

@@ -24,10 +24,15 @@ enum option_code {
     OPTION_UNLIT,
     OPTION_METHOD,
     OPTION_PORTALS,
-    OPTION_TREE
+    OPTION_TREE,
+    OPTION_FRAMES,
+    OPTION_COST_FRAMES
 };
 
+enum { COST_FRAMES = 4, FRAMES_MAX = 1000000 };
+
 static const struct option OPTIONS[] = {
+    {"out", required_argument, NULL, 'o'},
     {"camera", required_argument, NULL, OPTION_CAMERA},
     {"size", required_argument, NULL, OPTION_SIZE},
     {"fov", required_argument, NULL, OPTION_FOV},
@@ -40,8 +45,18 @@ static const struct option OPTIONS[] = {
     {"method", required_argument, NULL, OPTION_METHOD},
     {"portals", required_argument, NULL, OPTION_PORTALS},
     {"tree", required_argument, NULL, OPTION_TREE},
+    {"frames", required_argument, NULL, OPTION_FRAMES},
+    {"cost-frames", required_argument, NULL, OPTION_COST_FRAMES},
     {NULL, 0, NULL, 0},
 };
+
+/* Some only make sense for one of the two. */
+static bool has_option(enum measure_of of, int code)
+{
+    if (code == OPTION_METHOD || code == OPTION_TREE || code == OPTION_PORTALS) return of == MEASURE_PRECISIONS;
+    if (code == OPTION_FRAMES || code == OPTION_COST_FRAMES) return of == MEASURE_METHODS;
+    return true;
+}
 
 /* Calls `add` for each name of a list. */
 static bool parse_list(const char *option, const char *text, struct measure_request *out,
@@ -86,6 +101,29 @@ static bool parse_near(const char *text, double *out, struct error *err)
     return *out > 0.0 || error_set(err, "--near %s: the near plane must lie in front of the eye", text);
 }
 
+static bool parse_count(const char *option, const char *text, size_t *out, struct error *err)
+{
+    double number;
+    if (!parse_number(option, text, &number, err)) return false;
+    *out = number >= 1.0 && number <= FRAMES_MAX ? (size_t)number : 0;
+    return (double)*out == number || error_set(err, "%s %s: how many frames, 1 to %d", option, text, FRAMES_MAX);
+}
+
+static bool no_such_option(const char *given, struct error *err)
+{
+    return error_set(err, "%s: no such option here; `limner help` lists them", given);
+}
+
+static bool refuse_option(int code, struct error *err)
+{
+    char given[32];
+    size_t i = 0;
+    while (OPTIONS[i].val != code)
+        i++;
+    snprintf(given, sizeof given, "--%s", OPTIONS[i].name);
+    return no_such_option(given, err);
+}
+
 static bool parse_option(int code, char **argv, struct measure_request *out, bool *no_cost, struct error *err)
 {
     switch (code) {
@@ -111,6 +149,10 @@ static bool parse_option(int code, char **argv, struct measure_request *out, boo
         return compile_method_parse(optarg, &out->compile, err);
     case OPTION_TREE:
         return tree_kind_parse(optarg, &out->compile.tree, err);
+    case OPTION_FRAMES:
+        return parse_count("--frames", optarg, &out->frames, err);
+    case OPTION_COST_FRAMES:
+        return parse_count("--cost-frames", optarg, &out->cost_frames, err);
     case OPTION_NO_COST:
         *no_cost = true;
         return true;
@@ -123,14 +165,14 @@ static bool parse_option(int code, char **argv, struct measure_request *out, boo
     case ':':
         return error_set(err, "%s: needs a value", argv[optind - 1]);
     default:
-        return error_set(err, "%s: no such option here; `limner help` lists them", argv[optind - 1]);
+        return no_such_option(argv[optind - 1], err);
     }
 }
 
 static bool take_model(int argc, char **argv, struct measure_request *out, struct error *err)
 {
-    if (optind >= argc) return error_set(err, "measure: needs a model");
-    if (optind + 1 < argc) return error_set(err, "measure: one model at a time, what is '%s'?", argv[optind + 1]);
+    if (optind >= argc) return error_set(err, "%s: needs a model", argv[0]);
+    if (optind + 1 < argc) return error_set(err, "%s: one model at a time, what is '%s'?", argv[0], argv[optind + 1]);
     out->model = argv[optind];
     const char *slash = strrchr(out->model, '/'), *name = slash ? slash + 1 : out->model;
     const char *dot = strrchr(name, '.');
@@ -140,31 +182,51 @@ static bool take_model(int argc, char **argv, struct measure_request *out, struc
     return true;
 }
 
-static void fill_in(struct measure_request *out, bool no_cost)
+static void fill_in(enum measure_of of, bool no_cost, struct measure_request *out)
 {
+    const bool is_methods = of == MEASURE_METHODS;
+    if (is_methods && !out->core_count) out->cores[out->core_count++] = &core_fast;
     if (!out->core_count)
         for (size_t i = 0; cores[i] && i < MEASURE_CORES_MAX; i++)
             out->cores[out->core_count++] = cores[i];
     if (!out->cpu_count && !no_cost)
         for (size_t i = 0; i < measure_cpu_count; i++)
-            out->cpus[out->cpu_count++] = &measure_cpus[i];
+            if (!is_methods || strcmp(measure_cpus[i].name, "m0plus") == 0 || strcmp(measure_cpus[i].name, "m4") == 0)
+                out->cpus[out->cpu_count++] = &measure_cpus[i];
     out->compile.w_px = out->w_px;
     out->compile.h_px = out->h_px;
+    if (is_methods) out->compile.core = out->cores[0];
 }
 
-bool measure_request_parse(int argc, char **argv, struct measure_request *out, struct error *err)
+bool measure_request_parse(int argc, char **argv, enum measure_of of, struct measure_request *out, struct error *err)
 {
     bool no_cost = false;
-    *out = (struct measure_request){
-        .w_px = 240, .h_px = 240, .fov_deg = 60.0, .compile = {.tolerance_units = 0.5, .splitter = "auto"}};
+    *out = (struct measure_request){.w_px = 240,
+                                    .h_px = 240,
+                                    .fov_deg = 60.0,
+                                    .compile = {.tolerance_units = 0.5, .splitter = "auto"},
+                                    .frames = FRAMES_MAX,
+                                    .cost_frames = COST_FRAMES};
     opterr = 0;
     optind = 1;
     for (int code; (code = getopt_long(argc, argv, ":o:", OPTIONS, NULL)) != -1;)
-        if (!parse_option(code, argv, out, &no_cost, err)) return false;
+        if (!(has_option(of, code) ? parse_option(code, argv, out, &no_cost, err) : refuse_option(code, err)))
+            return false;
     if (!take_model(argc, argv, out, err)) return false;
-    if (no_cost && out->cpu_count) return error_set(err, "measure: --core and --no-cost exclude each other");
-    fill_in(out, no_cost);
+    if (no_cost && out->cpu_count) return error_set(err, "%s: --core and --no-cost exclude each other", argv[0]);
+    if (of == MEASURE_METHODS && out->core_count > 1) return error_set(err, "%s: one --precision at a time", argv[0]);
+    fill_in(of, no_cost, out);
     return true;
+}
+
+bool measure_request_load(const struct measure_request *request, struct measure_source *source, struct lens *lens,
+                          struct camera_path *path, struct error *err)
+{
+    if (request->camera && !camera_path_read(request->camera, path, err)) return false;
+    if (!measure_source_read(source, request->model, &request->compile, request->w_px, request->h_px, err))
+        return false;
+    const double near_m = request->near_m > 0.0 ? request->near_m : lens_default_near_m(&source->mesh.grid);
+    return lens_init(lens, request->fov_deg, near_m, request->w_px, request->h_px, err);
 }
 
 bool measure_request_check(const struct measure_request *request, struct error *err)

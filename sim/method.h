@@ -13,6 +13,7 @@ struct method {
     enum lim_method draws;
     enum tree_kind tree; /* TREE_AUTO: any will do */
     bool portals;        /* what can be seen from where is in the scene, whether it pays or not */
+    bool exact;          /* else a picture may be wrong by more than rounding */
 };
 
 extern const struct method methods[];

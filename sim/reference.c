@@ -330,6 +330,11 @@ void reference_draw(struct reference *reference, const struct viewpoint *viewpoi
     }
 }
 
+static uint32_t group_of(const uint32_t *groups, uint32_t face)
+{
+    return groups ? groups[face] : face;
+}
+
 /* A picture of the two pixels' width around a pixel's centre. */
 static struct reference_view close_up(const struct reference *reference, size_t pixel, int size_px)
 {
@@ -372,30 +377,66 @@ static bool sees_in(const struct reference *reference, const uint32_t *groups, u
         if (may_be_near(reference, &polygon, pixel)) draw_polygon(&small, &polygon, view, &all);
     }
     for (int i = 0; i < view->w_px * view->h_px; i++)
-        if ((groups ? groups[faces[i]] : faces[i]) == group) return true;
+        if (group_of(groups, faces[i]) == group) return true;
     return false;
+}
+
+/* Whether all four corners of a small view lie within a polygon that faces the eye; sets its inverse depth there. */
+static bool fills(const struct reference *reference, const struct reference_polygon *polygon,
+                  const struct reference_view *view, double inverse[4])
+{
+    struct reference_polygon copy = *polygon;
+    const bool is_front = set_plane(&copy, view) < 0.0;
+    if (!is_front && !copy.two_sided) return false;
+    polygon_edges(&copy, &reference->points[copy.first], view, is_front, reference->edges);
+    for (int i = 0; i < 4; i++) {
+        const double u = i & 1 ? 1.0 : -1.0, v = i & 2 ? 1.0 : -1.0;
+        inverse[i] = edge_at(&copy.inverse_depth, u, v);
+        if (!is_inside(reference->edges, copy.count, u, v) || inverse[i] * view->near_m > 1.0) return false;
+    }
+    return true;
+}
+
+/* Whether all of a group lies behind the one face that fills the view: inverse depths are linear, so the corners
+ * decide. What a wrong order shows is nearly always hidden so. */
+static bool is_hidden(const struct reference *reference, const uint32_t *groups, uint32_t group, uint32_t before,
+                      const struct reference_view *view)
+{
+    double covers[4] = {0};
+    bool filled = false;
+    for (size_t p = 0; p < reference->polygon_count && !filled; p++)
+        filled = reference->polygons[p].face == before && fills(reference, &reference->polygons[p], view, covers);
+    for (size_t p = 0; p < reference->polygon_count && filled; p++) {
+        struct reference_polygon polygon = reference->polygons[p];
+        if (group_of(groups, polygon.face) != group) continue;
+        set_plane(&polygon, view);
+        for (int i = 0; i < 4; i++)
+            if (!(edge_at(&polygon.inverse_depth, i & 1 ? 1.0 : -1.0, i & 2 ? 1.0 : -1.0) < covers[i])) return false;
+    }
+    return filled;
 }
 
 bool reference_sees_nearby(const struct reference *reference, const uint32_t *groups, uint32_t group, size_t pixel)
 {
     const struct reference_view glance = close_up(reference, pixel, LOOK_PX / 8);
     const struct reference_view look = close_up(reference, pixel, LOOK_PX);
+    if (is_hidden(reference, groups, group, reference->faces[pixel], &glance)) return false;
     return sees_in(reference, groups, group, pixel, &glance) || sees_in(reference, groups, group, pixel, &look);
 }
 
-double reference_depth_of(const struct reference *reference, uint32_t face, size_t pixel)
+double reference_depth_of(const struct reference *reference, const uint32_t *groups, uint32_t group, size_t pixel)
 {
     const struct reference_view *view = &reference->view;
     const double u = pixel_u(view, (int)(pixel % reference->w_px)), v = pixel_v(view, (int)(pixel / reference->w_px));
-    double nearest_m = INFINITY;
+    double nearest_m = INFINITY, least_m = INFINITY, most_m = -INFINITY;
     for (size_t p = 0; p < reference->polygon_count; p++) {
         const struct reference_polygon *polygon = &reference->polygons[p];
-        if (polygon->face != face) continue;
+        if (group_of(groups, polygon->face) != group) continue;
         const struct reference_edge *plane = &polygon->inverse_depth;
         double inverse = edge_at(plane, u, v) + 2.0 * fabs(plane->a) / view->w_px + 2.0 * fabs(plane->b) / view->h_px;
-        double depth_m = inverse > 0.0 ? 1.0 / inverse : INFINITY;
-        depth_m = fmax(polygon->depth_min_m, fmin(depth_m, polygon->depth_max_m));
-        nearest_m = fmin(nearest_m, depth_m);
+        nearest_m = fmin(nearest_m, inverse > 0.0 ? 1.0 / inverse : INFINITY);
+        least_m = fmin(least_m, polygon->depth_min_m);
+        most_m = fmax(most_m, polygon->depth_max_m);
     }
-    return nearest_m;
+    return least_m > most_m ? INFINITY : fmax(least_m, fmin(nearest_m, most_m));
 }

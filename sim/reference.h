@@ -48,9 +48,9 @@ void reference_draw(struct reference *reference, const struct viewpoint *viewpoi
 /* Where the ray through a pixel's centre ended in the last frame drawn, metres; only where a face is seen. */
 void reference_point(const struct reference *reference, size_t pixel, double out_m[3]);
 
-/* The least depth of a face's plane within a pixel of a pixel's centre in the last frame drawn, held
- * within the depths of the face's own corners: seen edge-on the plane alone could be anywhere. */
-double reference_depth_of(const struct reference *reference, uint32_t face, size_t pixel);
+/* The least depth of a group's planes within a pixel of a pixel's centre in the last frame drawn, held within the
+ * depths of the group's own corners: seen edge-on a plane alone could be anywhere. `groups` as in compare.h. */
+double reference_depth_of(const struct reference *reference, const uint32_t *groups, uint32_t group, size_t pixel);
 
 /* Whether a face of a group (`groups` as in compare.h) is to be seen anywhere within a pixel of a
  * pixel's centre in the last frame drawn, on a lattice of 1/64 pixels: finer than what the pixels around

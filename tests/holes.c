@@ -45,7 +45,8 @@ void holes_add(struct holes *holes, const struct core *profile, const uint32_t *
         if (looks < LOOKS_MAX && ++looks && reference_sees_nearby(reference, NULL, face, pixel)) continue;
         holes->misplaced++;
         const double far_m = around.depth_max_m + 8 * unit_m + 0.001 * around.depth_max_m;
-        holes->holes += face == 0 || (profile->sub_bits > 0 && reference_depth_of(reference, face, pixel) > far_m);
+        holes->holes +=
+            face == 0 || (profile->sub_bits > 0 && reference_depth_of(reference, NULL, face, pixel) > far_m);
     }
 }
 

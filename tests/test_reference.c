@@ -464,10 +464,10 @@ static void depth_of_an_edge_on_face_stays_within_its_corners(void **state)
     viewpoint.eye_m[0] = viewpoint.target_m[0] = 0.01;
     struct reference reference = draw(&scene, &viewpoint);
     for (size_t x = 0; x < W_PX; x++) {
-        double depth_m = reference_depth_of(&reference, 1, 15 * W_PX + x);
+        double depth_m = reference_depth_of(&reference, NULL, 1, 15 * W_PX + x);
         assert_true(depth_m >= 3.0 && depth_m <= 5.0);
     }
-    assert_true(isinf(reference_depth_of(&reference, 2, 0)));
+    assert_true(isinf(reference_depth_of(&reference, NULL, 2, 0)));
     reference_free(&reference);
 }
 

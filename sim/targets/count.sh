@@ -5,7 +5,7 @@
 #   sh sim/targets/count.sh build CORE FOLDER          FOLDER/model.[ch], cameras.h -> image, image.map, marks
 #   sh sim/targets/count.sh run CORE FOLDER PLUGIN     image, ranges -> counts; the frames' hashes -> hashes;
 #                                                      the functions that a range's start is from -> inlined
-# An image without statistics and without the painter, as a product would be. What is for debuggers changes no code.
+# An image without statistics and with the scene's own method alone, as a product would be. What is for debuggers changes no code.
 set -eu
 
 : "${WARNINGS:=-Wall}"
@@ -23,7 +23,7 @@ compile() { # OBJECT SOURCE FLAG...
 
 # The renderer's objects in a folder of their own, so that the linker's map tells whose is what.
 build() {
-    set -- '-DLIM_CONFIG="model.h"' -DLIM_HAS_STATS=0 -DLIM_HAS_PAINTER=0
+    set -- '-DLIM_CONFIG="model.h"' -DLIM_HAS_STATS=0
     mkdir -p "$folder/firmware"
     for source in firmware/*.c; do
         compile "$folder/${source%.c}.o" "$source" "$@"
