@@ -24,7 +24,7 @@ endif
 # Begins a recipe line whose output must appear as it comes: with +, but not under `make -n`, where + would run it.
 LIVE = $(if $(findstring n,$(firstword -$(MAKEFLAGS))),,+)@
 
-.PHONY: all extremes soak run view check test test-fixed test-programs models-table tables footprint tradeoff prove exhaustive fuzz format clean help packages force
+.PHONY: all extremes soak run view check test test-fixed test-programs models-table tables footprint tradeoff compare prove exhaustive fuzz format clean help packages force
 .SECONDARY:
 .DELETE_ON_ERROR:
 
@@ -57,6 +57,7 @@ packages-models-table  := $(packages-models)
 packages-test-programs := $(packages-host)
 packages-footprint     := gcc-arm-none-eabi
 packages-tradeoff      := $(packages-arm) gcc-riscv64-unknown-elf qemu-system-misc
+packages-compare       := gcc-arm-none-eabi qemu-system-arm
 packages-test          := $(foreach suite,$(suites),$(packages-$(suite)))
 
 packages:
@@ -248,6 +249,9 @@ footprint: $(BUILD)/limner $(demo) ## compile README's table of flash, RAM and s
 
 tradeoff: $(BUILD)/limner $(demo) ## measure accuracy against cost for README; everything into out/tradeoff/
 	$(LIVE)sh sim/tradeoff.sh --write
+
+compare: $(BUILD)/limner ## measure every visibility method for README; everything into out/compare/
+	$(LIVE)sh sim/compare.sh --write
 
 # -- Housekeeping ------------------------------------------------------------------------------------------------------
 

@@ -27,7 +27,39 @@ struct comparing {
     struct difference_cell *cells; /* one a row */
     struct work_folder folder;
     struct outputs outputs;
+    FILE *markdown, *csv; /* NULL: not open */
+    char markdown_path[PATH_MAX_B], csv_path[PATH_MAX_B];
 };
+
+/* Files --------------------------------------------------------------------------------------- */
+
+/* DIR/NAMESUFFIX */
+static FILE *open_file(struct comparing *comparing, const char *name, const char *suffix, char path[PATH_MAX_B],
+                       struct error *err)
+{
+    const char *folder = comparing->request.folder;
+    if (snprintf(path, PATH_MAX_B, "%s/%s%s", folder, name, suffix) < PATH_MAX_B)
+        return outputs_open(&comparing->outputs, path, err);
+    error_set(err, "-o '%.64s...': the path is too long", folder);
+    return NULL;
+}
+
+/* Before all work: a folder that cannot be written is not to be noticed after it. */
+static bool open_tables(struct comparing *comparing, struct error *err)
+{
+    if (!comparing->request.folder) return true;
+    comparing->markdown = open_file(comparing, "compare", ".md", comparing->markdown_path, err);
+    if (comparing->markdown) comparing->csv = open_file(comparing, "compare", ".csv", comparing->csv_path, err);
+    return comparing->csv != NULL;
+}
+
+static bool close_tables(struct comparing *comparing, struct error *err)
+{
+    FILE *const files[] = {comparing->markdown, comparing->csv};
+    comparing->markdown = comparing->csv = NULL;
+    const bool ok = !files[0] || outputs_close(files[0], comparing->markdown_path, err);
+    return (!files[1] || outputs_close(files[1], comparing->csv_path, ok ? err : &(struct error){0})) && ok;
+}
 
 /* Start -------------------------------------------------------------------------------------- */
 
@@ -43,8 +75,8 @@ static const struct compiled *any_scene(const struct compare_table *table)
 static bool choose_cameras(struct comparing *comparing, struct error *err)
 {
     struct camera_path all = comparing->path;
-    if (!comparing->request.camera && !camera_path_orbit(any_scene(&comparing->table), &comparing->lens,
-                                                         MEASURE_ORBIT_FRAMES, &all, err))
+    if (!comparing->request.camera &&
+        !camera_path_orbit(any_scene(&comparing->table), &comparing->lens, MEASURE_ORBIT_FRAMES, &all, err))
         return false;
     comparing->path = (struct camera_path){0};
     const bool ok = camera_path_few(&all, comparing->request.frames, &comparing->path, err) &&
@@ -90,54 +122,43 @@ static bool measure_all(struct comparing *comparing, struct error *err)
 
 /* Pictures ----------------------------------------------------------------------------------- */
 
-/* What a method got wrong in the frame that shows most of it. */
-static bool draw_cell(struct comparing *comparing, const struct compare_row *row, struct difference_cell *cell,
-                      struct error *err)
+static gdImagePtr draw(struct comparing *comparing, const struct compare_row *row, size_t frame, struct error *err)
 {
-    if (!compare_row_draws(row)) {
-        snprintf(cell->caption, sizeof cell->caption, "%s: does not draw it", row->method->name);
-        return true;
-    }
     const struct measure_views views = views_of(comparing, &comparing->path);
     const struct measure_candidate candidate = {comparing->table.core, &row->scene};
-    const struct comparison *pixels = &row->accuracy.pixels;
-    snprintf(cell->caption, sizeof cell->caption, "%s: %.2f %%, frame %zu", row->method->name,
-             compare_wrong_percent(&pixels->faultiest), pixels->faultiest_frame);
     progress("pictures, %s", row->method->name);
-    cell->picture = difference_picture(&comparing->source, &candidate, &views, pixels->faultiest_frame, err);
-    return cell->picture != NULL;
+    return interrupt_check(err) ? difference_picture(&comparing->source, &candidate, &views, frame, err) : NULL;
 }
 
+/* The frame in which some method is at its worst. */
+static size_t frame_to_show(const struct compare_table *table)
+{
+    const struct comparison *shown = &table->rows[0].accuracy.pixels;
+    for (size_t i = 1; i < method_count; i++) {
+        const struct comparison *pixels = &table->rows[i].accuracy.pixels;
+        if (compare_is_faultier(&pixels->faultiest, &shown->faultiest)) shown = pixels;
+    }
+    return shown->faultiest_frame;
+}
+
+/* All methods in one frame. */
 static bool draw_cells(struct comparing *comparing, struct error *err)
 {
-    for (size_t i = 0; i < method_count; i++)
-        if (!interrupt_check(err) || !draw_cell(comparing, &comparing->table.rows[i], &comparing->cells[i], err))
-            return false;
+    const struct compare_table *table = &comparing->table;
+    const size_t frame = frame_to_show(table);
+    for (size_t i = 0; i < method_count; i++) {
+        const struct compare_row *row = &table->rows[i];
+        struct difference_cell *cell = &comparing->cells[i];
+        const bool draws = compare_row_draws(row);
+        snprintf(cell->caption, sizeof cell->caption, draws ? "%s" : "%s: does not draw it", row->method->name);
+        if (!draws) continue;
+        cell->picture = draw(comparing, row, frame, err);
+        if (!cell->picture) return false;
+    }
     return true;
 }
 
 /* Output ------------------------------------------------------------------------------------- */
-
-/* DIR/NAMESUFFIX */
-static FILE *open_file(struct comparing *comparing, const char *name, const char *suffix, char path[PATH_MAX_B],
-                       struct error *err)
-{
-    const char *folder = comparing->request.folder;
-    if (snprintf(path, PATH_MAX_B, "%s/%s%s", folder, name, suffix) < PATH_MAX_B)
-        return outputs_open(&comparing->outputs, path, err);
-    error_set(err, "-o '%.64s...': the path is too long", folder);
-    return NULL;
-}
-
-static bool write_table(struct comparing *comparing, const char *name,
-                        void (*write)(const struct compare_table *, FILE *), struct error *err)
-{
-    char path[PATH_MAX_B];
-    FILE *file = open_file(comparing, name, "", path, err);
-    if (!file) return false;
-    write(&comparing->table, file);
-    return outputs_close(file, path, err);
-}
 
 static bool write_picture(struct comparing *comparing, const char *name, gdImagePtr picture, struct error *err)
 {
@@ -157,30 +178,40 @@ static bool write_sheet(struct comparing *comparing, struct error *err)
     return ok;
 }
 
+/* What a method gets wrong, in the frame that shows most of it. */
+static bool write_worst(struct comparing *comparing, const struct compare_row *row, struct error *err)
+{
+    gdImagePtr picture = draw(comparing, row, row->accuracy.pixels.faultiest_frame, err);
+    if (!picture) return false;
+    const bool ok = write_picture(comparing, row->method->name, picture, err);
+    gdImageDestroy(picture);
+    return ok;
+}
+
 static bool write_pictures(struct comparing *comparing, struct error *err)
 {
-    if (!draw_cells(comparing, err)) return false;
     for (size_t i = 0; i < method_count; i++) {
         const struct compare_row *row = &comparing->table.rows[i];
-        if (!compare_row_draws(row) || (row->method->exact && compare_row_is_right(row))) continue;
-        if (!write_picture(comparing, row->method->name, comparing->cells[i].picture, err)) return false;
+        if (!compare_row_draws(row) || (row->method->exact && compare_row_is_right(&comparing->table, row))) continue;
+        if (!write_worst(comparing, row, err)) return false;
     }
-    return write_sheet(comparing, err);
+    return draw_cells(comparing, err) && write_sheet(comparing, err);
 }
 
 static bool write_files(struct comparing *comparing, struct error *err)
 {
     if (!comparing->request.folder) return true;
-    return write_table(comparing, "compare.md", compare_table_markdown, err) &&
-           write_table(comparing, "compare.csv", compare_table_csv, err) && write_pictures(comparing, err) &&
-           interrupt_check(err) && outputs_keep(&comparing->outputs, err);
+    compare_table_markdown(&comparing->table, comparing->markdown);
+    compare_table_csv(&comparing->table, comparing->csv);
+    return close_tables(comparing, err) && write_pictures(comparing, err) && interrupt_check(err) &&
+           outputs_keep(&comparing->outputs, err);
 }
 
 static bool run(struct comparing *comparing, struct error *err)
 {
     interrupt_watch();
-    const bool ok = work_folder_make(&comparing->folder, err) && prepare(comparing, err) &&
-                    measure_all(comparing, err) && write_files(comparing, err);
+    const bool ok = open_tables(comparing, err) && work_folder_make(&comparing->folder, err) &&
+                    prepare(comparing, err) && measure_all(comparing, err) && write_files(comparing, err);
     progress_end();
     if (!ok) return false;
     compare_table_markdown(&comparing->table, stdout);
@@ -189,6 +220,7 @@ static bool run(struct comparing *comparing, struct error *err)
 
 static void comparing_free(struct comparing *comparing)
 {
+    close_tables(comparing, &(struct error){0});
     outputs_discard(&comparing->outputs);
     work_folder_remove(&comparing->folder);
     for (size_t i = 0; i < method_count; i++) {

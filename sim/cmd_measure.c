@@ -188,7 +188,8 @@ int cmd_measure(int argc, char **argv)
 {
     struct measurement measurement = {0};
     struct error err;
-    const bool ok = measure_request_parse(argc, argv, MEASURE_PRECISIONS, &measurement.request, &err) && run(&measurement, &err);
+    const bool ok =
+        measure_request_parse(argc, argv, MEASURE_PRECISIONS, &measurement.request, &err) && run(&measurement, &err);
     measurement_free(&measurement);
     if (!ok) fprintf(stderr, "limner: %s\n", err.text);
     return ok ? EXIT_SUCCESS : EXIT_FAILURE;

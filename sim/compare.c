@@ -68,7 +68,7 @@ struct compare_counts compare_picture(const uint32_t *rendered, const struct ref
     return counts;
 }
 
-static bool is_faultier(const struct compare_counts *a, const struct compare_counts *b)
+bool compare_is_faultier(const struct compare_counts *a, const struct compare_counts *b)
 {
     return a->holes > b->holes || (a->holes == b->holes && a->wrong > b->wrong);
 }
@@ -79,7 +79,7 @@ void comparison_add(struct comparison *comparison, const struct compare_counts *
         comparison->worst = *frame;
         comparison->worst_frame = comparison->frames;
     }
-    if (comparison->frames == 0 || is_faultier(frame, &comparison->faultiest)) {
+    if (comparison->frames == 0 || compare_is_faultier(frame, &comparison->faultiest)) {
         comparison->faultiest = *frame;
         comparison->faultiest_frame = comparison->frames;
     }

@@ -40,6 +40,9 @@ struct compare_counts compare_picture(const uint32_t *rendered, const struct ref
 enum compare_verdict compare_pixel(const uint32_t *rendered, const struct reference *reference, const uint32_t *groups,
                                    double unit_m, size_t pixel);
 
+/* Whether a has more holes than b, or as many and more wrong pixels. */
+bool compare_is_faultier(const struct compare_counts *a, const struct compare_counts *b);
+
 /* Adds a frame to the sum over a camera path. */
 void comparison_add(struct comparison *comparison, const struct compare_counts *frame);
 

@@ -16,8 +16,7 @@
 /* Whether the renderer takes the scene, before all methods start together. */
 static bool try_renderer(const struct compare_table *table, const struct compiled *scene, struct error *err)
 {
-    const struct simulator_setup setup = {table->w_px, table->h_px, scene->report.draws, SIMULATOR_MEMORY,
-                                          table->core};
+    const struct simulator_setup setup = {table->w_px, table->h_px, scene->report.draws, SIMULATOR_MEMORY, table->core};
     struct simulator simulator;
     if (!simulator_init(&simulator, &scene->scene, &setup, err)) return false;
     simulator_free(&simulator);
@@ -80,7 +79,8 @@ bool compare_methods_accuracy(struct measure_source *source, const struct measur
 
 static bool is_same(const struct compiled *a, const struct compiled *b)
 {
-    return a->report.draws == b->report.draws && a->image_b == b->image_b && memcmp(a->image, b->image, a->image_b) == 0;
+    return a->report.draws == b->report.draws && a->image_b == b->image_b &&
+           memcmp(a->image, b->image, a->image_b) == 0;
 }
 
 /* An earlier row that draws the same scene in the same way, or NULL. */
@@ -101,9 +101,8 @@ static bool row_cost(const struct measure_views *views, const char *folder, size
     }
     const struct measure_candidate candidate = candidate_of(table, row);
     progress("instructions, %s, %s", table->cpus[cpu]->title, row->method->name);
-    return interrupt_check(err) &&
-           (measure_cost(&candidate, table->cpus[cpu], views, folder, &row->costs[cpu], err) ||
-            error_prefix(err, row->method->name));
+    return interrupt_check(err) && (measure_cost(&candidate, table->cpus[cpu], views, folder, &row->costs[cpu], err) ||
+                                    error_prefix(err, row->method->name));
 }
 
 bool compare_methods_cost(const struct measure_views *views, const char *folder, struct compare_table *table,
@@ -114,8 +113,7 @@ bool compare_methods_cost(const struct measure_views *views, const char *folder,
         table->not_counted[cpu].text[0] = '\0';
         if (!measure_cpu_check(table->cpus[cpu], &table->not_counted[cpu])) continue;
         for (size_t i = 0; i < method_count; i++)
-            if (compare_row_draws(&table->rows[i]) &&
-                !row_cost(views, folder, cpu, table, &table->rows[i], err))
+            if (compare_row_draws(&table->rows[i]) && !row_cost(views, folder, cpu, table, &table->rows[i], err))
                 return false;
     }
     return true;

@@ -21,7 +21,7 @@ struct compare_table {
     const char *scene; /* its name */
     unsigned w_px, h_px;
     const struct core *core;
-    const struct measure_cpu *const *cpus;                /* those that were asked for, cpu_count of them */
+    const struct measure_cpu *const *cpus;              /* those that were asked for, cpu_count of them */
     struct error not_counted[MEASURE_REQUEST_CPUS_MAX]; /* why there are no instructions; empty: there are */
     size_t cpu_count, frames, cost_frames;
     struct compare_row *rows; /* of methods[], in that order; method_count of them */
@@ -32,8 +32,9 @@ bool compare_row_draws(const struct compare_row *row);
 /* Bytes of the lines that the target must be able to lend at any time: all of them for the painter. */
 size_t compare_row_lines_b(const struct compare_table *table, const struct compare_row *row);
 
-/* Pixels that show something farther, and open ones: no exact method has either. */
-bool compare_row_is_right(const struct compare_row *row);
+/* No exact method has order errors or holes, or leaves the order of a pair open; but profile draft may have some, as
+ * whole pixels shift edges by more than one. */
+bool compare_row_is_right(const struct compare_table *table, const struct compare_row *row);
 
 void compare_table_markdown(const struct compare_table *table, FILE *out);
 

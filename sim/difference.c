@@ -35,11 +35,11 @@ static bool draw_frame(struct drawing *drawing, struct measure_source *source,
     return true;
 }
 
-/* Half as bright, without colour. */
+/* Half as bright, without colour, and never black. */
 static int dim_grey(uint16_t colour)
 {
     const uint32_t rgb = image_rgb888_from_565(colour);
-    const uint32_t grey = ((rgb >> 16) * 3 + (rgb >> 8 & 255) * 6 + (rgb & 255)) / 20;
+    const uint32_t grey = 32 + ((rgb >> 16) * 3 + (rgb >> 8 & 255) * 6 + (rgb & 255)) / 20;
     return (int)(grey << 16 | grey << 8 | grey);
 }
 
@@ -88,8 +88,8 @@ gdImagePtr difference_sheet(const struct difference_cell *cells, size_t count, u
         memcpy(caption, cells[i].caption, sizeof caption);
         gdImageSetClip(sheet, x_px, y_px, x_px + (int)w_px - 1, y_px + step_y_px - 1);
         gdImageString(sheet, gdFontGetSmall(), x_px + CAPTION_LEFT_PX, y_px, caption, CAPTION_COLOUR);
-        if (cells[i].picture)
-            gdImageCopy(sheet, cells[i].picture, x_px, y_px + CAPTION_PX, 0, 0, (int)w_px, (int)h_px);
+        if (cells[i].picture) gdImageCopy(sheet, cells[i].picture, x_px, y_px + CAPTION_PX, 0, 0, (int)w_px, (int)h_px);
     }
+    gdImageSetClip(sheet, 0, 0, gdImageSX(sheet) - 1, gdImageSY(sheet) - 1);
     return sheet;
 }

@@ -75,7 +75,10 @@ static const char USAGE[] =
 static const struct {
     const char *name;
     int (*run)(int argc, char **argv);
-} COMMANDS[] = {{"compile", cmd_compile}, {"render", cmd_render}, {"view", cmd_view}, {"measure", cmd_measure},
+} COMMANDS[] = {{"compile", cmd_compile},
+                {"render", cmd_render},
+                {"view", cmd_view},
+                {"measure", cmd_measure},
                 {"compare", cmd_compare}};
 
 static bool asks_for_help(const char *argument)

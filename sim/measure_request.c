@@ -106,7 +106,8 @@ static bool parse_count(const char *option, const char *text, size_t *out, struc
     double number;
     if (!parse_number(option, text, &number, err)) return false;
     *out = number >= 1.0 && number <= FRAMES_MAX ? (size_t)number : 0;
-    return (double)*out == number || error_set(err, "%s %s: how many frames, 1 to %d", option, text, FRAMES_MAX);
+    return (*out > 0 && (double)*out == number) ||
+           error_set(err, "%s %s: how many frames, 1 to %d", option, text, FRAMES_MAX);
 }
 
 static bool no_such_option(const char *given, struct error *err)
