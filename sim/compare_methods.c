@@ -27,9 +27,8 @@ static void compile_row(const struct measure_source *source, const struct compil
                         const struct compare_table *table, struct compare_row *row)
 {
     struct compile_options mine = *options;
-    mine.method = row->method;
-    mine.tree = row->method->tree;
-    if (compile_mesh(&source->mesh, &mine, &row->scene, &row->why_not) &&
+    if (compile_method_parse(row->method->name, &mine, &row->why_not) &&
+        compile_mesh(&source->mesh, &mine, &row->scene, &row->why_not) &&
         try_renderer(table, &row->scene, &row->why_not)) {
         row->why_not.text[0] = '\0';
         return;
