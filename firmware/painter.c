@@ -32,6 +32,7 @@ static void set_lent(struct lim *lim, uint16_t *line)
 #endif
 }
 
+#if LIM_HAS_PAINTER
 size_t lim_painter_mem_b(const struct lim_scene *scene)
 {
     return LIM_PAINTER_MEM_B(scene->limits.depth) + lim_portals_mem_b(scene);
@@ -46,6 +47,7 @@ void lim_painter_init(struct lim *lim, void *mem)
     lim_lend_portals(lim, lim->stack + lim->scene->limits.depth);
     lim_view_init(&lim->view, lim->target.w_px, lim->target.h_px, cache);
 }
+#endif
 
 static uint16_t *line_at(struct lim *lim, uint16_t y)
 {
