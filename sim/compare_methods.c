@@ -90,18 +90,20 @@ static const struct compare_row *find_same(const struct compare_table *table, co
     return NULL;
 }
 
-static bool row_cost(const struct measure_views *views, const char *folder, size_t cpu,
-                     const struct compare_table *table, struct compare_row *row, struct error *err)
+/* What fails for one method is said in its row: the others' figures stand. */
+static void row_cost(const struct measure_views *views, const char *folder, size_t cpu,
+                     const struct compare_table *table, struct compare_row *row)
 {
     const struct compare_row *same = find_same(table, row);
+    const struct measure_candidate candidate = candidate_of(table, row);
     if (same) {
         row->costs[cpu] = same->costs[cpu];
-        return true;
+        row->not_counted[cpu] = same->not_counted[cpu];
+        return;
     }
-    const struct measure_candidate candidate = candidate_of(table, row);
     progress("instructions, %s, %s", table->cpus[cpu]->title, row->method->name);
-    return interrupt_check(err) && (measure_cost(&candidate, table->cpus[cpu], views, folder, &row->costs[cpu], err) ||
-                                    error_prefix(err, row->method->name));
+    if (measure_cost(&candidate, table->cpus[cpu], views, folder, &row->costs[cpu], &row->not_counted[cpu]))
+        row->not_counted[cpu].text[0] = '\0';
 }
 
 bool compare_methods_cost(const struct measure_views *views, const char *folder, struct compare_table *table,
@@ -111,9 +113,10 @@ bool compare_methods_cost(const struct measure_views *views, const char *folder,
     for (size_t cpu = 0; cpu < table->cpu_count; cpu++) {
         table->not_counted[cpu].text[0] = '\0';
         if (!measure_cpu_check(table->cpus[cpu], &table->not_counted[cpu])) continue;
-        for (size_t i = 0; i < method_count; i++)
-            if (compare_row_draws(&table->rows[i]) && !row_cost(views, folder, cpu, table, &table->rows[i], err))
-                return false;
+        for (size_t i = 0; i < method_count; i++) {
+            if (compare_row_draws(&table->rows[i])) row_cost(views, folder, cpu, table, &table->rows[i]);
+            if (!interrupt_check(err)) return false;
+        }
     }
     return true;
 }

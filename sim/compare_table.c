@@ -19,9 +19,9 @@ bool compare_row_is_right(const struct compare_table *table, const struct compar
     return (row->accuracy.pixels.total.holes == 0 || table->core->sub_bits == 0) && row->accuracy.forced == 0;
 }
 
-static bool is_counted(const struct compare_table *table, size_t cpu)
+static bool is_counted(const struct compare_table *table, const struct compare_row *row, size_t cpu)
 {
-    return !table->not_counted[cpu].text[0];
+    return !table->not_counted[cpu].text[0] && !row->not_counted[cpu].text[0];
 }
 
 static size_t open_px(const struct compare_counts *counts)
@@ -54,7 +54,7 @@ static void print_memory(const struct compare_table *table, const struct compare
     const size_t scene_b = row->scene.report.flash_b;
     for (size_t cpu = 0; cpu < table->cpu_count; cpu++) {
         const struct cost *cost = &row->costs[cpu];
-        if (!is_counted(table, cpu)) continue;
+        if (!is_counted(table, row, cpu)) continue;
         fprintf(out, " %zu | %zu | %zu |\n", cost_ram_b(cost) + compare_row_lines_b(table, row),
                 cost_flash_b(cost) + cost->scene_b, cost->scene_b);
         return;
@@ -79,7 +79,7 @@ static void print_row(const struct compare_table *table, const struct compare_ro
     print_splits(row, out);
     fprintf(out, " %u |", (unsigned)row->scene.scene.node_count);
     for (size_t cpu = 0; cpu < table->cpu_count; cpu++)
-        if (is_counted(table, cpu))
+        if (is_counted(table, row, cpu))
             fprintf(out, " %.0f |", row->costs[cpu].mean);
         else
             fputs(" - |", out);
@@ -104,9 +104,12 @@ static void print_notes(const struct compare_table *table, FILE *out)
             fprintf(out, "%s: the order of %zu pairs could not be settled\n", row->method->name, row->accuracy.forced);
         if (compare_row_draws(row) && row->method->exact && !compare_row_is_right(table, row))
             fprintf(out, "%s: wrong, and it should be exact\n", row->method->name);
+        for (size_t cpu = 0; cpu < table->cpu_count; cpu++)
+            if (row->not_counted[cpu].text[0])
+                fprintf(out, "%s: not counted: %s\n", row->method->name, row->not_counted[cpu].text);
     }
     for (size_t cpu = 0; cpu < table->cpu_count; cpu++)
-        if (!is_counted(table, cpu))
+        if (table->not_counted[cpu].text[0])
             fprintf(out, "%s: not counted: %s\n", table->cpus[cpu]->title, table->not_counted[cpu].text);
 }
 
@@ -173,7 +176,7 @@ static void csv_row(const struct compare_table *table, const struct compare_row 
         fputs(",,,,,,,,,,,,,,,", out);
     for (size_t cpu = 0; cpu < table->cpu_count; cpu++) {
         const struct cost *cost = &row->costs[cpu];
-        if (draws && is_counted(table, cpu))
+        if (draws && is_counted(table, row, cpu))
             fprintf(out, ",%.1f,%llu,%zu,%zu", cost->mean, (unsigned long long)cost->worst,
                     cost_ram_b(cost) + compare_row_lines_b(table, row), cost_flash_b(cost) + cost->scene_b);
         else

@@ -14,7 +14,8 @@ struct compare_row {
     struct error why_not;  /* it cannot draw the scene because ...; empty: it can */
     struct compiled scene; /* its own; empty if it cannot */
     struct accuracy accuracy;
-    struct cost costs[MEASURE_REQUEST_CPUS_MAX]; /* of compare_table.cpus */
+    struct cost costs[MEASURE_REQUEST_CPUS_MAX];        /* of compare_table.cpus */
+    struct error not_counted[MEASURE_REQUEST_CPUS_MAX]; /* why there are none; empty: there are */
 };
 
 struct compare_table {

@@ -4,19 +4,22 @@
 # host draws.
 . tests/tap.sh
 
-head -n 1 sim/scenes/knot.cam >"$work/one.cam"
-
-column() { # NAME: of every row
-    awk -F , -v name="$1" '
-        NR == 1 { for (i = 1; i <= NF; i++) column[$i] = i }
-        NR > 1 && $column["frames"] != "" { print $column["method"], $column[name] }' "$work/knot/compare.csv"
+compare() { # SCENE: one small frame into $work/SCENE
+    head -n 1 "sim/scenes/$1.cam" >"$work/one.cam"
+    "$BUILD/limner" compare "sim/scenes/$1.obj" --camera "$work/one.cam" --size 97x61 --core m4 -o "$work/$1"
 }
 
-counts() {
-    "$BUILD/limner" compare sim/scenes/knot.obj --camera "$work/one.cam" --size 97x61 --core m4 -o "$work/knot" || return 1
+column() { # NAME [SCENE]: of every row that draws it
+    awk -F , -v name="$1" '
+        NR == 1 { for (i = 1; i <= NF; i++) column[$i] = i }
+        NR > 1 && $column["frames"] != "" { print $column["method"], $column[name] }' "$work/${2:-knot}/compare.csv"
+}
+
+counts() { # SCENE
+    compare "$1" || return 1
     for name in m4_instructions m4_worst_instructions m4_ram_b m4_flash_b; do
-        column $name
-        column $name | awk '!($2 > 0) { exit 1 } END { exit NR < 9 }' || return 1
+        column $name "$1"
+        column $name "$1" | awk '!($2 > 0) { exit 1 } END { exit NR < 9 }' || return 1
     done
 }
 
@@ -34,7 +37,8 @@ newell_pays_with_time() {
         column scene_b | awk '{ of[$1] = $2 } END { exit !(of["newell"] < of["bsp"]) }'
 }
 
-tap_check "every method is counted" counts
+tap_check "every method is counted" counts knot
+tap_check "so it is where polygons are transparent" counts glass
 tap_check "lines that the target lends are counted as RAM" counts_lines
 tap_check "the figures are those of different methods" newell_pays_with_time
 tap_done
