@@ -26,7 +26,8 @@ costs_on() { # CORE FOLDER
 
 scene_data() { # FOLDER
     # shellcheck disable=SC2046,SC2086 # flags are words
-    $(target_compiler m4) $(target_flags m4) $footprint_flags -I"$1" -c -o "$1/model.image" "$1/model.c"
+    $(target_compiler m4) $(target_flags m4) $footprint_flags -I"$1" -DLIM_CONFIG='"model.h"' \
+        -c -o "$1/model.image" "$1/model.c"
     footprint_size m4 "$1/model.image" 1
 }
 

@@ -232,7 +232,8 @@ bool options_scene_is_compiled(const struct options *options)
 static bool load_scene(const struct options *options, struct compiled *scene, struct error *err)
 {
     if (options_scene_is_compiled(options)) {
-        if (options->compile.tree != TREE_AUTO && !method_sorts(options->setup.method))
+        const bool any_tree_does = method_sorts(options->setup.method) || options->compile.portals == PORTALS_ON;
+        if (options->compile.tree != TREE_AUTO && !any_tree_does)
             return error_set(err, "%s: has its tree already; give the model for another one", options->scene_path);
         return lim_file_read(options->scene_path, scene, err) &&
                (options->compile.portals != PORTALS_ON || scene->scene.place_count ||

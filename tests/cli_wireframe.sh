@@ -40,7 +40,7 @@ newell_refuses() { # COMMAND OPTION...
     command=$1
     shift
     ! "$BUILD/limner" "$command" sim/scenes/icosahedron.obj --method newell --wireframe "$@" 2>"$work/said" &&
-        grep -qx 'limner: --wireframe --method newell: .*' "$work/said" && ! ls "$work"/none* 2>/dev/null
+        grep -qx 'limner: .*--wireframe --method newell: .*' "$work/said" && ! ls "$work"/none* 2>/dev/null
 }
 
 for method in nearest painter; do
