@@ -43,6 +43,11 @@
 #define LIM_HAS_NEWELL 1 /* the same, put right by comparing polygons and splitting them */
 #endif
 
+/* Moving objects in the walk through a tree; hosts have them with every tree. */
+#ifndef LIM_HAS_MOVERS
+#define LIM_HAS_MOVERS (LIM_HAS_NEAREST || LIM_HAS_PAINTER)
+#endif
+
 /* What the scene's arrays hold. */
 #ifndef LIM_HAS_CULL
 #define LIM_HAS_CULL 1 /* bounds of subtrees, to be tested against the open view */
@@ -88,6 +93,7 @@
  * nearest first, and a vertex beside the view is left out by all that look for what is hidden. */
 #define LIM_HAS_TREE (LIM_HAS_NEAREST || LIM_HAS_PAINTER)
 #define LIM_HAS_SORTED (LIM_HAS_DEPTH || LIM_HAS_NEWELL)
+#define LIM_HAS_PIECES (LIM_HAS_NEWELL || LIM_HAS_MOVERS) /* polygons are compared, and split */
 #define LIM_HAS_SPANS (LIM_HAS_NEAREST || LIM_HAS_SORTED)
 #define LIM_HAS_HIDDEN (LIM_HAS_TREE || LIM_HAS_SORTED)
 
@@ -115,7 +121,7 @@
 #define LIM_CUT_VERTICES 8
 
 /* Most vertices of anything that is clipped: cutting polygons adds some. What would have more is left whole. */
-#if !LIM_HAS_NEWELL
+#if !LIM_HAS_PIECES
 #define LIM_PIECE_VERTICES LIM_MAX_VERTICES
 #elif LIM_MAX_VERTICES <= 250 - LIM_CUT_VERTICES
 #define LIM_PIECE_VERTICES (LIM_MAX_VERTICES + LIM_CUT_VERTICES)
@@ -160,6 +166,9 @@
 
 #if !LIM_HAS_HIDDEN && !LIM_HAS_CONVEX
 #error "one of LIM_HAS_NEAREST, _PAINTER, _CONVEX, _DEPTH and _NEWELL must be 1"
+#endif
+#if LIM_HAS_MOVERS && !LIM_HAS_TREE
+#error "LIM_HAS_MOVERS needs LIM_HAS_NEAREST or LIM_HAS_PAINTER"
 #endif
 #if LIM_HAS_LARGE && !LIM_HAS_SLANTED
 #error "LIM_HAS_LARGE needs LIM_HAS_SLANTED"

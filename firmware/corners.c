@@ -4,16 +4,19 @@
  * corner in Q12 each of three products stays below 2^58 + 2^27, and d below 2^60. */
 #include "corners.h"
 
-#include "order.h"
+#include "entry.h"
 
-#if LIM_HAS_NEWELL
+#if LIM_HAS_PIECES
 
 const LIM_FLASH struct lim_plane_ref *lim_plane_of(const struct lim *lim, uint16_t entry)
 {
-    const LIM_FLASH uint16_t *record = &lim->scene->polygons[lim->sorter.list[entry].record];
+    const struct lim_scene *scene = lim_entry_scene(lim, entry);
 
-    if (LIM_HAS_LEAVES && record[0] & LIM_POLYGON_PLANE) return lim_record_plane(record);
-    return &lim->scene->nodes[lim->sorter.newell.polygons[entry].node].split;
+    if (!LIM_HAS_MOVERS || lim->sorter.list[entry].record != LIM_NONE) {
+        const LIM_FLASH uint16_t *record = lim_entry_record(lim, entry);
+        if (LIM_HAS_LEAVES && record[0] & LIM_POLYGON_PLANE) return lim_record_plane(record);
+    }
+    return &scene->nodes[lim->sorter.newell.polygons[entry].node].split;
 }
 
 static void load_slanted(struct lim_plane_wide *plane, const struct lim_scene *scene,
@@ -33,12 +36,11 @@ static void load_slanted(struct lim_plane_wide *plane, const struct lim_scene *s
     plane->d = lim_plane_d(packed);
 }
 
-void lim_plane_load(struct lim_plane_wide *plane, const struct lim *lim, uint16_t entry)
+void lim_plane_unpack(struct lim_plane_wide *plane, const struct lim_scene *scene,
+                      const LIM_FLASH struct lim_plane_ref *ref)
 {
-    const LIM_FLASH struct lim_plane_ref *ref = lim_plane_of(lim, entry);
-
     if (LIM_HAS_SLANTED && ref->plane < LIM_PLANE_X) {
-        load_slanted(plane, lim->scene, lim_plane_at(lim->scene->planes, ref->plane));
+        load_slanted(plane, scene, lim_plane_at(scene->planes, ref->plane));
     } else {
         for (uint_fast8_t i = 0; i < 3; i++)
             plane->n[i] = i == (ref->plane & 3);
@@ -48,24 +50,48 @@ void lim_plane_load(struct lim_plane_wide *plane, const struct lim *lim, uint16_
     plane->slack = (int64_t)abs_s32(plane->n[0]) + abs_s32(plane->n[1]) + abs_s32(plane->n[2]);
 }
 
-static void load_corners(struct lim_corners *corners, const struct lim *lim, const LIM_FLASH uint16_t *record)
+void lim_plane_load(struct lim_plane_wide *plane, const struct lim *lim, uint16_t entry)
 {
-    corners->n = (uint8_t)(record[0] & LIM_POLYGON_COUNT);
-    for (uint_fast8_t k = 0; k < corners->n; k++) {
-        const uint16_t vertex = record[LIM_POLYGON_HEAD_WORDS + k];
-        const struct lim_vertex at = lim->scene->vertices[vertex];
-        int32_t *to_q12 = corners->at_q12[k];
-        to_q12[0] = at.x * (int32_t)LIM_CORNER_ONE_Q12;
-        to_q12[1] = at.y * (int32_t)LIM_CORNER_ONE_Q12;
-        to_q12[2] = at.z * (int32_t)LIM_CORNER_ONE_Q12;
-#if LIM_HAS_FRACTIONS
-        if (!lim->scene->fractions) continue;
-        const struct lim_fraction fraction = lim->scene->fractions[vertex];
-        to_q12[0] += fraction.x_q8 * 16;
-        to_q12[1] += fraction.y_q8 * 16;
-        to_q12[2] += fraction.z_q8 * 16;
+    lim_plane_unpack(plane, lim_entry_scene(lim, entry), lim_plane_of(lim, entry));
+#if LIM_HAS_MOVERS
+    const uint16_t owner = lim_entry_owner(lim, entry);
+
+    if (owner != LIM_NONE) lim_mover_turn(lim, owner, plane);
 #endif
+}
+
+void lim_entry_corner(const struct lim *lim, uint16_t entry, uint16_t vertex, int32_t at_q12[3])
+{
+#if LIM_HAS_MOVERS
+    const uint16_t owner = lim_entry_owner(lim, entry);
+
+    if (owner != LIM_NONE) {
+        lim_mover_place(lim, owner, vertex, at_q12);
+        return;
     }
+#else
+    (void)entry;
+#endif
+    const struct lim_vertex at = lim->scene->vertices[vertex];
+    at_q12[0] = at.x * (int32_t)LIM_CORNER_ONE_Q12;
+    at_q12[1] = at.y * (int32_t)LIM_CORNER_ONE_Q12;
+    at_q12[2] = at.z * (int32_t)LIM_CORNER_ONE_Q12;
+#if LIM_HAS_FRACTIONS
+    if (!lim->scene->fractions) return;
+    const struct lim_fraction fraction = lim->scene->fractions[vertex];
+    at_q12[0] += fraction.x_q8 * 16;
+    at_q12[1] += fraction.y_q8 * 16;
+    at_q12[2] += fraction.z_q8 * 16;
+#endif
+}
+
+static void load_corners(struct lim_corners *corners, const struct lim *lim, uint16_t entry)
+{
+    const LIM_FLASH uint16_t *record = lim_entry_record(lim, entry);
+
+    corners->n = (uint8_t)(record[0] & LIM_POLYGON_COUNT);
+    for (uint_fast8_t k = 0; k < corners->n; k++)
+        lim_entry_corner(lim, entry, record[LIM_POLYGON_HEAD_WORDS + k], corners->at_q12[k]);
 }
 
 /* How far along from a value to one of the other sign 0 is. */
@@ -128,10 +154,10 @@ static bool clip_to(struct lim_corners *to, const struct lim_corners *from, cons
 const struct lim_corners *lim_corners_of(const struct lim *lim, uint16_t entry, struct lim_corners places[2])
 {
     const struct lim_newell *newell = &lim->sorter.newell;
-    const uint_fast16_t most = most_corners(lim->scene);
+    const uint_fast16_t most = most_corners(lim_entry_scene(lim, entry));
     struct lim_corners *here = &places[0], *there = &places[1];
 
-    load_corners(here, lim, &lim->scene->polygons[lim->sorter.list[entry].record]);
+    load_corners(here, lim, entry);
     for (uint16_t cut = newell->polygons[entry].cuts; cut != LIM_NONE; cut = newell->cuts[cut].next) {
         struct lim_plane_wide plane;
         lim_plane_load(&plane, lim, newell->cuts[cut].by & LIM_SORTED_MAX);

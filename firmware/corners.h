@@ -14,7 +14,7 @@ enum { LIM_CORNER_ONE_Q12 = 4096 };
 
 struct lim_corners {
     uint8_t n;
-    int32_t at_q12[LIM_PIECE_VERTICES][3]; /* |coordinate| <= 2^27 */
+    int32_t at_q12[LIM_PIECE_VERTICES][3]; /* |coordinate| <= 2^27, of movers 2^28 */
 };
 
 /* A scene's plane, unpacked. */
@@ -25,9 +25,16 @@ struct lim_plane_wide {
     bool narrow;   /* n . p - d fits 32 bits for every vertex p: scene.h's bounds */
 };
 
-/* The plane of an entry of the list. */
+/* The corner of a record, in units of the scene. */
+void lim_entry_corner(const struct lim *lim, uint16_t entry, uint16_t vertex, int32_t at_q12[3]);
+
+/* The plane of an entry of the list, in its own scene. Entries without a record stand for the plane of a node. */
 const LIM_FLASH struct lim_plane_ref *lim_plane_of(const struct lim *lim, uint16_t entry);
 void lim_plane_load(struct lim_plane_wide *plane, const struct lim *lim, uint16_t entry);
+
+/* Any plane of the scene. */
+void lim_plane_unpack(struct lim_plane_wide *plane, const struct lim_scene *scene,
+                      const LIM_FLASH struct lim_plane_ref *ref);
 
 /* n . p - d, of a point in units where one is 1, or in units / one. */
 static inline int64_t lim_plane_value(const struct lim_plane_wide *plane, int32_t x, int32_t y, int32_t z, int32_t one)

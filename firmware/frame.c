@@ -67,6 +67,9 @@ int lim_init(struct lim *lim, const struct lim_scene *scene, const struct lim_ta
     lim->target = *target;
     init_wireframe(lim);
     lim_lend_portals(lim, NULL);
+#if LIM_HAS_MOVERS
+    lim->movers.most = lim->movers.given = lim->movers.count = 0;
+#endif
     if (IS_CONVEX(target))
         lim_convex_init(lim, mem, mem_b);
     else if (IS_PAINTER(target))
@@ -104,6 +107,9 @@ int lim_frame(struct lim *lim, const struct lim_camera *camera)
         lim_texture_begin(lim_texturing_of(lim), lim->scene, &lim->view, camera);
     lim_eye_set(lim_eye_of(lim), lim->scene, camera->eye_q8);
     if (LIM_HAS_PORTALS) find_shown(lim, camera);
+#if LIM_HAS_MOVERS
+    lim_movers_pose(lim, camera);
+#endif
     const int err = draw(lim);
     if (LIM_HAS_STATS) lim_stats_of(lim)->vertices = lim->view.vertices;
     return err;

@@ -16,6 +16,8 @@
 #include "camera.h"
 #include "config.h"
 #include "errors.h"
+#include "instance.h"
+#include "motion.h"
 #include "scene.h"
 #include "stats.h"
 #include "target.h"

@@ -111,12 +111,46 @@ static bool take_run(struct lim *lim, uint16_t run, uint8_t *since_shrink)
     }
 }
 
+#if LIM_HAS_MOVERS
+enum { EXHAUSTED = 1, FULL }; /* a pool; all lines */
+
+static int draw_mover(struct lim *lim, uint16_t entry, const struct lim_screen_polygon *polygon)
+{
+    if (!(entry == LIM_NONE ? take(lim, polygon) : lim_piece_take(lim, entry, polygon))) return EXHAUSTED;
+    return lim->spans.open_lines ? 0 : FULL;
+}
+
+static bool collect_with_movers(struct lim *lim)
+{
+    struct lim_route route = lim_route_static(lim, false);
+    uint8_t since_shrink = 0;
+    uint16_t what;
+
+    lim_route_begin(&route, lim_movers_list(lim, lim_cull_of(lim)));
+    while (lim->spans.open_lines) {
+        const enum lim_route_event event = lim_route_next(lim, &route, &what);
+        if (event == LIM_ROUTE_END) return true;
+        if (event == LIM_ROUTE_RUN) {
+            if (!take_run(lim, what, &since_shrink)) return false;
+            continue;
+        }
+        what = lim_movers_order(lim, what, false);
+        if (lim_movers_draw(lim, what, &lim->spans.open, false, draw_mover) == EXHAUSTED) return false;
+        shrink(lim);
+    }
+    return true;
+}
+#endif
+
 static bool collect_from_tree(struct lim *lim, const struct lim_rect *band)
 {
     uint8_t since_shrink = 0;
     uint16_t run;
 
     if (LIM_HAS_CULL) lim_cull_set(lim_cull_of(lim), &lim->view, lim_eye_of(lim)->at_q8, band);
+#if LIM_HAS_MOVERS
+    if (lim->movers.count) return collect_with_movers(lim);
+#endif
     lim_walk_begin(&lim->walk, lim->stack, false);
     while (lim->spans.open_lines &&
            (run = lim_walk_next(&lim->walk, lim_cull_of(lim), lim_stats_of(lim))) != LIM_NONE) {

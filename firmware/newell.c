@@ -12,7 +12,7 @@
 
 #include "piece.h"
 
-#if LIM_HAS_NEWELL
+#if LIM_HAS_PIECES
 
 /* On which sides of each other's planes two polygons lie; asked once, when it is needed. */
 struct couple {
@@ -42,8 +42,11 @@ bool lim_newell_add(struct lim *lim, uint16_t entry, const LIM_FLASH uint16_t *r
     const struct lim_edge_shape *shape = &polygon.shape;
     const struct lim_rect rect = {within(shape->left, w_px), within(shape->top, h_px), within(shape->right, w_px),
                                   within(shape->bottom, h_px)};
-    lim->sorter.newell.polygons[entry] =
-        (struct lim_newell_polygon){near_qv, rect, node, LIM_NONE, eye_in_front, false};
+    lim->sorter.newell.polygons[entry] = (struct lim_newell_polygon){
+        .near_qv = near_qv, .rect = rect, .node = node, .cuts = LIM_NONE, .eye_in_front = eye_in_front};
+#if LIM_HAS_MOVERS
+    lim->sorter.newell.polygons[entry].owner = LIM_NONE;
+#endif
     return true;
 }
 

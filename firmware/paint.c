@@ -30,7 +30,7 @@ static LIM_RARE void take_line(struct lim_active *active, const union lim_retain
 
 static void turn(struct lim_active *active, const union lim_retained_cell *cells, int16_t y)
 {
-    if (LIM_HAS_NEWELL && !cells[0].link.n) {
+    if (LIM_HAS_PIECES && !cells[0].link.n) {
         take_line(active, cells, y);
         return;
     }

@@ -5,9 +5,9 @@
 #include "piece.h"
 
 #include "corners.h"
-#include "order.h"
+#include "entry.h"
 
-#if LIM_HAS_NEWELL
+#if LIM_HAS_PIECES
 
 static uint8_t side_of(int64_t value, int64_t slack)
 {
@@ -23,9 +23,23 @@ static uint8_t narrow_side_of(const struct lim_plane_wide *plane, const struct l
     return value > slack ? LIM_SIDE_FRONT : value < -slack ? LIM_SIDE_BACK : 0;
 }
 
+static uint8_t sides_of_mover(const struct lim *lim, uint16_t entry, const struct lim_plane_wide *plane)
+{
+    const LIM_FLASH uint16_t *record = lim_entry_record(lim, entry);
+    uint8_t sides = 0;
+
+    for (uint_fast8_t k = 0; k < (record[0] & LIM_POLYGON_COUNT) && sides != LIM_SIDE_BOTH; k++) {
+        int32_t at_q12[3];
+        lim_entry_corner(lim, entry, record[LIM_POLYGON_HEAD_WORDS + k], at_q12);
+        sides |= side_of(lim_corner_value(plane, at_q12), plane->slack * LIM_CORNER_ONE_Q12);
+    }
+    return sides;
+}
+
 static uint8_t sides_of_whole(const struct lim *lim, uint16_t entry, const struct lim_plane_wide *plane)
 {
-    const LIM_FLASH uint16_t *record = &lim->scene->polygons[lim->sorter.list[entry].record];
+    if (LIM_HAS_MOVERS && lim_entry_owner(lim, entry) != LIM_NONE) return sides_of_mover(lim, entry, plane);
+    const LIM_FLASH uint16_t *record = lim_entry_record(lim, entry);
     uint8_t sides = 0;
 
     for (uint_fast8_t k = 0; k < (record[0] & LIM_POLYGON_COUNT) && sides != LIM_SIDE_BOTH; k++) {
@@ -42,13 +56,15 @@ static bool is_same(const LIM_FLASH struct lim_plane_ref *a, const LIM_FLASH str
 }
 
 /* 0: it was never cut by that plane. */
-static uint8_t remembered_side(const struct lim *lim, uint16_t entry, const LIM_FLASH struct lim_plane_ref *plane)
+static uint8_t remembered_side(const struct lim *lim, uint16_t entry, uint16_t other)
 {
     const struct lim_newell *newell = &lim->sorter.newell;
+    const LIM_FLASH struct lim_plane_ref *plane = lim_plane_of(lim, other);
 
     for (uint16_t cut = newell->polygons[entry].cuts; cut != LIM_NONE; cut = newell->cuts[cut].next) {
         const uint16_t by = newell->cuts[cut].by;
         if (!is_same(lim_plane_of(lim, by & LIM_SORTED_MAX), plane)) continue;
+        if (lim_entry_owner(lim, by & LIM_SORTED_MAX) != lim_entry_owner(lim, other)) continue;
         return by & LIM_CUT_FRONT ? LIM_SIDE_FRONT : LIM_SIDE_BACK;
     }
     return 0;
@@ -66,44 +82,77 @@ static LIM_RARE uint8_t sides_of_piece(const struct lim *lim, uint16_t entry, co
     return sides;
 }
 
+static bool is_whole(const struct lim *lim, uint16_t entry)
+{
+    return lim->sorter.newell.polygons[entry].cuts == LIM_NONE;
+}
+
+uint8_t lim_piece_sides_of(const struct lim *lim, uint16_t of, const struct lim_plane_wide *plane)
+{
+    const uint8_t sides = sides_of_whole(lim, of, plane);
+
+    return is_whole(lim, of) || sides != LIM_SIDE_BOTH ? sides : sides_of_piece(lim, of, plane);
+}
+
 uint8_t lim_piece_sides(const struct lim *lim, uint16_t of, uint16_t by)
 {
-    const bool is_whole = lim->sorter.newell.polygons[of].cuts == LIM_NONE;
     struct lim_plane_wide plane;
 
-    if (!is_whole) {
-        const uint8_t side = remembered_side(lim, of, lim_plane_of(lim, by));
+    if (!is_whole(lim, of)) {
+        const uint8_t side = remembered_side(lim, of, by);
         if (side) return side;
     }
     lim_plane_load(&plane, lim, by);
-    const uint8_t sides = sides_of_whole(lim, of, &plane);
-    return is_whole || sides != LIM_SIDE_BOTH ? sides : sides_of_piece(lim, of, &plane);
+    return lim_piece_sides_of(lim, of, &plane);
 }
 
 /* On the screen ------------------------------------------------------------------------------- */
 
-/* transform.h's rows times a corner with fraction bits. Sums stay below 2^59; values where a vertex's do. */
-static int32_t transform_q12(const struct lim_row *row, const int32_t at_q12[3])
+/* transform.h's rows times a corner with `bits` fraction bits. Sums stay below 2^60; values where a vertex's do. */
+static int32_t transform_fine(const struct lim_row *row, const int32_t at[3], uint8_t bits)
 {
     int64_t sum = 0;
 
     for (uint_fast8_t i = 0; i < 3; i++) {
 #if LIM_HAS_LIMBS
-        sum += ((int64_t)row->n_qv[i] * 32768 + row->low_qv15[i]) * at_q12[i];
+        sum += ((int64_t)row->n_qv[i] * 32768 + row->low_qv15[i]) * at[i];
 #else
-        sum += (int64_t)row->n_qv[i] * at_q12[i];
+        sum += (int64_t)row->n_qv[i] * at[i];
 #endif
     }
-    return (int32_t)(sum >> (LIM_HAS_LIMBS ? 27 : 12)) + row->shift_qv;
+    return (int32_t)(sum >> (LIM_HAS_LIMBS ? bits + 15 : bits)) + row->shift_qv;
 }
 
-/* As lim_newell_polygon has them; z before a long lens's bits are shifted out. */
-static void view_corner(const struct lim *lim, const int32_t at_q12[3], struct lim_view_point *out, int32_t *z_qv)
+/* Movers may leave the scene's box, for which its own view has room. */
+static const struct lim_view *view_of(const struct lim *lim, uint8_t *bits)
 {
+    *bits = 12;
+#if LIM_HAS_MOVERS
+    if (!LIM_IS_NEWELL(&lim->target)) {
+        *bits = 13;
+        return &lim->movers.world;
+    }
+#endif
+    return &lim->view;
+}
+
+/* Along z, in the scale in which entries are compared. */
+static int32_t depth_of(const struct lim *lim, const int32_t at_q12[3])
+{
+#if LIM_HAS_MOVERS
+    if (!LIM_IS_NEWELL(&lim->target)) return lim_mover_depth(lim, at_q12);
+#endif
+    return transform_fine(&lim->view.rows.row[2], at_q12, 12);
+}
+
+static void view_corner(const struct lim *lim, const int32_t at_q12[3], struct lim_view_point *out)
+{
+    uint8_t bits;
+    const struct lim_view *view = view_of(lim, &bits);
+
     for (uint_fast8_t i = 0; i < 3; i++)
-        out->qv[i] = transform_q12(&lim->view.rows.row[i], at_q12);
-    *z_qv = out->z_qv;
-    if (!LIM_HAS_LIMBS) out->z_qv >>= lim->view.rows.tele_bits;
+        out->qv[i] = transform_fine(&view->rows.row[i], at_q12, bits);
+    if (!LIM_HAS_LIMBS) out->z_qv >>= view->rows.tele_bits;
 }
 
 static LIM_RARE bool project_piece(const struct lim *lim, uint16_t entry, struct lim_screen_polygon *out)
@@ -111,23 +160,25 @@ static LIM_RARE bool project_piece(const struct lim *lim, uint16_t entry, struct
     struct lim_corners places[2];
     struct lim_clip_polygon clips[2];
     const struct lim_corners *corners = lim_corners_of(lim, entry, places);
-    int32_t z_qv;
+    uint8_t bits;
+    const struct lim_view *view = view_of(lim, &bits);
 
     if (!corners) return false;
     clips[0].n = corners->n;
     for (uint_fast8_t k = 0; k < corners->n; k++)
-        view_corner(lim, corners->at_q12[k], &clips[0].at[k], &z_qv);
-    const struct lim_clip_polygon *clipped = lim_clip(clips, lim->view.rows.near_qv);
+        view_corner(lim, corners->at_q12[k], &clips[0].at[k]);
+    const struct lim_clip_polygon *clipped = lim_clip(clips, view->rows.near_qv);
     out->n = clipped->n;
     for (uint_fast8_t k = 0; k < clipped->n; k++)
-        lim_view_project(&lim->view, &clipped->at[k], &out->at[k]);
+        lim_view_project(view, &clipped->at[k], &out->at[k]);
     return out->n >= 3;
 }
 
 static bool project(struct lim *lim, uint16_t entry, const struct lim_rect *open, struct lim_screen_polygon *out)
 {
     if (lim->sorter.newell.polygons[entry].cuts != LIM_NONE) return project_piece(lim, entry, out);
-    return lim_project(out, &lim->view, lim->scene, &lim->scene->polygons[lim->sorter.list[entry].record], open, NULL);
+    return lim_project(out, lim_entry_view(lim, entry), lim_entry_scene(lim, entry), lim_entry_record(lim, entry), open,
+                       NULL);
 }
 
 static uint16_t greater(uint16_t a, uint16_t b)
@@ -201,7 +252,7 @@ static bool measure(struct lim *lim, uint16_t entry)
 
     if (!corners) return false;
     for (uint_fast8_t k = 0; k < corners->n; k++) {
-        const int32_t z_qv = transform_q12(&lim->view.rows.row[2], corners->at_q12[k]);
+        const int32_t z_qv = depth_of(lim, corners->at_q12[k]);
         if (z_qv < near_qv) near_qv = z_qv;
         if (z_qv > far_qv) far_qv = z_qv;
     }
@@ -237,10 +288,36 @@ uint16_t lim_piece_split(struct lim *lim, uint16_t entry, uint16_t by)
         newell->polygons[entry] = polygon;
         return LIM_NONE;
     }
-    newell->polygons[entry].rect = rect_of(lim, entry, &polygon.rect);
-    newell->polygons[other].rect = rect_of(lim, other, &polygon.rect);
+    if (!LIM_HAS_MOVERS || lim_movers_compares(lim)) {
+        newell->polygons[entry].rect = rect_of(lim, entry, &polygon.rect);
+        newell->polygons[other].rect = rect_of(lim, other, &polygon.rect);
+    }
     sorter->used++;
     return other;
 }
+
+#if LIM_HAS_MOVERS
+static uint16_t within(int16_t at, uint16_t end)
+{
+    return at < 0 ? 0 : at > (int16_t)end ? end : (uint16_t)at;
+}
+
+bool lim_piece_measure(struct lim *lim, uint16_t entry)
+{
+    const uint16_t w_px = lim->target.w_px, h_px = lim->target.h_px;
+    const struct lim_rect screen = {0, 0, w_px, h_px};
+    struct lim_newell_polygon *known = &lim->sorter.newell.polygons[entry];
+    struct lim_screen_polygon whole;
+
+    if (!lim_project(&whole, lim_entry_view(lim, entry), lim_entry_scene(lim, entry), lim_entry_record(lim, entry),
+                     &screen, NULL))
+        return false;
+    known->rect = (struct lim_rect){within(whole.shape.left, w_px), within(whole.shape.top, h_px),
+                                    within(whole.shape.right, w_px), within(whole.shape.bottom, h_px)};
+    if (!measure(lim, entry)) return false;
+    if (!is_whole(lim, entry)) known->rect = rect_of(lim, entry, &known->rect);
+    return true;
+}
+#endif
 
 #endif

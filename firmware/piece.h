@@ -7,6 +7,7 @@
 #ifndef LIM_PIECE_H
 #define LIM_PIECE_H
 
+#include "corners.h"
 #include "project.h"
 #include "sorted.h"
 
@@ -14,6 +15,12 @@ struct lim;
 
 /* On which sides of a plane something lies: none is "on it". */
 enum { LIM_SIDE_FRONT = 1, LIM_SIDE_BACK = 2, LIM_SIDE_BOTH = 3 };
+
+/* The sides of a plane on which entry `of` has corners. */
+uint8_t lim_piece_sides_of(const struct lim *lim, uint16_t of, const struct lim_plane_wide *plane);
+
+/* What is known of an entry that is to be compared: how far it reaches, and its pixels. false: it has none. */
+bool lim_piece_measure(struct lim *lim, uint16_t entry);
 
 /* The sides of the plane of entry `by` on which entry `of` has corners. What was cut to a side is on that. */
 uint8_t lim_piece_sides(const struct lim *lim, uint16_t of, uint16_t by);

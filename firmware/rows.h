@@ -17,4 +17,8 @@ struct lim_rows {
 /* Returns false when the camera is out of range (camera.h). */
 bool lim_rows_set(struct lim_rows *rows, const struct lim_scene *scene, const struct lim_camera *camera);
 
+/* The same with the axes that lim_orientation_set() would make of the angles. */
+bool lim_rows_set_turned(struct lim_rows *rows, const struct lim_scene *scene, const struct lim_camera *camera,
+                         const int32_t axes_q30[9]);
+
 #endif

@@ -5,7 +5,7 @@
 
 #include "project.h"
 
-#if LIM_HAS_SORTED
+#if LIM_HAS_SORTED || LIM_HAS_MOVERS
 
 /* Ends a stretch after at most `length` entries. Returns what follows. */
 static uint16_t cut_after(struct lim_sorted *list, uint16_t at, uint16_t length)
@@ -45,6 +45,7 @@ uint16_t lim_sorted_sort(struct lim_sorted *list, uint16_t first)
     }
 }
 
+#if LIM_HAS_SORTED
 /* What bounds a record along z: the row of z alone, before a long lens's bits are shifted out. */
 static void measure_depth(const struct lim *lim, const LIM_FLASH uint16_t *record, int32_t *near_qv, int32_t *far_qv)
 {
@@ -135,5 +136,7 @@ void lim_sorted_order(struct lim *lim)
     lim->stats.sorted = sorter->used;
 #endif
 }
+
+#endif
 
 #endif

@@ -21,7 +21,7 @@ struct lim_sorter {
     struct lim_sorted *list;
     uint16_t size, used;
     uint16_t first; /* of the list; once the frame is ordered, the nearest */
-#if LIM_HAS_NEWELL
+#if LIM_HAS_PIECES
     struct lim_newell newell;
 #endif
 };

@@ -9,6 +9,7 @@
 #include "cull.h"
 #include "eye.h"
 #include "fill.h"
+#include "movers.h"
 #include "paint.h"
 #include "retain.h"
 #include "sorted.h"
@@ -41,6 +42,13 @@
     (LIM_DEPTH_MEM_B(h_px, (polygon_count) + (piece_count), cell_count, gap_count, active_count) +                     \
      ((polygon_count) + (piece_count)) * sizeof(struct lim_newell_polygon) +                                           \
      (piece_count) * (2 * sizeof(struct lim_cut)))
+/* For lim_movers_init(): `depth` of the static scene, `object_depth` and the rest as struct lim_movers_limits. */
+#define LIM_MOVERS_MEM_B(depth, instance_count, object_depth, entry_count)                                             \
+    LIM_MEM_ALIGNED_B((instance_count) * sizeof(struct lim_mover) +                                                    \
+                      (entry_count) * (sizeof(struct lim_sorted) + sizeof(struct lim_newell_polygon) +                 \
+                                       sizeof(struct lim_cut)) +                                                       \
+                      LIM_VIEW_CACHE_ENTRIES * sizeof(struct lim_view_cached) +                                        \
+                      ((size_t)(depth) + (object_depth)) * sizeof(struct lim_route_pending))
 #define LIM_MEM_ALIGNED_B(size_b) (((size_b) + 3) & ~(size_t)3)
 
 struct lim {
@@ -65,8 +73,11 @@ struct lim {
 #else
     struct lim_eye eye;
 #endif
-#if LIM_HAS_SORTED
+#if LIM_HAS_SORTED || LIM_HAS_MOVERS
     struct lim_sorter sorter;
+#endif
+#if LIM_HAS_MOVERS
+    struct lim_movers movers;
 #endif
 #if LIM_HAS_SPANS
     struct lim_spans spans;

@@ -27,6 +27,16 @@ struct lim_newell_stats {
     uint32_t forced;             /* pairs left to their farthest points: no room, or nothing to split */
 };
 
+/* What became of a frame's instances. */
+struct lim_mover_stats {
+    uint32_t left_out; /* without a mesh, beyond the declared number, too far away, or drawn by a method without a tree */
+    uint32_t hidden;   /* out of view */
+    uint32_t divided;  /* that reached through a plane: their polygons were taken one by one */
+    uint32_t pieces;   /* cuts by planes of the scene */
+    uint32_t forced;   /* left to their centres, because there was no room: perhaps wrong */
+    uint32_t unsorted; /* met polygons of the scene in a leaf, whose order knows nothing of them: perhaps wrong */
+};
+
 /* What a frame did; all zero when LIM_HAS_STATS is 0. */
 struct lim_stats {
     uint32_t nodes;             /* nodes visited */
@@ -47,8 +57,11 @@ struct lim_stats {
 #if LIM_HAS_SORTED
     uint32_t sorted; /* entries of the sorted list, pieces included */
 #endif
-#if LIM_HAS_NEWELL
+#if LIM_HAS_PIECES
     struct lim_newell_stats newell;
+#endif
+#if LIM_HAS_MOVERS
+    struct lim_mover_stats movers;
 #endif
     uint16_t retained_cells_max, gaps_max, active_max; /* most used of each pool in one walk; convex: faces on a line */
     uint16_t layers_max;                               /* most transparent pieces of one line, nearest first */

@@ -4,11 +4,11 @@
  * ray through the centre of pixel (x, y) of w times h is r = ((2x + 1 - w) / w, (2y + 1 - h) / h, 1), so along a line
  * of pixels w h m . r steps by 2 h m[0]: with |m| < 2^30 all of it stays below 2^52. */
 #include "corners.h"
+#include "entry.h"
 #include "layers.h"
-#include "order.h"
 #include "piece.h"
 
-#if LIM_HAS_NEWELL
+#if LIM_HAS_PIECES
 
 /* m above, and >= 0 where the plane's front is; all 0, which is all front, if the line is a point. */
 struct trace {
@@ -30,9 +30,22 @@ struct chord {
     int64_t far_value;
 };
 
-static void find_chord(struct chord *chord, const struct lim *lim, const LIM_FLASH uint16_t *record,
-                       const struct lim_plane_wide *plane)
+/* A mover's corners are where its view has them; in the scene they have fraction bits. */
+static int64_t corner_value(const struct lim *lim, uint16_t entry, uint16_t vertex, const struct lim_plane_wide *plane)
 {
+    if (LIM_HAS_MOVERS && lim_entry_owner(lim, entry) != LIM_NONE) {
+        int32_t at_q12[3];
+        lim_entry_corner(lim, entry, vertex, at_q12);
+        return lim_corner_value(plane, at_q12);
+    }
+    const struct lim_vertex at = lim->scene->vertices[vertex];
+    return lim_plane_value(plane, at.x, at.y, at.z, 1);
+}
+
+static void find_chord(struct chord *chord, const struct lim *lim, uint16_t entry, const struct lim_plane_wide *plane)
+{
+    const struct lim_scene *scene = lim_entry_scene(lim, entry);
+    const LIM_FLASH uint16_t *record = lim_entry_record(lim, entry);
     const LIM_FLASH uint16_t *corners = record + LIM_POLYGON_HEAD_WORDS;
     const uint_fast8_t n = record[0] & LIM_POLYGON_COUNT;
     int32_t before[3] = {0, 0, 0}, here[3];
@@ -40,10 +53,10 @@ static void find_chord(struct chord *chord, const struct lim *lim, const LIM_FLA
 
     *chord = (struct chord){.far_value = 0};
     for (uint_fast8_t k = 0; k <= n; k++) {
-        const LIM_FLASH struct lim_vertex *vertex = &lim->scene->vertices[corners[k < n ? k : 0]];
+        const uint16_t vertex = corners[k < n ? k : 0];
         struct lim_view_point point;
-        lim_view_transform(&lim->view, lim->scene, vertex, &point);
-        const int64_t value = lim_plane_value(plane, vertex->x, vertex->y, vertex->z, 1);
+        lim_view_transform(lim_entry_rows(lim, entry), scene, &scene->vertices[vertex], &point);
+        const int64_t value = corner_value(lim, entry, vertex, plane);
         halve_point(here, &point);
         if (k && value_before >= 0 && value < 0) lim_plane_cross(chord->out, before, value_before, here, value);
         if (k && value_before < 0 && value >= 0) lim_plane_cross(chord->back, here, value, before, value_before);
@@ -59,14 +72,13 @@ static void find_chord(struct chord *chord, const struct lim *lim, const LIM_FLA
     }
 }
 
-static void set_trace(struct trace *trace, const struct lim *lim, const LIM_FLASH uint16_t *record,
-                      const struct lim_plane_wide *plane)
+static void set_trace(struct trace *trace, const struct lim *lim, uint16_t entry, const struct lim_plane_wide *plane)
 {
     struct chord chord;
     int64_t m[3], dot = 0;
     uint64_t bits = 0;
 
-    find_chord(&chord, lim, record, plane);
+    find_chord(&chord, lim, entry, plane);
     for (uint_fast8_t i = 0; i < 3; i++) {
         const uint_fast8_t j = i < 2 ? i + 1 : 0, k = i ? i - 1 : 2;
         m[i] = (int64_t)chord.out[j] * chord.back[k] - (int64_t)chord.out[k] * chord.back[j];
@@ -139,13 +151,12 @@ static void fill_lines(struct lim_point *last, const struct lim_screen_polygon *
 static void cut_lines(const struct lim *lim, uint16_t entry, struct lim_point *last, int16_t top, int16_t bottom)
 {
     const struct lim_newell *newell = &lim->sorter.newell;
-    const LIM_FLASH uint16_t *record = &lim->scene->polygons[lim->sorter.list[entry].record];
 
     for (uint16_t cut = newell->polygons[entry].cuts; cut != LIM_NONE; cut = newell->cuts[cut].next) {
         struct lim_plane_wide plane;
         struct trace trace;
         lim_plane_load(&plane, lim, newell->cuts[cut].by & LIM_SORTED_MAX);
-        set_trace(&trace, lim, record, &plane);
+        set_trace(&trace, lim, entry, &plane);
         for (int16_t y = top; y < bottom; y++) {
             struct lim_point *line = &last[bottom - 1 - y];
             if (line->x < line->y) narrow(line, &trace, y, newell->cuts[cut].by & LIM_CUT_FRONT);

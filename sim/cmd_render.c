@@ -14,6 +14,7 @@
 #include "progress.h"
 
 #include <errno.h>
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -22,6 +23,7 @@ enum { GIF_FRAMES_PER_S = 15, PATH_SIZE = 4096 };
 struct render {
     struct options options;
     struct compiled scene;
+    struct moving moving;
     struct lens lens;
     struct camera_path path;
     struct simulator simulator;
@@ -82,11 +84,17 @@ static bool start(struct render *render, struct error *err)
     if (!simulator_init(&render->simulator, &render->scene.scene, &options->setup, err)) return false;
     render->simulator.core->newell(render->simulator.lim, &options->newell);
     simulator_set_wireframe(&render->simulator, &options->wireframe);
+    struct moving *moving = &render->moving;
+    if (moving->count && !simulator_set_movers(&render->simulator, moving->instances, moving->count, &moving->limits, err))
+        return false;
     bool want_ids = options->ids_path || options->compare;
     if (want_ids && !ids_init(&render->ids, &render->scene, &options->setup, err)) return false;
     if (want_ids) render->ids.simulator.core->newell(render->ids.simulator.lim, &options->newell);
+    if (want_ids && moving->count && !ids_set_movers(&render->ids, moving, err)) return false;
     print_notes(&render->scene.report);
-    return !options->compare || reference_read(&render->reference, options->scene_path, w_px, h_px, err);
+    if (!options->compare) return true;
+    return moving->count ? moving_reference(moving, &render->reference, w_px, h_px, err)
+                         : reference_read(&render->reference, options->scene_path, w_px, h_px, err);
 }
 
 /* Frames ------------------------------------------------------------------------------------- */
@@ -104,12 +112,19 @@ static bool write_frame(struct render *render, size_t frame, struct error *err)
     return outputs_close(file, path, ok ? err : &(struct error){0}) && ok;
 }
 
+/* Firmware counts milliseconds. */
+static double frame_time_s(const struct render *render, size_t frame)
+{
+    return round(1000.0 * (double)frame / render->options.frames_per_s) / 1000.0;
+}
+
 static bool identify_frame(struct render *render, size_t frame, const struct lim_camera *camera, struct error *err)
 {
     if (!ids_frame(&render->ids, camera, err)) return false;
     if (render->ids_file && !ids_write(&render->ids, render->ids_file))
         return error_set(err, "%s: cannot be written", render->options.ids_path);
     if (!render->options.compare) return true;
+    moving_pose_reference(&render->moving, &render->reference, frame_time_s(render, frame));
     reference_draw(&render->reference, &render->path.frames[frame], &render->lens);
     render->rows[frame].compare =
         compare_picture(render->ids.faces, &render->reference, NULL, 1.0 / render->scene.grid.units_per_m);
@@ -120,6 +135,7 @@ static bool render_frame(struct render *render, size_t frame, struct error *err)
 {
     const size_t pixel_count = simulator_pixel_count(&render->simulator);
     struct lim_camera camera;
+    moving_pose(&render->moving, frame_time_s(render, frame));
     if (!camera_path_to_camera(&render->path, frame, &render->lens, &render->scene.grid, &camera, err) ||
         !simulator_frame(&render->simulator, &camera, err))
         return false;
@@ -221,7 +237,7 @@ static bool write_cameras(const struct render *render, struct error *err)
 static bool render_run(struct render *render, struct error *err)
 {
     if (!open_outputs(render, err) ||
-        !options_load(&render->options, &render->scene, &render->lens, &render->path, err) || !allocate(render, err) ||
+        !options_load(&render->options, &render->scene, &render->moving, &render->lens, &render->path, err) || !allocate(render, err) ||
         !start(render, err) || !render_frames(render, err) || !write_films(render, err) ||
         !write_cameras(render, err) || !close_outputs(render, err))
         return false;
@@ -242,6 +258,7 @@ static void render_free(struct render *render)
     reference_free(&render->reference);
     camera_path_free(&render->path);
     compiled_free(&render->scene);
+    moving_free(&render->moving);
     free(render->rows);
     free(render->hashes);
     free(render->film_pixels);

@@ -20,7 +20,7 @@ static bool view_open(struct viewing *view, struct flight *flight, struct error 
     const struct options *options = &view->options;
     struct lens lens;
     struct lim_camera camera;
-    if (!options_load(options, &view->scene, &lens, &view->path, err) ||
+    if (!options_load(options, &view->scene, NULL, &lens, &view->path, err) ||
         !camera_path_to_camera(&view->path, 0, &lens, &view->scene.grid, &camera, err) ||
         !simulator_init(&view->simulator, &view->scene.scene, &options->setup, err))
         return false;

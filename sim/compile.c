@@ -262,11 +262,11 @@ static bool compile_cleaned(struct mesh *mesh, const struct compile_options *opt
     return ok;
 }
 
-static bool compile_loaded(const struct model *model, const struct compile_options *options, struct compiled *out,
-                           struct error *err)
+bool compile_part(const struct model *model, const struct grid *grid, const struct compile_options *options,
+                  struct compiled *out, struct error *err)
 {
     struct mesh mesh;
-    if (!mesh_clean(model, &mesh, err)) return false;
+    if (!(grid ? mesh_clean_on(model, grid, &mesh, err) : mesh_clean(model, &mesh, err))) return false;
     bool ok = compile_cleaned(&mesh, options, out, err);
     mesh_free(&mesh);
     return ok;
@@ -278,7 +278,7 @@ bool compile_model(const char *path, const struct compile_options *options, stru
     *out = (struct compiled){0};
     if (!model_import(path, &model, err)) return false;
     if (!options->unlit) light_bake(&model);
-    bool ok = compile_loaded(&model, options, out, err) || error_prefix(err, path);
+    bool ok = compile_part(&model, NULL, options, out, err) || error_prefix(err, path);
     model_free(&model);
     return ok;
 }

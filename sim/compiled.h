@@ -78,7 +78,11 @@ bool compile_method_parse(const char *text, struct compile_options *out, struct 
 bool compile_mesh(const struct mesh *mesh, const struct compile_options *options, struct compiled *out,
                   struct error *err);
 
-/* Model file -> compiled scene, all steps. */
+/* A model that has its light to compiled scene; `grid`: NULL, or the one that it is to have. */
+bool compile_part(const struct model *model, const struct grid *grid, const struct compile_options *options,
+                  struct compiled *out, struct error *err);
+
+/* Model file -> compiled scene, all steps; what is animated stays where the file has it. */
 bool compile_model(const char *path, const struct compile_options *options, struct compiled *out, struct error *err);
 
 /* .lim files: versioned, checksummed, little-endian. A refused file is named with the reason:

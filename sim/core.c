@@ -27,6 +27,16 @@ static int frame(void *lim, const struct lim_camera *camera)
     return lim_frame(lim, camera);
 }
 
+static int movers_init(void *lim, void *mem, size_t mem_b, const struct lim_movers_limits *limits)
+{
+    return lim_movers_init(lim, mem, mem_b, limits);
+}
+
+static int movers_frame(void *lim, const struct lim_camera *camera, const struct lim_instance *instances, uint16_t count)
+{
+    return lim_movers_frame(lim, camera, instances, count);
+}
+
 static const struct lim_stats *stats(const void *lim)
 {
     return lim_stats(lim);
@@ -117,6 +127,9 @@ const struct core CORE = {.name = CORE_NAME(CORE),
                           .init = init,
                           .newell = newell,
                           .frame = frame,
+                          .movers_mem_b = lim_movers_mem_b,
+                          .movers_init = movers_init,
+                          .movers_frame = movers_frame,
                           .stats = stats,
                           .set_wireframe = set_wireframe,
                           .project = project,

@@ -28,6 +28,11 @@ struct core {
     int (*init)(void *lim, const struct lim_scene *scene, const struct lim_target *target, void *mem, size_t mem_b);
     void (*newell)(void *lim, const struct lim_newell_options *options); /* lim_newell_set() */
     int (*frame)(void *lim, const struct lim_camera *camera);
+    /* lim_movers_mem_b(), lim_movers_init() and lim_movers_frame(). */
+    size_t (*movers_mem_b)(const struct lim_scene *scene, const struct lim_movers_limits *limits);
+    int (*movers_init)(void *lim, void *mem, size_t mem_b, const struct lim_movers_limits *limits);
+    int (*movers_frame)(void *lim, const struct lim_camera *camera, const struct lim_instance *instances,
+                        uint16_t count);
     const struct lim_stats *(*stats)(const void *lim);
     void (*set_wireframe)(void *lim, const struct lim_wireframe *wireframe);
     /* For measurements: where the camera of the last frame puts a vertex, in pixels, the centre of the first

@@ -8,13 +8,12 @@
 
 /* Records follow each other without gaps: SCENE.md. What is transparent becomes opaque: a pixel has the number of the
  * nearest polygon, whatever shines through it. */
-static void number_records(struct ids *ids)
+static void number_records(uint16_t *polygons, size_t words, size_t colour)
 {
-    uint16_t colour = 1;
-    for (size_t word = 0; word < ids->scene.polygon_words; colour++) {
-        const uint16_t head = ids->polygons[word];
-        ids->polygons[word + 1] = colour;
-        if (head & LIM_POLYGON_ALPHA) ids->polygons[word + lim_record_alpha_at(head)] = LIM_OPAQUE;
+    for (size_t word = 0; word < words; colour++) {
+        const uint16_t head = polygons[word];
+        polygons[word + 1] = (uint16_t)colour;
+        if (head & LIM_POLYGON_ALPHA) polygons[word + lim_record_alpha_at(head)] = LIM_OPAQUE;
         word += lim_record_words(head);
     }
 }
@@ -27,7 +26,8 @@ static bool copy_scene(struct ids *ids, const struct compiled *scene)
     ids->face_of_colour = malloc((original->polygon_count + 1u) * sizeof ids->face_of_colour[0]);
     if (!ids->polygons || !ids->face_of_colour) return false;
     memcpy(ids->polygons, original->polygons, original->polygon_words * sizeof ids->polygons[0]);
-    number_records(ids);
+    number_records(ids->polygons, original->polygon_words, 1);
+    ids->colours = original->polygon_count;
     ids->face_of_colour[0] = 0;
     memcpy(ids->face_of_colour + 1, scene->faces, original->polygon_count * sizeof ids->face_of_colour[0]);
     ids->scene.polygons = ids->polygons;
@@ -49,15 +49,61 @@ bool ids_init(struct ids *ids, const struct compiled *scene, const struct simula
     return ok;
 }
 
+static bool copy_object(struct ids *ids, size_t index)
+{
+    const struct compiled *scene = &ids->moving->objects[index].scene;
+    const struct lim_scene *original = &scene->scene;
+    const size_t words_b = original->polygon_words * sizeof *ids->polygons;
+    uint16_t *polygons = ids->object_polygons[index] = malloc(words_b);
+    if (!polygons) return false;
+    memcpy(polygons, original->polygons, words_b);
+    number_records(polygons, original->polygon_words, ids->colours + 1);
+    memcpy(ids->face_of_colour + ids->colours + 1, scene->faces,
+           original->polygon_count * sizeof ids->face_of_colour[0]);
+    ids->colours += original->polygon_count;
+    ids->objects[index] = *original;
+    ids->objects[index].polygons = polygons;
+    return true;
+}
+
+bool ids_set_movers(struct ids *ids, const struct moving *moving, struct error *err)
+{
+    size_t colours = ids->colours;
+    for (size_t i = 0; i < moving->count; i++)
+        colours += moving->objects[i].scene.scene.polygon_count;
+    if (colours > UINT16_MAX)
+        return error_set(err, "face numbers: %zu polygons in scene and objects, 65535 are the most", colours);
+    ids->moving = moving;
+    uint32_t *faces = realloc(ids->face_of_colour, (colours + 1) * sizeof *faces);
+    if (faces) ids->face_of_colour = faces;
+    ids->objects = calloc(moving->count, sizeof *ids->objects);
+    ids->object_polygons = calloc(moving->count, sizeof *ids->object_polygons);
+    ids->instances = calloc(moving->count, sizeof *ids->instances);
+    bool ok = faces && ids->objects && ids->object_polygons && ids->instances;
+    for (size_t i = 0; ok && i < moving->count; i++)
+        ok = copy_object(ids, i);
+    if (!ok) return error_set(err, "face numbers: out of memory");
+    return simulator_set_movers(&ids->simulator, ids->instances, moving->count, &moving->limits, err);
+}
+
+/* The same places, other objects. */
+static void place_copies(struct ids *ids)
+{
+    for (size_t i = 0; ids->moving && i < ids->moving->count; i++) {
+        ids->instances[i] = ids->moving->instances[i];
+        ids->instances[i].object = &ids->objects[i];
+    }
+}
+
 bool ids_frame(struct ids *ids, const struct lim_camera *camera, struct error *err)
 {
+    place_copies(ids);
     if (!simulator_frame(&ids->simulator, camera, err)) return false;
     const size_t pixel_count = simulator_pixel_count(&ids->simulator);
     for (size_t i = 0; i < pixel_count; i++) {
         uint16_t colour = ids->simulator.pixels[i];
-        if (colour > ids->scene.polygon_count)
-            return error_set(err, "face numbers: pixel %zu holds %u, there are %u polygons", i, colour,
-                             ids->scene.polygon_count);
+        if (colour > ids->colours)
+            return error_set(err, "face numbers: pixel %zu holds %u, there are %zu polygons", i, colour, ids->colours);
         ids->faces[i] = ids->face_of_colour[colour];
     }
     return true;
@@ -77,6 +123,11 @@ bool ids_write(const struct ids *ids, FILE *file)
 void ids_free(struct ids *ids)
 {
     simulator_free(&ids->simulator);
+    for (size_t i = 0; ids->object_polygons && i < ids->moving->count; i++)
+        free(ids->object_polygons[i]);
+    free(ids->object_polygons);
+    free(ids->objects);
+    free(ids->instances);
     free(ids->polygons);
     free(ids->face_of_colour);
     free(ids->faces);

@@ -5,19 +5,27 @@
 #ifndef SIM_IDS_H
 #define SIM_IDS_H
 
-#include "compiled.h"
+#include "moving.h"
 #include "simulator.h"
 
 struct ids {
     struct simulator simulator; /* into plain memory */
     struct lim_scene scene;     /* the copy */
     uint16_t *polygons;         /* its records, colour = ordinal + 1 */
-    uint32_t *face_of_colour;   /* polygon_count + 1 entries; [0] is the background, 0 */
+    uint32_t *face_of_colour;   /* colours + 1 entries; [0] is the background, 0 */
+    size_t colours;             /* records in all */
+    /* With movers: copies of the objects, numbered on, and of the instances. */
+    const struct moving *moving;
+    struct lim_scene *objects;
+    uint16_t **object_polygons;
+    struct lim_instance *instances;
     uint32_t *faces;            /* the last frame: w_px * h_px face numbers, 0 = background */
 };
 
 /* Drawn as `setup` says, but always into plain memory. */
 bool ids_init(struct ids *ids, const struct compiled *scene, const struct simulator_setup *setup, struct error *err);
+/* The objects too. They are drawn where moving->instances has them. */
+bool ids_set_movers(struct ids *ids, const struct moving *moving, struct error *err);
 bool ids_frame(struct ids *ids, const struct lim_camera *camera, struct error *err);
 
 /* Appends the last frame to a file: uint32 little-endian a pixel. */

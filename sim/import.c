@@ -6,6 +6,7 @@
 #include "import.h"
 
 #include "grow.h"
+#include "import_motion.h"
 #include "model_colour.h"
 #include "model_io.h"
 #include "picture.h"
@@ -33,6 +34,8 @@ struct import {
     uint32_t picture;         /* the same */
     unsigned uv_set;
     size_t picture_capacity, point_total;
+    const struct aiNode **movers; /* the nodes of model->movers */
+    uint16_t mover;               /* of the node being read: model_face.mover */
 };
 
 typedef bool mesh_reader(struct import *import, const struct aiMesh *mesh);
@@ -68,16 +71,26 @@ static bool affine_mirrors(const struct affine *a)
            0;
 }
 
-/* Parents first; a node's meshes in their order, then its children. */
-static bool walk(struct import *import, const struct aiNode *node, struct affine parent, mesh_reader *read)
+static uint16_t mover_of(const struct import *import, const struct aiNode *node)
+{
+    for (size_t i = 0; i < import->model->mover_count; i++)
+        if (import->movers[i] == node) return (uint16_t)(i + 1);
+    return 0;
+}
+
+/* Parents first; a node's meshes in their order, then its children, which move with it. */
+static bool walk(struct import *import, const struct aiNode *node, struct affine parent, uint16_t mover,
+                 mesh_reader *read)
 {
     const struct affine own = affine_of(&node->mTransformation), here = affine_times(&parent, &own);
+    if (!mover) mover = mover_of(import, node);
     for (unsigned i = 0; i < node->mNumMeshes; i++) {
         import->transform = here;
+        import->mover = mover;
         if (!read(import, import->scene->mMeshes[node->mMeshes[i]])) return false;
     }
     for (unsigned i = 0; i < node->mNumChildren; i++)
-        if (!walk(import, node->mChildren[i], here, read)) return false;
+        if (!walk(import, node->mChildren[i], here, mover, read)) return false;
     return true;
 }
 
@@ -173,7 +186,8 @@ static bool add_face(struct import *import, const struct aiFace *from, uint32_t 
                                 .colour = colour,
                                 .picture = import->picture,
                                 .two_sided = import->paint.two_sided,
-                                .unlit = import->paint.unlit};
+                                .unlit = import->paint.unlit,
+                                .mover = import->mover};
     if (face->picture) model->pictures[face->picture - 1].faces++;
     for (unsigned k = 0; k < from->mNumIndices; k++) {
         uint32_t corner = first_point + from->mIndices[mirrored ? from->mNumIndices - 1 - k : k];
@@ -220,8 +234,9 @@ static bool allocate(struct import *import)
 static bool read_scene(struct import *import)
 {
     const struct aiNode *root = import->scene->mRootNode;
-    return root && walk(import, root, affine_identity(), count_mesh) && allocate(import) &&
-           walk(import, root, affine_identity(), add_mesh);
+    return root && import_motions(import->path, import->scene, import->model, &import->movers, import->err) &&
+           walk(import, root, affine_identity(), 0, count_mesh) && allocate(import) &&
+           walk(import, root, affine_identity(), 0, add_mesh);
 }
 
 /* The library drops such faces with no more than a line in its log. */
@@ -269,6 +284,7 @@ bool import_model(const char *path, struct model *model, struct error *err)
     if (!scene) return false;
     struct import import = {.path = path, .scene = scene, .model = model, .err = err};
     bool ok = read_scene(&import);
+    free(import.movers);
     aiReleaseImport(scene);
     if (!ok) model_free(model);
     return ok;

@@ -180,8 +180,14 @@ static void clean_faces(struct cleaning *cleaning, const struct model *model, co
 
 bool mesh_clean(const struct model *model, struct mesh *mesh, struct error *err)
 {
-    *mesh = (struct mesh){.counts = {.faces = model->face_count, .clamped = model->alpha_clamped}};
-    if (!grid_choose(model, &mesh->grid, err)) return false;
+    struct grid grid;
+    *mesh = (struct mesh){0};
+    return grid_choose(model, &grid, err) && mesh_clean_on(model, &grid, mesh, err);
+}
+
+bool mesh_clean_on(const struct model *model, const struct grid *grid, struct mesh *mesh, struct error *err)
+{
+    *mesh = (struct mesh){.counts = {.faces = model->face_count, .clamped = model->alpha_clamped}, .grid = *grid};
     if (!mesh_textures_make(model, mesh, err)) {
         mesh_free(mesh);
         return false;

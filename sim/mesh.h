@@ -92,6 +92,9 @@ double mesh_flat_m(const struct grid *grid);
  * *mesh. */
 bool mesh_clean(const struct model *model, struct mesh *mesh, struct error *err);
 
+/* The same on a grid that is given: a mover's is its scene's, or finer by a power of two. Corners must fit it. */
+bool mesh_clean_on(const struct model *model, const struct grid *grid, struct mesh *mesh, struct error *err);
+
 /* Makes the model's pictures textures: those that a face shows. Together they get no larger than a scene can hold: if
  * need be, the largest are made smaller. What became of each goes to mesh->notes. */
 bool mesh_textures_make(const struct model *model, struct mesh *mesh, struct error *err);

@@ -26,6 +26,8 @@ struct result {
     bool ok;
     size_t point_count, corner_count, face_count, alpha_clamped, picture_count;
     bool has_uvs;
+    size_t mover_count, key_count;
+    char notice[sizeof((struct model *)0)->notice];
     struct error err;
 };
 
@@ -86,7 +88,9 @@ static bool write_result(FILE *out, const struct result *result, const struct mo
     if (written && result->ok)
         written = write_all(out, model->points, model->point_count, sizeof *model->points) &&
                   write_all(out, model->corners, model->corner_count, sizeof *model->corners) &&
-                  write_all(out, model->faces, model->face_count, sizeof *model->faces) && write_pictures(out, model);
+                  write_all(out, model->faces, model->face_count, sizeof *model->faces) &&
+                  write_all(out, model->movers, model->mover_count, sizeof *model->movers) &&
+                  write_all(out, model->keys, model->key_count, sizeof *model->keys) && write_pictures(out, model);
     return written && fflush(out) == 0;
 }
 
@@ -104,12 +108,15 @@ _Noreturn static void run_child(const char *path, rlim_t file_b, FILE *out)
     result.alpha_clamped = model.alpha_clamped;
     result.picture_count = model.picture_count;
     result.has_uvs = model.uvs != NULL;
+    result.mover_count = model.mover_count;
+    result.key_count = model.key_count;
+    memcpy(result.notice, model.notice, sizeof result.notice);
     _exit(write_result(out, &result, &model) ? EXIT_SUCCESS : EXIT_FAILURE);
 }
 
 static void *read_all(FILE *in, size_t count, size_t item_b)
 {
-    void *items = calloc(count, item_b);
+    void *items = calloc(count ? count : 1, item_b);
     if (!items || fread(items, item_b, count, in) == count) return items;
     free(items);
     return NULL;
@@ -144,10 +151,17 @@ static bool read_result(const char *path, FILE *in, struct model *model, struct 
     model->corner_count = result.corner_count;
     model->face_count = result.face_count;
     model->alpha_clamped = result.alpha_clamped;
+    model->mover_count = result.mover_count;
+    model->key_count = result.key_count;
+    memcpy(model->notice, result.notice, sizeof model->notice);
     model->points = read_all(in, model->point_count, sizeof *model->points);
     model->corners = read_all(in, model->corner_count, sizeof *model->corners);
     model->faces = read_all(in, model->face_count, sizeof *model->faces);
-    if (model->points && model->corners && model->faces && read_pictures(in, &result, model)) return true;
+    model->movers = read_all(in, model->mover_count, sizeof *model->movers);
+    model->keys = read_all(in, model->key_count, sizeof *model->keys);
+    if (model->points && model->corners && model->faces && model->movers && model->keys &&
+        read_pictures(in, &result, model))
+        return true;
     model_free(model);
     return error_set(err, "%s: not enough memory", path);
 }
@@ -190,5 +204,7 @@ void model_free(struct model *model)
     for (size_t i = 0; i < model->picture_count; i++)
         free(model->pictures[i].pixels);
     free(model->pictures);
+    free(model->movers);
+    free(model->keys);
     *model = (struct model){0};
 }

@@ -19,6 +19,27 @@ struct model_face {
     uint8_t transparency;  /* 0 is opaque, 255 invisible */
     uint32_t picture;      /* 1-based, of what the face shows, times its colour; 0: none */
     bool unlit;            /* the material's colour is final: no light is baked in */
+    uint16_t mover;        /* 0: it stays where it is; else movers[mover - 1] moves it */
+};
+
+enum { MODEL_NAME_B = 48 };
+
+/* Where a mover is at a time, as a rigid motion from its own coordinates: p = turn(l) + at. */
+struct model_pose {
+    double at_m[3];
+    double turn[4]; /* a unit quaternion x, y, z, w */
+};
+
+struct model_key {
+    double time_s;
+    struct model_pose pose;
+};
+
+/* A node that an animation moves, with all below it. */
+struct model_mover {
+    char name[MODEL_NAME_B];
+    struct model_pose rest; /* where `points` have it */
+    uint32_t first_key, key_count;
 };
 
 struct model {
@@ -32,6 +53,11 @@ struct model {
     size_t alpha_clamped;     /* faces whose material's opacity was below 0 or above 1, and is the nearer of them now */
     struct picture *pictures; /* also those that cannot be read */
     size_t picture_count;
+    struct model_mover *movers;
+    size_t mover_count;
+    struct model_key *keys; /* of each mover, by time */
+    size_t key_count;
+    char notice[256]; /* what was left out and why; empty: nothing */
 };
 
 enum { MODEL_DEFAULT_COLOUR = 0xC8C8C8 }; /* of faces that have neither material nor vertex colours */
@@ -50,6 +76,11 @@ enum { MODEL_DEFAULT_COLOUR = 0xC8C8C8 }; /* of faces that have neither material
  *
  * Opacity is MTL's `d` (or 1 - `Tr`); glTF's base colour's and vertex colours' alpha where alphaMode is BLEND, all or
  * nothing where it is MASK, and nothing where it is OPAQUE. */
+ *
+ * Animations move nodes rigidly. Points are where the nodes' own transforms have them; all animations of the file run at
+ * once. Keys are joined by straight lines and even turns, whatever the file says. Refused, by name: an animated node
+ * without keys, one that is scaled by them, sheared by its parents, or below another one that is animated. An
+ * animated node without a mesh moves nothing: a notice. */
 bool model_import(const char *path, struct model *model, struct error *err);
 void model_free(struct model *model);
 

@@ -37,11 +37,13 @@ enum option_code {
     OPTION_UNLIT,
     OPTION_WIREFRAME,
     OPTION_PRECISION,
-    OPTION_NEWELL
+    OPTION_NEWELL,
+    OPTION_MOVERS,
+    OPTION_FPS
 };
 
 /* Those that only `render` has come first. */
-enum { RENDER_ONLY_OPTIONS = 9 };
+enum { RENDER_ONLY_OPTIONS = 11 };
 static const struct option OPTIONS[] = {
     {"gif", required_argument, NULL, OPTION_GIF},
     {"sheet", required_argument, NULL, OPTION_SHEET},
@@ -52,6 +54,8 @@ static const struct option OPTIONS[] = {
     {"write-hashes", required_argument, NULL, OPTION_WRITE_HASHES},
     {"write-cameras", required_argument, NULL, OPTION_WRITE_CAMERAS},
     {"newell", required_argument, NULL, OPTION_NEWELL},
+    {"movers", required_argument, NULL, OPTION_MOVERS},
+    {"fps", required_argument, NULL, OPTION_FPS},
     {"camera", required_argument, NULL, OPTION_CAMERA},
     {"size", required_argument, NULL, OPTION_SIZE},
     {"fov", required_argument, NULL, OPTION_FOV},
@@ -101,6 +105,24 @@ static bool parse_newell(const char *text, struct lim_newell_options *out, struc
     return true;
 }
 
+static bool parse_movers(const char *text, enum moving_mode *out, struct error *err)
+{
+    static const char *const names[] = {
+        [MOVING_CLIPPED] = "clipped", [MOVING_BY_CENTRE] = "centre", [MOVING_OFF] = "off"};
+    for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
+        if (strcmp(text, names[i]) != 0) continue;
+        *out = (enum moving_mode)i;
+        return true;
+    }
+    return error_set(err, "--movers %s: no such way; there are clipped, centre and off", text);
+}
+
+static bool parse_fps(const char *text, double *out, struct error *err)
+{
+    if (!parse_number("--fps", text, out, err)) return false;
+    return (*out > 0.0 && *out <= 1000.0) || error_set(err, "--fps %s: above 0, and at most 1000", text);
+}
+
 static bool parse_near(const char *text, double *out, struct error *err)
 {
     if (!parse_number("--near", text, out, err)) return false;
@@ -125,6 +147,10 @@ static bool parse_option(int code, const char *text, struct options *out, struct
         return parse_method(text, out, err);
     case OPTION_NEWELL:
         return parse_newell(text, &out->newell, err);
+    case OPTION_MOVERS:
+        return parse_movers(text, &out->movers, err);
+    case OPTION_FPS:
+        return parse_fps(text, &out->frames_per_s, err);
     case OPTION_PRECISION:
         return parse_precision(text, &out->setup.core, err);
     case OPTION_UNLIT:
@@ -202,6 +228,7 @@ bool options_parse(int argc, char **argv, enum options_set set, struct options *
     const bool is_render = set == OPTIONS_RENDER;
     *out = (struct options){.setup = {240, 240, LIM_NEAREST_FIRST, SIMULATOR_ANY, &core_fast},
                             .fov_deg = 60.0,
+                            .frames_per_s = 15.0,
                             .compile = {.tolerance_units = 0.5, .splitter = "auto"}};
     opterr = 0;
     optind = 1;
@@ -229,7 +256,8 @@ bool options_scene_is_compiled(const struct options *options)
     return suffix && strcasecmp(suffix, ".lim") == 0;
 }
 
-static bool load_scene(const struct options *options, struct compiled *scene, struct error *err)
+static bool load_scene(const struct options *options, struct compiled *scene, struct moving *moving,
+                       struct error *err)
 {
     if (options_scene_is_compiled(options)) {
         const bool any_tree_does = method_sorts(options->setup.method) || options->compile.portals == PORTALS_ON;
@@ -239,14 +267,17 @@ static bool load_scene(const struct options *options, struct compiled *scene, st
                (options->compile.portals != PORTALS_ON || scene->scene.place_count ||
                 error_set(err, "%s: --method portals needs a scene compiled with --portals on", options->scene_path));
     }
-    return compile_model(options->scene_path, &options->compile, scene, err);
+    if (!moving) return compile_model(options->scene_path, &options->compile, scene, err);
+    if (!moving_compile(options->scene_path, &options->compile, options->movers, scene, moving, err)) return false;
+    if (*moving->model.notice) fprintf(stderr, "limner: %s: %s\n", options->scene_path, moving->model.notice);
+    return true;
 }
 
-bool options_load(const struct options *options, struct compiled *scene, struct lens *lens, struct camera_path *path,
-                  struct error *err)
+bool options_load(const struct options *options, struct compiled *scene, struct moving *moving, struct lens *lens,
+                  struct camera_path *path, struct error *err)
 {
     if (options->camera_path && !camera_path_read(options->camera_path, path, err)) return false;
-    if (!load_scene(options, scene, err)) return false;
+    if (!load_scene(options, scene, moving, err)) return false;
     double near_m = options->near_m > 0.0 ? options->near_m : lens_default_near_m(&scene->grid);
     if (!lens_init(lens, options->fov_deg, near_m, options->setup.w_px, options->setup.h_px, err)) return false;
     return options->camera_path || camera_path_orbit(scene, lens, ORBIT_FRAMES, path, err);

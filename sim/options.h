@@ -5,6 +5,7 @@
 #define SIM_OPTIONS_H
 
 #include "camera_path.h"
+#include "moving.h"
 #include "simulator.h"
 #include "target.h"
 
@@ -20,6 +21,8 @@ struct options {
     const char *frame_pattern, *gif_path, *sheet_path, *ids_path, *check_path, *hashes_path, *cameras_path;
     bool stats, compare;
     struct lim_newell_options newell;
+    enum moving_mode movers;
+    double frames_per_s; /* of what moves */
 };
 
 enum options_set { OPTIONS_RENDER, OPTIONS_VIEW };
@@ -28,9 +31,10 @@ enum options_set { OPTIONS_RENDER, OPTIONS_VIEW };
 bool options_parse(int argc, char **argv, enum options_set set, struct options *out, struct error *err);
 
 /* Reads the camera file (or plans an orbit) and the scene: a .lim file as it is, anything else
- * compiled. *scene and *path must be zero and are the caller's to free, also after a failure. */
-bool options_load(const struct options *options, struct compiled *scene, struct lens *lens, struct camera_path *path,
-                  struct error *err);
+ * compiled. `moving`: NULL, nothing moves. *scene, *moving and *path must be zero and are the caller's to free, also
+ * after a failure. */
+bool options_load(const struct options *options, struct compiled *scene, struct moving *moving, struct lens *lens,
+                  struct camera_path *path, struct error *err);
 
 bool options_scene_is_compiled(const struct options *options);
 

@@ -6,6 +6,8 @@
  * edge compute exact negatives of the same function, so no ray can slip between them. */
 #include "reference.h"
 
+#include "pose.h"
+
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -22,6 +24,7 @@ struct pixel_rect {
 struct reference_polygon {
     uint32_t first, count; /* points[first .. first + count) */
     uint32_t face, mapping;
+    size_t mover; /* 0: none */
     bool two_sided;
     double normal[3], offset_m;          /* normal . p = offset_m; not of unit length */
     struct reference_edge inverse_depth; /* of the plane, for the frame being drawn */
@@ -84,47 +87,72 @@ static void polygon_plane(struct reference_polygon *polygon, double (*points)[3]
     polygon->offset_m = dot(polygon->normal, centre);
 }
 
-static void copy_polygons(struct reference *reference, const struct mesh *mesh)
+static void copy_polygons(struct reference *reference, const struct mesh *mesh, size_t mover)
 {
-    uint32_t first = 0;
     for (size_t p = 0; p < mesh->polygon_count; p++) {
         const struct mesh_polygon *from = &mesh->polygons[p];
-        struct reference_polygon *to = &reference->polygons[p];
-        *to = (struct reference_polygon){.first = first,
-                                         .count = from->count,
-                                         .face = from->face,
-                                         .mapping = from->mapping,
-                                         .two_sided = from->two_sided};
-        for (uint32_t i = 0; i < from->count; i++)
-            memcpy(reference->points[first + i], mesh->points[mesh->corners[from->first + i]],
-                   sizeof reference->points[0]);
+        struct reference_polygon *to = &reference->polygons[reference->polygon_count++];
+        const uint32_t first = (uint32_t)reference->point_count;
+        *to = (struct reference_polygon){
+            .first = first, .count = from->count, .face = from->face, .mapping = from->mapping, .mover = mover, .two_sided = from->two_sided};
+        for (uint32_t i = 0; i < from->count; i++) {
+            const double *point = mesh->points[mesh->corners[from->first + i]];
+            memcpy(reference->points[first + i], point, sizeof reference->points[0]);
+            memcpy(reference->own_points[first + i], point, sizeof reference->own_points[0]);
+        }
         polygon_plane(to, &reference->points[first]);
-        first += from->count;
+        reference->point_count += from->count;
+    }
+}
+
+static void *larger(void *items, size_t count, size_t item_b, bool *ok)
+{
+    void *moved = realloc(items, (count ? count : 1) * item_b);
+    if (!moved) *ok = false;
+    return moved ? moved : items;
+}
+
+bool reference_add(struct reference *reference, const struct mesh *mesh, size_t mover, struct error *err)
+{
+    size_t points = reference->point_count;
+    bool ok = true;
+    for (size_t p = 0; p < mesh->polygon_count; p++) {
+        points += mesh->polygons[p].count;
+        if (mesh->polygons[p].count > reference->corners_max) reference->corners_max = mesh->polygons[p].count;
+    }
+    const size_t polygons = reference->polygon_count + mesh->polygon_count;
+    reference->points = larger(reference->points, points, sizeof reference->points[0], &ok);
+    reference->own_points = larger(reference->own_points, points, sizeof reference->own_points[0], &ok);
+    reference->polygons = larger(reference->polygons, polygons, sizeof reference->polygons[0], &ok);
+    reference->edges = larger(reference->edges, reference->corners_max, sizeof reference->edges[0], &ok);
+    if (!ok) return error_set(err, "reference picture: out of memory");
+    copy_polygons(reference, mesh, mover);
+    return true;
+}
+
+void reference_pose(struct reference *reference, size_t mover, const struct model_pose *pose)
+{
+    for (size_t p = 0; p < reference->polygon_count; p++) {
+        struct reference_polygon *polygon = &reference->polygons[p];
+        if (polygon->mover != mover) continue;
+        for (uint32_t i = polygon->first; i < polygon->first + polygon->count; i++)
+            pose_leave(pose, reference->own_points[i], reference->points[i]);
+        polygon_plane(polygon, &reference->points[polygon->first]);
     }
 }
 
 bool reference_init(struct reference *reference, const struct mesh *mesh, unsigned w_px, unsigned h_px,
                     struct error *err)
 {
-    size_t corner_count = 0, corners_max = 0, pixel_count = (size_t)w_px * h_px;
-    for (size_t p = 0; p < mesh->polygon_count; p++) {
-        corner_count += mesh->polygons[p].count;
-        if (mesh->polygons[p].count > corners_max) corners_max = mesh->polygons[p].count;
-    }
-    *reference = (struct reference){.polygon_count = mesh->polygon_count, .w_px = w_px, .h_px = h_px};
-    reference->points = calloc(corner_count, sizeof reference->points[0]);
-    reference->polygons = calloc(mesh->polygon_count, sizeof reference->polygons[0]);
-    reference->edges = calloc(corners_max, sizeof reference->edges[0]);
+    const size_t pixel_count = (size_t)w_px * h_px;
+    *reference = (struct reference){.w_px = w_px, .h_px = h_px};
     reference->faces = calloc(pixel_count, sizeof reference->faces[0]);
     reference->mappings = calloc(pixel_count, sizeof reference->mappings[0]);
     reference->depths_m = calloc(pixel_count, sizeof reference->depths_m[0]);
-    if (!reference->points || !reference->polygons || !reference->edges || !reference->faces || !reference->mappings ||
-        !reference->depths_m) {
-        reference_free(reference);
-        return error_set(err, "reference picture: out of memory");
-    }
-    copy_polygons(reference, mesh);
-    return true;
+    bool ok = (reference->faces && reference->mappings && reference->depths_m) || error_set(err, "reference picture: out of memory");
+    ok = ok && reference_add(reference, mesh, 0, err);
+    if (!ok) reference_free(reference);
+    return ok;
 }
 
 bool reference_read(struct reference *reference, const char *model_path, unsigned w_px, unsigned h_px,
@@ -144,6 +172,7 @@ bool reference_read(struct reference *reference, const char *model_path, unsigne
 void reference_free(struct reference *reference)
 {
     free(reference->points);
+    free(reference->own_points);
     free(reference->polygons);
     free(reference->edges);
     free(reference->faces);

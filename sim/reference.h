@@ -25,6 +25,9 @@ struct reference {
     double (*points)[3]; /* metres */
     struct reference_polygon *polygons;
     size_t polygon_count;
+    double (*own_points)[3];      /* the same points before a mover's pose */
+    size_t point_count;
+    uint32_t corners_max;
     struct reference_edge *edges; /* of one polygon at a time */
     unsigned w_px, h_px;
     struct reference_view view; /* of the last frame drawn */
@@ -36,6 +39,11 @@ struct reference {
 /* Copies what it needs of the mesh as mesh_clean() leaves it. Allocates for pictures of this size. */
 bool reference_init(struct reference *reference, const struct mesh *mesh, unsigned w_px, unsigned h_px,
                     struct error *err);
+
+/* Adds the polygons of a mover, in its own coordinates; its number is 1 or more. reference_pose() places them, before a
+ * frame is drawn. */
+bool reference_add(struct reference *reference, const struct mesh *mesh, size_t mover, struct error *err);
+void reference_pose(struct reference *reference, size_t mover, const struct model_pose *pose);
 
 /* The same from a model file: imported and cleaned, nothing else. */
 bool reference_read(struct reference *reference, const char *model_path, unsigned w_px, unsigned h_px,

@@ -5,6 +5,7 @@
 #include "simulator.h"
 
 #include "convexity.h"
+#include "method.h"
 #include "panel_board.h"
 
 #include <stdlib.h>
@@ -88,6 +89,7 @@ static bool renderer_init(struct simulator *simulator, const struct lim_scene *s
     simulator->pixels = calloc(pixel_count, sizeof simulator->pixels[0]);
     simulator->mem_b = simulator->core->mem_b(scene, &simulator->target);
     simulator->mem = malloc(simulator->mem_b);
+    simulator->scene = scene;
     simulator->lim = calloc(1, simulator->core->lim_b);
     if (!simulator->pixels || !simulator->mem || !simulator->lim) return error_set(err, "simulator: out of memory");
     int code = simulator->core->init(simulator->lim, scene, &simulator->target, simulator->mem, simulator->mem_b);
@@ -121,10 +123,33 @@ const struct lim_stats *simulator_stats(const struct simulator *simulator)
     return simulator->core->stats(simulator->lim);
 }
 
+bool simulator_set_movers(struct simulator *simulator, const struct lim_instance *instances, size_t count,
+                          const struct lim_movers_limits *limits, struct error *err)
+{
+    const struct core *core = simulator->core;
+    const size_t mem_b = core->movers_mem_b(simulator->scene, limits);
+    if (simulator->target.method != LIM_NEAREST_FIRST && simulator->target.method != LIM_PAINTER)
+        return error_set(err, "--method %s: it moves no objects; nearest, painter and bsp do",
+                         method_title(simulator->target.method));
+    simulator->mover_mem = malloc(mem_b);
+    simulator->instances = instances;
+    simulator->instance_count = (uint16_t)count;
+    if (!simulator->mover_mem) return error_set(err, "simulator: out of memory");
+    const int code = core->movers_init(simulator->lim, simulator->mover_mem, mem_b, limits);
+    return code == 0 || error_set(err, "renderer: %s (%d)", reason_of(code), code);
+}
+
+static int draw(struct simulator *simulator, const struct lim_camera *camera)
+{
+    const struct core *core = simulator->core;
+    if (!simulator->mover_mem) return core->frame(simulator->lim, camera);
+    return core->movers_frame(simulator->lim, camera, simulator->instances, simulator->instance_count);
+}
+
 static int board_frame(struct simulator *simulator, const struct lim_camera *camera)
 {
     screen_begin_frame(&simulator->board->screen);
-    int err = simulator->core->frame(simulator->lim, camera);
+    int err = draw(simulator, camera);
     if (err) return err;
     return screen_end_frame(&simulator->board->screen);
 }
@@ -133,7 +158,7 @@ bool simulator_frame(struct simulator *simulator, const struct lim_camera *camer
 {
     struct panel_board *board = simulator->board;
     uint64_t before_b = board ? board->chip.bus_b : 0;
-    int code = board ? board_frame(simulator, camera) : simulator->core->frame(simulator->lim, camera);
+    int code = board ? board_frame(simulator, camera) : draw(simulator, camera);
     if (code) return error_set(err, "renderer: %s (%d)", reason_of(code), code);
     if (!board) return true;
     simulator->bus_b = (size_t)(board->chip.bus_b - before_b);
@@ -157,6 +182,7 @@ void simulator_free(struct simulator *simulator)
     free(simulator->lines);
     free(simulator->pixels);
     free(simulator->mem);
+    free(simulator->mover_mem);
     free(simulator->lim);
     memset(simulator, 0, sizeof *simulator);
 }

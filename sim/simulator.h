@@ -30,8 +30,12 @@ struct simulator {
     const struct core *core;
     void *lim; /* the core's state */
     struct lim_target target;
+    const struct lim_scene *scene;
     void *mem; /* lim's, mem_b of it */
     size_t mem_b;
+    void *mover_mem;                      /* lim's for movers; NULL: there are none */
+    const struct lim_instance *instances; /* of the frames to come, the caller's */
+    uint16_t instance_count;
     uint16_t *pixels;          /* the last frame: RGB565 as numbers, row by row from the top left */
     size_t bus_b;              /* bytes sent to the panel for it */
     struct panel_board *board; /* NULL: plain memory */
@@ -47,6 +51,9 @@ bool simulator_init(struct simulator *simulator, const struct lim_scene *scene, 
 
 /* How frames are drawn from now on. */
 void simulator_set_wireframe(struct simulator *simulator, const struct lim_wireframe *wireframe);
+/* Makes room for movers. From now on each frame has the instances; the array must outlive it, and may change. */
+bool simulator_set_movers(struct simulator *simulator, const struct lim_instance *instances, size_t count,
+                          const struct lim_movers_limits *limits, struct error *err);
 
 /* Renders a frame into `pixels`. An error of the renderer or driver, or a complaint of the
  * emulated chip about the protocol, is an error here. */

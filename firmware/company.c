@@ -1,0 +1,169 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * A list of movers in empty space, from which nothing of the static scene divides them. One object's polygons
+ * are in the order of its own tree. Objects whose extents in depth do not overlap follow each other; else all their
+ * polygons are sorted as Newell, Newell and Sancha did (newell.c), which splits what passes through each other. */
+#include "movers.h"
+
+#include "entry.h"
+#include "piece.h"
+
+#if LIM_HAS_MOVERS
+
+static bool has_one_owner(const struct lim *lim, uint16_t list)
+{
+    const uint16_t owner = lim_entry_owner(lim, list);
+
+    for (; list != LIM_NONE; list = lim->sorter.list[list].next)
+        if (lim_entry_owner(lim, list) != owner) return false;
+    return true;
+}
+
+static uint16_t reverse(struct lim_sorted *list, uint16_t first)
+{
+    uint16_t reversed = LIM_NONE;
+
+    while (first != LIM_NONE) {
+        const uint16_t next = list[first].next;
+        list[first].next = reversed;
+        reversed = first;
+        first = next;
+    }
+    return reversed;
+}
+
+/* Along the camera's axis. An instance that enters by its centre is a point. */
+static void measure_ball(struct lim *lim, uint16_t entry)
+{
+    const uint16_t owner = lim_entry_owner(lim, entry);
+    const struct lim_mover *mover = &lim->movers.movers[owner];
+    const int32_t depth = lim_mover_depth(lim, mover->centre_q12);
+    const int32_t reach = lim->movers.instances[owner].by_centre ? 0 : (mover->radius_q12 >> 3) + 1;
+
+    lim->sorter.list[entry].far_qv = depth + reach;
+    lim->sorter.newell.polygons[entry].near_qv = depth - reach;
+}
+
+/* Whether the list is of whole instances, one behind the other or by their centres; it is sorted then, nearest first. */
+static bool is_row(struct lim *lim, uint16_t *list)
+{
+    struct lim_sorted *entries = lim->sorter.list;
+    int32_t end = INT32_MIN;
+
+    for (uint16_t at = *list; at != LIM_NONE; at = entries[at].next) {
+        if (!lim_mover_is_whole(lim, at)) return false;
+        measure_ball(lim, at);
+    }
+    *list = reverse(entries, lim_sorted_sort(entries, *list));
+    for (uint16_t at = *list; at != LIM_NONE; at = entries[at].next) {
+        if (lim->sorter.newell.polygons[at].near_qv < end) return false;
+        end = entries[at].far_qv;
+    }
+    return true;
+}
+
+/* Every entry a polygon or a piece, with all that Newell's sort wants to know; what has no pixel is dropped. false: no room. */
+static bool measure_all(struct lim *lim, uint16_t *list)
+{
+    uint16_t *link = list;
+
+    while (*link != LIM_NONE) {
+        const uint16_t entry = *link;
+        if (lim_mover_is_whole(lim, entry)) {
+            if (lim->movers.instances[lim_entry_owner(lim, entry)].by_centre || !lim_mover_burst(lim, entry, link))
+                return false;
+        } else if (lim_piece_measure(lim, entry)) {
+            link = &lim->sorter.list[entry].next;
+        } else {
+            *link = lim->sorter.list[entry].next;
+        }
+    }
+    return true;
+}
+
+/* Nothing better can be done: by farthest points, whatever they are. */
+static uint16_t sort_roughly(struct lim *lim, uint16_t list)
+{
+    for (uint16_t at = list; at != LIM_NONE; at = lim->sorter.list[at].next) {
+        if (lim_mover_is_whole(lim, at)) measure_ball(lim, at);
+        else (void)lim_piece_measure(lim, at);
+    }
+    if (LIM_HAS_STATS) lim_stats_of(lim)->movers.forced++;
+    return reverse(lim->sorter.list, lim_sorted_sort(lim->sorter.list, list));
+}
+
+static uint16_t sort(struct lim *lim, uint16_t list)
+{
+    if (is_row(lim, &list)) return list;
+    if (!measure_all(lim, &list)) return sort_roughly(lim, list);
+    lim->sorter.first = lim_sorted_sort(lim->sorter.list, list);
+    lim->movers.measuring = true;
+    lim_newell_order(lim);
+    lim->movers.measuring = false;
+    return lim->sorter.first;
+}
+
+uint16_t lim_movers_order(struct lim *lim, uint16_t list, bool back_to_front)
+{
+    if (!has_one_owner(lim, list)) list = sort(lim, list);
+    return back_to_front ? reverse(lim->sorter.list, list) : list;
+}
+
+/* Drawing ------------------------------------------------------------------------------------ */
+
+static int draw_run(struct lim *lim, const struct lim_route *route, uint16_t mover, uint16_t run,
+                    const struct lim_rect *open, lim_mover_draw *draw)
+{
+    const LIM_FLASH uint16_t *record = &route->scene->polygons[run];
+    struct lim_screen_polygon polygon;
+
+    for (;;) {
+        const uint16_t head = record[0];
+        if (lim_record_is_seen(route->eye, record) &&
+            lim_project(&polygon, lim_mover_view(lim, mover), route->scene, record, open, lim_stats_of(lim))) {
+            const int err = draw(lim, LIM_NONE, &polygon);
+            if (err) return err;
+        }
+        if (head & LIM_POLYGON_LAST) return 0;
+        record += lim_record_words(head);
+    }
+}
+
+/* By the order of its own tree. Records of a run do not cover each other, but for those of leaves. */
+static int draw_whole(struct lim *lim, uint16_t mover, const struct lim_rect *open, bool back_to_front,
+                      lim_mover_draw *draw)
+{
+    struct lim_route route = lim_route_object(lim, mover, open, back_to_front);
+    uint16_t run;
+
+    while (lim_route_next(lim, &route, &run) == LIM_ROUTE_RUN) {
+        const int err = draw_run(lim, &route, mover, run, open, draw);
+        if (err) return err;
+    }
+    return 0;
+}
+
+static int draw_entry(struct lim *lim, uint16_t entry, const struct lim_rect *open, lim_mover_draw *draw)
+{
+    const bool is_cut = lim->sorter.newell.polygons[entry].cuts != LIM_NONE;
+    struct lim_screen_polygon polygon;
+
+    if (!lim_project(&polygon, lim_entry_view(lim, entry), lim_entry_scene(lim, entry), lim_entry_record(lim, entry),
+                     open, lim_stats_of(lim)))
+        return 0;
+    return draw(lim, is_cut ? entry : (uint16_t)LIM_NONE, &polygon);
+}
+
+int lim_movers_draw(struct lim *lim, uint16_t list, const struct lim_rect *open, bool back_to_front,
+                    lim_mover_draw *draw)
+{
+    for (; list != LIM_NONE; list = lim->sorter.list[list].next) {
+        const int err = lim_mover_is_whole(lim, list)
+                            ? draw_whole(lim, lim_entry_owner(lim, list), open, back_to_front, draw)
+                            : draw_entry(lim, list, open, draw);
+        if (err) return err;
+    }
+    return 0;
+}
+
+#endif

@@ -1,0 +1,215 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Lists of movers and the planes of the static tree. An entry is an instance as a whole, a polygon of one, or a piece of
+ * such a polygon; and a plane that has cut something is an entry too, in no list, for the pieces to remember it. Lists
+ * of one instance's polygons keep the order of its own tree, nearest first. Nothing is given back before the next walk. */
+#include "movers.h"
+
+#include "entry.h"
+#include "piece.h"
+
+#if LIM_HAS_MOVERS
+
+/* A list that grows at its end. */
+struct queue {
+    struct lim_sorted *list;
+    uint16_t *head;
+    uint16_t last;
+};
+
+static struct queue queue_begin(struct lim *lim, uint16_t *head)
+{
+    *head = LIM_NONE;
+    return (struct queue){lim->sorter.list, head, LIM_NONE};
+}
+
+static void queue_add(struct queue *queue, uint16_t entry)
+{
+    *(queue->last == LIM_NONE ? queue->head : &queue->list[queue->last].next) = entry;
+    queue->list[entry].next = LIM_NONE;
+    queue->last = entry;
+}
+
+static uint16_t new_entry(struct lim *lim, uint16_t record, uint16_t owner, uint16_t node)
+{
+    struct lim_sorter *sorter = &lim->sorter;
+
+    if (sorter->used == sorter->size) return LIM_NONE;
+    sorter->list[sorter->used] = (struct lim_sorted){.record = record, .next = LIM_NONE};
+    sorter->newell.polygons[sorter->used] =
+        (struct lim_newell_polygon){.node = node, .cuts = LIM_NONE, .owner = owner};
+    return sorter->used++;
+}
+
+bool lim_mover_is_whole(const struct lim *lim, uint16_t entry)
+{
+    return lim->sorter.list[entry].record == LIM_NONE;
+}
+
+/* Whether the box around the ball, as far as the grid reaches, is in view. */
+static bool is_in_view(const struct lim_mover *mover, const struct lim_cull *open)
+{
+    struct lim_box box;
+
+    if (!LIM_HAS_CULL) return true;
+    for (uint_fast8_t i = 0; i < 3; i++) {
+        const int32_t centre = mover->centre_q12[i] >> 12, half = (mover->radius_q12 >> 12) + 1;
+        if (centre < -32768 || centre > 32767 || half > 32768) return true;
+        box.centre[i] = (int16_t)centre;
+        box.half[i] = (uint16_t)half;
+    }
+    return lim_cull_sees(open, &box);
+}
+
+uint16_t lim_movers_list(struct lim *lim, const struct lim_cull *open)
+{
+    struct lim_movers *movers = &lim->movers;
+    uint16_t head;
+    struct queue queue = queue_begin(lim, &head);
+
+    lim->sorter.used = 0;
+    lim->sorter.newell.cuts_used = 0;
+    for (uint16_t i = 0; i < movers->count; i++) {
+        if (movers->movers[i].radius_q12 < 0) continue;
+        if (is_in_view(&movers->movers[i], open))
+            queue_add(&queue, new_entry(lim, LIM_NONE, i, LIM_NONE));
+        else if (LIM_HAS_STATS)
+            lim_stats_of(lim)->movers.hidden++;
+    }
+    return head;
+}
+
+/* Polygons ----------------------------------------------------------------------------------- */
+
+/* false: no room. */
+static bool add_run(struct lim *lim, struct queue *queue, const struct lim_route *route, uint16_t mover, uint16_t at)
+{
+    for (;;) {
+        const LIM_FLASH uint16_t *record = &route->scene->polygons[at];
+        const uint16_t head = record[0];
+        if (lim_record_is_seen(route->eye, record)) {
+            const uint16_t entry = new_entry(lim, at, mover, route->node);
+            if (entry == LIM_NONE) return false;
+            lim->sorter.newell.polygons[entry].eye_in_front =
+                LIM_HAS_LEAVES && head & LIM_POLYGON_PLANE ? !(head & LIM_POLYGON_BACK) : route->side > 0;
+            queue_add(queue, entry);
+        }
+        if (head & LIM_POLYGON_LAST) return true;
+        at = (uint16_t)(at + lim_record_words(head));
+    }
+}
+
+bool lim_mover_burst(struct lim *lim, uint16_t entry, uint16_t *list)
+{
+    const struct lim_rect screen = {0, 0, lim->target.w_px, lim->target.h_px};
+    const uint16_t used = lim->sorter.used, rest = lim->sorter.list[entry].next;
+    const uint16_t mover = lim_entry_owner(lim, entry);
+    struct lim_route route = lim_route_object(lim, mover, &screen, false);
+    uint16_t head, run;
+    struct queue queue = queue_begin(lim, &head);
+
+    while (lim_route_next(lim, &route, &run) == LIM_ROUTE_RUN) {
+        if (add_run(lim, &queue, &route, mover, run)) continue;
+        lim->sorter.used = used;
+        return false;
+    }
+    *(queue.last == LIM_NONE ? &head : &lim->sorter.list[queue.last].next) = rest;
+    *list = head;
+    if (LIM_HAS_STATS) lim_stats_of(lim)->movers.divided++;
+    return true;
+}
+
+/* Planes ------------------------------------------------------------------------------------- */
+
+struct divider {
+    struct lim_plane_wide plane;
+    uint16_t node, entry; /* the plane's own, once it has cut something */
+    int32_t eye_side;
+};
+
+/* The ball of a whole instance against a plane. */
+static uint8_t sides_of_ball(const struct lim *lim, uint16_t entry, const struct lim_plane_wide *plane)
+{
+    const uint16_t owner = lim_entry_owner(lim, entry);
+    const struct lim_mover *mover = &lim->movers.movers[owner];
+    const int64_t value = lim_corner_value(plane, mover->centre_q12);
+    uint32_t longest = 0;
+
+    if (lim->movers.instances[owner].by_centre) return value > 0 ? LIM_SIDE_FRONT : value < 0 ? LIM_SIDE_BACK : 0;
+    for (uint_fast8_t i = 0; i < 3; i++)
+        if (abs_s32(plane->n[i]) > longest) longest = abs_s32(plane->n[i]);
+    /* As in movers.c, the normal's length. */
+    const int64_t length = longest + (plane->slack - longest) * 107 / 256 + 1;
+    const int64_t reach = length * mover->radius_q12;
+    return value > reach ? LIM_SIDE_FRONT : value < -reach ? LIM_SIDE_BACK : LIM_SIDE_BOTH;
+}
+
+/* What cannot be divided goes where it reaches farther. */
+static uint8_t heavier_side(const struct lim *lim, uint16_t entry, const struct lim_plane_wide *plane)
+{
+    struct lim_corners places[2];
+    int64_t front = 0, back = 0;
+
+    if (lim_mover_is_whole(lim, entry)) {
+        const struct lim_mover *mover = &lim->movers.movers[lim_entry_owner(lim, entry)];
+        return lim_corner_value(plane, mover->centre_q12) < 0 ? LIM_SIDE_BACK : LIM_SIDE_FRONT;
+    }
+    const struct lim_corners *corners = lim_corners_of(lim, entry, places);
+    for (uint_fast8_t k = 0; corners && k < corners->n; k++) {
+        const int64_t value = lim_corner_value(plane, corners->at_q12[k]);
+        if (value > front) front = value;
+        if (-value > back) back = -value;
+    }
+    return back > front ? LIM_SIDE_BACK : LIM_SIDE_FRONT;
+}
+
+/* The piece in front stays `entry`. Returns the other one, or LIM_NONE: no room. */
+static uint16_t split(struct lim *lim, struct divider *divider, uint16_t entry)
+{
+    if (divider->entry == LIM_NONE) divider->entry = new_entry(lim, LIM_NONE, LIM_NONE, divider->node);
+    if (divider->entry == LIM_NONE) return LIM_NONE;
+    const uint16_t other = lim_piece_split(lim, entry, divider->entry);
+    if (LIM_HAS_STATS && other != LIM_NONE) lim_stats_of(lim)->movers.pieces++;
+    return other;
+}
+
+static uint8_t sides_of(const struct lim *lim, uint16_t entry, const struct lim_plane_wide *plane)
+{
+    return lim_mover_is_whole(lim, entry) ? sides_of_ball(lim, entry, plane) : lim_piece_sides_of(lim, entry, plane);
+}
+
+/* Adds an entry that reaches to neither, one, or both sides. */
+static void divide_one(struct lim *lim, struct divider *divider, uint16_t entry, uint8_t sides, struct queue *front,
+                       struct queue *back)
+{
+    if (sides == LIM_SIDE_BOTH) {
+        const uint16_t other = lim_mover_is_whole(lim, entry) ? (uint16_t)LIM_NONE : split(lim, divider, entry);
+        if (other != LIM_NONE) {
+            queue_add(front, entry);
+            queue_add(back, other);
+            return;
+        }
+        if (LIM_HAS_STATS) lim_stats_of(lim)->movers.forced++;
+        sides = heavier_side(lim, entry, &divider->plane);
+    }
+    if (!sides) sides = divider->eye_side > 0 ? LIM_SIDE_FRONT : LIM_SIDE_BACK;
+    queue_add(sides == LIM_SIDE_FRONT ? front : back, entry);
+}
+
+void lim_movers_divide(struct lim *lim, uint16_t node, int32_t eye_side, uint16_t list, uint16_t *front,
+                       uint16_t *back)
+{
+    struct divider divider = {.node = node, .entry = LIM_NONE, .eye_side = eye_side};
+    struct queue fronts = queue_begin(lim, front), backs = queue_begin(lim, back);
+
+    lim_plane_unpack(&divider.plane, lim->scene, &lim->scene->nodes[node].split);
+    while (list != LIM_NONE) {
+        const uint16_t entry = list;
+        const uint8_t sides = sides_of(lim, entry, &divider.plane);
+        if (sides == LIM_SIDE_BOTH && lim_mover_is_whole(lim, entry) && lim_mover_burst(lim, entry, &list)) continue;
+        list = lim->sorter.list[entry].next;
+        divide_one(lim, &divider, entry, sides, &fronts, &backs);
+    }
+}
+
+#endif

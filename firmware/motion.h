@@ -1,0 +1,26 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Keyframed rigid motion: a table in flash, written by `limner compile` from a model's animations. Between two keys a
+ * position moves along a straight line, an orientation turns about one axis, both evenly. */
+#ifndef LIM_MOTION_H
+#define LIM_MOTION_H
+
+#include "instance.h"
+
+struct lim_motion_key {
+    uint32_t time_ms;    /* ascending */
+    int32_t at_q8[3];    /* units of the static scene */
+    int16_t turn_q15[4]; /* a quaternion x, y, z, w of length 1, within rounding */
+    uint16_t arc;        /* half the angle to the next key's orientation; a full turn is 2^16, this below 2^14 */
+};
+
+struct lim_motion {
+    const LIM_FLASH struct lim_motion_key *keys;
+    uint16_t count; /* at least 1 */
+    bool repeats;   /* after the last key comes the first; else the last one stays */
+};
+
+/* Sets where the instance is, and its axes, within 2^-14 of a unit vector. Before its first key a motion is there already. */
+void lim_motion_at(const struct lim_motion *motion, uint32_t time_ms, struct lim_instance *instance);
+
+#endif

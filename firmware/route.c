@@ -1,0 +1,126 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * ROUTE is WALK with company: a list of movers goes with each subtree. At a node the list is divided by the node's
+ * plane, so a mover is never cut by a plane that does not divide the space around it, and subtrees without movers cost
+ * what they cost WALK. A subtree without a node is empty space: what has come there is handed out at once. So is
+ * what has come to a subtree whose polygons are out of view: there is nothing in it to be sorted with. */
+#include "movers.h"
+
+#include "order.h"
+
+#if LIM_HAS_MOVERS
+
+void lim_route_begin(struct lim_route *route, uint16_t list)
+{
+    route->depth = 0;
+    route->next = route->scene->node_count ? 0 : LIM_NONE;
+    route->list = list;
+}
+
+static bool is_hidden(struct lim *lim, const struct lim_route *route, const LIM_FLASH struct lim_node *node)
+{
+    struct lim_stats *stats = lim_stats_of(lim);
+
+    if (!LIM_HAS_CULL || node->box == LIM_NONE) return false;
+    if (LIM_HAS_STATS) stats->boxes++;
+    if (lim_cull_sees(route->cull, &route->scene->boxes[node->box])) return false;
+    if (LIM_HAS_STATS) stats->boxes_out++;
+    return true;
+}
+
+/* The order of its run knows nothing of movers: they are taken for nearer than all of it. */
+static void enter_leaf(struct lim *lim, struct lim_route *route)
+{
+    struct lim_route_pending *pending = &route->stack[route->depth++];
+    const bool waits = route->back_to_front;
+
+    if (LIM_HAS_STATS && route->list != LIM_NONE) lim_stats_of(lim)->movers.unsorted++;
+    *pending = (struct lim_route_pending){route->next, waits ? route->list : (uint16_t)LIM_NONE, 1};
+    if (waits) route->list = LIM_NONE;
+    route->next = LIM_NONE;
+}
+
+/* Its near subtree is next, with what moves in it; the rest waits. */
+static void enter(struct lim *lim, struct lim_route *route)
+{
+    const LIM_FLASH struct lim_node *node = &route->scene->nodes[route->next];
+    uint16_t front = LIM_NONE, back = LIM_NONE;
+
+    if (is_hidden(lim, route, node)) {
+        route->next = LIM_NONE;
+        return;
+    }
+    if (LIM_HAS_STATS) lim_stats_of(lim)->nodes++;
+    LIM_ASSERT(route->depth < route->scene->limits.depth);
+    if (LIM_HAS_LEAVES && node->split.plane == LIM_NONE) {
+        enter_leaf(lim, route);
+        return;
+    }
+    const int32_t side = lim_eye_side(route->eye, &node->split);
+    const bool front_first = (side > 0) != route->back_to_front;
+    if (route->list != LIM_NONE) lim_movers_divide(lim, route->next, side, route->list, &front, &back);
+    route->stack[route->depth++] =
+        (struct lim_route_pending){route->next, front_first ? back : front, (int8_t)((side > 0) - (side < 0))};
+    route->list = front_first ? front : back;
+    route->next = front_first ? node->front : node->back;
+}
+
+/* Takes up what waits on the stack. Returns the run that comes before it, or LIM_NONE. */
+static uint16_t leave(struct lim_route *route)
+{
+    const struct lim_route_pending *top = &route->stack[--route->depth];
+    const LIM_FLASH struct lim_node *node = &route->scene->nodes[top->node];
+    const bool front_first = (top->side > 0) != route->back_to_front;
+
+    route->node = top->node;
+    route->side = top->side;
+    route->list = top->list;
+    route->next = front_first ? node->back : node->front;
+    return top->side > 0 ? node->front_run : top->side < 0 ? node->back_run : (uint16_t)LIM_NONE;
+}
+
+enum lim_route_event lim_route_next(struct lim *lim, struct lim_route *route, uint16_t *what)
+{
+    for (;;) {
+        while (route->next != LIM_NONE)
+            enter(lim, route);
+        if (route->list != LIM_NONE) {
+            *what = route->list;
+            route->list = LIM_NONE;
+            return LIM_ROUTE_LIST;
+        }
+        if (!route->depth) return LIM_ROUTE_END;
+        *what = leave(route);
+        if (*what != LIM_NONE) return LIM_ROUTE_RUN;
+    }
+}
+
+struct lim_route lim_route_static(struct lim *lim, bool back_to_front)
+{
+    return (struct lim_route){.scene = lim->scene,
+                              .eye = lim_eye_of(lim),
+                              .cull = lim_cull_of(lim),
+                              .stack = lim->movers.stack,
+                              .back_to_front = back_to_front};
+}
+
+struct lim_route lim_route_object(struct lim *lim, uint16_t mover, const struct lim_rect *open, bool back_to_front)
+{
+    struct lim_movers *movers = &lim->movers;
+    const struct lim_mover *self = &movers->movers[mover];
+    struct lim_route route = {.scene = movers->instances[mover].object,
+                              .eye = &self->eye,
+                              .stack = movers->object_stack,
+                              .back_to_front = back_to_front};
+
+#if LIM_HAS_CULL
+    lim_cull_set(&movers->cull, &self->view, self->eye.at_q8, open);
+    route.cull = &movers->cull;
+#else
+    (void)open;
+#endif
+    lim_route_begin(&route, LIM_NONE);
+    return route;
+}
+
+#endif

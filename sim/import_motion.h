@@ -1,0 +1,15 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Animations of a file that the importer library has read: which nodes move, and how. */
+#ifndef SIM_IMPORT_MOTION_H
+#define SIM_IMPORT_MOTION_H
+
+#include "model.h"
+
+#include <assimp/scene.h>
+
+/* Sets the model's movers and keys, and nodes[i] to the node of movers[i], which is the caller's to free. */
+bool import_motions(const char *path, const struct aiScene *scene, struct model *model, const struct aiNode ***nodes,
+                    struct error *err);
+
+#endif

@@ -1,0 +1,219 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * The static part chooses the grid. An object's origin is that of its node, about which the animation turns it. */
+#include "moving.h"
+
+#include "grow.h"
+#include "light.h"
+#include "model_part.h"
+#include "pose.h"
+#include "reference.h"
+#include "vec3.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { FINER_BITS_MAX = 2, ENTRIES_A_POLYGON = 4, ENTRIES_SPARE = 256 };
+static const double GRID_END = 32767.0, AT_END_Q8 = 16777216.0;
+
+/* The finest grid that holds the object. */
+static bool object_grid(const struct grid *scene, const struct model *part, struct grid *grid, uint8_t *finer_bits)
+{
+    double farthest_m = 0;
+    for (size_t i = 0; i < part->point_count; i++)
+        for (int k = 0; k < 3; k++)
+            farthest_m = fmax(farthest_m, fabs(part->points[i][k]));
+    *grid = (struct grid){{0, 0, 0}, scene->units_per_m};
+    if (!(farthest_m * grid->units_per_m <= GRID_END)) return false;
+    for (*finer_bits = 0; *finer_bits < FINER_BITS_MAX && farthest_m * grid->units_per_m * 2 <= GRID_END; ++*finer_bits)
+        grid->units_per_m *= 2;
+    return true;
+}
+
+static void number_faces(struct compiled *scene, const uint32_t *numbers)
+{
+    for (size_t i = 0; i < scene->scene.polygon_count; i++)
+        scene->faces[i] = numbers[scene->faces[i] - 1];
+}
+
+static bool key_set(const struct model_key *from, const struct grid *grid, struct lim_motion_key *to)
+{
+    to->time_ms = (uint32_t)llround(from->time_s * 1000);
+    for (int i = 0; i < 3; i++) {
+        const double at_q8 = (from->pose.at_m[i] - grid->origin_m[i]) * grid->units_per_m * 256;
+        if (!(fabs(at_q8) < AT_END_Q8)) return false;
+        to->at_q8[i] = (int32_t)lround(at_q8);
+    }
+    for (int i = 0; i < 4; i++)
+        to->turn_q15[i] = (int16_t)fmin(fmax(round(from->pose.turn[i] * 32768), -32767), 32767);
+    return true;
+}
+
+/* Of a quaternion and its negative, which turn alike, the one that is nearer to the key before. */
+static void arc_set(struct lim_motion_key *key, struct lim_motion_key *next)
+{
+    double dot = 0;
+    for (int i = 0; i < 4; i++)
+        dot += (double)key->turn_q15[i] * next->turn_q15[i] / (32768.0 * 32768.0);
+    for (int i = 0; dot < 0 && i < 4; i++)
+        next->turn_q15[i] = (int16_t)-next->turn_q15[i];
+    key->arc = (uint16_t)fmin(round(acos(fmin(fabs(dot), 1)) / 6.283185307179586 * 65536), 16383);
+}
+
+static bool motion_set(const struct model *model, size_t index, const struct grid *grid, struct moving_object *object,
+                       struct error *err)
+{
+    const struct model_mover *mover = &model->movers[index];
+    object->keys = grow_zeroed(mover->key_count, sizeof *object->keys);
+    if (mover->key_count > UINT16_MAX) return error_set(err, "node '%s': more than 65535 keys", mover->name);
+    for (uint32_t i = 0; i < mover->key_count; i++)
+        if (!key_set(&model->keys[mover->first_key + i], grid, &object->keys[i]))
+            return error_set(err, "node '%s': it moves farther than twice the scene's size", mover->name);
+    for (uint32_t i = 0; i + 1 < mover->key_count; i++)
+        arc_set(&object->keys[i], &object->keys[i + 1]);
+    object->motion = (struct lim_motion){object->keys, (uint16_t)mover->key_count, true};
+    return true;
+}
+
+static bool compile_object(struct moving *moving, size_t index, const struct grid *scene_grid,
+                           const struct compile_options *options, enum moving_mode mode, struct error *err)
+{
+    struct moving_object *object = &moving->objects[index];
+    struct lim_instance *instance = &moving->instances[index];
+    struct compile_options own = *options;
+    struct model part;
+    uint32_t *numbers;
+    struct grid grid;
+    own.predict = false;
+    own.method = NULL;
+    own.tree = TREE_BSP;
+    memcpy(object->name, moving->model.movers[index].name, sizeof object->name);
+    model_part(&moving->model, index + 1, &part, &numbers);
+    bool ok = object_grid(scene_grid, &part, &grid, &instance->finer_bits) ||
+              error_set(err, "its mesh is larger than the scene that it moves in, or far from the node's origin");
+    ok = ok && compile_part(&part, &grid, &own, &object->scene, err);
+    if (ok) number_faces(&object->scene, numbers);
+    if (!ok) {
+        char text[MODEL_NAME_B + 8];
+        snprintf(text, sizeof text, "node '%s'", object->name);
+        error_prefix(err, text);
+    }
+    ok = ok && motion_set(&moving->model, index, scene_grid, object, err);
+    instance->object = &object->scene.scene;
+    instance->by_centre = mode == MOVING_BY_CENTRE;
+    model_free(&part);
+    free(numbers);
+    return ok;
+}
+
+static void limits_set(struct moving *moving)
+{
+    size_t polygons = 0;
+    struct lim_movers_limits *limits = &moving->limits;
+    *limits = (struct lim_movers_limits){.instances = (uint16_t)moving->count};
+    for (size_t i = 0; i < moving->count; i++) {
+        const struct lim_scene *object = &moving->objects[i].scene.scene;
+        polygons += object->polygon_count;
+        if (object->limits.depth > limits->depth) limits->depth = object->limits.depth;
+    }
+    const size_t entries = moving->count + polygons * ENTRIES_A_POLYGON + ENTRIES_SPARE;
+    limits->entries = (uint16_t)(entries < LIM_SORTED_MAX ? entries : LIM_SORTED_MAX);
+}
+
+static bool compile_parts(struct moving *moving, const struct compile_options *options, enum moving_mode mode,
+                          struct compiled *scene, struct error *err)
+{
+    struct model part;
+    uint32_t *numbers;
+    model_part(&moving->model, 0, &part, &numbers);
+    bool ok = part.face_count || error_set(err, "everything in it is animated; objects move in a scene that stands still");
+    ok = ok && compile_part(&part, NULL, options, scene, err);
+    if (ok) number_faces(scene, numbers);
+    model_free(&part);
+    free(numbers);
+    if (!ok) return false;
+    moving->count = moving->model.mover_count;
+    moving->objects = grow_zeroed(moving->count, sizeof *moving->objects);
+    moving->instances = grow_zeroed(moving->count, sizeof *moving->instances);
+    for (size_t i = 0; ok && i < moving->count; i++)
+        ok = compile_object(moving, i, &scene->grid, options, mode, err);
+    if (ok) limits_set(moving);
+    return ok;
+}
+
+static void drop_movers(struct model *model)
+{
+    for (size_t i = 0; i < model->face_count; i++)
+        model->faces[i].mover = 0;
+    model->mover_count = model->key_count = 0;
+}
+
+bool moving_compile(const char *path, const struct compile_options *options, enum moving_mode mode,
+                    struct compiled *scene, struct moving *moving, struct error *err)
+{
+    *moving = (struct moving){0};
+    if (!model_import(path, &moving->model, err)) return false;
+    if (mode == MOVING_OFF) drop_movers(&moving->model);
+    if (!options->unlit) light_bake(&moving->model);
+    if (!moving->model.mover_count)
+        return compile_part(&moving->model, NULL, options, scene, err) || error_prefix(err, path);
+    return compile_parts(moving, options, mode, scene, err) || error_prefix(err, path);
+}
+
+void moving_pose(struct moving *moving, double time_s)
+{
+    for (size_t i = 0; i < moving->count; i++)
+        lim_motion_at(&moving->objects[i].motion, (uint32_t)llround(time_s * 1000), &moving->instances[i]);
+}
+
+/* Reference ---------------------------------------------------------------------------------- */
+
+static bool reference_of_part(const struct moving *moving, size_t mover, struct reference *reference, unsigned w_px,
+                              unsigned h_px, struct error *err)
+{
+    struct model part;
+    struct mesh mesh;
+    uint32_t *numbers;
+    model_part(&moving->model, mover, &part, &numbers);
+    bool ok = mover ? mesh_clean_on(&part, &moving->objects[mover - 1].scene.grid, &mesh, err)
+                    : mesh_clean(&part, &mesh, err);
+    if (ok) {
+        for (size_t i = 0; i < mesh.polygon_count; i++)
+            mesh.polygons[i].face = numbers[mesh.polygons[i].face - 1];
+        ok = mover ? reference_add(reference, &mesh, mover, err) : reference_init(reference, &mesh, w_px, h_px, err);
+        mesh_free(&mesh);
+    }
+    model_free(&part);
+    free(numbers);
+    return ok;
+}
+
+bool moving_reference(const struct moving *moving, struct reference *reference, unsigned w_px, unsigned h_px,
+                      struct error *err)
+{
+    bool ok = true;
+    for (size_t i = 0; ok && i <= moving->count; i++)
+        ok = reference_of_part(moving, i, reference, w_px, h_px, err);
+    return ok;
+}
+
+void moving_pose_reference(const struct moving *moving, struct reference *reference, double time_s)
+{
+    for (size_t i = 0; i < moving->count; i++) {
+        const struct model_pose pose = pose_at(&moving->model, &moving->model.movers[i], time_s);
+        reference_pose(reference, i + 1, &pose);
+    }
+}
+
+void moving_free(struct moving *moving)
+{
+    for (size_t i = 0; i < moving->count; i++) {
+        compiled_free(&moving->objects[i].scene);
+        free(moving->objects[i].keys);
+    }
+    free(moving->objects);
+    free(moving->instances);
+    model_free(&moving->model);
+    *moving = (struct moving){0};
+}

@@ -1,0 +1,45 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * A model with moving objects: what stands still is one compiled scene, each object another, on the same grid or one that
+ * is finer by a power of two; and the table of each object's motion. */
+#ifndef SIM_MOVING_H
+#define SIM_MOVING_H
+
+#include "compiled.h"
+
+struct reference;
+
+struct moving_object {
+    char name[MODEL_NAME_B];
+    struct compiled scene; /* its faces have the model's numbers */
+    struct lim_motion motion;
+    struct lim_motion_key *keys;
+};
+
+struct moving {
+    struct model model;             /* as it was read: movers and keys */
+    struct moving_object *objects;  /* one a mover of the model */
+    struct lim_instance *instances; /* likewise */
+    size_t count;                   /* 0: nothing moves */
+    struct lim_movers_limits limits;
+};
+
+/* How movers enter the walk: --movers. MOVING_OFF: they stay where the file has them, a part of the scene. */
+enum moving_mode { MOVING_CLIPPED, MOVING_BY_CENTRE, MOVING_OFF };
+
+/* Model file -> compiled scene and objects. Refuses objects that do not fit the scene's grid, and models in which
+ * nothing stands still. Both are the caller's to free, also after a failure. */
+bool moving_compile(const char *path, const struct compile_options *options, enum moving_mode mode,
+                    struct compiled *scene, struct moving *moving, struct error *err);
+
+/* Places all instances as firmware would. */
+void moving_pose(struct moving *moving, double time_s);
+
+/* The reference of such a model; and where everything is at a time, in double precision. */
+bool moving_reference(const struct moving *moving, struct reference *reference, unsigned w_px, unsigned h_px,
+                      struct error *err);
+void moving_pose_reference(const struct moving *moving, struct reference *reference, double time_s);
+
+void moving_free(struct moving *moving);
+
+#endif
