@@ -85,8 +85,10 @@ static bool measure_all(struct lim *lim, uint16_t *list)
 static uint16_t sort_roughly(struct lim *lim, uint16_t list)
 {
     for (uint16_t at = list; at != LIM_NONE; at = lim->sorter.list[at].next) {
-        if (lim_mover_is_whole(lim, at)) measure_ball(lim, at);
-        else (void)lim_piece_measure(lim, at);
+        if (lim_mover_is_whole(lim, at))
+            measure_ball(lim, at);
+        else
+            (void)lim_piece_measure(lim, at);
     }
     if (LIM_HAS_STATS) lim_stats_of(lim)->movers.forced++;
     return reverse(lim->sorter.list, lim_sorted_sort(lim->sorter.list, list));
@@ -100,6 +102,7 @@ static uint16_t sort(struct lim *lim, uint16_t list)
     lim->movers.measuring = true;
     lim_newell_order(lim);
     lim->movers.measuring = false;
+    lim_movers_note_entries(lim);
     return lim->sorter.first;
 }
 
@@ -111,25 +114,60 @@ uint16_t lim_movers_order(struct lim *lim, uint16_t list, bool back_to_front)
 
 /* Drawing ------------------------------------------------------------------------------------ */
 
+/* Objects are not textured: what they show is their records' colours. */
+static bool project(struct lim *lim, struct lim_screen_polygon *out, uint16_t mover, const LIM_FLASH uint16_t *record,
+                    const struct lim_rect *open)
+{
+    const struct lim_scene *object = lim->movers.instances[mover].object;
+
+    if (!lim_project(out, lim_mover_view(lim, mover), object, record, open, lim_stats_of(lim))) return false;
+#if LIM_HAS_TEXTURE
+    out->texture = LIM_NONE;
+#endif
+    return true;
+}
+
+/* The record before `record` in its run, which begins at `first`; NULL: there is none. */
+static const LIM_FLASH uint16_t *record_before(const LIM_FLASH uint16_t *first, const LIM_FLASH uint16_t *record)
+{
+    const LIM_FLASH uint16_t *before = first;
+
+    if (record == first) return NULL;
+    while (before + lim_record_words(before[0]) != record)
+        before += lim_record_words(before[0]);
+    return before;
+}
+
+static const LIM_FLASH uint16_t *record_after(const LIM_FLASH uint16_t *record)
+{
+    return record[0] & LIM_POLYGON_LAST ? NULL : record + lim_record_words(record[0]);
+}
+
+static const LIM_FLASH uint16_t *last_record(const LIM_FLASH uint16_t *record)
+{
+    while (!(record[0] & LIM_POLYGON_LAST))
+        record += lim_record_words(record[0]);
+    return record;
+}
+
 static int draw_run(struct lim *lim, const struct lim_route *route, uint16_t mover, uint16_t run,
                     const struct lim_rect *open, lim_mover_draw *draw)
 {
-    const LIM_FLASH uint16_t *record = &route->scene->polygons[run];
+    const LIM_FLASH uint16_t *const first = &route->scene->polygons[run];
+    const LIM_FLASH uint16_t *record = route->back_to_front ? last_record(first) : first;
     struct lim_screen_polygon polygon;
 
-    for (;;) {
-        const uint16_t head = record[0];
-        if (lim_record_is_seen(route->eye, record) &&
-            lim_project(&polygon, lim_mover_view(lim, mover), route->scene, record, open, lim_stats_of(lim))) {
-            const int err = draw(lim, LIM_NONE, &polygon);
+    while (record) {
+        if (lim_record_is_seen(route->eye, record) && project(lim, &polygon, mover, record, open)) {
+            const int err = draw(lim, LIM_NONE, &polygon, open);
             if (err) return err;
         }
-        if (head & LIM_POLYGON_LAST) return 0;
-        record += lim_record_words(head);
+        record = route->back_to_front ? record_before(first, record) : record_after(record);
     }
+    return 0;
 }
 
-/* By the order of its own tree. Records of a run do not cover each other, but for those of leaves. */
+/* By the order of its own tree. */
 static int draw_whole(struct lim *lim, uint16_t mover, const struct lim_rect *open, bool back_to_front,
                       lim_mover_draw *draw)
 {
@@ -148,10 +186,8 @@ static int draw_entry(struct lim *lim, uint16_t entry, const struct lim_rect *op
     const bool is_cut = lim->sorter.newell.polygons[entry].cuts != LIM_NONE;
     struct lim_screen_polygon polygon;
 
-    if (!lim_project(&polygon, lim_entry_view(lim, entry), lim_entry_scene(lim, entry), lim_entry_record(lim, entry),
-                     open, lim_stats_of(lim)))
-        return 0;
-    return draw(lim, is_cut ? entry : (uint16_t)LIM_NONE, &polygon);
+    if (!project(lim, &polygon, lim_entry_owner(lim, entry), lim_entry_record(lim, entry), open)) return 0;
+    return draw(lim, is_cut ? entry : (uint16_t)LIM_NONE, &polygon, open);
 }
 
 int lim_movers_draw(struct lim *lim, uint16_t list, const struct lim_rect *open, bool back_to_front,

@@ -30,6 +30,13 @@ static void queue_add(struct queue *queue, uint16_t entry)
     queue->last = entry;
 }
 
+void lim_movers_note_entries(struct lim *lim)
+{
+    struct lim_mover_stats *stats = LIM_HAS_STATS ? &lim_stats_of(lim)->movers : NULL;
+
+    if (LIM_HAS_STATS && lim->sorter.used > stats->entries) stats->entries = lim->sorter.used;
+}
+
 static uint16_t new_entry(struct lim *lim, uint16_t record, uint16_t owner, uint16_t node)
 {
     struct lim_sorter *sorter = &lim->sorter;
@@ -38,7 +45,9 @@ static uint16_t new_entry(struct lim *lim, uint16_t record, uint16_t owner, uint
     sorter->list[sorter->used] = (struct lim_sorted){.record = record, .next = LIM_NONE};
     sorter->newell.polygons[sorter->used] =
         (struct lim_newell_polygon){.node = node, .cuts = LIM_NONE, .owner = owner};
-    return sorter->used++;
+    sorter->used++;
+    lim_movers_note_entries(lim);
+    return (uint16_t)(sorter->used - 1);
 }
 
 bool lim_mover_is_whole(const struct lim *lim, uint16_t entry)
@@ -169,7 +178,9 @@ static uint16_t split(struct lim *lim, struct divider *divider, uint16_t entry)
     if (divider->entry == LIM_NONE) divider->entry = new_entry(lim, LIM_NONE, LIM_NONE, divider->node);
     if (divider->entry == LIM_NONE) return LIM_NONE;
     const uint16_t other = lim_piece_split(lim, entry, divider->entry);
-    if (LIM_HAS_STATS && other != LIM_NONE) lim_stats_of(lim)->movers.pieces++;
+    if (other == LIM_NONE) return LIM_NONE;
+    lim_movers_note_entries(lim);
+    if (LIM_HAS_STATS) lim_stats_of(lim)->movers.pieces++;
     return other;
 }
 

@@ -95,4 +95,13 @@ void lim_motion_at(const struct lim_motion *motion, uint32_t time_ms, struct lim
     interpolate(key, key < last ? key + 1 : key, t_q31, instance);
 }
 
+void lim_moved_at(const struct lim_moved *moved, uint16_t count, uint32_t time_ms, struct lim_instance *instances)
+{
+    for (uint16_t i = 0; i < count; i++) {
+        instances[i].object = moved[i].object;
+        instances[i].finer_bits = moved[i].finer_bits;
+        lim_motion_at(&moved[i].motion, time_ms, &instances[i]);
+    }
+}
+
 #endif

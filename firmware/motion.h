@@ -20,6 +20,16 @@ struct lim_motion {
     bool repeats;   /* after the last key comes the first; else the last one stays */
 };
 
+/* An object of a compiled model, and how its animation moves it. */
+struct lim_moved {
+    const struct lim_scene *object;
+    struct lim_motion motion;
+    uint8_t finer_bits; /* lim_instance.finer_bits */
+};
+
+/* Sets an instance for each of `count` objects as they are at a time. by_centre stays as it is. */
+void lim_moved_at(const struct lim_moved *moved, uint16_t count, uint32_t time_ms, struct lim_instance *instances);
+
 /* Sets where the instance is, and its axes, within 2^-14 of a unit vector. Before its first key a motion is there already. */
 void lim_motion_at(const struct lim_motion *motion, uint32_t time_ms, struct lim_instance *instance);
 

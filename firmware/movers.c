@@ -216,6 +216,19 @@ static bool is_within(const struct lim_mover *mover)
     return true;
 }
 
+/* Whether one of its polygons can be retained, as a band of one pixel asks for. */
+static bool fits_pool(const struct lim *lim, const struct lim_scene *object)
+{
+#if LIM_HAS_SPANS
+    if (LIM_HAS_NEAREST && lim->target.method == LIM_NEAREST_FIRST)
+        return LIM_RETAINED_HEAD_CELLS + object->limits.vertices + CLIP_PLANES <= lim->retained.size;
+#else
+    (void)lim;
+    (void)object;
+#endif
+    return true;
+}
+
 static bool is_usable(const struct lim *lim, const struct lim_instance *instance)
 {
     const struct lim_scene *object = instance->object;
@@ -223,7 +236,7 @@ static bool is_usable(const struct lim *lim, const struct lim_instance *instance
     if (!object || !object->node_count || !object->polygon_count || instance->finer_bits > FINER_BITS_MAX) return false;
     for (uint_fast8_t i = 0; i < 3; i++)
         if (abs_s32(instance->at_q8[i]) >= (uint32_t)AT_END_Q8) return false;
-    return object->limits.vertices <= LIM_MAX_VERTICES && object->limits.depth <= lim->movers.object_depth &&
+    return object->limits.vertices <= LIM_MAX_VERTICES && fits_pool(lim, object) && object->limits.depth <= lim->movers.object_depth &&
            (LIM_HAS_SLANTED || !object->plane_count) && (LIM_HAS_LARGE || !object->exact_count);
 }
 

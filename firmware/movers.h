@@ -89,6 +89,9 @@ bool lim_mover_is_whole(const struct lim *lim, uint16_t entry);
  * no room for them. */
 bool lim_mover_burst(struct lim *lim, uint16_t entry, uint16_t *list);
 
+/* Counts the entries in use. */
+void lim_movers_note_entries(struct lim *lim);
+
 /* Divides a list by the plane of a node of the static scene; what lies in it goes to the eye's side. */
 void lim_movers_divide(struct lim *lim, uint16_t node, int32_t eye_side, uint16_t list, uint16_t *front,
                        uint16_t *back);
@@ -108,7 +111,8 @@ struct lim_route lim_route_object(struct lim *lim, uint16_t mover, const struct 
 
 /* Draws the polygons of an ordered list's entries one by one; `entry` is LIM_NONE for one that was never cut. Ends with
  * what `draw` returns, if that is not 0. */
-typedef int lim_mover_draw(struct lim *lim, uint16_t entry, const struct lim_screen_polygon *polygon);
+typedef int lim_mover_draw(struct lim *lim, uint16_t entry, const struct lim_screen_polygon *polygon,
+                           const struct lim_rect *open);
 int lim_movers_draw(struct lim *lim, uint16_t list, const struct lim_rect *open, bool back_to_front,
                     lim_mover_draw *draw);
 

@@ -114,8 +114,10 @@ static bool take_run(struct lim *lim, uint16_t run, uint8_t *since_shrink)
 #if LIM_HAS_MOVERS
 enum { EXHAUSTED = 1, FULL }; /* a pool; all lines */
 
-static int draw_mover(struct lim *lim, uint16_t entry, const struct lim_screen_polygon *polygon)
+static int draw_mover(struct lim *lim, uint16_t entry, const struct lim_screen_polygon *polygon,
+                      const struct lim_rect *open)
 {
+    (void)open;
     if (!(entry == LIM_NONE ? take(lim, polygon) : lim_piece_take(lim, entry, polygon))) return EXHAUSTED;
     return lim->spans.open_lines ? 0 : FULL;
 }
@@ -244,7 +246,8 @@ static int draw_band(struct lim *lim, const struct lim_rect *band, uint16_t *y)
  * line for which any is too small is painted so. */
 static bool wants_painter(const struct lim *lim, const struct lim_rect *band, int exhausted)
 {
-    if (!LIM_HAS_FALLBACK || !(lim->scene->limits.layers || lim_wireframe_of(lim))) return false;
+    if (!LIM_HAS_FALLBACK) return false;
+    if (!lim->scene->limits.layers && !lim_wireframe_of(lim) && !lim_moves(lim)) return false;
     return exhausted == LIM_PAINT_LAYERS || band->y1 - band->y0 == 1;
 }
 

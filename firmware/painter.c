@@ -169,8 +169,8 @@ static int paint_tree(struct lim *lim, const struct lim_rect *screen)
 }
 #endif
 
-#if LIM_HAS_SORTED && LIM_HAS_FALLBACK
-/* A piece of a split polygon, on the one line that it is asked for. */
+#if (LIM_HAS_SORTED && LIM_HAS_FALLBACK) || LIM_HAS_MOVERS
+/* A piece of a split polygon, on one line. */
 static int paint_piece(struct lim *lim, uint16_t entry, const struct lim_screen_polygon *whole, uint16_t y)
 {
     const uint8_t fans = whole->shape.folded ? (uint8_t)(whole->n - 2) : 1;
@@ -194,6 +194,42 @@ static int paint_piece(struct lim *lim, uint16_t entry, const struct lim_screen_
     return 0;
 }
 
+#endif
+
+#if LIM_HAS_MOVERS
+/* The part of the screen that is painted is all of it, or a line. */
+static int draw_mover(struct lim *lim, uint16_t entry, const struct lim_screen_polygon *polygon,
+                      const struct lim_rect *screen)
+{
+    const int16_t bottom = polygon->shape.bottom < (int16_t)screen->y1 ? polygon->shape.bottom : (int16_t)screen->y1;
+
+    if (entry == LIM_NONE) return paint_any(lim, polygon, screen);
+    for (int16_t y = polygon->shape.top > (int16_t)screen->y0 ? polygon->shape.top : (int16_t)screen->y0; y < bottom; y++) {
+        const int err = paint_piece(lim, entry, polygon, (uint16_t)y);
+        if (err) return err;
+    }
+    return 0;
+}
+
+static int paint_with_movers(struct lim *lim, const struct lim_rect *screen)
+{
+    struct lim_route route = lim_route_static(lim, true);
+    uint16_t what;
+
+    if (LIM_HAS_CULL) lim_cull_set(lim_cull_of(lim), &lim->view, lim_eye_of(lim)->at_q8, screen);
+    lim_route_begin(&route, lim_movers_list(lim, lim_cull_of(lim)));
+    for (;;) {
+        const enum lim_route_event event = lim_route_next(lim, &route, &what);
+        if (event == LIM_ROUTE_END) return 0;
+        if (event == LIM_ROUTE_LIST) what = lim_movers_order(lim, what, true);
+        const int err = event == LIM_ROUTE_RUN ? paint_run(lim, what, screen)
+                                               : lim_movers_draw(lim, what, screen, true, draw_mover);
+        if (err) return err;
+    }
+}
+#endif
+
+#if LIM_HAS_SORTED && LIM_HAS_FALLBACK
 static int paint_list(struct lim *lim, const struct lim_rect *screen)
 {
     struct lim_screen_polygon polygon;
@@ -215,6 +251,9 @@ static int paint_from_source(struct lim *lim, const struct lim_rect *screen)
 {
 #if LIM_HAS_SORTED && LIM_HAS_FALLBACK
     if (LIM_IS_SORTED(&lim->target)) return paint_list(lim, screen);
+#endif
+#if LIM_HAS_MOVERS
+    if (lim->movers.count) return paint_with_movers(lim, screen);
 #endif
 #if LIM_HAS_TREE
     return paint_tree(lim, screen);

@@ -135,6 +135,17 @@ static inline uint16_t lim_background_of(const struct lim *lim)
     return lim_memory_colour(wireframe && wireframe->one_colour ? wireframe->background : lim->scene->background);
 }
 
+/* Whether the frame has movers. */
+static inline bool lim_moves(const struct lim *lim)
+{
+#if LIM_HAS_MOVERS
+    return lim->movers.count > 0;
+#else
+    (void)lim;
+    return false;
+#endif
+}
+
 static inline struct lim_eye *lim_eye_of(struct lim *lim)
 {
 #if LIM_HAS_TREE

@@ -46,8 +46,9 @@ static void write_lines(FILE *file, const struct compiled *scene, const char *ma
     fprintf(file, "#define %s_SCENE_LINES(h_px) %s\n", macro, scene->report.draws == LIM_PAINTER ? "(h_px)" : "1");
 }
 
-static void write_scene(FILE *file, const struct compiled *scene, const struct c_name *name)
+static void write_scene(FILE *file, const struct named_scene *named, const struct c_name *name)
 {
+    const struct compiled *scene = named->scene;
     const char *macro = name->macro;
     fprintf(file, "\n/* %s: %u polygons%s. unit = (metre - origin) * units per metre */\n", name->file,
             (unsigned)scene->scene.polygon_count, scene->report.convex ? ", one convex solid" : "");
@@ -57,6 +58,7 @@ static void write_scene(FILE *file, const struct compiled *scene, const struct c
     write_memory(file, scene, macro);
     write_lines(file, scene, macro);
     fprintf(file, "\nextern const struct lim_scene %s_scene;\n", name->symbol);
+    if (named->moving) c_movers_declare(file, named, name);
 }
 
 /* One after the other is shown in one block of memory: the greatest of all. */
@@ -78,9 +80,9 @@ static bool write_shared_memory(FILE *file, const struct named_scene *scenes, si
 
 static void write_configuration(FILE *file, const struct named_scene *scenes, size_t count, const struct c_name *header)
 {
-    struct needs needs = needs_of(scenes[0].scene);
+    struct needs needs = needs_of(scenes[0].scene, scenes[0].moving);
     for (size_t i = 1; i < count; i++) {
-        const struct needs more = needs_of(scenes[i].scene);
+        const struct needs more = needs_of(scenes[i].scene, scenes[i].moving);
         needs = needs_union(&needs, &more);
     }
     fprintf(file, "/* %s for Limner, written by `limner compile`.\n", count > 1 ? "Scenes" : "A scene");
@@ -100,7 +102,7 @@ static bool write_header(FILE *file, const struct named_scene *scenes, size_t co
     for (size_t i = 0; i < count; i++) {
         struct c_name scene_name;
         if (!c_name_init(&scene_name, scenes[i].name, err)) return false;
-        write_scene(file, scenes[i].scene, &scene_name);
+        write_scene(file, &scenes[i], &scene_name);
     }
     if (count > 1 && !write_shared_memory(file, scenes, count, name.macro, err)) return false;
     fputs("\n#endif\n", file);

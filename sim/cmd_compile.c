@@ -6,6 +6,7 @@
 #include "choose.h"
 #include "commands.h"
 #include "grow.h"
+#include "moving.h"
 #include "parse.h"
 #include "portal_choice.h"
 #include "scene_files.h"
@@ -30,6 +31,7 @@ enum option_code {
     OPTION_MAX_VERTEX_ERROR,
     OPTION_CAMERA,
     OPTION_CORE,
+    OPTION_MOVERS,
     OPTION_REPORT
 };
 
@@ -48,6 +50,7 @@ static const struct option OPTIONS[] = {
     {"camera", required_argument, NULL, OPTION_CAMERA},
     {"core", required_argument, NULL, OPTION_CORE},
     {"size", required_argument, NULL, OPTION_SIZE},
+    {"movers", required_argument, NULL, OPTION_MOVERS},
     {"report", no_argument, NULL, OPTION_REPORT},
     {NULL, 0, NULL, 0},
 };
@@ -58,6 +61,7 @@ struct request {
     const char *name; /* the path to write to, without suffix */
     struct compile_options compile;
     struct choice_bound bound; /* of --max-error and its like */
+    enum moving_mode movers;
     bool report_only;
 };
 
@@ -105,6 +109,8 @@ static bool parse_option(int code, char **argv, struct request *out, struct erro
         return true;
     case OPTION_CORE:
         return measure_cpu_parse(optarg, &out->bound.cpu, err);
+    case OPTION_MOVERS:
+        return moving_mode_parse(optarg, &out->movers, err);
     case OPTION_REPORT:
         out->report_only = true;
         return true;
@@ -147,6 +153,7 @@ static bool parse(int argc, char **argv, struct request *out, struct error *err)
 /* What becomes of the models, one to one. */
 struct result {
     struct compiled *scenes;
+    struct moving *moving;
     struct named_scene *named;
     char (*names)[C_PATH_MAX_B];
     size_t count; /* so far */
@@ -188,9 +195,12 @@ static bool name_all(const struct request *request, struct result *result, struc
 static bool compile_all(const struct request *request, struct result *result, struct error *err)
 {
     for (size_t i = 0; i < request->model_count; i++) {
-        if (!compile_model(request->models[i], &request->compile, &result->scenes[i], err)) return false;
-        result->named[i] = (struct named_scene){&result->scenes[i], result->names[i]};
+        struct moving *moving = &result->moving[i];
         result->count++;
+        if (!moving_compile(request->models[i], &request->compile, request->movers, &result->scenes[i], moving, err))
+            return false;
+        if (*moving->model.notice) fprintf(stderr, "limner: %s: %s\n", request->models[i], moving->model.notice);
+        result->named[i] = (struct named_scene){&result->scenes[i], result->names[i], moving->count ? moving : NULL};
     }
     return true;
 }
@@ -199,7 +209,8 @@ static bool put_scene(const struct named_scene *scene, const char *header, struc
 {
     char path[C_PATH_MAX_B];
     return c_path(path, scene->name, ".lim", err) && c_source_put(scene, header, outputs, err) &&
-           lim_file_put(scene->scene, path, outputs, err);
+           lim_file_put(scene->scene, path, outputs, err) &&
+           (!scene->moving || c_movers_put(scene, header, outputs, err));
 }
 
 static bool write_files(const struct result *result, const char *name, struct error *err)
@@ -232,13 +243,16 @@ static bool choose(struct request *request, struct error *err)
 static bool run(struct request *request, struct error *err)
 {
     const size_t count = request->model_count;
-    struct result result = {grow_zeroed(count, sizeof *result.scenes), grow_zeroed(count, sizeof *result.named),
-                            grow_zeroed(count, sizeof *result.names), 0};
+    struct result result = {grow_zeroed(count, sizeof *result.scenes), grow_zeroed(count, sizeof *result.moving),
+                            grow_zeroed(count, sizeof *result.named), grow_zeroed(count, sizeof *result.names), 0};
     bool ok = (!request->name || name_all(request, &result, err)) && choose(request, err) &&
               compile_all(request, &result, err) && (!request->name || write_files(&result, request->name, err));
     if (ok) print_reports(request, &result);
-    for (size_t i = 0; i < result.count; i++)
+    for (size_t i = 0; i < result.count; i++) {
         compiled_free(&result.scenes[i]);
+        moving_free(&result.moving[i]);
+    }
+    free(result.moving);
     free(result.scenes);
     free(result.named);
     free(result.names);

@@ -75,7 +75,7 @@ enum { MODEL_DEFAULT_COLOUR = 0xC8C8C8 }; /* of faces that have neither material
  * of the colour is read, as opaque; it repeats, whatever the file says. One that cannot be read is no error.
  *
  * Opacity is MTL's `d` (or 1 - `Tr`); glTF's base colour's and vertex colours' alpha where alphaMode is BLEND, all or
- * nothing where it is MASK, and nothing where it is OPAQUE. */
+ * nothing where it is MASK, and nothing where it is OPAQUE.
  *
  * Animations move nodes rigidly. Points are where the nodes' own transforms have them; all animations of the file run at
  * once. Keys are joined by straight lines and even turns, whatever the file says. Refused, by name: an animated node

@@ -6,6 +6,7 @@
 #include "grow.h"
 #include "light.h"
 #include "model_part.h"
+#include "pools.h"
 #include "pose.h"
 #include "reference.h"
 #include "vec3.h"
@@ -16,6 +17,18 @@
 
 enum { FINER_BITS_MAX = 2, ENTRIES_A_POLYGON = 4, ENTRIES_SPARE = 256 };
 static const double GRID_END = 32767.0, AT_END_Q8 = 16777216.0;
+
+bool moving_mode_parse(const char *text, enum moving_mode *out, struct error *err)
+{
+    static const char *const names[] = {
+        [MOVING_CLIPPED] = "clipped", [MOVING_BY_CENTRE] = "centre", [MOVING_OFF] = "off"};
+    for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
+        if (strcmp(text, names[i]) != 0) continue;
+        *out = (enum moving_mode)i;
+        return true;
+    }
+    return error_set(err, "--movers %s: no such way; there are clipped, centre and off", text);
+}
 
 /* The finest grid that holds the object. */
 static bool object_grid(const struct grid *scene, const struct model *part, struct grid *grid, uint8_t *finer_bits)
@@ -86,7 +99,7 @@ static bool compile_object(struct moving *moving, size_t index, const struct gri
     uint32_t *numbers;
     struct grid grid;
     own.predict = false;
-    own.method = NULL;
+    own.method = &methods[0];
     own.tree = TREE_BSP;
     memcpy(object->name, moving->model.movers[index].name, sizeof object->name);
     model_part(&moving->model, index + 1, &part, &numbers);
@@ -121,14 +134,23 @@ static void limits_set(struct moving *moving)
     limits->entries = (uint16_t)(entries < LIM_SORTED_MAX ? entries : LIM_SORTED_MAX);
 }
 
+/* They are refused where they are to be drawn. */
+static bool draws_no_movers(enum lim_method draws)
+{
+    return draws != LIM_NEAREST_FIRST && draws != LIM_PAINTER;
+}
+
 static bool compile_parts(struct moving *moving, const struct compile_options *options, enum moving_mode mode,
                           struct compiled *scene, struct error *err)
 {
+    struct compile_options own = *options;
     struct model part;
     uint32_t *numbers;
+    if (!own.method) own.method = &methods[0]; /* nearest first */
+    if (own.tree == TREE_AUTO) own.tree = TREE_BSP;
     model_part(&moving->model, 0, &part, &numbers);
     bool ok = part.face_count || error_set(err, "everything in it is animated; objects move in a scene that stands still");
-    ok = ok && compile_part(&part, NULL, options, scene, err);
+    ok = ok && compile_part(&part, NULL, &own, scene, err);
     if (ok) number_faces(scene, numbers);
     model_free(&part);
     free(numbers);
@@ -138,8 +160,10 @@ static bool compile_parts(struct moving *moving, const struct compile_options *o
     moving->instances = grow_zeroed(moving->count, sizeof *moving->instances);
     for (size_t i = 0; ok && i < moving->count; i++)
         ok = compile_object(moving, i, &scene->grid, options, mode, err);
-    if (ok) limits_set(moving);
-    return ok;
+    if (!ok) return false;
+    limits_set(moving);
+    return draws_no_movers(own.method->draws) ||
+           pools_measure_moving(scene, moving, options->core, scene->report.w_px, scene->report.h_px, err);
 }
 
 static void drop_movers(struct model *model)
@@ -159,6 +183,12 @@ bool moving_compile(const char *path, const struct compile_options *options, enu
     if (!moving->model.mover_count)
         return compile_part(&moving->model, NULL, options, scene, err) || error_prefix(err, path);
     return compile_parts(moving, options, mode, scene, err) || error_prefix(err, path);
+}
+
+double moving_length_s(const struct moving *moving)
+{
+    const struct lim_motion *motion = &moving->objects[0].motion;
+    return motion->keys[motion->count - 1].time_ms / 1000.0;
 }
 
 void moving_pose(struct moving *moving, double time_s)

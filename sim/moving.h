@@ -27,10 +27,15 @@ struct moving {
 /* How movers enter the walk: --movers. MOVING_OFF: they stay where the file has them, a part of the scene. */
 enum moving_mode { MOVING_CLIPPED, MOVING_BY_CENTRE, MOVING_OFF };
 
+bool moving_mode_parse(const char *text, enum moving_mode *out, struct error *err);
+
 /* Model file -> compiled scene and objects. Refuses objects that do not fit the scene's grid, and models in which
  * nothing stands still. Both are the caller's to free, also after a failure. */
 bool moving_compile(const char *path, const struct compile_options *options, enum moving_mode mode,
                     struct compiled *scene, struct moving *moving, struct error *err);
+
+/* The time of the last keys. */
+double moving_length_s(const struct moving *moving);
 
 /* Places all instances as firmware would. */
 void moving_pose(struct moving *moving, double time_s);

@@ -3,6 +3,9 @@
  * Counters are nobody's need: who wants them says so to the C compiler. */
 #include "needs.h"
 
+#include "moving.h"
+#include "records.h"
+
 enum { SIDE_MIN_PX = 8 };
 
 static unsigned greater(unsigned a, unsigned b)
@@ -15,7 +18,7 @@ static bool walks_tree(enum lim_method draws)
     return draws == LIM_NEAREST_FIRST || draws == LIM_PAINTER;
 }
 
-struct needs needs_of(const struct compiled *scene)
+static struct needs needs_of_scene(const struct compiled *scene)
 {
     return (struct needs){.nearest = scene->report.draws == LIM_NEAREST_FIRST,
                           .convex = scene->report.draws == LIM_CONVEX,
@@ -35,6 +38,26 @@ struct needs needs_of(const struct compiled *scene)
                           .core = scene->report.core};
 }
 
+/* What an object's arrays hold; it is drawn by its scene's method. */
+static void add_object(struct needs *needs, const struct compiled *object)
+{
+    needs->cull |= object->scene.box_count > 0;
+    needs->leaves |= object->report.leaves > 0;
+    needs->slanted |= object->scene.plane_count > 0;
+    needs->large |= object->scene.exact_count > 0;
+    needs->transparent |= records_with(&object->scene, LIM_POLYGON_ALPHA) > 0;
+    needs->vertices = greater(needs->vertices, object->scene.limits.vertices);
+}
+
+struct needs needs_of(const struct compiled *scene, const struct moving *moving)
+{
+    struct needs needs = needs_of_scene(scene);
+    needs.movers = moving && moving->count > 0;
+    for (size_t i = 0; moving && i < moving->count; i++)
+        add_object(&needs, &moving->objects[i].scene);
+    return needs;
+}
+
 struct needs needs_union(const struct needs *a, const struct needs *b)
 {
     return (struct needs){.nearest = a->nearest || b->nearest,
@@ -50,6 +73,7 @@ struct needs needs_union(const struct needs *a, const struct needs *b)
                           .large = a->large || b->large,
                           .transparent = a->transparent || b->transparent,
                           .wireframe = a->wireframe || b->wireframe,
+                          .movers = a->movers || b->movers,
                           .vertices = greater(a->vertices, b->vertices),
                           .side_px = greater(a->side_px, b->side_px),
                           .core = a->core};
@@ -75,6 +99,7 @@ void needs_write(const struct needs *needs, FILE *file)
     write_macro(file, "HAS_PAINTER", needs->painter);
     write_macro(file, "HAS_DEPTH", needs->depth);
     write_macro(file, "HAS_NEWELL", needs->newell);
+    write_macro(file, "HAS_MOVERS", needs->movers);
     write_macro(file, "HAS_CULL", needs->cull);
     write_macro(file, "HAS_LEAVES", needs->leaves);
     write_macro(file, "HAS_TEXTURE", needs->textures);

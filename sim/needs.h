@@ -9,6 +9,8 @@
 
 #include <stdio.h>
 
+struct moving;
+
 struct needs {
     bool nearest, convex, painter; /* methods */
     bool depth, newell;            /* more of them */
@@ -18,12 +20,14 @@ struct needs {
     bool cull, slanted, large; /* what the methods have to do with the scene's boxes and planes */
     bool transparent;          /* polygons with alpha */
     bool wireframe;            /* to be drawn so */
+    bool movers;
     unsigned vertices;         /* most of any polygon */
     unsigned side_px;          /* longest of any panel that pools were measured for; 0: none */
     const struct core *core;   /* precision; NULL: not said */
 };
 
-struct needs needs_of(const struct compiled *scene);
+/* `moving`: what moves in it, or NULL. */
+struct needs needs_of(const struct compiled *scene, const struct moving *moving);
 
 /* All that either needs. Both have the same precision. */
 struct needs needs_union(const struct needs *a, const struct needs *b);

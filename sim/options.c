@@ -105,18 +105,6 @@ static bool parse_newell(const char *text, struct lim_newell_options *out, struc
     return true;
 }
 
-static bool parse_movers(const char *text, enum moving_mode *out, struct error *err)
-{
-    static const char *const names[] = {
-        [MOVING_CLIPPED] = "clipped", [MOVING_BY_CENTRE] = "centre", [MOVING_OFF] = "off"};
-    for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
-        if (strcmp(text, names[i]) != 0) continue;
-        *out = (enum moving_mode)i;
-        return true;
-    }
-    return error_set(err, "--movers %s: no such way; there are clipped, centre and off", text);
-}
-
 static bool parse_fps(const char *text, double *out, struct error *err)
 {
     if (!parse_number("--fps", text, out, err)) return false;
@@ -148,7 +136,7 @@ static bool parse_option(int code, const char *text, struct options *out, struct
     case OPTION_NEWELL:
         return parse_newell(text, &out->newell, err);
     case OPTION_MOVERS:
-        return parse_movers(text, &out->movers, err);
+        return moving_mode_parse(text, &out->movers, err);
     case OPTION_FPS:
         return parse_fps(text, &out->frames_per_s, err);
     case OPTION_PRECISION:

@@ -6,6 +6,7 @@
 #include "pools.h"
 
 #include "lim_image.h"
+#include "moving.h"
 #include "portals.h"
 #include "records.h"
 #include "sample.h"
@@ -19,7 +20,7 @@ enum { CAMERAS = 256, STRAYS = 1, LEAST_PIECES = 8, PLENTY_OF_PIECES = 16000, PL
 struct usage {
     size_t cameras;
     uint16_t cells[CAMERAS], gaps[CAMERAS], active[CAMERAS], layers[CAMERAS];
-    uint32_t splits_max; /* strays included: without room for a piece the picture may be wrong */
+    uint32_t splits_max, entries_max; /* strays included: without room for a piece the picture may be wrong */
 };
 
 static uint16_t least_cells(const struct lim_limits *limits)
@@ -53,11 +54,12 @@ static void note(struct usage *usage, const struct lim_stats *stats)
     usage->active[i] = stats->active_max;
     if (stats->newell.splits > usage->splits_max) usage->splits_max = stats->newell.splits;
     usage->layers[i] = stats->layers_max;
+    if (stats->movers.entries > usage->entries_max) usage->entries_max = stats->movers.entries;
 }
 
 /* Out-of-range cameras (a scene of thousands of kilometres) are passed over. */
-static bool sample_frames(const struct compiled *scene, struct simulator *simulator, struct usage *usage,
-                          struct error *err)
+static bool sample_frames(const struct compiled *scene, struct moving *moving, struct simulator *simulator,
+                          struct usage *usage, struct error *err)
 {
     struct sampler sampler;
     struct lens lens;
@@ -71,19 +73,21 @@ static bool sample_frames(const struct compiled *scene, struct simulator *simula
         const struct camera_path path = {"sampled cameras", &viewpoint, 1};
         struct lim_camera camera;
         if (!camera_path_to_camera(&path, 0, &lens, &scene->grid, &camera, err)) continue;
+        if (moving) moving_pose(moving, moving_length_s(moving) * i / CAMERAS);
         if (!simulator_frame(simulator, &camera, err)) return false;
         note(usage, simulator_stats(simulator));
     }
     return true;
 }
 
-static bool sample_method(const struct compiled *scene, const struct simulator_setup *setup, bool wireframe,
-                          struct usage *usage, struct error *err)
+static bool sample_method(const struct compiled *scene, struct moving *moving, const struct simulator_setup *setup,
+                          bool wireframe, struct usage *usage, struct error *err)
 {
     struct simulator simulator;
     if (!simulator_init(&simulator, &scene->scene, setup, err)) return false;
     simulator_set_wireframe(&simulator, &(struct lim_wireframe){.on = wireframe});
-    const bool ok = sample_frames(scene, &simulator, usage, err);
+    const bool ok = (!moving || simulator_set_movers(&simulator, moving->instances, moving->count, &moving->limits, err)) &&
+                    sample_frames(scene, moving, &simulator, usage, err);
     simulator_free(&simulator);
     return ok;
 }
@@ -95,7 +99,7 @@ static bool sample_convex(struct compiled *roomy, struct simulator_setup *setup,
     struct usage usage = {0};
     setup->method = LIM_CONVEX;
     roomy->scene.limits.active = roomy->scene.polygon_count;
-    if (!sample_method(roomy, setup, false, &usage, err)) return false;
+    if (!sample_method(roomy, NULL, setup, false, &usage, err)) return false;
     const uint16_t crossing = with_margin(most(usage.active, usage.cameras), 1);
     *active = crossing > *active ? crossing : *active;
     return true;
@@ -114,11 +118,11 @@ static uint16_t greater(uint16_t a, uint16_t b)
 }
 
 /* Raises the limits to what the orders with spans need. */
-static bool sample_spans(struct compiled *roomy, const struct simulator_setup *setup, bool wireframe,
-                         struct lim_limits *limits, struct error *err)
+static bool sample_spans(struct compiled *roomy, struct moving *moving, const struct simulator_setup *setup,
+                         bool wireframe, struct lim_limits *limits, struct error *err)
 {
     struct usage usage = {0};
-    if (!sample_method(roomy, setup, wireframe, &usage, err)) return false;
+    if (!sample_method(roomy, moving, setup, wireframe, &usage, err)) return false;
     const uint16_t cells = with_margin(most(usage.cells, usage.cameras), least_cells(limits));
     limits->retained_cells = greater(limits->retained_cells, cells);
     limits->gaps = greater(limits->gaps, with_margin(most(usage.gaps, usage.cameras), 1));
@@ -126,21 +130,49 @@ static bool sample_spans(struct compiled *roomy, const struct simulator_setup *s
     limits->pieces = greater(limits->pieces, pieces_for(&usage));
     if (roomy->scene.limits.layers)
         limits->layers = greater(limits->layers, with_margin(most(usage.layers, usage.cameras), 1));
+    if (moving && usage.entries_max < moving->limits.entries)
+        moving->limits.entries = with_margin((uint16_t)usage.entries_max, moving->limits.instances);
+    return true;
+}
+
+/* A scene with the same arrays whose pools do not run out. */
+static struct compiled roomy_of(const struct compiled *scene)
+{
+    struct compiled roomy = *scene;
+    roomy.scene.limits.retained_cells = roomy.scene.limits.gaps = roomy.scene.limits.active = PLENTY;
+    roomy.scene.limits.pieces = PLENTY_OF_PIECES;
+    roomy.scene.limits.layers = records_with(&scene->scene, LIM_POLYGON_ALPHA) ? PLENTY : 0;
+    return roomy;
+}
+
+bool pools_measure_moving(struct compiled *scene, struct moving *moving, const struct core *core, unsigned w_px,
+                          unsigned h_px, struct error *err)
+{
+    struct lim_limits limits = scene->scene.limits;
+    struct compiled roomy = roomy_of(scene);
+    const struct simulator_setup setup = {w_px, h_px, LIM_NEAREST_FIRST, SIMULATOR_MEMORY, core};
+
+    for (size_t i = 0; i < moving->count; i++) {
+        const struct lim_scene *object = &moving->objects[i].scene.scene;
+        if (records_with(object, LIM_POLYGON_ALPHA)) roomy.scene.limits.layers = PLENTY;
+        limits.retained_cells = greater(limits.retained_cells, least_cells(&object->limits));
+    }
+    if (!sample_spans(&roomy, moving, &setup, false, &limits, err) ||
+        (scene->report.wireframe && !sample_spans(&roomy, moving, &setup, true, &limits, err)))
+        return false;
+    lim_image_set_limits(scene, &limits);
     return true;
 }
 
 bool pools_measure(struct compiled *scene, const struct core *core, unsigned w_px, unsigned h_px, struct error *err)
 {
     struct lim_limits limits = {.depth = scene->scene.limits.depth, .vertices = scene->scene.limits.vertices};
-    struct compiled roomy = *scene; /* shares the arrays */
+    struct compiled roomy = roomy_of(scene);
     const enum lim_method method = method_sorts(scene->report.draws) ? scene->report.draws : LIM_NEAREST_FIRST;
     struct simulator_setup setup = {w_px, h_px, method, SIMULATOR_MEMORY, core};
 
-    roomy.scene.limits.retained_cells = roomy.scene.limits.gaps = roomy.scene.limits.active = PLENTY;
-    roomy.scene.limits.pieces = PLENTY_OF_PIECES;
-    roomy.scene.limits.layers = records_with(&scene->scene, LIM_POLYGON_ALPHA) ? PLENTY : 0;
-    if (!sample_spans(&roomy, &setup, false, &limits, err) ||
-        (scene->report.wireframe && !sample_spans(&roomy, &setup, true, &limits, err)))
+    if (!sample_spans(&roomy, NULL, &setup, false, &limits, err) ||
+        (scene->report.wireframe && !sample_spans(&roomy, NULL, &setup, true, &limits, err)))
         return false;
     if (scene->report.convex && !sample_convex(&roomy, &setup, &limits.active, err)) return false;
     lim_image_set_limits(scene, &limits);

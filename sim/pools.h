@@ -35,6 +35,11 @@ enum {
     MCU_CLIP_PLANES = 5
 };
 
+/* The same for a scene that has its limits already, with all that moves in it; sets moving->limits.entries too. */
+struct moving;
+bool pools_measure_moving(struct compiled *scene, struct moving *moving, const struct core *core, unsigned w_px,
+                          unsigned h_px, struct error *err);
+
 /* Bytes that lim_init() wants on a 32-bit MCU for the panel, the precision and the method of scene->report,
  * and the least that it takes. This host's structs are larger. */
 size_t pools_mcu_mem_b(const struct compiled *scene);

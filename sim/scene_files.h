@@ -5,13 +5,18 @@
 #ifndef SIM_SCENE_FILES_H
 #define SIM_SCENE_FILES_H
 
+#include "c_name.h"
 #include "compiled.h"
 #include "outputs.h"
+
+struct moving;
 
 struct named_scene {
     const struct compiled *scene;
     const char *name;
+    const struct moving *moving; /* what moves in it; NULL: nothing */
 };
+
 
 /* NAME.lim, at the path given. */
 bool lim_file_put(const struct compiled *scene, const char *path, struct outputs *outputs, struct error *err);
@@ -22,6 +27,12 @@ bool c_header_put(const struct named_scene *scenes, size_t count, const char *he
 
 /* NAME.c: the arrays. It includes HEADER.h. */
 bool c_source_put(const struct named_scene *scene, const char *header, struct outputs *outputs, struct error *err);
+
+/* What moves in a scene: NAME_object1.c and .lim, and so on, and NAME_movers.c, which includes HEADER.h. */
+bool c_movers_put(const struct named_scene *scene, const char *header, struct outputs *outputs, struct error *err);
+
+/* What NAME.h says of that. */
+void c_movers_declare(FILE *file, const struct named_scene *scene, const struct c_name *name);
 
 /* Keeps the outputs if `ok`, discards them otherwise; whether both went well. */
 bool scene_files_finish(struct outputs *outputs, bool ok, struct error *err);
