@@ -5,7 +5,9 @@
  * polygons are sorted as Newell, Newell and Sancha did (newell.c), which splits what passes through each other. */
 #include "movers.h"
 
+#include "corners.h"
 #include "entry.h"
+#include "fill.h"
 #include "piece.h"
 
 #if LIM_HAS_MOVERS
@@ -114,13 +116,37 @@ uint16_t lim_movers_order(struct lim *lim, uint16_t list, bool back_to_front)
 
 /* Drawing ------------------------------------------------------------------------------------ */
 
+/* A polygon of a mover: its plane, in its object, and on which side of that the eye is. */
+struct face {
+    const LIM_FLASH uint16_t *record;
+    const LIM_FLASH struct lim_plane_ref *plane;
+    uint16_t mover;
+    bool eye_in_front;
+};
+
+#if LIM_HAS_LIGHT
+static uint16_t colour_of(const struct lim *lim, const struct face *face)
+{
+    const struct lim_scene *object = lim->movers.instances[face->mover].object;
+    struct lim_plane_wide plane;
+
+    lim_plane_unpack(&plane, object, face->plane);
+    for (uint_fast8_t i = 0; i < 3 && !face->eye_in_front; i++)
+        plane.n[i] = -plane.n[i];
+    return lim_light_shade(&lim->movers.light, lim->movers.movers[face->mover].to_q14, plane.n, face->record[1]);
+}
+#endif
+
 /* Objects are not textured: what they show is their records' colours. */
-static bool project(struct lim *lim, struct lim_screen_polygon *out, uint16_t mover, const LIM_FLASH uint16_t *record,
+static bool project(struct lim *lim, struct lim_screen_polygon *out, const struct face *face,
                     const struct lim_rect *open)
 {
-    const struct lim_scene *object = lim->movers.instances[mover].object;
+    const struct lim_scene *object = lim->movers.instances[face->mover].object;
 
-    if (!lim_project(out, lim_mover_view(lim, mover), object, record, open, lim_stats_of(lim))) return false;
+    if (!lim_project(out, lim_mover_view(lim, face->mover), object, face->record, open, lim_stats_of(lim))) return false;
+#if LIM_HAS_LIGHT
+    if (lim->movers.light.on) out->colour = lim_memory_colour(colour_of(lim, face));
+#endif
 #if LIM_HAS_TEXTURE
     out->texture = LIM_NONE;
 #endif
@@ -156,9 +182,16 @@ static int draw_run(struct lim *lim, const struct lim_route *route, uint16_t mov
     const LIM_FLASH uint16_t *const first = &route->scene->polygons[run];
     const LIM_FLASH uint16_t *record = route->back_to_front ? last_record(first) : first;
     struct lim_screen_polygon polygon;
+    struct face face = {.plane = &route->scene->nodes[route->node].split, .mover = mover};
 
     while (record) {
-        if (lim_record_is_seen(route->eye, record) && project(lim, &polygon, mover, record, open)) {
+        face.record = record;
+        face.eye_in_front = route->side > 0;
+        if (LIM_HAS_LEAVES && record[0] & LIM_POLYGON_PLANE) {
+            face.plane = lim_record_plane(record);
+            face.eye_in_front = !(record[0] & LIM_POLYGON_BACK);
+        }
+        if (lim_record_is_seen(route->eye, record) && project(lim, &polygon, &face, open)) {
             const int err = draw(lim, LIM_NONE, &polygon, open);
             if (err) return err;
         }
@@ -184,9 +217,11 @@ static int draw_whole(struct lim *lim, uint16_t mover, const struct lim_rect *op
 static int draw_entry(struct lim *lim, uint16_t entry, const struct lim_rect *open, lim_mover_draw *draw)
 {
     const bool is_cut = lim->sorter.newell.polygons[entry].cuts != LIM_NONE;
+    const struct face face = {lim_entry_record(lim, entry), lim_plane_of(lim, entry), lim_entry_owner(lim, entry),
+                              lim->sorter.newell.polygons[entry].eye_in_front};
     struct lim_screen_polygon polygon;
 
-    if (!project(lim, &polygon, lim_entry_owner(lim, entry), lim_entry_record(lim, entry), open)) return 0;
+    if (!project(lim, &polygon, &face, open)) return 0;
     return draw(lim, is_cut ? entry : (uint16_t)LIM_NONE, &polygon, open);
 }
 

@@ -48,6 +48,11 @@
 #define LIM_HAS_MOVERS (LIM_HAS_NEAREST || LIM_HAS_PAINTER)
 #endif
 
+/* A light that shades movers in each frame. */
+#ifndef LIM_HAS_LIGHT
+#define LIM_HAS_LIGHT LIM_HAS_MOVERS
+#endif
+
 /* What the scene's arrays hold. */
 #ifndef LIM_HAS_CULL
 #define LIM_HAS_CULL 1 /* bounds of subtrees, to be tested against the open view */
@@ -169,6 +174,9 @@
 #endif
 #if LIM_HAS_MOVERS && !LIM_HAS_TREE
 #error "LIM_HAS_MOVERS needs LIM_HAS_NEAREST or LIM_HAS_PAINTER"
+#endif
+#if LIM_HAS_LIGHT && !LIM_HAS_MOVERS
+#error "LIM_HAS_LIGHT needs LIM_HAS_MOVERS"
 #endif
 #if LIM_HAS_LARGE && !LIM_HAS_SLANTED
 #error "LIM_HAS_LARGE needs LIM_HAS_SLANTED"

@@ -17,6 +17,7 @@
 #include "config.h"
 #include "errors.h"
 #include "instance.h"
+#include "lamp.h"
 #include "motion.h"
 #include "scene.h"
 #include "stats.h"

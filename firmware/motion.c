@@ -6,23 +6,9 @@
 
 #include "angle.h"
 #include "fixed.h"
+#include "root.h"
 
 #if LIM_HAS_MOVERS
-
-/* floor(sqrt(x)), a bit a turn. */
-static uint32_t root_of(uint64_t x)
-{
-    uint64_t bit = UINT64_C(1) << 62, root = 0;
-
-    for (; bit; bit >>= 2) {
-        const uint64_t with = root + bit;
-        root >>= 1;
-        if (x < with) continue;
-        x -= with;
-        root += bit;
-    }
-    return (uint32_t)root;
-}
 
 /* Makes a quaternion a unit; not all of it is 0. */
 static void normalise(int32_t q_q30[4], const int64_t sum[4])
@@ -38,7 +24,7 @@ static void normalise(int32_t q_q30[4], const int64_t sum[4])
         const int64_t part = sum[i] >> shift;
         square += (uint64_t)(part * part);
     }
-    const uint32_t length = root_of(square);
+    const uint32_t length = lim_root(square);
     for (uint_fast8_t i = 0; i < 4; i++) {
         const int32_t part = (int32_t)(sum[i] >> shift);
         const uint32_t size = abs_s32(part);

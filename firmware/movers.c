@@ -43,6 +43,9 @@ int lim_movers_init(struct lim *lim, void *mem, size_t mem_b, const struct lim_m
     LIM_ASSERT(limits->instances <= LIM_INSTANCES_MAX && limits->instances <= limits->entries);
     LIM_ASSERT(limits->entries <= LIM_SORTED_MAX);
     if (mem_b < lim_movers_mem_b(lim->scene, limits)) return LIM_ERR_MEMORY;
+#if LIM_HAS_LIGHT
+    movers->light.on = false;
+#endif
     movers->most = limits->instances;
     movers->object_depth = limits->depth;
     if (lim->target.method != LIM_NEAREST_FIRST && lim->target.method != LIM_PAINTER) movers->most = 0;
@@ -275,6 +278,11 @@ static bool pose(struct lim *lim, uint16_t i, const struct lim_camera *camera, c
     mover->view.vertices = 0;
     if (!lim_rows_set_turned(&mover->view.rows, instance->object, &own, own_axes_q30)) return false;
     lim_eye_set(&mover->eye, instance->object, own.eye_q8);
+#if LIM_HAS_LIGHT
+    const int32_t to_q14[3] = {lim->movers.light.to_q14[0], lim->movers.light.to_q14[1], lim->movers.light.to_q14[2]};
+    for (uint_fast8_t k = 0; k < 3; k++)
+        mover->to_q14[k] = (int16_t)shift_round_s64(along_axis(instance, k, to_q14), 30);
+#endif
     set_ball(mover, instance);
     if (is_within(mover)) return true;
     mover->radius_q12 = -1;

@@ -9,6 +9,7 @@
 
 #include "eye.h"
 #include "instance.h"
+#include "lamp.h"
 #include "project.h"
 #include "sorted.h"
 
@@ -20,6 +21,9 @@ struct lim_mover {
     struct lim_eye eye;   /* likewise */
     int32_t centre_q12[3]; /* of the object's box, units of the static scene, |centre| + radius < 2^28 */
     int32_t radius_q12;    /* negative: it is left out */
+#if LIM_HAS_LIGHT
+    int16_t to_q14[3]; /* the lamp, in its own axes */
+#endif
 };
 
 /* What is due when a node's near subtree is done. */
@@ -56,6 +60,9 @@ struct lim_movers {
     int32_t ahead_q28[3];         /* the camera's */
     int32_t eye_q8[3];
     struct lim_view world;        /* of the static scene at half its scale, so that it reaches to 2^16 units */
+#if LIM_HAS_LIGHT
+    struct lim_light light;
+#endif
 #if LIM_HAS_CULL
     struct lim_cull cull; /* of the object that is being drawn whole */
 #endif

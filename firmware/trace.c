@@ -194,11 +194,30 @@ static enum lim_span_result pass(struct lim *lim, uint8_t alpha, const struct li
     return see_lines(&lim->spans, last, top, bottom) ? LIM_SPAN_SOME : LIM_SPAN_NOTHING;
 }
 
+static bool is_empty(const struct lim_point *line)
+{
+    return line->x >= line->y;
+}
+
+/* Lines of the whole above and below the piece need not be retained. */
+static void trim(struct lim_point *last, int16_t *top, int16_t *bottom)
+{
+    int16_t below = 0;
+
+    while (*top < *bottom && is_empty(&last[*bottom - 1 - *top]))
+        ++*top;
+    while (*top < *bottom - below && is_empty(&last[below]))
+        below++;
+    *bottom = (int16_t)(*bottom - below);
+    for (int16_t i = 0; below && i < *bottom - *top; i++)
+        last[i] = last[i + below];
+}
+
 static bool take_plain(struct lim *lim, uint16_t entry, const struct lim_screen_polygon *whole)
 {
     const struct lim_rect *open = &lim->spans.open;
-    const int16_t top = whole->shape.top > (int16_t)open->y0 ? whole->shape.top : (int16_t)open->y0;
-    const int16_t bottom = whole->shape.bottom < (int16_t)open->y1 ? whole->shape.bottom : (int16_t)open->y1;
+    int16_t top = whole->shape.top > (int16_t)open->y0 ? whole->shape.top : (int16_t)open->y0;
+    int16_t bottom = whole->shape.bottom < (int16_t)open->y1 ? whole->shape.bottom : (int16_t)open->y1;
     struct lim_retained *retained = &lim->retained;
     struct lim_point *last = &retained->cells[retained->used].at + LIM_RETAINED_HEAD_CELLS;
 
@@ -207,8 +226,9 @@ static bool take_plain(struct lim *lim, uint16_t entry, const struct lim_screen_
     if (LIM_HAS_STATS) lim_stats_of(lim)->lines += (uint32_t)(bottom - top);
     fill_lines(last, whole, open, top, bottom);
     cut_lines(lim, entry, last, top, bottom);
-    const enum lim_span_result result =
-        pass(lim, lim_wireframe_of(lim) ? (uint8_t)LIM_OPAQUE : lim_alpha_of(whole), last, top, bottom);
+    trim(last, &top, &bottom);
+    const uint8_t alpha = lim_wireframe_of(lim) ? (uint8_t)LIM_OPAQUE : lim_alpha_of(whole);
+    const enum lim_span_result result = pass(lim, alpha, last, top, bottom);
     if (result != LIM_SPAN_SOME) return result == LIM_SPAN_NOTHING;
     if (LIM_HAS_STATS) lim_stats_of(lim)->polygons_seen++;
     struct lim_retained_polygon seen = lim_retained_of(whole, top, bottom, lim_wireframe_of(lim));

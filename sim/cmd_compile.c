@@ -32,6 +32,7 @@ enum option_code {
     OPTION_CAMERA,
     OPTION_CORE,
     OPTION_MOVERS,
+    OPTION_MOVER_LIGHT,
     OPTION_REPORT
 };
 
@@ -50,6 +51,7 @@ static const struct option OPTIONS[] = {
     {"camera", required_argument, NULL, OPTION_CAMERA},
     {"core", required_argument, NULL, OPTION_CORE},
     {"size", required_argument, NULL, OPTION_SIZE},
+    {"mover-light", required_argument, NULL, OPTION_MOVER_LIGHT},
     {"movers", required_argument, NULL, OPTION_MOVERS},
     {"report", no_argument, NULL, OPTION_REPORT},
     {NULL, 0, NULL, 0},
@@ -61,7 +63,7 @@ struct request {
     const char *name; /* the path to write to, without suffix */
     struct compile_options compile;
     struct choice_bound bound; /* of --max-error and its like */
-    enum moving_mode movers;
+    struct moving_options movers;
     bool report_only;
 };
 
@@ -110,7 +112,9 @@ static bool parse_option(int code, char **argv, struct request *out, struct erro
     case OPTION_CORE:
         return measure_cpu_parse(optarg, &out->bound.cpu, err);
     case OPTION_MOVERS:
-        return moving_mode_parse(optarg, &out->movers, err);
+        return moving_mode_parse(optarg, &out->movers.mode, err);
+    case OPTION_MOVER_LIGHT:
+        return moving_light_parse(optarg, &out->movers.light, err);
     case OPTION_REPORT:
         out->report_only = true;
         return true;
@@ -197,7 +201,7 @@ static bool compile_all(const struct request *request, struct result *result, st
     for (size_t i = 0; i < request->model_count; i++) {
         struct moving *moving = &result->moving[i];
         result->count++;
-        if (!moving_compile(request->models[i], &request->compile, request->movers, &result->scenes[i], moving, err))
+        if (!moving_compile(request->models[i], &request->compile, &request->movers, &result->scenes[i], moving, err))
             return false;
         if (*moving->model.notice) fprintf(stderr, "limner: %s: %s\n", request->models[i], moving->model.notice);
         result->named[i] = (struct named_scene){&result->scenes[i], result->names[i], moving->count ? moving : NULL};

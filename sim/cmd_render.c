@@ -87,6 +87,7 @@ static bool start(struct render *render, struct error *err)
     struct moving *moving = &render->moving;
     if (moving->count && !simulator_set_movers(&render->simulator, moving->instances, moving->count, &moving->limits, err))
         return false;
+    if (moving->count) render->simulator.core->light(render->simulator.lim, &moving->light);
     bool want_ids = options->ids_path || options->compare;
     if (want_ids && !ids_init(&render->ids, &render->scene, &options->setup, err)) return false;
     if (want_ids) render->ids.simulator.core->newell(render->ids.simulator.lim, &options->newell);

@@ -27,6 +27,11 @@ static int frame(void *lim, const struct lim_camera *camera)
     return lim_frame(lim, camera);
 }
 
+static void light(void *lim, const struct lim_light *lamp)
+{
+    lim_light_set(lim, lamp);
+}
+
 static int movers_init(void *lim, void *mem, size_t mem_b, const struct lim_movers_limits *limits)
 {
     return lim_movers_init(lim, mem, mem_b, limits);
@@ -127,6 +132,7 @@ const struct core CORE = {.name = CORE_NAME(CORE),
                           .init = init,
                           .newell = newell,
                           .frame = frame,
+                          .light = light,
                           .movers_mem_b = lim_movers_mem_b,
                           .movers_init = movers_init,
                           .movers_frame = movers_frame,

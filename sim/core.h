@@ -28,6 +28,7 @@ struct core {
     int (*init)(void *lim, const struct lim_scene *scene, const struct lim_target *target, void *mem, size_t mem_b);
     void (*newell)(void *lim, const struct lim_newell_options *options); /* lim_newell_set() */
     int (*frame)(void *lim, const struct lim_camera *camera);
+    void (*light)(void *lim, const struct lim_light *light); /* lim_light_set() */
     /* lim_movers_mem_b(), lim_movers_init() and lim_movers_frame(). */
     size_t (*movers_mem_b)(const struct lim_scene *scene, const struct lim_movers_limits *limits);
     int (*movers_init)(void *lim, void *mem, size_t mem_b, const struct lim_movers_limits *limits);

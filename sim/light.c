@@ -48,3 +48,13 @@ void light_bake(struct model *model)
         face->colour = dimmed(face->colour, brightness(normal));
     }
 }
+
+struct lim_light light_lamp(void)
+{
+    const double length = sqrt(vec3_dot(TO_LAMP, TO_LAMP));
+    struct lim_light light = {
+        .on = true, .middle_q8 = (uint8_t)lround(MIDDLE * 256), .swing_q8 = (uint8_t)lround(SWING * 256)};
+    for (int i = 0; i < 3; i++)
+        light.to_q14[i] = (int16_t)lround(TO_LAMP[i] / length * 16384);
+    return light;
+}

@@ -30,6 +30,13 @@ bool moving_mode_parse(const char *text, enum moving_mode *out, struct error *er
     return error_set(err, "--movers %s: no such way; there are clipped, centre and off", text);
 }
 
+bool moving_light_parse(const char *text, bool *out, struct error *err)
+{
+    *out = strcmp(text, "turning") == 0;
+    return *out || strcmp(text, "baked") == 0 ||
+           error_set(err, "--mover-light %s: no such light; there are baked and turning", text);
+}
+
 /* The finest grid that holds the object. */
 static bool object_grid(const struct grid *scene, const struct model *part, struct grid *grid, uint8_t *finer_bits)
 {
@@ -173,16 +180,25 @@ static void drop_movers(struct model *model)
     model->mover_count = model->key_count = 0;
 }
 
-bool moving_compile(const char *path, const struct compile_options *options, enum moving_mode mode,
+/* Their light comes later; a material that has none of its own is lit all the same. */
+static void keep_movers_unlit(struct moving *moving)
+{
+    for (size_t i = 0; i < moving->model.face_count; i++)
+        moving->model.faces[i].unlit |= moving->model.faces[i].mover > 0;
+    moving->light = light_lamp();
+}
+
+bool moving_compile(const char *path, const struct compile_options *options, const struct moving_options *movers,
                     struct compiled *scene, struct moving *moving, struct error *err)
 {
     *moving = (struct moving){0};
     if (!model_import(path, &moving->model, err)) return false;
-    if (mode == MOVING_OFF) drop_movers(&moving->model);
+    if (movers->mode == MOVING_OFF) drop_movers(&moving->model);
+    if (movers->light && !options->unlit) keep_movers_unlit(moving);
     if (!options->unlit) light_bake(&moving->model);
     if (!moving->model.mover_count)
         return compile_part(&moving->model, NULL, options, scene, err) || error_prefix(err, path);
-    return compile_parts(moving, options, mode, scene, err) || error_prefix(err, path);
+    return compile_parts(moving, options, movers->mode, scene, err) || error_prefix(err, path);
 }
 
 double moving_length_s(const struct moving *moving)

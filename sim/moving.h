@@ -21,6 +21,7 @@ struct moving {
     struct moving_object *objects;  /* one a mover of the model */
     struct lim_instance *instances; /* likewise */
     size_t count;                   /* 0: nothing moves */
+    struct lim_light light;         /* on: objects have none baked in */
     struct lim_movers_limits limits;
 };
 
@@ -29,9 +30,18 @@ enum moving_mode { MOVING_CLIPPED, MOVING_BY_CENTRE, MOVING_OFF };
 
 bool moving_mode_parse(const char *text, enum moving_mode *out, struct error *err);
 
+/* What `limner` has to be told of movers. */
+struct moving_options {
+    enum moving_mode mode;
+    bool light; /* in each frame; else it is baked into them where the file has them */
+};
+
+/* --mover-light baked or turning. */
+bool moving_light_parse(const char *text, bool *out, struct error *err);
+
 /* Model file -> compiled scene and objects. Refuses objects that do not fit the scene's grid, and models in which
  * nothing stands still. Both are the caller's to free, also after a failure. */
-bool moving_compile(const char *path, const struct compile_options *options, enum moving_mode mode,
+bool moving_compile(const char *path, const struct compile_options *options, const struct moving_options *movers,
                     struct compiled *scene, struct moving *moving, struct error *err);
 
 /* The time of the last keys. */

@@ -53,6 +53,7 @@ struct needs needs_of(const struct compiled *scene, const struct moving *moving)
 {
     struct needs needs = needs_of_scene(scene);
     needs.movers = moving && moving->count > 0;
+    needs.light = moving && moving->light.on;
     for (size_t i = 0; moving && i < moving->count; i++)
         add_object(&needs, &moving->objects[i].scene);
     return needs;
@@ -74,6 +75,7 @@ struct needs needs_union(const struct needs *a, const struct needs *b)
                           .transparent = a->transparent || b->transparent,
                           .wireframe = a->wireframe || b->wireframe,
                           .movers = a->movers || b->movers,
+                          .light = a->light || b->light,
                           .vertices = greater(a->vertices, b->vertices),
                           .side_px = greater(a->side_px, b->side_px),
                           .core = a->core};
@@ -100,6 +102,7 @@ void needs_write(const struct needs *needs, FILE *file)
     write_macro(file, "HAS_DEPTH", needs->depth);
     write_macro(file, "HAS_NEWELL", needs->newell);
     write_macro(file, "HAS_MOVERS", needs->movers);
+    write_macro(file, "HAS_LIGHT", needs->light);
     write_macro(file, "HAS_CULL", needs->cull);
     write_macro(file, "HAS_LEAVES", needs->leaves);
     write_macro(file, "HAS_TEXTURE", needs->textures);

@@ -20,7 +20,7 @@ struct needs {
     bool cull, slanted, large; /* what the methods have to do with the scene's boxes and planes */
     bool transparent;          /* polygons with alpha */
     bool wireframe;            /* to be drawn so */
-    bool movers;
+    bool movers, light;        /* what moves, and whether it is lit in each frame */
     unsigned vertices;         /* most of any polygon */
     unsigned side_px;          /* longest of any panel that pools were measured for; 0: none */
     const struct core *core;   /* precision; NULL: not said */

@@ -39,11 +39,12 @@ enum option_code {
     OPTION_PRECISION,
     OPTION_NEWELL,
     OPTION_MOVERS,
+    OPTION_MOVER_LIGHT,
     OPTION_FPS
 };
 
 /* Those that only `render` has come first. */
-enum { RENDER_ONLY_OPTIONS = 11 };
+enum { RENDER_ONLY_OPTIONS = 12 };
 static const struct option OPTIONS[] = {
     {"gif", required_argument, NULL, OPTION_GIF},
     {"sheet", required_argument, NULL, OPTION_SHEET},
@@ -55,6 +56,7 @@ static const struct option OPTIONS[] = {
     {"write-cameras", required_argument, NULL, OPTION_WRITE_CAMERAS},
     {"newell", required_argument, NULL, OPTION_NEWELL},
     {"movers", required_argument, NULL, OPTION_MOVERS},
+    {"mover-light", required_argument, NULL, OPTION_MOVER_LIGHT},
     {"fps", required_argument, NULL, OPTION_FPS},
     {"camera", required_argument, NULL, OPTION_CAMERA},
     {"size", required_argument, NULL, OPTION_SIZE},
@@ -136,7 +138,9 @@ static bool parse_option(int code, const char *text, struct options *out, struct
     case OPTION_NEWELL:
         return parse_newell(text, &out->newell, err);
     case OPTION_MOVERS:
-        return moving_mode_parse(text, &out->movers, err);
+        return moving_mode_parse(text, &out->movers.mode, err);
+    case OPTION_MOVER_LIGHT:
+        return moving_light_parse(text, &out->movers.light, err);
     case OPTION_FPS:
         return parse_fps(text, &out->frames_per_s, err);
     case OPTION_PRECISION:
@@ -256,7 +260,7 @@ static bool load_scene(const struct options *options, struct compiled *scene, st
                 error_set(err, "%s: --method portals needs a scene compiled with --portals on", options->scene_path));
     }
     if (!moving) return compile_model(options->scene_path, &options->compile, scene, err);
-    if (!moving_compile(options->scene_path, &options->compile, options->movers, scene, moving, err)) return false;
+    if (!moving_compile(options->scene_path, &options->compile, &options->movers, scene, moving, err)) return false;
     if (*moving->model.notice) fprintf(stderr, "limner: %s: %s\n", options->scene_path, moving->model.notice);
     return true;
 }

@@ -21,7 +21,7 @@ struct options {
     const char *frame_pattern, *gif_path, *sheet_path, *ids_path, *check_path, *hashes_path, *cameras_path;
     bool stats, compare;
     struct lim_newell_options newell;
-    enum moving_mode movers;
+    struct moving_options movers;
     double frames_per_s; /* of what moves */
 };
 
