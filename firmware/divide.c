@@ -32,9 +32,10 @@ static void queue_add(struct queue *queue, uint16_t entry)
 
 void lim_movers_note_entries(struct lim *lim)
 {
-    struct lim_mover_stats *stats = LIM_HAS_STATS ? &lim_stats_of(lim)->movers : NULL;
+    const struct lim_sorter *sorter = &lim->sorter;
+    const uint16_t used = sorter->used > sorter->newell.cuts_used ? sorter->used : sorter->newell.cuts_used;
 
-    if (LIM_HAS_STATS && lim->sorter.used > stats->entries) stats->entries = lim->sorter.used;
+    if (LIM_HAS_STATS && used > lim_stats_of(lim)->movers.entries) lim_stats_of(lim)->movers.entries = used;
 }
 
 static uint16_t new_entry(struct lim *lim, uint16_t record, uint16_t owner, uint16_t node)

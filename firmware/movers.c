@@ -112,7 +112,7 @@ void lim_mover_place(const struct lim *lim, uint16_t mover, uint16_t vertex, int
 {
     const struct lim_instance *instance = &lim->movers.instances[mover];
     const struct lim_vertex at = instance->object->vertices[vertex];
-    int32_t v_q8[3] = {at.x * 256, at.y * 256, at.z * 256};
+    int32_t v_q8[3] = {at.x * INT32_C(256), at.y * INT32_C(256), at.z * INT32_C(256)};
 
 #if LIM_HAS_FRACTIONS
     if (instance->object->fractions) {

@@ -96,7 +96,7 @@ bool lim_mover_is_whole(const struct lim *lim, uint16_t entry);
  * no room for them. */
 bool lim_mover_burst(struct lim *lim, uint16_t entry, uint16_t *list);
 
-/* Counts the entries in use. */
+/* Counts the entries in use, or the cuts, whichever are more: there is room for as many. */
 void lim_movers_note_entries(struct lim *lim);
 
 /* Divides a list by the plane of a node of the static scene; what lies in it goes to the eye's side. */

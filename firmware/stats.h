@@ -34,7 +34,7 @@ struct lim_mover_stats {
     uint32_t divided;  /* that reached through a plane: their polygons were taken one by one */
     uint32_t pieces;   /* cuts by planes of the scene */
     uint32_t forced;   /* left to their centres, because there was no room: perhaps wrong */
-    uint32_t entries;  /* most in use in one walk */
+    uint32_t entries;  /* most in use in one walk, of entries or of cuts */
     uint32_t unsorted; /* met polygons of the scene in a leaf, whose order knows nothing of them: perhaps wrong */
 };
 

@@ -191,14 +191,22 @@ static void keep_movers_unlit(struct moving *moving)
 bool moving_compile(const char *path, const struct compile_options *options, const struct moving_options *movers,
                     struct compiled *scene, struct moving *moving, struct error *err)
 {
+    struct model model;
     *moving = (struct moving){0};
-    if (!model_import(path, &moving->model, err)) return false;
+    return model_import(path, &model, err) &&
+           (moving_compile_model(&model, options, movers, scene, moving, err) || error_prefix(err, path));
+}
+
+bool moving_compile_model(const struct model *model, const struct compile_options *options,
+                          const struct moving_options *movers, struct compiled *scene, struct moving *moving,
+                          struct error *err)
+{
+    *moving = (struct moving){.model = *model};
     if (movers->mode == MOVING_OFF) drop_movers(&moving->model);
     if (movers->light && !options->unlit) keep_movers_unlit(moving);
     if (!options->unlit) light_bake(&moving->model);
-    if (!moving->model.mover_count)
-        return compile_part(&moving->model, NULL, options, scene, err) || error_prefix(err, path);
-    return compile_parts(moving, options, movers->mode, scene, err) || error_prefix(err, path);
+    if (!moving->model.mover_count) return compile_part(&moving->model, NULL, options, scene, err);
+    return compile_parts(moving, options, movers->mode, scene, err);
 }
 
 double moving_length_s(const struct moving *moving)

@@ -44,6 +44,11 @@ bool moving_light_parse(const char *text, bool *out, struct error *err);
 bool moving_compile(const char *path, const struct compile_options *options, const struct moving_options *movers,
                     struct compiled *scene, struct moving *moving, struct error *err);
 
+/* The same of a model, which becomes *moving's. */
+bool moving_compile_model(const struct model *model, const struct compile_options *options,
+                          const struct moving_options *movers, struct compiled *scene, struct moving *moving,
+                          struct error *err);
+
 /* The time of the last keys. */
 double moving_length_s(const struct moving *moving);
 

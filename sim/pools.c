@@ -130,8 +130,9 @@ static bool sample_spans(struct compiled *roomy, struct moving *moving, const st
     limits->pieces = greater(limits->pieces, pieces_for(&usage));
     if (roomy->scene.limits.layers)
         limits->layers = greater(limits->layers, with_margin(most(usage.layers, usage.cameras), 1));
-    if (moving && usage.entries_max < moving->limits.entries)
-        moving->limits.entries = with_margin((uint16_t)usage.entries_max, moving->limits.instances);
+    if (moving) usage.splits_max = usage.entries_max;
+    if (moving && pieces_for(&usage) < moving->limits.entries)
+        moving->limits.entries = greater(pieces_for(&usage), moving->limits.instances);
     return true;
 }
 
