@@ -36,8 +36,8 @@ static void load_slanted(struct lim_plane_wide *plane, const struct lim_scene *s
     plane->d = lim_plane_d(packed);
 }
 
-void lim_plane_unpack(struct lim_plane_wide *plane, const struct lim_scene *scene,
-                      const LIM_FLASH struct lim_plane_ref *ref)
+static inline void unpack(struct lim_plane_wide *plane, const struct lim_scene *scene,
+                          const LIM_FLASH struct lim_plane_ref *ref)
 {
     if (LIM_HAS_SLANTED && ref->plane < LIM_PLANE_X) {
         load_slanted(plane, scene, lim_plane_at(scene->planes, ref->plane));
@@ -52,7 +52,7 @@ void lim_plane_unpack(struct lim_plane_wide *plane, const struct lim_scene *scen
 
 void lim_plane_load(struct lim_plane_wide *plane, const struct lim *lim, uint16_t entry)
 {
-    lim_plane_unpack(plane, lim_entry_scene(lim, entry), lim_plane_of(lim, entry));
+    unpack(plane, lim_entry_scene(lim, entry), lim_plane_of(lim, entry));
 #if LIM_HAS_MOVERS
     const uint16_t owner = lim_entry_owner(lim, entry);
 
@@ -60,7 +60,15 @@ void lim_plane_load(struct lim_plane_wide *plane, const struct lim *lim, uint16_
 #endif
 }
 
-void lim_entry_corner(const struct lim *lim, uint16_t entry, uint16_t vertex, int32_t at_q12[3])
+#if LIM_HAS_MOVERS
+void lim_plane_unpack(struct lim_plane_wide *plane, const struct lim_scene *scene,
+                      const LIM_FLASH struct lim_plane_ref *ref)
+{
+    unpack(plane, scene, ref);
+}
+#endif
+
+static inline void place_corner(const struct lim *lim, uint16_t entry, uint16_t vertex, int32_t at_q12[3])
 {
 #if LIM_HAS_MOVERS
     const uint16_t owner = lim_entry_owner(lim, entry);
@@ -85,13 +93,20 @@ void lim_entry_corner(const struct lim *lim, uint16_t entry, uint16_t vertex, in
 #endif
 }
 
+#if LIM_HAS_MOVERS
+void lim_entry_corner(const struct lim *lim, uint16_t entry, uint16_t vertex, int32_t at_q12[3])
+{
+    place_corner(lim, entry, vertex, at_q12);
+}
+#endif
+
 static void load_corners(struct lim_corners *corners, const struct lim *lim, uint16_t entry)
 {
     const LIM_FLASH uint16_t *record = lim_entry_record(lim, entry);
 
     corners->n = (uint8_t)(record[0] & LIM_POLYGON_COUNT);
     for (uint_fast8_t k = 0; k < corners->n; k++)
-        lim_entry_corner(lim, entry, record[LIM_POLYGON_HEAD_WORDS + k], corners->at_q12[k]);
+        place_corner(lim, entry, record[LIM_POLYGON_HEAD_WORDS + k], corners->at_q12[k]);
 }
 
 /* How far along from a value to one of the other sign 0 is. */

@@ -7,6 +7,8 @@
 
 #include "order.h"
 
+#if LIM_HAS_PIECES
+
 /* The mover that an entry is a part of, or LIM_NONE. */
 static inline uint16_t lim_entry_owner(const struct lim *lim, uint16_t entry)
 {
@@ -62,5 +64,7 @@ static inline struct lim_view *lim_entry_view(struct lim *lim, uint16_t entry)
 #endif
     return &lim->view;
 }
+
+#endif
 
 #endif

@@ -14,17 +14,14 @@ void lim_light_set(struct lim *lim, const struct lim_light *light)
     lim->movers.light = *light;
 }
 
-/* -2^14..2^14: no component of the normal keeps more than 14 bits, so that their products with the lamp's fit. */
+/* -2^14..2^14: the longest component of the normal gets 14 bits, so that their products with the lamp's fit. */
 static int32_t cosine_q14(const int16_t to_q14[3], const int32_t normal[3])
 {
-    const uint32_t bits = abs_s32(normal[0]) | abs_s32(normal[1]) | abs_s32(normal[2]);
-    uint8_t shift = 0;
+    const uint8_t spare = clz_u32(abs_s32(normal[0]) | abs_s32(normal[1]) | abs_s32(normal[2]));
     int32_t dot = 0, square = 0;
 
-    while (bits >> shift >> 14)
-        shift++;
     for (uint_fast8_t i = 0; i < 3; i++) {
-        const int32_t n = normal[i] >> shift;
+        const int32_t n = spare > 18 ? normal[i] * (INT32_C(1) << (spare - 18)) : normal[i] >> (18 - spare);
         dot += n * to_q14[i];
         square += n * n;
     }

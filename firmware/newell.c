@@ -14,6 +14,12 @@
 
 #if LIM_HAS_PIECES
 
+#if LIM_HAS_MOVERS
+#define NO_OWNER LIM_NONE
+#else
+#define NO_OWNER
+#endif
+
 /* On which sides of each other's planes two polygons lie; asked once, when it is needed. */
 struct couple {
     uint16_t p, q;
@@ -42,11 +48,8 @@ bool lim_newell_add(struct lim *lim, uint16_t entry, const LIM_FLASH uint16_t *r
     const struct lim_edge_shape *shape = &polygon.shape;
     const struct lim_rect rect = {within(shape->left, w_px), within(shape->top, h_px), within(shape->right, w_px),
                                   within(shape->bottom, h_px)};
-    lim->sorter.newell.polygons[entry] = (struct lim_newell_polygon){
-        .near_qv = near_qv, .rect = rect, .node = node, .cuts = LIM_NONE, .eye_in_front = eye_in_front};
-#if LIM_HAS_MOVERS
-    lim->sorter.newell.polygons[entry].owner = LIM_NONE;
-#endif
+    lim->sorter.newell.polygons[entry] =
+        (struct lim_newell_polygon){near_qv, rect, node, LIM_NONE, eye_in_front, false, NO_OWNER};
     return true;
 }
 

@@ -25,11 +25,11 @@ struct lim_newell_polygon {
     struct lim_rect rect; /* holds every pixel of it */
     uint16_t node;        /* whose run it is in */
     uint16_t cuts;        /* the last cut that made this piece, or LIM_NONE: it is whole */
+    bool eye_in_front;    /* of its plane */
+    bool swapped;         /* it goes before a P already */
 #if LIM_HAS_MOVERS
     uint16_t owner; /* the mover that it belongs to, or LIM_NONE */
 #endif
-    bool eye_in_front;    /* of its plane */
-    bool swapped;         /* it goes before a P already */
 };
 
 /* A piece lies on one side of the plane of another entry. */

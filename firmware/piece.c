@@ -87,23 +87,27 @@ static bool is_whole(const struct lim *lim, uint16_t entry)
     return lim->sorter.newell.polygons[entry].cuts == LIM_NONE;
 }
 
+#if LIM_HAS_MOVERS
 uint8_t lim_piece_sides_of(const struct lim *lim, uint16_t of, const struct lim_plane_wide *plane)
 {
     const uint8_t sides = sides_of_whole(lim, of, plane);
 
     return is_whole(lim, of) || sides != LIM_SIDE_BOTH ? sides : sides_of_piece(lim, of, plane);
 }
+#endif
 
 uint8_t lim_piece_sides(const struct lim *lim, uint16_t of, uint16_t by)
 {
+    const bool whole = is_whole(lim, of);
     struct lim_plane_wide plane;
 
-    if (!is_whole(lim, of)) {
+    if (!whole) {
         const uint8_t side = remembered_side(lim, of, by);
         if (side) return side;
     }
     lim_plane_load(&plane, lim, by);
-    return lim_piece_sides_of(lim, of, &plane);
+    const uint8_t sides = sides_of_whole(lim, of, &plane);
+    return whole || sides != LIM_SIDE_BOTH ? sides : sides_of_piece(lim, of, &plane);
 }
 
 /* On the screen ------------------------------------------------------------------------------- */

@@ -63,8 +63,16 @@ static void scale_row(int32_t row_q30[3], uint32_t scale_q30)
         row_q30[i] = lim_mul_q30(row_q30[i], (int32_t)scale_q30);
 }
 
-static void set_entries(int32_t entries_q30[9], const struct lim_camera *camera, uint32_t zoom_q28, uint8_t tele_bits)
+/* From the camera's own axes, or others. */
+static void set_entries(int32_t entries_q30[9], const struct lim_camera *camera, const int32_t *axes_q30,
+                        uint32_t zoom_q28, uint8_t tele_bits)
 {
+    if (LIM_HAS_MOVERS && axes_q30) {
+        for (uint_fast8_t i = 0; i < 9; i++)
+            entries_q30[i] = axes_q30[i];
+    } else {
+        lim_orientation_set(entries_q30, camera);
+    }
     scale_row(entries_q30, quotient_q30(zoom_q28, camera->tan_x_q28));
     scale_row(entries_q30 + 3, quotient_q30(zoom_q28, camera->tan_y_q28));
     scale_row(entries_q30 + 6, zoom_q28 << 2 << tele_bits);
@@ -166,7 +174,6 @@ static int32_t near_qv_of(const struct lim_camera *camera, uint32_t zoom_q28, ui
     return near_qv > INT32_C(1) << 29 ? INT32_C(1) << 29 : near_qv;
 }
 
-/* The camera's own axes, or others. */
 static inline bool set_rows(struct lim_rows *rows, const struct lim_scene *scene, const struct lim_camera *camera,
                             const int32_t *axes_q30)
 {
@@ -176,13 +183,7 @@ static inline bool set_rows(struct lim_rows *rows, const struct lim_scene *scene
     lens.eye_q8 = camera->eye_q8;
     const uint32_t zoom_q28 = zoom_q28_of(camera);
     rows->tele_bits = LIM_HAS_LIMBS ? 0 : (uint8_t)(clz_u32(zoom_q28 - 1) - 4); /* limbs have the bits anyway */
-    if (LIM_HAS_MOVERS && axes_q30) {
-        for (uint_fast8_t i = 0; i < 9; i++)
-            lens.entries_q30[i] = axes_q30[i];
-    } else {
-        lim_orientation_set(lens.entries_q30, camera);
-    }
-    set_entries(lens.entries_q30, camera, zoom_q28, rows->tele_bits);
+    set_entries(lens.entries_q30, camera, axes_q30, zoom_q28, rows->tele_bits);
     rows->far_units = set_anchor(&lens, box_of(scene));
     const uint32_t scale = choose_scale(&lens, rows->far_units, rows->tele_bits);
     for (uint_fast8_t i = 0; i < 3; i++)
