@@ -32,7 +32,7 @@ void c_movers_declare(FILE *file, const struct named_scene *scene, const struct 
         fprintf(file, "/* Initialises struct lim_light. */\n#define %s_LIGHT {true, {%d, %d, %d}, %u, %u}\n", name->macro,
                 moving->light.to_q14[0], moving->light.to_q14[1], moving->light.to_q14[2],
                 (unsigned)moving->light.middle_q8, (unsigned)moving->light.swing_q8);
-    fprintf(file, "\nstruct lim_moved;\nextern const struct lim_moved %s_movers[];\n", name->symbol);
+    fprintf(file, "\nstruct lim_moved;\nextern const struct lim_moved *const %s_movers;\n", name->symbol);
     for (size_t i = 0; i < moving->count; i++)
         fprintf(file, "extern const struct lim_scene %s_object%zu_scene;\n", name->symbol, i + 1);
 }
@@ -58,11 +58,11 @@ static void write_movers(FILE *file, const struct named_scene *scene, const stru
     fprintf(file, "#include \"limner.h\"\n\n#include \"%s.h\"\n", header->file);
     for (size_t i = 0; i < moving->count; i++)
         write_keys(file, &moving->objects[i], name, i);
-    fprintf(file, "\nconst struct lim_moved %s_movers[%zu] = {", name->symbol, moving->count);
+    fprintf(file, "\nstatic const struct lim_moved %s_moved[%zu] = {", name->symbol, moving->count);
     for (size_t i = 0; i < moving->count; i++)
         fprintf(file, "\n    {&%s_object%zu_scene, {%s_keys%zu, %u, true}, %u},", name->symbol, i + 1, name->symbol,
                 i + 1, (unsigned)moving->objects[i].motion.count, (unsigned)moving->instances[i].finer_bits);
-    fprintf(file, "\n};\n");
+    fprintf(file, "\n};\n\nconst struct lim_moved *const %s_movers = %s_moved;\n", name->symbol, name->symbol);
 }
 
 static bool put_objects(const struct named_scene *scene, const char *header, struct outputs *outputs, struct error *err)

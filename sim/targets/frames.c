@@ -3,7 +3,9 @@
  * Renders every camera of a list, line by line, and prints each frame's number and hash just as
  * `limner render --write-hashes` does. Compiled for a scene (`limner compile -o DIR/model`) and for
  * its cameras and screen (`limner render --write-cameras DIR/cameras.h`). Exit status 0, or 1 when
- * the renderer failed or painted out of order. */
+ * the renderer failed or painted out of order.
+ *
+ * What moves in the scene is where it is FRAMES_PER_S frames a second after the start, as `limner render --fps` has it. */
 #include "limner.h"
 
 #include "cameras.h"
@@ -26,6 +28,14 @@ struct screen {
     uint32_t hash_high, hash_low; /* FNV-1a, 64 bits, of the bytes as the bus gets them */
     uint32_t painted_px;          /* of this frame */
 };
+
+#ifdef MODEL_MOVERS
+#ifndef FRAMES_PER_S
+#define FRAMES_PER_S 15
+#endif
+static struct lim_instance instances[MODEL_MOVERS];
+static void *mover_mem[(MODEL_MOVERS_MEM_B + sizeof(void *) - 1) / sizeof(void *)];
+#endif
 
 static struct lim lim;
 static uint32_t mem[FRAMES_MEM_B / 4];
@@ -96,6 +106,37 @@ static void put_decimal(uint16_t number)
     console_put(&digits[at]);
 }
 
+#ifdef MODEL_MOVERS
+static int init_movers(void)
+{
+    const struct lim_movers_limits limits = MODEL_MOVERS_LIMITS;
+    const int err = lim_movers_init(&lim, mover_mem, sizeof mover_mem, &limits);
+
+#ifdef MODEL_LIGHT
+    const struct lim_light light = MODEL_LIGHT;
+    lim_light_set(&lim, &light);
+#endif
+    return err;
+}
+
+static int draw(const struct lim_camera *camera, uint16_t frame)
+{
+    lim_moved_at(model_movers, MODEL_MOVERS, (frame * UINT32_C(1000) + FRAMES_PER_S / 2) / FRAMES_PER_S, instances);
+    return lim_movers_frame(&lim, camera, instances, MODEL_MOVERS);
+}
+#else
+static int init_movers(void)
+{
+    return 0;
+}
+
+static int draw(const struct lim_camera *camera, uint16_t frame)
+{
+    (void)frame;
+    return lim_frame(&lim, camera);
+}
+#endif
+
 static int render(uint16_t frame)
 {
     const struct lim_camera camera = cameras[frame];
@@ -104,7 +145,7 @@ static int render(uint16_t frame)
     screen.hash_low = FNV_OFFSET_LOW;
     screen.painted_px = 0;
     frame_begin(frame);
-    const int err = lim_frame(&lim, &camera);
+    const int err = draw(&camera, frame);
     frame_end(frame);
     return err || screen.painted_px != (uint32_t)CAMERAS_W_PX * CAMERAS_H_PX;
 }
@@ -124,6 +165,7 @@ int main(void)
     int err = lim_init(&lim, &model_scene, &target, mem, sizeof mem);
 
     if (LIM_HAS_WIREFRAME && !err) lim_set_wireframe(&lim, &(const struct lim_wireframe){.on = true});
+    if (!err) err = init_movers();
     for (uint16_t frame = 0; frame < CAMERAS_COUNT && !err; frame++) {
         err = render(frame);
         if (!err) put_frame(frame);
