@@ -37,6 +37,9 @@ struct lim_route {
     const struct lim_scene *scene;
     const struct lim_eye *eye;
     struct lim_cull *cull; /* the open view in the scene's coordinates */
+#if LIM_HAS_PORTALS
+    const uint8_t *shown; /* NULL: all (portals.h) */
+#endif
     struct lim_route_pending *stack;
     uint16_t depth;
     uint16_t next, list; /* the subtree to enter, or LIM_NONE; what moves in it */

@@ -22,6 +22,12 @@ static bool is_hidden(struct lim *lim, const struct lim_route *route, const LIM_
     struct lim_stats *stats = lim_stats_of(lim);
 
     if (!LIM_HAS_CULL || node->box == LIM_NONE) return false;
+#if LIM_HAS_PORTALS
+    if (route->shown && !lim_portals_show(route->shown, node->box)) {
+        if (LIM_HAS_STATS) stats->hidden++;
+        return true;
+    }
+#endif
     if (LIM_HAS_STATS) stats->boxes++;
     if (lim_cull_sees(route->cull, &route->scene->boxes[node->box])) return false;
     if (LIM_HAS_STATS) stats->boxes_out++;
@@ -101,6 +107,9 @@ struct lim_route lim_route_static(struct lim *lim, bool back_to_front)
                               .eye = lim_eye_of(lim),
                               .cull = lim_cull_of(lim),
                               .stack = lim->movers.stack,
+#if LIM_HAS_PORTALS
+                              .shown = lim->walk.shown,
+#endif
                               .back_to_front = back_to_front};
 }
 

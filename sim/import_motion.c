@@ -227,12 +227,19 @@ static bool keeps_scale(const struct aiNodeAnim *anim, const double scales[3])
     return true;
 }
 
-static void note_empty(struct motions *work, const struct aiNode *node)
+/* The library makes up a key where a file has none, so one is as good as none. */
+static bool has_keys(const struct aiNodeAnim *anim)
+{
+    return anim->mNumPositionKeys > 1 || anim->mNumRotationKeys > 1 || anim->mNumScalingKeys > 1;
+}
+
+/* Names a node that stands still, and why. */
+static void note(struct motions *work, const struct aiNode *node, const char *reason)
 {
     char *notice = work->model->notice;
     const size_t used = strlen(notice);
-    snprintf(notice + used, sizeof work->model->notice - used, "%s'%s'", used ? ", " : "animated nodes without a mesh: ",
-             node->mName.data);
+    snprintf(notice + used, sizeof work->model->notice - used, "%snode '%s' stands still: %s", used ? "; " : "",
+             node->mName.data, reason);
 }
 
 static bool refuse(struct motions *work, const struct aiNode *node, const char *reason)
@@ -246,8 +253,6 @@ static bool add_mover(struct motions *work, const struct aiNode *node, const str
     struct model *model = work->model;
     const struct placement own = placement_of(&node->mTransformation), here = placement_times(parent, &own);
     double parent_axes[3][3], own_axes[3][3], axes[3][3], scales[3], own_scales[3];
-    if (!anim->mNumPositionKeys && !anim->mNumRotationKeys && !anim->mNumScalingKeys)
-        return refuse(work, node, "its animation has no keys");
     if (!rotation_of(parent, parent_axes, scales) || !is_even(scales))
         return refuse(work, node, "it is animated, but its parents mirror or shear it");
     if (!rotation_of(&own, own_axes, own_scales) || !rotation_of(&here, axes, scales))
@@ -270,7 +275,9 @@ static bool walk(struct motions *work, const struct aiNode *node, const struct p
     double ticks_per_s;
     const struct aiNodeAnim *anim = find_channel(work->scene, node, &ticks_per_s);
     if (anim && !has_mesh(node)) {
-        note_empty(work, node);
+        note(work, node, "it is animated, but has no mesh");
+    } else if (anim && !has_keys(anim)) {
+        note(work, node, "its animation has no keys to move between");
     } else if (anim) {
         if (above) return refuse(work, node, "it is animated below a node that is animated too");
         if (work->model->mover_count == LIMIT_MOVERS) return refuse(work, node, "more than 1024 animated nodes");

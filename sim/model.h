@@ -79,8 +79,8 @@ enum { MODEL_DEFAULT_COLOUR = 0xC8C8C8 }; /* of faces that have neither material
  *
  * Animations move nodes rigidly. Points are where the nodes' own transforms have them; all animations of the file run at
  * once. Keys are joined by straight lines and even turns, whatever the file says. Refused, by name: an animated node
- * without keys, one that is scaled by them, sheared by its parents, or below another one that is animated. An
- * animated node without a mesh moves nothing: a notice. */
+ * that is scaled by its keys, mirrored or sheared, or below another one that is animated. One without a mesh, or with
+ * fewer than two keys, stands still: a notice. */
 bool model_import(const char *path, struct model *model, struct error *err);
 void model_free(struct model *model);
 

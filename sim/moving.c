@@ -108,6 +108,7 @@ static bool compile_object(struct moving *moving, size_t index, const struct gri
     own.predict = false;
     own.method = &methods[0];
     own.tree = TREE_BSP;
+    own.portals = PORTALS_OFF;
     memcpy(object->name, moving->model.movers[index].name, sizeof object->name);
     model_part(&moving->model, index + 1, &part, &numbers);
     bool ok = object_grid(scene_grid, &part, &grid, &instance->finer_bits) ||

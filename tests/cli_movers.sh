@@ -1,0 +1,121 @@
+# SPDX-License-Identifier: MIT
+#
+# Animated models, from the command line: what moves is as right as what stands still, in both orders of drawing; how it
+# enters the scene and how it is lit can be chosen; it becomes C that compiles; and animations that are no rigid
+# motion are refused by name.
+. tests/tap.sh
+
+model=sim/scenes/movers.gltf
+
+movers() { # [OPTION...]: eight frames, compared with the reference
+    awk '!/^#/ && n++ % 6 == 0' sim/scenes/movers.cam >"$work/few.cam"
+    "$BUILD/limner" render $model --camera "$work/few.cam" --fps 2 "$@" >"$work/said" || return 1
+    cat "$work/said"
+}
+
+says() { # PATTERN
+    cat "$work/said"
+    grep -qE "$1" "$work/said"
+}
+
+wrong_at_most() { # PERCENT [OPTION...]
+    most=$1
+    shift
+    movers --compare "$@" && awk -v most="$most" '/^compared/ { wrong = $8; holes = $NF }
+        END { exit !(wrong != "" && wrong + 0 <= most && holes == 0) }' "$work/said"
+}
+
+centres_are_wrong() {
+    movers --compare --movers centre && ! grep -q 'holes 0$' "$work/said"
+}
+
+orders_agree() {
+    movers --write-hashes "$work/near" && movers --method painter --check "$work/near"
+}
+
+differ() { # OPTION...
+    movers --write-hashes "$work/one" && movers "$@" --write-hashes "$work/other" && ! cmp "$work/one" "$work/other"
+}
+
+is_what_compile_is_given() { # without movers the scene is one like any other
+    movers --movers off --write-hashes "$work/still" && "$BUILD/limner" compile $model --movers off -o "$work/still" >/dev/null &&
+        "$BUILD/limner" render "$work/still.lim" --camera "$work/few.cam" --check "$work/still" &&
+        ! ls "$work"/still_object* && grep -q 'LIM_HAS_MOVERS 0' "$work/still.h"
+}
+
+compiles() {
+    "$BUILD/limner" compile $model -o "$work/moving" >/dev/null && says_nothing_of_light &&
+        ls "$work"/moving_object5.c "$work/moving_movers.c" &&
+        for file in "$work"/moving*.c; do
+            # shellcheck disable=SC2086 # flags are words
+            ${CC:-cc} -std=c11 ${WARNINGS:?} -Ifirmware -I"$work" -DLIM_CONFIG='"moving.h"' -c -o "$work/object.o" "$file" || return 1
+        done
+}
+
+says_nothing_of_light() {
+    grep -q 'LIM_HAS_MOVERS 1' "$work/moving.h" && grep -q 'LIM_HAS_LIGHT 0' "$work/moving.h" && ! grep MOVING_LIGHT "$work/moving.h"
+}
+
+lit_says_so() {
+    "$BUILD/limner" compile $model --mover-light turning -o "$work/lit" >/dev/null && grep -q 'LIM_HAS_LIGHT 1' "$work/lit.h" &&
+        grep -q 'LIT_LIGHT {true, ' "$work/lit.h"
+}
+
+changed() { # SED-EXPRESSION: a copy of the model
+    sed "$1" $model >"$work/changed.gltf" && ! cmp -s $model "$work/changed.gltf"
+}
+
+refused() { # REASON MODEL OPTION...
+    reason=$1
+    shift
+    "$BUILD/limner" render "$@" -o "$work/%d.png" >/dev/null 2>"$work/said" && return 1
+    says "$reason" && [ ! -e "$work/0.png" ] && [ "$(wc -l <"$work/said")" -eq 1 ]
+}
+
+refused_changed() { # REASON SED-EXPRESSION
+    changed "$2" && refused "$1" "$work/changed.gltf"
+}
+
+noticed() { # an empty node takes the place of the block
+    changed 's/{"mesh": 12, "name": "block"/{"name": "block"/' &&
+        "$BUILD/limner" render "$work/changed.gltf" --camera "$work/few.cam" --stats 2>"$work/said" >/dev/null &&
+        says "changed.gltf: node 'block' stands still: it is animated, but has no mesh$"
+}
+
+noticed_without_keys() {
+    changed '/"componentType": 5126, "count": 9, "type": "SCALAR"/s/"count": 9/"count": 0/' &&
+        "$BUILD/limner" compile "$work/changed.gltf" -o "$work/four" 2>"$work/said" >/dev/null &&
+        says "changed.gltf: node 'ball' stands still: its animation has no keys to move between$" && grep -q 'FOUR_MOVERS 4' "$work/four.h"
+}
+
+tap_check "as right as what stands still" wrong_at_most 0.02
+tap_check "in profile fine too" wrong_at_most 0.008 --precision fine
+tap_check "by their centres they are not, and it shows" centres_are_wrong
+tap_check "nearest first and back to front are the same pictures" orders_agree
+tap_check "light that turns is another one" differ --mover-light turning
+tap_check "time is frames by frames a second" differ --fps 3
+tap_check "what is off stands still" differ --movers off
+tap_check "and is a part of the scene" is_what_compile_is_given
+tap_check "objects and motions are written as C, which compiles" compiles
+tap_check "a light is written where it is asked for" lit_says_so
+tap_check "an animation that scales is refused" refused_changed \
+    "node 'ball': its animation scales it; only rigid motion can be drawn" '/"sampler": 0,/s/translation/scale/'
+tap_check "a sheared mover is refused" refused_changed \
+    "node 'bar': it is animated, but mirrored or sheared$" \
+    's/"name": "bar", "translation": [[][^]]*[]]/"name": "bar", "matrix": [1,0,0,0, 0.5,1,0,0, 0,0,1,0, 0,0,0,1]/'
+tap_check "a mover below another is refused" refused_changed \
+    "node 'post': it is animated below a node that is animated too$" \
+    's/"name": "bar",/"name": "bar", "children": [11],/; s/"scenes": [[]{"nodes": [[].*/"scenes": [{"nodes": [0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 12, 13]}],/'
+tap_check "a scene in which nothing stands still is refused" refused_changed \
+    'everything in it is animated; objects move in a scene that stands still$' \
+    's/"scenes": [[]{"nodes": [[].*/"scenes": [{"nodes": [9, 10, 11, 12, 13]}],/'
+tap_check "an animation without keys stands still, and a line says so" noticed_without_keys
+tap_check "an animated node without a mesh moves nothing, and a line says so" noticed
+tap_check "a method without a tree moves nothing" refused 'it moves no objects; nearest, painter and bsp do$' $model --method newell
+tap_check "an unknown way in is refused" refused '^limner: --movers x: no such way; there are clipped, centre and off$' $model --movers x
+tap_check "an unknown light is refused" refused '^limner: --mover-light x: no such light; there are baked and turning$' \
+    $model --mover-light x
+for fps in 0 -1 x 1e9; do
+    tap_check "--fps $fps is refused" refused '^limner: --fps ' $model --fps $fps
+done
+tap_done
