@@ -5,6 +5,7 @@
  * polygons are sorted as Newell, Newell and Sancha did (newell.c), which splits what passes through each other. */
 #include "movers.h"
 
+#include "bend.h"
 #include "corners.h"
 #include "entry.h"
 #include "fill.h"
@@ -12,10 +13,17 @@
 
 #if LIM_HAS_MOVERS
 
+static bool bends(const struct lim *lim, uint16_t entry)
+{
+    return lim_bends(&lim->movers.instances[lim_entry_owner(lim, entry)]);
+}
+
+/* One that has an order of its own. */
 static bool has_one_owner(const struct lim *lim, uint16_t list)
 {
     const uint16_t owner = lim_entry_owner(lim, list);
 
+    if (bends(lim, list)) return false;
     for (; list != LIM_NONE; list = lim->sorter.list[list].next)
         if (lim_entry_owner(lim, list) != owner) return false;
     return true;
@@ -53,7 +61,7 @@ static bool is_row(struct lim *lim, uint16_t *list)
     int32_t end = INT32_MIN;
 
     for (uint16_t at = *list; at != LIM_NONE; at = entries[at].next) {
-        if (!lim_mover_is_whole(lim, at)) return false;
+        if (!lim_mover_is_whole(lim, at) || bends(lim, at)) return false;
         measure_ball(lim, at);
     }
     *list = reverse(entries, lim_sorted_sort(entries, *list));
@@ -72,8 +80,8 @@ static bool measure_all(struct lim *lim, uint16_t *list)
     while (*link != LIM_NONE) {
         const uint16_t entry = *link;
         if (lim_mover_is_whole(lim, entry)) {
-            if (lim->movers.instances[lim_entry_owner(lim, entry)].by_centre || !lim_mover_burst(lim, entry, link))
-                return false;
+            const bool stays = lim->movers.instances[lim_entry_owner(lim, entry)].by_centre && !bends(lim, entry);
+            if (stays || !lim_mover_burst(lim, entry, link)) return false;
         } else if (lim_piece_measure(lim, entry)) {
             link = &lim->sorter.list[entry].next;
         } else {
@@ -130,7 +138,10 @@ static uint16_t colour_of(const struct lim *lim, const struct face *face)
     const struct lim_scene *object = lim->movers.instances[face->mover].object;
     struct lim_plane_wide plane;
 
-    lim_plane_unpack(&plane, object, face->plane);
+    if (lim_bends(&lim->movers.instances[face->mover]))
+        (void)lim_bend_plane(&plane, object, face->record);
+    else
+        lim_plane_unpack(&plane, object, face->plane);
     for (uint_fast8_t i = 0; i < 3 && !face->eye_in_front; i++)
         plane.n[i] = -plane.n[i];
     return lim_light_shade(&lim->movers.light, lim->movers.movers[face->mover].to_q14, plane.n, face->record[1]);

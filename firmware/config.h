@@ -48,6 +48,11 @@
 #define LIM_HAS_MOVERS (LIM_HAS_NEAREST || LIM_HAS_PAINTER)
 #endif
 
+/* Movers whose corners their owner changes. No compiled scene knows of them: who wants them says so. */
+#ifndef LIM_HAS_BENDING
+#define LIM_HAS_BENDING LIM_HAS_MOVERS
+#endif
+
 /* A light that shades movers in each frame. */
 #ifndef LIM_HAS_LIGHT
 #define LIM_HAS_LIGHT LIM_HAS_MOVERS
@@ -175,8 +180,8 @@
 #if LIM_HAS_MOVERS && !LIM_HAS_TREE
 #error "LIM_HAS_MOVERS needs LIM_HAS_NEAREST or LIM_HAS_PAINTER"
 #endif
-#if LIM_HAS_LIGHT && !LIM_HAS_MOVERS
-#error "LIM_HAS_LIGHT needs LIM_HAS_MOVERS"
+#if (LIM_HAS_LIGHT || LIM_HAS_BENDING) && !LIM_HAS_MOVERS
+#error "LIM_HAS_LIGHT and LIM_HAS_BENDING need LIM_HAS_MOVERS"
 #endif
 #if LIM_HAS_LARGE && !LIM_HAS_SLANTED
 #error "LIM_HAS_LARGE needs LIM_HAS_SLANTED"

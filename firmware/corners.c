@@ -4,6 +4,7 @@
  * corner in Q12 each of three products stays below 2^58 + 2^27, and d below 2^60. */
 #include "corners.h"
 
+#include "bend.h"
 #include "entry.h"
 
 #if LIM_HAS_PIECES
@@ -52,11 +53,16 @@ static inline void unpack(struct lim_plane_wide *plane, const struct lim_scene *
 
 void lim_plane_load(struct lim_plane_wide *plane, const struct lim *lim, uint16_t entry)
 {
-    unpack(plane, lim_entry_scene(lim, entry), lim_plane_of(lim, entry));
 #if LIM_HAS_MOVERS
     const uint16_t owner = lim_entry_owner(lim, entry);
 
+    if (owner != LIM_NONE && lim_bends(&lim->movers.instances[owner]))
+        (void)lim_bend_plane(plane, lim_entry_scene(lim, entry), lim_entry_record(lim, entry));
+    else
+        unpack(plane, lim_entry_scene(lim, entry), lim_plane_of(lim, entry));
     if (owner != LIM_NONE) lim_mover_turn(lim, owner, plane);
+#else
+    unpack(plane, lim_entry_scene(lim, entry), lim_plane_of(lim, entry));
 #endif
 }
 

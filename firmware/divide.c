@@ -5,6 +5,7 @@
  * of one instance's polygons keep the order of its own tree, nearest first. Nothing is given back before the next walk. */
 #include "movers.h"
 
+#include "bend.h"
 #include "entry.h"
 #include "piece.h"
 
@@ -109,17 +110,44 @@ static bool add_run(struct lim *lim, struct queue *queue, const struct lim_route
     }
 }
 
-bool lim_mover_burst(struct lim *lim, uint16_t entry, uint16_t *list)
+/* Every record, wherever in the tree it is: it knows its own plane. */
+static bool add_bent(struct lim *lim, struct queue *queue, uint16_t mover)
+{
+    const struct lim_scene *object = lim->movers.instances[mover].object;
+
+    for (uint16_t at = 0; at < object->polygon_words;) {
+        const LIM_FLASH uint16_t *record = &object->polygons[at];
+        if (lim_bend_is_seen(&lim->movers.movers[mover].eye, record)) {
+            const uint16_t entry = new_entry(lim, at, mover, 0);
+            if (entry == LIM_NONE) return false;
+            lim->sorter.newell.polygons[entry].eye_in_front = true;
+            queue_add(queue, entry);
+        }
+        at = (uint16_t)(at + lim_record_words(record[0]));
+    }
+    return true;
+}
+
+static bool add_by_tree(struct lim *lim, struct queue *queue, uint16_t mover)
 {
     const struct lim_rect screen = {0, 0, lim->target.w_px, lim->target.h_px};
+    struct lim_route route = lim_route_object(lim, mover, &screen, false);
+    uint16_t run;
+
+    while (lim_route_next(lim, &route, &run) == LIM_ROUTE_RUN)
+        if (!add_run(lim, queue, &route, mover, run)) return false;
+    return true;
+}
+
+bool lim_mover_burst(struct lim *lim, uint16_t entry, uint16_t *list)
+{
     const uint16_t used = lim->sorter.used, rest = lim->sorter.list[entry].next;
     const uint16_t mover = lim_entry_owner(lim, entry);
-    struct lim_route route = lim_route_object(lim, mover, &screen, false);
-    uint16_t head, run;
+    const bool bends = lim_bends(&lim->movers.instances[mover]);
+    uint16_t head;
     struct queue queue = queue_begin(lim, &head);
 
-    while (lim_route_next(lim, &route, &run) == LIM_ROUTE_RUN) {
-        if (add_run(lim, &queue, &route, mover, run)) continue;
+    if (!(bends ? add_bent(lim, &queue, mover) : add_by_tree(lim, &queue, mover))) {
         lim->sorter.used = used;
         return false;
     }

@@ -23,6 +23,10 @@ struct lim_instance {
     int32_t at_q8[3];               /* its origin, units of the scene that it moves in, |at_q8| < 2^24 */
     int32_t axes_q30[9]; /* its x, y and z axis in that scene's axes, one after the other: of length 1, at right angles */
     uint8_t finer_bits;  /* a unit of its own is 2^-finer_bits of that scene's, 0..3 */
+    /* The corners of the object are its owner's, who changes them: *object is a copy whose `vertices` are in RAM (not on
+     * AVR, whose flash is elsewhere). Tree, planes and boxes mean nothing then: each polygon's plane is that of its first
+     * three corners, so triangles are best, and all are sorted anew. */
+    bool bends;
     bool by_centre;      /* it enters the walk whole, at its centre: fast, and wrong where it reaches through a plane */
 };
 

@@ -7,6 +7,7 @@
  * and of the object's own. */
 #include "movers.h"
 
+#include "bend.h"
 #include "corners.h"
 #include "order.h"
 #include "orientation.h"
@@ -16,6 +17,9 @@
 #define WORLD_END_Q12 (INT32_C(1) << 28)
 #define AT_END_Q8 (INT32_C(1) << 24)
 enum { FINER_BITS_MAX = 3 };
+
+/* Without a box it may reach anywhere in the 16-bit cube. */
+static const struct lim_scene whole_grid = {0};
 
 /* Memory ------------------------------------------------------------------------------------- */
 
@@ -172,10 +176,11 @@ bool lim_movers_compares(const struct lim *lim)
     return LIM_IS_NEWELL(&lim->target) || lim->movers.measuring;
 }
 
-/* What holds the object: its root's box, or what holds its vertices where it is too small to have one. */
-static struct lim_box box_of(const struct lim_scene *object)
+/* What holds the object: its root's box, or what holds its vertices where it is too small to have one, or bends. */
+static struct lim_box box_of(const struct lim_instance *instance)
 {
-    const uint16_t root = object->nodes[0].box;
+    const struct lim_scene *object = instance->object;
+    const uint16_t root = lim_bends(instance) ? (uint16_t)LIM_NONE : object->nodes[0].box;
     int32_t low[3] = {32767, 32767, 32767}, high[3] = {-32768, -32768, -32768};
     struct lim_box box;
 
@@ -198,7 +203,7 @@ static struct lim_box box_of(const struct lim_scene *object)
 /* As in rows.c, a length is at most that of its longest component and 107/256 of the others. */
 static void set_ball(struct lim_mover *mover, const struct lim_instance *instance)
 {
-    const struct lim_box box = box_of(instance->object);
+    const struct lim_box box = box_of(instance);
     int32_t centre[3];
     uint32_t longest = 0, sum = 0;
 
@@ -276,7 +281,8 @@ static bool pose(struct lim *lim, uint16_t i, const struct lim_camera *camera, c
     mover->view = lim->view;
     mover->view.cache = lim->movers.cache;
     mover->view.vertices = 0;
-    if (!lim_rows_set_turned(&mover->view.rows, instance->object, &own, own_axes_q30)) return false;
+    if (!lim_rows_set_turned(&mover->view.rows, lim_bends(instance) ? &whole_grid : instance->object, &own, own_axes_q30))
+        return false;
     lim_eye_set(&mover->eye, instance->object, own.eye_q8);
 #if LIM_HAS_LIGHT
     const int32_t to_q14[3] = {lim->movers.light.to_q14[0], lim->movers.light.to_q14[1], lim->movers.light.to_q14[2]};
@@ -292,14 +298,13 @@ static bool pose(struct lim *lim, uint16_t i, const struct lim_camera *camera, c
 /* Half the scene, seen by half the camera. */
 static bool set_world(struct lim *lim, const struct lim_camera *camera, const int32_t axes_q30[9])
 {
-    static const struct lim_scene grid = {0};
     struct lim_camera half = *camera;
 
     for (uint_fast8_t i = 0; i < 3; i++)
         half.eye_q8[i] >>= 1;
     half.near_q8 = camera->near_q8 > 1 ? camera->near_q8 >> 1 : 1;
     lim->movers.world = lim->view;
-    return lim_rows_set_turned(&lim->movers.world.rows, &grid, &half, axes_q30);
+    return lim_rows_set_turned(&lim->movers.world.rows, &whole_grid, &half, axes_q30);
 }
 
 void lim_movers_pose(struct lim *lim, const struct lim_camera *camera)

@@ -4,6 +4,7 @@
  * own corners. */
 #include "piece.h"
 
+#include "bend.h"
 #include "corners.h"
 #include "entry.h"
 
@@ -55,6 +56,24 @@ static bool is_same(const LIM_FLASH struct lim_plane_ref *a, const LIM_FLASH str
     return a->plane == b->plane && a->offset == b->offset;
 }
 
+/* Whether two entries whose records name the same plane have the same one: other objects have others, and polygons of one
+ * that bends only their own. */
+static bool have_one_plane(const struct lim *lim, uint16_t a, uint16_t b)
+{
+#if LIM_HAS_MOVERS
+    const uint16_t owner = lim_entry_owner(lim, a);
+
+    if (owner != lim_entry_owner(lim, b)) return false;
+    if (owner != LIM_NONE && lim_bends(&lim->movers.instances[owner]))
+        return lim->sorter.list[a].record == lim->sorter.list[b].record;
+#else
+    (void)lim;
+    (void)a;
+    (void)b;
+#endif
+    return true;
+}
+
 /* 0: it was never cut by that plane. */
 static uint8_t remembered_side(const struct lim *lim, uint16_t entry, uint16_t other)
 {
@@ -64,7 +83,7 @@ static uint8_t remembered_side(const struct lim *lim, uint16_t entry, uint16_t o
     for (uint16_t cut = newell->polygons[entry].cuts; cut != LIM_NONE; cut = newell->cuts[cut].next) {
         const uint16_t by = newell->cuts[cut].by;
         if (!is_same(lim_plane_of(lim, by & LIM_SORTED_MAX), plane)) continue;
-        if (lim_entry_owner(lim, by & LIM_SORTED_MAX) != lim_entry_owner(lim, other)) continue;
+        if (!have_one_plane(lim, by & LIM_SORTED_MAX, other)) continue;
         return by & LIM_CUT_FRONT ? LIM_SIDE_FRONT : LIM_SIDE_BACK;
     }
     return 0;

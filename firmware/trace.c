@@ -164,6 +164,7 @@ static void cut_lines(const struct lim *lim, uint16_t entry, struct lim_point *l
     }
 }
 
+#if LIM_HAS_SPANS
 static enum lim_span_result close_lines(struct lim_spans *spans, const struct lim_point *last, int16_t top,
                                         int16_t bottom)
 {
@@ -239,6 +240,8 @@ static bool take_plain(struct lim *lim, uint16_t entry, const struct lim_screen_
     return true;
 }
 
+#endif
+
 struct lim_point lim_piece_line(const struct lim *lim, uint16_t entry, const struct lim_screen_polygon *whole,
                                 int16_t y)
 {
@@ -250,6 +253,7 @@ struct lim_point lim_piece_line(const struct lim *lim, uint16_t entry, const str
     return line;
 }
 
+#if LIM_HAS_SPANS
 bool lim_piece_take(struct lim *lim, uint16_t entry, const struct lim_screen_polygon *whole)
 {
     struct lim_screen_polygon triangle;
@@ -261,5 +265,7 @@ bool lim_piece_take(struct lim *lim, uint16_t entry, const struct lim_screen_pol
     }
     return true;
 }
+
+#endif
 
 #endif

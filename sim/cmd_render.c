@@ -214,6 +214,8 @@ static bool print_tables(const struct render *render, struct error *err)
         if (render->options.setup.method == LIM_NEWELL)
             frame_table_print_newell(render->rows, render->path.count, stdout);
     }
+    if (render->options.stats && render->moving.count)
+        frame_table_print_movers(render->rows, render->path.count, stdout);
     if (render->options.compare) frame_table_print_compare(render->rows, render->path.count, stdout);
     return (fflush(stdout) == 0 && !ferror(stdout)) || error_set(err, "standard output: %s", strerror(errno));
 }

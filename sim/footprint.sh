@@ -52,6 +52,6 @@ footprint_ram() {
 
 # footprint_stack CORE FOLDER: the bytes and the path, without what the target's lend() and done() take.
 footprint_stack() {
-    awk -f sim/stack.awk -v roots='lim_init lim_frame' -v calls='span.c=paint_piece' \
+    awk -f sim/stack.awk -v roots='lim_init lim_frame' -v calls='span.c=paint_piece company.c=draw_mover' \
         -v outside='paint.c painter.c convex.c' "$2/$1"/*.ci
 }

@@ -103,6 +103,30 @@ static const struct column NEWELL_COLUMNS[] = {
     {"swaps", 6, 0, newell_swaps},   {"splits", 6, 0, newell_splits},         {"forced", 6, 0, newell_forced},
 };
 
+#define MOVER_VALUE(field)                                                                                             \
+    static double mover_##field(const struct frame_row *row)                                                           \
+    {                                                                                                                  \
+        return row->stats.movers.field;                                                                                \
+    }
+MOVER_VALUE(left_out)
+MOVER_VALUE(hidden)
+MOVER_VALUE(divided)
+MOVER_VALUE(pieces)
+MOVER_VALUE(entries)
+MOVER_VALUE(unsorted)
+
+/* Wherever there was no room. */
+static double mover_forced(const struct frame_row *row)
+{
+    return row->stats.movers.forced + (double)row->stats.newell.forced;
+}
+
+static const struct column MOVER_COLUMNS[] = {
+    {"left_out", 8, 0, mover_left_out},      {"hidden", 7, 0, mover_hidden}, {"divided", 7, 0, mover_divided},
+    {"pieces", 7, 0, mover_pieces},          {"compared", 9, 0, newell_comparisons}, {"splits", 7, 0, newell_splits},
+    {"entries", 7, 0, mover_entries},        {"forced", 7, 0, mover_forced}, {"unsorted", 8, 0, mover_unsorted},
+};
+
 static const struct column COMPARE_COLUMNS[] = {
     {"wrong_px", 8, 0, wrong_pixels},
     {"wrong_%", 8, 4, wrong_percent},
@@ -151,6 +175,11 @@ static void print_table(const struct column *columns, size_t column_count, const
 void frame_table_print_stats(const struct frame_row *rows, size_t count, FILE *out)
 {
     print_table(STATS_COLUMNS, sizeof STATS_COLUMNS / sizeof STATS_COLUMNS[0], rows, count, out);
+}
+
+void frame_table_print_movers(const struct frame_row *rows, size_t count, FILE *out)
+{
+    print_table(MOVER_COLUMNS, sizeof MOVER_COLUMNS / sizeof MOVER_COLUMNS[0], rows, count, out);
 }
 
 void frame_table_print_newell(const struct frame_row *rows, size_t count, FILE *out)

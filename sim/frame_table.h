@@ -23,6 +23,9 @@ void frame_table_print_stats(const struct frame_row *rows, size_t count, FILE *o
 /* What LIM_NEWELL compared, which test decided how often, what it swapped, split and could not settle. */
 void frame_table_print_newell(const struct frame_row *rows, size_t count, FILE *out);
 
+/* What became of movers: struct lim_mover_stats, and what it took to sort those that met. */
+void frame_table_print_movers(const struct frame_row *rows, size_t count, FILE *out);
+
 void frame_table_print_compare(const struct frame_row *rows, size_t count, FILE *out);
 
 #endif

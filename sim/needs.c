@@ -103,6 +103,7 @@ void needs_write(const struct needs *needs, FILE *file)
     write_macro(file, "HAS_NEWELL", needs->newell);
     write_macro(file, "HAS_MOVERS", needs->movers);
     write_macro(file, "HAS_LIGHT", needs->light);
+    write_macro(file, "HAS_BENDING", 0);
     write_macro(file, "HAS_CULL", needs->cull);
     write_macro(file, "HAS_LEAVES", needs->leaves);
     write_macro(file, "HAS_TEXTURE", needs->textures);

@@ -130,6 +130,15 @@ bool reference_add(struct reference *reference, const struct mesh *mesh, size_t 
     return true;
 }
 
+void reference_bend(struct reference *reference, size_t mover, void (*bend)(double at_m[3], double how), double how)
+{
+    for (size_t p = 0; p < reference->polygon_count; p++) {
+        const struct reference_polygon *polygon = &reference->polygons[p];
+        for (uint32_t i = polygon->first; polygon->mover == mover && i < polygon->first + polygon->count; i++)
+            bend(reference->own_points[i], how);
+    }
+}
+
 void reference_pose(struct reference *reference, size_t mover, const struct model_pose *pose)
 {
     for (size_t p = 0; p < reference->polygon_count; p++) {

@@ -45,6 +45,9 @@ bool reference_init(struct reference *reference, const struct mesh *mesh, unsign
 bool reference_add(struct reference *reference, const struct mesh *mesh, size_t mover, struct error *err);
 void reference_pose(struct reference *reference, size_t mover, const struct model_pose *pose);
 
+/* Moves a mover's corners in its own coordinates, before it is placed. */
+void reference_bend(struct reference *reference, size_t mover, void (*bend)(double at_m[3], double how), double how);
+
 /* The same from a model file: imported and cleaned, nothing else. */
 bool reference_read(struct reference *reference, const char *model_path, unsigned w_px, unsigned h_px,
                     struct error *err);

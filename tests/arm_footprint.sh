@@ -98,6 +98,10 @@ stack_holds() { # CORE NAME
     [ "$used_b" -le "${bound%%:*}" ] && [ $((used_b * 3)) -ge $((${bound%%:*} * 2)) ]
 }
 
+has_a_bound() { # CORE NAME
+    built "$1" "$2" && bound=$(footprint_stack "$1" "$work/$2") && echo "$bound" && [ "${bound%%:*}" -gt 0 ]
+}
+
 recursion_is_found() {
     printf 'int a(int n);\nint b(int n);\nint lim_frame(int n);\nint a(int n) { return n ? b(n - 1) + 1 : 0; }\n%s\n%s\n' \
         'int b(int n) { return a(n) * 3 + a(n + 1); }' 'int lim_frame(int n) { return a(n) + 1; }' >"$work/recursion.c"
@@ -128,6 +132,7 @@ tap_check "the teapot compiles to C" prepare teapot sim/scenes/teapot.obj '0 1 3
 tap_check "the icosahedron compiles to C" prepare icosahedron sim/scenes/icosahedron.obj '0 1 3 0 0 0' '0.8 0.6 0.4 0.3 0.3 0'
 tap_check "the glass compiles to C" prepare glass sim/scenes/glass.obj '1 1.5 4 0 0.9 0' '0.1 0.9 0.3 1 0.6 0.5'
 tap_check "the report calls it one convex solid" grep -qE 'one convex solid +yes' "$work/icosahedron/report"
+tap_check "the rooms with movers compile to C" prepare moving sim/scenes/movers.gltf '-3.7 1.5 1.6 0 1.1 -0.4' '0.6 1.5 0.2 2.6 1.3 0'
 tap_check "the textured rooms compile to C" prepare textured "$BUILD/scenes/textured/textured.obj" \
     '2 1.6 1 0 1.4 0' '3.2 1.6 1 3.3 0.2 1'
 for core in m0plus m4; do
@@ -139,6 +144,11 @@ for core in m0plus m4; do
     tap_check "$core: the renderer of the glass builds" built $core glass
     tap_check "$core: it blends, and paints backwards what its stack cannot hold" links $core glass '^lim_(blend|painter_line)$'
     tap_check "$core: nor anything of textures" links_no $core rooms 'texture|texel|palette|mapping'
+    tap_check "$core: nor anything of movers" links_no $core rooms \
+        'mover|route|motion|instance|lim_(light|lamp|root)|piece|newell|corner|entry|sorted'
+    tap_check "$core: the renderer of the rooms with movers builds" built $core moving
+    tap_check "$core: it divides them, and sorts them with one another" links $core moving '^lim_(movers_divide|newell_order)$'
+    tap_check "$core: but does not light them" links_no $core moving 'lim_light|lim_root'
     tap_check "$core: the renderer of the textured rooms builds" built $core textured
     tap_check "$core: it has all of that" links $core textured '^lim_texture_(begin|set|fill)$'
     tap_check "$core: the renderer of the icosahedron builds" built $core icosahedron
@@ -147,6 +157,7 @@ for core in m0plus m4; do
 done
 tap_check "nor has it state for them" has_no_member icosahedron walk stack cull spans retained paint stats
 tap_check "the rooms have no state for a convex solid" has_no_member rooms convex stats paint.layers wireframe
+tap_check "nor for movers" has_no_member rooms movers sorter
 tap_check "nor for textures" has_no_member rooms texturing paint.texturing
 tap_check "counters cost what they count in, and without them nothing is counted" counters_cost_their_own_size
 tap_check "a scene without large planes has no code for them" no_exact_planes rooms
@@ -157,6 +168,9 @@ for core in m0plus m4; do
     for name in rooms teapot icosahedron glass textured; do
         tap_check "$core: $name uses no more stack than the bound, and two thirds of it" stack_holds $core $name
     done
+done
+for core in m0plus m4; do
+    tap_check "$core: the stack has a bound with movers too" has_a_bound $core moving
 done
 tap_check "recursion has no bound" recursion_is_found
 tap_check "nor has a pointer that nobody accounts for" unknown_pointers_are_found

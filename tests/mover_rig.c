@@ -70,6 +70,23 @@ void mover_rig_view(struct mover_rig *rig, const double eye_m[3], const double t
     rig->counts.holes += counts.holes;
 }
 
+void mover_rig_limit(struct mover_rig *rig, const struct lim_movers_limits *limits)
+{
+    struct simulator *simulator = &rig->ids.simulator;
+    struct error err;
+    free(simulator->mover_mem);
+    if (!simulator_set_movers(simulator, rig->ids.instances, rig->moving.count, limits, &err)) fail_msg("%s", err.text);
+}
+
+void mover_rig_bend(struct mover_rig *rig, size_t mover, void (*bend)(double at_m[3], double how), double how)
+{
+    struct error err;
+    reference_free(&rig->reference);
+    if (!moving_reference(&rig->moving, &rig->reference, MOVER_RIG_W_PX, MOVER_RIG_H_PX, &err)) fail_msg("%s", err.text);
+    reference_bend(&rig->reference, mover, bend, how);
+    moving_pose_reference(&rig->moving, &rig->reference, 0);
+}
+
 size_t mover_rig_pixels(const struct mover_rig *rig, size_t mover)
 {
     size_t count = 0;

@@ -34,6 +34,12 @@ void mover_rig_compile(struct mover_rig *rig, enum moving_mode mode, enum lim_me
 /* Draws the movers where their poses take them, and compares. */
 void mover_rig_view(struct mover_rig *rig, const double eye_m[3], const double target_m[3]);
 
+/* Room for other movers than what was measured. */
+void mover_rig_limit(struct mover_rig *rig, const struct lim_movers_limits *limits);
+
+/* Changes where the reference has a mover's corners, in its own coordinates. */
+void mover_rig_bend(struct mover_rig *rig, size_t mover, void (*bend)(double at_m[3], double how), double how);
+
 /* How many pixels of the last view show a face of a mover (from 1), or of what stands still (0). */
 size_t mover_rig_pixels(const struct mover_rig *rig, size_t mover);
 

@@ -4,6 +4,7 @@
  * reference; and what becomes of those that there is no room for. */
 #include "cmocka_ready.h"
 #include "mover_rig.h"
+#include "tiny_model.h"
 
 #include <math.h>
 #include <string.h>
@@ -277,6 +278,85 @@ static void the_more_exact_the_profile_the_fewer_are_wrong(void **state)
     assert_random_right(0xe8ac7, 6, &core_exact, 60, 1);
 }
 
+/* Bending ------------------------------------------------------------------------------------ */
+
+enum { FLAG_COLUMNS = 6, FLAG_ROWS = 4 };
+
+/* A flag of two-sided triangles in its own plane. */
+static void add_flag(struct mover_rig *rig, const struct model_pose *pose)
+{
+    const size_t first = rig->model.face_count;
+
+    for (int i = 0; i < FLAG_COLUMNS * FLAG_ROWS; i++) {
+        const double x = i % FLAG_COLUMNS * 0.2 - 0.6, y = i / FLAG_COLUMNS * 0.2 - 0.4;
+        const double at[4][3] = {{x, y, 0}, {x + 0.2, y, 0}, {x + 0.2, y + 0.2, 0}, {x, y + 0.2, 0}};
+        const double halves[2][3][3] = {{{at[0][0], at[0][1], 0}, {at[1][0], at[1][1], 0}, {at[2][0], at[2][1], 0}},
+                                        {{at[0][0], at[0][1], 0}, {at[2][0], at[2][1], 0}, {at[3][0], at[3][1], 0}}};
+        for (int k = 0; k < 2; k++)
+            tiny_add(&rig->model, 3, (const double(*)[3])halves[k]);
+    }
+    for (size_t i = first; i < rig->model.face_count; i++)
+        rig->model.faces[i].two_sided = true;
+    mover_rig_moves(rig, pose);
+}
+
+static void wave(double at_m[3], double phase)
+{
+    at_m[2] += 0.25 * sin(5 * at_m[0] + phase) + 0.1 * sin(7 * at_m[1] + 2 * phase);
+}
+
+/* Bends the flag, the first mover, in the firmware's hands and in the reference. */
+static void bend_flag(struct mover_rig *rig, struct lim_scene *copy, struct lim_vertex *vertices, double phase)
+{
+    const struct compiled *scene = &rig->moving.objects[0].scene;
+
+    *copy = rig->ids.objects[0];
+    for (size_t i = 0; i < copy->vertex_count; i++) {
+        const struct lim_vertex *from = &scene->scene.vertices[i];
+        double at_m[3] = {from->x / scene->grid.units_per_m, from->y / scene->grid.units_per_m,
+                          from->z / scene->grid.units_per_m};
+        wave(at_m, phase);
+        vertices[i] = (struct lim_vertex){(int16_t)lround(at_m[0] * scene->grid.units_per_m),
+                                          (int16_t)lround(at_m[1] * scene->grid.units_per_m),
+                                          (int16_t)lround(at_m[2] * scene->grid.units_per_m)};
+    }
+    copy->vertices = vertices;
+    copy->fractions = NULL;
+    rig->ids.objects[0] = *copy;
+    mover_rig_bend(rig, 1, wave, phase);
+}
+
+static void a_flag_bends_in_the_wind(void **state)
+{
+    struct mover_rig rig = {0};
+    struct lim_vertex vertices[4 * FLAG_COLUMNS * FLAG_ROWS];
+    struct lim_scene copy;
+    uint32_t forced = 0;
+    const struct model_pose pose = mover_rig_pose(0.1, 1.4, 1.5, SLANTED, 0.6);
+    const struct model_pose pole = mover_rig_pose(0.1, 1.4, 1.5, SLANTED, 0.2);
+    (void)state;
+
+    add_rooms(&rig, true);
+    add_flag(&rig, &pose);
+    add_box(&rig, 0.05, 0.9, 0.05, &pole); /* right through it */
+    mover_rig_compile(&rig, MOVING_CLIPPED, LIM_NEAREST_FIRST, NULL);
+    rig.moving.instances[0].bends = true;
+    assert_true(rig.moving.objects[0].scene.scene.vertex_count <= sizeof vertices / sizeof *vertices);
+    const struct lim_movers_limits plenty = {2, rig.moving.limits.depth, 2000};
+    mover_rig_limit(&rig, &plenty);
+    for (int i = 0; i < 8; i++) {
+        const double angle = i * 0.8 + 0.1;
+        bend_flag(&rig, &copy, vertices, i * 0.7);
+        mover_rig_view(&rig, (double[3]){2 * sin(angle), 1.6, 1.5 + 2 * cos(angle)}, (double[3]){0, 1.4, 1.5});
+        assert_true(mover_rig_pixels(&rig, 1) > 300);
+        forced += mover_rig_stats(&rig)->movers.forced + mover_rig_stats(&rig)->newell.forced;
+    }
+    print_message("a flag: %zu of %zu wrong, %zu holes, %u forced, %u splits\n", rig.counts.wrong, rig.counts.pixels, rig.counts.holes, (unsigned)forced, (unsigned)mover_rig_stats(&rig)->newell.splits);
+    assert_int_equal(forced, 0);
+    assert_right(&rig, 400);
+    mover_rig_free(&rig);
+}
+
 /* Too much, too little ----------------------------------------------------------------------- */
 
 /* The same frame with room for only so many entries; how many were left to their centres. */
@@ -434,6 +514,7 @@ int main(void)
         cmocka_unit_test(through_one_another_they_are_split),
         cmocka_unit_test(the_painter_paints_the_same),
         cmocka_unit_test(by_its_centre_it_is_right_in_free_space),
+        cmocka_unit_test(a_flag_bends_in_the_wind),
         cmocka_unit_test(without_room_they_go_by_their_centres),
         cmocka_unit_test(too_little_memory_is_refused),
         cmocka_unit_test(what_cannot_be_drawn_is_left_out_and_counted),
