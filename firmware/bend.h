@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
- * Movers that bend: their corners are the caller's, so nothing is known of them beforehand. Planes come from the corners
- * themselves, and which polygons face the eye is found one by one. */
+ * Movers that bend: their corners are the caller's, so nothing is known of them beforehand. Planes come from the
+ * corners themselves, and which polygons face the eye is found one by one. */
 #ifndef LIM_BEND_H
 #define LIM_BEND_H
 

@@ -54,7 +54,8 @@ static void measure_ball(struct lim *lim, uint16_t entry)
     lim->sorter.newell.polygons[entry].near_qv = depth - reach;
 }
 
-/* Whether the list is of whole instances, one behind the other or by their centres; it is sorted then, nearest first. */
+/* Whether the list is of whole instances, one behind the other or by their centres; it is sorted then, nearest first.
+ */
 static bool is_row(struct lim *lim, uint16_t *list)
 {
     struct lim_sorted *entries = lim->sorter.list;
@@ -72,7 +73,8 @@ static bool is_row(struct lim *lim, uint16_t *list)
     return true;
 }
 
-/* Every entry a polygon or a piece, with all that Newell's sort wants to know; what has no pixel is dropped. false: no room. */
+/* Every entry a polygon or a piece, with all that Newell's sort wants to know; what has no pixel is dropped. false: no
+ * room. */
 static bool measure_all(struct lim *lim, uint16_t *list)
 {
     uint16_t *link = list;
@@ -154,7 +156,8 @@ static bool project(struct lim *lim, struct lim_screen_polygon *out, const struc
 {
     const struct lim_scene *object = lim->movers.instances[face->mover].object;
 
-    if (!lim_project(out, lim_mover_view(lim, face->mover), object, face->record, open, lim_stats_of(lim))) return false;
+    if (!lim_project(out, lim_mover_view(lim, face->mover), object, face->record, open, lim_stats_of(lim)))
+        return false;
 #if LIM_HAS_LIGHT
     if (lim->movers.light.on) out->colour = lim_memory_colour(colour_of(lim, face));
 #endif

@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: MIT
  *
- * Lists of movers and the planes of the static tree. An entry is an instance as a whole, a polygon of one, or a piece of
- * such a polygon; and a plane that has cut something is an entry too, in no list, for the pieces to remember it. Lists
- * of one instance's polygons keep the order of its own tree, nearest first. Nothing is given back before the next walk. */
+ * Lists of movers and the planes of the static tree. An entry is an instance as a whole, a polygon of one, or a piece
+ * of such a polygon; and a plane that has cut something is an entry too, in no list, for the pieces to remember it.
+ * Lists of one instance's polygons keep the order of its own tree, nearest first. Nothing is given back before the next
+ * walk. */
 #include "movers.h"
 
 #include "bend.h"
@@ -45,8 +46,7 @@ static uint16_t new_entry(struct lim *lim, uint16_t record, uint16_t owner, uint
 
     if (sorter->used == sorter->size) return LIM_NONE;
     sorter->list[sorter->used] = (struct lim_sorted){.record = record, .next = LIM_NONE};
-    sorter->newell.polygons[sorter->used] =
-        (struct lim_newell_polygon){.node = node, .cuts = LIM_NONE, .owner = owner};
+    sorter->newell.polygons[sorter->used] = (struct lim_newell_polygon){.node = node, .cuts = LIM_NONE, .owner = owner};
     sorter->used++;
     lim_movers_note_entries(lim);
     return (uint16_t)(sorter->used - 1);
@@ -236,8 +236,7 @@ static void divide_one(struct lim *lim, struct divider *divider, uint16_t entry,
     queue_add(sides == LIM_SIDE_FRONT ? front : back, entry);
 }
 
-void lim_movers_divide(struct lim *lim, uint16_t node, int32_t eye_side, uint16_t list, uint16_t *front,
-                       uint16_t *back)
+void lim_movers_divide(struct lim *lim, uint16_t node, int32_t eye_side, uint16_t list, uint16_t *front, uint16_t *back)
 {
     struct divider divider = {.node = node, .entry = LIM_NONE, .eye_side = eye_side};
     struct queue fronts = queue_begin(lim, front), backs = queue_begin(lim, back);

@@ -21,18 +21,19 @@ struct lim;
 struct lim_instance {
     const struct lim_scene *object; /* NULL, or without polygons: it is left out, and counted */
     int32_t at_q8[3];               /* its origin, units of the scene that it moves in, |at_q8| < 2^24 */
-    int32_t axes_q30[9]; /* its x, y and z axis in that scene's axes, one after the other: of length 1, at right angles */
-    uint8_t finer_bits;  /* a unit of its own is 2^-finer_bits of that scene's, 0..3 */
-    /* The corners of the object are its owner's, who changes them: *object is a copy whose `vertices` are in RAM (not on
-     * AVR, whose flash is elsewhere). Tree, planes and boxes mean nothing then: each polygon's plane is that of its first
-     * three corners, so triangles are best, and all are sorted anew. */
+    int32_t
+        axes_q30[9]; /* its x, y and z axis in that scene's axes, one after the other: of length 1, at right angles */
+    uint8_t finer_bits; /* a unit of its own is 2^-finer_bits of that scene's, 0..3 */
+    /* The corners of the object are its owner's, who changes them: *object is a copy whose `vertices` are in RAM (not
+     * on AVR, whose flash is elsewhere). Tree, planes and boxes mean nothing then: each polygon's plane is that of its
+     * first three corners, so triangles are best, and all are sorted anew. */
     bool bends;
-    bool by_centre;      /* it enters the walk whole, at its centre: fast, and wrong where it reaches through a plane */
+    bool by_centre; /* it enters the walk whole, at its centre: fast, and wrong where it reaches through a plane */
 };
 
 /* What the movers of a frame may take. All of an object has to lie within 2^16 units of the scene's origin, and the
- * eye within 2^20 of the object's own units of it. Instances that do not, and those beyond the declared number, are left
- * out. Where entries run out, objects enter by their centres. All of it is counted in struct lim_mover_stats. */
+ * eye within 2^20 of the object's own units of it. Instances that do not, and those beyond the declared number, are
+ * left out. Where entries run out, objects enter by their centres. All of it is counted in struct lim_mover_stats. */
 struct lim_movers_limits {
     uint16_t instances; /* the most, 0..LIM_INSTANCES_MAX */
     uint16_t depth;     /* the greatest limits.depth of any object */
@@ -43,8 +44,8 @@ struct lim_movers_limits {
 /* Memory for lim_movers_init(): LIM_MOVERS_MEM_B() in state.h as a constant, or this; `scene` is the static one. */
 size_t lim_movers_mem_b(const struct lim_scene *scene, const struct lim_movers_limits *limits);
 
-/* Gives the movers of *lim their memory, after each lim_init(). mem (aligned for pointers) must outlive it. LIM_ERR_MEMORY:
- * it is less than lim_movers_mem_b(). */
+/* Gives the movers of *lim their memory, after each lim_init(). mem (aligned for pointers) must outlive it.
+ * LIM_ERR_MEMORY: it is less than lim_movers_mem_b(). */
 LIM_MUST_CHECK int lim_movers_init(struct lim *lim, void *mem, size_t mem_b, const struct lim_movers_limits *limits);
 
 /* lim_frame() with instances in it, in any order. */

@@ -10,8 +10,8 @@
 struct lim;
 
 struct lim_light {
-    bool on;                   /* else movers show the colours that they were compiled with */
-    int16_t to_q14[3];         /* towards the lamp, in the static scene's axes, of length 1 */
+    bool on;                     /* else movers show the colours that they were compiled with */
+    int16_t to_q14[3];           /* towards the lamp, in the static scene's axes, of length 1 */
     uint8_t middle_q8, swing_q8; /* middle + swing is 256 at most, so that nothing gets brighter than its colour */
 };
 

@@ -30,7 +30,8 @@ struct lim_moved {
 /* Sets an instance for each of `count` objects as they are at a time. by_centre stays as it is. */
 void lim_moved_at(const struct lim_moved *moved, uint16_t count, uint32_t time_ms, struct lim_instance *instances);
 
-/* Sets where the instance is, and its axes, within 2^-14 of a unit vector. Before its first key a motion is there already. */
+/* Sets where the instance is, and its axes, within 2^-14 of a unit vector. Before its first key a motion is there
+ * already. */
 void lim_motion_at(const struct lim_motion *motion, uint32_t time_ms, struct lim_instance *instance);
 
 #endif

@@ -129,7 +129,8 @@ void lim_mover_place(const struct lim *lim, uint16_t mover, uint16_t vertex, int
     place(instance, v_q8, 8, at_q12);
 }
 
-/* The normal N = R n has as many bits as leave room, 29; its d follows from N . p = n . v for p = R v / 2^finer + at. */
+/* The normal N = R n has as many bits as leave room, 29; its d follows from N . p = n . v for p = R v / 2^finer + at.
+ */
 void lim_mover_turn(const struct lim *lim, uint16_t mover, struct lim_plane_wide *plane)
 {
     const struct lim_instance *instance = &lim->movers.instances[mover];
@@ -141,7 +142,8 @@ void lim_mover_turn(const struct lim *lim, uint16_t mover, struct lim_plane_wide
         int64_t sum = 0;
         for (uint_fast8_t j = 0; j < 3; j++)
             sum += (int64_t)instance->axes_q30[3 * j + i] * n[j];
-        plane->n[i] = (int32_t)shift_round_s64(sum, (uint8_t)(34 - spare)); /* times 2^(spare - 4), below 2^28 sqrt(3) */
+        plane->n[i] =
+            (int32_t)shift_round_s64(sum, (uint8_t)(34 - spare)); /* times 2^(spare - 4), below 2^28 sqrt(3) */
         offset_q8 += (int64_t)plane->n[i] * instance->at_q8[i];
     }
     const int64_t own = spare >= 4 ? plane->d * (INT64_C(1) << (spare - 4)) : plane->d >> (4 - spare);
@@ -244,8 +246,9 @@ static bool is_usable(const struct lim *lim, const struct lim_instance *instance
     if (!object || !object->node_count || !object->polygon_count || instance->finer_bits > FINER_BITS_MAX) return false;
     for (uint_fast8_t i = 0; i < 3; i++)
         if (abs_s32(instance->at_q8[i]) >= (uint32_t)AT_END_Q8) return false;
-    return object->limits.vertices <= LIM_MAX_VERTICES && fits_pool(lim, object) && object->limits.depth <= lim->movers.object_depth &&
-           (LIM_HAS_SLANTED || !object->plane_count) && (LIM_HAS_LARGE || !object->exact_count);
+    return object->limits.vertices <= LIM_MAX_VERTICES && fits_pool(lim, object) &&
+           object->limits.depth <= lim->movers.object_depth && (LIM_HAS_SLANTED || !object->plane_count) &&
+           (LIM_HAS_LARGE || !object->exact_count);
 }
 
 /* The camera, as the object sees it. false: it is too far away. */
@@ -281,7 +284,8 @@ static bool pose(struct lim *lim, uint16_t i, const struct lim_camera *camera, c
     mover->view = lim->view;
     mover->view.cache = lim->movers.cache;
     mover->view.vertices = 0;
-    if (!lim_rows_set_turned(&mover->view.rows, lim_bends(instance) ? &whole_grid : instance->object, &own, own_axes_q30))
+    if (!lim_rows_set_turned(&mover->view.rows, lim_bends(instance) ? &whole_grid : instance->object, &own,
+                             own_axes_q30))
         return false;
     lim_eye_set(&mover->eye, instance->object, own.eye_q8);
 #if LIM_HAS_LIGHT

@@ -17,8 +17,8 @@
 struct lim_plane_wide;
 
 struct lim_mover {
-    struct lim_view view; /* in the object's coordinates; the cache is shared */
-    struct lim_eye eye;   /* likewise */
+    struct lim_view view;  /* in the object's coordinates; the cache is shared */
+    struct lim_eye eye;    /* likewise */
     int32_t centre_q12[3]; /* of the object's box, units of the static scene, |centre| + radius < 2^28 */
     int32_t radius_q12;    /* negative: it is left out */
 #if LIM_HAS_LIGHT
@@ -59,10 +59,10 @@ struct lim_movers {
     uint16_t cached; /* whose vertices the cache holds */
     struct lim_route_pending *stack, *object_stack;
     uint16_t object_depth;
-    bool measuring;               /* pieces are split to put them in order: what is known of them has to be kept up */
-    int32_t ahead_q28[3];         /* the camera's */
+    bool measuring;       /* pieces are split to put them in order: what is known of them has to be kept up */
+    int32_t ahead_q28[3]; /* the camera's */
     int32_t eye_q8[3];
-    struct lim_view world;        /* of the static scene at half its scale, so that it reaches to 2^16 units */
+    struct lim_view world; /* of the static scene at half its scale, so that it reaches to 2^16 units */
 #if LIM_HAS_LIGHT
     struct lim_light light;
 #endif

@@ -204,7 +204,8 @@ static int draw_mover(struct lim *lim, uint16_t entry, const struct lim_screen_p
     const int16_t bottom = polygon->shape.bottom < (int16_t)screen->y1 ? polygon->shape.bottom : (int16_t)screen->y1;
 
     if (entry == LIM_NONE) return paint_any(lim, polygon, screen);
-    for (int16_t y = polygon->shape.top > (int16_t)screen->y0 ? polygon->shape.top : (int16_t)screen->y0; y < bottom; y++) {
+    for (int16_t y = polygon->shape.top > (int16_t)screen->y0 ? polygon->shape.top : (int16_t)screen->y0; y < bottom;
+         y++) {
         const int err = paint_piece(lim, entry, polygon, (uint16_t)y);
         if (err) return err;
     }

@@ -56,8 +56,8 @@ static bool is_same(const LIM_FLASH struct lim_plane_ref *a, const LIM_FLASH str
     return a->plane == b->plane && a->offset == b->offset;
 }
 
-/* Whether two entries whose records name the same plane have the same one: other objects have others, and polygons of one
- * that bends only their own. */
+/* Whether two entries whose records name the same plane have the same one: other objects have others, and polygons of
+ * one that bends only their own. */
 static bool have_one_plane(const struct lim *lim, uint16_t a, uint16_t b)
 {
 #if LIM_HAS_MOVERS

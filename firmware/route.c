@@ -103,14 +103,14 @@ enum lim_route_event lim_route_next(struct lim *lim, struct lim_route *route, ui
 
 struct lim_route lim_route_static(struct lim *lim, bool back_to_front)
 {
-    return (struct lim_route){.scene = lim->scene,
-                              .eye = lim_eye_of(lim),
-                              .cull = lim_cull_of(lim),
-                              .stack = lim->movers.stack,
+    return (struct lim_route)
+    {
+        .scene = lim->scene, .eye = lim_eye_of(lim), .cull = lim_cull_of(lim), .stack = lim->movers.stack,
 #if LIM_HAS_PORTALS
-                              .shown = lim->walk.shown,
+        .shown = lim->walk.shown,
 #endif
-                              .back_to_front = back_to_front};
+        .back_to_front = back_to_front
+    };
 }
 
 struct lim_route lim_route_object(struct lim *lim, uint16_t mover, const struct lim_rect *open, bool back_to_front)

@@ -45,8 +45,8 @@
 /* For lim_movers_init(): `depth` of the static scene, `object_depth` and the rest as struct lim_movers_limits. */
 #define LIM_MOVERS_MEM_B(depth, instance_count, object_depth, entry_count)                                             \
     LIM_MEM_ALIGNED_B((instance_count) * sizeof(struct lim_mover) +                                                    \
-                      (entry_count) * (sizeof(struct lim_sorted) + sizeof(struct lim_newell_polygon) +                 \
-                                       sizeof(struct lim_cut)) +                                                       \
+                      (entry_count) *                                                                                  \
+                          (sizeof(struct lim_sorted) + sizeof(struct lim_newell_polygon) + sizeof(struct lim_cut)) +   \
                       LIM_VIEW_CACHE_ENTRIES * sizeof(struct lim_view_cached) +                                        \
                       ((size_t)(depth) + (object_depth)) * sizeof(struct lim_route_pending))
 #define LIM_MEM_ALIGNED_B(size_b) (((size_b) + 3) & ~(size_t)3)

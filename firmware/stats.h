@@ -29,8 +29,9 @@ struct lim_newell_stats {
 
 /* What became of a frame's instances. */
 struct lim_mover_stats {
-    uint32_t left_out; /* without a mesh, beyond the declared number, too far away, or drawn by a method without a tree */
-    uint32_t hidden;   /* out of view */
+    uint32_t
+        left_out;    /* without a mesh, beyond the declared number, too far away, or drawn by a method without a tree */
+    uint32_t hidden; /* out of view */
     uint32_t divided;  /* that reached through a plane: their polygons were taken one by one */
     uint32_t pieces;   /* cuts by planes of the scene */
     uint32_t forced;   /* left to their centres, because there was no room: perhaps wrong */

@@ -29,8 +29,8 @@ void c_movers_declare(FILE *file, const struct named_scene *scene, const struct 
             (unsigned)scene->scene->scene.limits.depth, (unsigned)limits->instances, (unsigned)limits->depth,
             (unsigned)limits->entries);
     if (moving->light.on)
-        fprintf(file, "/* Initialises struct lim_light. */\n#define %s_LIGHT {true, {%d, %d, %d}, %u, %u}\n", name->macro,
-                moving->light.to_q14[0], moving->light.to_q14[1], moving->light.to_q14[2],
+        fprintf(file, "/* Initialises struct lim_light. */\n#define %s_LIGHT {true, {%d, %d, %d}, %u, %u}\n",
+                name->macro, moving->light.to_q14[0], moving->light.to_q14[1], moving->light.to_q14[2],
                 (unsigned)moving->light.middle_q8, (unsigned)moving->light.swing_q8);
     fprintf(file, "\nstruct lim_moved;\nextern const struct lim_moved *const %s_movers;\n", name->symbol);
     for (size_t i = 0; i < moving->count; i++)

@@ -85,7 +85,8 @@ static bool start(struct render *render, struct error *err)
     render->simulator.core->newell(render->simulator.lim, &options->newell);
     simulator_set_wireframe(&render->simulator, &options->wireframe);
     struct moving *moving = &render->moving;
-    if (moving->count && !simulator_set_movers(&render->simulator, moving->instances, moving->count, &moving->limits, err))
+    if (moving->count &&
+        !simulator_set_movers(&render->simulator, moving->instances, moving->count, &moving->limits, err))
         return false;
     if (moving->count) render->simulator.core->light(render->simulator.lim, &moving->light);
     bool want_ids = options->ids_path || options->compare;
@@ -240,8 +241,8 @@ static bool write_cameras(const struct render *render, struct error *err)
 static bool render_run(struct render *render, struct error *err)
 {
     if (!open_outputs(render, err) ||
-        !options_load(&render->options, &render->scene, &render->moving, &render->lens, &render->path, err) || !allocate(render, err) ||
-        !start(render, err) || !render_frames(render, err) || !write_films(render, err) ||
+        !options_load(&render->options, &render->scene, &render->moving, &render->lens, &render->path, err) ||
+        !allocate(render, err) || !start(render, err) || !render_frames(render, err) || !write_films(render, err) ||
         !write_cameras(render, err) || !close_outputs(render, err))
         return false;
     return print_tables(render, err) && check(render, err);

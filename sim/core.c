@@ -37,7 +37,8 @@ static int movers_init(void *lim, void *mem, size_t mem_b, const struct lim_move
     return lim_movers_init(lim, mem, mem_b, limits);
 }
 
-static int movers_frame(void *lim, const struct lim_camera *camera, const struct lim_instance *instances, uint16_t count)
+static int movers_frame(void *lim, const struct lim_camera *camera, const struct lim_instance *instances,
+                        uint16_t count)
 {
     return lim_movers_frame(lim, camera, instances, count);
 }

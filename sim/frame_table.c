@@ -122,9 +122,9 @@ static double mover_forced(const struct frame_row *row)
 }
 
 static const struct column MOVER_COLUMNS[] = {
-    {"left_out", 8, 0, mover_left_out},      {"hidden", 7, 0, mover_hidden}, {"divided", 7, 0, mover_divided},
-    {"pieces", 7, 0, mover_pieces},          {"compared", 9, 0, newell_comparisons}, {"splits", 7, 0, newell_splits},
-    {"entries", 7, 0, mover_entries},        {"forced", 7, 0, mover_forced}, {"unsorted", 8, 0, mover_unsorted},
+    {"left_out", 8, 0, mover_left_out}, {"hidden", 7, 0, mover_hidden},         {"divided", 7, 0, mover_divided},
+    {"pieces", 7, 0, mover_pieces},     {"compared", 9, 0, newell_comparisons}, {"splits", 7, 0, newell_splits},
+    {"entries", 7, 0, mover_entries},   {"forced", 7, 0, mover_forced},         {"unsorted", 8, 0, mover_unsorted},
 };
 
 static const struct column COMPARE_COLUMNS[] = {

@@ -19,7 +19,7 @@ struct ids {
     struct lim_scene *objects;
     uint16_t **object_polygons;
     struct lim_instance *instances;
-    uint32_t *faces;            /* the last frame: w_px * h_px face numbers, 0 = background */
+    uint32_t *faces; /* the last frame: w_px * h_px face numbers, 0 = background */
 };
 
 /* Drawn as `setup` says, but always into plain memory. */

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT
  *
  * A node's own transform is translation, rotation and scale; keys replace the first two. Above it are parents, which
- * stand still, so the motion in the scene is that of the keys, moved and turned by them. Positions and orientations have
- * keys of their own in the file: a mover gets one at the time of either, and one at the end of the longest
+ * stand still, so the motion in the scene is that of the keys, moved and turned by them. Positions and orientations
+ * have keys of their own in the file: a mover gets one at the time of either, and one at the end of the longest
  * animation, so that all repeat together. */
 #include "import_motion.h"
 
@@ -190,7 +190,8 @@ static bool add_keys(struct motions *work, const struct channel *channel, const 
     }
     free(times_s);
     mover->key_count = (uint32_t)count;
-    return ok || error_set(work->err, "%s: node '%s': its animation has a key that is no number", work->path, mover->name);
+    return ok ||
+           error_set(work->err, "%s: node '%s': its animation has a key that is no number", work->path, mover->name);
 }
 
 /* Nodes -------------------------------------------------------------------------------------- */
@@ -257,7 +258,8 @@ static bool add_mover(struct motions *work, const struct aiNode *node, const str
         return refuse(work, node, "it is animated, but its parents mirror or shear it");
     if (!rotation_of(&own, own_axes, own_scales) || !rotation_of(&here, axes, scales))
         return refuse(work, node, "it is animated, but mirrored or sheared");
-    if (!keeps_scale(anim, own_scales)) return refuse(work, node, "its animation scales it; only rigid motion can be drawn");
+    if (!keeps_scale(anim, own_scales))
+        return refuse(work, node, "its animation scales it; only rigid motion can be drawn");
     const struct channel channel = {anim, ticks_per_s, pose_of(&own, own_axes)};
     work->nodes = grow(work->nodes, model->mover_count, &work->node_capacity, sizeof *work->nodes);
     work->nodes[model->mover_count] = node;

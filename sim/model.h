@@ -77,8 +77,8 @@ enum { MODEL_DEFAULT_COLOUR = 0xC8C8C8 }; /* of faces that have neither material
  * Opacity is MTL's `d` (or 1 - `Tr`); glTF's base colour's and vertex colours' alpha where alphaMode is BLEND, all or
  * nothing where it is MASK, and nothing where it is OPAQUE.
  *
- * Animations move nodes rigidly. Points are where the nodes' own transforms have them; all animations of the file run at
- * once. Keys are joined by straight lines and even turns, whatever the file says. Refused, by name: an animated node
+ * Animations move nodes rigidly. Points are where the nodes' own transforms have them; all animations of the file run
+ * at once. Keys are joined by straight lines and even turns, whatever the file says. Refused, by name: an animated node
  * that is scaled by its keys, mirrored or sheared, or below another one that is animated. One without a mesh, or with
  * fewer than two keys, stands still: a notice. */
 bool model_import(const char *path, struct model *model, struct error *err);

@@ -157,7 +157,8 @@ static bool compile_parts(struct moving *moving, const struct compile_options *o
     if (!own.method) own.method = &methods[0]; /* nearest first */
     if (own.tree == TREE_AUTO) own.tree = TREE_BSP;
     model_part(&moving->model, 0, &part, &numbers);
-    bool ok = part.face_count || error_set(err, "everything in it is animated; objects move in a scene that stands still");
+    bool ok =
+        part.face_count || error_set(err, "everything in it is animated; objects move in a scene that stands still");
     ok = ok && compile_part(&part, NULL, &own, scene, err);
     if (ok) number_faces(scene, numbers);
     model_free(&part);

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
- * A model with moving objects: what stands still is one compiled scene, each object another, on the same grid or one that
- * is finer by a power of two; and the table of each object's motion. */
+ * A model with moving objects: what stands still is one compiled scene, each object another, on the same grid or one
+ * that is finer by a power of two; and the table of each object's motion. */
 #ifndef SIM_MOVING_H
 #define SIM_MOVING_H
 

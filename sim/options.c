@@ -248,8 +248,7 @@ bool options_scene_is_compiled(const struct options *options)
     return suffix && strcasecmp(suffix, ".lim") == 0;
 }
 
-static bool load_scene(const struct options *options, struct compiled *scene, struct moving *moving,
-                       struct error *err)
+static bool load_scene(const struct options *options, struct compiled *scene, struct moving *moving, struct error *err)
 {
     if (options_scene_is_compiled(options)) {
         const bool any_tree_does = method_sorts(options->setup.method) || options->compile.portals == PORTALS_ON;

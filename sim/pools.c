@@ -86,8 +86,9 @@ static bool sample_method(const struct compiled *scene, struct moving *moving, c
     struct simulator simulator;
     if (!simulator_init(&simulator, &scene->scene, setup, err)) return false;
     simulator_set_wireframe(&simulator, &(struct lim_wireframe){.on = wireframe});
-    const bool ok = (!moving || simulator_set_movers(&simulator, moving->instances, moving->count, &moving->limits, err)) &&
-                    sample_frames(scene, moving, &simulator, usage, err);
+    const bool ok =
+        (!moving || simulator_set_movers(&simulator, moving->instances, moving->count, &moving->limits, err)) &&
+        sample_frames(scene, moving, &simulator, usage, err);
     simulator_free(&simulator);
     return ok;
 }

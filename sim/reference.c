@@ -93,8 +93,12 @@ static void copy_polygons(struct reference *reference, const struct mesh *mesh, 
         const struct mesh_polygon *from = &mesh->polygons[p];
         struct reference_polygon *to = &reference->polygons[reference->polygon_count++];
         const uint32_t first = (uint32_t)reference->point_count;
-        *to = (struct reference_polygon){
-            .first = first, .count = from->count, .face = from->face, .mapping = from->mapping, .mover = mover, .two_sided = from->two_sided};
+        *to = (struct reference_polygon){.first = first,
+                                         .count = from->count,
+                                         .face = from->face,
+                                         .mapping = from->mapping,
+                                         .mover = mover,
+                                         .two_sided = from->two_sided};
         for (uint32_t i = 0; i < from->count; i++) {
             const double *point = mesh->points[mesh->corners[from->first + i]];
             memcpy(reference->points[first + i], point, sizeof reference->points[0]);
@@ -158,7 +162,8 @@ bool reference_init(struct reference *reference, const struct mesh *mesh, unsign
     reference->faces = calloc(pixel_count, sizeof reference->faces[0]);
     reference->mappings = calloc(pixel_count, sizeof reference->mappings[0]);
     reference->depths_m = calloc(pixel_count, sizeof reference->depths_m[0]);
-    bool ok = (reference->faces && reference->mappings && reference->depths_m) || error_set(err, "reference picture: out of memory");
+    bool ok = (reference->faces && reference->mappings && reference->depths_m) ||
+              error_set(err, "reference picture: out of memory");
     ok = ok && reference_add(reference, mesh, 0, err);
     if (!ok) reference_free(reference);
     return ok;

@@ -25,7 +25,7 @@ struct reference {
     double (*points)[3]; /* metres */
     struct reference_polygon *polygons;
     size_t polygon_count;
-    double (*own_points)[3];      /* the same points before a mover's pose */
+    double (*own_points)[3]; /* the same points before a mover's pose */
     size_t point_count;
     uint32_t corners_max;
     struct reference_edge *edges; /* of one polygon at a time */

@@ -17,7 +17,6 @@ struct named_scene {
     const struct moving *moving; /* what moves in it; NULL: nothing */
 };
 
-
 /* NAME.lim, at the path given. */
 bool lim_file_put(const struct compiled *scene, const char *path, struct outputs *outputs, struct error *err);
 

@@ -88,6 +88,13 @@ noticed_without_keys() {
         says "changed.gltf: node 'ball' stands still: its animation has no keys to move between$" && grep -q 'FOUR_MOVERS 4' "$work/four.h"
 }
 
+is_what_the_generator_writes() {
+    # shellcheck disable=SC2086 # flags are words
+    ${CC:-cc} -std=c11 -O2 ${WARNINGS:?} -o "$work/generate" sim/scenes/movers/generate_movers.c -lm && mkdir "$work/made" &&
+        "$work/generate" "$work/made" && cmp "$work/made/movers.gltf" $model && cmp "$work/made/movers.cam" sim/scenes/movers.cam
+}
+
+tap_check "the model is what its generator writes" is_what_the_generator_writes
 tap_check "as right as what stands still" wrong_at_most 0.02
 tap_check "in profile fine too" wrong_at_most 0.008 --precision fine
 tap_check "by their centres they are not, and it shows" centres_are_wrong

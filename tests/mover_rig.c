@@ -59,7 +59,8 @@ void mover_rig_view(struct mover_rig *rig, const double eye_m[3], const double t
     const struct camera_path path = {"test", &viewpoint, 1};
     struct lim_camera camera;
     struct error err;
-    if (!camera_path_to_camera(&path, 0, &LENS, &rig->scene.grid, &camera, &err) || !ids_frame(&rig->ids, &camera, &err))
+    if (!camera_path_to_camera(&path, 0, &LENS, &rig->scene.grid, &camera, &err) ||
+        !ids_frame(&rig->ids, &camera, &err))
         fail_msg("%s", err.text);
     reference_draw(&rig->reference, &viewpoint, &LENS);
     const struct compare_counts counts =
@@ -82,7 +83,8 @@ void mover_rig_bend(struct mover_rig *rig, size_t mover, void (*bend)(double at_
 {
     struct error err;
     reference_free(&rig->reference);
-    if (!moving_reference(&rig->moving, &rig->reference, MOVER_RIG_W_PX, MOVER_RIG_H_PX, &err)) fail_msg("%s", err.text);
+    if (!moving_reference(&rig->moving, &rig->reference, MOVER_RIG_W_PX, MOVER_RIG_H_PX, &err))
+        fail_msg("%s", err.text);
     reference_bend(&rig->reference, mover, bend, how);
     moving_pose_reference(&rig->moving, &rig->reference, 0);
 }

@@ -12,7 +12,8 @@
 static const double UPRIGHT[3] = {0, 1, 0}, SLANTED[3] = {0.3, 1, 0.2};
 static const double ROOM_LOW_M[3] = {-4, 0, -4}, ROOM_HIGH_M[3] = {4, 3, 4};
 
-/* A room of 8 x 3 x 8 m, cut in two by a wall from z = -0.1 to 0.1 with a doorway of a metre in its middle, or with none. */
+/* A room of 8 x 3 x 8 m, cut in two by a wall from z = -0.1 to 0.1 with a doorway of a metre in its middle, or with
+ * none. */
 static void add_rooms(struct mover_rig *rig, bool doorway)
 {
     struct model *model = &rig->model;
@@ -173,7 +174,8 @@ static void the_painter_paints_the_same(void **state)
 static void by_its_centre_it_is_right_in_free_space(void **state)
 {
     struct mover_rig rig = {0};
-    const struct model_pose near = mover_rig_pose(0.6, 1.2, 2, SLANTED, 0.9), far = mover_rig_pose(0, 1.2, 1, SLANTED, 1.9);
+    const struct model_pose near = mover_rig_pose(0.6, 1.2, 2, SLANTED, 0.9),
+                            far = mover_rig_pose(0, 1.2, 1, SLANTED, 1.9);
     (void)state;
 
     add_rooms(&rig, false);
@@ -192,8 +194,8 @@ static struct model_pose random_pose(struct random *random)
 {
     const double axis[3] = {random_unit(random) + 0.01, random_unit(random) - 0.5, random_unit(random) - 0.5};
 
-    return mover_rig_pose(random_unit(random) * 6 - 3, 0.2 + random_unit(random) * 2.6, random_unit(random) * 6 - 3, axis,
-                          random_unit(random) * 6.28);
+    return mover_rig_pose(random_unit(random) * 6 - 3, 0.2 + random_unit(random) * 2.6, random_unit(random) * 6 - 3,
+                          axis, random_unit(random) * 6.28);
 }
 
 static void add_random_mover(struct mover_rig *rig, struct random *random)
@@ -257,8 +259,8 @@ static void assert_random_right(uint64_t seed, int scenes, const struct core *co
     for (int i = 0; i < scenes; i++)
         draw_random(&random, core, &sum, &forced);
     print_message("%zu pixels: %.1f ppm wrong, %.2f beyond a pixel, %zu holes; %u forced\n", sum.pixels,
-                  1e6 * (double)sum.wrong / (double)sum.pixels, 1e6 * (double)sum.beyond / (double)sum.pixels, sum.holes,
-                  (unsigned)forced);
+                  1e6 * (double)sum.wrong / (double)sum.pixels, 1e6 * (double)sum.beyond / (double)sum.pixels,
+                  sum.holes, (unsigned)forced);
     assert_true(1e6 * (double)sum.wrong <= ppm * (double)sum.pixels);
     assert_true(1e6 * (double)sum.beyond <= beyond_ppm * (double)sum.pixels);
     assert_int_equal(sum.holes, 0);
@@ -351,7 +353,8 @@ static void a_flag_bends_in_the_wind(void **state)
         assert_true(mover_rig_pixels(&rig, 1) > 300);
         forced += mover_rig_stats(&rig)->movers.forced + mover_rig_stats(&rig)->newell.forced;
     }
-    print_message("a flag: %zu of %zu wrong, %zu holes, %u forced, %u splits\n", rig.counts.wrong, rig.counts.pixels, rig.counts.holes, (unsigned)forced, (unsigned)mover_rig_stats(&rig)->newell.splits);
+    print_message("a flag: %zu of %zu wrong, %zu holes, %u forced, %u splits\n", rig.counts.wrong, rig.counts.pixels,
+                  rig.counts.holes, (unsigned)forced, (unsigned)mover_rig_stats(&rig)->newell.splits);
     assert_int_equal(forced, 0);
     assert_right(&rig, 400);
     mover_rig_free(&rig);
@@ -486,12 +489,13 @@ static void in_bands_the_picture_is_the_same(void **state)
         if (i) {
             assert_true(least_b < simulator->mem_b);
             assert_int_equal(
-                simulator->core->init(simulator->lim, &rigs[i].ids.scene, &simulator->target, simulator->mem, least_b), 0);
-            assert_int_equal(simulator->core->movers_init(simulator->lim, simulator->mover_mem,
-                                                          simulator->core->movers_mem_b(&rigs[i].ids.scene,
-                                                                                        &rigs[i].moving.limits),
-                                                          &rigs[i].moving.limits),
-                             0);
+                simulator->core->init(simulator->lim, &rigs[i].ids.scene, &simulator->target, simulator->mem, least_b),
+                0);
+            assert_int_equal(
+                simulator->core->movers_init(simulator->lim, simulator->mover_mem,
+                                             simulator->core->movers_mem_b(&rigs[i].ids.scene, &rigs[i].moving.limits),
+                                             &rigs[i].moving.limits),
+                0);
         }
         mover_rig_view(&rigs[i], (double[3]){1, 1.8, 3.4}, (double[3]){0, 1.3, 1.4});
     }

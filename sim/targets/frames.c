@@ -5,7 +5,8 @@
  * its cameras and screen (`limner render --write-cameras DIR/cameras.h`). Exit status 0, or 1 when
  * the renderer failed or painted out of order.
  *
- * What moves in the scene is where it is FRAMES_PER_S frames a second after the start, as `limner render --fps` has it. */
+ * What moves in the scene is where it is FRAMES_PER_S frames a second after the start, as `limner render --fps` has it.
+ */
 #include "limner.h"
 
 #include "cameras.h"

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT
  *
- * Writes movers.gltf and movers.cam: two rooms joined by a doorway, and five things that move in them. A ball flies through the
- * doorway and back; two bars turn through each other; a block slides through the wall between the rooms; a crystal
- * turns inside a pillar, of which it is the larger part. */
+ * Writes movers.gltf and movers.cam: two rooms joined by a doorway, and five things that move in them. A ball flies
+ * through the doorway and back; two bars turn through each other; a block slides through the wall between the rooms; a
+ * crystal turns inside a pillar, of which it is the larger part. */
 #include <math.h>
 #include <stdbool.h>
 #include <stdint.h>
@@ -88,7 +88,8 @@ static void box(float x0, float y0, float z0, float x1, float y1, float z1)
 static void round_part(const float a[3], const float b[3], const float c[3], int levels, float radius)
 {
     if (!levels) {
-        triangle(corner(a[0] * radius, a[1] * radius, a[2] * radius), corner(b[0] * radius, b[1] * radius, b[2] * radius),
+        triangle(corner(a[0] * radius, a[1] * radius, a[2] * radius),
+                 corner(b[0] * radius, b[1] * radius, b[2] * radius),
                  corner(c[0] * radius, c[1] * radius, c[2] * radius));
         return;
     }
@@ -224,7 +225,8 @@ static struct motion motion(const char *name, const float from[3], const float t
 
 static void add_motions(void)
 {
-    motions[0] = motion("ball", (float[3]){-3, 1.2f, 0.1f}, (float[3]){1.8f, 0.9f, -0.05f}, (float[3]){0.2f, 0.3f, 1}, 2);
+    motions[0] =
+        motion("ball", (float[3]){-3, 1.2f, 0.1f}, (float[3]){1.8f, 0.9f, -0.05f}, (float[3]){0.2f, 0.3f, 1}, 2);
     motions[1] = motion("bar", (float[3]){-2, 1.4f, 1}, (float[3]){-2, 1.4f, 1}, (float[3]){0.1f, 1, 0.2f}, 1);
     motions[2] = motion("post", (float[3]){-2, 1.4f, 1}, (float[3]){-2, 1.5f, 1}, (float[3]){1, 0.1f, 0.4f}, 1);
     motions[3] = motion("block", (float[3]){-0.6f, 1, -1.2f}, (float[3]){0.6f, 1, -1.2f}, (float[3]){0, 1, 0.3f}, 1);
@@ -277,17 +279,19 @@ static void write_nodes(FILE *file)
     }
     fputs("],\n  \"meshes\": [", file);
     for (size_t i = 0; i < mesh_count; i++)
-        fprintf(file,
-                "%s\n    {\"primitives\": [{\"attributes\": {\"POSITION\": %zu}, \"indices\": %zu, \"material\": %zu}]}",
-                i ? "," : "", 2 * i, 2 * i + 1, i);
+        fprintf(
+            file,
+            "%s\n    {\"primitives\": [{\"attributes\": {\"POSITION\": %zu}, \"indices\": %zu, \"material\": %zu}]}",
+            i ? "," : "", 2 * i, 2 * i + 1, i);
     fputs("],\n  \"materials\": [", file);
     for (size_t i = 0; i < mesh_count; i++)
-        fprintf(file, "%s\n    {\"name\": \"%zu\", \"pbrMetallicRoughness\": {\"baseColorFactor\": [%s, 1]}}", i ? "," : "",
-                i, meshes[i].colour);
+        fprintf(file, "%s\n    {\"name\": \"%zu\", \"pbrMetallicRoughness\": {\"baseColorFactor\": [%s, 1]}}",
+                i ? "," : "", i, meshes[i].colour);
     fputs("],\n", file);
 }
 
-static void write_accessor(FILE *file, const struct view *view, size_t index, int component, const char *type, int bounds)
+static void write_accessor(FILE *file, const struct view *view, size_t index, int component, const char *type,
+                           int bounds)
 {
     fprintf(file, "%s\n    {\"bufferView\": %zu, \"componentType\": %d, \"count\": %zu, \"type\": \"%s\"",
             index ? "," : "", index, component, view->count, type);
@@ -349,10 +353,10 @@ static void write_gltf(FILE *file)
 /* From the far corner of the first room through the doorway, and a look back from the second. */
 static void write_cameras(FILE *file)
 {
-    static const double stops[][6] = {{-3.7, 1.5, 1.6, 0, 1.1, -0.4},      {-3.2, 1.7, -0.4, -1.5, 1.3, 0.8},
-                                      {-2.2, 1.6, -0.6, 0, 1, -0.9},       {-0.9, 1.5, 0.1, 2, 1.2, -0.1},
-                                      {0.6, 1.5, 0.25, 2.6, 1.3, -0.1},    {1.6, 1.6, 1.5, 1, 1, -1.4},
-                                      {3.6, 1.5, 1.5, 0, 1.1, -0.3},       {3.5, 1.7, -1.5, -2, 1.1, 0.6}};
+    static const double stops[][6] = {{-3.7, 1.5, 1.6, 0, 1.1, -0.4},   {-3.2, 1.7, -0.4, -1.5, 1.3, 0.8},
+                                      {-2.2, 1.6, -0.6, 0, 1, -0.9},    {-0.9, 1.5, 0.1, 2, 1.2, -0.1},
+                                      {0.6, 1.5, 0.25, 2.6, 1.3, -0.1}, {1.6, 1.6, 1.5, 1, 1, -1.4},
+                                      {3.6, 1.5, 1.5, 0, 1.1, -0.3},    {3.5, 1.7, -1.5, -2, 1.1, 0.6}};
     const int legs = (int)(sizeof stops / sizeof *stops) - 1;
     fputs("# through both rooms of movers.gltf; 12 frames a second are one round of its animation\n", file);
     for (int i = 0; i < FRAMES; i++) {
