@@ -250,9 +250,10 @@ bool c_source_put(const struct named_scene *scene, const char *header, struct ou
 
 bool c_source_write(const struct compiled *scene, const char *name, struct error *err)
 {
-    const struct named_scene named = {scene, name, NULL};
+    const struct named_scene named = {scene, name, scene->moving};
     struct outputs outputs = {0};
-    bool ok = c_header_put(&named, 1, name, &outputs, err) && c_source_put(&named, name, &outputs, err);
+    bool ok = c_header_put(&named, 1, name, &outputs, err) && c_source_put(&named, name, &outputs, err) &&
+              (!named.moving || c_movers_put(&named, name, &outputs, err));
     return scene_files_finish(&outputs, ok, err);
 }
 

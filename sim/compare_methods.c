@@ -5,6 +5,7 @@
 #include "compare_methods.h"
 
 #include "interrupt.h"
+#include "moving.h"
 #include "progress.h"
 #include "simulator.h"
 
@@ -19,8 +20,9 @@ static bool try_renderer(const struct compare_table *table, const struct compile
     const struct simulator_setup setup = {table->w_px, table->h_px, scene->report.draws, SIMULATOR_MEMORY, table->core};
     struct simulator simulator;
     if (!simulator_init(&simulator, &scene->scene, &setup, err)) return false;
+    const bool ok = simulator_add_movers(&simulator, scene, err);
     simulator_free(&simulator);
-    return true;
+    return ok;
 }
 
 static void compile_row(const struct measure_source *source, const struct compile_options *options,
@@ -28,7 +30,7 @@ static void compile_row(const struct measure_source *source, const struct compil
 {
     struct compile_options mine = *options;
     if (compile_method_parse(row->method->name, &mine, &row->why_not) &&
-        compile_mesh(&source->mesh, &mine, &row->scene, &row->why_not) &&
+        measure_source_compile(source, &mine, &row->scene, &row->why_not) &&
         try_renderer(table, &row->scene, &row->why_not)) {
         row->why_not.text[0] = '\0';
         return;

@@ -6,6 +6,7 @@
 #include "encode.h"
 #include "grow.h"
 #include "light.h"
+#include "moving.h"
 #include "pools.h"
 #include "portal_choice.h"
 #include "predict.h"
@@ -285,6 +286,8 @@ bool compile_model(const char *path, const struct compile_options *options, stru
 
 void compiled_free(struct compiled *scene)
 {
+    if (scene->moving) moving_free(scene->moving);
+    free(scene->moving);
     free(scene->image);
     free(scene->report.notes);
     *scene = (struct compiled){0};

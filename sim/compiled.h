@@ -62,8 +62,11 @@ struct compile_report {
     size_t flash_b; /* bytes of all arrays and the struct lim_scene on a 32-bit MCU */
 };
 
+struct moving;
+
 struct compiled {
     struct lim_scene scene; /* its pointers lead into `image` */
+    struct moving *moving;  /* what moves in it, owned; NULL: nothing, or it is kept elsewhere */
     struct grid grid;
     uint32_t *faces; /* polygon_count entries: face number (1-based) of each record, in order */
     void *image;     /* the .lim file's bytes, owned */

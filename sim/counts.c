@@ -44,7 +44,7 @@ static enum owner owner_of(const struct link_section *section)
     if (is_in_firmware(section->object)) return OWNER_STAGE;
     if (strncmp(last_of(section->object), "libgcc.a(", 9) == 0) return OWNER_HELPER;
     if (link_section_is(section, ".text.memcpy") || link_section_is(section, ".text.memset")) return OWNER_HELPER;
-    return strcmp(last_of(section->object), "model.o") == 0 ? OWNER_SCENE : OWNER_OTHER;
+    return strncmp(last_of(section->object), "model", 5) == 0 ? OWNER_SCENE : OWNER_OTHER; /* model_movers.o too */
 }
 
 /* Ranges ------------------------------------------------------------------------------------- */
@@ -346,7 +346,7 @@ void counts_memory(const struct link_map *map, struct cost *out)
         const size_t size_b = (size_t)section->size_b;
         const enum owner owner = owner_of(section);
         if (strcmp(section->name, ".bss.lim") == 0) out->state_b += size_b;
-        if (strcmp(section->name, ".bss.mem") == 0) out->pools_b += size_b;
+        if (strcmp(section->name, ".bss.mem") == 0 || strcmp(section->name, ".bss.mover_mem") == 0) out->pools_b += size_b;
         if (is_variable(section)) {
             if (owner == OWNER_STAGE) out->static_b += size_b;
             continue;

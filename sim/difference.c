@@ -5,6 +5,7 @@
 
 #include "ids.h"
 #include "image.h"
+#include "moving.h"
 
 #include <gdfonts.h>
 #include <string.h>
@@ -18,6 +19,17 @@ struct drawing {
     struct ids ids;
 };
 
+/* Where they are in that frame. */
+static bool place_movers(struct drawing *drawing, struct measure_source *source, const struct compiled *scene,
+                         const struct measure_views *views, size_t frame, struct error *err)
+{
+    if (!scene->moving) return true;
+    const double time_s = moving_time_s(scene->moving, frame, views->path->count);
+    moving_pose(scene->moving, time_s);
+    moving_pose_reference(source->still.moving, &source->reference, time_s);
+    return simulator_add_movers(&drawing->simulator, scene, err) && ids_set_movers(&drawing->ids, scene->moving, err);
+}
+
 static bool draw_frame(struct drawing *drawing, struct measure_source *source,
                        const struct measure_candidate *candidate, const struct measure_views *views, size_t frame,
                        struct error *err)
@@ -27,7 +39,7 @@ static bool draw_frame(struct drawing *drawing, struct measure_source *source,
                                           candidate->core};
     struct lim_camera camera;
     if (!simulator_init(&drawing->simulator, &scene->scene, &setup, err) ||
-        !ids_init(&drawing->ids, scene, &setup, err) ||
+        !ids_init(&drawing->ids, scene, &setup, err) || !place_movers(drawing, source, scene, views, frame, err) ||
         !camera_path_to_camera(views->path, frame, views->lens, &scene->grid, &camera, err) ||
         !simulator_frame(&drawing->simulator, &camera, err) || !ids_frame(&drawing->ids, &camera, err))
         return false;

@@ -19,6 +19,8 @@ struct measure_source {
     struct mesh mesh;           /* what compile_mesh() takes; mesh.merged_into: faces that count as one */
     struct map points;          /* grid position -> first point of the mesh there */
     uint32_t *next_point;       /* of the mesh, at the same grid position; or MEASURE_NO_POINT */
+    struct compiled still;      /* if something moves: still.moving; the mesh is of what does not */
+    char *path;                 /* of the model */
 };
 
 #define MEASURE_NO_POINT UINT32_MAX
@@ -30,6 +32,10 @@ bool measure_source_read(struct measure_source *source, const char *model_path, 
 /* Where a vertex of a scene of this mesh was in the model, metres; false for one that splitting made. */
 bool measure_source_point(const struct measure_source *source, const struct lim_scene *scene, uint16_t vertex,
                           double out_m[3]);
+
+/* The model's scene with these options, and with all that moves in it. */
+bool measure_source_compile(const struct measure_source *source, const struct compile_options *options,
+                            struct compiled *scene, struct error *err);
 
 void measure_source_free(struct measure_source *source);
 

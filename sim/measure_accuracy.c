@@ -33,6 +33,7 @@ static bool measured_init(struct measured *measured, const struct measure_candid
                                           candidate->core};
     measured->candidate = candidate;
     if (!ids_init(&measured->ids, candidate->scene, &setup, err)) return false;
+    if (candidate->scene->moving && !ids_set_movers(&measured->ids, candidate->scene->moving, err)) return false;
     if (scene->texture_count && !simulator_init(&measured->painted, scene, &setup, err)) return false;
     measured->record_words = calloc(scene->polygon_count, sizeof *measured->record_words);
     measured->is_done = calloc(scene->vertex_count, sizeof *measured->is_done);
@@ -105,7 +106,8 @@ static void measure_vertices(struct measured *measured, const struct measure_sou
     memset(measured->is_done, 0, measured->candidate->scene->scene.vertex_count * sizeof *measured->is_done);
     for (size_t i = 0, before = 0; i < pixel_count; i++) {
         const size_t number = simulator->pixels[i];
-        if (number && number != before) measure_polygon(measured, source, number - 1, out);
+        const bool moves = number > measured->candidate->scene->scene.polygon_count; /* its vertices are elsewhere */
+        if (number && number != before && !moves) measure_polygon(measured, source, number - 1, out);
         before = number;
     }
 }
@@ -184,6 +186,7 @@ static bool measure_frame(struct measured *measured, const struct measure_source
 {
     const struct compiled *scene = measured->candidate->scene;
     struct lim_camera camera;
+    if (scene->moving) moving_pose(scene->moving, moving_time_s(scene->moving, frame, views->path->count));
     if (!camera_path_to_camera(views->path, frame, views->lens, &scene->grid, &camera, err) ||
         !ids_frame(&measured->ids, &camera, err))
         return false;
@@ -203,6 +206,9 @@ static bool measure_frames(struct measured *measured, size_t count, struct measu
     for (size_t frame = 0; frame < views->path->count; frame++) {
         progress("accuracy, frame %zu of %zu", frame + 1, views->path->count);
         if (!interrupt_check(err)) return false;
+        if (source->still.moving)
+            moving_pose_reference(source->still.moving, &source->reference,
+                                  moving_time_s(source->still.moving, frame, views->path->count));
         reference_draw(&source->reference, &views->path->frames[frame], views->lens);
         for (size_t i = 0; i < count; i++)
             if (!measure_frame(&measured[i], source, views, frame, &out[i], err)) return false;

@@ -9,6 +9,7 @@
 #include "counts.h"
 #include "hashes.h"
 #include "simulator.h"
+#include "moving.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -95,6 +96,8 @@ static bool write_cameras(const struct run *run, struct error *err)
     if (!path_in(run, "cameras.h", path, err)) return false;
     FILE *file = fopen(path, "w");
     if (!file) return error_set(err, "%s: cannot be written", path);
+    const struct moving *moving = run->candidate->scene->moving;
+    if (moving) fprintf(file, "#define CAMERAS_LENGTH_MS %.0f\n", moving_length_s(moving) * 1000);
     const bool ok =
         cameras_c_write(views->path, views->lens, &run->candidate->scene->grid, views->w_px, views->h_px, file, err);
     return (fclose(file) == 0 || error_set(err, "%s: cannot be written", path)) && ok;
@@ -119,9 +122,10 @@ static bool host_frames(const struct run *run, uint64_t *hashes, uint64_t *nodes
     const struct compiled *scene = run->candidate->scene;
     struct simulator simulator;
     if (!simulator_init(&simulator, &scene->scene, &setup, err)) return false;
-    bool ok = true;
+    bool ok = simulator_add_movers(&simulator, scene, err);
     for (size_t frame = 0; ok && frame < views->path->count; frame++) {
         struct lim_camera camera;
+        if (scene->moving) moving_pose(scene->moving, moving_time_s(scene->moving, frame, views->path->count));
         ok = camera_path_to_camera(views->path, frame, views->lens, &scene->grid, &camera, err) &&
              simulator_frame(&simulator, &camera, err);
         if (!ok) break;

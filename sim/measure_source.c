@@ -6,6 +6,8 @@
 
 #include "grow.h"
 #include "light.h"
+#include "model_part.h"
+#include "moving.h"
 #include "vec3.h"
 
 #include <math.h>
@@ -40,6 +42,26 @@ static void index_points(struct measure_source *source)
     }
 }
 
+/* The mesh of what stands still, and what is asked of all: how faces are grouped, and where the reference has them. */
+static bool read_moving(struct measure_source *source, const struct compile_options *options, unsigned w_px,
+                        unsigned h_px, struct error *err)
+{
+    struct moving *moving = source->still.moving;
+    struct model part;
+    uint32_t *numbers, *groups;
+    model_part(&moving->model, 0, &part, &numbers);
+    bool ok = mesh_clean(&part, &source->mesh, err) && (options->keep_faces || mesh_merge(&source->mesh, err)) &&
+              mesh_insert_t_vertices(&source->mesh, err);
+    model_free(&part);
+    free(numbers);
+    if (!ok || !moving_groups(moving, &groups, err)) return false;
+    free(source->mesh.merged_into);
+    source->mesh.merged_into = groups;
+    if (!moving_reference(moving, &source->reference, w_px, h_px, err)) return false;
+    index_points(source);
+    return true;
+}
+
 static bool read_mesh(struct measure_source *source, const struct model *model, const struct compile_options *options,
                       unsigned w_px, unsigned h_px, struct error *err)
 {
@@ -56,10 +78,15 @@ bool measure_source_read(struct measure_source *source, const char *model_path, 
                          unsigned w_px, unsigned h_px, struct error *err)
 {
     struct model model;
-    *source = (struct measure_source){0};
-    if (!model_import(model_path, &model, err)) return false;
-    if (!options->unlit) light_bake(&model);
-    const bool ok = read_mesh(source, &model, options, w_px, h_px, err) || error_prefix(err, model_path);
+    *source = (struct measure_source){.path = strdup(model_path)};
+    if (!source->path) return error_set(err, "%s: out of memory", model_path);
+    bool ok = model_import(model_path, &model, err);
+    const bool moves = ok && model.mover_count > 0;
+    if (ok && !options->unlit) light_bake(&model);
+    if (ok && !moves) ok = read_mesh(source, &model, options, w_px, h_px, err) || error_prefix(err, model_path);
+    if (ok && moves)
+        ok = moving_compile_own(model_path, options, MOVING_CLIPPED, &source->still, err) &&
+             (read_moving(source, options, w_px, h_px, err) || error_prefix(err, model_path));
     model_free(&model);
     if (!ok) measure_source_free(source);
     return ok;
@@ -118,7 +145,16 @@ void measure_source_free(struct measure_source *source)
     mesh_free(&source->mesh);
     map_free(&source->points);
     free(source->next_point);
+    compiled_free(&source->still);
+    free(source->path);
     *source = (struct measure_source){0};
+}
+
+bool measure_source_compile(const struct measure_source *source, const struct compile_options *options,
+                            struct compiled *scene, struct error *err)
+{
+    if (!source->still.moving) return compile_mesh(&source->mesh, options, scene, err);
+    return moving_compile_own(source->path, options, MOVING_CLIPPED, scene, err);
 }
 
 bool measure_scene_for(struct measure_scenes *scenes, const struct measure_source *source, const struct core *core,
@@ -129,7 +165,7 @@ bool measure_scene_for(struct measure_scenes *scenes, const struct measure_sourc
     struct compile_options mine = *options;
     mine.core = is_exact ? core : NULL; /* what the others share is compiled for fast */
     *out = scene;
-    return scene->image || compile_mesh(&source->mesh, &mine, scene, err);
+    return scene->image || measure_source_compile(source, &mine, scene, err);
 }
 
 void measure_scenes_free(struct measure_scenes *scenes)

@@ -9,6 +9,7 @@
 #include "pools.h"
 #include "pose.h"
 #include "reference.h"
+#include "simulator.h"
 #include "vec3.h"
 
 #include <stdio.h>
@@ -211,6 +212,55 @@ bool moving_compile_model(const struct model *model, const struct compile_option
     return compile_parts(moving, options, movers->mode, scene, err);
 }
 
+bool moving_compile_own(const char *path, const struct compile_options *options, enum moving_mode mode,
+                        struct compiled *scene, struct error *err)
+{
+    const struct moving_options movers = {.mode = mode};
+    struct moving *moving = grow_zeroed(1, sizeof *moving);
+    bool ok = moving_compile(path, options, &movers, scene, moving, err);
+    if (ok && moving->count) {
+        scene->moving = moving;
+        return true;
+    }
+    moving_free(moving);
+    free(moving);
+    if (!ok) compiled_free(scene);
+    return ok;
+}
+
+static bool add_groups(const struct moving *moving, size_t mover, uint32_t *groups, struct error *err)
+{
+    struct model part;
+    struct mesh mesh;
+    uint32_t *numbers;
+    model_part(&moving->model, mover, &part, &numbers);
+    bool ok = mover ? mesh_clean_on(&part, &moving->objects[mover - 1].scene.grid, &mesh, err)
+                    : mesh_clean(&part, &mesh, err);
+    if (ok) {
+        ok = mesh_merge(&mesh, err);
+        for (size_t i = 1; ok && i <= part.face_count; i++)
+            groups[numbers[i - 1]] = mesh.merged_into[i] ? numbers[mesh.merged_into[i] - 1] : 0;
+        mesh_free(&mesh);
+    }
+    model_free(&part);
+    free(numbers);
+    return ok;
+}
+
+bool moving_groups(const struct moving *moving, uint32_t **groups, struct error *err)
+{
+    bool ok = true;
+    *groups = grow_zeroed(moving->model.face_count + 1, sizeof **groups);
+    for (size_t i = 0; ok && i <= moving->count; i++)
+        ok = add_groups(moving, i, *groups, err);
+    return ok;
+}
+
+double moving_time_s(const struct moving *moving, size_t frame, size_t count)
+{
+    return floor(moving_length_s(moving) * 1000 * (double)frame / (double)count) / 1000;
+}
+
 double moving_length_s(const struct moving *moving)
 {
     const struct lim_motion *motion = &moving->objects[0].motion;
@@ -221,6 +271,12 @@ void moving_pose(struct moving *moving, double time_s)
 {
     for (size_t i = 0; i < moving->count; i++)
         lim_motion_at(&moving->objects[i].motion, (uint32_t)llround(time_s * 1000), &moving->instances[i]);
+}
+
+bool simulator_add_movers(struct simulator *simulator, const struct compiled *scene, struct error *err)
+{
+    const struct moving *moving = scene->moving;
+    return !moving || simulator_set_movers(simulator, moving->instances, moving->count, &moving->limits, err);
 }
 
 /* Reference ---------------------------------------------------------------------------------- */

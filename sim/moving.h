@@ -49,11 +49,25 @@ bool moving_compile_model(const struct model *model, const struct compile_option
                           const struct moving_options *movers, struct compiled *scene, struct moving *moving,
                           struct error *err);
 
+/* moving_compile() into scene->moving, which stays NULL if nothing moves; *scene must be zero. */
+bool moving_compile_own(const char *path, const struct compile_options *options, enum moving_mode mode,
+                        struct compiled *scene, struct error *err);
+
+/* Which faces of the model count as one once coplanar neighbours are merged, as mesh.merged_into; the caller's. */
+bool moving_groups(const struct moving *moving, uint32_t **groups, struct error *err);
+
 /* The time of the last keys. */
 double moving_length_s(const struct moving *moving);
 
+/* When frame i of count is drawn that are spread over the whole animation; firmware counts milliseconds. */
+double moving_time_s(const struct moving *moving, size_t frame, size_t count);
+
 /* Places all instances as firmware would. */
 void moving_pose(struct moving *moving, double time_s);
+
+/* simulator_set_movers() with what moves in the scene, if anything does. */
+struct simulator;
+bool simulator_add_movers(struct simulator *simulator, const struct compiled *scene, struct error *err);
 
 /* The reference of such a model; and where everything is at a time, in double precision. */
 bool moving_reference(const struct moving *moving, struct reference *reference, unsigned w_px, unsigned h_px,

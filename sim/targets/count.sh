@@ -28,9 +28,12 @@ build() {
     for source in firmware/*.c; do
         compile "$folder/${source%.c}.o" "$source" "$@"
     done
-    compile "$folder/model.o" "$folder/model.c" "$@"
+    rm -f "$folder"/model*.o
+    for source in "$folder"/model*.c; do # what moves has files of its own
+        compile "${source%.c}.o" "$source" "$@"
+    done
     target_link "$core" "$folder/image" "$@" -I"$folder" -Wl,--wrap=main -Wl,-Map,"$folder/image.map" \
-        sim/targets/count_check.c sim/targets/frames.c "$folder/model.o" "$folder"/firmware/*.o
+        sim/targets/count_check.c sim/targets/frames.c "$folder"/model*.o "$folder"/firmware/*.o
 }
 
 run() { # PLUGIN

@@ -34,6 +34,11 @@ struct screen {
 #ifndef FRAMES_PER_S
 #define FRAMES_PER_S 15
 #endif
+#ifdef CAMERAS_LENGTH_MS /* all of the animation */
+#define TIME_MS(frame) ((frame)*UINT32_C(CAMERAS_LENGTH_MS) / CAMERAS_COUNT)
+#else
+#define TIME_MS(frame) (((frame)*UINT32_C(1000) + FRAMES_PER_S / 2) / FRAMES_PER_S)
+#endif
 static struct lim_instance instances[MODEL_MOVERS];
 static void *mover_mem[(MODEL_MOVERS_MEM_B + sizeof(void *) - 1) / sizeof(void *)];
 #endif
@@ -120,9 +125,13 @@ static int init_movers(void)
     return err;
 }
 
-static int draw(const struct lim_camera *camera, uint16_t frame)
+static void place_movers(uint16_t frame)
 {
-    lim_moved_at(model_movers, MODEL_MOVERS, (frame * UINT32_C(1000) + FRAMES_PER_S / 2) / FRAMES_PER_S, instances);
+    lim_moved_at(model_movers, MODEL_MOVERS, TIME_MS(frame), instances);
+}
+
+static int draw(const struct lim_camera *camera)
+{
     return lim_movers_frame(&lim, camera, instances, MODEL_MOVERS);
 }
 #else
@@ -131,9 +140,13 @@ static int init_movers(void)
     return 0;
 }
 
-static int draw(const struct lim_camera *camera, uint16_t frame)
+static void place_movers(uint16_t frame)
 {
     (void)frame;
+}
+
+static int draw(const struct lim_camera *camera)
+{
     return lim_frame(&lim, camera);
 }
 #endif
@@ -145,8 +158,9 @@ static int render(uint16_t frame)
     screen.hash_high = FNV_OFFSET_HIGH;
     screen.hash_low = FNV_OFFSET_LOW;
     screen.painted_px = 0;
+    place_movers(frame);
     frame_begin(frame);
-    const int err = draw(&camera, frame);
+    const int err = draw(&camera);
     frame_end(frame);
     return err || screen.painted_px != (uint32_t)CAMERAS_W_PX * CAMERAS_H_PX;
 }
