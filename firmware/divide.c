@@ -82,10 +82,13 @@ uint16_t lim_movers_list(struct lim *lim, const struct lim_cull *open)
     lim->sorter.newell.cuts_used = 0;
     for (uint16_t i = 0; i < movers->count; i++) {
         if (movers->movers[i].radius_q12 < 0) continue;
-        if (is_in_view(&movers->movers[i], open))
-            queue_add(&queue, new_entry(lim, LIM_NONE, i, LIM_NONE));
-        else if (LIM_HAS_STATS)
+        if (is_in_view(&movers->movers[i], open)) {
+            const uint16_t entry = new_entry(lim, LIM_NONE, i, LIM_NONE);
+            LIM_ASSERT(entry != LIM_NONE); /* there are as many as instances */
+            if (entry != LIM_NONE) queue_add(&queue, entry);
+        } else if (LIM_HAS_STATS) {
             lim_stats_of(lim)->movers.hidden++;
+        }
     }
     return head;
 }

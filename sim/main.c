@@ -32,7 +32,7 @@ static const char USAGE[] =
     "                      --wireframe=RRGGBB,RRGGBB: all lines and the background in these colours)\n"
     "compile and measure, for a MODEL:\n"
     "  --portals WHEN      store what can be seen from where: on, off, or auto, where it pays (measure: off)\n"
-    "compile and render, of models with animations:\n"
+    "compile and render, of models with animations (measure and compare draw all of the animation):\n"
     "  --movers NAME       how what moves enters the scene: clipped down its tree, centre (faster, and wrong\n"
     "                      where it reaches through planes), off: it stays where the file has it (clipped)\n"
     "  --mover-light NAME  baked into its colours where the file has it, or turning: lit in each frame (baked)\n"

@@ -8,8 +8,8 @@
 #include "child.h"
 #include "counts.h"
 #include "hashes.h"
-#include "simulator.h"
 #include "moving.h"
+#include "simulator.h"
 
 #include <math.h>
 #include <stdio.h>
