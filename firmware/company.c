@@ -15,7 +15,9 @@
 
 static bool bends(const struct lim *lim, uint16_t entry)
 {
-    return lim_bends(&lim->movers.instances[lim_entry_owner(lim, entry)]);
+    const uint16_t owner = lim_entry_owner(lim, entry);
+
+    return owner != LIM_NONE && lim_bends(&lim->movers.instances[owner]);
 }
 
 /* One that has an order of its own. */
@@ -228,8 +230,19 @@ static int draw_whole(struct lim *lim, uint16_t mover, const struct lim_rect *op
     return 0;
 }
 
+/* A polygon of a leaf that movers have come to. */
+static int draw_still(struct lim *lim, uint16_t entry, const struct lim_rect *open, lim_mover_draw *draw)
+{
+    const bool is_cut = lim->sorter.newell.polygons[entry].cuts != LIM_NONE;
+    struct lim_screen_polygon polygon;
+
+    if (!lim_project(&polygon, &lim->view, lim->scene, lim_entry_record(lim, entry), open, lim_stats_of(lim))) return 0;
+    return draw(lim, is_cut ? entry : (uint16_t)LIM_NONE, &polygon, open);
+}
+
 static int draw_entry(struct lim *lim, uint16_t entry, const struct lim_rect *open, lim_mover_draw *draw)
 {
+    if (lim_entry_owner(lim, entry) == LIM_NONE) return draw_still(lim, entry, open, draw);
     const bool is_cut = lim->sorter.newell.polygons[entry].cuts != LIM_NONE;
     const struct face face = {lim_entry_record(lim, entry), lim_plane_of(lim, entry), lim_entry_owner(lim, entry),
                               lim->sorter.newell.polygons[entry].eye_in_front};

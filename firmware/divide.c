@@ -160,6 +160,31 @@ bool lim_mover_burst(struct lim *lim, uint16_t entry, uint16_t *list)
     return true;
 }
 
+static bool has_centres(const struct lim *lim, uint16_t list)
+{
+    for (; list != LIM_NONE; list = lim->sorter.list[list].next)
+        if (lim_mover_is_whole(lim, list) && lim->movers.instances[lim_entry_owner(lim, list)].by_centre) return true;
+    return false;
+}
+
+bool lim_movers_join(struct lim *lim, uint16_t run, uint16_t list)
+{
+    const struct lim_route leaf = {.scene = lim->scene, .eye = lim_eye_of(lim), .node = LIM_NONE};
+    const uint16_t used = lim->sorter.used;
+    uint16_t head, last = list;
+    struct queue queue = queue_begin(lim, &head);
+
+    if (has_centres(lim, list)) return false;
+    if (!add_run(lim, &queue, &leaf, LIM_NONE, run)) {
+        lim->sorter.used = used;
+        return false;
+    }
+    while (lim->sorter.list[last].next != LIM_NONE)
+        last = lim->sorter.list[last].next;
+    lim->sorter.list[last].next = head;
+    return true;
+}
+
 /* Planes ------------------------------------------------------------------------------------- */
 
 struct divider {

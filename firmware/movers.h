@@ -102,6 +102,10 @@ bool lim_mover_burst(struct lim *lim, uint16_t entry, uint16_t *list);
 /* Counts the entries in use, or the cuts, whichever are more: there is room for as many. */
 void lim_movers_note_entries(struct lim *lim);
 
+/* Adds the polygons of a leaf that face the eye to the list that has come there. false: there is no room, or one of it
+ * is to go by its centre; nothing has changed. */
+bool lim_movers_join(struct lim *lim, uint16_t run, uint16_t list);
+
 /* Divides a list by the plane of a node of the static scene; what lies in it goes to the eye's side. */
 void lim_movers_divide(struct lim *lim, uint16_t node, int32_t eye_side, uint16_t list, uint16_t *front,
                        uint16_t *back);

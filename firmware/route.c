@@ -34,12 +34,17 @@ static bool is_hidden(struct lim *lim, const struct lim_route *route, const LIM_
     return true;
 }
 
-/* The order of its run knows nothing of movers: they are taken for nearer than all of it. */
+/* The order of its run knows nothing of movers: both are sorted together, or else movers are taken for nearer. */
 static void enter_leaf(struct lim *lim, struct lim_route *route)
 {
-    struct lim_route_pending *pending = &route->stack[route->depth++];
+    const uint16_t run = route->scene->nodes[route->next].front_run;
     const bool waits = route->back_to_front;
 
+    if (route->list != LIM_NONE && lim_movers_join(lim, run, route->list)) {
+        route->next = LIM_NONE;
+        return;
+    }
+    struct lim_route_pending *pending = &route->stack[route->depth++];
     if (LIM_HAS_STATS && route->list != LIM_NONE) lim_stats_of(lim)->movers.unsorted++;
     *pending = (struct lim_route_pending){route->next, waits ? route->list : (uint16_t)LIM_NONE, 1};
     if (waits) route->list = LIM_NONE;

@@ -36,7 +36,7 @@ struct lim_mover_stats {
     uint32_t pieces;   /* cuts by planes of the scene */
     uint32_t forced;   /* left to their centres, because there was no room: perhaps wrong */
     uint32_t entries;  /* most in use in one walk, of entries or of cuts */
-    uint32_t unsorted; /* met polygons of the scene in a leaf, whose order knows nothing of them: perhaps wrong */
+    uint32_t unsorted; /* lists that met a leaf's polygons without being sorted with them: perhaps wrong */
 };
 
 /* What a frame did; all zero when LIM_HAS_STATS is 0. */

@@ -34,6 +34,7 @@ void mover_rig_stands(struct mover_rig *rig)
 void mover_rig_compile(struct mover_rig *rig, enum moving_mode mode, enum lim_method method, const struct core *core)
 {
     const struct compile_options options = {.tolerance_units = 0.5,
+                                            .tree = rig->tree,
                                             .splitter = "fewest",
                                             .keep_faces = true,
                                             .core = core,

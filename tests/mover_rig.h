@@ -18,6 +18,7 @@ struct mover_rig {
     struct ids ids;
     struct reference reference;
     struct compare_counts counts; /* of all views so far */
+    enum tree_kind tree;          /* of what stands still */
     size_t still;                 /* faces that belong to something already */
 };
 

@@ -188,6 +188,23 @@ static void by_its_centre_it_is_right_in_free_space(void **state)
     mover_rig_free(&rig);
 }
 
+/* Trees with leaves, whose orders know nothing of what moves. */
+static void in_any_tree_they_are_right(void **state)
+{
+    const enum tree_kind kinds[] = {TREE_CLUSTERS, TREE_AXIS, TREE_OCTREE};
+    (void)state;
+
+    for (size_t i = 0; i < sizeof kinds / sizeof *kinds; i++) {
+        struct mover_rig rig = {.tree = kinds[i]};
+        add_crossing(&rig);
+        mover_rig_compile(&rig, MOVING_CLIPPED, LIM_NEAREST_FIRST, NULL);
+        view_crossing(&rig);
+        assert_int_equal(mover_rig_stats(&rig)->movers.unsorted, 0);
+        assert_right(&rig, 600);
+        mover_rig_free(&rig);
+    }
+}
+
 /* Random ------------------------------------------------------------------------------------- */
 
 static struct model_pose random_pose(struct random *random)
@@ -518,6 +535,7 @@ int main(void)
         cmocka_unit_test(through_one_another_they_are_split),
         cmocka_unit_test(the_painter_paints_the_same),
         cmocka_unit_test(by_its_centre_it_is_right_in_free_space),
+        cmocka_unit_test(in_any_tree_they_are_right),
         cmocka_unit_test(a_flag_bends_in_the_wind),
         cmocka_unit_test(without_room_they_go_by_their_centres),
         cmocka_unit_test(too_little_memory_is_refused),
