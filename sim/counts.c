@@ -346,7 +346,8 @@ void counts_memory(const struct link_map *map, struct cost *out)
         const size_t size_b = (size_t)section->size_b;
         const enum owner owner = owner_of(section);
         if (strcmp(section->name, ".bss.lim") == 0) out->state_b += size_b;
-        if (strcmp(section->name, ".bss.mem") == 0 || strcmp(section->name, ".bss.mover_mem") == 0) out->pools_b += size_b;
+        if (strcmp(section->name, ".bss.mem") == 0 || strcmp(section->name, ".bss.mover_mem") == 0)
+            out->pools_b += size_b;
         if (is_variable(section)) {
             if (owner == OWNER_STAGE) out->static_b += size_b;
             continue;
