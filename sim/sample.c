@@ -1,11 +1,9 @@
 /* SPDX-License-Identifier: MIT
  *
- * Free space, by the tree: go down on the eye's side of each plane; where that ends, the last plane's
- * polygons face the eye (space) or turn their backs on it (matter). Right for closed scenes; in open
- * ones it still finds the side from which polygons are seen. */
+ * Points at random, until one lies in free space. */
 #include "sample.h"
 
-#include "eye.h"
+#include "free_space.h"
 
 #include <math.h>
 
@@ -40,25 +38,6 @@ void sampler_init(struct sampler *sampler, const struct compiled *scene)
     }
 }
 
-static bool is_free(const struct compiled *scene, const double at_m[3])
-{
-    struct lim_eye eye;
-    int32_t at_q8[3];
-    uint16_t index = 0;
-
-    for (int i = 0; i < 3; i++)
-        at_q8[i] = (int32_t)lround((at_m[i] - scene->grid.origin_m[i]) * scene->grid.units_per_m * 256.0);
-    lim_eye_set(&eye, &scene->scene, at_q8);
-    for (;;) {
-        const struct lim_node *node = &scene->scene.nodes[index];
-        if (node->split.plane == LIM_NONE) return true; /* a leaf does not tell */
-        const bool in_front = lim_eye_side(&eye, &node->split) > 0;
-        const uint16_t child = in_front ? node->front : node->back;
-        if (child == LIM_NONE) return (in_front ? node->front_run : node->back_run) != LIM_NONE;
-        index = child;
-    }
-}
-
 /* Anywhere in the bounds, or in bounds four times as wide. */
 static void random_point(struct sampler *sampler, double out_m[3])
 {
@@ -85,7 +64,7 @@ struct viewpoint sampler_next(struct sampler *sampler)
 
     for (int i = 0; i < TRIES; i++) {
         random_point(sampler, viewpoint.eye_m);
-        if (is_free(sampler->scene, viewpoint.eye_m)) break;
+        if (free_space_holds(sampler->scene, viewpoint.eye_m)) break;
     }
     const double count = sampler->scene->scene.vertex_count;
     vertex_m(sampler->scene, (size_t)(random_unit(sampler) * count), viewpoint.target_m);
