@@ -12,28 +12,24 @@
 
 enum { CROSSING_SHARE = 8, CANDIDATES_MAX = 48, CUBE_END = 32768, CELL_MIN_UNITS = 16 };
 
-struct tally {
-    size_t front, back, both;
-};
-
-static struct tally tally_of(const struct bsp *bsp, const uint32_t *list, size_t count, uint32_t group)
+static struct splitter_tally tally_of(const struct bsp *bsp, const uint32_t *list, size_t count, uint32_t group)
 {
-    struct tally tally = {0};
+    struct splitter_tally tally = {0};
     for (size_t i = 0; i < count; i++) {
         const int sides = bsp_piece_sides(bsp, &bsp->pieces[list[i]], bsp_plane(bsp, group));
         tally.front += sides == BSP_FRONT || sides == BSP_ON;
         tally.back += sides == BSP_BACK;
-        tally.both += sides == BSP_BOTH;
+        tally.splits += sides == BSP_BOTH;
     }
     return tally;
 }
 
 /* Where many pieces lie across a cut, their own planes divide them better; and one side must not keep nearly all:
  * otherwise lists would grow faster than they are divided. */
-static bool pays(struct tally tally, size_t count)
+static bool pays(struct splitter_tally tally, size_t count)
 {
-    const size_t larger = (tally.front > tally.back ? tally.front : tally.back) + tally.both;
-    return tally.both * CROSSING_SHARE <= count && larger * 4 <= count * 3;
+    const size_t larger = (tally.front > tally.back ? tally.front : tally.back) + tally.splits;
+    return tally.splits * CROSSING_SHARE <= count && larger * 4 <= count * 3;
 }
 
 /* Best cut ----------------------------------------------------------------------------------- */
@@ -74,25 +70,21 @@ size_t axis_cut_candidates(const struct bsp *bsp, const uint32_t *list, size_t c
     return tries;
 }
 
-static double cost_of(struct tally tally, size_t count)
+uint32_t axis_cut_best(struct bsp *bsp, const struct splitter *splitter, const uint32_t *list, size_t count,
+                       double *least)
 {
-    const double split_cost = 4.0;
-    if (!pays(tally, count)) return DBL_MAX;
-    return split_cost * (double)tally.both + fabs((double)tally.front - (double)tally.back);
-}
-
-uint32_t axis_cut_best(struct bsp *bsp, const uint32_t *list, size_t count)
-{
-    double least = DBL_MAX;
     uint32_t best = BSP_NONE;
+    *least = DBL_MAX;
     for (int axis = 0; axis < 3; axis++) {
         int32_t at[CANDIDATES_MAX];
         const size_t tries = axis_cut_candidates(bsp, list, count, axis, CANDIDATES_MAX, at);
         for (size_t i = 0; i < tries; i++) {
             const uint32_t cut = bsp_cut(bsp, (enum plane_kind)(PLANE_X + axis), at[i]);
-            const double cost = cost_of(tally_of(bsp, list, count, cut), count);
-            if (cost < least) best = cut;
-            least = fmin(least, cost);
+            const struct splitter_tally tally = tally_of(bsp, list, count, cut);
+            const double cost = splitter_cost(splitter, PLANE_X, &tally, count);
+            if (!pays(tally, count) || cost >= *least) continue;
+            best = cut;
+            *least = cost;
         }
     }
     return best;
@@ -132,9 +124,9 @@ uint32_t axis_cut_halving(struct bsp *bsp, struct tree_place place, const uint32
         const int32_t middle = cell.low[axis] + (cell.high[axis] - cell.low[axis]) / 2;
         if (cell.high[axis] - cell.low[axis] < CELL_MIN_UNITS) return BSP_NONE;
         const uint32_t cut = bsp_cut(bsp, (enum plane_kind)(PLANE_X + axis), middle);
-        const struct tally tally = tally_of(bsp, list, count, cut);
-        if (tally.front + tally.both && tally.back + tally.both)
-            return tally.both * CROSSING_SHARE <= count ? cut : BSP_NONE;
+        const struct splitter_tally tally = tally_of(bsp, list, count, cut);
+        if (tally.front + tally.splits && tally.back + tally.splits)
+            return tally.splits * CROSSING_SHARE <= count ? cut : BSP_NONE;
         if (tally.front)
             cell.low[axis] = middle;
         else

@@ -33,27 +33,34 @@ static double kind_cost(enum plane_kind kind)
     return cost[kind];
 }
 
+double splitter_cost(const struct splitter *splitter, enum plane_kind kind, const struct splitter_tally *tally,
+                     size_t count)
+{
+    const double front = (double)tally->front, back = (double)tally->back;
+    double cost = kind_cost(kind) + (double)tally->splits * splitter->split_cost +
+                  fabs(front - back) * splitter->imbalance_cost - (double)tally->on * splitter->coplanar_gain;
+    if (count > 40 && fmin(front, back) * 10.0 < (double)count) cost += splitter->lopsided_cost * (double)count;
+    return cost;
+}
+
 /* The cost of dividing the list by a group's plane; may stop early once it exceeds `limit`. */
 static double division_cost(const struct splitter *splitter, const struct bsp *bsp, const uint32_t *list, size_t count,
                             uint32_t group, double limit)
 {
     const struct plane *plane = &bsp->coplanar->planes[group];
-    double on = 0.0, front = 0.0, back = 0.0, splits = 0.0;
-    double least = kind_cost(plane->kind) - splitter->coplanar_gain * (double)count;
-    for (size_t i = 0; i < count && least + splits * splitter->split_cost <= limit; i++) {
+    const double least = kind_cost(plane->kind) - splitter->coplanar_gain * (double)count;
+    struct splitter_tally tally = {0};
+    for (size_t i = 0; i < count && least + (double)tally.splits * splitter->split_cost <= limit; i++) {
         if (piece_group(bsp, list[i]) == group) {
-            on += 1.0;
+            tally.on++;
             continue;
         }
         int sides = bsp_piece_sides(bsp, &bsp->pieces[list[i]], plane);
-        splits += sides == BSP_BOTH;
-        front += sides == BSP_FRONT;
-        back += sides == BSP_BACK;
+        tally.splits += sides == BSP_BOTH;
+        tally.front += sides == BSP_FRONT;
+        tally.back += sides == BSP_BACK;
     }
-    double cost = kind_cost(plane->kind) + splits * splitter->split_cost +
-                  fabs(front - back) * splitter->imbalance_cost - on * splitter->coplanar_gain;
-    if (count > 40 && fmin(front, back) * 10.0 < (double)count) cost += splitter->lopsided_cost * (double)count;
-    return cost;
+    return splitter_cost(splitter, plane->kind, &tally, count);
 }
 
 /* The distinct groups of a list, in its order. The caller frees them. */
@@ -71,26 +78,29 @@ static uint32_t *list_groups(const struct bsp *bsp, const uint32_t *list, size_t
     return groups;
 }
 
-static uint32_t cheapest(const struct splitter *splitter, const struct bsp *bsp, const uint32_t *list, size_t count)
+static uint32_t cheapest(const struct splitter *splitter, const struct bsp *bsp, const uint32_t *list, size_t count,
+                         double *best_cost)
 {
     size_t group_count, affordable = TRIALS_A_NODE / count;
     uint32_t *groups = list_groups(bsp, list, count, &group_count);
     if (affordable < CANDIDATES_MIN) affordable = CANDIDATES_MIN;
     size_t tries = group_count < affordable ? group_count : affordable;
     uint32_t best = groups[0];
-    double best_cost = DBL_MAX;
+    *best_cost = DBL_MAX;
     for (size_t i = 0; i < tries; i++) {
         uint32_t group = groups[i * group_count / tries];
-        double cost = division_cost(splitter, bsp, list, count, group, best_cost);
-        if (cost < best_cost) best = group;
-        best_cost = fmin(cost, best_cost);
+        double cost = division_cost(splitter, bsp, list, count, group, *best_cost);
+        if (cost < *best_cost) best = group;
+        *best_cost = fmin(cost, *best_cost);
     }
     free(groups);
     return best;
 }
 
-uint32_t splitter_choose(const struct splitter *splitter, const struct bsp *bsp, const uint32_t *list, size_t count)
+uint32_t splitter_choose(const struct splitter *splitter, const struct bsp *bsp, const uint32_t *list, size_t count,
+                         double *cost)
 {
+    *cost = 0.0;
     if (splitter == &splitters[0] || count == 1) return piece_group(bsp, list[0]);
-    return cheapest(splitter, bsp, list, count);
+    return cheapest(splitter, bsp, list, count, cost);
 }

@@ -4,8 +4,7 @@
 #ifndef SIM_SPLITTER_H
 #define SIM_SPLITTER_H
 
-#include <stddef.h>
-#include <stdint.h>
+#include "plane.h"
 
 struct bsp;
 
@@ -21,7 +20,17 @@ struct splitter {
 extern const struct splitter splitters[];
 extern const size_t splitter_count;
 
-/* The group whose plane divides the pieces list[0 .. count), count > 0. */
-uint32_t splitter_choose(const struct splitter *splitter, const struct bsp *bsp, const uint32_t *list, size_t count);
+/* How a plane divides a list: pieces of its own group, in front, behind, and across. */
+struct splitter_tally {
+    size_t on, front, back, splits;
+};
+
+/* What dividing a list of `count` pieces costs by a plane of that kind. */
+double splitter_cost(const struct splitter *splitter, enum plane_kind kind, const struct splitter_tally *tally,
+                     size_t count);
+
+/* The group whose plane divides the pieces list[0 .. count), count > 0; what that costs. */
+uint32_t splitter_choose(const struct splitter *splitter, const struct bsp *bsp, const uint32_t *list, size_t count,
+                         double *cost);
 
 #endif

@@ -46,11 +46,23 @@ bool tree_ends(const struct bsp *bsp, enum tree_kind kind, const uint32_t *list,
     }
 }
 
+/* A polygon's own plane where that is cheaper. */
+static uint32_t cut_or_polygon(struct bsp *bsp, const struct splitter *splitter, const uint32_t *list, size_t count)
+{
+    double cut_cost, polygon_cost;
+    const uint32_t cut = axis_cut_best(bsp, splitter, list, count, &cut_cost);
+    const uint32_t polygon = splitter_choose(splitter, bsp, list, count, &polygon_cost);
+    return cut == BSP_NONE || polygon_cost < cut_cost ? polygon : cut;
+}
+
 uint32_t tree_divider(struct bsp *bsp, const struct bsp_plan *plan, struct tree_place place, const uint32_t *list,
                       size_t count)
 {
-    uint32_t cut = BSP_NONE;
-    if (plan->kind == TREE_AXIS) cut = axis_cut_best(bsp, list, count);
-    if (plan->kind == TREE_OCTREE || plan->kind == TREE_OCTREE_CENTRE) cut = axis_cut_halving(bsp, place, list, count);
-    return cut != BSP_NONE ? cut : splitter_choose(plan->splitter, bsp, list, count);
+    double cost;
+    if (plan->kind == TREE_AXIS) return cut_or_polygon(bsp, plan->splitter, list, count);
+    if (plan->kind == TREE_OCTREE || plan->kind == TREE_OCTREE_CENTRE) {
+        const uint32_t cut = axis_cut_halving(bsp, place, list, count);
+        if (cut != BSP_NONE) return cut;
+    }
+    return splitter_choose(plan->splitter, bsp, list, count, &cost);
 }
