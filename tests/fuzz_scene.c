@@ -139,6 +139,71 @@ static void make_nodes(struct fuzz_scene *made, struct fuzz_bytes *bytes)
     }
 }
 
+/* Leaves ------------------------------------------------------------------------------------- */
+
+/* A copy of a run to the end of made->polygons, its records with a plane of their own, if `plane` is not NULL. */
+static uint16_t copy_run(struct fuzz_scene *made, const uint16_t *from, const struct lim_plane_ref *plane,
+                         uint16_t flags)
+{
+    const uint16_t run = made->scene.polygon_words;
+
+    for (bool last = false; !last; from += LIM_POLYGON_HEAD_WORDS + (from[0] & LIM_POLYGON_COUNT)) {
+        const size_t words = LIM_POLYGON_HEAD_WORDS + (from[0] & LIM_POLYGON_COUNT);
+        uint16_t *to = &made->polygons[made->scene.polygon_words];
+        last = from[0] & LIM_POLYGON_LAST;
+        memcpy(to, from, words * sizeof *to);
+        made->scene.polygon_words = (uint16_t)(made->scene.polygon_words + words);
+        if (!plane) continue;
+        to[0] |= flags;
+        to[words] = plane->plane;
+        to[words + 1] = (uint16_t)plane->offset;
+        made->scene.polygon_words = (uint16_t)(made->scene.polygon_words + FUZZ_PLANE_WORDS);
+    }
+    return run;
+}
+
+/* Both runs in one, which faces both ways. */
+static void make_leaf(struct fuzz_scene *made, struct lim_node *node, const uint16_t *polygons)
+{
+    const struct lim_plane_ref plane = node->split;
+    const uint16_t front = node->front_run, back = node->back_run;
+
+    node->split = (struct lim_plane_ref){LIM_NONE, 0};
+    node->back_run = LIM_NONE;
+    if (front != LIM_NONE) {
+        node->front_run = copy_run(made, polygons + front, &plane, LIM_POLYGON_PLANE);
+        if (back == LIM_NONE) return;
+        uint16_t *last = &made->polygons[node->front_run];
+        while (!(*last & LIM_POLYGON_LAST))
+            last += lim_record_words(*last);
+        *last &= (uint16_t)~LIM_POLYGON_LAST;
+    }
+    const uint16_t second = copy_run(made, polygons + back, &plane, LIM_POLYGON_PLANE | LIM_POLYGON_BACK);
+    if (front == LIM_NONE) node->front_run = second;
+}
+
+/* Childless nodes with polygons become leaves as the bits say. These come last of all, so older inputs still mean what
+ * they meant. */
+static void make_leaves(struct fuzz_scene *made, struct fuzz_bytes *bytes)
+{
+    const uint16_t wanted = fuzz_u16(bytes);
+    uint16_t polygons[FUZZ_WORDS_MAX];
+
+    if (!wanted) return;
+    memcpy(polygons, made->polygons, sizeof polygons);
+    made->scene.polygon_words = 0;
+    for (uint16_t i = 0; i < made->scene.node_count; i++) {
+        struct lim_node *node = &made->nodes[i];
+        const bool childless = node->front == LIM_NONE && node->back == LIM_NONE;
+        if (childless && (wanted >> i & 1) && (node->front_run != LIM_NONE || node->back_run != LIM_NONE)) {
+            make_leaf(made, node, polygons);
+            continue;
+        }
+        if (node->front_run != LIM_NONE) node->front_run = copy_run(made, polygons + node->front_run, NULL, 0);
+        if (node->back_run != LIM_NONE) node->back_run = copy_run(made, polygons + node->back_run, NULL, 0);
+    }
+}
+
 /* Boxes -------------------------------------------------------------------------------------- */
 
 /* As the compiler makes them; some nodes have none. */
@@ -171,4 +236,5 @@ void fuzz_scene_make(struct fuzz_scene *made, struct fuzz_bytes *bytes)
     made->scene.limits.retained_cells = fuzz_u8(bytes);
     made->scene.limits.gaps = fuzz_u8(bytes);
     made->scene.limits.active = fuzz_u8(bytes);
+    make_leaves(made, bytes);
 }

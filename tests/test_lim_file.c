@@ -17,6 +17,7 @@
 static char folder[] = "/tmp/test_lim_file.XXXXXX";
 static char path[64];
 static struct compiled scene; /* with planes of every kind */
+static struct compiled leafy; /* the same solids, with leaves */
 
 static int setup(void **state)
 {
@@ -27,6 +28,9 @@ static int setup(void **state)
     mesh_rig_box(&mesh, centre_m, half_m, 0.0, 0.0);
     mesh_rig_solids(&mesh, &random, 8);
     scene = mesh_rig_compile(&mesh, "weighted-12", 0.01);
+    const struct compile_options clusters = {.tolerance_units = 0.01, .splitter = "weighted-12", .tree = TREE_CLUSTERS};
+    struct error err;
+    if (!compile_mesh(&mesh, &clusters, &leafy, &err)) return -1;
     mesh_rig_free(&mesh);
     if (!mkdtemp(folder)) return -1;
     snprintf(path, sizeof path, "%s/scene.lim", folder);
@@ -37,6 +41,7 @@ static int teardown(void **state)
 {
     (void)state;
     compiled_free(&scene);
+    compiled_free(&leafy);
     unlink(path);
     return rmdir(folder);
 }
@@ -271,6 +276,63 @@ static void polygons_that_lie_are_refused(void **state)
     assert_field_refused(at_b(SECTION_VERTICES, 3, 6, 2), 0x8000, "vertex 3: a coordinate is -32768");
 }
 
+/* The tests' helpers look at `scene`. */
+static void exchange_scenes(void)
+{
+    const struct compiled kept = scene;
+    scene = leafy;
+    leafy = kept;
+}
+
+/* The word at which the first record of a leaf names its plane. */
+static size_t plane_word_b(size_t leaf, bool offset)
+{
+    const uint16_t run = scene.scene.nodes[leaf].front_run;
+    const size_t words = LIM_POLYGON_HEAD_WORDS + (size_t)(scene.scene.polygons[run] & LIM_POLYGON_COUNT);
+    return at_b(SECTION_POLYGONS, run + words + offset, 2, 0);
+}
+
+static void leaves_that_lie_are_refused(void **state)
+{
+    (void)state;
+    exchange_scenes();
+    const struct lim_scene *s = &scene.scene;
+    const size_t leaf = node_with(PLANE, LIM_NONE, LIM_NONE), inner = node_with(FRONT, 1, 0xFFFE);
+    const uint16_t run = s->nodes[leaf].front_run, head = s->polygons[run];
+    const size_t head_b = at_b(SECTION_POLYGONS, run, 2, 0);
+    const char *const neither = "has no plane, and is not a leaf either";
+    assert_field_refused(node_at_b(leaf, OFFSET), 1, neither);
+    assert_field_refused(node_at_b(leaf, FRONT), (uint16_t)(leaf + 1), neither);
+    assert_field_refused(node_at_b(leaf, BACK), (uint16_t)(leaf + 1), neither);
+    assert_field_refused(node_at_b(leaf, BACK_RUN), run, neither);
+    assert_field_refused(node_at_b(leaf, FRONT_RUN), LIM_NONE, neither);
+    assert_field_refused(node_at_b(inner, PLANE), LIM_NONE, neither);
+    assert_field_refused(node_at_b(leaf, PLANE), LIM_PLANE_X, "a plane of its own beside its node's");
+    assert_field_refused(node_at_b(leaf, FRONT_RUN), s->polygon_words, "behind the last polygon");
+    assert_field_refused(head_b, head & (uint16_t)~LIM_POLYGON_PLANE, "in a leaf, without a plane");
+    assert_field_refused(head_b, (uint16_t)((head & ~LIM_POLYGON_PLANE) | LIM_POLYGON_BACK), "without a plane");
+    assert_field_refused(plane_word_b(leaf, false), LIM_NONE, "has no plane");
+    assert_field_refused(plane_word_b(leaf, false), (uint16_t)(s->plane_count * LIM_PLANE_WORDS), "where none of ");
+    assert_field_refused(plane_word_b(leaf, false), 1, "where none of ");
+    exchange_scenes();
+}
+
+static void a_slanted_plane_of_a_record_has_no_offset(void **state)
+{
+    (void)state;
+    exchange_scenes();
+    for (size_t i = 0; i < scene.scene.node_count; i++) {
+        const struct lim_node *node = &scene.scene.nodes[i];
+        if (node->split.plane != LIM_NONE ||
+            lim_record_plane(&scene.scene.polygons[node->front_run])->plane >= LIM_PLANE_X)
+            continue;
+        assert_field_refused(plane_word_b(i, true), 1, "an offset beside a plane of its own");
+        exchange_scenes();
+        return;
+    }
+    fail();
+}
+
 static void assert_d_refused(size_t exact, int64_t d)
 {
     unsigned char *bytes = written_bytes();
@@ -374,6 +436,13 @@ static void damage_is_refused_or_harmless(void **state)
     free(bytes);
 }
 
+static void damaged_leaves_are_too(void **state)
+{
+    exchange_scenes();
+    damage_is_refused_or_harmless(state);
+    exchange_scenes();
+}
+
 /* Writing ------------------------------------------------------------------------------------ */
 
 static void what_cannot_be_written_leaves_nothing_behind(void **state)
@@ -403,9 +472,12 @@ int main(void)
         cmocka_unit_test(any_flipped_bit_is_noticed),
         cmocka_unit_test(nodes_that_lie_are_refused),
         cmocka_unit_test(polygons_that_lie_are_refused),
+        cmocka_unit_test(leaves_that_lie_are_refused),
+        cmocka_unit_test(a_slanted_plane_of_a_record_has_no_offset),
         cmocka_unit_test(planes_and_boxes_that_lie_are_refused),
         cmocka_unit_test(limits_and_grids_that_lie_are_refused),
         cmocka_unit_test(damage_is_refused_or_harmless),
+        cmocka_unit_test(damaged_leaves_are_too),
         cmocka_unit_test(what_cannot_be_written_leaves_nothing_behind),
     };
     return cmocka_run_group_tests(tests, setup, teardown);
