@@ -97,14 +97,16 @@ static bool take_run(struct lim *lim, uint16_t run, uint8_t *since_shrink)
 
     for (;;) {
         const uint16_t head = record[0];
-        if (lim_record_is_seen(&lim->walk.eye, record) &&
-            lim_project(&polygon, &lim->view, lim->scene, record, &lim->spans.open, lim_stats_of(lim))) {
-            if (!take(lim, &polygon)) return false;
-            if (!lim->spans.open_lines) return true;
-        }
-        if (++*since_shrink == POLYGONS_PER_SHRINK) {
-            *since_shrink = 0;
-            shrink(lim);
+        if (LIM_HAS_STATS) lim_stats_of(lim)->records += (head & LIM_POLYGON_PLANE) != 0;
+        if (lim_record_is_seen(&lim->walk.eye, record)) {
+            if (lim_project(&polygon, &lim->view, lim->scene, record, &lim->spans.open, lim_stats_of(lim))) {
+                if (!take(lim, &polygon)) return false;
+                if (!lim->spans.open_lines) return true;
+            }
+            if (++*since_shrink == POLYGONS_PER_SHRINK) {
+                *since_shrink = 0;
+                shrink(lim);
+            }
         }
         if (head & LIM_POLYGON_LAST) return true;
         record += lim_record_words(head);

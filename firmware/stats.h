@@ -42,6 +42,7 @@ struct lim_mover_stats {
 /* What a frame did; all zero when LIM_HAS_STATS is 0. */
 struct lim_stats {
     uint32_t nodes;             /* nodes visited */
+    uint32_t records;           /* records of leaves, each of which has a plane to test */
     uint32_t boxes, boxes_out;  /* subtree bounds tested; of these out of the open view */
     uint32_t hidden;            /* subtrees that cannot be seen from where the eye is */
     uint32_t polygons;          /* polygons reached: front-facing, in a subtree that was not skipped */
