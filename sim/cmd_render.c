@@ -212,6 +212,9 @@ static bool print_tables(const struct render *render, struct error *err)
                render->simulator.board ? "through the emulated st7789"
                                        : "into plain memory: no emulated panel, nothing sent on a bus");
         frame_table_print_stats(render->rows, render->path.count, stdout);
+        if (render->options.setup.method == LIM_NEAREST_FIRST)
+            frame_table_print_predicted(render->rows, render->path.count, render->options.setup.w_px,
+                                        render->options.setup.h_px, stdout);
         if (render->options.setup.method == LIM_NEWELL)
             frame_table_print_newell(render->rows, render->path.count, stdout);
     }

@@ -10,5 +10,6 @@ int cmd_render(int argc, char **argv);
 int cmd_view(int argc, char **argv);
 int cmd_compare(int argc, char **argv);
 int cmd_measure(int argc, char **argv);
+int cmd_splitters(int argc, char **argv);
 
 #endif

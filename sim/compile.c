@@ -74,6 +74,7 @@ static void report_set(struct compile_report *report, const struct bsp *bsp, con
                                       .convex = scene_is_convex(scene),
                                       .tree = plan->kind,
                                       .wrong_percent = NAN,
+                                      .instructions = NAN,
                                       .flash_b = flash_b(scene)};
     for (size_t i = 0; i < scene->node_count; i++)
         if (scene->nodes[i].split.plane == LIM_NONE)
@@ -127,17 +128,15 @@ static bool compile_with(struct compilation *work, enum tree_kind kind, const st
 static bool is_wanted(const struct compile_options *options, enum tree_kind kind, const struct splitter *splitter)
 {
     const bool kind_wanted = options->tree == TREE_AUTO ? kind == TREE_BSP : kind == options->tree;
-    if (!kind_wanted || (kind == TREE_NONE && splitter != &splitters[1])) return false;
-    if (strcmp(options->splitter, "auto") != 0) return strcmp(options->splitter, splitter->name) == 0;
-    return splitter != &splitters[0]; /* "first" is for lists that are in order already */
+    return kind_wanted &&
+           (kind == TREE_NONE ? splitter == &splitters[1] : splitter_answers(splitter, options->splitter));
 }
 
 /* Keeps the best of all; an error is the last one, and counts only if none succeeds. */
 static bool compile_best(struct compilation *work, struct compiled *out, struct error *err)
 {
     bool ok = false;
-    error_set(err, "--splitter %s: no such heuristic; there are auto, first, fewest and balanced",
-              work->options->splitter);
+    if (!splitter_check(work->options->splitter, err)) return false;
     for (size_t i = 0; i < splitter_count * TREE_KINDS; i++) {
         const struct splitter *splitter = &splitters[i % splitter_count];
         const enum tree_kind kind = (enum tree_kind)(i / splitter_count);

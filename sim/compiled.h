@@ -18,7 +18,7 @@ struct compile_options {
     double tolerance_units;      /* a polygon this near to a plane lies on it; 0.5 by default, 0 = exact */
     const struct method *method; /* how it is to be drawn; NULL: convex for one convex solid, else nearest first */
     enum tree_kind tree;         /* TREE_AUTO by default */
-    const char *splitter;        /* "auto", "first", "fewest", "balanced": heuristic of the tree builder */
+    const char *splitter;        /* heuristic of the tree builder: splitter.h's names */
     bool keep_faces;             /* do not merge: every face keeps its own number in --ids */
     const struct core *core;     /* precision profile of the prediction and of NAME.h; NULL: fast */
     unsigned w_px, h_px;         /* the panel that pool sizes are measured for; 0: 240 */
@@ -56,6 +56,7 @@ struct compile_report {
     unsigned w_px, h_px;          /* of the panel that the pools were measured for */
     const struct core *core;      /* the precision profile asked for */
     double wrong_percent;         /* on sampled cameras; only if options.predict, else NaN */
+    double instructions;          /* of a frame on a Cortex-M0+, predicted (frame_cost.h); NaN: not nearest first */
     struct note *notes;           /* on textures, for people; owned */
     size_t note_count;
     struct portal_report portals;

@@ -4,6 +4,8 @@
  * follow from it. */
 #include "frame_table.h"
 
+#include "frame_cost.h"
+
 struct column {
     const char *name;
     int width, decimals;
@@ -180,6 +182,14 @@ void frame_table_print_stats(const struct frame_row *rows, size_t count, FILE *o
 void frame_table_print_movers(const struct frame_row *rows, size_t count, FILE *out)
 {
     print_table(MOVER_COLUMNS, sizeof MOVER_COLUMNS / sizeof MOVER_COLUMNS[0], rows, count, out);
+}
+
+void frame_table_print_predicted(const struct frame_row *rows, size_t count, unsigned w_px, unsigned h_px, FILE *out)
+{
+    double sum = 0.0;
+    for (size_t i = 0; i < count; i++)
+        sum += frame_cost_m0plus(&rows[i].stats, w_px, h_px);
+    if (count) fprintf(out, "predicted for Cortex-M0+, profile fast: %.0f instructions a frame\n", sum / (double)count);
 }
 
 void frame_table_print_newell(const struct frame_row *rows, size_t count, FILE *out)

@@ -26,6 +26,9 @@ void frame_table_print_newell(const struct frame_row *rows, size_t count, FILE *
 /* What became of movers: struct lim_mover_stats, and what it took to sort those that met. */
 void frame_table_print_movers(const struct frame_row *rows, size_t count, FILE *out);
 
+/* Instructions a frame by frame_cost.h: of frames drawn nearest first. */
+void frame_table_print_predicted(const struct frame_row *rows, size_t count, unsigned w_px, unsigned h_px, FILE *out);
+
 void frame_table_print_compare(const struct frame_row *rows, size_t count, FILE *out);
 
 #endif

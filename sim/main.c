@@ -15,6 +15,7 @@ static const char USAGE[] =
     "       limner view MODEL|SCENE.lim    fly through a scene\n"
     "       limner measure MODEL           what each precision gets wrong and costs\n"
     "       limner compare MODEL           what each visibility method gets wrong and costs\n"
+    "       limner splitters MODEL         what each heuristic makes of the tree\n"
     "       limner help                    this text\n"
     "\n"
     "all three, for a MODEL:\n"
@@ -24,7 +25,8 @@ static const char USAGE[] =
     "                      without a tree: depth, by farthest points, and newell, which puts that right\n"
     "                      portals: the same with --portals on\n"
     "  --tree NAME         auto, bsp, clusters, axis, octree, octree-centre, or none: a set (auto)\n"
-    "  --splitter NAME     which polygon's plane divides: auto, first, fewest or balanced (auto)\n"
+    "  --splitter NAME     which polygon's plane divides: first, fewest, balanced, weighted, sampled,\n"
+    "                      or the best of fewest and all weights: auto (auto)\n"
     "  --tolerance UNITS   how far a polygon may be off a plane that it lies on (0.5)\n"
     "  --size WxH          of the panel, 1 to 1024 pixels each (240x240)\n"
     "  --unlit             colours as they are in the model: no light is baked in\n"
@@ -61,7 +63,7 @@ static const char USAGE[] =
     "  --write-cameras FILE  the cameras as a C header, for firmware of this scene\n"
     "  --check FILE        compare with such a file; exit status 1 if a frame differs\n"
     "measure:\n"
-    "  --camera, --size, --fov, --near, --unlit, --keep-faces, --method, --tree as above\n"
+    "  --camera, --size, --fov, --near, --unlit, --keep-faces, --method, --tree, --splitter as above\n"
     "  -o DIR              measure.md, measure.csv, stages.csv and measure.png\n"
     "  --precision LIST    names, divided by commas (all, with other sub-pixel bits too)\n"
     "  --core LIST         processors: m0plus, m3, m4, rv32 (all)\n"
@@ -73,6 +75,7 @@ static const char USAGE[] =
     "  --core LIST         processors (m0plus,m4); without their tools: dashes\n"
     "  --frames N          of the cameras, evenly chosen (all)\n"
     "  --cost-frames N     of these, for instructions (4)\n"
+    "splitters: --tree, --tolerance, --size, --unlit, --keep-faces as above\n"
     "environment, render and view:\n"
     "  LIMNER_DUMP=x.png   write the last frame shown\n"
     "  LIMNER_CHECK=x.png  compare it; exit status 1 if it differs\n";
@@ -80,11 +83,8 @@ static const char USAGE[] =
 static const struct {
     const char *name;
     int (*run)(int argc, char **argv);
-} COMMANDS[] = {{"compile", cmd_compile},
-                {"render", cmd_render},
-                {"view", cmd_view},
-                {"measure", cmd_measure},
-                {"compare", cmd_compare}};
+} COMMANDS[] = {{"compile", cmd_compile}, {"render", cmd_render},   {"view", cmd_view},
+                {"measure", cmd_measure}, {"compare", cmd_compare}, {"splitters", cmd_splitters}};
 
 static bool asks_for_help(const char *argument)
 {

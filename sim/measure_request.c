@@ -25,6 +25,7 @@ enum option_code {
     OPTION_METHOD,
     OPTION_PORTALS,
     OPTION_TREE,
+    OPTION_SPLITTER,
     OPTION_FRAMES,
     OPTION_COST_FRAMES
 };
@@ -45,6 +46,7 @@ static const struct option OPTIONS[] = {
     {"method", required_argument, NULL, OPTION_METHOD},
     {"portals", required_argument, NULL, OPTION_PORTALS},
     {"tree", required_argument, NULL, OPTION_TREE},
+    {"splitter", required_argument, NULL, OPTION_SPLITTER},
     {"frames", required_argument, NULL, OPTION_FRAMES},
     {"cost-frames", required_argument, NULL, OPTION_COST_FRAMES},
     {NULL, 0, NULL, 0},
@@ -150,6 +152,9 @@ static bool parse_option(int code, char **argv, struct measure_request *out, boo
         return compile_method_parse(optarg, &out->compile, err);
     case OPTION_TREE:
         return tree_kind_parse(optarg, &out->compile.tree, err);
+    case OPTION_SPLITTER:
+        out->compile.splitter = optarg;
+        return true;
     case OPTION_FRAMES:
         return parse_count("--frames", optarg, &out->frames, err);
     case OPTION_COST_FRAMES:

@@ -5,6 +5,7 @@
  * be a stray, an eye where nobody is meant to be. */
 #include "pools.h"
 
+#include "frame_cost.h"
 #include "lim_image.h"
 #include "moving.h"
 #include "portals.h"
@@ -20,6 +21,7 @@ enum { CAMERAS = 256, STRAYS = 1, LEAST_PIECES = 8, PLENTY_OF_PIECES = 16000, PL
 struct usage {
     size_t cameras;
     uint16_t cells[CAMERAS], gaps[CAMERAS], active[CAMERAS], layers[CAMERAS];
+    double instructions; /* predicted, of all frames */
     uint32_t splits_max, entries_max; /* strays included: without room for a piece the picture may be wrong */
 };
 
@@ -46,12 +48,14 @@ static uint16_t most(uint16_t *used, size_t cameras)
     return used[cameras - 1 - STRAYS];
 }
 
-static void note(struct usage *usage, const struct lim_stats *stats)
+static void note(struct usage *usage, const struct simulator *simulator)
 {
+    const struct lim_stats *stats = simulator_stats(simulator);
     const size_t i = usage->cameras++;
     usage->cells[i] = stats->retained_cells_max;
     usage->gaps[i] = stats->gaps_max;
     usage->active[i] = stats->active_max;
+    usage->instructions += frame_cost_m0plus(stats, simulator->target.w_px, simulator->target.h_px);
     if (stats->newell.splits > usage->splits_max) usage->splits_max = stats->newell.splits;
     usage->layers[i] = stats->layers_max;
     if (stats->movers.entries > usage->entries_max) usage->entries_max = stats->movers.entries;
@@ -75,7 +79,7 @@ static bool sample_frames(const struct compiled *scene, struct moving *moving, s
         if (!camera_path_to_camera(&path, 0, &lens, &scene->grid, &camera, err)) continue;
         if (moving) moving_pose(moving, moving_length_s(moving) * i / CAMERAS);
         if (!simulator_frame(simulator, &camera, err)) return false;
-        note(usage, simulator_stats(simulator));
+        note(usage, simulator);
     }
     return true;
 }
@@ -178,6 +182,8 @@ bool pools_measure(struct compiled *scene, const struct core *core, unsigned w_p
         return false;
     if (scene->report.convex && !sample_convex(&roomy, &setup, &limits.active, err)) return false;
     lim_image_set_limits(scene, &limits);
+    if (scene->report.draws == LIM_NEAREST_FIRST && usage.cameras)
+        scene->report.instructions = usage.instructions / (double)usage.cameras;
     scene->report.w_px = w_px;
     scene->report.h_px = h_px;
     return true;

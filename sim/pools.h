@@ -7,7 +7,8 @@
 #include "compiled.h"
 
 /* Sets scene->scene.limits and the image's, pools included: the most that any of 256 sampled cameras
- * but the greediest needs at this size and precision (NULL: fast), and an eighth on top. */
+ * but the greediest needs at this size and precision (NULL: fast), and an eighth on top. Also sets
+ * scene->report.instructions, the mean of those cameras. */
 bool pools_measure(struct compiled *scene, const struct core *core, unsigned w_px, unsigned h_px, struct error *err);
 
 /* Sizes of the structs in the caller's memory on a 32-bit MCU, of a firmware built for narrow screen

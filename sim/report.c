@@ -66,6 +66,8 @@ static void print_tree(const struct compiled *scene)
     printf("  %-28s %8.1f\n", "units per metre", scene->grid.units_per_m);
     printf("  %-28s %8.4f units\n", "worst wrong side, certified", report->worst_violation_units);
     if (report->core) printf("  %-28s %8s\n", "precision", report->core->name);
+    if (!isnan(report->instructions))
+        printf("  %-28s %8.0f on Cortex-M0+, predicted\n", "instructions a frame", report->instructions);
     if (!isnan(report->wrong_percent))
         printf("  %-28s %8.4f %%, %d sampled cameras\n", "wrong pixels, predicted", report->wrong_percent,
                PREDICT_CAMERAS);

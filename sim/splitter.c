@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
  * Greedy choice: every candidate plane is tried on the list and the cheapest wins. Candidates are
- * the planes of the groups in the list, or a regular sample of them when the list is long. */
+ * the planes of the groups in the list, a regular sample of them when the list is long, or a few at random. */
 #include "splitter.h"
 
 #include "bsp.h"
@@ -10,16 +10,38 @@
 #include <float.h>
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 /* Pieces tried against planes at one node: bounds the time on long lists. */
 enum { TRIALS_A_NODE = 100000, CANDIDATES_MIN = 8 };
 
 const struct splitter splitters[] = {
-    {"first", 0.0, 0.0, 0.0, 0.0},        {"fewest", 1000.0, 1.0, 1.0, 0.0},    {"balanced", 2.0, 1.0, 1.0, 0.0},
-    {"weighted-8", 8.0, 1.0, 1.0, 0.0},   {"weighted-12", 12.0, 1.0, 1.0, 0.5}, {"weighted-20", 20.0, 1.0, 1.0, 1.0},
-    {"weighted-32", 32.0, 1.0, 1.0, 0.0}, {"weighted-64", 64.0, 1.0, 1.0, 0.5},
+    {"first", 0.0, 0.0, 0.0, 0.0, 0},        {"fewest", 1000.0, 1.0, 1.0, 0.0, 0},
+    {"weighted-2", 2.0, 1.0, 1.0, 0.0, 0},   {"weighted-8", 8.0, 1.0, 1.0, 0.0, 0},
+    {"weighted-12", 12.0, 1.0, 1.0, 0.5, 0}, {"weighted-20", 20.0, 1.0, 1.0, 1.0, 0},
+    {"weighted-32", 32.0, 1.0, 1.0, 0.0, 0}, {"weighted-64", 64.0, 1.0, 1.0, 0.5, 0},
+    {"balanced", 0.0, 1.0, 0.0, 0.0, 0},     {"sampled", 12.0, 1.0, 1.0, 0.5, 5},
 };
 const size_t splitter_count = sizeof splitters / sizeof *splitters;
+
+const char *const splitter_names[] = {"auto", "first", "fewest", "balanced", "weighted", "sampled"};
+const size_t splitter_name_count = sizeof splitter_names / sizeof *splitter_names;
+
+bool splitter_answers(const struct splitter *splitter, const char *name)
+{
+    const bool weighted = strncmp(splitter->name, "weighted-", 9) == 0;
+    if (strcmp(name, "weighted") == 0) return weighted;
+    if (strcmp(name, "auto") == 0) return weighted || strcmp(splitter->name, "fewest") == 0;
+    return strcmp(splitter->name, name) == 0;
+}
+
+bool splitter_check(const char *name, struct error *err)
+{
+    for (size_t i = 0; i < splitter_count; i++)
+        if (splitter_answers(&splitters[i], name)) return true;
+    return error_set(
+        err, "--splitter %s: no such heuristic; there are auto, first, fewest, balanced, weighted and sampled", name);
+}
 
 static uint32_t piece_group(const struct bsp *bsp, uint32_t piece)
 {
@@ -78,6 +100,15 @@ static uint32_t *list_groups(const struct bsp *bsp, const uint32_t *list, size_t
     return groups;
 }
 
+/* The same list gives the same numbers. */
+static uint64_t random_next(uint64_t *state)
+{
+    *state ^= *state >> 12;
+    *state ^= *state << 25;
+    *state ^= *state >> 27;
+    return *state * UINT64_C(0x2545F4914F6CDD1D) >> 32;
+}
+
 static uint32_t cheapest(const struct splitter *splitter, const struct bsp *bsp, const uint32_t *list, size_t count,
                          double *best_cost)
 {
@@ -85,10 +116,12 @@ static uint32_t cheapest(const struct splitter *splitter, const struct bsp *bsp,
     uint32_t *groups = list_groups(bsp, list, count, &group_count);
     if (affordable < CANDIDATES_MIN) affordable = CANDIDATES_MIN;
     size_t tries = group_count < affordable ? group_count : affordable;
+    uint64_t state = UINT64_C(0x9E3779B97F4A7C15) + count + ((uint64_t)list[0] << 32);
+    if (splitter->samples) tries = splitter->samples;
     uint32_t best = groups[0];
     *best_cost = DBL_MAX;
     for (size_t i = 0; i < tries; i++) {
-        uint32_t group = groups[i * group_count / tries];
+        uint32_t group = groups[splitter->samples ? random_next(&state) % group_count : i * group_count / tries];
         double cost = division_cost(splitter, bsp, list, count, group, *best_cost);
         if (cost < *best_cost) best = group;
         *best_cost = fmin(cost, *best_cost);

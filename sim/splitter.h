@@ -4,6 +4,7 @@
 #ifndef SIM_SPLITTER_H
 #define SIM_SPLITTER_H
 
+#include "error.h"
 #include "plane.h"
 
 struct bsp;
@@ -14,11 +15,22 @@ struct splitter {
     const char *name;
     double split_cost, imbalance_cost, coplanar_gain;
     double lopsided_cost; /* for each polygon of a list of which one side gets less than a tenth */
+    size_t samples;       /* candidates, drawn at random from the list; 0: as many as time allows, evenly chosen */
 };
 
-/* All heuristics; the first takes the list's first polygon whatever it costs. */
+/* All heuristics. The first takes the list's first polygon whatever it costs. */
 extern const struct splitter splitters[];
 extern const size_t splitter_count;
+
+/* Their names for people; "weighted" is all of those weights, "auto" all of them and "fewest". */
+extern const char *const splitter_names[];
+extern const size_t splitter_name_count;
+
+/* Whether one of those names, or a heuristic's own, means this heuristic. */
+bool splitter_answers(const struct splitter *splitter, const char *name);
+
+/* Refuses a name that means none, with the list of those there are. */
+bool splitter_check(const char *name, struct error *err);
 
 /* How a plane divides a list: pieces of its own group, in front, behind, and across. */
 struct splitter_tally {

@@ -1,0 +1,102 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * `limner splitters MODEL`: the same model with every heuristic of the tree builder, a row each: depth, splits, nodes,
+ * bytes, and what a frame costs on cameras sampled in the scene's free space. */
+#include "commands.h"
+#include "compiled.h"
+#include "parse.h"
+#include "splitter.h"
+
+#include <getopt.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+enum option_code { OPTION_TREE = 256, OPTION_TOLERANCE, OPTION_SIZE, OPTION_UNLIT, OPTION_KEEP_FACES };
+
+static const struct option OPTIONS[] = {
+    {"tree", required_argument, NULL, OPTION_TREE},       {"tolerance", required_argument, NULL, OPTION_TOLERANCE},
+    {"size", required_argument, NULL, OPTION_SIZE},       {"unlit", no_argument, NULL, OPTION_UNLIT},
+    {"keep-faces", no_argument, NULL, OPTION_KEEP_FACES}, {NULL, 0, NULL, 0},
+};
+
+static bool parse_option(int code, char **argv, struct compile_options *out, struct error *err)
+{
+    switch (code) {
+    case OPTION_TREE:
+        return tree_kind_parse(optarg, &out->tree, err);
+    case OPTION_TOLERANCE:
+        return parse_tolerance(optarg, &out->tolerance_units, err);
+    case OPTION_SIZE:
+        return parse_size(optarg, &out->w_px, &out->h_px, err);
+    case OPTION_UNLIT:
+        out->unlit = true;
+        return true;
+    case OPTION_KEEP_FACES:
+        out->keep_faces = true;
+        return true;
+    case ':':
+        return error_set(err, "%s: needs a value", argv[optind - 1]);
+    default:
+        return error_set(err, "%s: no such option here; `limner help` lists them", argv[optind - 1]);
+    }
+}
+
+static bool parse(int argc, char **argv, struct compile_options *out, const char **model, struct error *err)
+{
+    *out = (struct compile_options){.tolerance_units = 0.5, .tree = TREE_BSP, .w_px = 240, .h_px = 240};
+    opterr = 0;
+    optind = 1;
+    for (int code; (code = getopt_long(argc, argv, ":", OPTIONS, NULL)) != -1;)
+        if (!parse_option(code, argv, out, err)) return false;
+    if (out->tree == TREE_NONE) return error_set(err, "splitters: a set has no planes to choose");
+    if (optind >= argc) return error_set(err, "splitters: needs a model");
+    if (optind + 1 < argc) return error_set(err, "splitters: one model at a time, what is '%s'?", argv[optind + 1]);
+    *model = argv[optind];
+    return true;
+}
+
+static void print_row(const char *name, const struct compiled *scene)
+{
+    const struct compile_report *report = &scene->report;
+    printf("| %-8s | %-11s | %5zu | %6zu | %8zu | %5u | %6zu |", name, report->splitter, report->depth, report->splits,
+           report->polygons_out, (unsigned)scene->scene.node_count, report->flash_b);
+    if (isnan(report->instructions))
+        printf(" %12s |\n", "-");
+    else
+        printf(" %12.0f |\n", report->instructions);
+}
+
+/* A heuristic may fail where another one does not: its tree becomes too large. */
+static bool print_rows(const char *model, struct compile_options *options, struct error *err)
+{
+    bool any = false;
+    for (size_t i = 0; i < splitter_name_count; i++) {
+        struct compiled scene;
+        options->splitter = splitter_names[i];
+        fflush(stdout); /* the import forks */
+        if (!compile_model(model, options, &scene, err)) {
+            if (any) printf("| %-8s | %s |\n", splitter_names[i], err->text);
+            continue;
+        }
+        if (!any)
+            printf("%s, tree %s; instructions a frame on Cortex-M0+, predicted, %ux%u pixels\n\n"
+                   "| splitter | taken       | depth | splits | polygons | nodes |  bytes | instructions |\n"
+                   "|---|---|---|---|---|---|---|---|\n",
+                   model, tree_names[scene.report.tree], options->w_px, options->h_px);
+        print_row(splitter_names[i], &scene);
+        compiled_free(&scene);
+        any = true;
+    }
+    return any;
+}
+
+int cmd_splitters(int argc, char **argv)
+{
+    struct compile_options options;
+    struct error err;
+    const char *model = NULL;
+    const bool ok = parse(argc, argv, &options, &model, &err) && print_rows(model, &options, &err);
+    if (!ok) fprintf(stderr, "limner: %s\n", err.text);
+    return ok ? EXIT_SUCCESS : EXIT_FAILURE;
+}

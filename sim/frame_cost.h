@@ -1,0 +1,14 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * What a frame costs on a Cortex-M0+, from the renderer's own counters: no compiler, no emulator, the same on every
+ * host. For choices between trees of one scene, and for reports; `limner measure` counts instead. */
+#ifndef SIM_FRAME_COST_H
+#define SIM_FRAME_COST_H
+
+#include "stats.h"
+
+/* Instructions of a frame drawn nearest first in profile fast. Within 4 % of those counted, for the scenes in
+ * sim/scenes with any tree; tests/arm_splitters.sh compares. */
+double frame_cost_m0plus(const struct lim_stats *stats, unsigned w_px, unsigned h_px);
+
+#endif
