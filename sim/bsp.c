@@ -127,6 +127,13 @@ int bsp_piece_sides(const struct bsp *bsp, const struct bsp_piece *piece, const 
     return sides;
 }
 
+int bsp_piece_filed(const struct bsp *bsp, const struct bsp_piece *piece, const struct plane *plane)
+{
+    const int sides = bsp_piece_sides(bsp, piece, plane);
+    if (sides != BSP_ON) return sides;
+    return plane_distance(plane, piece->centre) >= 0.0 ? BSP_FRONT : BSP_BACK;
+}
+
 /* Splitting ---------------------------------------------------------------------------------- */
 
 /* Where the outline of a piece leaves one side of a plane: at corner `at`, or just before it. */
@@ -205,8 +212,7 @@ static void place(struct bsp *bsp, struct bsp_node *node, uint32_t piece)
     node->count++;
 }
 
-/* A piece of another group that lies within the tolerance all over goes to the side of its middle; so does every
- * piece where nothing is to be split. */
+/* Where nothing is to be split, a piece goes to the side of its middle. */
 static void file_piece(struct bsp *bsp, struct bsp_node *node, uint32_t index, bool splits, struct list *front,
                        struct list *back)
 {
@@ -216,9 +222,8 @@ static void file_piece(struct bsp *bsp, struct bsp_node *node, uint32_t index, b
         place(bsp, node, index);
         return;
     }
-    int sides = bsp_piece_sides(bsp, piece, plane);
-    if (sides == BSP_ON || (sides == BSP_BOTH && !splits))
-        sides = plane_distance(plane, piece->centre) >= 0.0 ? BSP_FRONT : BSP_BACK;
+    int sides = bsp_piece_filed(bsp, piece, plane);
+    if (sides == BSP_BOTH && !splits) sides = plane_distance(plane, piece->centre) >= 0.0 ? BSP_FRONT : BSP_BACK;
     if (sides == BSP_BOTH)
         piece_split(bsp, index, node->group, front, back);
     else

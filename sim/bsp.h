@@ -78,6 +78,9 @@ enum { BSP_ON = 0, BSP_FRONT = 1, BSP_BACK = 2, BSP_BOTH = BSP_FRONT | BSP_BACK 
 /* Where the corners of a piece are: a sum of BSP_FRONT and BSP_BACK. */
 int bsp_piece_sides(const struct bsp *bsp, const struct bsp_piece *piece, const struct plane *plane);
 
+/* The same, but a piece that lies on the plane all over is on the side of its middle: where it is filed. */
+int bsp_piece_filed(const struct bsp *bsp, const struct bsp_piece *piece, const struct plane *plane);
+
 /* How far any corner of a piece lies on the wrong side of a plane that the piece is filed under,
  * or off the plane that it is filed in; an upper bound, in units, 0 if exactly none does. */
 double bsp_worst_violation(const struct bsp *bsp);
