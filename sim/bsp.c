@@ -310,6 +310,7 @@ bool bsp_build(struct bsp *bsp, const struct mesh *mesh, const struct coplanar *
     for (size_t i = 0; i < mesh->polygon_count; i++)
         list_add(&front, piece_of_polygon(bsp, (uint32_t)i));
     stack_push(&stack, (struct task){.parent = BSP_NONE, .depth = 1}, &front);
+    if (tree_wants_rings(plan, bsp->piece_count)) rings_find(&bsp->rings, bsp);
     while (stack.task_count && bsp->piece_count <= BSP_PIECES_MAX)
         divide(bsp, plan, &stack, &front, &back);
     bool complete = stack.task_count == 0;
@@ -325,6 +326,7 @@ void bsp_free(struct bsp *bsp)
 {
     edges_free(&bsp->edges);
     map_free(&bsp->cut_of);
+    rings_free(&bsp->rings);
     free(bsp->cuts);
     free(bsp->corners);
     free(bsp->pieces);

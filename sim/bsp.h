@@ -9,6 +9,7 @@
 
 #include "coplanar.h"
 #include "edges.h"
+#include "rings.h"
 #include "splitter.h"
 #include "tree_kind.h"
 
@@ -50,6 +51,7 @@ struct bsp {
     size_t corner_count, corner_capacity, piece_count, piece_capacity, node_count, node_capacity;
     size_t placed_count, placed_capacity;
     size_t splits, depth;
+    struct rings rings; /* of clusters; empty: too many polygons */
 };
 
 /* More pieces than any scene can hold: building stops there. */

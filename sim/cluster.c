@@ -30,6 +30,12 @@ static int sides_of_face(const struct bsp *bsp, const struct bsp_piece *piece, c
     return sides == BSP_FRONT ? BSP_BACK : BSP_FRONT;
 }
 
+bool cluster_hides(const struct bsp *bsp, uint32_t p, uint32_t q)
+{
+    return (sides_of_face(bsp, &bsp->pieces[p], &bsp->pieces[q]) & BSP_FRONT) &&
+           (sides_of_face(bsp, &bsp->pieces[q], &bsp->pieces[p]) & BSP_BACK);
+}
+
 static void relate(struct relation *relation, const struct bsp *bsp, const uint32_t *list, size_t p, size_t q)
 {
     const int p_from_q = sides_of_face(bsp, &bsp->pieces[list[p]], &bsp->pieces[list[q]]);

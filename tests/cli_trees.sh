@@ -26,6 +26,14 @@ splits_nothing() {
 for scene in rooms rooms-tilted; do
     tap_check "$scene, axis: no cut where polygons' own planes split less" splits_nothing $scene
 done
+
+# Planes of polygons alone split the teapot 460 times.
+splits_at_most() {
+    splits=$("$BUILD/limner" compile "sim/scenes/$1.obj" --tree "$2" --report | awk '$1 == "splits" { print $2 }')
+    echo "splits: $splits" && [ "$splits" -le "$3" ]
+}
+tap_check "teapot, clusters: cut where rings end" splits_at_most teapot clusters 150
+tap_check "teapot, axis: few splits" splits_at_most teapot axis 150
 tap_check "rooms, by the cubes of centres: not exact, and it shows" wrong rooms octree-centre 0.05
 
 orders_agree() {

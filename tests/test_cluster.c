@@ -97,6 +97,38 @@ static void a_ring_of_three_has_no_order(void **state)
     }
 }
 
+/* A row of the polygons named in a text. */
+static size_t left_of(const struct rings *rings, const char *names)
+{
+    uint64_t set[2] = {0};
+    assert_in_range(rings->words, 1, 2);
+    for (; *names; names++)
+        set[(*names - 'a') / 64] |= UINT64_C(1) << (*names - 'a') % 64;
+    return rings_left(rings, set);
+}
+
+/* The three of the ring, and a stack of two apart from them. */
+static void what_is_in_rings_is_found(void **state)
+{
+    static const double walls[5][4] = {{1, 6, 0, 3}, {-6, 2, -2, 4}, {2, -3, 1, 4}, {40, 50, 41, 50}, {50, 50, 51, 50}};
+    struct mesh mesh = mesh_rig(400.0);
+    struct bsp_rig rig;
+
+    (void)state;
+    for (int i = 0; i < 5; i++)
+        mesh_rig_wall(&mesh, (uint32_t)('a' + i), walls[i][0], walls[i][1], walls[i][2], walls[i][3]);
+    bsp_rig_make(&rig, &mesh, TREE_NONE);
+    rings_find(&rig.bsp.rings, &rig.bsp);
+    assert_int_equal(left_of(&rig.bsp.rings, "abc"), 3);
+    assert_in_range(left_of(&rig.bsp.rings, "abcde"), 3, 5);
+    assert_int_equal(left_of(&rig.bsp.rings, "ab"), 0);
+    assert_int_equal(left_of(&rig.bsp.rings, "bc"), 0);
+    assert_int_equal(left_of(&rig.bsp.rings, "ca"), 0);
+    assert_int_equal(left_of(&rig.bsp.rings, ""), 0);
+    bsp_rig_free(&rig);
+    mesh_rig_free(&mesh);
+}
+
 static void a_box_keeps_its_order(void **state)
 {
     const double centre_m[3] = {0, 0, 0}, half_m[3] = {1, 2, 3};
@@ -238,6 +270,7 @@ int main(void)
         cmocka_unit_test(two_walls_seen_from_both_sides_have_no_order),
         cmocka_unit_test(walls_through_one_another_have_no_order),
         cmocka_unit_test(a_ring_of_three_has_no_order),
+        cmocka_unit_test(what_is_in_rings_is_found),
         cmocka_unit_test(a_box_keeps_its_order),
         cmocka_unit_test(an_order_is_right_along_every_ray),
         cmocka_unit_test(leaves_of_trees_are_sorted),
