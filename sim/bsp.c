@@ -311,6 +311,7 @@ bool bsp_build(struct bsp *bsp, const struct mesh *mesh, const struct coplanar *
         list_add(&front, piece_of_polygon(bsp, (uint32_t)i));
     stack_push(&stack, (struct task){.parent = BSP_NONE, .depth = 1}, &front);
     if (tree_wants_rings(plan, bsp->piece_count)) rings_find(&bsp->rings, bsp);
+    if (plan->sampled) bsp->rings = rings_copy(plan->sampled);
     while (stack.task_count && bsp->piece_count <= BSP_PIECES_MAX)
         divide(bsp, plan, &stack, &front, &back);
     bool complete = stack.task_count == 0;

@@ -11,6 +11,7 @@
 #include "portal_choice.h"
 #include "predict.h"
 #include "progress.h"
+#include "sampled_order.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -23,6 +24,7 @@ struct compilation {
     const struct compile_options *options;
     struct exact_points points;
     struct coplanar coplanar;
+    struct rings sampled; /* of TREE_CLUSTERS_SAMPLED */
 };
 
 static const double GRID_END = 32767.5; /* halves round up: 32767.5 would be 32768 */
@@ -107,7 +109,8 @@ static void image_make(struct encoding *encoding, const struct grid *grid, struc
 static bool compile_with(struct compilation *work, enum tree_kind kind, const struct splitter *splitter,
                          struct compiled *out, struct error *err)
 {
-    const struct bsp_plan plan = {kind, splitter, work->options->tolerance_units};
+    const struct rings *sampled = kind == TREE_CLUSTERS_SAMPLED && work->sampled.count ? &work->sampled : NULL;
+    const struct bsp_plan plan = {kind, splitter, work->options->tolerance_units, sampled};
     struct bsp bsp;
     struct encoding encoding = {0};
     bool ok = bsp_build(&bsp, work->mesh, &work->coplanar, &plan, &work->points) ||
@@ -130,6 +133,19 @@ static bool is_wanted(const struct compile_options *options, enum tree_kind kind
     const bool kind_wanted = options->tree == TREE_AUTO ? kind == TREE_BSP : kind == options->tree;
     return kind_wanted &&
            (kind == TREE_NONE ? splitter == &splitters[1] : splitter_answers(splitter, options->splitter));
+}
+
+/* From an exact tree, which knows its free space. */
+static bool find_sampled(struct compilation *work, struct error *err)
+{
+    enum { POLYGONS_MAX = 4096 };
+    struct compiled exact = {0};
+    if (work->options->tree != TREE_CLUSTERS_SAMPLED || work->mesh->polygon_count > POLYGONS_MAX) return true;
+    if (!compile_with(work, TREE_AXIS, &splitters[1], &exact, err)) return false;
+    progress("compiling: %zu polygons, sampled views", work->mesh->polygon_count);
+    sampled_order_find(&work->sampled, work->mesh, &exact);
+    compiled_free(&exact);
+    return true;
 }
 
 /* Keeps the best of all; an error is the last one, and counts only if none succeeds. */
@@ -216,7 +232,7 @@ bool compile_mesh(const struct mesh *mesh, const struct compile_options *options
     if (ok) {
         progress("compiling: %zu polygons, planes", mesh->polygon_count);
         coplanar_find(mesh, work.points.approx, options->tolerance_units, &work.coplanar);
-        ok = compile_best(&work, out, err) && check_method(options, out, err);
+        ok = find_sampled(&work, err) && compile_best(&work, out, err) && check_method(options, out, err);
         out->report.wireframe = options->wireframe;
         ok = ok &&
              pools_measure(out, options->core, side_or_default(options->w_px), side_or_default(options->h_px), err) &&
@@ -224,6 +240,7 @@ bool compile_mesh(const struct mesh *mesh, const struct compile_options *options
         progress_end();
         if (!ok) compiled_free(out);
     }
+    rings_free(&work.sampled);
     coplanar_free(&work.coplanar);
     exact_free(&work.points);
     return ok;

@@ -15,6 +15,7 @@ const struct method methods[] = {
     {"axis", LIM_NEAREST_FIRST, TREE_AXIS, false, true},
     {"octree", LIM_NEAREST_FIRST, TREE_OCTREE, false, true},
     {"octree-centre", LIM_NEAREST_FIRST, TREE_OCTREE_CENTRE, false, false},
+    {"clusters-sampled", LIM_NEAREST_FIRST, TREE_CLUSTERS_SAMPLED, false, false},
     {"portals", LIM_NEAREST_FIRST, TREE_BSP, true, true},
     {"depth", LIM_DEPTH, TREE_NONE, false, false},
     {"newell", LIM_NEWELL, TREE_NONE, false, true},

@@ -35,18 +35,21 @@ splits_at_most() {
 tap_check "teapot, clusters: cut where rings end" splits_at_most teapot clusters 150
 tap_check "teapot, axis: few splits" splits_at_most teapot axis 150
 tap_check "rooms, by the cubes of centres: not exact, and it shows" wrong rooms octree-centre 0.05
+tap_check "rooms, by what sampled eyes see: not exact, and it shows" wrong rooms clusters-sampled 0.05
+tap_check "teapot, by what sampled eyes see: not exact, and it shows" wrong teapot clusters-sampled 0.05
+tap_check "teapot, clusters by sampled eyes split less than proved ones" splits_at_most teapot clusters-sampled 80
 
 orders_agree() {
     "$BUILD/limner" render sim/scenes/teapot.obj --size 97x61 --tree "$1" --write-hashes "$work/near" &&
         "$BUILD/limner" render sim/scenes/teapot.obj --size 97x61 --tree "$1" --method painter --check "$work/near"
 }
-for tree in clusters axis octree; do
+for tree in clusters axis octree clusters-sampled; do
     tap_check "$tree: nearest first and back to front are the same pictures" orders_agree $tree
 done
 
 refused() {
     "$BUILD/limner" compile sim/scenes/icosahedron.obj --tree z --report >"$work/out" 2>&1 && return 1
-    grep -q '^limner: --tree z: no such tree; there are auto, bsp, clusters, axis, octree, octree-centre, none$' "$work/out"
+    grep -q '^limner: --tree z: no such tree; there are auto, bsp, clusters, axis, octree, octree-centre, clusters-sampled, none$' "$work/out"
 }
 tap_check "an unknown tree is refused" refused
 tap_done
