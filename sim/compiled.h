@@ -56,8 +56,9 @@ struct compile_report {
     unsigned w_px, h_px;          /* of the panel that the pools were measured for */
     const struct core *core;      /* the precision profile asked for */
     double wrong_percent;         /* on sampled cameras; only if options.predict, else NaN */
-    double instructions;          /* of a frame on a Cortex-M0+, predicted (frame_cost.h); NaN: not nearest first */
-    struct note *notes;           /* on textures, for people; owned */
+    double instructions; /* of a frame on a Cortex-M0+, predicted (frame_cost.h); NaN: not nearest first, or not opaque
+                            and flat */
+    struct note *notes;  /* on textures, for people; owned */
     size_t note_count;
     struct portal_report portals;
     size_t flash_b; /* bytes of all arrays and the struct lim_scene on a 32-bit MCU */

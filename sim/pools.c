@@ -122,6 +122,12 @@ static uint16_t greater(uint16_t a, uint16_t b)
     return a > b ? a : b;
 }
 
+/* Whether frame_cost.h knows what its frames cost. */
+static bool is_priced(const struct compiled *scene)
+{
+    return scene->report.draws == LIM_NEAREST_FIRST && !scene->scene.limits.layers && !scene->scene.texture_count;
+}
+
 /* Raises the limits to what the orders with spans need. */
 static bool sample_spans(struct compiled *roomy, struct moving *moving, const struct simulator_setup *setup,
                          bool wireframe, struct lim_limits *limits, struct error *err)
@@ -133,6 +139,8 @@ static bool sample_spans(struct compiled *roomy, struct moving *moving, const st
     limits->gaps = greater(limits->gaps, with_margin(most(usage.gaps, usage.cameras), 1));
     limits->active = greater(limits->active, with_margin(most(usage.active, usage.cameras), 1));
     limits->pieces = greater(limits->pieces, pieces_for(&usage));
+    if (!wireframe && usage.cameras && is_priced(roomy))
+        roomy->report.instructions = usage.instructions / (double)usage.cameras;
     if (roomy->scene.limits.layers)
         limits->layers = greater(limits->layers, with_margin(most(usage.layers, usage.cameras), 1));
     if (moving) usage.splits_max = usage.entries_max;
@@ -182,8 +190,7 @@ bool pools_measure(struct compiled *scene, const struct core *core, unsigned w_p
         return false;
     if (scene->report.convex && !sample_convex(&roomy, &setup, &limits.active, err)) return false;
     lim_image_set_limits(scene, &limits);
-    if (scene->report.draws == LIM_NEAREST_FIRST && usage.cameras)
-        scene->report.instructions = usage.instructions / (double)usage.cameras;
+    scene->report.instructions = roomy.report.instructions;
     scene->report.w_px = w_px;
     scene->report.h_px = h_px;
     return true;
