@@ -10,6 +10,7 @@
 #include "parse.h"
 #include "portal_choice.h"
 #include "scene_files.h"
+#include "tree_choice.h"
 
 #include <getopt.h>
 #include <stdio.h>
@@ -86,7 +87,7 @@ static bool parse_option(int code, char **argv, struct request *out, struct erro
     case OPTION_METHOD:
         return compile_method_parse(optarg, &out->compile, err);
     case OPTION_TREE:
-        return tree_kind_parse(optarg, &out->compile.tree, err);
+        return tree_choice_parse(optarg, &out->compile, err);
     case OPTION_PORTALS:
         return portals_parse(optarg, &out->compile.portals, err);
     case OPTION_KEEP_FACES:

@@ -12,6 +12,7 @@
 #include "predict.h"
 #include "progress.h"
 #include "sampled_order.h"
+#include "tree_choice.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -270,7 +271,7 @@ static bool compile_cleaned(struct mesh *mesh, const struct compile_options *opt
     struct reference reference = {0};
     if (options->predict && !reference_init(&reference, mesh, PREDICT_SIDE_PX, PREDICT_SIDE_PX, err)) return false;
     bool ok = (options->keep_faces || mesh_merge(mesh, err)) && mesh_insert_t_vertices(mesh, err) &&
-              compile_mesh(mesh, options, out, err);
+              tree_choice_compile(mesh, options, out, err);
     if (ok && options->predict)
         ok = predict_wrong_percent(out, options->core, &reference, mesh->merged_into, &out->report.wrong_percent, err);
     if (ok) report_notes(&out->report, mesh);

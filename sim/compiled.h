@@ -18,6 +18,7 @@ struct compile_options {
     double tolerance_units;      /* a polygon this near to a plane lies on it; 0.5 by default, 0 = exact */
     const struct method *method; /* how it is to be drawn; NULL: convex for one convex solid, else nearest first */
     enum tree_kind tree;         /* TREE_AUTO by default */
+    bool choose_tree;            /* TREE_AUTO: try what other trees cost (tree_choice.h); else it is the BSP tree */
     const char *splitter;        /* heuristic of the tree builder: splitter.h's names */
     bool keep_faces;             /* do not merge: every face keeps its own number in --ids */
     const struct core *core;     /* precision profile of the prediction and of NAME.h; NULL: fast */
@@ -39,15 +40,23 @@ struct portal_report {
     size_t vertices_before, vertices_after;
 };
 
+/* What another tree than the BSP tree was weighed against. */
+struct tree_choice {
+    bool made;
+    double bsp_instructions;
+    size_t bsp_flash_b;
+};
+
 struct compile_report {
     struct mesh_counts mesh;
     size_t polygons_in, polygons_out; /* before and after splitting */
     size_t splits;
     size_t collapsed; /* pieces that the grid rounded to nothing */
     size_t depth;
-    size_t kinds[PLANE_KINDS];    /* nodes by enum plane_kind */
-    size_t leaves;                /* nodes without a plane */
-    enum tree_kind tree;          /* the kind that won */
+    size_t kinds[PLANE_KINDS]; /* nodes by enum plane_kind */
+    size_t leaves;             /* nodes without a plane */
+    enum tree_kind tree;       /* the kind that won */
+    struct tree_choice choice;
     double worst_violation_units; /* certified: how far any vertex lies on the wrong side */
     char splitter[16];            /* the heuristic that won */
     bool wireframe;               /* firmware can draw it as wireframe */

@@ -6,6 +6,7 @@
 #include "child.h"
 #include "parse.h"
 #include "portal_choice.h"
+#include "tree_choice.h"
 
 #include <getopt.h>
 #include <stdio.h>
@@ -151,7 +152,7 @@ static bool parse_option(int code, char **argv, struct measure_request *out, boo
     case OPTION_METHOD:
         return compile_method_parse(optarg, &out->compile, err);
     case OPTION_TREE:
-        return tree_kind_parse(optarg, &out->compile.tree, err);
+        return tree_choice_parse(optarg, &out->compile, err);
     case OPTION_SPLITTER:
         out->compile.splitter = optarg;
         return true;

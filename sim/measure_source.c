@@ -8,6 +8,7 @@
 #include "light.h"
 #include "model_part.h"
 #include "moving.h"
+#include "tree_choice.h"
 #include "vec3.h"
 
 #include <math.h>
@@ -153,7 +154,7 @@ void measure_source_free(struct measure_source *source)
 bool measure_source_compile(const struct measure_source *source, const struct compile_options *options,
                             struct compiled *scene, struct error *err)
 {
-    if (!source->still.moving) return compile_mesh(&source->mesh, options, scene, err);
+    if (!source->still.moving) return tree_choice_compile(&source->mesh, options, scene, err);
     return moving_compile_own(source->path, options, MOVING_CLIPPED, scene, err);
 }
 

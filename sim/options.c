@@ -6,6 +6,7 @@
 
 #include "outputs.h"
 #include "parse.h"
+#include "tree_choice.h"
 
 #include <errno.h>
 #include <getopt.h>
@@ -155,7 +156,7 @@ static bool parse_option(int code, const char *text, struct options *out, struct
         out->compile.splitter = text;
         return true;
     case OPTION_TREE:
-        return tree_kind_parse(text, &out->compile.tree, err);
+        return tree_choice_parse(text, &out->compile, err);
     case OPTION_TOLERANCE:
         return parse_tolerance(text, &out->compile.tolerance_units, err);
     case OPTION_OUT:

@@ -43,6 +43,16 @@ static void print_outlines(const struct compiled *scene)
     print_count("with edges that are not drawn", records_with(&scene->scene, LIM_POLYGON_EDGES));
 }
 
+static void print_choice(const struct compile_report *report)
+{
+    if (report->tree == TREE_BSP)
+        printf("    %-26s no other tree spares a tenth of its instructions\n", "chosen:");
+    else
+        printf("    %-26s %.1f %% of the BSP tree's instructions, %.1f %% of its bytes\n",
+               "chosen:", 100.0 * report->instructions / report->choice.bsp_instructions,
+               100.0 * (double)report->flash_b / (double)report->choice.bsp_flash_b);
+}
+
 static void print_tree(const struct compiled *scene)
 {
     static const char *const kinds[] = {"x = const", "y = const",     "z = const",
@@ -55,6 +65,7 @@ static void print_tree(const struct compiled *scene)
     print_transparent(scene);
     print_count("most vertices of a polygon", scene->scene.limits.vertices);
     printf("  %-28s %8s\n", "tree", tree_names[report->tree]);
+    if (report->choice.made) print_choice(report);
     if (report->tree != TREE_NONE) printf("  %-28s %8s\n", "splitter", report->splitter);
     print_count("depth of the tree", report->depth);
     if (report->wireframe) print_outlines(scene);

@@ -47,6 +47,29 @@ for tree in clusters axis octree clusters-sampled; do
     tap_check "$tree: nearest first and back to front are the same pictures" orders_agree $tree
 done
 
+# The report says why. On rooms the three are alike, so it stays the BSP tree.
+chooses() { # SCENE TREE...
+    "$BUILD/limner" compile "sim/scenes/$1.obj" --tree auto --report >"$work/report" || return 1
+    grep -A 1 '^  tree ' "$work/report"
+    awk -v wanted="$2" '$1 == "tree" { tree = $2 }
+        $1 == "chosen:" { why = $0; share = $2 }
+        END { exit !(tree == wanted && (tree == "bsp" ? why ~ /no other tree spares a tenth/ : share > 0 && share <= 90)) }' \
+        "$work/report"
+}
+tap_check "auto: rooms, the BSP tree" chooses rooms bsp
+tap_check "auto: teapot, clusters spare more than a tenth" chooses teapot clusters
+chooses_again() {
+    cp "$work/report" "$work/first"
+    chooses teapot clusters && cmp "$work/report" "$work/first"
+}
+tap_check "auto: the same again" chooses_again
+says_nothing() {
+    "$BUILD/limner" compile sim/scenes/teapot.obj --report >"$work/report" && ! grep chosen: "$work/report" &&
+        "$BUILD/limner" compile sim/scenes/icosahedron.obj --tree auto --report >"$work/report" &&
+        ! grep chosen: "$work/report"
+}
+tap_check "auto: no choice where none is asked for, and none for a convex solid" says_nothing
+
 refused() {
     "$BUILD/limner" compile sim/scenes/icosahedron.obj --tree z --report >"$work/out" 2>&1 && return 1
     grep -q '^limner: --tree z: no such tree; there are auto, bsp, clusters, axis, octree, octree-centre, clusters-sampled, none$' "$work/out"

@@ -1,0 +1,54 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * One whole compilation for each kind, pools included, because these draw the cameras. */
+#include "tree_choice.h"
+
+#include <math.h>
+
+static const enum tree_kind OTHERS[] = {TREE_CLUSTERS, TREE_AXIS};
+static const double ENOUGH = 0.9, ALIKE = 0.01; /* of the BSP tree's instructions */
+
+bool tree_choice_parse(const char *text, struct compile_options *out, struct error *err)
+{
+    if (!tree_kind_parse(text, &out->tree, err)) return false;
+    out->choose_tree = out->tree == TREE_AUTO;
+    return true;
+}
+
+static bool is_better(const struct compile_report *a, const struct compile_report *b, const struct compile_report *bsp)
+{
+    if (isnan(a->instructions) || a->instructions > ENOUGH * bsp->instructions) return false;
+    if (b == bsp) return true;
+    const double less = b->instructions - a->instructions;
+    return fabs(less) > ALIKE * bsp->instructions ? less > 0.0 : a->flash_b < b->flash_b;
+}
+
+/* Replaces *out where another tree is better. One that fails, being too large, is none. */
+static void try_others(const struct mesh *mesh, struct compile_options options, struct compiled *out)
+{
+    const struct compile_report bsp = out->report;
+    const struct compile_report *best = &bsp;
+    for (size_t i = 0; i < sizeof OTHERS / sizeof *OTHERS; i++) {
+        struct compiled candidate;
+        struct error ignored;
+        options.tree = OTHERS[i];
+        if (!compile_mesh(mesh, &options, &candidate, &ignored)) continue;
+        if (is_better(&candidate.report, best, &bsp)) {
+            const struct compiled worse = *out;
+            *out = candidate;
+            candidate = worse;
+            best = &out->report;
+        }
+        compiled_free(&candidate);
+    }
+    out->report.choice = (struct tree_choice){true, bsp.instructions, bsp.flash_b};
+}
+
+bool tree_choice_compile(const struct mesh *mesh, const struct compile_options *options, struct compiled *out,
+                         struct error *err)
+{
+    if (!compile_mesh(mesh, options, out, err)) return false;
+    if (options->choose_tree && options->tree == TREE_AUTO && !isnan(out->report.instructions))
+        try_others(mesh, *options, out);
+    return true;
+}
