@@ -21,7 +21,7 @@ enum { CAMERAS = 256, STRAYS = 1, LEAST_PIECES = 8, PLENTY_OF_PIECES = 16000, PL
 struct usage {
     size_t cameras;
     uint16_t cells[CAMERAS], gaps[CAMERAS], active[CAMERAS], layers[CAMERAS];
-    double instructions; /* predicted, of all frames */
+    double instructions;              /* predicted, of all frames */
     uint32_t splits_max, entries_max; /* strays included: without room for a piece the picture may be wrong */
 };
 
