@@ -84,6 +84,11 @@
 #define LIM_HAS_WIREFRAME 1
 #endif
 
+/* 1: lim_set_antialias() is there. */
+#ifndef LIM_HAS_ANTIALIAS
+#define LIM_HAS_ANTIALIAS LIM_HAS_SPANS
+#endif
+
 /* 1: lim_frame() counts its work in struct lim_stats. 0: the counters stay zero and cost nothing. */
 #ifndef LIM_HAS_STATS
 #define LIM_HAS_STATS 1
@@ -185,6 +190,9 @@
 #endif
 #if LIM_HAS_LARGE && !LIM_HAS_SLANTED
 #error "LIM_HAS_LARGE needs LIM_HAS_SLANTED"
+#endif
+#if LIM_HAS_ANTIALIAS && !LIM_HAS_SPANS
+#error "LIM_HAS_ANTIALIAS needs an order that paints nearest first"
 #endif
 #if LIM_HAS_PORTALS && !(LIM_HAS_TREE && LIM_HAS_CULL)
 #error "LIM_HAS_PORTALS needs LIM_HAS_CULL and an order that walks the tree"

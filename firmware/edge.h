@@ -34,6 +34,9 @@ struct lim_edge_shape {
     uint8_t first;       /* a vertex on the top line */
     uint8_t apex;        /* if folded: from which a fan of triangles covers the polygon */
     bool folded;         /* its boundary turns more than twice: rounding bent it */
+#if LIM_HAS_ANTIALIAS
+    int16_t end_row; /* the row of samples (samples.h) after its last, antialiased */
+#endif
 };
 
 void lim_edge_measure(struct lim_edge_shape *shape, const struct lim_point *at, uint8_t n);

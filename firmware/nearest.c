@@ -40,6 +40,28 @@ static enum lim_span_result close_lines(struct lim_spans *spans, const struct li
     return result & LIM_SPAN_EXHAUSTED ? LIM_SPAN_EXHAUSTED : (enum lim_span_result)result;
 }
 
+/* take_plain() for a polygon that is measured by its samples: it is retained up to a row of them. */
+static inline bool take_samples(struct lim *lim, const struct lim_screen_polygon *polygon, int16_t top, int16_t bottom)
+{
+#if LIM_HAS_ANTIALIAS
+    const int16_t rows = (int16_t)(bottom * LIM_SAMPLE_ROWS);
+
+    if (lim->paint.smooth.line) {
+        lim_smooth_add_polygon(lim, polygon);
+        return true;
+    }
+    const enum lim_span_result result = lim_smooth_close(&lim->spans, polygon, top, bottom);
+    if (result != LIM_SPAN_SOME) return result == LIM_SPAN_NOTHING;
+    if (LIM_HAS_STATS) lim_stats_of(lim)->polygons_seen++;
+    const struct lim_retained_polygon seen =
+        lim_retained_of(polygon, top, polygon->shape.end_row < rows ? polygon->shape.end_row : rows, false);
+    return lim_retain(&lim->retained, lim->spans.lines, &seen);
+#else
+    (void)lim, (void)polygon, (void)top, (void)bottom;
+    return false;
+#endif
+}
+
 /* false: a pool is exhausted. */
 static bool take_plain(struct lim *lim, const struct lim_screen_polygon *polygon)
 {
@@ -49,6 +71,7 @@ static bool take_plain(struct lim *lim, const struct lim_screen_polygon *polygon
 
     if (top >= bottom) return true;
     if (LIM_HAS_STATS) lim_stats_of(lim)->lines += (uint32_t)(bottom - top);
+    if (LIM_HAS_ANTIALIAS && lim_is_antialiased(&lim->view)) return take_samples(lim, polygon, top, bottom);
     const bool wireframe = lim_wireframe_of(lim);
     const uint8_t alpha = wireframe ? (uint8_t)LIM_OPAQUE : lim_alpha_of(polygon);
     const enum lim_span_result result = alpha == LIM_OPAQUE ? close_lines(&lim->spans, polygon, top, bottom)
@@ -253,11 +276,50 @@ static bool wants_painter(const struct lim *lim, const struct lim_rect *band, in
     return exhausted == LIM_PAINT_LAYERS || band->y1 - band->y0 == 1;
 }
 
+static inline void set_antialiased(struct lim *lim, bool antialiased)
+{
+#if LIM_HAS_ANTIALIAS
+    lim->view.antialiased = antialiased;
+#else
+    (void)lim, (void)antialiased;
+#endif
+}
+
+/* Whether lim_set_antialias() has lent what it takes. */
+static inline bool wants_antialias(const struct lim *lim)
+{
+#if LIM_HAS_ANTIALIAS
+    return lim->paint.smooth.sums && !lim_wireframe_of(lim);
+#else
+    (void)lim;
+    return false;
+#endif
+}
+
+/* One line, from a walk of its own: it needs no pool. */
+static inline int draw_line_alone(struct lim *lim, const struct lim_rect *band)
+{
+#if LIM_HAS_ANTIALIAS
+    const int err = lim_smooth_begin_line(lim, band->y0);
+
+    if (err) return err;
+    (void)collect(lim, band);
+    return lim_smooth_end_line(lim, band->y0);
+#else
+    (void)lim, (void)band;
+    return 0;
+#endif
+}
+
 /* The band's first line; what is left of the band comes next. */
 static int paint_first_line(struct lim *lim, struct lim_rect *band)
 {
+    const bool antialiased = lim_is_antialiased(&lim->view);
+
+    set_antialiased(lim, false);
     const int err = lim_painter_line(lim, band->y0);
 
+    set_antialiased(lim, antialiased);
     if (band->y1 - band->y0 > 1)
         band->y0++;
     else
@@ -269,6 +331,7 @@ int lim_nearest_frame(struct lim *lim)
 {
     struct lim_rect band = {0, 0, lim->target.w_px, lim->target.h_px};
 
+    if (LIM_HAS_ANTIALIAS) set_antialiased(lim, wants_antialias(lim));
     if (LIM_IS_SORTED(&lim->target)) lim_sorted_order(lim);
     while (band.y0 < lim->target.h_px) {
         uint16_t y;
@@ -280,6 +343,10 @@ int lim_nearest_frame(struct lim *lim)
             if (wants_painter(lim, &band, err)) {
                 const int failed = paint_first_line(lim, &band);
                 if (failed) return failed;
+            } else if (LIM_HAS_ANTIALIAS && lim_is_antialiased(&lim->view) && band.y1 - band.y0 == 1) {
+                const int failed = draw_line_alone(lim, &band);
+                if (failed) return failed;
+                follow(&band, &lim->target);
             } else {
                 halve(&band);
             }

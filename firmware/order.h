@@ -14,6 +14,10 @@
 #define LIM_IS_NEWELL(target)                                                                                          \
     (LIM_HAS_NEWELL && ((!LIM_HAS_NEAREST && !LIM_HAS_DEPTH) || (target)->method == LIM_NEWELL))
 
+/* Whether what is drawn nearest first is a line's samples: what antialiasing takes. */
+#define LIM_PAINTS_NEAREST_FIRST(target)                                                                               \
+    (LIM_HAS_SPANS && (target)->method != LIM_CONVEX && (target)->method != LIM_PAINTER)
+
 /* Whether an entry of the sorted list is a piece of a polygon that was split. */
 static inline bool lim_is_piece(const struct lim *lim, uint16_t entry)
 {

@@ -18,6 +18,16 @@ static const struct lim_point *points_of(const union lim_retained_cell *cells)
     return &cells[LIM_RETAINED_HEAD_CELLS].at;
 }
 
+static inline bool is_antialiased(const struct lim_paint *paint)
+{
+#if LIM_HAS_ANTIALIAS
+    return *paint->antialiased;
+#else
+    (void)paint;
+    return false;
+#endif
+}
+
 /* A piece has no edges: its lines are there, the last one first. */
 static LIM_RARE void take_line(struct lim_active *active, const union lim_retained_cell *cells, int16_t y)
 {
@@ -67,7 +77,7 @@ static bool activate(struct lim_paint *paint, const struct lim_retained *retaine
     active->polygon = polygon;
     set_texture(paint, active, cells);
     lim_edge_begin(&active->pair, cells[0].link.n, cells[0].link.first);
-    turn(active, cells, (int16_t)y);
+    if (!(LIM_HAS_ANTIALIAS && is_antialiased(paint))) turn(active, cells, (int16_t)y);
     return true;
 }
 
@@ -199,6 +209,56 @@ static void push_layers(struct lim_paint *paint, const struct lim_spans *spans, 
     if (!layers_of(paint)->exhausted) lim_layers_push(layers_of(paint), spans, open, &piece);
 }
 
+/* An active polygon's samples on line y. false: it has ended. */
+static inline bool paint_samples(struct lim_paint *paint, struct lim_spans *spans, struct lim_line *open,
+                                 struct lim_active *active, const union lim_retained_cell *cells, uint16_t y,
+                                 struct sink *sink)
+{
+#if LIM_HAS_ANTIALIAS
+    const int16_t end_row = lim_retained_bottom(cells);
+    struct lim_strip strip;
+
+    lim_strip_next(&strip, &active->pair, points_of(cells), cells[0].link.n, cells[0].link.first, (int16_t)y, end_row);
+    if (LIM_HAS_TRANSPARENT && lim_retained_alpha(cells) != LIM_OPAQUE) {
+        lim_smooth_push(layers_of(paint), spans, open, &strip, cells[1].look.colour, lim_retained_alpha(cells));
+    } else {
+        struct lim_smooth_sink smooth = {.line = sink->line, .sums = paint->smooth.sums, .colour = cells[1].look.colour};
+#if LIM_HAS_TEXTURE
+        set_span(sink, active, cells);
+        smooth.span = sink->span;
+        smooth.span.left = strip.x0;
+        smooth.span.right = strip.x1;
+        smooth.stats = sink->stats;
+#endif
+        (void)lim_mask_close(spans, open, &strip, lim_smooth_mix, &smooth);
+        if (LIM_HAS_STATS) sink->painted_px = (uint16_t)(sink->painted_px + smooth.painted_px);
+    }
+    return (y + 1) * LIM_SAMPLE_ROWS < end_row;
+#else
+    (void)paint, (void)spans, (void)open, (void)active, (void)cells, (void)y, (void)sink;
+    return false;
+#endif
+}
+
+/* What an active polygon has on line y. false: it has ended. */
+static inline bool paint_centres(struct lim_paint *paint, struct lim_spans *spans, struct lim_line *open,
+                                 struct lim_active *active, const union lim_retained_cell *cells, uint16_t y,
+                                 struct sink *sink)
+{
+    const int16_t left = active->pair.left.x, right = active->pair.right.x;
+
+    sink->colour = cells[1].look.colour;
+    set_span(sink, active, cells);
+    if (LIM_HAS_WIREFRAME) set_wire(sink, paint, cells, y);
+    if (left < right) {
+        if (LIM_HAS_TRANSPARENT && lim_retained_alpha(cells) != LIM_OPAQUE)
+            push_layers(paint, spans, open, active, cells);
+        else
+            (void)lim_span_close(spans, open, left, right, paint_piece, sink);
+    }
+    return advance(active, cells, (int16_t)(y + 1));
+}
+
 static void paint_polygons(struct lim_paint *paint, struct lim_spans *spans, const struct lim_retained *retained,
                            struct lim_line *open, uint16_t y, struct sink *sink)
 {
@@ -208,18 +268,10 @@ static void paint_polygons(struct lim_paint *paint, struct lim_spans *spans, con
         const uint16_t self = *link;
         struct lim_active *active = &paint->pool[self];
         const union lim_retained_cell *cells = cells_of(retained, active);
-        const int16_t left = active->pair.left.x, right = active->pair.right.x;
-
-        sink->colour = cells[1].look.colour;
-        set_span(sink, active, cells);
-        if (LIM_HAS_WIREFRAME) set_wire(sink, paint, cells, y);
-        if (left < right) {
-            if (LIM_HAS_TRANSPARENT && lim_retained_alpha(cells) != LIM_OPAQUE)
-                push_layers(paint, spans, open, active, cells);
-            else
-                (void)lim_span_close(spans, open, left, right, paint_piece, sink);
-        }
-        if (advance(active, cells, (int16_t)(y + 1))) {
+        const bool goes_on = LIM_HAS_ANTIALIAS && is_antialiased(paint)
+                                 ? paint_samples(paint, spans, open, active, cells, y, sink)
+                                 : paint_centres(paint, spans, open, active, cells, y, sink);
+        if (goes_on) {
             link = &active->next;
         } else {
             *link = active->next;
@@ -235,6 +287,14 @@ static void paint_background(const struct lim_spans *spans, const struct lim_lin
 {
     const struct lim_gap *gap = &open->gap;
 
+#if LIM_HAS_ANTIALIAS
+    if (is_antialiased(paint)) {
+        struct lim_smooth_sink sink = {.line = pixels, .sums = paint->smooth.sums};
+        lim_smooth_background(spans, open, paint->background, &sink);
+        if (LIM_HAS_STATS) stats->pixels_background += sink.painted_px;
+        return;
+    }
+#endif
     for (;;) {
         lim_fill(pixels, gap->x0, (uint16_t)(gap->x1 - gap->x0), paint->background);
         if (LIM_HAS_STATS) stats->pixels_background += (uint16_t)(gap->x1 - gap->x0);
@@ -272,7 +332,7 @@ static inline void begin_span(struct sink *sink, const struct lim_paint *paint, 
 static int paint_line(struct lim_paint *paint, struct lim_spans *spans, const struct lim_retained *retained,
                       const struct lim_rect *band, uint16_t y, struct lim_stats *stats)
 {
-    struct lim_line open = {{band->x0, band->x1, LIM_NONE}, LIM_NONE};
+    struct lim_line open = {.gap = {.x0 = band->x0, .x1 = band->x1, .next = LIM_NONE}, .retained = LIM_NONE};
     struct sink sink;
 
     sink.line = paint->target->lend(paint->target->ctx, y);

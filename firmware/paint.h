@@ -13,6 +13,7 @@
 #include "fill.h"
 #include "layers.h"
 #include "retain.h"
+#include "smooth.h"
 #include "span.h"
 #include "stats.h"
 #include "target.h"
@@ -45,6 +46,10 @@ struct lim_paint {
 #endif
 #if LIM_HAS_FALLBACK
     uint16_t *lent; /* the line that could not be finished, or NULL */
+#endif
+#if LIM_HAS_ANTIALIAS
+    struct lim_smooth smooth;
+    const bool *antialiased; /* lim_view.antialiased */
 #endif
 #if LIM_HAS_WIREFRAME
     const struct lim_wireframe *wireframe;

@@ -178,6 +178,11 @@ void lim_nearest_init(struct lim *lim, void *mem, size_t mem_b)
 #if LIM_HAS_TEXTURE
     lim->paint.texturing = &lim->texturing;
 #endif
+#if LIM_HAS_ANTIALIAS
+    lim->paint.smooth.sums = NULL;
+    lim->paint.smooth.line = NULL;
+    lim->paint.antialiased = &lim->view.antialiased;
+#endif
     lim->paint.pool = cut(&at, shares.active * sizeof(struct lim_active));
     lim->paint.pool_size = shares.active;
     lim->retained.cells = cut(&at, shares.retained_cells * sizeof(union lim_retained_cell));

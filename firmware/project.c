@@ -82,6 +82,30 @@ static void note_texture(struct lim_screen_polygon *out, const struct lim_scene 
 #endif
 }
 
+static inline void measure(struct lim_screen_polygon *out, bool antialiased)
+{
+#if LIM_HAS_ANTIALIAS
+    out->antialiased = antialiased;
+    if (antialiased) {
+        lim_samples_measure(&out->shape, out->at, out->n);
+        return;
+    }
+#else
+    (void)antialiased;
+#endif
+    lim_edge_measure(&out->shape, out->at, out->n);
+}
+
+static inline bool is_antialiased(const struct lim_screen_polygon *polygon)
+{
+#if LIM_HAS_ANTIALIAS
+    return polygon->antialiased;
+#else
+    (void)polygon;
+    return false;
+#endif
+}
+
 /* To the left or right of the view a convex solid may keep faces that the tree's orders drop: they cover no pixel. */
 static bool meets(const struct lim_edge_shape *shape, const struct lim_rect *open)
 {
@@ -123,7 +147,7 @@ bool lim_project(struct lim_screen_polygon *out, struct lim_view *view, const st
         out->n = clip_and_project(out->at, view, scene, corners, out->n, out);
         if (!out->n) return false;
     }
-    lim_edge_measure(&out->shape, out->at, out->n);
+    measure(out, lim_is_antialiased(view));
     if (LIM_HAS_STATS && stats) stats->folded += out->shape.folded;
     out->colour = lim_memory_colour(record[1]);
     if (LIM_HAS_TRANSPARENT) set_alpha(out, alpha_of(record));
@@ -160,5 +184,5 @@ void lim_project_fan(const struct lim_screen_polygon *folded, uint8_t k, struct 
         corner += i ? 1u : k;
         if (corner >= folded->n) corner -= folded->n;
     }
-    lim_edge_measure(&triangle->shape, triangle->at, 3);
+    measure(triangle, is_antialiased(folded));
 }

@@ -8,6 +8,7 @@
 #include "clip.h"
 #include "cull.h"
 #include "edge.h"
+#include "samples.h"
 #include "stats.h"
 #include "view.h"
 
@@ -20,6 +21,9 @@ struct lim_screen_polygon {
 #endif
 #if LIM_HAS_WIREFRAME
     uint16_t hidden[(CLIP_MAX_VERTICES + 15) / 16]; /* an edge a bit: not drawn */
+#endif
+#if LIM_HAS_ANTIALIAS
+    bool antialiased; /* `shape` is of its samples */
 #endif
 #if LIM_HAS_TEXTURE
     uint16_t texture; /* the word of lim_scene.polygons at which its record names its texture, or LIM_NONE */

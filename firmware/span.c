@@ -16,7 +16,7 @@ void lim_spans_reset_pool(struct lim_spans *spans)
 void lim_spans_open(struct lim_spans *spans, const struct lim_rect *open)
 {
     for (uint16_t y = open->y0; y < open->y1; y++) {
-        spans->lines[y] = (struct lim_line){{open->x0, open->x1, LIM_NONE}, LIM_NONE};
+        spans->lines[y] = (struct lim_line){.gap = {.x0 = open->x0, .x1 = open->x1, .next = LIM_NONE}, .retained = LIM_NONE};
     }
     spans->open = *open;
     spans->open_lines = (uint16_t)(open->y1 - open->y0);
@@ -66,7 +66,7 @@ static bool split_gap(struct lim_spans *spans, struct lim_gap *gap, uint16_t x0,
     const uint16_t right = take_gap(spans);
 
     if (right == LIM_NONE) return false;
-    spans->pool[right] = (struct lim_gap){x1, gap->x1, gap->next};
+    spans->pool[right] = (struct lim_gap){.x0 = x1, .x1 = gap->x1, .next = gap->next};
     gap->x1 = x0;
     gap->next = right;
     return true;

@@ -12,6 +12,9 @@
 struct lim_gap {
     uint16_t x0, x1;
     uint16_t next; /* in the pool, or LIM_NONE */
+#if LIM_HAS_ANTIALIAS
+    uint16_t covered; /* antialiased: the samples of its pixels that are closed (samples.h), not all of them */
+#endif
 };
 
 struct lim_line {

@@ -8,6 +8,9 @@ void lim_view_init(struct lim_view *view, uint16_t w_px, uint16_t h_px, struct l
     perspective_set(&view->width, w_px);
     perspective_set(&view->height, h_px);
     view->cache = cache;
+#if LIM_HAS_ANTIALIAS
+    view->antialiased = false;
+#endif
 }
 
 bool lim_view_begin(struct lim_view *view, const struct lim_scene *scene, const struct lim_camera *camera)

@@ -49,8 +49,22 @@ struct lim_view {
     struct lim_rows rows;
     struct lim_side width, height;
     struct lim_view_cached *cache;
+#if LIM_HAS_ANTIALIAS
+    bool antialiased; /* polygons are measured by their samples (samples.h) */
+#endif
     uint32_t vertices; /* transformed since lim_view_begin(), if LIM_HAS_STATS */
 };
+
+/* Whether polygons are drawn by their samples. */
+static inline bool lim_is_antialiased(const struct lim_view *view)
+{
+#if LIM_HAS_ANTIALIAS
+    return view->antialiased;
+#else
+    (void)view;
+    return false;
+#endif
+}
 
 /* Once per target: screen geometry. `cache` has LIM_VIEW_CACHE_ENTRIES entries. */
 void lim_view_init(struct lim_view *view, uint16_t w_px, uint16_t h_px, struct lim_view_cached *cache);

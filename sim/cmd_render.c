@@ -5,6 +5,7 @@
 #include "cameras_c.h"
 #include "commands.h"
 #include "dump.h"
+#include "edge_error.h"
 #include "frame_table.h"
 #include "hashes.h"
 #include "ids.h"
@@ -29,6 +30,7 @@ struct render {
     struct simulator simulator;
     struct ids ids;             /* --ids, --compare */
     struct reference reference; /* --compare */
+    struct edge_error edges;    /* --antialias --compare */
     struct outputs outputs;
     FILE *gif_file, *sheet_file, *ids_file, *hashes_file, *cameras_file; /* NULL: not asked for */
     struct frame_row *rows;                                              /* one a frame */
@@ -77,6 +79,12 @@ static void print_notes(const struct compile_report *report)
         fprintf(stderr, "limner: note: %s\n", report->notes[i].text);
 }
 
+/* The reference's faces have colours if none of them moves. */
+static bool measures_edges(const struct render *render)
+{
+    return render->options.compare && render->options.compile.antialias && !render->moving.count;
+}
+
 static bool start(struct render *render, struct error *err)
 {
     const struct options *options = &render->options;
@@ -89,12 +97,14 @@ static bool start(struct render *render, struct error *err)
         !simulator_set_movers(&render->simulator, moving->instances, moving->count, &moving->limits, err))
         return false;
     if (moving->count) render->simulator.core->light(render->simulator.lim, &moving->light);
+    if (!simulator_set_antialias(&render->simulator, options->compile.antialias, err)) return false;
     bool want_ids = options->ids_path || options->compare;
     if (want_ids && !ids_init(&render->ids, &render->scene, &options->setup, err)) return false;
     if (want_ids) render->ids.simulator.core->newell(render->ids.simulator.lim, &options->newell);
     if (want_ids && moving->count && !ids_set_movers(&render->ids, moving, err)) return false;
     print_notes(&render->scene.report);
     if (!options->compare) return true;
+    if (measures_edges(render) && !edge_error_init(&render->edges, &render->scene, &options->setup, err)) return false;
     return moving->count ? moving_reference(moving, &render->reference, w_px, h_px, err)
                          : reference_read(&render->reference, options->scene_path, w_px, h_px, err);
 }
@@ -130,7 +140,9 @@ static bool identify_frame(struct render *render, size_t frame, const struct lim
     reference_draw(&render->reference, &render->path.frames[frame], &render->lens);
     render->rows[frame].compare =
         compare_picture(render->ids.faces, &render->reference, NULL, 1.0 / render->scene.grid.units_per_m);
-    return true;
+    return !measures_edges(render) ||
+           edge_error_frame(&render->edges, &render->reference, &render->path.frames[frame], &render->lens, camera,
+                            &render->rows[frame].edges, err);
 }
 
 static bool render_frame(struct render *render, size_t frame, struct error *err)
@@ -221,6 +233,8 @@ static bool print_tables(const struct render *render, struct error *err)
     if (render->options.stats && render->moving.count)
         frame_table_print_movers(render->rows, render->path.count, stdout);
     if (render->options.compare) frame_table_print_compare(render->rows, render->path.count, stdout);
+    if (measures_edges(render))
+        frame_table_print_edges(render->rows, render->path.count, stdout);
     return (fflush(stdout) == 0 && !ferror(stdout)) || error_set(err, "standard output: %s", strerror(errno));
 }
 
@@ -262,6 +276,7 @@ static void render_free(struct render *render)
     outputs_discard(&render->outputs);
     simulator_free(&render->simulator);
     ids_free(&render->ids);
+    edge_error_free(&render->edges);
     reference_free(&render->reference);
     camera_path_free(&render->path);
     compiled_free(&render->scene);

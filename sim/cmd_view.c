@@ -25,6 +25,7 @@ static bool view_open(struct viewing *view, struct flight *flight, struct error 
         !simulator_init(&view->simulator, &view->scene.scene, &options->setup, err))
         return false;
     simulator_set_wireframe(&view->simulator, &options->wireframe);
+    if (!simulator_set_antialias(&view->simulator, options->compile.antialias, err)) return false;
     flight_init(flight, &view->simulator, &camera, &view->scene.grid);
     return true;
 }

@@ -24,6 +24,7 @@ struct compile_options {
     const struct core *core;     /* precision profile of the prediction and of NAME.h; NULL: fast */
     unsigned w_px, h_px;         /* the panel that pool sizes are measured for; 0: 240 */
     bool unlit;                  /* colours stay as they are in the model: no light is baked in */
+    bool antialias;              /* for drawing with antialiased edges: pools are measured so */
     bool wireframe;              /* for drawing as wireframe: edges that are not the model's are known */
     enum portals_wanted portals; /* whether to store what is seen from where; AUTO: if it pays */
     bool predict;                /* measure the wrong-pixel share for the report: takes a second or so */
@@ -59,6 +60,7 @@ struct compile_report {
     struct tree_choice choice;
     double worst_violation_units; /* certified: how far any vertex lies on the wrong side */
     char splitter[16];            /* the heuristic that won */
+    bool antialias;               /* firmware can draw it with antialiased edges */
     bool wireframe;               /* firmware can draw it as wireframe */
     bool convex;                  /* one convex solid */
     enum lim_method draws;        /* what firmware draws it with */

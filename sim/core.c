@@ -53,6 +53,11 @@ static void set_wireframe(void *lim, const struct lim_wireframe *wireframe)
     lim_set_wireframe(lim, wireframe);
 }
 
+static int set_antialias(void *lim, void *mem, size_t mem_b)
+{
+    return lim_set_antialias(lim, mem, mem_b);
+}
+
 static bool project(void *lim, uint16_t vertex, double at_px[2])
 {
     struct lim *const state = lim;
@@ -139,6 +144,7 @@ const struct core CORE = {.name = CORE_NAME(CORE),
                           .movers_frame = movers_frame,
                           .stats = stats,
                           .set_wireframe = set_wireframe,
+                          .set_antialias = set_antialias,
                           .project = project,
                           .eye_side = eye_side,
                           .texels = texels};

@@ -36,6 +36,7 @@ struct core {
                         uint16_t count);
     const struct lim_stats *(*stats)(const void *lim);
     void (*set_wireframe)(void *lim, const struct lim_wireframe *wireframe);
+    int (*set_antialias)(void *lim, void *mem, size_t mem_b); /* lim_set_antialias() */
     /* For measurements: where the camera of the last frame puts a vertex, in pixels, the centre of the first
      * one at 0 (false: it is left to clipping); which side of a plane an eye is on, as WALK decides it. */
     bool (*project)(void *lim, uint16_t vertex, double at_px[2]);

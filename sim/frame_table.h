@@ -6,6 +6,7 @@
 #define SIM_FRAME_TABLE_H
 
 #include "compare.h"
+#include "edge_error.h"
 #include "limner.h"
 
 #include <stdio.h>
@@ -15,6 +16,7 @@ struct frame_row {
     size_t pixels; /* w_px * h_px */
     size_t bus_b;
     struct compare_counts compare;
+    struct edge_error_sum edges;
 };
 
 /* Overdraw is pixels painted by polygons per pixel that shows one; 1 is ideal. */
@@ -28,6 +30,9 @@ void frame_table_print_movers(const struct frame_row *rows, size_t count, FILE *
 
 /* Instructions a frame by frame_cost.h: of frames drawn nearest first. */
 void frame_table_print_predicted(const struct frame_row *rows, size_t count, unsigned w_px, unsigned h_px, FILE *out);
+
+/* Mean absolute error at edges, without antialiasing and with it. */
+void frame_table_print_edges(const struct frame_row *rows, size_t count, FILE *out);
 
 void frame_table_print_compare(const struct frame_row *rows, size_t count, FILE *out);
 

@@ -28,6 +28,9 @@ const char *method_title(enum lim_method draws);
 /* Whether it sorts all polygons, whatever the tree. */
 bool method_sorts(enum lim_method draws);
 
+/* Refuses what has no antialiased edges. */
+bool method_antialiases(enum lim_method draws, bool wireframe, struct error *err);
+
 /* Refuses what cannot draw wireframes. */
 bool method_draws_wireframe(enum lim_method draws, struct error *err);
 

@@ -37,6 +37,7 @@ enum option_code {
     OPTION_TOLERANCE,
     OPTION_UNLIT,
     OPTION_WIREFRAME,
+    OPTION_ANTIALIAS,
     OPTION_PRECISION,
     OPTION_NEWELL,
     OPTION_MOVERS,
@@ -71,6 +72,7 @@ static const struct option OPTIONS[] = {
     {"tolerance", required_argument, NULL, OPTION_TOLERANCE},
     {"unlit", no_argument, NULL, OPTION_UNLIT},
     {"wireframe", optional_argument, NULL, OPTION_WIREFRAME},
+    {"antialias", no_argument, NULL, OPTION_ANTIALIAS},
     {NULL, 0, NULL, 0},
 };
 
@@ -152,6 +154,9 @@ static bool parse_option(int code, const char *text, struct options *out, struct
     case OPTION_WIREFRAME:
         out->compile.wireframe = true;
         return parse_wireframe(text, &out->wireframe, err);
+    case OPTION_ANTIALIAS:
+        out->compile.antialias = true;
+        return true;
     case OPTION_SPLITTER:
         out->compile.splitter = text;
         return true;
@@ -236,6 +241,7 @@ bool options_parse(int argc, char **argv, enum options_set set, struct options *
     out->scene_path = argv[optind];
     if (is_render && !asks_for_output(out)) out->frame_pattern = "out/%03d.png";
     if (out->wireframe.on && !method_draws_wireframe(out->setup.method, err)) return false;
+    if (out->compile.antialias && !method_antialiases(out->setup.method, out->wireframe.on, err)) return false;
     out->compile.keep_faces = out->ids_path || out->compare;
     out->compile.w_px = out->setup.w_px;
     out->compile.h_px = out->setup.h_px;

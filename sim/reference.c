@@ -58,12 +58,12 @@ static double edge_at(const struct reference_edge *edge, double u, double v)
 
 static double pixel_u(const struct reference_view *view, int x_px)
 {
-    return (2.0 * x_px + 1.0) / view->w_px - 1.0;
+    return (2.0 * (x_px + view->shift_px[0]) + 1.0) / view->w_px - 1.0;
 }
 
 static double pixel_v(const struct reference_view *view, int y_px)
 {
-    return 1.0 - (2.0 * y_px + 1.0) / view->h_px;
+    return 1.0 - (2.0 * (y_px + view->shift_px[1]) + 1.0) / view->h_px;
 }
 
 /* Scene -------------------------------------------------------------------------------------- */
@@ -355,10 +355,19 @@ void reference_point(const struct reference *reference, size_t pixel, double out
 
 void reference_draw(struct reference *reference, const struct viewpoint *viewpoint, const struct lens *lens)
 {
+    reference_draw_shifted(reference, viewpoint, lens, (const double[2]){0.0, 0.0});
+}
+
+void reference_draw_shifted(struct reference *reference, const struct viewpoint *viewpoint, const struct lens *lens,
+                            const double shift_px[2])
+{
     struct view_axes axes;
     viewpoint_axes(viewpoint, &axes);
     struct reference_view *view = &reference->view;
-    *view = (struct reference_view){.near_m = lens->near_m, .w_px = (int)reference->w_px, .h_px = (int)reference->h_px};
+    *view = (struct reference_view){.near_m = lens->near_m,
+                                    .w_px = (int)reference->w_px,
+                                    .h_px = (int)reference->h_px,
+                                    .shift_px = {shift_px[0], shift_px[1]}};
     memcpy(view->eye_m, viewpoint->eye_m, sizeof view->eye_m);
     for (int i = 0; i < 3; i++) {
         view->right[i] = axes.right[i] * lens->tan_x;

@@ -19,6 +19,7 @@ struct reference_view {
     double forward[3];
     double near_m;
     int w_px, h_px;
+    double shift_px[2]; /* of the rays from the pixels' centres, to the right and down, within half a pixel */
 };
 
 struct reference {
@@ -55,6 +56,10 @@ bool reference_read(struct reference *reference, const char *model_path, unsigne
 /* Draws into faces and depths_m. Pixel (0, 0) is the top left one; its centre lies at
  * x = -tan_x * (1 - 1 / w_px), y = tan_y * (1 - 1 / h_px) on the plane at distance 1. */
 void reference_draw(struct reference *reference, const struct viewpoint *viewpoint, const struct lens *lens);
+
+/* The same with all rays shifted within their pixels: right and down, less than half a pixel. */
+void reference_draw_shifted(struct reference *reference, const struct viewpoint *viewpoint, const struct lens *lens,
+                            const double shift_px[2]);
 
 /* Where the ray through a pixel's centre ended in the last frame drawn, metres; only where a face is seen. */
 void reference_point(const struct reference *reference, size_t pixel, double out_m[3]);

@@ -118,6 +118,15 @@ void simulator_set_wireframe(struct simulator *simulator, const struct lim_wiref
     simulator->core->set_wireframe(simulator->lim, wireframe);
 }
 
+bool simulator_set_antialias(struct simulator *simulator, bool on, struct error *err)
+{
+    const size_t mem_b = LIM_ANTIALIAS_MEM_B(simulator->target.w_px);
+    if (on && !simulator->smooth_mem) simulator->smooth_mem = malloc(mem_b);
+    if (on && !simulator->smooth_mem) return error_set(err, "simulator: out of memory");
+    const int code = simulator->core->set_antialias(simulator->lim, on ? simulator->smooth_mem : NULL, mem_b);
+    return !code || error_set(err, "--antialias: takes a method that draws nearest first");
+}
+
 const struct lim_stats *simulator_stats(const struct simulator *simulator)
 {
     return simulator->core->stats(simulator->lim);
@@ -183,6 +192,7 @@ void simulator_free(struct simulator *simulator)
     free(simulator->pixels);
     free(simulator->mem);
     free(simulator->mover_mem);
+    free(simulator->smooth_mem);
     free(simulator->lim);
     memset(simulator, 0, sizeof *simulator);
 }

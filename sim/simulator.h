@@ -36,6 +36,7 @@ struct simulator {
     void *mover_mem;                      /* lim's for movers; NULL: there are none */
     const struct lim_instance *instances; /* of the frames to come, the caller's */
     uint16_t instance_count;
+    void *smooth_mem; /* for antialiasing, or NULL */
     uint16_t *pixels;          /* the last frame: RGB565 as numbers, row by row from the top left */
     size_t bus_b;              /* bytes sent to the panel for it */
     struct panel_board *board; /* NULL: plain memory */
@@ -54,6 +55,9 @@ void simulator_set_wireframe(struct simulator *simulator, const struct lim_wiref
 /* Makes room for movers. From now on each frame has the instances; the array must outlive it, and may change. */
 bool simulator_set_movers(struct simulator *simulator, const struct lim_instance *instances, size_t count,
                           const struct lim_movers_limits *limits, struct error *err);
+
+/* Turns antialiasing on or off. false: the method has none. */
+bool simulator_set_antialias(struct simulator *simulator, bool on, struct error *err);
 
 /* Renders a frame into `pixels`. An error of the renderer or driver, or a complaint of the
  * emulated chip about the protocol, is an error here. */

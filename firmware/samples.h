@@ -1,0 +1,56 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * EDGE for antialiasing: a polygon on the screen -> for each line of pixels, which of their samples it covers.
+ *
+ * A pixel has 16 samples in four rows a quarter of a pixel apart, four a row. Each row is shifted against the others
+ * by a sixteenth of a pixel, so that all 16 have different x: an upright edge knows 17 coverages, a level one 5.
+ * Sample (v, row) belongs to a polygon when it is inside, or on a left or a top edge: what edge.c does for the centres
+ * of pixels, as exactly. So neighbours share out the samples between them, and what they cover adds up to all. */
+#ifndef LIM_SAMPLES_H
+#define LIM_SAMPLES_H
+
+#include "edge.h"
+
+enum { LIM_SAMPLE_ROWS = 4, LIM_SAMPLES_A_ROW = 4, LIM_ALL_SAMPLES = 0xFFFF };
+
+/* A polygon's samples on a line of pixels: left <= v < right of each row; sample v is pixel v / 4's. */
+struct lim_strip {
+    int16_t left[LIM_SAMPLE_ROWS], right[LIM_SAMPLE_ROWS]; /* left >= right: none */
+    int16_t x0, x1;                                        /* the pixels that hold them; x0 >= x1: none */
+    int16_t inner0, inner1; /* of these, those of which it has all samples; inner0 >= inner1: none */
+};
+
+/* Pixels x0 <= x < x1, of which it has the same samples: bit 4 * row + v % 4. */
+struct lim_run {
+    int16_t x0, x1;
+    uint16_t mask;
+};
+
+#if LIM_HAS_ANTIALIAS
+
+/* lim_edge_measure() for lines and pixels of which the polygon may have a sample; `folded` as rows of samples are. */
+void lim_samples_measure(struct lim_edge_shape *shape, const struct lim_point *at, uint8_t n);
+
+/* The strip of line y of a polygon that is not folded and ends above row `end_row`. `pair` comes from lim_edge_begin()
+ * or from the line above; its edges count in rows and in sixteenths of a pixel. */
+void lim_strip_next(struct lim_strip *strip, struct lim_edge_pair *pair, const struct lim_point *at, uint8_t n,
+                    uint8_t first, int16_t y, int16_t end_row);
+
+/* Sets the strip's pixels from its samples. */
+void lim_strip_bound(struct lim_strip *strip);
+
+/* The run of a strip's line that begins with pixel x0 <= x < x1, perhaps without any sample. */
+struct lim_run lim_strip_run(const struct lim_strip *strip, int16_t x);
+
+static inline uint8_t lim_sample_count(uint16_t mask)
+{
+    uint32_t bits = mask - (mask >> 1 & 0x5555u);
+
+    bits = (bits & 0x3333) + (bits >> 2 & 0x3333);
+    bits = (bits + (bits >> 4)) & 0x0F0F;
+    return (uint8_t)((bits + (bits >> 8)) & 0x1F);
+}
+
+#endif
+
+#endif
