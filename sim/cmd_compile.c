@@ -26,6 +26,7 @@ enum option_code {
     OPTION_PORTALS,
     OPTION_UNLIT,
     OPTION_WIREFRAME,
+    OPTION_ANTIALIAS,
     OPTION_SIZE,
     OPTION_PRECISION,
     OPTION_MAX_ERROR,
@@ -46,6 +47,7 @@ static const struct option OPTIONS[] = {
     {"keep-faces", no_argument, NULL, OPTION_KEEP_FACES},
     {"unlit", no_argument, NULL, OPTION_UNLIT},
     {"wireframe", no_argument, NULL, OPTION_WIREFRAME},
+    {"antialias", no_argument, NULL, OPTION_ANTIALIAS},
     {"precision", required_argument, NULL, OPTION_PRECISION},
     {"max-error", required_argument, NULL, OPTION_MAX_ERROR},
     {"max-vertex-error", required_argument, NULL, OPTION_MAX_VERTEX_ERROR},
@@ -98,6 +100,9 @@ static bool parse_option(int code, char **argv, struct request *out, struct erro
         return true;
     case OPTION_WIREFRAME:
         out->compile.wireframe = true;
+        return true;
+    case OPTION_ANTIALIAS:
+        out->compile.antialias = true;
         return true;
     case OPTION_PRECISION:
         return parse_precision(optarg, &out->compile.core, err);

@@ -57,11 +57,11 @@ static size_t badness(const struct compile_report *report)
     return report->flash_b + report->splits * SPLIT_B + report->depth * LEVEL_B;
 }
 
-/* A convex solid's own method is the cheapest that draws it. */
+/* A convex solid's own method is the cheapest that draws it; it has no antialiased edges. */
 static enum lim_method draws_with(const struct compile_options *options, bool convex)
 {
     if (options->method) return options->method->draws;
-    return convex ? LIM_CONVEX : LIM_NEAREST_FIRST;
+    return convex && !options->antialias ? LIM_CONVEX : LIM_NEAREST_FIRST;
 }
 
 static void report_set(struct compile_report *report, const struct bsp *bsp, const struct encoding *encoding,
@@ -217,6 +217,7 @@ static unsigned side_or_default(unsigned side_px)
 
 static bool check_method(const struct compile_options *options, const struct compiled *scene, struct error *err)
 {
+    if (options->antialias && !method_antialiases(scene->report.draws, options->wireframe, err)) return false;
     if (options->wireframe && !method_draws_wireframe(scene->report.draws, err)) return false;
     return scene->report.draws != LIM_CONVEX || scene->report.convex ||
            error_set(err, "--method %s: the scene is not one convex solid", options->method->name);
@@ -235,6 +236,7 @@ bool compile_mesh(const struct mesh *mesh, const struct compile_options *options
         coplanar_find(mesh, work.points.approx, options->tolerance_units, &work.coplanar);
         ok = find_sampled(&work, err) && compile_best(&work, out, err) && check_method(options, out, err);
         out->report.wireframe = options->wireframe;
+        out->report.antialias = options->antialias;
         ok = ok &&
              pools_measure(out, options->core, side_or_default(options->w_px), side_or_default(options->h_px), err) &&
              portals_add(out, options, err);

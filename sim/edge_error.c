@@ -100,6 +100,13 @@ static void draw_reference(struct edge_error *error, struct reference *reference
     }
 }
 
+static uint16_t rounded(const double sum[3])
+{
+    const double scale = 1.0 / (255.0 * EDGE_ERROR_LATTICE * EDGE_ERROR_LATTICE);
+    return (uint16_t)(lround(sum[0] * scale * 31.0) << 11 | lround(sum[1] * scale * 63.0) << 5 |
+                      lround(sum[2] * scale * 31.0));
+}
+
 static double pixel_error(const double sum[3], uint16_t shown)
 {
     double rgb[3], error = 0.0;
@@ -122,6 +129,7 @@ bool edge_error_frame(struct edge_error *error, struct reference *reference, con
         sum->pixels++;
         for (int i = 0; i < EDGE_ERROR_PICTURES; i++)
             sum->error[i] += pixel_error(error->sums[p], error->pictures[i].pixels[p]);
+        sum->error[EDGE_ERROR_ROUNDED] += pixel_error(error->sums[p], rounded(error->sums[p]));
     }
     return true;
 }

@@ -11,12 +11,13 @@
 #include "simulator.h"
 
 enum { EDGE_ERROR_PICTURES = 2, EDGE_ERROR_LATTICE = 16 };
-enum edge_error_picture { EDGE_ERROR_ALIASED, EDGE_ERROR_SMOOTH };
+/* The last: the true picture, rounded to what the panel can show. */
+enum edge_error_picture { EDGE_ERROR_ALIASED, EDGE_ERROR_SMOOTH, EDGE_ERROR_ROUNDED, EDGE_ERRORS };
 
 /* Sums of frames. Errors are of the panel's values, widened to 0..255, per channel. */
 struct edge_error_sum {
     size_t pixels; /* whose rays end at more than one colour */
-    double error[EDGE_ERROR_PICTURES];
+    double error[EDGE_ERRORS];
 };
 
 struct edge_error {

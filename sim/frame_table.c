@@ -151,8 +151,15 @@ static double smooth_error(const struct frame_row *row)
     return edge_error_mean(&row->edges, EDGE_ERROR_SMOOTH);
 }
 
-static const struct column EDGE_COLUMNS[] = {
-    {"edge_px", 8, 0, edge_pixels}, {"aliased", 8, 3, aliased_error}, {"antialiased", 11, 3, smooth_error}};
+static double rounding_error(const struct frame_row *row)
+{
+    return edge_error_mean(&row->edges, EDGE_ERROR_ROUNDED);
+}
+
+static const struct column EDGE_COLUMNS[] = {{"edge_px", 8, 0, edge_pixels},
+                                             {"aliased", 8, 3, aliased_error},
+                                             {"antialiased", 11, 3, smooth_error},
+                                             {"rounding", 8, 3, rounding_error}};
 
 static double column_mean(const struct column *column, const struct frame_row *rows, size_t count)
 {
@@ -233,14 +240,14 @@ void frame_table_print_edges(const struct frame_row *rows, size_t count, FILE *o
     struct edge_error_sum sum = {0};
     for (size_t i = 0; i < count; i++) {
         sum.pixels += rows[i].edges.pixels;
-        for (int picture = 0; picture < EDGE_ERROR_PICTURES; picture++)
+        for (int picture = 0; picture < EDGE_ERRORS; picture++)
             sum.error[picture] += rows[i].edges.error[picture];
     }
     const double aliased = edge_error_mean(&sum, EDGE_ERROR_ALIASED), smooth = edge_error_mean(&sum, EDGE_ERROR_SMOOTH);
     print_table(EDGE_COLUMNS, sizeof EDGE_COLUMNS / sizeof EDGE_COLUMNS[0], rows, count, out);
     fprintf(out,
             "edges against %d rays a pixel in double precision: %zu pixels, mean absolute error %.3f of 255 aliased, "
-            "%.3f antialiased: %.1f %%\n",
+            "%.3f antialiased: %.1f %% (%.3f is the panel's rounding)\n",
             EDGE_ERROR_LATTICE * EDGE_ERROR_LATTICE, sum.pixels, aliased, smooth,
-            aliased > 0.0 ? 100.0 * smooth / aliased : 0.0);
+            aliased > 0.0 ? 100.0 * smooth / aliased : 0.0, edge_error_mean(&sum, EDGE_ERROR_ROUNDED));
 }

@@ -35,6 +35,7 @@ static const char USAGE[] =
     "  --unlit             colours as they are in the model: no light is baked in\n"
     "  --wireframe         for drawing outlines alone, hidden lines left out (render, view: drawn so;\n"
     "                      --wireframe=RRGGBB,RRGGBB: all lines and the background in these colours)\n"
+    "  --antialias         for smooth edges, methods that draw nearest first (render, view: drawn so)\n"
     "compile and measure, for a MODEL:\n"
     "  --portals WHEN      store what can be seen from where: on, off, or auto, where it pays (measure: off)\n"
     "compile and render, of models with animations (measure and compare draw all of the animation):\n"

@@ -122,7 +122,8 @@ static bool host_frames(const struct run *run, uint64_t *hashes, uint64_t *nodes
     const struct compiled *scene = run->candidate->scene;
     struct simulator simulator;
     if (!simulator_init(&simulator, &scene->scene, &setup, err)) return false;
-    bool ok = simulator_add_movers(&simulator, scene, err);
+    bool ok = simulator_add_movers(&simulator, scene, err) &&
+              simulator_set_antialias(&simulator, scene->report.antialias, err);
     for (size_t frame = 0; ok && frame < views->path->count; frame++) {
         struct lim_camera camera;
         if (scene->moving) moving_pose(scene->moving, moving_time_s(scene->moving, frame, views->path->count));

@@ -24,6 +24,7 @@ enum option_code {
     OPTION_KEEP_FACES,
     OPTION_UNLIT,
     OPTION_METHOD,
+    OPTION_ANTIALIAS,
     OPTION_PORTALS,
     OPTION_TREE,
     OPTION_SPLITTER,
@@ -45,6 +46,7 @@ static const struct option OPTIONS[] = {
     {"keep-faces", no_argument, NULL, OPTION_KEEP_FACES},
     {"unlit", no_argument, NULL, OPTION_UNLIT},
     {"method", required_argument, NULL, OPTION_METHOD},
+    {"antialias", no_argument, NULL, OPTION_ANTIALIAS},
     {"portals", required_argument, NULL, OPTION_PORTALS},
     {"tree", required_argument, NULL, OPTION_TREE},
     {"splitter", required_argument, NULL, OPTION_SPLITTER},
@@ -168,6 +170,9 @@ static bool parse_option(int code, char **argv, struct measure_request *out, boo
         return true;
     case OPTION_UNLIT:
         out->compile.unlit = true;
+        return true;
+    case OPTION_ANTIALIAS:
+        out->compile.antialias = true;
         return true;
     case ':':
         return error_set(err, "%s: needs a value", argv[optind - 1]);

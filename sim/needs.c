@@ -33,6 +33,7 @@ static struct needs needs_of_scene(const struct compiled *scene)
                           .large = scene->scene.exact_count > 0,
                           .transparent = scene->scene.limits.layers > 0,
                           .wireframe = scene->report.wireframe,
+                          .antialias = scene->report.antialias,
                           .vertices = scene->scene.limits.vertices,
                           .side_px = greater(scene->report.w_px, scene->report.h_px),
                           .core = scene->report.core};
@@ -76,6 +77,7 @@ struct needs needs_union(const struct needs *a, const struct needs *b)
                           .wireframe = a->wireframe || b->wireframe,
                           .movers = a->movers || b->movers,
                           .light = a->light || b->light,
+                          .antialias = a->antialias || b->antialias,
                           .vertices = greater(a->vertices, b->vertices),
                           .side_px = greater(a->side_px, b->side_px),
                           .core = a->core};
@@ -112,6 +114,7 @@ void needs_write(const struct needs *needs, FILE *file)
     write_macro(file, "HAS_LARGE", needs->large);
     write_macro(file, "HAS_TRANSPARENT", needs->transparent);
     write_macro(file, "HAS_WIREFRAME", needs->wireframe);
+    write_macro(file, "HAS_ANTIALIAS", needs->antialias);
     write_macro(file, "HAS_STATS", 0);
     write_macro(file, "MAX_VERTICES", needs->vertices);
     if (needs->side_px) write_macro(file, "MAX_SIDE_PX", greater(needs->side_px, SIDE_MIN_PX));

@@ -84,13 +84,17 @@ static bool sample_frames(const struct compiled *scene, struct moving *moving, s
     return true;
 }
 
+/* How frames are drawn. */
+enum style { STYLE_PLAIN, STYLE_WIREFRAME, STYLE_ANTIALIAS };
+
 static bool sample_method(const struct compiled *scene, struct moving *moving, const struct simulator_setup *setup,
-                          bool wireframe, struct usage *usage, struct error *err)
+                          enum style style, struct usage *usage, struct error *err)
 {
     struct simulator simulator;
     if (!simulator_init(&simulator, &scene->scene, setup, err)) return false;
-    simulator_set_wireframe(&simulator, &(struct lim_wireframe){.on = wireframe});
+    simulator_set_wireframe(&simulator, &(struct lim_wireframe){.on = style == STYLE_WIREFRAME});
     const bool ok =
+        simulator_set_antialias(&simulator, style == STYLE_ANTIALIAS, err) &&
         (!moving || simulator_set_movers(&simulator, moving->instances, moving->count, &moving->limits, err)) &&
         sample_frames(scene, moving, &simulator, usage, err);
     simulator_free(&simulator);
@@ -104,7 +108,7 @@ static bool sample_convex(struct compiled *roomy, struct simulator_setup *setup,
     struct usage usage = {0};
     setup->method = LIM_CONVEX;
     roomy->scene.limits.active = roomy->scene.polygon_count;
-    if (!sample_method(roomy, NULL, setup, false, &usage, err)) return false;
+    if (!sample_method(roomy, NULL, setup, STYLE_PLAIN, &usage, err)) return false;
     const uint16_t crossing = with_margin(most(usage.active, usage.cameras), 1);
     *active = crossing > *active ? crossing : *active;
     return true;
@@ -130,10 +134,10 @@ static bool is_priced(const struct compiled *scene)
 
 /* Raises the limits to what the orders with spans need. */
 static bool sample_spans(struct compiled *roomy, struct moving *moving, const struct simulator_setup *setup,
-                         bool wireframe, struct lim_limits *limits, struct error *err)
+                         enum style style, struct lim_limits *limits, struct error *err)
 {
     struct usage usage = {0};
-    if (!sample_method(roomy, moving, setup, wireframe, &usage, err)) return false;
+    if (!sample_method(roomy, moving, setup, style, &usage, err)) return false;
     const uint16_t cells = with_margin(most(usage.cells, usage.cameras), least_cells(limits));
     limits->retained_cells = greater(limits->retained_cells, cells);
     limits->gaps = greater(limits->gaps, with_margin(most(usage.gaps, usage.cameras), 1));
@@ -171,8 +175,9 @@ bool pools_measure_moving(struct compiled *scene, struct moving *moving, const s
         if (records_with(object, LIM_POLYGON_ALPHA)) roomy.scene.limits.layers = PLENTY;
         limits.retained_cells = greater(limits.retained_cells, least_cells(&object->limits));
     }
-    if (!sample_spans(&roomy, moving, &setup, false, &limits, err) ||
-        (scene->report.wireframe && !sample_spans(&roomy, moving, &setup, true, &limits, err)))
+    if (!sample_spans(&roomy, moving, &setup, STYLE_PLAIN, &limits, err) ||
+        (scene->report.wireframe && !sample_spans(&roomy, moving, &setup, STYLE_WIREFRAME, &limits, err)) ||
+        (scene->report.antialias && !sample_spans(&roomy, moving, &setup, STYLE_ANTIALIAS, &limits, err)))
         return false;
     lim_image_set_limits(scene, &limits);
     return true;
@@ -185,8 +190,9 @@ bool pools_measure(struct compiled *scene, const struct core *core, unsigned w_p
     const enum lim_method method = method_sorts(scene->report.draws) ? scene->report.draws : LIM_NEAREST_FIRST;
     struct simulator_setup setup = {w_px, h_px, method, SIMULATOR_MEMORY, core};
 
-    if (!sample_spans(&roomy, NULL, &setup, false, &limits, err) ||
-        (scene->report.wireframe && !sample_spans(&roomy, NULL, &setup, true, &limits, err)))
+    if (!sample_spans(&roomy, NULL, &setup, STYLE_PLAIN, &limits, err) ||
+        (scene->report.wireframe && !sample_spans(&roomy, NULL, &setup, STYLE_WIREFRAME, &limits, err)) ||
+        (scene->report.antialias && !sample_spans(&roomy, NULL, &setup, STYLE_ANTIALIAS, &limits, err)))
         return false;
     if (scene->report.convex && !sample_convex(&roomy, &setup, &limits.active, err)) return false;
     lim_image_set_limits(scene, &limits);
@@ -220,10 +226,11 @@ static size_t nearest_b(const struct compiled *scene, size_t cells, size_t gaps,
     const bool wide = is_wide(&scene->report), sorts = method_sorts(scene->report.draws);
     const size_t cached_b = wide ? MCU_CACHED_WIDE_B : MCU_CACHED_B, cell_b = wide ? MCU_CELL_WIDE_B : MCU_CELL_B;
     const size_t active_b = MCU_ACTIVE_B + (scene->scene.texture_count ? (size_t)MCU_ACTIVE_TEXTURE_B : 0);
-    const size_t fixed_b = MCU_CACHE_ENTRIES * cached_b + scene->report.h_px * (size_t)MCU_LINE_B +
+    const size_t covered_b = scene->report.antialias ? (size_t)MCU_COVERED_B : 0;
+    const size_t fixed_b = MCU_CACHE_ENTRIES * cached_b + scene->report.h_px * (MCU_LINE_B + covered_b) +
                            (sorts ? 0 : scene->scene.limits.depth * (size_t)MCU_PENDING_B);
     return (sorts ? sorted_b(scene, pieces) : 0) +
-           aligned_b(fixed_b + cells * cell_b + gaps * MCU_GAP_B + active * active_b) +
+           aligned_b(fixed_b + cells * cell_b + gaps * (MCU_GAP_B + covered_b) + active * active_b) +
            (sorts ? 0 : lim_portals_mem_b(&scene->scene));
 }
 

@@ -22,6 +22,7 @@ enum {
     MCU_CELL_B = 4,
     MCU_CELL_WIDE_B = 8,
     MCU_GAP_B = 6,
+    MCU_COVERED_B = 2, /* antialiased, of a line and of a gap */
     MCU_ACTIVE_B = 48,
     MCU_LAYER_B = 8,
     MCU_TOP_B = 2,

@@ -46,6 +46,9 @@ static void *mover_mem[(MODEL_MOVERS_MEM_B + sizeof(void *) - 1) / sizeof(void *
 static struct lim lim;
 static uint32_t mem[FRAMES_MEM_B / 4];
 static struct screen screen;
+#if LIM_HAS_ANTIALIAS
+static uint32_t smooth_mem[LIM_ANTIALIAS_MEM_B(CAMERAS_W_PX) / 4];
+#endif
 
 int main(void);
 void frame_begin(uint16_t frame);
@@ -179,6 +182,9 @@ int main(void)
     const struct lim_target target = {CAMERAS_W_PX, CAMERAS_H_PX, LIM_RGB565, MODEL_SCENE_METHOD, &screen, lend, done};
     int err = lim_init(&lim, &model_scene, &target, mem, sizeof mem);
 
+#if LIM_HAS_ANTIALIAS
+    if (!err) err = lim_set_antialias(&lim, smooth_mem, sizeof smooth_mem);
+#endif
     if (LIM_HAS_WIREFRAME && !err) lim_set_wireframe(&lim, &(const struct lim_wireframe){.on = true});
     if (!err) err = init_movers();
     for (uint16_t frame = 0; frame < CAMERAS_COUNT && !err; frame++) {
