@@ -18,8 +18,10 @@ static bool cut(struct lim_spans *spans, struct lim_gap *gap, uint16_t x)
         spans->fresh++;
     else
         return false;
-    spans->pool[right] = *gap;
     spans->pool[right].x0 = x;
+    spans->pool[right].x1 = gap->x1;
+    spans->pool[right].next = gap->next;
+    spans->pool[right].covered = gap->covered;
     gap->x1 = x;
     gap->next = right;
     return true;
@@ -52,7 +54,10 @@ static struct lim_gap *unlink_gap(struct lim_spans *spans, struct lim_gap *gap, 
         spans->open_lines--;
         return NULL;
     }
-    *gap = spans->pool[next];
+    gap->x0 = spans->pool[next].x0;
+    gap->x1 = spans->pool[next].x1;
+    gap->next = spans->pool[next].next;
+    gap->covered = spans->pool[next].covered;
     give_back(spans, next);
     return gap;
 }
@@ -100,13 +105,14 @@ static bool close_part(struct lim_spans *spans, struct place *place, const struc
     return true;
 }
 
-/* A part of the gap that the run has. mask 0: nothing that is open. */
-static struct lim_run common(const struct lim_gap *gap, const struct lim_run *run)
+/* What of a gap's open samples the run has. mask 0: none. */
+static inline void set_common(struct lim_run *open, const struct lim_gap *gap, const struct lim_run *run)
 {
     const int16_t x0 = (int16_t)gap->x0, x1 = (int16_t)gap->x1;
 
-    return (struct lim_run){run->x0 > x0 ? run->x0 : x0, run->x1 < x1 ? run->x1 : x1,
-                            (uint16_t)(run->mask & ~gap->covered)};
+    open->x0 = run->x0 > x0 ? run->x0 : x0;
+    open->x1 = run->x1 < x1 ? run->x1 : x1;
+    open->mask = (uint16_t)(run->mask & ~gap->covered);
 }
 
 /* Closes what is open of a run, which begins in the place's gap. Leaves the place behind it. false: no room. */
@@ -114,8 +120,9 @@ static bool close_run(struct lim_spans *spans, struct place *place, const struct
                       void *ctx, bool *any)
 {
     while (place->gap && (int16_t)place->gap->x0 < run->x1) {
-        const struct lim_run open = common(place->gap, run);
+        struct lim_run open;
         const uint16_t covered = place->gap->covered;
+        set_common(&open, place->gap, run);
         if (!open.mask) {
             if ((int16_t)place->gap->x1 > run->x1) return true;
             step(spans, place);
@@ -141,7 +148,8 @@ enum lim_span_result lim_mask_close(struct lim_spans *spans, struct lim_line *li
         if (!place.gap) break;
         if ((int16_t)place.gap->x0 > x) x = (int16_t)place.gap->x0;
         if (x >= strip->x1) break;
-        const struct lim_run run = lim_strip_run(strip, x);
+        struct lim_run run;
+        lim_strip_run(strip, x, &run);
         if (run.mask && !close_run(spans, &place, &run, sink, ctx, &any)) return LIM_SPAN_EXHAUSTED;
         x = run.x1;
     }
@@ -160,7 +168,9 @@ bool lim_mask_see(const struct lim_spans *spans, const struct lim_line *line, co
         if (!gap) break;
         if ((int16_t)gap->x0 > x) x = (int16_t)gap->x0;
         if (x >= strip->x1) break;
-        const struct lim_run run = lim_strip_run(strip, x), open = common(gap, &run);
+        struct lim_run run, open;
+        lim_strip_run(strip, x, &run);
+        set_common(&open, gap, &run);
         if (open.mask) {
             any = true;
             if (!sink) break;

@@ -218,11 +218,19 @@ static inline bool paint_samples(struct lim_paint *paint, struct lim_spans *span
     const int16_t end_row = lim_retained_bottom(cells);
     struct lim_strip strip;
 
-    lim_strip_next(&strip, &active->pair, points_of(cells), cells[0].link.n, cells[0].link.first, (int16_t)y, end_row);
+    if (LIM_HAS_PIECES && !cells[0].link.n)
+        lim_strip_of_rows(&strip, points_of(cells), end_row, (int16_t)y);
+    else
+        lim_strip_next(&strip, &active->pair, points_of(cells), cells[0].link.n, cells[0].link.first, (int16_t)y,
+                       end_row);
     if (LIM_HAS_TRANSPARENT && lim_retained_alpha(cells) != LIM_OPAQUE) {
         lim_smooth_push(layers_of(paint), spans, open, &strip, cells[1].look.colour, lim_retained_alpha(cells));
     } else {
-        struct lim_smooth_sink smooth = {.line = sink->line, .sums = paint->smooth.sums, .colour = cells[1].look.colour};
+        struct lim_smooth_sink smooth;
+        smooth.line = sink->line;
+        smooth.sums = paint->smooth.sums;
+        smooth.colour = cells[1].look.colour;
+        smooth.painted_px = 0;
 #if LIM_HAS_TEXTURE
         set_span(sink, active, cells);
         smooth.span = sink->span;

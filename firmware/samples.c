@@ -30,9 +30,6 @@ typedef int32_t sample_area;
 typedef uint32_t sample_wrap;
 #endif
 
-/* By how many columns a row's samples are shifted. */
-static const LIM_FLASH uint8_t row_shift[LIM_SAMPLE_ROWS] = {1, 3, 0, 2};
-
 static inline int32_t x_of(struct lim_point p)
 {
     return (int32_t)p.x * POINT_SCALE + TO_COLUMN;
@@ -139,14 +136,24 @@ void lim_strip_bound(struct lim_strip *strip)
     strip->inner1 = (int16_t)(inner_high >> 2);
 }
 
-/* The first sample of a row at or right of a column. */
-static inline int16_t sample_at(int16_t column, uint_fast8_t row)
+void lim_strip_of_rows(struct lim_strip *strip, const struct lim_point *last, int16_t end_row, int16_t y)
 {
-    return (int16_t)((column + (LIM_SAMPLES_A_ROW - 1 - row_shift[row])) >> 2);
+    for (uint_fast8_t s = 0; s < LIM_SAMPLE_ROWS; s++) {
+        const struct lim_point *row = &last[end_row - 1 - (y * LIM_SAMPLE_ROWS + (int16_t)s)];
+        strip->left[s] = (int16_t)row->x;
+        strip->right[s] = (int16_t)row->y;
+    }
+    lim_strip_bound(strip);
 }
 
-void lim_strip_next(struct lim_strip *strip, struct lim_edge_pair *pair, const struct lim_point *at, uint8_t n,
-                    uint8_t first, int16_t y, int16_t end_row)
+/* The first sample of a row at or right of a column. */
+static inline int16_t sample_at(int32_t column, uint_fast8_t row)
+{
+    return (int16_t)((column + (LIM_SAMPLES_A_ROW - 1 - lim_sample_shift((int_fast16_t)row))) >> 2);
+}
+
+static LIM_ALONE void any_rows(struct lim_strip *strip, struct lim_edge_pair *pair, const struct lim_point *at, uint8_t n,
+                     uint8_t first, int16_t y, int16_t end_row)
 {
     const int16_t top_row = pair->left.end == INT16_MIN ? screen_row(at[first]) : INT16_MIN;
 
@@ -162,25 +169,105 @@ void lim_strip_next(struct lim_strip *strip, struct lim_edge_pair *pair, const s
     lim_strip_bound(strip);
 }
 
-struct lim_run lim_strip_run(const struct lim_strip *strip, int16_t x)
-{
-    struct lim_run run = {x, strip->x1, 0};
+/* Columns on the first and the last row of a line. */
+struct reach {
+    int16_t low, high;
+};
 
-    if (x >= strip->inner0 && x < strip->inner1) return (struct lim_run){x, strip->inner1, LIM_ALL_SAMPLES};
+/* All rows of a line that an edge goes on through. */
+static inline struct reach all_rows(struct lim_edge *edge, int16_t *samples)
+{
+    const int32_t step_x = edge->step_x, step_error = edge->step_error, denominator = edge->denominator;
+    int32_t x = edge->x, error = edge->error, first = 0;
+
+    LIM_UNROLLED(4)
     for (uint_fast8_t s = 0; s < LIM_SAMPLE_ROWS; s++) {
-        const int16_t left = (int16_t)(strip->left[s] - 4 * x), right = (int16_t)(strip->right[s] - 4 * x);
-        int16_t same = 1; /* so many pixels are alike in this row */
-        if (right <= 0 || left >= right) continue;
-        if (left >= 4) {
-            same = (int16_t)(left >> 2);
-        } else {
-            const uint32_t from = left > 0 ? 15u << left & 15u : 15, to = right < 4 ? 15u >> (4 - right) : 15;
-            run.mask = (uint16_t)(run.mask | (from & to) << (4 * s));
-            if (left <= 0 && right >= 4) same = (int16_t)(right >> 2);
+        x += step_x;
+        error += step_error;
+        if (error > 0) {
+            error -= denominator;
+            x++;
         }
-        if (x + same < run.x1) run.x1 = (int16_t)(x + same);
+        if (!s) first = x;
+        samples[s] = sample_at(x, s);
     }
-    return run;
+    edge->x = (int16_t)x;
+    edge->error = error;
+    return first < x ? (struct reach){(int16_t)first, (int16_t)x} : (struct reach){(int16_t)x, (int16_t)first};
+}
+
+/* From columns, pixels are easier told than from samples: a pixel more at an edge does no harm. */
+void lim_strip_next(struct lim_strip *strip, struct lim_edge_pair *pair, const struct lim_point *at, uint8_t n,
+                    uint8_t first, int16_t y, int16_t end_row)
+{
+    const int16_t last_row = (int16_t)(y * LIM_SAMPLE_ROWS + LIM_SAMPLE_ROWS - 1);
+
+    if (pair->left.end <= last_row || pair->right.end <= last_row) {
+        any_rows(strip, pair, at, n, first, y, end_row);
+        return;
+    }
+    const struct reach left = all_rows(&pair->left, strip->left), right = all_rows(&pair->right, strip->right);
+    strip->x0 = (int16_t)(left.low >> 4);
+    strip->inner0 = (int16_t)((left.high + 15) >> 4);
+    strip->inner1 = (int16_t)(right.low >> 4);
+    strip->x1 = (int16_t)((right.high + 15) >> 4);
+}
+
+/* Left of the inner pixels: what of a run the left boundary leaves. */
+static void left_run(const int16_t *left, struct lim_run *run)
+{
+    uint32_t mask = 0;
+
+    LIM_UNROLLED(4)
+    for (uint_fast8_t s = 0; s < LIM_SAMPLE_ROWS; s++) {
+        const int32_t ahead = left[s] - 4 * run->x0;
+        if (ahead >= 4) {
+            if (run->x0 + (ahead >> 2) < run->x1) run->x1 = (int16_t)(run->x0 + (ahead >> 2));
+        } else if (ahead > 0) {
+            mask |= (15u << ahead & 15u) << (4 * s);
+            run->x1 = (int16_t)(run->x0 + 1);
+        } else {
+            mask |= 15u << (4 * s);
+        }
+    }
+    run->mask &= (uint16_t)mask;
+}
+
+/* Right of them: the right one. */
+static void right_run(const int16_t *right, struct lim_run *run)
+{
+    uint32_t mask = 0;
+
+    LIM_UNROLLED(4)
+    for (uint_fast8_t s = 0; s < LIM_SAMPLE_ROWS; s++) {
+        const int32_t ahead = right[s] - 4 * run->x0;
+        if (ahead >= 4) {
+            mask |= 15u << (4 * s);
+            if (run->x0 + (ahead >> 2) < run->x1) run->x1 = (int16_t)(run->x0 + (ahead >> 2));
+        } else if (ahead > 0) {
+            mask |= 15u >> (4 - ahead) << (4 * s);
+            run->x1 = (int16_t)(run->x0 + 1);
+        }
+    }
+    run->mask &= (uint16_t)mask;
+}
+
+void lim_strip_run(const struct lim_strip *strip, int16_t x, struct lim_run *run)
+{
+    const bool has_inner = strip->inner0 < strip->inner1;
+
+    run->x0 = x;
+    run->mask = LIM_ALL_SAMPLES;
+    if (has_inner && x < strip->inner0) {
+        run->x1 = strip->inner0;
+        left_run(strip->left, run);
+    } else if (has_inner && x < strip->inner1) {
+        run->x1 = strip->inner1;
+    } else {
+        run->x1 = strip->x1;
+        if (!has_inner) left_run(strip->left, run);
+        right_run(strip->right, run);
+    }
 }
 
 /* As in edge.c: where the extra extremes of a folded polygon lie near its top, a fan from the bottom sees every other

@@ -16,8 +16,8 @@ enum { LIM_SAMPLE_ROWS = 4, LIM_SAMPLES_A_ROW = 4, LIM_ALL_SAMPLES = 0xFFFF };
 /* A polygon's samples on a line of pixels: left <= v < right of each row; sample v is pixel v / 4's. */
 struct lim_strip {
     int16_t left[LIM_SAMPLE_ROWS], right[LIM_SAMPLE_ROWS]; /* left >= right: none */
-    int16_t x0, x1;                                        /* the pixels that hold them; x0 >= x1: none */
-    int16_t inner0, inner1; /* of these, those of which it has all samples; inner0 >= inner1: none */
+    int16_t x0, x1;         /* no other pixel holds any; x0 >= x1: none does */
+    int16_t inner0, inner1; /* of these, some of which it has all samples; inner0 >= inner1: none */
 };
 
 /* Pixels x0 <= x < x1, of which it has the same samples: bit 4 * row + v % 4. */
@@ -39,8 +39,18 @@ void lim_strip_next(struct lim_strip *strip, struct lim_edge_pair *pair, const s
 /* Sets the strip's pixels from its samples. */
 void lim_strip_bound(struct lim_strip *strip);
 
+/* A strip from its rows: `last` is the row above end_row, those above it follow; x is the first sample, y the one after
+ * the last. */
+void lim_strip_of_rows(struct lim_strip *strip, const struct lim_point *last, int16_t end_row, int16_t y);
+
+/* By how many sixteenths of a pixel a row's samples are shifted: 1, 3, 0, 2. */
+static inline int32_t lim_sample_shift(int_fast16_t row)
+{
+    return 0x8D >> (2 * (row & 3)) & 3;
+}
+
 /* The run of a strip's line that begins with pixel x0 <= x < x1, perhaps without any sample. */
-struct lim_run lim_strip_run(const struct lim_strip *strip, int16_t x);
+void lim_strip_run(const struct lim_strip *strip, int16_t x, struct lim_run *run);
 
 static inline uint8_t lim_sample_count(uint16_t mask)
 {

@@ -190,7 +190,8 @@ void lim_smooth_add(struct lim *lim, const struct lim_strip *strip, const struct
     }
 #endif
     for (int16_t x = strip->x0 > 0 ? strip->x0 : 0; x < end;) {
-        const struct lim_run run = lim_strip_run(strip, x);
+        struct lim_run run;
+        lim_strip_run(strip, x, &run);
         for (; x < run.x1 && x < end; x++)
             add_samples(lim, &sink, x, run.mask);
     }

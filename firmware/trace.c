@@ -2,7 +2,7 @@
  *
  * A plane cuts a polygon along a line, and that line and the eye span a plane through the eye, m . r = 0. The
  * ray through the centre of pixel (x, y) of w times h is r = ((2x + 1 - w) / w, (2y + 1 - h) / h, 1), so along a line
- * of pixels w h m . r steps by 2 h m[0]: with |m| < 2^30 all of it stays below 2^52. */
+ * of pixels w h m . r steps by 2 h m[0]: with |m| < 2^30 all of it stays below 2^52; of samples, below 2^58. */
 #include "corners.h"
 #include "entry.h"
 #include "layers.h"
@@ -13,7 +13,8 @@
 /* m above, and >= 0 where the plane's front is; all 0, which is all front, if the line is a point. */
 struct trace {
     int32_t m[3];
-    int64_t w_px, h_px;
+    int64_t w_px, h_px; /* antialiased: w and h of the lattice that holds the samples, 16 times and 4 times as many */
+    bool antialiased;
 };
 
 /* Halves, so that differences of two products fit 64 bits. */
@@ -95,8 +96,9 @@ static void set_trace(struct trace *trace, const struct lim *lim, uint16_t entry
         for (uint_fast8_t i = 0; i < 3; i++)
             trace->m[i] = -trace->m[i];
     }
-    trace->w_px = lim->target.w_px;
-    trace->h_px = lim->target.h_px;
+    trace->antialiased = lim_is_antialiased(&lim->view);
+    trace->w_px = trace->antialiased ? lim->target.w_px * (int32_t)16 : lim->target.w_px;
+    trace->h_px = trace->antialiased ? lim->target.h_px * (int32_t)4 : lim->target.h_px;
 }
 
 static bool is_in_front(int64_t value)
@@ -104,11 +106,21 @@ static bool is_in_front(int64_t value)
     return value >= 0;
 }
 
-/* Leaves of the pixels x <= .. < y of line `y_px` those on one side. */
+/* Where a pixel of a line is, or a sample of a row. */
+static inline int64_t column_of(const struct trace *trace, int32_t x, int16_t row)
+{
+#if LIM_HAS_ANTIALIAS
+    if (trace->antialiased) return 4 * x + lim_sample_shift(row);
+#endif
+    (void)trace, (void)row;
+    return x;
+}
+
+/* Leaves of the pixels x <= .. < y of line `y_px`, or of the samples of a row, those on one side. */
 static void narrow(struct lim_point *line, const struct trace *trace, int16_t y_px, bool front)
 {
-    const int64_t step = 2 * trace->m[0] * trace->h_px;
-    const int64_t first = trace->m[0] * trace->h_px * (2 * (int64_t)line->x + 1 - trace->w_px) +
+    const int64_t step = (trace->antialiased ? 8 : 2) * trace->m[0] * trace->h_px;
+    const int64_t first = trace->m[0] * trace->h_px * (2 * column_of(trace, line->x, y_px) + 1 - trace->w_px) +
                           trace->m[1] * trace->w_px * (2 * (int64_t)y_px + 1 - trace->h_px) +
                           trace->m[2] * trace->w_px * trace->h_px;
     const int64_t x0 = line->x;
@@ -214,6 +226,71 @@ static void trim(struct lim_point *last, int16_t *top, int16_t *bottom)
         last[i] = last[i + below];
 }
 
+#if LIM_HAS_ANTIALIAS
+/* fill_lines() for rows of samples. */
+static void fill_rows(struct lim_point *last, const struct lim_screen_polygon *whole, const struct lim_rect *open,
+                      int16_t top, int16_t bottom)
+{
+    const int16_t x0 = (int16_t)(open->x0 * LIM_SAMPLES_A_ROW), x1 = (int16_t)(open->x1 * LIM_SAMPLES_A_ROW);
+    struct lim_edge_pair pair;
+    struct lim_strip strip;
+
+    lim_edge_begin(&pair, whole->n, whole->shape.first);
+    for (int16_t y = top; y < bottom; y++) {
+        lim_strip_next(&strip, &pair, whole->at, whole->n, whole->shape.first, y, whole->shape.end_row);
+        for (uint_fast8_t s = 0; s < LIM_SAMPLE_ROWS; s++) {
+            struct lim_point *row = &last[(bottom - y) * LIM_SAMPLE_ROWS - 1 - (int16_t)s];
+            row->x = strip.left[s] > x0 ? strip.left[s] : x0;
+            row->y = strip.right[s] < x1 ? strip.right[s] : x1;
+        }
+    }
+}
+
+/* pass() for them; a line that is drawn alone takes them at once. */
+static enum lim_span_result pass_rows(struct lim *lim, const struct lim_screen_polygon *whole,
+                                      const struct lim_point *last, int16_t top, int16_t bottom)
+{
+    const int16_t end_row = (int16_t)(bottom * LIM_SAMPLE_ROWS);
+    uint8_t result = LIM_SPAN_NOTHING;
+    struct lim_strip strip;
+
+    for (int16_t y = top; y < bottom; y++) {
+        lim_strip_of_rows(&strip, last, end_row, y);
+        if (lim->paint.smooth.line)
+            lim_smooth_add(lim, &strip, whole);
+        else if (!LIM_HAS_TRANSPARENT || lim_alpha_of(whole) == LIM_OPAQUE)
+            result |= (uint8_t)lim_mask_close(&lim->spans, &lim->spans.lines[y], &strip, NULL, NULL);
+        else if (lim_mask_see(&lim->spans, &lim->spans.lines[y], &strip, NULL, NULL))
+            return LIM_SPAN_SOME;
+    }
+    return result & LIM_SPAN_EXHAUSTED ? LIM_SPAN_EXHAUSTED : (enum lim_span_result)result;
+}
+#endif
+
+/* Rows of a line that are retained one by one, for pixels or for samples. */
+static inline int16_t rows_of(const struct lim *lim)
+{
+    return lim_is_antialiased(&lim->view) ? LIM_SAMPLE_ROWS : 1;
+}
+
+/* Which pixels or samples of lines top <= y < bottom the piece has, and whether any is open. */
+static inline enum lim_span_result see_piece(struct lim *lim, uint16_t entry, const struct lim_screen_polygon *whole,
+                                             struct lim_point *last, int16_t *top, int16_t *bottom)
+{
+#if LIM_HAS_ANTIALIAS
+    if (lim_is_antialiased(&lim->view)) {
+        fill_rows(last, whole, &lim->spans.open, *top, *bottom);
+        cut_lines(lim, entry, last, (int16_t)(*top * LIM_SAMPLE_ROWS), (int16_t)(*bottom * LIM_SAMPLE_ROWS));
+        return pass_rows(lim, whole, last, *top, *bottom);
+    }
+#endif
+    fill_lines(last, whole, &lim->spans.open, *top, *bottom);
+    cut_lines(lim, entry, last, *top, *bottom);
+    trim(last, top, bottom);
+    const uint8_t alpha = lim_wireframe_of(lim) ? (uint8_t)LIM_OPAQUE : lim_alpha_of(whole);
+    return pass(lim, alpha, last, *top, *bottom);
+}
+
 static bool take_plain(struct lim *lim, uint16_t entry, const struct lim_screen_polygon *whole)
 {
     const struct lim_rect *open = &lim->spans.open;
@@ -223,20 +300,17 @@ static bool take_plain(struct lim *lim, uint16_t entry, const struct lim_screen_
     struct lim_point *last = &retained->cells[retained->used].at + LIM_RETAINED_HEAD_CELLS;
 
     if (top >= bottom) return true;
-    if (LIM_RETAINED_HEAD_CELLS + bottom - top > retained->size - retained->used) return false;
+    if (LIM_RETAINED_HEAD_CELLS + (bottom - top) * rows_of(lim) > retained->size - retained->used) return false;
     if (LIM_HAS_STATS) lim_stats_of(lim)->lines += (uint32_t)(bottom - top);
-    fill_lines(last, whole, open, top, bottom);
-    cut_lines(lim, entry, last, top, bottom);
-    trim(last, &top, &bottom);
-    const uint8_t alpha = lim_wireframe_of(lim) ? (uint8_t)LIM_OPAQUE : lim_alpha_of(whole);
-    const enum lim_span_result result = pass(lim, alpha, last, top, bottom);
+    const enum lim_span_result result = see_piece(lim, entry, whole, last, &top, &bottom);
     if (result != LIM_SPAN_SOME) return result == LIM_SPAN_NOTHING;
     if (LIM_HAS_STATS) lim_stats_of(lim)->polygons_seen++;
-    struct lim_retained_polygon seen = lim_retained_of(whole, top, bottom, lim_wireframe_of(lim));
+    struct lim_retained_polygon seen =
+        lim_retained_of(whole, top, (int16_t)(bottom * rows_of(lim)), lim_wireframe_of(lim));
     seen.at = last;
     seen.n = seen.first = 0;
     if (!lim_retain(retained, lim->spans.lines, &seen)) return false;
-    retained->used = (uint16_t)(retained->used + (bottom - top));
+    retained->used = (uint16_t)(retained->used + (bottom - top) * rows_of(lim));
     return true;
 }
 
