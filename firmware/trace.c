@@ -119,7 +119,7 @@ static inline int64_t column_of(const struct trace *trace, int32_t x, int16_t ro
 /* Leaves of the pixels x <= .. < y of line `y_px`, or of the samples of a row, those on one side. */
 static void narrow(struct lim_point *line, const struct trace *trace, int16_t y_px, bool front)
 {
-    const int64_t step = (trace->antialiased ? 8 : 2) * trace->m[0] * trace->h_px;
+    const int64_t step = (int64_t)(trace->antialiased ? 8 : 2) * trace->h_px * trace->m[0];
     const int64_t first = trace->m[0] * trace->h_px * (2 * column_of(trace, line->x, y_px) + 1 - trace->w_px) +
                           trace->m[1] * trace->w_px * (2 * (int64_t)y_px + 1 - trace->h_px) +
                           trace->m[2] * trace->w_px * trace->h_px;
