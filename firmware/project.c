@@ -82,18 +82,13 @@ static void note_texture(struct lim_screen_polygon *out, const struct lim_scene 
 #endif
 }
 
-static inline void measure(struct lim_screen_polygon *out, bool antialiased)
+static inline void set_antialiased(struct lim_screen_polygon *out, bool antialiased)
 {
 #if LIM_HAS_ANTIALIAS
     out->antialiased = antialiased;
-    if (antialiased) {
-        lim_samples_measure(&out->shape, out->at, out->n);
-        return;
-    }
 #else
-    (void)antialiased;
+    (void)out, (void)antialiased;
 #endif
-    lim_edge_measure(&out->shape, out->at, out->n);
 }
 
 static inline bool is_antialiased(const struct lim_screen_polygon *polygon)
@@ -147,7 +142,8 @@ bool lim_project(struct lim_screen_polygon *out, struct lim_view *view, const st
         out->n = clip_and_project(out->at, view, scene, corners, out->n, out);
         if (!out->n) return false;
     }
-    measure(out, lim_is_antialiased(view));
+    set_antialiased(out, lim_is_antialiased(view));
+    lim_shape_measure(&out->shape, out->at, out->n, lim_is_antialiased(view));
     if (LIM_HAS_STATS && stats) stats->folded += out->shape.folded;
     out->colour = lim_memory_colour(record[1]);
     if (LIM_HAS_TRANSPARENT) set_alpha(out, alpha_of(record));
@@ -184,5 +180,6 @@ void lim_project_fan(const struct lim_screen_polygon *folded, uint8_t k, struct 
         corner += i ? 1u : k;
         if (corner >= folded->n) corner -= folded->n;
     }
-    measure(triangle, is_antialiased(folded));
+    set_antialiased(triangle, is_antialiased(folded));
+    lim_shape_measure(&triangle->shape, triangle->at, 3, is_antialiased(folded));
 }

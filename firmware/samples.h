@@ -11,7 +11,7 @@
 
 #include "edge.h"
 
-enum { LIM_SAMPLE_ROWS = 4, LIM_SAMPLES_A_ROW = 4, LIM_ALL_SAMPLES = 0xFFFF };
+enum { LIM_SAMPLE_ROWS = 4, LIM_SAMPLES_A_ROW = 4, LIM_SAMPLE_COLUMNS = 16, LIM_ALL_SAMPLES = 0xFFFF };
 
 /* A polygon's samples on a line of pixels: left <= v < right of each row; sample v is pixel v / 4's. */
 struct lim_strip {
@@ -62,5 +62,19 @@ static inline uint8_t lim_sample_count(uint16_t mask)
 }
 
 #endif
+
+/* By samples or by the centres of pixels. */
+static inline void lim_shape_measure(struct lim_edge_shape *shape, const struct lim_point *at, uint8_t n,
+                                     bool by_samples)
+{
+#if LIM_HAS_ANTIALIAS
+    if (by_samples) {
+        lim_samples_measure(shape, at, n);
+        return;
+    }
+#endif
+    (void)by_samples;
+    lim_edge_measure(shape, at, n);
+}
 
 #endif

@@ -13,8 +13,10 @@
 /* m above, and >= 0 where the plane's front is; all 0, which is all front, if the line is a point. */
 struct trace {
     int32_t m[3];
-    int64_t w_px, h_px; /* antialiased: w and h of the lattice that holds the samples, 16 times and 4 times as many */
-    bool antialiased;
+    int64_t w_px, h_px;
+#if LIM_HAS_ANTIALIAS
+    bool by_samples; /* w_px, h_px are those of the lattice that holds the samples, 16 times and 4 times as many */
+#endif
 };
 
 /* Halves, so that differences of two products fit 64 bits. */
@@ -96,9 +98,14 @@ static void set_trace(struct trace *trace, const struct lim *lim, uint16_t entry
         for (uint_fast8_t i = 0; i < 3; i++)
             trace->m[i] = -trace->m[i];
     }
-    trace->antialiased = lim_is_antialiased(&lim->view);
-    trace->w_px = trace->antialiased ? lim->target.w_px * (int32_t)16 : lim->target.w_px;
-    trace->h_px = trace->antialiased ? lim->target.h_px * (int32_t)4 : lim->target.h_px;
+    trace->w_px = lim->target.w_px;
+    trace->h_px = lim->target.h_px;
+#if LIM_HAS_ANTIALIAS
+    trace->by_samples = lim_is_antialiased(&lim->view);
+    if (!trace->by_samples) return;
+    trace->w_px *= LIM_SAMPLE_COLUMNS;
+    trace->h_px *= LIM_SAMPLE_ROWS;
+#endif
 }
 
 static bool is_in_front(int64_t value)
@@ -110,16 +117,25 @@ static bool is_in_front(int64_t value)
 static inline int64_t column_of(const struct trace *trace, int32_t x, int16_t row)
 {
 #if LIM_HAS_ANTIALIAS
-    if (trace->antialiased) return 4 * x + lim_sample_shift(row);
+    if (trace->by_samples) return LIM_SAMPLES_A_ROW * x + lim_sample_shift(row);
 #endif
     (void)trace, (void)row;
     return x;
 }
 
+/* From one to the next. */
+static inline int64_t step_of(const struct trace *trace)
+{
+#if LIM_HAS_ANTIALIAS
+    if (trace->by_samples) return 2 * trace->h_px * trace->m[0] * LIM_SAMPLES_A_ROW;
+#endif
+    return 2 * trace->m[0] * trace->h_px;
+}
+
 /* Leaves of the pixels x <= .. < y of line `y_px`, or of the samples of a row, those on one side. */
 static void narrow(struct lim_point *line, const struct trace *trace, int16_t y_px, bool front)
 {
-    const int64_t step = (int64_t)(trace->antialiased ? 8 : 2) * trace->h_px * trace->m[0];
+    const int64_t step = step_of(trace);
     const int64_t first = trace->m[0] * trace->h_px * (2 * column_of(trace, line->x, y_px) + 1 - trace->w_px) +
                           trace->m[1] * trace->w_px * (2 * (int64_t)y_px + 1 - trace->h_px) +
                           trace->m[2] * trace->w_px * trace->h_px;
