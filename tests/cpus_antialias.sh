@@ -1,0 +1,12 @@
+# SPDX-License-Identifier: MIT
+#
+# Antialiased edges are the same on every processor: nearest first from a tree, where memory is scarce in bands and single
+# lines, and sorted, with pieces of polygons that are split.
+. tests/tap.sh
+. tests/frames_on.sh
+
+frames_options=--antialias
+frames_on sim/scenes/rooms 80x60 host m0plus m3 rv32 avr powerpc m0plus:-Os avr:-Os
+frames_options='--antialias --method newell'
+frames_on sim/scenes/knot 80x60 host m0plus powerpc m0plus:-Os
+tap_done
