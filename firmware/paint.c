@@ -241,7 +241,7 @@ static inline bool paint_samples(struct lim_paint *paint, struct lim_spans *span
         (void)lim_mask_close(spans, open, &strip, lim_smooth_mix, &smooth);
         if (LIM_HAS_STATS) sink->painted_px = (uint16_t)(sink->painted_px + smooth.painted_px);
     }
-    return (y + 1) * LIM_SAMPLE_ROWS < end_row;
+    return ((int16_t)y + 1) * LIM_SAMPLE_ROWS < end_row;
 #else
     (void)paint, (void)spans, (void)open, (void)active, (void)cells, (void)y, (void)sink;
     return false;

@@ -55,7 +55,7 @@ static void mix_run(struct lim_smooth_sink *sink, const struct lim_run *run, uin
         else
             sink->sums[x] = sum;
     }
-    if (LIM_HAS_STATS && closes) sink->painted_px = (uint16_t)(sink->painted_px + run->x1 - run->x0);
+    if (LIM_HAS_STATS && closes) sink->painted_px = (uint16_t)(sink->painted_px + (uint16_t)(run->x1 - run->x0));
 }
 
 void lim_smooth_mix(void *ctx, const struct lim_run *run, uint16_t covered)
@@ -67,7 +67,7 @@ void lim_smooth_mix(void *ctx, const struct lim_run *run, uint16_t covered)
         return;
     }
     if (!paint_textured(sink, run)) lim_fill(sink->line, (uint16_t)run->x0, (uint16_t)(run->x1 - run->x0), sink->colour);
-    if (LIM_HAS_STATS) sink->painted_px = (uint16_t)(sink->painted_px + run->x1 - run->x0);
+    if (LIM_HAS_STATS) sink->painted_px = (uint16_t)(sink->painted_px + (uint16_t)(run->x1 - run->x0));
 }
 
 enum lim_span_result lim_smooth_close(struct lim_spans *spans, const struct lim_screen_polygon *polygon, int16_t top,
