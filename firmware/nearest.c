@@ -276,10 +276,16 @@ static bool wants_painter(const struct lim *lim, const struct lim_rect *band, in
     return exhausted == LIM_PAINT_LAYERS || band->y1 - band->y0 == 1;
 }
 
+/* In all views of the frame. */
 static inline void set_antialiased(struct lim *lim, bool antialiased)
 {
 #if LIM_HAS_ANTIALIAS
     lim->view.antialiased = antialiased;
+#if LIM_HAS_MOVERS
+    lim->movers.world.antialiased = antialiased;
+    for (uint16_t i = 0; i < lim->movers.count; i++)
+        lim->movers.movers[i].view.antialiased = antialiased;
+#endif
 #else
     (void)lim, (void)antialiased;
 #endif
