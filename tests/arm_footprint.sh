@@ -10,12 +10,15 @@
 # The scenes ------------------------------------------------------------------------------------------------------
 
 # A camera that stands so near that polygons are clipped, and one that sees all of it.
+prepare_options= # of compile
+
 prepare() { # NAME MODEL CAMERA...
     mkdir "$work/$1"
     prepare_name=$1 prepare_model=$2
     shift 2
     printf '%s\n' "$@" >"$work/cameras"
-    "$BUILD/limner" compile "$prepare_model" -o "$work/$prepare_name/model" >"$work/$prepare_name/report" &&
+    # shellcheck disable=SC2086 # options are words
+    "$BUILD/limner" compile "$prepare_model" $prepare_options -o "$work/$prepare_name/model" >"$work/$prepare_name/report" &&
         "$BUILD/limner" render "$work/$prepare_name/model.lim" --camera "$work/cameras" --size 240x240 \
             --write-cameras "$work/$prepare_name/cameras.h"
 }
@@ -128,6 +131,9 @@ too_large_is_the_linkers_affair() {
 }
 
 tap_check "the rooms compile to C" prepare rooms sim/scenes/rooms.obj '2 1.6 2 6 1.4 7' '3 1.6 3 3.1 0.2 3.1'
+prepare_options=--antialias
+tap_check "the rooms compile to C for smooth edges" prepare smooth sim/scenes/rooms.obj '2 1.6 2 6 1.4 7' '3 1.6 3 3.1 0.2 3.1'
+prepare_options=
 tap_check "the teapot compiles to C" prepare teapot sim/scenes/teapot.obj '0 1 3 0 0.4 0' '0.2 0.3 0.1 1 0.3 0.2'
 tap_check "the icosahedron compiles to C" prepare icosahedron sim/scenes/icosahedron.obj '0 1 3 0 0 0' '0.8 0.6 0.4 0.3 0.3 0'
 tap_check "the glass compiles to C" prepare glass sim/scenes/glass.obj '1 1.5 4 0 0.9 0' '0.1 0.9 0.3 1 0.6 0.5'
@@ -141,6 +147,9 @@ for core in m0plus m4; do
     tap_check "$core: and neither painter nor convex code, nor portals" links_no $core rooms 'painter|convex|portal'
     tap_check "$core: nor anything for transparent polygons" links_no $core rooms 'blend|layer|alpha'
     tap_check "$core: nor for wireframe" links_no $core rooms 'wire|hidden|edge_column'
+    tap_check "$core: nor for antialiased edges" links_no $core rooms 'smooth|sample|strip|mask|antialias'
+    tap_check "$core: the renderer of the smooth rooms builds" built $core smooth
+    tap_check "$core: it has all of that" links $core smooth '^lim_(mask_close|smooth_mix|strip_next)$'
     tap_check "$core: the renderer of the glass builds" built $core glass
     tap_check "$core: it blends, and paints backwards what its stack cannot hold" links $core glass '^lim_(blend|painter_line)$'
     tap_check "$core: nor anything of textures" links_no $core rooms 'texture|texel|palette|mapping'
@@ -156,7 +165,7 @@ for core in m0plus m4; do
         'walk|cull|span|retain|nearest|painter|lim_paint|wire'
 done
 tap_check "nor has it state for them" has_no_member icosahedron walk stack cull spans retained paint stats
-tap_check "the rooms have no state for a convex solid" has_no_member rooms convex stats paint.layers wireframe
+tap_check "the rooms have no state for a convex solid" has_no_member rooms convex stats paint.layers wireframe paint.smooth view.antialiased
 tap_check "nor for movers" has_no_member rooms movers sorter
 tap_check "nor for textures" has_no_member rooms texturing paint.texturing
 tap_check "counters cost what they count in, and without them nothing is counted" counters_cost_their_own_size
