@@ -40,7 +40,8 @@ void lim_set_wireframe(struct lim *lim, const struct lim_wireframe *wireframe);
 
 /* Draws frames with antialiased edges from now on; lim_init() turns it off. There if LIM_HAS_ANTIALIAS. `mem`, 4-byte
  * aligned, LIM_ANTIALIAS_MEM_B(w_px) bytes or more, must outlive it; NULL turns it off. LIM_ERR_MEMORY: too little;
- * LIM_ERR_TARGET: LIM_CONVEX and LIM_PAINTER, which do not paint nearest first, have it not. Wireframes are drawn without. */
+ * LIM_ERR_TARGET: LIM_CONVEX and LIM_PAINTER, which do not paint nearest first, have it not. Wireframes are drawn
+ * without. */
 LIM_MUST_CHECK int lim_set_antialias(struct lim *lim, void *mem, size_t mem_b);
 
 /* Renders one frame through the target. 0, an enum lim_error, or what the target returned. */

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
- * A gap is first cut to what a run has of it; then that has lost samples, and is unlinked if these were its last. What a
- * run has at the end of a gap, and closes, is taken off without a cut: so the insides of polygons cost what they cost
+ * A gap is first cut to what a run has of it; then that has lost samples, and is unlinked if these were its last. What
+ * a run has at the end of a gap, and closes, is taken off without a cut: so the insides of polygons cost what they cost
  * in span.c. */
 #include "mask.h"
 

@@ -58,7 +58,8 @@ static sample_area meeting(struct lim_point a, int32_t dx, int32_t dy, int32_t t
     const int32_t part_x = ax & ((1 << COLUMN_BITS) - 1), part_y = ay & ((1 << ROW_BITS) - 1);
     const int32_t whole_x = ax >> COLUMN_BITS, whole_y = ay >> ROW_BITS;
     const sample_area part = (sample_area)part_x * dy - (sample_area)part_y * dx;
-    const sample_wrap whole = (sample_wrap)whole_x * (sample_wrap)dy + (sample_wrap)(t - whole_y) * (sample_wrap)(4 * dx);
+    const sample_wrap whole =
+        (sample_wrap)whole_x * (sample_wrap)dy + (sample_wrap)(t - whole_y) * (sample_wrap)(4 * dx);
 
     return (sample_area)(whole + (sample_wrap)((part + ((1 << COLUMN_BITS) - 1)) >> COLUMN_BITS));
 }
@@ -152,8 +153,8 @@ static inline int16_t sample_at(int32_t column, uint_fast8_t row)
     return (int16_t)((column + (LIM_SAMPLES_A_ROW - 1 - lim_sample_shift((int_fast16_t)row))) >> 2);
 }
 
-static LIM_ALONE void any_rows(struct lim_strip *strip, struct lim_edge_pair *pair, const struct lim_point *at, uint8_t n,
-                     uint8_t first, int16_t y, int16_t end_row)
+static LIM_ALONE void any_rows(struct lim_strip *strip, struct lim_edge_pair *pair, const struct lim_point *at,
+                               uint8_t n, uint8_t first, int16_t y, int16_t end_row)
 {
     const int16_t top_row = pair->left.end == INT16_MIN ? screen_row(at[first]) : INT16_MIN;
 

@@ -16,7 +16,7 @@ enum { LIM_SAMPLE_ROWS = 4, LIM_SAMPLES_A_ROW = 4, LIM_SAMPLE_COLUMNS = 16, LIM_
 /* A polygon's samples on a line of pixels: left <= v < right of each row; sample v is pixel v / 4's. */
 struct lim_strip {
     int16_t left[LIM_SAMPLE_ROWS], right[LIM_SAMPLE_ROWS]; /* left >= right: none */
-    int16_t x0, x1;         /* no other pixel holds any; x0 >= x1: none does */
+    int16_t x0, x1;                                        /* no other pixel holds any; x0 >= x1: none does */
     int16_t inner0, inner1; /* of these, some of which it has all samples; inner0 >= inner1: none */
 };
 

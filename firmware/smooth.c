@@ -23,8 +23,8 @@ static inline uint16_t colour_of(uint32_t sum)
 {
     const uint32_t sixteenfold = sum + HALVES;
 
-    return lim_memory_colour((uint16_t)((sixteenfold >> 13 & 0xF800) | (sixteenfold >> 9 & 0x07E0) |
-                                        (sixteenfold >> 4 & 0x1F)));
+    return lim_memory_colour(
+        (uint16_t)((sixteenfold >> 13 & 0xF800) | (sixteenfold >> 9 & 0x07E0) | (sixteenfold >> 4 & 0x1F)));
 }
 
 /* false: it is of one colour. */
@@ -66,7 +66,8 @@ void lim_smooth_mix(void *ctx, const struct lim_run *run, uint16_t covered)
         mix_run(sink, run, covered);
         return;
     }
-    if (!paint_textured(sink, run)) lim_fill(sink->line, (uint16_t)run->x0, (uint16_t)(run->x1 - run->x0), sink->colour);
+    if (!paint_textured(sink, run))
+        lim_fill(sink->line, (uint16_t)run->x0, (uint16_t)(run->x1 - run->x0), sink->colour);
     if (LIM_HAS_STATS) sink->painted_px = (uint16_t)(sink->painted_px + (uint16_t)(run->x1 - run->x0));
 }
 
@@ -107,8 +108,7 @@ static void push(void *ctx, const struct lim_run *run, uint16_t covered)
     (void)covered;
     layers->exhausted = layers->exhausted || layers->used == layers->size;
     if (layers->exhausted) return;
-    layers->pool[layers->used++] =
-        (struct lim_layer){(uint16_t)run->x0, (uint16_t)run->x1, pusher->colour, alpha};
+    layers->pool[layers->used++] = (struct lim_layer){(uint16_t)run->x0, (uint16_t)run->x1, pusher->colour, alpha};
 #else
     (void)ctx, (void)run, (void)covered;
 #endif

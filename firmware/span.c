@@ -16,7 +16,8 @@ void lim_spans_reset_pool(struct lim_spans *spans)
 void lim_spans_open(struct lim_spans *spans, const struct lim_rect *open)
 {
     for (uint16_t y = open->y0; y < open->y1; y++) {
-        spans->lines[y] = (struct lim_line){.gap = {.x0 = open->x0, .x1 = open->x1, .next = LIM_NONE}, .retained = LIM_NONE};
+        spans->lines[y] =
+            (struct lim_line){.gap = {.x0 = open->x0, .x1 = open->x1, .next = LIM_NONE}, .retained = LIM_NONE};
     }
     spans->open = *open;
     spans->open_lines = (uint16_t)(open->y1 - open->y0);

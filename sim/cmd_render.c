@@ -140,9 +140,8 @@ static bool identify_frame(struct render *render, size_t frame, const struct lim
     reference_draw(&render->reference, &render->path.frames[frame], &render->lens);
     render->rows[frame].compare =
         compare_picture(render->ids.faces, &render->reference, NULL, 1.0 / render->scene.grid.units_per_m);
-    return !measures_edges(render) ||
-           edge_error_frame(&render->edges, &render->reference, &render->path.frames[frame], &render->lens, camera,
-                            &render->rows[frame].edges, err);
+    return !measures_edges(render) || edge_error_frame(&render->edges, &render->reference, &render->path.frames[frame],
+                                                       &render->lens, camera, &render->rows[frame].edges, err);
 }
 
 static bool render_frame(struct render *render, size_t frame, struct error *err)
@@ -233,8 +232,7 @@ static bool print_tables(const struct render *render, struct error *err)
     if (render->options.stats && render->moving.count)
         frame_table_print_movers(render->rows, render->path.count, stdout);
     if (render->options.compare) frame_table_print_compare(render->rows, render->path.count, stdout);
-    if (measures_edges(render))
-        frame_table_print_edges(render->rows, render->path.count, stdout);
+    if (measures_edges(render)) frame_table_print_edges(render->rows, render->path.count, stdout);
     return (fflush(stdout) == 0 && !ferror(stdout)) || error_set(err, "standard output: %s", strerror(errno));
 }
 

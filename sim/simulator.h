@@ -36,7 +36,7 @@ struct simulator {
     void *mover_mem;                      /* lim's for movers; NULL: there are none */
     const struct lim_instance *instances; /* of the frames to come, the caller's */
     uint16_t instance_count;
-    void *smooth_mem; /* for antialiasing, or NULL */
+    void *smooth_mem;          /* for antialiasing, or NULL */
     uint16_t *pixels;          /* the last frame: RGB565 as numbers, row by row from the top left */
     size_t bus_b;              /* bytes sent to the panel for it */
     struct panel_board *board; /* NULL: plain memory */

@@ -155,7 +155,8 @@ static void scarce_memory_takes_edges_from_glass_by_whole_lines(void **state)
         stage_open(&stage, &random, true, true);
         const struct lim_target target = {.w_px = W_PX, .h_px = H_PX, .method = LIM_NEAREST_FIRST};
         const struct lim_camera camera = camera_in(&stage, &random);
-        const size_t least_b = lim_mem_min_b(&stage.scene.scene, &target), most_b = lim_mem_b(&stage.scene.scene, &target);
+        const size_t least_b = lim_mem_min_b(&stage.scene.scene, &target),
+                     most_b = lim_mem_b(&stage.scene.scene, &target);
         draw(&stage.scene, LIM_NEAREST_FIRST, 4 * most_b, true, &camera, &smooth, &stats);
         draw(&stage.scene, LIM_NEAREST_FIRST, 0, false, &camera, &aliased, &stats);
         draw(&stage.scene, LIM_NEAREST_FIRST, least_b + (most_b - least_b) / 4, true, &camera, &part, &stats);

@@ -65,7 +65,8 @@ static bool add_polygon(struct cover *cover, const struct lim_point *at, uint8_t
 /* In pixels from the middle of the first one's. */
 static struct lim_point point(double x, double y)
 {
-    return (struct lim_point){(lim_sub)lround((x - LIM_ORIGIN_PX) * LIM_SUB), (lim_sub)lround((y - LIM_ORIGIN_PX) * LIM_SUB)};
+    return (struct lim_point){(lim_sub)lround((x - LIM_ORIGIN_PX) * LIM_SUB),
+                              (lim_sub)lround((y - LIM_ORIGIN_PX) * LIM_SUB)};
 }
 
 /* Corners counter-clockwise as seen, y down. */
@@ -195,7 +196,8 @@ static void folded_polygons_leave_nothing_open(void **state)
         upper[0] = point(-10, -10);
         lower[0] = point(-10, H + 10);
         for (int k = 1; k <= 11; k++) {
-            const struct lim_point p = point(-10 + (W + 20) * (k - 1) / 10.0, 20 + (random_unit(&random) - 0.5) / 64 + m / 400.0);
+            const struct lim_point p =
+                point(-10 + (W + 20) * (k - 1) / 10.0, 20 + (random_unit(&random) - 0.5) / 64 + m / 400.0);
             upper[k] = p;
             lower[12 - k + 1] = p;
         }
@@ -314,7 +316,8 @@ static void gaps_agree_with_a_picture_of_their_samples(void **state)
         }
         closed += is_all_closed(&f);
     }
-    print_message("# samples: of %u lines %u were closed, %u calls found the pool exhausted\n", (unsigned)LINES, closed, exhausted);
+    print_message("# samples: of %u lines %u were closed, %u calls found the pool exhausted\n", (unsigned)LINES, closed,
+                  exhausted);
     assert_true(exhausted > 0 && closed > 0 && closed < LINES);
 }
 
@@ -340,7 +343,7 @@ static void three_polygons_in_a_pixel_are_mixed_by_what_they_cover(void **state)
         const uint16_t cut = (uint16_t)random_u64(&random), cut2 = (uint16_t)random_u64(&random);
         mask[0] = cut | 1;
         mask[1] = (uint16_t)((cut2 & ~mask[0]));
-        mask[2] = (uint16_t)~(mask[0] | mask[1]);
+        mask[2] = (uint16_t) ~(mask[0] | mask[1]);
         for (int k = 0; k < 3; k++)
             colour[k] = i ? (uint16_t)random_u64(&random) : 0xFFFF;
         uint16_t covered = 0;
