@@ -69,7 +69,7 @@ csv_parses() {
 
 writes_what_it_says() {
     diff "$work/table" "$work/knot/compare.md" &&
-        [ "$(ls "$work/knot")" = "$(printf '%s\n' compare.csv compare.md depth.png octree-centre.png sheet.png)" ]
+        [ "$(ls "$work/knot")" = "$(printf '%s\n' clusters-sampled.png compare.csv compare.md depth.png octree-centre.png sheet.png)" ]
 }
 
 # No order errors, no holes, no pair left open; wrong pixels within the profile's bound.
@@ -148,6 +148,9 @@ for scene in knot rooms teapot; do
     for method in depth octree-centre; do
         tap_check "$scene: $method is found out" is_found_out $scene $method
     done
+done
+for scene in knot rooms; do
+    tap_check "$scene: clusters-sampled is found out" is_found_out $scene clusters-sampled
 done
 tap_check "a convex solid's own method is as right as the tree" draws_a_convex_solid
 tap_check "without compilers and emulators there are dashes, and the reason" does_without_tools
