@@ -142,7 +142,7 @@ static uint16_t colour_of(const struct lim *lim, const struct face *face)
     const struct lim_scene *object = lim->movers.instances[face->mover].object;
     struct lim_plane_wide plane;
 
-    if (lim_bends(&lim->movers.instances[face->mover]))
+    if (LIM_HAS_BENDING && lim_bends(&lim->movers.instances[face->mover]))
         (void)lim_bend_plane(&plane, object, face->record);
     else
         lim_plane_unpack(&plane, object, face->plane);

@@ -56,7 +56,7 @@ void lim_plane_load(struct lim_plane_wide *plane, const struct lim *lim, uint16_
 #if LIM_HAS_MOVERS
     const uint16_t owner = lim_entry_owner(lim, entry);
 
-    if (owner != LIM_NONE && lim_bends(&lim->movers.instances[owner]))
+    if (LIM_HAS_BENDING && owner != LIM_NONE && lim_bends(&lim->movers.instances[owner]))
         (void)lim_bend_plane(plane, lim_entry_scene(lim, entry), lim_entry_record(lim, entry));
     else
         unpack(plane, lim_entry_scene(lim, entry), lim_plane_of(lim, entry));

@@ -150,7 +150,7 @@ bool lim_mover_burst(struct lim *lim, uint16_t entry, uint16_t *list)
     uint16_t head;
     struct queue queue = queue_begin(lim, &head);
 
-    if (!(bends ? add_bent(lim, &queue, mover) : add_by_tree(lim, &queue, mover))) {
+    if (!(LIM_HAS_BENDING && bends ? add_bent(lim, &queue, mover) : add_by_tree(lim, &queue, mover))) {
         lim->sorter.used = used;
         return false;
     }
