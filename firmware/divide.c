@@ -113,6 +113,7 @@ static bool add_run(struct lim *lim, struct queue *queue, const struct lim_route
     }
 }
 
+#if LIM_HAS_BENDING
 /* Every record, wherever in the tree it is: it knows its own plane. */
 static bool add_bent(struct lim *lim, struct queue *queue, uint16_t mover)
 {
@@ -130,6 +131,16 @@ static bool add_bent(struct lim *lim, struct queue *queue, uint16_t mover)
     }
     return true;
 }
+
+#else
+static bool add_bent(struct lim *lim, struct queue *queue, uint16_t mover)
+{
+    (void)lim;
+    (void)queue;
+    (void)mover;
+    return false;
+}
+#endif
 
 static bool add_by_tree(struct lim *lim, struct queue *queue, uint16_t mover)
 {
