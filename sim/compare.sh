@@ -13,9 +13,9 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 trap 'exit 1' INT TERM
 
-# One convex solid, rooms, a dense mesh, polygons that pass through each other and hide each other in a ring; a
-# scene with moving objects is a further name here.
-scenes='icosahedron rooms teapot knot'
+# One convex solid, rooms, a dense mesh, polygons that pass through each other and hide each other in a ring, objects
+# that move through rooms and through each other.
+scenes='icosahedron rooms teapot knot movers'
 picture=knot
 
 model() { # SCENE: the file of that name
