@@ -143,7 +143,7 @@ static bool sample_spans(struct compiled *roomy, struct moving *moving, const st
     limits->gaps = greater(limits->gaps, with_margin(most(usage.gaps, usage.cameras), 1));
     limits->active = greater(limits->active, with_margin(most(usage.active, usage.cameras), 1));
     limits->pieces = greater(limits->pieces, pieces_for(&usage));
-    if (!wireframe && usage.cameras && is_priced(roomy))
+    if (style == STYLE_PLAIN && usage.cameras && is_priced(roomy))
         roomy->report.instructions = usage.instructions / (double)usage.cameras;
     if (roomy->scene.limits.layers)
         limits->layers = greater(limits->layers, with_margin(most(usage.layers, usage.cameras), 1));
