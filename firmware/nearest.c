@@ -62,6 +62,16 @@ static inline bool take_samples(struct lim *lim, const struct lim_screen_polygon
 #endif
 }
 
+static bool sees_open(const struct lim *lim, const struct lim_screen_polygon *polygon, int16_t top, int16_t bottom)
+{
+#if LIM_HAS_TRANSPARENT
+    return lim_layers_see(&lim->spans, polygon, top, bottom);
+#else
+    (void)lim, (void)polygon, (void)top, (void)bottom;
+    return false;
+#endif
+}
+
 /* false: a pool is exhausted. */
 static bool take_plain(struct lim *lim, const struct lim_screen_polygon *polygon)
 {
@@ -75,8 +85,8 @@ static bool take_plain(struct lim *lim, const struct lim_screen_polygon *polygon
     const bool wireframe = lim_wireframe_of(lim);
     const uint8_t alpha = wireframe ? (uint8_t)LIM_OPAQUE : lim_alpha_of(polygon);
     const enum lim_span_result result = alpha == LIM_OPAQUE ? close_lines(&lim->spans, polygon, top, bottom)
-                                        : lim_layers_see(&lim->spans, polygon, top, bottom) ? LIM_SPAN_SOME
-                                                                                            : LIM_SPAN_NOTHING;
+                                        : sees_open(lim, polygon, top, bottom) ? LIM_SPAN_SOME
+                                                                               : LIM_SPAN_NOTHING;
     if (result == LIM_SPAN_NOTHING) return true;
     if (result == LIM_SPAN_EXHAUSTED) return false;
     if (LIM_HAS_STATS) lim_stats_of(lim)->polygons_seen++;
@@ -320,12 +330,14 @@ static inline int draw_line_alone(struct lim *lim, const struct lim_rect *band)
 /* The band's first line; what is left of the band comes next. */
 static int paint_first_line(struct lim *lim, struct lim_rect *band)
 {
+    int err = LIM_ERR_TARGET;
+#if LIM_HAS_FALLBACK
     const bool antialiased = lim_is_antialiased(&lim->view);
 
     set_antialiased(lim, false);
-    const int err = lim_painter_line(lim, band->y0);
-
+    err = lim_painter_line(lim, band->y0);
     set_antialiased(lim, antialiased);
+#endif
     if (band->y1 - band->y0 > 1)
         band->y0++;
     else

@@ -202,11 +202,15 @@ static inline void keep_lent(struct lim_paint *paint, uint16_t *line)
 static void push_layers(struct lim_paint *paint, const struct lim_spans *spans, const struct lim_line *open,
                         const struct lim_active *active, const union lim_retained_cell *cells)
 {
+#if LIM_HAS_TRANSPARENT
     const int16_t left = active->pair.left.x, right = active->pair.right.x;
     const struct lim_layer piece = {left > 0 ? (uint16_t)left : 0, right > 0 ? (uint16_t)right : 0,
                                     cells[1].look.colour, lim_retained_alpha(cells)};
 
-    if (!layers_of(paint)->exhausted) lim_layers_push(layers_of(paint), spans, open, &piece);
+    if (!paint->layers.exhausted) lim_layers_push(&paint->layers, spans, open, &piece);
+#else
+    (void)paint, (void)spans, (void)open, (void)active, (void)cells;
+#endif
 }
 
 /* An active polygon's samples on line y. false: it has ended. */
@@ -314,7 +318,8 @@ static void paint_background(const struct lim_spans *spans, const struct lim_lin
 /* false: the stack was too small. */
 static bool blend(struct lim_paint *paint, uint16_t *line, struct lim_stats *stats)
 {
-    struct lim_layers *layers = layers_of(paint);
+#if LIM_HAS_TRANSPARENT
+    struct lim_layers *layers = &paint->layers;
 
     if (layers->exhausted) {
         layers->exhausted = false;
@@ -323,6 +328,9 @@ static bool blend(struct lim_paint *paint, uint16_t *line, struct lim_stats *sta
     }
     if (LIM_HAS_STATS && layers->used > stats->layers_max) stats->layers_max = layers->used;
     lim_layers_blend(layers, line);
+#else
+    (void)paint, (void)line, (void)stats;
+#endif
     return true;
 }
 

@@ -26,6 +26,7 @@ static uint8_t narrow_side_of(const struct lim_plane_wide *plane, const struct l
 
 static uint8_t sides_of_mover(const struct lim *lim, uint16_t entry, const struct lim_plane_wide *plane)
 {
+#if LIM_HAS_MOVERS
     const LIM_FLASH uint16_t *record = lim_entry_record(lim, entry);
     uint8_t sides = 0;
 
@@ -35,6 +36,10 @@ static uint8_t sides_of_mover(const struct lim *lim, uint16_t entry, const struc
         sides |= side_of(lim_corner_value(plane, at_q12), plane->slack * LIM_CORNER_ONE_Q12);
     }
     return sides;
+#else
+    (void)lim, (void)entry, (void)plane;
+    return 0;
+#endif
 }
 
 static uint8_t sides_of_whole(const struct lim *lim, uint16_t entry, const struct lim_plane_wide *plane)

@@ -208,10 +208,14 @@ static enum lim_span_result close_lines(struct lim_spans *spans, const struct li
 
 static bool see_lines(const struct lim_spans *spans, const struct lim_point *last, int16_t top, int16_t bottom)
 {
+#if LIM_HAS_TRANSPARENT
     for (int16_t y = top; y < bottom; y++) {
         const struct lim_point *line = &last[bottom - 1 - y];
         if (lim_layers_see_line(spans, (uint16_t)y, (int16_t)line->x, (int16_t)line->y)) return true;
     }
+#else
+    (void)spans, (void)last, (void)top, (void)bottom;
+#endif
     return false;
 }
 
