@@ -223,7 +223,7 @@ static int draw_whole(struct lim *lim, uint16_t mover, const struct lim_rect *op
     struct lim_route route = lim_route_object(lim, mover, open, back_to_front);
     uint16_t run;
 
-    while (lim_route_next(lim, &route, &run) == LIM_ROUTE_RUN) {
+    while (lim_route_next_alone(lim, &route, &run)) {
         const int err = draw_run(lim, &route, mover, run, open, draw);
         if (err) return err;
     }

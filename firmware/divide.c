@@ -148,7 +148,7 @@ static bool add_by_tree(struct lim *lim, struct queue *queue, uint16_t mover)
     struct lim_route route = lim_route_object(lim, mover, &screen, false);
     uint16_t run;
 
-    while (lim_route_next(lim, &route, &run) == LIM_ROUTE_RUN)
+    while (lim_route_next_alone(lim, &route, &run))
         if (!add_run(lim, queue, &route, mover, run)) return false;
     return true;
 }

@@ -119,6 +119,9 @@ void lim_route_begin(struct lim_route *route, uint16_t list);
 /* What comes next: a run (its offset in *what), or a list. */
 enum lim_route_event lim_route_next(struct lim *lim, struct lim_route *route, uint16_t *what);
 
+/* The next run of a route that began without a list; false: there is none. */
+bool lim_route_next_alone(struct lim *lim, struct lim_route *route, uint16_t *run);
+
 /* The route through the static scene, and through an object in the view of `open`. */
 struct lim_route lim_route_static(struct lim *lim, bool back_to_front);
 struct lim_route lim_route_object(struct lim *lim, uint16_t mover, const struct lim_rect *open, bool back_to_front);

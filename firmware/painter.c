@@ -171,7 +171,7 @@ static int paint_tree(struct lim *lim, const struct lim_rect *screen)
 
 #if (LIM_HAS_SORTED && LIM_HAS_FALLBACK) || LIM_HAS_MOVERS
 /* A piece of a split polygon, on one line. */
-static int paint_piece(struct lim *lim, uint16_t entry, const struct lim_screen_polygon *whole, uint16_t y)
+static int paint_piece_line(struct lim *lim, uint16_t entry, const struct lim_screen_polygon *whole, uint16_t y)
 {
     const uint8_t fans = whole->shape.folded ? (uint8_t)(whole->n - 2) : 1;
     struct lim_screen_polygon triangle;
@@ -198,15 +198,15 @@ static int paint_piece(struct lim *lim, uint16_t entry, const struct lim_screen_
 
 #if LIM_HAS_MOVERS
 /* The part of the screen that is painted is all of it, or a line. */
-static int draw_mover(struct lim *lim, uint16_t entry, const struct lim_screen_polygon *polygon,
-                      const struct lim_rect *screen)
+static int paint_mover(struct lim *lim, uint16_t entry, const struct lim_screen_polygon *polygon,
+                       const struct lim_rect *screen)
 {
     const int16_t bottom = polygon->shape.bottom < (int16_t)screen->y1 ? polygon->shape.bottom : (int16_t)screen->y1;
 
     if (entry == LIM_NONE) return paint_any(lim, polygon, screen);
     for (int16_t y = polygon->shape.top > (int16_t)screen->y0 ? polygon->shape.top : (int16_t)screen->y0; y < bottom;
          y++) {
-        const int err = paint_piece(lim, entry, polygon, (uint16_t)y);
+        const int err = paint_piece_line(lim, entry, polygon, (uint16_t)y);
         if (err) return err;
     }
     return 0;
@@ -224,7 +224,7 @@ static int paint_with_movers(struct lim *lim, const struct lim_rect *screen)
         if (event == LIM_ROUTE_END) return 0;
         if (event == LIM_ROUTE_LIST) what = lim_movers_order(lim, what, true);
         const int err = event == LIM_ROUTE_RUN ? paint_run(lim, what, screen)
-                                               : lim_movers_draw(lim, what, screen, true, draw_mover);
+                                               : lim_movers_draw(lim, what, screen, true, paint_mover);
         if (err) return err;
     }
 }
@@ -240,7 +240,7 @@ static int paint_list(struct lim *lim, const struct lim_rect *screen)
     for (uint16_t at = lim->sorter.first; at != LIM_NONE && !err; at = lim->sorter.list[at].next) {
         const LIM_FLASH uint16_t *record = &lim->scene->polygons[lim->sorter.list[at].record];
         if (!lim_project(&polygon, &lim->view, lim->scene, record, screen, lim_stats_of(lim))) continue;
-        err = LIM_HAS_NEWELL && lim_is_piece(lim, at) ? paint_piece(lim, at, &polygon, screen->y0)
+        err = LIM_HAS_NEWELL && lim_is_piece(lim, at) ? paint_piece_line(lim, at, &polygon, screen->y0)
                                                       : paint_any(lim, &polygon, screen);
     }
     lim_sorted_reverse(&lim->sorter);

@@ -34,46 +34,83 @@ static bool is_hidden(struct lim *lim, const struct lim_route *route, const LIM_
     return true;
 }
 
-/* The order of its run knows nothing of movers: both are sorted together, or else movers are taken for nearer. */
-static void enter_leaf(struct lim *lim, struct lim_route *route)
-{
-    const uint16_t run = route->scene->nodes[route->next].front_run;
-    const bool waits = route->back_to_front;
-
-    if (route->list != LIM_NONE && lim_movers_join(lim, run, route->list)) {
-        route->next = LIM_NONE;
-        return;
-    }
-    struct lim_route_pending *pending = &route->stack[route->depth++];
-    if (LIM_HAS_STATS && route->list != LIM_NONE) lim_stats_of(lim)->movers.unsorted++;
-    *pending = (struct lim_route_pending){route->next, waits ? route->list : (uint16_t)LIM_NONE, 1};
-    if (waits) route->list = LIM_NONE;
-    route->next = LIM_NONE;
-}
-
-/* Its near subtree is next, with what moves in it; the rest waits. */
-static void enter(struct lim *lim, struct lim_route *route)
+/* The node to enter, or NULL: nothing of it can be seen. */
+static const LIM_FLASH struct lim_node *node_to_enter(struct lim *lim, struct lim_route *route)
 {
     const LIM_FLASH struct lim_node *node = &route->scene->nodes[route->next];
-    uint16_t front = LIM_NONE, back = LIM_NONE;
 
     if (is_hidden(lim, route, node)) {
         route->next = LIM_NONE;
-        return;
+        return NULL;
     }
     if (LIM_HAS_STATS) lim_stats_of(lim)->nodes++;
     LIM_ASSERT(route->depth < route->scene->limits.depth);
-    if (LIM_HAS_LEAVES && node->split.plane == LIM_NONE) {
-        enter_leaf(lim, route);
-        return;
-    }
-    const int32_t side = lim_eye_side(route->eye, &node->split);
+    return node;
+}
+
+static bool is_leaf(const LIM_FLASH struct lim_node *node)
+{
+    return LIM_HAS_LEAVES && node->split.plane == LIM_NONE;
+}
+
+/* The near subtree is next, with what moves in it; the rest waits. */
+static void go_near(struct lim_route *route, const LIM_FLASH struct lim_node *node, int32_t side, uint16_t front,
+                    uint16_t back)
+{
     const bool front_first = (side > 0) != route->back_to_front;
-    if (route->list != LIM_NONE) lim_movers_divide(lim, route->next, side, route->list, &front, &back);
+
     route->stack[route->depth++] =
         (struct lim_route_pending){route->next, front_first ? back : front, (int8_t)((side > 0) - (side < 0))};
     route->list = front_first ? front : back;
     route->next = front_first ? node->front : node->back;
+}
+
+/* A leaf's run comes when it is left. */
+static void go_through_leaf(struct lim_route *route, uint16_t list)
+{
+    route->stack[route->depth++] = (struct lim_route_pending){route->next, list, 1};
+    route->next = LIM_NONE;
+}
+
+/* Where nothing moves. */
+static void enter_alone(struct lim *lim, struct lim_route *route)
+{
+    const LIM_FLASH struct lim_node *node = node_to_enter(lim, route);
+
+    if (!node) return;
+    if (is_leaf(node))
+        go_through_leaf(route, LIM_NONE);
+    else
+        go_near(route, node, lim_eye_side(route->eye, &node->split), LIM_NONE, LIM_NONE);
+}
+
+/* The order of its run knows nothing of movers: both are sorted together, or else movers are taken for nearer. */
+static void enter_leaf(struct lim *lim, struct lim_route *route, uint16_t run)
+{
+    const uint16_t list = route->list;
+
+    if (lim_movers_join(lim, run, list)) {
+        route->next = LIM_NONE;
+        return;
+    }
+    if (LIM_HAS_STATS) lim_stats_of(lim)->movers.unsorted++;
+    if (route->back_to_front) route->list = LIM_NONE;
+    go_through_leaf(route, route->back_to_front ? list : (uint16_t)LIM_NONE);
+}
+
+static void enter(struct lim *lim, struct lim_route *route)
+{
+    const LIM_FLASH struct lim_node *node = node_to_enter(lim, route);
+    uint16_t front, back;
+
+    if (!node) return;
+    if (is_leaf(node)) {
+        enter_leaf(lim, route, node->front_run);
+        return;
+    }
+    const int32_t side = lim_eye_side(route->eye, &node->split);
+    lim_movers_divide(lim, route->next, side, route->list, &front, &back);
+    go_near(route, node, side, front, back);
 }
 
 /* Takes up what waits on the stack. Returns the run that comes before it, or LIM_NONE. */
@@ -93,8 +130,12 @@ static uint16_t leave(struct lim_route *route)
 enum lim_route_event lim_route_next(struct lim *lim, struct lim_route *route, uint16_t *what)
 {
     for (;;) {
-        while (route->next != LIM_NONE)
-            enter(lim, route);
+        while (route->next != LIM_NONE) {
+            if (route->list == LIM_NONE)
+                enter_alone(lim, route);
+            else
+                enter(lim, route);
+        }
         if (route->list != LIM_NONE) {
             *what = route->list;
             route->list = LIM_NONE;
@@ -103,6 +144,17 @@ enum lim_route_event lim_route_next(struct lim *lim, struct lim_route *route, ui
         if (!route->depth) return LIM_ROUTE_END;
         *what = leave(route);
         if (*what != LIM_NONE) return LIM_ROUTE_RUN;
+    }
+}
+
+bool lim_route_next_alone(struct lim *lim, struct lim_route *route, uint16_t *run)
+{
+    for (;;) {
+        while (route->next != LIM_NONE)
+            enter_alone(lim, route);
+        if (!route->depth) return false;
+        *run = leave(route);
+        if (*run != LIM_NONE) return true;
     }
 }
 

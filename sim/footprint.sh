@@ -8,6 +8,9 @@
 
 footprint_flags='-Os -ffreestanding -ffunction-sections -fdata-sections -Ifirmware'
 
+# Where calls through pointers lead.
+footprint_calls='span.c=paint_piece mask.c=lim_smooth_mix mask.c=push company.c=draw_mover company.c=paint_mover'
+
 # footprint_objects CORE FOLDER HEADER [FLAG...]: the renderer's objects and call graphs in FOLDER, which has the
 # scene's HEADER.
 footprint_objects() {
@@ -52,6 +55,6 @@ footprint_ram() {
 
 # footprint_stack CORE FOLDER: the bytes and the path, without what the target's lend() and done() take.
 footprint_stack() {
-    awk -f sim/stack.awk -v roots='lim_init lim_frame' -v calls='span.c=paint_piece company.c=draw_mover' \
-        -v outside='paint.c painter.c convex.c' "$2/$1"/*.ci
+    awk -f sim/stack.awk -v roots='lim_init lim_frame' -v calls="$footprint_calls" \
+        -v outside='paint.c painter.c convex.c smooth.c' "$2/$1"/*.ci
 }

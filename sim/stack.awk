@@ -2,8 +2,8 @@
 #
 # The worst-case stack of functions, from what gcc -fcallgraph-info=su writes: awk -f sim/stack.awk
 # -v roots='lim_init lim_frame' [-v calls='span.c=paint_piece ...'] [-v outside='paint.c ...'] *.ci
-# `calls` says where a file's calls through a pointer lead; those of the files in `outside` lead to somebody
-# else's functions, whose stack comes on top. Prints the bytes of the deepest root, and the path there. An
+# `calls` says where a file's calls through a pointer lead, to one function or several of which some are linked; those
+# of the files in `outside` lead to somebody else's functions, whose stack comes on top. Prints the bytes of the deepest root, and the path there. An
 # error: recursion, a frame without bound, a pointer not accounted for.
 
 # Code of the compiler's own library, written in assembly or without call graph: more than any of it takes.
@@ -12,7 +12,8 @@ BEGIN {
     count = split(calls, pairs, " ")
     for (i = 1; i <= count; i++) {
         at = index(pairs[i], "=")
-        leads[substr(pairs[i], 1, at - 1)] = substr(pairs[i], at + 1)
+        file = substr(pairs[i], 1, at - 1)
+        leads[file] = leads[file] (file in leads && leads[file] != "" ? "|" : "") substr(pairs[i], at + 1)
     }
     count = split(outside, names, " ")
     for (i = 1; i <= count; i++) is_outside[names[i]] = 1
@@ -62,6 +63,20 @@ function plain(title,   parts, n) {
     callees[from] = callees[from] " " to
 }
 
+# Of what a pointer may lead to, that which goes deepest.
+function deepest_of(names,   list, n, i, bytes, most_b, most) {
+    n = split(names, list, "|")
+    for (i = 1; i <= n; i++) {
+        if (!(list[i] in by_name)) continue
+        bytes = deepest(by_name[list[i]])
+        if (bytes <= most_b) continue
+        most_b = bytes
+        most = by_name[list[i]]
+    }
+    if (!most) fail(names ": no such function")
+    return most
+}
+
 # Bytes of a function and all that it calls; `via` is the deepest way there.
 function deepest(title,   list, n, i, callee, below_b, most_b, name) {
     if (title in known_b) return known_b[title]
@@ -75,10 +90,7 @@ function deepest(title,   list, n, i, callee, below_b, most_b, name) {
     n = split(callees[title], list, " ")
     for (i = 1; i <= n; i++) {
         callee = list[i]
-        if (sub(/^\*/, "", callee)) {
-            if (!(callee in by_name)) fail(callee ": no such function")
-            callee = by_name[callee]
-        }
+        if (sub(/^\*/, "", callee)) callee = deepest_of(callee)
         below_b = deepest(callee)
         if (below_b <= most_b) continue
         most_b = below_b

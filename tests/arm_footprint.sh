@@ -154,7 +154,7 @@ for core in m0plus m4; do
     tap_check "$core: it blends, and paints backwards what its stack cannot hold" links $core glass '^lim_(blend|painter_line)$'
     tap_check "$core: nor anything of textures" links_no $core rooms 'texture|texel|palette|mapping'
     tap_check "$core: nor anything of movers" links_no $core rooms \
-        'mover|route|motion|instance|lim_(light|lamp|root)|piece|newell|corner|entry|sorted'
+        'mover|route|motion|instance|lim_(light|lamp|root)|lim_piece|newell|corner|entry|sorted'
     tap_check "$core: the renderer of the rooms with movers builds" built $core moving
     tap_check "$core: it divides them, and sorts them with one another" links $core moving '^lim_(movers_divide|newell_order)$'
     tap_check "$core: but does not light them" links_no $core moving 'lim_light|lim_root'
@@ -180,6 +180,7 @@ for core in m0plus m4; do
 done
 for core in m0plus m4; do
     tap_check "$core: the stack has a bound with movers too" has_a_bound $core moving
+    tap_check "$core: and with antialiased edges" has_a_bound $core smooth
 done
 tap_check "recursion has no bound" recursion_is_found
 tap_check "nor has a pointer that nobody accounts for" unknown_pointers_are_found
