@@ -178,17 +178,6 @@ static bool advance(struct lim_active *active, const union lim_retained_cell *ce
     return true;
 }
 
-/* Stages that may not be there, NULL then. */
-static inline struct lim_layers *layers_of(struct lim_paint *paint)
-{
-#if LIM_HAS_TRANSPARENT
-    return &paint->layers;
-#else
-    (void)paint;
-    return NULL;
-#endif
-}
-
 static inline void keep_lent(struct lim_paint *paint, uint16_t *line)
 {
 #if LIM_HAS_FALLBACK
@@ -213,6 +202,47 @@ static void push_layers(struct lim_paint *paint, const struct lim_spans *spans, 
 #endif
 }
 
+#if LIM_HAS_ANTIALIAS
+/* Lets the strip wait for what lies behind it. false: it is opaque. */
+static bool push_strip(struct lim_paint *paint, const struct lim_spans *spans, const struct lim_line *open,
+                       const struct lim_strip *strip, const union lim_retained_cell *cells)
+{
+#if LIM_HAS_TRANSPARENT
+    const uint8_t alpha = lim_retained_alpha(cells);
+
+    if (alpha == LIM_OPAQUE) return false;
+    lim_smooth_push(&paint->layers, spans, open, strip, cells[1].look.colour, alpha);
+    return true;
+#else
+    (void)paint, (void)spans, (void)open, (void)strip, (void)cells;
+    return false;
+#endif
+}
+
+static void mix_strip(struct lim_paint *paint, struct lim_spans *spans, struct lim_line *open,
+                      const struct lim_strip *strip, const struct lim_active *active,
+                      const union lim_retained_cell *cells, struct sink *sink)
+{
+    struct lim_smooth_sink smooth;
+
+    smooth.line = sink->line;
+    smooth.sums = paint->smooth.sums;
+    smooth.colour = cells[1].look.colour;
+    smooth.painted_px = 0;
+#if LIM_HAS_TEXTURE
+    set_span(sink, active, cells);
+    smooth.span = sink->span;
+    smooth.span.left = strip->x0;
+    smooth.span.right = strip->x1;
+    smooth.stats = sink->stats;
+#else
+    (void)active;
+#endif
+    (void)lim_mask_close(spans, open, strip, lim_smooth_mix, &smooth);
+    if (LIM_HAS_STATS) sink->painted_px = (uint16_t)(sink->painted_px + smooth.painted_px);
+}
+#endif
+
 /* An active polygon's samples on line y. false: it has ended. */
 static inline bool paint_samples(struct lim_paint *paint, struct lim_spans *spans, struct lim_line *open,
                                  struct lim_active *active, const union lim_retained_cell *cells, uint16_t y,
@@ -227,24 +257,7 @@ static inline bool paint_samples(struct lim_paint *paint, struct lim_spans *span
     else
         lim_strip_next(&strip, &active->pair, points_of(cells), cells[0].link.n, cells[0].link.first, (int16_t)y,
                        end_row);
-    if (LIM_HAS_TRANSPARENT && lim_retained_alpha(cells) != LIM_OPAQUE) {
-        lim_smooth_push(layers_of(paint), spans, open, &strip, cells[1].look.colour, lim_retained_alpha(cells));
-    } else {
-        struct lim_smooth_sink smooth;
-        smooth.line = sink->line;
-        smooth.sums = paint->smooth.sums;
-        smooth.colour = cells[1].look.colour;
-        smooth.painted_px = 0;
-#if LIM_HAS_TEXTURE
-        set_span(sink, active, cells);
-        smooth.span = sink->span;
-        smooth.span.left = strip.x0;
-        smooth.span.right = strip.x1;
-        smooth.stats = sink->stats;
-#endif
-        (void)lim_mask_close(spans, open, &strip, lim_smooth_mix, &smooth);
-        if (LIM_HAS_STATS) sink->painted_px = (uint16_t)(sink->painted_px + smooth.painted_px);
-    }
+    if (!push_strip(paint, spans, open, &strip, cells)) mix_strip(paint, spans, open, &strip, active, cells, sink);
     return ((int16_t)y + 1) * LIM_SAMPLE_ROWS < end_row;
 #else
     (void)paint, (void)spans, (void)open, (void)active, (void)cells, (void)y, (void)sink;
