@@ -22,7 +22,7 @@ bool lim_bend_plane(struct lim_plane_wide *plane, const struct lim_scene *object
         at[k][2] = vertex.z;
     }
     for (uint_fast8_t i = 0; i < 3; i++) {
-        const uint_fast8_t j = i < 2 ? i + 1 : 0, k = i ? i - 1 : 2;
+        const uint_fast8_t j = lim_axis_after(i), k = lim_axis_after(j);
         n[i] = (int64_t)(at[1][j] - at[0][j]) * (at[2][k] - at[0][k]) -
                (int64_t)(at[1][k] - at[0][k]) * (at[2][j] - at[0][j]);
         bits |= (uint64_t)(n[i] < 0 ? -n[i] : n[i]);

@@ -43,7 +43,7 @@ static void set_axes(int32_t axes_q30[9], const int32_t q_q30[4])
     const int32_t one_q30 = INT32_C(1) << 30;
 
     for (uint_fast8_t i = 0; i < 3; i++) {
-        const uint_fast8_t j = i < 2 ? i + 1 : 0, k = i ? i - 1 : 2;
+        const uint_fast8_t j = lim_axis_after(i), k = lim_axis_after(j);
         axes_q30[4 * i] = one_q30 - twice(q_q30[j], q_q30[j], q_q30[k], q_q30[k]);
         axes_q30[3 * i + j] = twice(q_q30[i], q_q30[j], q_q30[k], q_q30[3]);
         axes_q30[3 * i + k] = twice(q_q30[i], q_q30[k], -q_q30[j], q_q30[3]);

@@ -67,7 +67,7 @@ static void count(struct lim *lim, enum lim_newell_test test)
 static uint8_t seen_from_eye(uint8_t sides, bool eye_in_front)
 {
     if (eye_in_front || sides == 0 || sides == LIM_SIDE_BOTH) return sides;
-    return LIM_SIDE_BOTH - sides;
+    return (uint8_t)(LIM_SIDE_BOTH - sides);
 }
 
 static void look_at_planes(struct lim *lim, struct couple *couple)

@@ -50,8 +50,9 @@ static uint8_t sides_of_whole(const struct lim *lim, uint16_t entry, const struc
 
     for (uint_fast8_t k = 0; k < (record[0] & LIM_POLYGON_COUNT) && sides != LIM_SIDE_BOTH; k++) {
         const struct lim_vertex at = lim->scene->vertices[record[LIM_POLYGON_HEAD_WORDS + k]];
-        sides |= plane->narrow ? narrow_side_of(plane, &at)
-                               : side_of(lim_plane_value(plane, at.x, at.y, at.z, 1), plane->slack);
+        const uint8_t side = plane->narrow ? narrow_side_of(plane, &at)
+                                           : side_of(lim_plane_value(plane, at.x, at.y, at.z, 1), plane->slack);
+        sides |= side;
     }
     return sides;
 }

@@ -179,6 +179,12 @@ static inline uint16_t lim_texture_count(const struct lim_scene *scene)
 #endif
 }
 
+/* x, y, z in turns. */
+static inline uint_fast8_t lim_axis_after(uint_fast8_t axis)
+{
+    return (uint_fast8_t)(axis < 2 ? axis + 1 : 0);
+}
+
 /* Whatever a plane's record packs. */
 /*@ requires \valid_read(plane);
     assigns \nothing;

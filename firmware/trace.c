@@ -83,7 +83,7 @@ static void set_trace(struct trace *trace, const struct lim *lim, uint16_t entry
 
     find_chord(&chord, lim, entry, plane);
     for (uint_fast8_t i = 0; i < 3; i++) {
-        const uint_fast8_t j = i < 2 ? i + 1 : 0, k = i ? i - 1 : 2;
+        const uint_fast8_t j = lim_axis_after(i), k = lim_axis_after(j);
         m[i] = (int64_t)chord.out[j] * chord.back[k] - (int64_t)chord.out[k] * chord.back[j];
         bits |= m[i] < 0 ? 0 - (uint64_t)m[i] : (uint64_t)m[i];
     }
@@ -320,7 +320,8 @@ static bool take_plain(struct lim *lim, uint16_t entry, const struct lim_screen_
     struct lim_point *last = &retained->cells[retained->used].at + LIM_RETAINED_HEAD_CELLS;
 
     if (top >= bottom) return true;
-    if (LIM_RETAINED_HEAD_CELLS + (bottom - top) * rows_of(lim) > retained->size - retained->used) return false;
+    const uint32_t cells = LIM_RETAINED_HEAD_CELLS + (uint32_t)(bottom - top) * (uint32_t)rows_of(lim);
+    if (cells > (uint32_t)(retained->size - retained->used)) return false;
     if (LIM_HAS_STATS) lim_stats_of(lim)->lines += (uint32_t)(bottom - top);
     const enum lim_span_result result = see_piece(lim, entry, whole, last, &top, &bottom);
     if (result != LIM_SPAN_SOME) return result == LIM_SPAN_NOTHING;
@@ -330,7 +331,7 @@ static bool take_plain(struct lim *lim, uint16_t entry, const struct lim_screen_
     seen.at = last;
     seen.n = seen.first = 0;
     if (!lim_retain(retained, lim->spans.lines, &seen)) return false;
-    retained->used = (uint16_t)(retained->used + (bottom - top) * rows_of(lim));
+    retained->used = (uint16_t)(retained->used + cells - LIM_RETAINED_HEAD_CELLS);
     return true;
 }
 
