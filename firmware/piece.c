@@ -194,8 +194,12 @@ static LIM_RARE bool project_piece(const struct lim *lim, uint16_t entry, struct
 
     if (!corners) return false;
     clips[0].n = corners->n;
-    for (uint_fast8_t k = 0; k < corners->n; k++)
+    for (uint_fast8_t k = 0; k < corners->n; k++) {
         view_corner(lim, corners->at_q12[k], &clips[0].at[k]);
+#if LIM_HAS_WIREFRAME
+        clips[0].at[k].hidden = false;
+#endif
+    }
     const struct lim_clip_polygon *clipped = lim_clip(clips, view->rows.near_qv);
     out->n = clipped->n;
     for (uint_fast8_t k = 0; k < clipped->n; k++)

@@ -16,7 +16,7 @@ enum { PLANE_BITS = 30, MIDDLE_OF_LEVEL_Q4 = 8 };
 static int32_t scaled(int32_t x, int_fast16_t bits)
 {
     if (bits >= 0) return (int32_t)((uint32_t)x << bits);
-    return bits < -PLANE_BITS ? 0 : shift_round_s32(x, (uint32_t)-bits);
+    return bits < -PLANE_BITS ? 0 : (int32_t)shift_round_s64(x, (uint8_t)-bits);
 }
 
 /* log2(x) for x >= 1. */
@@ -182,7 +182,7 @@ void lim_texture_set(const struct lim_texturing *texturing, uint16_t word, struc
     const struct height height = height_of(h_q8 < 0 ? -h_q8 : h_q8);
     const int8_t depth_bits = set_plane(texturing, mapping.n, &out->depth);
 
-    out->texture = &texturing->scene->textures[words[0]];
+    out->texture = texturing->scene->textures[words[0]];
     if (h_q8 < 0) negate(&out->depth);
     for (uint_fast8_t i = 0; i < 2; i++) {
         const int8_t bits = set_plane(texturing, mapping.uv[i], &out->uv[i]);

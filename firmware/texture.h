@@ -65,7 +65,7 @@ struct lim_gradients {
     int32_t depth_min;              /* that of the scene's far end, at least 1 */
     int16_t level_q4;               /* of detail, less 3/2 log2(depth) but for the constant */
     int8_t shift[2];                /* makes up for the factors */
-    const LIM_FLASH struct lim_texture *texture;
+    struct lim_texture texture;     /* a copy: it is looked at for each stretch */
 };
 
 /* Texels at one end of a stretch; texel coordinates of level 0, modulo 2^16. */

@@ -32,7 +32,7 @@ static inline uint8_t level_of(const struct lim_gradients *gradients, uint32_t d
 {
     const int32_t log2_q4 = (int32_t)(depth << zeros >> 27) - zeros * 16;
     const int32_t level = (gradients->level_q4 - (3 * log2_q4 >> 1)) >> 4;
-    const int32_t last = gradients->texture->levels - 1;
+    const int32_t last = gradients->texture.levels - 1;
 
     return (uint8_t)(level < 0 ? 0 : level > last ? last : level);
 }
@@ -126,7 +126,7 @@ static inline int32_t part_of_side(int32_t texels_q16, uint8_t side_bits)
 
 struct lim_texture_walk lim_texture_at(const struct lim_texture_line *line, int16_t x)
 {
-    const LIM_FLASH struct lim_texture *texture = line->gradients->texture;
+    const struct lim_texture *texture = &line->gradients->texture;
     const uint8_t w_bits = texture->w_bits, h_bits = texture->h_bits;
     const uint32_t at = (line->at.uv_q16[1] >> h_bits << 16) + (uint16_t)(line->at.uv_q16[0] >> w_bits);
     const int32_t u_step = part_of_side(line->step_q16[0] * 2, w_bits);
@@ -176,7 +176,7 @@ void lim_texture_fill(const struct lim_textured_span *span, uint16_t *pixels, ui
                       struct lim_stats *stats)
 {
     const struct lim_scene *scene = span->texturing->scene;
-    const LIM_FLASH struct lim_texture *texture = span->gradients->texture;
+    const struct lim_texture *texture = &span->gradients->texture;
     const int16_t end = (int16_t)x1;
     int16_t x = (int16_t)x0;
     struct lim_texture_line line;

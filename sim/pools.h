@@ -30,8 +30,8 @@ enum {
     MCU_SORTED_B = 8,
     MCU_NEWELL_B = 20,
     MCU_CUT_B = 4,
-    MCU_ACTIVE_TEXTURE_B = 56, /* more of them if the scene has textures */
-    MCU_CROSSING_TEXTURE_B = 60,
+    MCU_ACTIVE_TEXTURE_B = 60, /* more of them if the scene has textures */
+    MCU_CROSSING_TEXTURE_B = 64,
     MCU_CROSSING_B = 56, /* and a point for each vertex */
     MCU_HEAD_CELLS = 2,
     MCU_CLIP_PLANES = 5

@@ -15,10 +15,11 @@ struct error;
 
 _Static_assert((int)MCU_CACHE_ENTRIES == (int)LIM_VIEW_CACHE_ENTRIES, "cache entries");
 _Static_assert((LIM_WIDE ? MCU_CACHED_WIDE_B : MCU_CACHED_B) == sizeof(struct lim_view_cached), "cache entry");
-_Static_assert(MCU_LINE_B == sizeof(struct lim_line), "line");
+enum { COVERED_B = LIM_HAS_ANTIALIAS ? MCU_COVERED_B : 0 };
+_Static_assert(MCU_LINE_B + COVERED_B == sizeof(struct lim_line), "line");
 _Static_assert(MCU_PENDING_B == sizeof(struct lim_walk_pending), "pending node");
 _Static_assert((LIM_WIDE ? MCU_CELL_WIDE_B : MCU_CELL_B) == sizeof(union lim_retained_cell), "retained cell");
-_Static_assert(MCU_GAP_B == sizeof(struct lim_gap), "gap");
+_Static_assert(MCU_GAP_B + COVERED_B == sizeof(struct lim_gap), "gap");
 _Static_assert(MCU_ACTIVE_B + (LIM_HAS_TEXTURE ? MCU_ACTIVE_TEXTURE_B : 0) == sizeof(struct lim_active),
                "active polygon");
 _Static_assert(MCU_LAYER_B == sizeof(struct lim_layer), "transparent piece of a line");
@@ -33,8 +34,12 @@ _Static_assert(MCU_CUT_B == sizeof(struct lim_cut), "cut");
 _Static_assert(MCU_TOP_B == sizeof *((struct lim_convex *)0)->tops, "head of a line's faces");
 _Static_assert(MCU_FACE_B == sizeof(struct lim_face), "face");
 enum { FLAGS_B = LIM_HAS_WIREFRAME ? (CLIP_MAX_VERTICES + 15) / 16 * 2 : 0 };
-_Static_assert(MCU_CROSSING_B + (LIM_HAS_TEXTURE ? MCU_CROSSING_TEXTURE_B : 0) +
-                       CLIP_MAX_VERTICES * (LIM_WIDE ? MCU_CELL_WIDE_B : MCU_CELL_B) + (FLAGS_B + 3) / 4 * 4 ==
-                   sizeof(struct lim_crossing),
+/* Parts that not every scene has share padding. What is antialiased is never drawn as a convex solid. */
+enum {
+    CROSSING_B = MCU_CROSSING_B + (LIM_HAS_TEXTURE ? MCU_CROSSING_TEXTURE_B : 0) +
+                 CLIP_MAX_VERTICES * (LIM_WIDE ? MCU_CELL_WIDE_B : MCU_CELL_B) + (FLAGS_B + 3) / 4 * 4
+};
+_Static_assert(LIM_HAS_ANTIALIAS ||
+                   (CROSSING_B >= sizeof(struct lim_crossing) && CROSSING_B <= sizeof(struct lim_crossing) + 4),
                "face that crosses a line");
 #endif
