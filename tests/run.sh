@@ -25,7 +25,7 @@ run_one() {
         -f "$(dirname "$0")/tap.awk" "$result.tap"
 }
 
-: "${TEST_TIMEOUT_S:=900}" "${TEST_JOBS:=$(nproc)}"
+: "${TEST_TIMEOUT_S:=1800}" "${TEST_JOBS:=$(nproc)}"
 export TEST_TIMEOUT_S TEST_JOBS
 
 if [ "${1:-}" = --one ]; then
