@@ -124,13 +124,19 @@ static inline int32_t part_of_side(int32_t texels_q16, uint8_t side_bits)
     return ((texels_q16 >> side_bits) + 1) >> 1;
 }
 
+/* Steps of a picture and more wrap, as texels do. */
+static inline int32_t twice(int32_t x)
+{
+    return (int32_t)((uint32_t)x * 2);
+}
+
 struct lim_texture_walk lim_texture_at(const struct lim_texture_line *line, int16_t x)
 {
     const struct lim_texture *texture = &line->gradients->texture;
     const uint8_t w_bits = texture->w_bits, h_bits = texture->h_bits;
     const uint32_t at = (line->at.uv_q16[1] >> h_bits << 16) + (uint16_t)(line->at.uv_q16[0] >> w_bits);
-    const int32_t u_step = part_of_side(line->step_q16[0] * 2, w_bits);
-    const int32_t v_step = part_of_side(line->step_q16[1] * 2, h_bits);
+    const int32_t u_step = part_of_side(twice(line->step_q16[0]), w_bits);
+    const int32_t v_step = part_of_side(twice(line->step_q16[1]), h_bits);
     const uint32_t step = ((uint32_t)v_step << 16) + (uint32_t)u_step;
 
     return (struct lim_texture_walk){at + step * (uint32_t)(x - line->x), step};
@@ -144,7 +150,7 @@ struct level {
     uint8_t number;
 };
 
-static void set_level(struct level *level, const struct lim_scene *scene, const LIM_FLASH struct lim_texture *texture,
+static void set_level(struct level *level, const struct lim_scene *scene, const struct lim_texture *texture,
                       uint8_t number)
 {
     uint32_t size = UINT32_C(1) << (texture->w_bits + texture->h_bits);
