@@ -18,9 +18,6 @@
 #define AT_END_Q8 (INT32_C(1) << 24)
 enum { FINER_BITS_MAX = 3 };
 
-/* Without a box it may reach anywhere in the 16-bit cube. */
-static const struct lim_scene whole_grid = {0};
-
 /* Memory ------------------------------------------------------------------------------------- */
 
 size_t lim_movers_mem_b(const struct lim_scene *scene, const struct lim_movers_limits *limits)
@@ -183,16 +180,18 @@ static struct lim_box box_of(const struct lim_instance *instance)
 {
     const struct lim_scene *object = instance->object;
     const uint16_t root = lim_bends(instance) ? (uint16_t)LIM_NONE : object->nodes[0].box;
-    int32_t low[3] = {32767, 32767, 32767}, high[3] = {-32768, -32768, -32768};
+    int32_t low[3], high[3];
     struct lim_box box;
 
     if (root != LIM_NONE) return object->boxes[root];
+    for (uint_fast8_t i = 0; i < 3; i++)
+        low[i] = high[i] = 0;
     for (uint16_t k = 0; k < object->vertex_count; k++) {
         const struct lim_vertex vertex = object->vertices[k];
         const int32_t at[3] = {vertex.x, vertex.y, vertex.z};
         for (uint_fast8_t i = 0; i < 3; i++) {
-            if (at[i] < low[i]) low[i] = at[i];
-            if (at[i] > high[i]) high[i] = at[i];
+            if (!k || at[i] < low[i]) low[i] = at[i];
+            if (!k || at[i] > high[i]) high[i] = at[i];
         }
     }
     for (uint_fast8_t i = 0; i < 3; i++) {
@@ -284,8 +283,7 @@ static bool pose(struct lim *lim, uint16_t i, const struct lim_camera *camera, c
     mover->view = lim->view;
     mover->view.cache = lim->movers.cache;
     mover->view.vertices = 0;
-    if (!lim_rows_set_turned(&mover->view.rows, lim_bends(instance) ? &whole_grid : instance->object, &own,
-                             own_axes_q30))
+    if (!lim_rows_set_turned(&mover->view.rows, lim_bends(instance) ? NULL : instance->object, &own, own_axes_q30))
         return false;
     lim_eye_set(&mover->eye, instance->object, own.eye_q8);
 #if LIM_HAS_LIGHT
@@ -308,7 +306,7 @@ static bool set_world(struct lim *lim, const struct lim_camera *camera, const in
         half.eye_q8[i] >>= 1;
     half.near_q8 = camera->near_q8 > 1 ? camera->near_q8 >> 1 : 1;
     lim->movers.world = lim->view;
-    return lim_rows_set_turned(&lim->movers.world.rows, &whole_grid, &half, axes_q30);
+    return lim_rows_set_turned(&lim->movers.world.rows, NULL, &half, axes_q30);
 }
 
 void lim_movers_pose(struct lim *lim, const struct lim_camera *camera)

@@ -82,7 +82,8 @@ static void set_entries(int32_t entries_q30[9], const struct lim_camera *camera,
 static const LIM_FLASH struct lim_box *box_of(const struct lim_scene *scene)
 {
     static const LIM_FLASH struct lim_box grid = {{0, 0, 0}, {32768, 32768, 32768}};
-    const uint16_t root = scene->node_count ? scene->nodes[0].box : LIM_NONE;
+    const bool anywhere = LIM_HAS_MOVERS && !scene;
+    const uint16_t root = !anywhere && scene->node_count ? scene->nodes[0].box : LIM_NONE;
 
     return root == LIM_NONE ? &grid : &scene->boxes[root];
 }

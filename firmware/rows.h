@@ -17,7 +17,8 @@ struct lim_rows {
 /* Returns false when the camera is out of range (camera.h). */
 bool lim_rows_set(struct lim_rows *rows, const struct lim_scene *scene, const struct lim_camera *camera);
 
-/* The same with the axes that lim_orientation_set() would make of the angles. */
+/* The same with the axes that lim_orientation_set() would make of the angles. Without a scene, for what may be anywhere
+ * in the 16-bit cube. */
 bool lim_rows_set_turned(struct lim_rows *rows, const struct lim_scene *scene, const struct lim_camera *camera,
                          const int32_t axes_q30[9]);
 
