@@ -144,6 +144,7 @@ static bool parse(int argc, char **argv, struct request *out, struct error *err)
 {
     *out = (struct request){.compile = {.tolerance_units = 0.5,
                                         .splitter = "auto",
+                                        .trial = TRIAL_IF_SPLIT,
                                         .w_px = 240,
                                         .h_px = 240,
                                         .portals = PORTALS_AUTO,

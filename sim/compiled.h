@@ -12,13 +12,16 @@
 #include "plane.h"
 #include "scene.h"
 
+/* When to try what other trees cost (tree_choice.h); where none is tried it is the BSP tree. */
+enum tree_trial { TRIAL_NEVER, TRIAL_IF_SPLIT, TRIAL_ALWAYS };
+
 enum portals_wanted { PORTALS_OFF, PORTALS_AUTO, PORTALS_ON };
 
 struct compile_options {
     double tolerance_units;      /* a polygon this near to a plane lies on it; 0.5 by default, 0 = exact */
     const struct method *method; /* how it is to be drawn; NULL: convex for one convex solid, else nearest first */
     enum tree_kind tree;         /* TREE_AUTO by default */
-    bool choose_tree;            /* TREE_AUTO: try what other trees cost (tree_choice.h); else it is the BSP tree */
+    enum tree_trial trial;       /* of other trees, where it is TREE_AUTO */
     const char *splitter;        /* heuristic of the tree builder: splitter.h's names */
     bool keep_faces;             /* do not merge: every face keeps its own number in --ids */
     const struct core *core;     /* precision profile of the prediction and of NAME.h; NULL: fast */
@@ -43,7 +46,7 @@ struct portal_report {
 
 /* What another tree than the BSP tree was weighed against. */
 struct tree_choice {
-    bool made;
+    enum { CHOICE_NONE, CHOICE_NEEDLESS, CHOICE_MADE } kind; /* NEEDLESS: the BSP tree splits too little to look on */
     double bsp_instructions;
     size_t bsp_flash_b;
 };

@@ -216,7 +216,7 @@ bool measure_request_parse(int argc, char **argv, enum measure_of of, struct mea
     *out = (struct measure_request){.w_px = 240,
                                     .h_px = 240,
                                     .fov_deg = 60.0,
-                                    .compile = {.tolerance_units = 0.5, .splitter = "auto"},
+                                    .compile = {.tolerance_units = 0.5, .splitter = "auto", .trial = TRIAL_IF_SPLIT},
                                     .frames = FRAMES_MAX,
                                     .cost_frames = COST_FRAMES};
     opterr = 0;

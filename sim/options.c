@@ -227,7 +227,7 @@ bool options_parse(int argc, char **argv, enum options_set set, struct options *
     *out = (struct options){.setup = {240, 240, LIM_NEAREST_FIRST, SIMULATOR_ANY, &core_fast},
                             .fov_deg = 60.0,
                             .frames_per_s = 15.0,
-                            .compile = {.tolerance_units = 0.5, .splitter = "auto"}};
+                            .compile = {.tolerance_units = 0.5, .splitter = "auto", .trial = TRIAL_IF_SPLIT}};
     opterr = 0;
     optind = 1;
     int code;

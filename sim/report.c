@@ -45,7 +45,9 @@ static void print_outlines(const struct compiled *scene)
 
 static void print_choice(const struct compile_report *report)
 {
-    if (report->tree == TREE_BSP)
+    if (report->choice.kind == CHOICE_NEEDLESS)
+        printf("    %-26s it splits less than a quarter of the polygons\n", "chosen:");
+    else if (report->tree == TREE_BSP)
         printf("    %-26s no other tree spares a tenth of its instructions\n", "chosen:");
     else
         printf("    %-26s %.1f %% of the BSP tree's instructions, %.1f %% of its bytes\n",
@@ -65,7 +67,7 @@ static void print_tree(const struct compiled *scene)
     print_transparent(scene);
     print_count("most vertices of a polygon", scene->scene.limits.vertices);
     printf("  %-28s %8s\n", "tree", tree_names[report->tree]);
-    if (report->choice.made) print_choice(report);
+    if (report->choice.kind) print_choice(report);
     if (report->tree != TREE_NONE) printf("  %-28s %8s\n", "splitter", report->splitter);
     print_count("depth of the tree", report->depth);
     if (report->wireframe) print_outlines(scene);

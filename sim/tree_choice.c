@@ -1,17 +1,19 @@
 /* SPDX-License-Identifier: MIT
  *
- * One whole compilation for each kind, pools included, because these draw the cameras. */
+ * Other trees are better where the BSP tree splits much, so by default that is where they are tried. One whole
+ * compilation for each kind, pools included, because these draw the cameras. */
 #include "tree_choice.h"
 
 #include <math.h>
 
 static const enum tree_kind OTHERS[] = {TREE_CLUSTERS, TREE_AXIS};
 static const double ENOUGH = 0.9, ALIKE = 0.01; /* of the BSP tree's instructions */
+static const size_t SPLIT_MUCH = 4;             /* a quarter of the polygons */
 
 bool tree_choice_parse(const char *text, struct compile_options *out, struct error *err)
 {
     if (!tree_kind_parse(text, &out->tree, err)) return false;
-    out->choose_tree = out->tree == TREE_AUTO;
+    out->trial = TRIAL_ALWAYS;
     return true;
 }
 
@@ -41,14 +43,18 @@ static void try_others(const struct mesh *mesh, struct compile_options options, 
         }
         compiled_free(&candidate);
     }
-    out->report.choice = (struct tree_choice){true, bsp.instructions, bsp.flash_b};
+    out->report.choice = (struct tree_choice){CHOICE_MADE, bsp.instructions, bsp.flash_b};
 }
 
 bool tree_choice_compile(const struct mesh *mesh, const struct compile_options *options, struct compiled *out,
                          struct error *err)
 {
     if (!compile_mesh(mesh, options, out, err)) return false;
-    if (options->choose_tree && options->tree == TREE_AUTO && !isnan(out->report.instructions))
+    const bool is_open = options->trial != TRIAL_NEVER && options->tree == TREE_AUTO;
+    if (!is_open || isnan(out->report.instructions)) return true;
+    if (options->trial == TRIAL_IF_SPLIT && SPLIT_MUCH * out->report.splits < out->report.polygons_in)
+        out->report.choice.kind = CHOICE_NEEDLESS;
+    else
         try_others(mesh, *options, out);
     return true;
 }

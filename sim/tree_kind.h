@@ -7,7 +7,7 @@
 #include "error.h"
 
 enum tree_kind {
-    TREE_AUTO,             /* the BSP tree; or, if a choice is asked for, whichever draws cheapest (tree_choice.h) */
+    TREE_AUTO,             /* the BSP tree, or whichever draws cheapest (tree_choice.h) */
     TREE_BSP,              /* planes of polygons, down to the last polygon */
     TREE_CLUSTERS,         /* planes of polygons, until an order is right from everywhere (Schumacker) */
     TREE_AXIS,             /* axis planes at coordinates of vertices, down to small clusters */

@@ -63,12 +63,24 @@ chooses_again() {
     chooses teapot clusters && cmp "$work/report" "$work/first"
 }
 tap_check "auto: the same again" chooses_again
-says_nothing() {
-    "$BUILD/limner" compile sim/scenes/teapot.obj --report >"$work/report" && ! grep chosen: "$work/report" &&
-        "$BUILD/limner" compile sim/scenes/icosahedron.obj --tree auto --report >"$work/report" &&
-        ! grep chosen: "$work/report"
+by_default() { # SCENE TREE WHY
+    "$BUILD/limner" compile "$1" --report >"$work/report" || return 1
+    grep -A 1 '^  tree ' "$work/report"
+    [ "$(awk '$1 == "tree" { print $2 }' "$work/report")" = "$2" ] && grep -q "chosen: .*$3" "$work/report"
 }
-tap_check "auto: no choice where none is asked for, and none for a convex solid" says_nothing
+tap_check "by default: rooms, the BSP tree, which splits nothing" by_default sim/scenes/rooms.obj bsp 'less than a quarter'
+tap_check "by default: the demo, the BSP tree, which splits little" \
+    by_default "$BUILD/scenes/demo.obj" bsp 'less than a quarter'
+tap_check "by default: teapot, clusters, for the BSP tree splits much" by_default sim/scenes/teapot.obj clusters '% of its bytes'
+says_nothing() {
+    for asked in '--tree bsp' '--method bsp' '--method painter'; do
+        # shellcheck disable=SC2086 # an option and its value
+        "$BUILD/limner" compile sim/scenes/teapot.obj $asked --report >"$work/report" &&
+            ! grep chosen: "$work/report" && grep -q '^  tree  *bsp$' "$work/report" || return 1
+    done
+    "$BUILD/limner" compile sim/scenes/icosahedron.obj --tree auto --report >"$work/report" && ! grep chosen: "$work/report"
+}
+tap_check "no choice where a tree is asked for, nothing is predicted, or the solid is convex" says_nothing
 
 refused() {
     "$BUILD/limner" compile sim/scenes/icosahedron.obj --tree z --report >"$work/out" 2>&1 && return 1
