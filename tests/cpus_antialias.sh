@@ -6,7 +6,7 @@
 . tests/frames_on.sh
 
 frames_options=--antialias
-frames_on sim/scenes/rooms 80x60 host m0plus rv32 avr powerpc m0plus:-Os
+frames_in_turn 2 sim/scenes/rooms 80x60 host m0plus rv32 avr powerpc m0plus:-Os
 frames_options='--antialias --method newell'
-frames_on sim/scenes/knot 80x60 m0plus powerpc
+frames_in_turn 0 sim/scenes/knot 80x60 m0plus powerpc
 tap_done

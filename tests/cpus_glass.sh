@@ -5,5 +5,5 @@
 . tests/tap.sh
 . tests/frames_on.sh
 
-frames_on sim/scenes/glass 80x60 host m0plus m3 rv32 avr powerpc m0plus:-Os avr:-Os
+frames_in_turn 0 sim/scenes/glass 80x60 host m0plus m3 rv32 avr powerpc m0plus:-Os avr:-Os
 tap_done

@@ -6,8 +6,8 @@
 . tests/frames_on.sh
 
 frames_options=--wireframe
-frames_on sim/scenes/glass 80x60 host m0plus m3 rv32 avr powerpc avr:-Os
+frames_in_turn 3 sim/scenes/glass 80x60 host m0plus m3 rv32 avr powerpc avr:-Os
 cp sim/scenes/icosahedron.obj "$work/solid.obj"
 cp sim/scenes/teapot.cam "$work/solid.cam"
-frames_on "$work/solid" 80x60 host m0plus rv32 avr powerpc
+frames_in_turn 1 "$work/solid" 80x60 host m0plus rv32 avr powerpc
 tap_done

@@ -4,21 +4,32 @@
 # in every precision profile on emulated processors (sim/targets/targets.sh), compiled with the flag if there is
 # one, and compares the hashes of all pixels with those of `limner render`. Where RAM is scarce the
 # renderer has half of it, whatever the scene asks for: the same frames, perhaps in more bands.
+#
+# frames_in_turn TURN SCENE SIZE CORE[:FLAG]... takes one profile on each processor, the next one on the next, from the
+# TURNth on: with a turn for each of the features, every processor meets every profile, and every feature meets both,
+# at a quarter of the time. EVERY_PROFILE=yes makes it frames_on.
 # shellcheck shell=sh
 . sim/targets/targets.sh
 
-frames_options= # of compile and render, beside: --wireframe, --method newell
+frames_options=     # of compile and render, beside: --wireframe, --method newell
+frames_path=        # of render alone: --fps 3
+frames_flags=       # of the target's compiler
+frames_every=8      # camera of the file
+frames_suffix=obj
 
 frames_expected() { # PROFILE: the scene as C, its cameras, and the host's hashes, all different
     frames_dir=$work/$1
     mkdir -p "$frames_dir"
-    awk '!/^#/ && NF && n++ % 8 == 0' "$scene.cam" | head -n 8 >"$work/few.cam"
+    awk -v every="$frames_every" '!/^#/ && NF && n++ % every == 0' "$scene.cam" | head -n 8 >"$work/few.cam"
     # shellcheck disable=SC2086 # options are words
-    "$BUILD/limner" compile "$scene.obj" --size "$size" --precision "$1" $frames_options -o "$frames_dir/model" \
-        >/dev/null &&
-        "$BUILD/limner" render "$frames_dir/model.lim" --camera "$work/few.cam" --size "$size" --precision "$1" \
-            $frames_options \
-            --write-hashes "$frames_dir/expected" --write-cameras "$frames_dir/cameras.h" || return 1
+    "$BUILD/limner" compile "$scene.$frames_suffix" --size "$size" --precision "$1" $frames_options \
+        -o "$frames_dir/model" >/dev/null || return 1
+    frames_drawn=$frames_dir/model.lim
+    [ "$frames_suffix" = obj ] || frames_drawn=$scene.$frames_suffix # what moves is no part of a .lim file
+    # shellcheck disable=SC2086
+    "$BUILD/limner" render "$frames_drawn" --camera "$work/few.cam" --size "$size" --precision "$1" \
+        $frames_options $frames_path --write-hashes "$frames_dir/expected" \
+        --write-cameras "$frames_dir/cameras.h" || return 1
     cat "$frames_dir/expected"
     [ "$(cut -d ' ' -f 2 "$frames_dir/expected" | sort -u | wc -l)" -eq 8 ]
 }
@@ -29,19 +40,40 @@ frames_agree() { # PROFILE CORE[:FLAG]
     case $frames_core in
     microbit | avr) set -- -DFRAMES_MEM_B=8192 "$@" ;;
     esac
-    target_link "$frames_core" "$work/image" "$@" -I"$frames_dir" -DLIM_CONFIG='"model.h"' sim/targets/frames.c \
-        "$frames_dir/model.c" firmware/*.c || return 1
+    # shellcheck disable=SC2086 # flags are words
+    target_link "$frames_core" "$work/image" "$@" $frames_flags -I"$frames_dir" -DLIM_CONFIG='"model.h"' \
+        sim/targets/frames.c "$frames_dir"/model*.c firmware/*.c || return 1
     target_run "$frames_core" "$work/image" >"$work/frames" || echo "exit status $?" >>"$work/frames"
     diff "$frames_dir/expected" "$work/frames"
+}
+
+frames_of() { # PROFILE CORE[:FLAG]...
+    frames_profile=$1
+    shift
+    tap_check "$frames_profile: the host renders eight different frames of ${scene##*/} at $size" \
+        frames_expected "$frames_profile"
+    for core; do
+        tap_check "$frames_profile: $core paints the same pixels" frames_agree "$frames_profile" "$core"
+    done
 }
 
 frames_on() { # SCENE SIZE CORE[:FLAG]...
     scene=$1 size=$2
     shift 2
     for profile in ${PROFILES:?is set by the Makefile}; do
-        tap_check "$profile: the host renders eight different frames of ${scene##*/} at $size" frames_expected "$profile"
-        for core; do
-            tap_check "$profile: $core paints the same pixels" frames_agree "$profile" "$core"
-        done
+        frames_of "$profile" "$@"
+    done
+}
+
+frames_in_turn() { # TURN SCENE SIZE CORE[:FLAG]...
+    turn=$1
+    shift
+    [ -z "${EVERY_PROFILE:-}" ] || { frames_on "$@"; return; }
+    scene=$1 size=$2
+    shift 2
+    for profile in ${PROFILES:?is set by the Makefile}; do
+        # shellcheck disable=SC2046 # a list of processors
+        frames_of "$profile" $(printf '%s\n' "$@" | awk -v turn="$turn" '(NR + turn) % 4 == 0')
+        turn=$((turn + 1))
     done
 }
