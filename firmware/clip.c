@@ -41,15 +41,6 @@ static LIM_RARE void cut(struct lim_view_point *out, const struct lim_view_point
 }
 
 /* The edge that leads on from a cut: along the plane, or what is left of one that enters. */
-static inline void set_hidden(struct lim_view_point *point, bool hidden)
-{
-#if LIM_HAS_WIREFRAME
-    point->hidden = hidden;
-#else
-    (void)point, (void)hidden;
-#endif
-}
-
 static inline bool is_hidden(const struct lim_view_point *point)
 {
 #if LIM_HAS_WIREFRAME
@@ -71,9 +62,9 @@ static uint_fast8_t clip_plane(const struct lim_view_point *from, uint_fast8_t n
     for (uint_fast8_t k = 0; k < n; k++, here = from++) {
         outer = outer << 1 | is_outside(from, plane);
         const bool leaves = (outer & 3) == 1, enters = (outer & 3) == 2, alone = !(outer & 4) && outside > 1;
-        if (LIM_HAS_WIREFRAME && leaves) set_hidden(&to[put], true);
+        if (LIM_HAS_WIREFRAME && leaves) lim_view_hide_edge(&to[put], true);
         if (leaves) cut(&to[put++], here, from, plane);
-        if (LIM_HAS_WIREFRAME && enters && !alone) set_hidden(&to[put], is_hidden(here));
+        if (LIM_HAS_WIREFRAME && enters && !alone) lim_view_hide_edge(&to[put], is_hidden(here));
         if (enters && !alone) cut(&to[put++], from, here, plane);
         if (!(outer & 1)) to[put++] = *from;
     }

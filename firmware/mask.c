@@ -5,62 +5,9 @@
  * in span.c. */
 #include "mask.h"
 
+#include "gaps.h"
+
 #if LIM_HAS_ANTIALIAS
-
-/* The pixels from x on become a gap of their own, the next one. false: no room. */
-static bool cut(struct lim_spans *spans, struct lim_gap *gap, uint16_t x)
-{
-    const uint16_t right = spans->free != LIM_NONE ? spans->free : spans->fresh;
-
-    if (right == spans->free)
-        spans->free = spans->pool[right].next;
-    else if (right < spans->pool_size)
-        spans->fresh++;
-    else
-        return false;
-    spans->pool[right].x0 = x;
-    spans->pool[right].x1 = gap->x1;
-    spans->pool[right].next = gap->next;
-    spans->pool[right].covered = gap->covered;
-    gap->x1 = x;
-    gap->next = right;
-    return true;
-}
-
-static void give_back(struct lim_spans *spans, uint16_t gap)
-{
-    spans->pool[gap].next = spans->free;
-    spans->free = gap;
-}
-
-static struct lim_gap *next_of(const struct lim_spans *spans, const struct lim_gap *gap)
-{
-    return gap->next == LIM_NONE ? NULL : &spans->pool[gap->next];
-}
-
-/* Returns the gap that follows, or NULL. `before` is the one before it, NULL if it is the line's own. */
-static struct lim_gap *unlink_gap(struct lim_spans *spans, struct lim_gap *gap, struct lim_gap *before)
-{
-    const uint16_t next = gap->next;
-
-    if (before) {
-        const uint16_t self = before->next;
-        before->next = next;
-        give_back(spans, self);
-        return next_of(spans, before);
-    }
-    if (next == LIM_NONE) {
-        gap->x0 = gap->x1 = 0;
-        spans->open_lines--;
-        return NULL;
-    }
-    gap->x0 = spans->pool[next].x0;
-    gap->x1 = spans->pool[next].x1;
-    gap->next = spans->pool[next].next;
-    gap->covered = spans->pool[next].covered;
-    give_back(spans, next);
-    return gap;
-}
 
 /* Where a line's list is being read: `before` is NULL at its first gap, `gap` at its end. */
 struct place {
@@ -70,7 +17,7 @@ struct place {
 static void step(const struct lim_spans *spans, struct place *place)
 {
     place->before = place->gap;
-    place->gap = next_of(spans, place->gap);
+    place->gap = lim_gap_after(spans, place->gap);
 }
 
 /* Closes samples of pixels at one end or all of the place's gap, or cuts them out of it. false: no room. */
@@ -89,9 +36,9 @@ static bool close_part(struct lim_spans *spans, struct place *place, const struc
         step(spans, place);
         return true;
     }
-    if (x1 < gap->x1 && !cut(spans, gap, x1)) return false;
+    if (x1 < gap->x1 && !lim_gap_split(spans, gap, x1, x1)) return false;
     if (x0 > gap->x0) {
-        if (!closes && !cut(spans, gap, x0)) return false;
+        if (!closes && !lim_gap_split(spans, gap, x0, x0)) return false;
         gap->x1 = x0;
         step(spans, place);
         if (closes) return true;
@@ -99,7 +46,7 @@ static bool close_part(struct lim_spans *spans, struct place *place, const struc
     }
     gap->covered = covered;
     if (closes)
-        place->gap = unlink_gap(spans, gap, place->before);
+        place->gap = lim_gap_unlink(spans, gap, place->before);
     else
         step(spans, place);
     return true;
@@ -164,7 +111,7 @@ bool lim_mask_see(const struct lim_spans *spans, const struct lim_line *line, co
 
     for (int16_t x = strip->x0; x < strip->x1;) {
         while (gap && ((int16_t)gap->x1 <= x || gap->x0 == gap->x1))
-            gap = next_of(spans, gap);
+            gap = lim_gap_after(spans, gap);
         if (!gap) break;
         if ((int16_t)gap->x0 > x) x = (int16_t)gap->x0;
         if (x >= strip->x1) break;

@@ -196,9 +196,7 @@ static LIM_RARE bool project_piece(const struct lim *lim, uint16_t entry, struct
     clips[0].n = corners->n;
     for (uint_fast8_t k = 0; k < corners->n; k++) {
         view_corner(lim, corners->at_q12[k], &clips[0].at[k]);
-#if LIM_HAS_WIREFRAME
-        clips[0].at[k].hidden = false;
-#endif
+        lim_view_hide_edge(&clips[0].at[k], false);
     }
     const struct lim_clip_polygon *clipped = lim_clip(clips, view->rows.near_qv);
     out->n = clipped->n;

@@ -17,21 +17,15 @@ void lim_route_begin(struct lim_route *route, uint16_t list)
     route->list = list;
 }
 
-static bool is_hidden(struct lim *lim, const struct lim_route *route, const LIM_FLASH struct lim_node *node)
+/* NULL: all may be seen. */
+static inline const uint8_t *shown_of(const struct lim_route *route)
 {
-    struct lim_stats *stats = lim_stats_of(lim);
-
-    if (!LIM_HAS_CULL || node->box == LIM_NONE) return false;
 #if LIM_HAS_PORTALS
-    if (route->shown && !lim_portals_show(route->shown, node->box)) {
-        if (LIM_HAS_STATS) stats->hidden++;
-        return true;
-    }
+    return route->shown;
+#else
+    (void)route;
+    return NULL;
 #endif
-    if (LIM_HAS_STATS) stats->boxes++;
-    if (lim_cull_sees(route->cull, &route->scene->boxes[node->box])) return false;
-    if (LIM_HAS_STATS) stats->boxes_out++;
-    return true;
 }
 
 /* The node to enter, or NULL: nothing of it can be seen. */
@@ -39,7 +33,7 @@ static const LIM_FLASH struct lim_node *node_to_enter(struct lim *lim, struct li
 {
     const LIM_FLASH struct lim_node *node = &route->scene->nodes[route->next];
 
-    if (is_hidden(lim, route, node)) {
+    if (lim_node_is_skipped(route->scene, node, shown_of(route), route->cull, lim_stats_of(lim))) {
         route->next = LIM_NONE;
         return NULL;
     }

@@ -3,7 +3,7 @@
  * A piece that covers a gap's left end, right end, middle or all of it: the gap loses its left
  * end, its right end, splits in two (the only case that takes memory), or is unlinked. An emptied
  * gap must be unlinked at once: a later polygon would find its neighbour through it. */
-#include "span.h"
+#include "gaps.h"
 
 #if LIM_HAS_SPANS
 
@@ -24,55 +24,6 @@ void lim_spans_open(struct lim_spans *spans, const struct lim_rect *open)
     lim_spans_reset_pool(spans);
 }
 
-static uint16_t take_gap(struct lim_spans *spans)
-{
-    const uint16_t taken = spans->free;
-
-    if (taken == LIM_NONE) return spans->fresh < spans->pool_size ? spans->fresh++ : LIM_NONE;
-    spans->free = spans->pool[taken].next;
-    return taken;
-}
-
-static void give_back(struct lim_spans *spans, uint16_t gap)
-{
-    spans->pool[gap].next = spans->free;
-    spans->free = gap;
-}
-
-/* Unlinks the gap *link, whose predecessor is `before` (NULL: it is the line's first). Returns the
- * gap that follows, now in its place, or NULL. */
-static struct lim_gap *unlink_gap(struct lim_spans *spans, struct lim_gap *gap, struct lim_gap *before)
-{
-    const uint16_t next = gap->next;
-
-    if (before) {
-        const uint16_t self = before->next;
-        before->next = next;
-        give_back(spans, self);
-        return next == LIM_NONE ? NULL : &spans->pool[next];
-    }
-    if (next == LIM_NONE) {
-        gap->x0 = gap->x1 = 0;
-        spans->open_lines--;
-        return NULL;
-    }
-    *gap = spans->pool[next];
-    give_back(spans, next);
-    return gap;
-}
-
-/* [x0, x1) lies inside the gap and touches neither end. */
-static bool split_gap(struct lim_spans *spans, struct lim_gap *gap, uint16_t x0, uint16_t x1)
-{
-    const uint16_t right = take_gap(spans);
-
-    if (right == LIM_NONE) return false;
-    spans->pool[right] = (struct lim_gap){.x0 = x1, .x1 = gap->x1, .next = gap->next};
-    gap->x1 = x0;
-    gap->next = right;
-    return true;
-}
-
 enum lim_span_result lim_span_close(struct lim_spans *spans, struct lim_line *line, int16_t x0, int16_t x1,
                                     lim_span_sink *sink, void *ctx)
 {
@@ -82,18 +33,18 @@ enum lim_span_result lim_span_close(struct lim_spans *spans, struct lim_line *li
     while (gap) {
         const int16_t open0 = (int16_t)gap->x0, open1 = (int16_t)gap->x1;
         if (open0 >= x1) break;
-        struct lim_gap *next = gap->next == LIM_NONE ? NULL : &spans->pool[gap->next];
+        struct lim_gap *next = lim_gap_after(spans, gap);
         if (open1 <= x0 || open0 == open1) {
             before = gap;
             gap = next;
             continue;
         }
         const uint16_t from = (uint16_t)(x0 > open0 ? x0 : open0), to = (uint16_t)(x1 < open1 ? x1 : open1);
-        if (x0 > open0 && x1 < open1 && !split_gap(spans, gap, from, to)) return LIM_SPAN_EXHAUSTED;
+        if (x0 > open0 && x1 < open1 && !lim_gap_split(spans, gap, from, to)) return LIM_SPAN_EXHAUSTED;
         if (sink) sink(ctx, from, to);
         result = LIM_SPAN_SOME;
         if (x0 <= open0 && x1 >= open1) {
-            gap = unlink_gap(spans, gap, before);
+            gap = lim_gap_unlink(spans, gap, before);
             continue;
         }
         if (x0 <= open0)

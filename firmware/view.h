@@ -27,6 +27,16 @@ struct lim_view_point {
 #endif
 };
 
+/* Whether wireframe leaves out the edge from a point to the next one. */
+static inline void lim_view_hide_edge(struct lim_view_point *point, bool hidden)
+{
+#if LIM_HAS_WIREFRAME
+    point->hidden = hidden;
+#else
+    (void)point, (void)hidden;
+#endif
+}
+
 /* Where a vertex lies outside: bits 0..4 against what is visible, GUARD against the guard band
  * |x|, |y| <= 2z or the near plane: such a polygon must be clipped. */
 enum lim_view_code {

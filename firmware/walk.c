@@ -15,29 +15,15 @@ void lim_walk_begin(struct lim_walk *walk, struct lim_walk_pending *stack, bool 
     walk->back_to_front = back_to_front;
 }
 
-static bool is_hidden(const struct lim_walk *walk, uint16_t box)
+/* NULL: all may be seen. */
+static inline const uint8_t *shown_of(const struct lim_walk *walk)
 {
 #if LIM_HAS_PORTALS
-    return walk->shown && !lim_portals_show(walk->shown, box);
+    return walk->shown;
 #else
     (void)walk;
-    (void)box;
-    return false;
+    return NULL;
 #endif
-}
-
-static bool skipped(const struct lim_walk *walk, const LIM_FLASH struct lim_node *node, const struct lim_cull *cull,
-                    struct lim_stats *stats)
-{
-    if (!LIM_HAS_CULL || node->box == LIM_NONE) return false;
-    if (LIM_HAS_PORTALS && is_hidden(walk, node->box)) {
-        if (LIM_HAS_STATS) stats->hidden++;
-        return true;
-    }
-    if (LIM_HAS_STATS) stats->boxes++;
-    if (lim_cull_sees(cull, &walk->eye.scene->boxes[node->box])) return false;
-    if (LIM_HAS_STATS) stats->boxes_out++;
-    return true;
 }
 
 /* Its run is due at once. */
@@ -54,7 +40,7 @@ static inline uint16_t enter(struct lim_walk *walk, uint16_t index, const struct
 {
     const LIM_FLASH struct lim_node *node = &walk->eye.scene->nodes[index];
 
-    if (skipped(walk, node, cull, stats)) return LIM_NONE;
+    if (lim_node_is_skipped(walk->eye.scene, node, shown_of(walk), cull, stats)) return LIM_NONE;
     if (LIM_HAS_STATS) stats->nodes++;
     if (LIM_HAS_LEAVES && node->split.plane == LIM_NONE) return enter_leaf(walk, node);
     const int32_t side = lim_eye_side(&walk->eye, &node->split);

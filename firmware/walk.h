@@ -28,6 +28,21 @@ struct lim_walk {
 #endif
 };
 
+/* Whether a subtree is out of view, or cannot be seen from where the eye is. shown: as in lim_walk. */
+static inline bool lim_node_is_skipped(const struct lim_scene *scene, const LIM_FLASH struct lim_node *node,
+                                       const uint8_t *shown, const struct lim_cull *cull, struct lim_stats *stats)
+{
+    if (!LIM_HAS_CULL || node->box == LIM_NONE) return false;
+    if (LIM_HAS_PORTALS && shown && !lim_portals_show(shown, node->box)) {
+        if (LIM_HAS_STATS) stats->hidden++;
+        return true;
+    }
+    if (LIM_HAS_STATS) stats->boxes++;
+    if (lim_cull_sees(cull, &scene->boxes[node->box])) return false;
+    if (LIM_HAS_STATS) stats->boxes_out++;
+    return true;
+}
+
 /* Through the scene of walk->eye, which is set. `stack` has limits.depth entries. */
 void lim_walk_begin(struct lim_walk *walk, struct lim_walk_pending *stack, bool back_to_front);
 

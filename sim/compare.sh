@@ -5,9 +5,9 @@
 # README.md and the picture beside the demo. With --check SCENE says how that scene's columns of pixels, which need
 # no emulator, differ from README. Needs $BUILD/limner.
 set -eu
+. sim/readme_table.sh
 
 : "${BUILD:=build}"
-readme=README.md
 out=out/compare
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
@@ -66,18 +66,9 @@ table() {
     done
 }
 
-# README with the table between the markers.
-filled() {
-    awk -v table="$work/table" '
-        /<!-- compare end -->/ { inside = 0 }
-        !inside { print }
-        /<!-- compare begin/ { inside = 1; while ((getline line < table) > 0) print line }' "$readme"
-}
-
 write() {
     table >"$work/table"
-    filled >"$work/readme"
-    cp "$work/readme" "$readme"
+    readme_write compare "$work/table"
     cp "$out/$picture/sheet.png" sim/scenes/compare.png
 }
 
@@ -92,7 +83,7 @@ pixels() { # SCENE < TABLE
 check() { # SCENE
     compare "$1" "$work/now" --no-cost
     rows "$work/now/compare.csv" | pixels "$1" >"$work/now.pixels"
-    sed -n '/<!-- compare begin/,/<!-- compare end/p' "$readme" | pixels "$1" >"$work/before.pixels"
+    sed -n '/<!-- compare begin/,/<!-- compare end/p' README.md | pixels "$1" >"$work/before.pixels"
     [ -s "$work/now.pixels" ] && diff "$work/before.pixels" "$work/now.pixels"
 }
 

@@ -5,9 +5,10 @@
 set -eu
 . sim/targets/targets.sh
 . sim/footprint.sh
+. sim/readme_table.sh
 
 : "${BUILD:=build}"
-readme=README.md h_px=240
+h_px=240
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
@@ -49,17 +50,9 @@ table() {
     for scene in rooms teapot icosahedron; do row $scene sim/scenes/$scene.obj; done
 }
 
-# README with the table between the markers.
-filled() {
-    awk -v table="$work/table" '
-        /<!-- footprint end -->/ { inside = 0 }
-        !inside { print }
-        /<!-- footprint begin/ { inside = 1; while ((getline line < table) > 0) print line }' "$readme"
-}
-
 table >"$work/table"
 case ${1:-} in
---write) filled >"$work/readme" && cp "$work/readme" "$readme" ;;
---check) grep -q '<!-- footprint begin' "$readme" && filled | diff "$readme" - ;;
+--write) readme_write footprint "$work/table" ;;
+--check) grep -q '<!-- footprint begin' README.md && readme_with footprint "$work/table" | diff README.md - ;;
 *) cat "$work/table" ;;
 esac

@@ -94,21 +94,39 @@ struct channel {
     struct model_pose rest; /* of the node below its parents */
 };
 
+/* Between which keys a time lies: the part t of the way from key `from` to key `to`, which are one beyond the ends. */
+struct stretch {
+    unsigned from, to;
+    double t;
+};
+
+/* Keys of either kind begin with their time; they lie stride_b apart. */
+static double key_time(const void *keys, size_t stride_b, unsigned i)
+{
+    return *(const double *)((const char *)keys + i * stride_b);
+}
+
+static struct stretch stretch_at(const void *keys, size_t stride_b, unsigned count, double ticks)
+{
+    unsigned i = 0;
+    while (i + 1 < count && key_time(keys, stride_b, i + 1) <= ticks)
+        i++;
+    const double from = key_time(keys, stride_b, i);
+    const unsigned next = i + 1 < count && ticks > from ? i + 1 : i;
+    const double span = key_time(keys, stride_b, next) - from;
+    return (struct stretch){i, next, span > 0 ? (ticks - from) / span : 0};
+}
+
 static void position_at(const struct channel *channel, double ticks, double out[3])
 {
     const struct aiVectorKey *keys = channel->anim->mPositionKeys;
-    const unsigned count = channel->anim->mNumPositionKeys;
-    unsigned i = 0;
     memcpy(out, channel->rest.at_m, 3 * sizeof *out);
-    if (!count) return;
-    while (i + 1 < count && keys[i + 1].mTime <= ticks)
-        i++;
-    const unsigned next = i + 1 < count && ticks > keys[i].mTime ? i + 1 : i;
-    const double span = keys[next].mTime - keys[i].mTime, t = span > 0 ? (ticks - keys[i].mTime) / span : 0;
-    const struct aiVector3D *a = &keys[i].mValue, *b = &keys[next].mValue;
-    out[0] = a->x + t * ((double)b->x - a->x);
-    out[1] = a->y + t * ((double)b->y - a->y);
-    out[2] = a->z + t * ((double)b->z - a->z);
+    if (!channel->anim->mNumPositionKeys) return;
+    const struct stretch s = stretch_at(&keys->mTime, sizeof *keys, channel->anim->mNumPositionKeys, ticks);
+    const struct aiVector3D *a = &keys[s.from].mValue, *b = &keys[s.to].mValue;
+    out[0] = a->x + s.t * ((double)b->x - a->x);
+    out[1] = a->y + s.t * ((double)b->y - a->y);
+    out[2] = a->z + s.t * ((double)b->z - a->z);
 }
 
 static void turn_of(const struct aiQuaternion *q, double out[4])
@@ -124,18 +142,13 @@ static void turn_of(const struct aiQuaternion *q, double out[4])
 static void turn_at(const struct channel *channel, double ticks, double out[4])
 {
     const struct aiQuatKey *keys = channel->anim->mRotationKeys;
-    const unsigned count = channel->anim->mNumRotationKeys;
-    unsigned i = 0;
     memcpy(out, channel->rest.turn, 4 * sizeof *out);
-    if (!count) return;
-    while (i + 1 < count && keys[i + 1].mTime <= ticks)
-        i++;
-    const unsigned next = i + 1 < count && ticks > keys[i].mTime ? i + 1 : i;
-    const double span = keys[next].mTime - keys[i].mTime, t = span > 0 ? (ticks - keys[i].mTime) / span : 0;
+    if (!channel->anim->mNumRotationKeys) return;
+    const struct stretch s = stretch_at(&keys->mTime, sizeof *keys, channel->anim->mNumRotationKeys, ticks);
     double a[4], b[4];
-    turn_of(&keys[i].mValue, a);
-    turn_of(&keys[next].mValue, b);
-    pose_turn_between(a, b, t, out);
+    turn_of(&keys[s.from].mValue, a);
+    turn_of(&keys[s.to].mValue, b);
+    pose_turn_between(a, b, s.t, out);
 }
 
 static int by_value(const void *a, const void *b)

@@ -4,9 +4,9 @@
 # scenes. With --write puts it into README.md between its markers, and the picture beside the demo;
 # with --check says how README differs. Needs $BUILD/limner and $BUILD/scenes.
 set -eu
+. sim/readme_table.sh
 
 : "${BUILD:=build}"
-readme=README.md
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
@@ -45,14 +45,6 @@ table() {
     for scene in rooms rooms-tilted teapot; do row "$scene" sim/scenes; done
 }
 
-# README with the table between the markers.
-filled() {
-    awk -v table="$work/table" '
-        /<!-- table end -->/ { inside = 0 }
-        !inside { print }
-        /<!-- table begin/ { inside = 1; while ((getline line < table) > 0) print line }' "$readme"
-}
-
 # Twelve frames of the demo's walk.
 picture() {
     awk 'NR % 8 == 5' "$BUILD/scenes/demo.cam" >"$work/few.cam"
@@ -61,7 +53,7 @@ picture() {
 
 table >"$work/table"
 case ${1:-} in
---write) filled >"$work/readme" && cp "$work/readme" "$readme" && picture ;;
---check) filled | diff "$readme" - ;;
+--write) readme_write table "$work/table" && picture ;;
+--check) readme_with table "$work/table" | diff README.md - ;;
 *) cat "$work/table" ;;
 esac

@@ -5,9 +5,9 @@
 # README.md and the picture beside the demo. With --check SCENE says how that scene's columns of accuracy, which
 # need no emulator, differ from README. Needs $BUILD/limner and $BUILD/scenes.
 set -eu
+. sim/readme_table.sh
 
 : "${BUILD:=build}"
-readme=README.md
 out=out/tradeoff
 profiles=draft,fast,fine,exact
 work=$(mktemp -d)
@@ -62,18 +62,9 @@ table() {
     done
 }
 
-# README with the table between its markers.
-filled() {
-    awk -v table="$work/table" '
-        /<!-- tradeoff end -->/ { inside = 0 }
-        !inside { print }
-        /<!-- tradeoff begin/ { inside = 1; while ((getline line < table) > 0) print line }' "$readme"
-}
-
 write() {
     table >"$work/table"
-    filled >"$work/readme"
-    cp "$work/readme" "$readme"
+    readme_write tradeoff "$work/table"
     cp "$out/rooms/measure.png" sim/scenes/tradeoff.png
 }
 
@@ -85,7 +76,7 @@ accuracies() { # SCENE < TABLE
 check() { # SCENE
     measure "$1" --no-cost --precision "$profiles" -o "$work"
     rows "$work/measure.csv" | accuracies "$1" >"$work/now"
-    sed -n '/<!-- tradeoff begin/,/<!-- tradeoff end/p' "$readme" | accuracies "$1" >"$work/before"
+    sed -n '/<!-- tradeoff begin/,/<!-- tradeoff end/p' README.md | accuracies "$1" >"$work/before"
     [ -s "$work/now" ] && diff "$work/before" "$work/now"
 }
 

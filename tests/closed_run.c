@@ -12,7 +12,7 @@
 #include <string.h>
 
 /* One scene, ready to be drawn in every profile. */
-struct closed_stage {
+struct run_stage {
     struct closed_scene closed;
     struct mesh mesh;
     struct reference reference;
@@ -21,7 +21,7 @@ struct closed_stage {
     struct ids ids[PROFILES_MAX];
 };
 
-static void compile_for(struct closed_stage *stage, size_t k, struct closed_run_sum *sum, unsigned side_px)
+static void compile_for(struct run_stage *stage, size_t k, struct closed_run_sum *sum, unsigned side_px)
 {
     const struct compile_options options = {
         .tolerance_units = 0.5, .splitter = "auto", .keep_faces = true, .core = sum->profile};
@@ -34,7 +34,7 @@ static void compile_for(struct closed_stage *stage, size_t k, struct closed_run_
     sum->splits += stage->scenes[k].report.splits;
 }
 
-static void stage_open(struct closed_stage *stage, struct random *random, struct closed_run_sum *sums, size_t count,
+static void stage_open(struct run_stage *stage, struct random *random, struct closed_run_sum *sums, size_t count,
                        unsigned side_px)
 {
     struct error err;
@@ -48,7 +48,7 @@ static void stage_open(struct closed_stage *stage, struct random *random, struct
         compile_for(stage, k, &sums[k], side_px);
 }
 
-static void stage_close(struct closed_stage *stage, size_t count)
+static void stage_close(struct run_stage *stage, size_t count)
 {
     for (size_t k = 0; k < count; k++) {
         ids_free(&stage->ids[k]);
@@ -64,7 +64,7 @@ static size_t difference(size_t a, size_t b)
     return a > b ? a - b : b - a;
 }
 
-static void draw(struct closed_stage *stage, size_t k, struct closed_run_sum *sum, const struct viewpoint *viewpoint)
+static void draw(struct run_stage *stage, size_t k, struct closed_run_sum *sum, const struct viewpoint *viewpoint)
 {
     struct viewpoint only = *viewpoint;
     const struct camera_path path = {"random", &only, 1};
@@ -93,7 +93,7 @@ size_t closed_run(const struct closed_run_plan *plan, struct closed_run_sum sums
     for (size_t k = 0; k < count; k++)
         sums[k].profile = profiles[k];
     for (int s = 0; s < plan->scenes; s++) {
-        static struct closed_stage stage;
+        static struct run_stage stage;
         progress("closed scenes: %d of %d, %zu million pixels a profile", s, plan->scenes,
                  sums[0].holes.pixels / 1000000);
         stage_open(&stage, &random, sums, count, plan->side_px);

@@ -2,7 +2,7 @@
  *
  * Frames with antialiased edges: how near they come to the true picture, that every order and any memory paints the
  * same, that nothing shines through seams, and what is refused. */
-#include "closed_scene.h"
+#include "closed_stage.h"
 #include "cmocka_ready.h"
 #include "compiled.h"
 #include "edge_error.h"
@@ -69,45 +69,15 @@ static void draw(const struct compiled *scene, enum lim_method method, size_t me
     free(mem);
 }
 
-struct stage {
-    struct closed_scene closed;
-    struct mesh mesh;
-    struct compiled scene;
-    struct lens lens;
-};
-
-static void stage_open(struct stage *stage, struct random *random, bool glass, bool antialias)
+/* glass: every other face of the solids is transparent. */
+static void stage_open(struct closed_stage *stage, struct random *random, bool glass, bool antialias)
 {
     const struct compile_options options = {.tolerance_units = 0.5, .splitter = "fewest", .antialias = antialias};
-    struct error err;
 
-    memset(stage, 0, sizeof *stage);
-    closed_scene_make(&stage->closed, random);
+    closed_stage_make(stage, random);
     for (size_t i = stage->closed.first_face[0]; glass && i < stage->closed.model.face_count; i += 2)
         stage->closed.model.faces[i].transparency = 100;
-    if (!mesh_clean(&stage->closed.model, &stage->mesh, &err) || !mesh_insert_t_vertices(&stage->mesh, &err) ||
-        !compile_mesh(&stage->mesh, &options, &stage->scene, &err) ||
-        !lens_init(&stage->lens, 60, 0.1, W_PX, H_PX, &err))
-        fail_msg("%s", err.text);
-}
-
-static void stage_close(struct stage *stage)
-{
-    compiled_free(&stage->scene);
-    mesh_free(&stage->mesh);
-    closed_scene_free(&stage->closed);
-}
-
-static struct lim_camera camera_in(struct stage *stage, struct random *random)
-{
-    struct viewpoint viewpoint = closed_scene_viewpoint(&stage->closed, random);
-    const struct camera_path path = {"random", &viewpoint, 1};
-    struct lim_camera camera;
-    struct error err;
-
-    assert_true(camera_path_to_camera(&path, 0, &stage->lens, &stage->scene.grid, &camera, &err));
-    camera.roll = (uint32_t)random_u64(random);
-    return camera;
+    closed_stage_compile(stage, &options, W_PX, H_PX);
 }
 
 /* Memory and orders -------------------------------------------------------------------------- */
@@ -119,14 +89,14 @@ static void any_memory_paints_the_same(void **state)
 
     (void)state;
     for (int s = 0; s < SCENES; s++) {
-        struct stage stage;
+        struct closed_stage stage;
         stage_open(&stage, &random, false, true);
         const struct lim_target target = {.w_px = W_PX, .h_px = H_PX, .method = LIM_NEAREST_FIRST};
         const size_t least_b = lim_mem_min_b(&stage.scene.scene, &target);
         const size_t most_b = lim_mem_b(&stage.scene.scene, &target);
         for (int f = 0; f < FRAMES; f++) {
             static struct canvas whole, part;
-            const struct lim_camera camera = camera_in(&stage, &random);
+            const struct lim_camera camera = closed_stage_camera(&stage, &random);
             const size_t mem_b = f ? (size_t)random_in(&random, (int64_t)least_b, (int64_t)most_b) : least_b;
             struct lim_stats stats;
             draw(&stage.scene, LIM_NEAREST_FIRST, 4 * most_b, true, &camera, &whole, &stats);
@@ -134,7 +104,7 @@ static void any_memory_paints_the_same(void **state)
             banded += stats.bands > 0;
             assert_memory_equal(whole.pixels, part.pixels, sizeof whole.pixels);
         }
-        stage_close(&stage);
+        closed_stage_close(&stage);
     }
     print_message("# antialias: %u frames ran out of memory\n", banded);
     assert_true(banded >= SCENES);
@@ -150,11 +120,11 @@ static void scarce_memory_takes_edges_from_glass_by_whole_lines(void **state)
     (void)state;
     for (int s = 0; s < SCENES; s++) {
         static struct canvas smooth, aliased, part;
-        struct stage stage;
+        struct closed_stage stage;
         struct lim_stats stats;
         stage_open(&stage, &random, true, true);
         const struct lim_target target = {.w_px = W_PX, .h_px = H_PX, .method = LIM_NEAREST_FIRST};
-        const struct lim_camera camera = camera_in(&stage, &random);
+        const struct lim_camera camera = closed_stage_camera(&stage, &random);
         const size_t least_b = lim_mem_min_b(&stage.scene.scene, &target),
                      most_b = lim_mem_b(&stage.scene.scene, &target);
         draw(&stage.scene, LIM_NEAREST_FIRST, 4 * most_b, true, &camera, &smooth, &stats);
@@ -167,7 +137,7 @@ static void scarce_memory_takes_edges_from_glass_by_whole_lines(void **state)
             as_smooth += is_smooth && !is_aliased;
             as_aliased += is_aliased && !is_smooth;
         }
-        stage_close(&stage);
+        closed_stage_close(&stage);
     }
     print_message("# antialias: %u lines of glass as they should be, %u without\n", as_smooth, as_aliased);
     assert_true(as_smooth > 0 && as_aliased > 0);
@@ -181,11 +151,11 @@ static void newell_paints_what_the_tree_paints(void **state)
 
     (void)state;
     for (int s = 0; s < SCENES; s++) {
-        struct stage stage;
+        struct closed_stage stage;
         stage_open(&stage, &random, false, true);
         for (int f = 0; f < FRAMES; f++) {
             static struct canvas tree, sorted;
-            const struct lim_camera camera = camera_in(&stage, &random);
+            const struct lim_camera camera = closed_stage_camera(&stage, &random);
             struct lim_stats stats;
             draw(&stage.scene, LIM_NEAREST_FIRST, 0, true, &camera, &tree, &stats);
             draw(&stage.scene, LIM_NEWELL, 400000, true, &camera, &sorted, &stats);
@@ -193,7 +163,7 @@ static void newell_paints_what_the_tree_paints(void **state)
             for (int i = 0; i < W_PX * H_PX; i++)
                 different += tree.pixels[i / W_PX][i % W_PX] != sorted.pixels[i / W_PX][i % W_PX];
         }
-        stage_close(&stage);
+        closed_stage_close(&stage);
     }
     print_message("# antialias: newell, %u splits, %u of %d pixels differ\n", splits, different,
                   SCENES * FRAMES * W_PX * H_PX);
@@ -207,7 +177,7 @@ static void nothing_shines_through_seams(void **state)
 
     (void)state;
     for (int s = 0; s < SCENES; s++) {
-        struct stage stage;
+        struct closed_stage stage;
         stage_open(&stage, &random, false, true);
         uint16_t *words = malloc(stage.scene.scene.polygon_words * sizeof *words);
         memcpy(words, stage.scene.scene.polygons, stage.scene.scene.polygon_words * sizeof *words);
@@ -218,7 +188,7 @@ static void nothing_shines_through_seams(void **state)
         stage.scene.scene.background = 0;
         for (int f = 0; f < FRAMES; f++) {
             static struct canvas canvas;
-            const struct lim_camera camera = camera_in(&stage, &random);
+            const struct lim_camera camera = closed_stage_camera(&stage, &random);
             struct lim_stats stats;
             draw(&stage.scene, LIM_NEAREST_FIRST, 0, true, &camera, &canvas, &stats);
             for (int i = 0; i < W_PX * H_PX; i++)
@@ -226,7 +196,7 @@ static void nothing_shines_through_seams(void **state)
         }
         stage.scene.scene.polygons = before;
         free(words);
-        stage_close(&stage);
+        closed_stage_close(&stage);
     }
 }
 
@@ -308,12 +278,12 @@ static void it_is_off_until_asked_for_and_can_be_turned_off(void **state)
     static struct canvas canvas;
     static uint16_t aliased[H_PX][W_PX];
     struct random random = {919};
-    struct stage stage;
+    struct closed_stage stage;
     struct lim lim;
 
     (void)state;
     stage_open(&stage, &random, false, false);
-    const struct lim_camera camera = camera_in(&stage, &random);
+    const struct lim_camera camera = closed_stage_camera(&stage, &random);
     const struct lim_target target = target_on(&canvas, LIM_NEAREST_FIRST);
     const size_t mem_b = lim_mem_b(&stage.scene.scene, &target);
     void *mem = malloc(mem_b);
@@ -328,7 +298,7 @@ static void it_is_off_until_asked_for_and_can_be_turned_off(void **state)
         assert_true((memcmp(aliased, canvas.pixels, sizeof aliased) == 0) == (i != 1));
     }
     free(mem);
-    stage_close(&stage);
+    closed_stage_close(&stage);
 }
 
 static void orders_that_do_not_paint_nearest_first_refuse(void **state)
@@ -336,7 +306,7 @@ static void orders_that_do_not_paint_nearest_first_refuse(void **state)
     static uint32_t smooth_mem[LIM_ANTIALIAS_MEM_B(W_PX) / 4];
     static struct canvas canvas;
     struct random random = {920};
-    struct stage stage;
+    struct closed_stage stage;
     struct lim lim;
 
     (void)state;
@@ -348,7 +318,7 @@ static void orders_that_do_not_paint_nearest_first_refuse(void **state)
     assert_int_equal(lim_set_antialias(&lim, smooth_mem, sizeof smooth_mem), LIM_ERR_TARGET);
     assert_int_equal(lim_set_antialias(&lim, NULL, 0), LIM_OK);
     free(mem);
-    stage_close(&stage);
+    closed_stage_close(&stage);
 }
 
 int main(void)

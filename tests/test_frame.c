@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
  * Whole frames: both orders, any memory, failing targets, bad cameras and bad set-ups. */
-#include "closed_scene.h"
+#include "closed_stage.h"
 #include "cmocka_ready.h"
 #include "compiled.h"
 #include "limner.h"
@@ -54,10 +54,7 @@ static void assert_every_pixel_done_once(const struct canvas *canvas)
 }
 
 struct stage {
-    struct closed_scene closed;
-    struct mesh mesh;
-    struct compiled scene;
-    struct lens lens;
+    struct closed_stage in;
     struct canvas canvas;
     struct lim lim;
     void *mem;
@@ -70,23 +67,17 @@ static struct lim_target target_of(struct stage *stage, enum lim_method method)
 
 static void stage_init(struct stage *stage, struct random *random)
 {
-    const struct compile_options options = {.tolerance_units = 0.5, .splitter = "fewest"};
-    struct error err;
+    static const struct compile_options options = {.tolerance_units = 0.5, .splitter = "fewest"};
 
     memset(stage, 0, sizeof *stage);
-    closed_scene_make(&stage->closed, random);
-    if (!mesh_clean(&stage->closed.model, &stage->mesh, &err) || !mesh_insert_t_vertices(&stage->mesh, &err) ||
-        !compile_mesh(&stage->mesh, &options, &stage->scene, &err))
-        fail_msg("%s", err.text);
-    assert_true(lens_init(&stage->lens, 60, 0.1, W_PX, H_PX, &err));
+    closed_stage_make(&stage->in, random);
+    closed_stage_compile(&stage->in, &options, W_PX, H_PX);
 }
 
 static void stage_free(struct stage *stage)
 {
     free(stage->mem);
-    compiled_free(&stage->scene);
-    mesh_free(&stage->mesh);
-    closed_scene_free(&stage->closed);
+    closed_stage_close(&stage->in);
 }
 
 /* mem_b 0: what the scene asks for. */
@@ -94,22 +85,10 @@ static void stage_start(struct stage *stage, enum lim_method method, size_t mem_
 {
     const struct lim_target target = target_of(stage, method);
 
-    if (!mem_b) mem_b = lim_mem_b(&stage->scene.scene, &target);
+    if (!mem_b) mem_b = lim_mem_b(&stage->in.scene.scene, &target);
     free(stage->mem);
     stage->mem = malloc(mem_b);
-    assert_int_equal(lim_init(&stage->lim, &stage->scene.scene, &target, stage->mem, mem_b), LIM_OK);
-}
-
-static struct lim_camera random_camera(struct stage *stage, struct random *random)
-{
-    struct viewpoint viewpoint = closed_scene_viewpoint(&stage->closed, random);
-    const struct camera_path path = {"random", &viewpoint, 1};
-    struct lim_camera camera;
-    struct error err;
-
-    assert_true(camera_path_to_camera(&path, 0, &stage->lens, &stage->scene.grid, &camera, &err));
-    camera.roll = (uint32_t)random_u64(random);
-    return camera;
+    assert_int_equal(lim_init(&stage->lim, &stage->in.scene.scene, &target, stage->mem, mem_b), LIM_OK);
 }
 
 static void draw(struct stage *stage, const struct lim_camera *camera)
@@ -129,7 +108,7 @@ static void nearest_first_paints_each_pixel_once_and_leaves_no_background(void *
         stage_init(&stage, &random);
         stage_start(&stage, LIM_NEAREST_FIRST, 0);
         for (int f = 0; f < FRAMES; f++) {
-            const struct lim_camera camera = random_camera(&stage, &random);
+            const struct lim_camera camera = closed_stage_camera(&stage.in, &random);
             draw(&stage, &camera);
             assert_int_equal(lim_stats(&stage.lim)->pixels_painted, W_PX * H_PX);
             assert_int_equal(lim_stats(&stage.lim)->pixels_background, 0);
@@ -148,7 +127,7 @@ static void the_painter_gives_the_same_picture(void **state)
         uint16_t nearest[H_PX][W_PX];
         stage_init(&stage, &random);
         for (int f = 0; f < FRAMES; f++) {
-            const struct lim_camera camera = random_camera(&stage, &random);
+            const struct lim_camera camera = closed_stage_camera(&stage.in, &random);
             stage_start(&stage, LIM_NEAREST_FIRST, 0);
             draw(&stage, &camera);
             memcpy(nearest, stage.canvas.pixels, sizeof nearest);
@@ -172,9 +151,9 @@ static void any_memory_gives_the_same_picture(void **state)
         uint16_t plenty[H_PX][W_PX];
         stage_init(&stage, &random);
         const struct lim_target target = target_of(&stage, LIM_NEAREST_FIRST);
-        const size_t least_b = lim_mem_min_b(&stage.scene.scene, &target);
-        const size_t asked_b = lim_mem_b(&stage.scene.scene, &target);
-        const struct lim_camera camera = random_camera(&stage, &random);
+        const size_t least_b = lim_mem_min_b(&stage.in.scene.scene, &target);
+        const size_t asked_b = lim_mem_b(&stage.in.scene.scene, &target);
+        const struct lim_camera camera = closed_stage_camera(&stage.in, &random);
         stage_start(&stage, LIM_NEAREST_FIRST, 0);
         draw(&stage, &camera);
         memcpy(plenty, stage.canvas.pixels, sizeof plenty);
@@ -197,7 +176,7 @@ static void a_target_that_fails_at_any_call_ends_the_frame_and_the_next_is_whole
 
     (void)state;
     stage_init(&stage, &random);
-    const struct lim_camera camera = random_camera(&stage, &random);
+    const struct lim_camera camera = closed_stage_camera(&stage.in, &random);
     for (int m = 0; m < 2; m++) {
         uint16_t whole[H_PX][W_PX];
         stage_start(&stage, orders[m], 0);
@@ -226,7 +205,7 @@ static void cameras_out_of_range_are_refused(void **state)
     (void)state;
     stage_init(&stage, &random);
     stage_start(&stage, LIM_NEAREST_FIRST, 0);
-    const struct lim_camera good = random_camera(&stage, &random);
+    const struct lim_camera good = closed_stage_camera(&stage.in, &random);
     struct lim_camera bad[7] = {good, good, good, good, good, good, good};
     bad[0].eye_q8[1] = INT32_C(1) << 28;
     bad[1].eye_q8[2] = -(INT32_C(1) << 28);
@@ -251,7 +230,7 @@ static void set_ups_that_cannot_work_are_refused(void **state)
 
     (void)state;
     stage_init(&stage, &random);
-    struct lim_scene scene = stage.scene.scene;
+    struct lim_scene scene = stage.in.scene.scene;
     const struct lim_target good = target_of(&stage, LIM_NEAREST_FIRST);
     const size_t least_b = lim_mem_min_b(&scene, &good);
     void *mem = malloc(least_b);

@@ -3,7 +3,7 @@
  * Transparent polygons: what a layer does to a pixel, that layers come in the painter's order in every order of
  * drawing and with any memory, and that models and files which cannot be right are refused. */
 #include "blend.h"
-#include "closed_scene.h"
+#include "closed_stage.h"
 #include "cmocka_ready.h"
 #include "compiled.h"
 #include "convexity.h"
@@ -230,54 +230,23 @@ static void draw(const struct compiled *scene, enum lim_method method, size_t me
     free(mem);
 }
 
-struct stage {
-    struct closed_scene closed;
-    struct mesh mesh;
-    struct compiled scene;
-    struct lens lens;
-};
-
-/* A closed scene, half of its solids' faces of glass, some of them on both sides. */
-static void stage_open(struct stage *stage, struct random *random, const struct core *core)
+/* Half of the solids' faces of glass, some of them on both sides. */
+static void stage_open(struct closed_stage *stage, struct random *random, const struct core *core)
 {
     const struct compile_options options = {.tolerance_units = 0.5, .splitter = "fewest", .core = core};
-    struct error err;
 
-    memset(stage, 0, sizeof *stage);
-    closed_scene_make(&stage->closed, random);
+    closed_stage_make(stage, random);
     for (size_t i = stage->closed.first_face[0]; i < stage->closed.model.face_count; i++) {
         if (random_in(random, 0, 1)) continue;
         stage->closed.model.faces[i].transparency = (uint8_t)random_in(random, 1, 254);
         stage->closed.model.faces[i].two_sided = random_in(random, 0, 1);
     }
     stage->closed.model.faces[stage->closed.model.face_count - 1].transparency = 100; /* there may be no solids */
-    if (!mesh_clean(&stage->closed.model, &stage->mesh, &err) || !mesh_insert_t_vertices(&stage->mesh, &err) ||
-        !compile_mesh(&stage->mesh, &options, &stage->scene, &err) ||
-        !lens_init(&stage->lens, 60, 0.1, W_PX, H_PX, &err))
-        fail_msg("%s", err.text);
+    closed_stage_compile(stage, &options, W_PX, H_PX);
     assert_true(stage->scene.scene.limits.layers > 0);
 }
 
-static void stage_close(struct stage *stage)
-{
-    compiled_free(&stage->scene);
-    mesh_free(&stage->mesh);
-    closed_scene_free(&stage->closed);
-}
-
-static struct lim_camera camera_in(struct stage *stage, struct random *random)
-{
-    struct viewpoint viewpoint = closed_scene_viewpoint(&stage->closed, random);
-    const struct camera_path path = {"random", &viewpoint, 1};
-    struct lim_camera camera;
-    struct error err;
-
-    assert_true(camera_path_to_camera(&path, 0, &stage->lens, &stage->scene.grid, &camera, &err));
-    camera.roll = (uint32_t)random_u64(random);
-    return camera;
-}
-
-static void frame_of(const struct stage *stage, const struct core *core, enum lim_method method,
+static void frame_of(const struct closed_stage *stage, const struct core *core, enum lim_method method,
                      const struct lim_camera *camera, uint16_t *pixels)
 {
     const struct simulator_setup setup = {W_PX, H_PX, method, SIMULATOR_MEMORY, core};
@@ -299,16 +268,16 @@ static void both_orders_paint_the_same_in_every_profile(void **state)
     (void)state;
     for (int s = 0; s < SCENES; s++) {
         for (size_t p = 0; p < count; p++) {
-            struct stage stage;
+            struct closed_stage stage;
             stage_open(&stage, &random, profiles[p]);
             for (int f = 0; f < FRAMES; f++) {
                 static uint16_t nearest[W_PX * H_PX], painter[W_PX * H_PX];
-                const struct lim_camera camera = camera_in(&stage, &random);
+                const struct lim_camera camera = closed_stage_camera(&stage, &random);
                 frame_of(&stage, profiles[p], LIM_NEAREST_FIRST, &camera, nearest);
                 frame_of(&stage, profiles[p], LIM_PAINTER, &camera, painter);
                 assert_memory_equal(nearest, painter, sizeof nearest);
             }
-            stage_close(&stage);
+            closed_stage_close(&stage);
         }
     }
 }
@@ -321,14 +290,14 @@ static void any_memory_paints_the_same(void **state)
 
     (void)state;
     for (int s = 0; s < SCENES; s++) {
-        struct stage stage;
+        struct closed_stage stage;
         stage_open(&stage, &random, NULL);
         const struct lim_target target = {.w_px = W_PX, .h_px = H_PX, .method = LIM_NEAREST_FIRST};
         const size_t least_b = lim_mem_min_b(&stage.scene.scene, &target);
         const size_t most_b = lim_mem_b(&stage.scene.scene, &target);
         for (int f = 0; f < FRAMES; f++) {
             static struct canvas whole, part;
-            const struct lim_camera camera = camera_in(&stage, &random);
+            const struct lim_camera camera = closed_stage_camera(&stage, &random);
             const size_t mem_b = f ? (size_t)random_in(&random, (int64_t)least_b, (int64_t)most_b) : least_b;
             struct lim_stats stats;
             draw(&stage.scene, LIM_PAINTER, 0, &camera, &whole, &stats);
@@ -336,7 +305,7 @@ static void any_memory_paints_the_same(void **state)
             banded += stats.bands > 0;
             assert_memory_equal(whole.pixels, part.pixels, sizeof whole.pixels);
         }
-        stage_close(&stage);
+        closed_stage_close(&stage);
     }
     assert_true(banded >= SCENES);
 }
@@ -349,11 +318,11 @@ static void a_stack_that_is_too_small_paints_the_same(void **state)
 
     (void)state;
     for (int s = 0; s < SCENES; s++) {
-        struct stage stage;
+        struct closed_stage stage;
         stage_open(&stage, &random, NULL);
         for (int f = 0; f < FRAMES; f++) {
             static struct canvas whole, part;
-            const struct lim_camera camera = camera_in(&stage, &random);
+            const struct lim_camera camera = closed_stage_camera(&stage, &random);
             struct compiled small = stage.scene; /* shares the arrays */
             struct lim_stats stats;
             small.scene.limits.layers = (uint16_t)random_in(&random, 1, 1 + stage.scene.scene.limits.layers / 2);
@@ -363,7 +332,7 @@ static void a_stack_that_is_too_small_paints_the_same(void **state)
             banded += stats.bands > 0;
             assert_memory_equal(whole.pixels, part.pixels, sizeof whole.pixels);
         }
-        stage_close(&stage);
+        closed_stage_close(&stage);
     }
     assert_true(banded >= SCENES);
 }
