@@ -32,7 +32,8 @@ all: $(BUILD)/limner ## build the host program, build/limner (the default)
 
 help: ## list the goals
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "  make %-14s %s\n", $$1, $$2 }' Makefile
-	@echo "Suites of make test: $(ALL_SUITES); on demand: features (all combinations)"
+	@echo "Suites of make test: $(ALL_SUITES); on demand: features (all combinations),"
+	@echo "and cpus with EVERY_PROFILE=yes (each processor in each profile)"
 
 # -- Debian packages: what every build needs, and what a goal or a suite needs beside ----------------------------------
 
@@ -196,7 +197,10 @@ suite-soak      := $(filter $(BUILD)/tests/soak_%,$(test_programs))
 unknown := $(filter-out $(ALL_SUITES) fixed features soak,$(suites))
 $(if $(unknown),$(error there is no suite $(unknown); there are: all $(ALL_SUITES) features))
 
-programs := $(sort $(foreach suite,$(suites),$(suite-$(suite))))
+# The longest first, so that none of them is left alone at the end.
+longest  := tests/sanitize.sh tests/prove.sh tests/compilers.sh tests/cli_extremes.sh
+asked    := $(sort $(foreach suite,$(suites),$(suite-$(suite))))
+programs := $(filter $(longest),$(asked)) $(filter-out $(longest),$(asked))
 
 test: $(BUILD)/limner $(demo) $(textured) $(programs) ## run the host and Arm suites; SUITES=all: every suite
 	$(LIVE)sh tests/run.sh $(programs)

@@ -31,6 +31,7 @@ bool lim_bend_plane(struct lim_plane_wide *plane, const struct lim_scene *object
         shift++;
     plane->d = plane->slack = 0;
     plane->narrow = false;
+    plane->axis = LIM_NO_AXIS;
     for (uint_fast8_t i = 0; i < 3; i++) {
         plane->n[i] = (int32_t)(n[i] >> shift);
         plane->d += (int64_t)plane->n[i] * at[0][i];

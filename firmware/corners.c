@@ -24,6 +24,7 @@ static void load_slanted(struct lim_plane_wide *plane, const struct lim_scene *s
                          const LIM_FLASH struct lim_plane *packed)
 {
     plane->narrow = !LIM_HAS_LARGE || lim_plane_exact(packed) == LIM_NONE;
+    plane->axis = LIM_NO_AXIS;
     if (!plane->narrow) {
         const LIM_FLASH struct lim_plane_exact *exact = &scene->exact[lim_plane_exact(packed)];
         for (uint_fast8_t i = 0; i < 3; i++)
@@ -43,8 +44,9 @@ static inline void unpack(struct lim_plane_wide *plane, const struct lim_scene *
     if (LIM_HAS_SLANTED && ref->plane < LIM_PLANE_X) {
         load_slanted(plane, scene, lim_plane_at(scene->planes, ref->plane));
     } else {
+        plane->axis = ref->plane & 3;
         for (uint_fast8_t i = 0; i < 3; i++)
-            plane->n[i] = i == (ref->plane & 3);
+            plane->n[i] = i == plane->axis;
         plane->d = ref->offset;
         plane->narrow = true;
     }

@@ -18,11 +18,13 @@ struct lim_corners {
 };
 
 /* A scene's plane, unpacked. */
+enum { LIM_NO_AXIS = 3 };
 struct lim_plane_wide {
     int32_t n[3];
     int64_t d;
     int64_t slack; /* |n . p - d| up to this is on it: newell.h */
     bool narrow;   /* n . p - d fits 32 bits for every vertex p: scene.h's bounds */
+    uint8_t axis;  /* of which n is 1, |d| < 2^15; or LIM_NO_AXIS */
 };
 
 /* The corner of a record, in units of the scene. */
@@ -44,6 +46,7 @@ static inline int64_t lim_plane_value(const struct lim_plane_wide *plane, int32_
 
 static inline int64_t lim_corner_value(const struct lim_plane_wide *plane, const int32_t at_q12[3])
 {
+    if (plane->axis != LIM_NO_AXIS) return at_q12[plane->axis] - (int32_t)plane->d * (int32_t)LIM_CORNER_ONE_Q12;
     return lim_plane_value(plane, at_q12[0], at_q12[1], at_q12[2], LIM_CORNER_ONE_Q12);
 }
 

@@ -202,7 +202,61 @@ struct divider {
     struct lim_plane_wide plane;
     uint16_t node, entry; /* the plane's own, once it has cut something */
     int32_t eye_side;
+    uint16_t owner; /* whose the next ones are, LIM_NONE: nobody's */
+    int32_t n_q14[3];
+    int32_t front_q14, back_q14; /* n . v beyond these is certainly in front, or behind */
 };
+
+/* Q14 and the object's units, more than all that is left out: the normal's fraction, and a vertex's; what lies within
+ * the plane's slack; the rounding of a corner in its place. */
+#define DOUBT_Q14 (3 * INT32_C(32768) + 6 * INT32_C(16384))
+#define DOUBT_A_UNIT_Q14 (4 * INT32_C(16384))
+
+static int32_t saturate(int64_t x)
+{
+    return x > INT32_MAX ? INT32_MAX : x < INT32_MIN ? INT32_MIN : (int32_t)x;
+}
+
+/* The plane as an object has it, of which most polygons lie on one side by far. With n < 2^(32 - spare), n_q14 is a
+ * normal of a length below sqrt(3) 2^14, and products with a vertex add up to less than 3 * 2^29; offsets stay below
+ * 2^62. */
+static void take_to(const struct lim *lim, struct divider *divider, uint16_t owner)
+{
+    const struct lim_instance *instance = &lim->movers.instances[owner];
+    const int32_t *n = divider->plane.n;
+    const uint8_t spare = clz_u32(abs_s32(n[0]) | abs_s32(n[1]) | abs_s32(n[2]));
+    int64_t offset_q8 = divider->plane.d * 256;
+
+    for (uint_fast8_t i = 0; i < 3; i++) {
+        int64_t sum = 0;
+        for (uint_fast8_t k = 0; k < 3; k++)
+            sum += (int64_t)instance->axes_q30[3 * i + k] * n[k];
+        divider->n_q14[i] = (int32_t)(sum >> (48 - spare));
+        offset_q8 -= (int64_t)n[i] * instance->at_q8[i];
+    }
+    offset_q8 *= INT32_C(1) << instance->finer_bits;
+    const int64_t offset_q14 = spare > 26 ? offset_q8 * (INT64_C(1) << (spare - 26)) : offset_q8 >> (26 - spare);
+    const int64_t doubt_q14 = DOUBT_Q14 + (DOUBT_A_UNIT_Q14 * (INT64_C(1) << instance->finer_bits));
+    divider->front_q14 = saturate(offset_q14 + doubt_q14);
+    divider->back_q14 = saturate(offset_q14 - doubt_q14);
+    divider->owner = owner;
+}
+
+/* 0: not certain. */
+static uint8_t certain_side(const struct lim *lim, const struct divider *divider, uint16_t entry)
+{
+    const LIM_FLASH struct lim_vertex *vertices = lim_entry_scene(lim, entry)->vertices;
+    const LIM_FLASH uint16_t *record = lim_entry_record(lim, entry);
+    uint8_t sides = LIM_SIDE_BOTH;
+
+    for (uint_fast8_t k = 0; k < (record[0] & LIM_POLYGON_COUNT) && sides; k++) {
+        const struct lim_vertex at = vertices[record[LIM_POLYGON_HEAD_WORDS + k]];
+        const int32_t value = divider->n_q14[0] * at.x + divider->n_q14[1] * at.y + divider->n_q14[2] * at.z;
+        if (value <= divider->front_q14) sides &= (uint8_t)~LIM_SIDE_FRONT;
+        if (value >= divider->back_q14) sides &= (uint8_t)~LIM_SIDE_BACK;
+    }
+    return sides;
+}
 
 /* The ball of a whole instance against a plane. */
 static uint8_t sides_of_ball(const struct lim *lim, uint16_t entry, const struct lim_plane_wide *plane)
@@ -252,9 +306,17 @@ static uint16_t split(struct lim *lim, struct divider *divider, uint16_t entry)
     return other;
 }
 
-static uint8_t sides_of(const struct lim *lim, uint16_t entry, const struct lim_plane_wide *plane)
+static uint8_t sides_of(const struct lim *lim, struct divider *divider, uint16_t entry)
 {
-    return lim_mover_is_whole(lim, entry) ? sides_of_ball(lim, entry, plane) : lim_piece_sides_of(lim, entry, plane);
+    const uint16_t owner = lim_entry_owner(lim, entry);
+
+    if (lim_mover_is_whole(lim, entry)) return sides_of_ball(lim, entry, &divider->plane);
+    if (owner != LIM_NONE) {
+        if (owner != divider->owner) take_to(lim, divider, owner);
+        const uint8_t side = certain_side(lim, divider, entry);
+        if (side) return side;
+    }
+    return lim_piece_sides_of(lim, entry, &divider->plane);
 }
 
 /* Adds an entry that reaches to neither, one, or both sides. */
@@ -277,13 +339,13 @@ static void divide_one(struct lim *lim, struct divider *divider, uint16_t entry,
 
 void lim_movers_divide(struct lim *lim, uint16_t node, int32_t eye_side, uint16_t list, uint16_t *front, uint16_t *back)
 {
-    struct divider divider = {.node = node, .entry = LIM_NONE, .eye_side = eye_side};
+    struct divider divider = {.node = node, .entry = LIM_NONE, .eye_side = eye_side, .owner = LIM_NONE};
     struct queue fronts = queue_begin(lim, front), backs = queue_begin(lim, back);
 
     lim_plane_unpack(&divider.plane, lim->scene, &lim->scene->nodes[node].split);
     while (list != LIM_NONE) {
         const uint16_t entry = list;
-        const uint8_t sides = sides_of(lim, entry, &divider.plane);
+        const uint8_t sides = sides_of(lim, &divider, entry);
         if (sides == LIM_SIDE_BOTH && lim_mover_is_whole(lim, entry) && lim_mover_burst(lim, entry, &list)) continue;
         list = lim->sorter.list[entry].next;
         divide_one(lim, &divider, entry, sides, &fronts, &backs);

@@ -96,8 +96,9 @@ static int64_t along_axis(const struct lim_instance *instance, uint_fast8_t j, c
     return (int64_t)axis_q30[0] * v[0] + (int64_t)axis_q30[1] * v[1] + (int64_t)axis_q30[2] * v[2];
 }
 
+#if LIM_LONG_MULTIPLY || LIM_HAS_FRACTIONS
 /* A point of the object, `bits` fraction bits to its own unit. |v| < 2^24, so sums stay below 2^56. */
-static void place(const struct lim_instance *instance, const int32_t v[3], uint8_t bits, int32_t at_q12[3])
+static void place_fine(const struct lim_instance *instance, const int32_t v[3], uint8_t bits, int32_t at_q12[3])
 {
     const uint8_t shift = (uint8_t)(30 - 12 + bits + instance->finer_bits);
 
@@ -108,22 +109,50 @@ static void place(const struct lim_instance *instance, const int32_t v[3], uint8
         at_q12[i] = instance->at_q8[i] * 16 + (int32_t)shift_round_s64(sum, shift);
     }
 }
+#endif
+
+#if LIM_LONG_MULTIPLY
+static void place(const struct lim_instance *instance, const int32_t v[3], int32_t at_q12[3])
+{
+    place_fine(instance, v, 0, at_q12);
+}
+#else
+/* The same of whole units, |v| <= 2^15: axes in limbs of 15 bits, each product in 32. As the axes' components of one
+ * coordinate are a unit vector, the sum of the high ones stays below sqrt(3) 2^30, of the low ones below 3 * 2^29. */
+static void place(const struct lim_instance *instance, const int32_t v[3], int32_t at_q12[3])
+{
+    const uint8_t shift = (uint8_t)(30 - 12 - 15 + instance->finer_bits);
+
+    for (uint_fast8_t i = 0; i < 3; i++) {
+        int32_t high = 0, low = 0;
+        for (uint_fast8_t j = 0; j < 3; j++) {
+            const int32_t axis_q15 = (instance->axes_q30[3 * j + i] + (INT32_C(1) << 14)) >> 15;
+            high += axis_q15 * v[j];
+            low += (instance->axes_q30[3 * j + i] - axis_q15 * (INT32_C(1) << 15)) * v[j];
+        }
+        const int32_t rest = (high & ((INT32_C(1) << shift) - 1)) * (INT32_C(1) << 15);
+        const int32_t half = INT32_C(1) << (14 + shift);
+        at_q12[i] = instance->at_q8[i] * 16 + (high >> shift) + ((low + rest + half) >> (15 + shift));
+    }
+}
+#endif
 
 void lim_mover_place(const struct lim *lim, uint16_t mover, uint16_t vertex, int32_t at_q12[3])
 {
     const struct lim_instance *instance = &lim->movers.instances[mover];
     const struct lim_vertex at = instance->object->vertices[vertex];
-    int32_t v_q8[3] = {at.x * INT32_C(256), at.y * INT32_C(256), at.z * INT32_C(256)};
 
 #if LIM_HAS_FRACTIONS
     if (instance->object->fractions) {
         const struct lim_fraction fraction = instance->object->fractions[vertex];
-        v_q8[0] += fraction.x_q8;
-        v_q8[1] += fraction.y_q8;
-        v_q8[2] += fraction.z_q8;
+        const int32_t v_q8[3] = {at.x * INT32_C(256) + fraction.x_q8, at.y * INT32_C(256) + fraction.y_q8,
+                                 at.z * INT32_C(256) + fraction.z_q8};
+        place_fine(instance, v_q8, 8, at_q12);
+        return;
     }
 #endif
-    place(instance, v_q8, 8, at_q12);
+    const int32_t v[3] = {at.x, at.y, at.z};
+    place(instance, v, at_q12);
 }
 
 /* The normal N = R n has as many bits as leave room, 29; its d follows from N . p = n . v for p = R v / 2^finer + at.
@@ -147,6 +176,7 @@ void lim_mover_turn(const struct lim *lim, uint16_t mover, struct lim_plane_wide
     plane->d = (own >> instance->finer_bits) + (offset_q8 >> 8);
     plane->slack = (int64_t)abs_s32(plane->n[0]) + abs_s32(plane->n[1]) + abs_s32(plane->n[2]);
     plane->narrow = false;
+    plane->axis = LIM_NO_AXIS;
 }
 
 int32_t lim_mover_depth(const struct lim *lim, const int32_t at_q12[3])
@@ -213,7 +243,7 @@ static void set_ball(struct lim_mover *mover, const struct lim_instance *instanc
         sum += box.half[i];
         if (box.half[i] > longest) longest = box.half[i];
     }
-    place(instance, centre, 0, mover->centre_q12);
+    place(instance, centre, mover->centre_q12);
     const uint32_t radius = longest + (sum - longest) * 107 / 256 + 1; /* below 2^16 */
     mover->radius_q12 = (int32_t)((radius << 12 >> instance->finer_bits) + LIM_CORNER_ONE_Q12);
 }

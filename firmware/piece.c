@@ -28,12 +28,13 @@ static uint8_t sides_of_mover(const struct lim *lim, uint16_t entry, const struc
 {
 #if LIM_HAS_MOVERS
     const LIM_FLASH uint16_t *record = lim_entry_record(lim, entry);
+    const int64_t slack_q12 = plane->slack * LIM_CORNER_ONE_Q12;
     uint8_t sides = 0;
 
     for (uint_fast8_t k = 0; k < (record[0] & LIM_POLYGON_COUNT) && sides != LIM_SIDE_BOTH; k++) {
         int32_t at_q12[3];
         lim_entry_corner(lim, entry, record[LIM_POLYGON_HEAD_WORDS + k], at_q12);
-        sides |= side_of(lim_corner_value(plane, at_q12), plane->slack * LIM_CORNER_ONE_Q12);
+        sides |= side_of(lim_corner_value(plane, at_q12), slack_q12);
     }
     return sides;
 #else
@@ -42,19 +43,26 @@ static uint8_t sides_of_mover(const struct lim *lim, uint16_t entry, const struc
 #endif
 }
 
-static uint8_t sides_of_whole(const struct lim *lim, uint16_t entry, const struct lim_plane_wide *plane)
+/* The plane is of the scene that the record is of. */
+static uint8_t sides_at_home(const struct lim *lim, uint16_t entry, const struct lim_plane_wide *plane)
 {
-    if (LIM_HAS_MOVERS && lim_entry_owner(lim, entry) != LIM_NONE) return sides_of_mover(lim, entry, plane);
+    const LIM_FLASH struct lim_vertex *vertices = lim_entry_scene(lim, entry)->vertices;
     const LIM_FLASH uint16_t *record = lim_entry_record(lim, entry);
     uint8_t sides = 0;
 
     for (uint_fast8_t k = 0; k < (record[0] & LIM_POLYGON_COUNT) && sides != LIM_SIDE_BOTH; k++) {
-        const struct lim_vertex at = lim->scene->vertices[record[LIM_POLYGON_HEAD_WORDS + k]];
+        const struct lim_vertex at = vertices[record[LIM_POLYGON_HEAD_WORDS + k]];
         const uint8_t side = plane->narrow ? narrow_side_of(plane, &at)
                                            : side_of(lim_plane_value(plane, at.x, at.y, at.z, 1), plane->slack);
         sides |= side;
     }
     return sides;
+}
+
+static uint8_t sides_of_whole(const struct lim *lim, uint16_t entry, const struct lim_plane_wide *plane)
+{
+    if (LIM_HAS_MOVERS && lim_entry_owner(lim, entry) != LIM_NONE) return sides_of_mover(lim, entry, plane);
+    return sides_at_home(lim, entry, plane);
 }
 
 static bool is_same(const LIM_FLASH struct lim_plane_ref *a, const LIM_FLASH struct lim_plane_ref *b)
@@ -121,6 +129,16 @@ uint8_t lim_piece_sides_of(const struct lim *lim, uint16_t of, const struct lim_
 }
 #endif
 
+#if LIM_HAS_MOVERS
+/* Two polygons of one object, whose planes are its own. */
+static bool are_of_one_object(const struct lim *lim, uint16_t a, uint16_t b)
+{
+    const uint16_t owner = lim_entry_owner(lim, a);
+
+    return owner != LIM_NONE && owner == lim_entry_owner(lim, b) && !lim_bends(&lim->movers.instances[owner]);
+}
+#endif
+
 uint8_t lim_piece_sides(const struct lim *lim, uint16_t of, uint16_t by)
 {
     const bool whole = is_whole(lim, of);
@@ -130,6 +148,13 @@ uint8_t lim_piece_sides(const struct lim *lim, uint16_t of, uint16_t by)
         const uint8_t side = remembered_side(lim, of, by);
         if (side) return side;
     }
+#if LIM_HAS_MOVERS
+    if (are_of_one_object(lim, of, by)) { /* as if they stood still */
+        lim_plane_unpack(&plane, lim_entry_scene(lim, of), lim_plane_of(lim, by));
+        const uint8_t sides = sides_at_home(lim, of, &plane);
+        if (whole || sides != LIM_SIDE_BOTH) return sides;
+    }
+#endif
     lim_plane_load(&plane, lim, by);
     const uint8_t sides = sides_of_whole(lim, of, &plane);
     return whole || sides != LIM_SIDE_BOTH ? sides : sides_of_piece(lim, of, &plane);

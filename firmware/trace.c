@@ -10,12 +10,13 @@
 
 #if LIM_HAS_PIECES
 
-/* m above, and >= 0 where the plane's front is; all 0, which is all front, if the line is a point. */
+/* w h m . r at the centres of pixels, >= 0 where the plane's front is; all 0, which is all front, if the line is a
+ * point.
+ */
 struct trace {
-    int32_t m[3];
-    int64_t w_px, h_px;
+    int64_t first, step, down; /* of pixel (0, 0), and to the next one in its line and in its column */
 #if LIM_HAS_ANTIALIAS
-    bool by_samples; /* w_px, h_px are those of the lattice that holds the samples, 16 times and 4 times as many */
+    int64_t shift; /* for samples, by column of the lattice that holds them, 16 times and 4 times as many; else 0 */
 #endif
 };
 
@@ -75,37 +76,64 @@ static void find_chord(struct chord *chord, const struct lim *lim, uint16_t entr
     }
 }
 
-static void set_trace(struct trace *trace, const struct lim *lim, uint16_t entry, const struct lim_plane_wide *plane)
+/* m above, turned so that it is >= 0 where the plane's front is. */
+static void find_line(int32_t out[3], const struct chord *chord)
 {
-    struct chord chord;
     int64_t m[3], dot = 0;
     uint64_t bits = 0;
+    uint8_t shift = 0;
 
-    find_chord(&chord, lim, entry, plane);
     for (uint_fast8_t i = 0; i < 3; i++) {
         const uint_fast8_t j = lim_axis_after(i), k = lim_axis_after(j);
-        m[i] = (int64_t)chord.out[j] * chord.back[k] - (int64_t)chord.out[k] * chord.back[j];
+        m[i] = (int64_t)chord->out[j] * chord->back[k] - (int64_t)chord->out[k] * chord->back[j];
         bits |= m[i] < 0 ? 0 - (uint64_t)m[i] : (uint64_t)m[i];
     }
-    uint8_t shift = 0;
     while (bits >> shift >> 30)
         shift++;
     for (uint_fast8_t i = 0; i < 3; i++) {
-        trace->m[i] = (int32_t)(m[i] >> shift);
-        dot += (int64_t)trace->m[i] * (chord.far[i] >> 1);
+        out[i] = (int32_t)(m[i] >> shift);
+        dot += (int64_t)out[i] * (chord->far[i] >> 1);
     }
-    if ((dot < 0) != (chord.far_value < 0)) {
-        for (uint_fast8_t i = 0; i < 3; i++)
-            trace->m[i] = -trace->m[i];
-    }
-    trace->w_px = lim->target.w_px;
-    trace->h_px = lim->target.h_px;
+    for (uint_fast8_t i = 0; i < 3 && (dot < 0) != (chord->far_value < 0); i++)
+        out[i] = -out[i];
+}
+
+/* Of a lattice of columns times rows; a pixel, or the first sample of it, is at column `across` of it. */
+static void set_lattice(struct trace *trace, const int32_t m[3], int32_t columns, int32_t rows, int32_t across)
+{
+    const int64_t mx = (int64_t)m[0] * rows, my = (int64_t)m[1] * columns;
+
+    trace->first = mx * (1 - columns) + my * (1 - rows) + (int64_t)m[2] * columns * rows;
+    trace->step = 2 * mx * across;
+    trace->down = 2 * my;
 #if LIM_HAS_ANTIALIAS
-    trace->by_samples = lim_is_antialiased(&lim->view);
-    if (!trace->by_samples) return;
-    trace->w_px *= LIM_SAMPLE_COLUMNS;
-    trace->h_px *= LIM_SAMPLE_ROWS;
+    trace->shift = across > 1 ? 2 * mx : 0;
 #endif
+}
+
+static void set_trace(struct trace *trace, const struct lim *lim, uint16_t entry, const struct lim_plane_wide *plane)
+{
+    const int32_t w_px = lim->target.w_px, h_px = lim->target.h_px;
+    struct chord chord;
+    int32_t m[3];
+
+    find_chord(&chord, lim, entry, plane);
+    find_line(m, &chord);
+    if (lim_is_antialiased(&lim->view))
+        set_lattice(trace, m, w_px * LIM_SAMPLE_COLUMNS, h_px * LIM_SAMPLE_ROWS, LIM_SAMPLES_A_ROW);
+    else
+        set_lattice(trace, m, w_px, h_px, 1);
+}
+
+/* At a pixel of a line, or a sample of a row. */
+static inline int64_t value_at(const struct trace *trace, int32_t x, int16_t row)
+{
+    int64_t value = trace->first + trace->step * x + trace->down * row;
+
+#if LIM_HAS_ANTIALIAS
+    if (trace->shift) value += trace->shift * lim_sample_shift(row);
+#endif
+    return value;
 }
 
 static bool is_in_front(int64_t value)
@@ -113,52 +141,30 @@ static bool is_in_front(int64_t value)
     return value >= 0;
 }
 
-/* Where a pixel of a line is, or a sample of a row. */
-static inline int64_t column_of(const struct trace *trace, int32_t x, int16_t row)
+/* Leaves of the pixels x <= .. < y of line `row`, or of the samples of a row, those on one side. */
+static void narrow(struct lim_point *line, const struct trace *trace, int16_t row, bool front)
 {
-#if LIM_HAS_ANTIALIAS
-    if (trace->by_samples) return LIM_SAMPLES_A_ROW * x + lim_sample_shift(row);
-#endif
-    (void)trace, (void)row;
-    return x;
-}
-
-/* From one to the next. */
-static inline int64_t step_of(const struct trace *trace)
-{
-#if LIM_HAS_ANTIALIAS
-    if (trace->by_samples) return 2 * trace->h_px * trace->m[0] * LIM_SAMPLES_A_ROW;
-#endif
-    return 2 * trace->m[0] * trace->h_px;
-}
-
-/* Leaves of the pixels x <= .. < y of line `y_px`, or of the samples of a row, those on one side. */
-static void narrow(struct lim_point *line, const struct trace *trace, int16_t y_px, bool front)
-{
-    const int64_t step = step_of(trace);
-    const int64_t first = trace->m[0] * trace->h_px * (2 * column_of(trace, line->x, y_px) + 1 - trace->w_px) +
-                          trace->m[1] * trace->w_px * (2 * (int64_t)y_px + 1 - trace->h_px) +
-                          trace->m[2] * trace->w_px * trace->h_px;
-    const int64_t x0 = line->x;
-    int64_t low = x0, high = (int64_t)line->y - 1;
-    const bool keeps_low = is_in_front(first) == front, keeps_high = is_in_front(first + step * (high - x0)) == front;
+    int64_t value = value_at(trace, line->x, row);
+    int32_t ahead = line->y - 1 - line->x, x = line->x;
+    const bool keeps_low = is_in_front(value) == front, keeps_high = is_in_front(value + trace->step * ahead) == front;
 
     if (keeps_low && keeps_high) return;
     if (!keeps_low && !keeps_high) {
         line->y = line->x;
         return;
     }
-    while (high - low > 1) {
-        const int64_t middle = (low + high) / 2;
-        if ((is_in_front(first + step * (middle - x0)) == front) == keeps_low)
-            low = middle;
-        else
-            high = middle;
+    /* The last one on the side of the first, by powers of two. */
+    int32_t part = INT32_C(1) << (31 - clz_u32((uint32_t)ahead));
+    for (int64_t stride = trace->step * part; part; part >>= 1, stride >>= 1) {
+        if (ahead < part || (is_in_front(value + stride) == front) != keeps_low) continue;
+        value += stride;
+        x += part;
+        ahead -= part;
     }
     if (keeps_low)
-        line->y = (lim_sub)high;
+        line->y = (lim_sub)(x + 1);
     else
-        line->x = (lim_sub)high;
+        line->x = (lim_sub)(x + 1);
 }
 
 /* The part of the screen that is drawn: no line leaves it. */

@@ -6,6 +6,7 @@
 #include "angle.h"
 #include "boxes.h"
 #include "cmocka_ready.h"
+#include "effort.h"
 #include "extreme.h"
 
 #include <math.h>
@@ -179,7 +180,7 @@ static void no_hole_in_any_quadrant(const struct core *profile)
     boxes_add_jumble(&model);
     extreme_open(&extreme, &model, profile, &picture);
     struct lim_camera camera = extreme_aim(&extreme, eye_m, target_m);
-    for (uint32_t k = 0; k < 8 * 8 * 8 * 27; k++, frames++) {
+    for (uint32_t k = 0; k < (uint32_t)effort(8 * 8 * 8 * 27); k++, frames++) {
         camera.yaw = (k % 8 << 29) + k / 512 % 3 - 1;
         camera.pitch = (k / 8 % 8 << 29) + k / 512 / 3 % 3 - 1;
         camera.roll = (k / 64 % 8 << 29) + k / 512 / 9 - 1;
