@@ -317,6 +317,11 @@ static inline enum lim_span_result see_piece(struct lim *lim, uint16_t entry, co
     return pass(lim, alpha, last, *top, *bottom);
 }
 
+static uint32_t cells_of(const struct lim *lim, int16_t top, int16_t bottom)
+{
+    return (uint32_t)(bottom - top) * (uint32_t)rows_of(lim);
+}
+
 static bool take_plain(struct lim *lim, uint16_t entry, const struct lim_screen_polygon *whole)
 {
     const struct lim_rect *open = &lim->spans.open;
@@ -326,8 +331,8 @@ static bool take_plain(struct lim *lim, uint16_t entry, const struct lim_screen_
     struct lim_point *last = &retained->cells[retained->used].at + LIM_RETAINED_HEAD_CELLS;
 
     if (top >= bottom) return true;
-    const uint32_t cells = LIM_RETAINED_HEAD_CELLS + (uint32_t)(bottom - top) * (uint32_t)rows_of(lim);
-    if (cells > (uint32_t)(retained->size - retained->used)) return false;
+    if (LIM_RETAINED_HEAD_CELLS + cells_of(lim, top, bottom) > (uint32_t)(retained->size - retained->used))
+        return false;
     if (LIM_HAS_STATS) lim_stats_of(lim)->lines += (uint32_t)(bottom - top);
     const enum lim_span_result result = see_piece(lim, entry, whole, last, &top, &bottom);
     if (result != LIM_SPAN_SOME) return result == LIM_SPAN_NOTHING;
@@ -337,7 +342,7 @@ static bool take_plain(struct lim *lim, uint16_t entry, const struct lim_screen_
     seen.at = last;
     seen.n = seen.first = 0;
     if (!lim_retain(retained, lim->spans.lines, &seen)) return false;
-    retained->used = (uint16_t)(retained->used + cells - LIM_RETAINED_HEAD_CELLS);
+    retained->used = (uint16_t)(retained->used + cells_of(lim, top, bottom)); /* what is left of them */
     return true;
 }
 

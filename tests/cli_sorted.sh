@@ -32,6 +32,12 @@ on_any_tree() { # a compiled scene keeps its tree, whose polygons newell sorts, 
         awk '/^ mean/ { last = $0 } END { $0 = last; print; exit !($2 > 40 && $(NF - 1) == 0) }' "$work/said"
 }
 
+# What is retained of a piece are its own lines, not those of the polygon that it was cut from: 33 KB otherwise.
+pieces_are_small() {
+    "$BUILD/limner" compile sim/scenes/knot.obj --method newell --report >"$work/said" &&
+        awk '/working memory/ { print; exit !($NF > 10000 && $NF < 21500) }' "$work/said"
+}
+
 refused() { # REASON OPTION...
     reason=$1
     shift
@@ -44,6 +50,7 @@ tap_check "so it does with planes first and one of two split" newell_is_right --
 tap_check "it split polygons" says '3:P_behind'
 tap_check "depth does not agree" depth_is_wrong
 tap_check "newell sorts the polygons of any compiled scene" on_any_tree
+tap_check "pieces take the memory of their own lines" pieces_are_small
 tap_check "an unknown choice is refused" refused '^limner: --newell rectangles: no such choice; there are planes and one$' --newell rectangles
 tap_check "an unknown method is refused, and these are listed" refused 'there are .*depth, newell' --method zbuffer
 tap_done
