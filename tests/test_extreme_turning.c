@@ -15,8 +15,16 @@
 
 enum { FRAMES = 1 << 20, SIDE_PX = 8, QUADRANT_STEPS = 1 << 22 };
 
-/* An odd multiple of 2^12: after 2^20 steps the angle is the first one again, and no other has come twice. */
-static const uint32_t STEP = UINT32_C(977) << 12;
+/* Steps of an odd multiple of 2^32 / frames: after them the angle is the first one again, and no other has come twice.
+ * Where less effort is asked for, there are fewer. */
+static uint32_t frames_of_a_round(void)
+{
+    uint32_t frames = FRAMES;
+
+    while (frames > (uint32_t)effort(FRAMES))
+        frames /= 2;
+    return frames;
+}
 
 static const double TURN = 6.283185307179586;
 
@@ -42,17 +50,18 @@ static void no_drift_in(const struct core *profile)
     struct lim_camera camera = extreme_aim(&extreme, eye_m, target_m);
     extreme_camera(&extreme, &camera);
     memcpy(first, extreme.ids.faces, bytes);
-    for (uint32_t frame = 0; frame < FRAMES; frame++) {
-        camera.yaw += STEP;
-        camera.pitch += STEP;
-        camera.roll += STEP;
+    const uint32_t frames = frames_of_a_round(), step = 977 * (UINT32_MAX / frames + 1);
+    for (uint32_t frame = 0; frame < frames; frame++) {
+        camera.yaw += step;
+        camera.pitch += step;
+        camera.roll += step;
         background += extreme_camera(&extreme, &camera);
     }
     for (size_t i = 0; i < SIDE_PX * SIDE_PX; i++)
         differ += first[i] != extreme.ids.faces[i];
     extreme_row("rotation-stored-angles", profile->name, "0 drift, 0 holes",
-                "%zu pixels of the last frame differ from the first, %zu holes in %d frames", differ, background,
-                FRAMES);
+                "%zu pixels of the last frame differ from the first, %zu holes in %u frames", differ, background,
+                frames);
     extreme_close(&extreme);
     model_free(&model);
     assert_int_equal(differ, 0);
@@ -119,9 +128,10 @@ static void warn_of(const char *name, struct stored m)
     double worst_px = 0;
 
     m.cosine = INT64_C(1) << m.bits;
+    const uint32_t step = 977 * (UINT32_MAX / FRAMES + 1);
     for (uint32_t frame = 1; frame <= FRAMES; frame++) {
-        angle += STEP;
-        turn_on(&m, radians(STEP));
+        angle += step;
+        turn_on(&m, radians(step));
         const double px = error_px(&m, angle);
         if (!lost && px > 1) lost = frame;
         if (px > worst_px) worst_px = px;
