@@ -41,11 +41,13 @@ static bool target_is_usable(const struct lim_target *target)
            method_is_linked(target->method);
 }
 
-/* A tree without forks has as many levels as nodes. A convex solid's faces hide its background. */
+/* A tree without forks has as many levels as nodes; a set has none, and is for methods that sort. A convex solid's
+ * faces hide its background. */
 static bool scene_is_usable(const struct lim_scene *scene, const struct lim_target *target)
 {
-    return scene->limits.vertices <= LIM_MAX_VERTICES && (LIM_HAS_SLANTED || !scene->plane_count) &&
-           (LIM_HAS_LARGE || !scene->exact_count) && !(IS_CONVEX(target) && scene->limits.depth != scene->node_count) &&
+    return (LIM_IS_SORTED(target) || scene->limits.depth) && scene->limits.vertices <= LIM_MAX_VERTICES &&
+           (LIM_HAS_SLANTED || !scene->plane_count) && (LIM_HAS_LARGE || !scene->exact_count) &&
+           !(IS_CONVEX(target) && scene->limits.depth != scene->node_count) &&
            !(LIM_HAS_TRANSPARENT && IS_CONVEX(target) && scene->limits.layers);
 }
 

@@ -157,7 +157,7 @@ static bool parse(int argc, char **argv, struct request *out, struct error *err)
     if (optind >= argc) return error_set(err, "compile: needs a model");
     out->models = &argv[optind];
     out->model_count = (size_t)(argc - optind);
-    return check_bound(out, err) &&
+    return check_bound(out, err) && compile_options_settle(&out->compile, err) &&
            (out->name || out->report_only || error_set(err, "compile: needs -o NAME, or --report alone"));
 }
 

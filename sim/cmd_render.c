@@ -6,6 +6,7 @@
 #include "commands.h"
 #include "dump.h"
 #include "edge_error.h"
+#include "frame_cost.h"
 #include "frame_table.h"
 #include "hashes.h"
 #include "ids.h"
@@ -77,6 +78,10 @@ static void print_notes(const struct compile_report *report)
 {
     for (size_t i = 0; i < report->note_count; i++)
         fprintf(stderr, "limner: note: %s\n", report->notes[i].text);
+    if (report->mesh.clamped)
+        fprintf(stderr, "limner: note: %zu faces have an opacity beyond 0..1, clamped\n", report->mesh.clamped);
+    if (report->mesh.unmapped)
+        fprintf(stderr, "limner: note: %zu faces have a texture, but no texture coordinates\n", report->mesh.unmapped);
 }
 
 /* The reference's faces have colours if none of them moves. */
@@ -216,6 +221,14 @@ static bool close_outputs(struct render *render, struct error *err)
            close_output(&render->cameras_file, options->cameras_path, err) && outputs_keep(&render->outputs, err);
 }
 
+/* What frame_cost.h knows: opaque, flat, filled, aliased and still, nearest first in profile fast. */
+static bool is_predictable(const struct render *render)
+{
+    const struct options *options = &render->options;
+    return options->setup.method == LIM_NEAREST_FIRST && options->setup.core == &core_fast && !options->wireframe.on &&
+           !options->compile.antialias && !render->moving.count && frame_cost_is_known(&render->scene.scene);
+}
+
 static bool print_tables(const struct render *render, struct error *err)
 {
     if (render->options.stats) {
@@ -223,7 +236,7 @@ static bool print_tables(const struct render *render, struct error *err)
                render->simulator.board ? "through the emulated st7789"
                                        : "into plain memory: no emulated panel, nothing sent on a bus");
         frame_table_print_stats(render->rows, render->path.count, stdout);
-        if (render->options.setup.method == LIM_NEAREST_FIRST)
+        if (is_predictable(render))
             frame_table_print_predicted(render->rows, render->path.count, render->options.setup.w_px,
                                         render->options.setup.h_px, stdout);
         if (render->options.setup.method == LIM_NEWELL)
@@ -232,6 +245,8 @@ static bool print_tables(const struct render *render, struct error *err)
     if (render->options.stats && render->moving.count)
         frame_table_print_movers(render->rows, render->path.count, stdout);
     if (render->options.compare) frame_table_print_compare(render->rows, render->path.count, stdout);
+    if (render->options.compare && render->options.compile.antialias && render->moving.count)
+        puts("edges: not compared where objects move");
     if (measures_edges(render)) frame_table_print_edges(render->rows, render->path.count, stdout);
     return (fflush(stdout) == 0 && !ferror(stdout)) || error_set(err, "standard output: %s", strerror(errno));
 }

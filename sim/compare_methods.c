@@ -29,7 +29,7 @@ static void compile_row(const struct measure_source *source, const struct compil
                         const struct compare_table *table, struct compare_row *row)
 {
     struct compile_options mine = *options;
-    if (compile_method_parse(row->method->name, &mine, &row->why_not) &&
+    if (compile_method_parse(row->method->name, &mine, &row->why_not) && compile_options_settle(&mine, &row->why_not) &&
         measure_source_compile(source, &mine, &row->scene, &row->why_not) &&
         try_renderer(table, &row->scene, &row->why_not)) {
         row->why_not.text[0] = '\0';

@@ -61,6 +61,7 @@ static size_t badness(const struct compile_report *report)
 static enum lim_method draws_with(const struct compile_options *options, bool convex)
 {
     if (options->method) return options->method->draws;
+    if (options->tree == TREE_NONE) return LIM_NEWELL;
     return convex && !options->antialias ? LIM_CONVEX : LIM_NEAREST_FIRST;
 }
 
@@ -118,6 +119,7 @@ static bool compile_with(struct compilation *work, enum tree_kind kind, const st
               error_set(err, "scene too large: split into more than %d pieces", BSP_PIECES_MAX);
     ok = ok && encode_bsp(&bsp, is_exact(work->options), work->options->wireframe, &encoding, err);
     if (ok) {
+        if (kind == TREE_NONE) encoding.depth = 0; /* for methods that sort */
         image_make(&encoding, &work->mesh->grid, out);
         report_set(&out->report, &bsp, &encoding, &out->scene, &plan);
         out->report.draws = draws_with(work->options, out->report.convex);
@@ -249,11 +251,23 @@ bool compile_mesh(const struct mesh *mesh, const struct compile_options *options
     return ok;
 }
 
+bool compile_options_settle(struct compile_options *options, struct error *err)
+{
+    const struct method *method = options->method;
+    if (!method) return true;
+    if (options->tree == TREE_AUTO) options->tree = method->tree;
+    if (method_sorts(method->draws)) return true;
+    if (options->tree == TREE_NONE)
+        return error_set(err, "--method %s --tree none: a set has no order; depth and newell draw it", method->name);
+    return method->tree == TREE_AUTO || method->tree == options->tree ||
+           error_set(err, "--method %s --tree %s: that method has a tree of its own", method->name,
+                     tree_names[options->tree]);
+}
+
 bool compile_method_parse(const char *text, struct compile_options *out, struct error *err)
 {
     out->method = method_parse(text, err);
     if (!out->method) return false;
-    if (out->method->tree != TREE_AUTO) out->tree = out->method->tree;
     if (out->method->portals) out->portals = PORTALS_ON;
     return true;
 }

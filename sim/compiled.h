@@ -46,7 +46,9 @@ struct portal_report {
 
 /* What another tree than the BSP tree was weighed against. */
 struct tree_choice {
-    enum { CHOICE_NONE, CHOICE_NEEDLESS, CHOICE_MADE } kind; /* NEEDLESS: the BSP tree splits too little to look on */
+    /* UNKNOWN: nothing is predicted; LONG: there are too many polygons to try unasked; NEEDLESS: the BSP tree splits
+     * too little to look on */
+    enum { CHOICE_NONE, CHOICE_UNKNOWN, CHOICE_LONG, CHOICE_NEEDLESS, CHOICE_MADE } kind;
     double bsp_instructions;
     size_t bsp_flash_b;
 };
@@ -92,6 +94,9 @@ struct compiled {
 
 /* --method: names how to draw and, for some methods, the tree. */
 bool compile_method_parse(const char *text, struct compile_options *out, struct error *err);
+
+/* When all options are known: the method's tree, if none is asked for. An error if the two do not go together. */
+bool compile_options_settle(struct compile_options *options, struct error *err);
 
 /* Builds the exact BSP tree of a mesh (T-vertices already in it) and encodes it. */
 bool compile_mesh(const struct mesh *mesh, const struct compile_options *options, struct compiled *out,

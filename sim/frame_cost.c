@@ -26,3 +26,8 @@ double frame_cost_m0plus(const struct lim_stats *stats, unsigned w_px, unsigned 
            A_POLYGON * (double)stats->polygons + A_SEEN * (double)stats->polygons_seen + A_LINE * (double)stats->lines +
            A_GAP * (double)stats->gaps_max + A_SCREEN_LINE * (double)h_px + a_pixel * (double)w_px * (double)h_px;
 }
+
+bool frame_cost_is_known(const struct lim_scene *scene)
+{
+    return !scene->limits.layers && !scene->texture_count;
+}

@@ -5,10 +5,14 @@
 #ifndef SIM_FRAME_COST_H
 #define SIM_FRAME_COST_H
 
+#include "scene.h"
 #include "stats.h"
 
 /* Instructions of a frame drawn nearest first in profile fast, polygons opaque and of one colour each. Within 4 % of
  * those counted, for the scenes in sim/scenes with any tree; tests/arm_splitters.sh compares. */
 double frame_cost_m0plus(const struct lim_stats *stats, unsigned w_px, unsigned h_px);
+
+/* Whether the scene's polygons are. */
+bool frame_cost_is_known(const struct lim_scene *scene);
 
 #endif

@@ -201,12 +201,18 @@ static bool check_split(const struct checker *work, size_t index)
     return true;
 }
 
+/* One leaf, whose order means nothing. */
+static bool is_set(const struct lim_scene *scene)
+{
+    return scene->limits.depth == 0 && scene->node_count == 1 && scene->nodes[0].split.plane == LIM_NONE;
+}
+
 static bool check_node(struct checker *work, size_t index)
 {
     const struct lim_scene *scene = work->scene;
     const struct lim_node *node = &scene->nodes[index];
     if (work->depths[index] == 0) return error_set(work->err, "node %zu: has no parent", index);
-    if (work->depths[index] > scene->limits.depth)
+    if (work->depths[index] > scene->limits.depth && !is_set(scene))
         return error_set(work->err, "node %zu: lies deeper than the limit of %u", index, (unsigned)scene->limits.depth);
     if (node->box != LIM_NONE && node->box >= scene->box_count)
         return error_set(work->err, "node %zu: box %u of %u", index, (unsigned)node->box, (unsigned)scene->box_count);

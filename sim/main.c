@@ -18,7 +18,7 @@ static const char USAGE[] =
     "       limner splitters MODEL         what each heuristic makes of the tree\n"
     "       limner help                    this text\n"
     "\n"
-    "all three, for a MODEL:\n"
+    "compile, render, view and measure, for a MODEL; compare and splitters take some of these, below:\n"
     "  --precision NAME    draft, fast, fine or exact (fast)\n"
     "  --method NAME       nearest, painter, convex for one convex solid; nearest first with a tree of\n"
     "                      that kind: bsp, clusters, axis, octree; approximate: octree-centre,\n"

@@ -228,7 +228,7 @@ bool measure_request_parse(int argc, char **argv, enum measure_of of, struct mea
     if (no_cost && out->cpu_count) return error_set(err, "%s: --core and --no-cost exclude each other", argv[0]);
     if (of == MEASURE_METHODS && out->core_count > 1) return error_set(err, "%s: one --precision at a time", argv[0]);
     fill_in(of, no_cost, out);
-    return true;
+    return compile_options_settle(&out->compile, err);
 }
 
 bool measure_request_load(const struct measure_request *request, struct measure_source *source, struct lens *lens,

@@ -34,6 +34,15 @@ const struct method *method_parse(const char *text, struct error *err)
     return NULL;
 }
 
+const char *method_name(enum lim_method draws)
+{
+    size_t i = 0;
+
+    while (methods[i].draws != draws)
+        i++;
+    return methods[i].name;
+}
+
 const char *method_title(enum lim_method draws)
 {
     static const char *const titles[] = {[LIM_NEAREST_FIRST] = "nearest first",

@@ -240,6 +240,10 @@ bool options_parse(int argc, char **argv, enum options_set set, struct options *
     if (optind + 1 < argc) return error_set(err, "%s: one scene at a time, what is '%s'?", argv[0], argv[optind + 1]);
     out->scene_path = argv[optind];
     if (is_render && !asks_for_output(out)) out->frame_pattern = "out/%03d.png";
+    if (!compile_options_settle(&out->compile, err)) return false;
+    if (!out->compile.method && out->compile.tree == TREE_NONE) out->setup.method = LIM_NEWELL;
+    if (out->setup.method != LIM_NEWELL && (out->newell.planes_first || out->newell.split_one))
+        return error_set(err, "--newell: goes with --method newell");
     if (out->wireframe.on && !method_draws_wireframe(out->setup.method, err)) return false;
     if (out->compile.antialias && !method_antialiases(out->setup.method, out->wireframe.on, err)) return false;
     out->compile.keep_faces = out->ids_path || out->compare;
@@ -262,6 +266,8 @@ static bool load_scene(const struct options *options, struct compiled *scene, st
         if (options->compile.tree != TREE_AUTO && !any_tree_does)
             return error_set(err, "%s: has its tree already; give the model for another one", options->scene_path);
         return lim_file_read(options->scene_path, scene, err) &&
+               (method_sorts(options->setup.method) || scene->scene.limits.depth ||
+                error_set(err, "%s: a set has no order; draw it with --method newell or depth", options->scene_path)) &&
                (options->compile.portals != PORTALS_ON || scene->scene.place_count ||
                 error_set(err, "%s: --method portals needs a scene compiled with --portals on", options->scene_path));
     }

@@ -13,6 +13,7 @@
 #include "sample.h"
 #include "simulator.h"
 
+#include <math.h>
 #include <stdlib.h>
 
 enum { CAMERAS = 256, STRAYS = 1, LEAST_PIECES = 8, PLENTY_OF_PIECES = 16000, PLENTY = 60000, FOV_DEG = 60 };
@@ -126,12 +127,6 @@ static uint16_t greater(uint16_t a, uint16_t b)
     return a > b ? a : b;
 }
 
-/* Whether frame_cost.h knows what its frames cost. */
-static bool is_priced(const struct compiled *scene)
-{
-    return scene->report.draws == LIM_NEAREST_FIRST && !scene->scene.limits.layers && !scene->scene.texture_count;
-}
-
 /* Raises the limits to what the orders with spans need. */
 static bool sample_spans(struct compiled *roomy, struct moving *moving, const struct simulator_setup *setup,
                          enum style style, struct lim_limits *limits, struct error *err)
@@ -143,7 +138,8 @@ static bool sample_spans(struct compiled *roomy, struct moving *moving, const st
     limits->gaps = greater(limits->gaps, with_margin(most(usage.gaps, usage.cameras), 1));
     limits->active = greater(limits->active, with_margin(most(usage.active, usage.cameras), 1));
     limits->pieces = greater(limits->pieces, pieces_for(&usage));
-    if (style == STYLE_PLAIN && usage.cameras && is_priced(roomy))
+    if (style == STYLE_PLAIN && usage.cameras && roomy->report.draws == LIM_NEAREST_FIRST &&
+        frame_cost_is_known(&roomy->scene))
         roomy->report.instructions = usage.instructions / (double)usage.cameras;
     if (roomy->scene.limits.layers)
         limits->layers = greater(limits->layers, with_margin(most(usage.layers, usage.cameras), 1));
@@ -180,6 +176,7 @@ bool pools_measure_moving(struct compiled *scene, struct moving *moving, const s
         (scene->report.antialias && !sample_spans(&roomy, moving, &setup, STYLE_ANTIALIAS, &limits, err)))
         return false;
     lim_image_set_limits(scene, &limits);
+    scene->report.instructions = NAN; /* what moves costs, too */
     return true;
 }
 

@@ -122,8 +122,7 @@ static bool decide(struct compiled *scene, const struct compile_options *options
     struct portal_report *report = &scene->report.portals;
     const bool wanted = options->portals == PORTALS_ON;
     if (wanted && report->different)
-        return error_set(err,
-                         "--portals on: %zu of %zu sampled pictures differ; the model has openings finer than its grid",
+        return error_set(err, "portals: %zu of %zu sampled pictures differ; the model has openings finer than its grid",
                          report->different, report->cameras);
     report->kept = !report->different && (wanted || pays(&scene->report));
     if (report->kept)
@@ -153,11 +152,10 @@ bool portals_add(struct compiled *scene, const struct compile_options *options, 
     const bool wanted = options->portals == PORTALS_ON;
     if (options->portals == PORTALS_OFF || (!wanted && scene->report.draws == LIM_CONVEX)) return true;
     progress("portals");
-    if (scene->report.draws == LIM_CONVEX)
-        return error_set(err, "--portals on: one convex solid has no cells to look from");
+    if (scene->report.draws == LIM_CONVEX) return error_set(err, "portals: one convex solid has no cells to look from");
     if (!sights_find(&scene->scene, angle_of(scene, options), &sights, &reason)) {
         snprintf(report->refused, sizeof report->refused, "%.95s", reason.text);
-        return !wanted || error_set(err, "--portals on: %s", reason.text);
+        return !wanted || error_set(err, "portals: %s", reason.text);
     }
     attach(scene, &sights);
     sights_free(&sights);

@@ -45,7 +45,11 @@ static void print_outlines(const struct compiled *scene)
 
 static void print_choice(const struct compile_report *report)
 {
-    if (report->choice.kind == CHOICE_NEEDLESS)
+    if (report->choice.kind == CHOICE_UNKNOWN)
+        printf("    %-26s no cost is predicted where polygons are transparent or textured\n", "chosen:");
+    else if (report->choice.kind == CHOICE_LONG)
+        printf("    %-26s others take long with so many polygons; --tree auto tries them\n", "chosen:");
+    else if (report->choice.kind == CHOICE_NEEDLESS)
         printf("    %-26s it splits less than a quarter of the polygons\n", "chosen:");
     else if (report->tree == TREE_BSP)
         printf("    %-26s no other tree spares a tenth of its instructions\n", "chosen:");
@@ -53,6 +57,12 @@ static void print_choice(const struct compile_report *report)
         printf("    %-26s %.1f %% of the BSP tree's instructions, %.1f %% of its bytes\n",
                "chosen:", 100.0 * report->instructions / report->choice.bsp_instructions,
                100.0 * (double)report->flash_b / (double)report->choice.bsp_flash_b);
+}
+
+/* Trees are compared as filled polygons in profile fast; of other frames that says nothing. */
+static bool is_predicted(const struct compile_report *report)
+{
+    return !isnan(report->instructions) && report->core == &core_fast && !report->antialias && !report->wireframe;
 }
 
 static void print_tree(const struct compiled *scene)
@@ -75,11 +85,11 @@ static void print_tree(const struct compiled *scene)
     print_count("nodes", scene->scene.node_count);
     for (size_t i = 0; i < sizeof kinds / sizeof *kinds; i++)
         if (report->kinds[i]) printf("    %-26s %8zu\n", kinds[i], report->kinds[i]);
-    if (report->leaves) print_count("  leaves with an order", report->leaves);
+    if (report->leaves && report->tree != TREE_NONE) print_count("  leaves with an order", report->leaves);
     printf("  %-28s %8.1f\n", "units per metre", scene->grid.units_per_m);
     printf("  %-28s %8.4f units\n", "worst wrong side, certified", report->worst_violation_units);
     if (report->core) printf("  %-28s %8s\n", "precision", report->core->name);
-    if (!isnan(report->instructions))
+    if (is_predicted(report))
         printf("  %-28s %8.0f on Cortex-M0+, predicted\n", "instructions a frame", report->instructions);
     if (!isnan(report->wrong_percent))
         printf("  %-28s %8.4f %%, %d sampled cameras\n", "wrong pixels, predicted", report->wrong_percent,

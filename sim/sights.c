@@ -286,7 +286,7 @@ static bool has_leaves(const struct lim_scene *scene)
 
 static bool check(const struct lim_scene *scene, struct error *err)
 {
-    if (has_leaves(scene)) return error_set(err, "portals lead between cells of a BSP tree, not between clusters");
+    if (has_leaves(scene)) return error_set(err, "they lead between cells of a BSP tree; this has none");
     return scene->box_count > 0 || error_set(err, "too few polygons for portals");
 }
 

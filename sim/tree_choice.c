@@ -9,6 +9,7 @@
 static const enum tree_kind OTHERS[] = {TREE_CLUSTERS, TREE_AXIS};
 static const double ENOUGH = 0.9, ALIKE = 0.01; /* of the BSP tree's instructions */
 static const size_t SPLIT_MUCH = 4;             /* a quarter of the polygons */
+static const size_t MANY = 2000;                /* polygons: clusters of more take long to find */
 
 bool tree_choice_parse(const char *text, struct compile_options *out, struct error *err)
 {
@@ -51,8 +52,12 @@ bool tree_choice_compile(const struct mesh *mesh, const struct compile_options *
 {
     if (!compile_mesh(mesh, options, out, err)) return false;
     const bool is_open = options->trial != TRIAL_NEVER && options->tree == TREE_AUTO;
-    if (!is_open || isnan(out->report.instructions)) return true;
-    if (options->trial == TRIAL_IF_SPLIT && SPLIT_MUCH * out->report.splits < out->report.polygons_in)
+    if (!is_open || out->report.draws != LIM_NEAREST_FIRST) return true;
+    if (isnan(out->report.instructions))
+        out->report.choice.kind = CHOICE_UNKNOWN;
+    else if (options->trial == TRIAL_IF_SPLIT && out->report.polygons_in > MANY)
+        out->report.choice.kind = CHOICE_LONG;
+    else if (options->trial == TRIAL_IF_SPLIT && SPLIT_MUCH * out->report.splits < out->report.polygons_in)
         out->report.choice.kind = CHOICE_NEEDLESS;
     else
         try_others(mesh, *options, out);

@@ -118,7 +118,7 @@ tap_check "a scene in which nothing stands still is refused" refused_changed \
     's/"scenes": [[]{"nodes": [[].*/"scenes": [{"nodes": [9, 10, 11, 12, 13]}],/'
 tap_check "an animation without keys stands still, and a line says so" noticed_without_keys
 tap_check "an animated node without a mesh moves nothing, and a line says so" noticed
-tap_check "a method without a tree moves nothing" refused 'it moves no objects; nearest, painter and bsp do$' $model --method newell
+tap_check "a method without a tree moves nothing" refused '^limner: .*--method newell: it moves no objects; methods that walk a tree do$' $model --method newell
 tap_check "an unknown way in is refused" refused '^limner: --movers x: no such way; there are clipped, centre and off$' $model --movers x
 tap_check "an unknown light is refused" refused '^limner: --mover-light x: no such light; there are baked and turning$' \
     $model --mover-light x

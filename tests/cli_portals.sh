@@ -66,11 +66,11 @@ tap_check "a compiled scene with them is drawn by --method portals" pictures aga
 tap_check "one without is refused" \
     fails_with '^limner: .*/without.lim: --method portals needs a scene compiled with --portals on$' \
     "$limner" render "$work/without.lim" --method portals --stats
-tap_check "a convex solid is refused" fails_with '--portals on: one convex solid has no cells to look from$' \
+tap_check "a convex solid is refused" fails_with 'portals: one convex solid has no cells to look from$' \
     "$limner" compile sim/scenes/icosahedron.obj --portals on -o "$work/solid"
-tap_check "a mesh from outside is refused" fails_with '--portals on: its portals lead too far to be followed$' \
+tap_check "a mesh from outside is refused" fails_with 'portals: its portals lead too far to be followed$' \
     "$limner" compile sim/scenes/teapot.obj --portals on -o "$work/teapot"
-tap_check "clusters are refused" fails_with '--portals on: portals lead between cells of a BSP tree, not between clusters$' \
+tap_check "clusters are refused" fails_with 'portals: they lead between cells of a BSP tree; this has none$' \
     "$limner" compile $rooms --tree clusters --portals on -o "$work/clusters"
 nothing_written() { ! ls "$work"/solid* "$work"/teapot* "$work"/clusters* 2>/dev/null; }
 tap_check "and nothing is written" nothing_written

@@ -90,6 +90,13 @@ static const char *check_outcome(const struct fuzz_frame *frame, enum lim_method
     return check_canvas(canvas, !frame->is_ordered);
 }
 
+static bool is_refused_rightly(const struct lim_scene *scene, enum lim_method method, int refused)
+{
+    const bool is_set = !scene->limits.depth && method != LIM_DEPTH && method != LIM_NEWELL;
+
+    return refused == LIM_ERR_SCENE && (scene->limits.vertices > LIM_MAX_VERTICES || is_set);
+}
+
 static const char *draw_one(const struct fuzz_frame *frame, const struct core *core, const struct lim_scene *scene,
                             enum lim_method method, struct canvas *canvas)
 {
@@ -104,7 +111,7 @@ static const char *draw_one(const struct fuzz_frame *frame, const struct core *c
     const char *broken = NULL;
     const int refused = core->init(lim, scene, &target, mem, mem_b);
     if (refused)
-        broken = refused == LIM_ERR_SCENE && scene->limits.vertices > LIM_MAX_VERTICES ? NULL : "a scene was refused";
+        broken = is_refused_rightly(scene, method, refused) ? NULL : "a scene was refused";
     else
         broken = check_outcome(frame, method, core->frame(lim, &frame->camera), core->stats(lim), canvas);
     free(lim);
