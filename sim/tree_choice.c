@@ -53,12 +53,14 @@ bool tree_choice_compile(const struct mesh *mesh, const struct compile_options *
     if (!compile_mesh(mesh, options, out, err)) return false;
     const bool is_open = options->trial != TRIAL_NEVER && options->tree == TREE_AUTO;
     if (!is_open || out->report.draws != LIM_NEAREST_FIRST) return true;
-    if (isnan(out->report.instructions))
+    const struct compile_report *bsp = &out->report;
+    const bool unasked = options->trial == TRIAL_IF_SPLIT;
+    if (isnan(bsp->instructions))
         out->report.choice.kind = CHOICE_UNKNOWN;
-    else if (options->trial == TRIAL_IF_SPLIT && out->report.polygons_in > MANY)
-        out->report.choice.kind = CHOICE_LONG;
-    else if (options->trial == TRIAL_IF_SPLIT && SPLIT_MUCH * out->report.splits < out->report.polygons_in)
+    else if (unasked && SPLIT_MUCH * bsp->splits < bsp->polygons_in)
         out->report.choice.kind = CHOICE_NEEDLESS;
+    else if (unasked && bsp->polygons_in > MANY)
+        out->report.choice.kind = CHOICE_LONG;
     else
         try_others(mesh, *options, out);
     return true;
