@@ -31,7 +31,7 @@ struct import {
     struct error *err;
     struct affine transform;  /* of the node being read */
     struct model_paint paint; /* of the mesh being read */
-    uint32_t picture;         /* the same */
+    uint32_t picture, mask;   /* the same; 0: none */
     unsigned uv_set;
     size_t picture_capacity, point_total;
     const struct aiNode **movers; /* the nodes of model->movers */
@@ -150,13 +150,17 @@ static uint32_t picture_number(struct import *import, const char *name)
     return (uint32_t)++model->picture_count;
 }
 
-static void find_picture(struct import *import, const struct aiMesh *mesh)
+static void find_pictures(struct import *import, const struct aiMesh *mesh)
 {
     struct aiString name;
-    import->picture = 0;
-    if (mesh->mMaterialIndex < import->scene->mNumMaterials &&
-        picture_name_of(import->scene->mMaterials[mesh->mMaterialIndex], &name, &import->uv_set))
-        import->picture = picture_number(import, name.data);
+    import->picture = import->mask = 0;
+    if (mesh->mMaterialIndex >= import->scene->mNumMaterials) return;
+    const struct aiMaterial *material = import->scene->mMaterials[mesh->mMaterialIndex];
+    if (picture_name_of(material, &name, &import->uv_set)) import->picture = picture_number(import, name.data);
+    if (picture_mask_of(material, &name)) import->mask = picture_number(import, name.data);
+    if (!import->mask && import->picture && import->paint.textures_blend &&
+        import->model->pictures[import->picture - 1].has_alpha)
+        import->mask = import->picture;
 }
 
 /* The library counts v from the bottom. Without coordinates there is nothing to show: NaN says so. */
@@ -189,6 +193,7 @@ static bool add_face(struct import *import, const struct aiFace *from, uint32_t 
                                 .unlit = import->paint.unlit,
                                 .mover = import->mover};
     if (face->picture) model->pictures[face->picture - 1].faces++;
+    if (import->mask) model->pictures[import->mask - 1].clear_faces++;
     for (unsigned k = 0; k < from->mNumIndices; k++) {
         uint32_t corner = first_point + from->mIndices[mirrored ? from->mNumIndices - 1 - k : k];
         const double *p = model->points[corner];
@@ -205,7 +210,7 @@ static bool add_mesh(struct import *import, const struct aiMesh *mesh)
     uint32_t first_point = (uint32_t)import->model->point_count;
     add_points(import, mesh);
     import->paint = model_paint_of(import->scene, mesh);
-    find_picture(import, mesh);
+    find_pictures(import, mesh);
     if (!add_uvs(import, mesh, first_point)) return false;
     for (unsigned i = 0; i < mesh->mNumFaces; i++) {
         const struct aiFace *face = &mesh->mFaces[i];

@@ -43,6 +43,14 @@ static void note_unreadable(struct mesh *mesh, const struct picture *picture)
              picture->reason, picture->faces);
 }
 
+static void note_opaque(struct mesh *mesh, const struct picture *picture)
+{
+    if (!picture->clear_faces) return;
+    struct note *note = note_add(mesh);
+    snprintf(note->text, sizeof note->text, "texture %s: its transparency is not drawn; faces that it belongs to: %zu",
+             picture->name, picture->clear_faces);
+}
+
 static void note_resized(struct mesh *mesh, const struct picture *picture, const struct texture *texture, bool crowded)
 {
     const unsigned w_px = 1u << texture->w_bits, h_px = 1u << texture->h_bits;
@@ -64,6 +72,7 @@ bool mesh_textures_make(const struct model *model, struct mesh *mesh, struct err
     mesh->texture_count = model->picture_count;
     for (size_t i = 0; i < model->picture_count; i++) {
         const struct picture *picture = &model->pictures[i];
+        note_opaque(mesh, picture);
         if (!picture->faces) continue;
         if (!picture->w_px) {
             note_unreadable(mesh, picture);

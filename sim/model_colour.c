@@ -42,8 +42,9 @@ static void set_opacity(struct model_paint *paint, const struct aiMaterial *mate
     const bool has_mode = aiGetMaterialString(material, AI_MATKEY_GLTF_ALPHAMODE, &mode) == aiReturn_SUCCESS;
     paint->opacity = opacity;
     paint->blends = has_mode && strcmp(mode.data, "BLEND") == 0;
+    const bool masked = has_mode && strcmp(mode.data, "MASK") == 0;
+    paint->textures_blend = !has_mode || paint->blends || masked;
     if (!has_mode || paint->blends) return;
-    const bool masked = strcmp(mode.data, "MASK") == 0;
     paint->opacity = masked && opacity < number_of(material, AI_MATKEY_GLTF_ALPHACUTOFF, 0.5F) ? 0.0 : 1.0;
 }
 

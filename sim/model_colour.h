@@ -9,12 +9,13 @@
 #include <stdint.h>
 
 struct model_paint {
-    double rgb[3];  /* 0..1 */
-    bool linear;    /* rgb and vertex colours are linear light, not sRGB */
-    double opacity; /* as the file has it, which may be beyond 0..1, or no number */
-    bool blends;    /* the vertex colours' alpha counts too: alphaMode BLEND of glTF */
-    bool two_sided; /* the material asks for both sides */
-    bool unlit;     /* it is not to be lit: `illum 0` of MTL, KHR_materials_unlit of glTF */
+    double rgb[3];       /* 0..1 */
+    bool linear;         /* rgb and vertex colours are linear light, not sRGB */
+    double opacity;      /* as the file has it, which may be beyond 0..1, or no number */
+    bool blends;         /* the vertex colours' alpha counts too: alphaMode BLEND of glTF */
+    bool textures_blend; /* so does the alpha of its texture: unless alphaMode of glTF says OPAQUE */
+    bool two_sided;      /* the material asks for both sides */
+    bool unlit;          /* it is not to be lit: `illum 0` of MTL, KHR_materials_unlit of glTF */
 };
 
 /* The mesh's material; light grey where it has none, white where vertex colours say it all. */

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * Transparent parts are read as opaque, in whatever colour the file gives to them. */
+ * Transparent parts are read as opaque, in whatever colour the file gives to them; that there are some is known. */
 #include "picture.h"
 
 #include <assimp/material.h>
@@ -46,6 +46,18 @@ static void refuse(struct picture *picture, const char *reason)
     snprintf(picture->reason, sizeof picture->reason, "%s", reason);
 }
 
+static bool has_alpha(gdImagePtr image)
+{
+    const int transparent = gdImageTrueColor(image) ? gdImageGetTransparent(image) : -1;
+    for (int y = 0; y < gdImageSY(image); y++) {
+        for (int x = 0; x < gdImageSX(image); x++) {
+            const int colour = gdImageGetTrueColorPixel(image, x, y);
+            if (gdTrueColorGetAlpha(colour) != gdAlphaOpaque || colour == transparent) return true;
+        }
+    }
+    return false;
+}
+
 /* Takes the image, shrinks it to the largest size that any scene can have. */
 static void take(struct picture *picture, gdImagePtr image)
 {
@@ -53,6 +65,7 @@ static void take(struct picture *picture, gdImagePtr image)
     const int most_px = TEXTURE_SIDE_MAX_PX;
     picture->found_w_px = (uint32_t)w_px;
     picture->found_h_px = (uint32_t)h_px;
+    picture->has_alpha |= has_alpha(image);
     const int to_w_px = w_px < most_px ? w_px : most_px, to_h_px = h_px < most_px ? h_px : most_px;
     gdImagePtr small = gdImageCreateTrueColor(to_w_px, to_h_px);
     picture->pixels = small ? calloc((size_t)to_w_px * (size_t)to_h_px, sizeof *picture->pixels) : NULL;
@@ -133,8 +146,10 @@ static void read_raw(struct picture *picture, const struct aiTexture *texture)
     gdImagePtr image = gdImageCreateTrueColor((int)texture->mWidth, (int)texture->mHeight);
     const struct aiTexel *texel = texture->pcData;
     for (unsigned y = 0; image && y < texture->mHeight; y++)
-        for (unsigned x = 0; x < texture->mWidth; x++, texel++)
+        for (unsigned x = 0; x < texture->mWidth; x++, texel++) {
             image->tpixels[y][x] = texel->r << 16 | texel->g << 8 | texel->b;
+            picture->has_alpha |= texel->a < 255;
+        }
     if (image)
         take(picture, image);
     else
@@ -175,6 +190,13 @@ void picture_free(struct picture *picture)
 {
     free(picture->pixels);
     picture->pixels = NULL;
+}
+
+bool picture_mask_of(const struct aiMaterial *material, struct aiString *name)
+{
+    return aiGetMaterialTexture(material, aiTextureType_OPACITY, 0, name, NULL, NULL, NULL, NULL, NULL, NULL) ==
+               aiReturn_SUCCESS &&
+           name->length > 0;
 }
 
 bool picture_name_of(const struct aiMaterial *material, struct aiString *name, unsigned *uv_set)

@@ -16,4 +16,7 @@ void picture_free(struct picture *picture);
 /* The texture of a material's colour, and which set of coordinates goes with it. false: it has none. */
 bool picture_name_of(const struct aiMaterial *material, struct aiString *name, unsigned *uv_set);
 
+/* The texture of its opacity alone: map_d of MTL. false: it has none. */
+bool picture_mask_of(const struct aiMaterial *material, struct aiString *name);
+
 #endif

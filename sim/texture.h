@@ -18,7 +18,9 @@ struct picture {
     uint32_t found_w_px, found_h_px;
     uint32_t w_px, h_px; /* the same, or less: no side is longer than TEXTURE_SIDE_MAX_PX */
     uint32_t *pixels;    /* 0xRRGGBB, rows from the top; owned */
+    bool has_alpha;      /* not all of it is opaque, as it was found */
     size_t faces;        /* that show it */
+    size_t clear_faces;  /* whose transparency it has, by its alpha or as their mask, which is not drawn */
 };
 
 struct texture {

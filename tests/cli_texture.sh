@@ -73,6 +73,22 @@ is_flat() { # MODEL: of one colour
         "$limner" compile "$1" -o bare >/dev/null && grep -q 'LIM_HAS_TEXTURE 0' bare.h
 }
 
+# Red, and green that is half transparent.
+half_clear() {
+    echo iVBORw0KGgoAAAANSUhEUgAAAAIAAAACCAYAAABytg0kAAAAEklEQVR42mP4z8DwHwgbGGAMAEBXBvtWfMWmAAAAAElFTkSuQmCC | base64 -d
+}
+
+says_nothing() { # MODEL: of transparency; but it has its texture
+    "$limner" compile "$1" -o bare >report || return 1
+    ! grep 'its transparency' report && grep -q 'LIM_HAS_TEXTURE 1' bare.h
+}
+
+# All four materials show one picture: one blends, two are masks and one, with two of six faces, is opaque.
+alpha_modes_with() { # PICTURE
+    sed -e 's/"pbrMetallicRoughness": {/&"baseColorTexture": {"index": 0},/' \
+        -e "s/^ \"materials\"/ \"textures\": [{\"source\": 0}], \"images\": [{\"uri\": \"$1\"}],&/" "$models/alpha_modes.gltf"
+}
+
 texels_are_near() { # PRECISION MOST
     timeout 120 "$limner" measure demo/textured.obj --camera demo/textured.cam --no-cost --precision "$1" >table || return 1
     mean=$(awk -F '|' '/texel error mean/ { getline; getline; print $3; exit }' table)
@@ -102,6 +118,16 @@ head -c 40 quarters.png >none.png
 tap_check 'so is a damaged one' notes 'texture none.png: damaged' none.obj
 : >none.png
 tap_check 'and an empty one' notes 'texture none.png: the file is empty' none.obj
+half_clear >clear.png
+sed 's/quarters.png/clear.png/' quarters.mtl >clear.mtl
+sed 's/quarters.mtl/clear.mtl/' quarters.obj >clear.obj
+tap_check 'transparency that is not drawn is noted' notes 'texture clear.png: its transparency is not drawn; faces that it belongs to: 1$' clear.obj
+tap_check 'where nothing is transparent nothing is said' says_nothing quarters.obj
+(cat quarters.mtl && echo 'map_d mask.png') >masked.mtl
+sed 's/quarters.mtl/masked.mtl/' quarters.obj >masked.obj
+tap_check 'so is that of a mask' notes 'texture mask.png: its transparency is not drawn; faces that it belongs to: 1$' masked.obj
+alpha_modes_with clear.png >modes.gltf
+tap_check 'and in glTF that of what is not OPAQUE' notes 'texture clear.png: its transparency is not drawn; faces that it belongs to: 4$' modes.gltf
 sed 's/^vt 1 0/vt 1e20 0/' quarters.obj >far.obj
 tap_check 'coordinates out of all range leave a flat face' is_flat far.obj
 grep -v '^vt' quarters.obj | sed 's,/[0-9],,g' >bare.obj

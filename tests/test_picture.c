@@ -188,6 +188,49 @@ static void pictures_inside_a_model_may_be_raw_or_files(void **state)
     gdImageDestroy(image);
 }
 
+static bool has_alpha(const struct aiScene *scene, const char *name)
+{
+    struct picture picture = picture_of(scene, name);
+    assert_string_equal(picture.reason, "");
+    picture_free(&picture);
+    return picture.has_alpha;
+}
+
+/* In a corner only: by an alpha of its own, or by the colour that stands for nothing. */
+static void what_is_not_opaque_is_known(void **state)
+{
+    (void)state;
+    const struct aiScene nothing = {0};
+    put_png("a.png", two_halves(8, 8));
+    assert_false(has_alpha(&nothing, "a.png"));
+    gdImagePtr image = two_halves(1500, 40);
+    gdImageSaveAlpha(image, 1);
+    gdImageAlphaBlending(image, 0);
+    gdImageSetPixel(image, 1499, 39, gdTrueColorAlpha(0, 0, 255, 1));
+    put_png("large.png", image);
+    assert_true(has_alpha(&nothing, "large.png"));
+    image = gdImageCreate(8, 8);
+    gdImageColorAllocate(image, 255, 0, 0);
+    const int none = gdImageColorAllocate(image, 0, 0, 255);
+    gdImageColorTransparent(image, none);
+    int size_b;
+    for (int i = 0; i < 2; i++) {
+        void *bytes = gdImageGifPtr(image, &size_b);
+        put_bytes("a.gif", bytes, (size_t)size_b);
+        gdFree(bytes);
+        assert_int_equal(has_alpha(&nothing, "a.gif"), i); /* the colour alone is nothing yet */
+        gdImageSetPixel(image, 7, 7, none);
+    }
+    gdImageDestroy(image);
+    struct aiTexel texels[2] = {{.r = 255, .a = 255}, {.r = 255, .a = 254}};
+    struct aiTexture opaque = {.mWidth = 1, .mHeight = 1, .pcData = texels};
+    struct aiTexture clear = {.mWidth = 2, .mHeight = 1, .pcData = texels};
+    struct aiTexture *all[] = {&opaque, &clear};
+    const struct aiScene scene = {.mNumTextures = 2, .mTextures = all};
+    assert_false(has_alpha(&scene, "*0"));
+    assert_true(has_alpha(&scene, "*1"));
+}
+
 /* Red and green above, blue and white below: where do the corners of the square lie in that? */
 static void models_bring_pictures_and_coordinates(void **state)
 {
@@ -237,6 +280,7 @@ int main(void)
         cmocka_unit_test(what_cannot_be_read_has_a_reason),
         cmocka_unit_test(a_truncated_jpeg_is_no_picture),
         cmocka_unit_test(pictures_inside_a_model_may_be_raw_or_files),
+        cmocka_unit_test(what_is_not_opaque_is_known),
         cmocka_unit_test(models_bring_pictures_and_coordinates),
     };
     return cmocka_run_group_tests(tests, make_folder, remove_folder);
