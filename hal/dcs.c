@@ -20,8 +20,6 @@
 #define RESET_US UINT32_C(150000)
 #define SLEEP_US UINT32_C(120000)
 
-enum { BYTES_A_PIXEL = 2 };
-
 enum { DC_UNKNOWN, DC_COMMAND, DC_DATA };
 
 static struct dcs *dcs_of(const struct panel *panel)
@@ -148,7 +146,7 @@ static int dcs_pixels(struct panel *panel, const void *data, size_t n_px)
     uint32_t left_px = dcs->left_px;
     dcs->left_px = 0; /* stays closed after an error */
     if (n_px > left_px) return PANEL_ERR_WINDOW;
-    int err = dcs_write(dcs, DC_DATA, data, n_px * BYTES_A_PIXEL);
+    int err = dcs_write(dcs, DC_DATA, data, pixels_b(panel->format, n_px));
     if (err) return err;
     dcs->left_px = left_px - (uint32_t)n_px;
     return 0;
@@ -192,12 +190,20 @@ static int dcs_send_setup(struct dcs *dcs)
     return 0;
 }
 
+static int dcs_send_format(struct dcs *dcs)
+{
+    static const uint8_t colmod[PANEL_FORMATS] = {[PANEL_RGB565] = 0x55, [PANEL_RGB444] = 0x53, [PANEL_RGB666] = 0x66};
+    return dcs_command(dcs, DCS_COLMOD, &colmod[dcs->panel.format], 1);
+}
+
 /* From reset to a chip that shows its memory. */
 static int dcs_wake(struct dcs *dcs)
 {
     int err = dcs_command_wait(dcs, DCS_SLPOUT, SLEEP_US);
     if (err) return err;
     err = dcs_send_setup(dcs);
+    if (err) return err;
+    err = dcs_send_format(dcs);
     if (err) return err;
     err = dcs_send_madctl(dcs, dcs->rotation);
     if (err) return err;
@@ -271,6 +277,26 @@ static int dcs_set_backlight(struct panel *panel, bool lit)
     return pin_is_wired(&dcs->config.backlight) ? pin_set(&dcs->config.backlight, lit) : PANEL_ERR_UNSUPPORTED;
 }
 
+/* Pixel centres inside of the ellipse: dx / w and dy / h, of doubled distances from the middle. The chord's half is the
+ * root of (1 - (dy / h)^2) w^2, found bit by bit. */
+static void dcs_visible(const struct panel *panel, uint16_t y_px, uint16_t *x0_px, uint16_t *x1_px)
+{
+    const struct dcs *dcs = panel->chip;
+    const uint32_t w = panel->w_px, h = panel->h_px;
+
+    if (!dcs->chip->is_round) return;
+    const uint32_t dy = 2u * y_px + 1u > h ? 2u * y_px + 1u - h : h - 2u * y_px - 1u;
+    const uint64_t room = (uint64_t)(h * h - dy * dy) * w * w;
+    uint32_t reach = 0; /* the greatest dx with dx^2 h^2 <= room */
+
+    for (uint32_t bit = UINT32_C(1) << 15; bit; bit >>= 1)
+        if ((uint64_t)((reach | bit) * (reach | bit)) * h * h <= room) reach |= bit;
+    const uint32_t half =
+        (reach + (w & 1u ? 2u : 1u)) / 2u; /* pixels on one side of the middle, which may be one's centre */
+    *x0_px = (uint16_t)(w / 2u + (w & 1u) - half);
+    *x1_px = (uint16_t)(w / 2u + half);
+}
+
 /* Subtractions after the size checks cannot wrap, where sums of two 16-bit fields could. */
 static bool dcs_config_fits(const struct dcs_config *config, const struct dcs_chip *chip)
 {
@@ -279,6 +305,8 @@ static bool dcs_config_fits(const struct dcs_config *config, const struct dcs_ch
     if (config->h_px == 0 || config->h_px > chip->mem_h_px) return false;
     if (config->ox_px > chip->mem_w_px - config->w_px) return false;
     if (config->oy_px > chip->mem_h_px - config->h_px) return false;
+    if (config->other_format && !((unsigned)config->format < PANEL_FORMATS && chip->formats >> config->format & 1))
+        return false;
     return (unsigned)config->rotation <= PANEL_TURNED_270;
 }
 
@@ -294,10 +322,12 @@ int dcs_setup(struct dcs *dcs, const struct dcs_chip *chip, const struct dcs_con
         .set_rotation = dcs_set_rotation,
         .set_inverted = dcs_set_inverted,
         .set_backlight = dcs_set_backlight,
+        .visible = dcs_visible,
     };
     if (!dcs_config_fits(config, chip)) return PANEL_ERR_CONFIG;
     *dcs = (struct dcs){.chip = chip, .config = *config};
-    dcs->panel = (struct panel){.ops = &ops, .chip = dcs, .format = LIM_RGB565};
+    dcs->panel = (struct panel){.ops = &ops, .chip = dcs};
+    dcs->panel.format = config->other_format ? config->format : chip->format;
     dcs_set_size(dcs, config->rotation);
     return 0;
 }

@@ -28,6 +28,10 @@ enum dcs_command {
 
 /* How a chip differs from the others. */
 struct dcs_chip {
+    const char *name;            /* lower case */
+    uint8_t formats;             /* 1 << enum panel_format, of all that it takes on SPI */
+    enum panel_format format;    /* of these, the usual one */
+    bool is_round;               /* of its glass only the inscribed ellipse is seen */
     uint16_t mem_w_px, mem_h_px; /* size of its memory with MADCTL = 0 */
     const uint8_t *setup;        /* sent once it is awake: command, number of arguments, arguments; repeated */
     size_t setup_b;              /* length of the list */
@@ -47,6 +51,8 @@ struct dcs_config {
     bool mirror;                  /* left and right of the picture swapped, for a view in a mirror */
     bool bgr;                     /* glass whose red and blue come out swapped without it */
     bool invert;                  /* glass whose colours come out negative without it, as IPS glass does */
+    bool other_format;            /* take `format` instead of the chip's usual one */
+    enum panel_format format;
 };
 
 /* State of one panel; private but for `panel`. */
@@ -62,7 +68,7 @@ struct dcs {
 
 /* Fills *dcs without touching the hardware; panel_init() does. The configuration is copied; chip and
  * the ports' contexts must outlive *dcs, which must not move. PANEL_ERR_CONFIG: a required
- * function is missing or the glass leaves the memory. */
+ * function is missing, the glass leaves the memory or the chip does not take the format. */
 HAL_MUST_CHECK int dcs_setup(struct dcs *dcs, const struct dcs_chip *chip, const struct dcs_config *config);
 
 #endif

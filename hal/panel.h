@@ -8,8 +8,7 @@
 #ifndef HAL_PANEL_H
 #define HAL_PANEL_H
 
-#include "bus.h"
-#include "target.h" /* enum lim_format, nothing else */
+#include "pixels.h"
 
 enum panel_error {
     PANEL_ERR_CONFIG = -2001,     /* the configuration does not fit the chip */
@@ -25,9 +24,9 @@ struct panel_ops;
 /* Filled by the chip's setup function, which also says what memory must outlive it. */
 struct panel {
     const struct panel_ops *ops;
-    void *chip;             /* the driver's own state */
-    uint16_t w_px, h_px;    /* size of the picture, after rotation */
-    enum lim_format format; /* what panel_pixels() takes */
+    void *chip;               /* the driver's own state */
+    uint16_t w_px, h_px;      /* size of the picture, after rotation */
+    enum panel_format format; /* what panel_pixels() takes */
 };
 
 /* What a chip's driver implements. The first four are required; NULL elsewhere: unsupported. */
@@ -41,6 +40,7 @@ struct panel_ops {
     int (*set_rotation)(struct panel *panel, enum panel_rotation rotation);
     int (*set_inverted)(struct panel *panel, bool inverted);
     int (*set_backlight)(struct panel *panel, bool lit);
+    void (*visible)(const struct panel *panel, uint16_t y_px, uint16_t *x0_px, uint16_t *x1_px);
 };
 
 /* Resets and configures the chip, from any state, and lights the panel; what it then shows until
@@ -57,8 +57,9 @@ HAL_MUST_CHECK static inline int panel_window(struct panel *panel, uint16_t x_px
     return panel->ops->window(panel, x_px, y_px, w_px, h_px);
 }
 
-/* Sends the window's next n_px pixels, packed in the panel's format; their bytes fit a size_t. The
- * data must stay as it is until the next call has returned (see struct bus). */
+/* Sends the window's next n_px pixels, packed in the panel's format; their bytes fit a size_t. Where pixels share bytes
+ * n_px is even, but for the window's last ones. The data must stay as it is until the next call has returned (see
+ * struct bus). */
 HAL_MUST_CHECK static inline int panel_pixels(struct panel *panel, const void *data, size_t n_px)
 {
     return panel->ops->pixels(panel, data, n_px);
@@ -97,6 +98,14 @@ HAL_MUST_CHECK static inline int panel_set_inverted(struct panel *panel, bool in
 HAL_MUST_CHECK static inline int panel_set_backlight(struct panel *panel, bool lit)
 {
     return panel->ops->set_backlight ? panel->ops->set_backlight(panel, lit) : PANEL_ERR_UNSUPPORTED;
+}
+
+/* Which pixels x0_px <= x < x1_px of a line the glass shows: all, unless it is round. None: x0_px == x1_px. */
+static inline void panel_visible(const struct panel *panel, uint16_t y_px, uint16_t *x0_px, uint16_t *x1_px)
+{
+    *x0_px = 0;
+    *x1_px = panel->w_px;
+    if (panel->ops->visible) panel->ops->visible(panel, y_px, x0_px, x1_px);
 }
 
 #endif

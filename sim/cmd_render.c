@@ -94,7 +94,8 @@ static bool start(struct render *render, struct error *err)
 {
     const struct options *options = &render->options;
     const unsigned w_px = options->setup.w_px, h_px = options->setup.h_px;
-    if (!simulator_init(&render->simulator, &render->scene.scene, &options->setup, err)) return false;
+    if (!simulator_init_on(&render->simulator, &render->scene.scene, &options->setup, &options->panel, err))
+        return false;
     render->simulator.core->newell(render->simulator.lim, &options->newell);
     simulator_set_wireframe(&render->simulator, &options->wireframe);
     struct moving *moving = &render->moving;
@@ -232,9 +233,11 @@ static bool is_predictable(const struct render *render)
 static bool print_tables(const struct render *render, struct error *err)
 {
     if (render->options.stats) {
-        printf("%ux%u pixels, %s\n", render->options.setup.w_px, render->options.setup.h_px,
-               render->simulator.board ? "through the emulated st7789"
-                                       : "into plain memory: no emulated panel, nothing sent on a bus");
+        printf("%ux%u pixels, ", render->options.setup.w_px, render->options.setup.h_px);
+        if (render->simulator.board)
+            printf("through the emulated %s\n", render->simulator.board->chip.kind->name);
+        else
+            puts("into plain memory: no emulated panel, nothing sent on a bus");
         frame_table_print_stats(render->rows, render->path.count, stdout);
         if (is_predictable(render))
             frame_table_print_predicted(render->rows, render->path.count, render->options.setup.w_px,

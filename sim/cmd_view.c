@@ -22,7 +22,7 @@ static bool view_open(struct viewing *view, struct flight *flight, struct error 
     struct lim_camera camera;
     if (!options_load(options, &view->scene, NULL, &lens, &view->path, err) ||
         !camera_path_to_camera(&view->path, 0, &lens, &view->scene.grid, &camera, err) ||
-        !simulator_init(&view->simulator, &view->scene.scene, &options->setup, err))
+        !simulator_init_on(&view->simulator, &view->scene.scene, &options->setup, &options->panel, err))
         return false;
     simulator_set_wireframe(&view->simulator, &options->wireframe);
     if (!simulator_set_antialias(&view->simulator, options->compile.antialias, err)) return false;

@@ -76,15 +76,10 @@ static const struct option OPTIONS[] = {
     {NULL, 0, NULL, 0},
 };
 
-static bool parse_panel(const char *text, enum simulator_panel *out, struct error *err)
+static bool parse_panel(const char *text, struct options *out, struct error *err)
 {
-    if (strcmp(text, "st7789") == 0)
-        *out = SIMULATOR_ST7789;
-    else if (strcmp(text, "memory") == 0)
-        *out = SIMULATOR_MEMORY;
-    else
-        return error_set(err, "--panel %s: no such panel; there are st7789 and memory", text);
-    return true;
+    out->setup.panel = strcmp(text, "memory") == 0 ? SIMULATOR_MEMORY : SIMULATOR_PANEL;
+    return out->setup.panel == SIMULATOR_MEMORY || panel_choice_parse(text, &out->panel, err);
 }
 
 static bool parse_method(const char *text, struct options *out, struct error *err)
@@ -135,7 +130,7 @@ static bool parse_option(int code, const char *text, struct options *out, struct
     case OPTION_NEAR:
         return parse_near(text, &out->near_m, err);
     case OPTION_PANEL:
-        return parse_panel(text, &out->setup.panel, err);
+        return parse_panel(text, out, err);
     case OPTION_METHOD:
         return parse_method(text, out, err);
     case OPTION_NEWELL:
@@ -206,12 +201,11 @@ static bool unusable_option(int code, char **argv, struct error *err)
 /* A panel is emulated wherever its memory holds the picture. */
 static bool choose_panel(struct options *out, struct error *err)
 {
-    if (out->setup.panel == SIMULATOR_ST7789 && !simulator_panel_holds(out->setup.w_px, out->setup.h_px))
-        return error_set(err, "--panel st7789: %ux%u pixels do not fit into its memory", out->setup.w_px,
-                         out->setup.h_px);
-    if (out->setup.panel == SIMULATOR_ANY)
-        out->setup.panel =
-            simulator_panel_holds(out->setup.w_px, out->setup.h_px) ? SIMULATOR_ST7789 : SIMULATOR_MEMORY;
+    const bool holds = simulator_panel_holds(&out->panel, out->setup.w_px, out->setup.h_px);
+    if (out->setup.panel == SIMULATOR_PANEL && !holds)
+        return error_set(err, "--panel %s: %ux%u pixels do not fit into its memory of %ux%u", out->panel.chip->name,
+                         out->setup.w_px, out->setup.h_px, out->panel.chip->mem_w_px, out->panel.chip->mem_h_px);
+    if (out->setup.panel == SIMULATOR_ANY) out->setup.panel = holds ? SIMULATOR_PANEL : SIMULATOR_MEMORY;
     return true;
 }
 

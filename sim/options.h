@@ -13,6 +13,7 @@ struct options {
     const char *scene_path;  /* a model, or a compiled scene in a .lim file */
     const char *camera_path; /* NULL: an orbit */
     struct simulator_setup setup;
+    struct panel_choice panel; /* for SIMULATOR_PANEL */
     double fov_deg;
     double near_m; /* 0: not given */
     struct compile_options compile;

@@ -1,28 +1,37 @@
 /* SPDX-License-Identifier: MIT
  *
- * The simulator's board: an emulated ST7789 module, the real driver for it and the screen that
+ * The simulator's board: an emulated module, the real driver for it and the screen that
  * every board uses, wired together as a board's pins would be. */
 #ifndef SIM_PANEL_BOARD_H
 #define SIM_PANEL_BOARD_H
 
-#include "emulated_st7789.h"
+#include "emulated_dcs.h"
 #include "error.h"
+#include "panels.h"
 #include "screen.h"
-#include "st7789.h"
+
+/* Which panel, and what it is sent. */
+struct panel_choice {
+    const struct dcs_chip *chip;
+    enum panel_format format;
+};
 
 struct panel_board {
-    struct emulated_st7789 chip;
+    struct emulated_dcs chip;
     struct dcs display;
     struct screen screen; /* screen.target is what the renderer paints into */
     void *lines;
     uint8_t *seen; /* 3 bytes a pixel: what is on the glass */
 };
 
-bool panel_board_holds(unsigned w_px, unsigned h_px);
+/* --panel NAME or NAME:FORMAT, of those in panels.h; an unknown one is refused with the list of those there are. */
+bool panel_choice_parse(const char *text, struct panel_choice *out, struct error *err);
+
+bool panel_board_holds(const struct panel_choice *choice, unsigned w_px, unsigned h_px);
 
 /* Switches the panel on. Large, and must not move: place it on the heap. */
-bool panel_board_init(struct panel_board *board, enum lim_method method, unsigned w_px, unsigned h_px,
-                      struct error *err);
+bool panel_board_init(struct panel_board *board, const struct panel_choice *choice, enum lim_method method,
+                      unsigned w_px, unsigned h_px, struct error *err);
 
 /* What the eye sees on the glass, as RGB565 numbers; an error if the chip had anything to
  * complain about since it was switched on. */

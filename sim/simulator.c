@@ -6,14 +6,20 @@
 
 #include "convexity.h"
 #include "method.h"
-#include "panel_board.h"
 
 #include <stdlib.h>
 #include <string.h>
 
-bool simulator_panel_holds(unsigned w_px, unsigned h_px)
+static struct panel_choice choice_of(const struct panel_choice *choice)
 {
-    return panel_board_holds(w_px, h_px);
+    return choice && choice->chip ? *choice : (struct panel_choice){&st7789, st7789.format};
+}
+
+bool simulator_panel_holds(const struct panel_choice *choice, unsigned w_px, unsigned h_px)
+{
+    const struct panel_choice on = choice_of(choice);
+
+    return panel_board_holds(&on, w_px, h_px);
 }
 
 /* Plain memory ------------------------------------------------------------------------------- */
@@ -51,12 +57,13 @@ static bool memory_init(struct simulator *simulator, enum lim_method method, uns
 
 /* Panel -------------------------------------------------------------------------------------- */
 
-static bool board_init(struct simulator *simulator, enum lim_method method, unsigned w_px, unsigned h_px,
-                       struct error *err)
+static bool board_init(struct simulator *simulator, const struct simulator_setup *setup,
+                       const struct panel_choice *choice, struct error *err)
 {
+    const struct panel_choice on = choice_of(choice);
     struct panel_board *board = calloc(1, sizeof *board);
     if (!board) return error_set(err, "simulator: out of memory");
-    if (!panel_board_init(board, method, w_px, h_px, err)) {
+    if (!panel_board_init(board, &on, setup->method, setup->w_px, setup->h_px, err)) {
         free(board);
         return false;
     }
@@ -99,15 +106,21 @@ static bool renderer_init(struct simulator *simulator, const struct lim_scene *s
 bool simulator_init(struct simulator *simulator, const struct lim_scene *scene, const struct simulator_setup *setup,
                     struct error *err)
 {
+    return simulator_init_on(simulator, scene, setup, NULL, err);
+}
+
+bool simulator_init_on(struct simulator *simulator, const struct lim_scene *scene, const struct simulator_setup *setup,
+                       const struct panel_choice *choice, struct error *err)
+{
     enum simulator_panel panel = setup->panel;
     memset(simulator, 0, sizeof *simulator);
     if (setup->method == LIM_CONVEX && !scene_is_convex(scene))
         return error_set(err, "--method convex: the scene is not one convex solid");
     simulator->core = setup->core ? setup->core : &core_fast;
     if (panel == SIMULATOR_ANY)
-        panel = panel_board_holds(setup->w_px, setup->h_px) ? SIMULATOR_ST7789 : SIMULATOR_MEMORY;
-    bool ok = panel == SIMULATOR_ST7789 ? board_init(simulator, setup->method, setup->w_px, setup->h_px, err)
-                                        : memory_init(simulator, setup->method, setup->w_px, setup->h_px, err);
+        panel = simulator_panel_holds(choice, setup->w_px, setup->h_px) ? SIMULATOR_PANEL : SIMULATOR_MEMORY;
+    bool ok = panel == SIMULATOR_PANEL ? board_init(simulator, setup, choice, err)
+                                       : memory_init(simulator, setup->method, setup->w_px, setup->h_px, err);
     ok = ok && renderer_init(simulator, scene, err);
     if (!ok) simulator_free(simulator);
     return ok;

@@ -9,10 +9,11 @@
 #include "core.h"
 #include "error.h"
 #include "image.h"
+#include "panel_board.h"
 
 enum simulator_panel {
-    SIMULATOR_ANY,    /* the first below that can hold the picture */
-    SIMULATOR_ST7789, /* 240x320 at most */
+    SIMULATOR_ANY,   /* the first below that can hold the picture */
+    SIMULATOR_PANEL, /* emulated: an ST7789, 240x320 at most, or the one that simulator_init_on() names */
     SIMULATOR_MEMORY
 };
 
@@ -23,8 +24,6 @@ struct simulator_setup {
     enum simulator_panel panel;
     const struct core *core; /* the precision profile; NULL: fast */
 };
-
-struct panel_board;
 
 struct simulator {
     const struct core *core;
@@ -44,11 +43,16 @@ struct simulator {
     size_t line_b;
 };
 
-bool simulator_panel_holds(unsigned w_px, unsigned h_px);
+/* Whether an emulated panel can hold the picture; NULL: an ST7789. */
+bool simulator_panel_holds(const struct panel_choice *choice, unsigned w_px, unsigned h_px);
 
 /* Starts renderer and panel. The scene must outlive it, and *simulator stay where it is. */
 bool simulator_init(struct simulator *simulator, const struct lim_scene *scene, const struct simulator_setup *setup,
                     struct error *err);
+
+/* On a panel of the caller's choice, if setup->panel is SIMULATOR_PANEL; NULL: an ST7789. */
+bool simulator_init_on(struct simulator *simulator, const struct lim_scene *scene, const struct simulator_setup *setup,
+                       const struct panel_choice *choice, struct error *err);
 
 /* How frames are drawn from now on. */
 void simulator_set_wireframe(struct simulator *simulator, const struct lim_wireframe *wireframe);

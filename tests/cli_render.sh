@@ -73,8 +73,11 @@ for near in 0 -1 nan inf x ''; do
     refuse "near plane '$near' is refused" '^limner: --near' render pyramid.obj --near "$near"
 done
 refuse "a near plane behind the scene is refused" '^limner: --near 100: out of range' render pyramid.obj --near 100
-refuse "an unknown panel is refused" '^limner: --panel st7735: no such panel' render pyramid.obj --panel st7735
-refuse "a size beyond the panel is refused" '^limner: --panel st7789: 241x320' render pyramid.obj --panel st7789 --size 241x320
+refuse "an unknown panel is refused" '^limner: --panel pcd8544: no such panel; there are .*st7789, and memory$' \
+    render pyramid.obj --panel pcd8544
+refuse "a format that a panel does not take is refused" '^limner: --panel ili9488:rgb565: .*there are rgb666$' \
+    render pyramid.obj --panel ili9488:rgb565
+refuse "a size beyond the panel is refused" '^limner: --panel st7789: 241x320 .* of 240x320$' render pyramid.obj --panel st7789 --size 241x320
 refuse "an unknown method is refused" '^limner: --method z: no such method' render pyramid.obj --method z
 refuse "an unknown splitter is refused" 'splitter' render pyramid.obj --splitter best
 for tolerance in -1 nan x; do
@@ -180,8 +183,15 @@ refuse "a missing hash file is an error" '^limner: none: No such file' render py
 refuse "a hash file of another length is an error" '^limner: /dev/null: has 0 frames, 16 were rendered' \
     render pyramid.obj --size 24x24 --check /dev/null
 
-panels_agree() { render --panel memory --check hashes && render --panel st7789 --check hashes && render --method painter --check hashes; }
-tap_check "panel, plain memory and the painter show the same" panels_agree
+panels_agree() {
+    for panel in memory st7789 st7735 ili9341 ili9488 st7789:rgb666; do
+        render --panel $panel --check hashes || return 1
+    done
+    render --method painter --check hashes && render --method painter --panel ili9488 --check hashes
+}
+tap_check "panels, plain memory and the painter show the same" panels_agree
+tap_check "fewer colours do not" is_refused '^limner: hashes: frame 0 differs' \
+    render pyramid.obj --camera path.cam --size 64x48 --panel st7789:rgb444 --check hashes
 
 prints_stats() {
     render --stats >stats && grep -q '64x48 pixels, through the emulated st7789' stats &&

@@ -2,7 +2,7 @@
  *
  * The screen between renderer and panel: whole frames in one window, pieces where they belong,
  * and no line touched while it may still be on its way. */
-#include "st7789_rig.h"
+#include "dcs_rig.h"
 
 /* What a frame costs on the bus: CASET 5, RASET 5, RAMWR 1 and the pixels. */
 static void whole_frame_travels_in_one_window(void **state)
@@ -73,7 +73,7 @@ static void pieces_elsewhere_open_their_own_windows(void **state)
         memset(line, (int)(0x11 + i), 480);
         assert_int_equal(target->done(target->ctx, pieces[i].y, pieces[i].x, pieces[i].n), 0);
         assert_int_equal(rig.chip.frame_writes, 1 + pieces[i].windows);
-        emulated_st7789_show(&rig.chip, 0, NULL, rig.raw);
+        emulated_dcs_show(&rig.chip, 0, NULL, rig.raw);
         for (unsigned k = 0; k < pieces[i].n; k++) {
             assert_int_equal(rig.raw[pieces[i].y * 240u + pieces[i].x + k], (0x11 + i) * 0x101);
         }

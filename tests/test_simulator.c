@@ -115,7 +115,7 @@ static uint16_t *picture(const struct room *room, enum simulator_panel panel, en
     assert_non_null(pixels);
     assert_true(simulator_init(&simulator, &room->compiled.scene,
                                &(struct simulator_setup){w_px, h_px, method, panel, NULL}, &err));
-    assert_int_equal(simulator.board != NULL, panel == SIMULATOR_ST7789);
+    assert_int_equal(simulator.board != NULL, panel == SIMULATOR_PANEL);
     assert_true(simulator_frame(&simulator, &camera, &err));
     memcpy(pixels, simulator.pixels, size_b);
     simulator_free(&simulator);
@@ -133,7 +133,7 @@ static void panel_and_memory_show_the_same_by_both_methods(void **state)
     for (size_t i = 0; i < sizeof sizes / sizeof sizes[0]; i++) {
         unsigned w_px = sizes[i][0], h_px = sizes[i][1], seed = (unsigned)i;
         uint16_t *expected = picture(&room, SIMULATOR_MEMORY, LIM_NEAREST_FIRST, w_px, h_px, seed);
-        for (int panel = SIMULATOR_ST7789; panel <= SIMULATOR_MEMORY; panel++) {
+        for (int panel = SIMULATOR_PANEL; panel <= SIMULATOR_MEMORY; panel++) {
             for (int method = LIM_NEAREST_FIRST; method <= LIM_PAINTER; method++) {
                 uint16_t *pixels =
                     picture(&room, (enum simulator_panel)panel, (enum lim_method)method, w_px, h_px, seed);
@@ -153,7 +153,7 @@ static void sizes_that_no_panel_has_are_rendered_into_memory(void **state)
     room_init(&room);
     for (size_t i = 0; i < sizeof sizes / sizeof sizes[0]; i++) {
         unsigned w_px = sizes[i][0], h_px = sizes[i][1];
-        assert_false(simulator_panel_holds(w_px, h_px));
+        assert_false(simulator_panel_holds(NULL, w_px, h_px));
         if (w_px < 100 || h_px < 100) continue; /* too thin for a lens */
         uint16_t *pixels = picture(&room, SIMULATOR_MEMORY, LIM_NEAREST_FIRST, w_px, h_px, 7);
         for (size_t p = 0; p < (size_t)w_px * h_px; p++)
@@ -191,7 +191,7 @@ static void face_numbers_agree_with_the_colours(void **state)
     struct room room;
     room_init(&room);
     for (int method = LIM_NEAREST_FIRST; method <= LIM_PAINTER; method++) {
-        uint16_t *pixels = picture(&room, SIMULATOR_ST7789, (enum lim_method)method, 240, 240, 5);
+        uint16_t *pixels = picture(&room, SIMULATOR_PANEL, (enum lim_method)method, 240, 240, 5);
         struct lens lens = make_lens(240, 240);
         struct viewpoint viewpoint = random_viewpoint(5);
         struct lim_camera camera = make_camera(&viewpoint, &lens, &room);
@@ -298,7 +298,7 @@ static void complaint_of_the_panel_is_an_error(void **state)
     assert_true(
         simulator_init(&simulator, &room.compiled.scene, &(struct simulator_setup){.w_px = 24, .h_px = 24}, &err));
     static const uint8_t stray[] = {1, 2, 3};
-    struct bus bus = emulated_st7789_bus(&simulator.board->chip);
+    struct bus bus = emulated_dcs_bus(&simulator.board->chip);
     assert_int_equal(bus_write(&bus, stray, sizeof stray), 0);
     assert_false(simulator_frame(&simulator, &camera, &err));
     assert_memory_equal(err.text, "emulated st7789: ", strlen("emulated st7789: "));

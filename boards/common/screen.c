@@ -6,8 +6,6 @@
  * panel that accepts the second has finished with the first; with one, done() waits. */
 #include "screen.h"
 
-enum { BYTES_A_PIXEL = 2 };
-
 /* The painter finds every line at its own place; nearest first takes turns. */
 static uint8_t *screen_line(const struct screen *screen, uint16_t y_px)
 {
@@ -23,7 +21,7 @@ static void *screen_lend(void *ctx, uint16_t y_px)
         screen->lent_line = (uint16_t)((screen->lent_line + 1u) % screen->n_lines);
         screen->lent_line_sent = false;
     }
-    return screen_line(screen, y_px);
+    return screen_line(screen, y_px) + screen->head_b;
 }
 
 /* From a line's start the window takes all the lines below as well, from its middle only the rest
@@ -35,6 +33,7 @@ static int screen_open_window(struct screen *screen, uint16_t x_px, uint16_t y_p
     int err = panel_window(screen->panel, x_px, y_px, w_px, h_px);
     if (err) return err;
     screen->window_open = true;
+    screen->half_byte = false;
     screen->window_end_y_px = (uint16_t)(y_px + h_px);
     screen->next_x_px = x_px;
     screen->next_y_px = y_px;
@@ -50,15 +49,28 @@ static void screen_advance(struct screen *screen, uint16_t n_px)
     if (screen->next_y_px == screen->window_end_y_px) screen->window_open = false;
 }
 
+/* In place: what is left of a piece has been packed or is not seen, and a packed pixel lies before where it was. */
+static const uint8_t *screen_pack(const struct screen *screen, uint16_t y_px, uint16_t x_px, uint16_t n_px)
+{
+    const enum panel_format format = screen->panel->format;
+    uint8_t *line = screen_line(screen, y_px);
+    uint8_t *to = line + pixels_b(format, x_px); /* behind what may still be on its way */
+
+    pixels_pack(format, to, line + screen->head_b + pixels_b(PANEL_RGB565, x_px), x_px, y_px, n_px);
+    return to;
+}
+
 static int screen_send(struct screen *screen, uint16_t y_px, uint16_t x_px, uint16_t n_px)
 {
-    bool continues = screen->window_open && screen->next_x_px == x_px && screen->next_y_px == y_px;
+    bool continues =
+        screen->window_open && screen->next_x_px == x_px && screen->next_y_px == y_px && !screen->half_byte;
     if (!continues) {
         int err = screen_open_window(screen, x_px, y_px);
         if (err) return err;
     }
     screen->lent_line_sent = true;
-    int err = panel_pixels(screen->panel, screen_line(screen, y_px) + (size_t)x_px * BYTES_A_PIXEL, n_px);
+    screen->half_byte = screen->panel->format == PANEL_RGB444 && n_px % 2;
+    int err = panel_pixels(screen->panel, screen_pack(screen, y_px, x_px, n_px), n_px);
     if (err) return err;
     screen_advance(screen, n_px);
     return screen->n_lines == 1 ? panel_flush(screen->panel) : 0;
@@ -68,25 +80,30 @@ static int screen_done(void *ctx, uint16_t y_px, uint16_t x_px, uint16_t n_px)
 {
     struct screen *screen = ctx;
     LIM_ASSERT(y_px < screen->target.h_px && x_px <= screen->target.w_px && n_px <= screen->target.w_px - x_px);
-    if (n_px == 0) return 0;
-    int err = screen_send(screen, y_px, x_px, n_px);
+    uint16_t x0_px, x1_px, end_px = (uint16_t)(x_px + n_px);
+    panel_visible(screen->panel, y_px, &x0_px, &x1_px);
+    if (x0_px < x_px) x0_px = x_px;
+    if (x1_px > end_px) x1_px = end_px;
+    if (x0_px >= x1_px) return 0;
+    int err = screen_send(screen, y_px, x0_px, (uint16_t)(x1_px - x0_px));
     if (err) screen->window_open = false;
     return err;
 }
 
 int screen_init(struct screen *screen, struct panel *panel, enum lim_method method, void *mem, size_t mem_b)
 {
-    uint16_t line_b = (uint16_t)SCREEN_LINE_B(panel->w_px);
+    const uint16_t head_b = (uint16_t)((pixels_head_b(panel->format, panel->w_px) + 3u) / 4u * 4u);
+    uint16_t line_b = (uint16_t)(head_b + SCREEN_LINE_B(panel->w_px));
     uint16_t most_lines = method == LIM_PAINTER ? panel->h_px : 2;
     size_t n_lines = mem_b / line_b;
     if (n_lines == 0 || (method == LIM_PAINTER && n_lines < panel->h_px)) return LIM_ERR_MEMORY;
 
-    *screen = (struct screen){.panel = panel, .mem = mem, .line_b = line_b};
+    *screen = (struct screen){.panel = panel, .mem = mem, .line_b = line_b, .head_b = head_b};
     screen->n_lines = n_lines < most_lines ? (uint16_t)n_lines : most_lines;
     screen->target = (struct lim_target){
         .w_px = panel->w_px,
         .h_px = panel->h_px,
-        .format = panel->format,
+        .format = LIM_RGB565,
         .method = method,
         .ctx = screen,
         .lend = screen_lend,

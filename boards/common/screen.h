@@ -2,8 +2,9 @@
  *
  * Joins the renderer and a panel: a lim_target whose finished pixels go to the panel at once.
  * Lines that come whole and in order travel in one window a frame; a piece that does not continue
- * where the last one ended opens a window of its own. With memory for two lines one is painted
- * while the other is on its way (DMA).
+ * where the last one ended opens a window of its own. So does, where pixels share bytes (PANEL_RGB444), what follows an
+ * odd number of them; and each line on round glass, of which only what is seen is sent. With memory for two lines one
+ * is painted while the other is on its way (DMA).
  *
  *     static uint32_t mem[SCREEN_MEM_B(240, 2) / 4];
  *     int err = screen_init(&screen, &display.panel, LIM_NEAREST_FIRST, mem, sizeof mem);
@@ -18,10 +19,13 @@
 #include "panel.h"
 #include "target.h"
 
-/* Bytes for n_lines of w_px RGB565 pixels, each line 4-byte aligned. Lines: 1, slow on a bus that
- * works alone; 2, the most that nearest first uses; the panel's h_px for the painter. */
+/* Bytes for n_lines of w_px pixels, each line 4-byte aligned. Lines: 1, slow on a bus that works alone; 2, the most
+ * that nearest first uses; the panel's h_px for the painter. A line is packed into the panel's format where it is,
+ * which takes more room only if a pixel does: SCREEN_WIDE_... for PANEL_RGB666. */
 #define SCREEN_LINE_B(w_px) (((w_px)*2u + 3u) / 4u * 4u)
+#define SCREEN_WIDE_LINE_B(w_px) (((w_px) + 3u) / 4u * 4u + SCREEN_LINE_B(w_px))
 #define SCREEN_MEM_B(w_px, n_lines) ((size_t)SCREEN_LINE_B(w_px) * (n_lines))
+#define SCREEN_WIDE_MEM_B(w_px, n_lines) ((size_t)SCREEN_WIDE_LINE_B(w_px) * (n_lines))
 
 /* Private but for `target`. */
 struct screen {
@@ -29,11 +33,13 @@ struct screen {
     struct panel *panel;
     uint8_t *mem;
     uint16_t line_b, n_lines; /* length of a line in mem, and how many are used */
+    uint16_t head_b;          /* of a line, before what the renderer paints into */
     uint16_t lent_line;       /* nearest first: index of the line lent last */
     bool lent_line_sent;      /* some of it went to the panel, and may still be on its way */
     bool window_open;         /* pixels can follow at next_x_px, next_y_px */
     uint16_t window_end_y_px; /* first line below the window */
     uint16_t next_x_px, next_y_px;
+    bool half_byte; /* the window's last pixel ends within a byte, which is filled up */
 };
 
 /* Prepares *screen, which must not move, for the panel's present size: call it again after a

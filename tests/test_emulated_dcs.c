@@ -1,18 +1,18 @@
 /* SPDX-License-Identifier: MIT
  *
- * The emulated ST7789 itself, fed by hand: each violation of the protocol is noticed, once, and
+ * An emulated chip itself, an ST7789, fed by hand: each violation of the protocol is noticed, once, and
  * called by its name; formats, windows and resets do what the datasheet says. */
-#include "st7789_rig.h"
+#include "dcs_rig.h"
 
 /* The chip below the driver: bytes by hand. */
 static void chip_start(bool awake)
 {
     struct emulated_module module = module_240x240;
-    emulated_st7789_init(&rig.chip, &module);
-    rig.bus = emulated_st7789_bus(&rig.chip);
-    rig.dc = emulated_st7789_dc(&rig.chip);
-    rig.reset = emulated_st7789_reset(&rig.chip);
-    rig.clock = emulated_st7789_clock(&rig.chip);
+    emulated_dcs_init(&rig.chip, &module);
+    rig.bus = emulated_dcs_bus(&rig.chip);
+    rig.dc = emulated_dcs_dc(&rig.chip);
+    rig.reset = emulated_dcs_reset(&rig.chip);
+    rig.clock = emulated_dcs_clock(&rig.chip);
     assert_int_equal(clock_delay(&rig.clock, 120000), 0);
     if (!awake) return;
     uint8_t slpout = 0x11;

@@ -4,17 +4,17 @@
  * them whose n-th call can be made to fail, and a test card with checks of what the viewer sees.
  * The card has a colour in each corner, clockwise red, green, blue and grey, and elsewhere a value
  * that differs from its neighbours', so that a shift by one pixel shows. */
-#ifndef TESTS_ST7789_RIG_H
-#define TESTS_ST7789_RIG_H
+#ifndef TESTS_DCS_RIG_H
+#define TESTS_DCS_RIG_H
 
 #include "cmocka_ready.h"
-#include "emulated_st7789.h"
+#include "emulated_dcs.h"
+#include "panels.h"
 #include "screen.h"
-#include "st7789.h"
 
 #include <string.h>
 
-enum { MOST_PX = 240 * 320, RED = 0xF800, GREEN = 0x07E0, BLUE = 0x001F, GREY = 0x8410 };
+enum { MOST_PX = 320 * 480, RED = 0xF800, GREEN = 0x07E0, BLUE = 0x001F, GREY = 0x8410 };
 
 /* Calls to a port, one of which may fail. The decorator stands between driver and emulated chip. */
 struct fault {
@@ -28,7 +28,7 @@ struct fault {
 };
 
 struct rig {
-    struct emulated_st7789 chip;
+    struct emulated_dcs chip;
     struct dcs_config config;
     struct dcs display;
     struct screen screen;
@@ -36,7 +36,8 @@ struct rig {
     struct bus bus; /* the chip's own port, behind the decorator */
     struct pin dc, reset, backlight;
     struct clock clock;
-    uint32_t mem[SCREEN_MEM_B(320, 320) / 4];
+    const struct dcs_chip *driver;
+    uint32_t mem[SCREEN_WIDE_MEM_B(480, 480) / 4];
     uint32_t raw[MOST_PX];
     uint8_t rgb[MOST_PX * 3];
 };
@@ -94,12 +95,16 @@ static inline void fault_arm(long fail_at)
 /* An emulated module and a configuration that suits it, all pins wired. */
 static inline void rig_setup(struct emulated_module module)
 {
-    emulated_st7789_init(&rig.chip, &module);
-    rig.bus = emulated_st7789_bus(&rig.chip);
-    rig.dc = emulated_st7789_dc(&rig.chip);
-    rig.reset = emulated_st7789_reset(&rig.chip);
-    rig.backlight = emulated_st7789_backlight(&rig.chip);
-    rig.clock = emulated_st7789_clock(&rig.chip);
+    emulated_dcs_init(&rig.chip, &module);
+    rig.driver = NULL;
+    for (size_t i = 0; panels_dcs[i]; i++)
+        if (strcmp(panels_dcs[i]->name, rig.chip.kind->name) == 0) rig.driver = panels_dcs[i];
+    assert_non_null(rig.driver);
+    rig.bus = emulated_dcs_bus(&rig.chip);
+    rig.dc = emulated_dcs_dc(&rig.chip);
+    rig.reset = emulated_dcs_reset(&rig.chip);
+    rig.backlight = emulated_dcs_backlight(&rig.chip);
+    rig.clock = emulated_dcs_clock(&rig.chip);
     rig.config = (struct dcs_config){
         .bus = {&rig.bus, faulty_write, faulty_flush},
         .dc = {&rig.dc, faulty_set},
@@ -164,9 +169,10 @@ static inline int draw_frame(struct screen *screen)
 
 static inline void rig_open(unsigned n_lines)
 {
-    assert_int_equal(st7789_setup(&rig.display, &rig.config), 0);
+    assert_int_equal(dcs_setup(&rig.display, rig.driver, &rig.config), 0);
     struct panel *panel = &rig.display.panel;
-    size_t mem_b = SCREEN_MEM_B(panel->w_px, n_lines);
+    size_t mem_b =
+        panel->format == PANEL_RGB666 ? SCREEN_WIDE_MEM_B(panel->w_px, n_lines) : SCREEN_MEM_B(panel->w_px, n_lines);
     assert_int_equal(screen_init(&rig.screen, panel, LIM_NEAREST_FIRST, rig.mem, mem_b), 0);
 }
 
@@ -193,7 +199,7 @@ static inline void assert_complaint(enum emulated_complaint kind)
 static inline void assert_card_shown(unsigned quarter_turns, bool mirrored)
 {
     unsigned w = rig.display.panel.w_px, h = rig.display.panel.h_px;
-    emulated_st7789_show(&rig.chip, quarter_turns, NULL, rig.raw);
+    emulated_dcs_show(&rig.chip, quarter_turns, NULL, rig.raw);
     for (unsigned y = 0; y < h; y++) {
         for (unsigned x = 0; x < w; x++) {
             uint32_t shown = rig.raw[y * w + (mirrored ? w - 1 - x : x)];
@@ -208,7 +214,7 @@ static inline void corners(uint32_t seen[4])
 {
     unsigned w = rig.config.w_px, h = rig.config.h_px;
     const size_t at[] = {0, w - 1, (size_t)w * h - 1, (size_t)w * (h - 1)};
-    emulated_st7789_show(&rig.chip, 0, rig.rgb, NULL);
+    emulated_dcs_show(&rig.chip, 0, rig.rgb, NULL);
     for (unsigned i = 0; i < 4; i++) {
         const uint8_t *rgb = &rig.rgb[at[i] * 3];
         seen[i] = (uint32_t)rgb[0] << 16 | (uint32_t)rgb[1] << 8 | rgb[2];

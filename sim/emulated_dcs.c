@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: MIT
  *
- * The emulated ST7789: bytes, D/C and reset in; memory, a picture and complaints out.
+ * An emulated chip: bytes, D/C and reset in; memory, a picture and complaints out.
  * A byte goes down one of three ways: as a command (D/C low), as an argument of the last command,
  * or as part of a pixel while RAMWR or RAMWRC is in force. Times are checked against the
  * datasheet's, on a clock that only the driver's own waits advance. */
-#include "emulated_st7789.h"
+#include "emulated_dcs.h"
 
 #include <assert.h>
 #include <stdarg.h>
@@ -15,14 +15,7 @@ enum { ROW_ORDER = 0x80, COLUMN_ORDER = 0x40, EXCHANGE = 0x20, BLUE_FIRST = 0x08
 
 enum { RESET_PULSE_US = 10, LISTEN_US = 5000, SLEEP_CHANGE_US = 120000 };
 
-struct emulated_command {
-    uint8_t code;
-    uint8_t n_args;
-    const char *name;
-    void (*run)(struct emulated_st7789 *chip); /* when its last argument has come; NULL: no visible effect */
-};
-
-__attribute__((format(printf, 3, 4))) static void complain(struct emulated_st7789 *chip, enum emulated_complaint kind,
+__attribute__((format(printf, 3, 4))) static void complain(struct emulated_dcs *chip, enum emulated_complaint kind,
                                                            const char *format, ...)
 {
     va_list args;
@@ -34,18 +27,18 @@ __attribute__((format(printf, 3, 4))) static void complain(struct emulated_st778
     if (chip->on_complaint) chip->on_complaint(chip->on_complaint_ctx, chip->complaint);
 }
 
-static uint16_t columns_end(const struct emulated_st7789 *chip)
+static uint16_t columns_end(const struct emulated_dcs *chip)
 {
-    return chip->madctl & EXCHANGE ? EMULATED_ST7789_H_PX : EMULATED_ST7789_W_PX;
+    return chip->madctl & EXCHANGE ? chip->kind->h_px : chip->kind->w_px;
 }
 
-static uint16_t rows_end(const struct emulated_st7789 *chip)
+static uint16_t rows_end(const struct emulated_dcs *chip)
 {
-    return chip->madctl & EXCHANGE ? EMULATED_ST7789_W_PX : EMULATED_ST7789_H_PX;
+    return chip->madctl & EXCHANGE ? chip->kind->w_px : chip->kind->h_px;
 }
 
 /* What both kinds of reset do; memory keeps its contents. */
-static void reset_registers(struct emulated_st7789 *chip)
+static void reset_registers(struct emulated_dcs *chip)
 {
     chip->asleep = true;
     chip->display_on = false;
@@ -60,7 +53,7 @@ static void reset_registers(struct emulated_st7789 *chip)
     chip->sleep_in_from_us = chip->now_us;
 }
 
-static void reset_hardware(struct emulated_st7789 *chip)
+static void reset_hardware(struct emulated_dcs *chip)
 {
     chip->madctl = 0;
     chip->bits_a_pixel = 24;
@@ -70,7 +63,7 @@ static void reset_hardware(struct emulated_st7789 *chip)
     reset_registers(chip);
 }
 
-static bool too_soon(struct emulated_st7789 *chip, uint64_t from_us)
+static bool too_soon(struct emulated_dcs *chip, uint64_t from_us)
 {
     if (chip->now_us >= from_us) return false;
     complain(chip, EMULATED_TOO_SOON, "%s came %u us too soon", chip->command->name,
@@ -78,13 +71,13 @@ static bool too_soon(struct emulated_st7789 *chip, uint64_t from_us)
     return true;
 }
 
-static void run_swreset(struct emulated_st7789 *chip)
+static void run_swreset(struct emulated_dcs *chip)
 {
     too_soon(chip, chip->sleep_in_from_us); /* not allowed while sleep is being left */
     reset_registers(chip);
 }
 
-static void run_slpin(struct emulated_st7789 *chip)
+static void run_slpin(struct emulated_dcs *chip)
 {
     if (chip->asleep || too_soon(chip, chip->sleep_in_from_us)) return;
     chip->asleep = true;
@@ -92,7 +85,7 @@ static void run_slpin(struct emulated_st7789 *chip)
     chip->sleep_out_from_us = chip->now_us + SLEEP_CHANGE_US;
 }
 
-static void run_slpout(struct emulated_st7789 *chip)
+static void run_slpout(struct emulated_dcs *chip)
 {
     if (!chip->asleep || too_soon(chip, chip->sleep_out_from_us)) return;
     chip->asleep = false;
@@ -100,28 +93,28 @@ static void run_slpout(struct emulated_st7789 *chip)
     chip->sleep_in_from_us = chip->now_us + SLEEP_CHANGE_US;
 }
 
-static void run_invoff(struct emulated_st7789 *chip)
+static void run_invoff(struct emulated_dcs *chip)
 {
     chip->inverted = false;
 }
 
-static void run_invon(struct emulated_st7789 *chip)
+static void run_invon(struct emulated_dcs *chip)
 {
     chip->inverted = true;
 }
 
-static void run_dispoff(struct emulated_st7789 *chip)
+static void run_dispoff(struct emulated_dcs *chip)
 {
     chip->display_on = false;
 }
 
-static void run_dispon(struct emulated_st7789 *chip)
+static void run_dispon(struct emulated_dcs *chip)
 {
     if (chip->asleep) complain(chip, EMULATED_ASLEEP, "DISPON while asleep");
     chip->display_on = true;
 }
 
-static void set_range(struct emulated_st7789 *chip, uint16_t range[2], uint16_t end)
+static void set_range(struct emulated_dcs *chip, uint16_t range[2], uint16_t end)
 {
     unsigned first = chip->args[0] * 256u + chip->args[1];
     unsigned last = chip->args[2] * 256u + chip->args[3];
@@ -134,41 +127,38 @@ static void set_range(struct emulated_st7789 *chip, uint16_t range[2], uint16_t 
     range[1] = (uint16_t)last;
 }
 
-static void run_caset(struct emulated_st7789 *chip)
+static void run_caset(struct emulated_dcs *chip)
 {
     set_range(chip, chip->columns, columns_end(chip));
 }
 
-static void run_raset(struct emulated_st7789 *chip)
+static void run_raset(struct emulated_dcs *chip)
 {
     set_range(chip, chip->rows, rows_end(chip));
 }
 
-static void run_madctl(struct emulated_st7789 *chip)
+static void run_madctl(struct emulated_dcs *chip)
 {
     if (chip->args[0] & MADCTL_RESERVED) complain(chip, EMULATED_ARGS_VALUE, "MADCTL 0x%02X", chip->args[0]);
     chip->madctl = chip->args[0];
     chip->address_valid = false;
 }
 
-static void run_colmod(struct emulated_st7789 *chip)
+static void run_colmod(struct emulated_dcs *chip)
 {
-    switch (chip->args[0] & 0x07) {
-    case 3:
+    const unsigned format = chip->args[0] & 0x07;
+
+    if (format == 3 && chip->kind->takes_12)
         chip->bits_a_pixel = 12;
-        break;
-    case 5:
+    else if (format == 5 && chip->kind->takes_16)
         chip->bits_a_pixel = 16;
-        break;
-    case 6: /* six bits in each of three bytes */
+    else if (format == 6) /* six bits in each of three bytes */
         chip->bits_a_pixel = 24;
-        break;
-    default:
+    else
         complain(chip, EMULATED_ARGS_VALUE, "COLMOD 0x%02X", chip->args[0]);
-    }
 }
 
-static void start_writing(struct emulated_st7789 *chip)
+static void start_writing(struct emulated_dcs *chip)
 {
     chip->writing = true;
     chip->n_bits = 0;
@@ -179,7 +169,7 @@ static void start_writing(struct emulated_st7789 *chip)
 }
 
 /* A window that fitted may not fit any more once columns and rows were exchanged. */
-static void run_ramwr(struct emulated_st7789 *chip)
+static void run_ramwr(struct emulated_dcs *chip)
 {
     chip->frame_writes++;
     chip->x = chip->columns[0];
@@ -189,7 +179,18 @@ static void run_ramwr(struct emulated_st7789 *chip)
     start_writing(chip);
 }
 
-static const struct emulated_command *find_command(uint8_t code)
+static const struct emulated_command *find_vendor(struct emulated_dcs *chip, uint8_t code)
+{
+    for (const struct emulated_register *at = chip->kind->registers; at && at->code; at++) {
+        if (at->code != code) continue;
+        snprintf(chip->vendor_name, sizeof chip->vendor_name, "command 0x%02X", code);
+        chip->vendor = (struct emulated_command){code, at->n_args, chip->vendor_name, NULL};
+        return &chip->vendor;
+    }
+    return NULL;
+}
+
+static const struct emulated_command *find_command(struct emulated_dcs *chip, uint8_t code)
 {
     static const struct emulated_command commands[] = {
         {0x00, 0, "NOP", NULL},
@@ -213,10 +214,10 @@ static const struct emulated_command *find_command(uint8_t code)
     for (size_t i = 0; i < sizeof commands / sizeof commands[0]; i++) {
         if (commands[i].code == code) return &commands[i];
     }
-    return NULL;
+    return find_vendor(chip, code);
 }
 
-static void end_command(struct emulated_st7789 *chip)
+static void end_command(struct emulated_dcs *chip)
 {
     const struct emulated_command *command = chip->command;
     if (chip->writing && chip->n_bits >= 8) { /* 4 bits over are the filling after an odd 12-bit pixel */
@@ -233,15 +234,15 @@ static void end_command(struct emulated_st7789 *chip)
     chip->n_bits = 0;
 }
 
-static void run_if_complete(struct emulated_st7789 *chip)
+static void run_if_complete(struct emulated_dcs *chip)
 {
     if (chip->n_args == chip->command->n_args && chip->command->run) chip->command->run(chip);
 }
 
-static void receive_command(struct emulated_st7789 *chip, uint8_t code)
+static void receive_command(struct emulated_dcs *chip, uint8_t code)
 {
     end_command(chip);
-    chip->command = find_command(code);
+    chip->command = find_command(chip, code);
     if (!chip->command) {
         complain(chip, EMULATED_UNKNOWN_COMMAND, "command 0x%02X is unknown or not modelled", code);
         chip->ignore_data = true;
@@ -251,7 +252,7 @@ static void receive_command(struct emulated_st7789 *chip, uint8_t code)
     run_if_complete(chip);
 }
 
-static void receive_argument(struct emulated_st7789 *chip, uint8_t byte)
+static void receive_argument(struct emulated_dcs *chip, uint8_t byte)
 {
     if (!chip->command || chip->n_args == chip->command->n_args) {
         complain(chip, EMULATED_ARGS_EXTRA, "data 0x%02X after %s, which takes %u bytes: too many, or no RAMWR", byte,
@@ -286,7 +287,7 @@ static struct emulated_pixel decode(uint32_t raw, unsigned bits)
 }
 
 /* The address counter runs along columns, then rows, and from the window's end to its start. */
-static void advance_address(struct emulated_st7789 *chip)
+static void advance_address(struct emulated_dcs *chip)
 {
     if (chip->x++ < chip->columns[1]) return;
     chip->x = chip->columns[0];
@@ -295,7 +296,7 @@ static void advance_address(struct emulated_st7789 *chip)
     chip->window_full = true;
 }
 
-static void store_pixel(struct emulated_st7789 *chip, uint32_t raw)
+static void store_pixel(struct emulated_dcs *chip, uint32_t raw)
 {
     if (chip->window_full) {
         complain(chip, EMULATED_PIXELS_OUTSIDE, "more pixels than the window %u..%u, %u..%u holds", chip->columns[0],
@@ -304,13 +305,13 @@ static void store_pixel(struct emulated_st7789 *chip, uint32_t raw)
     }
     unsigned column = chip->madctl & EXCHANGE ? chip->y : chip->x;
     unsigned row = chip->madctl & EXCHANGE ? chip->x : chip->y;
-    if (chip->madctl & COLUMN_ORDER) column = EMULATED_ST7789_W_PX - 1 - column;
-    if (chip->madctl & ROW_ORDER) row = EMULATED_ST7789_H_PX - 1 - row;
+    if (chip->madctl & COLUMN_ORDER) column = chip->kind->w_px - 1u - column;
+    if (chip->madctl & ROW_ORDER) row = chip->kind->h_px - 1u - row;
     chip->memory[row][column] = decode(raw, chip->bits_a_pixel);
     advance_address(chip);
 }
 
-static void receive_pixel_byte(struct emulated_st7789 *chip, uint8_t byte)
+static void receive_pixel_byte(struct emulated_dcs *chip, uint8_t byte)
 {
     chip->bits = chip->bits << 8 | byte;
     chip->n_bits = (uint8_t)(chip->n_bits + 8);
@@ -319,7 +320,7 @@ static void receive_pixel_byte(struct emulated_st7789 *chip, uint8_t byte)
     store_pixel(chip, chip->bits >> chip->n_bits & ((UINT32_C(1) << chip->bits_a_pixel) - 1));
 }
 
-static void receive(struct emulated_st7789 *chip, const uint8_t *data, size_t n_b)
+static void receive(struct emulated_dcs *chip, const uint8_t *data, size_t n_b)
 {
     chip->bus_b += n_b;
     if (chip->reset_low) {
@@ -341,7 +342,7 @@ static void receive(struct emulated_st7789 *chip, const uint8_t *data, size_t n_
 
 static int bus_flush_chip(void *ctx)
 {
-    struct emulated_st7789 *chip = ctx;
+    struct emulated_dcs *chip = ctx;
     receive(chip, chip->pending, chip->pending_b);
     chip->pending_b = 0;
     return 0;
@@ -349,7 +350,7 @@ static int bus_flush_chip(void *ctx)
 
 static int bus_write_chip(void *ctx, const uint8_t *data, size_t n_b)
 {
-    struct emulated_st7789 *chip = ctx;
+    struct emulated_dcs *chip = ctx;
     int err = bus_flush_chip(chip);
     if (err) return err;
     chip->pending = data;
@@ -359,14 +360,14 @@ static int bus_write_chip(void *ctx, const uint8_t *data, size_t n_b)
 
 static int set_dc(void *ctx, bool high)
 {
-    struct emulated_st7789 *chip = ctx;
+    struct emulated_dcs *chip = ctx;
     chip->dc_high = high;
     return 0;
 }
 
 static int set_reset(void *ctx, bool high)
 {
-    struct emulated_st7789 *chip = ctx;
+    struct emulated_dcs *chip = ctx;
     if (!high && !chip->reset_low) chip->reset_low_us = chip->now_us;
     if (high && chip->reset_low) {
         uint64_t pulse_us = chip->now_us - chip->reset_low_us;
@@ -382,52 +383,55 @@ static int set_reset(void *ctx, bool high)
 
 static int set_backlight(void *ctx, bool high)
 {
-    struct emulated_st7789 *chip = ctx;
+    struct emulated_dcs *chip = ctx;
     chip->backlight_low = !high;
     return 0;
 }
 
 static int delay(void *ctx, uint32_t delay_us)
 {
-    struct emulated_st7789 *chip = ctx;
+    struct emulated_dcs *chip = ctx;
     chip->now_us += delay_us;
     return 0;
 }
 
-struct bus emulated_st7789_bus(struct emulated_st7789 *chip)
+struct bus emulated_dcs_bus(struct emulated_dcs *chip)
 {
     return (struct bus){.ctx = chip, .write = bus_write_chip, .flush = bus_flush_chip};
 }
 
-struct pin emulated_st7789_dc(struct emulated_st7789 *chip)
+struct pin emulated_dcs_dc(struct emulated_dcs *chip)
 {
     return (struct pin){.ctx = chip, .set = set_dc};
 }
 
-struct pin emulated_st7789_reset(struct emulated_st7789 *chip)
+struct pin emulated_dcs_reset(struct emulated_dcs *chip)
 {
     return (struct pin){.ctx = chip, .set = set_reset};
 }
 
-struct pin emulated_st7789_backlight(struct emulated_st7789 *chip)
+struct pin emulated_dcs_backlight(struct emulated_dcs *chip)
 {
     return (struct pin){.ctx = chip, .set = set_backlight};
 }
 
-struct clock emulated_st7789_clock(struct emulated_st7789 *chip)
+struct clock emulated_dcs_clock(struct emulated_dcs *chip)
 {
     return (struct clock){.ctx = chip, .delay = delay};
 }
 
-void emulated_st7789_init(struct emulated_st7789 *chip, const struct emulated_module *module)
+void emulated_dcs_init(struct emulated_dcs *chip, const struct emulated_module *module)
 {
-    assert(module->ox_px + module->w_px <= EMULATED_ST7789_W_PX);
-    assert(module->oy_px + module->h_px <= EMULATED_ST7789_H_PX);
+    const struct emulated_kind *kind = module->kind ? module->kind : emulated_kind_find("st7789");
+
+    assert(module->ox_px + module->w_px <= kind->w_px);
+    assert(module->oy_px + module->h_px <= kind->h_px);
     memset(chip, 0, sizeof *chip);
     chip->module = *module;
+    chip->kind = kind;
     uint32_t noise = 1;
-    for (unsigned row = 0; row < EMULATED_ST7789_H_PX; row++) {
-        for (unsigned column = 0; column < EMULATED_ST7789_W_PX; column++) {
+    for (unsigned row = 0; row < EMULATED_MAX_H_PX; row++) {
+        for (unsigned column = 0; column < EMULATED_MAX_W_PX; column++) {
             noise = noise * 1664525u + 1013904223u;
             chip->memory[row][column] = decode(noise >> 16, 16);
         }
@@ -435,7 +439,7 @@ void emulated_st7789_init(struct emulated_st7789 *chip, const struct emulated_mo
     reset_hardware(chip);
 }
 
-static void see(const struct emulated_st7789 *chip, const struct emulated_pixel *pixel, uint8_t rgb[3])
+static void see(const struct emulated_dcs *chip, const struct emulated_pixel *pixel, uint8_t rgb[3])
 {
     bool lit = chip->display_on && !chip->asleep && !chip->reset_low && !chip->backlight_low;
     bool negative = chip->inverted != chip->module.ips;
@@ -446,7 +450,15 @@ static void see(const struct emulated_st7789 *chip, const struct emulated_pixel 
     }
 }
 
-void emulated_st7789_show(const struct emulated_st7789 *chip, unsigned quarter_turns, uint8_t *rgb, uint32_t *raw)
+/* The glass's own x and y. A pixel is seen if its centre is inside of the ellipse. */
+static bool is_on_glass(const struct emulated_module *module, const struct emulated_kind *kind, unsigned x, unsigned y)
+{
+    const double dx = (2.0 * x + 1.0 - module->w_px) / module->w_px, dy = (2.0 * y + 1.0 - module->h_px) / module->h_px;
+
+    return !kind->is_round || dx * dx + dy * dy <= 1.0;
+}
+
+void emulated_dcs_show(const struct emulated_dcs *chip, unsigned quarter_turns, uint8_t *rgb, uint32_t *raw)
 {
     const struct emulated_module *module = &chip->module;
     unsigned w_px = quarter_turns % 2 ? module->h_px : module->w_px;
@@ -461,6 +473,8 @@ void emulated_st7789_show(const struct emulated_st7789 *chip, unsigned quarter_t
         const struct emulated_pixel *pixel =
             &chip->memory[module->oy_px + row[quarter_turns % 4]][module->ox_px + column[quarter_turns % 4]];
         if (rgb) see(chip, pixel, &rgb[(size_t)3 * i]);
+        if (rgb && !is_on_glass(module, chip->kind, column[quarter_turns % 4], row[quarter_turns % 4]))
+            memset(&rgb[(size_t)3 * i], 0, 3);
         if (raw) raw[i] = pixel->raw;
     }
 }

@@ -3,7 +3,7 @@
  * The ST7789 driver against the emulated chip: what is drawn is what the viewer of each module
  * sees, however it is turned, without a complaint about the protocol; and an error of the port at
  * any call comes through unchanged and leaves nothing behind. */
-#include "st7789_rig.h"
+#include "dcs_rig.h"
 
 /* A picture turned clockwise by r quarters has its first corner at the glass's corner r. */
 static void check_rotations(struct emulated_module module)
@@ -221,9 +221,9 @@ static void configurations_that_do_not_fit_the_chip_are_refused(void **state)
     bad[10].dc.set = NULL;
     bad[11].clock.delay = NULL;
     for (unsigned i = 0; i < 12; i++) {
-        if (st7789_setup(&rig.display, &bad[i]) != PANEL_ERR_CONFIG) fail_msg("configuration %u was taken", i);
+        if (dcs_setup(&rig.display, &st7789, &bad[i]) != PANEL_ERR_CONFIG) fail_msg("configuration %u was taken", i);
     }
-    assert_int_equal(st7789_setup(&rig.display, &good), 0);
+    assert_int_equal(dcs_setup(&rig.display, &st7789, &good), 0);
     assert_int_equal(rig.fault.calls, 0);
 }
 

@@ -1,16 +1,34 @@
 /* SPDX-License-Identifier: MIT
  *
- * An ST7789 with its glass, emulated from the datasheet: it takes bytes, pin levels and waits as
- * a port passes them on, keeps its own 240x320 memory and registers, and shows what a viewer of
+ * A controller of the MIPI Display Command Set with its glass, emulated from the datasheets: it takes bytes, pin levels
+ * and waits as a port passes them on, keeps its own memory and registers, and shows what a viewer of
  * the glass would see. What a driver does against the protocol is complained about, counted
  * and described; the chip then carries on as well as a real one might. It knows nothing of hal/'s
  * tables, so that neither can hide the other's mistakes. */
-#ifndef SIM_EMULATED_ST7789_H
-#define SIM_EMULATED_ST7789_H
+#ifndef SIM_EMULATED_DCS_H
+#define SIM_EMULATED_DCS_H
 
 #include "bus.h"
 
-enum { EMULATED_ST7789_W_PX = 240, EMULATED_ST7789_H_PX = 320, EMULATED_ST7789_MAX_ARGS = 4 };
+enum { EMULATED_MAX_W_PX = 320, EMULATED_MAX_H_PX = 480, EMULATED_MAX_ARGS = 16 };
+
+/* A command beyond the standard's. */
+struct emulated_register {
+    uint8_t code, n_args;
+};
+
+/* What the chips differ in. */
+struct emulated_kind {
+    const char *name;
+    uint16_t w_px, h_px;                       /* memory, with MADCTL = 0 */
+    bool takes_12, takes_16;                   /* bits a pixel on SPI; all take 18 in three bytes */
+    bool is_round;                             /* glass that shows the inscribed ellipse alone */
+    const struct emulated_register *registers; /* ends with code 0 */
+};
+
+/* All kinds, ends with NULL; NULL: there is none of that name. */
+extern const struct emulated_kind *const emulated_kinds[];
+const struct emulated_kind *emulated_kind_find(const char *name);
 
 enum emulated_complaint {
     EMULATED_UNKNOWN_COMMAND, /* not in the datasheet, or not modelled here */
@@ -28,10 +46,20 @@ enum emulated_complaint {
 
 /* The module round the chip. */
 struct emulated_module {
-    uint16_t w_px, h_px;   /* glass, upright; with the offsets it must lie within memory */
-    uint16_t ox_px, oy_px; /* memory column and row behind the glass's top left pixel */
-    bool ips;              /* glass that shows the negative unless inversion is on */
-    bool bgr;              /* glass with blue first: true colours need MADCTL's BGR bit */
+    const struct emulated_kind *kind; /* NULL: st7789 */
+    uint16_t w_px, h_px;              /* glass, upright; with the offsets it must lie within memory */
+    uint16_t ox_px, oy_px;            /* memory column and row behind the glass's top left pixel */
+    bool ips;                         /* glass that shows the negative unless inversion is on */
+    bool bgr;                         /* glass with blue first: true colours need MADCTL's BGR bit */
+};
+
+struct emulated_dcs;
+
+struct emulated_command {
+    uint8_t code;
+    uint8_t n_args;
+    const char *name;
+    void (*run)(struct emulated_dcs *chip); /* when its last argument has come; NULL: no visible effect */
 };
 
 struct emulated_pixel {
@@ -39,8 +67,8 @@ struct emulated_pixel {
     uint8_t rgb[3]; /* its colour, before inversion and BGR */
 };
 
-/* About 600 kB: place it in static memory or on the heap. All of it may be read. */
-struct emulated_st7789 {
+/* About 1.2 MB: place it in static memory or on the heap. All of it may be read. */
+struct emulated_dcs {
     /* To be set after init, if wanted. */
     void (*on_complaint)(void *ctx, const char *text); /* called for each complaint */
     void *on_complaint_ctx;
@@ -63,32 +91,35 @@ struct emulated_st7789 {
     /* Registers, and the command under way. */
     bool asleep, display_on, inverted;
     uint8_t madctl, bits_a_pixel;
+    const struct emulated_kind *kind;
+    struct emulated_command vendor; /* a command that only this kind has, while it is received */
+    char vendor_name[16];
     uint16_t columns[2], rows[2];           /* CASET and RASET: first and last */
     const struct emulated_command *command; /* being received, or receiving pixels; NULL: none */
-    uint8_t args[EMULATED_ST7789_MAX_ARGS];
+    uint8_t args[EMULATED_MAX_ARGS];
     uint16_t n_args;
     bool writing, ignore_data; /* the command takes pixels; its data were complained about already */
     bool address_valid, window_full;
     uint16_t x, y; /* address counter */
     uint32_t bits; /* bits of the pixel under way */
     uint8_t n_bits;
-    struct emulated_pixel memory[EMULATED_ST7789_H_PX][EMULATED_ST7789_W_PX];
+    struct emulated_pixel memory[EMULATED_MAX_H_PX][EMULATED_MAX_W_PX]; /* the upper left corner is used */
 };
 
 /* Power on: registers at their defaults, memory full of noise. */
-void emulated_st7789_init(struct emulated_st7789 *chip, const struct emulated_module *module);
+void emulated_dcs_init(struct emulated_dcs *chip, const struct emulated_module *module);
 
 /* The port of this chip, for a driver's configuration. */
-struct bus emulated_st7789_bus(struct emulated_st7789 *chip);
-struct pin emulated_st7789_dc(struct emulated_st7789 *chip);
-struct pin emulated_st7789_reset(struct emulated_st7789 *chip);
-struct pin emulated_st7789_backlight(struct emulated_st7789 *chip);
-struct clock emulated_st7789_clock(struct emulated_st7789 *chip);
+struct bus emulated_dcs_bus(struct emulated_dcs *chip);
+struct pin emulated_dcs_dc(struct emulated_dcs *chip);
+struct pin emulated_dcs_reset(struct emulated_dcs *chip);
+struct pin emulated_dcs_backlight(struct emulated_dcs *chip);
+struct clock emulated_dcs_clock(struct emulated_dcs *chip);
 
 /* What is on the glass, for a picture that was turned clockwise by `quarter_turns` (0..3) and whose
  * viewer has turned the module back by as much: w x h pixels, rows from the top left; w and h are
  * the glass's, swapped for odd turns. rgb (3 bytes a pixel) is what the eye sees, black when the
  * display is off, asleep or unlit; raw is what was written. Either may be NULL. */
-void emulated_st7789_show(const struct emulated_st7789 *chip, unsigned quarter_turns, uint8_t *rgb, uint32_t *raw);
+void emulated_dcs_show(const struct emulated_dcs *chip, unsigned quarter_turns, uint8_t *rgb, uint32_t *raw);
 
 #endif

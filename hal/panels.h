@@ -1,0 +1,23 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * The list of panels: one line here and one in panels.c for each, and a file of its own that says all about it.
+ *
+ *     struct dcs display;
+ *     int err = dcs_setup(&display, &st7789, &(struct dcs_config){.bus = bus, .dc = dc, .clock = clock,
+ *                                                                 .w_px = 240, .h_px = 240, .invert = true});
+ *     if (!err) err = panel_init(&display.panel); */
+#ifndef HAL_PANELS_H
+#define HAL_PANELS_H
+
+#include "dcs.h"
+
+extern const struct dcs_chip gc9a01;
+extern const struct dcs_chip ili9341;
+extern const struct dcs_chip ili9488;
+extern const struct dcs_chip st7735;
+extern const struct dcs_chip st7789;
+
+/* All of them, by name; ends with NULL. A firmware that names its chip links no other. */
+extern const struct dcs_chip *const panels_dcs[];
+
+#endif
