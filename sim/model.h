@@ -72,7 +72,8 @@ enum { MODEL_DEFAULT_COLOUR = 0xC8C8C8 }; /* of faces that have neither material
  *
  * OBJ colours are taken as sRGB. Base colours of physically based materials (glTF) are linear
  * light, as that format says, and become sRGB here. Of the textures the one
- * of the colour is read, as opaque (picture.clear_faces); it repeats, whatever the file says. One that cannot be read is no error.
+ * of the colour is read, as opaque (picture.clear_faces); it repeats, whatever the file says. One that cannot be read
+ * is no error.
  *
  * Opacity is MTL's `d` (or 1 - `Tr`); glTF's base colour's and vertex colours' alpha where alphaMode is BLEND, all or
  * nothing where it is MASK, and nothing where it is OPAQUE.
