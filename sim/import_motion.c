@@ -3,7 +3,8 @@
  * A node's own transform is translation, rotation and scale; keys replace the first two. Above it are parents, which
  * stand still, so the motion in the scene is that of the keys, moved and turned by them. Positions and orientations
  * have keys of their own in the file: a mover gets one at the time of either, and one at the end of the longest
- * animation, so that all repeat together. */
+ * animation, so that all repeat together. Of several animations a node takes its positions from the first that has
+ * some, and its orientations likewise. */
 #include "import_motion.h"
 
 #include "grow.h"
@@ -87,10 +88,16 @@ static struct model_pose pose_of(const struct placement *placement, double axes[
 
 /* Keys --------------------------------------------------------------------------------------- */
 
-/* A node's channel with the values that it leaves open. */
-struct channel {
+/* Where one kind of a node's keys is. */
+struct track {
     const struct aiNodeAnim *anim;
     double ticks_per_s;
+};
+
+/* What moves a node, of all animations, with the values that they leave open. */
+struct channel {
+    struct track position, turn;
+    bool has_keys, is_twice;
     struct model_pose rest; /* of the node below its parents */
 };
 
@@ -117,12 +124,14 @@ static struct stretch stretch_at(const void *keys, size_t stride_b, unsigned cou
     return (struct stretch){i, next, span > 0 ? (ticks - from) / span : 0};
 }
 
-static void position_at(const struct channel *channel, double ticks, double out[3])
+static void position_at(const struct channel *channel, double time_s, double out[3])
 {
-    const struct aiVectorKey *keys = channel->anim->mPositionKeys;
+    const struct track *track = &channel->position;
+    const struct aiVectorKey *keys = track->anim->mPositionKeys;
+    const unsigned count = track->anim->mNumPositionKeys;
     memcpy(out, channel->rest.at_m, 3 * sizeof *out);
-    if (!channel->anim->mNumPositionKeys) return;
-    const struct stretch s = stretch_at(&keys->mTime, sizeof *keys, channel->anim->mNumPositionKeys, ticks);
+    if (!count) return;
+    const struct stretch s = stretch_at(&keys->mTime, sizeof *keys, count, time_s * track->ticks_per_s);
     const struct aiVector3D *a = &keys[s.from].mValue, *b = &keys[s.to].mValue;
     out[0] = a->x + s.t * ((double)b->x - a->x);
     out[1] = a->y + s.t * ((double)b->y - a->y);
@@ -139,12 +148,14 @@ static void turn_of(const struct aiQuaternion *q, double out[4])
         out[i] = length > 0 ? parts[i] / length : i == 3;
 }
 
-static void turn_at(const struct channel *channel, double ticks, double out[4])
+static void turn_at(const struct channel *channel, double time_s, double out[4])
 {
-    const struct aiQuatKey *keys = channel->anim->mRotationKeys;
+    const struct track *track = &channel->turn;
+    const struct aiQuatKey *keys = track->anim->mRotationKeys;
+    const unsigned count = track->anim->mNumRotationKeys;
     memcpy(out, channel->rest.turn, 4 * sizeof *out);
-    if (!channel->anim->mNumRotationKeys) return;
-    const struct stretch s = stretch_at(&keys->mTime, sizeof *keys, channel->anim->mNumRotationKeys, ticks);
+    if (!count) return;
+    const struct stretch s = stretch_at(&keys->mTime, sizeof *keys, count, time_s * track->ticks_per_s);
     double a[4], b[4];
     turn_of(&keys[s.from].mValue, a);
     turn_of(&keys[s.to].mValue, b);
@@ -160,12 +171,12 @@ static int by_value(const void *a, const void *b)
 /* The times of a channel's keys, and the end of all; each once. */
 static size_t key_times(const struct channel *channel, double end_s, double *times_s)
 {
-    const struct aiNodeAnim *anim = channel->anim;
+    const struct track *position = &channel->position, *turn = &channel->turn;
     size_t count = 0, kept = 1;
-    for (unsigned i = 0; i < anim->mNumPositionKeys; i++)
-        times_s[count++] = anim->mPositionKeys[i].mTime / channel->ticks_per_s;
-    for (unsigned i = 0; i < anim->mNumRotationKeys; i++)
-        times_s[count++] = anim->mRotationKeys[i].mTime / channel->ticks_per_s;
+    for (unsigned i = 0; i < position->anim->mNumPositionKeys; i++)
+        times_s[count++] = position->anim->mPositionKeys[i].mTime / position->ticks_per_s;
+    for (unsigned i = 0; i < turn->anim->mNumRotationKeys; i++)
+        times_s[count++] = turn->anim->mRotationKeys[i].mTime / turn->ticks_per_s;
     times_s[count++] = end_s;
     qsort(times_s, count, sizeof *times_s, by_value);
     for (size_t i = 1; i < count; i++)
@@ -177,7 +188,7 @@ static bool add_keys(struct motions *work, const struct channel *channel, const 
                      const double parent_turn[3][3], double end_s, struct model_mover *mover)
 {
     struct model *model = work->model;
-    const size_t most = channel->anim->mNumPositionKeys + (size_t)channel->anim->mNumRotationKeys + 1;
+    const size_t most = channel->position.anim->mNumPositionKeys + (size_t)channel->turn.anim->mNumRotationKeys + 1;
     double *times_s = grow_zeroed(most, sizeof *times_s);
     const size_t count = key_times(channel, end_s, times_s);
     bool ok = true;
@@ -185,8 +196,8 @@ static bool add_keys(struct motions *work, const struct channel *channel, const 
     for (size_t i = 0; ok && i < count; i++) {
         struct model_pose own;
         double axes[3][3], turned[3][3];
-        position_at(channel, times_s[i] * channel->ticks_per_s, own.at_m);
-        turn_at(channel, times_s[i] * channel->ticks_per_s, own.turn);
+        position_at(channel, times_s[i], own.at_m);
+        turn_at(channel, times_s[i], own.turn);
         pose_axes(&own, axes);
         for (int k = 0; k < 3; k++)
             for (int m = 0; m < 3; m++)
@@ -209,16 +220,58 @@ static bool add_keys(struct motions *work, const struct channel *channel, const 
 
 /* Nodes -------------------------------------------------------------------------------------- */
 
-static const struct aiNodeAnim *find_channel(const struct aiScene *scene, const struct aiNode *node,
-                                             double *ticks_per_s)
+static double ticks_per_s_of(const struct aiAnimation *animation)
 {
+    return animation->mTicksPerSecond > 0 ? animation->mTicksPerSecond : 25.0;
+}
+
+static bool moves(const struct aiNodeAnim *anim, const struct aiNode *node)
+{
+    return strcmp(anim->mNodeName.data, node->mName.data) == 0;
+}
+
+/* The first one that has keys to move between stays. The library makes up a key where a file has none, so one is as
+ * good as none. true: both have. */
+static bool take(struct track *track, unsigned track_keys, const struct track *found, unsigned found_keys)
+{
+    if (!track->anim || (track_keys < 2 && found_keys > 1)) {
+        *track = *found;
+        return false;
+    }
+    return found_keys > 1;
+}
+
+static void take_keys(struct channel *channel, const struct track *found)
+{
+    const struct aiNodeAnim *anim = found->anim, *position = channel->position.anim, *turn = channel->turn.anim;
+    const bool moved_twice =
+        take(&channel->position, position ? position->mNumPositionKeys : 0, found, anim->mNumPositionKeys);
+    const bool turned_twice = take(&channel->turn, turn ? turn->mNumRotationKeys : 0, found, anim->mNumRotationKeys);
+    channel->is_twice |= moved_twice || turned_twice;
+    channel->has_keys |= anim->mNumPositionKeys > 1 || anim->mNumRotationKeys > 1 || anim->mNumScalingKeys > 1;
+}
+
+/* false: nothing names the node. */
+static bool find_channel(const struct aiScene *scene, const struct aiNode *node, struct channel *channel)
+{
+    *channel = (struct channel){.has_keys = false};
     for (unsigned i = 0; i < scene->mNumAnimations; i++) {
         const struct aiAnimation *animation = scene->mAnimations[i];
-        *ticks_per_s = animation->mTicksPerSecond > 0 ? animation->mTicksPerSecond : 25.0;
-        for (unsigned k = 0; k < animation->mNumChannels; k++)
-            if (strcmp(animation->mChannels[k]->mNodeName.data, node->mName.data) == 0) return animation->mChannels[k];
+        for (unsigned k = 0; k < animation->mNumChannels; k++) {
+            const struct track found = {animation->mChannels[k], ticks_per_s_of(animation)};
+            if (moves(found.anim, node)) take_keys(channel, &found);
+        }
     }
-    return NULL;
+    return channel->position.anim != NULL;
+}
+
+/* Animations know nodes by name. Counts no farther than two. */
+static unsigned count_namesakes(const struct aiNode *node, const struct aiNode *of)
+{
+    unsigned count = strcmp(node->mName.data, of->mName.data) == 0;
+    for (unsigned i = 0; count < 2 && i < node->mNumChildren; i++)
+        count += count_namesakes(node->mChildren[i], of);
+    return count;
 }
 
 static bool has_mesh(const struct aiNode *node)
@@ -241,19 +294,23 @@ static bool keeps_scale(const struct aiNodeAnim *anim, const double scales[3])
     return true;
 }
 
-/* The library makes up a key where a file has none, so one is as good as none. */
-static bool has_keys(const struct aiNodeAnim *anim)
+static bool all_keep_scale(const struct aiScene *scene, const struct aiNode *node, const double scales[3])
 {
-    return anim->mNumPositionKeys > 1 || anim->mNumRotationKeys > 1 || anim->mNumScalingKeys > 1;
+    for (unsigned i = 0; i < scene->mNumAnimations; i++) {
+        const struct aiAnimation *animation = scene->mAnimations[i];
+        for (unsigned k = 0; k < animation->mNumChannels; k++)
+            if (moves(animation->mChannels[k], node) && !keeps_scale(animation->mChannels[k], scales)) return false;
+    }
+    return true;
 }
 
-/* Names a node that stands still, and why. */
-static void note(struct motions *work, const struct aiNode *node, const char *reason)
+/* Names a node of which something is left out, and why. */
+static void note(struct motions *work, const struct aiNode *node, const char *text)
 {
     char *notice = work->model->notice;
     const size_t used = strlen(notice);
-    snprintf(notice + used, sizeof work->model->notice - used, "%snode '%s' stands still: %s", used ? "; " : "",
-             node->mName.data, reason);
+    snprintf(notice + used, sizeof work->model->notice - used, "%snode '%s'%s", used ? "; " : "", node->mName.data,
+             text);
 }
 
 static bool refuse(struct motions *work, const struct aiNode *node, const char *reason)
@@ -262,7 +319,7 @@ static bool refuse(struct motions *work, const struct aiNode *node, const char *
 }
 
 static bool add_mover(struct motions *work, const struct aiNode *node, const struct placement *parent,
-                      const struct aiNodeAnim *anim, double ticks_per_s, double end_s)
+                      struct channel *channel, double end_s)
 {
     struct model *model = work->model;
     const struct placement own = placement_of(&node->mTransformation), here = placement_times(parent, &own);
@@ -271,32 +328,35 @@ static bool add_mover(struct motions *work, const struct aiNode *node, const str
         return refuse(work, node, "it is animated, but its parents mirror or shear it");
     if (!rotation_of(&own, own_axes, own_scales) || !rotation_of(&here, axes, scales))
         return refuse(work, node, "it is animated, but mirrored or sheared");
-    if (!keeps_scale(anim, own_scales))
+    if (!all_keep_scale(work->scene, node, own_scales))
         return refuse(work, node, "its animation scales it; only rigid motion can be drawn");
-    const struct channel channel = {anim, ticks_per_s, pose_of(&own, own_axes)};
+    if (channel->is_twice) note(work, node, ": several animations move it; the first one counts");
+    channel->rest = pose_of(&own, own_axes);
     work->nodes = grow(work->nodes, model->mover_count, &work->node_capacity, sizeof *work->nodes);
     work->nodes[model->mover_count] = node;
     model->movers = grow(model->movers, model->mover_count, &work->mover_capacity, sizeof *model->movers);
     struct model_mover *mover = &model->movers[model->mover_count++];
     *mover = (struct model_mover){.rest = pose_of(&here, axes)};
     snprintf(mover->name, sizeof mover->name, "%.*s", MODEL_NAME_B - 1, node->mName.data);
-    return add_keys(work, &channel, parent, (const double(*)[3])parent_axes, end_s, mover);
+    return add_keys(work, channel, parent, (const double(*)[3])parent_axes, end_s, mover);
 }
 
 static bool walk(struct motions *work, const struct aiNode *node, const struct placement *parent,
                  const struct aiNode *above, double end_s)
 {
     const struct placement own = placement_of(&node->mTransformation), here = placement_times(parent, &own);
-    double ticks_per_s;
-    const struct aiNodeAnim *anim = find_channel(work->scene, node, &ticks_per_s);
-    if (anim && !has_mesh(node)) {
-        note(work, node, "it is animated, but has no mesh");
-    } else if (anim && !has_keys(anim)) {
-        note(work, node, "its animation has no keys to move between");
-    } else if (anim) {
+    struct channel channel;
+    const bool is_named = find_channel(work->scene, node, &channel);
+    if (channel.has_keys && count_namesakes(work->scene->mRootNode, node) > 1)
+        return refuse(work, node, "it is animated, but another node has the same name");
+    if (is_named && !has_mesh(node)) {
+        note(work, node, " stands still: it is animated, but has no mesh");
+    } else if (is_named && !channel.has_keys) {
+        note(work, node, " stands still: its animation has no keys to move between");
+    } else if (is_named) {
         if (above) return refuse(work, node, "it is animated below a node that is animated too");
         if (work->model->mover_count == LIMIT_MOVERS) return refuse(work, node, "more than 1024 animated nodes");
-        if (!add_mover(work, node, parent, anim, ticks_per_s, end_s)) return false;
+        if (!add_mover(work, node, parent, &channel, end_s)) return false;
         above = node;
     }
     for (unsigned i = 0; i < node->mNumChildren; i++)
@@ -309,7 +369,7 @@ static double end_of(const struct aiScene *scene)
     double end_s = 0;
     for (unsigned i = 0; i < scene->mNumAnimations; i++) {
         const struct aiAnimation *animation = scene->mAnimations[i];
-        const double ticks_per_s = animation->mTicksPerSecond > 0 ? animation->mTicksPerSecond : 25.0;
+        const double ticks_per_s = ticks_per_s_of(animation);
         for (unsigned k = 0; k < animation->mNumChannels; k++) {
             const struct aiNodeAnim *anim = animation->mChannels[k];
             if (anim->mNumPositionKeys)

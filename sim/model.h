@@ -80,8 +80,9 @@ enum { MODEL_DEFAULT_COLOUR = 0xC8C8C8 }; /* of faces that have neither material
  *
  * Animations move nodes rigidly. Points are where the nodes' own transforms have them; all animations of the file run
  * at once. Keys are joined by straight lines and even turns, whatever the file says. Refused, by name: an animated node
- * that is scaled by its keys, mirrored or sheared, or below another one that is animated. One without a mesh, or with
- * fewer than two keys, stands still: a notice. */
+ * that is scaled by its keys, mirrored or sheared, below another one that is animated, or not the only one of its name.
+ * Notices: one without a mesh, or with fewer than two keys, stands still; of several animations that move, or turn, the
+ * same node the first counts. */
 bool model_import(const char *path, struct model *model, struct error *err);
 void model_free(struct model *model);
 

@@ -88,6 +88,25 @@ noticed_without_keys() {
         says "changed.gltf: node 'ball' stands still: its animation has no keys to move between$" && grep -q 'FOUR_MOVERS 4' "$work/four.h"
 }
 
+# The ball turns by a second animation too, or only by that one.
+second='s/^\( *{"input": 40, "output": 42}\]}\)\],/\1, {"channels": [{"sampler": 0, "target": {"node": 9, "path": "rotation"}}],\n'
+second_same="$second"'"samplers": [{"input": 28, "output": 30}]}],/'
+second_other="$second"'"samplers": [{"input": 31, "output": 33}]}],/'
+
+same_pictures() { # as the model that is not changed; errors to $work/said
+    movers --write-hashes "$work/whole" && "$BUILD/limner" render "$work/changed.gltf" --camera "$work/few.cam" --fps 2 \
+        --check "$work/whole" 2>"$work/said"
+}
+
+joined() {
+    changed "$second_same; /\"sampler\": 1, /d" && same_pictures && [ ! -s "$work/said" ]
+}
+
+first_counts() {
+    changed "$second_other" && same_pictures &&
+        says "changed.gltf: node 'ball': several animations move it; the first one counts$"
+}
+
 is_what_the_generator_writes() {
     # shellcheck disable=SC2086 # flags are words
     ${CC:-cc} -std=c11 -O2 ${WARNINGS:?} -o "$work/generate" sim/scenes/movers/generate_movers.c -lm && mkdir "$work/made" &&
@@ -113,6 +132,10 @@ tap_check "a sheared mover is refused" refused_changed \
 tap_check "a mover below another is refused" refused_changed \
     "node 'post': it is animated below a node that is animated too$" \
     's/"name": "bar",/"name": "bar", "children": [11],/; s/"scenes": [[]{"nodes": [[].*/"scenes": [{"nodes": [0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 12, 13]}],/'
+tap_check "a mover of which another node has the name is refused" refused_changed \
+    "node 'ball': it is animated, but another node has the same name$" 's/"name": "post"/"name": "ball"/'
+tap_check "places of one animation and turns of another are one motion" joined
+tap_check "of two animations of one kind the first counts, and a line says so" first_counts
 tap_check "a scene in which nothing stands still is refused" refused_changed \
     'everything in it is animated; objects move in a scene that stands still$' \
     's/"scenes": [[]{"nodes": [[].*/"scenes": [{"nodes": [9, 10, 11, 12, 13]}],/'
