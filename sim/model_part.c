@@ -33,6 +33,7 @@ static void copy_pictures(const struct model *model, struct model *part)
         struct picture *to = &part->pictures[i];
         *to = *from;
         if (!from->pixels) continue;
+        to->faces = 0;
         to->pixels = grow_zeroed(count, sizeof *to->pixels);
         memcpy(to->pixels, from->pixels, count * sizeof *to->pixels);
     }
@@ -60,6 +61,13 @@ static void drop_picture(const struct model *model, struct model_face *face)
     face->picture = 0;
 }
 
+/* Those of which only movers have faces make no textures. */
+static void count_picture(struct model *part, const struct model_face *face)
+{
+    struct picture *picture = face->picture ? &part->pictures[face->picture - 1] : NULL;
+    if (picture && picture->pixels) picture->faces++;
+}
+
 static uint32_t add_point(const struct model *model, size_t mover, uint32_t point, struct model *part)
 {
     double *to = part->points[part->point_count];
@@ -85,7 +93,10 @@ void model_part(const struct model *model, size_t mover, struct model *part, uin
         (*numbers)[part->face_count] = (uint32_t)i + 1;
         part->faces[part->face_count] = *face;
         part->faces[part->face_count].first = (uint32_t)part->corner_count;
-        if (mover) drop_picture(model, &part->faces[part->face_count]);
+        if (mover)
+            drop_picture(model, &part->faces[part->face_count]);
+        else
+            count_picture(part, face);
         part->face_count++;
         for (uint32_t k = 0; k < face->count; k++) {
             const uint32_t point = model->corners[face->first + k];

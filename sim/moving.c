@@ -129,6 +129,20 @@ static bool compile_object(struct moving *moving, size_t index, const struct gri
     return ok;
 }
 
+/* What moves has the mean colours of its pictures. */
+static void note_textured(const struct model *model, size_t index, struct compile_report *report)
+{
+    bool textured = false;
+    for (size_t i = 0; i < model->face_count; i++)
+        textured |= model->faces[i].mover == index + 1 && model->faces[i].picture;
+    if (!textured) return;
+    size_t capacity = report->note_count;
+    report->notes = grow(report->notes, report->note_count, &capacity, sizeof *report->notes);
+    struct note *note = &report->notes[report->note_count++];
+    snprintf(note->text, sizeof note->text, "object '%s': textures are not drawn on what moves",
+             model->movers[index].name);
+}
+
 static void limits_set(struct moving *moving)
 {
     size_t polygons = 0;
@@ -168,8 +182,10 @@ static bool compile_parts(struct moving *moving, const struct compile_options *o
     moving->count = moving->model.mover_count;
     moving->objects = grow_zeroed(moving->count, sizeof *moving->objects);
     moving->instances = grow_zeroed(moving->count, sizeof *moving->instances);
-    for (size_t i = 0; ok && i < moving->count; i++)
+    for (size_t i = 0; ok && i < moving->count; i++) {
+        note_textured(&moving->model, i, &scene->report);
         ok = compile_object(moving, i, &scene->grid, options, mode, err);
+    }
     if (!ok) return false;
     limits_set(moving);
     return draws_no_movers(own.method->draws) ||

@@ -107,6 +107,18 @@ first_counts() {
         says "changed.gltf: node 'ball': several animations move it; the first one counts$"
 }
 
+textured_says_so() { # the ball shows a picture
+    cp tests/models/quarters.png "$work/" && changed 's/{"name": "9", "pbrMetallicRoughness": {/&"baseColorTexture": {"index": 0}, /
+        s/"attributes": {"POSITION": 18}/"attributes": {"POSITION": 18, "TEXCOORD_0": 43}/
+        s/^  "animations": /  "textures": [{"source": 0}], "images": [{"uri": "quarters.png"}],\n&/
+        s/^\( *{"bufferView": 42,.*}\)\],/\1, {"bufferView": 18, "componentType": 5126, "count": 384, "type": "VEC2"}],/' || return 1
+    for command in "compile --report" "render --stats"; do
+        # shellcheck disable=SC2086 # two words
+        "$BUILD/limner" $command "$work/changed.gltf" >"$work/said" 2>&1 &&
+            says "note: object 'ball': textures are not drawn on what moves$" && [ "$(grep -c note: "$work/said")" -eq 1 ] || return 1
+    done
+}
+
 is_what_the_generator_writes() {
     # shellcheck disable=SC2086 # flags are words
     ${CC:-cc} -std=c11 -O2 ${WARNINGS:?} -o "$work/generate" sim/scenes/movers/generate_movers.c -lm && mkdir "$work/made" &&
@@ -141,6 +153,7 @@ tap_check "a scene in which nothing stands still is refused" refused_changed \
     's/"scenes": [[]{"nodes": [[].*/"scenes": [{"nodes": [9, 10, 11, 12, 13]}],/'
 tap_check "an animation without keys stands still, and a line says so" noticed_without_keys
 tap_check "an animated node without a mesh moves nothing, and a line says so" noticed
+tap_check "a textured mover has one colour, and a line says so" textured_says_so
 tap_check "a method without a tree moves nothing" refused '^limner: .*--method newell: it moves no objects; methods that walk a tree do$' $model --method newell
 tap_check "an unknown way in is refused" refused '^limner: --movers x: no such way; there are clipped, centre and off$' $model --movers x
 tap_check "an unknown light is refused" refused '^limner: --mover-light x: no such light; there are baked and turning$' \
