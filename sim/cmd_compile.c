@@ -235,8 +235,12 @@ static bool write_files(const struct result *result, const char *name, struct er
 
 static void print_reports(const struct request *request, const struct result *result)
 {
-    for (size_t i = 0; i < result->count; i++)
-        compile_report_print(&result->scenes[i], request->name ? result->names[i] : request->models[i]);
+    for (size_t i = 0; i < result->count; i++) {
+        const struct compiled *scene = &result->scenes[i];
+        compile_report_print(scene, request->name ? result->names[i] : request->models[i]);
+        if (result->moving[i].count)
+            moving_report_print(&result->moving[i], scene, request->name ? result->names[i] : NULL);
+    }
 }
 
 /* The precision that the bound asks for; evidence goes to standard output. */

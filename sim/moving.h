@@ -74,6 +74,9 @@ bool moving_reference(const struct moving *moving, struct reference *reference, 
                       struct error *err);
 void moving_pose_reference(const struct moving *moving, struct reference *reference, double time_s);
 
+/* What the objects cost, beside the scene's report. `name`: that of the files; NULL: none are written. */
+void moving_report_print(const struct moving *moving, const struct compiled *scene, const char *name);
+
 void moving_free(struct moving *moving);
 
 #endif

@@ -269,3 +269,21 @@ size_t pools_mcu_mem_min_b(const struct compiled *scene)
     if (scene->report.draws == LIM_PAINTER) return painter_b(scene);
     return nearest_b(scene, least_cells(&scene->scene.limits), 1, 1, 0);
 }
+
+static size_t mover_b(const struct compiled *scene, const struct moving *moving)
+{
+    const struct core *core = scene->report.core ? scene->report.core : &core_fast;
+    const bool fine = core->profile >= LIM_PROFILE_FINE;
+    return MCU_MOVER_B + (fine ? (size_t)MCU_MOVER_FINE_B : 0) +
+           (scene->report.antialias ? (size_t)MCU_MOVER_ANTIALIAS_B : 0) +
+           (moving->light.on ? (size_t)MCU_MOVER_LIGHT_B : 0);
+}
+
+size_t pools_mcu_movers_mem_b(const struct compiled *scene, const struct moving *moving)
+{
+    const struct lim_movers_limits *limits = &moving->limits;
+    const size_t cached_b = is_wide(&scene->report) ? MCU_CACHED_WIDE_B : MCU_CACHED_B;
+    return aligned_b(limits->instances * mover_b(scene, moving) +
+                     limits->entries * (size_t)(MCU_SORTED_B + MCU_NEWELL_B + MCU_CUT_B) +
+                     MCU_CACHE_ENTRIES * cached_b + ((size_t)scene->scene.limits.depth + limits->depth) * MCU_ROUTE_B);
+}

@@ -33,6 +33,12 @@ enum {
     MCU_ACTIVE_TEXTURE_B = 60, /* more of them if the scene has textures */
     MCU_CROSSING_TEXTURE_B = 64,
     MCU_CROSSING_B = 56, /* and a point for each vertex */
+    MCU_MOVER_B = 140,
+    MCU_MOVER_FINE_B = 72,     /* more of them in the profiles fine and exact, at most: half on a Cortex-M0+ */
+    MCU_MOVER_ANTIALIAS_B = 4, /* more of them if it can be drawn with antialiased edges */
+    MCU_MOVER_LIGHT_B = 8,     /* more of them if light turns */
+    MCU_ROUTE_B = 6,
+    MCU_MOVED_B = 16, /* in flash */
     MCU_HEAD_CELLS = 2,
     MCU_CLIP_PLANES = 5
 };
@@ -46,5 +52,8 @@ bool pools_measure_moving(struct compiled *scene, struct moving *moving, const s
  * and the least that it takes. This host's structs are larger. */
 size_t pools_mcu_mem_b(const struct compiled *scene);
 size_t pools_mcu_mem_min_b(const struct compiled *scene);
+
+/* Likewise for lim_movers_init(): NAME_MOVERS_MEM_B of the generated header, or a little more. */
+size_t pools_mcu_movers_mem_b(const struct compiled *scene, const struct moving *moving);
 
 #endif

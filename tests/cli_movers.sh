@@ -107,6 +107,21 @@ first_counts() {
         says "changed.gltf: node 'ball': several animations move it; the first one counts$"
 }
 
+still_is_not() { # no objects, and nothing said of them
+    "$BUILD/limner" compile --report $model --movers off >"$work/said" && ! says '^objects'
+}
+
+# One line an object and one for all: polygons, nodes, keys, bytes.
+is_reported() {
+    "$BUILD/limner" compile $model -o "$work/told" >"$work/said" && says '^objects that move  *polygons  *nodes  *keys  *bytes$' &&
+        says "^  note: $work/told.lim holds what stands still alone" && awk '/^objects that move/ { inside = 1; next }
+        inside && /^  working memory/ { working = $4; exit }
+        inside && /^  in all/ { for (i = 1; i <= 4; i++) all[i] = $(i + 2); next }
+        inside { rows++; names = names $1 " "; for (i = 1; i <= 4; i++) { sum[i] += $(i + 1); few = few || $(i + 1) < 1 } }
+        END { for (i = 1; i <= 4; i++) wrong = wrong || sum[i] != all[i]
+            exit !(rows == 5 && names == "ball bar post block crystal " && !few && !wrong && all[3] == 29 && working > 0) }' "$work/said"
+}
+
 textured_says_so() { # the ball shows a picture
     cp tests/models/quarters.png "$work/" && changed 's/{"name": "9", "pbrMetallicRoughness": {/&"baseColorTexture": {"index": 0}, /
         s/"attributes": {"POSITION": 18}/"attributes": {"POSITION": 18, "TEXCOORD_0": 43}/
@@ -135,6 +150,8 @@ tap_check "time is frames by frames a second" differ --fps 3
 tap_check "what is off stands still" differ --movers off
 tap_check "and is a part of the scene" is_what_compile_is_given
 tap_check "objects and motions are written as C, which compiles" compiles
+tap_check "what each object takes is reported, and what all do" is_reported
+tap_check "without movers there is nothing to report" still_is_not
 tap_check "a light is written where it is asked for" lit_says_so
 tap_check "an animation that scales is refused" refused_changed \
     "node 'ball': its animation scales it; only rigid motion can be drawn" '/"sampler": 0,/s/translation/scale/'

@@ -11,6 +11,7 @@
 struct compiled;
 struct core;
 struct error;
+struct moving;
 #include "../../sim/pools.h"
 
 _Static_assert((int)MCU_CACHE_ENTRIES == (int)LIM_VIEW_CACHE_ENTRIES, "cache entries");
@@ -29,6 +30,16 @@ _Static_assert((int)MCU_CLIP_PLANES == (int)CLIP_PLANES, "vertices that clipping
 _Static_assert(MCU_SORTED_B == sizeof(struct lim_sorted), "entry of the sorted list");
 _Static_assert(MCU_NEWELL_B == sizeof(struct lim_newell_polygon), "what a depth sort knows of an entry");
 _Static_assert(MCU_CUT_B == sizeof(struct lim_cut), "cut");
+
+enum {
+    IS_FINE = LIM_PROFILE >= LIM_PROFILE_FINE,
+    MOVER_B = MCU_MOVER_B + (IS_FINE ? MCU_MOVER_FINE_B : 0) + (LIM_HAS_ANTIALIAS ? MCU_MOVER_ANTIALIAS_B : 0) +
+              (LIM_HAS_LIGHT ? MCU_MOVER_LIGHT_B : 0)
+};
+/* CPUs that do not multiply to 64 bits keep finer rows in fewer bytes. */
+_Static_assert(IS_FINE ? MOVER_B >= sizeof(struct lim_mover) : MOVER_B == sizeof(struct lim_mover), "mover");
+_Static_assert(MCU_ROUTE_B == sizeof(struct lim_route_pending), "pending node on a mover's way");
+_Static_assert(MCU_MOVED_B == sizeof(struct lim_moved), "object and its motion");
 
 #if LIM_HAS_CONVEX
 _Static_assert(MCU_TOP_B == sizeof *((struct lim_convex *)0)->tops, "head of a line's faces");
