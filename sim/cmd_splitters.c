@@ -1,9 +1,12 @@
 /* SPDX-License-Identifier: MIT
  *
  * `limner splitters MODEL`: the same model with every heuristic of the tree builder, a row each: depth, splits, nodes,
- * bytes, and what a frame costs on cameras sampled in the scene's free space. */
+ * bytes, and what a frame costs on cameras sampled in the scene's free space. What moves in it is left out, as the
+ * tree of a scene holds what stands still. */
 #include "commands.h"
 #include "compiled.h"
+#include "light.h"
+#include "model_part.h"
 #include "parse.h"
 #include "splitter.h"
 
@@ -67,23 +70,50 @@ static void print_row(const char *name, const struct compiled *scene)
         printf(" %12.0f |\n", report->instructions);
 }
 
+/* What stands still, with its light; and how many objects do not. */
+static bool read_still(const char *path, const struct compile_options *options, struct model *still, size_t *movers,
+                       struct error *err)
+{
+    struct model model;
+    uint32_t *numbers;
+    if (!model_import(path, &model, err)) return false;
+    if (*model.notice) fprintf(stderr, "limner: %s: %s\n", path, model.notice);
+    if (!options->unlit) light_bake(&model);
+    *movers = model.mover_count;
+    *still = model;
+    if (!*movers) return true;
+    model_part(&model, 0, still, &numbers);
+    free(numbers);
+    model_free(&model);
+    if (still->face_count) return true;
+    model_free(still);
+    return error_set(err, "%s: everything in it is animated; nothing stands still", path);
+}
+
+static void print_head(const char *path, const struct compiled *scene, const struct compile_options *options,
+                       size_t movers)
+{
+    printf("%s, tree %s; instructions a frame on Cortex-M0+, predicted, %ux%u pixels\n", path,
+           tree_names[scene->report.tree], options->w_px, options->h_px);
+    if (movers) printf("What stands still alone; objects that move: %zu\n", movers);
+    printf("\n| splitter | taken       | depth | splits | polygons | nodes |  bytes | instructions |\n"
+           "|---|---|---|---|---|---|---|---|\n");
+}
+
 /* A heuristic may fail where another one does not: its tree becomes too large. */
-static bool print_rows(const char *model, struct compile_options *options, struct error *err)
+static bool print_rows(const char *path, const struct model *still, size_t movers, struct compile_options *options,
+                       struct error *err)
 {
     bool any = false;
     for (size_t i = 0; i < splitter_name_count; i++) {
         struct compiled scene;
         options->splitter = splitter_names[i];
-        fflush(stdout); /* the import forks */
-        if (!compile_model(model, options, &scene, err)) {
+        if (!compile_part(still, NULL, options, &scene, err)) {
+            error_prefix(err, path);
             if (any) printf("| %-8s | %s |\n", splitter_names[i], err->text);
             continue;
         }
-        if (!any)
-            printf("%s, tree %s; instructions a frame on Cortex-M0+, predicted, %ux%u pixels\n\n"
-                   "| splitter | taken       | depth | splits | polygons | nodes |  bytes | instructions |\n"
-                   "|---|---|---|---|---|---|---|---|\n",
-                   model, tree_names[scene.report.tree], options->w_px, options->h_px);
+        if (!any) print_head(path, &scene, options, movers);
         print_row(splitter_names[i], &scene);
         compiled_free(&scene);
         any = true;
@@ -91,12 +121,22 @@ static bool print_rows(const char *model, struct compile_options *options, struc
     return any;
 }
 
+static bool run(const char *path, struct compile_options *options, struct error *err)
+{
+    struct model still;
+    size_t movers;
+    if (!read_still(path, options, &still, &movers, err)) return false;
+    const bool ok = print_rows(path, &still, movers, options, err);
+    model_free(&still);
+    return ok;
+}
+
 int cmd_splitters(int argc, char **argv)
 {
     struct compile_options options;
     struct error err;
     const char *model = NULL;
-    const bool ok = parse(argc, argv, &options, &model, &err) && print_rows(model, &options, &err);
+    const bool ok = parse(argc, argv, &options, &model, &err) && run(model, &options, &err);
     if (!ok) fprintf(stderr, "limner: %s\n", err.text);
     return ok ? EXIT_SUCCESS : EXIT_FAILURE;
 }

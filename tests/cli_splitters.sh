@@ -67,6 +67,14 @@ agrees_with_the_report() {
 }
 tap_check "compile --report says the same" agrees_with_the_report
 
+# What moves has trees of its own.
+movers_are_left_out() {
+    table sim/scenes/movers.gltf && grep -q '^What stands still alone; objects that move: 5$' "$work/table" &&
+        "$BUILD/limner" compile sim/scenes/movers.gltf --report >"$work/report" &&
+        [ "$(cell auto 6)" -eq "$(awk '/^  polygons in the scene/ { print $5 }' "$work/report")" ] && ! grep '^What' "$work/rooms"
+}
+tap_check "of a model with movers it is what stands still, as compile has it" movers_are_left_out
+
 draws_right() {
     "$BUILD/limner" render sim/scenes/teapot.obj --camera sim/scenes/teapot.cam --splitter "$1" --compare >"$work/out" &&
         awk '/^compared/ { wrong = $8; holes = $NF } END { exit !(wrong != "" && wrong + 0 <= 0.08 && holes == 0) }' "$work/out"
