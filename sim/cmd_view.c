@@ -1,32 +1,52 @@
 /* SPDX-License-Identifier: MIT
  *
- * `limner view`: a window in which keys fly the camera, or the terminal where there is none. */
+ * `limner view`: a window in which keys fly the camera, or the terminal where there is none. What moves does so by the
+ * clock, in the terminal as often as a key is pressed. */
 #include "commands.h"
 #include "dump.h"
 #include "fly.h"
 #include "options.h"
 
+#include <stdio.h>
 #include <stdlib.h>
 
 struct viewing {
     struct options options;
     struct compiled scene;
+    struct moving moving;
     struct camera_path path;
     struct simulator simulator;
 };
+
+/* As render does, but for methods that move nothing: with these, all of the model is the scene. */
+static bool view_load(struct viewing *view, struct lens *lens, struct error *err)
+{
+    struct options *options = &view->options;
+    const enum lim_method method = options->setup.method;
+    if (method != LIM_NEAREST_FIRST && method != LIM_PAINTER) options->movers.mode = MOVING_OFF;
+    if (!options_load(options, &view->scene, &view->moving, lens, &view->path, err)) return false;
+    if (view->moving.stopped)
+        fprintf(stderr, "limner: %s: objects stand still; methods nearest, painter and bsp move them\n",
+                options->scene_path);
+    return true;
+}
 
 static bool view_open(struct viewing *view, struct flight *flight, struct error *err)
 {
     const struct options *options = &view->options;
     struct lens lens;
     struct lim_camera camera;
-    if (!options_load(options, &view->scene, NULL, &lens, &view->path, err) ||
+    struct moving *moving = &view->moving;
+    if (!view_load(view, &lens, err) ||
         !camera_path_to_camera(&view->path, 0, &lens, &view->scene.grid, &camera, err) ||
         !simulator_init_on(&view->simulator, &view->scene.scene, &options->setup, &options->panel, err))
         return false;
     simulator_set_wireframe(&view->simulator, &options->wireframe);
     if (!simulator_set_antialias(&view->simulator, options->compile.antialias, err)) return false;
-    flight_init(flight, &view->simulator, &camera, &view->scene.grid);
+    if (moving->count &&
+        !simulator_set_movers(&view->simulator, moving->instances, moving->count, &moving->limits, err))
+        return false;
+    flight_init(flight, &view->simulator, &camera, &view->scene.grid, moving->count ? moving : NULL);
     return true;
 }
 
@@ -49,6 +69,7 @@ int cmd_view(int argc, char **argv)
     simulator_free(&view.simulator);
     camera_path_free(&view.path);
     compiled_free(&view.scene);
+    moving_free(&view.moving);
     if (!ok) fprintf(stderr, "limner: %s\n", err.text);
     return ok ? EXIT_SUCCESS : EXIT_FAILURE;
 }

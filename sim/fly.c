@@ -4,6 +4,7 @@
 #include "fly.h"
 
 #include <math.h>
+#include <time.h>
 
 const char FLY_HELP[] = "w s a d: move, r f: up and down, arrows: turn and look, q: quit";
 
@@ -13,11 +14,27 @@ static const int32_t PITCH_MAX = INT32_C(1) << 30; /* a quarter turn */
 static const double RADIANS = 6.283185307179586476925 / 4294967296.0;
 
 void flight_init(struct flight *flight, struct simulator *simulator, const struct lim_camera *camera,
-                 const struct grid *grid)
+                 const struct grid *grid, struct moving *moving)
 {
     const double longest_side_units = 65534.0;
     double step_units = fmin(0.1 * grid->units_per_m, longest_side_units / 100.0);
-    *flight = (struct flight){simulator, *camera, fmax(1.0, round(step_units * 256.0))};
+    *flight = (struct flight){
+        .simulator = simulator, .camera = *camera, .step_q8 = fmax(1.0, round(step_units * 256.0)), .moving = moving};
+}
+
+static double now_s(void)
+{
+    struct timespec now = {0};
+    clock_gettime(CLOCK_MONOTONIC, &now);
+    return (double)now.tv_sec + (double)now.tv_nsec / 1e9;
+}
+
+bool flight_frame(struct flight *flight, struct error *err)
+{
+    if (!flight->began) flight->began_s = now_s();
+    if (flight->moving) moving_pose(flight->moving, flight->began ? now_s() - flight->began_s : 0.0);
+    flight->began = true;
+    return simulator_frame(flight->simulator, &flight->camera, err);
 }
 
 static void move(struct flight *flight, const double direction[3])

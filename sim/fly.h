@@ -4,7 +4,7 @@
 #ifndef SIM_FLY_H
 #define SIM_FLY_H
 
-#include "compiled.h"
+#include "moving.h"
 #include "simulator.h"
 
 enum fly_key {
@@ -24,15 +24,21 @@ enum fly_key {
 struct flight {
     struct simulator *simulator;
     struct lim_camera camera;
-    double step_q8; /* a move, units */
+    double step_q8;        /* a move, units */
+    struct moving *moving; /* NULL: nothing moves */
+    bool began;
+    double began_s; /* when the first frame was drawn */
 };
 
 /* One line for people. */
 extern const char FLY_HELP[];
 
-/* Steps of 0.1 m, less in a scene smaller than 10 m. */
+/* Steps of 0.1 m, less in a scene smaller than 10 m. `moving`: what the simulator has been given, or NULL. */
 void flight_init(struct flight *flight, struct simulator *simulator, const struct lim_camera *camera,
-                 const struct grid *grid);
+                 const struct grid *grid, struct moving *moving);
+
+/* Draws a frame. What moves is where it is this long after the first one. */
+bool flight_frame(struct flight *flight, struct error *err);
 
 /* Moves or turns by one step; a move out of the renderer's range is not made. */
 void flight_key(struct flight *flight, enum fly_key key);

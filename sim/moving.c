@@ -192,10 +192,12 @@ static bool compile_parts(struct moving *moving, const struct compile_options *o
            pools_measure_moving(scene, moving, options->core, scene->report.w_px, scene->report.h_px, err);
 }
 
-static void drop_movers(struct model *model)
+static void stop_movers(struct moving *moving)
 {
+    struct model *model = &moving->model;
     for (size_t i = 0; i < model->face_count; i++)
         model->faces[i].mover = 0;
+    moving->stopped = model->mover_count;
     model->mover_count = model->key_count = 0;
 }
 
@@ -221,7 +223,7 @@ bool moving_compile_model(const struct model *model, const struct compile_option
                           struct error *err)
 {
     *moving = (struct moving){.model = *model};
-    if (movers->mode == MOVING_OFF) drop_movers(&moving->model);
+    if (movers->mode == MOVING_OFF) stop_movers(moving);
     if (movers->light && !options->unlit) keep_movers_unlit(moving);
     if (!options->unlit) light_bake(&moving->model);
     if (!moving->model.mover_count) return compile_part(&moving->model, NULL, options, scene, err);

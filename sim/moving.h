@@ -21,6 +21,7 @@ struct moving {
     struct moving_object *objects;  /* one a mover of the model */
     struct lim_instance *instances; /* likewise */
     size_t count;                   /* 0: nothing moves */
+    size_t stopped;                 /* movers of the file that MOVING_OFF made a part of the scene */
     struct lim_light light;         /* on: objects have none baked in */
     struct lim_movers_limits limits;
 };

@@ -68,7 +68,7 @@ static bool show(struct flight *flight, struct error *err)
     struct winsize size;
     bool known = ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 && size.ws_row > 2;
     unsigned columns = known ? size.ws_col : 80, rows = known ? size.ws_row - 2u : 40;
-    if (!simulator_frame(flight->simulator, &flight->camera, err)) return false;
+    if (!flight_frame(flight, err)) return false;
     struct film frame = simulator_film(flight->simulator);
     return terminal_print(&frame, columns, rows, stdout, err);
 }

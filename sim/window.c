@@ -83,9 +83,9 @@ static bool take_keys(struct flight *flight)
 static bool fly_in(struct window *window, struct flight *flight, struct error *err)
 {
     for (bool changed = true; take_events(&changed); SDL_Delay(FRAME_MS)) {
-        changed |= take_keys(flight);
+        changed |= take_keys(flight) || flight->moving;
         if (!changed) continue;
-        if (!simulator_frame(flight->simulator, &flight->camera, err)) return false;
+        if (!flight_frame(flight, err)) return false;
         struct film frame = simulator_film(flight->simulator);
         if (!window_show(window, &frame, err)) return false;
         changed = false;

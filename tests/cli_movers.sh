@@ -134,6 +134,27 @@ textured_says_so() { # the ball shows a picture
     done
 }
 
+view() { # DUMP [OPTION...]: without a display, one frame
+    dump=$1
+    shift
+    env -u DISPLAY -u WAYLAND_DISPLAY SDL_VIDEODRIVER=x11 LIMNER_DUMP="$work/$dump" "$BUILD/limner" view $model \
+        --camera "$work/few.cam" "$@" >/dev/null 2>"$work/said" </dev/null
+}
+
+view_begins() {
+    view view.png && mkdir "$work/frames" && "$BUILD/limner" render $model --camera "$work/few.cam" -o "$work/frames/%d.png" &&
+        cmp "$work/view.png" "$work/frames/0.png"
+}
+
+view_goes_on() {
+    SDL_VIDEODRIVER=dummy LIMNER_DUMP="$work/later.png" timeout --preserve-status -s INT 6 "$BUILD/limner" view $model \
+        --camera "$work/few.cam" </dev/null && [ -s "$work/later.png" ] && [ -s "$work/view.png" ] && ! cmp -s "$work/later.png" "$work/view.png"
+}
+
+view_stands_still() {
+    view depth.png --method depth && says 'movers.gltf: objects stand still; methods nearest, painter and bsp move them$'
+}
+
 is_what_the_generator_writes() {
     # shellcheck disable=SC2086 # flags are words
     ${CC:-cc} -std=c11 -O2 ${WARNINGS:?} -o "$work/generate" sim/scenes/movers/generate_movers.c -lm && mkdir "$work/made" &&
@@ -175,6 +196,13 @@ tap_check "a method without a tree moves nothing" refused '^limner: .*--method n
 tap_check "an unknown way in is refused" refused '^limner: --movers x: no such way; there are clipped, centre and off$' $model --movers x
 tap_check "an unknown light is refused" refused '^limner: --mover-light x: no such light; there are baked and turning$' \
     $model --mover-light x
+tap_check "view begins as render does" view_begins
+if ldd "$BUILD/limner" | grep -q libSDL2; then
+    tap_check "and moves what moves" view_goes_on
+else
+    tap_skip "and moves what moves" "built without SDL2"
+fi
+tap_check "view by a method that moves nothing says so" view_stands_still
 for fps in 0 -1 x 1e9; do
     tap_check "--fps $fps is refused" refused '^limner: --fps ' $model --fps $fps
 done
