@@ -48,7 +48,7 @@ static void pack_rgb444(uint8_t *to, const uint8_t *from, uint16_t x_px, uint16_
 static void pack_rgb666(uint8_t *to, const uint8_t *from, uint16_t n_px)
 {
     for (uint16_t i = 0; i < n_px; i++) {
-        const uint16_t rgb565 = rgb565_at(from, i);
+        const unsigned rgb565 = rgb565_at(from, i);
         *to++ = (uint8_t)((rgb565 >> 8 & 0xF8u) | (rgb565 >> 13 & 0x04u));
         *to++ = (uint8_t)(rgb565 >> 3 & 0xFCu);
         *to++ = (uint8_t)((rgb565 << 3 & 0xF8u) | (rgb565 >> 2 & 0x04u));

@@ -211,6 +211,7 @@ static bool compile_all(const struct request *request, struct result *result, st
         if (!moving_compile(request->models[i], &request->compile, &request->movers, &result->scenes[i], moving, err))
             return false;
         if (*moving->model.notice) fprintf(stderr, "limner: %s: %s\n", request->models[i], moving->model.notice);
+        if (moving->count && !method_moves(result->scenes[i].report.draws, err)) return false;
         result->named[i] = (struct named_scene){&result->scenes[i], result->names[i], moving->count ? moving : NULL};
     }
     return true;

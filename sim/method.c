@@ -82,3 +82,9 @@ bool method_antialiases(enum lim_method draws, bool wireframe, struct error *err
     return draws != LIM_PAINTER || error_set(err, "--antialias --method painter: back to front, what lies behind "
                                                   "shines through edges; take --method nearest");
 }
+
+bool method_moves(enum lim_method draws, struct error *err)
+{
+    return draws == LIM_NEAREST_FIRST || draws == LIM_PAINTER ||
+           error_set(err, "--method %s: it moves no objects; methods that walk a tree do", method_name(draws));
+}

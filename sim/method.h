@@ -22,6 +22,9 @@ extern const size_t method_count;
 /* By its name, from --method; an unknown one is refused with the list of those there are. */
 const struct method *method_parse(const char *text, struct error *err);
 
+/* Whether it draws objects that move. */
+bool method_moves(enum lim_method draws, struct error *err);
+
 /* The first name that chooses it; and what the tables and the report call it. */
 const char *method_name(enum lim_method draws);
 const char *method_title(enum lim_method draws);

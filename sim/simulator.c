@@ -150,9 +150,7 @@ bool simulator_set_movers(struct simulator *simulator, const struct lim_instance
 {
     const struct core *core = simulator->core;
     const size_t mem_b = core->movers_mem_b(simulator->scene, limits);
-    if (simulator->target.method != LIM_NEAREST_FIRST && simulator->target.method != LIM_PAINTER)
-        return error_set(err, "--method %s: it moves no objects; methods that walk a tree do",
-                         method_name(simulator->target.method));
+    if (!method_moves(simulator->target.method, err)) return false;
     simulator->mover_mem = malloc(mem_b);
     simulator->instances = instances;
     simulator->instance_count = (uint16_t)count;
