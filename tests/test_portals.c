@@ -516,7 +516,7 @@ static void what_has_no_closed_cells_is_refused(void **state)
     refusal(&rooms, TREE_AUTO, "none of its cells is closed");
     room_scene_free(&rooms);
     two_rooms(&rooms);
-    refusal(&rooms, TREE_CLUSTERS, "not between clusters");
+    refusal(&rooms, TREE_CLUSTERS, "between cells of a BSP tree; this has none");
     room_scene_free(&rooms);
 }
 
