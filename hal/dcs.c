@@ -16,49 +16,23 @@
 
 /* Waits, in microseconds. The standard asks for 10 us of reset, 5 ms until the chip listens again and
  * 120 ms until it may leave sleep, and 120 ms between entering and leaving sleep, either way. */
-#define RESET_PULSE_US UINT32_C(100)
 #define RESET_US UINT32_C(150000)
 #define SLEEP_US UINT32_C(120000)
-
-enum { DC_UNKNOWN, DC_COMMAND, DC_DATA };
 
 static struct dcs *dcs_of(const struct panel *panel)
 {
     return panel->chip;
 }
 
-/* Each change costs a report on a USB bridge, so the level is remembered; after an error nobody
- * knows it. Bytes on their way still need the old level: they leave first. */
-static int dcs_set_dc(struct dcs *dcs, uint8_t dc)
-{
-    if (dcs->dc_known == dc) return 0;
-    dcs->dc_known = DC_UNKNOWN;
-    int err = bus_flush(&dcs->config.bus);
-    if (err) return err;
-    err = pin_set(&dcs->config.dc, dc == DC_DATA);
-    if (err) return err;
-    dcs->dc_known = dc;
-    return 0;
-}
-
-static int dcs_write(struct dcs *dcs, uint8_t dc, const uint8_t *data, size_t n_b)
-{
-    int err = dcs_set_dc(dcs, dc);
-    if (err) return err;
-    return bus_write(&dcs->config.bus, data, n_b);
-}
-
 /* Any command ends the chip's frame write, so it closes the window. */
 static int dcs_command(struct dcs *dcs, uint8_t command, const uint8_t *args, size_t n_args)
 {
     dcs->left_px = 0;
-    int err = dcs_write(dcs, DC_COMMAND, &command, 1);
+    int err = wire_command(&dcs->wire, &command, 1);
+    if (err || n_args == 0) return err;
+    err = wire_data(&dcs->wire, args, n_args);
     if (err) return err;
-    if (n_args > 0) {
-        err = dcs_write(dcs, DC_DATA, args, n_args);
-        if (err) return err;
-    }
-    return bus_flush(&dcs->config.bus);
+    return wire_flush(&dcs->wire);
 }
 
 static int dcs_command_wait(struct dcs *dcs, uint8_t command, uint32_t delay_us)
@@ -146,7 +120,7 @@ static int dcs_pixels(struct panel *panel, const void *data, size_t n_px)
     uint32_t left_px = dcs->left_px;
     dcs->left_px = 0; /* stays closed after an error */
     if (n_px > left_px) return PANEL_ERR_WINDOW;
-    int err = dcs_write(dcs, DC_DATA, data, pixels_b(panel->format, n_px));
+    int err = wire_data(&dcs->wire, data, pixels_b(panel->format, n_px));
     if (err) return err;
     dcs->left_px = left_px - (uint32_t)n_px;
     return 0;
@@ -155,20 +129,9 @@ static int dcs_pixels(struct panel *panel, const void *data, size_t n_px)
 static int dcs_flush(struct panel *panel)
 {
     struct dcs *dcs = dcs_of(panel);
-    int err = bus_flush(&dcs->config.bus);
+    int err = wire_flush(&dcs->wire);
     if (err) dcs->left_px = 0;
     return err;
-}
-
-static int dcs_reset_by_pin(struct dcs *dcs)
-{
-    int err = pin_set(&dcs->config.reset, false);
-    if (err) return err;
-    err = clock_delay(&dcs->config.clock, RESET_PULSE_US);
-    if (err) return err;
-    err = pin_set(&dcs->config.reset, true);
-    if (err) return err;
-    return clock_delay(&dcs->config.clock, RESET_US);
 }
 
 /* The first wait: the host may have restarted while the chip was leaving sleep, when it takes no
@@ -192,7 +155,7 @@ static int dcs_send_setup(struct dcs *dcs)
 
 static int dcs_send_format(struct dcs *dcs)
 {
-    static const uint8_t colmod[PANEL_FORMATS] = {[PANEL_RGB565] = 0x55, [PANEL_RGB444] = 0x53, [PANEL_RGB666] = 0x66};
+    static const uint8_t colmod[] = {[PANEL_RGB565] = 0x55, [PANEL_RGB444] = 0x53, [PANEL_RGB666] = 0x66};
     return dcs_command(dcs, DCS_COLMOD, &colmod[dcs->panel.format], 1);
 }
 
@@ -212,25 +175,20 @@ static int dcs_wake(struct dcs *dcs)
     return dcs_command(dcs, DCS_DISPON, NULL, 0);
 }
 
-static int dcs_light(struct dcs *dcs, bool lit)
-{
-    return pin_is_wired(&dcs->config.backlight) ? pin_set(&dcs->config.backlight, lit) : 0;
-}
-
 static int dcs_init(struct panel *panel)
 {
     struct dcs *dcs = dcs_of(panel);
-    dcs->dc_known = DC_UNKNOWN;
     dcs->left_px = 0;
-    int err = bus_flush(&dcs->config.bus); /* no byte of an abandoned frame may meet the reset */
+    int err = wire_begin(&dcs->wire);
     if (err) return err;
-    err = dcs_light(dcs, false);
+    err = wire_set(&dcs->config.backlight, false);
     if (err) return err;
-    err = pin_is_wired(&dcs->config.reset) ? dcs_reset_by_pin(dcs) : dcs_reset_by_command(dcs);
+    err = pin_is_wired(&dcs->config.reset) ? wire_reset(&dcs->config.reset, &dcs->config.clock, RESET_US)
+                                           : dcs_reset_by_command(dcs);
     if (err) return err;
     err = dcs_wake(dcs);
     if (err) return err;
-    return dcs_light(dcs, true);
+    return wire_set(&dcs->config.backlight, true);
 }
 
 static int dcs_sleep(struct panel *panel, bool asleep)
@@ -243,13 +201,13 @@ static int dcs_blank(struct panel *panel, bool blank)
 {
     struct dcs *dcs = dcs_of(panel);
     if (blank) {
-        int err = dcs_light(dcs, false);
+        int err = wire_set(&dcs->config.backlight, false);
         if (err) return err;
         return dcs_command(dcs, DCS_DISPOFF, NULL, 0);
     }
     int err = dcs_command(dcs, DCS_DISPON, NULL, 0);
     if (err) return err;
-    return dcs_light(dcs, true);
+    return wire_set(&dcs->config.backlight, true);
 }
 
 static int dcs_set_rotation(struct panel *panel, enum panel_rotation rotation)
@@ -325,7 +283,7 @@ int dcs_setup(struct dcs *dcs, const struct dcs_chip *chip, const struct dcs_con
         .visible = dcs_visible,
     };
     if (!dcs_config_fits(config, chip)) return PANEL_ERR_CONFIG;
-    *dcs = (struct dcs){.chip = chip, .config = *config};
+    *dcs = (struct dcs){.chip = chip, .config = *config, .wire = {.bus = config->bus, .dc = config->dc}};
     dcs->panel = (struct panel){.ops = &ops, .chip = dcs};
     dcs->panel.format = config->other_format ? config->format : chip->format;
     dcs_set_size(dcs, config->rotation);

@@ -8,6 +8,7 @@
 #define HAL_DCS_H
 
 #include "panel.h"
+#include "wire.h"
 
 /* Commands of MIPI DCS, by the names that the chips' datasheets use; a chip's setup list needs them. */
 enum dcs_command {
@@ -62,7 +63,7 @@ struct dcs {
     struct dcs_config config;
     enum panel_rotation rotation;
     bool inverted;    /* the negative is asked for */
-    uint8_t dc_known; /* what D/C was last set to, as far as known */
+    struct wire wire; /* to the chip */
     uint32_t left_px; /* pixels that the open window still takes; 0: no window */
 };
 

@@ -10,6 +10,7 @@
 #define HAL_PANELS_H
 
 #include "dcs.h"
+#include "pages.h"
 
 extern const struct dcs_chip gc9a01;
 extern const struct dcs_chip ili9341;
@@ -17,7 +18,13 @@ extern const struct dcs_chip ili9488;
 extern const struct dcs_chip st7735;
 extern const struct dcs_chip st7789;
 
-/* All of them, by name; ends with NULL. A firmware that names its chip links no other. */
+extern const struct pages_chip pcd8544;
+extern const struct pages_chip sh1106;
+extern const struct pages_chip ssd1306;
+extern const struct pages_chip st7567;
+
+/* All of them, by name; each ends with NULL. A firmware that names its chip links no other. */
 extern const struct dcs_chip *const panels_dcs[];
+extern const struct pages_chip *const panels_pages[];
 
 #endif

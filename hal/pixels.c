@@ -66,3 +66,31 @@ void pixels_pack(enum panel_format format, uint8_t *to, const uint8_t *from, uin
         for (size_t i = 0; i < pixels_b(format, n_px); i++)
             to[i] = from[i];
 }
+
+/* Order of 8x8 places: of each bit of x and y two of the place's, the finest first. */
+static uint32_t order_of_64(uint32_t x, uint32_t y)
+{
+    uint32_t order = 0;
+
+    for (uint8_t i = 0; i < 3; i++, x >>= 1, y >>= 1)
+        order = order << 2 | ((x ^ y) & 1u) << 1 | (y & 1u);
+    return order;
+}
+
+/* 0.299, 0.587 and 0.114 of a level each, 2^16 in all for white. */
+static uint32_t brightness_q16(uint16_t rgb565)
+{
+    return (rgb565 >> 11) * UINT32_C(632) + (rgb565 >> 5 & 63u) * UINT32_C(611) + (rgb565 & 31u) * UINT32_C(241);
+}
+
+void pixels_to_page(uint8_t *page, const uint8_t *from, uint16_t x_px, uint16_t y_px, uint16_t n_px)
+{
+    const uint8_t bit = (uint8_t)(1u << (y_px & 7u));
+
+    for (uint16_t i = 0; i < n_px; i++) {
+        const uint16_t x = (uint16_t)(x_px + i);
+        const uint32_t add_q16 = (2 * order_of_64(x, y_px) + 1) << 9;
+        const bool is_bright = (brightness_q16(rgb565_at(from, i)) + add_q16) >> 16;
+        page[x] = (uint8_t)(is_bright ? page[x] | bit : page[x] & ~bit);
+    }
+}

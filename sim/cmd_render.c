@@ -235,7 +235,7 @@ static bool print_tables(const struct render *render, struct error *err)
     if (render->options.stats) {
         printf("%ux%u pixels, ", render->options.setup.w_px, render->options.setup.h_px);
         if (render->simulator.board)
-            printf("through the emulated %s\n", render->simulator.board->chip.kind->name);
+            printf("through the emulated %s\n", render->simulator.board->name);
         else
             puts("into plain memory: no emulated panel, nothing sent on a bus");
         frame_table_print_stats(render->rows, render->path.count, stdout);

@@ -201,10 +201,9 @@ static bool unusable_option(int code, char **argv, struct error *err)
 /* A panel is emulated wherever its memory holds the picture. */
 static bool choose_panel(struct options *out, struct error *err)
 {
-    const bool holds = simulator_panel_holds(&out->panel, out->setup.w_px, out->setup.h_px);
-    if (out->setup.panel == SIMULATOR_PANEL && !holds)
-        return error_set(err, "--panel %s: %ux%u pixels do not fit into its memory of %ux%u", out->panel.chip->name,
-                         out->setup.w_px, out->setup.h_px, out->panel.chip->mem_w_px, out->panel.chip->mem_h_px);
+    struct error reason;
+    const bool holds = simulator_panel_holds(&out->panel, out->setup.w_px, out->setup.h_px, &reason);
+    if (out->setup.panel == SIMULATOR_PANEL && !holds) return error_set(err, "%s", reason.text);
     if (out->setup.panel == SIMULATOR_ANY) out->setup.panel = holds ? SIMULATOR_PANEL : SIMULATOR_MEMORY;
     return true;
 }

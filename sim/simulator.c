@@ -12,14 +12,16 @@
 
 static struct panel_choice choice_of(const struct panel_choice *choice)
 {
-    return choice && choice->chip ? *choice : (struct panel_choice){&st7789, st7789.format};
+    const bool is_named = choice && (choice->dcs || choice->pages);
+
+    return is_named ? *choice : (struct panel_choice){&st7789, NULL, st7789.format};
 }
 
-bool simulator_panel_holds(const struct panel_choice *choice, unsigned w_px, unsigned h_px)
+bool simulator_panel_holds(const struct panel_choice *choice, unsigned w_px, unsigned h_px, struct error *err)
 {
     const struct panel_choice on = choice_of(choice);
 
-    return panel_board_holds(&on, w_px, h_px);
+    return panel_board_holds(&on, w_px, h_px, err);
 }
 
 /* Plain memory ------------------------------------------------------------------------------- */
@@ -118,7 +120,8 @@ bool simulator_init_on(struct simulator *simulator, const struct lim_scene *scen
         return error_set(err, "--method convex: the scene is not one convex solid");
     simulator->core = setup->core ? setup->core : &core_fast;
     if (panel == SIMULATOR_ANY)
-        panel = simulator_panel_holds(choice, setup->w_px, setup->h_px) ? SIMULATOR_PANEL : SIMULATOR_MEMORY;
+        panel = simulator_panel_holds(choice, setup->w_px, setup->h_px, &(struct error){0}) ? SIMULATOR_PANEL
+                                                                                            : SIMULATOR_MEMORY;
     bool ok = panel == SIMULATOR_PANEL ? board_init(simulator, setup, choice, err)
                                        : memory_init(simulator, setup->method, setup->w_px, setup->h_px, err);
     ok = ok && renderer_init(simulator, scene, err);
@@ -177,11 +180,11 @@ static int board_frame(struct simulator *simulator, const struct lim_camera *cam
 bool simulator_frame(struct simulator *simulator, const struct lim_camera *camera, struct error *err)
 {
     struct panel_board *board = simulator->board;
-    uint64_t before_b = board ? board->chip.bus_b : 0;
+    uint64_t before_b = board ? panel_board_bus_b(board) : 0;
     int code = board ? board_frame(simulator, camera) : draw(simulator, camera);
     if (code) return error_set(err, "renderer: %s (%d)", reason_of(code), code);
     if (!board) return true;
-    simulator->bus_b = (size_t)(board->chip.bus_b - before_b);
+    simulator->bus_b = (size_t)(panel_board_bus_b(board) - before_b);
     return panel_board_read(board, simulator->pixels, err);
 }
 

@@ -44,7 +44,7 @@ struct simulator {
 };
 
 /* Whether an emulated panel can hold the picture; NULL: an ST7789. */
-bool simulator_panel_holds(const struct panel_choice *choice, unsigned w_px, unsigned h_px);
+bool simulator_panel_holds(const struct panel_choice *choice, unsigned w_px, unsigned h_px, struct error *err);
 
 /* Starts renderer and panel. The scene must outlive it, and *simulator stay where it is. */
 bool simulator_init(struct simulator *simulator, const struct lim_scene *scene, const struct simulator_setup *setup,

@@ -73,8 +73,10 @@ for near in 0 -1 nan inf x ''; do
     refuse "near plane '$near' is refused" '^limner: --near' render pyramid.obj --near "$near"
 done
 refuse "a near plane behind the scene is refused" '^limner: --near 100: out of range' render pyramid.obj --near 100
-refuse "an unknown panel is refused" '^limner: --panel pcd8544: no such panel; there are .*st7789, and memory$' \
-    render pyramid.obj --panel pcd8544
+refuse "an unknown panel is refused" '^limner: --panel hd44780: no such panel; there are .*st7789, .*st7567, and memory$' \
+    render pyramid.obj --panel hd44780
+refuse "half a page is refused" '^limner: --panel ssd1306: 128x60: its pages are eight pixels high$' \
+    render pyramid.obj --panel ssd1306 --size 128x60
 refuse "a format that a panel does not take is refused" '^limner: --panel ili9488:rgb565: .*there are rgb666$' \
     render pyramid.obj --panel ili9488:rgb565
 refuse "a size beyond the panel is refused" '^limner: --panel st7789: 241x320 .* of 240x320$' render pyramid.obj --panel st7789 --size 241x320
@@ -190,6 +192,17 @@ panels_agree() {
     render --method painter --check hashes && render --method painter --panel ili9488 --check hashes
 }
 tap_check "panels, plain memory and the painter show the same" panels_agree
+draws_pages() { # twice the same, all pixels black or white, a byte for eight of them and three a page
+    for panel in ssd1306 sh1106 st7567; do
+        "$limner" render pyramid.obj --camera path.cam --size 128x64 --panel $panel --stats --write-hashes pages >stats &&
+            awk '$1 == 0 { exit !($NF == 1024 + 8 * 3) }' stats || return 1
+        [ $panel = ssd1306 ] && cp pages first_pages
+        cmp pages first_pages || return 1
+    done
+    "$limner" render pyramid.obj --camera path.cam --size 84x48 --panel pcd8544 --method painter --write-hashes pages &&
+        "$limner" render pyramid.obj --camera path.cam --size 84x48 --panel pcd8544 --check pages
+}
+tap_check "panels of pages show the same as one another, and by the painter" draws_pages
 tap_check "fewer colours do not" is_refused '^limner: hashes: frame 0 differs' \
     render pyramid.obj --camera path.cam --size 64x48 --panel st7789:rgb444 --check hashes
 

@@ -9,6 +9,7 @@
 
 #include "cmocka_ready.h"
 #include "emulated_dcs.h"
+#include "fault_port.h"
 #include "panels.h"
 #include "screen.h"
 
@@ -16,24 +17,13 @@
 
 enum { MOST_PX = 320 * 480, RED = 0xF800, GREEN = 0x07E0, BLUE = 0x001F, GREY = 0x8410 };
 
-/* Calls to a port, one of which may fail. The decorator stands between driver and emulated chip. */
-struct fault {
-    long calls;      /* so far */
-    long fail_at;    /* index of the call that fails; -1: none */
-    long calls_late; /* calls that came after the failed one, before it was cleared */
-    long pin_sets;   /* calls that set a pin */
-    bool late;       /* the call that fails takes effect all the same */
-    bool failed;
-    int code;
-};
-
 struct rig {
     struct emulated_dcs chip;
     struct dcs_config config;
     struct dcs display;
     struct screen screen;
-    struct fault fault;
-    struct bus bus; /* the chip's own port, behind the decorator */
+    struct fault_port fault; /* between driver and emulated chip */
+    struct bus bus;          /* the chip's own port, behind the decorator */
     struct pin dc, reset, backlight;
     struct clock clock;
     const struct dcs_chip *driver;
@@ -44,52 +34,10 @@ struct rig {
 
 static struct rig rig; /* too large for a stack; every test sets it up afresh */
 
-static inline int fault_hit(struct fault *fault)
-{
-    if (fault->failed) fault->calls_late++;
-    if (fault->calls++ != fault->fail_at) return 0;
-    fault->failed = true;
-    return fault->code;
-}
-
-/* A bus that fails at once loses the transfer under way as well. */
-static inline int faulty_write(void *ctx, const uint8_t *data, size_t n_b)
-{
-    int err = fault_hit(&rig.fault);
-    if (err && rig.fault.late) {
-        assert_int_equal(bus_write(ctx, data, n_b), 0);
-        assert_int_equal(bus_flush(ctx), 0);
-    }
-    if (err) rig.chip.pending_b = 0;
-    return err ? err : bus_write(ctx, data, n_b);
-}
-
-static inline int faulty_flush(void *ctx)
-{
-    int err = fault_hit(&rig.fault);
-    if (err) rig.chip.pending_b = 0;
-    return err ? err : bus_flush(ctx);
-}
-
-static inline int faulty_set(void *ctx, bool high)
-{
-    int err = fault_hit(&rig.fault);
-    rig.fault.pin_sets++;
-    if (err && !rig.fault.late) return err;
-    int pin_err = pin_set(ctx, high);
-    return err ? err : pin_err;
-}
-
-static inline int faulty_delay(void *ctx, uint32_t delay_us)
-{
-    int err = fault_hit(&rig.fault);
-    return err ? err : clock_delay(ctx, delay_us);
-}
-
 /* A fault is forgotten, and call number fail_at will be the next one. */
 static inline void fault_arm(long fail_at)
 {
-    rig.fault = (struct fault){.fail_at = fail_at, .code = -7000 - (int)(fail_at % 1000)};
+    fault_port_arm(&rig.fault, fail_at);
 }
 
 /* An emulated module and a configuration that suits it, all pins wired. */
@@ -105,12 +53,18 @@ static inline void rig_setup(struct emulated_module module)
     rig.reset = emulated_dcs_reset(&rig.chip);
     rig.backlight = emulated_dcs_backlight(&rig.chip);
     rig.clock = emulated_dcs_clock(&rig.chip);
+    rig.fault = (struct fault_port){.bus = rig.bus,
+                                    .dc = {.inner = rig.dc},
+                                    .reset = {.inner = rig.reset},
+                                    .backlight = {.inner = rig.backlight},
+                                    .clock = rig.clock,
+                                    .pending_b = &rig.chip.pending_b};
     rig.config = (struct dcs_config){
-        .bus = {&rig.bus, faulty_write, faulty_flush},
-        .dc = {&rig.dc, faulty_set},
-        .reset = {&rig.reset, faulty_set},
-        .backlight = {&rig.backlight, faulty_set},
-        .clock = {&rig.clock, faulty_delay},
+        .bus = fault_port_bus(&rig.fault),
+        .dc = fault_port_pin(&rig.fault, &rig.fault.dc),
+        .reset = fault_port_pin(&rig.fault, &rig.fault.reset),
+        .backlight = fault_port_pin(&rig.fault, &rig.fault.backlight),
+        .clock = fault_port_clock(&rig.fault),
         .w_px = module.w_px,
         .h_px = module.h_px,
         .ox_px = module.ox_px,

@@ -153,7 +153,7 @@ static void sizes_that_no_panel_has_are_rendered_into_memory(void **state)
     room_init(&room);
     for (size_t i = 0; i < sizeof sizes / sizeof sizes[0]; i++) {
         unsigned w_px = sizes[i][0], h_px = sizes[i][1];
-        assert_false(simulator_panel_holds(NULL, w_px, h_px));
+        assert_false(simulator_panel_holds(NULL, w_px, h_px, &(struct error){0}));
         if (w_px < 100 || h_px < 100) continue; /* too thin for a lens */
         uint16_t *pixels = picture(&room, SIMULATOR_MEMORY, LIM_NEAREST_FIRST, w_px, h_px, 7);
         for (size_t p = 0; p < (size_t)w_px * h_px; p++)

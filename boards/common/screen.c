@@ -76,6 +76,22 @@ static int screen_send(struct screen *screen, uint16_t y_px, uint16_t x_px, uint
     return screen->n_lines == 1 ? panel_flush(screen->panel) : 0;
 }
 
+/* A page goes out when its last line is done, as far as that is: all lines above are then. */
+static int screen_gather(struct screen *screen, uint16_t y_px, uint16_t x_px, uint16_t n_px)
+{
+    uint8_t *page = screen->pages + (screen->second_page ? (screen->target.w_px + 3u) / 4u * 4u : 0);
+
+    pixels_to_page(page, screen_line(screen, y_px) + pixels_b(PANEL_RGB565, x_px), x_px, y_px, n_px);
+    screen->lent_line_sent = true;
+    if (y_px % 8u < 7u) return 0;
+    int err = panel_window(screen->panel, x_px, (uint16_t)(y_px - 7u), n_px, 8);
+    if (err) return err;
+    err = panel_pixels(screen->panel, page + x_px, (size_t)n_px * 8u);
+    if (err) return err;
+    if (x_px + n_px == screen->target.w_px) screen->second_page = !screen->second_page;
+    return 0;
+}
+
 static int screen_done(void *ctx, uint16_t y_px, uint16_t x_px, uint16_t n_px)
 {
     struct screen *screen = ctx;
@@ -85,7 +101,8 @@ static int screen_done(void *ctx, uint16_t y_px, uint16_t x_px, uint16_t n_px)
     if (x0_px < x_px) x0_px = x_px;
     if (x1_px > end_px) x1_px = end_px;
     if (x0_px >= x1_px) return 0;
-    int err = screen_send(screen, y_px, x0_px, (uint16_t)(x1_px - x0_px));
+    const uint16_t seen_px = (uint16_t)(x1_px - x0_px);
+    int err = screen->pages ? screen_gather(screen, y_px, x0_px, seen_px) : screen_send(screen, y_px, x0_px, seen_px);
     if (err) screen->window_open = false;
     return err;
 }
@@ -95,11 +112,13 @@ int screen_init(struct screen *screen, struct panel *panel, enum lim_method meth
     const uint16_t head_b = (uint16_t)((pixels_head_b(panel->format, panel->w_px) + 3u) / 4u * 4u);
     uint16_t line_b = (uint16_t)(head_b + SCREEN_LINE_B(panel->w_px));
     uint16_t most_lines = method == LIM_PAINTER ? panel->h_px : 2;
-    size_t n_lines = mem_b / line_b;
+    const size_t pages_b = panel->format == PANEL_MONO_PAGES ? 2u * ((panel->w_px + 3u) / 4u * 4u) : 0;
+    size_t n_lines = mem_b < pages_b ? 0 : (mem_b - pages_b) / line_b;
     if (n_lines == 0 || (method == LIM_PAINTER && n_lines < panel->h_px)) return LIM_ERR_MEMORY;
 
     *screen = (struct screen){.panel = panel, .mem = mem, .line_b = line_b, .head_b = head_b};
     screen->n_lines = n_lines < most_lines ? (uint16_t)n_lines : most_lines;
+    if (pages_b) screen->pages = screen->mem + (size_t)screen->n_lines * line_b;
     screen->target = (struct lim_target){
         .w_px = panel->w_px,
         .h_px = panel->h_px,
@@ -120,4 +139,14 @@ void screen_begin_frame(struct screen *screen)
 int screen_end_frame(struct screen *screen)
 {
     return panel_flush(screen->panel);
+}
+
+void screen_turn_camera(struct lim_camera *camera, enum panel_rotation rotation)
+{
+    const uint32_t tan_x_q28 = camera->tan_x_q28;
+
+    camera->roll += (uint32_t)rotation << 30;
+    if (rotation != PANEL_TURNED_90 && rotation != PANEL_TURNED_270) return;
+    camera->tan_x_q28 = camera->tan_y_q28;
+    camera->tan_y_q28 = tan_x_q28;
 }

@@ -15,6 +15,7 @@
 #ifndef BOARDS_SCREEN_H
 #define BOARDS_SCREEN_H
 
+#include "camera.h"
 #include "errors.h"
 #include "panel.h"
 #include "target.h"
@@ -26,6 +27,8 @@
 #define SCREEN_WIDE_LINE_B(w_px) (((w_px) + 3u) / 4u * 4u + SCREEN_LINE_B(w_px))
 #define SCREEN_MEM_B(w_px, n_lines) ((size_t)SCREEN_LINE_B(w_px) * (n_lines))
 #define SCREEN_WIDE_MEM_B(w_px, n_lines) ((size_t)SCREEN_WIDE_LINE_B(w_px) * (n_lines))
+/* For PANEL_MONO_PAGES: beside the lines two pages, of which one is gathered while the other is on its way. */
+#define SCREEN_PAGES_MEM_B(w_px, n_lines) (SCREEN_MEM_B(w_px, n_lines) + 2u * (((w_px) + 3u) / 4u * 4u))
 
 /* Private but for `target`. */
 struct screen {
@@ -34,6 +37,8 @@ struct screen {
     uint8_t *mem;
     uint16_t line_b, n_lines; /* length of a line in mem, and how many are used */
     uint16_t head_b;          /* of a line, before what the renderer paints into */
+    uint8_t *pages;           /* two of w_px bytes, or NULL */
+    bool second_page;         /* is being gathered */
     uint16_t lent_line;       /* nearest first: index of the line lent last */
     bool lent_line_sent;      /* some of it went to the panel, and may still be on its way */
     bool window_open;         /* pixels can follow at next_x_px, next_y_px */
@@ -50,6 +55,10 @@ LIM_MUST_CHECK int screen_init(struct screen *screen, struct panel *panel, enum 
 
 /* Before each frame: whatever was sent to the panel meanwhile, the frame starts with a window. */
 void screen_begin_frame(struct screen *screen);
+
+/* For panels that cannot turn by a quarter: the camera of a picture that is to stand so many quarters clockwise on the
+ * glass, for a target of the glass's own size. */
+void screen_turn_camera(struct lim_camera *camera, enum panel_rotation rotation);
 
 /* After each frame: waits until it has left. 0 or the panel's negative code. */
 LIM_MUST_CHECK int screen_end_frame(struct screen *screen);

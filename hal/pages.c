@@ -1,0 +1,256 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Panels of pages behind struct panel.
+ * In: windows of whole pages, and their bytes. Out: an address command before each page, and the bytes. */
+#include "pages.h"
+
+uint8_t pages_put(uint8_t *commands, const uint8_t *list, uint8_t n_b)
+{
+    for (uint8_t i = 0; i < n_b; i++)
+        commands[i] = list[i];
+    return n_b;
+}
+
+uint8_t pages_look_ae(uint8_t commands[2], bool on, bool inverted)
+{
+    commands[0] = inverted ? 0xA7 : 0xA6;
+    commands[1] = on ? 0xAF : 0xAE;
+    return 2;
+}
+
+uint8_t pages_flip_a0(uint8_t commands[2], bool columns, bool rows)
+{
+    commands[0] = columns ? 0xA0 : 0xA1;
+    commands[1] = rows ? 0xC0 : 0xC8;
+    return 2;
+}
+
+uint8_t pages_address_b0(uint8_t commands[PAGES_ADDRESS_MAX_B], uint8_t page, uint8_t column)
+{
+    commands[0] = (uint8_t)(0xB0 | page);
+    commands[1] = column & 0x0F;
+    commands[2] = (uint8_t)(0x10 | column >> 4);
+    return 3;
+}
+
+static struct pages *pages_of(const struct panel *panel)
+{
+    return panel->chip;
+}
+
+static void pages_close(struct pages *pages)
+{
+    pages->page = pages->end_page = 0;
+}
+
+/* The glass's own way round, the picture's, and the mirror. */
+static bool pages_flips_columns(const struct pages *pages, enum panel_rotation rotation)
+{
+    return (pages->config.flip_columns != (rotation == PANEL_TURNED_180)) != pages->config.mirror;
+}
+
+static int pages_send_flip(struct pages *pages, enum panel_rotation rotation)
+{
+    uint8_t commands[2];
+
+    if (!pages->chip->flip) return 0;
+    const uint8_t n_b = pages->chip->flip(commands, pages_flips_columns(pages, rotation),
+                                          pages->config.flip_rows != (rotation == PANEL_TURNED_180));
+    return wire_command(&pages->wire, commands, n_b);
+}
+
+static int pages_send_look(struct pages *pages, bool on, bool inverted)
+{
+    uint8_t commands[2];
+
+    return wire_command(&pages->wire, commands, pages->chip->look(commands, on, inverted != pages->config.invert));
+}
+
+static int pages_send_setup(struct pages *pages)
+{
+    const struct pages_config *config = &pages->config;
+    uint8_t commands[PAGES_SETUP_MAX_B];
+    const uint8_t n_b =
+        pages->chip->setup(commands, config, config->contrast ? config->contrast : pages->chip->contrast);
+    int err = wire_command(&pages->wire, commands, n_b);
+
+    for (uint8_t i = 0; i < pages->chip->wake_b && !err; i++) {
+        err = wire_command(&pages->wire, &pages->chip->wake[i], 1);
+        if (!err) err = clock_delay(&pages->config.clock, pages->chip->wake_us);
+    }
+    return err;
+}
+
+static int pages_init(struct panel *panel)
+{
+    struct pages *pages = pages_of(panel);
+    const struct pages_config *config = &pages->config;
+
+    pages_close(pages);
+    int err = wire_begin(&pages->wire);
+    if (err) return err;
+    err = wire_set(&config->backlight, false);
+    if (err) return err;
+    if (pin_is_wired(&config->reset)) err = wire_reset(&config->reset, &config->clock, pages->chip->reset_us);
+    if (err) return err;
+    err = pages_send_setup(pages);
+    if (err) return err;
+    err = pages_send_flip(pages, pages->rotation);
+    if (err) return err;
+    err = pages_send_look(pages, true, pages->inverted);
+    if (err) return err;
+    pages->on = true;
+    return wire_set(&config->backlight, true);
+}
+
+/* Where memory columns are counted from the other end the glass's margin is the other one. */
+static uint8_t pages_column(const struct pages *pages, uint16_t x_px)
+{
+    const struct pages_config *config = &pages->config;
+    const uint16_t margin_px = (uint16_t)(pages->chip->mem_w_px - config->w_px - config->ox_px);
+
+    return (uint8_t)((pages_flips_columns(pages, pages->rotation) ? margin_px : config->ox_px) + x_px);
+}
+
+static int pages_send_address(struct pages *pages)
+{
+    uint8_t commands[PAGES_ADDRESS_MAX_B];
+
+    pages->at_x_px = pages->x_px;
+    return wire_command(&pages->wire, commands,
+                        pages->chip->address(commands, pages->page, pages_column(pages, pages->x_px)));
+}
+
+static int pages_window(struct panel *panel, uint16_t x_px, uint16_t y_px, uint16_t w_px, uint16_t h_px)
+{
+    struct pages *pages = pages_of(panel);
+
+    pages_close(pages);
+    if (w_px == 0 || x_px >= panel->w_px || w_px > panel->w_px - x_px) return PANEL_ERR_WINDOW;
+    if (h_px == 0 || y_px >= panel->h_px || h_px > panel->h_px - y_px) return PANEL_ERR_WINDOW;
+    if (y_px % 8 || h_px % 8) return PANEL_ERR_WINDOW;
+    pages->x_px = x_px;
+    pages->end_x_px = (uint16_t)(x_px + w_px);
+    pages->page = (uint8_t)(y_px / 8u);
+    int err = pages_send_address(pages);
+    if (!err) pages->end_page = (uint8_t)(pages->page + h_px / 8u);
+    return err;
+}
+
+/* The address of the next page goes out with its first byte. */
+static int pages_send_some(struct pages *pages, const uint8_t *data, size_t *n_b)
+{
+    if (pages->page == pages->end_page) return PANEL_ERR_WINDOW;
+    if (pages->at_x_px == pages->end_x_px) {
+        if (++pages->page == pages->end_page) return PANEL_ERR_WINDOW;
+        int err = pages_send_address(pages);
+        if (err) return err;
+    }
+    const size_t room_b = (size_t)(pages->end_x_px - pages->at_x_px);
+    if (*n_b > room_b) *n_b = room_b;
+    pages->at_x_px = (uint16_t)(pages->at_x_px + *n_b);
+    return wire_data(&pages->wire, data, *n_b);
+}
+
+static int pages_pixels(struct panel *panel, const void *data, size_t n_px)
+{
+    struct pages *pages = pages_of(panel);
+    const uint8_t *bytes = data;
+
+    for (size_t left_b = n_px / 8u; left_b;) {
+        size_t n_b = left_b;
+        int err = pages_send_some(pages, bytes, &n_b);
+        if (err) {
+            pages_close(pages);
+            return err;
+        }
+        bytes += n_b;
+        left_b -= n_b;
+    }
+    return 0;
+}
+
+static int pages_flush(struct panel *panel)
+{
+    struct pages *pages = pages_of(panel);
+    int err = wire_flush(&pages->wire);
+
+    if (err) pages_close(pages);
+    return err;
+}
+
+/* Dark before the picture goes, light after it is back. */
+static int pages_blank(struct panel *panel, bool blank)
+{
+    struct pages *pages = pages_of(panel);
+    int err = blank ? wire_set(&pages->config.backlight, false) : 0;
+
+    pages_close(pages);
+    if (!err) err = pages_send_look(pages, !blank, pages->inverted);
+    if (err) return err;
+    pages->on = !blank;
+    return blank ? 0 : wire_set(&pages->config.backlight, true);
+}
+
+static bool pages_can(const struct pages_chip *chip, enum panel_rotation rotation)
+{
+    return rotation == PANEL_UPRIGHT || (rotation == PANEL_TURNED_180 && chip->flip);
+}
+
+static int pages_set_rotation(struct panel *panel, enum panel_rotation rotation)
+{
+    struct pages *pages = pages_of(panel);
+
+    if (!pages_can(pages->chip, rotation)) return PANEL_ERR_UNSUPPORTED;
+    pages_close(pages);
+    int err = pages_send_flip(pages, rotation);
+    if (!err) pages->rotation = rotation;
+    return err;
+}
+
+static int pages_set_inverted(struct panel *panel, bool inverted)
+{
+    struct pages *pages = pages_of(panel);
+
+    pages_close(pages);
+    int err = pages_send_look(pages, pages->on, inverted);
+    if (!err) pages->inverted = inverted;
+    return err;
+}
+
+static int pages_set_backlight(struct panel *panel, bool lit)
+{
+    struct pages *pages = pages_of(panel);
+
+    return pin_is_wired(&pages->config.backlight) ? pin_set(&pages->config.backlight, lit) : PANEL_ERR_UNSUPPORTED;
+}
+
+static bool pages_config_fits(const struct pages_config *config, const struct pages_chip *chip)
+{
+    if (!config->bus.write || !config->dc.set || !config->clock.delay) return false;
+    if (config->w_px == 0 || config->w_px > chip->mem_w_px) return false;
+    if (config->h_px == 0 || config->h_px % 8 || config->h_px > chip->mem_h_px) return false;
+    if (config->ox_px > chip->mem_w_px - config->w_px || config->contrast > chip->contrast_max) return false;
+    if (!chip->flip && (config->mirror || config->flip_columns || config->flip_rows)) return false;
+    return pages_can(chip, config->rotation);
+}
+
+int pages_setup(struct pages *pages, const struct pages_chip *chip, const struct pages_config *config)
+{
+    static const struct panel_ops ops = {
+        .init = pages_init,
+        .window = pages_window,
+        .pixels = pages_pixels,
+        .flush = pages_flush,
+        .blank = pages_blank,
+        .set_rotation = pages_set_rotation,
+        .set_inverted = pages_set_inverted,
+        .set_backlight = pages_set_backlight,
+    };
+    if (!pages_config_fits(config, chip)) return PANEL_ERR_CONFIG;
+    *pages = (struct pages){
+        .chip = chip, .config = *config, .rotation = config->rotation, .wire = {.bus = config->bus, .dc = config->dc}};
+    pages->panel = (struct panel){
+        .ops = &ops, .chip = pages, .w_px = config->w_px, .h_px = config->h_px, .format = PANEL_MONO_PAGES};
+    return 0;
+}

@@ -1,0 +1,65 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Monochrome controllers whose memory is pages, with their glass, emulated from the datasheets: bytes, D/C, reset and
+ * waits in; what is on the glass, and complaints about the protocol, out. They share no table with hal/. */
+#ifndef SIM_EMULATED_PAGES_H
+#define SIM_EMULATED_PAGES_H
+
+#include "bus.h"
+
+enum { EMULATED_PAGES_MAX_W_PX = 132, EMULATED_PAGES_MAX_H_PX = 64 };
+
+struct emulated_pages_kind;
+
+/* All kinds, ends with NULL; NULL: there is none of that name. */
+extern const struct emulated_pages_kind *const emulated_pages_kinds[];
+const struct emulated_pages_kind *emulated_pages_kind_find(const char *name);
+
+/* The module round the chip: its left edge shows the last column less ox_px, its top the last line in use, as is usual;
+ * a PCD8544's the first ones. */
+struct emulated_pages_module {
+    const struct emulated_pages_kind *kind;
+    uint16_t w_px, h_px, ox_px;
+    bool first_columns, first_lines; /* glass that is wired the other way round */
+    bool negative;                   /* glass that is bright where a pixel is off */
+};
+
+/* All of it may be read. */
+struct emulated_pages {
+    bool deferred;       /* what is written is read only by the next write or flush, as with DMA */
+    unsigned complaints; /* all */
+    char complaint[160]; /* text of the last */
+    uint64_t now_us;     /* the sum of all waits */
+    uint64_t bus_b;      /* bytes received */
+
+    struct emulated_pages_module module;
+    const uint8_t *pending; /* deferred bytes */
+    size_t pending_b;
+    bool dc_high, reset_low, backlight_low;
+    uint64_t reset_low_us, ready_us;
+
+    /* Registers, and the command under way. */
+    uint8_t command, args_due; /* a command that waits for its argument */
+    uint8_t page, column;
+    bool on, inverted, columns_flipped, lines_flipped, extended, asleep;
+    uint8_t power;         /* parts of the supply that are on */
+    uint64_t power_us;     /* since when */
+    uint8_t lines;         /* in use */
+    bool page_mode, glass; /* how memory is addressed; whether the wiring of lines was told */
+    uint8_t memory[EMULATED_PAGES_MAX_H_PX / 8][EMULATED_PAGES_MAX_W_PX]; /* by the glass's wires, not by address */
+};
+
+/* Power on: registers at their defaults, memory full of noise. */
+void emulated_pages_init(struct emulated_pages *chip, const struct emulated_pages_module *module);
+
+/* The port of this chip, for a driver's configuration. */
+struct bus emulated_pages_bus(struct emulated_pages *chip);
+struct pin emulated_pages_dc(struct emulated_pages *chip);
+struct pin emulated_pages_reset(struct emulated_pages *chip);
+struct pin emulated_pages_backlight(struct emulated_pages *chip);
+struct clock emulated_pages_clock(struct emulated_pages *chip);
+
+/* Whether a pixel of the upright glass is bright: false in the dark. */
+bool emulated_pages_is_bright(const struct emulated_pages *chip, unsigned x, unsigned y);
+
+#endif
