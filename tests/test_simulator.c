@@ -102,12 +102,9 @@ static struct lens make_lens(unsigned w_px, unsigned h_px)
     return lens;
 }
 
-static uint16_t *picture(const struct room *room, enum simulator_panel panel, enum lim_method method, unsigned w_px,
-                         unsigned h_px, unsigned seed)
+static uint16_t *picture_by(const struct room *room, enum simulator_panel panel, enum lim_method method, unsigned w_px,
+                            unsigned h_px, const struct lim_camera *camera)
 {
-    struct lens lens = make_lens(w_px, h_px);
-    struct viewpoint viewpoint = random_viewpoint(seed);
-    struct lim_camera camera = make_camera(&viewpoint, &lens, room);
     struct simulator simulator;
     struct error err;
     size_t size_b = (size_t)w_px * h_px * sizeof(uint16_t);
@@ -116,10 +113,20 @@ static uint16_t *picture(const struct room *room, enum simulator_panel panel, en
     assert_true(simulator_init(&simulator, &room->compiled.scene,
                                &(struct simulator_setup){w_px, h_px, method, panel, NULL}, &err));
     assert_int_equal(simulator.board != NULL, panel == SIMULATOR_PANEL);
-    assert_true(simulator_frame(&simulator, &camera, &err));
+    assert_true(simulator_frame(&simulator, camera, &err));
     memcpy(pixels, simulator.pixels, size_b);
     simulator_free(&simulator);
     return pixels;
+}
+
+static uint16_t *picture(const struct room *room, enum simulator_panel panel, enum lim_method method, unsigned w_px,
+                         unsigned h_px, unsigned seed)
+{
+    struct lens lens = make_lens(w_px, h_px);
+    struct viewpoint viewpoint = random_viewpoint(seed);
+    struct lim_camera camera = make_camera(&viewpoint, &lens, room);
+
+    return picture_by(room, panel, method, w_px, h_px, &camera);
 }
 
 /* Tests -------------------------------------------------------------------------------------- */
@@ -143,6 +150,35 @@ static void panel_and_memory_show_the_same_by_both_methods(void **state)
         }
         free(expected);
     }
+}
+
+/* The picture clockwise by quarters on glass of w x h; edges may fall otherwise where they pass a pixel's centre. */
+static void a_turned_camera_turns_the_picture(void **state)
+{
+    enum { W_PX = 96, H_PX = 64 };
+    struct room room;
+
+    (void)state;
+    room_init(&room);
+    for (unsigned seed = 1; seed < 6; seed++)
+        for (unsigned turns = 0; turns < 4; turns++) {
+            const unsigned w = turns % 2 ? H_PX : W_PX, h = turns % 2 ? W_PX : H_PX; /* of the picture */
+            const struct lens lens = make_lens(w, h);
+            const struct viewpoint viewpoint = random_viewpoint(seed);
+            struct lim_camera camera = make_camera(&viewpoint, &lens, &room);
+            uint16_t *upright = picture_by(&room, SIMULATOR_MEMORY, LIM_NEAREST_FIRST, w, h, &camera);
+            screen_turn_camera(&camera, (enum panel_rotation)turns);
+            uint16_t *glass = picture_by(&room, SIMULATOR_MEMORY, LIM_NEAREST_FIRST, W_PX, H_PX, &camera);
+            unsigned different = 0;
+            for (unsigned y = 0; y < h; y++)
+                for (unsigned x = 0; x < w; x++) {
+                    const unsigned on_x[] = {x, h - 1 - y, w - 1 - x, y}, on_y[] = {y, x, h - 1 - y, w - 1 - x};
+                    different += upright[y * w + x] != glass[on_y[turns] * W_PX + on_x[turns]];
+                }
+            if (different > W_PX * H_PX / 200) fail_msg("%u turns: %u pixels differ", turns, different);
+            free(upright);
+            free(glass);
+        }
 }
 
 static void sizes_that_no_panel_has_are_rendered_into_memory(void **state)
@@ -327,6 +363,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(panel_and_memory_show_the_same_by_both_methods),
+        cmocka_unit_test(a_turned_camera_turns_the_picture),
         cmocka_unit_test(sizes_that_no_panel_has_are_rendered_into_memory),
         cmocka_unit_test(wall_straight_ahead_is_in_the_middle),
         cmocka_unit_test(face_numbers_agree_with_the_colours),

@@ -145,7 +145,7 @@ void screen_turn_camera(struct lim_camera *camera, enum panel_rotation rotation)
 {
     const uint32_t tan_x_q28 = camera->tan_x_q28;
 
-    camera->roll += (uint32_t)rotation << 30;
+    camera->roll -= (uint32_t)rotation << 30;
     if (rotation != PANEL_TURNED_90 && rotation != PANEL_TURNED_270) return;
     camera->tan_x_q28 = camera->tan_y_q28;
     camera->tan_y_q28 = tan_x_q28;
