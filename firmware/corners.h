@@ -17,8 +17,9 @@ struct lim_corners {
     int32_t at_q12[LIM_PIECE_VERTICES][3]; /* |coordinate| <= 2^27, of movers 2^28 */
 };
 
-/* A scene's plane, unpacked. */
 enum { LIM_NO_AXIS = 3 };
+
+/* A scene's plane, unpacked. */
 struct lim_plane_wide {
     int32_t n[3];
     int64_t d;

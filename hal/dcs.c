@@ -263,7 +263,7 @@ static bool dcs_config_fits(const struct dcs_config *config, const struct dcs_ch
     if (config->h_px == 0 || config->h_px > chip->mem_h_px) return false;
     if (config->ox_px > chip->mem_w_px - config->w_px) return false;
     if (config->oy_px > chip->mem_h_px - config->h_px) return false;
-    if (config->other_format && !((unsigned)config->format < PANEL_FORMATS && chip->formats >> config->format & 1))
+    if ((unsigned)config->format >= PANEL_FORMATS || !((chip->formats | 1 << PANEL_USUAL) >> config->format & 1))
         return false;
     return (unsigned)config->rotation <= PANEL_TURNED_270;
 }
@@ -285,7 +285,7 @@ int dcs_setup(struct dcs *dcs, const struct dcs_chip *chip, const struct dcs_con
     if (!dcs_config_fits(config, chip)) return PANEL_ERR_CONFIG;
     *dcs = (struct dcs){.chip = chip, .config = *config, .wire = {.bus = config->bus, .dc = config->dc}};
     dcs->panel = (struct panel){.ops = &ops, .chip = dcs};
-    dcs->panel.format = config->other_format ? config->format : chip->format;
+    dcs->panel.format = config->format != PANEL_USUAL ? config->format : chip->format;
     dcs_set_size(dcs, config->rotation);
     return 0;
 }

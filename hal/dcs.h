@@ -52,8 +52,7 @@ struct dcs_config {
     bool mirror;                  /* left and right of the picture swapped, for a view in a mirror */
     bool bgr;                     /* glass whose red and blue come out swapped without it */
     bool invert;                  /* glass whose colours come out negative without it, as IPS glass does */
-    bool other_format;            /* take `format` instead of the chip's usual one */
-    enum panel_format format;
+    enum panel_format format;     /* one that the chip takes */
 };
 
 /* State of one panel; private but for `panel`. */

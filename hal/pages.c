@@ -11,6 +11,28 @@ uint8_t pages_put(uint8_t *commands, const uint8_t *list, uint8_t n_b)
     return n_b;
 }
 
+/* How the glass's lines are wired goes by how many there are: on one side, or on both in turn. */
+uint8_t pages_setup_oled(uint8_t commands[PAGES_SETUP_MAX_B], const struct pages_config *config, uint8_t contrast,
+                         const uint8_t *supply, uint8_t supply_b, uint8_t precharge)
+{
+    const uint8_t wires = config->h_px > 32 ? 0x12 : 0x02;
+    /* clang-format off */
+    const uint8_t list[] = {
+        0xAE,                             /* display off */
+        0xD5, 0x80,                       /* clock */
+        0xA8, (uint8_t)(config->h_px - 1u), /* lines */
+        0xD3, 0x00, 0x40,                 /* first line */
+        0xDA, wires,
+        0x81, contrast,
+        0xD9, precharge, 0xDB, 0x40,      /* level of what is off */
+        0xA4,                             /* show memory */
+    };
+    /* clang-format on */
+    const uint8_t n_b = pages_put(commands, list, sizeof list);
+
+    return (uint8_t)(n_b + pages_put(commands + n_b, supply, supply_b));
+}
+
 uint8_t pages_look_ae(uint8_t commands[2], bool on, bool inverted)
 {
     commands[0] = inverted ? 0xA7 : 0xA6;
@@ -43,10 +65,10 @@ static void pages_close(struct pages *pages)
     pages->page = pages->end_page = 0;
 }
 
-/* The glass's own way round, the picture's, and the mirror. */
-static bool pages_flips_columns(const struct pages *pages, enum panel_rotation rotation)
+/* Whether the picture runs against the glass's columns. */
+static bool pages_runs_back(const struct pages *pages, enum panel_rotation rotation)
 {
-    return (pages->config.flip_columns != (rotation == PANEL_TURNED_180)) != pages->config.mirror;
+    return (rotation == PANEL_TURNED_180) != pages->config.mirror;
 }
 
 static int pages_send_flip(struct pages *pages, enum panel_rotation rotation)
@@ -54,7 +76,7 @@ static int pages_send_flip(struct pages *pages, enum panel_rotation rotation)
     uint8_t commands[2];
 
     if (!pages->chip->flip) return 0;
-    const uint8_t n_b = pages->chip->flip(commands, pages_flips_columns(pages, rotation),
+    const uint8_t n_b = pages->chip->flip(commands, pages->config.flip_columns != pages_runs_back(pages, rotation),
                                           pages->config.flip_rows != (rotation == PANEL_TURNED_180));
     return wire_command(&pages->wire, commands, n_b);
 }
@@ -103,13 +125,13 @@ static int pages_init(struct panel *panel)
     return wire_set(&config->backlight, true);
 }
 
-/* Where memory columns are counted from the other end the glass's margin is the other one. */
+/* Against the glass's columns memory is counted from the other end, where the glass's margin is the other one. */
 static uint8_t pages_column(const struct pages *pages, uint16_t x_px)
 {
     const struct pages_config *config = &pages->config;
     const uint16_t margin_px = (uint16_t)(pages->chip->mem_w_px - config->w_px - config->ox_px);
 
-    return (uint8_t)((pages_flips_columns(pages, pages->rotation) ? margin_px : config->ox_px) + x_px);
+    return (uint8_t)((pages_runs_back(pages, pages->rotation) ? margin_px : config->ox_px) + x_px);
 }
 
 static int pages_send_address(struct pages *pages)

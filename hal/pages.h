@@ -38,7 +38,7 @@ struct pages_config {
     struct pin backlight;         /* high: lit; not wired: always lit */
     struct clock clock;           /* required */
     uint16_t w_px, h_px;          /* size of the glass, upright: 1 .. the memory's, h a multiple of 8 */
-    uint16_t ox_px;               /* memory column of the glass's left edge; offset + size <= memory's */
+    uint16_t ox_px;               /* memory columns before the glass's left edge; offset + size <= memory's */
     enum panel_rotation rotation; /* upright; or by half a turn, where the chip flips */
     bool mirror;                  /* left and right swapped, where the chip flips */
     bool flip_columns, flip_rows; /* glass that shows memory the other way round */
@@ -60,6 +60,8 @@ struct pages {
 
 /* What most of the chips have in common, for their tables. */
 uint8_t pages_put(uint8_t *commands, const uint8_t *list, uint8_t n_b);
+uint8_t pages_setup_oled(uint8_t commands[PAGES_SETUP_MAX_B], const struct pages_config *config, uint8_t contrast,
+                         const uint8_t *supply, uint8_t supply_b, uint8_t precharge);
 uint8_t pages_look_ae(uint8_t commands[2], bool on, bool inverted);
 uint8_t pages_flip_a0(uint8_t commands[2], bool columns, bool rows); /* the usual module is wired to the last ones */
 uint8_t pages_address_b0(uint8_t commands[PAGES_ADDRESS_MAX_B], uint8_t page, uint8_t column);

@@ -9,6 +9,7 @@
 #include "bus.h"
 
 enum panel_format {
+    PANEL_USUAL,      /* in a configuration: the chip's own choice */
     PANEL_RGB565,     /* 2 bytes */
     PANEL_RGB444,     /* 12 bits, two pixels in 3 bytes; dithered */
     PANEL_RGB666,     /* 3 bytes, a colour in the upper six bits of each */

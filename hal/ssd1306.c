@@ -7,22 +7,9 @@
 
 static uint8_t setup(uint8_t commands[PAGES_SETUP_MAX_B], const struct pages_config *config, uint8_t contrast)
 {
-    const uint8_t list[] = {
-        0xAE,                               /* display off */
-        0xD5, 0x80,                         /* clock */
-        0xA8, (uint8_t)(config->h_px - 1u), /* lines */
-        0xD3, 0x00,
-        0x40,                                             /* first line */
-        0x8D, 0x14,                                       /* charge pump on */
-        0x20, 0x02,                                       /* page addressing */
-        0xDA, (uint8_t)(config->h_px > 32 ? 0x12 : 0x02), /* how lines are wired */
-        0x81, contrast,
-        0xD9, 0xF1,
-        0xDB, 0x40, /* precharge, level of what is off */
-        0xA4,       /* show memory */
-    };
+    static const uint8_t supply[] = {0x8D, 0x14, 0x20, 0x02}; /* charge pump on; page addressing */
 
-    return pages_put(commands, list, sizeof list);
+    return pages_setup_oled(commands, config, contrast, supply, sizeof supply, 0xF1);
 }
 
 const struct pages_chip ssd1306 = {

@@ -48,9 +48,9 @@ static void reset_registers(struct emulated_dcs *chip)
     chip->rows[0] = 0;
     chip->rows[1] = (uint16_t)(rows_end(chip) - 1);
     chip->address_valid = false;
-    chip->ready_us = chip->now_us + LISTEN_US;
-    chip->sleep_out_from_us = chip->now_us + SLEEP_CHANGE_US;
-    chip->sleep_in_from_us = chip->now_us;
+    chip->ready_us = chip->port.now_us + LISTEN_US;
+    chip->sleep_out_from_us = chip->port.now_us + SLEEP_CHANGE_US;
+    chip->sleep_in_from_us = chip->port.now_us;
 }
 
 static void reset_hardware(struct emulated_dcs *chip)
@@ -65,9 +65,9 @@ static void reset_hardware(struct emulated_dcs *chip)
 
 static bool too_soon(struct emulated_dcs *chip, uint64_t from_us)
 {
-    if (chip->now_us >= from_us) return false;
+    if (chip->port.now_us >= from_us) return false;
     complain(chip, EMULATED_TOO_SOON, "%s came %u us too soon", chip->command->name,
-             (unsigned)(from_us - chip->now_us));
+             (unsigned)(from_us - chip->port.now_us));
     return true;
 }
 
@@ -81,16 +81,16 @@ static void run_slpin(struct emulated_dcs *chip)
 {
     if (chip->asleep || too_soon(chip, chip->sleep_in_from_us)) return;
     chip->asleep = true;
-    chip->ready_us = chip->now_us + LISTEN_US;
-    chip->sleep_out_from_us = chip->now_us + SLEEP_CHANGE_US;
+    chip->ready_us = chip->port.now_us + LISTEN_US;
+    chip->sleep_out_from_us = chip->port.now_us + SLEEP_CHANGE_US;
 }
 
 static void run_slpout(struct emulated_dcs *chip)
 {
     if (!chip->asleep || too_soon(chip, chip->sleep_out_from_us)) return;
     chip->asleep = false;
-    chip->ready_us = chip->now_us + LISTEN_US;
-    chip->sleep_in_from_us = chip->now_us + SLEEP_CHANGE_US;
+    chip->ready_us = chip->port.now_us + LISTEN_US;
+    chip->sleep_in_from_us = chip->port.now_us + SLEEP_CHANGE_US;
 }
 
 static void run_invoff(struct emulated_dcs *chip)
@@ -320,104 +320,33 @@ static void receive_pixel_byte(struct emulated_dcs *chip, uint8_t byte)
     store_pixel(chip, chip->bits >> chip->n_bits & ((UINT32_C(1) << chip->bits_a_pixel) - 1));
 }
 
-static void receive(struct emulated_dcs *chip, const uint8_t *data, size_t n_b)
+static void take_command(void *ctx, uint8_t byte)
 {
-    chip->bus_b += n_b;
-    if (chip->reset_low) {
-        if (n_b > 0) complain(chip, EMULATED_RESET, "%zu bytes while reset is low", n_b);
-        return;
-    }
-    for (size_t i = 0; i < n_b; i++) {
-        if (!chip->dc_high) {
-            receive_command(chip, data[i]);
-        } else if (chip->ignore_data) {
-            continue;
-        } else if (chip->writing) {
-            receive_pixel_byte(chip, data[i]);
-        } else {
-            receive_argument(chip, data[i]);
-        }
-    }
+    receive_command(ctx, byte);
 }
 
-static int bus_flush_chip(void *ctx)
+static void take_data(void *ctx, uint8_t byte)
 {
     struct emulated_dcs *chip = ctx;
-    receive(chip, chip->pending, chip->pending_b);
-    chip->pending_b = 0;
-    return 0;
+    if (chip->ignore_data) return;
+    if (chip->writing)
+        receive_pixel_byte(chip, byte);
+    else
+        receive_argument(chip, byte);
 }
 
-static int bus_write_chip(void *ctx, const uint8_t *data, size_t n_b)
+static void take_reset(void *ctx, uint64_t pulse_us)
 {
     struct emulated_dcs *chip = ctx;
-    int err = bus_flush_chip(chip);
-    if (err) return err;
-    chip->pending = data;
-    chip->pending_b = n_b;
-    return chip->deferred ? 0 : bus_flush_chip(chip);
+    if (pulse_us < RESET_PULSE_US)
+        complain(chip, EMULATED_RESET, "reset low for %u us only", (unsigned)pulse_us);
+    else
+        reset_hardware(chip);
 }
 
-static int set_dc(void *ctx, bool high)
+static void lose(void *ctx, size_t n_b)
 {
-    struct emulated_dcs *chip = ctx;
-    chip->dc_high = high;
-    return 0;
-}
-
-static int set_reset(void *ctx, bool high)
-{
-    struct emulated_dcs *chip = ctx;
-    if (!high && !chip->reset_low) chip->reset_low_us = chip->now_us;
-    if (high && chip->reset_low) {
-        uint64_t pulse_us = chip->now_us - chip->reset_low_us;
-        if (pulse_us < RESET_PULSE_US) {
-            complain(chip, EMULATED_RESET, "reset low for %u us only", (unsigned)pulse_us);
-        } else {
-            reset_hardware(chip);
-        }
-    }
-    chip->reset_low = !high;
-    return 0;
-}
-
-static int set_backlight(void *ctx, bool high)
-{
-    struct emulated_dcs *chip = ctx;
-    chip->backlight_low = !high;
-    return 0;
-}
-
-static int delay(void *ctx, uint32_t delay_us)
-{
-    struct emulated_dcs *chip = ctx;
-    chip->now_us += delay_us;
-    return 0;
-}
-
-struct bus emulated_dcs_bus(struct emulated_dcs *chip)
-{
-    return (struct bus){.ctx = chip, .write = bus_write_chip, .flush = bus_flush_chip};
-}
-
-struct pin emulated_dcs_dc(struct emulated_dcs *chip)
-{
-    return (struct pin){.ctx = chip, .set = set_dc};
-}
-
-struct pin emulated_dcs_reset(struct emulated_dcs *chip)
-{
-    return (struct pin){.ctx = chip, .set = set_reset};
-}
-
-struct pin emulated_dcs_backlight(struct emulated_dcs *chip)
-{
-    return (struct pin){.ctx = chip, .set = set_backlight};
-}
-
-struct clock emulated_dcs_clock(struct emulated_dcs *chip)
-{
-    return (struct clock){.ctx = chip, .delay = delay};
+    complain(ctx, EMULATED_RESET, "%zu bytes while reset is low", n_b);
 }
 
 void emulated_dcs_init(struct emulated_dcs *chip, const struct emulated_module *module)
@@ -427,6 +356,8 @@ void emulated_dcs_init(struct emulated_dcs *chip, const struct emulated_module *
     assert(module->ox_px + module->w_px <= kind->w_px);
     assert(module->oy_px + module->h_px <= kind->h_px);
     memset(chip, 0, sizeof *chip);
+    chip->port = (struct emulated_port){
+        .chip = chip, .command = take_command, .data = take_data, .reset = take_reset, .lost = lose};
     chip->module = *module;
     chip->kind = kind;
     uint32_t noise = 1;
@@ -441,7 +372,7 @@ void emulated_dcs_init(struct emulated_dcs *chip, const struct emulated_module *
 
 static void see(const struct emulated_dcs *chip, const struct emulated_pixel *pixel, uint8_t rgb[3])
 {
-    bool lit = chip->display_on && !chip->asleep && !chip->reset_low && !chip->backlight_low;
+    bool lit = chip->display_on && !chip->asleep && !chip->port.reset_low && !chip->port.backlight_low;
     bool negative = chip->inverted != chip->module.ips;
     bool swapped = ((chip->madctl & BLUE_FIRST) != 0) != chip->module.bgr;
     for (unsigned i = 0; i < 3; i++) {

@@ -8,7 +8,7 @@
 #ifndef SIM_EMULATED_DCS_H
 #define SIM_EMULATED_DCS_H
 
-#include "bus.h"
+#include "emulated_port.h"
 
 enum { EMULATED_MAX_W_PX = 320, EMULATED_MAX_H_PX = 480, EMULATED_MAX_ARGS = 16 };
 
@@ -72,21 +72,16 @@ struct emulated_dcs {
     /* To be set after init, if wanted. */
     void (*on_complaint)(void *ctx, const char *text); /* called for each complaint */
     void *on_complaint_ctx;
-    bool deferred; /* what is written is read only by the next write or flush, as with DMA */
+    struct emulated_port port; /* for a driver's configuration */
 
     unsigned complaints;                         /* all */
     unsigned complaints_of[EMULATED_COMPLAINTS]; /* of each kind */
     char complaint[160];                         /* text of the last */
-    uint64_t now_us;                             /* virtual time: the sum of all waits */
-    uint64_t bus_b;                              /* bytes received */
     uint32_t frame_writes;                       /* RAMWR commands */
 
-    /* Module and pins. */
+    /* Module, and when it may be told what. */
     struct emulated_module module;
-    const uint8_t *pending; /* deferred bytes */
-    size_t pending_b;
-    bool dc_high, reset_low, backlight_low;
-    uint64_t reset_low_us, ready_us, sleep_in_from_us, sleep_out_from_us;
+    uint64_t ready_us, sleep_in_from_us, sleep_out_from_us;
 
     /* Registers, and the command under way. */
     bool asleep, display_on, inverted;
@@ -108,13 +103,6 @@ struct emulated_dcs {
 
 /* Power on: registers at their defaults, memory full of noise. */
 void emulated_dcs_init(struct emulated_dcs *chip, const struct emulated_module *module);
-
-/* The port of this chip, for a driver's configuration. */
-struct bus emulated_dcs_bus(struct emulated_dcs *chip);
-struct pin emulated_dcs_dc(struct emulated_dcs *chip);
-struct pin emulated_dcs_reset(struct emulated_dcs *chip);
-struct pin emulated_dcs_backlight(struct emulated_dcs *chip);
-struct clock emulated_dcs_clock(struct emulated_dcs *chip);
 
 /* What is on the glass, for a picture that was turned clockwise by `quarter_turns` (0..3) and whose
  * viewer has turned the module back by as much: w x h pixels, rows from the top left; w and h are

@@ -86,8 +86,8 @@ static void switch_on(struct emulated_pages *chip)
 
     if ((chip->power & kind->needs_power) != kind->needs_power)
         complain(chip, "display on without its voltage");
-    else if (kind->needs_power == POWER_ALL && chip->now_us - chip->power_us < POWER_RISES_US)
-        complain(chip, "display on %u us after its voltage", (unsigned)(chip->now_us - chip->power_us));
+    else if (kind->needs_power == POWER_ALL && chip->port.now_us - chip->power_us < POWER_RISES_US)
+        complain(chip, "display on %u us after its voltage", (unsigned)(chip->port.now_us - chip->power_us));
     if (chip->lines != chip->module.h_px && !kind->is_pcd && kind->needs_power == PUMP)
         complain(chip, "%u lines in use, the glass has %u", chip->lines, chip->module.h_px);
     if (kind->needs_power == PUMP && !kind->is_pcd && !chip->glass) complain(chip, "display on, lines wired anyhow");
@@ -125,7 +125,7 @@ static void set_power(struct emulated_pages *chip, uint8_t power)
 {
     if (power == POWER_ALL && chip->power != 6) complain(chip, "all of the supply at once");
     chip->power = power;
-    chip->power_us = chip->now_us;
+    chip->power_us = chip->port.now_us;
 }
 
 static void run_plain(struct emulated_pages *chip, uint8_t command)
@@ -187,9 +187,11 @@ static void run_pcd(struct emulated_pages *chip, uint8_t command)
     }
 }
 
-static void receive_command(struct emulated_pages *chip, uint8_t byte)
+static void take_command(void *ctx, uint8_t byte)
 {
-    if (chip->now_us < chip->ready_us) complain(chip, "0x%02X too soon after reset", byte);
+    struct emulated_pages *chip = ctx;
+
+    if (chip->port.now_us < chip->ready_us) complain(chip, "0x%02X too soon after reset", byte);
     if (chip->args_due) {
         chip->args_due = 0;
         run_argument(chip, byte);
@@ -201,8 +203,9 @@ static void receive_command(struct emulated_pages *chip, uint8_t byte)
 }
 
 /* Columns are exchanged as bytes come in, lines as they are shown. */
-static void receive_data(struct emulated_pages *chip, uint8_t byte)
+static void take_data(void *ctx, uint8_t byte)
 {
+    struct emulated_pages *chip = ctx;
     const struct emulated_pages_kind *kind = chip->module.kind;
 
     if (chip->args_due) complain(chip, "data after 0x%02X, which lacks its argument", chip->command);
@@ -218,96 +221,25 @@ static void receive_data(struct emulated_pages *chip, uint8_t byte)
     chip->page = (uint8_t)((chip->page + 1) % (kind->h_px / 8));
 }
 
-static void receive(struct emulated_pages *chip, const uint8_t *data, size_t n_b)
-{
-    chip->bus_b += n_b;
-    if (chip->reset_low && n_b) complain(chip, "%zu bytes while reset is low", n_b);
-    for (size_t i = 0; i < n_b && !chip->reset_low; i++) {
-        if (chip->dc_high)
-            receive_data(chip, data[i]);
-        else
-            receive_command(chip, data[i]);
-    }
-}
-
-static int flush_chip(void *ctx)
+static void take_reset(void *ctx, uint64_t pulse_us)
 {
     struct emulated_pages *chip = ctx;
-    receive(chip, chip->pending, chip->pending_b);
-    chip->pending_b = 0;
-    return 0;
+    if (pulse_us < RESET_PULSE_US) complain(chip, "no reset: too short a pulse");
+    reset_registers(chip);
+    chip->ready_us = chip->port.now_us + chip->module.kind->reset_us;
 }
 
-static int write_chip(void *ctx, const uint8_t *data, size_t n_b)
+static void lose(void *ctx, size_t n_b)
 {
-    struct emulated_pages *chip = ctx;
-    int err = flush_chip(chip);
-    if (err) return err;
-    chip->pending = data;
-    chip->pending_b = n_b;
-    return chip->deferred ? 0 : flush_chip(chip);
-}
-
-static int set_dc(void *ctx, bool high)
-{
-    ((struct emulated_pages *)ctx)->dc_high = high;
-    return 0;
-}
-
-static int set_reset(void *ctx, bool high)
-{
-    struct emulated_pages *chip = ctx;
-    if (!high && !chip->reset_low) chip->reset_low_us = chip->now_us;
-    if (high && chip->reset_low) {
-        if (chip->now_us - chip->reset_low_us < RESET_PULSE_US) complain(chip, "no reset: too short a pulse");
-        reset_registers(chip);
-        chip->ready_us = chip->now_us + chip->module.kind->reset_us;
-    }
-    chip->reset_low = !high;
-    return 0;
-}
-
-static int set_backlight(void *ctx, bool high)
-{
-    ((struct emulated_pages *)ctx)->backlight_low = !high;
-    return 0;
-}
-
-static int delay(void *ctx, uint32_t delay_us)
-{
-    ((struct emulated_pages *)ctx)->now_us += delay_us;
-    return 0;
-}
-
-struct bus emulated_pages_bus(struct emulated_pages *chip)
-{
-    return (struct bus){.ctx = chip, .write = write_chip, .flush = flush_chip};
-}
-
-struct pin emulated_pages_dc(struct emulated_pages *chip)
-{
-    return (struct pin){.ctx = chip, .set = set_dc};
-}
-
-struct pin emulated_pages_reset(struct emulated_pages *chip)
-{
-    return (struct pin){.ctx = chip, .set = set_reset};
-}
-
-struct pin emulated_pages_backlight(struct emulated_pages *chip)
-{
-    return (struct pin){.ctx = chip, .set = set_backlight};
-}
-
-struct clock emulated_pages_clock(struct emulated_pages *chip)
-{
-    return (struct clock){.ctx = chip, .delay = delay};
+    complain(ctx, "%zu bytes while reset is low", n_b);
 }
 
 void emulated_pages_init(struct emulated_pages *chip, const struct emulated_pages_module *module)
 {
     assert(module->ox_px + module->w_px <= module->kind->w_px && module->h_px <= module->kind->h_px);
     memset(chip, 0, sizeof *chip);
+    chip->port = (struct emulated_port){
+        .chip = chip, .command = take_command, .data = take_data, .reset = take_reset, .lost = lose};
     chip->module = *module;
     for (size_t i = 0; i < sizeof chip->memory; i++)
         (&chip->memory[0][0])[i] = (uint8_t)(i * 167 + 13);
@@ -324,6 +256,6 @@ bool emulated_pages_is_bright(const struct emulated_pages *chip, unsigned x, uns
     const unsigned row = chip->lines_flipped ? module->h_px - 1u - line : line;
     const bool is_set = chip->memory[row / 8][wire] >> row % 8 & 1;
 
-    if (!chip->on || chip->asleep || chip->reset_low || chip->backlight_low) return false;
+    if (!chip->on || chip->asleep || chip->port.reset_low || chip->port.backlight_low) return false;
     return (is_set != chip->inverted) != module->negative;
 }

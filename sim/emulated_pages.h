@@ -5,7 +5,7 @@
 #ifndef SIM_EMULATED_PAGES_H
 #define SIM_EMULATED_PAGES_H
 
-#include "bus.h"
+#include "emulated_port.h"
 
 enum { EMULATED_PAGES_MAX_W_PX = 132, EMULATED_PAGES_MAX_H_PX = 64 };
 
@@ -26,17 +26,12 @@ struct emulated_pages_module {
 
 /* All of it may be read. */
 struct emulated_pages {
-    bool deferred;       /* what is written is read only by the next write or flush, as with DMA */
-    unsigned complaints; /* all */
-    char complaint[160]; /* text of the last */
-    uint64_t now_us;     /* the sum of all waits */
-    uint64_t bus_b;      /* bytes received */
+    struct emulated_port port; /* for a driver's configuration */
+    unsigned complaints;       /* all */
+    char complaint[160];       /* text of the last */
 
     struct emulated_pages_module module;
-    const uint8_t *pending; /* deferred bytes */
-    size_t pending_b;
-    bool dc_high, reset_low, backlight_low;
-    uint64_t reset_low_us, ready_us;
+    uint64_t ready_us; /* when it listens after a reset */
 
     /* Registers, and the command under way. */
     uint8_t command, args_due; /* a command that waits for its argument */
@@ -51,13 +46,6 @@ struct emulated_pages {
 
 /* Power on: registers at their defaults, memory full of noise. */
 void emulated_pages_init(struct emulated_pages *chip, const struct emulated_pages_module *module);
-
-/* The port of this chip, for a driver's configuration. */
-struct bus emulated_pages_bus(struct emulated_pages *chip);
-struct pin emulated_pages_dc(struct emulated_pages *chip);
-struct pin emulated_pages_reset(struct emulated_pages *chip);
-struct pin emulated_pages_backlight(struct emulated_pages *chip);
-struct clock emulated_pages_clock(struct emulated_pages *chip);
 
 /* Whether a pixel of the upright glass is bright: false in the dark. */
 bool emulated_pages_is_bright(const struct emulated_pages *chip, unsigned x, unsigned y);

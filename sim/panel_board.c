@@ -9,7 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const char *const formats[PANEL_FORMATS] = {"rgb565", "rgb444", "rgb666", "pages"};
+static const char *const formats[PANEL_FORMATS] = {"usual", "rgb565", "rgb444", "rgb666", "pages"};
 
 const char *panel_choice_name(const struct panel_choice *choice)
 {
@@ -82,18 +82,17 @@ static int setup_dcs(struct panel_board *board, const struct panel_choice *choic
                                            .oy_px = (uint16_t)((chip->mem_h_px - h_px) / 2),
                                            .ips = true};
     emulated_dcs_init(&board->chip, &module);
-    board->chip.deferred = true;
-    const struct dcs_config config = {.bus = emulated_dcs_bus(&board->chip),
-                                      .dc = emulated_dcs_dc(&board->chip),
-                                      .reset = emulated_dcs_reset(&board->chip),
-                                      .backlight = emulated_dcs_backlight(&board->chip),
-                                      .clock = emulated_dcs_clock(&board->chip),
+    board->chip.port.deferred = true;
+    const struct dcs_config config = {.bus = emulated_port_bus(&board->chip.port),
+                                      .dc = emulated_port_dc(&board->chip.port),
+                                      .reset = emulated_port_reset(&board->chip.port),
+                                      .backlight = emulated_port_backlight(&board->chip.port),
+                                      .clock = emulated_port_clock(&board->chip.port),
                                       .w_px = module.w_px,
                                       .h_px = module.h_px,
                                       .ox_px = module.ox_px,
                                       .oy_px = module.oy_px,
                                       .invert = module.ips,
-                                      .other_format = true,
                                       .format = choice->format};
     board->panel = &board->display.panel;
     return dcs_setup(&board->display, chip, &config);
@@ -107,12 +106,12 @@ static int setup_pages(struct panel_board *board, const struct panel_choice *cho
                                                  .h_px = (uint16_t)h_px,
                                                  .ox_px = (uint16_t)((chip->mem_w_px - w_px) / 2)};
     emulated_pages_init(&board->pages_chip, &module);
-    board->pages_chip.deferred = true;
-    const struct pages_config config = {.bus = emulated_pages_bus(&board->pages_chip),
-                                        .dc = emulated_pages_dc(&board->pages_chip),
-                                        .reset = emulated_pages_reset(&board->pages_chip),
-                                        .backlight = emulated_pages_backlight(&board->pages_chip),
-                                        .clock = emulated_pages_clock(&board->pages_chip),
+    board->pages_chip.port.deferred = true;
+    const struct pages_config config = {.bus = emulated_port_bus(&board->pages_chip.port),
+                                        .dc = emulated_port_dc(&board->pages_chip.port),
+                                        .reset = emulated_port_reset(&board->pages_chip.port),
+                                        .backlight = emulated_port_backlight(&board->pages_chip.port),
+                                        .clock = emulated_port_clock(&board->pages_chip.port),
                                         .w_px = module.w_px,
                                         .h_px = module.h_px,
                                         .ox_px = module.ox_px};
@@ -141,7 +140,7 @@ bool panel_board_init(struct panel_board *board, const struct panel_choice *choi
 
 uint64_t panel_board_bus_b(const struct panel_board *board)
 {
-    return board->chip.bus_b + board->pages_chip.bus_b;
+    return board->chip.port.bus_b + board->pages_chip.port.bus_b;
 }
 
 static bool is_quiet(unsigned complaints, const char *last, const char *name, struct error *err)

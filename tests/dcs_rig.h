@@ -48,17 +48,17 @@ static inline void rig_setup(struct emulated_module module)
     for (size_t i = 0; panels_dcs[i]; i++)
         if (strcmp(panels_dcs[i]->name, rig.chip.kind->name) == 0) rig.driver = panels_dcs[i];
     assert_non_null(rig.driver);
-    rig.bus = emulated_dcs_bus(&rig.chip);
-    rig.dc = emulated_dcs_dc(&rig.chip);
-    rig.reset = emulated_dcs_reset(&rig.chip);
-    rig.backlight = emulated_dcs_backlight(&rig.chip);
-    rig.clock = emulated_dcs_clock(&rig.chip);
+    rig.bus = emulated_port_bus(&rig.chip.port);
+    rig.dc = emulated_port_dc(&rig.chip.port);
+    rig.reset = emulated_port_reset(&rig.chip.port);
+    rig.backlight = emulated_port_backlight(&rig.chip.port);
+    rig.clock = emulated_port_clock(&rig.chip.port);
     rig.fault = (struct fault_port){.bus = rig.bus,
                                     .dc = {.inner = rig.dc},
                                     .reset = {.inner = rig.reset},
                                     .backlight = {.inner = rig.backlight},
                                     .clock = rig.clock,
-                                    .pending_b = &rig.chip.pending_b};
+                                    .pending_b = &rig.chip.port.pending_b};
     rig.config = (struct dcs_config){
         .bus = fault_port_bus(&rig.fault),
         .dc = fault_port_pin(&rig.fault, &rig.fault.dc),

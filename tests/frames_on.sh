@@ -73,7 +73,8 @@ frames_in_turn() { # TURN SCENE SIZE CORE[:FLAG]...
     shift 2
     for profile in ${PROFILES:?is set by the Makefile}; do
         # shellcheck disable=SC2046 # a list of processors
-        frames_of "$profile" $(printf '%s\n' "$@" | awk -v turn="$turn" '(NR + turn) % 4 == 0')
+        frames_of "$profile" $(printf '%s\n' "$@" | awk -v turn="$turn" -v of="$(echo "$PROFILES" | wc -w)" \
+            '(NR + turn) % of == 0')
         turn=$((turn + 1))
     done
 }

@@ -143,7 +143,7 @@ static void blank_puts_out_both_display_and_backlight(void **state)
     rig_setup(module_small);
     rig_start(2);
     assert_int_equal(panel_blank(&rig.display.panel, true), 0);
-    assert_true(rig.chip.backlight_low && !rig.chip.display_on);
+    assert_true(rig.chip.port.backlight_low && !rig.chip.display_on);
 }
 
 static void init_works_in_the_dark_and_keeps_what_was_set(void **state)
@@ -156,7 +156,7 @@ static void init_works_in_the_dark_and_keeps_what_was_set(void **state)
     assert_int_equal(panel_set_rotation(panel, PANEL_TURNED_180), 0);
     fault_arm(3);
     assert_int_equal(panel_init(panel), rig.fault.code);
-    assert_true(rig.chip.backlight_low);
+    assert_true(rig.chip.port.backlight_low);
     fault_arm(-1);
     assert_int_equal(panel_init(panel), 0);
     assert_int_equal(draw_frame(&rig.screen), 0);
@@ -169,7 +169,7 @@ static void init_takes_nothing_for_granted(void **state)
     for (unsigned wired = 0; wired < 2; wired++) {
         rig_setup(module_small);
         if (!wired) rig.config.reset.set = NULL;
-        rig.chip.deferred = true;
+        rig.chip.port.deferred = true;
         rig_start(2);
         assert_int_equal(pin_set(&rig.dc, true), 0); /* as after a replugged bridge */
         assert_int_equal(panel_init(&rig.display.panel), 0);
@@ -235,12 +235,12 @@ static void windows_and_pixels_outside_the_panel_are_refused(void **state)
     rig_setup(module_small);
     rig_start(2);
     struct panel *panel = &rig.display.panel;
-    uint64_t bus_b = rig.chip.bus_b;
+    uint64_t bus_b = rig.chip.port.bus_b;
     for (unsigned i = 0; i < sizeof bad / sizeof bad[0]; i++) {
         assert_int_equal(panel_window(panel, bad[i][0], bad[i][1], bad[i][2], bad[i][3]), PANEL_ERR_WINDOW);
         assert_int_equal(panel_pixels(panel, rig.mem, 1), PANEL_ERR_WINDOW);
     }
-    assert_int_equal(rig.chip.bus_b, bus_b);
+    assert_int_equal(rig.chip.port.bus_b, bus_b);
     assert_int_equal(panel_window(panel, 0, 0, 2, 2), 0);
     assert_int_equal(panel_pixels(panel, rig.mem, 3), 0);
     assert_int_equal(panel_pixels(panel, rig.mem, 2), PANEL_ERR_WINDOW);
@@ -312,7 +312,7 @@ static void check_faults(bool reset_wired, bool deferred, bool late)
     long n = 0;
     for (bool failed = true; failed; n++) {
         rig_setup(module_small);
-        rig.chip.deferred = deferred;
+        rig.chip.port.deferred = deferred;
         if (!reset_wired) rig.config.reset.set = NULL;
         rig_open(2);
         failed = run_with_fault(n, late);

@@ -9,10 +9,10 @@ static void chip_start(bool awake)
 {
     struct emulated_module module = module_240x240;
     emulated_dcs_init(&rig.chip, &module);
-    rig.bus = emulated_dcs_bus(&rig.chip);
-    rig.dc = emulated_dcs_dc(&rig.chip);
-    rig.reset = emulated_dcs_reset(&rig.chip);
-    rig.clock = emulated_dcs_clock(&rig.chip);
+    rig.bus = emulated_port_bus(&rig.chip.port);
+    rig.dc = emulated_port_dc(&rig.chip.port);
+    rig.reset = emulated_port_reset(&rig.chip.port);
+    rig.clock = emulated_port_clock(&rig.chip.port);
     assert_int_equal(clock_delay(&rig.clock, 120000), 0);
     if (!awake) return;
     uint8_t slpout = 0x11;

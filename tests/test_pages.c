@@ -30,13 +30,13 @@ static void rig_setup(const struct pages_chip *driver, uint16_t w_px, uint16_t h
                                                  .h_px = h_px,
                                                  .ox_px = (uint16_t)((driver->mem_w_px - w_px) / 3)};
     emulated_pages_init(&rig.chip, &module);
-    rig.chip.deferred = true;
-    rig.fault = (struct fault_port){.bus = emulated_pages_bus(&rig.chip),
-                                    .dc = {.inner = emulated_pages_dc(&rig.chip)},
-                                    .reset = {.inner = emulated_pages_reset(&rig.chip)},
-                                    .backlight = {.inner = emulated_pages_backlight(&rig.chip)},
-                                    .clock = emulated_pages_clock(&rig.chip),
-                                    .pending_b = &rig.chip.pending_b};
+    rig.chip.port.deferred = true;
+    rig.fault = (struct fault_port){.bus = emulated_port_bus(&rig.chip.port),
+                                    .dc = {.inner = emulated_port_dc(&rig.chip.port)},
+                                    .reset = {.inner = emulated_port_reset(&rig.chip.port)},
+                                    .backlight = {.inner = emulated_port_backlight(&rig.chip.port)},
+                                    .clock = emulated_port_clock(&rig.chip.port),
+                                    .pending_b = &rig.chip.port.pending_b};
     fault_port_arm(&rig.fault, -1);
     rig.config = (struct pages_config){.bus = fault_port_bus(&rig.fault),
                                        .dc = fault_port_pin(&rig.fault, &rig.fault.dc),
@@ -148,6 +148,23 @@ static void the_card_is_right_on_every_chip(void **state)
     }
 }
 
+/* Glass that shows memory from the other end, or bright where a pixel is off, and a configuration that says so. */
+static void glass_of_any_make_shows_the_card(void **state)
+{
+    (void)state;
+    for (size_t i = 0; panels_pages[i]; i++)
+        for (unsigned make = 0; make < (panels_pages[i]->flip ? 8u : 2u); make++) {
+            rig_setup(panels_pages[i], 48, 48);
+            rig.chip.module.negative = rig.config.invert = make & 1;
+            rig.chip.module.first_columns = rig.config.flip_columns = make & 2;
+            rig.chip.module.first_lines = rig.config.flip_rows = make & 4;
+            rig_open(panels_pages[i], 2);
+            assert_int_equal(panel_init(&rig.display.panel), 0);
+            assert_int_equal(draw(48), 0);
+            assert_shown(false, false, false);
+        }
+}
+
 static void blank_hides_the_picture_and_brings_it_back(void **state)
 {
     (void)state;
@@ -157,7 +174,7 @@ static void blank_hides_the_picture_and_brings_it_back(void **state)
         assert_int_equal(panel_init(&rig.display.panel), 0);
         assert_int_equal(draw(48), 0);
         assert_int_equal(panel_blank(&rig.display.panel, true), 0);
-        assert_true(!rig.chip.on && rig.chip.backlight_low);
+        assert_true(!rig.chip.on && rig.chip.port.backlight_low);
         assert_int_equal(panel_blank(&rig.display.panel, false), 0);
         assert_shown(false, false, false);
         assert_int_equal(panel_sleep(&rig.display.panel, true), PANEL_ERR_UNSUPPORTED);
@@ -236,15 +253,15 @@ static void mistakes_are_complained_about(void **state)
         const struct emulated_pages_module module = {emulated_pages_kind_find(mistakes[i].chip), 84, 48, 0, 0, 0, 0};
         emulated_pages_init(chip, &module);
         if (strcmp(mistakes[i].chip, "ssd1306") == 0 && i == 3) chip->module.h_px = 64;
-        const struct bus bus = emulated_pages_bus(chip);
+        const struct bus bus = emulated_port_bus(&chip->port);
         assert_int_equal(bus_write(&bus, mistakes[i].commands, mistakes[i].n_b), 0);
         if (!chip->complaints) fail_msg("mistake %zu of a %s went unnoticed", i, mistakes[i].chip);
     }
     const struct emulated_pages_module module = {emulated_pages_kind_find("sh1106"), 128, 64, 2, 0, 0, 0};
     const uint8_t byte = 0;
     emulated_pages_init(&rig.chip, &module);
-    const struct bus bus = emulated_pages_bus(&rig.chip);
-    const struct pin dc = emulated_pages_dc(&rig.chip);
+    const struct bus bus = emulated_port_bus(&rig.chip.port);
+    const struct pin dc = emulated_port_dc(&rig.chip.port);
     assert_int_equal(bus_write(&bus, (const uint8_t[]){0x18, 0x04}, 2), 0); /* column 132 */
     assert_int_equal(pin_set(&dc, true), 0);
     assert_int_equal(bus_write(&bus, &byte, 1), 0);
@@ -254,8 +271,11 @@ static void mistakes_are_complained_about(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(the_card_is_right_on_every_chip), cmocka_unit_test(blank_hides_the_picture_and_brings_it_back),
-        cmocka_unit_test(what_a_chip_cannot_is_refused),   cmocka_unit_test(an_error_at_any_call_comes_through),
+        cmocka_unit_test(the_card_is_right_on_every_chip),
+        cmocka_unit_test(glass_of_any_make_shows_the_card),
+        cmocka_unit_test(blank_hides_the_picture_and_brings_it_back),
+        cmocka_unit_test(what_a_chip_cannot_is_refused),
+        cmocka_unit_test(an_error_at_any_call_comes_through),
         cmocka_unit_test(mistakes_are_complained_about),
     };
     return cmocka_run_group_tests_name("pages", tests, NULL, NULL);

@@ -75,7 +75,7 @@ static void lines_are_packed_in_their_own_memory(void **state)
 {
     enum { PX = 33, HEAD_B = (PX + 3) / 4 * 4 };
     (void)state;
-    for (int f = 0; f < PANEL_FORMATS; f++) {
+    for (int f = PANEL_RGB565; f <= PANEL_RGB666; f++) {
         const enum panel_format format = (enum panel_format)f;
         uint8_t line[HEAD_B + 2 * PX], apart[3 * PX], from[2 * PX];
         const size_t head_b = format == PANEL_RGB666 ? HEAD_B : 0;
@@ -127,9 +127,8 @@ static void start(const struct dcs_chip *chip, enum panel_format format, unsigne
 {
     rig_setup(module_of(chip, w_px, h_px));
     rig.config.rotation = (enum panel_rotation)turns;
-    rig.config.other_format = true;
     rig.config.format = format;
-    rig.chip.deferred = true;
+    rig.chip.port.deferred = true;
     rig_start(2);
 }
 
@@ -174,9 +173,8 @@ static void formats_that_a_chip_does_not_take_are_refused(void **state)
     for (size_t i = 0; panels_dcs[i]; i++)
         for (int f = 0; f <= PANEL_FORMATS; f++) {
             rig_setup(module_of(panels_dcs[i], ODD_W_PX, ODD_H_PX));
-            rig.config.other_format = true;
             rig.config.format = (enum panel_format)f;
-            const bool takes = f < PANEL_FORMATS && panels_dcs[i]->formats >> f & 1;
+            const bool takes = f == PANEL_USUAL || (f < PANEL_FORMATS && panels_dcs[i]->formats >> f & 1);
             assert_int_equal(dcs_setup(&rig.display, panels_dcs[i], &rig.config), takes ? 0 : PANEL_ERR_CONFIG);
         }
 }
@@ -188,10 +186,10 @@ static void round_glass_gets_what_it_shows_and_no_more(void **state)
     (void)state;
     for (uint16_t side = 239; side <= 240; side++) {
         start(&gc9a01, PANEL_RGB565, 0, side, side);
-        const uint64_t before_b = rig.chip.bus_b;
+        const uint64_t before_b = rig.chip.port.bus_b;
         unsigned seen = 0, most = 0;
         assert_int_equal(draw_frame(&rig.screen), 0);
-        const double part = (double)(rig.chip.bus_b - before_b) / (2.0 * side * side);
+        const double part = (double)(rig.chip.port.bus_b - before_b) / (2.0 * side * side);
         for (unsigned y = 0; y < side; y++)
             for (unsigned x = 0; x < side; x++) {
                 const double dx = 2 * x + 1.0 - side, dy = 2 * y + 1.0 - side;
@@ -225,9 +223,8 @@ static void an_error_at_any_call_comes_through_on_every_chip(void **state)
         long n = 0;
         for (bool failed = true; failed; n++) {
             rig_setup(module_of(chip, ODD_W_PX, ODD_H_PX));
-            rig.config.other_format = true;
             rig.config.format = format;
-            rig.chip.deferred = true;
+            rig.chip.port.deferred = true;
             rig_open(2);
             failed = run_with_fault(n);
             fault_arm(-1);

@@ -11,12 +11,12 @@ static void whole_frame_travels_in_one_window(void **state)
     for (unsigned n_lines = 1; n_lines <= 3; n_lines++) {
         rig_setup(module_240x240);
         rig_start(n_lines);
-        uint64_t bus_b = rig.chip.bus_b;
+        uint64_t bus_b = rig.chip.port.bus_b;
         for (uint32_t frame = 1; frame <= 2; frame++) {
             assert_int_equal(draw_frame(&rig.screen), 0);
             assert_int_equal(rig.chip.frame_writes, frame);
         }
-        assert_int_equal(rig.chip.bus_b - bus_b, 2 * (11 + 240 * 240 * 2));
+        assert_int_equal(rig.chip.port.bus_b - bus_b, 2 * (11 + 240 * 240 * 2));
         assert_card_shown(0, false);
         assert_quiet();
     }
@@ -150,7 +150,7 @@ static void bus_that_works_alone_gets_every_byte_as_it_was(void **state)
     (void)state;
     for (unsigned n_lines = 1; n_lines <= 2; n_lines++) {
         rig_setup(module_240x240);
-        rig.chip.deferred = true;
+        rig.chip.port.deferred = true;
         rig_start(n_lines);
         assert_int_equal(draw_frame(&rig.screen), 0);
         assert_int_equal(draw_frame(&rig.screen), 0);

@@ -1,0 +1,82 @@
+/* SPDX-License-Identifier: MIT */
+#include "emulated_port.h"
+
+static void receive(struct emulated_port *port)
+{
+    port->bus_b += port->pending_b;
+    if (port->reset_low && port->pending_b) port->lost(port->chip, port->pending_b);
+    for (size_t i = 0; i < port->pending_b && !port->reset_low; i++)
+        (port->dc_high ? port->data : port->command)(port->chip, port->pending[i]);
+    port->pending_b = 0;
+}
+
+static int flush(void *ctx)
+{
+    receive(ctx);
+    return 0;
+}
+
+static int write_bytes(void *ctx, const uint8_t *data, size_t n_b)
+{
+    struct emulated_port *port = ctx;
+    receive(port);
+    port->pending = data;
+    port->pending_b = n_b;
+    if (!port->deferred) receive(port);
+    return 0;
+}
+
+static int set_dc(void *ctx, bool high)
+{
+    struct emulated_port *port = ctx;
+    port->dc_high = high;
+    return 0;
+}
+
+static int set_reset(void *ctx, bool high)
+{
+    struct emulated_port *port = ctx;
+    if (!high && !port->reset_low) port->reset_low_us = port->now_us;
+    if (high && port->reset_low) port->reset(port->chip, port->now_us - port->reset_low_us);
+    port->reset_low = !high;
+    return 0;
+}
+
+static int set_backlight(void *ctx, bool high)
+{
+    struct emulated_port *port = ctx;
+    port->backlight_low = !high;
+    return 0;
+}
+
+static int delay(void *ctx, uint32_t delay_us)
+{
+    struct emulated_port *port = ctx;
+    port->now_us += delay_us;
+    return 0;
+}
+
+struct bus emulated_port_bus(struct emulated_port *port)
+{
+    return (struct bus){.ctx = port, .write = write_bytes, .flush = flush};
+}
+
+struct pin emulated_port_dc(struct emulated_port *port)
+{
+    return (struct pin){.ctx = port, .set = set_dc};
+}
+
+struct pin emulated_port_reset(struct emulated_port *port)
+{
+    return (struct pin){.ctx = port, .set = set_reset};
+}
+
+struct pin emulated_port_backlight(struct emulated_port *port)
+{
+    return (struct pin){.ctx = port, .set = set_backlight};
+}
+
+struct clock emulated_port_clock(struct emulated_port *port)
+{
+    return (struct clock){.ctx = port, .delay = delay};
+}

@@ -1,0 +1,33 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * The pins of an emulated chip: what takes a port's bytes, levels and waits, and hands the chip commands and data,
+ * which D/C tells apart. Time is the sum of all waits. */
+#ifndef SIM_EMULATED_PORT_H
+#define SIM_EMULATED_PORT_H
+
+#include "bus.h"
+
+/* All of it may be read; the chip's functions get `chip`. */
+struct emulated_port {
+    void *chip;
+    void (*command)(void *chip, uint8_t byte);
+    void (*data)(void *chip, uint8_t byte);
+    void (*reset)(void *chip, uint64_t pulse_us); /* it was low for so long, and is high again */
+    void (*lost)(void *chip, size_t n_b);         /* bytes came while reset was low: they are lost */
+    bool deferred;          /* what is written is read only by the next write or flush, as with DMA */
+    const uint8_t *pending; /* deferred bytes */
+    size_t pending_b;
+    bool dc_high, reset_low, backlight_low;
+    uint64_t reset_low_us; /* since when */
+    uint64_t now_us;
+    uint64_t bus_b; /* bytes received */
+};
+
+/* What a driver's configuration takes. */
+struct bus emulated_port_bus(struct emulated_port *port);
+struct pin emulated_port_dc(struct emulated_port *port);
+struct pin emulated_port_reset(struct emulated_port *port);
+struct pin emulated_port_backlight(struct emulated_port *port);
+struct clock emulated_port_clock(struct emulated_port *port);
+
+#endif
