@@ -38,6 +38,13 @@ struct clock {
     int (*delay)(void *ctx, uint32_t delay_us) HAL_MUST_CHECK;
 };
 
+/* An input that tells a moment by rising: tearing effect. */
+struct edge {
+    void *ctx;
+    /* Waits for the next rise: 1 when it came, 0 when none came in timeout_us, or a negative code. NULL: not wired. */
+    int (*wait)(void *ctx, uint32_t timeout_us) HAL_MUST_CHECK;
+};
+
 HAL_MUST_CHECK static inline int bus_write(const struct bus *bus, const uint8_t *data, size_t n_b)
 {
     return bus->write(bus->ctx, data, n_b);
@@ -61,6 +68,16 @@ HAL_MUST_CHECK static inline int pin_set(const struct pin *pin, bool high)
 HAL_MUST_CHECK static inline int clock_delay(const struct clock *clock, uint32_t delay_us)
 {
     return clock->delay(clock->ctx, delay_us);
+}
+
+static inline bool edge_is_wired(const struct edge *edge)
+{
+    return edge->wait != NULL;
+}
+
+HAL_MUST_CHECK static inline int edge_wait(const struct edge *edge, uint32_t timeout_us)
+{
+    return edge->wait(edge->ctx, timeout_us);
 }
 
 #endif
