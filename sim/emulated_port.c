@@ -80,3 +80,12 @@ struct clock emulated_port_clock(struct emulated_port *port)
 {
     return (struct clock){.ctx = port, .delay = delay};
 }
+
+struct port emulated_port_whole(struct emulated_port *port)
+{
+    return (struct port){.bus = emulated_port_bus(port),
+                         .dc = emulated_port_dc(port),
+                         .reset = emulated_port_reset(port),
+                         .backlight = emulated_port_backlight(port),
+                         .clock = emulated_port_clock(port)};
+}

@@ -5,7 +5,7 @@
 #ifndef SIM_EMULATED_PORT_H
 #define SIM_EMULATED_PORT_H
 
-#include "bus.h"
+#include "port.h"
 
 /* All of it may be read; the chip's functions get `chip`. */
 struct emulated_port {
@@ -29,5 +29,8 @@ struct pin emulated_port_dc(struct emulated_port *port);
 struct pin emulated_port_reset(struct emulated_port *port);
 struct pin emulated_port_backlight(struct emulated_port *port);
 struct clock emulated_port_clock(struct emulated_port *port);
+
+/* All of these together. */
+struct port emulated_port_whole(struct emulated_port *port);
 
 #endif

@@ -5,35 +5,17 @@
 #ifndef SIM_PANEL_BOARD_H
 #define SIM_PANEL_BOARD_H
 
-#include "emulated_dcs.h"
-#include "emulated_pages.h"
-#include "error.h"
-#include "panels.h"
+#include "emulated_display.h"
 #include "screen.h"
-
-/* Which panel, and what it is sent. */
-struct panel_choice {
-    const struct dcs_chip *dcs;
-    const struct pages_chip *pages; /* if not NULL, instead */
-    enum panel_format format;
-};
-
-const char *panel_choice_name(const struct panel_choice *choice);
 
 struct panel_board {
     const char *name;
-    struct panel *panel; /* of the display below that is used */
-    struct emulated_dcs chip;
-    struct dcs display;
-    struct emulated_pages pages_chip;
-    struct pages pages_display;
-    struct screen screen; /* screen.target is what the renderer paints into */
+    struct emulated_display module;
+    struct display display; /* the driver */
+    struct screen screen;   /* screen.target is what the renderer paints into */
     void *lines;
     uint8_t *seen; /* 3 bytes a pixel: what is on the glass */
 };
-
-/* --panel NAME or NAME:FORMAT, of those in panels.h; an unknown one is refused with the list of those there are. */
-bool panel_choice_parse(const char *text, struct panel_choice *out, struct error *err);
 
 /* An error says why not. */
 bool panel_board_holds(const struct panel_choice *choice, unsigned w_px, unsigned h_px, struct error *err);

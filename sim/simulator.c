@@ -12,9 +12,11 @@
 
 static struct panel_choice choice_of(const struct panel_choice *choice)
 {
-    const bool is_named = choice && (choice->dcs || choice->pages);
+    const bool is_named = choice && choice->family;
+    struct panel_choice usual = {0};
 
-    return is_named ? *choice : (struct panel_choice){&st7789, NULL, st7789.format};
+    if (!is_named) (void)panel_choice_parse("st7789", NULL, &usual, &(struct error){0});
+    return is_named ? *choice : usual;
 }
 
 bool simulator_panel_holds(const struct panel_choice *choice, unsigned w_px, unsigned h_px, struct error *err)

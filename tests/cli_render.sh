@@ -75,7 +75,7 @@ done
 refuse "a near plane behind the scene is refused" '^limner: --near 100: out of range' render pyramid.obj --near 100
 refuse "an unknown panel is refused" '^limner: --panel hd44780: no such panel; there are .*st7789, .*st7567, and memory$' \
     render pyramid.obj --panel hd44780
-refuse "half a page is refused" '^limner: --panel ssd1306: 128x60: its pages are eight pixels high$' \
+refuse "half a page is refused" '^limner: --panel ssd1306: 128x60: its sides are multiples of 1 and 8 pixels$' \
     render pyramid.obj --panel ssd1306 --size 128x60
 refuse "a format that a panel does not take is refused" '^limner: --panel ili9488:rgb565: .*there are rgb666$' \
     render pyramid.obj --panel ili9488:rgb565

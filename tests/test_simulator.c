@@ -334,7 +334,7 @@ static void complaint_of_the_panel_is_an_error(void **state)
     assert_true(
         simulator_init(&simulator, &room.compiled.scene, &(struct simulator_setup){.w_px = 24, .h_px = 24}, &err));
     static const uint8_t stray[] = {1, 2, 3};
-    struct bus bus = emulated_port_bus(&simulator.board->chip.port);
+    struct bus bus = emulated_port_bus(simulator.board->module.port);
     assert_int_equal(bus_write(&bus, stray, sizeof stray), 0);
     assert_false(simulator_frame(&simulator, &camera, &err));
     assert_memory_equal(err.text, "emulated st7789: ", strlen("emulated st7789: "));

@@ -1,0 +1,163 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Families of chips, and what is common to them: names, formats, sizes. */
+#include "display.h"
+
+#include <stdio.h>
+#include <string.h>
+
+/* MIPI DCS ----------------------------------------------------------------------------------- */
+
+static bool dcs_family_chip(size_t index, struct panel_choice *out)
+{
+    const struct dcs_chip *chip = panels_dcs[index];
+    if (!chip) return false;
+    *out = (struct panel_choice){.family = &display_dcs,
+                                 .chip = chip,
+                                 .name = chip->name,
+                                 .mem_w_px = chip->mem_w_px,
+                                 .mem_h_px = chip->mem_h_px,
+                                 .w_step_px = 1,
+                                 .h_step_px = 1,
+                                 .formats = chip->formats,
+                                 .format = chip->format};
+    return true;
+}
+
+static int dcs_family_setup(struct display *display, const struct panel_choice *choice,
+                            const struct display_module *module, const struct port *port)
+{
+    const struct dcs_config config = {.bus = port->bus,
+                                      .dc = port->dc,
+                                      .reset = port->reset,
+                                      .backlight = port->backlight,
+                                      .clock = port->clock,
+                                      .w_px = module->w_px,
+                                      .h_px = module->h_px,
+                                      .ox_px = module->ox_px,
+                                      .oy_px = module->oy_px,
+                                      .rotation = module->rotation,
+                                      .mirror = module->mirror,
+                                      .bgr = module->bgr,
+                                      .invert = module->invert,
+                                      .format = choice->format};
+    display->panel = &display->driver.dcs.panel;
+    return dcs_setup(&display->driver.dcs, choice->chip, &config);
+}
+
+const struct display_family display_dcs = {dcs_family_chip, dcs_family_setup};
+
+/* Pages -------------------------------------------------------------------------------------- */
+
+static bool pages_family_chip(size_t index, struct panel_choice *out)
+{
+    const struct pages_chip *chip = panels_pages[index];
+    if (!chip) return false;
+    *out = (struct panel_choice){.family = &display_pages,
+                                 .chip = chip,
+                                 .name = chip->name,
+                                 .mem_w_px = chip->mem_w_px,
+                                 .mem_h_px = chip->mem_h_px,
+                                 .w_step_px = 1,
+                                 .h_step_px = 8,
+                                 .formats = 1 << PANEL_MONO_PAGES,
+                                 .format = PANEL_MONO_PAGES};
+    return true;
+}
+
+static int pages_family_setup(struct display *display, const struct panel_choice *choice,
+                              const struct display_module *module, const struct port *port)
+{
+    const struct pages_config config = {.bus = port->bus,
+                                        .dc = port->dc,
+                                        .reset = port->reset,
+                                        .backlight = port->backlight,
+                                        .clock = port->clock,
+                                        .w_px = module->w_px,
+                                        .h_px = module->h_px,
+                                        .ox_px = module->ox_px,
+                                        .rotation = module->rotation,
+                                        .mirror = module->mirror,
+                                        .invert = module->invert};
+    display->panel = &display->driver.pages.panel;
+    return pages_setup(&display->driver.pages, choice->chip, &config);
+}
+
+const struct display_family display_pages = {pages_family_chip, pages_family_setup};
+
+/* All of them -------------------------------------------------------------------------------- */
+
+static const struct display_family *const FAMILIES[] = {&display_dcs, &display_pages};
+enum { FAMILY_COUNT = sizeof FAMILIES / sizeof FAMILIES[0] };
+
+static const char *const FORMATS[PANEL_FORMATS] = {"usual", "rgb565", "rgb444", "rgb666", "pages"};
+
+static bool refuse_panel(const char *text, const char *also, struct error *err)
+{
+    struct panel_choice choice;
+    char names[256] = "";
+    size_t used = 0;
+    for (size_t f = 0; f < FAMILY_COUNT; f++)
+        for (size_t i = 0; FAMILIES[f]->chip(i, &choice); i++)
+            used += (size_t)snprintf(names + used, sizeof names - used, "%s%s", used ? ", " : "", choice.name);
+    return error_set(err, "--panel %s: no such panel; there are %s%s%s", text, names, also ? ", and " : "",
+                     also ? also : "");
+}
+
+static bool find_panel(const char *name, size_t length, struct panel_choice *out)
+{
+    for (size_t f = 0; f < FAMILY_COUNT; f++)
+        for (size_t i = 0; FAMILIES[f]->chip(i, out); i++)
+            if (strlen(out->name) == length && strncmp(out->name, name, length) == 0) return true;
+    return false;
+}
+
+static bool parse_format(const char *text, struct panel_choice *out, struct error *err)
+{
+    char names[64] = "";
+    size_t used = 0;
+    for (int i = 0; i < PANEL_FORMATS; i++) {
+        if (!(out->formats >> i & 1)) continue;
+        out->format = (enum panel_format)i;
+        if (strcmp(text, FORMATS[i]) == 0) return true;
+        used += (size_t)snprintf(names + used, sizeof names - used, "%s%s", used ? ", " : "", FORMATS[i]);
+    }
+    return error_set(err, "--panel %s:%s: it does not take that format; there are %s", out->name, text, names);
+}
+
+bool panel_choice_parse(const char *text, const char *also, struct panel_choice *out, struct error *err)
+{
+    const char *colon = strchr(text, ':');
+    if (!find_panel(text, colon ? (size_t)(colon - text) : strlen(text), out)) return refuse_panel(text, also, err);
+    return !colon || parse_format(colon + 1, out, err);
+}
+
+bool display_module_check(const struct panel_choice *choice, const struct display_module *module, struct error *err)
+{
+    const unsigned w_px = module->w_px, h_px = module->h_px;
+    if (w_px > choice->mem_w_px || h_px > choice->mem_h_px)
+        return error_set(err, "--panel %s: %ux%u pixels do not fit into its memory of %ux%u", choice->name, w_px, h_px,
+                         choice->mem_w_px, choice->mem_h_px);
+    if (module->ox_px > choice->mem_w_px - w_px || module->oy_px > choice->mem_h_px - h_px)
+        return error_set(err, "--panel %s: %ux%u pixels at %u,%u leave its memory of %ux%u", choice->name, w_px, h_px,
+                         module->ox_px, module->oy_px, choice->mem_w_px, choice->mem_h_px);
+    return (w_px % choice->w_step_px == 0 && h_px % choice->h_step_px == 0) ||
+           error_set(err, "--panel %s: %ux%u: its sides are multiples of %u and %u pixels", choice->name, w_px, h_px,
+                     choice->w_step_px, choice->h_step_px);
+}
+
+bool display_setup(struct display *display, const struct panel_choice *choice, const struct display_module *module,
+                   const struct port *port, struct error *err)
+{
+    struct display_module upright = *module;
+    if (!display_module_check(choice, module, err)) return false;
+    *display = (struct display){0};
+    int code = choice->family->setup(display, choice, module, port);
+    if (code == PANEL_ERR_CONFIG && module->rotation != PANEL_UPRIGHT) {
+        upright.rotation = PANEL_UPRIGHT;
+        display->camera_turn = module->rotation;
+        code = choice->family->setup(display, choice, &upright, port);
+    }
+    return code == 0 || error_set(err, "--panel %s: its driver refuses these pins%s (%d)", choice->name,
+                                  module->mirror ? ", or a mirrored picture" : "", code);
+}

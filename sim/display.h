@@ -1,0 +1,67 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * A display of the user's choice: a chip by its name, the module that it is part of, the port that it hangs on, and of
+ * all these the driver. Chips come in families, of one driver each: a family is one section of display.c, and one of
+ * emulated_display.c. */
+#ifndef SIM_DISPLAY_H
+#define SIM_DISPLAY_H
+
+#include "error.h"
+#include "panels.h"
+#include "port.h"
+
+struct display_family;
+
+/* A chip as the command line sees it, and what it is sent. */
+struct panel_choice {
+    const struct display_family *family; /* NULL: none was chosen */
+    const void *chip;                    /* of the family's own kind */
+    const char *name;
+    uint16_t mem_w_px, mem_h_px;  /* of its memory: the largest glass */
+    uint8_t w_step_px, h_step_px; /* the sides of its glass are multiples of these */
+    uint8_t formats;              /* 1 << enum panel_format, of all that it takes */
+    enum panel_format format;
+};
+
+/* The glass, and how it is joined to the chip. */
+struct display_module {
+    uint16_t w_px, h_px;          /* upright */
+    uint16_t ox_px, oy_px;        /* memory column and row of its top left pixel */
+    enum panel_rotation rotation; /* of the picture */
+    bool mirror, bgr, invert;     /* as in struct dcs_config */
+};
+
+/* A driver; must not move. */
+struct display {
+    struct panel *panel;
+    enum panel_rotation camera_turn; /* what the chip cannot turn: screen_turn_camera() does */
+    union {
+        struct dcs dcs;
+        struct pages pages;
+    } driver; /* the family's */
+};
+
+/* What a family is. */
+struct display_family {
+    /* Its chips, counted from 0, with their usual format. false: there are no more. */
+    bool (*chip)(size_t index, struct panel_choice *out);
+    /* Fills display->driver and display->panel. 0, or what the driver says. */
+    int (*setup)(struct display *display, const struct panel_choice *choice, const struct display_module *module,
+                 const struct port *port);
+};
+
+extern const struct display_family display_dcs, display_pages;
+
+/* --panel NAME or NAME:FORMAT; an unknown one is refused with the list of those there are. `also`: what else the option
+ * takes, for that list, or NULL. */
+bool panel_choice_parse(const char *text, const char *also, struct panel_choice *out, struct error *err);
+
+/* Whether the glass fits into the chip's memory; an error says why not. */
+bool display_module_check(const struct panel_choice *choice, const struct display_module *module, struct error *err);
+
+/* Sets a driver up, without touching the hardware: panel_init(display->panel) does. Of the port bus, pins and clock are
+ * copied; their contexts must outlive *display. */
+bool display_setup(struct display *display, const struct panel_choice *choice, const struct display_module *module,
+                   const struct port *port, struct error *err);
+
+#endif

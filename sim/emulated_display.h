@@ -1,0 +1,37 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * An emulated module of any family, of the usual kind. Its bus reads late, as DMA does, so that a line painted over
+ * before it was sent shows. */
+#ifndef SIM_EMULATED_DISPLAY_H
+#define SIM_EMULATED_DISPLAY_H
+
+#include "display.h"
+#include "emulated_dcs.h"
+#include "emulated_pages.h"
+
+struct emulation;
+
+/* Large, and must not move: place it on the heap. */
+struct emulated_display {
+    const struct emulation *emulation; /* of the chip's family */
+    const char *name;
+    struct emulated_port *port; /* the chip's */
+    uint16_t w_px, h_px;
+    union {
+        struct emulated_dcs dcs;
+        struct emulated_pages pages;
+    } chip;
+};
+
+/* Power on. Of the module, size, offsets, BGR and inversion are what the glass is; how the picture is turned on it is
+ * the driver's affair. */
+void emulated_display_init(struct emulated_display *display, const struct panel_choice *choice,
+                           const struct display_module *module);
+
+/* An error if the chip had anything to complain about since. */
+bool emulated_display_is_quiet(const struct emulated_display *display, struct error *err);
+
+/* What the eye sees on the upright glass: 3 bytes a pixel, red first. */
+void emulated_display_show(const struct emulated_display *display, uint8_t *rgb);
+
+#endif
