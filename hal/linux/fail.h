@@ -1,0 +1,15 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * How a port on Linux fails: one line for people in port->error, and a negative errno for programs. */
+#ifndef HAL_LINUX_FAIL_H
+#define HAL_LINUX_FAIL_H
+
+#include "port.h"
+
+/* Sets the text, printf-style, and returns -err_no. */
+int linux_fail(struct port *port, int err_no, const char *format, ...) __attribute__((format(printf, 3, 4)));
+
+/* What can be done about a node of /dev that may not be opened: `group` owns it on most distributions. */
+int linux_fail_denied(struct port *port, int err_no, const char *path, const char *group);
+
+#endif
