@@ -37,7 +37,8 @@ help: ## list the goals
 
 # -- Debian packages: what every build needs, and what a goal or a suite needs beside ----------------------------------
 
-packages-build         := gcc libc6-dev pkg-config libassimp-dev libgd-dev libgmp-dev zlib1g-dev
+packages-build         := gcc libc6-dev pkg-config libassimp-dev libgd-dev libgmp-dev zlib1g-dev \
+	libgpiod-dev
 packages-host          := libcmocka-dev libosmesa6-dev
 packages-arm           := gcc-arm-none-eabi qemu-system-arm gnuplot-nox
 packages-fixed         := $(packages-host) $(packages-arm)
@@ -69,14 +70,16 @@ packages:
 WARNINGS := -Wall -Wextra -Wconversion -Wshadow -Wundef -Wmissing-prototypes -Wstrict-prototypes -Werror
 export WARNINGS
 
-LIBRARIES = assimp gdlib $(if $(filter 1,$(HAVE_SDL2)),sdl2)
+LIBRARIES = assimp gdlib libgpiod $(if $(filter 1,$(HAVE_SDL2)),sdl2)
 HAVE_SDL2 = $(shell pkg-config --exists sdl2 && echo 1 || echo 0)
+GPIOD     = $(firstword $(subst ., ,$(shell pkg-config --modversion libgpiod)))
 FLAGS = -std=c11 $(OPT) $(WARNINGS) -ffp-contract=off -D_POSIX_C_SOURCE=200809L -DLIM_HAVE_SDL2=$(HAVE_SDL2) \
+	-DLIM_GPIOD=$(GPIOD) \
 	-Ifirmware -Ihal -Isim -Iboards/common $(shell pkg-config --cflags $(LIBRARIES)) -MMD -MP
 LINKS = $(shell pkg-config --libs $(LIBRARIES)) -lgmp -lz -lm
 
 object  = $(patsubst %.c,$(BUILD)/host/%.o,$(1))
-sources := $(filter-out sim/core.c,$(wildcard firmware/*.c hal/*.c boards/common/*.c sim/*.c))
+sources := $(filter-out sim/core.c,$(wildcard firmware/*.c hal/*.c hal/linux/*.c boards/common/*.c sim/*.c))
 library := $(BUILD)/host/liblimner.a
 
 # The compiler reads its flags from this file, so that whatever is compiled is compiled anew when they change.
