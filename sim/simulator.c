@@ -107,6 +107,15 @@ static bool renderer_init(struct simulator *simulator, const struct lim_scene *s
     return code == 0 || error_set(err, "renderer: %s (%d)", reason_of(code), code);
 }
 
+static bool begin(struct simulator *simulator, const struct lim_scene *scene, const struct simulator_setup *setup,
+                  struct error *err)
+{
+    memset(simulator, 0, sizeof *simulator);
+    simulator->core = setup->core ? setup->core : &core_fast;
+    return setup->method != LIM_CONVEX || scene_is_convex(scene) ||
+           error_set(err, "--method convex: the scene is not one convex solid");
+}
+
 bool simulator_init(struct simulator *simulator, const struct lim_scene *scene, const struct simulator_setup *setup,
                     struct error *err)
 {
@@ -117,10 +126,7 @@ bool simulator_init_on(struct simulator *simulator, const struct lim_scene *scen
                        const struct panel_choice *choice, struct error *err)
 {
     enum simulator_panel panel = setup->panel;
-    memset(simulator, 0, sizeof *simulator);
-    if (setup->method == LIM_CONVEX && !scene_is_convex(scene))
-        return error_set(err, "--method convex: the scene is not one convex solid");
-    simulator->core = setup->core ? setup->core : &core_fast;
+    if (!begin(simulator, scene, setup, err)) return false;
     if (panel == SIMULATOR_ANY)
         panel = simulator_panel_holds(choice, setup->w_px, setup->h_px, &(struct error){0}) ? SIMULATOR_PANEL
                                                                                             : SIMULATOR_MEMORY;
@@ -129,6 +135,16 @@ bool simulator_init_on(struct simulator *simulator, const struct lim_scene *scen
     ok = ok && renderer_init(simulator, scene, err);
     if (!ok) simulator_free(simulator);
     return ok;
+}
+
+bool simulator_init_to(struct simulator *simulator, const struct lim_scene *scene, const struct simulator_setup *setup,
+                       const struct lim_target *target, struct error *err)
+{
+    if (!begin(simulator, scene, setup, err)) return false;
+    simulator->target = *target;
+    if (renderer_init(simulator, scene, err)) return true;
+    simulator_free(simulator);
+    return false;
 }
 
 void simulator_set_wireframe(struct simulator *simulator, const struct lim_wireframe *wireframe)
@@ -164,7 +180,7 @@ bool simulator_set_movers(struct simulator *simulator, const struct lim_instance
     return code == 0 || error_set(err, "renderer: %s (%d)", reason_of(code), code);
 }
 
-static int draw(struct simulator *simulator, const struct lim_camera *camera)
+int simulator_draw(struct simulator *simulator, const struct lim_camera *camera)
 {
     const struct core *core = simulator->core;
     if (!simulator->mover_mem) return core->frame(simulator->lim, camera);
@@ -174,7 +190,7 @@ static int draw(struct simulator *simulator, const struct lim_camera *camera)
 static int board_frame(struct simulator *simulator, const struct lim_camera *camera)
 {
     screen_begin_frame(&simulator->board->screen);
-    int err = draw(simulator, camera);
+    int err = simulator_draw(simulator, camera);
     if (err) return err;
     return screen_end_frame(&simulator->board->screen);
 }
@@ -183,7 +199,7 @@ bool simulator_frame(struct simulator *simulator, const struct lim_camera *camer
 {
     struct panel_board *board = simulator->board;
     uint64_t before_b = board ? panel_board_bus_b(board) : 0;
-    int code = board ? board_frame(simulator, camera) : draw(simulator, camera);
+    int code = board ? board_frame(simulator, camera) : simulator_draw(simulator, camera);
     if (code) return error_set(err, "renderer: %s (%d)", reason_of(code), code);
     if (!board) return true;
     simulator->bus_b = (size_t)(panel_board_bus_b(board) - before_b);

@@ -54,6 +54,10 @@ bool simulator_init(struct simulator *simulator, const struct lim_scene *scene, 
 bool simulator_init_on(struct simulator *simulator, const struct lim_scene *scene, const struct simulator_setup *setup,
                        const struct panel_choice *choice, struct error *err);
 
+/* On a target of the caller's, which must outlive it: frames are drawn by simulator_draw(), and not read back. */
+bool simulator_init_to(struct simulator *simulator, const struct lim_scene *scene, const struct simulator_setup *setup,
+                       const struct lim_target *target, struct error *err);
+
 /* How frames are drawn from now on. */
 void simulator_set_wireframe(struct simulator *simulator, const struct lim_wireframe *wireframe);
 /* Makes room for movers. From now on each frame has the instances; the array must outlive it, and may change. */
@@ -66,6 +70,9 @@ bool simulator_set_antialias(struct simulator *simulator, bool on, struct error 
 /* Renders a frame into `pixels`. An error of the renderer or driver, or a complaint of the
  * emulated chip about the protocol, is an error here. */
 bool simulator_frame(struct simulator *simulator, const struct lim_camera *camera, struct error *err);
+
+/* Renders a frame into the target: 0, or the negative code of the renderer or the target. */
+int simulator_draw(struct simulator *simulator, const struct lim_camera *camera);
 
 /* What the last frame took. */
 const struct lim_stats *simulator_stats(const struct simulator *simulator);
