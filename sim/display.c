@@ -158,6 +158,8 @@ bool display_setup(struct display *display, const struct panel_choice *choice, c
         display->camera_turn = module->rotation;
         code = choice->family->setup(display, choice, &upright, port);
     }
+    if (code == PANEL_ERR_CONFIG && !pin_is_wired(&port->dc))
+        return error_set(err, "--panel %s: needs --dc LINE, its pin that tells data from commands", choice->name);
     return code == 0 || error_set(err, "--panel %s: its driver refuses these pins%s (%d)", choice->name,
                                   module->mirror ? ", or a mirrored picture" : "", code);
 }

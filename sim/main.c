@@ -15,6 +15,8 @@ static const char USAGE[] =
     "       limner view MODEL|SCENE.lim    fly through a scene\n"
     "       limner measure MODEL           what each precision gets wrong and costs\n"
     "       limner compare MODEL           what each visibility method gets wrong and costs\n"
+    "       limner play MODEL|SCENE.lim    fly a camera path on a real display, by SPI and GPIO\n"
+    "       limner devices                 what a display can hang on here, and why not\n"
     "       limner splitters MODEL         what each heuristic makes of the tree\n"
     "       limner help                    this text\n"
     "\n"
@@ -82,6 +84,16 @@ static const char USAGE[] =
     "  --frames N          of the cameras, evenly chosen (all)\n"
     "  --cost-frames N     of these, for instructions (4)\n"
     "splitters: --tree, --tolerance, --size, --unlit, --keep-faces as above\n"
+    "play: what view takes, but for a MODEL's own panel; loops until it is ended, unless there is --frames\n"
+    "  --panel NAME        the display's controller, as above, perhaps with a format\n"
+    "  --spi DEVICE        as /dev/spidev0.0\n"
+    "  --dc, --reset, --backlight, --te, --select LINE  GPIO lines by name or CHIP:NUMBER (not wired)\n"
+    "  --hz N, --mode 0-3  of the bus (usual for the panel; 0); --no-cs, --cs-high: what it selects with\n"
+    "  --size WxH          of the glass, upright; --offset X,Y: of its corner in the chip's memory\n"
+    "  --rotate DEG        the picture, clockwise; --mirror: left and right exchanged\n"
+    "  --bgr, --rgb, --invert, --no-invert  if colours are wrong (as is usual with that controller)\n"
+    "  --frames N          ends after so many\n"
+    "  --test-card         instead of a scene: corners clockwise red, green, blue and a grey ramp\n"
     "environment, render and view:\n"
     "  LIMNER_DUMP=x.png   write the last frame shown\n"
     "  LIMNER_CHECK=x.png  compare it; exit status 1 if it differs\n";
@@ -89,8 +101,8 @@ static const char USAGE[] =
 static const struct {
     const char *name;
     int (*run)(int argc, char **argv);
-} COMMANDS[] = {{"compile", cmd_compile}, {"render", cmd_render},   {"view", cmd_view},
-                {"measure", cmd_measure}, {"compare", cmd_compare}, {"splitters", cmd_splitters}};
+} COMMANDS[] = {{"compile", cmd_compile}, {"render", cmd_render},       {"view", cmd_view}, {"measure", cmd_measure},
+                {"compare", cmd_compare}, {"splitters", cmd_splitters}, {"play", cmd_play}, {"devices", cmd_devices}};
 
 static bool asks_for_help(const char *argument)
 {

@@ -1,0 +1,58 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * The first item is the command's name, and after `--` nothing is an option. */
+#include "arguments.h"
+
+#include <string.h>
+
+static void drop(struct arguments *arguments, int at, int count)
+{
+    memmove(&arguments->items[at], &arguments->items[at + count],
+            (size_t)(arguments->count - at - count + 1) * sizeof arguments->items[0]);
+    arguments->count -= count;
+}
+
+static bool ends_options(const char *item)
+{
+    return strcmp(item, "--") == 0;
+}
+
+bool arguments_value(struct arguments *arguments, const char *name, const char **value, struct error *err)
+{
+    const size_t length = strlen(name);
+    for (int i = 1; i < arguments->count && !ends_options(arguments->items[i]);) {
+        const char *item = arguments->items[i];
+        const bool is_whole = strcmp(item, name) == 0;
+        if (is_whole && i + 1 == arguments->count) return error_set(err, "%s: needs a value", name);
+        if (is_whole) {
+            *value = arguments->items[i + 1];
+            drop(arguments, i, 2);
+        } else if (strncmp(item, name, length) == 0 && item[length] == '=') {
+            *value = item + length + 1;
+            drop(arguments, i, 1);
+        } else {
+            i++;
+        }
+    }
+    return true;
+}
+
+bool arguments_flag(struct arguments *arguments, const char *name)
+{
+    bool found = false;
+    for (int i = 1; i < arguments->count && !ends_options(arguments->items[i]);) {
+        const bool is_it = strcmp(arguments->items[i], name) == 0;
+        if (is_it) drop(arguments, i, 1);
+        if (is_it) found = true;
+        if (!is_it) i++;
+    }
+    return found;
+}
+
+bool arguments_either(struct arguments *arguments, const char *yes, const char *no, bool *on, struct error *err)
+{
+    const bool is_yes = arguments_flag(arguments, yes), is_no = arguments_flag(arguments, no);
+    if (is_yes && is_no) return error_set(err, "%s, %s: only one of them", yes, no);
+    if (is_yes || is_no) *on = is_yes;
+    return true;
+}

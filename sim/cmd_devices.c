@@ -1,0 +1,106 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * `limner devices`: what a display can hang on here, a line each, and why something cannot be used. A kind of device is
+ * one function of the list below. */
+#include "commands.h"
+#include "linux/gpio_lines.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <glob.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+static const char *help_for(int err_no, const char *group_help)
+{
+    return err_no == EACCES || err_no == EPERM ? group_help : "";
+}
+
+/* spidev ---------------------------------------------------------------------------------------- */
+
+static void print_spidev(const char *path)
+{
+    const int fd = open(path, O_RDWR | O_CLOEXEC);
+    if (fd < 0) {
+        printf("spi   %s: %s%s\n", path, strerror(errno),
+               help_for(errno, "; join group spi, or add README's udev rule"));
+        return;
+    }
+    close(fd);
+    printf("spi   %s: usable\n", path);
+}
+
+static void print_spidevs(void)
+{
+    glob_t paths;
+    if (glob("/dev/spidev*", 0, NULL, &paths) != 0) {
+        puts("spi   none: no /dev/spidev*; load spidev and the controller's driver (Raspberry Pi: dtparam=spi=on)");
+        return;
+    }
+    for (size_t i = 0; i < paths.gl_pathc; i++)
+        print_spidev(paths.gl_pathv[i]);
+    globfree(&paths);
+}
+
+/* GPIO ------------------------------------------------------------------------------------------ */
+
+/* The lines that have names, of one sort: `used` or free. Returns how many. */
+static unsigned print_lines(const struct gpio_chip *chip, bool used, const char *heading)
+{
+    struct gpio_line_info info;
+    unsigned count = 0;
+    for (unsigned offset = 0; offset < chip->n_lines; offset++) {
+        if (gpio_chip_line(chip, offset, &info) != 0 || info.name[0] == '\0' || info.is_used != used) continue;
+        printf("%s%s", count++ ? ", " : heading, info.name);
+        if (used) printf(" by %s", info.consumer[0] ? info.consumer : "the kernel");
+    }
+    return count;
+}
+
+static void print_gpiochip(const char *path)
+{
+    struct gpio_chip chip;
+    const int err = gpio_chip_open(&chip, path);
+    if (err) {
+        printf("gpio  %s: %s%s\n", path, strerror(-err),
+               help_for(-err, "; join group gpio, or add README's udev rule"));
+        return;
+    }
+    if (strcmp(strrchr(path, '/') + 1, chip.name) == 0) {
+        printf("gpio  %s (%s): usable, %u lines", chip.name, chip.label, chip.n_lines);
+        const unsigned named = print_lines(&chip, false, "; free: ") + print_lines(&chip, true, "; in use: ");
+        puts(named ? "" : ", none with a name: CHIP:NUMBER names them");
+    } else {
+        printf("gpio  %s: the same as /dev/%s\n", path, chip.name);
+    }
+    gpio_chip_close(&chip);
+}
+
+static void print_gpiochips(void)
+{
+    glob_t paths;
+    if (glob("/dev/gpiochip*", 0, NULL, &paths) != 0) {
+        puts("gpio  none: no /dev/gpiochip*; load the driver of the machine's GPIO controller");
+        return;
+    }
+    for (size_t i = 0; i < paths.gl_pathc; i++)
+        print_gpiochip(paths.gl_pathv[i]);
+    globfree(&paths);
+}
+
+/* All kinds ------------------------------------------------------------------------------------- */
+
+static void (*const PRINT_KIND[])(void) = {print_spidevs, print_gpiochips};
+
+int cmd_devices(int argc, char **argv)
+{
+    if (argc > 1) {
+        fprintf(stderr, "limner: devices: takes nothing, what is '%s'?\n", argv[1]);
+        return EXIT_FAILURE;
+    }
+    for (size_t i = 0; i < sizeof PRINT_KIND / sizeof PRINT_KIND[0]; i++)
+        PRINT_KIND[i]();
+    return fflush(stdout) == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+}

@@ -1,0 +1,125 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * What most sellers put behind a chip. Glass of any other size lies in the middle of the chip's memory: so do those of
+ * 135x240, 170x320 and 240x280 pixels on ST7789 and of 64x48 on SSD1306. */
+#include "module_choice.h"
+
+#include "parse.h"
+
+#include <stdio.h>
+#include <string.h>
+
+struct usual_module {
+    const char *panel;
+    struct display_module module;
+    uint32_t speed_hz;
+};
+
+static const struct usual_module USUAL[] = {
+    {"gc9a01", {.w_px = 240, .h_px = 240, .bgr = true, .invert = true}, 40000000},
+    {"ili9341", {.w_px = 240, .h_px = 320, .bgr = true}, 32000000},
+    {"ili9488", {.w_px = 320, .h_px = 480, .bgr = true}, 20000000},
+    {"pcd8544", {.w_px = 84, .h_px = 48}, 4000000},
+    {"sh1106", {.w_px = 128, .h_px = 64, .ox_px = 2}, 4000000},
+    {"ssd1306", {.w_px = 128, .h_px = 64}, 8000000},
+    {"st7567", {.w_px = 128, .h_px = 64}, 4000000},
+    {"st7735", {.w_px = 128, .h_px = 160, .ox_px = 2, .oy_px = 1, .bgr = true}, 15000000},
+    {"st7735", {.w_px = 128, .h_px = 128, .ox_px = 2, .oy_px = 3, .bgr = true}, 15000000},
+    {"st7735", {.w_px = 80, .h_px = 160, .ox_px = 26, .oy_px = 1, .bgr = true, .invert = true}, 15000000},
+    {"st7789", {.w_px = 240, .h_px = 240, .invert = true}, 40000000},
+};
+
+static bool is_row_of(const struct usual_module *row, const struct panel_choice *panel, unsigned w_px, unsigned h_px)
+{
+    return strcmp(row->panel, panel->name) == 0 && (!w_px || (row->module.w_px == w_px && row->module.h_px == h_px));
+}
+
+/* The first row of the chip, if w_px is 0, or else that of the size. NULL: there is none. */
+static const struct usual_module *find_usual(const struct panel_choice *panel, unsigned w_px, unsigned h_px)
+{
+    for (size_t i = 0; i < sizeof USUAL / sizeof USUAL[0]; i++)
+        if (is_row_of(&USUAL[i], panel, w_px, h_px)) return &USUAL[i];
+    return NULL;
+}
+
+/* A chip without a row: all of its memory, at a rate that any takes. */
+static void take_usual(struct module_choice *out)
+{
+    const struct usual_module *row = find_usual(&out->panel, 0, 0);
+    out->module = row ? row->module : (struct display_module){.w_px = out->panel.mem_w_px, .h_px = out->panel.mem_h_px};
+    out->speed_hz = row ? row->speed_hz : 1000000;
+}
+
+static bool take_size(struct module_choice *out, struct arguments *arguments, struct error *err)
+{
+    struct display_module *module = &out->module;
+    const char *text = NULL;
+    unsigned w_px, h_px;
+    if (!arguments_value(arguments, "--size", &text, err)) return false;
+    if (!text) return true;
+    if (!parse_size(text, &w_px, &h_px, err)) return false;
+    const struct usual_module *row = find_usual(&out->panel, w_px, h_px);
+    if (row) {
+        *module = row->module;
+        return true;
+    }
+    module->w_px = (uint16_t)w_px;
+    module->h_px = (uint16_t)h_px;
+    module->ox_px = module->oy_px = 0;
+    if (!display_module_check(&out->panel, module, err)) return false;
+    module->ox_px = (uint16_t)((out->panel.mem_w_px - w_px) / 2);
+    module->oy_px = (uint16_t)((out->panel.mem_h_px - h_px) / 2);
+    return true;
+}
+
+static bool take_offset(struct display_module *module, struct arguments *arguments, struct error *err)
+{
+    const char *text = NULL;
+    unsigned x_px, y_px;
+    int length = 0;
+    if (!arguments_value(arguments, "--offset", &text, err)) return false;
+    if (!text) return true;
+    const bool is_pair = strspn(text, "0123456789,") == strlen(text) && strlen(text) < 10 &&
+                         sscanf(text, "%u,%u%n", &x_px, &y_px, &length) == 2 && text[length] == '\0';
+    if (!is_pair || x_px > UINT16_MAX || y_px > UINT16_MAX)
+        return error_set(err, "--offset %s: must be X,Y, in pixels of the chip's memory", text);
+    module->ox_px = (uint16_t)x_px;
+    module->oy_px = (uint16_t)y_px;
+    return true;
+}
+
+static bool take_rotation(struct display_module *module, struct arguments *arguments, struct error *err)
+{
+    static const char *const turns[] = {"0", "90", "180", "270"};
+    const char *text = NULL;
+    if (!arguments_value(arguments, "--rotate", &text, err)) return false;
+    if (!text) return true;
+    for (int i = 0; i < 4; i++) {
+        module->rotation = (enum panel_rotation)i;
+        if (strcmp(text, turns[i]) == 0) return true;
+    }
+    return error_set(err, "--rotate %s: must be 0, 90, 180 or 270 degrees, clockwise", text);
+}
+
+bool module_choice_parse(struct module_choice *out, struct arguments *arguments, struct error *err)
+{
+    const char *panel = NULL;
+    if (!arguments_value(arguments, "--panel", &panel, err)) return false;
+    if (!panel) return error_set(err, "play: needs --panel NAME, the display's controller; `limner help` lists them");
+    if (!panel_choice_parse(panel, NULL, &out->panel, err)) return false;
+    take_usual(out);
+    struct display_module *module = &out->module;
+    if (!take_size(out, arguments, err) || !take_offset(module, arguments, err) ||
+        !take_rotation(module, arguments, err) || !arguments_either(arguments, "--bgr", "--rgb", &module->bgr, err) ||
+        !arguments_either(arguments, "--invert", "--no-invert", &module->invert, err))
+        return false;
+    module->mirror = arguments_flag(arguments, "--mirror");
+    return display_module_check(&out->panel, module, err);
+}
+
+void module_choice_picture(const struct display_module *module, unsigned *w_px, unsigned *h_px)
+{
+    const bool is_upright = module->rotation == PANEL_UPRIGHT || module->rotation == PANEL_TURNED_180;
+    *w_px = is_upright ? module->w_px : module->h_px;
+    *h_px = is_upright ? module->h_px : module->w_px;
+}

@@ -1,0 +1,23 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Which module a panel is, as the command line describes it; what is left out is as on the usual module with that chip.
+ */
+#ifndef SIM_MODULE_CHOICE_H
+#define SIM_MODULE_CHOICE_H
+
+#include "arguments.h"
+#include "display.h"
+
+struct module_choice {
+    struct panel_choice panel;
+    struct display_module module;
+    uint32_t speed_hz; /* usual clock of the bus */
+};
+
+/* Takes --panel, --size, --offset, --rotate, --mirror, --bgr or --rgb, --invert or --no-invert out of *arguments. */
+bool module_choice_parse(struct module_choice *out, struct arguments *arguments, struct error *err);
+
+/* Of the picture as its viewer has it, turned. */
+void module_choice_picture(const struct display_module *module, unsigned *w_px, unsigned *h_px);
+
+#endif

@@ -1,0 +1,108 @@
+/* SPDX-License-Identifier: MIT */
+#include "port_choice.h"
+
+#include "parse.h"
+
+#include <string.h>
+
+/* spidev and GPIO lines ------------------------------------------------------------------------- */
+
+static bool parse_whole(const char *option, const char *text, double most, double *out, struct error *err)
+{
+    if (!parse_number(option, text, out, err)) return false;
+    return (*out >= 0.0 && *out <= most && *out == (double)(uint32_t)*out) ||
+           error_set(err, "%s %s: must be a whole number from 0 to %.0f", option, text, most);
+}
+
+static bool linux_parse(struct linux_port_config *out, struct arguments *arguments, struct error *err)
+{
+    const char *hz = NULL, *mode = NULL;
+    double hz_value = 0.0, mode_value = 0.0;
+    *out = (struct linux_port_config){0};
+    if (!arguments_value(arguments, "--spi", &out->spi, err) || !arguments_value(arguments, "--dc", &out->dc, err) ||
+        !arguments_value(arguments, "--reset", &out->reset, err) ||
+        !arguments_value(arguments, "--backlight", &out->backlight, err) ||
+        !arguments_value(arguments, "--select", &out->select, err) ||
+        !arguments_value(arguments, "--te", &out->tearing, err) || !arguments_value(arguments, "--hz", &hz, err) ||
+        !arguments_value(arguments, "--mode", &mode, err))
+        return false;
+    out->no_cs = arguments_flag(arguments, "--no-cs");
+    out->cs_high = arguments_flag(arguments, "--cs-high");
+    if ((hz && !parse_whole("--hz", hz, 1e9, &hz_value, err)) ||
+        (mode && !parse_whole("--mode", mode, 3.0, &mode_value, err)))
+        return false;
+    if (hz && hz_value == 0.0) return error_set(err, "--hz %s: a clock that stands still sends nothing", hz);
+    out->speed_hz = (uint32_t)hz_value;
+    out->mode = (uint8_t)mode_value;
+    return true;
+}
+
+static bool same_line(const char *a, const char *b)
+{
+    return a && b && strcmp(a, b) == 0;
+}
+
+static bool linux_check(const struct linux_port_config *config, struct error *err)
+{
+    const struct {
+        const char *option, *line;
+    } lines[] = {{"--dc", config->dc},
+                 {"--reset", config->reset},
+                 {"--backlight", config->backlight},
+                 {"--select", config->select},
+                 {"--te", config->tearing}};
+    enum { COUNT = sizeof lines / sizeof lines[0] };
+    for (size_t i = 0; i < COUNT; i++)
+        for (size_t k = i + 1; k < COUNT; k++)
+            if (same_line(lines[i].line, lines[k].line))
+                return error_set(err, "%s, %s: both cannot be %s", lines[i].option, lines[k].option, lines[i].line);
+    if (config->no_cs && config->cs_high) return error_set(err, "--no-cs, --cs-high: only one of them");
+    return config->spi ||
+           error_set(err, "play: needs --spi DEVICE, as /dev/spidev0.0; `limner devices` lists those there are");
+}
+
+/* All kinds ------------------------------------------------------------------------------------- */
+
+bool port_choice_parse(struct port_choice *out, struct arguments *arguments, struct error *err)
+{
+    *out = (struct port_choice){.kind = PORT_LINUX};
+    return linux_parse(&out->linux_port, arguments, err) && linux_check(&out->linux_port, err);
+}
+
+static int write_nothing(void *ctx, const uint8_t *data, size_t n_b)
+{
+    (void)ctx, (void)data, (void)n_b;
+    return 0;
+}
+
+static int set_nothing(void *ctx, bool high)
+{
+    (void)ctx, (void)high;
+    return 0;
+}
+
+static int wait_for_nothing(void *ctx, uint32_t delay_us)
+{
+    (void)ctx, (void)delay_us;
+    return 0;
+}
+
+struct port port_choice_stand_in(const struct port_choice *choice)
+{
+    const struct linux_port_config *config = &choice->linux_port;
+    const struct pin wired = {.set = set_nothing}, open = {0};
+    return (struct port){.bus = {.write = write_nothing},
+                         .dc = config->dc ? wired : open,
+                         .reset = config->reset ? wired : open,
+                         .backlight = config->backlight ? wired : open,
+                         .select = config->select ? wired : open,
+                         .tearing = {.wait = config->tearing ? wait_for_nothing : NULL},
+                         .clock = {.delay = wait_for_nothing}};
+}
+
+bool port_choice_open(const struct port_choice *choice, uint32_t speed_hz, struct port *port, struct error *err)
+{
+    struct linux_port_config config = choice->linux_port;
+    if (config.speed_hz == 0) config.speed_hz = speed_hz;
+    return linux_port_open(port, &config) == 0 || error_set(err, "%s", port->error);
+}

@@ -1,0 +1,27 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Which port a display hangs on, as the command line names it. A kind of port is a section of port_choice.c: its
+ * options, and how it is opened. */
+#ifndef SIM_PORT_CHOICE_H
+#define SIM_PORT_CHOICE_H
+
+#include "arguments.h"
+#include "linux/linux_port.h"
+
+enum port_kind { PORT_LINUX };
+
+struct port_choice {
+    enum port_kind kind;
+    struct linux_port_config linux_port; /* for PORT_LINUX; speed_hz 0: the panel's usual */
+};
+
+/* Takes its options out of *arguments, and refuses those that contradict each other or leave the port open. */
+bool port_choice_parse(struct port_choice *out, struct arguments *arguments, struct error *err);
+
+/* A port with the pins that were asked for, all of which do nothing: to see whether a panel can do with them. */
+struct port port_choice_stand_in(const struct port_choice *choice);
+
+/* The strings and *port must stay where they are until port_close(). `speed_hz`: the panel's usual. */
+bool port_choice_open(const struct port_choice *choice, uint32_t speed_hz, struct port *port, struct error *err);
+
+#endif
