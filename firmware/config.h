@@ -89,6 +89,16 @@
 #define LIM_HAS_ANTIALIAS LIM_HAS_SPANS
 #endif
 
+/* 1: lim_set_delta() is there. */
+#ifndef LIM_HAS_DELTA
+#define LIM_HAS_DELTA 1
+#endif
+
+/* 1: what paints nearest first leaves out what round glass does not show. */
+#ifndef LIM_HAS_ROUND
+#define LIM_HAS_ROUND LIM_HAS_SPANS
+#endif
+
 /* 1: lim_frame() counts its work in struct lim_stats. 0: the counters stay zero and cost nothing. */
 #ifndef LIM_HAS_STATS
 #define LIM_HAS_STATS 1

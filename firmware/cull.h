@@ -6,12 +6,8 @@
 #define LIM_CULL_H
 
 #include "scene.h"
+#include "target.h"
 #include "view.h"
-
-/* Pixels x0 <= x < x1, y0 <= y < y1. */
-struct lim_rect {
-    uint16_t x0, y0, x1, y1;
-};
 
 struct lim_cull_plane {
     int16_t n[3];   /* points inwards; two bits less than the view matrix, length <= 2^14 */

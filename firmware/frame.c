@@ -59,6 +59,14 @@ static inline void init_wireframe(struct lim *lim)
     (void)lim;
 }
 
+static inline void init_delta(struct lim *lim)
+{
+#if LIM_HAS_DELTA
+    lim->delta = NULL;
+#endif
+    (void)lim;
+}
+
 int lim_init(struct lim *lim, const struct lim_scene *scene, const struct lim_target *target, void *mem, size_t mem_b)
 {
     LIM_ASSERT(lim && scene && target && mem && ((uintptr_t)mem & 3) == 0);
@@ -68,6 +76,7 @@ int lim_init(struct lim *lim, const struct lim_scene *scene, const struct lim_ta
     lim->scene = scene;
     lim->target = *target;
     init_wireframe(lim);
+    init_delta(lim);
     lim_lend_portals(lim, NULL);
 #if LIM_HAS_MOVERS
     lim->movers.most = lim->movers.given = lim->movers.count = 0;
@@ -101,6 +110,19 @@ static int draw(struct lim *lim)
     return lim_nearest_frame(lim);
 }
 
+static int draw_changes(struct lim *lim, const struct lim_camera *camera)
+{
+#if LIM_HAS_DELTA
+    if (lim->delta) {
+        lim_delta_begin_frame(lim->delta, camera);
+        return lim_delta_end_frame(lim->delta, draw(lim));
+    }
+#else
+    (void)camera;
+#endif
+    return draw(lim);
+}
+
 int lim_frame(struct lim *lim, const struct lim_camera *camera)
 {
     if (LIM_HAS_STATS) *lim_stats_of(lim) = (struct lim_stats){0};
@@ -112,7 +134,7 @@ int lim_frame(struct lim *lim, const struct lim_camera *camera)
 #if LIM_HAS_MOVERS
     lim_movers_pose(lim, camera);
 #endif
-    const int err = draw(lim);
+    const int err = draw_changes(lim, camera);
     if (LIM_HAS_STATS) lim_stats_of(lim)->vertices = lim->view.vertices;
     return err;
 }

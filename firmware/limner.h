@@ -44,6 +44,16 @@ void lim_set_wireframe(struct lim *lim, const struct lim_wireframe *wireframe);
  * without. */
 LIM_MUST_CHECK int lim_set_antialias(struct lim *lim, void *mem, size_t mem_b);
 
+/* Sends only what differs from the last frame, from now on; lim_init() turns it off. There if LIM_HAS_DELTA. `mem`,
+ * 4-byte aligned, must outlive it: LIM_DELTA_MEM_B(h_px, run_count) bytes, for the runs of one colour that a frame's
+ * lines have together; lines for which there is no room are sent whole. NULL turns it off. LIM_ERR_MEMORY: too little;
+ * LIM_ERR_TARGET: the target has no window(). */
+LIM_MUST_CHECK int lim_set_delta(struct lim *lim, void *mem, size_t mem_b);
+
+/* The next frame is sent whole: to be called when the panel may show something else than the last one. After an error
+ * it is so by itself. */
+void lim_refresh(struct lim *lim);
+
 /* Renders one frame through the target. 0, an enum lim_error, or what the target returned. */
 LIM_MUST_CHECK int lim_frame(struct lim *lim, const struct lim_camera *camera);
 

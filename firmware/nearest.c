@@ -233,7 +233,7 @@ static bool collect_from_source(struct lim *lim, const struct lim_rect *band)
 /* Pass one over a band. */
 static bool collect(struct lim *lim, const struct lim_rect *band)
 {
-    lim_spans_open(&lim->spans, band);
+    lim_spans_open(&lim->spans, &lim->target, band);
     lim->retained.used = 0;
     if (!collect_from_source(lim, band)) return false;
     if (LIM_HAS_STATS) note_pools(lim);

@@ -28,6 +28,16 @@ static inline bool is_antialiased(const struct lim_paint *paint)
 #endif
 }
 
+static inline bool is_wireframe(const struct lim_paint *paint)
+{
+#if LIM_HAS_WIREFRAME
+    return paint->wireframe->on;
+#else
+    (void)paint;
+    return false;
+#endif
+}
+
 /* A piece has no edges: its lines are there, the last one first. */
 static LIM_RARE void take_line(struct lim_active *active, const union lim_retained_cell *cells, int16_t y)
 {
@@ -100,7 +110,33 @@ struct sink {
     struct lim_textured_span span; /* no gradients: of one colour */
     struct lim_stats *stats;
 #endif
+#if LIM_HAS_DELTA
+    struct lim_delta *notes; /* of this line's pieces, or NULL */
+#endif
 };
+
+/* Beside the end of a run. */
+static inline uint16_t texture_flag(const struct sink *sink)
+{
+#if LIM_HAS_TEXTURE && LIM_HAS_DELTA
+    return sink->span.gradients ? LIM_RUN_TEXTURED : 0;
+#else
+    (void)sink;
+    return 0;
+#endif
+}
+
+/* true: noted, and not to be painted. */
+static inline bool note(const struct sink *sink, uint16_t x0, uint16_t x1, uint16_t value)
+{
+#if LIM_HAS_DELTA
+    if (sink->notes) lim_delta_note(sink->notes, x0, x1, value);
+    return sink->notes && !sink->line;
+#else
+    (void)sink, (void)x0, (void)x1, (void)value;
+    return false;
+#endif
+}
 
 /* NULL: polygons are filled. */
 static inline const struct lim_wire *wire_of(const struct sink *sink)
@@ -161,10 +197,12 @@ static void paint_piece(void *ctx, uint16_t x0, uint16_t x1)
 {
     struct sink *sink = ctx;
 
-    if (LIM_HAS_WIREFRAME && wire_of(sink))
-        lim_wire_fill(sink->line, wire_of(sink), x0, x1);
-    else if (!paint_textured(sink, x0, x1))
-        lim_fill(sink->line, x0, (uint16_t)(x1 - x0), sink->colour);
+    if (!note(sink, x0, (uint16_t)(x1 | texture_flag(sink)), sink->colour)) {
+        if (LIM_HAS_WIREFRAME && wire_of(sink))
+            lim_wire_fill(sink->line, wire_of(sink), x0, x1);
+        else if (!paint_textured(sink, x0, x1))
+            lim_fill(sink->line, x0, (uint16_t)(x1 - x0), sink->colour);
+    }
     if (LIM_HAS_STATS) sink->painted_px = (uint16_t)(sink->painted_px + x1 - x0);
 }
 
@@ -308,20 +346,21 @@ static void paint_polygons(struct lim_paint *paint, struct lim_spans *spans, con
 }
 
 static void paint_background(const struct lim_spans *spans, const struct lim_line *open, const struct lim_paint *paint,
-                             uint16_t *pixels, struct lim_stats *stats)
+                             const struct sink *sink, struct lim_stats *stats)
 {
     const struct lim_gap *gap = &open->gap;
 
 #if LIM_HAS_ANTIALIAS
     if (is_antialiased(paint)) {
-        struct lim_smooth_sink sink = {.line = pixels, .sums = paint->smooth.sums};
-        lim_smooth_background(spans, open, paint->background, &sink);
-        if (LIM_HAS_STATS) stats->pixels_background += sink.painted_px;
+        struct lim_smooth_sink smooth = {.line = sink->line, .sums = paint->smooth.sums};
+        lim_smooth_background(spans, open, paint->background, &smooth);
+        if (LIM_HAS_STATS) stats->pixels_background += smooth.painted_px;
         return;
     }
 #endif
     for (;;) {
-        lim_fill(pixels, gap->x0, (uint16_t)(gap->x1 - gap->x0), paint->background);
+        if (gap->x0 < gap->x1 && !note(sink, gap->x0, gap->x1, paint->background))
+            lim_fill(sink->line, gap->x0, (uint16_t)(gap->x1 - gap->x0), paint->background);
         if (LIM_HAS_STATS) stats->pixels_background += (uint16_t)(gap->x1 - gap->x0);
         if (gap->next == LIM_NONE) return;
         gap = &spans->pool[gap->next];
@@ -358,26 +397,62 @@ static inline void begin_span(struct sink *sink, const struct lim_paint *paint, 
 #endif
 }
 
+/* What becomes of a line's pieces: delta output wants to know what they are, and paints what it sends by itself. It
+ * looks at what is mixed when it is painted, and cannot paint textures. */
+enum line_use { PAINTED, NOTED, PAINTED_AND_NOTED };
+
+static enum line_use use_of_line(const struct lim_paint *paint, const struct lim_retained *retained)
+{
+#if LIM_HAS_DELTA
+    if (!paint->delta || is_antialiased(paint) || is_wireframe(paint)) return PAINTED;
+    enum line_use use = lim_delta_wants_lines(paint->delta) ? PAINTED_AND_NOTED : NOTED;
+    if (!LIM_HAS_TRANSPARENT && !LIM_HAS_TEXTURE) return use;
+    for (uint16_t at = paint->first; at != LIM_NONE; at = paint->pool[at].next) {
+        const union lim_retained_cell *cells = cells_of(retained, &paint->pool[at]);
+        if (LIM_HAS_TRANSPARENT && lim_retained_alpha(cells) != LIM_OPAQUE) return PAINTED;
+        if (lim_retained_has_texture(cells)) use = PAINTED_AND_NOTED;
+    }
+    return use;
+#else
+    (void)paint, (void)retained;
+    return PAINTED;
+#endif
+}
+
+static inline void begin_notes(struct sink *sink, const struct lim_paint *paint, enum line_use use, uint16_t y)
+{
+#if LIM_HAS_DELTA
+    sink->notes = use == PAINTED ? NULL : paint->delta;
+    if (sink->notes) lim_delta_begin_line(sink->notes, y, sink->line);
+#else
+    (void)sink, (void)paint, (void)use, (void)y;
+#endif
+}
+
 static int paint_line(struct lim_paint *paint, struct lim_spans *spans, const struct lim_retained *retained,
                       const struct lim_rect *band, uint16_t y, struct lim_stats *stats)
 {
-    struct lim_line open = {.gap = {.x0 = band->x0, .x1 = band->x1, .next = LIM_NONE}, .retained = LIM_NONE};
+    struct lim_line open;
     struct sink sink;
 
-    sink.line = paint->target->lend(paint->target->ctx, y);
+    lim_line_open(&open, paint->target, band, y);
+    const uint16_t x0 = open.gap.x0, x1 = open.gap.x1;
     sink.colour = sink.painted_px = 0;
-    if (!sink.line) return LIM_ERR_TARGET;
+    const enum line_use use = use_of_line(paint, retained);
+    sink.line = use == NOTED ? NULL : paint->target->lend(paint->target->ctx, y);
+    if (use != NOTED && !sink.line) return LIM_ERR_TARGET;
+    begin_notes(&sink, paint, use, y);
     begin_span(&sink, paint, y, stats);
     if (LIM_HAS_STATS && paint->used > stats->active_max) stats->active_max = paint->used;
     lim_spans_reset_pool(spans);
     paint_polygons(paint, spans, retained, &open, y, &sink);
-    paint_background(spans, &open, paint, sink.line, stats);
+    paint_background(spans, &open, paint, &sink, stats);
     if (LIM_HAS_STATS) stats->pixels_painted += sink.painted_px;
     if (LIM_HAS_TRANSPARENT && !blend(paint, sink.line, stats)) {
         keep_lent(paint, sink.line);
         return LIM_PAINT_LAYERS;
     }
-    return paint->target->done(paint->target->ctx, y, band->x0, (uint16_t)(band->x1 - band->x0));
+    return paint->target->done(paint->target->ctx, y, x0, (uint16_t)(x1 - x0));
 }
 
 static void start(struct lim_paint *paint)

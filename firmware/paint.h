@@ -8,6 +8,7 @@
 #ifndef LIM_PAINT_H
 #define LIM_PAINT_H
 
+#include "delta.h"
 #include "edge.h"
 #include "errors.h"
 #include "fill.h"
@@ -53,6 +54,9 @@ struct lim_paint {
 #endif
 #if LIM_HAS_WIREFRAME
     const struct lim_wireframe *wireframe;
+#endif
+#if LIM_HAS_DELTA
+    struct lim_delta *delta; /* or NULL */
 #endif
 };
 

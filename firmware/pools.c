@@ -183,6 +183,9 @@ void lim_nearest_init(struct lim *lim, void *mem, size_t mem_b)
     lim->paint.smooth.line = NULL;
     lim->paint.antialiased = &lim->view.antialiased;
 #endif
+#if LIM_HAS_DELTA
+    lim->paint.delta = NULL;
+#endif
     lim->paint.pool = cut(&at, shares.active * sizeof(struct lim_active));
     lim->paint.pool_size = shares.active;
     lim->retained.cells = cut(&at, shares.retained_cells * sizeof(union lim_retained_cell));

@@ -13,14 +13,19 @@ void lim_spans_reset_pool(struct lim_spans *spans)
     spans->fresh = 0;
 }
 
-void lim_spans_open(struct lim_spans *spans, const struct lim_rect *open)
+static bool is_closed(const struct lim_line *line)
 {
-    for (uint16_t y = open->y0; y < open->y1; y++) {
-        spans->lines[y] =
-            (struct lim_line){.gap = {.x0 = open->x0, .x1 = open->x1, .next = LIM_NONE}, .retained = LIM_NONE};
-    }
+    return line->gap.x0 == line->gap.x1;
+}
+
+void lim_spans_open(struct lim_spans *spans, const struct lim_target *target, const struct lim_rect *open)
+{
     spans->open = *open;
-    spans->open_lines = (uint16_t)(open->y1 - open->y0);
+    spans->open_lines = 0;
+    for (uint16_t y = open->y0; y < open->y1; y++) {
+        lim_line_open(&spans->lines[y], target, open, y);
+        if (!is_closed(&spans->lines[y])) spans->open_lines++;
+    }
     lim_spans_reset_pool(spans);
 }
 
@@ -56,11 +61,6 @@ enum lim_span_result lim_span_close(struct lim_spans *spans, struct lim_line *li
         gap = next;
     }
     return result;
-}
-
-static bool is_closed(const struct lim_line *line)
-{
-    return line->gap.x0 == line->gap.x1;
 }
 
 static uint16_t last_open(const struct lim_spans *spans, const struct lim_line *line)

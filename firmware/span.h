@@ -41,8 +41,27 @@ enum lim_span_result {
 /* Receives a piece [x0, x1) of a line that was open, left to right. */
 typedef void lim_span_sink(void *ctx, uint16_t x0, uint16_t x1);
 
-/* Opens the pixels of `open`, and no others. */
-void lim_spans_open(struct lim_spans *spans, const struct lim_rect *open);
+/* Line y with the pixels of `band` open that the target shows, in one gap. */
+static inline void lim_line_open(struct lim_line *line, const struct lim_target *target, const struct lim_rect *band,
+                                 uint16_t y)
+{
+    struct lim_gap gap = {.x0 = band->x0, .x1 = band->x1, .next = LIM_NONE};
+
+#if LIM_HAS_ROUND
+    if (target->visible) {
+        uint16_t x0, x1;
+        target->visible(target->ctx, y, &x0, &x1);
+        if (x0 > gap.x0) gap.x0 = x0 < gap.x1 ? x0 : gap.x1;
+        if (x1 < gap.x1) gap.x1 = x1 > gap.x0 ? x1 : gap.x0;
+    }
+#else
+    (void)target, (void)y;
+#endif
+    *line = (struct lim_line){.gap = gap, .retained = LIM_NONE};
+}
+
+/* Opens the pixels of `open` that the target shows, and no others. */
+void lim_spans_open(struct lim_spans *spans, const struct lim_target *target, const struct lim_rect *open);
 
 /* Gives all gaps back; only single lines are used from now on. */
 void lim_spans_reset_pool(struct lim_spans *spans);

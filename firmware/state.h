@@ -7,6 +7,7 @@
 
 #include "convex.h"
 #include "cull.h"
+#include "delta.h"
 #include "eye.h"
 #include "fill.h"
 #include "movers.h"
@@ -86,6 +87,9 @@ struct lim {
 #endif
 #if LIM_HAS_WIREFRAME
     struct lim_wireframe wireframe;
+#endif
+#if LIM_HAS_DELTA
+    struct lim_delta *delta; /* NULL: every frame is sent whole */
 #endif
 #if LIM_HAS_STATS
     struct lim_stats stats;

@@ -39,6 +39,14 @@ struct lim_mover_stats {
     uint32_t unsorted; /* lists that met a leaf's polygons without being sorted with them: perhaps wrong */
 };
 
+/* What delta output sent of a frame. */
+struct lim_delta_stats {
+    uint32_t pixels;      /* sent */
+    uint32_t windows;     /* opened for them; with pages, pieces of pages */
+    uint16_t runs_max;    /* most of the runs that were kept at a time */
+    uint16_t lines_whole; /* lines that were sent whole because the last frame's, or their own, were not kept */
+};
+
 /* What a frame did; all zero when LIM_HAS_STATS is 0. */
 struct lim_stats {
     uint32_t nodes;            /* nodes visited */
@@ -66,6 +74,9 @@ struct lim_stats {
 #endif
 #if LIM_HAS_MOVERS
     struct lim_mover_stats movers;
+#endif
+#if LIM_HAS_DELTA
+    struct lim_delta_stats delta;
 #endif
     uint16_t retained_cells_max, gaps_max, active_max; /* most used of each pool in one walk; convex: faces on a line */
     uint16_t layers_max;                               /* most transparent pieces of one line, nearest first */

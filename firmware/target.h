@@ -27,6 +27,19 @@ struct lim_wireframe {
     uint16_t colour, background; /* if one_colour, RGB565 as numbers; else the polygons' and the scene's own */
 };
 
+/* Pixels x0 <= x < x1, y0 <= y < y1. */
+struct lim_rect {
+    uint16_t x0, y0, x1, y1;
+};
+
+/* What sending a part of the picture costs: delta.h. */
+struct lim_target_costs {
+    uint16_t window_b;   /* opening a window, in bytes; what takes a port longer than its bytes is counted as more */
+    uint8_t pixel_bits;  /* on the bus: 1..24 */
+    uint8_t page_px;     /* lines that are sent together, as done() finds out by itself; 1, or 8 for bytes that stand */
+    uint16_t x_align_px; /* a window's first column and its width are multiples of it, but at the right edge; 1: any */
+};
+
 /* Where pixels go. Lines are lent from the top down; each is passed to done() before the next is
  * lent, in one or (when a pool was exhausted) several pieces from left to right. The painter
  * alone lends lines in any order, several times, and calls done() once for each at the end. */
@@ -40,6 +53,17 @@ struct lim_target {
     /* Pixels x_px .. x_px + n_px - 1 of line y_px are final. A negative code ends the frame and
      * comes back from lim_frame() unchanged. */
     int (*done)(void *ctx, uint16_t y_px, uint16_t x_px, uint16_t n_px);
+#if LIM_HAS_ROUND
+    /* Which pixels *x0_px <= x < *x1_px of a line are seen; no others are painted. NULL: all. Neither
+     * LIM_PAINTER nor LIM_CONVEX asks. */
+    void (*visible)(void *ctx, uint16_t y_px, uint16_t *x0_px, uint16_t *x1_px);
+#endif
+#if LIM_HAS_DELTA
+    /* The pieces that done() gets next fill this rectangle row by row, or as many rows of it as come: without delta
+     * output it is not called, and with page_px > 1 neither. NULL: no delta output. */
+    int (*window)(void *ctx, const struct lim_rect *window);
+    struct lim_target_costs costs;
+#endif
 };
 
 #endif

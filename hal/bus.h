@@ -24,6 +24,9 @@ struct bus {
     int (*write)(void *ctx, const uint8_t *data, size_t n_b) HAL_MUST_CHECK;
     /* Returns when the last byte has left, or will not leave. NULL: write() never returns earlier. */
     int (*flush)(void *ctx) HAL_MUST_CHECK;
+    /* How many bytes could be sent in the time that beginning a write takes, or setting D/C: 0 where a peripheral does
+     * it, a report's where each of them is a report. */
+    uint16_t message_b;
 };
 
 /* An output: data/command, reset, backlight. Levels are electrical. */

@@ -19,6 +19,9 @@
 #define RESET_US UINT32_C(150000)
 #define SLEEP_US UINT32_C(120000)
 
+/* CASET and RASET with four arguments each, and RAMWR: their bytes, and how often they are written or D/C changes. */
+enum { WINDOW_B = 11, WINDOW_MESSAGES = 11 };
+
 static struct dcs *dcs_of(const struct panel *panel)
 {
     return panel->chip;
@@ -239,10 +242,8 @@ static int dcs_set_backlight(struct panel *panel, bool lit)
  * root of (1 - (dy / h)^2) w^2, found bit by bit. */
 static void dcs_visible(const struct panel *panel, uint16_t y_px, uint16_t *x0_px, uint16_t *x1_px)
 {
-    const struct dcs *dcs = panel->chip;
     const uint32_t w = panel->w_px, h = panel->h_px;
 
-    if (!dcs->chip->is_round) return;
     const uint32_t dy = 2u * y_px + 1u > h ? 2u * y_px + 1u - h : h - 2u * y_px - 1u;
     const uint64_t room = (uint64_t)(h * h - dy * dy) * w * w;
     uint32_t reach = 0; /* the greatest dx with dx^2 h^2 <= room */
@@ -280,12 +281,13 @@ int dcs_setup(struct dcs *dcs, const struct dcs_chip *chip, const struct dcs_con
         .set_rotation = dcs_set_rotation,
         .set_inverted = dcs_set_inverted,
         .set_backlight = dcs_set_backlight,
-        .visible = dcs_visible,
     };
     if (!dcs_config_fits(config, chip)) return PANEL_ERR_CONFIG;
     *dcs = (struct dcs){.chip = chip, .config = *config, .wire = {.bus = config->bus, .dc = config->dc}};
     dcs->panel = (struct panel){.ops = &ops, .chip = dcs};
     dcs->panel.format = config->format != PANEL_USUAL ? config->format : chip->format;
+    if (chip->is_round) dcs->panel.visible = dcs_visible;
+    dcs->panel.window_b = (uint16_t)(WINDOW_B + WINDOW_MESSAGES * config->bus.message_b);
     dcs_set_size(dcs, config->rotation);
     return 0;
 }

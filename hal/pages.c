@@ -55,6 +55,9 @@ uint8_t pages_address_b0(uint8_t commands[PAGES_ADDRESS_MAX_B], uint8_t page, ui
     return 3;
 }
 
+/* A page's address, after D/C's change and before its change back. */
+enum { WINDOW_MESSAGES = 3 };
+
 static struct pages *pages_of(const struct panel *panel)
 {
     return panel->chip;
@@ -273,6 +276,12 @@ int pages_setup(struct pages *pages, const struct pages_chip *chip, const struct
     *pages = (struct pages){
         .chip = chip, .config = *config, .rotation = config->rotation, .wire = {.bus = config->bus, .dc = config->dc}};
     pages->panel = (struct panel){
-        .ops = &ops, .chip = pages, .w_px = config->w_px, .h_px = config->h_px, .format = PANEL_MONO_PAGES};
+        .ops = &ops,
+        .chip = pages,
+        .w_px = config->w_px,
+        .h_px = config->h_px,
+        .format = PANEL_MONO_PAGES,
+        .window_b = (uint16_t)(PAGES_ADDRESS_MAX_B + WINDOW_MESSAGES * config->bus.message_b),
+    };
     return 0;
 }

@@ -27,6 +27,9 @@ struct panel {
     void *chip;               /* the driver's own state */
     uint16_t w_px, h_px;      /* size of the picture, after rotation */
     enum panel_format format; /* what panel_pixels() takes */
+    /* Round glass: panel_visible(). NULL: all is seen. */
+    void (*visible)(const struct panel *panel, uint16_t y_px, uint16_t *x0_px, uint16_t *x1_px);
+    uint16_t window_b; /* what panel_window() costs: bytes, or as many as would take the port as long */
 };
 
 /* What a chip's driver implements. The first four are required; NULL elsewhere: unsupported. */
@@ -40,7 +43,6 @@ struct panel_ops {
     int (*set_rotation)(struct panel *panel, enum panel_rotation rotation);
     int (*set_inverted)(struct panel *panel, bool inverted);
     int (*set_backlight)(struct panel *panel, bool lit);
-    void (*visible)(const struct panel *panel, uint16_t y_px, uint16_t *x0_px, uint16_t *x1_px);
 };
 
 /* Resets and configures the chip, from any state, and lights the panel; what it then shows until
@@ -105,7 +107,7 @@ static inline void panel_visible(const struct panel *panel, uint16_t y_px, uint1
 {
     *x0_px = 0;
     *x1_px = panel->w_px;
-    if (panel->ops->visible) panel->ops->visible(panel, y_px, x0_px, x1_px);
+    if (panel->visible) panel->visible(panel, y_px, x0_px, x1_px);
 }
 
 #endif

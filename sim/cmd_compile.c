@@ -27,6 +27,8 @@ enum option_code {
     OPTION_UNLIT,
     OPTION_WIREFRAME,
     OPTION_ANTIALIAS,
+    OPTION_DELTA,
+    OPTION_ROUND,
     OPTION_SIZE,
     OPTION_PRECISION,
     OPTION_MAX_ERROR,
@@ -48,6 +50,8 @@ static const struct option OPTIONS[] = {
     {"unlit", no_argument, NULL, OPTION_UNLIT},
     {"wireframe", no_argument, NULL, OPTION_WIREFRAME},
     {"antialias", no_argument, NULL, OPTION_ANTIALIAS},
+    {"delta", no_argument, NULL, OPTION_DELTA},
+    {"round", no_argument, NULL, OPTION_ROUND},
     {"precision", required_argument, NULL, OPTION_PRECISION},
     {"max-error", required_argument, NULL, OPTION_MAX_ERROR},
     {"max-vertex-error", required_argument, NULL, OPTION_MAX_VERTEX_ERROR},
@@ -103,6 +107,12 @@ static bool parse_option(int code, char **argv, struct request *out, struct erro
         return true;
     case OPTION_ANTIALIAS:
         out->compile.antialias = true;
+        return true;
+    case OPTION_DELTA:
+        out->compile.delta = true;
+        return true;
+    case OPTION_ROUND:
+        out->compile.round = true;
         return true;
     case OPTION_PRECISION:
         return parse_precision(optarg, &out->compile.core, err);

@@ -103,7 +103,9 @@ static bool start(struct render *render, struct error *err)
         !simulator_set_movers(&render->simulator, moving->instances, moving->count, &moving->limits, err))
         return false;
     if (moving->count) render->simulator.core->light(render->simulator.lim, &moving->light);
-    if (!simulator_set_antialias(&render->simulator, options->compile.antialias, err)) return false;
+    if (!simulator_set_antialias(&render->simulator, options->compile.antialias, err) ||
+        !simulator_set_delta(&render->simulator, options->delta_runs, err))
+        return false;
     bool want_ids = options->ids_path || options->compare;
     if (want_ids && !ids_init(&render->ids, &render->scene, &options->setup, err)) return false;
     if (want_ids) render->ids.simulator.core->newell(render->ids.simulator.lim, &options->newell);
@@ -247,6 +249,8 @@ static bool print_tables(const struct render *render, struct error *err)
     }
     if (render->options.stats && render->moving.count)
         frame_table_print_movers(render->rows, render->path.count, stdout);
+    if (render->options.stats && render->options.delta_runs)
+        frame_table_print_delta(render->rows, render->path.count, stdout);
     if (render->options.compare) frame_table_print_compare(render->rows, render->path.count, stdout);
     if (render->options.compare && render->options.compile.antialias && render->moving.count)
         puts("edges: not compared where objects move");

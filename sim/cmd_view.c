@@ -43,6 +43,7 @@ static bool view_open(struct viewing *view, struct flight *flight, struct error 
         return false;
     simulator_set_wireframe(&view->simulator, &options->wireframe);
     if (!simulator_set_antialias(&view->simulator, options->compile.antialias, err)) return false;
+    if (!simulator_set_delta(&view->simulator, options->delta_runs, err)) return false;
     if (moving->count &&
         !simulator_set_movers(&view->simulator, moving->instances, moving->count, &moving->limits, err))
         return false;

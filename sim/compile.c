@@ -239,6 +239,8 @@ bool compile_mesh(const struct mesh *mesh, const struct compile_options *options
         ok = find_sampled(&work, err) && compile_best(&work, out, err) && check_method(options, out, err);
         out->report.wireframe = options->wireframe;
         out->report.antialias = options->antialias;
+        out->report.round = options->round;
+        out->report.delta_runs = options->delta;
         ok = ok &&
              pools_measure(out, options->core, side_or_default(options->w_px), side_or_default(options->h_px), err) &&
              portals_add(out, options, err);

@@ -28,6 +28,8 @@ struct compile_options {
     unsigned w_px, h_px;         /* the panel that pool sizes are measured for; 0: 240 */
     bool unlit;                  /* colours stay as they are in the model: no light is baked in */
     bool antialias;              /* for drawing with antialiased edges: pools are measured so */
+    bool delta;                  /* for sending what changes alone: its memory is measured */
+    bool round;                  /* for round glass, too */
     bool wireframe;              /* for drawing as wireframe: edges that are not the model's are known */
     enum portals_wanted portals; /* whether to store what is seen from where; AUTO: if it pays */
     bool predict;                /* measure the wrong-pixel share for the report: takes a second or so */
@@ -67,6 +69,8 @@ struct compile_report {
     char splitter[16];            /* the heuristic that won */
     bool antialias;               /* firmware can draw it with antialiased edges */
     bool wireframe;               /* firmware can draw it as wireframe */
+    uint16_t delta_runs;          /* firmware can send what changes alone, which takes so many runs; 0: it cannot */
+    bool round;                   /* firmware leaves out what round glass does not show */
     bool convex;                  /* one convex solid */
     enum lim_method draws;        /* what firmware draws it with */
     unsigned w_px, h_px;          /* of the panel that the pools were measured for */

@@ -58,6 +58,16 @@ static int set_antialias(void *lim, void *mem, size_t mem_b)
     return lim_set_antialias(lim, mem, mem_b);
 }
 
+static int set_delta(void *lim, void *mem, size_t mem_b)
+{
+    return lim_set_delta(lim, mem, mem_b);
+}
+
+static void refresh(void *lim)
+{
+    lim_refresh(lim);
+}
+
 static bool project(void *lim, uint16_t vertex, double at_px[2])
 {
     struct lim *const state = lim;
@@ -145,6 +155,8 @@ const struct core CORE = {.name = CORE_NAME(CORE),
                           .stats = stats,
                           .set_wireframe = set_wireframe,
                           .set_antialias = set_antialias,
+                          .set_delta = set_delta,
+                          .refresh = refresh,
                           .project = project,
                           .eye_side = eye_side,
                           .texels = texels};

@@ -80,6 +80,21 @@ static const struct column STATS_COLUMNS[] = {
     {"bus_b", 8, 0, bus_b},
 };
 
+#define DELTA_VALUE(field)                                                                                             \
+    static double delta_##field(const struct frame_row *row)                                                           \
+    {                                                                                                                  \
+        return row->stats.delta.field;                                                                                 \
+    }
+DELTA_VALUE(pixels)
+DELTA_VALUE(windows)
+DELTA_VALUE(runs_max)
+DELTA_VALUE(lines_whole)
+
+static const struct column DELTA_COLUMNS[] = {
+    {"sent_px", 8, 0, delta_pixels},    {"windows", 8, 0, delta_windows}, {"runs", 6, 0, delta_runs_max},
+    {"whole", 6, 0, delta_lines_whole}, {"bus_b", 8, 0, bus_b},
+};
+
 #define NEWELL_VALUE(name, field)                                                                                      \
     static double newell_##name(const struct frame_row *row)                                                           \
     {                                                                                                                  \
@@ -202,6 +217,17 @@ static void print_table(const struct column *columns, size_t column_count, const
 void frame_table_print_stats(const struct frame_row *rows, size_t count, FILE *out)
 {
     print_table(STATS_COLUMNS, sizeof STATS_COLUMNS / sizeof STATS_COLUMNS[0], rows, count, out);
+}
+
+/* The first frame is whole. */
+void frame_table_print_delta(const struct frame_row *rows, size_t count, FILE *out)
+{
+    const struct column bytes = {"bus_b", 8, 0, bus_b};
+    print_table(DELTA_COLUMNS, sizeof DELTA_COLUMNS / sizeof DELTA_COLUMNS[0], rows, count, out);
+    if (count < 2 || !rows[0].bus_b) return;
+    fprintf(out, "delta: %.2f %% of the first frame's bytes, which is whole; worst %.2f %%\n",
+            100.0 * column_mean(&bytes, rows + 1, count - 1) / (double)rows[0].bus_b,
+            100.0 * column_worst(&bytes, rows + 1, count - 1) / (double)rows[0].bus_b);
 }
 
 void frame_table_print_movers(const struct frame_row *rows, size_t count, FILE *out)

@@ -26,6 +26,7 @@ void frame_table_print_stats(const struct frame_row *rows, size_t count, FILE *o
 void frame_table_print_newell(const struct frame_row *rows, size_t count, FILE *out);
 
 /* What became of movers: struct lim_mover_stats, and what it took to sort those that met. */
+void frame_table_print_delta(const struct frame_row *rows, size_t count, FILE *out);
 void frame_table_print_movers(const struct frame_row *rows, size_t count, FILE *out);
 
 /* Instructions a frame by frame_cost.h: of frames drawn nearest first. */

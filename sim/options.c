@@ -38,12 +38,15 @@ enum option_code {
     OPTION_UNLIT,
     OPTION_WIREFRAME,
     OPTION_ANTIALIAS,
+    OPTION_DELTA,
     OPTION_PRECISION,
     OPTION_NEWELL,
     OPTION_MOVERS,
     OPTION_MOVER_LIGHT,
     OPTION_FPS
 };
+
+enum { MOST_RUNS = 60000 };
 
 /* Those that only `render` has come first. */
 enum { RENDER_ONLY_OPTIONS = 12 };
@@ -73,6 +76,7 @@ static const struct option OPTIONS[] = {
     {"unlit", no_argument, NULL, OPTION_UNLIT},
     {"wireframe", optional_argument, NULL, OPTION_WIREFRAME},
     {"antialias", no_argument, NULL, OPTION_ANTIALIAS},
+    {"delta", optional_argument, NULL, OPTION_DELTA},
     {NULL, 0, NULL, 0},
 };
 
@@ -109,6 +113,15 @@ static bool parse_fps(const char *text, double *out, struct error *err)
 {
     if (!parse_number("--fps", text, out, err)) return false;
     return (*out > 0.0 && *out <= 1000.0) || error_set(err, "--fps %s: above 0, and at most 1000", text);
+}
+
+/* Nothing: as many as there may be. */
+static bool parse_runs(const char *text, uint16_t *out, struct error *err)
+{
+    double runs = MOST_RUNS;
+    if (text && !parse_number("--delta", text, &runs, err)) return false;
+    *out = runs >= 1.0 && runs <= MOST_RUNS ? (uint16_t)runs : 0;
+    return *out || error_set(err, "--delta=%s: 1 to %d runs", text, MOST_RUNS);
 }
 
 static bool parse_near(const char *text, double *out, struct error *err)
@@ -152,6 +165,9 @@ static bool parse_option(int code, const char *text, struct options *out, struct
     case OPTION_ANTIALIAS:
         out->compile.antialias = true;
         return true;
+    case OPTION_DELTA:
+        out->compile.delta = true;
+        return parse_runs(text, &out->delta_runs, err);
     case OPTION_SPLITTER:
         out->compile.splitter = text;
         return true;

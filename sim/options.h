@@ -18,6 +18,7 @@ struct options {
     double near_m; /* 0: not given */
     struct compile_options compile;
     struct lim_wireframe wireframe;
+    uint16_t delta_runs; /* 0: every frame is sent whole */
     /* limner render only; NULL or false: not asked for */
     const char *frame_pattern, *gif_path, *sheet_path, *ids_path, *check_path, *hashes_path, *cameras_path;
     bool stats, compare;

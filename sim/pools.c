@@ -21,7 +21,7 @@ enum { CAMERAS = 256, STRAYS = 1, LEAST_PIECES = 8, PLENTY_OF_PIECES = 16000, PL
 /* What each camera used of each pool. */
 struct usage {
     size_t cameras;
-    uint16_t cells[CAMERAS], gaps[CAMERAS], active[CAMERAS], layers[CAMERAS];
+    uint16_t cells[CAMERAS], gaps[CAMERAS], active[CAMERAS], layers[CAMERAS], runs[CAMERAS];
     double instructions;              /* predicted, of all frames */
     uint32_t splits_max, entries_max; /* strays included: without room for a piece the picture may be wrong */
 };
@@ -56,6 +56,7 @@ static void note(struct usage *usage, const struct simulator *simulator)
     usage->cells[i] = stats->retained_cells_max;
     usage->gaps[i] = stats->gaps_max;
     usage->active[i] = stats->active_max;
+    usage->runs[i] = stats->delta.runs_max;
     usage->instructions += frame_cost_m0plus(stats, simulator->target.w_px, simulator->target.h_px);
     if (stats->newell.splits > usage->splits_max) usage->splits_max = stats->newell.splits;
     usage->layers[i] = stats->layers_max;
@@ -96,6 +97,7 @@ static bool sample_method(const struct compiled *scene, struct moving *moving, c
     simulator_set_wireframe(&simulator, &(struct lim_wireframe){.on = style == STYLE_WIREFRAME});
     const bool ok =
         simulator_set_antialias(&simulator, style == STYLE_ANTIALIAS, err) &&
+        simulator_set_delta(&simulator, scene->report.delta_runs ? PLENTY : 0, err) &&
         (!moving || simulator_set_movers(&simulator, moving->instances, moving->count, &moving->limits, err)) &&
         sample_frames(scene, moving, &simulator, usage, err);
     simulator_free(&simulator);
@@ -138,6 +140,8 @@ static bool sample_spans(struct compiled *roomy, struct moving *moving, const st
     limits->gaps = greater(limits->gaps, with_margin(most(usage.gaps, usage.cameras), 1));
     limits->active = greater(limits->active, with_margin(most(usage.active, usage.cameras), 1));
     limits->pieces = greater(limits->pieces, pieces_for(&usage));
+    if (roomy->report.delta_runs)
+        roomy->report.delta_runs = greater(roomy->report.delta_runs, with_margin(most(usage.runs, usage.cameras), 1));
     if (style == STYLE_PLAIN && usage.cameras && roomy->report.draws == LIM_NEAREST_FIRST &&
         frame_cost_is_known(&roomy->scene))
         roomy->report.instructions = usage.instructions / (double)usage.cameras;
@@ -176,6 +180,7 @@ bool pools_measure_moving(struct compiled *scene, struct moving *moving, const s
         (scene->report.antialias && !sample_spans(&roomy, moving, &setup, STYLE_ANTIALIAS, &limits, err)))
         return false;
     lim_image_set_limits(scene, &limits);
+    scene->report.delta_runs = roomy.report.delta_runs;
     scene->report.instructions = NAN; /* what moves costs, too */
     return true;
 }
@@ -194,6 +199,7 @@ bool pools_measure(struct compiled *scene, const struct core *core, unsigned w_p
     if (scene->report.convex && !sample_convex(&roomy, &setup, &limits.active, err)) return false;
     lim_image_set_limits(scene, &limits);
     scene->report.instructions = roomy.report.instructions;
+    scene->report.delta_runs = roomy.report.delta_runs;
     scene->report.w_px = w_px;
     scene->report.h_px = h_px;
     return true;

@@ -44,6 +44,14 @@ static int memory_done(void *ctx, uint16_t y_px, uint16_t x_px, uint16_t n_px)
     return 0;
 }
 
+/* Plain memory takes every piece where it belongs. */
+static int memory_window(void *ctx, const struct lim_rect *window)
+{
+    (void)ctx;
+    (void)window;
+    return 0;
+}
+
 static bool memory_init(struct simulator *simulator, enum lim_method method, unsigned w_px, unsigned h_px,
                         struct error *err)
 {
@@ -55,7 +63,9 @@ static bool memory_init(struct simulator *simulator, enum lim_method method, uns
                                             .method = method,
                                             .ctx = simulator,
                                             .lend = memory_lend,
-                                            .done = memory_done};
+                                            .done = memory_done,
+                                            .window = memory_window,
+                                            .costs = {.window_b = 11, .pixel_bits = 16, .page_px = 1, .x_align_px = 1}};
     return simulator->lines || error_set(err, "simulator: out of memory");
 }
 
@@ -161,6 +171,17 @@ bool simulator_set_antialias(struct simulator *simulator, bool on, struct error 
     return !code || error_set(err, "--antialias: takes a method that draws nearest first");
 }
 
+bool simulator_set_delta(struct simulator *simulator, uint16_t runs, struct error *err)
+{
+    const size_t mem_b = LIM_DELTA_MEM_B(simulator->target.h_px, runs);
+    void *mem = runs ? malloc(mem_b) : NULL;
+    if (runs && !mem) return error_set(err, "simulator: out of memory");
+    const int code = simulator->core->set_delta(simulator->lim, mem, mem_b);
+    free(simulator->delta_mem);
+    simulator->delta_mem = mem;
+    return !code || error_set(err, "renderer: %s (%d)", reason_of(code), code);
+}
+
 const struct lim_stats *simulator_stats(const struct simulator *simulator)
 {
     return simulator->core->stats(simulator->lim);
@@ -225,6 +246,7 @@ void simulator_free(struct simulator *simulator)
     free(simulator->mem);
     free(simulator->mover_mem);
     free(simulator->smooth_mem);
+    free(simulator->delta_mem);
     free(simulator->lim);
     memset(simulator, 0, sizeof *simulator);
 }

@@ -36,6 +36,7 @@ struct simulator {
     const struct lim_instance *instances; /* of the frames to come, the caller's */
     uint16_t instance_count;
     void *smooth_mem;          /* for antialiasing, or NULL */
+    void *delta_mem;           /* for delta output, or NULL */
     uint16_t *pixels;          /* the last frame: RGB565 as numbers, row by row from the top left */
     size_t bus_b;              /* bytes sent to the panel for it */
     struct panel_board *board; /* NULL: plain memory */
@@ -66,6 +67,9 @@ bool simulator_set_movers(struct simulator *simulator, const struct lim_instance
 
 /* Turns antialiasing on or off. false: the method has none. */
 bool simulator_set_antialias(struct simulator *simulator, bool on, struct error *err);
+
+/* Sends only what changes from frame to frame, with memory for `runs` of them; 0: all frames whole. */
+bool simulator_set_delta(struct simulator *simulator, uint16_t runs, struct error *err);
 
 /* Renders a frame into `pixels`. An error of the renderer or driver, or a complaint of the
  * emulated chip about the protocol, is an error here. */

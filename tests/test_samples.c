@@ -226,6 +226,8 @@ struct fixture {
     uint16_t closed[W], fresh[W]; /* what is closed, and what the last call closed */
 };
 
+static const struct lim_target everything; /* is seen */
+
 static void open_line(struct fixture *f, uint16_t pool_size)
 {
     const struct lim_rect all = {0, 0, W, 1};
@@ -234,7 +236,7 @@ static void open_line(struct fixture *f, uint16_t pool_size)
     f->spans.lines = &f->line;
     f->spans.pool = f->pool;
     f->spans.pool_size = pool_size;
-    lim_spans_open(&f->spans, &all);
+    lim_spans_open(&f->spans, &everything, &all);
 }
 
 static void note_run(void *ctx, const struct lim_run *run, uint16_t covered)

@@ -18,6 +18,8 @@ struct fixture {
     uint16_t last_end;
 };
 
+static const struct lim_target everything; /* is seen */
+
 static void open_line(struct fixture *f, uint16_t pool_size)
 {
     const struct lim_rect all = {0, 0, W, 1};
@@ -26,7 +28,7 @@ static void open_line(struct fixture *f, uint16_t pool_size)
     f->spans.lines = &f->line;
     f->spans.pool = f->pool;
     f->spans.pool_size = pool_size;
-    lim_spans_open(&f->spans, &all);
+    lim_spans_open(&f->spans, &everything, &all);
     for (int x = 0; x < W; x++)
         f->open[x] = true;
 }
@@ -146,7 +148,7 @@ static void the_open_rectangle_shrinks_to_what_is_open(void **state)
     const struct lim_rect all = {0, 0, W, 10};
 
     (void)state;
-    lim_spans_open(&spans, &all);
+    lim_spans_open(&spans, &everything, &all);
     assert_false(lim_spans_shrink(&spans));
     for (int y = 0; y < 10; y++) {
         if (y < 3 || y == 9)

@@ -24,27 +24,33 @@ static void *screen_lend(void *ctx, uint16_t y_px)
     return screen_line(screen, y_px) + screen->head_b;
 }
 
-/* From a line's start the window takes all the lines below as well, from its middle only the rest
- * of the line: what follows usually fits, and a window need not be filled. */
-static int screen_open_window(struct screen *screen, uint16_t x_px, uint16_t y_px)
+static int screen_open_window(struct screen *screen, uint16_t x_px, uint16_t y_px, uint16_t w_px, uint16_t h_px)
 {
-    uint16_t w_px = (uint16_t)(screen->target.w_px - x_px);
-    uint16_t h_px = x_px == 0 ? (uint16_t)(screen->target.h_px - y_px) : 1;
     int err = panel_window(screen->panel, x_px, y_px, w_px, h_px);
-    if (err) return err;
-    screen->window_open = true;
+    screen->window_open = !err;
+    screen->window_given = false;
     screen->half_byte = false;
+    screen->window_x0_px = x_px;
+    screen->window_x1_px = (uint16_t)(x_px + w_px);
     screen->window_end_y_px = (uint16_t)(y_px + h_px);
     screen->next_x_px = x_px;
     screen->next_y_px = y_px;
-    return 0;
+    return err;
+}
+
+/* From a line's start the window takes all the lines below as well, from its middle only the rest
+ * of the line: what follows usually fits, and a window need not be filled. */
+static int screen_open_rest(struct screen *screen, uint16_t x_px, uint16_t y_px)
+{
+    return screen_open_window(screen, x_px, y_px, (uint16_t)(screen->target.w_px - x_px),
+                              x_px == 0 ? (uint16_t)(screen->target.h_px - y_px) : 1);
 }
 
 static void screen_advance(struct screen *screen, uint16_t n_px)
 {
     screen->next_x_px = (uint16_t)(screen->next_x_px + n_px);
-    if (screen->next_x_px < screen->target.w_px) return;
-    screen->next_x_px = 0;
+    if (screen->next_x_px < screen->window_x1_px) return;
+    screen->next_x_px = screen->window_x0_px;
     screen->next_y_px++;
     if (screen->next_y_px == screen->window_end_y_px) screen->window_open = false;
 }
@@ -65,7 +71,7 @@ static int screen_send(struct screen *screen, uint16_t y_px, uint16_t x_px, uint
     bool continues =
         screen->window_open && screen->next_x_px == x_px && screen->next_y_px == y_px && !screen->half_byte;
     if (!continues) {
-        int err = screen_open_window(screen, x_px, y_px);
+        int err = screen_open_rest(screen, x_px, y_px);
         if (err) return err;
     }
     screen->lent_line_sent = true;
@@ -92,14 +98,45 @@ static int screen_gather(struct screen *screen, uint16_t y_px, uint16_t x_px, ui
     return 0;
 }
 
+static void screen_visible(void *ctx, uint16_t y_px, uint16_t *x0_px, uint16_t *x1_px)
+{
+    const struct screen *screen = ctx;
+    panel_visible(screen->panel, y_px, x0_px, x1_px);
+}
+
+#if LIM_HAS_DELTA
+/* Of pages each gets its own window when it is complete. */
+static int screen_window(void *ctx, const struct lim_rect *window)
+{
+    struct screen *screen = ctx;
+    int err = screen_open_window(screen, window->x0, window->y0, (uint16_t)(window->x1 - window->x0),
+                                 (uint16_t)(window->y1 - window->y0));
+    screen->window_given = true;
+    return err;
+}
+
+static struct lim_target_costs screen_costs(const struct panel *panel)
+{
+    static const uint8_t pixel_bits[PANEL_FORMATS] = {
+        [PANEL_RGB565] = 16, [PANEL_RGB444] = 12, [PANEL_RGB666] = 24, [PANEL_MONO_PAGES] = 8};
+
+    return (struct lim_target_costs){
+        .window_b = panel->window_b,
+        .pixel_bits = pixel_bits[panel->format],
+        .page_px = panel->format == PANEL_MONO_PAGES ? 8 : 1,
+        .x_align_px = panel->format == PANEL_RGB444 ? 2 : 1,
+    };
+}
+#endif
+
 static int screen_done(void *ctx, uint16_t y_px, uint16_t x_px, uint16_t n_px)
 {
     struct screen *screen = ctx;
     LIM_ASSERT(y_px < screen->target.h_px && x_px <= screen->target.w_px && n_px <= screen->target.w_px - x_px);
     uint16_t x0_px, x1_px, end_px = (uint16_t)(x_px + n_px);
-    panel_visible(screen->panel, y_px, &x0_px, &x1_px);
-    if (x0_px < x_px) x0_px = x_px;
-    if (x1_px > end_px) x1_px = end_px;
+    screen_visible(screen, y_px, &x0_px, &x1_px);
+    if (x0_px < x_px || screen->window_given) x0_px = x_px;
+    if (x1_px > end_px || screen->window_given) x1_px = end_px;
     if (x0_px >= x1_px) return 0;
     const uint16_t seen_px = (uint16_t)(x1_px - x0_px);
     int err = screen->pages ? screen_gather(screen, y_px, x0_px, seen_px) : screen_send(screen, y_px, x0_px, seen_px);
@@ -119,14 +156,16 @@ int screen_init(struct screen *screen, struct panel *panel, enum lim_method meth
     *screen = (struct screen){.panel = panel, .mem = mem, .line_b = line_b, .head_b = head_b};
     screen->n_lines = n_lines < most_lines ? (uint16_t)n_lines : most_lines;
     if (pages_b) screen->pages = screen->mem + (size_t)screen->n_lines * line_b;
-    screen->target = (struct lim_target){
-        .w_px = panel->w_px,
-        .h_px = panel->h_px,
-        .format = LIM_RGB565,
-        .method = method,
-        .ctx = screen,
-        .lend = screen_lend,
-        .done = screen_done,
+    screen->target = (struct lim_target)
+    {
+        .w_px = panel->w_px, .h_px = panel->h_px, .format = LIM_RGB565, .method = method, .ctx = screen,
+        .lend = screen_lend, .done = screen_done,
+#if LIM_HAS_ROUND
+        .visible = panel->visible ? screen_visible : NULL,
+#endif
+#if LIM_HAS_DELTA
+        .window = screen_window, .costs = screen_costs(panel),
+#endif
     };
     return 0;
 }

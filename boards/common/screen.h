@@ -42,6 +42,8 @@ struct screen {
     uint16_t lent_line;       /* nearest first: index of the line lent last */
     bool lent_line_sent;      /* some of it went to the panel, and may still be on its way */
     bool window_open;         /* pixels can follow at next_x_px, next_y_px */
+    bool window_given;        /* by the renderer, which sends just what fills it */
+    uint16_t window_x0_px, window_x1_px;
     uint16_t window_end_y_px; /* first line below the window */
     uint16_t next_x_px, next_y_px;
     bool half_byte; /* the window's last pixel ends within a byte, which is filled up */
