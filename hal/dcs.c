@@ -7,11 +7,10 @@
  * to travel on their own. */
 #include "dcs.h"
 
-/* MADCTL: how addresses map to memory. MV is applied first, MX and MY then mirror memory columns
- * and rows, whatever MV says. */
-#define MADCTL_MY 0x80u
-#define MADCTL_MX 0x40u
-#define MADCTL_MV 0x20u
+#include "turn.h"
+
+/* MADCTL, beside enum turn: the glass is refreshed from its last line up; blue first. */
+#define MADCTL_ML 0x10u
 #define MADCTL_BGR 0x08u
 
 /* Waits, in microseconds. The standard asks for 10 us of reset, 5 ms until the chip listens again and
@@ -22,58 +21,47 @@
 /* CASET and RASET with four arguments each, and RAMWR: their bytes, and how often they are written or D/C changes. */
 enum { WINDOW_B = 11, WINDOW_MESSAGES = 11 };
 
+/* Two frames of the slowest refresh that one of the chips can be set to, 28 Hz. */
+#define TEARING_US UINT32_C(72000)
+
 static struct dcs *dcs_of(const struct panel *panel)
 {
     return panel->chip;
 }
 
-/* Any command ends the chip's frame write, so it closes the window. */
-static int dcs_command(struct dcs *dcs, uint8_t command, const uint8_t *args, size_t n_args)
-{
-    dcs->left_px = 0;
-    int err = wire_command(&dcs->wire, &command, 1);
-    if (err || n_args == 0) return err;
-    err = wire_data(&dcs->wire, args, n_args);
-    if (err) return err;
-    return wire_flush(&dcs->wire);
-}
-
 static int dcs_command_wait(struct dcs *dcs, uint8_t command, uint32_t delay_us)
 {
-    int err = dcs_command(dcs, command, NULL, 0);
+    int err = wire_send(&dcs->wire, command, NULL, 0);
     if (err) return err;
     return clock_delay(&dcs->config.clock, delay_us);
 }
 
-/* A picture turned clockwise by 90 degrees runs down the glass from its right edge: its x is the
- * memory's row, its y the mirrored column; and so on round. A mirrored picture runs its x backwards,
- * which is along rows when columns and rows are exchanged. */
+/* Who waits for the refresh wants to write behind it: it starts at the picture's first line where that is one of the
+ * glass's. */
 static uint8_t dcs_madctl(const struct dcs *dcs, enum panel_rotation rotation)
 {
-    static const uint8_t turned[] = {0, MADCTL_MV | MADCTL_MX, MADCTL_MX | MADCTL_MY, MADCTL_MV | MADCTL_MY};
-    unsigned madctl = turned[rotation];
-    if (dcs->config.mirror) madctl ^= madctl & MADCTL_MV ? MADCTL_MY : MADCTL_MX;
+    unsigned madctl = turn_of(rotation, dcs->config.mirror);
+
     if (dcs->config.bgr) madctl |= MADCTL_BGR;
+    if (edge_is_wired(&dcs->config.tearing) && rotation == PANEL_TURNED_180) madctl |= MADCTL_ML;
     return (uint8_t)madctl;
 }
 
 static int dcs_send_madctl(struct dcs *dcs, enum panel_rotation rotation)
 {
     uint8_t madctl = dcs_madctl(dcs, rotation);
-    return dcs_command(dcs, DCS_MADCTL, &madctl, 1);
+    return wire_send(&dcs->wire, DCS_MADCTL, &madctl, 1);
 }
 
 static int dcs_send_inverted(struct dcs *dcs, bool inverted)
 {
-    return dcs_command(dcs, dcs->config.invert != inverted ? DCS_INVON : DCS_INVOFF, NULL, 0);
+    return wire_send(&dcs->wire, dcs->config.invert != inverted ? DCS_INVON : DCS_INVOFF, NULL, 0);
 }
 
 static void dcs_set_size(struct dcs *dcs, enum panel_rotation rotation)
 {
-    bool upright = rotation == PANEL_UPRIGHT || rotation == PANEL_TURNED_180;
     dcs->rotation = rotation;
-    dcs->panel.w_px = upright ? dcs->config.w_px : dcs->config.h_px;
-    dcs->panel.h_px = upright ? dcs->config.h_px : dcs->config.w_px;
+    turn_size(&dcs->panel, rotation, dcs->config.w_px, dcs->config.h_px);
 }
 
 /* Sends CASET or RASET: first and last address, high byte first. */
@@ -81,7 +69,7 @@ static int dcs_address(struct dcs *dcs, uint8_t command, uint16_t first, uint16_
 {
     uint16_t last = (uint16_t)(first + n - 1u);
     uint8_t args[] = {(uint8_t)(first >> 8), (uint8_t)first, (uint8_t)(last >> 8), (uint8_t)last};
-    return dcs_command(dcs, command, args, sizeof args);
+    return wire_send(&dcs->wire, command, args, sizeof args);
 }
 
 /* The offset rule: a mirrored axis counts from the memory's far end, so the glass's other margin
@@ -92,18 +80,17 @@ static void dcs_offsets(const struct dcs *dcs, uint16_t *x_px, uint16_t *y_px)
     uint8_t madctl = dcs_madctl(dcs, dcs->rotation);
     uint16_t column = config->ox_px;
     uint16_t row = config->oy_px;
-    if (madctl & MADCTL_MX) column = (uint16_t)(dcs->chip->mem_w_px - config->w_px - config->ox_px);
-    if (madctl & MADCTL_MY) row = (uint16_t)(dcs->chip->mem_h_px - config->h_px - config->oy_px);
-    *x_px = madctl & MADCTL_MV ? row : column;
-    *y_px = madctl & MADCTL_MV ? column : row;
+    if (madctl & TURN_COLUMNS) column = (uint16_t)(dcs->chip->mem_w_px - config->w_px - config->ox_px);
+    if (madctl & TURN_ROWS) row = (uint16_t)(dcs->chip->mem_h_px - config->h_px - config->oy_px);
+    *x_px = madctl & TURN_EXCHANGE ? row : column;
+    *y_px = madctl & TURN_EXCHANGE ? column : row;
 }
 
 static int dcs_window(struct panel *panel, uint16_t x_px, uint16_t y_px, uint16_t w_px, uint16_t h_px)
 {
     struct dcs *dcs = dcs_of(panel);
-    dcs->left_px = 0;
-    if (w_px == 0 || x_px >= panel->w_px || w_px > panel->w_px - x_px) return PANEL_ERR_WINDOW;
-    if (h_px == 0 || y_px >= panel->h_px || h_px > panel->h_px - y_px) return PANEL_ERR_WINDOW;
+    wire_open(&dcs->wire, 0);
+    if (!panel_holds(panel, x_px, y_px, w_px, h_px)) return PANEL_ERR_WINDOW;
 
     uint16_t ox_px, oy_px;
     dcs_offsets(dcs, &ox_px, &oy_px);
@@ -111,30 +98,31 @@ static int dcs_window(struct panel *panel, uint16_t x_px, uint16_t y_px, uint16_
     if (err) return err;
     err = dcs_address(dcs, DCS_RASET, (uint16_t)(oy_px + y_px), h_px);
     if (err) return err;
-    err = dcs_command(dcs, DCS_RAMWR, NULL, 0);
+    err = wire_send(&dcs->wire, DCS_RAMWR, NULL, 0);
     if (err) return err;
-    dcs->left_px = (uint32_t)w_px * h_px;
+    wire_open(&dcs->wire, (uint32_t)w_px * h_px);
     return 0;
 }
 
 static int dcs_pixels(struct panel *panel, const void *data, size_t n_px)
 {
-    struct dcs *dcs = dcs_of(panel);
-    uint32_t left_px = dcs->left_px;
-    dcs->left_px = 0; /* stays closed after an error */
-    if (n_px > left_px) return PANEL_ERR_WINDOW;
-    int err = wire_data(&dcs->wire, data, pixels_b(panel->format, n_px));
-    if (err) return err;
-    dcs->left_px = left_px - (uint32_t)n_px;
-    return 0;
+    return wire_pixels(&dcs_of(panel)->wire, panel->format, data, n_px);
 }
 
 static int dcs_flush(struct panel *panel)
 {
-    struct dcs *dcs = dcs_of(panel);
-    int err = wire_flush(&dcs->wire);
-    if (err) dcs->left_px = 0;
-    return err;
+    return wire_flush(&dcs_of(panel)->wire);
+}
+
+/* A frame that comes too late for one refresh is better than none. */
+static int dcs_begin_frame(struct panel *panel)
+{
+    const struct edge *tearing = &dcs_of(panel)->config.tearing;
+
+    if (!edge_is_wired(tearing)) return 0;
+    const int came = edge_wait(tearing, TEARING_US);
+    if (came == 0) panel->missed_edges++;
+    return came < 0 ? came : 0;
 }
 
 /* The first wait: the host may have restarted while the chip was leaving sleep, when it takes no
@@ -146,20 +134,18 @@ static int dcs_reset_by_command(struct dcs *dcs)
     return dcs_command_wait(dcs, DCS_SWRESET, RESET_US);
 }
 
-static int dcs_send_setup(struct dcs *dcs)
+/* At the end of each refresh alone, not at that of each line. */
+static int dcs_send_tearing(struct dcs *dcs)
 {
-    const uint8_t *setup = dcs->chip->setup;
-    for (size_t i = 0; i < dcs->chip->setup_b; i += 2u + setup[i + 1]) {
-        int err = dcs_command(dcs, setup[i], &setup[i + 2], setup[i + 1]);
-        if (err) return err;
-    }
-    return 0;
+    const uint8_t mode = 0;
+
+    return edge_is_wired(&dcs->config.tearing) ? wire_send(&dcs->wire, DCS_TEON, &mode, 1) : 0;
 }
 
 static int dcs_send_format(struct dcs *dcs)
 {
     static const uint8_t colmod[] = {[PANEL_RGB565] = 0x55, [PANEL_RGB444] = 0x53, [PANEL_RGB666] = 0x66};
-    return dcs_command(dcs, DCS_COLMOD, &colmod[dcs->panel.format], 1);
+    return wire_send(&dcs->wire, DCS_COLMOD, &colmod[dcs->panel.format], 1);
 }
 
 /* From reset to a chip that shows its memory. */
@@ -167,7 +153,9 @@ static int dcs_wake(struct dcs *dcs)
 {
     int err = dcs_command_wait(dcs, DCS_SLPOUT, SLEEP_US);
     if (err) return err;
-    err = dcs_send_setup(dcs);
+    err = wire_send_list(&dcs->wire, dcs->chip->setup, dcs->chip->setup_b);
+    if (err) return err;
+    err = dcs_send_tearing(dcs);
     if (err) return err;
     err = dcs_send_format(dcs);
     if (err) return err;
@@ -175,13 +163,12 @@ static int dcs_wake(struct dcs *dcs)
     if (err) return err;
     err = dcs_send_inverted(dcs, dcs->inverted);
     if (err) return err;
-    return dcs_command(dcs, DCS_DISPON, NULL, 0);
+    return wire_send(&dcs->wire, DCS_DISPON, NULL, 0);
 }
 
 static int dcs_init(struct panel *panel)
 {
     struct dcs *dcs = dcs_of(panel);
-    dcs->left_px = 0;
     int err = wire_begin(&dcs->wire);
     if (err) return err;
     err = wire_set(&dcs->config.backlight, false);
@@ -206,9 +193,9 @@ static int dcs_blank(struct panel *panel, bool blank)
     if (blank) {
         int err = wire_set(&dcs->config.backlight, false);
         if (err) return err;
-        return dcs_command(dcs, DCS_DISPOFF, NULL, 0);
+        return wire_send(&dcs->wire, DCS_DISPOFF, NULL, 0);
     }
-    int err = dcs_command(dcs, DCS_DISPON, NULL, 0);
+    int err = wire_send(&dcs->wire, DCS_DISPON, NULL, 0);
     if (err) return err;
     return wire_set(&dcs->config.backlight, true);
 }
@@ -276,6 +263,7 @@ int dcs_setup(struct dcs *dcs, const struct dcs_chip *chip, const struct dcs_con
         .window = dcs_window,
         .pixels = dcs_pixels,
         .flush = dcs_flush,
+        .begin_frame = dcs_begin_frame,
         .sleep = dcs_sleep,
         .blank = dcs_blank,
         .set_rotation = dcs_set_rotation,
@@ -284,7 +272,7 @@ int dcs_setup(struct dcs *dcs, const struct dcs_chip *chip, const struct dcs_con
     };
     if (!dcs_config_fits(config, chip)) return PANEL_ERR_CONFIG;
     *dcs = (struct dcs){.chip = chip, .config = *config, .wire = {.bus = config->bus, .dc = config->dc}};
-    dcs->panel = (struct panel){.ops = &ops, .chip = dcs};
+    dcs->panel = (struct panel){.ops = &ops, .chip = dcs, .step_x_px = 1, .step_y_px = 1};
     dcs->panel.format = config->format != PANEL_USUAL ? config->format : chip->format;
     if (chip->is_round) dcs->panel.visible = dcs_visible;
     dcs->panel.window_b = (uint16_t)(WINDOW_B + WINDOW_MESSAGES * config->bus.message_b);

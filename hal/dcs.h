@@ -23,6 +23,7 @@ enum dcs_command {
     DCS_CASET = 0x2A,
     DCS_RASET = 0x2B,
     DCS_RAMWR = 0x2C,
+    DCS_TEON = 0x35,
     DCS_MADCTL = 0x36,
     DCS_COLMOD = 0x3A
 };
@@ -45,6 +46,7 @@ struct dcs_config {
     struct pin dc;                /* data (high) or command (low); required */
     struct pin reset;             /* active low; not wired: reset by command */
     struct pin backlight;         /* high: lit; not wired: always lit */
+    struct edge tearing;          /* the chip's TE output, which tells the start of a refresh; see below */
     struct clock clock;           /* required */
     uint16_t w_px, h_px;          /* size of the glass, upright: 1 .. the memory's; 0 is refused */
     uint16_t ox_px, oy_px;        /* memory column and row of the glass's top left pixel; offset + size <= memory's */
@@ -55,6 +57,14 @@ struct dcs_config {
     enum panel_format format;     /* one that the chip takes */
 };
 
+/* With TE wired, panel_begin_frame() waits for the blanking before a refresh, 72 ms at most, two frames at 28 Hz; a
+ * frame whose edge does not come is sent all the same, and counted in panel.missed_edges. What follows tears nowhere if
+ * it stays before the refresh, sent faster than that; sent slower, it must stay behind: within two refreshes, and begun
+ * when the blanking ends, at the fall of TE, which an edge can tell as well. Both want lines in the refresh's order. An
+ * upright picture's are, and those of one that stands on its head, for which the refresh is turned too; mirrored or
+ * not. Turned by a quarter, a picture's lines are columns of the glass, across the refresh: it tears, along a diagonal
+ * that stands still. */
+
 /* State of one panel; private but for `panel`. */
 struct dcs {
     struct panel panel; /* what the application uses */
@@ -63,7 +73,6 @@ struct dcs {
     enum panel_rotation rotation;
     bool inverted;    /* the negative is asked for */
     struct wire wire; /* to the chip */
-    uint32_t left_px; /* pixels that the open window still takes; 0: no window */
 };
 
 /* Fills *dcs without touching the hardware; panel_init() does. The configuration is copied; chip and

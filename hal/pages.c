@@ -151,9 +151,7 @@ static int pages_window(struct panel *panel, uint16_t x_px, uint16_t y_px, uint1
     struct pages *pages = pages_of(panel);
 
     pages_close(pages);
-    if (w_px == 0 || x_px >= panel->w_px || w_px > panel->w_px - x_px) return PANEL_ERR_WINDOW;
-    if (h_px == 0 || y_px >= panel->h_px || h_px > panel->h_px - y_px) return PANEL_ERR_WINDOW;
-    if (y_px % 8 || h_px % 8) return PANEL_ERR_WINDOW;
+    if (!panel_holds(panel, x_px, y_px, w_px, h_px)) return PANEL_ERR_WINDOW;
     pages->x_px = x_px;
     pages->end_x_px = (uint16_t)(x_px + w_px);
     pages->page = (uint8_t)(y_px / 8u);
@@ -280,6 +278,8 @@ int pages_setup(struct pages *pages, const struct pages_chip *chip, const struct
         .chip = pages,
         .w_px = config->w_px,
         .h_px = config->h_px,
+        .step_x_px = 1,
+        .step_y_px = 8,
         .format = PANEL_MONO_PAGES,
         .window_b = (uint16_t)(PAGES_ADDRESS_MAX_B + WINDOW_MESSAGES * config->bus.message_b),
     };

@@ -26,10 +26,13 @@ struct panel {
     const struct panel_ops *ops;
     void *chip;               /* the driver's own state */
     uint16_t w_px, h_px;      /* size of the picture, after rotation */
+    uint16_t step_x_px;       /* windows begin and end at multiples of these, 1 unless pixels share bytes: */
+    uint16_t step_y_px;       /* 2 x 1 for two pixels a byte, 1 x 8 for pages, w_px x 1 where lines go out whole */
     enum panel_format format; /* what panel_pixels() takes */
     /* Round glass: panel_visible(). NULL: all is seen. */
     void (*visible)(const struct panel *panel, uint16_t y_px, uint16_t *x0_px, uint16_t *x1_px);
-    uint16_t window_b; /* what panel_window() costs: bytes, or as many as would take the port as long */
+    uint16_t window_b;     /* what panel_window() costs: bytes, or as many as would take the port as long */
+    uint32_t missed_edges; /* frames that were not held for the glass's refresh: it did not tell its start in time */
 };
 
 /* What a chip's driver implements. The first four are required; NULL elsewhere: unsupported. */
@@ -38,6 +41,8 @@ struct panel_ops {
     int (*window)(struct panel *panel, uint16_t x_px, uint16_t y_px, uint16_t w_px, uint16_t h_px);
     int (*pixels)(struct panel *panel, const void *data, size_t n_px);
     int (*flush)(struct panel *panel);
+    int (*begin_frame)(struct panel *panel); /* NULL: nothing to do */
+    int (*keep)(struct panel *panel);        /* NULL: nothing to do */
     int (*sleep)(struct panel *panel, bool asleep);
     int (*blank)(struct panel *panel, bool blank);
     int (*set_rotation)(struct panel *panel, enum panel_rotation rotation);
@@ -50,6 +55,18 @@ struct panel_ops {
 HAL_MUST_CHECK static inline int panel_init(struct panel *panel)
 {
     return panel->ops->init(panel);
+}
+
+/* Before a frame's first window: holds it until it will not tear, where the chip can tell; a bounded time. */
+HAL_MUST_CHECK static inline int panel_begin_frame(struct panel *panel)
+{
+    return panel->ops->begin_frame ? panel->ops->begin_frame(panel) : 0;
+}
+
+/* While no frames are sent, once a second at least: what some glass needs to last (hal/sharp.h); elsewhere nothing. */
+HAL_MUST_CHECK static inline int panel_keep(struct panel *panel)
+{
+    return panel->ops->keep ? panel->ops->keep(panel) : 0;
 }
 
 /* The next pixels fill this rectangle of the picture, row by row from the top left. */
@@ -100,6 +117,15 @@ HAL_MUST_CHECK static inline int panel_set_inverted(struct panel *panel, bool in
 HAL_MUST_CHECK static inline int panel_set_backlight(struct panel *panel, bool lit)
 {
     return panel->ops->set_backlight ? panel->ops->set_backlight(panel, lit) : PANEL_ERR_UNSUPPORTED;
+}
+
+/* Whether a rectangle has pixels, lies within the picture, and keeps to the steps. No sum is formed that could exceed
+ * 16 bits. */
+static inline bool panel_holds(const struct panel *panel, uint16_t x_px, uint16_t y_px, uint16_t w_px, uint16_t h_px)
+{
+    return w_px && x_px < panel->w_px && w_px <= panel->w_px - x_px && h_px && y_px < panel->h_px &&
+           h_px <= panel->h_px - y_px && x_px % panel->step_x_px == 0 && w_px % panel->step_x_px == 0 &&
+           y_px % panel->step_y_px == 0 && h_px % panel->step_y_px == 0;
 }
 
 /* Which pixels x0_px <= x < x1_px of a line the glass shows: all, unless it is round. None: x0_px == x1_px. */

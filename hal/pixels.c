@@ -45,13 +45,13 @@ static void pack_rgb444(uint8_t *to, const uint8_t *from, uint16_t x_px, uint16_
 }
 
 /* Five bits are widened by their highest one, so that white stays white. */
-static void pack_rgb666(uint8_t *to, const uint8_t *from, uint16_t n_px)
+static void pack_rgb666(uint8_t *to, const uint8_t *from, uint16_t n_px, uint8_t down)
 {
     for (uint16_t i = 0; i < n_px; i++) {
         const unsigned rgb565 = rgb565_at(from, i);
-        *to++ = (uint8_t)((rgb565 >> 8 & 0xF8u) | (rgb565 >> 13 & 0x04u));
-        *to++ = (uint8_t)(rgb565 >> 3 & 0xFCu);
-        *to++ = (uint8_t)((rgb565 << 3 & 0xF8u) | (rgb565 >> 2 & 0x04u));
+        *to++ = (uint8_t)(((rgb565 >> 8 & 0xF8u) | (rgb565 >> 13 & 0x04u)) >> down);
+        *to++ = (uint8_t)((rgb565 >> 3 & 0xFCu) >> down);
+        *to++ = (uint8_t)(((rgb565 << 3 & 0xF8u) | (rgb565 >> 2 & 0x04u)) >> down);
     }
 }
 
@@ -60,8 +60,8 @@ void pixels_pack(enum panel_format format, uint8_t *to, const uint8_t *from, uin
 {
     if (format == PANEL_RGB444)
         pack_rgb444(to, from, x_px, y_px, n_px);
-    else if (format == PANEL_RGB666)
-        pack_rgb666(to, from, n_px);
+    else if (format == PANEL_RGB666 || format == PANEL_RGB666_LOW)
+        pack_rgb666(to, from, n_px, format == PANEL_RGB666_LOW ? 2 : 0);
     else if (to != from)
         for (size_t i = 0; i < pixels_b(format, n_px); i++)
             to[i] = from[i];
@@ -77,20 +77,43 @@ static uint32_t order_of_64(uint32_t x, uint32_t y)
     return order;
 }
 
-/* 0.299, 0.587 and 0.114 of a level each, 2^16 in all for white. */
+/* 2^16 times 0.299 / 31, 0.587 / 63 and 0.114 / 31, rounded: 2^16 + 20 for white, which is still below the next level,
+ * and 0 for black. */
 static uint32_t brightness_q16(uint16_t rgb565)
 {
     return (rgb565 >> 11) * UINT32_C(632) + (rgb565 >> 5 & 63u) * UINT32_C(611) + (rgb565 & 31u) * UINT32_C(241);
 }
 
-void pixels_to_page(uint8_t *page, const uint8_t *from, uint16_t x_px, uint16_t y_px, uint16_t n_px)
+static bool is_bright(uint16_t rgb565, uint16_t x_px, uint16_t y_px)
 {
-    const uint8_t bit = (uint8_t)(1u << (y_px & 7u));
+    const uint32_t add_q16 = (2 * order_of_64(x_px, y_px) + 1) << 9;
 
+    return (brightness_q16(rgb565) + add_q16) >> 16;
+}
+
+static uint8_t grey4(uint16_t rgb565, uint16_t x_px, uint16_t y_px)
+{
+    return (uint8_t)((15 * brightness_q16(rgb565) + threshold_q16(x_px, y_px)) >> 16);
+}
+
+static uint8_t with(uint8_t byte, uint8_t mask, uint8_t bits)
+{
+    return (uint8_t)((byte & ~(unsigned)mask) | bits);
+}
+
+void pixels_gather(enum panel_format format, uint8_t *to, const uint8_t *from, uint16_t x_px, uint16_t y_px,
+                   uint16_t n_px)
+{
     for (uint16_t i = 0; i < n_px; i++) {
-        const uint16_t x = (uint16_t)(x_px + i);
-        const uint32_t add_q16 = (2 * order_of_64(x, y_px) + 1) << 9;
-        const bool is_bright = (brightness_q16(rgb565_at(from, i)) + add_q16) >> 16;
-        page[x] = (uint8_t)(is_bright ? page[x] | bit : page[x] & ~bit);
+        const uint16_t x = (uint16_t)(x_px + i), rgb565 = rgb565_at(from, i);
+        if (format == PANEL_GREY4) {
+            const uint8_t up = x & 1u ? 0 : 4;
+            to[x / 2] = with(to[x / 2], (uint8_t)(0x0Fu << up), (uint8_t)(grey4(rgb565, x, y_px) << up));
+        } else {
+            const bool is_line = format == PANEL_MONO_LINES;
+            const uint8_t bit = (uint8_t)(is_line ? 0x80u >> (x & 7u) : 1u << (y_px & 7u));
+            uint8_t *byte = &to[is_line ? x / 8 : x];
+            *byte = with(*byte, bit, is_bright(rgb565, x, y_px) ? bit : 0);
+        }
     }
 }

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "wire.h"
 
+#include "panel.h"
+
 #define RESET_PULSE_US UINT32_C(100) /* the slowest of the chips asks for 10 */
 
 enum { LEVEL_UNKNOWN, LEVEL_COMMAND, LEVEL_DATA };
@@ -21,6 +23,7 @@ static int wire_level(struct wire *wire, uint8_t level)
 int wire_begin(struct wire *wire)
 {
     wire->level = LEVEL_UNKNOWN;
+    wire->left_px = 0;
     return bus_flush(&wire->bus);
 }
 
@@ -40,9 +43,47 @@ int wire_data(struct wire *wire, const uint8_t *data, size_t n_b)
     return bus_write(&wire->bus, data, n_b);
 }
 
-int wire_flush(const struct wire *wire)
+int wire_flush(struct wire *wire)
 {
-    return bus_flush(&wire->bus);
+    const int err = bus_flush(&wire->bus);
+
+    if (err) wire->left_px = 0;
+    return err;
+}
+
+int wire_send(struct wire *wire, uint8_t command, const uint8_t *args, size_t n_args)
+{
+    wire->left_px = 0;
+    int err = wire_command(wire, &command, 1);
+    if (err || n_args == 0) return err;
+    if (wire->args_low) return wire_command(wire, args, n_args);
+    err = wire_data(wire, args, n_args);
+    return err ? err : bus_flush(&wire->bus);
+}
+
+int wire_send_list(struct wire *wire, const uint8_t *list, size_t list_b)
+{
+    int err = 0;
+
+    for (size_t i = 0; i < list_b && !err; i += 2u + list[i + 1])
+        err = wire_send(wire, list[i], &list[i + 2], list[i + 1]);
+    return err;
+}
+
+void wire_open(struct wire *wire, uint32_t n_px)
+{
+    wire->left_px = n_px;
+}
+
+int wire_pixels(struct wire *wire, enum panel_format format, const void *data, size_t n_px)
+{
+    const uint32_t left_px = wire->left_px;
+
+    wire->left_px = 0; /* stays closed after an error */
+    if (n_px > left_px) return PANEL_ERR_WINDOW;
+    int err = wire_data(wire, data, pixels_b(format, n_px));
+    if (!err) wire->left_px = left_px - (uint32_t)n_px;
+    return err;
 }
 
 int wire_reset(const struct pin *reset, const struct clock *clock, uint32_t after_us)

@@ -210,8 +210,9 @@ int simulator_draw(struct simulator *simulator, const struct lim_camera *camera)
 
 static int board_frame(struct simulator *simulator, const struct lim_camera *camera)
 {
-    screen_begin_frame(&simulator->board->screen);
-    int err = simulator_draw(simulator, camera);
+    int err = screen_begin_frame(&simulator->board->screen);
+    if (err) return err;
+    err = simulator_draw(simulator, camera);
     if (err) return err;
     return screen_end_frame(&simulator->board->screen);
 }

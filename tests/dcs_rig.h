@@ -115,8 +115,9 @@ static inline int draw_lines(struct screen *screen, unsigned first, unsigned end
 
 static inline int draw_frame(struct screen *screen)
 {
-    screen_begin_frame(screen);
-    int err = draw_lines(screen, 0, screen->target.h_px, screen->target.w_px);
+    int err = screen_begin_frame(screen);
+    if (err) return err;
+    err = draw_lines(screen, 0, screen->target.h_px, screen->target.w_px);
     if (err) return err;
     return screen_end_frame(screen);
 }

@@ -173,7 +173,7 @@ static void init_takes_nothing_for_granted(void **state)
         rig_start(2);
         assert_int_equal(pin_set(&rig.dc, true), 0); /* as after a replugged bridge */
         assert_int_equal(panel_init(&rig.display.panel), 0);
-        screen_begin_frame(&rig.screen);
+        assert_int_equal(screen_begin_frame(&rig.screen), 0);
         assert_int_equal(draw_lines(&rig.screen, 0, 9, 17), 0);
         assert_int_equal(panel_init(&rig.display.panel), 0); /* while a line is on its way */
         assert_int_equal(draw_frame(&rig.screen), 0);

@@ -73,7 +73,8 @@ static int draw(unsigned piece_px)
 {
     const struct lim_target *target = &rig.screen.target;
 
-    screen_begin_frame(&rig.screen);
+    const int late = screen_begin_frame(&rig.screen);
+    if (late) return late;
     for (uint16_t y = 0; y < target->h_px; y++) {
         uint8_t *line = target->lend(target->ctx, y);
         memset(line, 0xEE, 2u * target->w_px);

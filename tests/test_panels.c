@@ -156,7 +156,7 @@ static void the_card_is_right_on_every_chip_in_every_format_and_rotation(void **
             check_card(chip, format, chip->mem_w_px, chip->mem_h_px);
             check_card(chip, format, ODD_W_PX, ODD_H_PX);
             start(chip, format, 0, ODD_W_PX, ODD_H_PX);
-            screen_begin_frame(&rig.screen);
+            assert_int_equal(screen_begin_frame(&rig.screen), 0);
             assert_int_equal(draw_lines(&rig.screen, 0, ODD_H_PX, 5), 0);
             assert_int_equal(screen_end_frame(&rig.screen), 0);
             assert_packed_card_shown(0);

@@ -47,7 +47,7 @@ static void pieces_from_left_to_right_stay_in_one_window(void **state)
     (void)state;
     rig_setup(module_240x240);
     rig_start(2);
-    screen_begin_frame(&rig.screen);
+    assert_int_equal(screen_begin_frame(&rig.screen), 0);
     assert_int_equal(draw_lines(&rig.screen, 0, 240, 70), 0);
     assert_int_equal(screen_end_frame(&rig.screen), 0);
     assert_int_equal(rig.chip.frame_writes, 1);
@@ -67,7 +67,7 @@ static void pieces_elsewhere_open_their_own_windows(void **state)
         uint32_t windows; /* opened since the last whole frame, with this piece */
     } pieces[] = {{5, 10, 20, 1}, {5, 30, 210, 1}, {6, 10, 20, 2},   {5, 0, 240, 3},   {6, 0, 100, 3}, {6, 200, 40, 4},
                   {7, 0, 240, 5}, {8, 0, 240, 5},  {100, 0, 240, 6}, {239, 239, 1, 7}, {0, 0, 0, 7}};
-    screen_begin_frame(&rig.screen);
+    assert_int_equal(screen_begin_frame(&rig.screen), 0);
     for (unsigned i = 0; i < sizeof pieces / sizeof pieces[0]; i++) {
         uint8_t *line = target->lend(target->ctx, pieces[i].y);
         memset(line, (int)(0x11 + i), 480);
@@ -88,10 +88,10 @@ static void abandoned_frame_does_not_shift_the_next(void **state)
     (void)state;
     rig_setup(module_240x240);
     rig_start(2);
-    screen_begin_frame(&rig.screen);
+    assert_int_equal(screen_begin_frame(&rig.screen), 0);
     assert_int_equal(draw_lines(&rig.screen, 0, 100, 240), 0);
     assert_int_equal(panel_set_inverted(&rig.display.panel, false), 0); /* ends the chip's frame write */
-    screen_begin_frame(&rig.screen);
+    assert_int_equal(screen_begin_frame(&rig.screen), 0);
     assert_int_equal(draw_lines(&rig.screen, 100, 240, 240), 0);
     assert_int_equal(screen_end_frame(&rig.screen), 0);
     assert_card_shown(0, false);
@@ -118,7 +118,7 @@ static void piece_that_failed_can_be_sent_again(void **state)
     (void)state;
     rig_setup(module_240x240);
     rig_start(2);
-    screen_begin_frame(&rig.screen);
+    assert_int_equal(screen_begin_frame(&rig.screen), 0);
     assert_int_equal(draw_lines(&rig.screen, 0, 100, 240), 0);
     fault_arm(0);
     assert_int_equal(draw_lines(&rig.screen, 100, 101, 240), rig.fault.code);

@@ -38,12 +38,16 @@ static int screen_open_window(struct screen *screen, uint16_t x_px, uint16_t y_p
     return err;
 }
 
-/* From a line's start the window takes all the lines below as well, from its middle only the rest
- * of the line: what follows usually fits, and a window need not be filled. */
-static int screen_open_rest(struct screen *screen, uint16_t x_px, uint16_t y_px)
+/* The next pixel that is sent will be this one. From a line's start a window takes all the lines below as well, from
+ * its middle only the rest of the line: what follows usually fits, and a window need not be filled. */
+static int screen_reach(struct screen *screen, uint16_t y_px, uint16_t x_px)
 {
+    const bool continues =
+        screen->window_open && screen->next_x_px == x_px && screen->next_y_px == y_px && !screen->half_byte;
+
+    if (continues) return 0;
     return screen_open_window(screen, x_px, y_px, (uint16_t)(screen->target.w_px - x_px),
-                              x_px == 0 ? (uint16_t)(screen->target.h_px - y_px) : 1);
+                              x_px == 0 ? (uint16_t)(screen->target.h_px - y_px) : screen->panel->step_y_px);
 }
 
 static void screen_advance(struct screen *screen, uint16_t n_px)
@@ -51,7 +55,7 @@ static void screen_advance(struct screen *screen, uint16_t n_px)
     screen->next_x_px = (uint16_t)(screen->next_x_px + n_px);
     if (screen->next_x_px < screen->window_x1_px) return;
     screen->next_x_px = screen->window_x0_px;
-    screen->next_y_px++;
+    screen->next_y_px = (uint16_t)(screen->next_y_px + screen->panel->step_y_px);
     if (screen->next_y_px == screen->window_end_y_px) screen->window_open = false;
 }
 
@@ -68,33 +72,36 @@ static const uint8_t *screen_pack(const struct screen *screen, uint16_t y_px, ui
 
 static int screen_send(struct screen *screen, uint16_t y_px, uint16_t x_px, uint16_t n_px)
 {
-    bool continues =
-        screen->window_open && screen->next_x_px == x_px && screen->next_y_px == y_px && !screen->half_byte;
-    if (!continues) {
-        int err = screen_open_rest(screen, x_px, y_px);
-        if (err) return err;
-    }
+    int err = screen_reach(screen, y_px, x_px);
+    if (err) return err;
     screen->lent_line_sent = true;
     screen->half_byte = screen->panel->format == PANEL_RGB444 && n_px % 2;
-    int err = panel_pixels(screen->panel, screen_pack(screen, y_px, x_px, n_px), n_px);
+    err = panel_pixels(screen->panel, screen_pack(screen, y_px, x_px, n_px), n_px);
     if (err) return err;
     screen_advance(screen, n_px);
     return screen->n_lines == 1 ? panel_flush(screen->panel) : 0;
 }
 
-/* A page goes out when its last line is done, as far as that is: all lines above are then. */
+/* Where pixels share bytes, what lines have in common is gathered apart, and goes out with the last of these lines as
+ * far as it is whole: all that is above and on the left is done then. */
 static int screen_gather(struct screen *screen, uint16_t y_px, uint16_t x_px, uint16_t n_px)
 {
-    uint8_t *page = screen->pages + (screen->second_page ? (screen->target.w_px + 3u) / 4u * 4u : 0);
+    const struct panel *panel = screen->panel;
+    const uint16_t step_x_px = panel->step_x_px, step_y_px = panel->step_y_px;
+    const uint16_t from_px = (uint16_t)(x_px - x_px % step_x_px);
+    const uint16_t whole_px = (uint16_t)((x_px + n_px) / step_x_px * step_x_px - from_px);
+    uint8_t *gathered = screen->gathered + (screen->second_gathered ? screen->gathered_b : 0);
 
-    pixels_to_page(page, screen_line(screen, y_px) + pixels_b(PANEL_RGB565, x_px), x_px, y_px, n_px);
+    pixels_gather(panel->format, gathered, screen_line(screen, y_px) + pixels_b(PANEL_RGB565, x_px), x_px, y_px, n_px);
     screen->lent_line_sent = true;
-    if (y_px % 8u < 7u) return 0;
-    int err = panel_window(screen->panel, x_px, (uint16_t)(y_px - 7u), n_px, 8);
+    if ((y_px + 1u) % step_y_px || whole_px == 0) return 0;
+    int err = screen_reach(screen, (uint16_t)(y_px + 1u - step_y_px), from_px);
     if (err) return err;
-    err = panel_pixels(screen->panel, page + x_px, (size_t)n_px * 8u);
+    err = panel_pixels(screen->panel, gathered + pixels_b(panel->format, (size_t)from_px * step_y_px),
+                       (size_t)whole_px * step_y_px);
     if (err) return err;
-    if (x_px + n_px == screen->target.w_px) screen->second_page = !screen->second_page;
+    screen_advance(screen, whole_px);
+    if (x_px + n_px == screen->target.w_px) screen->second_gathered = !screen->second_gathered;
     return 0;
 }
 
@@ -105,7 +112,6 @@ static void screen_visible(void *ctx, uint16_t y_px, uint16_t *x0_px, uint16_t *
 }
 
 #if LIM_HAS_DELTA
-/* Of pages each gets its own window when it is complete. */
 static int screen_window(void *ctx, const struct lim_rect *window)
 {
     struct screen *screen = ctx;
@@ -115,16 +121,15 @@ static int screen_window(void *ctx, const struct lim_rect *window)
     return err;
 }
 
+/* Eight columns of a step have as many bytes as one has bits. In RGB444 two pixels share a byte, which only windows
+ * that begin between others need to know. */
 static struct lim_target_costs screen_costs(const struct panel *panel)
 {
-    static const uint8_t pixel_bits[PANEL_FORMATS] = {
-        [PANEL_RGB565] = 16, [PANEL_RGB444] = 12, [PANEL_RGB666] = 24, [PANEL_MONO_PAGES] = 8};
-
     return (struct lim_target_costs){
         .window_b = panel->window_b,
-        .pixel_bits = pixel_bits[panel->format],
-        .page_px = panel->format == PANEL_MONO_PAGES ? 8 : 1,
-        .x_align_px = panel->format == PANEL_RGB444 ? 2 : 1,
+        .pixel_bits = (uint8_t)pixels_b(panel->format, (size_t)8u * panel->step_y_px),
+        .page_px = (uint8_t)panel->step_y_px,
+        .x_align_px = panel->format == PANEL_RGB444 ? 2 : panel->step_x_px,
     };
 }
 #endif
@@ -139,9 +144,17 @@ static int screen_done(void *ctx, uint16_t y_px, uint16_t x_px, uint16_t n_px)
     if (x1_px > end_px || screen->window_given) x1_px = end_px;
     if (x0_px >= x1_px) return 0;
     const uint16_t seen_px = (uint16_t)(x1_px - x0_px);
-    int err = screen->pages ? screen_gather(screen, y_px, x0_px, seen_px) : screen_send(screen, y_px, x0_px, seen_px);
+    int err =
+        screen->gathered ? screen_gather(screen, y_px, x0_px, seen_px) : screen_send(screen, y_px, x0_px, seen_px);
     if (err) screen->window_open = false;
     return err;
+}
+
+/* 4-byte aligned, as lines are. */
+static uint16_t screen_gathered_b(const struct panel *panel)
+{
+    if (panel->step_x_px == 1 && panel->step_y_px == 1) return 0;
+    return (uint16_t)((pixels_b(panel->format, (size_t)panel->w_px * panel->step_y_px) + 3u) / 4u * 4u);
 }
 
 int screen_init(struct screen *screen, struct panel *panel, enum lim_method method, void *mem, size_t mem_b)
@@ -149,13 +162,13 @@ int screen_init(struct screen *screen, struct panel *panel, enum lim_method meth
     const uint16_t head_b = (uint16_t)((pixels_head_b(panel->format, panel->w_px) + 3u) / 4u * 4u);
     uint16_t line_b = (uint16_t)(head_b + SCREEN_LINE_B(panel->w_px));
     uint16_t most_lines = method == LIM_PAINTER ? panel->h_px : 2;
-    const size_t pages_b = panel->format == PANEL_MONO_PAGES ? 2u * ((panel->w_px + 3u) / 4u * 4u) : 0;
-    size_t n_lines = mem_b < pages_b ? 0 : (mem_b - pages_b) / line_b;
+    const uint16_t gathered_b = screen_gathered_b(panel);
+    size_t n_lines = mem_b < 2u * gathered_b ? 0 : (mem_b - 2u * gathered_b) / line_b;
     if (n_lines == 0 || (method == LIM_PAINTER && n_lines < panel->h_px)) return LIM_ERR_MEMORY;
 
-    *screen = (struct screen){.panel = panel, .mem = mem, .line_b = line_b, .head_b = head_b};
+    *screen = (struct screen){.panel = panel, .mem = mem, .line_b = line_b, .head_b = head_b, .gathered_b = gathered_b};
     screen->n_lines = n_lines < most_lines ? (uint16_t)n_lines : most_lines;
-    if (pages_b) screen->pages = screen->mem + (size_t)screen->n_lines * line_b;
+    if (gathered_b) screen->gathered = screen->mem + (size_t)screen->n_lines * line_b;
     screen->target = (struct lim_target)
     {
         .w_px = panel->w_px, .h_px = panel->h_px, .format = LIM_RGB565, .method = method, .ctx = screen,
@@ -170,9 +183,10 @@ int screen_init(struct screen *screen, struct panel *panel, enum lim_method meth
     return 0;
 }
 
-void screen_begin_frame(struct screen *screen)
+int screen_begin_frame(struct screen *screen)
 {
     screen->window_open = false;
+    return panel_begin_frame(screen->panel);
 }
 
 int screen_end_frame(struct screen *screen)

@@ -9,8 +9,8 @@
  *     static uint32_t mem[SCREEN_MEM_B(240, 2) / 4];
  *     int err = screen_init(&screen, &display.panel, LIM_NEAREST_FIRST, mem, sizeof mem);
  *     ...lim_init(&lim, &scene, &screen.target, ...)...
- *     screen_begin_frame(&screen);
- *     err = lim_frame(&lim, &camera);
+ *     err = screen_begin_frame(&screen);
+ *     if (!err) err = lim_frame(&lim, &camera);
  *     if (!err) err = screen_end_frame(&screen); */
 #ifndef BOARDS_SCREEN_H
 #define BOARDS_SCREEN_H
@@ -27,7 +27,8 @@
 #define SCREEN_WIDE_LINE_B(w_px) (((w_px) + 3u) / 4u * 4u + SCREEN_LINE_B(w_px))
 #define SCREEN_MEM_B(w_px, n_lines) ((size_t)SCREEN_LINE_B(w_px) * (n_lines))
 #define SCREEN_WIDE_MEM_B(w_px, n_lines) ((size_t)SCREEN_WIDE_LINE_B(w_px) * (n_lines))
-/* For PANEL_MONO_PAGES: beside the lines two pages, of which one is gathered while the other is on its way. */
+/* For formats whose pixels share bytes (PANEL_MONO_..., PANEL_GREY4): beside the lines two pages, or less, of which one
+ * is gathered while the other is on its way. Pieces of a line must come from left to right, and all of them. */
 #define SCREEN_PAGES_MEM_B(w_px, n_lines) (SCREEN_MEM_B(w_px, n_lines) + 2u * (((w_px) + 3u) / 4u * 4u))
 
 /* Private but for `target`. */
@@ -37,8 +38,9 @@ struct screen {
     uint8_t *mem;
     uint16_t line_b, n_lines; /* length of a line in mem, and how many are used */
     uint16_t head_b;          /* of a line, before what the renderer paints into */
-    uint8_t *pages;           /* two of w_px bytes, or NULL */
-    bool second_page;         /* is being gathered */
+    uint8_t *gathered;        /* two of gathered_b bytes, or NULL */
+    uint16_t gathered_b;
+    bool second_gathered;     /* is being filled */
     uint16_t lent_line;       /* nearest first: index of the line lent last */
     bool lent_line_sent;      /* some of it went to the panel, and may still be on its way */
     bool window_open;         /* pixels can follow at next_x_px, next_y_px */
@@ -55,8 +57,9 @@ struct screen {
 LIM_MUST_CHECK int screen_init(struct screen *screen, struct panel *panel, enum lim_method method, void *mem,
                                size_t mem_b);
 
-/* Before each frame: whatever was sent to the panel meanwhile, the frame starts with a window. */
-void screen_begin_frame(struct screen *screen);
+/* Before each frame: whatever was sent to the panel meanwhile, the frame starts with a window; it is held until the
+ * panel is ready for it (panel_begin_frame()). 0 or the panel's negative code. */
+LIM_MUST_CHECK int screen_begin_frame(struct screen *screen);
 
 /* For panels that cannot turn by a quarter: the camera of a picture that is to stand so many quarters clockwise on the
  * glass, for a target of the glass's own size. */
