@@ -296,6 +296,13 @@ static void *delta_lend(void *ctx, uint16_t y)
     return delta->line;
 }
 
+#if LIM_HAS_ROUND
+static void delta_visible(void *ctx, uint16_t y, uint16_t *x0, uint16_t *x1)
+{
+    set_visible(ctx, y, x0, x1);
+}
+#endif
+
 void lim_delta_begin_line(struct lim_delta *delta, uint16_t y, uint16_t *line)
 {
     clear_line(delta);
@@ -385,6 +392,9 @@ int lim_set_delta(struct lim *lim, void *mem, size_t mem_b)
     lim->target.ctx = delta;
     lim->target.lend = delta_lend;
     lim->target.done = delta_done;
+#if LIM_HAS_ROUND
+    if (lim->target.visible) lim->target.visible = delta_visible;
+#endif
     join(lim, delta);
     return LIM_OK;
 }

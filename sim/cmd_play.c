@@ -135,8 +135,9 @@ static int draw_scene(void *ctx, uint64_t frame)
 {
     struct play *play = ctx;
     moving_pose(&play->moving, play->player.took_s);
-    screen_begin_frame(&play->screen);
-    const int err = simulator_draw(&play->simulator, &play->cameras[frame % play->path.count]);
+    int err = screen_begin_frame(&play->screen);
+    if (err) return err;
+    err = simulator_draw(&play->simulator, &play->cameras[frame % play->path.count]);
     return err ? err : screen_end_frame(&play->screen);
 }
 
@@ -163,18 +164,17 @@ static int draw_card(void *ctx, uint64_t frame)
     struct play *play = ctx;
     const struct lim_target *target = &play->screen.target;
     (void)frame;
-    screen_begin_frame(&play->screen);
-    for (uint16_t y_px = 0; y_px < target->h_px; y_px++) {
+    int err = screen_begin_frame(&play->screen);
+    for (uint16_t y_px = 0; y_px < target->h_px && !err; y_px++) {
         uint8_t *line = target->lend(target->ctx, y_px);
         for (unsigned x_px = 0; x_px < target->w_px; x_px++) {
             const uint16_t rgb565 = card_px(play, x_px, y_px);
             line[2 * x_px] = (uint8_t)(rgb565 >> 8);
             line[2 * x_px + 1] = (uint8_t)rgb565;
         }
-        const int err = target->done(target->ctx, y_px, 0, target->w_px);
-        if (err) return err;
+        err = target->done(target->ctx, y_px, 0, target->w_px);
     }
-    return screen_end_frame(&play->screen);
+    return err ? err : screen_end_frame(&play->screen);
 }
 
 /* All of it ------------------------------------------------------------------------------------- */

@@ -82,6 +82,17 @@ static int screen_send(struct screen *screen, uint16_t y_px, uint16_t x_px, uint
     return screen->n_lines == 1 ? panel_flush(screen->panel) : 0;
 }
 
+/* Where lines from y_px on are gathered: not where something may still be on its way. */
+static uint8_t *screen_gathering(struct screen *screen, uint16_t y_px)
+{
+    if (screen->gathered_sent && screen->gathered_y_px != y_px) {
+        screen->second_gathered = !screen->second_gathered;
+        screen->gathered_sent = false;
+    }
+    screen->gathered_y_px = y_px;
+    return screen->gathered + (screen->second_gathered ? screen->gathered_b : 0);
+}
+
 /* Where pixels share bytes, what lines have in common is gathered apart, and goes out with the last of these lines as
  * far as it is whole: all that is above and on the left is done then. */
 static int screen_gather(struct screen *screen, uint16_t y_px, uint16_t x_px, uint16_t n_px)
@@ -90,18 +101,18 @@ static int screen_gather(struct screen *screen, uint16_t y_px, uint16_t x_px, ui
     const uint16_t step_x_px = panel->step_x_px, step_y_px = panel->step_y_px;
     const uint16_t from_px = (uint16_t)(x_px - x_px % step_x_px);
     const uint16_t whole_px = (uint16_t)((x_px + n_px) / step_x_px * step_x_px - from_px);
-    uint8_t *gathered = screen->gathered + (screen->second_gathered ? screen->gathered_b : 0);
+    uint8_t *gathered = screen_gathering(screen, (uint16_t)(y_px - y_px % step_y_px));
 
     pixels_gather(panel->format, gathered, screen_line(screen, y_px) + pixels_b(PANEL_RGB565, x_px), x_px, y_px, n_px);
     screen->lent_line_sent = true;
     if ((y_px + 1u) % step_y_px || whole_px == 0) return 0;
     int err = screen_reach(screen, (uint16_t)(y_px + 1u - step_y_px), from_px);
     if (err) return err;
+    screen->gathered_sent = true;
     err = panel_pixels(screen->panel, gathered + pixels_b(panel->format, (size_t)from_px * step_y_px),
                        (size_t)whole_px * step_y_px);
     if (err) return err;
     screen_advance(screen, whole_px);
-    if (x_px + n_px == screen->target.w_px) screen->second_gathered = !screen->second_gathered;
     return 0;
 }
 

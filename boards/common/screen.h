@@ -40,11 +40,13 @@ struct screen {
     uint16_t head_b;          /* of a line, before what the renderer paints into */
     uint8_t *gathered;        /* two of gathered_b bytes, or NULL */
     uint16_t gathered_b;
-    bool second_gathered;     /* is being filled */
-    uint16_t lent_line;       /* nearest first: index of the line lent last */
-    bool lent_line_sent;      /* some of it went to the panel, and may still be on its way */
-    bool window_open;         /* pixels can follow at next_x_px, next_y_px */
-    bool window_given;        /* by the renderer, which sends just what fills it */
+    uint16_t gathered_y_px; /* which lines are being gathered */
+    bool second_gathered;   /* in the second of them */
+    bool gathered_sent;     /* some of it went to the panel, and may still be on its way */
+    uint16_t lent_line;     /* nearest first: index of the line lent last */
+    bool lent_line_sent;    /* some of it went to the panel, and may still be on its way */
+    bool window_open;       /* pixels can follow at next_x_px, next_y_px */
+    bool window_given;      /* by the renderer, which sends just what fills it */
     uint16_t window_x0_px, window_x1_px;
     uint16_t window_end_y_px; /* first line below the window */
     uint16_t next_x_px, next_y_px;
