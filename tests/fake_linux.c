@@ -1,0 +1,237 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * The program that links this is linked with --wrap for each __wrap_ function here. */
+#include "fake_linux.h"
+
+#include <errno.h>
+#include <glob.h>
+#include <linux/spi/spidev.h>
+#include <stdarg.h>
+#include <string.h>
+#include <sys/ioctl.h>
+#include <time.h>
+#include <unistd.h>
+
+enum { SPI_FD = 1000, BUFSIZ_FD = 1001 };
+
+struct fake_linux fake;
+
+void fake_linux_init(void)
+{
+    static const char *const names[] = {"GPIO0", "GPIO1", "GPIO2", "GPIO3", "GPIO4", "GPIO5", "GPIO6", "GPIO7"};
+    fake = (struct fake_linux){
+        .spi_path = "/dev/spidev0.0", .bufsiz = "4096\n", .most_b = 4096, .chip_count = 2, .fail_at = -1};
+    fake.chips[0] = (struct fake_chip){"/dev/gpiochip0", "gpiochip0", "pinctrl-fake", FAKE_LINES_MAX, 0, {{0}}};
+    fake.chips[1] = (struct fake_chip){"/dev/gpiochip1", "gpiochip1", "expander", 4, 0, {{0}}};
+    for (unsigned i = 0; i < FAKE_LINES_MAX; i++)
+        fake.chips[0].lines[i].name = names[i];
+}
+
+void fake_fail_at(long n, int err_no)
+{
+    fake.calls = 0;
+    fake.fail_at = n;
+    fake.err_no = err_no;
+    fake.failed = NULL;
+}
+
+bool fake_fails(const char *name)
+{
+    if (fake.calls++ != fake.fail_at) return false;
+    fake.failed = name;
+    errno = fake.err_no;
+    return true;
+}
+
+bool fake_is_interrupted(void)
+{
+    if (fake.interrupts == 0) return false;
+    fake.interrupts--;
+    errno = EINTR;
+    return true;
+}
+
+bool fake_is_clean(void)
+{
+    return fake.fds == 0 && fake.chips_open == 0 && fake.lines_held == 0 && fake.objects == 0;
+}
+
+/* libgpiod -------------------------------------------------------------------------------------- */
+
+struct fake_chip *fake_chip_open(const char *path)
+{
+    if (fake_fails("chip_open")) return NULL;
+    for (unsigned i = 0; i < fake.chip_count; i++) {
+        struct fake_chip *chip = &fake.chips[i];
+        if (strcmp(chip->path, path) != 0) continue;
+        errno = chip->open_err_no;
+        if (errno) return NULL;
+        fake.chips_open++;
+        return chip;
+    }
+    errno = ENOENT;
+    return NULL;
+}
+
+void fake_chip_close(void)
+{
+    fake.chips_open--;
+}
+
+int fake_line_request(struct fake_line *line, bool is_output, bool level)
+{
+    if (fake_fails("line_request")) return -1;
+    errno = EBUSY;
+    if (line->is_used || line->held) return -1;
+    line->held = true;
+    line->is_output = is_output;
+    line->level = level;
+    fake.lines_held++;
+    return 0;
+}
+
+void fake_line_release(struct fake_line *line)
+{
+    line->held = false;
+    fake.lines_held--;
+}
+
+int fake_line_set(struct fake_line *line, bool level)
+{
+    if (fake_fails("line_set")) return -1;
+    errno = EPERM;
+    if (!line->held || !line->is_output) return -1;
+    line->level = level;
+    return line->wire.set ? line->wire.set(line->wire.ctx, level) : 0;
+}
+
+int fake_line_wait(struct fake_line *line, uint64_t timeout_ns)
+{
+    if (fake_fails("line_wait") || fake_is_interrupted()) return -1;
+    if (line->rises) return 1;
+    if (fake.rise_after_waits && --fake.rise_after_waits == 0) {
+        line->rises++;
+        return 1;
+    }
+    fake.now_ns += timeout_ns;
+    return 0;
+}
+
+/* The system's calls ---------------------------------------------------------------------------- */
+
+int __wrap_open(const char *path, int flags, ...);
+int __wrap_close(int fd);
+ssize_t __wrap_read(int fd, void *to, size_t most_b);
+int __wrap_ioctl(int fd, unsigned long request, ...);
+int __wrap_glob(const char *pattern, int flags, int (*on_error)(const char *path, int err_no), glob_t *out);
+void __wrap_globfree(glob_t *paths);
+int __wrap_clock_gettime(clockid_t id, struct timespec *out);
+int __wrap_clock_nanosleep(clockid_t id, int flags, const struct timespec *until, struct timespec *left);
+
+static int opened(int fd)
+{
+    fake.fds++;
+    return fd;
+}
+
+int __wrap_open(const char *path, int flags, ...)
+{
+    (void)flags;
+    const bool is_spi = strncmp(path, "/dev/", 5) == 0;
+    if (fake_fails(is_spi ? "open" : "open bufsiz")) return -1;
+    if (is_spi && fake_is_interrupted()) return -1;
+    errno = is_spi ? fake.spi_err_no : 0;
+    if (errno) return -1;
+    errno = ENOENT;
+    if (!is_spi) return fake.bufsiz ? opened(BUFSIZ_FD) : -1;
+    return fake.spi_path && strcmp(path, fake.spi_path) == 0 ? opened(SPI_FD) : -1;
+}
+
+int __wrap_close(int fd)
+{
+    if (fd == SPI_FD || fd == BUFSIZ_FD) fake.fds--;
+    return 0;
+}
+
+ssize_t __wrap_read(int fd, void *to, size_t most_b)
+{
+    (void)fd;
+    if (fake_fails("read bufsiz")) return -1;
+    const size_t n_b = strlen(fake.bufsiz) < most_b ? strlen(fake.bufsiz) : most_b;
+    memcpy(to, fake.bufsiz, n_b);
+    return (ssize_t)n_b;
+}
+
+static int send_message(const struct spi_ioc_transfer *transfer)
+{
+    errno = EMSGSIZE;
+    if (transfer->len > fake.most_b) return -1;
+    if (fake.message_count < FAKE_MESSAGES_MAX) fake.messages_b[fake.message_count++] = transfer->len;
+    fake.speed_hz = transfer->speed_hz;
+    fake.word_bits = transfer->bits_per_word;
+    if (!fake.display) return (int)transfer->len;
+    const struct bus bus = emulated_port_bus(fake.display);
+    const int code = bus_write(&bus, (const uint8_t *)(uintptr_t)transfer->tx_buf, transfer->len);
+    return code || bus_flush(&bus) ? -1 : (int)transfer->len;
+}
+
+int __wrap_ioctl(int fd, unsigned long request, ...)
+{
+    va_list arguments;
+    va_start(arguments, request);
+    const void *argument = va_arg(arguments, const void *);
+    va_end(arguments);
+    if (fake_fails("ioctl") || fake_is_interrupted()) return -1;
+    errno = fd == SPI_FD ? ENOTTY : EBADF;
+    if (fd != SPI_FD) return -1;
+    if (request == SPI_IOC_MESSAGE(1)) return send_message(argument);
+    if (request == SPI_IOC_WR_MODE)
+        fake.mode = *(const uint8_t *)argument;
+    else if (request == SPI_IOC_WR_BITS_PER_WORD)
+        fake.word_bits = *(const uint8_t *)argument;
+    else if (request == SPI_IOC_WR_MAX_SPEED_HZ)
+        fake.speed_hz = *(const uint32_t *)argument;
+    else
+        return -1;
+    return 0;
+}
+
+int __wrap_glob(const char *pattern, int flags, int (*on_error)(const char *path, int err_no), glob_t *out)
+{
+    static char *paths[FAKE_CHIPS_MAX];
+    static char text[FAKE_CHIPS_MAX][32];
+    (void)flags, (void)on_error;
+    const bool is_spi = strcmp(pattern, "/dev/spidev*") == 0;
+    const unsigned count = is_spi ? fake.spi_path != NULL : fake.chip_count;
+    for (unsigned i = 0; i < count; i++)
+        paths[i] = strcpy(text[i], is_spi ? fake.spi_path : fake.chips[i].path);
+    *out = (glob_t){.gl_pathc = count, .gl_pathv = paths};
+    if (count == 0) return GLOB_NOMATCH;
+    fake.objects++;
+    return 0;
+}
+
+void __wrap_globfree(glob_t *paths)
+{
+    (void)paths;
+    fake.objects--;
+}
+
+int __wrap_clock_gettime(clockid_t id, struct timespec *out)
+{
+    (void)id;
+    *out = (struct timespec){(time_t)(fake.now_ns / 1000000000u), (long)(fake.now_ns % 1000000000u)};
+    return 0;
+}
+
+int __wrap_clock_nanosleep(clockid_t id, int flags, const struct timespec *until, struct timespec *left)
+{
+    (void)left;
+    if (fake_fails("clock_nanosleep") || fake_is_interrupted()) return errno;
+    if (id != CLOCK_MONOTONIC || flags != TIMER_ABSTIME) return EINVAL;
+    const uint64_t until_ns = (uint64_t)until->tv_sec * 1000000000u + (uint64_t)until->tv_nsec;
+    if (until_ns <= fake.now_ns) return 0;
+    if (fake.display) fake.display->now_us += (until_ns - fake.now_ns) / 1000;
+    fake.now_ns = until_ns;
+    return 0;
+}

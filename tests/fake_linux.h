@@ -1,0 +1,79 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * A Linux machine for hal/linux, without a kernel: one SPI device, and GPIO chips behind stand-ins for libgpiod's
+ * functions, of the generation that the tests are built for. What is sent and set reaches an emulated display. Calls
+ * can be made to fail, and what is open is counted. */
+#ifndef TESTS_FAKE_LINUX_H
+#define TESTS_FAKE_LINUX_H
+
+#include "emulated_display.h"
+
+enum { FAKE_CHIPS_MAX = 3, FAKE_LINES_MAX = 8, FAKE_MESSAGES_MAX = 1024 };
+
+struct fake_line {
+    const char *name;     /* NULL: none */
+    const char *consumer; /* of another program's, that has it; NULL: nobody */
+    bool is_used;
+    struct pin wire; /* what an output reaches */
+    bool held, is_output, level;
+    unsigned rises; /* remembered */
+};
+
+struct fake_chip {
+    const char *path, *name, *label;
+    unsigned n_lines;
+    int open_err_no; /* 0: it opens */
+    struct fake_line lines[FAKE_LINES_MAX];
+};
+
+struct fake_linux {
+    /* The machine; to be set by a test. */
+    const char *spi_path; /* NULL: there is none */
+    int spi_err_no;       /* of opening it; 0: it opens */
+    const char *bufsiz;   /* text of the module's parameter; NULL: unreadable */
+    size_t most_b;        /* of a message, for the kernel */
+    unsigned chip_count;
+    struct fake_chip chips[FAKE_CHIPS_MAX];
+    struct emulated_port *display; /* NULL: bytes go nowhere */
+    unsigned rise_after_waits;     /* a tearing line rises during the n-th wait from now; 0: never */
+
+    /* What happened. */
+    uint8_t mode, word_bits;
+    uint32_t speed_hz;
+    size_t messages_b[FAKE_MESSAGES_MAX]; /* length of each message */
+    unsigned message_count;
+    uint64_t now_ns;
+    int fds, chips_open, lines_held, objects; /* not closed, released or freed yet */
+
+    /* Faults: the call of that index among all that can fail, counted from 0. */
+    long calls, fail_at; /* -1: none */
+    int err_no;          /* that it sets */
+    const char *failed;  /* its name; NULL: none has failed yet */
+    unsigned interrupts; /* of so many calls that can be interrupted, before they succeed */
+};
+
+extern struct fake_linux fake;
+
+/* A machine with an SPI device, bufsiz 4096 and the chips gpiochip0 (pinctrl-fake), with GPIO0 .. GPIO7, and gpiochip1
+ * (expander), whose lines have no names. */
+void fake_linux_init(void);
+
+/* The n-th call from now fails; -1: none. */
+void fake_fail_at(long n, int err_no);
+
+/* Whether this call is to fail; errno is set then. */
+bool fake_fails(const char *name);
+bool fake_is_interrupted(void);
+
+/* All that has been opened is closed. */
+bool fake_is_clean(void);
+
+/* For the stand-ins: NULL or negative with errno set, as libgpiod has it. */
+struct fake_chip *fake_chip_open(const char *path);
+void fake_chip_close(void);
+int fake_line_request(struct fake_line *line, bool is_output, bool level);
+void fake_line_release(struct fake_line *line);
+int fake_line_set(struct fake_line *line, bool level);
+int fake_line_wait(struct fake_line *line, uint64_t timeout_ns);
+
+#endif
