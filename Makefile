@@ -183,8 +183,8 @@ $(BUILD)/tests/test_osmesa: test_links := -lOSMesa
 
 # A machine without a kernel takes the place of these calls, see tests/fake_linux.h, and of libgpiod's.
 fake_calls := open close read ioctl glob globfree clock_gettime clock_nanosleep
-$(BUILD)/tests/test_linux_port: $(call object,tests/fake_gpiod_v1.c tests/fake_gpiod_v2.c)
-$(BUILD)/tests/test_linux_port: test_links := $(foreach name,$(fake_calls),-Xlinker --wrap=$(name))
+$(addprefix $(BUILD)/tests/,test_linux_port test_play): $(call object,tests/fake_gpiod_v1.c tests/fake_gpiod_v2.c)
+$(addprefix $(BUILD)/tests/,test_linux_port test_play): test_links := $(foreach name,$(fake_calls),-Xlinker --wrap=$(name))
 tests/cli_gpiod.sh: $(BUILD)/tests/test_linux_port
 
 extremes := $(filter $(BUILD)/tests/test_extreme_%,$(test_programs))
