@@ -12,10 +12,17 @@
 #include "fault_port.h"
 #include "panels.h"
 #include "screen.h"
+#include "test_card.h"
 
 #include <string.h>
 
-enum { MOST_PX = 320 * 480, RED = 0xF800, GREEN = 0x07E0, BLUE = 0x001F, GREY = 0x8410 };
+enum {
+    MOST_PX = 320 * 480,
+    RED = TEST_CARD_RED,
+    GREEN = TEST_CARD_GREEN,
+    BLUE = TEST_CARD_BLUE,
+    GREY = TEST_CARD_GREY
+};
 
 struct rig {
     struct emulated_dcs chip;
@@ -82,13 +89,8 @@ static const struct emulated_module module_small = {.w_px = 17, .h_px = 24, .ox_
 
 static inline uint16_t card_px(unsigned x, unsigned y, unsigned w, unsigned h)
 {
-    unsigned side = (w < h ? w : h) / 4;
-    bool left = x < side, right = x >= w - side, top = y < side, bottom = y >= h - side;
-    if (top && left) return RED;
-    if (top && right) return GREEN;
-    if (bottom && right) return BLUE;
-    if (bottom && left) return GREY;
-    return (uint16_t)(x * 211u + y * 31u);
+    uint16_t corner;
+    return test_card_corner(x, y, w, h, &corner) ? corner : (uint16_t)(x * 211u + y * 31u);
 }
 
 /* Paints as the renderer does: junk first, then the line; in pieces of at most piece_px. */

@@ -8,6 +8,7 @@
 #include "fault_port.h"
 #include "panels.h"
 #include "screen.h"
+#include "test_card.h"
 
 #include <math.h>
 #include <string.h>
@@ -58,14 +59,9 @@ static void rig_open(const struct pages_chip *driver, unsigned n_lines)
 /* Red, green, blue and grey corners; a ramp elsewhere. */
 static uint16_t card_px(unsigned x, unsigned y)
 {
-    const unsigned w = rig.config.w_px, h = rig.config.h_px, side = (w < h ? w : h) / 4;
-    const bool left = x < side, right = x >= w - side, top = y < side, bottom = y >= h - side;
+    uint16_t corner;
 
-    if (top && left) return 0xF800;
-    if (top && right) return 0x07E0;
-    if (bottom && right) return 0x001F;
-    if (bottom && left) return 0x8410;
-    return (uint16_t)(x * 211u + y * 31u);
+    return test_card_corner(x, y, rig.config.w_px, rig.config.h_px, &corner) ? corner : (uint16_t)(x * 211u + y * 31u);
 }
 
 /* In pieces of at most piece_px, junk first. */
