@@ -31,6 +31,7 @@ static int dcs_family_setup(struct display *display, const struct panel_choice *
                                       .dc = port->dc,
                                       .reset = port->reset,
                                       .backlight = port->backlight,
+                                      .tearing = port->tearing,
                                       .clock = port->clock,
                                       .w_px = module->w_px,
                                       .h_px = module->h_px,
