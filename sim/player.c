@@ -36,7 +36,7 @@ static int flush_counted(void *ctx)
 
 void player_init(struct player *player, struct port *port)
 {
-    *player = (struct player){.port = port, .bus = {player, write_counted, flush_counted}};
+    *player = (struct player){.port = port, .bus = {player, write_counted, flush_counted, port->bus.message_b}};
 }
 
 /* What is told ---------------------------------------------------------------------------------- */
@@ -62,8 +62,12 @@ static void show_progress(const struct player *player, double *shown_s)
 
 void player_print(const struct player *player)
 {
-    printf("%" PRIu64 " frames in %.1f s: %.1f frames a second, %" PRIu64 " bytes a frame, %" PRIu64 " errors\n",
+    printf("%" PRIu64 " frames in %.1f s: %.1f frames a second, %" PRIu64 " bytes a frame, %" PRIu64 " errors",
            player->drawn, player->took_s, per_s(player), b_per_frame(player), player->failed);
+    if (player->panel->missed_edges)
+        printf(", %" PRIu32 " frames not held for the refresh, of which --te told nothing",
+               player->panel->missed_edges);
+    putchar('\n');
 }
 
 /* The port has said more than its code does. */

@@ -328,17 +328,16 @@ static void start_display(const char *bufsiz)
 static int draw_card(void)
 {
     const struct lim_target *target = &rig.screen.target;
-    screen_begin_frame(&rig.screen);
-    for (uint16_t y = 0; y < H_PX; y++) {
+    int err = screen_begin_frame(&rig.screen);
+    for (uint16_t y = 0; y < H_PX && !err; y++) {
         uint8_t *line = target->lend(target->ctx, y);
         for (unsigned x = 0; x < W_PX; x++) {
             line[2 * x] = (uint8_t)(test_card_px(x, y, W_PX, H_PX) >> 8);
             line[2 * x + 1] = (uint8_t)test_card_px(x, y, W_PX, H_PX);
         }
-        const int err = target->done(target->ctx, y, 0, W_PX);
-        if (err) return err;
+        err = target->done(target->ctx, y, 0, W_PX);
     }
-    return screen_end_frame(&rig.screen);
+    return err ? err : screen_end_frame(&rig.screen);
 }
 
 static void assert_card_shown(void)

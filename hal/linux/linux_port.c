@@ -16,6 +16,9 @@
 
 enum line_index { DC, RESET, BACKLIGHT, SELECT, TEARING, LINE_COUNT };
 
+/* A call of the kernel that sends a byte or sets a line takes some 20 us on small boards. */
+enum { BEGINNINGS_PER_S = 50000 };
+
 enum { REMEMBERED_MAX = 64 }; /* more rises than the kernel keeps for a line */
 
 struct named_line {
@@ -145,7 +148,9 @@ static int acquire(struct linux_port *self, struct port *port, const struct linu
 
 static void fill(struct port *port, struct linux_port *self)
 {
-    port->bus = (struct bus){.ctx = &self->spi, .write = spidev_write};
+    const uint32_t begin_b = self->spi.speed_hz / 8 / BEGINNINGS_PER_S;
+    port->bus = (struct bus){
+        .ctx = &self->spi, .write = spidev_write, .message_b = begin_b < UINT16_MAX ? (uint16_t)begin_b : UINT16_MAX};
     port->dc = pin_of(self, DC);
     port->reset = pin_of(self, RESET);
     port->backlight = pin_of(self, BACKLIGHT);
