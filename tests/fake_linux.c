@@ -92,6 +92,7 @@ int fake_line_request(struct fake_line *line, bool is_output, bool level)
 
 void fake_line_release(struct fake_line *line)
 {
+    if (line->released) (void)!write(line->released, line->level ? "1" : "0", 1);
     line->held = false;
     fake.lines_held--;
 }

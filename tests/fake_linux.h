@@ -17,6 +17,7 @@ struct fake_line {
     struct pin wire; /* what an output reaches */
     bool held, is_output, level;
     unsigned rises; /* remembered */
+    int released;   /* a file that gets the line's level, 0 or 1, when it is let go; 0: none */
 };
 
 struct fake_chip {

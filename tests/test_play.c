@@ -15,6 +15,11 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+ssize_t __real_read(int fd, void *to, size_t most_b);
+int __real_close(int fd);
 
 enum { W_PX = 96, H_PX = 72, ARGS_MAX = 32 };
 
@@ -294,6 +299,43 @@ static void a_fault_anywhere_leaves_nothing_open(void **state)
     assert_true(refused > 10 && survived > 5);
 }
 
+/* While the panel is being set up. */
+static int interrupt_reset(void *ctx, bool high)
+{
+    const struct pin *wired = ctx;
+    if (!high) raise(SIGINT);
+    return wired->set(wired->ctx, high);
+}
+
+/* The program in a process of its own, which says whether it released everything, and then dies of the signal. */
+static void play_until_interrupted(int told)
+{
+    const struct pin wired = emulated_port_reset(fake.display);
+    fake.chips[0].lines[4].wire = (struct pin){(void *)(uintptr_t)&wired, interrupt_reset};
+    fake.chips[0].lines[3].released = told;
+    _exit(play("st7789", "--size 96x72 --offset 11,12 --test-card") + 64);
+}
+
+static void the_program_dies_of_the_signal_after_releasing_all(void **state)
+{
+    (void)state;
+    int told[2], status;
+    char last = 0;
+    plug_in("st7789", &glass_module);
+    assert_int_equal(pipe(told), 0);
+    fflush(NULL);
+    const pid_t child = fork();
+    assert_true(child >= 0);
+    if (child == 0) play_until_interrupted(told[1]);
+    assert_int_equal(waitpid(child, &status, 0), child);
+    assert_true(WIFSIGNALED(status) && WTERMSIG(status) == SIGINT);
+    assert_int_equal(write(told[1], "-", 1), 1); /* read() below does not wait, whatever happened */
+    assert_int_equal(__real_read(told[0], &last, 1), 1);
+    assert_int_equal(last, '0'); /* the backlight was low when its line was let go */
+    assert_int_equal(__real_close(told[0]), 0);
+    assert_int_equal(__real_close(told[1]), 0);
+}
+
 /* A signal that comes in the middle of frame 2. */
 static int draw_interrupted(void *ctx, uint64_t frame)
 {
@@ -326,6 +368,7 @@ int main(void)
         cmocka_unit_test(a_frame_that_fails_is_drawn_again),
         cmocka_unit_test(what_fails_again_and_again_is_given_up),
         cmocka_unit_test(a_fault_anywhere_leaves_nothing_open),
+        cmocka_unit_test(the_program_dies_of_the_signal_after_releasing_all),
         cmocka_unit_test(a_signal_ends_it_in_the_dark),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
