@@ -15,7 +15,10 @@
 #include <stdlib.h>
 #include <time.h>
 
-enum { CARD_PAUSE_US = 1000000 }; /* a display that is plugged in again soon shows it */
+enum {
+    ORBIT_FRAMES = 240,     /* a turn in 8 s at 30 frames a second */
+    CARD_PAUSE_US = 1000000 /* a display that is plugged in again soon shows it */
+};
 
 struct play {
     struct port_choice port_choice;
@@ -59,6 +62,7 @@ static bool take_scene(struct play *play, struct arguments *arguments, struct er
         return arguments->count == 1 ||
                error_set(err, "--test-card: draws no scene, what is '%s'?", arguments->items[1]);
     if (!options_parse(arguments->count, arguments->items, OPTIONS_VIEW, options, err)) return false;
+    options->orbit_frames = ORBIT_FRAMES;
     const enum lim_method method = options->setup.method;
     if (method != LIM_NEAREST_FIRST && method != LIM_PAINTER) options->movers.mode = MOVING_OFF;
     module_choice_picture(&play->module_choice.module, &options->setup.w_px, &options->setup.h_px);

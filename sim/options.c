@@ -234,6 +234,7 @@ bool options_parse(int argc, char **argv, enum options_set set, struct options *
 {
     const bool is_render = set == OPTIONS_RENDER;
     *out = (struct options){.setup = {240, 240, LIM_NEAREST_FIRST, SIMULATOR_ANY, &core_fast},
+                            .orbit_frames = ORBIT_FRAMES,
                             .fov_deg = 60.0,
                             .frames_per_s = 15.0,
                             .compile = {.tolerance_units = 0.5, .splitter = "auto", .trial = TRIAL_IF_SPLIT}};
@@ -293,5 +294,5 @@ bool options_load(const struct options *options, struct compiled *scene, struct 
     if (!load_scene(options, scene, moving, err)) return false;
     double near_m = options->near_m > 0.0 ? options->near_m : lens_default_near_m(&scene->grid);
     if (!lens_init(lens, options->fov_deg, near_m, options->setup.w_px, options->setup.h_px, err)) return false;
-    return options->camera_path || camera_path_orbit(scene, lens, ORBIT_FRAMES, path, err);
+    return options->camera_path || camera_path_orbit(scene, lens, options->orbit_frames, path, err);
 }

@@ -11,7 +11,8 @@
 
 struct options {
     const char *scene_path;  /* a model, or a compiled scene in a .lim file */
-    const char *camera_path; /* NULL: an orbit */
+    const char *camera_path; /* NULL: an orbit, of */
+    size_t orbit_frames;
     struct simulator_setup setup;
     struct panel_choice panel; /* for SIMULATOR_PANEL */
     double fov_deg;

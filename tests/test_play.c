@@ -81,6 +81,7 @@ static void draw_expected(char *panel, unsigned w_px, unsigned h_px, size_t fram
     struct error err;
     snprintf(size, sizeof size, "%ux%u", w_px, h_px);
     assert_true(options_parse(6, argv, OPTIONS_VIEW, &options, &err));
+    options.orbit_frames = 240;
     assert_true(options_load(&options, &scene, &moving, &lens, &path, &err));
     assert_true(camera_path_to_camera(&path, frame, &lens, &scene.grid, &camera, &err));
     screen_turn_camera(&camera, camera_turn);
