@@ -18,6 +18,19 @@ static const char *help_for(int err_no, const char *group_help)
     return err_no == EACCES || err_no == EPERM ? group_help : "";
 }
 
+/* Device nodes, or that there are `none`. */
+static void print_all(const char *pattern, void (*print)(const char *path), const char *none)
+{
+    glob_t paths;
+    if (glob(pattern, 0, NULL, &paths) != 0) {
+        puts(none);
+        return;
+    }
+    for (size_t i = 0; i < paths.gl_pathc; i++)
+        print(paths.gl_pathv[i]);
+    globfree(&paths);
+}
+
 /* spidev ---------------------------------------------------------------------------------------- */
 
 static void print_spidev(const char *path)
@@ -34,14 +47,8 @@ static void print_spidev(const char *path)
 
 static void print_spidevs(void)
 {
-    glob_t paths;
-    if (glob("/dev/spidev*", 0, NULL, &paths) != 0) {
-        puts("spi   none: no /dev/spidev*; load spidev and the controller's driver (Raspberry Pi: dtparam=spi=on)");
-        return;
-    }
-    for (size_t i = 0; i < paths.gl_pathc; i++)
-        print_spidev(paths.gl_pathv[i]);
-    globfree(&paths);
+    print_all("/dev/spidev*", print_spidev,
+              "spi   none: no /dev/spidev*; load spidev and the controller's driver (Raspberry Pi: dtparam=spi=on)");
 }
 
 /* GPIO ------------------------------------------------------------------------------------------ */
@@ -80,14 +87,8 @@ static void print_gpiochip(const char *path)
 
 static void print_gpiochips(void)
 {
-    glob_t paths;
-    if (glob("/dev/gpiochip*", 0, NULL, &paths) != 0) {
-        puts("gpio  none: no /dev/gpiochip*; load the driver of the machine's GPIO controller");
-        return;
-    }
-    for (size_t i = 0; i < paths.gl_pathc; i++)
-        print_gpiochip(paths.gl_pathv[i]);
-    globfree(&paths);
+    print_all("/dev/gpiochip*", print_gpiochip,
+              "gpio  none: no /dev/gpiochip*; load the driver of the machine's GPIO controller");
 }
 
 /* All kinds ------------------------------------------------------------------------------------- */

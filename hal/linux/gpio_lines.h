@@ -8,6 +8,9 @@
 
 #include "bus.h"
 
+#include <errno.h>
+#include <stdio.h>
+
 enum { GPIO_NAME_B = 32 }; /* of the kernel's names, with their end */
 
 struct gpio_chip {
@@ -34,6 +37,17 @@ struct gpio_line {
     unsigned offset;
     void *handle, *events; /* libgpiod's */
 };
+
+/* For the two files: what libgpiod's functions return, -1 with errno set, as a code; and its strings, perhaps NULL. */
+static inline int gpio_code(int result)
+{
+    return result < 0 ? -errno : result;
+}
+
+static inline void gpio_copy_name(char to[GPIO_NAME_B], const char *from)
+{
+    snprintf(to, GPIO_NAME_B, "%s", from ? from : "");
+}
 
 /* `path` may be a link: the chip's name is the kernel's. */
 HAL_MUST_CHECK int gpio_chip_open(struct gpio_chip *chip, const char *path);

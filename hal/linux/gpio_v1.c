@@ -7,25 +7,14 @@
 
 #include <errno.h>
 #include <gpiod.h>
-#include <stdio.h>
-
-static int code_of(int result)
-{
-    return result < 0 ? -errno : result;
-}
-
-static void copy(char to[GPIO_NAME_B], const char *from)
-{
-    snprintf(to, GPIO_NAME_B, "%s", from ? from : "");
-}
 
 int gpio_chip_open(struct gpio_chip *chip, const char *path)
 {
     struct gpiod_chip *opened = gpiod_chip_open(path);
     if (!opened) return -errno;
     *chip = (struct gpio_chip){.handle = opened, .n_lines = gpiod_chip_num_lines(opened)};
-    copy(chip->name, gpiod_chip_name(opened));
-    copy(chip->label, gpiod_chip_label(opened));
+    gpio_copy_name(chip->name, gpiod_chip_name(opened));
+    gpio_copy_name(chip->label, gpiod_chip_label(opened));
     return 0;
 }
 
@@ -39,8 +28,8 @@ int gpio_chip_line(const struct gpio_chip *chip, unsigned offset, struct gpio_li
 {
     struct gpiod_line *line = gpiod_chip_get_line(chip->handle, offset);
     if (!line) return -errno;
-    copy(out->name, gpiod_line_name(line));
-    copy(out->consumer, gpiod_line_consumer(line));
+    gpio_copy_name(out->name, gpiod_line_name(line));
+    gpio_copy_name(out->consumer, gpiod_line_consumer(line));
     out->is_used = gpiod_line_is_used(line);
     return 0;
 }
@@ -49,8 +38,8 @@ int gpio_line_request(struct gpio_line *line, enum gpio_use use, const char *con
 {
     struct gpiod_line *found = gpiod_chip_get_line(line->chip.handle, line->offset);
     if (!found) return -errno;
-    const int code = code_of(use == GPIO_RISES ? gpiod_line_request_rising_edge_events(found, consumer)
-                                               : gpiod_line_request_output(found, consumer, use == GPIO_OUTPUT_HIGH));
+    const int code = gpio_code(use == GPIO_RISES ? gpiod_line_request_rising_edge_events(found, consumer)
+                                                 : gpiod_line_request_output(found, consumer, use == GPIO_OUTPUT_HIGH));
     if (code) return code;
     line->handle = found;
     return 0;
@@ -65,19 +54,19 @@ void gpio_line_release(struct gpio_line *line)
 
 int gpio_line_set(const struct gpio_line *line, bool high)
 {
-    return code_of(gpiod_line_set_value(line->handle, high));
+    return gpio_code(gpiod_line_set_value(line->handle, high));
 }
 
 int gpio_line_wait(const struct gpio_line *line, uint64_t timeout_ns)
 {
     const struct timespec timeout = {(time_t)(timeout_ns / 1000000000u), (long)(timeout_ns % 1000000000u)};
-    return code_of(gpiod_line_event_wait(line->handle, &timeout));
+    return gpio_code(gpiod_line_event_wait(line->handle, &timeout));
 }
 
 int gpio_line_forget(const struct gpio_line *line)
 {
     struct gpiod_line_event event;
-    return code_of(gpiod_line_event_read(line->handle, &event));
+    return gpio_code(gpiod_line_event_read(line->handle, &event));
 }
 
 #endif

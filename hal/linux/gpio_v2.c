@@ -8,19 +8,8 @@
 
 #include <errno.h>
 #include <gpiod.h>
-#include <stdio.h>
 
 enum { EVENTS_AT_ONCE = 16 }; /* as many as the kernel keeps for a line */
-
-static int code_of(int result)
-{
-    return result < 0 ? -errno : result;
-}
-
-static void copy(char to[GPIO_NAME_B], const char *from)
-{
-    snprintf(to, GPIO_NAME_B, "%s", from ? from : "");
-}
 
 int gpio_chip_open(struct gpio_chip *chip, const char *path)
 {
@@ -33,8 +22,8 @@ int gpio_chip_open(struct gpio_chip *chip, const char *path)
         return code;
     }
     *chip = (struct gpio_chip){.handle = opened, .n_lines = (unsigned)gpiod_chip_info_get_num_lines(info)};
-    copy(chip->name, gpiod_chip_info_get_name(info));
-    copy(chip->label, gpiod_chip_info_get_label(info));
+    gpio_copy_name(chip->name, gpiod_chip_info_get_name(info));
+    gpio_copy_name(chip->label, gpiod_chip_info_get_label(info));
     gpiod_chip_info_free(info);
     return 0;
 }
@@ -49,8 +38,8 @@ int gpio_chip_line(const struct gpio_chip *chip, unsigned offset, struct gpio_li
 {
     struct gpiod_line_info *info = gpiod_chip_get_line_info(chip->handle, offset);
     if (!info) return -errno;
-    copy(out->name, gpiod_line_info_get_name(info));
-    copy(out->consumer, gpiod_line_info_get_consumer(info));
+    gpio_copy_name(out->name, gpiod_line_info_get_name(info));
+    gpio_copy_name(out->consumer, gpiod_line_info_get_consumer(info));
     out->is_used = gpiod_line_info_is_used(info);
     gpiod_line_info_free(info);
     return 0;
@@ -66,14 +55,14 @@ struct wish {
 static int wish_fill(const struct wish *wish, unsigned offset, enum gpio_use use, const char *consumer)
 {
     if (!wish->settings || !wish->lines || !wish->request) return -ENOMEM;
-    int code = code_of(gpiod_line_settings_set_direction(
+    int code = gpio_code(gpiod_line_settings_set_direction(
         wish->settings, use == GPIO_RISES ? GPIOD_LINE_DIRECTION_INPUT : GPIOD_LINE_DIRECTION_OUTPUT));
     if (!code && use == GPIO_RISES)
-        code = code_of(gpiod_line_settings_set_edge_detection(wish->settings, GPIOD_LINE_EDGE_RISING));
+        code = gpio_code(gpiod_line_settings_set_edge_detection(wish->settings, GPIOD_LINE_EDGE_RISING));
     if (!code && use == GPIO_OUTPUT_HIGH)
-        code = code_of(gpiod_line_settings_set_output_value(wish->settings, GPIOD_LINE_VALUE_ACTIVE));
+        code = gpio_code(gpiod_line_settings_set_output_value(wish->settings, GPIOD_LINE_VALUE_ACTIVE));
     gpiod_request_config_set_consumer(wish->request, consumer);
-    return code ? code : code_of(gpiod_line_config_add_line_settings(wish->lines, &offset, 1, wish->settings));
+    return code ? code : gpio_code(gpiod_line_config_add_line_settings(wish->lines, &offset, 1, wish->settings));
 }
 
 static void wish_free(struct wish *wish)
@@ -109,18 +98,18 @@ void gpio_line_release(struct gpio_line *line)
 
 int gpio_line_set(const struct gpio_line *line, bool high)
 {
-    return code_of(gpiod_line_request_set_value(line->handle, line->offset,
-                                                high ? GPIOD_LINE_VALUE_ACTIVE : GPIOD_LINE_VALUE_INACTIVE));
+    return gpio_code(gpiod_line_request_set_value(line->handle, line->offset,
+                                                  high ? GPIOD_LINE_VALUE_ACTIVE : GPIOD_LINE_VALUE_INACTIVE));
 }
 
 int gpio_line_wait(const struct gpio_line *line, uint64_t timeout_ns)
 {
-    return code_of(gpiod_line_request_wait_edge_events(line->handle, (int64_t)timeout_ns));
+    return gpio_code(gpiod_line_request_wait_edge_events(line->handle, (int64_t)timeout_ns));
 }
 
 int gpio_line_forget(const struct gpio_line *line)
 {
-    const int n = code_of(gpiod_line_request_read_edge_events(line->handle, line->events, EVENTS_AT_ONCE));
+    const int n = gpio_code(gpiod_line_request_read_edge_events(line->handle, line->events, EVENTS_AT_ONCE));
     return n < 0 ? n : 0;
 }
 
