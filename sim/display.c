@@ -147,6 +147,24 @@ bool display_module_check(const struct panel_choice *choice, const struct displa
                      choice->w_step_px, choice->h_step_px);
 }
 
+static int set_nothing(void *ctx, bool high)
+{
+    (void)ctx, (void)high;
+    return 0;
+}
+
+/* That without which the driver refuses the port, and with which it does not. NULL: it is not for want of a pin. */
+static const char *missing_pin(const struct panel_choice *choice, const struct display_module *module,
+                               const struct port *port)
+{
+    struct display trial;
+    struct port with_dc = *port, with_select = *port;
+    with_dc.dc = with_select.select = (struct pin){.set = set_nothing};
+    if (choice->family->setup(&trial, choice, module, &with_dc) == 0) return "--dc";
+    if (choice->family->setup(&trial, choice, module, &with_select) == 0) return "--select";
+    return NULL;
+}
+
 bool display_setup(struct display *display, const struct panel_choice *choice, const struct display_module *module,
                    const struct port *port, struct error *err)
 {
@@ -159,8 +177,8 @@ bool display_setup(struct display *display, const struct panel_choice *choice, c
         display->camera_turn = module->rotation;
         code = choice->family->setup(display, choice, &upright, port);
     }
-    if (code == PANEL_ERR_CONFIG && !pin_is_wired(&port->dc))
-        return error_set(err, "--panel %s: needs --dc LINE, its pin that tells data from commands", choice->name);
+    const char *missing = code == PANEL_ERR_CONFIG ? missing_pin(choice, &upright, port) : NULL;
+    if (missing) return error_set(err, "--panel %s: needs a pin, %s LINE", choice->name, missing);
     return code == 0 || error_set(err, "--panel %s: its driver refuses these pins%s (%d)", choice->name,
                                   module->mirror ? ", or a mirrored picture" : "", code);
 }

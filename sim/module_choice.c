@@ -19,14 +19,20 @@ static const struct usual_module USUAL[] = {
     {"gc9a01", {.w_px = 240, .h_px = 240, .bgr = true, .invert = true}, 40000000},
     {"ili9341", {.w_px = 240, .h_px = 320, .bgr = true}, 32000000},
     {"ili9488", {.w_px = 320, .h_px = 480, .bgr = true}, 20000000},
+    {"ls013b7dh03", {.w_px = 128, .h_px = 128}, 1000000},
+    {"ls027b7dh01", {.w_px = 400, .h_px = 240}, 2000000},
     {"pcd8544", {.w_px = 84, .h_px = 48}, 4000000},
     {"sh1106", {.w_px = 128, .h_px = 64, .ox_px = 2}, 4000000},
     {"ssd1306", {.w_px = 128, .h_px = 64}, 8000000},
+    {"ssd0323", {.w_px = 128, .h_px = 64}, 4000000},
+    {"ssd1327", {.w_px = 128, .h_px = 128}, 4000000},
+    {"ssd1351", {.w_px = 128, .h_px = 128}, 16000000},
     {"st7567", {.w_px = 128, .h_px = 64}, 4000000},
     {"st7735", {.w_px = 128, .h_px = 160, .ox_px = 2, .oy_px = 1, .bgr = true}, 15000000},
     {"st7735", {.w_px = 128, .h_px = 128, .ox_px = 2, .oy_px = 3, .bgr = true}, 15000000},
     {"st7735", {.w_px = 80, .h_px = 160, .ox_px = 26, .oy_px = 1, .bgr = true, .invert = true}, 15000000},
     {"st7789", {.w_px = 240, .h_px = 240, .invert = true}, 40000000},
+    {"uc1701", {.w_px = 128, .h_px = 64}, 4000000},
 };
 
 static bool is_row_of(const struct usual_module *row, const struct panel_choice *panel, unsigned w_px, unsigned h_px)

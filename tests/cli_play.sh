@@ -35,7 +35,7 @@ st7789() { # NAME PATTERN ARGUMENT...: with what every call needs
 
 refuse "a panel is required" '^limner: play: needs --panel NAME' play "$model"
 refuse "an SPI device is required" '^limner: play: needs --spi DEVICE' play "$model" --panel st7789
-refuse "a panel that has D/C requires its line" '^limner: --panel st7789: needs --dc LINE' \
+refuse "a panel that has D/C requires its line" '^limner: --panel st7789: needs a pin, --dc LINE$' \
     play "$model" --panel st7789 --spi /dev/spidev99.0
 st7789 "a scene is required" '^limner: play: needs a model'
 st7789 "a value is required" '^limner: --reset: needs a value' "$model" --reset
