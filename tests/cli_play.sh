@@ -84,7 +84,7 @@ st7789 "two scenes are refused" 'what is .*teapot' "$model" "$model"
 lists_devices() {
     "$limner" devices >"$work/devices" 2>&1 || return 1
     cat "$work/devices"
-    ! grep -vE '^(spi|gpio)  *(none: |/dev/|gpiochip)' "$work/devices" && grep -q '^spi' "$work/devices" &&
+    ! grep -vE '^(spi|gpio|hid)  *[^ ]' "$work/devices" && grep -q '^spi' "$work/devices" &&
         grep -q '^gpio' "$work/devices"
 }
 
