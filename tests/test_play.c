@@ -70,7 +70,7 @@ static void draw_expected(char *panel, unsigned w_px, unsigned h_px, size_t fram
                           uint16_t *pixels)
 {
     char size[16];
-    char *argv[] = {"view", "--panel", panel, "--size", size, "sim/scenes/glass.obj", NULL};
+    char *argv[] = {"view", "--panel", panel, "--size", size, "sim/scenes/icosahedron.obj", NULL};
     struct options options;
     struct compiled scene = {0};
     struct moving moving = {0};
@@ -100,7 +100,7 @@ static void the_display_shows_what_the_simulator_does(void **state)
     static uint16_t expected[W_PX * H_PX];
     draw_expected("st7789", W_PX, H_PX, 2, PANEL_UPRIGHT, expected);
     plug_in("st7789", &glass_module);
-    assert_int_equal(play("st7789", "--size 96x72 --offset 11,12 --frames 3 sim/scenes/glass.obj"), 0);
+    assert_int_equal(play("st7789", "--size 96x72 --offset 11,12 --frames 3 sim/scenes/icosahedron.obj"), 0);
     emulated_dcs_show(&glass.chip.dcs, 0, NULL, raw);
     for (size_t i = 0; i < W_PX * H_PX; i++)
         assert_int_equal(raw[i], expected[i]);
@@ -114,7 +114,8 @@ static void a_turned_display_shows_it_turned(void **state)
     static uint16_t expected[W_PX * H_PX];
     draw_expected("st7789", H_PX, W_PX, 0, PANEL_UPRIGHT, expected);
     plug_in("st7789", &glass_module);
-    assert_int_equal(play("st7789", "--size 96x72 --offset 11,12 --rotate 90 --frames 1 sim/scenes/glass.obj"), 0);
+    assert_int_equal(play("st7789", "--size 96x72 --offset 11,12 --rotate 90 --frames 1 sim/scenes/icosahedron.obj"),
+                     0);
     emulated_dcs_show(&glass.chip.dcs, 1, NULL, raw);
     for (size_t i = 0; i < W_PX * H_PX; i++)
         assert_int_equal(raw[i], expected[i]);
@@ -180,7 +181,7 @@ static void a_scene_is_turned_by_the_camera_where_the_chip_cannot(void **state)
     const struct pin wired = emulated_port_backlight(fake.display);
     light = &wired;
     fake.chips[0].lines[3].wire = (struct pin){NULL, keep_before_dark};
-    assert_int_equal(play("ssd1306", "--size 64x64 --rotate 270 --frames 2 sim/scenes/glass.obj"), 0);
+    assert_int_equal(play("ssd1306", "--size 64x64 --rotate 270 --frames 2 sim/scenes/icosahedron.obj"), 0);
     for (unsigned i = 0; i < 64 * 64; i++)
         assert_int_equal(kept[i], expected[i] != 0);
 }
