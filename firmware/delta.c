@@ -2,12 +2,10 @@
  *
  * The stage is a target between the renderer and the caller's: what is done there is compared here. A line is sent in
  * one of three ways. Usually its changes join rectangles, and when these are many, or the frame is complete, they are
- * painted from runs and sent. A line that has no runs to be painted from later (textures, no room in the ring) is sent
- * at once, after the rectangles. And where several lines are sent together as pages, the target gets all of them, and
- * of the last one what has changed in any. */
+ * painted from runs and sent. A line that cannot be painted from runs later, or was not known, is sent at once. And
+ * where several lines are sent together as pages, the target gets all of them, and of the last one what has changed in
+ * any. */
 #include "limner.h"
-
-#include "fill.h"
 
 #if LIM_HAS_DELTA
 
@@ -40,6 +38,20 @@ static uint16_t *lend(struct lim_delta *delta, uint16_t y)
     return delta->target.lend(delta->target.ctx, y);
 }
 
+static inline void find_visible(const struct lim_delta *delta, uint16_t y, uint16_t *x0, uint16_t *x1)
+{
+    *x0 = 0;
+    *x1 = delta->target.w_px;
+#if LIM_HAS_ROUND
+    if (delta->target.visible) delta->target.visible(delta->target.ctx, y, x0, x1);
+#else
+    (void)y;
+#endif
+}
+
+/* Rectangles --------------------------------------------------------------------------------------------------------
+ */
+
 static int send_rect(struct lim_delta *delta, const struct lim_rect *rect)
 {
     int err = open_window(delta, rect);
@@ -47,7 +59,7 @@ static int send_rect(struct lim_delta *delta, const struct lim_rect *rect)
     for (uint16_t y = rect->y0; y < rect->y1 && !err; y++) {
         uint16_t *line = lend(delta, y);
         if (!line) return LIM_ERR_TARGET;
-        lim_kept_runs_paint(&delta->kept, y, line, rect->x0, rect->x1);
+        lim_runs_paint(&delta->runs, y, line, rect->x0, rect->x1);
         err = send(delta, y, rect);
     }
     return err;
@@ -58,10 +70,10 @@ static int send_rects(struct lim_delta *delta)
     int err = 0;
 
     if (!delta->rects.count) return 0;
-    lim_rects_join(&delta->rects, &delta->target.costs);
+    lim_rects_join(&delta->rects);
     for (uint16_t i = 0; i < delta->rects.count && !err; i++)
         err = send_rect(delta, &delta->rects.rect[i]);
-    delta->rects.count = 0;
+    lim_rects_clear(&delta->rects);
     delta->stream.y0 = delta->target.h_px; /* another window is open */
     return err;
 }
@@ -77,21 +89,31 @@ static void align(const struct lim_delta *delta, struct lim_rect *rect)
     rect->x1 = end < w_px ? end : w_px;
 }
 
-/* A change joins the rectangles. A page that has too many is sent whole. */
-static int add(struct lim_delta *delta, const struct lim_rect *change)
+/* The next change of a line, wide enough for the target. */
+static bool next_change(const struct lim_delta *delta, struct lim_changes *changes, uint16_t y, struct lim_rect *out)
 {
+    *out = (struct lim_rect){0, y, 0, (uint16_t)(y + 1)};
+    if (!lim_changes_next(changes, &out->x0, &out->x1)) return false;
+    align(delta, out);
+    return true;
+}
+
+static int add_changes(struct lim_delta *delta, uint16_t y)
+{
+    struct lim_changes changes = lim_runs_compare(&delta->runs, y, delta->still);
+    struct lim_rect change;
     int err = 0;
 
-    if (lim_rects_add(&delta->rects, &delta->target.costs, change)) return 0;
-    if (lim_delta_wants_lines(delta)) {
-        delta->rects.count = 1;
-        delta->rects.rect[0] = (struct lim_rect){0, change->y0, delta->target.w_px, change->y1};
-        return 0;
+    while (!err && next_change(delta, &changes, y, &change)) {
+        if (lim_rects_add(&delta->rects, &change)) continue;
+        err = send_rects(delta);
+        (void)lim_rects_add(&delta->rects, &change);
     }
-    err = send_rects(delta);
-    (void)lim_rects_add(&delta->rects, &delta->target.costs, change);
     return err;
 }
+
+/* At once -----------------------------------------------------------------------------------------------------------
+ */
 
 /* A window goes on below its first line, and takes the same stretch of the next one as well. */
 static int send_stretch(struct lim_delta *delta, const struct lim_rect *stretch)
@@ -107,60 +129,31 @@ static int send_stretch(struct lim_delta *delta, const struct lim_rect *stretch)
     return send(delta, stretch->y0, stretch);
 }
 
-static inline void set_visible(const struct lim_delta *delta, uint16_t y, uint16_t *x0, uint16_t *x1)
+/* The line first: its memory may be what rectangles are painted in. They must not grow over it, and go as well. */
+static int send_line(struct lim_delta *delta, uint16_t y, uint16_t x0, uint16_t x1)
 {
-    *x0 = 0;
-    *x1 = delta->target.w_px;
-#if LIM_HAS_ROUND
-    if (delta->target.visible) delta->target.visible(delta->target.ctx, y, x0, x1);
-#else
-    (void)y;
-#endif
-}
+    struct lim_rect stretch = {x0, y, x1, (uint16_t)(y + 1)};
 
-/* The next change of the line, wide enough for the target. A line that cannot be compared has one, which is all of it.
- */
-static bool next_change(struct lim_delta *delta, struct lim_changes *changes, struct lim_rect *out)
-{
-    const uint16_t w_px = delta->target.w_px;
-
-    *out = (struct lim_rect){0, delta->y, 0, (uint16_t)(delta->y + 1)};
-    if (changes->kept) {
-        if (!lim_changes_next(changes, &out->x0, &out->x1)) return false;
-    } else {
-        if (changes->x == w_px) return false;
-        changes->x = w_px;
-        set_visible(delta, delta->y, &out->x0, &out->x1);
+    if (!delta->line) {
+        delta->line = lend(delta, y);
+        if (!delta->line) return LIM_ERR_TARGET;
+        lim_runs_paint_noted(&delta->runs, delta->line, x0, x1);
     }
-    align(delta, out);
-    return out->x0 < out->x1;
+    align(delta, &stretch);
+    const int err = x0 < x1 ? send_stretch(delta, &stretch) : 0;
+    return err ? err : send_rects(delta);
 }
 
-static bool is_dearer_apart(const struct lim_delta *delta, const struct lim_rect *a, const struct lim_rect *b)
+/* Of a line with textures, which is painted: changes whose distance costs less than a window are sent as one. */
+static int send_changes(struct lim_delta *delta, uint16_t y)
 {
-    const struct lim_target_costs *costs = &delta->target.costs;
-
-    return b->x0 <= a->x1 || (uint32_t)(b->x0 - a->x1) * costs->pixel_bits <= costs->window_b * UINT32_C(8);
-}
-
-static int paint_now(struct lim_delta *delta)
-{
-    if (delta->line) return 0;
-    delta->line = lend(delta, delta->y);
-    if (!delta->line) return LIM_ERR_TARGET;
-    lim_line_runs_paint(&delta->runs, delta->line, 0, delta->target.w_px);
-    return 0;
-}
-
-/* The line first: its memory may be what rectangles are painted in. */
-static int send_line(struct lim_delta *delta, struct lim_changes *changes)
-{
+    struct lim_changes changes = lim_runs_compare(&delta->runs, y, delta->still);
     struct lim_rect stretch, next;
-    bool more = next_change(delta, changes, &stretch);
-    int err = more ? paint_now(delta) : 0;
+    bool more = next_change(delta, &changes, y, &stretch);
+    int err = 0;
 
     while (more && !err) {
-        while ((more = next_change(delta, changes, &next)) && is_dearer_apart(delta, &stretch, &next))
+        while ((more = next_change(delta, &changes, y, &next)) && next.x0 <= stretch.x1 + delta->rects.window_px)
             stretch.x1 = next.x1;
         err = send_stretch(delta, &stretch);
         stretch = next;
@@ -168,112 +161,108 @@ static int send_line(struct lim_delta *delta, struct lim_changes *changes)
     return err ? err : send_rects(delta);
 }
 
-static int add_line(struct lim_delta *delta, struct lim_changes *changes)
-{
-    struct lim_rect change;
+/* Pages -------------------------------------------------------------------------------------------------------------
+ */
 
-    while (next_change(delta, changes, &change)) {
-        const int err = add(delta, &change);
-        if (err) return err;
-    }
-    return 0;
+/* A page is one line of rectangles. If there are too many, it is sent whole. */
+static void add_to_page(struct lim_delta *delta, uint16_t y, uint16_t x0, uint16_t x1)
+{
+    const uint16_t page = (uint16_t)(y / delta->target.costs.page_px);
+    struct lim_rect change = {x0, page, x1, (uint16_t)(page + 1)};
+
+    if (delta->rects.count && delta->rects.rect[0].y0 != page) lim_rects_clear(&delta->rects);
+    if (lim_rects_add(&delta->rects, &change)) return;
+    change.x0 = 0;
+    change.x1 = delta->target.w_px;
+    lim_rects_clear(&delta->rects);
+    (void)lim_rects_add(&delta->rects, &change);
 }
 
 /* All lines but the last of a page are only taken in. */
-static int send_page(struct lim_delta *delta, struct lim_changes *changes)
+static int send_page(struct lim_delta *delta, uint16_t y)
 {
-    const uint16_t page_px = delta->target.costs.page_px;
-    struct lim_rect change;
     int err = 0;
 
-    if (delta->y % page_px == 0) delta->rects.count = 0;
-    while (next_change(delta, changes, &change)) {
-        change.y0 = (uint16_t)(delta->y / page_px);
-        change.y1 = (uint16_t)(change.y0 + 1);
-        (void)add(delta, &change);
-    }
-    if ((delta->y + 1) % page_px) return delta->target.done(delta->target.ctx, delta->y, 0, delta->target.w_px);
-    lim_rects_join(&delta->rects, &delta->target.costs);
+    if ((y + 1) % delta->target.costs.page_px) return delta->target.done(delta->target.ctx, y, 0, delta->target.w_px);
+    lim_rects_join(&delta->rects);
     for (uint16_t i = 0; i < delta->rects.count && !err; i++) {
         note_sent(delta, 0, 1);
-        err = send(delta, delta->y, &delta->rects.rect[i]);
+        err = send(delta, y, &delta->rects.rect[i]);
     }
-    delta->rects.count = 0;
+    lim_rects_clear(&delta->rects);
     return err;
+}
+
+static int page_line(struct lim_delta *delta, uint16_t y, bool compares)
+{
+    struct lim_changes changes = lim_runs_compare(&delta->runs, y, delta->still);
+    struct lim_rect change;
+
+    if (!compares) add_to_page(delta, y, 0, delta->target.w_px);
+    while (compares && next_change(delta, &changes, y, &change))
+        add_to_page(delta, y, change.x0, change.x1);
+    return send_page(delta, y);
+}
+
+/* Lines -------------------------------------------------------------------------------------------------------------
+ */
+
+/* What was painted without notes. The painter has lent all lines at once. */
+static int look_at_line(struct lim_delta *delta, uint16_t y, uint16_t x0, uint16_t x1)
+{
+    if (delta->target.method == LIM_PAINTER) delta->line = lend(delta, y);
+    if (!delta->line) return LIM_ERR_TARGET;
+    lim_runs_scan(&delta->runs, delta->line, x0, x1);
+    return 0;
 }
 
 static void note_unseen(struct lim_delta *delta, uint16_t x0, uint16_t x1)
 {
-    const uint16_t w_px = delta->target.w_px;
-
-    if (x0 > 0) lim_delta_note(delta, 0, (uint16_t)(x0 | LIM_RUN_UNSEEN), 0);
-    if (x1 < w_px) lim_delta_note(delta, x1, (uint16_t)(w_px | LIM_RUN_UNSEEN), 0);
+    if (x0 > 0) lim_runs_note(&delta->runs, 0, x0, LIM_RUN_UNSEEN);
+    if (x1 < delta->target.w_px) lim_runs_note(&delta->runs, x1, delta->target.w_px, LIM_RUN_UNSEEN);
 }
 
-/* What was painted without notes. The painter has lent all lines at once. */
-static int look_at_line(struct lim_delta *delta, uint16_t x0, uint16_t x1)
-{
-    if (delta->target.method == LIM_PAINTER) delta->line = lend(delta, delta->y);
-    if (!delta->line) return LIM_ERR_TARGET;
-    delta->exhausted = !lim_line_runs_scan(&delta->runs, delta->line, x0, x1);
-    return 0;
-}
-
-static void note_kept(struct lim_delta *delta, bool compares)
+static void count_line(struct lim_delta *delta, bool compares)
 {
     if (!LIM_HAS_STATS) return;
     struct lim_delta_stats *stats = &delta->stats->delta;
-    const uint16_t used = lim_kept_runs_used(&delta->kept);
+    const uint16_t used = lim_runs_used(&delta->runs);
 
     if (!compares) stats->lines_whole++;
     if (used > stats->runs_max) stats->runs_max = used;
 }
 
-static int finish_line(struct lim_delta *delta, uint16_t x0, uint16_t x1)
+/* x0 <= x < x1 is all that is seen of it. */
+static int finish_line(struct lim_delta *delta, uint16_t y, uint16_t x0, uint16_t x1)
 {
-    const bool known = lim_kept_runs_begin(&delta->kept, delta->y);
+    const bool known = lim_runs_begin(&delta->runs, y);
 
-    if (!delta->noting) {
-        const int err = look_at_line(delta, x0, x1);
+    if (!delta->noted) {
+        const int err = look_at_line(delta, y, x0, x1);
         if (err) return err;
     }
     note_unseen(delta, x0, x1);
-    if (delta->exhausted && !delta->line) return LIM_ERR_TARGET;
-    const bool kept = lim_kept_runs_keep(&delta->kept, delta->y, delta->exhausted ? NULL : &delta->runs);
-    const bool compares = known && !delta->exhausted;
-    struct lim_changes changes = {.now = &delta->runs,
-                                  .kept = compares ? &delta->kept : NULL,
-                                  .still = delta->still,
-                                  .w_px = delta->target.w_px,
-                                  .at = delta->kept.tail};
-
-    note_kept(delta, compares);
-    if (lim_delta_wants_lines(delta)) return send_page(delta, &changes);
-    return kept && compares && !delta->textured ? add_line(delta, &changes) : send_line(delta, &changes);
+    const enum lim_runs_kept kept = lim_runs_keep(&delta->runs, y);
+    const bool compares = known && kept != LIM_RUNS_LOST;
+    count_line(delta, compares);
+    if (lim_delta_wants_lines(delta)) return page_line(delta, y, compares);
+    if (!compares) return send_line(delta, y, x0, x1);
+    return kept == LIM_RUNS_TEXTURED ? send_changes(delta, y) : add_changes(delta, y);
 }
 
 /* Of a line that comes in pieces nothing is kept, and all of its page is sent. */
-static int send_piece(struct lim_delta *delta, uint16_t x_px, uint16_t n_px)
+static int send_piece(struct lim_delta *delta, uint16_t y, uint16_t x_px, uint16_t n_px)
 {
-    const struct lim_rect piece = {x_px, delta->y, (uint16_t)(x_px + n_px), (uint16_t)(delta->y + 1)};
-    const uint16_t page = (uint16_t)(delta->y / delta->target.costs.page_px);
+    const struct lim_rect piece = {x_px, y, (uint16_t)(x_px + n_px), (uint16_t)(y + 1)};
 
-    (void)lim_kept_runs_begin(&delta->kept, delta->y);
-    (void)lim_kept_runs_keep(&delta->kept, delta->y, NULL);
+    (void)lim_runs_begin(&delta->runs, y);
+    lim_runs_lose(&delta->runs, y);
     if (lim_delta_wants_lines(delta)) {
-        delta->rects.count = 1;
-        delta->rects.rect[0] = (struct lim_rect){0, page, delta->target.w_px, (uint16_t)(page + 1)};
-        return delta->target.done(delta->target.ctx, delta->y, x_px, n_px);
+        add_to_page(delta, y, 0, delta->target.w_px);
+        return delta->target.done(delta->target.ctx, y, x_px, n_px);
     }
     const int err = n_px ? send_stretch(delta, &piece) : 0;
     return err ? err : send_rects(delta);
-}
-
-static void clear_line(struct lim_delta *delta)
-{
-    delta->line = NULL;
-    delta->noting = delta->textured = delta->exhausted = delta->spilled = false;
-    delta->runs.count = 0;
 }
 
 static int delta_done(void *ctx, uint16_t y, uint16_t x_px, uint16_t n_px)
@@ -281,10 +270,10 @@ static int delta_done(void *ctx, uint16_t y, uint16_t x_px, uint16_t n_px)
     struct lim_delta *delta = ctx;
     uint16_t x0, x1;
 
-    delta->y = y;
-    set_visible(delta, y, &x0, &x1);
-    const int err = x_px > x0 || x_px + n_px < x1 ? send_piece(delta, x_px, n_px) : finish_line(delta, x0, x1);
-    clear_line(delta);
+    find_visible(delta, y, &x0, &x1);
+    const int err = x_px > x0 || x_px + n_px < x1 ? send_piece(delta, y, x_px, n_px) : finish_line(delta, y, x0, x1);
+    delta->line = NULL;
+    delta->noted = false;
     return err;
 }
 
@@ -299,40 +288,12 @@ static void *delta_lend(void *ctx, uint16_t y)
 #if LIM_HAS_ROUND
 static void delta_visible(void *ctx, uint16_t y, uint16_t *x0, uint16_t *x1)
 {
-    set_visible(ctx, y, x0, x1);
+    find_visible(ctx, y, x0, x1);
 }
 #endif
 
-void lim_delta_begin_line(struct lim_delta *delta, uint16_t y, uint16_t *line)
-{
-    clear_line(delta);
-    delta->y = y;
-    delta->line = line;
-    delta->noting = true;
-}
-
-/* A line that was not to be painted is, from here on. */
-static LIM_RARE void spill(struct lim_delta *delta)
-{
-    delta->exhausted = true;
-    if (delta->line) return;
-    delta->line = lend(delta, delta->y);
-    delta->spilled = delta->line != NULL;
-    for (uint16_t i = 0; i < delta->runs.count && delta->spilled; i++) {
-        const struct lim_line_run *run = &delta->runs.run[i];
-        lim_fill(delta->line, run->x0, (uint16_t)((run->end & LIM_RUN_X) - run->x0), run->value);
-    }
-}
-
-void lim_delta_note(struct lim_delta *delta, uint16_t x0, uint16_t end, uint16_t value)
-{
-    if (end & LIM_RUN_TEXTURED) delta->textured = true;
-    if (!delta->exhausted) {
-        if (lim_line_runs_add(&delta->runs, (struct lim_line_run){x0, end, value})) return;
-        spill(delta);
-    }
-    if (delta->spilled) lim_fill(delta->line, x0, (uint16_t)((end & LIM_RUN_X) - x0), value);
-}
+/* Frames ------------------------------------------------------------------------------------------------------------
+ */
 
 static bool is_same(const struct lim_camera *a, const struct lim_camera *b)
 {
@@ -343,13 +304,14 @@ static bool is_same(const struct lim_camera *a, const struct lim_camera *b)
 
 void lim_delta_begin_frame(struct lim_delta *delta, const struct lim_camera *camera)
 {
-    if (!delta->known) lim_kept_runs_forget(&delta->kept);
+    if (!delta->known) lim_runs_forget(&delta->runs);
     delta->still = delta->known && is_same(camera, &delta->camera);
     delta->known = false;
     delta->camera = *camera;
-    delta->rects.count = 0;
+    lim_rects_clear(&delta->rects);
     delta->stream.y0 = delta->target.h_px;
-    clear_line(delta);
+    delta->line = NULL;
+    delta->noted = false;
 }
 
 int lim_delta_end_frame(struct lim_delta *delta, int err)
@@ -359,7 +321,7 @@ int lim_delta_end_frame(struct lim_delta *delta, int err)
     return err;
 }
 
-static void join(struct lim *lim, struct lim_delta *delta)
+static void use(struct lim *lim, struct lim_delta *delta)
 {
     lim->delta = delta;
 #if LIM_HAS_SPANS
@@ -367,35 +329,55 @@ static void join(struct lim *lim, struct lim_delta *delta)
 #endif
 }
 
-static void leave(struct lim *lim)
+/* What the renderer gets for a target. */
+static struct lim_target stage_of(struct lim_delta *delta)
 {
-    if (lim->delta) lim->target = lim->delta->target;
-    join(lim, NULL);
+    struct lim_target target = delta->target;
+
+    target.ctx = delta;
+    target.lend = delta_lend;
+    target.done = delta_done;
+#if LIM_HAS_ROUND
+    if (target.visible) target.visible = delta_visible;
+#endif
+    return target;
+}
+
+static uint32_t window_px(const struct lim_target_costs *costs)
+{
+    return (costs->window_b * UINT32_C(8) + costs->pixel_bits / 2u) / costs->pixel_bits;
+}
+
+/* What is lent, widest alignment first. */
+static void share_out(struct lim_delta *delta, size_t run_count)
+{
+    struct lim_runs *runs = &delta->runs;
+
+    runs->w_px = delta->target.w_px;
+    runs->h_px = delta->target.h_px;
+    runs->size = run_count < UINT16_MAX ? (uint16_t)run_count : UINT16_MAX;
+    runs->line = (uint32_t *)(void *)(delta + 1);
+    runs->ring = runs->line + runs->w_px;
+    runs->first = (uint16_t *)(void *)(runs->ring + runs->size);
 }
 
 int lim_set_delta(struct lim *lim, void *mem, size_t mem_b)
 {
     struct lim_delta *delta = mem;
-    const size_t none_b = LIM_DELTA_MEM_B(lim->target.h_px, 0);
 
-    LIM_ASSERT(((uintptr_t)mem & 3) == 0);
-    leave(lim);
+    LIM_ASSERT(((uintptr_t)mem & (sizeof(void *) - 1)) == 0);
+    if (lim->delta) lim->target = lim->delta->target;
+    use(lim, NULL);
     if (!mem) return LIM_OK;
-    if (!lim->target.window || !lim->target.costs.page_px) return LIM_ERR_TARGET;
-    if (mem_b < LIM_DELTA_MEM_B(lim->target.h_px, 1)) return LIM_ERR_MEMORY;
-    const size_t size = (mem_b - none_b) / sizeof(struct lim_kept_run);
-    *delta = (struct lim_delta){.target = lim->target, .stats = lim_stats_of(lim)};
-    delta->kept.ring = (struct lim_kept_run *)(void *)(delta + 1);
-    delta->kept.size = size < UINT16_MAX ? (uint16_t)size : UINT16_MAX;
-    delta->kept.first = (uint16_t *)(void *)(delta->kept.ring + delta->kept.size);
-    delta->kept.h_px = lim->target.h_px;
-    lim->target.ctx = delta;
-    lim->target.lend = delta_lend;
-    lim->target.done = delta_done;
-#if LIM_HAS_ROUND
-    if (lim->target.visible) lim->target.visible = delta_visible;
-#endif
-    join(lim, delta);
+    const struct lim_target *target = &lim->target;
+    const size_t fixed_b = LIM_DELTA_MEM_B(target->w_px, target->h_px, 0);
+    if (!target->window || !target->costs.page_px || !target->costs.pixel_bits) return LIM_ERR_TARGET;
+    if (mem_b < fixed_b + sizeof(uint32_t)) return LIM_ERR_MEMORY;
+    *delta = (struct lim_delta){.target = *target, .stats = lim_stats_of(lim)};
+    delta->rects.window_px = window_px(&target->costs);
+    share_out(delta, (mem_b - fixed_b) / sizeof(uint32_t));
+    lim->target = stage_of(delta);
+    use(lim, delta);
     return LIM_OK;
 }
 

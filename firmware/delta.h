@@ -15,36 +15,39 @@
 #include "stats.h"
 #include "target.h"
 
-#define LIM_DELTA_MEM_B(h_px, run_count)                                                                               \
-    ((sizeof(struct lim_delta) + (run_count) * sizeof(struct lim_kept_run) + ((h_px) + 1) * sizeof(uint16_t) + 3) &    \
+#define LIM_DELTA_MEM_B(w_px, h_px, run_count)                                                                         \
+    ((sizeof(struct lim_delta) + ((size_t)(w_px) + (run_count)) * sizeof(uint32_t) +                                   \
+      ((size_t)(h_px) + 1) * sizeof(uint16_t) + 3) &                                                                   \
      ~(size_t)3)
 
 /* Private. */
 struct lim_delta {
     struct lim_target target; /* the caller's */
     struct lim_stats *stats;
-    struct lim_kept_runs kept;
+    struct lim_runs runs;
+    struct lim_rects rects;   /* of lines that are kept; with pages: of the page, which is one line */
+    struct lim_rect stream;   /* the window of lines that were sent at once, from the line that it takes next */
     struct lim_camera camera; /* of the last frame */
     bool still;               /* it is this frame's as well */
     bool known;               /* the panel shows the last frame */
-    struct lim_rects rects;   /* of lines that are kept; with pages: of the page, which is one line */
-    struct lim_rect stream;   /* the window of lines that were sent at once, from the line that it takes next */
-    /* The line that is drawn: */
-    uint16_t y;
-    uint16_t *line; /* where it is painted, or NULL */
-    bool noting;    /* its pieces are noted */
-    bool textured;  /* some of them have a texture, which cannot be painted from runs */
-    bool exhausted; /* they are too many */
-    bool spilled;   /* and so are painted after all */
-    struct lim_line_runs runs;
+    bool noted;               /* the line that is drawn was noted: all of its pieces */
+    uint16_t *line;           /* where it is painted, or NULL */
 };
 
+#if LIM_HAS_DELTA
 /* PAINT notes every piece of a line that it has begun, in any order; `line` is NULL if it does not paint them. A line
  * that it has not begun is painted, and looked at when it is done. */
-void lim_delta_begin_line(struct lim_delta *delta, uint16_t y, uint16_t *line);
-void lim_delta_note(struct lim_delta *delta, uint16_t x0, uint16_t end, uint16_t value);
+static inline void lim_delta_begin_line(struct lim_delta *delta, uint16_t *line)
+{
+    delta->line = line;
+    delta->noted = true;
+}
 
-#if LIM_HAS_DELTA
+static inline void lim_delta_note(struct lim_delta *delta, uint16_t x0, uint16_t x1, uint32_t look)
+{
+    lim_runs_note(&delta->runs, x0, x1, look);
+}
+
 /* Whether lines are painted even if all that they hold is noted. */
 static inline bool lim_delta_wants_lines(const struct lim_delta *delta)
 {

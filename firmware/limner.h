@@ -45,9 +45,9 @@ void lim_set_wireframe(struct lim *lim, const struct lim_wireframe *wireframe);
 LIM_MUST_CHECK int lim_set_antialias(struct lim *lim, void *mem, size_t mem_b);
 
 /* Sends only what differs from the last frame, from now on; lim_init() turns it off. There if LIM_HAS_DELTA. `mem`,
- * 4-byte aligned, must outlive it: LIM_DELTA_MEM_B(h_px, run_count) bytes, for the runs of one colour that a frame's
- * lines have together; lines for which there is no room are sent whole. NULL turns it off. LIM_ERR_MEMORY: too little;
- * LIM_ERR_TARGET: the target has no window(). */
+ * aligned for pointers, LIM_DELTA_MEM_B(w_px, h_px, run_count) bytes, must outlive it; run_count: how many runs of one
+ * colour the lines of a frame have together; lines for which there is no room are sent whole. NULL turns it off.
+ * LIM_ERR_MEMORY: too little; LIM_ERR_TARGET: the target has no window(), or does not tell its costs. */
 LIM_MUST_CHECK int lim_set_delta(struct lim *lim, void *mem, size_t mem_b);
 
 /* The next frame is sent whole: to be called when the panel may show something else than the last one. After an error

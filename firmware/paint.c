@@ -115,8 +115,7 @@ struct sink {
 #endif
 };
 
-/* Beside the end of a run. */
-static inline uint16_t texture_flag(const struct sink *sink)
+static inline uint32_t texture_flag(const struct sink *sink)
 {
 #if LIM_HAS_TEXTURE && LIM_HAS_DELTA
     return sink->span.gradients ? LIM_RUN_TEXTURED : 0;
@@ -127,13 +126,13 @@ static inline uint16_t texture_flag(const struct sink *sink)
 }
 
 /* true: noted, and not to be painted. */
-static inline bool note(const struct sink *sink, uint16_t x0, uint16_t x1, uint16_t value)
+static inline bool note(const struct sink *sink, uint16_t x0, uint16_t x1, uint32_t look)
 {
 #if LIM_HAS_DELTA
-    if (sink->notes) lim_delta_note(sink->notes, x0, x1, value);
+    if (sink->notes) lim_delta_note(sink->notes, x0, x1, look);
     return sink->notes && !sink->line;
 #else
-    (void)sink, (void)x0, (void)x1, (void)value;
+    (void)sink, (void)x0, (void)x1, (void)look;
     return false;
 #endif
 }
@@ -197,7 +196,7 @@ static void paint_piece(void *ctx, uint16_t x0, uint16_t x1)
 {
     struct sink *sink = ctx;
 
-    if (!note(sink, x0, (uint16_t)(x1 | texture_flag(sink)), sink->colour)) {
+    if (!note(sink, x0, x1, sink->colour | texture_flag(sink))) {
         if (LIM_HAS_WIREFRAME && wire_of(sink))
             lim_wire_fill(sink->line, wire_of(sink), x0, x1);
         else if (!paint_textured(sink, x0, x1))
@@ -419,13 +418,13 @@ static enum line_use use_of_line(const struct lim_paint *paint, const struct lim
 #endif
 }
 
-static inline void begin_notes(struct sink *sink, const struct lim_paint *paint, enum line_use use, uint16_t y)
+static inline void begin_notes(struct sink *sink, const struct lim_paint *paint, enum line_use use)
 {
 #if LIM_HAS_DELTA
     sink->notes = use == PAINTED ? NULL : paint->delta;
-    if (sink->notes) lim_delta_begin_line(sink->notes, y, sink->line);
+    if (sink->notes) lim_delta_begin_line(sink->notes, sink->line);
 #else
-    (void)sink, (void)paint, (void)use, (void)y;
+    (void)sink, (void)paint, (void)use;
 #endif
 }
 
@@ -441,7 +440,7 @@ static int paint_line(struct lim_paint *paint, struct lim_spans *spans, const st
     const enum line_use use = use_of_line(paint, retained);
     sink.line = use == NOTED ? NULL : paint->target->lend(paint->target->ctx, y);
     if (use != NOTED && !sink.line) return LIM_ERR_TARGET;
-    begin_notes(&sink, paint, use, y);
+    begin_notes(&sink, paint, use);
     begin_span(&sink, paint, y, stats);
     if (LIM_HAS_STATS && paint->used > stats->active_max) stats->active_max = paint->used;
     lim_spans_reset_pool(spans);

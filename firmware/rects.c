@@ -1,62 +1,103 @@
 /* SPDX-License-Identifier: MIT
  *
- * Costs are in bits on the bus: 1024 x 1024 pixels of 24 bits, and a window of 65535 bytes, take 26. */
+ * Costs are in pixels. Those of a rectangle are known while it grows: a stretch of a line is tried with each of them.
+ */
 #include "rects.h"
 
 #if LIM_HAS_DELTA
 
-static uint32_t cost_bits(const struct lim_target_costs *costs, const struct lim_rect *rect)
-{
-    const uint32_t area_px = (uint32_t)(uint16_t)(rect->x1 - rect->x0) * (uint16_t)(rect->y1 - rect->y0);
-
-    return costs->window_b * UINT32_C(8) + area_px * costs->pixel_bits;
-}
-
-static struct lim_rect around(const struct lim_rect *a, const struct lim_rect *b)
+static inline struct lim_rect around(const struct lim_rect *a, const struct lim_rect *b)
 {
     return (struct lim_rect){a->x0 < b->x0 ? a->x0 : b->x0, a->y0 < b->y0 ? a->y0 : b->y0,
                              a->x1 > b->x1 ? a->x1 : b->x1, a->y1 > b->y1 ? a->y1 : b->y1};
 }
 
-bool lim_rects_add(struct lim_rects *rects, const struct lim_target_costs *costs, const struct lim_rect *rect)
+static inline uint32_t area(const struct lim_rect *rect)
 {
-    struct lim_rect *best = NULL;
-    uint32_t least_bits = cost_bits(costs, rect);
+    return (uint32_t)(rect->x1 - rect->x0) * (uint32_t)(rect->y1 - rect->y0);
+}
 
-    for (struct lim_rect *at = rects->rect; at < rects->rect + rects->count; at++) {
-        const struct lim_rect grown = around(at, rect);
-        const uint32_t more_bits = cost_bits(costs, &grown) - cost_bits(costs, at);
-        if (more_bits >= least_bits) continue;
-        least_bits = more_bits;
-        best = at;
+static void set(struct lim_rects *rects, uint16_t i, const struct lim_rect *rect)
+{
+    rects->rect[i] = *rect;
+    rects->area_px[i] = area(rect);
+}
+
+static void swap(struct lim_rects *rects, uint16_t i, uint16_t k)
+{
+    const struct lim_rect rect = rects->rect[i];
+    const uint32_t area_px = rects->area_px[i];
+
+    rects->rect[i] = rects->rect[k];
+    rects->area_px[i] = rects->area_px[k];
+    rects->rect[k] = rect;
+    rects->area_px[k] = area_px;
+}
+
+/* Growing from y1 to line y takes a rectangle's own width for each line between, and line y: where that is a window's
+ * cost, what it would grow over can as well be on its own, now and on all lines below. */
+static void retire(struct lim_rects *rects, uint16_t y)
+{
+    rects->y = y;
+    for (uint16_t i = 0; i < rects->growing;) {
+        const struct lim_rect *rect = &rects->rect[i];
+        if (rect->y1 < y && (uint32_t)(y - rect->y1) * (uint32_t)(rect->x1 - rect->x0) >= rects->window_px)
+            swap(rects, i, --rects->growing);
+        else
+            i++;
     }
-    if (!best && rects->count == LIM_DELTA_RECTS) return false;
-    if (best)
-        *best = around(best, rect);
-    else
-        rects->rect[rects->count++] = *rect;
+}
+
+/* A rectangle that grows by no more than what joins it cannot be bettered. */
+bool lim_rects_add(struct lim_rects *rects, const struct lim_rect *rect)
+{
+    const uint32_t own_px = area(rect);
+    uint32_t least_px = own_px + rects->window_px;
+    uint16_t best = rects->count;
+
+    if (rect->y0 != rects->y) retire(rects, rect->y0);
+    for (uint16_t i = 0; i < rects->growing && least_px > own_px; i++) {
+        const struct lim_rect grown = around(&rects->rect[i], rect);
+        const uint32_t more_px = area(&grown) - rects->area_px[i];
+        if (more_px >= least_px) continue;
+        least_px = more_px;
+        best = i;
+    }
+    if (best == LIM_DELTA_RECTS) return false;
+    const struct lim_rect grown = best < rects->count ? around(&rects->rect[best], rect) : *rect;
+    set(rects, best, &grown);
+    if (best < rects->count) return true;
+    rects->count++;
+    swap(rects, rects->growing++, best);
     return true;
 }
 
-static bool join_two(struct lim_rects *rects, const struct lim_target_costs *costs)
+/* Rectangle i with one of those before it. false: there is none that it should be one with. */
+static bool join_before(struct lim_rects *rects, uint16_t i)
 {
-    for (uint16_t i = 1; i < rects->count; i++) {
-        for (uint16_t k = 0; k < i; k++) {
-            const struct lim_rect both = around(&rects->rect[i], &rects->rect[k]);
-            if (cost_bits(costs, &both) > cost_bits(costs, &rects->rect[i]) + cost_bits(costs, &rects->rect[k]))
-                continue;
-            rects->rect[k] = both;
-            rects->rect[i] = rects->rect[--rects->count];
-            return true;
-        }
+    for (uint16_t k = 0; k < i; k++) {
+        const struct lim_rect both = around(&rects->rect[i], &rects->rect[k]);
+        if (area(&both) > rects->area_px[i] + rects->area_px[k] + rects->window_px) continue;
+        set(rects, k, &both);
+        set(rects, i, &rects->rect[--rects->count]);
+        return true;
     }
     return false;
 }
 
-void lim_rects_join(struct lim_rects *rects, const struct lim_target_costs *costs)
+/* What has grown is tried with all others again. */
+void lim_rects_join(struct lim_rects *rects)
 {
-    while (join_two(rects, costs)) {
-    }
+    uint16_t i = 1;
+
+    while (i < rects->count)
+        i = join_before(rects, i) ? 1 : (uint16_t)(i + 1);
+    rects->growing = 0;
+}
+
+void lim_rects_clear(struct lim_rects *rects)
+{
+    rects->count = rects->growing = 0;
 }
 
 #endif

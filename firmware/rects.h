@@ -1,28 +1,34 @@
 /* SPDX-License-Identifier: MIT
  *
- * What changed, as rectangles that cost little to send: in pixels, which all of a rectangle has, and in windows, which
- * each rectangle opens one of. In: changed stretches of lines, from the top down. Out: a list of rectangles that holds
- * them all. The list is short; when it is full its owner sends it, and starts another. */
+ * What changed, as rectangles that cost little to send: in pixels, which all of a rectangle has, and in windows, of
+ * which each rectangle opens one. In: changed stretches of lines, from the top down. Out: a list of rectangles that
+ * holds them all. The list is short; when it is full its owner sends it, and starts another. */
 #ifndef LIM_RECTS_H
 #define LIM_RECTS_H
 
 #include "target.h"
 
-/* How many are put together at a time: more find better company, and take longer to. */
+/* How many are put together at a time. More than 16 send hardly less, and take longer to. */
 #ifndef LIM_DELTA_RECTS
 #define LIM_DELTA_RECTS 16
 #endif
 
 struct lim_rects {
+    uint32_t window_px; /* what a window costs, in pixels that could be sent instead */
     uint16_t count;
+    uint16_t growing; /* so many, which come first, may still grow */
+    uint16_t y;       /* the line that was added to last */
     struct lim_rect rect[LIM_DELTA_RECTS];
+    uint32_t area_px[LIM_DELTA_RECTS];
 };
 
-/* Puts the rectangle where that costs least: to another one, which grows over all between them, or on its own. false:
- * it would be on its own, and there is no room. */
-bool lim_rects_add(struct lim_rects *rects, const struct lim_target_costs *costs, const struct lim_rect *rect);
+/* Puts a rectangle, not above the last one, where that costs least: to another one, which grows over all between them,
+ * or on its own. false: it would be on its own, and there is no room. */
+bool lim_rects_add(struct lim_rects *rects, const struct lim_rect *rect);
 
-/* Puts rectangles together that cost no more so. */
-void lim_rects_join(struct lim_rects *rects, const struct lim_target_costs *costs);
+void lim_rects_clear(struct lim_rects *rects);
+
+/* Puts rectangles together that cost no more so. None of them grows any more. */
+void lim_rects_join(struct lim_rects *rects);
 
 #endif

@@ -1,134 +1,135 @@
 /* SPDX-License-Identifier: MIT
  *
- * The ring's lines follow each other without a gap, so a line ends where the next one begins; one that begins where the
- * next one does is not known. A line's runs never fill the ring, or it would seem to have none. */
+ * Runs cover a line without a gap, so the next one begins where the last one ends; and the ring's lines follow each
+ * other without a gap, so a line ends where the next one begins. It is never quite full: a line would seem to have no
+ * runs. */
 #include "runs.h"
 
 #include "fill.h"
 
 #if LIM_HAS_DELTA
 
-/* Few come out of order by more than a few places. */
-bool lim_line_runs_add(struct lim_line_runs *runs, struct lim_line_run run)
-{
-    uint16_t at = runs->count;
-
-    if (at == LIM_DELTA_LINE_RUNS) return false;
-    runs->count++;
-    for (; at && runs->run[at - 1].x0 > run.x0; at--)
-        runs->run[at] = runs->run[at - 1];
-    runs->run[at] = run;
-    return true;
-}
-
-bool lim_line_runs_scan(struct lim_line_runs *runs, const uint16_t *line, uint16_t x0, uint16_t x1)
+void lim_runs_scan(struct lim_runs *runs, const uint16_t *line, uint16_t x0, uint16_t x1)
 {
     for (uint16_t x = x0; x < x1; x0 = x) {
-        const uint16_t value = line[x];
+        const uint16_t colour = line[x];
         do
             x++;
-        while (x < x1 && line[x] == value);
-        if (!lim_line_runs_add(runs, (struct lim_line_run){x0, x, value})) return false;
-    }
-    return true;
-}
-
-static inline void paint_run(uint16_t *line, uint16_t x0, uint16_t x1, uint16_t end, uint16_t value)
-{
-    lim_fill(line, x0, (uint16_t)((end < x1 ? end : x1) - x0), value);
-}
-
-void lim_line_runs_paint(const struct lim_line_runs *runs, uint16_t *line, uint16_t x0, uint16_t x1)
-{
-    for (const struct lim_line_run *run = runs->run; x0 < x1; run++) {
-        const uint16_t end = run->end & LIM_RUN_X;
-        if (end <= x0) continue;
-        paint_run(line, x0, x1, end, run->value);
-        x0 = end;
+        while (x < x1 && line[x] == colour);
+        lim_runs_note(runs, x0, x, colour);
     }
 }
 
-static inline uint16_t after(const struct lim_kept_runs *kept, uint16_t at)
+void lim_runs_forget(struct lim_runs *runs)
 {
-    return (uint16_t)(at + 1u == kept->size ? 0 : at + 1u);
+    runs->head = runs->tail = 0;
+    for (uint16_t y = 0; y <= runs->h_px; y++)
+        runs->first[y] = 0;
 }
 
-void lim_kept_runs_paint(const struct lim_kept_runs *kept, uint16_t y, uint16_t *line, uint16_t x0, uint16_t x1)
+bool lim_runs_begin(struct lim_runs *runs, uint16_t y)
 {
-    for (uint16_t at = kept->first[y]; x0 < x1; at = after(kept, at)) {
-        const uint16_t end = kept->ring[at].end & LIM_RUN_X;
-        if (end <= x0) continue;
-        paint_run(line, x0, x1, end, kept->ring[at].value);
-        x0 = end;
-    }
+    runs->tail = runs->first[y];
+    return runs->tail != runs->first[y + 1];
 }
 
-void lim_kept_runs_forget(struct lim_kept_runs *kept)
+uint16_t lim_runs_used(const struct lim_runs *runs)
 {
-    kept->head = kept->tail = 0;
-    for (uint16_t y = 0; y <= kept->h_px; y++)
-        kept->first[y] = 0;
+    return (uint16_t)(runs->head >= runs->tail ? runs->head - runs->tail : runs->head + runs->size - runs->tail);
 }
 
-bool lim_kept_runs_begin(struct lim_kept_runs *kept, uint16_t y)
+static inline const uint32_t *after(const struct lim_runs *runs, const uint32_t *run)
 {
-    kept->tail = kept->first[y];
-    return kept->tail != kept->first[y + 1];
+    return run + 1 == runs->ring + runs->size ? runs->ring : run + 1;
 }
 
-uint16_t lim_kept_runs_used(const struct lim_kept_runs *kept)
+/* Behind the last line is the first one of the next frame. */
+static void end_line(struct lim_runs *runs, uint16_t y)
 {
-    return (uint16_t)(kept->head >= kept->tail ? kept->head - kept->tail : kept->head + kept->size - kept->tail);
+    if (y + 1 == runs->h_px) runs->first[y + 1] = runs->head;
 }
 
-static inline bool continues(const struct lim_line_run *run, const struct lim_line_run *before)
+void lim_runs_lose(struct lim_runs *runs, uint16_t y)
 {
-    return run->value == before->value && !((run->end ^ before->end) & ~LIM_RUN_X);
+    runs->first[y] = runs->head;
+    end_line(runs, y);
 }
 
-/* Neighbours of one colour become one run. */
-static void push(struct lim_kept_runs *kept, const struct lim_line_runs *runs)
+/* Neighbours of one look become one run. */
+enum lim_runs_kept lim_runs_keep(struct lim_runs *runs, uint16_t y)
 {
-    uint16_t self = kept->head;
+    uint16_t room = (uint16_t)(runs->size - 1u - lim_runs_used(runs)), head = runs->head;
+    uint32_t run = runs->line[0], looks = 0;
 
-    for (uint16_t i = 0; i < runs->count; i++) {
-        const struct lim_line_run *run = &runs->run[i];
-        if (i == 0 || !continues(run, run - 1)) {
-            self = kept->head;
-            kept->head = after(kept, self);
+    for (;;) {
+        const uint16_t x = lim_run_end(run);
+        const bool ends = x == runs->w_px;
+        const uint32_t next = ends ? ~run : runs->line[x];
+        if ((run ^ next) & LIM_RUN_LOOK) {
+            if (!room--) {
+                lim_runs_lose(runs, y);
+                return LIM_RUNS_LOST;
+            }
+            runs->ring[head] = run;
+            head = head + 1u == runs->size ? 0 : (uint16_t)(head + 1u);
+            looks |= run;
         }
-        kept->ring[self] = (struct lim_kept_run){run->end, run->value};
+        if (ends) break;
+        run = next;
+    }
+    runs->first[y] = runs->head;
+    runs->head = head;
+    end_line(runs, y);
+    return looks & LIM_RUN_TEXTURED ? LIM_RUNS_TEXTURED : LIM_RUNS_KEPT;
+}
+
+void lim_runs_paint_noted(const struct lim_runs *runs, uint16_t *line, uint16_t x0, uint16_t x1)
+{
+    for (uint16_t x = 0, end; x < x1; x = end) {
+        const uint32_t run = runs->line[x];
+        end = lim_run_end(run) < x1 ? lim_run_end(run) : x1;
+        if (end <= x0) continue;
+        const uint16_t from = x > x0 ? x : x0;
+        lim_fill(line, from, (uint16_t)(end - from), (uint16_t)run);
     }
 }
 
-bool lim_kept_runs_keep(struct lim_kept_runs *kept, uint16_t y, const struct lim_line_runs *runs)
+void lim_runs_paint(const struct lim_runs *runs, uint16_t y, uint16_t *line, uint16_t x0, uint16_t x1)
 {
-    kept->first[y] = kept->head;
-    const bool fits = runs && runs->count < kept->size - lim_kept_runs_used(kept);
-    if (fits) push(kept, runs);
-    if (y + 1 == kept->h_px) kept->first[y + 1] = kept->head;
-    return fits;
+    const uint32_t *at = runs->ring + runs->first[y];
+
+    while (lim_run_end(*at) <= x0)
+        at = after(runs, at);
+    for (uint16_t end; x0 < x1; x0 = end) {
+        end = lim_run_end(*at) < x1 ? lim_run_end(*at) : x1;
+        lim_fill(line, x0, (uint16_t)(end - x0), (uint16_t)*at);
+        at = after(runs, at);
+    }
 }
 
 bool lim_changes_next(struct lim_changes *changes, uint16_t *x0, uint16_t *x1)
 {
+    const struct lim_runs *runs = changes->runs;
+    const uint32_t *now = changes->now, *old = changes->old;
+    uint16_t x = changes->x;
     bool differs = false;
 
-    while (changes->x < changes->w_px) {
-        const struct lim_line_run *now = &changes->now->run[changes->index];
-        const struct lim_kept_run *old = &changes->kept->ring[changes->at];
-        const uint16_t now_end = now->end & LIM_RUN_X, old_end = old->end & LIM_RUN_X;
-        const uint16_t flags = (uint16_t)((now->end | old->end) & ~LIM_RUN_X);
-        const bool same = now->value == old->value && !((now->end ^ old->end) & ~LIM_RUN_X) &&
-                          (!(flags & LIM_RUN_TEXTURED) || changes->still);
-        if (same && differs) return true;
-        if (!same && !differs) *x0 = changes->x;
-        differs = !same;
-        changes->x = now_end < old_end ? now_end : old_end;
-        *x1 = changes->x;
-        if (now_end == changes->x) changes->index++;
-        if (old_end == changes->x) changes->at = after(changes->kept, changes->at);
+    while (x < runs->w_px) {
+        const uint32_t is = *now, was = *old;
+        if (!(((is ^ was) & LIM_RUN_LOOK) | (is & changes->restless))) {
+            if (differs) break;
+        } else if (!differs) {
+            *x0 = x;
+            differs = true;
+        }
+        const uint16_t is_end = lim_run_end(is), was_end = lim_run_end(was);
+        if (is_end <= was_end) now = after(runs, now);
+        if (was_end <= is_end) old = after(runs, old);
+        x = is_end < was_end ? is_end : was_end;
     }
+    *x1 = changes->x = x;
+    changes->now = now;
+    changes->old = old;
     return differs;
 }
 

@@ -1,81 +1,80 @@
 /* SPDX-License-Identifier: MIT
  *
- * Lines as runs of one colour: what delta output knows of a frame. Of the line that is being drawn an array, sorted
- * from left to right; of all lines a ring, in which a line's runs of this frame take the place of those of the last.
- * In: pieces as SPAN finds them, nearest first, or a painted line. Out: where two frames differ. Memory: the ring,
- * lent. */
+ * Lines as runs of one colour: what delta output knows of a frame. The line that is drawn is an array in which each run
+ * stands where it begins, so that runs may come in any order; the lines of a frame follow each other in a ring, where
+ * this frame's take the place of the last one's. In: pieces as SPAN finds them, or a painted line. Out: where two
+ * frames differ. Memory: array and ring, lent. */
 #ifndef LIM_RUNS_H
 #define LIM_RUNS_H
 
 #include "config.h"
 
-/* Most runs of a line that are told apart; a line with more is sent whole. */
-#ifndef LIM_DELTA_LINE_RUNS
-#define LIM_DELTA_LINE_RUNS 64
-#endif
+/* A run: the x after its last pixel from bit 20 on; below, its look: a colour as it lies in memory, or one of these. */
+#define LIM_RUN_END_BIT 20
+#define LIM_RUN_LOOK ((UINT32_C(1) << LIM_RUN_END_BIT) - 1u)
+#define LIM_RUN_TEXTURED (UINT32_C(1) << 16) /* with which texture */
+#define LIM_RUN_UNSEEN (UINT32_C(1) << 17)   /* behind the rim of round glass */
 
-/* Beside a run's end. Its value is a colour as it lies in memory, or which texture it has. */
-#define LIM_RUN_TEXTURED 0x8000u
-#define LIM_RUN_UNSEEN 0x4000u /* behind the rim of round glass */
-#define LIM_RUN_X 0x07FFu
-
-/* Pixels x0 <= x < end. */
-struct lim_line_run {
-    uint16_t x0, end; /* end with LIM_RUN_... */
-    uint16_t value;
+struct lim_runs {
+    uint32_t *line;  /* w_px: the runs that begin at each pixel, of the line that is drawn */
+    uint32_t *ring;  /* of all lines */
+    uint16_t size;   /* of the ring; one less can be in use */
+    uint16_t head;   /* where its next run goes */
+    uint16_t tail;   /* its oldest run: the last frame's, of the line that is drawn */
+    uint16_t *first; /* h_px + 1: each line's first run, as this frame has it up to the line that is drawn, and as the
+                        last frame had it below. A line that begins where the next one does is not known */
+    uint16_t w_px, h_px;
 };
 
-struct lim_line_runs {
-    uint16_t count;
-    struct lim_line_run run[LIM_DELTA_LINE_RUNS];
-};
+static inline uint16_t lim_run_end(uint32_t run)
+{
+    return (uint16_t)(run >> LIM_RUN_END_BIT);
+}
 
-/* From where the run before it ended. */
-struct lim_kept_run {
-    uint16_t end, value;
-};
+/* Pixels x0 <= x < x1, x0 < x1, of the line that is drawn. Each is noted once. */
+static inline void lim_runs_note(struct lim_runs *runs, uint16_t x0, uint16_t x1, uint32_t look)
+{
+    runs->line[x0] = (uint32_t)x1 << LIM_RUN_END_BIT | look;
+}
 
-struct lim_kept_runs {
-    struct lim_kept_run *ring;
-    uint16_t size; /* of the ring; one less can be in use */
-    uint16_t head; /* where the next run goes */
-    uint16_t tail; /* the oldest run: that of the line that is drawn, in the last frame */
-    uint16_t *
-        first; /* of each line and of one more: this frame's before the line that is drawn, the last frame's after it */
-    uint16_t h_px;
-};
-
-/* Adds a piece of the line in whatever order they come. false: there are too many. */
-bool lim_line_runs_add(struct lim_line_runs *runs, struct lim_line_run run);
-
-/* A line that is painted: x0 <= x < x1 of it. false: too many runs. */
-bool lim_line_runs_scan(struct lim_line_runs *runs, const uint16_t *line, uint16_t x0, uint16_t x1);
-
-/* Paints x0 <= x < x1 of a line from its runs, none of which may have a texture there. */
-void lim_line_runs_paint(const struct lim_line_runs *runs, uint16_t *line, uint16_t x0, uint16_t x1);
-void lim_kept_runs_paint(const struct lim_kept_runs *kept, uint16_t y, uint16_t *line, uint16_t x0, uint16_t x1);
+/* Notes x0 <= x < x1 of a line that is painted. */
+void lim_runs_scan(struct lim_runs *runs, const uint16_t *line, uint16_t x0, uint16_t x1);
 
 /* Nothing is known of the last frame. */
-void lim_kept_runs_forget(struct lim_kept_runs *kept);
+void lim_runs_forget(struct lim_runs *runs);
 
 /* Lines are begun from the top down. false: the last frame's is not known. */
-bool lim_kept_runs_begin(struct lim_kept_runs *kept, uint16_t y);
+bool lim_runs_begin(struct lim_runs *runs, uint16_t y);
 
-/* Adds line y's runs of this frame; those of the last one stay until the next line is begun. false: there is no room,
- * or `runs` is NULL: this frame's line is not known. */
-bool lim_kept_runs_keep(struct lim_kept_runs *kept, uint16_t y, const struct lim_line_runs *runs);
+/* What becomes of line y, which has been begun. The last frame's runs are there until the next line is. */
+enum lim_runs_kept { LIM_RUNS_LOST, LIM_RUNS_KEPT, LIM_RUNS_TEXTURED };
 
-/* Of the ring, the last frame's line that is drawn included. */
-uint16_t lim_kept_runs_used(const struct lim_kept_runs *kept);
+/* Keeps what was noted. LIM_RUNS_LOST: there is no room for it. */
+enum lim_runs_kept lim_runs_keep(struct lim_runs *runs, uint16_t y);
 
-/* From begin to the next begin: the next change of the line. */
+/* Leaves it unknown. */
+void lim_runs_lose(struct lim_runs *runs, uint16_t y);
+
+/* Paints x0 <= x < x1 of a line: of the one that is drawn, or of one that was kept. No texture may be there. */
+void lim_runs_paint_noted(const struct lim_runs *runs, uint16_t *line, uint16_t x0, uint16_t x1);
+void lim_runs_paint(const struct lim_runs *runs, uint16_t y, uint16_t *line, uint16_t x0, uint16_t x1);
+
+/* How much of the ring is in use. */
+uint16_t lim_runs_used(const struct lim_runs *runs);
+
+/* Where a line that was kept differs from the last frame's, which is known: changes from left to right. */
 struct lim_changes {
-    const struct lim_line_runs *now;
-    const struct lim_kept_runs *kept;
-    bool still; /* what has the same texture looks the same */
-    uint16_t w_px;
-    uint16_t at, index, x; /* all three begin with tail, 0, 0 */
+    const struct lim_runs *runs;
+    const uint32_t *now, *old; /* in the ring */
+    uint32_t restless;         /* LIM_RUN_TEXTURED: the same texture looks different. 0: it does not */
+    uint16_t x;
 };
+
+static inline struct lim_changes lim_runs_compare(const struct lim_runs *runs, uint16_t y, bool still)
+{
+    return (struct lim_changes){runs, runs->ring + runs->first[y], runs->ring + runs->tail,
+                                still ? 0 : LIM_RUN_TEXTURED, 0};
+}
 
 /* Pixels *x0 <= x < *x1 may differ. false: no others do. */
 bool lim_changes_next(struct lim_changes *changes, uint16_t *x0, uint16_t *x1);

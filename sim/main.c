@@ -74,7 +74,7 @@ static const char USAGE[] =
     "  --write-cameras FILE  the cameras as a C header, for firmware of this scene\n"
     "  --check FILE        compare with such a file; exit status 1 if a frame differs\n"
     "measure:\n"
-    "  --camera, --size, --fov, --near, --unlit, --keep-faces, --method, --tree, --splitter as above\n"
+    "  --camera, --size, --fov, --near, --unlit, --keep-faces, --method, --tree, --splitter, --delta as above\n"
     "  -o DIR              measure.md, measure.csv, stages.csv and measure.png\n"
     "  --precision LIST    names, divided by commas (all, with other sub-pixel bits too)\n"
     "  --core LIST         processors: m0plus, m3, m4, rv32 (all)\n"

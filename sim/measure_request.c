@@ -25,6 +25,7 @@ enum option_code {
     OPTION_UNLIT,
     OPTION_METHOD,
     OPTION_ANTIALIAS,
+    OPTION_DELTA,
     OPTION_PORTALS,
     OPTION_TREE,
     OPTION_SPLITTER,
@@ -47,6 +48,7 @@ static const struct option OPTIONS[] = {
     {"unlit", no_argument, NULL, OPTION_UNLIT},
     {"method", required_argument, NULL, OPTION_METHOD},
     {"antialias", no_argument, NULL, OPTION_ANTIALIAS},
+    {"delta", no_argument, NULL, OPTION_DELTA},
     {"portals", required_argument, NULL, OPTION_PORTALS},
     {"tree", required_argument, NULL, OPTION_TREE},
     {"splitter", required_argument, NULL, OPTION_SPLITTER},
@@ -173,6 +175,9 @@ static bool parse_option(int code, char **argv, struct measure_request *out, boo
         return true;
     case OPTION_ANTIALIAS:
         out->compile.antialias = true;
+        return true;
+    case OPTION_DELTA:
+        out->compile.delta = true;
         return true;
     case ':':
         return error_set(err, "%s: needs a value", argv[optind - 1]);

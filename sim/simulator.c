@@ -173,7 +173,7 @@ bool simulator_set_antialias(struct simulator *simulator, bool on, struct error 
 
 bool simulator_set_delta(struct simulator *simulator, uint16_t runs, struct error *err)
 {
-    const size_t mem_b = LIM_DELTA_MEM_B(simulator->target.h_px, runs);
+    const size_t mem_b = LIM_DELTA_MEM_B(simulator->target.w_px, simulator->target.h_px, runs);
     void *mem = runs ? malloc(mem_b) : NULL;
     if (runs && !mem) return error_set(err, "simulator: out of memory");
     const int code = simulator->core->set_delta(simulator->lim, mem, mem_b);

@@ -28,6 +28,9 @@ struct screen {
     _Alignas(4) uint16_t lines[LINES][(CAMERAS_W_PX + 1) / 2 * 2]; /* each aligned for words */
     uint32_t hash_high, hash_low; /* FNV-1a, 64 bits, of the bytes as the bus gets them */
     uint32_t painted_px;          /* of this frame */
+#if LIM_HAS_DELTA
+    uint16_t shown[CAMERAS_H_PX][CAMERAS_W_PX]; /* what a panel would have: only changes come */
+#endif
 };
 
 #ifdef MODEL_MOVERS
@@ -46,6 +49,9 @@ static void *mover_mem[(MODEL_MOVERS_MEM_B + sizeof(void *) - 1) / sizeof(void *
 static struct lim lim;
 static uint32_t mem[FRAMES_MEM_B / 4];
 static struct screen screen;
+#if LIM_HAS_DELTA
+static void *delta_mem[(MODEL_SCENE_DELTA_MEM_B(CAMERAS_W_PX, CAMERAS_H_PX) + sizeof(void *) - 1) / sizeof(void *)];
+#endif
 #if LIM_HAS_ANTIALIAS
 static uint32_t smooth_mem[LIM_ANTIALIAS_MEM_B(CAMERAS_W_PX) / 4];
 #endif
@@ -80,18 +86,54 @@ static void *lend(void *ctx, uint16_t y_px)
     return ((struct screen *)ctx)->lines[y_px % LINES];
 }
 
+static void hash_pixels(struct screen *to, const uint16_t *pixels, uint16_t n_px)
+{
+    const uint8_t *bytes = (const uint8_t *)pixels;
+
+    for (uint16_t i = 0; i < 2 * n_px; i++)
+        hash_byte(to, bytes[i]);
+}
+
+#if LIM_HAS_DELTA
+static int window(void *ctx, const struct lim_rect *opened)
+{
+    (void)ctx;
+    return opened->x1 > CAMERAS_W_PX || opened->y1 > CAMERAS_H_PX ? -1 : 0;
+}
+
+static int done(void *ctx, uint16_t y_px, uint16_t x_px, uint16_t n_px)
+{
+    struct screen *to = ctx;
+
+    if (y_px >= CAMERAS_H_PX || x_px + n_px > CAMERAS_W_PX) return -1;
+    for (uint16_t x = x_px; x < x_px + n_px; x++)
+        to->shown[y_px][x] = to->lines[y_px % LINES][x];
+    return 0;
+}
+
+static void end_frame(struct screen *to)
+{
+    for (uint16_t y = 0; y < CAMERAS_H_PX; y++)
+        hash_pixels(to, to->shown[y], CAMERAS_W_PX);
+    to->painted_px = (uint32_t)CAMERAS_W_PX * CAMERAS_H_PX;
+}
+#else
 /* Pixels must come from left to right and from the top down, each once. */
 static int done(void *ctx, uint16_t y_px, uint16_t x_px, uint16_t n_px)
 {
     struct screen *to = ctx;
-    const uint8_t *bytes = (const uint8_t *)(to->lines[y_px % LINES] + x_px);
 
     if (to->painted_px != (uint32_t)y_px * CAMERAS_W_PX + x_px || x_px + n_px > CAMERAS_W_PX) return -1;
-    for (uint16_t i = 0; i < 2 * n_px; i++)
-        hash_byte(to, bytes[i]);
+    hash_pixels(to, to->lines[y_px % LINES] + x_px, n_px);
     to->painted_px += n_px;
     return 0;
 }
+
+static void end_frame(struct screen *to)
+{
+    (void)to;
+}
+#endif
 
 static void put_hex(uint32_t number)
 {
@@ -165,6 +207,7 @@ static int render(uint16_t frame)
     frame_begin(frame);
     const int err = draw(&camera);
     frame_end(frame);
+    end_frame(&screen);
     return err || screen.painted_px != (uint32_t)CAMERAS_W_PX * CAMERAS_H_PX;
 }
 
@@ -179,9 +222,24 @@ static void put_frame(uint16_t frame)
 
 int main(void)
 {
-    const struct lim_target target = {CAMERAS_W_PX, CAMERAS_H_PX, LIM_RGB565, MODEL_SCENE_METHOD, &screen, lend, done};
+    const struct lim_target target = {
+        .w_px = CAMERAS_W_PX,
+        .h_px = CAMERAS_H_PX,
+        .format = LIM_RGB565,
+        .method = MODEL_SCENE_METHOD,
+        .ctx = &screen,
+        .lend = lend,
+        .done = done,
+#if LIM_HAS_DELTA
+        .window = window,
+        .costs = {.window_b = 11, .pixel_bits = 16, .page_px = 1, .x_align_px = 1},
+#endif
+    };
     int err = lim_init(&lim, &model_scene, &target, mem, sizeof mem);
 
+#if LIM_HAS_DELTA
+    if (!err) err = lim_set_delta(&lim, delta_mem, sizeof delta_mem);
+#endif
 #if LIM_HAS_ANTIALIAS
     if (!err) err = lim_set_antialias(&lim, smooth_mem, sizeof smooth_mem);
 #endif
