@@ -60,7 +60,7 @@ static int delay(void *ctx, uint32_t delay_us)
 
 struct bus fault_port_bus(struct fault_port *port)
 {
-    return (struct bus){port, write_bytes, flush};
+    return (struct bus){.ctx = port, .write = write_bytes, .flush = flush, .message_b = port->bus.message_b};
 }
 
 struct pin fault_port_pin(struct fault_port *port, struct fault_pin *pin)
