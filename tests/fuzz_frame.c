@@ -100,7 +100,13 @@ static bool is_refused_rightly(const struct lim_scene *scene, enum lim_method me
 static const char *draw_one(const struct fuzz_frame *frame, const struct core *core, const struct lim_scene *scene,
                             enum lim_method method, struct canvas *canvas)
 {
-    const struct lim_target target = {frame->w_px, frame->h_px, LIM_RGB565, method, canvas, lend, done};
+    const struct lim_target target = {.w_px = frame->w_px,
+                                      .h_px = frame->h_px,
+                                      .format = LIM_RGB565,
+                                      .method = method,
+                                      .ctx = canvas,
+                                      .lend = lend,
+                                      .done = done};
     const size_t mem_b = core->mem_b(scene, &target);
     void *lim = malloc(core->lim_b), *mem = malloc(mem_b);
 

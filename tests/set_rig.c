@@ -131,7 +131,13 @@ void set_draw(const struct set *set, enum lim_method method, const struct lim_ne
               const struct lim_camera *camera, struct set_view *view)
 {
     const struct lim_scene *scene = &set->scene;
-    const struct lim_target target = {SET_SIDE_PX, SET_SIDE_PX, LIM_RGB565, method, view, lend, done};
+    const struct lim_target target = {.w_px = SET_SIDE_PX,
+                                      .h_px = SET_SIDE_PX,
+                                      .format = LIM_RGB565,
+                                      .method = method,
+                                      .ctx = view,
+                                      .lend = lend,
+                                      .done = done};
     const size_t mem_b = lim_mem_b(scene, &target) + (pieces < 0 ? 0 : (size_t)pieces * PIECE_B);
 
     memset(view, 0, sizeof *view);

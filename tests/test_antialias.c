@@ -43,7 +43,8 @@ static int done(void *ctx, uint16_t y_px, uint16_t x_px, uint16_t n_px)
 
 static struct lim_target target_on(struct canvas *canvas, enum lim_method method)
 {
-    return (struct lim_target){W_PX, H_PX, LIM_RGB565, method, canvas, lend, done};
+    return (struct lim_target){
+        .w_px = W_PX, .h_px = H_PX, .format = LIM_RGB565, .method = method, .ctx = canvas, .lend = lend, .done = done};
 }
 
 /* With mem_b bytes, 0: with what the scene asks for. */

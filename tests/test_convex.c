@@ -41,7 +41,13 @@ static int canvas_done(void *ctx, uint16_t y_px, uint16_t x_px, uint16_t n_px)
 static struct lim_stats draw(struct canvas *canvas, const struct core *core, const struct lim_scene *scene,
                              const struct lim_camera *camera, enum lim_method method)
 {
-    const struct lim_target target = {W_PX, H_PX, LIM_RGB565, method, canvas, canvas_lend, canvas_done};
+    const struct lim_target target = {.w_px = W_PX,
+                                      .h_px = H_PX,
+                                      .format = LIM_RGB565,
+                                      .method = method,
+                                      .ctx = canvas,
+                                      .lend = canvas_lend,
+                                      .done = canvas_done};
     const size_t mem_b = core->mem_b(scene, &target);
     void *lim = calloc(1, core->lim_b), *mem = malloc(mem_b);
     memset(canvas, 0, sizeof *canvas);
@@ -267,7 +273,13 @@ static void a_forked_tree_is_refused(void **state)
     (void)state;
     mesh_rig_solids(&mesh, &random, 5);
     struct compiled scene = compile_with(&mesh, NULL);
-    const struct lim_target target = {W_PX, H_PX, LIM_RGB565, LIM_CONVEX, &canvas, canvas_lend, canvas_done};
+    const struct lim_target target = {.w_px = W_PX,
+                                      .h_px = H_PX,
+                                      .format = LIM_RGB565,
+                                      .method = LIM_CONVEX,
+                                      .ctx = &canvas,
+                                      .lend = canvas_lend,
+                                      .done = canvas_done};
     const size_t mem_b = core_fast.mem_b(&scene.scene, &target);
     void *lim = calloc(1, core_fast.lim_b), *mem = malloc(mem_b);
     assert_int_equal(core_fast.init(lim, &scene.scene, &target, mem, mem_b), LIM_ERR_SCENE);

@@ -118,7 +118,8 @@ static void assert_done_once(const struct canvas *canvas, uint16_t w_px, uint16_
 static void draw(struct canvas *canvas, const struct lim_scene *scene, const struct lim_camera *camera, uint16_t w_px,
                  uint16_t h_px, enum lim_method method, bool least_memory, struct lim_stats *stats)
 {
-    const struct lim_target target = {w_px, h_px, LIM_RGB565, method, canvas, lend, done};
+    const struct lim_target target = {
+        .w_px = w_px, .h_px = h_px, .format = LIM_RGB565, .method = method, .ctx = canvas, .lend = lend, .done = done};
     const size_t mem_b = least_memory ? lim_mem_min_b(scene, &target) : lim_mem_b(scene, &target);
     void *mem = malloc(mem_b);
     struct lim lim;

@@ -62,7 +62,13 @@ struct stage {
 
 static struct lim_target target_of(struct stage *stage, enum lim_method method)
 {
-    return (struct lim_target){W_PX, H_PX, LIM_RGB565, method, &stage->canvas, lend, done};
+    return (struct lim_target){.w_px = W_PX,
+                               .h_px = H_PX,
+                               .format = LIM_RGB565,
+                               .method = method,
+                               .ctx = &stage->canvas,
+                               .lend = lend,
+                               .done = done};
 }
 
 static void stage_init(struct stage *stage, struct random *random)

@@ -212,8 +212,13 @@ static int done(void *ctx, uint16_t y_px, uint16_t x_px, uint16_t n_px)
 static void draw(const struct compiled *scene, enum lim_method method, size_t mem_b, const struct lim_camera *camera,
                  struct canvas *canvas, struct lim_stats *stats)
 {
-    const struct lim_target target = {W_PX, H_PX, LIM_RGB565, method, canvas, method == LIM_PAINTER ? lend_any : lend,
-                                      done};
+    const struct lim_target target = {.w_px = W_PX,
+                                      .h_px = H_PX,
+                                      .format = LIM_RGB565,
+                                      .method = method,
+                                      .ctx = canvas,
+                                      .lend = method == LIM_PAINTER ? lend_any : lend,
+                                      .done = done};
     void *mem = malloc(mem_b ? mem_b : lim_mem_b(&scene->scene, &target));
     struct lim lim;
 
@@ -351,7 +356,13 @@ static struct compiled box_of_glass(struct mesh *mesh, uint8_t transparency)
 
 static void a_transparent_solid_is_not_drawn_as_a_convex_one(void **state)
 {
-    const struct lim_target target = {W_PX, H_PX, LIM_RGB565, LIM_CONVEX, NULL, lend, done};
+    const struct lim_target target = {.w_px = W_PX,
+                                      .h_px = H_PX,
+                                      .format = LIM_RGB565,
+                                      .method = LIM_CONVEX,
+                                      .ctx = NULL,
+                                      .lend = lend,
+                                      .done = done};
     static uint32_t mem[40000];
     struct mesh mesh;
     struct lim lim;

@@ -433,7 +433,13 @@ static int done(void *ctx, uint16_t y_px, uint16_t x_px, uint16_t n_px)
 static uint32_t draw_with(const struct stage *stage, size_t mem_b, const struct lim_camera *camera,
                           struct canvas *canvas)
 {
-    const struct lim_target target = {W_PX, H_PX, LIM_RGB565, LIM_NEAREST_FIRST, canvas, lend, done};
+    const struct lim_target target = {.w_px = W_PX,
+                                      .h_px = H_PX,
+                                      .format = LIM_RGB565,
+                                      .method = LIM_NEAREST_FIRST,
+                                      .ctx = canvas,
+                                      .lend = lend,
+                                      .done = done};
     void *mem = malloc(mem_b);
     struct lim lim;
 

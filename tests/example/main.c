@@ -52,7 +52,13 @@ static void orbit(struct lim_camera *camera, uint32_t angle)
 
 int main(void)
 {
-    const struct lim_target target = {DISPLAY_W_PX, DISPLAY_H_PX, LIM_RGB565, TEAPOT_SCENE_METHOD, NULL, lend, done};
+    const struct lim_target target = {.w_px = DISPLAY_W_PX,
+                                      .h_px = DISPLAY_H_PX,
+                                      .format = LIM_RGB565,
+                                      .method = TEAPOT_SCENE_METHOD,
+                                      .ctx = NULL,
+                                      .lend = lend,
+                                      .done = done};
     struct lim_camera camera = {.near_q8 = UNITS(0.1) * 256};
     int err = lim_init(&lim, &teapot_scene, &target, mem, sizeof mem);
 

@@ -42,7 +42,13 @@ static int render(enum lim_method method)
 {
     static uint32_t frame[CAMERAS_H_PX * LINE_PX / 2];
     static struct lim lim;
-    const struct lim_target target = {CAMERAS_W_PX, CAMERAS_H_PX, LIM_RGB565, method, frame, lend, done};
+    const struct lim_target target = {.w_px = CAMERAS_W_PX,
+                                      .h_px = CAMERAS_H_PX,
+                                      .format = LIM_RGB565,
+                                      .method = method,
+                                      .ctx = frame,
+                                      .lend = lend,
+                                      .done = done};
     const size_t mem_b = lim_mem_b(&model_scene, &target);
     void *mem = malloc(mem_b);
     int err = mem ? lim_init(&lim, &model_scene, &target, mem, mem_b) : LIM_ERR_MEMORY;

@@ -81,7 +81,13 @@ __attribute__((noinline)) static uint32_t frame_stack_b(const struct lim_camera 
 
 int main(void)
 {
-    const struct lim_target target = {CAMERAS_W_PX, CAMERAS_H_PX, LIM_RGB565, MODEL_SCENE_METHOD, NULL, lend, done};
+    const struct lim_target target = {.w_px = CAMERAS_W_PX,
+                                      .h_px = CAMERAS_H_PX,
+                                      .format = LIM_RGB565,
+                                      .method = MODEL_SCENE_METHOD,
+                                      .ctx = NULL,
+                                      .lend = lend,
+                                      .done = done};
     int err;
     uint32_t worst_b = init_stack_b(&target, &err);
 

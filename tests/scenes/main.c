@@ -54,7 +54,13 @@ static void put_frame(uint16_t frame, uint64_t hash)
 static int render(const struct lim_scene *scene, enum lim_method method, const struct lim_camera *cameras)
 {
     uint64_t hash;
-    const struct lim_target target = {CAMERAS_W_PX, CAMERAS_H_PX, LIM_RGB565, method, &hash, lend, done};
+    const struct lim_target target = {.w_px = CAMERAS_W_PX,
+                                      .h_px = CAMERAS_H_PX,
+                                      .format = LIM_RGB565,
+                                      .method = method,
+                                      .ctx = &hash,
+                                      .lend = lend,
+                                      .done = done};
     int err = lim_init(&lim, scene, &target, mem, sizeof mem);
 
     for (uint16_t frame = 0; frame < CAMERAS_COUNT && !err; frame++) {
