@@ -19,7 +19,7 @@ static uint64_t pair_key(uint32_t high, uint32_t low)
 uint32_t edges_add_cut(struct edges *edges, uint32_t a, uint32_t b)
 {
     edges->items = grow(edges->items, edges->count, &edges->capacity, sizeof *edges->items);
-    edges->items[edges->count] = (struct edge){{a, b}, true};
+    edges->items[edges->count] = (struct mesh_edge){{a, b}, true};
     return (uint32_t)edges->count++;
 }
 

@@ -10,7 +10,7 @@
 #include "map.h"
 
 /* A line between two points. Parts of a cut edge remain the same edge. */
-struct edge {
+struct mesh_edge {
     uint32_t ends[2];
     bool hidden; /* no edge of the model: a cut, or a diagonal */
 };
@@ -22,7 +22,7 @@ struct edge_cut {
 
 struct edges {
     struct exact_points *points; /* the mesh's come first; cuts are added */
-    struct edge *items;
+    struct mesh_edge *items;
     size_t count, capacity;
     struct edge_cut *cuts; /* edges_sort() brings them into order */
     size_t cut_count, cut_capacity;

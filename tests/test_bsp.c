@@ -321,7 +321,7 @@ static void check_cuts(struct grove *grove)
     const struct edges *edges = &grove->bsp.edges;
     assert_true(edges->cut_count > 0);
     for (size_t i = 0; i < edges->cut_count; i++) {
-        const struct edge *edge = &edges->items[edges->cuts[i].edge];
+        const struct mesh_edge *edge = &edges->items[edges->cuts[i].edge];
         for (int k = 0; k < 3; k++) {
             int from = exact_compare(&grove->points, edges->cuts[i].point, edge->ends[0], k);
             int to = exact_compare(&grove->points, edge->ends[1], edges->cuts[i].point, k);
