@@ -11,7 +11,14 @@
 #include <stdio.h>
 #include <string.h>
 
-enum { ROW_ORDER = 0x80, COLUMN_ORDER = 0x40, EXCHANGE = 0x20, BLUE_FIRST = 0x08, MADCTL_RESERVED = 0x03 };
+enum {
+    ROW_ORDER = 0x80,
+    COLUMN_ORDER = 0x40,
+    EXCHANGE = 0x20,
+    REFRESH_UP = 0x10,
+    BLUE_FIRST = 0x08,
+    MADCTL_RESERVED = 0x03
+};
 
 enum { RESET_PULSE_US = 10, LISTEN_US = 5000, SLEEP_CHANGE_US = 120000 };
 
@@ -43,6 +50,7 @@ static void reset_registers(struct emulated_dcs *chip)
     chip->asleep = true;
     chip->display_on = false;
     chip->inverted = false;
+    chip->tells_refresh = false;
     chip->columns[0] = 0;
     chip->columns[1] = (uint16_t)(columns_end(chip) - 1);
     chip->rows[0] = 0;
@@ -112,6 +120,26 @@ static void run_dispon(struct emulated_dcs *chip)
 {
     if (chip->asleep) complain(chip, EMULATED_ASLEEP, "DISPON while asleep");
     chip->display_on = true;
+}
+
+static void run_teoff(struct emulated_dcs *chip)
+{
+    chip->tells_refresh = false;
+}
+
+/* Mode 1 tells each line as well. */
+static void run_teon(struct emulated_dcs *chip)
+{
+    if (chip->args[0] != 0) complain(chip, EMULATED_ARGS_VALUE, "TEON 0x%02X", chip->args[0]);
+    chip->tells_refresh = true;
+}
+
+static bool next_refresh(void *ctx, uint64_t *at_us)
+{
+    struct emulated_dcs *chip = ctx;
+    if (!chip->tells_refresh) complain(chip, EMULATED_TEARING, "waited for the refresh without TEON");
+    *at_us = (chip->port.now_us / chip->refresh_us + 1) * chip->refresh_us;
+    return chip->tells_refresh && !chip->asleep;
 }
 
 static void set_range(struct emulated_dcs *chip, uint16_t range[2], uint16_t end)
@@ -193,23 +221,12 @@ static const struct emulated_command *find_vendor(struct emulated_dcs *chip, uin
 static const struct emulated_command *find_command(struct emulated_dcs *chip, uint8_t code)
 {
     static const struct emulated_command commands[] = {
-        {0x00, 0, "NOP", NULL},
-        {0x01, 0, "SWRESET", run_swreset},
-        {0x10, 0, "SLPIN", run_slpin},
-        {0x11, 0, "SLPOUT", run_slpout},
-        {0x13, 0, "NORON", NULL},
-        {0x20, 0, "INVOFF", run_invoff},
-        {0x21, 0, "INVON", run_invon},
-        {0x28, 0, "DISPOFF", run_dispoff},
-        {0x29, 0, "DISPON", run_dispon},
-        {0x2A, 4, "CASET", run_caset},
-        {0x2B, 4, "RASET", run_raset},
-        {0x2C, 0, "RAMWR", run_ramwr},
-        {0x34, 0, "TEOFF", NULL},
-        {0x35, 1, "TEON", NULL},
-        {0x36, 1, "MADCTL", run_madctl},
-        {0x3A, 1, "COLMOD", run_colmod},
-        {0x3C, 0, "RAMWRC", start_writing},
+        {0x00, 0, "NOP", NULL},          {0x01, 0, "SWRESET", run_swreset},  {0x10, 0, "SLPIN", run_slpin},
+        {0x11, 0, "SLPOUT", run_slpout}, {0x13, 0, "NORON", NULL},           {0x20, 0, "INVOFF", run_invoff},
+        {0x21, 0, "INVON", run_invon},   {0x28, 0, "DISPOFF", run_dispoff},  {0x29, 0, "DISPON", run_dispon},
+        {0x2A, 4, "CASET", run_caset},   {0x2B, 4, "RASET", run_raset},      {0x2C, 0, "RAMWR", run_ramwr},
+        {0x34, 0, "TEOFF", run_teoff},   {0x35, 1, "TEON", run_teon},        {0x36, 1, "MADCTL", run_madctl},
+        {0x3A, 1, "COLMOD", run_colmod}, {0x3C, 0, "RAMWRC", start_writing},
     };
     for (size_t i = 0; i < sizeof commands / sizeof commands[0]; i++) {
         if (commands[i].code == code) return &commands[i];
@@ -307,6 +324,7 @@ static void store_pixel(struct emulated_dcs *chip, uint32_t raw)
     unsigned row = chip->madctl & EXCHANGE ? chip->x : chip->y;
     if (chip->madctl & COLUMN_ORDER) column = chip->kind->w_px - 1u - column;
     if (chip->madctl & ROW_ORDER) row = chip->kind->h_px - 1u - row;
+    if (chip->x == chip->columns[0] && chip->y == chip->rows[0]) chip->first_row = (uint16_t)row;
     chip->memory[row][column] = decode(raw, chip->bits_a_pixel);
     advance_address(chip);
 }
@@ -356,14 +374,20 @@ void emulated_dcs_init(struct emulated_dcs *chip, const struct emulated_module *
     assert(module->ox_px + module->w_px <= kind->w_px);
     assert(module->oy_px + module->h_px <= kind->h_px);
     memset(chip, 0, sizeof *chip);
-    chip->port = (struct emulated_port){
-        .chip = chip, .command = take_command, .data = take_data, .reset = take_reset, .lost = lose};
+    chip->port = (struct emulated_port){.chip = chip,
+                                        .command = take_command,
+                                        .data = take_data,
+                                        .reset = take_reset,
+                                        .lost = lose,
+                                        .edge = next_refresh};
+    chip->refresh_us = 16667;
     chip->module = *module;
     chip->kind = kind;
     uint32_t noise = 1;
-    for (unsigned row = 0; row < EMULATED_MAX_H_PX; row++) {
-        for (unsigned column = 0; column < EMULATED_MAX_W_PX; column++) {
+    for (unsigned row = 0; row < kind->h_px; row++) {
+        for (unsigned column = 0; column < kind->w_px; column++) {
             noise = noise * 1664525u + 1013904223u;
+            if (chip->x == chip->columns[0] && chip->y == chip->rows[0]) chip->first_row = (uint16_t)row;
             chip->memory[row][column] = decode(noise >> 16, 16);
         }
     }
@@ -387,6 +411,13 @@ static bool is_on_glass(const struct emulated_module *module, const struct emula
     const double dx = (2.0 * x + 1.0 - module->w_px) / module->w_px, dy = (2.0 * y + 1.0 - module->h_px) / module->h_px;
 
     return !kind->is_round || dx * dx + dy * dy <= 1.0;
+}
+
+bool emulated_dcs_follows_refresh(const struct emulated_dcs *chip)
+{
+    const struct emulated_module *module = &chip->module;
+
+    return chip->first_row == (chip->madctl & REFRESH_UP ? module->oy_px + module->h_px - 1u : module->oy_px);
 }
 
 void emulated_dcs_show(const struct emulated_dcs *chip, unsigned quarter_turns, uint8_t *rgb, uint32_t *raw)

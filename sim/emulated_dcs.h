@@ -40,6 +40,7 @@ enum emulated_complaint {
     EMULATED_PIXEL_SPLIT,     /* a command came between the bytes of a pixel */
     EMULATED_ASLEEP,          /* display switched on or pixels sent before sleep was left */
     EMULATED_TOO_SOON,        /* less than the required time after reset, SLPIN or SLPOUT */
+    EMULATED_TEARING,         /* waited for the refresh, which was not switched on to be told */
     EMULATED_RESET,           /* reset pulse under 10 us, or bytes sent while reset is low */
     EMULATED_COMPLAINTS
 };
@@ -85,6 +86,8 @@ struct emulated_dcs {
 
     /* Registers, and the command under way. */
     bool asleep, display_on, inverted;
+    bool tells_refresh;  /* TEON */
+    uint64_t refresh_us; /* between two refreshes: 60 Hz, to be set */
     uint8_t madctl, bits_a_pixel;
     const struct emulated_kind *kind;
     struct emulated_command vendor; /* a command that only this kind has, while it is received */
@@ -95,14 +98,18 @@ struct emulated_dcs {
     uint16_t n_args;
     bool writing, ignore_data; /* the command takes pixels; its data were complained about already */
     bool address_valid, window_full;
-    uint16_t x, y; /* address counter */
-    uint32_t bits; /* bits of the pixel under way */
+    uint16_t x, y;      /* address counter */
+    uint16_t first_row; /* of memory, that the last window wrote first */
+    uint32_t bits;      /* bits of the pixel under way */
     uint8_t n_bits;
     struct emulated_pixel memory[EMULATED_MAX_H_PX][EMULATED_MAX_W_PX]; /* the upper left corner is used */
 };
 
 /* Power on: registers at their defaults, memory full of noise. */
 void emulated_dcs_init(struct emulated_dcs *chip, const struct emulated_module *module);
+
+/* Whether the last window was begun where a refresh of the glass begins: at its first line, or its last (ML). */
+bool emulated_dcs_follows_refresh(const struct emulated_dcs *chip);
 
 /* What is on the glass, for a picture that was turned clockwise by `quarter_turns` (0..3) and whose
  * viewer has turned the module back by as much: w x h pixels, rows from the top left; w and h are

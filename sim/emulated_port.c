@@ -49,6 +49,22 @@ static int set_backlight(void *ctx, bool high)
     return 0;
 }
 
+static int set_select(void *ctx, bool high)
+{
+    struct emulated_port *port = ctx;
+    port->select(port->chip, high);
+    return 0;
+}
+
+static int wait_edge(void *ctx, uint32_t timeout_us)
+{
+    struct emulated_port *port = ctx;
+    uint64_t at_us;
+    const bool comes = port->edge(port->chip, &at_us) && at_us - port->now_us <= timeout_us;
+    port->now_us = comes ? at_us : port->now_us + timeout_us;
+    return comes;
+}
+
 static int delay(void *ctx, uint32_t delay_us)
 {
     struct emulated_port *port = ctx;
@@ -76,6 +92,16 @@ struct pin emulated_port_backlight(struct emulated_port *port)
     return (struct pin){.ctx = port, .set = set_backlight};
 }
 
+struct pin emulated_port_select(struct emulated_port *port)
+{
+    return (struct pin){.ctx = port, .set = port->select ? set_select : NULL};
+}
+
+struct edge emulated_port_tearing(struct emulated_port *port)
+{
+    return (struct edge){.ctx = port, .wait = port->edge ? wait_edge : NULL};
+}
+
 struct clock emulated_port_clock(struct emulated_port *port)
 {
     return (struct clock){.ctx = port, .delay = delay};
@@ -87,5 +113,6 @@ struct port emulated_port_whole(struct emulated_port *port)
                          .dc = emulated_port_dc(port),
                          .reset = emulated_port_reset(port),
                          .backlight = emulated_port_backlight(port),
+                         .select = emulated_port_select(port),
                          .clock = emulated_port_clock(port)};
 }

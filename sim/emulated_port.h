@@ -14,6 +14,8 @@ struct emulated_port {
     void (*data)(void *chip, uint8_t byte);
     void (*reset)(void *chip, uint64_t pulse_us); /* it was low for so long, and is high again */
     void (*lost)(void *chip, size_t n_b);         /* bytes came while reset was low: they are lost */
+    void (*select)(void *chip, bool high);        /* of a chip whose driver selects it itself; else NULL */
+    bool (*edge)(void *chip, uint64_t *at_us);    /* when its next tearing-effect edge comes; false: none does */
     bool deferred;          /* what is written is read only by the next write or flush, as with DMA */
     const uint8_t *pending; /* deferred bytes */
     size_t pending_b;
@@ -28,9 +30,11 @@ struct bus emulated_port_bus(struct emulated_port *port);
 struct pin emulated_port_dc(struct emulated_port *port);
 struct pin emulated_port_reset(struct emulated_port *port);
 struct pin emulated_port_backlight(struct emulated_port *port);
+struct pin emulated_port_select(struct emulated_port *port);
+struct edge emulated_port_tearing(struct emulated_port *port);
 struct clock emulated_port_clock(struct emulated_port *port);
 
-/* All of these together. */
+/* All of these together that the chip has, but for the tearing-effect output, which few modules lead out. */
 struct port emulated_port_whole(struct emulated_port *port);
 
 #endif
