@@ -11,6 +11,8 @@
 
 #include "dcs.h"
 #include "pages.h"
+#include "sharp.h"
+#include "solomon.h"
 
 extern const struct dcs_chip gc9a01;
 extern const struct dcs_chip ili9341;
@@ -22,9 +24,19 @@ extern const struct pages_chip pcd8544;
 extern const struct pages_chip sh1106;
 extern const struct pages_chip ssd1306;
 extern const struct pages_chip st7567;
+extern const struct pages_chip uc1701;
+
+extern const struct solomon_chip ssd0323;
+extern const struct solomon_chip ssd1327;
+extern const struct solomon_chip ssd1351;
+
+extern const struct sharp_chip ls013b7dh03;
+extern const struct sharp_chip ls027b7dh01;
 
 /* All of them, by name; each ends with NULL. A firmware that names its chip links no other. */
 extern const struct dcs_chip *const panels_dcs[];
 extern const struct pages_chip *const panels_pages[];
+extern const struct solomon_chip *const panels_solomon[];
+extern const struct sharp_chip *const panels_sharp[];
 
 #endif

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * Sitronix ST7567, and UC1701 as far as this goes: 132x64 memory (a 65th line is for icons) behind LCD glass, SPI clock
+ * Sitronix ST7567: 132x64 memory (a 65th line is for icons) behind LCD glass, SPI clock
  * 4 MHz in wide use. Bias and contrast vary by module: if the glass stays white or goes black, try others. */
 #include "panels.h"
 

@@ -51,14 +51,21 @@ int wire_flush(struct wire *wire)
     return err;
 }
 
+static int wire_send_args(struct wire *wire, const uint8_t *args, size_t n_args)
+{
+    if (wire->args_low) return wire_command(wire, args, n_args);
+    int err = wire_data(wire, args, n_args);
+    return err ? err : bus_flush(&wire->bus);
+}
+
 int wire_send(struct wire *wire, uint8_t command, const uint8_t *args, size_t n_args)
 {
     wire->left_px = 0;
+    wire->cut = true;
     int err = wire_command(wire, &command, 1);
-    if (err || n_args == 0) return err;
-    if (wire->args_low) return wire_command(wire, args, n_args);
-    err = wire_data(wire, args, n_args);
-    return err ? err : bus_flush(&wire->bus);
+    if (!err && n_args) err = wire_send_args(wire, args, n_args);
+    if (!err) wire->cut = false;
+    return err;
 }
 
 int wire_send_list(struct wire *wire, const uint8_t *list, size_t list_b)

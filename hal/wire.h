@@ -14,6 +14,7 @@ struct wire {
     struct pin dc;
     bool args_low;    /* the chip takes a command's arguments with D/C low, as it does the command */
     uint8_t level;    /* of D/C, as far as known */
+    bool cut;         /* a command failed, whose arguments the chip may still expect */
     uint32_t left_px; /* pixels that the open window still takes; 0: none is open */
 };
 

@@ -86,30 +86,111 @@ static int pages_family_setup(struct display *display, const struct panel_choice
 
 const struct display_family display_pages = {pages_family_chip, pages_family_setup};
 
+/* Solomon Systech ---------------------------------------------------------------------------- */
+
+static bool solomon_family_chip(size_t index, struct panel_choice *out)
+{
+    const struct solomon_chip *chip = panels_solomon[index];
+    if (!chip) return false;
+    *out = (struct panel_choice){.family = &display_solomon,
+                                 .chip = chip,
+                                 .name = chip->name,
+                                 .mem_w_px = chip->mem_w_px,
+                                 .mem_h_px = chip->mem_h_px,
+                                 .w_step_px = chip->column_px,
+                                 .h_step_px = 1,
+                                 .formats = chip->formats,
+                                 .format = chip->format};
+    return true;
+}
+
+static int solomon_family_setup(struct display *display, const struct panel_choice *choice,
+                                const struct display_module *module, const struct port *port)
+{
+    const struct solomon_config config = {.bus = port->bus,
+                                          .dc = port->dc,
+                                          .reset = port->reset,
+                                          .backlight = port->backlight,
+                                          .clock = port->clock,
+                                          .w_px = module->w_px,
+                                          .h_px = module->h_px,
+                                          .ox_px = module->ox_px,
+                                          .rotation = module->rotation,
+                                          .mirror = module->mirror,
+                                          .bgr = module->bgr,
+                                          .invert = module->invert,
+                                          .format = choice->format};
+    display->panel = &display->driver.solomon.panel;
+    return solomon_setup(&display->driver.solomon, choice->chip, &config);
+}
+
+const struct display_family display_solomon = {solomon_family_chip, solomon_family_setup};
+
+/* Sharp -------------------------------------------------------------------------------------- */
+
+static bool sharp_family_chip(size_t index, struct panel_choice *out)
+{
+    const struct sharp_chip *chip = panels_sharp[index];
+    if (!chip) return false;
+    *out = (struct panel_choice){.family = &display_sharp,
+                                 .chip = chip,
+                                 .name = chip->name,
+                                 .mem_w_px = chip->w_px,
+                                 .mem_h_px = chip->h_px,
+                                 .w_step_px = chip->w_px,
+                                 .h_step_px = chip->h_px,
+                                 .formats = 1 << PANEL_MONO_LINES,
+                                 .format = PANEL_MONO_LINES};
+    return true;
+}
+
+/* DISP takes the backlight's place: it shows the picture or hides it. */
+static int sharp_family_setup(struct display *display, const struct panel_choice *choice,
+                              const struct display_module *module, const struct port *port)
+{
+    const struct sharp_config config = {
+        .bus = port->bus, .select = port->select, .shown = port->backlight, .clock = port->clock};
+    if (module->rotation != PANEL_UPRIGHT || module->mirror) return PANEL_ERR_CONFIG;
+    display->panel = &display->driver.sharp.panel;
+    return sharp_setup(&display->driver.sharp, choice->chip, &config);
+}
+
+const struct display_family display_sharp = {sharp_family_chip, sharp_family_setup};
+
 /* All of them -------------------------------------------------------------------------------- */
 
-static const struct display_family *const FAMILIES[] = {&display_dcs, &display_pages};
+static const struct display_family *const FAMILIES[] = {&display_dcs, &display_pages, &display_solomon, &display_sharp};
 enum { FAMILY_COUNT = sizeof FAMILIES / sizeof FAMILIES[0] };
 
-static const char *const FORMATS[PANEL_FORMATS] = {"usual", "rgb565", "rgb444", "rgb666", "pages"};
+static const char *const FORMATS[PANEL_FORMATS] = {
+    [PANEL_USUAL] = "usual",      [PANEL_RGB565] = "rgb565",     [PANEL_RGB444] = "rgb444",
+    [PANEL_RGB666] = "rgb666",    [PANEL_RGB666_LOW] = "rgb666", [PANEL_MONO_PAGES] = "pages",
+    [PANEL_MONO_LINES] = "lines", [PANEL_GREY4] = "grey4",
+};
+
+bool panel_choice_at(size_t index, struct panel_choice *out)
+{
+    for (size_t f = 0; f < FAMILY_COUNT; f++)
+        for (size_t i = 0; FAMILIES[f]->chip(i, out); i++)
+            if (index-- == 0) return true;
+    return false;
+}
 
 static bool refuse_panel(const char *text, const char *also, struct error *err)
 {
     struct panel_choice choice;
     char names[256] = "";
     size_t used = 0;
-    for (size_t f = 0; f < FAMILY_COUNT; f++)
-        for (size_t i = 0; FAMILIES[f]->chip(i, &choice); i++)
-            used += (size_t)snprintf(names + used, sizeof names - used, "%s%s", used ? ", " : "", choice.name);
+    for (size_t i = 0; panel_choice_at(i, &choice); i++)
+        used += (size_t)snprintf(names + used, sizeof names - used, "%s%s", used ? ", " : "", choice.name);
     return error_set(err, "--panel %s: no such panel; there are %s%s%s", text, names, also ? ", and " : "",
                      also ? also : "");
 }
 
 static bool find_panel(const char *name, size_t length, struct panel_choice *out)
 {
-    for (size_t f = 0; f < FAMILY_COUNT; f++)
-        for (size_t i = 0; FAMILIES[f]->chip(i, out); i++)
-            if (strlen(out->name) == length && strncmp(out->name, name, length) == 0) return true;
+    for (size_t i = 0; panel_choice_at(i, out); i++)
+        if (strlen(out->name) == length && strncmp(out->name, name, length) == 0) return true;
     return false;
 }
 

@@ -17,9 +17,9 @@ struct panel_choice {
     const struct display_family *family; /* NULL: none was chosen */
     const void *chip;                    /* of the family's own kind */
     const char *name;
-    uint16_t mem_w_px, mem_h_px;  /* of its memory: the largest glass */
-    uint8_t w_step_px, h_step_px; /* the sides of its glass are multiples of these */
-    uint8_t formats;              /* 1 << enum panel_format, of all that it takes */
+    uint16_t mem_w_px, mem_h_px;   /* of its memory: the largest glass */
+    uint16_t w_step_px, h_step_px; /* the sides of its glass and its offsets are multiples of these */
+    uint8_t formats;               /* 1 << enum panel_format, of all that it takes */
     enum panel_format format;
 };
 
@@ -38,6 +38,8 @@ struct display {
     union {
         struct dcs dcs;
         struct pages pages;
+        struct solomon solomon;
+        struct sharp sharp;
     } driver; /* the family's */
 };
 
@@ -50,7 +52,10 @@ struct display_family {
                  const struct port *port);
 };
 
-extern const struct display_family display_dcs, display_pages;
+extern const struct display_family display_dcs, display_pages, display_solomon, display_sharp;
+
+/* Every chip of every family, counted from 0. false: there are no more. */
+bool panel_choice_at(size_t index, struct panel_choice *out);
 
 /* --panel NAME or NAME:FORMAT; an unknown one is refused with the list of those there are. `also`: what else the option
  * takes, for that list, or NULL. */

@@ -66,11 +66,64 @@ static void pages_show(const struct emulated_display *display, uint8_t *rgb)
             memset(rgb, emulated_pages_is_bright(&display->chip.pages, x, y) ? 0xFF : 0, 3);
 }
 
+/* Solomon Systech ---------------------------------------------------------------------------- */
+
+static struct emulated_port *solomon_init(struct emulated_display *display, const char *name,
+                                          const struct display_module *module)
+{
+    emulated_solomon_init(&display->chip.solomon,
+                          &(struct emulated_solomon_module){.kind = emulated_solomon_kind_find(name),
+                                                            .w_px = module->w_px,
+                                                            .h_px = module->h_px,
+                                                            .ox_px = module->ox_px,
+                                                            .blue_first = module->bgr,
+                                                            .negative = module->invert});
+    return &display->chip.solomon.port;
+}
+
+static unsigned solomon_complaints(const struct emulated_display *display, const char **last)
+{
+    *last = display->chip.solomon.complaint;
+    return display->chip.solomon.complaints;
+}
+
+static void solomon_show(const struct emulated_display *display, uint8_t *rgb)
+{
+    for (unsigned y = 0; y < display->h_px; y++)
+        for (unsigned x = 0; x < display->w_px; x++, rgb += 3)
+            emulated_solomon_see(&display->chip.solomon, x, y, rgb);
+}
+
+/* Sharp -------------------------------------------------------------------------------------- */
+
+static struct emulated_port *sharp_init(struct emulated_display *display, const char *name,
+                                        const struct display_module *module)
+{
+    (void)module; /* the parts come in one size and kind */
+    emulated_sharp_init(&display->chip.sharp, emulated_sharp_kind_find(name), false);
+    return &display->chip.sharp.port;
+}
+
+static unsigned sharp_complaints(const struct emulated_display *display, const char **last)
+{
+    *last = display->chip.sharp.complaint;
+    return display->chip.sharp.complaints;
+}
+
+static void sharp_show(const struct emulated_display *display, uint8_t *rgb)
+{
+    for (unsigned y = 0; y < display->h_px; y++)
+        for (unsigned x = 0; x < display->w_px; x++, rgb += 3)
+            memset(rgb, emulated_sharp_is_white(&display->chip.sharp, x, y) ? 0xFF : 0, 3);
+}
+
 /* All of them -------------------------------------------------------------------------------- */
 
 static const struct emulation EMULATIONS[] = {
     {&display_dcs, dcs_init, dcs_complaints, dcs_show},
     {&display_pages, pages_init, pages_complaints, pages_show},
+    {&display_solomon, solomon_init, solomon_complaints, solomon_show},
+    {&display_sharp, sharp_init, sharp_complaints, sharp_show},
 };
 
 void emulated_display_init(struct emulated_display *display, const struct panel_choice *choice,
@@ -87,10 +140,15 @@ void emulated_display_init(struct emulated_display *display, const struct panel_
     display->port->deferred = true;
 }
 
+unsigned emulated_display_complaints(const struct emulated_display *display, const char **last)
+{
+    return display->emulation->complaints(display, last);
+}
+
 bool emulated_display_is_quiet(const struct emulated_display *display, struct error *err)
 {
     const char *last;
-    const unsigned complaints = display->emulation->complaints(display, &last);
+    const unsigned complaints = emulated_display_complaints(display, &last);
     return complaints == 0 ||
            error_set(err, "emulated %s: %u complaints, the last: %s", display->name, complaints, last);
 }

@@ -8,6 +8,8 @@
 #include "display.h"
 #include "emulated_dcs.h"
 #include "emulated_pages.h"
+#include "emulated_sharp.h"
+#include "emulated_solomon.h"
 
 struct emulation;
 
@@ -20,6 +22,8 @@ struct emulated_display {
     union {
         struct emulated_dcs dcs;
         struct emulated_pages pages;
+        struct emulated_solomon solomon;
+        struct emulated_sharp sharp;
     } chip;
 };
 
@@ -27,6 +31,9 @@ struct emulated_display {
  * the driver's affair. */
 void emulated_display_init(struct emulated_display *display, const struct panel_choice *choice,
                            const struct display_module *module);
+
+/* How often the chip had anything to complain about since; text of the last. */
+unsigned emulated_display_complaints(const struct emulated_display *display, const char **last);
 
 /* An error if the chip had anything to complain about since. */
 bool emulated_display_is_quiet(const struct emulated_display *display, struct error *err);

@@ -19,6 +19,8 @@ struct emulated_pages_kind {
     const char *two;   /* commands that take an argument */
     const char *one;   /* commands without, beside those that all have */
     bool is_pcd;
+    bool first_columns, first_lines; /* what the upper left corner of usual glass shows; else the last ones */
+    bool rises_alone;                /* its supply comes up in the right order by itself */
     uint8_t needs_power;
 };
 
@@ -44,10 +46,25 @@ static const struct emulated_pages_kind st7567 = {.name = "st7567",
                                                   .one = "\xE2\xA2\xA3\x20\x21\x22\x23\x24\x25\x26\x27"
                                                          "\x28\x29\x2A\x2B\x2C\x2D\x2E\x2F",
                                                   .needs_power = POWER_ALL};
-static const struct emulated_pages_kind pcd8544 = {
-    .name = "pcd8544", .w_px = 84, .h_px = 48, .is_pcd = true, .needs_power = PUMP};
+static const struct emulated_pages_kind pcd8544 = {.name = "pcd8544",
+                                                   .w_px = 84,
+                                                   .h_px = 48,
+                                                   .is_pcd = true,
+                                                   .first_columns = true,
+                                                   .first_lines = true,
+                                                   .needs_power = PUMP};
+static const struct emulated_pages_kind uc1701 = {.name = "uc1701",
+                                                  .w_px = 132,
+                                                  .h_px = 64,
+                                                  .reset_us = 5000,
+                                                  .two = "\x81\xFA",
+                                                  .one = "\xE2\xA2\xA3\x20\x21\x22\x23\x24\x25\x26\x27"
+                                                         "\x28\x29\x2A\x2B\x2C\x2D\x2E\x2F",
+                                                  .first_columns = true,
+                                                  .rises_alone = true,
+                                                  .needs_power = POWER_ALL};
 
-const struct emulated_pages_kind *const emulated_pages_kinds[] = {&pcd8544, &sh1106, &ssd1306, &st7567, NULL};
+const struct emulated_pages_kind *const emulated_pages_kinds[] = {&pcd8544, &sh1106, &ssd1306, &st7567, &uc1701, NULL};
 
 const struct emulated_pages_kind *emulated_pages_kind_find(const char *name)
 {
@@ -123,7 +140,8 @@ static void run_argument(struct emulated_pages *chip, uint8_t argument)
 /* Booster, regulator, follower: 4, 2 and 1, one after the other. */
 static void set_power(struct emulated_pages *chip, uint8_t power)
 {
-    if (power == POWER_ALL && chip->power != 6) complain(chip, "all of the supply at once");
+    if (power == POWER_ALL && chip->power != 6 && !chip->module.kind->rises_alone)
+        complain(chip, "all of the supply at once");
     chip->power = power;
     chip->power_us = chip->port.now_us;
 }
@@ -249,8 +267,8 @@ void emulated_pages_init(struct emulated_pages *chip, const struct emulated_page
 bool emulated_pages_is_bright(const struct emulated_pages *chip, unsigned x, unsigned y)
 {
     const struct emulated_pages_module *module = &chip->module;
-    const bool first_columns = module->first_columns != module->kind->is_pcd;
-    const bool first_lines = module->first_lines != module->kind->is_pcd;
+    const bool first_columns = module->first_columns != module->kind->first_columns;
+    const bool first_lines = module->first_lines != module->kind->first_lines;
     const unsigned column = module->ox_px + x, line = first_lines ? y : module->h_px - 1u - y;
     const unsigned wire = first_columns ? column : module->kind->w_px - 1u - column;
     const unsigned row = chip->lines_flipped ? module->h_px - 1u - line : line;

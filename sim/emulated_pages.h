@@ -16,7 +16,7 @@ extern const struct emulated_pages_kind *const emulated_pages_kinds[];
 const struct emulated_pages_kind *emulated_pages_kind_find(const char *name);
 
 /* The module round the chip: its left edge shows the last column less ox_px, its top the last line in use, as is usual;
- * a PCD8544's the first ones. */
+ * a PCD8544's the first ones, a UC1701's the first column. */
 struct emulated_pages_module {
     const struct emulated_pages_kind *kind;
     uint16_t w_px, h_px, ox_px;

@@ -6,12 +6,17 @@
 
 #include <stdlib.h>
 
+static uint16_t in_the_middle(unsigned free_px, uint16_t step_px)
+{
+    return (uint16_t)(free_px / 2 / step_px * step_px);
+}
+
 static struct display_module module_of(const struct panel_choice *choice, unsigned w_px, unsigned h_px)
 {
     return (struct display_module){.w_px = (uint16_t)w_px,
                                    .h_px = (uint16_t)h_px,
-                                   .ox_px = (uint16_t)((choice->mem_w_px - w_px) / 2),
-                                   .oy_px = (uint16_t)((choice->mem_h_px - h_px) / 2),
+                                   .ox_px = in_the_middle(choice->mem_w_px - w_px, choice->w_step_px),
+                                   .oy_px = in_the_middle(choice->mem_h_px - h_px, choice->h_step_px),
                                    .invert = true};
 }
 
