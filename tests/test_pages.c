@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
- * Monochrome panels against their emulated chips: every pixel that the screen is given is on the glass as the dither
- * says, upright, turned and mirrored as far as a chip can, without a complaint about the protocol; an error of the port
- * at any call comes through unchanged, and the next start is right. */
+ * Monochrome panels of pages, beside what test_every_panel.c shows of all panels: with and without reset, glass of any
+ * make, what a chip cannot, and what the emulated chips complain about. */
 #include "cmocka_ready.h"
 #include "emulated_pages.h"
 #include "fault_port.h"
@@ -162,22 +161,6 @@ static void glass_of_any_make_shows_the_card(void **state)
         }
 }
 
-static void blank_hides_the_picture_and_brings_it_back(void **state)
-{
-    (void)state;
-    for (size_t i = 0; panels_pages[i]; i++) {
-        rig_setup(panels_pages[i], 48, 48);
-        rig_open(panels_pages[i], 1);
-        assert_int_equal(panel_init(&rig.display.panel), 0);
-        assert_int_equal(draw(48), 0);
-        assert_int_equal(panel_blank(&rig.display.panel, true), 0);
-        assert_true(!rig.chip.on && rig.chip.port.backlight_low);
-        assert_int_equal(panel_blank(&rig.display.panel, false), 0);
-        assert_shown(false, false, false);
-        assert_int_equal(panel_sleep(&rig.display.panel, true), PANEL_ERR_UNSUPPORTED);
-    }
-}
-
 static void what_a_chip_cannot_is_refused(void **state)
 {
     (void)state;
@@ -206,31 +189,6 @@ static void what_a_chip_cannot_is_refused(void **state)
         assert_int_equal(panel_window(&rig.display.panel, 0, 4, 8, 8), PANEL_ERR_WINDOW);
         assert_int_equal(panel_window(&rig.display.panel, 0, 0, 49, 8), PANEL_ERR_WINDOW);
         assert_int_equal(panel_pixels(&rig.display.panel, rig.mem, 8), PANEL_ERR_WINDOW);
-    }
-}
-
-static void an_error_at_any_call_comes_through(void **state)
-{
-    (void)state;
-    for (size_t i = 0; panels_pages[i]; i++) {
-        long n = 0;
-        for (bool failed = true; failed; n++) {
-            rig_setup(panels_pages[i], 37, 24);
-            rig_open(panels_pages[i], 2);
-            fault_port_arm(&rig.fault, n);
-            int err = panel_init(&rig.display.panel);
-            if (!err) err = draw(37);
-            failed = rig.fault.failed;
-            assert_int_equal(err, failed ? rig.fault.code : 0);
-            assert_int_equal(rig.fault.calls_late, 0);
-            fault_port_arm(&rig.fault, -1);
-            rig.chip.complaints = 0;
-            assert_int_equal(panel_init(&rig.display.panel), 0);
-            memset(rig.chip.memory, 0x55, sizeof rig.chip.memory);
-            assert_int_equal(draw(37), 0);
-            assert_shown(false, false, false);
-        }
-        assert_true(n > 20);
     }
 }
 
@@ -270,9 +228,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_card_is_right_on_every_chip),
         cmocka_unit_test(glass_of_any_make_shows_the_card),
-        cmocka_unit_test(blank_hides_the_picture_and_brings_it_back),
         cmocka_unit_test(what_a_chip_cannot_is_refused),
-        cmocka_unit_test(an_error_at_any_call_comes_through),
         cmocka_unit_test(mistakes_are_complained_about),
     };
     return cmocka_run_group_tests_name("pages", tests, NULL, NULL);
