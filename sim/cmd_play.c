@@ -16,8 +16,8 @@
 #include <time.h>
 
 enum {
-    ORBIT_FRAMES = 240,     /* a turn in 8 s at 30 frames a second */
-    CARD_PAUSE_US = 1000000 /* a display that is plugged in again soon shows it */
+    ORBIT_FRAMES = 240,    /* a turn in 8 s at 30 frames a second */
+    CARD_PAUSE_US = 800000 /* a display that is plugged in again soon shows it; memory LCDs want a frame a second */
 };
 
 struct play {
