@@ -400,10 +400,12 @@ static inline void begin_span(struct sink *sink, const struct lim_paint *paint, 
  * looks at what is mixed when it is painted, and cannot paint textures. */
 enum line_use { PAINTED, NOTED, PAINTED_AND_NOTED };
 
-static enum line_use use_of_line(const struct lim_paint *paint, const struct lim_retained *retained)
+static enum line_use use_of_line(const struct lim_paint *paint, const struct lim_retained *retained,
+                                 const struct lim_rect *band)
 {
 #if LIM_HAS_DELTA
     if (!paint->delta || is_antialiased(paint) || is_wireframe(paint)) return PAINTED;
+    if (band->x1 - band->x0 < paint->target->w_px) return PAINTED; /* pieces of lines are sent as they are */
     enum line_use use = lim_delta_wants_lines(paint->delta) ? PAINTED_AND_NOTED : NOTED;
     if (!LIM_HAS_TRANSPARENT && !LIM_HAS_TEXTURE) return use;
     for (uint16_t at = paint->first; at != LIM_NONE; at = paint->pool[at].next) {
@@ -413,7 +415,7 @@ static enum line_use use_of_line(const struct lim_paint *paint, const struct lim
     }
     return use;
 #else
-    (void)paint, (void)retained;
+    (void)paint, (void)retained, (void)band;
     return PAINTED;
 #endif
 }
@@ -437,7 +439,7 @@ static int paint_line(struct lim_paint *paint, struct lim_spans *spans, const st
     lim_line_open(&open, paint->target, band, y);
     const uint16_t x0 = open.gap.x0, x1 = open.gap.x1;
     sink.colour = sink.painted_px = 0;
-    const enum line_use use = use_of_line(paint, retained);
+    const enum line_use use = use_of_line(paint, retained, band);
     sink.line = use == NOTED ? NULL : paint->target->lend(paint->target->ctx, y);
     if (use != NOTED && !sink.line) return LIM_ERR_TARGET;
     begin_notes(&sink, paint, use);

@@ -1,0 +1,373 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Delta output into a panel made of paper, which takes what the target promised and nothing else: windows where they
+ * are allowed, pixels in their order. After each frame it shows what a whole frame shows: with any memory, costs,
+ * alignment, pages, round glass, pools that run out; after errors at every call; after a refresh. */
+#include "cmocka_ready.h"
+#include "limner.h"
+#include "room_scene.h"
+
+#include <limits.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { W_PX = 64, H_PX = 48, RUNS = 3000, FAILURE = -77 };
+
+struct paper {
+    struct lim_target target;
+    _Alignas(8) uint16_t lines[H_PX][W_PX];
+    uint16_t shown[H_PX][W_PX];
+    uint16_t page[8][W_PX]; /* with pages: what was taken in */
+    struct lim_rect window;
+    uint16_t x, y; /* the window's next pixel */
+    bool round;
+    unsigned long sent_px, windows, calls, fail_at;
+};
+
+static bool fails(struct paper *paper)
+{
+    return paper->calls++ == paper->fail_at;
+}
+
+static void *lend(void *ctx, uint16_t y_px)
+{
+    struct paper *paper = ctx;
+
+    assert_true(y_px < H_PX);
+    return fails(paper) ? NULL : paper->lines[y_px];
+}
+
+static int window(void *ctx, const struct lim_rect *opened)
+{
+    struct paper *paper = ctx;
+    const uint16_t align = paper->target.costs.x_align_px;
+
+    if (fails(paper)) return FAILURE;
+    assert_true(opened->x0 < opened->x1 && opened->x1 <= W_PX && opened->y0 < opened->y1 && opened->y1 <= H_PX);
+    assert_true(opened->x0 % align == 0 && (opened->x1 % align == 0 || opened->x1 == W_PX));
+    assert_int_equal(paper->target.costs.page_px, 1);
+    paper->window = *opened;
+    paper->x = opened->x0;
+    paper->y = opened->y0;
+    paper->windows++;
+    return 0;
+}
+
+static void show(struct paper *paper, uint16_t y, const uint16_t *pixels, uint16_t x_px, uint16_t n_px)
+{
+    memcpy(&paper->shown[y][x_px], &pixels[x_px], 2 * (size_t)n_px);
+    paper->sent_px += n_px;
+}
+
+/* The last of eight lines sends them all, as far as it reaches. */
+static void take_page(struct paper *paper, uint16_t y, uint16_t x_px, uint16_t n_px)
+{
+    memcpy(&paper->page[y % 8][x_px], &paper->lines[y][x_px], 2 * (size_t)n_px);
+    for (uint16_t k = 0; k < 8 && y % 8 == 7; k++)
+        show(paper, (uint16_t)(y - 7 + k), paper->page[k], x_px, n_px);
+}
+
+static int done(void *ctx, uint16_t y_px, uint16_t x_px, uint16_t n_px)
+{
+    struct paper *paper = ctx;
+
+    if (fails(paper)) return FAILURE;
+    assert_true(y_px < H_PX && x_px + n_px <= W_PX);
+    if (paper->target.costs.page_px > 1) {
+        take_page(paper, y_px, x_px, n_px);
+        return 0;
+    }
+    assert_true(y_px == paper->y && x_px == paper->x && x_px + n_px <= paper->window.x1 && y_px < paper->window.y1);
+    show(paper, y_px, paper->lines[y_px], x_px, n_px);
+    paper->x = (uint16_t)(paper->x + n_px);
+    if (paper->x < paper->window.x1) return 0;
+    paper->x = paper->window.x0;
+    paper->y++;
+    return 0;
+}
+
+static void visible(void *ctx, uint16_t y_px, uint16_t *x0_px, uint16_t *x1_px)
+{
+    const uint16_t cut = (uint16_t)abs((int)y_px - H_PX / 2);
+
+    (void)ctx;
+    *x0_px = cut;
+    *x1_px = (uint16_t)(W_PX - cut < cut ? cut : W_PX - cut);
+}
+
+static struct paper *paper_new(enum lim_method method, bool round)
+{
+    struct paper *paper = calloc(1, sizeof *paper);
+
+    paper->round = round;
+    paper->fail_at = ULONG_MAX;
+    paper->target = (struct lim_target){.w_px = W_PX,
+                                        .h_px = H_PX,
+                                        .format = LIM_RGB565,
+                                        .method = method,
+                                        .ctx = paper,
+                                        .lend = lend,
+                                        .done = done,
+                                        .visible = round ? visible : NULL,
+                                        .window = window,
+                                        .costs = {.window_b = 11, .pixel_bits = 16, .page_px = 1, .x_align_px = 1}};
+    return paper;
+}
+
+/* A renderer, its paper, and all that it borrows. */
+struct renderer {
+    struct lim lim;
+    struct paper *paper;
+    void *mem, *delta_mem;
+};
+
+static void renderer_init(struct renderer *renderer, const struct lim_scene *scene, struct paper *paper, bool least)
+{
+    const size_t mem_b = least ? lim_mem_min_b(scene, &paper->target) : lim_mem_b(scene, &paper->target);
+
+    *renderer = (struct renderer){.paper = paper, .mem = malloc(mem_b)};
+    assert_int_equal(lim_init(&renderer->lim, scene, &paper->target, renderer->mem, mem_b), LIM_OK);
+}
+
+static void send_changes(struct renderer *renderer, unsigned runs)
+{
+    const size_t mem_b = LIM_DELTA_MEM_B(W_PX, H_PX, runs);
+
+    renderer->delta_mem = malloc(mem_b);
+    assert_int_equal(lim_set_delta(&renderer->lim, renderer->delta_mem, mem_b), LIM_OK);
+}
+
+static void renderer_free(struct renderer *renderer)
+{
+    free(renderer->mem);
+    free(renderer->delta_mem);
+    free(renderer->paper);
+}
+
+static void assert_same(const struct paper *is, const struct paper *ought)
+{
+    for (uint16_t y = 0; y < H_PX; y++) {
+        uint16_t x0 = 0, x1 = W_PX;
+        if (is->round) visible(NULL, y, &x0, &x1);
+        assert_memory_equal(&is->shown[y][x0], &ought->shown[y][x0], 2 * (size_t)(x1 - x0));
+    }
+}
+
+/* What a whole frame shows: never in a window, so without delta output none is asked for. */
+static void draw_whole(struct renderer *whole, const struct lim_camera *camera)
+{
+    whole->paper->window = (struct lim_rect){0, 0, W_PX, H_PX};
+    whole->paper->x = whole->paper->y = 0;
+    assert_int_equal(lim_frame(&whole->lim, camera), LIM_OK);
+}
+
+struct fixture {
+    struct room_scene room;
+    struct compiled scene;
+    struct random random;
+};
+
+static int set_up(void **state)
+{
+    struct fixture *f = calloc(1, sizeof *f);
+
+    f->random.state = 4711;
+    room_scene_random(&f->room, &f->random);
+    assert_true(room_scene_compile(&f->room, PORTALS_OFF, NULL, &f->scene, NULL));
+    *state = f;
+    return 0;
+}
+
+static int tear_down(void **state)
+{
+    struct fixture *f = *state;
+
+    compiled_free(&f->scene);
+    room_scene_free(&f->room);
+    free(f);
+    return 0;
+}
+
+static struct lim_camera view(struct fixture *f)
+{
+    struct viewpoint viewpoint = room_scene_view(&f->room, &f->random);
+    const struct camera_path path = {"views", &viewpoint, 1};
+    struct lim_camera camera;
+    struct lens lens;
+    struct error err;
+
+    assert_true(lens_init(&lens, 60, 0.05, W_PX, H_PX, &err));
+    assert_true(camera_path_to_camera(&path, 0, &lens, &f->scene.grid, &camera, &err));
+    return camera;
+}
+
+/* Stays, turns a little, or is elsewhere. */
+static void move(struct fixture *f, struct lim_camera *camera)
+{
+    switch (random_in(&f->random, 0, 5)) {
+    case 0:
+        return;
+    case 1:
+        *camera = view(f);
+        return;
+    default:
+        camera->yaw += (uint32_t)random_in(&f->random, -(1 << 24), 1 << 24);
+    }
+}
+
+static void fly(struct fixture *f, enum lim_method method, bool round, bool least, const struct lim_target_costs *costs,
+                unsigned runs)
+{
+    struct renderer whole, changes;
+    struct lim_camera camera = view(f);
+    const struct lim_scene *scene = &f->scene.scene;
+
+    renderer_init(&whole, scene, paper_new(method, false), false);
+    struct paper *paper = paper_new(method, round);
+    if (costs) paper->target.costs = *costs;
+    renderer_init(&changes, scene, paper, least);
+    send_changes(&changes, runs);
+    for (int i = 0; i < 12; i++) {
+        draw_whole(&whole, &camera);
+        assert_int_equal(lim_frame(&changes.lim, &camera), LIM_OK);
+        assert_same(paper, whole.paper);
+        move(f, &camera);
+    }
+    renderer_free(&whole);
+    renderer_free(&changes);
+}
+
+static void any_memory_shows_whole_frames(void **state)
+{
+    static const unsigned memories[] = {1, 2, 40, 300, 1000, RUNS};
+
+    for (size_t i = 0; i < sizeof memories / sizeof memories[0]; i++)
+        fly(*state, LIM_NEAREST_FIRST, false, false, NULL, memories[i]);
+}
+
+static void any_method_shows_whole_frames(void **state)
+{
+    fly(*state, LIM_PAINTER, false, false, NULL, RUNS);
+    fly(*state, LIM_DEPTH, false, false, NULL, RUNS);
+    fly(*state, LIM_NEWELL, false, false, NULL, RUNS);
+}
+
+/* Bands of lines, of half lines, of pixels. */
+static void frames_in_pieces_are_shown_whole(void **state)
+{
+    fly(*state, LIM_NEAREST_FIRST, false, true, NULL, RUNS);
+    fly(*state, LIM_NEAREST_FIRST, true, true, NULL, RUNS);
+    fly(*state, LIM_NEAREST_FIRST, false, true, &(struct lim_target_costs){3, 8, 8, 1}, RUNS);
+}
+
+static void any_costs_show_whole_frames(void **state)
+{
+    for (uint16_t window_b = 0; window_b < 2000; window_b = (uint16_t)(window_b * 3 + 1))
+        fly(*state, LIM_NEAREST_FIRST, false, false, &(struct lim_target_costs){window_b, 12, 1, 2}, RUNS);
+    fly(*state, LIM_NEAREST_FIRST, false, false, &(struct lim_target_costs){2, 1, 1, W_PX}, RUNS);
+    fly(*state, LIM_NEAREST_FIRST, false, false, &(struct lim_target_costs){3, 8, 8, 1}, RUNS);
+    fly(*state, LIM_NEAREST_FIRST, false, false, &(struct lim_target_costs){3, 8, 8, 1}, 100);
+    fly(*state, LIM_PAINTER, false, false, &(struct lim_target_costs){3, 8, 8, 1}, RUNS);
+}
+
+static void round_glass_shows_whole_frames(void **state)
+{
+    fly(*state, LIM_NEAREST_FIRST, true, false, NULL, RUNS);
+    fly(*state, LIM_NEAREST_FIRST, true, false, NULL, 200);
+    fly(*state, LIM_PAINTER, true, false, NULL, RUNS);
+}
+
+static void a_still_view_sends_nothing_and_a_refresh_all(void **state)
+{
+    struct fixture *f = *state;
+    struct renderer changes;
+    const struct lim_camera camera = view(f);
+
+    renderer_init(&changes, &f->scene.scene, paper_new(LIM_NEAREST_FIRST, false), false);
+    send_changes(&changes, RUNS);
+    struct paper *paper = changes.paper;
+    for (int i = 0; i < 2; i++) {
+        assert_int_equal(lim_frame(&changes.lim, &camera), LIM_OK);
+        assert_int_equal(paper->sent_px, W_PX * H_PX);
+        assert_int_equal(paper->windows, 1);
+        assert_int_equal(lim_frame(&changes.lim, &camera), LIM_OK);
+        assert_int_equal(paper->sent_px, W_PX * H_PX);
+        assert_int_equal(lim_stats(&changes.lim)->delta.pixels, 0);
+        paper->sent_px = paper->windows = 0;
+        lim_refresh(&changes.lim);
+    }
+    assert_int_equal(lim_set_delta(&changes.lim, NULL, 0), LIM_OK);
+    draw_whole(&changes, &camera);
+    assert_int_equal(paper->sent_px, W_PX * H_PX);
+    assert_int_equal(paper->windows, 0);
+    renderer_free(&changes);
+}
+
+/* Whichever call fails: its code comes out, no other call follows, and the next frame is whole. */
+static void the_frame_after_an_error_is_whole(void **state)
+{
+    struct fixture *f = *state;
+    struct renderer whole, changes;
+    const struct lim_camera first = view(f), second = view(f);
+
+    renderer_init(&whole, &f->scene.scene, paper_new(LIM_NEAREST_FIRST, false), false);
+    renderer_init(&changes, &f->scene.scene, paper_new(LIM_NEAREST_FIRST, false), false);
+    send_changes(&changes, RUNS);
+    struct paper *paper = changes.paper;
+    for (unsigned long n = 0;; n++) {
+        assert_int_equal(lim_frame(&changes.lim, &first), LIM_OK);
+        paper->calls = 0;
+        paper->fail_at = n;
+        const int err = lim_frame(&changes.lim, &second);
+        if (paper->calls <= n) {
+            assert_true(n > 50);
+            assert_int_equal(err, 0);
+            break;
+        }
+        assert_true(err == FAILURE || err == LIM_ERR_TARGET);
+        assert_int_equal(paper->calls, n + 1);
+        memset(paper->shown, 0xAA, sizeof paper->shown); /* whatever the panel shows now */
+        draw_whole(&whole, &second);
+        assert_int_equal(lim_frame(&changes.lim, &second), LIM_OK);
+        assert_same(paper, whole.paper);
+    }
+    renderer_free(&whole);
+    renderer_free(&changes);
+}
+
+static void what_it_cannot_use_is_refused(void **state)
+{
+    struct fixture *f = *state;
+    struct renderer renderer;
+    _Alignas(8) static uint8_t mem[LIM_DELTA_MEM_B(W_PX, H_PX, 1)];
+    struct paper *paper = paper_new(LIM_NEAREST_FIRST, false);
+
+    renderer_init(&renderer, &f->scene.scene, paper, false);
+    assert_int_equal(lim_set_delta(&renderer.lim, mem, sizeof mem - 4), LIM_ERR_MEMORY);
+    assert_int_equal(lim_set_delta(&renderer.lim, mem, sizeof mem), LIM_OK);
+    free(renderer.mem);
+    paper->target.window = NULL;
+    renderer_init(&renderer, &f->scene.scene, paper, false);
+    assert_int_equal(lim_set_delta(&renderer.lim, mem, sizeof mem), LIM_ERR_TARGET);
+    free(renderer.mem);
+    paper->target.window = window;
+    paper->target.costs.page_px = 0;
+    renderer_init(&renderer, &f->scene.scene, paper, false);
+    assert_int_equal(lim_set_delta(&renderer.lim, mem, sizeof mem), LIM_ERR_TARGET);
+    renderer_free(&renderer);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(any_memory_shows_whole_frames),
+        cmocka_unit_test(any_method_shows_whole_frames),
+        cmocka_unit_test(frames_in_pieces_are_shown_whole),
+        cmocka_unit_test(any_costs_show_whole_frames),
+        cmocka_unit_test(round_glass_shows_whole_frames),
+        cmocka_unit_test(a_still_view_sends_nothing_and_a_refresh_all),
+        cmocka_unit_test(the_frame_after_an_error_is_whole),
+        cmocka_unit_test(what_it_cannot_use_is_refused),
+    };
+    return cmocka_run_group_tests(tests, set_up, tear_down);
+}
