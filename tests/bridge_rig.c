@@ -1,0 +1,118 @@
+/* SPDX-License-Identifier: MIT */
+#include "bridge_rig.h"
+
+#include "cmocka_ready.h"
+
+#include <string.h>
+
+enum { PICTURES = 3 };
+
+static uint16_t noise(unsigned x, unsigned y, unsigned picture)
+{
+    return (uint16_t)((x * 211u + y * 3001u + picture * 911u) * 2654435761u >> 16);
+}
+
+int bridge_rig_draw(struct bridge_rig *rig, unsigned picture)
+{
+    const struct lim_target *target = &rig->screen.target;
+
+    screen_begin_frame(&rig->screen);
+    for (uint16_t y = 0; y < target->h_px; y++) {
+        uint8_t *line = target->lend(target->ctx, y);
+        for (unsigned x = 0; x < target->w_px; x++) {
+            line[2 * x] = (uint8_t)(noise(x, y, picture) >> 8);
+            line[2 * x + 1] = (uint8_t)noise(x, y, picture);
+        }
+        const int err = target->done(target->ctx, y, 0, target->w_px);
+        if (err) return err;
+    }
+    return screen_end_frame(&rig->screen);
+}
+
+int bridge_rig_start(struct bridge_rig *rig, unsigned picture)
+{
+    const int err = panel_init(rig->display.panel);
+    return err ? err : bridge_rig_draw(rig, picture);
+}
+
+void bridge_rig_connect(struct bridge_rig *rig, const struct port *port)
+{
+    struct error err;
+
+    if (!display_setup(&rig->display, &rig->choice, &rig->module, port, &err)) fail_msg("%s", err.text);
+    assert_int_equal(screen_init(&rig->screen, rig->display.panel, LIM_NEAREST_FIRST, rig->mem, sizeof rig->mem), 0);
+}
+
+static void draw_golden(struct bridge_rig *rig)
+{
+    emulated_display_init(&rig->glass, &rig->choice, &rig->module);
+    struct emulated_port *pins = rig->glass.port;
+    bridge_rig_connect(rig, &(struct port){.bus = emulated_port_bus(pins),
+                                           .dc = emulated_port_dc(pins),
+                                           .reset = emulated_port_reset(pins),
+                                           .backlight = emulated_port_backlight(pins),
+                                           .clock = emulated_port_clock(pins)});
+    assert_int_equal(panel_init(rig->display.panel), 0);
+    for (unsigned picture = 0; picture < PICTURES; picture++) {
+        assert_int_equal(bridge_rig_draw(rig, picture), 0);
+        emulated_display_show(&rig->glass, rig->golden[picture]);
+    }
+}
+
+void bridge_rig_forgive(struct bridge_rig *rig)
+{
+    if (rig->choice.family == &display_dcs)
+        rig->glass.chip.dcs.complaints = 0;
+    else
+        rig->glass.chip.pages.complaints = 0;
+}
+
+/* Cheaper than a power-up, and as good: the driver's reset is one. */
+static void scribble(struct bridge_rig *rig)
+{
+    if (rig->choice.family == &display_dcs)
+        memset(rig->glass.chip.dcs.memory, 0x55, sizeof rig->glass.chip.dcs.memory);
+    else
+        memset(rig->glass.chip.pages.memory, 0x55, sizeof rig->glass.chip.pages.memory);
+    bridge_rig_forgive(rig);
+}
+
+static bool has_golden(const struct bridge_rig *rig, const struct panel_choice *choice, uint16_t w_px, uint16_t h_px)
+{
+    return rig->choice.chip == choice->chip && rig->choice.format == choice->format && rig->module.w_px == w_px &&
+           rig->module.h_px == h_px;
+}
+
+void bridge_rig_setup(struct bridge_rig *rig, const char *panel, uint16_t w_px, uint16_t h_px)
+{
+    struct panel_choice choice;
+    struct error err;
+
+    if (!panel_choice_parse(panel, NULL, &choice, &err)) fail_msg("%s", err.text);
+    const bool again = has_golden(rig, &choice, w_px, h_px);
+    rig->choice = choice;
+    rig->module = (struct display_module){.w_px = w_px, .h_px = h_px};
+    if (!again) {
+        draw_golden(rig);
+        emulated_display_init(&rig->glass, &rig->choice, &rig->module);
+    }
+    scribble(rig);
+    emulated_bridge_init(&rig->bridge, rig->glass.port);
+}
+
+void bridge_rig_assert_shown(const struct bridge_rig *rig, unsigned picture)
+{
+    static uint8_t seen[BRIDGE_RIG_MOST_PX * 3];
+    struct error err;
+
+    if (!emulated_display_is_quiet(&rig->glass, &err)) fail_msg("%s", err.text);
+    emulated_display_show(&rig->glass, seen);
+    assert_memory_equal(seen, rig->golden[picture], (size_t)rig->module.w_px * rig->module.h_px * 3);
+}
+
+void bridge_rig_assert_quiet(const struct bridge_rig *rig)
+{
+    const struct emulated_mcp2210 *chip = &rig->bridge.chip;
+
+    if (chip->complaints) fail_msg("bridge: %u complaints, the last: %s", chip->complaints, chip->complaint);
+}
