@@ -1,0 +1,228 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * The port over hidapi, with a hidapi of our own that reaches emulated bridges: which bridge is taken, what is said
+ * where none can be, and that plugs may be pulled at any report. */
+#include "bridge_rig.h"
+#include "cmocka_ready.h"
+#include "fake_hidapi.h"
+#include "hid/hid_port.h"
+
+#include <errno.h>
+#include <string.h>
+
+static struct bridge_rig rig;
+static struct emulated_bridge others[FAKE_PLACES]; /* without a display of interest */
+static struct port port;
+
+static void assert_text(const char *part)
+{
+    if (!strstr(port.error, part)) fail_msg("\"%s\" does not say \"%s\"", port.error, part);
+    assert_null(strchr(port.error, '\n'));
+    assert_true(strlen(port.error) < PORT_ERROR_B - 1);
+}
+
+/* The rig's bridge in the first place, with this serial number. */
+static int set_up(void **state)
+{
+    (void)state;
+    bridge_rig_setup(&rig, "st7735", 24, 9);
+    fake_hidapi = (struct fake_hidapi){.places = {{&rig.bridge.cable, "/dev/hidraw0", L"0001", 0}}};
+    for (unsigned i = 1; i < FAKE_PLACES; i++)
+        emulated_bridge_init(&others[i], rig.glass.port);
+    return 0;
+}
+
+/* Nothing stays open, nothing is left of a list. */
+static int tear_down(void **state)
+{
+    (void)state;
+    port_close(&port);
+    assert_int_equal(fake_hidapi.opened, fake_hidapi.closed);
+    assert_int_equal(fake_hidapi.listed, fake_hidapi.freed);
+    return 0;
+}
+
+static int open_port(const char *serial)
+{
+    const struct bridge_options options = emulated_bridge_options();
+
+    return hid_port_open(&port, serial, &options);
+}
+
+/* The waits are the display's, which takes no time. */
+static void connect_driver(void)
+{
+    port.clock = emulated_port_clock(rig.glass.port);
+    bridge_rig_connect(&rig, &port);
+}
+
+static void plug_in(unsigned place, const char *path, const wchar_t *serial)
+{
+    fake_hidapi.places[place] = (struct fake_place){&others[place].cable, path, serial, 0};
+}
+
+static void frames_arrive_whole(void **state)
+{
+    (void)state;
+    fake_hidapi.interrupted_every = 3;
+    assert_int_equal(open_port(NULL), 0);
+    connect_driver();
+    assert_int_equal(bridge_rig_start(&rig, 0), 0);
+    bridge_rig_assert_shown(&rig, 0);
+    bridge_rig_assert_quiet(&rig);
+}
+
+static void waits_take_their_time(void **state)
+{
+    (void)state;
+    assert_int_equal(open_port(NULL), 0);
+    assert_int_equal(clock_delay(&port.clock, 10), 0);
+}
+
+static void the_right_bridge_is_taken(void **state)
+{
+    (void)state;
+    plug_in(1, "/dev/hidraw1", L"0002");
+    plug_in(2, "/dev/hidraw2", NULL);
+    assert_int_equal(open_port("0002"), 0);
+    assert_true(others[1].cable.reports > 0);
+    assert_int_equal(rig.bridge.cable.reports + others[2].cable.reports, 0);
+}
+
+static void of_several_none_is_taken_unasked(void **state)
+{
+    (void)state;
+    plug_in(1, "/dev/hidraw1", L"0002");
+    plug_in(2, "/dev/hidraw2", NULL);
+    assert_int_equal(open_port(NULL), -EEXIST);
+    assert_text(
+        "MCP2210: there are several; choose by serial number: 0001, 0002, one without a readable serial number");
+    assert_int_equal(open_port(""), -EEXIST);
+    assert_int_equal(fake_hidapi.opened, 0);
+}
+
+static void a_bridge_that_is_not_there_is_told(void **state)
+{
+    (void)state;
+    assert_int_equal(open_port("0007"), -ENODEV);
+    assert_text("MCP2210 0007: none has that serial number; there is 0001");
+    fake_hidapi.places[0].cable = NULL;
+    assert_int_equal(open_port(NULL), -ENODEV);
+    assert_text("MCP2210: none is plugged in (USB 04d8:00de)");
+    assert_null(port.close);
+}
+
+static void a_lack_of_permission_names_the_rule(void **state)
+{
+    (void)state;
+    fake_hidapi.places[0].open_errno = EACCES;
+    assert_int_equal(open_port(NULL), -EACCES);
+    assert_text("MCP2210: no permission; put ATTRS{idVendor}==\"04d8\", ATTRS{idProduct}==\"00de\", MODE=\"0666\" into "
+                "/etc/udev/rules.d/70-mcp2210.rules and plug it in again");
+    fake_hidapi.places[0].open_errno = EPERM;
+    assert_int_equal(open_port(NULL), -EACCES);
+    fake_hidapi.places[0].open_errno = EBUSY;
+    assert_int_equal(open_port(NULL), -EBUSY);
+    assert_text("MCP2210: /dev/hidraw0 cannot be opened: ");
+}
+
+static void an_error_that_is_no_unplugging_is_told_as_hidapi_does(void **state)
+{
+    (void)state;
+    for (int fault = CABLE_REFUSED; fault <= CABLE_UNREAD; fault++) {
+        set_up(NULL);
+        assert_int_equal(open_port(NULL), 0);
+        connect_driver();
+        assert_int_equal(bridge_rig_start(&rig, 0), 0);
+        emulated_cable_arm(&rig.bridge.cable, 10, (enum cable_fault)fault, -EIO);
+        assert_int_equal(bridge_rig_draw(&rig, 1), -EIO);
+        assert_text("MCP2210 0001: hidapi: a made-up error");
+        assert_int_equal(bridge_rig_draw(&rig, 2), 0);
+        assert_int_equal(fake_hidapi.opened, 2);
+        bridge_rig_forgive(&rig);
+        bridge_rig_assert_shown(&rig, 2);
+        tear_down(NULL);
+    }
+}
+
+static void a_report_cut_short_is_an_error(void **state)
+{
+    (void)state;
+    fake_hidapi.writes_short = true;
+    assert_int_equal(open_port(NULL), -EIO);
+    assert_text("hidapi");
+}
+
+/* Plugged in again it has another path. Returns whether the plug was pulled at all. */
+static bool survives_unplugging(long n)
+{
+    set_up(NULL);
+    assert_int_equal(open_port(NULL), 0);
+    connect_driver();
+    emulated_cable_arm(&rig.bridge.cable, n, CABLE_UNPLUGGED, 0);
+    const int err = bridge_rig_start(&rig, 0);
+    const bool pulled = rig.bridge.cable.unplugged;
+    assert_int_equal(err, pulled ? -ENODEV : 0);
+    if (pulled) {
+        assert_text("MCP2210 0001: unplugged; plug it in again");
+        assert_int_equal(bridge_rig_start(&rig, 1), -ENODEV);
+        assert_text("MCP2210 0001: none is plugged in");
+        plug_in(1, "/dev/hidraw0", L"0002"); /* another one comes first */
+        assert_int_equal(bridge_rig_start(&rig, 1), -ENODEV);
+        assert_text("MCP2210 0001: none has that serial number; there is 0002");
+        emulated_bridge_replug(&rig.bridge);
+        fake_hidapi.places[0].path = "/dev/hidraw1";
+        assert_int_equal(bus_flush(&port.bus), 0);
+        bridge_rig_forgive(&rig);
+        assert_int_equal(bridge_rig_start(&rig, 1), 0);
+        bridge_rig_assert_shown(&rig, 1);
+        bridge_rig_assert_quiet(&rig);
+        assert_int_equal(others[1].cable.reports, 0);
+    }
+    tear_down(NULL);
+    return pulled;
+}
+
+static void plugs_may_be_pulled_at_any_report(void **state)
+{
+    long n = 0;
+
+    (void)state;
+    while (survives_unplugging(n))
+        n++;
+    print_message("# hid port: unplugged at %ld reports\n", n);
+    assert_true(n > 60);
+}
+
+static void a_bridge_without_a_serial_number_comes_back_as_the_only_one(void **state)
+{
+    (void)state;
+    fake_hidapi.places[0].serial = NULL;
+    assert_int_equal(open_port(NULL), 0);
+    connect_driver();
+    assert_int_equal(bridge_rig_start(&rig, 0), 0);
+    rig.bridge.cable.unplugged = true;
+    assert_int_equal(bridge_rig_draw(&rig, 1), -ENODEV);
+    assert_text("MCP2210: unplugged");
+    emulated_bridge_replug(&rig.bridge);
+    assert_int_equal(bridge_rig_start(&rig, 1), 0);
+    bridge_rig_forgive(&rig);
+    bridge_rig_assert_shown(&rig, 1);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test_setup_teardown(frames_arrive_whole, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(waits_take_their_time, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(the_right_bridge_is_taken, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(of_several_none_is_taken_unasked, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(a_bridge_that_is_not_there_is_told, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(a_lack_of_permission_names_the_rule, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(an_error_that_is_no_unplugging_is_told_as_hidapi_does, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(a_report_cut_short_is_an_error, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(plugs_may_be_pulled_at_any_report, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(a_bridge_without_a_serial_number_comes_back_as_the_only_one, set_up, tear_down),
+    };
+    return cmocka_run_group_tests_name("hid_port", tests, NULL, NULL);
+}
