@@ -49,6 +49,27 @@ bool arguments_flag(struct arguments *arguments, const char *name)
     return found;
 }
 
+bool arguments_optional(struct arguments *arguments, const char *name, bool (*is_value)(const char *word),
+                        const char **value)
+{
+    const size_t length = strlen(name);
+    bool found = false;
+    for (int i = 1; i < arguments->count && !ends_options(arguments->items[i]);) {
+        const char *item = arguments->items[i];
+        const bool is_whole = strcmp(item, name) == 0;
+        if (!is_whole && !(strncmp(item, name, length) == 0 && item[length] == '=')) {
+            i++;
+            continue;
+        }
+        const char *next = is_whole ? arguments->items[i + 1] : item + length + 1;
+        const bool has_value = next && (!is_whole || is_value(next));
+        if (has_value) *value = next;
+        drop(arguments, i, is_whole && has_value ? 2 : 1);
+        found = true;
+    }
+    return found;
+}
+
 bool arguments_either(struct arguments *arguments, const char *yes, const char *no, bool *on, struct error *err)
 {
     const bool is_yes = arguments_flag(arguments, yes), is_no = arguments_flag(arguments, no);

@@ -21,6 +21,11 @@ bool arguments_value(struct arguments *arguments, const char *name, const char *
 /* Takes `--name`; whether it was there. */
 bool arguments_flag(struct arguments *arguments, const char *name);
 
+/* Takes `--name`, `--name=VALUE` or, where the word that follows is such a value, `--name VALUE`; whether it was there.
+ * *value stays as it is if there is none. */
+bool arguments_optional(struct arguments *arguments, const char *name, bool (*is_value)(const char *word),
+                        const char **value);
+
 /* Takes both flags, of which only one makes sense; an error names them. *on stays as it is if neither is there. */
 bool arguments_either(struct arguments *arguments, const char *yes, const char *no, bool *on, struct error *err);
 

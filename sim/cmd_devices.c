@@ -3,6 +3,7 @@
  * `limner devices`: what a display can hang on here, a line each, and why something cannot be used. A kind of device is
  * one function of the list below. */
 #include "commands.h"
+#include "hid/hid_bridges.h"
 #include "linux/gpio_lines.h"
 
 #include <errno.h>
@@ -91,9 +92,29 @@ static void print_gpiochips(void)
               "gpio  none: no /dev/gpiochip*; load the driver of the machine's GPIO controller");
 }
 
+/* USB-HID bridges ------------------------------------------------------------------------------- */
+
+static void print_bridge(const struct hid_bridge *bridge)
+{
+    char why[HID_WHY_B] = "usable, as --hid; pins GP0 to GP8";
+    hid_device *device;
+    if (hid_bridges_open(bridge, &device, why) == 0) hid_close(device);
+    printf("hid   MCP2210 %s (%s): %s\n", bridge->serial[0] ? bridge->serial : "without a readable serial number",
+           bridge->path, why);
+}
+
+static void print_bridges(void)
+{
+    struct hid_bridge found[HID_BRIDGES_MAX];
+    const size_t n = hid_bridges_find(found);
+    if (n == 0) puts("hid   none: no MCP2210 (USB 04d8:00de) is plugged in");
+    for (size_t i = 0; i < n; i++)
+        print_bridge(&found[i]);
+}
+
 /* All kinds ------------------------------------------------------------------------------------- */
 
-static void (*const PRINT_KIND[])(void) = {print_spidevs, print_gpiochips};
+static void (*const PRINT_KIND[])(void) = {print_spidevs, print_gpiochips, print_bridges};
 
 int cmd_devices(int argc, char **argv)
 {

@@ -4,6 +4,7 @@
 #include "interrupt.h"
 #include "progress.h"
 
+#include <errno.h>
 #include <inttypes.h>
 #include <stdio.h>
 #include <time.h>
@@ -100,7 +101,7 @@ static bool note_failure(struct player *player, int code, struct error *err)
     explain(player, what, code, err);
     player->failed++;
     player->in_a_row++;
-    if (player->in_a_row == PLAYER_FAILURES_MAX) return false;
+    if (player->in_a_row >= (code == -ENODEV ? PLAYER_GONE_MAX : PLAYER_FAILURES_MAX)) return false;
     if (player->in_a_row > 1) return true;
     progress_end();
     fprintf(stderr, "limner: %s; trying again\n", err->text);

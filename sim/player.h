@@ -9,7 +9,7 @@
 #include "panel.h"
 #include "port.h"
 
-enum { PLAYER_FAILURES_MAX = 10 }; /* in a row */
+enum { PLAYER_FAILURES_MAX = 10, PLAYER_GONE_MAX = 300 }; /* in a row; where the port is unplugged: a minute */
 
 struct player {
     /* To be set by the caller. */

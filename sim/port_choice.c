@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "port_choice.h"
 
+#include "hid/hid_port.h"
+#include "hid/mcp2210.h"
 #include "parse.h"
 
 #include <string.h>
@@ -42,7 +44,7 @@ static bool same_line(const char *a, const char *b)
     return a && b && strcmp(a, b) == 0;
 }
 
-static bool linux_check(const struct linux_port_config *config, struct error *err)
+static bool lines_check(const struct linux_port_config *config, struct error *err)
 {
     const struct {
         const char *option, *line;
@@ -56,9 +58,50 @@ static bool linux_check(const struct linux_port_config *config, struct error *er
         for (size_t k = i + 1; k < COUNT; k++)
             if (same_line(lines[i].line, lines[k].line))
                 return error_set(err, "%s, %s: both cannot be %s", lines[i].option, lines[k].option, lines[i].line);
+    return true;
+}
+
+static bool linux_check(const struct linux_port_config *config, struct error *err)
+{
+    if (!lines_check(config, err)) return false;
     if (config->no_cs && config->cs_high) return error_set(err, "--no-cs, --cs-high: only one of them");
     return config->spi ||
-           error_set(err, "play: needs --spi DEVICE, as /dev/spidev0.0; `limner devices` lists those there are");
+           error_set(err,
+                     "play: needs --spi DEVICE, as /dev/spidev0.0, or --hid; `limner devices` lists those there are");
+}
+
+/* USB-HID bridges ------------------------------------------------------------------------------- */
+
+/* Serial numbers are digits, and scenes are not named so: --hid SCENE stays what it looks like. */
+static bool is_serial(const char *word)
+{
+    return word[0] != '\0' && strspn(word, "0123456789") == strlen(word);
+}
+
+static bool hid_check(const struct port_choice *choice, struct error *err)
+{
+    const struct linux_port_config *config = &choice->linux_port;
+    if (config->spi) return error_set(err, "--hid, --spi: only one of them");
+    if (config->tearing) return error_set(err, "--te: a USB-HID bridge cannot wait for a line");
+    if (config->no_cs || config->cs_high)
+        return error_set(err, "--no-cs, --cs-high: of --spi; with --hid, chip select is low or, without --cs, none");
+    if (config->speed_hz > MCP2210_RATE_MAX_HZ)
+        return error_set(err, "--hz: a USB-HID bridge has %d at most", MCP2210_RATE_MAX_HZ);
+    return lines_check(config, err);
+}
+
+static int hid_open(const struct port_choice *choice, uint32_t speed_hz, struct port *port)
+{
+    const struct linux_port_config *config = &choice->linux_port;
+    const uint32_t most_hz = speed_hz < MCP2210_RATE_MAX_HZ ? speed_hz : MCP2210_RATE_MAX_HZ;
+    const struct bridge_options options = {.dc = config->dc,
+                                           .reset = config->reset,
+                                           .backlight = config->backlight,
+                                           .select = config->select,
+                                           .chip_select = choice->chip_select,
+                                           .bit_rate_hz = config->speed_hz ? config->speed_hz : most_hz,
+                                           .mode = config->mode};
+    return hid_port_open(port, choice->serial, &options);
 }
 
 /* All kinds ------------------------------------------------------------------------------------- */
@@ -66,7 +109,12 @@ static bool linux_check(const struct linux_port_config *config, struct error *er
 bool port_choice_parse(struct port_choice *out, struct arguments *arguments, struct error *err)
 {
     *out = (struct port_choice){.kind = PORT_LINUX};
-    return linux_parse(&out->linux_port, arguments, err) && linux_check(&out->linux_port, err);
+    if (arguments_optional(arguments, "--hid", is_serial, &out->serial)) out->kind = PORT_HID;
+    if (!arguments_value(arguments, "--cs", &out->chip_select, err) || !linux_parse(&out->linux_port, arguments, err))
+        return false;
+    if (out->kind == PORT_HID) return hid_check(out, err);
+    if (out->chip_select) return error_set(err, "--cs %s: of --hid; spidev's device has its own", out->chip_select);
+    return linux_check(&out->linux_port, err);
 }
 
 static int write_nothing(void *ctx, const uint8_t *data, size_t n_b)
@@ -104,5 +152,6 @@ bool port_choice_open(const struct port_choice *choice, uint32_t speed_hz, struc
 {
     struct linux_port_config config = choice->linux_port;
     if (config.speed_hz == 0) config.speed_hz = speed_hz;
-    return linux_port_open(port, &config) == 0 || error_set(err, "%s", port->error);
+    const int code = choice->kind == PORT_HID ? hid_open(choice, speed_hz, port) : linux_port_open(port, &config);
+    return code == 0 || error_set(err, "%s", port->error);
 }

@@ -6,13 +6,17 @@
 #define SIM_PORT_CHOICE_H
 
 #include "arguments.h"
+#include "hid/bridge_port.h"
 #include "linux/linux_port.h"
 
-enum port_kind { PORT_LINUX };
+enum port_kind { PORT_LINUX, PORT_HID };
 
 struct port_choice {
     enum port_kind kind;
-    struct linux_port_config linux_port; /* for PORT_LINUX; speed_hz 0: the panel's usual */
+    struct linux_port_config
+        linux_port;          /* for PORT_LINUX, and of PORT_HID what they share; speed_hz 0: the panel's usual */
+    const char *serial;      /* for PORT_HID; NULL: the only bridge */
+    const char *chip_select; /* for PORT_HID; NULL: the display's is tied low */
 };
 
 /* Takes its options out of *arguments, and refuses those that contradict each other or leave the port open. */
