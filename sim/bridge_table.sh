@@ -1,0 +1,17 @@
+# SPDX-License-Identifier: MIT
+#
+# Prints README's table of displays behind a USB-HID bridge. With --write puts it into README.md between its markers;
+# with --check says how README differs. Needs $BUILD/limner.
+set -eu
+. sim/readme_table.sh
+
+: "${BUILD:=build}"
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+
+"$BUILD/limner" bridge >"$work/table"
+case ${1:-} in
+--write) readme_write bridge "$work/table" ;;
+--check) grep -q '<!-- bridge begin' README.md && readme_with bridge "$work/table" | diff README.md - ;;
+*) cat "$work/table" ;;
+esac
