@@ -7,6 +7,7 @@
 
 BUILD := build
 OPT   := -O2
+HIDAPI := hidraw
 ifeq ($(origin CC),default)
 CC    := gcc
 endif
@@ -24,7 +25,7 @@ endif
 # Begins a recipe line whose output must appear as it comes: with +, but not under `make -n`, where + would run it.
 LIVE = $(if $(findstring n,$(firstword -$(MAKEFLAGS))),,+)@
 
-.PHONY: all extremes soak run view check test test-fixed test-programs models-table tables footprint tradeoff compare prove exhaustive fuzz format clean help packages force
+.PHONY: all extremes soak run view check test test-fixed test-programs models-table tables hid-table footprint tradeoff compare prove exhaustive fuzz format clean help packages force
 .SECONDARY:
 .DELETE_ON_ERROR:
 
@@ -38,7 +39,7 @@ help: ## list the goals
 # -- Debian packages: what every build needs, and what a goal or a suite needs beside ----------------------------------
 
 packages-build         := gcc libc6-dev pkg-config libassimp-dev libgd-dev libgmp-dev zlib1g-dev \
-	libgpiod-dev
+	libgpiod-dev libhidapi-dev
 packages-host          := libcmocka-dev libosmesa6-dev
 packages-arm           := gcc-arm-none-eabi qemu-system-arm gnuplot-nox
 packages-fixed         := $(packages-host) $(packages-arm)
@@ -70,7 +71,8 @@ packages:
 WARNINGS := -Wall -Wextra -Wconversion -Wshadow -Wundef -Wmissing-prototypes -Wstrict-prototypes -Werror
 export WARNINGS
 
-LIBRARIES = assimp gdlib libgpiod $(if $(filter 1,$(HAVE_SDL2)),sdl2)
+# hidapi reaches bridges by the kernel's hidraw or, with HIDAPI=libusb, past it.
+LIBRARIES = assimp gdlib libgpiod hidapi-$(HIDAPI) $(if $(filter 1,$(HAVE_SDL2)),sdl2)
 HAVE_SDL2 = $(shell pkg-config --exists sdl2 && echo 1 || echo 0)
 GPIOD     = $(firstword $(subst ., ,$(shell pkg-config --modversion libgpiod)))
 FLAGS = -std=c11 $(OPT) $(WARNINGS) -ffp-contract=off -D_POSIX_C_SOURCE=200809L -DLIM_HAVE_SDL2=$(HAVE_SDL2) \
@@ -79,7 +81,7 @@ FLAGS = -std=c11 $(OPT) $(WARNINGS) -ffp-contract=off -D_POSIX_C_SOURCE=200809L 
 LINKS = $(shell pkg-config --libs $(LIBRARIES)) -lgmp -lz -lm
 
 object  = $(patsubst %.c,$(BUILD)/host/%.o,$(1))
-sources := $(filter-out sim/core.c,$(wildcard firmware/*.c hal/*.c hal/linux/*.c boards/common/*.c sim/*.c))
+sources := $(filter-out sim/core.c,$(wildcard firmware/*.c hal/*.c hal/linux/*.c hal/hid/*.c boards/common/*.c sim/*.c))
 library := $(BUILD)/host/liblimner.a
 
 # The compiler reads its flags from this file, so that whatever is compiled is compiled anew when they change.
@@ -256,6 +258,9 @@ models-table: $(BUILD)/limner ## write the outcomes of Debian's test models anew
 
 tables: $(BUILD)/limner $(demo) ## measure README's table and draw its picture anew
 	$(LIVE)sh sim/tables.sh --write
+
+hid-table: $(BUILD)/limner ## predict README's frames a second over USB-HID anew
+	$(LIVE)sh sim/bridge_table.sh --write
 
 footprint: $(BUILD)/limner $(demo) ## compile README's table of flash, RAM and stack anew
 	$(LIVE)sh sim/footprint_table.sh --write
