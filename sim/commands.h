@@ -13,5 +13,6 @@ int cmd_measure(int argc, char **argv);
 int cmd_splitters(int argc, char **argv);
 int cmd_play(int argc, char **argv);
 int cmd_devices(int argc, char **argv);
+int cmd_bridge(int argc, char **argv);
 
 #endif

@@ -17,6 +17,7 @@ static const char USAGE[] =
     "       limner compare MODEL           what each visibility method gets wrong and costs\n"
     "       limner play MODEL|SCENE.lim    fly a camera path on a real display, by SPI and GPIO\n"
     "       limner devices                 what a display can hang on here, and why not\n"
+    "       limner bridge                  frames a second over USB-HID, predicted; or of one --panel NAME --size WxH\n"
     "       limner splitters MODEL         what each heuristic makes of the tree\n"
     "       limner help                    this text\n"
     "\n"
@@ -90,6 +91,8 @@ static const char USAGE[] =
     "play: what view takes, but for a MODEL's own panel; loops until it is ended, unless there is --frames\n"
     "  --panel NAME        the display's controller, as above, perhaps with a format\n"
     "  --spi DEVICE        as /dev/spidev0.0\n"
+    "  --hid [SERIAL]      instead: a USB-HID bridge, MCP2210 (the only one; =SERIAL if it is no number);\n"
+    "                      its lines are GP0 to GP8, --cs LINE is chip select (tied low)\n"
     "  --dc, --reset, --backlight, --te, --select LINE  GPIO lines by name or CHIP:NUMBER (not wired)\n"
     "  --hz N, --mode 0-3  of the bus (usual for the panel; 0); --no-cs, --cs-high: what it selects with\n"
     "  --size WxH          of the glass, upright; --offset X,Y: of its corner in the chip's memory\n"
@@ -104,8 +107,9 @@ static const char USAGE[] =
 static const struct {
     const char *name;
     int (*run)(int argc, char **argv);
-} COMMANDS[] = {{"compile", cmd_compile}, {"render", cmd_render},       {"view", cmd_view}, {"measure", cmd_measure},
-                {"compare", cmd_compare}, {"splitters", cmd_splitters}, {"play", cmd_play}, {"devices", cmd_devices}};
+} COMMANDS[] = {{"compile", cmd_compile}, {"render", cmd_render},   {"view", cmd_view},
+                {"measure", cmd_measure}, {"compare", cmd_compare}, {"splitters", cmd_splitters},
+                {"play", cmd_play},       {"devices", cmd_devices}, {"bridge", cmd_bridge}};
 
 static bool asks_for_help(const char *argument)
 {
