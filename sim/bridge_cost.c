@@ -59,7 +59,7 @@ static bool run(struct bench *bench, const struct panel_choice *choice, const st
     emulated_display_init(&bench->glass, choice, module);
     emulated_bridge_init(&bench->bridge, bench->glass.port);
     const struct bridge_link link = emulated_bridge_link(&bench->bridge);
-    const struct bridge_options options = emulated_bridge_options();
+    const struct bridge_options options = emulated_bridge_options(&bench->bridge);
     if (bridge_port_open(&bench->port, &link, &options) != 0) return error_set(err, "%s", bench->port.error);
     bool ok = display_setup(&bench->display, choice, module, &bench->port, err);
     const struct panel *panel = bench->display.panel;

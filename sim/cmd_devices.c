@@ -96,18 +96,22 @@ static void print_gpiochips(void)
 
 static void print_bridge(const struct hid_bridge *bridge)
 {
-    char why[HID_WHY_B] = "usable, as --hid; pins GP0 to GP8";
+    const struct bridge_kind *kind = bridge->kind;
+    char why[HID_WHY_B];
     hid_device *device;
-    if (hid_bridges_open(bridge, &device, why) == 0) hid_close(device);
-    printf("hid   MCP2210 %s (%s): %s\n", bridge->serial[0] ? bridge->serial : "without a readable serial number",
-           bridge->path, why);
+    const bool usable = hid_bridges_open(bridge, &device, why) == 0;
+    if (usable) hid_close(device);
+    printf("hid   %s %s (%s): %s", kind->name, bridge->serial[0] ? bridge->serial : "without a readable serial number",
+           bridge->path, usable ? "usable" : why);
+    if (usable) printf(", pins GP0 to GP%d", kind->pins - 1);
+    puts(kind->experimental ? kind->experimental : "");
 }
 
 static void print_bridges(void)
 {
     struct hid_bridge found[HID_BRIDGES_MAX];
     const size_t n = hid_bridges_find(found);
-    if (n == 0) puts("hid   none: no MCP2210 (USB 04d8:00de) is plugged in");
+    if (n == 0) puts("hid   none: no MCP2210 (USB 04d8:00de), no CH347T in its HID mode (1a86:55dc)");
     for (size_t i = 0; i < n; i++)
         print_bridge(&found[i]);
 }

@@ -7,7 +7,7 @@
 enum { CUT_B = 3 };
 
 void emulated_cable_init(struct emulated_cable *cable, void *bridge,
-                         void (*answer)(void *bridge, const uint8_t *report, uint8_t *answer), size_t report_b)
+                         bool (*answer)(void *bridge, const uint8_t *report, uint8_t *answer), size_t report_b)
 {
     *cable = (struct emulated_cable){.bridge = bridge, .answer = answer, .report_b = report_b, .fault_at = CABLE_NEVER};
 }
@@ -40,13 +40,11 @@ static void deliver(struct emulated_cable *cable, const uint8_t *report, bool fa
     uint8_t answer[CABLE_REPORT_MAX_B];
 
     cable->late = 0;
-    cable->answer(cable->bridge, report, answer);
-    if (!faulty) {
-        emulated_cable_push(cable, answer, cable->report_b);
-        return;
-    }
+    const bool answered = cable->answer(cable->bridge, report, answer);
+    if (!faulty && answered) emulated_cable_push(cable, answer, cable->report_b);
+    if (!faulty) return;
     cable->read_fails = cable->fault == CABLE_UNREAD;
-    if (cable->fault == CABLE_LOST || cable->fault == CABLE_UNREAD) return;
+    if (!answered || cable->fault == CABLE_LOST || cable->fault == CABLE_UNREAD) return;
     if (cable->fault == CABLE_MANGLED) answer[0] ^= 0x80;
     emulated_cable_push(cable, answer, cable->fault == CABLE_CUT ? CUT_B : cable->report_b);
     if (cable->fault == CABLE_LATE) cable->late = cable->n_answers;

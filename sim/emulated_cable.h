@@ -24,7 +24,7 @@ enum { CABLE_FAULTS = CABLE_UNPLUGGED + 1 };
 
 struct emulated_cable {
     void *bridge;
-    void (*answer)(void *bridge, const uint8_t *report, uint8_t *answer);
+    bool (*answer)(void *bridge, const uint8_t *report, uint8_t *answer); /* false: there is none */
     size_t report_b;
 
     /* What goes wrong. */
@@ -46,7 +46,7 @@ struct emulated_cable {
 };
 
 void emulated_cable_init(struct emulated_cable *cable, void *bridge,
-                         void (*answer)(void *bridge, const uint8_t *report, uint8_t *answer), size_t report_b);
+                         bool (*answer)(void *bridge, const uint8_t *report, uint8_t *answer), size_t report_b);
 
 /* Report number fault_at from now meets the fault; whatever was before is forgotten, but for answers on their way. */
 void emulated_cable_arm(struct emulated_cable *cable, long fault_at, enum cable_fault fault, int code);

@@ -275,7 +275,7 @@ static uint8_t execute(struct emulated_mcp2210 *chip, const uint8_t *report, uin
     }
 }
 
-void emulated_mcp2210_answer(void *ctx, const uint8_t *report, uint8_t *answer)
+bool emulated_mcp2210_answer(void *ctx, const uint8_t *report, uint8_t *answer)
 {
     struct emulated_mcp2210 *chip = ctx;
 
@@ -283,6 +283,7 @@ void emulated_mcp2210_answer(void *ctx, const uint8_t *report, uint8_t *answer)
     chip->commands[report[0]]++;
     answer[0] = report[0];
     answer[1] = execute(chip, report, answer);
+    return true;
 }
 
 void emulated_mcp2210_power_up(struct emulated_mcp2210 *chip)

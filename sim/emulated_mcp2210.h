@@ -63,7 +63,8 @@ void emulated_mcp2210_init(struct emulated_mcp2210 *chip);
 /* The same chip with its wires and moods, after another power-up. */
 void emulated_mcp2210_power_up(struct emulated_mcp2210 *chip);
 
-/* One report without its number, and the answer to it; both of EMULATED_MCP2210_REPORT_B bytes. */
-void emulated_mcp2210_answer(void *chip, const uint8_t *report, uint8_t *answer);
+/* One report without its number, and the answer to it, which there always is; both of EMULATED_MCP2210_REPORT_B bytes.
+ */
+bool emulated_mcp2210_answer(void *chip, const uint8_t *report, uint8_t *answer);
 
 #endif

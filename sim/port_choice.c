@@ -2,7 +2,6 @@
 #include "port_choice.h"
 
 #include "hid/hid_port.h"
-#include "hid/mcp2210.h"
 #include "parse.h"
 
 #include <string.h>
@@ -85,21 +84,18 @@ static bool hid_check(const struct port_choice *choice, struct error *err)
     if (config->tearing) return error_set(err, "--te: a USB-HID bridge cannot wait for a line");
     if (config->no_cs || config->cs_high)
         return error_set(err, "--no-cs, --cs-high: of --spi; with --hid, chip select is low or, without --cs, none");
-    if (config->speed_hz > MCP2210_RATE_MAX_HZ)
-        return error_set(err, "--hz: a USB-HID bridge has %d at most", MCP2210_RATE_MAX_HZ);
     return lines_check(config, err);
 }
 
 static int hid_open(const struct port_choice *choice, uint32_t speed_hz, struct port *port)
 {
     const struct linux_port_config *config = &choice->linux_port;
-    const uint32_t most_hz = speed_hz < MCP2210_RATE_MAX_HZ ? speed_hz : MCP2210_RATE_MAX_HZ;
     const struct bridge_options options = {.dc = config->dc,
                                            .reset = config->reset,
                                            .backlight = config->backlight,
                                            .select = config->select,
                                            .chip_select = choice->chip_select,
-                                           .bit_rate_hz = config->speed_hz ? config->speed_hz : most_hz,
+                                           .bit_rate_hz = config->speed_hz ? config->speed_hz : speed_hz,
                                            .mode = config->mode};
     return hid_port_open(port, choice->serial, &options);
 }

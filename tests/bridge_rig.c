@@ -16,14 +16,15 @@ int bridge_rig_draw(struct bridge_rig *rig, unsigned picture)
 {
     const struct lim_target *target = &rig->screen.target;
 
-    screen_begin_frame(&rig->screen);
+    int err = screen_begin_frame(&rig->screen);
+    if (err) return err;
     for (uint16_t y = 0; y < target->h_px; y++) {
         uint8_t *line = target->lend(target->ctx, y);
         for (unsigned x = 0; x < target->w_px; x++) {
             line[2 * x] = (uint8_t)(noise(x, y, picture) >> 8);
             line[2 * x + 1] = (uint8_t)noise(x, y, picture);
         }
-        const int err = target->done(target->ctx, y, 0, target->w_px);
+        err = target->done(target->ctx, y, 0, target->w_px);
         if (err) return err;
     }
     return screen_end_frame(&rig->screen);
@@ -112,7 +113,7 @@ void bridge_rig_assert_shown(const struct bridge_rig *rig, unsigned picture)
 
 void bridge_rig_assert_quiet(const struct bridge_rig *rig)
 {
-    const struct emulated_mcp2210 *chip = &rig->bridge.chip;
+    const char *complaint = emulated_bridge_complaint(&rig->bridge);
 
-    if (chip->complaints) fail_msg("bridge: %u complaints, the last: %s", chip->complaints, chip->complaint);
+    if (complaint) fail_msg("bridge: %s", complaint);
 }

@@ -24,15 +24,14 @@ card="play --test-card --panel st7735"
 {
     tap_check "a bridge and spidev" refused "--hid, --spi: only one of them" $card --hid --spi /dev/spidev0.0 --dc GP0
     tap_check "a line to wait for" refused "--te: a USB-HID bridge cannot" $card --hid --dc GP0 --te GP1
-    tap_check "too fast a bus" refused "12000000 at most" $card --hid --dc GP0 --hz 12000001
     tap_check "chip select of spidev's" refused "--no-cs, --cs-high: of --spi" $card --hid --dc GP0 --no-cs
     tap_check "chip select without a bridge" refused "--cs GP3: of --hid" $card --spi /dev/spidev0.0 --dc GPIO25 --cs GP3
-    tap_check "a pin that bridges do not have" refused "GPIO25: no such pin; a bridge has GP0 to GP8" \
+    tap_check "a pin that bridges do not have" refused "GPIO25: no such pin; bridges have GP0 to GP8" \
         $card --hid 0123456789 --dc GPIO25
     tap_check "a pin for two signals" refused "both cannot be GP0" $card --hid --dc GP0 --reset GP0
     tap_check "chip select on another signal's pin" refused "GP0: named twice" $card --hid --dc GP0 --cs GP0
-    tap_check "a bridge that is not there" refused "MCP2210 0123456789: none" $card --hid 0123456789 --dc GP0
-    tap_check "a serial number that is no number" refused "MCP2210 x1: none" $card --hid=x1 --dc GP0
+    tap_check "a bridge that is not there" refused "USB-HID bridge 0123456789: none" $card --hid 0123456789 --dc GP0
+    tap_check "a serial number that is no number" refused "USB-HID bridge x1: none" $card --hid=x1 --dc GP0
     tap_check "a glass without its size" refused "come together" bridge --panel st7789
     tap_check "no such panel" refused "no such panel" bridge --panel x --size 8x8
     tap_check "what is no option" refused "what is 'x'" bridge x

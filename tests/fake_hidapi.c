@@ -19,6 +19,13 @@ static bool is_listed(const struct fake_place *place)
     return place->cable && !place->cable->unplugged;
 }
 
+/* The length of reports tells what is plugged in. */
+static bool is_kind(const struct fake_place *place, unsigned vendor_id, unsigned product_id)
+{
+    if (place->cable->report_b == 64) return vendor_id == 0x04D8 && product_id == 0x00DE;
+    return vendor_id == 0x1A86 && product_id == 0x55DC;
+}
+
 /* A copy that is the caller's, in the library's own types, which are not const. */
 static void *copy(const void *data, size_t n_b)
 {
@@ -32,12 +39,11 @@ struct hid_device_info *hid_enumerate(unsigned short vendor_id, unsigned short p
 {
     struct hid_device_info *list = NULL;
 
-    assert_int_equal(vendor_id, 0x04D8);
-    assert_int_equal(product_id, 0x00DE);
     for (unsigned i = FAKE_PLACES; i-- > 0;) {
         const struct fake_place *place = &fake_hidapi.places[i];
-        if (!is_listed(place)) continue;
-        struct hid_device_info info = {.path = copy(place->path, strlen(place->path) + 1), .next = list};
+        if (!is_listed(place) || !is_kind(place, vendor_id, product_id)) continue;
+        struct hid_device_info info = {
+            .path = copy(place->path, strlen(place->path) + 1), .interface_number = place->interface, .next = list};
         if (place->serial) info.serial_number = copy(place->serial, (wcslen(place->serial) + 1) * sizeof(wchar_t));
         list = copy(&info, sizeof info);
         fake_hidapi.listed++;

@@ -26,7 +26,7 @@ static int set_up(void **state)
 {
     (void)state;
     bridge_rig_setup(&rig, "st7735", 24, 9);
-    fake_hidapi = (struct fake_hidapi){.places = {{&rig.bridge.cable, "/dev/hidraw0", L"0001", 0}}};
+    fake_hidapi = (struct fake_hidapi){.places = {{&rig.bridge.cable, "/dev/hidraw0", L"0001", 0, 0}}};
     for (unsigned i = 1; i < FAKE_PLACES; i++)
         emulated_bridge_init(&others[i], rig.glass.port);
     return 0;
@@ -44,7 +44,7 @@ static int tear_down(void **state)
 
 static int open_port(const char *serial)
 {
-    const struct bridge_options options = emulated_bridge_options();
+    const struct bridge_options options = emulated_bridge_options(&rig.bridge);
 
     return hid_port_open(&port, serial, &options);
 }
@@ -58,7 +58,7 @@ static void connect_driver(void)
 
 static void plug_in(unsigned place, const char *path, const wchar_t *serial)
 {
-    fake_hidapi.places[place] = (struct fake_place){&others[place].cable, path, serial, 0};
+    fake_hidapi.places[place] = (struct fake_place){&others[place].cable, path, serial, 0, 0};
 }
 
 static void frames_arrive_whole(void **state)
@@ -96,7 +96,7 @@ static void of_several_none_is_taken_unasked(void **state)
     plug_in(2, "/dev/hidraw2", NULL);
     assert_int_equal(open_port(NULL), -EEXIST);
     assert_text(
-        "MCP2210: there are several; choose by serial number: 0001, 0002, one without a readable serial number");
+        "USB-HID bridge: there are several; choose by serial number: 0001, 0002, one without a readable serial number");
     assert_int_equal(open_port(""), -EEXIST);
     assert_int_equal(fake_hidapi.opened, 0);
 }
@@ -105,10 +105,10 @@ static void a_bridge_that_is_not_there_is_told(void **state)
 {
     (void)state;
     assert_int_equal(open_port("0007"), -ENODEV);
-    assert_text("MCP2210 0007: none has that serial number; there is 0001");
+    assert_text("USB-HID bridge 0007: none has that serial number; there is 0001");
     fake_hidapi.places[0].cable = NULL;
     assert_int_equal(open_port(NULL), -ENODEV);
-    assert_text("MCP2210: none is plugged in (USB 04d8:00de)");
+    assert_text("USB-HID bridge: none is plugged in (MCP2210 is USB 04d8:00de, CH347T in its HID mode 1a86:55dc)");
     assert_null(port.close);
 }
 

@@ -1,19 +1,20 @@
 /* SPDX-License-Identifier: MIT
  *
- * struct port over an MCP2210 behind any link: hidapi's (hid_port.h), or an emulated cable. The bridge may be unplugged
- * at any moment: the call under way fails, the next one opens the link again and sets the bridge up anew. Whoever draws
- * then calls panel_init(), as after every error of a port, because the display lost its power with the bridge. */
+ * struct port over a USB-HID bridge behind any link: hidapi's (hid_port.h), or an emulated cable. The bridge may be
+ * unplugged at any moment: the call under way fails, the next one opens the link again and sets the bridge up anew.
+ * Whoever draws then calls panel_init(), as after every error of a port, because the display lost its power with the
+ * bridge. */
 #ifndef HAL_HID_BRIDGE_PORT_H
 #define HAL_HID_BRIDGE_PORT_H
 
-#include "hid/reports.h"
+#include "hid/bridge.h"
 #include "port.h"
 
 /* How a bridge is reached. All functions get ctx; what ctx points to belongs to the port once that is open. */
 struct bridge_link {
     void *ctx;
     /* Finds the bridge and opens it: 0, or a negative errno. Called again after an error. */
-    int (*open)(void *ctx, struct reports *reports);
+    int (*open)(void *ctx, struct reports *reports, const struct bridge_kind **kind);
     void (*close)(void *ctx);       /* the bridge, if it is open */
     void (*release)(void *ctx);     /* closes, and frees ctx; NULL: nothing to free */
     const char *(*name)(void *ctx); /* of the bridge, for errors */
@@ -21,12 +22,12 @@ struct bridge_link {
     struct clock clock;
 };
 
-/* Names of pins are GP0 to GP8; NULL: not wired. */
+/* Names of pins are GP0 and so on; NULL: not wired. */
 struct bridge_options {
     const char *dc, *reset, *backlight;
     const char *select;      /* set by the panel's driver, */
     const char *chip_select; /* or lowered by the bridge for each transaction; with neither the display's is tied low */
-    uint32_t bit_rate_hz;    /* 0: 12 MHz, the bridge's best */
+    uint32_t bit_rate_hz;    /* what the display takes at most; 0: the bridge's best */
     uint8_t mode;            /* of SPI, 0..3 */
 };
 

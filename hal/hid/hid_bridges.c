@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "hid/hid_bridges.h"
 
+#include "hid/ch347.h"
 #include "hid/mcp2210.h"
 
 #include <errno.h>
@@ -17,17 +18,28 @@ static void copy_serial(char out[HID_SERIAL_B], const wchar_t *serial)
     out[n] = '\0';
 }
 
-size_t hid_bridges_find(struct hid_bridge found[HID_BRIDGES_MAX])
+static size_t find_kind(const struct bridge_kind *kind, struct hid_bridge found[HID_BRIDGES_MAX], size_t n)
 {
-    struct hid_device_info *const list = hid_enumerate(MCP2210_VENDOR, MCP2210_PRODUCT);
-    size_t n = 0;
+    struct hid_device_info *const list = hid_enumerate(kind->vendor, kind->product);
 
     for (const struct hid_device_info *info = list; info && n < HID_BRIDGES_MAX; info = info->next) {
         if (strlen(info->path) >= HID_PATH_B) continue;
+        if (kind->interface >= 0 && info->interface_number != kind->interface) continue;
+        found[n].kind = kind;
         copy_serial(found[n].serial, info->serial_number);
         strcpy(found[n++].path, info->path);
     }
     hid_free_enumeration(list);
+    return n;
+}
+
+size_t hid_bridges_find(struct hid_bridge found[HID_BRIDGES_MAX])
+{
+    static const struct bridge_kind *const kinds[] = {&mcp2210, &ch347};
+    size_t n = 0;
+
+    for (size_t i = 0; i < sizeof kinds / sizeof *kinds; i++)
+        n = find_kind(kinds[i], found, n);
     return n;
 }
 
@@ -50,8 +62,7 @@ int hid_bridges_choose(const char *serial, struct hid_bridge *out, char why[HID_
 
     list_serials(found, n, serials, sizeof serials);
     if (n == 0) {
-        snprintf(why, HID_WHY_B, "none is plugged in (USB %04x:%04x)", (unsigned)MCP2210_VENDOR,
-                 (unsigned)MCP2210_PRODUCT);
+        snprintf(why, HID_WHY_B, "none is plugged in (MCP2210 is USB 04d8:00de, CH347T in its HID mode 1a86:55dc)");
         return -ENODEV;
     }
     if (is_any && n > 1) {
@@ -77,8 +88,8 @@ int hid_bridges_open(const struct hid_bridge *bridge, hid_device **device, char 
     if (err == EACCES || err == EPERM)
         snprintf(why, HID_WHY_B,
                  "no permission; put ATTRS{idVendor}==\"%04x\", ATTRS{idProduct}==\"%04x\", MODE=\"0666\" into "
-                 "/etc/udev/rules.d/70-mcp2210.rules and plug it in again",
-                 (unsigned)MCP2210_VENDOR, (unsigned)MCP2210_PRODUCT);
+                 "/etc/udev/rules.d/70-%s.rules and plug it in again",
+                 bridge->kind->vendor, bridge->kind->product, bridge->kind->file);
     else
         snprintf(why, HID_WHY_B, "%.60s cannot be opened: %s", bridge->path, strerror(err));
     return err == EPERM ? -EACCES : -err;

@@ -5,13 +5,14 @@
 #ifndef HAL_HID_BRIDGES_H
 #define HAL_HID_BRIDGES_H
 
-#include "bus.h"
+#include "hid/bridge.h"
 
 #include <hidapi.h>
 
 enum { HID_BRIDGES_MAX = 16, HID_SERIAL_B = 64, HID_PATH_B = 128, HID_WHY_B = 224 };
 
 struct hid_bridge {
+    const struct bridge_kind *kind;
     char serial[HID_SERIAL_B]; /* "": it has none, or none that may be read */
     char path[HID_PATH_B];     /* hidapi's */
 };

@@ -2,7 +2,6 @@
 #include "hid/hid_port.h"
 
 #include "hid/hid_bridges.h"
-#include "hid/mcp2210.h"
 
 #include <errno.h>
 #include <stdio.h>
@@ -10,13 +9,13 @@
 #include <string.h>
 #include <time.h>
 
-enum { NUMBERED_B = 1 + MCP2210_REPORT_B }; /* a report behind its number, which is 0 */
+enum { REPORT_MAX_B = 512 };
 
 struct hid_link {
     hid_device *device; /* NULL: not open */
     struct hid_bridge bridge;
     char serial[HID_SERIAL_B]; /* that is wanted; "": the only one */
-    char name[HID_SERIAL_B + 16];
+    char name[HID_SERIAL_B + 24];
     char why[HID_WHY_B];
 };
 
@@ -39,10 +38,11 @@ static int lost(struct hid_link *link)
 static int write_report(void *ctx, const uint8_t *report)
 {
     struct hid_link *link = ctx;
-    uint8_t numbered[NUMBERED_B] = {0};
+    const size_t report_b = link->bridge.kind->report_b;
+    uint8_t numbered[1 + REPORT_MAX_B] = {0}; /* the report behind its number, which is 0 */
 
-    memcpy(&numbered[1], report, MCP2210_REPORT_B);
-    return hid_write(link->device, numbered, sizeof numbered) == NUMBERED_B ? 0 : lost(link);
+    memcpy(&numbered[1], report, report_b);
+    return hid_write(link->device, numbered, 1 + report_b) == (int)(1 + report_b) ? 0 : lost(link);
 }
 
 /* A signal ends the wait early, no more. */
@@ -51,7 +51,7 @@ static int read_report(void *ctx, uint8_t *report, uint32_t timeout_ms)
     struct hid_link *link = ctx;
 
     errno = 0;
-    const int n_b = hid_read_timeout(link->device, report, MCP2210_REPORT_B, (int)timeout_ms);
+    const int n_b = hid_read_timeout(link->device, report, link->bridge.kind->report_b, (int)timeout_ms);
     if (n_b >= 0) return n_b;
     return errno == EINTR ? 0 : lost(link);
 }
@@ -77,21 +77,31 @@ static int delay(void *ctx, uint32_t delay_us)
 
 static void set_name(struct hid_link *link)
 {
-    snprintf(link->name, sizeof link->name, "MCP2210%s%s", link->serial[0] ? " " : "", link->serial);
+    const struct bridge_kind *kind = link->bridge.kind;
+
+    snprintf(link->name, sizeof link->name, "%s%s%s", kind ? kind->name : "USB-HID bridge", link->serial[0] ? " " : "",
+             link->serial);
 }
 
 /* The first time decides which bridge it is from then on. */
-static int open_link(void *ctx, struct reports *reports)
+static int open_link(void *ctx, struct reports *reports, const struct bridge_kind **kind)
 {
     struct hid_link *link = ctx;
 
     int err = hid_bridges_choose(link->serial, &link->bridge, link->why);
-    if (!err) err = hid_bridges_open(&link->bridge, &link->device, link->why);
+    if (!err) {
+        set_name(link);
+        err = hid_bridges_open(&link->bridge, &link->device, link->why);
+    }
     if (err) return err;
     memcpy(link->serial, link->bridge.serial, sizeof link->serial);
     set_name(link);
-    *reports = (struct reports){
-        .ctx = link, .report_b = MCP2210_REPORT_B, .write = write_report, .read = read_report, .now_ms = now_ms};
+    *kind = link->bridge.kind;
+    *reports = (struct reports){.ctx = link,
+                                .report_b = link->bridge.kind->report_b,
+                                .write = write_report,
+                                .read = read_report,
+                                .now_ms = now_ms};
     return 0;
 }
 
@@ -123,7 +133,7 @@ int hid_port_open(struct port *port, const char *serial, const struct bridge_opt
 {
     struct hid_link *link = calloc(1, sizeof *link);
 
-    *port = (struct port){.error = "MCP2210: out of memory"};
+    *port = (struct port){.error = "USB-HID bridge: out of memory"};
     if (!link) return -ENOMEM;
     snprintf(link->serial, sizeof link->serial, "%s", serial ? serial : "");
     set_name(link);

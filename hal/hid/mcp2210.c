@@ -29,7 +29,18 @@ enum { OWNER_OTHER = 2 };
 enum { FUNCTION_GPIO = 0, FUNCTION_SELECT = 1 };
 enum { AT_FUNCTIONS = 4, AT_LEVELS = 13, AT_DIRECTIONS = 15, AT_CHIP_END = 18 };
 
-enum { QUIET_MS = 20, STALE_MAX = 64, ALL_PINS = (1 << MCP2210_PINS) - 1 };
+enum { QUIET_MS = 20, STALE_MAX = 64, ALL_PINS = (1 << MCP2210_PINS) - 1, WHY_B = 128 };
+
+struct mcp2210 {
+    struct reports reports;
+    struct bridge_config config;
+    char why[WHY_B];
+    uint16_t levels;        /* of all pins, as far as they are outputs */
+    uint16_t transaction_b; /* that the bridge is set to; 0: unknown */
+    bool begun;             /* pins are set up */
+    bool in_doubt;          /* after an error: answers may be on their way, a transaction may be open */
+    uint8_t report[MCP2210_REPORT_B], answer[MCP2210_REPORT_B];
+};
 
 __attribute__((format(printf, 3, 4))) static int fail(struct mcp2210 *bridge, int err, const char *format, ...)
 {
@@ -66,7 +77,7 @@ static uint8_t *command(struct mcp2210 *bridge, uint8_t code)
 static int read_answer(struct mcp2210 *bridge)
 {
     const struct reports *reports = &bridge->reports;
-    const uint64_t end_ms = reports->now_ms(reports->ctx) + MCP2210_PATIENCE_MS;
+    const uint64_t end_ms = reports->now_ms(reports->ctx) + BRIDGE_PATIENCE_MS;
     int other = -1;
 
     for (;;) {
@@ -80,7 +91,7 @@ static int read_answer(struct mcp2210 *bridge)
     }
     if (other < 0)
         return fail(bridge, -ETIMEDOUT, "no answer to command 0x%02x in %d ms; plug it out and in again",
-                    bridge->report[0], MCP2210_PATIENCE_MS);
+                    bridge->report[0], BRIDGE_PATIENCE_MS);
     return fail(bridge, -EPROTO, "it answers command 0x%02x to 0x%02x; is another program using it?", (unsigned)other,
                 bridge->report[0]);
 }
@@ -93,7 +104,7 @@ static int check_status(struct mcp2210 *bridge)
     if (status == STATUS_TAKEN)
         return fail(bridge, -EBUSY, "another master has the SPI bus (status 0xf7); let it release GP8 or disable that");
     if (status == STATUS_BUSY)
-        return fail(bridge, -ETIMEDOUT, "busy for %d ms (status 0xf8); plug it out and in again", MCP2210_PATIENCE_MS);
+        return fail(bridge, -ETIMEDOUT, "busy for %d ms (status 0xf8); plug it out and in again", BRIDGE_PATIENCE_MS);
     return fail(bridge, -EPROTO, "status 0x%02x to command 0x%02x", status, bridge->report[0]);
 }
 
@@ -101,7 +112,7 @@ static int check_status(struct mcp2210 *bridge)
 static int execute(struct mcp2210 *bridge)
 {
     const struct reports *reports = &bridge->reports;
-    const uint64_t end_ms = reports->now_ms(reports->ctx) + MCP2210_PATIENCE_MS;
+    const uint64_t end_ms = reports->now_ms(reports->ctx) + BRIDGE_PATIENCE_MS;
 
     do {
         int err = reports->write(reports->ctx, bridge->report);
@@ -147,9 +158,7 @@ static int enter(struct mcp2210 *bridge)
 
 static int leave(struct mcp2210 *bridge, int err)
 {
-    if (!err) return 0;
-    bridge->in_doubt = true;
-    bridge->waiting_b = 0;
+    if (err) bridge->in_doubt = true;
     return err;
 }
 
@@ -188,70 +197,52 @@ static int transfer(struct mcp2210 *bridge, const uint8_t *data, size_t n_b)
 static int wait_finished(struct mcp2210 *bridge)
 {
     const struct reports *reports = &bridge->reports;
-    const uint64_t end_ms = reports->now_ms(reports->ctx) + MCP2210_PATIENCE_MS;
+    const uint64_t end_ms = reports->now_ms(reports->ctx) + BRIDGE_PATIENCE_MS;
 
     while (reports->now_ms(reports->ctx) < end_ms) {
         const int engine = transfer(bridge, NULL, 0);
         if (engine < 0) return engine;
         if (engine == ENGINE_FINISHED) return 0;
     }
-    return fail(bridge, -ETIMEDOUT, "a transfer does not end in %d ms", MCP2210_PATIENCE_MS);
+    return fail(bridge, -ETIMEDOUT, "a transfer does not end in %d ms", BRIDGE_PATIENCE_MS);
 }
 
-static int send_waiting(struct mcp2210 *bridge)
+static int send_transaction(struct mcp2210 *bridge, const uint8_t *data, size_t n_b)
 {
-    const size_t n_b = bridge->waiting_b;
     int engine = ENGINE_STARTED;
 
-    if (n_b == 0) return 0;
     const int err = set_spi(bridge, (uint16_t)n_b);
     if (err) return err;
     for (size_t sent_b = 0; sent_b < n_b;) {
         const size_t part_b = n_b - sent_b < MCP2210_TRANSFER_B ? n_b - sent_b : MCP2210_TRANSFER_B;
-        engine = transfer(bridge, &bridge->waiting[sent_b], part_b);
+        engine = transfer(bridge, &data[sent_b], part_b);
         if (engine < 0) return engine;
         sent_b += part_b;
         if (engine == ENGINE_FINISHED && sent_b < n_b)
             return fail(bridge, -EPROTO, "a transfer ended %zu bytes early", n_b - sent_b);
     }
-    bridge->waiting_b = 0;
     return engine == ENGINE_FINISHED ? 0 : wait_finished(bridge);
 }
 
-int mcp2210_write(struct mcp2210 *bridge, const uint8_t *data, size_t n_b)
+static int send(void *state, const uint8_t *data, size_t n_b)
 {
+    struct mcp2210 *bridge = state;
     int err = enter(bridge);
 
-    while (!err && n_b) {
-        const size_t room_b = sizeof bridge->waiting - bridge->waiting_b;
-        const size_t part_b = n_b < room_b ? n_b : room_b;
-        memcpy(&bridge->waiting[bridge->waiting_b], data, part_b);
-        bridge->waiting_b += part_b;
-        data += part_b;
-        n_b -= part_b;
-        if (bridge->waiting_b == sizeof bridge->waiting) err = send_waiting(bridge);
-    }
-    return leave(bridge, err);
-}
-
-int mcp2210_flush(struct mcp2210 *bridge)
-{
-    int err = enter(bridge);
-
-    if (!err) err = send_waiting(bridge);
+    if (!err && n_b) err = send_transaction(bridge, data, n_b);
     return leave(bridge, err);
 }
 
 /* -- Pins -------------------------------------------------------------------------------------------------------- */
 
-int mcp2210_set(struct mcp2210 *bridge, unsigned pin, bool high)
+static int set(void *state, unsigned pin, bool high)
 {
+    struct mcp2210 *bridge = state;
     const uint16_t bit = (uint16_t)(1u << pin);
     int err = enter(bridge);
 
     if (!err && (pin >= MCP2210_PINS || !(bridge->config.outputs & bit)))
         err = fail(bridge, -EINVAL, "GP%u is not set up as an output", pin);
-    if (!err) err = send_waiting(bridge);
     if (!err) err = set_levels(bridge, (uint16_t)(high ? bridge->levels | bit : bridge->levels & ~bit));
     return leave(bridge, err);
 }
@@ -260,7 +251,7 @@ int mcp2210_set(struct mcp2210 *bridge, unsigned pin, bool high)
  * another's level. */
 static int set_pins(struct mcp2210 *bridge)
 {
-    const struct mcp2210_config *config = &bridge->config;
+    const struct bridge_config *config = &bridge->config;
 
     command(bridge, GET_CHIP);
     int err = execute(bridge);
@@ -298,26 +289,46 @@ static int check_owner(struct mcp2210 *bridge)
     return check_status(bridge);
 }
 
-static bool config_fits(const struct mcp2210_config *config)
+static bool config_fits(const struct bridge_config *config)
 {
-    if (config->bit_rate_hz < MCP2210_RATE_MIN_HZ || config->bit_rate_hz > MCP2210_RATE_MAX_HZ) return false;
-    return config->mode <= 3 && !((config->outputs | config->selects) & ~ALL_PINS) &&
-           !(config->outputs & config->selects);
+    if (config->bit_rate_hz < MCP2210_RATE_MIN_HZ || config->mode > 3) return false;
+    return !((config->outputs | config->selects) & ~ALL_PINS) && !(config->outputs & config->selects);
 }
 
-int mcp2210_begin(struct mcp2210 *bridge, const struct reports *reports, const struct mcp2210_config *config)
+static int begin(void *state, const struct reports *reports, const struct bridge_config *config)
 {
+    struct mcp2210 *bridge = state;
+
     bridge->reports = *reports;
     bridge->config = *config;
     bridge->begun = false;
     bridge->in_doubt = true;
-    bridge->waiting_b = 0;
+    if (config->bit_rate_hz > MCP2210_RATE_MAX_HZ) bridge->config.bit_rate_hz = MCP2210_RATE_MAX_HZ;
     if (!config_fits(config))
-        return fail(bridge, -EINVAL,
-                    "bit rate, SPI mode or pins that it does not have; %d to %d Hz, GP0 to GP8, each once",
-                    MCP2210_RATE_MIN_HZ, MCP2210_RATE_MAX_HZ);
+        return fail(bridge, -EINVAL, "it has SPI modes 0 to 3 from %d Hz, and pins GP0 to GP%d, each for one signal",
+                    MCP2210_RATE_MIN_HZ, MCP2210_PINS - 1);
     int err = enter(bridge);
     if (!err) err = check_owner(bridge);
     if (!err) err = set_pins(bridge);
     return leave(bridge, err);
 }
+
+static const char *why(const void *state)
+{
+    return ((const struct mcp2210 *)state)->why;
+}
+
+const struct bridge_kind mcp2210 = {.name = "MCP2210",
+                                    .file = "mcp2210",
+                                    .vendor = 0x04D8,
+                                    .product = 0x00DE,
+                                    .interface = -1,
+                                    .report_b = MCP2210_REPORT_B,
+                                    .transfer_b = MCP2210_TRANSFER_B,
+                                    .pins = MCP2210_PINS,
+                                    .state_b = sizeof(struct mcp2210),
+                                    .begin = begin,
+                                    .gathered_b = MCP2210_TRANSACTION_B,
+                                    .send = send,
+                                    .set = set,
+                                    .why = why};
