@@ -78,7 +78,8 @@ static int connect(struct bridge_port *self)
     }
     err = begin(self, &reports, kind);
     self->open = !err;
-    self->port->bus.message_b = kind->transfer_b;
+    self->port->bus.message_b =
+        (uint16_t)(2u * kind->transfer_b); /* a report to send it in, and one that says how long it is */
     return settle_error(self, err);
 }
 
