@@ -25,7 +25,7 @@ endif
 # Begins a recipe line whose output must appear as it comes: with +, but not under `make -n`, where + would run it.
 LIVE = $(if $(findstring n,$(firstword -$(MAKEFLAGS))),,+)@
 
-.PHONY: all extremes soak run view check test test-fixed test-programs models-table tables hid-table footprint tradeoff compare prove exhaustive fuzz format clean help packages force
+.PHONY: all extremes soak run view check test test-fixed test-programs models-table tables hid-table delta-table footprint tradeoff compare prove exhaustive fuzz format clean help packages force
 .SECONDARY:
 .DELETE_ON_ERROR:
 
@@ -59,6 +59,7 @@ packages-view          := libsdl2-dev
 packages-models-table  := $(packages-models)
 packages-test-programs := $(packages-host)
 packages-footprint     := gcc-arm-none-eabi
+packages-delta-table   := gcc-arm-none-eabi qemu-system-arm
 packages-tradeoff      := $(packages-arm) gcc-riscv64-unknown-elf qemu-system-misc
 packages-compare       := gcc-arm-none-eabi qemu-system-arm
 packages-test          := $(foreach suite,$(suites),$(packages-$(suite)))
@@ -261,6 +262,9 @@ tables: $(BUILD)/limner $(demo) ## measure README's table and draw its picture a
 
 hid-table: $(BUILD)/limner ## predict README's frames a second over USB-HID anew
 	$(LIVE)sh sim/bridge_table.sh --write
+
+delta-table: $(BUILD)/limner ## measure anew for README what delta output sends, and what it costs
+	$(LIVE)sh sim/delta_table.sh --write
 
 footprint: $(BUILD)/limner $(demo) ## compile README's table of flash, RAM and stack anew
 	$(LIVE)sh sim/footprint_table.sh --write

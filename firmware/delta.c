@@ -95,6 +95,7 @@ static bool next_change(const struct lim_delta *delta, struct lim_changes *chang
     *out = (struct lim_rect){0, y, 0, (uint16_t)(y + 1)};
     if (!lim_changes_next(changes, &out->x0, &out->x1)) return false;
     align(delta, out);
+    if (out->x1 == delta->target.w_px) changes->x = out->x1; /* perhaps more than was compared */
     return true;
 }
 

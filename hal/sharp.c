@@ -131,6 +131,9 @@ static int sharp_keep(struct panel *panel)
     return err ? err : sharp_tell(sharp);
 }
 
+/* The end of what was sent before: a trailer, and select goes low, and high again. */
+enum { WINDOW_B = 2, WINDOW_MESSAGES = 3 };
+
 static int sharp_window(struct panel *panel, uint16_t x_px, uint16_t y_px, uint16_t w_px, uint16_t h_px)
 {
     struct sharp *sharp = sharp_of(panel);
@@ -210,6 +213,7 @@ int sharp_setup(struct sharp *sharp, const struct sharp_chip *chip, const struct
                                   .h_px = chip->h_px,
                                   .step_x_px = chip->w_px,
                                   .step_y_px = 1,
-                                  .format = PANEL_MONO_LINES};
+                                  .format = PANEL_MONO_LINES,
+                                  .window_b = (uint16_t)(WINDOW_B + WINDOW_MESSAGES * config->bus.message_b)};
     return 0;
 }

@@ -120,6 +120,10 @@ static int solomon_send_range(struct solomon *solomon, uint8_t command, unsigned
 /* Columns and rows are the memory's, however the picture runs over them. Against the glass's columns memory is counted
  * from the other end, where the glass's margin is the other one; of lines only those in use are counted, from either
  * end. */
+/* Two ranges and, where there is one, the command that starts pixels: bytes, and how often they are written or D/C
+ * changes. With arguments as low as commands it stays low from the first to the last. */
+enum { WINDOW_B = 7, WINDOW_MESSAGES = 11, GREY_WINDOW_B = 6, GREY_WINDOW_MESSAGES = 6 };
+
 static int solomon_window(struct panel *panel, uint16_t x_px, uint16_t y_px, uint16_t w_px, uint16_t h_px)
 {
     struct solomon *solomon = solomon_of(panel);
@@ -238,6 +242,8 @@ int solomon_setup(struct solomon *solomon, const struct solomon_chip *chip, cons
     *solomon = (struct solomon){
         .chip = chip, .config = *config, .wire = {.bus = config->bus, .dc = config->dc, .args_low = chip->args_low}};
     solomon->panel = (struct panel){.ops = &ops, .chip = solomon, .step_x_px = chip->column_px, .step_y_px = 1};
+    solomon->panel.window_b = (uint16_t)(chip->write ? WINDOW_B + WINDOW_MESSAGES * config->bus.message_b
+                                                     : GREY_WINDOW_B + GREY_WINDOW_MESSAGES * config->bus.message_b);
     solomon->panel.format = config->format != PANEL_USUAL ? config->format : chip->format;
     solomon_set_size(solomon, config->rotation);
     return 0;

@@ -4,12 +4,14 @@
 # with --check says how README differs. Needs $BUILD/limner.
 set -eu
 . sim/readme_table.sh
+. sim/scenes/cube.sh
 
 : "${BUILD:=build}"
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
-"$BUILD/limner" bridge >"$work/table"
+cube_make "$work"
+"$BUILD/limner" bridge "$work/cube.dae" "$work/cube.cam" sim/scenes/rooms.obj sim/scenes/rooms-walk.cam >"$work/table"
 case ${1:-} in
 --write) readme_write bridge "$work/table" ;;
 --check) grep -q '<!-- bridge begin' README.md && readme_with bridge "$work/table" | diff README.md - ;;

@@ -39,8 +39,9 @@ static void write_memory(FILE *file, const struct compiled *scene, const char *m
         fprintf(file, " + LIM_PORTALS_MEM_B(%u, %u)", (unsigned)scene->scene.box_count, (unsigned)limits->depth);
     fputs(")\n", file);
     if (scene->report.delta_runs)
-        fprintf(file, "#define %s_SCENE_DELTA_MEM_B(w_px, h_px) LIM_DELTA_MEM_B(w_px, h_px, %u) /* for lim_set_delta() */\n", macro,
-                (unsigned)scene->report.delta_runs);
+        fprintf(file,
+                "#define %s_SCENE_DELTA_MEM_B(w_px, h_px) LIM_DELTA_MEM_B(w_px, h_px, %u) /* for lim_set_delta() */\n",
+                macro, (unsigned)scene->report.delta_runs);
 }
 
 /* What the target must be able to lend at any time. */

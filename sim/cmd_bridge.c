@@ -1,14 +1,15 @@
 /* SPDX-License-Identifier: MIT
  *
  * `limner bridge`: how many frames a second a display behind a USB-HID bridge shows at the ceiling of reports, as
- * README's table. */
+ * README's table: whole frames, and what changes on flights through scenes. */
 #include "arguments.h"
-#include "bridge_cost.h"
+#include "bridge_flight.h"
 #include "commands.h"
 #include "parse.h"
 
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 struct row {
     const char *panel;
@@ -17,23 +18,56 @@ struct row {
 
 static const struct row USUAL[] = {{"ssd1306", 128, 64}, {"st7735", 128, 160}, {"st7789", 240, 240}};
 
-static void print_heading(void)
+/* What comes in pairs: a scene, and a file of cameras. */
+struct flights {
+    char **paths;
+    int count;
+};
+
+/* The camera file's, without folder and suffix. */
+static void print_name(const char *path)
 {
-    puts("| panel | pixels | bytes a frame | reports a frame | frames/s, answered at once | a millisecond later |");
-    puts("|---|---|---|---|---|---|");
+    const char *slash = strrchr(path, '/'), *name = slash ? slash + 1 : path;
+    printf(" %.*s: reports | frames/s |", (int)strcspn(name, "."), name);
 }
 
-static bool print_row(const struct row *row, bool first, struct error *err)
+static void print_heading(const struct flights *flights)
+{
+    printf("| panel | pixels | whole: bytes | reports | frames/s, answered at once | a millisecond later |");
+    for (int i = 0; i < flights->count; i++)
+        print_name(flights->paths[2 * i + 1]);
+    printf("\n|---|---|---|---|---|---|");
+    for (int i = 0; i < flights->count; i++)
+        printf("---|---|");
+    puts("");
+}
+
+static bool print_flights(const struct row *row, const struct panel_choice *choice, const struct flights *flights,
+                          struct error *err)
+{
+    const struct display_module module = {.w_px = (uint16_t)row->w_px, .h_px = (uint16_t)row->h_px};
+    for (int i = 0; i < flights->count; i++) {
+        struct bridge_cost cost;
+        fflush(stdout); /* compiling a scene forks */
+        if (!bridge_flight_cost(choice, &module, flights->paths[2 * i], flights->paths[2 * i + 1], &cost, err))
+            return false;
+        printf(" %lu | %.2f |", cost.reports, bridge_cost_fps(&cost, BRIDGE_REPORTS_PER_S));
+    }
+    puts("");
+    return true;
+}
+
+static bool print_row(const struct row *row, bool first, const struct flights *flights, struct error *err)
 {
     const struct display_module module = {.w_px = (uint16_t)row->w_px, .h_px = (uint16_t)row->h_px};
     struct panel_choice choice;
     struct bridge_cost cost;
     if (!panel_choice_parse(row->panel, NULL, &choice, err) || !bridge_cost_of(&choice, &module, NULL, 0, &cost, err))
         return false;
-    if (first) print_heading();
-    printf("| %s | %ux%u | %lu | %lu | %.2f | %.2f |\n", row->panel, row->w_px, row->h_px, cost.spi_b, cost.reports,
+    if (first) print_heading(flights);
+    printf("| %s | %ux%u | %lu | %lu | %.2f | %.2f |", row->panel, row->w_px, row->h_px, cost.spi_b, cost.reports,
            bridge_cost_fps(&cost, BRIDGE_REPORTS_PER_S), bridge_cost_fps(&cost, BRIDGE_REPORTS_PER_S / 2));
-    return true;
+    return print_flights(row, &choice, flights, err);
 }
 
 static bool print_table(struct arguments *arguments, struct error *err)
@@ -42,12 +76,15 @@ static bool print_table(struct arguments *arguments, struct error *err)
     const char *size = NULL;
     if (!arguments_value(arguments, "--panel", &row.panel, err) || !arguments_value(arguments, "--size", &size, err))
         return false;
-    if (arguments->count > 1) return error_set(err, "bridge: what is '%s'?", arguments->items[1]);
+    const struct flights flights = {arguments->items + 1, (arguments->count - 1) / 2};
+    if (arguments->count % 2 == 0)
+        return error_set(err, "bridge: %s: a scene and its camera file come together",
+                         arguments->items[arguments->count - 1]);
     if (!row.panel != !size) return error_set(err, "bridge: --panel and --size come together");
     if (size && !parse_size(size, &row.w_px, &row.h_px, err)) return false;
-    if (row.panel) return print_row(&row, true, err);
+    if (row.panel) return print_row(&row, true, &flights, err);
     for (size_t i = 0; i < sizeof USUAL / sizeof USUAL[0]; i++)
-        if (!print_row(&USUAL[i], i == 0, err)) return false;
+        if (!print_row(&USUAL[i], i == 0, &flights, err)) return false;
     return true;
 }
 

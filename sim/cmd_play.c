@@ -131,6 +131,7 @@ static bool open_scene(struct play *play, struct error *err)
         return false;
     simulator_set_wireframe(&play->simulator, &options->wireframe);
     return simulator_set_antialias(&play->simulator, options->compile.antialias, err) &&
+           simulator_set_delta(&play->simulator, options->delta_runs, err) &&
            (!moving->count ||
             simulator_set_movers(&play->simulator, moving->instances, moving->count, &moving->limits, err));
 }
@@ -142,7 +143,9 @@ static int draw_scene(void *ctx, uint64_t frame)
     int err = screen_begin_frame(&play->screen);
     if (err) return err;
     err = simulator_draw(&play->simulator, &play->cameras[frame % play->path.count]);
-    return err ? err : screen_end_frame(&play->screen);
+    if (!err) err = screen_end_frame(&play->screen);
+    if (err) simulator_refresh(&play->simulator);
+    return err;
 }
 
 /* The test card --------------------------------------------------------------------------------- */

@@ -182,6 +182,11 @@ bool simulator_set_delta(struct simulator *simulator, uint16_t runs, struct erro
     return !code || error_set(err, "renderer: %s (%d)", reason_of(code), code);
 }
 
+void simulator_refresh(struct simulator *simulator)
+{
+    simulator->core->refresh(simulator->lim);
+}
+
 const struct lim_stats *simulator_stats(const struct simulator *simulator)
 {
     return simulator->core->stats(simulator->lim);

@@ -71,6 +71,9 @@ bool simulator_set_antialias(struct simulator *simulator, bool on, struct error 
 /* Sends only what changes from frame to frame, with memory for `runs` of them; 0: all frames whole. */
 bool simulator_set_delta(struct simulator *simulator, uint16_t runs, struct error *err);
 
+/* The next frame is whole. */
+void simulator_refresh(struct simulator *simulator);
+
 /* Renders a frame into `pixels`. An error of the renderer or driver, or a complaint of the
  * emulated chip about the protocol, is an error here. */
 bool simulator_frame(struct simulator *simulator, const struct lim_camera *camera, struct error *err);

@@ -3,6 +3,7 @@
 # Delta output on the command line: whatever changes, and on whatever panel, the glass shows what it would show if every
 # frame were sent whole; how much less is sent; the firmware's configuration; and what is refused.
 . tests/tap.sh
+. sim/scenes/cube.sh
 
 few() { # FILE EVERY: some cameras of a file, each twice
     awk -v every="$2" '!/^#/ && NF && n++ % every == 0 { print; print }' "$1" | head -n 10 >"$work/few.cam"
@@ -52,8 +53,7 @@ refused() { # RUNS
         [ "$(wc -l <"$work/said")" -eq 1 ] && grep -qE -e "^limner: --delta" "$work/said"
 }
 
-awk -f sim/scenes/cube.awk sim/scenes/rooms.obj >"$work/cube.dae"
-awk -v cameras=1 -f sim/scenes/cube.awk sim/scenes/rooms.obj >"$work/cube.cam"
+cube_make "$work"
 tap_check "a cube that turns before a still camera: at most 6 % of the bytes" share 6 "$work/cube.dae" "$work/cube.cam"
 tap_check "a walk: at most 10 %" share 10 sim/scenes/rooms.obj sim/scenes/rooms-walk.cam
 tap_check "a turn: at most 12 %" share 12 sim/scenes/rooms.obj sim/scenes/rooms-turn.cam
