@@ -38,6 +38,7 @@ size_t hid_bridges_find(struct hid_bridge found[HID_BRIDGES_MAX])
     static const struct bridge_kind *const kinds[] = {&mcp2210, &ch347};
     size_t n = 0;
 
+    (void)hid_exit();
     for (size_t i = 0; i < sizeof kinds / sizeof *kinds; i++)
         n = find_kind(kinds[i], found, n);
     return n;
@@ -78,18 +79,20 @@ int hid_bridges_choose(const char *serial, struct hid_bridge *out, char why[HID_
     return -ENODEV;
 }
 
-/* hidapi keeps open()'s errno, but does not promise to. */
+/* By hidraw, hidapi keeps open()'s errno, but does not promise to; by libusb it tells nothing. */
 int hid_bridges_open(const struct hid_bridge *bridge, hid_device **device, char why[HID_WHY_B])
 {
     errno = 0;
     *device = hid_open_path(bridge->path);
     if (*device) return 0;
     const int err = errno ? errno : EIO;
-    if (err == EACCES || err == EPERM)
+    const bool is_untold = errno == 0;
+    if (is_untold || err == EACCES || err == EPERM)
         snprintf(why, HID_WHY_B,
-                 "no permission; put ATTRS{idVendor}==\"%04x\", ATTRS{idProduct}==\"%04x\", MODE=\"0666\" into "
+                 "%s; put ATTRS{idVendor}==\"%04x\", ATTRS{idProduct}==\"%04x\", MODE=\"0666\" into "
                  "/etc/udev/rules.d/70-%s.rules and plug it in again",
-                 bridge->kind->vendor, bridge->kind->product, bridge->kind->file);
+                 is_untold ? "cannot be opened, mostly for want of permission" : "no permission", bridge->kind->vendor,
+                 bridge->kind->product, bridge->kind->file);
     else
         snprintf(why, HID_WHY_B, "%.60s cannot be opened: %s", bridge->path, strerror(err));
     return err == EPERM ? -EACCES : -err;

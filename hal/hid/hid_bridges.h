@@ -17,7 +17,8 @@ struct hid_bridge {
     char path[HID_PATH_B];     /* hidapi's */
 };
 
-/* How many are plugged in, the first HID_BRIDGES_MAX of them in *found. */
+/* How many are plugged in, the first HID_BRIDGES_MAX of them in *found. hidapi is begun anew, since without udev's
+ * daemon libusb knows for ever what was there when it began; so no bridge may be open. */
 size_t hid_bridges_find(struct hid_bridge found[HID_BRIDGES_MAX]);
 
 /* serial NULL or "": the only one. -ENODEV: there is none such; -EEXIST: several to choose from. */

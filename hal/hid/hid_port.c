@@ -19,18 +19,23 @@ struct hid_link {
     char why[HID_WHY_B];
 };
 
+static void close_device(struct hid_link *link)
+{
+    if (link->device) hid_close(link->device);
+    link->device = NULL;
+}
+
 /* Both of hidapi's ways report a bridge that is gone like any other error, but no longer list it. */
 static int lost(struct hid_link *link)
 {
     struct hid_bridge found[HID_BRIDGES_MAX];
-    const size_t n = hid_bridges_find(found);
 
+    snprintf(link->why, sizeof link->why, "hidapi: %.150ls; it is opened anew with the next frame",
+             hid_error(link->device));
+    close_device(link);
+    const size_t n = hid_bridges_find(found);
     for (size_t i = 0; i < n; i++)
-        if (strcmp(found[i].path, link->bridge.path) == 0) {
-            snprintf(link->why, sizeof link->why, "hidapi: %.150ls; it is opened anew with the next frame",
-                     hid_error(link->device));
-            return -EIO;
-        }
+        if (strcmp(found[i].path, link->bridge.path) == 0) return -EIO;
     snprintf(link->why, sizeof link->why, "unplugged; plug it in again");
     return -ENODEV;
 }
@@ -107,10 +112,7 @@ static int open_link(void *ctx, struct reports *reports, const struct bridge_kin
 
 static void close_link(void *ctx)
 {
-    struct hid_link *link = ctx;
-
-    if (link->device) hid_close(link->device);
-    link->device = NULL;
+    close_device(ctx);
 }
 
 static void release(void *ctx)
