@@ -13,7 +13,7 @@ CC    := gcc
 endif
 export BUILD CC
 
-ALL_SUITES := host arm cpus cross compilers sanitize models prove format
+ALL_SUITES := host arm cpus cross compilers sanitize models prove format kernel
 SUITES     := host arm
 suites     := $(if $(filter all,$(SUITES)),$(ALL_SUITES),$(SUITES))
 
@@ -25,15 +25,15 @@ endif
 # Begins a recipe line whose output must appear as it comes: with +, but not under `make -n`, where + would run it.
 LIVE = $(if $(findstring n,$(firstword -$(MAKEFLAGS))),,+)@
 
-.PHONY: all extremes soak run view check test test-fixed test-programs models-table tables hid-table delta-table footprint tradeoff compare prove exhaustive fuzz format clean help packages force
+.PHONY: all extremes soak run view check test test-arm64 test-fixed test-programs models-table tables hid-table delta-table footprint tradeoff compare prove exhaustive fuzz format clean help packages force
 .SECONDARY:
 .DELETE_ON_ERROR:
 
 all: $(BUILD)/limner ## build the host program, build/limner (the default)
 
 help: ## list the goals
-	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "  make %-14s %s\n", $$1, $$2 }' Makefile
-	@echo "Suites of make test: $(ALL_SUITES); on demand: features (all combinations),"
+	@awk -F ':.*## ' '/^[a-z0-9-]+:.*## / { printf "  make %-14s %s\n", $$1, $$2 }' Makefile
+	@echo "Suites of make test: $(ALL_SUITES); on demand: arm64 (a stock kernel), features (all combinations),"
 	@echo "and cpus with EVERY_PROFILE=yes (each processor in each profile)"
 
 # -- Debian packages: what every build needs, and what a goal or a suite needs beside ----------------------------------
@@ -50,6 +50,9 @@ packages-compilers     := clang
 packages-sanitize      := $(packages-host)
 packages-models        := assimp-testmodels
 packages-features      := clang
+packages-arm64         := libcmocka-dev gcc-aarch64-linux-gnu libc6-dev-arm64-cross qemu-system-arm device-tree-compiler cpio
+packages-test-arm64    := $(packages-arm64)
+packages-kernel        := libcmocka-dev linux-source-6.1 flex bison bc xz-utils gpiod
 packages-format        := clang-format
 packages-soak          := $(packages-host)
 packages-extremes      := $(packages-host)
@@ -204,10 +207,27 @@ suite-models    := tests/models.sh
 suite-features  := tests/features.sh
 suite-prove     := tests/prove.sh
 suite-format    := tests/format.sh
+suite-kernel    := tests/kernel.sh
+suite-arm64     := tests/arm64.sh
 suite-soak      := $(filter $(BUILD)/tests/soak_%,$(test_programs))
 
-unknown := $(filter-out $(ALL_SUITES) fixed features soak,$(suites))
-$(if $(unknown),$(error there is no suite $(unknown); there are: all $(ALL_SUITES) features))
+# Programs for the tests with a kernel of their own, which is built beforehand because that takes minutes, once.
+kernel_programs := $(patsubst %,$(BUILD)/tests/kernel/%,replay port_calls bridge power_off pins)
+
+$(kernel_programs): $(BUILD)/tests/kernel/%: $(BUILD)/host/tests/kernel/%.o $(BUILD)/host/tests/kernel/card.o $(library)
+	@mkdir -p $(@D)
+	@echo "LD $@"
+	@$(CC) $(OPT) -o $@ $^ -lcmocka $(LINKS)
+
+.PHONY: tests-kernel
+tests-kernel: packages
+	$(LIVE)sh tests/kernel/build.sh || true
+
+tests/kernel.sh: tests-kernel $(kernel_programs)
+tests/arm64.sh: $(kernel_programs)
+
+unknown := $(filter-out $(ALL_SUITES) arm64 fixed features soak,$(suites))
+$(if $(unknown),$(error there is no suite $(unknown); there are: all $(ALL_SUITES) arm64 features))
 
 # The longest first, so that none of them is left alone at the end.
 longest  := tests/sanitize.sh tests/prove.sh tests/compilers.sh tests/cli_extremes.sh
@@ -222,6 +242,9 @@ check: ## run the host suite only
 
 test-fixed: ## run the fixed-point tests on the host and on emulated Arm
 	@$(MAKE) test SUITES=fixed
+
+test-arm64: ## draw through a stock arm64 kernel in QEMU, whose pins are watched
+	@$(MAKE) test SUITES=arm64
 
 extremes: $(extremes) packages ## run the tests of extremes and write tests/EXTREMES.md anew
 	$(LIVE)EXTREMES=write sh tests/cli_extremes.sh
@@ -283,4 +306,5 @@ format: packages ## lay out every C file by .clang-format
 clean: ## remove build/ and out/
 	@rm -rf $(BUILD) out
 
--include $(patsubst %.o,%.d,$(call object,$(sources) $(generator) $(textured_generator) $(test_sources) tests/exhaustive/main.c tests/libfuzzer/main.c))
+-include $(patsubst %.o,%.d,$(call object,$(sources) $(generator) $(textured_generator) $(test_sources) tests/exhaustive/main.c tests/libfuzzer/main.c \
+	$(filter-out %/wire_tap.c,$(wildcard tests/kernel/*.c))))
