@@ -358,7 +358,7 @@ static void paint_background(const struct lim_spans *spans, const struct lim_lin
     }
 #endif
     for (;;) {
-        if (gap->x0 < gap->x1 && !note(sink, gap->x0, gap->x1, paint->background))
+        if ((!LIM_HAS_DELTA || gap->x0 < gap->x1) && !note(sink, gap->x0, gap->x1, paint->background))
             lim_fill(sink->line, gap->x0, (uint16_t)(gap->x1 - gap->x0), paint->background);
         if (LIM_HAS_STATS) stats->pixels_background += (uint16_t)(gap->x1 - gap->x0);
         if (gap->next == LIM_NONE) return;
@@ -437,7 +437,7 @@ static int paint_line(struct lim_paint *paint, struct lim_spans *spans, const st
     struct sink sink;
 
     lim_line_open(&open, paint->target, band, y);
-    const uint16_t x0 = open.gap.x0, x1 = open.gap.x1;
+    const uint16_t x0 = LIM_HAS_ROUND ? open.gap.x0 : band->x0, x1 = LIM_HAS_ROUND ? open.gap.x1 : band->x1;
     sink.colour = sink.painted_px = 0;
     const enum line_use use = use_of_line(paint, retained, band);
     sink.line = use == NOTED ? NULL : paint->target->lend(paint->target->ctx, y);

@@ -21,10 +21,10 @@ static bool is_closed(const struct lim_line *line)
 void lim_spans_open(struct lim_spans *spans, const struct lim_target *target, const struct lim_rect *open)
 {
     spans->open = *open;
-    spans->open_lines = 0;
+    spans->open_lines = (uint16_t)(open->y1 - open->y0);
     for (uint16_t y = open->y0; y < open->y1; y++) {
         lim_line_open(&spans->lines[y], target, open, y);
-        if (!is_closed(&spans->lines[y])) spans->open_lines++;
+        if (LIM_HAS_ROUND && is_closed(&spans->lines[y])) spans->open_lines--;
     }
     lim_spans_reset_pool(spans);
 }

@@ -27,14 +27,16 @@ footprint_objects() {
     done
 }
 
-# footprint_link CORE FOLDER: what of the objects lim_init() and lim_frame() need, in FOLDER/CORE/renderer.elf. Of a C
+footprint_entries='lim_frame lim_init'
+
+# footprint_link CORE FOLDER: what of the objects the entries need, in FOLDER/CORE/renderer.elf. Of a C
 # library it needs memcpy and memset at most.
 footprint_link() {
-    # shellcheck disable=SC2046 # flags are words
+    # shellcheck disable=SC2046,SC2086 # flags are words
     $(target_compiler "$1") $(target_flags "$1") -Os -ffreestanding -ffunction-sections -Isim/targets -c \
         -o "$2/$1/library.image" sim/targets/image.c &&
         $(target_compiler "$1") $(target_flags "$1") -nostdlib -Wl,--gc-sections -Wl,-e,lim_frame \
-            -Wl,-u,lim_frame,-u,lim_init -o "$2/$1/renderer.elf" "$2/$1"/*.o "$2/$1/library.image" -lgcc
+            $(printf -- '-Wl,-u,%s ' $footprint_entries) -o "$2/$1/renderer.elf" "$2/$1"/*.o "$2/$1/library.image" -lgcc
 }
 
 footprint_size() { # CORE FILE COLUMN: 1 text, 2 data, 3 bss
@@ -53,8 +55,17 @@ footprint_ram() {
         "$footprint_dir/ram.c" && footprint_size "$footprint_core" "$footprint_dir/ram.image" 3
 }
 
-# footprint_stack CORE FOLDER: the bytes and the path, without what the target's lend() and done() take.
+# footprint_stack CORE FOLDER: the bytes and the path, without what the target's functions take. With delta output that
+# is the target of all stages.
 footprint_stack() {
-    awk -f sim/stack.awk -v roots='lim_init lim_frame' -v calls="$footprint_calls" \
-        -v outside='paint.c painter.c convex.c smooth.c' "$2/$1"/*.ci
+    footprint_at_target='paint.c painter.c convex.c smooth.c'
+    footprint_outside="$footprint_at_target span.h" footprint_more=
+    if grep -q delta_done "$2/$1/delta.ci"; then
+        footprint_outside='delta.c span.h'
+        for footprint_stage in $footprint_at_target; do
+            footprint_more="$footprint_more $footprint_stage=delta_done $footprint_stage=delta_lend"
+        done
+    fi
+    awk -f sim/stack.awk -v roots='lim_init lim_frame' -v calls="$footprint_calls$footprint_more" \
+        -v outside="$footprint_outside" "$2/$1"/*.ci
 }

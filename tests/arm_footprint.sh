@@ -133,6 +133,8 @@ too_large_is_the_linkers_affair() {
 tap_check "the rooms compile to C" prepare rooms sim/scenes/rooms.obj '2 1.6 2 6 1.4 7' '3 1.6 3 3.1 0.2 3.1'
 prepare_options=--antialias
 tap_check "the rooms compile to C for smooth edges" prepare smooth sim/scenes/rooms.obj '2 1.6 2 6 1.4 7' '3 1.6 3 3.1 0.2 3.1'
+prepare_options='--delta --round'
+tap_check "the rooms compile to C for what changes, and round glass" prepare changing sim/scenes/rooms.obj '2 1.6 2 6 1.4 7' '3 1.6 3 3.1 0.2 3.1'
 prepare_options=
 tap_check "the teapot compiles to C" prepare teapot sim/scenes/teapot.obj '0 1 3 0 0.4 0' '0.2 0.3 0.1 1 0.3 0.2'
 tap_check "the icosahedron compiles to C" prepare icosahedron sim/scenes/icosahedron.obj '0 1 3 0 0 0' '0.8 0.6 0.4 0.3 0.3 0'
@@ -150,6 +152,11 @@ for core in m0plus m4; do
     tap_check "$core: nor for antialiased edges" links_no $core rooms 'smooth|sample|strip|mask|antialias'
     tap_check "$core: the renderer of the smooth rooms builds" built $core smooth
     tap_check "$core: it has all of that" links $core smooth '^lim_(mask_close|smooth_mix|strip_next)$'
+    tap_check "$core: nor anything to compare frames, or of round glass" links_no $core rooms 'delta|runs|rects|changes|visible'
+    footprint_entries='lim_frame lim_init lim_set_delta'
+    tap_check "$core: the renderer of the changing rooms builds" built $core changing
+    footprint_entries='lim_frame lim_init'
+    tap_check "$core: it has all of that" links $core changing '^lim_(set_delta|runs_keep|rects_add)$'
     tap_check "$core: the renderer of the glass builds" built $core glass
     tap_check "$core: it blends, and paints backwards what its stack cannot hold" links $core glass '^lim_(blend|painter_line)$'
     tap_check "$core: nor anything of textures" links_no $core rooms 'texture|texel|palette|mapping'
@@ -165,7 +172,7 @@ for core in m0plus m4; do
         'walk|cull|span|retain|nearest|painter|lim_paint|wire'
 done
 tap_check "nor has it state for them" has_no_member icosahedron walk stack cull spans retained paint stats
-tap_check "the rooms have no state for a convex solid" has_no_member rooms convex stats paint.layers wireframe paint.smooth view.antialiased
+tap_check "the rooms have no state for a convex solid" has_no_member rooms convex stats paint.layers wireframe paint.smooth view.antialiased delta paint.delta target.window target.visible
 tap_check "nor for movers" has_no_member rooms movers sorter
 tap_check "nor for textures" has_no_member rooms texturing paint.texturing
 tap_check "counters cost what they count in, and without them nothing is counted" counters_cost_their_own_size
@@ -181,6 +188,7 @@ done
 for core in m0plus m4; do
     tap_check "$core: the stack has a bound with movers too" has_a_bound $core moving
     tap_check "$core: and with antialiased edges" has_a_bound $core smooth
+    tap_check "$core: and where only changes are sent" has_a_bound $core changing
 done
 tap_check "recursion has no bound" recursion_is_found
 tap_check "nor has a pointer that nobody accounts for" unknown_pointers_are_found
