@@ -48,7 +48,7 @@ static void retire(struct lim_rects *rects, uint16_t y)
     }
 }
 
-/* A rectangle that grows by no more than what joins it cannot be bettered. */
+/* No rectangle begins below this one. One that grows by no more than what joins it cannot be bettered. */
 bool lim_rects_add(struct lim_rects *rects, const struct lim_rect *rect)
 {
     const uint32_t own_px = area(rect);
@@ -57,8 +57,9 @@ bool lim_rects_add(struct lim_rects *rects, const struct lim_rect *rect)
 
     if (rect->y0 != rects->y) retire(rects, rect->y0);
     for (uint16_t i = 0; i < rects->growing && least_px > own_px; i++) {
-        const struct lim_rect grown = around(&rects->rect[i], rect);
-        const uint32_t more_px = area(&grown) - rects->area_px[i];
+        const struct lim_rect *at = &rects->rect[i];
+        const uint32_t x0 = at->x0 < rect->x0 ? at->x0 : rect->x0, x1 = at->x1 > rect->x1 ? at->x1 : rect->x1;
+        const uint32_t more_px = (x1 - x0) * (uint32_t)(rect->y1 - at->y0) - rects->area_px[i];
         if (more_px >= least_px) continue;
         least_px = more_px;
         best = i;
