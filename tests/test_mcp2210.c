@@ -408,7 +408,7 @@ static void settings_reach_the_bridge(void **state)
     assert_int_equal(bridge_port_open(&port, &link, &options), 0);
     assert_int_equal(send(1), 0);
     const struct emulated_mcp2210 *chip = &rig.bridge.chip;
-    assert_int_equal(port.bus.message_b, 60);
+    assert_int_equal(port.bus.message_b, 2 * 60); /* two reports */
     assert_int_equal(chip->bit_rate_hz, 1234567);
     assert_int_equal(chip->mode, 3);
     assert_int_equal(chip->levels, 0x1FF & ~0x009);
