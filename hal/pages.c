@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT
  *
  * Panels of pages behind struct panel.
- * In: windows of whole pages, and their bytes. Out: an address command before each page, and the bytes. */
+ * In: windows of whole pages, and their bytes. Out: an address before each page, or before a window where the chip goes
+ * on by itself, and the bytes. */
 #include "pages.h"
 
 uint8_t pages_put(uint8_t *commands, const uint8_t *list, uint8_t n_b)
@@ -55,7 +56,7 @@ uint8_t pages_address_b0(uint8_t commands[PAGES_ADDRESS_MAX_B], uint8_t page, ui
     return 3;
 }
 
-/* A page's address, after D/C's change and before its change back. */
+/* An address, after D/C's change and before its change back. */
 enum { WINDOW_MESSAGES = 3 };
 
 static struct pages *pages_of(const struct panel *panel)
@@ -66,6 +67,28 @@ static struct pages *pages_of(const struct panel *panel)
 static void pages_close(struct pages *pages)
 {
     pages->page = pages->end_page = 0;
+}
+
+/* A command that an error cut short would take what comes next for the arguments that it lacks: a window's lack two at
+ * most. So two commands come first that take none and change nothing. Other commands take one argument at most, and
+ * only a set-up has such, which begins with a command to spare. */
+static int pages_resume(struct pages *pages)
+{
+    uint8_t commands[2];
+
+    if (!pages->chip->window || !pages->wire.cut) return 0;
+    return wire_command(&pages->wire, commands,
+                        pages->chip->look(commands, pages->on, pages->inverted != pages->config.invert));
+}
+
+static int pages_command(struct pages *pages, const uint8_t *commands, uint8_t n_b)
+{
+    int err = pages_resume(pages);
+
+    if (err) return err;
+    err = wire_command(&pages->wire, commands, n_b);
+    pages->wire.cut = err;
+    return err;
 }
 
 /* Whether the picture runs against the glass's columns. */
@@ -81,14 +104,14 @@ static int pages_send_flip(struct pages *pages, enum panel_rotation rotation)
     if (!pages->chip->flip) return 0;
     const uint8_t n_b = pages->chip->flip(commands, pages->config.flip_columns != pages_runs_back(pages, rotation),
                                           pages->config.flip_rows != (rotation == PANEL_TURNED_180));
-    return wire_command(&pages->wire, commands, n_b);
+    return pages_command(pages, commands, n_b);
 }
 
 static int pages_send_look(struct pages *pages, bool on, bool inverted)
 {
     uint8_t commands[2];
 
-    return wire_command(&pages->wire, commands, pages->chip->look(commands, on, inverted != pages->config.invert));
+    return pages_command(pages, commands, pages->chip->look(commands, on, inverted != pages->config.invert));
 }
 
 static int pages_send_setup(struct pages *pages)
@@ -97,10 +120,11 @@ static int pages_send_setup(struct pages *pages)
     uint8_t commands[PAGES_SETUP_MAX_B];
     const uint8_t n_b =
         pages->chip->setup(commands, config, config->contrast ? config->contrast : pages->chip->contrast);
-    int err = wire_command(&pages->wire, commands, n_b);
 
+    pages->on = false; /* and no look before the voltages says otherwise */
+    int err = pages_command(pages, commands, n_b);
     for (uint8_t i = 0; i < pages->chip->wake_b && !err; i++) {
-        err = wire_command(&pages->wire, &pages->chip->wake[i], 1);
+        err = pages_command(pages, &pages->chip->wake[i], 1);
         if (!err) err = clock_delay(&pages->config.clock, pages->chip->wake_us);
     }
     return err;
@@ -137,13 +161,37 @@ static uint8_t pages_column(const struct pages *pages, uint16_t x_px)
     return (uint8_t)((pages_runs_back(pages, pages->rotation) ? margin_px : config->ox_px) + x_px);
 }
 
+/* Windows take more bytes than pages do, so they are for ports where each message costs as much as many bytes: there a
+ * frame is one address. Elsewhere an address for each page costs less than a longer one for each piece of a page. */
+static bool pages_takes_windows(const struct pages *pages)
+{
+    return pages->chip->window && pages->config.bus.message_b;
+}
+
+/* Of the window, or of the page that is next. */
+static uint8_t pages_put_address(const struct pages *pages, uint8_t commands[PAGES_ADDRESS_MAX_B])
+{
+    const uint8_t first = pages_column(pages, pages->x_px);
+    const uint8_t last = (uint8_t)(first + pages->end_x_px - pages->x_px - 1);
+
+    if (!pages_takes_windows(pages)) return pages->chip->address(commands, pages->page, first);
+    return pages->chip->window(commands, (const uint8_t[]){first, last},
+                               (const uint8_t[]){pages->page, (uint8_t)(pages->end_page - 1u)});
+}
+
 static int pages_send_address(struct pages *pages)
 {
     uint8_t commands[PAGES_ADDRESS_MAX_B];
 
-    pages->at_x_px = pages->x_px;
-    return wire_command(&pages->wire, commands,
-                        pages->chip->address(commands, pages->page, pages_column(pages, pages->x_px)));
+    return pages_command(pages, commands, pages_put_address(pages, commands));
+}
+
+/* Where pages are addressed one by one each of them costs as much. */
+static uint16_t pages_window_b(const struct pages *pages)
+{
+    uint8_t commands[PAGES_ADDRESS_MAX_B];
+
+    return (uint16_t)(pages_put_address(pages, commands) + WINDOW_MESSAGES * pages->config.bus.message_b);
 }
 
 static int pages_window(struct panel *panel, uint16_t x_px, uint16_t y_px, uint16_t w_px, uint16_t h_px)
@@ -152,21 +200,24 @@ static int pages_window(struct panel *panel, uint16_t x_px, uint16_t y_px, uint1
 
     pages_close(pages);
     if (!panel_holds(panel, x_px, y_px, w_px, h_px)) return PANEL_ERR_WINDOW;
-    pages->x_px = x_px;
+    pages->x_px = pages->at_x_px = x_px;
     pages->end_x_px = (uint16_t)(x_px + w_px);
     pages->page = (uint8_t)(y_px / 8u);
+    pages->end_page = (uint8_t)(pages->page + h_px / 8u);
+    pages->whole = pages_takes_windows(pages) || (pages->chip->runs_on && w_px == pages->chip->mem_w_px);
     int err = pages_send_address(pages);
-    if (!err) pages->end_page = (uint8_t)(pages->page + h_px / 8u);
+    if (err) pages_close(pages);
     return err;
 }
 
-/* The address of the next page goes out with its first byte. */
+/* The address of the next page, where it takes one, goes out with its first byte. */
 static int pages_send_some(struct pages *pages, const uint8_t *data, size_t *n_b)
 {
     if (pages->page == pages->end_page) return PANEL_ERR_WINDOW;
     if (pages->at_x_px == pages->end_x_px) {
         if (++pages->page == pages->end_page) return PANEL_ERR_WINDOW;
-        int err = pages_send_address(pages);
+        pages->at_x_px = pages->x_px;
+        int err = pages->whole ? 0 : pages_send_address(pages);
         if (err) return err;
     }
     const size_t room_b = (size_t)(pages->end_x_px - pages->at_x_px);
@@ -281,7 +332,7 @@ int pages_setup(struct pages *pages, const struct pages_chip *chip, const struct
         .step_x_px = 1,
         .step_y_px = 8,
         .format = PANEL_MONO_PAGES,
-        .window_b = (uint16_t)(PAGES_ADDRESS_MAX_B + WINDOW_MESSAGES * config->bus.message_b),
+        .window_b = pages_window_b(pages),
     };
     return 0;
 }

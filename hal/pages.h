@@ -11,7 +11,7 @@
 #include "panel.h"
 #include "wire.h"
 
-enum { PAGES_SETUP_MAX_B = 32, PAGES_ADDRESS_MAX_B = 3 };
+enum { PAGES_SETUP_MAX_B = 32, PAGES_ADDRESS_MAX_B = 8 };
 
 struct pages_config;
 
@@ -27,7 +27,12 @@ struct pages_chip {
     uint8_t (*setup)(uint8_t commands[PAGES_SETUP_MAX_B], const struct pages_config *config, uint8_t contrast);
     uint8_t (*look)(uint8_t commands[2], bool on, bool inverted);
     uint8_t (*flip)(uint8_t commands[2], bool columns, bool rows); /* left and right, top and bottom; NULL: it cannot */
+    /* Where the next byte goes, and those that follow on its page. */
     uint8_t (*address)(uint8_t commands[PAGES_ADDRESS_MAX_B], uint8_t page, uint8_t column);
+    bool runs_on; /* from memory's last column to the next page's first, without an address */
+    /* A window's first and last column and page, on which the chip goes from page to page by itself. Its commands take
+     * two arguments each, at most. NULL: the chip knows no windows. Used where messages cost more than bytes. */
+    uint8_t (*window)(uint8_t commands[PAGES_ADDRESS_MAX_B], const uint8_t columns[2], const uint8_t pages[2]);
 };
 
 /* How a module is made and wired. All zero but the required fields is an upright module of the usual kind. */
@@ -56,6 +61,7 @@ struct pages {
     bool on, inverted;
     uint16_t x_px, end_x_px, at_x_px; /* the window's columns, and where the next byte goes */
     uint8_t page, end_page;           /* equal: no window */
+    bool whole;                       /* the chip finds the window's next page by itself */
 };
 
 /* What most of the chips have in common, for their tables. */

@@ -42,4 +42,5 @@ const struct pages_chip pcd8544 = {
     .setup = setup,
     .look = look,
     .address = address,
+    .runs_on = true,
 };

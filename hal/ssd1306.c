@@ -12,6 +12,14 @@ static uint8_t setup(uint8_t commands[PAGES_SETUP_MAX_B], const struct pages_con
     return pages_setup_oled(commands, config, contrast, supply, sizeof supply, 0xF1);
 }
 
+/* Horizontal addressing, told each time: two bytes of a message that is sent anyway. */
+static uint8_t window(uint8_t commands[PAGES_ADDRESS_MAX_B], const uint8_t columns[2], const uint8_t pages[2])
+{
+    const uint8_t list[] = {0x20, 0x00, 0x21, columns[0], columns[1], 0x22, pages[0], pages[1]};
+
+    return pages_put(commands, list, sizeof list);
+}
+
 const struct pages_chip ssd1306 = {
     .name = "ssd1306",
     .mem_w_px = 128,
@@ -23,4 +31,5 @@ const struct pages_chip ssd1306 = {
     .look = pages_look_ae,
     .flip = pages_flip_a0,
     .address = pages_address_b0,
+    .window = window,
 };

@@ -10,6 +10,7 @@
 #include <stdio.h>
 #include <string.h>
 
+enum { HORIZONTAL, PAGE_BY_PAGE = 2 }; /* modes: arguments of 20h */
 enum { RESET_PULSE_US = 1, PUMP = 1, POWER_ALL = 7, POWER_RISES_US = 20000 };
 
 struct emulated_pages_kind {
@@ -17,6 +18,7 @@ struct emulated_pages_kind {
     uint16_t w_px, h_px;
     uint32_t reset_us; /* after the pulse */
     const char *two;   /* commands that take an argument */
+    const char *three; /* commands that take two */
     const char *one;   /* commands without, beside those that all have */
     bool is_pcd;
     bool first_columns, first_lines; /* what the upper left corner of usual glass shows; else the last ones */
@@ -29,6 +31,7 @@ static const struct emulated_pages_kind ssd1306 = {.name = "ssd1306",
                                                    .h_px = 64,
                                                    .reset_us = 3,
                                                    .two = "\xD5\xA8\xD3\x8D\x20\xDA\x81\xD9\xDB",
+                                                   .three = "\x21\x22",
                                                    .one = "",
                                                    .needs_power = PUMP};
 static const struct emulated_pages_kind sh1106 = {.name = "sh1106",
@@ -86,13 +89,17 @@ static void reset_registers(struct emulated_pages *chip)
 {
     const struct emulated_pages_kind *kind = chip->module.kind;
 
-    chip->command = chip->args_due = 0;
+    chip->command = chip->n_args = chip->args_due = 0;
     chip->page = chip->column = 0;
     chip->on = chip->inverted = chip->columns_flipped = chip->lines_flipped = chip->extended = false;
     chip->asleep = kind->is_pcd;
     chip->power = 0;
     chip->lines = (uint8_t)kind->h_px;
-    chip->page_mode = true; /* SSD1306's default, and all that the others have */
+    chip->mode = PAGE_BY_PAGE; /* SSD1306's default, and all that the others have */
+    chip->columns[0] = chip->pages[0] = 0;
+    chip->columns[1] = (uint8_t)(kind->w_px - 1);
+    chip->pages[1] = (uint8_t)(kind->h_px / 8 - 1);
+    chip->window_full = false;
     chip->glass = false;
 }
 
@@ -111,8 +118,22 @@ static void switch_on(struct emulated_pages *chip)
     chip->on = true;
 }
 
-static void run_argument(struct emulated_pages *chip, uint8_t argument)
+static void set_range(struct emulated_pages *chip, uint8_t range[2], uint8_t *at, unsigned end)
 {
+    if (chip->mode == PAGE_BY_PAGE) complain(chip, "%02Xh: pages are addressed one by one", chip->command);
+    if (chip->args[0] > chip->args[1] || chip->args[1] >= end)
+        complain(chip, "%02Xh %u..%u: memory is 0..%u", chip->command, chip->args[0], chip->args[1], end - 1);
+    range[0] = (uint8_t)(chip->args[0] % end);
+    range[1] = (uint8_t)(chip->args[1] % end);
+    *at = range[0];
+    chip->window_full = false;
+}
+
+static void run_arguments(struct emulated_pages *chip)
+{
+    const struct emulated_pages_kind *kind = chip->module.kind;
+    const uint8_t argument = chip->args[0];
+
     switch (chip->command) {
     case 0xA8:
         chip->lines = (uint8_t)(argument + 1);
@@ -124,8 +145,15 @@ static void run_argument(struct emulated_pages *chip, uint8_t argument)
         chip->power = argument == 0x8B ? PUMP : 0;
         break;
     case 0x20:
-        chip->page_mode = argument == 2;
-        if (!chip->page_mode) complain(chip, "addressing mode %u is not modelled", argument);
+        chip->mode = argument;
+        if (argument != HORIZONTAL && argument != PAGE_BY_PAGE)
+            complain(chip, "addressing mode %u is not modelled", argument);
+        break;
+    case 0x21:
+        set_range(chip, chip->columns, &chip->column, kind->w_px);
+        break;
+    case 0x22:
+        set_range(chip, chip->pages, &chip->page, kind->h_px / 8u);
         break;
     case 0xDA:
         chip->glass = true;
@@ -146,25 +174,40 @@ static void set_power(struct emulated_pages *chip, uint8_t power)
     chip->power_us = chip->port.now_us;
 }
 
+/* The address within a page, and the page, where each is addressed for itself. */
+static void set_address(struct emulated_pages *chip, uint8_t command)
+{
+    if (chip->mode != PAGE_BY_PAGE) complain(chip, "%02Xh: pages are not addressed one by one", command);
+    if (command >= 0xB0)
+        chip->page = command & 7;
+    else if (command < 0x10)
+        chip->column = (uint8_t)((chip->column & 0xF0) | command);
+    else
+        chip->column = (uint8_t)((chip->column & 0x0F) | (command & 0x0F) << 4);
+}
+
+static uint8_t args_of(const struct emulated_pages_kind *kind, uint8_t command)
+{
+    if (!command) return 0;
+    return kind->three && strchr(kind->three, command) ? 2 : strchr(kind->two, command) ? 1 : 0;
+}
+
 static void run_plain(struct emulated_pages *chip, uint8_t command)
 {
     const struct emulated_pages_kind *kind = chip->module.kind;
 
-    if (strchr(kind->two, command) && command) {
+    if (args_of(kind, command)) {
         chip->command = command;
-        chip->args_due = 1;
+        chip->n_args = 0;
+        chip->args_due = args_of(kind, command);
     } else if (command == 0xE2 && strchr(kind->one, 0xE2)) {
         reset_registers(chip);
     } else if ((command & 0xF8) == 0x28 && strchr(kind->one, command)) {
         set_power(chip, command & 7);
     } else if (strchr(kind->one, command) && command) {
         return;
-    } else if (command < 0x10) {
-        chip->column = (uint8_t)((chip->column & 0xF0) | command);
-    } else if (command < 0x20) {
-        chip->column = (uint8_t)((chip->column & 0x0F) | (command & 0x0F) << 4);
-    } else if ((command & 0xF8) == 0xB0) {
-        chip->page = command & 7;
+    } else if (command < 0x20 || (command & 0xF8) == 0xB0) {
+        set_address(chip, command);
     } else if ((command & 0xFE) == 0xA0) {
         chip->columns_flipped = command & 1;
     } else if ((command & 0xF7) == 0xC0) {
@@ -211,13 +254,29 @@ static void take_command(void *ctx, uint8_t byte)
 
     if (chip->port.now_us < chip->ready_us) complain(chip, "0x%02X too soon after reset", byte);
     if (chip->args_due) {
-        chip->args_due = 0;
-        run_argument(chip, byte);
+        chip->args[chip->n_args++] = byte;
+        if (--chip->args_due == 0) run_arguments(chip);
     } else if (chip->module.kind->is_pcd) {
         run_pcd(chip, byte);
     } else {
         run_plain(chip, byte);
     }
+}
+
+/* A PCD8544 and horizontal addressing go on with the next page, and from the end to the start. */
+static void advance(struct emulated_pages *chip)
+{
+    const struct emulated_pages_kind *kind = chip->module.kind;
+    const bool ends = chip->column == chip->columns[1];
+
+    if (!kind->is_pcd && chip->mode == PAGE_BY_PAGE) {
+        chip->column++;
+        return;
+    }
+    chip->column = ends ? chip->columns[0] : (uint8_t)(chip->column + 1);
+    if (!ends) return;
+    chip->window_full = chip->page == chip->pages[1] && !kind->is_pcd;
+    chip->page = chip->page == chip->pages[1] ? chip->pages[0] : (uint8_t)(chip->page + 1);
 }
 
 /* Columns are exchanged as bytes come in, lines as they are shown. */
@@ -226,17 +285,17 @@ static void take_data(void *ctx, uint8_t byte)
     struct emulated_pages *chip = ctx;
     const struct emulated_pages_kind *kind = chip->module.kind;
 
-    if (chip->args_due) complain(chip, "data after 0x%02X, which lacks its argument", chip->command);
+    if (chip->args_due) complain(chip, "data after 0x%02X, which lacks %u arguments", chip->command, chip->args_due);
     chip->args_due = 0;
+    if (chip->window_full) complain(chip, "more bytes than the window holds");
+    chip->window_full = false;
     if (chip->column >= kind->w_px || chip->page >= kind->h_px / 8) {
         complain(chip, "data at page %u, column %u", chip->page, chip->column);
         return;
     }
     const unsigned wire = chip->columns_flipped ? kind->w_px - 1u - chip->column : chip->column;
     chip->memory[chip->page][wire] = byte;
-    if (++chip->column < kind->w_px || !kind->is_pcd) return;
-    chip->column = 0;
-    chip->page = (uint8_t)((chip->page + 1) % (kind->h_px / 8));
+    advance(chip);
 }
 
 static void take_reset(void *ctx, uint64_t pulse_us)

@@ -34,13 +34,16 @@ struct emulated_pages {
     uint64_t ready_us; /* when it listens after a reset */
 
     /* Registers, and the command under way. */
-    uint8_t command, args_due; /* a command that waits for its argument */
+    uint8_t command, n_args, args_due, args[2]; /* a command that waits for arguments */
     uint8_t page, column;
     bool on, inverted, columns_flipped, lines_flipped, extended, asleep;
-    uint8_t power;         /* parts of the supply that are on */
-    uint64_t power_us;     /* since when */
-    uint8_t lines;         /* in use */
-    bool page_mode, glass; /* how memory is addressed; whether the wiring of lines was told */
+    uint8_t power;                /* parts of the supply that are on */
+    uint64_t power_us;            /* since when */
+    uint8_t lines;                /* in use */
+    bool glass;                   /* whether the wiring of lines was told */
+    uint8_t mode;                 /* how memory is addressed, by its number at an SSD1306 */
+    uint8_t columns[2], pages[2]; /* of horizontal addressing: first and last */
+    bool window_full;             /* the last byte went to their end */
     uint8_t memory[EMULATED_PAGES_MAX_H_PX / 8][EMULATED_PAGES_MAX_W_PX]; /* by the glass's wires, not by address */
 };
 

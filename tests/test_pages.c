@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
  * Monochrome panels of pages, beside what test_every_panel.c shows of all panels: with and without reset, glass of any
- * make, what a chip cannot, and what the emulated chips complain about. */
+ * make, what a chip cannot, windows and pieces, and addresses that are cut short. */
 #include "cmocka_ready.h"
 #include "emulated_pages.h"
 #include "fault_port.h"
@@ -12,7 +12,11 @@
 #include <math.h>
 #include <string.h>
 
-enum { MOST_W_PX = 132, MOST_H_PX = 64 };
+enum { MOST_W_PX = 132, MOST_H_PX = 64, MESSAGE_B = 60 };
+
+struct piece {
+    uint16_t x, n;
+};
 
 static struct rig {
     struct emulated_pages chip;
@@ -21,6 +25,7 @@ static struct rig {
     struct pages display;
     struct screen screen;
     uint32_t mem[SCREEN_PAGES_MEM_B(MOST_W_PX, MOST_H_PX) / 4];
+    unsigned card; /* another ramp each */
 } rig;
 
 static void rig_setup(const struct pages_chip *driver, uint16_t w_px, uint16_t h_px)
@@ -60,10 +65,23 @@ static uint16_t card_px(unsigned x, unsigned y)
 {
     uint16_t corner;
 
-    return test_card_corner(x, y, rig.config.w_px, rig.config.h_px, &corner) ? corner : (uint16_t)(x * 211u + y * 31u);
+    return test_card_corner(x, y, rig.config.w_px, rig.config.h_px, &corner)
+               ? corner
+               : (uint16_t)(x * 211u + (y + 9 * rig.card) * 31u);
 }
 
-/* In pieces of at most piece_px, junk first. */
+static void paint_line(uint16_t y)
+{
+    const struct lim_target *target = &rig.screen.target;
+    uint8_t *line = target->lend(target->ctx, y);
+
+    for (unsigned x = 0; x < target->w_px; x++) {
+        line[2 * x] = (uint8_t)(card_px(x, y) >> 8);
+        line[2 * x + 1] = (uint8_t)card_px(x, y);
+    }
+}
+
+/* In pieces of at most piece_px. */
 static int draw(unsigned piece_px)
 {
     const struct lim_target *target = &rig.screen.target;
@@ -71,12 +89,7 @@ static int draw(unsigned piece_px)
     const int late = screen_begin_frame(&rig.screen);
     if (late) return late;
     for (uint16_t y = 0; y < target->h_px; y++) {
-        uint8_t *line = target->lend(target->ctx, y);
-        memset(line, 0xEE, 2u * target->w_px);
-        for (unsigned x = 0; x < target->w_px; x++) {
-            line[2 * x] = (uint8_t)(card_px(x, y) >> 8);
-            line[2 * x + 1] = (uint8_t)card_px(x, y);
-        }
+        paint_line(y);
         for (unsigned x = 0; x < target->w_px; x += piece_px) {
             const unsigned n = target->w_px - x < piece_px ? target->w_px - x : piece_px;
             const int err = target->done(target->ctx, y, (uint16_t)x, (uint16_t)n);
@@ -125,6 +138,7 @@ static void check_card(const struct pages_chip *chip, uint16_t w_px, uint16_t h_
             rig_setup(chip, w_px, h_px);
             rig.config.rotation = way & 1 ? PANEL_TURNED_180 : PANEL_UPRIGHT;
             rig.config.mirror = way & 2;
+            rig.config.bus.message_b = wired ? MESSAGE_B : 0;
             if (!wired) rig.config.reset.set = NULL;
             rig_open(chip, 2);
             assert_int_equal(panel_init(&rig.display.panel), 0);
@@ -192,35 +206,220 @@ static void what_a_chip_cannot_is_refused(void **state)
     }
 }
 
-/* What the emulated chips notice. */
-static void mistakes_are_complained_about(void **state)
+/* Bytes of commands, beside the pixels' own. */
+static uint64_t commands_of(const struct pages_chip *chip, uint16_t w_px, uint16_t h_px, uint16_t message_b)
+{
+    rig_setup(chip, w_px, h_px);
+    rig.config.bus.message_b = message_b;
+    rig_open(chip, 2);
+    assert_int_equal(panel_init(&rig.display.panel), 0);
+    const uint64_t before_b = rig.chip.port.bus_b;
+    assert_int_equal(draw(w_px), 0);
+    assert_shown(false, false, false);
+    return rig.chip.port.bus_b - before_b - (uint64_t)w_px * h_px / 8;
+}
+
+/* A window is three messages: D/C, the address, D/C. */
+static void a_frame_is_one_address_where_a_chip_goes_on_by_itself(void **state)
 {
     static const struct {
-        const char *chip;
-        uint8_t commands[8], n_b;
-    } mistakes[] = {{"ssd1306", {0xAF}, 1},       {"ssd1306", {0x20, 0x00}, 2}, {"ssd1306", {0x2F}, 1},
-                    {"ssd1306", {0xDA, 0x02}, 2}, {"sh1106", {0x8D}, 1},        {"st7567", {0x2F}, 1},
-                    {"st7567", {0xAF}, 1},        {"pcd8544", {0x0C}, 1},       {"pcd8544", {0x01}, 1},
-                    {"pcd8544", {0x22}, 1},       {"pcd8544", {0x21, 0x01}, 2}};
+        const struct pages_chip *chip;
+        uint16_t w_px, h_px, message_b, commands_b, window_b;
+    } frames[] = {
+        {&ssd1306, 128, 64, 60, 8, 188},    {&ssd1306, 40, 32, 1, 8, 11},    {&ssd1306, 128, 64, 0, 8 * 3, 3},
+        {&pcd8544, 84, 48, 60, 2, 182},     {&pcd8544, 84, 48, 0, 2, 2},     {&pcd8544, 83, 48, 0, 6 * 2, 2},
+        {&sh1106, 132, 64, 60, 8 * 3, 183}, {&st7567, 132, 64, 0, 8 * 3, 3}, {&uc1701, 132, 32, 60, 4 * 3, 183}};
     (void)state;
-    for (size_t i = 0; i < sizeof mistakes / sizeof *mistakes; i++) {
-        struct emulated_pages *chip = &rig.chip;
-        const struct emulated_pages_module module = {emulated_pages_kind_find(mistakes[i].chip), 84, 48, 0, 0, 0, 0};
-        emulated_pages_init(chip, &module);
-        if (strcmp(mistakes[i].chip, "ssd1306") == 0 && i == 3) chip->module.h_px = 64;
-        const struct bus bus = emulated_port_bus(&chip->port);
-        assert_int_equal(bus_write(&bus, mistakes[i].commands, mistakes[i].n_b), 0);
-        if (!chip->complaints) fail_msg("mistake %zu of a %s went unnoticed", i, mistakes[i].chip);
+    for (size_t i = 0; i < sizeof frames / sizeof *frames; i++) {
+        assert_int_equal(commands_of(frames[i].chip, frames[i].w_px, frames[i].h_px, frames[i].message_b),
+                         frames[i].commands_b);
+        assert_int_equal(rig.display.panel.window_b, frames[i].window_b);
     }
-    const struct emulated_pages_module module = {emulated_pages_kind_find("sh1106"), 128, 64, 2, 0, 0, 0};
-    const uint8_t byte = 0;
-    emulated_pages_init(&rig.chip, &module);
-    const struct bus bus = emulated_port_bus(&rig.chip.port);
-    const struct pin dc = emulated_port_dc(&rig.chip.port);
-    assert_int_equal(bus_write(&bus, (const uint8_t[]){0x18, 0x04}, 2), 0); /* column 132 */
-    assert_int_equal(pin_set(&dc, true), 0);
-    assert_int_equal(bus_write(&bus, &byte, 1), 0);
-    assert_int_equal(rig.chip.complaints, 1);
+}
+
+/* In parts of any size, over the ends of pages; and a byte more than it holds, which the chip does not get. */
+static void check_window(const struct pages_chip *chip, enum panel_rotation rotation, uint16_t message_b, size_t part_b)
+{
+    enum { X_PX = 5, Y_PX = 8, W_PX = 21, H_PX = 24, WINDOW_B = W_PX * H_PX / 8 };
+    static const uint8_t nothing[MOST_W_PX], all[WINDOW_B] = {[0 ... WINDOW_B - 1] = 0xFF};
+
+    rig_setup(chip, 48, 48);
+    rig.config.rotation = rotation;
+    rig.config.bus.message_b = message_b;
+    rig_open(chip, 1);
+    struct panel *panel = &rig.display.panel;
+    assert_int_equal(panel_init(panel), 0);
+    assert_int_equal(panel_window(panel, 0, 0, 48, 48), 0);
+    for (unsigned i = 0; i < 6; i++)
+        assert_int_equal(panel_pixels(panel, nothing, 48 * 8), 0);
+    assert_int_equal(panel_window(panel, X_PX, Y_PX, W_PX, H_PX), 0);
+    for (size_t sent_b = 0; sent_b < WINDOW_B; sent_b += part_b)
+        assert_int_equal(panel_pixels(panel, all, 8 * (WINDOW_B - sent_b < part_b ? WINDOW_B - sent_b : part_b)), 0);
+    assert_int_equal(panel_flush(panel), 0);
+    const uint64_t sent_b = rig.chip.port.bus_b;
+    assert_int_equal(panel_pixels(panel, all, 8), PANEL_ERR_WINDOW);
+    assert_int_equal(rig.chip.port.bus_b, sent_b);
+    for (unsigned y = 0; y < 48; y++)
+        for (unsigned x = 0; x < 48; x++) {
+            const bool turned = rotation == PANEL_TURNED_180;
+            const bool is_in = x >= X_PX && x < X_PX + W_PX && y >= Y_PX && y < Y_PX + H_PX;
+            assert_int_equal(emulated_pages_is_bright(&rig.chip, turned ? 47 - x : x, turned ? 47 - y : y), is_in);
+        }
+    assert_int_equal(rig.chip.complaints, 0);
+}
+
+static void a_window_changes_what_is_in_it_alone(void **state)
+{
+    static const size_t parts_b[] = {1, 20, 21, 22, 63};
+
+    (void)state;
+    for (size_t i = 0; panels_pages[i]; i++)
+        for (size_t k = 0; k < 2 * sizeof parts_b / sizeof *parts_b; k++) {
+            const uint16_t message_b = k % 2 ? MESSAGE_B : 0;
+            check_window(panels_pages[i], PANEL_UPRIGHT, message_b, parts_b[k / 2]);
+            if (panels_pages[i]->flip) check_window(panels_pages[i], PANEL_TURNED_180, message_b, parts_b[k / 2]);
+        }
+}
+
+/* As delta output sends them: lines of a page are taken in, and with the last of them pieces go out. */
+static void draw_pieces(uint16_t page, const struct piece *pieces)
+{
+    const struct lim_target *target = &rig.screen.target;
+
+    for (uint16_t y = (uint16_t)(8 * page); y < 8 * page + 8; y++) {
+        paint_line(y);
+        if (y % 8 < 7) assert_int_equal(target->done(target->ctx, y, 0, target->w_px), 0);
+    }
+    for (; pieces->n; pieces++)
+        assert_int_equal(target->done(target->ctx, (uint16_t)(8 * page + 7), pieces->x, pieces->n), 0);
+}
+
+/* The second card in the pieces, the first elsewhere. How many pixels are not. */
+static unsigned count_wrong(uint16_t page, const struct piece *pieces)
+{
+    unsigned wrong = 0;
+
+    for (unsigned y = 8u * page; y < 8u * page + 8; y++)
+        for (unsigned x = 0; x < rig.config.w_px; x++) {
+            rig.card = 0;
+            for (const struct piece *piece = pieces; piece->n; piece++)
+                rig.card |= x >= piece->x && x < piece->x + (unsigned)piece->n;
+            wrong += emulated_pages_is_bright(&rig.chip, x, y) != is_bright(x, y);
+        }
+    rig.card = 0;
+    return wrong;
+}
+
+static void check_pieces(const struct pages_chip *chip, uint16_t message_b)
+{
+    static const struct piece pieces[8][4] = {
+        {{10, 5}, {20, 1}, {70, 14}},
+        {{0, 84}},
+        {{0, 84}},
+        {{0, 3}, {9, 5}},
+        {{0, 9}, {9, 75}},
+        {{83, 1}},
+        {{0, 1}, {3, 1}},
+        {{0, 84}},
+    };
+    const uint16_t n_pages = chip->mem_h_px / 8;
+    unsigned wrong = 0;
+
+    rig_setup(chip, 84, chip->mem_h_px);
+    rig.config.bus.message_b = message_b;
+    rig_open(chip, 2);
+    assert_int_equal(panel_init(&rig.display.panel), 0);
+    assert_int_equal(draw(84), 0);
+    assert_int_equal(screen_begin_frame(&rig.screen), 0);
+    rig.card = 1;
+    for (uint16_t page = 0; page < n_pages; page++)
+        draw_pieces(page, pieces[page]);
+    assert_int_equal(screen_end_frame(&rig.screen), 0);
+    for (uint16_t page = 0; page < n_pages; page++)
+        wrong += count_wrong(page, pieces[page]);
+    assert_true(wrong <= 4); /* as in assert_shown() */
+    assert_int_equal(rig.chip.complaints, 0);
+}
+
+static void pieces_of_pages_go_where_they_belong(void **state)
+{
+    (void)state;
+    for (size_t i = 0; panels_pages[i]; i++) {
+        check_pieces(panels_pages[i], 0);
+        check_pieces(panels_pages[i], MESSAGE_B);
+    }
+}
+
+static void an_address_that_fails_leaves_no_window(void **state)
+{
+    (void)state;
+    for (size_t i = 0; panels_pages[i]; i++) {
+        rig_setup(panels_pages[i], 48, 48);
+        rig_open(panels_pages[i], 1);
+        struct panel *panel = &rig.display.panel;
+        assert_int_equal(panel_init(panel), 0);
+        fault_port_arm(&rig.fault, 0);
+        assert_int_equal(panel_window(panel, 0, 16, 48, 16), rig.fault.code);
+        fault_port_arm(&rig.fault, -1);
+        assert_int_equal(panel_pixels(panel, rig.mem, 8), PANEL_ERR_WINDOW);
+        assert_int_equal(panel_init(panel), 0);
+        assert_int_equal(rig.chip.complaints, 0); /* nor does a chip that was reset light up too early */
+    }
+}
+
+/* A bus that ends after so many bytes, and is as before from the next call on. */
+struct cut_bus {
+    struct bus inner;
+    long left_b; /* negative: it does not end */
+};
+
+static int cut_write(void *ctx, const uint8_t *data, size_t n_b)
+{
+    enum { CUT = -4321 };
+    struct cut_bus *cut = ctx;
+    const bool ends = cut->left_b >= 0 && (size_t)cut->left_b < n_b;
+    const size_t sent_b = ends ? (size_t)cut->left_b : n_b;
+    const int err = bus_write(&cut->inner, data, sent_b);
+
+    cut->left_b = ends || cut->left_b < 0 ? -1 : cut->left_b - (long)sent_b;
+    return err ? err : ends ? CUT : 0;
+}
+
+/* Whether it came to the cut. */
+static bool check_cut(const struct pages_chip *chip, long cut_b, bool starts)
+{
+    struct cut_bus cut = {.left_b = -1};
+
+    rig_setup(chip, 9, 16);
+    rig.chip.port.deferred = false;
+    cut.inner = emulated_port_bus(&rig.chip.port);
+    rig.config.bus = (struct bus){.ctx = &cut, .write = cut_write, .message_b = MESSAGE_B};
+    rig.config.reset.set = NULL;
+    rig_open(chip, 1);
+    struct panel *panel = &rig.display.panel;
+    assert_int_equal(panel_init(panel), 0);
+    cut.left_b = cut_b;
+    const bool fails = (starts ? panel_init(panel) : 0) || draw(9);
+    cut.left_b = -1;
+    if (fails && starts) assert_int_equal(panel_init(panel), 0);
+    assert_int_equal(draw(9), 0);
+    rig.chip.complaints = 0; /* of what was cut, and got other bytes */
+    assert_shown(false, false, false);
+    assert_int_equal(draw(9), 0);
+    assert_shown(false, false, false);
+    return fails;
+}
+
+static void after_a_cut_at_any_byte_the_next_frame_is_right(void **state)
+{
+    unsigned cuts = 0;
+
+    (void)state;
+    for (size_t i = 0; panels_pages[i]; i++)
+        for (unsigned starts = 0; starts < 2; starts++)
+            for (long cut_b = 0; check_cut(panels_pages[i], cut_b, starts); cut_b++)
+                cuts++;
+    print_message("# pages: cut at %u bytes\n", cuts);
 }
 
 int main(void)
@@ -229,7 +428,11 @@ int main(void)
         cmocka_unit_test(the_card_is_right_on_every_chip),
         cmocka_unit_test(glass_of_any_make_shows_the_card),
         cmocka_unit_test(what_a_chip_cannot_is_refused),
-        cmocka_unit_test(mistakes_are_complained_about),
+        cmocka_unit_test(a_frame_is_one_address_where_a_chip_goes_on_by_itself),
+        cmocka_unit_test(a_window_changes_what_is_in_it_alone),
+        cmocka_unit_test(pieces_of_pages_go_where_they_belong),
+        cmocka_unit_test(an_address_that_fails_leaves_no_window),
+        cmocka_unit_test(after_a_cut_at_any_byte_the_next_frame_is_right),
     };
     return cmocka_run_group_tests_name("pages", tests, NULL, NULL);
 }

@@ -1,0 +1,96 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * The emulated controllers of pages, told by hand: what they complain about, and how an SSD1306's window runs on. */
+#include "cmocka_ready.h"
+#include "emulated_pages.h"
+
+#include <string.h>
+
+static struct emulated_pages chip;
+
+static void mistakes_are_complained_about(void **state)
+{
+    static const struct {
+        const char *chip;
+        uint8_t commands[8], n_b;
+    } mistakes[] = {{"ssd1306", {0xAF}, 1},
+                    {"ssd1306", {0x20, 0x01}, 2},
+                    {"ssd1306", {0x2F}, 1},
+                    {"ssd1306", {0xDA, 0x02}, 2},
+                    {"sh1106", {0x8D}, 1},
+                    {"st7567", {0x2F}, 1},
+                    {"st7567", {0xAF}, 1},
+                    {"pcd8544", {0x0C}, 1},
+                    {"pcd8544", {0x01}, 1},
+                    {"pcd8544", {0x22}, 1},
+                    {"pcd8544", {0x21, 0x01}, 2},
+                    {"ssd1306", {0x21, 0, 127}, 3}, /* addressed page by page */
+                    {"ssd1306", {0x20, 0, 0xB0}, 3},
+                    {"ssd1306", {0x20, 0, 0x00}, 3},
+                    {"ssd1306", {0x20, 0, 0x21, 0, 128}, 5},
+                    {"ssd1306", {0x20, 0, 0x21, 5, 4}, 5},
+                    {"ssd1306", {0x20, 0, 0x22, 0, 8}, 5},
+                    {"ssd1306", {0x20, 0, 0x22, 2, 1}, 5},
+                    {"sh1106", {0x21}, 1}};
+    (void)state;
+    for (size_t i = 0; i < sizeof mistakes / sizeof *mistakes; i++) {
+        const struct emulated_pages_module module = {emulated_pages_kind_find(mistakes[i].chip), 84, 48, 0, 0, 0, 0};
+        emulated_pages_init(&chip, &module);
+        if (strcmp(mistakes[i].chip, "ssd1306") == 0 && i == 3) chip.module.h_px = 64;
+        const struct bus bus = emulated_port_bus(&chip.port);
+        assert_int_equal(bus_write(&bus, mistakes[i].commands, mistakes[i].n_b), 0);
+        if (!chip.complaints) fail_msg("mistake %zu of a %s went unnoticed", i, mistakes[i].chip);
+    }
+    const struct emulated_pages_module module = {emulated_pages_kind_find("sh1106"), 128, 64, 2, 0, 0, 0};
+    const uint8_t byte = 0;
+    emulated_pages_init(&chip, &module);
+    const struct bus bus = emulated_port_bus(&chip.port);
+    const struct pin dc = emulated_port_dc(&chip.port);
+    assert_int_equal(bus_write(&bus, (const uint8_t[]){0x18, 0x04}, 2), 0); /* column 132 */
+    assert_int_equal(pin_set(&dc, true), 0);
+    assert_int_equal(bus_write(&bus, &byte, 1), 0);
+    assert_int_equal(chip.complaints, 1);
+}
+
+/* Horizontal addressing of the emulated SSD1306, told and filled by hand. */
+static void send_to_ssd1306(const uint8_t *commands, size_t commands_b, const uint8_t *data, size_t data_b)
+{
+    const struct bus bus = emulated_port_bus(&chip.port);
+    const struct pin dc = emulated_port_dc(&chip.port);
+
+    assert_int_equal(pin_set(&dc, false), 0);
+    assert_int_equal(bus_write(&bus, commands, commands_b), 0);
+    assert_int_equal(pin_set(&dc, true), 0);
+    assert_int_equal(bus_write(&bus, data, data_b), 0);
+}
+
+static void an_emulated_window_runs_on_to_its_end_and_is_full_then(void **state)
+{
+    static const uint8_t window[] = {0x20, 0x00, 0x21, 126, 127, 0x22, 6, 7}, data[] = {1, 2, 3, 4, 5, 6};
+    const struct emulated_pages_module module = {emulated_pages_kind_find("ssd1306"), 128, 64, 0, 0, 0, 0};
+
+    (void)state;
+    emulated_pages_init(&chip, &module);
+    send_to_ssd1306(window, sizeof window, data, 3);
+    assert_memory_equal(&chip.memory[6][126], data, 2);
+    assert_int_equal(chip.memory[7][126], 3);
+    send_to_ssd1306(window + 2, 3, data + 4, 1); /* columns alone: the page stays */
+    assert_int_equal(chip.memory[7][126], 5);
+    send_to_ssd1306(window, sizeof window, data, 4);
+    assert_memory_equal(&chip.memory[7][126], data + 2, 2);
+    assert_int_equal(chip.complaints, 0);
+    send_to_ssd1306(NULL, 0, data + 4, 1); /* round again, which no driver means */
+    assert_int_equal(chip.memory[6][126], 5);
+    assert_int_equal(chip.complaints, 1);
+    send_to_ssd1306(window + 2, 2, data, 1);
+    assert_int_equal(chip.complaints, 2); /* data for an argument */
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(mistakes_are_complained_about),
+        cmocka_unit_test(an_emulated_window_runs_on_to_its_end_and_is_full_then),
+    };
+    return cmocka_run_group_tests_name("emulated_pages", tests, NULL, NULL);
+}
