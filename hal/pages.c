@@ -179,6 +179,12 @@ static uint8_t pages_put_address(const struct pages *pages, uint8_t commands[PAG
                                (const uint8_t[]){pages->page, (uint8_t)(pages->end_page - 1u)});
 }
 
+/* Whether the chip goes from page to page of such a window by itself. */
+static bool pages_runs_on(const struct pages *pages, uint16_t w_px)
+{
+    return pages_takes_windows(pages) || (pages->chip->runs_on && w_px == pages->chip->mem_w_px);
+}
+
 static int pages_send_address(struct pages *pages)
 {
     uint8_t commands[PAGES_ADDRESS_MAX_B];
@@ -204,7 +210,7 @@ static int pages_window(struct panel *panel, uint16_t x_px, uint16_t y_px, uint1
     pages->end_x_px = (uint16_t)(x_px + w_px);
     pages->page = (uint8_t)(y_px / 8u);
     pages->end_page = (uint8_t)(pages->page + h_px / 8u);
-    pages->whole = pages_takes_windows(pages) || (pages->chip->runs_on && w_px == pages->chip->mem_w_px);
+    pages->whole = pages_runs_on(pages, w_px);
     int err = pages_send_address(pages);
     if (err) pages_close(pages);
     return err;
@@ -332,6 +338,7 @@ int pages_setup(struct pages *pages, const struct pages_chip *chip, const struct
         .step_x_px = 1,
         .step_y_px = 8,
         .format = PANEL_MONO_PAGES,
+        .runs_on = pages_runs_on(pages, config->w_px),
         .window_b = pages_window_b(pages),
     };
     return 0;

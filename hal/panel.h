@@ -31,6 +31,7 @@ struct panel {
     enum panel_format format; /* what panel_pixels() takes */
     /* Round glass: panel_visible(). NULL: all is seen. */
     void (*visible)(const struct panel *panel, uint16_t y_px, uint16_t *x0_px, uint16_t *x1_px);
+    bool runs_on;          /* pages: the next one of a window as wide as the picture takes no more than its bytes */
     uint16_t window_b;     /* what panel_window() costs: bytes, or as many as would take the port as long */
     uint32_t missed_edges; /* frames that were not held for the glass's refresh: it did not tell its start in time */
 };

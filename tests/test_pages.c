@@ -219,21 +219,24 @@ static uint64_t commands_of(const struct pages_chip *chip, uint16_t w_px, uint16
     return rig.chip.port.bus_b - before_b - (uint64_t)w_px * h_px / 8;
 }
 
-/* A window is three messages: D/C, the address, D/C. */
+/* A window is three messages: D/C, the address, D/C. Where it costs more than a page, delta output sends whole pages.
+ */
 static void a_frame_is_one_address_where_a_chip_goes_on_by_itself(void **state)
 {
     static const struct {
         const struct pages_chip *chip;
-        uint16_t w_px, h_px, message_b, commands_b, window_b;
-    } frames[] = {
-        {&ssd1306, 128, 64, 60, 8, 188},    {&ssd1306, 40, 32, 1, 8, 11},    {&ssd1306, 128, 64, 0, 8 * 3, 3},
-        {&pcd8544, 84, 48, 60, 2, 182},     {&pcd8544, 84, 48, 0, 2, 2},     {&pcd8544, 83, 48, 0, 6 * 2, 2},
-        {&sh1106, 132, 64, 60, 8 * 3, 183}, {&st7567, 132, 64, 0, 8 * 3, 3}, {&uc1701, 132, 32, 60, 4 * 3, 183}};
+        uint16_t w_px, h_px, message_b, commands_b, window_b, align_px;
+    } frames[] = {{&ssd1306, 128, 64, 60, 8, 188, 128},  {&ssd1306, 40, 32, 1, 8, 11, 1},
+                  {&ssd1306, 128, 64, 0, 8 * 3, 3, 1},   {&pcd8544, 84, 48, 60, 2, 182, 84},
+                  {&pcd8544, 84, 48, 0, 2, 2, 1},        {&pcd8544, 83, 48, 60, 6 * 2, 182, 1},
+                  {&sh1106, 132, 64, 60, 8 * 3, 183, 1}, {&st7567, 132, 64, 0, 8 * 3, 3, 1},
+                  {&uc1701, 132, 32, 60, 4 * 3, 183, 1}};
     (void)state;
     for (size_t i = 0; i < sizeof frames / sizeof *frames; i++) {
         assert_int_equal(commands_of(frames[i].chip, frames[i].w_px, frames[i].h_px, frames[i].message_b),
                          frames[i].commands_b);
         assert_int_equal(rig.display.panel.window_b, frames[i].window_b);
+        assert_int_equal(rig.screen.target.costs.x_align_px, frames[i].align_px);
     }
 }
 

@@ -132,15 +132,23 @@ static int screen_window(void *ctx, const struct lim_rect *window)
     return err;
 }
 
-/* Eight columns of a step have as many bytes as one has bits. In RGB444 two pixels share a byte, which only windows
- * that begin between others need to know. */
+/* In RGB444 two pixels share a byte, which only windows that begin between others need to know. Where an open window
+ * goes on with the next page, and another costs more than a page, pages that have changed go out whole. */
+static uint16_t screen_align_px(const struct panel *panel)
+{
+    if (panel->runs_on && panel->window_b > pixels_b(panel->format, (size_t)panel->w_px * panel->step_y_px))
+        return panel->w_px;
+    return panel->format == PANEL_RGB444 ? 2 : panel->step_x_px;
+}
+
+/* Eight columns of a step have as many bytes as one has bits. */
 static struct lim_target_costs screen_costs(const struct panel *panel)
 {
     return (struct lim_target_costs){
         .window_b = panel->window_b,
         .pixel_bits = (uint8_t)pixels_b(panel->format, (size_t)8u * panel->step_y_px),
         .page_px = (uint8_t)panel->step_y_px,
-        .x_align_px = panel->format == PANEL_RGB444 ? 2 : panel->step_x_px,
+        .x_align_px = screen_align_px(panel),
     };
 }
 #endif
