@@ -5,6 +5,7 @@
 #include "arguments.h"
 #include "bridge_flight.h"
 #include "commands.h"
+#include "grow.h"
 #include "parse.h"
 
 #include <stdio.h>
@@ -42,32 +43,33 @@ static void print_heading(const struct flights *flights)
     puts("");
 }
 
-static bool print_flights(const struct row *row, const struct panel_choice *choice, const struct flights *flights,
-                          struct error *err)
+static bool find_costs(const struct row *row, const struct flights *flights, struct bridge_cost *whole,
+                       struct bridge_cost *changes, struct error *err)
 {
     const struct display_module module = {.w_px = (uint16_t)row->w_px, .h_px = (uint16_t)row->h_px};
-    for (int i = 0; i < flights->count; i++) {
-        struct bridge_cost cost;
-        fflush(stdout); /* compiling a scene forks */
-        if (!bridge_flight_cost(choice, &module, flights->paths[2 * i], flights->paths[2 * i + 1], &cost, err))
+    struct panel_choice choice;
+    if (!panel_choice_parse(row->panel, NULL, &choice, err) || !bridge_cost_of(&choice, &module, NULL, 0, whole, err))
+        return false;
+    for (int i = 0; i < flights->count; i++)
+        if (!bridge_flight_cost(&choice, &module, flights->paths[2 * i], flights->paths[2 * i + 1], &changes[i], err))
             return false;
-        printf(" %lu | %.2f |", cost.reports, bridge_cost_fps(&cost, BRIDGE_REPORTS_PER_S));
-    }
-    puts("");
     return true;
 }
 
 static bool print_row(const struct row *row, bool first, const struct flights *flights, struct error *err)
 {
-    const struct display_module module = {.w_px = (uint16_t)row->w_px, .h_px = (uint16_t)row->h_px};
-    struct panel_choice choice;
-    struct bridge_cost cost;
-    if (!panel_choice_parse(row->panel, NULL, &choice, err) || !bridge_cost_of(&choice, &module, NULL, 0, &cost, err))
-        return false;
-    if (first) print_heading(flights);
-    printf("| %s | %ux%u | %lu | %lu | %.2f | %.2f |", row->panel, row->w_px, row->h_px, cost.spi_b, cost.reports,
-           bridge_cost_fps(&cost, BRIDGE_REPORTS_PER_S), bridge_cost_fps(&cost, BRIDGE_REPORTS_PER_S / 2));
-    return print_flights(row, &choice, flights, err);
+    struct bridge_cost whole, *changes = grow_zeroed((size_t)flights->count + 1, sizeof *changes);
+    const bool ok = find_costs(row, flights, &whole, changes, err);
+    if (ok && first) print_heading(flights);
+    if (ok)
+        printf("| %s | %ux%u | %lu | %lu | %.2f | %.2f |", row->panel, row->w_px, row->h_px, whole.spi_b, whole.reports,
+               bridge_cost_fps(&whole, BRIDGE_REPORTS_PER_S), bridge_cost_fps(&whole, BRIDGE_REPORTS_PER_S / 2));
+    for (int i = 0; i < flights->count && ok; i++)
+        printf(" %lu | %.2f |", changes[i].reports, bridge_cost_fps(&changes[i], BRIDGE_REPORTS_PER_S));
+    if (ok) puts("");
+    fflush(stdout); /* compiling the next row's scenes forks */
+    free(changes);
+    return ok;
 }
 
 static bool print_table(struct arguments *arguments, struct error *err)

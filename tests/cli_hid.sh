@@ -34,7 +34,8 @@ card="play --test-card --panel st7735"
     tap_check "a serial number that is no number" refused "USB-HID bridge x1: none" $card --hid=x1 --dc GP0
     tap_check "a glass without its size" refused "come together" bridge --panel st7789
     tap_check "no such panel" refused "no such panel" bridge --panel x --size 8x8
-    tap_check "what is no option" refused "what is 'x'" bridge x
+    tap_check "a scene without cameras" refused "x: a scene and its camera file come together" bridge x
+    tap_check "cameras that are not there" refused "none.cam: No such file" bridge sim/scenes/icosahedron.obj none.cam
 }
 
 lists_bridges() {
