@@ -28,6 +28,7 @@ static inline bool is_antialiased(const struct lim_paint *paint)
 #endif
 }
 
+#if LIM_HAS_DELTA
 static inline bool is_wireframe(const struct lim_paint *paint)
 {
 #if LIM_HAS_WIREFRAME
@@ -37,6 +38,7 @@ static inline bool is_wireframe(const struct lim_paint *paint)
     return false;
 #endif
 }
+#endif
 
 /* A piece has no edges: its lines are there, the last one first. */
 static LIM_RARE void take_line(struct lim_active *active, const union lim_retained_cell *cells, int16_t y)
