@@ -251,28 +251,36 @@ static int finish_line(struct lim_delta *delta, uint16_t y, uint16_t x0, uint16_
     return kept == LIM_RUNS_TEXTURED ? send_changes(delta, y) : add_changes(delta, y);
 }
 
-/* Of a line that comes in pieces nothing is kept, and all of its page is sent. */
-static int send_piece(struct lim_delta *delta, uint16_t y, uint16_t x_px, uint16_t n_px)
+/* Of a line that comes in pieces nothing is kept, and all of its page is sent. Pieces may begin between pixels that
+ * share bytes: how they are sent is the target's affair, and nothing comes between them. Rectangles follow the last
+ * one. */
+static int send_piece(struct lim_delta *delta, const struct lim_rect *piece, bool is_last)
 {
-    const struct lim_rect piece = {x_px, y, (uint16_t)(x_px + n_px), (uint16_t)(y + 1)};
-
-    (void)lim_runs_begin(&delta->runs, y);
-    lim_runs_lose(&delta->runs, y);
+    (void)lim_runs_begin(&delta->runs, piece->y0);
+    lim_runs_lose(&delta->runs, piece->y0);
     if (lim_delta_wants_lines(delta)) {
-        add_to_page(delta, y, 0, delta->target.w_px);
-        return delta->target.done(delta->target.ctx, y, x_px, n_px);
+        add_to_page(delta, piece->y0, 0, delta->target.w_px);
+        return delta->target.done(delta->target.ctx, piece->y0, piece->x0, width(piece));
     }
-    const int err = n_px ? send_stretch(delta, &piece) : 0;
-    return err ? err : send_rects(delta);
+    delta->stream.y0 = delta->target.h_px;
+    int err = open_window(delta, NULL);
+    if (!err) err = send(delta, piece->y0, piece);
+    return err || !is_last ? err : send_rects(delta);
 }
 
+/* On round glass a line's pieces may be empty, before and behind what is seen of it: that can be all in one of them.
+ * Where nothing is seen the first piece is the line. */
 static int delta_done(void *ctx, uint16_t y, uint16_t x_px, uint16_t n_px)
 {
     struct lim_delta *delta = ctx;
+    const struct lim_rect piece = {x_px, y, (uint16_t)(x_px + n_px), (uint16_t)(y + 1)};
     uint16_t x0, x1;
 
     find_visible(delta, y, &x0, &x1);
-    const int err = x_px > x0 || x_px + n_px < x1 ? send_piece(delta, y, x_px, n_px) : finish_line(delta, y, x0, x1);
+    if (n_px == 0 && (x0 < x1 || y == delta->y)) return 0;
+    const bool is_piece = piece.x0 > x0 || piece.x1 < x1;
+    const int err = is_piece ? send_piece(delta, &piece, piece.x1 >= x1) : finish_line(delta, y, x0, x1);
+    delta->y = y;
     delta->line = NULL;
     delta->noted = false;
     return err;
@@ -310,7 +318,7 @@ void lim_delta_begin_frame(struct lim_delta *delta, const struct lim_camera *cam
     delta->known = false;
     delta->camera = *camera;
     lim_rects_clear(&delta->rects);
-    delta->stream.y0 = delta->target.h_px;
+    delta->y = delta->stream.y0 = delta->target.h_px;
     delta->line = NULL;
     delta->noted = false;
 }

@@ -31,6 +31,7 @@ struct lim_delta {
     bool still;               /* it is this frame's as well */
     bool known;               /* the panel shows the last frame */
     bool noted;               /* the line that is drawn was noted: all of its pieces */
+    uint16_t y;               /* the line that was done last, all of it or a piece */
     uint16_t *line;           /* where it is painted, or NULL */
 };
 

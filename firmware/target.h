@@ -59,8 +59,9 @@ struct lim_target {
     void (*visible)(void *ctx, uint16_t y_px, uint16_t *x0_px, uint16_t *x1_px);
 #endif
 #if LIM_HAS_DELTA
-    /* The pieces that done() gets next fill this rectangle row by row, or as many rows of it as come: without delta
-     * output it is not called, and with page_px > 1 neither. NULL: no delta output. */
+    /* The pieces that done() gets next fill this rectangle row by row, or as many rows of it as come; NULL: they are
+     * pieces of lines, for which done() opens its own, as ever. Without delta output it is not called, and with
+     * page_px > 1 neither. NULL: no delta output. */
     int (*window)(void *ctx, const struct lim_rect *window);
     struct lim_target_costs costs;
 #endif

@@ -20,7 +20,9 @@ struct paper {
     uint16_t page[8][W_PX]; /* with pages: what was taken in */
     struct lim_rect window;
     uint16_t x, y; /* the window's next pixel */
+    bool free;     /* lines come in pieces, without a window */
     bool round;
+    uint16_t off_px; /* of the round glass to the right, of its middle */
     unsigned long sent_px, windows, calls, fail_at;
 };
 
@@ -43,6 +45,8 @@ static int window(void *ctx, const struct lim_rect *opened)
     const uint16_t align = paper->target.costs.x_align_px;
 
     if (fails(paper)) return FAILURE;
+    paper->free = !opened;
+    if (!opened) return 0;
     assert_true(opened->x0 < opened->x1 && opened->x1 <= W_PX && opened->y0 < opened->y1 && opened->y1 <= H_PX);
     assert_true(opened->x0 % align == 0 && (opened->x1 % align == 0 || opened->x1 == W_PX));
     assert_int_equal(paper->target.costs.page_px, 1);
@@ -67,6 +71,28 @@ static void take_page(struct paper *paper, uint16_t y, uint16_t x_px, uint16_t n
         show(paper, (uint16_t)(y - 7 + k), paper->page[k], x_px, n_px);
 }
 
+static void visible(void *ctx, uint16_t y_px, uint16_t *x0_px, uint16_t *x1_px)
+{
+    const struct paper *paper = ctx;
+    const uint16_t cut = paper->round ? (uint16_t)abs((int)y_px - H_PX / 2) : 0, off_px = paper->off_px;
+
+    *x0_px = (uint16_t)(cut + off_px < W_PX ? cut + off_px : W_PX);
+    *x1_px = (uint16_t)(W_PX - cut < *x0_px ? *x0_px : W_PX - cut);
+}
+
+/* Pixels that share bytes, of which the last ones may come with the next piece. */
+static void take_piece(struct paper *paper, uint16_t y, uint16_t x_px, uint16_t n_px)
+{
+    const uint16_t align = paper->target.costs.x_align_px;
+    const uint16_t from = (uint16_t)(x_px / align * align);
+    uint16_t x0, x1, end = (uint16_t)(x_px + n_px);
+
+    visible(paper, y, &x0, &x1);
+    if (end < x1) end = (uint16_t)(end / align * align);
+    memcpy(&paper->page[0][x_px], &paper->lines[y][x_px], 2 * (size_t)n_px);
+    if (n_px > 0 && from < end) show(paper, y, paper->page[0], from, (uint16_t)(end - from));
+}
+
 static int done(void *ctx, uint16_t y_px, uint16_t x_px, uint16_t n_px)
 {
     struct paper *paper = ctx;
@@ -77,6 +103,11 @@ static int done(void *ctx, uint16_t y_px, uint16_t x_px, uint16_t n_px)
         take_page(paper, y_px, x_px, n_px);
         return 0;
     }
+    if (paper->free) {
+        take_piece(paper, y_px, x_px, n_px);
+        return 0;
+    }
+    memset(paper->page[0], 0, sizeof paper->page[0]); /* what shares bytes with pieces is sent between none of them */
     assert_true(y_px == paper->y && x_px == paper->x && x_px + n_px <= paper->window.x1 && y_px < paper->window.y1);
     show(paper, y_px, paper->lines[y_px], x_px, n_px);
     paper->x = (uint16_t)(paper->x + n_px);
@@ -84,15 +115,6 @@ static int done(void *ctx, uint16_t y_px, uint16_t x_px, uint16_t n_px)
     paper->x = paper->window.x0;
     paper->y++;
     return 0;
-}
-
-static void visible(void *ctx, uint16_t y_px, uint16_t *x0_px, uint16_t *x1_px)
-{
-    const uint16_t cut = (uint16_t)abs((int)y_px - H_PX / 2);
-
-    (void)ctx;
-    *x0_px = cut;
-    *x1_px = (uint16_t)(W_PX - cut < cut ? cut : W_PX - cut);
 }
 
 static struct paper *paper_new(enum lim_method method, bool round)
@@ -147,8 +169,8 @@ static void renderer_free(struct renderer *renderer)
 static void assert_same(const struct paper *is, const struct paper *ought)
 {
     for (uint16_t y = 0; y < H_PX; y++) {
-        uint16_t x0 = 0, x1 = W_PX;
-        if (is->round) visible(NULL, y, &x0, &x1);
+        uint16_t x0, x1;
+        visible((void *)(uintptr_t)is, y, &x0, &x1);
         assert_memory_equal(&is->shown[y][x0], &ought->shown[y][x0], 2 * (size_t)(x1 - x0));
     }
 }
@@ -158,6 +180,7 @@ static void draw_whole(struct renderer *whole, const struct lim_camera *camera)
 {
     whole->paper->window = (struct lim_rect){0, 0, W_PX, H_PX};
     whole->paper->x = whole->paper->y = 0;
+    whole->paper->free = false;
     assert_int_equal(lim_frame(&whole->lim, camera), LIM_OK);
 }
 
@@ -215,16 +238,13 @@ static void move(struct fixture *f, struct lim_camera *camera)
     }
 }
 
-static void fly(struct fixture *f, enum lim_method method, bool round, bool least, const struct lim_target_costs *costs,
-                unsigned runs)
+static void fly_over(struct fixture *f, struct paper *paper, bool least, unsigned runs)
 {
     struct renderer whole, changes;
     struct lim_camera camera = view(f);
     const struct lim_scene *scene = &f->scene.scene;
 
-    renderer_init(&whole, scene, paper_new(method, false), false);
-    struct paper *paper = paper_new(method, round);
-    if (costs) paper->target.costs = *costs;
+    renderer_init(&whole, scene, paper_new(paper->target.method, false), false);
     renderer_init(&changes, scene, paper, least);
     send_changes(&changes, runs);
     for (int i = 0; i < 12; i++) {
@@ -235,6 +255,15 @@ static void fly(struct fixture *f, enum lim_method method, bool round, bool leas
     }
     renderer_free(&whole);
     renderer_free(&changes);
+}
+
+static void fly(struct fixture *f, enum lim_method method, bool round, bool least, const struct lim_target_costs *costs,
+                unsigned runs)
+{
+    struct paper *paper = paper_new(method, round);
+
+    if (costs) paper->target.costs = *costs;
+    fly_over(f, paper, least, runs);
 }
 
 static void any_memory_shows_whole_frames(void **state)
@@ -258,6 +287,33 @@ static void frames_in_pieces_are_shown_whole(void **state)
     fly(*state, LIM_NEAREST_FIRST, false, true, NULL, RUNS);
     fly(*state, LIM_NEAREST_FIRST, true, true, NULL, RUNS);
     fly(*state, LIM_NEAREST_FIRST, false, true, &(struct lim_target_costs){3, 8, 8, 1}, RUNS);
+}
+
+/* Where what is seen of a line is all in its last piece, or nothing of it is; other lines' runs are not touched, also
+ * where there is no room to spare. */
+static void pieces_that_are_not_seen_are_no_lines(void **state)
+{
+    for (uint16_t off_px = 1; off_px <= W_PX; off_px = (uint16_t)(off_px + 3)) {
+        struct paper *paper = paper_new(LIM_NEAREST_FIRST, true);
+        paper->off_px = off_px;
+        fly_over(*state, paper, true, off_px % 2 ? RUNS : 60u + off_px);
+    }
+}
+
+/* A window would begin where the target cannot, and what is between two pieces would be lost with the first one. */
+static void pieces_that_share_bytes_are_shown_whole(void **state)
+{
+    static const uint16_t aligns_px[] = {2, 8, W_PX};
+
+    for (size_t i = 0; i < sizeof aligns_px / sizeof aligns_px[0]; i++) {
+        fly(*state, LIM_NEAREST_FIRST, false, true, &(struct lim_target_costs){2, 4, 1, aligns_px[i]}, RUNS);
+        for (uint16_t off_px = 0; off_px < 24; off_px = (uint16_t)(off_px + 5)) {
+            struct paper *paper = paper_new(LIM_NEAREST_FIRST, true);
+            paper->target.costs = (struct lim_target_costs){2, 4, 1, aligns_px[i]};
+            paper->off_px = off_px;
+            fly_over(*state, paper, true, RUNS);
+        }
+    }
 }
 
 static void any_costs_show_whole_frames(void **state)
@@ -363,6 +419,8 @@ int main(void)
         cmocka_unit_test(any_memory_shows_whole_frames),
         cmocka_unit_test(any_method_shows_whole_frames),
         cmocka_unit_test(frames_in_pieces_are_shown_whole),
+        cmocka_unit_test(pieces_that_are_not_seen_are_no_lines),
+        cmocka_unit_test(pieces_that_share_bytes_are_shown_whole),
         cmocka_unit_test(any_costs_show_whole_frames),
         cmocka_unit_test(round_glass_shows_whole_frames),
         cmocka_unit_test(a_still_view_sends_nothing_and_a_refresh_all),

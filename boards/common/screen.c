@@ -126,6 +126,11 @@ static void screen_visible(void *ctx, uint16_t y_px, uint16_t *x0_px, uint16_t *
 static int screen_window(void *ctx, const struct lim_rect *window)
 {
     struct screen *screen = ctx;
+    if (!window) {
+        screen->window_open = screen->window_open && !screen->window_given;
+        screen->window_given = false;
+        return 0;
+    }
     int err = screen_open_window(screen, window->x0, window->y0, (uint16_t)(window->x1 - window->x0),
                                  (uint16_t)(window->y1 - window->y0));
     screen->window_given = true;

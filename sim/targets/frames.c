@@ -98,7 +98,7 @@ static void hash_pixels(struct screen *to, const uint16_t *pixels, uint16_t n_px
 static int window(void *ctx, const struct lim_rect *opened)
 {
     (void)ctx;
-    return opened->x1 > CAMERAS_W_PX || opened->y1 > CAMERAS_H_PX ? -1 : 0;
+    return opened && (opened->x1 > CAMERAS_W_PX || opened->y1 > CAMERAS_H_PX) ? -1 : 0;
 }
 
 static int done(void *ctx, uint16_t y_px, uint16_t x_px, uint16_t n_px)
