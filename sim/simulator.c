@@ -218,8 +218,9 @@ static int board_frame(struct simulator *simulator, const struct lim_camera *cam
     int err = screen_begin_frame(&simulator->board->screen);
     if (err) return err;
     err = simulator_draw(simulator, camera);
-    if (err) return err;
-    return screen_end_frame(&simulator->board->screen);
+    if (!err) err = screen_end_frame(&simulator->board->screen);
+    if (err) simulator_refresh(simulator);
+    return err;
 }
 
 bool simulator_frame(struct simulator *simulator, const struct lim_camera *camera, struct error *err)

@@ -359,6 +359,42 @@ static void error_of_the_renderer_is_passed_on(void **state)
     simulator_free(&simulator);
 }
 
+static int failing_flush(struct panel *panel)
+{
+    (void)panel;
+    return -7;
+}
+
+/* The renderer does not know what became of pixels that were on their way. */
+static void a_frame_that_did_not_arrive_is_followed_by_a_whole_one(void **state)
+{
+    (void)state;
+    struct room room;
+    room_init(&room);
+    const struct viewpoint viewpoint = random_viewpoint(1);
+    const struct lens lens = make_lens(24, 24);
+    const struct lim_camera camera = make_camera(&viewpoint, &lens, &room);
+    struct simulator simulator;
+    struct error err;
+    const struct simulator_setup setup = {.w_px = 24, .h_px = 24, .panel = SIMULATOR_PANEL};
+    assert_true(simulator_init(&simulator, &room.compiled.scene, &setup, &err));
+    assert_true(simulator_set_delta(&simulator, 1000, &err));
+    assert_true(simulator_frame(&simulator, &camera, &err));
+    const size_t whole_b = simulator.bus_b;
+    struct panel *panel = simulator.board->display.panel;
+    const struct panel_ops *ops = panel->ops;
+    struct panel_ops failing = *ops;
+    failing.flush = failing_flush;
+    panel->ops = &failing;
+    assert_false(simulator_frame(&simulator, &camera, &err));
+    panel->ops = ops;
+    assert_true(simulator_frame(&simulator, &camera, &err));
+    assert_int_equal(simulator.bus_b, whole_b);
+    assert_true(simulator_frame(&simulator, &camera, &err));
+    assert_int_equal(simulator.bus_b, 0);
+    simulator_free(&simulator);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -371,6 +407,7 @@ int main(void)
         cmocka_unit_test(frames_agree_with_the_reference_picture),
         cmocka_unit_test(complaint_of_the_panel_is_an_error),
         cmocka_unit_test(error_of_the_renderer_is_passed_on),
+        cmocka_unit_test(a_frame_that_did_not_arrive_is_followed_by_a_whole_one),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
