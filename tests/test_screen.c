@@ -159,6 +159,32 @@ static void bus_that_works_alone_gets_every_byte_as_it_was(void **state)
     }
 }
 
+/* The renderer's window ends there, and is not taken for one of the screen's own, which pieces share. */
+static void pieces_without_a_window_open_their_own(void **state)
+{
+    (void)state;
+    rig_setup(module_240x240);
+    rig_start(2);
+    const struct lim_target *target = &rig.screen.target;
+    const struct lim_rect given = {10, 5, 20, 9};
+    assert_int_equal(screen_begin_frame(&rig.screen), 0);
+    assert_int_equal(target->window(target->ctx, &given), 0);
+    assert_non_null(target->lend(target->ctx, 5));
+    assert_int_equal(target->done(target->ctx, 5, 10, 10), 0);
+    assert_int_equal(rig.chip.frame_writes, 1);
+    for (uint16_t x_px = 10; x_px < 240; x_px = (uint16_t)(x_px + 115)) {
+        memset(target->lend(target->ctx, 6), 0x55, 480);
+        assert_int_equal(target->window(target->ctx, NULL), 0);
+        assert_int_equal(target->done(target->ctx, 6, x_px, 115), 0);
+        assert_int_equal(rig.chip.frame_writes, 2);
+    }
+    assert_int_equal(screen_end_frame(&rig.screen), 0);
+    emulated_dcs_show(&rig.chip, 0, NULL, rig.raw);
+    for (unsigned x = 10; x < 240; x++)
+        assert_int_equal(rig.raw[6 * 240u + x], 0x5555);
+    assert_quiet();
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -171,6 +197,7 @@ int main(void)
         cmocka_unit_test(piece_that_failed_can_be_sent_again),
         cmocka_unit_test(line_lent_again_unsent_is_the_same_memory),
         cmocka_unit_test(bus_that_works_alone_gets_every_byte_as_it_was),
+        cmocka_unit_test(pieces_without_a_window_open_their_own),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
