@@ -89,8 +89,14 @@ static int draw_frame(struct player *player)
     if (code) return code;
     player->drawn++;
     player->drawn_b += player->sent_b - before_b;
-    player->in_a_row = 0;
+    player->in_a_row = player->gone_in_a_row = 0;
     return 0;
+}
+
+/* What has been unplugged for long fails otherwise too before it is back: it may be there, but not yet ours to open. */
+static bool is_enough(const struct player *player)
+{
+    return player->in_a_row - player->gone_in_a_row >= PLAYER_FAILURES_MAX || player->gone_in_a_row >= PLAYER_GONE_MAX;
 }
 
 /* The first failure of a row is told at once, the last is the caller's to tell. */
@@ -101,7 +107,8 @@ static bool note_failure(struct player *player, int code, struct error *err)
     explain(player, what, code, err);
     player->failed++;
     player->in_a_row++;
-    if (player->in_a_row >= (code == -ENODEV ? PLAYER_GONE_MAX : PLAYER_FAILURES_MAX)) return false;
+    if (code == -ENODEV) player->gone_in_a_row++;
+    if (is_enough(player)) return false;
     if (player->in_a_row > 1) return true;
     progress_end();
     fprintf(stderr, "limner: %s; trying again\n", err->text);

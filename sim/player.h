@@ -25,7 +25,8 @@ struct player {
     uint64_t drawn_b;       /* in frames that were drawn whole */
     uint64_t drawn;         /* frames */
     uint64_t failed;        /* attempts at frames */
-    unsigned in_a_row;      /* of these, the last */
+    unsigned in_a_row;      /* of these, the last; */
+    unsigned gone_in_a_row; /* of which the port was unplugged */
     double began_s, took_s; /* the frames */
 };
 

@@ -213,7 +213,7 @@ static struct {
     struct port port;
     struct display display;
     struct player player;
-    int bad; /* frames that fail from now on */
+    int gone, bad; /* frames that fail from now on: the bridge is unplugged, and then for other reasons */
     uint64_t drawn[8];
     size_t count;
 } rig;
@@ -221,6 +221,7 @@ static struct {
 static int draw_some(void *ctx, uint64_t frame)
 {
     (void)ctx;
+    if (rig.gone > 0 && rig.gone--) return -ENODEV;
     if (rig.bad > 0 && rig.bad--) return -EREMOTEIO;
     rig.drawn[rig.count++ % 8] = frame;
     const uint8_t bytes[100] = {0};
@@ -283,6 +284,26 @@ static void what_fails_again_and_again_is_given_up(void **state)
     assert_string_equal(err.text, "frame 1: the panel's driver failed with -121; given up after 10 failures in a row");
     assert_int_equal(rig.count, 0);
     assert_true(glass.chip.dcs.asleep); /* all the same */
+}
+
+/* A bridge that is plugged in again may not be open to us at once. */
+static void what_was_long_unplugged_may_fail_otherwise_as_well(void **state)
+{
+    (void)state;
+    struct error err;
+    start_player(3);
+    rig.gone = 2 * PLAYER_FAILURES_MAX;
+    rig.bad = PLAYER_FAILURES_MAX - 1;
+    assert_true(player_run(&rig.player, &err));
+    assert_int_equal(rig.count, 3);
+    start_player(3);
+    rig.gone = 2 * PLAYER_FAILURES_MAX;
+    rig.bad = PLAYER_FAILURES_MAX;
+    assert_false(player_run(&rig.player, &err));
+    start_player(3);
+    rig.gone = PLAYER_GONE_MAX;
+    assert_false(player_run(&rig.player, &err));
+    assert_int_equal(rig.player.failed, PLAYER_GONE_MAX);
 }
 
 /* Every call of a run fails once: before the first frame that ends it, later it costs a frame. */
@@ -369,6 +390,7 @@ int main(void)
         cmocka_unit_test(frames_and_their_bytes_are_counted),
         cmocka_unit_test(a_frame_that_fails_is_drawn_again),
         cmocka_unit_test(what_fails_again_and_again_is_given_up),
+        cmocka_unit_test(what_was_long_unplugged_may_fail_otherwise_as_well),
         cmocka_unit_test(a_fault_anywhere_leaves_nothing_open),
         cmocka_unit_test(the_program_dies_of_the_signal_after_releasing_all),
         cmocka_unit_test(a_signal_ends_it_in_the_dark),
