@@ -188,6 +188,8 @@ static void lines_that_cannot_be_had_are_explained(void **state)
                         "GPIO2: gpiochip0:2 is in use by \"lcd-reset\"; end that, or take another line");
     fake.chips[1].lines[1].name = "GPIO3";
     assert_line_refused("GPIO3", ENOTUNIQ, "GPIO3: more than one is called so; give gpiochip0:3 or gpiochip1:1");
+    fake.chips[0].lines[7].name = "GPIO1";
+    assert_line_refused("GPIO1", ENOTUNIQ, "GPIO1: more than one is called so; give gpiochip0:1 or gpiochip0:7");
     fake.chips[1].label = "pinctrl-fake";
     assert_line_refused("pinctrl-fake:3", ENOTUNIQ,
                         "pinctrl-fake:3: more than one is called so; give gpiochip0:3 or gpiochip1:3");

@@ -45,21 +45,19 @@ static void search_list(struct search *search, const struct gpio_chip *chip)
              chip->label);
 }
 
-/* Keeps the first find open. */
-static void search_found(struct search *search, struct gpio_chip *chip, unsigned offset)
+static void search_found(struct search *search, const struct gpio_chip *chip, unsigned offset)
 {
     search->found++;
     if (search->found == 1)
         search->line = (struct gpio_line){.chip = *chip, .offset = offset};
     else
         snprintf(search->second, sizeof search->second, "%s:%u", chip->name, offset);
-    if (search->found == 1) chip->handle = NULL;
 }
 
-static int search_lines(struct search *search, struct gpio_chip *chip)
+static int search_lines(struct search *search, const struct gpio_chip *chip)
 {
     struct gpio_line_info info;
-    for (unsigned offset = 0; offset < chip->n_lines && chip->handle; offset++) {
+    for (unsigned offset = 0; offset < chip->n_lines; offset++) {
         const int err = gpio_chip_line(chip, offset, &info);
         if (err) return err;
         if (strcmp(info.name, search->name) == 0) search_found(search, chip, offset);
@@ -67,9 +65,11 @@ static int search_lines(struct search *search, struct gpio_chip *chip)
     return 0;
 }
 
-/* A link to a chip has another name than the chip has: it is met there. */
+/* The chip of the first find stays open, with that. A link to a chip has another name than the chip has: it is met
+ * there. */
 static int search_chip(struct search *search, const char *path)
 {
+    const bool found_before = search->found > 0;
     struct gpio_chip chip;
     int err = gpio_chip_open(&chip, path);
     if (err) {
@@ -84,7 +84,7 @@ static int search_chip(struct search *search, const char *path)
         else if (strcmp(search->chip, chip.name) == 0 || strcmp(search->chip, chip.label) == 0)
             search_found(search, &chip, (unsigned)search->number);
     }
-    gpio_chip_close(&chip);
+    if (found_before || !search->found) gpio_chip_close(&chip);
     return err;
 }
 
