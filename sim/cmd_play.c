@@ -16,7 +16,8 @@
 #include <time.h>
 
 enum {
-    ORBIT_FRAMES = 240,    /* a turn in 8 s at 30 frames a second */
+    ORBIT_FRAMES = 240, /* a turn in 8 s at 30 frames a second */
+    FRAMES_MAX = 1000000000,
     CARD_PAUSE_US = 800000 /* a display that is plugged in again soon shows it; memory LCDs want a frame a second */
 };
 
@@ -49,8 +50,8 @@ static bool take_frames(struct play *play, struct arguments *arguments, struct e
     if (!arguments_value(arguments, "--frames", &text, err)) return false;
     if (!text) return true;
     if (!parse_number("--frames", text, &frames, err)) return false;
-    if (frames < 1.0 || frames > 1e9 || frames != (double)(uint64_t)frames)
-        return error_set(err, "--frames %s: must be a whole number, at least 1", text);
+    if (frames < 1.0 || frames > FRAMES_MAX || frames != (double)(uint64_t)frames)
+        return error_set(err, "--frames %s: must be a whole number from 1 to %d", text, FRAMES_MAX);
     play->frames = (uint64_t)frames;
     return true;
 }
@@ -121,13 +122,18 @@ static bool plan_cameras(struct play *play, const struct lens *lens, struct erro
     return true;
 }
 
+static bool load_scene(struct play *play, struct error *err)
+{
+    struct lens lens;
+    return options_load(&play->options, &play->scene, &play->moving, &lens, &play->path, err) &&
+           plan_cameras(play, &lens, err);
+}
+
 static bool open_scene(struct play *play, struct error *err)
 {
     struct options *options = &play->options;
     struct moving *moving = &play->moving;
-    struct lens lens;
-    if (!options_load(options, &play->scene, moving, &lens, &play->path, err) || !plan_cameras(play, &lens, err) ||
-        !simulator_init_to(&play->simulator, &play->scene.scene, &options->setup, &play->screen.target, err))
+    if (!simulator_init_to(&play->simulator, &play->scene.scene, &options->setup, &play->screen.target, err))
         return false;
     simulator_set_wireframe(&play->simulator, &options->wireframe);
     return simulator_set_antialias(&play->simulator, options->compile.antialias, err) &&
@@ -188,6 +194,7 @@ static int draw_card(void *ctx, uint64_t frame)
 
 static bool play_run(struct play *play, struct error *err)
 {
+    if (!play->card && !load_scene(play, err)) return false;
     if (!open_display(play, err) || (!play->card && !open_scene(play, err))) return false;
     play->player.panel = play->display.panel;
     play->player.draw = play->card ? draw_card : draw_scene;

@@ -5,7 +5,7 @@
 . tests/tap.sh
 
 limner=$BUILD/limner
-model=sim/scenes/teapot.obj
+model=sim/scenes/icosahedron.obj
 
 refuse() { # NAME PATTERN ARGUMENT...
     tap_name_of_refusal=$1
@@ -40,6 +40,8 @@ refuse "a panel that has D/C requires its line" '^limner: --panel st7789: needs 
 st7789 "a scene is required" '^limner: play: needs a model'
 st7789 "a value is required" '^limner: --reset: needs a value' "$model" --reset
 st7789 "a device that is not there is refused" '^limner: /dev/spidev99.0: no such device' "$model"
+st7789 "a scene that is not there is refused before the device" '^limner: nosuch.obj: ' nosuch.obj
+st7789 "a camera file that is not there is refused before the device" '^limner: nosuch.cam: ' "$model" --camera nosuch.cam
 st7789 "so it is for the test card" '^limner: /dev/spidev99.0: no such device' --test-card
 refuse "what is no SPI device is refused" '^limner: /dev/null: not an SPI device$' \
     play --panel st7789 --spi /dev/null --dc GPIO25 --test-card
@@ -61,7 +63,7 @@ done
 for hz in 0 -5 2e9 fast; do
     st7789 "clock '$hz' is refused" '^limner: --hz' "$model" --hz "$hz"
 done
-for frames in 0 -1 0.5 x; do
+for frames in 0 -1 0.5 1e10 x; do
     st7789 "$frames frames are refused" '^limner: --frames' "$model" --frames "$frames"
 done
 refuse "a mirror is refused where the chip has none" '^limner: --panel pcd8544: .*mirrored' \
@@ -77,7 +79,7 @@ st7789 "no chip select that is high is refused" '^limner: --no-cs, --cs-high: on
 st7789 "one line for two pins is refused" '^limner: --dc, --reset: both cannot be GPIO25' "$model" --reset GPIO25
 st7789 "a scene and the card are refused" '^limner: --test-card: draws no scene, what is' --test-card "$model"
 st7789 "a camera and the card are refused" "what is '--camera'" --test-card --camera x.cam
-st7789 "two scenes are refused" 'what is .*teapot' "$model" "$model"
+st7789 "two scenes are refused" 'what is .*icosahedron' "$model" "$model"
 
 # -- devices -------------------------------------------------------------------------------------------------------------
 
