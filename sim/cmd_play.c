@@ -147,8 +147,7 @@ static int draw_scene(void *ctx, uint64_t frame)
     struct play *play = ctx;
     moving_pose(&play->moving, play->player.took_s);
     int err = screen_begin_frame(&play->screen);
-    if (err) return err;
-    err = simulator_draw(&play->simulator, &play->cameras[frame % play->path.count]);
+    if (!err) err = simulator_draw(&play->simulator, &play->cameras[frame % play->path.count]);
     if (!err) err = screen_end_frame(&play->screen);
     if (err) simulator_refresh(&play->simulator);
     return err;

@@ -108,6 +108,7 @@ int fake_line_set(struct fake_line *line, bool level)
 
 int fake_line_wait(struct fake_line *line, uint64_t timeout_ns)
 {
+    fake.waited_at = fake.calls;
     if (fake_fails("line_wait") || fake_is_interrupted()) return -1;
     if (line->rises) return 1;
     if (fake.rise_after_waits && --fake.rise_after_waits == 0) {

@@ -50,6 +50,7 @@ struct fake_linux {
     long calls, fail_at; /* -1: none */
     int err_no;          /* that it sets */
     const char *failed;  /* its name; NULL: none has failed yet */
+    long waited_at;      /* the last call that waited for a line */
     unsigned interrupts; /* of so many calls that can be interrupted, before they succeed */
 };
 

@@ -322,6 +322,38 @@ static void a_fault_anywhere_leaves_nothing_open(void **state)
     assert_true(refused > 10 && survived > 5);
 }
 
+/* As when the panel lost its power: what it showed is gone. */
+static int forget_picture(void *ctx, bool high)
+{
+    const struct pin *wired = ctx;
+    for (unsigned y = 0; y < EMULATED_MAX_H_PX && !high; y++)
+        for (unsigned x = 0; x < EMULATED_MAX_W_PX; x++)
+            glass.chip.dcs.memory[y][x].raw ^= 0xFFFF;
+    return wired->set(wired->ctx, high);
+}
+
+/* --delta knows what the panel shows, until it is set up anew: whatever the call that failed, here the last wait. */
+static void a_frame_after_a_fault_is_whole(void **state)
+{
+    (void)state;
+    static const char more[] = "--size 96x72 --offset 11,12 --te GPIO6 --delta --frames 3 sim/scenes/icosahedron.obj";
+    static uint16_t expected[W_PX * H_PX];
+    draw_expected("st7789", W_PX, H_PX, 2, PANEL_UPRIGHT, expected);
+    plug_in("st7789", &glass_module);
+    fake_fail_at(-1, 0);
+    assert_int_equal(play("st7789", more), 0);
+    const long last_wait = fake.waited_at;
+    plug_in("st7789", &glass_module);
+    const struct pin wired = emulated_port_reset(fake.display);
+    fake.chips[0].lines[4].wire = (struct pin){(void *)(uintptr_t)&wired, forget_picture};
+    fake_fail_at(last_wait, EREMOTEIO);
+    assert_int_equal(play("st7789", more), 0);
+    assert_string_equal(fake.failed, "line_wait");
+    emulated_dcs_show(&glass.chip.dcs, 0, NULL, raw);
+    for (size_t i = 0; i < W_PX * H_PX; i++)
+        assert_int_equal(raw[i], expected[i]);
+}
+
 /* While the panel is being set up. */
 static int interrupt_reset(void *ctx, bool high)
 {
@@ -392,6 +424,7 @@ int main(void)
         cmocka_unit_test(what_fails_again_and_again_is_given_up),
         cmocka_unit_test(what_was_long_unplugged_may_fail_otherwise_as_well),
         cmocka_unit_test(a_fault_anywhere_leaves_nothing_open),
+        cmocka_unit_test(a_frame_after_a_fault_is_whole),
         cmocka_unit_test(the_program_dies_of_the_signal_after_releasing_all),
         cmocka_unit_test(a_signal_ends_it_in_the_dark),
     };
