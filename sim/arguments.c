@@ -17,22 +17,25 @@ static bool ends_options(const char *item)
     return strcmp(item, "--") == 0;
 }
 
+/* An empty one is a variable of the shell that nobody has set: as a line's name it would be that of all without one. */
+static bool check_value(const char *name, const char *value, struct error *err)
+{
+    return (value && value[0]) || error_set(err, "%s: needs a value", name);
+}
+
 bool arguments_value(struct arguments *arguments, const char *name, const char **value, struct error *err)
 {
     const size_t length = strlen(name);
     for (int i = 1; i < arguments->count && !ends_options(arguments->items[i]);) {
         const char *item = arguments->items[i];
         const bool is_whole = strcmp(item, name) == 0;
-        if (is_whole && i + 1 == arguments->count) return error_set(err, "%s: needs a value", name);
-        if (is_whole) {
-            *value = arguments->items[i + 1];
-            drop(arguments, i, 2);
-        } else if (strncmp(item, name, length) == 0 && item[length] == '=') {
-            *value = item + length + 1;
-            drop(arguments, i, 1);
-        } else {
+        if (!is_whole && !(strncmp(item, name, length) == 0 && item[length] == '=')) {
             i++;
+            continue;
         }
+        *value = is_whole ? arguments->items[i + 1] : item + length + 1;
+        if (!check_value(name, *value, err)) return false;
+        drop(arguments, i, is_whole ? 2 : 1);
     }
     return true;
 }

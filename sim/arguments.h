@@ -15,7 +15,7 @@ struct arguments {
 };
 
 /* Takes `--name VALUE` or `--name=VALUE`, the last if there are several. *value stays as it is if there is none. An
- * error: the value is missing. */
+ * error: the value is missing or empty. */
 bool arguments_value(struct arguments *arguments, const char *name, const char **value, struct error *err);
 
 /* Takes `--name`; whether it was there. */

@@ -46,13 +46,10 @@ struct play {
 static bool take_frames(struct play *play, struct arguments *arguments, struct error *err)
 {
     const char *text = NULL;
-    double frames;
+    uint32_t frames = 0;
     if (!arguments_value(arguments, "--frames", &text, err)) return false;
-    if (!text) return true;
-    if (!parse_number("--frames", text, &frames, err)) return false;
-    if (frames < 1.0 || frames > FRAMES_MAX || frames != (double)(uint64_t)frames)
-        return error_set(err, "--frames %s: must be a whole number from 1 to %d", text, FRAMES_MAX);
-    play->frames = (uint64_t)frames;
+    if (text && !parse_whole("--frames", text, 1, FRAMES_MAX, &frames, err)) return false;
+    play->frames = frames;
     return true;
 }
 

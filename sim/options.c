@@ -118,10 +118,10 @@ static bool parse_fps(const char *text, double *out, struct error *err)
 /* Nothing: as many as there may be. */
 static bool parse_runs(const char *text, uint16_t *out, struct error *err)
 {
-    double runs = MOST_RUNS;
-    if (text && !parse_number("--delta", text, &runs, err)) return false;
-    *out = runs >= 1.0 && runs <= MOST_RUNS ? (uint16_t)runs : 0;
-    return *out || error_set(err, "--delta=%s: 1 to %d runs", text, MOST_RUNS);
+    uint32_t runs = MOST_RUNS;
+    if (text && !parse_whole("--delta", text, 1, MOST_RUNS, &runs, err)) return false;
+    *out = (uint16_t)runs;
+    return true;
 }
 
 static bool parse_near(const char *text, double *out, struct error *err)

@@ -6,6 +6,7 @@
 #include "encode.h"
 
 #include <errno.h>
+#include <inttypes.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -17,6 +18,16 @@ bool parse_number(const char *option, const char *text, double *out, struct erro
     errno = 0;
     *out = strtod(text, &end);
     return (end != text && *end == '\0' && errno == 0) || error_set(err, "%s %s: not a number", option, text);
+}
+
+bool parse_whole(const char *option, const char *text, uint32_t least, uint32_t most, uint32_t *out, struct error *err)
+{
+    double number;
+    if (!parse_number(option, text, &number, err)) return false;
+    if (!(number >= least && number <= most) || number != (uint32_t)number)
+        return error_set(err, "%s %s: must be a whole number from %" PRIu32 " to %" PRIu32, option, text, least, most);
+    *out = (uint32_t)number;
+    return true;
 }
 
 /* Six hexadecimal digits, then `stop`. */

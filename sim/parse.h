@@ -11,6 +11,9 @@ enum { PARSE_SIDE_MAX_PX = 1024 };
 
 bool parse_number(const char *option, const char *text, double *out, struct error *err);
 
+/* A whole number, 4e7 too. */
+bool parse_whole(const char *option, const char *text, uint32_t least, uint32_t most, uint32_t *out, struct error *err);
+
 /* --wireframe[=RRGGBB,RRGGBB]: the line's colour and the background's; NULL: the polygons' and the scene's own. */
 bool parse_wireframe(const char *text, struct lim_wireframe *out, struct error *err);
 

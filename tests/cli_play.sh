@@ -39,6 +39,7 @@ refuse "a panel that has D/C requires its line" '^limner: --panel st7789: needs 
     play "$model" --panel st7789 --spi /dev/spidev99.0
 st7789 "a scene is required" '^limner: play: needs a model'
 st7789 "a value is required" '^limner: --reset: needs a value' "$model" --reset
+st7789 "an empty value is none" '^limner: --reset: needs a value' "$model" --reset ''
 st7789 "a device that is not there is refused" '^limner: /dev/spidev99.0: no such device' "$model"
 st7789 "a scene that is not there is refused before the device" '^limner: nosuch.obj: ' nosuch.obj
 st7789 "a camera file that is not there is refused before the device" '^limner: nosuch.cam: ' "$model" --camera nosuch.cam
@@ -60,7 +61,7 @@ st7789 "a turn by 45 degrees is refused" '^limner: --rotate 45: must be 0, 90, 1
 for mode in 4 -1 0.5 x; do
     st7789 "mode '$mode' is refused" '^limner: --mode' "$model" --mode "$mode"
 done
-for hz in 0 -5 2e9 fast; do
+for hz in 0 -5 2e9 0.5 nan fast; do
     st7789 "clock '$hz' is refused" '^limner: --hz' "$model" --hz "$hz"
 done
 for frames in 0 -1 0.5 1e10 x; do
