@@ -47,6 +47,16 @@ st7789 "so it is for the test card" '^limner: /dev/spidev99.0: no such device' -
 refuse "what is no SPI device is refused" '^limner: /dev/null: not an SPI device$' \
     play --panel st7789 --spi /dev/null --dc GPIO25 --test-card
 
+names_all() {
+    "$limner" help >"$work/help"
+    panels=$("$limner" play --panel none 2>&1 | sed 's/.*there are //; s/,//g')
+    for panel in $panels; do
+        grep -qw "$panel" "$work/help" || { echo "$panel is not in limner help" && return 1; }
+    done
+    [ -n "$panels" ]
+}
+tap_check "help names each panel" names_all
+
 # -- What makes no sense -------------------------------------------------------------------------------------------------
 
 refuse "an unknown panel is refused" '^limner: --panel hd44780: no such panel; there are .*st7789' play "$model" --panel hd44780
