@@ -46,7 +46,8 @@ static int dcs_family_setup(struct display *display, const struct panel_choice *
     return dcs_setup(&display->driver.dcs, choice->chip, &config);
 }
 
-const struct display_family display_dcs = {dcs_family_chip, dcs_family_setup};
+const struct display_family display_dcs = {
+    .chip = dcs_family_chip, .setup = dcs_family_setup, .has_rows = true, .tells_refresh = true};
 
 /* Pages -------------------------------------------------------------------------------------- */
 
@@ -84,7 +85,7 @@ static int pages_family_setup(struct display *display, const struct panel_choice
     return pages_setup(&display->driver.pages, choice->chip, &config);
 }
 
-const struct display_family display_pages = {pages_family_chip, pages_family_setup};
+const struct display_family display_pages = {.chip = pages_family_chip, .setup = pages_family_setup};
 
 /* Solomon Systech ---------------------------------------------------------------------------- */
 
@@ -124,7 +125,7 @@ static int solomon_family_setup(struct display *display, const struct panel_choi
     return solomon_setup(&display->driver.solomon, choice->chip, &config);
 }
 
-const struct display_family display_solomon = {solomon_family_chip, solomon_family_setup};
+const struct display_family display_solomon = {.chip = solomon_family_chip, .setup = solomon_family_setup};
 
 /* Sharp -------------------------------------------------------------------------------------- */
 
@@ -155,7 +156,7 @@ static int sharp_family_setup(struct display *display, const struct panel_choice
     return sharp_setup(&display->driver.sharp, choice->chip, &config);
 }
 
-const struct display_family display_sharp = {sharp_family_chip, sharp_family_setup};
+const struct display_family display_sharp = {.chip = sharp_family_chip, .setup = sharp_family_setup, .selects = true};
 
 /* All of them -------------------------------------------------------------------------------- */
 
@@ -246,11 +247,20 @@ static const char *missing_pin(const struct panel_choice *choice, const struct d
     return NULL;
 }
 
+/* A line that would be taken, and never used. */
+static bool check_lines(const struct panel_choice *choice, const struct port *port, struct error *err)
+{
+    if (edge_is_wired(&port->tearing) && !choice->family->tells_refresh)
+        return error_set(err, "--te: %s does not tell its refresh", choice->name);
+    return !pin_is_wired(&port->select) || choice->family->selects ||
+           error_set(err, "--select: %s is selected by --spi's device, or by --cs of --hid", choice->name);
+}
+
 bool display_setup(struct display *display, const struct panel_choice *choice, const struct display_module *module,
                    const struct port *port, struct error *err)
 {
     struct display_module upright = *module;
-    if (!display_module_check(choice, module, err)) return false;
+    if (!display_module_check(choice, module, err) || !check_lines(choice, port, err)) return false;
     *display = (struct display){0};
     int code = choice->family->setup(display, choice, module, port);
     if (code == PANEL_ERR_CONFIG && module->rotation != PANEL_UPRIGHT) {

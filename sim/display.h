@@ -50,6 +50,9 @@ struct display_family {
     /* Fills display->driver and display->panel. 0, or what the driver says. */
     int (*setup)(struct display *display, const struct panel_choice *choice, const struct display_module *module,
                  const struct port *port);
+    bool has_rows;      /* its glass may begin in any row of memory: module->oy_px */
+    bool tells_refresh; /* its drivers wait for port->tearing */
+    bool selects;       /* its drivers set port->select: the bus does not */
 };
 
 extern const struct display_family display_dcs, display_pages, display_solomon, display_sharp;

@@ -78,7 +78,7 @@ static bool take_size(struct module_choice *out, struct arguments *arguments, st
     return true;
 }
 
-static bool take_offset(struct display_module *module, struct arguments *arguments, struct error *err)
+static bool take_offset(struct module_choice *out, struct arguments *arguments, struct error *err)
 {
     const char *text = NULL;
     unsigned x_px, y_px;
@@ -89,8 +89,11 @@ static bool take_offset(struct display_module *module, struct arguments *argumen
                          sscanf(text, "%u,%u%n", &x_px, &y_px, &length) == 2 && text[length] == '\0';
     if (!is_pair || x_px > UINT16_MAX || y_px > UINT16_MAX)
         return error_set(err, "--offset %s: must be X,Y, in pixels of the chip's memory", text);
-    module->ox_px = (uint16_t)x_px;
-    module->oy_px = (uint16_t)y_px;
+    if (y_px && !out->panel.family->has_rows)
+        return error_set(err, "--offset %s: the glass of %s begins in the first row of its memory, say %u,0", text,
+                         out->panel.name, x_px);
+    out->module.ox_px = (uint16_t)x_px;
+    out->module.oy_px = (uint16_t)y_px;
     return true;
 }
 
@@ -115,7 +118,7 @@ bool module_choice_parse(struct module_choice *out, struct arguments *arguments,
     if (!panel_choice_parse(panel, NULL, &out->panel, err)) return false;
     take_usual(out);
     struct display_module *module = &out->module;
-    if (!take_size(out, arguments, err) || !take_offset(module, arguments, err) ||
+    if (!take_size(out, arguments, err) || !take_offset(out, arguments, err) ||
         !take_rotation(module, arguments, err) || !arguments_either(arguments, "--bgr", "--rgb", &module->bgr, err) ||
         !arguments_either(arguments, "--invert", "--no-invert", &module->invert, err))
         return false;

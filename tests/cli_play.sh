@@ -79,6 +79,14 @@ for frames in 0 -1 0.5 1e10 x; do
 done
 refuse "a mirror is refused where the chip has none" '^limner: --panel pcd8544: .*mirrored' \
     play "$model" --panel pcd8544 --spi /dev/spidev99.0 --dc GPIO25 --mirror
+mono="play $model --panel ssd1306 --spi /dev/spidev99.0 --dc GPIO25"
+# shellcheck disable=SC2086 # words
+{
+    refuse "a line to wait for is refused where the chip has none" '^limner: --te: ssd1306 does not tell' $mono --te GPIO23
+    refuse "an offset of rows is refused where the driver has none" '^limner: --offset 32,8: .*ssd1306.*32,0' \
+        $mono --size 64x48 --offset 32,8
+}
+st7789 "a select line is refused where the bus selects" '^limner: --select: st7789 is selected by' "$model" --select GPIO22
 st7789 "an unknown option is refused" '^limner: --colour: no such option' "$model" --colour
 st7789 "render's options are refused" '^limner: --gif: no such option' "$model" --gif
 

@@ -313,6 +313,8 @@ static void start_display(const char *bufsiz)
 {
     struct panel_choice choice;
     struct error err;
+    struct linux_port_config config = all_wired;
+    config.select = NULL; /* the bus selects an ST7789 */
     fake_linux_init();
     fake.bufsiz = bufsiz;
     assert_true(panel_choice_parse("st7789", NULL, &choice, &err));
@@ -321,7 +323,7 @@ static void start_display(const char *bufsiz)
     fake.chips[0].lines[5].wire = emulated_port_dc(fake.display);
     fake.chips[0].lines[4].wire = emulated_port_reset(fake.display);
     fake.chips[0].lines[3].wire = emulated_port_backlight(fake.display);
-    open_port(&all_wired);
+    open_port(&config);
     assert_true(display_setup(&rig.display, &choice, &module, &port, &err));
     assert_int_equal(panel_init(rig.display.panel), 0);
     assert_int_equal(screen_init(&rig.screen, rig.display.panel, LIM_NEAREST_FIRST, rig.lines, sizeof rig.lines), 0);
