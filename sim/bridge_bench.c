@@ -15,8 +15,12 @@ static bool open_port(struct bridge_bench *bench, struct error *err)
 struct bridge_bench *bridge_bench_open(const struct panel_choice *choice, const struct display_module *module,
                                        struct error *err)
 {
-    struct bridge_bench *bench = display_module_check(choice, module, err) ? calloc(1, sizeof *bench) : NULL;
-    if (!bench) return NULL;
+    if (!display_module_check(choice, module, err)) return NULL;
+    struct bridge_bench *bench = calloc(1, sizeof *bench);
+    if (!bench) {
+        error_set(err, "bridge: out of memory");
+        return NULL;
+    }
     emulated_display_init(&bench->glass, choice, module);
     emulated_bridge_init(&bench->bridge, bench->glass.port);
     if (open_port(bench, err) && display_setup(&bench->display, choice, module, &bench->port, err)) return bench;

@@ -16,7 +16,7 @@ struct bridge_bench {
     struct display display;
 };
 
-/* Large: on the heap. bridge_bench_close() it, also after an error. */
+/* Large: on the heap. NULL: an error, and nothing to close. */
 struct bridge_bench *bridge_bench_open(const struct panel_choice *choice, const struct display_module *module,
                                        struct error *err);
 void bridge_bench_close(struct bridge_bench *bench);

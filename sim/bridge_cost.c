@@ -8,11 +8,13 @@ enum { PIECE_PX = 960 }; /* whole bytes in every format */
 static int send_window(struct panel *panel, const struct bridge_window *window)
 {
     static const uint8_t pixels[PIECE_PX * 3]; /* whose values cost nothing */
+    const size_t piece_px =
+        (size_t)PIECE_PX / panel->step_x_px * panel->step_x_px; /* whole lines where a panel takes no less */
     size_t left_px = (size_t)window->w_px * window->h_px;
     int err = panel_window(panel, window->x_px, window->y_px, window->w_px, window->h_px);
 
     while (left_px && !err) {
-        const size_t n_px = left_px < PIECE_PX ? left_px : PIECE_PX;
+        const size_t n_px = left_px < piece_px ? left_px : piece_px;
         err = panel_pixels(panel, pixels, n_px);
         left_px -= n_px;
     }

@@ -10,6 +10,12 @@
 enum { AT_DC, AT_RESET, AT_BACKLIGHT, AT_SELECT };
 enum { CH347_AT_SELECT = 2, CH347_AT_DC = 3, CH347_AT_RESET = 4, CH347_AT_BACKLIGHT = 6 };
 
+/* A display whose select is no chip select: its driver's pin, like others. */
+static bool selects_itself(const struct emulated_bridge *bridge)
+{
+    return bridge->display->select != NULL;
+}
+
 void emulated_bridge_init(struct emulated_bridge *bridge, struct emulated_port *display)
 {
     emulated_mcp2210_init(&bridge->chip);
@@ -21,7 +27,8 @@ void emulated_bridge_init(struct emulated_bridge *bridge, struct emulated_port *
     bridge->chip.pins[AT_DC] = emulated_port_dc(display);
     bridge->chip.pins[AT_RESET] = emulated_port_reset(display);
     bridge->chip.pins[AT_BACKLIGHT] = emulated_port_backlight(display);
-    bridge->chip.select = AT_SELECT;
+    bridge->chip.pins[AT_SELECT] = emulated_port_select(display);
+    bridge->chip.select = selects_itself(bridge) ? EMULATED_MCP2210_UNWIRED : AT_SELECT;
 }
 
 void emulated_bridge_init_ch347(struct emulated_bridge *bridge, struct emulated_port *display)
@@ -88,7 +95,9 @@ struct bridge_options emulated_bridge_options(const struct emulated_bridge *brid
 {
     if (bridge->kind == &ch347)
         return (struct bridge_options){.dc = "GP3", .reset = "GP4", .backlight = "GP6", .chip_select = "GP2"};
-    return (struct bridge_options){.dc = "GP0", .reset = "GP1", .backlight = "GP2", .chip_select = "GP3"};
+    struct bridge_options options = {.dc = "GP0", .reset = "GP1", .backlight = "GP2"};
+    *(selects_itself(bridge) ? &options.select : &options.chip_select) = "GP3";
+    return options;
 }
 
 const char *emulated_bridge_complaint(const struct emulated_bridge *bridge)

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT
  *
  * An emulated bridge on an emulated cable, wired to an emulated display. An MCP2210 has D/C at GP0, reset at GP1, the
- * backlight at GP2, chip select at GP3; a CH347T has them at GP3, GP4, GP6 and GP2. */
+ * backlight at GP2, chip select, or the select of a memory LCD, at GP3; a CH347T has them at GP3, GP4, GP6 and GP2, and
+ * no memory LCD. */
 #ifndef SIM_EMULATED_BRIDGE_H
 #define SIM_EMULATED_BRIDGE_H
 

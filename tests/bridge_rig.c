@@ -47,12 +47,8 @@ void bridge_rig_connect(struct bridge_rig *rig, const struct port *port)
 static void draw_golden(struct bridge_rig *rig)
 {
     emulated_display_init(&rig->glass, &rig->choice, &rig->module);
-    struct emulated_port *pins = rig->glass.port;
-    bridge_rig_connect(rig, &(struct port){.bus = emulated_port_bus(pins),
-                                           .dc = emulated_port_dc(pins),
-                                           .reset = emulated_port_reset(pins),
-                                           .backlight = emulated_port_backlight(pins),
-                                           .clock = emulated_port_clock(pins)});
+    const struct port port = emulated_port_whole(rig->glass.port);
+    bridge_rig_connect(rig, &port);
     assert_int_equal(panel_init(rig->display.panel), 0);
     for (unsigned picture = 0; picture < PICTURES; picture++) {
         assert_int_equal(bridge_rig_draw(rig, picture), 0);
@@ -60,21 +56,37 @@ static void draw_golden(struct bridge_rig *rig)
     }
 }
 
+/* Which the families have by different names: complaints so far, and memory. */
+struct inside {
+    unsigned *complaints;
+    void *memory;
+    size_t memory_b;
+};
+
+static struct inside look_inside(struct emulated_display *glass, const struct display_family *family)
+{
+    if (family == &display_dcs)
+        return (struct inside){&glass->chip.dcs.complaints, glass->chip.dcs.memory, sizeof glass->chip.dcs.memory};
+    if (family == &display_pages)
+        return (struct inside){&glass->chip.pages.complaints, glass->chip.pages.memory,
+                               sizeof glass->chip.pages.memory};
+    if (family == &display_solomon)
+        return (struct inside){&glass->chip.solomon.complaints, glass->chip.solomon.memory,
+                               sizeof glass->chip.solomon.memory};
+    assert_ptr_equal(family, &display_sharp);
+    return (struct inside){&glass->chip.sharp.complaints, glass->chip.sharp.memory, sizeof glass->chip.sharp.memory};
+}
+
 void bridge_rig_forgive(struct bridge_rig *rig)
 {
-    if (rig->choice.family == &display_dcs)
-        rig->glass.chip.dcs.complaints = 0;
-    else
-        rig->glass.chip.pages.complaints = 0;
+    *look_inside(&rig->glass, rig->choice.family).complaints = 0;
 }
 
 /* Cheaper than a power-up, and as good: the driver's reset is one. */
 static void scribble(struct bridge_rig *rig)
 {
-    if (rig->choice.family == &display_dcs)
-        memset(rig->glass.chip.dcs.memory, 0x55, sizeof rig->glass.chip.dcs.memory);
-    else
-        memset(rig->glass.chip.pages.memory, 0x55, sizeof rig->glass.chip.pages.memory);
+    const struct inside inside = look_inside(&rig->glass, rig->choice.family);
+    memset(inside.memory, 0x55, inside.memory_b);
     bridge_rig_forgive(rig);
 }
 

@@ -6,10 +6,11 @@
 
 tap_check "README's table of displays over USB-HID is what is predicted now" sh sim/bridge_table.sh --check
 
-one_row() {
-    [ "$("$BUILD/limner" bridge --panel pcd8544 --size 84x48 | grep -c '^| pcd8544 | 84x48 | ')" = 1 ]
+one_row() { # PANEL SIZE
+    [ "$("$BUILD/limner" bridge --panel "$1" --size "$2" | grep -c "^| $1 | $2 | ")" = 1 ]
 }
-tap_check "one display of the user's choice" one_row
+tap_check "one display of the user's choice" one_row pcd8544 84x48
+tap_check "so is a memory LCD, which is selected by a pin" one_row ls027b7dh01 400x240
 
 # TEXT OPTION...
 refused() {

@@ -48,8 +48,8 @@ static int send(size_t n_b)
 static const struct glass {
     const char *panel;
     uint16_t w_px, h_px;
-} GLASS[] = {
-    {"st7735", 128, 160}, {"ssd1306", 128, 64}, {"st7789", 31, 17}, {"pcd8544", 84, 48}, {"st7789:rgb444", 9, 7}};
+} GLASS[] = {{"st7735", 128, 160},    {"ssd1306", 128, 64}, {"st7789", 31, 17},  {"pcd8544", 84, 48},
+             {"st7789:rgb444", 9, 7}, {"ssd1327", 64, 48},  {"ssd1351", 50, 30}, {"ls013b7dh03", 128, 128}};
 enum { GLASSES = sizeof GLASS / sizeof GLASS[0] };
 
 static void frames_arrive_whole(void **state)
@@ -188,7 +188,8 @@ static void recover(enum cable_fault fault, bool initialised)
         bridge_rig_assert_shown(&rig, 2);
         assert_false(rig.glass.port->backlight_low);
     }
-    assert_int_equal(bus_flush(&port.bus), 0); /* may end a reset pulse that broke off */
+    assert_int_equal(bus_flush(&port.bus), 0); /* may end a reset pulse that broke off, */
+    if (pin_is_wired(&port.select)) assert_int_equal(pin_set(&port.select, false), 0); /* and this a message */
     bridge_rig_forgive(&rig);
     assert_int_equal(bridge_rig_start(&rig, 1), 0);
     bridge_rig_assert_shown(&rig, 1);
@@ -219,8 +220,9 @@ static bool survives(const char *panel, uint16_t w_px, uint16_t h_px, long n, en
 
 static void whatever_happens_to_a_report_is_told_and_overcome(void **state)
 {
-    static const struct glass small[] = {
-        {"ssd1306", 24, 16}, {"pcd8544", 17, 16}, {"st7735", 24, 9}, {"st7789", 10, 8}, {"gc9a01:rgb444", 16, 16}};
+    static const struct glass small[] = {{"ssd1306", 24, 16}, {"pcd8544", 17, 16},       {"st7735", 24, 9},
+                                         {"st7789", 10, 8},   {"gc9a01:rgb444", 16, 16}, {"ssd1327", 24, 8},
+                                         {"ssd1351", 10, 8},  {"ls013b7dh03", 128, 128}};
     long runs = 0;
 
     (void)state;
