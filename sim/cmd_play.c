@@ -13,7 +13,6 @@
 
 #include <stdio.h>
 #include <stdlib.h>
-#include <time.h>
 
 enum {
     ORBIT_FRAMES = 240, /* a turn in 8 s at 30 frames a second */
