@@ -1,9 +1,11 @@
 /* SPDX-License-Identifier: MIT
  *
  * A port that a program on a host opens by name at run time: bus, pins and clock behind one handle. What fails returns
- * a negative errno and leaves one line in `error` that names the thing, the reason and what could help: /dev/spidev0.0:
- * no such device; load spi-bcm2835 or pass --spi A microcontroller's port needs none of this: its board fills struct
- * bus, pin and clock. */
+ * a negative errno and leaves one line in `error` that names the thing, the reason and what could help:
+ *
+ *     /dev/spidev0.0: in use by another program; `fuser /dev/spidev0.0` names it
+ *
+ * A microcontroller's port needs none of this: its board fills struct bus, pin and clock. */
 #ifndef HAL_PORT_H
 #define HAL_PORT_H
 

@@ -71,7 +71,7 @@ static int execute(struct ch347 *bridge)
         if (n_b < 0) return n_b;
         if (n_b >= ANSWER_MIN_B && bridge->answer[AT_COMMAND] == bridge->report[AT_COMMAND]) return 0;
     }
-    return fail(bridge, -ETIMEDOUT, "no answer to command 0x%02x in %d ms; plug it out and in again",
+    return fail(bridge, -ETIMEDOUT, "no answer to command 0x%02x in %d ms; unplug it and plug it in again",
                 bridge->report[AT_COMMAND], BRIDGE_PATIENCE_MS);
 }
 

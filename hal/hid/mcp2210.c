@@ -90,7 +90,7 @@ static int read_answer(struct mcp2210 *bridge)
         other = bridge->answer[0];
     }
     if (other < 0)
-        return fail(bridge, -ETIMEDOUT, "no answer to command 0x%02x in %d ms; plug it out and in again",
+        return fail(bridge, -ETIMEDOUT, "no answer to command 0x%02x in %d ms; unplug it and plug it in again",
                     bridge->report[0], BRIDGE_PATIENCE_MS);
     return fail(bridge, -EPROTO, "it answers command 0x%02x to 0x%02x; is another program using it?", (unsigned)other,
                 bridge->report[0]);
@@ -104,7 +104,8 @@ static int check_status(struct mcp2210 *bridge)
     if (status == STATUS_TAKEN)
         return fail(bridge, -EBUSY, "another master has the SPI bus (status 0xf7); let it release GP8 or disable that");
     if (status == STATUS_BUSY)
-        return fail(bridge, -ETIMEDOUT, "busy for %d ms (status 0xf8); plug it out and in again", BRIDGE_PATIENCE_MS);
+        return fail(bridge, -ETIMEDOUT, "busy for %d ms (status 0xf8); unplug it and plug it in again",
+                    BRIDGE_PATIENCE_MS);
     return fail(bridge, -EPROTO, "status 0x%02x to command 0x%02x", status, bridge->report[0]);
 }
 
