@@ -28,7 +28,7 @@ static uint8_t reversed(uint16_t number)
     unsigned bits = 0;
 
     for (uint8_t i = 0; i < 8; i++)
-        bits |= (number >> i & 1u) << (7 - i);
+        bits |= ((unsigned)number >> i & 1u) << (7 - i);
     return (uint8_t)bits;
 }
 

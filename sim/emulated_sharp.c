@@ -66,7 +66,7 @@ static uint8_t lowest_first(uint8_t byte)
     unsigned number = 0;
 
     for (unsigned i = 0; i < 8; i++)
-        number |= (byte >> (7 - i) & 1u) << i;
+        number |= ((unsigned)byte >> (7 - i) & 1u) << i;
     return (uint8_t)number;
 }
 
