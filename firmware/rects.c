@@ -73,26 +73,26 @@ bool lim_rects_add(struct lim_rects *rects, const struct lim_rect *rect)
     return true;
 }
 
-/* Rectangle i with one of those before it. false: there is none that it should be one with. */
-static bool join_before(struct lim_rects *rects, uint16_t i)
+/* Puts rectangle i into one of those before it, whose index comes back; i: it stays on its own. */
+static uint16_t join_before(struct lim_rects *rects, uint16_t i)
 {
     for (uint16_t k = 0; k < i; k++) {
         const struct lim_rect both = around(&rects->rect[i], &rects->rect[k]);
         if (area(&both) > rects->area_px[i] + rects->area_px[k] + rects->window_px) continue;
         set(rects, k, &both);
         set(rects, i, &rects->rect[--rects->count]);
-        return true;
+        return k;
     }
-    return false;
+    return i;
 }
 
-/* What has grown is tried with all others again. */
+/* What has grown is tried again: with those before it, and those behind it are tried with it. */
 void lim_rects_join(struct lim_rects *rects)
 {
-    uint16_t i = 1;
-
-    while (i < rects->count)
-        i = join_before(rects, i) ? 1 : (uint16_t)(i + 1);
+    for (uint16_t i = 0; i < rects->count;) {
+        const uint16_t joined = join_before(rects, i);
+        i = joined < i ? joined : (uint16_t)(i + 1);
+    }
     rects->growing = 0;
 }
 

@@ -8,9 +8,9 @@
 
 #include "target.h"
 
-/* How many are put together at a time. More than 16 send hardly less, and take longer to. */
+/* How many are put together at a time: with fewer, more is sent and less is tried. */
 #ifndef LIM_DELTA_RECTS
-#define LIM_DELTA_RECTS 16
+#define LIM_DELTA_RECTS 32
 #endif
 
 struct lim_rects {

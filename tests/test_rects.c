@@ -73,11 +73,11 @@ static void a_full_list_takes_what_another_rectangle_can_hold(void **state)
         assert_true(add(&rects, 4 * i, 0, 4 * i + 1));
     assert_int_equal(rects.count, LIM_DELTA_RECTS);
     assert_true(add(&rects, 4, 1, 5));
-    assert_false(add(&rects, 100, 1, 101));
+    assert_false(add(&rects, 500, 1, 501));
     assert_int_equal(rects.count, LIM_DELTA_RECTS);
     lim_rects_clear(&rects);
-    assert_true(add(&rects, 100, 1, 101));
-    assert_rect(&rects, 0, 100, 1, 101, 2);
+    assert_true(add(&rects, 500, 1, 501));
+    assert_rect(&rects, 0, 500, 1, 501, 2);
 }
 
 /* Two that have grown towards each other. */
