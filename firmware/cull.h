@@ -6,8 +6,9 @@
 #define LIM_CULL_H
 
 #include "scene.h"
-#include "target.h"
 #include "view.h"
+
+#include "rect.h" /* last: where a type stands decides whether the proof of perspective_at() is found in time */
 
 struct lim_cull_plane {
     int16_t n[3];   /* points inwards; two bits less than the view matrix, length <= 2^14 */

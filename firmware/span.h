@@ -7,6 +7,7 @@
 #define LIM_SPAN_H
 
 #include "cull.h"
+#include "target.h"
 
 /* Pixels x0 <= x < x1. */
 struct lim_gap {

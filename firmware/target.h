@@ -6,6 +6,7 @@
 #define LIM_TARGET_H
 
 #include "config.h"
+#include "rect.h"
 
 enum lim_format {
     LIM_RGB565 /* two bytes a pixel as the bus wants them: the byte with the red bits first */
@@ -25,11 +26,6 @@ struct lim_wireframe {
     bool on;
     bool one_colour;
     uint16_t colour, background; /* if one_colour, RGB565 as numbers; else the polygons' and the scene's own */
-};
-
-/* Pixels x0 <= x < x1, y0 <= y < y1. */
-struct lim_rect {
-    uint16_t x0, y0, x1, y1;
 };
 
 /* What sending a part of the picture costs: delta.h. */
