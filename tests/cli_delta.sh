@@ -9,8 +9,6 @@ few() { # FILE EVERY: some cameras of a file, each twice
     awk -v every="$2" '!/^#/ && NF && n++ % every == 0 { print; print }' "$1" | head -n 10 >"$work/few.cam"
 }
 
-memory='--delta --delta=150' # plenty, and too little
-
 same() { # MODEL OPTION...
     "$BUILD/limner" render "$@" --camera "$work/few.cam" --write-hashes "$work/whole" >/dev/null || return 1
     for delta in $memory; do
@@ -58,6 +56,19 @@ tap_check "a cube that turns before a still camera: at most 6 % of the bytes" sh
 tap_check "a walk: at most 10 %" share 10 sim/scenes/rooms.obj sim/scenes/rooms-walk.cam
 tap_check "a turn: at most 12 %" share 12 sim/scenes/rooms.obj sim/scenes/rooms-turn.cam
 tap_check "where nothing moves, nothing is sent" nothing_moves
+
+memory=--delta
+for scene in rooms rooms-tilted teapot knot glass; do
+    cp "sim/scenes/$scene.cam" "$work/few.cam"
+    tap_check "all of the $scene's path: the same" same "sim/scenes/$scene.obj" --size 120x120
+done
+cp sim/scenes/movers.cam "$work/few.cam"
+tap_check "all of the movers' path: the same" same sim/scenes/movers.gltf --size 120x120
+cp "$BUILD/scenes/textured/textured.cam" "$work/few.cam"
+tap_check "all of the textured rooms' path: the same" same "$BUILD/scenes/textured/textured.obj" --size 120x120
+cp "$BUILD/scenes/demo.cam" "$work/few.cam"
+tap_check "all of the demo's path: the same" same "$BUILD/scenes/demo.obj"
+memory='--delta --delta=150' # plenty, and too little
 
 few sim/scenes/rooms-walk.cam 5
 "$BUILD/limner" compile sim/scenes/rooms.obj -o "$work/rooms" >/dev/null
