@@ -49,8 +49,7 @@ static inline void find_visible(const struct lim_delta *delta, uint16_t y, uint1
 #endif
 }
 
-/* Rectangles --------------------------------------------------------------------------------------------------------
- */
+/* Rectangles ----------------------------------------------------------------------------------------------------- */
 
 static int send_rect(struct lim_delta *delta, const struct lim_rect *rect)
 {
@@ -113,8 +112,7 @@ static int add_changes(struct lim_delta *delta, uint16_t y)
     return err;
 }
 
-/* At once -----------------------------------------------------------------------------------------------------------
- */
+/* At once -------------------------------------------------------------------------------------------------------- */
 
 /* A window goes on below its first line, and takes the same stretch of the next one as well. */
 static int send_stretch(struct lim_delta *delta, const struct lim_rect *stretch)
@@ -162,8 +160,7 @@ static int send_changes(struct lim_delta *delta, uint16_t y)
     return err ? err : send_rects(delta);
 }
 
-/* Pages -------------------------------------------------------------------------------------------------------------
- */
+/* Pages ---------------------------------------------------------------------------------------------------------- */
 
 /* A page is one line of rectangles. If there are too many, it is sent whole. */
 static void add_to_page(struct lim_delta *delta, uint16_t y, uint16_t x0, uint16_t x1)
@@ -205,8 +202,7 @@ static int page_line(struct lim_delta *delta, uint16_t y, bool compares)
     return send_page(delta, y);
 }
 
-/* Lines -------------------------------------------------------------------------------------------------------------
- */
+/* Lines ---------------------------------------------------------------------------------------------------------- */
 
 /* What was painted without notes. The painter has lent all lines at once. */
 static int look_at_line(struct lim_delta *delta, uint16_t y, uint16_t x0, uint16_t x1)
@@ -301,8 +297,7 @@ static void delta_visible(void *ctx, uint16_t y, uint16_t *x0, uint16_t *x1)
 }
 #endif
 
-/* Frames ------------------------------------------------------------------------------------------------------------
- */
+/* Frames --------------------------------------------------------------------------------------------------------- */
 
 static bool is_same(const struct lim_camera *a, const struct lim_camera *b)
 {

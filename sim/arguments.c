@@ -23,19 +23,26 @@ static bool check_value(const char *name, const char *value, struct error *err)
     return (value && value[0]) || error_set(err, "%s: needs a value", name);
 }
 
-bool arguments_value(struct arguments *arguments, const char *name, const char **value, struct error *err)
+/* Whether the item is the option. *value: what stands behind its `=`, or NULL. */
+static bool is_option(const char *item, const char *name, const char **value)
 {
     const size_t length = strlen(name);
+    if (strncmp(item, name, length) != 0 || (item[length] && item[length] != '=')) return false;
+    *value = item[length] ? item + length + 1 : NULL;
+    return true;
+}
+
+bool arguments_value(struct arguments *arguments, const char *name, const char **value, struct error *err)
+{
+    const char *own;
     for (int i = 1; i < arguments->count && !ends_options(arguments->items[i]);) {
-        const char *item = arguments->items[i];
-        const bool is_whole = strcmp(item, name) == 0;
-        if (!is_whole && !(strncmp(item, name, length) == 0 && item[length] == '=')) {
+        if (!is_option(arguments->items[i], name, &own)) {
             i++;
             continue;
         }
-        *value = is_whole ? arguments->items[i + 1] : item + length + 1;
+        *value = own ? own : arguments->items[i + 1];
         if (!check_value(name, *value, err)) return false;
-        drop(arguments, i, is_whole ? 2 : 1);
+        drop(arguments, i, own ? 1 : 2);
     }
     return true;
 }
@@ -55,19 +62,17 @@ bool arguments_flag(struct arguments *arguments, const char *name)
 bool arguments_optional(struct arguments *arguments, const char *name, bool (*is_value)(const char *word),
                         const char **value)
 {
-    const size_t length = strlen(name);
+    const char *own;
     bool found = false;
     for (int i = 1; i < arguments->count && !ends_options(arguments->items[i]);) {
-        const char *item = arguments->items[i];
-        const bool is_whole = strcmp(item, name) == 0;
-        if (!is_whole && !(strncmp(item, name, length) == 0 && item[length] == '=')) {
+        if (!is_option(arguments->items[i], name, &own)) {
             i++;
             continue;
         }
-        const char *next = is_whole ? arguments->items[i + 1] : item + length + 1;
-        const bool has_value = next && (!is_whole || is_value(next));
-        if (has_value) *value = next;
-        drop(arguments, i, is_whole && has_value ? 2 : 1);
+        const char *next = arguments->items[i + 1];
+        const bool takes_next = !own && next && is_value(next);
+        if (own || takes_next) *value = own ? own : next;
+        drop(arguments, i, takes_next ? 2 : 1);
         found = true;
     }
     return found;

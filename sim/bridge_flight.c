@@ -84,7 +84,8 @@ bool bridge_flight_cost(const struct panel_choice *choice, const struct display_
 {
     char size[16];
     snprintf(size, sizeof size, "%ux%u", (unsigned)module->w_px, (unsigned)module->h_px);
-    const char *const words[] = {"bridge", scene_path, "--camera", camera_path, "--size", size, "--delta", NULL};
+    const char *words[] = {/* whose order the parser changes */
+                           "bridge", scene_path, "--camera", camera_path, "--size", size, "--delta", NULL};
     struct flown *flown = calloc(1, sizeof *flown);
     if (!flown) return error_set(err, "bridge: out of memory");
     bool ok = options_parse(7, (char **)words, OPTIONS_VIEW, &flown->options, err);

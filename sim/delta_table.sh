@@ -1,8 +1,7 @@
 # SPDX-License-Identifier: MIT
 #
 # Measures what delta output sends on each kind of panel, and what it costs, as README's tables. With --write puts them
-# into README.md between its markers; with --check says how the first differs from README. Needs $BUILD/limner; the
-# costs, emulated processors.
+# into README.md between its markers. Needs $BUILD/limner; the costs, emulated processors.
 set -eu
 . sim/readme_table.sh
 . sim/scenes/cube.sh
@@ -60,7 +59,6 @@ costs() {
 cube_make "$work"
 shares >"$work/shares"
 case ${1:-} in
---check) grep -q '<!-- delta begin' README.md && readme_with delta "$work/shares" | diff README.md - ;;
 --write)
     readme_write delta "$work/shares"
     costs >"$work/costs"
