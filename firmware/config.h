@@ -99,6 +99,22 @@
 #define LIM_HAS_ROUND LIM_HAS_SPANS
 #endif
 
+/* 1: a target that keeps the whole picture gets nearest first's pieces as they are found. */
+#ifndef LIM_HAS_FRAME
+#define LIM_HAS_FRAME LIM_HAS_NEAREST
+#endif
+
+/* 1: a target may take one convex solid's runs instead of lines, lim_target.put_run. No compiled scene knows of it: who
+ * has such a target says so. */
+#ifndef LIM_HAS_RUNS
+#define LIM_HAS_RUNS LIM_HAS_CONVEX
+#endif
+
+/* 0: all targets take runs, and no line is ever lent. */
+#ifndef LIM_HAS_LINES
+#define LIM_HAS_LINES 1
+#endif
+
 /* 1: lim_frame() counts its work in struct lim_stats. 0: the counters stay zero and cost nothing. */
 #ifndef LIM_HAS_STATS
 #define LIM_HAS_STATS 1
@@ -130,8 +146,16 @@
 #define LIM_HAS_PORTALS (LIM_HAS_TREE && LIM_HAS_CULL)
 #endif
 
-/* Planes off the axes are tried in 32 bits first. One convex solid has too few of them for that to pay. */
-#define LIM_HAS_FILTER (LIM_HAS_HIDDEN && LIM_HAS_SLANTED)
+/* Whether the processor works on bytes: 32 bits are four steps then and 64 a call of the library, divisions take a step
+ * for each bit, and multiplications by less than 16 bits pay. The same bits come of other instructions. */
+#if defined(__AVR__)
+#define LIM_8_BIT 1
+#else
+#define LIM_8_BIT 0
+#endif
+
+/* Planes off the axes are tried in 32 bits first. One convex solid has too few of them for that to pay elsewhere. */
+#define LIM_HAS_FILTER (LIM_HAS_SLANTED && (LIM_HAS_HIDDEN || LIM_8_BIT))
 
 /* Longest side of any target, in pixels: 8..1024. Up to 341 all screen arithmetic fits 32 bits. */
 #ifndef LIM_MAX_SIDE_PX
@@ -152,6 +176,11 @@
 #define LIM_PIECE_VERTICES (LIM_MAX_VERTICES + LIM_CUT_VERTICES)
 #else
 #define LIM_PIECE_VERTICES 250
+#endif
+
+/* Vertices that VIEW remembers, a power of two: 8..256. With fewer, some are projected again. */
+#ifndef LIM_VIEW_CACHE_ENTRIES
+#define LIM_VIEW_CACHE_ENTRIES 64
 #endif
 
 /* Const scene data lives in flash. Only AVR needs another address space to reach it. */
@@ -204,8 +233,17 @@
 #if LIM_HAS_ANTIALIAS && !LIM_HAS_SPANS
 #error "LIM_HAS_ANTIALIAS needs an order that paints nearest first"
 #endif
+#if LIM_HAS_FRAME && !LIM_HAS_NEAREST
+#error "LIM_HAS_FRAME needs LIM_HAS_NEAREST"
+#endif
 #if LIM_HAS_PORTALS && !(LIM_HAS_TREE && LIM_HAS_CULL)
 #error "LIM_HAS_PORTALS needs LIM_HAS_CULL and an order that walks the tree"
+#endif
+#if !LIM_HAS_LINES && (!LIM_HAS_RUNS || LIM_HAS_HIDDEN || LIM_HAS_TEXTURE)
+#error "LIM_HAS_LINES may be 0 where LIM_HAS_RUNS is 1, and no order or texture is linked that asks for lines"
+#endif
+#if LIM_VIEW_CACHE_ENTRIES < 8 || LIM_VIEW_CACHE_ENTRIES > 256 || LIM_VIEW_CACHE_ENTRIES & (LIM_VIEW_CACHE_ENTRIES - 1)
+#error "LIM_VIEW_CACHE_ENTRIES must be a power of two, 8..256"
 #endif
 #if LIM_MAX_SIDE_PX < 8 || LIM_MAX_SIDE_PX > 1024
 #error "LIM_MAX_SIDE_PX must be 8..1024"

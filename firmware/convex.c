@@ -21,14 +21,11 @@ void lim_convex_init(struct lim *lim, void *mem, size_t mem_b)
 {
     struct lim_convex *convex = &lim->convex;
     const uint16_t polygon_count = lim->scene->polygon_count;
-    const size_t least_b = lim_convex_mem_b(lim->scene, &lim->target, 0);
-    const size_t room = (mem_b - least_b) / sizeof(struct lim_crossing);
     struct lim_view_cached *cache = mem;
 
-    convex->faces = (struct lim_face *)(void *)(cache + LIM_VIEW_CACHE_ENTRIES);
-    convex->tops = (uint16_t *)(void *)(convex->faces + polygon_count);
-    convex->pool = (struct lim_crossing *)(void *)((uint8_t *)mem + least_b);
-    convex->pool_size = room < polygon_count ? (uint16_t)room : polygon_count;
+    convex->tops = (uint16_t *)(void *)(cache + LIM_VIEW_CACHE_ENTRIES);
+    convex->pool = (struct lim_crossing *)(void *)((uint8_t *)mem + LIM_CONVEX_MEM_B(lim->target.h_px, 0, 0));
+    convex->faces = (struct lim_face *)(void *)((uint8_t *)mem + (mem_b & ~(size_t)3)) - polygon_count;
     lim_view_init(&lim->view, lim->target.w_px, lim->target.h_px, cache);
 }
 
@@ -109,10 +106,13 @@ static void fill_next(struct lim *lim, uint16_t *line, struct lim_crossing *cros
     const int16_t x0 = left > 0 ? left : 0, x1 = right < w_px ? right : w_px;
     if (x0 >= x1) return;
     if (LIM_HAS_WIREFRAME && lim_wireframe_of(lim)) {
-        const struct lim_wire wire = lim_wire_of(&crossing->polygon, lim_wireframe_of(lim), lim_background_of(lim), y);
+        struct lim_wire wire = lim_wire_of(&crossing->polygon, lim_wireframe_of(lim), lim_background_of(lim), y);
+#if LIM_HAS_RUNS
+        wire.target = &lim->target;
+#endif
         lim_wire_fill(line, &wire, (uint16_t)x0, (uint16_t)x1);
     } else if (!fill_textured(lim, line, crossing, y, x0, x1)) {
-        lim_fill(line, (uint16_t)x0, (uint16_t)(x1 - x0), crossing->polygon.colour);
+        lim_fill_run(&lim->target, line, (uint16_t)y, (uint16_t)x0, (uint16_t)(x1 - x0), crossing->polygon.colour);
     }
     if (LIM_HAS_STATS) lim_stats_of(lim)->pixels_painted += (uint32_t)(x1 - x0);
 }
@@ -131,17 +131,27 @@ static LIM_RARE void fill_fan(struct lim *lim, uint16_t *line, const struct lim_
     }
 }
 
+/* The pool has the room that the frame's faces leave. */
+static bool has_room(const struct lim_convex *convex)
+{
+    const uint8_t *const end = (const uint8_t *)&convex->faces[convex->farthest];
+
+    return (size_t)(end - (const uint8_t *)&convex->pool[convex->pool_used]) >= sizeof(struct lim_crossing);
+}
+
 /* Projects a face that has no entry: into a free one, which is then its own, or else into `spare`. */
 static struct lim_crossing *enter(struct lim *lim, struct lim_face *face, struct lim_crossing *spare, int16_t y)
 {
     struct lim_convex *convex = &lim->convex;
     struct lim_crossing *crossing = spare;
+    uint_fast16_t i = 0;
 
-    for (uint_fast16_t i = 0; i < convex->pool_size; i++) {
-        if (convex->pool[i].polygon.shape.bottom > y) continue;
+    while (i < convex->pool_used && convex->pool[i].polygon.shape.bottom > y)
+        i++;
+    if (i < convex->pool_used || has_room(convex)) {
+        if (i == convex->pool_used) convex->pool_used++;
         crossing = &convex->pool[i];
         face->crossing = (uint16_t)i;
-        break;
     }
     if (LIM_HAS_STATS && crossing == spare) lim_stats_of(lim)->bands++;
     (void)project(lim, &crossing->polygon, face->record, NULL);
@@ -210,14 +220,25 @@ static void note_line(struct lim *lim, uint16_t count, uint32_t painted_before)
     if (count > stats->active_max) stats->active_max = count;
 }
 
+/* Whether the target has no memory for lines, and needs none. */
+static bool takes_runs(const struct lim *lim)
+{
+#if LIM_HAS_RUNS
+    return !LIM_HAS_LINES || (lim->target.put_run && !lim_texture_count(lim->scene));
+#else
+    (void)lim;
+    return false;
+#endif
+}
+
 static int draw_line(struct lim *lim, struct lim_crossing *spare, uint16_t y)
 {
     const uint32_t painted_before = LIM_HAS_STATS ? lim_stats_of(lim)->pixels_painted : 0;
     const uint16_t w_px = lim->target.w_px;
-    uint16_t *line = lim->target.lend(lim->target.ctx, y);
+    uint16_t *line = takes_runs(lim) ? NULL : lim->target.lend(lim->target.ctx, y);
 
-    if (!line) return LIM_ERR_TARGET;
-    lim_fill(line, 0, w_px, lim_background_of(lim));
+    if (!line && !takes_runs(lim)) return LIM_ERR_TARGET;
+    lim_fill_run(&lim->target, line, y, 0, w_px, lim_background_of(lim));
     const uint16_t count = paint_faces(lim, line, spare, y);
     if (LIM_HAS_STATS) note_line(lim, count, painted_before);
     return lim->target.done(lim->target.ctx, y, 0, w_px);
@@ -225,12 +246,11 @@ static int draw_line(struct lim *lim, struct lim_crossing *spare, uint16_t y)
 
 static void start(struct lim_convex *convex, const struct lim *lim)
 {
-    for (uint_fast16_t i = 0; i < convex->pool_size; i++)
-        convex->pool[i].polygon.shape.bottom = 0;
     for (uint_fast16_t y = 0; y < lim->target.h_px; y++)
         convex->tops[y] = LIM_NONE;
     convex->farthest = lim->scene->polygon_count;
     convex->first = LIM_NONE;
+    convex->pool_used = 0;
 }
 
 int lim_convex_frame(struct lim *lim)

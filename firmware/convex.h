@@ -2,8 +2,8 @@
  *
  * One convex solid, line by line. In: a scene whose tree is a chain: each node's polygons face away
  * from all that comes after it, so the order of the nodes is right from everywhere. Out: every line
- * painted once, from top to bottom. Memory: three numbers a polygon, a head a line, and the faces that
- * cross one line, lent. */
+ * painted once, from top to bottom. Memory, lent: a head a line, three numbers a polygon that faces the eye, and the
+ * faces that cross one line. */
 #ifndef LIM_CONVEX_H
 #define LIM_CONVEX_H
 
@@ -31,10 +31,10 @@ struct lim_crossing {
 };
 
 struct lim_convex {
-    struct lim_face *faces; /* those of this frame from the farthest to the nearest: from `farthest` to the end */
-    uint16_t *tops;         /* for each line the faces that start on it, or LIM_NONE */
+    uint16_t *tops; /* for each line the faces that start on it, or LIM_NONE */
     struct lim_crossing *pool;
-    uint16_t pool_size;
+    struct lim_face *faces; /* those of this frame from the farthest to the nearest: from `farthest` to memory's end */
+    uint16_t pool_used;     /* entries that this frame has used, free again or not */
     uint16_t farthest;
     uint16_t first; /* of the faces that cross the current line, or LIM_NONE */
 };

@@ -12,12 +12,31 @@
  * |dx|, dy <= 2050 S (perspective.h): the last term's numerator stays below 2^31. */
 #include "edge.h"
 
+#include "fixed.h"
+
+/* Neither is a quotient in here longer than the guard band is wide, nor, on small screens, a divisor than 16 bits. */
+#define EDGE_MOST_PX (2 * LIM_MAX_SIDE_PX + 2)
+#define EDGE_IS_SHORT (LIM_8_BIT && EDGE_MOST_PX < 512 && EDGE_MOST_PX <= UINT16_MAX >> LIM_SUB_BITS)
+
+/* A coordinate and what is added to it, or a line from the origin. */
+#if EDGE_IS_SHORT
+typedef int16_t edge_sub;
+#define EDGE_SUB_MIN INT16_MIN
+#define EDGE_SUB_MAX INT16_MAX
+#define EDGE_SHIFT(area) shift_s32(area, LIM_SUB_BITS)
+#else
+typedef int32_t edge_sub;
+#define EDGE_SUB_MIN INT32_MIN
+#define EDGE_SUB_MAX INT32_MAX
+#define EDGE_SHIFT(area) ((area) >> LIM_SUB_BITS)
+#endif
+
 /* The first line at or below y. */
 /*@ requires -8388608 <= y <= 8388608;
     assigns \nothing; */
 static inline int16_t line_of(lim_sub y)
 {
-    return (int16_t)(((y + (LIM_SUB - 1)) >> LIM_SUB_BITS) + LIM_ORIGIN_PX);
+    return (int16_t)(((edge_sub)(y + (edge_sub)(LIM_SUB - 1)) >> LIM_SUB_BITS) + LIM_ORIGIN_PX);
 }
 
 /* M above, for line y from the origin. */
@@ -39,7 +58,44 @@ static inline lim_sub_area meeting(struct lim_point a, int32_t dx, int32_t dy, i
     //@ assert a.x * dy == whole_x * dy * LIM_SUB + part_x * dy;
     //@ assert dx * (y * LIM_SUB - a.y) == (y - whole_y) * dx * LIM_SUB - part_y * dx;
 
-    return (lim_sub_area)(whole + (lim_sub_wrap)((part + (LIM_SUB - 1)) >> LIM_SUB_BITS));
+    return (lim_sub_area)(whole + (lim_sub_wrap)EDGE_SHIFT(part + (LIM_SUB - 1)));
+}
+
+/* a / by, rounded to zero, and what is left. */
+#if EDGE_IS_SHORT
+static int32_t divide(int32_t a, int32_t by, int32_t *rest)
+{
+    const uint32_t both = lim_divide_u9(abs_s32(a), (uint16_t)by);
+    const int16_t quotient = (int16_t)(both & 511);
+
+    *rest = (int32_t)(both >> 16);
+    if (a >= 0) return quotient;
+    *rest = -*rest;
+    return -quotient;
+}
+#else
+/*@ requires by > 0 && \valid(rest);
+    assigns *rest;
+    ensures \result == a / by && *rest == a - \result * by; */
+static inline int32_t divide(int32_t a, int32_t by, int32_t *rest)
+{
+    const int32_t quotient = a / by;
+
+    *rest = a - quotient * by;
+    return quotient;
+}
+#endif
+
+/*@ requires by > 0 && -2147483648 <= a / by <= 2147483647 && \valid(rest);
+    assigns *rest;
+    ensures \result == a / by && *rest == a - \result * by; */
+static inline int32_t divide_area(lim_sub_area a, int32_t by, int32_t *rest)
+{
+    if (EDGE_IS_SHORT) return divide((int32_t)a, by, rest);
+    const int32_t quotient = (int32_t)(a / by);
+
+    *rest = (int32_t)(a - (lim_sub_area)quotient * by);
+    return quotient;
 }
 
 /*@ requires \valid(edge) && a.y < b.y && -2050 * LIM_SUB <= b.x - a.x <= 2050 * LIM_SUB;
@@ -66,8 +122,8 @@ static void edge_set(struct lim_edge *edge, struct lim_point a, struct lim_point
     /*@ ghost if (m / dy >= 2050) scale(2050, m / dy, dy);
               if (m / dy <= -2050) scale(m / dy, -2050, dy); */
     //@ assert LIM_SUB_BITS > 9 ==> -2050 < m / dy < 2050;
-    int32_t x = (int32_t)(m / dy); /* rounds to zero: up, if negative */
-    int32_t error = (int32_t)(m - (lim_sub_area)x * dy);
+    int32_t error, rest;
+    int32_t x = divide_area(m, dy, &error); /* rounds to zero: up, if negative */
     //@ assert x == m / dy && error == m - x * dy && -dy < error < dy;
 
     if (error > 0) {
@@ -80,8 +136,7 @@ static void edge_set(struct lim_edge *edge, struct lim_point a, struct lim_point
     edge->step_x = 0;
     edge->step_error = 0;
     if (end - y < 2) return; /* never stepped */
-    int32_t step = dx / dy;
-    int32_t rest = dx - step * dy;
+    int32_t step = divide(dx, dy, &rest);
     if (rest < 0) {
         step--;
         rest += dy;
@@ -129,21 +184,21 @@ void lim_edge_advance(struct lim_edge_pair *pair, const struct lim_point *at, ui
 }
 
 /* line_of() from the origin: what two of them have between them is the same. So are columns. */
-static int32_t row_of(int32_t y)
+static edge_sub row_of(edge_sub y)
 {
-    return (y + (LIM_SUB - 1)) >> LIM_SUB_BITS;
+    return (edge_sub)(y + (edge_sub)(LIM_SUB - 1)) >> LIM_SUB_BITS;
 }
 
 /* A folded polygon has more than one local extreme of either kind, a low one a line below a high one as a rule. Where
  * the extra ones lie near its top, a fan from the bottom sees every other corner, and the other way round. */
-static LIM_RARE uint8_t choose_apex(const struct lim_point *at, uint8_t n, uint8_t top_at, int32_t bottom)
+static LIM_RARE uint8_t choose_apex(const struct lim_point *at, uint8_t n, uint8_t top_at, edge_sub bottom)
 {
-    const int32_t top = row_of(at[top_at].y);
-    int32_t lowest_top = top, after = row_of(at[1].y), here = row_of(at[0].y);
+    const edge_sub top = row_of(at[top_at].y);
+    edge_sub lowest_top = top, after = row_of(at[1].y), here = row_of(at[0].y);
     uint8_t bottom_at = 0;
 
     for (uint_fast8_t k = n; k-- > 0;) {
-        const int32_t before = row_of(at[k].y);
+        const edge_sub before = row_of(at[k].y);
         if (here <= before && here <= after && here > lowest_top) lowest_top = here;
         if (before == bottom) bottom_at = (uint8_t)k;
         after = here;
@@ -155,14 +210,14 @@ static LIM_RARE uint8_t choose_apex(const struct lim_point *at, uint8_t n, uint8
 /* A plain polygon's boundary goes from its top to its bottom and back; what goes farther is folded. */
 void lim_edge_measure(struct lim_edge_shape *shape, const struct lim_point *at, uint8_t n)
 {
-    int32_t before = row_of(at[n - 1].y), top = INT32_MAX, bottom = INT32_MIN, left = INT32_MAX, right = INT32_MIN,
-            way = 0;
+    edge_sub before = row_of(at[n - 1].y), top = EDGE_SUB_MAX, bottom = EDGE_SUB_MIN, left = EDGE_SUB_MAX;
+    edge_sub right = EDGE_SUB_MIN, way = 0;
     uint8_t top_at = 0;
 
     for (uint8_t k = 0; k < n; k++) {
-        const int32_t x = at[k].x, row = row_of(at[k].y);
+        const edge_sub x = at[k].x, row = row_of(at[k].y);
 
-        way += row > before ? row - before : before - row;
+        way = (edge_sub)(way + (row > before ? row - before : before - row));
         if (row < top) top = row, top_at = k;
         if (row > bottom) bottom = row;
         if (x < left) left = x;

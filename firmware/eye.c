@@ -38,7 +38,7 @@ static void reduce(struct lim_eye *eye)
     while (!fits_s16(eye->at_q8, eye->shift))
         eye->shift++;
     for (uint8_t i = 0; i < 3; i++) {
-        eye->reduced[i] = (eye->at_q8[i] >> 8 >> eye->shift);
+        eye->reduced[i] = (lim_eye_reduced)(eye->at_q8[i] >> 8 >> eye->shift);
         sum += abs_s32(eye->reduced[i]);
     }
     eye->large_slack = LARGE_SLACK_FIXED + (int32_t)((sum + 1) >> 1);

@@ -39,7 +39,42 @@ uint32_t lim_recip_divided_q24(uint32_t mantissa_q31)
     return (left_q16 << 8) - fall_q16 * fraction_q8;
 }
 
+#if LIM_8_BIT
+
+/* Shifts are by bytes where they can be: of the library's, and the compiler's, each bit is a turn of a loop. */
+int32_t lim_mul_q30(int32_t a_q30, int32_t b_q30)
+{
+    const union {
+        int64_t q60;
+        struct {
+            uint32_t low;
+            int32_t high;
+        };
+    } product = {(int64_t)a_q30 * b_q30};
+    const uint8_t below = (uint8_t)(product.low >> 24);
+
+    return (int32_t)((uint32_t)product.high * 4 + (uint8_t)((uint8_t)(below >> 6) + (below >> 5 & 1)));
+}
+
+/* Digit by digit, each in place of a bit of `a` that is used up. The rest may need a 17th bit for a moment. */
+uint32_t lim_divide_u9(uint32_t a, uint16_t b)
+{
+    const uint32_t b_high = (uint32_t)b << 16;
+    uint32_t both = a >> 1 << 8 | (uint8_t)((a & 1) << 7);
+
+    for (uint8_t i = 9; i; i--) {
+        const int8_t top = (int8_t)(both >> 24); /* negative: of 17 bits */
+        both <<= 1;
+        if (top < 0 || (uint16_t)(both >> 16) >= b) both = (both - b_high) | 1;
+    }
+    return both;
+}
+
+#else
+
 int32_t lim_mul_q30(int32_t a_q30, int32_t b_q30)
 {
     return (int32_t)shift_round_s64((int64_t)a_q30 * b_q30, 30);
 }
+
+#endif

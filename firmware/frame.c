@@ -59,6 +59,14 @@ static inline void init_wireframe(struct lim *lim)
     (void)lim;
 }
 
+static inline void init_frame(struct lim *lim)
+{
+#if LIM_HAS_FRAME
+    lim->fills = false;
+#endif
+    (void)lim;
+}
+
 static inline void init_delta(struct lim *lim)
 {
 #if LIM_HAS_DELTA
@@ -77,6 +85,7 @@ int lim_init(struct lim *lim, const struct lim_scene *scene, const struct lim_ta
     lim->target = *target;
     init_wireframe(lim);
     init_delta(lim);
+    init_frame(lim);
     lim_lend_portals(lim, NULL);
 #if LIM_HAS_MOVERS
     lim->movers.most = lim->movers.given = lim->movers.count = 0;

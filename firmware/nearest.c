@@ -14,9 +14,10 @@
 
 enum { POLYGONS_PER_SHRINK = 20 }; /* the open view is drawn together this often */
 
-/* SPAN for one polygon that is not folded. */
-static enum lim_span_result close_lines(struct lim_spans *spans, const struct lim_screen_polygon *polygon, int16_t top,
-                                        int16_t bottom)
+/* SPAN for one polygon that is not folded. look: of its pieces for the sink, or NULL. */
+static inline enum lim_span_result close_lines(struct lim_spans *spans, const struct lim_screen_polygon *polygon,
+                                               int16_t top, int16_t bottom, lim_span_sink *sink,
+                                               struct lim_piece_look *look)
 {
     struct lim_edge_pair pair;
     uint8_t result = LIM_SPAN_NOTHING;
@@ -28,7 +29,8 @@ static enum lim_span_result close_lines(struct lim_spans *spans, const struct li
         const int16_t end = turn < bottom ? turn : bottom;
         for (;;) {
             if (pair.left.x < pair.right.x) {
-                result |= (uint8_t)lim_span_close(spans, &spans->lines[y], pair.left.x, pair.right.x, NULL, NULL);
+                if (look) look->y_px = (uint16_t)y;
+                result |= (uint8_t)lim_span_close(spans, &spans->lines[y], pair.left.x, pair.right.x, sink, look);
             }
             if (++y == end) break;
             lim_edge_step(&pair.left);
@@ -72,6 +74,30 @@ static bool sees_open(const struct lim *lim, const struct lim_screen_polygon *po
 #endif
 }
 
+/* Whether the target fills each polygon as it comes. */
+static inline bool fills(const struct lim *lim)
+{
+#if LIM_HAS_FRAME
+    return lim->fills;
+#else
+    (void)lim;
+    return false;
+#endif
+}
+
+/* take_plain() for such a target, without retaining anything. */
+static inline bool fill_plain(struct lim *lim, const struct lim_screen_polygon *polygon, int16_t top, int16_t bottom)
+{
+#if LIM_HAS_FRAME
+    struct lim_piece_look look = {.ctx = lim->target.ctx, .colour = polygon->colour};
+
+    return close_lines(&lim->spans, polygon, top, bottom, lim->target.fill, &look) != LIM_SPAN_EXHAUSTED;
+#else
+    (void)lim, (void)polygon, (void)top, (void)bottom;
+    return false;
+#endif
+}
+
 /* false: a pool is exhausted. */
 static bool take_plain(struct lim *lim, const struct lim_screen_polygon *polygon)
 {
@@ -81,10 +107,11 @@ static bool take_plain(struct lim *lim, const struct lim_screen_polygon *polygon
 
     if (top >= bottom) return true;
     if (LIM_HAS_STATS) lim_stats_of(lim)->lines += (uint32_t)(bottom - top);
+    if (LIM_HAS_FRAME && fills(lim)) return fill_plain(lim, polygon, top, bottom);
     if (LIM_HAS_ANTIALIAS && lim_is_antialiased(&lim->view)) return take_samples(lim, polygon, top, bottom);
     const bool wireframe = lim_wireframe_of(lim);
     const uint8_t alpha = wireframe ? (uint8_t)LIM_OPAQUE : lim_alpha_of(polygon);
-    const enum lim_span_result result = alpha == LIM_OPAQUE ? close_lines(&lim->spans, polygon, top, bottom)
+    const enum lim_span_result result = alpha == LIM_OPAQUE ? close_lines(&lim->spans, polygon, top, bottom, NULL, NULL)
                                         : sees_open(lim, polygon, top, bottom) ? LIM_SPAN_SOME
                                                                                : LIM_SPAN_NOTHING;
     if (result == LIM_SPAN_NOTHING) return true;
@@ -345,12 +372,54 @@ static int paint_first_line(struct lim *lim, struct lim_rect *band)
     return err;
 }
 
+#if LIM_HAS_FRAME
+/* Whether all of the frame is made of pieces in one colour, and the target has room for it. */
+static bool wants_fill(const struct lim *lim)
+{
+    if (!lim->target.fill || lim->target.method != LIM_NEAREST_FIRST || wants_antialias(lim)) return false;
+    if (lim->scene->limits.layers || lim_texture_count(lim->scene) || lim_wireframe_of(lim)) return false;
+#if LIM_HAS_DELTA
+    if (lim->delta) return false;
+#endif
+    return !lim_moves(lim);
+}
+
+static void fill_background(struct lim *lim)
+{
+    const struct lim_rect *open = &lim->spans.open;
+    struct lim_piece_look look = {.ctx = lim->target.ctx, .colour = lim_background_of(lim)};
+
+    if (!lim->spans.open_lines) return;
+    for (look.y_px = open->y0; look.y_px < open->y1; look.y_px++) {
+        struct lim_line *line = &lim->spans.lines[look.y_px];
+        (void)lim_span_close(&lim->spans, line, 0, (int16_t)lim->target.w_px, lim->target.fill, &look);
+    }
+}
+
+/* Polygons straight into the frame that the target keeps: pass one alone. Positive: it must come by lines. */
+static int fill_frame(struct lim *lim, const struct lim_rect *frame)
+{
+    lim->fills = true;
+    const bool whole = collect(lim, frame);
+    lim->fills = false;
+    if (!whole) return LIM_PAINT_ACTIVE;
+    fill_background(lim);
+    return lim->target.show(lim->target.ctx);
+}
+#endif
+
 int lim_nearest_frame(struct lim *lim)
 {
     struct lim_rect band = {0, 0, lim->target.w_px, lim->target.h_px};
 
     if (LIM_HAS_ANTIALIAS) set_antialiased(lim, wants_antialias(lim));
     if (LIM_IS_SORTED(&lim->target)) lim_sorted_order(lim);
+#if LIM_HAS_FRAME
+    if (wants_fill(lim)) {
+        const int err = fill_frame(lim, &band);
+        if (err <= 0) return err;
+    }
+#endif
     while (band.y0 < lim->target.h_px) {
         uint16_t y;
         const int err = draw_band(lim, &band, &y);

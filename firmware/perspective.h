@@ -197,9 +197,9 @@ static inline lim_sub perspective_at(int32_t x_qv, struct lim_depth depth, const
     const int32_t ratio = perspective_ratio(x_qv, depth);
     const int32_t from_middle_qs = LIM_HAS_FRACTIONS
                                        ? mul_s32_top(ratio, side->px * 65536)
-                                       : (ratio >> (PERSPECTIVE_RATIO_BITS - PERSPECTIVE_SCREEN_BITS)) * side->px;
+                                       : shift_s32(ratio, PERSPECTIVE_RATIO_BITS - PERSPECTIVE_SCREEN_BITS) * side->px;
 
-    return (lim_sub)((from_middle_qs + side->middle_qs) >> PERSPECTIVE_DROPPED_BITS);
+    return (lim_sub)shift_s32(from_middle_qs + side->middle_qs, PERSPECTIVE_DROPPED_BITS);
 }
 
 #endif

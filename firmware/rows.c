@@ -125,14 +125,30 @@ static uint32_t rounding_at(const struct lens *lens, uint32_t scale, uint8_t tel
     return sum_q26;
 }
 
+/* The same, from scale to scale: each takes an entry less from its rest. */
+static uint32_t rounding_next(uint32_t rests_q32[9], const struct lens *lens, uint8_t tele_bits)
+{
+    uint32_t sum_q26 = 0;
+
+    for (uint_fast8_t i = 0; i < 9; i++) {
+        const int16_t rest_q13 = (int16_t)((int32_t)rests_q32[i] >> (i < 6 ? 0 : tele_bits) >> 16) >> 3;
+        sum_q26 += (uint32_t)((int32_t)rest_q13 * rest_q13);
+        rests_q32[i] -= (uint32_t)lens->entries_q30[i] * 4;
+    }
+    return sum_q26;
+}
+
 static uint32_t choose_scale(const struct lens *lens, uint32_t far_units, uint8_t tele_bits)
 {
     const uint32_t most = VIEW_LIMIT_QV / far_units < SCALE_MAX ? VIEW_LIMIT_QV / far_units : SCALE_MAX;
-    uint32_t best = most, least_rounding = UINT32_MAX;
+    uint32_t best = most, least_rounding = UINT32_MAX, rests_q32[9];
 
     if (SCALES == 1) return most;
+    for (uint_fast8_t i = 0; LIM_8_BIT && i < 9; i++)
+        rests_q32[i] = (uint32_t)lens->entries_q30[i] * most * 4;
     for (uint_fast8_t k = 0; k < SCALES; k++) {
-        const uint32_t rounding = rounding_at(lens, most - k, tele_bits);
+        const uint32_t rounding =
+            LIM_8_BIT ? rounding_next(rests_q32, lens, tele_bits) : rounding_at(lens, most - k, tele_bits);
         if (rounding >= least_rounding) continue;
         least_rounding = rounding;
         best = most - k;

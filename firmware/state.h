@@ -85,6 +85,9 @@ struct lim {
     struct lim_retained retained;
     struct lim_paint paint;
 #endif
+#if LIM_HAS_FRAME
+    bool fills; /* the target, as polygons come */
+#endif
 #if LIM_HAS_WIREFRAME
     struct lim_wireframe wireframe;
 #endif

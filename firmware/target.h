@@ -36,6 +36,13 @@ struct lim_target_costs {
     uint16_t x_align_px; /* a window's first column and its width are multiples of it, but at the right edge; 1: any */
 };
 
+/* A piece of a line in one colour, but for where it begins and ends. */
+struct lim_piece_look {
+    void *ctx;       /* the target's */
+    uint16_t colour; /* RGB565 as it lies in memory */
+    uint16_t y_px;
+};
+
 /* Where pixels go. Lines are lent from the top down; each is passed to done() before the next is
  * lent, in one or (when a pool was exhausted) several pieces from left to right. The painter
  * alone lends lines in any order, several times, and calls done() once for each at the end. */
@@ -49,10 +56,25 @@ struct lim_target {
     /* Pixels x_px .. x_px + n_px - 1 of line y_px are final. A negative code ends the frame and
      * comes back from lim_frame() unchanged. */
     int (*done)(void *ctx, uint16_t y_px, uint16_t x_px, uint16_t n_px);
+#if LIM_HAS_RUNS
+    /* Instead of a line's memory, and LIM_CONVEX alone asks: pixels x_px .. x_px + n_px - 1 of line y_px have this
+     * colour, as memory would have it (LIM_MEMORY_COLOUR), whatever they had before. A line begins with its background,
+     * from end to end, and ends with done(); lend() is not called. NULL, or a scene with textures: lines are lent. */
+    void (*put_run)(void *ctx, uint16_t y_px, uint16_t x_px, uint16_t n_px, uint16_t colour);
+#endif
 #if LIM_HAS_ROUND
     /* Which pixels *x0_px <= x < *x1_px of a line are seen; no others are painted. NULL: all. Neither
      * LIM_PAINTER nor LIM_CONVEX asks. */
     void (*visible)(void *ctx, uint16_t y_px, uint16_t *x0_px, uint16_t *x1_px);
+#endif
+#if LIM_HAS_FRAME
+    /* For targets that keep the whole picture; both or, where lines are wanted, none. LIM_NEAREST_FIRST then has fill()
+     * paint pixels x0_px <= x < x1_px of a line, in any order, each once and none that `visible` leaves out, and calls
+     * show() when all are there. `look` is a struct lim_piece_look. A frame that is not made of such pieces (textures,
+     * what is transparent or moves, antialiased, as outlines, as changes), or for which gaps are short, comes by lines
+     * as ever, perhaps after some pieces. Pixels are not counted in struct lim_stats. */
+    void (*fill)(void *look, uint16_t x0_px, uint16_t x1_px);
+    int (*show)(void *ctx);
 #endif
 #if LIM_HAS_DELTA
     /* The pieces that done() gets next fill this rectangle row by row, or as many rows of it as come; NULL: they are

@@ -12,8 +12,6 @@
 #include "perspective.h"
 #include "rows.h"
 
-enum { LIM_VIEW_CACHE_ENTRIES = 64 }; /* a power of two */
-
 /* |coordinate| < 2^31. */
 struct lim_view_point {
     union {

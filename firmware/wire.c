@@ -65,15 +65,25 @@ void lim_set_wireframe(struct lim *lim, const struct lim_wireframe *wireframe)
 #endif
 }
 
+static void fill(uint16_t *line, const struct lim_wire *wire, int16_t x0, int16_t x1, uint16_t colour)
+{
+#if LIM_HAS_RUNS
+    const struct lim_target *target = wire->target;
+#else
+    const struct lim_target *target = NULL;
+#endif
+    lim_fill_run(target, line, (uint16_t)wire->y, (uint16_t)x0, (uint16_t)(x1 - x0), colour);
+}
+
 void lim_wire_fill(uint16_t *line, const struct lim_wire *wire, uint16_t x0, uint16_t x1)
 {
-    lim_fill(line, x0, (uint16_t)(x1 - x0), wire->background);
+    fill(line, wire, (int16_t)x0, (int16_t)x1, wire->background);
     for (uint_fast8_t k = 0; k < wire->n; k++) {
         if (wire->hidden[k >> 4] >> (k & 15) & 1) continue;
         const struct lim_point next = wire->at[k + 1u < wire->n ? k + 1u : 0];
         const struct stroke stroke = stroke_of(wire->at[k], next, wire->y);
         const int16_t from = greater(stroke.x0, (int16_t)x0), to = lesser(stroke.x1, (int16_t)x1);
-        if (from < to) lim_fill(line, (uint16_t)from, (uint16_t)(to - from), wire->colour);
+        if (from < to) fill(line, wire, from, to, wire->colour);
     }
 }
 

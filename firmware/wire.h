@@ -14,6 +14,9 @@
 
 /* An outline on one line; colours as they lie in memory. */
 struct lim_wire {
+#if LIM_HAS_RUNS
+    const struct lim_target *target; /* what fills the line if it has no memory */
+#endif
     const struct lim_point *at;
     const uint16_t *hidden; /* an edge a bit, from corner k to the next: 1 is not drawn */
     uint16_t colour, background;
@@ -25,7 +28,7 @@ struct lim_wire {
 struct lim_wire lim_wire_of(const struct lim_screen_polygon *polygon, const struct lim_wireframe *style,
                             uint16_t background, int16_t y);
 
-/* Pixels x0 <= x < x1 of the line, all of them the polygon's. */
+/* Pixels x0 <= x < x1 of the line, or of the target's if it is NULL, all of them the polygon's. */
 void lim_wire_fill(uint16_t *line, const struct lim_wire *wire, uint16_t x0, uint16_t x1);
 
 #endif

@@ -4,8 +4,7 @@
  * are allowed, pixels in their order. After each frame it shows what a whole frame shows: with any memory, costs,
  * alignment, pages, round glass, pools that run out; after errors at every call; after a refresh. */
 #include "cmocka_ready.h"
-#include "limner.h"
-#include "room_scene.h"
+#include "room_stage.h"
 
 #include <limits.h>
 #include <stdlib.h>
@@ -184,48 +183,18 @@ static void draw_whole(struct renderer *whole, const struct lim_camera *camera)
     assert_int_equal(lim_frame(&whole->lim, camera), LIM_OK);
 }
 
-struct fixture {
-    struct room_scene room;
-    struct compiled scene;
-    struct random random;
-};
-
 static int set_up(void **state)
 {
-    struct fixture *f = calloc(1, sizeof *f);
-
-    f->random.state = 4711;
-    room_scene_random(&f->room, &f->random);
-    assert_true(room_scene_compile(&f->room, PORTALS_OFF, NULL, &f->scene, NULL));
-    *state = f;
-    return 0;
+    return room_stage_set_up(state, 4711);
 }
 
-static int tear_down(void **state)
+static struct lim_camera view(struct room_stage *stage)
 {
-    struct fixture *f = *state;
-
-    compiled_free(&f->scene);
-    room_scene_free(&f->room);
-    free(f);
-    return 0;
-}
-
-static struct lim_camera view(struct fixture *f)
-{
-    struct viewpoint viewpoint = room_scene_view(&f->room, &f->random);
-    const struct camera_path path = {"views", &viewpoint, 1};
-    struct lim_camera camera;
-    struct lens lens;
-    struct error err;
-
-    assert_true(lens_init(&lens, 60, 0.05, W_PX, H_PX, &err));
-    assert_true(camera_path_to_camera(&path, 0, &lens, &f->scene.grid, &camera, &err));
-    return camera;
+    return room_stage_view(stage, W_PX, H_PX);
 }
 
 /* Stays, turns a little, or is elsewhere. */
-static void move(struct fixture *f, struct lim_camera *camera)
+static void move(struct room_stage *f, struct lim_camera *camera)
 {
     switch (random_in(&f->random, 0, 5)) {
     case 0:
@@ -238,7 +207,7 @@ static void move(struct fixture *f, struct lim_camera *camera)
     }
 }
 
-static void fly_over(struct fixture *f, struct paper *paper, bool least, unsigned runs)
+static void fly_over(struct room_stage *f, struct paper *paper, bool least, unsigned runs)
 {
     struct renderer whole, changes;
     struct lim_camera camera = view(f);
@@ -257,8 +226,8 @@ static void fly_over(struct fixture *f, struct paper *paper, bool least, unsigne
     renderer_free(&changes);
 }
 
-static void fly(struct fixture *f, enum lim_method method, bool round, bool least, const struct lim_target_costs *costs,
-                unsigned runs)
+static void fly(struct room_stage *f, enum lim_method method, bool round, bool least,
+                const struct lim_target_costs *costs, unsigned runs)
 {
     struct paper *paper = paper_new(method, round);
 
@@ -335,7 +304,7 @@ static void round_glass_shows_whole_frames(void **state)
 
 static void a_still_view_sends_nothing_and_a_refresh_all(void **state)
 {
-    struct fixture *f = *state;
+    struct room_stage *f = *state;
     struct renderer changes;
     const struct lim_camera camera = view(f);
 
@@ -362,7 +331,7 @@ static void a_still_view_sends_nothing_and_a_refresh_all(void **state)
 /* Whichever call fails: its code comes out, no other call follows, and the next frame is whole. */
 static void the_frame_after_an_error_is_whole(void **state)
 {
-    struct fixture *f = *state;
+    struct room_stage *f = *state;
     struct renderer whole, changes;
     const struct lim_camera first = view(f), second = view(f);
 
@@ -393,7 +362,7 @@ static void the_frame_after_an_error_is_whole(void **state)
 
 static void what_it_cannot_use_is_refused(void **state)
 {
-    struct fixture *f = *state;
+    struct room_stage *f = *state;
     struct renderer renderer;
     _Alignas(8) static uint8_t mem[LIM_DELTA_MEM_B(W_PX, H_PX, 1)];
     struct paper *paper = paper_new(LIM_NEAREST_FIRST, false);
@@ -427,5 +396,5 @@ int main(void)
         cmocka_unit_test(the_frame_after_an_error_is_whole),
         cmocka_unit_test(what_it_cannot_use_is_refused),
     };
-    return cmocka_run_group_tests(tests, set_up, tear_down);
+    return cmocka_run_group_tests(tests, set_up, room_stage_tear_down);
 }

@@ -198,6 +198,37 @@ static void sizes_that_no_panel_has_are_rendered_into_memory(void **state)
     }
 }
 
+static struct lim_stats stats_on(const struct room *room, enum simulator_panel panel, const struct lim_camera *camera)
+{
+    const struct simulator_setup setup = {96, 64, LIM_NEAREST_FIRST, panel, NULL};
+    struct simulator simulator;
+    struct error err;
+    assert_true(simulator_init(&simulator, &room->compiled.scene, &setup, &err));
+    assert_true(simulator_set_delta(&simulator, 1000, &err));
+    assert_true(simulator_frame(&simulator, camera, &err));
+    const struct lim_stats stats = *simulator_stats(&simulator);
+    simulator_free(&simulator);
+    return stats;
+}
+
+/* So are pools measured. */
+static void unseen_frames_take_what_seen_ones_take(void **state)
+{
+    struct room room;
+
+    (void)state;
+    room_init(&room);
+    for (unsigned seed = 1; seed < 6; seed++) {
+        const struct lens lens = make_lens(96, 64);
+        const struct viewpoint viewpoint = random_viewpoint(seed);
+        const struct lim_camera camera = make_camera(&viewpoint, &lens, &room);
+        const struct lim_stats seen = stats_on(&room, SIMULATOR_MEMORY, &camera);
+        const struct lim_stats unseen = stats_on(&room, SIMULATOR_UNSEEN, &camera);
+        assert_true(seen.pixels_painted > 0 && seen.delta.runs_max > 0);
+        assert_memory_equal(&unseen, &seen, sizeof seen);
+    }
+}
+
 static void wall_straight_ahead_is_in_the_middle(void **state)
 {
     (void)state;
@@ -401,6 +432,7 @@ int main(void)
         cmocka_unit_test(panel_and_memory_show_the_same_by_both_methods),
         cmocka_unit_test(a_turned_camera_turns_the_picture),
         cmocka_unit_test(sizes_that_no_panel_has_are_rendered_into_memory),
+        cmocka_unit_test(unseen_frames_take_what_seen_ones_take),
         cmocka_unit_test(wall_straight_ahead_is_in_the_middle),
         cmocka_unit_test(face_numbers_agree_with_the_colours),
         cmocka_unit_test(face_numbers_are_written_little_endian),
