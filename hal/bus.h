@@ -12,6 +12,14 @@
 #include <stdint.h>
 
 #define HAL_MUST_CHECK __attribute__((warn_unused_result))
+#define HAL_ALONE __attribute__((noinline)) /* a loop that wants all registers for itself */
+
+/* Constants of some size: on AVR flash is another address space, and what is not told so lies in RAM. */
+#if defined(__AVR__)
+#define HAL_FLASH __flash
+#else
+#define HAL_FLASH
+#endif
 
 /* Bytes from host to panel. Chip select, clock rate, bit order and the greatest length of a
  * message are the port's own affair: it splits what is too long, and may release chip select

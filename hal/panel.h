@@ -103,6 +103,14 @@ HAL_MUST_CHECK static inline int panel_blank(struct panel *panel, bool blank)
     return panel->ops->blank ? panel->ops->blank(panel, blank) : PANEL_ERR_UNSUPPORTED;
 }
 
+/* Blank and asleep, for good. Not every chip can do both; one of them darkens it. */
+HAL_MUST_CHECK static inline int panel_darken(struct panel *panel)
+{
+    const int blank = panel_blank(panel, true), asleep = panel_sleep(panel, true);
+    if (blank && blank != PANEL_ERR_UNSUPPORTED) return blank;
+    return asleep == PANEL_ERR_UNSUPPORTED ? blank : asleep;
+}
+
 /* Changes panel->w_px and h_px. What the panel shows is wrong until the next whole frame. */
 HAL_MUST_CHECK static inline int panel_set_rotation(struct panel *panel, enum panel_rotation rotation)
 {

@@ -8,6 +8,11 @@
 
 #include "bus.h"
 
+/* 1: of the formats whose pixels share bytes there are pages alone, which saves half a kilobyte of code. */
+#ifndef PIXELS_ONLY_PAGES
+#define PIXELS_ONLY_PAGES 0
+#endif
+
 enum panel_format {
     PANEL_USUAL,      /* in a configuration: the chip's own choice */
     PANEL_RGB565,     /* 2 bytes */
@@ -52,9 +57,17 @@ void pixels_pack(enum panel_format format, uint8_t *to, const uint8_t *from, uin
                  uint16_t n_px);
 
 /* Puts n_px of the renderer's pixels, which belong at x_px, y_px of the picture, into the bytes of a whole line, or of
- * eight for pages, that are gathered at `to`: for formats whose pixels share bytes that nobody can write in part.
+ * eight for pages, that are gathered at `to`: for formats whose pixels share bytes that nobody can write in part. The
+ * bits of pixels that are not put yet are 0.
  * Brightness is ITU-R BT.601's: 0.299 red, 0.587 green and 0.114 blue. */
 void pixels_gather(enum panel_format format, uint8_t *to, const uint8_t *from, uint16_t x_px, uint16_t y_px,
                    uint16_t n_px);
+
+/* What that makes of one colour in PANEL_GREY4: the bytes of four pixels from a multiple of 4 on, for the lines
+ * y_px % 4. */
+void pixels_greys(uint8_t bytes[4][2], uint16_t rgb565);
+
+/* The same of n_px pixels of one colour, whatever was put there before. */
+void pixels_fill(enum panel_format format, uint8_t *to, uint16_t rgb565, uint16_t x_px, uint16_t y_px, uint16_t n_px);
 
 #endif

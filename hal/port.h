@@ -15,7 +15,7 @@ enum { PORT_ERROR_B = 256 };
 
 struct port {
     struct bus bus;
-    struct pin dc, reset, backlight, select; /* those that were not asked for are not wired */
+    struct pin dc, reset, backlight, select, led; /* those that were not asked for are not wired */
     struct edge tearing;
     struct clock clock;
     char error[PORT_ERROR_B];         /* of the call that failed last, without a newline */

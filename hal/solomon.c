@@ -82,6 +82,9 @@ static int solomon_send_setup(struct solomon *solomon)
     if (err) return err;
     err = wire_send_list(&solomon->wire, chip->setup, chip->setup_b);
     if (err) return err;
+    if (chip->converter)
+        err = solomon_send_byte(solomon, chip->converter, config->converter ? chip->internal : chip->external);
+    if (err) return err;
     err = solomon_send_byte(solomon, chip->lines, (uint8_t)(config->h_px - 1u));
     if (err) return err;
     return solomon_send_byte(solomon, chip->contrast_command, config->contrast ? config->contrast : chip->contrast);
@@ -222,6 +225,7 @@ static bool solomon_config_fits(const struct solomon_config *config, const struc
     if (config->w_px % chip->column_px || config->ox_px % chip->column_px) return false;
     if ((unsigned)config->format >= PANEL_FORMATS || !((chip->formats | 1 << PANEL_USUAL) >> config->format & 1))
         return false;
+    if (config->converter && !chip->converter) return false;
     return solomon_can(chip, config->rotation);
 }
 

@@ -12,17 +12,19 @@
 
 /* How a chip differs from the others. Of A0h's value, upright on the usual module, bits are reversed. */
 struct solomon_chip {
-    const char *name;                                  /* lower case */
-    uint8_t formats;                                   /* 1 << enum panel_format, of all that it takes on SPI */
-    enum panel_format format;                          /* of these, the usual one */
-    uint16_t mem_w_px, mem_h_px;                       /* size of its memory */
-    bool args_low;                                     /* D/C low for arguments too */
-    uint8_t column_px;                                 /* pixels that a column address stands for */
-    uint8_t lines;                                     /* command that takes the number of lines in use, less 1 */
-    uint8_t write;                                     /* command before pixels; 0: none is needed */
-    uint8_t as_is, negative, all_off;                  /* commands: what of memory is shown */
-    uint8_t contrast_command, contrast_max, contrast;  /* with what it takes, and the usual one */
-    uint8_t remap;                                     /* A0h, and in the order of enum turn's bits what to reverse */
+    const char *name;                                 /* lower case */
+    uint8_t formats;                                  /* 1 << enum panel_format, of all that it takes on SPI */
+    enum panel_format format;                         /* of these, the usual one */
+    uint16_t mem_w_px, mem_h_px;                      /* size of its memory */
+    bool args_low;                                    /* D/C low for arguments too */
+    uint8_t column_px;                                /* pixels that a column address stands for */
+    uint8_t lines;                                    /* command that takes the number of lines in use, less 1 */
+    uint8_t write;                                    /* command before pixels; 0: none is needed */
+    uint8_t as_is, negative, all_off;                 /* commands: what of memory is shown */
+    uint8_t contrast_command, contrast_max, contrast; /* with what it takes, and the usual one */
+    uint8_t converter;          /* command for its own converter of the glass's voltage; 0: it has none */
+    uint8_t external, internal; /* with it: the voltage comes from outside, or from there */
+    uint8_t remap;              /* A0h, and in the order of enum turn's bits what to reverse */
     uint8_t remap_rows, remap_columns, remap_exchange; /* ...exchange 0: it cannot */
     uint8_t remap_bgr;                                 /* 0: there are no colours */
     uint8_t remap_wide;                                /* for three bytes a pixel */
@@ -46,6 +48,7 @@ struct solomon_config {
     bool bgr;                     /* glass whose red and blue come out swapped without it */
     bool invert;                  /* glass that comes out negative without it */
     uint8_t contrast;             /* 0: the chip's usual one */
+    bool converter;               /* the module has the parts for the chip's own converter of the glass's voltage */
     enum panel_format format;     /* one that the chip takes */
 };
 

@@ -9,7 +9,6 @@ static const uint8_t setup[] = {
     0xAE, 0,       /* asleep */
     0xB3, 1, 0x91, /* clock */
     0xA1, 1, 0x00, /* first line */
-    0xAD, 1, 0x02, /* the glass's supply comes from outside */
     0x86, 0,       /* full range of current */
     0xB8, 8, 0x01, 0x11, 0x22, 0x32, 0x43, 0x54, 0x65, 0x76, /* levels of grey */
     0xB2, 1, 0x51, /* length of a line */
@@ -35,6 +34,9 @@ const struct solomon_chip ssd0323 = {
     .contrast_command = 0x81,
     .contrast_max = 127,
     .contrast = 0x70,
+    .converter = 0xAD,
+    .external = 0x02,
+    .internal = 0x03,
     .remap = 0x52, /* odd and even lines apart, the last line on top, the upper four bits on the left */
     .remap_rows = 0x10,
     .remap_columns = 0x03, /* and the order of a byte's two pixels */

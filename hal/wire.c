@@ -24,6 +24,7 @@ int wire_begin(struct wire *wire)
 {
     wire->level = LEVEL_UNKNOWN;
     wire->left_px = 0;
+    wire->cut = true;
     return bus_flush(&wire->bus);
 }
 

@@ -19,7 +19,7 @@ struct wire {
 };
 
 /* Forgets D/C's level, closes the window, and waits for what is on its way: no byte of an abandoned frame may meet a
- * reset. */
+ * reset. Without one the chip may be in the middle of a command that nobody knows of: the last program's. */
 HAL_MUST_CHECK int wire_begin(struct wire *wire);
 
 /* Commands leave before the return, so they may live on the stack; data as struct bus has it. */

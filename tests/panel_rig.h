@@ -20,7 +20,7 @@ struct panel_rig {
     struct screen screen;
     unsigned seed;
     uint16_t drawn_px; /* lines of the picture that are drawn, from the top; 0: all */
-    uint32_t mem[SCREEN_WIDE_MEM_B(480, 2) / 4 + SCREEN_PAGES_MEM_B(480, 0) / 4];
+    uint32_t mem[SCREEN_WIDE_MEM_B(480, 2) / 4 + 2 * SCREEN_PAGE_B(480) / 4];
     uint8_t seen[3 * 320 * 480];
 };
 

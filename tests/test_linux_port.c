@@ -20,6 +20,7 @@ static const struct linux_port_config all_wired = {.spi = "/dev/spidev0.0",
                                                    .backlight = "gpiochip0:3",
                                                    .select = "/dev/gpiochip1:2",
                                                    .tearing = "GPIO6",
+                                                   .led = "GPIO7",
                                                    .speed_hz = 20000000,
                                                    .mode = 3};
 
@@ -142,11 +143,11 @@ static void devices_that_cannot_be_opened_are_explained(void **state)
     (void)state;
     struct linux_port_config config = all_wired;
     config.spi = "/dev/spidev1.0";
-    assert_refused(&config, ENOENT, "/dev/spidev1.0: no such device; pass --spi, there are /dev/spidev0.0");
+    assert_refused(&config, ENOENT, "/dev/spidev1.0: no such device; there are /dev/spidev0.0");
     fake.spi_path = NULL;
     assert_refused(&config, ENOENT,
                    "/dev/spidev1.0: no such device, nor any other; load spidev and the controller's driver (Raspberry "
-                   "Pi: dtparam=spi=on), or pass --spi");
+                   "Pi: dtparam=spi=on)");
     fake_linux_init();
     fake.spi_err_no = EACCES;
     assert_refused(
@@ -250,7 +251,8 @@ static void lines_are_taken_by_any_name_at_their_quiet_level(void **state)
     assert_true(lines[3].held && lines[3].is_output && !lines[3].level);
     assert_true(fake.chips[1].lines[2].held && !fake.chips[1].lines[2].level);
     assert_true(lines[6].held && !lines[6].is_output);
-    assert_int_equal(fake.lines_held, 5);
+    assert_true(lines[7].held && lines[7].is_output && !lines[7].level);
+    assert_int_equal(fake.lines_held, 6);
     port_close(&port);
     port_close(&port); /* a second time does nothing */
     assert_true(fake_is_clean());
@@ -268,6 +270,9 @@ static void each_pin_sets_its_own_line(void **state)
     assert_int_equal(pin_set(&port.select, true), 0);
     assert_int_equal(pin_set(&port.backlight, true), 0);
     assert_true(lines[5].level && !lines[4].level && lines[3].level && fake.chips[1].lines[2].level);
+    assert_false(lines[7].level);
+    assert_int_equal(pin_set(&port.led, true), 0);
+    assert_true(lines[7].level);
     port_close(&port);
 }
 
@@ -276,7 +281,7 @@ static void pins_that_were_not_asked_for_are_not_wired(void **state)
     (void)state;
     open_port(&(struct linux_port_config){.spi = "/dev/spidev0.0", .speed_hz = 1000000});
     assert_false(pin_is_wired(&port.dc) || pin_is_wired(&port.reset) || pin_is_wired(&port.backlight));
-    assert_false(pin_is_wired(&port.select) || edge_is_wired(&port.tearing));
+    assert_false(pin_is_wired(&port.select) || pin_is_wired(&port.led) || edge_is_wired(&port.tearing));
     port_close(&port);
     assert_refused(&(struct linux_port_config){.spi = "/dev/spidev0.0"}, EINVAL,
                    "a port needs an SPI device, a clock rate and a mode of 0 to 3");

@@ -110,6 +110,42 @@ static void grey_is_not_turned_by_quarters_and_colours_are(void **state)
     }
 }
 
+/* The argument of the command that chooses the glass's voltage, on its way to the display. */
+struct converter_spy {
+    struct bus bus;
+    uint8_t command, before, argument;
+};
+
+static int spy_write(void *ctx, const uint8_t *data, size_t n_b)
+{
+    struct converter_spy *spy = ctx;
+
+    if (spy->before == spy->command && n_b == 1) spy->argument = data[0];
+    spy->before = n_b == 1 ? data[0] : 0;
+    return bus_write(&spy->bus, data, n_b);
+}
+
+static int spy_flush(void *ctx)
+{
+    return bus_flush(&((struct converter_spy *)ctx)->bus);
+}
+
+static void the_glass_gets_its_voltage_from_where_it_is_made(void **state)
+{
+    (void)state;
+    for (int own = 0; own < 2; own++) {
+        rig_setup(&ssd0323, (struct emulated_solomon_module){0});
+        struct converter_spy spy = {.bus = rig.config.bus, .command = 0xAD};
+        rig.config.bus = (struct bus){.ctx = &spy, .write = spy_write, .flush = spy_flush};
+        rig.config.converter = own;
+        assert_int_equal(solomon_setup(&rig.display, &ssd0323, &rig.config), 0);
+        assert_int_equal(panel_init(&rig.display.panel), 0);
+        assert_int_equal(spy.argument, own ? 0x03 : 0x02);
+    }
+    rig.config.converter = true;
+    assert_int_equal(solomon_setup(&rig.display, &ssd1327, &rig.config), PANEL_ERR_CONFIG);
+}
+
 static void what_a_chip_cannot_is_refused(void **state)
 {
     (void)state;
@@ -216,6 +252,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(glass_of_any_make_shows_the_picture),
         cmocka_unit_test(grey_is_not_turned_by_quarters_and_colours_are),
+        cmocka_unit_test(the_glass_gets_its_voltage_from_where_it_is_made),
         cmocka_unit_test(what_a_chip_cannot_is_refused),
         cmocka_unit_test(a_frame_is_one_window),
         cmocka_unit_test(mistakes_are_complained_about),

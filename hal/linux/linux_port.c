@@ -14,7 +14,7 @@
 #include <string.h>
 #include <time.h>
 
-enum line_index { DC, RESET, BACKLIGHT, SELECT, TEARING, LINE_COUNT };
+enum line_index { DC, RESET, BACKLIGHT, SELECT, LED, TEARING, LINE_COUNT };
 
 /* A call of the kernel that sends a byte or sets a line takes some 20 us on small boards. */
 enum { BEGINNINGS_PER_S = 50000 };
@@ -142,6 +142,7 @@ static int acquire(struct linux_port *self, struct port *port, const struct linu
     if (!err) err = take(self, port, RESET, config->reset, GPIO_OUTPUT_HIGH);
     if (!err) err = take(self, port, BACKLIGHT, config->backlight, GPIO_OUTPUT_LOW);
     if (!err) err = take(self, port, SELECT, config->select, GPIO_OUTPUT_LOW);
+    if (!err) err = take(self, port, LED, config->led, GPIO_OUTPUT_LOW);
     if (!err) err = take(self, port, TEARING, config->tearing, GPIO_RISES);
     return err;
 }
@@ -155,6 +156,7 @@ static void fill(struct port *port, struct linux_port *self)
     port->reset = pin_of(self, RESET);
     port->backlight = pin_of(self, BACKLIGHT);
     port->select = pin_of(self, SELECT);
+    port->led = pin_of(self, LED);
     if (self->lines[TEARING].name) port->tearing = (struct edge){&self->lines[TEARING], wait};
     port->clock = (struct clock){port, delay};
     port->ctx = self;

@@ -20,6 +20,7 @@ struct linux_port_config {
     const char *reset;     /* high at first: not in reset */
     const char *backlight; /* low at first: dark until the panel is lit */
     const char *select;    /* low at first; a chip select beside the bus's own */
+    const char *led;       /* low at first; a lamp beside the display */
     const char *tearing;   /* an input; its last rises are remembered until a wait begins */
     uint32_t speed_hz;     /* required, above 0: what the panel takes at most; the controller may be slower */
     uint8_t mode;          /* 0 .. 3: clock polarity and phase */

@@ -51,10 +51,10 @@ static int no_such_device(const char *path, int err_no, struct port *port)
             used += (size_t)snprintf(there + used, sizeof there - used, "%s%s", i ? ", " : "", paths.gl_pathv[i]);
         globfree(&paths);
     }
-    if (there[0]) return linux_fail(port, err_no, "%s: no such device; pass --spi, there are %s", path, there);
+    if (there[0]) return linux_fail(port, err_no, "%s: no such device; there are %s", path, there);
     return linux_fail(port, err_no,
                       "%s: no such device, nor any other; load spidev and the controller's driver (Raspberry Pi: "
-                      "dtparam=spi=on), or pass --spi",
+                      "dtparam=spi=on)",
                       path);
 }
 

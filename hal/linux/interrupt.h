@@ -1,0 +1,17 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * A signal that ends the program is noted instead, and asked for between two steps: so that the program can end as it
+ * ends otherwise, with a display that is dark and nothing half-done. */
+#ifndef HAL_LINUX_INTERRUPT_H
+#define HAL_LINUX_INTERRUPT_H
+
+/* From now on SIGHUP, SIGINT and SIGTERM no longer end the process by themselves. */
+void interrupt_watch(void);
+
+/* Which one has arrived, or 0. */
+int interrupt_signal(void);
+
+/* Ends the process by it after all, as its parent expects; returns if none has arrived. */
+void interrupt_die(void);
+
+#endif
