@@ -23,7 +23,7 @@ struct flown {
 static bool open_screen(struct flown *flown, struct error *err)
 {
     struct panel *panel = flown->bench->display.panel;
-    const size_t lines_b = SCREEN_WIDE_MEM_B(panel->w_px, 2) + SCREEN_PAGES_MEM_B(panel->w_px, 0);
+    const size_t lines_b = SCREEN_WIDE_MEM_B(panel->w_px, 2) + 2 * SCREEN_PAGE_B(panel->w_px);
     flown->lines = malloc(lines_b);
     if (!flown->lines) return error_set(err, "bridge: out of memory");
     const int code = screen_init(&flown->screen, panel, LIM_NEAREST_FIRST, flown->lines, lines_b);

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 #
-# Prints README's table of displays behind a USB-HID bridge. With --write puts it into README.md between its markers;
-# with --check says how README differs. Needs $BUILD/limner.
+# Prints the table of displays behind a USB-HID bridge. With --write puts it into sim/MEASURED.md between its markers;
+# with --check says how that differs. Needs $BUILD/limner.
 set -eu
 . sim/readme_table.sh
 . sim/scenes/cube.sh
@@ -14,6 +14,6 @@ cube_make "$work"
 "$BUILD/limner" bridge "$work/cube.dae" "$work/cube.cam" sim/scenes/rooms.obj sim/scenes/rooms-walk.cam >"$work/table"
 case ${1:-} in
 --write) readme_write bridge "$work/table" ;;
---check) grep -q '<!-- bridge begin' README.md && readme_with bridge "$work/table" | diff README.md - ;;
+--check) readme_has bridge "$work/table" ;;
 *) cat "$work/table" ;;
 esac

@@ -29,6 +29,7 @@ enum option_code {
     OPTION_ANTIALIAS,
     OPTION_DELTA,
     OPTION_ROUND,
+    OPTION_FRAME,
     OPTION_SIZE,
     OPTION_PRECISION,
     OPTION_MAX_ERROR,
@@ -52,6 +53,7 @@ static const struct option OPTIONS[] = {
     {"antialias", no_argument, NULL, OPTION_ANTIALIAS},
     {"delta", no_argument, NULL, OPTION_DELTA},
     {"round", no_argument, NULL, OPTION_ROUND},
+    {"frame", no_argument, NULL, OPTION_FRAME},
     {"precision", required_argument, NULL, OPTION_PRECISION},
     {"max-error", required_argument, NULL, OPTION_MAX_ERROR},
     {"max-vertex-error", required_argument, NULL, OPTION_MAX_VERTEX_ERROR},
@@ -113,6 +115,9 @@ static bool parse_option(int code, char **argv, struct request *out, struct erro
         return true;
     case OPTION_ROUND:
         out->compile.round = true;
+        return true;
+    case OPTION_FRAME:
+        out->compile.frame = true;
         return true;
     case OPTION_PRECISION:
         return parse_precision(optarg, &out->compile.core, err);

@@ -98,7 +98,7 @@ static bool open_display(struct play *play, struct error *err)
     const struct panel *panel = play->display.panel;
     const enum lim_method method = play->card ? LIM_NEAREST_FIRST : play->options.setup.method;
     const size_t lines_b =
-        SCREEN_WIDE_MEM_B(panel->w_px, method == LIM_PAINTER ? panel->h_px : 2) + SCREEN_PAGES_MEM_B(panel->w_px, 0);
+        SCREEN_WIDE_MEM_B(panel->w_px, method == LIM_PAINTER ? panel->h_px : 2) + 2 * SCREEN_PAGE_B(panel->w_px);
     play->lines = malloc(lines_b);
     if (!play->lines) return error_set(err, "play: out of memory");
     const int code = screen_init(&play->screen, play->display.panel, method, play->lines, lines_b);

@@ -7,6 +7,7 @@
 #include "dump.h"
 #include "edge_error.h"
 #include "frame_cost.h"
+#include "frame_file.h"
 #include "frame_table.h"
 #include "hashes.h"
 #include "ids.h"
@@ -20,7 +21,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { GIF_FRAMES_PER_S = 15, PATH_SIZE = 4096 };
+enum { GIF_FRAMES_PER_S = 15 };
 
 struct render {
     struct options options;
@@ -121,15 +122,8 @@ static bool start(struct render *render, struct error *err)
 
 static bool write_frame(struct render *render, size_t frame, struct error *err)
 {
-    char path[PATH_SIZE];
-    if (!output_pattern_path(render->options.frame_pattern, frame, path, sizeof path, err)) return false;
-    FILE *file = outputs_open(&render->outputs, path, err);
-    if (!file) return false;
-    struct film film = simulator_film(&render->simulator);
-    gdImagePtr image = image_from_frame(&film, 0);
-    bool ok = image_write_png(image, file, path, err);
-    if (image) gdImageDestroy(image);
-    return outputs_close(file, path, ok ? err : &(struct error){0}) && ok;
+    const struct film film = simulator_film(&render->simulator);
+    return frame_file_write(&film, render->options.frame_pattern, frame, &render->outputs, err);
 }
 
 /* Firmware counts milliseconds. */

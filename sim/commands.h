@@ -14,5 +14,10 @@ int cmd_splitters(int argc, char **argv);
 int cmd_play(int argc, char **argv);
 int cmd_devices(int argc, char **argv);
 int cmd_bridge(int argc, char **argv);
+int cmd_module(int argc, char **argv);
+int cmd_decode(int argc, char **argv);
+int cmd_hashes(int argc, char **argv);
+int cmd_uf2(int argc, char **argv);
+int cmd_boot2(int argc, char **argv);
 
 #endif

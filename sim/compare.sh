@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
 #
-# README's table of visibility methods, and its picture: what `limner compare` says of five kinds of scenes. Full
+# The table of visibility methods, and its picture: what `limner compare` says of five kinds of scenes. Full
 # tables and pictures of what is wrong go to out/compare/. With --write puts the table between its markers in
-# README.md and the picture beside the demo. With --check SCENE says how that scene's columns of pixels, which need
-# no emulator, differ from README. Needs $BUILD/limner.
+# sim/MEASURED.md and the picture beside the demo. With --check SCENE says how that scene's columns of pixels, which need
+# no emulator, differ from that. Needs $BUILD/limner.
 set -eu
 . sim/readme_table.sh
 
@@ -31,7 +31,7 @@ compare() { # SCENE FOLDER [OPTION...]
     "$BUILD/limner" compare "$(model "$scene")" --size 240x240 -o "$folder" "$@" >/dev/null
 }
 
-# Rows of README's table from a CSV of `limner compare`. Methods that come to the same are one row; those that do
+# Rows of the table from a CSV of `limner compare`. Methods that come to the same are one row; those that do
 # not draw the scene have none. No field that is used has a comma in it.
 rows() { # CSV
     awk -F , '
@@ -83,7 +83,7 @@ pixels() { # SCENE < TABLE
 check() { # SCENE
     compare "$1" "$work/now" --no-cost
     rows "$work/now/compare.csv" | pixels "$1" >"$work/now.pixels"
-    sed -n '/<!-- compare begin/,/<!-- compare end/p' README.md | pixels "$1" >"$work/before.pixels"
+    sed -n '/<!-- compare begin/,/<!-- compare end/p' "$(readme_page compare)" | pixels "$1" >"$work/before.pixels"
     [ -s "$work/now.pixels" ] && diff "$work/before.pixels" "$work/now.pixels"
 }
 

@@ -240,6 +240,7 @@ bool compile_mesh(const struct mesh *mesh, const struct compile_options *options
         out->report.wireframe = options->wireframe;
         out->report.antialias = options->antialias;
         out->report.round = options->round;
+        out->report.frame = options->frame;
         out->report.delta_runs = options->delta;
         ok = ok &&
              pools_measure(out, options->core, side_or_default(options->w_px), side_or_default(options->h_px), err) &&

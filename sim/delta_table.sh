@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 #
-# Measures what delta output sends on each kind of panel, and what it costs, as README's tables. With --write puts them
-# into README.md between its markers. Needs $BUILD/limner; the costs, emulated processors.
+# Measures what delta output sends on each kind of panel, and what it costs, as tables. With --write puts them
+# into sim/MEASURED.md between its markers. Needs $BUILD/limner; the costs, emulated processors.
 set -eu
 . sim/readme_table.sh
 . sim/scenes/cube.sh

@@ -3,8 +3,34 @@
  * Families of chips, and what is common to them: names, formats, sizes. */
 #include "display.h"
 
-#include <stdio.h>
+#include "c_field.h"
+
 #include <string.h>
+
+/* What a driver's configuration takes of a port and, by the same name, of a module or a chip: PIN(its name, the
+ * port's), VALUE(name, of what). Listed once, to be filled in at run time and to be written as C for a board. Sharp's
+ * DISP takes the backlight's place: it shows the picture or hides it. */
+/* clang-format off */
+#define DCS_FIELDS(PIN, VALUE) \
+    PIN(bus, bus) PIN(dc, dc) PIN(reset, reset) PIN(backlight, backlight) PIN(tearing, tearing) PIN(clock, clock) \
+    VALUE(w_px, module) VALUE(h_px, module) VALUE(ox_px, module) VALUE(oy_px, module) \
+    VALUE(rotation, module) VALUE(mirror, module) VALUE(bgr, module) VALUE(invert, module) VALUE(format, choice)
+#define PAGES_FIELDS(PIN, VALUE) \
+    PIN(bus, bus) PIN(dc, dc) PIN(reset, reset) PIN(backlight, backlight) PIN(clock, clock) \
+    VALUE(w_px, module) VALUE(h_px, module) VALUE(ox_px, module) \
+    VALUE(rotation, module) VALUE(mirror, module) VALUE(invert, module)
+#define SOLOMON_FIELDS(PIN, VALUE) \
+    PIN(bus, bus) PIN(dc, dc) PIN(reset, reset) PIN(backlight, backlight) PIN(clock, clock) \
+    VALUE(w_px, module) VALUE(h_px, module) VALUE(ox_px, module) VALUE(rotation, module) VALUE(mirror, module) \
+    VALUE(bgr, module) VALUE(invert, module) VALUE(converter, module) VALUE(format, choice)
+#define SHARP_FIELDS(PIN, VALUE) \
+    PIN(bus, bus) PIN(select, select) PIN(shown, backlight) PIN(clock, clock)
+/* clang-format on */
+
+#define FILL_PIN(field, of_port) .field = port->of_port,
+#define FILL_VALUE(field, of) .field = of->field,
+#define WRITE_PIN(field, of_board) c_field_of_board(file, #field, #of_board);
+#define WRITE_VALUE(field, of) C_FIELD(file, #field, of->field);
 
 /* MIPI DCS ----------------------------------------------------------------------------------- */
 
@@ -27,27 +53,22 @@ static bool dcs_family_chip(size_t index, struct panel_choice *out)
 static int dcs_family_setup(struct display *display, const struct panel_choice *choice,
                             const struct display_module *module, const struct port *port)
 {
-    const struct dcs_config config = {.bus = port->bus,
-                                      .dc = port->dc,
-                                      .reset = port->reset,
-                                      .backlight = port->backlight,
-                                      .tearing = port->tearing,
-                                      .clock = port->clock,
-                                      .w_px = module->w_px,
-                                      .h_px = module->h_px,
-                                      .ox_px = module->ox_px,
-                                      .oy_px = module->oy_px,
-                                      .rotation = module->rotation,
-                                      .mirror = module->mirror,
-                                      .bgr = module->bgr,
-                                      .invert = module->invert,
-                                      .format = choice->format};
+    const struct dcs_config config = {DCS_FIELDS(FILL_PIN, FILL_VALUE)};
     display->panel = &display->driver.dcs.panel;
     return dcs_setup(&display->driver.dcs, choice->chip, &config);
 }
 
-const struct display_family display_dcs = {
-    .chip = dcs_family_chip, .setup = dcs_family_setup, .has_rows = true, .tells_refresh = true};
+static void dcs_family_write(FILE *file, const struct panel_choice *choice, const struct display_module *module)
+{
+    DCS_FIELDS(WRITE_PIN, WRITE_VALUE)
+}
+
+const struct display_family display_dcs = {.chip = dcs_family_chip,
+                                           .driver = "dcs",
+                                           .setup = dcs_family_setup,
+                                           .write = dcs_family_write,
+                                           .has_rows = true,
+                                           .tells_refresh = true};
 
 /* Pages -------------------------------------------------------------------------------------- */
 
@@ -70,22 +91,19 @@ static bool pages_family_chip(size_t index, struct panel_choice *out)
 static int pages_family_setup(struct display *display, const struct panel_choice *choice,
                               const struct display_module *module, const struct port *port)
 {
-    const struct pages_config config = {.bus = port->bus,
-                                        .dc = port->dc,
-                                        .reset = port->reset,
-                                        .backlight = port->backlight,
-                                        .clock = port->clock,
-                                        .w_px = module->w_px,
-                                        .h_px = module->h_px,
-                                        .ox_px = module->ox_px,
-                                        .rotation = module->rotation,
-                                        .mirror = module->mirror,
-                                        .invert = module->invert};
+    const struct pages_config config = {PAGES_FIELDS(FILL_PIN, FILL_VALUE)};
     display->panel = &display->driver.pages.panel;
     return pages_setup(&display->driver.pages, choice->chip, &config);
 }
 
-const struct display_family display_pages = {.chip = pages_family_chip, .setup = pages_family_setup};
+static void pages_family_write(FILE *file, const struct panel_choice *choice, const struct display_module *module)
+{
+    (void)choice;
+    PAGES_FIELDS(WRITE_PIN, WRITE_VALUE)
+}
+
+const struct display_family display_pages = {
+    .chip = pages_family_chip, .driver = "pages", .setup = pages_family_setup, .write = pages_family_write};
 
 /* Solomon Systech ---------------------------------------------------------------------------- */
 
@@ -100,6 +118,7 @@ static bool solomon_family_chip(size_t index, struct panel_choice *out)
                                  .mem_h_px = chip->mem_h_px,
                                  .w_step_px = chip->column_px,
                                  .h_step_px = 1,
+                                 .has_converter = chip->converter != 0,
                                  .formats = chip->formats,
                                  .format = chip->format};
     return true;
@@ -108,24 +127,18 @@ static bool solomon_family_chip(size_t index, struct panel_choice *out)
 static int solomon_family_setup(struct display *display, const struct panel_choice *choice,
                                 const struct display_module *module, const struct port *port)
 {
-    const struct solomon_config config = {.bus = port->bus,
-                                          .dc = port->dc,
-                                          .reset = port->reset,
-                                          .backlight = port->backlight,
-                                          .clock = port->clock,
-                                          .w_px = module->w_px,
-                                          .h_px = module->h_px,
-                                          .ox_px = module->ox_px,
-                                          .rotation = module->rotation,
-                                          .mirror = module->mirror,
-                                          .bgr = module->bgr,
-                                          .invert = module->invert,
-                                          .format = choice->format};
+    const struct solomon_config config = {SOLOMON_FIELDS(FILL_PIN, FILL_VALUE)};
     display->panel = &display->driver.solomon.panel;
     return solomon_setup(&display->driver.solomon, choice->chip, &config);
 }
 
-const struct display_family display_solomon = {.chip = solomon_family_chip, .setup = solomon_family_setup};
+static void solomon_family_write(FILE *file, const struct panel_choice *choice, const struct display_module *module)
+{
+    SOLOMON_FIELDS(WRITE_PIN, WRITE_VALUE)
+}
+
+const struct display_family display_solomon = {
+    .chip = solomon_family_chip, .driver = "solomon", .setup = solomon_family_setup, .write = solomon_family_write};
 
 /* Sharp -------------------------------------------------------------------------------------- */
 
@@ -145,18 +158,26 @@ static bool sharp_family_chip(size_t index, struct panel_choice *out)
     return true;
 }
 
-/* DISP takes the backlight's place: it shows the picture or hides it. */
 static int sharp_family_setup(struct display *display, const struct panel_choice *choice,
                               const struct display_module *module, const struct port *port)
 {
-    const struct sharp_config config = {
-        .bus = port->bus, .select = port->select, .shown = port->backlight, .clock = port->clock};
+    const struct sharp_config config = {SHARP_FIELDS(FILL_PIN, FILL_VALUE)};
     if (module->rotation != PANEL_UPRIGHT || module->mirror) return PANEL_ERR_CONFIG;
     display->panel = &display->driver.sharp.panel;
     return sharp_setup(&display->driver.sharp, choice->chip, &config);
 }
 
-const struct display_family display_sharp = {.chip = sharp_family_chip, .setup = sharp_family_setup, .selects = true};
+static void sharp_family_write(FILE *file, const struct panel_choice *choice, const struct display_module *module)
+{
+    (void)choice, (void)module;
+    SHARP_FIELDS(WRITE_PIN, WRITE_VALUE)
+}
+
+const struct display_family display_sharp = {.chip = sharp_family_chip,
+                                             .driver = "sharp",
+                                             .setup = sharp_family_setup,
+                                             .write = sharp_family_write,
+                                             .selects = true};
 
 /* All of them -------------------------------------------------------------------------------- */
 

@@ -10,6 +10,8 @@
 #include "panels.h"
 #include "port.h"
 
+#include <stdio.h>
+
 struct display_family;
 
 /* A chip as the command line sees it, and what it is sent. */
@@ -19,6 +21,7 @@ struct panel_choice {
     const char *name;
     uint16_t mem_w_px, mem_h_px;   /* of its memory: the largest glass */
     uint16_t w_step_px, h_step_px; /* the sides of its glass and its offsets are multiples of these */
+    bool has_converter;            /* of the glass's voltage, of its own */
     uint8_t formats;               /* 1 << enum panel_format, of all that it takes */
     enum panel_format format;
 };
@@ -29,6 +32,7 @@ struct display_module {
     uint16_t ox_px, oy_px;        /* memory column and row of its top left pixel */
     enum panel_rotation rotation; /* of the picture */
     bool mirror, bgr, invert;     /* as in struct dcs_config */
+    bool converter;               /* as in struct solomon_config */
 };
 
 /* A driver; must not move. */
@@ -50,6 +54,9 @@ struct display_family {
     /* Fills display->driver and display->panel. 0, or what the driver says. */
     int (*setup)(struct display *display, const struct panel_choice *choice, const struct display_module *module,
                  const struct port *port);
+    const char *driver; /* name of its struct, and with _setup and _config of what setup() calls and fills in */
+    /* That configuration as C, with the pins of `board`: a line a field. */
+    void (*write)(FILE *file, const struct panel_choice *choice, const struct display_module *module);
     bool has_rows;      /* its glass may begin in any row of memory: module->oy_px */
     bool tells_refresh; /* its drivers wait for port->tearing */
     bool selects;       /* its drivers set port->select: the bus does not */

@@ -73,7 +73,7 @@ static void reset_hardware(struct emulated_dcs *chip)
 
 static bool too_soon(struct emulated_dcs *chip, uint64_t from_us)
 {
-    if (chip->port.now_us >= from_us) return false;
+    if (!emulated_port_is_before(&chip->port, from_us)) return false;
     complain(chip, EMULATED_TOO_SOON, "%s came %u us too soon", chip->command->name,
              (unsigned)(from_us - chip->port.now_us));
     return true;
@@ -326,6 +326,7 @@ static void store_pixel(struct emulated_dcs *chip, uint32_t raw)
     if (chip->madctl & ROW_ORDER) row = chip->kind->h_px - 1u - row;
     if (chip->x == chip->columns[0] && chip->y == chip->rows[0]) chip->first_row = (uint16_t)row;
     chip->memory[row][column] = decode(raw, chip->bits_a_pixel);
+    chip->port.stores++;
     advance_address(chip);
 }
 

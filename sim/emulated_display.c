@@ -3,6 +3,8 @@
  * The emulated families, each with what the others need to know of it. */
 #include "emulated_display.h"
 
+#include "rgb565.h"
+
 #include <string.h>
 
 struct emulation {
@@ -156,4 +158,12 @@ bool emulated_display_is_quiet(const struct emulated_display *display, struct er
 void emulated_display_show(const struct emulated_display *display, uint8_t *rgb)
 {
     display->emulation->show(display, rgb);
+}
+
+void emulated_display_read(const struct emulated_display *display, uint8_t *rgb, uint16_t *pixels)
+{
+    const size_t pixel_count = (size_t)display->w_px * display->h_px;
+    emulated_display_show(display, rgb);
+    for (size_t i = 0; i < pixel_count; i++)
+        pixels[i] = rgb565_from_rgb888(&rgb[3 * i]);
 }

@@ -110,7 +110,7 @@ static void switch_on(struct emulated_pages *chip)
 
     if ((chip->power & kind->needs_power) != kind->needs_power)
         complain(chip, "display on without its voltage");
-    else if (kind->needs_power == POWER_ALL && chip->port.now_us - chip->power_us < POWER_RISES_US)
+    else if (kind->needs_power == POWER_ALL && emulated_port_is_before(&chip->port, chip->power_us + POWER_RISES_US))
         complain(chip, "display on %u us after its voltage", (unsigned)(chip->port.now_us - chip->power_us));
     if (chip->lines != chip->module.h_px && !kind->is_pcd && kind->needs_power == PUMP)
         complain(chip, "%u lines in use, the glass has %u", chip->lines, chip->module.h_px);
@@ -252,7 +252,7 @@ static void take_command(void *ctx, uint8_t byte)
 {
     struct emulated_pages *chip = ctx;
 
-    if (chip->port.now_us < chip->ready_us) complain(chip, "0x%02X too soon after reset", byte);
+    if (emulated_port_is_before(&chip->port, chip->ready_us)) complain(chip, "0x%02X too soon after reset", byte);
     if (chip->args_due) {
         chip->args[chip->n_args++] = byte;
         if (--chip->args_due == 0) run_arguments(chip);
@@ -295,6 +295,7 @@ static void take_data(void *ctx, uint8_t byte)
     }
     const unsigned wire = chip->columns_flipped ? kind->w_px - 1u - chip->column : chip->column;
     chip->memory[chip->page][wire] = byte;
+    chip->port.stores++;
     advance(chip);
 }
 

@@ -1,6 +1,11 @@
 /* SPDX-License-Identifier: MIT */
 #include "emulated_port.h"
 
+bool emulated_port_is_before(const struct emulated_port *port, uint64_t at_us)
+{
+    return !port->timeless && port->now_us < at_us;
+}
+
 static void receive(struct emulated_port *port)
 {
     port->bus_b += port->pending_b;
@@ -37,7 +42,8 @@ static int set_reset(void *ctx, bool high)
 {
     struct emulated_port *port = ctx;
     if (!high && !port->reset_low) port->reset_low_us = port->now_us;
-    if (high && port->reset_low) port->reset(port->chip, port->now_us - port->reset_low_us);
+    if (high && port->reset_low)
+        port->reset(port->chip, port->timeless ? UINT64_MAX : port->now_us - port->reset_low_us);
     port->reset_low = !high;
     return 0;
 }
@@ -84,7 +90,7 @@ struct pin emulated_port_dc(struct emulated_port *port)
 
 struct pin emulated_port_reset(struct emulated_port *port)
 {
-    return (struct pin){.ctx = port, .set = set_reset};
+    return (struct pin){.ctx = port, .set = port->reset ? set_reset : NULL};
 }
 
 struct pin emulated_port_backlight(struct emulated_port *port)

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
  * The pins of an emulated chip: what takes a port's bytes, levels and waits, and hands the chip commands and data,
- * which D/C tells apart. Time is the sum of all waits. */
+ * which D/C tells apart. Time is the sum of all waits, or what somebody sets it to. */
 #ifndef SIM_EMULATED_PORT_H
 #define SIM_EMULATED_PORT_H
 
@@ -12,7 +12,8 @@ struct emulated_port {
     void *chip;
     void (*command)(void *chip, uint8_t byte);
     void (*data)(void *chip, uint8_t byte);
-    void (*reset)(void *chip, uint64_t pulse_us); /* it was low for so long, and is high again */
+    void (*reset)(void *chip, uint64_t pulse_us); /* it was low for so long (UINT64_MAX: unknown), and is high again;
+                                                     of a chip that has none: NULL */
     void (*lost)(void *chip, size_t n_b);         /* bytes came while reset was low: they are lost */
     void (*select)(void *chip, bool high);        /* of a chip whose driver selects it itself; else NULL */
     bool (*edge)(void *chip, uint64_t *at_us);    /* when its next tearing-effect edge comes; false: none does */
@@ -22,8 +23,13 @@ struct emulated_port {
     bool dc_high, reset_low, backlight_low;
     uint64_t reset_low_us; /* since when */
     uint64_t now_us;
-    uint64_t bus_b; /* bytes received */
+    bool timeless;   /* nobody tells the time: no wait is too short */
+    uint64_t bus_b;  /* bytes received */
+    uint64_t stores; /* by the chip, which counts them: pixels, bytes of several or lines, as its memory takes them */
 };
+
+/* For the chip: whether it is too soon for what may happen from at_us on. */
+bool emulated_port_is_before(const struct emulated_port *port, uint64_t at_us);
 
 /* What a driver's configuration takes. */
 struct bus emulated_port_bus(struct emulated_port *port);

@@ -54,7 +54,8 @@ static void set_sign(struct emulated_sharp *chip, bool positive)
 
 static void take_mode(struct emulated_sharp *chip, uint8_t command)
 {
-    if (chip->port.now_us - chip->select_us < chip->kind->setup_us) complain(chip, "bits too soon after select");
+    if (emulated_port_is_before(&chip->port, chip->select_us + chip->kind->setup_us))
+        complain(chip, "bits too soon after select");
     if (command & WRITE && command & CLEAR) complain(chip, "command %02Xh", command);
     chip->command = command;
     if (!chip->by_pin) set_sign(chip, command & POSITIVE);
@@ -76,6 +77,7 @@ static void store_line(struct emulated_sharp *chip)
         complain(chip, "line %u: there are 1..%u", chip->number, chip->kind->h_px);
     else
         memcpy(chip->memory[chip->number - 1], chip->line, sizeof chip->line);
+    chip->port.stores++;
 }
 
 static void take_byte(void *ctx, uint8_t byte)
@@ -102,7 +104,7 @@ static void check_end(struct emulated_sharp *chip)
 {
     const unsigned line_b = chip->kind->w_px / 8u, lines_b = chip->n_b - 2;
 
-    if (chip->n_b && chip->port.now_us - chip->byte_us < chip->kind->hold_us)
+    if (chip->n_b && emulated_port_is_before(&chip->port, chip->byte_us + chip->kind->hold_us))
         complain(chip, "select ended too soon after the last bit");
     if (chip->n_b == 0) return;
     if (chip->n_b < 2 || (chip->command & WRITE ? lines_b == 0 || lines_b % (line_b + 2) : lines_b))

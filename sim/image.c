@@ -185,7 +185,7 @@ static void ignore_gd_message(int priority, const char *format, va_list argument
     (void)arguments;
 }
 
-static gdImagePtr read_png(const char *path, struct error *err)
+gdImagePtr image_read_png(const char *path, struct error *err)
 {
     FILE *file = fopen(path, "rb");
     if (!file) {
@@ -219,7 +219,7 @@ static bool same_pixels(const struct film *frame, gdImagePtr image, const char *
 
 bool image_check_png(const struct film *frame, const char *path, struct error *err)
 {
-    gdImagePtr image = read_png(path, err);
+    gdImagePtr image = image_read_png(path, err);
     if (!image) return false;
     bool ok = same_pixels(frame, image, path, err);
     gdImageDestroy(image);

@@ -30,6 +30,9 @@ gdImagePtr image_contact_sheet(const struct film *film);
 
 bool image_write_png(gdImagePtr image, FILE *file, const char *name, struct error *err);
 
+/* gdImageDestroy() it; NULL: an error says why it cannot be read. */
+gdImagePtr image_read_png(const char *path, struct error *err);
+
 /* Plays for ever; one palette for all frames, so that no colour flickers. */
 bool image_write_gif(const struct film *film, unsigned frames_per_s, FILE *file, const char *name, struct error *err);
 

@@ -6,17 +6,12 @@
 #define SIM_INTERRUPT_H
 
 #include "error.h"
+#include "linux/interrupt.h"
 
-/* From now on SIGHUP, SIGINT and SIGTERM no longer end the process by themselves. */
-void interrupt_watch(void);
-
-/* An error once one of them has arrived. */
-bool interrupt_check(struct error *err);
-
-/* Which one has arrived, or 0. */
-int interrupt_signal(void);
-
-/* Ends the process by it after all, as its parent expects; returns if none has arrived. */
-void interrupt_die(void);
+/* An error once a signal that is watched for has arrived. */
+static inline bool interrupt_check(struct error *err)
+{
+    return !interrupt_signal() || error_set(err, "interrupted");
+}
 
 #endif

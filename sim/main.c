@@ -17,8 +17,13 @@ static const char USAGE[] =
     "       limner compare MODEL           what each visibility method gets wrong and costs\n"
     "       limner play MODEL|SCENE.lim    fly a camera path on a real display, by SPI and GPIO\n"
     "       limner devices                 what a display can hang on here, and why not\n"
+    "       limner module -o NAME          a display's module as NAME.c and NAME.h, for firmware\n"
+    "       limner decode FILE|-           frames out of what went over a display's wires\n"
+    "       limner hashes PICTURE.png...   of pictures that others' displays showed\n"
     "       limner bridge                  frames a second over USB-HID, predicted; or of one --panel NAME --size WxH\n"
     "       limner splitters MODEL         what each heuristic makes of the tree\n"
+    "       limner uf2 IMAGE.bin -o IMAGE.uf2  what is copied to an RP2040's boot drive (--family rp2040)\n"
+    "       limner boot2 CODE.bin -o NAME.c  an RP2040's second stage, with its checksum\n"
     "       limner help                    this text\n"
     "\n"
     "compile, render, view and measure, for a MODEL; compare and splitters take some of these, below:\n"
@@ -50,6 +55,7 @@ static const char USAGE[] =
     "compile only:\n"
     "  --keep-faces        do not merge coplanar neighbours of one colour\n"
     "  --round             for round glass: what it does not show is left out\n"
+    "  --frame             for boards that keep the whole picture: fewer instructions, more RAM\n"
     "  --report            without -o: only report\n"
     "  --max-error P%      the cheapest precision with at most P % wrong pixels\n"
     "  --max-vertex-error Ppx  the same for the largest error of a vertex\n"
@@ -99,8 +105,18 @@ static const char USAGE[] =
     "  --size WxH          of the glass, upright; --offset X,Y: of its corner in the chip's memory\n"
     "  --rotate DEG        the picture, clockwise; --mirror: left and right exchanged\n"
     "  --bgr, --rgb, --invert, --no-invert  if colours are wrong (as is usual with that controller)\n"
+    "  --converter         the controller's own one makes the glass's voltage (from outside): ssd0323\n"
     "  --frames N          ends after so many\n"
     "  --test-card         instead of a scene: corners clockwise red, green, blue and a grey ramp\n"
+    "module: --panel, --hz, --size, --offset, --rotate, --mirror, --bgr, --rgb, --invert, --no-invert,\n"
+    "        --converter as play\n"
+    "decode: --panel and the module's options as above; FILE is a wire log: lines `b XX ...` for bytes, `p NAME 0|1`\n"
+    "        for levels of dc, reset, select, backlight, cs and led, which ends frames, `t NANOSECONDS`, `# ...`\n"
+    "  --qemu MAP          instead: what QEMU prints with -trace memory_region_ops_write; MAP says which registers\n"
+    "                      are which wires: `spi ADDRESS`, `pin NAME bsrr|clear|masked|output ADDRESS BIT`\n"
+    "  --frames N          ends after so many (all)\n"
+    "  -o PATTERN, --write-hashes FILE, --check FILE  as render\n"
+    "hashes: --write-hashes FILE, --check FILE as render; --shrink N: a pixel is NxN of the picture's (1)\n"
     "environment, render and view:\n"
     "  LIMNER_DUMP=x.png   write the last frame shown\n"
     "  LIMNER_CHECK=x.png  compare it; exit status 1 if it differs\n";
@@ -110,7 +126,9 @@ static const struct {
     int (*run)(int argc, char **argv);
 } COMMANDS[] = {{"compile", cmd_compile}, {"render", cmd_render},   {"view", cmd_view},
                 {"measure", cmd_measure}, {"compare", cmd_compare}, {"splitters", cmd_splitters},
-                {"play", cmd_play},       {"devices", cmd_devices}, {"bridge", cmd_bridge}};
+                {"play", cmd_play},       {"devices", cmd_devices}, {"bridge", cmd_bridge},
+                {"module", cmd_module},   {"decode", cmd_decode},   {"hashes", cmd_hashes},
+                {"uf2", cmd_uf2},         {"boot2", cmd_boot2}};
 
 static bool asks_for_help(const char *argument)
 {

@@ -9,6 +9,8 @@
 #include <stdio.h>
 #include <string.h>
 
+enum { SPEED_MAX_HZ = 1000000000 };
+
 struct usual_module {
     const char *panel;
     struct display_module module;
@@ -110,19 +112,29 @@ static bool take_rotation(struct display_module *module, struct arguments *argum
     return error_set(err, "--rotate %s: must be 0, 90, 180 or 270 degrees, clockwise", text);
 }
 
+static bool take_speed(struct module_choice *out, struct arguments *arguments, struct error *err)
+{
+    const char *text = NULL;
+    return arguments_value(arguments, "--hz", &text, err) &&
+           (!text || parse_whole("--hz", text, 1, SPEED_MAX_HZ, &out->speed_hz, err));
+}
+
 bool module_choice_parse(struct module_choice *out, struct arguments *arguments, struct error *err)
 {
     const char *panel = NULL;
     if (!arguments_value(arguments, "--panel", &panel, err)) return false;
-    if (!panel) return error_set(err, "play: needs --panel NAME, the display's controller; `limner help` lists them");
+    if (!panel) return error_set(err, "--panel NAME is missing: the display's controller; `limner help` lists them");
     if (!panel_choice_parse(panel, NULL, &out->panel, err)) return false;
     take_usual(out);
     struct display_module *module = &out->module;
-    if (!take_size(out, arguments, err) || !take_offset(out, arguments, err) ||
+    if (!take_speed(out, arguments, err) || !take_size(out, arguments, err) || !take_offset(out, arguments, err) ||
         !take_rotation(module, arguments, err) || !arguments_either(arguments, "--bgr", "--rgb", &module->bgr, err) ||
         !arguments_either(arguments, "--invert", "--no-invert", &module->invert, err))
         return false;
     module->mirror = arguments_flag(arguments, "--mirror");
+    module->converter = arguments_flag(arguments, "--converter");
+    if (module->converter && !out->panel.has_converter)
+        return error_set(err, "--converter: %s has no converter of the glass's voltage", out->panel.name);
     return display_module_check(&out->panel, module, err);
 }
 

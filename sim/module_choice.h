@@ -11,10 +11,11 @@
 struct module_choice {
     struct panel_choice panel;
     struct display_module module;
-    uint32_t speed_hz; /* usual clock of the bus */
+    uint32_t speed_hz; /* clock of the bus, the usual one if nobody said otherwise */
 };
 
-/* Takes --panel, --size, --offset, --rotate, --mirror, --bgr or --rgb, --invert or --no-invert out of *arguments. */
+/* Takes --panel, --hz, --size, --offset, --rotate, --mirror, --bgr or --rgb, --invert or --no-invert, --converter out
+ * of *arguments. */
 bool module_choice_parse(struct module_choice *out, struct arguments *arguments, struct error *err);
 
 /* Of the picture as its viewer has it, turned. */

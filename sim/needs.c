@@ -36,6 +36,7 @@ static struct needs needs_of_scene(const struct compiled *scene)
                           .antialias = scene->report.antialias,
                           .delta = scene->report.delta_runs > 0,
                           .round = scene->report.round,
+                          .frame = scene->report.frame,
                           .vertices = scene->scene.limits.vertices,
                           .side_px = greater(scene->report.w_px, scene->report.h_px),
                           .core = scene->report.core};
@@ -82,6 +83,7 @@ struct needs needs_union(const struct needs *a, const struct needs *b)
                           .antialias = a->antialias || b->antialias,
                           .delta = a->delta || b->delta,
                           .round = a->round || b->round,
+                          .frame = a->frame || b->frame,
                           .vertices = greater(a->vertices, b->vertices),
                           .side_px = greater(a->side_px, b->side_px),
                           .core = a->core};
@@ -121,6 +123,8 @@ void needs_write(const struct needs *needs, FILE *file)
     write_macro(file, "HAS_ANTIALIAS", needs->antialias);
     write_macro(file, "HAS_DELTA", needs->delta);
     write_macro(file, "HAS_ROUND", needs->round);
+    write_macro(file, "HAS_FRAME", needs->frame && needs->nearest);
+    write_macro(file, "HAS_RUNS", 0);
     write_macro(file, "HAS_STATS", 0);
     write_macro(file, "MAX_VERTICES", needs->vertices);
     if (needs->side_px) write_macro(file, "MAX_SIDE_PX", greater(needs->side_px, SIDE_MIN_PX));

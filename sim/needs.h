@@ -22,7 +22,7 @@ struct needs {
     bool wireframe;            /* to be drawn so */
     bool movers, light;        /* what moves, and whether it is lit in each frame */
     bool antialias;            /* with smooth edges */
-    bool delta, round;         /* what changes alone; round glass */
+    bool delta, round, frame;  /* what changes alone; round glass; targets that keep the picture */
     unsigned vertices;         /* most of any polygon */
     unsigned side_px;          /* longest of any panel that pools were measured for; 0: none */
     const struct core *core;   /* precision; NULL: not said */

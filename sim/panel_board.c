@@ -29,7 +29,7 @@ bool panel_board_init(struct panel_board *board, const struct panel_choice *choi
                       unsigned w_px, unsigned h_px, struct error *err)
 {
     const struct display_module module = module_of(choice, w_px, h_px);
-    const size_t lines_b = SCREEN_WIDE_MEM_B(w_px, method == LIM_PAINTER ? h_px : 2) + SCREEN_PAGES_MEM_B(w_px, 0);
+    const size_t lines_b = SCREEN_WIDE_MEM_B(w_px, method == LIM_PAINTER ? h_px : 2) + 2 * SCREEN_PAGE_B(w_px);
     if (!display_module_check(choice, &module, err)) return false;
     board->name = choice->name;
     board->lines = malloc(lines_b);
@@ -59,12 +59,7 @@ uint64_t panel_board_bus_b(const struct panel_board *board)
 bool panel_board_read(struct panel_board *board, uint16_t *pixels, struct error *err)
 {
     if (!emulated_display_is_quiet(&board->module, err)) return false;
-    emulated_display_show(&board->module, board->seen);
-    const size_t pixel_count = (size_t)board->module.w_px * board->module.h_px;
-    for (size_t i = 0; i < pixel_count; i++) {
-        const uint8_t *rgb = &board->seen[3 * i];
-        pixels[i] = (uint16_t)((rgb[0] >> 3) << 11 | (rgb[1] >> 2) << 5 | rgb[2] >> 3);
-    }
+    emulated_display_read(&board->module, board->seen, pixels);
     return true;
 }
 

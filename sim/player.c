@@ -141,14 +141,6 @@ static bool play_frames(struct player *player, struct error *err)
     return ok || error_set(err, "%s; given up after %u failures in a row", last.text, player->in_a_row);
 }
 
-/* Not every chip can do both; one of them darkens it. */
-static int darken(struct panel *panel)
-{
-    const int blank = panel_blank(panel, true), asleep = panel_sleep(panel, true);
-    if (blank && blank != PANEL_ERR_UNSUPPORTED) return blank;
-    return asleep == PANEL_ERR_UNSUPPORTED ? blank : asleep;
-}
-
 bool player_run(struct player *player, struct error *err)
 {
     interrupt_watch();
@@ -158,6 +150,6 @@ bool player_run(struct player *player, struct error *err)
     player->began_s = now_s();
     const bool ok = play_frames(player, err);
     player->port->error[0] = '\0';
-    code = darken(player->panel);
+    code = panel_darken(player->panel);
     return ok && (code == 0 || explain(player, "the panel cannot be switched off", code, err));
 }

@@ -17,6 +17,8 @@
 #include <stdlib.h>
 
 enum { CAMERAS = 256, STRAYS = 1, LEAST_PIECES = 8, PLENTY_OF_PIECES = 16000, PLENTY = 60000, FOV_DEG = 60 };
+/* What is active is retained, and takes more cells than its head's. */
+enum { MOST_RETAINED = PLENTY / MCU_HEAD_CELLS };
 
 /* What each camera used of each pool. */
 struct usage {
@@ -153,11 +155,13 @@ static bool sample_spans(struct compiled *roomy, struct moving *moving, const st
     return true;
 }
 
-/* A scene with the same arrays whose pools do not run out. */
-static struct compiled roomy_of(const struct compiled *scene)
+/* A scene with the same arrays whose pools do not run out. `active`, too, must be enough, and should be no more than
+ * that: the renderer links all of them anew for every frame. */
+static struct compiled roomy_of(const struct compiled *scene, uint32_t active)
 {
     struct compiled roomy = *scene;
-    roomy.scene.limits.retained_cells = roomy.scene.limits.gaps = roomy.scene.limits.active = PLENTY;
+    roomy.scene.limits.retained_cells = roomy.scene.limits.gaps = PLENTY;
+    roomy.scene.limits.active = (uint16_t)(active < MOST_RETAINED ? active : MOST_RETAINED);
     roomy.scene.limits.pieces = PLENTY_OF_PIECES;
     roomy.scene.limits.layers = records_with(&scene->scene, LIM_POLYGON_ALPHA) ? PLENTY : 0;
     return roomy;
@@ -167,8 +171,8 @@ bool pools_measure_moving(struct compiled *scene, struct moving *moving, const s
                           unsigned h_px, struct error *err)
 {
     struct lim_limits limits = scene->scene.limits;
-    struct compiled roomy = roomy_of(scene);
-    const struct simulator_setup setup = {w_px, h_px, LIM_NEAREST_FIRST, SIMULATOR_MEMORY, core};
+    struct compiled roomy = roomy_of(scene, MOST_RETAINED);
+    const struct simulator_setup setup = {w_px, h_px, LIM_NEAREST_FIRST, SIMULATOR_UNSEEN, core};
 
     for (size_t i = 0; i < moving->count; i++) {
         const struct lim_scene *object = &moving->objects[i].scene.scene;
@@ -188,9 +192,10 @@ bool pools_measure_moving(struct compiled *scene, struct moving *moving, const s
 bool pools_measure(struct compiled *scene, const struct core *core, unsigned w_px, unsigned h_px, struct error *err)
 {
     struct lim_limits limits = {.depth = scene->scene.limits.depth, .vertices = scene->scene.limits.vertices};
-    struct compiled roomy = roomy_of(scene);
     const enum lim_method method = method_sorts(scene->report.draws) ? scene->report.draws : LIM_NEAREST_FIRST;
-    struct simulator_setup setup = {w_px, h_px, method, SIMULATOR_MEMORY, core};
+    const uint32_t cut = method == LIM_NEWELL ? PLENTY_OF_PIECES : 0; /* all others are active once at most */
+    struct compiled roomy = roomy_of(scene, scene->scene.polygon_count + cut);
+    struct simulator_setup setup = {w_px, h_px, method, SIMULATOR_UNSEEN, core};
 
     if (!sample_spans(&roomy, NULL, &setup, STYLE_PLAIN, &limits, err) ||
         (scene->report.wireframe && !sample_spans(&roomy, NULL, &setup, STYLE_WIREFRAME, &limits, err)) ||

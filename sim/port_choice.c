@@ -2,32 +2,27 @@
 #include "port_choice.h"
 
 #include "hid/hid_port.h"
+#include "idle_port.h"
 #include "parse.h"
 
 #include <string.h>
 
 /* spidev and GPIO lines ------------------------------------------------------------------------- */
 
-enum { SPEED_MAX_HZ = 1000000000 };
-
 static bool linux_parse(struct linux_port_config *out, struct arguments *arguments, struct error *err)
 {
-    const char *hz = NULL, *mode = NULL;
-    uint32_t hz_value = 0, mode_value = 0;
+    const char *mode = NULL;
+    uint32_t mode_value = 0;
     *out = (struct linux_port_config){0};
     if (!arguments_value(arguments, "--spi", &out->spi, err) || !arguments_value(arguments, "--dc", &out->dc, err) ||
         !arguments_value(arguments, "--reset", &out->reset, err) ||
         !arguments_value(arguments, "--backlight", &out->backlight, err) ||
         !arguments_value(arguments, "--select", &out->select, err) ||
-        !arguments_value(arguments, "--te", &out->tearing, err) || !arguments_value(arguments, "--hz", &hz, err) ||
-        !arguments_value(arguments, "--mode", &mode, err))
+        !arguments_value(arguments, "--te", &out->tearing, err) || !arguments_value(arguments, "--mode", &mode, err))
         return false;
     out->no_cs = arguments_flag(arguments, "--no-cs");
     out->cs_high = arguments_flag(arguments, "--cs-high");
-    if ((hz && !parse_whole("--hz", hz, 1, SPEED_MAX_HZ, &hz_value, err)) ||
-        (mode && !parse_whole("--mode", mode, 0, 3, &mode_value, err)))
-        return false;
-    out->speed_hz = hz_value;
+    if (mode && !parse_whole("--mode", mode, 0, 3, &mode_value, err)) return false;
     out->mode = (uint8_t)mode_value;
     return true;
 }
@@ -89,7 +84,7 @@ static int hid_open(const struct port_choice *choice, uint32_t speed_hz, struct 
                                            .backlight = config->backlight,
                                            .select = config->select,
                                            .chip_select = choice->chip_select,
-                                           .bit_rate_hz = config->speed_hz ? config->speed_hz : speed_hz,
+                                           .bit_rate_hz = speed_hz,
                                            .mode = config->mode};
     return hid_port_open(port, choice->serial, &options);
 }
@@ -107,41 +102,23 @@ bool port_choice_parse(struct port_choice *out, struct arguments *arguments, str
     return linux_check(&out->linux_port, err);
 }
 
-static int write_nothing(void *ctx, const uint8_t *data, size_t n_b)
-{
-    (void)ctx, (void)data, (void)n_b;
-    return 0;
-}
-
-static int set_nothing(void *ctx, bool high)
-{
-    (void)ctx, (void)high;
-    return 0;
-}
-
-static int wait_for_nothing(void *ctx, uint32_t delay_us)
-{
-    (void)ctx, (void)delay_us;
-    return 0;
-}
-
 struct port port_choice_stand_in(const struct port_choice *choice)
 {
     const struct linux_port_config *config = &choice->linux_port;
-    const struct pin wired = {.set = set_nothing}, open = {0};
-    return (struct port){.bus = {.write = write_nothing},
-                         .dc = config->dc ? wired : open,
-                         .reset = config->reset ? wired : open,
-                         .backlight = config->backlight ? wired : open,
-                         .select = config->select ? wired : open,
-                         .tearing = {.wait = config->tearing ? wait_for_nothing : NULL},
-                         .clock = {.delay = wait_for_nothing}};
+    const struct pin open = {0};
+    struct port port = idle_port();
+    if (!config->dc) port.dc = open;
+    if (!config->reset) port.reset = open;
+    if (!config->backlight) port.backlight = open;
+    if (!config->select) port.select = open;
+    if (!config->tearing) port.tearing = (struct edge){0};
+    return port;
 }
 
 bool port_choice_open(const struct port_choice *choice, uint32_t speed_hz, struct port *port, struct error *err)
 {
     struct linux_port_config config = choice->linux_port;
-    if (config.speed_hz == 0) config.speed_hz = speed_hz;
+    config.speed_hz = speed_hz;
     const int code = choice->kind == PORT_HID ? hid_open(choice, speed_hz, port) : linux_port_open(port, &config);
     return code == 0 || error_set(err, "%s", port->error);
 }

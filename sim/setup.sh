@@ -16,9 +16,10 @@ fail() {
     exit 1
 }
 
-# The packages among the arguments that are not installed.
+# The packages among the arguments that are neither installed nor provided by one that is.
 missing_of() {
-    installed=$(dpkg-query -W -f '${db:Status-Status} ${Package}\n' "$@" 2>/dev/null | sed -n 's/^installed //p')
+    installed=$(dpkg-query -W -f '${db:Status-Status} ${Package}, ${Provides}\n' 2>/dev/null |
+        sed -n 's/^installed //p' | tr ',' '\n' | sed 's/^ *//; s/ .*//')
     for package; do
         printf '%s\n' "$installed" | grep -qxF -- "$package" || echo "$package"
     done

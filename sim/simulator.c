@@ -44,6 +44,19 @@ static int memory_done(void *ctx, uint16_t y_px, uint16_t x_px, uint16_t n_px)
     return 0;
 }
 
+static void *unseen_lend(void *ctx, uint16_t y_px)
+{
+    const struct simulator *simulator = ctx;
+    (void)y_px;
+    return simulator->lines;
+}
+
+static int unseen_done(void *ctx, uint16_t y_px, uint16_t x_px, uint16_t n_px)
+{
+    (void)ctx, (void)y_px, (void)x_px, (void)n_px;
+    return 0;
+}
+
 /* Plain memory takes every piece where it belongs. */
 static int memory_window(void *ctx, const struct lim_rect *window)
 {
@@ -52,18 +65,18 @@ static int memory_window(void *ctx, const struct lim_rect *window)
     return 0;
 }
 
-static bool memory_init(struct simulator *simulator, enum lim_method method, unsigned w_px, unsigned h_px,
-                        struct error *err)
+static bool memory_init(struct simulator *simulator, const struct simulator_setup *setup, struct error *err)
 {
-    simulator->line_b = SCREEN_LINE_B(w_px);
-    simulator->lines = calloc(h_px, simulator->line_b);
-    simulator->target = (struct lim_target){.w_px = (uint16_t)w_px,
-                                            .h_px = (uint16_t)h_px,
+    const bool seen = setup->panel != SIMULATOR_UNSEEN;
+    simulator->line_b = SCREEN_LINE_B(setup->w_px);
+    simulator->lines = calloc(seen ? setup->h_px : 1, simulator->line_b);
+    simulator->target = (struct lim_target){.w_px = (uint16_t)setup->w_px,
+                                            .h_px = (uint16_t)setup->h_px,
                                             .format = LIM_RGB565,
-                                            .method = method,
+                                            .method = setup->method,
                                             .ctx = simulator,
-                                            .lend = memory_lend,
-                                            .done = memory_done,
+                                            .lend = seen ? memory_lend : unseen_lend,
+                                            .done = seen ? memory_done : unseen_done,
                                             .window = memory_window,
                                             .costs = {.window_b = 11, .pixel_bits = 16, .page_px = 1, .x_align_px = 1}};
     return simulator->lines || error_set(err, "simulator: out of memory");
@@ -140,8 +153,7 @@ bool simulator_init_on(struct simulator *simulator, const struct lim_scene *scen
     if (panel == SIMULATOR_ANY)
         panel = simulator_panel_holds(choice, setup->w_px, setup->h_px, &(struct error){0}) ? SIMULATOR_PANEL
                                                                                             : SIMULATOR_MEMORY;
-    bool ok = panel == SIMULATOR_PANEL ? board_init(simulator, setup, choice, err)
-                                       : memory_init(simulator, setup->method, setup->w_px, setup->h_px, err);
+    bool ok = panel == SIMULATOR_PANEL ? board_init(simulator, setup, choice, err) : memory_init(simulator, setup, err);
     ok = ok && renderer_init(simulator, scene, err);
     if (!ok) simulator_free(simulator);
     return ok;

@@ -14,7 +14,8 @@
 enum simulator_panel {
     SIMULATOR_ANY,   /* the first below that can hold the picture */
     SIMULATOR_PANEL, /* emulated: an ST7789, 240x320 at most, or the one that simulator_init_on() names */
-    SIMULATOR_MEMORY
+    SIMULATOR_MEMORY,
+    SIMULATOR_UNSEEN /* one line of memory, over and over: for frames of which only the statistics are asked */
 };
 
 /* What a picture is drawn with. */
@@ -40,7 +41,7 @@ struct simulator {
     uint16_t *pixels;          /* the last frame: RGB565 as numbers, row by row from the top left */
     size_t bus_b;              /* bytes sent to the panel for it */
     struct panel_board *board; /* NULL: plain memory */
-    uint8_t *lines;            /* plain memory's, line_b each; NULL with a panel */
+    uint8_t *lines;            /* plain memory's, line_b each, or the unseen one; NULL with a panel */
     size_t line_b;
 };
 

@@ -4,7 +4,8 @@
 # -v roots='lim_init lim_frame' [-v calls='span.c=paint_piece ...'] [-v outside='paint.c ...'] *.ci
 # `calls` says where a file's calls through a pointer lead, to one function or several of which some are linked; those
 # of the files in `outside` lead to somebody else's functions, whose stack comes on top. Prints the bytes of the deepest root, and the path there. An
-# error: recursion, a frame without bound, a pointer not accounted for.
+# error: recursion, a frame without bound, a pointer not accounted for. `only`, if given, are the functions that were linked:
+# no other counts.
 
 # Code of the compiler's own library, written in assembly or without call graph: more than any of it takes.
 BEGIN {
@@ -17,6 +18,8 @@ BEGIN {
     }
     count = split(outside, names, " ")
     for (i = 1; i <= count; i++) is_outside[names[i]] = 1
+    some_left_out = split(only, names, " ")
+    for (i = 1; i <= some_left_out; i++) is_linked[names[i]] = 1
 }
 
 function fail(text) {
@@ -37,10 +40,14 @@ function plain(title,   parts, n) {
     return parts[n]
 }
 
+function is_left_out(title) {
+    return some_left_out && !(plain(title) in is_linked)
+}
+
 /^node: / {
     title = quoted("title")
     label = quoted("label")
-    if (label !~ / bytes \(/) next
+    if (label !~ / bytes \(/ || is_left_out(title)) next
     if (label ~ /bytes \(dynamic\)/) fail(plain(title) ": its stack has no bound")
     own_b[title] = label
     sub(/.*\\n/, "", own_b[title])
@@ -52,6 +59,7 @@ function plain(title,   parts, n) {
 /^edge: / {
     from = quoted("sourcename")
     to = quoted("targetname")
+    if (is_left_out(from)) next
     if (to == "__indirect_call") {
         file = quoted("label")
         sub(/:.*/, "", file)
@@ -69,7 +77,7 @@ function deepest_of(names,   list, n, i, bytes, most_b, most) {
     for (i = 1; i <= n; i++) {
         if (!(list[i] in by_name)) continue
         bytes = deepest(by_name[list[i]])
-        if (bytes <= most_b) continue
+        if (most && bytes <= most_b) continue
         most_b = bytes
         most = by_name[list[i]]
     }

@@ -54,6 +54,6 @@ picture() {
 table >"$work/table"
 case ${1:-} in
 --write) readme_write table "$work/table" && picture ;;
---check) readme_with table "$work/table" | diff README.md - ;;
+--check) readme_has table "$work/table" ;;
 *) cat "$work/table" ;;
 esac

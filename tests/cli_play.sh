@@ -33,7 +33,7 @@ st7789() { # NAME PATTERN ARGUMENT...: with what every call needs
 
 # -- What is missing -----------------------------------------------------------------------------------------------------
 
-refuse "a panel is required" '^limner: play: needs --panel NAME' play "$model"
+refuse "a panel is required" '^limner: --panel NAME is missing' play "$model"
 refuse "an SPI device is required" '^limner: play: needs --spi DEVICE' play "$model" --panel st7789
 refuse "a panel that has D/C requires its line" '^limner: --panel st7789: needs a pin, --dc LINE$' \
     play "$model" --panel st7789 --spi /dev/spidev99.0

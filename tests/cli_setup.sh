@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 #
 # sim/setup.sh asks, says and installs as it should: with stand-ins for dpkg-query, apt-get, sudo and id, in a
-# system where the package `there` is installed.
+# system where the package `there` is installed, which provides `meant` as well.
 . tests/tap.sh
 
 unset DEPS
@@ -14,7 +14,8 @@ stand_in() { # NAME: script on stdin
 export WORK="$work"
 
 stand_in dpkg-query <<'EOF'
-echo installed there
+echo 'installed there, other-name, meant (= 1.2)'
+echo 'config-files gone, left'
 EOF
 stand_in id <<'EOF'
 cat "$WORK/uid"
@@ -61,6 +62,7 @@ says() { grep -qF -- "$1" "$work/said"; }
 did() { [ "$(paste -sd, "$work/done")" = "$1" ]; }
 
 nothing_missing() { setup 0 there && [ "$(cat "$work/said")" = "status 0" ] && did ''; }
+nothing_missing_provided() { setup 0 there meant && [ "$(cat "$work/said")" = "status 0" ] && did ''; }
 root_installs() { setup 0 there wanted && says "missing packages: wanted (to download: 1.5 MB)" && says "status 0" && did 'install wanted'; }
 root_updates() { setup 0 other && says "1.5 MB" && says "status 0" && did 'update,install other'; }
 root_tries_again() { setup 0 moved && says "trying again" && says "status 0" && did 'install moved,update,install moved'; }
@@ -73,6 +75,7 @@ user_declines() { ANSWER=n setup 1000 wanted && says "[y/N]" && says "status 1" 
 user_updates() { ANSWER=yes setup 1000 other && says "size not known" && says "status 0" && did 'sudo,sudo,update,sudo,install other'; }
 
 tap_check "nothing is said when nothing is missing" nothing_missing
+tap_check "what an installed package provides is not missing" nothing_missing_provided
 tap_check "root: the missing package is named with its size and installed" root_installs
 tap_check "root: lists that do not know a package are updated first" root_updates
 tap_check "root: a download that fails is tried again with fresh lists" root_tries_again

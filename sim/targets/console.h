@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
- * What a program on an emulated target may call beside its own code. The target's start-up file
- * implements it: start_arm.c, start_riscv.c, start_avr.c, or start_host.c under an operating system. */
+ * What a program on an emulated target may call beside its own code. Semihosting implements
+ * it (semihost.c), or start_avr.c, or under an operating system start_host.c. */
 #ifndef TARGETS_CONSOLE_H
 #define TARGETS_CONSOLE_H
 

@@ -33,7 +33,7 @@ build() {
         compile "${source%.c}.o" "$source" "$@"
     done
     target_link "$core" "$folder/image" "$@" -I"$folder" -Wl,--wrap=main -Wl,-Map,"$folder/image.map" \
-        sim/targets/count_check.c sim/targets/frames.c "$folder"/model*.o "$folder"/firmware/*.o
+        sim/targets/count_check.c sim/targets/frames.c boards/common/app_scene.c "$folder"/model*.o "$folder"/firmware/*.o
 }
 
 run() { # PLUGIN

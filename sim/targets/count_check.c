@@ -4,10 +4,10 @@
  * --wrap=main: the first frame that the plugin counts is then this one. */
 #include "count_check.h"
 
+#include "app_scene.h"
+
 #include <stdint.h>
 
-void frame_begin(uint16_t frame);
-void frame_end(uint16_t frame);
 int __real_main(void);
 int __wrap_main(void);
 void count_check_loop(uint32_t turns);

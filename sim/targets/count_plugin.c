@@ -1,11 +1,12 @@
 /* SPDX-License-Identifier: MIT
  *
  * Counts the instructions that an emulated processor executes: a plugin of QEMU's TCG (plugin API,
- * version 1), loaded with -plugin count_plugin.so,ranges=FILE,out=FILE. In: lines `range START END` and
+ * version 1), loaded with -plugin count_plugin.so,ranges=FILE,out=FILE[,frames=N]. In: lines `range START END` and
  * `helper START END` of addresses, ascending, and two marks, `begin ADDRESS` and `end ADDRESS`, all
  * hexadecimal. Out: each time when execution has come from one mark to the other, a line `frame` with two
  * numbers for every range, and last for all other addresses: its own instructions, and those of helpers
- * (a compiler's support library) on its behalf; helpers have none of their own. `done` closes the file.
+ * (a compiler's support library) on its behalf; helpers have none of their own. `done` closes the file,
+ * and where a program goes on for ever the last of N frames ends the emulator.
  *
  * Debian's qemu-system packages load plugins but do not ship the header that declares the interface,
  * so what is used of it is declared here. */
@@ -70,6 +71,7 @@ struct counter {
     struct range *running; /* the range, no helper, that execution was in last */
     uint64_t begin, end;   /* the marks */
     bool counting;
+    unsigned long frames_left; /* 0: until the emulator ends */
     FILE *out;
 };
 
@@ -99,6 +101,12 @@ static void on_begin(unsigned processor, void *ctx)
     counter->counting = true;
 }
 
+static void finish(struct counter *counter)
+{
+    fputs("done\n", counter->out);
+    fclose(counter->out);
+}
+
 static void on_end(unsigned processor, void *ctx)
 {
     struct counter *counter = ctx;
@@ -109,6 +117,9 @@ static void on_end(unsigned processor, void *ctx)
     for (size_t i = 0; i <= counter->range_count; i++)
         fprintf(counter->out, " %" PRIu64 " %" PRIu64, counter->ranges[i].own, counter->ranges[i].helpers);
     fputc('\n', counter->out);
+    if (counter->frames_left == 0 || --counter->frames_left > 0) return;
+    finish(counter);
+    _Exit(0);
 }
 
 static void on_enter(unsigned processor, void *ctx)
@@ -157,10 +168,8 @@ static void on_block(qemu_plugin_id_t id, struct qemu_plugin_tb *block)
 
 static void on_exit_of_qemu(qemu_plugin_id_t id, void *ctx)
 {
-    struct counter *counter = ctx;
     (void)id;
-    fputs("done\n", counter->out);
-    fclose(counter->out);
+    finish(ctx);
 }
 
 /* -- Start ------------------------------------------------------------------------------------ */
@@ -204,7 +213,6 @@ static const char *argument(int argc, char **argv, const char *name)
     const size_t length = strlen(name);
     for (int i = 0; i < argc; i++)
         if (strncmp(argv[i], name, length) == 0 && argv[i][length] == '=') return argv[i] + length + 1;
-    fprintf(stderr, "count_plugin: needs %s=FILE\n", name);
     return NULL;
 }
 
@@ -212,8 +220,14 @@ int qemu_plugin_install(qemu_plugin_id_t id, const struct qemu_info_t *info, int
 {
     struct counter *counter = &the_counter;
     const char *ranges = argument(argc, argv, "ranges"), *out = argument(argc, argv, "out");
+    const char *frames = argument(argc, argv, "frames");
     (void)info;
-    if (!ranges || !out || !read_ranges(counter, ranges)) return -1;
+    if (!ranges || !out) {
+        fputs("count_plugin: needs ranges=FILE and out=FILE\n", stderr);
+        return -1;
+    }
+    if (!read_ranges(counter, ranges)) return -1;
+    if (frames) counter->frames_left = strtoul(frames, NULL, 10);
     counter->out = fopen(out, "w");
     if (!counter->out) {
         fprintf(stderr, "count_plugin: %s: cannot be written\n", out);

@@ -3,26 +3,15 @@
  * Renders every camera of a list, line by line, and prints each frame's number and hash just as
  * `limner render --write-hashes` does. Compiled for a scene (`limner compile -o DIR/model`) and for
  * its cameras and screen (`limner render --write-cameras DIR/cameras.h`). Exit status 0, or 1 when
- * the renderer failed or painted out of order.
- *
- * What moves in the scene is where it is FRAMES_PER_S frames a second after the start, as `limner render --fps` has it.
- */
-#include "limner.h"
-
-#include "cameras.h"
+ * the renderer failed or painted out of order. */
+#include "app_scene.h"
 #include "console.h"
-#include "model.h"
-
-/* What the scene asks for. With less, down to lim_mem_min_b(), the same frames take longer. */
-#ifndef FRAMES_MEM_B
-#define FRAMES_MEM_B MODEL_SCENE_MEM_B(CAMERAS_H_PX)
-#endif
 
 #define FNV_OFFSET_HIGH UINT32_C(0xcbf29ce4)
 #define FNV_OFFSET_LOW UINT32_C(0x84222325)
 enum { FNV_PRIME_LOW = 0x1b3 }; /* the prime is 2^40 + this */
 
-enum { LINES = MODEL_SCENE_LINES(CAMERAS_H_PX) }; /* that the method wants to have at any time */
+enum { LINES = SCENE_LINES(CAMERAS_H_PX) }; /* that the method wants to have at any time */
 
 struct screen {
     _Alignas(4) uint16_t lines[LINES][(CAMERAS_W_PX + 1) / 2 * 2]; /* each aligned for words */
@@ -33,43 +22,9 @@ struct screen {
 #endif
 };
 
-#ifdef MODEL_MOVERS
-#ifndef FRAMES_PER_S
-#define FRAMES_PER_S 15
-#endif
-#ifdef CAMERAS_LENGTH_MS /* all of the animation */
-#define TIME_MS(frame) ((frame)*UINT32_C(CAMERAS_LENGTH_MS) / CAMERAS_COUNT)
-#else
-#define TIME_MS(frame) (((frame)*UINT32_C(1000) + FRAMES_PER_S / 2) / FRAMES_PER_S)
-#endif
-static struct lim_instance instances[MODEL_MOVERS];
-static void *mover_mem[(MODEL_MOVERS_MEM_B + sizeof(void *) - 1) / sizeof(void *)];
-#endif
-
-static struct lim lim;
-static uint32_t mem[FRAMES_MEM_B / 4];
 static struct screen screen;
-#if LIM_HAS_DELTA
-static void *delta_mem[(MODEL_SCENE_DELTA_MEM_B(CAMERAS_W_PX, CAMERAS_H_PX) + sizeof(void *) - 1) / sizeof(void *)];
-#endif
-#if LIM_HAS_ANTIALIAS
-static uint32_t smooth_mem[LIM_ANTIALIAS_MEM_B(CAMERAS_W_PX) / 4];
-#endif
 
 int main(void);
-void frame_begin(uint16_t frame);
-void frame_end(uint16_t frame);
-
-/* Two marks for whoever counts instructions: between them there is lim_frame() alone. */
-__attribute__((noinline)) void frame_begin(uint16_t frame)
-{
-    __asm__ volatile("" ::"r"(frame));
-}
-
-__attribute__((noinline)) void frame_end(uint16_t frame)
-{
-    __asm__ volatile("" ::"r"(frame));
-}
 
 /* In 32-bit products only: a 64-bit one would be a library call that the renderer makes too, and
  * who counts could not tell the two apart. */
@@ -157,55 +112,18 @@ static void put_decimal(uint16_t number)
     console_put(&digits[at]);
 }
 
-#ifdef MODEL_MOVERS
-static int init_movers(void)
-{
-    const struct lim_movers_limits limits = MODEL_MOVERS_LIMITS;
-    const int err = lim_movers_init(&lim, mover_mem, sizeof mover_mem, &limits);
-
-#ifdef MODEL_LIGHT
-    const struct lim_light light = MODEL_LIGHT;
-    lim_light_set(&lim, &light);
-#endif
-    return err;
-}
-
-static void place_movers(uint16_t frame)
-{
-    lim_moved_at(model_movers, MODEL_MOVERS, TIME_MS(frame), instances);
-}
-
-static int draw(const struct lim_camera *camera)
-{
-    return lim_movers_frame(&lim, camera, instances, MODEL_MOVERS);
-}
-#else
-static int init_movers(void)
-{
-    return 0;
-}
-
-static void place_movers(uint16_t frame)
-{
-    (void)frame;
-}
-
-static int draw(const struct lim_camera *camera)
-{
-    return lim_frame(&lim, camera);
-}
-#endif
-
+/* Between the marks there is lim_frame() alone. */
 static int render(uint16_t frame)
 {
-    const struct lim_camera camera = cameras[frame];
+    struct lim_camera camera;
 
+    scene_camera(frame, &camera);
     screen.hash_high = FNV_OFFSET_HIGH;
     screen.hash_low = FNV_OFFSET_LOW;
     screen.painted_px = 0;
-    place_movers(frame);
+    scene_place(frame);
     frame_begin(frame);
-    const int err = draw(&camera);
+    const int err = scene_draw(&camera);
     frame_end(frame);
     end_frame(&screen);
     return err || screen.painted_px != (uint32_t)CAMERAS_W_PX * CAMERAS_H_PX;
@@ -226,7 +144,7 @@ int main(void)
         .w_px = CAMERAS_W_PX,
         .h_px = CAMERAS_H_PX,
         .format = LIM_RGB565,
-        .method = MODEL_SCENE_METHOD,
+        .method = SCENE_METHOD,
         .ctx = &screen,
         .lend = lend,
         .done = done,
@@ -235,16 +153,8 @@ int main(void)
         .costs = {.window_b = 11, .pixel_bits = 16, .page_px = 1, .x_align_px = 1},
 #endif
     };
-    int err = lim_init(&lim, &model_scene, &target, mem, sizeof mem);
+    int err = scene_init(&target);
 
-#if LIM_HAS_DELTA
-    if (!err) err = lim_set_delta(&lim, delta_mem, sizeof delta_mem);
-#endif
-#if LIM_HAS_ANTIALIAS
-    if (!err) err = lim_set_antialias(&lim, smooth_mem, sizeof smooth_mem);
-#endif
-    if (LIM_HAS_WIREFRAME && !err) lim_set_wireframe(&lim, &(const struct lim_wireframe){.on = true});
-    if (!err) err = init_movers();
     for (uint16_t frame = 0; frame < CAMERAS_COUNT && !err; frame++) {
         err = render(frame);
         if (!err) put_frame(frame);

@@ -38,8 +38,8 @@ target_flags() { # CORE: of the compiler, for code that is to be the target's
 # Start-up sources and flags that make an image of them. A bare one has no library but the compiler's.
 target_image() { # CORE
     case $1 in
-    m0plus | m3 | m4) target_bare arm mps2 ;;
-    microbit) target_bare arm microbit ;;
+    m0plus | m3 | m4) target_bare cortex_m mps2 ;;
+    microbit) target_bare cortex_m microbit ;;
     rv32) target_bare riscv virt ;;
     avr) echo sim/targets/start_avr.c ;;
     powerpc) echo -static sim/targets/start_host.c ;;
@@ -48,8 +48,8 @@ target_image() { # CORE
 }
 
 target_bare() { # ARCHITECTURE MACHINE
-    echo -ffreestanding -nostdlib -Wl,--fatal-warnings -Wl,--no-warn-rwx-segments -Lsim/targets \
-        -T "sim/targets/$2.ld" "sim/targets/start_$1.c" sim/targets/semihost.c sim/targets/image.c
+    echo -ffreestanding -nostdlib -Wl,--fatal-warnings -Wl,--no-warn-rwx-segments -Lboards/common \
+        -T "sim/targets/$2.ld" "boards/common/start_$1.c" boards/common/image.c sim/targets/semihost.c
 }
 
 # target_link CORE IMAGE FLAG|SOURCE...: compiles the sources, and the start-up with them, into an image; -O2 if not
@@ -59,7 +59,7 @@ target_link() {
     shift 2
     # shellcheck disable=SC2046,SC2086 # flags are words
     $(target_compiler "$target_core") $(target_flags "$target_core") -O2 $WARNINGS -ffunction-sections \
-        -fdata-sections -Wl,--gc-sections -Ifirmware -Ihal -Isim/targets -o "$target_output" "$@" \
+        -fdata-sections -Wl,--gc-sections -Ifirmware -Ihal -Iboards/common -Isim/targets -o "$target_output" "$@" \
         $(target_image "$target_core") -lgcc
 }
 

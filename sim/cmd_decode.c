@@ -1,0 +1,194 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * `limner decode`: what went over a display's wires, a wire log or a trace of QEMU's, from a file or a pipe -> an
+ * emulated display -> frames, a line each, and PNG files and hashes as `limner render --panel` has them. What the chip
+ * has to complain about is an error, and named with the line that it came from. */
+#include "commands.h"
+#include "frame_file.h"
+#include "hash_list.h"
+#include "hashes.h"
+#include "parse.h"
+#include "qemu_trace.h"
+#include "wire_log.h"
+
+#include <errno.h>
+#include <inttypes.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { FRAMES_MAX = 1000000, PATH_SIZE = 4096, OTHER_LINES_SHOWN = 20 };
+
+struct decode {
+    const char *path; /* "-": standard input */
+    struct module_choice module;
+    const char *map_path, *pattern; /* NULL: not asked for */
+    uint64_t frames_asked;          /* 0: all that there are */
+
+    struct qemu_map map;
+    struct outputs outputs;
+    struct hash_list hashes;
+    struct listener *listener;
+    unsigned w_px, h_px; /* of the picture */
+    uint8_t *rgb;
+    uint16_t *pixels;
+    FILE *file;
+    char *line;
+    size_t line_b;
+    uint64_t line_number, other_lines;
+};
+
+/* The command line --------------------------------------------------------------------------- */
+
+static bool take_frames(struct decode *decode, struct arguments *arguments, struct error *err)
+{
+    const char *text = NULL;
+    uint32_t frames = 0;
+    if (!arguments_value(arguments, "--frames", &text, err)) return false;
+    if (text && !parse_whole("--frames", text, 1, FRAMES_MAX, &frames, err)) return false;
+    decode->frames_asked = frames;
+    return true;
+}
+
+static bool take_path(struct decode *decode, const struct arguments *arguments, struct error *err)
+{
+    if (arguments->count < 2) return error_set(err, "decode: needs a wire log, or - for standard input");
+    if (arguments->count > 2) return error_set(err, "decode: what is '%s'?", arguments->items[2]);
+    decode->path = arguments->items[1];
+    return true;
+}
+
+static bool decode_parse(struct decode *decode, int argc, char **argv, struct error *err)
+{
+    struct arguments arguments = {argv, argc};
+    return module_choice_parse(&decode->module, &arguments, err) &&
+           arguments_value(&arguments, "--qemu", &decode->map_path, err) &&
+           arguments_value(&arguments, "-o", &decode->pattern, err) &&
+           hash_list_parse(&decode->hashes, &arguments, err) && take_frames(decode, &arguments, err) &&
+           take_path(decode, &arguments, err);
+}
+
+/* Begin -------------------------------------------------------------------------------------- */
+
+static bool start(struct decode *decode, struct error *err)
+{
+    if (decode->pattern && !output_pattern_check(decode->pattern, err)) return false;
+    if (decode->map_path && !qemu_map_read(&decode->map, decode->map_path, err)) return false;
+    module_choice_picture(&decode->module.module, &decode->w_px, &decode->h_px);
+    const size_t pixel_count = (size_t)decode->w_px * decode->h_px;
+    decode->listener = malloc(sizeof *decode->listener);
+    decode->rgb = malloc(3 * pixel_count);
+    decode->pixels = malloc(sizeof decode->pixels[0] * pixel_count);
+    if (!decode->listener || !decode->rgb || !decode->pixels) return error_set(err, "decode: out of memory");
+    listener_init(decode->listener, &decode->module);
+    const bool is_input = strcmp(decode->path, "-") == 0;
+    decode->file = is_input ? stdin : fopen(decode->path, "r");
+    if (!decode->file) return error_set(err, "%s: %s", decode->path, strerror(errno));
+    if (is_input) decode->path = "standard input";
+    return hash_list_open(&decode->hashes, &decode->outputs, err);
+}
+
+/* Frames ------------------------------------------------------------------------------------- */
+
+static bool write_picture(struct decode *decode, size_t frame, struct error *err)
+{
+    const struct film film = {decode->w_px, decode->h_px, 1, decode->pixels};
+    return frame_file_write(&film, decode->pattern, frame, &decode->outputs, err);
+}
+
+static bool take_frame(struct decode *decode, struct error *err)
+{
+    const size_t frame = decode->hashes.count;
+    listener_read(decode->listener, decode->rgb, decode->pixels);
+    const uint64_t hash = hash_pixels(decode->pixels, (size_t)decode->w_px * decode->h_px);
+    hash_list_add(&decode->hashes, hash);
+    printf("frame %zu: %" PRIu64 " bytes, hash %016" PRIx64 "\n", frame, decode->listener->frame_bus_b, hash);
+    fflush(stdout);
+    return !decode->pattern || write_picture(decode, frame, err);
+}
+
+/* What QEMU or the firmware says between lines of the trace is not lost. */
+static void pass_on(struct decode *decode)
+{
+    if (decode->other_lines++ < OTHER_LINES_SHOWN)
+        fprintf(stderr, "limner: %s:%" PRIu64 ": no trace: %s\n", decode->path, decode->line_number, decode->line);
+}
+
+static bool take_text(struct decode *decode, struct error *err)
+{
+    if (!decode->map_path) return wire_log_take(decode->listener, decode->line, err);
+    if (qemu_trace_is(decode->line)) return qemu_trace_take(&decode->map, decode->listener, decode->line, err);
+    pass_on(decode);
+    return true;
+}
+
+static bool take_line(struct decode *decode, struct error *err)
+{
+    char where[PATH_SIZE];
+    decode->line_number++;
+    decode->line[strcspn(decode->line, "\r\n")] = '\0';
+    if (!take_text(decode, err) || !emulated_display_is_quiet(&decode->listener->display, err)) {
+        snprintf(where, sizeof where, "%s:%" PRIu64, decode->path, decode->line_number);
+        return error_prefix(err, where);
+    }
+    return decode->listener->frames == decode->hashes.count || take_frame(decode, err);
+}
+
+static bool has_all(const struct decode *decode)
+{
+    return decode->frames_asked && decode->hashes.count == decode->frames_asked;
+}
+
+/* Where there should be frames and are not, the reason is often on the wires. */
+static bool check_count(const struct decode *decode, struct error *err)
+{
+    const struct listener *listener = decode->listener;
+    const size_t count = decode->hashes.count;
+    if (count && (!decode->frames_asked || has_all(decode))) return true;
+    char asked[32] = "";
+    if (decode->frames_asked) snprintf(asked, sizeof asked, " of %" PRIu64, decode->frames_asked);
+    return error_set(err,
+                     "%s: ends after %zu%s frames; then %" PRIu64 " bytes came, and the LED, whose change ends a "
+                     "frame, stayed%s",
+                     decode->path, count, asked, listener->display.port->bus_b - listener->last_b,
+                     listener->other_b ? "; bytes came while cs was high" : "");
+}
+
+static bool read_lines(struct decode *decode, struct error *err)
+{
+    while (!has_all(decode) && getline(&decode->line, &decode->line_b, decode->file) >= 0)
+        if (!take_line(decode, err)) return false;
+    if (ferror(decode->file)) return error_set(err, "%s: %s", decode->path, strerror(errno));
+    if (decode->other_lines > OTHER_LINES_SHOWN)
+        fprintf(stderr, "limner: %s: %" PRIu64 " more lines that are no trace\n", decode->path,
+                decode->other_lines - OTHER_LINES_SHOWN);
+    return check_count(decode, err);
+}
+
+/* All of it ---------------------------------------------------------------------------------- */
+
+static bool decode_run(struct decode *decode, struct error *err)
+{
+    return start(decode, err) && read_lines(decode, err) && hash_list_close(&decode->hashes, err) &&
+           outputs_keep(&decode->outputs, err) && hash_list_check(&decode->hashes, err);
+}
+
+static void decode_free(struct decode *decode)
+{
+    if (decode->file && decode->file != stdin) fclose(decode->file);
+    hash_list_free(&decode->hashes);
+    outputs_discard(&decode->outputs);
+    free(decode->listener);
+    free(decode->rgb);
+    free(decode->pixels);
+    free(decode->line);
+}
+
+int cmd_decode(int argc, char **argv)
+{
+    struct decode decode = {0};
+    struct error err;
+    const bool ok = decode_parse(&decode, argc, argv, &err) && decode_run(&decode, &err);
+    decode_free(&decode);
+    if (!ok) fprintf(stderr, "limner: %s\n", err.text);
+    return ok && fflush(stdout) == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+}

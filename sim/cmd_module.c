@@ -1,0 +1,30 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * `limner module`: a display's controller and glass, described as for `limner play` -> C that sets them up on a board.
+ */
+#include "commands.h"
+#include "module_c.h"
+#include "scene_files.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+
+static bool module_run(struct arguments *arguments, struct error *err)
+{
+    struct module_choice choice;
+    struct outputs outputs = {0};
+    const char *path = NULL;
+    if (!arguments_value(arguments, "-o", &path, err) || !module_choice_parse(&choice, arguments, err)) return false;
+    if (arguments->count > 1) return error_set(err, "module: what is '%s'?", arguments->items[1]);
+    if (!path) return error_set(err, "module: needs -o NAME, for NAME.c and NAME.h");
+    return scene_files_finish(&outputs, module_c_put(&choice, path, &outputs, err), err);
+}
+
+int cmd_module(int argc, char **argv)
+{
+    struct arguments arguments = {argv, argc};
+    struct error err;
+    const bool ok = module_run(&arguments, &err);
+    if (!ok) fprintf(stderr, "limner: %s\n", err.text);
+    return ok ? EXIT_SUCCESS : EXIT_FAILURE;
+}

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+//
+// The cycles of a frame, by marks that the image's symbols set: all between frame_begin() and frame_end(), of them
+// those within the painting of lines, and those of waiting for the bus; what is left walks and projects. Code in flash
+// takes no longer here than code in RAM: on the chip it does where its cache misses.
+const FLASH = 0x10000000;
+const BEGIN = 1, END = 2, PAINT = 3, WAIT = 4;
+const MARKS = new Map([
+    ['frame_begin', BEGIN], ['frame_end', END], ['lim_paint_band', PAINT],
+    ['rp2040_dma_wait', WAIT], ['pl022_flush', WAIT],
+]);
+
+// Lines of `nm`: address, perhaps size, type, name, perhaps with what the compiler appended.
+function marksOf(symbols, flashB) {
+    const marks = new Uint8Array(flashB / 2);
+    const found = new Set();
+    for (const line of symbols.split('\n')) {
+        const [address, ...rest] = line.trim().split(/\s+/);
+        const name = (rest.at(-1) ?? '').replace(/\..*/, '');
+        if (!MARKS.has(name)) continue;
+        marks[(parseInt(address, 16) - FLASH) >> 1] = MARKS.get(name);
+        found.add(name);
+    }
+    for (const name of ['frame_begin', 'frame_end']) {
+        if (!found.has(name)) throw new Error(`the image has no ${name}()`);
+    }
+    return marks;
+}
+
+export class Cycles {
+    constructor(core, symbols) {
+        this.core = core;
+        this.marks = marksOf(symbols, 1 << 24);
+        this.waiting = this.painting = null; // where and with which stack what was entered returns
+        this.running = false;
+        this.ended = -1; // when the last frame did
+    }
+
+    // Before each instruction.
+    at(pc) {
+        if (this.waiting && this.waiting.pc === pc && this.waiting.sp === this.core.SP) this.leaveWait();
+        if (this.painting && this.painting.pc === pc && this.painting.sp === this.core.SP) this.leavePaint();
+        const mark = this.marks[(pc - FLASH) >> 1];
+        if (mark) this.enter(mark);
+    }
+
+    begin() {
+        Object.assign(this, { running: true, began: this.core.cycles, paint: 0, wait: 0, bytes: 0, besides: 0 });
+    }
+
+    enter(mark) {
+        const { core } = this;
+        if (mark === BEGIN) this.begin();
+        if (mark === END) Object.assign(this, { running: false, ended: core.cycles });
+        const here = { pc: core.LR & ~1, sp: core.SP, since: core.cycles };
+        if (mark === WAIT && !this.waiting) this.waiting = here;
+        if (mark === PAINT && !this.painting) this.painting = { ...here, waited: this.wait };
+    }
+
+    leaveWait() {
+        this.wait += this.core.cycles - this.waiting.since;
+        this.waiting = null;
+    }
+
+    leavePaint() {
+        this.paint += this.core.cycles - this.painting.since - (this.wait - this.painting.waited);
+        this.painting = null;
+    }
+
+    byteLeft() {
+        if (!this.running) return;
+        this.bytes++;
+        if (!this.waiting) this.besides++;
+    }
+
+    // Of the frame that ended last.
+    report(frame, cyclesOfByte) {
+        const total = this.ended - this.began;
+        const walk = total - this.paint - this.wait;
+        return `# cycles frame ${frame} total ${total} walk ${walk} paint ${this.paint} wait ${this.wait}\n` +
+            `# bus frame ${frame} bytes ${this.bytes} cycles ${Math.round(this.bytes * cyclesOfByte)} ` +
+            `besides work ${this.besides}\n`;
+    }
+}

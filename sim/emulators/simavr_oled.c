@@ -1,0 +1,181 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Runs an Arduboy's image in simavr, with simavr's own SSD1306 on its pins:
+ *     simavr_oled IMAGE.elf FRAMES PICTURES LOG
+ * PICTURES names a PNG file for each frame ('out/%03d.png'), of what that display shows; LOG becomes a wire log. A
+ * frame ends when the green light changes. Standard output tells its cycles.
+ *
+ * simavr lets every byte on the SPI take 100 us. What the processor waits for that is told apart, beside what the byte
+ * takes at 8 MHz. */
+#include <errno.h>
+#include <gd.h>
+#include <simavr/avr_ioport.h>
+#include <simavr/avr_spi.h>
+#include <simavr/sim_avr.h>
+#include <simavr/sim_elf.h>
+#include <ssd1306_virt.h>
+#include <stdbool.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { CPU_HZ = 16000000, W_PX = 128, H_PX = 64, WAIT_CYCLES = CPU_HZ / 10000, BUS_CYCLES = 16 };
+enum { SECONDS_MAX = 30 }; /* of the board's time */
+enum { LED = 7 };          /* of port B */
+
+struct run {
+    avr_t *avr;
+    ssd1306_t display;
+    const char *pictures;
+    FILE *log;
+    unsigned frames, frames_wanted;
+    unsigned bytes; /* of this frame */
+    avr_cycle_count_t began;
+    bool failed;
+};
+
+static bool fail(const char *what, const char *why)
+{
+    fprintf(stderr, "simavr_oled: %s: %s\n", what, why);
+    return false;
+}
+
+/* The usual glass shows memory's last column and line first, unless they are exchanged. */
+static bool is_lit(ssd1306_t *display, int x, int y)
+{
+    const int column = ssd1306_get_flag(display, SSD1306_FLAG_SEGMENT_REMAP_0) ? W_PX - 1 - x : x;
+    const int line = ssd1306_get_flag(display, SSD1306_FLAG_COM_SCAN_NORMAL) ? H_PX - 1 - y : y;
+    const bool bit = display->vram[line / 8][column] >> line % 8 & 1;
+
+    return ssd1306_get_flag(display, SSD1306_FLAG_DISPLAY_ON) &&
+           bit != ssd1306_get_flag(display, SSD1306_FLAG_DISPLAY_INVERTED);
+}
+
+static bool put_picture(struct run *run)
+{
+    char path[4096];
+    gdImagePtr image = gdImageCreateTrueColor(W_PX, H_PX);
+
+    /* NOLINTNEXTLINE: the pattern is the caller's */
+    const int n_b = snprintf(path, sizeof path, run->pictures, run->frames);
+    FILE *file = n_b > 0 && (size_t)n_b < sizeof path ? fopen(path, "wb") : NULL;
+    bool ok = file && image;
+    for (int y = 0; y < H_PX && ok; y++)
+        for (int x = 0; x < W_PX; x++)
+            gdImageSetPixel(image, x, y, is_lit(&run->display, x, y) ? 0xFFFFFF : 0);
+    if (ok) gdImagePng(image, file);
+    if (file && fclose(file)) ok = false;
+    if (image) gdImageDestroy(image);
+    return ok || fail(path, strerror(errno));
+}
+
+static void end_frame(struct run *run)
+{
+    const avr_cycle_count_t all = run->avr->cycle - run->began, wait = (avr_cycle_count_t)run->bytes * WAIT_CYCLES;
+
+    if (run->frames == run->frames_wanted) return;
+    if (!put_picture(run)) run->failed = true;
+    printf("# cycles frame %u cpu %llu spi-wait %llu bus %u\n", run->frames, (unsigned long long)(all - wait),
+           (unsigned long long)wait, run->bytes * BUS_CYCLES);
+    run->began = run->avr->cycle;
+    run->bytes = 0;
+    run->frames++;
+}
+
+static void on_byte(struct avr_irq_t *irq, uint32_t value, void *ctx)
+{
+    struct run *run = ctx;
+
+    (void)irq;
+    fprintf(run->log, "b %02X\n", (unsigned)value & 0xFFu);
+    run->bytes++;
+}
+
+static void on_pin(struct run *run, const char *name, uint32_t value)
+{
+    fprintf(run->log, "p %s %u\n", name, (unsigned)value);
+}
+
+static void on_dc(struct avr_irq_t *irq, uint32_t value, void *ctx)
+{
+    (void)irq;
+    on_pin(ctx, "dc", value);
+}
+
+static void on_reset(struct avr_irq_t *irq, uint32_t value, void *ctx)
+{
+    (void)irq;
+    on_pin(ctx, "reset", value);
+}
+
+static void on_select(struct avr_irq_t *irq, uint32_t value, void *ctx)
+{
+    (void)irq;
+    on_pin(ctx, "cs", value);
+}
+
+/* Its first level is no frame's end: nothing was sent before. */
+static void on_led(struct avr_irq_t *irq, uint32_t value, void *ctx)
+{
+    struct run *run = ctx;
+
+    if (value == irq->value) return;
+    on_pin(run, "led", value);
+    if (run->bytes) end_frame(run);
+}
+
+static void wire(struct run *run)
+{
+    static const ssd1306_pin_t select = {'D', 6}, dc = {'D', 4}, reset = {'D', 7};
+    ssd1306_wiring_t wiring = {select, dc, reset};
+    avr_t *avr = run->avr;
+
+    ssd1306_init(avr, &run->display, W_PX, H_PX);
+    ssd1306_connect(&run->display, &wiring);
+    avr_irq_register_notify(avr_io_getirq(avr, AVR_IOCTL_SPI_GETIRQ(0), SPI_IRQ_OUTPUT), on_byte, run);
+    avr_irq_register_notify(avr_io_getirq(avr, AVR_IOCTL_IOPORT_GETIRQ('D'), dc.pin), on_dc, run);
+    avr_irq_register_notify(avr_io_getirq(avr, AVR_IOCTL_IOPORT_GETIRQ('D'), reset.pin), on_reset, run);
+    avr_irq_register_notify(avr_io_getirq(avr, AVR_IOCTL_IOPORT_GETIRQ('D'), select.pin), on_select, run);
+    avr_irq_register_notify(avr_io_getirq(avr, AVR_IOCTL_IOPORT_GETIRQ('B'), LED), on_led, run);
+}
+
+static bool load(struct run *run, const char *path)
+{
+    elf_firmware_t firmware;
+
+    memset(&firmware, 0, sizeof firmware);
+    if (elf_read_firmware(path, &firmware)) return fail(path, "is no AVR program");
+    run->avr = avr_make_mcu_by_name("atmega32u4");
+    if (!run->avr) return fail("atmega32u4", "this simavr does not know it");
+    avr_init(run->avr);
+    firmware.frequency = CPU_HZ;
+    avr_load_firmware(run->avr, &firmware);
+    return true;
+}
+
+static bool run_frames(struct run *run)
+{
+    int state = cpu_Running;
+
+    while (run->frames < run->frames_wanted && !run->failed) {
+        if (state == cpu_Done || state == cpu_Crashed) return fail("the image", "it has ended, or crashed");
+        if (run->avr->cycle > (avr_cycle_count_t)SECONDS_MAX * CPU_HZ) return fail("the image", "draws no more frames");
+        state = avr_run(run->avr);
+    }
+    return !run->failed;
+}
+
+int main(int argc, char **argv)
+{
+    if (argc != 5) return !fail("usage", "simavr_oled IMAGE.elf FRAMES PICTURES LOG");
+    struct run run = {.pictures = argv[3], .frames_wanted = (unsigned)strtoul(argv[2], NULL, 10)};
+
+    run.log = fopen(argv[4], "w");
+    if (!run.log) return !fail(argv[4], strerror(errno));
+    bool ok = load(&run, argv[1]);
+    if (ok) {
+        wire(&run);
+        ok = run_frames(&run);
+    }
+    if (fclose(run.log)) ok = fail(argv[4], strerror(errno));
+    return !ok;
+}

@@ -1,0 +1,14 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Frames as numbered PNG files, among a command's outputs. */
+#ifndef SIM_FRAME_FILE_H
+#define SIM_FRAME_FILE_H
+
+#include "image.h"
+#include "outputs.h"
+
+/* A film of one frame into the file that the pattern (outputs.h) gives that number. */
+bool frame_file_write(const struct film *frame, const char *pattern, size_t number, struct outputs *outputs,
+                      struct error *err);
+
+#endif
