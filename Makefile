@@ -7,13 +7,15 @@
 
 BUILD := build
 OPT   := -O2
+# A board's OPT is that of its image: the host program stays as it is.
+HOST_OPT := $(if $(BOARD),-O2,$(OPT))
 HIDAPI := hidraw
 ifeq ($(origin CC),default)
 CC    := gcc
 endif
 export BUILD CC
 
-ALL_SUITES := host arm cpus cross compilers sanitize models prove format kernel
+ALL_SUITES := host arm cpus boards cross compilers sanitize models prove format kernel
 SUITES     := host arm
 suites     := $(if $(filter all,$(SUITES)),$(ALL_SUITES),$(SUITES))
 
@@ -29,7 +31,7 @@ LIVE = $(if $(findstring n,$(firstword -$(MAKEFLAGS))),,+)@
 .SECONDARY:
 .DELETE_ON_ERROR:
 
-all: $(BUILD)/limner ## build the host program, build/limner (the default)
+all: $(BUILD)/limner ## build the host program, build/limner (the default); BOARD=NAME: a board's image
 
 help: ## list the goals
 	@awk -F ':.*## ' '/^[a-z0-9-]+:.*## / { printf "  make %-14s %s\n", $$1, $$2 }' Makefile
@@ -65,6 +67,8 @@ packages-footprint     := gcc-arm-none-eabi
 packages-delta-table   := gcc-arm-none-eabi qemu-system-arm
 packages-tradeoff      := $(packages-arm) gcc-riscv64-unknown-elf qemu-system-misc
 packages-compare       := gcc-arm-none-eabi qemu-system-arm
+packages-boards        := $(shell sed -n 's/^\(EMULATE_\)\{0,1\}PACKAGES *:= *//p' boards/*/board.mk)
+packages-boards-table  := $(packages-boards)
 packages-test          := $(foreach suite,$(suites),$(packages-$(suite)))
 
 packages:
@@ -79,13 +83,14 @@ export WARNINGS
 LIBRARIES = assimp gdlib libgpiod hidapi-$(HIDAPI) $(if $(filter 1,$(HAVE_SDL2)),sdl2)
 HAVE_SDL2 = $(shell pkg-config --exists sdl2 && echo 1 || echo 0)
 GPIOD     = $(firstword $(subst ., ,$(shell pkg-config --modversion libgpiod)))
-FLAGS = -std=c11 $(OPT) $(WARNINGS) -ffp-contract=off -D_POSIX_C_SOURCE=200809L -DLIM_HAVE_SDL2=$(HAVE_SDL2) \
+FLAGS = -std=c11 $(HOST_OPT) $(WARNINGS) -ffp-contract=off -D_POSIX_C_SOURCE=200809L -DLIM_HAVE_SDL2=$(HAVE_SDL2) \
 	-DLIM_GPIOD=$(GPIOD) \
 	-Ifirmware -Ihal -Isim -Iboards/common $(shell pkg-config --cflags $(LIBRARIES)) -MMD -MP
 LINKS = $(shell pkg-config --libs $(LIBRARIES)) -lgmp -lz -lm
 
 object  = $(patsubst %.c,$(BUILD)/host/%.o,$(1))
-sources := $(filter-out sim/core.c,$(wildcard firmware/*.c hal/*.c hal/linux/*.c hal/hid/*.c boards/common/*.c sim/*.c))
+sources := $(filter-out sim/core.c,$(wildcard firmware/*.c hal/*.c hal/linux/*.c hal/hid/*.c hal/mcu/*.c sim/*.c)) \
+	boards/common/screen.c boards/common/walker.c
 library := $(BUILD)/host/liblimner.a
 
 # The compiler reads its flags from this file, so that whatever is compiled is compiled anew when they change.
@@ -131,7 +136,7 @@ $(library): $(call object,$(filter-out sim/main.c,$(sources))) $(patsubst %,$(BU
 
 $(BUILD)/limner: $(call object,sim/main.c) $(library) | $(BUILD)/count_plugin.so
 	@echo "LD $@"
-	@$(CC) $(OPT) -o $@ $(filter %.o %.a,$^) $(LINKS)
+	@$(CC) $(HOST_OPT) -o $@ $(filter %.o %.a,$^) $(LINKS)
 
 # `limner measure` builds firmware for emulated processors, and QEMU loads a plugin that counts.
 $(call object,sim/measure_cost.c sim/cmd_measure.c): PLACES = -DLIM_SOURCE_FOLDER='"$(CURDIR)"' \
@@ -141,6 +146,12 @@ $(BUILD)/count_plugin.so: sim/targets/count_plugin.c $(BUILD)/host/flags
 	@echo "CC $< (plugin)"
 	@$(CC) -std=c11 -O2 $(WARNINGS) -fPIC -fvisibility=hidden -shared -o $@ $<
 
+# A host of simavr, for the Arduboy: see boards/arduboy.
+$(BUILD)/simavr_oled: sim/emulators/simavr_oled.c $(BUILD)/host/flags
+	@echo "CC $< (simavr)"
+	@$(CC) -std=c11 -O2 $(WARNINGS) -D_POSIX_C_SOURCE=200809L -isystem /usr/include/simavr -isystem /usr/include/simavr/parts \
+		-o $@ $< -lsimavrparts -lsimavr -lelf -lgd
+
 # -- The demo ----------------------------------------------------------------------------------------------------------
 
 demo      := $(BUILD)/scenes/demo.obj $(BUILD)/scenes/demo.cam
@@ -149,14 +160,14 @@ generator := $(filter-out %textured.c sim/scenes/textured_%,$(wildcard sim/scene
 textured_generator := $(wildcard sim/scenes/textured_*.c) sim/scenes/generate_textured.c
 
 $(BUILD)/generate_demo: $(call object,$(generator))
-	@$(CC) $(OPT) -o $@ $^ -lm
+	@$(CC) $(HOST_OPT) -o $@ $^ -lm
 
 $(demo) &: $(BUILD)/generate_demo
 	@mkdir -p $(@D)
 	@$< $(@D)
 
 $(BUILD)/generate_textured: $(call object,$(textured_generator))
-	@$(CC) $(OPT) -o $@ $^ $(LINKS)
+	@$(CC) $(HOST_OPT) -o $@ $^ $(LINKS)
 
 $(textured) &: $(BUILD)/generate_textured
 	@mkdir -p $(@D)
@@ -183,7 +194,7 @@ $(test_library): $(call object,$(filter-out tests/test_%.c tests/soak_%.c,$(test
 $(test_programs): $(BUILD)/tests/%: $(BUILD)/host/tests/%.o $(test_library) $(library)
 	@mkdir -p $(@D)
 	@echo "LD $@"
-	@$(CC) $(OPT) -o $@ $^ -lcmocka $(test_links) $(LINKS)
+	@$(CC) $(HOST_OPT) -o $@ $^ -lcmocka $(test_links) $(LINKS)
 
 $(BUILD)/tests/test_osmesa: test_links := -lOSMesa
 
@@ -201,6 +212,7 @@ suite-host      := $(filter-out $(extremes),$(filter $(BUILD)/tests/test_%,$(tes
 suite-arm       := $(wildcard tests/arm_*.sh)
 suite-fixed     := $(BUILD)/tests/test_fixed tests/arm_fixed.sh
 suite-cpus      := $(wildcard tests/cpus_*.sh)
+suite-boards    := $(wildcard tests/boards_*.sh)
 suite-cross     := tests/cross.sh
 suite-compilers := tests/compilers.sh
 suite-sanitize  := tests/sanitize.sh
@@ -212,13 +224,21 @@ suite-kernel    := tests/kernel.sh
 suite-arm64     := tests/arm64.sh
 suite-soak      := $(filter $(BUILD)/tests/soak_%,$(test_programs))
 
+# What buttons do to a board's frames.
+$(BUILD)/tests/boards/walked: $(BUILD)/host/tests/boards/walked.o $(library)
+	@mkdir -p $(@D)
+	@echo "LD $@"
+	@$(CC) $(HOST_OPT) -o $@ $^ $(LINKS)
+
+tests/boards_lm3s6965evb.sh: $(BUILD)/tests/boards/walked
+
 # Programs for the tests with a kernel of their own, which is built beforehand because that takes minutes, once.
-kernel_programs := $(patsubst %,$(BUILD)/tests/kernel/%,replay port_calls bridge power_off pins)
+kernel_programs := $(patsubst %,$(BUILD)/tests/kernel/%,replay port_calls bridge power_off pins wires)
 
 $(kernel_programs): $(BUILD)/tests/kernel/%: $(BUILD)/host/tests/kernel/%.o $(BUILD)/host/tests/kernel/card.o $(library)
 	@mkdir -p $(@D)
 	@echo "LD $@"
-	@$(CC) $(OPT) -o $@ $^ -lcmocka $(LINKS)
+	@$(CC) $(HOST_OPT) -o $@ $^ -lcmocka $(LINKS)
 
 .PHONY: tests-kernel
 tests-kernel: packages
@@ -272,11 +292,11 @@ fuzz: packages ## fuzz each target for a minute; FUZZ_TARGETS=render FUZZ_FLAGS=
 
 $(BUILD)/tests/exhaustive: $(call object,tests/exhaustive/main.c tests/exhaustive.c) $(library)
 	@mkdir -p $(@D)
-	@$(CC) $(OPT) -o $@ $^ $(LINKS)
+	@$(CC) $(HOST_OPT) -o $@ $^ $(LINKS)
 
 $(BUILD)/tests/fuzz: $(call object,tests/libfuzzer/main.c $(wildcard tests/fuzz*.c) tests/closed_scene.c) $(library)
 	@mkdir -p $(@D)
-	@$(CC) $(OPT) -fsanitize=fuzzer -o $@ $^ $(LINKS)
+	@$(CC) $(HOST_OPT) -fsanitize=fuzzer -o $@ $^ $(LINKS)
 
 models-table: $(BUILD)/limner ## write the outcomes of Debian's test models anew
 	$(LIVE)sh tests/models.sh --table > tests/models.expected
@@ -284,10 +304,10 @@ models-table: $(BUILD)/limner ## write the outcomes of Debian's test models anew
 tables: $(BUILD)/limner $(demo) ## measure README's table and draw its picture anew
 	$(LIVE)sh sim/tables.sh --write
 
-hid-table: $(BUILD)/limner ## predict README's frames a second over USB-HID anew
+hid-table: $(BUILD)/limner ## predict frames a second over USB-HID anew
 	$(LIVE)sh sim/bridge_table.sh --write
 
-delta-table: $(BUILD)/limner ## measure anew for README what delta output sends, and what it costs
+delta-table: $(BUILD)/limner ## measure anew what delta output sends, and what it costs
 	$(LIVE)sh sim/delta_table.sh --write
 
 footprint: $(BUILD)/limner $(demo) ## compile README's table of flash, RAM and stack anew
@@ -296,8 +316,26 @@ footprint: $(BUILD)/limner $(demo) ## compile README's table of flash, RAM and s
 tradeoff: $(BUILD)/limner $(demo) ## measure accuracy against cost for README; everything into out/tradeoff/
 	$(LIVE)sh sim/tradeoff.sh --write
 
-compare: $(BUILD)/limner ## measure every visibility method for README; everything into out/compare/
+compare: $(BUILD)/limner ## measure every visibility method; everything into out/compare/
 	$(LIVE)sh sim/compare.sh --write
+
+# -- Boards: see boards/image.mk ----------------------------------------------------------------------------------------
+
+boards := $(patsubst boards/%/board.mk,%,$(sort $(wildcard boards/*/board.mk)))
+
+ifdef BOARD
+include boards/image.mk
+else
+flash emulate:
+	@echo "$@: say BOARD=NAME; there are: $(boards)" >&2; exit 1
+endif
+
+.PHONY: boards boards-table
+boards: $(BUILD)/limner $(demo) packages ## build an image for every board
+	$(LIVE)for board in $(boards); do $(MAKE) BOARD=$$board DEPS=skip || exit 1; done
+
+boards-table: $(BUILD)/limner ## run the boards' images in emulators, and write README's table of them anew
+	$(LIVE)sh boards/table.sh --write
 
 # -- Housekeeping ------------------------------------------------------------------------------------------------------
 

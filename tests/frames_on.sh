@@ -38,11 +38,11 @@ frames_agree() { # PROFILE CORE[:FLAG]
     frames_dir=$work/$1 frames_core=${2%%:*} frames_flag=${2#"${2%%:*}"}
     set -- ${frames_flag:+"${frames_flag#:}"}
     case $frames_core in
-    microbit | avr) set -- -DFRAMES_MEM_B=8192 "$@" ;;
+    microbit | avr) set -- -DSCENE_MEM_B=8192 "$@" ;;
     esac
     # shellcheck disable=SC2086 # flags are words
     target_link "$frames_core" "$work/image" "$@" $frames_flags -I"$frames_dir" -DLIM_CONFIG='"model.h"' \
-        sim/targets/frames.c "$frames_dir"/model*.c firmware/*.c || return 1
+        sim/targets/frames.c boards/common/app_scene.c "$frames_dir"/model*.c firmware/*.c || return 1
     target_run "$frames_core" "$work/image" >"$work/frames" || echo "exit status $?" >>"$work/frames"
     diff "$frames_dir/expected" "$work/frames"
 }

@@ -39,6 +39,8 @@ tap_check "a case that fails is noticed" is_bad failing
 tap_check "a guest that crashes in the middle is noticed" is_bad crashing
 tap_check "a guest that ends before its time is noticed" is_bad early
 
+tap_check "the Linux board's program builds" build_board
+guest board usual flight,board FRAMES=8 &
 guest libgpiod1 usual display &
 guest uhid usual hid BRIDGE=/dev/uhid &
 guest hidraw usual hid BRIDGE=/dev/hidg0 &
@@ -50,6 +52,7 @@ if libgpiod2=$(sh $here/debian.sh trixie "$(dpkg --print-architecture)" libgpiod
 fi
 wait
 
+judge_board
 judge_display libgpiod1
 if [ -e "$work/libgpiod2.status" ]; then
     judge_display libgpiod2

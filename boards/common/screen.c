@@ -6,6 +6,10 @@
  * panel that accepts the second has finished with the first; with one, done() waits. */
 #include "screen.h"
 
+#include "fill.h"
+
+enum { SCREEN_NO_LINE = 0xFFFF }; /* nothing is gathered yet */
+
 /* The painter finds every line at its own place; nearest first takes turns. */
 static uint8_t *screen_line(const struct screen *screen, uint16_t y_px)
 {
@@ -16,9 +20,9 @@ static uint8_t *screen_line(const struct screen *screen, uint16_t y_px)
 static void *screen_lend(void *ctx, uint16_t y_px)
 {
     struct screen *screen = ctx;
-    if (y_px >= screen->target.h_px) return NULL;
+    if (!LIM_HAS_LINES || y_px >= screen->target.h_px || screen->n_lines == 0) return NULL;
     if (screen->lent_line_sent) {
-        screen->lent_line = (uint16_t)((screen->lent_line + 1u) % screen->n_lines);
+        screen->lent_line = screen->lent_line + 1u < screen->n_lines ? (uint16_t)(screen->lent_line + 1u) : 0;
         screen->lent_line_sent = false;
     }
     return screen_line(screen, y_px) + screen->head_b;
@@ -82,39 +86,81 @@ static int screen_send(struct screen *screen, uint16_t y_px, uint16_t x_px, uint
     return screen->n_lines == 1 ? panel_flush(screen->panel) : 0;
 }
 
-/* Where lines from y_px on are gathered: not where something may still be on its way. */
+/* Another page, black at first, and not where something may still be on its way. */
+static void screen_begin_gathering(struct screen *screen, uint16_t y_px)
+{
+    if (screen->gathered_sent && screen->n_gathered > 1) screen->second_gathered = !screen->second_gathered;
+    screen->gathered_sent = false;
+    screen->gathered_y_px = y_px;
+    uint8_t *byte = screen->gathered + (screen->second_gathered ? screen->gathered_b : 0);
+    for (uint8_t *const end = byte + screen->gathered_b; byte < end;)
+        *byte++ = 0;
+}
+
+/* How many columns from x_px on are of whole steps. */
+static uint16_t screen_whole_px(uint16_t x_px, uint16_t step_px)
+{
+    if (step_px == 1) return x_px;
+    return (uint16_t)(x_px / step_px * step_px);
+}
+
+/* What lines from gathered_y_px on have in common, as far as all that is above and on the left of it is done. */
+static int screen_send_gathered(struct screen *screen, const uint8_t *gathered, uint16_t x0_px, uint16_t x1_px)
+{
+    struct panel *panel = screen->panel;
+    const uint16_t from_px = screen_whole_px(x0_px, panel->step_x_px);
+    const uint16_t whole_px = (uint16_t)(screen_whole_px(x1_px, panel->step_x_px) - from_px);
+
+    if (whole_px == 0) return 0;
+    int err = screen_reach(screen, screen->gathered_y_px, from_px);
+    if (err) return err;
+    screen->gathered_sent = true;
+    err = panel_pixels(panel, gathered + pixels_b(panel->format, (size_t)from_px * panel->step_y_px),
+                       (size_t)whole_px * panel->step_y_px);
+    if (err) return err;
+    screen_advance(screen, whole_px);
+    return screen->n_gathered == 1 ? panel_flush(panel) : 0;
+}
+
+/* Where lines are gathered, line y_px among them. */
 static uint8_t *screen_gathering(struct screen *screen, uint16_t y_px)
 {
-    if (screen->gathered_sent && screen->gathered_y_px != y_px) {
-        screen->second_gathered = !screen->second_gathered;
-        screen->gathered_sent = false;
-    }
-    screen->gathered_y_px = y_px;
+    const uint16_t step_y_px = screen->panel->step_y_px;
+    const bool goes_on = y_px >= screen->gathered_y_px && y_px - screen->gathered_y_px < step_y_px;
+
+    if (!goes_on) screen_begin_gathering(screen, (uint16_t)(y_px - y_px % step_y_px));
     return screen->gathered + (screen->second_gathered ? screen->gathered_b : 0);
 }
 
-/* Where pixels share bytes, what lines have in common is gathered apart, and goes out with the last of these lines as
- * far as it is whole: all that is above and on the left is done then. */
+/* Where pixels share bytes, what lines have in common is gathered apart, and goes out with the last of these lines.
+ * Without lines it is there already, filled by runs. */
 static int screen_gather(struct screen *screen, uint16_t y_px, uint16_t x_px, uint16_t n_px)
 {
     const struct panel *panel = screen->panel;
-    const uint16_t step_x_px = panel->step_x_px, step_y_px = panel->step_y_px;
-    const uint16_t from_px = (uint16_t)(x_px - x_px % step_x_px);
-    const uint16_t whole_px = (uint16_t)((x_px + n_px) / step_x_px * step_x_px - from_px);
-    uint8_t *gathered = screen_gathering(screen, (uint16_t)(y_px - y_px % step_y_px));
+    uint8_t *gathered = screen_gathering(screen, y_px);
 
-    pixels_gather(panel->format, gathered, screen_line(screen, y_px) + pixels_b(PANEL_RGB565, x_px), x_px, y_px, n_px);
+    if (LIM_HAS_LINES && screen->n_lines)
+        pixels_gather(panel->format, gathered, screen_line(screen, y_px) + pixels_b(PANEL_RGB565, x_px), x_px, y_px,
+                      n_px);
     screen->lent_line_sent = true;
-    if ((y_px + 1u) % step_y_px || whole_px == 0) return 0;
-    int err = screen_reach(screen, (uint16_t)(y_px + 1u - step_y_px), from_px);
-    if (err) return err;
-    screen->gathered_sent = true;
-    err = panel_pixels(screen->panel, gathered + pixels_b(panel->format, (size_t)from_px * step_y_px),
-                       (size_t)whole_px * step_y_px);
-    if (err) return err;
-    screen_advance(screen, whole_px);
-    return 0;
+    if (y_px - screen->gathered_y_px + 1 < panel->step_y_px) return 0;
+    return screen_send_gathered(screen, gathered, x_px, (uint16_t)(x_px + n_px));
 }
+
+#if LIM_HAS_RUNS
+/* A line's first run is its background: where that is black, it is so already. */
+static void screen_put_run(void *ctx, uint16_t y_px, uint16_t x_px, uint16_t n_px, uint16_t colour)
+{
+    struct screen *screen = ctx;
+
+    if (y_px != screen->filled_y_px) {
+        screen->filled_y_px = y_px;
+        screen->filled = screen_gathering(screen, y_px);
+        if (colour == 0) return;
+    }
+    pixels_fill(screen->panel->format, screen->filled, lim_memory_colour(colour), x_px, y_px, n_px);
+}
+#endif
 
 static void screen_visible(void *ctx, uint16_t y_px, uint16_t *x0_px, uint16_t *x1_px)
 {
@@ -168,11 +214,44 @@ static int screen_done(void *ctx, uint16_t y_px, uint16_t x_px, uint16_t n_px)
     if (x1_px > end_px || screen->window_given) x1_px = end_px;
     if (x0_px >= x1_px) return 0;
     const uint16_t seen_px = (uint16_t)(x1_px - x0_px);
-    int err =
-        screen->gathered ? screen_gather(screen, y_px, x0_px, seen_px) : screen_send(screen, y_px, x0_px, seen_px);
+    int err = !LIM_HAS_LINES || screen->gathered ? screen_gather(screen, y_px, x0_px, seen_px)
+                                                 : screen_send(screen, y_px, x0_px, seen_px);
     if (err) screen->window_open = false;
     return err;
 }
+
+#if LIM_HAS_FRAME
+static void screen_fill(void *of_look, uint16_t x0_px, uint16_t x1_px)
+{
+    const struct lim_piece_look *look = of_look;
+    struct greys *greys = &((struct screen *)look->ctx)->greys;
+
+    if (look->colour != greys->colour) greys_set(greys, look->colour);
+    greys_fill(greys, look->y_px, x0_px, x1_px);
+}
+
+static int screen_show(void *ctx)
+{
+    struct screen *screen = ctx;
+    const uint16_t w_px = screen->target.w_px, h_px = screen->target.h_px;
+
+    int err = panel_window(screen->panel, 0, 0, w_px, h_px);
+    return err ? err : panel_pixels(screen->panel, screen->greys.picture, (size_t)w_px * h_px);
+}
+
+int screen_set_frame(struct screen *screen, void *frame, size_t frame_b)
+{
+    const struct panel *panel = screen->panel;
+
+    if (panel->format != PANEL_GREY4 || panel->w_px % 8 || panel->visible) return PANEL_ERR_UNSUPPORTED;
+    if (frame_b < SCREEN_FRAME_MEM_B(panel->w_px, panel->h_px)) return LIM_ERR_MEMORY;
+    screen->greys = (struct greys){.picture = frame, .line_b = panel->w_px / 2};
+    greys_set(&screen->greys, 0);
+    screen->target.fill = screen_fill;
+    screen->target.show = screen_show;
+    return 0;
+}
+#endif
 
 /* 4-byte aligned, as lines are. */
 static uint16_t screen_gathered_b(const struct panel *panel)
@@ -187,16 +266,22 @@ int screen_init(struct screen *screen, struct panel *panel, enum lim_method meth
     uint16_t line_b = (uint16_t)(head_b + SCREEN_LINE_B(panel->w_px));
     uint16_t most_lines = method == LIM_PAINTER ? panel->h_px : 2;
     const uint16_t gathered_b = screen_gathered_b(panel);
-    size_t n_lines = mem_b < 2u * gathered_b ? 0 : (mem_b - 2u * gathered_b) / line_b;
-    if (n_lines == 0 || (method == LIM_PAINTER && n_lines < panel->h_px)) return LIM_ERR_MEMORY;
+    const bool takes_runs = LIM_HAS_RUNS && method == LIM_CONVEX && gathered_b && mem_b >= gathered_b;
+    const size_t pages_b = mem_b < 2u * gathered_b + line_b ? gathered_b : 2u * gathered_b;
+    const size_t n_lines = mem_b < pages_b ? 0 : (mem_b - pages_b) / line_b;
+    if ((n_lines == 0 && !takes_runs) || (method == LIM_PAINTER && n_lines < panel->h_px)) return LIM_ERR_MEMORY;
 
     *screen = (struct screen){.panel = panel, .mem = mem, .line_b = line_b, .head_b = head_b, .gathered_b = gathered_b};
     screen->n_lines = n_lines < most_lines ? (uint16_t)n_lines : most_lines;
     if (gathered_b) screen->gathered = screen->mem + (size_t)screen->n_lines * line_b;
+    screen->n_gathered = pages_b > gathered_b ? 2 : 1;
     screen->target = (struct lim_target)
     {
         .w_px = panel->w_px, .h_px = panel->h_px, .format = LIM_RGB565, .method = method, .ctx = screen,
         .lend = screen_lend, .done = screen_done,
+#if LIM_HAS_RUNS
+        .put_run = n_lines ? NULL : screen_put_run,
+#endif
 #if LIM_HAS_ROUND
         .visible = panel->visible ? screen_visible : NULL,
 #endif
@@ -210,6 +295,7 @@ int screen_init(struct screen *screen, struct panel *panel, enum lim_method meth
 int screen_begin_frame(struct screen *screen)
 {
     screen->window_open = false;
+    screen->gathered_y_px = screen->filled_y_px = SCREEN_NO_LINE;
     return panel_begin_frame(screen->panel);
 }
 

@@ -17,6 +17,7 @@
 
 #include "camera.h"
 #include "errors.h"
+#include "greys.h"
 #include "panel.h"
 #include "target.h"
 
@@ -28,8 +29,15 @@
 #define SCREEN_MEM_B(w_px, n_lines) ((size_t)SCREEN_LINE_B(w_px) * (n_lines))
 #define SCREEN_WIDE_MEM_B(w_px, n_lines) ((size_t)SCREEN_WIDE_LINE_B(w_px) * (n_lines))
 /* For formats whose pixels share bytes (PANEL_MONO_..., PANEL_GREY4): beside the lines two pages, or less, of which one
- * is gathered while the other is on its way. Pieces of a line must come from left to right, and all of them. */
-#define SCREEN_PAGES_MEM_B(w_px, n_lines) (SCREEN_MEM_B(w_px, n_lines) + 2u * (((w_px) + 3u) / 4u * 4u))
+ * is gathered while the other is on its way; beside a single line one page. Pieces of a line must come from left to
+ * right, and all of them. For a single convex solid (LIM_CONVEX, LIM_HAS_RUNS) 0 lines will do: its runs are put into
+ * the page at once, which takes less time as well. */
+#define SCREEN_PAGE_B(w_px) (((w_px) + 3u) / 4u * 4u)
+#define SCREEN_PAGES_MEM_B(w_px, n_lines)                                                                              \
+    (SCREEN_MEM_B(w_px, n_lines) + ((n_lines) < 2 ? 1u : 2u) * SCREEN_PAGE_B(w_px))
+
+/* For screen_set_frame(), in PANEL_GREY4. */
+#define SCREEN_FRAME_MEM_B(w_px, h_px) ((size_t)(((w_px) + 7u) / 8u * 4u) * (h_px))
 
 /* Private but for `target`. */
 struct screen {
@@ -38,9 +46,12 @@ struct screen {
     uint8_t *mem;
     uint16_t line_b, n_lines; /* length of a line in mem, and how many are used */
     uint16_t head_b;          /* of a line, before what the renderer paints into */
-    uint8_t *gathered;        /* two of gathered_b bytes, or NULL */
+    uint8_t *gathered;        /* n_gathered of gathered_b bytes, or NULL */
     uint16_t gathered_b;
-    uint16_t gathered_y_px; /* which lines are being gathered */
+    uint8_t n_gathered;     /* 1 or 2 */
+    uint16_t gathered_y_px; /* which lines are being gathered, or none of this frame */
+    uint8_t *filled;        /* where lines are gathered without lines of their own */
+    uint16_t filled_y_px;   /* of the last run, or none of this frame */
     bool second_gathered;   /* in the second of them */
     bool gathered_sent;     /* some of it went to the panel, and may still be on its way */
     uint16_t lent_line;     /* nearest first: index of the line lent last */
@@ -51,6 +62,9 @@ struct screen {
     uint16_t window_end_y_px; /* first line below the window */
     uint16_t next_x_px, next_y_px;
     bool half_byte; /* the window's last pixel ends within a byte, which is filled up */
+#if LIM_HAS_FRAME
+    struct greys greys; /* the picture, if there is memory for it */
+#endif
 };
 
 /* Prepares *screen, which must not move, for the panel's present size: call it again after a
@@ -58,6 +72,13 @@ struct screen {
  * LIM_ERR_MEMORY: mem_b holds no line, or for the painter not all. */
 LIM_MUST_CHECK int screen_init(struct screen *screen, struct panel *panel, enum lim_method method, void *mem,
                                size_t mem_b);
+
+#if LIM_HAS_FRAME
+/* Lends memory for the whole picture, 4-byte aligned, which must outlive *screen: frames that the renderer can fill
+ * come there and go out in one piece. PANEL_ERR_UNSUPPORTED: the panel's pixels are not PANEL_GREY4, or lines of them
+ * do not take whole words; LIM_ERR_MEMORY. */
+LIM_MUST_CHECK int screen_set_frame(struct screen *screen, void *frame, size_t frame_b);
+#endif
 
 /* Before each frame: whatever was sent to the panel meanwhile, the frame starts with a window; it is held until the
  * panel is ready for it (panel_begin_frame()). 0 or the panel's negative code. */

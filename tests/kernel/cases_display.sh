@@ -7,10 +7,6 @@
 wires='--dc DC --reset RESET --backlight BACKLIGHT'
 st7789="--panel st7789 --spi /dev/spidev0.0 $wires"
 
-# keep NAME: what was recorded since the last time, as NAME.wires.
-keep() { dd if=/dev/wire_tap of="$1.wires" bs=1M iflag=nonblock 2>"$1.dd"; }
-forget() { dd if=/dev/wire_tap of=/dev/null bs=1M iflag=nonblock 2>/dev/null; }
-
 # shellcheck disable=SC2086 # lists of options
 draw() { # NAME PANEL GLASS PICTURE OPTION...
     name=$1 panel=$2 size=${3%%+*} offset=$(echo "${3#*+}" | tr + ,) picture=$4
@@ -32,16 +28,6 @@ draw_all() {
         # shellcheck disable=SC2086 # a list
         case $name in '#'*) ;; *) tap_check "draws $name" draw "$name" $rest ;; esac
     done <"$STAGE/pictures"
-}
-
-# refuse PATTERN COMMAND...: it fails with one line on stderr that matches.
-refuse() {
-    pattern=$1
-    shift
-    "$@" 2>said
-    status=$?
-    cat said
-    [ $status = 1 ] && [ "$(wc -l <said)" = 1 ] && grep -qE -- "$pattern" said
 }
 
 card() { limner play --panel st7789 --test-card --frames 1 "$@"; }

@@ -19,6 +19,7 @@ exec >guest.tap 2>guest.err
 
 export BUILD=- WARNINGS=- # which the script below insists on
 . "$STAGE/tap.sh"
+. "$STAGE/in_guest.sh"
 for cases in $(echo "$CASES" | tr , ' '); do
     . "$STAGE/cases_$cases.sh"
 done

@@ -1,22 +1,26 @@
 # SPDX-License-Identifier: MIT
 # shellcheck shell=sh
 #
-# For tests/kernel.sh: guests, which are runs of the tests' kernel, from what they need to what they said.
-# Wants tests/tap.sh, $kernel, and $here, this folder.
+# For tests/kernel.sh and sim/emulators/uml.sh: guests, which are runs of the tests' kernel, from what they need to what they said.
+# Wants $work, a folder, $kernel, and $here, this folder.
 
-# shellcheck disable=SC2154 # of tests/tap.sh
+# shellcheck disable=SC2154 # of who wants guests
 stage=$work/stage
 
-# Files for any user to read: those of tests/kernel, a scene, and in $stage/usual the programs as they were built.
+# What any guest needs, for any user to read; programs go to $stage/usual.
+prepare_guests() {
+    mkdir "$stage" "$stage/usual" && cp "$kernel" "$stage/kernel" &&
+        cp tests/tap.sh "$here"/guest.sh "$here"/in_guest.sh "$here"/cases_*.sh "$stage" &&
+        chmod 755 "$work" "$stage/guest.sh"
+}
+
+# Also a scene, and in $stage/usual the programs as they were built.
 prepare_stage() {
-    mkdir "$stage" "$stage/usual" &&
-        cp "$kernel" "$stage/kernel" &&
+    prepare_guests &&
         cp "$BUILD/limner" "$BUILD/tests/kernel/port_calls" "$stage/usual" &&
-        cp "$BUILD/tests/kernel/power_off" "$BUILD/tests/kernel/bridge" tests/tap.sh "$here/pictures" \
-            "$here"/guest.sh "$here"/cases_*.sh "$stage" &&
+        cp "$BUILD/tests/kernel/power_off" "$BUILD/tests/kernel/bridge" "$here/pictures" "$stage" &&
         head -n 4 "$BUILD/scenes/demo.cam" >"$stage/demo.cam" &&
         "$BUILD/limner" compile "$BUILD/scenes/demo.obj" -o "$stage/demo" >"$work/compiled" &&
-        chmod 755 "$work" "$stage/guest.sh" &&
         chmod -R a+rX "$stage"
 }
 

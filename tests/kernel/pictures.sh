@@ -49,6 +49,20 @@ judge_display() { # GUEST
         says 'speed_hz=12345678 mode=3' replay "$stage/on-$1/card-part.wires" st7789 135x240+52+40 card
 }
 
+flies_as_simulated() {
+    "$BUILD/limner" render sim/scenes/rooms.obj --camera sim/scenes/rooms.cam --size 240x240 --precision fast \
+        --panel st7789 --write-hashes "$work/hashes" && head -n 8 "$work/hashes" >"$work/golden" &&
+        "$BUILD/limner" decode "$stage/on-board/flight" --panel st7789 --frames 8 --check "$work/golden"
+}
+
+judge_board() {
+    tap_check "board: the guest ends well" is_good board
+    relay board
+    tap_check "board: eight frames are those of the simulator" flies_as_simulated
+    tap_check "board: SIGTERM leaves the panel dark and no line held" \
+        says 'lit=0 held=0' replay "$stage/on-board/flight.wires" st7789 240x240 any
+}
+
 judge_bridge() { # GUEST
     tap_check "$1: the guest ends well" is_good "$1"
     relay "$1"

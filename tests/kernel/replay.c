@@ -77,12 +77,18 @@ static int set_dc(struct replay *replay, bool high)
     return pin_set(&replay->port.dc, high);
 }
 
+/* Of a module that has such a wire. */
+static int set_pin(const struct pin *pin, bool high)
+{
+    return pin_is_wired(pin) ? pin_set(pin, high) : 0;
+}
+
 static int set_line(struct replay *replay, unsigned line, bool high)
 {
     replay->held |= 1u << line;
     if (line == WIRE_DC) return set_dc(replay, high);
-    if (line == WIRE_RESET) return pin_set(&replay->port.reset, high);
-    if (line == WIRE_SELECT && pin_is_wired(&replay->port.select)) return pin_set(&replay->port.select, high);
+    if (line == WIRE_RESET) return set_pin(&replay->port.reset, high);
+    if (line == WIRE_SELECT) return set_pin(&replay->port.select, high);
     return line == WIRE_BACKLIGHT ? set_backlight(replay, high) : 0;
 }
 

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # shellcheck shell=sh
 #
-# For tests/kernel.sh: the programs once more, with other libraries than this system's usual ones.
+# For tests/kernel.sh: the programs once more, with other libraries than this system's usual ones, and as an image.
 # Wants tests/kernel/guests.sh.
 
 # relink FOLDER FROM TO [OBJECT]...: the programs in $stage/FOLDER, with the library TO in the place of FROM. Objects
@@ -30,4 +30,10 @@ build_with_libgpiod2() { # FOLDER of Debian's packages
 
 build_with_libusb() {
     relink libusb libhidapi "$(pkg-config --variable=libdir hidapi-libusb)/libhidapi-libusb.so"
+}
+
+build_board() {
+    make BOARD=linux DEPS=skip BOARDS="$work/boards" &&
+        cp "$work/boards/linux/rooms-st7789-fast/image.elf" "$BUILD/tests/kernel/wires" "$stage/usual" &&
+        chmod -R a+rX "$stage/usual"
 }

@@ -1,0 +1,133 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * The firmware of every board: a compiled scene, seen from the cameras of its path, one after the other and for ever,
+ * on the panel that was chosen; buttons, where there are some, leave the path. The LED changes with every frame. When
+ * something fails it blinks, as often as enum trouble says, and all begins anew; when the processor takes an exception
+ * it stays lit. A program (BOARD_ENDS) leaves the panel dark when it ends, as it does when something fails. */
+#include "app_scene.h"
+#include "board.h"
+#include "image.h"
+#include "mcu/mcu.h"
+#include "module.h"
+#include "screen.h"
+#include "walker.h"
+
+/* Lines of the picture in RAM: one, or two where one is painted while the other is sent. */
+#ifndef BOARD_LINES
+#define BOARD_LINES 1
+#endif
+#define LINES (SCENE_LINES(MODULE_H_PX) > 1 ? SCENE_LINES(MODULE_H_PX) : BOARD_LINES)
+
+enum { BLINK_US = 200000, PAUSE_US = 1000000 };
+
+/* How often the LED blinks. */
+enum trouble { TROUBLE_RENDERER = 1, TROUBLE_PANEL, TROUBLE_PORT };
+
+static struct board board;
+static struct screen screen;
+static uint32_t lines[MODULE_LINES_MEM_B(LINES) / 4];
+#if LIM_HAS_FRAME
+static uint32_t picture[SCREEN_FRAME_MEM_B(MODULE_W_PX, MODULE_H_PX) / 4];
+#endif
+
+static int set_led(bool lit)
+{
+    return pin_is_wired(&board.led) ? pin_set(&board.led, lit) : 0;
+}
+
+/* Between the marks a frame is painted and sent. */
+static int draw(uint16_t frame, struct lim_camera *camera)
+{
+    screen_turn_camera(camera, MODULE_CAMERA_TURN);
+    scene_place(frame);
+    frame_begin(frame);
+    int err = screen_begin_frame(&screen);
+    if (!err) err = scene_draw(camera);
+    if (!err) err = screen_end_frame(&screen);
+    frame_end(frame);
+    return err;
+}
+
+/* Returns only when something fails, or a program is to end. */
+static int fly(void)
+{
+    struct walker walker = {.walking = false};
+    bool lit = false;
+
+    for (uint16_t frame = 0; !(BOARD_ENDS && board_is_over()); frame = (uint16_t)((frame + 1u) % CAMERAS_COUNT)) {
+        struct lim_camera camera;
+        scene_camera(frame, &camera);
+        if (board.buttons) walker_frame(&walker, board.buttons(), &camera);
+        int err = draw(frame, &camera);
+        if (!err) err = set_led(lit = !lit);
+        if (err) return err;
+    }
+    return 0;
+}
+
+/* Lends the whole picture where there is memory for it. */
+static int set_frame(void)
+{
+#if LIM_HAS_FRAME
+    return screen_set_frame(&screen, picture, sizeof picture);
+#else
+    return 0;
+#endif
+}
+
+static int run(void)
+{
+    struct panel *panel;
+
+    board = (struct board){0};
+    int err = board_init(&board, MODULE_SPEED_HZ);
+    if (!err) err = module_setup(&panel, &board);
+    if (!err) err = panel_init(panel);
+    const bool is_lit = !err;
+    if (!err) err = screen_init(&screen, panel, SCENE_METHOD, lines, sizeof lines);
+    if (!err) err = set_frame();
+    if (!err) err = scene_init(&screen.target);
+    if (!err) err = fly();
+    const int dark = BOARD_ENDS && is_lit ? panel_darken(panel) : 0;
+    return err ? err : dark;
+}
+
+/* Dark before it blinks: the last frame may have left it lit. A clock that failed as well is waited for no longer. */
+static void tell(enum trouble trouble)
+{
+    int err = set_led(false);
+
+    if (!err) err = board.clock.delay ? clock_delay(&board.clock, PAUSE_US) : -1;
+    for (int i = 0; i < 2 * (int)trouble && !err; i++) {
+        err = set_led(i % 2 == 0);
+        if (!err) err = clock_delay(&board.clock, BLINK_US);
+    }
+}
+
+static enum trouble trouble_of(int err)
+{
+    if (err > PANEL_ERR_CONFIG) return TROUBLE_RENDERER;
+    return err > MCU_ERR_TIMEOUT ? TROUBLE_PANEL : TROUBLE_PORT;
+}
+
+int main(void)
+{
+    if (BOARD_ENDS) return board_end(run());
+    for (;;)
+        tell(trouble_of(run()));
+}
+
+/* main() does not return. */
+_Noreturn void image_exit(int status)
+{
+    (void)status;
+    for (;;)
+        ;
+}
+
+_Noreturn void image_fault(void)
+{
+    int err = set_led(true);
+    for (;;)
+        (void)err;
+}

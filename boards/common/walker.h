@@ -1,0 +1,28 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Walking with buttons: the camera follows its path until up, down, left or right is pressed, and from there goes
+ * forward or back, or turns, a step a frame for as long as a button is down; select gives it back to the path. A button
+ * counts once it was seen released: what is stuck, or reads as down before it was ever touched, walks nowhere.
+ *
+ * Steps: a quarter of the near plane's distance (2.5 cm for the usual 10 cm) on the level, however the view is
+ * pitched,
+ *
+ *     x -= near / 4 * sin(yaw), z -= near / 4 * cos(yaw),
+ *
+ * and 1/256 of a full turn. */
+#ifndef BOARDS_WALKER_H
+#define BOARDS_WALKER_H
+
+#include "camera.h"
+
+/* All zero: on the path, and no button was seen released. */
+struct walker {
+    struct lim_camera camera; /* the walker's, if there is one */
+    uint8_t released;         /* buttons that were seen so, and count */
+    bool walking;
+};
+
+/* Once a frame. buttons: enum board_button, those that are down. camera: in, the path's; out, the one to draw. */
+void walker_frame(struct walker *walker, uint8_t buttons, struct lim_camera *camera);
+
+#endif

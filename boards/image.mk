@@ -1,0 +1,189 @@
+# SPDX-License-Identifier: MIT
+#
+# Builds the image of one board: `make BOARD=bluepill [SCENE=MODEL] [PANEL=NAME] [PRECISION=NAME]`. The board's folder
+# says what it is (board.mk); all of that, and what is below, can be said otherwise on make's command line:
+#   SCENE      a model's file, or the name of one in sim/scenes    CAMERA   its path (beside it, or round the model)
+#   PANEL      the display's chip    MODULE   options of its module: limner help, play: --size 128x128 --rotate 90
+#   PRECISION  draft, fast, fine, exact    COMPILE   other options of `limner compile`: --wireframe --delta
+
+board_folder := boards/$(BOARD)
+$(if $(filter $(boards),$(BOARD)),,$(error there is no board $(BOARD); there are: $(boards)))
+
+# Flags that make the processor's code, and what makes an image of objects; a board may say otherwise.
+STANDARD := -std=c11 -ffreestanding
+FRAMES   := -fcallgraph-info=su
+LINES    := 1
+TITLE     = $(BOARD)
+comma    := ,
+START    := boards/common/image.c
+LINK      = -nostdlib -Lboards/common -T $(board_folder)/memory.ld -Wl,--defsym=image_stack_b=0
+LAST     := -lgcc
+include $(board_folder)/board.mk
+
+# The module that the board's folder describes is that of its own panel.
+ifeq ($(origin PANEL),command line)
+ifneq ($(origin MODULE),command line)
+MODULE :=
+endif
+endif
+
+packages-all     += $(PACKAGES)
+packages-flash   += $(PACKAGES) $(FLASH_PACKAGES)
+packages-emulate += $(PACKAGES) $(EMULATE_PACKAGES)
+packages-cost    += $(packages-emulate)
+
+# -- The scene and its path -------------------------------------------------------------------------------------------
+
+$(if $(word 2,$(SCENE)),$(error SCENE=$(SCENE): make knows no paths with spaces))
+model  := $(firstword $(wildcard $(SCENE)) $(wildcard sim/scenes/$(SCENE).obj) $(wildcard sim/scenes/$(SCENE).gltf) \
+	$(filter $(BUILD)/scenes/$(SCENE).obj,$(demo)) $(filter $(BUILD)/scenes/$(SCENE)/$(SCENE).obj,$(textured)))
+$(if $(model),,$(error there is no scene $(SCENE): neither a file nor a name in sim/scenes, nor demo or textured))
+CAMERA  = $(filter $(basename $(model)).cam,$(demo) $(textured) $(wildcard $(basename $(model)).cam))
+name   := $(basename $(notdir $(model)))-$(subst :,-,$(PANEL))-$(PRECISION)
+BOARDS := $(BUILD)/boards
+folder := $(BOARDS)/$(BOARD)/$(name)
+IMAGE  := $(folder)/image
+common := $(BOARDS)/$(BOARD)/common
+options = --precision $(PRECISION) --size $(module_size)
+
+# WxH of the panel, once the module is described.
+module_size = $(shell awk '$$2 == "MODULE_W_PX" { w = $$3 } $$2 == "MODULE_H_PX" { h = $$3 } END { print w "x" h }' \
+	$(folder)/module.h)
+
+# What the chip cannot turn the camera does, which then sees a picture whose sides may be the panel's, exchanged.
+camera_turn  = $(shell sed -n 's/^.define MODULE_CAMERA_TURN PANEL_TURNED_//p' $(folder)/module.h)
+camera_lies  = $(filter 90 270,$(camera_turn))
+picture_size = $(if $(camera_lies),$(subst $() ,x,$(lastword $(subst x, ,$(module_size))) $(firstword $(subst x, ,$(module_size)))),$(module_size))
+scene_flags  = $(if $(camera_lies),-DSCENE_CAMERA_LIES)
+
+# What a file is made from, so that it is made anew when that changes.
+$(folder)/choice: force
+	@mkdir -p $(@D) $(common)
+	@echo '$(PANEL) $(MODULE) $(PRECISION) $(model) $(CAMERA) $(COMPILE)' | cmp -s - $@ || \
+		echo '$(PANEL) $(MODULE) $(PRECISION) $(model) $(CAMERA) $(COMPILE)' > $@
+
+$(folder)/module.c: $(folder)/choice $(BUILD)/limner
+	@$(BUILD)/limner module --panel $(PANEL) $(MODULE) -o $(folder)/module
+
+$(folder)/model.lim: $(folder)/module.c $(model) $(BUILD)/limner
+	@echo "SCENE $(model)"
+	@rm -f $(folder)/model*.c $(folder)/model*.o
+	@$(BUILD)/limner compile $(model) -o $(folder)/model $(options) $(COMPILE) > $(folder)/report
+
+$(folder)/cameras.h: $(folder)/model.lim $(CAMERA)
+	@$(BUILD)/limner render $(folder)/model.lim $(addprefix --camera ,$(CAMERA)) --size $(picture_size) --write-cameras $@
+
+# -- Objects: the board's own, which all scenes share, and those that the scene's header fits to it ---------------------
+
+board_flags = $(STANDARD) $(ARCH) $(OPT) $(WARNINGS) -ffunction-sections -fdata-sections $(FRAMES) -MMD -MP \
+	-DBOARD_LINES=$(LINES) $(DEFINES) -Ifirmware -Ihal -Iboards/common -I$(board_folder)
+image_flags = -I$(folder) -DLIM_CONFIG='"model.h"'
+
+board_sources := $(wildcard hal/*.c) $(SOURCES) $(START)
+image_sources := $(wildcard firmware/*.c) $(wildcard $(addprefix boards/common/,main.c app_scene.c screen.c walker.c))
+board_objects := $(patsubst %,$(common)/%.o,$(basename $(board_sources))) $(if $(BOOT2),$(common)/boot2.o)
+image_objects := $(patsubst %.c,$(folder)/%.o,$(image_sources)) $(folder)/module.o
+
+$(common)/flags: force
+	@mkdir -p $(@D)
+	@echo '$(TOOLS)gcc $(board_flags)' | cmp -s - $@ || echo '$(TOOLS)gcc $(board_flags)' > $@
+
+define board_object
+@mkdir -p $(@D)
+@$(TOOLS)gcc $(board_flags) $(1) -c -o $@ $<
+endef
+
+$(common)/%.o: %.c $(common)/flags
+	$(call board_object)
+
+$(common)/%.o: %.S $(common)/flags
+	$(call board_object)
+
+# A second stage, whose checksum is not the linker's to make.
+$(common)/boot2.bin: $(BOOT2) $(common)/flags
+	@$(TOOLS)gcc $(ARCH) -c -o $(@:.bin=.code.o) $<
+	@$(TOOLS)objcopy -O binary -j .text $(@:.bin=.code.o) $@
+
+$(common)/boot2.c: $(common)/boot2.bin $(BUILD)/limner
+	@$(BUILD)/limner boot2 $< -o $@
+
+$(common)/boot2.o: $(common)/boot2.c
+	$(call board_object)
+
+$(image_objects): $(folder)/cameras.h $(folder)/model.lim $(common)/flags
+
+$(folder)/%.o: %.c
+	$(call board_object,$(image_flags))
+
+$(folder)/boards/common/app_scene.o: image_flags += $(scene_flags)
+
+$(folder)/module.o: $(folder)/module.c
+	$(call board_object,$(image_flags))
+
+# -- The image ---------------------------------------------------------------------------------------------------------
+
+$(folder)/limits: force
+	@mkdir -p $(@D)
+	@echo '$(FLASH_B) $(RAM_B) $(LINK) $(LAST)' | cmp -s - $@ || echo '$(FLASH_B) $(RAM_B) $(LINK) $(LAST)' > $@
+
+export BOARD TOOLS ARCH OPT LINK LAST FLASH_B RAM_B
+$(IMAGE).elf: $(board_objects) $(image_objects) boards/link.sh $(folder)/limits $(wildcard $(board_folder)/*.ld boards/common/*.ld)
+	$(LIVE)rm -f $(IMAGE).*
+	$(LIVE)COMPILER='$(TOOLS)gcc $(board_flags) $(scene_flags)' sh boards/link.sh $(folder) \
+		'$(BOARD): $(model) on $(PANEL), $(module_size), precision $(PRECISION)' $(board_objects) $(image_objects)
+
+$(IMAGE).bin: $(IMAGE).elf
+	@$(TOOLS)objcopy -O binary $< $@
+
+$(IMAGE).hex: $(IMAGE).elf
+	@$(TOOLS)objcopy -O ihex $< $@
+
+$(IMAGE).uf2: $(IMAGE).bin $(BUILD)/limner
+	@$(BUILD)/limner uf2 $< -o $@ $(UF2)
+
+# What the simulator makes of the same scene on the same panel: the emulated board's frames are checked against it.
+$(folder)/golden: $(folder)/model.lim $(CAMERA) $(BUILD)/limner
+	@$(BUILD)/limner render $(model) $(addprefix --camera ,$(CAMERA)) $(options) --panel $(PANEL) $(filter-out --frame,$(COMPILE)) --write-hashes $@
+
+# For EMULATE: N frames of the path, and what makes pictures of the bytes that an emulator tells.
+N      := 8
+CHECK   = $(folder)/golden.$(N)
+PICTURES = out/boards/$(BOARD)
+DECODE  = $(BUILD)/limner decode - --panel $(PANEL) $(MODULE) --frames $(N) -o '$(PICTURES)/%03d.png' \
+	$(if $(camera_turn),,--check $(CHECK))
+
+# The path is flown for ever.
+$(folder)/golden.$(N): $(folder)/golden
+	@awk -v n=$(N) '{ hash[NR] = $$2 } END { for (i = 0; i < n + 0; i++) print i, hash[i % NR + 1] }' $< > $@
+
+# What QEMU has no clock for is counted.
+COUNTED = sh sim/emulators/count.sh $(N) $(BUILD)/count_plugin.so $(IMAGE).elf $(QEMU) $(filter $(common)/hal/mcu/%,$(board_objects))
+SPI_HZ  = $(shell awk -v clock_hz=$(SPI_CLOCK_HZ) -v most_hz=$(or $(SPI_MAX_HZ),$(SPI_CLOCK_HZ)) -v dividers=$(SPI_DIVIDERS) ' \
+	$$2 == "MODULE_SPEED_HZ" { \
+		wanted_hz = $$3 + 0 < most_hz + 0 ? $$3 + 0 : most_hz + 0; \
+		for (by = 2; clock_hz / by > wanted_hz; by = dividers == "powers" ? 2 * by : by + 2); \
+		print clock_hz / by }' $(folder)/module.h)
+
+.PHONY: image flash emulate cost
+all: image
+image: $(addprefix $(IMAGE).,elf $(IMAGES)) | packages
+	@cat $(folder)/fits
+	@printf '  %s\n' $(addprefix $(IMAGE).,elf $(IMAGES))
+
+flash: image ## BOARD=NAME: put the image on the board
+	$(LIVE)command -v $(FLASH_TOOL) > /dev/null || { echo "flash: $(FLASH_TOOL) is missing; Debian's package: $(FLASH_PACKAGES)" >&2; exit 1; }
+	$(LIVE)$(FLASH)
+
+emulate: image $(CHECK) $(EMULATOR) ## BOARD=NAME [N=FRAMES]: run the image in its emulator; frames, checked, into out/boards/NAME
+	$(LIVE)mkdir -p $(PICTURES)
+	$(LIVE)$(EMULATE)
+	$(LIVE)$(if $(camera_turn),echo "emulate: frames were not checked: the simulator does not turn its camera as this panel needs")
+
+cost: image $(CHECK) $(EMULATOR) $(BUILD)/count_plugin.so ## BOARD=NAME: run N frames, and print what one costs
+	$(LIVE)mkdir -p $(PICTURES)
+	$(LIVE)$(EMULATE) > $(folder)/emulated
+	$(LIVE)$(if $(QEMU),$(COUNTED) > $(folder)/counted)
+	$(LIVE)sh boards/cost.sh $(folder) '$(TITLE) | $(basename $(notdir $(model))), $(PRECISION) | $(PANEL), $(module_size)' \
+		$(CPU_HZ) $(SPI_HZ)
+
+-include $(patsubst %.o,%.d,$(board_objects) $(image_objects))

@@ -1,0 +1,164 @@
+# SPDX-License-Identifier: MIT
+#
+# Links an image and sees that it fits: sh boards/link.sh FOLDER TITLE OBJECT... In: the objects beside what gcc left
+# of their call graphs, FOLDER/model*.c, FOLDER/report of `limner compile`, and of the environment what boards/image.mk
+# exports. Out: FOLDER/image.elf, image.map, and what it takes, as text (`fits`) and numbers (`takes`). Where RAM is
+# short, the renderer gets less than the scene asks for: the same frames, for more time. What does not fit even so is
+# refused.
+set -eu
+. sim/footprint.sh
+
+folder=$1 title=$2
+shift 2
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+
+fail() { # LINE...
+    rm -f "$folder"/image.* "$folder/fits" "$folder/takes"
+    printf 'link: %s\n' "$@" >&2
+    exit 1
+}
+
+compile() { # OBJECT SOURCE [FLAG...]
+    compile_object=$1 compile_source=$2
+    shift 2
+    # shellcheck disable=SC2086 # flags are words
+    $COMPILER -I"$folder" -DLIM_CONFIG='"model.h"' "$@" -c -o "$compile_object" "$compile_source"
+}
+
+compile_model() {
+    for source in "$folder"/model*.c; do # what moves has files of its own
+        compile "${source%.c}.o" "$source"
+    done
+}
+
+# What does not fit is linked all the same, to see by how much.
+link() {
+    # shellcheck disable=SC2086 # flags are words
+    "${TOOLS}gcc" $ARCH $OPT -Wl,--gc-sections -Wl,--noinhibit-exec -Wl,-Map,"$folder/image.map" $LINK \
+        -o "$work/image.elf" "$@" "$folder"/model*.o $LAST 2>"$work/said" ||
+        grep -q 'overflowed\|will not fit' "$work/said" || { cat "$work/said" >&2; fail "$title: cannot be linked"; }
+    # What a linker script asserts does not inhibit it, either.
+    if grep -v 'overflowed\|will not fit' "$work/said" >&2; then fail "$title: is not linked as it should be"; fi
+    "${TOOLS}nm" -S "$work/image.elf" >"$work/symbols"
+    "${TOOLS}size" -A "$work/image.elf" | awk '
+        $1 ~ /^\.(boot2|vectors|text|rodata|init|fini)/ { code += $2 }
+        $1 ~ /^\.(data|sdata)/ { data += $2 }
+        $1 ~ /^\.(bss|sbss|noinit)/ { bss += $2 }
+        END { print code + data, data + bss }' >"$work/size"
+    read -r flash_b static_b <"$work/size"
+}
+
+symbol_b() { # NAME: bytes of the largest symbol of that name
+    awk -v name="$1" 'NF == 4 && $4 == name { print $2 }' "$work/symbols" | sort | tail -n 1 |
+        { read -r hex && echo $((0x$hex)) || echo 0; }
+}
+
+# -- The stack: the deepest chain of calls from main(), or of what an exception calls -----------------------------------
+
+families='dcs pages solomon sharp'
+
+# An object's functions, from what gcc left of its call graph, or of AVR's from its symbols.
+names() { # OBJECT
+    if [ "$TOOLS" = avr- ]; then
+        "${TOOLS}nm" "$1" | sed -n 's/^[0-9a-f]* [tT] \([a-z0-9_]*\)[.a-z0-9]*$/\1/p'
+    else
+        sed -n 's/^node: { title: "\([^"]*:\)\{0,1\}\([a-z0-9_]*\)[.a-z0-9]*".*bytes (.*/\2/p' "${1%.o}.ci"
+    fi
+}
+
+# The names of functions in some objects; what sets things up is called by name only.
+functions() { # PATTERN...: of the objects
+    for pattern; do
+        for object in $objects; do
+            case $object in
+            $pattern) names "$object" ;;
+            esac
+        done
+    done | grep -v '_setup$\|_init$' | sort -u
+}
+
+# Pairs FILE=FUNCTION where calls through pointers lead: a panel's to its family, a family's to its chip or to the
+# board's drivers, the renderer's to the screen.
+calls() {
+    echo "$footprint_calls" | tr ' ' '\n'
+    for stage in paint.c painter.c convex.c smooth.c delta.c; do
+        printf "$stage=%s\n" screen_lend screen_done delta_lend delta_done
+    done
+    printf '%s\n' span.h=screen_visible delta.c=screen_window span.c=screen_fill nearest.c=screen_show fill.h=screen_put_run
+    for family in $families; do functions "*/hal/$family.o"; done | sed 's/^/panel.h=/'
+    for chip in $(sed -n 's/^extern const struct pages_chip \([a-z0-9]*\);.*/\1/p' hal/panels.h); do
+        functions "*/hal/$chip.o"
+    done | sed 's/^/pages.c=/'
+    functions '*/hal/mcu/*.o' "*/common/boards/$BOARD/*.o" | sed 's/^/bus.h=/;p;s/bus\.h/main.c/'
+}
+
+# What was linked of a file or of standard input, whose lines have names in column COLUMN between characters FS.
+linked() { # FS COLUMN
+    awk -F "$1" -v column="$2" 'NR == FNR { is[$1]; next } $column in is' "$work/linked" -
+}
+
+# Of all code: as gcc left it, or, of AVR's, as the image has it.
+graph() {
+    if [ "$TOOLS" = avr- ]; then
+        "${TOOLS}objdump" -dl "$work/image.elf" | awk -f sim/avr_graph.awk
+    else
+        for object in $objects; do cat "${object%.o}.ci"; done
+    fi
+}
+
+stack_of() { # ROOT...
+    awk '{ sub(/\..*/, "", $NF); print $NF }' "$work/symbols" | sort -u >"$work/linked"
+    calls | grep -v 'delta.c=delta' | linked = 2 >"$work/calls"
+    graph >"$work/graph"
+    awk -f sim/stack.awk -v roots="$*" -v calls="$(tr '\n' ' ' <"$work/calls")" -v only="$(tr '\n' ' ' <"$work/linked")" "$work/graph"
+}
+
+# -- What fits -----------------------------------------------------------------------------------------------------------
+
+fits() {
+    [ -z "${RAM_B:-}" ] || [ $((static_b + stack_b)) -le "$RAM_B" ]
+}
+
+shrink() { # the scene's memory, to what is left
+    asked_b=$(symbol_b mem)
+    least_b=$(awk '/^ *least, bytes/ { print $NF }' "$folder/report")
+    mem_b=$(((asked_b + RAM_B - static_b - stack_b) / 8 * 8))
+    if [ "$mem_b" -lt "$least_b" ]; then
+        over_b=$((static_b + stack_b - RAM_B))
+        fail "$title: RAM is short by $((over_b - asked_b + least_b)) of $RAM_B bytes, even with the least memory for the scene" \
+            "  it takes $((static_b - asked_b)) beside the scene, $least_b for it at least, and $stack_b for the stack" \
+            "  what helps: a smaller panel, PRECISION=draft or fast, a scene with fewer polygons in view"
+    fi
+    compile "$work/app_scene.o" boards/common/app_scene.c -DSCENE_MEM_B="$mem_b"
+    # shellcheck disable=SC2046 # objects are words
+    link $(echo "$objects" | tr ' ' '\n' | sed "s#^.*/app_scene\.o\$#$work/app_scene.o#")
+    note="the scene asks for $asked_b bytes and gets $mem_b: views that need more are drawn in bands"
+}
+
+objects=$*
+note=
+compile_model
+link "$@"
+stack= stack_b=0
+if [ -n "${RAM_B:-}" ]; then
+    # shellcheck disable=SC2046 # not all processors have exceptions
+    stack=$(stack_of main $(awk '$NF == "image_fault" { print $NF }' "$work/symbols")) || fail "$title: its stack cannot be bounded"
+    stack_b=${stack%%:*}
+fi
+fits || shrink
+if [ -n "${FLASH_B:-}" ] && [ "$flash_b" -gt "$FLASH_B" ]; then
+    scene_b=$("${TOOLS}size" "$folder"/model*.o | awk 'NR > 1 { sum += $1 } END { print sum }')
+    fail "$title: flash is short by $((flash_b - FLASH_B)) of $FLASH_B bytes" \
+        "  it takes $((flash_b - scene_b)) for code and cameras, and $scene_b for the scene" \
+        "  what helps: a scene with fewer polygons, a path with fewer cameras, OPT=-Os, PRECISION=draft"
+fi
+fits || fail "$title: RAM is short by $((static_b + stack_b - RAM_B)) bytes"
+mv "$work/image.elf" "$folder/image.elf"
+echo "$flash_b $static_b $stack_b" >"$folder/takes"
+{
+    echo "$title"
+    echo "  flash   $flash_b${FLASH_B:+ of $FLASH_B bytes, $((FLASH_B - flash_b)) left}"
+    echo "  RAM     $static_b${RAM_B:+, stack $stack_b at most, of $RAM_B bytes: $((RAM_B - static_b - stack_b)) left}"
+    [ -z "$note" ] || echo "  $note"
+} >"$folder/fits"

@@ -1,0 +1,66 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * The frames that a board must draw whose buttons were these: walked MODEL.lim [options of `limner render`] <BUTTONS.
+ * In: a number a line, enum board_button, for each frame from the first. Out: a hash file. The steps are those of the
+ * board's own code, the pixels the simulator's. */
+#include "hashes.h"
+#include "options.h"
+#include "walker.h"
+
+#include <stdlib.h>
+
+enum { FRAMES_MAX = 1000 };
+
+struct walked {
+    struct options options;
+    struct compiled scene;
+    struct moving moving;
+    struct lens lens;
+    struct camera_path path;
+    struct simulator simulator;
+    struct walker walker;
+    uint64_t hashes[FRAMES_MAX];
+    size_t count;
+};
+
+static bool draw(struct walked *walked, uint8_t buttons, struct error *err)
+{
+    struct lim_camera camera;
+
+    if (walked->count == FRAMES_MAX) return error_set(err, "more than %d frames", FRAMES_MAX);
+    if (!camera_path_to_camera(&walked->path, walked->count % walked->path.count, &walked->lens, &walked->scene.grid,
+                               &camera, err))
+        return false;
+    walker_frame(&walked->walker, buttons, &camera);
+    if (!simulator_frame(&walked->simulator, &camera, err)) return false;
+    walked->hashes[walked->count++] = hash_pixels(walked->simulator.pixels, simulator_pixel_count(&walked->simulator));
+    return true;
+}
+
+static bool run(struct walked *walked, int argc, char **argv, struct error *err)
+{
+    const struct options *options = &walked->options;
+    unsigned buttons;
+
+    if (!options_parse(argc, argv, OPTIONS_RENDER, &walked->options, err) ||
+        !options_load(options, &walked->scene, &walked->moving, &walked->lens, &walked->path, err) ||
+        !simulator_init_on(&walked->simulator, &walked->scene.scene, &options->setup, &options->panel, err))
+        return false;
+    while (scanf("%u", &buttons) == 1)
+        if (!draw(walked, (uint8_t)buttons, err)) return false;
+    return hashes_write(walked->hashes, walked->count, stdout) || error_set(err, "hashes cannot be written");
+}
+
+int main(int argc, char **argv)
+{
+    static struct walked walked;
+    struct error err;
+    const bool ok = run(&walked, argc, argv, &err);
+
+    if (!ok) fprintf(stderr, "walked: %s\n", err.text);
+    simulator_free(&walked.simulator);
+    camera_path_free(&walked.path);
+    moving_free(&walked.moving);
+    compiled_free(&walked.scene);
+    return ok ? EXIT_SUCCESS : EXIT_FAILURE;
+}

@@ -1,0 +1,65 @@
+# SPDX-License-Identifier: MIT
+#
+# What the images of boards draw in emulators that others wrote: eight frames of a path, whole, each pixel as the
+# simulator draws it. The images are those of README's table (boards/table.sh), which must say of them what is measured
+# here.
+. tests/tap.sh
+
+board() { # MAKE-ARGUMENT...
+    make DEPS=skip BOARDS="$work/boards" PICTURES="$work/pictures" "$@" >"$work/said" 2>&1 || {
+        cat "$work/said"
+        return 1
+    }
+}
+
+# No two pictures of a path are the same file.
+pictures_differ() { # COUNT
+    find "$work/pictures" -name '*.png' -exec cksum {} + | cut -d ' ' -f 1,2 | sort -u >"$work/sums"
+    [ "$(wc -l <"$work/sums")" -eq "$1" ]
+}
+
+draws() { # MAKE-ARGUMENT...
+    rm -rf "$work/pictures"
+    board emulate N=8 "$@" || return 1
+    cat "$work/said"
+    [ "$(grep -c '^frame [0-9]*:' "$work/said")" -eq 8 ] && pictures_differ 8
+}
+
+draws_row() { # MAKE-ARGUMENT...
+    rm -rf "$work/pictures"
+    board -s cost N=8 "$@" && cat "$work/said" && pictures_differ 8 && tail -n 1 "$work/said" >"$work/row" &&
+        sed -n '/<!-- boards begin/,/<!-- boards end/p' README.md | grep -qxF -f "$work/row"
+}
+
+# Packages of npm are fetched, which may not be possible: that says why.
+npm_fails() { # MAKE-ARGUMENT...
+    case $1 in
+    BOARD=pico) ! sh sim/emulators/npm.sh >/dev/null 2>"$work/npm" ;;
+    *) false ;;
+    esac
+}
+
+# With golden frames of which the first differs in one digit.
+tells_wrong_pixels() { # GOLDEN MAKE-ARGUMENT...
+    sed '1s/.$/x/; 1s/[0-7]x$/8/; 1s/[89a-f]x$/0/; 1s/x$/0/' "$1" >"$work/wrong"
+    shift
+    ! board emulate CHECK="$work/wrong" "$@" >/dev/null && cat "$work/said" && grep -q 'frame 0 differs' "$work/said"
+}
+
+sh boards/table.sh --rows >"$work/rows"
+while read -r row; do
+    # shellcheck disable=SC2086 # arguments are words
+    if npm_fails $row; then
+        tap_skip "$row: eight frames" "$(grep -m 1 'code\|missing' "$work/npm" || tail -n 1 "$work/npm")"
+    else
+        tap_check "$row: eight frames, at the cost that README says" draws_row $row
+    fi
+done <"$work/rows"
+readme_has_no_other_row() {
+    [ "$(sed -n '/<!-- boards begin/,/<!-- boards end/p' README.md | grep -c '^| [a-z]')" -eq $(($(wc -l <"$work/rows") + 1)) ]
+}
+tap_check "README has a row for each, and no other" readme_has_no_other_row
+tap_check "a scene that moves, 18 bits a pixel" draws BOARD=stm32f405 SCENE=movers PANEL=st7735:rgb666
+tap_check "what changes alone" draws BOARD=stm32f405 COMPILE=--delta
+tap_check "a wrong pixel is told" tells_wrong_pixels "$work/boards/stm32f405/rooms-st7789-fast/golden.8" BOARD=stm32f405
+tap_done

@@ -1,0 +1,94 @@
+# SPDX-License-Identifier: MIT
+#
+# The Pico's image in rp2040js: from the UF2 file through its own second stage to frames, painting while DMA sends, and
+# back to frames after the SPI stopped.
+. tests/tap.sh
+
+board() { # MAKE-ARGUMENT...
+    make DEPS=skip BOARD=pico BOARDS="$work/boards" PICTURES="$work/pictures" "$@" >"$work/said" 2>&1 || {
+        cat "$work/said"
+        return 1
+    }
+}
+
+image=$work/boards/pico/rooms-st7789-fast/image
+
+frames_are_golden() {
+    board emulate N=8 && cat "$work/said" && [ "$(grep -c '^frame [0-9]*:' "$work/said")" -eq 8 ]
+}
+
+# A quarter of each frame's bytes, or more, left while the processor did not wait for them; with one line it is hardly any.
+paints_while_dma_sends() {
+    cat "$work/said" && awk '/^# bus frame/ { n++; if (4 * $11 < $6) few = 1 } END { exit !n || few }' "$work/said"
+}
+
+# The parts of a frame are its whole, and the bus is never busy longer.
+cycles_add_up() {
+    awk '/^# cycles frame/ { n++; if ($6 != $8 + $10 + $12 || !$8 || !$10 || !$12) wrong = 1; total = $6 }
+        /^# bus frame/ && ($8 > total || $8 != 16 * $6) { wrong = 1 }
+        END { exit !n || wrong }' "$work/said"
+}
+
+# The SPI stops in the second frame, and for one more start: the LED tells the port's trouble by three blinks each time,
+# and the frames that follow are those of the path from its beginning.
+recovers() {
+    board image && head -n 3 "${image%/*}/golden" >"$work/golden" &&
+        sh sim/emulators/rp2040.sh "$image" 4 '--pin dc=16 --pin cs=17 --pin backlight=20 --pin reset=22 --pin led=25
+            --stop-after 200000 --for 2' cat >"$work/wires" || return 1
+    "$BUILD/limner" decode "$work/wires" --panel st7789 --size 240x240 --write-hashes "$work/hashes" &&
+        sed -n '3,$p' "$work/hashes" | awk '{ print NR - 1, $2 }' | cmp - "$work/golden" &&
+        sed -n '/the SPI stops/,/cycles frame 1/p' "$work/wires" >"$work/trouble" &&
+        blinks "$work/trouble" && [ "$(grep -c '^p reset 0' "$work/trouble")" -eq 2 ]
+}
+
+# WIRES: before each start anew the LED has been lit three times, and dark at first.
+blinks() {
+    [ "$(awk '/^p led 1/ { lit++ } /^p reset 0/ { print lit; lit = 0 }' "$1" | tr '\n' ' ')" = '3 3 ' ]
+}
+
+# A bit of the second stage: the boot ROM would try USB instead.
+damaged_stage_is_not_entered() {
+    cp "$image.elf" "$work/damaged.elf" && cp "$image.uf2" "$work/damaged.uf2" &&
+        printf '\377' | dd of="$work/damaged.uf2" bs=1 seek=40 conv=notrunc 2>/dev/null || return 1
+    ! sh sim/emulators/rp2040.sh "$work/damaged" 1 '' cat >"$work/said" 2>&1 && cat "$work/said" &&
+        grep -q 'wrong checksum' "$work/said"
+}
+
+# With stand-ins for findmnt, which finds the folder that $DRIVE names, and openocd.
+flash() {
+    mkdir -p "$work/bin" "$work/drive" && rm -f "$work/probed" &&
+        printf '#!/bin/sh\necho "$DRIVE"\n' >"$work/bin/findmnt" &&
+        printf '#!/bin/sh\necho "$@" >"%s"\n' "$work/probed" >"$work/bin/openocd" &&
+        chmod +x "$work/bin/findmnt" "$work/bin/openocd" && PATH="$work/bin:$PATH" board flash
+}
+
+flashes_by_drive() {
+    DRIVE=$work/drive flash && cmp "$image.uf2" "$work/drive/image.uf2" && [ ! -e "$work/probed" ]
+}
+
+flashes_by_probe() {
+    DRIVE='' flash && grep "program $image.elf verify reset exit" "$work/probed"
+}
+
+refuses() { # PATTERN COMMAND...
+    pattern=$1
+    shift
+    ! "$BUILD/limner" "$@" >"$work/said" 2>&1 && cat "$work/said" && grep -q "$pattern" "$work/said" &&
+        [ ! -e "$work/none" ]
+}
+
+tap_check "eight frames of rooms, each pixel as the simulator draws it" frames_are_golden
+tap_check "the next line is painted while DMA sends the last" paints_while_dma_sends
+tap_check "walking, painting and waiting are all that a frame takes" cycles_add_up
+tap_check "when the SPI stops the LED tells it, and the path begins anew when it works again" recovers
+tap_check "a damaged second stage is not entered" damaged_stage_is_not_entered
+tap_check "make flash copies to the boot drive, where that is mounted" flashes_by_drive
+tap_check "and takes a debug probe otherwise" flashes_by_probe
+head -c 253 /dev/zero >"$work/long.bin"
+: >"$work/empty.bin"
+tap_check "a second stage that is too long is refused" refuses 'long.bin: more than 252 bytes' \
+    boot2 "$work/long.bin" -o "$work/none"
+tap_check "an empty image is refused" refuses 'empty.bin: the file is empty' uf2 "$work/empty.bin" -o "$work/none"
+tap_check "an unknown family is refused" refuses "no 'nix'; there is rp2040" \
+    uf2 "$image.bin" --family nix -o "$work/none"
+tap_done
