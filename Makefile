@@ -27,7 +27,7 @@ endif
 # Begins a recipe line whose output must appear as it comes: with +, but not under `make -n`, where + would run it.
 LIVE = $(if $(findstring n,$(firstword -$(MAKEFLAGS))),,+)@
 
-.PHONY: all extremes soak run view check test test-arm64 test-fixed test-programs models-table tables hid-table delta-table footprint tradeoff compare prove exhaustive fuzz format clean help packages force
+.PHONY: all extremes soak run view check test test-arm64 test-fixed test-programs models-table tables hid-table delta-table footprint tradeoff scale compare bench bench-baseline prove exhaustive fuzz format clean help packages force
 .SECONDARY:
 .DELETE_ON_ERROR:
 
@@ -66,7 +66,10 @@ packages-test-programs := $(packages-host)
 packages-footprint     := gcc-arm-none-eabi
 packages-delta-table   := gcc-arm-none-eabi qemu-system-arm
 packages-tradeoff      := $(packages-arm) gcc-riscv64-unknown-elf qemu-system-misc
+packages-scale         := gcc-arm-none-eabi qemu-system-arm gnuplot-nox
 packages-compare       := gcc-arm-none-eabi qemu-system-arm
+packages-bench         := $(packages-tradeoff) valgrind
+packages-bench-baseline := $(packages-bench)
 packages-boards        := $(shell sed -n 's/^\(EMULATE_\)\{0,1\}PACKAGES *:= *//p' boards/*/board.mk)
 packages-boards-table  := $(packages-boards)
 packages-test          := $(foreach suite,$(suites),$(packages-$(suite)))
@@ -156,7 +159,9 @@ $(BUILD)/simavr_oled: sim/emulators/simavr_oled.c $(BUILD)/host/flags
 
 demo      := $(BUILD)/scenes/demo.obj $(BUILD)/scenes/demo.cam
 textured  := $(addprefix $(BUILD)/scenes/textured/textured,.obj .cam)
-generator := $(filter-out %textured.c sim/scenes/textured_%,$(wildcard sim/scenes/*.c))
+generator := $(filter-out %textured.c sim/scenes/textured_% %scale.c sim/scenes/scale_%,$(wildcard sim/scenes/*.c))
+scale_generator := $(wildcard sim/scenes/scale_*.c) sim/scenes/generate_scale.c
+dense     := $(BUILD)/scenes/mesh5000.obj $(BUILD)/scenes/mesh5000.cam
 textured_generator := $(wildcard sim/scenes/textured_*.c) sim/scenes/generate_textured.c
 
 $(BUILD)/generate_demo: $(call object,$(generator))
@@ -172,6 +177,18 @@ $(BUILD)/generate_textured: $(call object,$(textured_generator))
 $(textured) &: $(BUILD)/generate_textured
 	@mkdir -p $(@D)
 	@$< $(@D)
+
+$(BUILD)/generate_scale: $(call object,$(scale_generator))
+	@$(CC) $(HOST_OPT) -o $@ $^ -lm
+
+# Scenes of any size: rooms12.obj is a building of 12 x 12 rooms, mesh5000.obj a mesh of 5000 triangles.
+$(BUILD)/scenes/rooms%.obj $(BUILD)/scenes/rooms%.cam &: $(BUILD)/generate_scale
+	@mkdir -p $(BUILD)/scenes
+	@$< rooms $* $(BUILD)/scenes
+
+$(BUILD)/scenes/mesh%.obj $(BUILD)/scenes/mesh%.mtl $(BUILD)/scenes/mesh%.cam &: $(BUILD)/generate_scale
+	@mkdir -p $(BUILD)/scenes
+	@$< mesh $* $(BUILD)/scenes
 
 run: $(BUILD)/limner $(demo) ## compile and render the demo scene into out/
 	$(LIVE)mkdir -p out
@@ -207,6 +224,7 @@ tests/cli_gpiod.sh: $(BUILD)/tests/test_linux_port
 
 extremes := $(filter $(BUILD)/tests/test_extreme_%,$(test_programs))
 tests/cli_extremes.sh: $(extremes)
+tests/cli_scale.sh tests/arm_scale.sh: $(BUILD)/generate_scale
 
 suite-host      := $(filter-out $(extremes),$(filter $(BUILD)/tests/test_%,$(test_programs))) $(wildcard tests/cli_*.sh)
 suite-arm       := $(wildcard tests/arm_*.sh)
@@ -316,8 +334,17 @@ footprint: $(BUILD)/limner $(demo) ## compile README's table of flash, RAM and s
 tradeoff: $(BUILD)/limner $(demo) ## measure accuracy against cost for README; everything into out/tradeoff/
 	$(LIVE)sh sim/tradeoff.sh --write
 
+scale: $(BUILD)/limner $(BUILD)/generate_scale ## measure how costs grow with a scene; SCENES="rooms6 mesh1000": only those
+	$(LIVE)sh sim/scale.sh --write
+
 compare: $(BUILD)/limner ## measure every visibility method; everything into out/compare/
 	$(LIVE)sh sim/compare.sh --write
+
+bench: $(BUILD)/limner $(demo) $(dense) packages ## count instructions and bytes on every processor; what changed since the baseline
+	$(LIVE)sh sim/bench.sh
+
+bench-baseline: $(BUILD)/limner $(demo) $(dense) packages ## the same; write the baseline and the tables anew
+	$(LIVE)sh sim/bench.sh --baseline
 
 # -- Boards: see boards/image.mk ----------------------------------------------------------------------------------------
 
@@ -345,5 +372,5 @@ format: packages ## lay out every C file by .clang-format
 clean: ## remove build/ and out/
 	@rm -rf $(BUILD) out
 
--include $(patsubst %.o,%.d,$(call object,$(sources) $(generator) $(textured_generator) $(test_sources) tests/exhaustive/main.c tests/libfuzzer/main.c \
+-include $(patsubst %.o,%.d,$(call object,$(sources) $(generator) $(textured_generator) $(scale_generator) $(test_sources) tests/exhaustive/main.c tests/libfuzzer/main.c \
 	$(filter-out %/wire_tap.c,$(wildcard tests/kernel/*.c))))

@@ -4,6 +4,8 @@
 # says what it is (board.mk); all of that, and what is below, can be said otherwise on make's command line:
 #   SCENE      a model's file, or the name of one in sim/scenes    CAMERA   its path (beside it, or round the model)
 #   PANEL      the display's chip    MODULE   options of its module: limner help, play: --size 128x128 --rotate 90
+#   STREAM     yes: two renderers, of which one finds out what is seen while the other's frame is sent; no; auto: if both
+#              have room    LINES  of pixels in RAM, at most
 #   PRECISION  draft, fast, fine, exact    COMPILE   other options of `limner compile`: --wireframe --delta
 
 board_folder := boards/$(BOARD)
@@ -13,6 +15,7 @@ $(if $(filter $(boards),$(BOARD)),,$(error there is no board $(BOARD); there are
 STANDARD := -std=c11 -ffreestanding
 FRAMES   := -fcallgraph-info=su
 LINES    := 1
+STREAM   := no
 TITLE     = $(BOARD)
 comma    := ,
 START    := boards/common/image.c
@@ -59,8 +62,8 @@ scene_flags  = $(if $(camera_lies),-DSCENE_CAMERA_LIES)
 # What a file is made from, so that it is made anew when that changes.
 $(folder)/choice: force
 	@mkdir -p $(@D) $(common)
-	@echo '$(PANEL) $(MODULE) $(PRECISION) $(model) $(CAMERA) $(COMPILE)' | cmp -s - $@ || \
-		echo '$(PANEL) $(MODULE) $(PRECISION) $(model) $(CAMERA) $(COMPILE)' > $@
+	@echo '$(PANEL) $(MODULE) $(PRECISION) $(model) $(CAMERA) $(COMPILE) $(STREAM)' | cmp -s - $@ || \
+		echo '$(PANEL) $(MODULE) $(PRECISION) $(model) $(CAMERA) $(COMPILE) $(STREAM)' > $@
 
 $(folder)/module.c: $(folder)/choice $(BUILD)/limner
 	@$(BUILD)/limner module --panel $(PANEL) $(MODULE) -o $(folder)/module
@@ -77,7 +80,8 @@ $(folder)/cameras.h: $(folder)/model.lim $(CAMERA)
 
 board_flags = $(STANDARD) $(ARCH) $(OPT) $(WARNINGS) -ffunction-sections -fdata-sections $(FRAMES) -MMD -MP \
 	-DBOARD_LINES=$(LINES) $(DEFINES) -Ifirmware -Ihal -Iboards/common -I$(board_folder)
-image_flags = -I$(folder) -DLIM_CONFIG='"model.h"'
+image_flags = -I$(folder) -DLIM_CONFIG='"model.h"' $(stream_flags)
+stream_flags = $(if $(filter no,$(STREAM)),,-DLIM_HAS_STREAM=1 -DSCENE_RENDERERS=2)
 
 board_sources := $(wildcard hal/*.c) $(SOURCES) $(START)
 image_sources := $(wildcard firmware/*.c) $(wildcard $(addprefix boards/common/,main.c app_scene.c screen.c walker.c))
@@ -124,12 +128,12 @@ $(folder)/module.o: $(folder)/module.c
 
 $(folder)/limits: force
 	@mkdir -p $(@D)
-	@echo '$(FLASH_B) $(RAM_B) $(LINK) $(LAST)' | cmp -s - $@ || echo '$(FLASH_B) $(RAM_B) $(LINK) $(LAST)' > $@
+	@echo '$(FLASH_B) $(RAM_B) $(LINK) $(LAST) $(LINES)' | cmp -s - $@ || echo '$(FLASH_B) $(RAM_B) $(LINK) $(LAST) $(LINES)' > $@
 
-export BOARD TOOLS ARCH OPT LINK LAST FLASH_B RAM_B
+export BOARD TOOLS ARCH OPT LINK LAST FLASH_B RAM_B STREAM LINES
 $(IMAGE).elf: $(board_objects) $(image_objects) boards/link.sh $(folder)/limits $(wildcard $(board_folder)/*.ld boards/common/*.ld)
 	$(LIVE)rm -f $(IMAGE).*
-	$(LIVE)COMPILER='$(TOOLS)gcc $(board_flags) $(scene_flags)' sh boards/link.sh $(folder) \
+	$(LIVE)COMPILER='$(TOOLS)gcc $(board_flags) $(stream_flags) $(scene_flags)' sh boards/link.sh $(folder) \
 		'$(BOARD): $(model) on $(PANEL), $(module_size), precision $(PRECISION)' $(board_objects) $(image_objects)
 
 $(IMAGE).bin: $(IMAGE).elf

@@ -3,8 +3,8 @@
 # Links an image and sees that it fits: sh boards/link.sh FOLDER TITLE OBJECT... In: the objects beside what gcc left
 # of their call graphs, FOLDER/model*.c, FOLDER/report of `limner compile`, and of the environment what boards/image.mk
 # exports. Out: FOLDER/image.elf, image.map, and what it takes, as text (`fits`) and numbers (`takes`). Where RAM is
-# short, the renderer gets less than the scene asks for: the same frames, for more time. What does not fit even so is
-# refused.
+# short there are fewer lines, then one renderer instead of two (STREAM=auto), then less for it than the scene asks for:
+# the same frames, for more time. What does not fit even so is refused.
 set -eu
 . sim/footprint.sh
 
@@ -82,10 +82,11 @@ functions() { # PATTERN...: of the objects
 # board's drivers, the renderer's to the screen.
 calls() {
     echo "$footprint_calls" | tr ' ' '\n'
-    for stage in paint.c painter.c convex.c smooth.c delta.c; do
+    for stage in paint.c flat.c painter.c convex.c smooth.c delta.c; do
         printf "$stage=%s\n" screen_lend screen_done delta_lend delta_done
     done
-    printf '%s\n' span.h=screen_visible delta.c=screen_window span.c=screen_fill nearest.c=screen_show fill.h=screen_put_run
+    printf '%s\n' span.h=screen_visible delta.c=screen_window span.c=screen_fill bands.c=screen_show fill.h=screen_put_run \
+        screen.c=scene_work
     for family in $families; do functions "*/hal/$family.o"; done | sed 's/^/panel.h=/'
     for chip in $(sed -n 's/^extern const struct pages_chip \([a-z0-9]*\);.*/\1/p' hal/panels.h); do
         functions "*/hal/$chip.o"
@@ -120,33 +121,76 @@ fits() {
     [ -z "${RAM_B:-}" ] || [ $((static_b + stack_b)) -le "$RAM_B" ]
 }
 
-shrink() { # the scene's memory, to what is left
-    asked_b=$(symbol_b mem)
+bound() {
+    # shellcheck disable=SC2046 # not all processors have exceptions
+    stack=$(stack_of main $(awk '$NF == "image_fault" { print $NF }' "$work/symbols")) || fail "$title: its stack cannot be bounded"
+    stack_b=${stack%%:*}
+}
+
+# With so many renderers and lines, and less memory for the scene, perhaps.
+again() { # [FLAG...]
+    for source in main app_scene; do
+        compile "$work/$source.o" boards/common/$source.c -USCENE_RENDERERS -DSCENE_RENDERERS="$renderers" \
+            -UBOARD_LINES -DBOARD_LINES="$lines" "$@"
+    done
+    objects=$(echo "$objects" | tr ' ' '\n' | sed "s#^.*/\(main\|app_scene\)\.o\$#$work/\1.o#")
+    # shellcheck disable=SC2086 # objects are words
+    link $objects
+    bound
+}
+
+with_fewer_lines() { # LEAST: half as many, again and again
+    while [ "$lines" -gt "$1" ]; do
+        lines=$((lines / 2))
+        again
+        ! fits || return 0
+    done
+    return 1
+}
+
+with_one_renderer() {
+    [ "$STREAM" = auto ] && [ "$renderers" -gt 1 ] || return 1
+    renderers=1
+    again && fits
+}
+
+with_less() { # for the scene: what is left
+    asked_b=$(($(symbol_b mem) / renderers))
     least_b=$(awk '/^ *least, bytes/ { print $NF }' "$folder/report")
-    mem_b=$(((asked_b + RAM_B - static_b - stack_b) / 8 * 8))
+    mem_b=$(((asked_b + (RAM_B - static_b - stack_b - 8 * renderers + 8) / renderers) / 8 * 8))
     if [ "$mem_b" -lt "$least_b" ]; then
         over_b=$((static_b + stack_b - RAM_B))
-        fail "$title: RAM is short by $((over_b - asked_b + least_b)) of $RAM_B bytes, even with the least memory for the scene" \
-            "  it takes $((static_b - asked_b)) beside the scene, $least_b for it at least, and $stack_b for the stack" \
+        fail "$title: RAM is short by $((over_b - renderers * (asked_b - least_b))) of $RAM_B bytes, even with the least memory for the scene" \
+            "  it takes $((static_b - renderers * asked_b)) beside the scene, $least_b for it at least, and $stack_b for the stack" \
             "  what helps: a smaller panel, PRECISION=draft or fast, a scene with fewer polygons in view"
     fi
-    compile "$work/app_scene.o" boards/common/app_scene.c -DSCENE_MEM_B="$mem_b"
-    # shellcheck disable=SC2046 # objects are words
-    link $(echo "$objects" | tr ' ' '\n' | sed "s#^.*/app_scene\.o\$#$work/app_scene.o#")
     note="the scene asks for $asked_b bytes and gets $mem_b: views that need more are drawn in bands"
+    again -DSCENE_MEM_B="$mem_b"
+}
+
+# How frames come about. What is painted or filled at once has one renderer, whatever was asked for.
+mode() {
+    if grep -q ' lim_frame_work$' "$work/symbols"; then
+        echo "two renderers: one walks while the other's lines are sent"
+    elif [ -n "$note" ]; then
+        echo "one renderer, in bands where memory is short"
+    else
+        echo "one renderer"
+    fi
 }
 
 objects=$*
 note=
+lines=$LINES
+renderers=1
 compile_model
 link "$@"
 stack= stack_b=0
 if [ -n "${RAM_B:-}" ]; then
-    # shellcheck disable=SC2046 # not all processors have exceptions
-    stack=$(stack_of main $(awk '$NF == "image_fault" { print $NF }' "$work/symbols")) || fail "$title: its stack cannot be bounded"
-    stack_b=${stack%%:*}
+    bound
+    [ "$STREAM" = no ] || renderers=2
+    fits || with_fewer_lines 2 || with_one_renderer || with_fewer_lines 1 || with_less
 fi
-fits || shrink
 if [ -n "${FLASH_B:-}" ] && [ "$flash_b" -gt "$FLASH_B" ]; then
     scene_b=$("${TOOLS}size" "$folder"/model*.o | awk 'NR > 1 { sum += $1 } END { print sum }')
     fail "$title: flash is short by $((flash_b - FLASH_B)) of $FLASH_B bytes" \
@@ -160,5 +204,6 @@ echo "$flash_b $static_b $stack_b" >"$folder/takes"
     echo "$title"
     echo "  flash   $flash_b${FLASH_B:+ of $FLASH_B bytes, $((FLASH_B - flash_b)) left}"
     echo "  RAM     $static_b${RAM_B:+, stack $stack_b at most, of $RAM_B bytes: $((RAM_B - static_b - stack_b)) left}"
+    echo "  frames  $(mode); $(symbol_b lines) bytes of lines"
     [ -z "$note" ] || echo "  $note"
 } >"$folder/fits"

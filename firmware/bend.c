@@ -8,7 +8,7 @@
 
 enum { NORMAL_BITS = 29 };
 
-bool lim_bend_plane(struct lim_plane_wide *plane, const struct lim_scene *object, const LIM_FLASH uint16_t *record)
+bool lim_bend_plane(struct lim_plane_wide *plane, const struct lim_scene *object, const LIM_FLASH lim_index *record)
 {
     int32_t at[3][3];
     int64_t n[3];
@@ -41,7 +41,7 @@ bool lim_bend_plane(struct lim_plane_wide *plane, const struct lim_scene *object
 }
 
 /* |n| < 2^29 and |c| < 2^28 with 8 fraction bits: below 2^60. */
-bool lim_bend_is_seen(const struct lim_eye *eye, const LIM_FLASH uint16_t *record)
+bool lim_bend_is_seen(const struct lim_eye *eye, const LIM_FLASH lim_index *record)
 {
     struct lim_plane_wide plane;
 

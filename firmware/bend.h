@@ -17,9 +17,9 @@ static inline bool lim_bends(const struct lim_instance *instance)
 
 /* The plane of a record's first three corners, its front where they run counter-clockwise, in the object's units.
  * false: they lie on a line. */
-bool lim_bend_plane(struct lim_plane_wide *plane, const struct lim_scene *object, const LIM_FLASH uint16_t *record);
+bool lim_bend_plane(struct lim_plane_wide *plane, const struct lim_scene *object, const LIM_FLASH lim_index *record);
 
 /* Whether a record faces the eye. */
-bool lim_bend_is_seen(const struct lim_eye *eye, const LIM_FLASH uint16_t *record);
+bool lim_bend_is_seen(const struct lim_eye *eye, const LIM_FLASH lim_index *record);
 
 #endif

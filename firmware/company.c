@@ -130,7 +130,7 @@ uint16_t lim_movers_order(struct lim *lim, uint16_t list, bool back_to_front)
 
 /* A polygon of a mover: its plane, in its object, and on which side of that the eye is. */
 struct face {
-    const LIM_FLASH uint16_t *record;
+    const LIM_FLASH lim_index *record;
     const LIM_FLASH struct lim_plane_ref *plane;
     uint16_t mover;
     bool eye_in_front;
@@ -148,7 +148,8 @@ static uint16_t colour_of(const struct lim *lim, const struct face *face)
         lim_plane_unpack(&plane, object, face->plane);
     for (uint_fast8_t i = 0; i < 3 && !face->eye_in_front; i++)
         plane.n[i] = -plane.n[i];
-    return lim_light_shade(&lim->movers.light, lim->movers.movers[face->mover].to_q14, plane.n, face->record[1]);
+    return lim_light_shade(&lim->movers.light, lim->movers.movers[face->mover].to_q14, plane.n,
+                           (uint16_t)face->record[1]);
 }
 #endif
 
@@ -170,9 +171,9 @@ static bool project(struct lim *lim, struct lim_screen_polygon *out, const struc
 }
 
 /* The record before `record` in its run, which begins at `first`; NULL: there is none. */
-static const LIM_FLASH uint16_t *record_before(const LIM_FLASH uint16_t *first, const LIM_FLASH uint16_t *record)
+static const LIM_FLASH lim_index *record_before(const LIM_FLASH lim_index *first, const LIM_FLASH lim_index *record)
 {
-    const LIM_FLASH uint16_t *before = first;
+    const LIM_FLASH lim_index *before = first;
 
     if (record == first) return NULL;
     while (before + lim_record_words(before[0]) != record)
@@ -180,23 +181,23 @@ static const LIM_FLASH uint16_t *record_before(const LIM_FLASH uint16_t *first, 
     return before;
 }
 
-static const LIM_FLASH uint16_t *record_after(const LIM_FLASH uint16_t *record)
+static const LIM_FLASH lim_index *record_after(const LIM_FLASH lim_index *record)
 {
     return record[0] & LIM_POLYGON_LAST ? NULL : record + lim_record_words(record[0]);
 }
 
-static const LIM_FLASH uint16_t *last_record(const LIM_FLASH uint16_t *record)
+static const LIM_FLASH lim_index *last_record(const LIM_FLASH lim_index *record)
 {
     while (!(record[0] & LIM_POLYGON_LAST))
         record += lim_record_words(record[0]);
     return record;
 }
 
-static int draw_run(struct lim *lim, const struct lim_route *route, uint16_t mover, uint16_t run,
+static int draw_run(struct lim *lim, const struct lim_route *route, uint16_t mover, lim_index run,
                     const struct lim_rect *open, lim_mover_draw *draw)
 {
-    const LIM_FLASH uint16_t *const first = &route->scene->polygons[run];
-    const LIM_FLASH uint16_t *record = route->back_to_front ? last_record(first) : first;
+    const LIM_FLASH lim_index *const first = &route->scene->polygons[run];
+    const LIM_FLASH lim_index *record = route->back_to_front ? last_record(first) : first;
     struct lim_screen_polygon polygon;
     struct face face = {.plane = &route->scene->nodes[route->node].split, .mover = mover};
 
@@ -221,7 +222,7 @@ static int draw_whole(struct lim *lim, uint16_t mover, const struct lim_rect *op
                       lim_mover_draw *draw)
 {
     struct lim_route route = lim_route_object(lim, mover, open, back_to_front);
-    uint16_t run;
+    lim_index run;
 
     while (lim_route_next_alone(lim, &route, &run)) {
         const int err = draw_run(lim, &route, mover, run, open, draw);

@@ -36,6 +36,9 @@
 #ifndef LIM_HAS_CONVEX
 #define LIM_HAS_CONVEX 1 /* one convex solid: no tree walk, no spans */
 #endif
+#ifndef LIM_HAS_SCANLINE
+#define LIM_HAS_SCANLINE 1 /* all that is in view retained, lines from far to near: no spans */
+#endif
 #ifndef LIM_HAS_DEPTH
 #define LIM_HAS_DEPTH 1 /* all polygons sorted by their farthest points, spans */
 #endif
@@ -69,6 +72,9 @@
 #define LIM_HAS_LARGE 1 /* LARGE planes: with an exact plane beside their filter */
 #endif
 
+#ifndef LIM_HAS_WIDE
+#define LIM_HAS_WIDE (SIZE_MAX > 0xFFFF) /* more of something than 16 bits count: indices of 32 bits */
+#endif
 #ifndef LIM_HAS_LEAVES
 #define LIM_HAS_LEAVES 1 /* leaves: ordered clusters and sets without a tree */
 #endif
@@ -92,6 +98,12 @@
 /* 1: lim_set_delta() is there. */
 #ifndef LIM_HAS_DELTA
 #define LIM_HAS_DELTA 1
+#endif
+
+/* 1: lim_frame_begin() and what belongs to it are there: a frame in parts. No compiled scene knows of it: who sends one
+ * frame while the next is begun says so. */
+#ifndef LIM_HAS_STREAM
+#define LIM_HAS_STREAM 1
 #endif
 
 /* 1: what paints nearest first leaves out what round glass does not show. */
@@ -130,13 +142,20 @@
 #endif
 #endif
 
-/* The walk through the tree serves two orders, a sorted list of polygons two others; spans serve all that paint
- * nearest first, and a vertex beside the view is left out by all that look for what is hidden. */
-#define LIM_HAS_TREE (LIM_HAS_NEAREST || LIM_HAS_PAINTER)
+/* The walk through the tree serves three orders, of which two paint lines, a sorted list of polygons two others; spans
+ * serve all that paint nearest first, and a vertex beside the view is left out by all that look for what is hidden. */
+#define LIM_HAS_WALKED (LIM_HAS_NEAREST || LIM_HAS_SCANLINE)
+#define LIM_HAS_TREE (LIM_HAS_WALKED || LIM_HAS_PAINTER)
 #define LIM_HAS_SORTED (LIM_HAS_DEPTH || LIM_HAS_NEWELL)
 #define LIM_HAS_PIECES (LIM_HAS_NEWELL || LIM_HAS_MOVERS) /* polygons are compared, and split */
-#define LIM_HAS_SPANS (LIM_HAS_NEAREST || LIM_HAS_SORTED)
+#define LIM_HAS_SPANS (LIM_HAS_WALKED || LIM_HAS_SORTED)
 #define LIM_HAS_HIDDEN (LIM_HAS_TREE || LIM_HAS_SORTED)
+
+/* Whether there is nothing that flat.c cannot paint: then pieces of lines are of interest to targets alone that keep the
+ * picture. */
+#define LIM_ALL_FLAT                                                                                                   \
+    (!LIM_HAS_TRANSPARENT && !LIM_HAS_TEXTURE && !LIM_HAS_WIREFRAME && !LIM_HAS_ANTIALIAS && !LIM_HAS_DELTA)
+#define LIM_HAS_SINKS (!LIM_ALL_FLAT || LIM_HAS_FRAME)
 
 /* What nearest first leaves to the painter's order where its pools are too small, line by line. */
 #define LIM_HAS_FALLBACK (LIM_HAS_SPANS && (LIM_HAS_TRANSPARENT || LIM_HAS_WIREFRAME))
@@ -152,6 +171,15 @@
 #define LIM_8_BIT 1
 #else
 #define LIM_8_BIT 0
+#endif
+
+/* Whether the processor has an instruction to divide by. */
+#ifndef LIM_DIVIDES
+#if (defined(__arm__) && !defined(__ARM_FEATURE_IDIV)) || (defined(__riscv) && !defined(__riscv_div)) || LIM_8_BIT
+#define LIM_DIVIDES 0
+#else
+#define LIM_DIVIDES 1
+#endif
 #endif
 
 /* Planes off the axes are tried in 32 bits first. One convex solid has too few of them for that to pay elsewhere. */
@@ -190,6 +218,13 @@
 #define LIM_FLASH
 #endif
 
+/* Of members that are copied together. */
+#if defined(__GNUC__) && !LIM_8_BIT
+#define LIM_WORD_ALIGNED __attribute__((aligned(4)))
+#else
+#define LIM_WORD_ALIGNED
+#endif
+
 /* Code for the rare case: out of line, so that the usual one stays short. */
 #if defined(__GNUC__)
 #define LIM_RARE __attribute__((noinline, cold))
@@ -219,13 +254,16 @@
 #endif
 
 #if !LIM_HAS_HIDDEN && !LIM_HAS_CONVEX
-#error "one of LIM_HAS_NEAREST, _PAINTER, _CONVEX, _DEPTH and _NEWELL must be 1"
+#error "one of LIM_HAS_NEAREST, _PAINTER, _CONVEX, _SCANLINE, _DEPTH and _NEWELL must be 1"
 #endif
 #if LIM_HAS_MOVERS && !LIM_HAS_TREE
 #error "LIM_HAS_MOVERS needs LIM_HAS_NEAREST or LIM_HAS_PAINTER"
 #endif
 #if (LIM_HAS_LIGHT || LIM_HAS_BENDING) && !LIM_HAS_MOVERS
 #error "LIM_HAS_LIGHT and LIM_HAS_BENDING need LIM_HAS_MOVERS"
+#endif
+#if LIM_HAS_WIDE && SIZE_MAX <= 0xFFFF
+#error "LIM_HAS_WIDE: a processor whose sizes have 16 bits has no room for such a scene"
 #endif
 #if LIM_HAS_LARGE && !LIM_HAS_SLANTED
 #error "LIM_HAS_LARGE needs LIM_HAS_SLANTED"

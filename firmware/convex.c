@@ -20,7 +20,7 @@ size_t lim_convex_mem_b(const struct lim_scene *scene, const struct lim_target *
 void lim_convex_init(struct lim *lim, void *mem, size_t mem_b)
 {
     struct lim_convex *convex = &lim->convex;
-    const uint16_t polygon_count = lim->scene->polygon_count;
+    const lim_index polygon_count = lim->scene->polygon_count;
     struct lim_view_cached *cache = mem;
 
     convex->tops = (uint16_t *)(void *)(cache + LIM_VIEW_CACHE_ENTRIES);
@@ -29,7 +29,7 @@ void lim_convex_init(struct lim *lim, void *mem, size_t mem_b)
     lim_view_init(&lim->view, lim->target.w_px, lim->target.h_px, cache);
 }
 
-static bool project(struct lim *lim, struct lim_screen_polygon *polygon, uint16_t record, struct lim_stats *stats)
+static bool project(struct lim *lim, struct lim_screen_polygon *polygon, lim_index record, struct lim_stats *stats)
 {
     const struct lim_rect screen = {0, 0, lim->target.w_px, lim->target.h_px};
 
@@ -39,7 +39,7 @@ static bool project(struct lim *lim, struct lim_screen_polygon *polygon, uint16_
 /* Pass one: which faces there are, and where they start ------------------------------------------- */
 
 /* Faces come from near to far: each is put before those that start on the same line. */
-static void note_face(struct lim_convex *convex, uint16_t record, int16_t top)
+static void note_face(struct lim_convex *convex, lim_index record, int16_t top)
 {
     uint16_t *start = &convex->tops[top > 0 ? top : 0];
 
@@ -47,13 +47,13 @@ static void note_face(struct lim_convex *convex, uint16_t record, int16_t top)
     *start = convex->farthest;
 }
 
-static void note_run(struct lim *lim, struct lim_screen_polygon *polygon, uint16_t record)
+static void note_run(struct lim *lim, struct lim_screen_polygon *polygon, lim_index record)
 {
     for (;;) {
-        const uint16_t head = lim->scene->polygons[record];
+        const lim_index head = lim->scene->polygons[record];
         if (project(lim, polygon, record, lim_stats_of(lim))) note_face(&lim->convex, record, polygon->shape.top);
         if (head & LIM_POLYGON_LAST) return;
-        record = (uint16_t)(record + lim_record_words(head));
+        record = (lim_index)(record + lim_record_words(head));
     }
 }
 
@@ -62,9 +62,9 @@ static void note_faces(struct lim *lim, struct lim_screen_polygon *polygon)
     for (uint_fast16_t i = 0; i < lim->scene->node_count; i++) {
         const LIM_FLASH struct lim_node *node = &lim->scene->nodes[i];
         const int32_t side = lim_eye_side(lim_eye_of(lim), &node->split);
-        const uint16_t run = side > 0 ? node->front_run : node->back_run;
+        const lim_index run = side > 0 ? node->front_run : node->back_run;
         if (LIM_HAS_STATS) lim_stats_of(lim)->nodes++;
-        if (side && run != LIM_NONE) note_run(lim, polygon, run);
+        if (side && run != LIM_NO_INDEX) note_run(lim, polygon, run);
     }
 }
 
@@ -86,8 +86,8 @@ static bool fill_textured(struct lim *lim, uint16_t *line, const struct lim_cros
                           int16_t x1)
 {
 #if LIM_HAS_TEXTURE
-    const struct lim_textured_span span = {&lim->texturing, &crossing->gradients, y, crossing->pair.left.x,
-                                           crossing->pair.right.x};
+    const struct lim_textured_span span = {&lim->texturing, &crossing->gradients, y, lim_edge_x(&crossing->pair.left),
+                                           lim_edge_x(&crossing->pair.right)};
 
     if (crossing->polygon.texture == LIM_NONE) return false;
     lim_texture_fill(&span, line, (uint16_t)x0, (uint16_t)x1, lim_stats_of(lim));
@@ -102,7 +102,8 @@ static bool fill_textured(struct lim *lim, uint16_t *line, const struct lim_cros
 static void fill_next(struct lim *lim, uint16_t *line, struct lim_crossing *crossing, int16_t y)
 {
     lim_edge_advance(&crossing->pair, crossing->polygon.at, crossing->polygon.n, y);
-    const int16_t w_px = (int16_t)lim->target.w_px, left = crossing->pair.left.x, right = crossing->pair.right.x;
+    const int16_t w_px = (int16_t)lim->target.w_px, left = lim_edge_x(&crossing->pair.left);
+    const int16_t right = lim_edge_x(&crossing->pair.right);
     const int16_t x0 = left > 0 ? left : 0, x1 = right < w_px ? right : w_px;
     if (x0 >= x1) return;
     if (LIM_HAS_WIREFRAME && lim_wireframe_of(lim)) {
@@ -248,7 +249,7 @@ static void start(struct lim_convex *convex, const struct lim *lim)
 {
     for (uint_fast16_t y = 0; y < lim->target.h_px; y++)
         convex->tops[y] = LIM_NONE;
-    convex->farthest = lim->scene->polygon_count;
+    convex->farthest = (uint16_t)lim->scene->polygon_count;
     convex->first = LIM_NONE;
     convex->pool_used = 0;
 }

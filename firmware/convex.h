@@ -12,7 +12,7 @@
 
 /* A polygon that faces the eye and meets the screen. */
 struct lim_face {
-    uint16_t record;   /* word offset into lim_scene.polygons */
+    lim_index record;  /* word offset into lim_scene.polygons */
     uint16_t next;     /* in a list, or LIM_NONE */
     uint16_t crossing; /* its entry in the pool, or LIM_NONE */
 #if LIM_HAS_STATS

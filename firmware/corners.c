@@ -13,8 +13,8 @@ const LIM_FLASH struct lim_plane_ref *lim_plane_of(const struct lim *lim, uint16
 {
     const struct lim_scene *scene = lim_entry_scene(lim, entry);
 
-    if (!LIM_HAS_MOVERS || lim->sorter.list[entry].record != LIM_NONE) {
-        const LIM_FLASH uint16_t *record = lim_entry_record(lim, entry);
+    if (!LIM_HAS_MOVERS || lim->sorter.list[entry].record != LIM_NO_INDEX) {
+        const LIM_FLASH lim_index *record = lim_entry_record(lim, entry);
         if (LIM_HAS_LEAVES && record[0] & LIM_POLYGON_PLANE) return lim_record_plane(record);
     }
     return &scene->nodes[lim->sorter.newell.polygons[entry].node].split;
@@ -23,7 +23,7 @@ const LIM_FLASH struct lim_plane_ref *lim_plane_of(const struct lim *lim, uint16
 static void load_slanted(struct lim_plane_wide *plane, const struct lim_scene *scene,
                          const LIM_FLASH struct lim_plane *packed)
 {
-    plane->narrow = !LIM_HAS_LARGE || lim_plane_exact(packed) == LIM_NONE;
+    plane->narrow = !LIM_HAS_LARGE || lim_plane_exact(packed) == LIM_NO_INDEX;
     plane->axis = LIM_NO_AXIS;
     if (!plane->narrow) {
         const LIM_FLASH struct lim_plane_exact *exact = &scene->exact[lim_plane_exact(packed)];
@@ -76,7 +76,7 @@ void lim_plane_unpack(struct lim_plane_wide *plane, const struct lim_scene *scen
 }
 #endif
 
-static inline void place_corner(const struct lim *lim, uint16_t entry, uint16_t vertex, int32_t at_q12[3])
+static inline void place_corner(const struct lim *lim, uint16_t entry, lim_index vertex, int32_t at_q12[3])
 {
 #if LIM_HAS_MOVERS
     const uint16_t owner = lim_entry_owner(lim, entry);
@@ -102,7 +102,7 @@ static inline void place_corner(const struct lim *lim, uint16_t entry, uint16_t 
 }
 
 #if LIM_HAS_MOVERS
-void lim_entry_corner(const struct lim *lim, uint16_t entry, uint16_t vertex, int32_t at_q12[3])
+void lim_entry_corner(const struct lim *lim, uint16_t entry, lim_index vertex, int32_t at_q12[3])
 {
     place_corner(lim, entry, vertex, at_q12);
 }
@@ -110,7 +110,7 @@ void lim_entry_corner(const struct lim *lim, uint16_t entry, uint16_t vertex, in
 
 static void load_corners(struct lim_corners *corners, const struct lim *lim, uint16_t entry)
 {
-    const LIM_FLASH uint16_t *record = lim_entry_record(lim, entry);
+    const LIM_FLASH lim_index *record = lim_entry_record(lim, entry);
 
     corners->n = (uint8_t)(record[0] & LIM_POLYGON_COUNT);
     for (uint_fast8_t k = 0; k < corners->n; k++)

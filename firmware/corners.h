@@ -29,7 +29,7 @@ struct lim_plane_wide {
 };
 
 /* The corner of a record, in units of the scene. */
-void lim_entry_corner(const struct lim *lim, uint16_t entry, uint16_t vertex, int32_t at_q12[3]);
+void lim_entry_corner(const struct lim *lim, uint16_t entry, lim_index vertex, int32_t at_q12[3]);
 
 /* The plane of an entry of the list, in its own scene. Entries without a record stand for the plane of a node. */
 const LIM_FLASH struct lim_plane_ref *lim_plane_of(const struct lim *lim, uint16_t entry);

@@ -30,16 +30,19 @@ static int32_t edge_q14(uint16_t i, int32_t n)
 static void set_plane(struct lim_cull_plane *plane, const struct lim_view *view, const int32_t eye_q8[3], uint8_t row,
                       int32_t l_q14, int8_t sign)
 {
-    int64_t offset_q8 = 0;
+    uint32_t offset = 2 * view->rows.far_units; /* sums wrap on the way */
+    int32_t below_q8 = 0;                       /* of the eye's fractions */
 
     for (uint8_t i = 0; i < 3; i++) {
         const int32_t ahead =
             shift_round_s32(l_q14 * (int32_t)view->rows.row[2].n_qv[i], (uint8_t)(14 + view->rows.tele_bits));
         const int32_t n = sign * ((int32_t)view->rows.row[row].n_qv[i] - ahead);
         plane->n[i] = (int16_t)shift_round_s32(n, CULL_DROPPED_BITS);
-        offset_q8 -= (int64_t)plane->n[i] * eye_q8[i];
+        offset -= (uint32_t)plane->n[i] * (uint32_t)(eye_q8[i] >> 8);
+        below_q8 -= plane->n[i] * (eye_q8[i] & 0xFF);
     }
-    plane->offset = (int32_t)((uint32_t)(offset_q8 >> 8) + 2 * view->rows.far_units);
+    plane->offset = (int32_t)(offset + (uint32_t)(below_q8 >> 8));
+    plane->inside_depth = LIM_NONE;
 }
 
 void lim_cull_set(struct lim_cull *cull, const struct lim_view *view, const int32_t eye_q8[3],
@@ -49,26 +52,31 @@ void lim_cull_set(struct lim_cull *cull, const struct lim_view *view, const int3
     set_plane(&cull->sides[1], view, eye_q8, 0, edge_q14(open->x1, view->width.px) + MARGIN_Q14, -1);
     set_plane(&cull->sides[2], view, eye_q8, 1, edge_q14(open->y0, view->height.px), 1);
     set_plane(&cull->sides[3], view, eye_q8, 1, edge_q14(open->y1, view->height.px) + MARGIN_Q14, -1);
+    cull->inside_depth = LIM_NONE;
 }
 
-/* The box's corner farthest along the normal. The sum wraps on the way; its value fits. */
-/*@ requires \valid_read(plane) && \valid_read(box);
-    requires \forall integer i; 0 <= i <= 2 ==> -16416 <= plane->n[i] <= 16416;
-    assigns \nothing; */
-static bool reaches(const struct lim_cull_plane *plane, const LIM_FLASH struct lim_box *box)
-{
-    uint32_t value = (uint32_t)plane->offset;
+enum { OUTSIDE = 0, ACROSS, INSIDE };
 
+/* By the corners that are farthest and nearest along the normal. Sums wrap on the way; their values fit. */
+/*@ requires \valid_read(plane) && \valid_read(box);
+    assigns \nothing;
+    ensures 0 <= \result <= 2; */
+static inline uint8_t side_of(const struct lim_cull_plane *plane, const LIM_FLASH struct lim_box *box)
+{
+    uint32_t middle = (uint32_t)plane->offset, reach = 0;
+
+    LIM_UNROLLED(3)
     //@ loop pragma UNROLL "completely", 4;
-    for (uint8_t i = 0; i < 3; i++) {
+    for (uint_fast8_t i = 0; i < 3; i++) {
         const int32_t n = plane->n[i];
-        value += (uint32_t)(n * box->centre[i]) + abs_s32(n) * box->half[i];
+        middle += (uint32_t)(n * box->centre[i]);
+        reach += abs_s32(n) * box->half[i];
     }
-    return (int32_t)value >= 0;
+    if ((int32_t)(middle + reach) < 0) return OUTSIDE;
+    return (int32_t)(middle - reach) < 0 ? ACROSS : INSIDE;
 }
 
 /*@ requires \valid_read(cull) && \valid_read(box);
-    requires \forall integer i, k; 0 <= i <= 2 && 0 <= k <= 3 ==> -16416 <= cull->sides[k].n[i] <= 16416;
     assigns \nothing; */
 bool lim_cull_sees(const struct lim_cull *cull, const LIM_FLASH struct lim_box *box)
 {
@@ -76,7 +84,29 @@ bool lim_cull_sees(const struct lim_cull *cull, const LIM_FLASH struct lim_box *
         loop assigns i;
         loop variant 4 - i; */
     for (uint8_t i = 0; i < 4; i++) {
-        if (!reaches(&cull->sides[i], box)) return false;
+        if (side_of(&cull->sides[i], box) == OUTSIDE) return false;
     }
+    return true;
+}
+
+/*@ requires \valid(cull) && \valid_read(box) && \separated(cull, box);
+    assigns cull->sides[0 .. 3].inside_depth, cull->inside_depth; */
+bool lim_cull_enters(struct lim_cull *cull, const LIM_FLASH struct lim_box *box, uint16_t depth)
+{
+    uint16_t deepest = 0;
+
+    /*@ loop invariant 0 <= i <= 4;
+        loop assigns i, deepest, cull->sides[0 .. 3].inside_depth;
+        loop variant 4 - i; */
+    for (uint8_t i = 0; i < 4; i++) {
+        struct lim_cull_plane *plane = &cull->sides[i];
+        if (plane->inside_depth > depth) {
+            const uint8_t side = side_of(plane, box);
+            if (side == OUTSIDE) return false;
+            plane->inside_depth = side == INSIDE ? depth : (uint16_t)LIM_NONE;
+        }
+        if (plane->inside_depth > deepest) deepest = plane->inside_depth;
+    }
+    cull->inside_depth = deepest;
     return true;
 }

@@ -306,8 +306,9 @@ static bool is_same(const struct lim_camera *a, const struct lim_camera *b)
            a->tan_y_q28 == b->tan_y_q28 && a->near_q8 == b->near_q8;
 }
 
-void lim_delta_begin_frame(struct lim_delta *delta, const struct lim_camera *camera)
+void lim_delta_begin_frame(struct lim_delta *delta, const struct lim_camera *camera, struct lim_stats *stats)
 {
+    delta->stats = stats;
     if (!delta->known) lim_runs_forget(&delta->runs);
     delta->still = delta->known && is_same(camera, &delta->camera);
     delta->known = false;
@@ -370,6 +371,7 @@ int lim_set_delta(struct lim *lim, void *mem, size_t mem_b)
     struct lim_delta *delta = mem;
 
     LIM_ASSERT(((uintptr_t)mem & (sizeof(void *) - 1)) == 0);
+    lim_drop_ahead(lim);
     if (lim->delta) lim->target = lim->delta->target;
     use(lim, NULL);
     if (!mem) return LIM_OK;
@@ -377,7 +379,7 @@ int lim_set_delta(struct lim *lim, void *mem, size_t mem_b)
     const size_t fixed_b = LIM_DELTA_MEM_B(target->w_px, target->h_px, 0);
     if (!target->window || !target->costs.page_px || !target->costs.pixel_bits) return LIM_ERR_TARGET;
     if (mem_b < fixed_b + sizeof(uint32_t)) return LIM_ERR_MEMORY;
-    *delta = (struct lim_delta){.target = *target, .stats = lim_stats_of(lim)};
+    *delta = (struct lim_delta){.target = *target};
     delta->rects.window_px = window_px(&target->costs);
     share_out(delta, (mem_b - fixed_b) / sizeof(uint32_t));
     lim->target = stage_of(delta);

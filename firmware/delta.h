@@ -56,8 +56,8 @@ static inline bool lim_delta_wants_lines(const struct lim_delta *delta)
 }
 #endif
 
-/* Round a frame, of which `err` is the outcome. After an error the next frame is whole. */
-void lim_delta_begin_frame(struct lim_delta *delta, const struct lim_camera *camera);
+/* Round a frame, of which `err` is the outcome, counted in `stats`. After an error the next frame is whole. */
+void lim_delta_begin_frame(struct lim_delta *delta, const struct lim_camera *camera, struct lim_stats *stats);
 LIM_MUST_CHECK int lim_delta_end_frame(struct lim_delta *delta, int err);
 
 #endif

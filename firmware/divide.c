@@ -40,7 +40,7 @@ void lim_movers_note_entries(struct lim *lim)
     if (LIM_HAS_STATS && used > lim_stats_of(lim)->movers.entries) lim_stats_of(lim)->movers.entries = used;
 }
 
-static uint16_t new_entry(struct lim *lim, uint16_t record, uint16_t owner, uint16_t node)
+static uint16_t new_entry(struct lim *lim, lim_index record, uint16_t owner, lim_index node)
 {
     struct lim_sorter *sorter = &lim->sorter;
 
@@ -54,7 +54,7 @@ static uint16_t new_entry(struct lim *lim, uint16_t record, uint16_t owner, uint
 
 bool lim_mover_is_whole(const struct lim *lim, uint16_t entry)
 {
-    return lim->sorter.list[entry].record == LIM_NONE;
+    return lim->sorter.list[entry].record == LIM_NO_INDEX;
 }
 
 /* Whether the box around the ball, as far as the grid reaches, is in view. */
@@ -83,7 +83,7 @@ uint16_t lim_movers_list(struct lim *lim, const struct lim_cull *open)
     for (uint16_t i = 0; i < movers->count; i++) {
         if (movers->movers[i].radius_q12 < 0) continue;
         if (is_in_view(&movers->movers[i], open)) {
-            const uint16_t entry = new_entry(lim, LIM_NONE, i, LIM_NONE);
+            const uint16_t entry = new_entry(lim, LIM_NO_INDEX, i, LIM_NO_INDEX);
             LIM_ASSERT(entry != LIM_NONE); /* there are as many as instances */
             if (entry != LIM_NONE) queue_add(&queue, entry);
         } else if (LIM_HAS_STATS) {
@@ -96,11 +96,11 @@ uint16_t lim_movers_list(struct lim *lim, const struct lim_cull *open)
 /* Polygons ----------------------------------------------------------------------------------- */
 
 /* false: no room. */
-static bool add_run(struct lim *lim, struct queue *queue, const struct lim_route *route, uint16_t mover, uint16_t at)
+static bool add_run(struct lim *lim, struct queue *queue, const struct lim_route *route, uint16_t mover, lim_index at)
 {
     for (;;) {
-        const LIM_FLASH uint16_t *record = &route->scene->polygons[at];
-        const uint16_t head = record[0];
+        const LIM_FLASH lim_index *record = &route->scene->polygons[at];
+        const lim_index head = record[0];
         if (lim_record_is_seen(route->eye, record)) {
             const uint16_t entry = new_entry(lim, at, mover, route->node);
             if (entry == LIM_NONE) return false;
@@ -109,7 +109,7 @@ static bool add_run(struct lim *lim, struct queue *queue, const struct lim_route
             queue_add(queue, entry);
         }
         if (head & LIM_POLYGON_LAST) return true;
-        at = (uint16_t)(at + lim_record_words(head));
+        at = (lim_index)(at + lim_record_words(head));
     }
 }
 
@@ -119,15 +119,15 @@ static bool add_bent(struct lim *lim, struct queue *queue, uint16_t mover)
 {
     const struct lim_scene *object = lim->movers.instances[mover].object;
 
-    for (uint16_t at = 0; at < object->polygon_words;) {
-        const LIM_FLASH uint16_t *record = &object->polygons[at];
+    for (lim_index at = 0; at < object->polygon_words;) {
+        const LIM_FLASH lim_index *record = &object->polygons[at];
         if (lim_bend_is_seen(&lim->movers.movers[mover].eye, record)) {
             const uint16_t entry = new_entry(lim, at, mover, 0);
             if (entry == LIM_NONE) return false;
             lim->sorter.newell.polygons[entry].eye_in_front = true;
             queue_add(queue, entry);
         }
-        at = (uint16_t)(at + lim_record_words(record[0]));
+        at = (lim_index)(at + lim_record_words(record[0]));
     }
     return true;
 }
@@ -146,7 +146,7 @@ static bool add_by_tree(struct lim *lim, struct queue *queue, uint16_t mover)
 {
     const struct lim_rect screen = {0, 0, lim->target.w_px, lim->target.h_px};
     struct lim_route route = lim_route_object(lim, mover, &screen, false);
-    uint16_t run;
+    lim_index run;
 
     while (lim_route_next_alone(lim, &route, &run))
         if (!add_run(lim, queue, &route, mover, run)) return false;
@@ -178,9 +178,9 @@ static bool has_centres(const struct lim *lim, uint16_t list)
     return false;
 }
 
-bool lim_movers_join(struct lim *lim, uint16_t run, uint16_t list)
+bool lim_movers_join(struct lim *lim, lim_index run, uint16_t list)
 {
-    const struct lim_route leaf = {.scene = lim->scene, .eye = lim_eye_of(lim), .node = LIM_NONE};
+    const struct lim_route leaf = {.scene = lim->scene, .eye = lim_eye_of(lim), .node = LIM_NO_INDEX};
     const uint16_t used = lim->sorter.used;
     uint16_t head, last = list;
     struct queue queue = queue_begin(lim, &head);
@@ -200,7 +200,8 @@ bool lim_movers_join(struct lim *lim, uint16_t run, uint16_t list)
 
 struct divider {
     struct lim_plane_wide plane;
-    uint16_t node, entry; /* the plane's own, once it has cut something */
+    lim_index node;
+    uint16_t entry; /* the plane's own, once it has cut something */
     int32_t eye_side;
     uint16_t owner; /* whose the next ones are, LIM_NONE: nobody's */
     int32_t n_q14[3];
@@ -246,7 +247,7 @@ static void take_to(const struct lim *lim, struct divider *divider, uint16_t own
 static uint8_t certain_side(const struct lim *lim, const struct divider *divider, uint16_t entry)
 {
     const LIM_FLASH struct lim_vertex *vertices = lim_entry_scene(lim, entry)->vertices;
-    const LIM_FLASH uint16_t *record = lim_entry_record(lim, entry);
+    const LIM_FLASH lim_index *record = lim_entry_record(lim, entry);
     uint8_t sides = LIM_SIDE_BOTH;
 
     for (uint_fast8_t k = 0; k < (record[0] & LIM_POLYGON_COUNT) && sides; k++) {
@@ -297,7 +298,7 @@ static uint8_t heavier_side(const struct lim *lim, uint16_t entry, const struct 
 /* The piece in front stays `entry`. Returns the other one, or LIM_NONE: no room. */
 static uint16_t split(struct lim *lim, struct divider *divider, uint16_t entry)
 {
-    if (divider->entry == LIM_NONE) divider->entry = new_entry(lim, LIM_NONE, LIM_NONE, divider->node);
+    if (divider->entry == LIM_NONE) divider->entry = new_entry(lim, LIM_NO_INDEX, LIM_NONE, divider->node);
     if (divider->entry == LIM_NONE) return LIM_NONE;
     const uint16_t other = lim_piece_split(lim, entry, divider->entry);
     if (other == LIM_NONE) return LIM_NONE;
@@ -337,7 +338,8 @@ static void divide_one(struct lim *lim, struct divider *divider, uint16_t entry,
     queue_add(sides == LIM_SIDE_FRONT ? front : back, entry);
 }
 
-void lim_movers_divide(struct lim *lim, uint16_t node, int32_t eye_side, uint16_t list, uint16_t *front, uint16_t *back)
+void lim_movers_divide(struct lim *lim, lim_index node, int32_t eye_side, uint16_t list, uint16_t *front,
+                       uint16_t *back)
 {
     struct divider divider = {.node = node, .entry = LIM_NONE, .eye_side = eye_side, .owner = LIM_NONE};
     struct queue fronts = queue_begin(lim, front), backs = queue_begin(lim, back);

@@ -12,7 +12,7 @@
  * |dx|, dy <= 2050 S (perspective.h): the last term's numerator stays below 2^31. */
 #include "edge.h"
 
-#include "fixed.h"
+#include "divisor.h"
 
 /* Neither is a quotient in here longer than the guard band is wide, nor, on small screens, a divisor than 16 bits. */
 #define EDGE_MOST_PX (2 * LIM_MAX_SIDE_PX + 2)
@@ -31,12 +31,11 @@ typedef int32_t edge_sub;
 #define EDGE_SHIFT(area) ((area) >> LIM_SUB_BITS)
 #endif
 
-/* The first line at or below y. */
-/*@ requires -8388608 <= y <= 8388608;
-    assigns \nothing; */
-static inline int16_t line_of(lim_sub y)
+/* The first line at or below y, from the origin: what two of them have between them is the same as on the screen. So
+ * are columns. */
+static inline edge_sub row_of(edge_sub y)
 {
-    return (int16_t)(((edge_sub)(y + (edge_sub)(LIM_SUB - 1)) >> LIM_SUB_BITS) + LIM_ORIGIN_PX);
+    return (edge_sub)(y + (edge_sub)(LIM_SUB - 1)) >> LIM_SUB_BITS;
 }
 
 /* M above, for line y from the origin. */
@@ -98,33 +97,14 @@ static inline int32_t divide_area(lim_sub_area a, int32_t by, int32_t *rest)
     return quotient;
 }
 
-/*@ requires \valid(edge) && a.y < b.y && -2050 * LIM_SUB <= b.x - a.x <= 2050 * LIM_SUB;
-    requires b.y - a.y <= 2050 * LIM_SUB && -8388608 <= a.x <= 8388608 && -8388608 <= a.y <= 8388608;
-    requires a.y <= (y - LIM_ORIGIN_PX) * LIM_SUB <= b.y && -8388608 <= b.x <= 8388608;
-    assigns *edge;
-    ensures edge->denominator > 0 && -edge->denominator < edge->error <= 0;
-    ensures 0 <= edge->step_error < edge->denominator; */
-static void edge_set(struct lim_edge *edge, struct lim_point a, struct lim_point b, int16_t y, int16_t end)
+#if LIM_8_BIT
+
+/* Below line y as well: quotient and remainder on each line. */
+static void edge_set(struct lim_edge *edge, struct lim_point a, struct lim_point b, int16_t y, int16_t lines)
 {
     const int32_t dx = (int32_t)b.x - a.x, dy = (int32_t)b.y - a.y;
-    const lim_sub_area m = meeting(a, dx, dy, (int16_t)(y - LIM_ORIGIN_PX));
-    /* For the prover: line y meets the edge between its ends, so the quotient is not far from the screen. */
-    /*@ ghost int64_t down = (int64_t)(y - LIM_ORIGIN_PX) * LIM_SUB - a.y;
-              scale(a.x, 8388608, dy - down);
-              scale(-8388608, a.x, dy - down);
-              scale(b.x, 8388608, down);
-              scale(-8388608, b.x, down); */
-    //@ assert a.x * dy + dx * down == a.x * (dy - down) + b.x * down;
-    //@ assert LIM_SUB_BITS > 9 ==> -8388608 * dy <= m * LIM_SUB <= 8388608 * dy + LIM_SUB;
-    //@ assert LIM_SUB_BITS > 9 ==> -2049 * dy <= m <= 2049 * dy;
-    //@ assert m == (m / dy) * dy + m % dy && -dy < m % dy < dy;
-    //@ assert LIM_SUB_BITS > 9 ==> -2050 * dy < (m / dy) * dy < 2050 * dy;
-    /*@ ghost if (m / dy >= 2050) scale(2050, m / dy, dy);
-              if (m / dy <= -2050) scale(m / dy, -2050, dy); */
-    //@ assert LIM_SUB_BITS > 9 ==> -2050 < m / dy < 2050;
     int32_t error, rest;
-    int32_t x = divide_area(m, dy, &error); /* rounds to zero: up, if negative */
-    //@ assert x == m / dy && error == m - x * dy && -dy < error < dy;
+    int32_t x = divide_area(meeting(a, dx, dy, y), dy, &error); /* up, if negative */
 
     if (error > 0) {
         x++;
@@ -135,7 +115,7 @@ static void edge_set(struct lim_edge *edge, struct lim_point a, struct lim_point
     edge->denominator = dy;
     edge->step_x = 0;
     edge->step_error = 0;
-    if (end - y < 2) return; /* never stepped */
+    if (lines < 2) return; /* never stepped */
     int32_t step = divide(dx, dy, &rest);
     if (rest < 0) {
         step--;
@@ -145,21 +125,144 @@ static void edge_set(struct lim_edge *edge, struct lim_point a, struct lim_point
     edge->step_error = rest;
 }
 
-/* The next edge of a boundary that goes on below line y. */
+static inline int32_t begin_stretch(struct lim_edge *edge, struct lim_point a, struct lim_point b, int32_t y,
+                                    int32_t lines)
+{
+    edge_set(edge, a, b, (int16_t)y, (int16_t)lines);
+    return lines;
+}
+
+#else
+
+/* rest / dy, 0 <= rest < dy, with LIM_EDGE_BITS. */
+/*@ requires \valid_read(divisor) && 0 < divisor->by <= 2050 * LIM_SUB && rest < divisor->by;
+    requires LIM_EDGE_BITS == 32 || divisor->by < 1048576;
+    assigns \nothing; */
+static inline lim_edge_at fraction_of(uint32_t rest, const struct divisor *divisor)
+{
+#if LIM_EDGE_BITS == 32
+    return (lim_edge_at)(((uint64_t)rest << 32) / (uint32_t)divisor->by);
+#else
+    if (!LIM_DIVIDES && EDGE_MOST_PX * LIM_SUB > UINT16_MAX && divisor->by > UINT16_MAX)
+        return (lim_edge_at)divided_fraction((uint32_t)divisor->by, rest, LIM_EDGE_BITS);
+    return (lim_edge_at)divisor_fraction(divisor, rest, LIM_EDGE_BITS);
+#endif
+}
+
+/* floor(m / dy) and the rest of it. */
+/*@ requires \valid_read(divisor) && divisor->by > 0 && \valid(rest) && \separated(divisor, rest);
+    requires -2147483647 <= m / divisor->by <= 2147483647;
+    assigns *rest;
+    ensures LIM_DIVIDES ==> 0 <= *rest < divisor->by && *rest == m - \result * divisor->by; */
+static inline int32_t floor_of(lim_sub_area m, const struct divisor *divisor, int32_t *rest)
+{
+#if LIM_EDGE_BITS == 32
+    const int32_t quotient = divide_area(m, divisor->by, rest);
+    if (*rest >= 0) return quotient;
+    *rest += divisor->by;
+    return quotient - 1;
+#else
+    return divisor_floor(divisor, m, rest);
+#endif
+}
+
+/* m / dy as a fixed-point number, never too high. */
+/*@ requires \valid_read(divisor) && 0 < divisor->by <= 2050 * LIM_SUB;
+    requires LIM_EDGE_BITS == 32 || divisor->by < 1048576;
+    requires -2147483647 <= m / divisor->by <= 2147483647;
+    assigns \nothing; */
+static inline lim_edge_wrap quotient_of(lim_sub_area m, const struct divisor *divisor)
+{
+    int32_t rest;
+    const int32_t whole = floor_of(m, divisor, &rest);
+
+    return (lim_edge_wrap)(lim_edge_at)whole * ((lim_edge_wrap)1 << LIM_EDGE_BITS) +
+           (lim_edge_wrap)fraction_of((uint32_t)rest, divisor);
+}
+
+/* How many lines an edge can be followed without being begun anew, if not all of them. */
+/*@ requires 0 < dy <= 2050 * LIM_SUB && (LIM_EDGE_BITS == 32 ==> dy >= 1048576);
+    assigns \nothing;
+    ensures \result >= 1;
+    ensures \result == 1 || (DIVISOR_ERROR * \result + 1) * dy <= (LIM_EDGE_BITS == 32 ? 4294967296 : LIM_EDGE_BITS ==
+   22 ? 4194304 : 1048576); */
+static LIM_RARE int32_t stretch_of(int32_t dy)
+{
+    const lim_edge_wrap most = ((lim_edge_wrap)1 << LIM_EDGE_BITS) / (lim_edge_wrap)dy;
+
+    return most > 2 * DIVISOR_ERROR ? (int32_t)(most - 1) / DIVISOR_ERROR : 1;
+}
+
+/* A single line, which may have more sub-pixels than a fraction has bits for: ceil(m / dy). */
+/*@ requires \valid(edge) && dy > 0 && -4096 <= m / dy <= 4096;
+    assigns edge->at;
+    ensures \result == 1; */
+static LIM_RARE int32_t set_line(struct lim_edge *edge, lim_sub_area m, int32_t dy)
+{
+    int32_t rest, whole = divide_area(m, dy, &rest);
+
+    if (rest > 0) whole++;
+    edge->at = (lim_edge_at)((lim_edge_wrap)(lim_edge_at)(whole + LIM_ORIGIN_PX) << LIM_EDGE_BITS);
+    return 1;
+}
+
+#define EDGE_BEFORE_NEXT (((lim_edge_wrap)(LIM_ORIGIN_PX + 1) << LIM_EDGE_BITS) - 1)
+
+/* Fractions of 16 bits, which do for most. dy is below 2^12 then, and what is left of a start below 2 SHORT_WIDTH. */
+enum { SHORT_BITS = 16, SHORT_WIDTH = DIVISOR_WIDTH / 2 };
+
+static LIM_ALONE int32_t begin_long(struct lim_edge *edge, struct lim_point a, int32_t dx, int32_t dy, int32_t y,
+                                    int32_t lines)
+{
+    const lim_sub_area m = meeting(a, dx, dy, (int16_t)y);
+
+    if ((lim_edge_wrap)(DIVISOR_ERROR * lines + 1) * (lim_edge_wrap)dy > (lim_edge_wrap)1 << LIM_EDGE_BITS)
+        lines = stretch_of(dy);
+    if (lines == 1) return set_line(edge, m, dy);
+    const struct divisor divisor = divisor_of(dy);
+    edge->at = (lim_edge_at)(quotient_of(m, &divisor) + EDGE_BEFORE_NEXT);
+    edge->step = (lim_edge_at)quotient_of(dx, &divisor);
+    return lines;
+}
+
+/* Sets the edge for lines from y on, counted from the origin. Returns for how many of them: 1 has no step. */
+static inline int32_t begin_stretch(struct lim_edge *edge, struct lim_point a, struct lim_point b, int32_t y,
+                                    int32_t lines)
+{
+    const int32_t dx = (int32_t)b.x - a.x, dy = (int32_t)b.y - a.y;
+    const int32_t from_a = y - (a.y >> LIM_SUB_BITS);
+
+    if ((uint32_t)(DIVISOR_ERROR * (from_a + lines) + 1) * (uint32_t)dy > 1u << SHORT_BITS || dx >= SHORT_WIDTH ||
+        dx <= -SHORT_WIDTH)
+        return begin_long(edge, a, dx, dy, y, lines);
+    const int32_t part_x = a.x & (LIM_SUB - 1), part_y = a.y & (LIM_SUB - 1);
+    const int32_t part = (part_x * dy - part_y * dx + (LIM_SUB - 1)) >> LIM_SUB_BITS;
+    const struct divisor divisor = divisor_of(dy);
+    const int32_t step_q16 = divisor_q16(&divisor, dx), ahead_q16 = divisor_q16(&divisor, part) + from_a * step_q16;
+    edge->step = (lim_edge_at)((lim_edge_wrap)(lim_edge_at)step_q16 << (LIM_EDGE_BITS - SHORT_BITS));
+    edge->at = (lim_edge_at)(((lim_edge_wrap)(lim_edge_at)(a.x >> LIM_SUB_BITS) << LIM_EDGE_BITS) + EDGE_BEFORE_NEXT +
+                             ((lim_edge_wrap)(lim_edge_at)ahead_q16 << (LIM_EDGE_BITS - SHORT_BITS)));
+    return lines;
+}
+
+#endif
+
+/* The next edge of a boundary that goes on below line y, or the next stretch of the same. */
 static void turn(struct lim_edge *edge, const struct lim_point *at, uint8_t n, int16_t y)
 {
-    uint_fast16_t from, to = edge->to;
-    int16_t end;
+    const int32_t row = y - LIM_ORIGIN_PX;
+    uint_fast16_t from, to = edge->next;
+    int32_t end;
 
     do {
         from = to;
-        to += edge->step;
+        to += edge->step_vertex;
         if (to >= n) to -= n;
-        end = line_of(at[to].y);
-    } while (end <= y);
-    edge_set(edge, at[from], at[to], y, end);
-    edge->to = (uint8_t)to;
-    edge->end = end;
+        end = row_of(at[to].y);
+    } while (end <= row);
+    const int32_t lines = end - row, drawn = begin_stretch(edge, at[from], at[to], row, lines);
+    edge->end = (int16_t)(y + drawn);
+    edge->next = (uint8_t)(drawn < lines ? from : to);
 }
 
 int16_t lim_edge_turn(struct lim_edge_pair *pair, const struct lim_point *at, uint8_t n, int16_t y)
@@ -183,12 +286,6 @@ void lim_edge_advance(struct lim_edge_pair *pair, const struct lim_point *at, ui
     advance(&pair->right, at, n, y);
 }
 
-/* line_of() from the origin: what two of them have between them is the same. So are columns. */
-static edge_sub row_of(edge_sub y)
-{
-    return (edge_sub)(y + (edge_sub)(LIM_SUB - 1)) >> LIM_SUB_BITS;
-}
-
 /* A folded polygon has more than one local extreme of either kind, a low one a line below a high one as a rule. Where
  * the extra ones lie near its top, a fan from the bottom sees every other corner, and the other way round. */
 static LIM_RARE uint8_t choose_apex(const struct lim_point *at, uint8_t n, uint8_t top_at, edge_sub bottom)
@@ -207,39 +304,98 @@ static LIM_RARE uint8_t choose_apex(const struct lim_point *at, uint8_t n, uint8
     return 2 * lowest_top + 1 < top + bottom ? bottom_at : top_at;
 }
 
-/* A plain polygon's boundary goes from its top to its bottom and back; what goes farther is folded. */
-void lim_edge_measure(struct lim_edge_shape *shape, const struct lim_point *at, uint8_t n)
+/* A plain polygon's boundary goes down from its top to its bottom once; what goes farther is folded. */
+static LIM_RARE void measure_folds(struct lim_edge_shape *shape, const struct lim_point *at, uint8_t n, edge_sub top,
+                                   edge_sub bottom)
 {
-    edge_sub before = row_of(at[n - 1].y), top = EDGE_SUB_MAX, bottom = EDGE_SUB_MIN, left = EDGE_SUB_MAX;
-    edge_sub right = EDGE_SUB_MIN, way = 0;
-    uint8_t top_at = 0;
+    edge_sub before = row_of(at[n - 1].y), down = 0;
+    uint8_t top_at = n;
 
     for (uint8_t k = 0; k < n; k++) {
-        const edge_sub x = at[k].x, row = row_of(at[k].y);
+        const edge_sub row = row_of(at[k].y);
 
-        way = (edge_sub)(way + (row > before ? row - before : before - row));
-        if (row < top) top = row, top_at = k;
-        if (row > bottom) bottom = row;
-        if (x < left) left = x;
-        if (x > right) right = x;
+        if (row > before) down = (edge_sub)(down + (row - before));
+        if (row == top && top_at == n) top_at = k;
         before = row;
     }
+    shape->first = top_at;
+    shape->folded = down > bottom - top;
+    if (shape->folded) shape->apex = choose_apex(at, n, top_at, bottom);
+}
+
+/* What corners are compared by: themselves, because rows rise as they do, so where corners turn but twice their rows
+ * do. 16 bits have no room for their sums. */
+static inline edge_sub level_of(edge_sub y)
+{
+    return EDGE_IS_SHORT ? row_of(y) : y;
+}
+
+static inline edge_sub row_of_level(edge_sub level)
+{
+    return EDGE_IS_SHORT ? level : row_of(level);
+}
+
+void lim_edge_measure(struct lim_edge_shape *shape, const struct lim_point *at, uint8_t n)
+{
+    edge_sub before = level_of(at[n - 1].y), top = before, bottom = before, down = 0;
+    const struct lim_point *const end = at + n, *next = at, *top_at = end - 1;
+
+    do {
+        const edge_sub y = level_of(next->y);
+
+        if (y > before) down = (edge_sub)(down + (y - before));
+        if (y < top) top = y, top_at = next;
+        if (y > bottom) bottom = y;
+        before = y;
+    } while (++next != end);
+    const bool turns = down > bottom - top;
+    top = row_of_level(top);
+    bottom = row_of_level(bottom);
     shape->top = (int16_t)(top + LIM_ORIGIN_PX);
     shape->bottom = (int16_t)(bottom + LIM_ORIGIN_PX);
-    if (LIM_HAS_HIDDEN) {
-        shape->left = (int16_t)(row_of(left) + LIM_ORIGIN_PX);
-        shape->right = (int16_t)(row_of(right) + LIM_ORIGIN_PX);
+    shape->first = (uint8_t)(top_at - at);
+    shape->folded = false;
+    if (turns) measure_folds(shape, at, n, top, bottom);
+}
+
+void lim_edge_measure_sides(struct lim_edge_shape *shape, const struct lim_point *at, uint8_t n)
+{
+    edge_sub left = at[0].x, right = left;
+
+    for (uint8_t k = 1; k < n; k++) {
+        const edge_sub x = at[k].x;
+
+        if (x < left) left = x;
+        if (x > right) right = x;
     }
-    shape->first = top_at;
-    shape->folded = way > 2 * (bottom - top);
-    if (shape->folded) shape->apex = choose_apex(at, n, top_at, bottom);
+    shape->left = (int16_t)(row_of(left) + LIM_ORIGIN_PX);
+    shape->right = (int16_t)(row_of(right) + LIM_ORIGIN_PX);
 }
 
 #if LIM_HAS_WIREFRAME
 
+/* The first line at or below y. */
+/*@ requires -8388608 <= y <= 8388608;
+    assigns \nothing; */
+static inline int16_t line_of(lim_sub y)
+{
+    return (int16_t)(((edge_sub)(y + (edge_sub)(LIM_SUB - 1)) >> LIM_SUB_BITS) + LIM_ORIGIN_PX);
+}
+
 int16_t lim_edge_line_of(lim_sub at)
 {
     return line_of(at);
+}
+
+/* Of an edge of any length, where begin_stretch() takes that of all its lines to tell what is short. */
+static inline void begin_line(struct lim_edge *edge, struct lim_point a, struct lim_point b, int16_t y)
+{
+#if LIM_8_BIT
+    edge_set(edge, a, b, y, 1);
+#else
+    const int32_t dx = (int32_t)b.x - a.x, dy = (int32_t)b.y - a.y;
+    (void)set_line(edge, meeting(a, dx, dy, y), dy);
+#endif
 }
 
 int16_t lim_edge_column(struct lim_point upper, struct lim_point lower, int16_t y)
@@ -248,8 +404,8 @@ int16_t lim_edge_column(struct lim_point upper, struct lim_point lower, int16_t 
 
     if (y < line_of(upper.y)) return line_of(upper.x);
     if (y >= line_of(lower.y)) return line_of(lower.x);
-    edge_set(&edge, upper, lower, y, (int16_t)(y + 1));
-    return edge.x;
+    begin_line(&edge, upper, lower, (int16_t)(y - LIM_ORIGIN_PX));
+    return lim_edge_x(&edge);
 }
 
 #endif

@@ -11,16 +11,35 @@
 
 #include "profile.h"
 
-/* The first pixel centre at or right of the edge is `x` on the current line. */
+/* Where the edge is on the current line, as a fixed-point number of LIM_EDGE_BITS: lim_edge_x(). Wide enough for three
+ * screens. */
+#if LIM_8_BIT
 struct lim_edge {
     int32_t error;       /* M - x * denominator (edge.c), in -denominator+1 .. 0 */
     int32_t step_error;  /* what a line adds to it, 0 .. denominator-1 */
     int32_t denominator; /* lines from end to end, in sub-pixels */
     int16_t x, step_x;
-    int16_t end;  /* the line on which it hands over to the next edge */
-    uint8_t to;   /* the vertex at which it ends */
-    uint8_t step; /* from there to the next one, modulo their number: the left boundary runs forward */
+    int16_t end;
+    uint8_t next;
+    uint8_t step_vertex;
 };
+#else
+#if LIM_SUB_BITS > 9
+#define LIM_EDGE_BITS 32
+typedef int64_t lim_edge_at;
+typedef uint64_t lim_edge_wrap; /* what it is summed in: steps below the last line may wrap */
+#else
+#define LIM_EDGE_BITS (LIM_MAX_SIDE_PX <= 340 ? 22 : 20)
+typedef int32_t lim_edge_at;
+typedef uint32_t lim_edge_wrap;
+#endif
+struct lim_edge {
+    lim_edge_at at, step; /* on the current line, and what a line adds */
+    int16_t end;          /* the line on which it hands over to the next edge, or is begun anew: see edge.c */
+    uint8_t next;         /* the vertex from which that goes on */
+    uint8_t step_vertex;  /* from there to the one after it, modulo their number: the left boundary runs forward */
+};
+#endif
 
 /* Both boundaries of a polygon, on their way down. */
 struct lim_edge_pair {
@@ -30,7 +49,7 @@ struct lim_edge_pair {
 /* What a polygon looks like to EDGE; lines are relative to nothing: line y is screen line y. */
 struct lim_edge_shape {
     int16_t top, bottom; /* lines top <= y < bottom; may lie outside of the screen */
-    int16_t left, right; /* pixels left <= x < right, likewise; set if LIM_HAS_HIDDEN, which looks for what is hidden */
+    int16_t left, right; /* pixels left <= x < right, likewise; set by lim_edge_measure_sides() */
     uint8_t first;       /* a vertex on the top line */
     uint8_t apex;        /* if folded: from which a fan of triangles covers the polygon */
     bool folded;         /* its boundary turns more than twice: rounding bent it */
@@ -39,15 +58,17 @@ struct lim_edge_shape {
 #endif
 };
 
+/* Sets all but left and right, which fewer ask for. 3 <= n. */
 void lim_edge_measure(struct lim_edge_shape *shape, const struct lim_point *at, uint8_t n);
+void lim_edge_measure_sides(struct lim_edge_shape *shape, const struct lim_point *at, uint8_t n);
 
 /* Both boundaries of a polygon that is not folded, before its first line; lim_edge_turn() takes them to any. */
 static inline void lim_edge_begin(struct lim_edge_pair *pair, uint8_t n, uint8_t first)
 {
-    pair->left.to = pair->right.to = first;
+    pair->left.next = pair->right.next = first;
     pair->left.end = pair->right.end = INT16_MIN;
-    pair->left.step = 1;
-    pair->right.step = (uint8_t)(n - 1);
+    pair->left.step_vertex = 1;
+    pair->right.step_vertex = (uint8_t)(n - 1);
 }
 
 /* Replaces the edges that end on line y or above, top <= y < bottom. Returns the line on which it must be called
@@ -65,11 +86,32 @@ int16_t lim_edge_line_of(lim_sub at);
  * divides. */
 int16_t lim_edge_column(struct lim_point upper, struct lim_point lower, int16_t y);
 
+#if LIM_8_BIT
+
+/* The first pixel centre at or right of the edge on the current line. */
+static inline int16_t lim_edge_x(const struct lim_edge *edge)
+{
+    return edge->x;
+}
+
+static inline void lim_edge_put(struct lim_edge *edge, int16_t x)
+{
+    edge->x = x;
+}
+
+/* What lim_edge_step() takes of an edge, for a copy that steps in its place, and back. */
+static inline void lim_edge_copy(struct lim_edge *to, const struct lim_edge *from)
+{
+    *to = *from;
+}
+
+static inline void lim_edge_follow(struct lim_edge *edge, const struct lim_edge *ahead)
+{
+    edge->x = ahead->x;
+    edge->error = ahead->error;
+}
+
 /* To the next line. */
-/*@ requires \valid(edge) && 0 < edge->denominator <= 16777216;
-    requires 0 <= edge->step_error < edge->denominator && -edge->denominator < edge->error <= 0;
-    assigns edge->x, edge->error;
-    ensures -edge->denominator < edge->error <= 0; */
 static inline void lim_edge_step(struct lim_edge *edge)
 {
     edge->x = (int16_t)(edge->x + edge->step_x);
@@ -79,5 +121,42 @@ static inline void lim_edge_step(struct lim_edge *edge)
         edge->x++;
     }
 }
+
+#else
+
+/* The first pixel centre at or right of the edge on the current line. */
+/*@ requires \valid_read(edge);
+    assigns \nothing; */
+static inline int16_t lim_edge_x(const struct lim_edge *edge)
+{
+    return (int16_t)(edge->at >> LIM_EDGE_BITS);
+}
+
+static inline void lim_edge_put(struct lim_edge *edge, int16_t x)
+{
+    edge->at = (lim_edge_at)x * ((lim_edge_at)1 << LIM_EDGE_BITS);
+}
+
+/* What lim_edge_step() takes of an edge, for a copy that steps in its place, and back. */
+static inline void lim_edge_copy(struct lim_edge *to, const struct lim_edge *from)
+{
+    to->at = from->at;
+    to->step = from->step;
+}
+
+static inline void lim_edge_follow(struct lim_edge *edge, const struct lim_edge *ahead)
+{
+    edge->at = ahead->at;
+}
+
+/* To the next line. */
+/*@ requires \valid(edge);
+    assigns edge->at; */
+static inline void lim_edge_step(struct lim_edge *edge)
+{
+    edge->at = (lim_edge_at)((lim_edge_wrap)edge->at + (lim_edge_wrap)edge->step);
+}
+
+#endif
 
 #endif

@@ -34,7 +34,7 @@ static inline const struct lim_scene *lim_entry_scene(const struct lim *lim, uin
     return lim->scene;
 }
 
-static inline const LIM_FLASH uint16_t *lim_entry_record(const struct lim *lim, uint16_t entry)
+static inline const LIM_FLASH lim_index *lim_entry_record(const struct lim *lim, uint16_t entry)
 {
     return &lim_entry_scene(lim, entry)->polygons[lim->sorter.list[entry].record];
 }

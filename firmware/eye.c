@@ -10,8 +10,8 @@
  * truth is t + n.f - g + e.(s + f) - u / 2^k, off from t by less than (3 * 8191) + 1 +
  * (|s0|+|s1|+|s2| + 3) / 2 + 1/2: `large_slack`, rounded up.
  *
- * Near, LIM_PLANE_SLACK does for all: inside the 16-bit cube k is 0, and but for the cube's farthest corners
- * large_slack is not more. */
+ * LIM_PLANE_SLACK does for all, but for eyes in the cube's farthest corners, where large_slack is more. With it in d's
+ * place, d / 2^k is rounded up instead of down: g changes its sign, and no bound. */
 #include "eye.h"
 
 #include "fixed.h"
@@ -42,7 +42,8 @@ static void reduce(struct lim_eye *eye)
         sum += abs_s32(eye->reduced[i]);
     }
     eye->large_slack = LARGE_SLACK_FIXED + (int32_t)((sum + 1) >> 1);
-    eye->near_end = eye->shift || eye->large_slack > LIM_PLANE_SLACK ? 0 : LIM_PLANE_X;
+    eye->slack_rest = LIM_PLANE_SLACK - (LIM_PLANE_SLACK >> eye->shift);
+    eye->near_end = (LIM_8_BIT && eye->shift) || eye->large_slack > LIM_PLANE_SLACK ? 0 : LIM_PLANE_X;
 }
 
 void lim_eye_set(struct lim_eye *eye, const struct lim_scene *scene, const int32_t at_q8[3])
@@ -77,7 +78,7 @@ int32_t lim_eye_close_side(const struct lim_eye *eye, const LIM_FLASH struct lim
 {
     const LIM_FLASH struct lim_plane *plane = lim_plane_at(eye->planes, ref->plane);
 
-    if (LIM_HAS_LARGE && lim_plane_exact(plane) != LIM_NONE) {
+    if (LIM_HAS_LARGE && lim_plane_exact(plane) != LIM_NO_INDEX) {
         const LIM_FLASH struct lim_plane_exact *exact = &eye->scene->exact[lim_plane_exact(plane)];
         const int32_t n[3] = {exact->n[0], exact->n[1], exact->n[2]};
         return exact_side(eye, n, (int64_t)exact->d_hi * (INT64_C(1) << 32) + exact->d_lo);
@@ -103,7 +104,7 @@ static int32_t far_value(const struct lim_eye *eye, const LIM_FLASH struct lim_p
 int32_t lim_eye_far_side(const struct lim_eye *eye, const LIM_FLASH struct lim_plane_ref *ref)
 {
     const LIM_FLASH struct lim_plane *plane = lim_plane_at(eye->planes, ref->plane);
-    const bool is_large = LIM_HAS_LARGE && lim_plane_exact(plane) != LIM_NONE;
+    const bool is_large = LIM_HAS_LARGE && lim_plane_exact(plane) != LIM_NO_INDEX;
     const int32_t slack = is_large ? eye->large_slack : SMALL_SLACK;
     const int32_t value = far_value(eye, plane);
 

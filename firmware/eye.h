@@ -20,8 +20,9 @@ struct lim_eye {
     int32_t at_q8[3]; /* units */
     /* What the filter needs, if LIM_HAS_FILTER. */
     lim_eye_reduced reduced[3]; /* floor(at / 2^shift), within 16 bits whatever the distance */
-    uint16_t near_end;          /* a lim_node.plane below this is decided by lim_eye_near_side() */
+    lim_index near_end;         /* a lim_node.plane below this is decided by lim_eye_near_side() */
     uint8_t shift;              /* 0 inside the 16-bit cube of the scene */
+    int32_t slack_rest;         /* what shifting takes from LIM_PLANE_SLACK */
     int32_t large_slack;        /* how far the filter of a LARGE plane can be off, in its own scale */
     const struct lim_scene *scene;
     const LIM_FLASH struct lim_plane *planes; /* the scene's: a load less on the way to each */
@@ -57,22 +58,25 @@ static inline int32_t lim_eye_dot(const struct lim_eye *eye, const LIM_FLASH str
 }
 
 /* 0: the eye may be on either side. The sum is n . s - d + slack, so a shift of slack's bits and one more leaves
- * nothing of -slack .. slack - 1, and only there. scene.h's bounds keep it in 32 bits. */
-/*@ requires \valid_read(eye) && \valid_read(plane);
+ * nothing of -slack .. slack - 1, and only there. scene.h's bounds keep it in 32 bits. Bytes are shifted slowly: there
+ * only the eye inside of the cube comes here. */
+/*@ requires \valid_read(eye) && \valid_read(plane) && 0 <= eye->shift <= 12;
     requires -1073676289 <= plane->slack_less_d - 65536 <= 1073676289;
+    requires eye->shift == 0 ? eye->slack_rest == 0 : 0 <= eye->slack_rest <= 65536;
     requires -32768 <= eye->reduced[0] <= 32767 && -32768 <= eye->reduced[1] <= 32767;
     requires -32768 <= eye->reduced[2] <= 32767;
     requires size((int16_t)plane->n_yx) + size(plane->n_yx >> 16) + size(plane->n_z_exact >> 16) <= 32767;
     assigns \nothing; */
 static inline int32_t lim_eye_near_side(const struct lim_eye *eye, const LIM_FLASH struct lim_plane *plane)
 {
-    return (lim_eye_dot(eye, plane) + plane->slack_less_d) >> 17;
+    if (LIM_8_BIT) return (lim_eye_dot(eye, plane) + plane->slack_less_d) >> 17;
+    return (lim_eye_dot(eye, plane) + (plane->slack_less_d >> eye->shift) + eye->slack_rest) >> 17;
 }
 
 /* On which side of a plane the eye is: positive in front, negative behind, 0 exactly on it. */
 static inline int32_t lim_eye_side(const struct lim_eye *eye, const LIM_FLASH struct lim_plane_ref *ref)
 {
-    const uint16_t at = ref->plane;
+    const lim_index at = ref->plane;
 
     if (LIM_HAS_FILTER && at < eye->near_end) {
         const int32_t side = lim_eye_near_side(eye, lim_plane_at(eye->planes, at));
@@ -84,11 +88,11 @@ static inline int32_t lim_eye_side(const struct lim_eye *eye, const LIM_FLASH st
 }
 
 /* Whether a record of a run that WALK gave faces the eye: those of a node do, those of a leaf may. */
-static inline bool lim_record_is_seen(const struct lim_eye *eye, const LIM_FLASH uint16_t *record)
+static inline bool lim_record_is_seen(const struct lim_eye *eye, const LIM_FLASH lim_index *record)
 {
     if (!LIM_HAS_LEAVES || !(record[0] & LIM_POLYGON_PLANE)) return true;
     const int32_t side = lim_eye_side(eye, lim_record_plane(record));
-    return record[0] & LIM_POLYGON_BACK ? side < 0 : side > 0;
+    return (record[0] & LIM_POLYGON_BACK ? -side : side) > 0;
 }
 
 #endif

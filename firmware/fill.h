@@ -19,6 +19,45 @@ static inline uint16_t lim_memory_colour(uint16_t rgb565)
 /* n pixels from x on; `line` is 4-byte aligned. */
 void lim_fill(uint16_t *line, uint16_t x_px, uint16_t n_px, uint16_t colour);
 
+typedef uint32_t __attribute__((may_alias)) lim_pixel_pair; /* lines are arrays of uint16_t */
+
+/* Writes as many multiples of 8 pairs as there are in `count`, 8 at least. Returns the place behind them. */
+lim_pixel_pair *lim_fill_eights(lim_pixel_pair *to, uint32_t count, uint32_t pair);
+
+static inline lim_pixel_pair *lim_fill_eight(lim_pixel_pair *to, uint32_t pair)
+{
+    to[0] = to[1] = to[2] = to[3] = pair;
+    to[4] = to[5] = to[6] = to[7] = pair;
+    return to + 8;
+}
+
+/* The same, where calls are many. */
+static inline void lim_fill_inline(uint16_t *line, uint32_t x_px, uint32_t n_px, uint16_t colour)
+{
+    uint16_t *const begin = line + x_px, *const end = begin + n_px;
+    const uint32_t pair = (uint32_t)colour << 16 | colour;
+    lim_pixel_pair *q = (lim_pixel_pair *)(((uintptr_t)begin + 2) & ~(uintptr_t)3);
+    const uint32_t pairs = (uint32_t)((((uintptr_t)end & ~(uintptr_t)3) - (uintptr_t)q) >> 2);
+
+    begin[0] = end[-1] = colour; /* the halves of words at the ends, if there are such */
+    if (n_px < 3) return;
+    if (pairs >= 24) {
+        q = lim_fill_eights(q, pairs, pair);
+    } else if (pairs >= 8) {
+        if (pairs & 16) q = lim_fill_eight(lim_fill_eight(q, pair), pair);
+        if (pairs & 8) q = lim_fill_eight(q, pair);
+    }
+    if (pairs & 4) {
+        q[0] = q[1] = q[2] = q[3] = pair;
+        q += 4;
+    }
+    if (pairs & 2) {
+        q[0] = q[1] = pair;
+        q += 2;
+    }
+    if (pairs & 1) q[0] = pair;
+}
+
 /* The same of line y, or, if that is NULL, by the target. */
 static inline void lim_fill_run(const struct lim_target *target, uint16_t *line, uint16_t y_px, uint16_t x_px,
                                 uint16_t n_px, uint16_t colour)

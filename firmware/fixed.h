@@ -307,6 +307,13 @@ static inline uint32_t ratio_q31(uint32_t num, uint32_t den)
     assigns \nothing; */
 static inline int32_t lerp_q31(int32_t a, int32_t b, uint32_t t_q31)
 {
+#if !LIM_LONG_MULTIPLY
+    const int32_t way = (int32_t)((uint32_t)b - (uint32_t)a);
+    if (t_q31 <= INT32_MAX && ((b ^ a) & (b ^ way)) >= 0) {
+        const uint32_t low_q31 = (uint32_t)way * t_q31, high_qm1 = (uint32_t)mul_high_limbs_s32(way, (int32_t)t_q31);
+        return (int32_t)((uint32_t)a + (high_qm1 << 1) + (low_q31 >> 31) + (low_q31 >> 30 & 1));
+    }
+#endif
     const int64_t way_q31 = ((int64_t)b - a) * t_q31;
 
     return (int32_t)(a + shift_round_s64(way_q31, 31));

@@ -9,7 +9,7 @@
 static bool method_is_linked(enum lim_method method)
 {
     return (LIM_HAS_NEAREST && method == LIM_NEAREST_FIRST) || (LIM_HAS_PAINTER && method == LIM_PAINTER) ||
-           (LIM_HAS_CONVEX && method == LIM_CONVEX) || (LIM_HAS_DEPTH && method == LIM_DEPTH) ||
+           (LIM_HAS_CONVEX && method == LIM_CONVEX) || (LIM_HAS_SCANLINE && method == LIM_SCANLINE) || (LIM_HAS_DEPTH && method == LIM_DEPTH) ||
            (LIM_HAS_NEWELL && method == LIM_NEWELL);
 }
 
@@ -48,6 +48,8 @@ static bool scene_is_usable(const struct lim_scene *scene, const struct lim_targ
     return (LIM_IS_SORTED(target) || scene->limits.depth) && scene->limits.vertices <= LIM_MAX_VERTICES &&
            (LIM_HAS_SLANTED || !scene->plane_count) && (LIM_HAS_LARGE || !scene->exact_count) &&
            !(IS_CONVEX(target) && scene->limits.depth != scene->node_count) &&
+           !(LIM_HAS_WIDE && IS_CONVEX(target) && scene->polygon_count >= LIM_NONE) &&
+           !(LIM_HAS_WIDE && LIM_IS_SORTED(target) && scene->polygon_count > LIM_SORTED_MAX) &&
            !(LIM_HAS_TRANSPARENT && IS_CONVEX(target) && scene->limits.layers);
 }
 
@@ -63,6 +65,22 @@ static inline void init_frame(struct lim *lim)
 {
 #if LIM_HAS_FRAME
     lim->fills = false;
+#endif
+    (void)lim;
+}
+
+static inline void clear_bands(struct lim *lim)
+{
+#if LIM_HAS_SPANS
+    lim->bands = 0;
+#endif
+    (void)lim;
+}
+
+static inline void init_ahead(struct lim *lim)
+{
+#if LIM_HAS_STREAM
+    lim->ahead.stage = LIM_AHEAD_NONE;
 #endif
     (void)lim;
 }
@@ -86,6 +104,8 @@ int lim_init(struct lim *lim, const struct lim_scene *scene, const struct lim_ta
     init_wireframe(lim);
     init_delta(lim);
     init_frame(lim);
+    init_ahead(lim);
+    clear_bands(lim);
     lim_lend_portals(lim, NULL);
 #if LIM_HAS_MOVERS
     lim->movers.most = lim->movers.given = lim->movers.count = 0;
@@ -119,22 +139,10 @@ static int draw(struct lim *lim)
     return lim_nearest_frame(lim);
 }
 
-static int draw_changes(struct lim *lim, const struct lim_camera *camera)
-{
-#if LIM_HAS_DELTA
-    if (lim->delta) {
-        lim_delta_begin_frame(lim->delta, camera);
-        return lim_delta_end_frame(lim->delta, draw(lim));
-    }
-#else
-    (void)camera;
-#endif
-    return draw(lim);
-}
-
-int lim_frame(struct lim *lim, const struct lim_camera *camera)
+static int take_in(struct lim *lim, const struct lim_camera *camera)
 {
     if (LIM_HAS_STATS) *lim_stats_of(lim) = (struct lim_stats){0};
+    clear_bands(lim);
     if (!lim_view_begin(&lim->view, lim->scene, camera)) return LIM_ERR_CAMERA;
     if (LIM_HAS_TEXTURE && lim_texture_count(lim->scene))
         lim_texture_begin(lim_texturing_of(lim), lim->scene, &lim->view, camera);
@@ -143,9 +151,85 @@ int lim_frame(struct lim *lim, const struct lim_camera *camera)
 #if LIM_HAS_MOVERS
     lim_movers_pose(lim, camera);
 #endif
-    const int err = draw_changes(lim, camera);
+    return LIM_OK;
+}
+
+static void begin_changes(struct lim *lim, const struct lim_camera *camera)
+{
+#if LIM_HAS_DELTA
+    if (lim->delta) lim_delta_begin_frame(lim->delta, camera, lim_stats_of(lim));
+#else
+    (void)lim, (void)camera;
+#endif
+}
+
+static int end(struct lim *lim, int err)
+{
+#if LIM_HAS_DELTA
+    if (lim->delta) err = lim_delta_end_frame(lim->delta, err);
+#endif
     if (LIM_HAS_STATS) lim_stats_of(lim)->vertices = lim->view.vertices;
     return err;
+}
+
+int lim_frame(struct lim *lim, const struct lim_camera *camera)
+{
+    lim_drop_ahead(lim);
+    const int err = take_in(lim, camera);
+    if (err) return err;
+    begin_changes(lim, camera);
+    return end(lim, draw(lim));
+}
+
+#if LIM_HAS_STREAM
+int lim_begin_ahead(struct lim *lim, const struct lim_camera *camera)
+{
+    const int err = take_in(lim, camera);
+    if (err) return err;
+#if LIM_HAS_DELTA
+    lim->ahead.camera = *camera;
+#endif
+    lim->ahead.stage = LIM_AHEAD_BEGUN;
+    return LIM_OK;
+}
+
+int lim_frame_begin(struct lim *lim, const struct lim_camera *camera)
+{
+    lim_drop_ahead(lim);
+    return lim_begin_ahead(lim, camera);
+}
+
+static bool is_whole_at_once(const struct lim *lim)
+{
+    return IS_CONVEX(&lim->target) || IS_PAINTER(&lim->target);
+}
+
+bool lim_frame_work(struct lim *lim)
+{
+    if (lim->ahead.stage == LIM_AHEAD_NONE || is_whole_at_once(lim)) return false;
+    return lim_nearest_work(lim);
+}
+
+int lim_frame_paint(struct lim *lim)
+{
+    if (lim->ahead.stage == LIM_AHEAD_NONE) return LIM_ERR_BEGIN;
+#if LIM_HAS_DELTA
+    begin_changes(lim, &lim->ahead.camera);
+#endif
+    const int err = end(lim, is_whole_at_once(lim) ? draw(lim) : lim_nearest_paint(lim));
+    lim_drop_ahead(lim);
+    return err;
+}
+#endif
+
+uint32_t lim_bands(const struct lim *lim)
+{
+#if LIM_HAS_SPANS
+    return lim->bands;
+#else
+    (void)lim;
+    return 0;
+#endif
 }
 
 const struct lim_stats *lim_stats(const struct lim *lim)

@@ -52,6 +52,10 @@ LIM_MUST_CHECK int lim_movers_init(struct lim *lim, void *mem, size_t mem_b, con
 LIM_MUST_CHECK int lim_movers_frame(struct lim *lim, const struct lim_camera *camera,
                                     const struct lim_instance *instances, uint16_t count);
 
+/* lim_frame_begin() with instances (limner.h), which are read until the frame is painted or dropped. */
+LIM_MUST_CHECK int lim_movers_begin(struct lim *lim, const struct lim_camera *camera,
+                                    const struct lim_instance *instances, uint16_t count);
+
 /* Sets the axes from angles, as a camera takes them: at 0, 0, 0 they are the scene's. */
 void lim_instance_turn(struct lim_instance *instance, uint32_t yaw, uint32_t pitch, uint32_t roll);
 

@@ -32,7 +32,7 @@ bool lim_layers_see(const struct lim_spans *spans, const struct lim_screen_polyg
     lim_edge_begin(&pair, polygon->n, polygon->shape.first);
     for (int16_t y = top; y < bottom; y++) {
         lim_edge_advance(&pair, polygon->at, polygon->n, y);
-        if (lim_layers_see_line(spans, (uint16_t)y, pair.left.x, pair.right.x)) return true;
+        if (lim_layers_see_line(spans, (uint16_t)y, lim_edge_x(&pair.left), lim_edge_x(&pair.right))) return true;
     }
     return false;
 }

@@ -44,6 +44,7 @@ int lim_movers_init(struct lim *lim, void *mem, size_t mem_b, const struct lim_m
     LIM_ASSERT(limits->instances <= LIM_INSTANCES_MAX && limits->instances <= limits->entries);
     LIM_ASSERT(limits->entries <= LIM_SORTED_MAX);
     if (mem_b < lim_movers_mem_b(lim->scene, limits)) return LIM_ERR_MEMORY;
+    lim_drop_ahead(lim);
 #if LIM_HAS_LIGHT
     movers->light.on = false;
 #endif
@@ -64,18 +65,34 @@ int lim_movers_init(struct lim *lim, void *mem, size_t mem_b, const struct lim_m
     return LIM_OK;
 }
 
-int lim_movers_frame(struct lim *lim, const struct lim_camera *camera, const struct lim_instance *instances,
-                     uint16_t count)
+static void set_instances(struct lim_movers *movers, const struct lim_instance *instances, uint16_t count)
 {
-    struct lim_movers *movers = &lim->movers;
-
     movers->instances = instances;
     movers->count = count < movers->most ? count : movers->most;
     movers->given = count;
+}
+
+int lim_movers_frame(struct lim *lim, const struct lim_camera *camera, const struct lim_instance *instances,
+                     uint16_t count)
+{
+    lim_drop_ahead(lim);
+    set_instances(&lim->movers, instances, count);
     const int err = lim_frame(lim, camera);
-    movers->count = movers->given = 0;
+    set_instances(&lim->movers, NULL, 0);
     return err;
 }
+
+#if LIM_HAS_STREAM
+int lim_movers_begin(struct lim *lim, const struct lim_camera *camera, const struct lim_instance *instances,
+                     uint16_t count)
+{
+    lim_drop_ahead(lim);
+    set_instances(&lim->movers, instances, count);
+    const int err = lim_begin_ahead(lim, camera);
+    if (err) set_instances(&lim->movers, NULL, 0);
+    return err;
+}
+#endif
 
 void lim_instance_turn(struct lim_instance *instance, uint32_t yaw, uint32_t pitch, uint32_t roll)
 {
@@ -137,7 +154,7 @@ static void place(const struct lim_instance *instance, const int32_t v[3], int32
 }
 #endif
 
-void lim_mover_place(const struct lim *lim, uint16_t mover, uint16_t vertex, int32_t at_q12[3])
+void lim_mover_place(const struct lim *lim, uint16_t mover, lim_index vertex, int32_t at_q12[3])
 {
     const struct lim_instance *instance = &lim->movers.instances[mover];
     const struct lim_vertex at = instance->object->vertices[vertex];
@@ -193,8 +210,8 @@ struct lim_view *lim_mover_view(struct lim *lim, uint16_t mover)
     struct lim_movers *movers = &lim->movers;
 
     if (movers->cached != mover) {
-        for (uint_fast8_t i = 0; i < LIM_VIEW_CACHE_ENTRIES; i++)
-            movers->cache[i].vertex = LIM_NONE;
+        for (uint_fast16_t i = 0; i < LIM_VIEW_CACHE_ENTRIES; i++)
+            movers->cache[i].vertex = LIM_NO_INDEX;
         movers->cached = mover;
     }
     return &movers->movers[mover].view;
@@ -209,14 +226,14 @@ bool lim_movers_compares(const struct lim *lim)
 static struct lim_box box_of(const struct lim_instance *instance)
 {
     const struct lim_scene *object = instance->object;
-    const uint16_t root = lim_bends(instance) ? (uint16_t)LIM_NONE : object->nodes[0].box;
+    const lim_index root = lim_bends(instance) ? (lim_index)LIM_NO_INDEX : object->nodes[0].box;
     int32_t low[3], high[3];
     struct lim_box box;
 
-    if (root != LIM_NONE) return object->boxes[root];
+    if (root != LIM_NO_INDEX) return object->boxes[root];
     for (uint_fast8_t i = 0; i < 3; i++)
         low[i] = high[i] = 0;
-    for (uint16_t k = 0; k < object->vertex_count; k++) {
+    for (lim_index k = 0; k < object->vertex_count; k++) {
         const struct lim_vertex vertex = object->vertices[k];
         const int32_t at[3] = {vertex.x, vertex.y, vertex.z};
         for (uint_fast8_t i = 0; i < 3; i++) {

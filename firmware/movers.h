@@ -28,7 +28,7 @@ struct lim_mover {
 
 /* What is due when a node's near subtree is done. */
 struct lim_route_pending {
-    uint16_t node;
+    lim_index node;
     uint16_t list; /* for its far subtree, or LIM_NONE */
     int8_t side;   /* of the eye */
 };
@@ -42,9 +42,10 @@ struct lim_route {
 #endif
     struct lim_route_pending *stack;
     uint16_t depth;
-    uint16_t next, list; /* the subtree to enter, or LIM_NONE; what moves in it */
-    uint16_t node;       /* whose run was handed out last */
-    int8_t side;         /* of the eye there */
+    lim_index next; /* the subtree to enter, or LIM_NO_INDEX */
+    uint16_t list;  /* what moves in it */
+    lim_index node; /* whose run was handed out last */
+    int8_t side;    /* of the eye there */
     bool back_to_front;
 };
 
@@ -75,7 +76,7 @@ struct lim_movers {
 void lim_movers_pose(struct lim *lim, const struct lim_camera *camera);
 
 /* An object's vertex in the static scene. */
-void lim_mover_place(const struct lim *lim, uint16_t mover, uint16_t vertex, int32_t at_q12[3]);
+void lim_mover_place(const struct lim *lim, uint16_t mover, lim_index vertex, int32_t at_q12[3]);
 
 /* The mover's view, with the cache empty or its own. */
 struct lim_view *lim_mover_view(struct lim *lim, uint16_t mover);
@@ -104,10 +105,10 @@ void lim_movers_note_entries(struct lim *lim);
 
 /* Adds the polygons of a leaf that face the eye to the list that has come there. false: there is no room, or one of it
  * is to go by its centre; nothing has changed. */
-bool lim_movers_join(struct lim *lim, uint16_t run, uint16_t list);
+bool lim_movers_join(struct lim *lim, lim_index run, uint16_t list);
 
 /* Divides a list by the plane of a node of the static scene; what lies in it goes to the eye's side. */
-void lim_movers_divide(struct lim *lim, uint16_t node, int32_t eye_side, uint16_t list, uint16_t *front,
+void lim_movers_divide(struct lim *lim, lim_index node, int32_t eye_side, uint16_t list, uint16_t *front,
                        uint16_t *back);
 
 /* Puts a list that has come to empty space in order, nearest first or the other way round. Returns its head. */
@@ -117,10 +118,10 @@ uint16_t lim_movers_order(struct lim *lim, uint16_t list, bool back_to_front);
 void lim_route_begin(struct lim_route *route, uint16_t list);
 
 /* What comes next: a run (its offset in *what), or a list. */
-enum lim_route_event lim_route_next(struct lim *lim, struct lim_route *route, uint16_t *what);
+enum lim_route_event lim_route_next(struct lim *lim, struct lim_route *route, lim_index *what);
 
 /* The next run of a route that began without a list; false: there is none. */
-bool lim_route_next_alone(struct lim *lim, struct lim_route *route, uint16_t *run);
+bool lim_route_next_alone(struct lim *lim, struct lim_route *route, lim_index *run);
 
 /* The route through the static scene, and through an object in the view of `open`. */
 struct lim_route lim_route_static(struct lim *lim, bool back_to_front);

@@ -1,9 +1,8 @@
 /* SPDX-License-Identifier: MIT
  *
- * Nearest first. Pass one walks the tree, closes gaps, and retains the polygons that closed some;
- * pass two paints them line by line. When a pool is exhausted, the frame is finished in bands: the
- * same two passes over half the lines, a quarter, one line, half a line. A band of one pixel needs
- * one polygon and no gap, so every frame ends. */
+ * Nearest first, pass one: walks the tree, closes gaps, and retains the polygons that closed some. All at once, or,
+ * where a frame is begun while another is still on its way, polygon by polygon (lim_frame_work()). bands.c drives it.
+ */
 #include "order.h"
 
 #include "layers.h"
@@ -14,32 +13,29 @@
 
 enum { POLYGONS_PER_SHRINK = 20 }; /* the open view is drawn together this often */
 
-/* SPAN for one polygon that is not folded. look: of its pieces for the sink, or NULL. */
-static inline enum lim_span_result close_lines(struct lim_spans *spans, const struct lim_screen_polygon *polygon,
-                                               int16_t top, int16_t bottom, lim_span_sink *sink,
-                                               struct lim_piece_look *look)
+/* SPAN for one polygon that is not folded. look: of its pieces for the sink, or NULL. false: a pool is exhausted. */
+static inline bool close_lines(struct lim_spans *spans, const struct lim_screen_polygon *polygon, int16_t top,
+                               int16_t bottom, struct lim_span_extent *seen, lim_span_sink *sink,
+                               struct lim_piece_look *look)
 {
     struct lim_edge_pair pair;
-    uint8_t result = LIM_SPAN_NOTHING;
-    int16_t y = top;
 
+    (void)sink, (void)look;
+    *seen = (struct lim_span_extent){bottom, top};
     lim_edge_begin(&pair, polygon->n, polygon->shape.first);
-    while (y < bottom) {
+    for (int16_t y = top; y < bottom;) {
         const int16_t turn = lim_edge_turn(&pair, polygon->at, polygon->n, y);
         const int16_t end = turn < bottom ? turn : bottom;
-        for (;;) {
-            if (pair.left.x < pair.right.x) {
-                if (look) look->y_px = (uint16_t)y;
-                result |= (uint8_t)lim_span_close(spans, &spans->lines[y], pair.left.x, pair.right.x, sink, look);
-            }
-            if (++y == end) break;
-            lim_edge_step(&pair.left);
-            lim_edge_step(&pair.right);
-        }
-        if (pair.left.end > turn) lim_edge_step(&pair.left);
-        if (pair.right.end > turn) lim_edge_step(&pair.right);
+#if LIM_HAS_FRAME
+        if (sink) {
+            if (!lim_spans_close_filling(spans, y, end, &pair, seen, sink, look)) return false;
+        } else
+#endif
+            if (!lim_spans_close(spans, y, end, &pair, seen))
+            return false;
+        y = end;
     }
-    return result & LIM_SPAN_EXHAUSTED ? LIM_SPAN_EXHAUSTED : (enum lim_span_result)result;
+    return true;
 }
 
 /* take_plain() for a polygon that is measured by its samples: it is retained up to a row of them. */
@@ -62,6 +58,31 @@ static inline bool take_samples(struct lim *lim, const struct lim_screen_polygon
     (void)lim, (void)polygon, (void)top, (void)bottom;
     return false;
 #endif
+}
+
+/* Scan lines: every polygon in view is retained, without a look at what is open, and painted from far to near. What
+ * that cannot paint is drawn nearest first; so are bands of one line, of which there are only where memory is scarce:
+ * any number of polygons lie behind one another at a pixel, and the least pools hold one. */
+static inline bool retains_all(const struct lim *lim)
+{
+#if LIM_HAS_SCANLINE
+    return lim->retains_all;
+#else
+    (void)lim;
+    return false;
+#endif
+}
+
+/* In a band: one of a line is drawn nearest first, for which any pool will do. */
+static inline bool can_retain_all(const struct lim *lim, const struct lim_rect *band)
+{
+    if (!LIM_IS_SCANLINE(&lim->target) || band->y1 - band->y0 <= 1) return false;
+#if LIM_HAS_DELTA
+    if (lim->delta) return false;
+#endif
+    if (LIM_HAS_TRANSPARENT && lim->scene->limits.layers) return false;
+    return !(LIM_HAS_TEXTURE && lim_texture_count(lim->scene)) && !lim_wireframe_of(lim) && !lim_wants_antialias(lim) &&
+           !lim_moves(lim);
 }
 
 static bool sees_open(const struct lim *lim, const struct lim_screen_polygon *polygon, int16_t top, int16_t bottom)
@@ -91,7 +112,8 @@ static inline bool fill_plain(struct lim *lim, const struct lim_screen_polygon *
 #if LIM_HAS_FRAME
     struct lim_piece_look look = {.ctx = lim->target.ctx, .colour = polygon->colour};
 
-    return close_lines(&lim->spans, polygon, top, bottom, lim->target.fill, &look) != LIM_SPAN_EXHAUSTED;
+    struct lim_span_extent seen;
+    return close_lines(&lim->spans, polygon, top, bottom, &seen, lim->target.fill, &look);
 #else
     (void)lim, (void)polygon, (void)top, (void)bottom;
     return false;
@@ -111,13 +133,15 @@ static bool take_plain(struct lim *lim, const struct lim_screen_polygon *polygon
     if (LIM_HAS_ANTIALIAS && lim_is_antialiased(&lim->view)) return take_samples(lim, polygon, top, bottom);
     const bool wireframe = lim_wireframe_of(lim);
     const uint8_t alpha = wireframe ? (uint8_t)LIM_OPAQUE : lim_alpha_of(polygon);
-    const enum lim_span_result result = alpha == LIM_OPAQUE ? close_lines(&lim->spans, polygon, top, bottom, NULL, NULL)
-                                        : sees_open(lim, polygon, top, bottom) ? LIM_SPAN_SOME
-                                                                               : LIM_SPAN_NOTHING;
-    if (result == LIM_SPAN_NOTHING) return true;
-    if (result == LIM_SPAN_EXHAUSTED) return false;
+    struct lim_span_extent shown = {top, bottom};
+    if (alpha != LIM_OPAQUE) {
+        if (!sees_open(lim, polygon, top, bottom)) return true;
+    } else if (!retains_all(lim) && !close_lines(&lim->spans, polygon, top, bottom, &shown, NULL, NULL)) {
+        return false;
+    }
+    if (shown.top >= shown.bottom) return true;
     if (LIM_HAS_STATS) lim_stats_of(lim)->polygons_seen++;
-    const struct lim_retained_polygon seen = lim_retained_of(polygon, top, bottom, wireframe);
+    const struct lim_retained_polygon seen = lim_retained_of(polygon, shown.top, shown.bottom, wireframe);
     return lim_retain(&lim->retained, lim->spans.lines, &seen);
 }
 
@@ -142,7 +166,7 @@ static void note_pools(struct lim *lim)
 }
 
 /* Where polygons come from: the walk through the tree, or the sorted list. false: a pool is exhausted. */
-#if LIM_HAS_NEAREST
+#if LIM_HAS_WALKED
 static void shrink(struct lim *lim)
 {
     const bool smaller = lim_spans_shrink(&lim->spans);
@@ -150,23 +174,33 @@ static void shrink(struct lim *lim)
     if (LIM_HAS_CULL && smaller) lim_cull_set(lim_cull_of(lim), &lim->view, lim_eye_of(lim)->at_q8, &lim->spans.open);
 }
 
-static bool take_run(struct lim *lim, uint16_t run, uint8_t *since_shrink)
+/* A record that faces the eye. false: a pool is exhausted. */
+static inline bool take_record(struct lim *lim, const LIM_FLASH lim_index *record, uint8_t *since_shrink)
 {
-    const LIM_FLASH uint16_t *record = &lim->scene->polygons[run];
     struct lim_screen_polygon polygon;
 
+    if (lim_project(&polygon, &lim->view, lim->scene, record, &lim->spans.open, lim_stats_of(lim))) {
+        if (!take(lim, &polygon)) return false;
+        if (!lim->spans.open_lines) return true;
+        if (!retains_all(lim)) lim_spans_trim(&lim->spans);
+    }
+    if (!retains_all(lim) && ++*since_shrink == POLYGONS_PER_SHRINK) {
+        *since_shrink = 0;
+        shrink(lim);
+    }
+    return true;
+}
+
+static bool take_run(struct lim *lim, lim_index run, uint8_t *since_shrink)
+{
+    const LIM_FLASH lim_index *record = &lim->scene->polygons[run];
+
     for (;;) {
-        const uint16_t head = record[0];
+        const lim_index head = record[0];
         if (LIM_HAS_STATS) lim_stats_of(lim)->records += (head & LIM_POLYGON_PLANE) != 0;
         if (lim_record_is_seen(&lim->walk.eye, record)) {
-            if (lim_project(&polygon, &lim->view, lim->scene, record, &lim->spans.open, lim_stats_of(lim))) {
-                if (!take(lim, &polygon)) return false;
-                if (!lim->spans.open_lines) return true;
-            }
-            if (++*since_shrink == POLYGONS_PER_SHRINK) {
-                *since_shrink = 0;
-                shrink(lim);
-            }
+            if (!take_record(lim, record, since_shrink)) return false;
+            if (!lim->spans.open_lines) return true;
         }
         if (head & LIM_POLYGON_LAST) return true;
         record += lim_record_words(head);
@@ -184,23 +218,27 @@ static int draw_mover(struct lim *lim, uint16_t entry, const struct lim_screen_p
     return lim->spans.open_lines ? 0 : FULL;
 }
 
+/* What moves and has come to empty space. false: a pool is exhausted. */
+static bool take_list(struct lim *lim, uint16_t list)
+{
+    list = lim_movers_order(lim, list, false);
+    if (lim_movers_draw(lim, list, &lim->spans.open, false, draw_mover) == EXHAUSTED) return false;
+    shrink(lim);
+    return true;
+}
+
 static bool collect_with_movers(struct lim *lim)
 {
     struct lim_route route = lim_route_static(lim, false);
     uint8_t since_shrink = 0;
-    uint16_t what;
+    lim_index what;
 
     lim_route_begin(&route, lim_movers_list(lim, lim_cull_of(lim)));
     while (lim->spans.open_lines) {
         const enum lim_route_event event = lim_route_next(lim, &route, &what);
         if (event == LIM_ROUTE_END) return true;
-        if (event == LIM_ROUTE_RUN) {
-            if (!take_run(lim, what, &since_shrink)) return false;
-            continue;
-        }
-        what = lim_movers_order(lim, what, false);
-        if (lim_movers_draw(lim, what, &lim->spans.open, false, draw_mover) == EXHAUSTED) return false;
-        shrink(lim);
+        if (!(event == LIM_ROUTE_RUN ? take_run(lim, what, &since_shrink) : take_list(lim, (uint16_t)what)))
+            return false;
     }
     return true;
 }
@@ -209,7 +247,7 @@ static bool collect_with_movers(struct lim *lim)
 static bool collect_from_tree(struct lim *lim, const struct lim_rect *band)
 {
     uint8_t since_shrink = 0;
-    uint16_t run;
+    lim_index run;
 
     if (LIM_HAS_CULL) lim_cull_set(lim_cull_of(lim), &lim->view, lim_eye_of(lim)->at_q8, band);
 #if LIM_HAS_MOVERS
@@ -217,7 +255,7 @@ static bool collect_from_tree(struct lim *lim, const struct lim_rect *band)
 #endif
     lim_walk_begin(&lim->walk, lim->stack, false);
     while (lim->spans.open_lines &&
-           (run = lim_walk_next(&lim->walk, lim_cull_of(lim), lim_stats_of(lim))) != LIM_NONE) {
+           (run = lim_walk_next(&lim->walk, lim_cull_of(lim), lim_stats_of(lim))) != LIM_NO_INDEX) {
         if (!take_run(lim, run, &since_shrink)) return false;
     }
     return true;
@@ -225,21 +263,26 @@ static bool collect_from_tree(struct lim *lim, const struct lim_rect *band)
 #endif
 
 #if LIM_HAS_SORTED
+static bool take_entry(struct lim *lim, uint16_t at, uint8_t *since_shrink)
+{
+    const LIM_FLASH lim_index *record = &lim->scene->polygons[lim->sorter.list[at].record];
+    struct lim_screen_polygon polygon;
+
+    if (!lim_project(&polygon, &lim->view, lim->scene, record, &lim->spans.open, lim_stats_of(lim))) return true;
+    if (!(LIM_HAS_NEWELL && lim_is_piece(lim, at) ? lim_piece_take(lim, at, &polygon) : take(lim, &polygon)))
+        return false;
+    if (++*since_shrink < POLYGONS_PER_SHRINK) return true;
+    *since_shrink = 0;
+    (void)lim_spans_shrink(&lim->spans);
+    return true;
+}
+
 static bool collect_from_list(struct lim *lim)
 {
-    const struct lim_rect *open = &lim->spans.open;
-    struct lim_screen_polygon polygon;
     uint8_t since_shrink = 0;
 
-    for (uint16_t at = lim->sorter.first; at != LIM_NONE && lim->spans.open_lines; at = lim->sorter.list[at].next) {
-        const LIM_FLASH uint16_t *record = &lim->scene->polygons[lim->sorter.list[at].record];
-        if (!lim_project(&polygon, &lim->view, lim->scene, record, open, lim_stats_of(lim))) continue;
-        if (!(LIM_HAS_NEWELL && lim_is_piece(lim, at) ? lim_piece_take(lim, at, &polygon) : take(lim, &polygon)))
-            return false;
-        if (++since_shrink < POLYGONS_PER_SHRINK) continue;
-        since_shrink = 0;
-        (void)lim_spans_shrink(&lim->spans);
-    }
+    for (uint16_t at = lim->sorter.first; at != LIM_NONE && lim->spans.open_lines; at = lim->sorter.list[at].next)
+        if (!take_entry(lim, at, &since_shrink)) return false;
     return true;
 }
 #endif
@@ -249,7 +292,7 @@ static bool collect_from_source(struct lim *lim, const struct lim_rect *band)
 #if LIM_HAS_SORTED
     if (LIM_IS_SORTED(&lim->target)) return collect_from_list(lim);
 #endif
-#if LIM_HAS_NEAREST
+#if LIM_HAS_WALKED
     return collect_from_tree(lim, band);
 #else
     (void)band;
@@ -257,191 +300,126 @@ static bool collect_from_source(struct lim *lim, const struct lim_rect *band)
 #endif
 }
 
-/* Pass one over a band. */
-static bool collect(struct lim *lim, const struct lim_rect *band)
+static void open_band(struct lim *lim, const struct lim_rect *band)
 {
     lim_spans_open(&lim->spans, &lim->target, band);
-    lim->retained.used = 0;
+    lim_retained_clear(&lim->retained);
+#if LIM_HAS_SCANLINE
+    lim->retains_all = can_retain_all(lim, band);
+#endif
+}
+
+bool lim_collect(struct lim *lim, const struct lim_rect *band)
+{
+    open_band(lim, band);
     if (!collect_from_source(lim, band)) return false;
     if (LIM_HAS_STATS) note_pools(lim);
     return true;
 }
 
-/* A smaller band that starts where this one does. What PAINT has left of a band may be a single
- * pixel, which is smaller already. */
-static void halve(struct lim_rect *band)
+#if LIM_HAS_STREAM
+/* The same in quanta, over all lines. What a loop above has in variables is in lim->ahead. */
+#if LIM_HAS_WALKED
+/* Records up to the next that faces the eye, and this. */
+static bool take_some_of_run(struct lim *lim)
 {
-    const uint16_t lines = (uint16_t)(band->y1 - band->y0), pixels = (uint16_t)(band->x1 - band->x0);
+    const LIM_FLASH lim_index *record = lim->ahead.record;
 
-    if (lines > 1)
-        band->y1 = (uint16_t)(band->y0 + lines / 2);
-    else if (pixels > 1)
-        band->x1 = (uint16_t)(band->x0 + pixels / 2);
+    for (bool is_seen = false; record && !is_seen;) {
+        const lim_index head = record[0];
+        if (LIM_HAS_STATS) lim_stats_of(lim)->records += (head & LIM_POLYGON_PLANE) != 0;
+        is_seen = lim_record_is_seen(&lim->walk.eye, record);
+        if (is_seen && !take_record(lim, record, &lim->ahead.since_shrink)) return false;
+        record = head & LIM_POLYGON_LAST || !lim->spans.open_lines ? NULL : record + lim_record_words(head);
+    }
+    lim->ahead.record = record;
+    return true;
 }
 
-/* The band of the same size that follows: to the right, or below. */
-static void follow(struct lim_rect *band, const struct lim_target *target)
+static void begin_tree(struct lim *lim, const struct lim_rect *frame)
 {
-    const uint16_t lines = (uint16_t)(band->y1 - band->y0), pixels = (uint16_t)(band->x1 - band->x0);
-
-    if (band->x1 < target->w_px) {
-        band->x0 = band->x1;
-        band->x1 = (uint16_t)(target->w_px - band->x0 < pixels ? target->w_px : band->x0 + pixels);
+    lim->ahead.record = NULL;
+    if (LIM_HAS_CULL) lim_cull_set(lim_cull_of(lim), &lim->view, lim_eye_of(lim)->at_q8, frame);
+#if LIM_HAS_MOVERS
+    if (lim->movers.count) {
+        lim->ahead.route = lim_route_static(lim, false);
+        lim_route_begin(&lim->ahead.route, lim_movers_list(lim, lim_cull_of(lim)));
         return;
     }
-    band->x0 = 0;
-    band->x1 = pixels;
-    band->y0 = band->y1;
-    band->y1 = (uint16_t)(target->h_px - band->y0 < lines ? target->h_px : band->y0 + lines);
+#endif
+    lim_walk_begin(&lim->walk, lim->stack, false);
 }
 
-/* Both passes. Positive: a pool is exhausted (LIM_PAINT_...), and *y is the first line that is not yet painted. */
-static int draw_band(struct lim *lim, const struct lim_rect *band, uint16_t *y)
+/* LIM_NO_INDEX: there is none. With movers, they may come instead. */
+static enum lim_route_event next_of_tree(struct lim *lim, lim_index *what)
 {
-    *y = band->y0;
-    if (!collect(lim, band)) return LIM_PAINT_ACTIVE;
-    return lim_paint_band(&lim->paint, &lim->spans, &lim->retained, band, y, lim_stats_of(lim));
-}
-
-/* How far the stack must reach, and how many polygons wait at one pixel, is not bounded where some are transparent; and
- * wireframe retains more of a polygon than the least pool was made for. The painter's order needs no pool at all: a
- * line for which any is too small is painted so. */
-static bool wants_painter(const struct lim *lim, const struct lim_rect *band, int exhausted)
-{
-    if (!LIM_HAS_FALLBACK) return false;
-    if (!lim->scene->limits.layers && !lim_wireframe_of(lim) && !lim_moves(lim)) return false;
-    return exhausted == LIM_PAINT_LAYERS || band->y1 - band->y0 == 1;
-}
-
-/* In all views of the frame. */
-static inline void set_antialiased(struct lim *lim, bool antialiased)
-{
-#if LIM_HAS_ANTIALIAS
-    lim->view.antialiased = antialiased;
 #if LIM_HAS_MOVERS
-    lim->movers.world.antialiased = antialiased;
-    for (uint16_t i = 0; i < lim->movers.count; i++)
-        lim->movers.movers[i].view.antialiased = antialiased;
+    if (lim->movers.count) return lim_route_next(lim, &lim->ahead.route, what);
 #endif
-#else
-    (void)lim, (void)antialiased;
-#endif
+    *what = lim_walk_next(&lim->walk, lim_cull_of(lim), lim_stats_of(lim));
+    return *what == LIM_NO_INDEX ? LIM_ROUTE_END : LIM_ROUTE_RUN;
 }
 
-/* Whether lim_set_antialias() has lent what it takes. */
-static inline bool wants_antialias(const struct lim *lim)
+/* A quantum: a polygon, or what has moved to one place. */
+static enum lim_ahead_stage take_some_of_tree(struct lim *lim)
 {
-#if LIM_HAS_ANTIALIAS
-    return lim->paint.smooth.sums && !lim_wireframe_of(lim);
-#else
-    (void)lim;
-    return false;
+    lim_index what;
+
+    if (!lim->ahead.record) {
+        const enum lim_route_event event = lim->spans.open_lines ? next_of_tree(lim, &what) : LIM_ROUTE_END;
+        if (event == LIM_ROUTE_END) return LIM_AHEAD_DONE;
+#if LIM_HAS_MOVERS
+        if (event == LIM_ROUTE_LIST) return take_list(lim, (uint16_t)what) ? LIM_AHEAD_BUSY : LIM_AHEAD_EXHAUSTED;
 #endif
-}
-
-/* One line, from a walk of its own: it needs no pool. */
-static inline int draw_line_alone(struct lim *lim, const struct lim_rect *band)
-{
-#if LIM_HAS_ANTIALIAS
-    const int err = lim_smooth_begin_line(lim, band->y0);
-
-    if (err) return err;
-    (void)collect(lim, band);
-    return lim_smooth_end_line(lim, band->y0);
-#else
-    (void)lim, (void)band;
-    return 0;
-#endif
-}
-
-/* The band's first line; what is left of the band comes next. */
-static int paint_first_line(struct lim *lim, struct lim_rect *band)
-{
-    int err = LIM_ERR_TARGET;
-#if LIM_HAS_FALLBACK
-    const bool antialiased = lim_is_antialiased(&lim->view);
-
-    set_antialiased(lim, false);
-    err = lim_painter_line(lim, band->y0);
-    set_antialiased(lim, antialiased);
-#endif
-    if (band->y1 - band->y0 > 1)
-        band->y0++;
-    else
-        follow(band, &lim->target);
-    return err;
-}
-
-#if LIM_HAS_FRAME
-/* Whether all of the frame is made of pieces in one colour, and the target has room for it. */
-static bool wants_fill(const struct lim *lim)
-{
-    if (!lim->target.fill || lim->target.method != LIM_NEAREST_FIRST || wants_antialias(lim)) return false;
-    if (lim->scene->limits.layers || lim_texture_count(lim->scene) || lim_wireframe_of(lim)) return false;
-#if LIM_HAS_DELTA
-    if (lim->delta) return false;
-#endif
-    return !lim_moves(lim);
-}
-
-static void fill_background(struct lim *lim)
-{
-    const struct lim_rect *open = &lim->spans.open;
-    struct lim_piece_look look = {.ctx = lim->target.ctx, .colour = lim_background_of(lim)};
-
-    if (!lim->spans.open_lines) return;
-    for (look.y_px = open->y0; look.y_px < open->y1; look.y_px++) {
-        struct lim_line *line = &lim->spans.lines[look.y_px];
-        (void)lim_span_close(&lim->spans, line, 0, (int16_t)lim->target.w_px, lim->target.fill, &look);
+        lim->ahead.record = &lim->scene->polygons[what];
     }
-}
-
-/* Polygons straight into the frame that the target keeps: pass one alone. Positive: it must come by lines. */
-static int fill_frame(struct lim *lim, const struct lim_rect *frame)
-{
-    lim->fills = true;
-    const bool whole = collect(lim, frame);
-    lim->fills = false;
-    if (!whole) return LIM_PAINT_ACTIVE;
-    fill_background(lim);
-    return lim->target.show(lim->target.ctx);
+    return take_some_of_run(lim) ? LIM_AHEAD_BUSY : LIM_AHEAD_EXHAUSTED;
 }
 #endif
 
-int lim_nearest_frame(struct lim *lim)
+#if LIM_HAS_SORTED
+static enum lim_ahead_stage take_some_of_list(struct lim *lim)
 {
-    struct lim_rect band = {0, 0, lim->target.w_px, lim->target.h_px};
+    const uint16_t at = lim->ahead.entry;
 
-    if (LIM_HAS_ANTIALIAS) set_antialiased(lim, wants_antialias(lim));
-    if (LIM_IS_SORTED(&lim->target)) lim_sorted_order(lim);
-#if LIM_HAS_FRAME
-    if (wants_fill(lim)) {
-        const int err = fill_frame(lim, &band);
-        if (err <= 0) return err;
-    }
-#endif
-    while (band.y0 < lim->target.h_px) {
-        uint16_t y;
-        const int err = draw_band(lim, &band, &y);
-        if (err < 0) return err;
-        if (err) {
-            band.y0 = y;
-            if (LIM_HAS_STATS) lim_stats_of(lim)->bands++;
-            if (wants_painter(lim, &band, err)) {
-                const int failed = paint_first_line(lim, &band);
-                if (failed) return failed;
-            } else if (LIM_HAS_ANTIALIAS && lim_is_antialiased(&lim->view) && band.y1 - band.y0 == 1) {
-                const int failed = draw_line_alone(lim, &band);
-                if (failed) return failed;
-                follow(&band, &lim->target);
-            } else {
-                halve(&band);
-            }
-        } else {
-            follow(&band, &lim->target);
-        }
-    }
-    return 0;
+    if (at == LIM_NONE || !lim->spans.open_lines) return LIM_AHEAD_DONE;
+    lim->ahead.entry = lim->sorter.list[at].next;
+    return take_entry(lim, at, &lim->ahead.since_shrink) ? LIM_AHEAD_BUSY : LIM_AHEAD_EXHAUSTED;
 }
+#endif
+
+void lim_collect_begin(struct lim *lim, const struct lim_rect *frame)
+{
+    open_band(lim, frame);
+    lim->ahead.since_shrink = 0;
+#if LIM_HAS_SORTED
+    lim->ahead.entry = lim->sorter.first;
+    if (LIM_IS_SORTED(&lim->target)) return;
+#endif
+#if LIM_HAS_WALKED
+    begin_tree(lim, frame);
+#endif
+}
+
+static enum lim_ahead_stage take_some(struct lim *lim)
+{
+#if LIM_HAS_SORTED
+    if (LIM_IS_SORTED(&lim->target)) return take_some_of_list(lim);
+#endif
+#if LIM_HAS_WALKED
+    return take_some_of_tree(lim);
+#else
+    return LIM_AHEAD_DONE;
+#endif
+}
+
+enum lim_ahead_stage lim_collect_some(struct lim *lim)
+{
+    const enum lim_ahead_stage stage = take_some(lim);
+
+    if (LIM_HAS_STATS && stage == LIM_AHEAD_DONE) note_pools(lim);
+    return stage;
+}
+#endif
 
 #endif

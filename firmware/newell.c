@@ -37,7 +37,7 @@ static uint16_t within(int16_t at, uint16_t end)
     return at < 0 ? 0 : at > (int16_t)end ? end : (uint16_t)at;
 }
 
-bool lim_newell_add(struct lim *lim, uint16_t entry, const LIM_FLASH uint16_t *record, int32_t near_qv, uint16_t node,
+bool lim_newell_add(struct lim *lim, uint16_t entry, const LIM_FLASH lim_index *record, int32_t near_qv, lim_index node,
                     bool eye_in_front)
 {
     const uint16_t w_px = lim->target.w_px, h_px = lim->target.h_px;

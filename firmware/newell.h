@@ -23,7 +23,7 @@ struct lim_newell_options {
 struct lim_newell_polygon {
     int32_t near_qv;      /* view-space z of its nearest vertex */
     struct lim_rect rect; /* holds every pixel of it */
-    uint16_t node;        /* whose run it is in */
+    lim_index node;       /* whose run it is in */
     uint16_t cuts;        /* the last cut that made this piece, or LIM_NONE: it is whole */
     bool eye_in_front;    /* of its plane */
     bool swapped;         /* it goes before a P already */
@@ -53,7 +53,7 @@ struct lim;
 void lim_newell_set(struct lim *lim, const struct lim_newell_options *options);
 
 /* Takes a record in as an entry of the list. false: nothing of it can be seen. */
-bool lim_newell_add(struct lim *lim, uint16_t entry, const LIM_FLASH uint16_t *record, int32_t near_qv, uint16_t node,
+bool lim_newell_add(struct lim *lim, uint16_t entry, const LIM_FLASH lim_index *record, int32_t near_qv, lim_index node,
                     bool eye_in_front);
 
 /* From a list sorted by farthest points, farthest first, to the right order, nearest first. */

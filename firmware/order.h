@@ -10,9 +10,12 @@
 #include "limner.h"
 
 /* Which sorted order the method is, if it is one; constants where there is no choice. */
-#define LIM_IS_SORTED(target) (LIM_HAS_SORTED && (!LIM_HAS_NEAREST || (target)->method >= LIM_DEPTH))
+#define LIM_IS_SORTED(target) (LIM_HAS_SORTED && (!LIM_HAS_WALKED || (target)->method >= LIM_DEPTH))
 #define LIM_IS_NEWELL(target)                                                                                          \
-    (LIM_HAS_NEWELL && ((!LIM_HAS_NEAREST && !LIM_HAS_DEPTH) || (target)->method == LIM_NEWELL))
+    (LIM_HAS_NEWELL && ((!LIM_HAS_WALKED && !LIM_HAS_DEPTH) || (target)->method == LIM_NEWELL))
+
+#define LIM_IS_SCANLINE(target)                                                                                        \
+    (LIM_HAS_SCANLINE && ((!LIM_HAS_NEAREST && !LIM_HAS_SORTED) || (target)->method == LIM_SCANLINE))
 
 /* Whether what is drawn nearest first is a line's samples: what antialiasing takes. */
 #define LIM_PAINTS_NEAREST_FIRST(target)                                                                               \
@@ -30,10 +33,38 @@ static inline bool lim_is_piece(const struct lim *lim, uint16_t entry)
 #endif
 }
 
-/* Nearest first, without a framebuffer: nearest.c, and its memory in pools.c. From the tree, or from a sorted list. */
+/* Whether lim_set_antialias() has lent what it takes. */
+static inline bool lim_wants_antialias(const struct lim *lim)
+{
+#if LIM_HAS_ANTIALIAS
+    return lim->paint.smooth.sums && !lim_wireframe_of(lim);
+#else
+    (void)lim;
+    return false;
+#endif
+}
+
+/* Nearest first, without a framebuffer: bands.c, and its memory in pools.c. From the tree, or from a sorted list. So
+ * does the scan-line order. */
 size_t lim_nearest_mem_b(const struct lim_scene *scene, const struct lim_target *target, bool least);
 void lim_nearest_init(struct lim *lim, void *mem, size_t mem_b);
 LIM_MUST_CHECK int lim_nearest_frame(struct lim *lim);
+
+/* The same in parts, after lim_frame_begin(), if LIM_HAS_STREAM. */
+bool lim_nearest_work(struct lim *lim);
+LIM_MUST_CHECK int lim_nearest_paint(struct lim *lim);
+
+/* lim_frame_begin() where none is begun; the frame has the instances that are set. */
+LIM_MUST_CHECK int lim_begin_ahead(struct lim *lim, const struct lim_camera *camera);
+
+/* Pass one over a band: nearest.c. false: a pool is exhausted. */
+bool lim_collect(struct lim *lim, const struct lim_rect *band);
+
+#if LIM_HAS_STREAM
+/* The same over the frame, in quanta: what it returns is LIM_AHEAD_BUSY but for the last. */
+void lim_collect_begin(struct lim *lim, const struct lim_rect *frame);
+enum lim_ahead_stage lim_collect_some(struct lim *lim);
+#endif
 
 /* Back to front, into one: painter.c. */
 size_t lim_painter_mem_b(const struct lim_scene *scene);

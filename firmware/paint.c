@@ -4,18 +4,13 @@
  * arrive far to near (retain.h), so each is put in front of the one before it or further up. */
 #include "paint.h"
 
+#include "flat.h"
+
 #if LIM_HAS_SPANS
 
 static const union lim_retained_cell *cells_of(const struct lim_retained *retained, const struct lim_active *active)
 {
     return &retained->cells[active->polygon];
-}
-
-_Static_assert(sizeof(union lim_retained_cell) == sizeof(struct lim_point), "points lie one a cell");
-
-static const struct lim_point *points_of(const union lim_retained_cell *cells)
-{
-    return &cells[LIM_RETAINED_HEAD_CELLS].at;
 }
 
 static inline bool is_antialiased(const struct lim_paint *paint)
@@ -28,7 +23,6 @@ static inline bool is_antialiased(const struct lim_paint *paint)
 #endif
 }
 
-#if LIM_HAS_DELTA
 static inline bool is_wireframe(const struct lim_paint *paint)
 {
 #if LIM_HAS_WIREFRAME
@@ -37,29 +31,6 @@ static inline bool is_wireframe(const struct lim_paint *paint)
     (void)paint;
     return false;
 #endif
-}
-#endif
-
-/* A piece has no edges: its lines are there, the last one first. */
-static LIM_RARE void take_line(struct lim_active *active, const union lim_retained_cell *cells, int16_t y)
-{
-    const struct lim_point line = points_of(cells)[lim_retained_bottom(cells) - 1 - y];
-
-    active->pair.left.x = (int16_t)line.x;
-    active->pair.right.x = (int16_t)line.y;
-    active->turn = (int16_t)(y + 1);
-}
-
-static void turn(struct lim_active *active, const union lim_retained_cell *cells, int16_t y)
-{
-    if (LIM_HAS_PIECES && !cells[0].link.n) {
-        take_line(active, cells, y);
-        return;
-    }
-    const int16_t at = lim_edge_turn(&active->pair, points_of(cells), cells[0].link.n, y);
-    const int16_t bottom = lim_retained_bottom(cells);
-
-    active->turn = at < bottom ? at : bottom;
 }
 
 static void set_texture(const struct lim_paint *paint, struct lim_active *active, const union lim_retained_cell *cells)
@@ -74,22 +45,22 @@ static void set_texture(const struct lim_paint *paint, struct lim_active *active
 /* Starts one polygon on line y. false: no room. */
 static bool activate(struct lim_paint *paint, const struct lim_retained *retained, uint16_t polygon, uint16_t y)
 {
-    const uint16_t self = paint->free;
-    const union lim_retained_cell *cells = &retained->cells[polygon];
-    uint16_t *link = &paint->first;
+    struct lim_active **link = &paint->actives.first, *active = lim_active_take(&paint->actives);
 
-    if (self == LIM_NONE) return false;
-    struct lim_active *active = &paint->pool[self];
-    paint->free = active->next;
-    paint->used++;
-    while (*link != LIM_NONE && paint->pool[*link].polygon < polygon)
-        link = &paint->pool[*link].next;
+    if (!active) return false;
+    while (*link && (*link)->polygon < polygon)
+        link = &(*link)->next;
     active->next = *link;
-    *link = self;
-    active->polygon = polygon;
-    set_texture(paint, active, cells);
-    lim_edge_begin(&active->pair, cells[0].link.n, cells[0].link.first);
-    if (!(LIM_HAS_ANTIALIAS && is_antialiased(paint))) turn(active, cells, (int16_t)y);
+    *link = active;
+    set_texture(paint, active, &retained->cells[polygon]);
+#if LIM_HAS_ANTIALIAS
+    if (is_antialiased(paint)) {
+        active->polygon = polygon;
+        lim_strip_begin(&active->samples, retained->cells[polygon].link.n, retained->cells[polygon].link.first);
+        return true;
+    }
+#endif
+    lim_active_begin(active, retained, polygon, (int16_t)y);
     return true;
 }
 
@@ -159,7 +130,7 @@ static inline void set_wire(struct sink *sink, const struct lim_paint *paint, co
 
     sink->wire.n = 0;
     if (!style->on) return;
-    sink->wire = (struct lim_wire){.at = points_of(cells),
+    sink->wire = (struct lim_wire){.at = lim_active_points(cells),
                                    .hidden = cells[LIM_RETAINED_HEAD_CELLS + n].hidden,
                                    .colour = style->one_colour ? lim_memory_colour(style->colour) : sink->colour,
                                    .background = paint->background,
@@ -174,8 +145,8 @@ static inline void set_span(struct sink *sink, const struct lim_active *active, 
 {
 #if LIM_HAS_TEXTURE
     sink->span.gradients = lim_retained_has_texture(cells) ? &active->gradients : NULL;
-    sink->span.left = active->pair.left.x;
-    sink->span.right = active->pair.right.x;
+    sink->span.left = lim_edge_x(&active->pair.left);
+    sink->span.right = lim_edge_x(&active->pair.right);
 #else
     (void)sink, (void)active, (void)cells;
 #endif
@@ -213,7 +184,7 @@ static bool advance(struct lim_active *active, const union lim_retained_cell *ce
     if (y >= lim_retained_bottom(cells)) return false;
     if (active->pair.left.end > y) lim_edge_step(&active->pair.left);
     if (active->pair.right.end > y) lim_edge_step(&active->pair.right);
-    if (y >= active->turn) turn(active, cells, y);
+    if (y >= active->turn) lim_active_turn(active, cells, y);
     return true;
 }
 
@@ -231,7 +202,7 @@ static void push_layers(struct lim_paint *paint, const struct lim_spans *spans, 
                         const struct lim_active *active, const union lim_retained_cell *cells)
 {
 #if LIM_HAS_TRANSPARENT
-    const int16_t left = active->pair.left.x, right = active->pair.right.x;
+    const int16_t left = lim_edge_x(&active->pair.left), right = lim_edge_x(&active->pair.right);
     const struct lim_layer piece = {left > 0 ? (uint16_t)left : 0, right > 0 ? (uint16_t)right : 0,
                                     cells[1].look.colour, lim_retained_alpha(cells)};
 
@@ -292,10 +263,10 @@ static inline bool paint_samples(struct lim_paint *paint, struct lim_spans *span
     struct lim_strip strip;
 
     if (LIM_HAS_PIECES && !cells[0].link.n)
-        lim_strip_of_rows(&strip, points_of(cells), end_row, (int16_t)y);
+        lim_strip_of_rows(&strip, lim_active_points(cells), end_row, (int16_t)y);
     else
-        lim_strip_next(&strip, &active->pair, points_of(cells), cells[0].link.n, cells[0].link.first, (int16_t)y,
-                       end_row);
+        lim_strip_next(&strip, &active->samples, lim_active_points(cells), cells[0].link.n, cells[0].link.first,
+                       (int16_t)y, end_row);
     if (!push_strip(paint, spans, open, &strip, cells)) mix_strip(paint, spans, open, &strip, active, cells, sink);
     return ((int16_t)y + 1) * LIM_SAMPLE_ROWS < end_row;
 #else
@@ -309,7 +280,7 @@ static inline bool paint_centres(struct lim_paint *paint, struct lim_spans *span
                                  struct lim_active *active, const union lim_retained_cell *cells, uint16_t y,
                                  struct sink *sink)
 {
-    const int16_t left = active->pair.left.x, right = active->pair.right.x;
+    const int16_t left = lim_edge_x(&active->pair.left), right = lim_edge_x(&active->pair.right);
 
     sink->colour = cells[1].look.colour;
     set_span(sink, active, cells);
@@ -326,23 +297,18 @@ static inline bool paint_centres(struct lim_paint *paint, struct lim_spans *span
 static void paint_polygons(struct lim_paint *paint, struct lim_spans *spans, const struct lim_retained *retained,
                            struct lim_line *open, uint16_t y, struct sink *sink)
 {
-    uint16_t *link = &paint->first;
+    struct lim_active **link = &paint->actives.first;
 
-    while (*link != LIM_NONE) {
-        const uint16_t self = *link;
-        struct lim_active *active = &paint->pool[self];
+    while (*link) {
+        struct lim_active *active = *link;
         const union lim_retained_cell *cells = cells_of(retained, active);
         const bool goes_on = LIM_HAS_ANTIALIAS && is_antialiased(paint)
                                  ? paint_samples(paint, spans, open, active, cells, y, sink)
                                  : paint_centres(paint, spans, open, active, cells, y, sink);
-        if (goes_on) {
+        if (goes_on)
             link = &active->next;
-        } else {
-            *link = active->next;
-            active->next = paint->free;
-            paint->free = self;
-            paint->used--;
-        }
+        else
+            lim_active_give_back(&paint->actives, link);
     }
 }
 
@@ -410,8 +376,8 @@ static enum line_use use_of_line(const struct lim_paint *paint, const struct lim
     if (band->x1 - band->x0 < paint->target->w_px) return PAINTED; /* pieces of lines are sent as they are */
     enum line_use use = lim_delta_wants_lines(paint->delta) ? PAINTED_AND_NOTED : NOTED;
     if (!LIM_HAS_TRANSPARENT && !LIM_HAS_TEXTURE) return use;
-    for (uint16_t at = paint->first; at != LIM_NONE; at = paint->pool[at].next) {
-        const union lim_retained_cell *cells = cells_of(retained, &paint->pool[at]);
+    for (const struct lim_active *active = paint->actives.first; active; active = active->next) {
+        const union lim_retained_cell *cells = cells_of(retained, active);
         if (LIM_HAS_TRANSPARENT && lim_retained_alpha(cells) != LIM_OPAQUE) return PAINTED;
         if (lim_retained_has_texture(cells)) use = PAINTED_AND_NOTED;
     }
@@ -446,7 +412,7 @@ static int paint_line(struct lim_paint *paint, struct lim_spans *spans, const st
     if (use != NOTED && !sink.line) return LIM_ERR_TARGET;
     begin_notes(&sink, paint, use);
     begin_span(&sink, paint, y, stats);
-    if (LIM_HAS_STATS && paint->used > stats->active_max) stats->active_max = paint->used;
+    if (LIM_HAS_STATS && paint->actives.used > stats->active_max) stats->active_max = paint->actives.used;
     lim_spans_reset_pool(spans);
     paint_polygons(paint, spans, retained, &open, y, &sink);
     paint_background(spans, &open, paint, &sink, stats);
@@ -458,20 +424,22 @@ static int paint_line(struct lim_paint *paint, struct lim_spans *spans, const st
     return paint->target->done(paint->target->ctx, y, x0, (uint16_t)(x1 - x0));
 }
 
-static void start(struct lim_paint *paint)
+/* Whether all that is retained is opaque and of one colour a polygon, and is only to be painted. */
+static inline bool is_flat(const struct lim_paint *paint, const struct lim_retained *retained)
 {
-    for (uint16_t i = 0; i < paint->pool_size; i++)
-        paint->pool[i].next = (uint16_t)(i + 1);
-    paint->pool[paint->pool_size - 1].next = LIM_NONE;
-    paint->free = 0;
-    paint->first = LIM_NONE;
-    paint->used = 0;
+#if LIM_HAS_DELTA
+    if (paint->delta) return false;
+#endif
+    if (LIM_HAS_WIREFRAME && is_wireframe(paint)) return false;
+    if (LIM_HAS_ANTIALIAS && is_antialiased(paint)) return false;
+    return !lim_retained_is_mixed(retained);
 }
 
 int lim_paint_band(struct lim_paint *paint, struct lim_spans *spans, const struct lim_retained *retained,
                    const struct lim_rect *band, uint16_t *y, struct lim_stats *stats)
 {
-    start(paint);
+    if (is_flat(paint, retained)) return lim_flat_band(paint, spans, retained, band, y, stats);
+    lim_actives_start(&paint->actives);
     for (*y = band->y0; *y < band->y1; ++*y) {
         if (!activate_line(paint, retained, spans->lines[*y].retained, *y)) return LIM_PAINT_ACTIVE;
         const int err = paint_line(paint, spans, retained, band, *y, stats);

@@ -8,39 +8,23 @@
 #ifndef LIM_PAINT_H
 #define LIM_PAINT_H
 
+#include "active.h"
 #include "delta.h"
-#include "edge.h"
 #include "errors.h"
 #include "fill.h"
 #include "layers.h"
-#include "retain.h"
 #include "smooth.h"
 #include "span.h"
 #include "stats.h"
 #include "target.h"
-#include "texture.h"
 #include "wire.h"
-
-/* A retained polygon that crosses the current line. */
-struct lim_active {
-    struct lim_edge_pair pair;
-    uint16_t polygon; /* its first cell; the list is sorted by it, nearest first */
-    int16_t turn;     /* the line on which its edges change, or its bottom */
-    uint16_t next;    /* in the list, or LIM_NONE */
-#if LIM_HAS_TEXTURE
-    struct lim_gradients gradients; /* if it has a texture */
-#endif
-};
 
 struct lim_paint {
     const struct lim_target *target;
 #if LIM_HAS_TEXTURE
     const struct lim_texturing *texturing;
 #endif
-    struct lim_active *pool;
-    uint16_t pool_size;
-    uint16_t first, free; /* lists through `next` */
-    uint16_t used;
+    struct lim_actives actives;
     uint16_t background; /* as it lies in memory */
 #if LIM_HAS_TRANSPARENT
     struct lim_layers layers;

@@ -105,7 +105,8 @@ static int paint_plain(struct lim *lim, const struct lim_screen_polygon *polygon
     lim_edge_begin(&pair, polygon->n, polygon->shape.first);
     for (;;) {
         lim_edge_advance(&pair, polygon->at, polygon->n, y);
-        const struct lim_textured_span span = {lim_texturing_of(lim), &gradients, y, pair.left.x, pair.right.x};
+        const struct lim_textured_span span = {lim_texturing_of(lim), &gradients, y, lim_edge_x(&pair.left),
+                                               lim_edge_x(&pair.right)};
         const int err = fill_clamped(lim, &span, polygon);
         if (err) return err;
         if (++y == bottom) return 0;
@@ -127,17 +128,17 @@ static int paint_any(struct lim *lim, const struct lim_screen_polygon *polygon, 
 
 /* Where polygons come from, far to near: the walk through the tree, or the sorted list. */
 #if LIM_HAS_TREE
-static const LIM_FLASH uint16_t *record_after(const LIM_FLASH uint16_t *record)
+static const LIM_FLASH lim_index *record_after(const LIM_FLASH lim_index *record)
 {
     return record + lim_record_words(record[0]);
 }
 
 /* Last record first: where rounding makes neighbours in a plane overlap, the first is on top in both
  * orders. Records can only be read forward, so each is found anew. */
-static int paint_run(struct lim *lim, uint16_t run, const struct lim_rect *screen)
+static int paint_run(struct lim *lim, lim_index run, const struct lim_rect *screen)
 {
-    const LIM_FLASH uint16_t *const first = &lim->scene->polygons[run];
-    const LIM_FLASH uint16_t *record = first, *end;
+    const LIM_FLASH lim_index *const first = &lim->scene->polygons[run];
+    const LIM_FLASH lim_index *record = first, *end;
     struct lim_screen_polygon polygon;
 
     while (!(record[0] & LIM_POLYGON_LAST))
@@ -157,11 +158,11 @@ static int paint_run(struct lim *lim, uint16_t run, const struct lim_rect *scree
 
 static int paint_tree(struct lim *lim, const struct lim_rect *screen)
 {
-    uint16_t run;
+    lim_index run;
 
     if (LIM_HAS_CULL) lim_cull_set(lim_cull_of(lim), &lim->view, lim_eye_of(lim)->at_q8, screen);
     lim_walk_begin(&lim->walk, lim->stack, true);
-    while ((run = lim_walk_next(&lim->walk, lim_cull_of(lim), lim_stats_of(lim))) != LIM_NONE) {
+    while ((run = lim_walk_next(&lim->walk, lim_cull_of(lim), lim_stats_of(lim))) != LIM_NO_INDEX) {
         const int err = paint_run(lim, run, screen);
         if (err) return err;
     }
@@ -215,16 +216,16 @@ static int paint_mover(struct lim *lim, uint16_t entry, const struct lim_screen_
 static int paint_with_movers(struct lim *lim, const struct lim_rect *screen)
 {
     struct lim_route route = lim_route_static(lim, true);
-    uint16_t what;
+    lim_index what;
 
     if (LIM_HAS_CULL) lim_cull_set(lim_cull_of(lim), &lim->view, lim_eye_of(lim)->at_q8, screen);
     lim_route_begin(&route, lim_movers_list(lim, lim_cull_of(lim)));
     for (;;) {
         const enum lim_route_event event = lim_route_next(lim, &route, &what);
         if (event == LIM_ROUTE_END) return 0;
-        if (event == LIM_ROUTE_LIST) what = lim_movers_order(lim, what, true);
         const int err = event == LIM_ROUTE_RUN ? paint_run(lim, what, screen)
-                                               : lim_movers_draw(lim, what, screen, true, paint_mover);
+                                               : lim_movers_draw(lim, lim_movers_order(lim, (uint16_t)what, true),
+                                                                 screen, true, paint_mover);
         if (err) return err;
     }
 }
@@ -238,7 +239,7 @@ static int paint_list(struct lim *lim, const struct lim_rect *screen)
 
     lim_sorted_reverse(&lim->sorter);
     for (uint16_t at = lim->sorter.first; at != LIM_NONE && !err; at = lim->sorter.list[at].next) {
-        const LIM_FLASH uint16_t *record = &lim->scene->polygons[lim->sorter.list[at].record];
+        const LIM_FLASH lim_index *record = &lim->scene->polygons[lim->sorter.list[at].record];
         if (!lim_project(&polygon, &lim->view, lim->scene, record, screen, lim_stats_of(lim))) continue;
         err = LIM_HAS_NEWELL && lim_is_piece(lim, at) ? paint_piece_line(lim, at, &polygon, screen->y0)
                                                       : paint_any(lim, &polygon, screen);

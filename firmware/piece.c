@@ -27,7 +27,7 @@ static uint8_t narrow_side_of(const struct lim_plane_wide *plane, const struct l
 static uint8_t sides_of_mover(const struct lim *lim, uint16_t entry, const struct lim_plane_wide *plane)
 {
 #if LIM_HAS_MOVERS
-    const LIM_FLASH uint16_t *record = lim_entry_record(lim, entry);
+    const LIM_FLASH lim_index *record = lim_entry_record(lim, entry);
     const int64_t slack_q12 = plane->slack * LIM_CORNER_ONE_Q12;
     uint8_t sides = 0;
 
@@ -47,7 +47,7 @@ static uint8_t sides_of_mover(const struct lim *lim, uint16_t entry, const struc
 static uint8_t sides_at_home(const struct lim *lim, uint16_t entry, const struct lim_plane_wide *plane)
 {
     const LIM_FLASH struct lim_vertex *vertices = lim_entry_scene(lim, entry)->vertices;
-    const LIM_FLASH uint16_t *record = lim_entry_record(lim, entry);
+    const LIM_FLASH lim_index *record = lim_entry_record(lim, entry);
     uint8_t sides = 0;
 
     for (uint_fast8_t k = 0; k < (record[0] & LIM_POLYGON_COUNT) && sides != LIM_SIDE_BOTH; k++) {
@@ -290,6 +290,7 @@ static struct lim_rect rect_of(const struct lim *lim, uint16_t entry, const stru
 
     if (!project_piece(lim, entry, &polygon)) return *whole;
     lim_edge_measure(&polygon.shape, polygon.at, polygon.n);
+    lim_edge_measure_sides(&polygon.shape, polygon.at, polygon.n);
     const struct lim_edge_shape *shape = &polygon.shape;
     const struct lim_rect own = {
         shape->left > 0 ? (uint16_t)(shape->left - 1) : 0, shape->top > 0 ? (uint16_t)(shape->top - 1) : 0,

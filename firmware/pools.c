@@ -34,7 +34,7 @@ static inline void set_layers(struct shares *shares, uint16_t layers)
 #endif
 }
 
-/* One polygon, one gap: what a band of one pixel needs. Lines that are transparent need nothing (nearest.c). */
+/* One polygon, one gap: what a band of one pixel needs. Lines that are transparent need nothing (bands.c). */
 static struct shares least_shares(const struct lim_scene *scene)
 {
     return (struct shares){.active = 1,
@@ -47,12 +47,26 @@ static uint16_t greater(uint16_t a, uint16_t b)
     return a > b ? a : b;
 }
 
+/* What a list holds beside the scene's own polygons. */
+static uint16_t most_pieces(const struct lim_scene *scene)
+{
+    if (LIM_HAS_WIDE && scene->polygon_count > LIM_SORTED_MAX) return 0;
+    return (uint16_t)(LIM_SORTED_MAX - scene->polygon_count);
+}
+
 static uint16_t comfortable_pieces(const struct lim_scene *scene, const struct lim_target *target)
 {
-    const uint16_t most = (uint16_t)(LIM_SORTED_MAX - scene->polygon_count);
+    const uint16_t most = most_pieces(scene);
 
     if (!LIM_IS_NEWELL(target)) return 0;
     return scene->limits.pieces < most ? scene->limits.pieces : most;
+}
+
+/* What scan lines paint leaves no gaps. What they cannot paint makes do with one. */
+static uint16_t comfortable_gaps(const struct lim_scene *scene, const struct lim_target *target)
+{
+    if (!LIM_IS_SCANLINE(target) || (LIM_HAS_TRANSPARENT && scene->limits.layers)) return scene->limits.gaps;
+    return LIM_HAS_TEXTURE && lim_texture_count(scene) ? scene->limits.gaps : 1;
 }
 
 static struct shares comfortable_shares(const struct lim_scene *scene, const struct lim_target *target)
@@ -62,7 +76,7 @@ static struct shares comfortable_shares(const struct lim_scene *scene, const str
 
     struct shares wanted = {.active = greater(limits->active, least.active),
                             .retained_cells = greater(limits->retained_cells, least.retained_cells),
-                            .gaps = greater(limits->gaps, least.gaps),
+                            .gaps = greater(comfortable_gaps(scene, target), least.gaps),
                             .pieces = comfortable_pieces(scene, target)};
     if (LIM_HAS_TRANSPARENT) set_layers(&wanted, limits->layers);
     return wanted;
@@ -97,7 +111,7 @@ static uint16_t between(uint16_t from, uint16_t to, uint16_t part_q8)
 static struct shares with_surplus(struct shares wanted, const struct lim_scene *scene, size_t surplus_b)
 {
     const size_t more = surplus_b / (LIM_NEWELL_MEM_B(0, 0, 1, 0, 0, 0) - LIM_NEWELL_MEM_B(0, 0, 0, 0, 0, 0));
-    const size_t most = LIM_SORTED_MAX - scene->polygon_count - wanted.pieces;
+    const size_t most = (size_t)most_pieces(scene) - wanted.pieces;
 
     wanted.pieces = (uint16_t)(wanted.pieces + (more < most ? more : most));
     return wanted;
@@ -186,17 +200,17 @@ void lim_nearest_init(struct lim *lim, void *mem, size_t mem_b)
 #if LIM_HAS_DELTA
     lim->paint.delta = NULL;
 #endif
-    lim->paint.pool = cut(&at, shares.active * sizeof(struct lim_active));
-    lim->paint.pool_size = shares.active;
+    lim->paint.actives.pool = cut(&at, shares.active * sizeof(struct lim_active));
+    lim->paint.actives.pool_size = shares.active;
     lim->retained.cells = cut(&at, shares.retained_cells * sizeof(union lim_retained_cell));
     lim->retained.size = shares.retained_cells;
     struct lim_view_cached *cache = cut(&at, LIM_VIEW_CACHE_ENTRIES * sizeof(struct lim_view_cached));
-    lim->spans.lines = cut(&at, lim->target.h_px * sizeof(struct lim_line));
-    lim->spans.pool = cut(&at, shares.gaps * sizeof(struct lim_gap));
-    lim->spans.pool_size = shares.gaps;
 #if LIM_HAS_TREE
     if (!LIM_IS_SORTED(&lim->target)) lim->stack = cut(&at, lim->scene->limits.depth * sizeof(struct lim_walk_pending));
 #endif
+    lim->spans.lines = cut(&at, lim->target.h_px * sizeof(struct lim_line));
+    lim->spans.pool = cut(&at, shares.gaps * sizeof(struct lim_gap));
+    lim->spans.pool_size = shares.gaps;
     init_layers(&lim->paint, &at, &shares);
     init_fallback(lim);
     if (!LIM_IS_SORTED(&lim->target)) lim_lend_portals(lim, at);

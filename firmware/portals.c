@@ -50,7 +50,7 @@ static enum side side_of(const struct lim_eye *eye, const LIM_FLASH struct lim_p
     const LIM_FLASH struct lim_plane *plane = lim_plane_at(eye->planes, ref->plane);
     const int32_t length =
         (int32_t)(abs_s32(lim_plane_x(plane)) + abs_s32(lim_plane_y(plane)) + abs_s32(lim_plane_z(plane)));
-    const bool is_large = LIM_HAS_LARGE && lim_plane_exact(plane) != LIM_NONE;
+    const bool is_large = LIM_HAS_LARGE && lim_plane_exact(plane) != LIM_NO_INDEX;
     const int32_t value = lim_eye_dot(eye, plane) - lim_plane_d(plane);
     const int32_t slack = length + (is_large ? eye->large_slack : 0);
     return side_at(value, length * ball_units + slack, length * ROUNDING_UNITS + slack);
@@ -86,17 +86,17 @@ static void add_sight(const struct lim_scene *scene, uint16_t at, uint8_t *bits)
 }
 
 /* What lies on one side of a node: a subtree for later, or a cell. `sight` is the last one added. */
-static bool enter(const struct lim_portals *portals, const struct lim_scene *scene, uint16_t index, bool behind,
+static bool enter(const struct lim_portals *portals, const struct lim_scene *scene, lim_index index, bool behind,
                   uint16_t *depth, uint16_t *sight)
 {
     const LIM_FLASH struct lim_node *node = &scene->nodes[index];
-    const uint16_t child = behind ? node->back : node->front, run = behind ? node->back_run : node->front_run;
+    const lim_index child = behind ? node->back : node->front, run = behind ? node->back_run : node->front_run;
 
-    if (child != LIM_NONE) {
-        portals->stack[(*depth)++] = child;
+    if (child != LIM_NO_INDEX) {
+        portals->stack[(*depth)++] = (uint16_t)child;
         return true;
     }
-    const uint16_t mine = run == LIM_NONE ? (uint16_t)LIM_NONE : sight_of(scene, (uint16_t)(2 * index + behind));
+    const uint16_t mine = run == LIM_NO_INDEX ? (uint16_t)LIM_NONE : sight_of(scene, (uint16_t)(2 * index + behind));
     if (mine == LIM_NONE) return false;
     if (mine != *sight) add_sight(scene, mine, portals->bits);
     *sight = mine;
@@ -106,7 +106,8 @@ static bool enter(const struct lim_portals *portals, const struct lim_scene *sce
 bool lim_portals_unpack(const struct lim_portals *portals, const struct lim_eye *eye, uint32_t ball_units)
 {
     const struct lim_scene *scene = eye->scene;
-    uint16_t depth = 0, sight = LIM_NONE, index = 0;
+    uint16_t depth = 0, sight = LIM_NONE;
+    lim_index index = 0;
 
     if (ball_units > BALL_MAX_UNITS || (LIM_HAS_FILTER && eye->shift)) return false;
     for (uint16_t i = 0; i < (uint16_t)LIM_PORTALS_BITS_B(scene->box_count); i++)

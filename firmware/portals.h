@@ -17,7 +17,7 @@
 
 struct lim_portals {
     uint8_t *bits;   /* of boxes; NULL: the scene has no places */
-    uint16_t *stack; /* of nodes */
+    uint16_t *stack; /* of nodes: a scene with places has few enough */
 };
 
 /* Bytes for the bits of a scene: none for one without places. */
@@ -40,7 +40,7 @@ uint32_t lim_portals_ball_units(const struct lim_camera *camera, uint32_t far_un
 bool lim_portals_unpack(const struct lim_portals *portals, const struct lim_eye *eye, uint32_t ball_units);
 
 /* Whether a subtree with that box may be seen. */
-static inline bool lim_portals_show(const uint8_t *bits, uint16_t box)
+static inline bool lim_portals_show(const uint8_t *bits, lim_index box)
 {
     return bits[box >> 3] >> (box & 7) & 1;
 }

@@ -61,9 +61,11 @@ typedef int32_t lim_sub_area;
 typedef uint32_t lim_sub_wrap;
 #endif
 
-/* A point on the screen; the centre of pixel (i, j) is at (i - LIM_ORIGIN_PX, j - LIM_ORIGIN_PX) * LIM_SUB. */
+/* A point on the screen; the centre of pixel (i, j) is at (i - LIM_ORIGIN_PX, j - LIM_ORIGIN_PX) * LIM_SUB. Aligned, so
+ * that processors of 32 bits copy it as a word; where they must not load one from odd halves they would call memcpy().
+ */
 struct lim_point {
-    lim_sub x, y;
+    lim_sub x LIM_WORD_ALIGNED, y;
 };
 
 #endif

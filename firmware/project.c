@@ -23,9 +23,10 @@ static bool is_hidden(const struct lim_screen_polygon *polygon, uint_fast8_t k)
     return lim_hidden_of(polygon)[k >> 4] >> (k & 15) & 1;
 }
 
-static void read_hidden(struct lim_screen_polygon *out, const LIM_FLASH uint16_t *record)
+static void read_hidden(struct lim_screen_polygon *out, const LIM_FLASH lim_index *record)
 {
-    const uint16_t head = record[0], at = lim_record_edges_at(head);
+    const lim_index head = record[0];
+    const uint16_t at = lim_record_edges_at(head);
 
     for (uint_fast8_t k = 0; k < out->n; k++)
         set_hidden(out, k, head & LIM_POLYGON_EDGES && record[at + (k >> 4)] >> (k & 15) & 1);
@@ -53,7 +54,7 @@ static void hidden_from_corners(struct lim_screen_polygon *polygon, const struct
 
 /* Returns how many vertices are left. */
 static uint8_t clip_and_project(struct lim_point *out, const struct lim_view *view, const struct lim_scene *scene,
-                                const LIM_FLASH uint16_t *corners, uint8_t n, struct lim_screen_polygon *outlined)
+                                const LIM_FLASH lim_index *corners, uint8_t n, struct lim_screen_polygon *outlined)
 {
     struct lim_clip_polygon polygons[2];
 
@@ -70,7 +71,7 @@ static uint8_t clip_and_project(struct lim_point *out, const struct lim_view *vi
 
 /* A scene whose textures are taken away keeps its records. */
 static void note_texture(struct lim_screen_polygon *out, const struct lim_scene *scene,
-                         const LIM_FLASH uint16_t *record)
+                         const LIM_FLASH lim_index *record)
 {
 #if LIM_HAS_TEXTURE
     const bool has_one = record[0] & LIM_POLYGON_TEXTURE && scene->texture_count;
@@ -101,13 +102,26 @@ static inline bool is_antialiased(const struct lim_screen_polygon *polygon)
 #endif
 }
 
-/* To the left or right of the view a convex solid may keep faces that the tree's orders drop: they cover no pixel. */
-static bool meets(const struct lim_edge_shape *shape, const struct lim_rect *open)
+/* Whether columns have to be looked at: where polygons are compared, and where some columns of the screen are no longer
+ * open. What is beyond the screen's own sides CULL and the codes leave out. */
+static inline bool needs_sides(const struct lim_view *view, const struct lim_rect *open)
 {
-    if (shape->top >= shape->bottom || shape->top >= (int16_t)open->y1 || shape->bottom <= (int16_t)open->y0)
-        return false;
-    return !LIM_HAS_HIDDEN ||
-           (shape->left < shape->right && shape->left < (int16_t)open->x1 && shape->right > (int16_t)open->x0);
+    if (LIM_HAS_PIECES) return true;
+    return LIM_HAS_HIDDEN && (open->x0 || (int32_t)open->x1 != view->width.px);
+}
+
+/* To the left or right of the view a convex solid may keep faces that the tree's orders drop: they cover no pixel. */
+static inline bool meets_sides(struct lim_screen_polygon *out, const struct lim_rect *open)
+{
+    struct lim_edge_shape *shape = &out->shape;
+
+    if (!is_antialiased(out)) lim_edge_measure_sides(shape, out->at, out->n);
+    return shape->left < shape->right && shape->left < (int16_t)open->x1 && shape->right > (int16_t)open->x0;
+}
+
+static inline bool meets_lines(const struct lim_edge_shape *shape, const struct lim_rect *open)
+{
+    return shape->top < shape->bottom && shape->top < (int16_t)open->y1 && shape->bottom > (int16_t)open->y0;
 }
 
 static inline void set_alpha(struct lim_screen_polygon *out, uint8_t alpha)
@@ -119,21 +133,21 @@ static inline void set_alpha(struct lim_screen_polygon *out, uint8_t alpha)
 #endif
 }
 
-static inline uint8_t alpha_of(const LIM_FLASH uint16_t *record)
+static inline uint8_t alpha_of(const LIM_FLASH lim_index *record)
 {
-    const uint16_t head = record[0];
+    const lim_index head = record[0];
 
     return (uint8_t)(head & LIM_POLYGON_ALPHA ? record[lim_record_alpha_at(head)] : LIM_OPAQUE);
 }
 
 bool lim_project(struct lim_screen_polygon *out, struct lim_view *view, const struct lim_scene *scene,
-                 const LIM_FLASH uint16_t *record, const struct lim_rect *open, struct lim_stats *stats)
+                 const LIM_FLASH lim_index *record, const struct lim_rect *open, struct lim_stats *stats)
 {
-    const LIM_FLASH uint16_t *corners = record + LIM_POLYGON_HEAD_WORDS;
+    const LIM_FLASH lim_index *corners = record + LIM_POLYGON_HEAD_WORDS;
 
     out->n = (uint8_t)(record[0] & LIM_POLYGON_COUNT);
     LIM_ASSERT(out->n <= LIM_MAX_VERTICES);
-    const uint16_t codes = lim_view_polygon(view, scene, corners, out->n, out->at);
+    const uint32_t codes = lim_view_polygon(view, scene, corners, out->n, out->at);
     if (LIM_HAS_STATS && stats) stats->polygons++;
     if (codes >> 8 & LIM_VIEW_OUTSIDE) return false;
     if (LIM_HAS_WIREFRAME) read_hidden(out, record);
@@ -145,10 +159,11 @@ bool lim_project(struct lim_screen_polygon *out, struct lim_view *view, const st
     set_antialiased(out, lim_is_antialiased(view));
     lim_shape_measure(&out->shape, out->at, out->n, lim_is_antialiased(view));
     if (LIM_HAS_STATS && stats) stats->folded += out->shape.folded;
-    out->colour = lim_memory_colour(record[1]);
+    if (!meets_lines(&out->shape, open) || (needs_sides(view, open) && !meets_sides(out, open))) return false;
+    out->colour = lim_memory_colour((uint16_t)record[1]);
     if (LIM_HAS_TRANSPARENT) set_alpha(out, alpha_of(record));
     note_texture(out, scene, record);
-    return meets(&out->shape, open);
+    return true;
 }
 
 /* Of a triangle's edges those are the polygon's that lead on from a corner to the next: the first one in the first

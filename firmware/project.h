@@ -65,7 +65,7 @@ static inline uint16_t lim_screen_texture(const struct lim_screen_polygon *polyg
 /* `record` is a polygon record (scene.h). false: nothing of it can be inside `open`. A polygon that is
  * projected once more is not counted again: `stats` is NULL. */
 bool lim_project(struct lim_screen_polygon *out, struct lim_view *view, const struct lim_scene *scene,
-                 const LIM_FLASH uint16_t *record, const struct lim_rect *open, struct lim_stats *stats);
+                 const LIM_FLASH lim_index *record, const struct lim_rect *open, struct lim_stats *stats);
 
 /* The k-th triangle, 1 <= k <= n - 2, of the fan that stands for a folded polygon. */
 void lim_project_fan(const struct lim_screen_polygon *folded, uint8_t k, struct lim_screen_polygon *triangle);

@@ -66,6 +66,9 @@ bool lim_retain(struct lim_retained *retained, struct lim_line *lines, const str
             cells[LIM_RETAINED_HEAD_CELLS + polygon->n].alpha = alpha;
     }
     if (words) copy_words(cells[LIM_RETAINED_HEAD_CELLS + polygon->n].hidden, hidden, words);
+#if LIM_HAS_TRANSPARENT || LIM_HAS_TEXTURE
+    retained->mixed |= transparent || (LIM_HAS_TEXTURE && polygon->bottom & LIM_RETAINED_TEXTURE);
+#endif
     line->retained = self;
     retained->used = (uint16_t)(self + needed);
     return true;

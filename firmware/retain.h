@@ -35,7 +35,29 @@ enum { LIM_RETAINED_HEAD_CELLS = 2 };
 struct lim_retained {
     union lim_retained_cell *cells;
     uint16_t size, used;
+#if LIM_HAS_TRANSPARENT || LIM_HAS_TEXTURE
+    bool mixed;
+#endif
 };
+
+/* Whether one of the polygons is transparent or has a texture. */
+static inline bool lim_retained_is_mixed(const struct lim_retained *retained)
+{
+#if LIM_HAS_TRANSPARENT || LIM_HAS_TEXTURE
+    return retained->mixed;
+#else
+    (void)retained;
+    return false;
+#endif
+}
+
+static inline void lim_retained_clear(struct lim_retained *retained)
+{
+    retained->used = 0;
+#if LIM_HAS_TRANSPARENT || LIM_HAS_TEXTURE
+    retained->mixed = false;
+#endif
+}
 
 struct lim_retained_polygon {
     const struct lim_point *at;

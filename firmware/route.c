@@ -13,7 +13,7 @@
 void lim_route_begin(struct lim_route *route, uint16_t list)
 {
     route->depth = 0;
-    route->next = route->scene->node_count ? 0 : LIM_NONE;
+    route->next = route->scene->node_count ? 0 : LIM_NO_INDEX;
     route->list = list;
 }
 
@@ -33,8 +33,8 @@ static const LIM_FLASH struct lim_node *node_to_enter(struct lim *lim, struct li
 {
     const LIM_FLASH struct lim_node *node = &route->scene->nodes[route->next];
 
-    if (lim_node_is_skipped(route->scene, node, shown_of(route), route->cull, lim_stats_of(lim))) {
-        route->next = LIM_NONE;
+    if (lim_node_is_skipped(route->scene, node, shown_of(route), route->cull, route->depth, lim_stats_of(lim))) {
+        route->next = LIM_NO_INDEX;
         return NULL;
     }
     if (LIM_HAS_STATS) lim_stats_of(lim)->nodes++;
@@ -44,7 +44,7 @@ static const LIM_FLASH struct lim_node *node_to_enter(struct lim *lim, struct li
 
 static bool is_leaf(const LIM_FLASH struct lim_node *node)
 {
-    return LIM_HAS_LEAVES && node->split.plane == LIM_NONE;
+    return LIM_HAS_LEAVES && node->split.plane == LIM_NO_INDEX;
 }
 
 /* The near subtree is next, with what moves in it; the rest waits. */
@@ -63,7 +63,7 @@ static void go_near(struct lim_route *route, const LIM_FLASH struct lim_node *no
 static void go_through_leaf(struct lim_route *route, uint16_t list)
 {
     route->stack[route->depth++] = (struct lim_route_pending){route->next, list, 1};
-    route->next = LIM_NONE;
+    route->next = LIM_NO_INDEX;
 }
 
 /* Where nothing moves. */
@@ -79,12 +79,12 @@ static void enter_alone(struct lim *lim, struct lim_route *route)
 }
 
 /* The order of its run knows nothing of movers: both are sorted together, or else movers are taken for nearer. */
-static void enter_leaf(struct lim *lim, struct lim_route *route, uint16_t run)
+static void enter_leaf(struct lim *lim, struct lim_route *route, lim_index run)
 {
     const uint16_t list = route->list;
 
     if (lim_movers_join(lim, run, list)) {
-        route->next = LIM_NONE;
+        route->next = LIM_NO_INDEX;
         return;
     }
     if (LIM_HAS_STATS) lim_stats_of(lim)->movers.unsorted++;
@@ -107,8 +107,8 @@ static void enter(struct lim *lim, struct lim_route *route)
     go_near(route, node, side, front, back);
 }
 
-/* Takes up what waits on the stack. Returns the run that comes before it, or LIM_NONE. */
-static uint16_t leave(struct lim_route *route)
+/* Takes up what waits on the stack. Returns the run that comes before it, or LIM_NO_INDEX. */
+static lim_index leave(struct lim_route *route)
 {
     const struct lim_route_pending *top = &route->stack[--route->depth];
     const LIM_FLASH struct lim_node *node = &route->scene->nodes[top->node];
@@ -118,13 +118,13 @@ static uint16_t leave(struct lim_route *route)
     route->side = top->side;
     route->list = top->list;
     route->next = front_first ? node->back : node->front;
-    return top->side > 0 ? node->front_run : top->side < 0 ? node->back_run : (uint16_t)LIM_NONE;
+    return top->side > 0 ? node->front_run : top->side < 0 ? node->back_run : (lim_index)LIM_NO_INDEX;
 }
 
-enum lim_route_event lim_route_next(struct lim *lim, struct lim_route *route, uint16_t *what)
+enum lim_route_event lim_route_next(struct lim *lim, struct lim_route *route, lim_index *what)
 {
     for (;;) {
-        while (route->next != LIM_NONE) {
+        while (route->next != LIM_NO_INDEX) {
             if (route->list == LIM_NONE)
                 enter_alone(lim, route);
             else
@@ -137,18 +137,18 @@ enum lim_route_event lim_route_next(struct lim *lim, struct lim_route *route, ui
         }
         if (!route->depth) return LIM_ROUTE_END;
         *what = leave(route);
-        if (*what != LIM_NONE) return LIM_ROUTE_RUN;
+        if (*what != LIM_NO_INDEX) return LIM_ROUTE_RUN;
     }
 }
 
-bool lim_route_next_alone(struct lim *lim, struct lim_route *route, uint16_t *run)
+bool lim_route_next_alone(struct lim *lim, struct lim_route *route, lim_index *run)
 {
     for (;;) {
-        while (route->next != LIM_NONE)
+        while (route->next != LIM_NO_INDEX)
             enter_alone(lim, route);
         if (!route->depth) return false;
         *run = leave(route);
-        if (*run != LIM_NONE) return true;
+        if (*run != LIM_NO_INDEX) return true;
     }
 }
 

@@ -83,9 +83,9 @@ static const LIM_FLASH struct lim_box *box_of(const struct lim_scene *scene)
 {
     static const LIM_FLASH struct lim_box grid = {{0, 0, 0}, {32768, 32768, 32768}};
     const bool anywhere = LIM_HAS_MOVERS && !scene;
-    const uint16_t root = !anywhere && scene->node_count ? scene->nodes[0].box : LIM_NONE;
+    const lim_index root = !anywhere && scene->node_count ? scene->nodes[0].box : LIM_NO_INDEX;
 
-    return root == LIM_NONE ? &grid : &scene->boxes[root];
+    return root == LIM_NO_INDEX ? &grid : &scene->boxes[root];
 }
 
 /* Sets the anchor. Returns what is not below the distance of the box's farthest corner. For a >= b >= c >= 0 the length
@@ -115,10 +115,12 @@ static uint32_t set_anchor(struct lens *lens, const LIM_FLASH struct lim_box *bo
  * as much as it moves a vertex on the screen; the row of z was made 2^tele_bits times as long. */
 static uint32_t rounding_at(const struct lens *lens, uint32_t scale, uint8_t tele_bits)
 {
+    const uint32_t scale_times_4 = scale * 4;
     uint32_t sum_q26 = 0;
 
+    LIM_UNROLLED(9)
     for (uint_fast8_t i = 0; i < 9; i++) {
-        const uint32_t rest_q32 = (uint32_t)lens->entries_q30[i] * scale * 4; /* entry * scale, modulo 1 */
+        const uint32_t rest_q32 = (uint32_t)lens->entries_q30[i] * scale_times_4; /* entry * scale, modulo 1 */
         const int32_t rest_q13 = (int32_t)rest_q32 >> (i < 6 ? 0 : tele_bits) >> 19;
         sum_q26 += (uint32_t)(rest_q13 * rest_q13);
     }

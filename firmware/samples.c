@@ -64,7 +64,7 @@ static sample_area meeting(struct lim_point a, int32_t dx, int32_t dy, int32_t t
     return (sample_area)(whole + (sample_wrap)((part + ((1 << COLUMN_BITS) - 1)) >> COLUMN_BITS));
 }
 
-static void edge_set(struct lim_edge *edge, struct lim_point a, struct lim_point b, int16_t row, int16_t end)
+static void edge_set(struct lim_sample_edge *edge, struct lim_point a, struct lim_point b, int16_t row, int16_t end)
 {
     const int32_t dx = x_of(b) - x_of(a), dy = y_of(b) - y_of(a);
     const sample_area m = meeting(a, dx, dy, row - LIM_ORIGIN_PX * LIM_SAMPLE_ROWS);
@@ -81,37 +81,47 @@ static void edge_set(struct lim_edge *edge, struct lim_point a, struct lim_point
     edge->step_x = 0;
     edge->step_error = 0;
     if (end - row < 2) return; /* never stepped */
-    int32_t step = 4 * dx / dy;
-    int32_t rest = 4 * dx - step * dy;
+    int32_t step_x = 4 * dx / dy;
+    int32_t rest = 4 * dx - step_x * dy;
     if (rest < 0) {
-        step--;
+        step_x--;
         rest += dy;
     }
-    edge->step_x = (int16_t)step;
+    edge->step_x = (int16_t)step_x;
     edge->step_error = rest;
 }
 
 /* The next edge of a boundary that goes on below a row. */
-static LIM_ALONE void turn(struct lim_edge *edge, const struct lim_point *at, uint8_t n, int16_t row)
+static LIM_ALONE void turn(struct lim_sample_edge *edge, const struct lim_point *at, uint8_t n, int16_t row)
 {
-    uint_fast16_t from, to = edge->to;
+    uint_fast16_t from, to = edge->next;
     int16_t end;
 
     do {
         from = to;
-        to += edge->step;
+        to += edge->step_vertex;
         if (to >= n) to -= n;
         end = screen_row(at[to]);
     } while (end <= row);
     edge_set(edge, at[from], at[to], row, end);
-    edge->to = (uint8_t)to;
+    edge->next = (uint8_t)to;
     edge->end = end;
 }
 
-static inline void advance(struct lim_edge *edge, const struct lim_point *at, uint8_t n, int16_t row)
+static inline void step(struct lim_sample_edge *edge)
+{
+    edge->x = (int16_t)(edge->x + edge->step_x);
+    edge->error += edge->step_error;
+    if (edge->error > 0) {
+        edge->error -= edge->denominator;
+        edge->x++;
+    }
+}
+
+static inline void advance(struct lim_sample_edge *edge, const struct lim_point *at, uint8_t n, int16_t row)
 {
     if (edge->end > row)
-        lim_edge_step(edge);
+        step(edge);
     else
         turn(edge, at, n, row);
 }
@@ -153,19 +163,19 @@ static inline int16_t sample_at(int32_t column, uint_fast8_t row)
     return (int16_t)((column + (LIM_SAMPLES_A_ROW - 1 - lim_sample_shift((int_fast16_t)row))) >> 2);
 }
 
-static LIM_ALONE void any_rows(struct lim_strip *strip, struct lim_edge_pair *pair, const struct lim_point *at,
+static LIM_ALONE void any_rows(struct lim_strip *strip, struct lim_sample_edges *edges, const struct lim_point *at,
                                uint8_t n, uint8_t first, int16_t y, int16_t end_row)
 {
-    const int16_t top_row = pair->left.end == INT16_MIN ? screen_row(at[first]) : INT16_MIN;
+    const int16_t top_row = edges->left.end == INT16_MIN ? screen_row(at[first]) : INT16_MIN;
 
     for (uint_fast8_t s = 0; s < LIM_SAMPLE_ROWS; s++) {
         const int16_t row = (int16_t)(y * LIM_SAMPLE_ROWS + (int16_t)s);
         strip->left[s] = strip->right[s] = 0;
         if (row < top_row || row >= end_row) continue;
-        advance(&pair->left, at, n, row);
-        advance(&pair->right, at, n, row);
-        strip->left[s] = sample_at(pair->left.x, s);
-        strip->right[s] = sample_at(pair->right.x, s);
+        advance(&edges->left, at, n, row);
+        advance(&edges->right, at, n, row);
+        strip->left[s] = sample_at(edges->left.x, s);
+        strip->right[s] = sample_at(edges->right.x, s);
     }
     lim_strip_bound(strip);
 }
@@ -176,7 +186,7 @@ struct reach {
 };
 
 /* All rows of a line that an edge goes on through. */
-static inline struct reach all_rows(struct lim_edge *edge, int16_t *samples)
+static inline struct reach all_rows(struct lim_sample_edge *edge, int16_t *samples)
 {
     const int32_t step_x = edge->step_x, step_error = edge->step_error, denominator = edge->denominator;
     int32_t x = edge->x, error = edge->error, first = 0;
@@ -198,16 +208,16 @@ static inline struct reach all_rows(struct lim_edge *edge, int16_t *samples)
 }
 
 /* From columns, pixels are easier told than from samples: a pixel more at an edge does no harm. */
-void lim_strip_next(struct lim_strip *strip, struct lim_edge_pair *pair, const struct lim_point *at, uint8_t n,
+void lim_strip_next(struct lim_strip *strip, struct lim_sample_edges *edges, const struct lim_point *at, uint8_t n,
                     uint8_t first, int16_t y, int16_t end_row)
 {
     const int16_t last_row = (int16_t)(y * LIM_SAMPLE_ROWS + LIM_SAMPLE_ROWS - 1);
 
-    if (pair->left.end <= last_row || pair->right.end <= last_row) {
-        any_rows(strip, pair, at, n, first, y, end_row);
+    if (edges->left.end <= last_row || edges->right.end <= last_row) {
+        any_rows(strip, edges, at, n, first, y, end_row);
         return;
     }
-    const struct reach left = all_rows(&pair->left, strip->left), right = all_rows(&pair->right, strip->right);
+    const struct reach left = all_rows(&edges->left, strip->left), right = all_rows(&edges->right, strip->right);
     strip->x0 = (int16_t)(left.low >> 4);
     strip->inner0 = (int16_t)((left.high + 15) >> 4);
     strip->inner1 = (int16_t)(right.low >> 4);

@@ -28,12 +28,36 @@ struct lim_run {
 
 #if LIM_HAS_ANTIALIAS
 
+/* A boundary, in rows of samples and sixteenths of a pixel: as quotient and remainder, for a row is crossed four times
+ * a line by edges with four times the lines, which takes more bits than a fixed-point number has. */
+struct lim_sample_edge {
+    int32_t error;       /* M - x * denominator (samples.c), in -denominator+1 .. 0 */
+    int32_t step_error;  /* what a row adds to it, 0 .. denominator-1 */
+    int32_t denominator; /* rows from end to end, in their units */
+    int16_t x, step_x;
+    int16_t end; /* the row on which it hands over to the next edge */
+    uint8_t next, step_vertex;
+};
+
+struct lim_sample_edges {
+    struct lim_sample_edge left, right;
+};
+
+/* As lim_edge_begin(). */
+static inline void lim_strip_begin(struct lim_sample_edges *edges, uint8_t n, uint8_t first)
+{
+    edges->left.next = edges->right.next = first;
+    edges->left.end = edges->right.end = INT16_MIN;
+    edges->left.step_vertex = 1;
+    edges->right.step_vertex = (uint8_t)(n - 1);
+}
+
 /* lim_edge_measure() for lines and pixels of which the polygon may have a sample; `folded` as rows of samples are. */
 void lim_samples_measure(struct lim_edge_shape *shape, const struct lim_point *at, uint8_t n);
 
-/* The strip of line y of a polygon that is not folded and ends above row `end_row`. `pair` comes from lim_edge_begin()
- * or from the line above; its edges count in rows and in sixteenths of a pixel. */
-void lim_strip_next(struct lim_strip *strip, struct lim_edge_pair *pair, const struct lim_point *at, uint8_t n,
+/* The strip of line y of a polygon that is not folded and ends above row `end_row`. `edges` come from lim_strip_begin()
+ * or from the line above. */
+void lim_strip_next(struct lim_strip *strip, struct lim_sample_edges *edges, const struct lim_point *at, uint8_t n,
                     uint8_t first, int16_t y, int16_t end_row);
 
 /* Sets the strip's pixels from its samples. */

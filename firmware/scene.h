@@ -10,9 +10,20 @@
 
 #include "config.h"
 
-#define LIM_NONE 0xFFFFu /* "no such index", in every index field below */
+/* An index into a scene's arrays, and a word of its polygons. Wide scenes have more than 16 bits can count. */
+#if LIM_HAS_WIDE
+typedef uint32_t lim_index;
+typedef int32_t lim_offset;
+#define LIM_NO_INDEX 0xFFFFFFFFu /* "no such index", in every index field below */
+#else
+typedef uint16_t lim_index;
+typedef int16_t lim_offset;
+#define LIM_NO_INDEX 0xFFFFu
+#endif
 
-enum { LIM_SCENE_VERSION = 5 };
+#define LIM_NONE 0xFFFFu /* the same for pools and lists, which have 16 bits in any scene */
+
+enum { LIM_SCENE_VERSION = 6 };
 
 struct lim_vertex {
     int16_t x, y, z; /* units */
@@ -29,13 +40,23 @@ struct lim_fraction {
  * its longest component is 8191; d = the exact d times s, rounded. */
 struct lim_plane {
     int32_t n_yx;         /* n[1] in the upper half, n[0] in the lower one: two are loaded at once */
-    int32_t n_z_exact;    /* n[2], and below it an index into lim_scene.exact or LIM_NONE: n and d are the plane */
+    int32_t n_z_exact;    /* n[2], and below it an index into lim_scene.exact or LIM_NO_INDEX: n and d are the plane */
     int32_t slack_less_d; /* LIM_PLANE_SLACK - d; d = n . p of the points on the plane, in n's scale times units */
+#if LIM_HAS_WIDE
+    lim_index exact; /* all of that index, whose lower half is above, too */
+#endif
 };
+#if LIM_HAS_WIDE
+#define LIM_PLANE(nx, ny, nz, exact, d)                                                                                \
+    {                                                                                                                  \
+        LIM_PLANE_HALVES(ny, nx), LIM_PLANE_HALVES(nz, exact), LIM_PLANE_SLACK - (d), exact                            \
+    }
+#else
 #define LIM_PLANE(nx, ny, nz, exact, d)                                                                                \
     {                                                                                                                  \
         LIM_PLANE_HALVES(ny, nx), LIM_PLANE_HALVES(nz, exact), LIM_PLANE_SLACK - (d)                                   \
     }
+#endif
 #define LIM_PLANE_HALVES(upper, lower) ((int32_t)((upper)*INT32_C(65536) + (int32_t)(uint16_t)(lower)))
 #define LIM_PLANE_SLACK (INT32_C(1) << 16)       /* where |n . p - d| is less, eye.c does not trust it */
 #define LIM_PLANE_D_MAX (INT32_C(32767) * 32767) /* enough for any plane through a point of the grid */
@@ -49,13 +70,15 @@ struct lim_plane_exact {
 
 /* What lim_plane_ref.plane says of an axis plane, x, y or z = offset. Any smaller number is a place in
  * lim_scene.planes, in words of 4 bytes. */
-enum { LIM_PLANE_X = 0xFFFC, LIM_PLANE_Y, LIM_PLANE_Z }; /* x, y and z in the last two bits */
+#define LIM_PLANE_X (LIM_NO_INDEX - 3u) /* x, y and z in the last two bits */
+#define LIM_PLANE_Y (LIM_NO_INDEX - 2u)
+#define LIM_PLANE_Z (LIM_NO_INDEX - 1u)
 enum { LIM_PLANE_WORDS = sizeof(struct lim_plane) / 4 };
 
 /* Where to find a plane. */
 struct lim_plane_ref {
-    uint16_t plane; /* above; LIM_NONE: there is none */
-    int16_t offset; /* of an axis plane, units; else 0 */
+    lim_index plane;   /* above; LIM_NO_INDEX: there is none */
+    lim_offset offset; /* of an axis plane, units; else 0 */
 };
 
 /* A run is a sequence of polygon records in lim_scene.polygons:
@@ -74,13 +97,13 @@ struct lim_plane_ref {
 enum { LIM_POLYGON_HEAD_WORDS = 2, LIM_POLYGON_TEXTURE_WORDS = 2 };
 
 /* A leaf has no plane and no children; its front_run comes in an order that is right from everywhere, nearest
- * first (sets without a tree: in any order), and is never LIM_NONE. */
+ * first (sets without a tree: in any order), and is never LIM_NO_INDEX. */
 struct lim_node {
     struct lim_plane_ref split;
-    uint16_t front, back; /* child nodes on either side of the plane, or LIM_NONE */
-    uint16_t front_run;   /* word offset of the polygons that face the front, or LIM_NONE */
-    uint16_t back_run;    /* the same for those that face the back */
-    uint16_t box;         /* bounds of the whole subtree, or LIM_NONE: too small to be worth it */
+    lim_index front, back; /* child nodes on either side of the plane, or LIM_NO_INDEX */
+    lim_index front_run;   /* word offset of the polygons that face the front, or LIM_NO_INDEX */
+    lim_index back_run;    /* the same for those that face the back */
+    lim_index box;         /* bounds of the whole subtree, or LIM_NO_INDEX: too small to be worth it */
 };
 
 /* Holds every polygon of a subtree: |p[i] - centre[i]| <= half[i]. */
@@ -148,12 +171,12 @@ struct lim_scene {
     const LIM_FLASH struct lim_plane *planes;
     const LIM_FLASH struct lim_plane_exact *exact;
     const LIM_FLASH struct lim_box *boxes;
-    const LIM_FLASH uint16_t *polygons;
+    const LIM_FLASH lim_index *polygons;
     const LIM_FLASH struct lim_fraction *fractions; /* vertex_count of them, or NULL */
-    uint16_t vertex_count, node_count, plane_count, exact_count, box_count;
-    uint16_t polygon_words; /* length of `polygons` */
-    uint16_t polygon_count; /* records in it */
-    uint16_t background;    /* colour where no polygon is seen, RGB565 as a number */
+    lim_index vertex_count, node_count, plane_count, exact_count, box_count;
+    lim_index polygon_words; /* length of `polygons` */
+    lim_index polygon_count; /* records in it */
+    uint16_t background;     /* colour where no polygon is seen, RGB565 as a number */
     struct lim_limits limits;
 #if LIM_HAS_TEXTURE
     const LIM_FLASH struct lim_mapping *mappings;
@@ -210,9 +233,13 @@ static inline int16_t lim_plane_z(const LIM_FLASH struct lim_plane *plane)
     return (int16_t)(plane->n_z_exact >> 16);
 }
 
-static inline uint16_t lim_plane_exact(const LIM_FLASH struct lim_plane *plane)
+static inline lim_index lim_plane_exact(const LIM_FLASH struct lim_plane *plane)
 {
+#if LIM_HAS_WIDE
+    return plane->exact;
+#else
     return (uint16_t)plane->n_z_exact;
+#endif
 }
 
 /*@ requires \valid_read(plane) && -1073676289 <= plane->slack_less_d - 65536 <= 1073676289;
@@ -224,11 +251,11 @@ static inline int32_t lim_plane_d(const LIM_FLASH struct lim_plane *plane)
 }
 
 /* Words of a record, which begins with `head`. */
-static inline uint16_t lim_record_words(uint16_t head)
+static inline uint16_t lim_record_words(lim_index head)
 {
     uint16_t words = (uint16_t)(LIM_POLYGON_HEAD_WORDS + (head & LIM_POLYGON_COUNT));
 
-    if (LIM_HAS_LEAVES && head & LIM_POLYGON_PLANE) words += sizeof(struct lim_plane_ref) / 2;
+    if (LIM_HAS_LEAVES && head & LIM_POLYGON_PLANE) words += sizeof(struct lim_plane_ref) / sizeof(lim_index);
     if (LIM_HAS_TRANSPARENT && head & LIM_POLYGON_ALPHA) words++;
     if (LIM_HAS_WIREFRAME && head & LIM_POLYGON_EDGES)
         words = (uint16_t)(words + ((head & LIM_POLYGON_COUNT) + 15) / 16);
@@ -237,25 +264,25 @@ static inline uint16_t lim_record_words(uint16_t head)
 }
 
 /* The plane of a record of a leaf. */
-static inline const LIM_FLASH struct lim_plane_ref *lim_record_plane(const LIM_FLASH uint16_t *record)
+static inline const LIM_FLASH struct lim_plane_ref *lim_record_plane(const LIM_FLASH lim_index *record)
 {
     return (const LIM_FLASH struct lim_plane_ref *)(record + LIM_POLYGON_HEAD_WORDS + (record[0] & LIM_POLYGON_COUNT));
 }
 
 /* Where the alpha of a record with LIM_POLYGON_ALPHA is, in words. */
-static inline uint16_t lim_record_alpha_at(uint16_t head)
+static inline uint16_t lim_record_alpha_at(lim_index head)
 {
     return (uint16_t)(lim_record_words(head & (LIM_POLYGON_COUNT | LIM_POLYGON_PLANE)));
 }
 
 /* Where the flags of the edges of a record with LIM_POLYGON_EDGES are, in words. */
-static inline uint16_t lim_record_edges_at(uint16_t head)
+static inline uint16_t lim_record_edges_at(lim_index head)
 {
     return lim_record_words(head & (LIM_POLYGON_COUNT | LIM_POLYGON_PLANE | LIM_POLYGON_ALPHA));
 }
 
 /* The plane that lim_plane_ref.plane names, if not an axis plane. */
-static inline const LIM_FLASH struct lim_plane *lim_plane_at(const LIM_FLASH struct lim_plane *planes, uint16_t words)
+static inline const LIM_FLASH struct lim_plane *lim_plane_at(const LIM_FLASH struct lim_plane *planes, lim_index words)
 {
     return (const LIM_FLASH struct lim_plane *)((const LIM_FLASH uint32_t *)planes + words);
 }

@@ -75,13 +75,13 @@ enum lim_span_result lim_smooth_close(struct lim_spans *spans, const struct lim_
                                       int16_t bottom)
 {
     const bool transparent = LIM_HAS_TRANSPARENT && lim_alpha_of(polygon) != LIM_OPAQUE;
-    struct lim_edge_pair pair;
+    struct lim_sample_edges edges;
     struct lim_strip strip;
     uint8_t result = LIM_SPAN_NOTHING;
 
-    lim_edge_begin(&pair, polygon->n, polygon->shape.first);
+    lim_strip_begin(&edges, polygon->n, polygon->shape.first);
     for (int16_t y = top; y < bottom; y++) {
-        lim_strip_next(&strip, &pair, polygon->at, polygon->n, polygon->shape.first, y, polygon->shape.end_row);
+        lim_strip_next(&strip, &edges, polygon->at, polygon->n, polygon->shape.first, y, polygon->shape.end_row);
         if (!transparent)
             result |= (uint8_t)lim_mask_close(spans, &spans->lines[y], &strip, NULL, NULL);
         else if (lim_mask_see(spans, &spans->lines[y], &strip, NULL, NULL))
@@ -200,11 +200,11 @@ void lim_smooth_add(struct lim *lim, const struct lim_strip *strip, const struct
 
 void lim_smooth_add_polygon(struct lim *lim, const struct lim_screen_polygon *polygon)
 {
-    struct lim_edge_pair pair;
+    struct lim_sample_edges edges;
     struct lim_strip strip;
 
-    lim_edge_begin(&pair, polygon->n, polygon->shape.first);
-    lim_strip_next(&strip, &pair, polygon->at, polygon->n, polygon->shape.first, (int16_t)lim->spans.open.y0,
+    lim_strip_begin(&edges, polygon->n, polygon->shape.first);
+    lim_strip_next(&strip, &edges, polygon->at, polygon->n, polygon->shape.first, (int16_t)lim->spans.open.y0,
                    polygon->shape.end_row);
     lim_smooth_add(lim, &strip, polygon);
 }
@@ -228,6 +228,7 @@ int lim_set_antialias(struct lim *lim, void *mem, size_t mem_b)
 
     LIM_ASSERT(((uintptr_t)mem & 3) == 0);
     if (!LIM_PAINTS_NEAREST_FIRST(&lim->target)) return mem ? LIM_ERR_TARGET : LIM_OK;
+    lim_drop_ahead(lim);
     smooth->sums = NULL;
     if (!mem) return LIM_OK;
     if (mem_b < LIM_ANTIALIAS_MEM_B(w_px)) return LIM_ERR_MEMORY;

@@ -47,9 +47,9 @@ uint16_t lim_sorted_sort(struct lim_sorted *list, uint16_t first)
 
 #if LIM_HAS_SORTED
 /* What bounds a record along z: the row of z alone, before a long lens's bits are shifted out. */
-static void measure_depth(const struct lim *lim, const LIM_FLASH uint16_t *record, int32_t *near_qv, int32_t *far_qv)
+static void measure_depth(const struct lim *lim, const LIM_FLASH lim_index *record, int32_t *near_qv, int32_t *far_qv)
 {
-    const LIM_FLASH uint16_t *corners = record + LIM_POLYGON_HEAD_WORDS;
+    const LIM_FLASH lim_index *corners = record + LIM_POLYGON_HEAD_WORDS;
 
     *near_qv = INT32_MAX;
     *far_qv = INT32_MIN;
@@ -61,10 +61,10 @@ static void measure_depth(const struct lim *lim, const LIM_FLASH uint16_t *recor
     }
 }
 
-static void add(struct lim *lim, uint16_t at, uint16_t node, bool eye_in_front)
+static void add(struct lim *lim, lim_index at, lim_index node, bool eye_in_front)
 {
     struct lim_sorter *sorter = &lim->sorter;
-    const LIM_FLASH uint16_t *record = &lim->scene->polygons[at];
+    const LIM_FLASH lim_index *record = &lim->scene->polygons[at];
     struct lim_sorted entry = {.record = at, .next = sorter->first};
     int32_t near_qv;
 
@@ -81,26 +81,26 @@ static void add(struct lim *lim, uint16_t at, uint16_t node, bool eye_in_front)
     sorter->list[sorter->first] = entry;
 }
 
-static void add_run(struct lim *lim, uint16_t at, uint16_t node, bool eye_in_front)
+static void add_run(struct lim *lim, lim_index at, lim_index node, bool eye_in_front)
 {
     for (;;) {
-        const LIM_FLASH uint16_t *record = &lim->scene->polygons[at];
-        const uint16_t head = record[0];
+        const LIM_FLASH lim_index *record = &lim->scene->polygons[at];
+        const lim_index head = record[0];
         if (lim_record_is_seen(lim_eye_of(lim), record))
             add(lim, at, node, head & LIM_POLYGON_PLANE ? !(head & LIM_POLYGON_BACK) : eye_in_front);
         if (head & LIM_POLYGON_LAST) return;
-        at = (uint16_t)(at + lim_record_words(head));
+        at = (lim_index)(at + lim_record_words(head));
     }
 }
 
 static void add_all(struct lim *lim)
 {
-    for (uint16_t i = 0; i < lim->scene->node_count; i++) {
+    for (lim_index i = 0; i < lim->scene->node_count; i++) {
         const LIM_FLASH struct lim_node *node = &lim->scene->nodes[i];
-        const bool is_leaf = LIM_HAS_LEAVES && node->split.plane == LIM_NONE;
+        const bool is_leaf = LIM_HAS_LEAVES && node->split.plane == LIM_NO_INDEX;
         const int32_t side = is_leaf ? 1 : lim_eye_side(lim_eye_of(lim), &node->split);
-        const uint16_t run = side > 0 ? node->front_run : side < 0 ? node->back_run : (uint16_t)LIM_NONE;
-        if (run != LIM_NONE) add_run(lim, run, i, side > 0);
+        const lim_index run = side > 0 ? node->front_run : side < 0 ? node->back_run : (lim_index)LIM_NO_INDEX;
+        if (run != LIM_NO_INDEX) add_run(lim, run, i, side > 0);
     }
 }
 

@@ -12,9 +12,9 @@
 
 /* An entry of the list. */
 struct lim_sorted {
-    int32_t far_qv;  /* view-space z of its farthest vertex, as rows.c scales it */
-    uint16_t record; /* in scene->polygons */
-    uint16_t next;   /* in the list, or LIM_NONE */
+    int32_t far_qv;   /* view-space z of its farthest vertex, as rows.c scales it */
+    lim_index record; /* in scene->polygons */
+    uint16_t next;    /* in the list, or LIM_NONE */
 };
 
 struct lim_sorter {

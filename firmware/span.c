@@ -13,18 +13,14 @@ void lim_spans_reset_pool(struct lim_spans *spans)
     spans->fresh = 0;
 }
 
-static bool is_closed(const struct lim_line *line)
-{
-    return line->gap.x0 == line->gap.x1;
-}
-
 void lim_spans_open(struct lim_spans *spans, const struct lim_target *target, const struct lim_rect *open)
 {
     spans->open = *open;
+    spans->trimmed = false;
     spans->open_lines = (uint16_t)(open->y1 - open->y0);
     for (uint16_t y = open->y0; y < open->y1; y++) {
         lim_line_open(&spans->lines[y], target, open, y);
-        if (LIM_HAS_ROUND && is_closed(&spans->lines[y])) spans->open_lines--;
+        if (LIM_HAS_ROUND && lim_line_is_closed(&spans->lines[y])) spans->open_lines--;
     }
     lim_spans_reset_pool(spans);
 }
@@ -35,33 +31,100 @@ enum lim_span_result lim_span_close(struct lim_spans *spans, struct lim_line *li
     enum lim_span_result result = LIM_SPAN_NOTHING;
     struct lim_gap *gap = &line->gap, *before = NULL;
 
+    if (lim_line_is_closed(line)) return LIM_SPAN_NOTHING;
     while (gap) {
-        const int16_t open0 = (int16_t)gap->x0, open1 = (int16_t)gap->x1;
-        if (open0 >= x1) break;
-        struct lim_gap *next = lim_gap_after(spans, gap);
-        if (open1 <= x0 || open0 == open1) {
+        const int32_t open0 = gap->x0, open1 = gap->x1;
+        if (open1 <= x0) {
             before = gap;
-            gap = next;
+            gap = lim_gap_after(spans, gap);
             continue;
         }
+        if (open0 >= x1) break;
         const uint16_t from = (uint16_t)(x0 > open0 ? x0 : open0), to = (uint16_t)(x1 < open1 ? x1 : open1);
-        if (x0 > open0 && x1 < open1 && !lim_gap_split(spans, gap, from, to)) return LIM_SPAN_EXHAUSTED;
-        if (sink) sink(ctx, from, to);
+        if (from > open0 && to < open1 && !lim_gap_split(spans, gap, from, to)) return LIM_SPAN_EXHAUSTED;
+        if (LIM_HAS_SINKS && sink) sink(ctx, from, to);
         result = LIM_SPAN_SOME;
-        if (x0 <= open0 && x1 >= open1) {
-            gap = lim_gap_unlink(spans, gap, before);
-            continue;
-        }
-        if (x0 <= open0)
-            gap->x0 = to;
-        else
+        if (from > open0) {
             gap->x1 = from;
-        if (x1 < open1) break;
-        before = gap;
-        gap = next;
+            before = gap;
+            gap = lim_gap_after(spans, gap);
+        } else if (to < open1) {
+            gap->x0 = to;
+            break;
+        } else {
+            gap = lim_gap_unlink(spans, gap, before);
+        }
     }
     return result;
 }
+
+/* A line's piece [x0, x1) that is no more than its only gap. false: there is no room for another one. */
+static inline bool close_in_gap(struct lim_spans *spans, struct lim_gap *gap, int32_t x0, int32_t x1)
+{
+    if (x0 != gap->x0) {
+        if (x1 != gap->x1) return lim_gap_split(spans, gap, (uint16_t)x0, (uint16_t)x1);
+        gap->x1 = (uint16_t)x0;
+    } else if (x1 != gap->x1) {
+        gap->x0 = (uint16_t)x1;
+    } else {
+        gap->x0 = gap->x1 = 0;
+        spans->open_lines--;
+    }
+    return true;
+}
+
+/* Most lines have one gap, or none, which lies at 0. */
+static inline bool close_lines(struct lim_spans *spans, int16_t y, int16_t end, struct lim_edge_pair *pair,
+                               struct lim_span_extent *seen, lim_span_sink *sink, struct lim_piece_look *look)
+{
+    struct lim_edge left, right;
+    struct lim_line *line = &spans->lines[y], *const after = &spans->lines[end], *first = NULL, *last = NULL;
+    bool exhausted = false;
+
+    lim_edge_copy(&left, &pair->left);
+    lim_edge_copy(&right, &pair->right);
+    do {
+        int32_t x0 = lim_edge_x(&left), x1 = lim_edge_x(&right);
+        lim_edge_step(&left);
+        lim_edge_step(&right);
+        if (sink) look->y_px = (uint16_t)y++;
+        if (line->gap.next != LIM_NONE) {
+            if (x0 >= x1) continue;
+            const enum lim_span_result result = lim_span_close(spans, line, (int16_t)x0, (int16_t)x1, sink, look);
+            if (result == LIM_SPAN_NOTHING) continue;
+            if (result == LIM_SPAN_EXHAUSTED) exhausted = true;
+            if (!first) first = line;
+            last = line;
+            continue;
+        }
+        if (x0 < line->gap.x0) x0 = line->gap.x0;
+        if (x1 > line->gap.x1) x1 = line->gap.x1;
+        if (x0 >= x1) continue;
+        if (!close_in_gap(spans, &line->gap, x0, x1)) exhausted = true;
+        if (!first) first = line;
+        last = line;
+        if (sink && !exhausted) sink(look, (uint16_t)x0, (uint16_t)x1);
+    } while (++line < after);
+    lim_edge_follow(&pair->left, &left);
+    lim_edge_follow(&pair->right, &right);
+    if (first && first < spans->lines + seen->top) seen->top = (int16_t)(first - spans->lines);
+    if (first) seen->bottom = (int16_t)(last - spans->lines + 1);
+    return !exhausted;
+}
+
+bool lim_spans_close(struct lim_spans *spans, int16_t y, int16_t end, struct lim_edge_pair *pair,
+                     struct lim_span_extent *seen)
+{
+    return close_lines(spans, y, end, pair, seen, NULL, NULL);
+}
+
+#if LIM_HAS_FRAME
+bool lim_spans_close_filling(struct lim_spans *spans, int16_t y, int16_t end, struct lim_edge_pair *pair,
+                             struct lim_span_extent *seen, lim_span_sink *sink, struct lim_piece_look *look)
+{
+    return close_lines(spans, y, end, pair, seen, sink, look);
+}
+#endif
 
 static uint16_t last_open(const struct lim_spans *spans, const struct lim_line *line)
 {
@@ -77,19 +140,21 @@ bool lim_spans_shrink(struct lim_spans *spans)
     struct lim_rect open = spans->open;
     uint16_t x0 = open.x1, x1 = open.x0;
 
-    while (open.y0 < open.y1 && is_closed(&spans->lines[open.y0]))
+    while (open.y0 < open.y1 && lim_line_is_closed(&spans->lines[open.y0]))
         open.y0++;
-    while (open.y0 < open.y1 && is_closed(&spans->lines[open.y1 - 1]))
+    while (open.y0 < open.y1 && lim_line_is_closed(&spans->lines[open.y1 - 1]))
         open.y1--;
     for (uint16_t y = open.y0; y < open.y1; y++) {
         const struct lim_line *line = &spans->lines[y];
-        if (is_closed(line)) continue;
+        if (lim_line_is_closed(line)) continue;
         const uint16_t end = last_open(spans, line);
         if (line->gap.x0 < x0) x0 = line->gap.x0;
         if (end > x1) x1 = end;
     }
-    const bool smaller = x0 > open.x0 || x1 < open.x1 || open.y0 > spans->open.y0 || open.y1 < spans->open.y1;
+    const bool smaller =
+        spans->trimmed || x0 > open.x0 || x1 < open.x1 || open.y0 > spans->open.y0 || open.y1 < spans->open.y1;
     spans->open = (struct lim_rect){x0, open.y0, x1, open.y1};
+    spans->trimmed = false;
     return smaller;
 }
 

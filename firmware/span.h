@@ -7,6 +7,7 @@
 #define LIM_SPAN_H
 
 #include "cull.h"
+#include "edge.h"
 #include "target.h"
 
 /* Pixels x0 <= x < x1. */
@@ -30,6 +31,7 @@ struct lim_spans {
     uint16_t free;  /* list of gaps that were given back */
     uint16_t fresh; /* gaps from here on were never used */
     uint16_t open_lines;
+    bool trimmed;         /* `open`, since it was drawn together */
     struct lim_rect open; /* holds every open pixel */
 };
 
@@ -46,19 +48,25 @@ typedef void lim_span_sink(void *ctx, uint16_t x0, uint16_t x1);
 static inline void lim_line_open(struct lim_line *line, const struct lim_target *target, const struct lim_rect *band,
                                  uint16_t y)
 {
-    struct lim_gap gap = {.x0 = band->x0, .x1 = band->x1, .next = LIM_NONE};
+    struct lim_gap *gap = &line->gap; /* set member by member: a copy would be a call of memcpy() */
 
+    gap->x0 = band->x0;
+    gap->x1 = band->x1;
+    gap->next = LIM_NONE;
+#if LIM_HAS_ANTIALIAS
+    gap->covered = 0;
+#endif
+    line->retained = LIM_NONE;
 #if LIM_HAS_ROUND
     if (target->visible) {
         uint16_t x0, x1;
         target->visible(target->ctx, y, &x0, &x1);
-        if (x0 > gap.x0) gap.x0 = x0 < gap.x1 ? x0 : gap.x1;
-        if (x1 < gap.x1) gap.x1 = x1 > gap.x0 ? x1 : gap.x0;
+        if (x0 > gap->x0) gap->x0 = x0 < gap->x1 ? x0 : gap->x1;
+        if (x1 < gap->x1) gap->x1 = x1 > gap->x0 ? x1 : gap->x0;
     }
 #else
     (void)target, (void)y;
 #endif
-    *line = (struct lim_line){.gap = gap, .retained = LIM_NONE};
 }
 
 /* Opens the pixels of `open` that the target shows, and no others. */
@@ -71,7 +79,41 @@ void lim_spans_reset_pool(struct lim_spans *spans);
 enum lim_span_result lim_span_close(struct lim_spans *spans, struct lim_line *line, int16_t x0, int16_t x1,
                                     lim_span_sink *sink, void *ctx);
 
-/* Draws `open` together around what is open. true: it became smaller than it was. */
+/* Lines top <= y < bottom; none: top >= bottom. */
+struct lim_span_extent {
+    int16_t top, bottom;
+};
+
+/* Closes what lies between two boundaries on the lines y <= line < end, to the end of which both go on, and moves them
+ * there. Widens `seen` downwards around the lines of which something was open. false: a pool is exhausted; some may be
+ * closed. The second form gives the pieces that were open to `sink`, with `look` for a context, whose line it sets. */
+LIM_MUST_CHECK bool lim_spans_close(struct lim_spans *spans, int16_t y, int16_t end, struct lim_edge_pair *pair,
+                                    struct lim_span_extent *seen);
+#if LIM_HAS_FRAME
+LIM_MUST_CHECK bool lim_spans_close_filling(struct lim_spans *spans, int16_t y, int16_t end, struct lim_edge_pair *pair,
+                                            struct lim_span_extent *seen, lim_span_sink *sink,
+                                            struct lim_piece_look *look);
+#endif
+
+/* Draws `open` together around what is open. true: it became smaller than it was at the last call. */
 bool lim_spans_shrink(struct lim_spans *spans);
+
+static inline bool lim_line_is_closed(const struct lim_line *line)
+{
+    return line->gap.x0 == line->gap.x1;
+}
+
+/* Leaves the closed lines at its top and bottom out of `open`. One must be open. */
+static inline void lim_spans_trim(struct lim_spans *spans)
+{
+    struct lim_rect *open = &spans->open;
+    const uint16_t y0 = open->y0, y1 = open->y1;
+
+    while (lim_line_is_closed(&spans->lines[open->y0]))
+        open->y0++;
+    while (lim_line_is_closed(&spans->lines[open->y1 - 1]))
+        open->y1--;
+    spans->trimmed |= open->y0 != y0 || open->y1 != y1;
+}
 
 #endif

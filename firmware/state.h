@@ -52,6 +52,33 @@
                       ((size_t)(depth) + (object_depth)) * sizeof(struct lim_route_pending))
 #define LIM_MEM_ALIGNED_B(size_b) (((size_b) + 3) & ~(size_t)3)
 
+#if LIM_HAS_STREAM
+/* How far the frame is that lim_frame_begin() began. */
+enum lim_ahead_stage {
+    LIM_AHEAD_NONE, /* there is none */
+    LIM_AHEAD_BEGUN,
+    LIM_AHEAD_BUSY,     /* in pass one */
+    LIM_AHEAD_DONE,     /* with pass one */
+    LIM_AHEAD_EXHAUSTED /* in pass one: a pool is */
+};
+
+/* Pass one between two quanta. */
+struct lim_ahead {
+    enum lim_ahead_stage stage;
+    const LIM_FLASH lim_index *record; /* of a run, the next; NULL: another run is due */
+#if LIM_HAS_MOVERS
+    struct lim_route route;
+#endif
+#if LIM_HAS_SORTED
+    uint16_t entry; /* of the sorted list, the next */
+#endif
+    uint8_t since_shrink;
+#if LIM_HAS_DELTA
+    struct lim_camera camera; /* what was taken in */
+#endif
+};
+#endif
+
 struct lim {
     const struct lim_scene *scene;
     struct lim_target target;
@@ -84,6 +111,10 @@ struct lim {
     struct lim_spans spans;
     struct lim_retained retained;
     struct lim_paint paint;
+    uint32_t bands; /* lim_bands() */
+#endif
+#if LIM_HAS_SCANLINE
+    bool retains_all; /* in this band */
 #endif
 #if LIM_HAS_FRAME
     bool fills; /* the target, as polygons come */
@@ -94,10 +125,27 @@ struct lim {
 #if LIM_HAS_DELTA
     struct lim_delta *delta; /* NULL: every frame is sent whole */
 #endif
+#if LIM_HAS_STREAM
+    struct lim_ahead ahead;
+#endif
 #if LIM_HAS_STATS
     struct lim_stats stats;
 #endif
 };
+
+/* If a frame was begun, it is no more, and has no instances. */
+static inline void lim_drop_ahead(struct lim *lim)
+{
+#if LIM_HAS_STREAM
+    if (lim->ahead.stage == LIM_AHEAD_NONE) return;
+    lim->ahead.stage = LIM_AHEAD_NONE;
+#if LIM_HAS_MOVERS
+    lim->movers.count = lim->movers.given = 0;
+#endif
+#else
+    (void)lim;
+#endif
+}
 
 /* lim_portals_mem_b() bytes, or nothing: then nothing is looked up. */
 static inline void lim_lend_portals(struct lim *lim, void *mem)

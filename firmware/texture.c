@@ -176,7 +176,7 @@ static int64_t height_q8(const struct lim_texturing *texturing, const struct lim
 
 void lim_texture_set(const struct lim_texturing *texturing, uint16_t word, struct lim_gradients *out)
 {
-    const LIM_FLASH uint16_t *words = &texturing->scene->polygons[word];
+    const LIM_FLASH lim_index *words = &texturing->scene->polygons[word];
     const struct lim_mapping mapping = texturing->scene->mappings[words[1]];
     const int64_t h_q8 = height_q8(texturing, &mapping);
     const struct height height = height_of(h_q8 < 0 ? -h_q8 : h_q8);

@@ -35,7 +35,7 @@ struct chord {
 };
 
 /* A mover's corners are where its view has them; in the scene they have fraction bits. */
-static int64_t corner_value(const struct lim *lim, uint16_t entry, uint16_t vertex, const struct lim_plane_wide *plane)
+static int64_t corner_value(const struct lim *lim, uint16_t entry, lim_index vertex, const struct lim_plane_wide *plane)
 {
     if (LIM_HAS_MOVERS && lim_entry_owner(lim, entry) != LIM_NONE) {
         int32_t at_q12[3];
@@ -49,15 +49,15 @@ static int64_t corner_value(const struct lim *lim, uint16_t entry, uint16_t vert
 static void find_chord(struct chord *chord, const struct lim *lim, uint16_t entry, const struct lim_plane_wide *plane)
 {
     const struct lim_scene *scene = lim_entry_scene(lim, entry);
-    const LIM_FLASH uint16_t *record = lim_entry_record(lim, entry);
-    const LIM_FLASH uint16_t *corners = record + LIM_POLYGON_HEAD_WORDS;
+    const LIM_FLASH lim_index *record = lim_entry_record(lim, entry);
+    const LIM_FLASH lim_index *corners = record + LIM_POLYGON_HEAD_WORDS;
     const uint_fast8_t n = record[0] & LIM_POLYGON_COUNT;
     int32_t before[3] = {0, 0, 0}, here[3];
     int64_t value_before = 0;
 
     *chord = (struct chord){.far_value = 0};
     for (uint_fast8_t k = 0; k <= n; k++) {
-        const uint16_t vertex = corners[k < n ? k : 0];
+        const lim_index vertex = corners[k < n ? k : 0];
         struct lim_view_point point;
         lim_view_transform(lim_entry_rows(lim, entry), scene, &scene->vertices[vertex], &point);
         const int64_t value = corner_value(lim, entry, vertex, plane);
@@ -177,8 +177,9 @@ static void fill_lines(struct lim_point *last, const struct lim_screen_polygon *
     for (int16_t y = top; y < bottom; y++) {
         lim_edge_advance(&pair, whole->at, whole->n, y);
         struct lim_point *line = &last[bottom - 1 - y];
-        line->x = pair.left.x > (int16_t)open->x0 ? pair.left.x : (int16_t)open->x0;
-        line->y = pair.right.x < (int16_t)open->x1 ? pair.right.x : (int16_t)open->x1;
+        const int16_t left = lim_edge_x(&pair.left), right = lim_edge_x(&pair.right);
+        line->x = left > (int16_t)open->x0 ? left : (int16_t)open->x0;
+        line->y = right < (int16_t)open->x1 ? right : (int16_t)open->x1;
     }
 }
 
@@ -258,12 +259,12 @@ static void fill_rows(struct lim_point *last, const struct lim_screen_polygon *w
                       int16_t top, int16_t bottom)
 {
     const int16_t x0 = (int16_t)(open->x0 * LIM_SAMPLES_A_ROW), x1 = (int16_t)(open->x1 * LIM_SAMPLES_A_ROW);
-    struct lim_edge_pair pair;
+    struct lim_sample_edges edges;
     struct lim_strip strip;
 
-    lim_edge_begin(&pair, whole->n, whole->shape.first);
+    lim_strip_begin(&edges, whole->n, whole->shape.first);
     for (int16_t y = top; y < bottom; y++) {
-        lim_strip_next(&strip, &pair, whole->at, whole->n, whole->shape.first, y, whole->shape.end_row);
+        lim_strip_next(&strip, &edges, whole->at, whole->n, whole->shape.first, y, whole->shape.end_row);
         for (uint_fast8_t s = 0; s < LIM_SAMPLE_ROWS; s++) {
             struct lim_point *row = &last[(bottom - y) * LIM_SAMPLE_ROWS - 1 - (int16_t)s];
             row->x = strip.left[s] > x0 ? strip.left[s] : x0;

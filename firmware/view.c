@@ -16,17 +16,25 @@ void lim_view_init(struct lim_view *view, uint16_t w_px, uint16_t h_px, struct l
 bool lim_view_begin(struct lim_view *view, const struct lim_scene *scene, const struct lim_camera *camera)
 {
     if (!lim_rows_set(&view->rows, scene, camera)) return false;
-    for (uint8_t i = 0; i < LIM_VIEW_CACHE_ENTRIES; i++)
-        view->cache[i].vertex = LIM_NONE;
+    for (uint_fast16_t i = 0; i < LIM_VIEW_CACHE_ENTRIES; i++)
+        view->cache[i].vertex = LIM_NO_INDEX;
     if (LIM_HAS_STATS) view->vertices = 0;
     return true;
 }
 
-void lim_view_transform(const struct lim_view *view, const struct lim_scene *scene,
-                        const LIM_FLASH struct lim_vertex *vertex, struct lim_view_point *out)
+/* The vertex is read member by member: copied, its six bytes would be a call of memcpy() on a Cortex-M0+. */
+/* Into the function that remembers vertices; where flash is short there is one of each. */
+#if LIM_8_BIT
+#define VIEW_SHARED LIM_ALONE
+#else
+#define VIEW_SHARED inline
+#endif
+
+static VIEW_SHARED void transform(const struct lim_view *view, const struct lim_scene *scene,
+                                  const LIM_FLASH struct lim_vertex *vertex, struct lim_view_point *out)
 {
     const struct lim_row *row = view->rows.row;
-    const struct lim_vertex at = *vertex;
+    const struct lim_vertex at = {vertex->x, vertex->y, vertex->z};
 
     LIM_UNROLLED(3)
     for (uint_fast8_t i = 0; i < 3; i++)
@@ -44,7 +52,7 @@ void lim_view_transform(const struct lim_view *view, const struct lim_scene *sce
     if (!LIM_HAS_LIMBS) out->z_qv >>= view->rows.tele_bits;
 }
 
-void lim_view_project(const struct lim_view *view, const struct lim_view_point *point, struct lim_point *out)
+static VIEW_SHARED void project(const struct lim_view *view, const struct lim_view_point *point, struct lim_point *out)
 {
     const struct lim_depth depth = perspective_depth(point->z_qv);
 
@@ -59,47 +67,54 @@ static inline int32_t margin_of(int32_t z_qv)
     return LIM_SUB_BITS || z_qv < 0 ? 0 : z_qv >> LIM_DRAFT_MARGIN_BITS;
 }
 
-/* A point behind the eye can be outside on both sides; one bit of the two is enough, because the
- * codes are only used to find a side that every vertex is outside of. */
-static uint8_t codes_of(const struct lim_view *view, const struct lim_view_point *point)
+/* Of a point that is not visible. One behind the eye can be outside on both sides; one bit of the two is enough,
+ * because the codes are only used to find a side that every vertex is outside of. */
+static LIM_RARE uint8_t codes_outside(const struct lim_view *view, int32_t at_x_qv, int32_t at_y_qv, int32_t z_qv)
 {
-    const int32_t z_qv = point->z_qv;
-    const int32_t x_qv = (int32_t)abs_s32(point->x_qv), y_qv = (int32_t)abs_s32(point->y_qv);
+    const int32_t x_qv = (int32_t)abs_s32(at_x_qv), y_qv = (int32_t)abs_s32(at_y_qv);
     const int32_t margin_qv = margin_of(z_qv); /* taken from x and y: z has no room for it */
     uint8_t codes = 0;
 
     if (z_qv < view->rows.near_qv) codes = LIM_VIEW_NEAR | LIM_VIEW_GUARD;
-    if (x_qv - margin_qv > z_qv) codes = (uint8_t)(codes | (point->x_qv < 0 ? LIM_VIEW_LEFT : LIM_VIEW_RIGHT));
-    if (y_qv - margin_qv > z_qv) codes = (uint8_t)(codes | (point->y_qv < 0 ? LIM_VIEW_TOP : LIM_VIEW_BOTTOM));
+    if (x_qv - margin_qv > z_qv) codes = (uint8_t)(codes | (at_x_qv < 0 ? LIM_VIEW_LEFT : LIM_VIEW_RIGHT));
+    if (y_qv - margin_qv > z_qv) codes = (uint8_t)(codes | (at_y_qv < 0 ? LIM_VIEW_TOP : LIM_VIEW_BOTTOM));
     if (x_qv >> 1 > z_qv - 2 || y_qv >> 1 > z_qv - 2) codes |= LIM_VIEW_GUARD;
     return codes;
 }
 
-static void fill_cache(struct lim_view *view, const struct lim_scene *scene, uint16_t vertex,
+/* What is visible is inside the guard band: z is at least PERSPECTIVE_Z_MIN_QV. */
+static inline uint8_t codes_of(const struct lim_view *view, const struct lim_view_point *point)
+{
+    const int32_t z_qv = point->z_qv, margin_qv = margin_of(z_qv);
+
+    if (z_qv >= view->rows.near_qv && (int32_t)abs_s32(point->x_qv) - margin_qv <= z_qv &&
+        (int32_t)abs_s32(point->y_qv) - margin_qv <= z_qv)
+        return 0;
+    return codes_outside(view, point->x_qv, point->y_qv, z_qv);
+}
+
+/* A vertex that is not remembered: one function, so that nothing of it goes through memory. */
+void lim_view_remember(struct lim_view *view, const struct lim_scene *scene, lim_index vertex,
                        struct lim_view_cached *entry)
 {
     struct lim_view_point point;
 
-    lim_view_transform(view, scene, &scene->vertices[vertex], &point);
+    transform(view, scene, &scene->vertices[vertex], &point);
+    const uint8_t codes = codes_of(view, &point);
     entry->vertex = vertex;
-    entry->codes = codes_of(view, &point);
-    if (!(entry->codes & LIM_VIEW_GUARD)) lim_view_project(view, &point, &entry->at);
+    entry->codes = codes;
+    if (!(codes & LIM_VIEW_GUARD)) project(view, &point, &entry->at);
     if (LIM_HAS_STATS) view->vertices++;
 }
 
-uint16_t lim_view_polygon(struct lim_view *view, const struct lim_scene *scene, const LIM_FLASH uint16_t *corners,
-                          uint8_t n, struct lim_point *out)
+/* For those who want a part of it: clipped polygons, pieces. */
+void lim_view_transform(const struct lim_view *view, const struct lim_scene *scene,
+                        const LIM_FLASH struct lim_vertex *vertex, struct lim_view_point *out)
 {
-    uint8_t any = 0, all = 0xFF;
+    transform(view, scene, vertex, out);
+}
 
-    for (uint8_t k = 0; k < n; k++) {
-        const uint16_t vertex = corners[k];
-        struct lim_view_cached *entry = &view->cache[vertex % LIM_VIEW_CACHE_ENTRIES];
-
-        if (entry->vertex != vertex) fill_cache(view, scene, vertex, entry);
-        any |= entry->codes;
-        all &= entry->codes;
-        out[k] = entry->at;
-    }
-    return (uint16_t)(any | (uint16_t)(all << 8));
+void lim_view_project(const struct lim_view *view, const struct lim_view_point *point, struct lim_point *out)
+{
+    project(view, point, out);
 }

@@ -48,7 +48,7 @@ enum lim_view_code {
 };
 
 struct lim_view_cached {
-    uint16_t vertex; /* LIM_NONE: empty */
+    lim_index vertex; /* LIM_NO_INDEX: empty */
     uint8_t codes;
     struct lim_point at; /* meaningless when codes has LIM_VIEW_GUARD */
 };
@@ -87,9 +87,28 @@ void lim_view_transform(const struct lim_view *view, const struct lim_scene *sce
 /* Needs near <= z and |x|, |y| <= 2z. */
 void lim_view_project(const struct lim_view *view, const struct lim_view_point *point, struct lim_point *out);
 
-/* Projects a polygon's n vertices (indices in `corners`) through the cache; out gets n points.
+/* Takes a vertex in, in the place of what the entry held. */
+void lim_view_remember(struct lim_view *view, const struct lim_scene *scene, lim_index vertex,
+                       struct lim_view_cached *entry);
+
+/* Projects a polygon's n vertices, 1 or more (indices in `corners`) through the cache; out gets n points.
  * Returns all codes that any vertex has, OR'ed, in bits 0..7 and those that all have in 8..15. */
-uint16_t lim_view_polygon(struct lim_view *view, const struct lim_scene *scene, const LIM_FLASH uint16_t *corners,
-                          uint8_t n, struct lim_point *out);
+static inline uint32_t lim_view_polygon(struct lim_view *view, const struct lim_scene *scene,
+                                        const LIM_FLASH lim_index *corners, uint8_t n, struct lim_point *out)
+{
+    const struct lim_point *const end = out + n;
+    uint_fast8_t any = 0, all = 0xFF;
+
+    do {
+        const lim_index vertex = *corners++;
+        struct lim_view_cached *entry = &view->cache[vertex % LIM_VIEW_CACHE_ENTRIES];
+
+        if (entry->vertex != vertex) lim_view_remember(view, scene, vertex, entry);
+        any |= entry->codes;
+        all &= entry->codes;
+        *out++ = entry->at;
+    } while (out != end);
+    return any | (uint32_t)all << 8;
+}
 
 #endif

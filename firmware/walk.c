@@ -11,7 +11,7 @@ void lim_walk_begin(struct lim_walk *walk, struct lim_walk_pending *stack, bool 
 {
     walk->stack = stack;
     walk->depth = 0;
-    walk->next = walk->eye.scene->node_count ? 0 : LIM_NONE;
+    walk->next = walk->eye.scene->node_count ? 0 : LIM_NO_INDEX;
     walk->back_to_front = back_to_front;
 }
 
@@ -26,48 +26,46 @@ static inline const uint8_t *shown_of(const struct lim_walk *walk)
 #endif
 }
 
-/* Its run is due at once. */
-static inline uint16_t enter_leaf(struct lim_walk *walk, const LIM_FLASH struct lim_node *node)
+/* Says what comes after the node's near subtree. Returns the root of that, or LIM_NO_INDEX. */
+static inline lim_index enter(const struct lim_walk *walk, const LIM_FLASH struct lim_node *node,
+                             struct lim_walk_pending *pending)
 {
-    LIM_ASSERT(walk->depth < walk->eye.scene->limits.depth);
-    walk->stack[walk->depth++] = (struct lim_walk_pending){node->front_run, LIM_NONE};
-    return LIM_NONE;
-}
-
-/* Remembers what comes after the node's near subtree. Returns the root of that, or LIM_NONE. */
-static inline uint16_t enter(struct lim_walk *walk, uint16_t index, const struct lim_cull *cull,
-                             struct lim_stats *stats)
-{
-    const LIM_FLASH struct lim_node *node = &walk->eye.scene->nodes[index];
-
-    if (lim_node_is_skipped(walk->eye.scene, node, shown_of(walk), cull, stats)) return LIM_NONE;
-    if (LIM_HAS_STATS) stats->nodes++;
-    if (LIM_HAS_LEAVES && node->split.plane == LIM_NONE) return enter_leaf(walk, node);
     const int32_t side = lim_eye_side(&walk->eye, &node->split);
     const bool front_first = (side > 0) != walk->back_to_front;
-    LIM_ASSERT(walk->depth < walk->eye.scene->limits.depth);
-    struct lim_walk_pending *pending = &walk->stack[walk->depth++];
-    pending->run = side > 0 ? node->front_run : side < 0 ? node->back_run : (uint16_t)LIM_NONE;
+
+    pending->run = side > 0 ? node->front_run : side < 0 ? node->back_run : (lim_index)LIM_NO_INDEX;
     pending->far = front_first ? node->back : node->front;
     return front_first ? node->front : node->back;
 }
 
-uint16_t lim_walk_next(struct lim_walk *walk, const struct lim_cull *cull, struct lim_stats *stats)
+lim_index lim_walk_next(struct lim_walk *walk, struct lim_cull *cull, struct lim_stats *stats)
 {
-    uint16_t next = walk->next;
+    const LIM_FLASH struct lim_node *nodes = walk->eye.scene->nodes;
+    lim_index next = walk->next, run = LIM_NO_INDEX;
+    uint16_t depth = walk->depth;
 
-    for (;;) {
-        while (next != LIM_NONE)
-            next = enter(walk, next, cull, stats);
-        if (!walk->depth) break;
-        const struct lim_walk_pending *top = &walk->stack[--walk->depth];
-        next = top->far;
-        if (top->run == LIM_NONE) continue;
-        walk->next = next;
-        return top->run;
-    }
-    walk->next = LIM_NONE;
-    return LIM_NONE;
+    do {
+        if (next == LIM_NO_INDEX) {
+            if (!depth) break;
+            const struct lim_walk_pending *top = &walk->stack[--depth];
+            next = top->far;
+            run = top->run;
+            continue;
+        }
+        const LIM_FLASH struct lim_node *node = &nodes[next];
+        next = LIM_NO_INDEX;
+        if (lim_node_is_skipped(walk->eye.scene, node, shown_of(walk), cull, depth, stats)) continue;
+        if (LIM_HAS_STATS) stats->nodes++;
+        if (LIM_HAS_LEAVES && node->split.plane == LIM_NO_INDEX) {
+            run = node->front_run;
+            continue;
+        }
+        LIM_ASSERT(depth < walk->eye.scene->limits.depth);
+        next = enter(walk, node, &walk->stack[depth++]);
+    } while (run == LIM_NO_INDEX);
+    walk->next = next;
+    walk->depth = depth;
+    return run;
 }
 
 #endif

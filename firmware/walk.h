@@ -12,33 +12,36 @@
 #include "scene.h"
 #include "stats.h"
 
-/* What comes when a node's near subtree is done: its own polygons, then its far subtree. LIM_NONE: nothing. */
+/* What comes when a node's near subtree is done: its own polygons, then its far subtree. LIM_NO_INDEX: nothing. */
 struct lim_walk_pending {
-    uint16_t run, far;
+    lim_index run, far;
 };
 
 struct lim_walk {
     struct lim_eye eye; /* here, not pointed to: its fields are read at every node */
     struct lim_walk_pending *stack;
     uint16_t depth;
-    uint16_t next; /* the subtree to enter, or LIM_NONE: the stack's top is due */
+    lim_index next; /* the subtree to enter, or LIM_NO_INDEX: the stack's top is due */
     bool back_to_front;
 #if LIM_HAS_PORTALS
     const uint8_t *shown; /* a bit a box: its subtree may be seen; NULL: nothing is known */
 #endif
 };
 
-/* Whether a subtree is out of view, or cannot be seen from where the eye is. shown: as in lim_walk. */
+/* Whether a subtree is out of view, or cannot be seen from where the eye is. shown: as in lim_walk; depth: of the
+ * walk's stack. */
 static inline bool lim_node_is_skipped(const struct lim_scene *scene, const LIM_FLASH struct lim_node *node,
-                                       const uint8_t *shown, const struct lim_cull *cull, struct lim_stats *stats)
+                                       const uint8_t *shown, struct lim_cull *cull, uint16_t depth,
+                                       struct lim_stats *stats)
 {
-    if (!LIM_HAS_CULL || node->box == LIM_NONE) return false;
+    if (!LIM_HAS_CULL || node->box == LIM_NO_INDEX) return false;
     if (LIM_HAS_PORTALS && shown && !lim_portals_show(shown, node->box)) {
         if (LIM_HAS_STATS) stats->hidden++;
         return true;
     }
+    if (cull->inside_depth <= depth) return false;
     if (LIM_HAS_STATS) stats->boxes++;
-    if (lim_cull_sees(cull, &scene->boxes[node->box])) return false;
+    if (lim_cull_enters(cull, &scene->boxes[node->box], depth)) return false;
     if (LIM_HAS_STATS) stats->boxes_out++;
     return true;
 }
@@ -46,8 +49,8 @@ static inline bool lim_node_is_skipped(const struct lim_scene *scene, const LIM_
 /* Through the scene of walk->eye, which is set. `stack` has limits.depth entries. */
 void lim_walk_begin(struct lim_walk *walk, struct lim_walk_pending *stack, bool back_to_front);
 
-/* The next run's word offset into scene->polygons, or LIM_NONE when the walk is over. `cull` may
+/* The next run's word offset into scene->polygons, or LIM_NO_INDEX when the walk is over. `cull` may
  * have changed since the last call: the open view only ever shrinks. */
-uint16_t lim_walk_next(struct lim_walk *walk, const struct lim_cull *cull, struct lim_stats *stats);
+lim_index lim_walk_next(struct lim_walk *walk, struct lim_cull *cull, struct lim_stats *stats);
 
 #endif

@@ -59,8 +59,9 @@ struct lim_wire lim_wire_of(const struct lim_screen_polygon *polygon, const stru
 
 void lim_set_wireframe(struct lim *lim, const struct lim_wireframe *wireframe)
 {
+    lim_drop_ahead(lim);
     lim->wireframe = *wireframe;
-#if LIM_HAS_NEAREST
+#if LIM_HAS_SPANS
     lim->paint.background = lim_background_of(lim);
 #endif
 }

@@ -32,6 +32,9 @@ struct bus {
     int (*write)(void *ctx, const uint8_t *data, size_t n_b) HAL_MUST_CHECK;
     /* Returns when the last byte has left, or will not leave. NULL: write() never returns earlier. */
     int (*flush)(void *ctx) HAL_MUST_CHECK;
+    /* How many bytes of the last write() are still to be read from memory: for that long the next one would wait. NULL:
+     * write() never returns earlier, or the port cannot tell. */
+    size_t (*left_b)(void *ctx);
     /* How many bytes could be sent in the time that beginning a write takes, or setting D/C: 0 where a peripheral does
      * it, a report's where each of them is a report. */
     uint16_t message_b;
@@ -59,6 +62,11 @@ struct edge {
 HAL_MUST_CHECK static inline int bus_write(const struct bus *bus, const uint8_t *data, size_t n_b)
 {
     return bus->write(bus->ctx, data, n_b);
+}
+
+static inline size_t bus_left_b(const struct bus *bus)
+{
+    return bus->left_b ? bus->left_b(bus->ctx) : 0;
 }
 
 HAL_MUST_CHECK static inline int bus_flush(const struct bus *bus)

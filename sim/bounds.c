@@ -19,7 +19,7 @@ static void bounds_extend(struct bounds *bounds, const int low[3], const int hig
 }
 
 /* A vertex with a fraction lies between two units. */
-static void bounds_add_vertex(const struct lim_scene *scene, uint16_t index, struct bounds *bounds)
+static void bounds_add_vertex(const struct lim_scene *scene, lim_index index, struct bounds *bounds)
 {
     const struct lim_vertex *vertex = &scene->vertices[index];
     int low[3] = {vertex->x, vertex->y, vertex->z}, high[3] = {vertex->x, vertex->y, vertex->z};
@@ -34,11 +34,11 @@ static void bounds_add_vertex(const struct lim_scene *scene, uint16_t index, str
     bounds_extend(bounds, low, high);
 }
 
-static void bounds_add_run(const struct lim_scene *scene, uint16_t run, struct bounds *bounds)
+static void bounds_add_run(const struct lim_scene *scene, lim_index run, struct bounds *bounds)
 {
-    if (run == LIM_NONE) return;
-    for (const uint16_t *at = &scene->polygons[run], *next;; at = next) {
-        const uint16_t *corners = at + LIM_POLYGON_HEAD_WORDS;
+    if (run == LIM_NO_INDEX) return;
+    for (const lim_index *at = &scene->polygons[run], *next;; at = next) {
+        const lim_index *corners = at + LIM_POLYGON_HEAD_WORDS;
         next = at + lim_record_words(at[0]);
         for (size_t k = 0; k < (at[0] & LIM_POLYGON_COUNT); k++)
             bounds_add_vertex(scene, corners[k], bounds);
@@ -50,12 +50,12 @@ static void bounds_add_run(const struct lim_scene *scene, uint16_t run, struct b
 static struct bounds bounds_of(const struct lim_scene *scene, const struct bounds *all, size_t index)
 {
     const struct lim_node *node = &scene->nodes[index];
-    const uint16_t children[2] = {node->front, node->back};
+    const lim_index children[2] = {node->front, node->back};
     struct bounds bounds = {.low = {INT16_MAX, INT16_MAX, INT16_MAX}, .high = {INT16_MIN, INT16_MIN, INT16_MIN}};
     bounds_add_run(scene, node->front_run, &bounds);
     bounds_add_run(scene, node->back_run, &bounds);
     for (int k = 0; k < 2; k++) {
-        if (children[k] == LIM_NONE) continue;
+        if (children[k] == LIM_NO_INDEX) continue;
         bounds_extend(&bounds, all[children[k]].low, all[children[k]].high);
         bounds.polygons += all[children[k]].polygons;
     }
@@ -96,13 +96,13 @@ void encode_boxes(struct encoding *encoding)
                                     .fractions = encoding->fractions,
                                     .nodes = encoding->nodes,
                                     .polygons = encoding->words,
-                                    .node_count = (uint16_t)encoding->node_count};
+                                    .node_count = (lim_index)encoding->node_count};
     struct bounds *all = grow_zeroed(encoding->node_count, sizeof *all);
     encoding->boxes = grow_zeroed(encoding->node_count, sizeof *encoding->boxes);
     bounds_of_subtrees(&scene, all);
     for (size_t i = 0; i < encoding->node_count; i++) {
         if (all[i].polygons < SUBTREE_BOX_POLYGONS) continue;
-        encoding->nodes[i].box = (uint16_t)encoding->box_count;
+        encoding->nodes[i].box = (lim_index)encoding->box_count;
         encoding->boxes[encoding->box_count++] = bounds_box(&all[i]);
     }
     free(all);

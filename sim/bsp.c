@@ -7,6 +7,7 @@
 
 #include "grow.h"
 #include "inner.h"
+#include "progress.h"
 #include "tree.h"
 
 #include <math.h>
@@ -300,6 +301,14 @@ static void divide(struct bsp *bsp, const struct bsp_plan *plan, struct stack *s
     stack_push(stack, child, front);
 }
 
+/* Each node takes one polygon in at least, and those still to come may be split. */
+static void show_progress(const struct bsp *bsp, const struct bsp_plan *plan)
+{
+    const size_t all = bsp->mesh->polygon_count + bsp->splits;
+    progress_bar(bsp->placed_count < all ? bsp->placed_count : all, all, "compiling: %zu polygons, %s, %s",
+                 bsp->mesh->polygon_count, tree_names[plan->kind], plan->splitter->name);
+}
+
 bool bsp_build(struct bsp *bsp, const struct mesh *mesh, const struct coplanar *coplanar, const struct bsp_plan *plan,
                struct exact_points *points)
 {
@@ -312,8 +321,10 @@ bool bsp_build(struct bsp *bsp, const struct mesh *mesh, const struct coplanar *
     stack_push(&stack, (struct task){.parent = BSP_NONE, .depth = 1}, &front);
     if (tree_wants_rings(plan, bsp->piece_count)) rings_find(&bsp->rings, bsp);
     if (plan->sampled) bsp->rings = rings_copy(plan->sampled);
-    while (stack.task_count && bsp->piece_count <= BSP_PIECES_MAX)
+    while (stack.task_count && bsp->piece_count <= BSP_PIECES_MAX) {
+        show_progress(bsp, plan);
         divide(bsp, plan, &stack, &front, &back);
+    }
     bool complete = stack.task_count == 0;
     edges_sort(&bsp->edges);
     free(front.items);

@@ -55,7 +55,7 @@ struct bsp {
 };
 
 /* More pieces than any scene can hold: building stops there. */
-enum { BSP_PIECES_MAX = 1 << 18 };
+enum { BSP_PIECES_MAX = 1 << 20 };
 
 /* How a tree is to be built. */
 struct bsp_plan {

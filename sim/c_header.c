@@ -18,7 +18,8 @@ static void write_spans_memory(FILE *file, const struct compiled *scene)
         fprintf(file, "LIM_DEPTH_MEM_B(h_px, %u", count);
     else
         fprintf(file, "LIM_MEM_B(h_px, %u", (unsigned)limits->depth);
-    fprintf(file, ", %u, %u, %u)", (unsigned)limits->retained_cells, (unsigned)limits->gaps, (unsigned)limits->active);
+    const unsigned gaps = scene->report.draws == LIM_SCANLINE ? 1 : limits->gaps; /* firmware/pools.c */
+    fprintf(file, ", %u, %u, %u)", (unsigned)limits->retained_cells, gaps, (unsigned)limits->active);
     if (limits->layers) fprintf(file, " + LIM_LAYERS_MEM_B(%u)", (unsigned)limits->layers);
 }
 

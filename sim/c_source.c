@@ -19,6 +19,25 @@ static void end_array(FILE *file)
     fputs("\n};\n", file);
 }
 
+/* NONE, and the macros that stand for numbers of a width, are what the firmware's width makes of them. */
+static void write_index(FILE *file, lim_index index)
+{
+    if (index == LIM_NO_INDEX)
+        fputs(", NONE", file);
+    else
+        fprintf(file, ", %lu", (unsigned long)index);
+}
+
+static void write_plane_index(FILE *file, lim_index plane)
+{
+    if (plane == LIM_NO_INDEX)
+        fputs("NONE, ", file);
+    else if (plane >= LIM_PLANE_X)
+        fprintf(file, "LIM_PLANE_%c, ", "XYZ"[plane - LIM_PLANE_X]);
+    else
+        fprintf(file, "AT(%lu), ", (unsigned long)(plane / LIM_PLANE_WORDS));
+}
+
 static void write_vertices(FILE *file, const struct lim_scene *scene, const struct c_name *prefix)
 {
     begin_array(file, prefix, "struct lim_vertex", "vertices", scene->vertex_count);
@@ -44,9 +63,15 @@ static void write_nodes(FILE *file, const struct lim_scene *scene, const struct 
     begin_array(file, prefix, "struct lim_node", "nodes", scene->node_count);
     for (size_t i = 0; i < scene->node_count; i++) {
         const struct lim_node *node = &scene->nodes[i];
-        fprintf(file, "%s{{%u, %d}, %u, %u, %u, %u, %u},", i % 2 ? " " : "\n    ", (unsigned)node->split.plane,
-                (int)node->split.offset, (unsigned)node->front, (unsigned)node->back, (unsigned)node->front_run,
-                (unsigned)node->back_run, (unsigned)node->box);
+        fprintf(file, "%s{{", i % 2 ? " " : "\n    ");
+        write_plane_index(file, node->split.plane);
+        fprintf(file, "%d}", (int)node->split.offset);
+        write_index(file, node->front);
+        write_index(file, node->back);
+        write_index(file, node->front_run);
+        write_index(file, node->back_run);
+        write_index(file, node->box);
+        fputs("},", file);
     }
     end_array(file);
 }
@@ -56,8 +81,10 @@ static void write_planes(FILE *file, const struct lim_scene *scene, const struct
     begin_array(file, prefix, "struct lim_plane", "planes", scene->plane_count);
     for (size_t i = 0; i < scene->plane_count; i++) {
         const struct lim_plane *plane = &scene->planes[i];
-        fprintf(file, "%sLIM_PLANE(%d, %d, %d, %u, %ld),", i % 2 ? " " : "\n    ", lim_plane_x(plane),
-                lim_plane_y(plane), lim_plane_z(plane), (unsigned)lim_plane_exact(plane), (long)lim_plane_d(plane));
+        fprintf(file, "%sLIM_PLANE(%d, %d, %d", i % 2 ? " " : "\n    ", lim_plane_x(plane), lim_plane_y(plane),
+                lim_plane_z(plane));
+        write_index(file, lim_plane_exact(plane));
+        fprintf(file, ", %ld),", (long)lim_plane_d(plane));
     }
     end_array(file);
 }
@@ -97,11 +124,27 @@ static void write_places(FILE *file, const struct lim_scene *scene, const struct
     end_array(file);
 }
 
+/* In a leaf a record names its plane. */
+static void write_record(FILE *file, const lim_index *record)
+{
+    const size_t plane_at =
+        record[0] & LIM_POLYGON_PLANE ? LIM_POLYGON_HEAD_WORDS + (record[0] & LIM_POLYGON_COUNT) : 0;
+    fputs("\n   ", file);
+    for (size_t i = 0; i < lim_record_words(record[0]); i++) {
+        fputc(' ', file);
+        if (i && i == plane_at) {
+            write_plane_index(file, record[i++]);
+            fprintf(file, "(lim_index)%ld,", (long)(lim_offset)record[i]);
+        } else
+            fprintf(file, "%lu,", (unsigned long)record[i]);
+    }
+}
+
 static void write_polygons(FILE *file, const struct lim_scene *scene, const struct c_name *prefix)
 {
-    begin_array(file, prefix, "uint16_t", "polygons", scene->polygon_words);
-    for (size_t i = 0; i < scene->polygon_words; i++)
-        fprintf(file, "%s%u,", i % NUMBERS_A_LINE ? " " : "\n    ", (unsigned)scene->polygons[i]);
+    begin_array(file, prefix, "lim_index", "polygons", scene->polygon_words);
+    for (size_t i = 0; i < scene->polygon_words; i += lim_record_words(scene->polygons[i]))
+        write_record(file, &scene->polygons[i]);
     end_array(file);
 }
 
@@ -217,6 +260,7 @@ static void write_source(FILE *file, const struct compiled *scene, const struct 
             header->file);
     fprintf(file, "#include \"scene.h\"\n\n#include \"%s.h\"\n\n", header->file);
     fprintf(file, "_Static_assert(LIM_SCENE_VERSION == %d, \"compile this scene again\");\n", LIM_SCENE_VERSION);
+    fputs("#define NONE LIM_NO_INDEX\n#define AT(plane) ((plane)*LIM_PLANE_WORDS)\n", file);
     write_vertices(file, arrays, prefix);
     if (arrays->fractions) write_fractions(file, arrays, prefix);
     write_nodes(file, arrays, prefix);

@@ -23,7 +23,7 @@ static const double NOISE_FACTOR = 3.0; /* two faces' noise where they meet at a
 
 /* Planes and records ------------------------------------------------------------------------- */
 
-static struct flat flat_of(const struct lim_scene *scene, uint16_t node)
+static struct flat flat_of(const struct lim_scene *scene, lim_index node)
 {
     int64_t n[3], d;
     plane_exact(scene, &scene->nodes[node].split, n, &d);
@@ -31,7 +31,7 @@ static struct flat flat_of(const struct lim_scene *scene, uint16_t node)
     return (struct flat){{(double)n[0] / length, (double)n[1] / length, (double)n[2] / length}, (double)d / length};
 }
 
-static void vertex_at(const struct lim_scene *scene, uint16_t index, double out[3])
+static void vertex_at(const struct lim_scene *scene, lim_index index, double out[3])
 {
     const struct lim_vertex *vertex = &scene->vertices[index];
     const double units[3] = {vertex->x, vertex->y, vertex->z};
@@ -52,7 +52,7 @@ static void note_noise(struct cells *cells, uint32_t node, const double (*corner
     }
 }
 
-static void record_add(struct cells *cells, uint32_t node, const uint16_t *record, bool back)
+static void record_add(struct cells *cells, uint32_t node, const lim_index *record, bool back)
 {
     const size_t count = record[0] & LIM_POLYGON_COUNT;
     double(*corners)[3] = grow_zeroed(count, sizeof *corners);
@@ -63,15 +63,15 @@ static void record_add(struct cells *cells, uint32_t node, const uint16_t *recor
     *out = (struct cell_record){.node = node};
     out->faces = back ? flat_turned(&cells->planes[node]) : cells->planes[node];
     const bool whole = patch_hull(&out->patch, &out->faces, (const double(*)[3])corners, count);
-    out->opaque = whole && !(record[0] & ~KNOWN_FLAGS);
+    out->opaque = whole && !(record[0] & ~(lim_index)KNOWN_FLAGS);
     note_noise(cells, node, (const double(*)[3])corners, count);
     free(corners);
 }
 
-static void run_add(struct cells *cells, uint32_t node, uint16_t run, bool back)
+static void run_add(struct cells *cells, uint32_t node, lim_index run, bool back)
 {
-    if (run == LIM_NONE) return;
-    for (const uint16_t *at = &cells->scene->polygons[run];; at += lim_record_words(*at)) {
+    if (run == LIM_NO_INDEX) return;
+    for (const lim_index *at = &cells->scene->polygons[run];; at += lim_record_words(*at)) {
         record_add(cells, node, at, back);
         if (at[0] & LIM_POLYGON_LAST) return;
     }
@@ -88,14 +88,14 @@ static void records_read(struct cells *cells)
 static void nodes_read(struct cells *cells)
 {
     const struct lim_scene *scene = cells->scene;
-    for (uint16_t i = 0; i < scene->node_count; i++) {
+    for (lim_index i = 0; i < scene->node_count; i++) {
         const struct lim_node *node = &scene->nodes[i];
         cells->planes[i] = flat_of(scene, i);
-        if (node->front != LIM_NONE) cells->parents[node->front] = i;
-        if (node->back != LIM_NONE) cells->parents[node->back] = i;
+        if (node->front != LIM_NO_INDEX) cells->parents[node->front] = i;
+        if (node->back != LIM_NO_INDEX) cells->parents[node->back] = i;
         for (int behind = 0; behind < 2; behind++) {
             struct cell *cell = &cells->items[cell_of(i, behind)];
-            cell->is_free = (behind ? node->back_run : node->front_run) != LIM_NONE;
+            cell->is_free = (behind ? node->back_run : node->front_run) != LIM_NO_INDEX;
             cell->bounded = true;
             for (int k = 0; k < 3; k++) {
                 cell->low[k] = INFINITY;
@@ -113,7 +113,7 @@ static void box_find(struct cells *cells)
     }
     for (size_t i = 0; i < cells->scene->vertex_count; i++) {
         double at[3];
-        vertex_at(cells->scene, (uint16_t)i, at);
+        vertex_at(cells->scene, (lim_index)i, at);
         for (int k = 0; k < 3; k++) {
             cells->low[k] = fmin(cells->low[k], at[k] - GROWN_UNITS);
             cells->high[k] = fmax(cells->high[k], at[k] + GROWN_UNITS);
@@ -165,8 +165,8 @@ static void part_file(struct parts *parts, const struct cells *cells, uint32_t n
                       const struct patch *patch)
 {
     const struct lim_node *here = &cells->scene->nodes[node];
-    const uint16_t child = behind ? here->back : here->front;
-    if (child == LIM_NONE)
+    const lim_index child = behind ? here->back : here->front;
+    if (child == LIM_NO_INDEX)
         part_add(parts, cell_of(node, behind), true, patch);
     else
         part_add(parts, child, false, patch);

@@ -59,7 +59,7 @@ static bool sample_path(struct trial *trial, struct error *err)
 static bool prepare(struct trial *trial, const char *model_path, const struct compile_options *options,
                     const struct choice_bound *bound, const struct choice *choice, struct error *err)
 {
-    if (bound->camera && !camera_path_read(bound->camera, &trial->path, err)) return false;
+    if (!camera_choice_read(&bound->cameras, &trial->path, err)) return false;
     if (!measure_source_read(&trial->source, model_path, options, options->w_px, options->h_px, err)) return false;
     for (size_t i = 0; i < choice->count; i++) {
         trial->candidates[i].core = choice->rows[i].core;
@@ -69,7 +69,9 @@ static bool prepare(struct trial *trial, const char *model_path, const struct co
     }
     return lens_init(&trial->lens, FOV_DEG, lens_default_near_m(&trial->scenes.plain.grid), options->w_px,
                      options->h_px, err) &&
-           (bound->camera || sample_path(trial, err));
+           (bound->cameras.text
+                ? camera_choice_plan(&bound->cameras, &trial->scenes.plain, &trial->lens, 0, &trial->path, err)
+                : sample_path(trial, err));
 }
 
 static bool meets(const struct accuracy *accuracy, const struct choice_bound *bound)
@@ -168,6 +170,6 @@ void choice_print(const struct choice *choice, const struct choice_bound *bound,
         fprintf(out, "  %s\n", row->core == choice->core ? "chosen" : row->meets ? "meets the bound" : "misses it");
     }
     fprintf(out, "%zu frames, %s; instructions a frame: %s\n", choice->frames,
-            bound->camera ? bound->camera : "cameras sampled in the scene's free space",
+            bound->cameras.text ? bound->cameras.text : "cameras sampled in the scene's free space",
             bound->cpu ? bound->cpu->title : "not counted (--core), the fewest bits win");
 }

@@ -5,6 +5,7 @@
 #ifndef SIM_CHOOSE_H
 #define SIM_CHOOSE_H
 
+#include "camera_choice.h"
 #include "measure.h"
 
 #include <stdio.h>
@@ -13,7 +14,7 @@
 struct choice_bound {
     double wrong_percent;          /* of pixels that show another polygon than the model; below 0: any */
     double vertex_px;              /* largest error of a vertex on the screen; below 0: any */
-    const char *camera;            /* a camera file; NULL: CHOICE_SAMPLES cameras in the scene's free space */
+    struct camera_choice cameras;  /* not given: CHOICE_SAMPLES ones sampled in the scene's free space */
     const struct measure_cpu *cpu; /* counted on it; NULL: fewer bits are cheaper */
 };
 

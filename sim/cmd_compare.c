@@ -74,15 +74,9 @@ static const struct compiled *any_scene(const struct compare_table *table)
 /* As many of the cameras as are wanted. */
 static bool choose_cameras(struct comparing *comparing, struct error *err)
 {
-    struct camera_path all = comparing->path;
-    if (!comparing->request.camera &&
-        !camera_path_orbit(any_scene(&comparing->table), &comparing->lens, MEASURE_ORBIT_FRAMES, &all, err))
-        return false;
-    comparing->path = (struct camera_path){0};
-    const bool ok = camera_path_few(&all, comparing->request.frames, &comparing->path, err) &&
-                    camera_path_few(&comparing->path, comparing->request.cost_frames, &comparing->cost_path, err);
-    camera_path_free(&all);
-    return ok;
+    const struct measure_request *request = &comparing->request;
+    return measure_request_cameras(request, any_scene(&comparing->table), &comparing->lens, &comparing->path, err) &&
+           camera_path_few(&comparing->path, request->cost_frames, &comparing->cost_path, err);
 }
 
 static bool prepare(struct comparing *comparing, struct error *err)

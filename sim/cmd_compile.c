@@ -16,6 +16,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/resource.h>
 
 enum option_code {
     OPTION_TOLERANCE = 256,
@@ -128,8 +129,7 @@ static bool parse_option(int code, char **argv, struct request *out, struct erro
     case OPTION_MAX_VERTEX_ERROR:
         return parse_bound("--max-vertex-error", optarg, "px", &out->bound.vertex_px, err);
     case OPTION_CAMERA:
-        out->bound.camera = optarg;
-        return true;
+        return camera_choice_parse(optarg, &out->bound.cameras, err);
     case OPTION_CORE:
         return measure_cpu_parse(optarg, &out->bound.cpu, err);
     case OPTION_MOVERS:
@@ -149,7 +149,7 @@ static bool parse_option(int code, char **argv, struct request *out, struct erro
 static bool check_bound(const struct request *request, struct error *err)
 {
     if (!has_bound(request))
-        return (!request->bound.camera && !request->bound.cpu) ||
+        return (!request->bound.cameras.text && !request->bound.cpu) ||
                error_set(err, "compile: --camera and --core go with --max-error or --max-vertex-error");
     if (request->compile.core) return error_set(err, "compile: --precision leaves --max-error nothing to choose");
     return request->model_count == 1 || error_set(err, "compile: --max-error takes one model at a time");
@@ -160,6 +160,7 @@ static bool parse(int argc, char **argv, struct request *out, struct error *err)
     *out = (struct request){.compile = {.tolerance_units = 0.5,
                                         .splitter = "auto",
                                         .trial = TRIAL_IF_SPLIT,
+                                        .choose_order = true,
                                         .w_px = 240,
                                         .h_px = 240,
                                         .portals = PORTALS_AUTO,
@@ -259,6 +260,14 @@ static void print_reports(const struct request *request, const struct result *re
     }
 }
 
+/* How much memory this program had at most, all of its work together. */
+static void print_effort(void)
+{
+    struct rusage usage;
+    if (getrusage(RUSAGE_SELF, &usage) == 0)
+        printf("%-30s %8ld MB\n", "memory for compiling, at most", usage.ru_maxrss / 1024);
+}
+
 /* The precision that the bound asks for; evidence goes to standard output. */
 static bool choose(struct request *request, struct error *err)
 {
@@ -279,6 +288,7 @@ static bool run(struct request *request, struct error *err)
     bool ok = (!request->name || name_all(request, &result, err)) && choose(request, err) &&
               compile_all(request, &result, err) && (!request->name || write_files(&result, request->name, err));
     if (ok) print_reports(request, &result);
+    if (ok) print_effort();
     for (size_t i = 0; i < result.count; i++) {
         compiled_free(&result.scenes[i]);
         moving_free(&result.moving[i]);

@@ -50,8 +50,8 @@ static bool prepare(struct measurement *measurement, struct error *err)
                                &measurement->candidates[i].scene, err))
             return error_prefix(err, request->model);
     }
-    return request->camera || camera_path_orbit(measurement->candidates[0].scene, &measurement->lens,
-                                                MEASURE_ORBIT_FRAMES, &measurement->path, err);
+    return measure_request_cameras(request, measurement->candidates[0].scene, &measurement->lens, &measurement->path,
+                                   err);
 }
 
 /* Measuring ---------------------------------------------------------------------------------- */

@@ -218,11 +218,11 @@ static bool close_outputs(struct render *render, struct error *err)
            close_output(&render->cameras_file, options->cameras_path, err) && outputs_keep(&render->outputs, err);
 }
 
-/* What frame_cost.h knows: opaque, flat, filled, aliased and still, nearest first in profile fast. */
+/* What frame_cost.h knows: opaque, flat, filled, aliased and still, in profile fast. */
 static bool is_predictable(const struct render *render)
 {
     const struct options *options = &render->options;
-    return options->setup.method == LIM_NEAREST_FIRST && options->setup.core == &core_fast && !options->wireframe.on &&
+    return frame_cost_knows(options->setup.method) && options->setup.core == &core_fast && !options->wireframe.on &&
            !options->compile.antialias && !render->moving.count && frame_cost_is_known(&render->scene.scene);
 }
 
@@ -236,8 +236,7 @@ static bool print_tables(const struct render *render, struct error *err)
             puts("into plain memory: no emulated panel, nothing sent on a bus");
         frame_table_print_stats(render->rows, render->path.count, stdout);
         if (is_predictable(render))
-            frame_table_print_predicted(render->rows, render->path.count, render->options.setup.w_px,
-                                        render->options.setup.h_px, stdout);
+            frame_table_print_predicted(render->rows, render->path.count, &render->simulator.target, stdout);
         if (render->options.setup.method == LIM_NEWELL)
             frame_table_print_newell(render->rows, render->path.count, stdout);
     }

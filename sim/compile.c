@@ -7,12 +7,14 @@
 #include "grow.h"
 #include "light.h"
 #include "moving.h"
+#include "order_choice.h"
 #include "pools.h"
 #include "portal_choice.h"
 #include "predict.h"
 #include "progress.h"
 #include "sampled_order.h"
 #include "tree_choice.h"
+#include "width.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -42,10 +44,12 @@ static size_t texture_flash_b(const struct lim_scene *scene)
 /* Bytes of a scene's arrays and its struct lim_scene, as a 32-bit microcontroller holds them. */
 static size_t flash_b(const struct lim_scene *scene)
 {
-    enum { POINTERS = 7, POINTER_B = 4, COUNTS = 8, SCENE_B = POINTERS * POINTER_B + COUNTS * 2 + 6 * 2 };
-    return SCENE_B + scene->vertex_count * sizeof *scene->vertices + scene->node_count * sizeof *scene->nodes +
-           scene->plane_count * sizeof *scene->planes + scene->exact_count * sizeof *scene->exact +
-           scene->box_count * sizeof *scene->boxes + scene->polygon_words * sizeof *scene->polygons +
+    enum { POINTERS = 7, POINTER_B = 4, COUNTS = 7, FIXED_B = POINTERS * POINTER_B + 7 * 2 };
+    const bool wide = width_is_wide(scene);
+    return FIXED_B + COUNTS * width_word_b(wide) + scene->vertex_count * sizeof *scene->vertices +
+           scene->node_count * width_node_b(wide) + scene->plane_count * width_plane_b(wide) +
+           scene->exact_count * sizeof *scene->exact + scene->box_count * sizeof *scene->boxes +
+           scene->polygon_words * width_word_b(wide) +
            (scene->fractions ? scene->vertex_count * sizeof *scene->fractions : 0) + texture_flash_b(scene);
 }
 
@@ -79,9 +83,10 @@ static void report_set(struct compile_report *report, const struct bsp *bsp, con
                                       .tree = plan->kind,
                                       .wrong_percent = NAN,
                                       .instructions = NAN,
+                                      .seen_share = NAN,
                                       .flash_b = flash_b(scene)};
     for (size_t i = 0; i < scene->node_count; i++)
-        if (scene->nodes[i].split.plane == LIM_NONE)
+        if (scene->nodes[i].split.plane == LIM_NO_INDEX)
             report->leaves++;
         else
             report->kinds[plane_kind_of(scene, &scene->nodes[i].split)]++;
@@ -101,7 +106,7 @@ static void image_make(struct encoding *encoding, const struct grid *grid, struc
     lim_image_make(encoding, grid, out);
     if (encoding->box_count < 2 || !scene_is_convex(&out->scene)) return;
     for (size_t i = 1; i < encoding->node_count; i++)
-        encoding->nodes[i].box = LIM_NONE;
+        encoding->nodes[i].box = LIM_NO_INDEX;
     encoding->box_count = 1;
     free(out->image);
     lim_image_make(encoding, grid, out);
@@ -130,12 +135,15 @@ static bool compile_with(struct compilation *work, enum tree_kind kind, const st
     return ok;
 }
 
-/* A set has no planes to choose. */
-static bool is_wanted(const struct compile_options *options, enum tree_kind kind, const struct splitter *splitter)
+/* A set has no planes to choose. Of many polygons not every tree is built that might be the smallest. */
+static bool is_wanted(const struct compilation *work, enum tree_kind kind, const struct splitter *splitter)
 {
+    const struct compile_options *options = work->options;
     const bool kind_wanted = options->tree == TREE_AUTO ? kind == TREE_BSP : kind == options->tree;
-    return kind_wanted &&
-           (kind == TREE_NONE ? splitter == &splitters[1] : splitter_answers(splitter, options->splitter));
+    if (!kind_wanted) return false;
+    if (kind == TREE_NONE) return splitter == &splitters[1];
+    if (work->mesh->polygon_count > SPLITTER_MANY && strcmp(options->splitter, "auto") == 0) return splitter->for_many;
+    return splitter_answers(splitter, options->splitter);
 }
 
 /* From an exact tree, which knows its free space. */
@@ -160,7 +168,7 @@ static bool compile_best(struct compilation *work, struct compiled *out, struct 
         const struct splitter *splitter = &splitters[i % splitter_count];
         const enum tree_kind kind = (enum tree_kind)(i / splitter_count);
         struct compiled candidate = {0};
-        if (!is_wanted(work->options, kind, splitter)) continue;
+        if (!is_wanted(work, kind, splitter)) continue;
         progress("compiling: %zu polygons, %s, %s", work->mesh->polygon_count, tree_names[kind], splitter->name);
         if (!compile_with(work, kind, splitter, &candidate, err)) continue;
         if (!ok || badness(&candidate.report) < badness(&out->report)) {
@@ -199,17 +207,22 @@ static size_t corners_on_grid(const struct compilation *work, const struct mesh_
     return count;
 }
 
-/* Splits only add to the words of polygons: what is too much before is not worth a tree. */
+/* Splits only add to the words of polygons: what is too much before is not worth a tree. Only PAINT limits them: it
+ * keeps where a polygon's texture is in 16 bits. */
 static bool check_size(const struct compilation *work, struct error *err)
 {
     size_t words = 0;
+    if (work->mesh->polygon_count > BSP_PIECES_MAX)
+        return error_set(err, "scene too large: %zu polygons, %d are the most", work->mesh->polygon_count,
+                         BSP_PIECES_MAX);
+    if (!work->mesh->texture_count) return true;
     for (size_t i = 0; i < work->mesh->polygon_count; i++) {
         const struct mesh_polygon *polygon = &work->mesh->polygons[i];
         const size_t corners = corners_on_grid(work, polygon);
         const size_t extra = polygon->transparency > 0;
         if (corners >= 3) words += (LIM_POLYGON_HEAD_WORDS + corners + extra) * (polygon->two_sided ? 2 : 1);
     }
-    return encode_check_count(words, "words of polygons", err);
+    return encode_check_count(words, "words of polygons with textures", err);
 }
 
 static unsigned side_or_default(unsigned side_px)
@@ -221,6 +234,10 @@ static bool check_method(const struct compile_options *options, const struct com
 {
     if (options->antialias && !method_antialiases(scene->report.draws, options->wireframe, err)) return false;
     if (options->wireframe && !method_draws_wireframe(scene->report.draws, err)) return false;
+    if (!method_scans(scene->report.draws, order_needs_nearest(options, &scene->scene), err)) return false;
+    if (method_sorts(scene->report.draws) && scene->scene.polygon_count > LIM_SORTED_MAX)
+        return error_set(err, "scene too large to be sorted: %lu pieces of polygons, %u are the most",
+                         (unsigned long)scene->scene.polygon_count, LIM_SORTED_MAX);
     return scene->report.draws != LIM_CONVEX || scene->report.convex ||
            error_set(err, "--method %s: the scene is not one convex solid", options->method->name);
 }
@@ -234,7 +251,6 @@ bool compile_mesh(const struct mesh *mesh, const struct compile_options *options
         exact_add_m(&work.points, mesh->points[i], &mesh->grid);
     bool ok = check_grid(&work, err) && check_size(&work, err);
     if (ok) {
-        progress("compiling: %zu polygons, planes", mesh->polygon_count);
         coplanar_find(mesh, work.points.approx, options->tolerance_units, &work.coplanar);
         ok = find_sampled(&work, err) && compile_best(&work, out, err) && check_method(options, out, err);
         out->report.wireframe = options->wireframe;
@@ -244,7 +260,7 @@ bool compile_mesh(const struct mesh *mesh, const struct compile_options *options
         out->report.delta_runs = options->delta;
         ok = ok &&
              pools_measure(out, options->core, side_or_default(options->w_px), side_or_default(options->h_px), err) &&
-             portals_add(out, options, err);
+             order_choose(out, options, err) && portals_add(out, options, err);
         progress_end();
         if (!ok) compiled_free(out);
     }

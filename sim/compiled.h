@@ -20,6 +20,7 @@ enum portals_wanted { PORTALS_OFF, PORTALS_AUTO, PORTALS_ON };
 struct compile_options {
     double tolerance_units;      /* a polygon this near to a plane lies on it; 0.5 by default, 0 = exact */
     const struct method *method; /* how it is to be drawn; NULL: convex for one convex solid, else nearest first */
+    bool choose_order;           /* where that is NULL: or by scan lines, if that is predicted to be cheaper */
     enum tree_kind tree;         /* TREE_AUTO by default */
     enum tree_trial trial;       /* of other trees, where it is TREE_AUTO */
     const char *splitter;        /* heuristic of the tree builder: splitter.h's names */
@@ -56,6 +57,13 @@ struct tree_choice {
     size_t bsp_flash_b;
 };
 
+/* What drawing by scan lines was weighed against (order_choice.h). */
+struct order_choice {
+    bool tried;
+    double nearest_instructions, scanline_instructions;
+    size_t nearest_mem_b, scanline_mem_b; /* working memory on a 32-bit MCU */
+};
+
 struct compile_report {
     struct mesh_counts mesh;
     size_t polygons_in, polygons_out; /* before and after splitting */
@@ -78,9 +86,11 @@ struct compile_report {
     unsigned w_px, h_px;          /* of the panel that the pools were measured for */
     const struct core *core;      /* the precision profile asked for */
     double wrong_percent;         /* on sampled cameras; only if options.predict, else NaN */
-    double instructions; /* of a frame on a Cortex-M0+, predicted (frame_cost.h); NaN: not nearest first, or not opaque
-                            and flat */
-    struct note *notes;  /* on textures, for people; owned */
+    double instructions; /* of a frame on a Cortex-M0+, predicted (frame_cost.h); NaN: neither nearest first nor by scan
+                            lines, or not opaque and flat */
+    double seen_share;   /* of the polygons that sampled cameras reach, nearest first: with a pixel; NaN: not sampled */
+    struct order_choice order;
+    struct note *notes; /* on textures, for people; owned */
     size_t note_count;
     struct portal_report portals;
     size_t flash_b; /* bytes of all arrays and the struct lim_scene on a 32-bit MCU */

@@ -7,21 +7,21 @@
 #include "records.h"
 
 /* One run of polygons, and everything else behind it. */
-static bool link_is_right(const struct lim_scene *scene, uint16_t i)
+static bool link_is_right(const struct lim_scene *scene, lim_index i)
 {
     const struct lim_node *node = &scene->nodes[i];
-    if (node->split.plane == LIM_NONE) return false;
-    const uint16_t after = i + 1 < scene->node_count ? (uint16_t)(i + 1) : LIM_NONE;
-    if (node->front_run != LIM_NONE && node->back_run != LIM_NONE) return false;
-    if (node->front_run != LIM_NONE) return node->front == LIM_NONE && node->back == after;
-    return node->back_run != LIM_NONE && node->back == LIM_NONE && node->front == after;
+    if (node->split.plane == LIM_NO_INDEX) return false;
+    const lim_index after = i + 1 < scene->node_count ? i + 1 : LIM_NO_INDEX;
+    if (node->front_run != LIM_NO_INDEX && node->back_run != LIM_NO_INDEX) return false;
+    if (node->front_run != LIM_NO_INDEX) return node->front == LIM_NO_INDEX && node->back == after;
+    return node->back_run != LIM_NO_INDEX && node->back == LIM_NO_INDEX && node->front == after;
 }
 
 /* A vertex off by 1/2 in each coordinate moves n . v by half of |n0| + |n1| + |n2|; half a unit off the
  * plane is less than the other half. */
-static bool all_behind(const struct lim_scene *scene, uint16_t i)
+static bool all_behind(const struct lim_scene *scene, lim_index i)
 {
-    const int facing = scene->nodes[i].front_run != LIM_NONE ? 1 : -1;
+    const int facing = scene->nodes[i].front_run != LIM_NO_INDEX ? 1 : -1;
     int64_t n[3], d, slack = 0;
     plane_exact(scene, &scene->nodes[i].split, n, &d);
     for (int k = 0; k < 3; k++)
@@ -37,9 +37,9 @@ static bool all_behind(const struct lim_scene *scene, uint16_t i)
 bool scene_is_convex(const struct lim_scene *scene)
 {
     if (records_with(scene, LIM_POLYGON_ALPHA)) return false;
-    for (uint16_t i = 0; i < scene->node_count; i++)
+    for (lim_index i = 0; i < scene->node_count; i++)
         if (!link_is_right(scene, i)) return false;
-    for (uint16_t i = 0; i < scene->node_count; i++)
+    for (lim_index i = 0; i < scene->node_count; i++)
         if (!all_behind(scene, i)) return false;
     return true;
 }

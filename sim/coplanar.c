@@ -7,6 +7,7 @@
 
 #include "grow.h"
 #include "map.h"
+#include "progress.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -162,16 +163,19 @@ static void store_planes(const struct grouping *work, struct coplanar *out, doub
 {
     size_t *starts = grow_zeroed(work->head_count + 1, sizeof *starts);
     double(*corners)[3] = grow_zeroed(work->mesh->corner_count, sizeof *corners);
+    struct point_blocks blocks;
     gather_corners(work, out->group, starts, corners);
+    point_blocks_build(&blocks, work->points, work->mesh->point_count);
     for (size_t g = 0; g < out->count; g++) {
+        progress_bar(g, out->count, "compiling: %zu polygons, planes", work->mesh->polygon_count);
         struct plane_fit fit = {.corners = corners + starts[g],
                                 .corner_count = starts[g + 1] - starts[g],
-                                .points = work->points,
-                                .point_count = work->mesh->point_count,
+                                .blocks = &blocks,
                                 .tolerance_units = tolerance_units};
         memcpy(fit.normal, work->heads[g].normal, sizeof fit.normal);
         plane_store(&fit, &out->planes[g]);
     }
+    point_blocks_free(&blocks);
     free(corners);
     free(starts);
 }

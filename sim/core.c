@@ -68,7 +68,7 @@ static void refresh(void *lim)
     lim_refresh(lim);
 }
 
-static bool project(void *lim, uint16_t vertex, double at_px[2])
+static bool project(void *lim, lim_index vertex, double at_px[2])
 {
     struct lim *const state = lim;
     struct lim_point at;
@@ -118,12 +118,12 @@ static void polygon_texels(struct lim *lim, const struct lim_screen_polygon *pol
     lim_edge_begin(&pair, polygon->n, polygon->shape.first);
     for (int16_t y = polygon->shape.top > 0 ? polygon->shape.top : 0; y < bottom; y++) {
         lim_edge_advance(&pair, polygon->at, polygon->n, y);
-        const struct lim_textured_span span = {&lim->texturing, &gradients, y, pair.left.x, pair.right.x};
+        const struct lim_textured_span span = {&lim->texturing, &gradients, y, lim_edge_x(&pair.left), lim_edge_x(&pair.right)};
         line_texels(lim, &span, take, ctx);
     }
 }
 
-static void texels(void *state, uint16_t record, core_texel *take, void *ctx)
+static void texels(void *state, lim_index record, core_texel *take, void *ctx)
 {
     struct lim *const lim = state;
     const struct lim_rect screen = {0, 0, lim->target.w_px, lim->target.h_px};

@@ -122,14 +122,14 @@ bool counts_write_ranges(const struct link_map *map, const char *path, struct er
 
 /* Kernels ------------------------------------------------------------------------------------ */
 
-/* Functions whose cost a call is asked for. */
-enum kernel { KERNEL_TRANSFORM, KERNEL_PROJECT, KERNELS };
+/* Functions whose cost a call is asked for: a vertex that VIEW takes in is transformed, looked at and projected. */
+enum kernel { KERNEL_VERTEX, KERNELS };
 
 struct kernel_counts {
     uint64_t calls, instructions;
 };
 
-static const char *const KERNEL_FUNCTIONS[KERNELS] = {".text.lim_view_transform", ".text.lim_view_project"};
+static const char *const KERNEL_FUNCTIONS[KERNELS] = {".text.lim_view_remember"};
 
 static enum kernel kernel_of(const struct link_section *section)
 {
@@ -271,9 +271,8 @@ static void finish(struct folding *folding)
     cost->stage_count = used;
     qsort(cost->stages, used, sizeof *cost->stages, by_name);
     cost->mean /= frames;
-    const struct kernel_counts *transform = &folding->kernels[KERNEL_TRANSFORM];
-    const struct kernel_counts *project = &folding->kernels[KERNEL_PROJECT];
-    cost->vertex = ratio(transform->instructions, transform->calls) + ratio(project->instructions, project->calls);
+    const struct kernel_counts *vertex = &folding->kernels[KERNEL_VERTEX];
+    cost->vertex = ratio(vertex->instructions, vertex->calls);
     cost->side = ratio(folding->side_instructions, folding->run->sides);
 }
 

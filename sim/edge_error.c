@@ -10,7 +10,7 @@
 static void make_opaque(struct edge_error *error)
 {
     for (size_t word = 0; word < error->scene.polygon_words;) {
-        const uint16_t head = error->polygons[word];
+        const lim_index head = error->polygons[word];
         if (head & LIM_POLYGON_ALPHA) error->polygons[word + lim_record_alpha_at(head)] = LIM_OPAQUE;
         word += lim_record_words(head);
     }
@@ -22,7 +22,7 @@ static void set_colours(struct edge_error *error, const struct compiled *scene)
     for (size_t f = 0; f < error->face_count; f++)
         error->colour_of_face[f] = error->scene.background;
     for (size_t p = 0; p < error->scene.polygon_count; p++) {
-        error->colour_of_face[scene->faces[p]] = error->polygons[word + 1];
+        error->colour_of_face[scene->faces[p]] = (uint16_t)error->polygons[word + 1];
         word += lim_record_words(error->polygons[word]);
     }
 }

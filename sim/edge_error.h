@@ -23,7 +23,7 @@ struct edge_error_sum {
 struct edge_error {
     struct simulator pictures[EDGE_ERROR_PICTURES];
     struct lim_scene scene; /* without textures, all opaque: what the reference knows */
-    uint16_t *polygons;
+    lim_index *polygons;
     uint16_t *colour_of_face; /* face numbers below face_count; 0 is the background */
     size_t face_count;
     uint16_t *first; /* a pixel each: the colour of its first ray */

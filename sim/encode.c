@@ -11,7 +11,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-enum { COUNT_MAX = 0xFFFF, PLANES_MAX = LIM_PLANE_X / LIM_PLANE_WORDS };
+enum { COUNT_MAX = 0xFFFF };
 
 /* What encoding needs to remember on the way. */
 struct encoder {
@@ -39,7 +39,7 @@ uint16_t rgb565_from_rgb888(uint32_t colour)
 static void word_add(struct encoding *out, size_t word)
 {
     out->words = grow(out->words, out->word_count, &out->word_capacity, sizeof *out->words);
-    out->words[out->word_count++] = (uint16_t)word;
+    out->words[out->word_count++] = (lim_index)word;
 }
 
 /* Units to nearest, halves up, and what is left: -128..127. */
@@ -104,7 +104,7 @@ static void record_add(struct encoder *work, const struct outline *outline, cons
         word_add(out, vertex_index(work, outline->corners[i]));
     if (work->flags & LIM_POLYGON_PLANE) {
         word_add(out, work->own.plane);
-        word_add(out, (uint16_t)work->own.offset);
+        word_add(out, (lim_index)work->own.offset);
     }
     if (polygon->transparency) word_add(out, LIM_OPAQUE - polygon->transparency);
     if (with_edges) edges_add_words(out, outline);
@@ -166,7 +166,7 @@ static void piece_encode(struct encoder *work, uint32_t index, bool back_run)
     if (work->outline.count) outline_add(work, &work->outline, polygon);
 }
 
-/* The records of a node's pieces that are seen from one side; their word offset or LIM_NONE. */
+/* The records of a node's pieces that are seen from one side; their word offset or LIM_NO_INDEX. */
 static size_t run_encode(struct encoder *work, const struct bsp_node *node, bool back_run)
 {
     struct encoding *out = work->out;
@@ -174,7 +174,7 @@ static size_t run_encode(struct encoder *work, const struct bsp_node *node, bool
     work->flags = 0;
     for (size_t i = 0; i < node->count; i++)
         piece_encode(work, work->bsp->placed[node->first + i], back_run);
-    if (out->word_count == first) return LIM_NONE;
+    if (out->word_count == first) return LIM_NO_INDEX;
     out->words[out->last_record] |= LIM_POLYGON_LAST;
     return first;
 }
@@ -207,7 +207,7 @@ static void plane_add(struct encoding *out, const struct plane *plane)
 {
     out->planes = grow(out->planes, out->plane_count, &out->plane_capacity, sizeof *out->planes);
     out->planes[out->plane_count++] = plane->kind == PLANE_LARGE
-                                          ? plane_filter(plane->n, plane->d, (uint16_t)exact_add(out, plane))
+                                          ? plane_filter(plane->n, plane->d, (lim_index)exact_add(out, plane))
                                           : small_record(plane);
 }
 
@@ -215,10 +215,11 @@ static void plane_add(struct encoding *out, const struct plane *plane)
 static struct lim_plane_ref plane_ref(struct encoder *work, uint32_t group)
 {
     const struct plane *plane = bsp_plane(work->bsp, group);
-    if (plane->kind <= PLANE_Z) return (struct lim_plane_ref){(uint16_t)(LIM_PLANE_X + plane->kind), (int16_t)plane->d};
+    if (plane->kind <= PLANE_Z)
+        return (struct lim_plane_ref){LIM_PLANE_X + (lim_index)plane->kind, (lim_offset)plane->d};
     uint32_t index = *map_at(&work->planes, group, (uint32_t)work->out->plane_count);
     if (index == work->out->plane_count) plane_add(work->out, plane);
-    return (struct lim_plane_ref){(uint16_t)(index * LIM_PLANE_WORDS), 0};
+    return (struct lim_plane_ref){index * LIM_PLANE_WORDS, 0};
 }
 
 /* Nodes -------------------------------------------------------------------------------------- */
@@ -245,9 +246,9 @@ static uint32_t *find_heirs(struct encoder *work)
     return heirs;
 }
 
-static uint16_t child_index(const uint32_t *heirs, const uint32_t *numbers, uint32_t child)
+static lim_index child_index(const uint32_t *heirs, const uint32_t *numbers, uint32_t child)
 {
-    return child == BSP_NONE || heirs[child] == BSP_NONE ? LIM_NONE : (uint16_t)numbers[heirs[child]];
+    return child == BSP_NONE || heirs[child] == BSP_NONE ? LIM_NO_INDEX : numbers[heirs[child]];
 }
 
 /* A leaf's pieces in their order, with a record for each side from which one is seen. */
@@ -268,15 +269,15 @@ static size_t leaf_encode(struct encoder *work, const struct bsp_node *node)
 
 static struct lim_node node_encode(struct encoder *work, const struct bsp_node *node)
 {
-    struct lim_node out = {.front = LIM_NONE, .back = LIM_NONE, .box = LIM_NONE};
+    struct lim_node out = {.front = LIM_NO_INDEX, .back = LIM_NO_INDEX, .box = LIM_NO_INDEX};
     if (node->group == BSP_NONE) {
-        out.split.plane = out.back_run = LIM_NONE;
-        out.front_run = (uint16_t)leaf_encode(work, node);
+        out.split.plane = out.back_run = LIM_NO_INDEX;
+        out.front_run = (lim_index)leaf_encode(work, node);
         return out;
     }
     out.split = plane_ref(work, node->group);
-    out.front_run = (uint16_t)run_encode(work, node, false);
-    out.back_run = (uint16_t)run_encode(work, node, true);
+    out.front_run = (lim_index)run_encode(work, node, false);
+    out.back_run = (lim_index)run_encode(work, node, true);
     return out;
 }
 
@@ -299,24 +300,19 @@ static void nodes_encode(struct encoder *work, const uint32_t *heirs)
     free(numbers);
 }
 
-static bool check_count(size_t count, size_t most, const char *what, struct error *err)
-{
-    return count <= most ||
-           error_set(err, "scene too large: %zu %s, %zu are the most (%zu too many)", count, what, most, count - most);
-}
-
 bool encode_check_count(size_t count, const char *what, struct error *err)
 {
-    return check_count(count, COUNT_MAX, what, err);
+    return count <= COUNT_MAX || error_set(err, "scene too large: %zu %s, %d are the most (%zu too many)", count, what,
+                                           COUNT_MAX, count - COUNT_MAX);
 }
 
+/* BSP_PIECES_MAX keeps everything else far below what 32 bits count. */
 static bool check_counts(const struct encoding *out, struct error *err)
 {
     if (out->node_count == 0) return error_set(err, "nothing is left of the scene on its grid");
-    return encode_check_count(out->vertex_count, "vertices", err) &&
-           encode_check_count(out->node_count, "nodes", err) &&
-           check_count(out->plane_count, PLANES_MAX, "planes that are not axis planes", err) &&
-           encode_check_count(out->word_count, "words of polygons", err) && texture_arrays_check(&out->textures, err);
+    if (out->textures.texture_count && !encode_check_count(out->word_count, "words of polygons with textures", err))
+        return false;
+    return encode_check_count(out->depth, "levels of the tree", err) && texture_arrays_check(&out->textures, err);
 }
 
 /* Parents come before children. */
@@ -324,10 +320,10 @@ static size_t tree_depth(const struct encoding *out)
 {
     size_t *depths = grow_zeroed(out->node_count, sizeof *depths), deepest = 0;
     for (size_t i = 0; i < out->node_count; i++) {
-        const uint16_t children[2] = {out->nodes[i].front, out->nodes[i].back};
+        const lim_index children[2] = {out->nodes[i].front, out->nodes[i].back};
         deepest = depths[i] + 1 > deepest ? depths[i] + 1 : deepest;
         for (int k = 0; k < 2; k++)
-            if (children[k] != LIM_NONE) depths[children[k]] = depths[i] + 1;
+            if (children[k] != LIM_NO_INDEX) depths[children[k]] = depths[i] + 1;
     }
     free(depths);
     return deepest;
@@ -345,11 +341,9 @@ bool encode_bsp(const struct bsp *bsp, bool with_fractions, bool with_edges, str
     uint32_t *heirs = find_heirs(&work);
     nodes_encode(&work, heirs);
     texture_encoder_finish(&work.textures);
+    out->depth = tree_depth(out);
     bool ok = check_counts(out, err);
-    if (ok) {
-        out->depth = tree_depth(out);
-        encode_boxes(out);
-    }
+    if (ok) encode_boxes(out);
     free(heirs);
     free(work.snapped);
     outline_free(&work.outline);

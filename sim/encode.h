@@ -15,7 +15,7 @@ struct encoding {
     struct lim_plane *planes;
     struct lim_plane_exact *exact;
     struct lim_box *boxes;
-    uint16_t *words;
+    lim_index *words;
     uint32_t *faces;                /* of each record */
     struct lim_fraction *fractions; /* of each vertex; NULL: there are none */
     size_t vertex_count, node_count, plane_count, exact_count, box_count, word_count, record_count;
@@ -27,7 +27,7 @@ struct encoding {
 };
 
 /* Encodes a tree, with the vertices' fractions or without, with what wireframe wants to know of the edges or without.
- * Refuses one that leaves nothing to draw, or too much for 16-bit indices, saying which array is too long by how much.
+ * Refuses one that leaves nothing to draw, or too much, saying what there is too much of, and by how much.
  * The caller frees *out either way. */
 bool encode_bsp(const struct bsp *bsp, bool with_fractions, bool with_edges, struct encoding *out, struct error *err);
 

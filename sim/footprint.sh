@@ -9,7 +9,8 @@
 footprint_flags='-Os -ffreestanding -ffunction-sections -fdata-sections -Ifirmware'
 
 # Where calls through pointers lead.
-footprint_calls='span.c=paint_piece mask.c=lim_smooth_mix mask.c=push company.c=draw_mover company.c=paint_mover'
+# SPAN's sink is set by what paints into gaps, which flat scenes do without.
+footprint_calls='span.c=paint_piece span.c=none mask.c=lim_smooth_mix mask.c=push company.c=draw_mover company.c=paint_mover'
 
 # footprint_objects CORE FOLDER HEADER [FLAG...]: the renderer's objects and call graphs in FOLDER, which has the
 # scene's HEADER.
@@ -58,7 +59,7 @@ footprint_ram() {
 # footprint_stack CORE FOLDER: the bytes and the path, without what the target's functions take. With delta output that
 # is the target of all stages.
 footprint_stack() {
-    footprint_at_target='paint.c painter.c convex.c smooth.c'
+    footprint_at_target='paint.c flat.c painter.c convex.c smooth.c'
     footprint_outside="$footprint_at_target span.h" footprint_more=
     if grep -q delta_done "$2/$1/delta.ci"; then
         footprint_outside='delta.c span.h'
@@ -68,4 +69,17 @@ footprint_stack() {
     fi
     awk -f sim/stack.awk -v roots='lim_init lim_frame' -v calls="$footprint_calls$footprint_more" \
         -v outside="$footprint_outside" "$2/$1"/*.ci
+}
+
+# footprint_costs CORE FOLDER H_PX: of the scene model.h in FOLDER: code, RAM, stack.
+footprint_costs() {
+    footprint_objects "$1" "$2" model.h && footprint_link "$1" "$2" && footprint_stack "$1" "$2" >"$2/stack" || return 1
+    echo "$(footprint_size "$1" "$2/$1/renderer.elf" 1) $(footprint_ram "$1" "$2" model.h MODEL "$3")" \
+        "$(sed 's/:.*//' "$2/stack")"
+}
+
+footprint_data() { # FOLDER: the constant arrays of the scene model.c
+    # shellcheck disable=SC2046,SC2086 # flags are words
+    $(target_compiler m4) $(target_flags m4) $footprint_flags -I"$1" -DLIM_CONFIG='"model.h"' \
+        -c -o "$1/model.image" "$1/model.c" && footprint_size m4 "$1/model.image" 1
 }

@@ -18,6 +18,7 @@ struct column {
         return row->stats.field;                                                                                       \
     }
 STATS_VALUE(nodes)
+STATS_VALUE(records)
 STATS_VALUE(boxes)
 STATS_VALUE(boxes_out)
 STATS_VALUE(polygons)
@@ -33,8 +34,8 @@ STATS_VALUE(active_max)
 
 static double overdraw(const struct frame_row *row)
 {
-    double covered = (double)row->pixels - row->stats.pixels_background;
-    return covered > 0.0 ? row->stats.pixels_painted / covered : 1.0;
+    const double written = (double)row->stats.pixels_painted + row->stats.pixels_background;
+    return row->pixels ? written / (double)row->pixels : 1.0;
 }
 
 static double bus_b(const struct frame_row *row)
@@ -64,6 +65,7 @@ static double hole_pixels(const struct frame_row *row)
 
 static const struct column STATS_COLUMNS[] = {
     {"nodes", 7, 0, stats_nodes},
+    {"records", 7, 0, stats_records},
     {"boxes", 7, 0, stats_boxes},
     {"out", 6, 0, stats_boxes_out},
     {"polygons", 8, 0, stats_polygons},
@@ -235,11 +237,11 @@ void frame_table_print_movers(const struct frame_row *rows, size_t count, FILE *
     print_table(MOVER_COLUMNS, sizeof MOVER_COLUMNS / sizeof MOVER_COLUMNS[0], rows, count, out);
 }
 
-void frame_table_print_predicted(const struct frame_row *rows, size_t count, unsigned w_px, unsigned h_px, FILE *out)
+void frame_table_print_predicted(const struct frame_row *rows, size_t count, const struct lim_target *target, FILE *out)
 {
     double sum = 0.0;
     for (size_t i = 0; i < count; i++)
-        sum += frame_cost_m0plus(&rows[i].stats, w_px, h_px);
+        sum += frame_cost_m0plus(&rows[i].stats, target);
     if (count) fprintf(out, "predicted for Cortex-M0+, profile fast: %.0f instructions a frame\n", sum / (double)count);
 }
 

@@ -19,7 +19,7 @@ struct frame_row {
     struct edge_error_sum edges;
 };
 
-/* Overdraw is pixels painted by polygons per pixel that shows one; 1 is ideal. */
+/* Overdraw is how often a pixel of the picture is written, background included; 1 is ideal. */
 void frame_table_print_stats(const struct frame_row *rows, size_t count, FILE *out);
 
 /* What LIM_NEWELL compared, which test decided how often, what it swapped, split and could not settle. */
@@ -29,8 +29,9 @@ void frame_table_print_newell(const struct frame_row *rows, size_t count, FILE *
 void frame_table_print_delta(const struct frame_row *rows, size_t count, FILE *out);
 void frame_table_print_movers(const struct frame_row *rows, size_t count, FILE *out);
 
-/* Instructions a frame by frame_cost.h: of frames drawn nearest first. */
-void frame_table_print_predicted(const struct frame_row *rows, size_t count, unsigned w_px, unsigned h_px, FILE *out);
+/* Instructions a frame by frame_cost.h, for methods that it knows. */
+void frame_table_print_predicted(const struct frame_row *rows, size_t count, const struct lim_target *target,
+                                 FILE *out);
 
 /* Mean absolute error at edges, without antialiasing and with it. */
 void frame_table_print_edges(const struct frame_row *rows, size_t count, FILE *out);

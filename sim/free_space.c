@@ -16,14 +16,14 @@ struct ray {
     double at[3], way[3];
 };
 
-static double at_corner(const struct lim_scene *scene, const uint16_t *record, unsigned corner, int axis)
+static double at_corner(const struct lim_scene *scene, const lim_index *record, unsigned corner, int axis)
 {
     const struct lim_vertex *vertex = &scene->vertices[record[LIM_POLYGON_HEAD_WORDS + corner]];
     return axis == 0 ? vertex->x : axis == 1 ? vertex->y : vertex->z;
 }
 
 /* n . at - d of the record's own plane, positive in front of the record; and n . way. */
-static double height_over(const struct lim_scene *scene, const uint16_t *record, const struct ray *ray, double *climb)
+static double height_over(const struct lim_scene *scene, const lim_index *record, const struct ray *ray, double *climb)
 {
     const double facing = record[0] & LIM_POLYGON_BACK ? -1.0 : 1.0;
     int64_t n[3], d;
@@ -40,7 +40,7 @@ static double height_over(const struct lim_scene *scene, const uint16_t *record,
 }
 
 /* Whether the ray goes through the record at t: even-odd rule, on the corners carried along the ray to the crossing. */
-static bool covers(const struct lim_scene *scene, const uint16_t *record, const struct ray *ray, double t)
+static bool covers(const struct lim_scene *scene, const lim_index *record, const struct ray *ray, double t)
 {
     const unsigned count = record[0] & LIM_POLYGON_COUNT;
     int along = 0;
@@ -67,7 +67,7 @@ static bool covers(const struct lim_scene *scene, const uint16_t *record, const 
 }
 
 /* Towards the middle of a record's corners. */
-static struct ray ray_to(const struct lim_scene *scene, const uint16_t *record, const double at[3])
+static struct ray ray_to(const struct lim_scene *scene, const lim_index *record, const double at[3])
 {
     const unsigned count = record[0] & LIM_POLYGON_COUNT;
     struct ray ray = {{at[0], at[1], at[2]}, {-at[0], -at[1], -at[2]}};
@@ -78,18 +78,18 @@ static struct ray ray_to(const struct lim_scene *scene, const uint16_t *record, 
     return ray;
 }
 
-static const uint16_t *next_record(const uint16_t *record)
+static const lim_index *next_record(const lim_index *record)
 {
     return record[0] & LIM_POLYGON_LAST ? NULL : record + lim_record_words(record[0]);
 }
 
 /* Whether the nearest polygon of the run on the ray faces its beginning. */
-static bool meets_a_front(const struct lim_scene *scene, const uint16_t *run, const struct ray *ray)
+static bool meets_a_front(const struct lim_scene *scene, const lim_index *run, const struct ray *ray)
 {
     double nearest = DBL_MAX;
     bool front = false;
 
-    for (const uint16_t *record = run; record; record = next_record(record)) {
+    for (const lim_index *record = run; record; record = next_record(record)) {
         double climb;
         const double height = height_over(scene, record, ray, &climb), t = -height / climb;
         if (!(t > 0.0 && t <= nearest) || !covers(scene, record, ray, t)) continue;
@@ -100,9 +100,9 @@ static bool meets_a_front(const struct lim_scene *scene, const uint16_t *run, co
 }
 
 /* Polygons that are edge-on, or rounded to a line, tell nothing. */
-static bool is_free_in_leaf(const struct lim_scene *scene, const uint16_t *run, const double at[3])
+static bool is_free_in_leaf(const struct lim_scene *scene, const lim_index *run, const double at[3])
 {
-    for (const uint16_t *record = run; record; record = next_record(record)) {
+    for (const lim_index *record = run; record; record = next_record(record)) {
         const struct ray ray = ray_to(scene, record, at);
         double climb;
         const double height = height_over(scene, record, &ray, &climb);
@@ -117,7 +117,7 @@ bool free_space_holds(const struct compiled *compiled, const double at_m[3])
     struct lim_eye eye;
     double at[3];
     int32_t at_q8[3];
-    uint16_t index = 0;
+    lim_index index = 0;
 
     for (int i = 0; i < 3; i++) {
         at[i] = (at_m[i] - compiled->grid.origin_m[i]) * compiled->grid.units_per_m;
@@ -126,10 +126,10 @@ bool free_space_holds(const struct compiled *compiled, const double at_m[3])
     lim_eye_set(&eye, scene, at_q8);
     for (;;) {
         const struct lim_node *node = &scene->nodes[index];
-        if (node->split.plane == LIM_NONE) return is_free_in_leaf(scene, scene->polygons + node->front_run, at);
+        if (node->split.plane == LIM_NO_INDEX) return is_free_in_leaf(scene, scene->polygons + node->front_run, at);
         const bool in_front = lim_eye_side(&eye, &node->split) > 0;
-        const uint16_t child = in_front ? node->front : node->back;
-        if (child == LIM_NONE) return (in_front ? node->front_run : node->back_run) != LIM_NONE;
+        const lim_index child = in_front ? node->front : node->back;
+        if (child == LIM_NO_INDEX) return (in_front ? node->front_run : node->back_run) != LIM_NO_INDEX;
         index = child;
     }
 }

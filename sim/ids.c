@@ -6,13 +6,15 @@
 #include <stdlib.h>
 #include <string.h>
 
+enum { COLOUR_BITS = 16 };
+
 /* Records follow each other without gaps: SCENE.md. What is transparent becomes opaque: a pixel has the number of the
- * nearest polygon, whatever shines through it. */
-static void number_records(uint16_t *polygons, size_t words, size_t colour)
+ * nearest polygon, whatever shines through it. A colour has room for the number's bits from `shift` on. */
+static void number_records(lim_index *polygons, size_t words, size_t number, unsigned shift)
 {
-    for (size_t word = 0; word < words; colour++) {
-        const uint16_t head = polygons[word];
-        polygons[word + 1] = (uint16_t)colour;
+    for (size_t word = 0; word < words; number++) {
+        const lim_index head = polygons[word];
+        polygons[word + 1] = (lim_index)(number >> shift & UINT16_MAX);
         if (head & LIM_POLYGON_ALPHA) polygons[word + lim_record_alpha_at(head)] = LIM_OPAQUE;
         word += lim_record_words(head);
     }
@@ -26,7 +28,7 @@ static bool copy_scene(struct ids *ids, const struct compiled *scene)
     ids->face_of_colour = malloc((original->polygon_count + 1u) * sizeof ids->face_of_colour[0]);
     if (!ids->polygons || !ids->face_of_colour) return false;
     memcpy(ids->polygons, original->polygons, original->polygon_words * sizeof ids->polygons[0]);
-    number_records(ids->polygons, original->polygon_words, 1);
+    number_records(ids->polygons, original->polygon_words, 1, 0);
     ids->colours = original->polygon_count;
     ids->face_of_colour[0] = 0;
     memcpy(ids->face_of_colour + 1, scene->faces, original->polygon_count * sizeof ids->face_of_colour[0]);
@@ -42,7 +44,8 @@ bool ids_init(struct ids *ids, const struct compiled *scene, const struct simula
     plain.panel = SIMULATOR_MEMORY;
     memset(ids, 0, sizeof *ids);
     ids->faces = calloc((size_t)setup->w_px * setup->h_px, sizeof ids->faces[0]);
-    bool ok = ids->faces && copy_scene(ids, scene);
+    ids->numbers = calloc((size_t)setup->w_px * setup->h_px, sizeof ids->numbers[0]);
+    bool ok = ids->faces && ids->numbers && copy_scene(ids, scene);
     if (!ok) error_set(err, "face numbers: out of memory");
     ok = ok && simulator_init(&ids->simulator, &ids->scene, &plain, err);
     if (!ok) ids_free(ids);
@@ -54,10 +57,10 @@ static bool copy_object(struct ids *ids, size_t index)
     const struct compiled *scene = &ids->moving->objects[index].scene;
     const struct lim_scene *original = &scene->scene;
     const size_t words_b = original->polygon_words * sizeof *ids->polygons;
-    uint16_t *polygons = ids->object_polygons[index] = malloc(words_b);
+    lim_index *polygons = ids->object_polygons[index] = malloc(words_b);
     if (!polygons) return false;
     memcpy(polygons, original->polygons, words_b);
-    number_records(polygons, original->polygon_words, ids->colours + 1);
+    number_records(polygons, original->polygon_words, ids->colours + 1, 0);
     memcpy(ids->face_of_colour + ids->colours + 1, scene->faces,
            original->polygon_count * sizeof ids->face_of_colour[0]);
     ids->colours += original->polygon_count;
@@ -95,16 +98,37 @@ static void place_copies(struct ids *ids)
     }
 }
 
-bool ids_frame(struct ids *ids, const struct lim_camera *camera, struct error *err)
+static bool draw(struct ids *ids, const struct lim_camera *camera, unsigned shift, struct error *err)
 {
-    place_copies(ids);
     if (!simulator_frame(&ids->simulator, camera, err)) return false;
     const size_t pixel_count = simulator_pixel_count(&ids->simulator);
+    for (size_t i = 0; i < pixel_count; i++)
+        ids->numbers[i] |= (uint32_t)ids->simulator.pixels[i] << shift;
+    return true;
+}
+
+/* More records than colours: the same frame once more, for the numbers' upper bits. */
+static bool draw_upper_bits(struct ids *ids, const struct lim_camera *camera, struct error *err)
+{
+    number_records(ids->polygons, ids->scene.polygon_words, 1, COLOUR_BITS);
+    const bool ok = draw(ids, camera, COLOUR_BITS, err);
+    number_records(ids->polygons, ids->scene.polygon_words, 1, 0);
+    return ok;
+}
+
+bool ids_frame(struct ids *ids, const struct lim_camera *camera, struct error *err)
+{
+    const size_t pixel_count = simulator_pixel_count(&ids->simulator);
+    place_copies(ids);
+    memset(ids->numbers, 0, pixel_count * sizeof *ids->numbers);
+    if (!draw(ids, camera, 0, err)) return false;
+    if (ids->colours > UINT16_MAX && !draw_upper_bits(ids, camera, err)) return false;
     for (size_t i = 0; i < pixel_count; i++) {
-        uint16_t colour = ids->simulator.pixels[i];
-        if (colour > ids->colours)
-            return error_set(err, "face numbers: pixel %zu holds %u, there are %zu polygons", i, colour, ids->colours);
-        ids->faces[i] = ids->face_of_colour[colour];
+        const uint32_t number = ids->numbers[i];
+        if (number > ids->colours)
+            return error_set(err, "face numbers: pixel %zu holds %lu, there are %zu polygons", i, (unsigned long)number,
+                             ids->colours);
+        ids->faces[i] = ids->face_of_colour[number];
     }
     return true;
 }
@@ -131,5 +155,6 @@ void ids_free(struct ids *ids)
     free(ids->polygons);
     free(ids->face_of_colour);
     free(ids->faces);
+    free(ids->numbers);
     memset(ids, 0, sizeof *ids);
 }

@@ -11,15 +11,16 @@
 struct ids {
     struct simulator simulator; /* into plain memory */
     struct lim_scene scene;     /* the copy */
-    uint16_t *polygons;         /* its records, colour = ordinal + 1 */
+    lim_index *polygons;        /* its records, colour = number: ordinal + 1 */
     uint32_t *face_of_colour;   /* colours + 1 entries; [0] is the background, 0 */
     size_t colours;             /* records in all */
     /* With movers: copies of the objects, numbered on, and of the instances. */
     const struct moving *moving;
     struct lim_scene *objects;
-    uint16_t **object_polygons;
+    lim_index **object_polygons;
     struct lim_instance *instances;
-    uint32_t *faces; /* the last frame: w_px * h_px face numbers, 0 = background */
+    uint32_t *numbers; /* the last frame: of records, 0 = background */
+    uint32_t *faces;   /* the last frame: w_px * h_px face numbers, 0 = background */
 };
 
 /* Drawn as `setup` says, but always into plain memory. */

@@ -19,7 +19,7 @@ enum { FILTER_D_FACTOR = 1 << 17 };
 struct checker {
     const struct lim_scene *scene;
     struct error *err;
-    uint16_t *depths; /* of each node; 0: no parent seen yet */
+    uint32_t *depths; /* of each node; 0: no parent seen yet */
     bool *used_words; /* words that belong to a record already */
     size_t records, words;
 };
@@ -62,7 +62,7 @@ static bool exact_within_bounds(const int64_t n[3], int64_t d)
 static bool check_filter(const struct lim_scene *scene, size_t index, struct error *err)
 {
     const struct lim_plane *plane = &scene->planes[index];
-    const uint16_t at = lim_plane_exact(plane);
+    const lim_index at = lim_plane_exact(plane);
     if (at >= scene->exact_count)
         return error_set(err, "plane %zu: exact plane %u of %u", index, (unsigned)at, (unsigned)scene->exact_count);
     const struct lim_plane_exact *exact = &scene->exact[at];
@@ -83,7 +83,9 @@ static bool check_plane(const struct lim_scene *scene, size_t index, struct erro
     int sum = abs(lim_plane_x(plane)) + abs(lim_plane_y(plane)) + abs(lim_plane_z(plane));
     if (sum == 0 || sum > PLANE_SUM_MAX)
         return error_set(err, "plane %zu: the components of its normal add up to %d", index, sum);
-    return lim_plane_exact(plane) == LIM_NONE || check_filter(scene, index, err);
+    if ((uint16_t)plane->n_z_exact != (uint16_t)lim_plane_exact(plane))
+        return error_set(err, "plane %zu: two indices of its exact plane", index);
+    return lim_plane_exact(plane) == LIM_NO_INDEX || check_filter(scene, index, err);
 }
 
 static bool check_planes(const struct lim_scene *scene, struct error *err)
@@ -110,7 +112,7 @@ static bool check_plane_ref(const struct checker *work, const struct lim_plane_r
 static bool check_alpha(const struct checker *work, size_t at)
 {
     const struct lim_scene *scene = work->scene;
-    const uint16_t alpha = scene->polygons[at + lim_record_alpha_at(scene->polygons[at])];
+    const lim_index alpha = scene->polygons[at + lim_record_alpha_at(scene->polygons[at])];
     if (alpha < 1 || alpha >= LIM_OPAQUE)
         return error_set(work->err, "polygon at word %zu: its alpha is %u", at, (unsigned)alpha);
     return scene->limits.layers > 0 ||
@@ -120,7 +122,7 @@ static bool check_alpha(const struct checker *work, size_t at)
 /* Records of leaves have planes of their own, and no others. */
 static bool check_flags(const struct checker *work, size_t at, bool in_leaf)
 {
-    const uint16_t flags = work->scene->polygons[at] & (uint16_t) ~(LIM_POLYGON_COUNT | LIM_POLYGON_LAST);
+    const lim_index flags = work->scene->polygons[at] & ~(lim_index)(LIM_POLYGON_COUNT | LIM_POLYGON_LAST);
     if (flags & ~(LIM_POLYGON_PLANE | LIM_POLYGON_BACK | LIM_POLYGON_ALPHA | LIM_POLYGON_EDGES | LIM_POLYGON_TEXTURE))
         return error_set(work->err, "polygon at word %zu: unknown flags", at);
     if (in_leaf ? !(flags & LIM_POLYGON_PLANE) : flags & (LIM_POLYGON_PLANE | LIM_POLYGON_BACK))
@@ -132,9 +134,12 @@ static bool check_flags(const struct checker *work, size_t at, bool in_leaf)
 static bool check_texture_words(const struct checker *work, size_t at)
 {
     const struct lim_scene *scene = work->scene;
-    const uint16_t *record = &scene->polygons[at];
+    const lim_index *record = &scene->polygons[at];
     if (!(record[0] & LIM_POLYGON_TEXTURE)) return true;
-    const uint16_t *words = record + lim_record_words(record[0]) - LIM_POLYGON_TEXTURE_WORDS;
+    const lim_index *words = record + lim_record_words(record[0]) - LIM_POLYGON_TEXTURE_WORDS;
+    if (scene->polygon_words > UINT16_MAX)
+        return error_set(work->err, "polygon at word %zu: textured, among %lu words; 65535 are the most then", at,
+                         (unsigned long)scene->polygon_words);
     return (words[0] < scene->texture_count && words[1] < scene->mapping_count) ||
            error_set(work->err, "polygon at word %zu: texture %u of %u, mapping %u of %u", at, (unsigned)words[0],
                      (unsigned)scene->texture_count, (unsigned)words[1], (unsigned)scene->mapping_count);
@@ -143,7 +148,7 @@ static bool check_texture_words(const struct checker *work, size_t at)
 static bool check_record(struct checker *work, size_t at, bool in_leaf)
 {
     const struct lim_scene *scene = work->scene;
-    const uint16_t head = scene->polygons[at], count = head & LIM_POLYGON_COUNT;
+    const lim_index head = scene->polygons[at], count = head & LIM_POLYGON_COUNT;
     const size_t words = lim_record_words(head);
     if (!check_flags(work, at, in_leaf)) return false;
     if (count < 3 || count > scene->limits.vertices)
@@ -164,10 +169,10 @@ static bool check_record(struct checker *work, size_t at, bool in_leaf)
     return !in_leaf || check_plane_ref(work, lim_record_plane(&scene->polygons[at]), "polygon at word", at);
 }
 
-static bool check_run(struct checker *work, size_t node, uint16_t run)
+static bool check_run(struct checker *work, size_t node, lim_index run)
 {
-    const bool in_leaf = work->scene->nodes[node].split.plane == LIM_NONE;
-    if (run == LIM_NONE) return true;
+    const bool in_leaf = work->scene->nodes[node].split.plane == LIM_NO_INDEX;
+    if (run == LIM_NO_INDEX) return true;
     for (size_t at = run;; at += lim_record_words(work->scene->polygons[at])) {
         if (at >= work->scene->polygon_words)
             return error_set(work->err, "node %zu: a run begins or goes on behind the last polygon", node);
@@ -179,14 +184,14 @@ static bool check_run(struct checker *work, size_t node, uint16_t run)
 /* Nodes -------------------------------------------------------------------------------------- */
 
 /* Every node but the root has one parent, which comes before it: so the nodes are a tree. */
-static bool check_child(struct checker *work, size_t index, uint16_t child)
+static bool check_child(struct checker *work, size_t index, lim_index child)
 {
-    if (child == LIM_NONE) return true;
+    if (child == LIM_NO_INDEX) return true;
     if (child <= index || child >= work->scene->node_count)
         return error_set(work->err, "node %zu: child %u of %u", index, (unsigned)child,
                          (unsigned)work->scene->node_count);
     if (work->depths[child]) return error_set(work->err, "node %u: has two parents", (unsigned)child);
-    work->depths[child] = (uint16_t)(work->depths[index] + 1);
+    work->depths[child] = work->depths[index] + 1;
     return true;
 }
 
@@ -194,9 +199,9 @@ static bool check_child(struct checker *work, size_t index, uint16_t child)
 static bool check_split(const struct checker *work, size_t index)
 {
     const struct lim_node *node = &work->scene->nodes[index];
-    if (node->split.plane != LIM_NONE) return check_plane_ref(work, &node->split, "node", index);
-    if (node->split.offset || node->front != LIM_NONE || node->back != LIM_NONE || node->back_run != LIM_NONE ||
-        node->front_run == LIM_NONE)
+    if (node->split.plane != LIM_NO_INDEX) return check_plane_ref(work, &node->split, "node", index);
+    if (node->split.offset || node->front != LIM_NO_INDEX || node->back != LIM_NO_INDEX ||
+        node->back_run != LIM_NO_INDEX || node->front_run == LIM_NO_INDEX)
         return error_set(work->err, "node %zu: has no plane, and is not a leaf either", index);
     return true;
 }
@@ -204,7 +209,7 @@ static bool check_split(const struct checker *work, size_t index)
 /* One leaf, whose order means nothing. */
 static bool is_set(const struct lim_scene *scene)
 {
-    return scene->limits.depth == 0 && scene->node_count == 1 && scene->nodes[0].split.plane == LIM_NONE;
+    return scene->limits.depth == 0 && scene->node_count == 1 && scene->nodes[0].split.plane == LIM_NO_INDEX;
 }
 
 static bool check_node(struct checker *work, size_t index)
@@ -214,7 +219,7 @@ static bool check_node(struct checker *work, size_t index)
     if (work->depths[index] == 0) return error_set(work->err, "node %zu: has no parent", index);
     if (work->depths[index] > scene->limits.depth && !is_set(scene))
         return error_set(work->err, "node %zu: lies deeper than the limit of %u", index, (unsigned)scene->limits.depth);
-    if (node->box != LIM_NONE && node->box >= scene->box_count)
+    if (node->box != LIM_NO_INDEX && node->box >= scene->box_count)
         return error_set(work->err, "node %zu: box %u of %u", index, (unsigned)node->box, (unsigned)scene->box_count);
     return check_split(work, index) && check_run(work, index, node->front_run) &&
            check_run(work, index, node->back_run) && check_child(work, index, node->front) &&
@@ -247,8 +252,8 @@ static bool check_bounds(const struct checker *work)
     bool ok = true;
     bounds_of_subtrees(scene, all);
     for (size_t i = 0; ok && i < scene->node_count; i++) {
-        const uint16_t box = scene->nodes[i].box;
-        ok = box == LIM_NONE || !all[i].polygons || bounds_fit(&all[i], &scene->boxes[box]) ||
+        const lim_index box = scene->nodes[i].box;
+        ok = box == LIM_NO_INDEX || !all[i].polygons || bounds_fit(&all[i], &scene->boxes[box]) ||
              error_set(work->err, "node %zu: its box does not hold its polygons", i);
     }
     free(all);
@@ -289,7 +294,8 @@ static bool check_sight(const struct lim_scene *scene, size_t index, struct erro
 static bool check_places(const struct lim_scene *scene, struct error *err)
 {
     for (size_t i = 0; scene->place_count && i < scene->node_count; i++)
-        if (scene->nodes[i].split.plane == LIM_NONE) return error_set(err, "node %zu: a leaf in a scene of places", i);
+        if (scene->nodes[i].split.plane == LIM_NO_INDEX)
+            return error_set(err, "node %zu: a leaf in a scene of places", i);
     if (scene->place_count && (scene->node_count > INT16_MAX || scene->box_count == 0))
         return error_set(err, "places in a scene of %u nodes and %u boxes", (unsigned)scene->node_count,
                          (unsigned)scene->box_count);

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * Writing and reading .lim files. The whole file is in memory at once: 16-bit counts keep it
- * below 5 MB. */
+ * Writing and reading .lim files. The whole file is in memory at once. */
 #include "grow.h"
 #include "lim_check.h"
 #include "lim_image.h"
@@ -11,6 +10,7 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 
 static const bool HOST_IS_BIG_ENDIAN = __BYTE_ORDER__ == __ORDER_BIG_ENDIAN__;
 
@@ -67,10 +67,14 @@ static bool check_header(const struct lim_file_header *header, const char *path,
     if (header->version != LIM_FILE_VERSION)
         return error_set(err, "%s: version %lu; this program reads version %d, compile the model again", path,
                          (unsigned long)header->version, LIM_FILE_VERSION);
-    const uint16_t fractions = header->counts[SECTION_FRACTIONS];
+    const uint32_t fractions = header->counts[SECTION_FRACTIONS];
     if (header->header_b != sizeof *header || header->file_b != lim_image_section_b(header, SECTION_COUNT) ||
         (fractions && fractions != header->counts[SECTION_VERTICES]))
         return error_set(err, "%s: damaged: the header contradicts itself", path);
+    for (enum lim_section i = SECTION_MAPPINGS; i < SECTION_COUNT; i++)
+        if (header->counts[i] > UINT16_MAX)
+            return error_set(err, "%s: damaged: %lu elements in section %d, 65535 are the most", path,
+                             (unsigned long)header->counts[i], (int)i);
     return true;
 }
 
@@ -80,6 +84,16 @@ static bool check_grid(const struct grid *grid, struct error *err)
         if (!isfinite(grid->origin_m[i])) return error_set(err, "the origin is not finite");
     return (isfinite(grid->units_per_m) && grid->units_per_m > 0.0) ||
            error_set(err, "the units per metre are not a positive number");
+}
+
+/* Before there is memory for all that the header promises: a file of known length may be shorter. */
+static bool check_length(FILE *file, const struct lim_file_header *header, const char *path, struct error *err)
+{
+    struct stat about;
+    if (fstat(fileno(file), &about) != 0 || !S_ISREG(about.st_mode) || about.st_size >= (off_t)header->file_b)
+        return true;
+    return error_set(err, "%s: truncated: %lld of %lu bytes", path, (long long)about.st_size,
+                     (unsigned long)header->file_b);
 }
 
 /* Reads what follows the header. The checksum covers the file's own bytes: no swapping before. */
@@ -106,6 +120,7 @@ static bool read_scene(FILE *file, const char *path, struct compiled *out, struc
 {
     struct lim_file_header header;
     if (!read_header(file, &header, path, err) || !check_header(&header, path, err)) return false;
+    if (!check_length(file, &header, path, err)) return false;
     void *image = grow_zeroed(header.file_b, 1);
     bool ok = read_rest(file, &header, image, path, err);
     if (ok) {

@@ -15,17 +15,17 @@
 /* No text, and damaged by whatever turns line ends: the idea of PNG's signature. */
 const unsigned char lim_file_magic[LIM_FILE_MAGIC_B] = {0x89, 'L', 'I', 'M', '\r', '\n', 0x1A, '\n'};
 
-static_assert(sizeof(struct lim_file_header) == 104, "header");
+static_assert(sizeof(struct lim_file_header) == 128, "header");
 static_assert(offsetof(struct lim_file_header, crc32) + 4 == LIM_FILE_CRC_FROM_B, "header");
 static_assert(offsetof(struct lim_file_header, units_per_m) == 24, "header");
 static_assert(offsetof(struct lim_file_header, counts) == 56, "header");
-static_assert(offsetof(struct lim_file_header, limits) == 86, "header");
+static_assert(offsetof(struct lim_file_header, limits) == 114, "header");
 static_assert(sizeof(struct lim_vertex) == 6, "vertex");
 static_assert(sizeof(struct lim_fraction) == 3, "fraction");
-static_assert(sizeof(struct lim_node) == 14, "node");
-static_assert(offsetof(struct lim_node, box) == 12, "node");
-static_assert(sizeof(struct lim_plane) == 12, "plane");
-static_assert(offsetof(struct lim_plane, slack_less_d) == 8, "plane");
+static_assert(sizeof(struct lim_node) == 28, "node");
+static_assert(offsetof(struct lim_node, box) == 24, "node");
+static_assert(sizeof(struct lim_plane) == 16, "plane");
+static_assert(offsetof(struct lim_plane, exact) == 12, "plane");
 static_assert(sizeof(struct lim_plane_exact) == 20, "exact plane");
 static_assert(offsetof(struct lim_plane_exact, d_lo) == 16, "exact plane");
 static_assert(sizeof(struct lim_box) == 12, "box");
@@ -41,11 +41,11 @@ static const struct {
     const char *fields;
 } SECTIONS[SECTION_COUNT] = {
     [SECTION_VERTICES] = {sizeof(struct lim_vertex), "2"},
-    [SECTION_NODES] = {sizeof(struct lim_node), "2"},
+    [SECTION_NODES] = {sizeof(struct lim_node), "4"},
     [SECTION_PLANES] = {sizeof(struct lim_plane), "4"},
     [SECTION_EXACT] = {sizeof(struct lim_plane_exact), "4"},
     [SECTION_BOXES] = {sizeof(struct lim_box), "2"},
-    [SECTION_POLYGONS] = {sizeof(uint16_t), "2"},
+    [SECTION_POLYGONS] = {sizeof(lim_index), "4"},
     [SECTION_FACES] = {sizeof(uint32_t), "4"},
     [SECTION_FRACTIONS] = {sizeof(struct lim_fraction), "1"},
     [SECTION_MAPPINGS] = {sizeof(struct lim_mapping), "2222222222112444"},
@@ -58,21 +58,20 @@ static const struct {
 static const char HEADER_FIELDS[] = "11111111"
                                     "4444"
                                     "8888"
-                                    "22222222222222"
+                                    "44444444444444"
                                     "2"
-                                    "2222222"
-                                    "22";
+                                    "2222222";
 
-static size_t align_b(size_t size_b)
+static uint64_t align_b(uint64_t size_b)
 {
     return (size_b + LIM_FILE_ALIGN_B - 1) / LIM_FILE_ALIGN_B * LIM_FILE_ALIGN_B;
 }
 
-size_t lim_image_section_b(const struct lim_file_header *header, enum lim_section section)
+uint64_t lim_image_section_b(const struct lim_file_header *header, enum lim_section section)
 {
-    size_t at_b = sizeof *header;
+    uint64_t at_b = sizeof *header;
     for (int i = 0; i < (int)section; i++)
-        at_b += align_b(header->counts[i] * SECTIONS[i].size_b);
+        at_b += align_b((uint64_t)header->counts[i] * SECTIONS[i].size_b);
     return at_b;
 }
 
@@ -99,8 +98,8 @@ void lim_image_bind(void *image, struct compiled *scene)
         .fractions = header->counts[SECTION_FRACTIONS] ? section_at(image, SECTION_FRACTIONS) : NULL,
         .places = header->counts[SECTION_PLACES] ? section_at(image, SECTION_PLACES) : NULL,
         .sights = header->counts[SECTION_SIGHTS] ? section_at(image, SECTION_SIGHTS) : NULL,
-        .place_count = header->counts[SECTION_PLACES],
-        .sight_bytes = header->counts[SECTION_SIGHTS],
+        .place_count = (uint16_t)header->counts[SECTION_PLACES],
+        .sight_bytes = (uint16_t)header->counts[SECTION_SIGHTS],
         .vertex_count = header->counts[SECTION_VERTICES],
         .node_count = header->counts[SECTION_NODES],
         .plane_count = header->counts[SECTION_PLANES],
@@ -115,10 +114,10 @@ void lim_image_bind(void *image, struct compiled *scene)
     scene->scene.textures = section_at(image, SECTION_TEXTURES);
     scene->scene.palettes = section_at(image, SECTION_PALETTES);
     scene->scene.texels = section_at(image, SECTION_TEXELS);
-    scene->scene.mapping_count = header->counts[SECTION_MAPPINGS];
-    scene->scene.texture_count = header->counts[SECTION_TEXTURES];
-    scene->scene.palette_colours = header->counts[SECTION_PALETTES];
-    scene->scene.texel_blocks = header->counts[SECTION_TEXELS];
+    scene->scene.mapping_count = (uint16_t)header->counts[SECTION_MAPPINGS];
+    scene->scene.texture_count = (uint16_t)header->counts[SECTION_TEXTURES];
+    scene->scene.palette_colours = (uint16_t)header->counts[SECTION_PALETTES];
+    scene->scene.texel_blocks = (uint16_t)header->counts[SECTION_TEXELS];
 }
 
 static struct lim_file_header header_of(const struct encoding *encoding, const struct grid *grid)
@@ -136,7 +135,7 @@ static struct lim_file_header header_of(const struct encoding *encoding, const s
     header.units_per_m = grid->units_per_m;
     memcpy(header.origin_m, grid->origin_m, sizeof header.origin_m);
     for (int i = 0; i < SECTION_COUNT; i++)
-        header.counts[i] = (uint16_t)counts[i];
+        header.counts[i] = (uint32_t)counts[i];
     memcpy(header.limits, &limits, sizeof header.limits);
     header.file_b = (uint32_t)lim_image_section_b(&header, SECTION_COUNT);
     return header;
@@ -164,9 +163,9 @@ void lim_image_set_sights(struct compiled *scene, const struct lim_place *places
 {
     struct lim_file_header header;
     memcpy(&header, scene->image, sizeof header);
-    const size_t kept_b = lim_image_section_b(&header, SECTION_PLACES);
-    header.counts[SECTION_PLACES] = (uint16_t)place_count;
-    header.counts[SECTION_SIGHTS] = (uint16_t)sight_bytes;
+    const size_t kept_b = (size_t)lim_image_section_b(&header, SECTION_PLACES);
+    header.counts[SECTION_PLACES] = (uint32_t)place_count;
+    header.counts[SECTION_SIGHTS] = (uint32_t)sight_bytes;
     header.file_b = (uint32_t)lim_image_section_b(&header, SECTION_COUNT);
     unsigned char *image = grow_zeroed(header.file_b, 1);
     memcpy(image, scene->image, kept_b);

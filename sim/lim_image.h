@@ -1,14 +1,14 @@
 /* SPDX-License-Identifier: MIT
  *
- * The bytes of a .lim file, as firmware/SCENE.md specifies them: a header and ten sections with
- * the structs of scene.h, little-endian. In memory an image has the host's byte order, so that a
+ * The bytes of a .lim file, as firmware/SCENE.md specifies them: a header and sections with
+ * the structs of scene.h, indices of 32 bits, little-endian. In memory an image has the host's byte order, so that a
  * struct lim_scene can point into it. */
 #ifndef SIM_LIM_IMAGE_H
 #define SIM_LIM_IMAGE_H
 
 #include "compiled.h"
 
-enum { LIM_FILE_VERSION = 5, LIM_FILE_ALIGN_B = 8, LIM_FILE_MAGIC_B = 8 };
+enum { LIM_FILE_VERSION = 6, LIM_FILE_ALIGN_B = 8, LIM_FILE_MAGIC_B = 8 };
 
 extern const unsigned char lim_file_magic[LIM_FILE_MAGIC_B];
 
@@ -39,16 +39,15 @@ struct lim_file_header {
     uint32_t crc32;     /* of all bytes of the file behind this field, as zlib's crc32() */
     double units_per_m; /* IEEE 754 */
     double origin_m[3];
-    uint16_t counts[SECTION_COUNT]; /* elements in each section */
+    uint32_t counts[SECTION_COUNT]; /* elements in each section */
     uint16_t background;            /* RGB565 as a number */
     uint16_t limits[7];             /* the fields of struct lim_limits in their order */
-    uint16_t zero[2];
 };
 
 enum { LIM_FILE_CRC_FROM_B = 24 }; /* the first byte that crc32 covers */
 
 /* Where a section begins, and, for SECTION_COUNT, the size of the file. */
-size_t lim_image_section_b(const struct lim_file_header *header, enum lim_section section);
+uint64_t lim_image_section_b(const struct lim_file_header *header, enum lim_section section);
 
 /* Points *scene into the image. */
 void lim_image_bind(void *image, struct compiled *scene);

@@ -30,7 +30,7 @@ bool measure_source_read(struct measure_source *source, const char *model_path, 
                          unsigned w_px, unsigned h_px, struct error *err);
 
 /* Where a vertex of a scene of this mesh was in the model, metres; false for one that splitting made. */
-bool measure_source_point(const struct measure_source *source, const struct lim_scene *scene, uint16_t vertex,
+bool measure_source_point(const struct measure_source *source, const struct lim_scene *scene, lim_index vertex,
                           double out_m[3]);
 
 /* The model's scene with these options, and with all that moves in it. */

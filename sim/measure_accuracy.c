@@ -69,7 +69,7 @@ static void project_source(const struct reference_view *view, const double point
     at_px[1] = (1.0 - v) / 2.0 * view->h_px - 0.5;
 }
 
-static void measure_vertex(struct measured *measured, const struct measure_source *source, uint16_t vertex,
+static void measure_vertex(struct measured *measured, const struct measure_source *source, lim_index vertex,
                            struct accuracy *out)
 {
     const struct measure_candidate *candidate = measured->candidate;
@@ -89,8 +89,8 @@ static void measure_vertex(struct measured *measured, const struct measure_sourc
 static void measure_polygon(struct measured *measured, const struct measure_source *source, size_t polygon,
                             struct accuracy *out)
 {
-    const uint16_t *record = &measured->candidate->scene->scene.polygons[measured->record_words[polygon]];
-    const uint16_t *corners = record + LIM_POLYGON_HEAD_WORDS;
+    const lim_index *record = &measured->candidate->scene->scene.polygons[measured->record_words[polygon]];
+    const lim_index *corners = record + LIM_POLYGON_HEAD_WORDS;
     for (size_t k = 0; k < (record[0] & LIM_POLYGON_COUNT); k++) {
         if (measured->is_done[corners[k]]) continue;
         measured->is_done[corners[k]] = true;
@@ -105,7 +105,7 @@ static void measure_vertices(struct measured *measured, const struct measure_sou
     const size_t pixel_count = simulator_pixel_count(simulator);
     memset(measured->is_done, 0, measured->candidate->scene->scene.vertex_count * sizeof *measured->is_done);
     for (size_t i = 0, before = 0; i < pixel_count; i++) {
-        const size_t number = simulator->pixels[i];
+        const size_t number = measured->ids.numbers[i];
         const bool moves = number > measured->candidate->scene->scene.polygon_count; /* its vertices are elsewhere */
         if (number && number != before && !moves) measure_polygon(measured, source, number - 1, out);
         before = number;
@@ -134,7 +134,7 @@ static void measure_side(const struct measure_candidate *candidate, const struct
     out->sides_wrong += candidate->core->eye_side(scene, ref, eye_q8) != true_side(scene, ref, eye_q8);
 }
 
-static void measure_leaf_sides(const struct measure_candidate *candidate, const uint16_t *record,
+static void measure_leaf_sides(const struct measure_candidate *candidate, const lim_index *record,
                                const int32_t eye_q8[3], struct accuracy *out)
 {
     for (;; record += lim_record_words(*record)) {
@@ -147,9 +147,9 @@ static void measure_sides(const struct measure_candidate *candidate, const struc
                           struct accuracy *out)
 {
     const struct lim_scene *scene = &candidate->scene->scene;
-    for (uint16_t i = 0; i < scene->node_count; i++) {
+    for (lim_index i = 0; i < scene->node_count; i++) {
         const struct lim_node *node = &scene->nodes[i];
-        if (node->split.plane == LIM_NONE)
+        if (node->split.plane == LIM_NO_INDEX)
             measure_leaf_sides(candidate, &scene->polygons[node->front_run], camera->eye_q8, out);
         else
             measure_side(candidate, &node->split, camera->eye_q8, out);

@@ -139,8 +139,7 @@ static bool parse_option(int code, char **argv, struct measure_request *out, boo
         out->folder = optarg;
         return *optarg || error_set(err, "-o: needs a folder");
     case OPTION_CAMERA:
-        out->camera = optarg;
-        return true;
+        return camera_choice_parse(optarg, &out->cameras, err);
     case OPTION_SIZE:
         return parse_size(optarg, &out->w_px, &out->h_px, err);
     case OPTION_FOV:
@@ -218,12 +217,13 @@ static void fill_in(enum measure_of of, bool no_cost, struct measure_request *ou
 bool measure_request_parse(int argc, char **argv, enum measure_of of, struct measure_request *out, struct error *err)
 {
     bool no_cost = false;
-    *out = (struct measure_request){.w_px = 240,
-                                    .h_px = 240,
-                                    .fov_deg = 60.0,
-                                    .compile = {.tolerance_units = 0.5, .splitter = "auto", .trial = TRIAL_IF_SPLIT},
-                                    .frames = FRAMES_MAX,
-                                    .cost_frames = COST_FRAMES};
+    *out = (struct measure_request){
+        .w_px = 240,
+        .h_px = 240,
+        .fov_deg = 60.0,
+        .compile = {.tolerance_units = 0.5, .splitter = "auto", .trial = TRIAL_IF_SPLIT, .choose_order = true},
+        .frames = FRAMES_MAX,
+        .cost_frames = COST_FRAMES};
     opterr = 0;
     optind = 1;
     for (int code; (code = getopt_long(argc, argv, ":o:", OPTIONS, NULL)) != -1;)
@@ -239,11 +239,22 @@ bool measure_request_parse(int argc, char **argv, enum measure_of of, struct mea
 bool measure_request_load(const struct measure_request *request, struct measure_source *source, struct lens *lens,
                           struct camera_path *path, struct error *err)
 {
-    if (request->camera && !camera_path_read(request->camera, path, err)) return false;
+    if (!camera_choice_read(&request->cameras, path, err)) return false;
     if (!measure_source_read(source, request->model, &request->compile, request->w_px, request->h_px, err))
         return false;
     const double near_m = request->near_m > 0.0 ? request->near_m : lens_default_near_m(&source->mesh.grid);
     return lens_init(lens, request->fov_deg, near_m, request->w_px, request->h_px, err);
+}
+
+bool measure_request_cameras(const struct measure_request *request, const struct compiled *scene,
+                             const struct lens *lens, struct camera_path *path, struct error *err)
+{
+    struct camera_path few = {0};
+    const bool ok = camera_choice_plan(&request->cameras, scene, lens, MEASURE_ORBIT_FRAMES, path, err) &&
+                    camera_path_few(path, request->frames, &few, err);
+    camera_path_free(path);
+    *path = few;
+    return ok;
 }
 
 bool measure_request_check(const struct measure_request *request, struct error *err)

@@ -4,6 +4,7 @@
 #ifndef SIM_MEASURE_REQUEST_H
 #define SIM_MEASURE_REQUEST_H
 
+#include "camera_choice.h"
 #include "measure.h"
 
 enum { MEASURE_CORES_MAX = 32, MEASURE_REQUEST_CPUS_MAX = 8, MEASURE_NAME_B = 128, MEASURE_ORBIT_FRAMES = 16 };
@@ -15,8 +16,9 @@ enum measure_of { MEASURE_PRECISIONS, MEASURE_METHODS };
 #define MEASURE_PLOT LIM_SOURCE_FOLDER "/sim/measure.gp"
 
 struct measure_request {
-    const char *model, *camera, *folder; /* camera and folder: NULL, not given */
-    char name[MEASURE_NAME_B];           /* the model's, without folder and suffix */
+    const char *model, *folder; /* folder: NULL, not given */
+    struct camera_choice cameras;
+    char name[MEASURE_NAME_B]; /* the model's, without folder and suffix */
     unsigned w_px, h_px;
     double fov_deg, near_m; /* near_m 0: not given */
     struct compile_options compile;
@@ -34,6 +36,10 @@ bool measure_request_parse(int argc, char **argv, enum measure_of of, struct mea
  * after a failure. */
 bool measure_request_load(const struct measure_request *request, struct measure_source *source, struct lens *lens,
                           struct camera_path *path, struct error *err);
+
+/* As many cameras of the file, or of those planned for the scene, as are wanted; *path is what was loaded. */
+bool measure_request_cameras(const struct measure_request *request, const struct compiled *scene,
+                             const struct lens *lens, struct camera_path *path, struct error *err);
 
 /* Whether all the tools that it takes are there. */
 bool measure_request_check(const struct measure_request *request, struct error *err);

@@ -93,7 +93,7 @@ bool measure_source_read(struct measure_source *source, const char *model_path, 
     return ok;
 }
 
-static void vertex_units(const struct lim_scene *scene, uint16_t vertex, double out[3])
+static void vertex_units(const struct lim_scene *scene, lim_index vertex, double out[3])
 {
     const struct lim_vertex *at = &scene->vertices[vertex];
     out[0] = at->x;
@@ -122,7 +122,7 @@ static void find_nearer(const struct measure_source *source, const double place[
 
 /* A vertex with fractions may have been rounded over the border between two points of the grid: what
  * lies half a fraction's last place to either side of it, along each axis, is looked up. */
-bool measure_source_point(const struct measure_source *source, const struct lim_scene *scene, uint16_t vertex,
+bool measure_source_point(const struct measure_source *source, const struct lim_scene *scene, lim_index vertex,
                           double out_m[3])
 {
     const struct grid *grid = &source->mesh.grid;

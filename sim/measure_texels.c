@@ -37,7 +37,7 @@ static void take(void *ctx, const struct core_texel_at *at)
     const struct reference *reference = frame->reference;
     const size_t pixel = (size_t)at->y_px * reference->w_px + at->x_px;
     const uint32_t number = reference->mappings[pixel], seen = reference->faces[pixel];
-    if (frame->ids->simulator.pixels[pixel] != taking->number || !number) return;
+    if (frame->ids->numbers[pixel] != taking->number || !number) return;
     if (frame->groups[seen] != frame->groups[frame->scene->faces[taking->number - 1]]) return;
     const struct mapping *mapping = &frame->mesh->mappings[number];
     const struct texture *texture = &frame->mesh->textures[mapping->texture];
@@ -59,7 +59,7 @@ bool texel_errors_add(struct texel_errors *errors, const struct texel_frame *fra
     errors->divisions += simulator_stats(frame->painted)->divisions;
     for (size_t i = 0; i < scene->polygon_count; i++) {
         struct taking taking = {errors, frame, i + 1};
-        const uint16_t word = (uint16_t)frame->record_words[i];
+        const lim_index word = (lim_index)frame->record_words[i];
         if (scene->polygons[word] & LIM_POLYGON_TEXTURE) frame->core->texels(frame->painted->lim, word, take, &taking);
     }
     return true;

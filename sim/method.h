@@ -35,6 +35,10 @@ bool method_sorts(enum lim_method draws);
 /* Refuses what has no antialiased edges. */
 bool method_antialiases(enum lim_method draws, bool wireframe, struct error *err);
 
+/* Refuses scan lines with what they cannot paint, which the firmware would draw nearest first: `what`: its name and
+ * "is" or "are"; NULL: there is none. */
+bool method_scans(enum lim_method draws, const char *what, struct error *err);
+
 /* Refuses what cannot draw wireframes. */
 bool method_draws_wireframe(enum lim_method draws, struct error *err);
 

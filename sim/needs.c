@@ -5,6 +5,7 @@
 
 #include "moving.h"
 #include "records.h"
+#include "width.h"
 
 enum { SIDE_MIN_PX = 8 };
 
@@ -15,7 +16,7 @@ static unsigned greater(unsigned a, unsigned b)
 
 static bool walks_tree(enum lim_method draws)
 {
-    return draws == LIM_NEAREST_FIRST || draws == LIM_PAINTER;
+    return draws == LIM_NEAREST_FIRST || draws == LIM_PAINTER || draws == LIM_SCANLINE;
 }
 
 static struct needs needs_of_scene(const struct compiled *scene)
@@ -23,9 +24,11 @@ static struct needs needs_of_scene(const struct compiled *scene)
     return (struct needs){.nearest = scene->report.draws == LIM_NEAREST_FIRST,
                           .convex = scene->report.draws == LIM_CONVEX,
                           .painter = scene->report.draws == LIM_PAINTER,
+                          .scanline = scene->report.draws == LIM_SCANLINE,
                           .depth = scene->report.draws == LIM_DEPTH,
                           .newell = scene->report.draws == LIM_NEWELL,
                           .cull = scene->scene.box_count > 0 && walks_tree(scene->report.draws),
+                          .wide = width_is_wide(&scene->scene),
                           .leaves = scene->report.leaves > 0,
                           .textures = scene->scene.texture_count > 0,
                           .portals = scene->scene.place_count > 0,
@@ -46,6 +49,7 @@ static struct needs needs_of_scene(const struct compiled *scene)
 static void add_object(struct needs *needs, const struct compiled *object)
 {
     needs->cull |= object->scene.box_count > 0;
+    needs->wide |= width_is_wide(&object->scene);
     needs->leaves |= object->report.leaves > 0;
     needs->slanted |= object->scene.plane_count > 0;
     needs->large |= object->scene.exact_count > 0;
@@ -68,9 +72,11 @@ struct needs needs_union(const struct needs *a, const struct needs *b)
     return (struct needs){.nearest = a->nearest || b->nearest,
                           .convex = a->convex || b->convex,
                           .painter = a->painter || b->painter,
+                          .scanline = a->scanline || b->scanline,
                           .depth = a->depth || b->depth,
                           .newell = a->newell || b->newell,
                           .cull = a->cull || b->cull,
+                          .wide = a->wide || b->wide,
                           .leaves = a->leaves || b->leaves,
                           .textures = a->textures || b->textures,
                           .portals = a->portals || b->portals,
@@ -107,12 +113,14 @@ void needs_write(const struct needs *needs, FILE *file)
     write_macro(file, "HAS_NEAREST", needs->nearest);
     write_macro(file, "HAS_CONVEX", needs->convex);
     write_macro(file, "HAS_PAINTER", needs->painter);
+    write_macro(file, "HAS_SCANLINE", needs->scanline);
     write_macro(file, "HAS_DEPTH", needs->depth);
     write_macro(file, "HAS_NEWELL", needs->newell);
     write_macro(file, "HAS_MOVERS", needs->movers);
     write_macro(file, "HAS_LIGHT", needs->light);
     write_macro(file, "HAS_BENDING", 0);
     write_macro(file, "HAS_CULL", needs->cull);
+    write_macro(file, "HAS_WIDE", needs->wide);
     write_macro(file, "HAS_LEAVES", needs->leaves);
     write_macro(file, "HAS_TEXTURE", needs->textures);
     write_macro(file, "HAS_PORTALS", needs->portals);
@@ -125,6 +133,7 @@ void needs_write(const struct needs *needs, FILE *file)
     write_macro(file, "HAS_ROUND", needs->round);
     write_macro(file, "HAS_FRAME", needs->frame && needs->nearest);
     write_macro(file, "HAS_RUNS", 0);
+    write_macro(file, "HAS_STREAM", 0);
     write_macro(file, "HAS_STATS", 0);
     write_macro(file, "MAX_VERTICES", needs->vertices);
     if (needs->side_px) write_macro(file, "MAX_SIDE_PX", greater(needs->side_px, SIDE_MIN_PX));

@@ -12,11 +12,12 @@
 struct moving;
 
 struct needs {
-    bool nearest, convex, painter; /* methods */
-    bool depth, newell;            /* more of them */
-    bool leaves;                   /* ordered clusters */
+    bool nearest, scanline, convex, painter; /* methods */
+    bool depth, newell;                      /* more of them */
+    bool leaves;                             /* ordered clusters */
     bool textures;
     bool portals;              /* what can be seen from where */
+    bool wide;                 /* indices of 32 bits */
     bool cull, slanted, large; /* what the methods have to do with the scene's boxes and planes */
     bool transparent;          /* polygons with alpha */
     bool wireframe;            /* to be drawn so */

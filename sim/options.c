@@ -4,6 +4,7 @@
  * camera) is checked where the scene is known. */
 #include "options.h"
 
+#include "order_choice.h"
 #include "outputs.h"
 #include "parse.h"
 #include "tree_choice.h"
@@ -134,8 +135,7 @@ static bool parse_option(int code, const char *text, struct options *out, struct
 {
     switch (code) {
     case OPTION_CAMERA:
-        out->camera_path = text;
-        return true;
+        return camera_choice_parse(text, &out->cameras, err);
     case OPTION_SIZE:
         return parse_size(text, &out->setup.w_px, &out->setup.h_px, err);
     case OPTION_FOV:
@@ -256,6 +256,7 @@ bool options_parse(int argc, char **argv, enum options_set set, struct options *
         return error_set(err, "--newell: goes with --method newell");
     if (out->wireframe.on && !method_draws_wireframe(out->setup.method, err)) return false;
     if (out->compile.antialias && !method_antialiases(out->setup.method, out->wireframe.on, err)) return false;
+    if (out->delta_runs && !method_scans(out->setup.method, "--delta is", err)) return false;
     out->compile.keep_faces = out->ids_path || out->compare;
     out->compile.w_px = out->setup.w_px;
     out->compile.h_px = out->setup.h_px;
@@ -276,6 +277,7 @@ static bool load_scene(const struct options *options, struct compiled *scene, st
         if (options->compile.tree != TREE_AUTO && !any_tree_does)
             return error_set(err, "%s: has its tree already; give the model for another one", options->scene_path);
         return lim_file_read(options->scene_path, scene, err) &&
+               method_scans(options->setup.method, order_needs_nearest(&options->compile, &scene->scene), err) &&
                (method_sorts(options->setup.method) || scene->scene.limits.depth ||
                 error_set(err, "%s: a set has no order; draw it with --method newell or depth", options->scene_path)) &&
                (options->compile.portals != PORTALS_ON || scene->scene.place_count ||
@@ -290,9 +292,9 @@ static bool load_scene(const struct options *options, struct compiled *scene, st
 bool options_load(const struct options *options, struct compiled *scene, struct moving *moving, struct lens *lens,
                   struct camera_path *path, struct error *err)
 {
-    if (options->camera_path && !camera_path_read(options->camera_path, path, err)) return false;
+    if (!camera_choice_read(&options->cameras, path, err)) return false;
     if (!load_scene(options, scene, moving, err)) return false;
     double near_m = options->near_m > 0.0 ? options->near_m : lens_default_near_m(&scene->grid);
     if (!lens_init(lens, options->fov_deg, near_m, options->setup.w_px, options->setup.h_px, err)) return false;
-    return options->camera_path || camera_path_orbit(scene, lens, options->orbit_frames, path, err);
+    return camera_choice_plan(&options->cameras, scene, lens, options->orbit_frames, path, err);
 }

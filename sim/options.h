@@ -4,15 +4,15 @@
 #ifndef SIM_OPTIONS_H
 #define SIM_OPTIONS_H
 
-#include "camera_path.h"
+#include "camera_choice.h"
 #include "moving.h"
 #include "simulator.h"
 #include "target.h"
 
 struct options {
-    const char *scene_path;  /* a model, or a compiled scene in a .lim file */
-    const char *camera_path; /* NULL: an orbit, of */
-    size_t orbit_frames;
+    const char *scene_path; /* a model, or a compiled scene in a .lim file */
+    struct camera_choice cameras;
+    size_t orbit_frames; /* without cameras */
     struct simulator_setup setup;
     struct panel_choice panel; /* for SIMULATOR_PANEL */
     double fov_deg;
@@ -33,7 +33,7 @@ enum options_set { OPTIONS_RENDER, OPTIONS_VIEW };
 /* Fills in the defaults too. The strings stay argv's. */
 bool options_parse(int argc, char **argv, enum options_set set, struct options *out, struct error *err);
 
-/* Reads the camera file (or plans an orbit) and the scene: a .lim file as it is, anything else
+/* Reads or plans the cameras and reads the scene: a .lim file as it is, anything else
  * compiled. `moving`: NULL, nothing moves. *scene, *moving and *path must be zero and are the caller's to free, also
  * after a failure. */
 bool options_load(const struct options *options, struct compiled *scene, struct moving *moving, struct lens *lens,

@@ -5,6 +5,7 @@
 #ifndef SIM_PLANE_H
 #define SIM_PLANE_H
 
+#include "point_blocks.h"
 #include "scene.h"
 
 #include <stddef.h>
@@ -31,9 +32,8 @@ struct plane_fit {
     double normal[3];     /* unit length */
     double (*corners)[3]; /* of the polygons that shall lie on the plane; units */
     size_t corner_count;
-    double (*points)[3]; /* of the whole mesh; units */
-    size_t point_count;
-    double tolerance_units; /* 0: cheap kinds only if they hold every corner exactly */
+    const struct point_blocks *blocks; /* the points of the whole mesh; units */
+    double tolerance_units;            /* 0: cheap kinds only if they hold every corner exactly */
 };
 
 /* Chooses the stored plane: parallel to fit->normal, in the middle of fit->corners. A cheap kind
@@ -42,12 +42,16 @@ struct plane_fit {
 void plane_store(const struct plane_fit *fit, struct plane *out);
 
 /* Signed distance of a point, in units; off by less than 2^-30 for points of the grid. */
-double plane_distance(const struct plane *plane, const double point[3]);
+static inline double plane_distance(const struct plane *plane, const double point[3])
+{
+    double sum = (double)plane->n[0] * point[0] + (double)plane->n[1] * point[1] + (double)plane->n[2] * point[2];
+    return (sum - (double)plane->d) / plane->length;
+}
 
 /* The record of a plane within scene.h's bounds; of a LARGE plane, exactly the filter that scene.h prescribes, which
  * belongs to the exact plane of that index. */
 struct lim_plane plane_record(const int64_t n[3], int64_t d);
-struct lim_plane plane_filter(const int64_t n[3], int64_t d, uint16_t exact);
+struct lim_plane plane_filter(const int64_t n[3], int64_t d, lim_index exact);
 
 /* The kind of a plane that a scene names, and the exact plane. */
 enum plane_kind plane_kind_of(const struct lim_scene *scene, const struct lim_plane_ref *ref);

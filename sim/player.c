@@ -37,7 +37,9 @@ static int flush_counted(void *ctx)
 
 void player_init(struct player *player, struct port *port)
 {
-    *player = (struct player){.port = port, .bus = {player, write_counted, flush_counted, port->bus.message_b}};
+    *player = (struct player){
+        .port = port,
+        .bus = {.ctx = player, .write = write_counted, .flush = flush_counted, .message_b = port->bus.message_b}};
 }
 
 /* What is told ---------------------------------------------------------------------------------- */

@@ -9,9 +9,11 @@
 #include "lim_image.h"
 #include "moving.h"
 #include "portals.h"
+#include "progress.h"
 #include "records.h"
 #include "sample.h"
 #include "simulator.h"
+#include "width.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -25,6 +27,7 @@ struct usage {
     size_t cameras;
     uint16_t cells[CAMERAS], gaps[CAMERAS], active[CAMERAS], layers[CAMERAS], runs[CAMERAS];
     double instructions;              /* predicted, of all frames */
+    double reached, seen;             /* polygons of all frames */
     uint32_t splits_max, entries_max; /* strays included: without room for a piece the picture may be wrong */
 };
 
@@ -59,7 +62,9 @@ static void note(struct usage *usage, const struct simulator *simulator)
     usage->gaps[i] = stats->gaps_max;
     usage->active[i] = stats->active_max;
     usage->runs[i] = stats->delta.runs_max;
-    usage->instructions += frame_cost_m0plus(stats, simulator->target.w_px, simulator->target.h_px);
+    usage->instructions += frame_cost_m0plus(stats, &simulator->target);
+    usage->reached += stats->polygons;
+    usage->seen += stats->polygons_seen;
     if (stats->newell.splits > usage->splits_max) usage->splits_max = stats->newell.splits;
     usage->layers[i] = stats->layers_max;
     if (stats->movers.entries > usage->entries_max) usage->entries_max = stats->movers.entries;
@@ -78,6 +83,7 @@ static bool sample_frames(const struct compiled *scene, struct moving *moving, s
         return false;
     for (int i = 0; i < CAMERAS; i++) {
         struct viewpoint viewpoint = sampler_next(&sampler);
+        progress_bar((size_t)i, CAMERAS, "sampled cameras");
         const struct camera_path path = {"sampled cameras", &viewpoint, 1};
         struct lim_camera camera;
         if (!camera_path_to_camera(&path, 0, &lens, &scene->grid, &camera, err)) continue;
@@ -112,7 +118,7 @@ static bool sample_convex(struct compiled *roomy, struct simulator_setup *setup,
 {
     struct usage usage = {0};
     setup->method = LIM_CONVEX;
-    roomy->scene.limits.active = roomy->scene.polygon_count;
+    roomy->scene.limits.active = (uint16_t)(roomy->scene.polygon_count < PLENTY ? roomy->scene.polygon_count : PLENTY);
     if (!sample_method(roomy, NULL, setup, STYLE_PLAIN, &usage, err)) return false;
     const uint16_t crossing = with_margin(most(usage.active, usage.cameras), 1);
     *active = crossing > *active ? crossing : *active;
@@ -144,9 +150,12 @@ static bool sample_spans(struct compiled *roomy, struct moving *moving, const st
     limits->pieces = greater(limits->pieces, pieces_for(&usage));
     if (roomy->report.delta_runs)
         roomy->report.delta_runs = greater(roomy->report.delta_runs, with_margin(most(usage.runs, usage.cameras), 1));
-    if (style == STYLE_PLAIN && usage.cameras && roomy->report.draws == LIM_NEAREST_FIRST &&
-        frame_cost_is_known(&roomy->scene))
-        roomy->report.instructions = usage.instructions / (double)usage.cameras;
+    if (style == STYLE_PLAIN && usage.cameras) {
+        if (frame_cost_knows(setup->method) && frame_cost_is_known(&roomy->scene))
+            roomy->report.instructions = usage.instructions / (double)usage.cameras;
+        if (setup->method == LIM_NEAREST_FIRST && usage.reached > 0)
+            roomy->report.seen_share = usage.seen / usage.reached;
+    }
     if (roomy->scene.limits.layers)
         limits->layers = greater(limits->layers, with_margin(most(usage.layers, usage.cameras), 1));
     if (moving) usage.splits_max = usage.entries_max;
@@ -203,10 +212,25 @@ bool pools_measure(struct compiled *scene, const struct core *core, unsigned w_p
         return false;
     if (scene->report.convex && !sample_convex(&roomy, &setup, &limits.active, err)) return false;
     lim_image_set_limits(scene, &limits);
-    scene->report.instructions = roomy.report.instructions;
+    const bool is_known = frame_cost_knows(scene->report.draws);
+    scene->report.instructions = is_known ? roomy.report.instructions : NAN;
+    scene->report.seen_share = roomy.report.seen_share;
     scene->report.delta_runs = roomy.report.delta_runs;
     scene->report.w_px = w_px;
     scene->report.h_px = h_px;
+    return scene->report.draws != LIM_SCANLINE || pools_measure_scanline(scene, core, err);
+}
+
+bool pools_measure_scanline(struct compiled *scene, const struct core *core, struct error *err)
+{
+    struct lim_limits limits = scene->scene.limits;
+    struct compiled roomy = roomy_of(scene, scene->scene.polygon_count);
+    const struct simulator_setup setup = {scene->report.w_px, scene->report.h_px, LIM_SCANLINE, SIMULATOR_UNSEEN, core};
+
+    if (!sample_spans(&roomy, NULL, &setup, STYLE_PLAIN, &limits, err)) return false;
+    lim_image_set_limits(scene, &limits);
+    scene->report.draws = LIM_SCANLINE;
+    scene->report.instructions = roomy.report.instructions;
     return true;
 }
 
@@ -217,6 +241,34 @@ static bool is_wide(const struct compile_report *report)
     return report->w_px > narrow_px || report->h_px > narrow_px;
 }
 
+static bool has_long_edges(const struct compile_report *report)
+{
+    return report->core && report->core->sub_bits >= MCU_LONG_EDGES_MIN_SUB_BITS;
+}
+
+static size_t active_b(const struct compiled *scene)
+{
+    const size_t samples_b = scene->report.antialias ? (size_t)MCU_ACTIVE_SAMPLES_B : 0;
+    return MCU_ACTIVE_B + (has_long_edges(&scene->report) ? (size_t)MCU_LONG_EDGES_B : samples_b) +
+           (scene->scene.texture_count ? (size_t)MCU_ACTIVE_TEXTURE_B : 0);
+}
+
+/* An entry of the cache, a pending node: each has an index. */
+static size_t index_b(const struct compiled *scene)
+{
+    return width_is_wide(&scene->scene) ? (size_t)MCU_INDEX_B : 0;
+}
+
+static size_t cached_b(const struct compiled *scene)
+{
+    return (is_wide(&scene->report) ? (size_t)MCU_CACHED_WIDE_B : (size_t)MCU_CACHED_B) + index_b(scene);
+}
+
+static size_t pending_b(const struct compiled *scene)
+{
+    return MCU_PENDING_B + index_b(scene);
+}
+
 static size_t aligned_b(size_t size_b)
 {
     return (size_b + 3) & ~(size_t)3;
@@ -225,20 +277,19 @@ static size_t aligned_b(size_t size_b)
 static size_t sorted_b(const struct compiled *scene, size_t pieces)
 {
     const size_t count = scene->scene.polygon_count;
-    if (scene->report.draws == LIM_DEPTH) return count * MCU_SORTED_B;
-    return (count + pieces) * (MCU_SORTED_B + MCU_NEWELL_B) + pieces * 2 * MCU_CUT_B;
+    if (scene->report.draws == LIM_DEPTH) return count * (MCU_SORTED_B + index_b(scene));
+    return (count + pieces) * (MCU_SORTED_B + MCU_NEWELL_B + 2 * index_b(scene)) + pieces * 2 * MCU_CUT_B;
 }
 
 static size_t nearest_b(const struct compiled *scene, size_t cells, size_t gaps, size_t active, size_t pieces)
 {
     const bool wide = is_wide(&scene->report), sorts = method_sorts(scene->report.draws);
-    const size_t cached_b = wide ? MCU_CACHED_WIDE_B : MCU_CACHED_B, cell_b = wide ? MCU_CELL_WIDE_B : MCU_CELL_B;
-    const size_t active_b = MCU_ACTIVE_B + (scene->scene.texture_count ? (size_t)MCU_ACTIVE_TEXTURE_B : 0);
+    const size_t cell_b = wide ? MCU_CELL_WIDE_B : MCU_CELL_B;
     const size_t covered_b = scene->report.antialias ? (size_t)MCU_COVERED_B : 0;
-    const size_t fixed_b = MCU_CACHE_ENTRIES * cached_b + scene->report.h_px * (MCU_LINE_B + covered_b) +
-                           (sorts ? 0 : scene->scene.limits.depth * (size_t)MCU_PENDING_B);
+    const size_t fixed_b = MCU_CACHE_ENTRIES * cached_b(scene) + scene->report.h_px * (MCU_LINE_B + covered_b) +
+                           (sorts ? 0 : scene->scene.limits.depth * pending_b(scene));
     return (sorts ? sorted_b(scene, pieces) : 0) +
-           aligned_b(fixed_b + cells * cell_b + gaps * (MCU_GAP_B + covered_b) + active * active_b) +
+           aligned_b(fixed_b + cells * cell_b + gaps * (MCU_GAP_B + covered_b) + active * active_b(scene)) +
            (sorts ? 0 : lim_portals_mem_b(&scene->scene));
 }
 
@@ -250,19 +301,20 @@ static size_t layers_b(const struct lim_limits *limits)
 static size_t convex_b(const struct compiled *scene, size_t active)
 {
     const bool wide = is_wide(&scene->report);
-    const size_t cached_b = wide ? MCU_CACHED_WIDE_B : MCU_CACHED_B, point_b = wide ? MCU_CELL_WIDE_B : MCU_CELL_B;
+    const size_t point_b = wide ? MCU_CELL_WIDE_B : MCU_CELL_B;
+    const size_t face_b = MCU_FACE_B + index_b(scene) / 2;
     const size_t points = scene->scene.limits.vertices + (size_t)MCU_CLIP_PLANES;
     const size_t flags_b = scene->report.wireframe ? (points + 15) / 16 * 2 : 0;
     const size_t texture_b = scene->scene.texture_count ? (size_t)MCU_CROSSING_TEXTURE_B : 0;
-    const size_t crossing_b = MCU_CROSSING_B + texture_b + points * point_b + aligned_b(flags_b);
-    return aligned_b(MCU_CACHE_ENTRIES * cached_b + scene->report.h_px * (size_t)MCU_TOP_B +
-                     scene->scene.polygon_count * (size_t)MCU_FACE_B + active * crossing_b);
+    const size_t long_b = has_long_edges(&scene->report) ? (size_t)MCU_CROSSING_LONG_EDGES_B : 0;
+    const size_t crossing_b = MCU_CROSSING_B + long_b + texture_b + points * point_b + aligned_b(flags_b);
+    return aligned_b(MCU_CACHE_ENTRIES * cached_b(scene) + scene->report.h_px * (size_t)MCU_TOP_B +
+                     scene->scene.polygon_count * face_b + active * crossing_b);
 }
 
 static size_t painter_b(const struct compiled *scene)
 {
-    const size_t cached_b = is_wide(&scene->report) ? MCU_CACHED_WIDE_B : MCU_CACHED_B;
-    return aligned_b(MCU_CACHE_ENTRIES * cached_b + scene->scene.limits.depth * (size_t)MCU_PENDING_B) +
+    return aligned_b(MCU_CACHE_ENTRIES * cached_b(scene) + scene->scene.limits.depth * pending_b(scene)) +
            lim_portals_mem_b(&scene->scene);
 }
 
@@ -271,7 +323,8 @@ size_t pools_mcu_mem_b(const struct compiled *scene)
     const struct lim_limits *limits = &scene->scene.limits;
     if (scene->report.draws == LIM_CONVEX) return convex_b(scene, limits->active);
     if (scene->report.draws == LIM_PAINTER) return painter_b(scene);
-    return nearest_b(scene, limits->retained_cells, limits->gaps, limits->active, limits->pieces) + layers_b(limits);
+    const size_t gaps = scene->report.draws == LIM_SCANLINE ? 1 : limits->gaps; /* firmware/pools.c */
+    return nearest_b(scene, limits->retained_cells, gaps, limits->active, limits->pieces) + layers_b(limits);
 }
 
 size_t pools_mcu_mem_min_b(const struct compiled *scene)
@@ -285,7 +338,7 @@ static size_t mover_b(const struct compiled *scene, const struct moving *moving)
 {
     const struct core *core = scene->report.core ? scene->report.core : &core_fast;
     const bool fine = core->profile >= LIM_PROFILE_FINE;
-    return MCU_MOVER_B + (fine ? (size_t)MCU_MOVER_FINE_B : 0) +
+    return MCU_MOVER_B + index_b(scene) + (fine ? (size_t)MCU_MOVER_FINE_B : 0) +
            (scene->report.antialias ? (size_t)MCU_MOVER_ANTIALIAS_B : 0) +
            (moving->light.on ? (size_t)MCU_MOVER_LIGHT_B : 0);
 }
@@ -293,8 +346,9 @@ static size_t mover_b(const struct compiled *scene, const struct moving *moving)
 size_t pools_mcu_movers_mem_b(const struct compiled *scene, const struct moving *moving)
 {
     const struct lim_movers_limits *limits = &moving->limits;
-    const size_t cached_b = is_wide(&scene->report) ? MCU_CACHED_WIDE_B : MCU_CACHED_B;
+    const size_t route_b = MCU_ROUTE_B + index_b(scene) / 2;
     return aligned_b(limits->instances * mover_b(scene, moving) +
-                     limits->entries * (size_t)(MCU_SORTED_B + MCU_NEWELL_B + MCU_CUT_B) +
-                     MCU_CACHE_ENTRIES * cached_b + ((size_t)scene->scene.limits.depth + limits->depth) * MCU_ROUTE_B);
+                     limits->entries * (MCU_SORTED_B + MCU_NEWELL_B + MCU_CUT_B + 2 * index_b(scene)) +
+                     MCU_CACHE_ENTRIES * cached_b(scene) +
+                     ((size_t)scene->scene.limits.depth + limits->depth) * route_b);
 }

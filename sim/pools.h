@@ -11,6 +11,10 @@
  * scene->report.instructions, the mean of those cameras. */
 bool pools_measure(struct compiled *scene, const struct core *core, unsigned w_px, unsigned h_px, struct error *err);
 
+/* The same for a scene that has all that for the order nearest first: raises its limits to what scan lines take as
+ * well, and sets the report's `draws` and `instructions` to theirs. */
+bool pools_measure_scanline(struct compiled *scene, const struct core *core, struct error *err);
+
 /* Sizes of the structs in the caller's memory on a 32-bit MCU, of a firmware built for narrow screen
  * coordinates and for wide ones (profile.h). tests/targets/sizes.c asserts them. */
 enum {
@@ -23,7 +27,10 @@ enum {
     MCU_CELL_WIDE_B = 8,
     MCU_GAP_B = 6,
     MCU_COVERED_B = 2, /* antialiased, of a line and of a gap */
-    MCU_ACTIVE_B = 48,
+    MCU_ACTIVE_B = 36,
+    MCU_ACTIVE_SAMPLES_B = 16, /* more of them if it can be drawn with antialiased edges, which are longer */
+    MCU_LONG_EDGES_B = 28,     /* more of them in profile exact, and none for samples: edges of 64 bits */
+    MCU_LONG_EDGES_MIN_SUB_BITS = 10,
     MCU_LAYER_B = 8,
     MCU_TOP_B = 2,
     MCU_FACE_B = 6,
@@ -31,14 +38,18 @@ enum {
     MCU_NEWELL_B = 20,
     MCU_CUT_B = 4,
     MCU_ACTIVE_TEXTURE_B = 60, /* more of them if the scene has textures */
-    MCU_CROSSING_TEXTURE_B = 64,
-    MCU_CROSSING_B = 56, /* and a point for each vertex */
-    MCU_MOVER_B = 140,
+    MCU_CROSSING_TEXTURE_B = 60,
+    MCU_CROSSING_LONG_EDGES_B = 32, /* more of them in profile exact */
+    MCU_CROSSING_B = 40,            /* and a point for each vertex */
+    MCU_MOVER_B = 144,
     MCU_MOVER_FINE_B = 72,     /* more of them in the profiles fine and exact, at most: half on a Cortex-M0+ */
     MCU_MOVER_ANTIALIAS_B = 4, /* more of them if it can be drawn with antialiased edges */
     MCU_MOVER_LIGHT_B = 8,     /* more of them if light turns */
     MCU_ROUTE_B = 6,
     MCU_MOVED_B = 16, /* in flash */
+    /* More of them in a wide scene (width.h): of an entry of the cache, a pending node, a mover, an entry of the sorted
+     * list and what a depth sort knows of it; half as much of a face and of a pending node on a mover's way. */
+    MCU_INDEX_B = 4,
     MCU_HEAD_CELLS = 2,
     MCU_CLIP_PLANES = 5
 };

@@ -5,6 +5,7 @@
 
 #include "compare.h"
 #include "ids.h"
+#include "progress.h"
 #include "sample.h"
 
 static bool compare_views(const struct compiled *scene, struct ids *ids, struct reference *reference,
@@ -16,6 +17,7 @@ static bool compare_views(const struct compiled *scene, struct ids *ids, struct 
     sampler_init(&sampler, scene);
     if (!lens_init(&lens, 60, lens_default_near_m(&scene->grid), PREDICT_SIDE_PX, PREDICT_SIDE_PX, err)) return false;
     for (int i = 0; i < PREDICT_CAMERAS; i++) {
+        progress_bar((size_t)i, PREDICT_CAMERAS, "comparing with the reference");
         struct viewpoint viewpoint = sampler_next(&sampler);
         const struct camera_path path = {"sampled cameras", &viewpoint, 1};
         struct lim_camera camera;

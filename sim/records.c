@@ -3,7 +3,7 @@
  * From one record to the next by its own length. */
 #include "records.h"
 
-size_t records_with(const struct lim_scene *scene, uint16_t flags)
+size_t records_with(const struct lim_scene *scene, lim_index flags)
 {
     size_t count = 0;
     for (size_t at = 0; at < scene->polygon_words; at += lim_record_words(scene->polygons[at]))

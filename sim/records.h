@@ -7,6 +7,6 @@
 #include "scene.h"
 
 /* How many have any of these flags. */
-size_t records_with(const struct lim_scene *scene, uint16_t flags);
+size_t records_with(const struct lim_scene *scene, lim_index flags);
 
 #endif

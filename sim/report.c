@@ -5,6 +5,7 @@
 #include "pools.h"
 #include "predict.h"
 #include "records.h"
+#include "width.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -65,6 +66,21 @@ static bool is_predicted(const struct compile_report *report)
     return !isnan(report->instructions) && report->core == &core_fast && !report->antialias && !report->wireframe;
 }
 
+/* What the choice of the order was made by. */
+static void print_order(const struct compile_report *report)
+{
+    const struct order_choice *order = &report->order;
+    const bool chosen = report->draws == LIM_SCANLINE;
+    const double instructions[] = {order->nearest_instructions, order->scanline_instructions};
+    const size_t mem_b[] = {order->nearest_mem_b, order->scanline_mem_b};
+
+    if (!order->tried) return;
+    printf("  %s: %.0f instead of %.0f instructions predicted\n",
+           chosen ? "drawn by scan lines" : "drawn nearest first, not by scan lines", instructions[chosen],
+           instructions[!chosen]);
+    printf("    %zu instead of %zu bytes of working memory\n", mem_b[chosen], mem_b[!chosen]);
+}
+
 static void print_tree(const struct compiled *scene)
 {
     static const char *const kinds[] = {"x = const", "y = const",     "z = const",
@@ -91,6 +107,7 @@ static void print_tree(const struct compiled *scene)
     if (report->core) printf("  %-28s %8s\n", "precision", report->core->name);
     if (is_predicted(report))
         printf("  %-28s %8.0f on Cortex-M0+, predicted\n", "instructions a frame", report->instructions);
+    if (is_predicted(report)) print_order(report);
     if (!isnan(report->wrong_percent))
         printf("  %-28s %8.4f %%, %d sampled cameras\n", "wrong pixels, predicted", report->wrong_percent,
                PREDICT_CAMERAS);
@@ -130,14 +147,15 @@ static void print_bytes(const char *what, size_t size_b, size_t polygons)
 static void print_flash(const struct compiled *scene)
 {
     const struct lim_scene *arrays = &scene->scene;
+    const bool wide = width_is_wide(arrays);
     size_t polygons = scene->report.polygons_in;
     printf("%-30s %8s %10s\n", "flash", "bytes", "a polygon");
     print_bytes("vertices", arrays->vertex_count * sizeof *arrays->vertices, polygons);
-    print_bytes("nodes", arrays->node_count * sizeof *arrays->nodes, polygons);
-    print_bytes("planes", arrays->plane_count * sizeof *arrays->planes, polygons);
+    print_bytes("nodes", arrays->node_count * width_node_b(wide), polygons);
+    print_bytes("planes", arrays->plane_count * width_plane_b(wide), polygons);
     print_bytes("exact planes", arrays->exact_count * sizeof *arrays->exact, polygons);
     print_bytes("boxes", arrays->box_count * sizeof *arrays->boxes, polygons);
-    print_bytes("polygons", arrays->polygon_words * sizeof *arrays->polygons, polygons);
+    print_bytes("polygons", arrays->polygon_words * width_word_b(wide), polygons);
     if (arrays->texture_count) {
         print_bytes("texels", arrays->texel_blocks * (size_t)LIM_TEXEL_BLOCK, polygons);
         print_bytes("palettes", arrays->palette_colours * sizeof *arrays->palettes, polygons);

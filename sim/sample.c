@@ -7,7 +7,7 @@
 
 #include <math.h>
 
-enum { TRIES = 200 };
+enum { TRIES = 200, PATIENCE = 100000 };
 
 static double random_unit(struct sampler *sampler)
 {
@@ -36,6 +36,12 @@ void sampler_init(struct sampler *sampler, const struct compiled *scene)
             if (v == 0 || at_m[i] > sampler->high_m[i]) sampler->high_m[i] = at_m[i];
         }
     }
+}
+
+static void point_in_bounds(struct sampler *sampler, double out_m[3])
+{
+    for (int i = 0; i < 3; i++)
+        out_m[i] = sampler->low_m[i] + random_unit(sampler) * (sampler->high_m[i] - sampler->low_m[i]);
 }
 
 /* Anywhere in the bounds, or in bounds four times as wide. */
@@ -70,4 +76,21 @@ struct viewpoint sampler_next(struct sampler *sampler)
     vertex_m(sampler->scene, (size_t)(random_unit(sampler) * count), viewpoint.target_m);
     if (distance_m(&viewpoint) < apart_m) viewpoint.target_m[2] += 2 * apart_m;
     return viewpoint;
+}
+
+void sampler_seed(struct sampler *sampler, uint32_t seed)
+{
+    sampler->state = (seed + UINT64_C(1)) * 0xD1342543DE82EF95; /* odd: no seed gives 0, from which nothing comes */
+}
+
+bool sampler_anywhere(struct sampler *sampler, struct viewpoint *out)
+{
+    const double apart_m = 16.0 / sampler->scene->grid.units_per_m;
+
+    for (int i = 0; i < PATIENCE; i++) {
+        random_point(sampler, out->eye_m);
+        point_in_bounds(sampler, out->target_m);
+        if (distance_m(out) >= apart_m && free_space_holds(sampler->scene, out->eye_m)) return true;
+    }
+    return false;
 }

@@ -21,4 +21,10 @@ void sampler_init(struct sampler *sampler, const struct compiled *scene);
  * object: outside, up to one and a half times its size away), looking at some vertex. */
 struct viewpoint sampler_next(struct sampler *sampler);
 
+/* Other random numbers than those that sampler_init() begins with, which the compiler tunes on. */
+void sampler_seed(struct sampler *sampler, uint32_t seed);
+
+/* An eye in free space as above, looking anywhere in the bounds: no vertex is preferred. False: no free space found. */
+bool sampler_anywhere(struct sampler *sampler, struct viewpoint *out);
+
 #endif

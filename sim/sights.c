@@ -24,10 +24,10 @@ struct work {
     struct cells cells;
     struct zones zones;
     struct flow flow;
-    uint16_t *boxes; /* of each node: the smallest box that holds it, or LIM_NONE */
-    uint16_t *above; /* of each box: the next one around it, or LIM_NONE */
-    size_t *own;     /* of each box: its polygons that no smaller one holds */
-    size_t unboxed;  /* polygons in no box */
+    lim_index *boxes; /* of each node: the smallest box that holds it, or LIM_NO_INDEX */
+    lim_index *above; /* of each box: the next one around it, or LIM_NO_INDEX */
+    size_t *own;      /* of each box: its polygons that no smaller one holds */
+    size_t unboxed;   /* polygons in no box */
     size_t bits_b;
     struct group *groups; /* by zone at first */
     uint32_t *group_of;   /* of each zone */
@@ -58,13 +58,13 @@ static void boxes_find(struct work *work)
     work->bits_b = ((size_t)scene->box_count + 7) / 8;
     for (size_t i = 0; i < scene->node_count; i++) {
         const uint32_t parent = work->cells.parents[i];
-        const uint16_t around = parent == i ? (uint16_t)LIM_NONE : work->boxes[parent];
-        work->boxes[i] = scene->nodes[i].box == LIM_NONE ? around : scene->nodes[i].box;
-        if (scene->nodes[i].box != LIM_NONE) work->above[scene->nodes[i].box] = around;
+        const lim_index around = parent == i ? LIM_NO_INDEX : work->boxes[parent];
+        work->boxes[i] = scene->nodes[i].box == LIM_NO_INDEX ? around : scene->nodes[i].box;
+        if (scene->nodes[i].box != LIM_NO_INDEX) work->above[scene->nodes[i].box] = around;
     }
     for (size_t r = 0; r < work->cells.record_count; r++) {
-        const uint16_t box = work->boxes[work->cells.records[r].node];
-        ++*(box == LIM_NONE ? &work->unboxed : &work->own[box]);
+        const lim_index box = work->boxes[work->cells.records[r].node];
+        ++*(box == LIM_NO_INDEX ? &work->unboxed : &work->own[box]);
     }
 }
 
@@ -78,7 +78,7 @@ static void bits_set(const struct work *work, const bool *visible, uint8_t *bits
 {
     for (size_t r = 0; r < work->cells.record_count; r++) {
         if (!visible[r]) continue;
-        for (uint16_t box = work->boxes[work->cells.records[r].node]; box != LIM_NONE; box = work->above[box])
+        for (lim_index box = work->boxes[work->cells.records[r].node]; box != LIM_NO_INDEX; box = work->above[box])
             bits[box / 8] |= (uint8_t)(1u << box % 8);
     }
 }
@@ -249,8 +249,8 @@ static bool groups_pack(struct work *work, uint16_t *starts, struct sights *out,
 static bool is_asked_for(const struct work *work, uint32_t cell)
 {
     const struct lim_node *node = &work->scene->nodes[cell / 2];
-    const uint16_t child = cell % 2 ? node->back : node->front, run = cell % 2 ? node->back_run : node->front_run;
-    return child == LIM_NONE && run != LIM_NONE;
+    const lim_index child = cell % 2 ? node->back : node->front, run = cell % 2 ? node->back_run : node->front_run;
+    return child == LIM_NO_INDEX && run != LIM_NO_INDEX;
 }
 
 static void places_make(const struct work *work, const uint16_t *starts, struct sights *out)
@@ -280,7 +280,7 @@ static bool store(struct work *work, struct sights *out, struct error *err)
 static bool has_leaves(const struct lim_scene *scene)
 {
     for (size_t i = 0; i < scene->node_count; i++)
-        if (scene->nodes[i].split.plane == LIM_NONE) return true;
+        if (scene->nodes[i].split.plane == LIM_NO_INDEX) return true;
     return false;
 }
 

@@ -6,21 +6,23 @@
 
 #include "bsp.h"
 #include "grow.h"
+#include "map.h"
 
 #include <float.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-/* Pieces tried against planes at one node: bounds the time on long lists. */
-enum { TRIALS_A_NODE = 100000, CANDIDATES_MIN = 8 };
+/* Pieces tried against planes at one node: bounds the time on long lists. Of very long ones some pieces stand for all,
+ * else too few candidates could be tried to find a good one. */
+enum { TRIALS_A_NODE = 100000, LONG_LIST = 8192, SAMPLE = 2048 };
 
 const struct splitter splitters[] = {
-    {"first", 0.0, 0.0, 0.0, 0.0, 0},        {"fewest", 1000.0, 1.0, 1.0, 0.0, 0},
-    {"weighted-2", 2.0, 1.0, 1.0, 0.0, 0},   {"weighted-8", 8.0, 1.0, 1.0, 0.0, 0},
-    {"weighted-12", 12.0, 1.0, 1.0, 0.5, 0}, {"weighted-20", 20.0, 1.0, 1.0, 1.0, 0},
-    {"weighted-32", 32.0, 1.0, 1.0, 0.0, 0}, {"weighted-64", 64.0, 1.0, 1.0, 0.5, 0},
-    {"balanced", 0.0, 1.0, 0.0, 0.0, 0},     {"sampled", 12.0, 1.0, 1.0, 0.5, 5},
+    {"first", 0.0, 0.0, 0.0, 0.0, false, 0},        {"fewest", 1000.0, 1.0, 1.0, 0.0, true, 0},
+    {"weighted-2", 2.0, 1.0, 1.0, 0.0, false, 0},   {"weighted-8", 8.0, 1.0, 1.0, 0.0, false, 0},
+    {"weighted-12", 12.0, 1.0, 1.0, 0.5, false, 0}, {"weighted-20", 20.0, 1.0, 1.0, 1.0, true, 0},
+    {"weighted-32", 32.0, 1.0, 1.0, 0.0, false, 0}, {"weighted-64", 64.0, 1.0, 1.0, 0.5, false, 0},
+    {"balanced", 0.0, 1.0, 0.0, 0.0, false, 0},     {"sampled", 12.0, 1.0, 1.0, 0.5, false, 5},
 };
 const size_t splitter_count = sizeof splitters / sizeof *splitters;
 
@@ -89,14 +91,13 @@ static double division_cost(const struct splitter *splitter, const struct bsp *b
 static uint32_t *list_groups(const struct bsp *bsp, const uint32_t *list, size_t count, size_t *group_count)
 {
     uint32_t *groups = grow_zeroed(count, sizeof *groups);
-    bool *seen = grow_zeroed(bsp->coplanar->count, sizeof *seen);
+    struct map seen = {0};
     *group_count = 0;
     for (size_t i = 0; i < count; i++) {
         uint32_t group = piece_group(bsp, list[i]);
-        if (!seen[group]) groups[(*group_count)++] = group;
-        seen[group] = true;
+        if (*map_at(&seen, group, (uint32_t)*group_count) == *group_count) groups[(*group_count)++] = group;
     }
-    free(seen);
+    map_free(&seen);
     return groups;
 }
 
@@ -114,7 +115,6 @@ static uint32_t cheapest(const struct splitter *splitter, const struct bsp *bsp,
 {
     size_t group_count, affordable = TRIALS_A_NODE / count;
     uint32_t *groups = list_groups(bsp, list, count, &group_count);
-    if (affordable < CANDIDATES_MIN) affordable = CANDIDATES_MIN;
     size_t tries = group_count < affordable ? group_count : affordable;
     uint64_t state = UINT64_C(0x9E3779B97F4A7C15) + count + ((uint64_t)list[0] << 32);
     if (splitter->samples) tries = splitter->samples;
@@ -130,10 +130,23 @@ static uint32_t cheapest(const struct splitter *splitter, const struct bsp *bsp,
     return best;
 }
 
+/* Every so many pieces of the list. */
+static uint32_t cheapest_of_sample(const struct splitter *splitter, const struct bsp *bsp, const uint32_t *list,
+                                   size_t count, double *best_cost)
+{
+    uint32_t sample[SAMPLE];
+    for (size_t i = 0; i < SAMPLE; i++)
+        sample[i] = list[i * count / SAMPLE];
+    const uint32_t best = cheapest(splitter, bsp, sample, SAMPLE, best_cost);
+    *best_cost *= (double)count / SAMPLE;
+    return best;
+}
+
 uint32_t splitter_choose(const struct splitter *splitter, const struct bsp *bsp, const uint32_t *list, size_t count,
                          double *cost)
 {
     *cost = 0.0;
     if (splitter == &splitters[0] || count == 1) return piece_group(bsp, list[0]);
-    return cheapest(splitter, bsp, list, count, cost);
+    return count > LONG_LIST ? cheapest_of_sample(splitter, bsp, list, count, cost)
+                             : cheapest(splitter, bsp, list, count, cost);
 }

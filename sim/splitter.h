@@ -15,8 +15,11 @@ struct splitter {
     const char *name;
     double split_cost, imbalance_cost, coplanar_gain;
     double lopsided_cost; /* for each polygon of a list of which one side gets less than a tenth */
+    bool for_many;        /* "auto" tries it on more than SPLITTER_MANY polygons, too */
     size_t samples;       /* candidates, drawn at random from the list; 0: as many as time allows, evenly chosen */
 };
+
+enum { SPLITTER_MANY = 20000 };
 
 /* All heuristics. The first takes the list's first polygon whatever it costs. */
 extern const struct splitter splitters[];

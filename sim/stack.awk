@@ -2,7 +2,8 @@
 #
 # The worst-case stack of functions, from what gcc -fcallgraph-info=su writes: awk -f sim/stack.awk
 # -v roots='lim_init lim_frame' [-v calls='span.c=paint_piece ...'] [-v outside='paint.c ...'] *.ci
-# `calls` says where a file's calls through a pointer lead, to one function or several of which some are linked; those
+# `calls` says where a file's calls through a pointer lead, to one function or several of which some are linked; "none"
+# among them is a pointer that nobody sets where the others are not linked. Those
 # of the files in `outside` lead to somebody else's functions, whose stack comes on top. Prints the bytes of the deepest root, and the path there. An
 # error: recursion, a frame without bound, a pointer not accounted for. `only`, if given, are the functions that were linked:
 # no other counts.
@@ -81,7 +82,7 @@ function deepest_of(names,   list, n, i, bytes, most_b, most) {
         most_b = bytes
         most = by_name[list[i]]
     }
-    if (!most) fail(names ": no such function")
+    if (!most && ("|" names "|") !~ /\|none\|/) fail(names ": no such function")
     return most
 }
 
@@ -99,6 +100,7 @@ function deepest(title,   list, n, i, callee, below_b, most_b, name) {
     for (i = 1; i <= n; i++) {
         callee = list[i]
         if (sub(/^\*/, "", callee)) callee = deepest_of(callee)
+        if (callee == "") continue
         below_b = deepest(callee)
         if (below_b <= most_b) continue
         most_b = below_b

@@ -52,7 +52,7 @@ bool tree_choice_compile(const struct mesh *mesh, const struct compile_options *
 {
     if (!compile_mesh(mesh, options, out, err)) return false;
     const bool is_open = options->trial != TRIAL_NEVER && options->tree == TREE_AUTO;
-    if (!is_open || out->report.draws != LIM_NEAREST_FIRST) return true;
+    if (!is_open || (out->report.draws != LIM_NEAREST_FIRST && out->report.draws != LIM_SCANLINE)) return true;
     const struct compile_report *bsp = &out->report;
     const bool unasked = options->trial == TRIAL_IF_SPLIT;
     if (isnan(bsp->instructions))

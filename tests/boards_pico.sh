@@ -29,6 +29,20 @@ cycles_add_up() {
         END { exit !n || wrong }' "$work/said"
 }
 
+# But for the first frame, which nothing went before, a frame takes hardly longer than its bytes.
+is_bound_by_the_bus() {
+    awk '/^# cycles frame [1-9]/ { total += $6 }
+        /^# bus frame [1-9]/ { bus += $8 }
+        END { printf "%.3f of the bus\n", total / bus; exit !(total > bus && total < 1.05 * bus) }' "$work/said"
+}
+
+# Without the next frame's walk to do it waits, and draws the same.
+waits_with_one_renderer() {
+    board emulate N=4 STREAM=no && grep -q 'one renderer; 960 bytes' "$work/said" &&
+        awk '/^# cycles frame [1-9]/ { total += $6 } /^# bus frame [1-9]/ { bus += $8 }
+            END { exit !(total > 1.15 * bus) }' "$work/said"
+}
+
 # The SPI stops in the second frame, and for one more start: the LED tells the port's trouble by three blinks each time,
 # and the frames that follow are those of the path from its beginning.
 recovers() {
@@ -80,6 +94,8 @@ refuses() { # PATTERN COMMAND...
 tap_check "eight frames of rooms, each pixel as the simulator draws it" frames_are_golden
 tap_check "the next line is painted while DMA sends the last" paints_while_dma_sends
 tap_check "walking, painting and waiting are all that a frame takes" cycles_add_up
+tap_check "the bus, at 62.5 MHz, is what limits rooms" is_bound_by_the_bus
+tap_check "with one renderer the frames are the same, and later" waits_with_one_renderer
 tap_check "when the SPI stops the LED tells it, and the path begins anew when it works again" recovers
 tap_check "a damaged second stage is not entered" damaged_stage_is_not_entered
 tap_check "make flash copies to the boot drive, where that is mounted" flashes_by_drive

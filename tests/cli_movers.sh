@@ -195,7 +195,7 @@ tap_check "a textured mover has one colour, and a line says so" textured_says_so
 no_firmware() { ! "$BUILD/limner" compile $model --method newell -o "$work/sorted" >/dev/null 2>"$work/said" && [ ! -e "$work/sorted.h" ] &&
     grep -q '^limner: --method newell: it moves no objects' "$work/said"; }
 tap_check "nor is firmware made for it" no_firmware
-tap_check "a method without a tree moves nothing" refused '^limner: .*--method newell: it moves no objects; methods that walk a tree do$' $model --method newell
+tap_check "a method without a tree moves nothing" refused '^limner: .*--method newell: it moves no objects; nearest and painter do, with any tree$' $model --method newell
 tap_check "an unknown way in is refused" refused '^limner: --movers x: no such way; there are clipped, centre and off$' $model --movers x
 tap_check "an unknown light is refused" refused '^limner: --mover-light x: no such light; there are baked and turning$' \
     $model --mover-light x

@@ -104,6 +104,65 @@ tap_check "nor is one to be made for that" refuses '--method painter --tree none
 tap_check "two trees are one too many" refuses '--method bsp --tree clusters: that method has a tree of its own' \
     measure sim/scenes/knot.obj --tree clusters --method bsp
 tap_check "newell's options go with newell" refuses '--newell: goes with --method newell' render sim/scenes/knot.obj --newell one
+# A solid shows most of what the walk reaches: there scan lines cost less. Rooms hide most of it, and are not even tried.
+scans() { # WORDS OPTION...
+    words=$1
+    shift
+    "$BUILD/limner" compile sim/scenes/teapot.obj "$@" --report >"$work/report" && grep "^RAM .*$words\$" "$work/report"
+}
+scans_teapot() {
+    scans 'by scan lines' -o "$work/pot" && [ "$(awk '$1 == "tree" { print $2 }' "$work/report")" = clusters ] &&
+        grep -q 'SCENE_METHOD LIM_SCANLINE$' "$work/pot.h" && grep -q 'LIM_HAS_SCANLINE 1$' "$work/pot.h" &&
+        grep -q 'LIM_HAS_NEAREST 0$' "$work/pot.h" || return 1
+    grep -A 1 '^  drawn by scan lines: ' "$work/report"
+    awk '/drawn by scan lines:/ { less = $5; more = $8 }
+        /bytes of working memory/ { ram = $1; other = $4 }
+        /instructions a frame/ { said = $4 }
+        $1 == "working" { needs = $NF }
+        END { exit !(less > 0 && less <= 0.95 * more && said == less && ram == needs && other > 0 && ram + 960 < 17500) }' \
+        "$work/report"
+}
+tap_check "teapot is compiled for scan lines, with clusters, in less than 18 KB, and the report says why" scans_teapot
+shows_the_same() { # METHOD...: as compiled for scan lines, and never out of memory
+    for method; do
+        "$BUILD/limner" render "$work/pot.lim" --camera sim/scenes/teapot.cam --method "$method" --stats \
+            --write-hashes "$work/$method" >"$work/stats" && [ "$(awk '
+                $1 == "frame" { for (i = 1; i <= NF; i++) if ($i == "bands") column = i }
+                $1 == "worst" { print $column }' "$work/stats")" = 0 ] || return 1
+    done
+    cmp "$work/nearest" "$work/scanline"
+}
+tap_check "compiled for scan lines, its limits do for both orders, which show the same" shows_the_same nearest scanline
+stays_nearest() {
+    for asked in '--method nearest' --wireframe --antialias --delta --frame; do
+        # shellcheck disable=SC2086 # an option and its value
+        scans 'nearest first' $asked && ! grep 'scan lines' "$work/report" || return 1
+    done
+    "$BUILD/limner" compile sim/scenes/rooms.obj --report >"$work/report" && ! grep 'scan lines' "$work/report"
+}
+tap_check "not so for what they cannot paint, nor rooms, nor where a method is asked for" stays_nearest
+obeys() { scans 'by scan lines' --method scanline --tree bsp && ! grep 'drawn by scan lines' "$work/report"; }
+tap_check "--method scanline is obeyed, with any tree" obeys
+for option in --wireframe --antialias --delta; do
+    tap_check "--method scanline $option is refused" \
+        refuses ".*--method scanline: $option is drawn nearest first; take --method nearest" \
+        compile sim/scenes/teapot.obj --method scanline $option --report
+    tap_check "render --method scanline $option is refused" \
+        refuses ".*--method scanline: $option is drawn nearest first; take --method nearest" \
+        render sim/scenes/teapot.obj --method scanline $option
+done
+tap_check "--method scanline --frame is refused" \
+    refuses '.*--method scanline: --frame is drawn nearest first; take --method nearest' \
+    compile sim/scenes/teapot.obj --method scanline --frame --report
+for command in 'compile sim/scenes/glass.obj --report' 'render sim/scenes/glass.obj'; do
+    # shellcheck disable=SC2086 # a command and its arguments
+    tap_check "${command%% *}: --method scanline is refused for glass" \
+        refuses '.*--method scanline: textures and glass are drawn nearest first; take --method nearest' $command --method scanline
+done
+tap_check "--method scanline is refused where objects move" \
+    refuses '--method scanline: it moves no objects; nearest and painter do, with any tree' \
+    compile sim/scenes/movers.gltf --method scanline --report
+
 unpredicted() {
     "$BUILD/limner" compile sim/scenes/glass.obj --report >"$work/report" &&
         grep -q 'chosen:  *no cost is predicted' "$work/report" || return 1

@@ -17,7 +17,8 @@ struct closed_run_plan {
 struct closed_run_sum {
     const struct core *profile;
     struct holes holes;
-    size_t doubled; /* pixels written twice in a frame, or never */
+    size_t unwritten; /* pixels that nothing was written to in a frame */
+    size_t overdrawn; /* that were written more often than once, each time */
     size_t splits, folded, bands;
 };
 
@@ -25,7 +26,7 @@ struct closed_run_sum {
  * ends the test. */
 size_t closed_run(const struct closed_run_plan *plan, struct closed_run_sum sums[PROFILES_MAX]);
 
-/* A line for each; holes and doubled pixels fail, and so do fewer than `pixels` pixels in any profile. */
+/* A line for each; holes and unwritten pixels fail, and so do fewer than `pixels` pixels in any profile. */
 void closed_run_judge(const struct closed_run_sum *sums, size_t count, size_t pixels);
 
 #endif

@@ -61,14 +61,27 @@ check_variants() { # TARGET: other profiles, other screen coordinates, fewer fea
     check_variant "$1" -DLIM_MAX_SIDE_PX=240 -DLIM_HAS_STATS=0 -DLIM_HAS_PAINTER=0 || failed=1
     check_variant "$1" -DLIM_HAS_STATS=0 -DLIM_HAS_PAINTER=0 -DLIM_HAS_NEAREST=0 -DLIM_HAS_DEPTH=0 -DLIM_HAS_NEWELL=0 \
         -DLIM_HAS_CULL=0 -DLIM_HAS_LARGE=0 -DLIM_HAS_SLANTED=0 || failed=1
+    check_variant "$1" -DLIM_HAS_STATS=0 -DLIM_HAS_PAINTER=0 -DLIM_HAS_NEAREST=0 -DLIM_HAS_DEPTH=0 -DLIM_HAS_NEWELL=0 \
+        -DLIM_HAS_CONVEX=0 -DLIM_MAX_SIDE_PX=240 || failed=1
+    check_variant "$1" -DLIM_HAS_PAINTER=0 -DLIM_HAS_NEAREST=0 -DLIM_HAS_DEPTH=0 -DLIM_HAS_NEWELL=0 -DLIM_HAS_CONVEX=0 \
+        -DLIM_HAS_TEXTURE=0 -DLIM_HAS_TRANSPARENT=0 -DLIM_HAS_WIREFRAME=0 -DLIM_HAS_ANTIALIAS=0 -DLIM_HAS_DELTA=0 \
+        -DLIM_HAS_ROUND=0 || failed=1
     return $failed
 }
 
 sizes_hold() { # TARGET
     compile "$1" "$work/sizes.o" tests/targets/sizes.c -DLIM_HAS_STATS=0 -DLIM_MAX_SIDE_PX=240 &&
         compile "$1" "$work/sizes.o" tests/targets/sizes.c -DLIM_HAS_STATS=0 -DLIM_MAX_SIDE_PX=480 &&
+        compile "$1" "$work/sizes.o" tests/targets/sizes.c -DLIM_HAS_STATS=0 -DLIM_MAX_SIDE_PX=240 -DLIM_HAS_WIDE=0 &&
         compile "$1" "$work/sizes.o" tests/targets/sizes.c -DLIM_HAS_STATS=0 -DLIM_MAX_SIDE_PX=240 -DLIM_HAS_TEXTURE=0 &&
-        compile "$1" "$work/sizes.o" tests/targets/sizes.c -DLIM_HAS_STATS=0 -DLIM_MAX_SIDE_PX=240 -DLIM_PROFILE=LIM_PROFILE_FINE
+        compile "$1" "$work/sizes.o" tests/targets/sizes.c -DLIM_HAS_STATS=0 -DLIM_MAX_SIDE_PX=240 -DLIM_HAS_ANTIALIAS=0 &&
+        compile "$1" "$work/sizes.o" tests/targets/sizes.c -DLIM_HAS_STATS=0 -DLIM_MAX_SIDE_PX=240 -DLIM_HAS_ANTIALIAS=0 -DLIM_HAS_TEXTURE=0 || return 1
+    for profile in FINE EXACT; do
+        for has in 0 1; do
+            compile "$1" "$work/sizes.o" tests/targets/sizes.c -DLIM_HAS_STATS=0 -DLIM_MAX_SIDE_PX=240 -DLIM_PROFILE=LIM_PROFILE_$profile &&
+                compile "$1" "$work/sizes.o" tests/targets/sizes.c -DLIM_HAS_STATS=0 -DLIM_MAX_SIDE_PX=240 -DLIM_PROFILE=LIM_PROFILE_$profile -DLIM_HAS_ANTIALIAS=0 -DLIM_HAS_TEXTURE=$has || return 1
+        done
+    done
 }
 
 # Integer support of libgcc, by the ABI's names: arithmetic on 8 to 64 bits (no sf, df: those are

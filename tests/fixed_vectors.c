@@ -302,7 +302,7 @@ static int64_t random_edges(uint32_t *random)
     lim_edge_begin(&pair, 3, shape.first);
     for (int16_t y = shape.top;;) {
         lim_edge_advance(&pair, at, 3, y);
-        hash = hash_s64(hash, (int64_t)pair.left.x * 4096 + pair.right.x);
+        hash = hash_s64(hash, (int64_t)lim_edge_x(&pair.left) * 4096 + lim_edge_x(&pair.right));
         if (++y >= shape.bottom) return hash;
     }
 }
@@ -311,7 +311,7 @@ static void side_vectors(struct report *report)
 {
     enum { SIDES = 3 };
     static const LIM_FLASH struct lim_plane_exact exact[1] = {{{INT32_MAX, -INT32_MAX, 1}, 32767, UINT32_MAX}};
-    static const LIM_FLASH struct lim_plane planes[2] = {LIM_PLANE(16383, 0, -16384, LIM_NONE, 0),
+    static const LIM_FLASH struct lim_plane planes[2] = {LIM_PLANE(16383, 0, -16384, LIM_NO_INDEX, 0),
                                                          LIM_PLANE(8191, -8191, 0, 0, 536805376)};
     static const LIM_FLASH struct lim_plane_ref refs[SIDES] = {
         {LIM_PLANE_X, -32768},

@@ -26,7 +26,7 @@ static void make_vertices(struct fuzz_scene *made, struct fuzz_bytes *bytes)
 {
     made->scene.vertex_count = (uint16_t)(3 + fuzz_below(bytes, FUZZ_VERTICES_MAX - 2));
     if (fuzz_below(bytes, 2)) made->scene.fractions = made->fractions;
-    for (int i = 0; i < made->scene.vertex_count; i++) {
+    for (lim_index i = 0; i < made->scene.vertex_count; i++) {
         made->vertices[i] = (struct lim_vertex){coordinate(bytes), coordinate(bytes), coordinate(bytes)};
         if (made->scene.fractions)
             made->fractions[i] = (struct lim_fraction){fraction_q8(bytes), fraction_q8(bytes), fraction_q8(bytes)};
@@ -35,24 +35,24 @@ static void make_vertices(struct fuzz_scene *made, struct fuzz_bytes *bytes)
 
 /* Runs --------------------------------------------------------------------------------------- */
 
-static uint16_t make_run(struct fuzz_scene *made, struct fuzz_bytes *bytes)
+static lim_index make_run(struct fuzz_scene *made, struct fuzz_bytes *bytes)
 {
     struct lim_scene *scene = &made->scene;
-    const uint16_t run = scene->polygon_words;
+    const lim_index run = scene->polygon_words;
     const uint8_t records = fuzz_below(bytes, FUZZ_RUN_MAX + 1);
 
     for (uint8_t k = 1; k <= records; k++) {
         const uint8_t corners = (uint8_t)(3 + fuzz_below(bytes, FUZZ_CORNERS_MAX - 2));
-        uint16_t *word = &made->polygons[scene->polygon_words];
-        *word++ = (uint16_t)(corners | (k == records ? LIM_POLYGON_LAST : 0));
+        lim_index *word = &made->polygons[scene->polygon_words];
+        *word++ = (lim_index)(corners | (k == records ? LIM_POLYGON_LAST : 0));
         *word++ = fuzz_u8(bytes);
         for (uint8_t i = 0; i < corners; i++)
             *word++ = fuzz_below(bytes, scene->vertex_count);
-        scene->polygon_words = (uint16_t)(scene->polygon_words + LIM_POLYGON_HEAD_WORDS + corners);
+        scene->polygon_words = (lim_index)(scene->polygon_words + LIM_POLYGON_HEAD_WORDS + corners);
         scene->polygon_count++;
         if (corners > scene->limits.vertices) scene->limits.vertices = corners;
     }
-    return records ? run : LIM_NONE;
+    return records ? run : LIM_NO_INDEX;
 }
 
 /* Planes ------------------------------------------------------------------------------------- */
@@ -100,11 +100,11 @@ static void make_plane(struct fuzz_scene *made, struct lim_node *node, struct fu
     const uint8_t kind = fuzz_below(bytes, PLANE_KINDS);
     if (kind <= PLANE_Z) {
         const int16_t at[3] = {through->x, through->y, through->z};
-        node->split.plane = (uint16_t)(LIM_PLANE_X + kind);
+        node->split.plane = (lim_index)(LIM_PLANE_X + kind);
         node->split.offset = at[kind];
         return;
     }
-    node->split.plane = (uint16_t)(made->scene.plane_count * LIM_PLANE_WORDS);
+    node->split.plane = (lim_index)(made->scene.plane_count * LIM_PLANE_WORDS);
     made->planes[made->scene.plane_count++] =
         kind == PLANE_LARGE ? large_plane(made, bytes, through) : small_plane(bytes, through, kind == PLANE_XZ);
 }
@@ -112,13 +112,14 @@ static void make_plane(struct fuzz_scene *made, struct lim_node *node, struct fu
 /* The tree ----------------------------------------------------------------------------------- */
 
 /* Hangs a node under an earlier one that has a place free; there always is one. */
-static uint16_t hang(struct lim_node *nodes, uint16_t index, struct fuzz_bytes *bytes)
+static lim_index hang(struct lim_node *nodes, lim_index index, struct fuzz_bytes *bytes)
 {
-    uint16_t parent = fuzz_below(bytes, index);
+    lim_index parent = fuzz_below(bytes, index);
 
-    while (nodes[parent].front != LIM_NONE && nodes[parent].back != LIM_NONE)
-        parent = (uint16_t)((parent + 1) % index);
-    const bool in_front = nodes[parent].front == LIM_NONE && (nodes[parent].back != LIM_NONE || fuzz_below(bytes, 2));
+    while (nodes[parent].front != LIM_NO_INDEX && nodes[parent].back != LIM_NO_INDEX)
+        parent = (lim_index)((parent + 1) % index);
+    const bool in_front =
+        nodes[parent].front == LIM_NO_INDEX && (nodes[parent].back != LIM_NO_INDEX || fuzz_below(bytes, 2));
     *(in_front ? &nodes[parent].front : &nodes[parent].back) = index;
     return parent;
 }
@@ -132,7 +133,7 @@ static void make_nodes(struct fuzz_scene *made, struct fuzz_bytes *bytes)
         struct lim_node *node = &made->nodes[i];
         if (i) depths[i] = (uint16_t)(depths[hang(made->nodes, i, bytes)] + 1);
         if (depths[i] > made->scene.limits.depth) made->scene.limits.depth = depths[i];
-        node->front = node->back = node->box = LIM_NONE;
+        node->front = node->back = node->box = LIM_NO_INDEX;
         make_plane(made, node, bytes);
         node->front_run = make_run(made, bytes);
         node->back_run = make_run(made, bytes);
@@ -142,44 +143,44 @@ static void make_nodes(struct fuzz_scene *made, struct fuzz_bytes *bytes)
 /* Leaves ------------------------------------------------------------------------------------- */
 
 /* A copy of a run to the end of made->polygons, its records with a plane of their own, if `plane` is not NULL. */
-static uint16_t copy_run(struct fuzz_scene *made, const uint16_t *from, const struct lim_plane_ref *plane,
-                         uint16_t flags)
+static lim_index copy_run(struct fuzz_scene *made, const lim_index *from, const struct lim_plane_ref *plane,
+                          lim_index flags)
 {
-    const uint16_t run = made->scene.polygon_words;
+    const lim_index run = made->scene.polygon_words;
 
     for (bool last = false; !last; from += LIM_POLYGON_HEAD_WORDS + (from[0] & LIM_POLYGON_COUNT)) {
         const size_t words = LIM_POLYGON_HEAD_WORDS + (from[0] & LIM_POLYGON_COUNT);
-        uint16_t *to = &made->polygons[made->scene.polygon_words];
+        lim_index *to = &made->polygons[made->scene.polygon_words];
         last = from[0] & LIM_POLYGON_LAST;
         memcpy(to, from, words * sizeof *to);
-        made->scene.polygon_words = (uint16_t)(made->scene.polygon_words + words);
+        made->scene.polygon_words = (lim_index)(made->scene.polygon_words + words);
         if (!plane) continue;
         to[0] |= flags;
         to[words] = plane->plane;
-        to[words + 1] = (uint16_t)plane->offset;
-        made->scene.polygon_words = (uint16_t)(made->scene.polygon_words + FUZZ_PLANE_WORDS);
+        to[words + 1] = (lim_index)plane->offset;
+        made->scene.polygon_words = (lim_index)(made->scene.polygon_words + FUZZ_PLANE_WORDS);
     }
     return run;
 }
 
 /* Both runs in one, which faces both ways. */
-static void make_leaf(struct fuzz_scene *made, struct lim_node *node, const uint16_t *polygons)
+static void make_leaf(struct fuzz_scene *made, struct lim_node *node, const lim_index *polygons)
 {
     const struct lim_plane_ref plane = node->split;
-    const uint16_t front = node->front_run, back = node->back_run;
+    const lim_index front = node->front_run, back = node->back_run;
 
-    node->split = (struct lim_plane_ref){LIM_NONE, 0};
-    node->back_run = LIM_NONE;
-    if (front != LIM_NONE) {
+    node->split = (struct lim_plane_ref){LIM_NO_INDEX, 0};
+    node->back_run = LIM_NO_INDEX;
+    if (front != LIM_NO_INDEX) {
         node->front_run = copy_run(made, polygons + front, &plane, LIM_POLYGON_PLANE);
-        if (back == LIM_NONE) return;
-        uint16_t *last = &made->polygons[node->front_run];
+        if (back == LIM_NO_INDEX) return;
+        lim_index *last = &made->polygons[node->front_run];
         while (!(*last & LIM_POLYGON_LAST))
             last += lim_record_words(*last);
-        *last &= (uint16_t)~LIM_POLYGON_LAST;
+        *last &= (lim_index)~LIM_POLYGON_LAST;
     }
-    const uint16_t second = copy_run(made, polygons + back, &plane, LIM_POLYGON_PLANE | LIM_POLYGON_BACK);
-    if (front == LIM_NONE) node->front_run = second;
+    const lim_index second = copy_run(made, polygons + back, &plane, LIM_POLYGON_PLANE | LIM_POLYGON_BACK);
+    if (front == LIM_NO_INDEX) node->front_run = second;
 }
 
 /* Childless nodes with polygons become leaves as the bits say. These come last of all, so older inputs still mean what
@@ -187,20 +188,20 @@ static void make_leaf(struct fuzz_scene *made, struct lim_node *node, const uint
 static void make_leaves(struct fuzz_scene *made, struct fuzz_bytes *bytes)
 {
     const uint16_t wanted = fuzz_u16(bytes);
-    uint16_t polygons[FUZZ_WORDS_MAX];
+    lim_index polygons[FUZZ_WORDS_MAX];
 
     if (!wanted) return;
     memcpy(polygons, made->polygons, sizeof polygons);
     made->scene.polygon_words = 0;
     for (uint16_t i = 0; i < made->scene.node_count; i++) {
         struct lim_node *node = &made->nodes[i];
-        const bool childless = node->front == LIM_NONE && node->back == LIM_NONE;
-        if (childless && (wanted >> i & 1) && (node->front_run != LIM_NONE || node->back_run != LIM_NONE)) {
+        const bool childless = node->front == LIM_NO_INDEX && node->back == LIM_NO_INDEX;
+        if (childless && (wanted >> i & 1) && (node->front_run != LIM_NO_INDEX || node->back_run != LIM_NO_INDEX)) {
             make_leaf(made, node, polygons);
             continue;
         }
-        if (node->front_run != LIM_NONE) node->front_run = copy_run(made, polygons + node->front_run, NULL, 0);
-        if (node->back_run != LIM_NONE) node->back_run = copy_run(made, polygons + node->back_run, NULL, 0);
+        if (node->front_run != LIM_NO_INDEX) node->front_run = copy_run(made, polygons + node->front_run, NULL, 0);
+        if (node->back_run != LIM_NO_INDEX) node->back_run = copy_run(made, polygons + node->back_run, NULL, 0);
     }
 }
 
@@ -212,7 +213,7 @@ static void make_boxes(struct fuzz_scene *made, struct fuzz_bytes *bytes)
     struct bounds bounds[FUZZ_NODES_MAX];
 
     bounds_of_subtrees(&made->scene, bounds);
-    for (uint16_t i = made->scene.node_count; i-- > 0;) {
+    for (lim_index i = made->scene.node_count; i-- > 0;) {
         if (!bounds[i].polygons || fuzz_below(bytes, 2)) continue;
         made->nodes[i].box = made->scene.box_count;
         made->boxes[made->scene.box_count++] = bounds_box(&bounds[i]);

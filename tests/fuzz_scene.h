@@ -25,7 +25,7 @@ struct fuzz_scene {
     struct lim_plane planes[FUZZ_NODES_MAX];
     struct lim_plane_exact exact[FUZZ_NODES_MAX];
     struct lim_box boxes[FUZZ_NODES_MAX];
-    uint16_t polygons[FUZZ_WORDS_MAX];
+    lim_index polygons[FUZZ_WORDS_MAX];
 };
 
 void fuzz_scene_make(struct fuzz_scene *made, struct fuzz_bytes *bytes);

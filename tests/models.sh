@@ -13,7 +13,7 @@ outcome() { # MODEL, path in the folder
     mkdir -p "$frames"
     # shellcheck disable=SC3045 # Debian's sh has it
     ulimit -v 2000000
-    timeout -k 5 60 "$BUILD/limner" render "$folder/$1" --size 96x96 -o "$frames/%03d.png" \
+    timeout -k 5 180 "$BUILD/limner" render "$folder/$1" --size 96x96 -o "$frames/%03d.png" \
         >/dev/null 2>"$work/errors" </dev/null
     status=$?
     count=$(find "$frames" -type f | wc -l)
@@ -23,7 +23,7 @@ outcome() { # MODEL, path in the folder
     elif [ $status -eq 1 ] && [ "$lines" -eq 1 ] && [ "$count" -eq 0 ]; then
         text="refused: $(sed "s,^limner: ,,; s,$folder/,,g" "$work/errors")"
     elif [ $status -eq 124 ]; then
-        text='BROKEN: took over a minute'
+        text='BROKEN: took over three minutes'
     else
         text="BROKEN: status $status, $lines lines of error, $count frames"
     fi

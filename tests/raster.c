@@ -26,7 +26,7 @@ static void add_plain(struct coverage *coverage, const struct lim_edge_shape *sh
     lim_edge_begin(&pair, n, shape->first);
     for (int16_t y = shape->top;;) {
         lim_edge_advance(&pair, at, n, y);
-        add_interval(coverage, y, pair.left.x, pair.right.x);
+        add_interval(coverage, y, lim_edge_x(&pair.left), lim_edge_x(&pair.right));
         if (++y >= shape->bottom) return;
     }
 }

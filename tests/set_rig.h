@@ -15,11 +15,11 @@ struct set {
     struct lim_vertex vertices[SET_VERTICES];
     struct lim_plane planes[SET_POLYGONS];
     struct lim_plane_exact exact[SET_POLYGONS];
-    uint16_t polygons[SET_POLYGONS * 8];
+    lim_index polygons[SET_POLYGONS * 8];
     struct lim_node leaf;
     struct lim_scene scene;
-    uint16_t last; /* the last record */
-    uint8_t alpha; /* of what is added; 0: opaque */
+    lim_index last; /* the last record */
+    uint8_t alpha;  /* of what is added; 0: opaque */
 };
 
 /* Where a set is drawn. */
@@ -34,7 +34,7 @@ void set_init(struct set *set);
 
 /* Corners run counter-clockwise as seen from the side that it faces, and lie in one plane: that of the first three. 3
  * or 4 of them, coordinates within 4096 units. */
-void set_add(struct set *set, uint16_t name, int count, const int16_t (*corners)[3]);
+void set_add(struct set *set, lim_index name, int count, const int16_t (*corners)[3]);
 
 /* A camera at the origin that looks along -z, or along +z; 90 degrees wide and high. */
 struct lim_camera set_camera(bool along_plus_z);
@@ -46,7 +46,7 @@ void set_draw(const struct set *set, enum lim_method method, const struct lim_ne
 void set_view_free(struct set_view *view);
 
 /* The same as one sees them: x to the right, y up, the depth ahead. */
-void set_add_seen(struct set *set, uint16_t name, bool along_plus_z, int count, const int16_t (*corners)[3]);
+void set_add_seen(struct set *set, lim_index name, bool along_plus_z, int count, const int16_t (*corners)[3]);
 
 /* What the reference says of a picture of polygons named 1, 2, 3 ... in their order. */
 struct compare_counts set_compare(const struct set *set, const struct set_view *view, bool along_plus_z);

@@ -180,11 +180,11 @@ static void nothing_shines_through_seams(void **state)
     for (int s = 0; s < SCENES; s++) {
         struct closed_stage stage;
         stage_open(&stage, &random, false, true);
-        uint16_t *words = malloc(stage.scene.scene.polygon_words * sizeof *words);
+        lim_index *words = malloc(stage.scene.scene.polygon_words * sizeof *words);
         memcpy(words, stage.scene.scene.polygons, stage.scene.scene.polygon_words * sizeof *words);
         for (size_t at = 0; at < stage.scene.scene.polygon_words; at += lim_record_words(words[at]))
             words[at + 1] = 0xFFFF;
-        const uint16_t *const before = stage.scene.scene.polygons;
+        const lim_index *const before = stage.scene.scene.polygons;
         stage.scene.scene.polygons = words;
         stage.scene.scene.background = 0;
         for (int f = 0; f < FRAMES; f++) {

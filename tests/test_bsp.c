@@ -21,7 +21,7 @@ struct order {
     size_t count;
 };
 
-static bool is_in_front(const struct order *order, uint16_t node)
+static bool is_in_front(const struct order *order, lim_index node)
 {
     int64_t n[3], d;
     plane_exact(&order->scene->scene, &order->scene->scene.nodes[node].split, n, &d);
@@ -30,7 +30,7 @@ static bool is_in_front(const struct order *order, uint16_t node)
     return value > 0;
 }
 
-static size_t record_at(const struct lim_scene *scene, uint16_t run)
+static size_t record_at(const struct lim_scene *scene, lim_index run)
 {
     size_t record = 0, at = 0;
     for (; at < run; record++)
@@ -39,15 +39,16 @@ static size_t record_at(const struct lim_scene *scene, uint16_t run)
 }
 
 /* Faces of these scenes are numbered by letters; a run holds one. */
-static void name_run(struct order *order, uint16_t run)
+static void name_run(struct order *order, lim_index run)
 {
     assert_true(order->count + 1 < ORDER_MAX);
-    if (run != LIM_NONE) order->names[order->count++] = (char)order->scene->faces[record_at(&order->scene->scene, run)];
+    if (run != LIM_NO_INDEX)
+        order->names[order->count++] = (char)order->scene->faces[record_at(&order->scene->scene, run)];
 }
 
-static void walk(struct order *order, uint16_t index, bool far_to_near)
+static void walk(struct order *order, lim_index index, bool far_to_near)
 {
-    if (index == LIM_NONE) return;
+    if (index == LIM_NO_INDEX) return;
     const struct lim_node *node = &order->scene->scene.nodes[index];
     bool front = is_in_front(order, index), front_first = front != far_to_near;
     walk(order, front_first ? node->front : node->back, far_to_near);
@@ -71,10 +72,10 @@ static void assert_order(const struct compiled *scene, double x, double y, bool 
 }
 
 /* The tree as text: NAME(front,back), '-' for no child. */
-static void describe(const struct compiled *scene, uint16_t index, char *out)
+static void describe(const struct compiled *scene, lim_index index, char *out)
 {
     struct order name = {.scene = scene};
-    if (index == LIM_NONE) {
+    if (index == LIM_NO_INDEX) {
         strcat(out, "-");
         return;
     }
@@ -82,7 +83,7 @@ static void describe(const struct compiled *scene, uint16_t index, char *out)
     name_run(&name, node->front_run);
     name_run(&name, node->back_run);
     strcat(out, name.names);
-    if (node->front == LIM_NONE && node->back == LIM_NONE) return;
+    if (node->front == LIM_NO_INDEX && node->back == LIM_NO_INDEX) return;
     strcat(out, "(");
     describe(scene, node->front, out);
     strcat(out, ",");

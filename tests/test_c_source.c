@@ -42,16 +42,24 @@ static void in_folder(const char *file, char path[128])
     snprintf(path, 128, "%s/%s", folder, file);
 }
 
-/* Builds NAME.c with all warnings, as configuration of itself too, and loads it. */
-static void *build(const char *name)
+static void build_with(const char *name, const char *flag)
 {
     const char *cc = getenv("CC");
-    char command[512], library[128];
+    char command[512];
     snprintf(command, sizeof command,
-             "%s -std=c11 -Wall -Wextra -Wconversion -Wundef -Wmissing-declarations -Werror -Ifirmware -I%s "
+             "%s -std=c11 -Wall -Wextra -Wconversion -Wundef -Wmissing-declarations -Werror -Ifirmware -I%s %s "
              "-DLIM_CONFIG='\"%s.h\"' -shared -fPIC -o '%s/scene.so' '%s/%s.c'",
-             cc ? cc : "cc", folder, name, folder, folder, name);
+             cc ? cc : "cc", folder, flag, name, folder, folder, name);
     assert_int_equal(system(command), 0);
+}
+
+/* Builds NAME.c with all warnings, as configuration of itself too: as narrow as it is, then with this program's own
+ * indices, and loads that. */
+static void *build(const char *name)
+{
+    char library[128];
+    build_with(name, "");
+    build_with(name, "-DLIM_HAS_WIDE=1");
     in_folder("scene.so", library);
     void *handle = dlopen(library, RTLD_NOW | RTLD_LOCAL);
     if (!handle) fail_msg("%s", dlerror());

@@ -295,7 +295,7 @@ static double orbit_extent(const struct compiled *scene, const struct lens *lens
     for (size_t frame = 0; frame < path.count; frame++) {
         struct view_axes axes;
         viewpoint_axes(&path.frames[frame], &axes);
-        for (int v = 0; v < scene->scene.vertex_count; v++) {
+        for (lim_index v = 0; v < scene->scene.vertex_count; v++) {
             const struct lim_vertex *vertex = &scene->scene.vertices[v];
             const double units[3] = {vertex->x, vertex->y, vertex->z};
             double p[3];

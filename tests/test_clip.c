@@ -3,8 +3,11 @@
  * CLIP on polygons that rounding made not quite convex. */
 #include "clip.h"
 #include "cmocka_ready.h"
+#include "random.h"
 
 #include <math.h>
+#include <stdlib.h>
+#include <string.h>
 
 static uint32_t turn(double radians)
 {
@@ -44,10 +47,72 @@ static void an_edge_that_zigzags_across_a_clip_plane_adds_one_vertex_at_most(voi
     assert_true(zigzags > 4);
 }
 
+static struct lim_view_point any_point(struct random *random, int64_t reach_qv)
+{
+    struct lim_view_point point = {.z_qv = (int32_t)random_in(random, -reach_qv, reach_qv)};
+
+    point.x_qv = (int32_t)random_in(random, -reach_qv, reach_qv);
+    point.y_qv = (int32_t)random_in(random, -reach_qv, reach_qv);
+    return point;
+}
+
+/* How far a point is from a triangle's plane; 0: the triangle is too thin to tell. */
+static double distance_qv(const struct lim_view_point *at, const struct lim_view_point *of)
+{
+    double u[3], v[3], w[3], n[3], dot = 0, square = 0;
+
+    for (int i = 0; i < 3; i++) {
+        u[i] = (double)of[1].qv[i] - of[0].qv[i];
+        v[i] = (double)of[2].qv[i] - of[0].qv[i];
+        w[i] = (double)at->qv[i] - of[0].qv[i];
+    }
+    for (int i = 0; i < 3; i++) {
+        n[i] = u[(i + 1) % 3] * v[(i + 2) % 3] - u[(i + 2) % 3] * v[(i + 1) % 3];
+        dot += n[i] * w[i];
+        square += n[i] * n[i];
+    }
+    return square > 1e12 ? fabs(dot) / sqrt(square) : 0;
+}
+
+/* Corners on planes, a unit off them, and anywhere. */
+static void what_is_left_of_any_triangle_is_a_part_of_it_inside_of_all_planes(void **state)
+{
+    enum { POLYGONS = 200000, NEAR_QV = 1 << 15 };
+    struct random random = {57};
+    uint32_t left = 0, gone = 0;
+
+    (void)state;
+    for (int i = 0; i < POLYGONS; i++) {
+        struct lim_clip_polygon polygons[2] = {{.n = 3}};
+        struct lim_view_point whole[3];
+        const int64_t reach_qv = INT64_C(1) << random_in(&random, 16, 30);
+        for (int k = 0; k < 3; k++) {
+            struct lim_view_point *at = &polygons[0].at[k];
+            *at = any_point(&random, reach_qv - 1);
+            const int32_t twice_qv = 2 * (at->z_qv / 4);
+            if (random_u64(&random) % 4 == 0) at->x_qv = twice_qv + (int32_t)random_in(&random, -3, 3);
+            if (random_u64(&random) % 4 == 0) at->y_qv = -twice_qv + (int32_t)random_in(&random, -3, 3);
+            if (random_u64(&random) % 4 == 0) at->z_qv = NEAR_QV + (int32_t)random_in(&random, -3, 3);
+        }
+        memcpy(whole, polygons[0].at, sizeof whole);
+        const struct lim_clip_polygon *clipped = lim_clip(polygons, NEAR_QV);
+        left += clipped->n > 0;
+        gone += clipped->n == 0;
+        for (int k = 0; k < clipped->n; k++) {
+            const struct lim_view_point *at = &clipped->at[k];
+            assert_true(at->z_qv >= NEAR_QV && at->z_qv <= reach_qv + 1);
+            assert_true(llabs(at->x_qv) <= 2 * (int64_t)at->z_qv && llabs(at->y_qv) <= 2 * (int64_t)at->z_qv);
+            assert_true(distance_qv(at, whole) < 64);
+        }
+    }
+    assert_true(left > POLYGONS / 10 && gone > POLYGONS / 10);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(an_edge_that_zigzags_across_a_clip_plane_adds_one_vertex_at_most),
+        cmocka_unit_test(what_is_left_of_any_triangle_is_a_part_of_it_inside_of_all_planes),
     };
 
     return cmocka_run_group_tests_name("clip", tests, NULL, NULL);

@@ -7,6 +7,8 @@
 #include "encode.h"
 #include "lim_check.h"
 #include "mesh_rig.h"
+#include "needs.h"
+#include "width.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -67,7 +69,7 @@ static struct directed_list open_edges(const struct lim_scene *scene)
     struct directed_list edges = {.items = malloc((scene->polygon_words + 1u) * sizeof *edges.items)};
     assert_non_null(edges.items);
     for (size_t at = 0; at < scene->polygon_words;) {
-        const uint16_t count = scene->polygons[at] & LIM_POLYGON_COUNT, *corners = &scene->polygons[at + 2];
+        const lim_index count = scene->polygons[at] & LIM_POLYGON_COUNT, *corners = &scene->polygons[at + 2];
         for (size_t i = 0; i < count; i++)
             edges.items[edges.count++] =
                 directed_edge(scene->vertices[corners[i]], scene->vertices[corners[(i + 1) % count]]);
@@ -108,21 +110,21 @@ static void closed_solids_stay_closed_on_the_grid(void **state)
 /* Records ------------------------------------------------------------------------------------ */
 
 /* The records of a run, one after the other; NULL at the end. */
-static const uint16_t *run_first(const struct lim_scene *scene, uint16_t node, bool back)
+static const lim_index *run_first(const struct lim_scene *scene, lim_index node, bool back)
 {
-    uint16_t run = back ? scene->nodes[node].back_run : scene->nodes[node].front_run;
-    return run == LIM_NONE ? NULL : &scene->polygons[run];
+    lim_index run = back ? scene->nodes[node].back_run : scene->nodes[node].front_run;
+    return run == LIM_NO_INDEX ? NULL : &scene->polygons[run];
 }
 
-static const uint16_t *run_next(const uint16_t *record)
+static const lim_index *run_next(const lim_index *record)
 {
     return *record & LIM_POLYGON_LAST ? NULL : record + lim_record_words(*record);
 }
 
 /* Newell's sum of a record's corners along the node's normal; slivers may have any sign. */
-static void check_facing(const struct lim_scene *scene, uint16_t node, const uint16_t *record, bool back)
+static void check_facing(const struct lim_scene *scene, lim_index node, const lim_index *record, bool back)
 {
-    const uint16_t count = record[0] & LIM_POLYGON_COUNT, *corners = record + LIM_POLYGON_HEAD_WORDS;
+    const lim_index count = record[0] & LIM_POLYGON_COUNT, *corners = record + LIM_POLYGON_HEAD_WORDS;
     int64_t n[3], d;
     double along = 0.0, square = 0.0;
     plane_exact(scene, &scene->nodes[node].split, n, &d);
@@ -171,14 +173,14 @@ static void records_face_the_side_of_their_run(void **state)
 {
     (void)state;
     struct compiled scene = compile_solids(7, "auto");
-    for (uint16_t node = 0; node < scene.scene.node_count; node++)
+    for (lim_index node = 0; node < scene.scene.node_count; node++)
         for (int back = 0; back < 2; back++)
-            for (const uint16_t *at = run_first(&scene.scene, node, back); at; at = run_next(at))
+            for (const lim_index *at = run_first(&scene.scene, node, back); at; at = run_next(at))
                 check_facing(&scene.scene, node, at, back);
     compiled_free(&scene);
 }
 
-static void assert_inside(const struct lim_scene *scene, const uint16_t *record, const struct lim_box *box)
+static void assert_inside(const struct lim_scene *scene, const lim_index *record, const struct lim_box *box)
 {
     for (size_t i = 0; i < (*record & LIM_POLYGON_COUNT); i++) {
         const struct lim_vertex *vertex = &scene->vertices[record[LIM_POLYGON_HEAD_WORDS + i]];
@@ -189,12 +191,12 @@ static void assert_inside(const struct lim_scene *scene, const uint16_t *record,
 }
 
 /* Polygons of a subtree, all of them inside the box if there is one. */
-static size_t subtree_contents(const struct lim_scene *scene, uint16_t node, const struct lim_box *box)
+static size_t subtree_contents(const struct lim_scene *scene, lim_index node, const struct lim_box *box)
 {
-    if (node == LIM_NONE) return 0;
+    if (node == LIM_NO_INDEX) return 0;
     size_t polygons = 0;
     for (int back = 0; back < 2; back++)
-        for (const uint16_t *at = run_first(scene, node, back); at; at = run_next(at), polygons++)
+        for (const lim_index *at = run_first(scene, node, back); at; at = run_next(at), polygons++)
             if (box) assert_inside(scene, at, box);
     return polygons + subtree_contents(scene, scene->nodes[node].front, box) +
            subtree_contents(scene, scene->nodes[node].back, box);
@@ -206,10 +208,10 @@ static void boxes_hold_their_subtrees(void **state)
     struct compiled compiled = compile_solids(8, "auto");
     const struct lim_scene *scene = &compiled.scene;
     assert_true(scene->box_count > 20);
-    for (uint16_t node = 0; node < scene->node_count; node++) {
-        uint16_t box = scene->nodes[node].box;
-        size_t polygons = subtree_contents(scene, node, box == LIM_NONE ? NULL : &scene->boxes[box]);
-        assert_int_equal(box != LIM_NONE, polygons >= SUBTREE_BOX_POLYGONS);
+    for (lim_index node = 0; node < scene->node_count; node++) {
+        lim_index box = scene->nodes[node].box;
+        size_t polygons = subtree_contents(scene, node, box == LIM_NO_INDEX ? NULL : &scene->boxes[box]);
+        assert_int_equal(box != LIM_NO_INDEX, polygons >= SUBTREE_BOX_POLYGONS);
     }
     assert_int_equal(subtree_contents(scene, 0, NULL), scene->polygon_count);
     compiled_free(&compiled);
@@ -266,7 +268,7 @@ static void polygons_with_many_corners_are_divided(void **state)
     assert_int_equal(scene.scene.polygon_count, 8);
     assert_true(scene.scene.limits.vertices <= LIM_MAX_VERTICES);
     for (int back = 0; back < 2; back++)
-        for (const uint16_t *at = run_first(&scene.scene, 0, back); at; at = run_next(at))
+        for (const lim_index *at = run_first(&scene.scene, 0, back); at; at = run_next(at))
             check_facing(&scene.scene, 0, at, back);
     assert_closed(&scene);
     compiled_free(&scene);
@@ -334,17 +336,40 @@ static void unusable_meshes_are_refused_with_a_reason(void **state)
     mesh_rig_free(&mesh);
 }
 
-/* 105 x 105 tiles of 6 words each, in one plane: 615 words too many. */
-static void scenes_beyond_16_bits_are_refused_with_the_number(void **state)
+/* 105 x 105 tiles of 6 words each, in one plane: 615 words more than 16 bits count. */
+static struct mesh tiles(void)
 {
-    (void)state;
     struct mesh mesh = mesh_rig(100.0);
     for (int i = 0; i < 105; i++)
         for (int k = 0; k < 105; k++) {
             const double corners_m[4][3] = {{i, 0, k}, {i, 0, k + 1}, {i + 1, 0, k + 1}, {i + 1, 0, k}};
             mesh_rig_add(&mesh, corners_m, 4);
         }
-    assert_refused(&mesh, "first", "66150 words of polygons, 65535 are the most (615 too many)");
+    return mesh;
+}
+
+static void scenes_beyond_16_bits_are_wide(void **state)
+{
+    (void)state;
+    struct mesh mesh = tiles();
+    const struct compile_options options = {.tolerance_units = 0.5, .splitter = "first"};
+    struct compiled scene;
+    struct error err;
+    if (!compile_mesh(&mesh, &options, &scene, &err)) fail_msg("%s", err.text);
+    assert_int_equal(scene.scene.polygon_words, 66150);
+    assert_true(width_is_wide(&scene.scene));
+    assert_true(needs_of(&scene, NULL).wide);
+    compiled_free(&scene);
+    mesh_rig_free(&mesh);
+}
+
+static void textured_scenes_beyond_16_bits_are_refused_with_the_number(void **state)
+{
+    (void)state;
+    struct mesh mesh = tiles();
+    mesh.texture_count = 1; /* none is ever looked at */
+    assert_refused(&mesh, "first", "66150 words of polygons with textures, 65535 are the most (615 too many)");
+    mesh.texture_count = 0;
     mesh_rig_free(&mesh);
 }
 
@@ -472,7 +497,8 @@ int main(void)
         cmocka_unit_test(compiling_twice_gives_the_same_bytes),
         cmocka_unit_test(whatever_is_compiled_passes_the_check_of_files),
         cmocka_unit_test(unusable_meshes_are_refused_with_a_reason),
-        cmocka_unit_test(scenes_beyond_16_bits_are_refused_with_the_number),
+        cmocka_unit_test(scenes_beyond_16_bits_are_wide),
+        cmocka_unit_test(textured_scenes_beyond_16_bits_are_refused_with_the_number),
         cmocka_unit_test(benchmark_scenes_get_no_new_cracks),
         cmocka_unit_test(rooms_need_few_splits_and_little_flash),
     };

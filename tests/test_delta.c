@@ -246,6 +246,8 @@ static void any_memory_shows_whole_frames(void **state)
 static void any_method_shows_whole_frames(void **state)
 {
     fly(*state, LIM_PAINTER, false, false, NULL, RUNS);
+    fly(*state, LIM_SCANLINE, false, false, NULL, RUNS);
+    fly(*state, LIM_SCANLINE, true, true, NULL, RUNS);
     fly(*state, LIM_DEPTH, false, false, NULL, RUNS);
     fly(*state, LIM_NEWELL, false, false, NULL, RUNS);
 }

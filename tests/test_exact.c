@@ -141,6 +141,7 @@ enum { FIT_POINTS = 500 };
 
 struct fit_rig {
     double corners[4][3], points[FIT_POINTS][3];
+    struct point_blocks blocks;
     struct plane_fit fit;
 };
 
@@ -165,11 +166,9 @@ static void fit_setup(struct fit_rig *rig, struct random *random, const double n
         for (int k = 0; k < 3; k++)
             rig->points[i][k] = at[k] + u * along[k] + v * across[k] + off * normal[k];
     }
-    rig->fit = (struct plane_fit){.corners = rig->corners,
-                                  .corner_count = 4,
-                                  .points = rig->points,
-                                  .point_count = FIT_POINTS,
-                                  .tolerance_units = tolerance};
+    point_blocks_build(&rig->blocks, rig->points, FIT_POINTS);
+    rig->fit = (struct plane_fit){
+        .corners = rig->corners, .corner_count = 4, .blocks = &rig->blocks, .tolerance_units = tolerance};
     memcpy(rig->fit.normal, normal, sizeof rig->fit.normal);
 }
 

@@ -13,7 +13,7 @@
 #include <string.h>
 
 enum { MAX_W_PX = 84, MAX_H_PX = 48, SCENES = 10, FRAMES = 800, BOX_FRAMES = 20000, VIEWS = 200000 };
-enum { CULL_VIEWS = 40000, CULL_POINTS = 30, ROLLED_FRAMES = 60, ROLLED_PX = 64 };
+enum { CULL_VIEWS = 40000, CULL_POINTS = 30, CULL_WALKS = 4000, ROLLED_FRAMES = 60, ROLLED_PX = 64 };
 
 /* No box: the whole grid may be full. */
 static const struct lim_scene grid_scene = {0};
@@ -129,7 +129,8 @@ static void draw(struct canvas *canvas, const struct lim_scene *scene, const str
     assert_int_equal(lim_frame(&lim, camera), LIM_OK);
     assert_done_once(canvas, w_px, h_px);
     *stats = *lim_stats(&lim);
-    if (method == LIM_NEAREST_FIRST) assert_int_equal(stats->pixels_painted + stats->pixels_background, w_px * h_px);
+    if (method == LIM_NEAREST_FIRST || method == LIM_SCANLINE)
+        assert_true(stats->pixels_painted + stats->pixels_background >= (uint32_t)w_px * h_px);
     free(mem);
 }
 
@@ -195,6 +196,8 @@ static void any_camera_paints_the_same_pixels_once_in_any_memory_and_order(void 
             assert_memory_equal(comfortable.pixels, least.pixels, sizeof least.pixels);
             draw(&painter, &stage.scene.scene, &camera, size[0], size[1], LIM_PAINTER, false, &stats);
             assert_memory_equal(comfortable.pixels, painter.pixels, sizeof painter.pixels);
+            draw(&painter, &stage.scene.scene, &camera, size[0], size[1], LIM_SCANLINE, f % 2, &stats);
+            assert_memory_equal(comfortable.pixels, painter.pixels, sizeof painter.pixels);
         }
         stage_free(&stage);
     }
@@ -234,7 +237,7 @@ static void rolled_and_long_views_of_closed_scenes_show_no_background(void **sta
 struct box {
     struct lim_vertex vertices[8]; /* bit i of the index: the high end of axis i */
     struct lim_node nodes[6];
-    uint16_t polygons[6 * 6];
+    lim_index polygons[6 * 6];
     struct lim_scene scene;
 };
 
@@ -247,15 +250,15 @@ static void box_make(struct box *box, const int16_t low[3], const int16_t high[3
         const int axis = side / 2, u = 1 << (axis + 1) % 3, v = 1 << (axis + 2) % 3;
         const bool far = side % 2;
         const int base = far ? 1 << axis : 0;
-        const uint16_t run = (uint16_t)(side * 6), next = side == 5 ? LIM_NONE : (uint16_t)(side + 1);
-        const uint16_t record[6] = {LIM_POLYGON_LAST | 4,     (uint16_t)(side + 1),
-                                    (uint16_t)base,           (uint16_t)(base + (far ? v : u)),
-                                    (uint16_t)(base + u + v), (uint16_t)(base + (far ? u : v))};
+        const lim_index run = (lim_index)(side * 6), next = side == 5 ? LIM_NO_INDEX : (lim_index)(side + 1);
+        const lim_index record[6] = {LIM_POLYGON_LAST | 4,     (lim_index)(side + 1),
+                                     (uint16_t)base,           (uint16_t)(base + (far ? v : u)),
+                                     (uint16_t)(base + u + v), (uint16_t)(base + (far ? u : v))};
         memcpy(&box->polygons[run], record, sizeof record);
-        box->nodes[side] =
-            (struct lim_node){.split = {(uint16_t)(LIM_PLANE_X + axis), far ? high[axis] : low[axis]}, .box = LIM_NONE};
-        box->nodes[side].front = box->nodes[side].back = LIM_NONE;
-        box->nodes[side].front_run = box->nodes[side].back_run = LIM_NONE;
+        box->nodes[side] = (struct lim_node){.split = {LIM_PLANE_X + (lim_index)axis, far ? high[axis] : low[axis]},
+                                             .box = LIM_NO_INDEX};
+        box->nodes[side].front = box->nodes[side].back = LIM_NO_INDEX;
+        box->nodes[side].front_run = box->nodes[side].back_run = LIM_NO_INDEX;
         *(far ? &box->nodes[side].back : &box->nodes[side].front) = next;
         *(far ? &box->nodes[side].back_run : &box->nodes[side].front_run) = run;
     }
@@ -406,6 +409,64 @@ static void no_box_with_a_vertex_on_an_open_pixel_is_culled(void **state)
     assert_true(tested > CULL_VIEWS);
 }
 
+/* A walk through boxes in boxes: `skipped` counts the subtrees that needed no test. */
+struct descent {
+    struct lim_cull cull;
+    struct random random;
+    uint32_t skipped, outside;
+};
+
+static struct lim_box part_of(const struct lim_box *whole, struct random *random)
+{
+    struct lim_box part;
+
+    for (int i = 0; i < 3; i++) {
+        const int64_t low = whole->centre[i] - whole->half[i], high = whole->centre[i] + whole->half[i];
+        const int64_t from = random_in(random, low, high), to = random_in(random, from, high);
+        part.centre[i] = (int16_t)floor((double)(from + to) / 2);
+        part.half[i] = (uint16_t)(to - part.centre[i]);
+    }
+    return part;
+}
+
+/* The near half one deeper on the stack, the far half as deep: like WALK. */
+static void descend(struct descent *descent, const struct lim_box *box, uint16_t depth, int levels)
+{
+    const bool inside = descent->cull.inside_depth <= depth;
+    const bool enters = inside || lim_cull_enters(&descent->cull, box, depth);
+
+    assert_true(enters == lim_cull_sees(&descent->cull, box));
+    descent->skipped += inside;
+    descent->outside += !enters;
+    if (!enters || !levels) return;
+    const struct lim_box near = part_of(box, &descent->random), far = part_of(box, &descent->random);
+    descend(descent, &near, (uint16_t)(depth + 1), levels - 1);
+    descend(descent, &far, depth, levels - 1);
+}
+
+static void a_walk_that_remembers_what_it_is_inside_of_skips_what_all_planes_would(void **state)
+{
+    static const struct lim_box grid = {{0, 0, 0}, {32767, 32767, 32767}};
+    struct descent descent = {.random = {56}};
+    struct lim_view_cached cache[LIM_VIEW_CACHE_ENTRIES];
+
+    (void)state;
+    for (int k = 0; k < CULL_WALKS; k++) {
+        struct lim_camera camera = any_camera(&descent.random);
+        struct lim_view view;
+        int16_t target[3];
+        any_vertex(&descent.random, target);
+        aim(&camera, target);
+        lim_view_init(&view, 240, 240, cache);
+        assert_true(lim_view_begin(&view, &grid_scene, &camera));
+        const struct lim_rect open = {(uint16_t)random_in(&descent.random, 0, 119), 0, 240,
+                                      (uint16_t)random_in(&descent.random, 120, 240)};
+        lim_cull_set(&descent.cull, &view, camera.eye_q8, &open);
+        descend(&descent, &grid, 0, 6);
+    }
+    assert_true(descent.skipped > CULL_WALKS && descent.outside > CULL_WALKS);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -414,6 +475,7 @@ int main(void)
         cmocka_unit_test(a_box_seen_from_inside_fills_the_screen_up_to_the_near_plane),
         cmocka_unit_test(view_space_fits_32_bits_for_every_camera_and_vertex),
         cmocka_unit_test(no_box_with_a_vertex_on_an_open_pixel_is_culled),
+        cmocka_unit_test(a_walk_that_remembers_what_it_is_inside_of_skips_what_all_planes_would),
     };
 
     return cmocka_run_group_tests_name("extremes", tests, NULL, NULL);

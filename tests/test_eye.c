@@ -74,7 +74,7 @@ static void make_axis(struct random *random, struct fixture *f)
 {
     const int16_t offset = (int16_t)component(random, 32767);
 
-    f->ref.plane = (uint16_t)(LIM_PLANE_X + f->kind);
+    f->ref.plane = LIM_PLANE_X + (lim_index)f->kind;
     f->ref.offset = offset;
     for (int i = 0; i < 3; i++)
         f->n[i] = i == (int)f->kind;

@@ -201,7 +201,7 @@ static void assert_lines(struct room_stage *f, struct pair *pair)
 
 static void other_orders_come_by_lines(void **state)
 {
-    static const enum lim_method OTHERS[] = {LIM_PAINTER, LIM_DEPTH, LIM_NEWELL};
+    static const enum lim_method OTHERS[] = {LIM_PAINTER, LIM_SCANLINE, LIM_DEPTH, LIM_NEWELL};
     struct room_stage *f = *state;
 
     for (size_t i = 0; i < sizeof OTHERS / sizeof OTHERS[0]; i++)

@@ -115,12 +115,12 @@ static void the_file_is_little_endian(void **state)
 {
     (void)state;
     unsigned char *bytes = written_bytes();
-    const unsigned char start[] = {0x89, 'L', 'I', 'M', '\r', '\n', 0x1A, '\n', 5, 0, 0, 0, 104, 0, 0, 0};
+    const unsigned char start[] = {0x89, 'L', 'I', 'M', '\r', '\n', 0x1A, '\n', 6, 0, 0, 0, 128, 0, 0, 0};
     assert_memory_equal(bytes, start, sizeof start);
     assert_int_equal(bytes[16] | bytes[17] << 8 | bytes[18] << 16, scene.image_b);
     assert_int_equal(bytes[30] | bytes[31] << 8, 0x40A7); /* 3000.0 = 2^11 * 1.46.. */
     assert_int_equal(bytes[56] | bytes[57] << 8, scene.scene.vertex_count);
-    assert_int_equal((int16_t)(bytes[104] | bytes[105] << 8), scene.scene.vertices[0].x);
+    assert_int_equal((int16_t)(bytes[128] | bytes[129] << 8), scene.scene.vertices[0].x);
     free(bytes);
 }
 
@@ -136,7 +136,7 @@ static void swapping_reverses_fields_and_undoes_itself(void **state)
     lim_image_swap_sections(bytes, &header);
     lim_image_swap_header(bytes);
     assert_memory_equal(bytes, scene.image, LIM_FILE_MAGIC_B);
-    assert_memory_equal(bytes + 8, ((unsigned char[]){0, 0, 0, 5, 0, 0, 0, 104}), 8);
+    assert_memory_equal(bytes + 8, ((unsigned char[]){0, 0, 0, 6, 0, 0, 0, 128}), 8);
     const unsigned char *plane = bytes + lim_image_section_b(&header, SECTION_PLANES);
     const struct lim_plane *first = &scene.scene.planes[0];
     assert_int_equal((int16_t)(plane[2] << 8 | plane[3]), lim_plane_x(first));
@@ -186,7 +186,7 @@ static void other_versions_are_refused_by_number(void **state)
     unsigned char *bytes = written_bytes();
     bytes[8] = LIM_FILE_VERSION + 1;
     write_bytes(bytes, scene.image_b);
-    assert_unreadable("version 6; this program reads version 5");
+    assert_unreadable("version 7; this program reads version 6");
     free(bytes);
 }
 
@@ -196,7 +196,7 @@ static void any_flipped_bit_is_noticed(void **state)
     (void)state;
     unsigned char *bytes = written_bytes();
     struct error err;
-    for (size_t bit = 0; bit < scene.image_b * 8; bit += bit < 104 * 8 ? 1 : 397) {
+    for (size_t bit = 0; bit < scene.image_b * 8; bit += bit < 128 * 8 ? 1 : 397) {
         bytes[bit / 8] ^= (unsigned char)(1 << bit % 8);
         write_bytes(bytes, scene.image_b);
         assert_false(reads(&err));
@@ -219,6 +219,18 @@ static void assert_field_refused(size_t at_b, uint16_t value, const char *reason
     free(bytes);
 }
 
+/* The same for a field of 32 bits: an index, or a word of a polygon. */
+static void assert_index_refused(size_t at_b, lim_index value, const char *reason)
+{
+    unsigned char *bytes = written_bytes();
+    for (int i = 0; i < 4; i++)
+        bytes[at_b + (size_t)i] = (unsigned char)(value >> 8 * i);
+    put_crc32(bytes);
+    write_bytes(bytes, scene.image_b);
+    assert_unreadable(reason);
+    free(bytes);
+}
+
 static size_t at_b(enum lim_section section, size_t index, size_t size_b, size_t field_b)
 {
     return lim_image_section_b(scene.image, section) + index * size_b + field_b;
@@ -226,14 +238,14 @@ static size_t at_b(enum lim_section section, size_t index, size_t size_b, size_t
 
 static size_t node_at_b(size_t index, size_t field)
 {
-    return at_b(SECTION_NODES, index, sizeof(struct lim_node), field * 2);
+    return at_b(SECTION_NODES, index, sizeof(struct lim_node), field * 4);
 }
 
 /* The first node that satisfies a condition on one field. */
-static size_t node_with(size_t field, uint16_t low, uint16_t high)
+static size_t node_with(size_t field, lim_index low, lim_index high)
 {
     for (size_t i = 0; i < scene.scene.node_count; i++) {
-        uint16_t fields[7];
+        lim_index fields[7];
         memcpy(fields, &scene.scene.nodes[i], sizeof fields);
         if (fields[field] >= low && fields[field] <= high) return i;
     }
@@ -247,20 +259,20 @@ static void nodes_that_lie_are_refused(void **state)
 {
     (void)state;
     const struct lim_scene *s = &scene.scene;
-    size_t parent = node_with(FRONT, 1, 0xFFFE), run = node_with(FRONT_RUN, 0, 0xFFFE);
+    size_t parent = node_with(FRONT, 1, LIM_NO_INDEX - 1), run = node_with(FRONT_RUN, 0, LIM_NO_INDEX - 1);
     size_t slanted = node_with(PLANE, 0, LIM_PLANE_X - 1);
-    assert_field_refused(node_at_b(0, PLANE), LIM_NONE, "node 0: has no plane");
-    assert_field_refused(node_at_b(slanted, OFFSET), 1, "an offset beside a plane of its own");
-    assert_field_refused(node_at_b(slanted, PLANE), (uint16_t)(s->nodes[slanted].split.plane + 1), "where none of ");
-    assert_field_refused(node_at_b(slanted, PLANE), (uint16_t)(s->plane_count * LIM_PLANE_WORDS), "where none of ");
-    assert_field_refused(node_at_b(parent, FRONT), s->node_count, "child ");
-    assert_field_refused(node_at_b(parent, FRONT), (uint16_t)parent, "child ");
-    assert_field_refused(node_at_b(parent, FRONT), LIM_NONE, "has no parent");
-    assert_field_refused(node_at_b(parent, BACK), s->nodes[parent].front, "has two parents");
-    assert_field_refused(node_at_b(run, FRONT_RUN), s->polygon_words, "behind the last polygon");
-    assert_field_refused(node_at_b(run, FRONT_RUN), LIM_NONE, "are drawn");
-    assert_field_refused(node_at_b(run, BACK_RUN), s->nodes[run].front_run, "overlaps another");
-    assert_field_refused(node_at_b(0, BOX), s->box_count, "box ");
+    assert_index_refused(node_at_b(0, PLANE), LIM_NO_INDEX, "node 0: has no plane");
+    assert_index_refused(node_at_b(slanted, OFFSET), 1, "an offset beside a plane of its own");
+    assert_index_refused(node_at_b(slanted, PLANE), (lim_index)(s->nodes[slanted].split.plane + 1), "where none of ");
+    assert_index_refused(node_at_b(slanted, PLANE), s->plane_count * LIM_PLANE_WORDS, "where none of ");
+    assert_index_refused(node_at_b(parent, FRONT), s->node_count, "child ");
+    assert_index_refused(node_at_b(parent, FRONT), (lim_index)parent, "child ");
+    assert_index_refused(node_at_b(parent, FRONT), LIM_NO_INDEX, "has no parent");
+    assert_index_refused(node_at_b(parent, BACK), s->nodes[parent].front, "has two parents");
+    assert_index_refused(node_at_b(run, FRONT_RUN), s->polygon_words, "behind the last polygon");
+    assert_index_refused(node_at_b(run, FRONT_RUN), LIM_NO_INDEX, "are drawn");
+    assert_index_refused(node_at_b(run, BACK_RUN), s->nodes[run].front_run, "overlaps another");
+    assert_index_refused(node_at_b(0, BOX), s->box_count, "box ");
 }
 
 static void polygons_that_lie_are_refused(void **state)
@@ -268,11 +280,12 @@ static void polygons_that_lie_are_refused(void **state)
     (void)state;
     const struct lim_scene *s = &scene.scene;
     size_t words = lim_image_section_b(scene.image, SECTION_POLYGONS);
-    assert_field_refused(words, 0x8002, "2 vertices");
-    assert_field_refused(words, (uint16_t)(s->limits.vertices + 1), "vertices");
-    assert_field_refused(words, (uint16_t)(s->polygons[0] | 0x4000), "unknown flags");
-    assert_field_refused(words, (uint16_t)(s->polygons[0] | LIM_POLYGON_PLANE), "a plane of its own beside its node's");
-    assert_field_refused(words + 4, s->vertex_count, "vertex ");
+    assert_index_refused(words, 0x8002, "2 vertices");
+    assert_index_refused(words, (lim_index)(s->limits.vertices + 1), "vertices");
+    assert_index_refused(words, (lim_index)(s->polygons[0] | 0x4000), "unknown flags");
+    assert_index_refused(words, (lim_index)(s->polygons[0] | LIM_POLYGON_PLANE),
+                         "a plane of its own beside its node's");
+    assert_index_refused(words + 8, s->vertex_count, "vertex ");
     assert_field_refused(at_b(SECTION_VERTICES, 3, 6, 2), 0x8000, "vertex 3: a coordinate is -32768");
 }
 
@@ -287,9 +300,9 @@ static void exchange_scenes(void)
 /* The word at which the first record of a leaf names its plane. */
 static size_t plane_word_b(size_t leaf, bool offset)
 {
-    const uint16_t run = scene.scene.nodes[leaf].front_run;
+    const lim_index run = scene.scene.nodes[leaf].front_run;
     const size_t words = LIM_POLYGON_HEAD_WORDS + (size_t)(scene.scene.polygons[run] & LIM_POLYGON_COUNT);
-    return at_b(SECTION_POLYGONS, run + words + offset, 2, 0);
+    return at_b(SECTION_POLYGONS, run + words + offset, sizeof(lim_index), 0);
 }
 
 static void leaves_that_lie_are_refused(void **state)
@@ -297,23 +310,23 @@ static void leaves_that_lie_are_refused(void **state)
     (void)state;
     exchange_scenes();
     const struct lim_scene *s = &scene.scene;
-    const size_t leaf = node_with(PLANE, LIM_NONE, LIM_NONE), inner = node_with(FRONT, 1, 0xFFFE);
-    const uint16_t run = s->nodes[leaf].front_run, head = s->polygons[run];
-    const size_t head_b = at_b(SECTION_POLYGONS, run, 2, 0);
+    const size_t leaf = node_with(PLANE, LIM_NO_INDEX, LIM_NO_INDEX), inner = node_with(FRONT, 1, LIM_NO_INDEX - 1);
+    const lim_index run = s->nodes[leaf].front_run, head = s->polygons[run];
+    const size_t head_b = at_b(SECTION_POLYGONS, run, sizeof(lim_index), 0);
     const char *const neither = "has no plane, and is not a leaf either";
-    assert_field_refused(node_at_b(leaf, OFFSET), 1, neither);
-    assert_field_refused(node_at_b(leaf, FRONT), (uint16_t)(leaf + 1), neither);
-    assert_field_refused(node_at_b(leaf, BACK), (uint16_t)(leaf + 1), neither);
-    assert_field_refused(node_at_b(leaf, BACK_RUN), run, neither);
-    assert_field_refused(node_at_b(leaf, FRONT_RUN), LIM_NONE, neither);
-    assert_field_refused(node_at_b(inner, PLANE), LIM_NONE, neither);
-    assert_field_refused(node_at_b(leaf, PLANE), LIM_PLANE_X, "a plane of its own beside its node's");
-    assert_field_refused(node_at_b(leaf, FRONT_RUN), s->polygon_words, "behind the last polygon");
-    assert_field_refused(head_b, head & (uint16_t)~LIM_POLYGON_PLANE, "in a leaf, without a plane");
-    assert_field_refused(head_b, (uint16_t)((head & ~LIM_POLYGON_PLANE) | LIM_POLYGON_BACK), "without a plane");
-    assert_field_refused(plane_word_b(leaf, false), LIM_NONE, "has no plane");
-    assert_field_refused(plane_word_b(leaf, false), (uint16_t)(s->plane_count * LIM_PLANE_WORDS), "where none of ");
-    assert_field_refused(plane_word_b(leaf, false), 1, "where none of ");
+    assert_index_refused(node_at_b(leaf, OFFSET), 1, neither);
+    assert_index_refused(node_at_b(leaf, FRONT), (lim_index)(leaf + 1), neither);
+    assert_index_refused(node_at_b(leaf, BACK), (lim_index)(leaf + 1), neither);
+    assert_index_refused(node_at_b(leaf, BACK_RUN), run, neither);
+    assert_index_refused(node_at_b(leaf, FRONT_RUN), LIM_NO_INDEX, neither);
+    assert_index_refused(node_at_b(inner, PLANE), LIM_NO_INDEX, neither);
+    assert_index_refused(node_at_b(leaf, PLANE), LIM_PLANE_X, "a plane of its own beside its node's");
+    assert_index_refused(node_at_b(leaf, FRONT_RUN), s->polygon_words, "behind the last polygon");
+    assert_index_refused(head_b, head & (lim_index)~LIM_POLYGON_PLANE, "in a leaf, without a plane");
+    assert_index_refused(head_b, (lim_index)((head & ~LIM_POLYGON_PLANE) | LIM_POLYGON_BACK), "without a plane");
+    assert_index_refused(plane_word_b(leaf, false), LIM_NO_INDEX, "has no plane");
+    assert_index_refused(plane_word_b(leaf, false), s->plane_count * LIM_PLANE_WORDS, "where none of ");
+    assert_index_refused(plane_word_b(leaf, false), 1, "where none of ");
     exchange_scenes();
 }
 
@@ -323,10 +336,10 @@ static void a_slanted_plane_of_a_record_has_no_offset(void **state)
     exchange_scenes();
     for (size_t i = 0; i < scene.scene.node_count; i++) {
         const struct lim_node *node = &scene.scene.nodes[i];
-        if (node->split.plane != LIM_NONE ||
+        if (node->split.plane != LIM_NO_INDEX ||
             lim_record_plane(&scene.scene.polygons[node->front_run])->plane >= LIM_PLANE_X)
             continue;
-        assert_field_refused(plane_word_b(i, true), 1, "an offset beside a plane of its own");
+        assert_index_refused(plane_word_b(i, true), 1, "an offset beside a plane of its own");
         exchange_scenes();
         return;
     }
@@ -344,11 +357,25 @@ static void assert_d_refused(size_t exact, int64_t d)
     free(bytes);
 }
 
+/* The index of an exact plane is there twice. */
+static void assert_exact_refused(size_t plane, lim_index exact)
+{
+    unsigned char *bytes = written_bytes();
+    for (int i = 0; i < 4; i++)
+        bytes[at_b(SECTION_PLANES, plane, 16, 12) + (size_t)i] = (unsigned char)(exact >> 8 * i);
+    for (int i = 0; i < 2; i++)
+        bytes[at_b(SECTION_PLANES, plane, 16, 4) + (size_t)i] = (unsigned char)(exact >> 8 * i);
+    put_crc32(bytes);
+    write_bytes(bytes, scene.image_b);
+    assert_unreadable(": exact plane ");
+    free(bytes);
+}
+
 /* The first plane with or without an exact one. */
 static size_t plane_with(bool has_exact)
 {
     for (size_t i = 0; i < scene.scene.plane_count; i++)
-        if ((lim_plane_exact(&scene.scene.planes[i]) != LIM_NONE) == has_exact) return i;
+        if ((lim_plane_exact(&scene.scene.planes[i]) != LIM_NO_INDEX) == has_exact) return i;
     fail();
     return 0;
 }
@@ -358,14 +385,15 @@ static void planes_and_boxes_that_lie_are_refused(void **state)
     (void)state;
     const struct lim_scene *s = &scene.scene;
     size_t large = plane_with(true), small = plane_with(false);
-    const uint16_t exact = lim_plane_exact(&s->planes[large]);
-    assert_field_refused(at_b(SECTION_PLANES, large, 12, 0), (uint16_t)(lim_plane_x(&s->planes[large]) + 1),
+    const lim_index exact = lim_plane_exact(&s->planes[large]);
+    assert_field_refused(at_b(SECTION_PLANES, large, 16, 0), (uint16_t)(lim_plane_x(&s->planes[large]) + 1),
                          "does not match its exact plane");
-    assert_field_refused(at_b(SECTION_PLANES, large, 12, 4), s->exact_count, "exact plane ");
-    assert_field_refused(at_b(SECTION_PLANES, large, 12, 10), 0x4001, "beyond 1073676289");
-    assert_field_refused(at_b(SECTION_PLANES, large, 12, 10), 0x8000, "beyond 1073676289");
-    assert_field_refused(at_b(SECTION_PLANES, small, 12, 0), 32767, "add up to");
-    assert_field_refused(at_b(SECTION_PLANES, small, 12, 2), 32767, "add up to");
+    assert_index_refused(at_b(SECTION_PLANES, large, 16, 12), s->exact_count, "two indices of its exact plane");
+    assert_exact_refused(large, s->exact_count);
+    assert_field_refused(at_b(SECTION_PLANES, large, 16, 10), 0x4001, "beyond 1073676289");
+    assert_field_refused(at_b(SECTION_PLANES, large, 16, 10), 0x8000, "beyond 1073676289");
+    assert_field_refused(at_b(SECTION_PLANES, small, 16, 0), 32767, "add up to");
+    assert_field_refused(at_b(SECTION_PLANES, small, 16, 2), 32767, "add up to");
     assert_field_refused(at_b(SECTION_EXACT, exact, 20, 14), 0x7FFF, "out of bounds");
     assert_d_refused(exact, INT64_MIN);
     assert_field_refused(at_b(SECTION_BOXES, 2, 12, 8), 32769, "box 2: half is 32769");
@@ -377,9 +405,9 @@ static void limits_and_grids_that_lie_are_refused(void **state)
 {
     (void)state;
     const struct lim_limits *limits = &scene.scene.limits;
-    assert_field_refused(86, (uint16_t)(limits->depth - 1), "lies deeper than the limit");
-    assert_field_refused(88, (uint16_t)(limits->vertices - 1), "vertices");
-    assert_field_refused(88, 251, "limit of 251 vertices");
+    assert_field_refused(114, (uint16_t)(limits->depth - 1), "lies deeper than the limit");
+    assert_field_refused(116, (uint16_t)(limits->vertices - 1), "vertices");
+    assert_field_refused(116, 251, "limit of 251 vertices");
     assert_field_refused(30, 0x7FF8, "units per metre");
     assert_field_refused(38, 0x7FF0, "the origin is not finite");
 }
@@ -391,17 +419,17 @@ static void walk_everything(const struct lim_scene *s)
 {
     size_t records = 0, checksum = 0;
     for (size_t i = 0; i < s->node_count; i++) {
-        const uint16_t runs[2] = {s->nodes[i].front_run, s->nodes[i].back_run};
+        const lim_index runs[2] = {s->nodes[i].front_run, s->nodes[i].back_run};
         int64_t n[3], d;
-        if (s->nodes[i].split.plane != LIM_NONE) {
+        if (s->nodes[i].split.plane != LIM_NO_INDEX) {
             plane_exact(s, &s->nodes[i].split, n, &d);
             checksum += (size_t)d;
         }
-        assert_true(s->nodes[i].front == LIM_NONE || (s->nodes[i].front > i && s->nodes[i].front < s->node_count));
-        assert_true(s->nodes[i].back == LIM_NONE || (s->nodes[i].back > i && s->nodes[i].back < s->node_count));
-        assert_true(s->nodes[i].box == LIM_NONE || s->nodes[i].box < s->box_count);
+        assert_true(s->nodes[i].front == LIM_NO_INDEX || (s->nodes[i].front > i && s->nodes[i].front < s->node_count));
+        assert_true(s->nodes[i].back == LIM_NO_INDEX || (s->nodes[i].back > i && s->nodes[i].back < s->node_count));
+        assert_true(s->nodes[i].box == LIM_NO_INDEX || s->nodes[i].box < s->box_count);
         for (int k = 0; k < 2; k++)
-            for (const uint16_t *at = runs[k] == LIM_NONE ? NULL : &s->polygons[runs[k]]; at; records++) {
+            for (const lim_index *at = runs[k] == LIM_NO_INDEX ? NULL : &s->polygons[runs[k]]; at; records++) {
                 for (size_t v = 0; v < (*at & LIM_POLYGON_COUNT); v++)
                     checksum += (size_t)s->vertices[at[2 + v]].x;
                 at = *at & LIM_POLYGON_LAST ? NULL : at + lim_record_words(*at);

@@ -79,7 +79,7 @@ static void whole_pixels_are_worse_than_parts(void **state)
     assert_true(draft.pixels.total.wrong > fine.pixels.total.wrong);
 }
 
-static bool project_a_pixel_off(void *lim, uint16_t vertex, double at_px[2])
+static bool project_a_pixel_off(void *lim, lim_index vertex, double at_px[2])
 {
     if (!core_fine.project(lim, vertex, at_px)) return false;
     at_px[0] += 3.0;

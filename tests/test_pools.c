@@ -344,25 +344,35 @@ static void pools_are_measured_for_the_panel(void **state)
 }
 
 /* Vertex cache 512, 100 lines of 8, 10 pending nodes of 4, 101 cells of 4, 21 gaps of 6, 5 active of
- * 48; the sum to the next multiple of 4. At the least: 2 + 4 + 5 cells, a gap, an active polygon. Wide
- * screen coordinates double the cells and take half as much again in the cache. */
+ * 36; the sum to the next multiple of 4. At the least: 2 + 4 + 5 cells, a gap, an active polygon. Wide
+ * screen coordinates double the cells and take half as much again in the cache; profile exact has longer edges, and so
+ * have antialiased polygons; scan lines take no gap but the least. */
 static void bytes_on_a_microcontroller_add_up(void **state)
 {
     struct compiled scene = {.scene = {.limits = {10, 4, 101, 21, 5, 0}}, .report = {.w_px = 100, .h_px = 100}};
 
     (void)state;
-    assert_int_equal(pools_mcu_mem_b(&scene), 512 + 800 + 40 + 404 + 126 + 240 + 2);
-    assert_int_equal(pools_mcu_mem_min_b(&scene), 512 + 800 + 40 + 44 + 6 + 48 + 2);
+    assert_int_equal(pools_mcu_mem_b(&scene), 512 + 800 + 40 + 404 + 126 + 180 + 2);
+    assert_int_equal(pools_mcu_mem_min_b(&scene), 512 + 800 + 40 + 44 + 6 + 36 + 2);
     scene.report.core = &core_fine;
-    assert_int_equal(pools_mcu_mem_b(&scene), 768 + 800 + 40 + 808 + 126 + 240 + 2);
+    assert_int_equal(pools_mcu_mem_b(&scene), 768 + 800 + 40 + 808 + 126 + 180 + 2);
     scene.report.core = &core_fast;
     scene.report.w_px = 255;
-    assert_int_equal(pools_mcu_mem_b(&scene), 512 + 800 + 40 + 404 + 126 + 240 + 2);
+    assert_int_equal(pools_mcu_mem_b(&scene), 512 + 800 + 40 + 404 + 126 + 180 + 2);
     scene.report.w_px = 256;
-    assert_int_equal(pools_mcu_mem_b(&scene), 768 + 800 + 40 + 808 + 126 + 240 + 2);
+    assert_int_equal(pools_mcu_mem_b(&scene), 768 + 800 + 40 + 808 + 126 + 180 + 2);
+    scene.report.core = &core_exact;
+    assert_int_equal(pools_mcu_mem_b(&scene), 768 + 800 + 40 + 808 + 126 + 5 * (36 + 28) + 2);
+    scene.report.antialias = true; /* 2 a line and a gap, and edges of samples */
+    assert_int_equal(pools_mcu_mem_b(&scene), 768 + 1000 + 40 + 808 + 168 + 5 * (36 + 28));
+    scene.report.core = &core_fine;
+    assert_int_equal(pools_mcu_mem_b(&scene), 768 + 1000 + 40 + 808 + 168 + 5 * (36 + 16));
+    scene.report.antialias = false;
+    scene.report.draws = LIM_SCANLINE;
+    assert_int_equal(pools_mcu_mem_b(&scene), 768 + 800 + 40 + 808 + 6 + 180 + 2);
 }
 
-/* A convex solid: 100 heads of 2, 12 faces of 6, 5 crossings of 56 and a point of 4 for each of 4 + 5 vertices; at
+/* A convex solid: 100 heads of 2, 12 faces of 6, 5 crossings of 40 and a point of 4 for each of 4 + 5 vertices; at
  * the least no crossing. Wide coordinates double the points. */
 static void so_do_those_of_a_convex_solid(void **state)
 {
@@ -370,10 +380,10 @@ static void so_do_those_of_a_convex_solid(void **state)
                              .report = {.w_px = 100, .h_px = 100, .draws = LIM_CONVEX}};
 
     (void)state;
-    assert_int_equal(pools_mcu_mem_b(&scene), 512 + 200 + 72 + 5 * (56 + 9 * 4));
+    assert_int_equal(pools_mcu_mem_b(&scene), 512 + 200 + 72 + 5 * (40 + 9 * 4));
     assert_int_equal(pools_mcu_mem_min_b(&scene), 512 + 200 + 72);
     scene.report.w_px = 342;
-    assert_int_equal(pools_mcu_mem_b(&scene), 768 + 200 + 72 + 5 * (56 + 9 * 8));
+    assert_int_equal(pools_mcu_mem_b(&scene), 768 + 200 + 72 + 5 * (40 + 9 * 8));
     scene.report.draws = LIM_PAINTER; /* the vertex cache, and 12 nodes of 4 */
     assert_int_equal(pools_mcu_mem_b(&scene), 768 + 48);
 }

@@ -169,12 +169,12 @@ static size_t count_shown(const struct lim_scene *scene, const uint8_t *bits, ui
 
     for (size_t i = 0; i < scene->node_count; i++) {
         const struct lim_node *node = &scene->nodes[i];
-        const uint16_t runs[2] = {node->front_run, node->back_run}, children[2] = {node->front, node->back};
-        if (node->box != LIM_NONE && !lim_portals_show(bits, node->box)) hidden[i] = true;
+        const lim_index runs[2] = {node->front_run, node->back_run}, children[2] = {node->front, node->back};
+        if (node->box != LIM_NO_INDEX && !lim_portals_show(bits, node->box)) hidden[i] = true;
         for (int k = 0; k < 2; k++) {
-            if (children[k] != LIM_NONE && hidden[i]) hidden[children[k]] = true;
-            if (runs[k] == LIM_NONE || hidden[i]) continue;
-            for (const uint16_t *at = &scene->polygons[runs[k]];; at += lim_record_words(*at)) {
+            if (children[k] != LIM_NO_INDEX && hidden[i]) hidden[children[k]] = true;
+            if (runs[k] == LIM_NO_INDEX || hidden[i]) continue;
+            for (const lim_index *at = &scene->polygons[runs[k]];; at += lim_record_words(*at)) {
                 count += at[1] == colour;
                 if (*at & LIM_POLYGON_LAST) break;
             }
@@ -200,8 +200,8 @@ static uint32_t cell_at(const struct compiled *scene, const double at_m[3])
     for (;;) {
         const struct lim_node *node = &scene->scene.nodes[index];
         const bool behind = lim_eye_side(&eye, &node->split) < 0;
-        const uint16_t child = behind ? node->back : node->front;
-        if (child == LIM_NONE) return cell_of(index, behind);
+        const lim_index child = behind ? node->back : node->front;
+        if (child == LIM_NO_INDEX) return cell_of(index, behind);
         index = child;
     }
 }
@@ -222,10 +222,10 @@ static size_t count_seen(const struct compiled *scene, const double at_m[3], uin
     bool *visible = calloc(cells.record_count, sizeof *visible);
     assert_true(flow_see(&flow, zones.of_cell[cell_at(scene, at_m)], visible));
     for (size_t i = 0; i < scene->scene.node_count; i++) {
-        const uint16_t runs[2] = {scene->scene.nodes[i].front_run, scene->scene.nodes[i].back_run};
+        const lim_index runs[2] = {scene->scene.nodes[i].front_run, scene->scene.nodes[i].back_run};
         for (int k = 0; k < 2; k++) {
-            if (runs[k] == LIM_NONE) continue;
-            for (const uint16_t *at = &scene->scene.polygons[runs[k]];; at += lim_record_words(*at)) {
+            if (runs[k] == LIM_NO_INDEX) continue;
+            for (const lim_index *at = &scene->scene.polygons[runs[k]];; at += lim_record_words(*at)) {
                 count += visible[record++] && at[1] == colour;
                 if (*at & LIM_POLYGON_LAST) break;
             }
@@ -360,7 +360,7 @@ static void a_screen_hides_only_from_where_it_is_seen(void **state)
 /* One node, a cell in front of it that has a sight. */
 static struct lim_scene scene_of(const struct lim_place *place, const uint8_t *packed, size_t packed_b, uint16_t boxes)
 {
-    static const struct lim_node node = {{LIM_PLANE_X, 0}, LIM_NONE, LIM_NONE, 0, LIM_NONE, LIM_NONE};
+    static const struct lim_node node = {{LIM_PLANE_X, 0}, LIM_NO_INDEX, LIM_NO_INDEX, 0, LIM_NO_INDEX, LIM_NO_INDEX};
     return (struct lim_scene){.nodes = &node,
                               .node_count = 1,
                               .places = place,

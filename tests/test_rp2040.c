@@ -162,6 +162,21 @@ static void test_a_line_is_left_to_the_channel(void **state)
     assert_int_equal(sender.spi_registers.dr, 0); /* none of it is polled */
 }
 
+static void test_the_channel_tells_what_is_left(void **state)
+{
+    (void)state;
+    struct sender sender;
+    struct rp2040_dma_channel_registers *channel = set_up(&sender);
+
+    assert_int_equal(bus_left_b(&sender.bus), 0);
+    assert_int_equal(bus_write(&sender.bus, data, sizeof data), 0);
+    channel->ctrl_trig |= BUSY;
+    channel->trans_count = 7;
+    assert_int_equal(bus_left_b(&sender.bus), 7);
+    channel->ctrl_trig &= ~BUSY;
+    assert_int_equal(bus_left_b(&sender.bus), 0);
+}
+
 static void test_a_few_bytes_are_polled(void **state)
 {
     (void)state;
@@ -225,6 +240,7 @@ int main(void)
         cmocka_unit_test(test_an_output_is_one_bit_of_the_bank),
         cmocka_unit_test(test_an_input_is_one_bit_of_the_bank),
         cmocka_unit_test(test_a_line_is_left_to_the_channel),
+        cmocka_unit_test(test_the_channel_tells_what_is_left),
         cmocka_unit_test(test_a_few_bytes_are_polled),
         cmocka_unit_test(test_a_channel_that_stands_still_is_stopped),
         cmocka_unit_test(test_what_cannot_be_read_is_told),

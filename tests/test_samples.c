@@ -36,12 +36,12 @@ static void add_strip(struct cover *cover, const struct lim_strip *strip, int16_
 
 static void add_plain(struct cover *cover, const struct lim_point *at, uint8_t n, const struct lim_edge_shape *shape)
 {
-    struct lim_edge_pair pair;
+    struct lim_sample_edges edges;
     struct lim_strip strip;
 
-    lim_edge_begin(&pair, n, shape->first);
+    lim_strip_begin(&edges, n, shape->first);
     for (int16_t y = shape->top > 0 ? shape->top : 0; y < shape->bottom && y < H; y++) {
-        lim_strip_next(&strip, &pair, at, n, shape->first, y, shape->end_row);
+        lim_strip_next(&strip, &edges, at, n, shape->first, y, shape->end_row);
         add_strip(cover, &strip, y);
     }
 }
@@ -118,7 +118,7 @@ static void a_sliver_covers_what_it_covers(void **state)
     struct lim_edge_shape shape;
 
     (void)state;
-    lim_edge_measure(&shape, at, 4);
+    lim_edge_measure_sides(&shape, at, 4);
     assert_true(shape.left == shape.right);
     add_polygon(&cover, at, 4);
     for (int y = 0; y < H; y++)

@@ -13,8 +13,8 @@
 enum { WALLS = 6, WALL_WORDS = LIM_POLYGON_HEAD_WORDS + 4, HALF_UNITS = 1000 };
 
 /* Wall w lies at x, y, z = -1000, then x, y, z = 1000; corner c has its bits 0, 1, 2 as x, y, z. */
-static const uint16_t WALL_CORNERS[WALLS][4] = {{0, 2, 6, 4}, {0, 4, 5, 1}, {0, 1, 3, 2},
-                                                {1, 5, 7, 3}, {2, 3, 7, 6}, {4, 6, 7, 5}};
+static const lim_index WALL_CORNERS[WALLS][4] = {{0, 2, 6, 4}, {0, 4, 5, 1}, {0, 1, 3, 2},
+                                                 {1, 5, 7, 3}, {2, 3, 7, 6}, {4, 6, 7, 5}};
 
 static uint16_t wall_colour(size_t wall)
 {
@@ -24,7 +24,7 @@ static uint16_t wall_colour(size_t wall)
 struct room {
     struct lim_vertex vertices[8];
     struct lim_node nodes[WALLS];
-    uint16_t polygons[WALLS * WALL_WORDS];
+    lim_index polygons[WALLS * WALL_WORDS];
     uint32_t faces[WALLS]; /* 11, 12, ... */
     struct compiled compiled;
 };
@@ -33,15 +33,15 @@ struct room {
 static void room_wall(struct room *room, uint16_t wall)
 {
     bool is_low = wall < 3;
-    uint16_t next = wall + 1 < WALLS ? (uint16_t)(wall + 1) : LIM_NONE, run = (uint16_t)(wall * WALL_WORDS);
-    uint16_t *words = &room->polygons[run];
-    room->nodes[wall] = (struct lim_node){.split.plane = (uint16_t)(LIM_PLANE_X + wall % 3),
+    lim_index next = wall + 1 < WALLS ? (lim_index)(wall + 1) : LIM_NO_INDEX, run = (lim_index)(wall * WALL_WORDS);
+    lim_index *words = &room->polygons[run];
+    room->nodes[wall] = (struct lim_node){.split.plane = (lim_index)(LIM_PLANE_X + wall % 3),
                                           .split.offset = (int16_t)(is_low ? -HALF_UNITS : HALF_UNITS),
-                                          .front = is_low ? next : LIM_NONE,
-                                          .back = is_low ? LIM_NONE : next,
-                                          .front_run = is_low ? run : LIM_NONE,
-                                          .back_run = is_low ? LIM_NONE : run,
-                                          .box = LIM_NONE};
+                                          .front = is_low ? next : LIM_NO_INDEX,
+                                          .back = is_low ? LIM_NO_INDEX : next,
+                                          .front_run = is_low ? run : LIM_NO_INDEX,
+                                          .back_run = is_low ? LIM_NO_INDEX : run,
+                                          .box = LIM_NO_INDEX};
     words[0] = 4 | LIM_POLYGON_LAST;
     words[1] = wall_colour(wall);
     memcpy(words + LIM_POLYGON_HEAD_WORDS, WALL_CORNERS[wall], sizeof WALL_CORNERS[wall]);

@@ -89,6 +89,18 @@ static void test_the_next_write_waits_for_the_last(void **state)
     assert_started(message + 480, 17);
 }
 
+static void test_the_stream_tells_what_is_left(void **state)
+{
+    (void)state;
+    assert_int_equal(bus_left_b(&rig.bus), 0);
+    assert_int_equal(bus_write(&rig.bus, message, 480), 0);
+    stream->ndtr = 33;
+    assert_int_equal(bus_left_b(&rig.bus), 33);
+    rig.registers.isr[0] = COMPLETE;
+    assert_int_equal(bus_flush(&rig.bus), 0);
+    assert_int_equal(bus_left_b(&rig.bus), 0);
+}
+
 static void test_few_bytes_need_no_stream(void **state)
 {
     (void)state;
@@ -158,6 +170,7 @@ int main(void)
         cmocka_unit_test_setup(test_a_write_returns_while_it_goes_on, set_up),
         cmocka_unit_test_setup(test_a_flush_waits_for_stream_and_spi, set_up),
         cmocka_unit_test_setup(test_the_next_write_waits_for_the_last, set_up),
+        cmocka_unit_test_setup(test_the_stream_tells_what_is_left, set_up),
         cmocka_unit_test_setup(test_few_bytes_need_no_stream, set_up),
         cmocka_unit_test_setup(test_a_long_message_goes_in_parts, set_up),
         cmocka_unit_test_setup(test_a_stream_that_cannot_read_is_told, set_up),

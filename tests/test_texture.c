@@ -204,17 +204,21 @@ static void both_orders_paint_the_same(void **state)
     const size_t count = profiles_find(profiles);
     for (size_t i = 0; i < count; i++) {
         struct rig rig = rig_make(profiles[i], 32, 3);
-        struct simulator nearest, painter;
+        struct simulator nearest, painter, scanline;
         simulator_start(&nearest, &rig, LIM_NEAREST_FIRST);
         simulator_start(&painter, &rig, LIM_PAINTER);
+        simulator_start(&scanline, &rig, LIM_SCANLINE);
         for (unsigned k = 0; k < CAMERAS; k++) {
             const struct lim_camera camera = camera_inside(&rig);
             draw(&nearest, &camera);
             draw(&painter, &camera);
+            draw(&scanline, &camera);
             assert_memory_equal(nearest.pixels, painter.pixels, W_PX * H_PX * sizeof nearest.pixels[0]);
+            assert_memory_equal(nearest.pixels, scanline.pixels, W_PX * H_PX * sizeof nearest.pixels[0]);
         }
         simulator_free(&nearest);
         simulator_free(&painter);
+        simulator_free(&scanline);
         rig_free(&rig);
     }
 }
@@ -226,9 +230,10 @@ static void extremes_are_painted_alike(void **state)
     static const double repeats[] = {1e-6, 1e-3, 1000, 16000};
     for (size_t r = 0; r < sizeof repeats / sizeof *repeats; r++) {
         struct rig rig = rig_make(&core_fast, r % 2 ? 1 : 128, repeats[r]);
-        struct simulator nearest, painter;
+        struct simulator nearest, painter, scanline;
         simulator_start(&nearest, &rig, LIM_NEAREST_FIRST);
         simulator_start(&painter, &rig, LIM_PAINTER);
+        simulator_start(&scanline, &rig, LIM_SCANLINE);
         for (unsigned k = 0; k < CAMERAS * 4; k++) {
             struct lim_camera camera = camera_inside(&rig);
             camera.tan_x_q28 = random_tan_q28(&rig.random);
@@ -239,10 +244,13 @@ static void extremes_are_painted_alike(void **state)
             if (k % 3 == 1) camera.eye_q8[k % 9 / 3] = rig.scene.scene.vertices[0].x * 256 + (int32_t)(k % 5) - 2;
             draw(&nearest, &camera);
             draw(&painter, &camera);
+            draw(&scanline, &camera);
             assert_memory_equal(nearest.pixels, painter.pixels, W_PX * H_PX * sizeof nearest.pixels[0]);
+            assert_memory_equal(nearest.pixels, scanline.pixels, W_PX * H_PX * sizeof nearest.pixels[0]);
         }
         simulator_free(&nearest);
         simulator_free(&painter);
+        simulator_free(&scanline);
         rig_free(&rig);
     }
 }

@@ -276,11 +276,13 @@ static void both_orders_paint_the_same_in_every_profile(void **state)
             struct closed_stage stage;
             stage_open(&stage, &random, profiles[p]);
             for (int f = 0; f < FRAMES; f++) {
-                static uint16_t nearest[W_PX * H_PX], painter[W_PX * H_PX];
+                static uint16_t nearest[W_PX * H_PX], painter[W_PX * H_PX], scanline[W_PX * H_PX];
                 const struct lim_camera camera = closed_stage_camera(&stage, &random);
                 frame_of(&stage, profiles[p], LIM_NEAREST_FIRST, &camera, nearest);
                 frame_of(&stage, profiles[p], LIM_PAINTER, &camera, painter);
+                frame_of(&stage, profiles[p], LIM_SCANLINE, &camera, scanline);
                 assert_memory_equal(nearest, painter, sizeof nearest);
+                assert_memory_equal(nearest, scanline, sizeof nearest);
             }
             closed_stage_close(&stage);
         }
@@ -394,7 +396,7 @@ static void assert_refused(const struct compiled *scene, const char *reason)
 static void files_whose_alpha_lies_are_refused(void **state)
 {
     const uint16_t wrong[] = {0, 255, 256, 0xFFFF};
-    uint16_t words[256];
+    lim_index words[256];
     struct mesh mesh;
     struct error err;
     size_t at = 0;
@@ -405,7 +407,7 @@ static void files_whose_alpha_lies_are_refused(void **state)
     glass.scene.polygons = words;
     while (!(words[at] & LIM_POLYGON_ALPHA))
         at += lim_record_words(words[at]);
-    uint16_t *alpha = &words[at + lim_record_alpha_at(words[at])];
+    lim_index *alpha = &words[at + lim_record_alpha_at(words[at])];
     assert_int_equal(*alpha, 155);
     assert_true(lim_check(&glass.scene, &err));
     for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++) {

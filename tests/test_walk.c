@@ -18,12 +18,13 @@ struct tree {
 };
 
 /* An axis plane at an offset, or another plane, whose offset is 0. */
-static uint16_t add(struct tree *tree, char name, uint16_t plane, int16_t offset)
+static lim_index add(struct tree *tree, char name, lim_index plane, lim_offset offset)
 {
-    const uint16_t run = (uint16_t)name;
+    const lim_index run = (lim_index)name;
 
     tree->nodes[tree->count] = (struct lim_node){
-        {plane, offset}, LIM_NONE, LIM_NONE, run, tree->two_sided ? run : (uint16_t)LIM_NONE, LIM_NONE};
+        {plane, offset}, LIM_NO_INDEX, LIM_NO_INDEX, run, tree->two_sided ? run : (lim_index)LIM_NO_INDEX,
+        LIM_NO_INDEX};
     return tree->count++;
 }
 
@@ -33,15 +34,15 @@ static void walk_all(const struct tree *tree, const int32_t eye_units[3], bool b
     const struct lim_scene scene = {
         .nodes = tree->nodes, .planes = tree->planes, .node_count = tree->count, .limits = {.depth = MAX_DEPTH}};
     const int32_t eye_q8[3] = {eye_units[0] * 256, eye_units[1] * 256, eye_units[2] * 256};
-    const struct lim_cull cull = {0};
+    struct lim_cull cull = {0};
     struct lim_stats stats = {0};
     struct lim_walk_pending stack[MAX_DEPTH];
     struct lim_walk walk;
-    uint16_t run;
+    lim_index run;
 
     lim_eye_set(&walk.eye, &scene, eye_q8);
     lim_walk_begin(&walk, stack, back_to_front);
-    while ((run = lim_walk_next(&walk, &cull, &stats)) != LIM_NONE)
+    while ((run = lim_walk_next(&walk, &cull, &stats)) != LIM_NO_INDEX)
         *order++ = (char)run;
     *order = 0;
 }
@@ -73,14 +74,14 @@ static void assert_order(const struct tree *tree, const int32_t eye_units[3], co
 static void make_lettered_tree(struct tree *tree)
 {
     *tree = (struct tree){.two_sided = true};
-    const uint16_t a = add(tree, 'A', LIM_PLANE_X, -1);
-    const uint16_t b2 = add(tree, 'B', LIM_PLANE_X, 5);
-    const uint16_t d2 = add(tree, '2', LIM_PLANE_X, 7);
-    const uint16_t c2 = add(tree, 'C', LIM_PLANE_X, -2);
-    const uint16_t d3 = add(tree, '3', LIM_PLANE_X, 9);
-    const uint16_t b1 = add(tree, 'b', LIM_PLANE_X, 6);
-    const uint16_t d1 = add(tree, '1', LIM_PLANE_X, 8);
-    const uint16_t c1 = add(tree, 'c', LIM_PLANE_X, 3);
+    const lim_index a = add(tree, 'A', LIM_PLANE_X, -1);
+    const lim_index b2 = add(tree, 'B', LIM_PLANE_X, 5);
+    const lim_index d2 = add(tree, '2', LIM_PLANE_X, 7);
+    const lim_index c2 = add(tree, 'C', LIM_PLANE_X, -2);
+    const lim_index d3 = add(tree, '3', LIM_PLANE_X, 9);
+    const lim_index b1 = add(tree, 'b', LIM_PLANE_X, 6);
+    const lim_index d1 = add(tree, '1', LIM_PLANE_X, 8);
+    const lim_index c1 = add(tree, 'c', LIM_PLANE_X, 3);
 
     tree->nodes[a].front = b2;
     tree->nodes[a].back = b1;
@@ -110,7 +111,7 @@ static void lettered_tree_with_swapped_children_is_drawn_otherwise(void **state)
     (void)state;
     make_lettered_tree(&tree);
     for (uint16_t i = 0; i < tree.count; i++) {
-        const uint16_t front = tree.nodes[i].front;
+        const lim_index front = tree.nodes[i].front;
         tree.nodes[i].front = tree.nodes[i].back;
         tree.nodes[i].back = front;
     }
@@ -123,7 +124,7 @@ static struct lim_plane plan_plane(int16_t ax, int16_t az, int16_t bx, int16_t b
 {
     const int16_t n0 = (int16_t)(az - bz), n2 = (int16_t)(bx - ax);
 
-    return (struct lim_plane)LIM_PLANE(n0, 0, n2, LIM_NONE, (int32_t)n0 * ax + (int32_t)n2 * az);
+    return (struct lim_plane)LIM_PLANE(n0, 0, n2, LIM_NO_INDEX, (int32_t)n0 * ax + (int32_t)n2 * az);
 }
 
 /* 3( front 2( front 5a, back 1 ), back 4( back 5b ) ); names: 3 2 1 4, a = 5a, b = 5b. */
@@ -169,8 +170,8 @@ static void plan_view_shows_only_segment_3_its_front(void **state)
 static void an_eye_on_the_plane_sees_front_then_back_and_not_the_polygon(void **state)
 {
     struct tree tree = {.two_sided = true};
-    const uint16_t f = add(&tree, 'F', LIM_PLANE_Y, 0);
-    const uint16_t front = add(&tree, 'f', LIM_PLANE_X, 5), back = add(&tree, 'b', LIM_PLANE_X, 5);
+    const lim_index f = add(&tree, 'F', LIM_PLANE_Y, 0);
+    const lim_index front = add(&tree, 'f', LIM_PLANE_X, 5), back = add(&tree, 'b', LIM_PLANE_X, 5);
 
     (void)state;
     tree.nodes[f].front = front;

@@ -18,10 +18,13 @@
 #define SCENE_MEM_B MODEL_SCENE_MEM_B(TARGET_H_PX)
 #endif
 
+#define RENDERERS (1 + SCENE_AHEAD)
 #define POINTERS(n_b) (((n_b) + sizeof(void *) - 1) / sizeof(void *))
 
-static struct lim lim;
-static uint32_t mem[SCENE_MEM_B / 4];
+/* Of each renderer. */
+static struct lim lim[RENDERERS];
+static uint32_t mem[RENDERERS][SCENE_MEM_B / 4];
+static const struct lim_camera *camera_of[RENDERERS]; /* of the frame that was announced */
 #if LIM_HAS_DELTA
 static void *delta_mem[POINTERS(MODEL_SCENE_DELTA_MEM_B(TARGET_W_PX, TARGET_H_PX))];
 #endif
@@ -38,60 +41,141 @@ static uint32_t smooth_mem[LIM_ANTIALIAS_MEM_B(TARGET_W_PX) / 4];
 #else
 #define TIME_MS(frame) (((frame)*UINT32_C(1000) + SCENE_FRAMES_PER_S / 2) / SCENE_FRAMES_PER_S)
 #endif
-static struct lim_instance instances[MODEL_MOVERS];
-static void *mover_mem[POINTERS(MODEL_MOVERS_MEM_B)];
+static struct lim_instance instances[RENDERERS][MODEL_MOVERS];
+static void *mover_mem[RENDERERS][POINTERS(MODEL_MOVERS_MEM_B)];
 
-static int init_movers(void)
+static int init_movers(uint8_t which)
 {
     const struct lim_movers_limits limits = MODEL_MOVERS_LIMITS;
-    const int err = lim_movers_init(&lim, mover_mem, sizeof mover_mem, &limits);
+    const int err = lim_movers_init(&lim[which], mover_mem[which], sizeof mover_mem[which], &limits);
 
 #ifdef MODEL_LIGHT
     const struct lim_light light = MODEL_LIGHT;
-    lim_light_set(&lim, &light);
+    lim_light_set(&lim[which], &light);
 #endif
     return err;
 }
 
-void scene_place(uint16_t frame)
+static void place(uint8_t which, uint16_t frame)
 {
-    lim_moved_at(model_movers, MODEL_MOVERS, TIME_MS(frame), instances);
+    lim_moved_at(model_movers, MODEL_MOVERS, TIME_MS(frame), instances[which]);
 }
 
-int scene_draw(const struct lim_camera *camera)
+static int draw_at_once(uint8_t which)
 {
-    return lim_movers_frame(&lim, camera, instances, MODEL_MOVERS);
+    return lim_movers_frame(&lim[which], camera_of[which], instances[which], MODEL_MOVERS);
 }
-#else
-static int init_movers(void)
+
+#if SCENE_AHEAD
+static int begin(uint8_t which)
 {
+    return lim_movers_begin(&lim[which], camera_of[which], instances[which], MODEL_MOVERS);
+}
+#endif
+#else
+static int init_movers(uint8_t which)
+{
+    (void)which;
     return 0;
 }
 
-void scene_place(uint16_t frame)
+static void place(uint8_t which, uint16_t frame)
 {
-    (void)frame;
+    (void)which, (void)frame;
 }
 
-int scene_draw(const struct lim_camera *camera)
+static int draw_at_once(uint8_t which)
 {
-    return lim_frame(&lim, camera);
+    return lim_frame(&lim[which], camera_of[which]);
+}
+
+#if SCENE_AHEAD
+static int begin(uint8_t which)
+{
+    return lim_frame_begin(&lim[which], camera_of[which]);
 }
 #endif
+#endif
+
+static int init_renderer(uint8_t which, const struct lim_target *target)
+{
+    struct lim *const self = &lim[which];
+    int err = lim_init(self, &model_scene, target, mem[which], sizeof mem[which]);
+
+#if LIM_HAS_DELTA
+    if (!err) err = lim_set_delta(self, delta_mem, sizeof delta_mem);
+#endif
+#if LIM_HAS_ANTIALIAS
+    if (!err) err = lim_set_antialias(self, smooth_mem, sizeof smooth_mem);
+#endif
+    if (LIM_HAS_WIREFRAME && !err) lim_set_wireframe(self, &(const struct lim_wireframe){.on = true});
+    return err ? err : init_movers(which);
+}
+
+#if SCENE_AHEAD
+/* How far their frames are. */
+static enum { DRAWN, ANNOUNCED, BEGUN } phase_of[RENDERERS];
+static uint8_t announced, drawn; /* which is next to be announced, to be drawn */
 
 int scene_init(const struct lim_target *target)
 {
-    int err = lim_init(&lim, &model_scene, target, mem, sizeof mem);
-
-#if LIM_HAS_DELTA
-    if (!err) err = lim_set_delta(&lim, delta_mem, sizeof delta_mem);
-#endif
-#if LIM_HAS_ANTIALIAS
-    if (!err) err = lim_set_antialias(&lim, smooth_mem, sizeof smooth_mem);
-#endif
-    if (LIM_HAS_WIREFRAME && !err) lim_set_wireframe(&lim, &(const struct lim_wireframe){.on = true});
-    return err ? err : init_movers();
+    announced = drawn = 0;
+    phase_of[0] = phase_of[1] = DRAWN;
+    const int err = init_renderer(0, target);
+    return err ? err : init_renderer(1, target);
 }
+
+void scene_announce(uint16_t frame, const struct lim_camera *camera)
+{
+    camera_of[announced] = camera;
+    phase_of[announced] = ANNOUNCED;
+    place(announced, frame);
+    announced = !announced;
+}
+
+/* A camera out of range is told when the frame is drawn. */
+bool scene_work(void *ctx)
+{
+    const uint8_t next = !drawn;
+
+    (void)ctx;
+    if (phase_of[next] == BEGUN) return lim_frame_work(&lim[next]);
+    if (phase_of[next] == DRAWN || begin(next)) return false;
+    phase_of[next] = BEGUN;
+    return true;
+}
+
+int scene_draw(void)
+{
+    const int err = phase_of[drawn] == BEGUN ? lim_frame_paint(&lim[drawn]) : draw_at_once(drawn);
+
+    phase_of[drawn] = DRAWN;
+    drawn = !drawn;
+    return err;
+}
+#else
+int scene_init(const struct lim_target *target)
+{
+    return init_renderer(0, target);
+}
+
+void scene_announce(uint16_t frame, const struct lim_camera *camera)
+{
+    camera_of[0] = camera;
+    place(0, frame);
+}
+
+bool scene_work(void *ctx)
+{
+    (void)ctx;
+    return false;
+}
+
+int scene_draw(void)
+{
+    return draw_at_once(0);
+}
+#endif
 
 void scene_camera(uint16_t frame, struct lim_camera *camera)
 {

@@ -12,11 +12,12 @@
 #include "screen.h"
 #include "walker.h"
 
-/* Lines of the picture in RAM: one, or two where one is painted while the other is sent. */
+/* Lines of the picture in RAM: all for the painter, else one, or more where some are painted while others are sent. */
 #ifndef BOARD_LINES
 #define BOARD_LINES 1
 #endif
-#define LINES (SCENE_LINES(MODULE_H_PX) > 1 ? SCENE_LINES(MODULE_H_PX) : BOARD_LINES)
+#define USED_LINES SCREEN_USED_LINES(MODULE_FORMAT, MODULE_W_PX, MODULE_ROUND, BOARD_LINES)
+#define LINES (SCENE_LINES(MODULE_H_PX) > 1 ? SCENE_LINES(MODULE_H_PX) : USED_LINES)
 
 enum { BLINK_US = 200000, PAUSE_US = 1000000 };
 
@@ -36,29 +37,44 @@ static int set_led(bool lit)
 }
 
 /* Between the marks a frame is painted and sent. */
-static int draw(uint16_t frame, struct lim_camera *camera)
+static int draw(uint16_t frame)
 {
-    screen_turn_camera(camera, MODULE_CAMERA_TURN);
-    scene_place(frame);
     frame_begin(frame);
     int err = screen_begin_frame(&screen);
-    if (!err) err = scene_draw(camera);
+    if (!err) err = scene_draw();
     if (!err) err = screen_end_frame(&screen);
     frame_end(frame);
     return err;
 }
 
+/* Where the next camera is, and what follows it. */
+struct flight {
+    struct lim_camera cameras[1 + SCENE_AHEAD]; /* of frames that are not drawn yet, in turns */
+    struct walker walker;
+    bool second;
+};
+
+static void announce(struct flight *flight, uint16_t frame)
+{
+    struct lim_camera *const camera = &flight->cameras[SCENE_AHEAD && flight->second];
+
+    flight->second = !flight->second;
+    scene_camera(frame, camera);
+    if (board.buttons) walker_frame(&flight->walker, board.buttons(), camera);
+    screen_turn_camera(camera, MODULE_CAMERA_TURN);
+    scene_announce(frame, camera);
+}
+
 /* Returns only when something fails, or a program is to end. */
 static int fly(void)
 {
-    struct walker walker = {.walking = false};
+    struct flight flight = {.walker = {.walking = false}};
     bool lit = false;
 
+    if (SCENE_AHEAD) announce(&flight, 0);
     for (uint16_t frame = 0; !(BOARD_ENDS && board_is_over()); frame = (uint16_t)((frame + 1u) % CAMERAS_COUNT)) {
-        struct lim_camera camera;
-        scene_camera(frame, &camera);
-        if (board.buttons) walker_frame(&walker, board.buttons(), &camera);
-        int err = draw(frame, &camera);
+        announce(&flight, (uint16_t)((frame + SCENE_AHEAD) % CAMERAS_COUNT));
+        int err = draw(frame);
         if (!err) err = set_led(lit = !lit);
         if (err) return err;
     }
@@ -75,6 +91,16 @@ static int set_frame(void)
 #endif
 }
 
+static int set_screen(struct panel *panel)
+{
+    const int err = screen_init(&screen, panel, SCENE_METHOD, lines, sizeof lines);
+
+#if LIM_HAS_STREAM
+    if (!err) screen_set_bus(&screen, &board.bus, scene_work, NULL);
+#endif
+    return err;
+}
+
 static int run(void)
 {
     struct panel *panel;
@@ -84,7 +110,7 @@ static int run(void)
     if (!err) err = module_setup(&panel, &board);
     if (!err) err = panel_init(panel);
     const bool is_lit = !err;
-    if (!err) err = screen_init(&screen, panel, SCENE_METHOD, lines, sizeof lines);
+    if (!err) err = set_screen(panel);
     if (!err) err = set_frame();
     if (!err) err = scene_init(&screen.target);
     if (!err) err = fly();

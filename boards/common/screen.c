@@ -10,6 +10,25 @@
 
 enum { SCREEN_NO_LINE = 0xFFFF }; /* nothing is gathered yet */
 
+/* Before whatever may wait for the bus. No work begins when so little is left that the bus would have to wait for it,
+ * as far as one can tell: an eighth of what goes out together. */
+static void screen_meanwhile(struct screen *screen)
+{
+#if LIM_HAS_STREAM
+    if (!screen->work) return;
+    while (bus_left_b(&screen->bus) > screen->spare_b && screen->work(screen->work_ctx))
+        ;
+#else
+    (void)screen;
+#endif
+}
+
+static int screen_flush(struct screen *screen)
+{
+    screen_meanwhile(screen);
+    return panel_flush(screen->panel);
+}
+
 /* The painter finds every line at its own place; nearest first takes turns. */
 static uint8_t *screen_line(const struct screen *screen, uint16_t y_px)
 {
@@ -30,6 +49,7 @@ static void *screen_lend(void *ctx, uint16_t y_px)
 
 static int screen_open_window(struct screen *screen, uint16_t x_px, uint16_t y_px, uint16_t w_px, uint16_t h_px)
 {
+    screen_meanwhile(screen);
     int err = panel_window(screen->panel, x_px, y_px, w_px, h_px);
     screen->window_open = !err;
     screen->window_given = false;
@@ -74,16 +94,69 @@ static const uint8_t *screen_pack(const struct screen *screen, uint16_t y_px, ui
     return to;
 }
 
-static int screen_send(struct screen *screen, uint16_t y_px, uint16_t x_px, uint16_t n_px)
+#if LIM_HAS_STREAM
+/* Lines that wait, together. While they are on their way lines of the other half are lent. */
+static int screen_send_waiting(struct screen *screen)
 {
-    int err = screen_reach(screen, y_px, x_px);
+    const uint16_t n_lines = screen->waiting_lines;
+
+    screen->waiting_lines = 0;
+    if (n_lines == 0) return 0;
+    int err = screen_reach(screen, screen->waiting_y_px, 0);
+    if (err) return err;
+    screen_meanwhile(screen);
+    err = panel_pixels(screen->panel, screen->mem + (size_t)screen->waiting_line * screen->line_b,
+                       (size_t)n_lines * screen->target.w_px);
+    if (err) return err;
+    screen->next_y_px = (uint16_t)(screen->next_y_px + n_lines);
+    if (screen->next_y_px == screen->window_end_y_px) screen->window_open = false;
+    return 0;
+}
+
+/* A whole line waits for a bus that is free, or for the last one of its half. */
+static int screen_wait(struct screen *screen, uint16_t y_px)
+{
+    const bool goes_on = y_px == screen->waiting_y_px + screen->waiting_lines;
+    int err = goes_on ? 0 : screen_send_waiting(screen);
+
+    if (err) return err;
+    if (screen->waiting_lines++ == 0) {
+        screen->waiting_line = screen->lent_line;
+        screen->waiting_y_px = y_px;
+    }
+    screen->lent_line_sent = true;
+    const bool is_last = (screen->lent_line + 1u) % screen->block_lines == 0;
+    return is_last || bus_left_b(&screen->bus) == 0 ? screen_send_waiting(screen) : 0;
+}
+#else
+static int screen_send_waiting(struct screen *screen)
+{
+    (void)screen;
+    return 0;
+}
+#endif
+
+/* A piece of a line, or one that can be sent alone only. */
+static int screen_send_piece(struct screen *screen, uint16_t y_px, uint16_t x_px, uint16_t n_px)
+{
+    int err = screen_send_waiting(screen);
+    if (!err) err = screen_reach(screen, y_px, x_px);
     if (err) return err;
     screen->lent_line_sent = true;
     screen->half_byte = screen->panel->format == PANEL_RGB444 && n_px % 2;
+    screen_meanwhile(screen);
     err = panel_pixels(screen->panel, screen_pack(screen, y_px, x_px, n_px), n_px);
     if (err) return err;
     screen_advance(screen, n_px);
-    return screen->n_lines == 1 ? panel_flush(screen->panel) : 0;
+    return screen->n_lines == 1 ? screen_flush(screen) : 0;
+}
+
+static int screen_send(struct screen *screen, uint16_t y_px, uint16_t x_px, uint16_t n_px)
+{
+#if LIM_HAS_STREAM
+    if (screen->block_lines > 1 && n_px == screen->target.w_px) return screen_wait(screen, y_px);
+#endif
+    return screen_send_piece(screen, y_px, x_px, n_px);
 }
 
 /* Another page, black at first, and not where something may still be on its way. */
@@ -115,11 +188,12 @@ static int screen_send_gathered(struct screen *screen, const uint8_t *gathered, 
     int err = screen_reach(screen, screen->gathered_y_px, from_px);
     if (err) return err;
     screen->gathered_sent = true;
+    screen_meanwhile(screen);
     err = panel_pixels(panel, gathered + pixels_b(panel->format, (size_t)from_px * panel->step_y_px),
                        (size_t)whole_px * panel->step_y_px);
     if (err) return err;
     screen_advance(screen, whole_px);
-    return screen->n_gathered == 1 ? panel_flush(panel) : 0;
+    return screen->n_gathered == 1 ? screen_flush(screen) : 0;
 }
 
 /* Where lines are gathered, line y_px among them. */
@@ -172,13 +246,15 @@ static void screen_visible(void *ctx, uint16_t y_px, uint16_t *x0_px, uint16_t *
 static int screen_window(void *ctx, const struct lim_rect *window)
 {
     struct screen *screen = ctx;
+    int err = screen_send_waiting(screen);
+    if (err) return err;
     if (!window) {
         screen->window_open = screen->window_open && !screen->window_given;
         screen->window_given = false;
         return 0;
     }
-    int err = screen_open_window(screen, window->x0, window->y0, (uint16_t)(window->x1 - window->x0),
-                                 (uint16_t)(window->y1 - window->y0));
+    err = screen_open_window(screen, window->x0, window->y0, (uint16_t)(window->x1 - window->x0),
+                             (uint16_t)(window->y1 - window->y0));
     screen->window_given = true;
     return err;
 }
@@ -260,11 +336,29 @@ static uint16_t screen_gathered_b(const struct panel *panel)
     return (uint16_t)((pixels_b(panel->format, (size_t)panel->w_px * panel->step_y_px) + 3u) / 4u * 4u);
 }
 
+static uint16_t screen_most_lines(const struct panel *panel, enum lim_method method)
+{
+    if (method == LIM_PAINTER) return panel->h_px;
+    return SCREEN_USED_LINES(panel->format, panel->w_px, panel->visible, UINT16_MAX - 1);
+}
+
+static inline void screen_init_stream(struct screen *screen)
+{
+#if LIM_HAS_STREAM
+    const bool takes_turns = screen->target.method != LIM_PAINTER && screen->n_lines > 1;
+    screen->block_lines = takes_turns ? screen->n_lines / 2 : 1;
+    if (takes_turns) screen->n_lines = (uint16_t)(2 * screen->block_lines);
+    screen->spare_b = (screen->gathered ? screen->gathered_b : (size_t)screen->block_lines * screen->line_b) / 8;
+#else
+    (void)screen;
+#endif
+}
+
 int screen_init(struct screen *screen, struct panel *panel, enum lim_method method, void *mem, size_t mem_b)
 {
     const uint16_t head_b = (uint16_t)((pixels_head_b(panel->format, panel->w_px) + 3u) / 4u * 4u);
     uint16_t line_b = (uint16_t)(head_b + SCREEN_LINE_B(panel->w_px));
-    uint16_t most_lines = method == LIM_PAINTER ? panel->h_px : 2;
+    const uint16_t most_lines = screen_most_lines(panel, method);
     const uint16_t gathered_b = screen_gathered_b(panel);
     const bool takes_runs = LIM_HAS_RUNS && method == LIM_CONVEX && gathered_b && mem_b >= gathered_b;
     const size_t pages_b = mem_b < 2u * gathered_b + line_b ? gathered_b : 2u * gathered_b;
@@ -289,20 +383,34 @@ int screen_init(struct screen *screen, struct panel *panel, enum lim_method meth
         .window = screen_window, .costs = screen_costs(panel),
 #endif
     };
+    screen_init_stream(screen);
     return 0;
 }
 
 int screen_begin_frame(struct screen *screen)
 {
     screen->window_open = false;
+#if LIM_HAS_STREAM
+    screen->waiting_lines = 0;
+#endif
     screen->gathered_y_px = screen->filled_y_px = SCREEN_NO_LINE;
     return panel_begin_frame(screen->panel);
 }
 
 int screen_end_frame(struct screen *screen)
 {
-    return panel_flush(screen->panel);
+    const int err = screen_send_waiting(screen);
+    return err ? err : screen_flush(screen);
 }
+
+#if LIM_HAS_STREAM
+void screen_set_bus(struct screen *screen, const struct bus *bus, bool (*work)(void *ctx), void *ctx)
+{
+    screen->bus = *bus;
+    screen->work = work;
+    screen->work_ctx = ctx;
+}
+#endif
 
 void screen_turn_camera(struct lim_camera *camera, enum panel_rotation rotation)
 {

@@ -4,7 +4,9 @@
  * Lines that come whole and in order travel in one window a frame; a piece that does not continue
  * where the last one ended opens a window of its own. So does, where pixels share bytes (PANEL_RGB444), what follows an
  * odd number of them; and each line on round glass, of which only what is seen is sent. With memory for two lines one
- * is painted while the other is on its way (DMA).
+ * is painted while the other is on its way (DMA). With more, LIM_HAS_STREAM, and a port that tells what is on its way,
+ * lines wait for the bus and not the other way round: all that are complete go out together when it is free
+ * (screen_set_bus()).
  *
  *     static uint32_t mem[SCREEN_MEM_B(240, 2) / 4];
  *     int err = screen_init(&screen, &display.panel, LIM_NEAREST_FIRST, mem, sizeof mem);
@@ -15,15 +17,17 @@
 #ifndef BOARDS_SCREEN_H
 #define BOARDS_SCREEN_H
 
+#include "bus.h"
 #include "camera.h"
 #include "errors.h"
 #include "greys.h"
 #include "panel.h"
 #include "target.h"
 
-/* Bytes for n_lines of w_px pixels, each line 4-byte aligned. Lines: 1, slow on a bus that works alone; 2, the most
- * that nearest first uses; the panel's h_px for the painter. A line is packed into the panel's format where it is,
- * which takes more room only if a pixel does: SCREEN_WIDE_... for PANEL_RGB666. */
+/* Bytes for n_lines of w_px pixels, each line 4-byte aligned. Lines: 1, slow on a bus that works alone; 2; an even
+ * number more for lines that are sent together, which nearest first uses in PANEL_RGB565 where w_px is even and the
+ * glass not round; the panel's h_px for the painter. A line is packed into the panel's format where it is, which takes
+ * more room only if a pixel does: SCREEN_WIDE_... for PANEL_RGB666. */
 #define SCREEN_LINE_B(w_px) (((w_px)*2u + 3u) / 4u * 4u)
 #define SCREEN_WIDE_LINE_B(w_px) (((w_px) + 3u) / 4u * 4u + SCREEN_LINE_B(w_px))
 #define SCREEN_MEM_B(w_px, n_lines) ((size_t)SCREEN_LINE_B(w_px) * (n_lines))
@@ -35,6 +39,12 @@
 #define SCREEN_PAGE_B(w_px) (((w_px) + 3u) / 4u * 4u)
 #define SCREEN_PAGES_MEM_B(w_px, n_lines)                                                                              \
     (SCREEN_MEM_B(w_px, n_lines) + ((n_lines) < 2 ? 1u : 2u) * SCREEN_PAGE_B(w_px))
+
+/* Whether lines can be sent together, and how many of n_lines have a use. */
+#define SCREEN_JOINS(format, w_px, is_round)                                                                           \
+    (LIM_HAS_STREAM && (format) == PANEL_RGB565 && (w_px) % 2 == 0 && !(is_round))
+#define SCREEN_USED_LINES(format, w_px, is_round, n_lines)                                                             \
+    (SCREEN_JOINS(format, w_px, is_round) || (n_lines) < 2 ? (n_lines) : 2)
 
 /* For screen_set_frame(), in PANEL_GREY4. */
 #define SCREEN_FRAME_MEM_B(w_px, h_px) ((size_t)(((w_px) + 7u) / 8u * 4u) * (h_px))
@@ -62,6 +72,16 @@ struct screen {
     uint16_t window_end_y_px; /* first line below the window */
     uint16_t next_x_px, next_y_px;
     bool half_byte; /* the window's last pixel ends within a byte, which is filled up */
+#if LIM_HAS_STREAM
+    struct bus bus; /* the panel's, if it was told */
+    bool (*work)(void *ctx);
+    void *work_ctx;
+    size_t spare_b;         /* as long as more than that is to be sent, work is done */
+    uint16_t block_lines;   /* half of the lines, or 1: how many can be sent together */
+    uint16_t waiting_lines; /* complete, one below the other, and not sent yet */
+    uint16_t waiting_line;  /* the index of the first of them */
+    uint16_t waiting_y_px;
+#endif
 #if LIM_HAS_FRAME
     struct greys greys; /* the picture, if there is memory for it */
 #endif
@@ -78,6 +98,12 @@ LIM_MUST_CHECK int screen_init(struct screen *screen, struct panel *panel, enum 
  * come there and go out in one piece. PANEL_ERR_UNSUPPORTED: the panel's pixels are not PANEL_GREY4, or lines of them
  * do not take whole words; LIM_ERR_MEMORY. */
 LIM_MUST_CHECK int screen_set_frame(struct screen *screen, void *frame, size_t frame_b);
+#endif
+
+#if LIM_HAS_STREAM
+/* Tells the port that the panel is on (struct bus), of which left_b() is asked, and what to do instead of waiting for
+ * it: work() does a little, which needs nothing of the screen, and returns whether there is more. NULL: nothing. */
+void screen_set_bus(struct screen *screen, const struct bus *bus, bool (*work)(void *ctx), void *ctx);
 #endif
 
 /* Before each frame: whatever was sent to the panel meanwhile, the frame starts with a window; it is held until the

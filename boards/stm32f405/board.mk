@@ -11,7 +11,8 @@ PANEL     := st7789
 MODULE    := --size 240x240 --hz 42000000
 SCENE     := rooms
 PRECISION := fast
-LINES     := 2
+LINES     := 32
+STREAM    := auto
 START     += boards/common/start_cortex_m.c
 DEFINES    = -DHSE_HZ=UINT32_C\($(HSE_HZ)\)
 SOURCES   := $(board_folder)/board.c $(addprefix hal/mcu/,stm32_clock.c stm32_dma.c stm32_spi.c stm32f4_gpio.c stm32f4_rcc.c systick.c)

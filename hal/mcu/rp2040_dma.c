@@ -81,6 +81,13 @@ static int dma_flush(void *ctx)
     return err ? err : pl022_flush(dma->spi);
 }
 
+static size_t dma_left_b(void *ctx)
+{
+    const volatile struct rp2040_dma_channel_registers *const channel = channel_of(ctx);
+
+    return channel->ctrl_trig & CTRL_BUSY ? channel->trans_count : 0;
+}
+
 void rp2040_dma_init(struct rp2040_dma *dma, volatile struct rp2040_dma_registers *registers, uint8_t channel,
                      struct pl022 *spi, uint8_t dreq)
 {
@@ -90,5 +97,5 @@ void rp2040_dma_init(struct rp2040_dma *dma, volatile struct rp2040_dma_register
 
 struct bus rp2040_dma_bus(struct rp2040_dma *dma)
 {
-    return (struct bus){.ctx = dma, .write = dma_write, .flush = dma_flush};
+    return (struct bus){.ctx = dma, .write = dma_write, .flush = dma_flush, .left_b = dma_left_b};
 }

@@ -116,7 +116,15 @@ static int flush(void *ctx)
     return err ? err : stm32_spi_flush(dma->spi);
 }
 
+/* A part's: between two parts of a write() nobody asks. */
+static size_t left_b(void *ctx)
+{
+    const struct stm32_dma *dma = ctx;
+
+    return dma->sending ? dma->stream->ndtr : 0;
+}
+
 struct bus stm32_dma_bus(struct stm32_dma *dma)
 {
-    return (struct bus){.ctx = dma, .write = write, .flush = flush};
+    return (struct bus){.ctx = dma, .write = write, .flush = flush, .left_b = left_b};
 }

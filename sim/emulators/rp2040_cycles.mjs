@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
 //
 // The cycles of a frame, by marks that the image's symbols set: all between frame_begin() and frame_end(), of them
-// those within the painting of lines, and those of waiting for the bus; what is left walks and projects. Code in flash
+// those within the painting of lines, and those of waiting for the bus; what is left walks and projects. So does what is
+// done of the next frame instead of waiting for the bus, in the middle of painting. Code in flash
 // takes no longer here than code in RAM: on the chip it does where its cache misses.
 const FLASH = 0x10000000;
-const BEGIN = 1, END = 2, PAINT = 3, WAIT = 4;
+const BEGIN = 1, END = 2, PAINT = 3, WAIT = 4, AHEAD = 5;
 const MARKS = new Map([
     ['frame_begin', BEGIN], ['frame_end', END], ['lim_paint_band', PAINT],
-    ['rp2040_dma_wait', WAIT], ['pl022_flush', WAIT],
+    ['rp2040_dma_wait', WAIT], ['pl022_flush', WAIT], ['scene_work', AHEAD],
 ]);
 
 // Lines of `nm`: address, perhaps size, type, name, perhaps with what the compiler appended.
@@ -31,7 +32,7 @@ export class Cycles {
     constructor(core, symbols) {
         this.core = core;
         this.marks = marksOf(symbols, 1 << 24);
-        this.waiting = this.painting = null; // where and with which stack what was entered returns
+        this.waiting = this.painting = this.leading = null; // where and with which stack what was entered returns
         this.running = false;
         this.ended = -1; // when the last frame did
     }
@@ -40,12 +41,13 @@ export class Cycles {
     at(pc) {
         if (this.waiting && this.waiting.pc === pc && this.waiting.sp === this.core.SP) this.leaveWait();
         if (this.painting && this.painting.pc === pc && this.painting.sp === this.core.SP) this.leavePaint();
+        if (this.leading && this.leading.pc === pc && this.leading.sp === this.core.SP) this.leaveAhead();
         const mark = this.marks[(pc - FLASH) >> 1];
         if (mark) this.enter(mark);
     }
 
     begin() {
-        Object.assign(this, { running: true, began: this.core.cycles, paint: 0, wait: 0, bytes: 0, besides: 0 });
+        Object.assign(this, { running: true, began: this.core.cycles, paint: 0, wait: 0, ahead: 0, bytes: 0, besides: 0 });
     }
 
     enter(mark) {
@@ -54,7 +56,8 @@ export class Cycles {
         if (mark === END) Object.assign(this, { running: false, ended: core.cycles });
         const here = { pc: core.LR & ~1, sp: core.SP, since: core.cycles };
         if (mark === WAIT && !this.waiting) this.waiting = here;
-        if (mark === PAINT && !this.painting) this.painting = { ...here, waited: this.wait };
+        if (mark === AHEAD && !this.leading) this.leading = here;
+        if (mark === PAINT && !this.painting) this.painting = { ...here, besides: this.wait + this.ahead };
     }
 
     leaveWait() {
@@ -62,8 +65,13 @@ export class Cycles {
         this.waiting = null;
     }
 
+    leaveAhead() {
+        this.ahead += this.core.cycles - this.leading.since;
+        this.leading = null;
+    }
+
     leavePaint() {
-        this.paint += this.core.cycles - this.painting.since - (this.wait - this.painting.waited);
+        this.paint += this.core.cycles - this.painting.since - (this.wait + this.ahead - this.painting.besides);
         this.painting = null;
     }
 

@@ -121,9 +121,9 @@ static int render(uint16_t frame)
     screen.hash_high = FNV_OFFSET_HIGH;
     screen.hash_low = FNV_OFFSET_LOW;
     screen.painted_px = 0;
-    scene_place(frame);
+    scene_announce(frame, &camera);
     frame_begin(frame);
-    const int err = scene_draw(&camera);
+    const int err = scene_draw();
     frame_end(frame);
     end_frame(&screen);
     return err || screen.painted_px != (uint32_t)CAMERAS_W_PX * CAMERAS_H_PX;

@@ -35,6 +35,11 @@ target_flags() { # CORE: of the compiler, for code that is to be the target's
     esac
 }
 
+# target_version CORE: what decides how many instructions a program has; for the host its own processor, too.
+target_version() {
+    echo "$("$(target_compiler "$1")" --version | head -n 1)$([ "$1" != host ] || echo ", $(uname -m)")"
+}
+
 # Start-up sources and flags that make an image of them. A bare one has no library but the compiler's.
 target_image() { # CORE
     case $1 in

@@ -15,39 +15,52 @@ struct moving;
 #include "../../sim/pools.h"
 
 _Static_assert((int)MCU_CACHE_ENTRIES == (int)LIM_VIEW_CACHE_ENTRIES, "cache entries");
-_Static_assert((LIM_WIDE ? MCU_CACHED_WIDE_B : MCU_CACHED_B) == sizeof(struct lim_view_cached), "cache entry");
+enum { INDEX_B = LIM_HAS_WIDE ? MCU_INDEX_B : 0 };
+_Static_assert((LIM_WIDE ? MCU_CACHED_WIDE_B : MCU_CACHED_B) + INDEX_B == sizeof(struct lim_view_cached),
+               "cache entry");
 enum { COVERED_B = LIM_HAS_ANTIALIAS ? MCU_COVERED_B : 0 };
 _Static_assert(MCU_LINE_B + COVERED_B == sizeof(struct lim_line), "line");
-_Static_assert(MCU_PENDING_B == sizeof(struct lim_walk_pending), "pending node");
+_Static_assert(MCU_PENDING_B + INDEX_B == sizeof(struct lim_walk_pending), "pending node");
 _Static_assert((LIM_WIDE ? MCU_CELL_WIDE_B : MCU_CELL_B) == sizeof(union lim_retained_cell), "retained cell");
 _Static_assert(MCU_GAP_B + COVERED_B == sizeof(struct lim_gap), "gap");
-_Static_assert(MCU_ACTIVE_B + (LIM_HAS_TEXTURE ? MCU_ACTIVE_TEXTURE_B : 0) == sizeof(struct lim_active),
+enum {
+    HAS_LONG_EDGES = LIM_SUB_BITS >= MCU_LONG_EDGES_MIN_SUB_BITS,
+    ACTIVE_B = MCU_ACTIVE_B +
+               (HAS_LONG_EDGES      ? MCU_LONG_EDGES_B
+                : LIM_HAS_ANTIALIAS ? MCU_ACTIVE_SAMPLES_B
+                                    : 0) +
+               (LIM_HAS_TEXTURE ? MCU_ACTIVE_TEXTURE_B : 0)
+};
+/* Long edges are aligned, and share their padding with a texture's gradients. */
+_Static_assert(ACTIVE_B >= sizeof(struct lim_active) &&
+                   ACTIVE_B <= sizeof(struct lim_active) + (HAS_LONG_EDGES && LIM_HAS_TEXTURE ? 4 : 0),
                "active polygon");
 _Static_assert(MCU_LAYER_B == sizeof(struct lim_layer), "transparent piece of a line");
 _Static_assert((int)MCU_HEAD_CELLS == (int)LIM_RETAINED_HEAD_CELLS, "head of a retained polygon");
 _Static_assert((int)MCU_CLIP_PLANES == (int)CLIP_PLANES, "vertices that clipping adds");
 
-_Static_assert(MCU_SORTED_B == sizeof(struct lim_sorted), "entry of the sorted list");
-_Static_assert(MCU_NEWELL_B == sizeof(struct lim_newell_polygon), "what a depth sort knows of an entry");
+_Static_assert(MCU_SORTED_B + INDEX_B == sizeof(struct lim_sorted), "entry of the sorted list");
+_Static_assert(MCU_NEWELL_B + INDEX_B == sizeof(struct lim_newell_polygon), "what a depth sort knows of an entry");
 _Static_assert(MCU_CUT_B == sizeof(struct lim_cut), "cut");
 
 enum {
     IS_FINE = LIM_PROFILE >= LIM_PROFILE_FINE,
-    MOVER_B = MCU_MOVER_B + (IS_FINE ? MCU_MOVER_FINE_B : 0) + (LIM_HAS_ANTIALIAS ? MCU_MOVER_ANTIALIAS_B : 0) +
-              (LIM_HAS_LIGHT ? MCU_MOVER_LIGHT_B : 0)
+    MOVER_B = MCU_MOVER_B + INDEX_B + (IS_FINE ? MCU_MOVER_FINE_B : 0) +
+              (LIM_HAS_ANTIALIAS ? MCU_MOVER_ANTIALIAS_B : 0) + (LIM_HAS_LIGHT ? MCU_MOVER_LIGHT_B : 0)
 };
 /* CPUs that do not multiply to 64 bits keep finer rows in fewer bytes. */
 _Static_assert(IS_FINE ? MOVER_B >= sizeof(struct lim_mover) : MOVER_B == sizeof(struct lim_mover), "mover");
-_Static_assert(MCU_ROUTE_B == sizeof(struct lim_route_pending), "pending node on a mover's way");
+_Static_assert(MCU_ROUTE_B + INDEX_B / 2 == sizeof(struct lim_route_pending), "pending node on a mover's way");
 _Static_assert(MCU_MOVED_B == sizeof(struct lim_moved), "object and its motion");
 
 #if LIM_HAS_CONVEX
 _Static_assert(MCU_TOP_B == sizeof *((struct lim_convex *)0)->tops, "head of a line's faces");
-_Static_assert(MCU_FACE_B == sizeof(struct lim_face), "face");
+_Static_assert(MCU_FACE_B + INDEX_B / 2 == sizeof(struct lim_face), "face");
 enum { FLAGS_B = LIM_HAS_WIREFRAME ? (CLIP_MAX_VERTICES + 15) / 16 * 2 : 0 };
 /* Parts that not every scene has share padding. What is antialiased is never drawn as a convex solid. */
 enum {
-    CROSSING_B = MCU_CROSSING_B + (LIM_HAS_TEXTURE ? MCU_CROSSING_TEXTURE_B : 0) +
+    CROSSING_B = MCU_CROSSING_B + (HAS_LONG_EDGES ? MCU_CROSSING_LONG_EDGES_B : 0) +
+                 (LIM_HAS_TEXTURE ? MCU_CROSSING_TEXTURE_B : 0) +
                  CLIP_MAX_VERTICES * (LIM_WIDE ? MCU_CELL_WIDE_B : MCU_CELL_B) + (FLAGS_B + 3) / 4 * 4
 };
 _Static_assert(LIM_HAS_ANTIALIAS ||

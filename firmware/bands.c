@@ -1,0 +1,230 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * A frame, nearest first: pass one (nearest.c) over all lines, then pass two (paint.c). When a pool is exhausted the
+ * frame is finished in bands: the same two passes over half the lines, a quarter, one line, half a line. A band of one
+ * pixel needs one polygon and no gap, so every frame ends. */
+#include "order.h"
+
+#if LIM_HAS_SPANS
+
+/* A smaller band that starts where this one does. What PAINT has left of a band may be a single
+ * pixel, which is smaller already. */
+static void halve(struct lim_rect *band)
+{
+    const uint16_t lines = (uint16_t)(band->y1 - band->y0), pixels = (uint16_t)(band->x1 - band->x0);
+
+    if (lines > 1)
+        band->y1 = (uint16_t)(band->y0 + lines / 2);
+    else if (pixels > 1)
+        band->x1 = (uint16_t)(band->x0 + pixels / 2);
+}
+
+/* The band of the same size that follows: to the right, or below. */
+static void follow(struct lim_rect *band, const struct lim_target *target)
+{
+    const uint16_t lines = (uint16_t)(band->y1 - band->y0), pixels = (uint16_t)(band->x1 - band->x0);
+
+    if (band->x1 < target->w_px) {
+        band->x0 = band->x1;
+        band->x1 = (uint16_t)(target->w_px - band->x0 < pixels ? target->w_px : band->x0 + pixels);
+        return;
+    }
+    band->x0 = 0;
+    band->x1 = pixels;
+    band->y0 = band->y1;
+    band->y1 = (uint16_t)(target->h_px - band->y0 < lines ? target->h_px : band->y0 + lines);
+}
+
+/* Positive: a pool is exhausted (LIM_PAINT_...), and *y is the first line that is not yet painted. */
+static int paint_band(struct lim *lim, const struct lim_rect *band, bool is_collected, uint16_t *y)
+{
+    *y = band->y0;
+    if (!is_collected) return LIM_PAINT_ACTIVE;
+    return lim_paint_band(&lim->paint, &lim->spans, &lim->retained, band, y, lim_stats_of(lim));
+}
+
+/* How far the stack must reach, and how many polygons wait at one pixel, is not bounded where some are transparent; and
+ * wireframe retains more of a polygon than the least pool was made for. The painter's order needs no pool at all: a
+ * line for which any is too small is painted so. */
+static bool wants_painter(const struct lim *lim, const struct lim_rect *band, int exhausted)
+{
+    if (!LIM_HAS_FALLBACK) return false;
+    if (!lim->scene->limits.layers && !lim_wireframe_of(lim) && !lim_moves(lim)) return false;
+    return exhausted == LIM_PAINT_LAYERS || band->y1 - band->y0 == 1;
+}
+
+/* In all views of the frame. */
+static inline void set_antialiased(struct lim *lim, bool antialiased)
+{
+#if LIM_HAS_ANTIALIAS
+    lim->view.antialiased = antialiased;
+#if LIM_HAS_MOVERS
+    lim->movers.world.antialiased = antialiased;
+    for (uint16_t i = 0; i < lim->movers.count; i++)
+        lim->movers.movers[i].view.antialiased = antialiased;
+#endif
+#else
+    (void)lim, (void)antialiased;
+#endif
+}
+
+/* One line, from a walk of its own: it needs no pool. */
+static inline int draw_line_alone(struct lim *lim, const struct lim_rect *band)
+{
+#if LIM_HAS_ANTIALIAS
+    const int err = lim_smooth_begin_line(lim, band->y0);
+
+    if (err) return err;
+    (void)lim_collect(lim, band);
+    return lim_smooth_end_line(lim, band->y0);
+#else
+    (void)lim, (void)band;
+    return 0;
+#endif
+}
+
+/* The band's first line; what is left of the band comes next. */
+static int paint_first_line(struct lim *lim, struct lim_rect *band)
+{
+    int err = LIM_ERR_TARGET;
+#if LIM_HAS_FALLBACK
+    const bool antialiased = lim_is_antialiased(&lim->view);
+
+    set_antialiased(lim, false);
+    err = lim_painter_line(lim, band->y0);
+    set_antialiased(lim, antialiased);
+#endif
+    if (band->y1 - band->y0 > 1)
+        band->y0++;
+    else
+        follow(band, &lim->target);
+    return err;
+}
+
+#if LIM_HAS_FRAME
+/* Whether all of the frame is made of pieces in one colour, and the target has room for it. */
+static bool wants_fill(const struct lim *lim)
+{
+    if (!lim->target.fill || lim->target.method != LIM_NEAREST_FIRST || lim_wants_antialias(lim)) return false;
+    if (lim->scene->limits.layers || lim_texture_count(lim->scene) || lim_wireframe_of(lim)) return false;
+#if LIM_HAS_DELTA
+    if (lim->delta) return false;
+#endif
+    return !lim_moves(lim);
+}
+
+static void fill_background(struct lim *lim)
+{
+    const struct lim_rect *open = &lim->spans.open;
+    struct lim_piece_look look = {.ctx = lim->target.ctx, .colour = lim_background_of(lim)};
+
+    if (!lim->spans.open_lines) return;
+    for (look.y_px = open->y0; look.y_px < open->y1; look.y_px++) {
+        struct lim_line *line = &lim->spans.lines[look.y_px];
+        (void)lim_span_close(&lim->spans, line, 0, (int16_t)lim->target.w_px, lim->target.fill, &look);
+    }
+}
+
+/* Polygons straight into the frame that the target keeps: pass one alone. Positive: it must come by lines. */
+static int fill_frame(struct lim *lim, const struct lim_rect *frame)
+{
+    lim->fills = true;
+    const bool whole = lim_collect(lim, frame);
+    lim->fills = false;
+    if (!whole) return LIM_PAINT_ACTIVE;
+    fill_background(lim);
+    return lim->target.show(lim->target.ctx);
+}
+#endif
+
+static struct lim_rect whole_frame(const struct lim *lim)
+{
+    return (struct lim_rect){0, 0, lim->target.w_px, lim->target.h_px};
+}
+
+static void begin_frame(struct lim *lim)
+{
+    if (LIM_HAS_ANTIALIAS) set_antialiased(lim, lim_wants_antialias(lim));
+    if (LIM_IS_SORTED(&lim->target)) lim_sorted_order(lim);
+}
+
+/* For what of a band could not be painted, from line band->y0 on, a pool is too small. */
+static int paint_less(struct lim *lim, struct lim_rect *band, int exhausted)
+{
+    lim->bands++;
+    if (LIM_HAS_STATS) lim_stats_of(lim)->bands = lim->bands;
+    if (wants_painter(lim, band, exhausted)) return paint_first_line(lim, band);
+    if (!LIM_HAS_ANTIALIAS || !lim_is_antialiased(&lim->view) || band->y1 - band->y0 > 1) {
+        halve(band);
+        return 0;
+    }
+    const int err = draw_line_alone(lim, band);
+    if (!err) follow(band, &lim->target);
+    return err;
+}
+
+/* From pass one over all lines to the frame's last line. */
+static int finish_frame(struct lim *lim, bool is_collected)
+{
+    struct lim_rect band = whole_frame(lim);
+
+    for (;;) {
+        uint16_t y;
+        int err = paint_band(lim, &band, is_collected, &y);
+        if (err > 0) {
+            band.y0 = y;
+            err = paint_less(lim, &band, err);
+        } else {
+            follow(&band, &lim->target);
+        }
+        if (err || band.y0 >= lim->target.h_px) return err;
+        is_collected = lim_collect(lim, &band);
+    }
+}
+
+int lim_nearest_frame(struct lim *lim)
+{
+    const struct lim_rect frame = whole_frame(lim);
+
+    begin_frame(lim);
+#if LIM_HAS_FRAME
+    if (wants_fill(lim)) {
+        const int err = fill_frame(lim, &frame);
+        if (err <= 0) return err;
+    }
+#endif
+    return finish_frame(lim, lim_collect(lim, &frame));
+}
+
+#if LIM_HAS_STREAM
+/* A target that keeps the picture is filled by pass one. */
+static bool begin_ahead(struct lim *lim)
+{
+    const struct lim_rect frame = whole_frame(lim);
+
+#if LIM_HAS_FRAME
+    if (wants_fill(lim)) return false;
+#endif
+    begin_frame(lim);
+    lim_collect_begin(lim, &frame);
+    lim->ahead.stage = LIM_AHEAD_BUSY;
+    return true;
+}
+
+bool lim_nearest_work(struct lim *lim)
+{
+    if (lim->ahead.stage == LIM_AHEAD_BEGUN) return begin_ahead(lim);
+    if (lim->ahead.stage == LIM_AHEAD_BUSY) lim->ahead.stage = lim_collect_some(lim);
+    return lim->ahead.stage == LIM_AHEAD_BUSY;
+}
+
+int lim_nearest_paint(struct lim *lim)
+{
+    if (lim->ahead.stage == LIM_AHEAD_BEGUN) return lim_nearest_frame(lim);
+    while (lim_nearest_work(lim))
+        ;
+    return finish_frame(lim, lim->ahead.stage == LIM_AHEAD_DONE);
+}
+#endif
+
+#endif

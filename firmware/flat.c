@@ -1,0 +1,102 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * The polygons that cross a line are kept from far to near, as retain.h lists those that start on it. What is nearer
+ * paints over what is farther, so each pixel ends as the nearest polygon's: the picture of pass one. */
+#include "flat.h"
+
+#include "paint.h"
+
+#if LIM_HAS_SPANS
+
+/* Merges those that start on the line into the list. false: no room. */
+static bool activate(struct lim_actives *actives, const struct lim_retained *retained, uint16_t polygon, uint16_t y)
+{
+    struct lim_active **link = &actives->first;
+
+    for (; polygon != LIM_NONE; polygon = retained->cells[polygon].link.next) {
+        struct lim_active *active = lim_active_take(actives);
+        if (!active) return false;
+        while (*link && (*link)->polygon > polygon)
+            link = &(*link)->next;
+        active->next = *link;
+        *link = active;
+        link = &active->next;
+        lim_active_begin(active, retained, polygon, (int16_t)y);
+    }
+    return true;
+}
+
+/* Pixels of the line that may be painted. */
+struct extent {
+    int32_t x0, x1;
+};
+
+static void paint_polygons(struct lim_actives *actives, const struct lim_retained *retained, uint16_t *line,
+                           struct extent extent, int16_t below, struct lim_stats *stats)
+{
+    struct lim_active **link = &actives->first, *active;
+
+    while ((active = *link) != NULL) {
+        int32_t x0 = lim_edge_x(&active->pair.left), x1 = lim_edge_x(&active->pair.right);
+        lim_edge_step(&active->pair.left);
+        lim_edge_step(&active->pair.right);
+        if (x0 < extent.x0) x0 = extent.x0;
+        if (x1 > extent.x1) x1 = extent.x1;
+        if (x0 < x1) {
+            lim_fill_inline(line, (uint32_t)x0, (uint32_t)(x1 - x0), active->colour);
+            if (LIM_HAS_STATS) stats->pixels_painted += (uint32_t)(x1 - x0);
+        }
+        if (active->turn == below) {
+            if (active->bottom == below) {
+                lim_active_give_back(actives, link);
+                continue;
+            }
+            lim_active_turn(active, &retained->cells[active->polygon], below);
+        }
+        link = &active->next;
+    }
+}
+
+static void paint_background(const struct lim_spans *spans, const struct lim_gap *gap, uint16_t *line, uint16_t colour,
+                             struct lim_stats *stats)
+{
+    for (;;) {
+        const uint16_t n_px = (uint16_t)(gap->x1 - gap->x0);
+        if (n_px) lim_fill_inline(line, gap->x0, n_px, colour);
+        if (LIM_HAS_STATS) stats->pixels_background += n_px;
+        if (gap->next == LIM_NONE) return;
+        gap = &spans->pool[gap->next];
+    }
+}
+
+static int paint_line(struct lim_paint *paint, struct lim_spans *spans, const struct lim_retained *retained,
+                      const struct lim_rect *band, uint16_t y, struct lim_stats *stats)
+{
+    struct extent extent = {band->x0, band->x1};
+    uint16_t *const line = paint->target->lend(paint->target->ctx, y);
+
+    if (!line) return LIM_ERR_TARGET;
+#if LIM_HAS_ROUND
+    struct lim_line open;
+    lim_line_open(&open, paint->target, band, y);
+    extent = (struct extent){open.gap.x0, open.gap.x1};
+#endif
+    if (LIM_HAS_STATS && paint->actives.used > stats->active_max) stats->active_max = paint->actives.used;
+    paint_background(spans, &spans->lines[y].gap, line, paint->background, stats);
+    paint_polygons(&paint->actives, retained, line, extent, (int16_t)(y + 1), stats);
+    return paint->target->done(paint->target->ctx, y, (uint16_t)extent.x0, (uint16_t)(extent.x1 - extent.x0));
+}
+
+int lim_flat_band(struct lim_paint *paint, struct lim_spans *spans, const struct lim_retained *retained,
+                  const struct lim_rect *band, uint16_t *y, struct lim_stats *stats)
+{
+    lim_actives_start(&paint->actives);
+    for (*y = band->y0; *y < band->y1; ++*y) {
+        if (!activate(&paint->actives, retained, spans->lines[*y].retained, *y)) return LIM_PAINT_ACTIVE;
+        const int err = paint_line(paint, spans, retained, band, *y, stats);
+        if (err) return err;
+    }
+    return 0;
+}
+
+#endif

@@ -1,0 +1,162 @@
+# SPDX-License-Identifier: MIT
+#
+# What frames cost, on every processor, and what they take of memory: profile fast, flat colours.
+#   sh sim/bench.sh                                  everything: build/bench.csv, README's table, and what changed since
+#                                                    the baseline (exit status 1: something grew)
+#   sh sim/bench.sh --baseline                       the same; writes the baseline, and the tables, anew
+#   sh sim/bench.sh --rows CORES SCENE SIZE PATH     rows of these to standard output
+# PATH is `own`, the camera file that the scene comes with, or `random`, cameras on which nothing was tuned; both of 64
+# frames. Needs $BUILD/limner, $BUILD/scenes and $WARNINGS; progress goes to standard error.
+set -eu
+. sim/targets/targets.sh
+. sim/footprint.sh
+. sim/bench_host.sh
+
+: "${BUILD:=build}" "${WARNINGS:?is set by the Makefile: make bench}"
+export BUILD
+out=$BUILD/bench
+baseline=sim/bench.baseline.csv
+
+header=core,scene,size,path,stage,mean,worst
+frames=64
+scenes='mesh5000 demo teapot rooms' # what takes longest first
+sizes='240x240 128x64'
+paths='own random'
+seed=1
+
+model_of() { # SCENE
+    [ -e "sim/scenes/$1.obj" ] && echo "sim/scenes/$1.obj" || echo "$BUILD/scenes/$1.obj"
+}
+
+# The cameras of a path, as a word for --camera. A file's are thinned out evenly.
+cameras_of() { # SCENE PATH FOLDER
+    [ "$2" = own ] || { echo "random:$seed:$frames"; return; }
+    cameras=$(model_of "$1")
+    awk -v frames=$frames '!/^ *(#|$)/ { line[count++] = $0 }
+        END {
+            if (frames > count) frames = count
+            for (i = 0; i < frames; i++) print line[int(i * count / frames)]
+        }' "${cameras%.obj}.cam" >"$3/own.cam"
+    echo "$3/own.cam"
+}
+
+# -- Rows: STAGE MEAN WORST becomes CORE,SCENE,SIZE,PATH,STAGE,MEAN,WORST --------------------------------------------
+
+rows_of() { # CORE SCENE SIZE PATH
+    sed "s/ /,/g; s/^/$1,$2,$3,$4,/"
+}
+
+# From the CSV files of `limner measure`. The file frame.c is told from the whole frame.
+measured_rows() { # FOLDER SCENE SIZE PATH
+    awk -F , -v place="$2,$3,$4" '
+        FNR == 1 { file++; for (i = 1; i <= NF; i++) column[$i] = i; next }
+        function field(name) { return $column[name] }
+        file == 1 && FNR == 2 { printf "all,%s,wrong_percent,%s,%s\n", place, field("wrong_percent"), field("worst_frame_percent") }
+        file == 1 && FNR == 2 { printf "all,%s,holes_px,%d,%d\n", place, field("holes"), field("holes") }
+        file == 1 { printf "%s,%s,frame,%s,%s\n", field("core"), place, field("instructions"), field("worst_instructions") }
+        file == 2 {
+            stage = field("stage") == "frame" ? "frame.c" : field("stage")
+            printf "%s,%s,%s,%s,%s\n", field("core"), place, stage, field("instructions"), field("worst")
+        }' "$1/measure.csv" "$1/stages.csv"
+}
+
+emulated() { # CORES SCENE SIZE PATH FOLDER
+    "$BUILD/limner" measure "$(model_of "$2")" --camera "$(cameras_of "$2" "$4" "$5")" --size "$3" --precision fast \
+        --core "$1" -o "$5" >/dev/null
+    measured_rows "$5" "$2" "$3" "$4"
+}
+
+on_host() { # SCENE SIZE FOLDER
+    "$BUILD/limner" compile "$(model_of "$1")" --size "$2" -o "$3/model" >/dev/null
+    for path in $paths; do
+        bench_host_count "$3" "$(cameras_of "$1" "$path" "$3")" "$2" >"$3/counted"
+        rows_of host "$1" "$2" "$path" <"$3/counted"
+    done
+}
+
+# Bytes at -Os; a line of the panel is the target's. Flash a face of the model, merged or not.
+memory() { # SCENE SIZE FOLDER
+    "$BUILD/limner" compile "$(model_of "$1")" --size "$2" -o "$3/model" >"$3/report"
+    faces=$(sed -n 's/^ *faces in the model *//p' "$3/report")
+    data_b=$(footprint_data "$3")
+    awk -v data_b="$data_b" -v faces="$faces" 'BEGIN {
+        printf "faces %d %d\nscene_b %d %d\nscene_b_a_face %.1f %.1f\n", faces, faces, data_b, data_b, data_b / faces, data_b / faces
+    }' | rows_of all "$1" "$2" -
+    for core in m0plus m4; do
+        footprint_costs $core "$3" "${2#*x}" >"$3/costs"
+        awk -v line_b=$((2 * ${2%x*})) '{
+            print "code_b", $1, $1
+            print "ram_b", $2, $2
+            print "stack_b", $3, $3
+            print "all_ram_b", $2 + $3 + line_b, $2 + $3 + line_b
+        }' "$3/costs" | rows_of $core "$1" "$2" -
+    done
+}
+
+# -- All of it, as many jobs at once as there are processors ----------------------------------------------------------
+
+jobs() {
+    for scene in $scenes; do
+        for size in $sizes; do
+            for path in $paths; do echo "emulated $scene $size $path"; done
+            echo "on_host $scene $size -"
+        done
+        echo "memory $scene 240x240 -"
+    done
+}
+
+job() { # KIND SCENE SIZE PATH FOLDER: its rows
+    case $1 in
+    emulated) emulated m0plus,m3,m4,rv32 "$2" "$3" "$4" "$5" ;;
+    on_host) on_host "$2" "$3" "$5" ;;
+    memory) memory "$2" "$3" "$5" ;;
+    esac
+}
+
+# A process of its own, so that the first command that fails ends it; xargs begins no more after status 255.
+one() { # KIND SCENE SIZE PATH
+    folder=$out/$1-$2-$3-$4
+    mkdir -p "$folder"
+    if ! sh sim/bench.sh --job "$@" "$folder" >"$folder/rows" 2>"$folder/log"; then
+        echo "bench: $* failed:" >&2
+        cat "$folder/log" >&2
+        exit 255
+    fi
+    mv "$folder/rows" "$folder.csv"
+    echo "bench: $(find "$out" -maxdepth 1 -name "*.csv" | wc -l) of $(jobs | wc -l): $*" >&2
+}
+
+everything() {
+    rm -rf "$out"
+    mkdir -p "$out"
+    jobs | xargs -L 1 -P "$(nproc)" sh sim/bench.sh --one
+    echo "$header" >"$BUILD/bench.csv"
+    jobs | while read -r kind scene size path; do cat "$out/$kind-$scene-$size-$path.csv"; done |
+        sort -t , -k 2,4 -k 1,1 -s >>"$BUILD/bench.csv"
+    sh sim/bench_tables.sh "$BUILD/bench.csv"
+}
+
+case ${1:-} in
+--one | --job)
+    name=${1#--}
+    shift
+    "$name" "$@"
+    ;;
+--rows)
+    work=$(mktemp -d)
+    trap 'rm -rf "$work"' EXIT
+    echo "$header"
+    emulated "$2" "$3" "$4" "$5" "$work"
+    ;;
+--baseline)
+    everything
+    sh sim/bench_compare.sh "$baseline" "$BUILD/bench.csv" || true
+    sh sim/bench_compare.sh --baseline "$BUILD/bench.csv" >"$out/baseline"
+    cp "$out/baseline" "$baseline"
+    sh sim/bench_tables.sh --write "$baseline"
+    ;;
+'')
+    everything
+    sh sim/bench_compare.sh "$baseline" "$BUILD/bench.csv"
+    ;;
+esac

@@ -1,0 +1,19 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Nearest first or by scan lines: the same pictures. Where the eye sees most of what the walk reaches, to paint all of
+ * it costs less than to find out what is hidden. The compiler tries scan lines there, on the cameras that sized its
+ * pools, and takes what is predicted to need fewer instructions. */
+#ifndef SIM_ORDER_CHOICE_H
+#define SIM_ORDER_CHOICE_H
+
+#include "compiled.h"
+
+/* What keeps the scene, or what it is to be compiled for, from being painted by scan lines; as method_scans()
+ * takes it; NULL: nothing does. */
+const char *order_needs_nearest(const struct compile_options *options, const struct lim_scene *scene);
+
+/* Of a scene whose pools are measured for nearest first: draws it by scan lines from now on if that is cheaper, and the
+ * options leave the choice. */
+bool order_choose(struct compiled *scene, const struct compile_options *options, struct error *err);
+
+#endif

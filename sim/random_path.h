@@ -1,0 +1,15 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Cameras that nothing was tuned on: at random in a scene's free space. */
+#ifndef SIM_RANDOM_PATH_H
+#define SIM_RANDOM_PATH_H
+
+#include "camera_path.h"
+
+/* The same seed and the same bounds give the same cameras, but for points so near a polygon that rounding decides on
+ * which side they are: the order of vertices and polygons does not matter. Fails where no free space is found. `name`
+ * is for messages. */
+bool random_path(const struct compiled *scene, const char *name, uint32_t seed, size_t count, struct camera_path *out,
+                 struct error *err);
+
+#endif

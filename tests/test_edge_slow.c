@@ -1,0 +1,100 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * EDGE is exact as it is built for a processor without a division, here for 1024 pixels: 20 fraction bits; and the
+ * reciprocal that it divides by errs by no more than EDGE counts with. */
+#define LIM_DIVIDES 0
+
+#include "edge.c"
+
+#include "cmocka_ready.h"
+#include "edge_rig.h"
+
+#include <stdio.h>
+
+enum { BY_MAX = 65535 };
+
+static void edges_are_exact(void **state)
+{
+    struct random random = {104};
+    size_t lines = 0;
+
+    (void)state;
+    for (int k = 0; k < 20000; k++)
+        lines += edge_rig_check(&random, edge_rig_band(k % 2 ? LIM_MAX_SIDE_PX : 64));
+    printf("# %d fraction bits: %zu lines of edges\n", LIM_EDGE_BITS, lines);
+    assert_true(lines > 500000);
+}
+
+static int64_t floor_divide(int64_t a, int64_t by)
+{
+    return a / by - (a % by < 0);
+}
+
+/* Ends of the range, and anything in it. */
+static int32_t pick(struct random *random, int k, int32_t most)
+{
+    const int32_t ends[] = {0, 1, -1, most, -most};
+
+    return k < 5 ? ends[k] : (int32_t)random_in(random, -most, most);
+}
+
+static void quotients_of_16_bits_are_never_too_high_and_hardly_too_low(void **state)
+{
+    struct random random = {105};
+
+    (void)state;
+    for (int32_t by = 1; by <= BY_MAX >> 4; by++) { /* what begin_stretch() calls short */
+        const struct divisor divisor = divisor_of(by);
+        for (int k = 0; k < 24; k++) {
+            const int32_t a = pick(&random, k, DIVISOR_WIDTH - 1);
+            const int64_t short_of = (int64_t)a * 65536 - (int64_t)divisor_q16(&divisor, a) * by;
+            assert_true(short_of >= 0 && short_of < (int64_t)DIVISOR_ERROR * by);
+        }
+    }
+}
+
+static void whole_quotients_are_exact(void **state)
+{
+    struct random random = {106};
+
+    (void)state;
+    for (int32_t by = 1; by <= BY_MAX; by++) {
+        const struct divisor divisor = divisor_of(by);
+        for (int k = 0; k < 12; k++) {
+            const int32_t a = pick(&random, k, by * 511 > 0 ? by * 511 : INT32_MAX / 2);
+            int32_t rest;
+            assert_int_equal(divisor_floor(&divisor, a, &rest), floor_divide(a, by));
+            assert_int_equal(rest, a - floor_divide(a, by) * by);
+        }
+    }
+}
+
+static void fractions_are_never_too_high_and_hardly_too_low(void **state)
+{
+    static const uint8_t bits[] = {20, 22};
+    struct random random = {107};
+
+    (void)state;
+    for (int32_t by = 1; by <= BY_MAX; by++) {
+        const struct divisor divisor = divisor_of(by);
+        for (int k = 0; k < 12; k++) {
+            const uint32_t rest = k == 0 ? 0 : k == 1 ? (uint32_t)by - 1 : (uint32_t)random_in(&random, 0, by - 1);
+            const int64_t fraction = divisor_fraction(&divisor, rest, bits[k % 2]);
+            const int64_t short_of = ((int64_t)rest << bits[k % 2]) - fraction * by;
+            assert_true(short_of >= 0 && short_of < (int64_t)DIVISOR_ERROR * by);
+            assert_int_equal(divided_fraction((uint32_t)by, rest, bits[k % 2]), ((int64_t)rest << bits[k % 2]) / by);
+        }
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(edges_are_exact),
+        cmocka_unit_test(quotients_of_16_bits_are_never_too_high_and_hardly_too_low),
+        cmocka_unit_test(whole_quotients_are_exact),
+        cmocka_unit_test(fractions_are_never_too_high_and_hardly_too_low),
+    };
+
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
