@@ -6,35 +6,33 @@
 #if defined(__arm__)
 
 /* Four registers, so that no more have to be saved. */
-lim_pixel_pair *lim_fill_eights(lim_pixel_pair *to, uint32_t count, uint32_t pair)
+lim_pixel_pair *lim_fill_sixteens(lim_pixel_pair *to, uint32_t count, uint32_t pair)
 {
     register uint32_t a __asm__("r3") = pair;
     register uint32_t b __asm__("r4") = pair;
     register uint32_t c __asm__("r5") = pair;
     register uint32_t d __asm__("r6") = pair;
 
-    if (count & 8)
-        __asm__ volatile("stmia %0!, {%1, %2, %3, %4}\n\tstmia %0!, {%1, %2, %3, %4}"
-                         : "+l"(to)
-                         : "l"(a), "l"(b), "l"(c), "l"(d)
-                         : "memory");
-    for (count >>= 4; count > 0; count--)
+    do
         __asm__ volatile("stmia %0!, {%1, %2, %3, %4}\n\tstmia %0!, {%1, %2, %3, %4}\n\t"
                          "stmia %0!, {%1, %2, %3, %4}\n\tstmia %0!, {%1, %2, %3, %4}"
                          : "+l"(to)
                          : "l"(a), "l"(b), "l"(c), "l"(d)
                          : "memory");
+    while (--count);
     return to;
 }
 
 #else
 
-lim_pixel_pair *lim_fill_eights(lim_pixel_pair *to, uint32_t count, uint32_t pair)
+lim_pixel_pair *lim_fill_sixteens(lim_pixel_pair *to, uint32_t count, uint32_t pair)
 {
-    for (lim_pixel_pair *const end = to + (count & ~7u); to < end; to += 8) {
-        to[0] = to[1] = to[2] = to[3] = pair;
-        to[4] = to[5] = to[6] = to[7] = pair;
-    }
+    do {
+        LIM_UNROLLED(16)
+        for (uint_fast8_t i = 0; i < 16; i++)
+            to[i] = pair;
+        to += 16;
+    } while (--count);
     return to;
 }
 

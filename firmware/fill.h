@@ -21,17 +21,10 @@ void lim_fill(uint16_t *line, uint16_t x_px, uint16_t n_px, uint16_t colour);
 
 typedef uint32_t __attribute__((may_alias)) lim_pixel_pair; /* lines are arrays of uint16_t */
 
-/* Writes as many multiples of 8 pairs as there are in `count`, 8 at least. Returns the place behind them. */
-lim_pixel_pair *lim_fill_eights(lim_pixel_pair *to, uint32_t count, uint32_t pair);
+/* Writes `count` times 16 pairs, once at least. Returns the place behind them. */
+lim_pixel_pair *lim_fill_sixteens(lim_pixel_pair *to, uint32_t count, uint32_t pair);
 
-static inline lim_pixel_pair *lim_fill_eight(lim_pixel_pair *to, uint32_t pair)
-{
-    to[0] = to[1] = to[2] = to[3] = pair;
-    to[4] = to[5] = to[6] = to[7] = pair;
-    return to + 8;
-}
-
-/* The same, where calls are many. */
+/* The same, where calls are many: a jump past the stores that are too many. */
 static inline void lim_fill_inline(uint16_t *line, uint32_t x_px, uint32_t n_px, uint16_t colour)
 {
     uint16_t *const begin = line + x_px, *const end = begin + n_px;
@@ -41,21 +34,26 @@ static inline void lim_fill_inline(uint16_t *line, uint32_t x_px, uint32_t n_px,
 
     begin[0] = end[-1] = colour; /* the halves of words at the ends, if there are such */
     if (n_px < 3) return;
-    if (pairs >= 24) {
-        q = lim_fill_eights(q, pairs, pair);
-    } else if (pairs >= 8) {
-        if (pairs & 16) q = lim_fill_eight(lim_fill_eight(q, pair), pair);
-        if (pairs & 8) q = lim_fill_eight(q, pair);
+    if (pairs > 15) q = lim_fill_sixteens(q, pairs >> 4, pair);
+    switch (pairs & 15) {
+    case 15: q[14] = pair; /* fall through */
+    case 14: q[13] = pair; /* fall through */
+    case 13: q[12] = pair; /* fall through */
+    case 12: q[11] = pair; /* fall through */
+    case 11: q[10] = pair; /* fall through */
+    case 10: q[9] = pair; /* fall through */
+    case 9: q[8] = pair; /* fall through */
+    case 8: q[7] = pair; /* fall through */
+    case 7: q[6] = pair; /* fall through */
+    case 6: q[5] = pair; /* fall through */
+    case 5: q[4] = pair; /* fall through */
+    case 4: q[3] = pair; /* fall through */
+    case 3: q[2] = pair; /* fall through */
+    case 2: q[1] = pair; /* fall through */
+    case 1: q[0] = pair; /* fall through */
+    case 0: return;
+    default: __builtin_unreachable();
     }
-    if (pairs & 4) {
-        q[0] = q[1] = q[2] = q[3] = pair;
-        q += 4;
-    }
-    if (pairs & 2) {
-        q[0] = q[1] = pair;
-        q += 2;
-    }
-    if (pairs & 1) q[0] = pair;
 }
 
 /* The same of line y, or, if that is NULL, by the target. */
