@@ -35,8 +35,6 @@ struct lim_actives {
     struct lim_active *first, *free; /* lists through `next`: what crosses the line, and what was given back */
 };
 
-_Static_assert(sizeof(union lim_retained_cell) == sizeof(struct lim_point), "points lie one a cell");
-
 static inline const struct lim_point *lim_active_points(const union lim_retained_cell *cells)
 {
     return &cells[LIM_RETAINED_HEAD_CELLS].at;

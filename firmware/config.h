@@ -232,6 +232,13 @@
 #define LIM_RARE
 #endif
 
+/* A condition that seldom holds. */
+#if defined(__GNUC__)
+#define LIM_SELDOM(condition) __builtin_expect(condition, 0)
+#else
+#define LIM_SELDOM(condition) (condition)
+#endif
+
 /* Not inlined, but not rare: a loop that wants all registers for itself. */
 #if defined(__GNUC__)
 #define LIM_ALONE __attribute__((noinline))

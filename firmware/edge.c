@@ -13,30 +13,13 @@
 #include "edge.h"
 
 #include "divisor.h"
+#include "measure.h"
 
-/* Neither is a quotient in here longer than the guard band is wide, nor, on small screens, a divisor than 16 bits. */
-#define EDGE_MOST_PX (2 * LIM_MAX_SIDE_PX + 2)
-#define EDGE_IS_SHORT (LIM_8_BIT && EDGE_MOST_PX < 512 && EDGE_MOST_PX <= UINT16_MAX >> LIM_SUB_BITS)
-
-/* A coordinate and what is added to it, or a line from the origin. */
-#if EDGE_IS_SHORT
-typedef int16_t edge_sub;
-#define EDGE_SUB_MIN INT16_MIN
-#define EDGE_SUB_MAX INT16_MAX
+#if LIM_EDGE_IS_SHORT
 #define EDGE_SHIFT(area) shift_s32(area, LIM_SUB_BITS)
 #else
-typedef int32_t edge_sub;
-#define EDGE_SUB_MIN INT32_MIN
-#define EDGE_SUB_MAX INT32_MAX
 #define EDGE_SHIFT(area) ((area) >> LIM_SUB_BITS)
 #endif
-
-/* The first line at or below y, from the origin: what two of them have between them is the same as on the screen. So
- * are columns. */
-static inline edge_sub row_of(edge_sub y)
-{
-    return (edge_sub)(y + (edge_sub)(LIM_SUB - 1)) >> LIM_SUB_BITS;
-}
 
 /* M above, for line y from the origin. */
 /*@ requires -2050 * LIM_SUB <= dx <= 2050 * LIM_SUB && 0 < dy <= 2050 * LIM_SUB;
@@ -61,7 +44,7 @@ static inline lim_sub_area meeting(struct lim_point a, int32_t dx, int32_t dy, i
 }
 
 /* a / by, rounded to zero, and what is left. */
-#if EDGE_IS_SHORT
+#if LIM_EDGE_IS_SHORT
 static int32_t divide(int32_t a, int32_t by, int32_t *rest)
 {
     const uint32_t both = lim_divide_u9(abs_s32(a), (uint16_t)by);
@@ -90,7 +73,7 @@ static inline int32_t divide(int32_t a, int32_t by, int32_t *rest)
     ensures \result == a / by && *rest == a - \result * by; */
 static inline int32_t divide_area(lim_sub_area a, int32_t by, int32_t *rest)
 {
-    if (EDGE_IS_SHORT) return divide((int32_t)a, by, rest);
+    if (LIM_EDGE_IS_SHORT) return divide((int32_t)a, by, rest);
     const int32_t quotient = (int32_t)(a / by);
 
     *rest = (int32_t)(a - (lim_sub_area)quotient * by);
@@ -125,11 +108,20 @@ static void edge_set(struct lim_edge *edge, struct lim_point a, struct lim_point
     edge->step_error = rest;
 }
 
-static inline int32_t begin_stretch(struct lim_edge *edge, struct lim_point a, struct lim_point b, int32_t y,
-                                    int32_t lines)
+static inline int32_t begin_long(struct lim_edge *edge, const struct lim_point *from, const struct lim_point *to,
+                                 int32_t y)
 {
-    edge_set(edge, a, b, (int16_t)y, (int16_t)lines);
+    const int32_t lines = lim_edge_row(to->y) - y;
+
+    edge_set(edge, *from, *to, (int16_t)y, (int16_t)lines);
     return lines;
+}
+
+static inline bool begin_short(struct lim_edge *edge, const struct lim_point *from, const struct lim_point *to,
+                               int32_t y)
+{
+    (void)edge, (void)from, (void)to, (void)y;
+    return false;
 }
 
 #else
@@ -143,7 +135,7 @@ static inline lim_edge_at fraction_of(uint32_t rest, const struct divisor *divis
 #if LIM_EDGE_BITS == 32
     return (lim_edge_at)(((uint64_t)rest << 32) / (uint32_t)divisor->by);
 #else
-    if (!LIM_DIVIDES && EDGE_MOST_PX * LIM_SUB > UINT16_MAX && divisor->by > UINT16_MAX)
+    if (!LIM_DIVIDES && LIM_EDGE_MOST_PX * LIM_SUB > UINT16_MAX && divisor->by > UINT16_MAX)
         return (lim_edge_at)divided_fraction((uint32_t)divisor->by, rest, LIM_EDGE_BITS);
     return (lim_edge_at)divisor_fraction(divisor, rest, LIM_EDGE_BITS);
 #endif
@@ -211,10 +203,14 @@ static LIM_RARE int32_t set_line(struct lim_edge *edge, lim_sub_area m, int32_t 
 /* Fractions of 16 bits, which do for most. dy is below 2^12 then, and what is left of a start below 2 SHORT_WIDTH. */
 enum { SHORT_BITS = 16, SHORT_WIDTH = DIVISOR_WIDTH / 2 };
 
-static LIM_ALONE int32_t begin_long(struct lim_edge *edge, struct lim_point a, int32_t dx, int32_t dy, int32_t y,
-                                    int32_t lines)
+/* Sets the edge for lines from y on, counted from the origin. Returns for how many of them: 1 has no step. */
+static LIM_ALONE int32_t begin_long(struct lim_edge *edge, const struct lim_point *from, const struct lim_point *to,
+                                    int32_t y)
 {
+    const struct lim_point a = *from;
+    const int32_t dx = (int32_t)to->x - a.x, dy = (int32_t)to->y - a.y;
     const lim_sub_area m = meeting(a, dx, dy, (int16_t)y);
+    int32_t lines = lim_edge_row(to->y) - y;
 
     if ((lim_edge_wrap)(DIVISOR_ERROR * lines + 1) * (lim_edge_wrap)dy > (lim_edge_wrap)1 << LIM_EDGE_BITS)
         lines = stretch_of(dy);
@@ -225,30 +221,29 @@ static LIM_ALONE int32_t begin_long(struct lim_edge *edge, struct lim_point a, i
     return lines;
 }
 
-/* Sets the edge for lines from y on, counted from the origin. Returns for how many of them: 1 has no step. */
-static inline int32_t begin_stretch(struct lim_edge *edge, struct lim_point a, struct lim_point b, int32_t y,
-                                    int32_t lines)
+/* The same where a short division does. false: it does not. */
+static inline bool begin_short(struct lim_edge *edge, const struct lim_point *from, const struct lim_point *to,
+                               int32_t y)
 {
-    const int32_t dx = (int32_t)b.x - a.x, dy = (int32_t)b.y - a.y;
-    const int32_t from_a = y - (a.y >> LIM_SUB_BITS);
+    const int32_t ax = from->x, ay = from->y, dx = (int32_t)to->x - ax, dy = (int32_t)to->y - ay;
+    const int32_t top = ay >> LIM_SUB_BITS, lines = lim_edge_row(to->y) - top;
 
-    if ((uint32_t)(DIVISOR_ERROR * (from_a + lines) + 1) * (uint32_t)dy > 1u << SHORT_BITS || dx >= SHORT_WIDTH ||
-        dx <= -SHORT_WIDTH)
-        return begin_long(edge, a, dx, dy, y, lines);
-    const int32_t part_x = a.x & (LIM_SUB - 1), part_y = a.y & (LIM_SUB - 1);
+    if ((uint32_t)(DIVISOR_ERROR * lines + 1) * (uint32_t)dy > 1u << SHORT_BITS) return false;
+    if ((uint32_t)(dx + SHORT_WIDTH) >= 2 * SHORT_WIDTH) return false;
+    const int32_t part_x = ax & (LIM_SUB - 1), part_y = ay & (LIM_SUB - 1);
     const int32_t part = (part_x * dy - part_y * dx + (LIM_SUB - 1)) >> LIM_SUB_BITS;
     const struct divisor divisor = divisor_of(dy);
-    const int32_t step_q16 = divisor_q16(&divisor, dx), ahead_q16 = divisor_q16(&divisor, part) + from_a * step_q16;
+    const int32_t step_q16 = divisor_q16(&divisor, dx), ahead_q16 = divisor_q16(&divisor, part) + (y - top) * step_q16;
     edge->step = (lim_edge_at)((lim_edge_wrap)(lim_edge_at)step_q16 << (LIM_EDGE_BITS - SHORT_BITS));
-    edge->at = (lim_edge_at)(((lim_edge_wrap)(lim_edge_at)(a.x >> LIM_SUB_BITS) << LIM_EDGE_BITS) + EDGE_BEFORE_NEXT +
+    edge->at = (lim_edge_at)(((lim_edge_wrap)(lim_edge_at)(ax >> LIM_SUB_BITS) << LIM_EDGE_BITS) + EDGE_BEFORE_NEXT +
                              ((lim_edge_wrap)(lim_edge_at)ahead_q16 << (LIM_EDGE_BITS - SHORT_BITS)));
-    return lines;
+    return true;
 }
 
 #endif
 
 /* The next edge of a boundary that goes on below line y, or the next stretch of the same. */
-static void turn(struct lim_edge *edge, const struct lim_point *at, uint8_t n, int16_t y)
+void lim_edge_next(struct lim_edge *edge, const struct lim_point *at, uint8_t n, int16_t y)
 {
     const int32_t row = y - LIM_ORIGIN_PX;
     uint_fast16_t from, to = edge->next;
@@ -258,18 +253,16 @@ static void turn(struct lim_edge *edge, const struct lim_point *at, uint8_t n, i
         from = to;
         to += edge->step_vertex;
         if (to >= n) to -= n;
-        end = row_of(at[to].y);
+        end = lim_edge_row(at[to].y);
     } while (end <= row);
-    const int32_t lines = end - row, drawn = begin_stretch(edge, at[from], at[to], row, lines);
+    const bool begun = begin_short(edge, &at[from], &at[to], row);
+    edge->end = (int16_t)(end + LIM_ORIGIN_PX);
+    edge->next = (uint8_t)to;
+    if (begun) return;
+    const int32_t drawn = begin_long(edge, &at[from], &at[to], row);
+    if (drawn >= end - row) return;
     edge->end = (int16_t)(y + drawn);
-    edge->next = (uint8_t)(drawn < lines ? from : to);
-}
-
-int16_t lim_edge_turn(struct lim_edge_pair *pair, const struct lim_point *at, uint8_t n, int16_t y)
-{
-    if (pair->left.end <= y) turn(&pair->left, at, n, y);
-    if (pair->right.end <= y) turn(&pair->right, at, n, y);
-    return pair->left.end < pair->right.end ? pair->left.end : pair->right.end;
+    edge->next = (uint8_t)from;
 }
 
 static void advance(struct lim_edge *edge, const struct lim_point *at, uint8_t n, int16_t y)
@@ -277,7 +270,7 @@ static void advance(struct lim_edge *edge, const struct lim_point *at, uint8_t n
     if (edge->end > y)
         lim_edge_step(edge);
     else
-        turn(edge, at, n, y);
+        lim_edge_next(edge, at, n, y);
 }
 
 void lim_edge_advance(struct lim_edge_pair *pair, const struct lim_point *at, uint8_t n, int16_t y)
@@ -288,14 +281,14 @@ void lim_edge_advance(struct lim_edge_pair *pair, const struct lim_point *at, ui
 
 /* A folded polygon has more than one local extreme of either kind, a low one a line below a high one as a rule. Where
  * the extra ones lie near its top, a fan from the bottom sees every other corner, and the other way round. */
-static LIM_RARE uint8_t choose_apex(const struct lim_point *at, uint8_t n, uint8_t top_at, edge_sub bottom)
+static LIM_RARE uint8_t choose_apex(const struct lim_point *at, uint8_t n, uint8_t top_at, lim_edge_sub bottom)
 {
-    const edge_sub top = row_of(at[top_at].y);
-    edge_sub lowest_top = top, after = row_of(at[1].y), here = row_of(at[0].y);
+    const lim_edge_sub top = lim_edge_row(at[top_at].y);
+    lim_edge_sub lowest_top = top, after = lim_edge_row(at[1].y), here = lim_edge_row(at[0].y);
     uint8_t bottom_at = 0;
 
     for (uint_fast8_t k = n; k-- > 0;) {
-        const edge_sub before = row_of(at[k].y);
+        const lim_edge_sub before = lim_edge_row(at[k].y);
         if (here <= before && here <= after && here > lowest_top) lowest_top = here;
         if (before == bottom) bottom_at = (uint8_t)k;
         after = here;
@@ -305,16 +298,17 @@ static LIM_RARE uint8_t choose_apex(const struct lim_point *at, uint8_t n, uint8
 }
 
 /* A plain polygon's boundary goes down from its top to its bottom once; what goes farther is folded. */
-static LIM_RARE void measure_folds(struct lim_edge_shape *shape, const struct lim_point *at, uint8_t n, edge_sub top,
-                                   edge_sub bottom)
+static LIM_RARE void measure_folds(struct lim_edge_shape *shape, const struct lim_point *at, uint8_t n)
 {
-    edge_sub before = row_of(at[n - 1].y), down = 0;
+    const lim_edge_sub top = (lim_edge_sub)(shape->top - LIM_ORIGIN_PX);
+    const lim_edge_sub bottom = (lim_edge_sub)(shape->bottom - LIM_ORIGIN_PX);
+    lim_edge_sub before = lim_edge_row(at[n - 1].y), down = 0;
     uint8_t top_at = n;
 
     for (uint8_t k = 0; k < n; k++) {
-        const edge_sub row = row_of(at[k].y);
+        const lim_edge_sub row = lim_edge_row(at[k].y);
 
-        if (row > before) down = (edge_sub)(down + (row - before));
+        if (row > before) down = (lim_edge_sub)(down + (row - before));
         if (row == top && top_at == n) top_at = k;
         before = row;
     }
@@ -323,53 +317,9 @@ static LIM_RARE void measure_folds(struct lim_edge_shape *shape, const struct li
     if (shape->folded) shape->apex = choose_apex(at, n, top_at, bottom);
 }
 
-/* What corners are compared by: themselves, because rows rise as they do, so where corners turn but twice their rows
- * do. 16 bits have no room for their sums. */
-static inline edge_sub level_of(edge_sub y)
-{
-    return EDGE_IS_SHORT ? row_of(y) : y;
-}
-
-static inline edge_sub row_of_level(edge_sub level)
-{
-    return EDGE_IS_SHORT ? level : row_of(level);
-}
-
 void lim_edge_measure(struct lim_edge_shape *shape, const struct lim_point *at, uint8_t n)
 {
-    edge_sub before = level_of(at[n - 1].y), top = before, bottom = before, down = 0;
-    const struct lim_point *const end = at + n, *next = at, *top_at = end - 1;
-
-    do {
-        const edge_sub y = level_of(next->y);
-
-        if (y > before) down = (edge_sub)(down + (y - before));
-        if (y < top) top = y, top_at = next;
-        if (y > bottom) bottom = y;
-        before = y;
-    } while (++next != end);
-    const bool turns = down > bottom - top;
-    top = row_of_level(top);
-    bottom = row_of_level(bottom);
-    shape->top = (int16_t)(top + LIM_ORIGIN_PX);
-    shape->bottom = (int16_t)(bottom + LIM_ORIGIN_PX);
-    shape->first = (uint8_t)(top_at - at);
-    shape->folded = false;
-    if (turns) measure_folds(shape, at, n, top, bottom);
-}
-
-void lim_edge_measure_sides(struct lim_edge_shape *shape, const struct lim_point *at, uint8_t n)
-{
-    edge_sub left = at[0].x, right = left;
-
-    for (uint8_t k = 1; k < n; k++) {
-        const edge_sub x = at[k].x;
-
-        if (x < left) left = x;
-        if (x > right) right = x;
-    }
-    shape->left = (int16_t)(row_of(left) + LIM_ORIGIN_PX);
-    shape->right = (int16_t)(row_of(right) + LIM_ORIGIN_PX);
+    if (!lim_edge_measure_plain(shape, at, n)) measure_folds(shape, at, n);
 }
 
 #if LIM_HAS_WIREFRAME
@@ -379,7 +329,7 @@ void lim_edge_measure_sides(struct lim_edge_shape *shape, const struct lim_point
     assigns \nothing; */
 static inline int16_t line_of(lim_sub y)
 {
-    return (int16_t)(((edge_sub)(y + (edge_sub)(LIM_SUB - 1)) >> LIM_SUB_BITS) + LIM_ORIGIN_PX);
+    return (int16_t)(((lim_edge_sub)(y + (lim_edge_sub)(LIM_SUB - 1)) >> LIM_SUB_BITS) + LIM_ORIGIN_PX);
 }
 
 int16_t lim_edge_line_of(lim_sub at)
@@ -387,7 +337,7 @@ int16_t lim_edge_line_of(lim_sub at)
     return line_of(at);
 }
 
-/* Of an edge of any length, where begin_stretch() takes that of all its lines to tell what is short. */
+/* Of an edge of any length, where begin_short() takes that of all its lines to tell what is short. */
 static inline void begin_line(struct lim_edge *edge, struct lim_point a, struct lim_point b, int16_t y)
 {
 #if LIM_8_BIT

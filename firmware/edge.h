@@ -58,9 +58,8 @@ struct lim_edge_shape {
 #endif
 };
 
-/* Sets all but left and right, which fewer ask for. 3 <= n. */
+/* Sets all but left and right, which fewer ask for: lim_edge_measure_sides(). 3 <= n. */
 void lim_edge_measure(struct lim_edge_shape *shape, const struct lim_point *at, uint8_t n);
-void lim_edge_measure_sides(struct lim_edge_shape *shape, const struct lim_point *at, uint8_t n);
 
 /* Both boundaries of a polygon that is not folded, before its first line; lim_edge_turn() takes them to any. */
 static inline void lim_edge_begin(struct lim_edge_pair *pair, uint8_t n, uint8_t first)
@@ -71,9 +70,17 @@ static inline void lim_edge_begin(struct lim_edge_pair *pair, uint8_t n, uint8_t
     pair->right.step_vertex = (uint8_t)(n - 1);
 }
 
+/* The edge of a boundary that takes the place of one that ends on line y or above. */
+void lim_edge_next(struct lim_edge *edge, const struct lim_point *at, uint8_t n, int16_t y);
+
 /* Replaces the edges that end on line y or above, top <= y < bottom. Returns the line on which it must be called
  * again. */
-int16_t lim_edge_turn(struct lim_edge_pair *pair, const struct lim_point *at, uint8_t n, int16_t y);
+static inline int16_t lim_edge_turn(struct lim_edge_pair *pair, const struct lim_point *at, uint8_t n, int16_t y)
+{
+    if (pair->left.end <= y) lim_edge_next(&pair->left, at, n, y);
+    if (pair->right.end <= y) lim_edge_next(&pair->right, at, n, y);
+    return pair->left.end < pair->right.end ? pair->left.end : pair->right.end;
+}
 
 /* From the line above to line y, or from lim_edge_begin() to any line: steps the edges that go on, replaces the others.
  */

@@ -36,23 +36,40 @@ static inline void lim_fill_inline(uint16_t *line, uint32_t x_px, uint32_t n_px,
     if (n_px < 3) return;
     if (pairs > 15) q = lim_fill_sixteens(q, pairs >> 4, pair);
     switch (pairs & 15) {
-    case 15: q[14] = pair; /* fall through */
-    case 14: q[13] = pair; /* fall through */
-    case 13: q[12] = pair; /* fall through */
-    case 12: q[11] = pair; /* fall through */
-    case 11: q[10] = pair; /* fall through */
-    case 10: q[9] = pair; /* fall through */
-    case 9: q[8] = pair; /* fall through */
-    case 8: q[7] = pair; /* fall through */
-    case 7: q[6] = pair; /* fall through */
-    case 6: q[5] = pair; /* fall through */
-    case 5: q[4] = pair; /* fall through */
-    case 4: q[3] = pair; /* fall through */
-    case 3: q[2] = pair; /* fall through */
-    case 2: q[1] = pair; /* fall through */
-    case 1: q[0] = pair; /* fall through */
-    case 0: return;
-    default: __builtin_unreachable();
+    case 15:
+        q[14] = pair; /* fall through */
+    case 14:
+        q[13] = pair; /* fall through */
+    case 13:
+        q[12] = pair; /* fall through */
+    case 12:
+        q[11] = pair; /* fall through */
+    case 11:
+        q[10] = pair; /* fall through */
+    case 10:
+        q[9] = pair; /* fall through */
+    case 9:
+        q[8] = pair; /* fall through */
+    case 8:
+        q[7] = pair; /* fall through */
+    case 7:
+        q[6] = pair; /* fall through */
+    case 6:
+        q[5] = pair; /* fall through */
+    case 5:
+        q[4] = pair; /* fall through */
+    case 4:
+        q[3] = pair; /* fall through */
+    case 3:
+        q[2] = pair; /* fall through */
+    case 2:
+        q[1] = pair; /* fall through */
+    case 1:
+        q[0] = pair; /* fall through */
+    case 0:
+        return;
+    default:
+        __builtin_unreachable();
     }
 }
 

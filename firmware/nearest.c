@@ -13,25 +13,26 @@
 
 enum { POLYGONS_PER_SHRINK = 20 }; /* the open view is drawn together this often */
 
-/* SPAN for one polygon that is not folded. look: of its pieces for the sink, or NULL. false: a pool is exhausted. */
-static inline bool close_lines(struct lim_spans *spans, const struct lim_screen_polygon *polygon, int16_t top,
-                               int16_t bottom, struct lim_span_extent *seen, lim_span_sink *sink,
-                               struct lim_piece_look *look)
+/* SPAN for one polygon that is not folded, on the lines `shown`, which shrink to those of which something was open.
+ * sink: for the pieces, with `look`, or NULL. false: a pool is exhausted. */
+static inline bool close_lines(struct lim_spans *spans, const struct lim_point *at, uint8_t n, uint8_t first,
+                               struct lim_span_extent *shown, lim_span_sink *sink, struct lim_piece_look *look)
 {
+    const int16_t top = shown->top, bottom = shown->bottom;
     struct lim_edge_pair pair;
 
     (void)sink, (void)look;
-    *seen = (struct lim_span_extent){bottom, top};
-    lim_edge_begin(&pair, polygon->n, polygon->shape.first);
+    *shown = (struct lim_span_extent){bottom, top};
+    lim_edge_begin(&pair, n, first);
     for (int16_t y = top; y < bottom;) {
-        const int16_t turn = lim_edge_turn(&pair, polygon->at, polygon->n, y);
+        const int16_t turn = lim_edge_turn(&pair, at, n, y);
         const int16_t end = turn < bottom ? turn : bottom;
 #if LIM_HAS_FRAME
         if (sink) {
-            if (!lim_spans_close_filling(spans, y, end, &pair, seen, sink, look)) return false;
+            if (!lim_spans_close_filling(spans, y, end, &pair, shown, sink, look)) return false;
         } else
 #endif
-            if (!lim_spans_close(spans, y, end, &pair, seen))
+            if (!lim_spans_close(spans, y, end, &pair, shown))
             return false;
         y = end;
     }
@@ -111,32 +112,47 @@ static inline bool fill_plain(struct lim *lim, const struct lim_screen_polygon *
 {
 #if LIM_HAS_FRAME
     struct lim_piece_look look = {.ctx = lim->target.ctx, .colour = polygon->colour};
+    struct lim_span_extent shown = {top, bottom};
 
-    struct lim_span_extent seen;
-    return close_lines(&lim->spans, polygon, top, bottom, &seen, lim->target.fill, &look);
+    return close_lines(&lim->spans, polygon->at, polygon->n, polygon->shape.first, &shown, lim->target.fill, &look);
 #else
     (void)lim, (void)polygon, (void)top, (void)bottom;
     return false;
 #endif
 }
 
-/* false: a pool is exhausted. */
+/* Whether a record is of one opaque colour, and so drawn. */
+static inline bool can_be_usual(const struct lim *lim, const LIM_FLASH lim_index *record)
+{
+    const unsigned unusual =
+        (LIM_HAS_TRANSPARENT ? LIM_POLYGON_ALPHA : 0u) | (LIM_HAS_TEXTURE ? LIM_POLYGON_TEXTURE : 0u);
+
+    return !(record[0] & unusual) && !fills(lim) && !lim_wireframe_of(lim) && !lim_is_antialiased(&lim->view);
+}
+
+/* What of a polygon's lines may be open. */
+static inline struct lim_span_extent open_lines_of(const struct lim_edge_shape *shape, const struct lim_rect *open)
+{
+    const int16_t y0 = (int16_t)open->y0, y1 = (int16_t)open->y1;
+
+    return (struct lim_span_extent){shape->top > y0 ? shape->top : y0, shape->bottom < y1 ? shape->bottom : y1};
+}
+
+/* A polygon that is not folded. false: a pool is exhausted. */
 static bool take_plain(struct lim *lim, const struct lim_screen_polygon *polygon)
 {
-    const struct lim_rect *open = &lim->spans.open;
-    const int16_t top = polygon->shape.top > (int16_t)open->y0 ? polygon->shape.top : (int16_t)open->y0;
-    const int16_t bottom = polygon->shape.bottom < (int16_t)open->y1 ? polygon->shape.bottom : (int16_t)open->y1;
+    struct lim_span_extent shown = open_lines_of(&polygon->shape, &lim->spans.open);
 
-    if (top >= bottom) return true;
-    if (LIM_HAS_STATS) lim_stats_of(lim)->lines += (uint32_t)(bottom - top);
-    if (LIM_HAS_FRAME && fills(lim)) return fill_plain(lim, polygon, top, bottom);
-    if (LIM_HAS_ANTIALIAS && lim_is_antialiased(&lim->view)) return take_samples(lim, polygon, top, bottom);
+    if (shown.top >= shown.bottom) return true;
+    if (LIM_HAS_STATS) lim_stats_of(lim)->lines += (uint32_t)(shown.bottom - shown.top);
+    if (LIM_HAS_FRAME && fills(lim)) return fill_plain(lim, polygon, shown.top, shown.bottom);
+    if (LIM_HAS_ANTIALIAS && lim_is_antialiased(&lim->view)) return take_samples(lim, polygon, shown.top, shown.bottom);
     const bool wireframe = lim_wireframe_of(lim);
     const uint8_t alpha = wireframe ? (uint8_t)LIM_OPAQUE : lim_alpha_of(polygon);
-    struct lim_span_extent shown = {top, bottom};
     if (alpha != LIM_OPAQUE) {
-        if (!sees_open(lim, polygon, top, bottom)) return true;
-    } else if (!retains_all(lim) && !close_lines(&lim->spans, polygon, top, bottom, &shown, NULL, NULL)) {
+        if (!sees_open(lim, polygon, shown.top, shown.bottom)) return true;
+    } else if (!retains_all(lim) &&
+               !close_lines(&lim->spans, polygon->at, polygon->n, polygon->shape.first, &shown, NULL, NULL)) {
         return false;
     }
     if (shown.top >= shown.bottom) return true;
@@ -174,17 +190,58 @@ static void shrink(struct lim *lim)
     if (LIM_HAS_CULL && smaller) lim_cull_set(lim_cull_of(lim), &lim->view, lim_eye_of(lim)->at_q8, &lim->spans.open);
 }
 
-/* A record that faces the eye. false: a pool is exhausted. */
-static inline bool take_record(struct lim *lim, const LIM_FLASH lim_index *record, uint8_t *since_shrink)
+/* Of whatever kind it is. false: a pool is exhausted. */
+static LIM_RARE bool take_any(struct lim *lim, const LIM_FLASH lim_index *record)
 {
     struct lim_screen_polygon polygon;
 
-    if (lim_project(&polygon, &lim->view, lim->scene, record, &lim->spans.open, lim_stats_of(lim))) {
-        if (!take(lim, &polygon)) return false;
-        if (!lim->spans.open_lines) return true;
-        if (!retains_all(lim)) lim_spans_trim(&lim->spans);
+    return !lim_project(&polygon, &lim->view, lim->scene, record, &lim->spans.open, lim_stats_of(lim)) ||
+           take(lim, &polygon);
+}
+
+enum outcome { OUTSIDE, TAKEN, EXHAUSTED_POOL, UNUSUAL };
+
+/* A polygon as most are: of one colour, neither clipped nor folded, and with room for its points where they would be
+ * retained. They are projected to that place, so none of it is ever copied. */
+static inline enum outcome take_usual(struct lim *lim, const LIM_FLASH lim_index *record)
+{
+    const uint8_t n = (uint8_t)(record[0] & LIM_POLYGON_COUNT);
+    struct lim_point *at = lim_retained_place(&lim->retained, n);
+    struct lim_edge_shape shape;
+
+    LIM_ASSERT(n <= LIM_MAX_VERTICES);
+    if (!at) return UNUSUAL;
+    const uint_fast16_t codes = lim_project_corners(at, n, &lim->view, lim->scene, record + LIM_POLYGON_HEAD_WORDS);
+    const bool outside = lim_view_all_outside(codes);
+    if (!outside && (codes & LIM_VIEW_GUARD || !lim_edge_measure_plain(&shape, at, n))) return UNUSUAL;
+    if (LIM_HAS_STATS) lim_stats_of(lim)->polygons++;
+    if (outside) return OUTSIDE;
+    const struct lim_rect *open = &lim->spans.open;
+    struct lim_span_extent shown = open_lines_of(&shape, open);
+    if (shown.top >= shown.bottom) return OUTSIDE;
+    if (lim_project_needs_sides(&lim->view, open)) {
+        lim_edge_measure_sides(&shape, at, n);
+        if (!lim_shape_meets_sides(&shape, open)) return OUTSIDE;
     }
-    if (!retains_all(lim) && ++*since_shrink == POLYGONS_PER_SHRINK) {
+    if (LIM_HAS_STATS) lim_stats_of(lim)->lines += (uint32_t)(shown.bottom - shown.top);
+    if (!retains_all(lim) && !close_lines(&lim->spans, at, n, shape.first, &shown, NULL, NULL)) return EXHAUSTED_POOL;
+    if (shown.top >= shown.bottom) return TAKEN;
+    if (LIM_HAS_STATS) lim_stats_of(lim)->polygons_seen++;
+    lim_retained_link(&lim->retained, &lim->spans.lines[shown.top], n, shape.first, (uint16_t)shown.bottom,
+                      lim_memory_colour((uint16_t)record[1]), (uint16_t)(LIM_RETAINED_HEAD_CELLS + n));
+    return TAKEN;
+}
+
+/* A record that faces the eye. false: a pool is exhausted. */
+static LIM_ALONE bool take_record(struct lim *lim, const LIM_FLASH lim_index *record, uint8_t *since_shrink)
+{
+    enum outcome outcome = can_be_usual(lim, record) ? take_usual(lim, record) : UNUSUAL;
+
+    if (outcome == UNUSUAL) outcome = take_any(lim, record) ? TAKEN : EXHAUSTED_POOL;
+    if (outcome == EXHAUSTED_POOL) return false;
+    if (retains_all(lim) || !lim->spans.open_lines) return true;
+    if (outcome == TAKEN) lim_spans_trim(&lim->spans);
+    if (++*since_shrink == POLYGONS_PER_SHRINK) {
         *since_shrink = 0;
         shrink(lim);
     }

@@ -47,15 +47,9 @@ bool lim_retain(struct lim_retained *retained, struct lim_line *lines, const str
                                        (words + CELL_WORDS - 1) / CELL_WORDS);
 
     if (needed > retained->size - retained->used) return false;
-    const uint16_t self = retained->used;
-    union lim_retained_cell *cells = &retained->cells[self];
-    struct lim_line *line = &lines[polygon->top];
-
-    cells[0].link.next = line->retained;
-    cells[0].link.n = polygon->n;
-    cells[0].link.first = polygon->first;
-    cells[1].look.bottom = polygon->bottom;
-    cells[1].look.colour = polygon->colour;
+    union lim_retained_cell *cells = &retained->cells[retained->used];
+    lim_retained_link(retained, &lines[polygon->top], polygon->n, polygon->first, polygon->bottom, polygon->colour,
+                      needed);
     for (uint8_t k = 0; k < polygon->n; k++)
         cells[LIM_RETAINED_HEAD_CELLS + k].at = polygon->at[k];
     if (transparent) {
@@ -69,8 +63,6 @@ bool lim_retain(struct lim_retained *retained, struct lim_line *lines, const str
 #if LIM_HAS_TRANSPARENT || LIM_HAS_TEXTURE
     retained->mixed |= transparent || (LIM_HAS_TEXTURE && polygon->bottom & LIM_RETAINED_TEXTURE);
 #endif
-    line->retained = self;
-    retained->used = (uint16_t)(self + needed);
     return true;
 }
 

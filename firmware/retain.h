@@ -119,6 +119,31 @@ static inline uint8_t lim_retained_alpha(const union lim_retained_cell *cells)
     return (uint8_t)cells[LIM_RETAINED_HEAD_CELLS + cells[0].link.n].alpha;
 }
 
+_Static_assert(sizeof(union lim_retained_cell) == sizeof(struct lim_point), "points lie one a cell");
+
+/* Where the points of the next polygon of n corners would lie, or NULL: there is no room. */
+static inline struct lim_point *lim_retained_place(const struct lim_retained *retained, uint8_t n)
+{
+    if (LIM_RETAINED_HEAD_CELLS + n > retained->size - retained->used) return NULL;
+    return &retained->cells[retained->used + LIM_RETAINED_HEAD_CELLS].at;
+}
+
+/* Links a polygon that takes so many cells into its top line. */
+static inline void lim_retained_link(struct lim_retained *retained, struct lim_line *line, uint8_t n, uint8_t first,
+                                     uint16_t bottom, uint16_t colour, uint16_t cell_count)
+{
+    const uint16_t self = retained->used;
+    union lim_retained_cell *cells = &retained->cells[self];
+
+    cells[0].link.next = line->retained;
+    cells[0].link.n = n;
+    cells[0].link.first = first;
+    cells[1].look.bottom = bottom;
+    cells[1].look.colour = colour;
+    line->retained = self;
+    retained->used = (uint16_t)(self + cell_count);
+}
+
 /* Links the polygon into its top line. false: the pool is exhausted. */
 bool lim_retain(struct lim_retained *retained, struct lim_line *lines, const struct lim_retained_polygon *polygon);
 

@@ -48,10 +48,16 @@ enum lim_view_code {
 };
 
 struct lim_view_cached {
-    lim_index vertex; /* LIM_NO_INDEX: empty */
-    uint8_t codes;
+    lim_index vertex;    /* LIM_NO_INDEX: empty */
+    uint16_t codes;      /* enum lim_view_code; in the upper byte those that it does not have */
     struct lim_point at; /* meaningless when codes has LIM_VIEW_GUARD */
 };
+
+/* Of the codes of several vertices, OR'ed: whether there is a side that all are outside of. */
+static inline bool lim_view_all_outside(uint_fast16_t codes)
+{
+    return ~codes & LIM_VIEW_OUTSIDE << 8;
+}
 
 struct lim_view {
     struct lim_rows rows;
@@ -91,24 +97,14 @@ void lim_view_project(const struct lim_view *view, const struct lim_view_point *
 void lim_view_remember(struct lim_view *view, const struct lim_scene *scene, lim_index vertex,
                        struct lim_view_cached *entry);
 
-/* Projects a polygon's n vertices, 1 or more (indices in `corners`) through the cache; out gets n points.
- * Returns all codes that any vertex has, OR'ed, in bits 0..7 and those that all have in 8..15. */
-static inline uint32_t lim_view_polygon(struct lim_view *view, const struct lim_scene *scene,
-                                        const LIM_FLASH lim_index *corners, uint8_t n, struct lim_point *out)
+/* A vertex on the screen, and where it lies outside: valid until another one is asked for. */
+static inline const struct lim_view_cached *lim_view_vertex(struct lim_view *view, const struct lim_scene *scene,
+                                                            lim_index vertex)
 {
-    const struct lim_point *const end = out + n;
-    uint_fast8_t any = 0, all = 0xFF;
+    struct lim_view_cached *entry = &view->cache[vertex % LIM_VIEW_CACHE_ENTRIES];
 
-    do {
-        const lim_index vertex = *corners++;
-        struct lim_view_cached *entry = &view->cache[vertex % LIM_VIEW_CACHE_ENTRIES];
-
-        if (entry->vertex != vertex) lim_view_remember(view, scene, vertex, entry);
-        any |= entry->codes;
-        all &= entry->codes;
-        *out++ = entry->at;
-    } while (out != end);
-    return any | (uint32_t)all << 8;
+    if (LIM_SELDOM(entry->vertex != vertex)) lim_view_remember(view, scene, vertex, entry);
+    return entry;
 }
 
 #endif

@@ -71,11 +71,11 @@ static void refresh(void *lim)
 static bool project(void *lim, lim_index vertex, double at_px[2])
 {
     struct lim *const state = lim;
-    struct lim_point at;
+    const struct lim_view_cached *seen = lim_view_vertex(&state->view, state->scene, vertex);
 
-    if (lim_view_polygon(&state->view, state->scene, &vertex, 1, &at) & LIM_VIEW_GUARD) return false;
-    at_px[0] = (double)at.x / LIM_SUB + LIM_ORIGIN_PX;
-    at_px[1] = (double)at.y / LIM_SUB + LIM_ORIGIN_PX;
+    if (seen->codes & LIM_VIEW_GUARD) return false;
+    at_px[0] = (double)seen->at.x / LIM_SUB + LIM_ORIGIN_PX;
+    at_px[1] = (double)seen->at.y / LIM_SUB + LIM_ORIGIN_PX;
     return true;
 }
 
@@ -118,7 +118,8 @@ static void polygon_texels(struct lim *lim, const struct lim_screen_polygon *pol
     lim_edge_begin(&pair, polygon->n, polygon->shape.first);
     for (int16_t y = polygon->shape.top > 0 ? polygon->shape.top : 0; y < bottom; y++) {
         lim_edge_advance(&pair, polygon->at, polygon->n, y);
-        const struct lim_textured_span span = {&lim->texturing, &gradients, y, lim_edge_x(&pair.left), lim_edge_x(&pair.right)};
+        const struct lim_textured_span span = {&lim->texturing, &gradients, y, lim_edge_x(&pair.left),
+                                               lim_edge_x(&pair.right)};
         line_texels(lim, &span, take, ctx);
     }
 }

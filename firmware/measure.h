@@ -1,0 +1,78 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Which lines a polygon takes: the part of EDGE that comes before its lines are known to matter. */
+#ifndef LIM_MEASURE_H
+#define LIM_MEASURE_H
+
+#include "edge.h"
+
+/* No quotient in EDGE is longer than the guard band is wide, nor, on small screens, a divisor than 16 bits. */
+#define LIM_EDGE_MOST_PX (2 * LIM_MAX_SIDE_PX + 2)
+#define LIM_EDGE_IS_SHORT (LIM_8_BIT && LIM_EDGE_MOST_PX < 512 && LIM_EDGE_MOST_PX <= UINT16_MAX >> LIM_SUB_BITS)
+
+/* A coordinate and what is added to it, or a line from the origin. */
+#if LIM_EDGE_IS_SHORT
+typedef int16_t lim_edge_sub;
+#define LIM_EDGE_SUB_MIN INT16_MIN
+#define LIM_EDGE_SUB_MAX INT16_MAX
+#else
+typedef int32_t lim_edge_sub;
+#define LIM_EDGE_SUB_MIN INT32_MIN
+#define LIM_EDGE_SUB_MAX INT32_MAX
+#endif
+
+/* The first line at or below y, from the origin: what two of them have between them is the same as on the screen. So
+ * are columns. */
+static inline lim_edge_sub lim_edge_row(lim_edge_sub y)
+{
+    return (lim_edge_sub)(y + (lim_edge_sub)(LIM_SUB - 1)) >> LIM_SUB_BITS;
+}
+
+/* What corners are compared by: themselves, because rows rise as they do, so where corners turn but twice their rows
+ * do. 16 bits have no room for their sums. */
+static inline lim_edge_sub lim_edge_level(lim_edge_sub y)
+{
+    return LIM_EDGE_IS_SHORT ? lim_edge_row(y) : y;
+}
+
+static inline lim_edge_sub lim_edge_row_of_level(lim_edge_sub level)
+{
+    return LIM_EDGE_IS_SHORT ? level : lim_edge_row(level);
+}
+
+/* lim_edge_measure() but for folds. false: the boundary turns more than twice, perhaps it is folded. */
+static inline bool lim_edge_measure_plain(struct lim_edge_shape *shape, const struct lim_point *at, uint8_t n)
+{
+    lim_edge_sub before = lim_edge_level(at[n - 1].y), top = before, bottom = before, down = 0;
+    const struct lim_point *const end = at + n, *next = at, *top_at = end - 1;
+
+    do {
+        const lim_edge_sub y = lim_edge_level(next->y);
+
+        if (y > before) down = (lim_edge_sub)(down + (y - before));
+        if (y < top) top = y, top_at = next;
+        if (y > bottom) bottom = y;
+        before = y;
+    } while (++next != end);
+    shape->top = (int16_t)(lim_edge_row_of_level(top) + LIM_ORIGIN_PX);
+    shape->bottom = (int16_t)(lim_edge_row_of_level(bottom) + LIM_ORIGIN_PX);
+    shape->first = (uint8_t)(top_at - at);
+    shape->folded = false;
+    return down <= bottom - top;
+}
+
+static inline void lim_edge_measure_sides(struct lim_edge_shape *shape, const struct lim_point *at, uint8_t n)
+{
+    lim_edge_sub left = at[0].x, right = left;
+
+    for (uint8_t k = 1; k < n; k++) {
+        const lim_edge_sub x = at[k].x;
+
+        if (x < left) left = x;
+        if (x > right) right = x;
+    }
+    shape->left = (int16_t)(lim_edge_row(left) + LIM_ORIGIN_PX);
+    shape->right = (int16_t)(lim_edge_row(right) + LIM_ORIGIN_PX);
+}
+
+#endif
