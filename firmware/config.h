@@ -182,6 +182,13 @@
 #endif
 #endif
 
+/* Whether two products of 16 bits and their sum are one instruction: then pairs of numbers are loaded at once. */
+#if defined(__ARM_FEATURE_DSP)
+#define LIM_DUAL_MULTIPLY 1
+#else
+#define LIM_DUAL_MULTIPLY 0
+#endif
+
 /* Planes off the axes are tried in 32 bits first. One convex solid has too few of them for that to pay elsewhere. */
 #define LIM_HAS_FILTER (LIM_HAS_SLANTED && (LIM_HAS_HIDDEN || LIM_8_BIT))
 

@@ -5,12 +5,13 @@
 #ifndef LIM_EYE_H
 #define LIM_EYE_H
 
+#include "fixed.h"
 #include "scene.h"
 
 #define LIM_EYE_MAX_Q8 (INT32_C(1) << 28) /* |eye_q8| stays below: 64-bit plane values cannot overflow */
 
-/* Has 16 bits, which is not worth a word's while. */
-#if LIM_8_BIT
+/* Has 16 bits, which is not worth a word's while, unless pairs of them are multiplied. */
+#if LIM_8_BIT || LIM_DUAL_MULTIPLY
 typedef int16_t lim_eye_reduced;
 #else
 typedef int32_t lim_eye_reduced;
@@ -45,6 +46,10 @@ int32_t lim_eye_close_side(const struct lim_eye *eye, const LIM_FLASH struct lim
     ensures -32767 * 32768 <= \result <= 32767 * 32768; */
 static inline int32_t lim_eye_dot(const struct lim_eye *eye, const LIM_FLASH struct lim_plane *plane)
 {
+#if LIM_DUAL_MULTIPLY
+    const uint32_t sum = fixed_dot_pairs((const int16_t *)&plane->n_yx, eye->reduced, 0);
+    return (int32_t)(sum + (uint32_t)(lim_plane_z(plane) * eye->reduced[2]));
+#else
     const int32_t x = lim_plane_x(plane), y = lim_plane_y(plane), z = lim_plane_z(plane);
     //@ assert size(x) + size(y) + size(z) <= 32767;
     //@ assert -size(x) * 32768 <= x * eye->reduced[0] <= size(x) * 32768;
@@ -55,6 +60,7 @@ static inline int32_t lim_eye_dot(const struct lim_eye *eye, const LIM_FLASH str
     sum += y * eye->reduced[1];
     sum += z * eye->reduced[2];
     return sum;
+#endif
 }
 
 /* 0: the eye may be on either side. The sum is n . s - d + slack, so a shift of slack's bits and one more leaves
@@ -91,8 +97,14 @@ static inline int32_t lim_eye_side(const struct lim_eye *eye, const LIM_FLASH st
 static inline bool lim_record_is_seen(const struct lim_eye *eye, const LIM_FLASH lim_index *record)
 {
     if (!LIM_HAS_LEAVES || !(record[0] & LIM_POLYGON_PLANE)) return true;
-    const int32_t side = lim_eye_side(eye, lim_record_plane(record));
-    return (record[0] & LIM_POLYGON_BACK ? -side : side) > 0;
+    const LIM_FLASH struct lim_plane_ref *ref = lim_record_plane(record);
+    const uint32_t back = (uint32_t)record[0] * (0x80000000u / LIM_POLYGON_BACK);
+    if (LIM_HAS_FILTER && ref->plane < eye->near_end) {
+        const int32_t near = lim_eye_near_side(eye, lim_plane_at(eye->planes, ref->plane));
+        if (near) return (int32_t)((uint32_t)near ^ back) >= 0;
+    }
+    const int32_t side = lim_eye_side(eye, ref);
+    return side && (int32_t)((uint32_t)side ^ back) >= 0;
 }
 
 #endif

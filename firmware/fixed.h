@@ -18,6 +18,18 @@ _Static_assert((-3 >> 1) == -2, "right shifts must be arithmetic");
 #define LIM_LONG_MULTIPLY 1
 #endif
 
+#if LIM_DUAL_MULTIPLY
+#include <arm_acle.h>
+
+typedef uint32_t __attribute__((may_alias, aligned(2))) fixed_pair; /* in arrays and structs of int16_t */
+
+/* a[0] b[0] + a[1] b[1] + sum, which may wrap. */
+static inline uint32_t fixed_dot_pairs(const int16_t *a, const int16_t *b, uint32_t sum)
+{
+    return (uint32_t)__smlad((int16x2_t)*(const fixed_pair *)a, (int16x2_t)*(const fixed_pair *)b, (int32_t)sum);
+}
+#endif
+
 /* round(2^24 / (256 + i)), entry 0 clipped to 65535. */
 extern const LIM_FLASH uint16_t lim_recip_table_q16[257];
 

@@ -16,25 +16,36 @@
 #include "profile.h"
 #include "scene.h"
 
+#if LIM_DUAL_MULTIPLY
+typedef int16_t lim_row_entry;
+#else
+typedef int_fast16_t lim_row_entry;
+#endif
+
 /* A row of the view matrix. */
 struct lim_row {
-    int_fast16_t n_qv[3]; /* |entry| <= 32767 */
+    lim_row_entry n_qv[3]; /* |entry| <= 32767 */
     int32_t shift_qv;     /* where the row puts the origin of the scene */
 #if LIM_HAS_LIMBS
-    int_fast16_t low_qv15[3]; /* what rounding took from the entries, 15 bits further: -2^14..2^14 */
+    lim_row_entry low_qv15[3]; /* what rounding took from the entries, 15 bits further: -2^14..2^14 */
 #endif
 #if LIM_HAS_LIMBS && LIM_LONG_MULTIPLY
     int32_t n_qv16[3]; /* both together, doubled */
 #endif
 };
 
-/* n . v, which may wrap. |n| <= 2^15, |v| <= 2^15: no single product does. */
-/*@ requires \valid_read(n + (0 .. 2));
+/* n . v + sum, which may wrap. |n| <= 2^15, |v| <= 2^15: no single product does. */
+/*@ requires \valid_read(n + (0 .. 2)) && \valid_read(at);
     requires -32768 <= n[0] <= 32767 && -32768 <= n[1] <= 32767 && -32768 <= n[2] <= 32767;
     assigns \nothing; */
-static inline uint32_t transform_dot(const int_fast16_t n[3], int16_t x, int16_t y, int16_t z)
+static inline uint32_t transform_dot(const lim_row_entry n[3], const struct lim_vertex *at, uint32_t sum)
 {
-    return (uint32_t)((int32_t)n[0] * x) + (uint32_t)((int32_t)n[1] * y) + (uint32_t)((int32_t)n[2] * z);
+#if LIM_DUAL_MULTIPLY
+    return fixed_dot_pairs(n, &at->x, sum) + (uint32_t)((int32_t)n[2] * at->z);
+#else
+    return (uint32_t)((int32_t)n[0] * at->x) + (uint32_t)((int32_t)n[1] * at->y) + (uint32_t)((int32_t)n[2] * at->z) +
+           sum;
+#endif
 }
 
 /*@ requires \valid_read(row) && \valid_read(at);
@@ -42,7 +53,7 @@ static inline uint32_t transform_dot(const int_fast16_t n[3], int16_t x, int16_t
     assigns \nothing; */
 static inline int32_t transform_short(const struct lim_row *row, const struct lim_vertex *at)
 {
-    return (int32_t)(transform_dot(row->n_qv, at->x, at->y, at->z) + (uint32_t)row->shift_qv);
+    return (int32_t)transform_dot(row->n_qv, at, (uint32_t)row->shift_qv);
 }
 
 #if LIM_HAS_LIMBS
@@ -54,7 +65,7 @@ static inline int32_t transform_short(const struct lim_row *row, const struct li
     assigns \nothing; */
 static inline int32_t transform_limbs(const struct lim_row *row, const struct lim_vertex *at)
 {
-    const int32_t low_qv15 = (int32_t)transform_dot(row->low_qv15, at->x, at->y, at->z);
+    const int32_t low_qv15 = (int32_t)transform_dot(row->low_qv15, at, 0);
 
     return (int32_t)((uint32_t)transform_short(row, at) + (uint32_t)(low_qv15 >> 15));
 }

@@ -22,7 +22,6 @@ bool lim_view_begin(struct lim_view *view, const struct lim_scene *scene, const 
     return true;
 }
 
-/* The vertex is read member by member: copied, its six bytes would be a call of memcpy() on a Cortex-M0+. */
 /* Into the function that remembers vertices; where flash is short there is one of each. */
 #if LIM_8_BIT
 #define VIEW_SHARED LIM_ALONE
@@ -34,11 +33,16 @@ static VIEW_SHARED void transform(const struct lim_view *view, const struct lim_
                                   const LIM_FLASH struct lim_vertex *vertex, struct lim_view_point *out)
 {
     const struct lim_row *row = view->rows.row;
-    const struct lim_vertex at = {vertex->x, vertex->y, vertex->z};
+#if LIM_DUAL_MULTIPLY
+    const struct lim_vertex *const at = vertex;
+#else
+    /* Read member by member: copied, its six bytes would be a call of memcpy() on a Cortex-M0+. */
+    const struct lim_vertex copy = {vertex->x, vertex->y, vertex->z}, *const at = &copy;
+#endif
 
     LIM_UNROLLED(3)
     for (uint_fast8_t i = 0; i < 3; i++)
-        out->qv[i] = transform_row(&row[i], &at);
+        out->qv[i] = transform_row(&row[i], at);
 #if LIM_HAS_FRACTIONS
     if (scene->fractions) {
         const struct lim_fraction fraction = scene->fractions[vertex - scene->vertices];
