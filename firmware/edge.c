@@ -118,9 +118,9 @@ static inline int32_t begin_long(struct lim_edge *edge, const struct lim_point *
 }
 
 static inline bool begin_short(struct lim_edge *edge, const struct lim_point *from, const struct lim_point *to,
-                               int32_t y)
+                               int32_t y, int32_t end)
 {
-    (void)edge, (void)from, (void)to, (void)y;
+    (void)edge, (void)from, (void)to, (void)y, (void)end;
     return false;
 }
 
@@ -223,10 +223,10 @@ static LIM_ALONE int32_t begin_long(struct lim_edge *edge, const struct lim_poin
 
 /* The same where a short division does. false: it does not. */
 static inline bool begin_short(struct lim_edge *edge, const struct lim_point *from, const struct lim_point *to,
-                               int32_t y)
+                               int32_t y, int32_t end)
 {
     const int32_t ax = from->x, ay = from->y, dx = (int32_t)to->x - ax, dy = (int32_t)to->y - ay;
-    const int32_t top = ay >> LIM_SUB_BITS, lines = lim_edge_row(to->y) - top;
+    const int32_t top = ay >> LIM_SUB_BITS, lines = end - top;
 
     if ((uint32_t)(DIVISOR_ERROR * lines + 1) * (uint32_t)dy > 1u << SHORT_BITS) return false;
     if ((uint32_t)(dx + SHORT_WIDTH) >= 2 * SHORT_WIDTH) return false;
@@ -255,7 +255,7 @@ void lim_edge_next(struct lim_edge *edge, const struct lim_point *at, uint8_t n,
         if (to >= n) to -= n;
         end = lim_edge_row(at[to].y);
     } while (end <= row);
-    const bool begun = begin_short(edge, &at[from], &at[to], row);
+    const bool begun = begin_short(edge, &at[from], &at[to], row, end);
     edge->end = (int16_t)(end + LIM_ORIGIN_PX);
     edge->next = (uint8_t)to;
     if (begun) return;

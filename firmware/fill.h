@@ -30,47 +30,35 @@ static inline void lim_fill_inline(uint16_t *line, uint32_t x_px, uint32_t n_px,
     uint16_t *const begin = line + x_px, *const end = begin + n_px;
     const uint32_t pair = (uint32_t)colour << 16 | colour;
     lim_pixel_pair *q = (lim_pixel_pair *)(((uintptr_t)begin + 2) & ~(uintptr_t)3);
-    const uint32_t pairs = (uint32_t)((((uintptr_t)end & ~(uintptr_t)3) - (uintptr_t)q) >> 2);
+    uint32_t more = (uint32_t)(((((uintptr_t)end & ~(uintptr_t)3) - (uintptr_t)q) >> 2) - 1); /* than one pair */
 
     begin[0] = end[-1] = colour; /* the halves of words at the ends, if there are such */
     if (n_px < 3) return;
-    if (pairs > 15) q = lim_fill_sixteens(q, pairs >> 4, pair);
-    switch (pairs & 15) {
-    case 15:
-        q[14] = pair; /* fall through */
-    case 14:
-        q[13] = pair; /* fall through */
-    case 13:
-        q[12] = pair; /* fall through */
-    case 12:
-        q[11] = pair; /* fall through */
-    case 11:
-        q[10] = pair; /* fall through */
-    case 10:
-        q[9] = pair; /* fall through */
-    case 9:
-        q[8] = pair; /* fall through */
-    case 8:
-        q[7] = pair; /* fall through */
-    case 7:
-        q[6] = pair; /* fall through */
-    case 6:
-        q[5] = pair; /* fall through */
-    case 5:
-        q[4] = pair; /* fall through */
-    case 4:
-        q[3] = pair; /* fall through */
-    case 3:
-        q[2] = pair; /* fall through */
-    case 2:
-        q[1] = pair; /* fall through */
-    case 1:
-        q[0] = pair; /* fall through */
-    case 0:
-        return;
-    default:
-        __builtin_unreachable();
+    if (more > 15) {
+        q = lim_fill_sixteens(q, more >> 4, pair);
+        more &= 15;
     }
+    // clang-format off
+    switch (more) {
+    case 15: q[15] = pair; /* fall through */
+    case 14: q[14] = pair; /* fall through */
+    case 13: q[13] = pair; /* fall through */
+    case 12: q[12] = pair; /* fall through */
+    case 11: q[11] = pair; /* fall through */
+    case 10: q[10] = pair; /* fall through */
+    case 9: q[9] = pair; /* fall through */
+    case 8: q[8] = pair; /* fall through */
+    case 7: q[7] = pair; /* fall through */
+    case 6: q[6] = pair; /* fall through */
+    case 5: q[5] = pair; /* fall through */
+    case 4: q[4] = pair; /* fall through */
+    case 3: q[3] = pair; /* fall through */
+    case 2: q[2] = pair; /* fall through */
+    case 1: q[1] = pair; /* fall through */
+    case 0: q[0] = pair; return;
+    default: __builtin_unreachable();
+    }
+    // clang-format on
 }
 
 /* The same of line y, or, if that is NULL, by the target. */
