@@ -33,6 +33,21 @@ static inline struct divisor divisor_of(int32_t by)
 #endif
 }
 
+/* The same for by < 2^12. */
+/*@ requires 0 < by < 4096;
+    assigns \nothing;
+    ensures \result.by == by; */
+static inline struct divisor divisor_of_short(int32_t by)
+{
+#if LIM_DIVIDES
+    return (struct divisor){by};
+#else
+    uint8_t shift;
+    const uint32_t mantissa_q31 = normalise_u12((uint32_t)by, &shift);
+    return (struct divisor){by, (int32_t)(recip_mantissa_q24(mantissa_q31) >> 8), shift};
+#endif
+}
+
 /* a / by for |a| < DIVISOR_WIDTH, never too high. */
 /*@ requires \valid_read(divisor) && divisor->by > 0 && -DIVISOR_WIDTH < a < DIVISOR_WIDTH;
     assigns \nothing;

@@ -18,6 +18,13 @@ _Static_assert((-3 >> 1) == -2, "right shifts must be arithmetic");
 #define LIM_LONG_MULTIPLY 1
 #endif
 
+/* Whether there is an instruction that counts leading zeros. */
+#if defined(__ARM_ARCH_6M__) || defined(__AVR__) || (defined(__riscv) && !defined(__riscv_zbb))
+#define LIM_HAS_CLZ 0
+#else
+#define LIM_HAS_CLZ 1
+#endif
+
 #if LIM_DUAL_MULTIPLY
 #include <arm_acle.h>
 
@@ -55,8 +62,11 @@ uint32_t lim_recip_divided_q24(uint32_t mantissa_q31);
     ensures is_clz(x, *zeros) && \result == x * (1 << *zeros); */
 static inline uint32_t normalise_u32(uint32_t x, uint8_t *zeros)
 {
-#if defined(__ARM_ARCH_6M__) || defined(__AVR__) || (defined(__riscv) && !defined(__riscv_zbb))
-    uint32_t n = 0; /* no such instruction: halve the search five times */
+#if LIM_HAS_CLZ
+    *zeros = (uint8_t)__builtin_clz(x);
+    return x * (UINT32_C(1) << *zeros);
+#else
+    uint32_t n = 0; /* halve the search five times */
     if (!(x >> 16)) {
         n = 16;
         x <<= 16;
@@ -79,9 +89,32 @@ static inline uint32_t normalise_u32(uint32_t x, uint8_t *zeros)
     }
     *zeros = (uint8_t)n;
     return x;
+#endif
+}
+
+/* The same for x < 2^12: large ones are the rule, and few steps to them. */
+/*@ requires 1 <= x < 4096 && \valid(zeros);
+    assigns *zeros;
+    ensures is_clz(x, *zeros) && \result == x * (1 << *zeros) && 2147483648 <= \result; */
+static inline uint32_t normalise_u12(uint32_t x, uint8_t *zeros)
+{
+#if LIM_HAS_CLZ
+    return normalise_u32(x, zeros);
 #else
-    *zeros = (uint8_t)__builtin_clz(x);
-    return x * (UINT32_C(1) << *zeros);
+    uint_fast8_t n = 20;
+
+    for (x <<= 20; !(x >> 28); x <<= 4)
+        n += 4;
+    if (!(x >> 30)) {
+        n += 2;
+        x <<= 2;
+    }
+    if (!(x >> 31)) {
+        n++;
+        x <<= 1;
+    }
+    *zeros = (uint8_t)n;
+    return x;
 #endif
 }
 
@@ -174,15 +207,13 @@ uint32_t lim_divide_u9(uint32_t a, uint16_t b);
 /*@ predicate is_recip_q24(integer r, integer mantissa) =
       8388608 <= r <= 16776960 && -410 * mantissa <= r * mantissa - 36028797018963968 <= 410 * mantissa; */
 
-/* 1/z for z >= 1 as r * 2^(shift - 55), r in 2^23 .. 2^24, where shift = clz(z): linear interpolation
- * between the table's entries, or what is divided in their place (LIM_RECIP_TABLE, config.h). */
-/*@ requires z >= 1 && \valid(shift) && \separated(shift, lim_recip_table_q16 + (0 .. 256));
-    assigns *shift;
-    ensures is_clz(z, *shift);
-    admit ensures is_recip_q24(\result, z * (1 << *shift)); */
-static inline uint32_t recip_q24(uint32_t z, uint8_t *shift)
+/* 1/z for z >= 1 as r * 2^(shift - 55), r in 2^23 .. 2^24, where shift = clz(z), from z's mantissa: linear
+ * interpolation between the table's entries, or what is divided in their place (LIM_RECIP_TABLE, config.h). */
+/*@ requires 2147483648 <= mantissa_q31;
+    assigns \nothing;
+    admit ensures is_recip_q24(\result, mantissa_q31); */
+static inline uint32_t recip_mantissa_q24(uint32_t mantissa_q31)
 {
-    const uint32_t mantissa_q31 = normalise_u32(z, shift);
     if (!LIM_RECIP_TABLE) return lim_recip_divided_q24(mantissa_q31);
 #if LIM_8_BIT
     const LIM_FLASH uint16_t *entry_q16 = &lim_recip_table_q16[mantissa_first_8(mantissa_q31)];
@@ -194,6 +225,17 @@ static inline uint32_t recip_q24(uint32_t z, uint8_t *shift)
     const uint32_t left_q16 = entry_q16[0], fall_q16 = left_q16 - entry_q16[1];
 
     return (left_q16 << 8) - fall_q16 * fraction_q8;
+}
+
+/*@ requires z >= 1 && \valid(shift) && \separated(shift, lim_recip_table_q16 + (0 .. 256));
+    assigns *shift;
+    ensures is_clz(z, *shift);
+    ensures is_recip_q24(\result, z * (1 << *shift)); */
+static inline uint32_t recip_q24(uint32_t z, uint8_t *shift)
+{
+    const uint32_t mantissa_q31 = normalise_u32(z, shift);
+
+    return recip_mantissa_q24(mantissa_q31);
 }
 
 /* The same as r * 2^(shift - 47), r in 2^15 .. 2^16 - 1. Within 1.6 units of r's last place over all 2^32
