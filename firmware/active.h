@@ -100,8 +100,13 @@ static inline void lim_active_begin(struct lim_active *active, const struct lim_
     active->polygon = polygon;
     active->bottom = lim_retained_bottom(cells);
     active->colour = cells[1].look.colour;
-    lim_edge_begin(&active->pair, cells[0].link.n, cells[0].link.first);
-    lim_active_turn(active, cells, y);
+    if (LIM_HAS_PIECES && !cells[0].link.n) {
+        lim_active_take_line(active, cells, y);
+        return;
+    }
+    const int16_t at =
+        lim_edge_start(&active->pair, lim_active_points(cells), cells[0].link.n, cells[0].link.first, y);
+    active->turn = at < active->bottom ? at : active->bottom;
 }
 
 #endif

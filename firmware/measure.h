@@ -40,25 +40,46 @@ static inline lim_edge_sub lim_edge_row_of_level(lim_edge_sub level)
     return LIM_EDGE_IS_SHORT ? level : lim_edge_row(level);
 }
 
+/* What corners span, in levels, and a corner at its top. */
+struct lim_edge_span {
+    lim_edge_sub top, bottom;
+    uint8_t first;
+};
+
+static inline void lim_edge_span_add(struct lim_edge_span *span, lim_edge_sub y, uint8_t corner)
+{
+    if (y < span->top) span->top = y, span->first = corner;
+    if (y > span->bottom) span->bottom = y;
+}
+
+static inline void lim_edge_span_to_shape(const struct lim_edge_span *span, struct lim_edge_shape *shape)
+{
+    shape->top = (int16_t)(lim_edge_row_of_level(span->top) + LIM_ORIGIN_PX);
+    shape->bottom = (int16_t)(lim_edge_row_of_level(span->bottom) + LIM_ORIGIN_PX);
+    shape->first = span->first;
+    shape->folded = false;
+}
+
 /* lim_edge_measure() but for folds. false: the boundary turns more than twice, perhaps it is folded. */
+bool lim_edge_measure_many(struct lim_edge_shape *shape, const struct lim_point *at, uint8_t n);
+
+/* The same where calls are many: most polygons have three corners or four. Four turn more than twice where each of
+ * their edges goes the other way than the one before it. */
 static inline bool lim_edge_measure_plain(struct lim_edge_shape *shape, const struct lim_point *at, uint8_t n)
 {
-    lim_edge_sub before = lim_edge_level(at[n - 1].y), top = before, bottom = before, down = 0;
-    const struct lim_point *const end = at + n, *next = at, *top_at = end - 1;
-
-    do {
-        const lim_edge_sub y = lim_edge_level(next->y);
-
-        if (y > before) down = (lim_edge_sub)(down + (y - before));
-        if (y < top) top = y, top_at = next;
-        if (y > bottom) bottom = y;
-        before = y;
-    } while (++next != end);
-    shape->top = (int16_t)(lim_edge_row_of_level(top) + LIM_ORIGIN_PX);
-    shape->bottom = (int16_t)(lim_edge_row_of_level(bottom) + LIM_ORIGIN_PX);
-    shape->first = (uint8_t)(top_at - at);
-    shape->folded = false;
-    return down <= bottom - top;
+    if (LIM_8_BIT || n > 4) return lim_edge_measure_many(shape, at, n);
+    const lim_edge_sub a = lim_edge_level(at[0].y), b = lim_edge_level(at[1].y), c = lim_edge_level(at[2].y);
+    struct lim_edge_span span = {a, a, 0};
+    int32_t turns = 0;
+    lim_edge_span_add(&span, b, 1);
+    lim_edge_span_add(&span, c, 2);
+    if (n == 4) {
+        const lim_edge_sub d = lim_edge_level(at[3].y);
+        lim_edge_span_add(&span, d, 3);
+        turns = ((a - b) ^ (b - c)) & ((b - c) ^ (c - d)) & ((c - d) ^ (d - a));
+    }
+    lim_edge_span_to_shape(&span, shape);
+    return turns >= 0;
 }
 
 static inline void lim_edge_measure_sides(struct lim_edge_shape *shape, const struct lim_point *at, uint8_t n)
