@@ -67,7 +67,12 @@ bool lim_edge_measure_many(struct lim_edge_shape *shape, const struct lim_point 
  * their edges goes the other way than the one before it. */
 static inline bool lim_edge_measure_plain(struct lim_edge_shape *shape, const struct lim_point *at, uint8_t n)
 {
-    if (LIM_8_BIT || n > 4) return lim_edge_measure_many(shape, at, n);
+    if (LIM_8_BIT || n > 4) {
+        struct lim_edge_shape many; /* so that `shape` may stay in registers */
+        const bool plain = lim_edge_measure_many(&many, at, n);
+        *shape = many;
+        return plain;
+    }
     const lim_edge_sub a = lim_edge_level(at[0].y), b = lim_edge_level(at[1].y), c = lim_edge_level(at[2].y);
     struct lim_edge_span span = {a, a, 0};
     int32_t turns = 0;

@@ -224,8 +224,12 @@ static inline enum outcome take_usual(struct lim *lim, const LIM_FLASH lim_index
         if (!lim_shape_meets_sides(&shape, open)) return OUTSIDE;
     }
     if (LIM_HAS_STATS) lim_stats_of(lim)->lines += (uint32_t)(shown.bottom - shown.top);
-    if (!retains_all(lim) && !close_lines(&lim->spans, at, n, shape.first, &shown, NULL, NULL)) return EXHAUSTED_POOL;
-    if (shown.top >= shown.bottom) return TAKEN;
+    if (!retains_all(lim)) {
+        struct lim_span_extent seen = shown;
+        if (!close_lines(&lim->spans, at, n, shape.first, &seen, NULL, NULL)) return EXHAUSTED_POOL;
+        if (seen.top >= seen.bottom) return TAKEN;
+        shown = seen;
+    }
     if (LIM_HAS_STATS) lim_stats_of(lim)->polygons_seen++;
     lim_retained_link(&lim->retained, &lim->spans.lines[shown.top], n, shape.first, (uint16_t)shown.bottom,
                       lim_memory_colour((uint16_t)record[1]), (uint16_t)(LIM_RETAINED_HEAD_CELLS + n));
