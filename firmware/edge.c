@@ -108,13 +108,9 @@ static void edge_set(struct lim_edge *edge, struct lim_point a, struct lim_point
     edge->step_error = rest;
 }
 
-static inline int32_t begin_long(struct lim_edge *edge, const struct lim_point *from, const struct lim_point *to,
-                                 int32_t y)
+static inline void begin_long(struct lim_edge *edge, const struct lim_point *at, uint_fast16_t from, int16_t y)
 {
-    const int32_t lines = lim_edge_row(to->y) - y;
-
-    edge_set(edge, *from, *to, (int16_t)y, (int16_t)lines);
-    return lines;
+    edge_set(edge, at[from], at[edge->next], (int16_t)(y - LIM_ORIGIN_PX), (int16_t)(edge->end - y));
 }
 
 static inline bool begin_short(struct lim_edge *edge, const struct lim_point *from, const struct lim_point *to,
@@ -187,15 +183,13 @@ static LIM_RARE int32_t stretch_of(int32_t dy)
 
 /* A single line, which may have more sub-pixels than a fraction has bits for: ceil(m / dy). */
 /*@ requires \valid(edge) && dy > 0 && -4096 <= m / dy <= 4096;
-    assigns edge->at;
-    ensures \result == 1; */
-static LIM_RARE int32_t set_line(struct lim_edge *edge, lim_sub_area m, int32_t dy)
+    assigns edge->at; */
+static LIM_RARE void set_line(struct lim_edge *edge, lim_sub_area m, int32_t dy)
 {
     int32_t rest, whole = divide_area(m, dy, &rest);
 
     if (rest > 0) whole++;
     edge->at = (lim_edge_at)((lim_edge_wrap)(lim_edge_at)(whole + LIM_ORIGIN_PX) << LIM_EDGE_BITS);
-    return 1;
 }
 
 #define EDGE_BEFORE_NEXT (((lim_edge_wrap)(LIM_ORIGIN_PX + 1) << LIM_EDGE_BITS) - 1)
@@ -203,22 +197,29 @@ static LIM_RARE int32_t set_line(struct lim_edge *edge, lim_sub_area m, int32_t 
 /* Fractions of 16 bits, which do for most. dy is below 2^12 then, and what is left of a start below 2 SHORT_WIDTH. */
 enum { SHORT_BITS = 16, SHORT_WIDTH = DIVISOR_WIDTH / 2 };
 
-/* Sets the edge for lines from y on, counted from the origin. Returns for how many of them: 1 has no step. */
-static LIM_ALONE int32_t begin_long(struct lim_edge *edge, const struct lim_point *from, const struct lim_point *to,
-                                    int32_t y)
+/* Sets the edge from a corner to edge->next for the lines from y on: for all of them, or it is begun anew. */
+static LIM_ALONE void begin_long(struct lim_edge *edge, const struct lim_point *at, uint_fast16_t from, int16_t y)
 {
-    const struct lim_point a = *from;
-    const int32_t dx = (int32_t)to->x - a.x, dy = (int32_t)to->y - a.y;
-    const lim_sub_area m = meeting(a, dx, dy, (int16_t)y);
-    int32_t lines = lim_edge_row(to->y) - y;
+    const struct lim_point a = at[from], b = at[edge->next];
+    const int32_t dx = (int32_t)b.x - a.x, dy = (int32_t)b.y - a.y;
+    const lim_sub_area m = meeting(a, dx, dy, (int16_t)(y - LIM_ORIGIN_PX));
+    int32_t lines = edge->end - y;
 
-    if ((lim_edge_wrap)(DIVISOR_ERROR * lines + 1) * (lim_edge_wrap)dy > (lim_edge_wrap)1 << LIM_EDGE_BITS)
-        lines = stretch_of(dy);
-    if (lines == 1) return set_line(edge, m, dy);
+    if ((lim_edge_wrap)(DIVISOR_ERROR * lines + 1) * (lim_edge_wrap)dy > (lim_edge_wrap)1 << LIM_EDGE_BITS) {
+        const int32_t stretch = stretch_of(dy);
+        if (stretch < lines) {
+            lines = stretch;
+            edge->end = (int16_t)(y + lines);
+            edge->next = (uint8_t)from;
+        }
+    }
+    if (lines == 1) {
+        set_line(edge, m, dy);
+        return;
+    }
     const struct divisor divisor = divisor_of(dy);
     edge->at = (lim_edge_at)(quotient_of(m, &divisor) + EDGE_BEFORE_NEXT);
     edge->step = (lim_edge_at)quotient_of(dx, &divisor);
-    return lines;
 }
 
 /* The same where a short division does. false: it does not. */
@@ -258,11 +259,7 @@ void lim_edge_next(struct lim_edge *edge, const struct lim_point *at, uint8_t n,
     const bool begun = begin_short(edge, &at[from], &at[to], row, end);
     edge->end = (int16_t)(end + LIM_ORIGIN_PX);
     edge->next = (uint8_t)to;
-    if (begun) return;
-    const int32_t drawn = begin_long(edge, &at[from], &at[to], row);
-    if (drawn >= end - row) return;
-    edge->end = (int16_t)(y + drawn);
-    edge->next = (uint8_t)from;
+    if (!begun) begin_long(edge, at, from, y);
 }
 
 static void advance(struct lim_edge *edge, const struct lim_point *at, uint8_t n, int16_t y)
@@ -360,7 +357,7 @@ static inline void begin_line(struct lim_edge *edge, struct lim_point a, struct 
     edge_set(edge, a, b, y, 1);
 #else
     const int32_t dx = (int32_t)b.x - a.x, dy = (int32_t)b.y - a.y;
-    (void)set_line(edge, meeting(a, dx, dy, y), dy);
+    set_line(edge, meeting(a, dx, dy, y), dy);
 #endif
 }
 

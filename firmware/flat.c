@@ -37,9 +37,7 @@ static void paint_polygons(struct lim_actives *actives, const struct lim_retaine
     struct lim_active **link = &actives->first, *active;
 
     while ((active = *link) != NULL) {
-        int32_t x0 = lim_edge_x(&active->pair.left), x1 = lim_edge_x(&active->pair.right);
-        lim_edge_step(&active->pair.left);
-        lim_edge_step(&active->pair.right);
+        int32_t x0 = lim_edge_take(&active->pair.left), x1 = lim_edge_take(&active->pair.right);
         if (x0 < extent.x0) x0 = extent.x0;
         if (x1 > extent.x1) x1 = extent.x1;
         if (x0 < x1) {
