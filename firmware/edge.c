@@ -233,11 +233,13 @@ static inline bool begin_short(struct lim_edge *edge, const struct lim_point *fr
     if ((uint32_t)(dx + SHORT_WIDTH) >= 2 * SHORT_WIDTH) return false;
     const int32_t part_x = ax & (LIM_SUB - 1), part_y = ay & (LIM_SUB - 1);
     const int32_t part = (part_x * dy - part_y * dx + (LIM_SUB - 1)) >> LIM_SUB_BITS;
+    const lim_edge_wrap whole = ((lim_edge_wrap)(lim_edge_at)(ax >> LIM_SUB_BITS) << LIM_EDGE_BITS) + EDGE_BEFORE_NEXT;
+    const int32_t from_top = y - top;
     const struct divisor divisor = LIM_SUB_BITS <= 9 ? divisor_of_short(dy) : divisor_of(dy);
-    const int32_t step_q16 = divisor_q16(&divisor, dx), ahead_q16 = divisor_q16(&divisor, part) + (y - top) * step_q16;
+    const int32_t step_q16 = divisor_q16(&divisor, dx);
     edge->step = (lim_edge_at)((lim_edge_wrap)(lim_edge_at)step_q16 << (LIM_EDGE_BITS - SHORT_BITS));
-    edge->at = (lim_edge_at)(((lim_edge_wrap)(lim_edge_at)(ax >> LIM_SUB_BITS) << LIM_EDGE_BITS) + EDGE_BEFORE_NEXT +
-                             ((lim_edge_wrap)(lim_edge_at)ahead_q16 << (LIM_EDGE_BITS - SHORT_BITS)));
+    const int32_t ahead_q16 = divisor_q16(&divisor, part) + from_top * step_q16;
+    edge->at = (lim_edge_at)(whole + ((lim_edge_wrap)(lim_edge_at)ahead_q16 << (LIM_EDGE_BITS - SHORT_BITS)));
     return true;
 }
 
