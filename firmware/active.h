@@ -104,8 +104,7 @@ static inline void lim_active_begin(struct lim_active *active, const struct lim_
         lim_active_take_line(active, cells, y);
         return;
     }
-    const int16_t at =
-        lim_edge_start(&active->pair, lim_active_points(cells), cells[0].link.n, cells[0].link.first, y);
+    const int16_t at = lim_edge_start(&active->pair, lim_active_points(cells), cells[0].link.n, cells[0].link.first, y);
     active->turn = at < active->bottom ? at : active->bottom;
 }
 

@@ -151,8 +151,8 @@
 #define LIM_HAS_SPANS (LIM_HAS_WALKED || LIM_HAS_SORTED)
 #define LIM_HAS_HIDDEN (LIM_HAS_TREE || LIM_HAS_SORTED)
 
-/* Whether there is nothing that flat.c cannot paint: then pieces of lines are of interest to targets alone that keep the
- * picture. */
+/* Whether there is nothing that flat.c cannot paint: then pieces of lines are of interest to targets alone that keep
+ * the picture. */
 #define LIM_ALL_FLAT                                                                                                   \
     (!LIM_HAS_TRANSPARENT && !LIM_HAS_TEXTURE && !LIM_HAS_WIREFRAME && !LIM_HAS_ANTIALIAS && !LIM_HAS_DELTA)
 #define LIM_HAS_SINKS (!LIM_ALL_FLAT || LIM_HAS_FRAME)

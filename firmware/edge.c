@@ -316,20 +316,19 @@ static LIM_RARE void measure_folds(struct lim_edge_shape *shape, const struct li
     if (shape->folded) shape->apex = choose_apex(at, n, top_at, bottom);
 }
 
-bool lim_edge_measure_many(struct lim_edge_shape *shape, const struct lim_point *at, uint8_t n)
+lim_edge_sub lim_edge_measure_down(struct lim_edge_span *span, const struct lim_point *at, uint8_t n)
 {
-    const lim_edge_sub first = lim_edge_level(at[0].y);
-    struct lim_edge_span span = {first, first, 0};
     lim_edge_sub before = lim_edge_level(at[n - 1].y), down = 0;
 
+    span->top = span->bottom = lim_edge_level(at[0].y);
+    span->first = 0;
     for (uint8_t k = 0; k < n; k++) {
         const lim_edge_sub y = lim_edge_level(at[k].y);
         if (y > before) down = (lim_edge_sub)(down + (y - before));
-        lim_edge_span_add(&span, y, k);
+        lim_edge_span_add(span, y, k);
         before = y;
     }
-    lim_edge_span_to_shape(&span, shape);
-    return down <= span.bottom - span.top;
+    return down;
 }
 
 void lim_edge_measure(struct lim_edge_shape *shape, const struct lim_point *at, uint8_t n)

@@ -33,7 +33,7 @@ typedef uint32_t __attribute__((may_alias, aligned(2))) fixed_pair; /* in arrays
 /* a[0] b[0] + a[1] b[1] + sum, which may wrap. */
 static inline uint32_t fixed_dot_pairs(const int16_t *a, const int16_t *b, uint32_t sum)
 {
-    return (uint32_t)__smlad((int16x2_t)*(const fixed_pair *)a, (int16x2_t)*(const fixed_pair *)b, (int32_t)sum);
+    return (uint32_t)__smlad((int16x2_t) * (const fixed_pair *)a, (int16x2_t) * (const fixed_pair *)b, (int32_t)sum);
 }
 #endif
 

@@ -9,8 +9,8 @@
 static bool method_is_linked(enum lim_method method)
 {
     return (LIM_HAS_NEAREST && method == LIM_NEAREST_FIRST) || (LIM_HAS_PAINTER && method == LIM_PAINTER) ||
-           (LIM_HAS_CONVEX && method == LIM_CONVEX) || (LIM_HAS_SCANLINE && method == LIM_SCANLINE) || (LIM_HAS_DEPTH && method == LIM_DEPTH) ||
-           (LIM_HAS_NEWELL && method == LIM_NEWELL);
+           (LIM_HAS_CONVEX && method == LIM_CONVEX) || (LIM_HAS_SCANLINE && method == LIM_SCANLINE) ||
+           (LIM_HAS_DEPTH && method == LIM_DEPTH) || (LIM_HAS_NEWELL && method == LIM_NEWELL);
 }
 
 /* Whether the method, which is linked, is this one: constants where it is the only one. */

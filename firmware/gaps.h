@@ -29,6 +29,17 @@ static inline void lim_gap_give_back(struct lim_spans *spans, uint16_t gap)
     spans->free = gap;
 }
 
+/* Member by member: a struct of 16 bits each would be copied by memcpy(). */
+static inline void lim_gap_copy(struct lim_gap *to, const struct lim_gap *from)
+{
+    to->x0 = from->x0;
+    to->x1 = from->x1;
+    to->next = from->next;
+#if LIM_HAS_ANTIALIAS
+    to->covered = from->covered;
+#endif
+}
+
 /* Unlinks a gap whose predecessor is `before` (NULL: it is the line's first). Returns the gap that follows, now
  * in its place, or NULL. */
 static inline struct lim_gap *lim_gap_unlink(struct lim_spans *spans, struct lim_gap *gap, struct lim_gap *before)
@@ -46,7 +57,7 @@ static inline struct lim_gap *lim_gap_unlink(struct lim_spans *spans, struct lim
         spans->open_lines--;
         return NULL;
     }
-    *gap = spans->pool[next];
+    lim_gap_copy(gap, &spans->pool[next]);
     lim_gap_give_back(spans, next);
     return gap;
 }

@@ -60,18 +60,18 @@ static inline void lim_edge_span_to_shape(const struct lim_edge_span *span, stru
     shape->folded = false;
 }
 
-/* lim_edge_measure() but for folds. false: the boundary turns more than twice, perhaps it is folded. */
-bool lim_edge_measure_many(struct lim_edge_shape *shape, const struct lim_point *at, uint8_t n);
+/* How far a boundary goes down, all its ways together, and what it spans. */
+lim_edge_sub lim_edge_measure_down(struct lim_edge_span *span, const struct lim_point *at, uint8_t n);
 
-/* The same where calls are many: most polygons have three corners or four. Four turn more than twice where each of
- * their edges goes the other way than the one before it. */
+/* lim_edge_measure() but for folds. false: the boundary turns more than twice, perhaps it is folded. Most polygons have
+ * three corners or four, and four turn more than twice where each edge goes the other way than the one before it. */
 static inline bool lim_edge_measure_plain(struct lim_edge_shape *shape, const struct lim_point *at, uint8_t n)
 {
     if (LIM_8_BIT || n > 4) {
-        struct lim_edge_shape many; /* so that `shape` may stay in registers */
-        const bool plain = lim_edge_measure_many(&many, at, n);
-        *shape = many;
-        return plain;
+        struct lim_edge_span many;
+        const lim_edge_sub down = lim_edge_measure_down(&many, at, n);
+        lim_edge_span_to_shape(&many, shape);
+        return down <= many.bottom - many.top;
     }
     const lim_edge_sub a = lim_edge_level(at[0].y), b = lim_edge_level(at[1].y), c = lim_edge_level(at[2].y);
     struct lim_edge_span span = {a, a, 0};

@@ -74,6 +74,7 @@ static inline bool retains_all(const struct lim *lim)
 #endif
 }
 
+#if LIM_HAS_SCANLINE
 /* In a band: one of a line is drawn nearest first, for which any pool will do. */
 static inline bool can_retain_all(const struct lim *lim, const struct lim_rect *band)
 {
@@ -85,6 +86,7 @@ static inline bool can_retain_all(const struct lim *lim, const struct lim_rect *
     return !(LIM_HAS_TEXTURE && lim_texture_count(lim->scene)) && !lim_wireframe_of(lim) && !lim_wants_antialias(lim) &&
            !lim_moves(lim);
 }
+#endif
 
 static bool sees_open(const struct lim *lim, const struct lim_screen_polygon *polygon, int16_t top, int16_t bottom)
 {

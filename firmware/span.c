@@ -32,7 +32,7 @@ enum lim_span_result lim_span_close(struct lim_spans *spans, struct lim_line *li
     struct lim_gap *gap = &line->gap, *before = NULL;
 
     if (lim_line_is_closed(line)) return LIM_SPAN_NOTHING;
-    while (gap) {
+    do {
         const int32_t open0 = gap->x0, open1 = gap->x1;
         if (open1 <= x0) {
             before = gap;
@@ -54,7 +54,7 @@ enum lim_span_result lim_span_close(struct lim_spans *spans, struct lim_line *li
         } else {
             gap = lim_gap_unlink(spans, gap, before);
         }
-    }
+    } while (gap);
     return result;
 }
 

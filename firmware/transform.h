@@ -25,7 +25,7 @@ typedef int_fast16_t lim_row_entry;
 /* A row of the view matrix. */
 struct lim_row {
     lim_row_entry n_qv[3]; /* |entry| <= 32767 */
-    int32_t shift_qv;     /* where the row puts the origin of the scene */
+    int32_t shift_qv;      /* where the row puts the origin of the scene */
 #if LIM_HAS_LIMBS
     lim_row_entry low_qv15[3]; /* what rounding took from the entries, 15 bits further: -2^14..2^14 */
 #endif

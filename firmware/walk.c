@@ -28,7 +28,7 @@ static inline const uint8_t *shown_of(const struct lim_walk *walk)
 
 /* Says what comes after the node's near subtree. Returns the root of that, or LIM_NO_INDEX. */
 static inline lim_index enter(const struct lim_walk *walk, const LIM_FLASH struct lim_node *node,
-                             struct lim_walk_pending *pending)
+                              struct lim_walk_pending *pending)
 {
     const int32_t side = lim_eye_side(&walk->eye, &node->split);
     const bool front_first = (side > 0) != walk->back_to_front;
