@@ -98,8 +98,10 @@ static void place_copies(struct ids *ids)
     }
 }
 
+/* A pixel that nothing is written to holds a number that no record has: what the last frame left does not count. */
 static bool draw(struct ids *ids, const struct lim_camera *camera, unsigned shift, struct error *err)
 {
+    memset(ids->simulator.lines, 0xFF, ids->simulator.target.h_px * ids->simulator.line_b);
     if (!simulator_frame(&ids->simulator, camera, err)) return false;
     const size_t pixel_count = simulator_pixel_count(&ids->simulator);
     for (size_t i = 0; i < pixel_count; i++)

@@ -17,8 +17,8 @@ struct closed_run_plan {
 struct closed_run_sum {
     const struct core *profile;
     struct holes holes;
-    size_t unwritten; /* pixels that nothing was written to in a frame */
-    size_t overdrawn; /* that were written more often than once, each time */
+    size_t overdrawn;  /* pixels that were painted over, each time */
+    size_t miscounted; /* of the background: counted and not shown, or shown and not counted */
     size_t splits, folded, bands;
 };
 
@@ -26,7 +26,8 @@ struct closed_run_sum {
  * ends the test. */
 size_t closed_run(const struct closed_run_plan *plan, struct closed_run_sum sums[PROFILES_MAX]);
 
-/* A line for each; holes and unwritten pixels fail, and so do fewer than `pixels` pixels in any profile. */
+/* A line for each. Holes fail, and miscounted pixels, fewer than `pixels` of them in any profile, and more than a tenth
+ * as many painted over. (A pixel that nothing was written to fails already in ids_frame().) */
 void closed_run_judge(const struct closed_run_sum *sums, size_t count, size_t pixels);
 
 #endif

@@ -23,10 +23,10 @@ struct lim_camera fuzz_camera_from(struct fuzz_bytes *bytes);
 /* camera.h's ranges. */
 bool fuzz_camera_is_legal(const struct lim_camera *camera);
 
-/* Draws in one of the precision profiles and one of three ways (nearest first, the same in the least memory,
- * back to front); `choice` says which. A legal camera must be drawn, any other one refused; every pixel
- * painted, and done exactly once. An ordered scene is drawn in another way too, and must look the same.
- * The broken promise, or NULL. */
+/* Draws in one of the precision profiles and one of six ways (nearest first, the same in the least memory or by gaps,
+ * by scan lines in enough memory or the least, back to front); `choice` says which. A legal camera must be drawn, any
+ * other one refused; every pixel painted, and done exactly once. An ordered scene is drawn in another way too, and must
+ * look the same. The broken promise, or NULL. */
 const char *fuzz_draw(const struct fuzz_frame *frame, uint8_t choice);
 
 #endif

@@ -6,6 +6,7 @@
 #include "cmocka_ready.h"
 #include "fill.h"
 #include "plane.h"
+#include "unpainted.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -140,7 +141,12 @@ void set_draw(const struct set *set, enum lim_method method, const struct lim_ne
                                       .done = done};
     const size_t mem_b = lim_mem_b(scene, &target) + (pieces < 0 ? 0 : (size_t)pieces * PIECE_B);
 
+    const uint16_t unpainted = unused_colour(scene);
+    const size_t px = SET_SIDE_PX * SET_SIDE_PX;
+    uint16_t *const pixels = &view->pixels[0][0];
+
     memset(view, 0, sizeof *view);
+    wipe_pixels(pixels, px, unpainted);
     view->mem = malloc(mem_b);
     assert_non_null(view->mem);
     assert_int_equal(lim_init(&view->lim, scene, &target, view->mem, mem_b), LIM_OK);
@@ -148,8 +154,11 @@ void set_draw(const struct set *set, enum lim_method method, const struct lim_ne
     if (pieces >= 0) view->lim.sorter.newell.cut_size = (uint16_t)(2 * pieces);
     assert_int_equal(lim_frame(&view->lim, camera), LIM_OK);
     const struct lim_stats *stats = lim_stats(&view->lim);
-    assert_int_equal(view->done_px, SET_SIDE_PX * SET_SIDE_PX);
-    if (!set->alpha) assert_true(stats->pixels_painted + stats->pixels_background >= SET_SIDE_PX * SET_SIDE_PX);
+    assert_int_equal(view->done_px, px);
+    if (set->alpha) return;
+    assert_int_equal(count_pixels(pixels, px, unpainted), 0);
+    assert_int_equal(stats->pixels_background, count_pixels(pixels, px, scene->background));
+    assert_true(stats->pixels_painted + stats->pixels_background >= px);
 }
 
 static void add_to_mesh(const struct set *set, const lim_index *record, struct mesh *mesh)

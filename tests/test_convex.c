@@ -6,6 +6,7 @@
 #include "convexity.h"
 #include "core.h"
 #include "effort.h"
+#include "unpainted.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -17,19 +18,26 @@ enum { SOLIDS = 32, FRAMES = 16, FRAMES_LEAST = 4, W_PX = 120, H_PX = 96 };
 struct canvas {
     uint16_t line[W_PX + 1], pixels[H_PX][W_PX];
     uint8_t done[H_PX][W_PX];
+    uint16_t unpainted; /* of this colour nothing is */
 };
+
+static uint16_t *line_of(struct canvas *canvas)
+{
+    return (uint16_t *)(((uintptr_t)canvas->line + 3) & ~(uintptr_t)3);
+}
 
 static void *canvas_lend(void *ctx, uint16_t y_px)
 {
     struct canvas *canvas = ctx;
     (void)y_px;
-    return (uint16_t *)(((uintptr_t)canvas->line + 3) & ~(uintptr_t)3);
+    wipe_pixels(line_of(canvas), W_PX, canvas->unpainted);
+    return line_of(canvas);
 }
 
 static int canvas_done(void *ctx, uint16_t y_px, uint16_t x_px, uint16_t n_px)
 {
     struct canvas *canvas = ctx;
-    const uint16_t *line = canvas_lend(ctx, y_px);
+    const uint16_t *line = line_of(canvas);
     for (unsigned x = x_px; x < (unsigned)x_px + n_px; x++) {
         canvas->pixels[y_px][x] = line[x];
         canvas->done[y_px][x]++;
@@ -51,6 +59,7 @@ static struct lim_stats draw(struct canvas *canvas, const struct core *core, con
     const size_t mem_b = core->mem_b(scene, &target);
     void *lim = calloc(1, core->lim_b), *mem = malloc(mem_b);
     memset(canvas, 0, sizeof *canvas);
+    canvas->unpainted = unused_colour(scene);
     assert_int_equal(core->init(lim, scene, &target, mem, mem_b), LIM_OK);
     assert_int_equal(core->frame(lim, camera), LIM_OK);
     const struct lim_stats stats = *core->stats(lim);
@@ -59,6 +68,10 @@ static struct lim_stats draw(struct canvas *canvas, const struct core *core, con
     for (int y = 0; y < H_PX; y++)
         for (int x = 0; x < W_PX; x++)
             assert_int_equal(canvas->done[y][x], 1);
+    const uint16_t *pixels = &canvas->pixels[0][0];
+    assert_int_equal(count_pixels(pixels, W_PX * H_PX, canvas->unpainted), 0);
+    if (method == LIM_NEAREST_FIRST)
+        assert_int_equal(count_pixels(pixels, W_PX * H_PX, scene->background), stats.pixels_background);
     return stats;
 }
 
@@ -68,6 +81,7 @@ static struct compiled compile_with(const struct mesh *mesh, const struct core *
     struct compiled scene;
     struct error err;
     if (!compile_mesh(mesh, &options, &scene, &err)) fail_msg("%s", err.text);
+    scene.scene.background = unused_colour(&scene.scene); /* its pixels are counted */
     return scene;
 }
 

@@ -7,6 +7,7 @@
 #include "compiled.h"
 #include "limner.h"
 #include "random_camera.h"
+#include "unpainted.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -106,13 +107,28 @@ static int done(void *ctx, uint16_t y_px, uint16_t x_px, uint16_t n_px)
     return 0;
 }
 
-/* Every pixel final once, and none beside the picture touched. */
-static void assert_done_once(const struct canvas *canvas, uint16_t w_px, uint16_t h_px)
+/* Every pixel painted and final once, and none beside the picture touched. */
+static void assert_done_once(const struct canvas *canvas, uint16_t w_px, uint16_t h_px, uint16_t unpainted)
 {
     for (int y = 0; y < MAX_H_PX; y++) {
-        for (int x = 0; x < MAX_W_PX; x++)
-            assert_int_equal(canvas->done[y][x], x < w_px && y < h_px);
+        for (int x = 0; x < MAX_W_PX; x++) {
+            const bool inside = x < w_px && y < h_px;
+            assert_int_equal(canvas->done[y][x], inside);
+            assert_true((canvas->pixels[y][x] != lim_memory_colour(unpainted)) == inside);
+        }
     }
+}
+
+/* Nearest first, pixels of the background are those that are left; by scan lines it is under all polygons. */
+static void assert_counts(const struct canvas *canvas, const struct lim_scene *scene, size_t px, enum lim_method method,
+                          const struct lim_stats *stats)
+{
+    const size_t background = count_pixels(&canvas->pixels[0][0], MAX_W_PX * MAX_H_PX, scene->background);
+
+    if (method == LIM_PAINTER) return;
+    assert_true(stats->pixels_painted >= px - background);
+    if (method == LIM_NEAREST_FIRST) assert_int_equal(stats->pixels_background, background);
+    if (method == LIM_SCANLINE) assert_in_range(stats->pixels_background, background, px);
 }
 
 static void draw(struct canvas *canvas, const struct lim_scene *scene, const struct lim_camera *camera, uint16_t w_px,
@@ -121,16 +137,17 @@ static void draw(struct canvas *canvas, const struct lim_scene *scene, const str
     const struct lim_target target = {
         .w_px = w_px, .h_px = h_px, .format = LIM_RGB565, .method = method, .ctx = canvas, .lend = lend, .done = done};
     const size_t mem_b = least_memory ? lim_mem_min_b(scene, &target) : lim_mem_b(scene, &target);
+    const uint16_t unpainted = unused_colour(scene);
     void *mem = malloc(mem_b);
     struct lim lim;
 
     memset(canvas, 0, sizeof *canvas);
+    wipe_pixels(&canvas->pixels[0][0], MAX_W_PX * MAX_H_PX, unpainted);
     assert_int_equal(lim_init(&lim, scene, &target, mem, mem_b), LIM_OK);
     assert_int_equal(lim_frame(&lim, camera), LIM_OK);
-    assert_done_once(canvas, w_px, h_px);
+    assert_done_once(canvas, w_px, h_px, unpainted);
     *stats = *lim_stats(&lim);
-    if (method == LIM_NEAREST_FIRST || method == LIM_SCANLINE)
-        assert_true(stats->pixels_painted + stats->pixels_background >= (uint32_t)w_px * h_px);
+    assert_counts(canvas, scene, (size_t)w_px * h_px, method, stats);
     free(mem);
 }
 
@@ -149,6 +166,7 @@ static void stage_init(struct stage *stage, struct random *random)
     if (!mesh_clean(&stage->closed.model, &stage->mesh, &err) || !mesh_insert_t_vertices(&stage->mesh, &err) ||
         !compile_mesh(&stage->mesh, &options, &stage->scene, &err))
         fail_msg("%s", err.text);
+    stage->scene.scene.background = unused_colour(&stage->scene.scene); /* its pixels are counted */
 }
 
 static void stage_free(struct stage *stage)

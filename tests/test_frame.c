@@ -5,11 +5,12 @@
 #include "cmocka_ready.h"
 #include "compiled.h"
 #include "limner.h"
+#include "unpainted.h"
 
 #include <stdlib.h>
 #include <string.h>
 
-enum { W_PX = 120, H_PX = 90, SCENES = 8, FRAMES = 6, NEVER = -1, DEVICE_ERROR = -5 };
+enum { W_PX = 120, H_PX = 90, SCENES = 8, FRAMES = 6, RUNS = 3000, NEVER = -1, DEVICE_ERROR = -5 };
 
 /* A target in memory that watches how it is used, and fails when told to. */
 struct canvas {
@@ -37,27 +38,19 @@ static int done(void *ctx, uint16_t y_px, uint16_t x_px, uint16_t n_px)
     return 0;
 }
 
-static void wipe(struct canvas *canvas)
+static int window(void *ctx, const struct lim_rect *window)
 {
-    memset(canvas, 0x5A, sizeof canvas->pixels);
-    memset(canvas->done, 0, sizeof canvas->done);
-    canvas->calls = 0;
-    canvas->fail_at = NEVER;
-}
-
-static void assert_every_pixel_done_once(const struct canvas *canvas)
-{
-    for (int y = 0; y < H_PX; y++) {
-        for (int x = 0; x < W_PX; x++)
-            assert_int_equal(canvas->done[y][x], 1);
-    }
+    (void)ctx;
+    (void)window;
+    return 0;
 }
 
 struct stage {
     struct closed_stage in;
     struct canvas canvas;
     struct lim lim;
-    void *mem;
+    void *mem, *delta_mem;
+    uint16_t unpainted; /* of this colour no polygon is */
 };
 
 static struct lim_target target_of(struct stage *stage, enum lim_method method)
@@ -68,7 +61,9 @@ static struct lim_target target_of(struct stage *stage, enum lim_method method)
                                .method = method,
                                .ctx = &stage->canvas,
                                .lend = lend,
-                               .done = done};
+                               .done = done,
+                               .window = window,
+                               .costs = {.window_b = 11, .pixel_bits = 16, .page_px = 1, .x_align_px = 1}};
 }
 
 static void stage_init(struct stage *stage, struct random *random)
@@ -78,11 +73,13 @@ static void stage_init(struct stage *stage, struct random *random)
     memset(stage, 0, sizeof *stage);
     closed_stage_make(&stage->in, random);
     closed_stage_compile(&stage->in, &options, W_PX, H_PX);
+    stage->unpainted = unused_colour(&stage->in.scene.scene);
 }
 
 static void stage_free(struct stage *stage)
 {
     free(stage->mem);
+    free(stage->delta_mem);
     closed_stage_close(&stage->in);
 }
 
@@ -97,11 +94,32 @@ static void stage_start(struct stage *stage, enum lim_method method, size_t mem_
     assert_int_equal(lim_init(&stage->lim, &stage->in.scene.scene, &target, stage->mem, mem_b), LIM_OK);
 }
 
+static void wipe(struct stage *stage)
+{
+    struct canvas *canvas = &stage->canvas;
+
+    wipe_pixels(&canvas->pixels[0][0], W_PX * H_PX, stage->unpainted);
+    memset(canvas->done, 0, sizeof canvas->done);
+    canvas->calls = 0;
+    canvas->fail_at = NEVER;
+}
+
+static void assert_every_pixel_painted_and_done_once(const struct stage *stage)
+{
+    const struct canvas *canvas = &stage->canvas;
+
+    for (int y = 0; y < H_PX; y++) {
+        for (int x = 0; x < W_PX; x++)
+            assert_int_equal(canvas->done[y][x], 1);
+    }
+    assert_int_equal(count_pixels(&canvas->pixels[0][0], W_PX * H_PX, stage->unpainted), 0);
+}
+
 static void draw(struct stage *stage, const struct lim_camera *camera)
 {
-    wipe(&stage->canvas);
+    wipe(stage);
     assert_int_equal(lim_frame(&stage->lim, camera), LIM_OK);
-    assert_every_pixel_done_once(&stage->canvas);
+    assert_every_pixel_painted_and_done_once(stage);
 }
 
 static void nearest_first_paints_every_pixel_and_leaves_no_background(void **state)
@@ -116,7 +134,33 @@ static void nearest_first_paints_every_pixel_and_leaves_no_background(void **sta
         for (int f = 0; f < FRAMES; f++) {
             const struct lim_camera camera = closed_stage_camera(&stage.in, &random);
             draw(&stage, &camera);
-            assert_true(lim_stats(&stage.lim)->pixels_painted >= W_PX * H_PX);
+            assert_int_equal(lim_stats(&stage.lim)->pixels_background, 0);
+        }
+        stage_free(&stage);
+    }
+}
+
+/* Where only changes are sent, lines are painted by gaps: the same picture, and no pixel twice. */
+static void painted_by_gaps_each_pixel_is_painted_once(void **state)
+{
+    const size_t mem_b = LIM_DELTA_MEM_B(W_PX, H_PX, RUNS);
+    struct random random = {37};
+
+    (void)state;
+    for (int s = 0; s < SCENES; s++) {
+        struct stage stage;
+        uint16_t flat[H_PX][W_PX];
+        stage_init(&stage, &random);
+        stage.delta_mem = malloc(mem_b);
+        for (int f = 0; f < FRAMES; f++) {
+            const struct lim_camera camera = closed_stage_camera(&stage.in, &random);
+            stage_start(&stage, LIM_NEAREST_FIRST, 0);
+            draw(&stage, &camera);
+            memcpy(flat, stage.canvas.pixels, sizeof flat);
+            assert_int_equal(lim_set_delta(&stage.lim, stage.delta_mem, mem_b), LIM_OK);
+            draw(&stage, &camera);
+            assert_memory_equal(flat, stage.canvas.pixels, sizeof flat);
+            assert_int_equal(lim_stats(&stage.lim)->pixels_painted, W_PX * H_PX);
             assert_int_equal(lim_stats(&stage.lim)->pixels_background, 0);
         }
         stage_free(&stage);
@@ -191,7 +235,7 @@ static void a_target_that_fails_at_any_call_ends_the_frame_and_the_next_is_whole
         const int32_t calls = stage.canvas.calls;
         assert_true(calls >= 2 * H_PX);
         for (int32_t n = 0; n < calls; n++) {
-            wipe(&stage.canvas);
+            wipe(&stage);
             stage.canvas.fail_at = n;
             const int err = lim_frame(&stage.lim, &camera);
             assert_true(err == LIM_ERR_TARGET || err == DEVICE_ERROR);
@@ -221,7 +265,7 @@ static void cameras_out_of_range_are_refused(void **state)
     bad[5].near_q8 = LIM_NEAR_MAX_Q8 + 1;
     bad[6].eye_q8[0] = INT32_MIN;
     for (int i = 0; i < 7; i++) {
-        wipe(&stage.canvas);
+        wipe(&stage);
         assert_int_equal(lim_frame(&stage.lim, &bad[i]), LIM_ERR_CAMERA);
         assert_int_equal(stage.canvas.calls, 0);
     }
@@ -260,6 +304,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(nearest_first_paints_every_pixel_and_leaves_no_background),
+        cmocka_unit_test(painted_by_gaps_each_pixel_is_painted_once),
         cmocka_unit_test(the_painter_gives_the_same_picture),
         cmocka_unit_test(any_memory_gives_the_same_picture),
         cmocka_unit_test(a_target_that_fails_at_any_call_ends_the_frame_and_the_next_is_whole),
