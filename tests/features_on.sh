@@ -5,8 +5,9 @@
 # must paint what the full renderer of `limner render` paints.
 # shellcheck shell=sh
 
-features='LIM_HAS_NEAREST LIM_HAS_CONVEX LIM_HAS_PAINTER LIM_HAS_STATS LIM_HAS_CULL LIM_HAS_SLANTED LIM_HAS_LARGE'
-features_count=7
+features='LIM_HAS_NEAREST LIM_HAS_CONVEX LIM_HAS_PAINTER LIM_HAS_STATS LIM_HAS_CULL LIM_HAS_SLANTED LIM_HAS_LARGE
+    LIM_HAS_SCANLINE LIM_HAS_STREAM'
+features_count=9
 
 features_prepare() { # NAME [NAME-OF-CAMERAS]: the scene as C, ten cameras, and the hashes that the full renderer gives
     mkdir -p "$work/$1"
@@ -43,8 +44,9 @@ features_draw() {
     [ "$(wc -l <"$work/$2/frames")" -eq $((10 * $(features_methods "$2" "$flags"))) ] && rm "$work/$2"/method.*
 }
 
-# How many methods draw this scene: a scene that is not convex is not drawn by the convex one.
+# How many methods draw this scene: a scene that is not convex is not drawn by the convex one. Those that walk draw every
+# frame in parts too, where that is a feature.
 features_methods() { # NAME FLAGS
     convex=$(grep -c 'SCENE_METHOD LIM_CONVEX' "$work/$1/model.h")
-    echo "$2" | awk -v convex="$convex" '{ print /NEAREST=1/ + /PAINTER=1/ + (convex && /CONVEX=1/) }'
+    echo "$2" | awk -v convex="$convex" '{ print (/NEAREST=1/ + /SCANLINE=1/) * (1 + /STREAM=1/) + /PAINTER=1/ + (convex && /CONVEX=1/) }'
 }

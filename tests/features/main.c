@@ -38,7 +38,22 @@ static uint64_t hash_of(const uint16_t *frame)
     return hash;
 }
 
-static int render(enum lim_method method)
+/* In parts, a quantum at a time, if there are such: then a frame that is drawn at once is made of them as well. */
+static int draw(struct lim *lim, const struct lim_camera *camera, bool in_parts)
+{
+#if LIM_HAS_STREAM
+    if (in_parts) {
+        const int err = lim_frame_begin(lim, camera);
+        while (!err && lim_frame_work(lim))
+            continue;
+        return err ? err : lim_frame_paint(lim);
+    }
+#endif
+    (void)in_parts;
+    return lim_frame(lim, camera);
+}
+
+static int render(enum lim_method method, bool in_parts)
 {
     static uint32_t frame[CAMERAS_H_PX * LINE_PX / 2];
     static struct lim lim;
@@ -53,7 +68,7 @@ static int render(enum lim_method method)
     void *mem = malloc(mem_b);
     int err = mem ? lim_init(&lim, &model_scene, &target, mem, mem_b) : LIM_ERR_MEMORY;
     for (size_t i = 0; i < CAMERAS_COUNT && !err; i++) {
-        err = lim_frame(&lim, &cameras[i]);
+        err = draw(&lim, &cameras[i], in_parts);
         if (!err) printf("%zu %016" PRIx64 "\n", i, hash_of((const uint16_t *)frame));
     }
     if (!LIM_HAS_STATS && lim_stats(&lim)->pixels_painted) err = -1;
@@ -64,9 +79,12 @@ static int render(enum lim_method method)
 int main(void)
 {
     int err = 0;
-    if (LIM_HAS_NEAREST) err = render(LIM_NEAREST_FIRST);
-    if (!err && LIM_HAS_PAINTER) err = render(LIM_PAINTER);
-    if (!err && LIM_HAS_CONVEX && MODEL_SCENE_METHOD == LIM_CONVEX) err = render(LIM_CONVEX);
+    for (int in_parts = 0; in_parts <= LIM_HAS_STREAM; in_parts++) {
+        if (!err && LIM_HAS_NEAREST) err = render(LIM_NEAREST_FIRST, in_parts);
+        if (!err && LIM_HAS_SCANLINE) err = render(LIM_SCANLINE, in_parts);
+    }
+    if (!err && LIM_HAS_PAINTER) err = render(LIM_PAINTER, false);
+    if (!err && LIM_HAS_CONVEX && MODEL_SCENE_METHOD == LIM_CONVEX) err = render(LIM_CONVEX, false);
     if (err) fprintf(stderr, "error %d\n", err);
     return err ? EXIT_FAILURE : EXIT_SUCCESS;
 }
