@@ -81,6 +81,12 @@ grows_with() { # NAME FLAG...
     [ "$after" -gt "$before" ]
 }
 
+# Whether it is by scan lines is known when it is compiled; the other's code is in neither.
+draws_by_scan_lines() { # NAME
+    grep -q 'LIM_HAS_SCANLINE 1' "$work/$1/model.h" && grep -q 'LIM_HAS_NEAREST 0' "$work/$1/model.h" &&
+        grows_with "$1" -DLIM_HAS_NEAREST=1
+}
+
 # The 64-bit values of exact planes are in the code of a scene that has such planes, and not of others.
 no_exact_planes() { # NAME
     built m4 "$1" && grep -q 'LIM_HAS_LARGE 0' "$work/$1/model.h" && grows_with "$1" -DLIM_HAS_SLANTED=1 -DLIM_HAS_LARGE=1
@@ -136,6 +142,7 @@ tap_check "the rooms compile to C for smooth edges" prepare smooth sim/scenes/ro
 prepare_options='--delta --round'
 tap_check "the rooms compile to C for what changes, and round glass" prepare changing sim/scenes/rooms.obj '2 1.6 2 6 1.4 7' '3 1.6 3 3.1 0.2 3.1'
 prepare_options=
+tap_check "the rooms compile to C for frames in parts" prepare parts sim/scenes/rooms.obj '2 1.6 2 6 1.4 7' '3 1.6 3 3.1 0.2 3.1'
 tap_check "the teapot compiles to C" prepare teapot sim/scenes/teapot.obj '0 1 3 0 0.4 0' '0.2 0.3 0.1 1 0.3 0.2'
 tap_check "the icosahedron compiles to C" prepare icosahedron sim/scenes/icosahedron.obj '0 1 3 0 0 0' '0.8 0.6 0.4 0.3 0.3 0'
 tap_check "the glass compiles to C" prepare glass sim/scenes/glass.obj '1 1.5 4 0 0.9 0' '0.1 0.9 0.3 1 0.6 0.5'
@@ -157,6 +164,11 @@ for core in m0plus m4; do
     tap_check "$core: the renderer of the changing rooms builds" built $core changing
     footprint_entries='lim_frame lim_init'
     tap_check "$core: it has all of that" links $core changing '^lim_(set_delta|runs_keep|rects_add)$'
+    tap_check "$core: nor anything of frames in parts" links_no $core rooms 'ahead|collect_(begin|some)|frame_(begin|work|paint)'
+    footprint_entries='lim_frame lim_init lim_frame_begin lim_frame_work lim_frame_paint'
+    tap_check "$core: the renderer of the rooms in parts builds" built $core parts -DLIM_HAS_STREAM=1
+    footprint_entries='lim_frame lim_init'
+    tap_check "$core: it has all of that" links $core parts '^lim_(begin_ahead|collect_begin|collect_some|frame_work)$'
     tap_check "$core: the renderer of the glass builds" built $core glass
     tap_check "$core: it blends, and paints backwards what its stack cannot hold" links $core glass '^lim_(blend|painter_line)$'
     tap_check "$core: nor anything of textures" links_no $core rooms 'texture|texel|palette|mapping'
@@ -174,10 +186,13 @@ done
 tap_check "nor has it state for them" has_no_member icosahedron walk stack cull spans retained paint stats
 tap_check "the rooms have no state for a convex solid" has_no_member rooms convex stats paint.layers wireframe paint.smooth view.antialiased delta paint.delta target.window target.visible
 tap_check "nor for movers" has_no_member rooms movers sorter
+tap_check "nor for scan lines, nor for frames in parts" has_no_member rooms retains_all ahead
 tap_check "nor for textures" has_no_member rooms texturing paint.texturing
 tap_check "counters cost what they count in, and without them nothing is counted" counters_cost_their_own_size
 tap_check "a scene without large planes has no code for them" no_exact_planes rooms
 tap_check "subtree bounds are only tested where there are some" grows_with icosahedron -DLIM_HAS_NEAREST=1 -DLIM_HAS_CULL=1
+tap_check "scan lines cost the rooms something, and are not there" grows_with rooms -DLIM_HAS_SCANLINE=1
+tap_check "so does nearest first the teapot, which is drawn by scan lines" draws_by_scan_lines teapot
 tap_check "m4: the renderer of the rooms takes 8 KB at most" within m4 rooms 8192
 tap_check "m4: that of a convex solid takes 4.75 KB at most" within m4 icosahedron 4864
 for core in m0plus m4; do
