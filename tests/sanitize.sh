@@ -15,7 +15,7 @@ make_all() {
 # A few frames of a scene by every method.
 render() { # SCENE without suffix
     head -n 4 "$1.cam" >"$work/short.cam"
-    for method in nearest painter; do
+    for method in nearest scanline painter; do
         "$build/limner" render "$1.obj" --camera "$work/short.cam" --size 120x120 --method $method --stats \
             -o "$work/%03d.png" || return 1
     done
