@@ -184,9 +184,6 @@ void lim_nearest_init(struct lim *lim, void *mem, size_t mem_b)
     const struct shares shares = divide(lim->scene, &lim->target, mem_b);
     uint8_t *at = mem;
 
-#if LIM_HAS_SORTED
-    if (LIM_IS_SORTED(&lim->target)) cut_sorter(lim, &at, &shares);
-#endif
     lim->paint.target = &lim->target;
     lim->paint.background = lim_background_of(lim);
 #if LIM_HAS_TEXTURE
@@ -202,6 +199,9 @@ void lim_nearest_init(struct lim *lim, void *mem, size_t mem_b)
 #endif
     lim->paint.actives.pool = cut(&at, shares.active * sizeof(struct lim_active));
     lim->paint.actives.pool_size = shares.active;
+#if LIM_HAS_SORTED
+    if (LIM_IS_SORTED(&lim->target)) cut_sorter(lim, &at, &shares);
+#endif
     lim->retained.cells = cut(&at, shares.retained_cells * sizeof(union lim_retained_cell));
     lim->retained.size = shares.retained_cells;
     struct lim_view_cached *cache = cut(&at, LIM_VIEW_CACHE_ENTRIES * sizeof(struct lim_view_cached));
