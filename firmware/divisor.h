@@ -64,7 +64,10 @@ static inline int32_t divisor_q16(const struct divisor *divisor, int32_t a)
 #endif
 }
 
-/* floor(a / by) and what is left of a, 0 <= rest < by; |a / by| < 2^9. */
+/* Of a, so that its product with the reciprocal fits: |a| < 2^25, or 2^28 on larger screens. */
+enum { FLOOR_DROPPED_BITS = LIM_MAX_SIDE_PX < 256 ? 10 : 13 };
+
+/* floor(a / by) and what is left of a, 0 <= rest < by; |a / by| <= 2 LIM_MAX_SIDE_PX + 2. */
 /*@ requires \valid_read(divisor) && divisor->by > 0 && \valid(rest) && \separated(divisor, rest);
     assigns *rest;
     ensures LIM_DIVIDES ==> 0 <= *rest < divisor->by && *rest == a - \result * divisor->by; */
@@ -74,7 +77,7 @@ static inline int32_t divisor_floor(const struct divisor *divisor, int32_t a, in
 
 #if !LIM_DIVIDES
     if (by >= 512 && by <= UINT16_MAX) { /* else the guess might be off by much, or not fit */
-        int32_t guess = ((a >> 10) * divisor->recip_q16) >> (37 - divisor->shift);
+        int32_t guess = ((a >> FLOOR_DROPPED_BITS) * divisor->recip_q16) >> (47 - FLOOR_DROPPED_BITS - divisor->shift);
         int32_t left = a - guess * by;
         for (; left < 0; left += by)
             guess--;
