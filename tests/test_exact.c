@@ -146,7 +146,7 @@ struct fit_rig {
 };
 
 /* A square patch of half a side somewhere on the plane through `at` with a normal, and points at
- * distances 0 and 1 from the ideal plane as well as anywhere. */
+ * distances 0 and 1 from the ideal plane as well as anywhere. point_blocks_free() them. */
 static void fit_setup(struct fit_rig *rig, struct random *random, const double normal[3], double side, double tolerance)
 {
     double along[3] = {normal[1] - normal[2], normal[2] - normal[0], normal[0] - normal[1]}, across[3], at[3];
@@ -206,6 +206,7 @@ static void stored_planes_decide_as_ideal_ones(void **state)
         double tolerance = i % 5 ? 0.5 : 0.001;
         fit_setup(&rig, &random, normal, 1000.0, tolerance);
         plane_store(&rig.fit, &plane);
+        point_blocks_free(&rig.blocks);
         kinds[plane.kind]++;
         assert_within_bounds(&plane);
         double facing = 0.0;
@@ -230,11 +231,13 @@ static void simple_normals_stay_simple(void **state)
     const double diagonal[3] = {sqrt(0.5), 0.0, -sqrt(0.5)};
     fit_setup(&rig, &random, diagonal, 100.0, 0.5);
     plane_store(&rig.fit, &plane);
+    point_blocks_free(&rig.blocks);
     assert_int_equal(plane.kind, PLANE_XZ);
     assert_int_equal(plane.n[0], -plane.n[2]);
     const double slope[3] = {2.0 / 3.0, 2.0 / 3.0, 1.0 / 3.0};
     fit_setup(&rig, &random, slope, 100.0, 0.5);
     plane_store(&rig.fit, &plane);
+    point_blocks_free(&rig.blocks);
     assert_int_equal(plane.n[0], plane.n[1]);
     assert_int_equal(plane.n[0], 2 * plane.n[2]);
 }
