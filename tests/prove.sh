@@ -19,11 +19,13 @@ flags_of() {
     esac
 }
 
-# Lines "BUILD FUNCTION PROVED OF" for the functions, which are divided by commas.
-prove() { # BUILD FUNCTIONS TIMEOUT-S
+# Lines "BUILD FUNCTION PROVED OF" for the functions, which are divided by commas. Provers are given steps, not seconds:
+# a busy machine takes longer, and proves the same. The seconds only end a prover that hangs.
+hung_s=900
+prove() { # BUILD FUNCTIONS MILLION-STEPS
     # shellcheck disable=SC2046 # flags_of prints a list
     (cd tests/prove && frama-c -c11 -cpp-extra-args="-I../../firmware $(flags_of "$1")" -wp -wp-rte -wp-fct "$2" \
-        -wp-prover tip,z3 -wp-auto wp:range -wp-auto-width 31 -wp-timeout "$3" -wp-par "$(nproc)" \
+        -wp-prover tip,z3 -wp-auto wp:range -wp-auto-width 31 -wp-steps "${3}000000" -wp-timeout $hung_s -wp-par "$(nproc)" \
         -wp-session "$work/$1.session" -wp-cache update -wp-cache-dir "$cache" kernels.c) >"$work/$1.log" 2>&1 || return 1
     awk -v build="$1" -v functions="$2" '
         BEGIN { count = split(functions, names, ",") }
@@ -39,13 +41,13 @@ prove() { # BUILD FUNCTIONS TIMEOUT-S
         END { for (i = 1; i <= count; i++) print build, names[i], proved[names[i]] + 0, of[names[i]] + 0 }' "$work/$1.log"
 }
 
-# A goal may be lost because the machine is busy: then its function has another try, and more time.
+# Most goals take few steps; functions of which one is lost have another try, and more of them.
 prove_all() { # BUILD: the functions that tests/prove/kernels lists for it
-    prove "$1" "$(awk -v build="$1" '$1 == build { print $2 }' tests/prove/kernels | paste -sd ,)" 10 >"$work/tried" ||
+    prove "$1" "$(awk -v build="$1" '$1 == build { print $2 }' tests/prove/kernels | paste -sd ,)" 20 >"$work/tried" ||
         return 1
     lost=$(awk '$3 < $4 { print $2 }' "$work/tried" | paste -sd ,)
     awk '$3 == $4' "$work/tried"
-    [ -z "$lost" ] || prove "$1" "$lost" 60
+    [ -z "$lost" ] || prove "$1" "$lost" 150
 }
 
 mkdir -p "$BUILD/prove"
