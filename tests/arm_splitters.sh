@@ -15,7 +15,7 @@ agrees() { # SCENE TREE SPLITTER METHOD
             printf "counted %.0f, predicted %.0f: off by %.1f %%\n", counted, $(NF - 3), off
             said = 1
         }
-        END { exit !(said && counted > 100000 && off < 5 && off > -5) }' "$work/said"
+        END { exit !(said && counted > 100000 && off < 4 && off > -4) }' "$work/said"
 }
 
 tap_check "rooms, BSP tree" agrees rooms bsp auto nearest
