@@ -83,7 +83,6 @@ static void report_set(struct compile_report *report, const struct bsp *bsp, con
                                       .tree = plan->kind,
                                       .wrong_percent = NAN,
                                       .instructions = NAN,
-                                      .seen_share = NAN,
                                       .flash_b = flash_b(scene)};
     for (size_t i = 0; i < scene->node_count; i++)
         if (scene->nodes[i].split.plane == LIM_NO_INDEX)

@@ -60,8 +60,8 @@ struct tree_choice {
 /* What drawing by scan lines was weighed against (order_choice.h). */
 struct order_choice {
     bool tried;
-    double nearest_instructions, scanline_instructions;
-    size_t nearest_mem_b, scanline_mem_b; /* working memory on a 32-bit MCU */
+    double nearest_instructions, scanline_most; /* beyond which scan lines are not taken */
+    size_t nearest_mem_b;                       /* working memory on a 32-bit MCU */
 };
 
 struct compile_report {
@@ -88,7 +88,6 @@ struct compile_report {
     double wrong_percent;         /* on sampled cameras; only if options.predict, else NaN */
     double instructions; /* of a frame on a Cortex-M0+, predicted (frame_cost.h); NaN: neither nearest first nor by scan
                             lines, or not opaque and flat */
-    double seen_share;   /* of the polygons that sampled cameras reach, nearest first: with a pixel; NaN: not sampled */
     struct order_choice order;
     struct note *notes; /* on textures, for people; owned */
     size_t note_count;

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
- * Counted by frame_cost.h, which also chooses trees. Few scenes come so far: in closed ones, most of what the walk
- * reaches is hidden by what is nearer, and a glance at the first sampling ends it. */
+ * Counted by frame_cost.h, which also chooses trees. Where scan lines would cost several times as much, as in large
+ * closed scenes, a few cameras spend what all may, and end it. */
 #include "order_choice.h"
 
 #include "frame_cost.h"
@@ -11,7 +11,6 @@
 
 #include <math.h>
 
-static const double MOST = 0.5;    /* of the polygons reached are seen: else scan lines are not tried */
 static const double ENOUGH = 0.95; /* of the instructions of nearest first: less of a gain is no better than a guess */
 
 const char *order_needs_nearest(const struct compile_options *options, const struct lim_scene *scene)
@@ -26,17 +25,12 @@ const char *order_needs_nearest(const struct compile_options *options, const str
 bool order_choose(struct compiled *scene, const struct compile_options *options, struct error *err)
 {
     struct compile_report *report = &scene->report;
-    const struct lim_limits limits = scene->scene.limits;
     const double nearest = report->instructions;
 
     if (!options->choose_order || options->method || report->draws != LIM_NEAREST_FIRST) return true;
-    if (isnan(nearest) || !(report->seen_share > MOST) || order_needs_nearest(options, &scene->scene)) return true;
+    if (isnan(nearest) || order_needs_nearest(options, &scene->scene)) return true;
     const size_t nearest_mem_b = pools_mcu_mem_b(scene);
-    if (!pools_measure_scanline(scene, options->core, err)) return false;
-    report->order = (struct order_choice){true, nearest, report->instructions, nearest_mem_b, pools_mcu_mem_b(scene)};
-    if (report->instructions <= ENOUGH * nearest) return true;
-    report->draws = LIM_NEAREST_FIRST;
-    report->instructions = nearest;
-    lim_image_set_limits(scene, &limits);
+    if (!pools_measure_scanline(scene, options->core, ENOUGH * nearest, err)) return false;
+    report->order = (struct order_choice){true, nearest, ENOUGH * nearest, nearest_mem_b};
     return true;
 }

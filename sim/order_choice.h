@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT
  *
  * Nearest first or by scan lines: the same pictures. Where the eye sees most of what the walk reaches, to paint all of
- * it costs less than to find out what is hidden. The compiler tries scan lines there, on the cameras that sized its
- * pools, and takes what is predicted to need fewer instructions. */
+ * it costs less than to find out what is hidden. The compiler tries both, on the cameras that size its pools and for
+ * the panel's size, and takes what is predicted to need fewer instructions. */
 #ifndef SIM_ORDER_CHOICE_H
 #define SIM_ORDER_CHOICE_H
 

@@ -2,7 +2,8 @@
  *
  * Frames from sampled cameras with pools that cannot run out; what they used, and some more. Who needs
  * even more falls back to bands, or projects a solid's faces again. The greediest is left out: in an open scene it may
- * be a stray, an eye where nobody is meant to be. */
+ * be a stray, an eye where nobody is meant to be. What stands alone takes most of the pools when it just fills the
+ * screen, which few eyes anywhere around it see: so there are portraits as well. */
 #include "pools.h"
 
 #include "frame_cost.h"
@@ -18,7 +19,8 @@
 #include <math.h>
 #include <stdlib.h>
 
-enum { CAMERAS = 256, STRAYS = 1, LEAST_PIECES = 8, PLENTY_OF_PIECES = 16000, PLENTY = 60000, FOV_DEG = 60 };
+enum { SAMPLED = 256, PORTRAITS = 64, CAMERAS = SAMPLED + PORTRAITS };
+enum { STRAYS = 1, LEAST_PIECES = 8, PLENTY_OF_PIECES = 16000, PLENTY = 60000, FOV_DEG = 60 };
 /* What is active is retained, and takes more cells than its head's. */
 enum { MOST_RETAINED = PLENTY / MCU_HEAD_CELLS };
 
@@ -27,7 +29,7 @@ struct usage {
     size_t cameras;
     uint16_t cells[CAMERAS], gaps[CAMERAS], active[CAMERAS], layers[CAMERAS], runs[CAMERAS];
     double instructions;              /* predicted, of all frames */
-    double reached, seen;             /* polygons of all frames */
+    double instructions_most;         /* beyond that no more frames are drawn; 0: whatever it takes */
     uint32_t splits_max, entries_max; /* strays included: without room for a piece the picture may be wrong */
 };
 
@@ -63,14 +65,30 @@ static void note(struct usage *usage, const struct simulator *simulator)
     usage->active[i] = stats->active_max;
     usage->runs[i] = stats->delta.runs_max;
     usage->instructions += frame_cost_m0plus(stats, &simulator->target);
-    usage->reached += stats->polygons;
-    usage->seen += stats->polygons_seen;
     if (stats->newell.splits > usage->splits_max) usage->splits_max = stats->newell.splits;
     usage->layers[i] = stats->layers_max;
     if (stats->movers.entries > usage->entries_max) usage->entries_max = stats->movers.entries;
 }
 
-/* Out-of-range cameras (a scene of thousands of kilometres) are passed over. */
+static bool is_too_much(const struct usage *usage)
+{
+    return usage->instructions_most > 0.0 && usage->instructions > usage->instructions_most;
+}
+
+/* The i-th camera; false: there is none. Out-of-range ones (a scene of thousands of kilometres) are passed over. */
+static bool next_camera(struct sampler *sampler, int i, const struct lens *lens, struct lim_camera *out)
+{
+    struct viewpoint viewpoint;
+    struct error ignored;
+
+    if (i < SAMPLED)
+        viewpoint = sampler_next(sampler);
+    else if (!sampler_portrait(sampler, &viewpoint))
+        return false;
+    const struct camera_path path = {"sampled cameras", &viewpoint, 1};
+    return camera_path_to_camera(&path, 0, lens, &sampler->scene->grid, out, &ignored);
+}
+
 static bool sample_frames(const struct compiled *scene, struct moving *moving, struct simulator *simulator,
                           struct usage *usage, struct error *err)
 {
@@ -81,13 +99,11 @@ static bool sample_frames(const struct compiled *scene, struct moving *moving, s
     if (!lens_init(&lens, FOV_DEG, lens_default_near_m(&scene->grid), simulator->target.w_px, simulator->target.h_px,
                    err))
         return false;
-    for (int i = 0; i < CAMERAS; i++) {
-        struct viewpoint viewpoint = sampler_next(&sampler);
-        progress_bar((size_t)i, CAMERAS, "sampled cameras");
-        const struct camera_path path = {"sampled cameras", &viewpoint, 1};
+    for (int i = 0; i < CAMERAS && !is_too_much(usage); i++) {
         struct lim_camera camera;
-        if (!camera_path_to_camera(&path, 0, &lens, &scene->grid, &camera, err)) continue;
-        if (moving) moving_pose(moving, moving_length_s(moving) * i / CAMERAS);
+        progress_bar((size_t)i, CAMERAS, "sampled cameras");
+        if (!next_camera(&sampler, i, &lens, &camera)) continue;
+        if (moving) moving_pose(moving, moving_length_s(moving) * i / SAMPLED);
         if (!simulator_frame(simulator, &camera, err)) return false;
         note(usage, simulator);
     }
@@ -137,30 +153,31 @@ static uint16_t greater(uint16_t a, uint16_t b)
     return a > b ? a : b;
 }
 
-/* Raises the limits to what the orders with spans need. */
+/* Raises the limits to what the orders with spans used. */
+static void raise_limits(struct compiled *roomy, struct moving *moving, struct usage *usage, struct lim_limits *limits)
+{
+    const uint16_t cells = with_margin(most(usage->cells, usage->cameras), least_cells(limits));
+    limits->retained_cells = greater(limits->retained_cells, cells);
+    limits->gaps = greater(limits->gaps, with_margin(most(usage->gaps, usage->cameras), 1));
+    limits->active = greater(limits->active, with_margin(most(usage->active, usage->cameras), 1));
+    limits->pieces = greater(limits->pieces, pieces_for(usage));
+    if (roomy->report.delta_runs)
+        roomy->report.delta_runs = greater(roomy->report.delta_runs, with_margin(most(usage->runs, usage->cameras), 1));
+    if (roomy->scene.limits.layers)
+        limits->layers = greater(limits->layers, with_margin(most(usage->layers, usage->cameras), 1));
+    if (moving) usage->splits_max = usage->entries_max;
+    if (moving && pieces_for(usage) < moving->limits.entries)
+        moving->limits.entries = greater(pieces_for(usage), moving->limits.instances);
+}
+
 static bool sample_spans(struct compiled *roomy, struct moving *moving, const struct simulator_setup *setup,
                          enum style style, struct lim_limits *limits, struct error *err)
 {
     struct usage usage = {0};
     if (!sample_method(roomy, moving, setup, style, &usage, err)) return false;
-    const uint16_t cells = with_margin(most(usage.cells, usage.cameras), least_cells(limits));
-    limits->retained_cells = greater(limits->retained_cells, cells);
-    limits->gaps = greater(limits->gaps, with_margin(most(usage.gaps, usage.cameras), 1));
-    limits->active = greater(limits->active, with_margin(most(usage.active, usage.cameras), 1));
-    limits->pieces = greater(limits->pieces, pieces_for(&usage));
-    if (roomy->report.delta_runs)
-        roomy->report.delta_runs = greater(roomy->report.delta_runs, with_margin(most(usage.runs, usage.cameras), 1));
-    if (style == STYLE_PLAIN && usage.cameras) {
-        if (frame_cost_knows(setup->method) && frame_cost_is_known(&roomy->scene))
-            roomy->report.instructions = usage.instructions / (double)usage.cameras;
-        if (setup->method == LIM_NEAREST_FIRST && usage.reached > 0)
-            roomy->report.seen_share = usage.seen / usage.reached;
-    }
-    if (roomy->scene.limits.layers)
-        limits->layers = greater(limits->layers, with_margin(most(usage.layers, usage.cameras), 1));
-    if (moving) usage.splits_max = usage.entries_max;
-    if (moving && pieces_for(&usage) < moving->limits.entries)
-        moving->limits.entries = greater(pieces_for(&usage), moving->limits.instances);
+    raise_limits(roomy, moving, &usage, limits);
+    if (style == STYLE_PLAIN && usage.cameras && frame_cost_knows(setup->method) && frame_cost_is_known(&roomy->scene))
+        roomy->report.instructions = usage.instructions / (double)usage.cameras;
     return true;
 }
 
@@ -214,23 +231,28 @@ bool pools_measure(struct compiled *scene, const struct core *core, unsigned w_p
     lim_image_set_limits(scene, &limits);
     const bool is_known = frame_cost_knows(scene->report.draws);
     scene->report.instructions = is_known ? roomy.report.instructions : NAN;
-    scene->report.seen_share = roomy.report.seen_share;
     scene->report.delta_runs = roomy.report.delta_runs;
     scene->report.w_px = w_px;
     scene->report.h_px = h_px;
-    return scene->report.draws != LIM_SCANLINE || pools_measure_scanline(scene, core, err);
+    return scene->report.draws != LIM_SCANLINE || pools_measure_scanline(scene, core, 0.0, err);
 }
 
-bool pools_measure_scanline(struct compiled *scene, const struct core *core, struct error *err)
+bool pools_measure_scanline(struct compiled *scene, const struct core *core, double instructions_most,
+                            struct error *err)
 {
     struct lim_limits limits = scene->scene.limits;
     struct compiled roomy = roomy_of(scene, scene->scene.polygon_count);
     const struct simulator_setup setup = {scene->report.w_px, scene->report.h_px, LIM_SCANLINE, SIMULATOR_UNSEEN, core};
 
-    if (!sample_spans(&roomy, NULL, &setup, STYLE_PLAIN, &limits, err)) return false;
+    struct usage usage = {.instructions_most = instructions_most * CAMERAS};
+
+    if (!sample_method(&roomy, NULL, &setup, STYLE_PLAIN, &usage, err)) return false;
+    const double instructions = usage.instructions / (double)usage.cameras;
+    if (instructions_most > 0.0 && !(instructions <= instructions_most)) return true;
+    raise_limits(&roomy, NULL, &usage, &limits);
     lim_image_set_limits(scene, &limits);
     scene->report.draws = LIM_SCANLINE;
-    scene->report.instructions = roomy.report.instructions;
+    scene->report.instructions = frame_cost_is_known(&scene->scene) ? instructions : NAN;
     return true;
 }
 

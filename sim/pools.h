@@ -7,13 +7,15 @@
 #include "compiled.h"
 
 /* Sets scene->scene.limits and the image's, pools included: the most that any of 256 sampled cameras
- * but the greediest needs at this size and precision (NULL: fast), and an eighth on top. Also sets
+ * and 64 portraits but the greediest needs at this size and precision (NULL: fast), and an eighth on top. Also sets
  * scene->report.instructions, the mean of those cameras. */
 bool pools_measure(struct compiled *scene, const struct core *core, unsigned w_px, unsigned h_px, struct error *err);
 
 /* The same for a scene that has all that for the order nearest first: raises its limits to what scan lines take as
- * well, and sets the report's `draws` and `instructions` to theirs. */
-bool pools_measure_scanline(struct compiled *scene, const struct core *core, struct error *err);
+ * well, and sets the report's `draws` and `instructions` to theirs; unless a frame takes more than so many
+ * instructions (0: any number): then it stops, early where they are many more, and changes nothing. */
+bool pools_measure_scanline(struct compiled *scene, const struct core *core, double instructions_most,
+                            struct error *err);
 
 /* Sizes of the structs in the caller's memory on a 32-bit MCU, of a firmware built for narrow screen
  * coordinates and for wide ones (profile.h). tests/targets/sizes.c asserts them. */

@@ -67,18 +67,19 @@ static bool is_predicted(const struct compile_report *report)
 }
 
 /* What the choice of the order was made by. */
-static void print_order(const struct compile_report *report)
+static void print_order(const struct compiled *scene)
 {
+    const struct compile_report *report = &scene->report;
     const struct order_choice *order = &report->order;
-    const bool chosen = report->draws == LIM_SCANLINE;
-    const double instructions[] = {order->nearest_instructions, order->scanline_instructions};
-    const size_t mem_b[] = {order->nearest_mem_b, order->scanline_mem_b};
 
     if (!order->tried) return;
-    printf("  %s: %.0f instead of %.0f instructions predicted\n",
-           chosen ? "drawn by scan lines" : "drawn nearest first, not by scan lines", instructions[chosen],
-           instructions[!chosen]);
-    printf("    %zu instead of %zu bytes of working memory\n", mem_b[chosen], mem_b[!chosen]);
+    if (report->draws != LIM_SCANLINE) {
+        printf("  drawn nearest first: by scan lines more than %.0f instructions predicted\n", order->scanline_most);
+        return;
+    }
+    printf("  drawn by scan lines: %.0f instead of %.0f instructions predicted\n", report->instructions,
+           order->nearest_instructions);
+    printf("    %zu instead of %zu bytes of working memory\n", pools_mcu_mem_b(scene), order->nearest_mem_b);
 }
 
 static void print_tree(const struct compiled *scene)
@@ -107,7 +108,7 @@ static void print_tree(const struct compiled *scene)
     if (report->core) printf("  %-28s %8s\n", "precision", report->core->name);
     if (is_predicted(report))
         printf("  %-28s %8.0f on Cortex-M0+, predicted\n", "instructions a frame", report->instructions);
-    if (is_predicted(report)) print_order(report);
+    if (is_predicted(report)) print_order(scene);
     if (!isnan(report->wrong_percent))
         printf("  %-28s %8.4f %%, %d sampled cameras\n", "wrong pixels, predicted", report->wrong_percent,
                PREDICT_CAMERAS);

@@ -7,7 +7,7 @@
 
 #include <math.h>
 
-enum { TRIES = 200, PATIENCE = 100000 };
+enum { TRIES = 200, PATIENCE = 100000, APART_UNITS = 16 /* eye and target */ };
 
 static double random_unit(struct sampler *sampler)
 {
@@ -65,7 +65,7 @@ static double distance_m(const struct viewpoint *viewpoint)
 
 struct viewpoint sampler_next(struct sampler *sampler)
 {
-    const double apart_m = 16.0 / sampler->scene->grid.units_per_m; /* eye and target */
+    const double apart_m = APART_UNITS / sampler->scene->grid.units_per_m;
     struct viewpoint viewpoint = {.line = 1};
 
     for (int i = 0; i < TRIES; i++) {
@@ -78,6 +78,35 @@ struct viewpoint sampler_next(struct sampler *sampler)
     return viewpoint;
 }
 
+/* In the unit ball, and not too close to its middle. Returns how far from it. */
+static double random_way(struct sampler *sampler, double out[3])
+{
+    double length;
+    do {
+        for (int i = 0; i < 3; i++)
+            out[i] = 2.0 * random_unit(sampler) - 1.0;
+        length = hypot(hypot(out[0], out[1]), out[2]);
+    } while (length > 1.0 || length < 0.125);
+    return length;
+}
+
+bool sampler_portrait(struct sampler *sampler, struct viewpoint *out)
+{
+    const double *low_m = sampler->low_m, *high_m = sampler->high_m;
+    const double reach_m = hypot(hypot(high_m[0] - low_m[0], high_m[1] - low_m[1]), high_m[2] - low_m[2]) / 2.0;
+    const double away_m = reach_m * (1.0 + random_unit(sampler));
+    double way[3];
+
+    const double length = random_way(sampler, way);
+    *out = (struct viewpoint){.line = 1};
+    for (int i = 0; i < 3; i++) {
+        out->target_m[i] = (low_m[i] + high_m[i]) / 2.0;
+        out->eye_m[i] = out->target_m[i] + way[i] / length * away_m;
+    }
+    return distance_m(out) * sampler->scene->grid.units_per_m >= APART_UNITS &&
+           free_space_holds(sampler->scene, out->eye_m);
+}
+
 void sampler_seed(struct sampler *sampler, uint32_t seed)
 {
     sampler->state = (seed + UINT64_C(1)) * 0xD1342543DE82EF95; /* odd: no seed gives 0, from which nothing comes */
@@ -85,7 +114,7 @@ void sampler_seed(struct sampler *sampler, uint32_t seed)
 
 bool sampler_anywhere(struct sampler *sampler, struct viewpoint *out)
 {
-    const double apart_m = 16.0 / sampler->scene->grid.units_per_m;
+    const double apart_m = APART_UNITS / sampler->scene->grid.units_per_m;
 
     for (int i = 0; i < PATIENCE; i++) {
         random_point(sampler, out->eye_m);

@@ -21,6 +21,11 @@ void sampler_init(struct sampler *sampler, const struct compiled *scene);
  * object: outside, up to one and a half times its size away), looking at some vertex. */
 struct viewpoint sampler_next(struct sampler *sampler);
 
+/* An eye around the scene, one to two times as far from the middle of its bounds as their corners are, looking there:
+ * from twice as far a lens of 60 degrees has all in view, as large as it can be. False: there is no free space at that
+ * place, as around a closed building. */
+bool sampler_portrait(struct sampler *sampler, struct viewpoint *out);
+
 /* Other random numbers than those that sampler_init() begins with, which the compiler tunes on. */
 void sampler_seed(struct sampler *sampler, uint32_t seed);
 

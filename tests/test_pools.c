@@ -137,6 +137,53 @@ static void around_a_box_eyes_are_outside(void **state)
     mesh_rig_free(&mesh);
 }
 
+/* In view as large as may be: all around the middle, no nearer than the corners are. */
+static void portraits_show_what_stands_alone(void **state)
+{
+    const double centre_m[3] = {1, 2, 3}, half_m[3] = {1, 0.5, 2}, corner_m = sqrt(1 + 0.25 + 4);
+    struct mesh mesh = mesh_rig(3000.0);
+    int in_octant[8] = {0}, near = 0;
+    struct sampler sampler;
+
+    (void)state;
+    mesh_rig_box(&mesh, centre_m, half_m, 0, 0);
+    struct compiled scene = mesh_rig_compile(&mesh, "auto", 0.5);
+    const double unit_m = 1 / scene.grid.units_per_m;
+    sampler_init(&sampler, &scene);
+    for (int i = 0; i < 2000; i++) {
+        struct viewpoint viewpoint;
+        double square = 0;
+        assert_true(sampler_portrait(&sampler, &viewpoint));
+        for (int k = 0; k < 3; k++) {
+            assert_true(fabs(viewpoint.target_m[k] - centre_m[k]) < unit_m);
+            square += pow(viewpoint.eye_m[k] - centre_m[k], 2);
+        }
+        assert_true(sqrt(square) > corner_m - 2 * unit_m && sqrt(square) < 2 * corner_m + 2 * unit_m);
+        near += sqrt(square) < 1.5 * corner_m;
+        in_octant[(viewpoint.eye_m[0] > 1) + 2 * (viewpoint.eye_m[1] > 2) + 4 * (viewpoint.eye_m[2] > 3)]++;
+    }
+    for (int i = 0; i < 8; i++)
+        assert_true(in_octant[i] > 200);
+    assert_true(near > 900 && near < 1100);
+    compiled_free(&scene);
+    mesh_rig_free(&mesh);
+}
+
+static void a_closed_room_has_no_portraits(void **state)
+{
+    struct room room = furnished_room();
+    struct compiled scene = mesh_rig_compile(&room.mesh, "auto", 0.5);
+    struct viewpoint viewpoint;
+    struct sampler sampler;
+
+    (void)state;
+    sampler_init(&sampler, &scene);
+    for (int i = 0; i < 2000; i++)
+        assert_false(sampler_portrait(&sampler, &viewpoint));
+    compiled_free(&scene);
+    mesh_rig_free(&room.mesh);
+}
+
 static bool is_vertex(const struct compiled *scene, const double at_m[3])
 {
     for (size_t v = 0; v < scene->scene.vertex_count; v++) {
@@ -393,6 +440,8 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(in_a_closed_room_eyes_are_inside_and_not_in_the_furniture),
         cmocka_unit_test(around_a_box_eyes_are_outside),
+        cmocka_unit_test(portraits_show_what_stands_alone),
+        cmocka_unit_test(a_closed_room_has_no_portraits),
         cmocka_unit_test(cameras_look_at_vertices),
         cmocka_unit_test(eye_and_target_stay_apart),
         cmocka_unit_test(the_same_scene_gives_the_same_cameras),
