@@ -95,17 +95,19 @@ bool lim_cull_enters(struct lim_cull *cull, const LIM_FLASH struct lim_box *box,
 {
     uint16_t deepest = 0;
 
+    LIM_UNROLLED(4)
     /*@ loop invariant 0 <= i <= 4;
         loop assigns i, deepest, cull->sides[0 .. 3].inside_depth;
         loop variant 4 - i; */
     for (uint8_t i = 0; i < 4; i++) {
         struct lim_cull_plane *plane = &cull->sides[i];
-        if (plane->inside_depth > depth) {
+        uint16_t inside_depth = plane->inside_depth;
+        if (inside_depth > depth) {
             const uint8_t side = side_of(plane, box);
             if (side == OUTSIDE) return false;
-            plane->inside_depth = side == INSIDE ? depth : (uint16_t)LIM_NONE;
+            plane->inside_depth = inside_depth = side == INSIDE ? depth : (uint16_t)LIM_NONE;
         }
-        if (plane->inside_depth > deepest) deepest = plane->inside_depth;
+        if (inside_depth > deepest) deepest = inside_depth;
     }
     cull->inside_depth = deepest;
     return true;
