@@ -26,12 +26,18 @@ static inline const uint8_t *shown_of(const struct lim_walk *walk)
 #endif
 }
 
+/* Only these walk from back to front: else there is nothing to ask. */
+static inline bool is_back_to_front(const struct lim_walk *walk)
+{
+    return (LIM_HAS_PAINTER || LIM_HAS_FALLBACK) && walk->back_to_front;
+}
+
 /* Says what comes after the node's near subtree. Returns the root of that, or LIM_NO_INDEX. */
 static inline lim_index enter(const struct lim_walk *walk, const LIM_FLASH struct lim_node *node,
                               struct lim_walk_pending *pending)
 {
     const int32_t side = lim_eye_side(&walk->eye, &node->split);
-    const bool front_first = (side > 0) != walk->back_to_front;
+    const bool front_first = (side > 0) != is_back_to_front(walk);
 
     pending->run = side > 0 ? node->front_run : side < 0 ? node->back_run : (lim_index)LIM_NO_INDEX;
     pending->far = front_first ? node->back : node->front;
