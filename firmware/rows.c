@@ -43,11 +43,13 @@ static uint32_t zoom_q28_of(const struct lim_camera *camera)
     return zoom_q28;
 }
 
-/* floor(a 2^30 / b) for a <= b < 2^31, bit by bit: a 64-bit division would be 700 bytes of library. */
+/* floor(a 2^30 / b) for a <= b < 2^31, bit by bit: a 64-bit division would be 700 bytes of library. One of the two that
+ * a frame takes is mostly 1. */
 static LIM_RARE uint32_t quotient_q30(uint32_t a, uint32_t b)
 {
     uint32_t ratio_q30 = 0;
 
+    if (a == b) return UINT32_C(1) << 30;
     for (uint_fast8_t i = 0; i < 31; i++, a <<= 1) {
         ratio_q30 <<= 1;
         if (a < b) continue;
@@ -121,7 +123,7 @@ static uint32_t rounding_at(const struct lens *lens, uint32_t scale, uint8_t tel
     LIM_UNROLLED(9)
     for (uint_fast8_t i = 0; i < 9; i++) {
         const uint32_t rest_q32 = (uint32_t)lens->entries_q30[i] * scale_times_4; /* entry * scale, modulo 1 */
-        const int32_t rest_q13 = (int32_t)rest_q32 >> (i < 6 ? 0 : tele_bits) >> 19;
+        const int32_t rest_q13 = (int32_t)rest_q32 >> (i < 6 ? 19 : 19 + tele_bits);
         sum_q26 += (uint32_t)(rest_q13 * rest_q13);
     }
     return sum_q26;
