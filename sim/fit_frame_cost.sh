@@ -21,7 +21,7 @@ group_of='
         return "lines"
     }'
 
-# A line: METHOD SCENE-SIZE-TREE-SPLITTER, five groups of instructions, eleven counters.
+# A line: METHOD SCENE-SIZE-TREE-SPLITTER, five groups of instructions, twelve counters.
 count() { # METHOD SCENE SIZE TREE SPLITTER
     awk 'n++ % 8 == 0' "sim/scenes/$2.cam" >"$work/cam"
     "$BUILD/limner" measure "sim/scenes/$2.obj" --camera "$work/cam" --size "$3" --tree "$4" --splitter "$5" --method "$1" \
@@ -37,7 +37,7 @@ count() { # METHOD SCENE SIZE TREE SPLITTER
         $1 == "mean" {
             print $column["nodes"], $column["records"], $column["boxes"], $column["vertices"], $column["polygons"],
                 $column["clipped"], $column["seen"], $column["lines"], $column["gaps"], h_px,
-                $column["overdraw"] * w_px * h_px
+                $column["overdraw"] * w_px * h_px, $column["seen"] * $column["lines"] / h_px
         }' "$work/stats"
 }
 
@@ -55,14 +55,14 @@ done >"$data"
 fit() { # METHOD TITLE
     awk -v method="$1" -v title="$2" '
         BEGIN {
-            split("node record box vertex polygon clipped seen line gap screen_line pixel", name)
-            split("1 2;3;4 5;6;5 7 8 9 10 11", counters_of, ";")
+            split("node record box vertex polygon clipped seen line gap screen_line pixel company", name)
+            split("1 2;3;4 5;6;5 7 8 9 10 11 12", counters_of, ";")
         }
         $1 == method {
             rows++
             label[rows] = $2
             for (g = 1; g <= 5; g++) { counted[rows, g] = $(2 + g); all[rows] += $(2 + g) }
-            for (k = 1; k <= 11; k++) counter[rows, k] = $(7 + k)
+            for (k = 1; k <= 12; k++) counter[rows, k] = $(7 + k)
         }
         function explain(g,   ks, n, a, b, i, j, r, pass, factor, weight) {
             n = split(counters_of[g], ks, " ")
@@ -87,14 +87,14 @@ fit() { # METHOD TITLE
         END {
             for (g = 1; g <= 5; g++) explain(g)
             printf "static const struct frame_cost %s = {", title
-            for (k = 1; k <= 11; k++) {
-                result[k] = sprintf(k == 11 ? "%.2f" : "%.0f", result[k])
+            for (k = 1; k <= 12; k++) {
+                result[k] = sprintf(k >= 11 ? "%.2f" : "%.0f", result[k])
                 printf "%s.%s = %s", (k > 1 ? ", " : ""), name[k], result[k]
             }
             print "};"
             for (r = 1; r <= rows; r++) {
                 sum = 0
-                for (k = 1; k <= 11; k++) sum += result[k] * counter[r, k]
+                for (k = 1; k <= 12; k++) sum += result[k] * counter[r, k]
                 printf "    %-33s counted %8d, off by %5.1f %%\n", label[r], all[r], (sum / all[r] - 1) * 100
             }
         }' "$data"

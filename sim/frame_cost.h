@@ -12,7 +12,7 @@
 /* Whether frames drawn by a method can be predicted: nearest first, and by scan lines. */
 bool frame_cost_knows(enum lim_method method);
 
-/* Instructions of such a frame in profile fast, polygons opaque and of one colour each. Within 5 % of those counted,
+/* Instructions of such a frame in profile fast, polygons opaque and of one colour each. Within 4 % of those counted,
  * for the scenes in sim/scenes with any tree; tests/arm_splitters.sh compares. */
 double frame_cost_m0plus(const struct lim_stats *stats, const struct lim_target *target);
 
