@@ -189,6 +189,13 @@
 #define LIM_DUAL_MULTIPLY 0
 #endif
 
+/* Whether short code is asked for: then what does nothing but save time is left out. The same pixels. */
+#if defined(__OPTIMIZE_SIZE__)
+#define LIM_IS_SHORT 1
+#else
+#define LIM_IS_SHORT 0
+#endif
+
 /* Planes off the axes are tried in 32 bits first. One convex solid has too few of them for that to pay elsewhere. */
 #define LIM_HAS_FILTER (LIM_HAS_SLANTED && (LIM_HAS_HIDDEN || LIM_8_BIT))
 

@@ -229,6 +229,7 @@ static inline bool begin_short(struct lim_edge *edge, const struct lim_point *fr
     const int32_t ax = from->x, ay = from->y, dx = (int32_t)to->x - ax, dy = (int32_t)to->y - ay;
     const int32_t top = ay >> LIM_SUB_BITS, lines = end - top;
 
+    if (LIM_IS_SHORT) return false;
     if ((uint32_t)(DIVISOR_ERROR * lines + 1) * (uint32_t)dy > 1u << SHORT_BITS) return false;
     if ((uint32_t)(dx + SHORT_WIDTH) >= 2 * SHORT_WIDTH) return false;
     const int32_t part_x = ax & (LIM_SUB - 1), part_y = ay & (LIM_SUB - 1);

@@ -67,7 +67,7 @@ lim_edge_sub lim_edge_measure_down(struct lim_edge_span *span, const struct lim_
  * three corners or four, and four turn more than twice where each edge goes the other way than the one before it. */
 static inline bool lim_edge_measure_plain(struct lim_edge_shape *shape, const struct lim_point *at, uint8_t n)
 {
-    if (LIM_8_BIT || n > 4) {
+    if (LIM_8_BIT || LIM_IS_SHORT || n > 4) {
         struct lim_edge_span many;
         const lim_edge_sub down = lim_edge_measure_down(&many, at, n);
         lim_edge_span_to_shape(&many, shape);

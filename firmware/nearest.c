@@ -241,7 +241,7 @@ static inline enum outcome take_usual(struct lim *lim, const LIM_FLASH lim_index
 /* A record that faces the eye. false: a pool is exhausted. */
 static LIM_ALONE bool take_record(struct lim *lim, const LIM_FLASH lim_index *record, uint8_t *since_shrink)
 {
-    enum outcome outcome = can_be_usual(lim, record) ? take_usual(lim, record) : UNUSUAL;
+    enum outcome outcome = !LIM_IS_SHORT && can_be_usual(lim, record) ? take_usual(lim, record) : UNUSUAL;
 
     if (outcome == UNUSUAL) outcome = take_any(lim, record) ? TAKEN : EXHAUSTED_POOL;
     if (outcome == EXHAUSTED_POOL) return false;

@@ -23,7 +23,7 @@ bool lim_view_begin(struct lim_view *view, const struct lim_scene *scene, const 
 }
 
 /* Into the function that remembers vertices; where flash is short there is one of each. */
-#if LIM_8_BIT
+#if LIM_8_BIT || LIM_IS_SHORT
 #define VIEW_SHARED LIM_ALONE
 #else
 #define VIEW_SHARED inline
