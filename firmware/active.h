@@ -11,16 +11,16 @@
 #include "texture.h"
 
 struct lim_active {
+    struct lim_active *next; /* in a list, or NULL */
     union {
         struct lim_edge_pair pair;
 #if LIM_HAS_ANTIALIAS
         struct lim_sample_edges samples; /* antialiased */
 #endif
     };
-    struct lim_active *next; /* in a list, or NULL */
     uint16_t polygon;        /* its first cell: farther ones have greater ones */
-    int16_t turn;            /* the line on which its edges change, or its bottom */
-    int16_t bottom;
+    uint16_t turn;           /* the line on which its edges change, or its bottom */
+    uint16_t bottom;
     uint16_t colour; /* as it lies in memory */
 #if LIM_HAS_TEXTURE
     struct lim_gradients gradients; /* if it has a texture */
@@ -77,7 +77,7 @@ static LIM_RARE void lim_active_take_line(struct lim_active *active, const union
 
     lim_edge_put(&active->pair.left, (int16_t)line.x);
     lim_edge_put(&active->pair.right, (int16_t)line.y);
-    active->turn = (int16_t)(y + 1);
+    active->turn = (uint16_t)(y + 1);
 }
 
 /* Replaces the edges that end on line y or above. */
@@ -87,7 +87,7 @@ static inline void lim_active_turn(struct lim_active *active, const union lim_re
         lim_active_take_line(active, cells, y);
         return;
     }
-    const int16_t at = lim_edge_turn(&active->pair, lim_active_points(cells), cells[0].link.n, y);
+    const uint16_t at = (uint16_t)lim_edge_turn(&active->pair, lim_active_points(cells), cells[0].link.n, y);
     active->turn = at < active->bottom ? at : active->bottom;
 }
 
@@ -104,7 +104,8 @@ static inline void lim_active_begin(struct lim_active *active, const struct lim_
         lim_active_take_line(active, cells, y);
         return;
     }
-    const int16_t at = lim_edge_start(&active->pair, lim_active_points(cells), cells[0].link.n, cells[0].link.first, y);
+    const uint16_t at =
+        (uint16_t)lim_edge_start(&active->pair, lim_active_points(cells), cells[0].link.n, cells[0].link.first, y);
     active->turn = at < active->bottom ? at : active->bottom;
 }
 

@@ -32,7 +32,7 @@ struct extent {
 };
 
 static void paint_polygons(struct lim_actives *actives, const struct lim_retained *retained, uint16_t *line,
-                           struct extent extent, int16_t below, struct lim_stats *stats)
+                           struct extent extent, uint16_t below, struct lim_stats *stats)
 {
     struct lim_active **link = &actives->first, *active;
 
@@ -49,7 +49,7 @@ static void paint_polygons(struct lim_actives *actives, const struct lim_retaine
                 lim_active_give_back(actives, link);
                 continue;
             }
-            lim_active_turn(active, &retained->cells[active->polygon], below);
+            lim_active_turn(active, &retained->cells[active->polygon], (int16_t)below);
         }
         link = &active->next;
     }
@@ -81,7 +81,7 @@ static int paint_line(struct lim_paint *paint, struct lim_spans *spans, const st
 #endif
     if (LIM_HAS_STATS && paint->actives.used > stats->active_max) stats->active_max = paint->actives.used;
     paint_background(spans, &spans->lines[y].gap, line, paint->background, stats);
-    paint_polygons(&paint->actives, retained, line, extent, (int16_t)(y + 1), stats);
+    paint_polygons(&paint->actives, retained, line, extent, (uint16_t)(y + 1), stats);
     return paint->target->done(paint->target->ctx, y, (uint16_t)extent.x0, (uint16_t)(extent.x1 - extent.x0));
 }
 

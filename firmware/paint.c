@@ -259,7 +259,7 @@ static inline bool paint_samples(struct lim_paint *paint, struct lim_spans *span
                                  struct sink *sink)
 {
 #if LIM_HAS_ANTIALIAS
-    const int16_t end_row = lim_retained_bottom(cells);
+    const int16_t end_row = (int16_t)lim_retained_bottom(cells);
     struct lim_strip strip;
 
     if (LIM_HAS_PIECES && !cells[0].link.n)

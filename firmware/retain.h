@@ -99,12 +99,12 @@ static inline struct lim_retained_polygon lim_retained_of(const struct lim_scree
     return seen;
 }
 
-static inline int16_t lim_retained_bottom(const union lim_retained_cell *cells)
+static inline uint16_t lim_retained_bottom(const union lim_retained_cell *cells)
 {
     const uint16_t flags =
         (LIM_HAS_TRANSPARENT ? LIM_RETAINED_TRANSPARENT : 0u) | (LIM_HAS_TEXTURE ? LIM_RETAINED_TEXTURE : 0u);
 
-    return (int16_t)(cells[1].look.bottom & ~flags);
+    return (uint16_t)(cells[1].look.bottom & ~flags);
 }
 
 static inline bool lim_retained_has_texture(const union lim_retained_cell *cells)
