@@ -18,8 +18,8 @@ struct lim_active {
         struct lim_sample_edges samples; /* antialiased */
 #endif
     };
-    uint16_t polygon;        /* its first cell: farther ones have greater ones */
-    uint16_t turn;           /* the line on which its edges change, or its bottom */
+    uint16_t polygon; /* its first cell: farther ones have greater ones */
+    uint16_t turn;    /* the line on which its edges change, or its bottom */
     uint16_t bottom;
     uint16_t colour; /* as it lies in memory */
 #if LIM_HAS_TEXTURE
@@ -73,7 +73,7 @@ static inline void lim_active_give_back(struct lim_actives *actives, struct lim_
 /* A piece has no edges: its lines are there, the last one first. */
 static LIM_RARE void lim_active_take_line(struct lim_active *active, const union lim_retained_cell *cells, int16_t y)
 {
-    const struct lim_point line = lim_active_points(cells)[active->bottom - 1 - y];
+    const struct lim_point line = lim_active_points(cells)[(int16_t)active->bottom - 1 - y];
 
     lim_edge_put(&active->pair.left, (int16_t)line.x);
     lim_edge_put(&active->pair.right, (int16_t)line.y);

@@ -234,12 +234,13 @@ static inline bool begin_short(struct lim_edge *edge, const struct lim_point *fr
     if ((uint32_t)(dx + SHORT_WIDTH) >= 2 * SHORT_WIDTH) return false;
     const int32_t part_x = ax & (LIM_SUB - 1), part_y = ay & (LIM_SUB - 1);
     const int32_t part = (part_x * dy - part_y * dx + (LIM_SUB - 1)) >> LIM_SUB_BITS;
-    const lim_edge_wrap whole = ((lim_edge_wrap)(lim_edge_at)(ax >> LIM_SUB_BITS) << LIM_EDGE_BITS) + EDGE_BEFORE_NEXT;
     const int32_t from_top = y - top;
+    const lim_edge_wrap whole = ((lim_edge_wrap)(lim_edge_at)(ax >> LIM_SUB_BITS) << LIM_EDGE_BITS) + EDGE_BEFORE_NEXT;
     const struct divisor divisor = LIM_SUB_BITS <= 9 ? divisor_of_short(dy) : divisor_of(dy);
     const int32_t step_q16 = divisor_q16(&divisor, dx);
+    const int32_t start_q16 = divisor_q16(&divisor, part);
+    const int32_t ahead_q16 = start_q16 + from_top * step_q16;
     edge->step = (lim_edge_at)((lim_edge_wrap)(lim_edge_at)step_q16 << (LIM_EDGE_BITS - SHORT_BITS));
-    const int32_t ahead_q16 = divisor_q16(&divisor, part) + from_top * step_q16;
     edge->at = (lim_edge_at)(whole + ((lim_edge_wrap)(lim_edge_at)ahead_q16 << (LIM_EDGE_BITS - SHORT_BITS)));
     return true;
 }
@@ -259,7 +260,8 @@ void lim_edge_next(struct lim_edge *edge, const struct lim_point *at, uint8_t n,
         if (to >= n) to -= n;
         end = lim_edge_row(at[to].y);
     } while (end <= row);
-    const bool begun = begin_short(edge, &at[from], &at[to], row, end);
+    const struct lim_point a = at[from], b = at[to];
+    const bool begun = begin_short(edge, &a, &b, row, end);
     edge->end = (int16_t)(end + LIM_ORIGIN_PX);
     edge->next = (uint8_t)to;
     if (!begun) begin_long(edge, at, from, y);

@@ -101,7 +101,7 @@ static inline uint32_t normalise_u12(uint32_t x, uint8_t *zeros)
 #if LIM_HAS_CLZ
     return normalise_u32(x, zeros);
 #else
-    uint_fast8_t n = 20;
+    uint32_t n = 20;
 
     for (x <<= 20; !(x >> 28); x <<= 4)
         n += 4;

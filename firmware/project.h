@@ -145,7 +145,7 @@ void lim_project_hidden(struct lim_screen_polygon *out, const LIM_FLASH lim_inde
 /* The k-th triangle, 1 <= k <= n - 2, of the fan that stands for a folded polygon. */
 void lim_project_fan(const struct lim_screen_polygon *folded, uint8_t k, struct lim_screen_polygon *triangle);
 
-/* A polygon's n corners through the cache. Returns their lim_view_cached.codes, OR'ed. */
+/* A polygon's n corners through the cache. Returns their lim_view_codes(), OR'ed. */
 static inline uint_fast16_t lim_project_corners(struct lim_point *at, uint8_t n, struct lim_view *view,
                                                 const struct lim_scene *scene, const LIM_FLASH lim_index *corners)
 {
@@ -154,7 +154,7 @@ static inline uint_fast16_t lim_project_corners(struct lim_point *at, uint8_t n,
 
     do {
         const struct lim_view_cached *corner = lim_view_vertex(view, scene, *corners++);
-        codes |= corner->codes;
+        codes |= lim_view_codes(corner);
         *at++ = corner->at;
     } while (at != end);
     return codes;

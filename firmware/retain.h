@@ -124,7 +124,9 @@ _Static_assert(sizeof(union lim_retained_cell) == sizeof(struct lim_point), "poi
 /* Where the points of the next polygon of n corners would lie, or NULL: there is no room. */
 static inline struct lim_point *lim_retained_place(const struct lim_retained *retained, uint8_t n)
 {
-    if (LIM_RETAINED_HEAD_CELLS + n > retained->size - retained->used) return NULL;
+    const uint16_t needed = (uint16_t)(LIM_RETAINED_HEAD_CELLS + n);
+
+    if (needed > retained->size - retained->used) return NULL;
     return &retained->cells[retained->used + LIM_RETAINED_HEAD_CELLS].at;
 }
 

@@ -106,7 +106,11 @@ void lim_view_remember(struct lim_view *view, const struct lim_scene *scene, lim
     transform(view, scene, &scene->vertices[vertex], &point);
     const uint8_t codes = codes_of(view, &point);
     entry->vertex = vertex;
-    entry->codes = (uint16_t)(codes | (codes ^ 0xFFu) << 8);
+#if LIM_8_BIT
+    entry->codes = codes;
+#else
+    entry->codes = lim_view_both(codes);
+#endif
     if (!(codes & LIM_VIEW_GUARD)) project(view, &point, &entry->at);
     if (LIM_HAS_STATS) view->vertices++;
 }

@@ -48,10 +48,26 @@ enum lim_view_code {
 };
 
 struct lim_view_cached {
-    lim_index vertex;    /* LIM_NO_INDEX: empty */
-    uint16_t codes;      /* enum lim_view_code; in the upper byte those that it does not have */
+    lim_index vertex; /* LIM_NO_INDEX: empty */
+#if LIM_8_BIT
+    uint8_t codes; /* enum lim_view_code */
+#else
+    uint16_t codes; /* both: lim_view_both() */
+#endif
     struct lim_point at; /* meaningless when codes has LIM_VIEW_GUARD */
 };
+
+/* Codes, and in the upper byte those that are not among them. */
+static inline uint16_t lim_view_both(uint16_t codes)
+{
+    return (uint16_t)(codes | (codes ^ 0xFFu) << 8);
+}
+
+/* Of a vertex that is remembered. */
+static inline uint16_t lim_view_codes(const struct lim_view_cached *entry)
+{
+    return LIM_8_BIT ? lim_view_both(entry->codes) : entry->codes;
+}
 
 /* Of the codes of several vertices, OR'ed: whether there is a side that all are outside of. */
 static inline bool lim_view_all_outside(uint_fast16_t codes)
