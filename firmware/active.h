@@ -31,7 +31,7 @@ struct lim_actives {
     struct lim_active *pool;
     uint16_t pool_size;
     uint16_t fresh;                  /* from here on were never used */
-    uint16_t used;                   /* if LIM_HAS_STATS */
+    uint16_t used;                   /* at this time, if LIM_HAS_STATS */
     struct lim_active *first, *free; /* lists through `next`: what crosses the line, and what was given back */
 };
 
@@ -59,7 +59,7 @@ static inline struct lim_active *lim_active_take(struct lim_actives *actives)
     return active;
 }
 
-/* Unlinks the one that `link` leads to. */
+/* Unlinks the one that `link` leads to; what follows it takes its place there. */
 static inline void lim_active_give_back(struct lim_actives *actives, struct lim_active **link)
 {
     struct lim_active *active = *link;

@@ -9,7 +9,10 @@
  *
  * Range: the intersection lies between the end points, so |M| <= 1.5 w * 2 h S: below 2^31 for 1024
  * pixels a side and 9 sub-pixel bits, and 64 bits do beyond. The sum may wrap on the way. px, py < S and
- * |dx|, dy <= 2050 S (perspective.h): the last term's numerator stays below 2^31. */
+ * |dx|, dy <= 2050 S (perspective.h): the last term's numerator stays below 2^31.
+ *
+ * From its first line on an edge is M / dy + 1 - 2^-f with f fraction bits, start and slope rounded down: the floor is
+ * x on as many lines as (DIVISOR_ERROR lines + 1) dy <= 2^f allows. Why: DESIGN.md, "Which pixels". */
 #include "edge.h"
 
 #include "divisor.h"
@@ -192,9 +195,11 @@ static LIM_RARE void set_line(struct lim_edge *edge, lim_sub_area m, int32_t dy)
     edge->at = (lim_edge_at)((lim_edge_wrap)(lim_edge_at)(whole + LIM_ORIGIN_PX) << LIM_EDGE_BITS);
 }
 
+/* The origin, and all but one unit of the next pixel: what makes a ceiling of the floor. */
 #define EDGE_BEFORE_NEXT (((lim_edge_wrap)(LIM_ORIGIN_PX + 1) << LIM_EDGE_BITS) - 1)
 
-/* Fractions of 16 bits, which do for most. dy is below 2^12 then, and what is left of a start below 2 SHORT_WIDTH. */
+/* Fractions of 16 bits, which do for most. With up to 9 sub-pixel bits dy is below SHORT_WIDTH then, and what is left
+ * of a start below 2 SHORT_WIDTH. */
 enum { SHORT_BITS = 16, SHORT_WIDTH = DIVISOR_WIDTH / 2 };
 
 /* Sets the edge from a corner to edge->next for the lines from y on: for all of them, or it is begun anew. */
@@ -222,7 +227,8 @@ static LIM_ALONE void begin_long(struct lim_edge *edge, const struct lim_point *
     edge->step = (lim_edge_at)quotient_of(dx, &divisor);
 }
 
-/* The same where a short division does. false: it does not. */
+/* The same from one corner down to another, for line y and up to line `end`, both from the origin, where a short
+ * division does for all lines of the edge. false: it does not. */
 static inline bool begin_short(struct lim_edge *edge, const struct lim_point *from, const struct lim_point *to,
                                int32_t y, int32_t end)
 {
@@ -354,7 +360,7 @@ int16_t lim_edge_line_of(lim_sub at)
     return line_of(at);
 }
 
-/* Of an edge of any length, where begin_short() takes that of all its lines to tell what is short. */
+/* Of an edge of any length, on a line from the origin: that one alone is asked for, so nothing is set to be stepped. */
 static inline void begin_line(struct lim_edge *edge, struct lim_point a, struct lim_point b, int16_t y)
 {
 #if LIM_8_BIT

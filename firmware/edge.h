@@ -2,17 +2,17 @@
  *
  * EDGE: a polygon on the screen -> for each line, the pixels [left, right) whose centres it covers.
  *
- * Exact: an edge is evaluated from its two end points, top -> bottom, in quotient and remainder, so
- * two polygons that share it agree on every pixel: no gap, no double hit. Never clipped against the
- * screen: lines above it are skipped by multiplication. Pixel (x, y) belongs to a polygon when its
- * centre is inside, or on a left or a top edge. */
+ * Exact: an edge is evaluated from its two end points, top -> bottom, as a fixed-point number whose error no pixel
+ * shows, so two polygons that share it agree on every pixel: no gap, no double hit. Never clipped against the screen:
+ * lines above it are skipped by multiplication. Pixel (x, y) belongs to a polygon when its centre is inside, or on a
+ * left or a top edge. Memory: the caller's; a polygon's points are read as long as its edges are followed. */
 #ifndef LIM_EDGE_H
 #define LIM_EDGE_H
 
 #include "profile.h"
 
-/* Where the edge is on the current line, as a fixed-point number of LIM_EDGE_BITS: lim_edge_x(). Wide enough for three
- * screens. */
+/* Where the edge is on the current line: lim_edge_x(). As quotient and remainder where the processor works on bytes,
+ * else as a fixed-point number with LIM_EDGE_BITS fraction bits, wide enough for three screens. */
 #if LIM_8_BIT
 struct lim_edge {
     int32_t error;       /* M - x * denominator (edge.c), in -denominator+1 .. 0 */
@@ -70,7 +70,7 @@ static inline void lim_edge_begin(struct lim_edge_pair *pair, uint8_t n, uint8_t
     pair->right.step_vertex = (uint8_t)(n - 1);
 }
 
-/* The edge of a boundary that takes the place of one that ends on line y or above. */
+/* Puts the boundary's edge on line y, above the polygon's bottom, in the place of one that ends there or above. */
 void lim_edge_next(struct lim_edge *edge, const struct lim_point *at, uint8_t n, int16_t y);
 
 /* Replaces the edges that end on line y or above, top <= y < bottom. Returns the line on which it must be called
@@ -82,7 +82,7 @@ static inline int16_t lim_edge_turn(struct lim_edge_pair *pair, const struct lim
     return pair->left.end < pair->right.end ? pair->left.end : pair->right.end;
 }
 
-/* lim_edge_begin() and lim_edge_turn() in one, for a polygon's first line. */
+/* lim_edge_begin() and lim_edge_turn() in one, for the first line of a polygon that is asked for. */
 static inline int16_t lim_edge_start(struct lim_edge_pair *pair, const struct lim_point *at, uint8_t n, uint8_t first,
                                      int16_t y)
 {
@@ -113,6 +113,7 @@ static inline int16_t lim_edge_x(const struct lim_edge *edge)
     return edge->x;
 }
 
+/* Says where it is: of pieces, whose lines are known (active.h). */
 static inline void lim_edge_put(struct lim_edge *edge, int16_t x)
 {
     edge->x = x;
@@ -151,6 +152,7 @@ static inline int16_t lim_edge_x(const struct lim_edge *edge)
     return (int16_t)(edge->at >> LIM_EDGE_BITS);
 }
 
+/* Says where it is: of pieces, whose lines are known (active.h). */
 static inline void lim_edge_put(struct lim_edge *edge, int16_t x)
 {
     edge->at = (lim_edge_at)x * ((lim_edge_at)1 << LIM_EDGE_BITS);

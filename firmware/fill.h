@@ -16,7 +16,7 @@ static inline uint16_t lim_memory_colour(uint16_t rgb565)
 #endif
 }
 
-/* n pixels from x on; `line` is 4-byte aligned. */
+/* n pixels from x on, or none; `line`, the target's, is 4-byte aligned. */
 void lim_fill(uint16_t *line, uint16_t x_px, uint16_t n_px, uint16_t colour);
 
 typedef uint32_t __attribute__((may_alias)) lim_pixel_pair; /* lines are arrays of uint16_t */
@@ -24,7 +24,8 @@ typedef uint32_t __attribute__((may_alias)) lim_pixel_pair; /* lines are arrays 
 /* Writes `count` times 16 pairs, once at least. Returns the place behind them. */
 lim_pixel_pair *lim_fill_sixteens(lim_pixel_pair *to, uint32_t count, uint32_t pair);
 
-/* The same, where calls are many: a jump past the stores that are too many. */
+/* lim_fill() of one pixel at least, where calls are many: what is less than 16 pairs by one jump, past the stores that
+ * are too many. */
 static inline void lim_fill_inline(uint16_t *line, uint32_t x_px, uint32_t n_px, uint16_t colour)
 {
     uint16_t *const begin = line + x_px, *const end = begin + n_px;
@@ -61,7 +62,7 @@ static inline void lim_fill_inline(uint16_t *line, uint32_t x_px, uint32_t n_px,
     // clang-format on
 }
 
-/* The same of line y, or, if that is NULL, by the target. */
+/* lim_fill() of line y, or, if that is NULL, by the target. */
 static inline void lim_fill_run(const struct lim_target *target, uint16_t *line, uint16_t y_px, uint16_t x_px,
                                 uint16_t n_px, uint16_t colour)
 {

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
- * Which lines a polygon takes: the part of EDGE that comes before its lines are known to matter. */
+ * Which lines a polygon takes, and whether it is folded: the part of EDGE that comes before its lines are known to
+ * matter. In: its points. Out: struct lim_edge_shape, the caller's. */
 #ifndef LIM_MEASURE_H
 #define LIM_MEASURE_H
 
@@ -46,6 +47,7 @@ struct lim_edge_span {
     uint8_t first;
 };
 
+/* `y`: the corner's level. */
 static inline void lim_edge_span_add(struct lim_edge_span *span, lim_edge_sub y, uint8_t corner)
 {
     if (y < span->top) span->top = y, span->first = corner;
@@ -63,8 +65,9 @@ static inline void lim_edge_span_to_shape(const struct lim_edge_span *span, stru
 /* How far a boundary goes down, all its ways together, and what it spans. */
 lim_edge_sub lim_edge_measure_down(struct lim_edge_span *span, const struct lim_point *at, uint8_t n);
 
-/* lim_edge_measure() but for folds. false: the boundary turns more than twice, perhaps it is folded. Most polygons have
- * three corners or four, and four turn more than twice where each edge goes the other way than the one before it. */
+/* lim_edge_measure() but for folds. false: the boundary turns more than twice, perhaps it is folded (not where it does
+ * so within a line), and only lim_edge_measure() can tell. Most polygons have three corners, which turn twice, or four,
+ * which turn more often where each edge goes the other way than the one before it. */
 static inline bool lim_edge_measure_plain(struct lim_edge_shape *shape, const struct lim_point *at, uint8_t n)
 {
     if (LIM_8_BIT || LIM_IS_SHORT || n > 4) {
@@ -87,6 +90,7 @@ static inline bool lim_edge_measure_plain(struct lim_edge_shape *shape, const st
     return turns >= 0;
 }
 
+/* Sets left and right. */
 static inline void lim_edge_measure_sides(struct lim_edge_shape *shape, const struct lim_point *at, uint8_t n)
 {
     lim_edge_sub left = at[0].x, right = left;

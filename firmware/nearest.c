@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT
  *
- * Nearest first, pass one: walks the tree, closes gaps, and retains the polygons that closed some. All at once, or,
- * where a frame is begun while another is still on its way, polygon by polygon (lim_frame_work()). bands.c drives it.
- */
+ * Nearest first, pass one: walks the tree, or the sorted list, closes gaps, and retains the polygons that closed some;
+ * by scan lines all that are in view. All at once, or, where a frame is begun while another is still on its way,
+ * polygon by polygon (lim_frame_work()). bands.c drives it. */
 #include "order.h"
 
 #include "layers.h"
@@ -123,7 +123,7 @@ static inline bool fill_plain(struct lim *lim, const struct lim_screen_polygon *
 #endif
 }
 
-/* Whether a record is of one opaque colour, and so drawn. */
+/* Whether a record is of one opaque colour, and drawn as such. */
 static inline bool can_be_usual(const struct lim *lim, const LIM_FLASH lim_index *record)
 {
     const unsigned unusual =
@@ -183,8 +183,9 @@ static void note_pools(struct lim *lim)
     if (lim->spans.fresh > stats->gaps_max) stats->gaps_max = lim->spans.fresh;
 }
 
-/* Where polygons come from: the walk through the tree, or the sorted list. false: a pool is exhausted. */
+/* Polygons from the walk through the tree. */
 #if LIM_HAS_WALKED
+/* Draws the open view together, and CULL's planes with it. */
 static void shrink(struct lim *lim)
 {
     const bool smaller = lim_spans_shrink(&lim->spans);
@@ -201,7 +202,12 @@ static LIM_RARE bool take_any(struct lim *lim, const LIM_FLASH lim_index *record
            take(lim, &polygon);
 }
 
-enum outcome { OUTSIDE, TAKEN, EXHAUSTED_POOL, UNUSUAL };
+enum outcome {
+    OUTSIDE, /* nothing of it can be open */
+    TAKEN,   /* all of it that was open is closed, and it is retained if there was any */
+    EXHAUSTED_POOL,
+    UNUSUAL /* nothing was done: take_any() */
+};
 
 /* A polygon as most are: of one colour, neither clipped nor folded, and with room for its points where they would be
  * retained. They are projected to that place, so none of it is ever copied. */
@@ -254,6 +260,7 @@ static LIM_ALONE bool take_record(struct lim *lim, const LIM_FLASH lim_index *re
     return true;
 }
 
+/* false: a pool is exhausted. */
 static bool take_run(struct lim *lim, lim_index run, uint8_t *since_shrink)
 {
     const LIM_FLASH lim_index *record = &lim->scene->polygons[run];
@@ -325,6 +332,7 @@ static bool collect_from_tree(struct lim *lim, const struct lim_rect *band)
 }
 #endif
 
+/* And from the sorted list. */
 #if LIM_HAS_SORTED
 static bool take_entry(struct lim *lim, uint16_t at, uint8_t *since_shrink)
 {

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
- * The list of active polygons is kept in walk order, which is the order of their cells. New ones
- * arrive far to near (retain.h), so each is put in front of the one before it or further up. */
+ * What is not flat colour alone (flat.c): the list of active polygons is kept in walk order, which is the order of
+ * their cells. New ones arrive far to near (retain.h), so each is put in front of the one before it or further up. */
 #include "paint.h"
 
 #include "flat.h"

@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: MIT
  *
- * PAINT: line by line, the retained polygons' pixels into the memory that the target lends. In:
- * retained polygons, listed by their top line. Out: finished lines, top to bottom. Each line
- * closes its gaps once more, nearest polygon first, so every pixel is written exactly once; what
- * stays open is background. Memory: a list of the polygons that cross the line, lent, and a stack for what is
- * transparent (layers.h). */
+ * PAINT: line by line, the retained polygons' pixels into the memory that the target lends. In: retained polygons,
+ * listed by their top line, and what SPAN has left open. Out: finished lines, top to bottom. Where all is flat colour
+ * each line is painted from far to near (flat.h). Else it closes its gaps once more, nearest polygon first, so every
+ * pixel is written exactly once; what stays open is background. Memory: a list of the polygons that cross the line,
+ * lent, and a stack for what is transparent (layers.h). */
 #ifndef LIM_PAINT_H
 #define LIM_PAINT_H
 
@@ -50,8 +50,8 @@ enum {
     LIM_PAINT_LAYERS = 2  /* too much of line *y, which is lent, is transparent for the stack */
 };
 
-/* Paints the lines of `band`, from *y on; *y moves with the lines that are finished. The lines'
- * gaps are used up. Positive: above; negative: the target's error. */
+/* Paints the lines of `band`; *y moves with those that are finished. The pool of gaps is used up. Positive: above;
+ * negative: the target's error. */
 LIM_MUST_CHECK int lim_paint_band(struct lim_paint *paint, struct lim_spans *spans, const struct lim_retained *retained,
                                   const struct lim_rect *band, uint16_t *y, struct lim_stats *stats);
 

@@ -136,8 +136,8 @@ static inline bool lim_shape_meets_lines(const struct lim_edge_shape *shape, con
 bool lim_project(struct lim_screen_polygon *out, struct lim_view *view, const struct lim_scene *scene,
                  const LIM_FLASH lim_index *record, const struct lim_rect *open, struct lim_stats *stats);
 
-/* The rare parts of it: a polygon that meets the near plane or the guard band (false: nothing is left), and the flags
- * of its edges. */
+/* Rare parts of it: a polygon of out->n corners that meets the near plane or the guard band (false: nothing is left),
+ * and the flags of its edges. */
 LIM_RARE bool lim_project_clipped(struct lim_screen_polygon *out, const struct lim_view *view,
                                   const struct lim_scene *scene, const LIM_FLASH lim_index *corners);
 void lim_project_hidden(struct lim_screen_polygon *out, const LIM_FLASH lim_index *record);

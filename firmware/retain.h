@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
- * The polygons that have at least one visible pixel, retained between SPAN and PAINT: their points
- * on the screen, a colour, and the line on which they start. A tenth of the memory that their
+ * The polygons that have at least one visible pixel, by scan lines all that are in view, retained between SPAN and
+ * PAINT: their points on the screen, a colour, and the line on which they start. A tenth of the memory that their
  * spans would take. The pool is lent by the caller. */
 #ifndef LIM_RETAIN_H
 #define LIM_RETAIN_H
@@ -130,7 +130,8 @@ static inline struct lim_point *lim_retained_place(const struct lim_retained *re
     return &retained->cells[retained->used + LIM_RETAINED_HEAD_CELLS].at;
 }
 
-/* Links a polygon that takes so many cells into its top line. */
+/* Links a polygon that takes so many cells, of which there are as many, into its top line. Points and flags are the
+ * caller's to write. */
 static inline void lim_retained_link(struct lim_retained *retained, struct lim_line *line, uint8_t n, uint8_t first,
                                      uint16_t bottom, uint16_t colour, uint16_t cell_count)
 {

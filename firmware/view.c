@@ -22,7 +22,7 @@ bool lim_view_begin(struct lim_view *view, const struct lim_scene *scene, const 
     return true;
 }
 
-/* Into the function that remembers vertices; where flash is short there is one of each. */
+/* Inlined into the function that remembers vertices; where flash is short there is one of each. */
 #if LIM_8_BIT || LIM_IS_SHORT
 #define VIEW_SHARED LIM_ALONE
 #else
