@@ -29,7 +29,7 @@ struct lim;
 size_t lim_mem_min_b(const struct lim_scene *scene, const struct lim_target *target);
 size_t lim_mem_b(const struct lim_scene *scene, const struct lim_target *target);
 
-/* Prepares *lim. scene, target and mem (4-byte aligned) must outlive it; the target is copied. */
+/* Prepares *lim. scene, target and mem (aligned to 4 bytes, and for pointers) must outlive it; the target is copied. */
 LIM_MUST_CHECK int lim_init(struct lim *lim, const struct lim_scene *scene, const struct lim_target *target, void *mem,
                             size_t mem_b);
 
