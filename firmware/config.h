@@ -199,7 +199,7 @@
 /* Planes off the axes are tried in 32 bits first. One convex solid has too few of them for that to pay elsewhere. */
 #define LIM_HAS_FILTER (LIM_HAS_SLANTED && (LIM_HAS_HIDDEN || LIM_8_BIT))
 
-/* Longest side of any target, in pixels: 8..1024. Up to 341 all screen arithmetic fits 32 bits. */
+/* Longest side of any target, in pixels: 8..1024. Up to 340 edges have two fraction bits more. */
 #ifndef LIM_MAX_SIDE_PX
 #define LIM_MAX_SIDE_PX 1024
 #endif

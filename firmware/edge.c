@@ -237,7 +237,7 @@ static inline bool begin_short(struct lim_edge *edge, const struct lim_point *fr
 
     if (LIM_IS_SHORT) return false;
     if ((uint32_t)(DIVISOR_ERROR * lines + 1) * (uint32_t)dy > 1u << SHORT_BITS) return false;
-    if ((uint32_t)(dx + SHORT_WIDTH) >= 2 * SHORT_WIDTH) return false;
+    if ((uint32_t)(dx + SHORT_WIDTH) >= 2 * SHORT_WIDTH || (LIM_SUB_BITS > 9 && dy >= SHORT_WIDTH)) return false;
     const int32_t part_x = ax & (LIM_SUB - 1), part_y = ay & (LIM_SUB - 1);
     const int32_t part = (part_x * dy - part_y * dx + (LIM_SUB - 1)) >> LIM_SUB_BITS;
     const int32_t from_top = y - top;

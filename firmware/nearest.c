@@ -278,21 +278,21 @@ static bool take_run(struct lim *lim, lim_index run, uint8_t *since_shrink)
 }
 
 #if LIM_HAS_MOVERS
-enum { EXHAUSTED = 1, FULL }; /* a pool; all lines */
+enum { MOVER_EXHAUSTED = 1, MOVER_FULL }; /* a pool; all lines */
 
 static int draw_mover(struct lim *lim, uint16_t entry, const struct lim_screen_polygon *polygon,
                       const struct lim_rect *open)
 {
     (void)open;
-    if (!(entry == LIM_NONE ? take(lim, polygon) : lim_piece_take(lim, entry, polygon))) return EXHAUSTED;
-    return lim->spans.open_lines ? 0 : FULL;
+    if (!(entry == LIM_NONE ? take(lim, polygon) : lim_piece_take(lim, entry, polygon))) return MOVER_EXHAUSTED;
+    return lim->spans.open_lines ? 0 : MOVER_FULL;
 }
 
 /* What moves and has come to empty space. false: a pool is exhausted. */
 static bool take_list(struct lim *lim, uint16_t list)
 {
     list = lim_movers_order(lim, list, false);
-    if (lim_movers_draw(lim, list, &lim->spans.open, false, draw_mover) == EXHAUSTED) return false;
+    if (lim_movers_draw(lim, list, &lim->spans.open, false, draw_mover) == MOVER_EXHAUSTED) return false;
     shrink(lim);
     return true;
 }

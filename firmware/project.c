@@ -21,7 +21,7 @@ static bool is_hidden(const struct lim_screen_polygon *polygon, uint_fast8_t k)
     return lim_hidden_of(polygon)[k >> 4] >> (k & 15) & 1;
 }
 
-void lim_project_hidden(struct lim_screen_polygon *out, const LIM_FLASH lim_index *record)
+static void read_hidden(struct lim_screen_polygon *out, const LIM_FLASH lim_index *record)
 {
     const lim_index head = record[0];
     const uint16_t at = lim_record_edges_at(head);
@@ -50,8 +50,9 @@ static void hidden_from_corners(struct lim_screen_polygon *polygon, const struct
 #endif
 }
 
-bool lim_project_clipped(struct lim_screen_polygon *out, const struct lim_view *view, const struct lim_scene *scene,
-                         const LIM_FLASH lim_index *corners)
+/* Of a polygon that meets the near plane or the guard band. false: nothing is left. */
+static LIM_RARE bool clip_and_project(struct lim_screen_polygon *out, const struct lim_view *view,
+                                      const struct lim_scene *scene, const LIM_FLASH lim_index *corners)
 {
     struct lim_clip_polygon polygons[2];
 
@@ -69,6 +70,32 @@ bool lim_project_clipped(struct lim_screen_polygon *out, const struct lim_view *
     return true;
 }
 
+/* A scene whose textures are taken away keeps its records. */
+static void note_texture(struct lim_screen_polygon *out, const struct lim_scene *scene,
+                         const LIM_FLASH lim_index *record)
+{
+#if LIM_HAS_TEXTURE
+    const bool has_one = record[0] & LIM_POLYGON_TEXTURE && scene->texture_count;
+    const uint16_t end = (uint16_t)((uint16_t)(record - scene->polygons) + lim_record_words(record[0]));
+
+    out->texture = has_one ? (uint16_t)(end - LIM_POLYGON_TEXTURE_WORDS) : LIM_NONE;
+#else
+    (void)out, (void)scene, (void)record;
+#endif
+}
+
+static inline uint8_t alpha_of(const LIM_FLASH lim_index *record)
+{
+    const lim_index head = record[0];
+
+    return (uint8_t)(head & LIM_POLYGON_ALPHA ? record[lim_record_alpha_at(head)] : LIM_OPAQUE);
+}
+
+static inline bool meets_lines(const struct lim_edge_shape *shape, const struct lim_rect *open)
+{
+    return shape->top < shape->bottom && shape->top < (int16_t)open->y1 && shape->bottom > (int16_t)open->y0;
+}
+
 bool lim_project(struct lim_screen_polygon *out, struct lim_view *view, const struct lim_scene *scene,
                  const LIM_FLASH lim_index *record, const struct lim_rect *open, struct lim_stats *stats)
 {
@@ -80,22 +107,22 @@ bool lim_project(struct lim_screen_polygon *out, struct lim_view *view, const st
     const uint_fast16_t codes = lim_project_corners(out->at, out->n, view, scene, corners);
     if (LIM_HAS_STATS && stats) stats->polygons++;
     if (lim_view_all_outside(codes)) return false;
-    if (LIM_HAS_WIREFRAME) lim_project_hidden(out, record);
+    if (LIM_HAS_WIREFRAME) read_hidden(out, record);
     if (codes & LIM_VIEW_GUARD) {
         if (LIM_HAS_STATS && stats) stats->clipped++;
-        if (!lim_project_clipped(out, view, scene, corners)) return false;
+        if (!clip_and_project(out, view, scene, corners)) return false;
     } else {
         lim_shape_measure(&out->shape, out->at, out->n, lim_is_antialiased(view));
     }
     if (LIM_HAS_STATS && stats) stats->folded += out->shape.folded;
-    if (!lim_shape_meets_lines(&out->shape, open)) return false;
+    if (!meets_lines(&out->shape, open)) return false;
     if (lim_project_needs_sides(view, open)) {
         if (!lim_is_polygon_antialiased(out)) lim_edge_measure_sides(&out->shape, out->at, out->n);
         if (!lim_shape_meets_sides(&out->shape, open)) return false;
     }
     out->colour = lim_memory_colour((uint16_t)record[1]);
-    if (LIM_HAS_TRANSPARENT) lim_set_alpha(out, lim_record_alpha(record));
-    lim_set_texture(out, scene, record);
+    if (LIM_HAS_TRANSPARENT) lim_set_alpha(out, alpha_of(record));
+    note_texture(out, scene, record);
     return true;
 }
 

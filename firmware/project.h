@@ -82,20 +82,6 @@ static inline bool lim_is_polygon_antialiased(const struct lim_screen_polygon *p
 #endif
 }
 
-/* A scene whose textures are taken away keeps its records. */
-static inline void lim_set_texture(struct lim_screen_polygon *out, const struct lim_scene *scene,
-                                   const LIM_FLASH lim_index *record)
-{
-#if LIM_HAS_TEXTURE
-    const bool has_one = record[0] & LIM_POLYGON_TEXTURE && scene->texture_count;
-    const uint16_t end = (uint16_t)((uint16_t)(record - scene->polygons) + lim_record_words(record[0]));
-
-    out->texture = has_one ? (uint16_t)(end - LIM_POLYGON_TEXTURE_WORDS) : LIM_NONE;
-#else
-    (void)out, (void)scene, (void)record;
-#endif
-}
-
 static inline void lim_set_alpha(struct lim_screen_polygon *out, uint8_t alpha)
 {
 #if LIM_HAS_TRANSPARENT
@@ -103,13 +89,6 @@ static inline void lim_set_alpha(struct lim_screen_polygon *out, uint8_t alpha)
 #else
     (void)out, (void)alpha;
 #endif
-}
-
-static inline uint8_t lim_record_alpha(const LIM_FLASH lim_index *record)
-{
-    const lim_index head = record[0];
-
-    return (uint8_t)(head & LIM_POLYGON_ALPHA ? record[lim_record_alpha_at(head)] : LIM_OPAQUE);
 }
 
 /* Whether columns have to be looked at: where polygons are compared, and where some columns of the screen are no longer
@@ -126,21 +105,10 @@ static inline bool lim_shape_meets_sides(const struct lim_edge_shape *shape, con
     return shape->left < shape->right && shape->left < (int16_t)open->x1 && shape->right > (int16_t)open->x0;
 }
 
-static inline bool lim_shape_meets_lines(const struct lim_edge_shape *shape, const struct lim_rect *open)
-{
-    return shape->top < shape->bottom && shape->top < (int16_t)open->y1 && shape->bottom > (int16_t)open->y0;
-}
-
 /* `record` is a polygon record (scene.h). false: nothing of it can be inside `open`. A polygon that is
  * projected once more is not counted again: `stats` is NULL. */
 bool lim_project(struct lim_screen_polygon *out, struct lim_view *view, const struct lim_scene *scene,
                  const LIM_FLASH lim_index *record, const struct lim_rect *open, struct lim_stats *stats);
-
-/* Rare parts of it: a polygon of out->n corners that meets the near plane or the guard band (false: nothing is left),
- * and the flags of its edges. */
-LIM_RARE bool lim_project_clipped(struct lim_screen_polygon *out, const struct lim_view *view,
-                                  const struct lim_scene *scene, const LIM_FLASH lim_index *corners);
-void lim_project_hidden(struct lim_screen_polygon *out, const LIM_FLASH lim_index *record);
 
 /* The k-th triangle, 1 <= k <= n - 2, of the fan that stands for a folded polygon. */
 void lim_project_fan(const struct lim_screen_polygon *folded, uint8_t k, struct lim_screen_polygon *triangle);

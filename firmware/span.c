@@ -74,8 +74,8 @@ static inline bool close_in_gap(struct lim_spans *spans, struct lim_gap *gap, in
 }
 
 /* Most lines have one gap, or none, which lies at 0. */
-static inline bool close_lines(struct lim_spans *spans, int16_t y, int16_t end, struct lim_edge_pair *pair,
-                               struct lim_span_extent *seen, lim_span_sink *sink, struct lim_piece_look *look)
+static inline bool close_between(struct lim_spans *spans, int16_t y, int16_t end, struct lim_edge_pair *pair,
+                                 struct lim_span_extent *seen, lim_span_sink *sink, struct lim_piece_look *look)
 {
     struct lim_edge left, right;
     struct lim_line *line = &spans->lines[y], *const after = &spans->lines[end], *first = NULL, *last = NULL;
@@ -115,14 +115,14 @@ static inline bool close_lines(struct lim_spans *spans, int16_t y, int16_t end, 
 bool lim_spans_close(struct lim_spans *spans, int16_t y, int16_t end, struct lim_edge_pair *pair,
                      struct lim_span_extent *seen)
 {
-    return close_lines(spans, y, end, pair, seen, NULL, NULL);
+    return close_between(spans, y, end, pair, seen, NULL, NULL);
 }
 
 #if LIM_HAS_FRAME
 bool lim_spans_close_filling(struct lim_spans *spans, int16_t y, int16_t end, struct lim_edge_pair *pair,
                              struct lim_span_extent *seen, lim_span_sink *sink, struct lim_piece_look *look)
 {
-    return close_lines(spans, y, end, pair, seen, sink, look);
+    return close_between(spans, y, end, pair, seen, sink, look);
 }
 #endif
 

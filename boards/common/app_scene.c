@@ -23,7 +23,7 @@
 
 /* Of each renderer. */
 static struct lim lim[RENDERERS];
-static uint32_t mem[RENDERERS][SCENE_MEM_B / 4];
+static void *mem[RENDERERS][POINTERS(SCENE_MEM_B)];
 static const struct lim_camera *camera_of[RENDERERS]; /* of the frame that was announced */
 #if LIM_HAS_DELTA
 static void *delta_mem[POINTERS(MODEL_SCENE_DELTA_MEM_B(TARGET_W_PX, TARGET_H_PX))];
