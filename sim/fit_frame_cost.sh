@@ -34,10 +34,11 @@ count() { # METHOD SCENE SIZE TREE SPLITTER
         name="$1 $2-$3-$4-$5" "$work/out/stages.csv"
     awk -v w_px="${3%x*}" -v h_px="${3#*x}" '
         $1 == "frame" { for (i = 1; i <= NF; i++) column[$i] = i }
+        $1 ~ /^[0-9]+$/ { company += $column["seen"] * $column["lines"] / h_px; frames++ } # a product: frame by frame
         $1 == "mean" {
             print $column["nodes"], $column["records"], $column["boxes"], $column["vertices"], $column["polygons"],
                 $column["clipped"], $column["seen"], $column["lines"], $column["gaps"], h_px,
-                $column["overdraw"] * w_px * h_px, $column["seen"] * $column["lines"] / h_px
+                $column["overdraw"] * w_px * h_px, company / frames
         }' "$work/stats"
 }
 
