@@ -26,14 +26,13 @@ _Static_assert((-3 >> 1) == -2, "right shifts must be arithmetic");
 #endif
 
 #if LIM_DUAL_MULTIPLY
-#include <arm_acle.h>
-
 typedef uint32_t __attribute__((may_alias, aligned(2))) fixed_pair; /* in arrays and structs of int16_t */
 
 /* a[0] b[0] + a[1] b[1] + sum, which may wrap. */
 static inline uint32_t fixed_dot_pairs(const int16_t *a, const int16_t *b, uint32_t sum)
 {
-    return (uint32_t)__smlad((int16x2_t) * (const fixed_pair *)a, (int16x2_t) * (const fixed_pair *)b, (int32_t)sum);
+    return (uint32_t)__builtin_arm_smlad((int32_t) * (const fixed_pair *)a, (int32_t) * (const fixed_pair *)b,
+                                         (int32_t)sum);
 }
 #endif
 
@@ -104,9 +103,9 @@ static inline uint32_t normalise_u12(uint32_t x, uint8_t *zeros)
     uint32_t n = 20;
 
     for (x <<= 20; !(x >> 28); x <<= 4)
-        n += 4;
+        n = (uint_fast8_t)(n + 4);
     if (!(x >> 30)) {
-        n += 2;
+        n = (uint_fast8_t)(n + 2);
         x <<= 2;
     }
     if (!(x >> 31)) {
