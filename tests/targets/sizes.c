@@ -48,8 +48,11 @@ enum {
     MOVER_B = MCU_MOVER_B + INDEX_B + (IS_FINE ? MCU_MOVER_FINE_B : 0) +
               (LIM_HAS_ANTIALIAS ? MCU_MOVER_ANTIALIAS_B : 0) + (LIM_HAS_LIGHT ? MCU_MOVER_LIGHT_B : 0)
 };
-/* CPUs that do not multiply to 64 bits keep finer rows in fewer bytes. */
-_Static_assert(IS_FINE ? MOVER_B >= sizeof(struct lim_mover) : MOVER_B == sizeof(struct lim_mover), "mover");
+/* CPUs that do not multiply to 64 bits keep finer rows in fewer bytes, and those that multiply pairs each row's entries
+ * of 16 bits in two words, not in three. */
+enum { PAIRS_SAVE_B = LIM_DUAL_MULTIPLY ? 3 * 4 : 0 };
+_Static_assert(IS_FINE ? MOVER_B >= sizeof(struct lim_mover) : MOVER_B == sizeof(struct lim_mover) + PAIRS_SAVE_B,
+               "mover");
 _Static_assert(MCU_ROUTE_B + INDEX_B / 2 == sizeof(struct lim_route_pending), "pending node on a mover's way");
 _Static_assert(MCU_MOVED_B == sizeof(struct lim_moved), "object and its motion");
 
