@@ -103,6 +103,19 @@ static void clz_vectors(struct report *report)
     }
 }
 
+/* All arguments of it: how many give what normalise_u32() does not. */
+static void normalise_vectors(struct report *report)
+{
+    uint16_t wrong = 0;
+
+    for (uint16_t x = 1; x < 4096; x++) {
+        uint8_t zeros, all_zeros;
+        const uint32_t short_q31 = normalise_u12(x, &zeros), q31 = normalise_u32(x, &all_zeros);
+        if (short_q31 != q31 || zeros != all_zeros) wrong++;
+    }
+    expect(report, "normalise_u12", 1, 4095, wrong, 0);
+}
+
 static void rounding_vectors(struct report *report)
 {
     static const struct {
@@ -348,6 +361,7 @@ int fixed_vectors_run(void (*put)(const char *line))
     struct report report = {.put = put};
 
     clz_vectors(&report);
+    normalise_vectors(&report);
     rounding_vectors(&report);
     product_vectors(&report);
     recip_vectors(&report);
