@@ -103,9 +103,9 @@ static inline uint32_t normalise_u12(uint32_t x, uint8_t *zeros)
     uint32_t n = 20;
 
     for (x <<= 20; !(x >> 28); x <<= 4)
-        n = (uint_fast8_t)(n + 4);
+        n += 4;
     if (!(x >> 30)) {
-        n = (uint_fast8_t)(n + 2);
+        n += 2;
         x <<= 2;
     }
     if (!(x >> 31)) {
