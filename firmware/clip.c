@@ -79,8 +79,7 @@ static uint_fast8_t clip_plane(const struct lim_view_point *from, uint_fast8_t n
         before_d = here_d;
         here_d = from_d;
     }
-    const ptrdiff_t left = put - to;
-    return (uint_fast8_t)(left < 3 ? 0 : left);
+    return (uint_fast8_t)(put - to < 3 ? 0 : put - to);
 }
 
 /* The planes that any vertex is outside of, a bit each: where a distance is negative, their bits together are. */

@@ -76,7 +76,7 @@ static inline int32_t divisor_floor(const struct divisor *divisor, int32_t a, in
     const int32_t by = divisor->by;
 
 #if !LIM_DIVIDES
-    if (by >= 512 && by <= UINT16_MAX) { /* else the guess might be off by much, or not fit */
+    if (by >= 512 && by <= (int32_t)UINT16_MAX) { /* else the guess might be off by much, or not fit */
         int32_t guess = ((a >> FLOOR_DROPPED_BITS) * divisor->recip_q16) >> (47 - FLOOR_DROPPED_BITS - divisor->shift);
         int32_t left = a - guess * by;
         for (; left < 0; left += by)

@@ -134,7 +134,7 @@ static inline lim_edge_at fraction_of(uint32_t rest, const struct divisor *divis
 #if LIM_EDGE_BITS == 32
     return (lim_edge_at)(((uint64_t)rest << 32) / (uint32_t)divisor->by);
 #else
-    if (!LIM_DIVIDES && LIM_EDGE_MOST_PX * LIM_SUB > UINT16_MAX && divisor->by > UINT16_MAX)
+    if (!LIM_DIVIDES && LIM_EDGE_MOST_PX * LIM_SUB > UINT16_MAX && divisor->by > (int32_t)UINT16_MAX)
         return (lim_edge_at)divided_fraction((uint32_t)divisor->by, rest, LIM_EDGE_BITS);
     return (lim_edge_at)divisor_fraction(divisor, rest, LIM_EDGE_BITS);
 #endif
