@@ -19,10 +19,10 @@ defined() { # MACRO VALUE: in the shared header
     grep -qx "#define $1 $2" "$work/level.h"
 }
 
-# The teapot needs nearest first, the icosahedron the convex method; the larger polygons are the teapot's.
+# The teapot needs scan lines, the icosahedron the convex method; the larger polygons are the teapot's.
 union_of_needs() {
     "$BUILD/limner" compile sim/scenes/teapot.obj --size 96x64 -o "$work/alone" >/dev/null &&
-        defined LIM_HAS_NEAREST 1 && defined LIM_HAS_CONVEX 1 && defined LIM_HAS_PAINTER 0 &&
+        defined LIM_HAS_SCANLINE 1 && defined LIM_HAS_CONVEX 1 && defined LIM_HAS_PAINTER 0 &&
         grep -qx '#define LIM_HAS_CONVEX 0' "$work/alone.h" && grep 'LIM_MAX_VERTICES [0-9]' "$work/alone.h" >"$work/most" &&
         grep -qxF -f "$work/most" "$work/level.h"
 }
