@@ -181,10 +181,10 @@ static void paint_piece(void *ctx, uint16_t x0, uint16_t x1)
 /* Moves a polygon to line y. false: it has ended. */
 static bool advance(struct lim_active *active, const union lim_retained_cell *cells, int16_t y)
 {
-    if (y >= lim_retained_bottom(cells)) return false;
+    if (y >= (int16_t)lim_retained_bottom(cells)) return false;
     if (active->pair.left.end > y) lim_edge_step(&active->pair.left);
     if (active->pair.right.end > y) lim_edge_step(&active->pair.right);
-    if (y >= active->turn) lim_active_turn(active, cells, y);
+    if (y >= (int16_t)active->turn) lim_active_turn(active, cells, y);
     return true;
 }
 

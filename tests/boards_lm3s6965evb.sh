@@ -13,8 +13,9 @@ builds() {
 
 # -- Buttons -------------------------------------------------------------------------------------------------------------
 
-# Which keys are down, step by step, and what the firmware reads then (enum board_button).
-steps='up=1 =0 left+up=5 right=8 =0 down=2 ctrl=16 =0 left=4'
+# Which keys are down, step by step, and what the firmware reads then (enum board_button). The frames of the last step may
+# not be whole when the machine stops.
+steps='up=1 =0 left+up=5 right=8 =0 down=2 ctrl=16 =0 left=4 =0'
 
 send_key() { # KEY true|false
     printf '{"execute":"input-send-event","arguments":{"events":[{"type":"key","data":{"down":%s,"key":{"type":"qcode","data":"%s"}}}]}}\n' \

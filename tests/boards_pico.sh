@@ -40,7 +40,7 @@ is_bound_by_the_bus() {
 waits_with_one_renderer() {
     board emulate N=4 STREAM=no && grep -q 'one renderer; 960 bytes' "$work/said" &&
         awk '/^# cycles frame [1-9]/ { total += $6 } /^# bus frame [1-9]/ { bus += $8 }
-            END { exit !(total > 1.15 * bus) }' "$work/said"
+            END { exit !(total > 1.1 * bus) }' "$work/said"
 }
 
 # The SPI stops in the second frame, and for one more start: the LED tells the port's trouble by three blinks each time,

@@ -35,7 +35,7 @@ on_any_tree() { # a compiled scene keeps its tree, whose polygons newell sorts, 
 # What is retained of a piece are its own lines, not those of the polygon that it was cut from.
 pieces_are_small() {
     "$BUILD/limner" compile sim/scenes/knot.obj --method newell --report >"$work/said" &&
-        awk '/working memory/ { print; exit !($NF > 10000 && $NF < 21500) }' "$work/said"
+        awk '/working memory/ { print; exit !($NF > 10000 && $NF < 22500) }' "$work/said"
 }
 
 refused() { # REASON OPTION...
