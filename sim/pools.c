@@ -270,9 +270,12 @@ static bool has_long_edges(const struct compile_report *report)
 
 static size_t active_b(const struct compiled *scene)
 {
+    const bool is_long = has_long_edges(&scene->report), has_texture = scene->scene.texture_count;
     const size_t samples_b = scene->report.antialias ? (size_t)MCU_ACTIVE_SAMPLES_B : 0;
-    return MCU_ACTIVE_B + (has_long_edges(&scene->report) ? (size_t)MCU_LONG_EDGES_B : samples_b) +
-           (scene->scene.texture_count ? (size_t)MCU_ACTIVE_TEXTURE_B : 0);
+
+    return MCU_ACTIVE_B + (is_long ? (size_t)MCU_LONG_EDGES_B : samples_b) +
+           (has_texture ? (size_t)MCU_ACTIVE_TEXTURE_B : 0) +
+           (has_texture && is_long ? (size_t)MCU_ACTIVE_TEXTURE_PADDING_B : 0);
 }
 
 /* An entry of the cache, a pending node: each has an index. */

@@ -29,12 +29,10 @@ enum {
                (HAS_LONG_EDGES      ? MCU_LONG_EDGES_B
                 : LIM_HAS_ANTIALIAS ? MCU_ACTIVE_SAMPLES_B
                                     : 0) +
-               (LIM_HAS_TEXTURE ? MCU_ACTIVE_TEXTURE_B : 0)
+               (LIM_HAS_TEXTURE ? MCU_ACTIVE_TEXTURE_B : 0) +
+               (HAS_LONG_EDGES && LIM_HAS_TEXTURE ? MCU_ACTIVE_TEXTURE_PADDING_B : 0)
 };
-/* Long edges are aligned, and share their padding with a texture's gradients. */
-_Static_assert(ACTIVE_B >= sizeof(struct lim_active) &&
-                   ACTIVE_B <= sizeof(struct lim_active) + (HAS_LONG_EDGES && LIM_HAS_TEXTURE ? 4 : 0),
-               "active polygon");
+_Static_assert(ACTIVE_B == sizeof(struct lim_active), "active polygon");
 _Static_assert(MCU_LAYER_B == sizeof(struct lim_layer), "transparent piece of a line");
 _Static_assert((int)MCU_HEAD_CELLS == (int)LIM_RETAINED_HEAD_CELLS, "head of a retained polygon");
 _Static_assert((int)MCU_CLIP_PLANES == (int)CLIP_PLANES, "vertices that clipping adds");
@@ -48,9 +46,9 @@ enum {
     MOVER_B = MCU_MOVER_B + INDEX_B + (IS_FINE ? MCU_MOVER_FINE_B : 0) +
               (LIM_HAS_ANTIALIAS ? MCU_MOVER_ANTIALIAS_B : 0) + (LIM_HAS_LIGHT ? MCU_MOVER_LIGHT_B : 0)
 };
-/* CPUs that do not multiply to 64 bits keep finer rows in fewer bytes, and those that multiply pairs each row's entries
- * of 16 bits in two words, not in three. */
-enum { PAIRS_SAVE_B = LIM_DUAL_MULTIPLY ? 3 * 4 : 0 };
+/* CPUs that do not multiply to 64 bits keep finer rows in fewer bytes, and those that multiply pairs three rows and the
+ * eye, whose three entries of 16 bits take two words, not three. */
+enum { PAIRS_SAVE_B = LIM_DUAL_MULTIPLY ? 4 * 4 : 0 };
 _Static_assert(IS_FINE ? MOVER_B >= sizeof(struct lim_mover) : MOVER_B == sizeof(struct lim_mover) + PAIRS_SAVE_B,
                "mover");
 _Static_assert(MCU_ROUTE_B + INDEX_B / 2 == sizeof(struct lim_route_pending), "pending node on a mover's way");
