@@ -55,6 +55,23 @@ uint32_t lim_recip_divided_q24(uint32_t mantissa_q31);
       0 <= n <= 31 && 2147483648 <= x * (1 << n) <= 4294967295 && (x >= 32768 ==> n <= 16) &&
       (x < 2147483648 ==> n >= 1) && (x < 1073741824 ==> n >= 2); */
 
+#if !LIM_HAS_CLZ
+/* The last steps of a search that has come to within 4 bits: n of them are behind it. */
+static inline uint32_t normalise_last_4(uint32_t x, uint32_t n, uint8_t *zeros)
+{
+    if (!(x >> 30)) {
+        n += 2;
+        x <<= 2;
+    }
+    if (!(x >> 31)) {
+        n++;
+        x <<= 1;
+    }
+    *zeros = (uint8_t)n;
+    return x;
+}
+#endif
+
 /* x, which must not be 0, shifted left until its highest bit is set; *zeros says how far. */
 /*@ requires x >= 1 && \valid(zeros);
     assigns *zeros;
@@ -78,16 +95,7 @@ static inline uint32_t normalise_u32(uint32_t x, uint8_t *zeros)
         n += 4;
         x <<= 4;
     }
-    if (!(x >> 30)) {
-        n += 2;
-        x <<= 2;
-    }
-    if (!(x >> 31)) {
-        n++;
-        x <<= 1;
-    }
-    *zeros = (uint8_t)n;
-    return x;
+    return normalise_last_4(x, n, zeros);
 #endif
 }
 
@@ -104,16 +112,7 @@ static inline uint32_t normalise_u12(uint32_t x, uint8_t *zeros)
 
     for (x <<= 20; !(x >> 28); x <<= 4)
         n += 4;
-    if (!(x >> 30)) {
-        n += 2;
-        x <<= 2;
-    }
-    if (!(x >> 31)) {
-        n++;
-        x <<= 1;
-    }
-    *zeros = (uint8_t)n;
-    return x;
+    return normalise_last_4(x, n, zeros);
 #endif
 }
 

@@ -8,7 +8,6 @@ FNR == 1 { file++ }
 /^# / {
     core = substr($0, 3, index($0, ":") - 3)
     if (file == 1) now[core] = $0
-    else if (now[core] != $0) skip(core, $0)
     if (file == 2) then[core] = $0
     next
 }
@@ -19,12 +18,14 @@ FNR == 1 { file++ }
 
 NF != 7 || $6 !~ /^[0-9.]+$/ || $7 !~ /^[0-9.]+$/ { fail(FILENAME ":" FNR ": not a row of seven fields: " $0); next }
 
-file == 2 && place ~ pattern {
-    if ($1 != "all" && !($1 in then) && !skipped[$1]) skip($1, "")
-    if (!skipped[$1]) { mean[key] = $6; worst[key] = $7; order[++count] = key }
-}
+place !~ pattern { next }
 
-file == 3 && !skipped[$1] && place ~ pattern {
+# Of compilers that count nothing here, nothing is asked.
+$1 != "all" && then[$1] != now[$1] { skip($1); next }
+
+file == 2 { mean[key] = $6; worst[key] = $7; order[++count] = key }
+
+file == 3 {
     seen[key] = 1
     compared++
     if (!(key in mean)) print "new        " key ": " $6 ", worst " $7
@@ -42,9 +43,10 @@ END {
     printf "%d rows compared, %d fell, %d grew\n", compared, fell, grew
 }
 
-function skip(core, was) {
+function skip(core) {
+    if (!(core in skipped))
+        print "skipped    " core ": counted with " version(core, then[core]) ", but here is " version(core, now[core])
     skipped[core] = 1
-    print "skipped    " core ": counted with " version(core, was) ", but here is " version(core, now[core])
 }
 
 function version(core, line) {

@@ -7,6 +7,8 @@
 #include "edge.h"
 #include "random.h"
 
+#include <stdio.h>
+
 /* Coordinates of the whole guard band. */
 struct edge_rig_band {
     int32_t low, high;
@@ -100,6 +102,18 @@ static inline size_t edge_rig_check(struct random *random, struct edge_rig_band 
         assert_int_equal(lim_edge_x(&pair.right), edge_rig_first_pixel_of(&pair.right, at, y));
         if (++y >= shape.bottom) return (size_t)(y - start);
     }
+}
+
+/* As many triangles as it takes to meet each way in which edges are begun, across the screen and small. */
+static inline void edge_rig_check_many(uint64_t seed)
+{
+    struct random random = {seed};
+    size_t lines = 0;
+
+    for (int k = 0; k < 20000; k++)
+        lines += edge_rig_check(&random, edge_rig_band(k % 2 ? LIM_MAX_SIDE_PX : 64));
+    printf("# %d fraction bits: %zu lines of edges\n", LIM_EDGE_BITS, lines);
+    assert_true(lines > 500000);
 }
 
 #endif
