@@ -18,6 +18,9 @@
 #include "divisor.h"
 #include "measure.h"
 
+/* Whether some edges begin by a table of reciprocals: small_recips. */
+#define EDGE_HAS_SMALL (!LIM_DIVIDES && !LIM_8_BIT && !LIM_IS_SHORT && LIM_SUB_BITS >= 7 && LIM_SUB_BITS <= 9)
+
 #if LIM_EDGE_IS_SHORT
 #define EDGE_SHIFT(area) shift_s32(area, LIM_SUB_BITS)
 #else
@@ -202,10 +205,51 @@ static LIM_RARE void set_line(struct lim_edge *edge, lim_sub_area m, int32_t dy)
  * of a start below 2 SHORT_WIDTH. */
 enum { SHORT_BITS = 16, SHORT_WIDTH = DIVISOR_WIDTH / 2 };
 
+/* The last term of M above, where a short division does. */
+static inline int32_t part_of(int32_t ax, int32_t ay, int32_t dx, int32_t dy)
+{
+    const int32_t part_x = ax & (LIM_SUB - 1), part_y = ay & (LIM_SUB - 1);
+
+    return (part_x * dy - part_y * dx + (LIM_SUB - 1)) >> LIM_SUB_BITS;
+}
+
+/* From a corner's pixel: `ahead` of it on the current line; bias: by which `ahead` and steps may be too high together.
+ */
+static inline void set_short(struct lim_edge *edge, int32_t ax, int32_t ahead_q16, int32_t step_q16, uint8_t bias_q16)
+{
+    const lim_edge_wrap whole = (lim_edge_wrap)(lim_edge_at)(ax >> LIM_SUB_BITS) << LIM_EDGE_BITS;
+    const lim_edge_wrap before_next = EDGE_BEFORE_NEXT - ((lim_edge_wrap)bias_q16 << (LIM_EDGE_BITS - SHORT_BITS));
+
+    edge->step = (lim_edge_at)((lim_edge_wrap)(lim_edge_at)step_q16 << (LIM_EDGE_BITS - SHORT_BITS));
+    edge->at =
+        (lim_edge_at)(whole + before_next + ((lim_edge_wrap)(lim_edge_at)ahead_q16 << (LIM_EDGE_BITS - SHORT_BITS)));
+}
+
+/* Sets the edge from one corner down to another, for line y and up to line `end`, both from the origin, where a short
+ * division does for all lines of the edge. false: it does not. */
+static inline bool begin_short(struct lim_edge *edge, const struct lim_point *from, const struct lim_point *to,
+                               int32_t y, int32_t end)
+{
+    const int32_t ax = from->x, ay = from->y, dx = (int32_t)to->x - ax, dy = (int32_t)to->y - ay;
+    const int32_t top = ay >> LIM_SUB_BITS, lines = end - top;
+
+    if (LIM_IS_SHORT) return false;
+    if ((uint32_t)(DIVISOR_ERROR * lines + 1) * (uint32_t)dy > 1u << SHORT_BITS) return false;
+    if ((uint32_t)(dx + SHORT_WIDTH) >= 2 * SHORT_WIDTH || (LIM_SUB_BITS > 9 && dy >= SHORT_WIDTH)) return false;
+    const int32_t part = part_of(ax, ay, dx, dy);
+    const struct divisor divisor = LIM_SUB_BITS <= 9 ? divisor_of_short(dy) : divisor_of(dy);
+    const int32_t step_q16 = divisor_q16(&divisor, dx);
+    const int32_t start_q16 = divisor_q16(&divisor, part);
+    set_short(edge, ax, start_q16 + (y - top) * step_q16, step_q16, 0);
+    return true;
+}
+
 /* Sets the edge from a corner to edge->next for the lines from y on: for all of them, or it is begun anew. */
 static LIM_ALONE void begin_long(struct lim_edge *edge, const struct lim_point *at, uint_fast16_t from, int16_t y)
 {
     const struct lim_point a = at[from], b = at[edge->next];
+
+    if (EDGE_HAS_SMALL && begin_short(edge, &a, &b, y - LIM_ORIGIN_PX, edge->end - LIM_ORIGIN_PX)) return;
     const int32_t dx = (int32_t)b.x - a.x, dy = (int32_t)b.y - a.y;
     const lim_sub_area m = meeting(a, dx, dy, (int16_t)(y - LIM_ORIGIN_PX));
     int32_t lines = edge->end - y;
@@ -227,29 +271,62 @@ static LIM_ALONE void begin_long(struct lim_edge *edge, const struct lim_point *
     edge->step = (lim_edge_at)quotient_of(dx, &divisor);
 }
 
-/* The same from one corner down to another, for line y and up to line `end`, both from the origin, where a short
- * division does for all lines of the edge. false: it does not. */
-static inline bool begin_short(struct lim_edge *edge, const struct lim_point *from, const struct lim_point *to,
-                               int32_t y, int32_t end)
+#if EDGE_HAS_SMALL
+
+/* Edges of a few lines, as most of a mesh are, by one product each with a reciprocal from a table of 4 KB. A product is
+ * off by half a unit of the reciprocal, to either side: by SMALL_BIAS units of the last of SHORT_BITS at most on the
+ * edge's last line. That much less than the truth is what begin_small() starts from, and rounding takes a unit more a
+ * line. */
+enum {
+    SMALL_LEAST_DY = 44, /* below: products might not fit */
+    SMALL_DY = 1024,
+    SMALL_DX = 2560,
+    SMALL_SHIFT = 9,
+    SMALL_LINES = (SMALL_DY + 2 * LIM_SUB) / LIM_SUB - 1,
+    SMALL_BIAS = (SMALL_DY + SMALL_LINES * SMALL_DX) / (2 << SMALL_SHIFT) + 1
+};
+
+#define SMALL_RECIP(dy) (((UINT32_C(1) << (SHORT_BITS + SMALL_SHIFT)) + (dy) / 2) / ((dy) ? (dy) : 1))
+
+_Static_assert((2 * SMALL_BIAS + SMALL_LINES + 1) * SMALL_DY <= 1 << SHORT_BITS, "as the head of this file says");
+_Static_assert((uint64_t)(SMALL_DX + SMALL_LEAST_DY) * SMALL_RECIP(SMALL_LEAST_DY) <= INT32_MAX, "products fit");
+
+#define SMALL_RECIPS_4(dy) SMALL_RECIP(dy), SMALL_RECIP((dy) + 1), SMALL_RECIP((dy) + 2), SMALL_RECIP((dy) + 3)
+#define SMALL_RECIPS_16(dy)                                                                                            \
+    SMALL_RECIPS_4(dy), SMALL_RECIPS_4((dy) + 4), SMALL_RECIPS_4((dy) + 8), SMALL_RECIPS_4((dy) + 12)
+#define SMALL_RECIPS_64(dy)                                                                                            \
+    SMALL_RECIPS_16(dy), SMALL_RECIPS_16((dy) + 16), SMALL_RECIPS_16((dy) + 32), SMALL_RECIPS_16((dy) + 48)
+#define SMALL_RECIPS_256(dy)                                                                                           \
+    SMALL_RECIPS_64(dy), SMALL_RECIPS_64((dy) + 64), SMALL_RECIPS_64((dy) + 128), SMALL_RECIPS_64((dy) + 192)
+
+static const uint32_t small_recips[SMALL_DY] = {SMALL_RECIPS_256(0), SMALL_RECIPS_256(256), SMALL_RECIPS_256(512),
+                                                SMALL_RECIPS_256(768)};
+
+/* begin_short() of an edge that is small, whatever its lines. false: it is not. */
+static inline bool begin_small(struct lim_edge *edge, const struct lim_point *from, const struct lim_point *to,
+                               int32_t y)
 {
     const int32_t ax = from->x, ay = from->y, dx = (int32_t)to->x - ax, dy = (int32_t)to->y - ay;
-    const int32_t top = ay >> LIM_SUB_BITS, lines = end - top;
 
-    if (LIM_IS_SHORT) return false;
-    if ((uint32_t)(DIVISOR_ERROR * lines + 1) * (uint32_t)dy > 1u << SHORT_BITS) return false;
-    if ((uint32_t)(dx + SHORT_WIDTH) >= 2 * SHORT_WIDTH || (LIM_SUB_BITS > 9 && dy >= SHORT_WIDTH)) return false;
-    const int32_t part_x = ax & (LIM_SUB - 1), part_y = ay & (LIM_SUB - 1);
-    const int32_t part = (part_x * dy - part_y * dx + (LIM_SUB - 1)) >> LIM_SUB_BITS;
-    const int32_t from_top = y - top;
-    const lim_edge_wrap whole = ((lim_edge_wrap)(lim_edge_at)(ax >> LIM_SUB_BITS) << LIM_EDGE_BITS) + EDGE_BEFORE_NEXT;
-    const struct divisor divisor = LIM_SUB_BITS <= 9 ? divisor_of_short(dy) : divisor_of(dy);
-    const int32_t step_q16 = divisor_q16(&divisor, dx);
-    const int32_t start_q16 = divisor_q16(&divisor, part);
-    const int32_t ahead_q16 = start_q16 + from_top * step_q16;
-    edge->step = (lim_edge_at)((lim_edge_wrap)(lim_edge_at)step_q16 << (LIM_EDGE_BITS - SHORT_BITS));
-    edge->at = (lim_edge_at)(whole + ((lim_edge_wrap)(lim_edge_at)ahead_q16 << (LIM_EDGE_BITS - SHORT_BITS)));
+    if ((uint32_t)(dy - SMALL_LEAST_DY) >= SMALL_DY - SMALL_LEAST_DY) return false;
+    if ((uint32_t)(dx + SMALL_DX) >= 2 * SMALL_DX) return false;
+    const int32_t recip = (int32_t)small_recips[dy];
+    const int32_t step_q16 = (dx * recip) >> SMALL_SHIFT;
+    const int32_t start_q16 = (part_of(ax, ay, dx, dy) * recip) >> SMALL_SHIFT;
+    set_short(edge, ax, start_q16 + (y - (ay >> LIM_SUB_BITS)) * step_q16, step_q16, SMALL_BIAS);
     return true;
 }
+
+#else
+
+static inline bool begin_small(struct lim_edge *edge, const struct lim_point *from, const struct lim_point *to,
+                               int32_t y)
+{
+    (void)edge, (void)from, (void)to, (void)y;
+    return false;
+}
+
+#endif
 
 #endif
 
@@ -267,7 +344,7 @@ void lim_edge_next(struct lim_edge *edge, const struct lim_point *at, uint8_t n,
         end = lim_edge_row(at[to].y);
     } while (end <= row);
     const struct lim_point a = at[from], b = at[to];
-    const bool begun = begin_short(edge, &a, &b, row, end);
+    const bool begun = EDGE_HAS_SMALL ? begin_small(edge, &a, &b, row) : begin_short(edge, &a, &b, row, end);
     edge->end = (int16_t)(end + LIM_ORIGIN_PX);
     edge->next = (uint8_t)to;
     if (!begun) begin_long(edge, at, from, y);

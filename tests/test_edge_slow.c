@@ -9,6 +9,8 @@
 #include "cmocka_ready.h"
 #include "edge_rig.h"
 
+#include <stdlib.h>
+
 enum { BY_MAX = 65535, QUOTIENT_MAX = 2 * LIM_MAX_SIDE_PX + 2 };
 
 static void edges_are_exact(void **state)
@@ -41,6 +43,22 @@ static void quotients_of_16_bits_are_never_too_high_and_hardly_too_low(void **st
             const int32_t a = pick(&random, k, DIVISOR_WIDTH - 1);
             const int64_t short_of = (int64_t)a * 65536 - (int64_t)divisor_q16(&divisor, a) * by;
             assert_true(short_of >= 0 && short_of < (int64_t)DIVISOR_ERROR * by);
+        }
+    }
+}
+
+static void products_with_small_reciprocals_fit_and_are_half_a_unit_off(void **state)
+{
+    struct random random = {108};
+
+    (void)state;
+    for (int32_t by = SMALL_LEAST_DY; by < SMALL_DY; by++) {
+        const int64_t recip = small_recips[by];
+        for (int k = 0; k < 24; k++) {
+            const int64_t a = pick(&random, k, SMALL_DX + by);
+            const int64_t error = a * recip * by - a * ((int64_t)1 << (SHORT_BITS + SMALL_SHIFT));
+            assert_true(a * recip <= INT32_MAX && a * recip >= INT32_MIN);
+            assert_true(2 * llabs(error) <= llabs(a) * by);
         }
     }
 }
@@ -84,6 +102,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(edges_are_exact),
         cmocka_unit_test(quotients_of_16_bits_are_never_too_high_and_hardly_too_low),
+        cmocka_unit_test(products_with_small_reciprocals_fit_and_are_half_a_unit_off),
         cmocka_unit_test(whole_quotients_are_exact),
         cmocka_unit_test(fractions_are_never_too_high_and_hardly_too_low),
     };
