@@ -260,6 +260,13 @@
 #define LIM_ALONE
 #endif
 
+/* Inlined wherever it is called: once for each kind that an argument tells apart. */
+#if defined(__GNUC__)
+#define LIM_INLINE inline __attribute__((always_inline))
+#else
+#define LIM_INLINE inline
+#endif
+
 /* Before a loop of n turns: written out n times, unless small code is asked for. */
 #if defined(__GNUC__) && __GNUC__ >= 8 && !defined(__clang__) && !defined(__OPTIMIZE_SIZE__)
 #define LIM_UNROLLED(n) LIM_PRAGMA(GCC unroll n)

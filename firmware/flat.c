@@ -9,7 +9,8 @@
 #if LIM_HAS_SPANS
 
 /* Merges those that start on the line into the list. false: no room. */
-static bool activate(struct lim_actives *actives, const struct lim_retained *retained, uint16_t polygon, uint16_t y)
+static LIM_INLINE bool activate(struct lim_actives *actives, const struct lim_retained *retained, uint16_t polygon,
+                                uint16_t y)
 {
     struct lim_active **link = &actives->first;
 
@@ -31,15 +32,16 @@ struct extent {
     int32_t x0, x1;
 };
 
-static void paint_polygons(struct lim_actives *actives, const struct lim_retained *retained, uint16_t *line,
-                           struct extent extent, uint16_t below, struct lim_stats *stats)
+/* With `within`, no polygon reaches beyond the extent. */
+static LIM_INLINE void paint_polygons(struct lim_actives *actives, const struct lim_retained *retained, uint16_t *line,
+                                      struct extent extent, bool within, uint16_t below, struct lim_stats *stats)
 {
     struct lim_active **link = &actives->first, *active;
 
     while ((active = *link) != NULL) {
         int32_t x0 = lim_edge_take(&active->pair.left), x1 = lim_edge_take(&active->pair.right);
-        if (x0 < extent.x0) x0 = extent.x0;
-        if (x1 > extent.x1) x1 = extent.x1;
+        if (!within && x0 < extent.x0) x0 = extent.x0;
+        if (!within && x1 > extent.x1) x1 = extent.x1;
         if (x0 < x1) {
             lim_fill_inline(line, (uint32_t)x0, (uint32_t)(x1 - x0), active->colour);
             if (LIM_HAS_STATS) stats->pixels_painted += (uint32_t)(x1 - x0);
@@ -55,8 +57,8 @@ static void paint_polygons(struct lim_actives *actives, const struct lim_retaine
     }
 }
 
-static void paint_background(const struct lim_spans *spans, const struct lim_gap *gap, uint16_t *line, uint16_t colour,
-                             struct lim_stats *stats)
+static LIM_INLINE void paint_background(const struct lim_spans *spans, const struct lim_gap *gap, uint16_t *line,
+                                        uint16_t colour, struct lim_stats *stats)
 {
     for (;;) {
         const uint16_t n_px = (uint16_t)(gap->x1 - gap->x0);
@@ -67,9 +69,10 @@ static void paint_background(const struct lim_spans *spans, const struct lim_gap
     }
 }
 
-static int paint_line(struct lim_paint *paint, struct lim_spans *spans, const struct lim_retained *retained,
-                      const struct lim_rect *band, uint16_t y, struct lim_stats *stats)
+static LIM_INLINE int paint_line(struct lim_paint *paint, struct lim_spans *spans, const struct lim_retained *retained,
+                                 const struct lim_rect *band, bool within, uint16_t y, struct lim_stats *stats)
 {
+    const uint16_t below = (uint16_t)(y + 1);
     struct extent extent = {band->x0, band->x1};
     uint16_t *const line = paint->target->lend(paint->target->ctx, y);
 
@@ -81,20 +84,46 @@ static int paint_line(struct lim_paint *paint, struct lim_spans *spans, const st
 #endif
     if (LIM_HAS_STATS && paint->actives.used > stats->active_max) stats->active_max = paint->actives.used;
     paint_background(spans, &spans->lines[y].gap, line, paint->background, stats);
-    paint_polygons(&paint->actives, retained, line, extent, (uint16_t)(y + 1), stats);
+    paint_polygons(&paint->actives, retained, line, extent, within, below, stats);
     return paint->target->done(paint->target->ctx, y, (uint16_t)extent.x0, (uint16_t)(extent.x1 - extent.x0));
+}
+
+/* Whether the band shows each line from side to side, and no polygon reaches beyond it. What lies within the screen is
+ * rounded to its pixels, but for whole ones (perspective.h). */
+static bool is_within(const struct lim_paint *paint, const struct lim_retained *retained, const struct lim_rect *band)
+{
+    const struct lim_target *target = paint->target;
+
+#if LIM_HAS_ROUND
+    if (target->visible) return false;
+#endif
+    return LIM_SUB_BITS && !retained->overhangs && !band->x0 && band->x1 == target->w_px;
+}
+
+static LIM_INLINE int paint_lines(struct lim_paint *paint, struct lim_spans *spans, const struct lim_retained *retained,
+                                  const struct lim_rect *band, bool within, uint16_t *y, struct lim_stats *stats)
+{
+    for (*y = band->y0; *y < band->y1; ++*y) {
+        if (!activate(&paint->actives, retained, spans->lines[*y].retained, *y)) return LIM_PAINT_ACTIVE;
+        const int err = paint_line(paint, spans, retained, band, within, *y, stats);
+        if (err) return err;
+    }
+    return 0;
+}
+
+/* Most frames: without a comparison with the extent, whose two registers the loop has for itself. */
+static LIM_ALONE int paint_within(struct lim_paint *paint, struct lim_spans *spans, const struct lim_retained *retained,
+                                  const struct lim_rect *band, uint16_t *y, struct lim_stats *stats)
+{
+    return paint_lines(paint, spans, retained, band, true, y, stats);
 }
 
 int lim_flat_band(struct lim_paint *paint, struct lim_spans *spans, const struct lim_retained *retained,
                   const struct lim_rect *band, uint16_t *y, struct lim_stats *stats)
 {
     lim_actives_start(&paint->actives);
-    for (*y = band->y0; *y < band->y1; ++*y) {
-        if (!activate(&paint->actives, retained, spans->lines[*y].retained, *y)) return LIM_PAINT_ACTIVE;
-        const int err = paint_line(paint, spans, retained, band, *y, stats);
-        if (err) return err;
-    }
-    return 0;
+    if (!LIM_IS_SHORT && is_within(paint, retained, band)) return paint_within(paint, spans, retained, band, y, stats);
+    return paint_lines(paint, spans, retained, band, false, y, stats);
 }
 
 #endif

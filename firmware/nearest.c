@@ -221,7 +221,11 @@ static inline enum outcome take_usual(struct lim *lim, const LIM_FLASH lim_index
     if (!at) return UNUSUAL;
     const uint_fast16_t codes = lim_project_corners(at, n, &lim->view, lim->scene, record + LIM_POLYGON_HEAD_WORDS);
     const bool outside = lim_view_all_outside(codes);
-    if (!outside && (codes & LIM_VIEW_GUARD || !lim_edge_measure_plain(&shape, at, n))) return UNUSUAL;
+    if (!outside && codes & (LIM_VIEW_GUARD | LIM_VIEW_LEFT | LIM_VIEW_RIGHT)) {
+        if (codes & LIM_VIEW_GUARD) return UNUSUAL;
+        lim->retained.overhangs = true;
+    }
+    if (!outside && !lim_edge_measure_plain(&shape, at, n)) return UNUSUAL;
     if (LIM_HAS_STATS) lim_stats_of(lim)->polygons++;
     if (outside) return OUTSIDE;
     const struct lim_rect *open = &lim->spans.open;

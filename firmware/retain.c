@@ -50,6 +50,7 @@ bool lim_retain(struct lim_retained *retained, struct lim_line *lines, const str
     union lim_retained_cell *cells = &retained->cells[retained->used];
     lim_retained_link(retained, &lines[polygon->top], polygon->n, polygon->first, polygon->bottom, polygon->colour,
                       needed);
+    retained->overhangs = true; /* not known here */
     for (uint8_t k = 0; k < polygon->n; k++)
         cells[LIM_RETAINED_HEAD_CELLS + k].at = polygon->at[k];
     if (transparent) {

@@ -35,6 +35,7 @@ enum { LIM_RETAINED_HEAD_CELLS = 2 };
 struct lim_retained {
     union lim_retained_cell *cells;
     uint16_t size, used;
+    bool overhangs; /* a polygon may reach beyond the screen's left or right side */
 #if LIM_HAS_TRANSPARENT || LIM_HAS_TEXTURE
     bool mixed;
 #endif
@@ -54,6 +55,7 @@ static inline bool lim_retained_is_mixed(const struct lim_retained *retained)
 static inline void lim_retained_clear(struct lim_retained *retained)
 {
     retained->used = 0;
+    retained->overhangs = false;
 #if LIM_HAS_TRANSPARENT || LIM_HAS_TEXTURE
     retained->mixed = false;
 #endif
