@@ -260,8 +260,8 @@
 #define LIM_ALONE
 #endif
 
-/* Inlined wherever it is called: once for each kind that an argument tells apart. */
-#if defined(__GNUC__)
+/* Inlined wherever it is called, unless small code is asked for. */
+#if defined(__GNUC__) && !LIM_IS_SHORT
 #define LIM_INLINE inline __attribute__((always_inline))
 #else
 #define LIM_INLINE inline

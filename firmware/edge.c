@@ -271,6 +271,8 @@ static LIM_ALONE void begin_long(struct lim_edge *edge, const struct lim_point *
     edge->step = (lim_edge_at)quotient_of(dx, &divisor);
 }
 
+#endif
+
 #if EDGE_HAS_SMALL
 
 /* Edges of a few lines, as most of a mesh are, by one product each with a reciprocal from a table of 4 KB. A product is
@@ -325,8 +327,6 @@ static inline bool begin_small(struct lim_edge *edge, const struct lim_point *fr
     (void)edge, (void)from, (void)to, (void)y;
     return false;
 }
-
-#endif
 
 #endif
 

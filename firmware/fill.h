@@ -21,45 +21,44 @@ void lim_fill(uint16_t *line, uint16_t x_px, uint16_t n_px, uint16_t colour);
 
 typedef uint32_t __attribute__((may_alias)) lim_pixel_pair; /* lines are arrays of uint16_t */
 
-/* Writes `count` times 16 pairs, once at least. Returns the place behind them. */
-lim_pixel_pair *lim_fill_sixteens(lim_pixel_pair *to, uint32_t count, uint32_t pair);
+/* Writes that many pairs, 16 at least. */
+void lim_fill_many(lim_pixel_pair *to, uint_fast16_t pairs, uint32_t pair);
 
-/* lim_fill() of one pixel at least, where calls are many: what is less than 16 pairs by one jump, past the stores that
- * are too many. */
-static inline void lim_fill_inline(uint16_t *line, uint32_t x_px, uint32_t n_px, uint16_t colour)
+/* Writes so many by one jump, past the stores that are too many; more than 16 by a call. */
+static LIM_INLINE void lim_fill_pairs(lim_pixel_pair *to, uint_fast16_t pairs, uint32_t pair)
 {
-    uint16_t *const begin = line + x_px, *const end = begin + n_px;
-    const uint32_t pair = (uint32_t)colour << 16 | colour;
-    lim_pixel_pair *q = (lim_pixel_pair *)(((uintptr_t)begin + 2) & ~(uintptr_t)3);
-    uint32_t more = (uint32_t)(((((uintptr_t)end & ~(uintptr_t)3) - (uintptr_t)q) >> 2) - 1); /* than one pair */
-
-    begin[0] = end[-1] = colour; /* the halves of words at the ends, if there are such */
-    if (n_px < 3) return;
-    if (more > 15) {
-        q = lim_fill_sixteens(q, more >> 4, pair);
-        more &= 15;
-    }
     // clang-format off
-    switch (more) {
-    case 15: q[15] = pair; /* fall through */
-    case 14: q[14] = pair; /* fall through */
-    case 13: q[13] = pair; /* fall through */
-    case 12: q[12] = pair; /* fall through */
-    case 11: q[11] = pair; /* fall through */
-    case 10: q[10] = pair; /* fall through */
-    case 9: q[9] = pair; /* fall through */
-    case 8: q[8] = pair; /* fall through */
-    case 7: q[7] = pair; /* fall through */
-    case 6: q[6] = pair; /* fall through */
-    case 5: q[5] = pair; /* fall through */
-    case 4: q[4] = pair; /* fall through */
-    case 3: q[3] = pair; /* fall through */
-    case 2: q[2] = pair; /* fall through */
-    case 1: q[1] = pair; /* fall through */
-    case 0: q[0] = pair; return;
-    default: __builtin_unreachable();
+    switch (pairs) {
+    case 16: to[15] = pair; /* fall through */
+    case 15: to[14] = pair; /* fall through */
+    case 14: to[13] = pair; /* fall through */
+    case 13: to[12] = pair; /* fall through */
+    case 12: to[11] = pair; /* fall through */
+    case 11: to[10] = pair; /* fall through */
+    case 10: to[9] = pair; /* fall through */
+    case 9: to[8] = pair; /* fall through */
+    case 8: to[7] = pair; /* fall through */
+    case 7: to[6] = pair; /* fall through */
+    case 6: to[5] = pair; /* fall through */
+    case 5: to[4] = pair; /* fall through */
+    case 4: to[3] = pair; /* fall through */
+    case 3: to[2] = pair; /* fall through */
+    case 2: to[1] = pair; /* fall through */
+    case 1: to[0] = pair; /* fall through */
+    case 0: return;
+    default: lim_fill_many(to, pairs, pair);
     }
     // clang-format on
+}
+
+/* lim_fill() of pixels x0 <= x < x1, one at least, where calls are many. */
+static LIM_INLINE void lim_fill_inline(uint16_t *line, int_fast16_t x0_px, int_fast16_t x1_px, uint16_t colour)
+{
+    const int_fast16_t from = (x0_px + 1) >> 1, to = x1_px >> 1, last_px = x1_px - 1;
+
+    line[x0_px] = line[last_px] = colour; /* the halves of words at the ends, if there are such */
+    if (last_px - x0_px < 2) return;
+    lim_fill_pairs((lim_pixel_pair *)line + from, (uint_fast16_t)(to - from), (uint32_t)colour << 16 | colour);
 }
 
 /* lim_fill() of line y, or, if that is NULL, by the target. */

@@ -43,7 +43,7 @@ static LIM_INLINE void paint_polygons(struct lim_actives *actives, const struct 
         if (!within && x0 < extent.x0) x0 = extent.x0;
         if (!within && x1 > extent.x1) x1 = extent.x1;
         if (x0 < x1) {
-            lim_fill_inline(line, (uint32_t)x0, (uint32_t)(x1 - x0), active->colour);
+            lim_fill_inline(line, (int_fast16_t)x0, (int_fast16_t)x1, active->colour);
             if (LIM_HAS_STATS) stats->pixels_painted += (uint32_t)(x1 - x0);
         }
         if (active->turn == below) {
@@ -62,7 +62,7 @@ static LIM_INLINE void paint_background(const struct lim_spans *spans, const str
 {
     for (;;) {
         const uint16_t n_px = (uint16_t)(gap->x1 - gap->x0);
-        if (n_px) lim_fill_inline(line, gap->x0, n_px, colour);
+        if (n_px) lim_fill_inline(line, (int_fast16_t)gap->x0, (int_fast16_t)gap->x1, colour);
         if (LIM_HAS_STATS) stats->pixels_background += n_px;
         if (gap->next == LIM_NONE) return;
         gap = &spans->pool[gap->next];
