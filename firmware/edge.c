@@ -330,6 +330,13 @@ static inline bool begin_small(struct lim_edge *edge, const struct lim_point *fr
 
 #endif
 
+/* As most edges begin. false: this one does not. */
+static inline bool begin_usual(struct lim_edge *edge, const struct lim_point *from, const struct lim_point *to,
+                               int32_t y, int32_t end)
+{
+    return EDGE_HAS_SMALL ? begin_small(edge, from, to, y) : begin_short(edge, from, to, y, end);
+}
+
 /* The next edge of a boundary that goes on below line y, or the next stretch of the same. */
 void lim_edge_next(struct lim_edge *edge, const struct lim_point *at, uint8_t n, int16_t y)
 {
@@ -344,10 +351,41 @@ void lim_edge_next(struct lim_edge *edge, const struct lim_point *at, uint8_t n,
         end = lim_edge_row(at[to].y);
     } while (end <= row);
     const struct lim_point a = at[from], b = at[to];
-    const bool begun = EDGE_HAS_SMALL ? begin_small(edge, &a, &b, row) : begin_short(edge, &a, &b, row, end);
     edge->end = (int16_t)(end + LIM_ORIGIN_PX);
     edge->next = (uint8_t)to;
-    if (!begun) begin_long(edge, at, from, y);
+    if (!begin_usual(edge, &a, &b, row, end)) begin_long(edge, at, from, y);
+}
+
+/* The boundary's edge from its first corner, a, to the one after it, or, if that is above, what follows. */
+static inline void start(struct lim_edge *edge, const struct lim_point *at, uint8_t n, uint8_t first, uint8_t second,
+                         const struct lim_point *a, int16_t y)
+{
+    const int32_t row = y - LIM_ORIGIN_PX;
+    const struct lim_point b = at[second];
+    const int32_t end = lim_edge_row(b.y);
+
+    edge->end = (int16_t)(end + LIM_ORIGIN_PX);
+    edge->next = second;
+    if (LIM_SELDOM(end <= row))
+        lim_edge_next(edge, at, n, y);
+    else if (!begin_usual(edge, a, &b, row, end))
+        begin_long(edge, at, first, y);
+}
+
+int16_t lim_edge_start(struct lim_edge_pair *pair, const struct lim_point *at, uint8_t n, uint8_t first, int16_t y)
+{
+    const struct lim_point a = at[first];
+    const uint8_t last = (uint8_t)(n - 1);
+
+    if (LIM_IS_SHORT) {
+        lim_edge_begin(pair, n, first);
+        return lim_edge_turn(pair, at, n, y);
+    }
+    pair->left.step_vertex = 1;
+    pair->right.step_vertex = last;
+    start(&pair->left, at, n, first, first == last ? 0 : (uint8_t)(first + 1), &a, y);
+    start(&pair->right, at, n, first, first ? (uint8_t)(first - 1) : last, &a, y);
+    return pair->left.end < pair->right.end ? pair->left.end : pair->right.end;
 }
 
 static void advance(struct lim_edge *edge, const struct lim_point *at, uint8_t n, int16_t y)

@@ -83,16 +83,7 @@ static inline int16_t lim_edge_turn(struct lim_edge_pair *pair, const struct lim
 }
 
 /* lim_edge_begin() and lim_edge_turn() in one, for the first line of a polygon that is asked for. */
-static inline int16_t lim_edge_start(struct lim_edge_pair *pair, const struct lim_point *at, uint8_t n, uint8_t first,
-                                     int16_t y)
-{
-    pair->left.next = pair->right.next = first;
-    pair->left.step_vertex = 1;
-    pair->right.step_vertex = (uint8_t)(n - 1);
-    lim_edge_next(&pair->left, at, n, y);
-    lim_edge_next(&pair->right, at, n, y);
-    return pair->left.end < pair->right.end ? pair->left.end : pair->right.end;
-}
+int16_t lim_edge_start(struct lim_edge_pair *pair, const struct lim_point *at, uint8_t n, uint8_t first, int16_t y);
 
 /* From the line above to line y, or from lim_edge_begin() to any line: steps the edges that go on, replaces the others.
  */

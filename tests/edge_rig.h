@@ -95,9 +95,13 @@ static inline size_t edge_rig_check(struct random *random, struct edge_rig_band 
     edge_rig_check_columns(random, at);
     const int16_t start =
         (int16_t)(random_u64(random) % 4 ? random_in(random, shape.top, shape.bottom - 1) : shape.top);
-    lim_edge_begin(&pair, 3, shape.first);
+    const bool starts_there = random_u64(random) & 1;
+    if (starts_there)
+        (void)lim_edge_start(&pair, at, 3, shape.first, start);
+    else
+        lim_edge_begin(&pair, 3, shape.first);
     for (int16_t y = start;;) {
-        lim_edge_advance(&pair, at, 3, y);
+        if (!starts_there || y > start) lim_edge_advance(&pair, at, 3, y);
         assert_int_equal(lim_edge_x(&pair.left), edge_rig_first_pixel_of(&pair.left, at, y));
         assert_int_equal(lim_edge_x(&pair.right), edge_rig_first_pixel_of(&pair.right, at, y));
         if (++y >= shape.bottom) return (size_t)(y - start);
