@@ -213,16 +213,17 @@ static inline int32_t part_of(int32_t ax, int32_t ay, int32_t dx, int32_t dy)
     return (part_x * dy - part_y * dx + (LIM_SUB - 1)) >> LIM_SUB_BITS;
 }
 
-/* From a corner's pixel: `ahead` of it on the current line; bias: by which `ahead` and steps may be too high together.
- */
-static inline void set_short(struct lim_edge *edge, int32_t ax, int32_t ahead_q16, int32_t step_q16, uint8_t bias_q16)
+/* From a corner's pixel, `ahead` of it on the current line. */
+static inline void set_ahead(struct lim_edge *edge, int32_t ax, lim_edge_wrap ahead, lim_edge_wrap step)
 {
-    const lim_edge_wrap whole = (lim_edge_wrap)(lim_edge_at)(ax >> LIM_SUB_BITS) << LIM_EDGE_BITS;
-    const lim_edge_wrap before_next = EDGE_BEFORE_NEXT - ((lim_edge_wrap)bias_q16 << (LIM_EDGE_BITS - SHORT_BITS));
-
-    edge->step = (lim_edge_at)((lim_edge_wrap)(lim_edge_at)step_q16 << (LIM_EDGE_BITS - SHORT_BITS));
+    edge->step = (lim_edge_at)step;
     edge->at =
-        (lim_edge_at)(whole + before_next + ((lim_edge_wrap)(lim_edge_at)ahead_q16 << (LIM_EDGE_BITS - SHORT_BITS)));
+        (lim_edge_at)(((lim_edge_wrap)(lim_edge_at)(ax >> LIM_SUB_BITS) << LIM_EDGE_BITS) + EDGE_BEFORE_NEXT + ahead);
+}
+
+static inline lim_edge_wrap widened(int32_t at_q16)
+{
+    return (lim_edge_wrap)(lim_edge_at)at_q16 << (LIM_EDGE_BITS - SHORT_BITS);
 }
 
 /* Sets the edge from one corner down to another, for line y and up to line `end`, both from the origin, where a short
@@ -240,7 +241,7 @@ static inline bool begin_short(struct lim_edge *edge, const struct lim_point *fr
     const struct divisor divisor = LIM_SUB_BITS <= 9 ? divisor_of_short(dy) : divisor_of(dy);
     const int32_t step_q16 = divisor_q16(&divisor, dx);
     const int32_t start_q16 = divisor_q16(&divisor, part);
-    set_short(edge, ax, start_q16 + (y - top) * step_q16, step_q16, 0);
+    set_ahead(edge, ax, widened(start_q16 + (y - top) * step_q16), widened(step_q16));
     return true;
 }
 
@@ -276,21 +277,22 @@ static LIM_ALONE void begin_long(struct lim_edge *edge, const struct lim_point *
 #if EDGE_HAS_SMALL
 
 /* Edges of a few lines, as most of a mesh are, by one product each with a reciprocal from a table of 4 KB. A product is
- * off by half a unit of the reciprocal, to either side: by SMALL_BIAS units of the last of SHORT_BITS at most on the
- * edge's last line. That much less than the truth is what begin_small() starts from, and rounding takes a unit more a
+ * off by half a unit of the reciprocal, to either side: by SMALL_BIAS units of the edge's last bit at most on its last
+ * line. That much less than the truth is what begin_small() starts from, and rounding takes a unit more a
  * line. */
 enum {
-    SMALL_LEAST_DY = 44, /* below: products might not fit */
+    SMALL_LEAST_DY = 52, /* below: products might not fit */
     SMALL_DY = 1024,
-    SMALL_DX = 2560,
-    SMALL_SHIFT = 9,
+    SMALL_DX = 3072,
+    SMALL_RECIP_BITS = 25,
+    SMALL_SHIFT = SMALL_RECIP_BITS - LIM_EDGE_BITS,
     SMALL_LINES = (SMALL_DY + 2 * LIM_SUB) / LIM_SUB - 1,
     SMALL_BIAS = (SMALL_DY + SMALL_LINES * SMALL_DX) / (2 << SMALL_SHIFT) + 1
 };
 
-#define SMALL_RECIP(dy) (((UINT32_C(1) << (SHORT_BITS + SMALL_SHIFT)) + (dy) / 2) / ((dy) ? (dy) : 1))
+#define SMALL_RECIP(dy) (((UINT32_C(1) << SMALL_RECIP_BITS) + (dy) / 2) / ((dy) ? (dy) : 1))
 
-_Static_assert((2 * SMALL_BIAS + SMALL_LINES + 1) * SMALL_DY <= 1 << SHORT_BITS, "as the head of this file says");
+_Static_assert((2 * SMALL_BIAS + SMALL_LINES + 1) * SMALL_DY <= 1 << LIM_EDGE_BITS, "as the head of this file says");
 _Static_assert((uint64_t)(SMALL_DX + SMALL_LEAST_DY) * SMALL_RECIP(SMALL_LEAST_DY) <= INT32_MAX, "products fit");
 
 #define SMALL_RECIPS_4(dy) SMALL_RECIP(dy), SMALL_RECIP((dy) + 1), SMALL_RECIP((dy) + 2), SMALL_RECIP((dy) + 3)
@@ -313,9 +315,10 @@ static inline bool begin_small(struct lim_edge *edge, const struct lim_point *fr
     if ((uint32_t)(dy - SMALL_LEAST_DY) >= SMALL_DY - SMALL_LEAST_DY) return false;
     if ((uint32_t)(dx + SMALL_DX) >= 2 * SMALL_DX) return false;
     const int32_t recip = (int32_t)small_recips[dy];
-    const int32_t step_q16 = (dx * recip) >> SMALL_SHIFT;
-    const int32_t start_q16 = (part_of(ax, ay, dx, dy) * recip) >> SMALL_SHIFT;
-    set_short(edge, ax, start_q16 + (y - (ay >> LIM_SUB_BITS)) * step_q16, step_q16, SMALL_BIAS);
+    const lim_edge_wrap step = (lim_edge_wrap)((dx * recip) >> SMALL_SHIFT);
+    const lim_edge_wrap start = (lim_edge_wrap)((part_of(ax, ay, dx, dy) * recip) >> SMALL_SHIFT);
+    const lim_edge_wrap from_top = (lim_edge_wrap)(y - (ay >> LIM_SUB_BITS));
+    set_ahead(edge, ax, start - SMALL_BIAS + from_top * step, step);
     return true;
 }
 

@@ -56,7 +56,7 @@ static void products_with_small_reciprocals_fit_and_are_half_a_unit_off(void **s
         const int64_t recip = small_recips[by];
         for (int k = 0; k < 24; k++) {
             const int64_t a = pick(&random, k, SMALL_DX + by);
-            const int64_t error = a * recip * by - a * ((int64_t)1 << (SHORT_BITS + SMALL_SHIFT));
+            const int64_t error = a * recip * by - a * ((int64_t)1 << SMALL_RECIP_BITS);
             assert_true(a * recip <= INT32_MAX && a * recip >= INT32_MIN);
             assert_true(2 * llabs(error) <= llabs(a) * by);
         }
