@@ -82,18 +82,20 @@ static inline uint32_t normalise_u32(uint32_t x, uint8_t *zeros)
     *zeros = (uint8_t)__builtin_clz(x);
     return x * (UINT32_C(1) << *zeros);
 #else
-    uint32_t n = 0; /* halve the search five times */
-    if (!(x >> 16)) {
-        n = 16;
-        x <<= 16;
-    }
-    if (!(x >> 24)) {
-        n += 8;
-        x <<= 8;
-    }
+    uint32_t n = 0; /* halve the search five times, or, as is the rule, twice */
     if (!(x >> 28)) {
-        n += 4;
-        x <<= 4;
+        if (!(x >> 16)) {
+            n = 16;
+            x <<= 16;
+        }
+        if (!(x >> 24)) {
+            n += 8;
+            x <<= 8;
+        }
+        if (!(x >> 28)) {
+            n += 4;
+            x <<= 4;
+        }
     }
     return normalise_last_4(x, n, zeros);
 #endif
