@@ -17,9 +17,7 @@
 
 #include "divisor.h"
 #include "measure.h"
-
-/* Whether some edges begin by a table of reciprocals: small_recips. */
-#define EDGE_HAS_SMALL (!LIM_DIVIDES && !LIM_8_BIT && !LIM_IS_SHORT && LIM_SUB_BITS >= 7 && LIM_SUB_BITS <= 9)
+#include "small.h"
 
 #if LIM_EDGE_IS_SHORT
 #define EDGE_SHIFT(area) shift_s32(area, LIM_SUB_BITS)
@@ -119,7 +117,7 @@ static inline void begin_long(struct lim_edge *edge, const struct lim_point *at,
     edge_set(edge, at[from], at[edge->next], (int16_t)(y - LIM_ORIGIN_PX), (int16_t)(edge->end - y));
 }
 
-static inline bool begin_short(struct lim_edge *edge, const struct lim_point *from, const struct lim_point *to,
+static inline bool begin_usual(struct lim_edge *edge, const struct lim_point *from, const struct lim_point *to,
                                int32_t y, int32_t end)
 {
     (void)edge, (void)from, (void)to, (void)y, (void)end;
@@ -245,12 +243,66 @@ static inline bool begin_short(struct lim_edge *edge, const struct lim_point *fr
     return true;
 }
 
+#if EDGE_HAS_SMALL
+
+/* By reciprocals (small.h): a start as much too low as what all of the edge's lines add may be too high. */
+static inline void set_by(struct lim_edge *edge, struct lim_point a, int32_t dx, int32_t dy, int32_t y, int32_t recip,
+                          uint8_t shift, lim_edge_wrap bias)
+{
+    const lim_edge_wrap step = (lim_edge_wrap)((dx * recip) >> shift);
+    const lim_edge_wrap start = (lim_edge_wrap)((part_of(a.x, a.y, dx, dy) * recip) >> shift);
+    const lim_edge_wrap from_top = (lim_edge_wrap)(y - (a.y >> LIM_SUB_BITS));
+
+    set_ahead(edge, a.x, start - bias + from_top * step, step);
+}
+
+/* begin_short() of an edge that is small, whatever its lines. false: it is not. */
+static inline bool begin_small(struct lim_edge *edge, const struct lim_point *from, const struct lim_point *to,
+                               int32_t y)
+{
+    const int32_t dx = (int32_t)to->x - from->x, dy = (int32_t)to->y - from->y;
+
+    if ((uint32_t)(dy - SMALL_LEAST_DY) >= SMALL_DY - SMALL_LEAST_DY) return false;
+    if ((uint32_t)(dx + SMALL_DX) >= 2 * SMALL_DX) return false;
+    set_by(edge, *from, dx, dy, y, small_recip(dy), SMALL_SHIFT, SMALL_BIAS);
+    return true;
+}
+
+static inline bool begin_medium(struct lim_edge *edge, const struct lim_point *from, const struct lim_point *to,
+                                int32_t y)
+{
+    const int32_t dx = (int32_t)to->x - from->x, dy = (int32_t)to->y - from->y;
+
+    if ((uint32_t)(dy - SMALL_DY) >= MEDIUM_DY - SMALL_DY) return false;
+    if ((uint32_t)(dx + SMALL_DX) >= 2 * SMALL_DX) return false;
+    set_by(edge, *from, dx, dy, y, medium_recip(dy), MEDIUM_SHIFT, MEDIUM_BIAS);
+    return true;
+}
+
+#else
+
+static inline bool begin_small(struct lim_edge *edge, const struct lim_point *from, const struct lim_point *to,
+                               int32_t y)
+{
+    (void)edge, (void)from, (void)to, (void)y;
+    return false;
+}
+
+static inline bool begin_medium(struct lim_edge *edge, const struct lim_point *from, const struct lim_point *to,
+                                int32_t y)
+{
+    (void)edge, (void)from, (void)to, (void)y;
+    return false;
+}
+
+#endif
+
 /* Sets the edge from a corner to edge->next for the lines from y on: for all of them, or it is begun anew. */
 static LIM_ALONE void begin_long(struct lim_edge *edge, const struct lim_point *at, uint_fast16_t from, int16_t y)
 {
     const struct lim_point a = at[from], b = at[edge->next];
 
-    if (EDGE_HAS_SMALL && begin_short(edge, &a, &b, y - LIM_ORIGIN_PX, edge->end - LIM_ORIGIN_PX)) return;
+    if (EDGE_HAS_SMALL && begin_medium(edge, &a, &b, y - LIM_ORIGIN_PX)) return;
     const int32_t dx = (int32_t)b.x - a.x, dy = (int32_t)b.y - a.y;
     const lim_sub_area m = meeting(a, dx, dy, (int16_t)(y - LIM_ORIGIN_PX));
     int32_t lines = edge->end - y;
@@ -272,73 +324,14 @@ static LIM_ALONE void begin_long(struct lim_edge *edge, const struct lim_point *
     edge->step = (lim_edge_at)quotient_of(dx, &divisor);
 }
 
-#endif
-
-#if EDGE_HAS_SMALL
-
-/* Edges of a few lines, as most of a mesh are, by one product each with a reciprocal from a table of 4 KB. A product is
- * off by half a unit of the reciprocal, to either side: by SMALL_BIAS units of the edge's last bit at most on its last
- * line. That much less than the truth is what begin_small() starts from, and rounding takes a unit more a
- * line. */
-enum {
-    SMALL_LEAST_DY = 52, /* below: products might not fit */
-    SMALL_DY = 1024,
-    SMALL_DX = 3072,
-    SMALL_RECIP_BITS = 25,
-    SMALL_SHIFT = SMALL_RECIP_BITS - LIM_EDGE_BITS,
-    SMALL_LINES = (SMALL_DY + 2 * LIM_SUB) / LIM_SUB - 1,
-    SMALL_BIAS = (SMALL_DY + SMALL_LINES * SMALL_DX) / (2 << SMALL_SHIFT) + 1
-};
-
-#define SMALL_RECIP(dy) (((UINT32_C(1) << SMALL_RECIP_BITS) + (dy) / 2) / ((dy) ? (dy) : 1))
-
-_Static_assert((2 * SMALL_BIAS + SMALL_LINES + 1) * SMALL_DY <= 1 << LIM_EDGE_BITS, "as the head of this file says");
-_Static_assert((uint64_t)(SMALL_DX + SMALL_LEAST_DY) * SMALL_RECIP(SMALL_LEAST_DY) <= INT32_MAX, "products fit");
-
-#define SMALL_RECIPS_4(dy) SMALL_RECIP(dy), SMALL_RECIP((dy) + 1), SMALL_RECIP((dy) + 2), SMALL_RECIP((dy) + 3)
-#define SMALL_RECIPS_16(dy)                                                                                            \
-    SMALL_RECIPS_4(dy), SMALL_RECIPS_4((dy) + 4), SMALL_RECIPS_4((dy) + 8), SMALL_RECIPS_4((dy) + 12)
-#define SMALL_RECIPS_64(dy)                                                                                            \
-    SMALL_RECIPS_16(dy), SMALL_RECIPS_16((dy) + 16), SMALL_RECIPS_16((dy) + 32), SMALL_RECIPS_16((dy) + 48)
-#define SMALL_RECIPS_256(dy)                                                                                           \
-    SMALL_RECIPS_64(dy), SMALL_RECIPS_64((dy) + 64), SMALL_RECIPS_64((dy) + 128), SMALL_RECIPS_64((dy) + 192)
-
-static const uint32_t small_recips[SMALL_DY] = {SMALL_RECIPS_256(0), SMALL_RECIPS_256(256), SMALL_RECIPS_256(512),
-                                                SMALL_RECIPS_256(768)};
-
-/* begin_short() of an edge that is small, whatever its lines. false: it is not. */
-static inline bool begin_small(struct lim_edge *edge, const struct lim_point *from, const struct lim_point *to,
-                               int32_t y)
-{
-    const int32_t ax = from->x, ay = from->y, dx = (int32_t)to->x - ax, dy = (int32_t)to->y - ay;
-
-    if ((uint32_t)(dy - SMALL_LEAST_DY) >= SMALL_DY - SMALL_LEAST_DY) return false;
-    if ((uint32_t)(dx + SMALL_DX) >= 2 * SMALL_DX) return false;
-    const int32_t recip = (int32_t)small_recips[dy];
-    const lim_edge_wrap step = (lim_edge_wrap)((dx * recip) >> SMALL_SHIFT);
-    const lim_edge_wrap start = (lim_edge_wrap)((part_of(ax, ay, dx, dy) * recip) >> SMALL_SHIFT);
-    const lim_edge_wrap from_top = (lim_edge_wrap)(y - (ay >> LIM_SUB_BITS));
-    set_ahead(edge, ax, start - SMALL_BIAS + from_top * step, step);
-    return true;
-}
-
-#else
-
-static inline bool begin_small(struct lim_edge *edge, const struct lim_point *from, const struct lim_point *to,
-                               int32_t y)
-{
-    (void)edge, (void)from, (void)to, (void)y;
-    return false;
-}
-
-#endif
-
 /* As most edges begin. false: this one does not. */
 static inline bool begin_usual(struct lim_edge *edge, const struct lim_point *from, const struct lim_point *to,
                                int32_t y, int32_t end)
 {
     return EDGE_HAS_SMALL ? begin_small(edge, from, to, y) : begin_short(edge, from, to, y, end);
 }
+
+#endif
 
 /* The next edge of a boundary that goes on below line y, or the next stretch of the same. */
 void lim_edge_next(struct lim_edge *edge, const struct lim_point *at, uint8_t n, int16_t y)

@@ -47,20 +47,21 @@ static void quotients_of_16_bits_are_never_too_high_and_hardly_too_low(void **st
     }
 }
 
-static void products_with_small_reciprocals_fit_and_are_half_a_unit_off(void **state)
+/* Whether a reciprocal with so many bits errs by no more than `halves` half units, and products with it fit. */
+static bool is_near(int32_t recip, int32_t by, uint8_t bits, int64_t halves)
 {
-    struct random random = {108};
+    const int64_t error = (int64_t)recip * by - ((int64_t)1 << bits), widest = SMALL_DX + by;
 
+    return 2 * llabs(error) <= halves * by && widest * recip <= INT32_MAX;
+}
+
+static void small_reciprocals_err_by_half_a_unit_and_medium_ones_by_one(void **state)
+{
     (void)state;
-    for (int32_t by = SMALL_LEAST_DY; by < SMALL_DY; by++) {
-        const int64_t recip = small_recips[by];
-        for (int k = 0; k < 24; k++) {
-            const int64_t a = pick(&random, k, SMALL_DX + by);
-            const int64_t error = a * recip * by - a * ((int64_t)1 << SMALL_RECIP_BITS);
-            assert_true(a * recip <= INT32_MAX && a * recip >= INT32_MIN);
-            assert_true(2 * llabs(error) <= llabs(a) * by);
-        }
-    }
+    for (int32_t by = SMALL_LEAST_DY; by < SMALL_DY; by++)
+        assert_true(is_near(small_recip(by), by, SMALL_RECIP_BITS - SMALL_DROPPED_BITS, 1));
+    for (int32_t by = SMALL_DY; by < MEDIUM_DY; by++)
+        assert_true(is_near(medium_recip(by), by, SMALL_RECIP_BITS + 1, 2));
 }
 
 static void whole_quotients_are_exact(void **state)
@@ -102,7 +103,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(edges_are_exact),
         cmocka_unit_test(quotients_of_16_bits_are_never_too_high_and_hardly_too_low),
-        cmocka_unit_test(products_with_small_reciprocals_fit_and_are_half_a_unit_off),
+        cmocka_unit_test(small_reciprocals_err_by_half_a_unit_and_medium_ones_by_one),
         cmocka_unit_test(whole_quotients_are_exact),
         cmocka_unit_test(fractions_are_never_too_high_and_hardly_too_low),
     };
