@@ -3,11 +3,11 @@
  * Two pixels a word. Arm processors store several registers with one instruction, which no compiler makes of a loop. */
 #include "fill.h"
 
-/* Writes `count` times 16 pairs, once at least. Returns the place behind them. */
+/* Writes `count` times 16 pairs, once at least. */
 #if defined(__arm__)
 
 /* With as many registers as the instruction reaches, but for r7, which may be the frame's. */
-static inline lim_pixel_pair *fill_sixteens(lim_pixel_pair *to, uint_fast16_t count, uint32_t pair)
+static inline void fill_sixteens(lim_pixel_pair *to, uint_fast16_t count, uint32_t pair)
 {
     register uint32_t a __asm__("r2") = pair;
     register uint32_t b __asm__("r3") = pair;
@@ -33,12 +33,11 @@ static inline lim_pixel_pair *fill_sixteens(lim_pixel_pair *to, uint_fast16_t co
                      : "r"(a), "r"(b), "r"(c), "r"(d), "r"(e), "r"(f), "r"(g), "r"(h)
                      : "memory", "cc");
 #endif
-    return to;
 }
 
 #else
 
-static inline lim_pixel_pair *fill_sixteens(lim_pixel_pair *to, uint_fast16_t count, uint32_t pair)
+static inline void fill_sixteens(lim_pixel_pair *to, uint_fast16_t count, uint32_t pair)
 {
     do {
         LIM_UNROLLED(16)
@@ -46,15 +45,14 @@ static inline lim_pixel_pair *fill_sixteens(lim_pixel_pair *to, uint_fast16_t co
             to[i] = pair;
         to += 16;
     } while (--count);
-    return to;
 }
 
 #endif
 
 void lim_fill_many(lim_pixel_pair *to, uint_fast16_t pairs, uint32_t pair)
 {
-    to = fill_sixteens(to, pairs >> 4, pair);
-    lim_fill_pairs(to, pairs & 15, pair);
+    fill_sixteens(to, pairs >> 4, pair);
+    fill_sixteens(to + pairs - 16, 1, pair); /* what is left, and some of the others again */
 }
 
 void lim_fill(uint16_t *line, uint16_t x_px, uint16_t n_px, uint16_t colour)
