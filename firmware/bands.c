@@ -5,6 +5,8 @@
  * pixel needs one polygon and no gap, so every frame ends. */
 #include "order.h"
 
+#include "framebuffer.h"
+
 #if LIM_HAS_SPANS
 
 /* A smaller band that starts where this one does. What PAINT has left of a band may be a single
@@ -101,28 +103,40 @@ static int paint_first_line(struct lim *lim, struct lim_rect *band)
     return err;
 }
 
-#if LIM_HAS_FRAME
-/* Whether all of the frame is made of pieces in one colour, and the target has room for it. */
+#if LIM_HAS_FILLED
 static bool wants_fill(const struct lim *lim)
 {
-    if (!lim->target.fill || lim->target.method != LIM_NEAREST_FIRST || lim_wants_antialias(lim)) return false;
-    if (lim->scene->limits.layers || lim_texture_count(lim->scene) || lim_wireframe_of(lim)) return false;
-#if LIM_HAS_DELTA
-    if (lim->delta) return false;
-#endif
-    return !lim_moves(lim);
+    return lim_fill_of(&lim->target) && lim->target.method == LIM_NEAREST_FIRST && lim_can_fill(lim);
 }
 
 static void fill_background(struct lim *lim)
 {
     const struct lim_rect *open = &lim->spans.open;
-    struct lim_piece_look look = {.ctx = lim->target.ctx, .colour = lim_background_of(lim)};
+    lim_span_sink *const fill = lim_fill_of(&lim->target);
+    struct lim_piece_look look = {.ctx = lim_fill_ctx_of(&lim->target), .colour = lim_background_of(lim)};
 
     if (!lim->spans.open_lines) return;
     for (look.y_px = open->y0; look.y_px < open->y1; look.y_px++) {
-        struct lim_line *line = &lim->spans.lines[look.y_px];
-        (void)lim_span_close(&lim->spans, line, 0, (int16_t)lim->target.w_px, lim->target.fill, &look);
+        const struct lim_gap *gap = &lim->spans.lines[look.y_px].gap;
+        for (;;) {
+            if (gap->x0 < gap->x1) fill(&look, gap->x0, gap->x1);
+            if (gap->next == LIM_NONE) break;
+            gap = &lim->spans.pool[gap->next];
+        }
     }
+}
+
+/* A framebuffer's lines are done as lines that were lent are. */
+static int show(const struct lim_target *target)
+{
+#if LIM_HAS_FRAMEBUFFER
+    if (target->framebuffer.pixels) return lim_framebuffer_done(target);
+#endif
+#if LIM_HAS_FRAME
+    return target->show(target->ctx);
+#else
+    return LIM_ERR_TARGET;
+#endif
 }
 
 /* Polygons straight into the frame that the target keeps: pass one alone. Positive: it must come by lines. */
@@ -133,7 +147,7 @@ static int fill_frame(struct lim *lim, const struct lim_rect *frame)
     lim->fills = false;
     if (!whole) return LIM_PAINT_ACTIVE;
     fill_background(lim);
-    return lim->target.show(lim->target.ctx);
+    return show(&lim->target);
 }
 #endif
 
@@ -187,7 +201,7 @@ int lim_nearest_frame(struct lim *lim)
     const struct lim_rect frame = whole_frame(lim);
 
     begin_frame(lim);
-#if LIM_HAS_FRAME
+#if LIM_HAS_FILLED
     if (wants_fill(lim)) {
         const int err = fill_frame(lim, &frame);
         if (err <= 0) return err;
@@ -202,7 +216,7 @@ static bool begin_ahead(struct lim *lim)
 {
     const struct lim_rect frame = whole_frame(lim);
 
-#if LIM_HAS_FRAME
+#if LIM_HAS_FILLED
     if (wants_fill(lim)) return false;
 #endif
     begin_frame(lim);

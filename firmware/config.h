@@ -111,9 +111,16 @@
 #define LIM_HAS_ROUND LIM_HAS_SPANS
 #endif
 
-/* 1: a target that keeps the whole picture gets nearest first's pieces as they are found. */
+/* 1: a target that keeps the whole picture in pixels of its own gets nearest first's pieces as they are found,
+ * lim_target.fill. */
 #ifndef LIM_HAS_FRAME
 #define LIM_HAS_FRAME LIM_HAS_NEAREST
+#endif
+
+/* 1: a target may have all its pixels in memory, lim_target.framebuffer: nearest first and the painter paint each
+ * polygon there as it comes. */
+#ifndef LIM_HAS_FRAMEBUFFER
+#define LIM_HAS_FRAMEBUFFER (LIM_HAS_NEAREST || LIM_HAS_PAINTER)
 #endif
 
 /* 1: a target may take one convex solid's runs instead of lines, lim_target.put_run. No compiled scene knows of it: who
@@ -155,7 +162,10 @@
  * the picture. */
 #define LIM_ALL_FLAT                                                                                                   \
     (!LIM_HAS_TRANSPARENT && !LIM_HAS_TEXTURE && !LIM_HAS_WIREFRAME && !LIM_HAS_ANTIALIAS && !LIM_HAS_DELTA)
-#define LIM_HAS_SINKS (!LIM_ALL_FLAT || LIM_HAS_FRAME)
+#define LIM_HAS_SINKS (!LIM_ALL_FLAT || LIM_HAS_FILLED)
+
+/* Whether polygons may be painted as they come, into a picture that the target keeps. */
+#define LIM_HAS_FILLED (LIM_HAS_FRAME || LIM_HAS_FRAMEBUFFER)
 
 /* What nearest first leaves to the painter's order where its pools are too small, line by line. */
 #define LIM_HAS_FALLBACK (LIM_HAS_SPANS && (LIM_HAS_TRANSPARENT || LIM_HAS_WIREFRAME))
@@ -301,6 +311,9 @@
 #endif
 #if LIM_HAS_FRAME && !LIM_HAS_NEAREST
 #error "LIM_HAS_FRAME needs LIM_HAS_NEAREST"
+#endif
+#if LIM_HAS_FRAMEBUFFER && !LIM_HAS_NEAREST && !LIM_HAS_PAINTER
+#error "LIM_HAS_FRAMEBUFFER needs LIM_HAS_NEAREST or LIM_HAS_PAINTER"
 #endif
 #if LIM_HAS_PORTALS && !(LIM_HAS_TREE && LIM_HAS_CULL)
 #error "LIM_HAS_PORTALS needs LIM_HAS_CULL and an order that walks the tree"

@@ -63,7 +63,7 @@ static inline void init_wireframe(struct lim *lim)
 
 static inline void init_frame(struct lim *lim)
 {
-#if LIM_HAS_FRAME
+#if LIM_HAS_FILLED
     lim->fills = false;
 #endif
     (void)lim;

@@ -5,6 +5,7 @@
  * polygon by polygon (lim_frame_work()). bands.c drives it. */
 #include "order.h"
 
+#include "framebuffer.h"
 #include "layers.h"
 #include "piece.h"
 #include "project.h"
@@ -14,29 +15,44 @@
 enum { POLYGONS_PER_SHRINK = 20 }; /* the open view is drawn together this often */
 
 /* SPAN for one polygon that is not folded, on the lines `shown`, which shrink to those of which something was open.
- * sink: for the pieces, with `look`, or NULL. false: a pool is exhausted. */
+ * false: a pool is exhausted. */
 static inline bool close_lines(struct lim_spans *spans, const struct lim_point *at, uint8_t n, uint8_t first,
-                               struct lim_span_extent *shown, lim_span_sink *sink, struct lim_piece_look *look)
+                               struct lim_span_extent *shown)
 {
     const int16_t top = shown->top, bottom = shown->bottom;
     struct lim_edge_pair pair;
 
-    (void)sink, (void)look;
     *shown = (struct lim_span_extent){bottom, top};
     lim_edge_begin(&pair, n, first);
     for (int16_t y = top; y < bottom;) {
         const int16_t turn = lim_edge_turn(&pair, at, n, y);
         const int16_t end = turn < bottom ? turn : bottom;
-#if LIM_HAS_FRAME
-        if (sink) {
-            if (!lim_spans_close_filling(spans, y, end, &pair, shown, sink, look)) return false;
-        } else
-#endif
-            if (!lim_spans_close(spans, y, end, &pair, shown))
-            return false;
+        if (!lim_spans_close(spans, y, end, &pair, shown)) return false;
         y = end;
     }
     return true;
+}
+
+/* The same where polygons are painted as they come. */
+static inline bool fill_lines(struct lim *lim, const struct lim_point *at, uint8_t n, uint8_t first,
+                              struct lim_span_extent shown, uint16_t colour)
+{
+#if LIM_HAS_FILLED
+    struct lim_piece_look look = {.ctx = lim_fill_ctx_of(&lim->target), .colour = colour};
+    struct lim_edge_pair pair;
+
+    lim_edge_begin(&pair, n, first);
+    for (int16_t y = shown.top; y < shown.bottom;) {
+        const int16_t turn = lim_edge_turn(&pair, at, n, y);
+        const int16_t end = turn < shown.bottom ? turn : shown.bottom;
+        if (!lim_spans_close_filling(&lim->spans, y, end, &pair, lim_fill_of(&lim->target), &look)) return false;
+        y = end;
+    }
+    return true;
+#else
+    (void)lim, (void)at, (void)n, (void)first, (void)shown, (void)colour;
+    return false;
+#endif
 }
 
 /* take_plain() for a polygon that is measured by its samples: it is retained up to a row of them. */
@@ -78,13 +94,7 @@ static inline bool retains_all(const struct lim *lim)
 /* In a band: one of a line is drawn nearest first, for which any pool will do. */
 static inline bool can_retain_all(const struct lim *lim, const struct lim_rect *band)
 {
-    if (!LIM_IS_SCANLINE(&lim->target) || band->y1 - band->y0 <= 1) return false;
-#if LIM_HAS_DELTA
-    if (lim->delta) return false;
-#endif
-    if (LIM_HAS_TRANSPARENT && lim->scene->limits.layers) return false;
-    return !(LIM_HAS_TEXTURE && lim_texture_count(lim->scene)) && !lim_wireframe_of(lim) && !lim_wants_antialias(lim) &&
-           !lim_moves(lim);
+    return LIM_IS_SCANLINE(&lim->target) && band->y1 - band->y0 > 1 && lim_can_fill(lim);
 }
 #endif
 
@@ -98,27 +108,13 @@ static bool sees_open(const struct lim *lim, const struct lim_screen_polygon *po
 #endif
 }
 
-/* Whether the target fills each polygon as it comes. */
+/* Whether each polygon is painted as it comes, and nothing is retained. */
 static inline bool fills(const struct lim *lim)
 {
-#if LIM_HAS_FRAME
+#if LIM_HAS_FILLED
     return lim->fills;
 #else
     (void)lim;
-    return false;
-#endif
-}
-
-/* take_plain() for such a target, without retaining anything. */
-static inline bool fill_plain(struct lim *lim, const struct lim_screen_polygon *polygon, int16_t top, int16_t bottom)
-{
-#if LIM_HAS_FRAME
-    struct lim_piece_look look = {.ctx = lim->target.ctx, .colour = polygon->colour};
-    struct lim_span_extent shown = {top, bottom};
-
-    return close_lines(&lim->spans, polygon->at, polygon->n, polygon->shape.first, &shown, lim->target.fill, &look);
-#else
-    (void)lim, (void)polygon, (void)top, (void)bottom;
     return false;
 #endif
 }
@@ -129,7 +125,7 @@ static inline bool can_be_usual(const struct lim *lim, const LIM_FLASH lim_index
     const unsigned unusual =
         (LIM_HAS_TRANSPARENT ? LIM_POLYGON_ALPHA : 0u) | (LIM_HAS_TEXTURE ? LIM_POLYGON_TEXTURE : 0u);
 
-    return !(record[0] & unusual) && !fills(lim) && !lim_wireframe_of(lim) && !lim_is_antialiased(&lim->view);
+    return !(record[0] & unusual) && !lim_wireframe_of(lim) && !lim_is_antialiased(&lim->view);
 }
 
 /* What of a polygon's lines may be open. */
@@ -147,14 +143,14 @@ static bool take_plain(struct lim *lim, const struct lim_screen_polygon *polygon
 
     if (shown.top >= shown.bottom) return true;
     if (LIM_HAS_STATS) lim_stats_of(lim)->lines += (uint32_t)(shown.bottom - shown.top);
-    if (LIM_HAS_FRAME && fills(lim)) return fill_plain(lim, polygon, shown.top, shown.bottom);
+    if (LIM_HAS_FILLED && fills(lim))
+        return fill_lines(lim, polygon->at, polygon->n, polygon->shape.first, shown, polygon->colour);
     if (LIM_HAS_ANTIALIAS && lim_is_antialiased(&lim->view)) return take_samples(lim, polygon, shown.top, shown.bottom);
     const bool wireframe = lim_wireframe_of(lim);
     const uint8_t alpha = wireframe ? (uint8_t)LIM_OPAQUE : lim_alpha_of(polygon);
     if (alpha != LIM_OPAQUE) {
         if (!sees_open(lim, polygon, shown.top, shown.bottom)) return true;
-    } else if (!retains_all(lim) &&
-               !close_lines(&lim->spans, polygon->at, polygon->n, polygon->shape.first, &shown, NULL, NULL)) {
+    } else if (!retains_all(lim) && !close_lines(&lim->spans, polygon->at, polygon->n, polygon->shape.first, &shown)) {
         return false;
     }
     if (shown.top >= shown.bottom) return true;
@@ -216,18 +212,14 @@ static inline enum outcome take_usual(struct lim *lim, const LIM_FLASH lim_index
     const uint8_t n = (uint8_t)(record[0] & LIM_POLYGON_COUNT);
     struct lim_point *at = lim_retained_place(&lim->retained, n);
     struct lim_edge_shape shape;
+    uint_fast16_t codes;
 
     LIM_ASSERT(n <= LIM_MAX_VERTICES);
     if (!at) return UNUSUAL;
-    const uint_fast16_t codes = lim_project_corners(at, n, &lim->view, lim->scene, record + LIM_POLYGON_HEAD_WORDS);
-    const bool outside = lim_view_all_outside(codes);
-    if (!outside && codes & (LIM_VIEW_GUARD | LIM_VIEW_LEFT | LIM_VIEW_RIGHT)) {
-        if (codes & LIM_VIEW_GUARD) return UNUSUAL;
-        lim->retained.overhangs = true;
-    }
-    if (!outside && !lim_edge_measure_plain(&shape, at, n)) return UNUSUAL;
+    if (!lim_project_usual(&shape, at, n, &lim->view, lim->scene, record, &codes)) return UNUSUAL;
     if (LIM_HAS_STATS) lim_stats_of(lim)->polygons++;
-    if (outside) return OUTSIDE;
+    if (lim_view_all_outside(codes)) return OUTSIDE;
+    if (codes & (LIM_VIEW_LEFT | LIM_VIEW_RIGHT)) lim->retained.overhangs = true;
     const struct lim_rect *open = &lim->spans.open;
     struct lim_span_extent shown = open_lines_of(&shape, open);
     if (shown.top >= shown.bottom) return OUTSIDE;
@@ -236,9 +228,13 @@ static inline enum outcome take_usual(struct lim *lim, const LIM_FLASH lim_index
         if (!lim_shape_meets_sides(&shape, open)) return OUTSIDE;
     }
     if (LIM_HAS_STATS) lim_stats_of(lim)->lines += (uint32_t)(shown.bottom - shown.top);
+    if (LIM_HAS_FILLED && fills(lim)) {
+        const uint16_t colour = lim_memory_colour((uint16_t)record[1]);
+        return fill_lines(lim, at, n, shape.first, shown, colour) ? TAKEN : EXHAUSTED_POOL;
+    }
     if (!retains_all(lim)) {
         struct lim_span_extent seen = shown;
-        if (!close_lines(&lim->spans, at, n, shape.first, &seen, NULL, NULL)) return EXHAUSTED_POOL;
+        if (!close_lines(&lim->spans, at, n, shape.first, &seen)) return EXHAUSTED_POOL;
         if (seen.top >= seen.bottom) return TAKEN;
         shown = seen;
     }

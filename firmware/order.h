@@ -44,6 +44,18 @@ static inline bool lim_wants_antialias(const struct lim *lim)
 #endif
 }
 
+/* Whether all of the frame is made of pieces in one opaque colour each, and of no others: a target that keeps the whole
+ * picture can have them as they are found. */
+static inline bool lim_can_fill(const struct lim *lim)
+{
+#if LIM_HAS_DELTA
+    if (lim->delta) return false;
+#endif
+    if (LIM_HAS_TRANSPARENT && lim->scene->limits.layers) return false;
+    return !lim_wants_antialias(lim) && !(LIM_HAS_TEXTURE && lim_texture_count(lim->scene)) && !lim_wireframe_of(lim) &&
+           !lim_moves(lim);
+}
+
 /* Nearest first, without a framebuffer: bands.c, and its memory in pools.c. From the tree, or from a sorted list. So
  * does the scan-line order. */
 size_t lim_nearest_mem_b(const struct lim_scene *scene, const struct lim_target *target, bool least);

@@ -6,6 +6,7 @@
 #include "order.h"
 
 #include "fill.h"
+#include "framebuffer.h"
 #include "piece.h"
 #include "project.h"
 #include "wire.h"
@@ -126,34 +127,80 @@ static int paint_any(struct lim *lim, const struct lim_screen_polygon *polygon, 
     return 0;
 }
 
-/* Where polygons come from, far to near: the walk through the tree, or the sorted list. */
-#if LIM_HAS_TREE
-static const LIM_FLASH lim_index *record_after(const LIM_FLASH lim_index *record)
+#if LIM_HAS_PAINTER && LIM_HAS_FRAMEBUFFER
+/* paint_plain() where the target has a framebuffer. */
+static inline void paint_into(struct lim *lim, const struct lim_point *at, uint8_t n,
+                              const struct lim_edge_shape *shape, uint16_t colour)
 {
-    return record + lim_record_words(record[0]);
+    const int16_t h_px = (int16_t)lim->target.h_px;
+    const struct lim_span_extent shown = {shape->top > 0 ? shape->top : 0, shape->bottom < h_px ? shape->bottom : h_px};
+
+    if (shown.top >= shown.bottom) return;
+    if (LIM_HAS_STATS) lim_stats_of(lim)->lines += (uint32_t)(shown.bottom - shown.top);
+    lim_framebuffer_paint(&lim->target, at, n, shape->first, shown, colour);
 }
 
-/* Last record first: where rounding makes neighbours in a plane overlap, the first is on top in both
- * orders. Records can only be read forward, so each is found anew. */
-static int paint_run(struct lim *lim, lim_index run, const struct lim_rect *screen)
+/* A record that faces the eye, and is neither clipped nor folded. false: nothing was done. */
+static inline bool paint_usual(struct lim *lim, const LIM_FLASH lim_index *record)
 {
-    const LIM_FLASH lim_index *const first = &lim->scene->polygons[run];
-    const LIM_FLASH lim_index *record = first, *end;
+    const uint8_t n = (uint8_t)(record[0] & LIM_POLYGON_COUNT);
+    struct lim_point at[LIM_MAX_VERTICES];
+    struct lim_edge_shape shape;
+
+    uint_fast16_t codes;
+
+    LIM_ASSERT(n <= LIM_MAX_VERTICES);
+    if (!lim_project_usual(&shape, at, n, &lim->view, lim->scene, record, &codes)) return false;
+    if (LIM_HAS_STATS) lim_stats_of(lim)->polygons++;
+    if (!lim_view_all_outside(codes)) paint_into(lim, at, n, &shape, lim_memory_colour((uint16_t)record[1]));
+    return true;
+}
+#endif
+
+/* Where polygons come from, far to near: the walk through the tree, or the sorted list. */
+#if LIM_HAS_TREE
+
+/* A record that faces the eye. */
+static LIM_ALONE int paint_record(struct lim *lim, const LIM_FLASH lim_index *record, const struct lim_rect *screen)
+{
     struct lim_screen_polygon polygon;
 
-    while (!(record[0] & LIM_POLYGON_LAST))
-        record = record_after(record);
-    for (;;) {
-        if (lim_record_is_seen(&lim->walk.eye, record) &&
-            lim_project(&polygon, &lim->view, lim->scene, record, screen, lim_stats_of(lim))) {
-            const int err = paint_any(lim, &polygon, screen);
+#if LIM_HAS_PAINTER && LIM_HAS_FRAMEBUFFER
+    if (lim->fills && paint_usual(lim, record)) return 0;
+#endif
+    if (!lim_project(&polygon, &lim->view, lim->scene, record, screen, lim_stats_of(lim))) return 0;
+    return paint_any(lim, &polygon, screen);
+}
+
+enum { NOTED_RECORDS = 24 };
+
+/* Last record first: where rounding makes neighbours in a plane overlap, the first is on top in both
+ * orders. Records can only be read forward: those that face the eye are noted, and of a run that has more of them than
+ * there is room for, each round paints the last ones that are left. */
+static int paint_run(struct lim *lim, lim_index run, const struct lim_rect *screen)
+{
+    const LIM_FLASH lim_index *const first = &lim->scene->polygons[run], *painted = NULL;
+    const LIM_FLASH lim_index *noted[NOTED_RECORDS];
+
+    do {
+        const LIM_FLASH lim_index *record = first, *from = first, **to = noted;
+        for (;;) {
+            const lim_index head = record[0];
+            if (lim_record_is_seen(&lim->walk.eye, record)) {
+                if (to == noted + NOTED_RECORDS) to = noted, from = record;
+                *to++ = record;
+            }
+            if (head & LIM_POLYGON_LAST) break;
+            record += lim_record_words(head);
+            if (record == painted) break;
+        }
+        while (to != noted) {
+            const int err = paint_record(lim, *--to, screen);
             if (err) return err;
         }
-        if (record == first) return 0;
-        end = record;
-        for (record = first; record_after(record) != end;)
-            record = record_after(record);
-    }
+        painted = from;
+    } while (painted != first);
+    return 0;
 }
 
 static int paint_tree(struct lim *lim, const struct lim_rect *screen)
@@ -299,7 +346,14 @@ int lim_painter_frame(struct lim *lim)
 {
     const struct lim_rect screen = {0, 0, lim->target.w_px, lim->target.h_px};
 
+#if LIM_HAS_PAINTER && LIM_HAS_FRAMEBUFFER
+    lim->fills = lim_has_framebuffer(&lim->target) && lim_can_fill(lim);
+    const int err = paint_lines(lim, &screen);
+    lim->fills = false;
+    return err;
+#else
     return paint_lines(lim, &screen);
+#endif
 }
 
 int lim_painter_line(struct lim *lim, uint16_t y)

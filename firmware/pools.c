@@ -5,6 +5,7 @@
 #include "order.h"
 
 #include "clip.h"
+#include "framebuffer.h"
 
 #if LIM_HAS_SPANS
 
@@ -69,6 +70,13 @@ static uint16_t comfortable_gaps(const struct lim_scene *scene, const struct lim
     return LIM_HAS_TEXTURE && lim_texture_count(scene) ? scene->limits.gaps : 1;
 }
 
+/* Whether all frames are painted polygon by polygon, as far as there are gaps: then nothing waits for its line. */
+static bool retains_nothing(const struct lim_target *target)
+{
+    return LIM_HAS_FILLED && LIM_ALL_FLAT && !LIM_HAS_MOVERS && target->method == LIM_NEAREST_FIRST &&
+           lim_fill_of(target);
+}
+
 static struct shares comfortable_shares(const struct lim_scene *scene, const struct lim_target *target)
 {
     const struct shares least = least_shares(scene);
@@ -79,6 +87,10 @@ static struct shares comfortable_shares(const struct lim_scene *scene, const str
                             .gaps = greater(comfortable_gaps(scene, target), least.gaps),
                             .pieces = comfortable_pieces(scene, target)};
     if (LIM_HAS_TRANSPARENT) set_layers(&wanted, limits->layers);
+    if (retains_nothing(target)) {
+        wanted.active = least.active;
+        wanted.retained_cells = least.retained_cells;
+    }
     return wanted;
 }
 

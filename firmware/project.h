@@ -128,4 +128,14 @@ static inline uint_fast16_t lim_project_corners(struct lim_point *at, uint8_t n,
     return codes;
 }
 
+/* A polygon as most are, of n corners, and the codes of these. false: it is clipped or folded, and only lim_project()
+ * can tell. true: it lies outside of one side of the screen, or `shape` is set. */
+static inline bool lim_project_usual(struct lim_edge_shape *shape, struct lim_point *at, uint8_t n,
+                                     struct lim_view *view, const struct lim_scene *scene,
+                                     const LIM_FLASH lim_index *record, uint_fast16_t *codes)
+{
+    *codes = lim_project_corners(at, n, view, scene, record + LIM_POLYGON_HEAD_WORDS);
+    return lim_view_all_outside(*codes) || (!(*codes & LIM_VIEW_GUARD) && lim_edge_measure_plain(shape, at, n));
+}
+
 #endif

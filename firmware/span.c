@@ -3,6 +3,7 @@
  * A piece that covers a gap's left end, right end, middle or all of it: the gap loses its left
  * end, its right end, splits in two (the only case that takes memory), or is unlinked. An emptied
  * gap must be unlinked at once: a later polygon would find its neighbour through it. */
+#include "framebuffer.h"
 #include "gaps.h"
 
 #if LIM_HAS_SPANS
@@ -73,7 +74,8 @@ static inline bool close_in_gap(struct lim_spans *spans, struct lim_gap *gap, in
     return true;
 }
 
-/* Most lines have one gap, or none, which lies at 0. */
+/* Most lines have one gap, or none, which lies at 0. `seen` is for what is retained, `sink` for what is painted at
+ * once: one of them is NULL. */
 static inline bool close_between(struct lim_spans *spans, int16_t y, int16_t end, struct lim_edge_pair *pair,
                                  struct lim_span_extent *seen, lim_span_sink *sink, struct lim_piece_look *look)
 {
@@ -87,23 +89,28 @@ static inline bool close_between(struct lim_spans *spans, int16_t y, int16_t end
         int32_t x0 = lim_edge_x(&left), x1 = lim_edge_x(&right);
         lim_edge_step(&left);
         lim_edge_step(&right);
-        if (sink) look->y_px = (uint16_t)y++;
         if (line->gap.next != LIM_NONE) {
             if (x0 >= x1) continue;
+            if (sink) look->y_px = (uint16_t)(line - spans->lines);
             const enum lim_span_result result = lim_span_close(spans, line, (int16_t)x0, (int16_t)x1, sink, look);
             if (result == LIM_SPAN_NOTHING) continue;
             if (result == LIM_SPAN_EXHAUSTED) exhausted = true;
-            if (!first) first = line;
-            last = line;
+        } else {
+            if (x0 < line->gap.x0) x0 = line->gap.x0;
+            if (x1 > line->gap.x1) x1 = line->gap.x1;
+            if (x0 >= x1) continue;
+            if (!close_in_gap(spans, &line->gap, x0, x1)) exhausted = true;
+            if (sink && !exhausted) {
+                look->y_px = (uint16_t)(line - spans->lines);
+                sink(look, (uint16_t)x0, (uint16_t)x1);
+            }
+        }
+        if (sink) {
+            if (exhausted) return false;
             continue;
         }
-        if (x0 < line->gap.x0) x0 = line->gap.x0;
-        if (x1 > line->gap.x1) x1 = line->gap.x1;
-        if (x0 >= x1) continue;
-        if (!close_in_gap(spans, &line->gap, x0, x1)) exhausted = true;
         if (!first) first = line;
         last = line;
-        if (sink && !exhausted) sink(look, (uint16_t)x0, (uint16_t)x1);
     } while (++line < after);
     lim_edge_follow(&pair->left, &left);
     lim_edge_follow(&pair->right, &right);
@@ -118,11 +125,15 @@ bool lim_spans_close(struct lim_spans *spans, int16_t y, int16_t end, struct lim
     return close_between(spans, y, end, pair, seen, NULL, NULL);
 }
 
-#if LIM_HAS_FRAME
+#if LIM_HAS_FILLED
 bool lim_spans_close_filling(struct lim_spans *spans, int16_t y, int16_t end, struct lim_edge_pair *pair,
-                             struct lim_span_extent *seen, lim_span_sink *sink, struct lim_piece_look *look)
+                             lim_span_sink *sink, struct lim_piece_look *look)
 {
-    return close_between(spans, y, end, pair, seen, sink, look);
+#if LIM_HAS_FRAMEBUFFER
+    if (!LIM_IS_SHORT && (!LIM_HAS_FRAME || sink == lim_framebuffer_fill))
+        return close_between(spans, y, end, pair, NULL, lim_framebuffer_fill_inline, look);
+#endif
+    return close_between(spans, y, end, pair, NULL, sink, look);
 }
 #endif
 

@@ -86,13 +86,13 @@ struct lim_span_extent {
 
 /* Closes what lies between two boundaries on the lines y <= line < end, to the end of which both go on, and moves them
  * there. Widens `seen` downwards around the lines of which something was open. false: a pool is exhausted; some may be
- * closed. The second form gives the pieces that were open to `sink`, with `look` for a context, whose line it sets. */
+ * closed. The second form gives the pieces that were open to `sink` instead, with `look` for a context, whose line it
+ * sets. */
 LIM_MUST_CHECK bool lim_spans_close(struct lim_spans *spans, int16_t y, int16_t end, struct lim_edge_pair *pair,
                                     struct lim_span_extent *seen);
-#if LIM_HAS_FRAME
+#if LIM_HAS_FILLED
 LIM_MUST_CHECK bool lim_spans_close_filling(struct lim_spans *spans, int16_t y, int16_t end, struct lim_edge_pair *pair,
-                                            struct lim_span_extent *seen, lim_span_sink *sink,
-                                            struct lim_piece_look *look);
+                                            lim_span_sink *sink, struct lim_piece_look *look);
 #endif
 
 /* Draws `open` together around what is open. true: it became smaller than it was at the last call. */

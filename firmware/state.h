@@ -116,8 +116,8 @@ struct lim {
 #if LIM_HAS_SCANLINE
     bool retains_all; /* in this band */
 #endif
-#if LIM_HAS_FRAME
-    bool fills; /* the target, as polygons come */
+#if LIM_HAS_FILLED
+    bool fills; /* polygons are painted as they come */
 #endif
 #if LIM_HAS_WIREFRAME
     struct lim_wireframe wireframe;

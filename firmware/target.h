@@ -44,6 +44,12 @@ struct lim_piece_look {
     uint16_t y_px;
 };
 
+/* All of a target's pixels in memory, each as lend() has it. */
+struct lim_framebuffer {
+    void *pixels;       /* of line 0, 4-byte aligned; NULL: there is none */
+    uint16_t stride_px; /* from a line to the next: even, w_px at least */
+};
+
 /* Where pixels go. Lines are lent from the top down; each is passed to done() before the next is
  * lent, in one or (when a pool was exhausted) several pieces from left to right. The painter
  * alone lends lines in any order, several times, and calls done() once for each at the end. */
@@ -76,6 +82,12 @@ struct lim_target {
      * as ever, perhaps after some pieces. Pixels are not counted in struct lim_stats. */
     void (*fill)(void *look, uint16_t x0_px, uint16_t x1_px);
     int (*show)(void *ctx);
+#endif
+#if LIM_HAS_FRAMEBUFFER
+    /* LIM_NEAREST_FIRST and LIM_PAINTER paint polygons here as they come, and call done() for each line when all are
+     * there, from the top down. lend() must lend these lines: for frames that are not made of such polygons, as above,
+     * and the painter's few that must be clipped. `visible` is for LIM_NEAREST_FIRST. */
+    struct lim_framebuffer framebuffer;
 #endif
 #if LIM_HAS_DELTA
     /* The pieces that done() gets next fill this rectangle row by row, or as many rows of it as come; NULL: they are

@@ -66,6 +66,10 @@ check_variants() { # TARGET: other profiles, other screen coordinates, fewer fea
     check_variant "$1" -DLIM_HAS_PAINTER=0 -DLIM_HAS_NEAREST=0 -DLIM_HAS_DEPTH=0 -DLIM_HAS_NEWELL=0 -DLIM_HAS_CONVEX=0 \
         -DLIM_HAS_TEXTURE=0 -DLIM_HAS_TRANSPARENT=0 -DLIM_HAS_WIREFRAME=0 -DLIM_HAS_ANTIALIAS=0 -DLIM_HAS_DELTA=0 \
         -DLIM_HAS_ROUND=0 || failed=1
+    check_variant "$1" -DLIM_HAS_NEAREST=0 -DLIM_HAS_SCANLINE=0 -DLIM_HAS_DEPTH=0 -DLIM_HAS_NEWELL=0 -DLIM_HAS_CONVEX=0 \
+        -DLIM_HAS_TRANSPARENT=0 -DLIM_HAS_WIREFRAME=0 || failed=1
+    check_variant "$1" -DLIM_HAS_FRAMEBUFFER=0 -DLIM_HAS_FRAME=0 || failed=1
+    check_variant "$1" -DLIM_HAS_FRAME=0 -DLIM_HAS_PAINTER=0 -DLIM_HAS_SCANLINE=0 || failed=1
     return $failed
 }
 
