@@ -16,7 +16,7 @@ STANDARD := -std=c11 -ffreestanding
 FRAMES   := -fcallgraph-info=su
 LINES    := 1
 STREAM   := no
-TITLE     = $(BOARD)
+TITLE     = $(BOARD)$(if $(filter --framebuffer,$(COMPILE)),$(comma) framebuffer)
 comma    := ,
 START    := boards/common/image.c
 LINK      = -nostdlib -Lboards/common -T $(board_folder)/memory.ld -Wl,--defsym=image_stack_b=0
@@ -147,7 +147,7 @@ $(IMAGE).uf2: $(IMAGE).bin $(BUILD)/limner
 
 # What the simulator makes of the same scene on the same panel: the emulated board's frames are checked against it.
 $(folder)/golden: $(folder)/model.lim $(CAMERA) $(BUILD)/limner
-	@$(BUILD)/limner render $(model) $(addprefix --camera ,$(CAMERA)) $(options) --panel $(PANEL) $(filter-out --frame,$(COMPILE)) --write-hashes $@
+	@$(BUILD)/limner render $(model) $(addprefix --camera ,$(CAMERA)) $(options) --panel $(PANEL) $(filter-out --frame --framebuffer,$(COMPILE)) --write-hashes $@
 
 # For EMULATE: N frames of the path, and what makes pictures of the bytes that an emulator tells.
 N      := 8

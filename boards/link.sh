@@ -81,12 +81,12 @@ functions() { # PATTERN...: of the objects
 # Pairs FILE=FUNCTION where calls through pointers lead: a panel's to its family, a family's to its chip or to the
 # board's drivers, the renderer's to the screen.
 calls() {
-    echo "$footprint_calls" | tr ' ' '\n'
-    for stage in paint.c flat.c painter.c convex.c smooth.c delta.c; do
+    echo "$footprint_calls" | tr -s ' \n' '\n'
+    for stage in paint.c flat.c painter.c framebuffer.c convex.c smooth.c delta.c; do
         printf "$stage=%s\n" screen_lend screen_done delta_lend delta_done
     done
-    printf '%s\n' span.h=screen_visible delta.c=screen_window span.c=screen_fill bands.c=screen_show fill.h=screen_put_run \
-        screen.c=scene_work
+    printf '%s\n' span.h=screen_visible delta.c=screen_window span.c=screen_fill bands.c=screen_fill bands.c=screen_show \
+        fill.h=screen_put_run screen.c=scene_work
     for family in $families; do functions "*/hal/$family.o"; done | sed 's/^/panel.h=/'
     for chip in $(sed -n 's/^extern const struct pages_chip \([a-z0-9]*\);.*/\1/p' hal/panels.h); do
         functions "*/hal/$chip.o"

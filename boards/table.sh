@@ -15,6 +15,7 @@ BOARD=pico
 BOARD=pico SCENE=teapot
 BOARD=stm32f405
 BOARD=stm32f405 SCENE=teapot
+BOARD=stm32f405 PANEL=ssd1351 MODULE=--size=128x128 COMPILE=--framebuffer
 BOARD=bluepill
 BOARD=bluepill PART=f100 PANEL=st7789
 BOARD=bluepill PART=f100

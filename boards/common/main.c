@@ -12,7 +12,8 @@
 #include "screen.h"
 #include "walker.h"
 
-/* Lines of the picture in RAM: all for the painter, else one, or more where some are painted while others are sent. */
+/* Lines of the picture in RAM: all for the painter and for a framebuffer, else one, or more where some are painted
+ * while others are sent. */
 #ifndef BOARD_LINES
 #define BOARD_LINES 1
 #endif
@@ -93,7 +94,11 @@ static int set_frame(void)
 
 static int set_screen(struct panel *panel)
 {
+#if LIM_HAS_FRAMEBUFFER
+    const int err = screen_init_framebuffer(&screen, panel, SCENE_METHOD, lines, sizeof lines);
+#else
     const int err = screen_init(&screen, panel, SCENE_METHOD, lines, sizeof lines);
+#endif
 
 #if LIM_HAS_STREAM
     if (!err) screen_set_bus(&screen, &board.bus, scene_work, NULL);

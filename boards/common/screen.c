@@ -29,10 +29,10 @@ static int screen_flush(struct screen *screen)
     return panel_flush(screen->panel);
 }
 
-/* The painter finds every line at its own place; nearest first takes turns. */
+/* Of a picture every line is found at its own place; else they take turns. */
 static uint8_t *screen_line(const struct screen *screen, uint16_t y_px)
 {
-    uint16_t index = screen->target.method == LIM_PAINTER ? y_px : screen->lent_line;
+    uint16_t index = screen->is_whole ? y_px : screen->lent_line;
     return screen->mem + (size_t)index * screen->line_b;
 }
 
@@ -336,16 +336,16 @@ static uint16_t screen_gathered_b(const struct panel *panel)
     return (uint16_t)((pixels_b(panel->format, (size_t)panel->w_px * panel->step_y_px) + 3u) / 4u * 4u);
 }
 
-static uint16_t screen_most_lines(const struct panel *panel, enum lim_method method)
+static uint16_t screen_most_lines(const struct panel *panel, bool is_whole)
 {
-    if (method == LIM_PAINTER) return panel->h_px;
+    if (is_whole) return panel->h_px;
     return SCREEN_USED_LINES(panel->format, panel->w_px, panel->visible, UINT16_MAX - 1);
 }
 
 static inline void screen_init_stream(struct screen *screen)
 {
 #if LIM_HAS_STREAM
-    const bool takes_turns = screen->target.method != LIM_PAINTER && screen->n_lines > 1;
+    const bool takes_turns = !screen->is_whole && screen->n_lines > 1;
     screen->block_lines = takes_turns ? screen->n_lines / 2 : 1;
     if (takes_turns) screen->n_lines = (uint16_t)(2 * screen->block_lines);
     screen->spare_b = (screen->gathered ? screen->gathered_b : (size_t)screen->block_lines * screen->line_b) / 8;
@@ -354,18 +354,20 @@ static inline void screen_init_stream(struct screen *screen)
 #endif
 }
 
-int screen_init(struct screen *screen, struct panel *panel, enum lim_method method, void *mem, size_t mem_b)
+static int screen_init_lines(struct screen *screen, struct panel *panel, enum lim_method method, bool is_whole,
+                             void *mem, size_t mem_b)
 {
     const uint16_t head_b = (uint16_t)((pixels_head_b(panel->format, panel->w_px) + 3u) / 4u * 4u);
     uint16_t line_b = (uint16_t)(head_b + SCREEN_LINE_B(panel->w_px));
-    const uint16_t most_lines = screen_most_lines(panel, method);
+    const uint16_t most_lines = screen_most_lines(panel, is_whole);
     const uint16_t gathered_b = screen_gathered_b(panel);
     const bool takes_runs = LIM_HAS_RUNS && method == LIM_CONVEX && gathered_b && mem_b >= gathered_b;
     const size_t pages_b = mem_b < 2u * gathered_b + line_b ? gathered_b : 2u * gathered_b;
     const size_t n_lines = mem_b < pages_b ? 0 : (mem_b - pages_b) / line_b;
-    if ((n_lines == 0 && !takes_runs) || (method == LIM_PAINTER && n_lines < panel->h_px)) return LIM_ERR_MEMORY;
+    if ((n_lines == 0 && !takes_runs) || (is_whole && n_lines < panel->h_px)) return LIM_ERR_MEMORY;
 
     *screen = (struct screen){.panel = panel, .mem = mem, .line_b = line_b, .head_b = head_b, .gathered_b = gathered_b};
+    screen->is_whole = is_whole;
     screen->n_lines = n_lines < most_lines ? (uint16_t)n_lines : most_lines;
     if (gathered_b) screen->gathered = screen->mem + (size_t)screen->n_lines * line_b;
     screen->n_gathered = pages_b > gathered_b ? 2 : 1;
@@ -386,6 +388,21 @@ int screen_init(struct screen *screen, struct panel *panel, enum lim_method meth
     screen_init_stream(screen);
     return 0;
 }
+
+int screen_init(struct screen *screen, struct panel *panel, enum lim_method method, void *mem, size_t mem_b)
+{
+    return screen_init_lines(screen, panel, method, method == LIM_PAINTER, mem, mem_b);
+}
+
+#if LIM_HAS_FRAMEBUFFER
+int screen_init_framebuffer(struct screen *screen, struct panel *panel, enum lim_method method, void *mem, size_t mem_b)
+{
+    const int err = screen_init_lines(screen, panel, method, true, mem, mem_b);
+
+    if (!err) screen->target.framebuffer = (struct lim_framebuffer){screen->mem + screen->head_b, screen->line_b / 2};
+    return err;
+}
+#endif
 
 int screen_begin_frame(struct screen *screen)
 {

@@ -55,6 +55,7 @@ struct screen {
     struct panel *panel;
     uint8_t *mem;
     uint16_t line_b, n_lines; /* length of a line in mem, and how many are used */
+    bool is_whole;            /* all lines of the picture, each at its own place */
     uint16_t head_b;          /* of a line, before what the renderer paints into */
     uint8_t *gathered;        /* n_gathered of gathered_b bytes, or NULL */
     uint16_t gathered_b;
@@ -92,6 +93,13 @@ struct screen {
  * LIM_ERR_MEMORY: mem_b holds no line, or for the painter not all. */
 LIM_MUST_CHECK int screen_init(struct screen *screen, struct panel *panel, enum lim_method method, void *mem,
                                size_t mem_b);
+
+#if LIM_HAS_FRAMEBUFFER
+/* The same with memory for all of the panel's lines, into which LIM_NEAREST_FIRST and LIM_PAINTER paint each polygon as
+ * it comes. */
+LIM_MUST_CHECK int screen_init_framebuffer(struct screen *screen, struct panel *panel, enum lim_method method,
+                                           void *mem, size_t mem_b);
+#endif
 
 #if LIM_HAS_FRAME
 /* Lends memory for the whole picture, 4-byte aligned, which must outlive *screen: frames that the renderer can fill
