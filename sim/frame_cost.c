@@ -11,30 +11,30 @@ struct frame_cost {
     double company; /* a polygon that is seen, for each that crosses a line: it finds its place between these */
 };
 
-static const struct frame_cost NEAREST_FIRST = {.node = 79,
+static const struct frame_cost NEAREST_FIRST = {.node = 78,
                                                 .record = 0,
                                                 .box = 229,
-                                                .vertex = 173,
-                                                .polygon = 63,
-                                                .clipped = 2271,
-                                                .seen = 2013,
-                                                .line = 86,
-                                                .gap = 184,
-                                                .screen_line = 157,
-                                                .pixel = 0.85,
-                                                .company = 72.31};
-static const struct frame_cost SCANLINE = {.node = 78,
+                                                .vertex = 167,
+                                                .polygon = 112,
+                                                .clipped = 2278,
+                                                .seen = 1359,
+                                                .line = 87,
+                                                .gap = 174,
+                                                .screen_line = 185,
+                                                .pixel = 0.73,
+                                                .company = 75.33};
+static const struct frame_cost SCANLINE = {.node = 77,
                                            .record = 0,
-                                           .box = 137,
-                                           .vertex = 153,
-                                           .polygon = 279,
-                                           .clipped = 2110,
-                                           .seen = 591,
-                                           .line = 78,
+                                           .box = 138,
+                                           .vertex = 149,
+                                           .polygon = 416,
+                                           .clipped = 2119,
+                                           .seen = 181,
+                                           .line = 81,
                                            .gap = 0,
-                                           .screen_line = 192,
+                                           .screen_line = 134,
                                            .pixel = 0.00,
-                                           .company = 0.00};
+                                           .company = 0.43};
 
 bool frame_cost_knows(enum lim_method method)
 {
