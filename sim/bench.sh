@@ -5,6 +5,7 @@
 #                                                    the baseline (exit status 1: something grew)
 #   sh sim/bench.sh --baseline                       the same; writes the baseline, and the tables, anew
 #   sh sim/bench.sh --rows CORES SCENE SIZE PATH     rows of these to standard output
+# SIZE is 240x240, or 128x64-framebuffer: painted into all of the picture's pixels, instead of line by line.
 # PATH is `own`, the camera file that the scene comes with, or `random`, cameras on which nothing was tuned; both of 64
 # frames. Needs $BUILD/limner, $BUILD/scenes and $WARNINGS; progress goes to standard error.
 set -eu
@@ -21,11 +22,32 @@ header=core,scene,size,path,stage,mean,worst
 frames=64
 scenes='mesh5000 demo teapot rooms' # what takes longest first
 sizes='240x240 128x64'
+small=128x64-framebuffer small_scenes='teapot rooms' # where there is RAM for that on any board
 paths='own random'
 seed=1
 
 model_of() { # SCENE
     [ -e "sim/scenes/$1.obj" ] && echo "sim/scenes/$1.obj" || echo "$BUILD/scenes/$1.obj"
+}
+
+# -- Sizes: in pixels, what `limner` takes beside them, and the bytes of pixels that the target keeps -----------------
+
+pixels_of() { # SIZE
+    echo "${1%-framebuffer}"
+}
+
+framebuffer_of() { # SIZE
+    case $1 in
+    *-framebuffer) echo --framebuffer ;;
+    esac
+}
+
+target_b() { # SIZE
+    pixels=$(pixels_of "$1")
+    case $1 in
+    *-framebuffer) echo $((2 * ${pixels%x*} * ${pixels#*x})) ;;
+    *) echo $((2 * ${pixels%x*})) ;;
+    esac
 }
 
 # The cameras of a path, as a word for --camera. A file's are thinned out evenly.
@@ -60,48 +82,59 @@ measured_rows() { # FOLDER SCENE SIZE PATH
         }' "$1/measure.csv" "$1/stages.csv"
 }
 
+# shellcheck disable=SC2046 # no option, or one
 emulated() { # CORES SCENE SIZE PATH FOLDER
-    "$BUILD/limner" measure "$(model_of "$2")" --camera "$(cameras_of "$2" "$4" "$5")" --size "$3" --precision fast \
-        --core "$1" -o "$5" >/dev/null
+    "$BUILD/limner" measure "$(model_of "$2")" --camera "$(cameras_of "$2" "$4" "$5")" --size "$(pixels_of "$3")" \
+        $(framebuffer_of "$3") --precision fast --core "$1" -o "$5" >/dev/null
     measured_rows "$5" "$2" "$3" "$4"
 }
 
+# shellcheck disable=SC2046
 on_host() { # SCENE SIZE FOLDER
-    "$BUILD/limner" compile "$(model_of "$1")" --size "$2" -o "$3/model" >/dev/null
+    "$BUILD/limner" compile "$(model_of "$1")" --size "$(pixels_of "$2")" $(framebuffer_of "$2") -o "$3/model" >/dev/null
     for path in $paths; do
-        bench_host_count "$3" "$(cameras_of "$1" "$path" "$3")" "$2" >"$3/counted"
+        bench_host_count "$3" "$(cameras_of "$1" "$path" "$3")" "$(pixels_of "$2")" >"$3/counted"
         rows_of host "$1" "$2" "$path" <"$3/counted"
     done
 }
 
-# Bytes at -Os; a line of the panel is the target's. Flash a face of the model, merged or not.
+# Bytes at -Os; a line of the panel, or all of them, is the target's. Flash a face of the model, merged or not.
+# shellcheck disable=SC2046
 memory() { # SCENE SIZE FOLDER
-    "$BUILD/limner" compile "$(model_of "$1")" --size "$2" -o "$3/model" >"$3/report"
+    "$BUILD/limner" compile "$(model_of "$1")" --size "$(pixels_of "$2")" $(framebuffer_of "$2") -o "$3/model" \
+        >"$3/report"
+    pixels=$(pixels_of "$2")
     faces=$(sed -n 's/^ *faces in the model *//p' "$3/report")
     data_b=$(footprint_data "$3")
     awk -v data_b="$data_b" -v faces="$faces" 'BEGIN {
         printf "faces %d %d\nscene_b %d %d\nscene_b_a_face %.1f %.1f\n", faces, faces, data_b, data_b, data_b / faces, data_b / faces
     }' | rows_of all "$1" "$2" -
     for core in m0plus m4; do
-        footprint_costs $core "$3" "${2#*x}" >"$3/costs"
-        awk -v line_b=$((2 * ${2%x*})) '{
+        footprint_costs $core "$3" "${pixels#*x}" >"$3/costs"
+        awk -v target_b="$(target_b "$2")" '{
             print "code_b", $1, $1
             print "ram_b", $2, $2
             print "stack_b", $3, $3
-            print "all_ram_b", $2 + $3 + line_b, $2 + $3 + line_b
+            print "all_ram_b", $2 + $3 + target_b, $2 + $3 + target_b
         }' "$3/costs" | rows_of $core "$1" "$2" -
     done
 }
 
 # -- All of it, as many jobs at once as there are processors ----------------------------------------------------------
 
+frames_of() { # SCENE SIZE
+    for path in $paths; do echo "emulated $1 $2 $path"; done
+    echo "on_host $1 $2 -"
+}
+
 jobs() {
     for scene in $scenes; do
-        for size in $sizes; do
-            for path in $paths; do echo "emulated $scene $size $path"; done
-            echo "on_host $scene $size -"
-        done
+        for size in $sizes; do frames_of "$scene" "$size"; done
         echo "memory $scene 240x240 -"
+    done
+    for scene in $small_scenes; do
+        frames_of "$scene" $small
+        echo "memory $scene $small -"
     done
 }
 

@@ -133,8 +133,8 @@ function memory(   i, place, part) {
         place = places[i]
         split(place, part, ",")
         if (part[3] != "-") continue
-        printf "| %s | %d | %d | %s |", part[1], mean["all," place ",faces"], mean["all," place ",scene_b"],
-            number(mean["all," place ",scene_b_a_face"])
+        printf "| %s | %d | %d | %s |", part[1] (part[2] == "240x240" ? "" : ", " part[2]),
+            mean["all," place ",faces"], mean["all," place ",scene_b"], number(mean["all," place ",scene_b_a_face"])
         printf " %d | %d | %d |", mean["m0plus," place ",code_b"], mean["m4," place ",code_b"], mean["m4," place ",ram_b"]
         printf " %d | %d | %d | %d |\n", mean["m0plus," place ",stack_b"], mean["m4," place ",stack_b"],
             mean["m0plus," place ",all_ram_b"], mean["m4," place ",all_ram_b"]

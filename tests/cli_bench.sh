@@ -131,8 +131,12 @@ baseline_is_whole() {
                 key = cores[c] SUBSEP scenes[s] SUBSEP (z ? "240x240" : "128x64") SUBSEP (p ? "own" : "random") SUBSEP "frame"
                 if (!(key in seen)) bad = "no frame of " cores[c] ", " scenes[s]
             }
+            for (c in cores) for (s = 1; s <= 2; s++) for (p = 0; p < 2; p++) {
+                key = cores[c] SUBSEP scenes[s] SUBSEP "128x64-framebuffer" SUBSEP (p ? "own" : "random") SUBSEP "frame"
+                if (!(key in seen)) bad = "no frame of " cores[c] ", " scenes[s] ", framebuffer"
+            }
             if (bad) print bad
-            exit bad != "" || frames != 80
+            exit bad != "" || frames != 100
         }' "$work/rows.csv" && [ "$(grep -c '^# [a-z0-9]*: .*[0-9]' sim/bench.baseline.csv)" -eq 5 ]
 }
 
