@@ -4,12 +4,12 @@
  * before any type is known); of each scene its grid, its memory, its declaration. */
 #include "c_name.h"
 #include "needs.h"
+#include "pools.h"
 #include "scene_files.h"
 
 /* What the three orders that leave gaps need. */
-static void write_spans_memory(FILE *file, const struct compiled *scene)
+static void write_spans_memory(FILE *file, const struct compiled *scene, const struct lim_limits *limits)
 {
-    const struct lim_limits *limits = &scene->scene.limits;
     const unsigned count = (unsigned)scene->scene.polygon_count;
 
     if (scene->report.draws == LIM_NEWELL)
@@ -18,26 +18,25 @@ static void write_spans_memory(FILE *file, const struct compiled *scene)
         fprintf(file, "LIM_DEPTH_MEM_B(h_px, %u", count);
     else
         fprintf(file, "LIM_MEM_B(h_px, %u", (unsigned)limits->depth);
-    const unsigned gaps = scene->report.draws == LIM_SCANLINE ? 1 : limits->gaps; /* firmware/pools.c */
-    fprintf(file, ", %u, %u, %u)", (unsigned)limits->retained_cells, gaps, (unsigned)limits->active);
+    fprintf(file, ", %u, %u, %u)", (unsigned)limits->retained_cells, (unsigned)limits->gaps, (unsigned)limits->active);
     if (limits->layers) fprintf(file, " + LIM_LAYERS_MEM_B(%u)", (unsigned)limits->layers);
 }
 
-static void write_memory(FILE *file, const struct compiled *scene, const char *macro)
+static void write_memory(FILE *file, const struct compiled *scene, const struct needs *needs, const char *macro)
 {
-    const struct lim_limits *limits = &scene->scene.limits;
+    const struct lim_limits limits = pools_mcu_limits(scene, needs);
     fprintf(file, "\n/* How to draw it, and bytes for lim_init() on a target of h_px lines; limner.h has the rest of "
                   "both expressions. */\n");
     fprintf(file, "#define %s_SCENE_METHOD %s\n", macro, method_symbol(scene->report.draws));
     fprintf(file, "#define %s_SCENE_MEM_B(h_px) (", macro);
     if (scene->report.draws == LIM_CONVEX)
-        fprintf(file, "LIM_CONVEX_MEM_B(h_px, %u, %u)", (unsigned)scene->scene.polygon_count, (unsigned)limits->active);
+        fprintf(file, "LIM_CONVEX_MEM_B(h_px, %u, %u)", (unsigned)scene->scene.polygon_count, (unsigned)limits.active);
     else if (scene->report.draws == LIM_PAINTER)
-        fprintf(file, "LIM_PAINTER_MEM_B(%u)", (unsigned)limits->depth);
+        fprintf(file, "LIM_PAINTER_MEM_B(%u)", (unsigned)limits.depth);
     else
-        write_spans_memory(file, scene);
+        write_spans_memory(file, scene, &limits);
     if (scene->scene.place_count)
-        fprintf(file, " + LIM_PORTALS_MEM_B(%u, %u)", (unsigned)scene->scene.box_count, (unsigned)limits->depth);
+        fprintf(file, " + LIM_PORTALS_MEM_B(%u, %u)", (unsigned)scene->scene.box_count, (unsigned)limits.depth);
     fputs(")\n", file);
     if (scene->report.delta_runs)
         fprintf(file,
@@ -48,10 +47,13 @@ static void write_memory(FILE *file, const struct compiled *scene, const char *m
 /* What the target must be able to lend at any time. */
 static void write_lines(FILE *file, const struct compiled *scene, const char *macro)
 {
-    fprintf(file, "#define %s_SCENE_LINES(h_px) %s\n", macro, scene->report.draws == LIM_PAINTER ? "(h_px)" : "1");
+    const bool all = scene->report.draws == LIM_PAINTER || scene->report.framebuffer;
+
+    fprintf(file, "#define %s_SCENE_LINES(h_px) %s\n", macro, all ? "(h_px)" : "1");
 }
 
-static void write_scene(FILE *file, const struct named_scene *named, const struct c_name *name)
+static void write_scene(FILE *file, const struct named_scene *named, const struct needs *needs,
+                        const struct c_name *name)
 {
     const struct compiled *scene = named->scene;
     const char *macro = name->macro;
@@ -60,7 +62,7 @@ static void write_scene(FILE *file, const struct named_scene *named, const struc
     fprintf(file, "#define %s_UNITS_PER_M %.17g\n", macro, scene->grid.units_per_m);
     for (int i = 0; i < 3; i++)
         fprintf(file, "#define %s_ORIGIN_%c_M %.17g\n", macro, "XYZ"[i], scene -> grid.origin_m[i]);
-    write_memory(file, scene, macro);
+    write_memory(file, scene, needs, macro);
     write_lines(file, scene, macro);
     fprintf(file, "\nextern const struct lim_scene %s_scene;\n", name->symbol);
     if (named->moving) c_movers_declare(file, named, name);
@@ -83,18 +85,23 @@ static bool write_shared_memory(FILE *file, const struct named_scene *scenes, si
     return true;
 }
 
-static void write_configuration(FILE *file, const struct named_scene *scenes, size_t count, const struct c_name *header)
+static struct needs needs_of_all(const struct named_scene *scenes, size_t count)
 {
     struct needs needs = needs_of(scenes[0].scene, scenes[0].moving);
     for (size_t i = 1; i < count; i++) {
         const struct needs more = needs_of(scenes[i].scene, scenes[i].moving);
         needs = needs_union(&needs, &more);
     }
+    return needs;
+}
+
+static void write_configuration(FILE *file, const struct needs *needs, size_t count, const struct c_name *header)
+{
     fprintf(file, "/* %s for Limner, written by `limner compile`.\n", count > 1 ? "Scenes" : "A scene");
     fprintf(file, " * Build with -DLIM_CONFIG='\"%s.h\"' to fit the renderer to %s. */\n", header->file,
             count > 1 ? "them" : "it");
     fprintf(file, "#ifndef %s_SCENE_H\n#define %s_SCENE_H\n\n", header->macro, header->macro);
-    needs_write(&needs, file);
+    needs_write(needs, file);
     fputs("\nstruct lim_scene;\n", file);
 }
 
@@ -102,12 +109,13 @@ static bool write_header(FILE *file, const struct named_scene *scenes, size_t co
                          struct error *err)
 {
     struct c_name name;
+    const struct needs needs = needs_of_all(scenes, count);
     if (!c_name_init(&name, header, err)) return false;
-    write_configuration(file, scenes, count, &name);
+    write_configuration(file, &needs, count, &name);
     for (size_t i = 0; i < count; i++) {
         struct c_name scene_name;
         if (!c_name_init(&scene_name, scenes[i].name, err)) return false;
-        write_scene(file, &scenes[i], &scene_name);
+        write_scene(file, &scenes[i], &needs, &scene_name);
     }
     if (count > 1 && !write_shared_memory(file, scenes, count, name.macro, err)) return false;
     fputs("\n#endif\n", file);

@@ -31,6 +31,7 @@ enum option_code {
     OPTION_DELTA,
     OPTION_ROUND,
     OPTION_FRAME,
+    OPTION_FRAMEBUFFER,
     OPTION_SIZE,
     OPTION_PRECISION,
     OPTION_MAX_ERROR,
@@ -55,6 +56,7 @@ static const struct option OPTIONS[] = {
     {"delta", no_argument, NULL, OPTION_DELTA},
     {"round", no_argument, NULL, OPTION_ROUND},
     {"frame", no_argument, NULL, OPTION_FRAME},
+    {"framebuffer", no_argument, NULL, OPTION_FRAMEBUFFER},
     {"precision", required_argument, NULL, OPTION_PRECISION},
     {"max-error", required_argument, NULL, OPTION_MAX_ERROR},
     {"max-vertex-error", required_argument, NULL, OPTION_MAX_VERTEX_ERROR},
@@ -119,6 +121,9 @@ static bool parse_option(int code, char **argv, struct request *out, struct erro
         return true;
     case OPTION_FRAME:
         out->compile.frame = true;
+        return true;
+    case OPTION_FRAMEBUFFER:
+        out->compile.framebuffer = true;
         return true;
     case OPTION_PRECISION:
         return parse_precision(optarg, &out->compile.core, err);

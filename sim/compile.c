@@ -61,12 +61,12 @@ static size_t badness(const struct compile_report *report)
     return report->flash_b + report->splits * SPLIT_B + report->depth * LEVEL_B;
 }
 
-/* A convex solid's own method is the cheapest that draws it; it has no antialiased edges. */
+/* A convex solid's own method is the cheapest that draws it line by line; it has no antialiased edges. */
 static enum lim_method draws_with(const struct compile_options *options, bool convex)
 {
     if (options->method) return options->method->draws;
     if (options->tree == TREE_NONE) return LIM_NEWELL;
-    return convex && !options->antialias ? LIM_CONVEX : LIM_NEAREST_FIRST;
+    return convex && !options->antialias && !options->framebuffer ? LIM_CONVEX : LIM_NEAREST_FIRST;
 }
 
 static void report_set(struct compile_report *report, const struct bsp *bsp, const struct encoding *encoding,
@@ -233,6 +233,7 @@ static bool check_method(const struct compile_options *options, const struct com
 {
     if (options->antialias && !method_antialiases(scene->report.draws, options->wireframe, err)) return false;
     if (options->wireframe && !method_draws_wireframe(scene->report.draws, err)) return false;
+    if (options->framebuffer && !order_can_fill(options, scene, err)) return false;
     if (!method_scans(scene->report.draws, order_needs_nearest(options, &scene->scene), err)) return false;
     if (method_sorts(scene->report.draws) && scene->scene.polygon_count > LIM_SORTED_MAX)
         return error_set(err, "scene too large to be sorted: %lu pieces of polygons, %u are the most",
@@ -256,6 +257,7 @@ bool compile_mesh(const struct mesh *mesh, const struct compile_options *options
         out->report.antialias = options->antialias;
         out->report.round = options->round;
         out->report.frame = options->frame;
+        out->report.framebuffer = options->framebuffer;
         out->report.delta_runs = options->delta;
         ok = ok &&
              pools_measure(out, options->core, side_or_default(options->w_px), side_or_default(options->h_px), err) &&

@@ -31,7 +31,8 @@ struct compile_options {
     bool antialias;              /* for drawing with antialiased edges: pools are measured so */
     bool delta;                  /* for sending what changes alone: its memory is measured */
     bool round;                  /* for round glass, too */
-    bool frame;                  /* for targets that keep the whole picture */
+    bool frame;                  /* for targets that keep the whole picture in pixels of their own */
+    bool framebuffer;            /* for targets with all pixels in memory */
     bool wireframe;              /* for drawing as wireframe: edges that are not the model's are known */
     enum portals_wanted portals; /* whether to store what is seen from where; AUTO: if it pays */
     bool predict;                /* measure the wrong-pixel share for the report: takes a second or so */
@@ -81,6 +82,7 @@ struct compile_report {
     uint16_t delta_runs;          /* firmware can send what changes alone, which takes so many runs; 0: it cannot */
     bool round;                   /* firmware leaves out what round glass does not show */
     bool frame;                   /* firmware fills a picture that its target keeps */
+    bool framebuffer;             /* firmware paints into a framebuffer */
     bool convex;                  /* one convex solid */
     enum lim_method draws;        /* what firmware draws it with */
     unsigned w_px, h_px;          /* of the panel that the pools were measured for */

@@ -9,8 +9,10 @@
 footprint_flags='-Os -ffreestanding -ffunction-sections -fdata-sections -Ifirmware'
 
 # Where calls through pointers lead.
-# SPAN's sink is set by what paints into gaps, which flat scenes do without.
-footprint_calls='span.c=paint_piece span.c=none mask.c=lim_smooth_mix mask.c=push company.c=draw_mover company.c=paint_mover'
+# SPAN's sink is set by what paints into gaps, or into a framebuffer; flat scenes do without, and bands.c where there is
+# none.
+footprint_calls='span.c=paint_piece span.c=lim_framebuffer_fill span.c=none bands.c=lim_framebuffer_fill bands.c=none
+    mask.c=lim_smooth_mix mask.c=push company.c=draw_mover company.c=paint_mover'
 
 # footprint_objects CORE FOLDER HEADER [FLAG...]: the renderer's objects and call graphs in FOLDER, which has the
 # scene's HEADER.
@@ -59,7 +61,7 @@ footprint_ram() {
 # footprint_stack CORE FOLDER: the bytes and the path, without what the target's functions take. With delta output that
 # is the target of all stages.
 footprint_stack() {
-    footprint_at_target='paint.c flat.c painter.c convex.c smooth.c'
+    footprint_at_target='paint.c flat.c painter.c framebuffer.c convex.c smooth.c'
     footprint_outside="$footprint_at_target span.h" footprint_more=
     if grep -q delta_done "$2/$1/delta.ci"; then
         footprint_outside='delta.c span.h'

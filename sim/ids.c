@@ -41,7 +41,7 @@ static bool copy_scene(struct ids *ids, const struct compiled *scene)
 bool ids_init(struct ids *ids, const struct compiled *scene, const struct simulator_setup *setup, struct error *err)
 {
     struct simulator_setup plain = *setup;
-    plain.panel = SIMULATOR_MEMORY;
+    if (plain.panel != SIMULATOR_FRAMEBUFFER) plain.panel = SIMULATOR_MEMORY;
     memset(ids, 0, sizeof *ids);
     ids->faces = calloc((size_t)setup->w_px * setup->h_px, sizeof ids->faces[0]);
     ids->numbers = calloc((size_t)setup->w_px * setup->h_px, sizeof ids->numbers[0]);

@@ -10,6 +10,7 @@
 #include "compare.h"
 #include "compiled.h"
 #include "map.h"
+#include "simulator.h"
 
 /* -- Accuracy --------------------------------------------------------------------------------- */
 
@@ -56,6 +57,12 @@ struct accuracy {
 };
 
 double accuracy_vertex_rms_px(const struct accuracy *accuracy);
+
+/* Where a scene's pictures are drawn: what its firmware paints into. */
+static inline enum simulator_panel measure_panel(const struct compiled *scene)
+{
+    return scene->report.framebuffer ? SIMULATOR_FRAMEBUFFER : SIMULATOR_MEMORY;
+}
 
 /* What is drawn, from where. */
 struct measure_views {

@@ -29,8 +29,8 @@ static bool measured_init(struct measured *measured, const struct measure_candid
                           const struct measure_views *views, struct error *err)
 {
     const struct lim_scene *scene = &candidate->scene->scene;
-    const struct simulator_setup setup = {views->w_px, views->h_px, candidate->scene->report.draws, SIMULATOR_MEMORY,
-                                          candidate->core};
+    const struct simulator_setup setup = {views->w_px, views->h_px, candidate->scene->report.draws,
+                                          measure_panel(candidate->scene), candidate->core};
     measured->candidate = candidate;
     if (!ids_init(&measured->ids, candidate->scene, &setup, err)) return false;
     if (candidate->scene->moving && !ids_set_movers(&measured->ids, candidate->scene->moving, err)) return false;

@@ -117,9 +117,9 @@ static bool run_step(const struct run *run, const char *step, struct error *err)
 static bool host_frames(const struct run *run, uint64_t *hashes, uint64_t *nodes, struct error *err)
 {
     const struct measure_views *views = run->views;
-    const struct simulator_setup setup = {views->w_px, views->h_px, run->candidate->scene->report.draws,
-                                          SIMULATOR_MEMORY, run->candidate->core};
     const struct compiled *scene = run->candidate->scene;
+    const struct simulator_setup setup = {views->w_px, views->h_px, scene->report.draws, measure_panel(scene),
+                                          run->candidate->core};
     struct simulator simulator;
     if (!simulator_init(&simulator, &scene->scene, &setup, err)) return false;
     bool ok = simulator_add_movers(&simulator, scene, err) &&

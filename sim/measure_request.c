@@ -26,6 +26,7 @@ enum option_code {
     OPTION_METHOD,
     OPTION_ANTIALIAS,
     OPTION_DELTA,
+    OPTION_FRAMEBUFFER,
     OPTION_PORTALS,
     OPTION_TREE,
     OPTION_SPLITTER,
@@ -49,6 +50,7 @@ static const struct option OPTIONS[] = {
     {"method", required_argument, NULL, OPTION_METHOD},
     {"antialias", no_argument, NULL, OPTION_ANTIALIAS},
     {"delta", no_argument, NULL, OPTION_DELTA},
+    {"framebuffer", no_argument, NULL, OPTION_FRAMEBUFFER},
     {"portals", required_argument, NULL, OPTION_PORTALS},
     {"tree", required_argument, NULL, OPTION_TREE},
     {"splitter", required_argument, NULL, OPTION_SPLITTER},
@@ -177,6 +179,9 @@ static bool parse_option(int code, char **argv, struct measure_request *out, boo
         return true;
     case OPTION_DELTA:
         out->compile.delta = true;
+        return true;
+    case OPTION_FRAMEBUFFER:
+        out->compile.framebuffer = true;
         return true;
     case ':':
         return error_set(err, "%s: needs a value", argv[optind - 1]);

@@ -40,6 +40,7 @@ static struct needs needs_of_scene(const struct compiled *scene)
                           .delta = scene->report.delta_runs > 0,
                           .round = scene->report.round,
                           .frame = scene->report.frame,
+                          .framebuffer = scene->report.framebuffer,
                           .vertices = scene->scene.limits.vertices,
                           .side_px = greater(scene->report.w_px, scene->report.h_px),
                           .core = scene->report.core};
@@ -90,9 +91,16 @@ struct needs needs_union(const struct needs *a, const struct needs *b)
                           .delta = a->delta || b->delta,
                           .round = a->round || b->round,
                           .frame = a->frame || b->frame,
+                          .framebuffer = a->framebuffer || b->framebuffer,
                           .vertices = greater(a->vertices, b->vertices),
                           .side_px = greater(a->side_px, b->side_px),
                           .core = a->core};
+}
+
+bool needs_retain_nothing(const struct needs *needs)
+{
+    return (needs->frame || needs->framebuffer) && !needs->textures && !needs->transparent && !needs->wireframe &&
+           !needs->antialias && !needs->delta && !needs->movers;
 }
 
 static void write_macro(FILE *file, const char *name, unsigned value)
@@ -132,6 +140,7 @@ void needs_write(const struct needs *needs, FILE *file)
     write_macro(file, "HAS_DELTA", needs->delta);
     write_macro(file, "HAS_ROUND", needs->round);
     write_macro(file, "HAS_FRAME", needs->frame && needs->nearest);
+    write_macro(file, "HAS_FRAMEBUFFER", needs->framebuffer);
     write_macro(file, "HAS_RUNS", 0);
     write_macro(file, "HAS_STREAM", 0);
     write_macro(file, "HAS_STATS", 0);

@@ -24,6 +24,7 @@ struct needs {
     bool movers, light;        /* what moves, and whether it is lit in each frame */
     bool antialias;            /* with smooth edges */
     bool delta, round, frame;  /* what changes alone; round glass; targets that keep the picture */
+    bool framebuffer;          /* targets with all pixels in memory */
     unsigned vertices;         /* most of any polygon */
     unsigned side_px;          /* longest of any panel that pools were measured for; 0: none */
     const struct core *core;   /* precision; NULL: not said */
@@ -34,6 +35,9 @@ struct needs needs_of(const struct compiled *scene, const struct moving *moving)
 
 /* All that either needs. Both have the same precision. */
 struct needs needs_union(const struct needs *a, const struct needs *b);
+
+/* Whether what is drawn nearest first is painted as it comes, so that nothing waits for its line: firmware/pools.c. */
+bool needs_retain_nothing(const struct needs *needs);
 
 /* As macros, each of which a build may define itself. */
 void needs_write(const struct needs *needs, FILE *file);

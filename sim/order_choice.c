@@ -6,6 +6,7 @@
 
 #include "frame_cost.h"
 #include "lim_image.h"
+#include "method.h"
 #include "pools.h"
 #include "records.h"
 
@@ -20,6 +21,24 @@ const char *order_needs_nearest(const struct compile_options *options, const str
     if (options->delta) return "--delta is";
     if (options->frame) return "--frame is";
     return scene->texture_count || records_with(scene, LIM_POLYGON_ALPHA) ? "textures and glass are" : NULL;
+}
+
+bool order_can_fill(const struct compile_options *options, const struct compiled *scene, struct error *err)
+{
+    const enum lim_method draws = scene->report.draws;
+    const char *by_lines = order_needs_nearest(options, &scene->scene);
+
+    if (options->frame) return error_set(err, "--framebuffer --frame: the picture is kept once; take one of the two");
+    if (by_lines) return error_set(err, "--framebuffer: %s drawn line by line", by_lines);
+    return draws == LIM_NEAREST_FIRST || draws == LIM_PAINTER ||
+           error_set(err, "--framebuffer --method %s: it draws line by line; nearest and painter paint into one",
+                     method_name(draws));
+}
+
+void order_settle_framebuffer(struct compile_report *report)
+{
+    if (report->draws == LIM_SCANLINE) report->draws = LIM_PAINTER;
+    report->instructions = NAN;
 }
 
 bool order_choose(struct compiled *scene, const struct compile_options *options, struct error *err)

@@ -343,13 +343,23 @@ static size_t painter_b(const struct compiled *scene)
            lim_portals_mem_b(&scene->scene);
 }
 
+struct lim_limits pools_mcu_limits(const struct compiled *scene, const struct needs *needs)
+{
+    struct lim_limits limits = scene->scene.limits;
+    if (scene->report.draws == LIM_SCANLINE) limits.gaps = 1;
+    if (scene->report.draws != LIM_NEAREST_FIRST || !needs_retain_nothing(needs)) return limits;
+    limits.retained_cells = least_cells(&limits);
+    limits.active = 1;
+    return limits;
+}
+
 size_t pools_mcu_mem_b(const struct compiled *scene)
 {
-    const struct lim_limits *limits = &scene->scene.limits;
-    if (scene->report.draws == LIM_CONVEX) return convex_b(scene, limits->active);
+    const struct needs needs = needs_of(scene, scene->moving);
+    const struct lim_limits limits = pools_mcu_limits(scene, &needs);
+    if (scene->report.draws == LIM_CONVEX) return convex_b(scene, limits.active);
     if (scene->report.draws == LIM_PAINTER) return painter_b(scene);
-    const size_t gaps = scene->report.draws == LIM_SCANLINE ? 1 : limits->gaps; /* firmware/pools.c */
-    return nearest_b(scene, limits->retained_cells, gaps, limits->active, limits->pieces) + layers_b(limits);
+    return nearest_b(scene, limits.retained_cells, limits.gaps, limits.active, limits.pieces) + layers_b(&limits);
 }
 
 size_t pools_mcu_mem_min_b(const struct compiled *scene)

@@ -5,6 +5,7 @@
 #define SIM_POOLS_H
 
 #include "compiled.h"
+#include "needs.h"
 
 /* Sets scene->scene.limits and the image's, pools included: the most that any of 256 sampled cameras
  * and 64 portraits but the greediest needs at this size and precision (NULL: fast), and an eighth on top. Also sets
@@ -56,6 +57,9 @@ enum {
     MCU_HEAD_CELLS = 2,
     MCU_CLIP_PLANES = 5
 };
+
+/* The limits that a firmware of these needs makes room for: firmware/pools.c. */
+struct lim_limits pools_mcu_limits(const struct compiled *scene, const struct needs *needs);
 
 /* The same for a scene that has its limits already, with all that moves in it; sets moving->limits.entries too. */
 struct moving;

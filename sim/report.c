@@ -167,9 +167,17 @@ static void print_flash(const struct compiled *scene)
     print_bytes("in all", scene->report.flash_b, polygons);
 }
 
+/* Lines begin at whole words. */
+static size_t framebuffer_b(unsigned w_px, unsigned h_px)
+{
+    return (size_t)(w_px + 1) / 2 * 4 * h_px;
+}
+
 static void print_ram(const struct compiled *scene)
 {
     printf("RAM at %ux%u pixels, %s\n", scene->report.w_px, scene->report.h_px, method_title(scene->report.draws));
+    if (scene->report.framebuffer)
+        print_count("framebuffer, bytes", framebuffer_b(scene->report.w_px, scene->report.h_px));
     print_count("working memory, bytes", pools_mcu_mem_b(scene));
     print_count("least, bytes", pools_mcu_mem_min_b(scene));
 }

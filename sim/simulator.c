@@ -79,6 +79,9 @@ static bool memory_init(struct simulator *simulator, const struct simulator_setu
                                             .done = seen ? memory_done : unseen_done,
                                             .window = memory_window,
                                             .costs = {.window_b = 11, .pixel_bits = 16, .page_px = 1, .x_align_px = 1}};
+    if (setup->panel == SIMULATOR_FRAMEBUFFER)
+        simulator->target.framebuffer =
+            (struct lim_framebuffer){simulator->lines, (uint16_t)(simulator->line_b / sizeof(uint16_t))};
     return simulator->lines || error_set(err, "simulator: out of memory");
 }
 

@@ -15,7 +15,8 @@ enum simulator_panel {
     SIMULATOR_ANY,   /* the first below that can hold the picture */
     SIMULATOR_PANEL, /* emulated: an ST7789, 240x320 at most, or the one that simulator_init_on() names */
     SIMULATOR_MEMORY,
-    SIMULATOR_UNSEEN /* one line of memory, over and over: for frames of which only the statistics are asked */
+    SIMULATOR_FRAMEBUFFER, /* memory that the renderer paints into as it likes: lim_target.framebuffer */
+    SIMULATOR_UNSEEN       /* one line of memory, over and over: for frames of which only the statistics are asked */
 };
 
 /* What a picture is drawn with. */

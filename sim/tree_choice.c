@@ -4,6 +4,8 @@
  * compilation for each kind, pools included, because these draw the cameras. */
 #include "tree_choice.h"
 
+#include "order_choice.h"
+
 #include <math.h>
 
 static const enum tree_kind OTHERS[] = {TREE_CLUSTERS, TREE_AXIS};
@@ -47,12 +49,10 @@ static void try_others(const struct mesh *mesh, struct compile_options options, 
     out->report.choice = (struct tree_choice){CHOICE_MADE, bsp.instructions, bsp.flash_b};
 }
 
-bool tree_choice_compile(const struct mesh *mesh, const struct compile_options *options, struct compiled *out,
-                         struct error *err)
+static void choose_tree(const struct mesh *mesh, const struct compile_options *options, struct compiled *out)
 {
-    if (!compile_mesh(mesh, options, out, err)) return false;
     const bool is_open = options->trial != TRIAL_NEVER && options->tree == TREE_AUTO;
-    if (!is_open || (out->report.draws != LIM_NEAREST_FIRST && out->report.draws != LIM_SCANLINE)) return true;
+    if (!is_open || (out->report.draws != LIM_NEAREST_FIRST && out->report.draws != LIM_SCANLINE)) return;
     const struct compile_report *bsp = &out->report;
     const bool unasked = options->trial == TRIAL_IF_SPLIT;
     if (isnan(bsp->instructions))
@@ -63,5 +63,13 @@ bool tree_choice_compile(const struct mesh *mesh, const struct compile_options *
         out->report.choice.kind = CHOICE_LONG;
     else
         try_others(mesh, *options, out);
+}
+
+bool tree_choice_compile(const struct mesh *mesh, const struct compile_options *options, struct compiled *out,
+                         struct error *err)
+{
+    if (!compile_mesh(mesh, options, out, err)) return false;
+    choose_tree(mesh, options, out);
+    if (options->framebuffer) order_settle_framebuffer(&out->report);
     return true;
 }

@@ -42,6 +42,28 @@ static void painter_sends_its_framebuffer_in_one_window(void **state)
     assert_quiet();
 }
 
+/* With whatever order paints into it; where lines take more room than their pixels, each has that before it. */
+static void a_framebuffer_is_the_memory_of_all_lines(void **state)
+{
+    (void)state;
+    rig_setup(module_135x240);
+    rig_start(1);
+    struct panel *panel = &rig.display.panel;
+    const size_t frame_b = SCREEN_MEM_B(135, 240);
+    assert_int_equal(screen_init_framebuffer(&rig.screen, panel, LIM_NEAREST_FIRST, rig.mem, frame_b - 1),
+                     LIM_ERR_MEMORY);
+    assert_int_equal(screen_init_framebuffer(&rig.screen, panel, LIM_NEAREST_FIRST, rig.mem, frame_b), 0);
+    const struct lim_target *target = &rig.screen.target;
+    assert_ptr_equal(target->framebuffer.pixels, rig.mem);
+    assert_int_equal(target->framebuffer.stride_px, 136);
+    for (unsigned y = 0; y < 240; y++)
+        assert_ptr_equal(target->lend(target->ctx, (uint16_t)y), (uint8_t *)rig.mem + 272 * y);
+    assert_int_equal(draw_frame(&rig.screen), 0);
+    assert_int_equal(rig.chip.frame_writes, 1);
+    assert_card_shown(0, false);
+    assert_quiet();
+}
+
 static void pieces_from_left_to_right_stay_in_one_window(void **state)
 {
     (void)state;
@@ -190,6 +212,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(whole_frame_travels_in_one_window),
         cmocka_unit_test(painter_sends_its_framebuffer_in_one_window),
+        cmocka_unit_test(a_framebuffer_is_the_memory_of_all_lines),
         cmocka_unit_test(pieces_from_left_to_right_stay_in_one_window),
         cmocka_unit_test(pieces_elsewhere_open_their_own_windows),
         cmocka_unit_test(abandoned_frame_does_not_shift_the_next),

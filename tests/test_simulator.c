@@ -140,7 +140,7 @@ static void panel_and_memory_show_the_same_by_both_methods(void **state)
     for (size_t i = 0; i < sizeof sizes / sizeof sizes[0]; i++) {
         unsigned w_px = sizes[i][0], h_px = sizes[i][1], seed = (unsigned)i;
         uint16_t *expected = picture(&room, SIMULATOR_MEMORY, LIM_NEAREST_FIRST, w_px, h_px, seed);
-        for (int panel = SIMULATOR_PANEL; panel <= SIMULATOR_MEMORY; panel++) {
+        for (int panel = SIMULATOR_PANEL; panel <= SIMULATOR_FRAMEBUFFER; panel++) {
             for (int method = LIM_NEAREST_FIRST; method <= LIM_PAINTER; method++) {
                 uint16_t *pixels =
                     picture(&room, (enum simulator_panel)panel, (enum lim_method)method, w_px, h_px, seed);

@@ -148,6 +148,9 @@ int main(void)
         .ctx = &screen,
         .lend = lend,
         .done = done,
+#if LIM_HAS_FRAMEBUFFER
+        .framebuffer = {screen.lines, sizeof screen.lines[0] / sizeof screen.lines[0][0]},
+#endif
 #if LIM_HAS_DELTA
         .window = window,
         .costs = {.window_b = 11, .pixel_bits = 16, .page_px = 1, .x_align_px = 1},
