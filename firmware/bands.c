@@ -103,6 +103,17 @@ static int paint_first_line(struct lim *lim, struct lim_rect *band)
     return err;
 }
 
+static struct lim_rect whole_frame(const struct lim *lim)
+{
+    return (struct lim_rect){0, 0, lim->target.w_px, lim->target.h_px};
+}
+
+static void count_band(struct lim *lim)
+{
+    lim->bands++;
+    if (LIM_HAS_STATS) lim_stats_of(lim)->bands = lim->bands;
+}
+
 #if LIM_HAS_FILLED
 static bool wants_fill(const struct lim *lim)
 {
@@ -129,9 +140,8 @@ static void fill_background(struct lim *lim)
 /* A framebuffer's lines are done as lines that were lent are. */
 static int show(const struct lim_target *target)
 {
-#if LIM_HAS_FRAMEBUFFER
-    if (target->framebuffer.pixels) return lim_framebuffer_done(target);
-#endif
+    if (lim_has_framebuffer(target))
+        return lim_target_done(target, &(const struct lim_rect){0, 0, target->w_px, target->h_px});
 #if LIM_HAS_FRAME
     return target->show(target->ctx);
 #else
@@ -139,22 +149,27 @@ static int show(const struct lim_target *target)
 #endif
 }
 
-/* Polygons straight into the frame that the target keeps: pass one alone. Positive: it must come by lines. */
-static int fill_frame(struct lim *lim, const struct lim_rect *frame)
+/* Polygons straight into the frame that the target keeps: pass one alone. What was painted of a band for which there
+ * are not gaps enough is painted again. */
+static int fill_frame(struct lim *lim)
 {
-    lim->fills = true;
-    const bool whole = lim_collect(lim, frame);
-    lim->fills = false;
-    if (!whole) return LIM_PAINT_ACTIVE;
-    fill_background(lim);
+    struct lim_rect band = whole_frame(lim);
+
+    while (band.y0 < lim->target.h_px) {
+        lim->fills = true;
+        const bool whole = lim_collect(lim, &band);
+        lim->fills = false;
+        if (whole) {
+            fill_background(lim);
+            follow(&band, &lim->target);
+        } else {
+            count_band(lim);
+            halve(&band);
+        }
+    }
     return show(&lim->target);
 }
 #endif
-
-static struct lim_rect whole_frame(const struct lim *lim)
-{
-    return (struct lim_rect){0, 0, lim->target.w_px, lim->target.h_px};
-}
 
 static void begin_frame(struct lim *lim)
 {
@@ -165,8 +180,7 @@ static void begin_frame(struct lim *lim)
 /* For what of a band could not be painted, from line band->y0 on, a pool is too small. */
 static int paint_less(struct lim *lim, struct lim_rect *band, int exhausted)
 {
-    lim->bands++;
-    if (LIM_HAS_STATS) lim_stats_of(lim)->bands = lim->bands;
+    count_band(lim);
     if (wants_painter(lim, band, exhausted)) return paint_first_line(lim, band);
     if (!LIM_HAS_ANTIALIAS || !lim_is_antialiased(&lim->view) || band->y1 - band->y0 > 1) {
         halve(band);
@@ -202,10 +216,7 @@ int lim_nearest_frame(struct lim *lim)
 
     begin_frame(lim);
 #if LIM_HAS_FILLED
-    if (wants_fill(lim)) {
-        const int err = fill_frame(lim, &frame);
-        if (err <= 0) return err;
-    }
+    if (wants_fill(lim)) return fill_frame(lim);
 #endif
     return finish_frame(lim, lim_collect(lim, &frame));
 }

@@ -34,11 +34,25 @@ size_t lim_mem_b(const struct lim_scene *scene, const struct lim_target *target)
     return asked_b(scene, target, false);
 }
 
+/* What is not a framebuffer is none; it need not be used. */
+static bool framebuffer_is_usable(const struct lim_target *target)
+{
+#if LIM_HAS_FRAMEBUFFER
+    const struct lim_framebuffer *framebuffer = &target->framebuffer;
+
+    return !framebuffer->pixels || (((uintptr_t)framebuffer->pixels & 3) == 0 && framebuffer->stride_px % 2 == 0 &&
+                                    framebuffer->stride_px >= target->w_px);
+#else
+    (void)target;
+    return true;
+#endif
+}
+
 static bool target_is_usable(const struct lim_target *target)
 {
     return target->w_px >= 1 && target->w_px <= LIM_MAX_SIDE_PX && target->h_px >= 1 &&
            target->h_px <= LIM_MAX_SIDE_PX && target->format == LIM_RGB565 && target->lend && target->done &&
-           method_is_linked(target->method);
+           framebuffer_is_usable(target) && method_is_linked(target->method);
 }
 
 /* A tree without forks has as many levels as nodes; a set has none, and is for methods that sort. A convex solid's
@@ -85,6 +99,15 @@ static inline void init_ahead(struct lim *lim)
     (void)lim;
 }
 
+static inline void init_antialias(struct lim *lim)
+{
+#if LIM_HAS_ANTIALIAS
+    lim->paint.smooth.sums = NULL;
+    lim->paint.smooth.line = NULL;
+#endif
+    (void)lim;
+}
+
 static inline void init_delta(struct lim *lim)
 {
 #if LIM_HAS_DELTA
@@ -102,6 +125,7 @@ int lim_init(struct lim *lim, const struct lim_scene *scene, const struct lim_ta
     lim->scene = scene;
     lim->target = *target;
     init_wireframe(lim);
+    init_antialias(lim);
     init_delta(lim);
     init_frame(lim);
     init_ahead(lim);

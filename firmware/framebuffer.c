@@ -11,15 +11,6 @@ void lim_framebuffer_fill(void *of_look, uint16_t x0_px, uint16_t x1_px)
     lim_framebuffer_fill_inline(of_look, x0_px, x1_px);
 }
 
-int lim_framebuffer_done(const struct lim_target *target)
-{
-    for (uint16_t y = 0; y < target->h_px; y++) {
-        const int err = target->done(target->ctx, y, 0, target->w_px);
-        if (err) return err;
-    }
-    return 0;
-}
-
 #if LIM_HAS_PAINTER
 
 void lim_framebuffer_paint(const struct lim_target *target, const struct lim_point *at, uint8_t n, uint8_t first,

@@ -19,6 +19,16 @@ static inline bool lim_has_framebuffer(const struct lim_target *target)
 #endif
 }
 
+/* Says that whole lines are there. 0 or the target's error. */
+static inline int lim_target_done(const struct lim_target *target, const struct lim_rect *lines)
+{
+    int err = 0;
+
+    for (uint16_t y = lines->y0; y < lines->y1 && !err; y++)
+        err = target->done(target->ctx, y, 0, target->w_px);
+    return err;
+}
+
 #if LIM_HAS_FRAMEBUFFER
 static inline uint16_t *lim_framebuffer_line(const struct lim_framebuffer *framebuffer, uint16_t y_px)
 {
@@ -36,9 +46,6 @@ static LIM_INLINE void lim_framebuffer_fill_inline(void *of_look, uint16_t x0_px
 
     lim_fill_inline(line, (int_fast16_t)x0_px, (int_fast16_t)x1_px, look->colour);
 }
-
-/* Says that all lines are there. 0 or the target's error. */
-int lim_framebuffer_done(const struct lim_target *target);
 
 /* Paints a polygon that is not folded on the lines `shown`, top < bottom, which it has and the target too. */
 void lim_framebuffer_paint(const struct lim_target *target, const struct lim_point *at, uint8_t n, uint8_t first,

@@ -56,8 +56,8 @@ static inline bool lim_can_fill(const struct lim *lim)
            !lim_moves(lim);
 }
 
-/* Nearest first, without a framebuffer: bands.c, and its memory in pools.c. From the tree, or from a sorted list. So
- * does the scan-line order. */
+/* Nearest first, which needs no framebuffer: bands.c, and its memory in pools.c. From the tree, or from a sorted list.
+ * So does the scan-line order. */
 size_t lim_nearest_mem_b(const struct lim_scene *scene, const struct lim_target *target, bool least);
 void lim_nearest_init(struct lim *lim, void *mem, size_t mem_b);
 LIM_MUST_CHECK int lim_nearest_frame(struct lim *lim);

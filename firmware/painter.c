@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: MIT
  *
- * Back to front into a framebuffer: the least code, and the reference for the other order. Every
- * line is lent once for the background, once for each polygon that crosses it, and is done at the
- * end. Nearest first comes here with single lines that are too transparent for its pools: this order needs none. */
+ * Back to front into a framebuffer: the least code, and the reference for the other order. Where the target names its
+ * framebuffer polygons are painted there (framebuffer.c); else every line is lent once for the background, once for
+ * each polygon that crosses it. All are done at the end. Nearest first comes here with single lines that are too
+ * transparent for its pools: this order needs none. */
 #include "order.h"
 
 #include "fill.h"
@@ -54,6 +55,9 @@ static uint16_t *line_at(struct lim *lim, uint16_t y)
 {
     uint16_t *const lent = lent_of(lim);
 
+#if LIM_HAS_FRAMEBUFFER
+    if (lim->fills) return lim_framebuffer_line(&lim->target.framebuffer, y);
+#endif
     return lent ? lent : lim->target.lend(lim->target.ctx, y);
 }
 
@@ -140,13 +144,11 @@ static inline void paint_into(struct lim *lim, const struct lim_point *at, uint8
     lim_framebuffer_paint(&lim->target, at, n, shape->first, shown, colour);
 }
 
-/* A record that faces the eye, and is neither clipped nor folded. false: nothing was done. */
-static inline bool paint_usual(struct lim *lim, const LIM_FLASH lim_index *record)
+/* A record that faces the eye, and is neither clipped nor folded; `at` is for its points. false: nothing was done. */
+static inline bool paint_usual(struct lim *lim, const LIM_FLASH lim_index *record, struct lim_point *at)
 {
     const uint8_t n = (uint8_t)(record[0] & LIM_POLYGON_COUNT);
-    struct lim_point at[LIM_MAX_VERTICES];
     struct lim_edge_shape shape;
-
     uint_fast16_t codes;
 
     LIM_ASSERT(n <= LIM_MAX_VERTICES);
@@ -159,14 +161,13 @@ static inline bool paint_usual(struct lim *lim, const LIM_FLASH lim_index *recor
 
 /* Where polygons come from, far to near: the walk through the tree, or the sorted list. */
 #if LIM_HAS_TREE
-
 /* A record that faces the eye. */
 static LIM_ALONE int paint_record(struct lim *lim, const LIM_FLASH lim_index *record, const struct lim_rect *screen)
 {
     struct lim_screen_polygon polygon;
 
 #if LIM_HAS_PAINTER && LIM_HAS_FRAMEBUFFER
-    if (lim->fills && paint_usual(lim, record)) return 0;
+    if (lim->fills && paint_usual(lim, record, polygon.at)) return 0;
 #endif
     if (!lim_project(&polygon, &lim->view, lim->scene, record, screen, lim_stats_of(lim))) return 0;
     return paint_any(lim, &polygon, screen);
@@ -324,22 +325,13 @@ static int paint_background(struct lim *lim, const struct lim_rect *screen)
     return 0;
 }
 
-static int finish(struct lim *lim, const struct lim_rect *screen)
-{
-    for (uint16_t y = screen->y0; y < screen->y1; y++) {
-        const int err = lim->target.done(lim->target.ctx, y, 0, lim->target.w_px);
-        if (err) return err;
-    }
-    return 0;
-}
-
 /* All of some lines. */
 static int paint_lines(struct lim *lim, const struct lim_rect *screen)
 {
     int err = paint_background(lim, screen);
 
     if (!err) err = paint_from_source(lim, screen);
-    return err ? err : finish(lim, screen);
+    return err ? err : lim_target_done(&lim->target, screen);
 }
 
 int lim_painter_frame(struct lim *lim)

@@ -202,8 +202,6 @@ void lim_nearest_init(struct lim *lim, void *mem, size_t mem_b)
     lim->paint.texturing = &lim->texturing;
 #endif
 #if LIM_HAS_ANTIALIAS
-    lim->paint.smooth.sums = NULL;
-    lim->paint.smooth.line = NULL;
     lim->paint.antialiased = &lim->view.antialiased;
 #endif
 #if LIM_HAS_DELTA

@@ -75,9 +75,10 @@ static inline bool close_in_gap(struct lim_spans *spans, struct lim_gap *gap, in
 }
 
 /* Most lines have one gap, or none, which lies at 0. `seen` is for what is retained, `sink` for what is painted at
- * once: one of them is NULL. */
+ * once: one of them is NULL. `many`: the sink of lines that have several. */
 static inline bool close_between(struct lim_spans *spans, int16_t y, int16_t end, struct lim_edge_pair *pair,
-                                 struct lim_span_extent *seen, lim_span_sink *sink, struct lim_piece_look *look)
+                                 struct lim_span_extent *seen, lim_span_sink *sink, lim_span_sink *many,
+                                 struct lim_piece_look *look)
 {
     struct lim_edge left, right;
     struct lim_line *line = &spans->lines[y], *const after = &spans->lines[end], *first = NULL, *last = NULL;
@@ -92,7 +93,7 @@ static inline bool close_between(struct lim_spans *spans, int16_t y, int16_t end
         if (line->gap.next != LIM_NONE) {
             if (x0 >= x1) continue;
             if (sink) look->y_px = (uint16_t)(line - spans->lines);
-            const enum lim_span_result result = lim_span_close(spans, line, (int16_t)x0, (int16_t)x1, sink, look);
+            const enum lim_span_result result = lim_span_close(spans, line, (int16_t)x0, (int16_t)x1, many, look);
             if (result == LIM_SPAN_NOTHING) continue;
             if (result == LIM_SPAN_EXHAUSTED) exhausted = true;
         } else {
@@ -122,7 +123,7 @@ static inline bool close_between(struct lim_spans *spans, int16_t y, int16_t end
 bool lim_spans_close(struct lim_spans *spans, int16_t y, int16_t end, struct lim_edge_pair *pair,
                      struct lim_span_extent *seen)
 {
-    return close_between(spans, y, end, pair, seen, NULL, NULL);
+    return close_between(spans, y, end, pair, seen, NULL, NULL, NULL);
 }
 
 #if LIM_HAS_FILLED
@@ -131,9 +132,9 @@ bool lim_spans_close_filling(struct lim_spans *spans, int16_t y, int16_t end, st
 {
 #if LIM_HAS_FRAMEBUFFER
     if (!LIM_IS_SHORT && (!LIM_HAS_FRAME || sink == lim_framebuffer_fill))
-        return close_between(spans, y, end, pair, NULL, lim_framebuffer_fill_inline, look);
+        return close_between(spans, y, end, pair, NULL, lim_framebuffer_fill_inline, sink, look);
 #endif
-    return close_between(spans, y, end, pair, NULL, sink, look);
+    return close_between(spans, y, end, pair, NULL, sink, sink, look);
 }
 #endif
 

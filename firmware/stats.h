@@ -50,17 +50,17 @@ struct lim_delta_stats {
 /* What a frame did; all zero when LIM_HAS_STATS is 0. Lines that nearest first leaves to the painter's order, for want
  * of memory, have no background that is counted. */
 struct lim_stats {
-    uint32_t nodes;             /* nodes visited */
-    uint32_t records;           /* records of leaves, each of which has a plane to test */
-    uint32_t boxes, boxes_out;  /* subtree bounds tested; of these out of the open view */
-    uint32_t hidden;            /* subtrees that cannot be seen from where the eye is */
-    uint32_t polygons;          /* polygons reached: front-facing, in a subtree that was not skipped */
-    uint32_t polygons_seen;     /* of these, with at least one pixel */
-    uint32_t vertices;          /* vertices transformed */
-    uint32_t clipped;           /* polygons that met the near plane or the guard band */
-    uint32_t folded;            /* polygons that rounding made non-monotone, drawn as triangles */
-    uint32_t lines;             /* lines of polygons that were stepped */
-    uint32_t pixels_painted;    /* pixels written by polygons, as often as they are */
+    uint32_t nodes;            /* nodes visited */
+    uint32_t records;          /* records of leaves, each of which has a plane to test */
+    uint32_t boxes, boxes_out; /* subtree bounds tested; of these out of the open view */
+    uint32_t hidden;           /* subtrees that cannot be seen from where the eye is */
+    uint32_t polygons;         /* polygons reached: front-facing, in a subtree that was not skipped */
+    uint32_t polygons_seen;    /* of these, with at least one pixel */
+    uint32_t vertices;         /* vertices transformed */
+    uint32_t clipped;          /* polygons that met the near plane or the guard band */
+    uint32_t folded;           /* polygons that rounding made non-monotone, drawn as triangles */
+    uint32_t lines;            /* lines of polygons that were stepped */
+    uint32_t pixels_painted;   /* pixels written by polygons, as often as they are; not of pictures that targets keep */
     uint32_t pixels_background; /* pixels filled with the background; convex: those that no face has painted, about */
 #if LIM_HAS_TEXTURE
     uint32_t divisions; /* for the perspective of textures */

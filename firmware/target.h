@@ -39,7 +39,7 @@ struct lim_target_costs {
 
 /* A piece of a line in one colour, but for where it begins and ends. */
 struct lim_piece_look {
-    void *ctx;       /* the target's */
+    void *ctx;       /* the target's, in its fill() */
     uint16_t colour; /* RGB565 as it lies in memory */
     uint16_t y_px;
 };
@@ -76,17 +76,17 @@ struct lim_target {
 #endif
 #if LIM_HAS_FRAME
     /* For targets that keep the whole picture; both or, where lines are wanted, none. LIM_NEAREST_FIRST then has fill()
-     * paint pixels x0_px <= x < x1_px of a line, in any order, each once and none that `visible` leaves out, and calls
-     * show() when all are there. `look` is a struct lim_piece_look. A frame that is not made of such pieces (textures,
-     * what is transparent or moves, antialiased, as outlines, as changes), or for which gaps are short, comes by lines
-     * as ever, perhaps after some pieces. Pixels are not counted in struct lim_stats. */
+     * paint pixels x0_px <= x < x1_px of a line, in any order, none that `visible` leaves out and each of the others
+     * once, or again where gaps are short; and calls show() when all are there. `look` is a struct lim_piece_look. A
+     * frame that is not made of such pieces (textures, what is transparent or moves, antialiased, as outlines, as
+     * changes) comes by lines as ever. Pixels are not counted in struct lim_stats. */
     void (*fill)(void *look, uint16_t x0_px, uint16_t x1_px);
     int (*show)(void *ctx);
 #endif
 #if LIM_HAS_FRAMEBUFFER
-    /* LIM_NEAREST_FIRST and LIM_PAINTER paint polygons here as they come, and call done() for each line when all are
-     * there, from the top down. lend() must lend these lines: for frames that are not made of such polygons, as above,
-     * and the painter's few that must be clipped. `visible` is for LIM_NEAREST_FIRST. */
+    /* LIM_NEAREST_FIRST and LIM_PAINTER paint polygons here as they come, and call done() for each whole line when all
+     * are there, from the top down; what `visible` leaves out is whatever it was. Where it lies is taken in by
+     * lim_init(). lend() must lend these lines: for frames that are not made of such polygons, as above. */
     struct lim_framebuffer framebuffer;
 #endif
 #if LIM_HAS_DELTA

@@ -227,6 +227,7 @@ bool moving_compile_model(const struct model *model, const struct compile_option
     if (movers->light && !options->unlit) keep_movers_unlit(moving);
     if (!options->unlit) light_bake(&moving->model);
     if (!moving->model.mover_count) return compile_part(&moving->model, NULL, options, scene, err);
+    if (options->framebuffer) return error_set(err, "--framebuffer: objects that move are drawn line by line");
     return compile_parts(moving, options, movers->mode, scene, err);
 }
 

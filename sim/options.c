@@ -86,7 +86,7 @@ static bool parse_panel(const char *text, struct options *out, struct error *err
     out->setup.panel = strcmp(text, "memory") == 0        ? SIMULATOR_MEMORY
                        : strcmp(text, "framebuffer") == 0 ? SIMULATOR_FRAMEBUFFER
                                                           : SIMULATOR_PANEL;
-    return out->setup.panel != SIMULATOR_PANEL || panel_choice_parse(text, "memory and framebuffer", &out->panel, err);
+    return out->setup.panel != SIMULATOR_PANEL || panel_choice_parse(text, "memory, and framebuffer", &out->panel, err);
 }
 
 static bool parse_method(const char *text, struct options *out, struct error *err)

@@ -347,7 +347,8 @@ struct lim_limits pools_mcu_limits(const struct compiled *scene, const struct ne
 {
     struct lim_limits limits = scene->scene.limits;
     if (scene->report.draws == LIM_SCANLINE) limits.gaps = 1;
-    if (scene->report.draws != LIM_NEAREST_FIRST || !needs_retain_nothing(needs)) return limits;
+    const bool keeps = scene->report.frame || scene->report.framebuffer;
+    if (scene->report.draws != LIM_NEAREST_FIRST || !keeps || !needs_retain_nothing(needs)) return limits;
     limits.retained_cells = least_cells(&limits);
     limits.active = 1;
     return limits;

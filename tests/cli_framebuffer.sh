@@ -20,7 +20,7 @@ for profile in draft fast fine exact; do
     tap_check "teapot, $profile: the same pictures by both orders" shows_the_same teapot clusters $profile
 done
 
-# What is not made of whole colours comes by lines.
+# So are those that come by lines: what is not made of whole colours, or moves.
 by_lines_too() { # SCENE OPTION...
     scene=$1
     shift
@@ -30,6 +30,8 @@ by_lines_too() { # SCENE OPTION...
 tap_check "glass" by_lines_too sim/scenes/glass.obj
 tap_check "glass by the painter" by_lines_too sim/scenes/glass.obj --method painter
 tap_check "what moves" by_lines_too sim/scenes/movers.gltf
+tap_check "what moves, by the painter" by_lines_too sim/scenes/movers.gltf --method painter
+tap_check "what alone changes" by_lines_too sim/scenes/rooms.obj --delta
 tap_check "outlines" by_lines_too sim/scenes/rooms.obj --wireframe
 tap_check "smooth edges" by_lines_too sim/scenes/rooms.obj --antialias
 tap_check "what is sorted" by_lines_too sim/scenes/knot.obj --method newell
@@ -107,6 +109,11 @@ for option in --wireframe --antialias --delta; do
 done
 tap_check "glass is refused" refuses '--framebuffer: textures and glass are drawn line by line' \
     compile sim/scenes/glass.obj --framebuffer --report
+for command in 'compile --report' "measure --no-cost -o $work/moved"; do
+    # shellcheck disable=SC2086 # a command and its options
+    tap_check "${command%% *}: so are objects that move" refuses '--framebuffer: objects that move are drawn line by line' \
+        $command sim/scenes/movers.gltf --framebuffer
+done
 tap_check "so are two pictures" refuses '--framebuffer --frame: the picture is kept once; take one of the two' \
     compile sim/scenes/rooms.obj --framebuffer --frame --report
 for method in scanline newell depth; do

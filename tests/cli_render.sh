@@ -73,7 +73,7 @@ for near in 0 -1 nan inf x ''; do
     refuse "near plane '$near' is refused" '^limner: --near' render pyramid.obj --near "$near"
 done
 refuse "a near plane behind the scene is refused" '^limner: --near 100: out of range' render pyramid.obj --near 100
-refuse "an unknown panel is refused" '^limner: --panel hd44780: no such panel; there are .*st7789, .*ls027b7dh01, and memory and framebuffer$' \
+refuse "an unknown panel is refused" '^limner: --panel hd44780: no such panel; there are .*st7789, .*ls027b7dh01, and memory, and framebuffer$' \
     render pyramid.obj --panel hd44780
 refuse "half a page is refused" '^limner: --panel ssd1306: 128x60: its sides are multiples of 1 and 8 pixels$' \
     render pyramid.obj --panel ssd1306 --size 128x60
