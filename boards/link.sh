@@ -82,7 +82,7 @@ functions() { # PATTERN...: of the objects
 # board's drivers, the renderer's to the screen.
 calls() {
     echo "$footprint_calls" | tr -s ' \n' '\n'
-    for stage in paint.c flat.c painter.c framebuffer.c convex.c smooth.c delta.c; do
+    for stage in paint.c flat.c painter.c framebuffer.h convex.c smooth.c delta.c; do
         printf "$stage=%s\n" screen_lend screen_done delta_lend delta_done
     done
     printf '%s\n' span.h=screen_visible delta.c=screen_window span.c=screen_fill bands.c=screen_fill bands.c=screen_show \

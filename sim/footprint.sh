@@ -61,7 +61,7 @@ footprint_ram() {
 # footprint_stack CORE FOLDER: the bytes and the path, without what the target's functions take. With delta output that
 # is the target of all stages.
 footprint_stack() {
-    footprint_at_target='paint.c flat.c painter.c framebuffer.c convex.c smooth.c'
+    footprint_at_target='paint.c flat.c painter.c framebuffer.h convex.c smooth.c'
     footprint_outside="$footprint_at_target span.h" footprint_more=
     if grep -q delta_done "$2/$1/delta.ci"; then
         footprint_outside='delta.c span.h'
