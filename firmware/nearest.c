@@ -223,7 +223,7 @@ static inline enum outcome take_usual(struct lim *lim, const LIM_FLASH lim_index
     const struct lim_rect *open = &lim->spans.open;
     struct lim_span_extent shown = open_lines_of(&shape, open);
     if (shown.top >= shown.bottom) return OUTSIDE;
-    if (lim_project_needs_sides(&lim->view, open)) {
+    if (lim_project_is_narrow(&lim->view, open)) {
         lim_edge_measure_sides(&shape, at, n);
         if (!lim_shape_meets_sides(&shape, open)) return OUTSIDE;
     }

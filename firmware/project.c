@@ -116,7 +116,7 @@ bool lim_project(struct lim_screen_polygon *out, struct lim_view *view, const st
     }
     if (LIM_HAS_STATS && stats) stats->folded += out->shape.folded;
     if (!meets_lines(&out->shape, open)) return false;
-    if (lim_project_needs_sides(view, open)) {
+    if (LIM_HAS_PIECES || lim_project_is_narrow(view, open)) { /* or they are compared */
         if (!lim_is_polygon_antialiased(out)) lim_edge_measure_sides(&out->shape, out->at, out->n);
         if (!lim_shape_meets_sides(&out->shape, open)) return false;
     }

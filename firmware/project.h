@@ -91,11 +91,10 @@ static inline void lim_set_alpha(struct lim_screen_polygon *out, uint8_t alpha)
 #endif
 }
 
-/* Whether columns have to be looked at: where polygons are compared, and where some columns of the screen are no longer
- * open. What is beyond the screen's own sides CULL and the codes leave out. */
-static inline bool lim_project_needs_sides(const struct lim_view *view, const struct lim_rect *open)
+/* Whether some columns of the screen are no longer open, so that those of polygons have to be looked at. What is beyond
+ * the screen's own sides CULL and the codes leave out. */
+static inline bool lim_project_is_narrow(const struct lim_view *view, const struct lim_rect *open)
 {
-    if (LIM_HAS_PIECES) return true;
     return LIM_HAS_HIDDEN && (open->x0 || (int32_t)open->x1 != view->width.px);
 }
 

@@ -15,26 +15,26 @@ static const struct frame_cost NEAREST_FIRST = {.node = 78,
                                                 .record = 0,
                                                 .box = 229,
                                                 .vertex = 167,
-                                                .polygon = 112,
+                                                .polygon = 25,
                                                 .clipped = 2278,
-                                                .seen = 1359,
-                                                .line = 87,
-                                                .gap = 174,
-                                                .screen_line = 185,
-                                                .pixel = 0.73,
-                                                .company = 75.33};
+                                                .seen = 1375,
+                                                .line = 92,
+                                                .gap = 168,
+                                                .screen_line = 230,
+                                                .pixel = 0.55,
+                                                .company = 80.52};
 static const struct frame_cost SCANLINE = {.node = 77,
                                            .record = 0,
                                            .box = 138,
                                            .vertex = 149,
-                                           .polygon = 416,
+                                           .polygon = 294,
                                            .clipped = 2119,
-                                           .seen = 181,
-                                           .line = 81,
+                                           .seen = 294,
+                                           .line = 82,
                                            .gap = 0,
-                                           .screen_line = 134,
+                                           .screen_line = 126,
                                            .pixel = 0.00,
-                                           .company = 0.43};
+                                           .company = 0.73};
 
 bool frame_cost_knows(enum lim_method method)
 {

@@ -138,6 +138,48 @@ tap_check "compiled for scan lines, its limits do for both orders, which show th
     shows_the_same 240x240 nearest scanline
 small_too() { scans 'by scan lines' --size 128x64 -o "$work/pot" && shows_the_same 128x64 nearest scanline; }
 tap_check "so on a small screen, where most of the polygons have no pixel" small_too
+
+# A firmware of the scene's own looks at no columns, so polygons without any wait for their lines as well.
+cat >"$work/bands.c" <<'END'
+#include "cameras.h"
+#include "limner.h"
+#include "model.h"
+
+static uint32_t line[CAMERAS_W_PX], mem[MODEL_SCENE_MEM_B(CAMERAS_H_PX) / 4 + 1];
+static struct lim lim;
+
+static void *lend(void *ctx, uint16_t y_px) { (void)ctx, (void)y_px; return line; }
+
+static int done(void *ctx, uint16_t y_px, uint16_t x_px, uint16_t n_px)
+{
+    (void)ctx, (void)y_px, (void)x_px, (void)n_px;
+    return 0;
+}
+
+int main(void)
+{
+    const struct lim_target target = {
+        .w_px = CAMERAS_W_PX, .h_px = CAMERAS_H_PX, .method = MODEL_SCENE_METHOD, .lend = lend, .done = done};
+    int err = lim_init(&lim, &model_scene, &target, mem, MODEL_SCENE_MEM_B(CAMERAS_H_PX));
+
+    for (int i = 0; i < CAMERAS_COUNT && !err; i++) {
+        err = lim_frame(&lim, &cameras[i]);
+        if (lim_bands(&lim)) return 2;
+    }
+    return err != 0;
+}
+END
+needs_no_band() { # WxH
+    scans 'by scan lines' --size "$1" -o "$work/model" &&
+        "$BUILD/limner" render "$work/model.lim" --camera sim/scenes/teapot.cam --size "$1" \
+            --write-cameras "$work/cameras.h" &&
+        # shellcheck disable=SC2086 # warnings are words
+        ${CC:-cc} -std=c11 $WARNINGS -Ifirmware -I"$work" -DLIM_CONFIG='"model.h"' -o "$work/bands" "$work/bands.c" \
+            "$work"/model*.c firmware/*.c && "$work/bands"
+}
+for size in 32x32 64x32 128x64; do
+    tap_check "at $size its own firmware needs no band for the same path" needs_no_band $size
+done
 stays_nearest() {
     for asked in '--method nearest' --wireframe --antialias --delta --frame; do
         # shellcheck disable=SC2086 # an option and its value
