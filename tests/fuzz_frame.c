@@ -15,7 +15,7 @@ struct canvas {
     const struct lim_scene *scene;
     uint16_t unpainted; /* of this colour nothing is, unless colours are mixed */
     uint16_t w_px, h_px;
-    uint16_t pixels[FUZZ_SIDE_MAX_PX][FUZZ_SIDE_MAX_PX];
+    _Alignas(4) uint16_t pixels[FUZZ_SIDE_MAX_PX][FUZZ_SIDE_MAX_PX];
     uint8_t done[FUZZ_SIDE_MAX_PX][FUZZ_SIDE_MAX_PX]; /* how often each pixel was final */
     bool strayed;                                     /* a line or a pixel that the target has not */
 };
