@@ -373,4 +373,5 @@ clean: ## remove build/ and out/
 	@rm -rf $(BUILD) out
 
 -include $(patsubst %.o,%.d,$(call object,$(sources) $(generator) $(textured_generator) $(scale_generator) $(test_sources) tests/exhaustive/main.c tests/libfuzzer/main.c \
+	tests/boards/walked.c \
 	$(filter-out %/wire_tap.c,$(wildcard tests/kernel/*.c))))
