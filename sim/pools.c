@@ -9,6 +9,7 @@
 #include "frame_cost.h"
 #include "lim_image.h"
 #include "moving.h"
+#include "needs.h"
 #include "portals.h"
 #include "progress.h"
 #include "records.h"

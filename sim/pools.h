@@ -5,7 +5,8 @@
 #define SIM_POOLS_H
 
 #include "compiled.h"
-#include "needs.h"
+
+struct needs;
 
 /* Sets scene->scene.limits and the image's, pools included: the most that any of 256 sampled cameras
  * and 64 portraits but the greediest needs at this size and precision (NULL: fast), and an eighth on top. Also sets
