@@ -6,6 +6,7 @@
 #include "order.h"
 
 #include "framebuffer.h"
+#include "gaps.h"
 
 #if LIM_HAS_SPANS
 
@@ -129,21 +130,19 @@ static void fill_background(struct lim *lim)
     if (!lim->spans.open_lines) return;
     for (look.y_px = open->y0; look.y_px < open->y1; look.y_px++) {
         const struct lim_gap *gap = &lim->spans.lines[look.y_px].gap;
-        for (;;) {
+        for (; gap; gap = lim_gap_after(&lim->spans, gap))
             if (gap->x0 < gap->x1) fill(&look, gap->x0, gap->x1);
-            if (gap->next == LIM_NONE) break;
-            gap = &lim->spans.pool[gap->next];
-        }
     }
 }
 
 /* A framebuffer's lines are done as lines that were lent are. */
-static int show(const struct lim_target *target)
+static int show(const struct lim *lim)
 {
-    if (lim_has_framebuffer(target))
-        return lim_target_done(target, &(const struct lim_rect){0, 0, target->w_px, target->h_px});
+    const struct lim_rect frame = whole_frame(lim);
+
+    if (lim_has_framebuffer(&lim->target)) return lim_target_done(&lim->target, &frame);
 #if LIM_HAS_FRAME
-    return target->show(target->ctx);
+    return lim->target.show(lim->target.ctx);
 #else
     return LIM_ERR_TARGET;
 #endif
@@ -167,7 +166,7 @@ static int fill_frame(struct lim *lim)
             halve(&band);
         }
     }
-    return show(&lim->target);
+    return show(lim);
 }
 #endif
 

@@ -15,19 +15,27 @@
 enum { POLYGONS_PER_SHRINK = 20 }; /* the open view is drawn together this often */
 
 /* SPAN for one polygon that is not folded, on the lines `shown`, which shrink to those of which something was open.
- * false: a pool is exhausted. */
+ * sink: for the pieces, with `look`, where they are painted at once, and nobody asks for lines; or NULL. false: a pool
+ * is exhausted. */
 static inline bool close_lines(struct lim_spans *spans, const struct lim_point *at, uint8_t n, uint8_t first,
-                               struct lim_span_extent *shown)
+                               struct lim_span_extent *shown, lim_span_sink *sink, struct lim_piece_look *look)
 {
     const int16_t top = shown->top, bottom = shown->bottom;
     struct lim_edge_pair pair;
 
+    (void)sink, (void)look;
     *shown = (struct lim_span_extent){bottom, top};
     lim_edge_begin(&pair, n, first);
     for (int16_t y = top; y < bottom;) {
         const int16_t turn = lim_edge_turn(&pair, at, n, y);
         const int16_t end = turn < bottom ? turn : bottom;
-        if (!lim_spans_close(spans, y, end, &pair, shown)) return false;
+#if LIM_HAS_FILLED
+        if (sink) {
+            if (!lim_spans_close_filling(spans, y, end, &pair, sink, look)) return false;
+        } else
+#endif
+            if (!lim_spans_close(spans, y, end, &pair, shown))
+            return false;
         y = end;
     }
     return true;
@@ -39,16 +47,8 @@ static inline bool fill_lines(struct lim *lim, const struct lim_point *at, uint8
 {
 #if LIM_HAS_FILLED
     struct lim_piece_look look = {.ctx = lim_fill_ctx_of(&lim->target), .colour = colour};
-    struct lim_edge_pair pair;
 
-    lim_edge_begin(&pair, n, first);
-    for (int16_t y = shown.top; y < shown.bottom;) {
-        const int16_t turn = lim_edge_turn(&pair, at, n, y);
-        const int16_t end = turn < shown.bottom ? turn : shown.bottom;
-        if (!lim_spans_close_filling(&lim->spans, y, end, &pair, lim_fill_of(&lim->target), &look)) return false;
-        y = end;
-    }
-    return true;
+    return close_lines(&lim->spans, at, n, first, &shown, lim_fill_of(&lim->target), &look);
 #else
     (void)lim, (void)at, (void)n, (void)first, (void)shown, (void)colour;
     return false;
@@ -128,18 +128,10 @@ static inline bool can_be_usual(const struct lim *lim, const LIM_FLASH lim_index
     return !(record[0] & unusual) && !lim_wireframe_of(lim) && !lim_is_antialiased(&lim->view);
 }
 
-/* What of a polygon's lines may be open. */
-static inline struct lim_span_extent open_lines_of(const struct lim_edge_shape *shape, const struct lim_rect *open)
-{
-    const int16_t y0 = (int16_t)open->y0, y1 = (int16_t)open->y1;
-
-    return (struct lim_span_extent){shape->top > y0 ? shape->top : y0, shape->bottom < y1 ? shape->bottom : y1};
-}
-
 /* A polygon that is not folded. false: a pool is exhausted. */
 static bool take_plain(struct lim *lim, const struct lim_screen_polygon *polygon)
 {
-    struct lim_span_extent shown = open_lines_of(&polygon->shape, &lim->spans.open);
+    struct lim_span_extent shown = lim_shape_lines(&polygon->shape, &lim->spans.open);
 
     if (shown.top >= shown.bottom) return true;
     if (LIM_HAS_STATS) lim_stats_of(lim)->lines += (uint32_t)(shown.bottom - shown.top);
@@ -150,7 +142,8 @@ static bool take_plain(struct lim *lim, const struct lim_screen_polygon *polygon
     const uint8_t alpha = wireframe ? (uint8_t)LIM_OPAQUE : lim_alpha_of(polygon);
     if (alpha != LIM_OPAQUE) {
         if (!sees_open(lim, polygon, shown.top, shown.bottom)) return true;
-    } else if (!retains_all(lim) && !close_lines(&lim->spans, polygon->at, polygon->n, polygon->shape.first, &shown)) {
+    } else if (!retains_all(lim) &&
+               !close_lines(&lim->spans, polygon->at, polygon->n, polygon->shape.first, &shown, NULL, NULL)) {
         return false;
     }
     if (shown.top >= shown.bottom) return true;
@@ -221,7 +214,7 @@ static inline enum outcome take_usual(struct lim *lim, const LIM_FLASH lim_index
     if (lim_view_all_outside(codes)) return OUTSIDE;
     if (codes & (LIM_VIEW_LEFT | LIM_VIEW_RIGHT)) lim->retained.overhangs = true;
     const struct lim_rect *open = &lim->spans.open;
-    struct lim_span_extent shown = open_lines_of(&shape, open);
+    struct lim_span_extent shown = lim_shape_lines(&shape, open);
     if (shown.top >= shown.bottom) return OUTSIDE;
     if (lim_project_is_narrow(&lim->view, open)) {
         lim_edge_measure_sides(&shape, at, n);
@@ -234,7 +227,7 @@ static inline enum outcome take_usual(struct lim *lim, const LIM_FLASH lim_index
     }
     if (!retains_all(lim)) {
         struct lim_span_extent seen = shown;
-        if (!close_lines(&lim->spans, at, n, shape.first, &seen)) return EXHAUSTED_POOL;
+        if (!close_lines(&lim->spans, at, n, shape.first, &seen, NULL, NULL)) return EXHAUSTED_POOL;
         if (seen.top >= seen.bottom) return TAKEN;
         shown = seen;
     }

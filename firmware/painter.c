@@ -136,8 +136,8 @@ static int paint_any(struct lim *lim, const struct lim_screen_polygon *polygon, 
 static inline void paint_into(struct lim *lim, const struct lim_point *at, uint8_t n,
                               const struct lim_edge_shape *shape, uint16_t colour)
 {
-    const int16_t h_px = (int16_t)lim->target.h_px;
-    const struct lim_span_extent shown = {shape->top > 0 ? shape->top : 0, shape->bottom < h_px ? shape->bottom : h_px};
+    const struct lim_rect screen = {0, 0, lim->target.w_px, lim->target.h_px};
+    const struct lim_span_extent shown = lim_shape_lines(shape, &screen);
 
     if (shown.top >= shown.bottom) return;
     if (LIM_HAS_STATS) lim_stats_of(lim)->lines += (uint32_t)(shown.bottom - shown.top);

@@ -10,6 +10,7 @@
 #include "fill.h"
 #include "measure.h"
 #include "samples.h"
+#include "span.h"
 #include "stats.h"
 #include "view.h"
 
@@ -102,6 +103,14 @@ static inline bool lim_project_is_narrow(const struct lim_view *view, const stru
 static inline bool lim_shape_meets_sides(const struct lim_edge_shape *shape, const struct lim_rect *open)
 {
     return shape->left < shape->right && shape->left < (int16_t)open->x1 && shape->right > (int16_t)open->x0;
+}
+
+/* What of a polygon's lines lies within. */
+static inline struct lim_span_extent lim_shape_lines(const struct lim_edge_shape *shape, const struct lim_rect *within)
+{
+    const int16_t y0 = (int16_t)within->y0, y1 = (int16_t)within->y1;
+
+    return (struct lim_span_extent){shape->top > y0 ? shape->top : y0, shape->bottom < y1 ? shape->bottom : y1};
 }
 
 /* `record` is a polygon record (scene.h). false: nothing of it can be inside `open`. A polygon that is
