@@ -4,6 +4,7 @@
  * would have shown; where gaps are short some are given again. Whatever is not made of such pieces comes by lines as
  * ever. */
 #include "cmocka_ready.h"
+#include "renderer_pair.h"
 #include "room_stage.h"
 
 #include <stdlib.h>
@@ -58,18 +59,14 @@ static int show(void *ctx)
 
 static void round_glass(void *ctx, uint16_t y_px, uint16_t *x0_px, uint16_t *x1_px)
 {
-    const uint16_t cut = (uint16_t)abs((int)y_px - H_PX / 2);
-
     (void)ctx;
-    *x0_px = (uint16_t)(cut + 3);
-    *x1_px = (uint16_t)(W_PX - cut);
+    renderer_pair_round(W_PX, H_PX, y_px, x0_px, x1_px);
 }
 
 /* Two renderers of a scene: one that is given lines, and one that keeps its picture. */
 struct pair {
-    struct lim lim[2];
+    struct renderer_pair of;
     struct kept picture[2];
-    void *mem[2];
 };
 
 static struct pair *pair_new(const struct lim_scene *scene, enum lim_method method, bool least)
@@ -81,18 +78,14 @@ static struct pair *pair_new(const struct lim_scene *scene, enum lim_method meth
         picture->target = (struct lim_target){
             .w_px = W_PX, .h_px = H_PX, .method = method, .ctx = picture, .lend = lend, .done = done};
         if (i) picture->target.fill = fill, picture->target.show = show;
-        const bool small = i && least;
-        const size_t mem_b = small ? lim_mem_min_b(scene, &picture->target) : lim_mem_b(scene, &picture->target);
-        pair->mem[i] = malloc(mem_b);
-        assert_int_equal(lim_init(&pair->lim[i], scene, &picture->target, pair->mem[i], mem_b), LIM_OK);
+        renderer_pair_start(&pair->of, i, scene, &picture->target, i && least);
     }
     return pair;
 }
 
 static void pair_free(struct pair *pair)
 {
-    free(pair->mem[0]);
-    free(pair->mem[1]);
+    renderer_pair_end(&pair->of);
     free(pair);
 }
 
@@ -102,8 +95,8 @@ static int draw(struct pair *pair, const struct lim_camera *camera)
 
     memset(given->times, 0, sizeof given->times);
     given->pieces = given->shown = given->done = 0;
-    assert_int_equal(lim_frame(&pair->lim[0], camera), LIM_OK);
-    return lim_frame(&pair->lim[1], camera);
+    assert_int_equal(lim_frame(&pair->of.lim[0], camera), LIM_OK);
+    return lim_frame(&pair->of.lim[1], camera);
 }
 
 static void assert_same(const struct pair *pair)
@@ -142,7 +135,7 @@ static void round_glass_is_filled_where_it_is_seen(void **state)
     struct pair *pair = pair_new(&((struct room_stage *)*state)->scene.scene, LIM_NEAREST_FIRST, false);
 
     for (int i = 0; i < 2; i++)
-        pair->lim[i].target.visible = round_glass;
+        pair->of.lim[i].target.visible = round_glass;
     for (int i = 0; i < VIEWS / 4; i++) {
         const struct lim_camera camera = view(*state);
         assert_int_equal(draw(pair, &camera), 0);
@@ -169,8 +162,8 @@ static void without_room_for_gaps_some_is_filled_again(void **state)
         assert_same(pair);
         assert_int_equal(pair->picture[1].shown, 1);
         assert_int_equal(pair->picture[1].done, 0);
-        assert_in_range(lim_bands(&pair->lim[1]), 0, H_PX / 2);
-        banded += lim_bands(&pair->lim[1]) > 0;
+        assert_in_range(lim_bands(&pair->of.lim[1]), 0, H_PX / 2);
+        banded += lim_bands(&pair->of.lim[1]) > 0;
         for (int px = 0; px < W_PX * H_PX; px++)
             assert_in_range(pair->picture[1].times[px / W_PX][px % W_PX], 1, 8);
     }
@@ -222,8 +215,8 @@ static void outlines_and_smooth_edges_come_by_lines(void **state)
     struct pair *smooth = pair_new(&f->scene.scene, LIM_NEAREST_FIRST, false);
 
     for (int i = 0; i < 2; i++) {
-        lim_set_wireframe(&wire->lim[i], &(const struct lim_wireframe){.on = true});
-        assert_int_equal(lim_set_antialias(&smooth->lim[i], sums[i], sizeof sums[i]), LIM_OK);
+        lim_set_wireframe(&wire->of.lim[i], &(const struct lim_wireframe){.on = true});
+        assert_int_equal(lim_set_antialias(&smooth->of.lim[i], sums[i], sizeof sums[i]), LIM_OK);
     }
     assert_lines(f, wire);
     assert_lines(f, smooth);

@@ -3,6 +3,7 @@
  * Targets with a framebuffer: nearest first and the painter paint the pictures there that they make of lines, and
  * nothing beside them; then all lines are done, from the top down. What cannot be painted so is lent lines as ever. */
 #include "cmocka_ready.h"
+#include "renderer_pair.h"
 #include "room_stage.h"
 #include "set_rig.h"
 
@@ -39,18 +40,14 @@ static int done(void *ctx, uint16_t y_px, uint16_t x_px, uint16_t n_px)
 
 static void round_glass(void *ctx, uint16_t y_px, uint16_t *x0_px, uint16_t *x1_px)
 {
-    const uint16_t cut = (uint16_t)abs((int)y_px - H_PX / 2);
-
     (void)ctx;
-    *x0_px = (uint16_t)(cut + 3);
-    *x1_px = (uint16_t)(W_PX - cut);
+    renderer_pair_round(W_PX, H_PX, y_px, x0_px, x1_px);
 }
 
 /* Two renderers of a scene: one that is lent lines, and one with a framebuffer. */
 struct pair {
-    struct lim lim[2];
+    struct renderer_pair of;
     struct canvas canvas[2];
-    void *mem[2];
 };
 
 static struct pair *pair_new(const struct lim_scene *scene, enum lim_method method, bool least)
@@ -62,19 +59,14 @@ static struct pair *pair_new(const struct lim_scene *scene, enum lim_method meth
         canvas->target = (struct lim_target){
             .w_px = W_PX, .h_px = H_PX, .method = method, .ctx = canvas, .lend = lend, .done = done};
         if (i) canvas->target.framebuffer = (struct lim_framebuffer){canvas->pixels, STRIDE_PX};
-        const size_t least_b = lim_mem_min_b(scene, &canvas->target), all_b = lim_mem_b(scene, &canvas->target);
-        const size_t mem_b = i && least ? least_b : all_b;
-        pair->mem[i] = malloc(mem_b);
-        memset(&pair->lim[i], 0xA5, sizeof pair->lim[i]);
-        assert_int_equal(lim_init(&pair->lim[i], scene, &canvas->target, pair->mem[i], mem_b), LIM_OK);
+        renderer_pair_start(&pair->of, i, scene, &canvas->target, i && least);
     }
     return pair;
 }
 
 static void pair_free(struct pair *pair)
 {
-    free(pair->mem[0]);
-    free(pair->mem[1]);
+    renderer_pair_end(&pair->of);
     free(pair);
 }
 
@@ -91,8 +83,8 @@ static int draw(struct pair *pair, const struct lim_camera *camera)
 {
     wipe(&pair->canvas[0]);
     wipe(&pair->canvas[1]);
-    assert_int_equal(lim_frame(&pair->lim[0], camera), LIM_OK);
-    return lim_frame(&pair->lim[1], camera);
+    assert_int_equal(lim_frame(&pair->of.lim[0], camera), LIM_OK);
+    return lim_frame(&pair->of.lim[1], camera);
 }
 
 /* All of it: what lies beside the lines, and below them, is as it was. */
@@ -139,11 +131,11 @@ static void a_frame_in_parts_is_painted_in_one(void **state)
         const struct lim_camera camera = view(*state);
         wipe(&pair->canvas[0]);
         wipe(&pair->canvas[1]);
-        assert_int_equal(lim_frame(&pair->lim[0], &camera), LIM_OK);
-        assert_int_equal(lim_frame_begin(&pair->lim[1], &camera), LIM_OK);
-        assert_false(lim_frame_work(&pair->lim[1]));
+        assert_int_equal(lim_frame(&pair->of.lim[0], &camera), LIM_OK);
+        assert_int_equal(lim_frame_begin(&pair->of.lim[1], &camera), LIM_OK);
+        assert_false(lim_frame_work(&pair->of.lim[1]));
         assert_int_equal(pair->canvas[1].pieces, 0);
-        assert_int_equal(lim_frame_paint(&pair->lim[1]), LIM_OK);
+        assert_int_equal(lim_frame_paint(&pair->of.lim[1]), LIM_OK);
         assert_same(pair);
         assert_int_equal(pair->canvas[1].lent, 0);
     }
@@ -181,7 +173,7 @@ static void round_glass_is_painted_where_it_is_seen(void **state)
     struct pair *pair = pair_new(&((struct room_stage *)*state)->scene.scene, LIM_NEAREST_FIRST, false);
 
     for (int i = 0; i < 2; i++)
-        pair->lim[i].target.visible = round_glass;
+        pair->of.lim[i].target.visible = round_glass;
     for (int i = 0; i < VIEWS / 4; i++) {
         const struct lim_camera camera = view(*state);
         assert_int_equal(draw(pair, &camera), 0);
@@ -206,8 +198,8 @@ static void without_room_for_gaps_some_is_painted_again(void **state)
         assert_int_equal(draw(pair, &camera), 0);
         assert_same(pair);
         assert_int_equal(pair->canvas[1].lent, 0);
-        assert_in_range(lim_bands(&pair->lim[1]), 0, H_PX / 2);
-        banded += lim_bands(&pair->lim[1]) > 0;
+        assert_in_range(lim_bands(&pair->of.lim[1]), 0, H_PX / 2);
+        banded += lim_bands(&pair->of.lim[1]) > 0;
     }
     assert_true(banded > 0);
     pair_free(pair);
@@ -262,7 +254,7 @@ static void outlines_and_glass_come_by_lines(void **state)
     for (size_t m = 0; m < sizeof METHODS / sizeof METHODS[0]; m++) {
         struct pair *wire = pair_new(&stage->scene.scene, METHODS[m], false);
         for (int i = 0; i < 2; i++)
-            lim_set_wireframe(&wire->lim[i], &(const struct lim_wireframe){.on = true});
+            lim_set_wireframe(&wire->of.lim[i], &(const struct lim_wireframe){.on = true});
         assert_lines(stage, wire);
         assert_lines(stage, pair_new(&glass, METHODS[m], false));
     }
@@ -275,7 +267,7 @@ static void smooth_edges_come_by_lines(void **state)
     struct pair *smooth = pair_new(&stage->scene.scene, LIM_NEAREST_FIRST, false);
 
     for (int i = 0; i < 2; i++)
-        assert_int_equal(lim_set_antialias(&smooth->lim[i], sums[i], sizeof sums[i]), LIM_OK);
+        assert_int_equal(lim_set_antialias(&smooth->of.lim[i], sums[i], sizeof sums[i]), LIM_OK);
     assert_lines(stage, smooth);
 }
 
