@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT
  *
  * A frame, nearest first: pass one (nearest.c) over all lines, then pass two (paint.c). When a pool is exhausted the
- * frame is finished in bands: the same two passes over half the lines, a quarter, one line, half a line. A band of one
- * pixel needs one polygon and no gap, so every frame ends. */
+ * frame is finished in bands: the same two passes over half the lines, a quarter, one line, half a line, and more again
+ * where there is room. A band of one pixel needs one polygon and no gap, so every frame ends. */
 #include "order.h"
 
 #include "framebuffer.h"
@@ -10,32 +10,57 @@
 
 #if LIM_HAS_SPANS
 
-/* A smaller band that starts where this one does. What PAINT has left of a band may be a single
- * pixel, which is smaller already. */
-static void halve(struct lim_rect *band)
-{
-    const uint16_t lines = (uint16_t)(band->y1 - band->y0), pixels = (uint16_t)(band->x1 - band->x0);
+/* Of a frame: the next band, and how large those are that follow. */
+struct bands {
+    struct lim_rect band;
+    uint16_t w_px, h_px; /* less than the screen's width: one line */
+    bool grows;          /* the last band was painted, too */
+};
 
-    if (lines > 1)
-        band->y1 = (uint16_t)(band->y0 + lines / 2);
-    else if (pixels > 1)
-        band->x1 = (uint16_t)(band->x0 + pixels / 2);
+static void bands_begin(struct bands *bands, const struct lim_target *target)
+{
+    bands->w_px = target->w_px;
+    bands->h_px = target->h_px;
+    bands->band = (struct lim_rect){0, 0, target->w_px, target->h_px};
+    bands->grows = false;
 }
 
-/* The band of the same size that follows: to the right, or below. */
-static void follow(struct lim_rect *band, const struct lim_target *target)
+/* A smaller band that starts where this one does. What PAINT has left of a band may be a single
+ * pixel, which is smaller already. */
+static void halve(struct bands *bands)
 {
+    struct lim_rect *band = &bands->band;
     const uint16_t lines = (uint16_t)(band->y1 - band->y0), pixels = (uint16_t)(band->x1 - band->x0);
 
-    if (band->x1 < target->w_px) {
-        band->x0 = band->x1;
-        band->x1 = (uint16_t)(target->w_px - band->x0 < pixels ? target->w_px : band->x0 + pixels);
-        return;
+    bands->w_px = pixels;
+    bands->h_px = lines;
+    if (lines > 1)
+        bands->h_px /= 2;
+    else if (pixels > 1)
+        bands->w_px /= 2;
+    band->x1 = (uint16_t)(band->x0 + bands->w_px);
+    band->y1 = (uint16_t)(band->y0 + bands->h_px);
+    bands->grows = false;
+}
+
+/* The band that follows: to the right, or below. What crowds a frame is mostly in a part of it, so when two in a row
+ * were painted those that follow are twice as large. */
+static void follow(struct bands *bands, const struct lim_target *target)
+{
+    struct lim_rect *band = &bands->band;
+
+    if (bands->grows) {
+        uint16_t *size = bands->w_px < target->w_px ? &bands->w_px : &bands->h_px;
+        *size = (uint16_t)(2 * *size);
     }
-    band->x0 = 0;
-    band->x1 = pixels;
-    band->y0 = band->y1;
-    band->y1 = (uint16_t)(target->h_px - band->y0 < lines ? target->h_px : band->y0 + lines);
+    bands->grows = !bands->grows;
+    band->x0 = band->x1;
+    if (band->x0 >= target->w_px) {
+        band->x0 = 0;
+        band->y0 = band->y1;
+    }
+    band->x1 = (uint16_t)(target->w_px - band->x0 < bands->w_px ? target->w_px : band->x0 + bands->w_px);
+    band->y1 = (uint16_t)(target->h_px - band->y0 < bands->h_px ? target->h_px : band->y0 + bands->h_px);
 }
 
 /* Positive: a pool is exhausted (LIM_PAINT_...), and *y is the first line that is not yet painted. */
@@ -87,8 +112,9 @@ static inline int draw_line_alone(struct lim *lim, const struct lim_rect *band)
 }
 
 /* The band's first line; what is left of the band comes next. */
-static int paint_first_line(struct lim *lim, struct lim_rect *band)
+static int paint_first_line(struct lim *lim, struct bands *bands)
 {
+    struct lim_rect *band = &bands->band;
     int err = LIM_ERR_TARGET;
 #if LIM_HAS_FALLBACK
     const bool antialiased = lim_is_antialiased(&lim->view);
@@ -100,7 +126,7 @@ static int paint_first_line(struct lim *lim, struct lim_rect *band)
     if (band->y1 - band->y0 > 1)
         band->y0++;
     else
-        follow(band, &lim->target);
+        follow(bands, &lim->target);
     return err;
 }
 
@@ -152,18 +178,19 @@ static int show(const struct lim *lim)
  * are not gaps enough is painted again. */
 static int fill_frame(struct lim *lim)
 {
-    struct lim_rect band = whole_frame(lim);
+    struct bands bands;
 
-    while (band.y0 < lim->target.h_px) {
+    bands_begin(&bands, &lim->target);
+    while (bands.band.y0 < lim->target.h_px) {
         lim->fills = true;
-        const bool whole = lim_collect(lim, &band);
+        const bool whole = lim_collect(lim, &bands.band);
         lim->fills = false;
         if (whole) {
             fill_background(lim);
-            follow(&band, &lim->target);
+            follow(&bands, &lim->target);
         } else {
             count_band(lim);
-            halve(&band);
+            halve(&bands);
         }
     }
     return show(lim);
@@ -177,35 +204,38 @@ static void begin_frame(struct lim *lim)
 }
 
 /* For what of a band could not be painted, from line band->y0 on, a pool is too small. */
-static int paint_less(struct lim *lim, struct lim_rect *band, int exhausted)
+static int paint_less(struct lim *lim, struct bands *bands, int exhausted)
 {
+    const struct lim_rect *band = &bands->band;
+
     count_band(lim);
-    if (wants_painter(lim, band, exhausted)) return paint_first_line(lim, band);
+    if (wants_painter(lim, band, exhausted)) return paint_first_line(lim, bands);
     if (!LIM_HAS_ANTIALIAS || !lim_is_antialiased(&lim->view) || band->y1 - band->y0 > 1) {
-        halve(band);
+        halve(bands);
         return 0;
     }
     const int err = draw_line_alone(lim, band);
-    if (!err) follow(band, &lim->target);
+    if (!err) follow(bands, &lim->target);
     return err;
 }
 
 /* From pass one over all lines to the frame's last line. */
 static int finish_frame(struct lim *lim, bool is_collected)
 {
-    struct lim_rect band = whole_frame(lim);
+    struct bands bands;
 
+    bands_begin(&bands, &lim->target);
     for (;;) {
         uint16_t y;
-        int err = paint_band(lim, &band, is_collected, &y);
+        int err = paint_band(lim, &bands.band, is_collected, &y);
         if (err > 0) {
-            band.y0 = y;
-            err = paint_less(lim, &band, err);
+            bands.band.y0 = y;
+            err = paint_less(lim, &bands, err);
         } else {
-            follow(&band, &lim->target);
+            follow(&bands, &lim->target);
         }
-        if (err || band.y0 >= lim->target.h_px) return err;
-        is_collected = lim_collect(lim, &band);
+        if (err || bands.band.y0 >= lim->target.h_px) return err;
+        is_collected = lim_collect(lim, &bands.band);
     }
 }
 

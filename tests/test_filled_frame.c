@@ -162,7 +162,7 @@ static void without_room_for_gaps_some_is_filled_again(void **state)
         assert_same(pair);
         assert_int_equal(pair->picture[1].shown, 1);
         assert_int_equal(pair->picture[1].done, 0);
-        assert_in_range(lim_bands(&pair->of.lim[1]), 0, H_PX / 2);
+        assert_in_range(lim_bands(&pair->of.lim[1]), 0, H_PX);
         banded += lim_bands(&pair->of.lim[1]) > 0;
         for (int px = 0; px < W_PX * H_PX; px++)
             assert_in_range(pair->picture[1].times[px / W_PX][px % W_PX], 1, 8);

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
  * Whole frames: both orders, any memory, failing targets, bad cameras and bad set-ups. */
+#include "boxes.h"
 #include "closed_stage.h"
 #include "cmocka_ready.h"
 #include "compiled.h"
@@ -218,6 +219,46 @@ static void any_memory_gives_the_same_picture(void **state)
     assert_true(bands_at_least_memory > SCENES); /* the case is really there */
 }
 
+/* A wall, and before it slats as thin as pixels, on FENCE_LINES lines in the middle of the screen. */
+enum { FENCE_LINES = 4, SLATS = 60, SLAT_M = 100 };
+
+static void fence_init(struct stage *stage)
+{
+    static const struct compile_options options = {.tolerance_units = 0.5, .splitter = "fewest"};
+    struct model *model = &stage->in.closed.model;
+
+    memset(stage, 0, sizeof *stage);
+    boxes_add_world(model);
+    for (int k = 0; k < SLATS; k++) {
+        const double x_m = 2 * SLAT_M * (k - SLATS / 2);
+        boxes_add_solid(model, (double[]){x_m, 0, -9800}, (double[]){x_m + SLAT_M, 400, -9700});
+    }
+    closed_stage_compile(&stage->in, &options, W_PX, H_PX);
+    stage->unpainted = unused_colour(&stage->in.scene.scene);
+}
+
+/* The least memory holds a polygon. Where there is but the wall that is enough for any number of lines, though on those
+ * of the fence it was for a pixel or two. */
+static void bands_that_crowded_lines_made_small_grow_again(void **state)
+{
+    struct viewpoint ahead = {.target_m = {0, 0, -1}, .line = 1};
+    const struct camera_path path = {"fence", &ahead, 1};
+    struct lim_camera camera;
+    struct stage stage;
+    struct error err;
+
+    (void)state;
+    fence_init(&stage);
+    const struct lim_target target = target_of(&stage, LIM_NEAREST_FIRST);
+    assert_true(camera_path_to_camera(&path, 0, &stage.in.lens, &stage.in.scene.grid, &camera, &err));
+    stage_start(&stage, LIM_NEAREST_FIRST, lim_mem_min_b(&stage.in.scene.scene, &target));
+    draw(&stage, &camera);
+    print_message("# frame: %d calls, %u bands\n", stage.canvas.calls, lim_stats(&stage.lim)->bands);
+    assert_in_range(stage.canvas.calls, 2 * (H_PX - FENCE_LINES + FENCE_LINES * SLATS),
+                    2 * (H_PX - FENCE_LINES + (FENCE_LINES + 1) * W_PX));
+    stage_free(&stage);
+}
+
 static void a_target_that_fails_at_any_call_ends_the_frame_and_the_next_is_whole(void **state)
 {
     static const enum lim_method orders[] = {LIM_NEAREST_FIRST, LIM_PAINTER, LIM_SCANLINE};
@@ -307,6 +348,7 @@ int main(void)
         cmocka_unit_test(painted_by_gaps_each_pixel_is_painted_once),
         cmocka_unit_test(the_painter_gives_the_same_picture),
         cmocka_unit_test(any_memory_gives_the_same_picture),
+        cmocka_unit_test(bands_that_crowded_lines_made_small_grow_again),
         cmocka_unit_test(a_target_that_fails_at_any_call_ends_the_frame_and_the_next_is_whole),
         cmocka_unit_test(cameras_out_of_range_are_refused),
         cmocka_unit_test(set_ups_that_cannot_work_are_refused),

@@ -198,7 +198,7 @@ static void without_room_for_gaps_some_is_painted_again(void **state)
         assert_int_equal(draw(pair, &camera), 0);
         assert_same(pair);
         assert_int_equal(pair->canvas[1].lent, 0);
-        assert_in_range(lim_bands(&pair->of.lim[1]), 0, H_PX / 2);
+        assert_in_range(lim_bands(&pair->of.lim[1]), 0, H_PX);
         banded += lim_bands(&pair->of.lim[1]) > 0;
     }
     assert_true(banded > 0);
