@@ -14,6 +14,10 @@ ifeq ($(origin CC),default)
 CC    := gcc
 endif
 export BUILD CC
+# CCACHE= does without.
+ifeq ($(origin CCACHE),undefined)
+CCACHE := $(shell sh sim/compiler_cache.sh)
+endif
 
 ALL_SUITES := host arm cpus boards cross compilers sanitize models prove format kernel
 SUITES     := host arm
@@ -72,7 +76,7 @@ packages-bench         := $(packages-tradeoff) valgrind
 packages-bench-baseline := $(packages-bench)
 packages-boards        := $(shell sed -n 's/^\(EMULATE_\)\{0,1\}PACKAGES *:= *//p' boards/*/board.mk)
 packages-boards-table  := $(packages-boards)
-packages-test          := $(foreach suite,$(suites),$(packages-$(suite)))
+packages-test          := ccache $(foreach suite,$(suites),$(packages-$(suite)))
 
 packages:
 	$(LIVE)sh sim/setup.sh $(sort $(packages-build) $(foreach goal,$(MAKECMDGOALS),$(packages-$(goal))))
@@ -104,7 +108,7 @@ $(BUILD)/host/flags: force | packages
 $(BUILD)/host/%.o: %.c $(BUILD)/host/flags
 	@mkdir -p $(@D)
 	@echo "CC $<"
-	@$(CC) @$(BUILD)/host/flags $(PLACES) -c -o $@ $<
+	@$(CCACHE) $(CC) @$(BUILD)/host/flags $(PLACES) -c -o $@ $<
 
 %.a:
 	@rm -f $@
@@ -125,7 +129,7 @@ define core
 $(BUILD)/core-$(1)/%.o: %.c $(BUILD)/host/flags
 	@mkdir -p $$(@D)
 	@echo "CC $$< ($(1))"
-	@$$(CC) @$(BUILD)/host/flags $(core_flags) -c -o $$@ $$<
+	@$$(CCACHE) $$(CC) @$(BUILD)/host/flags $(core_flags) -c -o $$@ $$<
 
 $(BUILD)/core-$(1).o: $(call core_object,$(1))
 	@ld -r -o $$@ $$^

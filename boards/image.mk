@@ -131,7 +131,8 @@ $(folder)/limits: force
 	@echo '$(FLASH_B) $(RAM_B) $(LINK) $(LAST) $(LINES)' | cmp -s - $@ || echo '$(FLASH_B) $(RAM_B) $(LINK) $(LAST) $(LINES)' > $@
 
 export BOARD TOOLS ARCH OPT LINK LAST FLASH_B RAM_B STREAM LINES
-$(IMAGE).elf: $(board_objects) $(image_objects) boards/link.sh $(folder)/limits $(wildcard $(board_folder)/*.ld boards/common/*.ld)
+$(IMAGE).elf: $(board_objects) $(image_objects) boards/link.sh sim/footprint.sh sim/stack.awk sim/avr_graph.awk \
+		$(folder)/limits $(wildcard $(board_folder)/*.ld boards/common/*.ld)
 	$(LIVE)rm -f $(IMAGE).*
 	$(LIVE)COMPILER='$(TOOLS)gcc $(board_flags) $(stream_flags) $(scene_flags)' sh boards/link.sh $(folder) \
 		'$(BOARD): $(model) on $(PANEL), $(module_size), precision $(PRECISION)' $(board_objects) $(image_objects)

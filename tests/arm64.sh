@@ -24,7 +24,7 @@ compile() {
 
 # As boards/linux/README.md says, against Debian's libgpiod of that architecture.
 compile_image() {
-    make BOARD=linux DEPS=skip BOARDS="$work/boards" TOOLS="${cross%gcc}" PANEL=ssd1306 MODULE='--hz 1000000' \
+    make BOARD=linux DEPS=skip BUILD="$BUILD" BOARDS="$work/boards" TOOLS="${cross%gcc}" PANEL=ssd1306 MODULE='--hz 1000000' \
         ARCH="-I$debian/usr/include" STANDARD='-std=c11 -D_POSIX_C_SOURCE=200809L -DLIM_GPIOD=1' \
         LAST="-static $debian/usr/lib/aarch64-linux-gnu/libgpiod.a"
 }

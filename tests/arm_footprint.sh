@@ -23,10 +23,15 @@ prepare() { # NAME MODEL CAMERA...
             --write-cameras "$work/$prepare_name/cameras.h"
 }
 
+# Objects that are there already with the same flags are not compiled again.
 built() { # CORE NAME [FLAG...]
-    built_core=$1 built_name=$2
+    built_core=$1 built_name=$2 built_with=$work/$2/$1.flags
     shift 2
-    footprint_objects "$built_core" "$work/$built_name" model.h "$@" && footprint_link "$built_core" "$work/$built_name"
+    if ! echo "$*" | cmp -s - "$built_with"; then
+        rm -f "$built_with"
+        footprint_objects "$built_core" "$work/$built_name" model.h "$@" && echo "$*" >"$built_with" || return 1
+    fi
+    footprint_link "$built_core" "$work/$built_name"
 }
 
 symbols() { # CORE NAME

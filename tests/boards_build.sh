@@ -8,7 +8,7 @@ built=$(cd "$BUILD" && pwd) # seen from a copy of the project as well
 
 # From the project's folder, or another one that is like it.
 board() { # MAKE-ARGUMENT...
-    make DEPS=skip BUILD="$built" BOARDS="$work/boards" "$@" >"$work/said" 2>&1 || {
+    make DEPS=skip BUILD="$built" BOARDS="$kept/boards" "$@" >"$work/said" 2>&1 || {
         cat "$work/said"
         return 1
     }
@@ -21,7 +21,7 @@ refused() { # PATTERN MAKE-ARGUMENT...
         echo "it was built"
         return 1
     fi
-    cat "$work/said" && grep -q "$pattern" "$work/said" && ! find "$work/boards" -name 'image.[ebh]*' -newer "$work/began" | grep .
+    cat "$work/said" && grep -q "$pattern" "$work/said" && ! find "$kept/boards" -name 'image.[ebh]*' -newer "$work/began" | grep .
 }
 
 builds() { # MAKE-ARGUMENT...
@@ -42,12 +42,12 @@ copy_board() { # FROM TO
 
 copied_board_builds() {
     copy_board bluepill mine && (cd "$work/project" && builds BOARD=mine) && grep -q '^mine: ' "$work/said" &&
-        ls "$work"/boards/mine/*/image.bin
+        ls "$kept"/boards/mine/*/image.bin
 }
 
 # Of the image before: SSD1306s turn nothing by 90 degrees.
 turned_cameras() { # W_PX H_PX
-    header=$work/boards/bluepill/icosahedron-ssd1306-fast/cameras.h
+    header=$kept/boards/bluepill/icosahedron-ssd1306-fast/cameras.h
     grep '^#define' "$header" && grep -qx "#define CAMERAS_W_PX $1" "$header" && grep -qx "#define CAMERAS_H_PX $2" "$header"
 }
 
@@ -58,7 +58,7 @@ flash_tool_is_named() {
 
 # Without hardware, in one line.
 says_what_is_wrong() {
-    LIMNER_SPI=/dev/null "$work"/boards/linux/*/image.elf 2>"$work/said"
+    LIMNER_SPI=/dev/null "$kept"/boards/linux/*/image.elf 2>"$work/said"
     [ $? -eq 1 ] && cat "$work/said" && [ "$(cat "$work/said")" = "limner: LIMNER_SPI=/dev/null: not an SPI device" ]
 }
 

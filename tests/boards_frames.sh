@@ -6,7 +6,7 @@
 . tests/tap.sh
 
 board() { # MAKE-ARGUMENT...
-    make DEPS=skip BOARDS="$work/boards" PICTURES="$work/pictures" "$@" >"$work/said" 2>&1 || {
+    make DEPS=skip BUILD="$BUILD" BOARDS="$kept/boards" PICTURES="$work/pictures" "$@" >"$work/said" 2>&1 || {
         cat "$work/said"
         return 1
     }
@@ -61,5 +61,5 @@ readme_has_no_other_row() {
 tap_check "README has a row for each, and no other" readme_has_no_other_row
 tap_check "a scene that moves, 18 bits a pixel" draws BOARD=stm32f405 SCENE=movers PANEL=st7735:rgb666
 tap_check "what changes alone" draws BOARD=stm32f405 COMPILE=--delta
-tap_check "a wrong pixel is told" tells_wrong_pixels "$work/boards/stm32f405/rooms-st7789-fast/golden.8" BOARD=stm32f405
+tap_check "a wrong pixel is told" tells_wrong_pixels "$kept/boards/stm32f405/rooms-st7789-fast/golden.8" BOARD=stm32f405
 tap_done

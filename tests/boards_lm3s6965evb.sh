@@ -4,11 +4,11 @@
 # too, is told by the LED, and then all is set up anew; a processor's exception ends with the LED lit.
 . tests/tap.sh
 
-folder=$work/boards/lm3s6965evb/rooms-ssd0323-fast
+folder=$kept/boards/lm3s6965evb/rooms-ssd0323-fast
 scene='sim/scenes/rooms.obj --camera sim/scenes/rooms.cam --size 128x64 --panel ssd0323'
 
 builds() {
-    make DEPS=skip BOARD=lm3s6965evb BOARDS="$work/boards" N=8 image "$folder/golden.8"
+    make DEPS=skip BUILD="$BUILD" BOARD=lm3s6965evb BOARDS="$kept/boards" N=8 image "$folder/golden.8"
 }
 
 # -- Buttons -------------------------------------------------------------------------------------------------------------

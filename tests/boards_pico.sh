@@ -5,13 +5,13 @@
 . tests/tap.sh
 
 board() { # MAKE-ARGUMENT...
-    make DEPS=skip BOARD=pico BOARDS="$work/boards" PICTURES="$work/pictures" "$@" >"$work/said" 2>&1 || {
+    make DEPS=skip BUILD="$BUILD" BOARD=pico BOARDS="$kept/boards" PICTURES="$work/pictures" "$@" >"$work/said" 2>&1 || {
         cat "$work/said"
         return 1
     }
 }
 
-image=$work/boards/pico/rooms-st7789-fast/image
+image=$kept/boards/pico/rooms-st7789-fast/image
 
 frames_are_golden() {
     board emulate N=8 && cat "$work/said" && [ "$(grep -c '^frame [0-9]*:' "$work/said")" -eq 8 ]

@@ -18,7 +18,8 @@ frames_every=8      # camera of the file
 frames_suffix=obj
 
 frames_expected() { # PROFILE: the scene as C, its cameras, and the host's hashes, all different
-    frames_dir=$work/$1
+    frames_dir=$kept/$1
+    rm -rf "$frames_dir"
     mkdir -p "$frames_dir"
     awk -v every="$frames_every" '!/^#/ && NF && n++ % every == 0' "$scene.cam" | head -n 8 >"$work/few.cam"
     # shellcheck disable=SC2086 # options are words
@@ -35,7 +36,7 @@ frames_expected() { # PROFILE: the scene as C, its cameras, and the host's hashe
 }
 
 frames_agree() { # PROFILE CORE[:FLAG]
-    frames_dir=$work/$1 frames_core=${2%%:*} frames_flag=${2#"${2%%:*}"}
+    frames_dir=$kept/$1 frames_core=${2%%:*} frames_flag=${2#"${2%%:*}"}
     set -- ${frames_flag:+"${frames_flag#:}"}
     case $frames_core in
     microbit | avr) set -- -DSCENE_MEM_B=8192 "$@" ;;

@@ -1,16 +1,20 @@
 # SPDX-License-Identifier: MIT
 #
-# For test scripts to source: prints test results in the Test Anything Protocol, and lends a
-# temporary folder, $work. Every script ends with tap_done: a plan that is missing is a failure.
+# For test scripts to source: prints test results in the Test Anything Protocol, and lends a temporary folder, $work.
+# $kept, which a script makes if it wants it, stays: the next run's make finds there what is made already, and a compiler's
+# cache knows headers by their place. Every script ends with tap_done: a plan that is missing is a failure.
 # shellcheck shell=sh
 
 : "${BUILD:?is set by the Makefile: run this script through make test}" "${WARNINGS:?}"
+: "${CCACHE=$(sh sim/compiler_cache.sh)}"
+export CCACHE # limner measure compiles, too
 
 # A make that a test starts shares nothing with the make that started the test.
 unset MAKEFLAGS MFLAGS MAKELEVEL MAKEOVERRIDES
 
 tap_count=0
 work=$(mktemp -d)
+kept=$(cd "$BUILD" && pwd)/kept/$(basename "$0" .sh)
 trap 'rm -rf "$work"' EXIT
 trap 'exit 1' INT TERM
 

@@ -6,6 +6,7 @@
 #include "cmocka_ready.h"
 #include "compiled.h"
 #include "edge_error.h"
+#include "effort.h"
 #include "limner.h"
 #include "mesh_rig.h"
 #include "profiles.h"
@@ -89,7 +90,7 @@ static void any_memory_paints_the_same(void **state)
     unsigned banded = 0;
 
     (void)state;
-    for (int s = 0; s < SCENES; s++) {
+    for (int s = 0; s < effort(SCENES); s++) {
         struct closed_stage stage;
         stage_open(&stage, &random, false, true);
         const struct lim_target target = {.w_px = W_PX, .h_px = H_PX, .method = LIM_NEAREST_FIRST};
@@ -108,7 +109,7 @@ static void any_memory_paints_the_same(void **state)
         closed_stage_close(&stage);
     }
     print_message("# antialias: %u frames ran out of memory\n", banded);
-    assert_true(banded >= SCENES);
+    assert_true(banded >= (unsigned)effort(SCENES));
 }
 
 /* Where transparent polygons are too many for the memory, single lines are painted back to front, and not antialiased:
@@ -119,7 +120,7 @@ static void scarce_memory_takes_edges_from_glass_by_whole_lines(void **state)
     unsigned as_smooth = 0, as_aliased = 0;
 
     (void)state;
-    for (int s = 0; s < SCENES; s++) {
+    for (int s = 0; s < effort(SCENES); s++) {
         static struct canvas smooth, aliased, part;
         struct closed_stage stage;
         struct lim_stats stats;
@@ -151,7 +152,7 @@ static void newell_paints_what_the_tree_paints(void **state)
     unsigned different = 0, splits = 0;
 
     (void)state;
-    for (int s = 0; s < SCENES; s++) {
+    for (int s = 0; s < effort(SCENES); s++) {
         struct closed_stage stage;
         stage_open(&stage, &random, false, true);
         for (int f = 0; f < FRAMES; f++) {
@@ -167,8 +168,8 @@ static void newell_paints_what_the_tree_paints(void **state)
         closed_stage_close(&stage);
     }
     print_message("# antialias: newell, %u splits, %u of %d pixels differ\n", splits, different,
-                  SCENES * FRAMES * W_PX * H_PX);
-    assert_true(different < SCENES * FRAMES * W_PX * H_PX / 2000);
+                  effort(SCENES) * FRAMES * W_PX * H_PX);
+    assert_true(different < (unsigned)effort(SCENES) * FRAMES * W_PX * H_PX / 2000);
 }
 
 /* Every face of one colour in front of a background of another: one sample that is left out shows. */
@@ -177,7 +178,7 @@ static void nothing_shines_through_seams(void **state)
     struct random random = {918};
 
     (void)state;
-    for (int s = 0; s < SCENES; s++) {
+    for (int s = 0; s < effort(SCENES); s++) {
         struct closed_stage stage;
         stage_open(&stage, &random, false, true);
         lim_index *words = malloc(stage.scene.scene.polygon_words * sizeof *words);

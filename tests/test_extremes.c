@@ -5,6 +5,7 @@
 #include "closed_scene.h"
 #include "cmocka_ready.h"
 #include "compiled.h"
+#include "effort.h"
 #include "limner.h"
 #include "random_camera.h"
 #include "unpainted.h"
@@ -200,7 +201,7 @@ static void any_camera_paints_the_same_pixels_once_in_any_memory_and_order(void 
     for (int s = 0; s < SCENES; s++) {
         struct stage stage;
         stage_init(&stage, &random);
-        for (int f = 0; f < FRAMES; f++) {
+        for (int f = 0; f < effort(FRAMES); f++) {
             const uint16_t *size = sizes[random_u64(&random) % 5];
             struct lim_camera camera = any_camera(&random);
             struct canvas comfortable, least, painter;
@@ -219,7 +220,8 @@ static void any_camera_paints_the_same_pixels_once_in_any_memory_and_order(void 
         }
         stage_free(&stage);
     }
-    assert_true(clipped > SCENES * FRAMES && bands > SCENES * FRAMES && seen > SCENES * FRAMES);
+    const uint32_t frames = (uint32_t)(SCENES * effort(FRAMES));
+    assert_true(clipped > frames && bands > frames && seen > frames);
 }
 
 static void rolled_and_long_views_of_closed_scenes_show_no_background(void **state)
@@ -230,7 +232,7 @@ static void rolled_and_long_views_of_closed_scenes_show_no_background(void **sta
     for (int s = 0; s < SCENES; s++) {
         struct stage stage;
         stage_init(&stage, &random);
-        for (int f = 0; f < ROLLED_FRAMES; f++) {
+        for (int f = 0; f < effort(ROLLED_FRAMES); f++) {
             struct viewpoint viewpoint = closed_scene_viewpoint(&stage.closed, &random);
             const struct camera_path path = {"random", &viewpoint, 1};
             const struct lens lens = {1.0 / 60, 1.0 / 60, 0.01};
@@ -298,7 +300,7 @@ static void a_box_seen_from_inside_fills_the_screen_up_to_the_near_plane(void **
     uint32_t clipped = 0;
 
     (void)state;
-    for (int f = 0; f < BOX_FRAMES; f++) {
+    for (int f = 0; f < effort(BOX_FRAMES); f++) {
         struct lim_camera camera = any_camera(&random);
         int16_t low[3], high[3];
         struct box box;
@@ -319,7 +321,7 @@ static void a_box_seen_from_inside_fills_the_screen_up_to_the_near_plane(void **
         assert_int_equal(stats.pixels_background, 0);
         clipped += stats.clipped;
     }
-    assert_true(clipped > BOX_FRAMES);
+    assert_true(clipped > (uint32_t)effort(BOX_FRAMES));
 }
 
 /* Numbers ------------------------------------------------------------------------------------ */
@@ -333,7 +335,7 @@ static void view_space_fits_32_bits_for_every_camera_and_vertex(void **state)
 
     (void)state;
     lim_view_init(&view, 240, 240, cache);
-    for (int k = 0; k < VIEWS; k++) {
+    for (int k = 0; k < effort(VIEWS); k++) {
         struct lim_camera camera = any_camera(&random);
         int16_t v[3];
         any_vertex(&random, v);
@@ -396,7 +398,7 @@ static void no_box_with_a_vertex_on_an_open_pixel_is_culled(void **state)
     uint32_t tested = 0;
 
     (void)state;
-    for (int k = 0; k < CULL_VIEWS; k++) {
+    for (int k = 0; k < effort(CULL_VIEWS); k++) {
         const uint16_t w_px = sides_px[random_u64(&random) % 4], h_px = sides_px[random_u64(&random) % 4];
         struct lim_camera camera = any_camera(&random);
         struct lim_view view;
@@ -424,7 +426,7 @@ static void no_box_with_a_vertex_on_an_open_pixel_is_culled(void **state)
             tested++;
         }
     }
-    assert_true(tested > CULL_VIEWS);
+    assert_true(tested > (uint32_t)effort(CULL_VIEWS));
 }
 
 /* A walk through boxes in boxes: `skipped` counts the subtrees that needed no test. */
@@ -469,7 +471,7 @@ static void a_walk_that_remembers_what_it_is_inside_of_skips_what_all_planes_wou
     struct lim_view_cached cache[LIM_VIEW_CACHE_ENTRIES];
 
     (void)state;
-    for (int k = 0; k < CULL_WALKS; k++) {
+    for (int k = 0; k < effort(CULL_WALKS); k++) {
         struct lim_camera camera = any_camera(&descent.random);
         struct lim_view view;
         int16_t target[3];
@@ -482,7 +484,8 @@ static void a_walk_that_remembers_what_it_is_inside_of_skips_what_all_planes_wou
         lim_cull_set(&descent.cull, &view, camera.eye_q8, &open);
         descend(&descent, &grid, 0, 6);
     }
-    assert_true(descent.skipped > CULL_WALKS && descent.outside > CULL_WALKS);
+    const uint32_t walks = (uint32_t)effort(CULL_WALKS);
+    assert_true(descent.skipped > walks && descent.outside > walks);
 }
 
 int main(void)

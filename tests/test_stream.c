@@ -5,6 +5,7 @@
 #include "closed_stage.h"
 #include "cmocka_ready.h"
 #include "compiled.h"
+#include "effort.h"
 #include "limner.h"
 
 #include <stdlib.h>
@@ -214,7 +215,7 @@ static void frames_in_parts_are_whole_frames_by_every_method_with_any_memory(voi
     uint32_t bands_at_least = 0;
 
     (void)state;
-    for (int s = 0; s < SCENES; s++) {
+    for (int s = 0; s < effort(SCENES); s++) {
         for (unsigned m = 0; m < sizeof orders / sizeof orders[0]; m++) {
             struct stage stage;
             stage_init(&stage, &random, false);
@@ -226,7 +227,7 @@ static void frames_in_parts_are_whole_frames_by_every_method_with_any_memory(voi
             stage_free(&stage);
         }
     }
-    assert_true(bands_at_least > SCENES);
+    assert_true(bands_at_least > (uint32_t)effort(SCENES));
 }
 
 static void so_they_are_where_some_is_transparent(void **state)
@@ -234,7 +235,7 @@ static void so_they_are_where_some_is_transparent(void **state)
     struct random random = {72};
 
     (void)state;
-    for (int s = 0; s < SCENES; s++) {
+    for (int s = 0; s < effort(SCENES); s++) {
         struct stage stage;
         stage_init(&stage, &random, true);
         assert_true(stage.in.scene.scene.limits.layers > 0);
@@ -307,7 +308,7 @@ static void so_they_are_with_what_moves(void **state)
     uint32_t seen = 0;
 
     (void)state;
-    for (int s = 0; s < SCENES; s++) {
+    for (int s = 0; s < effort(SCENES); s++) {
         struct stage stage;
         stage_init(&stage, &random, false);
         stage_start(&stage, LIM_NEAREST_FIRST, s % 2 ? 256 : 20);
@@ -332,7 +333,7 @@ static void changes_are_sent_in_turns(void **state)
     struct random random = {76};
 
     (void)state;
-    for (int s = 0; s < SCENES; s++) {
+    for (int s = 0; s < effort(SCENES); s++) {
         struct stage stage;
         stage_init(&stage, &random, false);
         stage_start(&stage, LIM_NEAREST_FIRST, s % 2 ? 256 : 20);

@@ -11,14 +11,15 @@ set -eu
 : "${WARNINGS:=-Wall}"
 . sim/targets/targets.sh
 
-step=$1 core=$2 folder=$3
+step=$1 core=$2 folder=$3 project=$PWD
 
-compile() { # OBJECT SOURCE FLAG...
+# Inside of the folder, whose name is another each time: so a cache of objects ($CCACHE) does not see it.
+compile() { # OBJECT SOURCE FLAG...: both in the folder, or from the root
     object=$1 source=$2
     shift 2
     # shellcheck disable=SC2046,SC2086 # flags are words
-    $(target_compiler "$core") $(target_flags "$core") -O2 -g $WARNINGS -ffreestanding -ffunction-sections \
-        -fdata-sections -Ifirmware -I"$folder" "$@" -c -o "$object" "$source"
+    (cd "$folder" && ${CCACHE:-} $(target_compiler "$core") $(target_flags "$core") -O2 -g $WARNINGS -ffreestanding \
+        -ffunction-sections -fdata-sections "-fdebug-prefix-map=$PWD=." "-I$project/firmware" -I. "$@" -c -o "$object" "$source")
 }
 
 # The renderer's objects in a folder of their own, so that the linker's map tells whose is what.
@@ -26,10 +27,11 @@ build() {
     set -- '-DLIM_CONFIG="model.h"' -DLIM_HAS_STATS=0
     mkdir -p "$folder/firmware"
     for source in firmware/*.c; do
-        compile "$folder/${source%.c}.o" "$source" "$@"
+        compile "${source%.c}.o" "$project/$source" "$@"
     done
     rm -f "$folder"/model*.o
     for source in "$folder"/model*.c; do # what moves has files of its own
+        source=${source##*/}
         compile "${source%.c}.o" "$source" "$@"
     done
     target_link "$core" "$folder/image" "$@" -I"$folder" -Wl,--wrap=main -Wl,-Map,"$folder/image.map" \

@@ -54,18 +54,46 @@ target_image() { # CORE
 
 target_bare() { # ARCHITECTURE MACHINE
     echo -ffreestanding -nostdlib -Wl,--fatal-warnings -Wl,--no-warn-rwx-segments -Lboards/common \
-        -T "sim/targets/$2.ld" "boards/common/start_$1.c" boards/common/image.c sim/targets/semihost.c
+        "-Wl,-T,sim/targets/$2.ld" "boards/common/start_$1.c" boards/common/image.c sim/targets/semihost.c
 }
 
-# target_link CORE IMAGE FLAG|SOURCE...: compiles the sources, and the start-up with them, into an image; -O2 if not
-# told otherwise.
-target_link() {
-    target_core=$1 target_output=$2
-    shift 2
+# target_compile CORE OBJECT SOURCE FLAG...: one file, -O2 if not told otherwise; $CCACHE is of sim/compiler_cache.sh, or
+# empty.
+target_compile() {
+    target_core=$1 target_object=$2 target_source=$3
+    shift 3
     # shellcheck disable=SC2046,SC2086 # flags are words
-    $(target_compiler "$target_core") $(target_flags "$target_core") -O2 $WARNINGS -ffunction-sections \
-        -fdata-sections -Wl,--gc-sections -Ifirmware -Ihal -Iboards/common -Isim/targets -o "$target_output" "$@" \
-        $(target_image "$target_core") -lgcc
+    ${CCACHE:-} $(target_compiler "$target_core") $(target_flags "$target_core") -O2 $WARNINGS -ffunction-sections \
+        -fdata-sections -Ifirmware -Ihal -Iboards/common -Isim/targets "$@" -c -o "$target_object" "$target_source"
+}
+
+# target_link CORE IMAGE FLAG|OBJECT|SOURCE...: compiles the sources, and the start-up with them, into an image. Its
+# objects stay beside it. No argument has spaces.
+target_link() {
+    target_core=$1 target_output=$2 target_given='' target_count=0
+    shift 2
+    # shellcheck disable=SC2046 # sources and flags are words
+    set -- "$@" $(target_image "$target_core")
+    for target_word; do
+        case $target_word in
+        *.[co] | -Wl,* | -L*) ;;
+        *) target_given="$target_given $target_word" ;;
+        esac
+    done
+    rm -rf "$target_output.objects"
+    mkdir "$target_output.objects" || return 1
+    for target_word; do
+        shift
+        if [ "${target_word%.c}" != "$target_word" ]; then
+            target_count=$((target_count + 1))
+            # shellcheck disable=SC2086 # flags are words
+            target_compile "$target_core" "$target_output.objects/$target_count.o" "$target_word" $target_given || return 1
+            target_word=$target_object
+        fi
+        set -- "$@" "$target_word"
+    done
+    # shellcheck disable=SC2046 # flags are words
+    $(target_compiler "$target_core") $(target_flags "$target_core") -O2 -Wl,--gc-sections -o "$target_output" "$@" -lgcc
 }
 
 # QEMU's MPS2 boards always have their network chip and warn when it has no peer: this one leads nowhere.

@@ -33,7 +33,7 @@ build_with_libusb() {
 }
 
 build_board() {
-    make BOARD=linux DEPS=skip BOARDS="$work/boards" &&
+    make BOARD=linux DEPS=skip BUILD="$BUILD" BOARDS="$work/boards" &&
         cp "$work/boards/linux/rooms-st7789-fast/image.elf" "$BUILD/tests/kernel/wires" "$stage/usual" &&
         chmod -R a+rX "$stage/usual"
 }
