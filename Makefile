@@ -227,7 +227,7 @@ $(addprefix $(BUILD)/tests/,$(faked)): test_links := $(foreach name,$(fake_calls
 tests/cli_gpiod.sh: $(BUILD)/tests/test_linux_port
 
 extremes := $(filter $(BUILD)/tests/test_extreme_%,$(test_programs))
-tests/cli_extremes.sh: $(extremes)
+tests/cli_extremes.sh: $(extremes) $(BUILD)/limner
 tests/cli_scale.sh tests/arm_scale.sh: $(BUILD)/generate_scale
 
 suite-host      := $(filter-out $(extremes),$(filter $(BUILD)/tests/test_%,$(test_programs))) $(wildcard tests/cli_*.sh)
@@ -289,7 +289,7 @@ test-fixed: ## run the fixed-point tests on the host and on emulated Arm
 test-arm64: ## draw through a stock arm64 kernel in QEMU, whose pins are watched
 	@$(MAKE) test SUITES=arm64
 
-extremes: $(extremes) packages ## run the tests of extremes and write tests/EXTREMES.md anew
+extremes: $(extremes) $(BUILD)/limner packages ## run the tests of extremes and write their page anew, with its pictures
 	$(LIVE)EXTREMES=write sh tests/cli_extremes.sh
 
 soak: $(suite-soak) packages ## 10^9 pixels of random closed scenes in every profile

@@ -1,10 +1,12 @@
 # SPDX-License-Identifier: MIT
 #
-# Runs the tests of extremes, each for every precision profile, and compares tests/EXTREMES.md with what they print.
-# `make extremes` (EXTREMES=write) writes that page instead.
+# Runs the tests of extremes, each for every precision profile, and compares tests/EXTREMES.md and its pictures with what
+# they print and draw. `make extremes` (EXTREMES=write) writes both instead.
 . tests/tap.sh
 
-page=tests/EXTREMES.md
+page=tests/EXTREMES.md pictures=tests/extremes
+export EXTREMES_PICTURES="$work/pictures"
+mkdir "$EXTREMES_PICTURES"
 
 holds() { # PROGRAM
     CMOCKA_MESSAGE_OUTPUT=TAP "$1" >"$work/output" 2>"$work/errors"
@@ -16,9 +18,24 @@ holds() { # PROGRAM
 }
 
 page_is_current() {
-    sh tests/extremes.sh "$work/rows" >"$work/page"
+    sh tests/extremes.sh "$work/rows" "$EXTREMES_PICTURES" >"$work/page"
     [ "${EXTREMES:-}" != write ] || cp "$work/page" "$page"
     diff "$page" "$work/page"
+}
+
+# By their pixels: compressors differ.
+hashes_of() { # FOLDER
+    (cd "$1" && ls && "$limner" hashes ./*.png --write-hashes /dev/stdout)
+}
+
+pictures_are_current() {
+    limner=$(cd "$BUILD" && pwd)/limner
+    if [ "${EXTREMES:-}" = write ]; then
+        rm -rf "$pictures"
+        cp -r "$EXTREMES_PICTURES" "$pictures"
+    fi
+    hashes_of "$pictures" >"$work/kept" && hashes_of "$EXTREMES_PICTURES" >"$work/drawn" &&
+        diff "$work/kept" "$work/drawn"
 }
 
 for program in "$BUILD"/tests/test_extreme_*; do
@@ -26,4 +43,5 @@ for program in "$BUILD"/tests/test_extreme_*; do
     tap_check "$(basename "$program")" holds "$program"
 done
 tap_check "$page says what was measured" page_is_current
+tap_check "the page's pictures show what was drawn" pictures_are_current
 tap_done

@@ -54,6 +54,7 @@ void extreme_open(struct extreme *extreme, const struct model *model, const stru
 
 void extreme_close(struct extreme *extreme)
 {
+    extreme_picture_free(&extreme->best);
     ids_free(&extreme->ids);
     compiled_free(&extreme->scene);
     reference_free(&extreme->reference);
@@ -88,6 +89,12 @@ size_t extreme_camera(struct extreme *extreme, const struct lim_camera *camera)
     return simulator_stats(&extreme->ids.simulator)->pixels_background;
 }
 
+/* One profile's picture stands for all. */
+static bool is_shown(const struct extreme *extreme)
+{
+    return extreme->profile->profile == LIM_PROFILE_FAST && extreme_picture_is_wanted();
+}
+
 void extreme_frame(struct extreme *extreme, const double eye_m[3], const double target_m[3])
 {
     const struct viewpoint viewpoint = viewpoint_of(eye_m, target_m);
@@ -97,6 +104,23 @@ void extreme_frame(struct extreme *extreme, const double eye_m[3], const double 
     reference_draw(&extreme->reference, &viewpoint, &extreme->lens);
     holes_add(&extreme->sum, extreme->profile, extreme->ids.faces, &extreme->reference,
               1 / extreme->scene.grid.units_per_m);
+    if (is_shown(extreme))
+        extreme_picture_consider(&extreme->best, extreme->ids.faces, extreme->reference.depths_m,
+                                 extreme->reference.faces, extreme->picture.w_px, extreme->picture.h_px);
+}
+
+void extreme_show(struct extreme *extreme, const char *name)
+{
+    const struct extreme_picture *picture = &extreme->picture;
+
+    if (!is_shown(extreme)) return;
+    extreme_picture_consider(&extreme->best, extreme->ids.faces, NULL, NULL, picture->w_px, picture->h_px);
+    extreme_picture_write(&extreme->best, name, picture->w_px, picture->h_px);
+}
+
+void extreme_about(const char *name, const char *about)
+{
+    printf("# extreme-about %s %s\n", name, about);
 }
 
 void extreme_row(const char *name, const char *profile, const char *promised, const char *measured, ...)
@@ -156,6 +180,7 @@ void extreme_run(const struct extreme_plan *plan)
 
     assert_true(count >= 2);
     plan->build(&model);
+    extreme_about(plan->name, plan->about);
     for (size_t k = 0; k < count; k++) {
         struct random random = {71};
         struct extreme extreme;
@@ -163,6 +188,7 @@ void extreme_run(const struct extreme_plan *plan)
         assert_true(extreme.scene.grid.units_per_m == 1);
         for (int f = 0; f < effort(plan->frames) && extreme.sum.holes <= HOLES_ENOUGH; f++)
             plan->look(&extreme, &random);
+        extreme_picture_write(&extreme.best, plan->name, plan->picture.w_px, plan->picture.h_px);
         extreme_judge(&extreme, plan->name, plan->order);
         extreme_close(&extreme);
     }

@@ -5,6 +5,7 @@
 #ifndef TESTS_EXTREME_H
 #define TESTS_EXTREME_H
 
+#include "extreme_picture.h"
 #include "holes.h"
 #include "ids.h"
 #include "profiles.h"
@@ -26,6 +27,7 @@ struct extreme {
     struct reference reference;
     struct ids ids;
     struct holes sum; /* over all frames drawn */
+    struct extreme_best best;
 };
 
 /* Anything that fails ends the test. */
@@ -42,9 +44,12 @@ size_t extreme_camera(struct extreme *extreme, const struct lim_camera *camera);
 /* The camera that extreme_frame() would draw with. */
 struct lim_camera extreme_aim(const struct extreme *extreme, const double eye_m[3], const double target_m[3]);
 
+/* The last frame as the extreme's picture, for those that are not drawn by extreme_frame(); only of profile fast. */
+void extreme_show(struct extreme *extreme, const char *name);
+
 /* A scene and how to look at it. */
 struct extreme_plan {
-    const char *name;
+    const char *name, *about; /* as extreme_about() */
     struct extreme_picture picture;
     void (*build)(struct model *model); /* starts from an empty one; every metre a unit: boxes.h */
     void (*look)(struct extreme *extreme, struct random *random); /* draws one frame */
@@ -54,6 +59,9 @@ struct extreme_plan {
 
 /* Draws and judges it in every profile. */
 void extreme_run(const struct extreme_plan *plan);
+
+/* What is extreme, as the beginning of a sentence that ends with what is promised: "The eye lies in a face's plane". */
+void extreme_about(const char *name, const char *about);
 
 /* The table's row, for tests/extremes.sh to collect: "# extreme NAME PROFILE promised ... measured ...". */
 void extreme_row(const char *name, const char *profile, const char *promised, const char *measured, ...)

@@ -106,9 +106,9 @@ static void least_step_off(struct extreme *extreme, struct random *random)
     off_any(extreme, random, LEAST_STEP_M);
 }
 
-static void run(const char *name, void (*look)(struct extreme *extreme, struct random *random))
+static void run(const char *name, const char *about, void (*look)(struct extreme *extreme, struct random *random))
 {
-    const struct extreme_plan plan = {name, {120, 120, 60, 4}, boxes_add_jumble, look, FRAMES, true};
+    const struct extreme_plan plan = {name, about, {120, 120, 60, 4}, boxes_add_jumble, look, FRAMES, true};
 
     extreme_run(&plan);
 }
@@ -116,31 +116,31 @@ static void run(const char *name, void (*look)(struct extreme *extreme, struct r
 static void eye_exactly_on_a_plane(void **state)
 {
     (void)state;
-    run("eye-on-plane", on_plane);
+    run("eye-on-plane", "The eye lies exactly in the plane of a face", on_plane);
 }
 
 static void eye_exactly_on_an_edge_or_its_line(void **state)
 {
     (void)state;
-    run("eye-on-edge", on_edge);
+    run("eye-on-edge", "The eye lies exactly on an edge, or on its line", on_edge);
 }
 
 static void eye_exactly_on_a_vertex(void **state)
 {
     (void)state;
-    run("eye-on-vertex", on_vertex);
+    run("eye-on-vertex", "The eye lies exactly on a vertex", on_vertex);
 }
 
 static void eye_one_unit_off(void **state)
 {
     (void)state;
-    run("eye-1-unit-off", one_unit_off);
+    run("eye-1-unit-off", "The eye is one unit of the grid off a plane, an edge or a vertex", one_unit_off);
 }
 
 static void eye_the_least_step_off(void **state)
 {
     (void)state;
-    run("eye-1/256-unit-off", least_step_off);
+    run("eye-1/256-unit-off", "The eye is 1/256 unit off, the least step that there is", least_step_off);
 }
 
 int main(void)

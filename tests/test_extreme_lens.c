@@ -20,13 +20,14 @@ static void look_from_anywhere(struct extreme *extreme, struct random *random)
 static void every_field_of_view_from_5_to_150_degrees(void **state)
 {
     static const int fov_deg[] = {5, 10, 22, 45, 60, 90, 120, 150};
-    char name[32];
+    char name[32], about[64];
 
     (void)state;
     for (size_t i = 0; i < sizeof fov_deg / sizeof *fov_deg; i++) {
-        const struct extreme_plan plan = {name, {120, 120, fov_deg[i], 4}, boxes_add_jumble, look_from_anywhere, 100,
-                                          true};
+        const struct extreme_plan plan = {name, about, {120, 120, fov_deg[i], 4}, boxes_add_jumble, look_from_anywhere,
+                                          100,  true};
         snprintf(name, sizeof name, "fov-%d", fov_deg[i]);
+        snprintf(about, sizeof about, "The lens sees %d degrees from top to bottom", fov_deg[i]);
         extreme_run(&plan);
     }
 }
@@ -34,15 +35,16 @@ static void every_field_of_view_from_5_to_150_degrees(void **state)
 static void every_display_from_a_pixel_to_1024x600(void **state)
 {
     static const unsigned sizes_px[][2] = {{1, 1}, {8, 8}, {84, 48}, {320, 480}, {480, 320}, {1024, 600}};
-    char name[32];
+    char name[32], about[64];
 
     (void)state;
     for (size_t i = 0; i < sizeof sizes_px / sizeof *sizes_px; i++) {
         const unsigned w_px = sizes_px[i][0], h_px = sizes_px[i][1];
         const int frames = w_px * h_px < 10000 ? 400 : w_px * h_px < 200000 ? 15 : 5;
-        const struct extreme_plan plan = {name, {w_px, h_px, 60, 4}, boxes_add_jumble, look_from_anywhere, frames,
-                                          true};
+        const struct extreme_plan plan = {name,   about, {w_px, h_px, 60, 4}, boxes_add_jumble, look_from_anywhere,
+                                          frames, true};
         snprintf(name, sizeof name, "display-%ux%u", w_px, h_px);
+        snprintf(about, sizeof about, "The display has %u x %u pixels", w_px, h_px);
         extreme_run(&plan);
     }
 }

@@ -59,6 +59,7 @@ static void graze(const struct core *profile, struct random *random, size_t *bac
         *background += extreme_camera(&extreme, &camera);
         *clipped += simulator_stats(&extreme.ids.simulator)->clipped;
     }
+    extreme_show(&extreme, "near-grazing");
     extreme_close(&extreme);
     model_free(&model);
 }
@@ -73,6 +74,7 @@ static void a_near_plane_that_grazes_walls_at_every_alignment(void **state)
     (void)state;
     for (size_t k = 0; k < count; k++) {
         struct random random = {75};
+        if (k == 0) extreme_about("near-grazing", "The near plane all but touches the walls, at every angle");
         size_t background = 0, clipped = 0;
         for (int b = 0; b < BOXES; b++)
             graze(profiles[k], &random, &background, &clipped);
@@ -129,8 +131,13 @@ static void look_from_face(struct extreme *extreme, struct random *random)
 
 static void polygons_with_vertices_behind_the_eye_fill_the_screen(void **state)
 {
-    const struct extreme_plan plan = {"vertex-behind-eye", {120, 120, 90, 4}, build_cell,
-                                      look_from_face,      CELL_FRAMES,       true};
+    const struct extreme_plan plan = {"vertex-behind-eye",
+                                      "Faces fill the screen though they have vertices behind the eye",
+                                      {120, 120, 90, 4},
+                                      build_cell,
+                                      look_from_face,
+                                      CELL_FRAMES,
+                                      true};
 
     (void)state;
     extreme_run(&plan);

@@ -116,7 +116,13 @@ static void assert_split(const struct extreme_plan *plan)
 
 static void rings_of_polygons_that_cover_one_another(void **state)
 {
-    const struct extreme_plan plan = {"cyclic", {160, 160, 60, 4}, build_rings, look_from_before, 200, true};
+    const struct extreme_plan plan = {"cyclic",
+                                      "Bars cover one another in rings, so that no order of whole faces is right",
+                                      {160, 160, 60, 4},
+                                      build_rings,
+                                      look_from_before,
+                                      200,
+                                      true};
 
     (void)state;
     assert_split(&plan);
@@ -125,8 +131,13 @@ static void rings_of_polygons_that_cover_one_another(void **state)
 
 static void polygons_through_one_another(void **state)
 {
-    const struct extreme_plan plan = {
-        "interpenetrating", {160, 160, 60, 4}, build_crossing, look_from_around, 200, true};
+    const struct extreme_plan plan = {"interpenetrating",
+                                      "Plates pass through one another",
+                                      {160, 160, 60, 4},
+                                      build_crossing,
+                                      look_from_around,
+                                      200,
+                                      true};
 
     (void)state;
     assert_split(&plan);

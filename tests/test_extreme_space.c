@@ -48,7 +48,13 @@ static void look_from_anywhere(struct extreme *extreme, struct random *random)
 
 static void vertices_at_the_ends_of_the_grid(void **state)
 {
-    const struct extreme_plan plan = {"grid-ends", {160, 160, 60, 4}, build_ends, look_from_anywhere, 150, true};
+    const struct extreme_plan plan = {"grid-ends",
+                                      "Solids fill the very corners of the 16-bit grid",
+                                      {160, 160, 60, 4},
+                                      build_ends,
+                                      look_from_anywhere,
+                                      150,
+                                      true};
 
     (void)state;
     extreme_run(&plan);
@@ -74,6 +80,7 @@ static void a_centimetre_on_a_hundred_kilometres_is_refused(void **state)
 
     (void)state;
     build_100_km(&model);
+    extreme_about("scale-100-km-1-cm", "A box of a centimetre stands on a plain of 100 km: no 16-bit grid holds both");
     const bool accepted = mesh_clean(&model, &mesh, &err);
     extreme_row("scale-100-km-1-cm", "all", "refused, a face named", "%s: %s; %zu of %zu faces dropped",
                 accepted ? "accepted" : "refused", err.text, accepted ? mesh.counts.too_small : 0, model.face_count);
@@ -154,7 +161,13 @@ static void look_at_slivers(struct extreme *extreme, struct random *random)
 
 static void slivers_of_one_unit(void **state)
 {
-    const struct extreme_plan plan = {"slivers-1-unit", {160, 160, 60, 4}, build_slivers, look_at_slivers, 200, false};
+    const struct extreme_plan plan = {"slivers-1-unit",
+                                      "A curtain is made of slivers one unit wide and thousands long",
+                                      {160, 160, 60, 4},
+                                      build_slivers,
+                                      look_at_slivers,
+                                      200,
+                                      false};
 
     (void)state;
     extreme_run(&plan);
@@ -190,7 +203,13 @@ static void look_at_wall(struct extreme *extreme, struct random *random)
 
 static void coplanar_faces(void **state)
 {
-    const struct extreme_plan plan = {"coplanar", {160, 160, 60, 4}, build_coplanar, look_at_wall, 150, true};
+    const struct extreme_plan plan = {"coplanar",
+                                      "Pictures lie in the very plane of a wall, over one another",
+                                      {160, 160, 60, 4},
+                                      build_coplanar,
+                                      look_at_wall,
+                                      150,
+                                      true};
 
     (void)state;
     extreme_run(&plan);
@@ -211,8 +230,13 @@ static void build_nearly_coplanar(struct model *model)
 
 static void nearly_coplanar_faces(void **state)
 {
-    const struct extreme_plan plan = {
-        "nearly-coplanar", {160, 160, 60, 4}, build_nearly_coplanar, look_at_wall, 150, true};
+    const struct extreme_plan plan = {"nearly-coplanar",
+                                      "Sheets are a unit apart, and some rise by one unit over thousands",
+                                      {160, 160, 60, 4},
+                                      build_nearly_coplanar,
+                                      look_at_wall,
+                                      150,
+                                      true};
 
     (void)state;
     extreme_run(&plan);
@@ -237,7 +261,13 @@ static void look_along(struct extreme *extreme, struct random *random)
 
 static void the_far_end_of_a_corridor(void **state)
 {
-    const struct extreme_plan plan = {"corridor-end", {320, 320, 90, 4}, build_corridor, look_along, 20, true};
+    const struct extreme_plan plan = {"corridor-end",
+                                      "The end of a corridor is as far away as anything can be",
+                                      {320, 320, 90, 4},
+                                      build_corridor,
+                                      look_along,
+                                      20,
+                                      true};
 
     (void)state;
     extreme_run(&plan);

@@ -96,6 +96,7 @@ static void count_ties(const struct core *profile, struct random *random, struct
     for (uint32_t quarter = 0; quarter < 4; quarter++) {
         camera.roll = quarter << 30;
         extreme_camera(&extreme, &camera);
+        extreme_show(&extreme, "tie-flips");
         const size_t once = shown(&extreme), times = painted(&extreme, &camera);
         ties->pixels += COVERED_PX;
         ties->missed += once < COVERED_PX ? COVERED_PX - once : 0;
@@ -112,6 +113,7 @@ static void a_pixel_centre_on_an_edge_falls_to_one_of_two_neighbours(void **stat
     const size_t count = profiles_find(profiles);
 
     (void)state;
+    extreme_about("tie-flips", "Every edge runs through the centres of pixels");
     for (size_t k = 0; k < count; k++) {
         struct random random = {74};
         struct ties ties = {0};

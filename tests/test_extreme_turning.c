@@ -57,6 +57,7 @@ static void no_drift_in(const struct core *profile)
         camera.roll += step;
         background += extreme_camera(&extreme, &camera);
     }
+    extreme_show(&extreme, "rotation-stored-angles");
     for (size_t i = 0; i < SIDE_PX * SIDE_PX; i++)
         differ += first[i] != extreme.ids.faces[i];
     extreme_row("rotation-stored-angles", profile->name, "0 drift, 0 holes",
@@ -74,6 +75,7 @@ static void a_million_frames_of_stored_angles_do_not_drift(void **state)
     const size_t count = profiles_find(profiles);
 
     (void)state;
+    extreme_about("rotation-stored-angles", "The camera turns a million times, by angles that are stored");
     for (size_t k = 0; k < count; k++)
         no_drift_in(profiles[k]);
 }
@@ -147,6 +149,7 @@ static void warn_of(const char *name, struct stored m)
 static void stored_matrices_would_drift(void **state)
 {
     (void)state;
+    extreme_about("rotation-stored-matrix", "The camera would turn a million times by a matrix that is stored");
     warn_of("Q14", (struct stored){.bits = 14});
     warn_of("Q16", (struct stored){.bits = 16});
     warn_of("Q30", (struct stored){.bits = 30});
@@ -162,6 +165,7 @@ static void sine_and_cosine_are_symmetric_to_the_bit(void **state)
     double worst = 0;
 
     (void)state;
+    extreme_about("quadrants", "Angles lie at and around every eighth of a turn");
     for (uint32_t k = 0; k < QUADRANT_STEPS; k++) {
         /* An odd step reaches all residues; every 16th one lies within a few units of a quarter turn. */
         const uint32_t angle = k % 16 ? k * UINT32_C(2654435761) : (k / 16 % 4) * quarter + k / 64 % 64 - 32;
@@ -196,6 +200,7 @@ static void no_hole_in_any_quadrant(const struct core *profile)
         camera.roll = (k / 64 % 8 << 29) + k / 512 / 9 - 1;
         background += extreme_camera(&extreme, &camera);
     }
+    extreme_show(&extreme, "quadrants");
     extreme_row("quadrants", profile->name, "0 holes", "%zu holes in %zu frames at and around every eighth of a turn",
                 background, frames);
     extreme_close(&extreme);
