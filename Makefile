@@ -65,6 +65,7 @@ packages-extremes      := $(packages-host)
 packages-prove         := frama-c-base why3 z3
 packages-fuzz          := clang libclang-rt-dev
 packages-view          := libsdl2-dev
+packages-simavr        := $(shell sed -n 's/^EMULATE_PACKAGES *:= *//p' boards/arduboy/board.mk)
 packages-models-table  := $(packages-models)
 packages-test-programs := $(packages-host)
 packages-footprint     := gcc-arm-none-eabi
@@ -78,8 +79,16 @@ packages-boards        := $(shell sed -n 's/^\(EMULATE_\)\{0,1\}PACKAGES *:= *//
 packages-boards-table  := $(packages-boards)
 packages-test          := ccache $(foreach suite,$(suites),$(packages-$(suite)))
 
+# A goal that is a file needs what makes it; with BOARD= every goal may need the board's compiler.
+packages-for-file = $(strip $(if $(filter $(BUILD)/tests/% $(BUILD)/host/tests/% tests/%,$(1)),$(packages-host)) \
+	$(if $(filter $(BUILD)/tests/fuzz,$(1)),$(packages-fuzz)) $(if $(filter $(BUILD)/simavr_oled,$(1)),$(packages-simavr)))
+goals           := $(or $(MAKECMDGOALS),all)
+packages-wanted  = $(packages-build) $(if $(findstring clang,$(CC)),clang) $(packages-board) \
+	$(foreach goal,$(goals),$(packages-$(goal)) $(call packages-for-file,$(goal)))
+
+# Whatever calls a tool waits for this, most of it through a file of flags; tests/cli_packages.sh looks.
 packages:
-	$(LIVE)sh sim/setup.sh $(sort $(packages-build) $(foreach goal,$(MAKECMDGOALS),$(packages-$(goal))))
+	$(LIVE)sh sim/setup.sh $(sort $(packages-wanted))
 
 # -- The host program: firmware and simulator, all but main() in a library that the tests link too ---------------------
 
@@ -282,6 +291,9 @@ test: $(BUILD)/limner $(demo) $(textured) $(programs) ## run the host and Arm su
 
 check: ## run the host suite only
 	@$(MAKE) test SUITES=host
+
+# A make of their own, which waits until this one has made what else it was asked for.
+check test-fixed test-arm64 prove: | $(filter-out check test-fixed test-arm64 prove,$(MAKECMDGOALS))
 
 test-fixed: ## run the fixed-point tests on the host and on emulated Arm
 	@$(MAKE) test SUITES=fixed

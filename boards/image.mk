@@ -30,10 +30,10 @@ MODULE :=
 endif
 endif
 
-packages-all     += $(PACKAGES)
-packages-flash   += $(PACKAGES) $(FLASH_PACKAGES)
-packages-emulate += $(PACKAGES) $(EMULATE_PACKAGES)
-packages-cost    += $(packages-emulate)
+packages-board    = $(PACKAGES)
+packages-flash    = $(FLASH_PACKAGES)
+packages-emulate  = $(EMULATE_PACKAGES)
+packages-cost     = $(EMULATE_PACKAGES)
 
 # -- The scene and its path -------------------------------------------------------------------------------------------
 
@@ -88,7 +88,7 @@ image_sources := $(wildcard firmware/*.c) $(wildcard $(addprefix boards/common/,
 board_objects := $(patsubst %,$(common)/%.o,$(basename $(board_sources))) $(if $(BOOT2),$(common)/boot2.o)
 image_objects := $(patsubst %.c,$(folder)/%.o,$(image_sources)) $(folder)/module.o
 
-$(common)/flags: force
+$(common)/flags: force | packages
 	@mkdir -p $(@D)
 	@echo '$(TOOLS)gcc $(board_flags)' | cmp -s - $@ || echo '$(TOOLS)gcc $(board_flags)' > $@
 
