@@ -21,9 +21,19 @@ static bool dump_png(const struct film *frame, const char *path, struct error *e
     return false;
 }
 
+static bool is_set(const char *variable)
+{
+    const char *value = getenv(variable);
+    return value && *value;
+}
+
+bool dump_is_asked(void)
+{
+    return is_set("LIMNER_DUMP") || is_set("LIMNER_CHECK");
+}
+
 bool dump_last_frame(const struct film *frame, struct error *err)
 {
-    const char *dump = getenv("LIMNER_DUMP"), *check = getenv("LIMNER_CHECK");
-    if (dump && *dump && !dump_png(frame, dump, err)) return false;
-    return !check || !*check || image_check_png(frame, check, err);
+    if (is_set("LIMNER_DUMP") && !dump_png(frame, getenv("LIMNER_DUMP"), err)) return false;
+    return !is_set("LIMNER_CHECK") || image_check_png(frame, getenv("LIMNER_CHECK"), err);
 }

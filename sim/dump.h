@@ -11,4 +11,7 @@
  * cannot be written or the frame differs: the program's exit status must tell. */
 bool dump_last_frame(const struct film *frame, struct error *err);
 
+/* Whether the environment asks for either. */
+bool dump_is_asked(void);
+
 #endif

@@ -45,14 +45,15 @@ void flight_key(struct flight *flight, enum fly_key key);
 
 enum flight_end {
     FLIGHT_ENDED,      /* the user left */
-    FLIGHT_IMPOSSIBLE, /* no display, or built without SDL2 */
+    FLIGHT_IMPOSSIBLE, /* no display that anybody sees, or built without SDL2 */
     FLIGHT_FAILED      /* err says why */
 };
 
 /* Flies in an SDL2 window. */
 enum flight_end window_fly(struct flight *flight, struct error *err);
 
-/* Flies in the terminal; without one on both ends, shows one picture. */
+/* Flies in the terminal. Without one on both ends it fails, but for LIMNER_DUMP and LIMNER_CHECK (dump.h) shows one
+ * picture. */
 enum flight_end terminal_fly(struct flight *flight, struct error *err);
 
 #endif

@@ -125,7 +125,9 @@ static const char USAGE[] =
     "hashes: --write-hashes FILE, --check FILE as render; --shrink N: a pixel is NxN of the picture's (1)\n"
     "environment, render and view:\n"
     "  LIMNER_DUMP=x.png   write the last frame shown\n"
-    "  LIMNER_CHECK=x.png  compare it; exit status 1 if it differs\n";
+    "  LIMNER_CHECK=x.png  compare it; exit status 1 if it differs\n"
+    "  LIMNER_UNSEEN=1     view: SDL's video drivers dummy and offscreen, which show nothing, do for a window\n"
+    "                      (the terminal takes over)\n";
 
 static const struct {
     const char *name;

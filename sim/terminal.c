@@ -4,6 +4,7 @@
  * below; and flying from a terminal, a frame a key press. */
 #include "terminal.h"
 
+#include "dump.h"
 #include "fly.h"
 
 #include <string.h>
@@ -11,6 +12,8 @@
 #include <termios.h>
 #include <unistd.h>
 
+static const char NOWHERE[] =
+    "view: neither a window nor a terminal to fly in; `limner render` draws frames into files";
 static const char UPPER_HALF_BLOCK[] = "\xE2\x96\x80";
 
 static void print_cell(int above, int below, FILE *out)
@@ -108,8 +111,10 @@ static bool fly_by_keys(struct flight *flight, struct error *err)
 enum flight_end terminal_fly(struct flight *flight, struct error *err)
 {
     struct termios before;
-    if (!isatty(STDOUT_FILENO) || tcgetattr(STDIN_FILENO, &before) != 0)
-        return show(flight, err) ? FLIGHT_ENDED : FLIGHT_FAILED;
+    if (!isatty(STDOUT_FILENO) || tcgetattr(STDIN_FILENO, &before) != 0) {
+        const bool ok = dump_is_asked() ? show(flight, err) : error_set(err, "%s", NOWHERE);
+        return ok ? FLIGHT_ENDED : FLIGHT_FAILED;
+    }
     struct termios raw = before;
     raw.c_lflag &= ~(tcflag_t)(ICANON | ECHO | ISIG);
     tcsetattr(STDIN_FILENO, TCSANOW, &raw);

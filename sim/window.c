@@ -1,12 +1,16 @@
 /* SPDX-License-Identifier: MIT
  *
  * The SDL2 window of `limner view`: the frame three times as large, keys held down fly. Built
- * without SDL2 (LIM_HAVE_SDL2 0), it only says that it cannot. */
+ * without SDL2 (LIM_HAVE_SDL2 0), it only says that it cannot. SDL opens windows also where nobody sees them: those are
+ * none, unless LIMNER_UNSEEN asks for them. */
 #include "fly.h"
 
 #if LIM_HAVE_SDL2
 
 #include <SDL.h>
+
+#include <stdlib.h>
+#include <string.h>
 
 enum { SCALE = 3, FRAME_MS = 20 };
 
@@ -26,9 +30,25 @@ static const struct {
     {SDL_SCANCODE_RIGHT, FLY_TURN_RIGHT},
 };
 
+static bool is_set(const char *variable)
+{
+    const char *value = getenv(variable);
+    return value && *value;
+}
+
+/* Whether whoever started the program sees what this driver shows. SDL falls back on "offscreen" where there is no
+ * display; and on KMSDRM, the screen of the machine itself, which nobody sees over SSH, unless they ask for it. */
+static bool is_seen(const char *driver)
+{
+    if (is_set("LIMNER_UNSEEN")) return true;
+    if (!driver || strcmp(driver, "dummy") == 0 || strcmp(driver, "offscreen") == 0) return false;
+    const bool is_remote = is_set("SSH_CONNECTION") || is_set("SSH_TTY");
+    return strcmp(driver, "KMSDRM") != 0 || !is_remote || is_set("SDL_VIDEODRIVER");
+}
+
 static bool window_open(struct window *window, int w_px, int h_px)
 {
-    if (SDL_Init(SDL_INIT_VIDEO) != 0) return false;
+    if (SDL_Init(SDL_INIT_VIDEO) != 0 || !is_seen(SDL_GetCurrentVideoDriver())) return false;
     window->window = SDL_CreateWindow("Limner", SDL_WINDOWPOS_UNDEFINED, SDL_WINDOWPOS_UNDEFINED, SCALE * w_px,
                                       SCALE * h_px, SDL_WINDOW_RESIZABLE);
     window->renderer = window->window ? SDL_CreateRenderer(window->window, -1, 0) : NULL;

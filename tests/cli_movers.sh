@@ -147,7 +147,7 @@ view_begins() {
 }
 
 view_goes_on() {
-    SDL_VIDEODRIVER=dummy LIMNER_DUMP="$work/later.png" timeout --preserve-status -s INT 6 "$BUILD/limner" view $model \
+    LIMNER_UNSEEN=1 SDL_VIDEODRIVER=dummy LIMNER_DUMP="$work/later.png" timeout --preserve-status -s INT 6 "$BUILD/limner" view $model \
         --camera "$work/few.cam" </dev/null && [ -s "$work/later.png" ] && [ -s "$work/view.png" ] && ! cmp -s "$work/later.png" "$work/view.png"
 }
 

@@ -271,8 +271,30 @@ shows_in_terminal() {
 }
 tap_check "view without a display shows the first frame as text" shows_in_terminal
 
+says_that_there_is_nowhere_to_fly() {
+    ! env -u DISPLAY -u WAYLAND_DISPLAY SDL_VIDEODRIVER=x11 "$limner" view pyramid.obj --size 64x48 >picture 2>said </dev/null &&
+        [ ! -s picture ] && [ "$(wc -l <said)" -eq 1 ] && grep -q '^limner: view: neither a window nor a terminal' said
+}
+tap_check "view with neither a display nor a terminal fails" says_that_there_is_nowhere_to_fly
+
+# SDL opens windows that nobody sees by these drivers, the first where it finds no other.
+flies_in_terminal() { # DRIVER
+    for _ in 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 18 19 20; do # typed until it is read
+        sleep 0.5
+        printf q 2>/dev/null || break
+    done | env -u DISPLAY -u WAYLAND_DISPLAY ${1:+SDL_VIDEODRIVER=$1} timeout 20 \
+        script -qec "$limner view pyramid.obj --size 64x48" /dev/null >picture && grep -q "$(printf '\342\226\200')" picture
+}
+if script -qec true /dev/null >/dev/null 2>&1; then
+    for driver in '' offscreen dummy; do
+        tap_check "view flies in the terminal where SDL's driver is '$driver'" flies_in_terminal "$driver"
+    done
+else
+    tap_skip "view flies in the terminal where SDL shows nothing" "this system has no pseudo-terminals"
+fi
+
 flies_in_window() { # SDL ends the program's loop on SIGINT
-    SDL_VIDEODRIVER=dummy LIMNER_DUMP=window.png timeout --preserve-status -s INT 3 "$limner" view pyramid.obj \
+    LIMNER_UNSEEN=1 SDL_VIDEODRIVER=dummy LIMNER_DUMP=window.png timeout --preserve-status -s INT 3 "$limner" view pyramid.obj \
         --camera path.cam --size 64x48 >picture </dev/null || return 1
     [ ! -s picture ] && cmp window.png out/000.png
 }
