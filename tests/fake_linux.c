@@ -171,6 +171,7 @@ static int send_message(const struct spi_ioc_transfer *transfer)
     if (fake.message_count < FAKE_MESSAGES_MAX) fake.messages_b[fake.message_count++] = transfer->len;
     fake.speed_hz = transfer->speed_hz;
     fake.word_bits = transfer->bits_per_word;
+    if (fake.unsent_b) return (int)(transfer->len - fake.unsent_b);
     if (!fake.display) return (int)transfer->len;
     const struct bus bus = emulated_port_bus(fake.display);
     const int code = bus_write(&bus, (const uint8_t *)(uintptr_t)transfer->tx_buf, transfer->len);

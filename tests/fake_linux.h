@@ -33,6 +33,7 @@ struct fake_linux {
     int spi_err_no;       /* of opening it; 0: it opens */
     const char *bufsiz;   /* text of the module's parameter; NULL: unreadable */
     size_t most_b;        /* of a message, for the kernel */
+    size_t unsent_b;      /* of each message, that the kernel says it has not sent */
     unsigned chip_count;
     struct fake_chip chips[FAKE_CHIPS_MAX];
     struct emulated_port *display; /* NULL: bytes go nowhere */

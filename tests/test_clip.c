@@ -47,6 +47,36 @@ static void an_edge_that_zigzags_across_a_clip_plane_adds_one_vertex_at_most(voi
     assert_true(zigzags > 4);
 }
 
+/* Just inside of the near plane, but for every other corner of `outside`: those are as far outside, and no plane but
+ * the near one is crossed. */
+static void make_comb(struct lim_clip_polygon *polygon, int n, int outside, int32_t near_qv)
+{
+    polygon->n = (uint8_t)n;
+    for (int k = 0; k < n; k++) {
+        const bool is_out = k % 2 == 1 && k / 2 < outside;
+        polygon->at[k] = (struct lim_view_point){
+            .x_qv = (int32_t)lround(2000 * cos(k * 6.283185307179586 / n)),
+            .y_qv = (int32_t)lround(2000 * sin(k * 6.283185307179586 / n)),
+            .z_qv = is_out ? near_qv - 64 : near_qv + 64,
+        };
+    }
+}
+
+/* One that stands alone is cut twice, as any corner is; several cannot be but by rounding, and each of them is replaced
+ * by one point. */
+static void each_of_several_lone_corners_outside_is_replaced_by_one_point(void **state)
+{
+    enum { NEAR_QV = 1 << 15 };
+
+    (void)state;
+    for (int n = 8; n < CLIP_MAX_VERTICES; n++)
+        for (int outside = 0; outside <= n / 2 - 1; outside++) {
+            struct lim_clip_polygon polygons[2];
+            make_comb(&polygons[0], n, outside, NEAR_QV);
+            assert_int_equal(lim_clip(polygons, NEAR_QV)->n, outside == 1 ? n + 1 : n);
+        }
+}
+
 static struct lim_view_point any_point(struct random *random, int64_t reach_qv)
 {
     struct lim_view_point point = {.z_qv = (int32_t)random_in(random, -reach_qv, reach_qv)};
@@ -74,10 +104,10 @@ static double distance_qv(const struct lim_view_point *at, const struct lim_view
     return square > 1e12 ? fabs(dot) / sqrt(square) : 0;
 }
 
-/* Corners on planes, a unit off them, and anywhere. */
+/* Corners on planes, a unit off them, and anywhere; the near plane at an odd distance, of which half is not whole. */
 static void what_is_left_of_any_triangle_is_a_part_of_it_inside_of_all_planes(void **state)
 {
-    enum { POLYGONS = 200000, NEAR_QV = 1 << 15 };
+    enum { POLYGONS = 200000, NEAR_QV = (1 << 15) + 1 };
     struct random random = {57};
     uint32_t left = 0, gone = 0;
 
@@ -112,6 +142,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(an_edge_that_zigzags_across_a_clip_plane_adds_one_vertex_at_most),
+        cmocka_unit_test(each_of_several_lone_corners_outside_is_replaced_by_one_point),
         cmocka_unit_test(what_is_left_of_any_triangle_is_a_part_of_it_inside_of_all_planes),
     };
 

@@ -118,6 +118,20 @@ static void what_the_kernel_finds_too_long_is_sent_in_halves(void **state)
     port_close(&port);
 }
 
+static void a_message_that_is_sent_in_part_is_an_error(void **state)
+{
+    static const uint8_t bytes[100];
+    (void)state;
+    open_port(&all_wired);
+    for (fake.unsent_b = 1; fake.unsent_b <= sizeof bytes; fake.unsent_b += 33) {
+        assert_int_equal(bus_write(&port.bus, bytes, sizeof bytes), -EIO);
+        assert_string_equal(port.error, "/dev/spidev0.0: a message of 100 bytes: Input/output error");
+    }
+    fake.unsent_b = 0;
+    assert_int_equal(bus_write(&port.bus, bytes, sizeof bytes), 0);
+    port_close(&port);
+}
+
 static void signals_interrupt_nothing(void **state)
 {
     (void)state;
@@ -476,6 +490,7 @@ int main(void)
         cmocka_unit_test_setup(writes_are_split_at_bufsiz, set_up),
         cmocka_unit_test_setup(the_device_is_set_up_as_asked, set_up),
         cmocka_unit_test_setup(what_the_kernel_finds_too_long_is_sent_in_halves, set_up),
+        cmocka_unit_test_setup(a_message_that_is_sent_in_part_is_an_error, set_up),
         cmocka_unit_test_setup(signals_interrupt_nothing, set_up),
         cmocka_unit_test_setup(devices_that_cannot_be_opened_are_explained, set_up),
         cmocka_unit_test_setup(what_a_device_cannot_do_is_explained, set_up),
