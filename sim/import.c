@@ -2,7 +2,8 @@
  *
  * Model files by assimp. No post-processing: the library would triangulate, merge and reorder. The
  * node tree is walked twice, first to count (and to refuse what is too large or out of range), then
- * to fill three arrays of exactly that size. Arithmetic after the library's float32 is double. */
+ * to fill three arrays of exactly that size. Vertices and node transforms are double where the file's format lets us
+ * (vertex_numbers.h, node_transforms.h), and arithmetic is so everywhere. */
 #include "import.h"
 
 #include "grow.h"
@@ -10,6 +11,7 @@
 #include "model_colour.h"
 #include "model_io.h"
 #include "picture.h"
+#include "vertex_numbers.h"
 
 #include <assimp/cimport.h>
 #include <assimp/config.h>
@@ -36,6 +38,7 @@ struct import {
     size_t picture_capacity, point_total;
     const struct aiNode **movers; /* the nodes of model->movers */
     uint16_t mover;               /* of the node being read: model_face.mover */
+    struct vertex_numbers numbers;
 };
 
 typedef bool mesh_reader(struct import *import, const struct aiMesh *mesh);
@@ -113,17 +116,32 @@ static bool count_mesh(struct import *import, const struct aiMesh *mesh)
     return true;
 }
 
-static void add_points(struct import *import, const struct aiMesh *mesh)
+/* In its node's coordinates. What the library leaves unset is at the origin. */
+static bool vertex_of(struct import *import, const struct aiVector3D *v, double out[3])
+{
+    const bool is_set = v->x != 0 || v->y != 0 || v->z != 0;
+    out[0] = v->x;
+    out[1] = v->y;
+    out[2] = v->z;
+    if (!import->numbers.table.count || !is_set) return true;
+    const double *point = vertex_table_find(&import->numbers.table, out[0], out[1], out[2]);
+    if (!point) return error_set(import->err, "%s: the importer changed a vertex on its way", import->path);
+    memcpy(out, point, 3 * sizeof *out);
+    return true;
+}
+
+static bool add_points(struct import *import, const struct aiMesh *mesh)
 {
     struct model *model = import->model;
     for (unsigned i = 0; i < mesh->mNumVertices; i++) {
-        const struct aiVector3D *v = &mesh->mVertices[i];
-        double *point = model->points[model->point_count++];
+        double v[3], *point = model->points[model->point_count++];
+        if (!vertex_of(import, &mesh->mVertices[i], v)) return false;
         for (int axis = 0; axis < 3; axis++) {
             const double *row = import->transform.m[axis];
-            point[axis] = row[0] * v->x + row[1] * v->y + row[2] * v->z + row[3];
+            point[axis] = row[0] * v[0] + row[1] * v[1] + row[2] * v[2] + row[3];
         }
     }
+    return true;
 }
 
 /* Of the last face. Opacities beyond 0..1 occur, and what they mean is plain. */
@@ -208,7 +226,7 @@ static bool add_face(struct import *import, const struct aiFace *from, uint32_t 
 static bool add_mesh(struct import *import, const struct aiMesh *mesh)
 {
     uint32_t first_point = (uint32_t)import->model->point_count;
-    add_points(import, mesh);
+    if (!add_points(import, mesh)) return false;
     import->paint = model_paint_of(import->scene, mesh);
     find_pictures(import, mesh);
     if (!add_uvs(import, mesh, first_point)) return false;
@@ -260,11 +278,12 @@ static bool refuse(const char *path, struct error *err)
     return error_set(err, "%s: %.*s", path, (int)length, reason);
 }
 
-static const struct aiScene *import_file(const char *path, struct error *err)
+static const struct aiScene *import_file(const char *path, const struct whole_file *file, struct error *err)
 {
     char dropped = false;
     struct aiLogStream log = {.callback = watch_log, .user = &dropped};
-    struct aiFileIO io = model_io();
+    const struct model_io_instead instead = {path, file->bytes, file->size_b};
+    struct aiFileIO io = model_io(&instead);
     struct aiPropertyStore *settings = aiCreatePropertyStore();
     /* Else a file without a mesh would get one made up from its skeleton. */
     aiSetImportPropertyInteger(settings, AI_CONFIG_IMPORT_NO_SKELETON_MESHES, 1);
@@ -285,12 +304,13 @@ bool import_model(const char *path, struct model *model, struct error *err)
 {
     *model = (struct model){0};
     if (!model_io_check(path, err)) return false;
-    const struct aiScene *scene = import_file(path, err);
-    if (!scene) return false;
-    struct import import = {.path = path, .scene = scene, .model = model, .err = err};
-    bool ok = read_scene(&import);
+    struct import import = {.path = path, .model = model, .err = err};
+    if (!vertex_numbers_make(path, &import.numbers, err)) return false;
+    import.scene = import_file(path, &import.numbers.file, err);
+    bool ok = import.scene && read_scene(&import);
     free(import.movers);
-    aiReleaseImport(scene);
+    aiReleaseImport(import.scene);
+    vertex_numbers_free(&import.numbers);
     if (!ok) model_free(model);
     return ok;
 }

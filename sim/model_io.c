@@ -5,10 +5,10 @@
 #include "model_io.h"
 
 #include <errno.h>
+#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <strings.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -65,22 +65,6 @@ static enum aiReturn file_seek(struct aiFile *handle, size_t offset, enum aiOrig
     return aiReturn_SUCCESS;
 }
 
-static bool has_obj_suffix(const char *path)
-{
-    size_t length = strlen(path);
-    return length >= 4 && strcasecmp(path + length - 4, ".obj") == 0;
-}
-
-/* `o` and `g` lines become comments. */
-static void drop_obj_groups(char *text, size_t size_b)
-{
-    bool line_start = true;
-    for (size_t i = 0; i < size_b; i++) {
-        if (line_start && (text[i] == 'o' || text[i] == 'g')) text[i] = '#';
-        line_start = text[i] == '\n' || text[i] == '\r';
-    }
-}
-
 static struct model_file *read_whole(FILE *stream, size_t size_b)
 {
     struct model_file *file = calloc(1, sizeof *file + size_b);
@@ -89,18 +73,32 @@ static struct model_file *read_whole(FILE *stream, size_t size_b)
     return file;
 }
 
-static struct aiFile *file_open(struct aiFileIO *io, const char *path, const char *mode)
+static struct model_file *copy_of(const struct model_io_instead *instead)
 {
-    (void)io;
-    struct error ignored;
-    if (mode[0] != 'r' || !model_io_check(path, &ignored)) return NULL;
+    struct model_file *file = calloc(1, sizeof *file + instead->size_b);
+    if (!file) return NULL;
+    file->size_b = instead->size_b;
+    memcpy(file->bytes, instead->bytes, instead->size_b);
+    return file;
+}
+
+static struct model_file *read_path(const char *path)
+{
     struct stat status;
     FILE *stream = fopen(path, "rb");
     if (!stream) return NULL;
     struct model_file *file = fstat(fileno(stream), &status) ? NULL : read_whole(stream, (size_t)status.st_size);
     fclose(stream);
+    return file;
+}
+
+static struct aiFile *file_open(struct aiFileIO *io, const char *path, const char *mode)
+{
+    const struct model_io_instead *instead = (const struct model_io_instead *)(const void *)io->UserData;
+    struct error ignored;
+    if (mode[0] != 'r' || !model_io_check(path, &ignored)) return NULL;
+    struct model_file *file = instead->bytes && strcmp(path, instead->path) == 0 ? copy_of(instead) : read_path(path);
     if (!file) return NULL;
-    if (has_obj_suffix(path)) drop_obj_groups(file->bytes, file->size_b);
     file->handle = (struct aiFile){.ReadProc = file_read,
                                    .WriteProc = file_write,
                                    .TellProc = file_tell,
@@ -116,9 +114,10 @@ static void file_close(struct aiFileIO *io, struct aiFile *handle)
     free(handle);
 }
 
-struct aiFileIO model_io(void)
+struct aiFileIO model_io(const struct model_io_instead *instead)
 {
-    return (struct aiFileIO){.OpenProc = file_open, .CloseProc = file_close};
+    return (struct aiFileIO){
+        .OpenProc = file_open, .CloseProc = file_close, .UserData = (char *)(void *)(uintptr_t)instead};
 }
 
 bool model_io_check(const char *path, struct error *err)

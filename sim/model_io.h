@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * How the importer library reads files: whole, into memory, and OBJ files without their object
- * and group lines. */
+ * How the importer library reads files: whole, into memory. */
 #ifndef SIM_MODEL_IO_H
 #define SIM_MODEL_IO_H
 
@@ -12,11 +11,14 @@
 /* Refuses what is no model file by its looks: missing, a folder, empty, or larger than 1 GiB. */
 bool model_io_check(const char *path, struct error *err);
 
-/* For aiImportFileEx(). It holds no state: any number of imports may share it.
- *
- * Why lines are dropped: the importer gathers an OBJ file's faces by object, so a file that comes
- * back to an earlier object would have its faces renumbered. Objects and groups mean nothing here;
- * without them the faces stay in the file's order, materials switching as they may. */
-struct aiFileIO model_io(void);
+/* What the library gets when it asks for one of the files: vertex_numbers.h. */
+struct model_io_instead {
+    const char *path;
+    const char *bytes; /* NULL: the file itself */
+    size_t size_b;
+};
+
+/* For aiImportFileEx(). `instead` must outlive the import. */
+struct aiFileIO model_io(const struct model_io_instead *instead);
 
 #endif

@@ -96,7 +96,7 @@ refuse "an empty model is refused" '^limner: \.\./empty\.obj: ' ../empty.obj -o 
 refuse "a text called .obj is refused" '^limner: \.\./story\.obj: ' ../story.obj -o x
 refuse "a model without faces is refused" '^limner: \.\./faceless\.obj: ' ../faceless.obj -o x
 refuse "a model of no area is refused" '^limner: \.\./line\.obj: ' ../line.obj -o x
-refuse "coordinates that are no numbers are refused" '^limner: \.\./nan\.obj: ' ../nan.obj -o x
+refuse "coordinates that are no numbers are refused" '^limner: \.\./nan\.obj:3: ' ../nan.obj -o x
 refuse "indices out of range are refused" '^limner: \.\./range\.obj: ' ../range.obj -o x
 refuse "a folder as a name is refused" '^limner: -o .made/.: names a folder' ../pyramid.obj -o made/
 refuse "a folder that cannot be made is refused" '^limner: /proc/none' ../pyramid.obj -o /proc/none/x

@@ -169,10 +169,8 @@ static void models_without_faces_are_refused(void **state)
 static void coordinates_that_are_no_numbers_are_refused(void **state)
 {
     (void)state;
-    assert_refused("tests/models/nan.obj",
-                   "tests/models/nan.obj: face 2 has a corner whose coordinates are NaN or infinite");
-    assert_refused("tests/models/infinite.obj",
-                   "tests/models/infinite.obj: face 1 has a corner whose coordinates are NaN or infinite");
+    assert_refused("tests/models/nan.obj", "tests/models/nan.obj:4: 'nan' is not a finite decimal number");
+    assert_refused("tests/models/infinite.obj", "tests/models/infinite.obj:4: 'inf' is not a finite decimal number");
 }
 
 static void indices_out_of_range_are_refused(void **state)

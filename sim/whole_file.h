@@ -1,0 +1,23 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * A file's bytes in memory, with a 0 behind them, so that numbers at the very end can be parsed. */
+#ifndef SIM_WHOLE_FILE_H
+#define SIM_WHOLE_FILE_H
+
+#include "error.h"
+
+#include <stddef.h>
+
+struct whole_file {
+    char *bytes; /* size_b of them, then a 0; owned */
+    size_t size_b;
+};
+
+/* What model_io_check() accepts. An error names the file. */
+bool whole_file_read(const char *path, struct whole_file *out, struct error *err);
+void whole_file_free(struct whole_file *file);
+
+/* Whether a path ends like that, in capitals or not; the suffix has its dot. */
+bool path_has_suffix(const char *path, const char *suffix);
+
+#endif
