@@ -44,7 +44,7 @@ help: ## list the goals
 
 # -- Debian packages: what every build needs, and what a goal or a suite needs beside ----------------------------------
 
-packages-build         := gcc libc6-dev pkg-config libassimp-dev libgd-dev libgmp-dev zlib1g-dev \
+packages-build         := gcc libc6-dev pkg-config libassimp-dev libgd-dev libgmp-dev libjansson-dev zlib1g-dev \
 	libgpiod-dev libhidapi-dev
 packages-host          := libcmocka-dev libosmesa6-dev
 packages-arm           := gcc-arm-none-eabi qemu-system-arm gnuplot-nox
@@ -96,7 +96,7 @@ WARNINGS := -Wall -Wextra -Wconversion -Wshadow -Wundef -Wmissing-prototypes -Ws
 export WARNINGS
 
 # hidapi reaches bridges by the kernel's hidraw or, with HIDAPI=libusb, past it.
-LIBRARIES = assimp gdlib libgpiod hidapi-$(HIDAPI) $(if $(filter 1,$(HAVE_SDL2)),sdl2)
+LIBRARIES = assimp gdlib jansson libgpiod hidapi-$(HIDAPI) $(if $(filter 1,$(HAVE_SDL2)),sdl2)
 HAVE_SDL2 = $(shell pkg-config --exists sdl2 && echo 1 || echo 0)
 GPIOD     = $(firstword $(subst ., ,$(shell pkg-config --modversion libgpiod)))
 FLAGS = -std=c11 $(HOST_OPT) $(WARNINGS) -ffp-contract=off -D_POSIX_C_SOURCE=200809L -DLIM_HAVE_SDL2=$(HAVE_SDL2) \

@@ -22,40 +22,32 @@
 
 enum { MOST_CORNERS = 1 << 26 };
 
-struct affine {
-    double m[3][4];
-};
-
 struct import {
     const char *path;
     const struct aiScene *scene;
     struct model *model;
     struct error *err;
-    struct affine transform;  /* of the node being read */
-    struct model_paint paint; /* of the mesh being read */
-    uint32_t picture, mask;   /* the same; 0: none */
+    struct node_transform transform; /* of the node being read */
+    struct model_paint paint;        /* of the mesh being read */
+    uint32_t picture, mask;          /* the same; 0: none */
     unsigned uv_set;
     size_t picture_capacity, point_total;
     const struct aiNode **movers; /* the nodes of model->movers */
     uint16_t mover;               /* of the node being read: model_face.mover */
     struct vertex_numbers numbers;
+    struct node_transforms transforms;
 };
 
 typedef bool mesh_reader(struct import *import, const struct aiMesh *mesh);
 
-static struct affine affine_identity(void)
+static struct node_transform affine_identity(void)
 {
-    return (struct affine){{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}};
+    return (struct node_transform){{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}};
 }
 
-static struct affine affine_of(const struct aiMatrix4x4 *m)
+static struct node_transform affine_times(const struct node_transform *a, const struct node_transform *b)
 {
-    return (struct affine){{{m->a1, m->a2, m->a3, m->a4}, {m->b1, m->b2, m->b3, m->b4}, {m->c1, m->c2, m->c3, m->c4}}};
-}
-
-static struct affine affine_times(const struct affine *a, const struct affine *b)
-{
-    struct affine out;
+    struct node_transform out;
     for (int row = 0; row < 3; row++)
         for (int column = 0; column < 4; column++) {
             double sum = column == 3 ? a->m[row][3] : 0;
@@ -66,7 +58,7 @@ static struct affine affine_times(const struct affine *a, const struct affine *b
     return out;
 }
 
-static bool affine_mirrors(const struct affine *a)
+static bool affine_mirrors(const struct node_transform *a)
 {
     const double(*m)[4] = a->m;
     return m[0][0] * (m[1][1] * m[2][2] - m[1][2] * m[2][1]) - m[0][1] * (m[1][0] * m[2][2] - m[1][2] * m[2][0]) +
@@ -82,10 +74,10 @@ static uint16_t mover_of(const struct import *import, const struct aiNode *node)
 }
 
 /* Parents first; a node's meshes in their order, then its children, which move with it. */
-static bool walk(struct import *import, const struct aiNode *node, struct affine parent, uint16_t mover,
+static bool walk(struct import *import, const struct aiNode *node, struct node_transform parent, uint16_t mover,
                  mesh_reader *read)
 {
-    const struct affine own = affine_of(&node->mTransformation), here = affine_times(&parent, &own);
+    const struct node_transform own = node_transform_of(&import->transforms, node), here = affine_times(&parent, &own);
     if (!mover) mover = mover_of(import, node);
     for (unsigned i = 0; i < node->mNumMeshes; i++) {
         import->transform = here;
@@ -257,7 +249,9 @@ static bool allocate(struct import *import)
 static bool read_scene(struct import *import)
 {
     const struct aiNode *root = import->scene->mRootNode;
-    return root && import_motions(import->path, import->scene, import->model, &import->movers, import->err) &&
+    return root && node_transforms_read(import->path, import->scene, &import->transforms, import->err) &&
+           import_motions(import->path, import->scene, &import->transforms, import->model, &import->movers,
+                          import->err) &&
            walk(import, root, affine_identity(), 0, count_mesh) && allocate(import) &&
            walk(import, root, affine_identity(), 0, add_mesh);
 }
@@ -309,6 +303,7 @@ bool import_model(const char *path, struct model *model, struct error *err)
     import.scene = import_file(path, &import.numbers.file, err);
     bool ok = import.scene && read_scene(&import);
     free(import.movers);
+    node_transforms_free(&import.transforms);
     aiReleaseImport(import.scene);
     vertex_numbers_free(&import.numbers);
     if (!ok) model_free(model);

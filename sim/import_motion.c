@@ -27,16 +27,23 @@ struct placement {
 struct motions {
     const char *path;
     const struct aiScene *scene;
+    const struct node_transforms *transforms;
     struct model *model;
     const struct aiNode **nodes;
     size_t mover_capacity, key_capacity, node_capacity;
     struct error *err;
 };
 
-static struct placement placement_of(const struct aiMatrix4x4 *m)
+static struct placement placement_of(const struct motions *work, const struct aiNode *node)
 {
-    return (struct placement){{{m->a1, m->b1, m->c1}, {m->a2, m->b2, m->c2}, {m->a3, m->b3, m->c3}},
-                              {m->a4, m->b4, m->c4}};
+    const struct node_transform transform = node_transform_of(work->transforms, node);
+    struct placement out;
+    for (int i = 0; i < 3; i++) {
+        for (int k = 0; k < 3; k++)
+            out.axes[k][i] = transform.m[i][k];
+        out.at[i] = transform.m[i][3];
+    }
+    return out;
 }
 
 static void placement_apply(const struct placement *placement, const double v[3], bool is_point, double out[3])
@@ -322,7 +329,7 @@ static bool add_mover(struct motions *work, const struct aiNode *node, const str
                       struct channel *channel, double end_s)
 {
     struct model *model = work->model;
-    const struct placement own = placement_of(&node->mTransformation), here = placement_times(parent, &own);
+    const struct placement own = placement_of(work, node), here = placement_times(parent, &own);
     double parent_axes[3][3], own_axes[3][3], axes[3][3], scales[3], own_scales[3];
     if (!rotation_of(parent, parent_axes, scales) || !is_even(scales))
         return refuse(work, node, "it is animated, but its parents mirror or shear it");
@@ -344,7 +351,7 @@ static bool add_mover(struct motions *work, const struct aiNode *node, const str
 static bool walk(struct motions *work, const struct aiNode *node, const struct placement *parent,
                  const struct aiNode *above, double end_s)
 {
-    const struct placement own = placement_of(&node->mTransformation), here = placement_times(parent, &own);
+    const struct placement own = placement_of(work, node), here = placement_times(parent, &own);
     struct channel channel;
     const bool is_named = find_channel(work->scene, node, &channel);
     if (channel.has_keys && count_namesakes(work->scene->mRootNode, node) > 1)
@@ -381,11 +388,11 @@ static double end_of(const struct aiScene *scene)
     return end_s;
 }
 
-bool import_motions(const char *path, const struct aiScene *scene, struct model *model, const struct aiNode ***nodes,
-                    struct error *err)
+bool import_motions(const char *path, const struct aiScene *scene, const struct node_transforms *transforms,
+                    struct model *model, const struct aiNode ***nodes, struct error *err)
 {
     static const struct placement world = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {0, 0, 0}};
-    struct motions work = {.path = path, .scene = scene, .model = model, .err = err};
+    struct motions work = {.path = path, .scene = scene, .transforms = transforms, .model = model, .err = err};
     const bool ok = !scene->mNumAnimations || walk(&work, scene->mRootNode, &world, NULL, end_of(scene));
     *nodes = work.nodes;
     return ok;

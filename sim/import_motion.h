@@ -5,11 +5,10 @@
 #define SIM_IMPORT_MOTION_H
 
 #include "model.h"
-
-#include <assimp/scene.h>
+#include "node_transforms.h"
 
 /* Sets the model's movers and keys, and nodes[i] to the node of movers[i], which is the caller's to free. */
-bool import_motions(const char *path, const struct aiScene *scene, struct model *model, const struct aiNode ***nodes,
-                    struct error *err);
+bool import_motions(const char *path, const struct aiScene *scene, const struct node_transforms *transforms,
+                    struct model *model, const struct aiNode ***nodes, struct error *err);
 
 #endif
