@@ -26,6 +26,7 @@ enum option_code {
     OPTION_KEEP_FACES,
     OPTION_PORTALS,
     OPTION_UNLIT,
+    OPTION_DROP_SMALL,
     OPTION_WIREFRAME,
     OPTION_ANTIALIAS,
     OPTION_DELTA,
@@ -51,6 +52,7 @@ static const struct option OPTIONS[] = {
     {"portals", required_argument, NULL, OPTION_PORTALS},
     {"keep-faces", no_argument, NULL, OPTION_KEEP_FACES},
     {"unlit", no_argument, NULL, OPTION_UNLIT},
+    {"drop-small", no_argument, NULL, OPTION_DROP_SMALL},
     {"wireframe", no_argument, NULL, OPTION_WIREFRAME},
     {"antialias", no_argument, NULL, OPTION_ANTIALIAS},
     {"delta", no_argument, NULL, OPTION_DELTA},
@@ -106,6 +108,9 @@ static bool parse_option(int code, char **argv, struct request *out, struct erro
         return true;
     case OPTION_UNLIT:
         out->compile.unlit = true;
+        return true;
+    case OPTION_DROP_SMALL:
+        out->compile.drop_small = true;
         return true;
     case OPTION_WIREFRAME:
         out->compile.wireframe = true;

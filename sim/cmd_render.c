@@ -6,6 +6,7 @@
 #include "commands.h"
 #include "dump.h"
 #include "edge_error.h"
+#include "faithful.h"
 #include "frame_cost.h"
 #include "frame_file.h"
 #include "frame_table.h"
@@ -112,6 +113,7 @@ static bool start(struct render *render, struct error *err)
     if (want_ids) render->ids.simulator.core->newell(render->ids.simulator.lim, &options->newell);
     if (want_ids && moving->count && !ids_set_movers(&render->ids, moving, err)) return false;
     print_notes(&render->scene.report);
+    faithful_note(&render->scene);
     if (!options->compare) return true;
     if (measures_edges(render) && !edge_error_init(&render->edges, &render->scene, &options->setup, err)) return false;
     return moving->count ? moving_reference(moving, &render->reference, w_px, h_px, err)

@@ -5,6 +5,7 @@
  * tree of a scene holds what stands still. */
 #include "commands.h"
 #include "compiled.h"
+#include "faithful.h"
 #include "light.h"
 #include "model_part.h"
 #include "parse.h"
@@ -15,12 +16,23 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-enum option_code { OPTION_TREE = 256, OPTION_TOLERANCE, OPTION_SIZE, OPTION_UNLIT, OPTION_KEEP_FACES };
+enum option_code {
+    OPTION_TREE = 256,
+    OPTION_TOLERANCE,
+    OPTION_SIZE,
+    OPTION_UNLIT,
+    OPTION_KEEP_FACES,
+    OPTION_DROP_SMALL
+};
 
 static const struct option OPTIONS[] = {
-    {"tree", required_argument, NULL, OPTION_TREE},       {"tolerance", required_argument, NULL, OPTION_TOLERANCE},
-    {"size", required_argument, NULL, OPTION_SIZE},       {"unlit", no_argument, NULL, OPTION_UNLIT},
-    {"keep-faces", no_argument, NULL, OPTION_KEEP_FACES}, {NULL, 0, NULL, 0},
+    {"tree", required_argument, NULL, OPTION_TREE},
+    {"tolerance", required_argument, NULL, OPTION_TOLERANCE},
+    {"size", required_argument, NULL, OPTION_SIZE},
+    {"unlit", no_argument, NULL, OPTION_UNLIT},
+    {"keep-faces", no_argument, NULL, OPTION_KEEP_FACES},
+    {"drop-small", no_argument, NULL, OPTION_DROP_SMALL},
+    {NULL, 0, NULL, 0},
 };
 
 static bool parse_option(int code, char **argv, struct compile_options *out, struct error *err)
@@ -37,6 +49,9 @@ static bool parse_option(int code, char **argv, struct compile_options *out, str
         return true;
     case OPTION_KEEP_FACES:
         out->keep_faces = true;
+        return true;
+    case OPTION_DROP_SMALL:
+        out->drop_small = true;
         return true;
     case ':':
         return error_set(err, "%s: needs a value", argv[optind - 1]);
@@ -71,22 +86,22 @@ static void print_row(const char *name, const struct compiled *scene)
 }
 
 /* What stands still, with its light; and how many objects do not. */
-static bool read_still(const char *path, const struct compile_options *options, struct model *still, size_t *movers,
-                       struct error *err)
+static bool read_still(const char *path, const struct compile_options *options, struct model *still, uint32_t **numbers,
+                       size_t *movers, struct error *err)
 {
     struct model model;
-    uint32_t *numbers;
+    *numbers = NULL;
     if (!model_import(path, &model, err)) return false;
     if (*model.notice) fprintf(stderr, "limner: %s: %s\n", path, model.notice);
     if (!options->unlit) light_bake(&model);
     *movers = model.mover_count;
     *still = model;
     if (!*movers) return true;
-    model_part(&model, 0, still, &numbers);
-    free(numbers);
+    model_part(&model, 0, still, numbers);
     model_free(&model);
     if (still->face_count) return true;
     model_free(still);
+    free(*numbers);
     return error_set(err, "%s: everything in it is animated; nothing stands still", path);
 }
 
@@ -113,6 +128,7 @@ static bool print_rows(const char *path, const struct model *still, size_t mover
             if (any) printf("| %-8s | %s |\n", splitter_names[i], err->text);
             continue;
         }
+        if (!any) faithful_note(&scene);
         if (!any) print_head(path, &scene, options, movers);
         print_row(splitter_names[i], &scene);
         compiled_free(&scene);
@@ -124,10 +140,12 @@ static bool print_rows(const char *path, const struct model *still, size_t mover
 static bool run(const char *path, struct compile_options *options, struct error *err)
 {
     struct model still;
+    uint32_t *numbers;
     size_t movers;
-    if (!read_still(path, options, &still, &movers, err)) return false;
+    if (!read_still(path, options, &still, &numbers, &movers, err)) return false;
     const bool ok = print_rows(path, &still, movers, options, err);
     model_free(&still);
+    free(numbers);
     return ok;
 }
 

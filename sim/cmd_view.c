@@ -4,6 +4,7 @@
  * clock, in the terminal as often as a key is pressed. */
 #include "commands.h"
 #include "dump.h"
+#include "faithful.h"
 #include "fly.h"
 #include "options.h"
 
@@ -25,6 +26,7 @@ static bool view_load(struct viewing *view, struct lens *lens, struct error *err
     const enum lim_method method = options->setup.method;
     if (method != LIM_NEAREST_FIRST && method != LIM_PAINTER) options->movers.mode = MOVING_OFF;
     if (!options_load(options, &view->scene, &view->moving, lens, &view->path, err)) return false;
+    faithful_note(&view->scene);
     if (view->moving.stopped)
         fprintf(stderr, "limner: %s: objects stand still; methods nearest, painter and bsp move them\n",
                 options->scene_path);

@@ -14,7 +14,7 @@ struct neighbourhood {
 
 static uint32_t group_of(const uint32_t *groups, uint32_t face)
 {
-    return groups ? groups[face] : face;
+    return groups && groups[face] ? groups[face] : face; /* 0: it was dropped, and is itself */
 }
 
 static struct neighbourhood look_around(const struct reference *reference, const uint32_t *groups, size_t pixel,

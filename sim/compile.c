@@ -4,6 +4,7 @@
  * best of them kept. */
 #include "convexity.h"
 #include "encode.h"
+#include "faithful.h"
 #include "grow.h"
 #include "light.h"
 #include "moving.h"
@@ -307,7 +308,7 @@ static bool compile_cleaned(struct mesh *mesh, const struct compile_options *opt
     struct reference reference = {0};
     if (options->predict && !reference_init(&reference, mesh, PREDICT_SIDE_PX, PREDICT_SIDE_PX, err)) return false;
     bool ok = (options->keep_faces || mesh_merge(mesh, err)) && mesh_insert_t_vertices(mesh, err) &&
-              tree_choice_compile(mesh, options, out, err);
+              faithful_compile(mesh, options, out, err);
     if (ok && options->predict)
         ok = predict_wrong_percent(out, options->core, &reference, mesh->merged_into, &out->report.wrong_percent, err);
     if (ok) report_notes(&out->report, mesh);

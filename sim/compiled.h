@@ -35,6 +35,7 @@ struct compile_options {
     bool framebuffer;            /* for targets with all pixels in memory */
     bool wireframe;              /* for drawing as wireframe: edges that are not the model's are known */
     enum portals_wanted portals; /* whether to store what is seen from where; AUTO: if it pays */
+    bool drop_small;             /* leave out what is too small for the grid, instead of refusing the model */
     bool predict;                /* measure the wrong-pixel share for the report: takes a second or so */
 };
 
@@ -69,6 +70,7 @@ struct compile_report {
     struct mesh_counts mesh;
     size_t polygons_in, polygons_out; /* before and after splitting */
     size_t splits;
+    size_t left_out;  /* faces that options.drop_small left out */
     size_t collapsed; /* pieces that the grid rounded to nothing */
     size_t depth;
     size_t kinds[PLANE_KINDS]; /* nodes by enum plane_kind */

@@ -41,6 +41,7 @@ static const char USAGE[] =
     "                      or the best of fewest and all weights: auto (auto)\n"
     "  --tolerance UNITS   how far a polygon may be off a plane that it lies on (0.5)\n"
     "  --size WxH          of the panel, 1 to 1024 pixels each (240x240)\n"
+    "  --drop-small        leave out what is too small for the scene's grid, instead of refusing the model\n"
     "  --unlit             colours as they are in the model: no light is baked in\n"
     "  --wireframe         for drawing outlines alone, hidden lines left out (render, view: drawn so;\n"
     "                      --wireframe=RRGGBB,RRGGBB: all lines and the background in these colours)\n"

@@ -23,6 +23,7 @@ enum option_code {
     OPTION_NO_COST,
     OPTION_KEEP_FACES,
     OPTION_UNLIT,
+    OPTION_DROP_SMALL,
     OPTION_METHOD,
     OPTION_ANTIALIAS,
     OPTION_DELTA,
@@ -47,6 +48,7 @@ static const struct option OPTIONS[] = {
     {"no-cost", no_argument, NULL, OPTION_NO_COST},
     {"keep-faces", no_argument, NULL, OPTION_KEEP_FACES},
     {"unlit", no_argument, NULL, OPTION_UNLIT},
+    {"drop-small", no_argument, NULL, OPTION_DROP_SMALL},
     {"method", required_argument, NULL, OPTION_METHOD},
     {"antialias", no_argument, NULL, OPTION_ANTIALIAS},
     {"delta", no_argument, NULL, OPTION_DELTA},
@@ -173,6 +175,9 @@ static bool parse_option(int code, char **argv, struct measure_request *out, boo
         return true;
     case OPTION_UNLIT:
         out->compile.unlit = true;
+        return true;
+    case OPTION_DROP_SMALL:
+        out->compile.drop_small = true;
         return true;
     case OPTION_ANTIALIAS:
         out->compile.antialias = true;

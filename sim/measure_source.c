@@ -4,11 +4,11 @@
  * faces before any are merged, and every point of the mesh can be found by its place on the grid. */
 #include "measure.h"
 
+#include "faithful.h"
 #include "grow.h"
 #include "light.h"
 #include "model_part.h"
 #include "moving.h"
-#include "tree_choice.h"
 #include "vec3.h"
 
 #include <math.h>
@@ -154,7 +154,7 @@ void measure_source_free(struct measure_source *source)
 bool measure_source_compile(const struct measure_source *source, const struct compile_options *options,
                             struct compiled *scene, struct error *err)
 {
-    if (!source->still.moving) return tree_choice_compile(&source->mesh, options, scene, err);
+    if (!source->still.moving) return faithful_compile(&source->mesh, options, scene, err);
     return moving_compile_own(source->path, options, MOVING_CLIPPED, scene, err);
 }
 

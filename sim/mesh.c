@@ -9,6 +9,7 @@
 #include "inner.h"
 #include "loop.h"
 #include "mapping.h"
+#include "original.h"
 #include "polygon_list.h"
 #include "triangulate.h"
 #include "weld.h"
@@ -18,7 +19,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { INVISIBLE = 255 }; /* as a transparency */
+enum { INVISIBLE = 255 /* as a transparency */, FINER = 256 /* than the grid */ };
 
 static const double FLAT_UNITS = 0.5; /* what rounding to the grid does anyway */
 
@@ -72,16 +73,17 @@ static void note_dropped(struct cleaning *cleaning, size_t index)
     if (cleaning->mesh->counts.too_small++ == 0) cleaning->first_too_small = index;
 }
 
-/* A scene without most of its faces is not what the model shows. */
-static bool refuse_vanished(const struct cleaning *cleaning, struct error *err)
+static bool refuse_nothing_left(const struct cleaning *cleaning, struct error *err)
 {
     const struct mesh_counts *counts = &cleaning->mesh->counts;
-    const size_t with_area = counts->faces - counts->invisible - counts->zero_area;
-    if (counts->too_small * 2 <= with_area) return true;
-    const struct model_face *face = &cleaning->model->faces[cleaning->first_too_small];
-    return error_set(err, "face %zu is %.3g m wide and a unit of the grid %.3g m: %zu of %zu faces would vanish",
-                     cleaning->first_too_small + 1, face_size_m(cleaning->model, face),
-                     1.0 / cleaning->mesh->grid.units_per_m, counts->too_small, with_area);
+    if (counts->invisible == counts->faces)
+        return error_set(err, "every face is invisible: the opacity of all materials is 0");
+    if (!counts->too_small) return error_set(err, "no face has an area: the corners of each are on one line");
+    const size_t face = cleaning->first_too_small;
+    return error_set(err, "face %zu is %.3g m wide and a unit of the grid %.3g m: nothing would be left",
+                     cleaning->model->numbers ? (size_t)cleaning->model->numbers[face] : face + 1,
+                     face_size_m(cleaning->model, &cleaning->model->faces[face]),
+                     1.0 / cleaning->mesh->grid.units_per_m);
 }
 
 static bool add_if_area(struct cleaning *cleaning, const struct loop *loop, const struct mesh_polygon *like)
@@ -178,14 +180,8 @@ static void clean_faces(struct cleaning *cleaning, const struct model *model, co
     free(corners);
 }
 
-bool mesh_clean(const struct model *model, struct mesh *mesh, struct error *err)
-{
-    struct grid grid;
-    *mesh = (struct mesh){0};
-    return grid_choose(model, &grid, err) && mesh_clean_on(model, &grid, mesh, err);
-}
-
-bool mesh_clean_on(const struct model *model, const struct grid *grid, struct mesh *mesh, struct error *err)
+static bool clean_on(const struct model *model, const struct grid *grid, struct mesh *mesh, bool keep_original,
+                     struct error *err)
 {
     *mesh = (struct mesh){.counts = {.faces = model->face_count, .clamped = model->alpha_clamped}, .grid = *grid};
     if (!mesh_textures_make(model, mesh, err)) {
@@ -199,14 +195,36 @@ bool mesh_clean_on(const struct model *model, const struct grid *grid, struct me
     cleaning.welded = welded;
     clean_faces(&cleaning, model, welded);
     remove_outlines(mesh, model, welded);
+    if (keep_original) mesh->original = original_make(model, grid, welded);
     free(welded);
-    bool ok = polygon_list_move(&cleaning.list, mesh, err);
-    ok = ok && refuse_vanished(&cleaning, err);
-    if (ok && mesh->counts.invisible == mesh->counts.faces)
-        ok = error_set(err, "every face is invisible: the opacity of all materials is 0");
-    if (ok && mesh->polygon_count == 0) ok = error_set(err, "no face has an area: the corners of each are on one line");
+    bool ok = polygon_list_move(&cleaning.list, mesh, err) &&
+              (mesh->polygon_count > 0 || refuse_nothing_left(&cleaning, err));
     if (!ok) mesh_free(mesh);
     return ok;
+}
+
+bool mesh_clean(const struct model *model, struct mesh *mesh, struct error *err)
+{
+    struct grid grid;
+    *mesh = (struct mesh){0};
+    return grid_choose(model, &grid, err) && mesh_clean_on(model, &grid, mesh, err);
+}
+
+bool mesh_clean_on(const struct model *model, const struct grid *grid, struct mesh *mesh, struct error *err)
+{
+    return clean_on(model, grid, mesh, true, err);
+}
+
+bool mesh_clean_fine(const struct model *model, const struct grid *grid, struct mesh *mesh, struct error *err)
+{
+    struct grid fine;
+    *mesh = (struct mesh){0};
+    if (grid)
+        fine = *grid;
+    else if (!grid_choose(model, &fine, err))
+        return false;
+    fine.units_per_m *= FINER;
+    return clean_on(model, &fine, mesh, false, err);
 }
 
 void mesh_free(struct mesh *mesh)
@@ -216,6 +234,7 @@ void mesh_free(struct mesh *mesh)
     free(mesh->polygons);
     free(mesh->merged_into);
     map_free(&mesh->inner);
+    original_free(mesh->original);
     free(mesh->mappings);
     free(mesh->notes);
     for (size_t i = 0; i < mesh->texture_count; i++)

@@ -52,6 +52,8 @@ struct mesh_counts {
     size_t t_vertices; /* vertices inserted into edges of other polygons */
 };
 
+struct original;
+
 struct mesh {
     double (*points)[3]; /* metres, no two nearer than mesh_weld_m(); some may be unused */
     size_t point_count;
@@ -68,9 +70,10 @@ struct mesh {
     size_t note_count, note_capacity;
     struct mapping *mappings; /* the first one is none */
     size_t mapping_count, mapping_capacity;
-    uint32_t *merged_into; /* counts.faces + 1 entries: merged_into[face] = face number of the polygon
-                              that holds it (its first piece, if it was cut), itself if unmerged, 0
-                              if dropped */
+    struct original *original; /* the model's faces, unrounded, owned; NULL: not known */
+    uint32_t *merged_into;     /* counts.faces + 1 entries: merged_into[face] = face number of the polygon
+                                  that holds it (its first piece, if it was cut), itself if unmerged, 0
+                                  if dropped */
 };
 
 /* Points nearer than this are one: 1/16 unit, 2^-20 of the scene's longest side. A float32 importer
@@ -87,13 +90,16 @@ double mesh_flat_m(const struct grid *grid);
 /* Welds, drops faces of no area or opacity, triangulates what is not flat or not convex. Chooses the grid: the
  * largest scale at which every coordinate fits -32767..32767, the origin in the middle of the bounds.
  * Corners in the middle of a straight side are kept. Refuses a model of which nothing is left, or one
- * whose outlier squeezes the rest into a few units, or most faces into nothing; the text does not name the
- * file. The caller owns
- * *mesh. */
+ * whose outlier squeezes the rest into a few units; the text does not name the file. What is too small for the grid is
+ * dropped and counted: whether that does harm is asked once the scene is there (faithful.h). The caller owns *mesh. */
 bool mesh_clean(const struct model *model, struct mesh *mesh, struct error *err);
 
 /* The same on a grid that is given: a mover's is its scene's, or finer by a power of two. Corners must fit it. */
 bool mesh_clean_on(const struct model *model, const struct grid *grid, struct mesh *mesh, struct error *err);
+
+/* The model for the reference, on a grid 256 times as fine: what the scene's own grid welds, drops or takes for flat is
+ * there as the file has it. `grid`: the scene's; NULL: the one that mesh_clean() chooses. Not for compiling. */
+bool mesh_clean_fine(const struct model *model, const struct grid *grid, struct mesh *mesh, struct error *err);
 
 /* Makes the model's pictures textures: those that a face shows. Together they get no larger than a scene can hold: if
  * need be, the largest are made smaller. What became of each goes to mesh->notes. */

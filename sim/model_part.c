@@ -104,5 +104,6 @@ void model_part(const struct model *model, size_t mover, struct model *part, uin
             part->corners[part->corner_count++] = places[point] - 1;
         }
     }
+    part->numbers = *numbers;
     free(places);
 }

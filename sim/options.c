@@ -37,6 +37,7 @@ enum option_code {
     OPTION_TREE,
     OPTION_TOLERANCE,
     OPTION_UNLIT,
+    OPTION_DROP_SMALL,
     OPTION_WIREFRAME,
     OPTION_ANTIALIAS,
     OPTION_DELTA,
@@ -75,6 +76,7 @@ static const struct option OPTIONS[] = {
     {"tree", required_argument, NULL, OPTION_TREE},
     {"tolerance", required_argument, NULL, OPTION_TOLERANCE},
     {"unlit", no_argument, NULL, OPTION_UNLIT},
+    {"drop-small", no_argument, NULL, OPTION_DROP_SMALL},
     {"wireframe", optional_argument, NULL, OPTION_WIREFRAME},
     {"antialias", no_argument, NULL, OPTION_ANTIALIAS},
     {"delta", optional_argument, NULL, OPTION_DELTA},
@@ -160,6 +162,9 @@ static bool parse_option(int code, const char *text, struct options *out, struct
         return parse_precision(text, &out->setup.core, err);
     case OPTION_UNLIT:
         out->compile.unlit = true;
+        return true;
+    case OPTION_DROP_SMALL:
+        out->compile.drop_small = true;
         return true;
     case OPTION_WIREFRAME:
         out->compile.wireframe = true;

@@ -384,7 +384,7 @@ void reference_draw_shifted(struct reference *reference, const struct viewpoint 
 
 static uint32_t group_of(const uint32_t *groups, uint32_t face)
 {
-    return groups ? groups[face] : face;
+    return groups && groups[face] ? groups[face] : face; /* 0: it was dropped, and is itself */
 }
 
 /* A picture of the two pixels' width around a pixel's centre. */

@@ -89,6 +89,7 @@ static void print_tree(const struct compiled *scene)
     const struct compile_report *report = &scene->report;
     print_count("polygons before splitting", report->polygons_in);
     print_count("splits", report->splits);
+    if (report->left_out) print_count("left out, too small", report->left_out);
     if (report->collapsed) print_count("pieces rounded to nothing", report->collapsed);
     print_count("polygons in the scene", report->polygons_out);
     print_transparent(scene);
