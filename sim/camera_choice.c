@@ -10,7 +10,7 @@
 #include <string.h>
 
 enum { RANDOM_MAX = 10000 };
-static const char RANDOM[] = "random:";
+static const char RANDOM[] = "random:", NEAR[] = "near:";
 
 static bool parse_part(const char *name, const char *from, size_t length, uint32_t least, uint32_t most, uint32_t *out,
                        struct error *err)
@@ -23,12 +23,15 @@ static bool parse_part(const char *name, const char *from, size_t length, uint32
 
 bool camera_choice_parse(const char *text, struct camera_choice *out, struct error *err)
 {
-    *out = (struct camera_choice){.text = text};
-    if (strncmp(text, RANDOM, sizeof RANDOM - 1) != 0) return true;
-    const char *seed = text + sizeof RANDOM - 1, *colon = strchr(seed, ':');
+    *out = (struct camera_choice){.text = text, .is_near = strncmp(text, NEAR, sizeof NEAR - 1) == 0};
+    if (!out->is_near && strncmp(text, RANDOM, sizeof RANDOM - 1) != 0) return true;
+    const char *seed = strchr(text, ':') + 1, *colon = strchr(seed, ':');
     uint32_t count = CAMERA_CHOICE_RANDOM;
-    if (!parse_part("--camera random:SEED", seed, strcspn(seed, ":"), 0, UINT32_MAX, &out->seed, err)) return false;
-    if (colon && !parse_part("--camera random:SEED:FRAMES", colon + 1, strlen(colon + 1), 1, RANDOM_MAX, &count, err))
+    if (!parse_part(out->is_near ? "--camera near:SEED" : "--camera random:SEED", seed, strcspn(seed, ":"), 0,
+                    UINT32_MAX, &out->seed, err))
+        return false;
+    if (colon && !parse_part(out->is_near ? "--camera near:SEED:FRAMES" : "--camera random:SEED:FRAMES", colon + 1,
+                             strlen(colon + 1), 1, RANDOM_MAX, &count, err))
         return false;
     out->random_count = count;
     return true;
@@ -44,6 +47,7 @@ bool camera_choice_plan(const struct camera_choice *choice, const struct compile
 {
     if (path->count > 0) return true;
     if (choice->random_count > 0)
-        return random_path(scene, choice->text, choice->seed, choice->random_count, path, err);
+        return (choice->is_near ? near_path : random_path)(scene, choice->text, choice->seed, choice->random_count,
+                                                           path, err);
     return camera_path_orbit(scene, lens, orbit_frames, path, err);
 }

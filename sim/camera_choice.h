@@ -11,10 +11,11 @@ enum { CAMERA_CHOICE_RANDOM = 64 }; /* frames, unless said */
 struct camera_choice {
     const char *text;    /* as given; NULL: not given, so an orbit */
     size_t random_count; /* 0: the text is a file's name */
+    bool is_near;        /* of the random ones: near the model's faces */
     uint32_t seed;       /* of the random ones */
 };
 
-/* --camera FILE or random:SEED[:FRAMES]; a file of such a name is ./random:1. */
+/* --camera FILE, random:SEED[:FRAMES] or near:SEED[:FRAMES]; a file of such a name is ./random:1. */
 bool camera_choice_parse(const char *text, struct camera_choice *out, struct error *err);
 
 /* Reads the file, if it is one: before the scene is compiled, since that takes longer than to see a mistake. */

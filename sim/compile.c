@@ -9,6 +9,7 @@
 #include "light.h"
 #include "moving.h"
 #include "order_choice.h"
+#include "original.h"
 #include "pools.h"
 #include "portal_choice.h"
 #include "predict.h"
@@ -82,7 +83,7 @@ static void report_set(struct compile_report *report, const struct bsp *bsp, con
                                       .worst_violation_units = bsp_worst_violation(bsp),
                                       .convex = scene_is_convex(scene),
                                       .tree = plan->kind,
-                                      .wrong_percent = NAN,
+                                      .wrong = {.percent = NAN},
                                       .instructions = NAN,
                                       .flash_b = flash_b(scene)};
     for (size_t i = 0; i < scene->node_count; i++)
@@ -301,16 +302,35 @@ static void report_notes(struct compile_report *report, const struct mesh *mesh)
     report->note_count = mesh->note_count;
 }
 
-/* The reference has to see the polygons before any are merged. */
-static bool compile_cleaned(struct mesh *mesh, const struct compile_options *options, struct compiled *out,
-                            struct error *err)
+/* The reference sees the file's faces, all of them and unrounded; which picture they show is not asked. */
+static bool predict_reference(const struct model *model, const struct grid *grid, struct reference *reference,
+                              struct error *err)
+{
+    struct model flat = *model;
+    struct mesh fine;
+    flat.picture_count = 0;
+    flat.faces = grow_zeroed(model->face_count, sizeof *flat.faces);
+    for (size_t i = 0; i < model->face_count; i++) {
+        flat.faces[i] = model->faces[i];
+        flat.faces[i].picture = 0;
+    }
+    bool ok = mesh_clean_fine(&flat, grid, &fine, err);
+    free(flat.faces);
+    if (!ok) return false;
+    ok = reference_init(reference, &fine, PREDICT_SIDE_PX, PREDICT_SIDE_PX, err);
+    mesh_free(&fine);
+    return ok;
+}
+
+static bool compile_cleaned(const struct model *model, struct mesh *mesh, const struct compile_options *options,
+                            struct compiled *out, struct error *err)
 {
     struct reference reference = {0};
-    if (options->predict && !reference_init(&reference, mesh, PREDICT_SIDE_PX, PREDICT_SIDE_PX, err)) return false;
     bool ok = (options->keep_faces || mesh_merge(mesh, err)) && mesh_insert_t_vertices(mesh, err) &&
               faithful_compile(mesh, options, out, err);
     if (ok && options->predict)
-        ok = predict_wrong_percent(out, options->core, &reference, mesh->merged_into, &out->report.wrong_percent, err);
+        ok = predict_reference(model, &mesh->grid, &reference, err) &&
+             predict_wrong(out, options->core, &reference, mesh->merged_into, &out->report.wrong, err);
     if (ok) report_notes(&out->report, mesh);
     out->report.core = options->core ? options->core : &core_fast;
     reference_free(&reference);
@@ -322,7 +342,7 @@ bool compile_part(const struct model *model, const struct grid *grid, const stru
 {
     struct mesh mesh;
     if (!(grid ? mesh_clean_on(model, grid, &mesh, err) : mesh_clean(model, &mesh, err))) return false;
-    bool ok = compile_cleaned(&mesh, options, out, err);
+    bool ok = compile_cleaned(model, &mesh, options, out, err);
     mesh_free(&mesh);
     return ok;
 }
@@ -342,6 +362,7 @@ void compiled_free(struct compiled *scene)
 {
     if (scene->moving) moving_free(scene->moving);
     free(scene->moving);
+    original_free(scene->original);
     free(scene->image);
     free(scene->report.notes);
     *scene = (struct compiled){0};

@@ -66,6 +66,13 @@ struct order_choice {
     size_t nearest_mem_b;                       /* working memory on a 32-bit MCU */
 };
 
+/* The share of pixels that show another face than the source does. */
+struct predicted {
+    double percent;               /* of all cameras */
+    double near_percent;          /* of those near faces of all sizes */
+    size_t cameras, near_cameras; /* how many of each */
+};
+
 struct compile_report {
     struct mesh_counts mesh;
     size_t polygons_in, polygons_out; /* before and after splitting */
@@ -89,7 +96,7 @@ struct compile_report {
     enum lim_method draws;        /* what firmware draws it with */
     unsigned w_px, h_px;          /* of the panel that the pools were measured for */
     const struct core *core;      /* the precision profile asked for */
-    double wrong_percent;         /* on sampled cameras; only if options.predict, else NaN */
+    struct predicted wrong;       /* on sampled cameras; only if options.predict, else .percent is NaN */
     double instructions; /* of a frame on a Cortex-M0+, predicted (frame_cost.h); NaN: neither nearest first nor by scan
                             lines, or not opaque and flat */
     struct order_choice order;
@@ -100,13 +107,15 @@ struct compile_report {
 };
 
 struct moving;
+struct original;
 
 struct compiled {
     struct lim_scene scene; /* its pointers lead into `image` */
     struct moving *moving;  /* what moves in it, owned; NULL: nothing, or it is kept elsewhere */
     struct grid grid;
-    uint32_t *faces; /* polygon_count entries: face number (1-based) of each record, in order */
-    void *image;     /* the .lim file's bytes, owned */
+    uint32_t *faces;           /* polygon_count entries: face number (1-based) of each record, in order */
+    struct original *original; /* the model's faces, shared; NULL: not known, as of a .lim file */
+    void *image;               /* the .lim file's bytes, owned */
     size_t image_b;
     struct compile_report report; /* all zero when read from a file */
 };

@@ -320,6 +320,7 @@ static bool compile_kept(struct leaving *leaving, const struct compile_options *
         if (!tree_choice_compile(&leaving->mesh, options, out, err)) return false;
         if (!settle(leaving, options, out, &changed, err)) break;
         if (!changed) {
+            out->original = original_share(leaving->mesh.original);
             out->report.left_out = count_out(&leaving->mesh, leaving->faults, leaving->is_out);
             return true;
         }

@@ -18,6 +18,7 @@
 struct measure_source {
     struct reference reference; /* of the model's own faces */
     struct mesh mesh;           /* what compile_mesh() takes; mesh.merged_into: faces that count as one */
+    struct mesh fine;           /* what the reference was made of, whose mappings it names; empty if something moves */
     struct map points;          /* grid position -> first point of the mesh there */
     uint32_t *next_point;       /* of the mesh, at the same grid position; or MEASURE_NO_POINT */
     struct compiled still;      /* if something moves: still.moving; the mesh is of what does not */

@@ -162,9 +162,14 @@ static bool measure_texels(struct measured *measured, const struct measure_sourc
                            const struct lim_camera *camera, struct error *err)
 {
     const struct compiled *scene = measured->candidate->scene;
-    const struct texel_frame frame = {
-        measured->candidate->core, scene,         &measured->ids,           &measured->painted,
-        &source->reference,        &source->mesh, source->mesh.merged_into, measured->record_words};
+    const struct texel_frame frame = {measured->candidate->core,
+                                      scene,
+                                      &measured->ids,
+                                      &measured->painted,
+                                      &source->reference,
+                                      source->fine.mapping_count ? &source->fine : &source->mesh,
+                                      source->mesh.merged_into,
+                                      measured->record_words};
     if (!scene->scene.texture_count) return true;
     return simulator_frame(&measured->painted, camera, err) && texel_errors_add(&measured->texels, &frame, err);
 }

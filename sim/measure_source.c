@@ -68,7 +68,8 @@ static bool read_mesh(struct measure_source *source, const struct model *model, 
 {
     struct mesh *mesh = &source->mesh;
     if (!mesh_clean(model, mesh, err)) return false;
-    if (!reference_init(&source->reference, mesh, w_px, h_px, err) || !(options->keep_faces || mesh_merge(mesh, err)) ||
+    if (!mesh_clean_fine(model, &mesh->grid, &source->fine, err) ||
+        !reference_init(&source->reference, &source->fine, w_px, h_px, err) || !(options->keep_faces || mesh_merge(mesh, err)) ||
         !mesh_insert_t_vertices(mesh, err))
         return false;
     index_points(source);
@@ -144,6 +145,7 @@ void measure_source_free(struct measure_source *source)
 {
     reference_free(&source->reference);
     mesh_free(&source->mesh);
+    mesh_free(&source->fine);
     map_free(&source->points);
     free(source->next_point);
     compiled_free(&source->still);

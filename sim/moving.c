@@ -307,8 +307,7 @@ static bool reference_of_part(const struct moving *moving, size_t mover, struct 
     struct mesh mesh;
     uint32_t *numbers;
     model_part(&moving->model, mover, &part, &numbers);
-    bool ok = mover ? mesh_clean_on(&part, &moving->objects[mover - 1].scene.grid, &mesh, err)
-                    : mesh_clean(&part, &mesh, err);
+    bool ok = mesh_clean_fine(&part, mover ? &moving->objects[mover - 1].scene.grid : NULL, &mesh, err);
     if (ok) {
         for (size_t i = 0; i < mesh.polygon_count; i++)
             mesh.polygons[i].face = numbers[mesh.polygons[i].face - 1];

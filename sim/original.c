@@ -189,9 +189,15 @@ struct original *original_make(const struct model *model, const struct grid *gri
     return out;
 }
 
+struct original *original_share(struct original *original)
+{
+    if (original) original->more_owners++;
+    return original;
+}
+
 void original_free(struct original *original)
 {
-    if (!original) return;
+    if (!original || original->more_owners-- > 0) return;
     free(original->faces);
     free(original->corners_m);
     free(original->points);

@@ -30,10 +30,14 @@ struct original {
     size_t corner_count;
     uint32_t *by_size; /* indices of the faces to be seen, smallest patch first */
     size_t seen_count;
+    unsigned more_owners;
 };
 
 /* `welded`: for each point of the model that of the mesh. The caller's to free, by original_free(). */
 struct original *original_make(const struct model *model, const struct grid *grid, const uint32_t *welded);
+
+/* One more owner, who frees it as well; NULL stays NULL. */
+struct original *original_share(struct original *original);
 void original_free(struct original *original);
 
 #endif

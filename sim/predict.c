@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * The same sampler as for the pools, the same comparison as --compare. */
+ * The same samplers as for random cameras, the same comparison as --compare. */
 #include "predict.h"
 
 #include "compare.h"
@@ -8,40 +8,57 @@
 #include "progress.h"
 #include "sample.h"
 
-static bool compare_views(const struct compiled *scene, struct ids *ids, struct reference *reference,
-                          const uint32_t *groups, struct comparison *sum, struct error *err)
-{
-    struct sampler sampler;
+struct predicting {
+    const struct compiled *scene;
+    struct ids ids;
+    struct reference *reference;
+    const uint32_t *groups;
     struct lens lens;
+    int done; /* cameras, for the bar */
+};
 
-    sampler_init(&sampler, scene);
-    if (!lens_init(&lens, 60, lens_default_near_m(&scene->grid), PREDICT_SIDE_PX, PREDICT_SIDE_PX, err)) return false;
-    for (int i = 0; i < PREDICT_CAMERAS; i++) {
-        progress_bar((size_t)i, PREDICT_CAMERAS, "comparing with the reference");
-        struct viewpoint viewpoint = sampler_next(&sampler);
-        const struct camera_path path = {"sampled cameras", &viewpoint, 1};
+static bool compare_views(struct predicting *predicting, bool near, int count, struct comparison *sum,
+                          struct error *err)
+{
+    const struct grid *grid = &predicting->scene->grid;
+    struct sampler sampler;
+    sampler_init(&sampler, predicting->scene);
+    for (int i = 0; i < count; i++) {
+        struct viewpoint viewpoint;
         struct lim_camera camera;
-        if (!camera_path_to_camera(&path, 0, &lens, &scene->grid, &camera, err)) continue;
-        if (!ids_frame(ids, &camera, err)) return false;
-        reference_draw(reference, &viewpoint, &lens);
+        const struct camera_path path = {"sampled cameras", &viewpoint, 1};
+        progress_bar((size_t)predicting->done++, PREDICT_CAMERAS, "comparing with the reference");
+        if (!(near ? sampler_near(&sampler, &viewpoint) : sampler_anywhere(&sampler, &viewpoint))) return true;
+        if (!camera_path_to_camera(&path, 0, &predicting->lens, grid, &camera, err)) continue;
+        if (!ids_frame(&predicting->ids, &camera, err)) return false;
+        reference_draw(predicting->reference, &viewpoint, &predicting->lens);
         const struct compare_counts counts =
-            compare_picture(ids->faces, reference, groups, 1.0 / scene->grid.units_per_m);
+            compare_picture(predicting->ids.faces, predicting->reference, predicting->groups, 1.0 / grid->units_per_m);
         comparison_add(sum, &counts);
     }
     return true;
 }
 
-bool predict_wrong_percent(const struct compiled *scene, const struct core *core, struct reference *reference,
-                           const uint32_t *groups, double *percent, struct error *err)
+bool predict_wrong(const struct compiled *scene, const struct core *core, struct reference *reference,
+                   const uint32_t *groups, struct predicted *out, struct error *err)
 {
     const struct simulator_setup setup = {PREDICT_SIDE_PX, PREDICT_SIDE_PX, scene->report.draws, SIMULATOR_MEMORY,
                                           core};
-    struct comparison sum = {0};
-    struct ids ids;
+    struct predicting predicting = {.scene = scene, .reference = reference, .groups = groups};
+    struct comparison anywhere = {0}, near = {0};
+    const int near_count = scene->original ? PREDICT_CAMERAS / 2 : 0;
 
-    if (!ids_init(&ids, scene, &setup, err)) return false;
-    const bool ok = compare_views(scene, &ids, reference, groups, &sum, err);
-    *percent = compare_wrong_percent(&sum.total);
-    ids_free(&ids);
+    if (!lens_init(&predicting.lens, 60, lens_default_near_m(&scene->grid), PREDICT_SIDE_PX, PREDICT_SIDE_PX, err) ||
+        !ids_init(&predicting.ids, scene, &setup, err))
+        return false;
+    const bool ok = compare_views(&predicting, false, PREDICT_CAMERAS - near_count, &anywhere, err) &&
+                    compare_views(&predicting, true, near_count, &near, err);
+    const struct compare_counts all = {.pixels = anywhere.total.pixels + near.total.pixels,
+                                       .wrong = anywhere.total.wrong + near.total.wrong};
+    *out = (struct predicted){.percent = compare_wrong_percent(&all),
+                              .near_percent = compare_wrong_percent(&near.total),
+                              .cameras = anywhere.frames + near.frames,
+                              .near_cameras = near.frames};
+    ids_free(&predicting.ids);
     return ok;
 }

@@ -9,10 +9,13 @@
 #include "core.h"
 #include "reference.h"
 
-enum { PREDICT_SIDE_PX = 240, PREDICT_CAMERAS = 24 };
+/* Half of the cameras look anywhere, half at faces of all sizes, from as near as these are small. */
+enum { PREDICT_SIDE_PX = 240, PREDICT_CAMERAS = 48 };
 
-/* `reference` holds the source polygons for pictures of PREDICT_SIDE_PX; `groups` as in compare.h. */
-bool predict_wrong_percent(const struct compiled *scene, const struct core *core, struct reference *reference,
-                           const uint32_t *groups, double *percent, struct error *err);
+/* `reference` holds the source polygons for pictures of PREDICT_SIDE_PX; `groups` as in compare.h. A scene that does
+ * not know its original has all cameras anywhere. Where there is no free space for one kind of camera, there are fewer.
+ */
+bool predict_wrong(const struct compiled *scene, const struct core *core, struct reference *reference,
+                   const uint32_t *groups, struct predicted *out, struct error *err);
 
 #endif

@@ -8,8 +8,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-bool random_path(const struct compiled *scene, const char *name, uint32_t seed, size_t count, struct camera_path *out,
-                 struct error *err)
+static bool draw_path(const struct compiled *scene, bool near, const char *name, uint32_t seed, size_t count,
+                      struct camera_path *out, struct error *err)
 {
     struct sampler sampler;
     if (scene->scene.vertex_count == 0) return error_set(err, "%s: nothing stands still in this scene", name);
@@ -19,9 +19,24 @@ bool random_path(const struct compiled *scene, const char *name, uint32_t seed, 
     sampler_seed(&sampler, seed);
     for (; ok && out->count < count; out->count += ok) {
         struct viewpoint *viewpoint = &out->frames[out->count];
-        ok = sampler_anywhere(&sampler, viewpoint) || error_set(err, "%s: the scene has no free space", name);
+        ok = (near ? sampler_near(&sampler, viewpoint) : sampler_anywhere(&sampler, viewpoint)) ||
+             error_set(err, "%s: the scene has no free space", name);
         viewpoint->line = out->count + 1;
     }
     if (!ok) camera_path_free(out);
     return ok;
+}
+
+bool random_path(const struct compiled *scene, const char *name, uint32_t seed, size_t count, struct camera_path *out,
+                 struct error *err)
+{
+    return draw_path(scene, false, name, seed, count, out, err);
+}
+
+bool near_path(const struct compiled *scene, const char *name, uint32_t seed, size_t count, struct camera_path *out,
+               struct error *err)
+{
+    if (!scene->original)
+        return error_set(err, "%s: a .lim file does not hold the model's faces; give the model", name);
+    return draw_path(scene, true, name, seed, count, out, err);
 }

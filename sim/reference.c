@@ -175,7 +175,7 @@ bool reference_read(struct reference *reference, const char *model_path, unsigne
     struct model model;
     struct mesh mesh;
     if (!model_import(model_path, &model, err)) return false;
-    bool ok = mesh_clean(&model, &mesh, err);
+    bool ok = mesh_clean_fine(&model, NULL, &mesh, err);
     model_free(&model);
     if (!ok) return error_prefix(err, model_path);
     ok = reference_init(reference, &mesh, w_px, h_px, err);

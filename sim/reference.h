@@ -37,7 +37,7 @@ struct reference {
     double *depths_m;           /* along the view axis; infinite for the background */
 };
 
-/* Copies what it needs of the mesh as mesh_clean() leaves it. Allocates for pictures of this size. */
+/* Copies what it needs of the mesh as mesh_clean_fine() leaves it. Allocates for pictures of this size. */
 bool reference_init(struct reference *reference, const struct mesh *mesh, unsigned w_px, unsigned h_px,
                     struct error *err);
 
@@ -49,7 +49,7 @@ void reference_pose(struct reference *reference, size_t mover, const struct mode
 /* Moves a mover's corners in its own coordinates, before it is placed. */
 void reference_bend(struct reference *reference, size_t mover, void (*bend)(double at_m[3], double how), double how);
 
-/* The same from a model file: imported and cleaned, nothing else. */
+/* The same from a model file: imported and cleaned as mesh_clean_fine() does, nothing else. */
 bool reference_read(struct reference *reference, const char *model_path, unsigned w_px, unsigned h_px,
                     struct error *err);
 

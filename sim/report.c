@@ -3,7 +3,6 @@
  * What compiling made of a model, as a table. */
 #include "compiled.h"
 #include "pools.h"
-#include "predict.h"
 #include "records.h"
 #include "width.h"
 
@@ -110,9 +109,12 @@ static void print_tree(const struct compiled *scene)
     if (is_predicted(report))
         printf("  %-28s %8.0f on Cortex-M0+, predicted\n", "instructions a frame", report->instructions);
     if (is_predicted(report)) print_order(scene);
-    if (!isnan(report->wrong_percent))
-        printf("  %-28s %8.4f %%, %d sampled cameras\n", "wrong pixels, predicted", report->wrong_percent,
-               PREDICT_CAMERAS);
+    if (!isnan(report->wrong.percent))
+        printf("  %-28s %8.4f %%, %zu sampled cameras\n", "wrong pixels, predicted", report->wrong.percent,
+               report->wrong.cameras);
+    if (!isnan(report->wrong.percent) && report->wrong.near_cameras)
+        printf("  %-28s %8.4f %%, %zu of them\n", "  near faces, small ones too", report->wrong.near_percent,
+               report->wrong.near_cameras);
 }
 
 static void print_notes(const struct compile_report *report)

@@ -4,6 +4,8 @@
 #include "sample.h"
 
 #include "free_space.h"
+#include "original.h"
+#include "vec3.h"
 
 #include <math.h>
 
@@ -105,6 +107,55 @@ bool sampler_portrait(struct sampler *sampler, struct viewpoint *out)
     }
     return distance_m(out) * sampler->scene->grid.units_per_m >= APART_UNITS &&
            free_space_holds(sampler->scene, out->eye_m);
+}
+
+/* A face whose patch is about as large as one of a random size; among those of one size any. */
+static const struct original_face *random_face(struct sampler *sampler, const struct original *original)
+{
+    const double alike = 1.5;
+    const size_t count = original->seen_count;
+    const double least_m = original->faces[original->by_size[0]].size_m;
+    const double most_m = original->faces[original->by_size[count - 1]].size_m;
+    const double wanted_m = least_m * pow(most_m / least_m, random_unit(sampler));
+    size_t low = 0, high = count - 1;
+    while (low < high) { /* the first that is no smaller */
+        const size_t middle = (low + high) / 2;
+        if (original->faces[original->by_size[middle]].size_m < wanted_m)
+            low = middle + 1;
+        else
+            high = middle;
+    }
+    const double above_m = original->faces[original->by_size[low]].size_m;
+    const double below_m = original->faces[original->by_size[low ? low - 1 : 0]].size_m;
+    const double size_m = wanted_m * wanted_m < above_m * below_m ? below_m : above_m;
+    size_t first = low, end = low;
+    while (first > 0 && original->faces[original->by_size[first - 1]].size_m * alike > size_m)
+        first--;
+    while (end < count && original->faces[original->by_size[end]].size_m < size_m * alike)
+        end++;
+    const size_t chosen = first + (size_t)(random_unit(sampler) * (double)(end - first));
+    return &original->faces[original->by_size[chosen < end ? chosen : first]];
+}
+
+bool sampler_near(struct sampler *sampler, struct viewpoint *out)
+{
+    const struct original *original = sampler->scene->original;
+    const struct grid *grid = &sampler->scene->grid;
+    const double least_m = fmax(2.0 * lens_default_near_m(grid), APART_UNITS / 256.0 / grid->units_per_m);
+    if (!original || !original->seen_count) return false;
+    for (int i = 0; i < TRIES; i++) {
+        const struct original_face *face = random_face(sampler, original);
+        const double away_m = fmax(face->size_m * (1.0 + 3.0 * random_unit(sampler)), least_m);
+        double way[3];
+        const double length = random_way(sampler, way), side = vec3_dot(way, face->normal) < 0.0 ? -1.0 : 1.0;
+        *out = (struct viewpoint){.line = 1};
+        for (int k = 0; k < 3; k++) {
+            out->target_m[k] = face->centre_m[k];
+            out->eye_m[k] = face->centre_m[k] + side * way[k] / length * away_m;
+        }
+        if (free_space_holds(sampler->scene, out->eye_m)) return true;
+    }
+    return false;
 }
 
 void sampler_seed(struct sampler *sampler, uint32_t seed)

@@ -26,6 +26,12 @@ struct viewpoint sampler_next(struct sampler *sampler);
  * place, as around a closed building. */
 bool sampler_portrait(struct sampler *sampler, struct viewpoint *out);
 
+/* An eye in front of a face of the model, from once to four times as far away as the face's surface patch is large, but
+ * never so near that the near plane is in between; it looks at the face. Patches of all sizes have the same chance, by
+ * the logarithm: of what is small as many are seen as of what is large, however few they are. What the scene has lost
+ * is looked at, too. False: no free space is found there, or scene->original is not known. */
+bool sampler_near(struct sampler *sampler, struct viewpoint *out);
+
 /* Other random numbers than those that sampler_init() begins with, which the compiler tunes on. */
 void sampler_seed(struct sampler *sampler, uint32_t seed);
 
