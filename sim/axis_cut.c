@@ -4,6 +4,7 @@
  * vertices splits nothing at them. */
 #include "axis_cut.h"
 
+#include "deadline.h"
 #include "grow.h"
 
 #include <float.h>
@@ -78,7 +79,7 @@ uint32_t axis_cut_best(struct bsp *bsp, const struct splitter *splitter, const u
     for (int axis = 0; axis < 3; axis++) {
         int32_t at[CANDIDATES_MAX];
         const size_t tries = axis_cut_candidates(bsp, list, count, axis, CANDIDATES_MAX, at);
-        for (size_t i = 0; i < tries; i++) {
+        for (size_t i = 0; i < tries && !deadline_passed(); i++) {
             const uint32_t cut = bsp_cut(bsp, (enum plane_kind)(PLANE_X + axis), at[i]);
             const struct splitter_tally tally = tally_of(bsp, list, count, cut);
             const double cost = splitter_cost(splitter, PLANE_X, &tally, count);

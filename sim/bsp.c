@@ -5,6 +5,7 @@
  * rounding says about them, so the work ends. */
 #include "bsp.h"
 
+#include "deadline.h"
 #include "grow.h"
 #include "inner.h"
 #include "progress.h"
@@ -321,11 +322,11 @@ bool bsp_build(struct bsp *bsp, const struct mesh *mesh, const struct coplanar *
     stack_push(&stack, (struct task){.parent = BSP_NONE, .depth = 1}, &front);
     if (tree_wants_rings(plan, bsp->piece_count)) rings_find(&bsp->rings, bsp);
     if (plan->sampled) bsp->rings = rings_copy(plan->sampled);
-    while (stack.task_count && bsp->piece_count <= BSP_PIECES_MAX) {
+    while (stack.task_count && bsp->piece_count <= BSP_PIECES_MAX && !deadline_passed()) {
         show_progress(bsp, plan);
         divide(bsp, plan, &stack, &front, &back);
     }
-    bool complete = stack.task_count == 0;
+    bool complete = stack.task_count == 0 && !deadline_passed(); /* what ended early is no tree */
     edges_sort(&bsp->edges);
     free(front.items);
     free(back.items);

@@ -6,6 +6,7 @@
  * explains is no opening: there the polygon ends at another one, with which it shares that edge. */
 #include "cells.h"
 
+#include "deadline.h"
 #include "grow.h"
 #include "plane.h"
 #include "vec3.h"
@@ -305,7 +306,7 @@ static void facet_open(struct cells *cells, uint32_t node, size_t first_record, 
     struct parts front = {0}, back = {0};
     struct patches open = {0};
     file_down(cells, node, false, facet, 0, &front);
-    for (size_t i = 0; i < front.count && cells->opening_count <= OPENINGS_MAX; i++) {
+    for (size_t i = 0; i < front.count && cells->opening_count <= OPENINGS_MAX && !deadline_passed(); i++) {
         file_down(cells, node, true, &front.items[i].patch, 0, &back);
         for (size_t k = 0; k < back.count; k++) {
             const struct contact contact = {node, front.items[i].at, back.items[k].at, first_record,
@@ -337,7 +338,8 @@ static void note_cells(struct cells *cells, uint32_t node, const struct patch *f
 static void openings_find(struct cells *cells)
 {
     size_t first_record = 0;
-    for (uint32_t i = 0; i < cells->scene->node_count && cells->opening_count <= OPENINGS_MAX; i++) {
+    for (uint32_t i = 0; i < cells->scene->node_count && cells->opening_count <= OPENINGS_MAX && !deadline_passed();
+         i++) {
         struct patch facet;
         while (first_record < cells->record_count && cells->records[first_record].node < i)
             first_record++;

@@ -3,13 +3,17 @@
  * fork(), redirection, exec, wait; what the child could not even start with goes to its log as well. */
 #include "child.h"
 
+#include "deadline.h"
+
 #include <errno.h>
 #include <fcntl.h>
+#include <signal.h>
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/wait.h>
+#include <time.h>
 #include <unistd.h>
 
 enum { CANNOT_START = 127, PATH_MAX_B = 4096, LINE_MAX_B = 300 };
@@ -21,8 +25,10 @@ static bool redirect(const char *path, int flags, int descriptor)
     return close(opened) == 0;
 }
 
+/* All that it starts in turn is in one group with it, which can be ended together. */
 _Noreturn static void become(const struct child *child)
 {
+    (void)setpgid(0, 0);
     const int flags = O_WRONLY | O_CREAT | O_TRUNC;
     bool ok = redirect("/dev/null", O_RDONLY, STDIN_FILENO) && redirect(child->log_path, flags, STDERR_FILENO);
     if (ok && child->out_path) ok = redirect(child->out_path, flags, STDOUT_FILENO);
@@ -47,6 +53,25 @@ static void last_line(const char *path, char line[LINE_MAX_B])
     if (file) fclose(file);
 }
 
+/* Asked now and then, less often the longer it takes. */
+bool child_wait(pid_t pid, pid_t to_end, const char *task, int *status, struct error *err)
+{
+    enum { FIRST_NS = 250000, LAST_NS = 16000000 };
+    struct timespec pause = {0, FIRST_NS};
+    for (pid_t ended; (ended = waitpid(pid, status, WNOHANG)) != pid;) {
+        if (ended < 0 && errno != EINTR) return error_set(err, "%s: %s", task, strerror(errno));
+        if (!deadline_check(err, "%s", task)) {
+            kill(to_end, SIGKILL);
+            while (waitpid(pid, status, 0) < 0 && errno == EINTR)
+                continue;
+            return false;
+        }
+        nanosleep(&pause, NULL);
+        if (pause.tv_nsec < LAST_NS) pause.tv_nsec *= 2;
+    }
+    return true;
+}
+
 bool child_run(const struct child *child, const char *task, struct error *err)
 {
     int status = 0;
@@ -55,8 +80,8 @@ bool child_run(const struct child *child, const char *task, struct error *err)
     const pid_t pid = fork();
     if (pid == 0) become(child);
     if (pid < 0) return error_set(err, "%s: %s", task, strerror(errno));
-    while (waitpid(pid, &status, 0) < 0)
-        if (errno != EINTR) return error_set(err, "%s: %s", task, strerror(errno));
+    (void)setpgid(pid, pid); /* as the child does: whoever is first */
+    if (!child_wait(pid, -pid, task, &status, err)) return false;
     if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return true;
     last_line(child->log_path, reason);
     return error_set(err, "%s: %s", task, reason);

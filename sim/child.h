@@ -6,6 +6,8 @@
 
 #include "error.h"
 
+#include <sys/types.h>
+
 struct child {
     const char *const *argv; /* NULL behind the last; argv[0] is looked for in PATH */
     const char *folder;      /* to run in; NULL: this process's */
@@ -14,8 +16,12 @@ struct child {
 };
 
 /* Runs it to its end, with nothing to read. If that is not exit status 0, err says what failed (`task`) and
- * has the last line of the log. */
+ * has the last line of the log. Ended early (deadline.h), with all that it started in turn. */
 bool child_run(const struct child *child, const char *task, struct error *err);
+
+/* Waits for a process until it ends, or time is over (deadline.h): then `to_end` is killed, as kill() has it, and err
+ * says so of the task. */
+bool child_wait(pid_t pid, pid_t to_end, const char *task, int *status, struct error *err);
 
 /* Whether PATH has such a program. */
 bool child_exists(const char *program);

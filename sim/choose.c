@@ -4,6 +4,7 @@
  * counted only for those that meet the bound. */
 #include "choose.h"
 
+#include "deadline.h"
 #include "grow.h"
 #include "interrupt.h"
 #include "progress.h"
@@ -15,6 +16,7 @@
 #include <string.h>
 
 enum { FOV_DEG = 60 };
+static const double CHOICE_SHARE = 0.5; /* of the time: then the scene is compiled for what was chosen */
 
 /* What is measured: the model, its scene without and with fractions, the views. */
 struct trial {
@@ -85,7 +87,7 @@ static bool measure_rows(struct trial *trial, const struct measure_views *views,
 {
     struct accuracy accuracies[CHOICE_CORES_MAX];
     if (!measure_accuracy(&trial->source, views, trial->candidates, choice->count, accuracies, err)) return false;
-    choice->frames = trial->path.count;
+    choice->frames = accuracies[0].pixels.frames;
     for (size_t i = 0; i < choice->count; i++) {
         choice->rows[i].accuracy = accuracies[i];
         choice->rows[i].meets = meets(&accuracies[i], bound);
@@ -101,12 +103,23 @@ static bool count_rows(struct trial *trial, const struct measure_views *views, c
     for (size_t i = 0; ok && i < choice->count; i++) {
         struct cost cost;
         if (!choice->rows[i].meets) continue;
-        progress("instructions of %s", choice->rows[i].core->name);
-        ok = interrupt_check(err) && measure_cost(&trial->candidates[i], bound->cpu, views, folder.path, &cost, err);
+        progress_bar(i, choice->count, "instructions of %s", choice->rows[i].core->name);
+        ok = deadline_check(err, "instructions") &&
+             measure_cost(&trial->candidates[i], bound->cpu, views, folder.path, &cost, err);
         if (ok) choice->rows[i].instructions = cost.mean;
+        if (ok || !deadline_passed() || interrupt_signal()) continue;
+        deadline_say("instructions of the precisions before %s", choice->rows[i].core->name);
+        ok = true;
+        break;
     }
     work_folder_remove(&folder);
     return ok;
+}
+
+/* What was not counted in time is worse than what was. */
+static bool is_cheaper(const struct choice_row *a, const struct choice_row *b)
+{
+    return a->instructions < b->instructions || (isnan(b->instructions) && !isnan(a->instructions));
 }
 
 /* Rows that meet the bound stay in order of bits, so that the first of equals wins. */
@@ -115,7 +128,7 @@ static const struct choice_row *cheapest(const struct choice *choice)
     const struct choice_row *best = NULL;
     for (size_t i = 0; i < choice->count; i++) {
         const struct choice_row *row = &choice->rows[i];
-        if (row->meets && (!best || row->instructions < best->instructions)) best = row;
+        if (row->meets && (!best || is_cheaper(row, best))) best = row;
     }
     return best;
 }
@@ -127,9 +140,10 @@ static bool refuse(const struct choice *choice, const char *model_path, struct e
         if (compare_wrong_percent(&choice->rows[i].accuracy.pixels.total) <
             compare_wrong_percent(&best->accuracy.pixels.total))
             best = &choice->rows[i];
-    return error_set(err, "%s: no precision meets the bound; %s comes nearest: %.4f %% wrong pixels, vertices %.3f px",
-                     model_path, best->core->name, compare_wrong_percent(&best->accuracy.pixels.total),
-                     best->accuracy.vertex_max_px);
+    return error_set(err,
+                     "%s: %sno precision meets the bound; %s comes nearest: %.4f %% wrong pixels, vertices %.3f px",
+                     model_path, deadline_passed() ? "time ended (--time-limit): so far " : "", best->core->name,
+                     compare_wrong_percent(&best->accuracy.pixels.total), best->accuracy.vertex_max_px);
 }
 
 bool choose_core(const char *model_path, const struct compile_options *options, const struct choice_bound *bound,
@@ -139,6 +153,7 @@ bool choose_core(const char *model_path, const struct compile_options *options, 
     *out = (struct choice){0};
     list_cores(out);
     interrupt_watch();
+    const struct deadline_end whole = deadline_share(CHOICE_SHARE);
     bool ok =
         (!bound->cpu || measure_cpu_check(bound->cpu, err)) && prepare(&trial, model_path, options, bound, out, err);
     const struct measure_views views = {&trial.path, &trial.lens, options->w_px, options->h_px};
@@ -148,6 +163,7 @@ bool choose_core(const char *model_path, const struct compile_options *options, 
     const struct choice_row *best = ok ? cheapest(out) : NULL;
     if (best) out->core = best->core;
     if (ok && !best) ok = refuse(out, model_path, err);
+    deadline_restore(whole);
     measure_source_free(&trial.source);
     camera_path_free(&trial.path);
     measure_scenes_free(&trial.scenes);

@@ -6,6 +6,7 @@
  * right from everywhere; it exists if the relation has no ring. */
 #include "cluster.h"
 
+#include "deadline.h"
 #include "grow.h"
 
 #include <stdlib.h>
@@ -74,7 +75,7 @@ static bool sort(struct relation *relation, const uint32_t *list, uint32_t *orde
 static void relation_make(struct relation *relation, const struct bsp *bsp, const uint32_t *list, size_t count)
 {
     *relation = (struct relation){grow_zeroed(count * count, 1), count, grow_zeroed(count, sizeof(uint32_t))};
-    for (size_t p = 0; p < count; p++)
+    for (size_t p = 0; p < count && !deadline_passed(); p++)
         for (size_t q = p + 1; q < count; q++)
             relate(relation, bsp, list, p, q);
 }

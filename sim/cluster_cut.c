@@ -5,6 +5,7 @@
 #include "cluster_cut.h"
 
 #include "axis_cut.h"
+#include "deadline.h"
 #include "grow.h"
 
 #include <float.h>
@@ -79,7 +80,7 @@ static void try_cuts(struct trial *trial, int axis)
 {
     int32_t at[CUTS_AN_AXIS];
     const size_t tries = axis_cut_candidates(trial->bsp, trial->list, trial->count, axis, CUTS_AN_AXIS, at);
-    for (size_t i = 0; i < tries; i++)
+    for (size_t i = 0; i < tries && !deadline_passed(); i++)
         if (!i || at[i] != at[i - 1]) try(trial, bsp_cut(trial->bsp, (enum plane_kind)(PLANE_X + axis), at[i]));
 }
 
@@ -91,7 +92,7 @@ uint32_t cluster_cut_best(struct bsp *bsp, const struct splitter *splitter, cons
     for (int axis = 0; axis < 3; axis++)
         try_cuts(&trial, axis);
     const size_t tries = count < PLANES_MAX ? count : PLANES_MAX;
-    for (size_t i = 0; i < tries; i++)
+    for (size_t i = 0; i < tries && !(i && deadline_passed()); i++)
         try(&trial, bsp->coplanar->group[bsp->pieces[list[i * count / tries]].polygon]);
     free(trial.front);
     free(trial.back);

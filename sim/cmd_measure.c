@@ -3,6 +3,7 @@
  * `limner measure`: every precision profile's accuracy and cost on a model and its cameras. Tables go to
  * standard output; with -o, they and a plot go to a folder, all or none. */
 #include "commands.h"
+#include "deadline.h"
 #include "interrupt.h"
 #include "measure_request.h"
 #include "measure_table.h"
@@ -56,16 +57,33 @@ static bool prepare(struct measurement *measurement, struct error *err)
 
 /* Measuring ---------------------------------------------------------------------------------- */
 
+/* Time is over: rows without all figures are left out, or if there is none with them, the figures. */
+static void leave_out(struct measure_table *table, size_t runs)
+{
+    const size_t complete = runs / table->cpu_count;
+    char names[256] = "";
+    for (size_t row = complete, at = 0; row < table->row_count && at < sizeof names; row++)
+        at += (size_t)snprintf(names + at, sizeof names - at, "%s%s", at ? ", " : "", table->rows[row].core->name);
+    deadline_say("%s; instructions not counted: %s", complete ? "rows that are complete" : "accuracy alone", names);
+    if (complete)
+        table->row_count = complete;
+    else
+        table->cpu_count = 0;
+}
+
 static bool measure_costs(struct measurement *measurement, const struct measure_views *views, struct error *err)
 {
     struct measure_table *table = &measurement->table;
     const size_t count = table->row_count * table->cpu_count;
     for (size_t i = 0; i < count; i++) {
         const size_t row = i / table->cpu_count, cpu = i % table->cpu_count;
-        progress("instructions, run %zu of %zu", i + 1, count);
-        if (!interrupt_check(err) || !measure_cost(&measurement->candidates[row], table->cpus[cpu], views,
-                                                   measurement->folder.path, &table->rows[row].costs[cpu], err))
-            return false;
+        progress_bar(i, count, "instructions, run %zu of %zu", i + 1, count);
+        const bool ok = deadline_check(err, "instructions") &&
+                        measure_cost(&measurement->candidates[row], table->cpus[cpu], views, measurement->folder.path,
+                                     &table->rows[row].costs[cpu], err);
+        if (!ok && (!deadline_passed() || interrupt_signal())) return false;
+        if (!ok) leave_out(table, i);
+        if (!ok) return true;
     }
     return true;
 }

@@ -3,6 +3,7 @@
  * `limner play`: options -> port, panel, screen -> a scene's camera path, or the test card, on a real display. What can
  * be refused without the hardware is refused before it is touched. */
 #include "commands.h"
+#include "deadline.h"
 #include "interrupt.h"
 #include "module_choice.h"
 #include "options.h"
@@ -121,8 +122,9 @@ static bool plan_cameras(struct play *play, const struct lens *lens, struct erro
 static bool load_scene(struct play *play, struct error *err)
 {
     struct lens lens;
-    return options_load(&play->options, &play->scene, &play->moving, &lens, &play->path, err) &&
-           plan_cameras(play, &lens, err);
+    if (!options_load(&play->options, &play->scene, &play->moving, &lens, &play->path, err)) return false;
+    deadline_begin(0.0); /* what is played has no end of its own */
+    return plan_cameras(play, &lens, err);
 }
 
 static bool open_scene(struct play *play, struct error *err)

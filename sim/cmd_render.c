@@ -4,6 +4,7 @@
  * that were asked for are there at the end, or none. */
 #include "cameras_c.h"
 #include "commands.h"
+#include "deadline.h"
 #include "dump.h"
 #include "edge_error.h"
 #include "faithful.h"
@@ -169,13 +170,21 @@ static bool render_frame(struct render *render, size_t frame, struct error *err)
     return !want_ids || identify_frame(render, frame, &camera, err);
 }
 
+/* The film, the sheet and the lists end there. */
+static void keep_frames(struct render *render, size_t count)
+{
+    deadline_say("%zu of %zu frames", count, render->path.count);
+    if (!interrupt_signal()) render->path.count = count;
+}
+
 static bool render_frames(struct render *render, struct error *err)
 {
     bool ok = true;
     interrupt_watch();
     for (size_t frame = 0; ok && frame < render->path.count; frame++) {
-        progress("frame %zu of %zu", frame + 1, render->path.count);
+        progress_bar(frame, render->path.count, "frame %zu of %zu", frame + 1, render->path.count);
         ok = interrupt_check(err) && render_frame(render, frame, err);
+        if (ok && frame + 1 < render->path.count && deadline_passed()) keep_frames(render, frame + 1);
     }
     progress_end();
     return ok;

@@ -5,6 +5,7 @@
  * tree of a scene holds what stands still. */
 #include "commands.h"
 #include "compiled.h"
+#include "deadline.h"
 #include "faithful.h"
 #include "light.h"
 #include "model_part.h"
@@ -123,7 +124,10 @@ static bool print_rows(const char *path, const struct model *still, size_t mover
     for (size_t i = 0; i < splitter_name_count; i++) {
         struct compiled scene;
         options->splitter = splitter_names[i];
-        if (!compile_part(still, NULL, options, &scene, err)) {
+        const struct deadline_end whole = deadline_share(1.0 / (double)(splitter_name_count - i));
+        const bool ok = compile_part(still, NULL, options, &scene, err);
+        deadline_restore(whole);
+        if (!ok) {
             error_prefix(err, path);
             if (any) printf("| %-8s | %s |\n", splitter_names[i], err->text);
             continue;
@@ -134,6 +138,7 @@ static bool print_rows(const char *path, const struct model *still, size_t mover
         compiled_free(&scene);
         any = true;
     }
+    if (any) deadline_say("the rows that have figures");
     return any;
 }
 

@@ -3,6 +3,7 @@
  * `limner view`: a window in which keys fly the camera, or the terminal where there is none. What moves does so by the
  * clock, in the terminal as often as a key is pressed. */
 #include "commands.h"
+#include "deadline.h"
 #include "dump.h"
 #include "faithful.h"
 #include "fly.h"
@@ -57,6 +58,7 @@ static bool view_run(struct viewing *view, struct error *err)
 {
     struct flight flight;
     if (!view_open(view, &flight, err)) return false;
+    deadline_begin(0.0);
     enum flight_end end = window_fly(&flight, err);
     if (end == FLIGHT_IMPOSSIBLE) end = terminal_fly(&flight, err);
     if (end == FLIGHT_FAILED) return false;

@@ -4,6 +4,7 @@
  * Two methods that come to the same scene drawn the same way are counted once. */
 #include "compare_methods.h"
 
+#include "deadline.h"
 #include "interrupt.h"
 #include "moving.h"
 #include "progress.h"
@@ -11,6 +12,8 @@
 
 #include <stdlib.h>
 #include <string.h>
+
+static const double COMPILE_SHARE = 0.5; /* of the time; the rest is for pictures and instructions */
 
 /* Compiling ---------------------------------------------------------------------------------- */
 
@@ -42,12 +45,16 @@ bool compare_methods_compile(const struct measure_source *source, const struct c
                              struct compare_table *table, struct error *err)
 {
     bool any = false;
+    const struct deadline_end whole = deadline_share(COMPILE_SHARE);
     for (size_t i = 0; i < method_count; i++) {
         if (!interrupt_check(err)) return false;
+        progress_bar(i, method_count, "compiling for %s", methods[i].name);
         table->rows[i].method = &methods[i];
         compile_row(source, options, table, &table->rows[i]);
         any |= compare_row_draws(&table->rows[i]);
     }
+    if (any) deadline_say("methods whose scene was compiled in time; the others' rows say so");
+    deadline_restore(whole);
     return any || error_set(err, "%s", table->rows[0].why_not.text);
 }
 
@@ -70,7 +77,7 @@ bool compare_methods_accuracy(struct measure_source *source, const struct measur
     ok = ok && measure_accuracy(source, views, candidates, count, accuracies, err);
     for (size_t i = 0, done = 0; ok && i < method_count; i++)
         if (compare_row_draws(&table->rows[i])) table->rows[i].accuracy = accuracies[done++];
-    table->frames = views->path->count;
+    table->frames = count ? accuracies[0].pixels.frames : 0;
     free(candidates);
     free(accuracies);
     return ok;

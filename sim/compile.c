@@ -3,9 +3,11 @@
  * Mesh to compiled scene: exact points, coplanar groups, a tree for each heuristic wanted, the
  * best of them kept. */
 #include "convexity.h"
+#include "deadline.h"
 #include "encode.h"
 #include "faithful.h"
 #include "grow.h"
+#include "interrupt.h"
 #include "light.h"
 #include "moving.h"
 #include "order_choice.h"
@@ -121,8 +123,9 @@ static bool compile_with(struct compilation *work, enum tree_kind kind, const st
     const struct bsp_plan plan = {kind, splitter, work->options->tolerance_units, sampled};
     struct bsp bsp;
     struct encoding encoding = {0};
-    bool ok = bsp_build(&bsp, work->mesh, &work->coplanar, &plan, &work->points) ||
-              error_set(err, "scene too large: split into more than %d pieces", BSP_PIECES_MAX);
+    bool ok = bsp_build(&bsp, work->mesh, &work->coplanar, &plan, &work->points);
+    if (!ok && deadline_check(err, "no tree of the %zu polygons", work->mesh->polygon_count))
+        error_set(err, "scene too large: split into more than %d pieces", BSP_PIECES_MAX);
     ok = ok && encode_bsp(&bsp, is_exact(work->options), work->options->wireframe, &encoding, err);
     if (ok) {
         if (kind == TREE_NONE) encoding.depth = 0; /* for methods that sort */
@@ -157,19 +160,28 @@ static bool find_sampled(struct compilation *work, struct error *err)
     progress("compiling: %zu polygons, sampled views", work->mesh->polygon_count);
     sampled_order_find(&work->sampled, work->mesh, &exact);
     compiled_free(&exact);
-    return true;
+    return deadline_check(err, "views were still sampled");
 }
+
+/* The first tree may take all of the time that is left, the others half of that. */
+static const double OTHERS_SHARE = 0.5;
 
 /* Keeps the best of all; an error is the last one, and counts only if none succeeds. */
 static bool compile_best(struct compilation *work, struct compiled *out, struct error *err)
 {
     bool ok = false;
+    size_t tried = 0;
     if (!splitter_check(work->options->splitter, err)) return false;
+    const struct deadline_end whole = deadline_share(OTHERS_SHARE);
+    const struct deadline_end others = deadline_end();
+    deadline_restore(whole);
     for (size_t i = 0; i < splitter_count * TREE_KINDS; i++) {
         const struct splitter *splitter = &splitters[i % splitter_count];
         const enum tree_kind kind = (enum tree_kind)(i / splitter_count);
         struct compiled candidate = {0};
         if (!is_wanted(work, kind, splitter)) continue;
+        if (ok) deadline_restore(others);
+        if (ok && deadline_passed()) continue;
         progress("compiling: %zu polygons, %s, %s", work->mesh->polygon_count, tree_names[kind], splitter->name);
         if (!compile_with(work, kind, splitter, &candidate, err)) continue;
         if (!ok || badness(&candidate.report) < badness(&out->report)) {
@@ -179,8 +191,11 @@ static bool compile_best(struct compilation *work, struct compiled *out, struct 
         }
         compiled_free(&candidate);
         ok = true;
+        tried++;
     }
-    return ok;
+    if (ok) deadline_say("the best of %zu trees", tried);
+    deadline_restore(whole);
+    return ok && interrupt_check(err);
 }
 
 /* Corners only: points that no polygon uses may lie anywhere. */
@@ -254,7 +269,8 @@ bool compile_mesh(const struct mesh *mesh, const struct compile_options *options
     bool ok = check_grid(&work, err) && check_size(&work, err);
     if (ok) {
         coplanar_find(mesh, work.points.approx, options->tolerance_units, &work.coplanar);
-        ok = find_sampled(&work, err) && compile_best(&work, out, err) && check_method(options, out, err);
+        ok = deadline_check(err, "planes of %zu polygons were still sought", mesh->polygon_count) &&
+             find_sampled(&work, err) && compile_best(&work, out, err) && check_method(options, out, err);
         out->report.wireframe = options->wireframe;
         out->report.antialias = options->antialias;
         out->report.round = options->round;

@@ -5,6 +5,7 @@
  * only planes of about the same direction are tried; the order is the same on every run. */
 #include "coplanar.h"
 
+#include "deadline.h"
 #include "grow.h"
 #include "map.h"
 #include "progress.h"
@@ -136,7 +137,7 @@ static void group_polygons(struct grouping *work, uint32_t *group_of)
     for (size_t i = 0; i < count; i++)
         face_plane_set(work, (uint32_t)i, &work->faces[i]);
     qsort(work->faces, count, sizeof *work->faces, larger_first);
-    for (size_t i = 0; i < count; i++) {
+    for (size_t i = 0; i < count && !(i && deadline_passed()); i++) {
         uint32_t group = group_search(work, &work->faces[i]);
         group_of[work->faces[i].polygon] = group == NO_GROUP ? group_start(work, &work->faces[i]) : group;
     }
@@ -166,7 +167,7 @@ static void store_planes(const struct grouping *work, struct coplanar *out, doub
     struct point_blocks blocks;
     gather_corners(work, out->group, starts, corners);
     point_blocks_build(&blocks, work->points, work->mesh->point_count);
-    for (size_t g = 0; g < out->count; g++) {
+    for (size_t g = 0; g < out->count && !deadline_passed(); g++) {
         progress_bar(g, out->count, "compiling: %zu polygons, planes", work->mesh->polygon_count);
         struct plane_fit fit = {.corners = corners + starts[g],
                                 .corner_count = starts[g + 1] - starts[g],

@@ -1,7 +1,9 @@
 /* SPDX-License-Identifier: MIT
  *
  * The host program `limner`: hands its arguments to a subcommand. */
+#include "arguments.h"
 #include "commands.h"
+#include "deadline.h"
 #include "fly.h"
 
 #include <stdio.h>
@@ -125,24 +127,48 @@ static const char USAGE[] =
     "  --frames N          ends after so many (all)\n"
     "  -o PATTERN, --write-hashes FILE, --check FILE  as render\n"
     "hashes: --write-hashes FILE, --check FILE as render; --shrink N: a pixel is NxN of the picture's (1)\n"
+    "all that take a MODEL:\n"
+    "  --time-limit SECONDS  then the best so far counts, said as such; nothing yet is an error (600, or\n"
+    "                      LIMNER_TIME_LIMIT in the environment; 0: none). play and view: until they fly\n"
     "environment, render and view:\n"
     "  LIMNER_DUMP=x.png   write the last frame shown\n"
     "  LIMNER_CHECK=x.png  compare it; exit status 1 if it differs\n"
     "  LIMNER_UNSEEN=1     view: SDL's video drivers dummy and offscreen, which show nothing, do for a window\n"
     "                      (the terminal takes over)\n";
 
-static const struct {
+static const struct command {
     const char *name;
     int (*run)(int argc, char **argv);
-} COMMANDS[] = {{"compile", cmd_compile}, {"render", cmd_render},   {"view", cmd_view},
-                {"measure", cmd_measure}, {"compare", cmd_compare}, {"splitters", cmd_splitters},
-                {"play", cmd_play},       {"devices", cmd_devices}, {"bridge", cmd_bridge},
-                {"module", cmd_module},   {"decode", cmd_decode},   {"hashes", cmd_hashes},
-                {"uf2", cmd_uf2},         {"boot2", cmd_boot2}};
+    bool is_long; /* takes --time-limit */
+} COMMANDS[] = {{"compile", cmd_compile, true}, {"render", cmd_render, true},    {"view", cmd_view, true},
+                {"measure", cmd_measure, true}, {"compare", cmd_compare, true},  {"splitters", cmd_splitters, true},
+                {"play", cmd_play, true},       {"devices", cmd_devices, false}, {"bridge", cmd_bridge, false},
+                {"module", cmd_module, false},  {"decode", cmd_decode, false},   {"hashes", cmd_hashes, false},
+                {"uf2", cmd_uf2, false},        {"boot2", cmd_boot2, false}};
 
 static bool asks_for_help(const char *argument)
 {
     return strcmp(argument, "help") == 0 || strcmp(argument, "--help") == 0 || strcmp(argument, "-h") == 0;
+}
+
+/* The time runs from here. */
+static bool begin_time(const struct command *command, struct arguments *arguments, struct error *err)
+{
+    const char *text = NULL;
+    double limit_s;
+    if (!command->is_long) return true;
+    if (!arguments_value(arguments, "--time-limit", &text, err) || !deadline_parse(text, &limit_s, err)) return false;
+    deadline_begin(limit_s);
+    return true;
+}
+
+static int run(const struct command *command, int argc, char **argv)
+{
+    struct arguments arguments = {argv, argc};
+    struct error err;
+    if (begin_time(command, &arguments, &err)) return command->run(arguments.count, arguments.items);
+    fprintf(stderr, "limner: %s\n", err.text);
+    return EXIT_FAILURE;
 }
 
 int main(int argc, char **argv)
@@ -156,7 +182,7 @@ int main(int argc, char **argv)
         return EXIT_SUCCESS;
     }
     for (size_t i = 0; i < sizeof COMMANDS / sizeof COMMANDS[0]; i++)
-        if (strcmp(argv[1], COMMANDS[i].name) == 0) return COMMANDS[i].run(argc - 1, argv + 1);
+        if (strcmp(argv[1], COMMANDS[i].name) == 0) return run(&COMMANDS[i], argc - 1, argv + 1);
     fprintf(stderr, "limner: no command '%s'; `limner help` lists them\n", argv[1]);
     return EXIT_FAILURE;
 }

@@ -2,6 +2,7 @@
  *
  * Frame by frame: the reference draws once, then every renderer; pixels, vertices and sides of planes
  * are compared while both pictures are at hand. */
+#include "deadline.h"
 #include "measure.h"
 
 #include "ids.h"
@@ -209,8 +210,9 @@ static bool measure_frames(struct measured *measured, size_t count, struct measu
                            const struct measure_views *views, struct accuracy *out, struct error *err)
 {
     for (size_t frame = 0; frame < views->path->count; frame++) {
-        progress("accuracy, frame %zu of %zu", frame + 1, views->path->count);
+        progress_bar(frame, views->path->count, "accuracy, frame %zu of %zu", frame + 1, views->path->count);
         if (!interrupt_check(err)) return false;
+        if (frame && deadline_passed()) break;
         if (source->still.moving)
             moving_pose_reference(source->still.moving, &source->reference,
                                   moving_time_s(source->still.moving, frame, views->path->count));
@@ -218,6 +220,8 @@ static bool measure_frames(struct measured *measured, size_t count, struct measu
         for (size_t i = 0; i < count; i++)
             if (!measure_frame(&measured[i], source, views, frame, &out[i], err)) return false;
     }
+    if (out->pixels.frames < views->path->count)
+        deadline_say("accuracy of %zu of %zu frames", out->pixels.frames, views->path->count);
     return true;
 }
 
@@ -231,7 +235,7 @@ bool measure_accuracy(struct measure_source *source, const struct measure_views 
         ok = measured_init(&measured[i], &candidates[i], views, err);
     ok = ok && measure_frames(measured, count, source, views, out, err);
     for (size_t i = 0; ok && i < count; i++)
-        sum_up_texels(&measured[i].texels, views->path->count, &out[i]);
+        sum_up_texels(&measured[i].texels, out[i].pixels.frames, &out[i]);
     for (size_t i = 0; measured && i < count; i++)
         measured_free(&measured[i]);
     free(measured);

@@ -3,6 +3,7 @@
  * Coplanar neighbours joined, the longest shared edge first. T-vertices are put in before, so that
  * neighbours share whole edges, and straight corners are dropped after: those that another polygon
  * needs come back as T-vertices, for they lie within near_m of the side that lost them. */
+#include "deadline.h"
 #include "grow.h"
 #include "inner.h"
 #include "loop.h"
@@ -239,12 +240,14 @@ static void start(struct merging *merging)
     find_shared_edges(merging);
 }
 
+static const double MERGE_SHARE = 0.25; /* of the time: the trees need more */
+
 /* Joins until nothing more can be joined: a union may fit a neighbour that its parts did not. */
 static void merge_all(struct merging *merging)
 {
     for (bool again = true; again;) {
         again = false;
-        for (size_t i = 0; i < merging->edge_count; i++)
+        for (size_t i = 0; i < merging->edge_count && !deadline_passed(); i++)
             again |= try_merge(merging, &merging->edges[i]);
     }
 }
@@ -275,6 +278,9 @@ bool mesh_merge(struct mesh *mesh, struct error *err)
     struct merging merging = {.mesh = mesh, .near_m = mesh_near_m(&mesh->grid), .flat_m = mesh_flat_m(&mesh->grid)};
     mesh->counts.t_vertices = 0;
     start(&merging);
+    const struct deadline_end whole = deadline_share(MERGE_SHARE);
     merge_all(&merging);
+    deadline_say("a mesh whose faces are merged in part");
+    deadline_restore(whole);
     return finish(&merging, err);
 }

@@ -4,6 +4,7 @@
  * on its own, in the file's order. */
 #include "mesh.h"
 
+#include "deadline.h"
 #include "grid.h"
 #include "grow.h"
 #include "inner.h"
@@ -161,7 +162,7 @@ static void clean_faces(struct cleaning *cleaning, const struct model *model, co
 {
     uint32_t *corners = NULL;
     size_t capacity = 0;
-    for (size_t i = 0; i < model->face_count; i++) {
+    for (size_t i = 0; i < model->face_count && !deadline_passed(); i++) {
         const struct model_face *face = &model->faces[i];
         if (face->transparency == INVISIBLE) {
             cleaning->mesh->counts.invisible++;
@@ -193,12 +194,14 @@ static bool clean_on(const struct model *model, const struct grid *grid, struct 
     mesh->merged_into = grow_zeroed(model->face_count + 1, sizeof *mesh->merged_into);
     uint32_t *welded = weld_points(model, mesh_weld_m(&mesh->grid), mesh);
     cleaning.welded = welded;
-    clean_faces(&cleaning, model, welded);
-    remove_outlines(mesh, model, welded);
-    if (keep_original) mesh->original = original_make(model, grid, welded);
+    bool ok = deadline_check(err, "points were still welded");
+    if (ok) clean_faces(&cleaning, model, welded);
+    if (ok) remove_outlines(mesh, model, welded);
+    if (ok && keep_original) mesh->original = original_make(model, grid, welded);
     free(welded);
-    bool ok = polygon_list_move(&cleaning.list, mesh, err) &&
-              (mesh->polygon_count > 0 || refuse_nothing_left(&cleaning, err));
+    ok = polygon_list_move(&cleaning.list, mesh, ok ? err : &(struct error){0}) && ok;
+    ok = ok && deadline_check(err, "faces were still triangulated") &&
+         (mesh->polygon_count > 0 || refuse_nothing_left(&cleaning, err));
     if (!ok) mesh_free(mesh);
     return ok;
 }

@@ -5,6 +5,7 @@
  * unnamed temporary file, which the parent reads once the child has ended well. */
 #include "model.h"
 
+#include "child.h"
 #include "import.h"
 
 #include <errno.h>
@@ -169,8 +170,7 @@ static bool read_result(const char *path, FILE *in, struct model *model, struct 
 static bool wait_for_child(const char *path, pid_t child, rlim_t file_b, struct error *err)
 {
     int status = 0;
-    while (waitpid(child, &status, 0) < 0)
-        if (errno != EINTR) return error_set(err, "%s: %s", path, strerror(errno));
+    if (!child_wait(child, child, "the importer was still reading", &status, err)) return error_prefix(err, path);
     if (WIFEXITED(status) && WEXITSTATUS(status) == EXIT_SUCCESS) return true;
     if (WIFSIGNALED(status) && WTERMSIG(status) == SIGXCPU)
         return error_set(err, "%s: damaged or truncated: the importer finds no end in it (%lu s)", path,

@@ -6,7 +6,9 @@
  * screen, which few eyes anywhere around it see: so there are portraits as well. */
 #include "pools.h"
 
+#include "deadline.h"
 #include "frame_cost.h"
+#include "interrupt.h"
 #include "lim_image.h"
 #include "moving.h"
 #include "needs.h"
@@ -21,6 +23,7 @@
 #include <stdlib.h>
 
 enum { SAMPLED = 256, PORTRAITS = 64, CAMERAS = SAMPLED + PORTRAITS };
+enum { CAMERAS_AT_LEAST = 8 }; /* whatever time it takes */
 enum { STRAYS = 1, LEAST_PIECES = 8, PLENTY_OF_PIECES = 16000, PLENTY = 60000, FOV_DEG = 60 };
 /* What is active is retained, and takes more cells than its head's. */
 enum { MOST_RETAINED = PLENTY / MCU_HEAD_CELLS };
@@ -90,6 +93,14 @@ static bool next_camera(struct sampler *sampler, int i, const struct lens *lens,
     return camera_path_to_camera(&path, 0, lens, &sampler->scene->grid, out, &ignored);
 }
 
+/* What is found from few cameras may be too little, which costs time in frames and no pixel. */
+static bool ends_early(const struct usage *usage)
+{
+    if (usage->cameras < CAMERAS_AT_LEAST || !deadline_passed()) return false;
+    deadline_say("pools measured on %zu of %d sampled cameras", usage->cameras, (int)CAMERAS);
+    return true;
+}
+
 static bool sample_frames(const struct compiled *scene, struct moving *moving, struct simulator *simulator,
                           struct usage *usage, struct error *err)
 {
@@ -100,7 +111,7 @@ static bool sample_frames(const struct compiled *scene, struct moving *moving, s
     if (!lens_init(&lens, FOV_DEG, lens_default_near_m(&scene->grid), simulator->target.w_px, simulator->target.h_px,
                    err))
         return false;
-    for (int i = 0; i < CAMERAS && !is_too_much(usage); i++) {
+    for (int i = 0; i < CAMERAS && !is_too_much(usage) && !ends_early(usage); i++) {
         struct lim_camera camera;
         progress_bar((size_t)i, CAMERAS, "sampled cameras");
         if (!next_camera(&sampler, i, &lens, &camera)) continue;
@@ -249,6 +260,8 @@ bool pools_measure_scanline(struct compiled *scene, const struct core *core, dou
 
     if (!sample_method(&roomy, NULL, &setup, STYLE_PLAIN, &usage, err)) return false;
     const double instructions = usage.instructions / (double)usage.cameras;
+    if (instructions_most > 0.0 && deadline_passed())
+        return interrupt_check(err); /* of other cameras than those before */
     if (instructions_most > 0.0 && !(instructions <= instructions_most)) return true;
     raise_limits(&roomy, NULL, &usage, &limits);
     lim_image_set_limits(scene, &limits);

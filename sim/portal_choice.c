@@ -5,6 +5,8 @@
  * as the picture is full, so there must be a good deal left to spare for bytes that are always there. */
 #include "portal_choice.h"
 
+#include "deadline.h"
+#include "interrupt.h"
 #include "lim_image.h"
 #include "progress.h"
 #include "sample.h"
@@ -84,14 +86,15 @@ static bool trial_run(struct trial *trial, struct error *err)
     struct lens lens;
     sampler_init(&sampler, trial->scene);
     if (!lens_init(&lens, FOV_DEG, lens_default_near_m(&trial->scene->grid), SIDE_PX, SIDE_PX, err)) return false;
-    for (int i = 0; i < CAMERAS; i++) {
+    for (int i = 0; i < CAMERAS && deadline_check(err, "portals were still tried out"); i++) {
+        progress_bar((size_t)i, CAMERAS, "portals");
         struct viewpoint viewpoint = sampler_next(&sampler);
         const struct camera_path path = {"sampled cameras", &viewpoint, 1};
         struct lim_camera camera;
         if (!camera_path_to_camera(&path, 0, &lens, &trial->scene->grid, &camera, err)) continue; /* out of range */
         if (!trial_frame(trial, &camera, err)) return false;
     }
-    return true;
+    return deadline_check(err, "portals were still tried out");
 }
 
 static bool try_out(const struct compiled *scene, const struct core *core, struct portal_report *report,
@@ -154,10 +157,16 @@ bool portals_add(struct compiled *scene, const struct compile_options *options, 
     progress("portals");
     if (scene->report.draws == LIM_CONVEX) return error_set(err, "portals: one convex solid has no cells to look from");
     if (!sights_find(&scene->scene, angle_of(scene, options), &sights, &reason)) {
+        if (!wanted && !interrupt_signal()) deadline_say("a scene without portals");
         snprintf(report->refused, sizeof report->refused, "%.95s", reason.text);
         return !wanted || error_set(err, "portals: %s", reason.text);
     }
     attach(scene, &sights);
     sights_free(&sights);
-    return try_out(scene, options->core, report, err) && decide(scene, options, err);
+    if (try_out(scene, options->core, report, err)) return decide(scene, options, err);
+    if (wanted || !deadline_passed() || interrupt_signal()) return false;
+    *report = (struct portal_report){0}; /* they are not needed, and nothing is known of them */
+    lim_image_set_sights(scene, NULL, 0, NULL, 0);
+    deadline_say("a scene without portals");
+    return true;
 }

@@ -4,9 +4,13 @@
 #include "predict.h"
 
 #include "compare.h"
+#include "deadline.h"
 #include "ids.h"
+#include "interrupt.h"
 #include "progress.h"
 #include "sample.h"
+
+#include <math.h>
 
 struct predicting {
     const struct compiled *scene;
@@ -23,7 +27,7 @@ static bool compare_views(struct predicting *predicting, bool near, int count, s
     const struct grid *grid = &predicting->scene->grid;
     struct sampler sampler;
     sampler_init(&sampler, predicting->scene);
-    for (int i = 0; i < count; i++) {
+    for (int i = 0; i < count && !deadline_passed(); i++) {
         struct viewpoint viewpoint;
         struct lim_camera camera;
         const struct camera_path path = {"sampled cameras", &viewpoint, 1};
@@ -52,13 +56,14 @@ bool predict_wrong(const struct compiled *scene, const struct core *core, struct
         !ids_init(&predicting.ids, scene, &setup, err))
         return false;
     const bool ok = compare_views(&predicting, false, PREDICT_CAMERAS - near_count, &anywhere, err) &&
-                    compare_views(&predicting, true, near_count, &near, err);
+                    compare_views(&predicting, true, near_count, &near, err) && interrupt_check(err);
     const struct compare_counts all = {.pixels = anywhere.total.pixels + near.total.pixels,
                                        .wrong = anywhere.total.wrong + near.total.wrong};
-    *out = (struct predicted){.percent = compare_wrong_percent(&all),
+    *out = (struct predicted){.percent = deadline_passed() ? NAN : compare_wrong_percent(&all),
                               .near_percent = compare_wrong_percent(&near.total),
                               .cameras = anywhere.frames + near.frames,
                               .near_cameras = near.frames};
+    deadline_say("a report without predicted wrong pixels");
     ids_free(&predicting.ids);
     return ok;
 }

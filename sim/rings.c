@@ -6,6 +6,7 @@
 
 #include "bsp.h"
 #include "cluster.h"
+#include "deadline.h"
 #include "grow.h"
 
 #include <stdlib.h>
@@ -40,7 +41,7 @@ void rings_find(struct rings *rings, const struct bsp *bsp)
     const size_t count = bsp->piece_count;
     rings_make(rings, count);
     const size_t words = rings->words;
-    for (uint32_t p = 0; p < count; p++)
+    for (uint32_t p = 0; p < count && !deadline_passed(); p++)
         for (uint32_t q = 0; q < count; q++) {
             if (p == q || !cluster_hides(bsp, p, q)) continue;
             bit_set(rings->hides + p * words, q);

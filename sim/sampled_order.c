@@ -4,6 +4,7 @@
 #include "sampled_order.h"
 
 #include "bsp.h"
+#include "deadline.h"
 #include "grow.h"
 #include "sample.h"
 #include "vec3.h"
@@ -130,7 +131,7 @@ void sampled_order_find(struct rings *rings, const struct mesh *mesh, const stru
     struct sampler sampler;
     rings_make(rings, count);
     sampler_init(&sampler, scene);
-    for (int view = 0; view < SAMPLED_VIEWS; view++) {
+    for (int view = 0; view < SAMPLED_VIEWS && !deadline_passed(); view++) {
         const struct viewpoint viewpoint = sampler_next(&sampler);
         look(rings, mesh, &viewpoint, view, faces, &hits);
     }

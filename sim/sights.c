@@ -4,6 +4,7 @@
  * the polygons that are reached in vain, by the zones' volumes. */
 #include "sights.h"
 
+#include "deadline.h"
 #include "flow.h"
 #include "grow.h"
 
@@ -135,7 +136,8 @@ static bool groups_begin(struct work *work, struct error *err)
         group->bits = grow_zeroed(work->bits_b, 1);
         work->group_of[z] = (uint32_t)z;
         if (volumes[z] <= least) continue; /* nothing is known of it */
-        ok = flow_see(&work->flow, z, visible) || error_set(err, "its portals lead too far to be followed");
+        ok = deadline_check(err, "portals were still followed") &&
+             (flow_see(&work->flow, z, visible) || error_set(err, "its portals lead too far to be followed"));
         group->volume = volumes[z] / all;
         bits_set(work, visible, group->bits);
         group_weigh(work, group);
@@ -292,7 +294,7 @@ static bool check(const struct lim_scene *scene, struct error *err)
 
 static bool find_in(struct work *work, double angle_rad, struct sights *out, struct error *err)
 {
-    if (!cells_find(work->scene, &work->cells, err)) return false;
+    if (!cells_find(work->scene, &work->cells, err) || !deadline_check(err, "cells were still sought")) return false;
     zones_find(&work->cells, &work->zones);
     out->zones = work->zones.count;
     if (!work->zones.count)

@@ -5,6 +5,7 @@
 #include "splitter.h"
 
 #include "bsp.h"
+#include "deadline.h"
 #include "grow.h"
 #include "map.h"
 
@@ -120,7 +121,7 @@ static uint32_t cheapest(const struct splitter *splitter, const struct bsp *bsp,
     if (splitter->samples) tries = splitter->samples;
     uint32_t best = groups[0];
     *best_cost = DBL_MAX;
-    for (size_t i = 0; i < tries; i++) {
+    for (size_t i = 0; i < tries && !(i && deadline_passed()); i++) {
         uint32_t group = groups[splitter->samples ? random_next(&state) % group_count : i * group_count / tries];
         double cost = division_cost(splitter, bsp, list, count, group, *best_cost);
         if (cost < *best_cost) best = group;

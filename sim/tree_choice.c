@@ -4,12 +4,14 @@
  * compilation for each kind, pools included, because these draw the cameras. */
 #include "tree_choice.h"
 
+#include "deadline.h"
 #include "order_choice.h"
 
 #include <math.h>
 
 static const enum tree_kind OTHERS[] = {TREE_CLUSTERS, TREE_AXIS};
 static const double ENOUGH = 0.9, ALIKE = 0.01; /* of the BSP tree's instructions */
+static const double OTHERS_SHARE = 0.5;         /* of the time: what follows needs some */
 static const size_t SPLIT_MUCH = 4;             /* a quarter of the polygons */
 static const size_t MANY = 2000;                /* polygons: clusters of more take long to find */
 
@@ -33,12 +35,14 @@ static void try_others(const struct mesh *mesh, struct compile_options options, 
 {
     const struct compile_report bsp = out->report;
     const struct compile_report *best = &bsp;
+    const struct deadline_end whole = deadline_share(OTHERS_SHARE);
     for (size_t i = 0; i < sizeof OTHERS / sizeof *OTHERS; i++) {
         struct compiled candidate;
         struct error ignored;
         options.tree = OTHERS[i];
+        if (deadline_passed()) break;
         if (!compile_mesh(mesh, &options, &candidate, &ignored)) continue;
-        if (is_better(&candidate.report, best, &bsp)) {
+        if (!deadline_passed() && is_better(&candidate.report, best, &bsp)) {
             const struct compiled worse = *out;
             *out = candidate;
             candidate = worse;
@@ -46,6 +50,8 @@ static void try_others(const struct mesh *mesh, struct compile_options options, 
         }
         compiled_free(&candidate);
     }
+    deadline_say("the BSP tree, and of the others those tried in time");
+    deadline_restore(whole);
     out->report.choice = (struct tree_choice){CHOICE_MADE, bsp.instructions, bsp.flash_b};
 }
 

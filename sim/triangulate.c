@@ -5,6 +5,7 @@
  * the end is always reached. The search goes on behind the last cut, which keeps fans short. */
 #include "triangulate.h"
 
+#include "deadline.h"
 #include "grow.h"
 
 #include <stdlib.h>
@@ -53,7 +54,7 @@ static void ear_at(const struct clipping *clipping, size_t i, uint32_t ear[3])
 /* The first corner from `from` on that satisfies the highest demand that any does. */
 static size_t find_ear(const struct clipping *clipping, size_t from, uint32_t ear[3])
 {
-    for (enum demand demand = DEMAND_EAR;; demand++)
+    for (enum demand demand = deadline_passed() ? DEMAND_NOTHING : DEMAND_EAR;; demand++)
         for (size_t step = 0; step < clipping->count; step++) {
             size_t i = (from + step) % clipping->count;
             ear_at(clipping, i, ear);

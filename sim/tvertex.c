@@ -4,12 +4,14 @@
  * direction from its lower point to its higher one, so that all polygons along it get the same
  * vertices. The parts are divided again, since they are a trifle off the whole; that ends because
  * points are at least weld_m apart, near_m is half of that, and so every part is shorter. */
+#include "deadline.h"
 #include "grow.h"
 #include "inner.h"
 #include "loop.h"
 #include "mesh.h"
 #include "point_tree.h"
 #include "polygon_list.h"
+#include "progress.h"
 #include "vec3.h"
 
 #include <stdlib.h>
@@ -146,10 +148,12 @@ bool mesh_insert_t_vertices(struct mesh *mesh, struct error *err)
     struct polygon_list list = {0};
     mesh->counts.t_vertices = 0;
     build_tree(&inserting);
-    for (size_t i = 0; i < mesh->polygon_count; i++)
+    for (size_t i = 0; i < mesh->polygon_count && !deadline_passed(); i++) {
+        progress_bar(i, mesh->polygon_count, "vertices on edges");
         insert_into(&inserting, &mesh->polygons[i], &list);
+    }
     point_tree_free(&inserting.tree);
     free(inserting.hits);
     free(inserting.loop);
-    return polygon_list_move(&list, mesh, err);
+    return polygon_list_move(&list, mesh, err) && deadline_check(err, "vertices were still sought on edges");
 }

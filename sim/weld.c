@@ -4,6 +4,7 @@
  * near it along. So the points that stay are at least weld_m apart. */
 #include "weld.h"
 
+#include "deadline.h"
 #include "grow.h"
 #include "point_tree.h"
 
@@ -43,7 +44,7 @@ uint32_t *weld_points(const struct model *model, double weld_m, struct mesh *mes
     struct point_tree tree;
     point_tree_build(&tree, model->points, used, used_count);
     mesh->points = grow_zeroed(used_count, sizeof *mesh->points);
-    for (size_t i = 0; i < used_count; i++) {
+    for (size_t i = 0; i < used_count && !deadline_passed(); i++) {
         const double *point = model->points[used[i]];
         if (welding.index[used[i]] != UINT32_MAX) continue;
         memcpy(mesh->points[mesh->point_count], point, sizeof *mesh->points);

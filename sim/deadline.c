@@ -1,0 +1,102 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * The monotonic clock against the end of the time; both in seconds. */
+#include "deadline.h"
+
+#include "interrupt.h"
+#include "parse.h"
+#include "progress.h"
+
+#include <math.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <time.h>
+
+static double system_now_s(void)
+{
+    struct timespec now;
+    clock_gettime(CLOCK_MONOTONIC, &now);
+    return (double)now.tv_sec + (double)now.tv_nsec / 1e9;
+}
+
+static double (*clock_now_s)(void) = system_now_s;
+static double limit_s, began_s, end_s = INFINITY;
+
+void deadline_set_clock(double (*now_s)(void))
+{
+    clock_now_s = now_s ? now_s : system_now_s;
+}
+
+void deadline_begin(double limit)
+{
+    limit_s = limit;
+    began_s = limit > 0.0 ? clock_now_s() : 0.0;
+    end_s = limit > 0.0 ? began_s + limit : INFINITY;
+}
+
+bool deadline_parse(const char *text, double *limit, struct error *err)
+{
+    const char *name = "--time-limit";
+    *limit = DEADLINE_DEFAULT_S;
+    if (!text) {
+        name = "LIMNER_TIME_LIMIT";
+        text = getenv(name);
+    }
+    if (!text || !*text) return true;
+    if (!parse_number(name, text, limit, err)) return false;
+    return (*limit >= 0.0 && isfinite(*limit)) || error_set(err, "%s %s: seconds, or 0 for no limit", name, text);
+}
+
+static bool is_over(void)
+{
+    return !isinf(end_s) && clock_now_s() >= end_s;
+}
+
+bool deadline_passed(void)
+{
+    return is_over() || interrupt_signal();
+}
+
+bool deadline_check(struct error *err, const char *doing, ...)
+{
+    char text[sizeof err->text / 2];
+    va_list arguments;
+    if (!interrupt_check(err)) return false;
+    if (!is_over()) return true;
+    va_start(arguments, doing);
+    vsnprintf(text, sizeof text, doing, arguments);
+    va_end(arguments);
+    return error_set(err, "stopped after %.3g s (--time-limit %g): %s", clock_now_s() - began_s, limit_s, text);
+}
+
+struct deadline_end deadline_end(void)
+{
+    return (struct deadline_end){end_s};
+}
+
+struct deadline_end deadline_share(double share)
+{
+    const struct deadline_end outer = {end_s};
+    if (isinf(end_s)) return outer;
+    const double now_s = clock_now_s();
+    if (now_s < end_s) end_s = now_s + share * (end_s - now_s);
+    return outer;
+}
+
+void deadline_restore(struct deadline_end outer)
+{
+    end_s = outer.end_s;
+}
+
+void deadline_say(const char *kept, ...)
+{
+    va_list arguments;
+    if (!is_over()) return;
+    progress_end();
+    fprintf(stderr, "limner: stopped after %.3g s (--time-limit %g): best so far: ", clock_now_s() - began_s, limit_s);
+    va_start(arguments, kept);
+    vfprintf(stderr, kept, arguments);
+    va_end(arguments);
+    fputc('\n', stderr);
+}
