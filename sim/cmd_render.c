@@ -17,6 +17,7 @@
 #include "options.h"
 #include "outputs.h"
 #include "progress.h"
+#include "source.h"
 
 #include <errno.h>
 #include <math.h>
@@ -93,6 +94,21 @@ static bool measures_edges(const struct render *render)
     return render->options.compare && render->options.compile.antialias && !render->moving.count;
 }
 
+static bool read_reference(struct render *render, unsigned w_px, unsigned h_px, struct error *err)
+{
+    const char *path = render->options.scene_path;
+    struct moving *moving = &render->moving;
+    const bool ok = moving->count ? source_take(path, &moving->model, err) &&
+                                        moving_reference(moving, &render->reference, w_px, h_px, err)
+                                  : reference_read(&render->reference, path, w_px, h_px, err);
+    const bool shares = moving->count ? !moving->model.source_points : render->reference.shares_importer;
+    if (ok && shares)
+        fprintf(stderr,
+                "limner: note: %s: the reference has no reader of its own for it, and has the importer's vertices\n",
+                path);
+    return ok;
+}
+
 static bool start(struct render *render, struct error *err)
 {
     const struct options *options = &render->options;
@@ -117,8 +133,7 @@ static bool start(struct render *render, struct error *err)
     faithful_note(&render->scene);
     if (!options->compare) return true;
     if (measures_edges(render) && !edge_error_init(&render->edges, &render->scene, &options->setup, err)) return false;
-    return moving->count ? moving_reference(moving, &render->reference, w_px, h_px, err)
-                         : reference_read(&render->reference, options->scene_path, w_px, h_px, err);
+    return read_reference(render, w_px, h_px, err);
 }
 
 /* Frames ------------------------------------------------------------------------------------- */

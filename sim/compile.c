@@ -17,6 +17,7 @@
 #include "predict.h"
 #include "progress.h"
 #include "sampled_order.h"
+#include "source.h"
 #include "tree_choice.h"
 #include "width.h"
 
@@ -318,11 +319,12 @@ static void report_notes(struct compile_report *report, const struct mesh *mesh)
     report->note_count = mesh->note_count;
 }
 
-/* The reference sees the file's faces, all of them and unrounded; which picture they show is not asked. */
+/* The reference sees the file's faces, all of them and unrounded, at the points of its own reader; which picture they
+ * show is not asked. */
 static bool predict_reference(const struct model *model, const struct grid *grid, struct reference *reference,
                               struct error *err)
 {
-    struct model flat = *model;
+    struct model flat = source_view(model);
     struct mesh fine;
     flat.picture_count = 0;
     flat.faces = grow_zeroed(model->face_count, sizeof *flat.faces);
@@ -368,8 +370,9 @@ bool compile_model(const char *path, const struct compile_options *options, stru
     struct model model;
     *out = (struct compiled){0};
     if (!model_import(path, &model, err)) return false;
+    bool ok = !options->predict || source_take(path, &model, err);
     if (!options->unlit) light_bake(&model);
-    bool ok = compile_part(&model, NULL, options, out, err) || error_prefix(err, path);
+    ok = ok && (compile_part(&model, NULL, options, out, err) || error_prefix(err, path));
     model_free(&model);
     return ok;
 }

@@ -6,6 +6,7 @@
  * (vertex_numbers.h, node_transforms.h), and arithmetic is so everywhere. */
 #include "import.h"
 
+#include "float_step.h"
 #include "grow.h"
 #include "import_motion.h"
 #include "model_colour.h"
@@ -36,6 +37,7 @@ struct import {
     uint16_t mover;               /* of the node being read: model_face.mover */
     struct vertex_numbers numbers;
     struct node_transforms transforms;
+    double step_m; /* the largest of those between float32 numbers that vertices came as */
 };
 
 typedef bool mesh_reader(struct import *import, const struct aiMesh *mesh);
@@ -122,12 +124,27 @@ static bool vertex_of(struct import *import, const struct aiVector3D *v, double 
     return true;
 }
 
+static void note_step(struct import *import, const double v[3])
+{
+    const double(*m)[4] = (const double(*)[4])import->transform.m;
+    const bool is_double = import->numbers.table.count && !import->numbers.is_float32;
+    for (int axis = 0; axis < 3; axis++) {
+        double step_m = 0;
+        for (int i = 0; i < 3 && !is_double; i++)
+            step_m += fabs(m[axis][i]) * float_step_at(fabs(v[i]));
+        if (!is_double && !node_transforms_are_double(&import->transforms) && m[axis][3] != 0)
+            step_m += float_step_at(fabs(m[axis][3]));
+        import->step_m = fmax(import->step_m, step_m);
+    }
+}
+
 static bool add_points(struct import *import, const struct aiMesh *mesh)
 {
     struct model *model = import->model;
     for (unsigned i = 0; i < mesh->mNumVertices; i++) {
         double v[3], *point = model->points[model->point_count++];
         if (!vertex_of(import, &mesh->mVertices[i], v)) return false;
+        note_step(import, v);
         for (int axis = 0; axis < 3; axis++) {
             const double *row = import->transform.m[axis];
             point[axis] = row[0] * v[0] + row[1] * v[1] + row[2] * v[2] + row[3];
@@ -302,6 +319,7 @@ bool import_model(const char *path, struct model *model, struct error *err)
     if (!vertex_numbers_make(path, &import.numbers, err)) return false;
     import.scene = import_file(path, &import.numbers.file, err);
     bool ok = import.scene && read_scene(&import);
+    if (ok) float_step_note(model, import.step_m);
     free(import.movers);
     node_transforms_free(&import.transforms);
     aiReleaseImport(import.scene);

@@ -314,10 +314,9 @@ static bool all_keep_scale(const struct aiScene *scene, const struct aiNode *nod
 /* Names a node of which something is left out, and why. */
 static void note(struct motions *work, const struct aiNode *node, const char *text)
 {
-    char *notice = work->model->notice;
-    const size_t used = strlen(notice);
-    snprintf(notice + used, sizeof work->model->notice - used, "%snode '%s'%s", used ? "; " : "", node->mName.data,
-             text);
+    char line[sizeof work->model->notice];
+    snprintf(line, sizeof line, "node '%.100s'%s", node->mName.data, text);
+    model_note(work->model, line);
 }
 
 static bool refuse(struct motions *work, const struct aiNode *node, const char *reason)

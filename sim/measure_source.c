@@ -9,9 +9,11 @@
 #include "light.h"
 #include "model_part.h"
 #include "moving.h"
+#include "source.h"
 #include "vec3.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -67,10 +69,11 @@ static bool read_mesh(struct measure_source *source, const struct model *model, 
                       unsigned w_px, unsigned h_px, struct error *err)
 {
     struct mesh *mesh = &source->mesh;
+    const struct model view = source_view(model);
     if (!mesh_clean(model, mesh, err)) return false;
-    if (!mesh_clean_fine(model, &mesh->grid, &source->fine, err) ||
-        !reference_init(&source->reference, &source->fine, w_px, h_px, err) || !(options->keep_faces || mesh_merge(mesh, err)) ||
-        !mesh_insert_t_vertices(mesh, err))
+    if (!mesh_clean_fine(&view, &mesh->grid, &source->fine, err) ||
+        !reference_init(&source->reference, &source->fine, w_px, h_px, err) ||
+        !(options->keep_faces || mesh_merge(mesh, err)) || !mesh_insert_t_vertices(mesh, err))
         return false;
     index_points(source);
     return true;
@@ -83,11 +86,14 @@ bool measure_source_read(struct measure_source *source, const char *model_path, 
     *source = (struct measure_source){.path = strdup(model_path)};
     if (!source->path) return error_set(err, "%s: out of memory", model_path);
     bool ok = model_import(model_path, &model, err);
+    ok = ok && source_take(model_path, &model, err);
+    if (ok && *model.notice) fprintf(stderr, "limner: %s: %s\n", model_path, model.notice);
     const bool moves = ok && model.mover_count > 0;
     if (ok && !options->unlit) light_bake(&model);
     if (ok && !moves) ok = read_mesh(source, &model, options, w_px, h_px, err) || error_prefix(err, model_path);
     if (ok && moves)
         ok = moving_compile_own(model_path, options, MOVING_CLIPPED, &source->still, err) &&
+             source_take(model_path, &source->still.moving->model, err) &&
              (read_moving(source, options, w_px, h_px, err) || error_prefix(err, model_path));
     model_free(&model);
     if (!ok) measure_source_free(source);

@@ -195,9 +195,16 @@ bool model_import(const char *path, struct model *model, struct error *err)
     return ok;
 }
 
+void model_note(struct model *model, const char *text)
+{
+    const size_t used = strlen(model->notice);
+    snprintf(model->notice + used, sizeof model->notice - used, "%s%s", used ? "; " : "", text);
+}
+
 void model_free(struct model *model)
 {
     free(model->points);
+    free(model->source_points);
     free(model->corners);
     free(model->faces);
     free(model->uvs);

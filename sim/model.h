@@ -45,6 +45,7 @@ struct model_mover {
 struct model {
     double (*points)[3]; /* metres, y up, right-handed, node transforms applied; some may be unused */
     double (*uvs)[2]; /* of each point, in pictures, across from the left and down from the top; NULL: there are none */
+    double (*source_points)[3]; /* the points as the reference's own reader has them (source.h); NULL: not read by it */
     size_t point_count;
     uint32_t *corners; /* indices into points */
     size_t corner_count;
@@ -58,7 +59,7 @@ struct model {
     size_t mover_count;
     struct model_key *keys; /* of each mover, by time */
     size_t key_count;
-    char notice[256]; /* what was left out and why; empty: nothing */
+    char notice[512]; /* what was left out, or is not as it should be, and why; empty: nothing */
 };
 
 enum { MODEL_DEFAULT_COLOUR = 0xC8C8C8 }; /* of faces that have neither material nor vertex colours */
@@ -86,5 +87,8 @@ enum { MODEL_DEFAULT_COLOUR = 0xC8C8C8 }; /* of faces that have neither material
  * same node the first counts. */
 bool model_import(const char *path, struct model *model, struct error *err);
 void model_free(struct model *model);
+
+/* Adds to the notice. */
+void model_note(struct model *model, const char *text);
 
 #endif

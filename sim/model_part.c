@@ -21,6 +21,7 @@ static void count_part(const struct model *model, size_t mover, struct model *pa
     part->faces = grow_zeroed(part->face_count, sizeof *part->faces);
     part->corners = grow_zeroed(part->corner_count, sizeof *part->corners);
     part->points = grow_zeroed(part->corner_count, sizeof *part->points);
+    if (model->source_points) part->source_points = grow_zeroed(part->corner_count, sizeof *part->source_points);
 }
 
 static void copy_pictures(const struct model *model, struct model *part)
@@ -68,13 +69,20 @@ static void count_picture(struct model *part, const struct model_face *face)
     if (picture && picture->pixels) picture->faces++;
 }
 
+static void place_point(const struct model *model, size_t mover, const double from[3], double to[3])
+{
+    if (mover)
+        pose_enter(&model->movers[mover - 1].rest, from, to);
+    else
+        memcpy(to, from, 3 * sizeof *to);
+}
+
 static uint32_t add_point(const struct model *model, size_t mover, uint32_t point, struct model *part)
 {
     double *to = part->points[part->point_count];
-    if (mover)
-        pose_enter(&model->movers[mover - 1].rest, model->points[point], to);
-    else
-        memcpy(to, model->points[point], sizeof part->points[0]);
+    place_point(model, mover, model->points[point], to);
+    if (part->source_points)
+        place_point(model, mover, model->source_points[point], part->source_points[part->point_count]);
     if (part->uvs) memcpy(part->uvs[part->point_count], model->uvs[point], sizeof part->uvs[0]);
     return (uint32_t)part->point_count++;
 }

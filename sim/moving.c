@@ -10,6 +10,7 @@
 #include "pose.h"
 #include "reference.h"
 #include "simulator.h"
+#include "source.h"
 #include "vec3.h"
 
 #include <stdio.h>
@@ -214,8 +215,12 @@ bool moving_compile(const char *path, const struct compile_options *options, con
 {
     struct model model;
     *moving = (struct moving){0};
-    return model_import(path, &model, err) &&
-           (moving_compile_model(&model, options, movers, scene, moving, err) || error_prefix(err, path));
+    if (!model_import(path, &model, err)) return false;
+    if (options->predict && !source_take(path, &model, err)) {
+        model_free(&model);
+        return false;
+    }
+    return (moving_compile_model(&model, options, movers, scene, moving, err) || error_prefix(err, path));
 }
 
 bool moving_compile_model(const struct model *model, const struct compile_options *options,
@@ -307,7 +312,8 @@ static bool reference_of_part(const struct moving *moving, size_t mover, struct 
     struct mesh mesh;
     uint32_t *numbers;
     model_part(&moving->model, mover, &part, &numbers);
-    bool ok = mesh_clean_fine(&part, mover ? &moving->objects[mover - 1].scene.grid : NULL, &mesh, err);
+    const struct model view = source_view(&part);
+    bool ok = mesh_clean_fine(&view, mover ? &moving->objects[mover - 1].scene.grid : NULL, &mesh, err);
     if (ok) {
         for (size_t i = 0; i < mesh.polygon_count; i++)
             mesh.polygons[i].face = numbers[mesh.polygons[i].face - 1];

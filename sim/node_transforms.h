@@ -25,6 +25,12 @@ struct node_transforms {
  * or transforms that are not the file's as near as float32 can be. */
 bool node_transforms_read(const char *path, const struct aiScene *scene, struct node_transforms *out,
                           struct error *err);
+/* Whether the file's own are known. */
+static inline bool node_transforms_are_double(const struct node_transforms *transforms)
+{
+    return transforms->count > 0;
+}
+
 struct node_transform node_transform_of(const struct node_transforms *transforms, const struct aiNode *node);
 void node_transforms_free(struct node_transforms *transforms);
 

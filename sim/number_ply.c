@@ -280,6 +280,7 @@ static bool binary_instance(struct numbering *work, const struct ply *ply, const
         if (property->axis >= 0) {
             at_b[property->axis] = work->out_b;
             types[property->axis] = property->type;
+            work->is_float32 |= property->type == FLOAT;
         }
         numbering_write(work, work->at, size_b);
         work->at += size_b;

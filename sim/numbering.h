@@ -17,6 +17,7 @@ struct numbering {
     char *out;   /* owned by whoever began */
     size_t out_b, out_capacity;
     struct vertex_table table;
+    bool is_float32; /* the coordinates are so in the file */
     struct error *err;
 };
 

@@ -7,6 +7,7 @@
 #include "reference.h"
 
 #include "pose.h"
+#include "source.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -175,10 +176,14 @@ bool reference_read(struct reference *reference, const char *model_path, unsigne
     struct model model;
     struct mesh mesh;
     if (!model_import(model_path, &model, err)) return false;
-    bool ok = mesh_clean_fine(&model, NULL, &mesh, err);
+    bool ok = source_take(model_path, &model, err);
+    const struct model view = source_view(&model);
+    const bool shares_importer = !model.source_points;
+    ok = ok && (mesh_clean_fine(&view, NULL, &mesh, err) || error_prefix(err, model_path));
     model_free(&model);
-    if (!ok) return error_prefix(err, model_path);
+    if (!ok) return false;
     ok = reference_init(reference, &mesh, w_px, h_px, err);
+    reference->shares_importer = shares_importer;
     mesh_free(&mesh);
     return ok;
 }

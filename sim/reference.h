@@ -35,6 +35,7 @@ struct reference {
     uint32_t *faces;            /* w_px * h_px face numbers from the top left, 0 = background */
     uint32_t *mappings;         /* what of a texture: mesh_polygon.mapping of the polygon seen; or NULL */
     double *depths_m;           /* along the view axis; infinite for the background */
+    bool shares_importer;       /* reference_read(): the file's format has no reader in source.h */
 };
 
 /* Copies what it needs of the mesh as mesh_clean_fine() leaves it. Allocates for pictures of this size. */
@@ -49,7 +50,8 @@ void reference_pose(struct reference *reference, size_t mover, const struct mode
 /* Moves a mover's corners in its own coordinates, before it is placed. */
 void reference_bend(struct reference *reference, size_t mover, void (*bend)(double at_m[3], double how), double how);
 
-/* The same from a model file: imported and cleaned as mesh_clean_fine() does, nothing else. */
+/* The same from a model file: imported, read once more by the reference's own reader (source.h), and cleaned as
+ * mesh_clean_fine() does. */
 bool reference_read(struct reference *reference, const char *model_path, unsigned w_px, unsigned h_px,
                     struct error *err);
 

@@ -39,7 +39,7 @@ bool vertex_numbers_make(const char *path, struct vertex_numbers *out, struct er
     const bool ok = mark_b < 0 || number(&work);
     if (ok && work.table.count) {
         numbering_write(&work, "", 1);
-        *out = (struct vertex_numbers){{work.out, work.out_b - 1}, work.table};
+        *out = (struct vertex_numbers){{work.out, work.out_b - 1}, work.table, work.is_float32};
     } else {
         free(work.out);
         vertex_table_free(&work.table);

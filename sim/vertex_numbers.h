@@ -17,6 +17,7 @@
 struct vertex_numbers {
     struct whole_file file;    /* bytes == NULL: as it is on disk */
     struct vertex_table table; /* what its vertices stand for */
+    bool is_float32;           /* they are so in the file, too */
 };
 
 /* Refuses, naming the line: coordinates that are no decimal numbers (decimal.h), and vertices of another length than
