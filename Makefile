@@ -31,7 +31,7 @@ endif
 # Begins a recipe line whose output must appear as it comes: with +, but not under `make -n`, where + would run it.
 LIVE = $(if $(findstring n,$(firstword -$(MAKEFLAGS))),,+)@
 
-.PHONY: all extremes soak run view check test test-arm64 test-fixed test-programs models-table tables hid-table delta-table footprint tradeoff scale compare bench bench-baseline prove exhaustive fuzz format clean help packages force
+.PHONY: all extremes soak run view check test test-arm64 test-fixed test-programs models-table tables hid-table delta-table footprint tradeoff scale compare bench bench-baseline prove exhaustive fuzz mutate format clean help packages force
 .SECONDARY:
 .DELETE_ON_ERROR:
 
@@ -64,6 +64,7 @@ packages-soak          := $(packages-host)
 packages-extremes      := $(packages-host)
 packages-prove         := frama-c-base why3 z3
 packages-fuzz          := clang libclang-rt-dev
+packages-mutate        := $(packages-host)
 packages-view          := libsdl2-dev
 packages-simavr        := $(shell sed -n 's/^EMULATE_PACKAGES *:= *//p' boards/arduboy/board.mk)
 packages-models-table  := $(packages-models)
@@ -331,6 +332,11 @@ $(BUILD)/tests/exhaustive: $(call object,tests/exhaustive/main.c tests/exhaustiv
 $(BUILD)/tests/fuzz: $(call object,tests/libfuzzer/main.c $(wildcard tests/fuzz*.c) tests/closed_scene.c) $(library)
 	@mkdir -p $(@D)
 	@$(CC) $(HOST_OPT) -fsanitize=fuzzer -o $@ $^ $(LINKS)
+
+# -- Mutants: see tests/mutants/README.md -------------------------------------------------------------------------------
+
+mutate: test-programs packages ## break firmware and HAL on purpose, 300 times; SEED=7 MUTANTS=50 FILES=firmware/clip.c, or MUTANT=NUMBER: one
+	$(LIVE)SEED='$(SEED)' MUTANTS='$(MUTANTS)' FILES='$(FILES)' MUTANT='$(MUTANT)' sh tests/mutants.sh
 
 models-table: $(BUILD)/limner ## write the outcomes of Debian's test models anew
 	$(LIVE)sh tests/models.sh --table > tests/models.expected

@@ -1,0 +1,61 @@
+#!/bin/sh
+# SPDX-License-Identifier: MIT
+#
+# Finds which lines of firmware/ and hal/ a test program executes: sh tests/mutants/cover.sh NAME. Takes a program that was
+# built for gcov below $BUILD/mutants/cover and writes $BUILD/mutants/run/NAME, lines "SOURCE LINE OBJECT" of those
+# executed, and $BUILD/mutants/lines/NAME, lines "SOURCE L LINE" and "SOURCE F FIRST LAST" of the lines and functions
+# that could have been; $BUILD/mutants/times/NAME has the processor time that the usual program takes, in
+# seconds, and $BUILD/mutants/sums/NAME what tells the program from a later one. A program that fails here is no judge of mutants: that is said, and ends it.
+set -u
+
+: "${BUILD:?is set by the Makefile}" "${LIMIT_S:=600}"
+state=$BUILD/mutants
+cover=$(cd "$state/cover" && pwd)
+into=$state/counts/$1
+
+rm -rf "$into"
+mkdir -p "$into" "$state/run" "$state/lines"
+depth=$(printf %s "$cover" | tr -cd / | wc -c)
+if ! GCOV_PREFIX=$into GCOV_PREFIX_STRIP=$depth timeout "$LIMIT_S" "$cover/tests/$1" </dev/null >"$into.log" 2>&1; then
+    echo "mutants: $1 fails without any mutant: it judges none" >&2
+    rm -rf "$into"
+    : >"$state/run/$1"
+    cksum <"$cover/tests/$1" >"$state/sums/$1"
+    exit 0
+fi
+find "$into" -name '*.gcda' | sed "s|^$into/||; s|\.gcda$||" |
+    while read -r object; do
+        # Objects that have nothing of the two folders within them do not matter.
+        grep -qE '(firmware|hal)/' "$cover/$object.gcno" || continue
+        ln -s "$cover/$object.gcno" "$into/$object.gcno"
+        echo "$into/$object.gcda"
+    done | xargs gcov -t -j 2>"$into.log" | tr '{' '\n' |
+    awk -v lines="$state/lines/$1" -v folder="$into/" '
+        function number(key) {
+            return match($0, "\"" key "\": [0-9]+") ? substr($0, RSTART + length(key) + 4, RLENGTH - length(key) - 4) : ""
+        }
+        /"line_number"/ { at[++n] = number("line_number"); count[n] = number("count") }
+        /"start_line"/ { first[++f] = number("start_line"); last[f] = number("end_line") }
+        /"file": "/ {
+            match($0, /"file": "[^"]*"/)
+            file = substr($0, RSTART + 9, RLENGTH - 10)
+            for (i = 1; i <= n && file ~ /^(firmware|hal)\//; i++) {
+                could[file " L " at[i]]
+                if (count[i] > 0) did[++done] = file " " at[i]
+            }
+            for (i = 1; i <= f && file ~ /^(firmware|hal)\//; i++) could[file " F " first[i] " " last[i]]
+            n = f = 0
+        }
+        /"data_file": "/ {
+            match($0, /"data_file": "[^"]*"/)
+            object = substr($0, RSTART + 14, RLENGTH - 15)
+            sub(folder, "", object)
+            sub(/\.gcda$/, ".o", object)
+            for (i = 1; i <= done; i++) print did[i], object
+            done = 0
+        }
+        END { for (line in could) print line > lines }' >"$state/run/$1"
+rm -rf "$into" "$into.log"
+(timeout "$LIMIT_S" "$BUILD/tests/$1" </dev/null >/dev/null 2>&1; times) |
+    awk 'NR == 2 { split($1, u, /[ms]/); split($2, s, /[ms]/); print 60 * (u[1] + s[1]) + u[2] + s[2] }' >"$state/times/$1"
+cksum <"$cover/tests/$1" >"$state/sums/$1"
