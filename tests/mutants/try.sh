@@ -87,10 +87,11 @@ including() {
     done
 }
 
-order() { # puts times before the tests and sorts
+order() { # the source's own test, then those with few objects and little time
     (cd "$state/times" && grep . ./*) | sed 's|^./||; s|:| |' >"$tree/times"
-    awk 'NR == FNR { time[$1] = $2; next }
-        $1 in time { n = split($2, object, ","); printf "%.3f %s %s\n", time[$1] + 0.1 * n, $1, $2 }' \
+    own=test_$(basename "$source" | sed 's/[.].*//')
+    awk -v own="$own" 'NR == FNR { time[$1] = $2; next }
+        $1 in time { n = split($2, object, ","); printf "%.3f %s %s\n", $1 == own ? 0 : time[$1] + 0.1 * n, $1, $2 }' \
         "$tree/times" - | sort -n | cut -d ' ' -f 2-
 }
 
@@ -107,7 +108,10 @@ order() { # puts times before the tests and sorts
 # Warnings are no judges, but swapped arguments of types that do not fit are refused.
 refused='-w -Werror=incompatible-pointer-types -Werror=int-conversion'
 
-compile() { # OBJECT: into the tree, 1 if that is refused
+# The suite of the sanitizers judges, too: what has no defined behaviour ends in a trap.
+traps='-fsanitize=undefined -fsanitize-undefined-trap-on-error'
+
+compile() { # OBJECT [FLAGS]: into the tree, 1 if that is refused
     case $1 in
     core-*)
         name=${1%%/*} name=${name#core-}
@@ -120,7 +124,7 @@ compile() { # OBJECT: into the tree, 1 if that is refused
     from=${1#*/}
     mkdir -p "$tree/objects/${1%/*}"
     # shellcheck disable=SC2086 # flags are words
-    (cd "$tree" && "$CC" @"$root/$BUILD/host/flags" $refused $flags -c -o "objects/$1" "${from%.o}.c" 2>>"$tree/errors")
+    (cd "$tree" && "$CC" @"$root/$BUILD/host/flags" $refused $flags ${2:-} -c -o "objects/$1" "${from%.o}.c" 2>>"$tree/errors")
 }
 
 # What is compiled and differs from what is built: host objects stay, those of a core are linked anew as it.
@@ -130,6 +134,7 @@ differs() { # OBJECT
         if cmp -s "$tree/objects/$1" "$BUILD/$1"; then
             mv "$tree/objects/$1" "$tree/objects/$1.same"
         else
+            compile "$1" "$traps"
             rm -f "$tree/${1%%/*}.o" # a core that was linked before
         fi
     }

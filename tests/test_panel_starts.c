@@ -1,0 +1,146 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Everything that a panel is sent at its start, for its usual modules: each command, argument, pin and delay is as in
+ * tests/panel_starts.expected. Much of it no emulated chip can judge: voltages, gamma curves, registers that have no
+ * public description. They were looked up once and must not change unseen; PANEL_STARTS=write writes the file anew. */
+#include "cmocka_ready.h"
+#include "panel_rig.h"
+
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define EXPECTED "tests/panel_starts.expected"
+
+enum { TEXT_B = 1 << 20, LINE_B = 1 << 14 };
+
+static struct panel_rig rig;
+static char *text;
+static size_t used;
+
+static void put(const char *format, ...)
+{
+    va_list arguments;
+
+    va_start(arguments, format);
+    const int n = vsnprintf(text + used, TEXT_B - used, format, arguments);
+    va_end(arguments);
+    assert_true(n >= 0 && (size_t)n < TEXT_B - used);
+    used += (size_t)n;
+}
+
+/* The port notes what it is asked for, and asks nobody. */
+static int note_bytes(void *ctx, const uint8_t *data, size_t n_b)
+{
+    (void)ctx;
+    for (size_t i = 0; i < n_b; i++)
+        put(" %02X", data[i]);
+    return 0;
+}
+
+static int note_pin(void *ctx, bool high)
+{
+    put(" %s%c", (const char *)ctx, high ? '+' : '-');
+    return 0;
+}
+
+static int note_delay(void *ctx, uint32_t delay_us)
+{
+    (void)ctx;
+    put(" wait=%lu", (unsigned long)delay_us);
+    return 0;
+}
+
+static void note(struct panel_rig *on, struct port *port)
+{
+    static char dc[] = "dc", reset[] = "reset", light[] = "light", select_[] = "select";
+
+    port->bus = (struct bus){.write = note_bytes};
+    port->dc = (struct pin){dc, note_pin};
+    port->reset = (struct pin){reset, note_pin};
+    port->backlight = (struct pin){light, note_pin};
+    if (on->choice.family->selects) port->select = (struct pin){select_, note_pin};
+    port->clock = (struct clock){.delay = note_delay};
+}
+
+static void put_start(const struct panel_choice *choice, const struct display_module *module, const char *what)
+{
+    put("%s %ux%u %s turn %u:", choice->name, module->w_px, module->h_px, what, (unsigned)module->rotation);
+    if (!panel_rig_setup(&rig, choice, module, note)) {
+        put(" refused\n");
+        return;
+    }
+    struct panel *panel = rig.display.panel;
+    assert_int_equal(panel_init(panel), 0);
+    put(" | window");
+    assert_int_equal(panel_window(panel, 0, 0, panel->w_px, panel->step_y_px), 0);
+    static const uint8_t zeros[3 * 480];
+    assert_int_equal(panel_pixels(panel, zeros, panel->step_x_px), 0);
+    assert_int_equal(panel_flush(panel), 0);
+    put(" | off");
+    (void)!panel_set_inverted(panel, true);
+    (void)!panel_set_inverted(panel, false);
+    (void)!panel_sleep(panel, true);
+    (void)!panel_sleep(panel, false);
+    (void)!panel_darken(panel);
+    (void)!panel_keep(panel);
+    put("\n");
+}
+
+static void put_panel(const struct panel_choice *choice)
+{
+    struct display_module module = panel_rig_module(choice, 480, 480);
+
+    put_start(choice, &module, "whole");
+    module = panel_rig_module(choice, 128, 32);
+    for (unsigned turns = 0; turns < 4; turns++) {
+        module.rotation = (enum panel_rotation)turns;
+        put_start(choice, &module, "small");
+    }
+    module.rotation = PANEL_UPRIGHT;
+    module.bgr = module.invert = true;
+    module.converter = choice->has_converter;
+    put_start(choice, &module, "bgr inverted converter");
+    module.mirror = true;
+    put_start(choice, &module, "mirrored");
+}
+
+static void write_expected(void)
+{
+    FILE *file = fopen(EXPECTED, "w");
+
+    assert_non_null(file);
+    assert_int_equal(fwrite(text, 1, used, file), used);
+    assert_int_equal(fclose(file), 0);
+}
+
+static void every_panel_starts_as_it_always_did(void **state)
+{
+    static char line[LINE_B];
+    struct panel_choice choice;
+    const char *asked = getenv("PANEL_STARTS"), *at;
+
+    (void)state;
+    text = malloc(TEXT_B);
+    assert_non_null(text);
+    used = 0;
+    for (size_t i = 0; panel_choice_at(i, &choice); i++)
+        put_panel(&choice);
+    if (asked && strcmp(asked, "write") == 0) write_expected();
+    FILE *file = fopen(EXPECTED, "r");
+    assert_non_null(file);
+    for (at = text; fgets(line, sizeof line, file); at += strlen(line))
+        if (strncmp(at, line, strlen(line)) != 0)
+            fail_msg("expected: %sbut it is: %.*s", line, (int)strcspn(at, "\n"), at);
+    assert_int_equal(*at, 0);
+    fclose(file);
+    free(text);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {cmocka_unit_test(every_panel_starts_as_it_always_did)};
+
+    return cmocka_run_group_tests_name("panel_starts", tests, NULL, NULL);
+}
