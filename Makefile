@@ -238,7 +238,7 @@ tests/cli_gpiod.sh: $(BUILD)/tests/test_linux_port
 
 extremes := $(filter $(BUILD)/tests/test_extreme_%,$(test_programs))
 tests/cli_extremes.sh: $(extremes) $(BUILD)/limner
-tests/cli_scale.sh tests/arm_scale.sh: $(BUILD)/generate_scale
+tests/cli_scale.sh tests/cli_small.sh tests/arm_scale.sh: $(BUILD)/generate_scale
 
 suite-host      := $(filter-out $(extremes),$(filter $(BUILD)/tests/test_%,$(test_programs))) $(wildcard tests/cli_*.sh)
 suite-arm       := $(wildcard tests/arm_*.sh)

@@ -5,6 +5,7 @@
 #include "commands.h"
 #include "compare_methods.h"
 #include "difference.h"
+#include "faithful.h"
 #include "image.h"
 #include "interrupt.h"
 #include "outputs.h"
@@ -75,6 +76,7 @@ static const struct compiled *any_scene(const struct compare_table *table)
 static bool choose_cameras(struct comparing *comparing, struct error *err)
 {
     const struct measure_request *request = &comparing->request;
+    faithful_note(any_scene(&comparing->table));
     return measure_request_cameras(request, any_scene(&comparing->table), &comparing->lens, &comparing->path, err) &&
            camera_path_few(&comparing->path, request->cost_frames, &comparing->cost_path, err);
 }

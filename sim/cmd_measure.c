@@ -4,6 +4,7 @@
  * standard output; with -o, they and a plot go to a folder, all or none. */
 #include "commands.h"
 #include "deadline.h"
+#include "faithful.h"
 #include "interrupt.h"
 #include "measure_request.h"
 #include "measure_table.h"
@@ -51,6 +52,8 @@ static bool prepare(struct measurement *measurement, struct error *err)
                                &measurement->candidates[i].scene, err))
             return error_prefix(err, request->model);
     }
+    faithful_note(&measurement->scenes.plain);
+    faithful_note(&measurement->scenes.fractions);
     return measure_request_cameras(request, measurement->candidates[0].scene, &measurement->lens, &measurement->path,
                                    err);
 }

@@ -4,6 +4,7 @@
  * be refused without the hardware is refused before it is touched. */
 #include "commands.h"
 #include "deadline.h"
+#include "faithful.h"
 #include "interrupt.h"
 #include "module_choice.h"
 #include "options.h"
@@ -123,6 +124,7 @@ static bool load_scene(struct play *play, struct error *err)
 {
     struct lens lens;
     if (!options_load(&play->options, &play->scene, &play->moving, &lens, &play->path, err)) return false;
+    faithful_note(&play->scene);
     deadline_begin(0.0); /* what is played has no end of its own */
     return plan_cameras(play, &lens, err);
 }

@@ -17,13 +17,14 @@ static double percent_wrong(const struct mesh *mesh, const struct mesh *truth, c
     struct compiled scene = mesh_rig_compile(mesh, "auto", 0.5);
     struct reference reference;
     struct error err;
-    double percent = NAN;
+    struct predicted wrong = {.percent = NAN};
 
     assert_true(reference_init(&reference, truth, PREDICT_SIDE_PX, PREDICT_SIDE_PX, &err));
-    if (!predict_wrong_percent(&scene, NULL, &reference, groups, &percent, &err)) fail_msg("%s", err.text);
+    if (!predict_wrong(&scene, NULL, &reference, groups, &wrong, &err)) fail_msg("%s", err.text);
     reference_free(&reference);
     compiled_free(&scene);
-    return percent;
+    assert_int_equal(wrong.cameras, PREDICT_CAMERAS);
+    return wrong.percent;
 }
 
 static struct mesh turned_cube(void)
@@ -98,9 +99,9 @@ static void the_compiler_predicts_when_asked(void **state)
     struct compiled unasked = compile_rooms(false), asked = compile_rooms(true);
 
     (void)state;
-    assert_true(isnan(unasked.report.wrong_percent));
+    assert_true(isnan(unasked.report.wrong.percent));
     assert_true(asked.report.mesh.merged > 0);
-    assert_true(asked.report.wrong_percent >= 0 && asked.report.wrong_percent < 0.1);
+    assert_true(asked.report.wrong.percent >= 0 && asked.report.wrong.percent < 0.1);
     compiled_free(&asked);
     compiled_free(&unasked);
 }

@@ -1,0 +1,127 @@
+#!/bin/sh
+# SPDX-License-Identifier: MIT
+#
+# predictions.sh --write | --table FOLDER: the wrong pixels that `limner compile` predicts, against those that `limner
+# measure` finds with cameras of other random numbers, half of them anywhere and half near faces; in every profile. Models
+# are those of Debian's assimp-testmodels that are not drawn from animations, and scenes of the project and its generators.
+# --write makes sim/PREDICTED.md anew; FOLDER gets a file a model, so that a run which was interrupted goes on.
+set -e
+: "${BUILD:?}"
+limner=$(cd "$BUILD" && pwd)/limner
+assimp=/usr/share/assimp/models
+seed=77
+frames=48 # of each kind
+export BUILD
+
+generated='floor 100
+floor 300
+floor 1000
+floor 10000
+floor 50000
+ground 1000
+ground 240000
+rooms 6
+mesh 2000
+mesh 20000'
+
+# The same shape in another file: once is enough. The engine of 110,000 faces takes hours.
+again='box_longline|box_mat_|box_without|cube_mtllib|cube_usemtl|vertexcolors_uni|PLY/Wuson|STL/Wuson|Spider_|cube_binary
+|Embedded|MaterialsCommon|glTF2/BoxTextured|with_two_solids|with_empty_solid|Asset-Generator|2CylinderEngine'
+
+list() { # FOLDER for what is generated
+    cut -f 1 tests/models.expected | grep -vE "$(echo "$again" | tr -d '\n')" | while IFS= read -r model; do
+        grep -q "^$model	rendered" tests/models.expected && echo "$assimp/$model"
+    done
+    ls sim/scenes/*.obj sim/scenes/movers.gltf "$BUILD/scenes/demo.obj"
+    echo "$generated" | while read -r kind size; do
+        "$BUILD/generate_scale" "$kind" "$size" "$1"
+        echo "$1/$kind$size.obj"
+    done
+}
+
+# A line for each profile: its name, predicted, and - or why it is refused.
+predict() { # MODEL FOLDER NAME
+    for profile in draft fast fine exact; do
+        if "$limner" compile "$1" --report --precision "$profile" >"$2/$3.said" 2>"$2/$3.error"; then
+            echo "predicted $profile $(awk '/wrong pixels, predicted/ { print $4 }' "$2/$3.said")"
+        else
+            echo "refused $profile $(sed "s,^limner: ,,; s,^[^:]*: ,,; s,|,/,g" "$2/$3.error")"
+        fi
+    done
+    rm -f "$2/$3.said" "$2/$3.error"
+}
+
+measured() { # MODEL PROFILE,... KIND
+    "$limner" measure "$1" --no-cost --precision "$2" --camera "$3:$seed:$frames" 2>/dev/null |
+        awk -F ' *[|] *' '$2 ~ /^(draft|fast|fine|exact)$/ { print "measured", $2, $4 }'
+}
+
+# | model | profile | predicted | measured | verdict |
+one() { # MODEL FOLDER
+    name=${1##*/}
+    case $1 in "$assimp"*) name=${1#"$assimp/"} ;; esac
+    file=$(echo "$name" | tr '/ ' '__')
+    [ ! -s "$2/$file.rows" ] || exit 0
+    predict "$1" "$2" "$file" >"$2/$file.part"
+    profiles=$(awk '$1 == "predicted" { printf "%s%s", n++ ? "," : "", $2 }' "$2/$file.part")
+    [ -z "$profiles" ] || for kind in random near; do measured "$1" "$profiles" $kind; done >>"$2/$file.part"
+    awk -v name="$name" '
+        $1 == "measured" { sum[$2] += $3; count[$2]++ }
+        $1 == "predicted" { order[++n] = $2; predicted[$2] = $3 }
+        $1 == "refused" { order[++n] = $2; profile = $2; sub(/^refused [a-z]* /, ""); reason[profile] = $0 }
+        function verdict(a, b) { return a < 0.001 && b < 0.001 || a <= 2 * b && b <= 2 * a ? "within" : "beyond" }
+        END {
+            for (i = 1; i <= n; i++) {
+                p = order[i]
+                if (p in reason)
+                    printf "| %s | %s | - | - | refused: %s |\n", name, p, reason[p]
+                else if (!count[p])
+                    printf "| %s | %s | %.4f | - | not measured |\n", name, p, predicted[p]
+                else
+                    printf "| %s | %s | %.4f | %.4f | %s |\n", name, p, predicted[p], sum[p] / count[p],
+                           verdict(predicted[p] + 0, sum[p] / count[p])
+            }
+        }' "$2/$file.part" >"$2/$file.rows"
+    rm -f "$2/$file.part"
+}
+
+table() { # FOLDER
+    mkdir -p "$1"
+    list "$1" >"$1/list"
+    xargs -d '\n' -P "$(nproc)" -I '{}' sh "$0" --one '{}' "$1" <"$1/list"
+    cat "$1"/*.rows
+}
+
+case ${1:-} in
+--one) one "$2" "$3" ;;
+--table) table "$2" ;;
+--write)
+    folder=$BUILD/predictions
+    table "$folder" >"$folder/table"
+    {
+        cat <<'TEXT'
+# Predicted and measured wrong pixels
+
+`limner compile` predicts, `limner measure --camera random:77:48` and `--camera near:77:48` measure; the mean of these two
+stands in the table, in % of 240 x 240 pixels. *Within*: within a factor of two, or both below 0.001 %. Written by `make
+predictions`.
+
+TEXT
+        awk -F ' *[|] *' '{ refused += $6 ~ /^refused/; within += $6 == "within"; beyond += $6 == "beyond" }
+            !($2 in seen) { seen[$2]; models++ }
+            END {
+                printf "%d models in four profiles: %d pairs within, %d beyond (%.1f %% within); %d refused.\n\n",
+                       models, within, beyond, 100 * within / (within + beyond), refused
+            }' "$folder/table"
+        echo '| scene | profile | predicted, % | measured, % | |'
+        echo '|---|---|---|---|---|'
+        cat "$folder/table"
+    } >"$folder/page"
+    mv "$folder/page" sim/PREDICTED.md
+    sed -n 8p sim/PREDICTED.md
+    ;;
+*)
+    echo 'usage: predictions.sh --write | --table FOLDER' >&2
+    exit 1
+    ;;
+esac
