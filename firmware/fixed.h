@@ -191,6 +191,47 @@ static inline int64_t shift_round_s64(int64_t x, uint8_t bits)
     return (x + ((int64_t)1 << (bits - 1))) >> bits;
 }
 
+/* The larger of a, which is not negative, and |b|, at most 2^62. */
+/*@ requires 0 <= a <= 4611686018427387904 && -4611686018427387904 <= b <= 4611686018427387904;
+    assigns \nothing;
+    ensures a <= \result <= 4611686018427387904 && -\result <= b <= \result; */
+static inline int64_t larger_s64(int64_t a, int64_t b)
+{
+    const int64_t size = b < 0 ? -b : b;
+
+    return size > a ? size : a;
+}
+
+/* Halves all of v, rounding down, until each is in -end .. end - 1: what matters of them is how they relate.
+ * count 1..4, |v| <= 2^62. */
+/*@ requires 1 <= count <= 4 && \valid(v + (0 .. count - 1)) && 1 <= end;
+    requires \forall integer i; 0 <= i < count ==> -4611686018427387904 <= v[i] <= 4611686018427387904;
+    assigns v[0 .. count - 1];
+    ensures \forall integer i; 0 <= i < count ==> -end <= v[i] < end; */
+static inline void shorten_s64(int64_t v[], uint_fast8_t count, int64_t end)
+{
+    int64_t largest = 0;
+
+    //@ loop pragma UNROLL "completely", 5;
+    for (uint_fast8_t i = 0; i < count; i++)
+        largest = larger_s64(largest, v[i]);
+    /*@ loop invariant 0 <= largest <= 4611686018427387904;
+        loop invariant \forall integer k; 0 <= k < count ==> -largest - 1 <= v[k] <= largest;
+        loop assigns largest, v[0 .. count - 1];
+        loop variant largest; */
+    for (; largest >= end; largest >>= 1) {
+        /*@ loop invariant 0 <= i <= count;
+            loop invariant \forall integer k; 0 <= k < i ==> -(largest >> 1) - 1 <= v[k] <= largest >> 1;
+            loop invariant \forall integer k; i <= k < count ==> -largest - 1 <= v[k] <= largest;
+            loop assigns i, v[0 .. count - 1];
+            loop variant count - i; */
+        for (uint_fast8_t i = 0; i < count; i++) {
+            //@ assert -(largest >> 1) - 1 <= v[i] >> 1 <= largest >> 1;
+            v[i] >>= 1;
+        }
+    }
+}
+
 /*@ requires -1073741824 <= b_q30 <= 1073741824;
     assigns \nothing;
     ensures 0 <= a_q30 ==> -a_q30 <= \result <= a_q30;

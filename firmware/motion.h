@@ -30,8 +30,14 @@ struct lim_moved {
 /* Sets an instance for each of `count` objects as they are at a time. by_centre stays as it is. */
 void lim_moved_at(const struct lim_moved *moved, uint16_t count, uint32_t time_ms, struct lim_instance *instances);
 
-/* Sets where the instance is, and its axes, within 2^-14 of a unit vector. Before its first key a motion is there
- * already. */
+/* Sets where the instance is, and its axes: within 2^-14 of a unit vector, no component beyond -1..1. Before its first
+ * key a motion is there already. Keys that break the bounds above give other places and axes that are no rotation, and
+ * still nothing overflows. */
+/*@ requires \valid_read(motion) && motion->count >= 1 && \valid_read(motion->keys + (0 .. motion->count - 1));
+    requires \valid(instance) && \separated(instance, motion);
+    requires \separated(instance, motion->keys + (0 .. motion->count - 1));
+    assigns instance->at_q8[0 .. 2], instance->axes_q30[0 .. 8];
+    ensures \forall integer i; 0 <= i < 9 ==> -1073741824 <= instance->axes_q30[i] <= 1073741824; */
 void lim_motion_at(const struct lim_motion *motion, uint32_t time_ms, struct lim_instance *instance);
 
 #endif

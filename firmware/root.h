@@ -7,6 +7,7 @@
 #include "config.h"
 
 /* floor(sqrt(x)), a bit a turn: no division. */
+/*@ assigns \nothing; */
 uint32_t lim_root(uint64_t x);
 
 #endif

@@ -203,6 +203,8 @@ static inline uint16_t lim_texture_count(const struct lim_scene *scene)
 }
 
 /* x, y, z in turns. */
+/*@ assigns \nothing;
+    ensures \result == (axis < 2 ? axis + 1 : 0); */
 static inline uint_fast8_t lim_axis_after(uint_fast8_t axis)
 {
     return (uint_fast8_t)(axis < 2 ? axis + 1 : 0);

@@ -6,8 +6,10 @@
 #include "limner.h"
 #include "pose.h"
 #include "random.h"
+#include "root.h"
 #include "vec3.h"
 
+#include <stdlib.h>
 #include <string.h>
 
 enum { KEYS = 6 };
@@ -124,6 +126,131 @@ static void one_key_is_a_place(void **state)
     assert_true(instance.axes_q30[4] > 1073741000);
 }
 
+/* Two of three axes point the other way: in Q30 the formula goes through 2, which 32 bits do not hold. */
+static void half_turns_and_what_is_near_them_are_right(void **state)
+{
+    struct random random = {19};
+    (void)state;
+
+    for (int round = 0; round < 3000; round++) {
+        struct lim_motion_key key = {0, {0, 0, 0}, {0, 0, 0, 0}, 0};
+        struct model_pose pose = {.at_m = {0, 0, 0}};
+        struct lim_instance instance = {0};
+        const int axis = round % 3, off = round < 6 ? 0 : (int)random_in(&random, 0, 40);
+        double length = 0;
+        for (int i = 0; i < 4; i++)
+            key.turn_q15[i] = (int16_t)random_in(&random, -off, off);
+        key.turn_q15[axis] = round % 2 ? 32767 : -32767;
+        for (int i = 0; i < 4; i++)
+            length = hypot(length, key.turn_q15[i]);
+        for (int i = 0; i < 4; i++)
+            pose.turn[i] = key.turn_q15[i] / length;
+        lim_motion_at(&(struct lim_motion){&key, 1, false}, 0, &instance);
+        assert_pose(&instance, &pose);
+        assert_rotation(&instance);
+    }
+}
+
+static void no_orientation_turns_nothing(void **state)
+{
+    const struct lim_motion_key keys[2] = {{0, {0, 0, 0}, {0, 0, 0, 0}, 0}, {1000, {256, 0, 0}, {0, 0, 0, 0}, 65535}};
+    struct lim_instance instance = {0};
+    (void)state;
+
+    lim_motion_at(&(struct lim_motion){keys, 2, true}, 500, &instance);
+    for (int i = 0; i < 9; i++)
+        assert_int_equal(instance.axes_q30[i], i % 4 ? 0 : 1 << 30);
+    assert_int_equal(instance.at_q8[0], 128);
+}
+
+static int64_t one_of(struct random *random, const int64_t *values, int count, int64_t low, int64_t high)
+{
+    const int64_t which = random_in(random, 0, count);
+    return which < count ? values[which] : random_in(random, low, high);
+}
+
+/* Each field of a key anywhere in its type, its ends most of all. */
+static struct lim_motion_key any_key(struct random *random)
+{
+    static const int64_t TIMES[] = {0, 1, 2, UINT32_MAX - 1, UINT32_MAX, INT64_C(1) << 31};
+    static const int64_t PLACES[] = {INT32_MIN, INT32_MAX, 0, -1, 0xFFFFFF, -0xFFFFFF};
+    static const int64_t TURNS[] = {INT16_MIN, -INT16_MAX, INT16_MAX, 0, 0, 1, -1};
+    static const int64_t ARCS[] = {0, 1, 16383, 16384, 32768, 65535};
+    struct lim_motion_key key = {.time_ms = (uint32_t)one_of(random, TIMES, 6, 0, UINT32_MAX)};
+    for (int i = 0; i < 3; i++)
+        key.at_q8[i] = (int32_t)one_of(random, PLACES, 6, INT32_MIN, INT32_MAX);
+    for (int i = 0; i < 4; i++)
+        key.turn_q15[i] = (int16_t)one_of(random, TURNS, 7, INT16_MIN, INT16_MAX);
+    key.arc = (uint16_t)one_of(random, ARCS, 6, 0, UINT16_MAX);
+    return key;
+}
+
+/* A place lies between the keys', and no component of an axis beyond 1, whatever the keys say and in whatever order. */
+static void keys_beyond_their_bounds_overflow_nothing(void **state)
+{
+    static const int64_t TIMES[] = {0, UINT32_MAX, INT64_C(1) << 31, 1};
+    struct random random = {23};
+    (void)state;
+
+    for (int round = 0; round < 40000; round++) {
+        struct lim_motion_key keys[3];
+        const uint16_t count = (uint16_t)random_in(&random, 1, 3);
+        for (int i = 0; i < 3; i++)
+            keys[i] = any_key(&random);
+        struct lim_instance instance = {0};
+        const struct lim_motion motion = {keys, count, round % 2};
+        lim_motion_at(&motion, (uint32_t)one_of(&random, TIMES, 4, 0, UINT32_MAX), &instance);
+        for (int i = 0; i < 9; i++)
+            assert_in_range(instance.axes_q30[i] + (INT64_C(1) << 30), 0, INT64_C(1) << 31);
+        for (int i = 0; i < 3; i++) {
+            int64_t low = INT32_MAX, high = INT32_MIN;
+            for (int k = 0; k < count; k++) {
+                low = keys[k].at_q8[i] < low ? keys[k].at_q8[i] : low;
+                high = keys[k].at_q8[i] > high ? keys[k].at_q8[i] : high;
+            }
+            assert_true(low <= instance.at_q8[i] && instance.at_q8[i] <= high);
+        }
+    }
+}
+
+static void a_root_is_the_largest_that_fits(void **state)
+{
+    struct random random = {29};
+    (void)state;
+
+    assert_int_equal(lim_root(0), 0);
+    assert_int_equal(lim_root(UINT64_MAX), UINT32_MAX);
+    for (int round = 0; round < 100000; round++) {
+        const uint64_t root = random_u64(&random) >> 32 >> round % 32, x = random_u64(&random) >> round % 64;
+        assert_int_equal(lim_root(root * root), root);
+        assert_int_equal(lim_root(root * root + 2 * root), root);
+        if (root) assert_int_equal(lim_root(root * root - 1), root - 1);
+        const uint64_t got = lim_root(x);
+        assert_true(got * got <= x && x - got * got <= 2 * got);
+    }
+}
+
+/* Normals of any length, ends of the type included: brightness stays between both ends of the light's swing. */
+static void a_light_takes_normals_of_any_length(void **state)
+{
+    static const int64_t PARTS[] = {INT32_MIN, INT32_MAX, 0, 1, -1, INT32_MIN + 1};
+    struct random random = {31};
+    (void)state;
+
+    for (int round = 0; round < 40000; round++) {
+        const struct lim_light light = {true, {16384, 0, 0}, (uint8_t)random_in(&random, 0, 255), 1};
+        int32_t normal[3];
+        int16_t to_q14[3];
+        for (int i = 0; i < 3; i++) {
+            normal[i] = (int32_t)one_of(&random, PARTS, 6, INT32_MIN, INT32_MAX);
+            to_q14[i] = (int16_t)random_in(&random, INT16_MIN, INT16_MAX);
+        }
+        if (!normal[0] && !normal[1] && !normal[2]) continue;
+        const int green = lim_light_shade(&light, to_q14, normal, 63 << 5) >> 5 & 63;
+        assert_true(abs(green * 256 - 63 * light.middle_q8) <= 63 + 256);
+    }
+}
+
 static void all_of_a_scene_move_at_once(void **state)
 {
     struct lim_motion_key keys[2] = {{0, {0, 0, 0}, {0, 0, 0, 32767}, 0}, {1000, {256, 0, 0}, {0, 0, 0, 32767}, 0}};
@@ -205,6 +332,11 @@ int main(void)
         cmocka_unit_test(between_keys_it_is_where_the_reference_is),
         cmocka_unit_test(what_does_not_repeat_stays_at_its_last_key),
         cmocka_unit_test(one_key_is_a_place),
+        cmocka_unit_test(half_turns_and_what_is_near_them_are_right),
+        cmocka_unit_test(no_orientation_turns_nothing),
+        cmocka_unit_test(keys_beyond_their_bounds_overflow_nothing),
+        cmocka_unit_test(a_root_is_the_largest_that_fits),
+        cmocka_unit_test(a_light_takes_normals_of_any_length),
         cmocka_unit_test(all_of_a_scene_move_at_once),
         cmocka_unit_test(an_instance_turns_like_a_camera),
         cmocka_unit_test(a_lit_colour_is_within_a_level_of_the_truth),

@@ -10,9 +10,11 @@
 int __builtin_clz(unsigned x);
 
 #include "angle.c"
+#include "bend.c"
 #include "cull.c"
 #include "edge.c"
 #include "eye.c"
 #include "fixed.c"
+#include "motion.c"
 #include "perspective.h"
 #include "transform.h"
