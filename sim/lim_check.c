@@ -6,6 +6,7 @@
 #include "blend.h"
 #include "bounds.h"
 #include "grow.h"
+#include "newell.h"
 #include "plane.h"
 
 #include <stdlib.h>
@@ -21,7 +22,7 @@ struct checker {
     struct error *err;
     uint32_t *depths; /* of each node; 0: no parent seen yet */
     bool *used_words; /* words that belong to a record already */
-    size_t records, words;
+    size_t records, words, transparent;
 };
 
 static bool check_vertices(const struct lim_scene *scene, struct error *err)
@@ -41,7 +42,8 @@ static bool check_boxes(const struct lim_scene *scene, struct error *err)
             if (scene->boxes[i].half[k] > HALF_MAX)
                 return error_set(err, "box %zu: half is %u, more than %d", i, (unsigned)scene->boxes[i].half[k],
                                  HALF_MAX);
-    return true;
+    return scene->box_count <= scene->node_count ||
+           error_set(err, "%lu boxes for %lu nodes", (unsigned long)scene->box_count, (unsigned long)scene->node_count);
 }
 
 /* Planes ------------------------------------------------------------------------------------- */
@@ -59,6 +61,18 @@ static bool exact_within_bounds(const int64_t n[3], int64_t d)
     return -end < d && d < end;
 }
 
+static int64_t exact_d(const struct lim_plane_exact *exact)
+{
+    return (int64_t)exact->d_hi * (INT64_C(1) << 32) + exact->d_lo;
+}
+
+static bool check_exact(const struct lim_scene *scene, size_t index, struct error *err)
+{
+    const struct lim_plane_exact *exact = &scene->exact[index];
+    const int64_t n[3] = {exact->n[0], exact->n[1], exact->n[2]};
+    return exact_within_bounds(n, exact_d(exact)) || error_set(err, "exact plane %zu: out of bounds", index);
+}
+
 static bool check_filter(const struct lim_scene *scene, size_t index, struct error *err)
 {
     const struct lim_plane *plane = &scene->planes[index];
@@ -67,9 +81,7 @@ static bool check_filter(const struct lim_scene *scene, size_t index, struct err
         return error_set(err, "plane %zu: exact plane %u of %u", index, (unsigned)at, (unsigned)scene->exact_count);
     const struct lim_plane_exact *exact = &scene->exact[at];
     const int64_t n[3] = {exact->n[0], exact->n[1], exact->n[2]};
-    const int64_t d = (int64_t)exact->d_hi * (INT64_C(1) << 32) + exact->d_lo;
-    if (!exact_within_bounds(n, d)) return error_set(err, "exact plane %u: out of bounds", (unsigned)at);
-    const struct lim_plane filter = plane_filter(n, d, at);
+    const struct lim_plane filter = plane_filter(n, exact_d(exact), at);
     return memcmp(&filter, plane, sizeof filter) == 0 ||
            error_set(err, "plane %zu: does not match its exact plane", index);
 }
@@ -90,6 +102,8 @@ static bool check_plane(const struct lim_scene *scene, size_t index, struct erro
 
 static bool check_planes(const struct lim_scene *scene, struct error *err)
 {
+    for (size_t i = 0; i < scene->exact_count; i++)
+        if (!check_exact(scene, i, err)) return false;
     for (size_t i = 0; i < scene->plane_count; i++)
         if (!check_plane(scene, i, err)) return false;
     return true;
@@ -99,7 +113,10 @@ static bool check_planes(const struct lim_scene *scene, struct error *err)
 static bool check_plane_ref(const struct checker *work, const struct lim_plane_ref *ref, const char *what, size_t index)
 {
     if (ref->plane > LIM_PLANE_Z) return error_set(work->err, "%s %zu: has no plane", what, index);
-    if (ref->plane >= LIM_PLANE_X) return true;
+    if (ref->plane >= LIM_PLANE_X)
+        return (ref->offset >= INT16_MIN && ref->offset <= INT16_MAX) ||
+               error_set(work->err, "%s %zu: an axis plane at %ld, outside of the grid", what, index,
+                         (long)ref->offset);
     if (ref->offset) return error_set(work->err, "%s %zu: an offset beside a plane of its own", what, index);
     if (ref->plane % LIM_PLANE_WORDS || ref->plane / LIM_PLANE_WORDS >= work->scene->plane_count)
         return error_set(work->err, "%s %zu: plane at word %u, where none of %u begins", what, index,
@@ -109,9 +126,10 @@ static bool check_plane_ref(const struct checker *work, const struct lim_plane_r
 
 /* Runs --------------------------------------------------------------------------------------- */
 
-static bool check_alpha(const struct checker *work, size_t at)
+static bool check_alpha(struct checker *work, size_t at)
 {
     const struct lim_scene *scene = work->scene;
+    work->transparent++;
     const lim_index alpha = scene->polygons[at + lim_record_alpha_at(scene->polygons[at])];
     if (alpha < 1 || alpha >= LIM_OPAQUE)
         return error_set(work->err, "polygon at word %zu: its alpha is %u", at, (unsigned)alpha);
@@ -128,6 +146,22 @@ static bool check_flags(const struct checker *work, size_t at, bool in_leaf)
     if (in_leaf ? !(flags & LIM_POLYGON_PLANE) : flags & (LIM_POLYGON_PLANE | LIM_POLYGON_BACK))
         return error_set(work->err, "polygon at word %zu: %s", at,
                          in_leaf ? "in a leaf, without a plane" : "a plane of its own beside its node's");
+    return !(flags & LIM_POLYGON_ALPHA) || !(flags & LIM_POLYGON_TEXTURE) ||
+           error_set(work->err, "polygon at word %zu: transparent and textured at once", at);
+}
+
+/* Colours have 16 bits in words that may have 32; and of its flags, an edge has one. */
+static bool check_bits(const struct checker *work, size_t at)
+{
+    const lim_index *record = &work->scene->polygons[at];
+    const size_t count = record[0] & LIM_POLYGON_COUNT;
+    if (record[1] > UINT16_MAX)
+        return error_set(work->err, "polygon at word %zu: its colour is 0x%lx", at, (unsigned long)record[1]);
+    for (size_t k = 0; record[0] & LIM_POLYGON_EDGES && k < count; k += 16) {
+        const size_t bits = count - k < 16 ? count - k : 16;
+        if (record[lim_record_edges_at(record[0]) + k / 16] >> bits)
+            return error_set(work->err, "polygon at word %zu: flags of more edges than it has", at);
+    }
     return true;
 }
 
@@ -162,7 +196,7 @@ static bool check_record(struct checker *work, size_t at, bool in_leaf)
             return error_set(work->err, "polygon at word %zu: vertex %u of %u", at, (unsigned)scene->polygons[at + i],
                              (unsigned)scene->vertex_count);
     }
-    if (head & LIM_POLYGON_ALPHA && !check_alpha(work, at)) return false;
+    if (!check_bits(work, at) || (head & LIM_POLYGON_ALPHA && !check_alpha(work, at))) return false;
     work->records++;
     work->words += words;
     if (!check_texture_words(work, at)) return false;
@@ -226,6 +260,19 @@ static bool check_node(struct checker *work, size_t index)
            check_child(work, index, node->back);
 }
 
+/* A limit of layers asks a renderer for memory, and says which way it is to paint. */
+static bool check_totals(const struct checker *work)
+{
+    const struct lim_scene *scene = work->scene;
+    if (work->records != scene->polygon_count || work->words != scene->polygon_words)
+        return error_set(work->err, "%zu polygons in %zu words are drawn, %u in %u are there", work->records,
+                         work->words, (unsigned)scene->polygon_count, (unsigned)scene->polygon_words);
+    if (is_set(scene) && work->records > LIM_SORTED_MAX)
+        return error_set(work->err, "a set of %zu polygons, %u are the most", work->records, LIM_SORTED_MAX);
+    return !scene->limits.layers || work->transparent ||
+           error_set(work->err, "limit of %u layers, and no polygon is transparent", (unsigned)scene->limits.layers);
+}
+
 static bool check_nodes(struct checker *work)
 {
     const struct lim_scene *scene = work->scene;
@@ -236,10 +283,7 @@ static bool check_nodes(struct checker *work)
     work->depths[0] = 1;
     for (size_t i = 0; i < scene->node_count; i++)
         if (!check_node(work, i)) return false;
-    if (work->records != scene->polygon_count || work->words != scene->polygon_words)
-        return error_set(work->err, "%zu polygons in %zu words are drawn, %u in %u are there", work->records,
-                         work->words, (unsigned)scene->polygon_count, (unsigned)scene->polygon_words);
-    return true;
+    return check_totals(work);
 }
 
 /* Bounds: checked last, when all indices are known to be in range ------------------------------- */
@@ -268,6 +312,9 @@ static bool check_place(const struct lim_scene *scene, size_t index, struct erro
     if (place->cell >= 2 * (size_t)scene->node_count)
         return error_set(err, "place %zu: cell %u of %u nodes", index, (unsigned)place->cell,
                          (unsigned)scene->node_count);
+    const struct lim_node *node = &scene->nodes[place->cell / 2];
+    if ((place->cell % 2 ? node->back : node->front) != LIM_NO_INDEX)
+        return error_set(err, "place %zu: cell %u is divided further", index, (unsigned)place->cell);
     if (index && place->cell <= scene->places[index - 1].cell)
         return error_set(err, "place %zu: does not come after the one before it", index);
     if (place->sight == LIM_NONE || place->sight < scene->sight_bytes) return true;

@@ -16,6 +16,7 @@ static bool check_texture(const struct lim_scene *scene, size_t index, struct er
         return error_set(err, "texture %zu: a side of more than %u texels", index, 1u << SIDE_BITS_MAX);
     if (texture->levels < 1 || texture->levels > least + 1)
         return error_set(err, "texture %zu: %u levels", index, texture->levels);
+    if (texture->zero) return error_set(err, "texture %zu: its spare byte is not zero", index);
     size_t texels = 0;
     for (unsigned level = 0; level < texture->levels; level++)
         texels += (size_t)1 << (texture->w_bits + texture->h_bits - 2 * level);
@@ -38,6 +39,7 @@ static bool check_mapping(const struct lim_scene *scene, size_t index, struct er
         return error_set(err, "mapping %zu: a vector is too long, or has no length", index);
     if (mapping->bits[0] > SHIFT_MAX || mapping->bits[1] > SHIFT_MAX || abs(mapping->level_q4) > LEVEL_MAX_Q4)
         return error_set(err, "mapping %zu: a scale is out of range", index);
+    if (mapping->zero) return error_set(err, "mapping %zu: its spare field is not zero", index);
     return (mapping->d >= -LIM_PLANE_D_MAX && mapping->d <= LIM_PLANE_D_MAX) ||
            error_set(err, "mapping %zu: d is %ld, beyond %ld", index, (long)mapping->d, (long)LIM_PLANE_D_MAX);
 }

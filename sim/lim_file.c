@@ -116,6 +116,23 @@ static bool read_rest(FILE *file, const struct lim_file_header *header, unsigned
     return intact || error_set(err, "%s: damaged: the checksum is wrong", path);
 }
 
+/* What lies between sections. */
+static bool check_gaps(const unsigned char *image, const struct lim_file_header *header, struct error *err)
+{
+    for (enum lim_section i = 0; i < SECTION_COUNT; i++)
+        for (uint64_t at_b = lim_image_section_end_b(header, i); at_b < lim_image_section_b(header, i + 1); at_b++)
+            if (image[at_b])
+                return error_set(err, "byte %llu: not zero, between two sections", (unsigned long long)at_b);
+    return true;
+}
+
+static bool check_faces(const struct compiled *scene, struct error *err)
+{
+    for (size_t i = 0; i < scene->scene.polygon_count; i++)
+        if (!scene->faces[i]) return error_set(err, "polygon %zu: of face 0; they are counted from 1", i);
+    return true;
+}
+
 static bool read_scene(FILE *file, const char *path, struct compiled *out, struct error *err)
 {
     struct lim_file_header header;
@@ -125,7 +142,9 @@ static bool read_scene(FILE *file, const char *path, struct compiled *out, struc
     bool ok = read_rest(file, &header, image, path, err);
     if (ok) {
         lim_image_bind(image, out);
-        ok = (check_grid(&out->grid, err) && lim_check(&out->scene, err)) || error_prefix(err, path);
+        ok = (check_gaps(image, &header, err) && check_grid(&out->grid, err) && lim_check(&out->scene, err) &&
+              check_faces(out, err)) ||
+             error_prefix(err, path);
     }
     if (!ok) free(image);
     return ok;

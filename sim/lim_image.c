@@ -75,6 +75,11 @@ uint64_t lim_image_section_b(const struct lim_file_header *header, enum lim_sect
     return at_b;
 }
 
+uint64_t lim_image_section_end_b(const struct lim_file_header *header, enum lim_section section)
+{
+    return lim_image_section_b(header, section) + (uint64_t)header->counts[section] * SECTIONS[section].size_b;
+}
+
 static void *section_at(void *image, enum lim_section section)
 {
     return (unsigned char *)image + lim_image_section_b(image, section);

@@ -49,6 +49,9 @@ enum { LIM_FILE_CRC_FROM_B = 24 }; /* the first byte that crc32 covers */
 /* Where a section begins, and, for SECTION_COUNT, the size of the file. */
 uint64_t lim_image_section_b(const struct lim_file_header *header, enum lim_section section);
 
+/* Where its last element ends; what follows up to the next section is zero. */
+uint64_t lim_image_section_end_b(const struct lim_file_header *header, enum lim_section section);
+
 /* Points *scene into the image. */
 void lim_image_bind(void *image, struct compiled *scene);
 

@@ -275,6 +275,16 @@ static void nodes_that_lie_are_refused(void **state)
     assert_index_refused(node_at_b(0, BOX), s->box_count, "box ");
 }
 
+/* The eye's distance from an axis plane has 32 bits: an offset of as many would overflow it. */
+static void axis_planes_beyond_the_grid_are_refused(void **state)
+{
+    (void)state;
+    const size_t node = node_with(PLANE, LIM_PLANE_X, LIM_PLANE_Z);
+    const int32_t beyond[] = {INT16_MAX + 1, INT16_MIN - 1, INT32_MAX, INT32_MIN, 1 << 23, -(1 << 23)};
+    for (size_t i = 0; i < sizeof beyond / sizeof *beyond; i++)
+        assert_index_refused(node_at_b(node, OFFSET), (lim_index)beyond[i], "outside of the grid");
+}
+
 static void polygons_that_lie_are_refused(void **state)
 {
     (void)state;
@@ -285,6 +295,10 @@ static void polygons_that_lie_are_refused(void **state)
     assert_index_refused(words, (lim_index)(s->polygons[0] | 0x4000), "unknown flags");
     assert_index_refused(words, (lim_index)(s->polygons[0] | LIM_POLYGON_PLANE),
                          "a plane of its own beside its node's");
+    assert_index_refused(words, (lim_index)(s->polygons[0] | LIM_POLYGON_ALPHA | LIM_POLYGON_TEXTURE),
+                         "transparent and textured at once");
+    assert_index_refused(words + 4, 0x10000, "its colour is 0x10000");
+    assert_index_refused(at_b(SECTION_FACES, 1, sizeof *scene.faces, 0), 0, "polygon 1: of face 0");
     assert_index_refused(words + 8, s->vertex_count, "vertex ");
     assert_field_refused(at_b(SECTION_VERTICES, 3, 6, 2), 0x8000, "vertex 3: a coordinate is -32768");
 }
@@ -330,20 +344,35 @@ static void leaves_that_lie_are_refused(void **state)
     exchange_scenes();
 }
 
+/* The first leaf whose first record lies on an axis plane, or on another. */
+static size_t leaf_on(bool axis_plane)
+{
+    for (size_t i = 0; i < scene.scene.node_count; i++) {
+        const struct lim_node *node = &scene.scene.nodes[i];
+        if (node->split.plane != LIM_NO_INDEX) continue;
+        const lim_index plane = lim_record_plane(&scene.scene.polygons[node->front_run])->plane;
+        if ((plane >= LIM_PLANE_X) == axis_plane) return i;
+    }
+    fail();
+    return 0;
+}
+
 static void a_slanted_plane_of_a_record_has_no_offset(void **state)
 {
     (void)state;
     exchange_scenes();
-    for (size_t i = 0; i < scene.scene.node_count; i++) {
-        const struct lim_node *node = &scene.scene.nodes[i];
-        if (node->split.plane != LIM_NO_INDEX ||
-            lim_record_plane(&scene.scene.polygons[node->front_run])->plane >= LIM_PLANE_X)
-            continue;
-        assert_index_refused(plane_word_b(i, true), 1, "an offset beside a plane of its own");
-        exchange_scenes();
-        return;
-    }
-    fail();
+    assert_index_refused(plane_word_b(leaf_on(false), true), 1, "an offset beside a plane of its own");
+    exchange_scenes();
+}
+
+static void an_axis_plane_of_a_record_lies_in_the_grid(void **state)
+{
+    (void)state;
+    exchange_scenes();
+    const size_t leaf = leaf_on(true);
+    assert_index_refused(plane_word_b(leaf, true), 0x8000, "an axis plane at 32768, outside of the grid");
+    assert_index_refused(plane_word_b(leaf, true), 0x7FFFFFFF, "outside of the grid");
+    exchange_scenes();
 }
 
 static void assert_d_refused(size_t exact, int64_t d)
@@ -408,8 +437,133 @@ static void limits_and_grids_that_lie_are_refused(void **state)
     assert_field_refused(114, (uint16_t)(limits->depth - 1), "lies deeper than the limit");
     assert_field_refused(116, (uint16_t)(limits->vertices - 1), "vertices");
     assert_field_refused(116, 251, "limit of 251 vertices");
+    assert_field_refused(126, 1, "limit of 1 layers, and no polygon is transparent");
     assert_field_refused(30, 0x7FF8, "units per metre");
     assert_field_refused(38, 0x7FF0, "the origin is not finite");
+}
+
+/* The first byte behind a section that does not end at a multiple of 8. */
+static void what_lies_between_sections_is_zero(void **state)
+{
+    (void)state;
+    for (enum lim_section i = 0; i < SECTION_COUNT; i++) {
+        const size_t end_b = (size_t)lim_image_section_end_b(scene.image, i);
+        if (end_b == lim_image_section_b(scene.image, i + 1)) continue;
+        assert_field_refused(end_b, 1, "not zero, between two sections");
+        return;
+    }
+    fail();
+}
+
+/* What no compiled scene at hand can be made to say by changing one field ------------------------ */
+
+static void assert_scene_refused(const struct lim_scene *wrong, const char *reason)
+{
+    struct error err = {""};
+    assert_false(lim_check(wrong, &err));
+    if (!strstr(err.text, reason)) fail_msg("'%s' lacks '%s'", err.text, reason);
+}
+
+static void exact_planes_that_nobody_names_are_checked(void **state)
+{
+    (void)state;
+    struct lim_scene wrong = scene.scene;
+    struct lim_plane_exact *exact = malloc((wrong.exact_count + (size_t)1) * sizeof *exact);
+    struct error err;
+    assert_non_null(exact);
+    memcpy(exact, wrong.exact, wrong.exact_count * sizeof *exact);
+    exact[wrong.exact_count++] = (struct lim_plane_exact){{0, 0, 1}, 0, 1 << 16};
+    wrong.exact = exact;
+    assert_true(lim_check(&wrong, &err));
+    exact[wrong.exact_count - 1].d_lo = 1 << 17;
+    assert_scene_refused(&wrong, "out of bounds");
+    exact[wrong.exact_count - 1] = (struct lim_plane_exact){{0, 0, 0}, 0, 0};
+    assert_scene_refused(&wrong, "out of bounds");
+    free(exact);
+}
+
+static void more_boxes_than_nodes_are_refused(void **state)
+{
+    (void)state;
+    struct lim_scene wrong = scene.scene;
+    struct lim_box *boxes = calloc(wrong.node_count + (size_t)1, sizeof *boxes);
+    assert_non_null(boxes);
+    memcpy(boxes, wrong.boxes, wrong.box_count * sizeof *boxes);
+    wrong.boxes = boxes;
+    wrong.box_count = wrong.node_count + 1;
+    assert_scene_refused(&wrong, "nodes");
+    free(boxes);
+}
+
+/* One leaf of triangles, all in the plane x = 0. */
+static void sets_hold_what_can_be_sorted(void **state)
+{
+    (void)state;
+    enum { MOST = 32767, WORDS = LIM_POLYGON_HEAD_WORDS + 3 + 2 };
+    const struct lim_vertex vertices[3] = {{0, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    const lim_index none = LIM_NO_INDEX;
+    const struct lim_node leaf = {{none, 0}, none, none, 0, none, none};
+    lim_index *words = malloc((MOST + 1) * WORDS * sizeof *words);
+    struct error err;
+    assert_non_null(words);
+    for (size_t i = 0; i <= MOST; i++)
+        memcpy(&words[i * WORDS], ((lim_index[WORDS]){3 | LIM_POLYGON_PLANE, 0, 0, 1, 2, LIM_PLANE_X, 0}),
+               WORDS * sizeof *words);
+    struct lim_scene set = {.vertices = vertices, .nodes = &leaf, .polygons = words, .vertex_count = 3};
+    set.node_count = 1;
+    set.limits.vertices = 3;
+    for (lim_index more = 0; more <= 1; more++) {
+        set.polygon_count = MOST + more;
+        set.polygon_words = set.polygon_count * WORDS;
+        words[(MOST - 1) * WORDS] |= LIM_POLYGON_LAST;
+        if (more) words[(MOST - 1) * WORDS] &= ~LIM_POLYGON_LAST;
+        words[MOST * WORDS] |= LIM_POLYGON_LAST;
+        if (!more && !lim_check(&set, &err)) fail_msg("%s", err.text);
+    }
+    assert_scene_refused(&set, "a set of 32768 polygons");
+    free(words);
+}
+
+/* A triangle with flags for its edges has three of them. */
+static void flags_of_edges_that_are_not_there_are_refused(void **state)
+{
+    (void)state;
+    const struct lim_vertex vertices[3] = {{0, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    const lim_index none = LIM_NO_INDEX;
+    const struct lim_node node = {{LIM_PLANE_X, 0}, none, none, 0, none, none};
+    lim_index words[] = {3 | LIM_POLYGON_EDGES | LIM_POLYGON_LAST, 0xFFFF, 0, 1, 2, 7};
+    struct lim_scene edged = {.vertices = vertices, .nodes = &node, .polygons = words, .vertex_count = 3};
+    struct error err;
+    edged.node_count = 1;
+    edged.limits.vertices = 3;
+    edged.limits.depth = 1;
+    edged.polygon_count = 1;
+    edged.polygon_words = 6;
+    if (!lim_check(&edged, &err)) fail_msg("%s", err.text);
+    words[5] = 8;
+    assert_scene_refused(&edged, "flags of more edges than it has");
+    words[5] = 0x10000;
+    assert_scene_refused(&edged, "flags of more edges than it has");
+}
+
+static void spare_fields_of_textures_are_zero(void **state)
+{
+    (void)state;
+    struct lim_texture texture = {.levels = 1};
+    struct lim_mapping mapping = {.n = {1, 0, 0}};
+    const struct lim_scene textured = {.textures = &texture,
+                                       .mappings = &mapping,
+                                       .texture_count = 1,
+                                       .mapping_count = 1,
+                                       .palette_colours = 256,
+                                       .texel_blocks = 1};
+    struct error err = {""};
+    if (!lim_check_textures(&textured, &err)) fail_msg("%s", err.text);
+    texture.zero = 1;
+    assert_false(lim_check_textures(&textured, &err));
+    texture.zero = 0;
+    mapping.zero = 1;
+    assert_false(lim_check_textures(&textured, &err));
 }
 
 /* Random damage with a right checksum --------------------------------------------------------- */
@@ -499,11 +653,19 @@ int main(void)
         cmocka_unit_test(other_versions_are_refused_by_number),
         cmocka_unit_test(any_flipped_bit_is_noticed),
         cmocka_unit_test(nodes_that_lie_are_refused),
+        cmocka_unit_test(axis_planes_beyond_the_grid_are_refused),
         cmocka_unit_test(polygons_that_lie_are_refused),
         cmocka_unit_test(leaves_that_lie_are_refused),
         cmocka_unit_test(a_slanted_plane_of_a_record_has_no_offset),
+        cmocka_unit_test(an_axis_plane_of_a_record_lies_in_the_grid),
         cmocka_unit_test(planes_and_boxes_that_lie_are_refused),
         cmocka_unit_test(limits_and_grids_that_lie_are_refused),
+        cmocka_unit_test(what_lies_between_sections_is_zero),
+        cmocka_unit_test(exact_planes_that_nobody_names_are_checked),
+        cmocka_unit_test(more_boxes_than_nodes_are_refused),
+        cmocka_unit_test(sets_hold_what_can_be_sorted),
+        cmocka_unit_test(flags_of_edges_that_are_not_there_are_refused),
+        cmocka_unit_test(spare_fields_of_textures_are_zero),
         cmocka_unit_test(damage_is_refused_or_harmless),
         cmocka_unit_test(damaged_leaves_are_too),
         cmocka_unit_test(what_cannot_be_written_leaves_nothing_behind),

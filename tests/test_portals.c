@@ -440,8 +440,7 @@ static void refused(const struct compiled *scene, const struct lim_place *places
 
 static void damaged_places_and_sights_are_refused(void **state)
 {
-    const struct lim_place twice[2] = {{4, LIM_NONE}, {4, LIM_NONE}}, beyond = {0xFFF0, LIM_NONE}, far = {0, 700};
-    const struct lim_place first = {0, 0};
+    const struct lim_place beyond = {0xFFF0, LIM_NONE};
     const uint8_t too_many[2] = {0, 255}, none[2] = {0, 0}, cut[1] = {0}, few[1] = {1};
     struct room_scene rooms;
     struct compiled scene;
@@ -452,6 +451,12 @@ static void damaged_places_and_sights_are_refused(void **state)
     if (!room_scene_compile(&rooms, PORTALS_ON, NULL, &scene, &err)) fail_msg("%s", err.text);
     assert_true(lim_check(&scene.scene, &err));
     assert_true(scene.scene.box_count > 8);
+    assert_true(scene.scene.place_count > 0);
+    const uint16_t cell = scene.scene.places[0].cell;
+    const struct lim_place twice[2] = {{cell, LIM_NONE}, {cell, LIM_NONE}}, far = {cell, 700}, first = {cell, 0};
+    const struct lim_node *root = &scene.scene.nodes[0];
+    const struct lim_place divided = {root->front == LIM_NO_INDEX, LIM_NONE};
+    refused(&scene, &divided, 1, few, 1, "is divided further");
     refused(&scene, twice, 2, few, 1, "does not come after");
     refused(&scene, &beyond, 1, few, 1, "cell 65520");
     refused(&scene, &far, 1, few, 1, "sight at byte 700 of 1");
