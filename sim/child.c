@@ -4,6 +4,7 @@
 #include "child.h"
 
 #include "deadline.h"
+#include "ending.h"
 
 #include <errno.h>
 #include <fcntl.h>
@@ -25,15 +26,14 @@ static bool redirect(const char *path, int flags, int descriptor)
     return close(opened) == 0;
 }
 
-/* All that it starts in turn is in one group with it, which can be ended together. */
 _Noreturn static void become(const struct child *child)
 {
-    (void)setpgid(0, 0);
     const int flags = O_WRONLY | O_CREAT | O_TRUNC;
     bool ok = redirect("/dev/null", O_RDONLY, STDIN_FILENO) && redirect(child->log_path, flags, STDERR_FILENO);
     if (ok && child->out_path) ok = redirect(child->out_path, flags, STDOUT_FILENO);
     if (ok && !child->out_path) ok = dup2(STDERR_FILENO, STDOUT_FILENO) >= 0;
     if (ok && child->folder) ok = chdir(child->folder) == 0;
+    signal(SIGXFSZ, SIG_DFL);
     /* execvp() is declared as if it changed the strings; POSIX promises that it does not. */
     if (ok) execvp(child->argv[0], (char *const *)(uintptr_t)child->argv);
     fprintf(stderr, "%s: %s\n", child->argv[0], strerror(errno));
@@ -54,22 +54,23 @@ static void last_line(const char *path, char line[LINE_MAX_B])
 }
 
 /* Asked now and then, less often the longer it takes. */
-bool child_wait(pid_t pid, pid_t to_end, const char *task, int *status, struct error *err)
+static bool wait_for_end(pid_t pid, const char *task, struct error *err)
 {
     enum { FIRST_NS = 250000, LAST_NS = 16000000 };
     struct timespec pause = {0, FIRST_NS};
-    for (pid_t ended; (ended = waitpid(pid, status, WNOHANG)) != pid;) {
-        if (ended < 0 && errno != EINTR) return error_set(err, "%s: %s", task, strerror(errno));
-        if (!deadline_check(err, "%s", task)) {
-            kill(to_end, SIGKILL);
-            while (waitpid(pid, status, 0) < 0 && errno == EINTR)
-                continue;
-            return false;
-        }
+    while (!ending_has_ended(pid)) {
+        if (!deadline_check(err, "%s", task)) return false;
         nanosleep(&pause, NULL);
         if (pause.tv_nsec < LAST_NS) pause.tv_nsec *= 2;
     }
     return true;
+}
+
+bool child_wait(pid_t pid, const char *task, int *status, struct error *err)
+{
+    const bool ok = wait_for_end(pid, task, err);
+    if (!ok) kill(-pid, SIGKILL);
+    return ending_wait(pid, status) ? ok : error_set(err, "%s: %s", task, strerror(errno));
 }
 
 bool child_run(const struct child *child, const char *task, struct error *err)
@@ -77,11 +78,10 @@ bool child_run(const struct child *child, const char *task, struct error *err)
     int status = 0;
     char reason[LINE_MAX_B];
     fflush(NULL);
-    const pid_t pid = fork();
+    const pid_t pid = ending_fork();
     if (pid == 0) become(child);
     if (pid < 0) return error_set(err, "%s: %s", task, strerror(errno));
-    (void)setpgid(pid, pid); /* as the child does: whoever is first */
-    if (!child_wait(pid, -pid, task, &status, err)) return false;
+    if (!child_wait(pid, task, &status, err)) return false;
     if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return true;
     last_line(child->log_path, reason);
     return error_set(err, "%s: %s", task, reason);

@@ -19,9 +19,9 @@ struct child {
  * has the last line of the log. Ended early (deadline.h), with all that it started in turn. */
 bool child_run(const struct child *child, const char *task, struct error *err);
 
-/* Waits for a process until it ends, or time is over (deadline.h): then `to_end` is killed, as kill() has it, and err
- * says so of the task. */
-bool child_wait(pid_t pid, pid_t to_end, const char *task, int *status, struct error *err);
+/* Waits for what ending_fork() began until it ends, or time is over (deadline.h): then it is killed with all that it
+ * started in turn, and err says so of the task. */
+bool child_wait(pid_t pid, const char *task, int *status, struct error *err);
 
 /* Whether PATH has such a program. */
 bool child_exists(const char *program);

@@ -6,7 +6,6 @@
 
 #include "deadline.h"
 #include "grow.h"
-#include "interrupt.h"
 #include "progress.h"
 #include "sample.h"
 #include "work_folder.h"
@@ -107,7 +106,7 @@ static bool count_rows(struct trial *trial, const struct measure_views *views, c
         ok = deadline_check(err, "instructions") &&
              measure_cost(&trial->candidates[i], bound->cpu, views, folder.path, &cost, err);
         if (ok) choice->rows[i].instructions = cost.mean;
-        if (ok || !deadline_passed() || interrupt_signal()) continue;
+        if (ok || !deadline_passed()) continue;
         deadline_say("instructions of the precisions before %s", choice->rows[i].core->name);
         ok = true;
         break;
@@ -152,7 +151,6 @@ bool choose_core(const char *model_path, const struct compile_options *options, 
     struct trial trial = {0};
     *out = (struct choice){0};
     list_cores(out);
-    interrupt_watch();
     const struct deadline_end whole = deadline_share(CHOICE_SHARE);
     bool ok =
         (!bound->cpu || measure_cpu_check(bound->cpu, err)) && prepare(&trial, model_path, options, bound, out, err);

@@ -7,12 +7,10 @@
 #include "difference.h"
 #include "faithful.h"
 #include "image.h"
-#include "interrupt.h"
 #include "outputs.h"
 #include "progress.h"
 #include "work_folder.h"
 
-#include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -111,9 +109,9 @@ static bool measure_all(struct comparing *comparing, struct error *err)
 {
     const struct measure_views views = views_of(comparing, &comparing->path);
     const struct measure_views cost_views = views_of(comparing, &comparing->cost_path);
-    return compare_methods_accuracy(&comparing->source, &views, &comparing->table, err) &&
-           (!comparing->table.cpu_count ||
-            compare_methods_cost(&cost_views, comparing->folder.path, &comparing->table, err));
+    if (!compare_methods_accuracy(&comparing->source, &views, &comparing->table, err)) return false;
+    if (comparing->table.cpu_count) compare_methods_cost(&cost_views, comparing->folder.path, &comparing->table);
+    return true;
 }
 
 /* Pictures ----------------------------------------------------------------------------------- */
@@ -123,7 +121,7 @@ static gdImagePtr draw(struct comparing *comparing, const struct compare_row *ro
     const struct measure_views views = views_of(comparing, &comparing->path);
     const struct measure_candidate candidate = {comparing->table.core, &row->scene};
     progress("pictures, %s", row->method->name);
-    return interrupt_check(err) ? difference_picture(&comparing->source, &candidate, &views, frame, err) : NULL;
+    return difference_picture(&comparing->source, &candidate, &views, frame, err);
 }
 
 /* The frame in which some method is at its worst. */
@@ -199,19 +197,17 @@ static bool write_files(struct comparing *comparing, struct error *err)
     if (!comparing->request.folder) return true;
     compare_table_markdown(&comparing->table, comparing->markdown);
     compare_table_csv(&comparing->table, comparing->csv);
-    return close_tables(comparing, err) && write_pictures(comparing, err) && interrupt_check(err) &&
-           outputs_keep(&comparing->outputs, err);
+    return close_tables(comparing, err) && write_pictures(comparing, err) && outputs_keep(&comparing->outputs, err);
 }
 
 static bool run(struct comparing *comparing, struct error *err)
 {
-    interrupt_watch();
     const bool ok = open_tables(comparing, err) && work_folder_make(&comparing->folder, err) &&
                     prepare(comparing, err) && measure_all(comparing, err) && write_files(comparing, err);
     progress_end();
     if (!ok) return false;
     compare_table_markdown(&comparing->table, stdout);
-    return (fflush(stdout) == 0 && !ferror(stdout)) || error_set(err, "standard output: %s", strerror(errno));
+    return true;
 }
 
 static void comparing_free(struct comparing *comparing)

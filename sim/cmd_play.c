@@ -5,7 +5,7 @@
 #include "commands.h"
 #include "deadline.h"
 #include "faithful.h"
-#include "interrupt.h"
+#include "linux/interrupt.h"
 #include "module_choice.h"
 #include "options.h"
 #include "parse.h"

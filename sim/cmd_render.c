@@ -13,18 +13,19 @@
 #include "frame_table.h"
 #include "hashes.h"
 #include "ids.h"
-#include "interrupt.h"
 #include "options.h"
 #include "outputs.h"
 #include "progress.h"
 #include "source.h"
 
-#include <errno.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 enum { GIF_FRAMES_PER_S = 15 };
+
+/* 1 GB. */
+static const size_t FILM_MOST_PX = (size_t)1 << 29;
 
 struct render {
     struct options options;
@@ -72,6 +73,9 @@ static bool allocate(struct render *render, struct error *err)
     render->rows = calloc(frame_count, sizeof render->rows[0]);
     render->hashes = calloc(frame_count, sizeof render->hashes[0]);
     bool want_film = render->gif_file || render->sheet_file;
+    if (want_film && frame_count > FILM_MOST_PX / pixel_count)
+        return error_set(err, "%zu frames of %ux%u pixels: --gif and --sheet take %zu such frames at most", frame_count,
+                         options->setup.w_px, options->setup.h_px, FILM_MOST_PX / pixel_count);
     if (want_film) render->film_pixels = calloc(frame_count, pixel_count * sizeof render->film_pixels[0]);
     return (render->rows && render->hashes && (!want_film || render->film_pixels)) ||
            error_set(err, "%zu frames of %ux%u pixels: out of memory", frame_count, options->setup.w_px,
@@ -189,16 +193,15 @@ static bool render_frame(struct render *render, size_t frame, struct error *err)
 static void keep_frames(struct render *render, size_t count)
 {
     deadline_say("%zu of %zu frames", count, render->path.count);
-    if (!interrupt_signal()) render->path.count = count;
+    render->path.count = count;
 }
 
 static bool render_frames(struct render *render, struct error *err)
 {
     bool ok = true;
-    interrupt_watch();
     for (size_t frame = 0; ok && frame < render->path.count; frame++) {
         progress_bar(frame, render->path.count, "frame %zu of %zu", frame + 1, render->path.count);
-        ok = interrupt_check(err) && render_frame(render, frame, err);
+        ok = render_frame(render, frame, err);
         if (ok && frame + 1 < render->path.count && deadline_passed()) keep_frames(render, frame + 1);
     }
     progress_end();
@@ -252,7 +255,7 @@ static bool is_predictable(const struct render *render)
            !options->compile.antialias && !render->moving.count && frame_cost_is_known(&render->scene.scene);
 }
 
-static bool print_tables(const struct render *render, struct error *err)
+static void print_tables(const struct render *render)
 {
     if (render->options.stats) {
         printf("%ux%u pixels, ", render->options.setup.w_px, render->options.setup.h_px);
@@ -274,7 +277,6 @@ static bool print_tables(const struct render *render, struct error *err)
     if (render->options.compare && render->options.compile.antialias && render->moving.count)
         puts("edges: not compared where objects move");
     if (measures_edges(render)) frame_table_print_edges(render->rows, render->path.count, stdout);
-    return (fflush(stdout) == 0 && !ferror(stdout)) || error_set(err, "standard output: %s", strerror(errno));
 }
 
 /* Checks come last: a frame that differs is worth looking at, so the files stay. */
@@ -301,7 +303,8 @@ static bool render_run(struct render *render, struct error *err)
         !allocate(render, err) || !start(render, err) || !render_frames(render, err) || !write_films(render, err) ||
         !write_cameras(render, err) || !close_outputs(render, err))
         return false;
-    return print_tables(render, err) && check(render, err);
+    print_tables(render);
+    return check(render, err);
 }
 
 static void render_free(struct render *render)

@@ -5,7 +5,6 @@
 #include "compare_methods.h"
 
 #include "deadline.h"
-#include "interrupt.h"
 #include "moving.h"
 #include "progress.h"
 #include "simulator.h"
@@ -47,7 +46,6 @@ bool compare_methods_compile(const struct measure_source *source, const struct c
     bool any = false;
     const struct deadline_end whole = deadline_share(COMPILE_SHARE);
     for (size_t i = 0; i < method_count; i++) {
-        if (!interrupt_check(err)) return false;
         progress_bar(i, method_count, "compiling for %s", methods[i].name);
         table->rows[i].method = &methods[i];
         compile_row(source, options, table, &table->rows[i]);
@@ -115,17 +113,13 @@ static void row_cost(const struct measure_views *views, const char *folder, size
         row->not_counted[cpu].text[0] = '\0';
 }
 
-bool compare_methods_cost(const struct measure_views *views, const char *folder, struct compare_table *table,
-                          struct error *err)
+void compare_methods_cost(const struct measure_views *views, const char *folder, struct compare_table *table)
 {
     table->cost_frames = views->path->count;
     for (size_t cpu = 0; cpu < table->cpu_count; cpu++) {
         table->not_counted[cpu].text[0] = '\0';
         if (!measure_cpu_check(table->cpus[cpu], &table->not_counted[cpu])) continue;
-        for (size_t i = 0; i < method_count; i++) {
+        for (size_t i = 0; i < method_count; i++)
             if (compare_row_draws(&table->rows[i])) row_cost(views, folder, cpu, table, &table->rows[i]);
-            if (!interrupt_check(err)) return false;
-        }
     }
-    return true;
 }

@@ -7,7 +7,7 @@
 #include "compare_table.h"
 
 /* Compiles the scene for every method; table->rows must be zero. What a method cannot draw is in its row; false only
- * if none can, or on an interrupt. */
+ * if none can. */
 bool compare_methods_compile(const struct measure_source *source, const struct compile_options *options,
                              struct compare_table *table, struct error *err);
 
@@ -17,7 +17,6 @@ bool compare_methods_accuracy(struct measure_source *source, const struct measur
 
 /* Counts the instructions of these frames on every processor whose tools are there; the table says of the others
  * why not. `folder` is an empty one for the files of the way. */
-bool compare_methods_cost(const struct measure_views *views, const char *folder, struct compare_table *table,
-                          struct error *err);
+void compare_methods_cost(const struct measure_views *views, const char *folder, struct compare_table *table);
 
 #endif

@@ -7,7 +7,6 @@
 #include "encode.h"
 #include "faithful.h"
 #include "grow.h"
-#include "interrupt.h"
 #include "light.h"
 #include "moving.h"
 #include "order_choice.h"
@@ -196,7 +195,7 @@ static bool compile_best(struct compilation *work, struct compiled *out, struct 
     }
     if (ok) deadline_say("the best of %zu trees", tried);
     deadline_restore(whole);
-    return ok && interrupt_check(err);
+    return ok;
 }
 
 /* Corners only: points that no polygon uses may lie anywhere. */

@@ -3,7 +3,6 @@
  * The monotonic clock against the end of the time; both in seconds. */
 #include "deadline.h"
 
-#include "interrupt.h"
 #include "parse.h"
 #include "progress.h"
 
@@ -48,22 +47,16 @@ bool deadline_parse(const char *text, double *limit, struct error *err)
     return (*limit >= 0.0 && isfinite(*limit)) || error_set(err, "%s %s: seconds, or 0 for no limit", name, text);
 }
 
-static bool is_over(void)
-{
-    return !isinf(end_s) && clock_now_s() >= end_s;
-}
-
 bool deadline_passed(void)
 {
-    return is_over() || interrupt_signal();
+    return !isinf(end_s) && clock_now_s() >= end_s;
 }
 
 bool deadline_check(struct error *err, const char *doing, ...)
 {
     char text[sizeof err->text / 2];
     va_list arguments;
-    if (!interrupt_check(err)) return false;
-    if (!is_over()) return true;
+    if (!deadline_passed()) return true;
     va_start(arguments, doing);
     vsnprintf(text, sizeof text, doing, arguments);
     va_end(arguments);
@@ -92,7 +85,7 @@ void deadline_restore(struct deadline_end outer)
 void deadline_say(const char *kept, ...)
 {
     va_list arguments;
-    if (!is_over()) return;
+    if (!deadline_passed()) return;
     progress_end();
     fprintf(stderr, "limner: stopped after %.3g s (--time-limit %g): best so far: ", clock_now_s() - began_s, limit_s);
     va_start(arguments, kept);

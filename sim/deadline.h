@@ -2,8 +2,8 @@
  *
  * How long a command may take: --time-limit. Long loops ask between steps whether time is over and end early; whoever
  * can keep what was found so far does, and says so, and whoever cannot fails. Without a limit nothing ever ends early,
- * and under one that is not reached results are the same. One a process, as a signal (interrupt.h) is: both end the
- * same loops. */
+ * and under one that is not reached results are the same. One a process. A signal ends the process by itself
+ * (ending.h). */
 #ifndef SIM_DEADLINE_H
 #define SIM_DEADLINE_H
 
@@ -20,7 +20,7 @@ void deadline_begin(double limit_s);
 /* The option's value, or without one (NULL) that of LIMNER_TIME_LIMIT in the environment, or the default. */
 bool deadline_parse(const char *text, double *limit_s, struct error *err);
 
-/* Whether loops should end: time is over, or a signal that is watched for has arrived. Some 30 ns. */
+/* Whether loops should end, because time is over. Some 30 ns. */
 bool deadline_passed(void);
 
 /* An error if they should. `doing` says what is not finished: "no tree of 500 polygons so far". */

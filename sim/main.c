@@ -4,7 +4,9 @@
 #include "arguments.h"
 #include "commands.h"
 #include "deadline.h"
+#include "ending.h"
 #include "fly.h"
+#include "streams.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -162,7 +164,7 @@ static bool begin_time(const struct command *command, struct arguments *argument
     return true;
 }
 
-static int run(const struct command *command, int argc, char **argv)
+static int run_command(const struct command *command, int argc, char **argv)
 {
     struct arguments arguments = {argv, argc};
     struct error err;
@@ -171,7 +173,7 @@ static int run(const struct command *command, int argc, char **argv)
     return EXIT_FAILURE;
 }
 
-int main(int argc, char **argv)
+static int run(int argc, char **argv)
 {
     if (argc < 2) {
         fputs("limner: no command; `limner help` lists them\n", stderr);
@@ -182,7 +184,14 @@ int main(int argc, char **argv)
         return EXIT_SUCCESS;
     }
     for (size_t i = 0; i < sizeof COMMANDS / sizeof COMMANDS[0]; i++)
-        if (strcmp(argv[1], COMMANDS[i].name) == 0) return run(&COMMANDS[i], argc - 1, argv + 1);
+        if (strcmp(argv[1], COMMANDS[i].name) == 0) return run_command(&COMMANDS[i], argc - 1, argv + 1);
     fprintf(stderr, "limner: no command '%s'; `limner help` lists them\n", argv[1]);
     return EXIT_FAILURE;
+}
+
+int main(int argc, char **argv)
+{
+    streams_prepare();
+    ending_prepare();
+    return streams_end(run(argc, argv));
 }

@@ -90,9 +90,8 @@ bool measure_scene_for(struct measure_scenes *scenes, const struct measure_sourc
 
 void measure_scenes_free(struct measure_scenes *scenes);
 
-/* Draws all frames with all candidates, and each once with the reference. Shows progress; an interrupt (interrupt.h)
- * ends it before the next frame. When time is over (deadline.h) the frames so far count, one at least:
- * out[].pixels.frames. */
+/* Draws all frames with all candidates, and each once with the reference. Shows progress. When time is over
+ * (deadline.h) the frames so far count, one at least: out[].pixels.frames. */
 bool measure_accuracy(struct measure_source *source, const struct measure_views *views,
                       const struct measure_candidate *candidates, size_t count, struct accuracy *out,
                       struct error *err);

@@ -6,7 +6,6 @@
 #include "measure.h"
 
 #include "ids.h"
-#include "interrupt.h"
 #include "measure_texels.h"
 #include "plane.h"
 #include "progress.h"
@@ -211,7 +210,6 @@ static bool measure_frames(struct measured *measured, size_t count, struct measu
 {
     for (size_t frame = 0; frame < views->path->count; frame++) {
         progress_bar(frame, views->path->count, "accuracy, frame %zu of %zu", frame + 1, views->path->count);
-        if (!interrupt_check(err)) return false;
         if (frame && deadline_passed()) break;
         if (source->still.moving)
             moving_pose_reference(source->still.moving, &source->reference,

@@ -6,6 +6,7 @@
 #include "model.h"
 
 #include "child.h"
+#include "ending.h"
 #include "import.h"
 
 #include <errno.h>
@@ -170,7 +171,7 @@ static bool read_result(const char *path, FILE *in, struct model *model, struct 
 static bool wait_for_child(const char *path, pid_t child, rlim_t file_b, struct error *err)
 {
     int status = 0;
-    if (!child_wait(child, child, "the importer was still reading", &status, err)) return error_prefix(err, path);
+    if (!child_wait(child, "the importer was still reading", &status, err)) return error_prefix(err, path);
     if (WIFEXITED(status) && WEXITSTATUS(status) == EXIT_SUCCESS) return true;
     if (WIFSIGNALED(status) && WTERMSIG(status) == SIGXCPU)
         return error_set(err, "%s: damaged or truncated: the importer finds no end in it (%lu s)", path,
@@ -186,7 +187,7 @@ bool model_import(const char *path, struct model *model, struct error *err)
     (void)stat(path, &file); /* the child says what is wrong with it */
     FILE *exchange = tmpfile();
     if (!exchange) return error_set(err, "%s: no temporary file: %s", path, strerror(errno));
-    pid_t child = fork();
+    pid_t child = ending_fork();
     if (child == 0) run_child(path, (rlim_t)file.st_size, exchange);
     bool ok = child > 0 ? wait_for_child(path, child, (rlim_t)file.st_size, err)
                         : error_set(err, "%s: no process for the importer: %s", path, strerror(errno));

@@ -1,7 +1,9 @@
 /* SPDX-License-Identifier: MIT
  *
- * The files that a command writes: all of them or none. Each is written beside its place as
- * NAME.part, and takes its place when the command has succeeded; folders are made as needed. */
+ * The files that a command writes: all of them or none. Each is written beside its place as NAME.RANDOM.part, and
+ * takes its place when the command has succeeded; folders are made as needed. A signal that ends the process removes
+ * what is not in its place yet (ending.h). A file has the permissions that fopen() would give or leave it; a link in
+ * its place stays, and the file that it names is written. */
 #ifndef SIM_OUTPUTS_H
 #define SIM_OUTPUTS_H
 
@@ -17,7 +19,8 @@ struct outputs {
     size_t count;
 };
 
-/* Begins a file, its folders included; NULL on error. Devices and pipes are opened as they are. */
+/* Begins a file, its folders included; NULL on error. Devices and pipes are opened as they are. A
+ * file of which two outputs are named, however its path is spelled, is refused. */
 FILE *outputs_open(struct outputs *outputs, const char *path, struct error *err);
 
 /* Closes a file of outputs_open(); what could not be written is an error. */

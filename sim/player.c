@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "player.h"
 
-#include "interrupt.h"
+#include "linux/interrupt.h"
 #include "progress.h"
 
 #include <errno.h>

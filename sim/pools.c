@@ -8,7 +8,6 @@
 
 #include "deadline.h"
 #include "frame_cost.h"
-#include "interrupt.h"
 #include "lim_image.h"
 #include "moving.h"
 #include "needs.h"
@@ -260,8 +259,7 @@ bool pools_measure_scanline(struct compiled *scene, const struct core *core, dou
 
     if (!sample_method(&roomy, NULL, &setup, STYLE_PLAIN, &usage, err)) return false;
     const double instructions = usage.instructions / (double)usage.cameras;
-    if (instructions_most > 0.0 && deadline_passed())
-        return interrupt_check(err); /* of other cameras than those before */
+    if (instructions_most > 0.0 && deadline_passed()) return true; /* of other cameras than those before */
     if (instructions_most > 0.0 && !(instructions <= instructions_most)) return true;
     raise_limits(&roomy, NULL, &usage, &limits);
     lim_image_set_limits(scene, &limits);

@@ -6,7 +6,6 @@
 #include "portal_choice.h"
 
 #include "deadline.h"
-#include "interrupt.h"
 #include "lim_image.h"
 #include "progress.h"
 #include "sample.h"
@@ -157,14 +156,14 @@ bool portals_add(struct compiled *scene, const struct compile_options *options, 
     progress("portals");
     if (scene->report.draws == LIM_CONVEX) return error_set(err, "portals: one convex solid has no cells to look from");
     if (!sights_find(&scene->scene, angle_of(scene, options), &sights, &reason)) {
-        if (!wanted && !interrupt_signal()) deadline_say("a scene without portals");
+        if (!wanted) deadline_say("a scene without portals");
         snprintf(report->refused, sizeof report->refused, "%.95s", reason.text);
         return !wanted || error_set(err, "portals: %s", reason.text);
     }
     attach(scene, &sights);
     sights_free(&sights);
     if (try_out(scene, options->core, report, err)) return decide(scene, options, err);
-    if (wanted || !deadline_passed() || interrupt_signal()) return false;
+    if (wanted || !deadline_passed()) return false;
     *report = (struct portal_report){0}; /* they are not needed, and nothing is known of them */
     lim_image_set_sights(scene, NULL, 0, NULL, 0);
     deadline_say("a scene without portals");

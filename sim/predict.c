@@ -6,7 +6,6 @@
 #include "compare.h"
 #include "deadline.h"
 #include "ids.h"
-#include "interrupt.h"
 #include "progress.h"
 #include "sample.h"
 
@@ -56,7 +55,7 @@ bool predict_wrong(const struct compiled *scene, const struct core *core, struct
         !ids_init(&predicting.ids, scene, &setup, err))
         return false;
     const bool ok = compare_views(&predicting, false, PREDICT_CAMERAS - near_count, &anywhere, err) &&
-                    compare_views(&predicting, true, near_count, &near, err) && interrupt_check(err);
+                    compare_views(&predicting, true, near_count, &near, err);
     const struct compare_counts all = {.pixels = anywhere.total.pixels + near.total.pixels,
                                        .wrong = anywhere.total.wrong + near.total.wrong};
     *out = (struct predicted){.percent = deadline_passed() ? NAN : compare_wrong_percent(&all),

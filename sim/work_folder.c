@@ -4,6 +4,8 @@
 #define _XOPEN_SOURCE 700
 #include "work_folder.h"
 
+#include "ending.h"
+
 #include <errno.h>
 #include <ftw.h>
 #include <stdio.h>
@@ -17,7 +19,11 @@ bool work_folder_make(struct work_folder *folder, struct error *err)
     const char *parent = getenv("TMPDIR");
     if (!parent || parent[0] != '/') parent = "/tmp";
     const int length = snprintf(folder->path, sizeof folder->path, "%s/limner-XXXXXX", parent);
-    if (length < (int)sizeof folder->path && mkdtemp(folder->path)) return true;
+    ending_hold();
+    const bool made = length < (int)sizeof folder->path && mkdtemp(folder->path);
+    folder->leftover = made ? ending_add(LEFTOVER_TREE, folder->path) : NULL;
+    ending_release();
+    if (made) return true;
     folder->path[0] = '\0';
     return error_set(err, "%s: cannot make a folder in it: %s", parent, strerror(errno));
 }
@@ -31,5 +37,7 @@ static int remove_entry(const char *path, const struct stat *status, int kind, s
 void work_folder_remove(struct work_folder *folder)
 {
     if (folder->path[0]) nftw(folder->path, remove_entry, OPEN_FOLDERS, FTW_DEPTH | FTW_PHYS);
+    ending_forget(folder->leftover);
+    folder->leftover = NULL;
     folder->path[0] = '\0';
 }

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * A folder for files that nobody is to see, in $TMPDIR or /tmp. */
+ * A folder for files that nobody is to see, in $TMPDIR or /tmp. It goes when the process ends, by a signal too. */
 #ifndef SIM_WORK_FOLDER_H
 #define SIM_WORK_FOLDER_H
 
@@ -8,8 +8,11 @@
 
 #include <stddef.h>
 
+struct leftover;
+
 struct work_folder {
     char path[512]; /* empty: there is none */
+    struct leftover *leftover;
 };
 
 bool work_folder_make(struct work_folder *folder, struct error *err);

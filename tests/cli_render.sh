@@ -259,7 +259,7 @@ cleans_up_when_interrupted() {
         sleep 0.2
         [ ! -e f ] || break
     done
-    kill -TERM $pid && { wait $pid; [ $? -eq 1 ]; } && grep -q '^limner: interrupted$' said && rm said && [ -z "$(ls)" ]
+    kill -TERM $pid && { wait $pid; [ $? -eq 143 ]; } && [ ! -s said ] && rm said && [ -z "$(ls)" ]
 }
 tap_check "an interrupted render leaves nothing behind" cleans_up_when_interrupted
 

@@ -5,7 +5,7 @@
 #include "cmocka_ready.h"
 #include "commands.h"
 #include "fake_linux.h"
-#include "interrupt.h"
+#include "linux/interrupt.h"
 #include "options.h"
 #include "player.h"
 #include "test_card.h"
