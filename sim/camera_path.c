@@ -4,6 +4,8 @@
  * rounded to 1/256 unit, angles to 2^-32 of a turn, tangents to 2^-28. */
 #include "camera_path.h"
 
+#include "input_file.h"
+
 #include <ctype.h>
 #include <errno.h>
 #include <math.h>
@@ -13,7 +15,7 @@
 
 #define PI 3.14159265358979323846
 
-enum { NUMBERS_A_LINE = 6 };
+enum { NUMBERS_A_LINE = 6, LINE_MOST_B = 4096, FILE_MOST_B = 64 << 20, CAMERAS_MOST = 100000 };
 static const double COORDINATE_MAX_M = 1e9;   /* keeps differences and their squares far from overflow */
 static const double EYE_END_Q8 = 268435456.0; /* 2^28, exclusive */
 static const double NEAR_MAX_Q8 = 16777216.0; /* 2^24 */
@@ -72,10 +74,10 @@ static int line_numbers(char *line, double numbers[NUMBERS_A_LINE])
     }
 }
 
-static bool line_viewpoint(char *line, size_t length, struct viewpoint *out, bool *is_blank, const char **reason)
+static bool line_viewpoint(char *line, struct viewpoint *out, bool *is_blank, const char **reason)
 {
     double numbers[NUMBERS_A_LINE];
-    int count = strlen(line) == length ? line_numbers(line, numbers) : -1;
+    int count = line_numbers(line, numbers);
     *is_blank = count == 0;
     if (*is_blank) return true;
     *reason = "not a number; a line is ex ey ez tx ty tz";
@@ -106,35 +108,37 @@ static bool path_append(struct camera_path *path, const struct viewpoint *viewpo
     return true;
 }
 
-static bool read_lines(FILE *file, struct camera_path *path, struct error *err)
+static bool read_lines(struct input_lines *lines, struct camera_path *path, struct error *err)
 {
-    char *line = NULL;
-    size_t capacity = 0;
     const char *reason = NULL;
-    struct viewpoint viewpoint = {.line = 1};
-    for (ssize_t length; !reason && (length = getline(&line, &capacity, file)) >= 0; viewpoint.line++) {
+    while (!reason && input_line(lines, err)) {
+        struct viewpoint viewpoint = {.line = lines->number};
         bool is_blank;
         const char *wrong = NULL;
-        if (!line_viewpoint(line, (size_t)length, &viewpoint, &is_blank, &wrong))
+        if (!line_viewpoint(lines->line, &viewpoint, &is_blank, &wrong))
             reason = wrong;
+        else if (!is_blank && path->count == CAMERAS_MOST)
+            return error_set(err, "%s:%zu: more than %d cameras", path->name, lines->number, CAMERAS_MOST);
         else if (!is_blank && !path_append(path, &viewpoint))
             reason = "out of memory";
     }
-    free(line);
-    if (reason) return error_set(err, "%s:%zu: %s", path->name, viewpoint.line - 1, reason);
-    if (ferror(file)) return error_set(err, "%s: %s", path->name, strerror(errno));
+    if (reason) return error_set(err, "%s:%zu: %s", path->name, lines->number, reason);
+    if (err->text[0]) return false;
     if (path->count == 0) return error_set(err, "%s: no camera in it; a line is ex ey ez tx ty tz", path->name);
     return true;
 }
 
 bool camera_path_read(const char *name, struct camera_path *out, struct error *err)
 {
+    struct input_lines lines = {.path = name, .line_most_b = LINE_MOST_B};
     memset(out, 0, sizeof *out);
-    FILE *file = fopen(name, "r");
-    if (!file) return error_set(err, "%s: %s", name, strerror(errno));
+    err->text[0] = '\0';
+    lines.file = input_open(name, FILE_MOST_B, NULL, err);
+    if (!lines.file) return false;
     out->name = strdup(name);
-    bool ok = out->name ? read_lines(file, out, err) : error_set(err, "%s: out of memory", name);
-    fclose(file);
+    bool ok = out->name ? read_lines(&lines, out, err) : error_set(err, "%s: out of memory", name);
+    input_lines_free(&lines);
+    fclose(lines.file);
     if (!ok) camera_path_free(out);
     return ok;
 }

@@ -7,16 +7,16 @@
 #include "frame_file.h"
 #include "hash_list.h"
 #include "hashes.h"
+#include "input_file.h"
 #include "parse.h"
 #include "qemu_trace.h"
 #include "wire_log.h"
 
-#include <errno.h>
 #include <inttypes.h>
 #include <stdlib.h>
 #include <string.h>
 
-enum { FRAMES_MAX = 1000000, PATH_SIZE = 4096, OTHER_LINES_SHOWN = 20 };
+enum { LINE_MOST_B = 16 << 20, FRAMES_MAX = 1000000, PATH_SIZE = 4096, OTHER_LINES_SHOWN = 20 };
 
 struct decode {
     const char *path; /* "-": standard input */
@@ -31,10 +31,8 @@ struct decode {
     unsigned w_px, h_px; /* of the picture */
     uint8_t *rgb;
     uint16_t *pixels;
-    FILE *file;
-    char *line;
-    size_t line_b;
-    uint64_t line_number, other_lines;
+    struct input_lines lines;
+    uint64_t other_lines;
 };
 
 /* The command line --------------------------------------------------------------------------- */
@@ -81,9 +79,11 @@ static bool start(struct decode *decode, struct error *err)
     if (!decode->listener || !decode->rgb || !decode->pixels) return error_set(err, "decode: out of memory");
     listener_init(decode->listener, &decode->module);
     const bool is_input = strcmp(decode->path, "-") == 0;
-    decode->file = is_input ? stdin : fopen(decode->path, "r");
-    if (!decode->file) return error_set(err, "%s: %s", decode->path, strerror(errno));
+    decode->lines.file = input_open_stream(decode->path, err);
+    if (!decode->lines.file) return false;
     if (is_input) decode->path = "standard input";
+    decode->lines.path = decode->path;
+    decode->lines.line_most_b = LINE_MOST_B;
     return hash_list_open(&decode->hashes, &decode->outputs, err);
 }
 
@@ -110,13 +110,15 @@ static bool take_frame(struct decode *decode, struct error *err)
 static void pass_on(struct decode *decode)
 {
     if (decode->other_lines++ < OTHER_LINES_SHOWN)
-        fprintf(stderr, "limner: %s:%" PRIu64 ": no trace: %s\n", decode->path, decode->line_number, decode->line);
+        fprintf(stderr, "limner: %s:%" PRIu64 ": no trace: %s\n", decode->path, (uint64_t)decode->lines.number,
+                decode->lines.line);
 }
 
 static bool take_text(struct decode *decode, struct error *err)
 {
-    if (!decode->map_path) return wire_log_take(decode->listener, decode->line, err);
-    if (qemu_trace_is(decode->line)) return qemu_trace_take(&decode->map, decode->listener, decode->line, err);
+    if (!decode->map_path) return wire_log_take(decode->listener, decode->lines.line, err);
+    if (qemu_trace_is(decode->lines.line))
+        return qemu_trace_take(&decode->map, decode->listener, decode->lines.line, err);
     pass_on(decode);
     return true;
 }
@@ -124,10 +126,8 @@ static bool take_text(struct decode *decode, struct error *err)
 static bool take_line(struct decode *decode, struct error *err)
 {
     char where[PATH_SIZE];
-    decode->line_number++;
-    decode->line[strcspn(decode->line, "\r\n")] = '\0';
     if (!take_text(decode, err) || !emulated_display_is_quiet(&decode->listener->display, err)) {
-        snprintf(where, sizeof where, "%s:%" PRIu64, decode->path, decode->line_number);
+        snprintf(where, sizeof where, "%s:%" PRIu64, decode->path, (uint64_t)decode->lines.number);
         return error_prefix(err, where);
     }
     return decode->listener->frames == decode->hashes.count || take_frame(decode, err);
@@ -155,9 +155,10 @@ static bool check_count(const struct decode *decode, struct error *err)
 
 static bool read_lines(struct decode *decode, struct error *err)
 {
-    while (!has_all(decode) && getline(&decode->line, &decode->line_b, decode->file) >= 0)
+    err->text[0] = '\0';
+    while (!has_all(decode) && input_line(&decode->lines, err))
         if (!take_line(decode, err)) return false;
-    if (ferror(decode->file)) return error_set(err, "%s: %s", decode->path, strerror(errno));
+    if (err->text[0]) return false;
     if (decode->other_lines > OTHER_LINES_SHOWN)
         fprintf(stderr, "limner: %s: %" PRIu64 " more lines that are no trace\n", decode->path,
                 decode->other_lines - OTHER_LINES_SHOWN);
@@ -174,13 +175,13 @@ static bool decode_run(struct decode *decode, struct error *err)
 
 static void decode_free(struct decode *decode)
 {
-    if (decode->file && decode->file != stdin) fclose(decode->file);
+    input_close_stream(decode->lines.file);
     hash_list_free(&decode->hashes);
     outputs_discard(&decode->outputs);
     free(decode->listener);
     free(decode->rgb);
     free(decode->pixels);
-    free(decode->line);
+    input_lines_free(&decode->lines);
 }
 
 int cmd_decode(int argc, char **argv)
@@ -190,5 +191,5 @@ int cmd_decode(int argc, char **argv)
     const bool ok = decode_parse(&decode, argc, argv, &err) && decode_run(&decode, &err);
     decode_free(&decode);
     if (!ok) fprintf(stderr, "limner: %s\n", err.text);
-    return ok && fflush(stdout) == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+    return ok ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -3,9 +3,12 @@
  * Frame hashes and their text files. */
 #include "hashes.h"
 
-#include <errno.h>
+#include "input_file.h"
+
 #include <inttypes.h>
 #include <string.h>
+
+enum { LINE_MOST_B = 63, FILE_MOST_B = 64 << 20 };
 
 uint64_t hash_pixels(const uint16_t *pixels, size_t count)
 {
@@ -25,11 +28,12 @@ bool hashes_write(const uint64_t *hashes, size_t count, FILE *file)
     return true;
 }
 
-static bool check_lines(const uint64_t *hashes, size_t count, FILE *file, const char *path, struct error *err)
+static bool check_lines(const uint64_t *hashes, size_t count, struct input_lines *lines, struct error *err)
 {
-    char line[64];
+    const char *path = lines->path;
     size_t frame = 0;
-    for (; fgets(line, sizeof line, file); frame++) {
+    for (; input_line(lines, err); frame++) {
+        const char *line = lines->line;
         size_t number;
         uint64_t expected;
         int end = 0;
@@ -39,16 +43,19 @@ static bool check_lines(const uint64_t *hashes, size_t count, FILE *file, const 
             return error_set(err, "%s: frame %zu differs: hash %016" PRIx64 ", expected %016" PRIx64, path, frame,
                              hashes[frame], expected);
     }
-    if (ferror(file)) return error_set(err, "%s: %s", path, strerror(errno));
+    if (err->text[0]) return false;
     if (frame != count) return error_set(err, "%s: has %zu frames, %zu were rendered", path, frame, count);
     return true;
 }
 
 bool hashes_check(const uint64_t *hashes, size_t count, const char *path, struct error *err)
 {
-    FILE *file = fopen(path, "r");
-    if (!file) return error_set(err, "%s: %s", path, strerror(errno));
-    bool ok = check_lines(hashes, count, file, path, err);
-    fclose(file);
+    struct input_lines lines = {.path = path, .line_most_b = LINE_MOST_B};
+    err->text[0] = '\0';
+    lines.file = input_open(path, FILE_MOST_B, NULL, err);
+    if (!lines.file) return false;
+    const bool ok = check_lines(hashes, count, &lines, err);
+    input_lines_free(&lines);
+    fclose(lines.file);
     return ok;
 }

@@ -4,12 +4,16 @@
  * sheet: quantised once, over frames from the whole film. */
 #include "image.h"
 
+#include "binary.h"
+#include "picture_size.h"
+
 #include <errno.h>
 #include <stdlib.h>
 #include <string.h>
 
 enum { SHEET_FRAMES_MAX = 24, SHEET_COLUMNS = 6, SHEET_CELL_MAX_PX = 240, SHEET_BORDER_PX = 2 };
 enum { PALETTE_COLOURS = 256, COLOURS_565 = 65536 };
+enum { PNG_MOST_B = 64 << 20 };
 static const int SHEET_BORDER_COLOUR = 0x202428;
 
 uint32_t image_rgb888_from_565(uint16_t colour)
@@ -185,18 +189,26 @@ static void ignore_gd_message(int priority, const char *format, va_list argument
     (void)arguments;
 }
 
+static gdImagePtr decode_png(const struct binary *file, char *reason, size_t reason_b)
+{
+    snprintf(reason, reason_b, "not a readable PNG file");
+    if (file->size_b < 8 || memcmp(file->bytes, "\x89PNG", 4) != 0) return NULL;
+    if (!picture_size_check(file->bytes, file->size_b, reason, reason_b)) return NULL;
+    snprintf(reason, reason_b, "not a readable PNG file");
+    gdSetErrorMethod(ignore_gd_message); /* libgd would print lines of its own */
+    gdImagePtr image = gdImageCreateFromPngPtr((int)file->size_b, file->bytes);
+    gdClearErrorMethod();
+    return image;
+}
+
 gdImagePtr image_read_png(const char *path, struct error *err)
 {
-    FILE *file = fopen(path, "rb");
-    if (!file) {
-        error_set(err, "%s: %s", path, strerror(errno));
-        return NULL;
-    }
-    gdSetErrorMethod(ignore_gd_message); /* libgd would print lines of its own */
-    gdImagePtr image = gdImageCreateFromPng(file);
-    gdClearErrorMethod();
-    fclose(file);
-    if (!image) error_set(err, "%s: not a readable PNG file", path);
+    struct binary file;
+    char reason[80];
+    if (!binary_read(path, PNG_MOST_B, &file, err)) return NULL;
+    gdImagePtr image = decode_png(&file, reason, sizeof reason);
+    free(file.bytes);
+    if (!image) error_set(err, "%s: %s", path, reason);
     return image;
 }
 

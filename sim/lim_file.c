@@ -2,6 +2,7 @@
  *
  * Writing and reading .lim files. The whole file is in memory at once. */
 #include "grow.h"
+#include "input_file.h"
 #include "lim_check.h"
 #include "lim_image.h"
 #include "scene_files.h"
@@ -12,6 +13,7 @@
 #include <string.h>
 #include <sys/stat.h>
 
+enum { FILE_MOST_B = 1 << 30 };
 static const bool HOST_IS_BIG_ENDIAN = __BYTE_ORDER__ == __ORDER_BIG_ENDIAN__;
 
 /* Writing ------------------------------------------------------------------------------------ */
@@ -153,8 +155,8 @@ static bool read_scene(FILE *file, const char *path, struct compiled *out, struc
 bool lim_file_read(const char *path, struct compiled *out, struct error *err)
 {
     *out = (struct compiled){0};
-    FILE *file = fopen(path, "rb");
-    if (!file) return error_set(err, "%s: %s", path, strerror(errno));
+    FILE *file = input_open(path, FILE_MOST_B, NULL, err);
+    if (!file) return false;
     bool ok = read_scene(file, path, out, err);
     fclose(file);
     if (!ok) *out = (struct compiled){0};

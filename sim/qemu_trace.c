@@ -6,11 +6,13 @@
 #include "qemu_trace.h"
 
 #include "hex.h"
+#include "input_file.h"
 
-#include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+
+enum { LINE_MOST_B = 255, FILE_MOST_B = 1 << 20 };
 
 /* The map ------------------------------------------------------------------------------------ */
 
@@ -82,14 +84,15 @@ static bool has_register(const struct qemu_map *map, bool is_spi, enum listener_
     return false;
 }
 
-static bool read_lines(struct qemu_map *map, FILE *file, const char *path, struct error *err)
+static bool read_lines(struct qemu_map *map, struct input_lines *lines, struct error *err)
 {
-    char line[256], where[300];
-    for (unsigned number = 1; fgets(line, sizeof line, file); number++) {
-        snprintf(where, sizeof where, "%.256s:%u", path, number);
-        if (!parse_line(map, line, err)) return error_prefix(err, where);
+    char where[300];
+    const char *path = lines->path;
+    while (input_line(lines, err)) {
+        snprintf(where, sizeof where, "%.256s:%zu", path, lines->number);
+        if (!parse_line(map, lines->line, err)) return error_prefix(err, where);
     }
-    if (ferror(file)) return error_set(err, "%s: %s", path, strerror(errno));
+    if (err->text[0]) return false;
     if (!has_register(map, true, LISTENER_DC)) return error_set(err, "%s: no line `spi ADDRESS`", path);
     return has_register(map, false, LISTENER_LED) ||
            error_set(err, "%s: no line `pin led IDIOM ADDRESS BIT`, which ends frames", path);
@@ -97,11 +100,14 @@ static bool read_lines(struct qemu_map *map, FILE *file, const char *path, struc
 
 bool qemu_map_read(struct qemu_map *map, const char *path, struct error *err)
 {
-    FILE *file = fopen(path, "r");
+    struct input_lines lines = {.path = path, .line_most_b = LINE_MOST_B};
     map->count = 0;
-    if (!file) return error_set(err, "%s: %s", path, strerror(errno));
-    const bool ok = read_lines(map, file, path, err);
-    fclose(file);
+    err->text[0] = '\0';
+    lines.file = input_open(path, FILE_MOST_B, NULL, err);
+    if (!lines.file) return false;
+    const bool ok = read_lines(map, &lines, err);
+    input_lines_free(&lines);
+    fclose(lines.file);
     return ok;
 }
 
