@@ -6,6 +6,7 @@
  * (vertex_numbers.h, node_transforms.h), and arithmetic is so everywhere. */
 #include "import.h"
 
+#include "companion.h"
 #include "float_step.h"
 #include "grow.h"
 #include "import_motion.h"
@@ -21,7 +22,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { MOST_CORNERS = 1 << 26 };
+/* A face's own limit: what is done with it takes time that grows with the square of its corners. */
+enum { MOST_CORNERS = 1 << 23, MOST_FACES = 1 << 20, MOST_FACE_CORNERS = 1024 };
 
 struct import {
     const char *path;
@@ -100,11 +102,16 @@ static bool count_mesh(struct import *import, const struct aiMesh *mesh)
         if (face->mNumIndices < 3) continue;
         model->face_count++;
         model->corner_count += face->mNumIndices;
+        if (face->mNumIndices > MOST_FACE_CORNERS)
+            return error_set(import->err, "%s: face %zu has %u corners, %d are the most", import->path,
+                             model->face_count, face->mNumIndices, MOST_FACE_CORNERS);
         for (unsigned k = 0; k < face->mNumIndices; k++)
             if (face->mIndices[k] >= mesh->mNumVertices)
                 return error_set(import->err, "%s: face %zu: vertex index %u is out of range, there are %u",
                                  import->path, model->face_count, face->mIndices[k], mesh->mNumVertices);
     }
+    if (model->face_count > MOST_FACES)
+        return error_set(import->err, "%s: more than %d faces", import->path, MOST_FACES);
     if (model->corner_count > MOST_CORNERS || model->point_count > MOST_CORNERS)
         return error_set(import->err, "%s: more than %d corners or vertices", import->path, MOST_CORNERS);
     return true;
@@ -173,7 +180,7 @@ static uint32_t picture_number(struct import *import, const char *name)
     for (size_t i = 0; i < model->picture_count; i++)
         if (strncmp(model->pictures[i].name, name, TEXTURE_NAME_B - 1) == 0) return (uint32_t)i + 1;
     model->pictures = grow(model->pictures, model->picture_count, &import->picture_capacity, sizeof *model->pictures);
-    picture_read(import->scene, import->path, name, &model->pictures[model->picture_count]);
+    picture_read(import->scene, name, &model->pictures[model->picture_count]);
     return (uint32_t)++model->picture_count;
 }
 
@@ -304,6 +311,7 @@ static const struct aiScene *import_file(const char *path, const struct whole_fi
     aiReleasePropertyStore(settings);
     if (scene && !dropped) return scene;
     aiReleaseImport(scene);
+    if (companions_refused(err)) return NULL;
     if (dropped)
         error_set(err, "%s: vertex indices of some faces are out of range", path);
     else
@@ -316,9 +324,10 @@ bool import_model(const char *path, struct model *model, struct error *err)
     *model = (struct model){0};
     if (!model_io_check(path, err)) return false;
     struct import import = {.path = path, .model = model, .err = err};
+    companions_begin(path);
     if (!vertex_numbers_make(path, &import.numbers, err)) return false;
     import.scene = import_file(path, &import.numbers.file, err);
-    bool ok = import.scene && read_scene(&import);
+    bool ok = import.scene && read_scene(&import) && !companions_refused(err);
     if (ok) float_step_note(model, import.step_m);
     free(import.movers);
     node_transforms_free(&import.transforms);

@@ -27,9 +27,10 @@ static int check(int descriptor, const char *path, size_t most_b, struct stat *a
     bool ok = fstat(descriptor, about) == 0 || error_set(err, "%s: %s", path, strerror(errno));
     if (ok && !S_ISREG(about->st_mode)) ok = error_set(err, "%s: %s", path, what_it_is(about->st_mode));
     if (ok && (unsigned long long)about->st_size > most_b)
-        ok = error_set(err, "%s: %lld bytes, %zu are the most", path, (long long)about->st_size, most_b);
+        ok = error_set(err, "%s: more than %zu bytes: %lld", path, most_b, (long long)about->st_size);
     if (ok) return descriptor;
     close(descriptor);
+    errno = S_ISDIR(about->st_mode) ? EISDIR : EINVAL;
     return -1;
 }
 

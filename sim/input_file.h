@@ -11,7 +11,8 @@
 #include <stddef.h>
 #include <stdio.h>
 
-/* Opens a regular file of most_b bytes or fewer. Its size goes to *size_b (NULL: nobody wants it). NULL on error. */
+/* Opens a regular file of most_b bytes or fewer. Its size goes to *size_b (NULL: nobody wants it). NULL on error, with
+ * errno: EISDIR for a folder, EINVAL for what is larger, or no file. */
 FILE *input_open(const char *path, size_t most_b, size_t *size_b, struct error *err);
 
 /* The same, but an open pipe or terminal may be named as well: "-", /dev/stdin or /dev/fd/N. To be closed with

@@ -3,11 +3,13 @@
  * The host program `limner`: hands its arguments to a subcommand. */
 #include "arguments.h"
 #include "commands.h"
+#include "companion.h"
 #include "deadline.h"
 #include "ending.h"
 #include "fly.h"
 #include "streams.h"
 
+#include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -52,6 +54,8 @@ static const char USAGE[] =
     "  --antialias         for smooth edges, methods that draw nearest first (render, view: drawn so)\n"
     "  --delta             for sending what changes alone (render, view: sent so; --delta=RUNS: with memory for\n"
     "                      so many runs of one colour)\n"
+    "  --trust-paths       files that a MODEL names (materials, textures, buffers) may lie outside of its folder:\n"
+    "                      paths with `..`, absolute ones, links (all commands that read a MODEL)\n"
     "compile and measure, for a MODEL:\n"
     "  --framebuffer       for boards with RAM for all pixels, 16 bits each: fewer instructions; for\n"
     "                      opaque scenes in whole colours, in which nothing moves\n"
@@ -141,12 +145,28 @@ static const char USAGE[] =
 static const struct command {
     const char *name;
     int (*run)(int argc, char **argv);
-    bool is_long; /* takes --time-limit */
+    bool is_long; /* reads models, takes --time-limit */
 } COMMANDS[] = {{"compile", cmd_compile, true}, {"render", cmd_render, true},    {"view", cmd_view, true},
                 {"measure", cmd_measure, true}, {"compare", cmd_compare, true},  {"splitters", cmd_splitters, true},
                 {"play", cmd_play, true},       {"devices", cmd_devices, false}, {"bridge", cmd_bridge, false},
                 {"module", cmd_module, false},  {"decode", cmd_decode, false},   {"hashes", cmd_hashes, false},
                 {"uf2", cmd_uf2, false},        {"boot2", cmd_boot2, false}};
+
+/* --trust-paths, which means the same to all commands that read models, is taken out. */
+static int take_trust(int argc, char **argv)
+{
+    int kept = 0;
+    bool is_option = true;
+    for (int i = 0; i < argc; i++) {
+        is_option = is_option && strcmp(argv[i], "--") != 0;
+        if (is_option && strcmp(argv[i], "--trust-paths") == 0)
+            companions_trust();
+        else
+            argv[kept++] = argv[i];
+    }
+    argv[kept] = NULL;
+    return kept;
+}
 
 static bool asks_for_help(const char *argument)
 {
@@ -166,7 +186,7 @@ static bool begin_time(const struct command *command, struct arguments *argument
 
 static int run_command(const struct command *command, int argc, char **argv)
 {
-    struct arguments arguments = {argv, argc};
+    struct arguments arguments = {argv, command->is_long ? take_trust(argc, argv) : argc};
     struct error err;
     if (begin_time(command, &arguments, &err)) return command->run(arguments.count, arguments.items);
     fprintf(stderr, "limner: %s\n", err.text);

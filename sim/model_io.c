@@ -4,15 +4,12 @@
  * handle, our own record and the bytes; closing the handle frees it. */
 #include "model_io.h"
 
-#include <errno.h>
+#include "companion.h"
+
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
-#include <unistd.h>
-
-enum { LARGEST_FILE_B = 1 << 30 };
 
 struct model_file {
     struct aiFile handle; /* first, so that the library's pointer is also ours */
@@ -84,10 +81,11 @@ static struct model_file *copy_of(const struct model_io_instead *instead)
 
 static struct model_file *read_path(const char *path)
 {
-    struct stat status;
-    FILE *stream = fopen(path, "rb");
+    struct error ignored; /* what may not be read is known to companion.h */
+    size_t size_b = 0;
+    FILE *stream = companion_open_path(path, MODEL_FILE_MOST_B, &size_b, &ignored);
     if (!stream) return NULL;
-    struct model_file *file = fstat(fileno(stream), &status) ? NULL : read_whole(stream, (size_t)status.st_size);
+    struct model_file *file = size_b ? read_whole(stream, size_b) : NULL;
     fclose(stream);
     return file;
 }
@@ -95,8 +93,7 @@ static struct model_file *read_path(const char *path)
 static struct aiFile *file_open(struct aiFileIO *io, const char *path, const char *mode)
 {
     const struct model_io_instead *instead = (const struct model_io_instead *)(const void *)io->UserData;
-    struct error ignored;
-    if (mode[0] != 'r' || !model_io_check(path, &ignored)) return NULL;
+    if (mode[0] != 'r') return NULL;
     struct model_file *file = instead->bytes && strcmp(path, instead->path) == 0 ? copy_of(instead) : read_path(path);
     if (!file) return NULL;
     file->handle = (struct aiFile){.ReadProc = file_read,
@@ -122,11 +119,9 @@ struct aiFileIO model_io(const struct model_io_instead *instead)
 
 bool model_io_check(const char *path, struct error *err)
 {
-    struct stat status;
-    if (stat(path, &status) || access(path, R_OK)) return error_set(err, "%s: %s", path, strerror(errno));
-    if (S_ISDIR(status.st_mode)) return error_set(err, "%s: is a folder, not a model", path);
-    if (!S_ISREG(status.st_mode)) return error_set(err, "%s: is not a regular file", path);
-    if (status.st_size == 0) return error_set(err, "%s: the file is empty", path);
-    if (status.st_size > LARGEST_FILE_B) return error_set(err, "%s: the file is larger than 1 GiB", path);
-    return true;
+    size_t size_b = 0;
+    FILE *stream = input_open(path, MODEL_FILE_MOST_B, &size_b, err);
+    if (!stream) return false;
+    fclose(stream);
+    return size_b > 0 || error_set(err, "%s: the file is empty", path);
 }

@@ -8,7 +8,9 @@
 
 #include <assimp/cfileio.h>
 
-/* Refuses what is no model file by its looks: missing, a folder, empty, or larger than 1 GiB. */
+enum { MODEL_FILE_MOST_B = 256 << 20 };
+
+/* Refuses what is no model file by its looks: missing, a folder, empty, a pipe, or larger than 256 MB. */
 bool model_io_check(const char *path, struct error *err);
 
 /* What the library gets when it asks for one of the files: vertex_numbers.h. */

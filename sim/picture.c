@@ -3,7 +3,11 @@
  * Transparent parts are read as opaque, in whatever colour the file gives to them; that there are some is known. */
 #include "picture.h"
 
+#include "companion.h"
+#include "picture_size.h"
+
 #include <assimp/material.h>
+#include <errno.h>
 #include <gd.h>
 #include <gd_errors.h>
 #include <stdarg.h>
@@ -11,7 +15,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { LARGEST_FILE_B = 64 << 20, LARGEST_RAW_PX = 1 << 26, PATH_MAX_B = 4096 };
+enum { LARGEST_FILE_B = 64 << 20 };
 
 /* libgd's messages: of a truncated JPEG it makes a picture that is grey below, and says no more than that. */
 static bool is_truncated;
@@ -44,6 +48,15 @@ static const struct {
 static void refuse(struct picture *picture, const char *reason)
 {
     snprintf(picture->reason, sizeof picture->reason, "%s", reason);
+}
+
+/* What is too large is refused: to draw on without it would hide that. */
+static void refuse_import(struct picture *picture, const char *reason)
+{
+    struct error err;
+    error_set(&err, "texture %s: %s", picture->name, reason);
+    companions_refuse(&err);
+    refuse(picture, "refused");
 }
 
 static bool has_alpha(gdImagePtr image)
@@ -92,6 +105,11 @@ static void read_bytes(struct picture *picture, void *bytes, size_t size_b)
     for (size_t i = 0; i < sizeof FORMATS / sizeof *FORMATS; i++) {
         const size_t magic_b = strlen(FORMATS[i].magic);
         if (size_b < magic_b || memcmp(bytes, FORMATS[i].magic, magic_b) != 0) continue;
+        char reason[TEXTURE_NAME_B];
+        if (!picture_size_check(bytes, size_b, reason, sizeof reason)) {
+            (strstr(reason, "damaged") ? refuse : refuse_import)(picture, reason);
+            return;
+        }
         gdSetErrorMethod(take_message);
         gdImagePtr image = FORMATS[i].read((int)size_b, bytes);
         gdClearErrorMethod();
@@ -104,43 +122,46 @@ static void read_bytes(struct picture *picture, void *bytes, size_t size_b)
     refuse(picture, size_b ? "neither PNG nor JPEG, GIF or BMP" : "the file is empty");
 }
 
-static void read_file(struct picture *picture, const char *path)
+static void read_stream(struct picture *picture, FILE *file, size_t size_b)
 {
-    FILE *file = fopen(path, "rb");
-    if (!file) {
-        refuse(picture, "there is no such file");
-        return;
-    }
-    char *bytes = malloc(LARGEST_FILE_B);
-    const size_t size_b = bytes ? fread(bytes, 1, LARGEST_FILE_B, file) : 0;
+    char *bytes = malloc(size_b + 1);
+    const size_t got_b = bytes ? fread(bytes, 1, size_b, file) : 0;
     if (!bytes)
         refuse(picture, "out of memory");
     else if (ferror(file))
         refuse(picture, "it cannot be read");
-    else if (size_b == LARGEST_FILE_B)
-        refuse(picture, "the file is larger than 64 MB");
     else
-        read_bytes(picture, bytes, size_b);
+        read_bytes(picture, bytes, got_b);
     free(bytes);
-    fclose(file);
 }
 
-/* Names are relative to the model's folder, and may come from Windows. */
-static bool path_of(const char *model_path, const char *name, char path[PATH_MAX_B])
+/* Models often come without their pictures: that is no reason to refuse them. */
+static void read_file(struct picture *picture, const char *name)
 {
-    const char *slash = strrchr(model_path, '/');
-    const int folder_b = slash && name[0] != '/' ? (int)(slash - model_path + 1) : 0;
-    if (snprintf(path, PATH_MAX_B, "%.*s%s", folder_b, model_path, name) >= PATH_MAX_B) return false;
-    for (char *c = path + folder_b; *c; c++)
-        if (*c == '\\') *c = '/';
-    return true;
+    struct error err;
+    size_t size_b = 0;
+    FILE *file = companion_open(name, LARGEST_FILE_B, &size_b, &err);
+    if (!file && (errno == ENOENT || errno == ENOTDIR))
+        refuse(picture, "there is no such file");
+    else if (!file && errno == EISDIR)
+        refuse(picture, "it is a folder");
+    else if (!file && errno == ENAMETOOLONG)
+        refuse(picture, "its path is too long");
+    else if (!file)
+        refuse_import(picture, err.text);
+    if (!file) return;
+    read_stream(picture, file, size_b);
+    fclose(file);
 }
 
 /* Uncompressed: texels of four bytes. */
 static void read_raw(struct picture *picture, const struct aiTexture *texture)
 {
-    if (texture->mWidth == 0 || texture->mHeight > LARGEST_RAW_PX / texture->mWidth) {
-        refuse(picture, texture->mWidth ? "too large to be read" : "it has no pixels");
+    if (texture->mWidth == 0 || texture->mHeight > PICTURE_MOST_PX / texture->mWidth) {
+        if (texture->mWidth)
+            refuse_import(picture, "too many pixels");
+        else
+            refuse(picture, "it has no pixels");
         return;
     }
     gdImagePtr image = gdImageCreateTrueColor((int)texture->mWidth, (int)texture->mHeight);
@@ -168,9 +189,8 @@ static const struct aiTexture *embedded(const struct aiScene *scene, const char 
     return NULL;
 }
 
-void picture_read(const struct aiScene *scene, const char *model_path, const char *name, struct picture *out)
+void picture_read(const struct aiScene *scene, const char *name, struct picture *out)
 {
-    char path[PATH_MAX_B];
     const struct aiTexture *texture = embedded(scene, name);
     memset(out, 0, sizeof *out);
     snprintf(out->name, sizeof out->name, "%s", name);
@@ -180,10 +200,8 @@ void picture_read(const struct aiScene *scene, const char *model_path, const cha
         read_bytes(out, texture->pcData, texture->mWidth);
     else if (name[0] == '*')
         refuse(out, "the model holds no such picture");
-    else if (path_of(model_path, name, path))
-        read_file(out, path);
     else
-        refuse(out, "its path is too long");
+        read_file(out, name);
 }
 
 void picture_free(struct picture *picture)

@@ -9,8 +9,9 @@
 
 #include <assimp/scene.h>
 
-/* PNG, JPEG, GIF or BMP, as the bytes themselves say. What cannot be read has a reason and no pixels. */
-void picture_read(const struct aiScene *scene, const char *model_path, const char *name, struct picture *out);
+/* PNG, JPEG, GIF or BMP, as the bytes themselves say. What cannot be read has a reason and no
+ * pixels; what may not be read ends the import (companion.h). */
+void picture_read(const struct aiScene *scene, const char *name, struct picture *out);
 void picture_free(struct picture *picture);
 
 /* The texture of a material's colour, and which set of coordinates goes with it. false: it has none. */

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "whole_file.h"
 
+#include "input_file.h"
 #include "model_io.h"
 
 #include <errno.h>
@@ -8,25 +9,23 @@
 #include <stdlib.h>
 #include <string.h>
 #include <strings.h>
-#include <sys/stat.h>
 
-static bool read_stream(const char *path, FILE *stream, struct whole_file *out, struct error *err)
+static bool read_stream(const char *path, FILE *stream, size_t size_b, struct whole_file *out, struct error *err)
 {
-    struct stat status;
-    if (fstat(fileno(stream), &status)) return error_set(err, "%s: %s", path, strerror(errno));
-    out->bytes = calloc(1, (size_t)status.st_size + 1);
+    out->bytes = calloc(1, size_b + 1);
     if (!out->bytes) return error_set(err, "%s: not enough memory", path);
-    out->size_b = fread(out->bytes, 1, (size_t)status.st_size, stream);
+    out->size_b = fread(out->bytes, 1, size_b, stream);
     return !ferror(stream) || error_set(err, "%s: %s", path, strerror(errno));
 }
 
 bool whole_file_read(const char *path, struct whole_file *out, struct error *err)
 {
+    size_t size_b;
     *out = (struct whole_file){0};
-    if (!model_io_check(path, err)) return false;
-    FILE *stream = fopen(path, "rb");
-    if (!stream) return error_set(err, "%s: %s", path, strerror(errno));
-    const bool ok = read_stream(path, stream, out, err);
+    FILE *stream = input_open(path, MODEL_FILE_MOST_B, &size_b, err);
+    if (!stream) return false;
+    const bool ok =
+        (size_b > 0 || error_set(err, "%s: the file is empty", path)) && read_stream(path, stream, size_b, out, err);
     fclose(stream);
     if (!ok) whole_file_free(out);
     return ok;

@@ -153,8 +153,8 @@ static void files_that_are_no_models_are_refused(void **state)
 {
     (void)state;
     assert_refused("tests/models/missing.obj", "tests/models/missing.obj: No such file or directory");
-    assert_refused("tests/models", "tests/models: is a folder, not a model");
-    assert_refused("/dev/null", "/dev/null: is not a regular file");
+    assert_refused("tests/models", "tests/models: is a folder, not a file");
+    assert_refused("/dev/null", "/dev/null: is a device, not a regular file");
     assert_refused("tests/models/empty.obj", "tests/models/empty.obj: the file is empty");
     assert_refused("tests/models/text.obj", "tests/models/text.obj: there are no faces in it");
     assert_refused("tests/models/junk.xyzzy", "tests/models/junk.xyzzy: not in a format that the importer knows");

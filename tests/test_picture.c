@@ -2,6 +2,7 @@
  *
  * Pictures of a model's materials: from files of each format, out of the model, and all that cannot be read. */
 #include "cmocka_ready.h"
+#include "companion.h"
 #include "model.h"
 #include "picture.h"
 
@@ -11,6 +12,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 static char folder[] = "/tmp/limner-picture-XXXXXX";
@@ -27,7 +29,8 @@ static struct picture picture_of(const struct aiScene *scene, const char *name)
     char model[128];
     struct picture picture;
     snprintf(model, sizeof model, "%s", in_folder("model.obj"));
-    picture_read(scene, model, name, &picture);
+    companions_begin(model);
+    picture_read(scene, name, &picture);
     return picture;
 }
 
@@ -114,13 +117,51 @@ static void a_large_picture_is_made_smaller(void **state)
 static void folders_may_be_written_as_on_windows(void **state)
 {
     (void)state;
-    put_png("a.png", two_halves(8, 8));
-    struct picture picture = from_file("..\\\\nowhere\\\\a.png");
+    assert_int_equal(mkdir(in_folder("sub"), 0777), 0);
+    put_png("sub/a b.png", two_halves(8, 8));
+    struct picture picture = from_file("nowhere\\a b.png");
     assert_null(picture.pixels);
-    char name[128];
-    snprintf(name, sizeof name, "..\\%s\\a.png", strrchr(folder, '/') + 1);
-    picture = from_file(name);
+    picture = from_file(".\\sub\\a b.png");
     assert_halves(&picture, 8, 8);
+    picture = from_file("sub/a%20b.png");
+    assert_halves(&picture, 8, 8);
+    assert_int_equal(unlink(in_folder("sub/a b.png")), 0);
+    assert_int_equal(rmdir(in_folder("sub")), 0);
+}
+
+static void assert_ends_import(const char *name, const char *reason)
+{
+    struct error err;
+    struct picture picture = from_file(name);
+    assert_null(picture.pixels);
+    assert_true(companions_refused(&err));
+    if (!strstr(err.text, reason)) fail_msg("%s: %s", name, err.text);
+}
+
+static void what_may_not_be_read_ends_the_import(void **state)
+{
+    (void)state;
+    const char *outside[] = {"../a.png",      "..\\a.png", "sub/../../a.png", "/etc/passwd",
+                             "\\etc\\passwd", "..",        "%2e%2e/a.png",    "sub%2F..%2f..%5Ca.png",
+                             "./..",          "link.png",  "%2Fetc/passwd"};
+    assert_int_equal(symlink("/etc/passwd", in_folder("link.png")), 0);
+    for (size_t i = 0; i < sizeof outside / sizeof *outside; i++)
+        assert_ends_import(outside[i], "outside of its folder; --trust-paths permits that");
+    assert_int_equal(unlink(in_folder("link.png")), 0);
+    assert_int_equal(mkfifo(in_folder("pipe.png"), 0666), 0);
+    assert_ends_import("pipe.png", "is a pipe, not a regular file");
+    assert_int_equal(unlink(in_folder("pipe.png")), 0);
+    gdImagePtr many = gdImageCreate(4097, 4096);
+    gdImageColorAllocate(many, 0, 0, 0);
+    put_png("many.png", many);
+    assert_ends_import("many.png", "4097x4096 pixels, 16777216 are the most");
+    assert_int_equal(unlink(in_folder("many.png")), 0);
+    const char *inside[] = {"..a.png", "a..png", "...", "sub/..a"};
+    struct error err;
+    for (size_t i = 0; i < sizeof inside / sizeof *inside; i++) {
+        from_file(inside[i]);
+        assert_false(companions_refused(&err));
+    }
 }
 
 static void assert_refused(const char *name, const char *reason)
@@ -142,7 +183,7 @@ static void what_cannot_be_read_has_a_reason(void **state)
     assert_refused("text.png", "neither PNG nor JPEG");
     put_bytes("broken.png", bytes, sizeof bytes);
     assert_refused("broken.png", "damaged");
-    assert_refused(".", "it cannot be read");
+    assert_refused(".", "it is a folder");
     char name[5000];
     memset(name, 'x', sizeof name - 1);
     name[sizeof name - 1] = 0;
@@ -278,6 +319,7 @@ int main(void)
         cmocka_unit_test(a_large_picture_is_made_smaller),
         cmocka_unit_test(folders_may_be_written_as_on_windows),
         cmocka_unit_test(what_cannot_be_read_has_a_reason),
+        cmocka_unit_test(what_may_not_be_read_ends_the_import),
         cmocka_unit_test(a_truncated_jpeg_is_no_picture),
         cmocka_unit_test(pictures_inside_a_model_may_be_raw_or_files),
         cmocka_unit_test(what_is_not_opaque_is_known),

@@ -1,0 +1,158 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Names are looked at as text, as they may say more than what is there; then the file that was opened is asked where it
+ * lies, which no link can hide. */
+#define _XOPEN_SOURCE 700
+#include "companion.h"
+
+#include "hex.h"
+
+#include <errno.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+enum { PATH_SIZE_B = 4096 };
+
+static bool trusts; /* --trust-paths */
+static struct {
+    char path[PATH_SIZE_B], folder[PATH_SIZE_B]; /* the folder with its slash; empty: the working folder */
+    char real_folder[PATH_SIZE_B];               /* without a link, with its slash */
+    bool refused;
+    struct error refusal; /* the first */
+} model;
+
+void companions_trust(void)
+{
+    trusts = true;
+}
+
+void companions_begin(const char *model_path)
+{
+    const char *slash = strrchr(model_path, '/');
+    model.refused = false;
+    snprintf(model.path, sizeof model.path, "%s", model_path);
+    snprintf(model.folder, sizeof model.folder, "%.*s", slash ? (int)(slash - model_path) + 1 : 0, model_path);
+    char *real = realpath(*model.folder ? model.folder : ".", NULL);
+    snprintf(model.real_folder, sizeof model.real_folder, "%s%s", real ? real : "",
+             real && strcmp(real, "/") == 0 ? "" : "/");
+    free(real);
+}
+
+bool companions_refused(struct error *err)
+{
+    if (model.refused) *err = model.refusal;
+    return model.refused;
+}
+
+void companions_refuse(const struct error *err)
+{
+    if (!model.refused) model.refusal = *err;
+    model.refused = true;
+}
+
+static void refuse(const char *name, struct error *err)
+{
+    error_set(err, "%s: it names '%s', which lies outside of its folder; --trust-paths permits that", model.path, name);
+    companions_refuse(err);
+    errno = EPERM;
+}
+
+/* Names ---------------------------------------------------------------------------------------- */
+
+static bool leads_out(const char *name)
+{
+    if (*name == '/') return true;
+    for (const char *part = name; part; part = strchr(part, '/')) {
+        part += *part == '/';
+        if (part[0] == '.' && part[1] == '.' && (part[2] == '/' || part[2] == '\0')) return true;
+    }
+    return false;
+}
+
+static bool too_long(struct error *err)
+{
+    errno = ENAMETOOLONG;
+    return error_set(err, "%s: it names a file by a path that is too long", model.path);
+}
+
+/* They may come from Windows. */
+static bool copy_name(const char *name, char out[PATH_SIZE_B], struct error *err)
+{
+    if (strlen(name) >= PATH_SIZE_B) return too_long(err);
+    memcpy(out, name, strlen(name) + 1);
+    for (char *c = out; *c; c++)
+        if (*c == '\\') *c = '/';
+    return true;
+}
+
+/* %20 becomes a blank. Whether there was such a thing. */
+static bool decode_percent(char *name)
+{
+    char *to = name;
+    for (const char *from = name; *from; to++) {
+        const int high = *from == '%' ? hex_digit(from[1]) : -1, low = high >= 0 ? hex_digit(from[2]) : -1;
+        *to = low >= 0 ? (char)(high << 4 | low) : *from;
+        if (*to == '\\') *to = '/';
+        if (*to == '\0') *to = '?';
+        from += low >= 0 ? 3 : 1;
+    }
+    const bool changed = *to != '\0';
+    *to = '\0';
+    return changed;
+}
+
+/* Opening -------------------------------------------------------------------------------------- */
+
+static bool lies_in_folder(FILE *file)
+{
+    char link[64], place[PATH_SIZE_B];
+    snprintf(link, sizeof link, "/proc/self/fd/%d", fileno(file));
+    const ssize_t length = readlink(link, place, sizeof place);
+    const size_t folder_b = strlen(model.real_folder);
+    return length > 0 && (size_t)length > folder_b && memcmp(place, model.real_folder, folder_b) == 0;
+}
+
+static FILE *open_name(const char *name, const char *said, size_t most_b, size_t *size_b, struct error *err)
+{
+    char path[PATH_SIZE_B];
+    if (!trusts && leads_out(name)) {
+        refuse(said, err);
+        return NULL;
+    }
+    const int length = snprintf(path, sizeof path, "%s%s", *name == '/' ? "" : model.folder, name);
+    if (length >= PATH_SIZE_B) {
+        too_long(err);
+        return NULL;
+    }
+    FILE *file = input_open(path, most_b, size_b, err);
+    if (!file || trusts || lies_in_folder(file)) return file;
+    fclose(file);
+    refuse(said, err);
+    return NULL;
+}
+
+FILE *companion_open(const char *name, size_t most_b, size_t *size_b, struct error *err)
+{
+    char wanted[PATH_SIZE_B];
+    struct error second;
+    if (!copy_name(name, wanted, err)) return NULL;
+    FILE *file = open_name(wanted, name, most_b, size_b, err);
+    if (!file && decode_percent(wanted)) file = open_name(wanted, name, most_b, size_b, &second);
+    return file;
+}
+
+/* What follows the folder; NULL: the path does not begin with it. */
+static const char *behind(const char *path, const char *folder)
+{
+    const size_t folder_b = strlen(folder);
+    return strncmp(path, folder, folder_b) == 0 ? path + folder_b : NULL;
+}
+
+FILE *companion_open_path(const char *path, size_t most_b, size_t *size_b, struct error *err)
+{
+    if (strcmp(path, model.path) == 0) return input_open(path, most_b, size_b, err);
+    const char *name = behind(path, model.folder);
+    if (!name) name = behind(path, model.real_folder);
+    return companion_open(name ? name : path, most_b, size_b, err);
+}
