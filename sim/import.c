@@ -12,6 +12,7 @@
 #include "import_motion.h"
 #include "model_colour.h"
 #include "model_io.h"
+#include "model_whole.h"
 #include "picture.h"
 #include "vertex_numbers.h"
 
@@ -322,7 +323,7 @@ static const struct aiScene *import_file(const char *path, const struct whole_fi
 bool import_model(const char *path, struct model *model, struct error *err)
 {
     *model = (struct model){0};
-    if (!model_io_check(path, err)) return false;
+    if (!model_io_check(path, err) || !model_is_whole(path, err)) return false;
     struct import import = {.path = path, .model = model, .err = err};
     companions_begin(path);
     if (!vertex_numbers_make(path, &import.numbers, err)) return false;

@@ -19,10 +19,13 @@
 #include <unistd.h>
 
 enum {
-    LEAST_CPU_S = 3,    /* for any file; a second more for each megabyte */
-    MEMORY_B_A_B = 256, /* the library's worst measured need, by byte of the file, is about 40 */
+    LEAST_CPU_S = 3,     /* for any file */
+    CPU_B_A_S = 2000000, /* a second more for so many bytes */
+    MEMORY_B_A_B = 64,   /* the library's worst measured need, by byte of the file, is about 40 */
 };
-static const rlim_t LEAST_MEMORY_B = (rlim_t)1 << 30;
+/* A file of a few bytes may not ask for much: a picture, the largest, takes 64 MB and as much again while it is
+ * decoded. An address sanitizer's memory, which begins with terabytes, is the sanitizer's own affair. */
+static const rlim_t LEAST_MEMORY_B = (rlim_t)192 << 20, SANITIZED_B = (rlim_t)1 << 40;
 
 struct result {
     bool ok;
@@ -46,7 +49,7 @@ static rlim_t memory_in_use_b(void)
 
 static rlim_t cpu_limit_s(rlim_t file_b)
 {
-    return LEAST_CPU_S + file_b / 1000000;
+    return LEAST_CPU_S + file_b / CPU_B_A_S;
 }
 
 static void limit(int resource, rlim_t soft)
@@ -60,7 +63,7 @@ static void limit(int resource, rlim_t soft)
 static void limit_child(rlim_t file_b)
 {
     rlim_t in_use_b = memory_in_use_b();
-    if (in_use_b) limit(RLIMIT_AS, in_use_b + LEAST_MEMORY_B + MEMORY_B_A_B * file_b);
+    if (in_use_b && in_use_b < SANITIZED_B) limit(RLIMIT_AS, in_use_b + LEAST_MEMORY_B + MEMORY_B_A_B * file_b);
     limit(RLIMIT_CPU, cpu_limit_s(file_b));
     limit(RLIMIT_CORE, 0);
 }
@@ -174,7 +177,7 @@ static bool wait_for_child(const char *path, pid_t child, rlim_t file_b, struct 
     if (!child_wait(child, "the importer was still reading", &status, err)) return error_prefix(err, path);
     if (WIFEXITED(status) && WEXITSTATUS(status) == EXIT_SUCCESS) return true;
     if (WIFSIGNALED(status) && WTERMSIG(status) == SIGXCPU)
-        return error_set(err, "%s: damaged or truncated: the importer finds no end in it (%lu s)", path,
+        return error_set(err, "%s: damaged, truncated or too much: the importer finds no end in it (%lu s)", path,
                          (unsigned long)cpu_limit_s(file_b));
     const char *how = WIFSIGNALED(status) ? strsignal(WTERMSIG(status)) : "out of memory or disk space";
     return error_set(err, "%s: the importer cannot read it (%s)", path, how);

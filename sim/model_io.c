@@ -5,11 +5,14 @@
 #include "model_io.h"
 
 #include "companion.h"
+#include "whole_file.h"
 
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+
+enum { LONGEST_LINE_B = 1 << 20 };
 
 struct model_file {
     struct aiFile handle; /* first, so that the library's pointer is also ours */
@@ -62,6 +65,21 @@ static enum aiReturn file_seek(struct aiFile *handle, size_t offset, enum aiOrig
     return aiReturn_SUCCESS;
 }
 
+/* The library would hold such a line several times. */
+static bool lines_fit(const char *path, const char *text, size_t size_b)
+{
+    struct error err;
+    size_t line_b = 0, longest_b = 0;
+    for (size_t i = 0; i < size_b; i++) {
+        line_b = text[i] == '\n' || text[i] == '\r' ? 0 : line_b + 1;
+        if (line_b > longest_b) longest_b = line_b;
+    }
+    if (longest_b <= LONGEST_LINE_B) return true;
+    error_set(&err, "%s: a line is longer than %d bytes", path, LONGEST_LINE_B);
+    companions_refuse(&err);
+    return false;
+}
+
 static struct model_file *read_whole(FILE *stream, size_t size_b)
 {
     struct model_file *file = calloc(1, sizeof *file + size_b);
@@ -96,6 +114,11 @@ static struct aiFile *file_open(struct aiFileIO *io, const char *path, const cha
     if (mode[0] != 'r') return NULL;
     struct model_file *file = instead->bytes && strcmp(path, instead->path) == 0 ? copy_of(instead) : read_path(path);
     if (!file) return NULL;
+    const bool has_lines = path_has_suffix(path, ".obj") || path_has_suffix(path, ".mtl");
+    if (has_lines && !lines_fit(path, file->bytes, file->size_b)) {
+        free(file);
+        return NULL;
+    }
     file->handle = (struct aiFile){.ReadProc = file_read,
                                    .WriteProc = file_write,
                                    .TellProc = file_tell,

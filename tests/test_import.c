@@ -190,7 +190,7 @@ static void a_file_without_an_end_is_given_up(void **state)
 {
     (void)state;
     assert_refused("tests/models/truncated.ply",
-                   "tests/models/truncated.ply: damaged or truncated: the importer finds no end in it (3 s)");
+                   "tests/models/truncated.ply: damaged, truncated or too much: the importer finds no end in it (3 s)");
 }
 
 /* Every prefix of a file is either a model or refused with one line that names it. */
