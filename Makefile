@@ -31,7 +31,7 @@ endif
 # Begins a recipe line whose output must appear as it comes: with +, but not under `make -n`, where + would run it.
 LIVE = $(if $(findstring n,$(firstword -$(MAKEFLAGS))),,+)@
 
-.PHONY: all extremes soak run view check test test-arm64 test-fixed test-programs models-table tables hid-table delta-table footprint tradeoff scale compare bench bench-baseline prove exhaustive fuzz mutate format clean help packages force
+.PHONY: all extremes soak run view check test test-arm64 test-fixed test-programs models-table tables hid-table delta-table footprint tradeoff scale compare bench bench-baseline prove exhaustive fuzz fuzz-coverage mutate format clean help packages force
 .SECONDARY:
 .DELETE_ON_ERROR:
 
@@ -65,6 +65,7 @@ packages-extremes      := $(packages-host)
 packages-prove         := frama-c-base why3 z3
 packages-fuzz          := clang libclang-rt-dev
 packages-mutate        := $(packages-host)
+packages-fuzz-coverage := $(packages-fuzz)
 packages-view          := libsdl2-dev
 packages-simavr        := $(shell sed -n 's/^EMULATE_PACKAGES *:= *//p' boards/arduboy/board.mk)
 packages-models-table  := $(packages-models)
@@ -312,9 +313,10 @@ test-programs: $(test_programs) ## build the unit tests without running them
 
 # -- Proofs, exhaustion, fuzzing: see tests/prove.sh, tests/exhaustive.h, tests/fuzz.h --------------------------------
 
-FUZZ_TARGETS := camera camera_file lim_file render
+FUZZ_TARGETS := camera camera_file lim_file render features movers obj gltf ply stl picture wire_log qemu text
 FUZZ_FLAGS   := -max_total_time=60
-export FUZZ_FLAGS
+FUZZ_S       := 0
+export FUZZ_FLAGS FUZZ_S
 
 prove: ## prove that the arithmetic of the kernels cannot overflow
 	@$(MAKE) test SUITES=prove
@@ -325,13 +327,22 @@ exhaustive: $(BUILD)/tests/exhaustive ## try all 2^32 arguments of every unary k
 fuzz: packages ## fuzz each target for a minute; FUZZ_TARGETS=render FUZZ_FLAGS=-runs=1000000: other ones, longer
 	$(LIVE)sh tests/fuzz.sh $(FUZZ_TARGETS)
 
+fuzz-coverage: packages ## count which lines the fuzz corpora reach; FUZZ_S=30: fuzz each target that long first
+	$(LIVE)sh tests/fuzz_coverage.sh $(FUZZ_TARGETS)
+
 $(BUILD)/tests/exhaustive: $(call object,tests/exhaustive/main.c tests/exhaustive.c) $(library)
 	@mkdir -p $(@D)
 	@$(CC) $(HOST_OPT) -o $@ $^ $(LINKS)
 
-$(BUILD)/tests/fuzz: $(call object,tests/libfuzzer/main.c $(wildcard tests/fuzz*.c) tests/closed_scene.c) $(library)
+fuzz_objects := $(call object,$(wildcard tests/fuzz*.c) tests/closed_scene.c)
+
+$(BUILD)/tests/fuzz: $(call object,tests/libfuzzer/main.c) $(fuzz_objects) $(library)
 	@mkdir -p $(@D)
 	@$(CC) $(HOST_OPT) -fsanitize=fuzzer -o $@ $^ $(LINKS)
+
+$(BUILD)/tests/fuzz_replay: $(call object,tests/libfuzzer/replay.c) $(fuzz_objects) $(library)
+	@mkdir -p $(@D)
+	@$(CC) $(HOST_OPT) -o $@ $^ $(LINKS)
 
 # -- Mutants: see tests/mutants/README.md -------------------------------------------------------------------------------
 
@@ -394,6 +405,6 @@ format: packages ## lay out every C file by .clang-format
 clean: ## remove build/ and out/
 	@rm -rf $(BUILD) out
 
--include $(patsubst %.o,%.d,$(call object,$(sources) $(generator) $(textured_generator) $(scale_generator) $(test_sources) tests/exhaustive/main.c tests/libfuzzer/main.c \
+-include $(patsubst %.o,%.d,$(call object,$(sources) $(generator) $(textured_generator) $(scale_generator) $(test_sources) tests/exhaustive/main.c tests/libfuzzer/main.c tests/libfuzzer/replay.c \
 	tests/boards/walked.c \
 	$(filter-out %/wire_tap.c,$(wildcard tests/kernel/*.c))))

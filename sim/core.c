@@ -43,6 +43,21 @@ static int movers_frame(void *lim, const struct lim_camera *camera, const struct
     return lim_movers_frame(lim, camera, instances, count);
 }
 
+static int begin(void *lim, const struct lim_camera *camera, const struct lim_instance *instances, uint16_t count)
+{
+    return count ? lim_movers_begin(lim, camera, instances, count) : lim_frame_begin(lim, camera);
+}
+
+static bool work(void *lim)
+{
+    return lim_frame_work(lim);
+}
+
+static int paint(void *lim)
+{
+    return lim_frame_paint(lim);
+}
+
 static const struct lim_stats *stats(const void *lim)
 {
     return lim_stats(lim);
@@ -146,6 +161,7 @@ const struct core CORE = {.name = CORE_NAME(CORE),
                           .narrow_px = LIM_NARROW_SIDE_PX,
                           .lim_b = sizeof(struct lim),
                           .mem_b = lim_mem_b,
+                          .mem_min_b = lim_mem_min_b,
                           .init = init,
                           .newell = newell,
                           .frame = frame,
@@ -153,6 +169,9 @@ const struct core CORE = {.name = CORE_NAME(CORE),
                           .movers_mem_b = lim_movers_mem_b,
                           .movers_init = movers_init,
                           .movers_frame = movers_frame,
+                          .begin = begin,
+                          .work = work,
+                          .paint = paint,
                           .stats = stats,
                           .set_wireframe = set_wireframe,
                           .set_antialias = set_antialias,

@@ -24,6 +24,7 @@ struct core {
     uint16_t narrow_px; /* up to so many pixels a side a firmware's screen coordinates fit 16 bits */
     size_t lim_b;       /* of the state, struct lim in its own build */
     size_t (*mem_b)(const struct lim_scene *scene, const struct lim_target *target);
+    size_t (*mem_min_b)(const struct lim_scene *scene, const struct lim_target *target);
     /* lim_init(), lim_frame() and lim_stats(); `lim` is lim_b bytes of the caller's. */
     int (*init)(void *lim, const struct lim_scene *scene, const struct lim_target *target, void *mem, size_t mem_b);
     void (*newell)(void *lim, const struct lim_newell_options *options); /* lim_newell_set() */
@@ -34,6 +35,11 @@ struct core {
     int (*movers_init)(void *lim, void *mem, size_t mem_b, const struct lim_movers_limits *limits);
     int (*movers_frame)(void *lim, const struct lim_camera *camera, const struct lim_instance *instances,
                         uint16_t count);
+    /* A frame in parts: lim_movers_begin(), which is lim_frame_begin() without instances, lim_frame_work() and
+     * lim_frame_paint(). */
+    int (*begin)(void *lim, const struct lim_camera *camera, const struct lim_instance *instances, uint16_t count);
+    bool (*work)(void *lim);
+    int (*paint)(void *lim);
     const struct lim_stats *(*stats)(const void *lim);
     void (*set_wireframe)(void *lim, const struct lim_wireframe *wireframe);
     int (*set_antialias)(void *lim, void *mem, size_t mem_b); /* lim_set_antialias() */

@@ -4,6 +4,8 @@
  * each input and opened by its descriptor: nothing to clash, to clean up or to wait for. */
 #include "fuzz.h"
 
+#include "work_folder.h"
+
 #include <fcntl.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -11,12 +13,14 @@
 #include <sys/mman.h>
 #include <unistd.h>
 
+const struct fuzz_target *const fuzz_targets[] = {
+    &fuzz_camera, &fuzz_camera_file, &fuzz_lim_file, &fuzz_render,   &fuzz_features, &fuzz_movers, &fuzz_obj, &fuzz_gltf,
+    &fuzz_ply,    &fuzz_stl,         &fuzz_picture,  &fuzz_wire_log, &fuzz_qemu,     &fuzz_text,   NULL};
+
 const struct fuzz_target *fuzz_find(const char *name)
 {
-    static const struct fuzz_target *const targets[] = {&fuzz_camera, &fuzz_camera_file, &fuzz_lim_file, &fuzz_render};
-
-    for (size_t i = 0; i < sizeof targets / sizeof *targets; i++)
-        if (strcmp(targets[i]->name, name) == 0) return targets[i];
+    for (size_t i = 0; fuzz_targets[i]; i++)
+        if (strcmp(fuzz_targets[i]->name, name) == 0) return fuzz_targets[i];
     return NULL;
 }
 
@@ -66,4 +70,52 @@ const char *fuzz_as_file(const uint8_t *bytes, size_t size_b)
     if (pwrite(fd, bytes, size_b, 0) != (ssize_t)size_b || ftruncate(fd, (off_t)size_b) != 0) abort();
     snprintf(path, sizeof path, "/proc/self/fd/%d", fd);
     return path;
+}
+
+static struct work_folder folder;
+
+static void remove_folder(void)
+{
+    work_folder_remove(&folder);
+}
+
+const char *fuzz_as_named_file(const char *name, const uint8_t *bytes, size_t size_b)
+{
+    static char path[sizeof folder.path + 64];
+    struct error err;
+
+    if (!folder.path[0] && (!work_folder_make(&folder, &err) || atexit(remove_folder) != 0)) abort();
+    snprintf(path, sizeof path, "%s/%s", folder.path, name);
+    FILE *file = fopen(path, "wb");
+    if (!file || fwrite(bytes, 1, size_b, file) != size_b || fclose(file) != 0) abort();
+    return path;
+}
+
+struct fuzz_bytes fuzz_part(struct fuzz_bytes *bytes, uint8_t mark)
+{
+    const uint8_t *end = bytes->left_b ? memchr(bytes->at, mark, bytes->left_b) : NULL;
+    const struct fuzz_bytes part = {bytes->at, end ? (size_t)(end - bytes->at) : bytes->left_b};
+
+    bytes->at += part.left_b + (end != NULL);
+    bytes->left_b -= part.left_b + (end != NULL);
+    return part;
+}
+
+char *fuzz_string(const struct fuzz_bytes *part)
+{
+    char *text = malloc(part->left_b + 1);
+
+    if (!text) abort();
+    if (part->left_b) memcpy(text, part->at, part->left_b);
+    text[part->left_b] = '\0';
+    return text;
+}
+
+const char *fuzz_check_refusal(const char *text, const char *thing)
+{
+    if (!text[0]) return "a refusal without a reason";
+    if (thing && strncmp(text, thing, strlen(thing)) != 0) return "a refusal does not name the file";
+    for (; *text; text++)
+        if ((unsigned char)*text < ' ' || *text == 0x7F) return "a refusal of several lines, or with a control character";
+    return NULL;
 }

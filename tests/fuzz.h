@@ -18,7 +18,11 @@ struct fuzz_target {
     size_t (*mend)(uint8_t *bytes, size_t size_b, size_t max_b);
 };
 
-extern const struct fuzz_target fuzz_camera, fuzz_camera_file, fuzz_lim_file, fuzz_render;
+extern const struct fuzz_target fuzz_camera, fuzz_camera_file, fuzz_lim_file, fuzz_render, fuzz_features, fuzz_movers,
+    fuzz_obj, fuzz_gltf, fuzz_ply, fuzz_stl, fuzz_picture, fuzz_wire_log, fuzz_qemu, fuzz_text;
+
+/* All of them; NULL behind the last. */
+extern const struct fuzz_target *const fuzz_targets[];
 
 /* By name, or NULL. */
 const struct fuzz_target *fuzz_find(const char *name);
@@ -38,5 +42,19 @@ uint8_t fuzz_below(struct fuzz_bytes *bytes, unsigned n);
 
 /* A path under which the bytes can be read as a file, until the next call. */
 const char *fuzz_as_file(const uint8_t *bytes, size_t size_b);
+
+/* The same where readers want a suffix or a neighbour: a file of that name in a folder that is removed when the program
+ * ends. The path holds until the next call. */
+const char *fuzz_as_named_file(const char *name, const uint8_t *bytes, size_t size_b);
+
+/* Takes what comes before the next byte `mark` off the bytes, and the mark; without a mark, all. */
+struct fuzz_bytes fuzz_part(struct fuzz_bytes *bytes, uint8_t mark);
+
+/* A string of the part, to be freed: up to its first zero. */
+char *fuzz_string(const struct fuzz_bytes *part);
+
+/* What is wrong with an error's text: it must be one line, and begin with `thing`, if that is not NULL. NULL: nothing.
+ */
+const char *fuzz_check_refusal(const char *text, const char *thing);
 
 #endif

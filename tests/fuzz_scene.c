@@ -124,14 +124,21 @@ static lim_index hang(struct lim_node *nodes, lim_index index, struct fuzz_bytes
     return parent;
 }
 
-static void make_nodes(struct fuzz_scene *made, struct fuzz_bytes *bytes)
+/* Hangs a node behind the one before it. */
+static lim_index chain(struct lim_node *nodes, lim_index index)
+{
+    nodes[index - 1].back = index;
+    return (lim_index)(index - 1);
+}
+
+static void make_nodes(struct fuzz_scene *made, struct fuzz_bytes *bytes, bool is_chain)
 {
     uint16_t depths[FUZZ_NODES_MAX] = {1};
 
     made->scene.node_count = (uint16_t)(1 + fuzz_below(bytes, FUZZ_NODES_MAX));
     for (uint16_t i = 0; i < made->scene.node_count; i++) {
         struct lim_node *node = &made->nodes[i];
-        if (i) depths[i] = (uint16_t)(depths[hang(made->nodes, i, bytes)] + 1);
+        if (i) depths[i] = (uint16_t)(depths[is_chain ? chain(made->nodes, i) : hang(made->nodes, i, bytes)] + 1);
         if (depths[i] > made->scene.limits.depth) made->scene.limits.depth = depths[i];
         node->front = node->back = node->box = LIM_NO_INDEX;
         make_plane(made, node, bytes);
@@ -220,7 +227,7 @@ static void make_boxes(struct fuzz_scene *made, struct fuzz_bytes *bytes)
     }
 }
 
-void fuzz_scene_make(struct fuzz_scene *made, struct fuzz_bytes *bytes)
+static void make(struct fuzz_scene *made, struct fuzz_bytes *bytes, bool is_chain)
 {
     memset(made, 0, sizeof *made);
     made->scene.vertices = made->vertices;
@@ -232,10 +239,20 @@ void fuzz_scene_make(struct fuzz_scene *made, struct fuzz_bytes *bytes)
     made->scene.limits.vertices = 3;
     made->scene.background = fuzz_u8(bytes);
     make_vertices(made, bytes);
-    make_nodes(made, bytes);
+    make_nodes(made, bytes, is_chain);
     make_boxes(made, bytes);
     made->scene.limits.retained_cells = fuzz_u8(bytes);
     made->scene.limits.gaps = fuzz_u8(bytes);
     made->scene.limits.active = fuzz_u8(bytes);
-    make_leaves(made, bytes);
+    if (!is_chain) make_leaves(made, bytes);
+}
+
+void fuzz_scene_make(struct fuzz_scene *made, struct fuzz_bytes *bytes)
+{
+    make(made, bytes, false);
+}
+
+void fuzz_scene_make_chain(struct fuzz_scene *made, struct fuzz_bytes *bytes)
+{
+    make(made, bytes, true);
 }

@@ -13,8 +13,16 @@ enum {
     FUZZ_NODES_MAX = 10,
     FUZZ_RUN_MAX = 3,
     FUZZ_CORNERS_MAX = 9,
-    FUZZ_PLANE_WORDS = sizeof(struct lim_plane_ref) / 2,
-    FUZZ_WORDS_MAX = FUZZ_NODES_MAX * 2 * FUZZ_RUN_MAX * (LIM_POLYGON_HEAD_WORDS + FUZZ_CORNERS_MAX + FUZZ_PLANE_WORDS)
+    FUZZ_PLANE_WORDS = sizeof(struct lim_plane_ref) / sizeof(lim_index),
+    FUZZ_EXTRA_WORDS = 1 + 1 + LIM_POLYGON_TEXTURE_WORDS, /* alpha, edges, texture */
+    FUZZ_RECORD_WORDS = LIM_POLYGON_HEAD_WORDS + FUZZ_CORNERS_MAX + FUZZ_PLANE_WORDS + FUZZ_EXTRA_WORDS,
+    FUZZ_WORDS_MAX = FUZZ_NODES_MAX * 2 * FUZZ_RUN_MAX * FUZZ_RECORD_WORDS,
+    FUZZ_TEXTURES_MAX = 2,
+    FUZZ_TEXTURE_BITS = 3, /* a side of 8 texels at most */
+    FUZZ_TEXEL_BLOCKS = FUZZ_TEXTURES_MAX * 6,
+    FUZZ_MAPPINGS_MAX = 3,
+    FUZZ_PALETTE_COLOURS = 256,
+    FUZZ_SIGHT_BYTES = 8
 };
 
 struct fuzz_scene {
@@ -26,8 +34,21 @@ struct fuzz_scene {
     struct lim_plane_exact exact[FUZZ_NODES_MAX];
     struct lim_box boxes[FUZZ_NODES_MAX];
     lim_index polygons[FUZZ_WORDS_MAX];
+    struct lim_mapping mappings[FUZZ_MAPPINGS_MAX];
+    struct lim_texture textures[FUZZ_TEXTURES_MAX];
+    uint16_t palette[FUZZ_PALETTE_COLOURS];
+    uint8_t texels[FUZZ_TEXEL_BLOCKS * LIM_TEXEL_BLOCK];
+    struct lim_place places[2 * FUZZ_NODES_MAX];
+    uint8_t sights[FUZZ_SIGHT_BYTES];
 };
 
 void fuzz_scene_make(struct fuzz_scene *made, struct fuzz_bytes *bytes);
+
+/* Without forks: what LIM_CONVEX takes. */
+void fuzz_scene_make_chain(struct fuzz_scene *made, struct fuzz_bytes *bytes);
+
+/* Adds what not every scene has, as the bytes want it: polygons that are transparent, textured or made by the compiler
+ * at some of their edges; sights. */
+void fuzz_scene_add_extras(struct fuzz_scene *made, struct fuzz_bytes *bytes);
 
 #endif

@@ -1,0 +1,171 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Records are written anew with what is added to them; runs move, and nodes follow them. */
+#include "fuzz_scene.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+enum { ALPHA_MAX = 254, SUM_MAX = 32767, BITS_MAX = 40, LEVEL_MAX_Q4 = 16 * 64, EDGES_ONE_WORD = 16 };
+
+/* Textures ----------------------------------------------------------------------------------- */
+
+static void make_textures(struct fuzz_scene *made, struct fuzz_bytes *bytes)
+{
+    struct lim_scene *scene = &made->scene;
+    uint16_t blocks = 0;
+
+    for (uint16_t i = 0; i < scene->texture_count; i++) {
+        struct lim_texture *texture = &made->textures[i];
+        size_t texels = 0;
+        *texture = (struct lim_texture){.texels = blocks,
+                                        .w_bits = fuzz_below(bytes, FUZZ_TEXTURE_BITS + 1),
+                                        .h_bits = fuzz_below(bytes, FUZZ_TEXTURE_BITS + 1)};
+        const unsigned least = texture->w_bits < texture->h_bits ? texture->w_bits : texture->h_bits;
+        texture->levels = (uint8_t)(1 + fuzz_below(bytes, least + 1));
+        for (unsigned level = 0; level < texture->levels; level++)
+            texels += (size_t)1 << (texture->w_bits + texture->h_bits - 2 * level);
+        blocks = (uint16_t)(blocks + (texels + LIM_TEXEL_BLOCK - 1) / LIM_TEXEL_BLOCK);
+    }
+    scene->texel_blocks = blocks;
+    const uint8_t first = fuzz_u8(bytes);
+    for (size_t i = 0; i < (size_t)blocks * LIM_TEXEL_BLOCK; i++)
+        made->texels[i] = (uint8_t)(first + 37 * i);
+    for (uint16_t i = 0; i < FUZZ_PALETTE_COLOURS; i++)
+        made->palette[i] = (uint16_t)(257 * i);
+    scene->palette_colours = FUZZ_PALETTE_COLOURS;
+}
+
+static void make_vector(struct fuzz_bytes *bytes, int16_t v[3])
+{
+    for (int i = 0; i < 3; i++) {
+        v[i] = (int16_t)fuzz_u16(bytes);
+        if (v[i] == INT16_MIN) v[i] = INT16_MAX;
+    }
+    while (abs(v[0]) + abs(v[1]) + abs(v[2]) > SUM_MAX)
+        for (int i = 0; i < 3; i++)
+            v[i] /= 2;
+}
+
+static void make_mapping(struct fuzz_scene *made, struct fuzz_bytes *bytes, struct lim_mapping *mapping)
+{
+    const struct lim_vertex *through = &made->vertices[fuzz_below(bytes, made->scene.vertex_count)];
+
+    make_vector(bytes, mapping->n);
+    if (!mapping->n[0] && !mapping->n[1] && !mapping->n[2]) mapping->n[1] = 1;
+    mapping->d = mapping->n[0] * through->x + mapping->n[1] * through->y + mapping->n[2] * through->z;
+    mapping->level_q4 = (int16_t)((int16_t)fuzz_u16(bytes) % (LEVEL_MAX_Q4 + 1));
+    for (int i = 0; i < 2; i++) {
+        make_vector(bytes, mapping->uv[i]);
+        mapping->bits[i] = fuzz_below(bytes, BITS_MAX + 1);
+        mapping->at_zero_q16[i] = (int32_t)fuzz_u32(bytes);
+    }
+}
+
+/* Records ------------------------------------------------------------------------------------ */
+
+/* A record with more than it had, at *to. Returns the word behind it. */
+static lim_index *add_to_record(struct fuzz_scene *made, struct fuzz_bytes *bytes, const lim_index *from, lim_index *to)
+{
+    struct lim_scene *scene = &made->scene;
+    const uint16_t words = lim_record_words(from[0]);
+    const uint8_t wanted = fuzz_u8(bytes);
+    lim_index *const head = to;
+
+    memcpy(to, from, words * sizeof *to);
+    to += words;
+    if (wanted & 1) {
+        *head |= LIM_POLYGON_ALPHA;
+        *to++ = (lim_index)(1 + fuzz_below(bytes, ALPHA_MAX));
+        if (!scene->limits.layers) scene->limits.layers = 1;
+    }
+    if (wanted & 2 && (from[0] & LIM_POLYGON_COUNT) <= EDGES_ONE_WORD) {
+        *head |= LIM_POLYGON_EDGES;
+        *to++ = fuzz_u8(bytes);
+    }
+    if (wanted & 4 && !(wanted & 1) && scene->texture_count) {
+        *head |= LIM_POLYGON_TEXTURE;
+        *to++ = fuzz_below(bytes, scene->texture_count);
+        *to++ = fuzz_below(bytes, scene->mapping_count);
+    }
+    return to;
+}
+
+static lim_index add_to_run(struct fuzz_scene *made, struct fuzz_bytes *bytes, const lim_index *from)
+{
+    const lim_index run = made->scene.polygon_words;
+    lim_index *to = &made->polygons[run];
+
+    for (bool last = false; !last; from += lim_record_words(*from)) {
+        last = *from & LIM_POLYGON_LAST;
+        to = add_to_record(made, bytes, from, to);
+    }
+    made->scene.polygon_words = (lim_index)(to - made->polygons);
+    return run;
+}
+
+static void add_to_records(struct fuzz_scene *made, struct fuzz_bytes *bytes)
+{
+    lim_index polygons[FUZZ_WORDS_MAX];
+
+    memcpy(polygons, made->polygons, sizeof polygons);
+    made->scene.polygon_words = 0;
+    for (lim_index i = 0; i < made->scene.node_count; i++) {
+        struct lim_node *node = &made->nodes[i];
+        if (node->front_run != LIM_NO_INDEX) node->front_run = add_to_run(made, bytes, polygons + node->front_run);
+        if (node->back_run != LIM_NO_INDEX) node->back_run = add_to_run(made, bytes, polygons + node->back_run);
+    }
+}
+
+/* Sights ------------------------------------------------------------------------------------- */
+
+static bool has_leaf(const struct lim_scene *scene)
+{
+    for (lim_index i = 0; i < scene->node_count; i++)
+        if (scene->nodes[i].split.plane == LIM_NO_INDEX) return true;
+    return false;
+}
+
+/* A bit a box: as many bytes in a row, of which the first zero ends what is looked at. */
+static void make_sights(struct fuzz_scene *made, struct fuzz_bytes *bytes)
+{
+    struct lim_scene *scene = &made->scene;
+    const uint16_t size_b = (uint16_t)((scene->box_count + 7) / 8);
+
+    if (!scene->box_count || has_leaf(scene)) return;
+    scene->sight_bytes = (uint16_t)(2 * size_b);
+    for (uint16_t i = 0; i < scene->sight_bytes; i++) {
+        const uint8_t bits = fuzz_u8(bytes);
+        made->sights[i] = bits ? bits : 1;
+    }
+    const uint8_t every = (uint8_t)(1 + fuzz_below(bytes, 4));
+    for (uint16_t cell = 0; cell < 2 * scene->node_count; cell = (uint16_t)(cell + every)) {
+        const uint8_t sight = fuzz_below(bytes, 3);
+        made->places[scene->place_count++] =
+            (struct lim_place){cell, sight == 2 ? (uint16_t)LIM_NONE : (uint16_t)(sight * size_b)};
+    }
+}
+
+void fuzz_scene_add_extras(struct fuzz_scene *made, struct fuzz_bytes *bytes)
+{
+    struct lim_scene *scene = &made->scene;
+    const uint8_t wanted = fuzz_u8(bytes);
+
+    scene->mappings = made->mappings;
+    scene->textures = made->textures;
+    scene->palettes = made->palette;
+    scene->texels = made->texels;
+    scene->places = made->places;
+    scene->sights = made->sights;
+    scene->limits.layers = wanted & 8 ? fuzz_u8(bytes) : 0;
+    scene->limits.pieces = fuzz_u8(bytes);
+    if (wanted & 1) {
+        scene->texture_count = (uint16_t)(1 + fuzz_below(bytes, FUZZ_TEXTURES_MAX));
+        scene->mapping_count = (uint16_t)(1 + fuzz_below(bytes, FUZZ_MAPPINGS_MAX));
+        make_textures(made, bytes);
+        for (uint16_t i = 0; i < scene->mapping_count; i++)
+            make_mapping(made, bytes, &made->mappings[i]);
+    }
+    if (wanted & 2) add_to_records(made, bytes);
+    if (wanted & 4) make_sights(made, bytes);
+}

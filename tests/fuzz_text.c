@@ -1,0 +1,140 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * The smaller readers of text, and command lines; the first byte says which. What they refuse they refuse in one line,
+ * and what they take is within the bounds that they promise. */
+#include "binary.h"
+#include "camera_choice.h"
+#include "fuzz_words.h"
+#include "hashes.h"
+#include "link_map.h"
+#include "measure_request.h"
+#include "options.h"
+#include "parse.h"
+
+#include <getopt.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { BINARY_MAX_B = 256 };
+
+static const char *read_hashes(struct fuzz_bytes *bytes)
+{
+    static const uint64_t hashes[] = {0, 1, 0xFFFFFFFFFFFFFFFF};
+    const uint8_t count = fuzz_below(bytes, 4);
+    const char *path = fuzz_as_file(bytes->at, bytes->left_b);
+    struct error err;
+
+    return hashes_check(hashes, count, path, &err) ? NULL : fuzz_check_refusal(err.text, path);
+}
+
+static const char *check_sections(const struct link_map *map)
+{
+    for (size_t i = 0; i < map->count; i++) {
+        const struct link_section *section = &map->sections[i];
+        if (!section->size_b || !section->name[0] || !section->object[0]) return "a section of nothing";
+        if (i && section->start < section[-1].start) return "sections out of order";
+    }
+    return map->count ? NULL : "a map without a section";
+}
+
+static const char *read_link_map(struct fuzz_bytes *bytes)
+{
+    const char *path = fuzz_as_file(bytes->at, bytes->left_b);
+    struct link_map map;
+    struct error err;
+
+    if (!link_map_read(path, &map, &err)) return fuzz_check_refusal(err.text, path);
+    const char *broken = check_sections(&map);
+    link_map_free(&map);
+    return broken;
+}
+
+static const char *read_binary(struct fuzz_bytes *bytes)
+{
+    const char *path = fuzz_as_file(bytes->at, bytes->left_b);
+    struct binary binary;
+    struct error err;
+
+    if (!binary_read(path, BINARY_MAX_B, &binary, &err)) return fuzz_check_refusal(err.text, path);
+    const bool same = binary.size_b == bytes->left_b && memcmp(binary.bytes, bytes->at, binary.size_b) == 0;
+    free(binary.bytes);
+    return same ? NULL : "a file was read otherwise than it is";
+}
+
+/* getopt() forgets the line that it was in the middle of. */
+static void begin_options(void)
+{
+    char name[] = "fuzz", *items[] = {name, NULL};
+
+    optind = 0;
+    (void)getopt(1, items, "");
+}
+
+static const char *check_options(const struct options *options)
+{
+    if (!options->scene_path) return "a command without a scene";
+    if (options->setup.w_px < 1 || options->setup.w_px > PARSE_SIDE_MAX_PX || options->setup.h_px < 1 ||
+        options->setup.h_px > PARSE_SIDE_MAX_PX)
+        return "a picture out of range";
+    if (!(options->near_m >= 0) || !isfinite(options->frames_per_s)) return "a number out of range";
+    return options->setup.core ? NULL : "a picture in no precision";
+}
+
+static const char *read_options(struct fuzz_bytes *bytes)
+{
+    struct fuzz_words words;
+    struct options options = {0};
+    struct error err;
+
+    const enum options_set set = fuzz_below(bytes, 2) ? OPTIONS_VIEW : OPTIONS_RENDER;
+    const struct arguments arguments = fuzz_words(bytes, &words);
+    if (!arguments.count) return NULL;
+    begin_options();
+    if (!options_parse(arguments.count, arguments.items, set, &options, &err)) return fuzz_check_refusal(err.text, NULL);
+    return check_options(&options);
+}
+
+static const char *read_request(struct fuzz_bytes *bytes)
+{
+    struct fuzz_words words;
+    struct measure_request request = {0};
+    struct error err;
+
+    const enum measure_of of = fuzz_below(bytes, 2) ? MEASURE_METHODS : MEASURE_PRECISIONS;
+    const struct arguments arguments = fuzz_words(bytes, &words);
+    if (!arguments.count) return NULL;
+    begin_options();
+    if (!measure_request_parse(arguments.count, arguments.items, of, &request, &err))
+        return fuzz_check_refusal(err.text, NULL);
+    if (request.core_count < 1 || request.core_count > MEASURE_CORES_MAX) return "a measurement of no core";
+    return request.cpu_count <= MEASURE_REQUEST_CPUS_MAX ? NULL : "more processors than there is room for";
+}
+
+/* Whatever reads a value of an option that the two above do not have. */
+static const char *read_values(struct fuzz_bytes *bytes)
+{
+    struct error err = {"-"};
+    struct camera_choice cameras;
+    uint32_t whole = 7;
+    double number = 1;
+
+    char *text = fuzz_string(bytes);
+    bool ok = !parse_whole("--frames", text, 5, 50, &whole, &err) || (whole >= 5 && whole <= 50);
+    ok = ok && (!parse_bound("--max-error", text, "%", &number, &err) || number > 0);
+    ok = ok && (!parse_tolerance(text, &number, &err) || (number >= 0 && number <= 1024));
+    if (camera_choice_parse(text, &cameras, &err)) ok = ok && cameras.text == text;
+    free(text);
+    return ok ? fuzz_check_refusal(err.text, NULL) : "a value out of range was taken";
+}
+
+static const char *run(const uint8_t *input, size_t size_b)
+{
+    static const char *(*const readers[])(struct fuzz_bytes *bytes) = {read_hashes,  read_link_map, read_binary,
+                                                                       read_options, read_request,  read_values};
+    struct fuzz_bytes bytes = {input, size_b};
+
+    return readers[fuzz_below(&bytes, sizeof readers / sizeof *readers)](&bytes);
+}
+
+const struct fuzz_target fuzz_text = {"text", run, NULL};

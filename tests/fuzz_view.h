@@ -1,0 +1,15 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Legal cameras from bytes. */
+#ifndef TESTS_FUZZ_VIEW_H
+#define TESTS_FUZZ_VIEW_H
+
+#include "fuzz_show.h"
+
+/* Most values of any size about as likely. */
+struct lim_camera fuzz_legal_camera(struct fuzz_bytes *bytes);
+
+/* A picture's size, and two cameras: the second is the first one, that turned or moved, or any other. */
+void fuzz_view_from(struct fuzz_bytes *bytes, struct fuzz_subject *subject);
+
+#endif
