@@ -313,7 +313,7 @@ test-programs: $(test_programs) ## build the unit tests without running them
 
 # -- Proofs, exhaustion, fuzzing: see tests/prove.sh, tests/exhaustive.h, tests/fuzz.h --------------------------------
 
-FUZZ_TARGETS := camera camera_file lim_file render features movers obj gltf ply stl picture wire_log qemu text
+FUZZ_TARGETS := camera camera_file lim_file render features movers obj gltf ply stl off picture wire_log qemu text
 FUZZ_FLAGS   := -max_total_time=60
 FUZZ_S       := 0
 export FUZZ_FLAGS FUZZ_S

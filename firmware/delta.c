@@ -247,16 +247,17 @@ static int finish_line(struct lim_delta *delta, uint16_t y, uint16_t x0, uint16_
     return kept == LIM_RUNS_TEXTURED ? send_changes(delta, y) : add_changes(delta, y);
 }
 
-/* Of a line that comes in pieces nothing is kept, and all of its page is sent. Pieces may begin between pixels that
- * share bytes: how they are sent is the target's affair, and nothing comes between them. Rectangles follow the last
- * one. */
-static int send_piece(struct lim_delta *delta, const struct lim_rect *piece, bool is_last)
+/* Of a line that comes in pieces nothing is kept, and all of its page is sent: by the pieces of its last line, of which
+ * the outer ones reach to the edges, for more may be seen of other lines. Pieces may begin between pixels that share
+ * bytes: how they are sent is the target's affair, and nothing comes between them. Rectangles follow the last one. */
+static int send_piece(struct lim_delta *delta, const struct lim_rect *piece, bool is_first, bool is_last)
 {
     (void)lim_runs_begin(&delta->runs, piece->y0);
     lim_runs_lose(&delta->runs, piece->y0);
     if (lim_delta_wants_lines(delta)) {
+        const uint16_t x0 = is_first ? 0 : piece->x0, x1 = is_last ? delta->target.w_px : piece->x1;
         add_to_page(delta, piece->y0, 0, delta->target.w_px);
-        return delta->target.done(delta->target.ctx, piece->y0, piece->x0, width(piece));
+        return delta->target.done(delta->target.ctx, piece->y0, x0, (uint16_t)(x1 - x0));
     }
     delta->stream.y0 = delta->target.h_px;
     int err = open_window(delta, NULL);
@@ -275,7 +276,8 @@ static int delta_done(void *ctx, uint16_t y, uint16_t x_px, uint16_t n_px)
     find_visible(delta, y, &x0, &x1);
     if (n_px == 0 && (x0 < x1 || y == delta->y)) return 0;
     const bool is_piece = piece.x0 > x0 || piece.x1 < x1;
-    const int err = is_piece ? send_piece(delta, &piece, piece.x1 >= x1) : finish_line(delta, y, x0, x1);
+    const int err =
+        is_piece ? send_piece(delta, &piece, piece.x0 <= x0, piece.x1 >= x1) : finish_line(delta, y, x0, x1);
     delta->y = y;
     delta->line = NULL;
     delta->noted = false;

@@ -13,9 +13,19 @@
 #include <sys/mman.h>
 #include <unistd.h>
 
-const struct fuzz_target *const fuzz_targets[] = {
-    &fuzz_camera, &fuzz_camera_file, &fuzz_lim_file, &fuzz_render,   &fuzz_features, &fuzz_movers, &fuzz_obj, &fuzz_gltf,
-    &fuzz_ply,    &fuzz_stl,         &fuzz_picture,  &fuzz_wire_log, &fuzz_qemu,     &fuzz_text,   NULL};
+const struct fuzz_target *const fuzz_targets[] = {&fuzz_camera,   &fuzz_camera_file, &fuzz_lim_file, &fuzz_render,
+                                                  &fuzz_features, &fuzz_movers,      &fuzz_obj,      &fuzz_gltf,
+                                                  &fuzz_ply,      &fuzz_stl,         &fuzz_off,      &fuzz_picture,
+                                                  &fuzz_wire_log, &fuzz_qemu,        &fuzz_text,     NULL};
+
+/* What sanitizers ask for. Libraries that read damaged files lose some of their memory; in the program that is a child
+ * process's. */
+const char *__lsan_default_suppressions(void);
+
+const char *__lsan_default_suppressions(void)
+{
+    return "leak:libassimp\nleak:libgd\n";
+}
 
 const struct fuzz_target *fuzz_find(const char *name)
 {
@@ -116,6 +126,7 @@ const char *fuzz_check_refusal(const char *text, const char *thing)
     if (!text[0]) return "a refusal without a reason";
     if (thing && strncmp(text, thing, strlen(thing)) != 0) return "a refusal does not name the file";
     for (; *text; text++)
-        if ((unsigned char)*text < ' ' || *text == 0x7F) return "a refusal of several lines, or with a control character";
+        if ((unsigned char)*text < ' ' || *text == 0x7F)
+            return "a refusal of several lines, or with a control character";
     return NULL;
 }

@@ -76,7 +76,7 @@ for target; do
     fi
     echo "fuzz: $target"
     case $target in
-    obj | gltf | ply | stl | picture)
+    obj | gltf | ply | stl | off | picture)
         run "$target" -fork=1 -ignore_crashes=1 -ignore_timeouts=1 -ignore_ooms=1
         judge "$target"
         ;;

@@ -207,6 +207,13 @@ static const char *run_ply(const uint8_t *input, size_t size_b)
     return run_file("model.ply", &bytes, dice_of(input, size_b));
 }
 
+static const char *run_off(const uint8_t *input, size_t size_b)
+{
+    const struct fuzz_bytes bytes = {input, size_b};
+
+    return run_file("model.off", &bytes, dice_of(input, size_b));
+}
+
 static const char *run_stl(const uint8_t *input, size_t size_b)
 {
     const struct fuzz_bytes bytes = {input, size_b};
@@ -260,3 +267,4 @@ const struct fuzz_target fuzz_obj = {"obj", run_obj, NULL};
 const struct fuzz_target fuzz_gltf = {"gltf", run_gltf, mend_gltf};
 const struct fuzz_target fuzz_ply = {"ply", run_ply, NULL};
 const struct fuzz_target fuzz_stl = {"stl", run_stl, mend_stl};
+const struct fuzz_target fuzz_off = {"off", run_off, NULL};

@@ -170,18 +170,19 @@ void fuzz_panel_init(struct fuzz_panel *panel, uint16_t w_px, uint16_t h_px, enu
 {
     memset(panel, 0, sizeof *panel);
     panel->is_round = is_round;
-    panel->target = (struct lim_target){.w_px = w_px,
-                                        .h_px = h_px,
-                                        .format = LIM_RGB565,
-                                        .ctx = panel,
-                                        .lend = lend,
-                                        .done = done,
-                                        .put_run = sink == FUZZ_SINK_RUNS ? put_run : NULL,
-                                        .visible = is_round ? visible : NULL,
-                                        .fill = sink == FUZZ_SINK_PIECES ? fill : NULL,
-                                        .show = sink == FUZZ_SINK_PIECES ? show_kept : NULL,
-                                        .window = page_px ? window : NULL,
-                                        .costs = {.window_b = 11, .pixel_bits = 16, .page_px = page_px, .x_align_px = 1}};
+    panel->target =
+        (struct lim_target){.w_px = w_px,
+                            .h_px = h_px,
+                            .format = LIM_RGB565,
+                            .ctx = panel,
+                            .lend = lend,
+                            .done = done,
+                            .put_run = sink == FUZZ_SINK_RUNS ? put_run : NULL,
+                            .visible = is_round ? visible : NULL,
+                            .fill = sink == FUZZ_SINK_PIECES ? fill : NULL,
+                            .show = sink == FUZZ_SINK_PIECES ? show_kept : NULL,
+                            .window = page_px ? window : NULL,
+                            .costs = {.window_b = 11, .pixel_bits = 16, .page_px = page_px, .x_align_px = 1}};
     take_memory(panel, sink);
 }
 

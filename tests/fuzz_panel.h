@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT
  *
- * A display for the fuzz targets, which takes pixels in each way that a target may: lines, a framebuffer, pieces as they
- * are found, runs of colour, changes in windows or pages. Its memory is from the heap to the byte. Whatever is sent
- * where nothing may be, or in no order, is noted. */
+ * A display for the fuzz targets, which takes pixels in each way that a target may: lines, a framebuffer, pieces as
+ * they are found, runs of colour, changes in windows or pages. Its memory is from the heap to the byte. Whatever is
+ * sent where nothing may be, or in no order, is noted. */
 #ifndef TESTS_FUZZ_PANEL_H
 #define TESTS_FUZZ_PANEL_H
 
@@ -14,22 +14,22 @@ enum fuzz_sink { FUZZ_SINK_LINES, FUZZ_SINK_FRAMEBUFFER, FUZZ_SINK_PIECES, FUZZ_
 
 struct fuzz_panel {
     struct lim_target target;
-    uint16_t unpainted;                 /* what lines are before a frame */
+    uint16_t unpainted;                      /* what lines are before a frame */
     uint16_t *lines[FUZZ_PANEL_SIDE_PX + 1]; /* of the framebuffer, or each on its own */
-    uint16_t *kept;                     /* what pieces are painted into */
+    uint16_t *kept;                          /* what pieces are painted into */
     uint16_t shown[FUZZ_PANEL_SIDE_PX][FUZZ_PANEL_SIDE_PX];
     uint8_t done[FUZZ_PANEL_SIDE_PX][FUZZ_PANEL_SIDE_PX]; /* how often each pixel was final in this frame */
     uint16_t page[8][FUZZ_PANEL_SIDE_PX];
     struct lim_rect window;
-    uint16_t x, y;                      /* the window's next pixel */
+    uint16_t x, y; /* the window's next pixel */
     bool in_window, is_round;
-    uint32_t calls, fails_at;           /* of lend(), done(), window() and show() in this frame; from 1 on, 0: never */
+    uint32_t calls, fails_at; /* of lend(), done(), window() and show() in this frame; from 1 on, 0: never */
     bool failed;
-    const char *broken;                 /* NULL: nothing so far */
+    const char *broken; /* NULL: nothing so far */
 };
 
-/* `page_px`: 0: every frame is sent whole; else changes alone are, line by line (1) or in pages (8). With pages, h_px is
- * a multiple of 8. */
+/* `page_px`: 0: every frame is sent whole; else changes alone are, line by line (1) or in pages (8). With pages, h_px
+ * is a multiple of 8. */
 void fuzz_panel_init(struct fuzz_panel *panel, uint16_t w_px, uint16_t h_px, enum fuzz_sink sink, bool is_round,
                      uint8_t page_px);
 

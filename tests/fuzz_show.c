@@ -164,7 +164,8 @@ static uint16_t unused_colour_of(const struct stage *stage)
     uint16_t colour = 0x5A5A;
 
     for (bool is_used = true; is_used; colour++) {
-        is_used = colour_is_used(&stage->scene, colour) || wireframe->colour == colour || wireframe->background == colour;
+        is_used =
+            colour_is_used(&stage->scene, colour) || wireframe->colour == colour || wireframe->background == colour;
         for (int frame = 0; frame < FUZZ_FRAMES && subject->instances[frame]; frame++)
             for (uint16_t i = 0; i < subject->instance_count; i++) {
                 const struct lim_scene *object = subject->instances[frame][i].object;
@@ -177,7 +178,8 @@ static uint16_t unused_colour_of(const struct stage *stage)
 const char *fuzz_show(const struct fuzz_subject *subject, const struct fuzz_look *look, const struct fuzz_means *means,
                       struct fuzz_pictures *pictures, bool *is_refused)
 {
-    struct stage stage = {.subject = subject, .look = look, .means = means, .core = look->core, .scene = *subject->scene};
+    struct stage stage = {
+        .subject = subject, .look = look, .means = means, .core = look->core, .scene = *subject->scene};
     const bool takes_runs = look->method == LIM_CONVEX && !subject->scene->texture_count;
     const enum fuzz_sink sink = means->sink == FUZZ_SINK_RUNS && !takes_runs ? FUZZ_SINK_LINES : means->sink;
     const char *broken;

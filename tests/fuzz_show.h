@@ -14,8 +14,8 @@ enum { FUZZ_FRAMES = 2 };
 
 struct fuzz_subject {
     const struct lim_scene *scene;
-    struct lim_camera cameras[FUZZ_FRAMES];                /* legal */
-    const struct lim_instance *instances[FUZZ_FRAMES];     /* NULL: nothing moves */
+    struct lim_camera cameras[FUZZ_FRAMES];            /* legal */
+    const struct lim_instance *instances[FUZZ_FRAMES]; /* NULL: nothing moves */
     uint16_t instance_count, w_px, h_px;
     struct lim_movers_limits limits;
     struct lim_light light;

@@ -91,7 +91,8 @@ static const char *read_options(struct fuzz_bytes *bytes)
     const struct arguments arguments = fuzz_words(bytes, &words);
     if (!arguments.count) return NULL;
     begin_options();
-    if (!options_parse(arguments.count, arguments.items, set, &options, &err)) return fuzz_check_refusal(err.text, NULL);
+    if (!options_parse(arguments.count, arguments.items, set, &options, &err))
+        return fuzz_check_refusal(err.text, NULL);
     return check_options(&options);
 }
 
@@ -130,8 +131,8 @@ static const char *read_values(struct fuzz_bytes *bytes)
 
 static const char *run(const uint8_t *input, size_t size_b)
 {
-    static const char *(*const readers[])(struct fuzz_bytes *bytes) = {read_hashes,  read_link_map, read_binary,
-                                                                       read_options, read_request,  read_values};
+    static const char *(*const readers[])(struct fuzz_bytes * bytes) = {read_hashes,  read_link_map, read_binary,
+                                                                        read_options, read_request,  read_values};
     struct fuzz_bytes bytes = {input, size_b};
 
     return readers[fuzz_below(&bytes, sizeof readers / sizeof *readers)](&bytes);

@@ -258,6 +258,7 @@ static void frames_in_pieces_are_shown_whole(void **state)
     fly(*state, LIM_NEAREST_FIRST, false, true, NULL, RUNS);
     fly(*state, LIM_NEAREST_FIRST, true, true, NULL, RUNS);
     fly(*state, LIM_NEAREST_FIRST, false, true, &(struct lim_target_costs){3, 8, 8, 1}, RUNS);
+    fly(*state, LIM_NEAREST_FIRST, true, true, &(struct lim_target_costs){3, 8, 8, 1}, RUNS);
 }
 
 /* Where what is seen of a line is all in its last piece, or nothing of it is; other lines' runs are not touched, also

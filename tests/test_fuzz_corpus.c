@@ -19,6 +19,8 @@ struct replay {
     size_t inputs, scenes; /* of the inputs, those that are .lim files */
 };
 
+static char replayed[512]; /* the names of targets so far, each in spaces */
+
 static bool is_scene(const char *path)
 {
     struct compiled scene;
@@ -51,6 +53,7 @@ static struct replay replay_corpus(const char *name)
     char folder[512];
 
     assert_non_null(replay.target);
+    snprintf(replayed + strlen(replayed), sizeof replayed - strlen(replayed), " %s ", name);
     snprintf(folder, sizeof folder, CORPUS "/%s", name);
     DIR *inputs = opendir(folder);
     assert_non_null(inputs);
@@ -88,6 +91,57 @@ static void any_valid_scene_is_drawn(void **state)
     replay_corpus("render");
 }
 
+static void any_valid_scene_looks_the_same_by_any_means(void **state)
+{
+    (void)state;
+    replay_corpus("features");
+}
+
+static void any_objects_move_in_any_valid_scene(void **state)
+{
+    (void)state;
+    replay_corpus("movers");
+}
+
+static void any_bytes_are_a_model_that_compiles_or_refused(void **state)
+{
+    static const char *const formats[] = {"obj", "gltf", "ply", "stl", "off"};
+
+    (void)state;
+    for (size_t i = 0; i < sizeof formats / sizeof *formats; i++)
+        replay_corpus(formats[i]);
+}
+
+static void any_bytes_are_a_picture_or_refused(void **state)
+{
+    (void)state;
+    replay_corpus("picture");
+}
+
+static void any_text_is_heard_by_a_display_or_refused(void **state)
+{
+    (void)state;
+    replay_corpus("wire_log");
+    replay_corpus("qemu");
+}
+
+static void any_words_are_a_command_or_refused(void **state)
+{
+    (void)state;
+    replay_corpus("text");
+}
+
+/* A target that is not named above would be replayed by nobody. */
+static void every_target_is_replayed(void **state)
+{
+    (void)state;
+    for (size_t i = 0; fuzz_targets[i]; i++) {
+        char name[64];
+        snprintf(name, sizeof name, " %s ", fuzz_targets[i]->name);
+        if (!strstr(replayed, name)) fail_msg("%s is not replayed", fuzz_targets[i]->name);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -95,6 +149,13 @@ int main(void)
         cmocka_unit_test(any_text_is_a_camera_file_or_refused),
         cmocka_unit_test(any_bytes_are_a_scene_or_refused),
         cmocka_unit_test(any_valid_scene_is_drawn),
+        cmocka_unit_test(any_valid_scene_looks_the_same_by_any_means),
+        cmocka_unit_test(any_objects_move_in_any_valid_scene),
+        cmocka_unit_test(any_bytes_are_a_model_that_compiles_or_refused),
+        cmocka_unit_test(any_bytes_are_a_picture_or_refused),
+        cmocka_unit_test(any_text_is_heard_by_a_display_or_refused),
+        cmocka_unit_test(any_words_are_a_command_or_refused),
+        cmocka_unit_test(every_target_is_replayed),
     };
 
     return cmocka_run_group_tests_name("fuzz corpus", tests, NULL, NULL);

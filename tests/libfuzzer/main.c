@@ -17,15 +17,6 @@ int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t size_b);
 size_t LLVMFuzzerCustomMutator(uint8_t *bytes, size_t size_b, size_t max_b, unsigned seed);
 size_t LLVMFuzzerMutate(uint8_t *bytes, size_t size_b, size_t max_b);
 
-/* What the sanitizer asks for. Libraries that read damaged files lose some of their memory; in the program that is a
- * child process's. */
-const char *__lsan_default_suppressions(void);
-
-const char *__lsan_default_suppressions(void)
-{
-    return "leak:libassimp\nleak:libgd\n";
-}
-
 int LLVMFuzzerInitialize(int *argc, char ***argv)
 {
     for (int i = 1; i < *argc; i++)
