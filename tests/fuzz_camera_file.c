@@ -6,13 +6,27 @@
 #include "fuzz_frame.h"
 #include "fuzz_room.h"
 
-#include <stdio.h>
-#include <string.h>
-
-static const char *check_refusal(const struct error *err, const char *path)
+/* Any numbers as a lens: refused in a line, or within the renderer's range. */
+static const char *check_lens(const struct viewpoint *numbers)
 {
-    if (strncmp(err->text, path, strlen(path)) != 0) return "a refusal does not name the file";
-    return strchr(err->text, '\n') ? "a refusal has several lines" : NULL;
+    const double fov_deg = numbers->eye_m[0], near_m = numbers->eye_m[1];
+    struct error err;
+    struct lens lens;
+
+    if (!lens_init(&lens, fov_deg, near_m, 16, 9, &err)) return fuzz_check_refusal(err.text, "--");
+    const bool ok = lens.tan_x >= 1.0 / 64 && lens.tan_x <= 4 && lens.tan_y >= 1.0 / 64 && lens.tan_y <= 4;
+    return ok && near_m > 0 ? NULL : "a lens out of range was taken";
+}
+
+static const char *check_few(const struct camera_path *path)
+{
+    struct camera_path few;
+    struct error err;
+
+    if (!camera_path_few(path, 3, &few, &err)) return "a short path cannot be made shorter";
+    const bool ok = few.count == (path->count < 3 ? path->count : 3) && few.frames[0].line == path->frames[0].line;
+    camera_path_free(&few);
+    return ok ? NULL : "a few cameras are others";
 }
 
 static const char *check_frames(const struct camera_path *path)
@@ -26,7 +40,7 @@ static const char *check_frames(const struct camera_path *path)
     if (!lens_init(&lens, 60.0, 0.1, frame.w_px, frame.h_px, &err)) return "the lens was refused";
     for (size_t i = 0; i < path->count; i++) {
         if (!camera_path_to_camera(path, i, &lens, &room->grid, &frame.camera, &err)) {
-            const char *broken = check_refusal(&err, path->name);
+            const char *broken = fuzz_check_refusal(err.text, NULL);
             if (broken) return broken;
         } else if (!fuzz_camera_is_legal(&frame.camera)) {
             return "a camera file made an illegal camera";
@@ -44,8 +58,10 @@ static const char *run(const uint8_t *bytes, size_t size_b)
     struct camera_path path;
     struct error err;
 
-    if (!camera_path_read(name, &path, &err)) return check_refusal(&err, name);
+    if (!camera_path_read(name, &path, &err)) return fuzz_check_refusal(err.text, name);
     const char *broken = check_frames(&path);
+    if (!broken) broken = check_few(&path);
+    if (!broken) broken = check_lens(&path.frames[0]);
     camera_path_free(&path);
     return broken;
 }

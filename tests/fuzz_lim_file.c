@@ -7,6 +7,8 @@
 #include "lim_image.h"
 
 #include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 enum { SIDE_PX = 6 };
@@ -23,13 +25,47 @@ static const char *draw(const struct lim_scene *scene, uint32_t crc32)
     return fuzz_draw(&frame, (uint8_t)crc32);
 }
 
+/* What a big-endian host does to the bytes before it writes them, it undoes after it has read them. */
+static const char *check_swaps(const struct compiled *read)
+{
+    const struct lim_file_header *header = read->image;
+    unsigned char *bytes = malloc(read->image_b);
+
+    memcpy(bytes, read->image, read->image_b);
+    lim_image_swap_sections(bytes, header);
+    lim_image_swap_header(bytes);
+    lim_image_swap_header(bytes);
+    lim_image_swap_sections(bytes, header);
+    const bool same = memcmp(bytes, read->image, read->image_b) == 0;
+    free(bytes);
+    return same ? NULL : "bytes that were swapped twice are others";
+}
+
+/* A scene that was read is written as it was. */
+static const char *check_write(const struct compiled *read)
+{
+    const char *path = fuzz_as_named_file("written.lim", NULL, 0);
+    struct error err;
+
+    if (!lim_file_write(read, path, &err)) return "a scene cannot be written";
+    unsigned char *bytes = malloc(read->image_b + 1);
+    FILE *file = fopen(path, "rb");
+    const bool same = file && fread(bytes, 1, read->image_b + 1, file) == read->image_b &&
+                      memcmp(bytes, read->image, read->image_b) == 0;
+    if (file) fclose(file);
+    free(bytes);
+    return same ? NULL : "a scene was written otherwise than it was read";
+}
+
 static const char *check_read(const struct compiled *read, size_t size_b)
 {
     const struct lim_file_header *header = read->image;
 
     if (read->image_b != size_b) return "a file was read that is longer or shorter than it says";
     if (!(isfinite(read->grid.units_per_m) && read->grid.units_per_m > 0)) return "a grid without a scale";
-    return draw(&read->scene, header->crc32);
+    const char *broken = check_swaps(read);
+    if (!broken) broken = check_write(read);
+    return broken ? broken : draw(&read->scene, header->crc32);
 }
 
 static const char *run(const uint8_t *bytes, size_t size_b)
@@ -40,7 +76,7 @@ static const char *run(const uint8_t *bytes, size_t size_b)
 
     if (!lim_file_read(path, &read, &err)) {
         if (read.image) return "a refused file left something behind";
-        return strncmp(err.text, path, strlen(path)) ? "a refusal does not name the file" : NULL;
+        return fuzz_check_refusal(err.text, path);
     }
     const char *broken = check_read(&read, size_b);
     compiled_free(&read);

@@ -13,6 +13,7 @@
 
 #include <getopt.h>
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -26,6 +27,23 @@ static const char *read_hashes(struct fuzz_bytes *bytes)
     struct error err;
 
     return hashes_check(hashes, count, path, &err) ? NULL : fuzz_check_refusal(err.text, path);
+}
+
+/* Hashes are read as they were written, and one that differs is found. */
+static const char *write_hashes(struct fuzz_bytes *bytes)
+{
+    const uint16_t pixels[] = {fuzz_u16(bytes), fuzz_u16(bytes)};
+    uint64_t hashes[] = {fuzz_u32(bytes), hash_pixels(pixels, 2), ~(uint64_t)fuzz_u32(bytes) << fuzz_below(bytes, 33)};
+    char text[128] = "";
+    struct error err;
+
+    FILE *file = fmemopen(text, sizeof text, "w");
+    const bool written = file && hashes_write(hashes, 3, file);
+    if (!file || fclose(file) != 0 || !written) return "hashes cannot be written";
+    const char *path = fuzz_as_file((const uint8_t *)text, strlen(text));
+    if (!hashes_check(hashes, 3, path, &err)) return "hashes were read otherwise than written";
+    hashes[fuzz_below(bytes, 3)]++;
+    return hashes_check(hashes, 3, path, &err) ? "another hash was taken for the same" : NULL;
 }
 
 static const char *check_sections(const struct link_map *map)
@@ -131,8 +149,8 @@ static const char *read_values(struct fuzz_bytes *bytes)
 
 static const char *run(const uint8_t *input, size_t size_b)
 {
-    static const char *(*const readers[])(struct fuzz_bytes * bytes) = {read_hashes,  read_link_map, read_binary,
-                                                                        read_options, read_request,  read_values};
+    static const char *(*const readers[])(struct fuzz_bytes * bytes) = {
+        read_hashes, read_link_map, read_binary, read_options, read_request, read_values, write_hashes};
     struct fuzz_bytes bytes = {input, size_b};
 
     return readers[fuzz_below(&bytes, sizeof readers / sizeof *readers)](&bytes);
