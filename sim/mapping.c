@@ -154,9 +154,10 @@ uint32_t mapping_add(struct mesh *mesh, const struct model *model, const struct 
 
 bool mapping_agree(const struct mesh *mesh, uint32_t a, uint32_t b, const uint32_t *corners, size_t count)
 {
-    const struct mapping *one = &mesh->mappings[a], *other = &mesh->mappings[b];
     if (a == b) return true;
-    if (!a || !b || one->texture != other->texture) return false;
+    if (!a || !b) return false;
+    const struct mapping *one = &mesh->mappings[a], *other = &mesh->mappings[b];
+    if (one->texture != other->texture) return false;
     double turns[2] = {0, 0};
     for (size_t k = 0; k < count; k++) {
         double uv[2], other_uv[2];

@@ -77,7 +77,9 @@ for target; do
     echo "fuzz: $target"
     case $target in
     obj | gltf | ply | stl | off | picture)
-        run "$target" -fork=1 -ignore_crashes=1 -ignore_timeouts=1 -ignore_ooms=1
+        status=0
+        run "$target" -fork=1 -ignore_crashes=1 -ignore_timeouts=1 -ignore_ooms=1 || status=$?
+        case $status in 0 | 70 | 71 | 77) ;; *) exit "$status" ;; esac # no crash, a hang, too much memory, a crash
         judge "$target"
         ;;
     *) run "$target" ;;
