@@ -55,13 +55,19 @@ static bool target_is_usable(const struct lim_target *target)
            framebuffer_is_usable(target) && method_is_linked(target->method);
 }
 
+/* A leaf has no children, so where a tree has no forks it can only be the last node. */
+static inline bool ends_in_leaf(const struct lim_scene *scene)
+{
+    return LIM_HAS_LEAVES && scene->node_count && scene->nodes[scene->node_count - 1].split.plane == LIM_NO_INDEX;
+}
+
 /* A tree without forks has as many levels as nodes; a set has none, and is for methods that sort. A convex solid's
  * faces hide its background. */
 static bool scene_is_usable(const struct lim_scene *scene, const struct lim_target *target)
 {
     return (LIM_IS_SORTED(target) || scene->limits.depth) && scene->limits.vertices <= LIM_MAX_VERTICES &&
            (LIM_HAS_SLANTED || !scene->plane_count) && (LIM_HAS_LARGE || !scene->exact_count) &&
-           !(IS_CONVEX(target) && scene->limits.depth != scene->node_count) &&
+           !(IS_CONVEX(target) && (scene->limits.depth != scene->node_count || ends_in_leaf(scene))) &&
            !(LIM_HAS_WIDE && IS_CONVEX(target) && scene->polygon_count >= LIM_NONE) &&
            !(LIM_HAS_WIDE && LIM_IS_SORTED(target) && scene->polygon_count > LIM_SORTED_MAX) &&
            !(LIM_HAS_TRANSPARENT && IS_CONVEX(target) && scene->limits.layers);

@@ -65,7 +65,8 @@ static bool is_refused_rightly(const struct stage *stage)
 {
     const struct lim_scene *scene = &stage->scene;
     const enum lim_method method = stage->look->method;
-    const bool is_chain = scene->limits.depth == scene->node_count && !scene->limits.layers;
+    const bool has_leaf = scene->nodes[scene->node_count - 1].split.plane == LIM_NO_INDEX;
+    const bool is_chain = scene->limits.depth == scene->node_count && !has_leaf && !scene->limits.layers;
 
     return scene->limits.vertices > LIM_MAX_VERTICES || (!scene->limits.depth && !sorts(method)) ||
            (method == LIM_CONVEX && !is_chain);

@@ -6,6 +6,7 @@
 #include "convexity.h"
 #include "core.h"
 #include "effort.h"
+#include "set_rig.h"
 #include "unpainted.h"
 
 #include <stdio.h>
@@ -285,6 +286,29 @@ static void a_vertex_in_front_of_a_plane_is_found(void **state)
     mesh_rig_free(&mesh);
 }
 
+/* A leaf has no plane that the eye could be in front of. */
+static void a_leaf_is_refused(void **state)
+{
+    static struct set set;
+    struct canvas canvas;
+    const struct lim_target target = {.w_px = W_PX,
+                                      .h_px = H_PX,
+                                      .format = LIM_RGB565,
+                                      .method = LIM_CONVEX,
+                                      .ctx = &canvas,
+                                      .lend = canvas_lend,
+                                      .done = canvas_done};
+    (void)state;
+    set_init(&set);
+    set_add(&set, 1, 3, (const int16_t[][3]){{0, 0, -100}, {50, 0, -100}, {0, 50, -100}});
+    assert_int_equal(set.scene.limits.depth, set.scene.node_count);
+    const size_t mem_b = core_fast.mem_b(&set.scene, &target);
+    void *lim = calloc(1, core_fast.lim_b), *mem = malloc(mem_b);
+    assert_int_equal(core_fast.init(lim, &set.scene, &target, mem, mem_b), LIM_ERR_SCENE);
+    free(lim);
+    free(mem);
+}
+
 /* The renderer itself refuses a tree with forks; the simulator any scene that is not convex. */
 static void a_forked_tree_is_refused(void **state)
 {
@@ -318,6 +342,7 @@ int main(void)
         cmocka_unit_test(little_room_or_none_gives_the_same_picture),
         cmocka_unit_test(other_scenes_are_not_taken_for_convex),
         cmocka_unit_test(a_vertex_in_front_of_a_plane_is_found),
+        cmocka_unit_test(a_leaf_is_refused),
         cmocka_unit_test(a_forked_tree_is_refused),
     };
     return cmocka_run_group_tests_name("convex", tests, NULL, NULL);
