@@ -69,6 +69,7 @@ static lim_index *add_to_record(struct fuzz_scene *made, struct fuzz_bytes *byte
 {
     struct lim_scene *scene = &made->scene;
     const uint16_t words = lim_record_words(from[0]);
+    const lim_index count = from[0] & LIM_POLYGON_COUNT;
     const uint8_t wanted = fuzz_u8(bytes);
     lim_index *const head = to;
 
@@ -79,9 +80,9 @@ static lim_index *add_to_record(struct fuzz_scene *made, struct fuzz_bytes *byte
         *to++ = (lim_index)(1 + fuzz_below(bytes, ALPHA_MAX));
         if (!scene->limits.layers) scene->limits.layers = 1;
     }
-    if (wanted & 2 && (from[0] & LIM_POLYGON_COUNT) <= EDGES_ONE_WORD) {
+    if (wanted & 2 && count <= EDGES_ONE_WORD) {
         *head |= LIM_POLYGON_EDGES;
-        *to++ = fuzz_u8(bytes);
+        *to++ = fuzz_u8(bytes) & ((1u << count) - 1);
     }
     if (wanted & 4 && !(wanted & 1) && scene->texture_count) {
         *head |= LIM_POLYGON_TEXTURE;
@@ -140,6 +141,8 @@ static void make_sights(struct fuzz_scene *made, struct fuzz_bytes *bytes)
     }
     const uint8_t every = (uint8_t)(1 + fuzz_below(bytes, 4));
     for (uint16_t cell = 0; cell < 2 * scene->node_count; cell = (uint16_t)(cell + every)) {
+        const struct lim_node *node = &made->nodes[cell / 2];
+        if ((cell % 2 ? node->back : node->front) != LIM_NO_INDEX) continue; /* the tree goes on: no cell */
         const uint8_t sight = fuzz_below(bytes, 3);
         made->places[scene->place_count++] =
             (struct lim_place){cell, sight == 2 ? (uint16_t)LIM_NONE : (uint16_t)(sight * size_b)};
@@ -157,7 +160,7 @@ void fuzz_scene_add_extras(struct fuzz_scene *made, struct fuzz_bytes *bytes)
     scene->texels = made->texels;
     scene->places = made->places;
     scene->sights = made->sights;
-    scene->limits.layers = wanted & 8 ? fuzz_u8(bytes) : 0;
+    const uint8_t layers = fuzz_u8(bytes);
     scene->limits.pieces = fuzz_u8(bytes);
     if (wanted & 1) {
         scene->texture_count = (uint16_t)(1 + fuzz_below(bytes, FUZZ_TEXTURES_MAX));
@@ -167,5 +170,6 @@ void fuzz_scene_add_extras(struct fuzz_scene *made, struct fuzz_bytes *bytes)
             make_mapping(made, bytes, &made->mappings[i]);
     }
     if (wanted & 2) add_to_records(made, bytes);
+    if (scene->limits.layers) scene->limits.layers = (uint16_t)(1 + layers);
     if (wanted & 4) make_sights(made, bytes);
 }

@@ -169,8 +169,8 @@ static const char *run(const uint8_t *input, size_t size_b)
         make_part(&movers.parts[i], &bytes);
     fuzz_scene_make(&movers.world, &bytes);
     if (fuzz_below(&bytes, 2)) fuzz_scene_add_extras(&movers.world, &bytes);
+    if (!lim_check(&movers.world.scene, &err)) return "a valid scene was refused";
     make(&movers, &bytes, &subject);
-    if (!lim_check(subject.scene, &err)) return "a valid scene was refused";
     return fuzz_show_both(&subject, &look, means);
 }
 
