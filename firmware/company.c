@@ -137,15 +137,16 @@ struct face {
 };
 
 #if LIM_HAS_LIGHT
+/* What has no plane, because its corners have come to lie on a line, is not lit. */
 static uint16_t colour_of(const struct lim *lim, const struct face *face)
 {
     const struct lim_scene *object = lim->movers.instances[face->mover].object;
     struct lim_plane_wide plane;
 
-    if (LIM_HAS_BENDING && lim_bends(&lim->movers.instances[face->mover]))
-        (void)lim_bend_plane(&plane, object, face->record);
-    else
+    if (!LIM_HAS_BENDING || !lim_bends(&lim->movers.instances[face->mover]))
         lim_plane_unpack(&plane, object, face->plane);
+    else if (!lim_bend_plane(&plane, object, face->record))
+        return (uint16_t)face->record[1];
     for (uint_fast8_t i = 0; i < 3 && !face->eye_in_front; i++)
         plane.n[i] = -plane.n[i];
     return lim_light_shade(&lim->movers.light, lim->movers.movers[face->mover].to_q14, plane.n,

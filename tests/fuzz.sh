@@ -78,8 +78,8 @@ for target; do
     case $target in
     obj | gltf | ply | stl | off | picture)
         status=0
-        run "$target" -fork=1 -ignore_crashes=1 -ignore_timeouts=1 -ignore_ooms=1 || status=$?
-        case $status in 0 | 70 | 71 | 77) ;; *) exit "$status" ;; esac # no crash, a hang, too much memory, a crash
+        run "$target" -timeout=3 -fork=1 -ignore_crashes=1 -ignore_timeouts=1 -ignore_ooms=1 || status=$?
+        case $status in 0 | 1 | 70 | 71 | 77) ;; *) exit "$status" ;; esac # of crashes, hangs, too much memory
         judge "$target"
         ;;
     *) run "$target" ;;
