@@ -45,7 +45,7 @@ help: ## list the goals
 # -- Debian packages: what every build needs, and what a goal or a suite needs beside ----------------------------------
 
 packages-build         := gcc libc6-dev pkg-config libassimp-dev libgd-dev libgmp-dev libjansson-dev zlib1g-dev \
-	libgpiod-dev libhidapi-dev
+	libgpiod-dev libhidapi-dev libarchive-dev
 packages-host          := libcmocka-dev libosmesa6-dev
 packages-arm           := gcc-arm-none-eabi qemu-system-arm gnuplot-nox
 packages-fixed         := $(packages-host) $(packages-arm)
@@ -98,7 +98,7 @@ WARNINGS := -Wall -Wextra -Wconversion -Wshadow -Wundef -Wmissing-prototypes -Ws
 export WARNINGS
 
 # hidapi reaches bridges by the kernel's hidraw or, with HIDAPI=libusb, past it.
-LIBRARIES = assimp gdlib jansson libgpiod hidapi-$(HIDAPI) $(if $(filter 1,$(HAVE_SDL2)),sdl2)
+LIBRARIES = assimp gdlib jansson libarchive libgpiod hidapi-$(HIDAPI) $(if $(filter 1,$(HAVE_SDL2)),sdl2)
 HAVE_SDL2 = $(shell pkg-config --exists sdl2 && echo 1 || echo 0)
 GPIOD     = $(firstword $(subst ., ,$(shell pkg-config --modversion libgpiod)))
 FLAGS = -std=c11 $(HOST_OPT) $(WARNINGS) -ffp-contract=off -D_POSIX_C_SOURCE=200809L -DLIM_HAVE_SDL2=$(HAVE_SDL2) \
@@ -159,6 +159,14 @@ $(BUILD)/limner: $(call object,sim/main.c) $(library) | $(BUILD)/count_plugin.so
 # `limner measure` builds firmware for emulated processors, and QEMU loads a plugin that counts.
 $(call object,sim/measure_cost.c sim/cmd_measure.c): PLACES = -DLIM_SOURCE_FOLDER='"$(CURDIR)"' \
 	-DLIM_COUNT_PLUGIN='"$(abspath $(BUILD))/count_plugin.so"'
+
+# What reports say of the sources: written anew, and compiled anew, when it changes.
+$(BUILD)/host/sources: force
+	@mkdir -p $(@D)
+	@sources="$$(git describe --always --dirty 2>/dev/null)"; echo "$$sources" | cmp -s - $@ || echo "$$sources" > $@
+
+$(call object,sim/versions.c): PLACES = -DLIM_SOURCES='"$(shell cat $(BUILD)/host/sources)"'
+$(call object,sim/versions.c): $(BUILD)/host/sources
 
 $(BUILD)/count_plugin.so: sim/targets/count_plugin.c $(BUILD)/host/flags
 	@echo "CC $< (plugin)"

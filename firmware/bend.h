@@ -17,14 +17,6 @@ static inline bool lim_bends(const struct lim_instance *instance)
 
 /* The plane of a record's first three corners, its front where they run counter-clockwise, in the object's units.
  * false: they lie on a line. */
-/*@ requires \valid(plane) && \valid_read(object) && \valid_read(record + (0 .. 4));
-    requires \valid_read(object->vertices + (0 .. 65534));
-    requires \separated(plane, object, record + (0 .. 4));
-    requires \separated(plane, object->vertices + (0 .. 65534));
-    requires record[2] < 65535 && record[3] < 65535 && record[4] < 65535;
-    assigns *plane;
-    ensures \forall integer i; 0 <= i < 3 ==> -536870912 <= plane->n[i] <= 536870911;
-    ensures -52776558133248 <= plane->d <= 52776558133248 && 0 <= plane->slack <= 1610612736; */
 bool lim_bend_plane(struct lim_plane_wide *plane, const struct lim_scene *object, const LIM_FLASH lim_index *record);
 
 /* Whether a record faces the eye. */

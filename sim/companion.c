@@ -6,6 +6,7 @@
 #include "companion.h"
 
 #include "hex.h"
+#include "inputs.h"
 
 #include <errno.h>
 #include <stdlib.h>
@@ -126,7 +127,11 @@ static FILE *open_name(const char *name, const char *said, size_t most_b, size_t
         return NULL;
     }
     FILE *file = input_open(path, most_b, size_b, err);
-    if (!file || trusts || lies_in_folder(file)) return file;
+    if (file && (trusts || lies_in_folder(file))) {
+        inputs_note(path);
+        return file;
+    }
+    if (!file) return NULL;
     fclose(file);
     refuse(said, err);
     return NULL;
@@ -151,7 +156,11 @@ static const char *behind(const char *path, const char *folder)
 
 FILE *companion_open_path(const char *path, size_t most_b, size_t *size_b, struct error *err)
 {
-    if (strcmp(path, model.path) == 0) return input_open(path, most_b, size_b, err);
+    if (strcmp(path, model.path) == 0) {
+        FILE *file = input_open(path, most_b, size_b, err);
+        if (file) inputs_note(path);
+        return file;
+    }
     const char *name = behind(path, model.folder);
     if (!name) name = behind(path, model.real_folder);
     return companion_open(name ? name : path, most_b, size_b, err);

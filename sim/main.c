@@ -30,6 +30,8 @@ static const char USAGE[] =
     "       limner splitters MODEL         what each heuristic makes of the tree\n"
     "       limner uf2 IMAGE.bin -o IMAGE.uf2  what is copied to an RP2040's boot drive (--family rp2040)\n"
     "       limner boot2 CODE.bin -o NAME.c  an RP2040's second stage, with its checksum\n"
+    "       limner report-bug MODEL|SCENE.lim  what was drawn, and all that it takes to draw it again, in one file\n"
+    "       limner replay REPORT.tar       draws it again; exit status 1 if a frame differs\n"
     "       limner help                    this text\n"
     "\n"
     "compile, render, view and measure, for a MODEL; compare and splitters take some of these, below:\n"
@@ -133,6 +135,11 @@ static const char USAGE[] =
     "  --frames N          ends after so many (all)\n"
     "  -o PATTERN, --write-hashes FILE, --check FILE  as render\n"
     "hashes: --write-hashes FILE, --check FILE as render; --shrink N: a pixel is NxN of the picture's (1)\n"
+    "report-bug: what render takes; pictures are left out\n"
+    "  -o FILE             the report (limner-report.tar): a tar archive of the model, the files that it names,\n"
+    "                      cameras, options, versions and a hash a frame\n"
+    "replay:\n"
+    "  -o FILE             the report anew, with what comes out now\n"
     "all that take a MODEL:\n"
     "  --time-limit SECONDS  then the best so far counts, said as such; nothing yet is an error (600, or\n"
     "                      LIMNER_TIME_LIMIT in the environment; 0: none). play and view: until they fly\n"
@@ -150,7 +157,8 @@ static const struct command {
                 {"measure", cmd_measure, true}, {"compare", cmd_compare, true},  {"splitters", cmd_splitters, true},
                 {"play", cmd_play, true},       {"devices", cmd_devices, false}, {"bridge", cmd_bridge, false},
                 {"module", cmd_module, false},  {"decode", cmd_decode, false},   {"hashes", cmd_hashes, false},
-                {"uf2", cmd_uf2, false},        {"boot2", cmd_boot2, false}};
+                {"uf2", cmd_uf2, false},        {"boot2", cmd_boot2, false},     {"report-bug", cmd_report_bug, true},
+                {"replay", cmd_replay, true}};
 
 /* --trust-paths, which means the same to all commands that read models, is taken out. */
 static int take_trust(int argc, char **argv)

@@ -5,6 +5,7 @@
 #include "model_io.h"
 
 #include "companion.h"
+#include "inputs.h"
 #include "whole_file.h"
 
 #include <stdint.h>
@@ -93,6 +94,7 @@ static struct model_file *copy_of(const struct model_io_instead *instead)
     struct model_file *file = calloc(1, sizeof *file + instead->size_b);
     if (!file) return NULL;
     file->size_b = instead->size_b;
+    inputs_note(instead->path);
     memcpy(file->bytes, instead->bytes, instead->size_b);
     return file;
 }

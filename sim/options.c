@@ -4,6 +4,7 @@
  * camera) is checked where the scene is known. */
 #include "options.h"
 
+#include "grow.h"
 #include "order_choice.h"
 #include "outputs.h"
 #include "parse.h"
@@ -219,6 +220,44 @@ static bool unusable_option(int code, char **argv, struct error *err)
     const char *given = argv[optind - 1];
     if (code == ':') return error_set(err, "%s: needs a value", given);
     return error_set(err, "%s: no such option here; `limner help` lists them", given);
+}
+
+static enum option_files files_of(int code, const char *value)
+{
+    struct camera_choice cameras;
+    struct error ignored;
+    switch (code) {
+    case OPTION_CAMERA:
+        return camera_choice_parse(value, &cameras, &ignored) && cameras.random_count ? OPTION_NAMES_NONE
+                                                                                      : OPTION_READS_CAMERAS;
+    case OPTION_OUT:
+    case OPTION_GIF:
+    case OPTION_SHEET:
+    case OPTION_IDS:
+    case OPTION_CHECK:
+    case OPTION_WRITE_HASHES:
+    case OPTION_WRITE_CAMERAS:
+        return OPTION_NAMES_FILE;
+    default:
+        return OPTION_NAMES_NONE;
+    }
+}
+
+bool options_split(int argc, char **argv, struct given_option **given, size_t *count, const char **scene,
+                   struct error *err)
+{
+    *given = grow_zeroed((size_t)argc, sizeof **given);
+    *count = 0;
+    opterr = 0;
+    optind = 1;
+    int code, index = -1;
+    while ((code = getopt_long(argc, argv, ":o:", OPTIONS, &index)) != -1) {
+        if (code == ':' || code == '?') return unusable_option(code, argv, err);
+        (*given)[(*count)++] =
+            (struct given_option){code == OPTION_OUT ? "o" : OPTIONS[index].name, optarg, files_of(code, optarg)};
+    }
+    *scene = argv[optind];
+    return optind + 1 >= argc || error_set(err, "one scene at a time, what is '%s'?", argv[optind + 1]);
 }
 
 /* A panel is emulated wherever its memory holds the picture. */

@@ -39,6 +39,20 @@ bool options_parse(int argc, char **argv, enum options_set set, struct options *
 bool options_load(const struct options *options, struct compiled *scene, struct moving *moving, struct lens *lens,
                   struct camera_path *path, struct error *err);
 
+/* What a value of an option is to the file system. */
+enum option_files { OPTION_NAMES_NONE, OPTION_READS_CAMERAS, OPTION_NAMES_FILE };
+
+struct given_option {
+    const char *name;  /* without dashes; "o" for -o */
+    const char *value; /* NULL: none */
+    enum option_files files;
+};
+
+/* The options of a command line of render as they were given, values unread, and the scene, or NULL. The caller frees
+ * *given; strings stay argv's. */
+bool options_split(int argc, char **argv, struct given_option **given, size_t *count, const char **scene,
+                   struct error *err);
+
 bool options_scene_is_compiled(const struct options *options);
 
 #endif

@@ -11,6 +11,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 
 enum { OPEN_FOLDERS = 16 };
 
@@ -26,6 +27,20 @@ bool work_folder_make(struct work_folder *folder, struct error *err)
     if (made) return true;
     folder->path[0] = '\0';
     return error_set(err, "%s: cannot make a folder in it: %s", parent, strerror(errno));
+}
+
+bool work_folder_place(const struct work_folder *folder, const char *name, char *path, size_t path_b, struct error *err)
+{
+    const size_t folder_b = strlen(folder->path) + 1;
+    if (snprintf(path, path_b, "%s/%s", folder->path, name) >= (int)path_b)
+        return error_set(err, "%s: the path is too long", name);
+    for (char *slash = strchr(path + folder_b, '/'); slash; slash = strchr(slash + 1, '/')) {
+        *slash = '\0';
+        const bool ok = mkdir(path, 0700) == 0 || errno == EEXIST;
+        *slash = '/';
+        if (!ok) return error_set(err, "%s: cannot make a folder for it: %s", name, strerror(errno));
+    }
+    return true;
 }
 
 static int remove_entry(const char *path, const struct stat *status, int kind, struct FTW *place)

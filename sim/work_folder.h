@@ -17,6 +17,10 @@ struct work_folder {
 
 bool work_folder_make(struct work_folder *folder, struct error *err);
 
+/* Where a file of that name goes, folders that lead to it made. */
+bool work_folder_place(const struct work_folder *folder, const char *name, char *path, size_t path_b,
+                       struct error *err);
+
 /* With all that is in it. */
 void work_folder_remove(struct work_folder *folder);
 

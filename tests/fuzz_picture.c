@@ -3,6 +3,7 @@
  * Any bytes as a picture, out of a model and from a file beside it: what is read is the same both ways, within its
  * bounds, and becomes a texture; what is not has a reason. The mutator seals PNG: the lengths of its chunks, their
  * checksums, and that of the pixels. */
+#include "companion.h"
 #include "fuzz.h"
 #include "picture.h"
 
@@ -63,7 +64,8 @@ static struct picture read_from(struct aiTexture *texture, const char *folder, c
     struct aiScene scene = {.mTextures = &texture, .mNumTextures = texture != NULL};
     struct picture picture;
 
-    picture_read(&scene, folder, name, &picture);
+    companions_begin(folder);
+    picture_read(&scene, name, &picture);
     return picture;
 }
 
