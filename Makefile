@@ -31,7 +31,7 @@ endif
 # Begins a recipe line whose output must appear as it comes: with +, but not under `make -n`, where + would run it.
 LIVE = $(if $(findstring n,$(firstword -$(MAKEFLAGS))),,+)@
 
-.PHONY: all extremes soak run view check test test-arm64 test-fixed test-programs models-table tables hid-table delta-table footprint tradeoff scale compare bench bench-baseline prove exhaustive fuzz fuzz-coverage mutate format clean help packages force
+.PHONY: all extremes soak run view check test test-arm64 test-fixed test-programs models-table tables hid-table delta-table footprint tradeoff scale predictions compare bench bench-baseline prove exhaustive fuzz fuzz-coverage mutate format clean help packages force
 .SECONDARY:
 .DELETE_ON_ERROR:
 
@@ -74,6 +74,7 @@ packages-footprint     := gcc-arm-none-eabi
 packages-delta-table   := gcc-arm-none-eabi qemu-system-arm
 packages-tradeoff      := $(packages-arm) gcc-riscv64-unknown-elf qemu-system-misc
 packages-scale         := gcc-arm-none-eabi qemu-system-arm gnuplot-nox
+packages-predictions    := $(packages-models)
 packages-compare       := gcc-arm-none-eabi qemu-system-arm
 packages-bench         := $(packages-tradeoff) valgrind
 packages-bench-baseline := $(packages-bench)
@@ -377,6 +378,9 @@ tradeoff: $(BUILD)/limner $(demo) ## measure accuracy against cost for README; e
 
 scale: $(BUILD)/limner $(BUILD)/generate_scale ## measure how costs grow with a scene; SCENES="rooms6 mesh1000": only those
 	$(LIVE)sh sim/scale.sh --write
+
+predictions: $(BUILD)/limner $(BUILD)/generate_scale $(demo) packages ## hold predicted wrong pixels against measured ones, of 48 models
+	$(LIVE)sh sim/predictions.sh --write
 
 compare: $(BUILD)/limner ## measure every visibility method; everything into out/compare/
 	$(LIVE)sh sim/compare.sh --write

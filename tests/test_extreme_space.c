@@ -75,16 +75,17 @@ static void build_100_km(struct model *model)
 static void a_centimetre_on_a_hundred_kilometres_is_refused(void **state)
 {
     struct model model = {0};
-    struct mesh mesh = {0};
+    const struct compile_options options = {.tolerance_units = 0.5, .splitter = "auto"};
+    struct compiled scene = {0};
     struct error err = {"accepted"};
 
     (void)state;
     build_100_km(&model);
     extreme_about("scale-100-km-1-cm", "A box of a centimetre stands on a plain of 100 km: no 16-bit grid holds both");
-    const bool accepted = mesh_clean(&model, &mesh, &err);
-    extreme_row("scale-100-km-1-cm", "all", "refused, a face named", "%s: %s; %zu of %zu faces dropped",
-                accepted ? "accepted" : "refused", err.text, accepted ? mesh.counts.too_small : 0, model.face_count);
-    mesh_free(&mesh);
+    const bool accepted = compile_part(&model, NULL, &options, &scene, &err);
+    extreme_row("scale-100-km-1-cm", "all", "refused, a face named", "%s: %s", accepted ? "accepted" : "refused",
+                err.text);
+    compiled_free(&scene);
     model_free(&model);
     assert_false(accepted);
     assert_non_null(strstr(err.text, "face "));
