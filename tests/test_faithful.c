@@ -238,6 +238,28 @@ static void nothing_but_small_things_are_refused_all_the_same(void **state)
     model_free(&model);
 }
 
+/* Smaller than what the mesh welds: a reference that saw the welded mesh would miss it as the scene does. */
+static void what_is_left_out_is_predicted_to_be_wrong(void **state)
+{
+    (void)state;
+    struct model model = floor_model();
+    struct compile_options options = with(&core_fast, true);
+    struct compiled scene;
+    struct error err;
+    options.predict = true;
+    for (int i = 0; i < 3; i++) { /* high up, where nothing else is in view */
+        const double low_m[3] = {10.0 * i, 300, 20.4}, high_m[3] = {10.0 * i + 0.04, 300.04, 20.44};
+        boxes_add_solid(&model, low_m, high_m);
+    }
+    if (!compile_part(&model, NULL, &options, &scene, &err)) fail_msg("%s", err.text);
+    assert_int_equal(scene.report.left_out, 18);
+    assert_int_equal(scene.report.wrong.near_cameras, 24);
+    assert_true(scene.report.wrong.near_percent > 1);
+    assert_true(scene.report.wrong.percent < scene.report.wrong.near_percent);
+    compiled_free(&scene);
+    model_free(&model);
+}
+
 static void faces_know_their_patch_and_their_thing(void **state)
 {
     (void)state;
@@ -274,6 +296,7 @@ int main(void)
         cmocka_unit_test(what_no_camera_can_see_is_no_loss),
         cmocka_unit_test(all_of_a_small_thing_is_left_out),
         cmocka_unit_test(nothing_but_small_things_are_refused_all_the_same),
+        cmocka_unit_test(what_is_left_out_is_predicted_to_be_wrong),
         cmocka_unit_test(faces_know_their_patch_and_their_thing),
     };
 
