@@ -48,6 +48,12 @@ static struct corner *list_corners(const struct soup *soup, size_t *count)
     return list;
 }
 
+/* Metres as float32 numbers, all their digits: every program reads the same house, whatever its numbers are. */
+static double float32_m(long um)
+{
+    return (double)(float)((double)um / 1e6);
+}
+
 bool write_obj(FILE *file, const struct soup *soup)
 {
     size_t count, number = 0;
@@ -59,8 +65,8 @@ bool write_obj(FILE *file, const struct soup *soup)
     for (size_t i = 0; i < count; i++) {
         if (i == 0 || compare_place(&list[i - 1], &list[i]) != 0) {
             number++;
-            fprintf(file, "v %.6f %.6f %.6f\n", (double)list[i].at_um[0] / 1e6, (double)list[i].at_um[1] / 1e6,
-                    (double)list[i].at_um[2] / 1e6);
+            fprintf(file, "v %.17g %.17g %.17g\n", float32_m(list[i].at_um[0]), float32_m(list[i].at_um[1]),
+                    float32_m(list[i].at_um[2]));
         }
         used[list[i].polygon][list[i].index] = number;
     }

@@ -67,6 +67,13 @@ static void turn(const double at[3], double out[3])
     out[2] = at[2] * cos(angle) - at[0] * sin(angle);
 }
 
+/* Whole micrometres, as float32 numbers, all their digits: every program reads the same rooms, whatever its numbers
+ * are. */
+static double float32_um(double at_m)
+{
+    return (double)(float)(round(at_m * 1e6) / 1e6);
+}
+
 static void write_quad(FILE *file, int index)
 {
     const struct quad *quad = &quads[index];
@@ -78,7 +85,8 @@ static void write_quad(FILE *file, int index)
         for (int axis = 0; axis < 3; axis++)
             at[axis] = quad->corner[axis] + right * quad->right[axis] + up * quad->up[axis];
         turn(at, turned);
-        fprintf(file, "v %.6f %.6f %.6f\nvt %.6f %.6f\n", turned[0], turned[1], turned[2], right * across, up * down);
+        fprintf(file, "v %.17g %.17g %.17g\nvt %.6f %.6f\n", float32_um(turned[0]), float32_um(turned[1]),
+                float32_um(turned[2]), right * across, up * down);
     }
     const int n = 4 * index;
     fprintf(file, "usemtl %s\nf %d/%d %d/%d %d/%d %d/%d\n", paints[quad->paint].name, n + 1, n + 1, n + 2, n + 2, n + 3,
