@@ -14,6 +14,8 @@ ifeq ($(origin CC),default)
 CC    := gcc
 endif
 export BUILD CC
+# What is made does not hang on how busy the machine is.
+export LIMNER_TIME_LIMIT := 0
 # CCACHE= does without.
 ifeq ($(origin CCACHE),undefined)
 CCACHE := $(shell sh sim/compiler_cache.sh)

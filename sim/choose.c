@@ -16,6 +16,7 @@
 
 enum { FOV_DEG = 60 };
 static const double CHOICE_SHARE = 0.5; /* of the time: then the scene is compiled for what was chosen */
+static const double SCENES_SHARE = 0.5; /* of that, what the first scene leaves: then they are drawn */
 
 /* What is measured: the model, its scene without and with fractions, the views. */
 struct trial {
@@ -57,17 +58,31 @@ static bool sample_path(struct trial *trial, struct error *err)
     return trial->path.count > 0;
 }
 
+/* All but exact share a scene; exact, the last, is left out if its own takes too long. */
+static bool compile_rows(struct trial *trial, const struct compile_options *options, struct choice *choice,
+                         struct error *err)
+{
+    bool ok = true;
+    const struct deadline_end whole = deadline_end();
+    for (size_t i = 0; ok && i < choice->count; i++) {
+        const struct core *core = trial->candidates[i].core = choice->rows[i].core;
+        ok = measure_scene_for(&trial->scenes, &trial->source, core, options, &trial->candidates[i].scene, err);
+        if (ok && i == 0) deadline_share(SCENES_SHARE);
+        if (ok || i == 0 || !deadline_passed()) continue;
+        deadline_say("precisions without %s", core->name);
+        choice->count = i;
+        ok = true;
+    }
+    deadline_restore(whole);
+    return ok;
+}
+
 static bool prepare(struct trial *trial, const char *model_path, const struct compile_options *options,
-                    const struct choice_bound *bound, const struct choice *choice, struct error *err)
+                    const struct choice_bound *bound, struct choice *choice, struct error *err)
 {
     if (!camera_choice_read(&bound->cameras, &trial->path, err)) return false;
     if (!measure_source_read(&trial->source, model_path, options, options->w_px, options->h_px, err)) return false;
-    for (size_t i = 0; i < choice->count; i++) {
-        trial->candidates[i].core = choice->rows[i].core;
-        if (!measure_scene_for(&trial->scenes, &trial->source, choice->rows[i].core, options,
-                               &trial->candidates[i].scene, err))
-            return error_prefix(err, model_path);
-    }
+    if (!compile_rows(trial, options, choice, err)) return error_prefix(err, model_path);
     return lens_init(&trial->lens, FOV_DEG, lens_default_near_m(&trial->scenes.plain.grid), options->w_px,
                      options->h_px, err) &&
            (bound->cameras.text

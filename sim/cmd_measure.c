@@ -35,6 +35,28 @@ struct measurement {
 
 /* Start -------------------------------------------------------------------------------------- */
 
+/* Of the time that the first scene leaves; the rest is for pictures and instructions. */
+static const double COMPILE_SHARE = 0.5;
+
+/* Rows whose scene takes too long are left out, as long as there are others. */
+static bool compile_rows(struct measurement *measurement, struct error *err)
+{
+    const struct measure_request *request = &measurement->request;
+    const struct deadline_end whole = deadline_end();
+    size_t *count = &measurement->table.row_count;
+    for (size_t i = 0; i < request->core_count; i++) {
+        const struct core *core = request->cores[i];
+        measurement->table.rows[*count].core = measurement->candidates[*count].core = core;
+        const bool ok = measure_scene_for(&measurement->scenes, &measurement->source, core, &request->compile,
+                                          &measurement->candidates[*count].scene, err);
+        if (!ok && (!*count || !deadline_passed())) return false;
+        if (!ok) deadline_say("rows without %s", core->name);
+        if (ok && !(*count)++) deadline_share(COMPILE_SHARE);
+    }
+    deadline_restore(whole);
+    return true;
+}
+
 static bool prepare(struct measurement *measurement, struct error *err)
 {
     const struct measure_request *request = &measurement->request;
@@ -45,12 +67,7 @@ static bool prepare(struct measurement *measurement, struct error *err)
     measurement->table.rows = calloc(count, sizeof *measurement->table.rows);
     if (!measurement->candidates || !measurement->accuracies || !measurement->table.rows)
         return error_set(err, "measure: out of memory");
-    for (size_t i = 0; i < count; i++) {
-        measurement->table.rows[i].core = measurement->candidates[i].core = request->cores[i];
-        if (!measure_scene_for(&measurement->scenes, &measurement->source, request->cores[i], &request->compile,
-                               &measurement->candidates[i].scene, err))
-            return error_prefix(err, request->model);
-    }
+    if (!compile_rows(measurement, err)) return error_prefix(err, request->model);
     faithful_note(&measurement->scenes.plain);
     faithful_note(&measurement->scenes.fractions);
     return measure_request_cameras(request, measurement->candidates[0].scene, &measurement->lens, &measurement->path,
@@ -100,7 +117,6 @@ static bool measure_all(struct measurement *measurement, struct error *err)
     table->h_px = request->h_px;
     table->cpus = request->cpus;
     table->cpu_count = request->cpu_count;
-    table->row_count = request->core_count;
     if (!measure_accuracy(&measurement->source, &views, measurement->candidates, table->row_count,
                           measurement->accuracies, err))
         return false;

@@ -163,8 +163,9 @@ static bool find_sampled(struct compilation *work, struct error *err)
     return deadline_check(err, "views were still sampled");
 }
 
-/* The first tree may take all of the time that is left, the others half of that. */
+/* The first tree may take all of the time, the others half of what it leaves. */
 static const double OTHERS_SHARE = 0.5;
+static const double MEASURED_SHARE = 0.5;
 
 /* Keeps the best of all; an error is the last one, and counts only if none succeeds. */
 static bool compile_best(struct compilation *work, struct compiled *out, struct error *err)
@@ -172,15 +173,12 @@ static bool compile_best(struct compilation *work, struct compiled *out, struct 
     bool ok = false;
     size_t tried = 0;
     if (!splitter_check(work->options->splitter, err)) return false;
-    const struct deadline_end whole = deadline_share(OTHERS_SHARE);
-    const struct deadline_end others = deadline_end();
-    deadline_restore(whole);
+    const struct deadline_end whole = deadline_end();
     for (size_t i = 0; i < splitter_count * TREE_KINDS; i++) {
         const struct splitter *splitter = &splitters[i % splitter_count];
         const enum tree_kind kind = (enum tree_kind)(i / splitter_count);
         struct compiled candidate = {0};
         if (!is_wanted(work, kind, splitter)) continue;
-        if (ok) deadline_restore(others);
         if (ok && deadline_passed()) continue;
         progress("compiling: %zu polygons, %s, %s", work->mesh->polygon_count, tree_names[kind], splitter->name);
         if (!compile_with(work, kind, splitter, &candidate, err)) continue;
@@ -191,7 +189,7 @@ static bool compile_best(struct compilation *work, struct compiled *out, struct 
         }
         compiled_free(&candidate);
         ok = true;
-        tried++;
+        if (!tried++) deadline_share(OTHERS_SHARE);
     }
     if (ok) deadline_say("the best of %zu trees", tried);
     deadline_restore(whole);
@@ -259,6 +257,17 @@ static bool check_method(const struct compile_options *options, const struct com
            error_set(err, "--method %s: the scene is not one convex solid", options->method->name);
 }
 
+/* What is measured on sampled cameras leaves half of the time to whoever asked for the scene. */
+static bool compile_measured(struct compiled *out, const struct compile_options *options, struct error *err)
+{
+    const struct deadline_end whole = deadline_share(MEASURED_SHARE);
+    const bool ok =
+        pools_measure(out, options->core, side_or_default(options->w_px), side_or_default(options->h_px), err) &&
+        order_choose(out, options, err) && portals_add(out, options, err);
+    deadline_restore(whole);
+    return ok;
+}
+
 bool compile_mesh(const struct mesh *mesh, const struct compile_options *options, struct compiled *out,
                   struct error *err)
 {
@@ -277,9 +286,7 @@ bool compile_mesh(const struct mesh *mesh, const struct compile_options *options
         out->report.frame = options->frame;
         out->report.framebuffer = options->framebuffer;
         out->report.delta_runs = options->delta;
-        ok = ok &&
-             pools_measure(out, options->core, side_or_default(options->w_px), side_or_default(options->h_px), err) &&
-             order_choose(out, options, err) && portals_add(out, options, err);
+        ok = ok && compile_measured(out, options, err);
         progress_end();
         if (!ok) compiled_free(out);
     }

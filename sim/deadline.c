@@ -12,6 +12,8 @@
 #include <stdlib.h>
 #include <time.h>
 
+enum { AFTER_B = 96 };
+
 static double system_now_s(void)
 {
     struct timespec now;
@@ -52,6 +54,15 @@ bool deadline_passed(void)
     return !isinf(end_s) && clock_now_s() >= end_s;
 }
 
+/* A stretch may have had a part of the time only. */
+static const char *after_what(char text[AFTER_B])
+{
+    const bool is_part = end_s < began_s + limit_s;
+    snprintf(text, AFTER_B, "stopped after %.3g s (%s--time-limit %g)", clock_now_s() - began_s,
+             is_part ? "its part of " : "", limit_s);
+    return text;
+}
+
 bool deadline_check(struct error *err, const char *doing, ...)
 {
     char text[sizeof err->text / 2];
@@ -60,7 +71,8 @@ bool deadline_check(struct error *err, const char *doing, ...)
     va_start(arguments, doing);
     vsnprintf(text, sizeof text, doing, arguments);
     va_end(arguments);
-    return error_set(err, "stopped after %.3g s (--time-limit %g): %s", clock_now_s() - began_s, limit_s, text);
+    char after[AFTER_B];
+    return error_set(err, "%s: %s", after_what(after), text);
 }
 
 struct deadline_end deadline_end(void)
@@ -87,7 +99,8 @@ void deadline_say(const char *kept, ...)
     va_list arguments;
     if (!deadline_passed()) return;
     progress_end();
-    fprintf(stderr, "limner: stopped after %.3g s (--time-limit %g): best so far: ", clock_now_s() - began_s, limit_s);
+    char after[AFTER_B];
+    fprintf(stderr, "limner: %s: best so far: ", after_what(after));
     va_start(arguments, kept);
     vfprintf(stderr, kept, arguments);
     va_end(arguments);

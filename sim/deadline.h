@@ -32,7 +32,7 @@ struct deadline_end {
     double end_s;
 };
 struct deadline_end deadline_share(double share);
-struct deadline_end deadline_end(void); /* of the stretch that runs */
+struct deadline_end deadline_end(void); /* as it is now */
 void deadline_restore(struct deadline_end outer);
 
 /* Says, if time is over, what counts nonetheless: a line on standard error. */

@@ -22,8 +22,8 @@
 #include <stdlib.h>
 
 enum { SAMPLED = 256, PORTRAITS = 64, CAMERAS = SAMPLED + PORTRAITS };
-enum { CAMERAS_AT_LEAST = 8 }; /* whatever time it takes */
 enum { STRAYS = 1, LEAST_PIECES = 8, PLENTY_OF_PIECES = 16000, PLENTY = 60000, FOV_DEG = 60 };
+enum { CAMERAS_AT_LEAST = STRAYS + 2 }; /* whatever time it takes */
 /* What is active is retained, and takes more cells than its head's. */
 enum { MOST_RETAINED = PLENTY / MCU_HEAD_CELLS };
 
@@ -92,11 +92,13 @@ static bool next_camera(struct sampler *sampler, int i, const struct lens *lens,
     return camera_path_to_camera(&path, 0, lens, &sampler->scene->grid, out, &ignored);
 }
 
-/* What is found from few cameras may be too little, which costs time in frames and no pixel. */
+/* What is found from few cameras may be too little, which costs time in frames, and pixels only of methods that sort.
+ */
 static bool ends_early(const struct usage *usage)
 {
     if (usage->cameras < CAMERAS_AT_LEAST || !deadline_passed()) return false;
-    deadline_say("pools measured on %zu of %d sampled cameras", usage->cameras, (int)CAMERAS);
+    deadline_say("pools measured on %zu of %d sampled cameras%s", usage->cameras, (int)CAMERAS,
+                 usage->splits_max ? "; others may have no room for pieces of polygons" : "");
     return true;
 }
 

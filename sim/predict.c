@@ -11,6 +11,8 @@
 
 #include <math.h>
 
+static const double SHARE = 0.5; /* of the time that is left */
+
 struct predicting {
     const struct compiled *scene;
     struct ids ids;
@@ -54,6 +56,7 @@ bool predict_wrong(const struct compiled *scene, const struct core *core, struct
     if (!lens_init(&predicting.lens, 60, lens_default_near_m(&scene->grid), PREDICT_SIDE_PX, PREDICT_SIDE_PX, err) ||
         !ids_init(&predicting.ids, scene, &setup, err))
         return false;
+    const struct deadline_end whole = deadline_share(SHARE);
     const bool ok = compare_views(&predicting, false, PREDICT_CAMERAS - near_count, &anywhere, err) &&
                     compare_views(&predicting, true, near_count, &near, err);
     const struct compare_counts all = {.pixels = anywhere.total.pixels + near.total.pixels,
@@ -63,6 +66,7 @@ bool predict_wrong(const struct compiled *scene, const struct core *core, struct
                               .cameras = anywhere.frames + near.frames,
                               .near_cameras = near.frames};
     deadline_say("a report without predicted wrong pixels");
+    deadline_restore(whole);
     ids_free(&predicting.ids);
     return ok;
 }
