@@ -127,7 +127,7 @@ static bool print_rows(const char *path, const struct model *still, size_t mover
         const bool ok = compile_part(still, NULL, options, &scene, err);
         if (!ok) {
             error_prefix(err, path);
-            if (!any && deadline_passed()) return false;
+            if (deadline_passed() && (!any)) return false;
             if (any) printf("| %-8s | %s |\n", splitter_names[i], err->text);
             continue;
         }
