@@ -138,6 +138,7 @@ static void group_polygons(struct grouping *work, uint32_t *group_of)
         face_plane_set(work, (uint32_t)i, &work->faces[i]);
     qsort(work->faces, count, sizeof *work->faces, larger_first);
     for (size_t i = 0; i < count && !(i && deadline_passed()); i++) {
+        progress_bar(i, count, "grouping %zu polygons by plane", count);
         uint32_t group = group_search(work, &work->faces[i]);
         group_of[work->faces[i].polygon] = group == NO_GROUP ? group_start(work, &work->faces[i]) : group;
     }

@@ -11,6 +11,7 @@
 #include "mapping.h"
 #include "mesh.h"
 #include "polygon_list.h"
+#include "progress.h"
 #include "vec3.h"
 
 #include <stdlib.h>
@@ -247,9 +248,12 @@ static void merge_all(struct merging *merging)
 {
     for (bool again = true; again;) {
         again = false;
-        for (size_t i = 0; i < merging->edge_count && !deadline_passed(); i++)
+        for (size_t i = 0; i < merging->edge_count && !deadline_passed(); i++) {
+            progress_bar(i, merging->edge_count, "merging faces");
             again |= try_merge(merging, &merging->edges[i]);
+        }
     }
+    progress_end();
 }
 
 static bool finish(struct merging *merging, struct error *err)

@@ -12,6 +12,7 @@
 #include "mapping.h"
 #include "original.h"
 #include "polygon_list.h"
+#include "progress.h"
 #include "triangulate.h"
 #include "weld.h"
 
@@ -164,6 +165,7 @@ static void clean_faces(struct cleaning *cleaning, const struct model *model, co
     size_t capacity = 0;
     for (size_t i = 0; i < model->face_count && !deadline_passed(); i++) {
         const struct model_face *face = &model->faces[i];
+        progress_bar(i, model->face_count, "faces");
         if (face->transparency == INVISIBLE) {
             cleaning->mesh->counts.invisible++;
             continue;
@@ -178,6 +180,7 @@ static void clean_faces(struct cleaning *cleaning, const struct model *model, co
                                           .two_sided = face->two_sided};
         clean_face(cleaning, corners, face->count, &like);
     }
+    progress_end();
     free(corners);
 }
 

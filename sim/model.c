@@ -8,6 +8,7 @@
 #include "child.h"
 #include "ending.h"
 #include "import.h"
+#include "progress.h"
 
 #include <errno.h>
 #include <stdio.h>
@@ -190,11 +191,13 @@ bool model_import(const char *path, struct model *model, struct error *err)
     (void)stat(path, &file); /* the child says what is wrong with it */
     FILE *exchange = tmpfile();
     if (!exchange) return error_set(err, "%s: no temporary file: %s", path, strerror(errno));
+    progress("reading %s", path);
     pid_t child = ending_fork();
     if (child == 0) run_child(path, (rlim_t)file.st_size, exchange);
     bool ok = child > 0 ? wait_for_child(path, child, (rlim_t)file.st_size, err)
                         : error_set(err, "%s: no process for the importer: %s", path, strerror(errno));
     ok = ok && read_result(path, exchange, model, err);
+    progress_end();
     fclose(exchange);
     return ok;
 }

@@ -6,6 +6,7 @@
 #include "bsp.h"
 #include "deadline.h"
 #include "grow.h"
+#include "progress.h"
 #include "sample.h"
 #include "vec3.h"
 
@@ -133,6 +134,7 @@ void sampled_order_find(struct rings *rings, const struct mesh *mesh, const stru
     sampler_init(&sampler, scene);
     for (int view = 0; view < SAMPLED_VIEWS && !deadline_passed(); view++) {
         const struct viewpoint viewpoint = sampler_next(&sampler);
+        progress_bar((size_t)view, SAMPLED_VIEWS, "sampled views");
         look(rings, mesh, &viewpoint, view, faces, &hits);
     }
     free(faces);

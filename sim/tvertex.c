@@ -152,6 +152,7 @@ bool mesh_insert_t_vertices(struct mesh *mesh, struct error *err)
         progress_bar(i, mesh->polygon_count, "vertices on edges");
         insert_into(&inserting, &mesh->polygons[i], &list);
     }
+    progress_end();
     point_tree_free(&inserting.tree);
     free(inserting.hits);
     free(inserting.loop);

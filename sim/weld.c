@@ -7,6 +7,7 @@
 #include "deadline.h"
 #include "grow.h"
 #include "point_tree.h"
+#include "progress.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -46,11 +47,13 @@ uint32_t *weld_points(const struct model *model, double weld_m, struct mesh *mes
     mesh->points = grow_zeroed(used_count, sizeof *mesh->points);
     for (size_t i = 0; i < used_count && !deadline_passed(); i++) {
         const double *point = model->points[used[i]];
+        progress_bar(i, used_count, "welding points");
         if (welding.index[used[i]] != UINT32_MAX) continue;
         memcpy(mesh->points[mesh->point_count], point, sizeof *mesh->points);
         welding.staying = (uint32_t)mesh->point_count++;
         point_tree_near(&tree, point, point, weld_m, take_along, &welding);
     }
+    progress_end();
     point_tree_free(&tree);
     free(used);
     return welding.index;
