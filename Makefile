@@ -357,7 +357,7 @@ $(BUILD)/tests/fuzz_replay: $(call object,tests/libfuzzer/replay.c) $(fuzz_objec
 
 # -- Mutants: see tests/mutants/README.md -------------------------------------------------------------------------------
 
-mutate: test-programs packages ## break firmware and HAL on purpose, 300 times; SEED=7 MUTANTS=50 FILES=firmware/clip.c, or MUTANT=NUMBER: one
+mutate: test-programs $(demo) packages ## break firmware and HAL on purpose, 300 times; SEED=7 MUTANTS=50 FILES=firmware/clip.c, or MUTANT=NUMBER: one
 	$(LIVE)SEED='$(SEED)' MUTANTS='$(MUTANTS)' FILES='$(FILES)' MUTANT='$(MUTANT)' sh tests/mutants.sh
 
 models-table: $(BUILD)/limner ## write the outcomes of Debian's test models anew
