@@ -35,8 +35,10 @@ void fake_fail_at(long n, int err_no)
     fake.failed = NULL;
 }
 
+/* A call that succeeds may leave anything there. */
 bool fake_fails(const char *name)
 {
+    errno = ENOTRECOVERABLE;
     if (fake.calls++ != fake.fail_at) return false;
     fake.failed = name;
     errno = fake.err_no;

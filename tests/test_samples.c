@@ -15,6 +15,45 @@ enum { W = 60, H = 50, POINTS = 40, MESHES = 200, TRIANGLES = 3 * POINTS };
 
 /* Strips ------------------------------------------------------------------------------------- */
 
+/* Rows of random samples, some of them without any, against each pixel's count of them. */
+static void a_strip_begins_and_ends_where_its_samples_do(void **state)
+{
+    enum { COLUMNS = 12, STRIPS = 100000 };
+    struct random random = {71};
+
+    (void)state;
+    for (int i = 0; i < STRIPS; i++) {
+        struct lim_strip strip;
+        uint8_t count[COLUMNS] = {0};
+        int x0 = COLUMNS, x1 = 0, inner0 = COLUMNS, inner1 = 0;
+        for (int s = 0; s < LIM_SAMPLE_ROWS; s++) {
+            strip.left[s] = (int16_t)random_in(&random, 0, 4 * COLUMNS);
+            strip.right[s] = (int16_t)random_in(&random, 0, 4 * COLUMNS);
+            for (int v = strip.left[s]; v < strip.right[s]; v++)
+                count[v / 4]++;
+        }
+        for (int x = 0; x < COLUMNS; x++) {
+            if (count[x] && x0 == COLUMNS) x0 = x;
+            if (count[x]) x1 = x + 1;
+            if (count[x] == 16 && inner0 == COLUMNS) inner0 = x;
+            if (count[x] == 16) inner1 = x + 1;
+        }
+        lim_strip_bound(&strip);
+        if (x0 >= x1) {
+            assert_true(strip.x0 >= strip.x1);
+        } else {
+            assert_int_equal(strip.x0, x0);
+            assert_int_equal(strip.x1, x1);
+        }
+        if (inner0 >= inner1) {
+            assert_true(strip.inner0 >= strip.inner1);
+        } else {
+            assert_int_equal(strip.inner0, inner0);
+            assert_int_equal(strip.inner1, inner1);
+        }
+    }
+}
+
 struct cover {
     uint16_t mask[H][W];
     unsigned twice; /* samples that were there already */
@@ -368,6 +407,7 @@ static void three_polygons_in_a_pixel_are_mixed_by_what_they_cover(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_strip_begins_and_ends_where_its_samples_do),
         cmocka_unit_test(a_pixel_that_is_covered_by_half_has_eight_samples),
         cmocka_unit_test(an_upright_edge_knows_all_sixteenths_and_a_level_one_all_quarters),
         cmocka_unit_test(a_sliver_covers_what_it_covers),
