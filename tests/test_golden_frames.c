@@ -8,6 +8,7 @@
 #include "cmocka_ready.h"
 #include "moving.h"
 #include "simulator.h"
+#include "texture_rig.h"
 
 #include <stdarg.h>
 #include <stdio.h>
@@ -44,6 +45,8 @@ static const struct {
             {"framebuffer", LIM_NEAREST_FIRST, FRAMEBUFFER}};
 
 struct stage {
+    struct model model; /* of a scene that is made here, with its mesh */
+    struct mesh mesh;
     struct compiled scene;
     struct moving moving;
     struct camera_path path;
@@ -91,11 +94,31 @@ static void open_stage(struct stage *stage, const char *model, const char *camer
     camera_path_free(&whole);
 }
 
+/* A room with pictures on its walls, seen from inside. */
+static void open_textured(struct stage *stage)
+{
+    static const struct viewpoint views[FRAMES] = {{{0.3, 0.2, 0.1}, {1, -0.4, -0.6}, 1},
+                                                   {{-0.9, 0.1, 0.8}, {0.7, -0.8, -1}, 2},
+                                                   {{0, 0.95, 0}, {0.1, -1, 0.2}, 3}};
+    struct random random = {5};
+    struct error err;
+
+    memset(stage, 0, sizeof *stage);
+    texture_rig_room(&stage->model, texture_rig_picture(&stage->model, 32, 16, &random), 2.5);
+    stage->scene = texture_rig_compile(&stage->model, &stage->mesh, &core_exact);
+    stage->path = (struct camera_path){.frames = malloc(sizeof views), .count = FRAMES};
+    assert_non_null(stage->path.frames);
+    memcpy(stage->path.frames, views, sizeof views);
+    assert_true(lens_init(&stage->lens, 70, lens_default_near_m(&stage->scene.grid), W_PX, H_PX, &err));
+}
+
 static void close_stage(struct stage *stage)
 {
     camera_path_free(&stage->path);
     moving_free(&stage->moving);
     compiled_free(&stage->scene);
+    mesh_free(&stage->mesh);
+    model_free(&stage->model);
 }
 
 /* Fowler, Noll and Vo's, of 32 bits. */
@@ -154,18 +177,15 @@ static void put_frames(struct simulator *simulator, struct stage *stage, const c
     put("\n");
 }
 
-static void put_scene(const char *model, const char *cameras)
+static void put_scene(const char *name, struct stage *stage)
 {
-    struct stage stage;
-
-    open_stage(&stage, model, cameras);
     for (size_t k = 0; cores[k]; k++)
         for (size_t way = 0; cores[k]->is_profile && way < sizeof ways / sizeof *ways; way++) {
             struct simulator simulator;
-            if (begin(&simulator, &stage, cores[k], way)) put_frames(&simulator, &stage, model, way);
+            if (begin(&simulator, stage, cores[k], way)) put_frames(&simulator, stage, name, way);
             simulator_free(&simulator);
         }
-    close_stage(&stage);
+    close_stage(stage);
 }
 
 static void write_expected(void)
@@ -186,8 +206,13 @@ static void frames_are_what_they_were(void **state)
     text = malloc(TEXT_B);
     assert_non_null(text);
     text[0] = '\0';
-    for (size_t i = 0; i < sizeof scenes / sizeof *scenes; i++)
-        put_scene(scenes[i].model, scenes[i].cameras);
+    struct stage stage;
+    for (size_t i = 0; i < sizeof scenes / sizeof *scenes; i++) {
+        open_stage(&stage, scenes[i].model, scenes[i].cameras);
+        put_scene(scenes[i].model, &stage);
+    }
+    open_textured(&stage);
+    put_scene("textured", &stage);
     if (asked && strcmp(asked, "write") == 0) write_expected();
     FILE *file = fopen(EXPECTED, "r");
     assert_non_null(file);
