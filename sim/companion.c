@@ -19,6 +19,7 @@ static bool trusts; /* --trust-paths */
 static struct {
     char path[PATH_SIZE_B], folder[PATH_SIZE_B]; /* the folder with its slash; empty: the working folder */
     char real_folder[PATH_SIZE_B];               /* without a link, with its slash */
+    char missing[PATH_SIZE_B];                   /* the path that was not found last */
     bool refused;
     struct error refusal; /* the first */
 } model;
@@ -32,6 +33,7 @@ void companions_begin(const char *model_path)
 {
     const char *slash = strrchr(model_path, '/');
     model.refused = false;
+    model.missing[0] = '\0';
     snprintf(model.path, sizeof model.path, "%s", model_path);
     snprintf(model.folder, sizeof model.folder, "%.*s", slash ? (int)(slash - model_path) + 1 : 0, model_path);
     char *real = realpath(*model.folder ? model.folder : ".", NULL);
@@ -137,16 +139,6 @@ static FILE *open_name(const char *name, const char *said, size_t most_b, size_t
     return NULL;
 }
 
-FILE *companion_open(const char *name, size_t most_b, size_t *size_b, struct error *err)
-{
-    char wanted[PATH_SIZE_B];
-    struct error second;
-    if (!copy_name(name, wanted, err)) return NULL;
-    FILE *file = open_name(wanted, name, most_b, size_b, err);
-    if (!file && decode_percent(wanted)) file = open_name(wanted, name, most_b, size_b, &second);
-    return file;
-}
-
 /* What follows the folder; NULL: the path does not begin with it. */
 static const char *behind(const char *path, const char *folder)
 {
@@ -154,6 +146,27 @@ static const char *behind(const char *path, const char *folder)
     return strncmp(path, folder, folder_b) == 0 ? path + folder_b : NULL;
 }
 
+/* Whole paths into the model's folder are as good as names; libraries make such. Two slashes: Blender's word for it. */
+static const char *in_folder(const char *path)
+{
+    const char *name = behind(path, "//");
+    if (!name && *model.folder == '/') name = behind(path, model.folder);
+    if (!name) name = behind(path, model.real_folder);
+    return name && *name != '/' ? name : path;
+}
+
+FILE *companion_open(const char *name, size_t most_b, size_t *size_b, struct error *err)
+{
+    char wanted[PATH_SIZE_B];
+    struct error second;
+    if (!copy_name(name, wanted, err)) return NULL;
+    FILE *file = open_name(in_folder(wanted), name, most_b, size_b, err);
+    if (!file && decode_percent(wanted)) file = open_name(in_folder(wanted), name, most_b, size_b, &second);
+    return file;
+}
+
+/* Having found no file, the library goes on with parts of its path behind the folder's: these look as absolute names
+ * do, but the model has not said them. */
 FILE *companion_open_path(const char *path, size_t most_b, size_t *size_b, struct error *err)
 {
     if (strcmp(path, model.path) == 0) {
@@ -162,6 +175,12 @@ FILE *companion_open_path(const char *path, size_t most_b, size_t *size_b, struc
         return file;
     }
     const char *name = behind(path, model.folder);
-    if (!name) name = behind(path, model.real_folder);
-    return companion_open(name ? name : path, most_b, size_b, err);
+    if (!name) name = path;
+    if (*name == '/' && strstr(model.missing, name)) {
+        error_set(err, "%s: %s", path, strerror(errno = ENOENT));
+        return NULL;
+    }
+    FILE *file = companion_open(name, most_b, size_b, err);
+    if (!file && *name != '/') snprintf(model.missing, sizeof model.missing, "%s", path);
+    return file;
 }

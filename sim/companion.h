@@ -21,7 +21,7 @@ bool companions_refused(struct error *err);
 void companions_refuse(const struct error *err);
 
 /* Opens what the model calls `name`, as input_open() does: relative to its folder; \ divides as / does, and %20 is a
- * blank unless a file is called so. NULL on error, with errno, and if
+ * blank unless a file is called so; // in front means the folder. NULL on error, with errno, and if
  * it is refused. */
 FILE *companion_open(const char *name, size_t most_b, size_t *size_b, struct error *err);
 

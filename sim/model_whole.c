@@ -6,6 +6,7 @@
 #include "model_whole.h"
 
 #include "binary.h"
+#include "input_file.h"
 
 #include <ctype.h>
 #include <stdio.h>
@@ -102,19 +103,22 @@ static bool set_coding(struct ply *ply, const char *line)
     return true;
 }
 
-/* false: what this is, the library may know. */
-static bool read_header(struct ply *ply)
+enum header { HEADER_READ, HEADER_UNKNOWN, HEADER_ENDS_EARLY };
+
+/* HEADER_UNKNOWN: what this is, the library may know. */
+static enum header read_header(struct ply *ply)
 {
     char line[256], word[WORD_B];
-    if (!next_line(ply, line, sizeof line) || strcmp(line, "ply") != 0) return false;
+    if (!next_line(ply, line, sizeof line) || strcmp(line, "ply") != 0) return HEADER_UNKNOWN;
     while (next_line(ply, line, sizeof line)) {
         if (sscanf(line, " %63s", word) != 1) continue;
-        if (strcmp(word, "end_header") == 0) return true;
-        if (strcmp(word, "property") == 0 && !add_property(ply, line)) return false;
-        if (strcmp(word, "element") == 0 && !add_element(ply, line)) return false;
-        if (strcmp(word, "format") == 0 && !set_coding(ply, line)) return false;
+        if (strcmp(word, "end_header") == 0) return HEADER_READ;
+        if (ply->at == ply->end) break;
+        if (strcmp(word, "property") == 0 && !add_property(ply, line)) return HEADER_UNKNOWN;
+        if (strcmp(word, "element") == 0 && !add_element(ply, line)) return HEADER_UNKNOWN;
+        if (strcmp(word, "format") == 0 && !set_coding(ply, line)) return HEADER_UNKNOWN;
     }
-    return false;
+    return HEADER_ENDS_EARLY;
 }
 
 /* What follows it ---------------------------------------------------------------------------- */
@@ -191,7 +195,9 @@ static bool elements_are_whole(struct ply *ply, struct error *err)
 static bool ply_is_whole(const char *path, const struct binary *file, struct error *err)
 {
     struct ply ply = {.path = path, .at = file->bytes, .end = file->bytes + file->size_b};
-    return !read_header(&ply) || elements_are_whole(&ply, err);
+    const enum header header = read_header(&ply);
+    if (header == HEADER_ENDS_EARLY) return error_set(err, "%s: truncated: it ends within its header", path);
+    return header == HEADER_UNKNOWN || elements_are_whole(&ply, err);
 }
 
 /* Other formats ------------------------------------------------------------------------------ */
@@ -254,6 +260,18 @@ static bool obj_is_whole(const char *path, const struct binary *file, struct err
     return error_set(err, "%s: truncated: its last line is '%.40s'", path, line);
 }
 
+/* The library looks into files of any name. */
+static bool begins_as_ply(const char *path)
+{
+    char bytes[4] = "";
+    struct error ignored;
+    FILE *file = input_open(path, LARGEST_FILE_B, NULL, &ignored);
+    const bool is_ply = file && fread(bytes, 1, sizeof bytes, file) == sizeof bytes && memcmp(bytes, "ply", 3) == 0 &&
+                        isspace((unsigned char)bytes[3]);
+    if (file) fclose(file);
+    return is_ply;
+}
+
 bool model_is_whole(const char *path, struct error *err)
 {
     static const struct {
@@ -261,7 +279,7 @@ bool model_is_whole(const char *path, struct error *err)
         bool (*is_whole)(const char *path, const struct binary *file, struct error *err);
     } formats[] = {{".ply", ply_is_whole}, {".stl", stl_is_whole}, {".obj", obj_is_whole}};
     struct binary file;
-    const char *suffix = strrchr(path, '.');
+    const char *suffix = begins_as_ply(path) ? ".ply" : strrchr(path, '.');
     for (size_t i = 0; suffix && i < sizeof formats / sizeof *formats; i++) {
         if (strcasecmp(suffix, formats[i].suffix) != 0) continue;
         if (!binary_read(path, LARGEST_FILE_B, &file, err)) return false;

@@ -8,6 +8,7 @@
 #include "model.h"
 
 #include <fcntl.h>
+#include <gd.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -185,12 +186,54 @@ static void indices_out_of_range_are_refused(void **state)
                    "tests/models/index_high.gltf: vertex indices of some faces are out of range");
 }
 
-/* The importer library never returns from this one. */
-static void a_file_without_an_end_is_given_up(void **state)
+/* Many pictures of the most pixels that there may be take more time than a file of some bytes is given. */
+static void what_takes_too_long_is_given_up(void **state)
 {
     (void)state;
-    assert_refused("tests/models/truncated.ply",
-                   "tests/models/truncated.ply: damaged, truncated or too much: the importer finds no end in it (3 s)");
+    enum { PICTURES = 48 };
+    char folder[] = "/tmp/limner-import-XXXXXX", path[64], expected[256];
+    assert_non_null(mkdtemp(folder));
+    gdImagePtr picture = gdImageCreate(4096, 4096);
+    gdImageColorAllocate(picture, 255, 0, 0);
+    int size_b;
+    void *bytes = gdImagePngPtr(picture, &size_b);
+    gdImageDestroy(picture);
+    snprintf(path, sizeof path, "%s/a.mtl", folder);
+    FILE *materials = fopen(path, "w");
+    snprintf(path, sizeof path, "%s/a.obj", folder);
+    FILE *model = fopen(path, "w");
+    fprintf(model, "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\n");
+    for (int i = 0; i < PICTURES; i++) {
+        fprintf(materials, "newmtl m%d\nmap_Kd %d.png\n", i, i);
+        fprintf(model, "usemtl m%d\nf 1/1 2/1 3/1\n", i);
+        snprintf(path, sizeof path, "%s/%d.png", folder, i);
+        FILE *file = fopen(path, "wb");
+        fwrite(bytes, 1, (size_t)size_b, file);
+        fclose(file);
+    }
+    fclose(materials);
+    fclose(model);
+    gdFree(bytes);
+    snprintf(path, sizeof path, "%s/a.obj", folder);
+    snprintf(expected, sizeof expected, "%s: damaged, truncated or too much: the importer finds no end in it (3 s)",
+             path);
+    assert_refused(path, expected);
+    for (int i = 0; i < PICTURES; i++) {
+        snprintf(path, sizeof path, "%s/%d.png", folder, i);
+        assert_int_equal(unlink(path), 0);
+    }
+    snprintf(path, sizeof path, "%s/a.mtl", folder);
+    assert_int_equal(unlink(path), 0);
+    snprintf(path, sizeof path, "%s/a.obj", folder);
+    assert_int_equal(unlink(path), 0);
+    assert_int_equal(rmdir(folder), 0);
+}
+
+/* The importer library never returns from this one. */
+static void a_header_without_an_end_is_refused(void **state)
+{
+    (void)state;
+    assert_refused("tests/models/truncated.ply", "tests/models/truncated.ply: truncated: it ends within its header");
 }
 
 /* Every prefix of a file is either a model or refused with one line that names it. */
@@ -260,7 +303,8 @@ int main(void)
         cmocka_unit_test(models_without_faces_are_refused),
         cmocka_unit_test(coordinates_that_are_no_numbers_are_refused),
         cmocka_unit_test(indices_out_of_range_are_refused),
-        cmocka_unit_test(a_file_without_an_end_is_given_up),
+        cmocka_unit_test(a_header_without_an_end_is_refused),
+        cmocka_unit_test(what_takes_too_long_is_given_up),
         cmocka_unit_test(truncated_files_never_do_harm),
         cmocka_unit_test(importing_leaks_nothing),
         cmocka_unit_test(errors_are_one_line),
