@@ -111,7 +111,7 @@ for command in 'view' 'measure --no-cost' 'compare --no-cost' splitters 'compile
 done
 LIMNER_CHECK=pipe.png
 export LIMNER_CHECK
-refuse "LIMNER_CHECK=pipe.png" 'pipe.png: is a pipe' render good.obj --size 64x48 --check pipe.png
+refuse "LIMNER_CHECK=pipe.png" 'pipe.png: is a pipe' render good.obj --size 64x48 --write-cameras /dev/null
 unset LIMNER_CHECK
 
 # -- Textures, materials, buffers --------------------------------------------------------------------------------------
@@ -178,15 +178,11 @@ trusted() { # MODEL: its material or buffer is read after all
     [ ! -s ../err ] || { cat ../err && return 1; }
 }
 tap_check "trusted paths: mtllib ../" trusted outside.obj
-materials absolute "$work/outside.mtl"
 for path in ../outside.bin link.bin %2e%2e/outside.bin "$work/outside.bin"; do
     gltf trusted_buffer "$path"
     tap_check "trusted paths: glTF URI $path" trusted trusted_buffer.gltf
 done
-for path in good.bin 'sub/a%20b.bin' ./sub/./../good.bin "data:application/octet-stream;base64,$corners"; do
-    case $path in
-    *../*) continue ;;
-    esac
+for path in good.bin 'sub/a%20b.bin' ./sub/./a%20b.bin "data:application/octet-stream;base64,$corners"; do
     gltf inner_buffer "$path"
     tap_check "what lies in the folder needs no trust: $path" accepts compile inner_buffer.gltf --report
 done

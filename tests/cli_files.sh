@@ -281,7 +281,7 @@ refuses_large_files() { # OPTION...: more than the limit
     (ulimit -f 16 && "$work/bounded" 10 300 "$limner" "$@" >../out 2>../err)
     status=$?
     cat ../err
-    [ $status -eq 1 ] && [ "$(wc -l <../err)" -eq 1 ] && grep -qE '^limner: [^ ]*: (cannot be written|File too large)' ../err &&
+    [ $status -eq 1 ] && [ "$(wc -l <../err)" -eq 1 ] && grep -qE '^limner: [^ ]*: (cannot be written|File too large|the importer)' ../err &&
         is_empty .
 }
 tap_check "a GIF beyond the limit on files leaves nothing" refuses_large_files render "$scenes/icosahedron.obj" --gif a/x.gif \

@@ -124,6 +124,8 @@ int fake_line_wait(struct fake_line *line, uint64_t timeout_ns)
 /* The system's calls ---------------------------------------------------------------------------- */
 
 int __wrap_open(const char *path, int flags, ...);
+int __real_open(const char *path, int flags, ...);
+int __real_close(int fd);
 int __wrap_close(int fd);
 ssize_t __wrap_read(int fd, void *to, size_t most_b);
 int __wrap_ioctl(int fd, unsigned long request, ...);
@@ -140,8 +142,8 @@ static int opened(int fd)
 
 int __wrap_open(const char *path, int flags, ...)
 {
-    (void)flags;
     const bool is_spi = strncmp(path, "/dev/", 5) == 0;
+    if (!is_spi && strncmp(path, "/sys/", 5) != 0) return __real_open(path, flags); /* no device: a scene, a camera */
     if (fake_fails(is_spi ? "open" : "open bufsiz")) return -1;
     if (is_spi && fake_is_interrupted()) return -1;
     errno = is_spi ? fake.spi_err_no : 0;
@@ -153,7 +155,8 @@ int __wrap_open(const char *path, int flags, ...)
 
 int __wrap_close(int fd)
 {
-    if (fd == SPI_FD || fd == BUFSIZ_FD) fake.fds--;
+    if (fd != SPI_FD && fd != BUFSIZ_FD) return __real_close(fd);
+    fake.fds--;
     return 0;
 }
 

@@ -105,7 +105,7 @@ static void nul_byte_in_a_line_is_refused(void **state)
     struct error err;
     char name[32];
     assert_false(read_text("1 2 3 4 5 6\0 7\n", 15, &path, name, &err));
-    assert_non_null(strstr(err.text, ":1: not a number"));
+    assert_non_null(strstr(err.text, ":1: a NUL byte"));
 }
 
 static void missing_file_and_folder_are_refused_by_name(void **state)
@@ -116,7 +116,7 @@ static void missing_file_and_folder_are_refused_by_name(void **state)
     assert_false(camera_path_read("/nowhere/at-all.cam", &path, &err));
     assert_string_equal(err.text, "/nowhere/at-all.cam: No such file or directory");
     assert_false(camera_path_read("/tmp", &path, &err));
-    assert_string_equal(err.text, "/tmp: Is a directory");
+    assert_string_equal(err.text, "/tmp: is a folder, not a file");
 }
 
 /* Angles ------------------------------------------------------------------------------------- */

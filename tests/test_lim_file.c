@@ -159,7 +159,7 @@ static void files_that_are_no_scenes_are_refused(void **state)
     assert_unreadable("not a Limner scene");
     unlink(path);
     assert_int_equal(mkdir(path, 0777), 0);
-    assert_unreadable("directory");
+    assert_unreadable("is a folder");
     rmdir(path);
 }
 
