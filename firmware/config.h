@@ -129,6 +129,12 @@
 #define LIM_HAS_RUNS LIM_HAS_CONVEX
 #endif
 
+/* The depth sort compares a list of n polygons at most LIM_NEWELL_EFFORT n^2 times, and a comparison for each piece: 1 to
+ * 65535. Random triangles through one another take some 100. */
+#ifndef LIM_NEWELL_EFFORT
+#define LIM_NEWELL_EFFORT 256u
+#endif
+
 /* 0: all targets take runs, and no line is ever lent. */
 #ifndef LIM_HAS_LINES
 #define LIM_HAS_LINES 1

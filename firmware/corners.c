@@ -173,6 +173,15 @@ static bool clip_to(struct lim_corners *to, const struct lim_corners *from, cons
     return to->n >= 3;
 }
 
+const struct lim_corners *lim_corners_cut(const struct lim *lim, uint16_t entry, const struct lim_plane_wide *plane,
+                                          bool front, struct lim_corners places[2])
+{
+    const struct lim_corners *whole = lim_corners_of(lim, entry, places);
+    struct lim_corners *const part = whole == &places[0] ? &places[1] : &places[0];
+
+    return whole && clip_to(part, whole, plane, front, most_corners(lim_entry_scene(lim, entry))) ? part : NULL;
+}
+
 /* The corners of a piece, in one of two places. NULL: too many, or none. */
 const struct lim_corners *lim_corners_of(const struct lim *lim, uint16_t entry, struct lim_corners places[2])
 {

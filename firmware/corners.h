@@ -56,6 +56,10 @@ static inline int64_t lim_corner_value(const struct lim_plane_wide *plane, const
 void lim_plane_cross(int32_t out[3], const int32_t front[3], int64_t front_value, const int32_t back[3],
                      int64_t back_value);
 
+/* Those of the part of it on one side of a plane. */
+const struct lim_corners *lim_corners_cut(const struct lim *lim, uint16_t entry, const struct lim_plane_wide *plane,
+                                          bool front, struct lim_corners places[2]);
+
 /* The corners of an entry, in one of two places. NULL: there are too many, or none. */
 const struct lim_corners *lim_corners_of(const struct lim *lim, uint16_t entry, struct lim_corners places[2]);
 

@@ -57,7 +57,7 @@ int lim_movers_init(struct lim *lim, void *mem, size_t mem_b, const struct lim_m
     sorter->list = cut(&at, limits->entries * sizeof *sorter->list);
     sorter->newell.polygons = cut(&at, limits->entries * sizeof *sorter->newell.polygons);
     sorter->newell.cut_size = limits->entries;
-    sorter->newell.options = (struct lim_newell_options){false, false};
+    sorter->newell.options = (struct lim_newell_options){.most = 0};
     movers->cache = cut(&at, LIM_VIEW_CACHE_ENTRIES * sizeof *movers->cache);
     sorter->newell.cuts = cut(&at, limits->entries * sizeof *sorter->newell.cuts);
     movers->stack = cut(&at, lim->scene->limits.depth * sizeof *movers->stack);

@@ -1,13 +1,18 @@
 /* SPDX-License-Identifier: MIT
  *
- * The list begins with the swapped entries, the last one first: each waits for the one before it. Behind them all
+ * The list is a row of parts, each of which may be painted before the next: at first it is one part. Within a part
+ * the list begins with the swapped entries, the last one first: each waits for the one before it. Behind them all
  * is sorted. So "swapped already" is a circle, and the search for overlaps in z ends at the first sorted
  * entry that has none.
+ *
+ * Comparing pays as long as it seldom splits. So a part may take so many comparisons; then the largest polygon's plane
+ * divides it into what lies behind, on and before it, and nothing of one part is compared with another again.
  *
  * It ends. A split is made only by a plane on both sides of which the polygon has corners, and its pieces are never
  * split by that plane again: there are as many splits at most as the planes allow, and never more than there is
  * room. Between two splits an entry leaves the list, or one more of those in it is swapped, or nothing can be
- * done and the entry leaves all the same. */
+ * done and the entry leaves all the same; a division takes its divider out. And comparisons are counted: when there
+ * are none left, the list is painted as it is. */
 #include "order.h"
 
 #include "piece.h"
@@ -19,6 +24,10 @@
 #else
 #define NO_OWNER
 #endif
+
+/* How often an entry may be compared before its part is divided: of the whole list, times its entries, which no scene
+ * needs whose polygons mostly have an order; and of a part. */
+enum { WHOLE_COMPARES = 4, PART_COMPARES = 2 };
 
 /* On which sides of each other's planes two polygons lie; asked once, when it is needed. */
 struct couple {
@@ -49,7 +58,7 @@ bool lim_newell_add(struct lim *lim, uint16_t entry, const LIM_FLASH lim_index *
     const struct lim_rect rect = {within(shape->left, w_px), within(shape->top, h_px), within(shape->right, w_px),
                                   within(shape->bottom, h_px)};
     lim->sorter.newell.polygons[entry] =
-        (struct lim_newell_polygon){near_qv, rect, node, LIM_NONE, eye_in_front, false, NO_OWNER};
+        (struct lim_newell_polygon){near_qv, rect, node, LIM_NONE, eye_in_front, false, false, NO_OWNER};
     return true;
 }
 
@@ -61,6 +70,23 @@ static struct lim_newell_polygon *polygon_of(struct lim *lim, uint16_t entry)
 static void count(struct lim *lim, enum lim_newell_test test)
 {
     if (LIM_HAS_STATS) lim_stats_of(lim)->newell.decided[test]++;
+}
+
+/* A comparison. false: none is left. */
+static bool spend(struct lim *lim)
+{
+    struct lim_newell *newell = &lim->sorter.newell;
+
+    if (LIM_HAS_STATS) lim_stats_of(lim)->newell.comparisons++;
+    if (newell->left) newell->left--;
+    return newell->left;
+}
+
+static void note_forced(struct lim *lim, enum lim_forced reason, uint16_t entries)
+{
+    if (!LIM_HAS_STATS) return;
+    lim_stats_of(lim)->newell.forced += entries;
+    lim_stats_of(lim)->newell.forced_by[reason] += entries;
 }
 
 /* Front is where the eye is. */
@@ -88,6 +114,9 @@ static bool passes(struct lim *lim, struct couple *couple, enum lim_newell_test 
     if (test == LIM_TEST_Y) return p->y1 <= q->y0 || q->y1 <= p->y0;
     if (test == LIM_TEST_APART) return !lim_piece_overlap(lim, couple->p, couple->q);
     look_at_planes(lim, couple);
+    const bool both = couple->p_sides == LIM_SIDE_BOTH && couple->q_sides == LIM_SIDE_BOTH;
+    if (test == LIM_TEST_P_PART) return both && !lim_piece_part_overlaps(lim, couple->p, couple->q, true);
+    if (test == LIM_TEST_P_REST) return both && !lim_piece_part_overlaps(lim, couple->p, couple->q, false);
     if (test == LIM_TEST_P_BEHIND) return !(couple->p_sides & LIM_SIDE_FRONT);
     if (test == LIM_TEST_Q_IN_FRONT) return !(couple->q_sides & LIM_SIDE_BACK);
     if (test == LIM_TEST_Q_BEHIND) return !(couple->q_sides & LIM_SIDE_FRONT);
@@ -97,13 +126,13 @@ static bool passes(struct lim *lim, struct couple *couple, enum lim_newell_test 
 /* Whether P may be painted before Q. */
 static bool may_precede(struct lim *lim, struct couple *couple)
 {
-    static const LIM_FLASH uint8_t orders[2][5] = {
-        {LIM_TEST_X, LIM_TEST_Y, LIM_TEST_P_BEHIND, LIM_TEST_Q_IN_FRONT, LIM_TEST_APART},
-        {LIM_TEST_P_BEHIND, LIM_TEST_Q_IN_FRONT, LIM_TEST_X, LIM_TEST_Y, LIM_TEST_APART}};
+    static const LIM_FLASH uint8_t orders[2][6] = {
+        {LIM_TEST_X, LIM_TEST_Y, LIM_TEST_P_BEHIND, LIM_TEST_Q_IN_FRONT, LIM_TEST_APART, LIM_TEST_P_PART},
+        {LIM_TEST_P_BEHIND, LIM_TEST_Q_IN_FRONT, LIM_TEST_X, LIM_TEST_Y, LIM_TEST_APART, LIM_TEST_P_PART}};
     const LIM_FLASH uint8_t *order = orders[lim->sorter.newell.options.planes_first];
 
-    if (LIM_HAS_STATS) lim_stats_of(lim)->newell.comparisons++;
-    for (uint_fast8_t i = 0; i < 5; i++) {
+    (void)spend(lim);
+    for (uint_fast8_t i = 0; i < 6; i++) {
         const enum lim_newell_test test = (enum lim_newell_test)order[i];
         if (!passes(lim, couple, test)) continue;
         count(lim, test);
@@ -209,6 +238,7 @@ static bool split_circle(struct lim *lim, uint16_t last)
     for (uint16_t a = lim->sorter.first;; a = list[a].next) {
         for (uint16_t b = lim->sorter.first; b != a; b = list[b].next) {
             struct couple couple = {.p = a, .q = b};
+            if (!spend(lim)) return false;
             if (split_couple(lim, &couple)) return true;
         }
         if (a == last) return false;
@@ -221,8 +251,8 @@ static bool resolve(struct lim *lim, struct couple *couple)
     const bool in_circle = polygon_of(lim, couple->q)->swapped;
 
     if (!in_circle) {
-        static const LIM_FLASH uint8_t swapped[2] = {LIM_TEST_Q_BEHIND, LIM_TEST_P_IN_FRONT};
-        for (uint_fast8_t i = 0; i < 2; i++) {
+        static const LIM_FLASH uint8_t swapped[3] = {LIM_TEST_Q_BEHIND, LIM_TEST_P_IN_FRONT, LIM_TEST_P_REST};
+        for (uint_fast8_t i = 0; i < 3; i++) {
             if (!passes(lim, couple, (enum lim_newell_test)swapped[i])) continue;
             count(lim, (enum lim_newell_test)swapped[i]);
             swap(lim, couple->q);
@@ -232,22 +262,188 @@ static bool resolve(struct lim *lim, struct couple *couple)
     return split_couple(lim, couple) || (in_circle && split_circle(lim, couple->q));
 }
 
-void lim_newell_order(struct lim *lim)
+/* Why resolve() could not. */
+static enum lim_forced reason_of(struct lim *lim, const struct couple *couple)
+{
+    if (!lim->sorter.newell.left) return LIM_FORCED_EFFORT;
+    if (!lim_piece_has_room(lim)) return LIM_FORCED_ROOM;
+    return couple->p_sides == LIM_SIDE_BOTH || couple->q_sides == LIM_SIDE_BOTH ? LIM_FORCED_CORNERS : LIM_FORCED_TIE;
+}
+
+/* The first entry of a list is painted next. */
+static uint16_t emit(struct lim *lim, uint16_t *first, uint16_t nearest)
+{
+    const uint16_t entry = *first;
+
+    *first = lim->sorter.list[entry].next;
+    lim->sorter.list[entry].next = nearest;
+    return entry;
+}
+
+/* Without room for pieces dividing is no help. */
+static bool may_compare(const struct lim *lim, uint32_t pause)
+{
+    const uint32_t left = lim->sorter.newell.left;
+
+    return left && (left > pause || !lim_piece_has_room(lim));
+}
+
+/* Orders a part until comparing has to pause. Returns the nearest of what is ordered; the others stay in the list. */
+static uint16_t order_part(struct lim *lim, uint16_t nearest, uint32_t pause)
 {
     struct lim_sorter *sorter = &lim->sorter;
-    uint16_t nearest = LIM_NONE;
 
-    while (sorter->first != LIM_NONE) {
+    while (sorter->first != LIM_NONE && may_compare(lim, pause)) {
         struct couple couple = {.p = sorter->first};
         if (find_obstacle(lim, &couple)) {
             if (resolve(lim, &couple)) continue;
-            if (LIM_HAS_STATS) lim_stats_of(lim)->newell.forced++;
+            note_forced(lim, reason_of(lim, &couple), 1);
         }
-        sorter->first = sorter->list[couple.p].next;
-        sorter->list[couple.p].next = nearest;
-        nearest = couple.p;
+        nearest = emit(lim, &sorter->first, nearest);
     }
-    sorter->first = nearest;
+    return nearest;
+}
+
+/* Dividing ------------------------------------------------------------------------------------ */
+
+/* Where an entry lies, as the eye sees the plane. */
+enum { BEHIND, ON, BEFORE, PLACES };
+
+/* The largest on the screen: it would be cut by most of the others. */
+static uint16_t choose_divider(struct lim *lim)
+{
+    uint16_t chosen = lim->sorter.first;
+    uint32_t most_px = 0;
+
+    for (uint16_t at = chosen; at != LIM_NONE; at = lim->sorter.list[at].next) {
+        const struct lim_rect *rect = &polygon_of(lim, at)->rect;
+        const uint32_t px = (uint32_t)(rect->x1 - rect->x0) * (uint32_t)(rect->y1 - rect->y0);
+        if (px <= most_px) continue;
+        most_px = px;
+        chosen = at;
+    }
+    return chosen;
+}
+
+static void push(struct lim *lim, uint16_t *head, uint16_t entry)
+{
+    lim->sorter.list[entry].next = *head;
+    *head = entry;
+}
+
+/* What cannot be split goes where its farthest point is. */
+static void force(struct lim *lim, uint16_t entry, uint16_t divider, uint16_t heads[PLACES])
+{
+    const struct lim_sorted *list = lim->sorter.list;
+
+    note_forced(lim, lim_piece_has_room(lim) ? LIM_FORCED_CORNERS : LIM_FORCED_ROOM, 1);
+    push(lim, &heads[list[entry].far_qv > list[divider].far_qv ? BEHIND : BEFORE], entry);
+}
+
+static void place(struct lim *lim, uint16_t entry, uint16_t divider, uint16_t heads[PLACES])
+{
+    const bool eye_in_front = polygon_of(lim, divider)->eye_in_front;
+    const uint8_t sides = seen_from_eye(lim_piece_sides(lim, entry, divider), eye_in_front);
+    uint16_t other;
+
+    (void)spend(lim);
+    if (entry == divider || sides == 0) {
+        push(lim, &heads[ON], entry);
+    } else if (sides != LIM_SIDE_BOTH) {
+        push(lim, &heads[sides == LIM_SIDE_FRONT ? BEFORE : BEHIND], entry);
+    } else if ((other = lim_piece_split(lim, entry, divider)) != LIM_NONE) {
+        if (LIM_HAS_STATS) lim_stats_of(lim)->newell.splits++;
+        push(lim, &heads[eye_in_front ? BEFORE : BEHIND], entry);
+        push(lim, &heads[eye_in_front ? BEHIND : BEFORE], other);
+    } else {
+        force(lim, entry, divider, heads);
+    }
+}
+
+/* Puts a list before the rest, as one part or, each entry, as a part of its own. */
+static uint16_t put_before(struct lim *lim, uint16_t first, uint16_t rest, bool each)
+{
+    struct lim_sorted *list = lim->sorter.list;
+    uint16_t at;
+
+    if (first == LIM_NONE) return rest;
+    first = lim_sorted_sort(list, first);
+    for (at = first; list[at].next != LIM_NONE; at = list[at].next)
+        polygon_of(lim, at)->last = each;
+    polygon_of(lim, at)->last = true;
+    list[at].next = rest;
+    return first;
+}
+
+/* Divides the list into parts, farthest first. What lies in the plane is in the order of records, as everywhere. */
+static uint16_t divide(struct lim *lim, uint16_t rest)
+{
+    const uint16_t divider = choose_divider(lim);
+    uint16_t heads[PLACES] = {LIM_NONE, LIM_NONE, LIM_NONE}, next;
+
+    if (LIM_HAS_STATS) lim_stats_of(lim)->newell.divisions++;
+    for (uint16_t at = lim->sorter.first; at != LIM_NONE; at = next) {
+        next = lim->sorter.list[at].next;
+        polygon_of(lim, at)->swapped = false;
+        place(lim, at, divider, heads);
+    }
+    lim->sorter.first = LIM_NONE;
+    for (uint16_t at = heads[ON]; at != LIM_NONE; at = lim->sorter.list[at].next)
+        lim->sorter.list[at].far_qv = 0;
+    rest = put_before(lim, heads[BEFORE], rest, false);
+    rest = put_before(lim, heads[ON], rest, true);
+    return put_before(lim, heads[BEHIND], rest, false);
+}
+
+/* Makes the first part of the rest the list. Returns how many entries it has. */
+static uint16_t take_part(struct lim *lim, uint16_t *rest)
+{
+    struct lim_sorted *list = lim->sorter.list;
+    uint16_t at = *rest, count = 1;
+
+    for (; !polygon_of(lim, at)->last && list[at].next != LIM_NONE; at = list[at].next)
+        count++;
+    polygon_of(lim, at)->last = false;
+    lim->sorter.first = *rest;
+    *rest = list[at].next;
+    list[at].next = LIM_NONE;
+    return count;
+}
+
+/* No more comparisons: as they lie. */
+static uint16_t emit_all(struct lim *lim, uint16_t first, uint16_t nearest)
+{
+    while (first != LIM_NONE) {
+        note_forced(lim, LIM_FORCED_EFFORT, 1);
+        nearest = emit(lim, &first, nearest);
+    }
+    return nearest;
+}
+
+/* LIM_NEWELL_EFFORT times the square, or all that 32 bits count. */
+static uint32_t most_for(uint16_t polygons)
+{
+    const uint32_t square = (uint32_t)polygons * polygons;
+
+    return square > UINT32_MAX / LIM_NEWELL_EFFORT ? UINT32_MAX : LIM_NEWELL_EFFORT * square;
+}
+
+void lim_newell_order(struct lim *lim)
+{
+    struct lim_sorter *sorter = &lim->sorter;
+    struct lim_newell *newell = &sorter->newell;
+    uint16_t nearest = LIM_NONE, rest = sorter->first, count = 0;
+
+    for (uint16_t at = rest; at != LIM_NONE; at = sorter->list[at].next)
+        count++;
+    newell->left = newell->options.most ? newell->options.most : most_for(count);
+    for (uint32_t each = (uint32_t)WHOLE_COMPARES * count; rest != LIM_NONE && newell->left; each = PART_COMPARES) {
+        count = take_part(lim, &rest);
+        nearest = order_part(lim, nearest, newell->left > each * count ? newell->left - each * count : 0);
+        if (sorter->first != LIM_NONE && newell->left) rest = divide(lim, rest);
+        nearest = emit_all(lim, sorter->first, nearest);
+    }
+    sorter->first = emit_all(lim, rest, nearest);
 }
 
 #endif

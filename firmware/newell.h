@@ -17,6 +17,7 @@
 struct lim_newell_options {
     bool planes_first; /* tests 3 and 4 before 1 and 2 */
     bool split_one;    /* only P, by Q's plane, where that does */
+    uint32_t most;     /* comparisons of a list, after which it is painted as it is; 0: LIM_NEWELL_EFFORT (config.h) */
 };
 
 /* What LIM_NEWELL has to know of an entry of the sorted list beside its farthest point. */
@@ -26,7 +27,8 @@ struct lim_newell_polygon {
     lim_index node;       /* whose run it is in */
     uint16_t cuts;        /* the last cut that made this piece, or LIM_NONE: it is whole */
     bool eye_in_front;    /* of its plane */
-    bool swapped;         /* it goes before a P already */
+    bool swapped : 1;     /* it goes before a P already */
+    bool last : 1;        /* of its part of the list: what follows may be painted after all of that */
 #if LIM_HAS_MOVERS
     uint16_t owner; /* the mover that it belongs to, or LIM_NONE */
 #endif
@@ -45,6 +47,7 @@ struct lim_newell {
     struct lim_cut *cuts;
     uint16_t cut_size, cuts_used;
     struct lim_newell_options options;
+    uint32_t left; /* comparisons of this list */
 };
 
 struct lim;

@@ -209,15 +209,13 @@ static void view_corner(const struct lim *lim, const int32_t at_q12[3], struct l
     if (!LIM_HAS_LIMBS) out->z_qv >>= view->rows.tele_bits;
 }
 
-static LIM_RARE bool project_piece(const struct lim *lim, uint16_t entry, struct lim_screen_polygon *out)
+static LIM_RARE bool project_corners(const struct lim *lim, const struct lim_corners *corners,
+                                     struct lim_screen_polygon *out)
 {
-    struct lim_corners places[2];
     struct lim_clip_polygon clips[2];
-    const struct lim_corners *corners = lim_corners_of(lim, entry, places);
     uint8_t bits;
     const struct lim_view *view = view_of(lim, &bits);
 
-    if (!corners) return false;
     clips[0].n = corners->n;
     for (uint_fast8_t k = 0; k < corners->n; k++) {
         view_corner(lim, corners->at_q12[k], &clips[0].at[k]);
@@ -228,6 +226,14 @@ static LIM_RARE bool project_piece(const struct lim *lim, uint16_t entry, struct
     for (uint_fast8_t k = 0; k < clipped->n; k++)
         lim_view_project(view, &clipped->at[k], &out->at[k]);
     return out->n >= 3;
+}
+
+static bool project_piece(const struct lim *lim, uint16_t entry, struct lim_screen_polygon *out)
+{
+    struct lim_corners places[2];
+    const struct lim_corners *corners = lim_corners_of(lim, entry, places);
+
+    return corners && project_corners(lim, corners, out);
 }
 
 static bool project(struct lim *lim, uint16_t entry, const struct lim_rect *open, struct lim_screen_polygon *out)
@@ -280,15 +286,29 @@ bool lim_piece_overlap(struct lim *lim, uint16_t a, uint16_t b)
     return !parts(&first, &second) && !parts(&second, &first);
 }
 
+bool lim_piece_part_overlaps(struct lim *lim, uint16_t of, uint16_t by, bool front)
+{
+    const struct lim_newell_polygon *polygons = lim->sorter.newell.polygons;
+    const struct lim_rect both = intersection(&polygons[of].rect, &polygons[by].rect);
+    struct lim_corners places[2];
+    struct lim_plane_wide plane;
+    struct lim_screen_polygon first, second;
+
+    lim_plane_load(&plane, lim, by);
+    const struct lim_corners *part = lim_corners_cut(lim, of, &plane, front == polygons[by].eye_in_front, places);
+    if (!part || !project_corners(lim, part, &first) || !project(lim, by, &both, &second)) return false;
+    return !parts(&first, &second) && !parts(&second, &first);
+}
+
 /* Splitting ----------------------------------------------------------------------------------- */
 
 /* A pixel more on each side, for a piece is painted by its whole and a line. Without any pixel it is nearer than the
  * near plane, or out of view: what the whole has is as good. */
-static struct lim_rect rect_of(const struct lim *lim, uint16_t entry, const struct lim_rect *whole)
+static struct lim_rect rect_of(const struct lim *lim, const struct lim_corners *corners, const struct lim_rect *whole)
 {
     struct lim_screen_polygon polygon;
 
-    if (!project_piece(lim, entry, &polygon)) return *whole;
+    if (!project_corners(lim, corners, &polygon)) return *whole;
     lim_edge_measure(&polygon.shape, polygon.at, polygon.n);
     lim_edge_measure_sides(&polygon.shape, polygon.at, polygon.n);
     const struct lim_edge_shape *shape = &polygon.shape;
@@ -299,8 +319,8 @@ static struct lim_rect rect_of(const struct lim *lim, uint16_t entry, const stru
     return both.x0 < both.x1 && both.y0 < both.y1 ? both : *whole;
 }
 
-/* What is known of an entry after a cut. false: it has too many corners. */
-static bool measure(struct lim *lim, uint16_t entry)
+/* What is known of an entry after a cut; of a piece's pixels if they are compared. false: it has too many corners. */
+static bool measure(struct lim *lim, uint16_t entry, bool on_screen)
 {
     struct lim_newell_polygon *polygon = &lim->sorter.newell.polygons[entry];
     struct lim_corners places[2];
@@ -315,6 +335,7 @@ static bool measure(struct lim *lim, uint16_t entry)
     }
     polygon->near_qv = near_qv;
     lim->sorter.list[entry].far_qv = far_qv;
+    if (on_screen) polygon->rect = rect_of(lim, corners, &polygon->rect);
     return true;
 }
 
@@ -326,28 +347,32 @@ static void remember(struct lim *lim, uint16_t entry, uint16_t by)
     newell->polygons[entry].cuts = newell->cuts_used++;
 }
 
+bool lim_piece_has_room(const struct lim *lim)
+{
+    const struct lim_sorter *sorter = &lim->sorter;
+
+    return sorter->used != sorter->size && sorter->newell.cut_size - sorter->newell.cuts_used >= 2;
+}
+
 uint16_t lim_piece_split(struct lim *lim, uint16_t entry, uint16_t by)
 {
     struct lim_sorter *sorter = &lim->sorter;
     struct lim_newell *newell = &sorter->newell;
     const uint16_t other = sorter->used;
 
-    if (other == sorter->size || newell->cut_size - newell->cuts_used < 2) return LIM_NONE;
+    if (!lim_piece_has_room(lim)) return LIM_NONE;
     const struct lim_sorted before = sorter->list[entry];
     const struct lim_newell_polygon polygon = newell->polygons[entry];
     sorter->list[other] = before;
     newell->polygons[other] = polygon;
     remember(lim, entry, (uint16_t)(by | LIM_CUT_FRONT));
     remember(lim, other, by);
-    if (!measure(lim, entry) || !measure(lim, other)) {
+    const bool on_screen = !LIM_HAS_MOVERS || lim_movers_compares(lim);
+    if (!measure(lim, entry, on_screen) || !measure(lim, other, on_screen)) {
         newell->cuts_used = (uint16_t)(newell->cuts_used - 2);
         sorter->list[entry] = before;
         newell->polygons[entry] = polygon;
         return LIM_NONE;
-    }
-    if (!LIM_HAS_MOVERS || lim_movers_compares(lim)) {
-        newell->polygons[entry].rect = rect_of(lim, entry, &polygon.rect);
-        newell->polygons[other].rect = rect_of(lim, other, &polygon.rect);
     }
     sorter->used++;
     return other;
@@ -371,9 +396,7 @@ bool lim_piece_measure(struct lim *lim, uint16_t entry)
         return false;
     known->rect = (struct lim_rect){within(whole.shape.left, w_px), within(whole.shape.top, h_px),
                                     within(whole.shape.right, w_px), within(whole.shape.bottom, h_px)};
-    if (!measure(lim, entry)) return false;
-    if (!is_whole(lim, entry)) known->rect = rect_of(lim, entry, &known->rect);
-    return true;
+    return measure(lim, entry, !is_whole(lim, entry));
 }
 #endif
 

@@ -25,13 +25,20 @@ bool lim_piece_measure(struct lim *lim, uint16_t entry);
 /* The sides of the plane of entry `by` on which entry `of` has corners. What was cut to a side is on that. */
 uint8_t lim_piece_sides(const struct lim *lim, uint16_t of, uint16_t by);
 
+/* Whether there is room for one piece more. */
+bool lim_piece_has_room(const struct lim *lim);
+
 /* Cuts `entry` in two by the plane of entry `by`; the piece in front of it stays in place. Returns the new entry of the
- * other, in no list yet, or LIM_NONE: there is no room. */
+ * other, in no list yet, or LIM_NONE: there is no room, or it would have too many
+ * corners. */
 uint16_t lim_piece_split(struct lim *lim, uint16_t entry, uint16_t by);
 
 /* Test 5, on the screen, rounded to sub-pixels as it is painted: no edge of either has all of the other on its outer
  * side. What only touches does not overlap. */
 bool lim_piece_overlap(struct lim *lim, uint16_t a, uint16_t b);
+
+/* Whether the part of `of` that lies before the plane of `by`, or behind it, overlaps `by` on the screen. */
+bool lim_piece_part_overlaps(struct lim *lim, uint16_t of, uint16_t by, bool front);
 
 /* The pixels x <= .. < y of a line of the screen that a piece has of a projected polygon that is not folded and has
  * that line. */

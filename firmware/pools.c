@@ -166,7 +166,7 @@ static void cut_sorter(struct lim *lim, uint8_t **at, const struct shares *share
     sorter->newell.polygons = cut(at, sorter->size * sizeof *sorter->newell.polygons);
     sorter->newell.cut_size = (uint16_t)(2 * shares->pieces);
     sorter->newell.cuts = cut(at, sorter->newell.cut_size * sizeof *sorter->newell.cuts);
-    sorter->newell.options = (struct lim_newell_options){false, false};
+    sorter->newell.options = (struct lim_newell_options){.most = 0};
 #endif
 }
 #endif

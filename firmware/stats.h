@@ -15,16 +15,29 @@ enum lim_newell_test {
     LIM_TEST_APART,      /* 5: the projections do not overlap */
     LIM_TEST_Q_BEHIND,   /* 3': Q lies behind P's plane */
     LIM_TEST_P_IN_FRONT, /* 4': P lies in front of Q's plane */
+    LIM_TEST_P_PART,     /* 6: that part of P which lies in front of Q's plane does not overlap Q on the screen */
+    LIM_TEST_P_REST,     /* 6': nor does that part which lies behind it */
     LIM_TESTS
+};
+
+/* Why an entry was left to its farthest point, in LIM_NEWELL and where movers meet. */
+enum lim_forced {
+    LIM_FORCED_ROOM,    /* no memory for another piece */
+    LIM_FORCED_CORNERS, /* a piece would have too many corners */
+    LIM_FORCED_TIE,     /* none reaches through another's plane by more than rounding explains */
+    LIM_FORCED_EFFORT,  /* no comparisons left */
+    LIM_FORCED_REASONS
 };
 
 /* What it took to order a frame's polygons. */
 struct lim_newell_stats {
-    uint32_t comparisons;        /* pairs whose extents in z overlap */
-    uint32_t decided[LIM_TESTS]; /* which test settled how many of them */
-    uint32_t swaps;              /* a Q that goes before its P */
-    uint32_t splits;             /* polygons or pieces cut in two */
-    uint32_t forced;             /* pairs left to their farthest points: no room, or nothing to split */
+    uint32_t comparisons;                   /* pairs whose extents in z overlap */
+    uint32_t decided[LIM_TESTS];            /* which test settled how many of them */
+    uint32_t swaps;                         /* a Q that goes before its P */
+    uint32_t splits;                        /* polygons or pieces cut in two */
+    uint32_t divisions;                     /* parts divided by a plane, since comparing them took too long */
+    uint32_t forced;                        /* entries left to their farthest points: the picture may be wrong there */
+    uint32_t forced_by[LIM_FORCED_REASONS]; /* the same, by reason */
 };
 
 /* What became of a frame's instances. */

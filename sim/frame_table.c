@@ -113,13 +113,27 @@ NEWELL_VALUE(q_behind, decided[LIM_TEST_Q_BEHIND])
 NEWELL_VALUE(p_in_front, decided[LIM_TEST_P_IN_FRONT])
 NEWELL_VALUE(swaps, swaps)
 NEWELL_VALUE(splits, splits)
+NEWELL_VALUE(p_part, decided[LIM_TEST_P_PART])
+NEWELL_VALUE(p_rest, decided[LIM_TEST_P_REST])
+NEWELL_VALUE(divisions, divisions)
 NEWELL_VALUE(forced, forced)
 
 static const struct column NEWELL_COLUMNS[] = {
-    {"sorted", 7, 0, stats_sorted},  {"compared", 9, 0, newell_comparisons},  {"1:x", 8, 0, newell_x},
-    {"2:y", 8, 0, newell_y},         {"3:P_behind", 10, 0, newell_p_behind},  {"4:Q_front", 9, 0, newell_q_in_front},
-    {"5:apart", 8, 0, newell_apart}, {"3':Q_behind", 11, 0, newell_q_behind}, {"4':P_front", 10, 0, newell_p_in_front},
-    {"swaps", 6, 0, newell_swaps},   {"splits", 6, 0, newell_splits},         {"forced", 6, 0, newell_forced},
+    {"sorted", 7, 0, stats_sorted},
+    {"compared", 9, 0, newell_comparisons},
+    {"1:x", 8, 0, newell_x},
+    {"2:y", 8, 0, newell_y},
+    {"3:P_behind", 10, 0, newell_p_behind},
+    {"4:Q_front", 9, 0, newell_q_in_front},
+    {"5:apart", 8, 0, newell_apart},
+    {"6:part", 7, 0, newell_p_part},
+    {"3':Q_behind", 11, 0, newell_q_behind},
+    {"4':P_front", 10, 0, newell_p_in_front},
+    {"6':rest", 8, 0, newell_p_rest},
+    {"swaps", 6, 0, newell_swaps},
+    {"splits", 6, 0, newell_splits},
+    {"divided", 7, 0, newell_divisions},
+    {"forced", 6, 0, newell_forced},
 };
 
 #define MOVER_VALUE(field)                                                                                             \
