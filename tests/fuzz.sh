@@ -54,13 +54,14 @@ judge() { # TARGET
     return $judged
 }
 
+# The fewest inputs that reach all edges together, whatever the number of times; and those that broke a promise once,
+# which are called broke-...
 merge() { # TARGET
     rm -rf "$build/merged"
     mkdir -p "$build/merged"
-    "$build/tests/fuzz" --target="$1" -merge=1 -max_len=2048 -timeout=10 "$build/merged" "tests/corpus/$1" \
-        "$build/corpus/$1"
-    rm -rf "tests/corpus/$1"
-    mkdir -p "tests/corpus/$1"
+    "$build/tests/fuzz" --target="$1" -set_cover_merge=1 -use_counters=0 -max_len=2048 -timeout=10 "$build/merged" \
+        "tests/corpus/$1" "$build/corpus/$1"
+    find "tests/corpus/$1" -type f ! -name 'broke-*' -exec rm -f {} +
     for input in "$build/merged"/*; do
         cp "$input" "tests/corpus/$1/$(basename "$input" | cut -c 1-12)"
     done
