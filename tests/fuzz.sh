@@ -8,13 +8,13 @@
 #
 # Models and pictures are read by libraries that are not ours, are not instrumented, and crash or hang on some files,
 # which is why the program runs them in a child process. Their targets go on after a crash; afterwards each such input is
-# run again, and is a finding unless the first frame of its stack that is not the runtime's lies in one of these libraries.
+# run again, and is a finding if a frame of ours is in its stack before one of these libraries'.
 set -eu
 
 : "${BUILD:?is set by the Makefile}" "${FUZZ_FLAGS:=-max_total_time=60}" "${FUZZ_MERGE:=no}"
 build=$BUILD/fuzz
 foreign='libassimp|libgd|libpng|libjpeg|libz\.|libtiff|libwebp|libavif|libheif'
-export ASAN_OPTIONS="allocator_may_return_null=1:${ASAN_OPTIONS:-}" TMPDIR="$PWD/$build/tmp"
+export ASAN_OPTIONS="allocator_may_return_null=1:${ASAN_OPTIONS:-}"
 
 # Coverage by counters alone: recorded comparisons would be those of the sanitizers, and cost three quarters of the time.
 opt='-O2 -g -fsanitize=address,undefined -fno-sanitize-recover=all'
@@ -32,9 +32,9 @@ run() { # TARGET FLAG...
 # Whether a crash's stack, from the top down, comes to a library of others before it comes to a source of ours.
 is_foreign() { # LOG
     awk -v foreign="$foreign" '
-        / #[0-9]+ 0x/ && $0 ~ foreign { found = 1; exit }
-        / #[0-9]+ 0x.*\/(sim|firmware|tests)\/[a-z0-9_\/]*\.[ch]:/ { exit }
-        END { exit !found }' "$1"
+        / #[0-9]+ 0x/ && $0 ~ foreign { exit }
+        / #[0-9]+ 0x.*\/(sim|firmware|tests)\/[a-z0-9_\/]*\.[ch]:/ { ours = 1; exit }
+        END { exit ours }' "$1"
 }
 
 # The crashes of a target that went on after them.
@@ -67,7 +67,8 @@ merge() { # TARGET
     done
 }
 
-mkdir -p "$TMPDIR"
+TMPDIR=$(mktemp -d) # of inputs that are files, also where the program does not come to its end
+export TMPDIR
 trap 'rm -rf "$TMPDIR"' EXIT
 for target; do
     mkdir -p "$build/corpus/$target" "tests/corpus/$target"
