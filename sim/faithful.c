@@ -131,6 +131,8 @@ static bool near_triangle(const double a[3], const double b[3], const double c[3
 static bool is_near(const struct original *original, const struct original_face *face, const double p[3], double near_m)
 {
     double(*corners)[3] = &original->corners_m[face->first];
+    const double reach_m = face->radius_m + near_m;
+    if (vec3_distance2(face->centre_m, p) > reach_m * reach_m) return false;
     for (uint32_t k = 2; k < face->count; k++)
         if (near_triangle(corners[0], corners[k - 1], corners[k], p, near_m)) return true;
     return false;

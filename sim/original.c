@@ -91,6 +91,8 @@ static void face_set(struct joining *joining, size_t index, const uint32_t *weld
     memcpy(face->centre_m, plane.centre, sizeof face->centre_m);
     memcpy(face->normal, plane.normal, sizeof face->normal);
     face->count = from->count;
+    for (uint32_t k = 0; k < face->count; k++)
+        face->radius_m = fmax(face->radius_m, sqrt(vec3_distance2(face->centre_m, out->corners_m[face->first + k])));
     face->width_m = width_of(&out->corners_m[face->first], face->count);
 }
 

@@ -18,6 +18,7 @@ struct original_face {
     double size_m;                 /* the longest side of the patch's bounds */
     double width_m;                /* of the face alone: how far corners leave the line through its two outermost */
     double centre_m[3], normal[3]; /* mean of the corners; of length 1 */
+    double radius_m;               /* of the corners about the centre */
 };
 
 /* A surface patch is what the eye takes for one surface: faces with common edges at which it bends by less than 45
