@@ -26,7 +26,7 @@ struct fuzz_look fuzz_look_from(struct fuzz_bytes *bytes)
     look.wireframe = (struct lim_wireframe){flags & 1, flags & 2, fuzz_u16(bytes), fuzz_u16(bytes)};
     look.antialias = flags & 4;
     look.is_round = flags & 8;
-    look.newell = (struct lim_newell_options){flags & 16, flags & 32};
+    look.newell = (struct lim_newell_options){.planes_first = flags & 16, .split_one = flags & 32};
     if (look.method == LIM_CONVEX || look.method == LIM_PAINTER) look.antialias = look.is_round = false;
     return look;
 }
