@@ -308,7 +308,9 @@ static void a_rise_is_waited_for_and_not_remembered(void **state)
     struct fake_line *tearing = &fake.chips[0].lines[6];
     tearing->rises = 5; /* before anybody waited */
     const uint64_t before_ns = fake.now_ns;
+    port.error[0] = '\0';
     assert_int_equal(edge_wait(&port.tearing, 20000), 0);
+    assert_string_equal(port.error, "");
     assert_int_equal(fake.now_ns - before_ns, 20000000);
     fake.rise_after_waits = 2; /* the first wait sees that nothing is remembered */
     assert_int_equal(edge_wait(&port.tearing, 20000), 1);

@@ -104,6 +104,14 @@ static void put_panel(const struct panel_choice *choice)
     put_start(choice, &module, "bgr inverted converter");
     module.mirror = true;
     put_start(choice, &module, "mirrored");
+    module = panel_rig_module(choice, 480, 480);
+    for (int format = 0; format < PANEL_FORMATS; format++) {
+        struct panel_choice other = *choice;
+        char what[16];
+        other.format = (enum panel_format)format;
+        snprintf(what, sizeof what, "format %d", format);
+        if (choice->formats >> format & 1 && other.format != choice->format) put_start(&other, &module, what);
+    }
 }
 
 static void write_expected(void)
