@@ -164,7 +164,8 @@ link() { # TEST OBJECT...
                 if ($i == own)
                     for (k = 1; k <= n; k++)
                         if (object[k] ~ "/objects/host/tests/" test "[.]o$") $i = ""
-                if ($i == build "/host/libtests.a") $i = objects " " $i
+                if ($i ~ "^" build "/host/lib[a-z]*[.]a$") { archives = archives " " $i; $i = "" }
+                if ($i == "-lcmocka") $i = objects archives " " $i
             }
             print
             exit
