@@ -17,6 +17,7 @@
 #include "outputs.h"
 #include "progress.h"
 #include "source.h"
+#include "unsettled.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -247,6 +248,16 @@ static bool close_outputs(struct render *render, struct error *err)
            close_output(&render->cameras_file, options->cameras_path, err) && outputs_keep(&render->outputs, err);
 }
 
+/* Whether --stats is asked for or not: the picture may be wrong. */
+static void note_unsettled(const struct render *render)
+{
+    struct unsettled sum = {0};
+
+    for (size_t i = 0; i < render->path.count; i++)
+        unsettled_add(&sum, &render->rows[i].stats.newell);
+    if (sum.entries) unsettled_print(&sum, "limner: note", stderr);
+}
+
 /* What frame_cost.h knows: opaque, flat, filled, aliased and still, in profile fast. */
 static bool is_predictable(const struct render *render)
 {
@@ -303,6 +314,7 @@ static bool render_run(struct render *render, struct error *err)
         !allocate(render, err) || !start(render, err) || !render_frames(render, err) || !write_films(render, err) ||
         !write_cameras(render, err) || !close_outputs(render, err))
         return false;
+    note_unsettled(render);
     print_tables(render);
     return check(render, err);
 }

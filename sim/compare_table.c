@@ -16,7 +16,8 @@ size_t compare_row_lines_b(const struct compare_table *table, const struct compa
 
 bool compare_row_is_right(const struct compare_table *table, const struct compare_row *row)
 {
-    return (row->accuracy.pixels.total.holes == 0 || table->core->sub_bits == 0) && row->accuracy.forced == 0;
+    return (row->accuracy.pixels.total.holes == 0 || table->core->sub_bits == 0) &&
+           row->accuracy.unsettled.entries == 0;
 }
 
 static bool is_counted(const struct compare_table *table, const struct compare_row *row, size_t cpu)
@@ -100,8 +101,7 @@ static void print_notes(const struct compare_table *table, FILE *out)
     for (size_t i = 0; i < method_count; i++) {
         const struct compare_row *row = &table->rows[i];
         if (!compare_row_draws(row)) fprintf(out, "%s: %s\n", row->method->name, row->why_not.text);
-        if (row->accuracy.forced)
-            fprintf(out, "%s: the order of %zu pairs could not be settled\n", row->method->name, row->accuracy.forced);
+        if (row->accuracy.unsettled.entries) unsettled_print(&row->accuracy.unsettled, row->method->name, out);
         if (compare_row_draws(row) && row->method->exact && !compare_row_is_right(table, row))
             fprintf(out, "%s: wrong, and it should be exact\n", row->method->name);
         for (size_t cpu = 0; cpu < table->cpu_count; cpu++)
@@ -161,8 +161,9 @@ static void csv_pixels(const struct compare_table *table, const struct compare_r
             compare_wrong_percent(&pixels->worst), pixels->worst_frame, compare_beyond_ppm(&pixels->total),
             pixels->total.order, open_px(&pixels->total));
     fprintf(out, ",%zu,%.2f,%zu,%u,%u,%zu,%zu,%zu", row->scene.report.splits, splits_a_frame(&row->accuracy),
-            row->accuracy.forced, (unsigned)row->scene.scene.node_count, (unsigned)row->scene.scene.polygon_count,
-            row->scene.report.flash_b, compare_row_lines_b(table, row), table->cost_frames);
+            row->accuracy.unsettled.entries, (unsigned)row->scene.scene.node_count,
+            (unsigned)row->scene.scene.polygon_count, row->scene.report.flash_b, compare_row_lines_b(table, row),
+            table->cost_frames);
 }
 
 static void csv_row(const struct compare_table *table, const struct compare_row *row, FILE *out)

@@ -11,6 +11,7 @@
 #include "compiled.h"
 #include "map.h"
 #include "simulator.h"
+#include "unsettled.h"
 
 /* -- Accuracy --------------------------------------------------------------------------------- */
 
@@ -54,7 +55,8 @@ struct accuracy {
     size_t texel_pixels;
     double texel_mean, texel_p99, texel_mean_finest, divisions;
     /* Of methods that sort: polygons split in all frames, and pairs whose order could not be settled. */
-    size_t splits, forced;
+    size_t splits;
+    struct unsettled unsettled;
 };
 
 double accuracy_vertex_rms_px(const struct accuracy *accuracy);

@@ -199,7 +199,7 @@ static bool measure_frame(struct measured *measured, const struct measure_source
                                                          source->mesh.merged_into, 1.0 / scene->grid.units_per_m);
     comparison_add(&out->pixels, &counts);
     out->splits += simulator_stats(&measured->ids.simulator)->newell.splits;
-    out->forced += simulator_stats(&measured->ids.simulator)->newell.forced;
+    unsettled_add(&out->unsettled, &simulator_stats(&measured->ids.simulator)->newell);
     measure_vertices(measured, source, out);
     measure_sides(measured->candidate, &camera, out);
     return measure_texels(measured, source, &camera, err);

@@ -99,6 +99,20 @@ static bool parse_method(const char *text, struct options *out, struct error *er
     return true;
 }
 
+/* most=N, N above 0. */
+static bool parse_most(const char *text, size_t length, uint32_t *out)
+{
+    uint32_t value = 0;
+
+    if (length < 6 || length > 13 || strncmp(text, "most=", 5) != 0) return false;
+    for (size_t i = 5; i < length; i++) {
+        if (text[i] < '0' || text[i] > '9') return false;
+        value = 10 * value + (uint32_t)(text[i] - '0');
+    }
+    *out = value;
+    return value > 0;
+}
+
 /* Names, divided by commas. */
 static bool parse_newell(const char *text, struct lim_newell_options *out, struct error *err)
 {
@@ -108,8 +122,9 @@ static bool parse_newell(const char *text, struct lim_newell_options *out, struc
             out->planes_first = true;
         else if (length == 3 && strncmp(text, "one", length) == 0)
             out->split_one = true;
-        else
-            return error_set(err, "--newell %.*s: no such choice; there are planes and one", (int)length, text);
+        else if (!parse_most(text, length, &out->most))
+            return error_set(err, "--newell %.*s: no such choice; there are planes, one and most=COMPARISONS",
+                             (int)length, text);
         text += length + (text[length] == ',');
     }
     return true;
@@ -298,7 +313,7 @@ bool options_parse(int argc, char **argv, enum options_set set, struct options *
     if (is_render && !asks_for_output(out)) out->frame_pattern = "out/%03d.png";
     if (!compile_options_settle(&out->compile, err)) return false;
     if (!out->compile.method && out->compile.tree == TREE_NONE) out->setup.method = LIM_NEWELL;
-    if (out->setup.method != LIM_NEWELL && (out->newell.planes_first || out->newell.split_one))
+    if (out->setup.method != LIM_NEWELL && (out->newell.planes_first || out->newell.split_one || out->newell.most))
         return error_set(err, "--newell: goes with --method newell");
     if (out->wireframe.on && !method_draws_wireframe(out->setup.method, err)) return false;
     if (out->compile.antialias && !method_antialiases(out->setup.method, out->wireframe.on, err)) return false;

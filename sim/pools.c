@@ -22,6 +22,8 @@
 #include <stdlib.h>
 
 enum { SAMPLED = 256, PORTRAITS = 64, CAMERAS = SAMPLED + PORTRAITS };
+/* A depth sort that splits so much is asked for by fewer cameras: FEW of either kind. */
+enum { ENOUGH_SPLITS = 20000, FEW = 4 };
 enum { STRAYS = 1, LEAST_PIECES = 8, PLENTY_OF_PIECES = 16000, PLENTY = 60000, FOV_DEG = 60 };
 enum { CAMERAS_AT_LEAST = STRAYS + 2 }; /* whatever time it takes */
 /* What is active is retained, and takes more cells than its head's. */
@@ -33,6 +35,7 @@ struct usage {
     uint16_t cells[CAMERAS], gaps[CAMERAS], active[CAMERAS], layers[CAMERAS], runs[CAMERAS];
     double instructions;              /* predicted, of all frames */
     double instructions_most;         /* beyond that no more frames are drawn; 0: whatever it takes */
+    uint32_t splits;                  /* of all frames */
     uint32_t splits_max, entries_max; /* strays included: without room for a piece the picture may be wrong */
 };
 
@@ -68,6 +71,7 @@ static void note(struct usage *usage, const struct simulator *simulator)
     usage->active[i] = stats->active_max;
     usage->runs[i] = stats->delta.runs_max;
     usage->instructions += frame_cost_m0plus(stats, &simulator->target);
+    usage->splits += stats->newell.splits;
     if (stats->newell.splits > usage->splits_max) usage->splits_max = stats->newell.splits;
     usage->layers[i] = stats->layers_max;
     if (stats->movers.entries > usage->entries_max) usage->entries_max = stats->movers.entries;
@@ -76,6 +80,14 @@ static void note(struct usage *usage, const struct simulator *simulator)
 static bool is_too_much(const struct usage *usage)
 {
     return usage->instructions_most > 0.0 && usage->instructions > usage->instructions_most;
+}
+
+/* The camera to go on with: this one, or the first portrait, or none. */
+static int after_enough(const struct usage *usage, const struct moving *moving, int i)
+{
+    if (moving || usage->splits < ENOUGH_SPLITS) return i;
+    if (i < SAMPLED) return i < FEW ? i : SAMPLED;
+    return i < SAMPLED + FEW ? i : CAMERAS;
 }
 
 /* The i-th camera; false: there is none. Out-of-range ones (a scene of thousands of kilometres) are passed over. */
@@ -114,6 +126,8 @@ static bool sample_frames(const struct compiled *scene, struct moving *moving, s
         return false;
     for (int i = 0; i < CAMERAS && !is_too_much(usage) && !ends_early(usage); i++) {
         struct lim_camera camera;
+        i = after_enough(usage, moving, i);
+        if (i == CAMERAS) break;
         progress_bar((size_t)i, CAMERAS, "sampled cameras");
         if (!next_camera(&sampler, i, &lens, &camera)) continue;
         if (moving) moving_pose(moving, moving_length_s(moving) * i / SAMPLED);

@@ -51,6 +51,6 @@ tap_check "it split polygons" says '3:P_behind'
 tap_check "depth does not agree" depth_is_wrong
 tap_check "newell sorts the polygons of any compiled scene" on_any_tree
 tap_check "pieces take the memory of their own lines" pieces_are_small
-tap_check "an unknown choice is refused" refused '^limner: --newell rectangles: no such choice; there are planes and one$' --newell rectangles
+tap_check "an unknown choice is refused" refused '^limner: --newell rectangles: no such choice; there are planes, one and most=COMPARISONS$' --newell rectangles
 tap_check "an unknown method is refused, and these are listed" refused 'there are .*depth, newell' --method zbuffer
 tap_done
