@@ -45,6 +45,51 @@ refused() { # REASON OPTION...
     says "$reason"
 }
 
+# Triangles at random, all through one another, seen from both sides.
+awk 'BEGIN {
+    srand(5)
+    for (i = 0; i < 100; i++) {
+        for (k = 0; k < 3; k++) printf "v %.4f %.4f %.4f\n", 2 * rand() - 1, 2 * rand() - 1, 2 * rand() - 1
+        printf "f %d %d %d\nf %d %d %d\n", 3 * i + 1, 3 * i + 2, 3 * i + 3, 3 * i + 3, 3 * i + 2, 3 * i + 1
+    }
+}' >"$work/many.obj"
+
+# worst COLUMN: of the worst frame of those that --stats printed
+worst() {
+    awk -v column="$1" '/ sorted / { for (i = 1; i <= NF; i++) at[$i] = i } column in at && /^worst/ { print $at[column]; exit }' "$work/said"
+}
+
+many() { # OPTION...: an orbit
+    timeout 120 "$BUILD/limner" render "$work/many.obj" --method newell --size 160x120 --stats "$@" >"$work/said" 2>"$work/err" || return 1
+    cat "$work/err" "$work/said"
+}
+
+a_hundred_are_right() {
+    many --compare && says 'wrong 0\.0.* holes 0$' && ! grep 'no comparisons' "$work/err" &&
+        [ "$(worst compared)" -lt 400000 ] && [ "$(worst divided)" -gt 100 ]
+}
+
+the_limit_is_told() {
+    many --newell most=1000 && grep -q '^limner: note: the order of .* in 16 frames could not be settled: .*when no comparisons were left' "$work/err" &&
+        [ "$(worst compared)" -lt $((1000 + $(worst sorted))) ]
+}
+
+the_limit_is_far() { # the scenes that are shipped do not come near it
+    for scene in knot teapot glass; do
+        "$BUILD/limner" render sim/scenes/$scene.obj --method newell --camera sim/scenes/$scene.cam --size 80x60 --stats >"$work/said" 2>"$work/err" || return 1
+        cat "$work/said"
+        [ "$(worst divided)" -eq 0 ] && [ "$(worst forced)" -eq 0 ] && [ ! -s "$work/err" ] || return 1
+    done
+}
+
+compiles() {
+    timeout 120 "$BUILD/limner" compile "$work/many.obj" --method newell --size 160x120 -o "$work/many" >/dev/null && [ -s "$work/many.h" ]
+}
+
+tap_check "a hundred triangles through one another are right, and do not take long" a_hundred_are_right
+tap_check "few comparisons: the frames end, and what was left is told" the_limit_is_told
+tap_check "the scenes that are shipped are not divided, and settled" the_limit_is_far
+tap_check "a hundred are compiled, too" compiles
 tap_check "newell agrees with the reference, and could settle every pair" newell_is_right
 tap_check "so it does with planes first and one of two split" newell_is_right --newell planes,one
 tap_check "it split polygons" says '3:P_behind'
