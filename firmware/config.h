@@ -129,8 +129,8 @@
 #define LIM_HAS_RUNS LIM_HAS_CONVEX
 #endif
 
-/* The depth sort compares a list of n polygons at most LIM_NEWELL_EFFORT n^2 times, and a comparison for each piece: 1 to
- * 65535. Random triangles through one another take some 100. */
+/* The depth sort compares a list of n polygons at most LIM_NEWELL_EFFORT n^2 times, and a comparison for each piece: 1
+ * to 65535. Random triangles through one another take some 100. */
 #ifndef LIM_NEWELL_EFFORT
 #define LIM_NEWELL_EFFORT 256u
 #endif
