@@ -5,6 +5,7 @@
 #include "commands.h"
 #include "deadline.h"
 #include "dump.h"
+#include "ending.h"
 #include "faithful.h"
 #include "fly.h"
 #include "options.h"
@@ -59,7 +60,9 @@ static bool view_run(struct viewing *view, struct error *err)
     struct flight flight;
     if (!view_open(view, &flight, err)) return false;
     deadline_begin(0.0);
+    ending_lend(); /* a window is closed by signals, and the last frame is still written */
     enum flight_end end = window_fly(&flight, err);
+    ending_watch();
     if (end == FLIGHT_IMPOSSIBLE) end = terminal_fly(&flight, err);
     if (end == FLIGHT_FAILED) return false;
     struct film last = simulator_film(&view->simulator);

@@ -102,12 +102,23 @@ static bool handler_is(int signal_number, void (*handler)(int))
     return sigaction(signal_number, NULL, &now) == 0 && now.sa_handler == handler;
 }
 
-void ending_prepare(void)
+void ending_watch(void)
 {
     struct sigaction action = {.sa_handler = end_by};
     watched_set(&action.sa_mask);
     for (int i = 0; i < WATCHED_COUNT; i++)
         if (handler_is(WATCHED[i], SIG_DFL)) sigaction(WATCHED[i], &action, NULL);
+}
+
+void ending_lend(void)
+{
+    for (int i = 0; i < WATCHED_COUNT; i++)
+        if (handler_is(WATCHED[i], end_by)) signal(WATCHED[i], SIG_DFL);
+}
+
+void ending_prepare(void)
+{
+    ending_watch();
     signal(SIGXFSZ, SIG_IGN);
     atexit(at_exit);
 }
@@ -164,8 +175,7 @@ static void begin_child(pid_t parent)
     setpgid(0, 0);
     prctl(PR_SET_PDEATHSIG, SIGKILL);
     if (getppid() != parent) _exit(EXIT_FAILURE);
-    for (int i = 0; i < WATCHED_COUNT; i++)
-        if (handler_is(WATCHED[i], end_by)) signal(WATCHED[i], SIG_DFL);
+    ending_lend();
     newest = NULL;
     child = 0;
 }

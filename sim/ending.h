@@ -20,6 +20,10 @@ struct leftover;
  * beyond a limit on file sizes is an error of the write, no signal. */
 void ending_prepare(void);
 
+/* A library that takes signals which nobody else has may have them until ending_watch(); nothing may be listed. */
+void ending_lend(void);
+void ending_watch(void);
+
 /* Signals wait from ending_hold() to ending_release(): what is made in between is listed when they come. Pairs nest. */
 void ending_hold(void);
 void ending_release(void);
