@@ -66,8 +66,14 @@ static enum aiReturn file_seek(struct aiFile *handle, size_t offset, enum aiOrig
     return aiReturn_SUCCESS;
 }
 
-/* The library would hold such a line several times. */
-static bool lines_fit(const char *path, const char *text, size_t size_b)
+/* By its first two bytes, a byte order mark. */
+static bool is_utf16(const char *text, size_t size_b)
+{
+    return size_b >= 2 && ((text[0] == '\xFF' && text[1] == '\xFE') || (text[0] == '\xFE' && text[1] == '\xFF'));
+}
+
+/* The library would hold a long line several times, and takes NUL bytes for this or that. */
+static bool text_fits(const char *path, const char *text, size_t size_b)
 {
     struct error err;
     size_t line_b = 0, longest_b = 0;
@@ -75,8 +81,12 @@ static bool lines_fit(const char *path, const char *text, size_t size_b)
         line_b = text[i] == '\n' || text[i] == '\r' ? 0 : line_b + 1;
         if (line_b > longest_b) longest_b = line_b;
     }
-    if (longest_b <= LONGEST_LINE_B) return true;
-    error_set(&err, "%s: a line is longer than %d bytes", path, LONGEST_LINE_B);
+    const bool has_nul = !is_utf16(text, size_b) && memchr(text, 0, size_b);
+    if (longest_b <= LONGEST_LINE_B && !has_nul) return true;
+    if (has_nul)
+        error_set(&err, "%s: a NUL byte in a text", path);
+    else
+        error_set(&err, "%s: a line is longer than %d bytes", path, LONGEST_LINE_B);
     companions_refuse(&err);
     return false;
 }
@@ -117,7 +127,7 @@ static struct aiFile *file_open(struct aiFileIO *io, const char *path, const cha
     struct model_file *file = instead->bytes && strcmp(path, instead->path) == 0 ? copy_of(instead) : read_path(path);
     if (!file) return NULL;
     const bool has_lines = path_has_suffix(path, ".obj") || path_has_suffix(path, ".mtl");
-    if (has_lines && !lines_fit(path, file->bytes, file->size_b)) {
+    if (has_lines && !text_fits(path, file->bytes, file->size_b)) {
         free(file);
         return NULL;
     }

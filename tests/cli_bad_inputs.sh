@@ -240,6 +240,8 @@ ring 1024 >small_ring.obj
 tap_check "a face of 1024 corners is compiled" accepts compile small_ring.obj --report
 { cat good.obj && printf 'f 1 2 3' && head -c 20000000 /dev/zero | tr '\0' ' '; } >line.obj
 compile "an OBJ line of 20 MB" 'a line is longer than 1048576 bytes' line.obj
+printf 'v 0 0 0\nv 1\000 0 0\nv 0 1 0\nf 1 2 3\n' >nul.obj
+compile "a NUL byte in an OBJ file" 'nul.obj: a NUL byte' nul.obj
 truncate -s 300000000 large.obj
 compile "a model of 300 MB" 'more than 268435456 bytes' large.obj
 for index in 0 4 2147483648 -4 -99999999999; do
