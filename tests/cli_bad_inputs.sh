@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 #
-# Input that has no end, is too large, is cut short or leads elsewhere: each ends within ten seconds and 300 MB with one
+# Input that has no end, is too large, is cut short or leads elsewhere: each ends within ten seconds of work and 300 MB with one
 # line on standard error that says what is wrong, status 1, and leaves no file. What the same limits must let through is
 # tried as well.
 . tests/tap.sh

@@ -14,14 +14,14 @@ mkdir here tmp
 cd here || exit 1
 export TMPDIR="$work/tmp"
 
-within() { "$work/bounded" 10 300 "$@"; } # ten seconds, 300 MB
+within() { "$work/bounded" 10 300 "$@"; } # ten seconds of work, 300 MB
 
 small() { # OPTION...: some frames, fast
     within "$limner" render "$scenes/icosahedron.obj" --size 64x48 "$@"
 }
 
-wait_for() { # COMMAND...: up to ten seconds
-    for _ in $(seq 100); do
+wait_for() { # COMMAND...: up to thirty seconds
+    for _ in $(seq 300); do
         "$@" && return 0
         sleep 0.1
     done
@@ -45,7 +45,7 @@ waits_with_a_file() { # SECONDS FILE
 
 does_not_mix() {
     small --write-hashes alone || return 1
-    waits_with_a_file 2 both &
+    waits_with_a_file 5 both &
     wait_for there_is 'both*.part' || return 1
     [ "$(stat -c %h both.*.part)" -eq 1 ] || return 1
     small --write-hashes both || return 1
