@@ -6,10 +6,10 @@
 # else: no unit test counts. FUZZ_S=30 fuzzes each target for so long first. FUZZ_FOUND=no: tests/corpus alone.
 #
 # A line counts once, whatever number of profiles it is compiled for, and is reached if it is in any. Prints each file's
-# share, the lines that are not reached with LINES=yes, and both totals; fails if one is below its bound.
+# share, the lines that are not reached with FUZZ_LINES=yes, and both totals; fails if one is below its bound.
 set -eu
 
-: "${BUILD:?is set by the Makefile}" "${FUZZ_S:=0}" "${FUZZ_FOUND:=yes}" "${LINES:=no}"
+: "${BUILD:?is set by the Makefile}" "${FUZZ_S:=0}" "${FUZZ_FOUND:=yes}" "${FUZZ_LINES:=no}"
 build=$BUILD/coverage
 least_firmware=95 least_readers=90
 
@@ -45,7 +45,7 @@ notes() {
 }
 
 notes | xargs gcov --stdout --relative-only 2>/dev/null | awk -v firmware_least="$least_firmware" \
-    -v readers_least="$least_readers" -v show="$LINES" '
+    -v readers_least="$least_readers" -v show="$FUZZ_LINES" '
     function percent(a, b) { return b ? 100 * a / b : 100 }
     {
         count = $0; sub(/:.*/, "", count); gsub(/ /, "", count)
