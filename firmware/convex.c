@@ -24,7 +24,7 @@ void lim_convex_init(struct lim *lim, void *mem, size_t mem_b)
     struct lim_view_cached *cache = mem;
 
     convex->tops = (uint16_t *)(void *)(cache + LIM_VIEW_CACHE_ENTRIES);
-    convex->pool = (struct lim_crossing *)(void *)((uint8_t *)mem + LIM_CONVEX_MEM_B(lim->target.h_px, 0, 0));
+    convex->pool = (struct lim_crossing *)(void *)((uint8_t *)mem + LIM_CONVEX_POOL_AT_B(lim->target.h_px));
     convex->faces = (struct lim_face *)(void *)((uint8_t *)mem + (mem_b & ~(size_t)3)) - polygon_count;
     lim_view_init(&lim->view, lim->target.w_px, lim->target.h_px, cache);
 }

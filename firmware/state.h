@@ -33,9 +33,13 @@
     LIM_MEM_ALIGNED_B(LIM_VIEW_CACHE_ENTRIES * sizeof(struct lim_view_cached) +                                        \
                       (depth) * sizeof(struct lim_walk_pending))
 #define LIM_CONVEX_MEM_B(h_px, polygon_count, active_count)                                                            \
-    LIM_MEM_ALIGNED_B(LIM_MEM_ALIGNED_B(LIM_VIEW_CACHE_ENTRIES * sizeof(struct lim_view_cached) +                      \
-                                        (h_px) * sizeof(uint16_t) + (polygon_count) * sizeof(struct lim_face)) +       \
+    LIM_MEM_ALIGNED_B(LIM_MEM_ALIGNED_B(LIM_CONVEX_POOL_AT_B(h_px) + (polygon_count) * sizeof(struct lim_face)) +      \
                       (active_count) * sizeof(struct lim_crossing))
+/* Where the crossings begin, whose edges may have 64 bits. */
+#define LIM_CONVEX_POOL_AT_B(h_px)                                                                                     \
+    ((LIM_MEM_ALIGNED_B(LIM_VIEW_CACHE_ENTRIES * sizeof(struct lim_view_cached) + (h_px) * sizeof(uint16_t)) +         \
+      _Alignof(struct lim_crossing) - 1) &                                                                             \
+     ~(_Alignof(struct lim_crossing) - 1))
 /* `piece_count`: how often a frame's polygons can be split. */
 #define LIM_DEPTH_MEM_B(h_px, polygon_count, cell_count, gap_count, active_count)                                      \
     (LIM_MEM_B(h_px, 0, cell_count, gap_count, active_count) + (polygon_count) * sizeof(struct lim_sorted))
