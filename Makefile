@@ -259,7 +259,7 @@ suite-cpus      := $(wildcard tests/cpus_*.sh)
 suite-boards    := $(wildcard tests/boards_*.sh)
 suite-cross     := tests/cross.sh
 suite-compilers := tests/compilers.sh
-suite-sanitize  := tests/sanitize.sh
+suite-sanitize  := $(wildcard tests/sanitize*.sh)
 suite-models    := tests/models.sh
 suite-features  := tests/features.sh
 suite-prove     := tests/prove.sh
@@ -295,7 +295,7 @@ unknown := $(filter-out $(ALL_SUITES) arm64 fixed features soak,$(suites))
 $(if $(unknown),$(error there is no suite $(unknown); there are: all $(ALL_SUITES) arm64 features))
 
 # The longest first, so that none of them is left alone at the end.
-longest  := tests/sanitize.sh tests/prove.sh tests/compilers.sh tests/cli_extremes.sh
+longest  := tests/sanitize.sh tests/sanitize_scenes.sh tests/prove.sh tests/compilers.sh tests/cli_extremes.sh
 asked    := $(sort $(foreach suite,$(suites),$(suite-$(suite))))
 programs := $(filter $(longest),$(asked)) $(filter-out $(longest),$(asked))
 
