@@ -26,36 +26,38 @@ static int64_t moment(int32_t n, int32_t v)
     return (int64_t)n * v;
 }
 
-/*@ requires \valid(n + (0 .. 2)) && \valid_read(&at[0 .. 2][0 .. 2]) && \separated(n + (0 .. 2), &at[0 .. 2][0 .. 2]);
-    requires \forall integer i, k; 0 <= i < 3 && 0 <= k < 3 ==> -32768 <= at[i][k] <= 32767;
+/* The normal of three corners that run counter-clockwise. */
+/*@ requires \valid(n + (0 .. 2)) && \valid_read(a + (0 .. 2)) && \valid_read(b + (0 .. 2)) && \valid_read(c + (0 ..
+   2)); requires \separated(n + (0 .. 2), a + (0 .. 2), b + (0 .. 2), c + (0 .. 2)); requires -32768 <= a[0] <= 32767 &&
+   -32768 <= a[1] <= 32767 && -32768 <= a[2] <= 32767; requires -32768 <= b[0] <= 32767 && -32768 <= b[1] <= 32767 &&
+   -32768 <= b[2] <= 32767; requires -32768 <= c[0] <= 32767 && -32768 <= c[1] <= 32767 && -32768 <= c[2] <= 32767;
     assigns n[0 .. 2];
-    ensures \forall integer i; 0 <= i < 3 ==> -8589672450 <= n[i] <= 8589672450; */
-static void set_normal(int64_t n[3], int32_t at[3][3])
+    ensures -8589672450 <= n[0] <= 8589672450 && -8589672450 <= n[1] <= 8589672450;
+    ensures -8589672450 <= n[2] <= 8589672450; */
+static void set_normal(int64_t n[3], const int32_t a[3], const int32_t b[3], const int32_t c[3])
 {
     //@ loop pragma UNROLL "completely", 4;
     for (uint_fast8_t i = 0; i < 3; i++) {
         const uint_fast8_t j = lim_axis_after(i), k = lim_axis_after(j);
-        n[i] = area(at[1][j] - at[0][j], at[2][k] - at[0][k], at[1][k] - at[0][k], at[2][j] - at[0][j]);
+        n[i] = area(b[j] - a[j], c[k] - a[k], b[k] - a[k], c[j] - a[j]);
     }
 }
 
 /* Of a normal of 29 bits and a sign: d stays below 3 * 2^44. */
 /*@ requires \valid(plane) && \valid_read(n + (0 .. 2)) && \valid_read(through + (0 .. 2));
     requires \separated(plane, n + (0 .. 2), through + (0 .. 2));
-    requires \forall integer i; 0 <= i < 3 ==> -536870912 <= n[i] < 536870912 && -32768 <= through[i] <= 32767;
+    requires -536870912 <= n[0] < 536870912 && -536870912 <= n[1] < 536870912 && -536870912 <= n[2] < 536870912;
+    requires -32768 <= through[0] <= 32767 && -32768 <= through[1] <= 32767 && -32768 <= through[2] <= 32767;
     assigns *plane;
-    ensures \forall integer i; 0 <= i < 3 ==> -536870912 <= plane->n[i] < 536870912;
+    ensures -536870912 <= plane->n[0] < 536870912 && -536870912 <= plane->n[1] < 536870912;
+    ensures -536870912 <= plane->n[2] < 536870912;
     ensures -52776558133248 <= plane->d <= 52776558133248 && 0 <= plane->slack <= 1610612736; */
-static void set_plane(struct lim_plane_wide *plane, const int64_t n[3], const int32_t through[3])
+static void set_through(struct lim_plane_wide *plane, const int64_t n[3], const int32_t through[3])
 {
     plane->d = plane->slack = 0;
     plane->narrow = false;
     plane->axis = LIM_NO_AXIS;
-    /*@ loop invariant 0 <= i <= 3;
-        loop invariant -i * 17592186044416 <= plane->d <= i * 17592186044416 && 0 <= plane->slack <= i * 536870912;
-        loop invariant \forall integer k; 0 <= k < i ==> -536870912 <= plane->n[k] < 536870912;
-        loop assigns i, plane->n[0 .. 2], plane->d, plane->slack;
-        loop variant 3 - i; */
+    //@ loop pragma UNROLL "completely", 4;
     for (uint_fast8_t i = 0; i < 3; i++) {
         const int32_t part = (int32_t)n[i];
         plane->n[i] = part;
@@ -67,7 +69,7 @@ static void set_plane(struct lim_plane_wide *plane, const int64_t n[3], const in
 bool lim_bend_plane(struct lim_plane_wide *plane, const struct lim_scene *object, const LIM_FLASH lim_index *record)
 {
     int32_t at[3][3];
-    int64_t n[3];
+    int64_t n[4];
 
     for (uint_fast8_t k = 0; k < 3; k++) {
         const struct lim_vertex vertex = object->vertices[record[LIM_POLYGON_HEAD_WORDS + k]];
@@ -75,9 +77,10 @@ bool lim_bend_plane(struct lim_plane_wide *plane, const struct lim_scene *object
         at[k][1] = vertex.y;
         at[k][2] = vertex.z;
     }
-    set_normal(n, at);
-    shorten_s64(n, 3, NORMAL_END);
-    set_plane(plane, n, at[0]);
+    set_normal(n, at[0], at[1], at[2]);
+    n[3] = 0;
+    shorten_s64(n, NORMAL_END);
+    set_through(plane, n, at[0]);
     return plane->slack != 0;
 }
 

@@ -202,33 +202,27 @@ static inline int64_t larger_s64(int64_t a, int64_t b)
     return size > a ? size : a;
 }
 
-/* Halves all of v, rounding down, until each is in -end .. end - 1: what matters of them is how they relate.
- * count 1..4, |v| <= 2^62. */
-/*@ requires 1 <= count <= 4 && \valid(v + (0 .. count - 1)) && 1 <= end;
-    requires \forall integer i; 0 <= i < count ==> -4611686018427387904 <= v[i] <= 4611686018427387904;
-    assigns v[0 .. count - 1];
-    ensures \forall integer i; 0 <= i < count ==> -end <= v[i] < end; */
-static inline void shorten_s64(int64_t v[], uint_fast8_t count, int64_t end)
+/* Halves all four, rounding down, until each is in -end .. end - 1: what matters of them is how they relate.
+ * |v| <= 2^62. */
+/*@ requires \valid(v + (0 .. 3)) && 1 <= end;
+    requires -4611686018427387904 <= v[0] <= 4611686018427387904 && -4611686018427387904 <= v[1] <= 4611686018427387904;
+    requires -4611686018427387904 <= v[2] <= 4611686018427387904 && -4611686018427387904 <= v[3] <= 4611686018427387904;
+    assigns v[0 .. 3];
+    ensures -end <= v[0] < end && -end <= v[1] < end && -end <= v[2] < end && -end <= v[3] < end; */
+static inline void shorten_s64(int64_t v[4], int64_t end)
 {
-    int64_t largest = 0;
+    int64_t largest = larger_s64(larger_s64(larger_s64(larger_s64(0, v[0]), v[1]), v[2]), v[3]);
 
-    //@ loop pragma UNROLL "completely", 5;
-    for (uint_fast8_t i = 0; i < count; i++)
-        largest = larger_s64(largest, v[i]);
     /*@ loop invariant 0 <= largest <= 4611686018427387904;
-        loop invariant \forall integer k; 0 <= k < count ==> -largest - 1 <= v[k] <= largest;
-        loop assigns largest, v[0 .. count - 1];
+        loop invariant -largest - 1 <= v[0] <= largest && -largest - 1 <= v[1] <= largest;
+        loop invariant -largest - 1 <= v[2] <= largest && -largest - 1 <= v[3] <= largest;
+        loop assigns largest, v[0 .. 3];
         loop variant largest; */
     for (; largest >= end; largest >>= 1) {
-        /*@ loop invariant 0 <= i <= count;
-            loop invariant \forall integer k; 0 <= k < i ==> -(largest >> 1) - 1 <= v[k] <= largest >> 1;
-            loop invariant \forall integer k; i <= k < count ==> -largest - 1 <= v[k] <= largest;
-            loop assigns i, v[0 .. count - 1];
-            loop variant count - i; */
-        for (uint_fast8_t i = 0; i < count; i++) {
-            //@ assert -(largest >> 1) - 1 <= v[i] >> 1 <= largest >> 1;
-            v[i] >>= 1;
-        }
+        v[0] >>= 1;
+        v[1] >>= 1;
+        v[2] >>= 1;
+        v[3] >>= 1;
     }
 }
 

@@ -25,28 +25,32 @@ static int32_t part_q30(int32_t part, uint32_t length)
     return part < 0 ? -unit_q30 : unit_q30;
 }
 
+/*@ requires -1073741824 <= x <= 1073741824;
+    assigns \nothing;
+    ensures \result <= 1152921504606846976; */
+static uint64_t square_of(int64_t x)
+{
+    //@ assert 0 <= x * x <= 1152921504606846976;
+    return (uint64_t)(x * x);
+}
+
 /* Makes a quaternion a unit. All zeros stay what they are, and turn nothing. */
 /*@ requires \valid(q_q30 + (0 .. 3)) && \valid(sum + (0 .. 3)) && \separated(q_q30 + (0 .. 3), sum + (0 .. 3));
-    requires \forall integer i; 0 <= i < 4 ==> -70368744177664 <= sum[i] <= 70368744177664;
+    requires -70368744177664 <= sum[0] <= 70368744177664 && -70368744177664 <= sum[1] <= 70368744177664;
+    requires -70368744177664 <= sum[2] <= 70368744177664 && -70368744177664 <= sum[3] <= 70368744177664;
     assigns q_q30[0 .. 3], sum[0 .. 3];
-    ensures \forall integer i; 0 <= i < 4 ==> -1073741824 <= q_q30[i] <= 1073741824; */
+    ensures -1073741824 <= q_q30[0] <= 1073741824 && -1073741824 <= q_q30[1] <= 1073741824;
+    ensures -1073741824 <= q_q30[2] <= 1073741824 && -1073741824 <= q_q30[3] <= 1073741824; */
 static void normalise(int32_t q_q30[4], int64_t sum[4])
 {
     uint64_t square = 0;
 
-    shorten_s64(sum, 4, ONE_Q30);
-    /*@ loop invariant 0 <= i <= 4 && square <= i * 1152921504606846976;
-        loop assigns i, square;
-        loop variant 4 - i; */
-    for (uint_fast8_t i = 0; i < 4; i++) {
-        //@ assert 0 <= sum[i] * sum[i] <= 1152921504606846976;
-        square += (uint64_t)(sum[i] * sum[i]);
-    }
+    shorten_s64(sum, ONE_Q30);
+    //@ loop pragma UNROLL "completely", 5;
+    for (uint_fast8_t i = 0; i < 4; i++)
+        square += square_of(sum[i]);
     const uint32_t length = lim_root(square);
-    /*@ loop invariant 0 <= i <= 4;
-        loop invariant \forall integer k; 0 <= k < i ==> -1073741824 <= q_q30[k] <= 1073741824;
-        loop assigns i, q_q30[0 .. 3];
-        loop variant 4 - i; */
+    //@ loop pragma UNROLL "completely", 5;
     for (uint_fast8_t i = 0; i < 4; i++)
         q_q30[i] = part_q30((int32_t)sum[i], length);
 }
@@ -74,7 +78,8 @@ static int32_t saturate_q30(int64_t x_q30)
 
 /*@ requires \valid(axes_q30 + (0 .. 8)) && \valid_read(q_q30 + (0 .. 3));
     requires \separated(axes_q30 + (0 .. 8), q_q30 + (0 .. 3));
-    requires \forall integer i; 0 <= i < 4 ==> -1073741824 <= q_q30[i] <= 1073741824;
+    requires -1073741824 <= q_q30[0] <= 1073741824 && -1073741824 <= q_q30[1] <= 1073741824;
+    requires -1073741824 <= q_q30[2] <= 1073741824 && -1073741824 <= q_q30[3] <= 1073741824;
     assigns axes_q30[0 .. 8];
     ensures \forall integer i; 0 <= i < 9 ==> -1073741824 <= axes_q30[i] <= 1073741824; */
 static void set_axes(int32_t axes_q30[9], const int32_t q_q30[4])

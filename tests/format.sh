@@ -26,7 +26,7 @@ short() { # tests may be long: they are read one at a time
 
 tidy() {
     ! find . -maxdepth 1 -mindepth 1 -not -name '.*' -not -path "./${BUILD%%/*}" -not -name out |
-        grep -vxE '\./(firmware|hal|boards|sim|tests|Makefile|README\.md|LICENSE|CHANGELOG\.md)'
+        grep -vxE '\./(firmware|hal|boards|sim|tests|Makefile|README\.md|LICENSE|CHANGELOG\.md|CONTRIBUTING\.md)'
 }
 
 tap_check "every C file is laid out by clang-format (make format mends it)" formatted

@@ -65,20 +65,26 @@ cameras_of() { # SCENE: its own or, if there are none, an orbit
     fi
 }
 
-# One run. Refusals are one line, and are counted.
-draw() { # SCENE NAME ARGUMENT...
+# One run; a refusal is an answer, too.
+render() { # SCENE NAME ARGUMENT...
     scene=$1 name=$2
     shift 2
     status=0
     timeout 120 "$limner" render "$scene" "$@" --stats >"$work/$name.out" 2>"$work/$name.err" || status=$?
-    if grep -q 'runtime error\|Sanitizer' "$work/$name.err" || [ $status -gt 1 ]; then
+    if [ $status -gt 1 ] || grep -q 'runtime error\|Sanitizer' "$work/$name.err" ||
+        { [ $status -eq 1 ] && ! tail -n 1 "$work/$name.err" | grep -q '^limner: '; }; then
         echo "limner render $scene $*: status $status"
         cat "$work/$name.err"
         return 1
     fi
+}
+
+# What cannot go together is refused; then the method and the profile have a run to themselves.
+draw() { # SCENE NAME CAMERA METHOD PROFILE ARGUMENT...
+    render "$@" || return 1
     [ $status -eq 1 ] || return 0
-    [ "$(grep -vc '^limner: note' "$work/$name.err")" -le 2 ] || { cat "$work/$name.err"; return 1; }
-    echo refused >>"$work/$name.refused"
+    render "$1" "$2" "$3" "$4" "$5" --size=48x36 --panel=memory || return 1
+    [ $status -eq 0 ] || echo refused >>"$work/$2.refused"
 }
 
 # The runs of a scene, each with the turn after the one before; fewer of one that takes long.
