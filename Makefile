@@ -381,7 +381,7 @@ tradeoff: $(BUILD)/limner $(demo) ## measure accuracy against cost for README; e
 scale: $(BUILD)/limner $(BUILD)/generate_scale ## measure how costs grow with a scene; SCENES="rooms6 mesh1000": only those
 	$(LIVE)sh sim/scale.sh --write
 
-predictions: $(BUILD)/limner $(BUILD)/generate_scale $(demo) packages ## hold predicted wrong pixels against measured ones, of 48 models
+predictions: $(BUILD)/limner $(BUILD)/generate_scale $(demo) packages ## hold predicted wrong pixels against measured ones, of 47 models
 	$(LIVE)sh sim/predictions.sh --write
 
 compare: $(BUILD)/limner ## measure every visibility method; everything into out/compare/
