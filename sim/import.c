@@ -276,7 +276,7 @@ static bool read_scene(struct import *import)
     const struct aiNode *root = import->scene->mRootNode;
     return root && node_transforms_read(import->path, import->scene, &import->transforms, import->err) &&
            import_motions(import->path, import->scene, &import->transforms, import->model, &import->movers,
-                          import->err) &&
+                          &import->step_m, import->err) &&
            walk(import, root, affine_identity(), 0, count_mesh) && allocate(import) &&
            walk(import, root, affine_identity(), 0, add_mesh);
 }

@@ -7,6 +7,7 @@
  * some, and its orientations likewise. */
 #include "import_motion.h"
 
+#include "float_step.h"
 #include "grow.h"
 #include "pose.h"
 #include "vec3.h"
@@ -28,6 +29,7 @@ struct motions {
     const char *path;
     const struct aiScene *scene;
     const struct node_transforms *transforms;
+    double *step_m;
     struct model *model;
     const struct aiNode **nodes;
     size_t mover_capacity, key_capacity, node_capacity;
@@ -191,6 +193,18 @@ static size_t key_times(const struct channel *channel, double end_s, double *tim
     return kept;
 }
 
+static void note_step(struct motions *work, const struct channel *channel, const struct placement *parent,
+                      const double at_m[3])
+{
+    if (!channel->position.anim->mNumPositionKeys) return;
+    for (int axis = 0; axis < 3; axis++) {
+        double step_m = 0;
+        for (int i = 0; i < 3; i++)
+            step_m += fabs(parent->axes[i][axis]) * float_step_at(fabs(at_m[i]));
+        *work->step_m = fmax(*work->step_m, step_m);
+    }
+}
+
 static bool add_keys(struct motions *work, const struct channel *channel, const struct placement *parent,
                      const double parent_turn[3][3], double end_s, struct model_mover *mover)
 {
@@ -204,6 +218,7 @@ static bool add_keys(struct motions *work, const struct channel *channel, const 
         struct model_pose own;
         double axes[3][3], turned[3][3];
         position_at(channel, times_s[i], own.at_m);
+        note_step(work, channel, parent, own.at_m);
         turn_at(channel, times_s[i], own.turn);
         pose_axes(&own, axes);
         for (int k = 0; k < 3; k++)
@@ -388,10 +403,11 @@ static double end_of(const struct aiScene *scene)
 }
 
 bool import_motions(const char *path, const struct aiScene *scene, const struct node_transforms *transforms,
-                    struct model *model, const struct aiNode ***nodes, struct error *err)
+                    struct model *model, const struct aiNode ***nodes, double *step_m, struct error *err)
 {
     static const struct placement world = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {0, 0, 0}};
-    struct motions work = {.path = path, .scene = scene, .transforms = transforms, .model = model, .err = err};
+    struct motions work = {
+        .path = path, .scene = scene, .transforms = transforms, .model = model, .step_m = step_m, .err = err};
     const bool ok = !scene->mNumAnimations || walk(&work, scene->mRootNode, &world, NULL, end_of(scene));
     *nodes = work.nodes;
     return ok;

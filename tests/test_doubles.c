@@ -6,6 +6,7 @@
 
 #include "model.h"
 #include "source.h"
+#include "vertex_table.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -324,6 +325,7 @@ static void a_disagreement_of_the_readers_is_an_error(void **state)
     model.face_count = 2;
     model.faces[1].count = 4;
     assert_true(source_take(path, &model, &err));
+    assert_ptr_equal(source_view(&model).points, model.source_points);
     model_free(&model);
 }
 
@@ -369,6 +371,53 @@ static void coarse_float32_is_told_in_metres(void **state)
     model_free(&model);
 }
 
+/* Keys of an animation lead 10^6 m out, in float32: 1/16 m. */
+static void coarse_keys_are_told_in_metres(void **state)
+{
+    static const char text[] =
+        "{\"asset\": {\"version\": \"2.0\"}, \"scenes\": [{\"nodes\": [0, 1]}],\n"
+        "\"nodes\": [{\"mesh\": 0}, {\"mesh\": 0, \"name\": \"far\", \"translation\": [3, 0, 0]}],\n"
+        "\"meshes\": [{\"primitives\": [{\"attributes\": {\"POSITION\": 0}}]}],\n"
+        "\"animations\": [{\"channels\": [{\"sampler\": 0, \"target\": {\"node\": 1, \"path\": \"translation\"}}],\n"
+        "\"samplers\": [{\"input\": 1, \"output\": 2}]}],\n"
+        "\"accessors\": [{\"bufferView\": 0, \"componentType\": 5126, \"count\": 3, \"type\": \"VEC3\"},\n"
+        "{\"bufferView\": 1, \"componentType\": 5126, \"count\": 2, \"type\": \"SCALAR\", \"min\": [0], \"max\": "
+        "[1]},\n"
+        "{\"bufferView\": 2, \"componentType\": 5126, \"count\": 2, \"type\": \"VEC3\"}],\n"
+        "\"bufferViews\": [{\"buffer\": 0, \"byteLength\": 36}, {\"buffer\": 0, \"byteOffset\": 36, \"byteLength\": "
+        "8},\n"
+        "{\"buffer\": 0, \"byteOffset\": 44, \"byteLength\": 24}],\n"
+        "\"buffers\": [{\"byteLength\": 68, \"uri\": \"data:application/octet-stream;base64,"
+        "AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAAAAAAAAAAgD8AJHRJAAAAAAAAAAAQJHRJAAAAAAAAAAA=\"}]}\n";
+    (void)state;
+    put("keys.gltf", text);
+    struct model model = both_read();
+    assert_int_equal(model.mover_count, 1);
+    assert_non_null(strstr(model.notice, "float32 numbers, which are 0.0625 m apart"));
+    model_free(&model);
+}
+
+/* As float32 they are what they are; what is computed with one is none. */
+static void stand_ins_are_told_from_other_numbers(void **state)
+{
+    struct vertex_table table = {0};
+    (void)state;
+    for (int i = 1; i <= 100000; i++) {
+        unsigned in[3];
+        vertex_table_add(&table, (const double[3]){i, 0.1 * i, -i}, in);
+        const float out[3] = {(float)in[0], (float)in[1], (float)in[2]};
+        const double *found = vertex_table_find(&table, (double)out[0], (double)out[1], (double)out[2]);
+        assert_true(found && found[0] == i && found[1] == 0.1 * i && found[2] == -i);
+        assert_null(vertex_table_find(&table, in[0], in[1], in[2] + 1.0));
+        assert_null(vertex_table_find(&table, in[0], in[1] + 0.5, in[2]));
+        assert_null(vertex_table_find(&table, 2.0 * in[0], 2.0 * in[1], 2.0 * in[2]));
+    }
+    assert_null(vertex_table_find(&table, 0, 0, 0));
+    assert_null(vertex_table_find(&table, NAN, 1, 1));
+    assert_null(vertex_table_find(&table, -1, 1, 1));
+    vertex_table_free(&table);
+}
+
 static int make_folder(void **state)
 {
     (void)state;
@@ -401,6 +450,8 @@ int main(void)
         cmocka_unit_test(a_disagreement_of_the_readers_is_an_error),
         cmocka_unit_test(a_format_without_a_reader_is_told),
         cmocka_unit_test(coarse_float32_is_told_in_metres),
+        cmocka_unit_test(coarse_keys_are_told_in_metres),
+        cmocka_unit_test(stand_ins_are_told_from_other_numbers),
     };
     return cmocka_run_group_tests(tests, make_folder, remove_folder);
 }
