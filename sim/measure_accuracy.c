@@ -205,18 +205,30 @@ static bool measure_frame(struct measured *measured, const struct measure_source
     return measure_texels(measured, source, &camera, err);
 }
 
+/* With all renderers, or from the second frame on those that there is time for. */
+static bool measure_all(struct measured *measured, size_t count, struct measure_source *source,
+                        const struct measure_views *views, size_t frame, struct accuracy *out, struct error *err)
+{
+    struct moving *moving = source->still.moving;
+    if (moving) moving_pose_reference(moving, &source->reference, moving_time_s(moving, frame, views->path->count));
+    reference_draw(&source->reference, &views->path->frames[frame], views->lens);
+    for (size_t i = 0; i < count && !(frame && deadline_passed()); i++)
+        if (!measure_frame(&measured[i], source, views, frame, &out[i], err)) return false;
+    return true;
+}
+
+/* `before`: room for what was known before the last frame. */
 static bool measure_frames(struct measured *measured, size_t count, struct measure_source *source,
-                           const struct measure_views *views, struct accuracy *out, struct error *err)
+                           const struct measure_views *views, struct accuracy *before, struct accuracy *out,
+                           struct error *err)
 {
     for (size_t frame = 0; frame < views->path->count; frame++) {
         progress_bar(frame, views->path->count, "accuracy, frame %zu of %zu", frame + 1, views->path->count);
-        if (frame && deadline_passed()) break;
-        if (source->still.moving)
-            moving_pose_reference(source->still.moving, &source->reference,
-                                  moving_time_s(source->still.moving, frame, views->path->count));
-        reference_draw(&source->reference, &views->path->frames[frame], views->lens);
-        for (size_t i = 0; i < count; i++)
-            if (!measure_frame(&measured[i], source, views, frame, &out[i], err)) return false;
+        memcpy(before, out, count * sizeof *out);
+        if (!measure_all(measured, count, source, views, frame, out, err)) return false;
+        if (out[count - 1].pixels.frames > frame) continue;
+        memcpy(out, before, count * sizeof *out); /* all of the same frames */
+        break;
     }
     if (out->pixels.frames < views->path->count)
         deadline_say("accuracy of %zu of %zu frames", out->pixels.frames, views->path->count);
@@ -227,15 +239,17 @@ bool measure_accuracy(struct measure_source *source, const struct measure_views 
                       const struct measure_candidate *candidates, size_t count, struct accuracy *out, struct error *err)
 {
     struct measured *measured = calloc(count, sizeof *measured);
-    bool ok = measured || error_set(err, "accuracy: out of memory");
+    struct accuracy *before = calloc(count, sizeof *before);
+    bool ok = (measured && before) || error_set(err, "accuracy: out of memory");
     memset(out, 0, count * sizeof *out);
     for (size_t i = 0; ok && i < count; i++)
         ok = measured_init(&measured[i], &candidates[i], views, err);
-    ok = ok && measure_frames(measured, count, source, views, out, err);
+    ok = ok && measure_frames(measured, count, source, views, before, out, err);
     for (size_t i = 0; ok && i < count; i++)
         sum_up_texels(&measured[i].texels, out[i].pixels.frames, &out[i]);
     for (size_t i = 0; measured && i < count; i++)
         measured_free(&measured[i]);
+    free(before);
     free(measured);
     return ok;
 }
