@@ -6,14 +6,13 @@
 
 #include "companion.h"
 #include "inputs.h"
+#include "model_whole.h"
 #include "whole_file.h"
 
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-
-enum { LONGEST_LINE_B = 1 << 20 };
 
 struct model_file {
     struct aiFile handle; /* first, so that the library's pointer is also ours */
@@ -66,31 +65,6 @@ static enum aiReturn file_seek(struct aiFile *handle, size_t offset, enum aiOrig
     return aiReturn_SUCCESS;
 }
 
-/* By its first two bytes, a byte order mark. */
-static bool is_utf16(const char *text, size_t size_b)
-{
-    return size_b >= 2 && ((text[0] == '\xFF' && text[1] == '\xFE') || (text[0] == '\xFE' && text[1] == '\xFF'));
-}
-
-/* The library would hold a long line several times, and takes NUL bytes for this or that. */
-static bool text_fits(const char *path, const char *text, size_t size_b)
-{
-    struct error err;
-    size_t line_b = 0, longest_b = 0;
-    for (size_t i = 0; i < size_b; i++) {
-        line_b = text[i] == '\n' || text[i] == '\r' ? 0 : line_b + 1;
-        if (line_b > longest_b) longest_b = line_b;
-    }
-    const bool has_nul = !is_utf16(text, size_b) && memchr(text, 0, size_b);
-    if (longest_b <= LONGEST_LINE_B && !has_nul) return true;
-    if (has_nul)
-        error_set(&err, "%s: a NUL byte in a text", path);
-    else
-        error_set(&err, "%s: a line is longer than %d bytes", path, LONGEST_LINE_B);
-    companions_refuse(&err);
-    return false;
-}
-
 static struct model_file *read_whole(FILE *stream, size_t size_b)
 {
     struct model_file *file = calloc(1, sizeof *file + size_b);
@@ -126,8 +100,9 @@ static struct aiFile *file_open(struct aiFileIO *io, const char *path, const cha
     if (mode[0] != 'r') return NULL;
     struct model_file *file = instead->bytes && strcmp(path, instead->path) == 0 ? copy_of(instead) : read_path(path);
     if (!file) return NULL;
-    const bool has_lines = path_has_suffix(path, ".obj") || path_has_suffix(path, ".mtl");
-    if (has_lines && !text_fits(path, file->bytes, file->size_b)) {
+    struct error refusal;
+    if (path_has_suffix(path, ".mtl") && !model_text_fits(path, file->bytes, file->size_b, &refusal)) {
+        companions_refuse(&refusal);
         free(file);
         return NULL;
     }

@@ -14,7 +14,7 @@
 #include <string.h>
 #include <strings.h>
 
-enum { LARGEST_FILE_B = 256 << 20, ELEMENTS_MAX = 32, PROPERTIES_MAX = 256, WORD_B = 64 };
+enum { LARGEST_FILE_B = 256 << 20, ELEMENTS_MAX = 32, PROPERTIES_MAX = 256, WORD_B = 64, LONGEST_LINE_B = 1 << 20 };
 
 enum coding { CODING_TEXT, CODING_LITTLE, CODING_BIG };
 
@@ -208,7 +208,7 @@ static bool word_is(const uint8_t *at, const uint8_t *end, const char *word)
     return (size_t)(end - at) >= length && strncasecmp((const char *)at, word, length) == 0;
 }
 
-/* Text ends with `endsolid`; behind the last one is no facet. */
+/* Text ends with `endsolid` and a name; behind the last one is no facet. */
 static bool stl_text_is_whole(const char *path, const struct binary *file, struct error *err)
 {
     const uint8_t *end = file->bytes + file->size_b;
@@ -216,7 +216,10 @@ static bool stl_text_is_whole(const char *path, const struct binary *file, struc
     for (const uint8_t *at = file->bytes; at < end; at++) {
         if (at > file->bytes && !isspace(at[-1])) continue;
         is_open |= word_is(at, end, "facet") || word_is(at, end, "vertex");
-        if (word_is(at, end, "endsolid")) is_open = false;
+        if (!word_is(at, end, "endsolid")) continue;
+        is_open = false;
+        while (at + 1 < end && *at != '\n' && *at != '\r')
+            at++;
     }
     return !is_open || error_set(err, "%s: truncated: it ends before endsolid", path);
 }
@@ -231,6 +234,23 @@ static bool stl_is_whole(const char *path, const struct binary *file, struct err
     if (is_text && (file->size_b < 84 || there != count)) return stl_text_is_whole(path, file, err);
     return there >= count ||
            error_set(err, "%s: truncated: it ends within triangle %zu of %lu", path, there + 1, (unsigned long)count);
+}
+
+/* By its first two bytes, a byte order mark. */
+static bool is_utf16(const char *text, size_t size_b)
+{
+    return size_b >= 2 && ((text[0] == '\xFF' && text[1] == '\xFE') || (text[0] == '\xFE' && text[1] == '\xFF'));
+}
+
+bool model_text_fits(const char *path, const char *text, size_t size_b, struct error *err)
+{
+    size_t line_b = 0, longest_b = 0;
+    for (size_t i = 0; i < size_b; i++) {
+        line_b = text[i] == '\n' || text[i] == '\r' ? 0 : line_b + 1;
+        if (line_b > longest_b) longest_b = line_b;
+    }
+    if (!is_utf16(text, size_b) && memchr(text, 0, size_b)) return error_set(err, "%s: a NUL byte in a text", path);
+    return longest_b <= LONGEST_LINE_B || error_set(err, "%s: a line is longer than %d bytes", path, LONGEST_LINE_B);
 }
 
 /* Words of a line after its first; 0 if the last of them cannot be whole. */
@@ -249,6 +269,7 @@ static bool obj_is_whole(const char *path, const struct binary *file, struct err
 {
     char line[256];
     size_t length = 0;
+    if (!model_text_fits(path, (const char *)file->bytes, file->size_b, err)) return false;
     while (length < file->size_b && file->bytes[file->size_b - 1 - length] != '\n' &&
            file->bytes[file->size_b - 1 - length] != '\r')
         length++;

@@ -8,7 +8,13 @@
 
 #include "error.h"
 
+#include <stddef.h>
+
 /* Refuses a file that ends before it may. What is of other formats, or damaged in other ways, is the library's. */
 bool model_is_whole(const char *path, struct error *err);
+
+/* Refuses an OBJ or MTL text with a line of more than 1 MB, of which the library would hold several copies, or with NUL
+ * bytes, which it takes for this or that. */
+bool model_text_fits(const char *path, const char *text, size_t size_b, struct error *err);
 
 #endif

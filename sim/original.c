@@ -4,6 +4,7 @@
  * below what the mesh welds. */
 #include "original.h"
 
+#include "deadline.h"
 #include "grow.h"
 #include "loop.h"
 #include "map.h"
@@ -164,6 +165,15 @@ static void sort_by_size(struct original *out)
     free(sizes);
 }
 
+static void make_faces(struct joining *joining, const uint32_t *welded)
+{
+    for (size_t i = 0; i < joining->model->face_count; i++)
+        face_set(joining, i, welded);
+    join(joining);
+    measure_patches(joining);
+    sort_by_size(joining->out);
+}
+
 struct original *original_make(const struct model *model, const struct grid *grid, const uint32_t *welded)
 {
     struct original *out = grow_zeroed(1, sizeof *out);
@@ -179,16 +189,15 @@ struct original *original_make(const struct model *model, const struct grid *gri
                               .patch = grow_zeroed(model->face_count, sizeof *joining.patch),
                               .thing = grow_zeroed(model->face_count, sizeof *joining.thing)};
     joining.places = places.point_count;
-    for (size_t i = 0; i < model->face_count; i++)
-        face_set(&joining, i, welded);
-    join(&joining);
-    measure_patches(&joining);
-    sort_by_size(out);
+    const bool ok = !deadline_passed(); /* else not all points are welded */
+    if (ok) make_faces(&joining, welded);
     free(places.points);
     free(joining.same);
     free(joining.patch);
     free(joining.thing);
-    return out;
+    if (ok) return out;
+    original_free(out);
+    return NULL;
 }
 
 struct original *original_share(struct original *original)

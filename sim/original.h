@@ -34,7 +34,8 @@ struct original {
     unsigned more_owners;
 };
 
-/* `welded`: for each point of the model that of the mesh. The caller's to free, by original_free(). */
+/* `welded`: for each point of the model that of the mesh. The caller's to free, by original_free(). NULL: time is over
+ * (deadline.h). */
 struct original *original_make(const struct model *model, const struct grid *grid, const uint32_t *welded);
 
 /* One more owner, who frees it as well; NULL stays NULL. */

@@ -156,7 +156,9 @@ static const char *read_model(const char *path, uint32_t dice)
 
     if (!import_model(path, &model, &err)) {
         if (model.points || model.faces) return "a refused model left something behind";
-        return fuzz_check_refusal(err.text, path);
+        char beside[256]; /* materials, too, are named model.something */
+        snprintf(beside, sizeof beside, "%.*s", (int)(strrchr(path, '.') - path), path);
+        return fuzz_check_refusal(err.text, beside);
     }
     const char *broken = check_model(&model);
     if (!broken && model.face_count <= FACES_MAX && model.corner_count <= CORNERS_MAX) return compile(&model, dice);
