@@ -95,7 +95,8 @@ static bool decode_percent(char *name)
     char *to = name;
     for (const char *from = name; *from; to++) {
         const int high = *from == '%' ? hex_digit(from[1]) : -1, low = high >= 0 ? hex_digit(from[2]) : -1;
-        *to = low >= 0 ? (char)(high << 4 | low) : *from;
+        *to = *from;
+        if (low >= 0) *to = (char)(high << 4 | low);
         if (*to == '\\') *to = '/';
         if (*to == '\0') *to = '?';
         from += low >= 0 ? 3 : 1;
