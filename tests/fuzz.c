@@ -97,7 +97,8 @@ const char *fuzz_as_named_file(const char *name, const uint8_t *bytes, size_t si
     if (!folder.path[0] && (!work_folder_make(&folder, &err) || atexit(remove_folder) != 0)) abort();
     snprintf(path, sizeof path, "%s/%s", folder.path, name);
     FILE *file = fopen(path, "wb");
-    if (!file || fwrite(bytes, 1, size_b, file) != size_b || fclose(file) != 0) abort();
+    const bool wrote = file && (!size_b || fwrite(bytes, 1, size_b, file) == size_b);
+    if (!wrote || fclose(file) != 0) abort();
     return path;
 }
 
