@@ -1,0 +1,189 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Scenes are compiled once for all golden tests' sizes: limits are for the golden frames'. */
+#include "golden_stage.h"
+
+#include "cmocka_ready.h"
+#include "texture_rig.h"
+
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { TEXT_B = 1 << 18 };
+
+static const struct {
+    const char *model, *cameras; /* no cameras: an orbit */
+} scenes[] = {{"rooms.obj", "rooms.cam"},   {"rooms-tilted.obj", "rooms-tilted.cam"},
+              {"teapot.obj", "teapot.cam"}, {"icosahedron.obj", NULL},
+              {"glass.obj", "glass.cam"},   {"movers.gltf", "movers.cam"}};
+enum { SCENES = sizeof scenes / sizeof *scenes };
+
+const struct golden_way golden_ways[] = {{"nearest", LIM_NEAREST_FIRST, GOLDEN_PLAIN},
+                                         {"painter", LIM_PAINTER, GOLDEN_PLAIN},
+                                         {"convex", LIM_CONVEX, GOLDEN_PLAIN},
+                                         {"scanline", LIM_SCANLINE, GOLDEN_PLAIN},
+                                         {"depth", LIM_DEPTH, GOLDEN_PLAIN},
+                                         {"newell", LIM_NEWELL, GOLDEN_PLAIN},
+                                         {"antialias", LIM_NEAREST_FIRST, GOLDEN_ANTIALIAS},
+                                         {"scanline-antialias", LIM_SCANLINE, GOLDEN_ANTIALIAS},
+                                         {"delta", LIM_NEAREST_FIRST, GOLDEN_DELTA},
+                                         {"scanline-delta", LIM_SCANLINE, GOLDEN_DELTA},
+                                         {"wireframe", LIM_NEAREST_FIRST, GOLDEN_WIREFRAME},
+                                         {"painter-wireframe", LIM_PAINTER, GOLDEN_WIREFRAME},
+                                         {"framebuffer", LIM_NEAREST_FIRST, GOLDEN_FRAMEBUFFER},
+                                         {NULL, LIM_NEAREST_FIRST, GOLDEN_PLAIN}};
+
+/* Scenes ------------------------------------------------------------------------------------- */
+
+static void open_file(struct golden_stage *stage, const char *model, const char *cameras)
+{
+    const struct compile_options options = {.tolerance_units = 0.5,
+                                            .splitter = "fewest",
+                                            .tree = TREE_BSP,
+                                            .core = &core_exact,
+                                            .wireframe = true,
+                                            .w_px = GOLDEN_W_PX,
+                                            .h_px = GOLDEN_H_PX};
+    const struct moving_options movers = {.mode = MOVING_CLIPPED};
+    struct camera_path whole;
+    char path[256];
+    struct error err;
+
+    snprintf(path, sizeof path, "sim/scenes/%s", model);
+    bool ok = moving_compile(path, &options, &movers, &stage->scene, &stage->moving, &err);
+    if (ok) ok = lens_init(&stage->lens, 70, lens_default_near_m(&stage->scene.grid), GOLDEN_W_PX, GOLDEN_H_PX, &err);
+    snprintf(path, sizeof path, "sim/scenes/%s", cameras ? cameras : "");
+    if (ok)
+        ok = cameras ? camera_path_read(path, &whole, &err)
+                     : camera_path_orbit(&stage->scene, &stage->lens, 16, &whole, &err);
+    if (ok) ok = camera_path_few(&whole, GOLDEN_FRAMES, &stage->path, &err);
+    if (!ok) fail_msg("%s", err.text);
+    camera_path_free(&whole);
+}
+
+/* A room with pictures on its walls, seen from inside. */
+static void open_textured(struct golden_stage *stage)
+{
+    static const struct viewpoint views[GOLDEN_FRAMES] = {{{0.3, 0.2, 0.1}, {1, -0.4, -0.6}, 1},
+                                                          {{-0.9, 0.1, 0.8}, {0.7, -0.8, -1}, 2},
+                                                          {{0, 0.95, 0}, {0.1, -1, 0.2}, 3}};
+    struct random random = {5};
+    struct error err;
+
+    texture_rig_room(&stage->model, texture_rig_picture(&stage->model, 32, 16, &random), 2.5);
+    stage->scene = texture_rig_compile(&stage->model, &stage->mesh, &core_exact);
+    stage->path = (struct camera_path){.frames = malloc(sizeof views), .count = GOLDEN_FRAMES};
+    assert_non_null(stage->path.frames);
+    memcpy(stage->path.frames, views, sizeof views);
+    assert_true(lens_init(&stage->lens, 70, lens_default_near_m(&stage->scene.grid), GOLDEN_W_PX, GOLDEN_H_PX, &err));
+}
+
+bool golden_open(struct golden_stage *stage, size_t scene)
+{
+    if (scene > SCENES) return false;
+    memset(stage, 0, sizeof *stage);
+    stage->name = scene < SCENES ? scenes[scene].model : "textured";
+    if (scene < SCENES)
+        open_file(stage, scenes[scene].model, scenes[scene].cameras);
+    else
+        open_textured(stage);
+    return true;
+}
+
+void golden_close(struct golden_stage *stage)
+{
+    camera_path_free(&stage->path);
+    moving_free(&stage->moving);
+    compiled_free(&stage->scene);
+    mesh_free(&stage->mesh);
+    model_free(&stage->model);
+}
+
+/* Ways --------------------------------------------------------------------------------------- */
+
+bool golden_turn_on(struct simulator *simulator, struct golden_stage *stage, const struct golden_way *way)
+{
+    static const struct lim_wireframe wireframe = {.on = true};
+    struct error err;
+
+    if (stage->moving.count &&
+        !simulator_set_movers(simulator, stage->moving.instances, stage->moving.count, &stage->moving.limits, &err))
+        return false;
+    if (way->special == GOLDEN_ANTIALIAS) return simulator_set_antialias(simulator, true, &err);
+    if (way->special == GOLDEN_DELTA) return simulator_set_delta(simulator, 4000, &err);
+    if (way->special == GOLDEN_WIREFRAME) simulator_set_wireframe(simulator, &wireframe);
+    return true;
+}
+
+bool golden_begin(struct simulator *simulator, struct golden_stage *stage, const struct core *core,
+                  const struct golden_way *way, unsigned w_px, unsigned h_px)
+{
+    const struct simulator_setup setup = {
+        w_px, h_px, way->method, way->special == GOLDEN_FRAMEBUFFER ? SIMULATOR_FRAMEBUFFER : SIMULATOR_MEMORY, core};
+    const bool walks = setup.method == LIM_NEAREST_FIRST || setup.method == LIM_PAINTER;
+    struct error err;
+
+    memset(simulator, 0, sizeof *simulator);
+    if (stage->moving.count && !walks) return false;
+    return simulator_init(simulator, &stage->scene.scene, &setup, &err) && golden_turn_on(simulator, stage, way);
+}
+
+/* What came of it ---------------------------------------------------------------------------- */
+
+uint32_t golden_hash(uint32_t hash, const void *bytes, size_t count)
+{
+    const uint8_t *at = bytes;
+
+    for (size_t i = 0; i < count; i++)
+        hash = (hash ^ at[i]) * 16777619u;
+    return hash;
+}
+
+uint32_t golden_hash_frame(uint32_t hash, const struct simulator *simulator)
+{
+    const size_t count = simulator_pixel_count(simulator);
+
+    for (size_t i = 0; i < count; i++)
+        hash = (hash ^ simulator->pixels[i]) * 16777619u;
+    return hash;
+}
+
+static char text[TEXT_B];
+static size_t used;
+
+void golden_put(const char *format, ...)
+{
+    va_list arguments;
+
+    va_start(arguments, format);
+    const int n = vsnprintf(text + used, sizeof text - used, format, arguments);
+    va_end(arguments);
+    assert_true(n > 0 && (size_t)n < sizeof text - used);
+    used += (size_t)n;
+}
+
+static void write_expected(const char *path)
+{
+    FILE *file = fopen(path, "w");
+
+    assert_non_null(file);
+    assert_int_equal(fwrite(text, 1, used, file), used);
+    assert_int_equal(fclose(file), 0);
+}
+
+void golden_compare(const char *path)
+{
+    const char *asked = getenv("GOLDEN_FRAMES"), *at;
+    char line[512];
+
+    if (asked && strcmp(asked, "write") == 0) write_expected(path);
+    FILE *file = fopen(path, "r");
+    assert_non_null(file);
+    for (at = text; fgets(line, sizeof line, file); at += strlen(line))
+        if (strncmp(at, line, strlen(line)) != 0)
+            fail_msg("expected: %sbut it is: %.*s", line, (int)strcspn(at, "\n"), at);
+    assert_int_equal(*at, 0);
+    fclose(file);
+}

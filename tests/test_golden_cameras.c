@@ -1,0 +1,115 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Small frames from hostile cameras: eyes at vertices, beside them and far out, angles on the axes and a hair off,
+ * every lens, near planes from the nearest to the farthest. Codes, pixels and all statistics are as in
+ * tests/golden_cameras.expected; a frame in parts is the same as a frame at once. tests/test_extreme_*.c say what is
+ * right; this tells that a change which was to change nothing did. GOLDEN_FRAMES=write writes the file anew. */
+#include "cmocka_ready.h"
+#include "golden_stage.h"
+#include "random_camera.h"
+
+#include <string.h>
+
+enum { CAMERAS = 14 };
+
+static const struct {
+    unsigned w_px, h_px;
+} sizes[] = {{41, 19}, {16, 37}, {64, 8}};
+
+static int32_t near_of(struct random *random)
+{
+    switch (random_u64(random) % 4) {
+    case 0:
+        return 1;
+    case 1:
+        return INT32_C(1) << random_in(random, 0, 24);
+    default:
+        return (int32_t)random_in(random, 256, 16 * 256);
+    }
+}
+
+/* At a vertex or off it, by some units of 1/256 to some hundred units. */
+static struct lim_camera camera_near(const struct lim_scene *scene, struct random *random)
+{
+    const struct lim_vertex at = scene->vertices[random_u64(random) % scene->vertex_count];
+    const int64_t off_q8 = INT64_C(1) << random_in(random, 0, random_u64(random) % 8 ? 18 : 27);
+    struct lim_camera camera = {.near_q8 = near_of(random)};
+    const int32_t vertex[3] = {at.x, at.y, at.z};
+
+    for (int i = 0; i < 3; i++)
+        camera.eye_q8[i] = vertex[i] * 256 + (int32_t)(random_u64(random) % 4 ? random_in(random, -off_q8, off_q8) : 0);
+    camera.yaw = random_angle(random);
+    camera.pitch = random_angle(random);
+    camera.roll = random_angle(random);
+    camera.tan_x_q28 = random_tan_q28(random);
+    camera.tan_y_q28 = random_u64(random) % 2 ? camera.tan_x_q28 : random_tan_q28(random);
+    return camera;
+}
+
+static int draw_in_parts(struct simulator *simulator, const struct lim_camera *camera)
+{
+    const struct core *core = simulator->core;
+    const int code = core->begin(simulator->lim, camera, simulator->instances, simulator->instance_count);
+
+    if (code) return code;
+    while (core->work(simulator->lim))
+        continue;
+    return core->paint(simulator->lim);
+}
+
+static uint32_t hash_of(const struct simulator *simulator, int code)
+{
+    const struct lim_stats *stats = simulator_stats(simulator);
+    const uint32_t hash = golden_hash(GOLDEN_HASH, &code, sizeof code);
+
+    return code ? hash : golden_hash(golden_hash_frame(hash, simulator), stats, sizeof *stats);
+}
+
+static void put_way(struct simulator *simulator, struct golden_stage *stage, const struct golden_way *way)
+{
+    uint32_t all = GOLDEN_HASH;
+    struct random random = {77};
+
+    golden_put("%s %s %s:", stage->name, simulator->core->name, way->name);
+    for (int i = 0; i < CAMERAS; i++) {
+        const struct lim_camera camera = camera_near(&stage->scene.scene, &random);
+        if (stage->moving.count) moving_pose(&stage->moving, moving_time_s(&stage->moving, (size_t)i, CAMERAS));
+        const int code = simulator_draw(simulator, &camera);
+        const uint32_t hash = hash_of(simulator, code);
+        if (way->special != GOLDEN_DELTA) assert_int_equal(hash_of(simulator, draw_in_parts(simulator, &camera)), hash);
+        all = golden_hash(all, &hash, sizeof hash);
+        if (i % 7 == 6) golden_put(" %08x", all);
+    }
+    golden_put("\n");
+}
+
+static void put_scene(struct golden_stage *stage)
+{
+    for (size_t k = 0; cores[k]; k++)
+        for (size_t i = 0; cores[k]->is_profile && golden_ways[i].name; i++) {
+            const size_t size = (i + k) % (sizeof sizes / sizeof *sizes);
+            struct simulator simulator;
+            if (golden_begin(&simulator, stage, cores[k], &golden_ways[i], sizes[size].w_px, sizes[size].h_px))
+                put_way(&simulator, stage, &golden_ways[i]);
+            simulator_free(&simulator);
+        }
+}
+
+static void from_anywhere_frames_are_what_they_were(void **state)
+{
+    struct golden_stage stage;
+
+    (void)state;
+    for (size_t scene = 0; golden_open(&stage, scene); scene++) {
+        put_scene(&stage);
+        golden_close(&stage);
+    }
+    golden_compare("tests/golden_cameras.expected");
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {cmocka_unit_test(from_anywhere_frames_are_what_they_were)};
+
+    return cmocka_run_group_tests_name("golden_cameras", tests, NULL, NULL);
+}

@@ -1,0 +1,139 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * The renderer in every amount of memory from the least on: a byte less is refused, pictures are the same in all of
+ * them where the method promises that, and pixels and statistics are as in tests/golden_memory.expected. A picture in
+ * little memory is drawn in many walks, so this is where pools run out: of gaps, active polygons, retained cells,
+ * pieces, layers, entries of movers, runs of delta output. GOLDEN_FRAMES=write writes the file anew. */
+#include "cmocka_ready.h"
+#include "golden_stage.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+enum { W_PX = 38, H_PX = 22, STEPS = 6 };
+
+struct trial {
+    struct simulator simulator;
+    struct golden_stage *stage;
+    const struct golden_way *way;
+    struct lim_camera camera;
+    uint32_t hash, bands, picture; /* picture: of the first frame, 0 before that */
+};
+
+/* What lends its memory anew. */
+static bool init_in(struct trial *trial, size_t mem_b)
+{
+    struct simulator *simulator = &trial->simulator;
+    const struct core *core = simulator->core;
+
+    free(simulator->mem);
+    simulator->mem = malloc(mem_b);
+    assert_non_null(simulator->mem);
+    simulator->mem_b = mem_b;
+    free(simulator->mover_mem);
+    simulator->mover_mem = NULL;
+    const int code = core->init(simulator->lim, simulator->scene, &simulator->target, simulator->mem, mem_b);
+    if (code) assert_int_equal(code, LIM_ERR_MEMORY);
+    return !code && golden_turn_on(simulator, trial->stage, trial->way);
+}
+
+/* Newell's cuts depend on how many pieces there is room for. Antialiased glass and textures are rounded otherwise on a
+ * line that is drawn alone; what moves goes by its centre where there is no room. */
+static bool is_always_the_same(const struct trial *trial)
+{
+    const struct lim_scene *scene = &trial->stage->scene.scene;
+    const bool is_mixed = scene->limits.layers || scene->textures;
+
+    return !trial->stage->moving.count && trial->way->method != LIM_NEWELL &&
+           (trial->way->special != GOLDEN_ANTIALIAS || !is_mixed);
+}
+
+static void draw(struct trial *trial)
+{
+    const int code = simulator_draw(&trial->simulator, &trial->camera);
+    const struct lim_stats *stats = simulator_stats(&trial->simulator);
+
+    const uint32_t picture = golden_hash_frame(GOLDEN_HASH, &trial->simulator);
+
+    assert_int_equal(code, LIM_OK);
+    if (!trial->picture) trial->picture = picture;
+    if (is_always_the_same(trial)) assert_int_equal(picture, trial->picture);
+    trial->bands += stats->bands;
+    trial->hash = golden_hash(trial->hash ^ picture, stats, sizeof *stats);
+}
+
+/* The limits of movers, from nothing to what they ask for. */
+static void draw_with_movers(struct trial *trial)
+{
+    struct moving *moving = &trial->stage->moving;
+    const struct lim_movers_limits whole = moving->limits;
+
+    for (unsigned step = 0; step <= STEPS; step++) {
+        const unsigned least = whole.instances < 2 ? whole.instances : whole.instances - step % 2;
+        moving->limits.instances = (uint16_t)least;
+        moving->limits.entries = (uint16_t)(least + (whole.entries - least) * step * step / (STEPS * STEPS));
+        assert_true(init_in(trial, trial->simulator.mem_b));
+        draw(trial);
+        trial->hash = golden_hash(trial->hash, &moving->limits, sizeof moving->limits);
+    }
+    moving->limits = whole;
+}
+
+static void draw_in_all(struct trial *trial)
+{
+    const struct simulator *simulator = &trial->simulator;
+    const size_t least_b = simulator->core->mem_min_b(simulator->scene, &simulator->target);
+    const size_t most_b = simulator->core->mem_b(simulator->scene, &simulator->target);
+    const size_t beside_b[] = {most_b - 1, most_b, most_b + 1, most_b + 333, most_b + 5000};
+
+    assert_true(least_b <= most_b);
+    assert_false(init_in(trial, least_b - 1));
+    for (size_t step = 0; step < STEPS; step++) {
+        assert_true(init_in(trial, least_b + (most_b - least_b) * step / STEPS));
+        draw(trial);
+    }
+    for (size_t i = least_b == most_b; i < sizeof beside_b / sizeof *beside_b; i++) {
+        assert_true(init_in(trial, beside_b[i]));
+        draw(trial);
+    }
+    if (trial->stage->moving.count) draw_with_movers(trial);
+    golden_put("%s %s %s: %zu to %zu B, bands %u, %08x\n", trial->stage->name, simulator->core->name, trial->way->name,
+               least_b, most_b, trial->bands, trial->hash);
+}
+
+static void put_scene(struct golden_stage *stage)
+{
+    struct trial trial = {.stage = stage};
+    struct lens lens = stage->lens;
+    struct error err;
+
+    if (stage->moving.count) moving_pose(&stage->moving, moving_time_s(&stage->moving, 1, GOLDEN_FRAMES));
+    assert_true(lens_init(&lens, 70, lens_default_near_m(&stage->scene.grid), W_PX, H_PX, &err));
+    assert_true(camera_path_to_camera(&stage->path, 1, &lens, &stage->scene.grid, &trial.camera, &err));
+    for (size_t k = 0; cores[k]; k++)
+        for (trial.way = golden_ways; cores[k]->is_profile && trial.way->name; trial.way++) {
+            trial.hash = GOLDEN_HASH;
+            trial.bands = trial.picture = 0;
+            if (golden_begin(&trial.simulator, stage, cores[k], trial.way, W_PX, H_PX)) draw_in_all(&trial);
+            simulator_free(&trial.simulator);
+        }
+}
+
+static void in_any_memory_frames_are_what_they_were(void **state)
+{
+    struct golden_stage stage;
+
+    (void)state;
+    for (size_t scene = 0; golden_open(&stage, scene); scene++) {
+        put_scene(&stage);
+        golden_close(&stage);
+    }
+    golden_compare("tests/golden_memory.expected");
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {cmocka_unit_test(in_any_memory_frames_are_what_they_were)};
+
+    return cmocka_run_group_tests_name("golden_memory", tests, NULL, NULL);
+}
