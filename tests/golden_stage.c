@@ -4,20 +4,27 @@
 #include "golden_stage.h"
 
 #include "cmocka_ready.h"
+#include "mesh_rig.h"
 #include "texture_rig.h"
 
+#include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-enum { TEXT_B = 1 << 18 };
+enum { TEXT_B = 1 << 18, SIDES = 26 };
 
 static const struct {
-    const char *model, *cameras; /* no cameras: an orbit */
-} scenes[] = {{"rooms.obj", "rooms.cam"},   {"rooms-tilted.obj", "rooms-tilted.cam"},
-              {"teapot.obj", "teapot.cam"}, {"icosahedron.obj", NULL},
-              {"glass.obj", "glass.cam"},   {"movers.gltf", "movers.cam"}};
+    const char *name, *model, *cameras; /* no cameras: an orbit */
+    enum portals_wanted portals;
+} scenes[] = {{"rooms.obj", "rooms.obj", "rooms.cam", PORTALS_OFF},
+              {"rooms-tilted.obj", "rooms-tilted.obj", "rooms-tilted.cam", PORTALS_OFF},
+              {"teapot.obj", "teapot.obj", "teapot.cam", PORTALS_OFF},
+              {"icosahedron.obj", "icosahedron.obj", NULL, PORTALS_OFF},
+              {"glass.obj", "glass.obj", "glass.cam", PORTALS_OFF},
+              {"movers.gltf", "movers.gltf", "movers.cam", PORTALS_OFF},
+              {"rooms-places", "rooms.obj", "rooms.cam", PORTALS_ON}};
 enum { SCENES = sizeof scenes / sizeof *scenes };
 
 const struct golden_way golden_ways[] = {{"nearest", LIM_NEAREST_FIRST, GOLDEN_PLAIN},
@@ -37,13 +44,14 @@ const struct golden_way golden_ways[] = {{"nearest", LIM_NEAREST_FIRST, GOLDEN_P
 
 /* Scenes ------------------------------------------------------------------------------------- */
 
-static void open_file(struct golden_stage *stage, const char *model, const char *cameras)
+static void open_file(struct golden_stage *stage, const char *model, const char *cameras, enum portals_wanted portals)
 {
     const struct compile_options options = {.tolerance_units = 0.5,
                                             .splitter = "fewest",
                                             .tree = TREE_BSP,
                                             .core = &core_exact,
                                             .wireframe = true,
+                                            .portals = portals,
                                             .w_px = GOLDEN_W_PX,
                                             .h_px = GOLDEN_H_PX};
     const struct moving_options movers = {.mode = MOVING_CLIPPED};
@@ -80,15 +88,67 @@ static void open_textured(struct golden_stage *stage)
     assert_true(lens_init(&stage->lens, 70, lens_default_near_m(&stage->scene.grid), GOLDEN_W_PX, GOLDEN_H_PX, &err));
 }
 
+/* A prism around the z axis, turned about y. */
+static void add_prism(struct mesh *mesh, double turn, double half_m)
+{
+    double rim_m[2][SIDES][3];
+
+    for (int i = 0; i < SIDES; i++)
+        for (int end = 0; end < 2; end++) {
+            const double angle = 6.283185307179586 * i / SIDES * (end ? 1 : -1);
+            const double x = cos(angle), y = sin(angle), z = end ? half_m : -half_m;
+            rim_m[end][i][0] = x * cos(turn) + z * sin(turn);
+            rim_m[end][i][1] = y;
+            rim_m[end][i][2] = z * cos(turn) - x * sin(turn);
+        }
+    mesh_rig_add(mesh, rim_m[0], SIDES);
+    mesh_rig_add(mesh, rim_m[1], SIDES);
+    for (int i = 0; i < SIDES; i++) {
+        const int k = (i + 1) % SIDES;
+        double side_m[4][3];
+        memcpy(side_m[0], rim_m[1][i], sizeof side_m[0]);
+        memcpy(side_m[1], rim_m[0][(SIDES - i) % SIDES], sizeof side_m[0]);
+        memcpy(side_m[2], rim_m[0][(SIDES - k) % SIDES], sizeof side_m[0]);
+        memcpy(side_m[3], rim_m[1][k], sizeof side_m[0]);
+        mesh_rig_add(mesh, (const double(*)[3])side_m, 4);
+    }
+}
+
+/* Polygons of many corners, some of whose edges are cuts, which wireframe does not draw. */
+static void open_prisms(struct golden_stage *stage)
+{
+    static const struct viewpoint views[GOLDEN_FRAMES] = {
+        {{2.1, 1.2, 3.4}, {0, 0, 0}, 1}, {{-0.4, 0.3, 1.3}, {0.1, 0, -0.2}, 2}, {{0, -0.2, -2.2}, {0.3, 0.1, 0}, 3}};
+    const struct compile_options options = {.tolerance_units = 0.5,
+                                            .splitter = "fewest",
+                                            .tree = TREE_BSP,
+                                            .core = &core_exact,
+                                            .wireframe = true,
+                                            .w_px = GOLDEN_W_PX,
+                                            .h_px = GOLDEN_H_PX};
+    struct error err;
+
+    stage->mesh = mesh_rig(3000.0);
+    add_prism(&stage->mesh, 0, 0.4);
+    add_prism(&stage->mesh, 1.1, 0.3);
+    if (!compile_mesh(&stage->mesh, &options, &stage->scene, &err)) fail_msg("%s", err.text);
+    stage->path = (struct camera_path){.frames = malloc(sizeof views), .count = GOLDEN_FRAMES};
+    assert_non_null(stage->path.frames);
+    memcpy(stage->path.frames, views, sizeof views);
+    assert_true(lens_init(&stage->lens, 70, lens_default_near_m(&stage->scene.grid), GOLDEN_W_PX, GOLDEN_H_PX, &err));
+}
+
 bool golden_open(struct golden_stage *stage, size_t scene)
 {
-    if (scene > SCENES) return false;
+    if (scene > SCENES + 1) return false;
     memset(stage, 0, sizeof *stage);
-    stage->name = scene < SCENES ? scenes[scene].model : "textured";
+    stage->name = scene < SCENES ? scenes[scene].name : scene == SCENES ? "textured" : "prisms";
     if (scene < SCENES)
-        open_file(stage, scenes[scene].model, scenes[scene].cameras);
-    else
+        open_file(stage, scenes[scene].model, scenes[scene].cameras, scenes[scene].portals);
+    else if (scene == SCENES)
         open_textured(stage);
+    else
+        open_prisms(stage);
     return true;
 }
 

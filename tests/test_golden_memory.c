@@ -10,7 +10,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { W_PX = 38, H_PX = 22, STEPS = 6 };
+enum { W_PX = 38, H_PX = 22, STEPS = 5 };
 
 struct trial {
     struct simulator simulator;

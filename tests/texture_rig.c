@@ -59,7 +59,7 @@ void texture_rig_room(struct model *model, uint32_t picture, double repeat)
 struct compiled texture_rig_compile(const struct model *model, struct mesh *mesh, const struct core *core)
 {
     const struct compile_options options = {.tolerance_units = 0.5, .splitter = "auto", .core = core};
-    struct compiled scene;
+    struct compiled scene = {0};
     struct error err;
     if (!mesh_clean(model, mesh, &err) || !mesh_insert_t_vertices(mesh, &err) ||
         !compile_mesh(mesh, &options, &scene, &err))

@@ -93,7 +93,7 @@ order() { # the source's own test and the golden frames, then those with few obj
     awk -v own="$own" 'NR == FNR { time[$1] = $2; next }
         $1 in time {
             n = split($2, object, ",")
-            cost = $1 == own ? 0 : $1 == "test_golden_frames" ? 0.4 : time[$1] + 0.1 * n
+            cost = $1 == own ? 0 : $1 ~ /^test_golden_/ ? 0.4 + time[$1] / 100 : time[$1] + 0.1 * n
             printf "%.3f %s %s\n", cost, $1, $2
         }' \
         "$tree/times" - | sort -n | cut -d ' ' -f 2-
