@@ -88,6 +88,33 @@ static void open_textured(struct golden_stage *stage)
     assert_true(lens_init(&stage->lens, 70, lens_default_near_m(&stage->scene.grid), GOLDEN_W_PX, GOLDEN_H_PX, &err));
 }
 
+/* A solid with pictures on its faces, seen from outside. */
+static void open_crate(struct golden_stage *stage)
+{
+    static const struct viewpoint views[GOLDEN_FRAMES] = {
+        {{2.1, 1.7, 3.4}, {0, 0, 0}, 1}, {{-1.4, 0.3, 1.2}, {0.1, 0, -0.2}, 2}, {{0, -3.2, -2.2}, {0.3, 0.1, 0}, 3}};
+    static const double uvs[4][2] = {{0, 0}, {1.5, 0}, {1.5, 1}, {0, 1}};
+    struct random random = {6};
+    struct error err;
+
+    const uint32_t picture = texture_rig_picture(&stage->model, 32, 32, &random);
+    for (int axis = 0; axis < 3; axis++)
+        for (int side = -1; side <= 1; side += 2) {
+            double places[4][3];
+            for (int k = 0; k < 4; k++) {
+                places[k][axis] = side;
+                places[k][(axis + 1) % 3] = (k == 1 || k == 2) ? side : -side;
+                places[k][(axis + 2) % 3] = k >= 2 ? 1 : -1;
+            }
+            texture_rig_face(&stage->model, picture, 4, (const double(*)[3])places, uvs);
+        }
+    stage->scene = texture_rig_compile(&stage->model, &stage->mesh, &core_exact);
+    stage->path = (struct camera_path){.frames = malloc(sizeof views), .count = GOLDEN_FRAMES};
+    assert_non_null(stage->path.frames);
+    memcpy(stage->path.frames, views, sizeof views);
+    assert_true(lens_init(&stage->lens, 70, lens_default_near_m(&stage->scene.grid), GOLDEN_W_PX, GOLDEN_H_PX, &err));
+}
+
 /* A prism around the z axis, turned about y. */
 static void add_prism(struct mesh *mesh, double turn, double half_m)
 {
@@ -115,7 +142,7 @@ static void add_prism(struct mesh *mesh, double turn, double half_m)
 }
 
 /* Polygons of many corners, some of whose edges are cuts, which wireframe does not draw. */
-static void open_prisms(struct golden_stage *stage)
+static void open_prisms(struct golden_stage *stage, int count)
 {
     static const struct viewpoint views[GOLDEN_FRAMES] = {
         {{2.1, 1.2, 3.4}, {0, 0, 0}, 1}, {{-0.4, 0.3, 1.3}, {0.1, 0, -0.2}, 2}, {{0, -0.2, -2.2}, {0.3, 0.1, 0}, 3}};
@@ -129,8 +156,8 @@ static void open_prisms(struct golden_stage *stage)
     struct error err;
 
     stage->mesh = mesh_rig(3000.0);
-    add_prism(&stage->mesh, 0, 0.4);
-    add_prism(&stage->mesh, 1.1, 0.3);
+    add_prism(&stage->mesh, 0.2, 0.4);
+    if (count > 1) add_prism(&stage->mesh, 1.1, 0.3);
     if (!compile_mesh(&stage->mesh, &options, &stage->scene, &err)) fail_msg("%s", err.text);
     stage->path = (struct camera_path){.frames = malloc(sizeof views), .count = GOLDEN_FRAMES};
     assert_non_null(stage->path.frames);
@@ -140,15 +167,19 @@ static void open_prisms(struct golden_stage *stage)
 
 bool golden_open(struct golden_stage *stage, size_t scene)
 {
-    if (scene > SCENES + 1) return false;
+    static const char *const made[] = {"textured", "prism", "prisms", "crate"};
+
+    if (scene > SCENES + 3) return false;
     memset(stage, 0, sizeof *stage);
-    stage->name = scene < SCENES ? scenes[scene].name : scene == SCENES ? "textured" : "prisms";
+    stage->name = scene < SCENES ? scenes[scene].name : made[scene - SCENES];
     if (scene < SCENES)
         open_file(stage, scenes[scene].model, scenes[scene].cameras, scenes[scene].portals);
     else if (scene == SCENES)
         open_textured(stage);
+    else if (scene == SCENES + 3)
+        open_crate(stage);
     else
-        open_prisms(stage);
+        open_prisms(stage, (int)(scene - SCENES));
     return true;
 }
 

@@ -61,10 +61,10 @@ static void pose(struct moving *moving, int i, struct random *random)
     struct lim_instance *one = &moving->instances[random_u64(random) % moving->count];
 
     moving_pose(moving, moving_time_s(moving, (size_t)i, CAMERAS));
-    for (size_t k = 0; k < moving->count; k++)
-        moving->instances[k].bends = moving->instances[k].by_centre = false;
-    one->by_centre = i % 4 == 1;
-    one->bends = i % 4 == 2;
+    for (size_t k = 0; k < moving->count; k++) {
+        moving->instances[k].by_centre = i % 4 == 1;
+        moving->instances[k].bends = i % 4 == 2;
+    }
     if (i % 3 == 1) lim_instance_turn(one, random_angle(random), random_angle(random), random_angle(random));
     if (i % 5 == 3) one->finer_bits = (uint8_t)random_in(random, 0, 3);
     if (i % 6 == 4) one->at_q8[random_u64(random) % 3] += (int32_t)random_in(random, -(1 << 23), 1 << 23);
