@@ -21,7 +21,7 @@ void set_init(struct set *set)
                                     .exact = set->exact,
                                     .polygons = set->polygons,
                                     .node_count = 1,
-                                    .limits = {1, 4, 4000, 2000, 600, 300}};
+                                    .limits = {1, 4, 4000, 2000, 600, 300, 0}};
 }
 
 static int64_t common_divisor(int64_t a, int64_t b)

@@ -252,6 +252,25 @@ static void field_of_view_is_the_tangent_of_half_the_angle(void **state)
     assert_int_equal(lim_camera_set_fov(&camera, UINT32_C(1) << 30, 100, 0), LIM_ERR_CAMERA);
 }
 
+/* Each tangent is the nearest to what it is computed from, ties up: |2 t c - 2 s| <= c, in 128 bits. */
+static void field_of_view_is_rounded_to_nearest(void **state)
+{
+    struct random random = {23};
+
+    (void)state;
+    for (int i = 0; i < 20000; i++) {
+        const uint32_t fov_y = (uint32_t)random_in(&random, INT64_C(1) << 24, INT64_C(1) << 30);
+        const uint16_t w_px = (uint16_t)random_in(&random, 1, 480), h_px = (uint16_t)random_in(&random, 1, 480);
+        struct lim_camera camera;
+        if (lim_camera_set_fov(&camera, fov_y, w_px, h_px)) continue;
+        const __int128 sine = lim_sin_q30(fov_y / 2), cosine = lim_cos_q30(fov_y / 2);
+        const __int128 off_y = 2 * (camera.tan_y_q28 * cosine - (sine << 28));
+        const __int128 off_x = 2 * ((__int128)camera.tan_x_q28 * h_px - (__int128)camera.tan_y_q28 * w_px);
+        assert_true(-cosine <= off_y && off_y <= cosine);
+        assert_true(-h_px <= off_x && off_x <= h_px);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -264,6 +283,7 @@ int main(void)
         cmocka_unit_test(sine_is_within_4_units_of_2_30),
         cmocka_unit_test(vertices_project_within_a_sixteenth_of_a_pixel),
         cmocka_unit_test(field_of_view_is_the_tangent_of_half_the_angle),
+        cmocka_unit_test(field_of_view_is_rounded_to_nearest),
     };
 
     return cmocka_run_group_tests_name("fixed", tests, NULL, NULL);

@@ -26,9 +26,10 @@ static uint8_t few_corners(struct random *random, struct lim_point at[8], int gr
 {
     const uint8_t n = (uint8_t)random_in(random, 3, 8);
 
-    for (int k = 0; k < n; k++)
-        at[k] = (struct lim_point){(lim_sub)(random_in(random, -grid, grid) * LIM_SUB / 2),
-                                   (lim_sub)(random_in(random, -grid, grid) * LIM_SUB / 2)};
+    for (int k = 0; k < n; k++) {
+        at[k].x = (lim_sub)(random_in(random, -grid, grid) * LIM_SUB / 2);
+        at[k].y = (lim_sub)(random_in(random, -grid, grid) * LIM_SUB / 2);
+    }
     return n;
 }
 
