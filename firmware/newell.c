@@ -379,8 +379,10 @@ static uint16_t put_before(struct lim *lim, uint16_t first, uint16_t rest, bool 
 static uint16_t divide(struct lim *lim, uint16_t rest)
 {
     const uint16_t divider = choose_divider(lim);
-    uint16_t heads[PLACES] = {LIM_NONE, LIM_NONE, LIM_NONE}, next;
+    uint16_t heads[PLACES], next;
 
+    for (uint_fast8_t k = 0; k < PLACES; k++)
+        heads[k] = LIM_NONE;
     if (LIM_HAS_STATS) lim_stats_of(lim)->newell.divisions++;
     for (uint16_t at = lim->sorter.first; at != LIM_NONE; at = next) {
         next = lim->sorter.list[at].next;
