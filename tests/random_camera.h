@@ -27,13 +27,16 @@ static inline uint32_t random_angle(struct random *random)
 /* As many long lenses as wide ones, and often either end of the range. */
 static inline uint32_t random_tan_q28(struct random *random)
 {
+    uint32_t tan_q28;
+
     switch (random_u64(random) % 5) {
     case 0:
         return LIM_TAN_MIN_Q28;
     case 1:
         return LIM_TAN_MAX_Q28;
     default:
-        return (uint32_t)random_in(random, LIM_TAN_MIN_Q28, 2 * LIM_TAN_MIN_Q28) << random_in(random, 0, 7);
+        tan_q28 = (uint32_t)random_in(random, LIM_TAN_MIN_Q28, 2 * LIM_TAN_MIN_Q28);
+        return tan_q28 << random_in(random, 0, 7); /* a statement of its own: compilers would choose the order */
     }
 }
 

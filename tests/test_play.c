@@ -345,6 +345,7 @@ static void a_frame_after_a_fault_is_whole(void **state)
     const long last_wait = fake.waited_at;
     plug_in("st7789", &glass_module);
     const struct pin wired = emulated_port_reset(fake.display);
+    signal(SIGINT, SIG_DFL); /* whatever the test itself was started with */
     fake.chips[0].lines[4].wire = (struct pin){(void *)(uintptr_t)&wired, forget_picture};
     fake_fail_at(last_wait, EREMOTEIO);
     assert_int_equal(play("st7789", more), 0);
@@ -366,6 +367,7 @@ static int interrupt_reset(void *ctx, bool high)
 static void play_until_interrupted(int told)
 {
     const struct pin wired = emulated_port_reset(fake.display);
+    signal(SIGINT, SIG_DFL); /* whatever the test itself was started with */
     fake.chips[0].lines[4].wire = (struct pin){(void *)(uintptr_t)&wired, interrupt_reset};
     fake.chips[0].lines[3].released = told;
     _exit(play("st7789", "--size 96x72 --offset 11,12 --test-card") + 64);
