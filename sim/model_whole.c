@@ -7,6 +7,7 @@
 
 #include "binary.h"
 #include "input_file.h"
+#include "model_io.h"
 
 #include <ctype.h>
 #include <stdio.h>
@@ -14,7 +15,7 @@
 #include <string.h>
 #include <strings.h>
 
-enum { LARGEST_FILE_B = 256 << 20, ELEMENTS_MAX = 32, PROPERTIES_MAX = 256, WORD_B = 64, LONGEST_LINE_B = 1 << 20 };
+enum { ELEMENTS_MAX = 32, PROPERTIES_MAX = 256, WORD_B = 64, LONGEST_LINE_B = 1 << 20 };
 
 enum coding { CODING_TEXT, CODING_LITTLE, CODING_BIG };
 
@@ -286,7 +287,7 @@ static bool begins_as_ply(const char *path)
 {
     char bytes[4] = "";
     struct error ignored;
-    FILE *file = input_open(path, LARGEST_FILE_B, NULL, &ignored);
+    FILE *file = input_open(path, MODEL_FILE_MOST_B, NULL, &ignored);
     const bool is_ply = file && fread(bytes, 1, sizeof bytes, file) == sizeof bytes && memcmp(bytes, "ply", 3) == 0 &&
                         isspace((unsigned char)bytes[3]);
     if (file) fclose(file);
@@ -303,7 +304,7 @@ bool model_is_whole(const char *path, struct error *err)
     const char *suffix = begins_as_ply(path) ? ".ply" : strrchr(path, '.');
     for (size_t i = 0; suffix && i < sizeof formats / sizeof *formats; i++) {
         if (strcasecmp(suffix, formats[i].suffix) != 0) continue;
-        if (!binary_read(path, LARGEST_FILE_B, &file, err)) return false;
+        if (!binary_read(path, MODEL_FILE_MOST_B, &file, err)) return false;
         const bool ok = formats[i].is_whole(path, &file, err);
         free(file.bytes);
         return ok;
