@@ -110,6 +110,7 @@ case ${1:-} in
 --table) table "$2" ;;
 --write)
     folder=$BUILD/predictions
+    mkdir -p "$folder"
     table "$folder" >"$folder/table"
     {
         cat <<'TEXT'
