@@ -291,6 +291,7 @@ static bool refuse(const char *path, struct error *err)
 {
     const char *reason = aiGetErrorString();
     if (strstr(reason, "No suitable reader")) reason = "not in a format that the importer knows";
+    if (strstr(reason, "bad_alloc")) reason = "it asks for more memory than the importer gets";
     size_t length = strlen(reason);
     while (length > 0 && strchr(" .\r\n", reason[length - 1]))
         length--;

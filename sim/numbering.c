@@ -63,7 +63,7 @@ bool numbering_parse(struct numbering *work, const struct word *word, double *va
 {
     enum { SHOWN = 40 };
     if (decimal_parse(word->text, word->length, value)) return true;
-    return error_set(work->err, "%s:%zu: '%.*s' is not a finite decimal number", work->path, work->line,
+    return error_set(work->err, "%s:%zu: '%.*s' is not a decimal number up to 3.4e38", work->path, work->line,
                      word->length < SHOWN ? (int)word->length : SHOWN, word->text);
 }
 
