@@ -34,6 +34,8 @@ static bool hashes_run(struct arguments *arguments, struct hash_list *list, stru
     if (!hash_list_parse(list, arguments, err) || !arguments_value(arguments, "--shrink", &text, err)) return false;
     if (text && !parse_whole("--shrink", text, 1, SHRINK_MAX, &side, err)) return false;
     if (arguments->count == 1) return error_set(err, "hashes: needs pictures, PNG files");
+    for (int i = 1; i < arguments->count; i++)
+        if (!outputs_spare(outputs, arguments->items[i], err)) return false;
     if (!hash_list_open(list, outputs, err)) return false;
     for (int i = 1; i < arguments->count; i++)
         if (!add_picture(list, arguments->items[i], (int)side, err)) return false;

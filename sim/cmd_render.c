@@ -60,7 +60,11 @@ static bool open_outputs(struct render *render, struct error *err)
     const struct options *options = &render->options;
     if (options->compare && options_scene_is_compiled(options))
         return error_set(err, "--compare: %s holds no source polygons; give the model", options->scene_path);
-    return open_output(render, options->gif_path, &render->gif_file, err) &&
+    const char *cameras_path = options->cameras.random_count ? NULL : options->cameras.text;
+    return outputs_spare(&render->outputs, options->scene_path, err) &&
+           outputs_spare(&render->outputs, cameras_path, err) &&
+           outputs_spare(&render->outputs, options->check_path, err) &&
+           open_output(render, options->gif_path, &render->gif_file, err) &&
            open_output(render, options->sheet_path, &render->sheet_file, err) &&
            open_output(render, options->ids_path, &render->ids_file, err) &&
            open_output(render, options->hashes_path, &render->hashes_file, err) &&

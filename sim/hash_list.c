@@ -17,6 +17,7 @@ bool hash_list_parse(struct hash_list *list, struct arguments *arguments, struct
 bool hash_list_open(struct hash_list *list, struct outputs *outputs, struct error *err)
 {
     if (!list->write_path) return true;
+    if (!outputs_spare(outputs, list->check_path, err)) return false;
     list->file = outputs_open(outputs, list->write_path, err);
     return list->file != NULL;
 }

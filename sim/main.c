@@ -91,7 +91,7 @@ static const char USAGE[] =
     "  -o PATTERN          a PNG file a frame ('out/%03d.png' if nothing else is asked for)\n"
     "  --gif FILE          all frames, animated\n"
     "  --sheet FILE        up to 24 frames in one PNG file\n"
-    "  --ids FILE          face numbers: uint32 little-endian a pixel, 0 = background\n"
+    "  --ids FILE          face numbers: uint32 little-endian a pixel, 0 = background; merges no faces\n"
     "  --fps N             frames a second of what moves (15)\n"
     "  --stats             what each frame cost\n"
     "  --newell LIST       planes: compare with planes before rectangles; one: split one of two;\n"

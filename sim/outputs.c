@@ -34,6 +34,11 @@ struct output_path {
     struct leftover *leftover;
 };
 
+struct spared_file {
+    dev_t device;
+    ino_t number;
+};
+
 /* Where the file is to be: links in the place of the file are followed to their end, as fopen() does. */
 struct place {
     char path[PATH_SIZE_B];
@@ -49,6 +54,7 @@ static void outputs_free(struct outputs *outputs)
         free(outputs->paths[i].part);
     }
     free(outputs->paths);
+    free(outputs->spared);
     *outputs = (struct outputs){0};
 }
 
@@ -162,6 +168,28 @@ static bool is_taken(const struct outputs *outputs, const char *path)
     return false;
 }
 
+/* Spared ------------------------------------------------------------------------------------- */
+
+bool outputs_spare(struct outputs *outputs, const char *path, struct error *err)
+{
+    struct stat status;
+    if (!path || stat(path, &status) != 0 || !S_ISREG(status.st_mode)) return true;
+    struct spared_file *spared = realloc(outputs->spared, (outputs->spared_count + 1) * sizeof *spared);
+    if (!spared) return error_set(err, "%s: out of memory", path);
+    outputs->spared = spared;
+    spared[outputs->spared_count++] = (struct spared_file){status.st_dev, status.st_ino};
+    return true;
+}
+
+static bool is_spared(const struct outputs *outputs, const char *path)
+{
+    struct stat status;
+    if (stat(path, &status) != 0) return false;
+    for (size_t i = 0; i < outputs->spared_count; i++)
+        if (outputs->spared[i].device == status.st_dev && outputs->spared[i].number == status.st_ino) return true;
+    return false;
+}
+
 /* Files -------------------------------------------------------------------------------------- */
 
 /* NAME.RANDOM.part */
@@ -216,6 +244,7 @@ FILE *outputs_open(struct outputs *outputs, const char *path, struct error *err)
     const bool is_folder = found && (S_ISDIR(place.mode) || (folder_b && !place.path[folder_b]));
     if (found && place.exists && access(place.path, W_OK) != 0) reason = strerror(errno);
     if (is_folder) reason = "it is a folder";
+    if (found && is_spared(outputs, place.path)) reason = "the same command reads it";
     if (!path[0]) {
         error_set(err, "%s: a file name is empty", path);
         return NULL;

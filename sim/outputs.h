@@ -17,10 +17,16 @@ struct output_path; /* of a file or folder */
 struct outputs {
     struct output_path *paths; /* in the order of their making */
     size_t count;
+    struct spared_file *spared; /* what is read, and so not written */
+    size_t spared_count;
 };
 
+/* A file that the command reads (NULL: none): outputs_open() refuses it from now on, however its path is spelled. What
+ * is not there, or no regular file, is not minded. */
+bool outputs_spare(struct outputs *outputs, const char *path, struct error *err);
+
 /* Begins a file, its folders included; NULL on error. Devices and pipes are opened as they are. A
- * file of which two outputs are named, however its path is spelled, is refused. */
+ * file of which two outputs are named, however its path is spelled, or that is spared, is refused. */
 FILE *outputs_open(struct outputs *outputs, const char *path, struct error *err);
 
 /* Closes a file of outputs_open(); what could not be written is an error. */

@@ -92,6 +92,28 @@ tap_check "one file for two outputs is refused" refuses_one_file_twice same.bin
 tap_check "so it is by another path" refuses_one_file_twice ./sub/../same.bin
 tap_check "and by its whole path" refuses_one_file_twice "$PWD/same.bin"
 
+# What a command reads, however it is spelled, is none of its outputs: no file is lost, and none is checked against itself.
+spares_what_it_reads() {
+    cp "$scenes/icosahedron.obj" model.obj
+    echo '3 3 3 0 0 0' >path
+    small --write-hashes hashes || return 1
+    cp hashes picture.png
+    echo '00 00' >wire
+    ln -s model.obj link.obj
+    for read in "model.obj render model.obj --gif" "model.obj render ./model.obj --ids" "link.obj render model.obj --sheet" \
+        "path render model.obj --camera path --write-hashes" "hashes render model.obj --check hashes --write-hashes" \
+        "wire decode wire --panel st7789 --write-hashes" "hashes decode wire --panel st7789 --check hashes --write-hashes" \
+        "picture.png hashes picture.png --write-hashes" "hashes hashes picture.png --check ./hashes --write-hashes"; do
+        name=${read%% *}
+        cp "$name" before
+        # shellcheck disable=SC2086 # words
+        "$limner" ${read#* } "$PWD/$name" 2>said && echo "accepted: $read" && return 1
+        echo "limner: $PWD/$name: cannot be written: the same command reads it" | cmp said - && cmp before "$name" || return 1
+    done
+    rm model.obj path hashes picture.png wire link.obj before said && is_empty .
+}
+tap_check "what a command reads is not written" spares_what_it_reads
+
 # -- Permissions and links -----------------------------------------------------------------------------------------------
 
 has_mode() { # MODE FILE
