@@ -41,7 +41,7 @@ static void list_cores(struct choice *choice)
 }
 
 /* Viewpoints that the renderer cannot take are passed over, as when pools are measured. */
-static bool sample_path(struct trial *trial, struct error *err)
+static bool sample_path(struct trial *trial, const struct compiled *scene, struct error *err)
 {
     struct sampler sampler;
     struct lim_camera camera;
@@ -49,32 +49,40 @@ static bool sample_path(struct trial *trial, struct error *err)
     trial->path.name = grow_zeroed(sizeof NAME, 1);
     memcpy(trial->path.name, NAME, sizeof NAME);
     trial->path.frames = grow_zeroed(CHOICE_SAMPLES, sizeof *trial->path.frames);
-    sampler_init(&sampler, &trial->scenes.plain);
+    sampler_init(&sampler, scene);
     for (int i = 0; i < CHOICE_SAMPLES; i++) {
         trial->path.frames[trial->path.count] = sampler_next(&sampler);
-        trial->path.count += camera_path_to_camera(&trial->path, trial->path.count, &trial->lens,
-                                                   &trial->scenes.plain.grid, &camera, err);
+        trial->path.count +=
+            camera_path_to_camera(&trial->path, trial->path.count, &trial->lens, &scene->grid, &camera, err);
     }
     return trial->path.count > 0;
 }
 
-/* All but exact share a scene; exact, the last, is left out if its own takes too long. */
+/* All but exact share a scene; exact, the last, is left out if its own takes too long. Those that are refused leave the
+ * rows. */
 static bool compile_rows(struct trial *trial, const struct compile_options *options, struct choice *choice,
-                         struct error *err)
+                         const char *model_path, struct error *err)
 {
-    bool ok = true;
     const struct deadline_end whole = deadline_end();
-    for (size_t i = 0; ok && i < choice->count; i++) {
-        const struct core *core = trial->candidates[i].core = choice->rows[i].core;
-        ok = measure_scene_for(&trial->scenes, &trial->source, core, options, &trial->candidates[i].scene, err);
-        if (ok && i == 0) deadline_share(SCENES_SHARE);
-        if (ok || i == 0 || !deadline_passed()) continue;
-        deadline_say("precisions without %s", core->name);
-        choice->count = i;
-        ok = true;
+    const size_t count = choice->count;
+    choice->count = 0;
+    for (size_t i = 0; i < count; i++) {
+        const struct core *core = choice->rows[i].core;
+        struct measure_candidate *candidate = &trial->candidates[choice->count];
+        candidate->core = core;
+        if (measure_scene_for(&trial->scenes, &trial->source, core, options, &candidate->scene, err)) {
+            choice->rows[choice->count] = choice->rows[i];
+            if (!choice->count++) deadline_share(SCENES_SHARE);
+        } else if (!deadline_passed()) {
+            measure_refusals_add(&choice->refused, core, err);
+        } else if (choice->count) {
+            deadline_say("precisions without %s", core->name);
+        } else {
+            return error_prefix(err, model_path);
+        }
     }
     deadline_restore(whole);
-    return ok;
+    return choice->count || measure_refusals_set(&choice->refused, model_path, err);
 }
 
 static bool prepare(struct trial *trial, const char *model_path, const struct compile_options *options,
@@ -82,12 +90,11 @@ static bool prepare(struct trial *trial, const char *model_path, const struct co
 {
     if (!camera_choice_read(&bound->cameras, &trial->path, err)) return false;
     if (!measure_source_read(&trial->source, model_path, options, options->w_px, options->h_px, err)) return false;
-    if (!compile_rows(trial, options, choice, err)) return error_prefix(err, model_path);
-    return lens_init(&trial->lens, FOV_DEG, lens_default_near_m(&trial->scenes.plain.grid), options->w_px,
-                     options->h_px, err) &&
-           (bound->cameras.text
-                ? camera_choice_plan(&bound->cameras, &trial->scenes.plain, &trial->lens, 0, &trial->path, err)
-                : sample_path(trial, err));
+    if (!compile_rows(trial, options, choice, model_path, err)) return false;
+    const struct compiled *scene = trial->candidates[0].scene;
+    return lens_init(&trial->lens, FOV_DEG, lens_default_near_m(&scene->grid), options->w_px, options->h_px, err) &&
+           (bound->cameras.text ? camera_choice_plan(&bound->cameras, scene, &trial->lens, 0, &trial->path, err)
+                                : sample_path(trial, scene, err));
 }
 
 static bool meets(const struct accuracy *accuracy, const struct choice_bound *bound)
@@ -198,6 +205,7 @@ void choice_print(const struct choice *choice, const struct choice_bound *bound,
             fprintf(out, "%12.0f", row->instructions);
         fprintf(out, "  %s\n", row->core == choice->core ? "chosen" : row->meets ? "meets the bound" : "misses it");
     }
+    measure_refusals_print(&choice->refused, "", out);
     fprintf(out, "%zu frames, %s; instructions a frame: %s\n", choice->frames,
             bound->cameras.text ? bound->cameras.text : "cameras sampled in the scene's free space",
             bound->cpu ? bound->cpu->title : "not counted (--core), the fewest bits win");

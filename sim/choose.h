@@ -7,6 +7,7 @@
 
 #include "camera_choice.h"
 #include "measure.h"
+#include "measure_refusals.h"
 
 #include <stdio.h>
 
@@ -30,15 +31,17 @@ struct choice_row {
 struct choice {
     struct choice_row rows[CHOICE_CORES_MAX]; /* cheapest first as far as bits tell */
     size_t count;
-    const struct core *core; /* the one chosen */
+    struct measure_refusals refused; /* those without a scene, which are not among the rows */
+    const struct core *core;         /* the one chosen */
     size_t frames;
 };
 
-/* `options` has the size of the panel. Fails when no renderer meets the bound, saying which is nearest. */
+/* `options` has the size of the panel. Fails when no renderer meets the bound, saying which is nearest, and when the
+ * model has no scene for any. */
 bool choose_core(const char *model_path, const struct compile_options *options, const struct choice_bound *bound,
                  struct choice *out, struct error *err);
 
-/* The evidence: a line a renderer. */
+/* The evidence: a line a renderer, and one for each reason by which some are refused. */
 void choice_print(const struct choice *choice, const struct choice_bound *bound, FILE *out);
 
 #endif

@@ -38,7 +38,7 @@ struct measurement {
 /* Of the time that the first scene leaves; the rest is for pictures and instructions. */
 static const double COMPILE_SHARE = 0.5;
 
-/* Rows whose scene takes too long are left out, as long as there are others. */
+/* Rows whose scene takes too long, or is refused, are left out, as long as there are others. */
 static bool compile_rows(struct measurement *measurement, struct error *err)
 {
     const struct measure_request *request = &measurement->request;
@@ -49,12 +49,17 @@ static bool compile_rows(struct measurement *measurement, struct error *err)
         measurement->table.rows[*count].core = measurement->candidates[*count].core = core;
         const bool ok = measure_scene_for(&measurement->scenes, &measurement->source, core, &request->compile,
                                           &measurement->candidates[*count].scene, err);
-        if (!ok && (!*count || !deadline_passed())) return false;
-        if (!ok) deadline_say("rows without %s", core->name);
         if (ok && !(*count)++) deadline_share(COMPILE_SHARE);
+        if (ok) continue;
+        if (!deadline_passed())
+            measure_refusals_add(&measurement->table.refused, core, err);
+        else if (*count)
+            deadline_say("rows without %s", core->name);
+        else
+            return error_prefix(err, request->model);
     }
     deadline_restore(whole);
-    return true;
+    return *count || measure_refusals_set(&measurement->table.refused, request->model, err);
 }
 
 static bool prepare(struct measurement *measurement, struct error *err)
@@ -67,7 +72,8 @@ static bool prepare(struct measurement *measurement, struct error *err)
     measurement->table.rows = calloc(count, sizeof *measurement->table.rows);
     if (!measurement->candidates || !measurement->accuracies || !measurement->table.rows)
         return error_set(err, "measure: out of memory");
-    if (!compile_rows(measurement, err)) return error_prefix(err, request->model);
+    if (!compile_rows(measurement, err)) return false;
+    measure_refusals_print(&measurement->table.refused, "limner: note: ", stderr);
     faithful_note(&measurement->scenes.plain);
     faithful_note(&measurement->scenes.fractions);
     return measure_request_cameras(request, measurement->candidates[0].scene, &measurement->lens, &measurement->path,

@@ -7,8 +7,10 @@
 
 #include <stdbool.h>
 
+enum { ERROR_B = 512 };
+
 struct error {
-    char text[512]; /* one line, no newline, no program name in front */
+    char text[ERROR_B]; /* one line, no newline, no program name in front */
 };
 
 /* Sets the text, printf-style, and returns false, so that callers can `return error_set(...)`.

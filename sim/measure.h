@@ -80,13 +80,15 @@ struct measure_candidate {
     const struct compiled *scene;
 };
 
-/* A model's scene without and with fractions; what nobody asks for stays empty. */
+/* A model's scene without and with fractions; what nobody asks for stays empty. The one
+ * may be refused and the other not: with fractions, corners are rounded less. */
 struct measure_scenes {
     struct compiled plain, fractions;
+    struct error plain_refused, fractions_refused; /* why; empty: not refused so far */
 };
 
 /* The scene that a renderer wants: profile exact with fractions, for the others these would be flash for
- * nothing. Compiled when first asked for. */
+ * nothing. Compiled when first asked for; what was refused is not tried again. */
 bool measure_scene_for(struct measure_scenes *scenes, const struct measure_source *source, const struct core *core,
                        const struct compile_options *options, const struct compiled **out, struct error *err);
 

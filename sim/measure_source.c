@@ -172,9 +172,16 @@ bool measure_scene_for(struct measure_scenes *scenes, const struct measure_sourc
     const bool is_exact = core->profile == LIM_PROFILE_EXACT;
     struct compiled *scene = is_exact ? &scenes->fractions : &scenes->plain;
     struct compile_options mine = *options;
+    struct error *refused = is_exact ? &scenes->fractions_refused : &scenes->plain_refused;
     mine.core = is_exact ? core : NULL; /* what the others share is compiled for fast */
     *out = scene;
-    return scene->image || measure_source_compile(source, &mine, scene, err);
+    if (scene->image) return true;
+    if (!*refused->text && measure_source_compile(source, &mine, scene, refused)) {
+        *refused->text = '\0';
+        return true;
+    }
+    *err = *refused;
+    return false;
 }
 
 void measure_scenes_free(struct measure_scenes *scenes)

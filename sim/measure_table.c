@@ -139,6 +139,7 @@ void measure_table_markdown(const struct measure_table *table, FILE *out)
     fprintf(out, "# %s, %ux%u pixels, %zu frames\n\n", table->scene, table->w_px, table->h_px,
             table->rows[0].accuracy.pixels.frames);
     print_accuracies(table, out);
+    measure_refusals_print(&table->refused, "\n", out);
     print_texels(table, out);
     for (size_t cpu = 0; cpu < table->cpu_count; cpu++) {
         fprintf(out, "\n## %s\n\n", table->cpus[cpu]->title);

@@ -5,6 +5,7 @@
 #define SIM_MEASURE_TABLE_H
 
 #include "measure.h"
+#include "measure_refusals.h"
 
 #include <stdio.h>
 
@@ -25,6 +26,7 @@ struct measure_table {
     size_t cpu_count;
     struct measure_row *rows;
     size_t row_count;
+    struct measure_refusals refused; /* those that have no row */
 };
 
 /* Sets dominated_by. */

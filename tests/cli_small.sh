@@ -40,8 +40,32 @@ tap_check "1 km: boxes of 0.1 m move too far, and exact helps" refused "$helps" 
 tap_check "it does" "$limner" compile "$work/floor1000.obj" -o "$work/x" --precision exact
 tap_check "10 km are refused" refused '10000.obj: face [2-6] \(0\.1 m\)' compile "$work/floor10000.obj" -o "$work/out/x"
 tap_check "in exact, too" refused '10000.obj: face [2-6] \(0\.1 m\)' render "$work/floor10000.obj" --precision exact -o "$work/out/%d.png"
-tap_check "50 km are refused" refused '50000.obj: face' measure "$work/floor50000.obj" --no-cost
+tap_check "50 km are refused" refused '50000.obj: all precisions are refused, exact: face' measure "$work/floor50000.obj" --no-cost
 tap_check "100 m are not" "$limner" compile "$work/floor100.obj" -o "$work/y"
+
+# A precision that is refused leaves the others to choose from; each reason is told once.
+reason='^draft, fast.*: refused: face 4 \(0\.1 m\), 6 .* of 126 faces would vanish'
+chooses_exact() {
+    "$limner" compile "$work/floor1000.obj" -o "$work/chosen" --max-error 1% >"$work/said" || return 1
+    head -4 "$work/said"
+    [ "$(awk '$NF == "chosen" { print $1 }' "$work/said")" = exact ] && [ -s "$work/chosen.lim" ] &&
+        [ "$(grep -cE "$reason" "$work/said")" -eq 1 ] && ! grep -q '^exact.*refused' "$work/said"
+}
+measures_exact() {
+    "$limner" measure "$work/floor1000.obj" --no-cost --size 32x32 -o "$work/measured" >"$work/said" 2>"$work/err" &&
+        [ "$(awk '/^[|] (draft|fast|fine|exact)/ { print $2 }' "$work/said")" = exact ] &&
+        grep -qE "$reason" "$work/measured/measure.md" && grep -q '^limner: note: draft, .*: refused: face 4' "$work/err"
+}
+misses() {
+    rm -f "$work"/none*
+    ! "$limner" compile "$work/floor1000.obj" -o "$work/none" --max-vertex-error 1e-9px >"$work/said" 2>"$work/err" &&
+        cat "$work/err" && grep -q 'no precision meets the bound; exact comes nearest' "$work/err" &&
+        [ "$(wc -l <"$work/err")" -eq 1 ] && grep -qE "$reason" "$work/said" && ! ls "$work"/none* 2>/dev/null
+}
+tap_check "a bound is met by the precision that is not refused" chooses_exact
+tap_check "it is measured, and the others named with the reason" measures_exact
+tap_check "if it misses the bound, nothing is written" misses
+tap_check "if all are refused, one line says why" refused '10000.obj: all precisions are refused, exact: face 4 ' compile "$work/floor10000.obj" -o "$work/out/x" --max-error 1
 
 # What is left out is said, and counted as wrong.
 drops_some() {
