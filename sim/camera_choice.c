@@ -46,8 +46,9 @@ bool camera_choice_plan(const struct camera_choice *choice, const struct compile
                         size_t orbit_frames, struct camera_path *path, struct error *err)
 {
     if (path->count > 0) return true;
+    if (choice->random_count > 0 && choice->is_near)
+        return near_path(scene, lens, choice->text, choice->seed, choice->random_count, path, err);
     if (choice->random_count > 0)
-        return (choice->is_near ? near_path : random_path)(scene, choice->text, choice->seed, choice->random_count,
-                                                           path, err);
+        return random_path(scene, choice->text, choice->seed, choice->random_count, path, err);
     return camera_path_orbit(scene, lens, orbit_frames, path, err);
 }

@@ -19,6 +19,7 @@ enum { NUMBERS_A_LINE = 6, LINE_MOST_B = 4096, FILE_MOST_B = 64 << 20, CAMERAS_M
 static const double COORDINATE_MAX_M = 1e9;   /* keeps differences and their squares far from overflow */
 static const double EYE_END_Q8 = 268435456.0; /* 2^28, exclusive */
 static const double NEAR_MAX_Q8 = 16777216.0; /* 2^24 */
+static const double DEFAULT_FOV_DEG = 60.0;
 static const double TANGENT_MIN = 1.0 / 64.0, TANGENT_MAX = 4.0;
 
 static void viewpoint_direction(const struct viewpoint *viewpoint, double direction[3])
@@ -264,11 +265,55 @@ bool lens_init(struct lens *lens, double fov_deg, double near_m, unsigned w_px, 
     return true;
 }
 
+/* camera.h: 2^-16 of the far end's distance, which is 65534 units times what rows.c takes for the root of three at
+ * most; and a little more for the choice among scales. */
+double lens_least_near_m(const struct lens *lens, const struct grid *grid)
+{
+    const double diagonals = 1.75;
+    return diagonals / fmin(1.0, fmin(lens->tan_x, lens->tan_y)) / grid->units_per_m;
+}
+
+static double usual_near_m(const struct grid *grid)
+{
+    const double longest_side_units = 65534.0;
+    return fmin(0.1, longest_side_units / grid->units_per_m / 10.0);
+}
+
 double lens_default_near_m(const struct grid *grid)
 {
-    const double longest_side_units = 65534.0, least_units = 1.0 / 256.0;
-    double near_m = fmin(0.1, longest_side_units / grid->units_per_m / 10.0);
-    return fmax(near_m, least_units / grid->units_per_m);
+    const double tangent = tan(DEFAULT_FOV_DEG / 360.0 * PI);
+    const struct lens lens = {.tan_x = tangent, .tan_y = tangent};
+    return fmax(usual_near_m(grid), lens_least_near_m(&lens, grid));
+}
+
+double lens_forced_near_m(const struct grid *grid)
+{
+    const double near_m = lens_default_near_m(grid);
+    return near_m > usual_near_m(grid) ? near_m : 0.0;
+}
+
+bool lens_for_grid(struct lens *lens, double fov_deg, double near_m, const struct grid *grid, unsigned w_px,
+                   unsigned h_px, struct error *err)
+{
+    if (!lens_init(lens, fov_deg, near_m > 0.0 ? near_m : lens_default_near_m(grid), w_px, h_px, err)) return false;
+    const double least_m = lens_least_near_m(lens, grid);
+    if (near_m > 0.0 && near_m < least_m)
+        return error_set(err,
+                         "--near %g: nothing nearer than %.3g m can be drawn on a grid with units of %.3g m, by this "
+                         "lens; split the model into several scenes",
+                         near_m, least_m * LENS_PRINTED_UP, 1.0 / grid->units_per_m);
+    lens->near_m = fmax(lens->near_m, least_m);
+    return true;
+}
+
+void lens_note_near(const char *model_path, const struct grid *grid)
+{
+    const double near_m = lens_forced_near_m(grid);
+    if (near_m > 0.0)
+        fprintf(stderr,
+                "limner: note: %s: nothing nearer to the eye than %.3g m is drawn, because its grid has units of %.3g "
+                "m; for eyes that come nearer, split the model into several scenes\n",
+                model_path, near_m * LENS_PRINTED_UP, 1.0 / grid->units_per_m);
 }
 
 static uint32_t turn_from_radians(double radians)

@@ -49,9 +49,27 @@ void camera_path_free(struct camera_path *path);
 /* fov_deg is vertical; pixels are square. Refuses what struct lim_camera cannot hold. */
 bool lens_init(struct lens *lens, double fov_deg, double near_m, unsigned w_px, unsigned h_px, struct error *err);
 
-/* 0.1 m; a tenth of the longest side of a scene smaller than a metre; the least the renderer can
- * hold in one of thousands of kilometres. */
+/* How near the near plane may be for the renderer to have it there, for any eye within the grid (camera.h): some units
+ * of the grid, more for a narrow lens. */
+double lens_least_near_m(const struct lens *lens, const struct grid *grid);
+
+/* 0.1 m; a tenth of the longest side of a scene smaller than a metre. Wide scenes have more: lens_least_near_m() of a
+ * lens of 60 degrees. */
 double lens_default_near_m(const struct grid *grid);
+
+/* The distance that the grid forces on a near plane that nobody chose, or 0 if it is the default. */
+double lens_forced_near_m(const struct grid *grid);
+
+/* lens_init() for a scene; near_m 0 is the default, or what such a lens needs. Refuses a near plane that the renderer
+ * would not have where it is asked for. */
+bool lens_for_grid(struct lens *lens, double fov_deg, double near_m, const struct grid *grid, unsigned w_px,
+                   unsigned h_px, struct error *err);
+
+/* Of a number times that, three digits are not less than the number. */
+#define LENS_PRINTED_UP 1.006
+
+/* A line on standard error, if the default near plane is farther than usual: what is nearer is not drawn. */
+void lens_note_near(const char *model_path, const struct grid *grid);
 
 /* Looking straight up the picture's up is -z, straight down it is +z. */
 void viewpoint_axes(const struct viewpoint *viewpoint, struct view_axes *axes);

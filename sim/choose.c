@@ -92,7 +92,7 @@ static bool prepare(struct trial *trial, const char *model_path, const struct co
     if (!measure_source_read(&trial->source, model_path, options, options->w_px, options->h_px, err)) return false;
     if (!compile_rows(trial, options, choice, model_path, err)) return false;
     const struct compiled *scene = trial->candidates[0].scene;
-    return lens_init(&trial->lens, FOV_DEG, lens_default_near_m(&scene->grid), options->w_px, options->h_px, err) &&
+    return lens_for_grid(&trial->lens, FOV_DEG, options->near_m, &scene->grid, options->w_px, options->h_px, err) &&
            (bound->cameras.text ? camera_choice_plan(&bound->cameras, scene, &trial->lens, 0, &trial->path, err)
                                 : sample_path(trial, scene, err));
 }

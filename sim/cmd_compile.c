@@ -3,6 +3,7 @@
  * limner compile MODEL... -o NAME: writes NAME.c, NAME.h and NAME.lim, all or none, and says what the
  * scene costs. Of several models each becomes NAME_MODEL.c and .lim; they share NAME.h. */
 #include "c_name.h"
+#include "camera_path.h"
 #include "choose.h"
 #include "commands.h"
 #include "grow.h"
@@ -34,6 +35,7 @@ enum option_code {
     OPTION_FRAME,
     OPTION_FRAMEBUFFER,
     OPTION_SIZE,
+    OPTION_NEAR,
     OPTION_PRECISION,
     OPTION_MAX_ERROR,
     OPTION_MAX_VERTEX_ERROR,
@@ -65,6 +67,7 @@ static const struct option OPTIONS[] = {
     {"camera", required_argument, NULL, OPTION_CAMERA},
     {"core", required_argument, NULL, OPTION_CORE},
     {"size", required_argument, NULL, OPTION_SIZE},
+    {"near", required_argument, NULL, OPTION_NEAR},
     {"mover-light", required_argument, NULL, OPTION_MOVER_LIGHT},
     {"movers", required_argument, NULL, OPTION_MOVERS},
     {"report", no_argument, NULL, OPTION_REPORT},
@@ -134,6 +137,8 @@ static bool parse_option(int code, char **argv, struct request *out, struct erro
         return parse_precision(optarg, &out->compile.core, err);
     case OPTION_SIZE:
         return parse_size(optarg, &out->compile.w_px, &out->compile.h_px, err);
+    case OPTION_NEAR:
+        return parse_near(optarg, &out->compile.near_m, err);
     case OPTION_MAX_ERROR:
         return parse_bound("--max-error", optarg, "%", &out->bound.wrong_percent, err);
     case OPTION_MAX_VERTEX_ERROR:
@@ -238,6 +243,7 @@ static bool compile_all(const struct request *request, struct result *result, st
             return false;
         if (*moving->model.notice) fprintf(stderr, "limner: %s: %s\n", request->models[i], moving->model.notice);
         if (moving->count && !method_moves(result->scenes[i].report.draws, err)) return false;
+        if (!request->compile.near_m) lens_note_near(request->models[i], &result->scenes[i].grid);
         result->named[i] = (struct named_scene){&result->scenes[i], result->names[i], moving->count ? moving : NULL};
     }
     return true;

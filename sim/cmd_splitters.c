@@ -21,19 +21,17 @@ enum option_code {
     OPTION_TREE = 256,
     OPTION_TOLERANCE,
     OPTION_SIZE,
+    OPTION_NEAR,
     OPTION_UNLIT,
     OPTION_KEEP_FACES,
     OPTION_DROP_SMALL
 };
 
 static const struct option OPTIONS[] = {
-    {"tree", required_argument, NULL, OPTION_TREE},
-    {"tolerance", required_argument, NULL, OPTION_TOLERANCE},
-    {"size", required_argument, NULL, OPTION_SIZE},
-    {"unlit", no_argument, NULL, OPTION_UNLIT},
-    {"keep-faces", no_argument, NULL, OPTION_KEEP_FACES},
-    {"drop-small", no_argument, NULL, OPTION_DROP_SMALL},
-    {NULL, 0, NULL, 0},
+    {"tree", required_argument, NULL, OPTION_TREE},       {"tolerance", required_argument, NULL, OPTION_TOLERANCE},
+    {"size", required_argument, NULL, OPTION_SIZE},       {"near", required_argument, NULL, OPTION_NEAR},
+    {"unlit", no_argument, NULL, OPTION_UNLIT},           {"keep-faces", no_argument, NULL, OPTION_KEEP_FACES},
+    {"drop-small", no_argument, NULL, OPTION_DROP_SMALL}, {NULL, 0, NULL, 0},
 };
 
 static bool parse_option(int code, char **argv, struct compile_options *out, struct error *err)
@@ -45,6 +43,8 @@ static bool parse_option(int code, char **argv, struct compile_options *out, str
         return parse_tolerance(optarg, &out->tolerance_units, err);
     case OPTION_SIZE:
         return parse_size(optarg, &out->w_px, &out->h_px, err);
+    case OPTION_NEAR:
+        return parse_near(optarg, &out->near_m, err);
     case OPTION_UNLIT:
         out->unlit = true;
         return true;

@@ -352,6 +352,7 @@ static bool compile_cleaned(const struct model *model, struct mesh *mesh, const 
     struct reference reference = {0};
     bool ok = (options->keep_faces || mesh_merge(mesh, err)) && mesh_insert_t_vertices(mesh, err) &&
               faithful_compile(mesh, options, out, err);
+    out->report.near_m = options->near_m;
     if (ok && options->predict)
         ok = predict_reference(model, &mesh->grid, &reference, err) &&
              predict_wrong(out, options->core, &reference, mesh->merged_into, &out->report.wrong, err);

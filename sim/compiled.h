@@ -35,6 +35,7 @@ struct compile_options {
     bool framebuffer;            /* for targets with all pixels in memory */
     bool wireframe;              /* for drawing as wireframe: edges that are not the model's are known */
     enum portals_wanted portals; /* whether to store what is seen from where; AUTO: if it pays */
+    double near_m;               /* of the cameras that it is for; 0: lens_default_near_m() */
     bool drop_small;             /* leave out what is too small for the grid, instead of refusing the model */
     bool predict;                /* measure the wrong-pixel share for the report: takes a second or so */
 };
@@ -96,6 +97,7 @@ struct compile_report {
     enum lim_method draws;        /* what firmware draws it with */
     unsigned w_px, h_px;          /* of the panel that the pools were measured for */
     const struct core *core;      /* the precision profile asked for */
+    double near_m;                /* options.near_m */
     struct predicted wrong;       /* on sampled cameras; only if options.predict, else .percent is NaN */
     double instructions; /* of a frame on a Cortex-M0+, predicted (frame_cost.h); NaN: neither nearest first nor by scan
                             lines, or not opaque and flat */

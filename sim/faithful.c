@@ -28,6 +28,7 @@ struct judging {
     const struct lim_plane_ref *
         *planes;   /* of each face number of the mesh, by which its records are seen; NULL: none */
     double seen_m; /* what is smaller is not looked at */
+    double cut_m;  /* what is smaller is cut away where a camera comes as near; 0: it is not, or was asked for */
     uint8_t *faults;
 };
 
@@ -158,11 +159,10 @@ static bool is_covered(const struct judging *judging, const struct original_face
 
 /* Judging ------------------------------------------------------------------------------------ */
 
-static enum faithful_fault judge_face(const struct judging *judging, size_t index)
+static enum faithful_fault judge_place(const struct judging *judging, size_t index)
 {
     const struct original_face *face = &judging->original->faces[index];
     const double size_units = face->size_m * judging->mesh->grid.units_per_m;
-    if (!face->count || face->size_m < judging->seen_m) return FAITHFUL_KEPT;
     const bool moved = corners_moved(judging, face, judging->has_fractions) > FAITHFUL_SHARE * size_units;
     if (!judging->scene) return moved ? FAITHFUL_MOVED : FAITHFUL_KEPT;
     const struct lim_plane_ref *plane = plane_of(judging, index);
@@ -173,6 +173,14 @@ static enum faithful_fault judge_face(const struct judging *judging, size_t inde
     return face->width_m < judging->seen_m || is_covered(judging, face) ? FAITHFUL_KEPT : FAITHFUL_VANISHED;
 }
 
+static enum faithful_fault judge_face(const struct judging *judging, size_t index)
+{
+    const struct original_face *face = &judging->original->faces[index];
+    if (!face->count || face->size_m < judging->seen_m) return FAITHFUL_KEPT;
+    const enum faithful_fault fault = judge_place(judging, index);
+    return judging->scene && fault == FAITHFUL_KEPT && face->size_m < judging->cut_m ? FAITHFUL_CUT : fault;
+}
+
 static bool is_exact(const struct compile_options *options)
 {
     return options->core && options->core->profile == LIM_PROFILE_EXACT;
@@ -181,11 +189,14 @@ static bool is_exact(const struct compile_options *options)
 static struct judging judging_of(const struct mesh *mesh, const struct compile_options *options,
                                  const struct compiled *scene)
 {
+    const bool is_chosen = options->near_m > 0.0;
     struct judging judging = {.original = mesh->original,
                               .mesh = mesh,
                               .scene = scene,
                               .has_fractions = is_exact(options),
-                              .seen_m = FAITHFUL_PIXEL * lens_default_near_m(&mesh->grid)};
+                              .seen_m =
+                                  FAITHFUL_PIXEL * (is_chosen ? options->near_m : lens_default_near_m(&mesh->grid)),
+                              .cut_m = is_chosen || options->drop_small ? 0.0 : lens_forced_near_m(&mesh->grid)};
     if (!scene) return judging;
     judging.planes = grow_zeroed(mesh->counts.faces + 1, sizeof *judging.planes);
     note_planes(&judging);
@@ -223,23 +234,43 @@ static bool exact_helps(const struct mesh *mesh, const struct compile_options *o
     return helps;
 }
 
+/* The smallest come first. Returns how many there are; *worst is what became of the worst of them. */
+static size_t name_faults(const struct original *original, const uint8_t *faults, char *names, size_t names_b,
+                          uint8_t *worst)
+{
+    size_t count = 0, length = 0;
+    *worst = FAITHFUL_KEPT;
+    for (size_t i = 0; i < original->seen_count; i++) {
+        const struct original_face *face = &original->faces[original->by_size[i]];
+        const uint8_t fault = faults[original->by_size[i]];
+        if (!fault) continue;
+        if (fault > *worst) *worst = fault;
+        if (count++ < NAMED)
+            length += (size_t)snprintf(names + length, names_b - length, "%s%lu (%.3g m)", count > 1 ? ", " : "",
+                                       (unsigned long)face->number, face->size_m);
+    }
+    return count;
+}
+
 static bool refuse(const struct mesh *mesh, const struct compile_options *options, const struct compiled *scene,
                    const uint8_t *faults, struct error *err)
 {
     const struct original *original = mesh->original;
+    const double unit_m = 1.0 / mesh->grid.units_per_m;
     char names[96] = "";
-    size_t count = 0, length = 0;
-    for (size_t i = 0; i < original->seen_count; i++) { /* the smallest first */
-        const struct original_face *face = &original->faces[original->by_size[i]];
-        if (!faults[original->by_size[i]]) continue;
-        if (count++ < NAMED)
-            length += (size_t)snprintf(names + length, sizeof names - length, "%s%lu (%.3g m)", count > 1 ? ", " : "",
-                                       (unsigned long)face->number, face->size_m);
-    }
+    uint8_t worst;
+    const size_t count = name_faults(original, faults, names, sizeof names, &worst);
+    const char *more = count > NAMED ? " ..." : "";
+    if (worst == FAITHFUL_CUT)
+        return error_set(err,
+                         "face %s%s: %zu of %zu faces are smaller than the distance within which nothing is drawn on a "
+                         "grid with units of %.3g m; split the model into several scenes, or give --near %.3g",
+                         names, more, count, original->seen_count, unit_m,
+                         lens_forced_near_m(&mesh->grid) * LENS_PRINTED_UP);
     return error_set(err,
                      "face %s%s: %zu of %zu faces would vanish or move too far on a grid with units of %.3g m; "
                      "split the model into several scenes, enlarge what is small, leave it out by --drop-small%s",
-                     names, count > NAMED ? " ..." : "", count, original->seen_count, 1.0 / mesh->grid.units_per_m,
+                     names, more, count, original->seen_count, unit_m,
                      exact_helps(mesh, options, scene, faults) ? ", or take --precision exact" : "");
 }
 

@@ -15,11 +15,13 @@ struct original;
 #define FAITHFUL_SHARE (1.0 / 32.0)
 #define FAITHFUL_PLANE_SHARE 0.17677669529663687
 
-/* What spans less than a pixel of the default picture even from the near plane is not looked at: 240 pixels, 60
- * degrees. */
+/* What spans less than a pixel of the default picture even from the near plane (options.near_m, or the default) is not
+ * looked at: 240 pixels, 60 degrees. */
 #define FAITHFUL_PIXEL 0.0048
 
-enum faithful_fault { FAITHFUL_KEPT, FAITHFUL_MOVED, FAITHFUL_VANISHED };
+/* FAITHFUL_CUT: drawn as it should be, but by no camera that is as near as the face's patch is large, because the
+ * renderer cannot have its near plane so near; if nobody chose one (options.near_m). */
+enum faithful_fault { FAITHFUL_KEPT, FAITHFUL_CUT, FAITHFUL_MOVED, FAITHFUL_VANISHED };
 
 /* For each face of the original what became of it; the caller's to free. `scene`: NULL, rounding alone is judged, of
  * what options->core rounds to. */

@@ -106,12 +106,6 @@ static bool add_cpu(struct measure_request *out, const char *name, struct error 
     return true;
 }
 
-static bool parse_near(const char *text, double *out, struct error *err)
-{
-    if (!parse_number("--near", text, out, err)) return false;
-    return *out > 0.0 || error_set(err, "--near %s: the near plane must lie in front of the eye", text);
-}
-
 static bool parse_count(const char *option, const char *text, size_t *out, struct error *err)
 {
     double number;
@@ -149,7 +143,7 @@ static bool parse_option(int code, char **argv, struct measure_request *out, boo
     case OPTION_FOV:
         return parse_number("--fov", optarg, &out->fov_deg, err);
     case OPTION_NEAR:
-        return parse_near(optarg, &out->near_m, err);
+        return parse_near(optarg, &out->compile.near_m, err);
     case OPTION_PRECISION:
         return parse_list("--precision", optarg, out, add_core, err);
     case OPTION_CORE:
@@ -252,14 +246,15 @@ bool measure_request_load(const struct measure_request *request, struct measure_
     if (!camera_choice_read(&request->cameras, path, err)) return false;
     if (!measure_source_read(source, request->model, &request->compile, request->w_px, request->h_px, err))
         return false;
-    const double near_m = request->near_m > 0.0 ? request->near_m : lens_default_near_m(&source->mesh.grid);
-    return lens_init(lens, request->fov_deg, near_m, request->w_px, request->h_px, err);
+    return lens_for_grid(lens, request->fov_deg, request->compile.near_m, &source->mesh.grid, request->w_px,
+                         request->h_px, err);
 }
 
 bool measure_request_cameras(const struct measure_request *request, const struct compiled *scene,
                              const struct lens *lens, struct camera_path *path, struct error *err)
 {
     struct camera_path few = {0};
+    if (!request->compile.near_m) lens_note_near(request->model, &scene->grid);
     const bool ok = camera_choice_plan(&request->cameras, scene, lens, MEASURE_ORBIT_FRAMES, path, err) &&
                     camera_path_few(path, request->frames, &few, err);
     camera_path_free(path);

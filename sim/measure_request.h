@@ -20,7 +20,7 @@ struct measure_request {
     struct camera_choice cameras;
     char name[MEASURE_NAME_B]; /* the model's, without folder and suffix */
     unsigned w_px, h_px;
-    double fov_deg, near_m; /* near_m 0: not given */
+    double fov_deg;
     struct compile_options compile;
     const struct core *cores[MEASURE_CORES_MAX];
     const struct measure_cpu *cpus[MEASURE_REQUEST_CPUS_MAX];

@@ -145,12 +145,6 @@ static bool parse_runs(const char *text, uint16_t *out, struct error *err)
     return true;
 }
 
-static bool parse_near(const char *text, double *out, struct error *err)
-{
-    if (!parse_number("--near", text, out, err)) return false;
-    return *out > 0.0 || error_set(err, "--near %s: the near plane must lie in front of the eye", text);
-}
-
 static bool parse_option(int code, const char *text, struct options *out, struct error *err)
 {
     switch (code) {
@@ -161,7 +155,7 @@ static bool parse_option(int code, const char *text, struct options *out, struct
     case OPTION_FOV:
         return parse_number("--fov", text, &out->fov_deg, err);
     case OPTION_NEAR:
-        return parse_near(text, &out->near_m, err);
+        return parse_near(text, &out->compile.near_m, err);
     case OPTION_PANEL:
         return parse_panel(text, out, err);
     case OPTION_METHOD:
@@ -355,7 +349,9 @@ bool options_load(const struct options *options, struct compiled *scene, struct 
 {
     if (!camera_choice_read(&options->cameras, path, err)) return false;
     if (!load_scene(options, scene, moving, err)) return false;
-    double near_m = options->near_m > 0.0 ? options->near_m : lens_default_near_m(&scene->grid);
-    if (!lens_init(lens, options->fov_deg, near_m, options->setup.w_px, options->setup.h_px, err)) return false;
+    if (!lens_for_grid(lens, options->fov_deg, options->compile.near_m, &scene->grid, options->setup.w_px,
+                       options->setup.h_px, err))
+        return false;
+    if (!options->compile.near_m) lens_note_near(options->scene_path, &scene->grid);
     return camera_choice_plan(&options->cameras, scene, lens, options->orbit_frames, path, err);
 }

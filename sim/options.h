@@ -16,7 +16,6 @@ struct options {
     struct simulator_setup setup;
     struct panel_choice panel; /* for SIMULATOR_PANEL */
     double fov_deg;
-    double near_m; /* 0: not given */
     struct compile_options compile;
     struct lim_wireframe wireframe;
     uint16_t delta_runs; /* 0: every frame is sent whole */

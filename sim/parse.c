@@ -85,6 +85,12 @@ bool parse_bound(const char *option, const char *text, const char *unit, double 
     return *out > 0.0 || error_set(err, "%s %s: must be above 0", option, text);
 }
 
+bool parse_near(const char *text, double *near_m, struct error *err)
+{
+    return parse_number("--near", text, near_m, err) &&
+           (*near_m > 0.0 || error_set(err, "--near %s: the near plane must lie in front of the eye", text));
+}
+
 bool parse_tolerance(const char *text, double *units, struct error *err)
 {
     if (!parse_number("--tolerance", text, units, err)) return false;

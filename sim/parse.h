@@ -26,6 +26,9 @@ bool parse_precision(const char *text, const struct core **core, struct error *e
 /* A number above 0, with its unit or without: `0.03%`, `0.25px`. */
 bool parse_bound(const char *option, const char *text, const char *unit, double *out, struct error *err);
 
+/* --near M */
+bool parse_near(const char *text, double *near_m, struct error *err);
+
 /* --tolerance UNITS */
 bool parse_tolerance(const char *text, double *units, struct error *err);
 

@@ -121,8 +121,7 @@ static bool sample_frames(const struct compiled *scene, struct moving *moving, s
     struct lens lens;
 
     sampler_init(&sampler, scene);
-    if (!lens_init(&lens, FOV_DEG, lens_default_near_m(&scene->grid), simulator->target.w_px, simulator->target.h_px,
-                   err))
+    if (!lens_for_grid(&lens, FOV_DEG, 0, &scene->grid, simulator->target.w_px, simulator->target.h_px, err))
         return false;
     for (int i = 0; i < CAMERAS && !is_too_much(usage) && !ends_early(usage); i++) {
         struct lim_camera camera;

@@ -84,7 +84,7 @@ static bool trial_run(struct trial *trial, struct error *err)
     struct sampler sampler;
     struct lens lens;
     sampler_init(&sampler, trial->scene);
-    if (!lens_init(&lens, FOV_DEG, lens_default_near_m(&trial->scene->grid), SIDE_PX, SIDE_PX, err)) return false;
+    if (!lens_for_grid(&lens, FOV_DEG, 0, &trial->scene->grid, SIDE_PX, SIDE_PX, err)) return false;
     for (int i = 0; i < CAMERAS && deadline_check(err, "portals were still tried out"); i++) {
         progress_bar((size_t)i, CAMERAS, "portals");
         struct viewpoint viewpoint = sampler_next(&sampler);

@@ -28,6 +28,7 @@ static bool compare_views(struct predicting *predicting, bool near, int count, s
     const struct grid *grid = &predicting->scene->grid;
     struct sampler sampler;
     sampler_init(&sampler, predicting->scene);
+    sampler.near_m = predicting->lens.near_m;
     for (int i = 0; i < count && !deadline_passed(); i++) {
         struct viewpoint viewpoint;
         struct lim_camera camera;
@@ -53,7 +54,8 @@ bool predict_wrong(const struct compiled *scene, const struct core *core, struct
     struct comparison anywhere = {0}, near = {0};
     const int near_count = scene->original ? PREDICT_CAMERAS / 2 : 0;
 
-    if (!lens_init(&predicting.lens, 60, lens_default_near_m(&scene->grid), PREDICT_SIDE_PX, PREDICT_SIDE_PX, err) ||
+    if (!lens_for_grid(&predicting.lens, 60, scene->report.near_m, &scene->grid, PREDICT_SIDE_PX, PREDICT_SIDE_PX,
+                       err) ||
         !ids_init(&predicting.ids, scene, &setup, err))
         return false;
     const struct deadline_end whole = deadline_share(SHARE);

@@ -8,8 +8,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-static bool draw_path(const struct compiled *scene, bool near, const char *name, uint32_t seed, size_t count,
-                      struct camera_path *out, struct error *err)
+/* `near`: the lens of cameras that look at faces from near; NULL: they are anywhere. */
+static bool draw_path(const struct compiled *scene, const struct lens *near, const char *name, uint32_t seed,
+                      size_t count, struct camera_path *out, struct error *err)
 {
     struct sampler sampler;
     if (scene->scene.vertex_count == 0) return error_set(err, "%s: nothing stands still in this scene", name);
@@ -17,6 +18,7 @@ static bool draw_path(const struct compiled *scene, bool near, const char *name,
     bool ok = (out->name && out->frames) || error_set(err, "%s: out of memory", name);
     sampler_init(&sampler, scene);
     sampler_seed(&sampler, seed);
+    if (near) sampler.near_m = near->near_m;
     for (; ok && out->count < count; out->count += ok) {
         struct viewpoint *viewpoint = &out->frames[out->count];
         ok = (near ? sampler_near(&sampler, viewpoint) : sampler_anywhere(&sampler, viewpoint)) ||
@@ -30,13 +32,13 @@ static bool draw_path(const struct compiled *scene, bool near, const char *name,
 bool random_path(const struct compiled *scene, const char *name, uint32_t seed, size_t count, struct camera_path *out,
                  struct error *err)
 {
-    return draw_path(scene, false, name, seed, count, out, err);
+    return draw_path(scene, NULL, name, seed, count, out, err);
 }
 
-bool near_path(const struct compiled *scene, const char *name, uint32_t seed, size_t count, struct camera_path *out,
-               struct error *err)
+bool near_path(const struct compiled *scene, const struct lens *lens, const char *name, uint32_t seed, size_t count,
+               struct camera_path *out, struct error *err)
 {
     if (!scene->original)
         return error_set(err, "%s: a .lim file does not hold the model's faces; give the model", name);
-    return draw_path(scene, true, name, seed, count, out, err);
+    return draw_path(scene, lens, name, seed, count, out, err);
 }

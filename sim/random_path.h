@@ -12,8 +12,9 @@
 bool random_path(const struct compiled *scene, const char *name, uint32_t seed, size_t count, struct camera_path *out,
                  struct error *err);
 
-/* The same near faces of the model, whatever their size (sampler_near()). Fails for a scene from a .lim file, too. */
-bool near_path(const struct compiled *scene, const char *name, uint32_t seed, size_t count, struct camera_path *out,
-               struct error *err);
+/* The same near faces of the model, whatever their size, but no nearer than the lens sees them (sampler_near()). Fails
+ * for a scene from a .lim file, too. */
+bool near_path(const struct compiled *scene, const struct lens *lens, const char *name, uint32_t seed, size_t count,
+               struct camera_path *out, struct error *err);
 
 #endif

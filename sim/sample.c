@@ -29,7 +29,8 @@ static void vertex_m(const struct compiled *scene, size_t index, double out_m[3]
 
 void sampler_init(struct sampler *sampler, const struct compiled *scene)
 {
-    *sampler = (struct sampler){.scene = scene, .state = 0x9E3779B97F4A7C15};
+    *sampler =
+        (struct sampler){.scene = scene, .state = 0x9E3779B97F4A7C15, .near_m = lens_default_near_m(&scene->grid)};
     for (size_t v = 0; v < scene->scene.vertex_count; v++) {
         double at_m[3];
         vertex_m(scene, v, at_m);
@@ -141,7 +142,7 @@ bool sampler_near(struct sampler *sampler, struct viewpoint *out)
 {
     const struct original *original = sampler->scene->original;
     const struct grid *grid = &sampler->scene->grid;
-    const double least_m = fmax(2.0 * lens_default_near_m(grid), APART_UNITS / 256.0 / grid->units_per_m);
+    const double least_m = fmax(2.0 * sampler->near_m, APART_UNITS / 256.0 / grid->units_per_m);
     if (!original || !original->seen_count) return false;
     for (int i = 0; i < TRIES; i++) {
         const struct original_face *face = random_face(sampler, original);

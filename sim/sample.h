@@ -12,6 +12,7 @@ struct sampler {
     const struct compiled *scene;
     uint64_t state;             /* of the random numbers */
     double low_m[3], high_m[3]; /* bounds of the scene */
+    double near_m;              /* of the lens; the default by default */
 };
 
 /* The scene must outlive the sampler and have polygons. */

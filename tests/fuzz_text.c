@@ -95,7 +95,7 @@ static const char *check_options(const struct options *options)
     if (options->setup.w_px < 1 || options->setup.w_px > PARSE_SIDE_MAX_PX || options->setup.h_px < 1 ||
         options->setup.h_px > PARSE_SIDE_MAX_PX)
         return "a picture out of range";
-    if (!(options->near_m >= 0) || !isfinite(options->frames_per_s)) return "a number out of range";
+    if (!(options->compile.near_m >= 0) || !isfinite(options->frames_per_s)) return "a number out of range";
     return options->setup.core ? NULL : "a picture in no precision";
 }
 

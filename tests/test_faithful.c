@@ -141,9 +141,50 @@ static void what_is_on_the_grid_does_not_move(void **state)
 {
     (void)state;
     struct model model = floor_model();
-    const double low_m[3] = {10, 0, 10}, high_m[3] = {12, 2, 12};
-    boxes_add_solid(&model, low_m, high_m); /* two units */
+    const double low_m[3] = {10, 0, 10}, high_m[3] = {14, 4, 14};
+    boxes_add_solid(&model, low_m, high_m); /* four units */
     expect_kept(&model, &core_fast);
+}
+
+/* Where the renderer's near plane cannot be nearer than 1.75 units at 45 degrees to either side, a box of two is cut
+ * away by a lens of 30 degrees to either side, from as near as it is large. */
+static void what_the_near_plane_cuts_away_is_refused_unless_it_was_chosen(void **state)
+{
+    (void)state;
+    const double low_m[3] = {10, 0, 10}, high_m[3] = {12, 2, 12};
+    struct compile_options options = with(&core_fast, false);
+    char text[512];
+    size_t left_out;
+    struct model model = floor_model();
+    boxes_add_solid(&model, low_m, high_m);
+    expect_refused(&model, &core_exact, "6 of 7 faces are smaller than the distance within which nothing is drawn");
+    model = floor_model();
+    boxes_add_solid(&model, low_m, high_m);
+    options.near_m = 3.05; /* as the message says */
+    assert_false(compiles(&model, &FAST, &left_out, text));
+    assert_non_null(strstr(text, "--near 3.05"));
+    if (!compiles(&model, &options, &left_out, text)) fail_msg("%s", text);
+    options = with(&core_fast, true); /* from farther away they are right */
+    if (!compiles(&model, &options, &left_out, text)) fail_msg("%s", text);
+    assert_int_equal(left_out, 0);
+    model_free(&model);
+}
+
+/* 0.3 m are half a pixel at 130 m, and more from the default near plane. */
+static void the_near_plane_that_was_chosen_decides_what_can_be_seen(void **state)
+{
+    (void)state;
+    struct compile_options options = with(&core_fast, false);
+    char text[512];
+    size_t left_out;
+    struct model model = floor_model();
+    add_box(&model, 10.2, 0.3);
+    options.near_m = 50;
+    assert_false(compiles(&model, &options, &left_out, text));
+    options.near_m = 130;
+    if (!compiles(&model, &options, &left_out, text)) fail_msg("%s", text);
+    assert_int_equal(left_out, 0);
+    model_free(&model);
 }
 
 /* A sliver between two wide strips: they take its place. Alone it is missed. */
@@ -254,7 +295,7 @@ static void what_is_left_out_is_predicted_to_be_wrong(void **state)
     if (!compile_part(&model, NULL, &options, &scene, &err)) fail_msg("%s", err.text);
     assert_int_equal(scene.report.left_out, 18);
     assert_int_equal(scene.report.wrong.near_cameras, 24);
-    assert_true(scene.report.wrong.near_percent > 1);
+    assert_true(scene.report.wrong.near_percent > 0.001); /* the near plane is six units away */
     assert_true(scene.report.wrong.percent < scene.report.wrong.near_percent);
     compiled_free(&scene);
     model_free(&model);
@@ -289,6 +330,8 @@ int main(void)
         cmocka_unit_test(exact_holds_what_its_fractions_hold_and_is_recommended_there),
         cmocka_unit_test(exact_refuses_what_its_planes_do_not_hold),
         cmocka_unit_test(what_is_on_the_grid_does_not_move),
+        cmocka_unit_test(what_the_near_plane_cuts_away_is_refused_unless_it_was_chosen),
+        cmocka_unit_test(the_near_plane_that_was_chosen_decides_what_can_be_seen),
         cmocka_unit_test(a_sliver_is_no_loss_where_its_neighbours_close_up),
         cmocka_unit_test(what_merely_lies_near_takes_no_place),
         cmocka_unit_test(facets_of_a_smooth_hull_are_judged_as_one_surface),
