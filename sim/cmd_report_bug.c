@@ -23,6 +23,8 @@ struct packing {
     struct work_folder folder;
     struct outputs outputs;
     const char *scene_path, *camera_path, *report_path;
+    size_t folder_b; /* of scene_path, with its slash */
+    size_t up;       /* how many folders above it the files that it names lie, at most */
 };
 
 /* Options ------------------------------------------------------------------------------------ */
@@ -36,8 +38,6 @@ static bool take_option(struct packing *packing, const struct given_option *give
         packing->report_path = given->value;
         return true;
     }
-    if (strcmp(given->name, "trust-paths") == 0)
-        return error_set(err, "--trust-paths: a report holds files of the model's folder alone");
     if (strcmp(given->name, "ids") == 0) return report_add_argument(packing->report, REPORT_IDS_OPTION, err);
     if (given->files == OPTION_NAMES_FILE) return true;
     const char *value = given->value;
@@ -108,11 +108,37 @@ static bool copy_file(const char *path, const struct work_folder *folder, const 
     return ok;
 }
 
-/* A path beside the model becomes a name in the report; steps that go nowhere are left out. */
-static bool name_in_report(const char *path, size_t folder_b, char name[PATH_MAX_B], struct error *err)
+/* What a path says behind the model's folder; NULL: it does not begin with that. *up: how many folders it goes up
+ * first.
+ */
+static const char *behind_folder(const struct packing *packing, const char *path, size_t *up)
 {
-    size_t at = (size_t)snprintf(name, PATH_MAX_B, "%s", REPORT_SCENE_FOLDER);
-    for (const char *part = path + folder_b; *part;) {
+    *up = 0;
+    if (strncmp(path, packing->scene_path, packing->folder_b) != 0 || (!packing->folder_b && path[0] == '/'))
+        return NULL;
+    for (path += packing->folder_b;;) {
+        const size_t length = strcspn(path, "/");
+        const bool goes_up = length == 2 && path[0] == '.' && path[1] == '.';
+        const bool is_step = path[length] && (length == 0 || (length == 1 && *path == '.'));
+        if (!goes_up && !is_step) return path;
+        *up += goes_up;
+        path += length + (path[length] == '/');
+    }
+}
+
+/* A path becomes a name in the report: folders above the model's have no name of their own there; steps that go nowhere
+ * are left out. */
+static bool name_in_report(const struct packing *packing, const char *path, char name[PATH_MAX_B], struct error *err)
+{
+    size_t up, at = (size_t)snprintf(name, PATH_MAX_B, "%s", REPORT_SCENE_FOLDER);
+    const char *part = behind_folder(packing, path, &up);
+    if (!part)
+        return error_set(err, "%s: is not named by its way from the model's folder; in a report it could not be found",
+                         path);
+    const bool is_ours = packing->up && strncmp(part, REPORT_UP_FOLDER, strlen(REPORT_UP_FOLDER)) == 0;
+    for (; up < packing->up && at < REPORT_NAME_B; up++)
+        at += (size_t)snprintf(name + at, PATH_MAX_B - at, "%s", REPORT_UP_FOLDER);
+    while (*part) {
         const size_t length = strcspn(part, "/");
         const bool is_step = length == 0 || (length == 1 && *part == '.');
         if (at + length + 2 > PATH_MAX_B) return error_set(err, "%s: the path is too long", path);
@@ -120,47 +146,61 @@ static bool name_in_report(const char *path, size_t folder_b, char name[PATH_MAX
             at += (size_t)snprintf(name + at, PATH_MAX_B - at, "%.*s%s", (int)length, part, part[length] ? "/" : "");
         part += length + (part[length] == '/');
     }
-    return report_name_is_allowed(name) || error_set(err, "%s: its name cannot be in a report", path);
+    return (!is_ours && report_name_is_allowed(name)) || error_set(err, "%s: its name cannot be in a report", path);
 }
 
 static bool pack_input(struct packing *packing, const char *path, struct error *err)
 {
     char name[PATH_MAX_B];
-    const char *slash = strrchr(packing->scene_path, '/');
-    const size_t folder_b = slash ? (size_t)(slash - packing->scene_path) + 1 : 0;
-    if (strncmp(path, packing->scene_path, folder_b) != 0 || (!folder_b && path[0] == '/') ||
-        strstr(path + folder_b, "../"))
-        return error_set(err, "%s: lies outside of the model's folder; a report holds what is in it", path);
-    if (!name_in_report(path, folder_b, name, err)) return false;
+    if (!name_in_report(packing, path, name, err)) return false;
     for (size_t i = 0; i < packing->report->file_count; i++)
         if (strcmp(packing->report->files[i].name, name) == 0) return true;
     return copy_file(path, &packing->folder, name, err) && report_add(packing->report, &packing->folder, name, err);
 }
 
 /* What it reads until it ends, well or not. */
-static bool list_inputs(const struct packing *packing, FILE *list, struct error *err)
+static void list_inputs(const struct packing *packing, FILE *list)
 {
     const char *suffix = strrchr(packing->scene_path, '.');
     struct model model;
     struct error ignored;
-    if (suffix && strcasecmp(suffix, ".lim") == 0) return true;
+    if (suffix && strcasecmp(suffix, ".lim") == 0) return;
     inputs_note_to(fileno(list));
     if (model_import(packing->scene_path, &model, &ignored)) model_free(&model);
     inputs_note_to(-1);
-    return fseek(list, 0, SEEK_SET) == 0 || error_set(err, "%s: %s", packing->scene_path, strerror(errno));
+}
+
+static bool each_input(struct packing *packing, FILE *list,
+                       bool (*take)(struct packing *, const char *, struct error *), struct error *err)
+{
+    char *path = NULL;
+    size_t size_b = 0;
+    bool ok = fseek(list, 0, SEEK_SET) == 0 || error_set(err, "%s: %s", packing->scene_path, strerror(errno));
+    while (ok && getdelim(&path, &size_b, '\0', list) > 0)
+        ok = take(packing, path, err);
+    free(path);
+    return ok;
+}
+
+static bool look_up(struct packing *packing, const char *path, struct error *err)
+{
+    size_t up;
+    (void)err;
+    behind_folder(packing, path, &up);
+    if (up > packing->up) packing->up = up;
+    return true;
 }
 
 static bool pack_inputs(struct packing *packing, struct error *err)
 {
-    char *path = NULL;
-    size_t size_b = 0;
+    const char *slash = strrchr(packing->scene_path, '/');
     FILE *list = tmpfile();
+    packing->folder_b = slash ? (size_t)(slash - packing->scene_path) + 1 : 0;
     bool ok = list || error_set(err, "no temporary file: %s", strerror(errno));
-    ok = ok && pack_input(packing, packing->scene_path, err) && list_inputs(packing, list, err);
+    if (ok) list_inputs(packing, list);
+    ok = ok && each_input(packing, list, look_up, err) && pack_input(packing, packing->scene_path, err);
     if (ok) snprintf(packing->report->scene, sizeof packing->report->scene, "%s", packing->report->files[0].name);
-    while (ok && getdelim(&path, &size_b, '\0', list) > 0)
-        ok = pack_input(packing, path, err);
-    free(path);
+    ok = ok && each_input(packing, list, pack_input, err);
     if (list) fclose(list);
     return ok;
 }

@@ -15,7 +15,8 @@
 
 enum { PATH_SIZE_B = 4096 };
 
-static bool trusts; /* --trust-paths */
+static bool trusts;              /* --trust-paths */
+static char bounds[PATH_SIZE_B]; /* companions_stay_in(), without a link, with its slash; empty: the model's folder */
 static struct {
     char path[PATH_SIZE_B], folder[PATH_SIZE_B]; /* the folder with its slash; empty: the working folder */
     char real_folder[PATH_SIZE_B];               /* without a link, with its slash */
@@ -29,6 +30,19 @@ void companions_trust(void)
     trusts = true;
 }
 
+static void real_folder(const char *folder, char out[PATH_SIZE_B])
+{
+    char *real = realpath(*folder ? folder : ".", NULL);
+    snprintf(out, PATH_SIZE_B, "%s%s", real ? real : "", real && strcmp(real, "/") == 0 ? "" : "/");
+    free(real);
+}
+
+void companions_stay_in(const char *folder)
+{
+    trusts = false;
+    real_folder(folder, bounds);
+}
+
 void companions_begin(const char *model_path)
 {
     const char *slash = strrchr(model_path, '/');
@@ -36,10 +50,7 @@ void companions_begin(const char *model_path)
     model.missing[0] = '\0';
     snprintf(model.path, sizeof model.path, "%s", model_path);
     snprintf(model.folder, sizeof model.folder, "%.*s", slash ? (int)(slash - model_path) + 1 : 0, model_path);
-    char *real = realpath(*model.folder ? model.folder : ".", NULL);
-    snprintf(model.real_folder, sizeof model.real_folder, "%s%s", real ? real : "",
-             real && strcmp(real, "/") == 0 ? "" : "/");
-    free(real);
+    real_folder(model.folder, model.real_folder);
 }
 
 bool companions_refused(struct error *err)
@@ -63,12 +74,33 @@ static void refuse(const char *name, struct error *err)
 
 /* Names ---------------------------------------------------------------------------------------- */
 
+/* What follows the folder; NULL: the path does not begin with it. */
+static const char *behind(const char *path, const char *folder)
+{
+    const size_t folder_b = strlen(folder);
+    return strncmp(path, folder, folder_b) == 0 ? path + folder_b : NULL;
+}
+
+/* How many folders the model's lies below the one that nothing may lead out of; 0 if that is the model's own. */
+static int depth_of_folder(void)
+{
+    const char *below = *bounds ? behind(model.real_folder, bounds) : NULL;
+    int depth = 0;
+    for (; below && *below; below++)
+        depth += *below == '/';
+    return depth;
+}
+
+/* Steps that go nowhere count as none, and `..` leads up from wherever it is: a name that goes up and comes back may
+ * lead out on the way. */
 static bool leads_out(const char *name)
 {
+    int depth = depth_of_folder();
     if (*name == '/') return true;
-    for (const char *part = name; part; part = strchr(part, '/')) {
-        part += *part == '/';
-        if (part[0] == '.' && part[1] == '.' && (part[2] == '/' || part[2] == '\0')) return true;
+    for (size_t length; *name; name += length + (name[length] == '/')) {
+        length = strcspn(name, "/");
+        const bool goes_up = length == 2 && name[0] == '.' && name[1] == '.';
+        if (goes_up && --depth < 0) return true;
     }
     return false;
 }
@@ -110,11 +142,12 @@ static bool decode_percent(char *name)
 
 static bool lies_in_folder(FILE *file)
 {
+    const char *folder = *bounds ? bounds : model.real_folder;
     char link[64], place[PATH_SIZE_B];
     snprintf(link, sizeof link, "/proc/self/fd/%d", fileno(file));
     const ssize_t length = readlink(link, place, sizeof place);
-    const size_t folder_b = strlen(model.real_folder);
-    return length > 0 && (size_t)length > folder_b && memcmp(place, model.real_folder, folder_b) == 0;
+    const size_t folder_b = strlen(folder);
+    return length > 0 && (size_t)length > folder_b && memcmp(place, folder, folder_b) == 0;
 }
 
 static FILE *open_name(const char *name, const char *said, size_t most_b, size_t *size_b, struct error *err)
@@ -138,13 +171,6 @@ static FILE *open_name(const char *name, const char *said, size_t most_b, size_t
     fclose(file);
     refuse(said, err);
     return NULL;
-}
-
-/* What follows the folder; NULL: the path does not begin with it. */
-static const char *behind(const char *path, const char *folder)
-{
-    const size_t folder_b = strlen(folder);
-    return strncmp(path, folder, folder_b) == 0 ? path + folder_b : NULL;
 }
 
 /* Whole paths into the model's folder are as good as names; libraries make such. Two slashes: Blender's word for it. */

@@ -10,6 +10,10 @@
 /* --trust-paths: `..`, absolute paths and links that lead elsewhere are followed. For all of the process. */
 void companions_trust(void);
 
+/* Paths are not trusted from here on, but `..` leads as far up as this folder, and links as well: a report's files,
+ * where none but them lie. */
+void companions_stay_in(const char *folder);
+
 /* A model is about to be read; nothing has been refused of it. */
 void companions_begin(const char *model_path);
 

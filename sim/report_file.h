@@ -25,6 +25,7 @@ enum {
 #define REPORT_CAMERAS_NAME "cameras.cam"
 #define REPORT_IDS_OPTION "--ids=faces.ids" /* what --ids becomes: faces keep their numbers with it */
 #define REPORT_SCENE_FOLDER "scene/"
+#define REPORT_UP_FOLDER "up/" /* what stands for each folder above the model's that a name of its leads to */
 
 struct report_file {
     char name[REPORT_NAME_B]; /* within the report */

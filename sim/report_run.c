@@ -6,6 +6,7 @@
 
 #include "child.h"
 #include "commands.h"
+#include "companion.h"
 #include "ending.h"
 
 #include <errno.h>
@@ -49,6 +50,7 @@ _Noreturn static void become(const struct report *report, const struct work_fold
         !redirect("/dev/null", O_RDWR, STDOUT_FILENO) ||
         !redirect(LOG_NAME, O_WRONLY | O_CREAT | O_TRUNC, STDERR_FILENO))
         _exit(EXIT_FAILURE);
+    companions_stay_in(REPORT_SCENE_FOLDER);
     exit(cmd_render(argc, argv));
 }
 

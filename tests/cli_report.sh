@@ -217,6 +217,48 @@ outside_of_the_folder() { # of the model, from which its picture is a step up
     fi
 }
 
+# Trusted, it names materials a step up, pictures two steps up, and one through a link: they lie in the report as they do
+# on disk, without the names of folders above, and whoever replays it need not trust it.
+trusted() {
+    mkdir -p "$work/top/some/deep" "$work/top/pictures" && cp "$BUILD"/scenes/textured/textured.* "$work/top/some/deep/" &&
+        cp "$BUILD"/scenes/textured/*.png "$BUILD"/scenes/textured/*.jpg "$work/top/pictures/" &&
+        mv "$work/top/pictures/rug.png" "$work/top/rug.png" && ln -s ../../rug.png "$work/top/some/deep/rug.png" || return 1
+    sed 's,^map_Kd ,&../../pictures/,; s,../../pictures/rug,rug,' "$work/top/some/deep/textured.mtl" >"$work/top/some/textured.mtl"
+    rm "$work/top/some/deep/textured.mtl"
+    sed -i 's,^mtllib ,&../,' "$work/top/some/deep/textured.obj"
+    "$limner" render "$work/top/some/deep/textured.obj" --trust-paths --size 32x24 --write-hashes "$work/top.hashes" &&
+        "$limner" render "$BUILD/scenes/textured/textured.obj" --size 32x24 --check "$work/top.hashes" || return 1
+    report_of trusted "$work/top/some/deep/textured.obj" --trust-paths --size 32x24 &&
+        holds trusted scene/up/up/textured.obj scene/up/textured.mtl scene/up/up/rug.png scene/pictures/boards.png \
+            scene/pictures/bricks.png scene/pictures/painting.jpg scene/pictures/wallpaper.png frames.hashes &&
+        tar -xOf "$work/made/trusted.tar" frames.hashes | cmp - "$work/top.hashes"
+}
+
+# Without trust it is refused, and so it is in the report.
+untrusted() {
+    report_of untrusted "$work/top/some/deep/textured.obj" --size 32x24 && holds untrusted scene/textured.obj &&
+        tar -xOf "$work/made/untrusted.tar" report.txt | grep "^outcome: refused .*it names '../textured.mtl'"
+}
+
+# A model below up/ may name what is in scene/, and nothing above.
+goes_too_far() { # NAME-IN-THE-MODEL
+    rm -rf "$work/changed" && mkdir "$work/changed" && tar -xf "$work/made/trusted.tar" -C "$work/changed" || return 1
+    sed "s,^mtllib .*,mtllib $1," "$work/changed/scene/up/up/textured.obj" >"$work/changed/obj" &&
+        mv "$work/changed/obj" "$work/changed/scene/up/up/textured.obj" && relist scene/up/up/textured.obj && pack_files &&
+        refused "it names '$1', which lies outside of its folder"
+}
+goes_nowhere_else() {
+    goes_too_far ../../../report.txt && goes_too_far ../../../../textured.mtl && goes_too_far ../../../scene/up/textured.mtl &&
+        goes_too_far /etc/passwd && goes_too_far ../../../../../../../etc/passwd
+}
+
+absolute() {
+    printf 'newmtl a\nmap_Kd %s\n' "$work/top/rug.png" >"$work/up/model/a.mtl"
+    ! "$limner" report-bug "$work/up/model/a.obj" --trust-paths --size 16x16 -o "$work/absolute.tar" >"$work/out" 2>"$work/err" &&
+        cat "$work/err" && [ "$(wc -l <"$work/err")" -eq 1 ] && [ ! -e "$work/absolute.tar" ] && leaves_nothing &&
+        grep -q 'top/rug.png: is not named by its way from the model' "$work/err"
+}
+
 mkfifo "$work/fifo.tar"
 tap_check "a report of a textured model is made, and replayed" textured
 tap_check "it holds what the model names" packs_what_it_names
@@ -226,6 +268,10 @@ tap_check "options are kept, and outputs left out" keeps_options
 tap_check "a scene that is refused is reported too" refusals
 tap_check "a command line that is wrong is no report" is_no_report_at_all
 tap_check "what lies outside of the model's folder is not packed" outside_of_the_folder
+tap_check "unless its paths are trusted: then all is packed, and replayed without trust" trusted
+tap_check "without trust the report says what render says" untrusted
+tap_check "in a report nothing leads out of its files" goes_nowhere_else
+tap_check "what has an absolute name is refused" absolute
 tap_check "a frame that differs is named" names_the_frame
 tap_check "a report can be written anew" accepts_what_is_drawn_now
 tap_check "forged options are refused" forged_options
