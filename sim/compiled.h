@@ -36,8 +36,9 @@ struct compile_options {
     bool wireframe;              /* for drawing as wireframe: edges that are not the model's are known */
     enum portals_wanted portals; /* whether to store what is seen from where; AUTO: if it pays */
     double near_m;               /* of the cameras that it is for; 0: lens_default_near_m() */
-    bool drop_small;             /* leave out what is too small for the grid, instead of refusing the model */
-    bool predict;                /* measure the wrong-pixel share for the report: takes a second or so */
+    double forced_near_m; /* of what moves: how near the scene's cameras may have their near plane, if no nearer */
+    bool drop_small;      /* leave out what is too small for the grid, instead of refusing the model */
+    bool predict;         /* measure the wrong-pixel share for the report: takes a second or so */
 };
 
 /* What portals would spare, or do. */

@@ -26,5 +26,5 @@ bool error_set(struct error *err, const char *format, ...)
 bool error_prefix(struct error *err, const char *thing)
 {
     struct error reason = *err;
-    return error_set(err, "%.255s: %.255s", thing, reason.text);
+    return error_set(err, "%.255s: %s", thing, reason.text);
 }

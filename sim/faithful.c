@@ -190,13 +190,14 @@ static struct judging judging_of(const struct mesh *mesh, const struct compile_o
                                  const struct compiled *scene)
 {
     const bool is_chosen = options->near_m > 0.0;
-    struct judging judging = {.original = mesh->original,
-                              .mesh = mesh,
-                              .scene = scene,
-                              .has_fractions = is_exact(options),
-                              .seen_m =
-                                  FAITHFUL_PIXEL * (is_chosen ? options->near_m : lens_default_near_m(&mesh->grid)),
-                              .cut_m = is_chosen || options->drop_small ? 0.0 : lens_forced_near_m(&mesh->grid)};
+    const double forced_m = fmax(options->forced_near_m, lens_forced_near_m(&mesh->grid));
+    struct judging judging = {
+        .original = mesh->original,
+        .mesh = mesh,
+        .scene = scene,
+        .has_fractions = is_exact(options),
+        .seen_m = FAITHFUL_PIXEL * (is_chosen ? options->near_m : fmax(forced_m, lens_default_near_m(&mesh->grid))),
+        .cut_m = is_chosen || options->drop_small ? 0.0 : forced_m};
     if (!scene) return judging;
     judging.planes = grow_zeroed(mesh->counts.faces + 1, sizeof *judging.planes);
     note_planes(&judging);
@@ -266,7 +267,7 @@ static bool refuse(const struct mesh *mesh, const struct compile_options *option
                          "face %s%s: %zu of %zu faces are smaller than the distance within which nothing is drawn on a "
                          "grid with units of %.3g m; split the model into several scenes, or give --near %.3g",
                          names, more, count, original->seen_count, unit_m,
-                         lens_forced_near_m(&mesh->grid) * LENS_PRINTED_UP);
+                         fmax(options->forced_near_m, lens_forced_near_m(&mesh->grid)) * LENS_PRINTED_UP);
     return error_set(err,
                      "face %s%s: %zu of %zu faces would vanish or move too far on a grid with units of %.3g m; "
                      "split the model into several scenes, enlarge what is small, leave it out by --drop-small%s",

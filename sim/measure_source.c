@@ -4,6 +4,7 @@
  * faces before any are merged, and every point of the mesh can be found by its place on the grid. */
 #include "measure.h"
 
+#include "deadline.h"
 #include "faithful.h"
 #include "grow.h"
 #include "light.h"
@@ -79,6 +80,16 @@ static bool read_mesh(struct measure_source *source, const struct model *model, 
     return true;
 }
 
+/* What is known of movers while frames are compared hangs on no precision; the scene itself is compiled for each. So
+ * the one that loses the least does where fast is refused. */
+static bool compile_still(struct measure_source *source, const struct compile_options *options, struct error *err)
+{
+    struct compile_options exact = *options;
+    exact.core = &core_exact;
+    return moving_compile_own(source->path, options, MOVING_CLIPPED, &source->still, err) ||
+           (!deadline_passed() && moving_compile_own(source->path, &exact, MOVING_CLIPPED, &source->still, err));
+}
+
 bool measure_source_read(struct measure_source *source, const char *model_path, const struct compile_options *options,
                          unsigned w_px, unsigned h_px, struct error *err)
 {
@@ -92,8 +103,7 @@ bool measure_source_read(struct measure_source *source, const char *model_path, 
     if (ok && !options->unlit) light_bake(&model);
     if (ok && !moves) ok = read_mesh(source, &model, options, w_px, h_px, err) || error_prefix(err, model_path);
     if (ok && moves)
-        ok = moving_compile_own(model_path, options, MOVING_CLIPPED, &source->still, err) &&
-             source_take(model_path, &source->still.moving->model, err) &&
+        ok = compile_still(source, options, err) && source_take(model_path, &source->still.moving->model, err) &&
              (read_moving(source, options, w_px, h_px, err) || error_prefix(err, model_path));
     model_free(&model);
     if (!ok) measure_source_free(source);
@@ -166,6 +176,14 @@ bool measure_source_compile(const struct measure_source *source, const struct co
     return moving_compile_own(source->path, options, MOVING_CLIPPED, scene, err);
 }
 
+/* What moves is named with the model's path in front, which whoever asks for a scene knows. */
+static void cut_path(char *text, const char *path)
+{
+    const size_t path_b = strlen(path);
+    if (strncmp(text, path, path_b) == 0 && strncmp(text + path_b, ": ", 2) == 0)
+        memmove(text, text + path_b + 2, strlen(text + path_b + 2) + 1);
+}
+
 bool measure_scene_for(struct measure_scenes *scenes, const struct measure_source *source, const struct core *core,
                        const struct compile_options *options, const struct compiled **out, struct error *err)
 {
@@ -180,6 +198,7 @@ bool measure_scene_for(struct measure_scenes *scenes, const struct measure_sourc
         *refused->text = '\0';
         return true;
     }
+    cut_path(refused->text, source->path);
     *err = *refused;
     return false;
 }

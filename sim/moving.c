@@ -3,11 +3,13 @@
  * The static part chooses the grid. An object's origin is that of its node, about which the animation turns it. */
 #include "moving.h"
 
+#include "camera_path.h"
 #include "grow.h"
 #include "light.h"
 #include "model_part.h"
 #include "pools.h"
 #include "pose.h"
+#include "predict.h"
 #include "reference.h"
 #include "simulator.h"
 #include "source.h"
@@ -108,6 +110,7 @@ static bool compile_object(struct moving *moving, size_t index, const struct gri
     uint32_t *numbers;
     struct grid grid;
     own.predict = false;
+    own.forced_near_m = lens_forced_near_m(scene_grid);
     own.method = &methods[0];
     own.tree = TREE_BSP;
     own.portals = PORTALS_OFF;
@@ -130,18 +133,31 @@ static bool compile_object(struct moving *moving, size_t index, const struct gri
     return ok;
 }
 
+static struct note *add_note(struct compile_report *report)
+{
+    size_t capacity = report->note_count;
+    report->notes = grow(report->notes, report->note_count, &capacity, sizeof *report->notes);
+    return &report->notes[report->note_count++];
+}
+
+static void note_left_out(const struct moving_object *object, struct compile_report *report)
+{
+    const struct compile_report *own = &object->scene.report;
+    if (own->left_out)
+        snprintf(add_note(report)->text, sizeof report->notes->text,
+                 "object '%s': --drop-small left out %zu of %zu faces, too small for the grid", object->name,
+                 own->left_out, own->mesh.faces);
+}
+
 /* What moves has the mean colours of its pictures. */
 static void note_textured(const struct model *model, size_t index, struct compile_report *report)
 {
     bool textured = false;
     for (size_t i = 0; i < model->face_count; i++)
         textured |= model->faces[i].mover == index + 1 && model->faces[i].picture;
-    if (!textured) return;
-    size_t capacity = report->note_count;
-    report->notes = grow(report->notes, report->note_count, &capacity, sizeof *report->notes);
-    struct note *note = &report->notes[report->note_count++];
-    snprintf(note->text, sizeof note->text, "object '%s': textures are not drawn on what moves",
-             model->movers[index].name);
+    if (textured)
+        snprintf(add_note(report)->text, sizeof report->notes->text,
+                 "object '%s': textures are not drawn on what moves", model->movers[index].name);
 }
 
 static void limits_set(struct moving *moving)
@@ -164,6 +180,34 @@ static bool draws_no_movers(enum lim_method draws)
     return draws != LIM_NEAREST_FIRST && draws != LIM_PAINTER;
 }
 
+/* Face numbers of all parts together have 16 bits where something moves. */
+static bool has_numbers(const struct moving *moving, const struct compiled *scene)
+{
+    size_t polygons = scene->scene.polygon_count;
+    for (size_t i = 0; i < moving->count; i++)
+        polygons += moving->objects[i].scene.scene.polygon_count;
+    return polygons <= UINT16_MAX;
+}
+
+static bool predict_parts(struct moving *moving, const struct core *core, struct compiled *scene, struct error *err)
+{
+    struct reference reference = {0};
+    uint32_t *groups = NULL;
+    if (!has_numbers(moving, scene)) {
+        snprintf(add_note(&scene->report)->text, sizeof scene->report.notes->text,
+                 "wrong pixels are not predicted: scene and objects have more than 65535 polygons");
+        return true;
+    }
+    scene->moving = moving;
+    const bool ok = moving_groups(moving, &groups, err) &&
+                    moving_reference(moving, &reference, PREDICT_SIDE_PX, PREDICT_SIDE_PX, err) &&
+                    predict_wrong(scene, core, &reference, groups, &scene->report.wrong, err);
+    scene->moving = NULL; /* the caller's */
+    reference_free(&reference);
+    free(groups);
+    return ok;
+}
+
 static bool compile_parts(struct moving *moving, const struct compile_options *options, enum moving_mode mode,
                           struct compiled *scene, struct error *err)
 {
@@ -172,6 +216,7 @@ static bool compile_parts(struct moving *moving, const struct compile_options *o
     uint32_t *numbers;
     if (!own.method) own.method = &methods[0]; /* nearest first */
     if (own.tree == TREE_AUTO) own.tree = TREE_BSP;
+    own.predict = false; /* all parts together are */
     model_part(&moving->model, 0, &part, &numbers);
     bool ok =
         part.face_count || error_set(err, "everything in it is animated; objects move in a scene that stands still");
@@ -186,11 +231,13 @@ static bool compile_parts(struct moving *moving, const struct compile_options *o
     for (size_t i = 0; ok && i < moving->count; i++) {
         note_textured(&moving->model, i, &scene->report);
         ok = compile_object(moving, i, &scene->grid, options, mode, err);
+        if (ok) note_left_out(&moving->objects[i], &scene->report);
     }
     if (!ok) return false;
     limits_set(moving);
     return draws_no_movers(own.method->draws) ||
-           pools_measure_moving(scene, moving, options->core, scene->report.w_px, scene->report.h_px, err);
+           (pools_measure_moving(scene, moving, options->core, scene->report.w_px, scene->report.h_px, err) &&
+            (!options->predict || predict_parts(moving, options->core, scene, err)));
 }
 
 static void stop_movers(struct moving *moving)

@@ -6,6 +6,7 @@
 #include "compare.h"
 #include "deadline.h"
 #include "ids.h"
+#include "moving.h"
 #include "progress.h"
 #include "sample.h"
 
@@ -19,8 +20,19 @@ struct predicting {
     struct reference *reference;
     const uint32_t *groups;
     struct lens lens;
-    int done; /* cameras, for the bar */
+    size_t done; /* cameras */
 };
+
+/* Frame by frame through all of the animation. */
+static double pose_movers(struct predicting *predicting)
+{
+    struct moving *moving = predicting->scene->moving;
+    if (!moving) return 0.0;
+    const double time_s = moving_time_s(moving, predicting->done, PREDICT_CAMERAS);
+    moving_pose(moving, time_s);
+    moving_pose_reference(moving, predicting->reference, time_s);
+    return time_s;
+}
 
 static bool compare_views(struct predicting *predicting, bool near, int count, struct comparison *sum,
                           struct error *err)
@@ -33,7 +45,8 @@ static bool compare_views(struct predicting *predicting, bool near, int count, s
         struct viewpoint viewpoint;
         struct lim_camera camera;
         const struct camera_path path = {"sampled cameras", &viewpoint, 1};
-        progress_bar((size_t)predicting->done++, PREDICT_CAMERAS, "comparing with the reference");
+        progress_bar(predicting->done++, PREDICT_CAMERAS, "comparing with the reference");
+        sampler.time_s = pose_movers(predicting);
         if (!(near ? sampler_near(&sampler, &viewpoint) : sampler_anywhere(&sampler, &viewpoint))) return true;
         if (!camera_path_to_camera(&path, 0, &predicting->lens, grid, &camera, err)) continue;
         if (!ids_frame(&predicting->ids, &camera, err)) return false;
@@ -56,7 +69,8 @@ bool predict_wrong(const struct compiled *scene, const struct core *core, struct
 
     if (!lens_for_grid(&predicting.lens, 60, scene->report.near_m, &scene->grid, PREDICT_SIDE_PX, PREDICT_SIDE_PX,
                        err) ||
-        !ids_init(&predicting.ids, scene, &setup, err))
+        !ids_init(&predicting.ids, scene, &setup, err) ||
+        (scene->moving && !ids_set_movers(&predicting.ids, scene->moving, err)))
         return false;
     const struct deadline_end whole = deadline_share(SHARE);
     const bool ok = compare_views(&predicting, false, PREDICT_CAMERAS - near_count, &anywhere, err) &&

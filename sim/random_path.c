@@ -3,6 +3,7 @@
  * Each camera is drawn on its own. */
 #include "random_path.h"
 
+#include "moving.h"
 #include "sample.h"
 
 #include <stdlib.h>
@@ -21,6 +22,7 @@ static bool draw_path(const struct compiled *scene, const struct lens *near, con
     if (near) sampler.near_m = near->near_m;
     for (; ok && out->count < count; out->count += ok) {
         struct viewpoint *viewpoint = &out->frames[out->count];
+        if (scene->moving) sampler.time_s = moving_time_s(scene->moving, out->count, count);
         ok = (near ? sampler_near(&sampler, viewpoint) : sampler_anywhere(&sampler, viewpoint)) ||
              error_set(err, "%s: the scene has no free space", name);
         viewpoint->line = out->count + 1;

@@ -4,7 +4,9 @@
 #include "sample.h"
 
 #include "free_space.h"
+#include "moving.h"
 #include "original.h"
+#include "pose.h"
 #include "vec3.h"
 
 #include <math.h>
@@ -138,22 +140,35 @@ static const struct original_face *random_face(struct sampler *sampler, const st
     return &original->faces[original->by_size[chosen < end ? chosen : first]];
 }
 
+/* Whose faces are looked at, and where they are. */
+static const struct original *random_thing(struct sampler *sampler, struct model_pose *pose)
+{
+    const struct moving *moving = sampler->scene->moving;
+    *pose = (struct model_pose){.turn = {0, 0, 0, 1}};
+    if (!moving || random_unit(sampler) < 0.5) return sampler->scene->original;
+    const size_t i = (size_t)(random_unit(sampler) * (double)moving->count);
+    *pose = pose_at(&moving->model, &moving->model.movers[i], sampler->time_s);
+    return moving->objects[i].scene.original;
+}
+
 bool sampler_near(struct sampler *sampler, struct viewpoint *out)
 {
-    const struct original *original = sampler->scene->original;
     const struct grid *grid = &sampler->scene->grid;
     const double least_m = fmax(2.0 * sampler->near_m, APART_UNITS / 256.0 / grid->units_per_m);
-    if (!original || !original->seen_count) return false;
     for (int i = 0; i < TRIES; i++) {
+        struct model_pose pose;
+        const struct original *original = random_thing(sampler, &pose);
+        if (!original || !original->seen_count) return false;
         const struct original_face *face = random_face(sampler, original);
         const double away_m = fmax(face->size_m * (1.0 + 3.0 * random_unit(sampler)), least_m);
         double way[3];
         const double length = random_way(sampler, way), side = vec3_dot(way, face->normal) < 0.0 ? -1.0 : 1.0;
         *out = (struct viewpoint){.line = 1};
-        for (int k = 0; k < 3; k++) {
-            out->target_m[k] = face->centre_m[k];
-            out->eye_m[k] = face->centre_m[k] + side * way[k] / length * away_m;
-        }
+        double eye_m[3];
+        for (int k = 0; k < 3; k++)
+            eye_m[k] = face->centre_m[k] + side * way[k] / length * away_m;
+        pose_leave(&pose, face->centre_m, out->target_m);
+        pose_leave(&pose, eye_m, out->eye_m);
         if (free_space_holds(sampler->scene, out->eye_m)) return true;
     }
     return false;

@@ -13,6 +13,7 @@ struct sampler {
     uint64_t state;             /* of the random numbers */
     double low_m[3], high_m[3]; /* bounds of the scene */
     double near_m;              /* of the lens; the default by default */
+    double time_s;              /* at which scene->moving is where sampler_near() looks at it */
 };
 
 /* The scene must outlive the sampler and have polygons. */
@@ -30,7 +31,8 @@ bool sampler_portrait(struct sampler *sampler, struct viewpoint *out);
 /* An eye in front of a face of the model, from once to four times as far away as the face's surface patch is large, but
  * never so near that the near plane is in between; it looks at the face. Patches of all sizes have the same chance, by
  * the logarithm: of what is small as many are seen as of what is large, however few they are. What the scene has lost
- * is looked at, too. False: no free space is found there, or scene->original is not known. */
+ * is looked at, too. Half of the eyes look at something that moves in the scene, if anything does, where it is at the
+ * sampler's time. False: no free space is found there, or scene->original is not known. */
 bool sampler_near(struct sampler *sampler, struct viewpoint *out);
 
 /* Other random numbers than those that sampler_init() begins with, which the compiler tunes on. */

@@ -174,6 +174,44 @@ tap_check "objects and motions are written as C, which compiles" compiles
 tap_check "what each object takes is reported, and what all do" is_reported
 tap_check "without movers there is nothing to report" still_is_not
 tap_check "a light is written where it is asked for" lit_says_so
+# What is predicted is measured with other random cameras, half of them near what stands still or moves.
+predicted() { # [OPTION...]
+    "$BUILD/limner" compile $model --report "$@" >"$work/said" || return 1
+    awk '/wrong pixels, predicted/ { print $4 }' "$work/said"
+}
+predicted_is_measured() { # PROFILE
+    expected=$(predicted --precision "$1") || return 1
+    for kind in random near; do
+        "$BUILD/limner" measure $model --no-cost --precision "$1" --camera $kind:5:24 >"$work/$kind" || return 1
+    done
+    awk -F ' *[|] *' -v profile="$1" -v predicted="$expected" '$2 == profile { measured += $4 / 2 }
+        END { print predicted, measured; exit !(measured > 0 && predicted <= 2 * measured && measured <= 2 * predicted) }' \
+        "$work/random" "$work/near"
+}
+prediction_sees_movers() { # entered by their centres they are wrong
+    clipped=$(predicted) && centre=$(predicted --movers centre) && echo "$clipped $centre" &&
+        awk -v clipped="$clipped" -v centre="$centre" 'BEGIN { exit !(clipped > 0 && centre > 20 * clipped) }'
+}
+tap_check "what is predicted of movers is measured, draft" predicted_is_measured draft
+tap_check "and fast" predicted_is_measured fast
+tap_check "the prediction sees what moves" prediction_sees_movers
+
+# All that stands still becomes larger, and the grid coarser.
+around() { changed "s/{\"mesh\": \([0-8]\)},/{\"mesh\": \1, \"scale\": [$1, $1, $1]},/"; }
+small_is_refused() { around 1000 && refused "node 'bar': face 193 [(]0\.3 m[)], .* of 12 faces would vanish or move too far" "$work/changed.gltf"; }
+cut_is_refused() { refused "node 'bar': .* smaller than the distance within which nothing is drawn" "$work/changed.gltf" --precision exact; }
+exact_is_chosen() {
+    "$BUILD/limner" compile "$work/changed.gltf" --report --near 0.5 --max-error 1 --size 32x32 >"$work/said" &&
+        says '^exact .* chosen$' && says "^draft, .*: refused: node 'bar': face"
+}
+dropped_is_said() { # all of one object cannot be
+    around 700 && "$BUILD/limner" compile "$work/changed.gltf" --report --drop-small --near 0.3 >"$work/said" &&
+        says "object 'bar': --drop-small left out [0-9]* of 12 faces, too small for the grid"
+}
+tap_check "a mover too small for the grid of a wide scene is refused by name" small_is_refused
+tap_check "and one that its near plane would cut away" cut_is_refused
+tap_check "each precision is judged by itself" exact_is_chosen
+tap_check "what is left out of an object is said" dropped_is_said
 tap_check "an animation that scales is refused" refused_changed \
     "node 'ball': its animation scales it; only rigid motion can be drawn" '/"sampler": 0,/s/translation/scale/'
 tap_check "a sheared mover is refused" refused_changed \
