@@ -216,7 +216,8 @@ uint8_t *faithful_judge(const struct mesh *mesh, const struct compile_options *o
 
 /* Refusing ----------------------------------------------------------------------------------- */
 
-/* Whether fractions of units would do. A plane that is not known may be off by the tolerance. */
+/* Whether fractions of units would do: not for what the near plane cuts away, in any precision. A plane that is not
+ * known may be off by the tolerance. */
 static bool exact_helps(const struct mesh *mesh, const struct compile_options *options, const struct compiled *scene,
                         const uint8_t *faults)
 {
@@ -225,7 +226,8 @@ static bool exact_helps(const struct mesh *mesh, const struct compile_options *o
     for (size_t i = 0; i < mesh->original->face_count && helps; i++) {
         const struct original_face *face = &mesh->original->faces[i];
         const double size_units = face->size_m * mesh->grid.units_per_m;
-        if (!faults[i]) continue;
+        helps = !face->count || face->size_m < judging.seen_m || face->size_m >= judging.cut_m;
+        if (!faults[i] || !helps) continue;
         const struct lim_plane_ref *plane = scene ? plane_of(&judging, i) : NULL;
         const double off = plane ? plane_off(&judging, face, plane) : options->tolerance_units;
         helps = corners_moved(&judging, face, true) <= FAITHFUL_SHARE * size_units &&
@@ -235,17 +237,19 @@ static bool exact_helps(const struct mesh *mesh, const struct compile_options *o
     return helps;
 }
 
-/* The smallest come first. Returns how many there are; *worst is what became of the worst of them. */
+/* The smallest come first; what the near plane cuts away only if nothing is worse. Returns how many there are, and sets
+ * *worst to what became of the worst of them. */
 static size_t name_faults(const struct original *original, const uint8_t *faults, char *names, size_t names_b,
                           uint8_t *worst)
 {
     size_t count = 0, length = 0;
     *worst = FAITHFUL_KEPT;
+    for (size_t i = 0; i < original->face_count; i++)
+        if (faults[i] > *worst) *worst = faults[i];
     for (size_t i = 0; i < original->seen_count; i++) {
         const struct original_face *face = &original->faces[original->by_size[i]];
         const uint8_t fault = faults[original->by_size[i]];
-        if (!fault) continue;
-        if (fault > *worst) *worst = fault;
+        if (!fault || (fault == FAITHFUL_CUT && *worst != FAITHFUL_CUT)) continue;
         if (count++ < NAMED)
             length += (size_t)snprintf(names + length, names_b - length, "%s%lu (%.3g m)", count > 1 ? ", " : "",
                                        (unsigned long)face->number, face->size_m);

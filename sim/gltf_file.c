@@ -46,8 +46,8 @@ bool gltf_file_read(const char *path, struct gltf_file *out, struct error *err)
     *out = (struct gltf_file){0};
     if (!whole_file_read(path, &out->file, err)) return false;
     find_parts(out, &text, &text_b);
-    if (text_b >= 3 && memcmp(text, "\xEF\xBB\xBF", 3) == 0) text += 3, text_b -= 3;
-    out->root = json_loadb(text, text_b, JSON_DISABLE_EOF_CHECK, &reason);
+    const size_t mark_b = whole_file_mark_b(text, text_b) == WHOLE_FILE_UTF8_B ? WHOLE_FILE_UTF8_B : 0;
+    out->root = json_loadb(text + mark_b, text_b - mark_b, JSON_DISABLE_EOF_CHECK, &reason);
     if (out->root) return true;
     gltf_file_free(out);
     return error_set(err, "%s:%d: %s", path, reason.line, reason.text);

@@ -8,6 +8,7 @@
 #include "binary.h"
 #include "input_file.h"
 #include "model_io.h"
+#include "whole_file.h"
 
 #include <ctype.h>
 #include <stdio.h>
@@ -237,12 +238,6 @@ static bool stl_is_whole(const char *path, const struct binary *file, struct err
            error_set(err, "%s: truncated: it ends within triangle %zu of %lu", path, there + 1, (unsigned long)count);
 }
 
-/* By its first two bytes, a byte order mark. */
-static bool is_utf16(const char *text, size_t size_b)
-{
-    return size_b >= 2 && ((text[0] == '\xFF' && text[1] == '\xFE') || (text[0] == '\xFE' && text[1] == '\xFF'));
-}
-
 bool model_text_fits(const char *path, const char *text, size_t size_b, struct error *err)
 {
     size_t line_b = 0, longest_b = 0;
@@ -250,7 +245,8 @@ bool model_text_fits(const char *path, const char *text, size_t size_b, struct e
         line_b = text[i] == '\n' || text[i] == '\r' ? 0 : line_b + 1;
         if (line_b > longest_b) longest_b = line_b;
     }
-    if (!is_utf16(text, size_b) && memchr(text, 0, size_b)) return error_set(err, "%s: a NUL byte in a text", path);
+    if (whole_file_mark_b(text, size_b) != WHOLE_FILE_UTF16 && memchr(text, 0, size_b))
+        return error_set(err, "%s: a NUL byte in a text", path);
     return longest_b <= LONGEST_LINE_B || error_set(err, "%s: a line is longer than %d bytes", path, LONGEST_LINE_B);
 }
 

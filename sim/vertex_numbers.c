@@ -18,14 +18,6 @@ static bool (*format_of(const char *path))(struct numbering *)
     return NULL;
 }
 
-/* Bytes in front of UTF-8 that say so. UTF-16 (-1) is left to the library. */
-static int byte_order_mark(const struct whole_file *file)
-{
-    const unsigned char *bytes = (const unsigned char *)file->bytes;
-    if (file->size_b >= 3 && bytes[0] == 0xEF && bytes[1] == 0xBB && bytes[2] == 0xBF) return 3;
-    return file->size_b >= 2 && (bytes[0] ^ bytes[1]) == 1 && bytes[0] >= 0xFE ? -1 : 0;
-}
-
 bool vertex_numbers_make(const char *path, struct vertex_numbers *out, struct error *err)
 {
     bool (*number)(struct numbering *) = format_of(path);
@@ -33,10 +25,14 @@ bool vertex_numbers_make(const char *path, struct vertex_numbers *out, struct er
     *out = (struct vertex_numbers){0};
     if (!number) return true;
     if (!whole_file_read(path, &file, err)) return false;
-    const int mark_b = byte_order_mark(&file);
-    struct numbering work = {
-        .path = path, .at = file.bytes + mark_b, .end = file.bytes + file.size_b, .line = 1, .err = err};
-    const bool ok = mark_b < 0 || number(&work);
+    const int mark_b = whole_file_mark_b(file.bytes, file.size_b);
+    const bool is_left = mark_b == WHOLE_FILE_UTF16;
+    struct numbering work = {.path = path,
+                             .at = file.bytes + (is_left ? 0 : mark_b),
+                             .end = file.bytes + file.size_b,
+                             .line = 1,
+                             .err = err};
+    const bool ok = is_left || number(&work);
     if (ok && work.table.count) {
         numbering_write(&work, "", 1);
         *out = (struct vertex_numbers){{work.out, work.out_b - 1}, work.table, work.is_float32};

@@ -37,6 +37,12 @@ void whole_file_free(struct whole_file *file)
     *file = (struct whole_file){0};
 }
 
+int whole_file_mark_b(const char *text, size_t size_b)
+{
+    if (size_b >= WHOLE_FILE_UTF8_B && memcmp(text, "\xEF\xBB\xBF", WHOLE_FILE_UTF8_B) == 0) return WHOLE_FILE_UTF8_B;
+    return size_b >= 2 && (memcmp(text, "\xFF\xFE", 2) == 0 || memcmp(text, "\xFE\xFF", 2) == 0) ? WHOLE_FILE_UTF16 : 0;
+}
+
 bool path_has_suffix(const char *path, const char *suffix)
 {
     const size_t length = strlen(path), suffix_length = strlen(suffix);

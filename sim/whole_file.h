@@ -17,6 +17,10 @@ struct whole_file {
 bool whole_file_read(const char *path, struct whole_file *out, struct error *err);
 void whole_file_free(struct whole_file *file);
 
+/* How many bytes in front of a text say that it is UTF-8; or that it is UTF-16, which is left to libraries. */
+enum { WHOLE_FILE_UTF8_B = 3, WHOLE_FILE_UTF16 = -1 };
+int whole_file_mark_b(const char *text, size_t size_b);
+
 /* Whether a path ends like that, in capitals or not; the suffix has its dot. */
 bool path_has_suffix(const char *path, const char *suffix);
 
