@@ -10,9 +10,9 @@
  *
  * It ends. A split is made only by a plane on both sides of which the polygon has corners, and its pieces are never
  * split by that plane again: there are as many splits at most as the planes allow, and never more than there is
- * room. Between two splits an entry leaves the list, or one more of those in it is swapped, or nothing can be
- * done and the entry leaves all the same; a division takes its divider out. And comparisons are counted: when there
- * are none left, the list is painted as it is. */
+ * room. Between two splits an entry leaves the list, or one more of those in it is swapped; where neither can be
+ * done the list is divided, and a division takes its divider out; without room the entry leaves all the same. And
+ * comparisons are counted: when there are none left, the list is painted as it is. */
 #include "order.h"
 
 #include "piece.h"
@@ -112,11 +112,11 @@ static bool passes(struct lim *lim, struct couple *couple, enum lim_newell_test 
 
     if (test == LIM_TEST_X) return p->x1 <= q->x0 || q->x1 <= p->x0;
     if (test == LIM_TEST_Y) return p->y1 <= q->y0 || q->y1 <= p->y0;
-    if (test == LIM_TEST_APART) return !lim_piece_overlap(lim, couple->p, couple->q);
+    if (test == LIM_TEST_APART) return !lim_piece_overlaps(lim, couple->p, couple->q, LIM_SIDE_BOTH);
     look_at_planes(lim, couple);
     const bool both = couple->p_sides == LIM_SIDE_BOTH && couple->q_sides == LIM_SIDE_BOTH;
-    if (test == LIM_TEST_P_PART) return both && !lim_piece_part_overlaps(lim, couple->p, couple->q, true);
-    if (test == LIM_TEST_P_REST) return both && !lim_piece_part_overlaps(lim, couple->p, couple->q, false);
+    if (test == LIM_TEST_P_PART) return both && !lim_piece_overlaps(lim, couple->p, couple->q, LIM_SIDE_FRONT);
+    if (test == LIM_TEST_P_REST) return both && !lim_piece_overlaps(lim, couple->p, couple->q, LIM_SIDE_BACK);
     if (test == LIM_TEST_P_BEHIND) return !(couple->p_sides & LIM_SIDE_FRONT);
     if (test == LIM_TEST_Q_IN_FRONT) return !(couple->q_sides & LIM_SIDE_BACK);
     if (test == LIM_TEST_Q_BEHIND) return !(couple->q_sides & LIM_SIDE_FRONT);
@@ -245,7 +245,8 @@ static bool split_circle(struct lim *lim, uint16_t last)
     }
 }
 
-/* P must not go before Q: Q goes first, or something is split. false: neither. */
+/* P must not go before Q: Q goes first, or something is split. false: neither; there is no room, or a piece would have
+ * too many corners, or what waits in a circle does so by no more than rounding explains. */
 static bool resolve(struct lim *lim, struct couple *couple)
 {
     const bool in_circle = polygon_of(lim, couple->q)->swapped;
@@ -260,14 +261,6 @@ static bool resolve(struct lim *lim, struct couple *couple)
         }
     }
     return split_couple(lim, couple) || (in_circle && split_circle(lim, couple->q));
-}
-
-/* Why resolve() could not. */
-static enum lim_forced reason_of(struct lim *lim, const struct couple *couple)
-{
-    if (!lim->sorter.newell.left) return LIM_FORCED_EFFORT;
-    if (!lim_piece_has_room(lim)) return LIM_FORCED_ROOM;
-    return couple->p_sides == LIM_SIDE_BOTH || couple->q_sides == LIM_SIDE_BOTH ? LIM_FORCED_CORNERS : LIM_FORCED_TIE;
 }
 
 /* The first entry of a list is painted next. */
@@ -288,7 +281,8 @@ static bool may_compare(const struct lim *lim, uint32_t pause)
     return left && (left > pause || !lim_piece_has_room(lim));
 }
 
-/* Orders a part until comparing has to pause. Returns the nearest of what is ordered; the others stay in the list. */
+/* Orders a part until comparing has to pause, or decides nothing: a plane that divides it does. Returns the nearest of
+ * what is ordered; the others stay in the list. */
 static uint16_t order_part(struct lim *lim, uint16_t nearest, uint32_t pause)
 {
     struct lim_sorter *sorter = &lim->sorter;
@@ -297,7 +291,8 @@ static uint16_t order_part(struct lim *lim, uint16_t nearest, uint32_t pause)
         struct couple couple = {.p = sorter->first};
         if (find_obstacle(lim, &couple)) {
             if (resolve(lim, &couple)) continue;
-            note_forced(lim, reason_of(lim, &couple), 1);
+            if (!sorter->newell.left || lim_piece_has_room(lim)) break;
+            note_forced(lim, LIM_FORCED_ROOM, 1);
         }
         nearest = emit(lim, &sorter->first, nearest);
     }

@@ -228,21 +228,6 @@ static LIM_RARE bool project_corners(const struct lim *lim, const struct lim_cor
     return out->n >= 3;
 }
 
-static bool project_piece(const struct lim *lim, uint16_t entry, struct lim_screen_polygon *out)
-{
-    struct lim_corners places[2];
-    const struct lim_corners *corners = lim_corners_of(lim, entry, places);
-
-    return corners && project_corners(lim, corners, out);
-}
-
-static bool project(struct lim *lim, uint16_t entry, const struct lim_rect *open, struct lim_screen_polygon *out)
-{
-    if (lim->sorter.newell.polygons[entry].cuts != LIM_NONE) return project_piece(lim, entry, out);
-    return lim_project(out, lim_entry_view(lim, entry), lim_entry_scene(lim, entry), lim_entry_record(lim, entry), open,
-                       NULL);
-}
-
 static uint16_t greater(uint16_t a, uint16_t b)
 {
     return a > b ? a : b;
@@ -259,44 +244,64 @@ static struct lim_rect intersection(const struct lim_rect *a, const struct lim_r
                              smaller(a->y1, b->y1)};
 }
 
-/* Whether an edge of `a` has all of `b` on its outer side, or on it. y points down and corners run counter-clockwise
- * as seen: the inner side is the negative one. */
+/* How far `at` is on the outer side of the edge that goes from `from` by (dx, dy), times its length. y points down and
+ * corners run counter-clockwise as seen: the inner side is the negative one. */
+static int64_t outside(const struct lim_point *from, int32_t dx, int32_t dy, const struct lim_point *at)
+{
+    return (int64_t)dx * ((int32_t)at->y - from->y) - (int64_t)dy * ((int32_t)at->x - from->x);
+}
+
+/* Whether an edge of `a` has all of `b` on its outer side, or on it, and `a` on the inner one. Corners that all but
+ * coincide are rounded one by one: the edge between them may have any direction, and is none of `a` as a whole. One of
+ * them may also stick out of a long edge, by less than a sub-pixel. */
 static bool parts(const struct lim_screen_polygon *a, const struct lim_screen_polygon *b)
 {
     struct lim_point from = a->at[a->n - 1];
 
     for (uint_fast8_t k = 0; k < a->n; from = a->at[k++]) {
         const int32_t dx = (int32_t)a->at[k].x - from.x, dy = (int32_t)a->at[k].y - from.y;
-        uint_fast8_t i = 0;
-        if (!dx && !dy) continue;
-        while (i < b->n && (int64_t)dx * ((int32_t)b->at[i].y - from.y) >= (int64_t)dy * ((int32_t)b->at[i].x - from.x))
+        const int64_t sub_pixel = (int64_t)abs_s32(dx) + abs_s32(dy);
+        uint_fast8_t i = 0, j = 0;
+        if (!sub_pixel) continue;
+        while (i < b->n && outside(&from, dx, dy, &b->at[i]) >= 0)
             i++;
-        if (i == b->n) return true;
+        if (i < b->n) continue;
+        while (j < a->n && outside(&from, dx, dy, &a->at[j]) <= sub_pixel)
+            j++;
+        if (j == a->n) return true;
     }
     return false;
 }
 
-bool lim_piece_overlap(struct lim *lim, uint16_t a, uint16_t b)
+/* Of entry `of` what lies on one side of the plane of `by`, or all. */
+static bool project(struct lim *lim, uint16_t of, uint16_t by, uint8_t part, const struct lim_rect *open,
+                    struct lim_screen_polygon *out)
 {
     const struct lim_newell_polygon *polygons = lim->sorter.newell.polygons;
-    const struct lim_rect both = intersection(&polygons[a].rect, &polygons[b].rect);
-    struct lim_screen_polygon first, second;
+    struct lim_corners places[2];
+    const struct lim_corners *corners;
+    struct lim_plane_wide plane;
 
-    if (!project(lim, a, &both, &first) || !project(lim, b, &both, &second)) return false;
-    return !parts(&first, &second) && !parts(&second, &first);
+    if (part == LIM_SIDE_BOTH && polygons[of].cuts == LIM_NONE)
+        return lim_project(out, lim_entry_view(lim, of), lim_entry_scene(lim, of), lim_entry_record(lim, of), open,
+                           NULL);
+    if (part == LIM_SIDE_BOTH) {
+        corners = lim_corners_of(lim, of, places);
+    } else {
+        lim_plane_load(&plane, lim, by);
+        corners = lim_corners_cut(lim, of, &plane, (part == LIM_SIDE_FRONT) == polygons[by].eye_in_front, places);
+    }
+    return corners && project_corners(lim, corners, out);
 }
 
-bool lim_piece_part_overlaps(struct lim *lim, uint16_t of, uint16_t by, bool front)
+bool lim_piece_overlaps(struct lim *lim, uint16_t of, uint16_t by, uint8_t part)
 {
     const struct lim_newell_polygon *polygons = lim->sorter.newell.polygons;
     const struct lim_rect both = intersection(&polygons[of].rect, &polygons[by].rect);
-    struct lim_corners places[2];
-    struct lim_plane_wide plane;
     struct lim_screen_polygon first, second;
 
-    lim_plane_load(&plane, lim, by);
-    const struct lim_corners *part = lim_corners_cut(lim, of, &plane, front == polygons[by].eye_in_front, places);
-    if (!part || !project_corners(lim, part, &first) || !project(lim, by, &both, &second)) return false;
+    if (!project(lim, of, by, part, &both, &first) || !project(lim, by, of, LIM_SIDE_BOTH, &both, &second))
+        return false;
     return !parts(&first, &second) && !parts(&second, &first);
 }
 

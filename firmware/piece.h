@@ -33,12 +33,10 @@ bool lim_piece_has_room(const struct lim *lim);
  * corners. */
 uint16_t lim_piece_split(struct lim *lim, uint16_t entry, uint16_t by);
 
-/* Test 5, on the screen, rounded to sub-pixels as it is painted: no edge of either has all of the other on its outer
- * side. What only touches does not overlap. */
-bool lim_piece_overlap(struct lim *lim, uint16_t a, uint16_t b);
-
-/* Whether the part of `of` that lies before the plane of `by`, or behind it, overlaps `by` on the screen. */
-bool lim_piece_part_overlaps(struct lim *lim, uint16_t of, uint16_t by, bool front);
+/* Test 5 or 6, on the screen, rounded to sub-pixels as it is painted: whether `part` of entry `of` overlaps entry `by`.
+ * LIM_SIDE_BOTH: all of it; else what lies on that side of the plane of `by`, the eye being in front. What only touches
+ * does not overlap. */
+bool lim_piece_overlaps(struct lim *lim, uint16_t of, uint16_t by, uint8_t part);
 
 /* The pixels x <= .. < y of a line of the screen that a piece has of a projected polygon that is not folded and has
  * that line. */

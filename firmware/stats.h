@@ -24,7 +24,6 @@ enum lim_newell_test {
 enum lim_forced {
     LIM_FORCED_ROOM,    /* no memory for another piece */
     LIM_FORCED_CORNERS, /* a piece would have too many corners */
-    LIM_FORCED_TIE,     /* none reaches through another's plane by more than rounding explains */
     LIM_FORCED_EFFORT,  /* no comparisons left */
     LIM_FORCED_REASONS
 };

@@ -14,7 +14,6 @@ void unsettled_print(const struct unsettled *sum, const char *who, FILE *out)
     static const char *const reasons[LIM_FORCED_REASONS] = {
         [LIM_FORCED_ROOM] = "for want of memory for pieces",
         [LIM_FORCED_CORNERS] = "as a piece would have too many corners",
-        [LIM_FORCED_TIE] = "as they are within the tolerance of each other",
         [LIM_FORCED_EFFORT] = "when no comparisons were left"};
     const char *before = ": ";
 

@@ -54,6 +54,16 @@ awk 'BEGIN {
     }
 }' >"$work/many.obj"
 
+# Triangles through one point, seen from both sides: near it corners that rounding makes one or moves past each other.
+awk 'BEGIN {
+    srand(2)
+    for (i = 0; i < 50; i++) {
+        for (k = 0; k < 6; k++) c[k] = 2 * rand() - 1
+        printf "v %.4f %.4f %.4f\nv %.4f %.4f %.4f\nv %.4f %.4f %.4f\n", c[0], c[1], c[2], c[3], c[4], c[5], -c[0] - c[3], -c[1] - c[4], -c[2] - c[5]
+        printf "f %d %d %d\nf %d %d %d\n", 3 * i + 1, 3 * i + 2, 3 * i + 3, 3 * i + 3, 3 * i + 2, 3 * i + 1
+    }
+}' >"$work/star.obj"
+
 # worst COLUMN: of the worst frame of those that --stats printed
 worst() {
     awk -v column="$1" '/ sorted / { for (i = 1; i <= NF; i++) at[$i] = i } column in at && /^worst/ { print $at[column]; exit }' "$work/said"
@@ -67,6 +77,12 @@ many() { # OPTION...: an orbit
 a_hundred_are_right() {
     many --compare && says 'wrong 0\.0.* holes 0$' && ! grep 'no comparisons' "$work/err" &&
         [ "$(worst compared)" -lt 400000 ] && [ "$(worst divided)" -gt 100 ]
+}
+
+a_star_is_right() { # PROFILE
+    "$BUILD/limner" render "$work/star.obj" --method newell --precision "$1" --stats --compare >"$work/said" 2>"$work/err" || return 1
+    cat "$work/err" "$work/said"
+    says 'wrong 0\.0.* holes 0$' && [ ! -s "$work/err" ] && [ "$(worst forced)" -eq 0 ]
 }
 
 the_limit_is_told() {
@@ -87,6 +103,8 @@ compiles() {
 }
 
 tap_check "a hundred triangles through one another are right, and do not take long" a_hundred_are_right
+tap_check "fifty through one point are right, and all are settled" a_star_is_right fast
+tap_check "so they are with finer corners" a_star_is_right exact
 tap_check "few comparisons: the frames end, and what was left is told" the_limit_is_told
 tap_check "the scenes that are shipped are not divided, and settled" the_limit_is_far
 tap_check "a hundred are compiled, too" compiles
