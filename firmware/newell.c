@@ -82,11 +82,11 @@ static bool spend(struct lim *lim)
     return newell->left;
 }
 
-static void note_forced(struct lim *lim, enum lim_forced reason, uint16_t entries)
+static void note_forced(struct lim *lim, enum lim_forced reason)
 {
     if (!LIM_HAS_STATS) return;
-    lim_stats_of(lim)->newell.forced += entries;
-    lim_stats_of(lim)->newell.forced_by[reason] += entries;
+    lim_stats_of(lim)->newell.forced++;
+    lim_stats_of(lim)->newell.forced_by[reason]++;
 }
 
 /* Front is where the eye is. */
@@ -292,7 +292,7 @@ static uint16_t order_part(struct lim *lim, uint16_t nearest, uint32_t pause)
         if (find_obstacle(lim, &couple)) {
             if (resolve(lim, &couple)) continue;
             if (!sorter->newell.left || lim_piece_has_room(lim)) break;
-            note_forced(lim, LIM_FORCED_ROOM, 1);
+            note_forced(lim, LIM_FORCED_ROOM);
         }
         nearest = emit(lim, &sorter->first, nearest);
     }
@@ -327,32 +327,32 @@ static void push(struct lim *lim, uint16_t *head, uint16_t entry)
 }
 
 /* What cannot be split goes where its farthest point is. */
-static void force(struct lim *lim, uint16_t entry, uint16_t divider, uint16_t heads[PLACES])
+static uint_fast8_t place_uncut(struct lim *lim, uint16_t entry, uint16_t divider)
 {
     const struct lim_sorted *list = lim->sorter.list;
 
-    note_forced(lim, lim_piece_has_room(lim) ? LIM_FORCED_CORNERS : LIM_FORCED_ROOM, 1);
-    push(lim, &heads[list[entry].far_qv > list[divider].far_qv ? BEHIND : BEFORE], entry);
+    note_forced(lim, lim_piece_has_room(lim) ? LIM_FORCED_CORNERS : LIM_FORCED_ROOM);
+    return list[entry].far_qv > list[divider].far_qv ? BEHIND : BEFORE;
 }
 
 static void place(struct lim *lim, uint16_t entry, uint16_t divider, uint16_t heads[PLACES])
 {
     const bool eye_in_front = polygon_of(lim, divider)->eye_in_front;
     const uint8_t sides = seen_from_eye(lim_piece_sides(lim, entry, divider), eye_in_front);
-    uint16_t other;
+    uint_fast8_t where = sides == 0 || entry == divider ? ON : sides == LIM_SIDE_FRONT ? BEFORE : BEHIND;
 
     (void)spend(lim);
-    if (entry == divider || sides == 0) {
-        push(lim, &heads[ON], entry);
-    } else if (sides != LIM_SIDE_BOTH) {
-        push(lim, &heads[sides == LIM_SIDE_FRONT ? BEFORE : BEHIND], entry);
-    } else if ((other = lim_piece_split(lim, entry, divider)) != LIM_NONE) {
-        if (LIM_HAS_STATS) lim_stats_of(lim)->newell.splits++;
-        push(lim, &heads[eye_in_front ? BEFORE : BEHIND], entry);
-        push(lim, &heads[eye_in_front ? BEHIND : BEFORE], other);
-    } else {
-        force(lim, entry, divider, heads);
+    if (where != ON && sides == LIM_SIDE_BOTH) {
+        const uint16_t other = lim_piece_split(lim, entry, divider);
+        if (other != LIM_NONE) {
+            if (LIM_HAS_STATS) lim_stats_of(lim)->newell.splits++;
+            push(lim, &heads[eye_in_front ? BEHIND : BEFORE], other);
+            where = eye_in_front ? BEFORE : BEHIND;
+        } else {
+            where = place_uncut(lim, entry, divider);
+        }
     }
+    push(lim, &heads[where], entry);
 }
 
 /* Puts a list before the rest, as one part or, each entry, as a part of its own. */
@@ -411,7 +411,7 @@ static uint16_t take_part(struct lim *lim, uint16_t *rest)
 static uint16_t emit_all(struct lim *lim, uint16_t first, uint16_t nearest)
 {
     while (first != LIM_NONE) {
-        note_forced(lim, LIM_FORCED_EFFORT, 1);
+        note_forced(lim, LIM_FORCED_EFFORT);
         nearest = emit(lim, &first, nearest);
     }
     return nearest;

@@ -244,31 +244,34 @@ static struct lim_rect intersection(const struct lim_rect *a, const struct lim_r
                              smaller(a->y1, b->y1)};
 }
 
-/* How far `at` is on the outer side of the edge that goes from `from` by (dx, dy), times its length. y points down and
- * corners run counter-clockwise as seen: the inner side is the negative one. */
-static int64_t outside(const struct lim_point *from, int32_t dx, int32_t dy, const struct lim_point *at)
+/* Whether no corner of a polygon lies on the outer side of an edge of it from `from` by (dx, dy), farther than a
+ * sub-pixel. Corners that all but coincide are rounded one by one: the edge between them may have any direction, and is
+ * none of the polygon as a whole. And one of them may stick out of a long edge. */
+static LIM_RARE bool lies_within(const struct lim_screen_polygon *polygon, const struct lim_point *from, int32_t dx,
+                                 int32_t dy)
 {
-    return (int64_t)dx * ((int32_t)at->y - from->y) - (int64_t)dy * ((int32_t)at->x - from->x);
+    const int64_t sub_pixel = (int64_t)abs_s32(dx) + abs_s32(dy);
+
+    for (uint_fast8_t i = 0; i < polygon->n; i++) {
+        const int32_t x = (int32_t)polygon->at[i].x - from->x, y = (int32_t)polygon->at[i].y - from->y;
+        if ((int64_t)dx * y - (int64_t)dy * x > sub_pixel) return false;
+    }
+    return true;
 }
 
-/* Whether an edge of `a` has all of `b` on its outer side, or on it, and `a` on the inner one. Corners that all but
- * coincide are rounded one by one: the edge between them may have any direction, and is none of `a` as a whole. One of
- * them may also stick out of a long edge, by less than a sub-pixel. */
+/* Whether an edge of `a` has all of `b` on its outer side, or on it, and `a` on the inner one. y points down and
+ * corners run counter-clockwise as seen: the inner side is the negative one. */
 static bool parts(const struct lim_screen_polygon *a, const struct lim_screen_polygon *b)
 {
     struct lim_point from = a->at[a->n - 1];
 
     for (uint_fast8_t k = 0; k < a->n; from = a->at[k++]) {
         const int32_t dx = (int32_t)a->at[k].x - from.x, dy = (int32_t)a->at[k].y - from.y;
-        const int64_t sub_pixel = (int64_t)abs_s32(dx) + abs_s32(dy);
-        uint_fast8_t i = 0, j = 0;
-        if (!sub_pixel) continue;
-        while (i < b->n && outside(&from, dx, dy, &b->at[i]) >= 0)
+        uint_fast8_t i = 0;
+        if (!dx && !dy) continue;
+        while (i < b->n && (int64_t)dx * ((int32_t)b->at[i].y - from.y) >= (int64_t)dy * ((int32_t)b->at[i].x - from.x))
             i++;
-        if (i < b->n) continue;
-        while (j < a->n && outside(&from, dx, dy, &a->at[j]) <= sub_pixel)
-            j++;
-        if (j == a->n) return true;
+        if (i == b->n && lies_within(a, &from, dx, dy)) return true;
     }
     return false;
 }
