@@ -371,7 +371,7 @@ static uint16_t put_before(struct lim *lim, uint16_t first, uint16_t rest, bool 
 }
 
 /* Divides the list into parts, farthest first. What lies in the plane is in the order of records, as everywhere. */
-static uint16_t divide(struct lim *lim, uint16_t rest)
+static uint16_t divide(struct lim *lim, uint16_t rest, bool is_stuck)
 {
     const uint16_t divider = choose_divider(lim);
     uint16_t heads[PLACES], next;
@@ -379,6 +379,7 @@ static uint16_t divide(struct lim *lim, uint16_t rest)
     for (uint_fast8_t k = 0; k < PLACES; k++)
         heads[k] = LIM_NONE;
     if (LIM_HAS_STATS) lim_stats_of(lim)->newell.divisions++;
+    if (LIM_HAS_STATS) lim_stats_of(lim)->newell.stuck += is_stuck;
     for (uint16_t at = lim->sorter.first; at != LIM_NONE; at = next) {
         next = lim->sorter.list[at].next;
         polygon_of(lim, at)->swapped = false;
@@ -436,8 +437,9 @@ void lim_newell_order(struct lim *lim)
     newell->left = newell->options.most ? newell->options.most : most_for(count);
     for (uint32_t each = (uint32_t)WHOLE_COMPARES * count; rest != LIM_NONE && newell->left; each = PART_COMPARES) {
         count = take_part(lim, &rest);
-        nearest = order_part(lim, nearest, newell->left > each * count ? newell->left - each * count : 0);
-        if (sorter->first != LIM_NONE && newell->left) rest = divide(lim, rest);
+        const uint32_t pause = newell->left > each * count ? newell->left - each * count : 0;
+        nearest = order_part(lim, nearest, pause);
+        if (sorter->first != LIM_NONE && newell->left) rest = divide(lim, rest, newell->left > pause);
         nearest = emit_all(lim, sorter->first, nearest);
     }
     sorter->first = emit_all(lim, rest, nearest);

@@ -244,17 +244,17 @@ static struct lim_rect intersection(const struct lim_rect *a, const struct lim_r
                              smaller(a->y1, b->y1)};
 }
 
-/* Whether no corner of a polygon lies on the outer side of an edge of it from `from` by (dx, dy), farther than a
- * sub-pixel. Corners that all but coincide are rounded one by one: the edge between them may have any direction, and is
- * none of the polygon as a whole. And one of them may stick out of a long edge. */
+/* Whether no corner of a polygon lies on the outer side of an edge of it from `from` by (dx, dy), farther than
+ * the two sub-pixels that it and the edge may be rounded by. Corners that all but coincide are rounded one by one: the
+ * edge between them may have any direction, and is none of the polygon as a whole. */
 static LIM_RARE bool lies_within(const struct lim_screen_polygon *polygon, const struct lim_point *from, int32_t dx,
                                  int32_t dy)
 {
-    const int64_t sub_pixel = (int64_t)abs_s32(dx) + abs_s32(dy);
+    const int64_t rounding = 2 * ((int64_t)abs_s32(dx) + abs_s32(dy));
 
     for (uint_fast8_t i = 0; i < polygon->n; i++) {
         const int32_t x = (int32_t)polygon->at[i].x - from->x, y = (int32_t)polygon->at[i].y - from->y;
-        if ((int64_t)dx * y - (int64_t)dy * x > sub_pixel) return false;
+        if ((int64_t)dx * y - (int64_t)dy * x > rounding) return false;
     }
     return true;
 }
