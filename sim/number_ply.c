@@ -1,7 +1,10 @@
 /* SPDX-License-Identifier: MIT
  *
  * PLY, as text and binary: x, y and z of each vertex, whatever their type is, if that is wide enough for stand-ins.
- * In text an element instance is a line. A file whose header is not understood is left to the library. */
+ * In text an element instance is a line. A file whose header is not understood is left to the library.
+ *
+ * The library loses a newline that is the first byte behind a binary file's header. The first
+ * element of such a file gets a property in front that nobody asks for. */
 #include "numbering.h"
 
 #include <stdint.h>
@@ -28,7 +31,9 @@ struct ply {
     struct element elements[MOST_ELEMENTS];
     struct property properties[MOST_PROPERTIES];
     size_t element_count, property_count;
-    unsigned axes; /* a bit for each of x, y, z that is found */
+    unsigned axes;          /* a bit for each of x, y, z that is found */
+    size_t properties_at_b; /* of the output: behind the first element's line */
+    bool is_padded;         /* a byte goes before each of its instances */
 };
 
 static const size_t TYPE_B[] = {1, 1, 2, 2, 4, 4, 4, 8, 0};
@@ -110,6 +115,7 @@ static bool copy_header(struct numbering *work, struct ply *ply)
         const size_t count = words_of(work->at, work->at + length, words, HEADER_WORDS);
         numbering_copy(work, length);
         copy_line_end(work);
+        if (is(&words[0], "element") && !ply->element_count) ply->properties_at_b = work->out_b;
         if (is(&words[0], "format")) set_encoding(ply, words, count);
         if (is(&words[0], "element") && !add_element(ply, words, count)) return false;
         if (is(&words[0], "property") && !add_property(ply, words, count)) return false;
@@ -268,10 +274,19 @@ static bool binary_vertex(struct numbering *work, size_t number, const struct pl
     return true;
 }
 
+/* Small integers are exact in float32, and have no room for stand-ins. */
+static bool has_room(const struct ply *ply)
+{
+    for (size_t i = 0; i < ply->property_count; i++)
+        if (ply->properties[i].axis >= 0 && TYPE_B[ply->properties[i].type] < 4) return false;
+    return true;
+}
+
 static bool binary_instance(struct numbering *work, const struct ply *ply, const struct element *element, size_t number)
 {
     size_t at_b[3] = {0};
     enum type types[3] = {FLOAT, FLOAT, FLOAT};
+    if (ply->is_padded && element == ply->elements) numbering_write(work, "-", 1);
     for (size_t i = 0; i < element->property_count; i++) {
         const struct property *property = &ply->properties[element->first + i];
         const size_t size_b =
@@ -285,20 +300,25 @@ static bool binary_instance(struct numbering *work, const struct ply *ply, const
         numbering_write(work, work->at, size_b);
         work->at += size_b;
     }
-    return !element->vertices || binary_vertex(work, number, ply, at_b, types);
+    return !element->vertices || !has_room(ply) || binary_vertex(work, number, ply, at_b, types);
 }
 
-/* Small integers are exact in float32, and have no room for stand-ins. */
-static bool has_room(const struct ply *ply)
+/* The header, which has been written, gets a property in front of the first element's. */
+static void pad_header(struct numbering *work, struct ply *ply)
 {
-    for (size_t i = 0; i < ply->property_count; i++)
-        if (ply->properties[i].axis >= 0 && TYPE_B[ply->properties[i].type] < 4) return false;
-    return true;
+    static const char property[] = "property uchar nothing\n";
+    const size_t property_b = sizeof property - 1, behind_b = work->out_b - ply->properties_at_b;
+    numbering_write(work, property, property_b);
+    char *at = work->out + ply->properties_at_b;
+    memmove(at + property_b, at, behind_b);
+    memcpy(at, property, property_b);
+    ply->is_padded = work->is_mended = true;
 }
 
-static bool number_binary(struct numbering *work, const struct ply *ply)
+static bool number_binary(struct numbering *work, struct ply *ply)
 {
-    if (!has_room(ply)) return true;
+    if (work->at < work->end && *work->at == '\n') pad_header(work, ply);
+    if (!has_room(ply) && !ply->is_padded) return true;
     for (size_t e = 0; e < ply->element_count; e++)
         for (size_t i = 0; i < ply->elements[e].count; i++)
             if (!binary_instance(work, ply, &ply->elements[e], i + 1)) return false;

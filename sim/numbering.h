@@ -18,6 +18,7 @@ struct numbering {
     size_t out_b, out_capacity;
     struct vertex_table table;
     bool is_float32; /* the coordinates are so in the file */
+    bool is_mended;  /* `out` is to be read even if `table` is empty */
     struct error *err;
 };
 
@@ -50,7 +51,7 @@ bool numbering_vertex(struct numbering *work, const double point[3]);
 void numbering_word(struct numbering *work, const struct word *word);
 
 /* The formats. They return false with an error, or true; then `out` is what the library is to read. If `table` is
- * empty there is nothing to be gained. */
+ * empty there is nothing to be gained, unless the text is mended. */
 bool number_obj(struct numbering *work);
 bool number_ply(struct numbering *work);
 bool number_stl(struct numbering *work);

@@ -33,7 +33,7 @@ bool vertex_numbers_make(const char *path, struct vertex_numbers *out, struct er
                              .line = 1,
                              .err = err};
     const bool ok = is_left || number(&work);
-    if (ok && work.table.count) {
+    if (ok && (work.table.count || work.is_mended)) {
         numbering_write(&work, "", 1);
         *out = (struct vertex_numbers){{work.out, work.out_b - 1}, work.table, work.is_float32};
     } else {

@@ -4,9 +4,10 @@
  * it is given the file with each vertex's number in place of its coordinates. What it makes of faces, materials and
  * nodes is its own work; which vertex a corner has is read off what comes back. For OBJ, PLY, STL as text, OFF.
  *
- * Two things are mended on the way. The library gathers an OBJ file's faces by object, so a file that comes back to
+ * Three things are mended on the way. The library gathers an OBJ file's faces by object, so a file that comes back to
  * an earlier object would have its faces renumbered: objects and groups are left out, they mean nothing here. And it
- * overlooks numbers that begin with a point, and lines that begin with a blank. */
+ * overlooks numbers that begin with a point, lines that begin with a blank, and a newline that is a binary PLY file's
+ * first byte behind its header. */
 #ifndef SIM_VERTEX_NUMBERS_H
 #define SIM_VERTEX_NUMBERS_H
 

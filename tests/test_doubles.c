@@ -185,6 +185,34 @@ static void a_ply_that_begins_with_a_newlines_byte_is_read(void **state)
     model_free(&model);
 }
 
+/* Where something else than a coordinate comes first, and where coordinates are too narrow for stand-ins. */
+static void a_ply_may_begin_with_any_byte(void **state)
+{
+    static const char *const heads[] = {"property uchar red\nproperty float x\nproperty float y\nproperty float z\n",
+                                        "property short x\nproperty short y\nproperty short z\n"};
+    (void)state;
+    for (int kind = 0; kind < 2; kind++)
+        for (int byte = 0; byte < 256; byte++) {
+            char bytes[512];
+            size_t at = (size_t)sprintf(bytes,
+                                        "ply\nformat binary_little_endian 1.0\nelement vertex 3\n%selement face 1\n"
+                                        "property list uchar uchar vertex_indices\nend_header\n",
+                                        heads[kind]);
+            for (int i = 0; i < 3; i++) {
+                const float wide[3] = {i == 1, i == 2, 0};
+                const int16_t narrow[3] = {(int16_t)byte, i == 1, i == 2};
+                if (!kind) bytes[at++] = (char)byte;
+                at = kind ? append(bytes, at, narrow, sizeof narrow, false)
+                          : append(bytes, at, wide, sizeof wide, false);
+            }
+            at = append(bytes, at, "\3\0\1\2", 4, false);
+            put_bytes("f.ply", bytes, at);
+            struct model model = both_read();
+            assert_at(&model, 0, 1, kind ? byte : 1, kind ? 1 : 0, 0);
+            model_free(&model);
+        }
+}
+
 static void stl_vertices_are_doubles(void **state)
 {
     (void)state;
@@ -441,6 +469,7 @@ int main(void)
         cmocka_unit_test(ply_vertices_are_doubles),
         cmocka_unit_test(binary_ply_vertices_are_doubles),
         cmocka_unit_test(a_ply_that_begins_with_a_newlines_byte_is_read),
+        cmocka_unit_test(a_ply_may_begin_with_any_byte),
         cmocka_unit_test(stl_vertices_are_doubles),
         cmocka_unit_test(off_vertices_are_doubles),
         cmocka_unit_test(off_faces_that_would_be_wrong_are_refused),
