@@ -324,7 +324,7 @@ test-programs: $(test_programs) ## build the unit tests without running them
 
 # -- Proofs, exhaustion, fuzzing: see tests/prove.sh, tests/exhaustive.h, tests/fuzz.h --------------------------------
 
-FUZZ_TARGETS := camera camera_file lim_file render features movers obj gltf ply stl off picture wire_log qemu text
+FUZZ_TARGETS := camera camera_file lim_file render features movers obj gltf ply stl off picture wire_log qemu text written report
 FUZZ_FLAGS   := -max_total_time=60
 FUZZ_S       := 0
 export FUZZ_FLAGS FUZZ_S
@@ -352,6 +352,10 @@ $(BUILD)/tests/fuzz: $(call object,tests/libfuzzer/main.c) $(fuzz_objects) $(lib
 	@$(CC) $(HOST_OPT) -fsanitize=fuzzer -o $@ $^ $(LINKS)
 
 $(BUILD)/tests/fuzz_replay: $(call object,tests/libfuzzer/replay.c) $(fuzz_objects) $(library)
+	@mkdir -p $(@D)
+	@$(CC) $(HOST_OPT) -o $@ $^ $(LINKS)
+
+$(BUILD)/tests/fuzz_seeds: $(call object,tests/libfuzzer/seeds.c) $(fuzz_objects) $(library)
 	@mkdir -p $(@D)
 	@$(CC) $(HOST_OPT) -o $@ $^ $(LINKS)
 
@@ -419,6 +423,6 @@ format: packages ## lay out every C file by .clang-format
 clean: ## remove build/ and out/
 	@rm -rf $(BUILD) out
 
--include $(patsubst %.o,%.d,$(call object,$(sources) $(generator) $(textured_generator) $(scale_generator) $(test_sources) tests/exhaustive/main.c tests/libfuzzer/main.c tests/libfuzzer/replay.c \
+-include $(patsubst %.o,%.d,$(call object,$(sources) $(generator) $(textured_generator) $(scale_generator) $(test_sources) tests/exhaustive/main.c tests/libfuzzer/main.c tests/libfuzzer/replay.c tests/libfuzzer/seeds.c \
 	tests/boards/walked.c \
 	$(filter-out %/wire_tap.c,$(wildcard tests/kernel/*.c))))

@@ -14,11 +14,23 @@ build=$BUILD/coverage
 least_firmware=95 least_readers=90
 
 # What takes bytes of others' making, by name, so that a new file of these kinds is one without being named here.
-readers='import.*|model_io|model_colour|number.*|vertex_.*|node_transforms|gltf.*|decimal|.*_file|picture.*'
-readers="$readers|camera_path|wire_log|listener|qemu_trace|link_map|hashes|lim_.*|binary|parse|arguments|module_choice"
-# Not these: they write (frame_file). Nor the commands' own options, which load what the readers above read; the target
-# text fuzzes them all the same. Nor model.c, which is the child process round import.c.
+readers='import.*|model_io|model_colour|model_whole|number.*|vertex_.*|node_transforms|gltf.*|decimal|float_step|.*_file'
+readers="$readers|source.*|companion|inputs|picture.*|camera_path|wire_log|listener|qemu_trace|link_map|hashes|lim_.*"
+readers="$readers|binary|uf2|boot2|report_text|parse|arguments|options|measure_request|(camera|module|port)_choice"
+# Not these: they write.
 writers='frame_file'
+# Nor these, which open files that are not handed in: of the system and of tools (child, counts, model, streams), that
+# the program has written itself (cmd_measure, measure_cost, report_run), ports and devices (cmd_devices); and
+# cmd_report_bug, which copies files without looking into them.
+others='child|counts|model|streams|cmd_measure|measure_cost|report_run|cmd_devices|cmd_report_bug|outputs'
+
+# A file that opens something to read it is one of those above, whatever its name.
+for source in $(grep -lE '\<(f?open|freopen|fopen|fread|fgets|getline|getc_unlocked|input_open|whole_file_read)\(' sim/*.c); do
+    name=$(basename "$source" .c)
+    printf '%s\n' "$name" | grep -qxE "$readers|$writers|$others" && continue
+    echo "fuzz-coverage: $source opens files, and is in no list of tests/fuzz_coverage.sh"
+    exit 1
+done
 
 if [ "$FUZZ_S" != 0 ]; then
     FUZZ_FLAGS="-max_total_time=$FUZZ_S" sh tests/fuzz.sh "$@"

@@ -12,6 +12,7 @@
 #include "import.h"
 #include "lim_check.h"
 #include "moving.h"
+#include "source.h"
 
 #include "camera_path.h"
 
@@ -149,6 +150,18 @@ static const char *compile(struct model *model, uint32_t dice)
     return broken;
 }
 
+/* The reference's own reader: refused in one line, or corners where the importer has them. */
+static const char *check_source(const char *path, struct model *model)
+{
+    struct error err;
+
+    if (!source_take(path, model, &err)) return fuzz_check_refusal(err.text, path);
+    for (size_t i = 0; model->source_points && i < model->corner_count; i++)
+        for (int axis = 0; axis < 3; axis++)
+            if (!isfinite(model->source_points[model->corners[i]][axis])) return "the reference has no number";
+    return NULL;
+}
+
 static const char *read_model(const char *path, uint32_t dice)
 {
     struct model model;
@@ -161,6 +174,7 @@ static const char *read_model(const char *path, uint32_t dice)
         return fuzz_check_refusal(err.text, beside);
     }
     const char *broken = check_model(&model);
+    if (!broken) broken = check_source(path, &model);
     if (!broken && model.face_count <= FACES_MAX && model.corner_count <= CORNERS_MAX) return compile(&model, dice);
     model_free(&model);
     return broken;

@@ -3,14 +3,20 @@
  * The smaller readers of text, and command lines; the first byte says which. What they refuse they refuse in one line,
  * and what they take is within the bounds that they promise. */
 #include "binary.h"
+#include "boot2.h"
 #include "camera_choice.h"
+#include "decimal.h"
 #include "fuzz_words.h"
 #include "hashes.h"
+#include "input_file.h"
 #include "link_map.h"
 #include "measure_request.h"
 #include "options.h"
 #include "parse.h"
+#include "port_choice.h"
+#include "uf2.h"
 
+#include <float.h>
 #include <getopt.h>
 #include <math.h>
 #include <stdio.h>
@@ -147,10 +153,87 @@ static const char *read_values(struct fuzz_bytes *bytes)
     return ok ? fuzz_check_refusal(err.text, NULL) : "a value out of range was taken";
 }
 
+/* What strtod() takes whole and finite, if it has none of the letters that only other numbers have. */
+static const char *read_decimal(struct fuzz_bytes *bytes)
+{
+    const struct fuzz_bytes word = fuzz_part(bytes, '\n');
+    char *text = fuzz_string(&word), *end;
+    double value = 0;
+
+    const size_t length = strlen(text);
+    const double expected = strtod(text, &end);
+    const bool is_number =
+        length && *end == '\0' && strspn(text, "0123456789+-.eE") == length && fabs(expected) <= (double)FLT_MAX;
+    const bool ok = decimal_parse(text, length, &value);
+    const bool is_same = value == expected || (value == 0 && fabs(expected) < 1.4012984643248171e-45);
+    free(text);
+    if (ok != is_number) return ok ? "something else was taken for a decimal" : "a decimal was refused";
+    return !ok || is_same ? NULL : "a decimal is another number";
+}
+
+/* UF2 and the RP2040's second stage: of a binary file, its bytes in their places. */
+static const char *read_image(struct fuzz_bytes *bytes)
+{
+    struct error err;
+    uint8_t block[UF2_BLOCK_B], sealed[BOOT2_B];
+    const struct fuzz_bytes name = fuzz_part(bytes, '\n');
+    char *text = fuzz_string(&name);
+    const struct uf2_family *family = uf2_family_find(text, &err);
+
+    free(text);
+    if (!family) return fuzz_check_refusal(err.text, "--family");
+    for (uint32_t i = 0; i < uf2_block_count(bytes->left_b); i++) {
+        const size_t at_b = (size_t)i * UF2_PAYLOAD_B, left_b = bytes->left_b - at_b;
+        uf2_block(block, family, bytes->at, bytes->left_b, i);
+        if (memcmp(block + 32, bytes->at + at_b, left_b < UF2_PAYLOAD_B ? left_b : UF2_PAYLOAD_B) != 0)
+            return "a block of other bytes than the image has there";
+    }
+    if (!bytes->left_b || bytes->left_b > BOOT2_CODE_B) return NULL;
+    boot2_seal(sealed, bytes->at, bytes->left_b);
+    return memcmp(sealed, bytes->at, bytes->left_b) == 0 ? NULL : "code was changed when it was sealed";
+}
+
+static const char *read_port(struct fuzz_bytes *bytes)
+{
+    struct fuzz_words words;
+    struct port_choice choice;
+    struct error err;
+    struct arguments arguments = fuzz_words(bytes, &words);
+
+    if (!port_choice_parse(&choice, &arguments, &err)) return fuzz_check_refusal(err.text, NULL);
+    const struct port port = port_choice_stand_in(&choice);
+    (void)port;
+    return choice.kind == PORT_LINUX || choice.kind == PORT_HID ? NULL : "a port of no kind";
+}
+
+/* Lines of a file, a pipe, a folder, a device. What is no stream of bytes is refused, and so are NUL bytes and lines
+ * that are too long. */
+static const char *read_lines(struct fuzz_bytes *bytes)
+{
+    enum { LINE_MOST_B = 40 };
+    static const char *const others[] = {"/", "/dev/null", "/dev/fd/999", "/nowhere", "/dev/zero"};
+    const uint8_t kind = fuzz_below(bytes, 9);
+    const char *path = kind < 5 ? others[kind] : fuzz_as_file(bytes->at, bytes->left_b);
+    char by_number[32];
+    struct error err = {""};
+
+    snprintf(by_number, sizeof by_number, "/dev/fd/%s", strrchr(path, '/') + 1);
+    if (kind >= 7) path = by_number;
+    struct input_lines lines = {.path = path, .line_most_b = LINE_MOST_B, .file = input_open_stream(path, &err)};
+    if (!lines.file) return kind < 5 ? fuzz_check_refusal(err.text, path) : "a file was refused";
+    if (kind < 5) return "something that is no file was opened";
+    while (input_line(&lines, &err))
+        if (lines.length > LINE_MOST_B || strlen(lines.line) != lines.length) return "a line out of range";
+    input_lines_free(&lines);
+    input_close_stream(lines.file);
+    return err.text[0] ? fuzz_check_refusal(err.text, path) : NULL;
+}
+
 static const char *run(const uint8_t *input, size_t size_b)
 {
     static const char *(*const readers[])(struct fuzz_bytes * bytes) = {
-        read_hashes, read_link_map, read_binary, read_options, read_request, read_values, write_hashes};
+        read_hashes,  read_link_map, read_binary, read_options, read_request, read_values,
+        write_hashes, read_decimal,  read_image,  read_port,    read_lines};
     struct fuzz_bytes bytes = {input, size_b};
 
     return readers[fuzz_below(&bytes, sizeof readers / sizeof *readers)](&bytes);
