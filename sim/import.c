@@ -274,7 +274,8 @@ static bool allocate(struct import *import)
 static bool read_scene(struct import *import)
 {
     const struct aiNode *root = import->scene->mRootNode;
-    return root && node_transforms_read(import->path, import->scene, &import->transforms, import->err) &&
+    if (!root) return error_set(import->err, "%s: there is no scene in it", import->path);
+    return node_transforms_read(import->path, import->scene, &import->transforms, import->err) &&
            import_motions(import->path, import->scene, &import->transforms, import->model, &import->movers,
                           &import->step_m, import->err) &&
            walk(import, root, affine_identity(), 0, count_mesh) && allocate(import) &&

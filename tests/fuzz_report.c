@@ -54,9 +54,9 @@ static void add_entry(struct archive_file *file, const struct entry *entry)
 
 static struct entry next_entry(struct fuzz_bytes *bytes)
 {
-    static const char kinds[] = "00000000000012356";
     struct fuzz_bytes part = fuzz_part(bytes, MARK);
-    struct entry entry = {.kind = kinds[fuzz_below(&part, sizeof kinds - 1)]};
+    const uint8_t kind = fuzz_u8(&part);
+    struct entry entry = {.kind = kind >= '1' && kind <= '7' ? (char)kind : '0'};
     const struct fuzz_bytes name = fuzz_part(&part, '\n');
 
     if (name.left_b) memcpy(entry.name, name.at, name.left_b < NAME_MAX_B ? name.left_b : NAME_MAX_B - 1);

@@ -6,6 +6,7 @@
 #include "boot2.h"
 #include "camera_choice.h"
 #include "decimal.h"
+#include "fuzz_room.h"
 #include "fuzz_words.h"
 #include "hashes.h"
 #include "input_file.h"
@@ -105,6 +106,31 @@ static const char *check_options(const struct options *options)
     return options->setup.core ? NULL : "a picture in no precision";
 }
 
+/* A scene in place of the one that is named, and cameras that are few and no file's. */
+static const char *check_load(struct options *options)
+{
+    static const char model[] = "v 0 0 -3\nv 4 0 -3\nv 0 4 -3\nv 0 0 -7\nf 1 2 3\nf 1 2 4\n";
+    struct compiled scene = {0};
+    struct moving moving = {0};
+    struct camera_path path = {0};
+    struct lens lens;
+    struct error err;
+
+    if (options->cameras.text && (options->cameras.random_count < 1 || options->cameras.random_count > 3)) return NULL;
+    if (options->orbit_frames > 9 || options->setup.w_px > 64 || options->setup.h_px > 64) return NULL;
+    const bool is_compiled = options_scene_is_compiled(options);
+    const char *name = is_compiled ? "options.lim" : "options.obj";
+    const char *place = fuzz_as_named_file(name, (const uint8_t *)model, sizeof model - 1);
+    if (is_compiled && !lim_file_write(fuzz_room(), place, &err)) return "a scene cannot be written";
+    options->scene_path = place;
+    const bool ok = options_load(options, &scene, &moving, &lens, &path, &err);
+    const char *broken = ok ? path.count ? NULL : "no camera" : fuzz_check_refusal(err.text, NULL);
+    camera_path_free(&path);
+    moving_free(&moving);
+    compiled_free(&scene);
+    return broken;
+}
+
 static const char *read_options(struct fuzz_bytes *bytes)
 {
     struct fuzz_words words;
@@ -117,7 +143,8 @@ static const char *read_options(struct fuzz_bytes *bytes)
     begin_options();
     if (!options_parse(arguments.count, arguments.items, set, &options, &err))
         return fuzz_check_refusal(err.text, NULL);
-    return check_options(&options);
+    const char *broken = check_options(&options);
+    return broken ? broken : check_load(&options);
 }
 
 static const char *read_request(struct fuzz_bytes *bytes)

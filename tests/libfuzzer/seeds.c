@@ -100,9 +100,10 @@ static const struct {
                "0scene/a.obj\nabc"},
     {"report", "0report.txt\nlimner report 1\nfile: 3 scene/a.obj\n"},
     {"report", "0report.txt\nlimner report 2\n"},
-    {"report", "0report.txt\nlimner report 1\n\xFF<report.txt\n\xFF"},
-    {"report", "\x0Ereport.txt\nlimner report 1\n"},
-    {"report", "\x0Freport.txt\nlimner report 1\n"},
+    {"report", "0report.txt\nlimner report 1\n\377"
+               "0report.txt\n\xFF"},
+    {"report", "2report.txt\nlimner report 1\n"},
+    {"report", "5report.txt\nlimner report 1\n"},
     {"report", "0scene/a.obj\n"},
     {"report", "raw"},
     {"report", "rawlimner report 1\n"},
@@ -113,7 +114,8 @@ static const struct {
     {"text", "\x08rp2040\nsome code and some more of it"},
     {"text", "\x08none\n"},
     {"text", "\x09--spi /dev/spidev0.0 --dc gpiochip0:24 --backlight gpiochip0:18 --cs-high --no-cs\n"},
-    {"text", "\x09--spi /dev/spidev0.0 --dc=gpiochip0:24 --reset gpiochip0:25 --select gpiochip0:8 --te gpiochip0:7 --mode 3 --no-cs\n"},
+    {"text", "\x09--spi /dev/spidev0.0 --dc=gpiochip0:24 --reset gpiochip0:25 --select gpiochip0:8 --te gpiochip0:7 "
+             "--mode 3 --no-cs\n"},
     {"text", "\x09--hid 0001 --dc 3 --reset 4 --cs 1\n"},
     {"text", "\x09--hid --dc 3 --select 1 --te 5\n"},
     {"text", "\x0A\x05 a line\nand another\r\n"},
@@ -124,12 +126,133 @@ static const struct {
     {"text", "\x0A\x02"},
     {"text", "\x0A\x03"},
     {"text", "\x0A\x04"},
+    {"gltf",
+     "{\"asset\":{\"version\":\"2.0\"},\"scene\":0,\"scenes\":[{\"nodes\":[0]}],\"nodes\":[{\"mesh\":0}],\"meshes\":[{"
+     "\"primitives\":[{\"attributes\":{\"POSITION\":1},\"indices\":0}]}],\"bufferViews\":[{\"buffer\":0,\"byteLength\":"
+     "6},{\"buffer\":0,\"byteOffset\":8,\"byteLength\":36}],\"accessors\":[{\"bufferView\":0,\"componentType\":5123,"
+     "\"count\":3,\"type\":\"SCALAR\"},{\"bufferView\":1,\"componentType\":5126,\"count\":3,\"type\":\"VEC3\"}],"
+     "\"buffers\":[{\"byteLength\":44,\"uri\":\"model%2Ebin\"}]}\012"},
+    {"gltf",
+     "{\"asset\":{\"version\":\"2.0\"},\"scene\":0,\"scenes\":[{\"nodes\":[0]}],\"nodes\":[{\"mesh\":0}],\"meshes\":[{"
+     "\"primitives\":[{\"attributes\":{\"POSITION\":1},\"indices\":0}]}],\"bufferViews\":[{\"buffer\":0,\"byteLength\":"
+     "6},{\"buffer\":0,\"byteOffset\":8,\"byteLength\":36}],\"accessors\":[{\"bufferView\":0,\"componentType\":5123,"
+     "\"count\":3,\"type\":\"SCALAR\"},{\"bufferView\":1,\"componentType\":5126,\"count\":3,\"type\":\"VEC3\"}],"
+     "\"buffers\":[{\"byteLength\":44,\"uri\":\"none.bin\"}]}"},
+    {"gltf", "{\"asset\":{\"version\":\"2.0\"},\"scene\":0,\"scenes\":[{\"nodes\":[0]}],\"nodes\":[{\"mesh\":0}],"
+             "\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":1},\"indices\":0}]}],\"bufferViews\":[{"
+             "\"buffer\":0,\"byteLength\":6},{\"buffer\":0,\"byteOffset\":8,\"byteLength\":36}],\"accessors\":[{"
+             "\"bufferView\":0,\"componentType\":5123,\"count\":3,\"type\":\"SCALAR\"},{\"bufferView\":1,"
+             "\"componentType\":5126,\"count\":3,\"type\":\"VEC3\",\"sparse\":{\"count\":2,\"indices\":{\"bufferView\":"
+             "0,\"componentType\":5123},\"values\":{\"bufferView\":1}}}],\"buffers\":[{\"byteLength\":44,\"uri\":"
+             "\"data:;base64,AAABAAIAAAAAAAAAAAAAAAAAAAAAAIA/AAAAAAAAAAAAAAAAAACAPwAAAAA=\"}]}"},
+    {"gltf", "{\"asset\":{\"version\":\"2.0\"},\"scene\":0,\"scenes\":[{\"nodes\":[0]}],\"nodes\":[{\"mesh\":0}],"
+             "\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":1},\"indices\":0}]}],\"bufferViews\":[{"
+             "\"buffer\":0,\"byteLength\":6},{\"buffer\":0,\"byteOffset\":8,\"byteLength\":36}],\"accessors\":[{"
+             "\"bufferView\":0,\"componentType\":5123,\"count\":3,\"type\":\"SCALAR\"},{\"bufferView\":1,"
+             "\"componentType\":5126,\"count\":3,\"type\":\"VEC3\",\"sparse\":{\"count\":4,\"indices\":{\"bufferView\":"
+             "0,\"componentType\":5123},\"values\":{\"bufferView\":1}}}],\"buffers\":[{\"byteLength\":44,\"uri\":"
+             "\"data:;base64,AAABAAIAAAAAAAAAAAAAAAAAAAAAAIA/AAAAAAAAAAAAAAAAAACAPwAAAAA=\"}]}"},
+    {"gltf", "{\"asset\":{\"version\":\"2.0\"},\"scene\":0,\"scenes\":[{\"nodes\":[0]}],\"nodes\":[{\"mesh\":0}],"
+             "\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":1},\"indices\":0}]}],\"bufferViews\":[{"
+             "\"buffer\":0,\"byteLength\":6},{\"buffer\":0,\"byteOffset\":8,\"byteLength\":36}],\"accessors\":[{"
+             "\"bufferView\":0,\"componentType\":5123,\"count\":3,\"type\":\"SCALAR\"},{\"bufferView\":1,"
+             "\"componentType\":5120,\"count\":3,\"type\":\"VEC3\",\"normalized\":true}],\"buffers\":[{\"byteLength\":"
+             "44,\"uri\":\"data:;base64,AAABAAIAAAAAAAAAAAAAAAAAAAAAAIA/AAAAAAAAAAAAAAAAAACAPwAAAAA=\"}]}"},
+    {"gltf", "{\"asset\":{\"version\":\"2.0\"},\"scene\":0,\"scenes\":[{\"nodes\":[0]}],\"nodes\":[{\"mesh\":0}],"
+             "\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":1},\"indices\":0}]}],\"bufferViews\":[{"
+             "\"buffer\":0,\"byteLength\":6},{\"buffer\":0,\"byteOffset\":8,\"byteLength\":36}],\"accessors\":[{"
+             "\"bufferView\":0,\"componentType\":5123,\"count\":3,\"type\":\"SCALAR\"},{\"bufferView\":1,"
+             "\"componentType\":5122,\"count\":3,\"type\":\"VEC3\",\"normalized\":true}],\"buffers\":[{\"byteLength\":"
+             "44,\"uri\":\"data:;base64,AAABAAIAAAAAAAAAAAAAAAAAAAAAAIA/AAAAAAAAAAAAAAAAAACAPwAAAAA=\"}]}"},
+    {"gltf", "{\"asset\":{\"version\":\"2.0\"},\"scene\":0,\"scenes\":[{\"nodes\":[0]}],\"nodes\":[{\"mesh\":0}],"
+             "\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":1},\"indices\":0}]}],\"bufferViews\":[{"
+             "\"buffer\":0,\"byteLength\":6},{\"buffer\":0,\"byteOffset\":8,\"byteLength\":36}],\"accessors\":[{"
+             "\"bufferView\":0,\"componentType\":5123,\"count\":3,\"type\":\"SCALAR\"},{\"bufferView\":1,"
+             "\"componentType\":5121,\"count\":3,\"type\":\"VEC3\",\"normalized\":true}],\"buffers\":[{\"byteLength\":"
+             "44,\"uri\":\"data:;base64,AAABAAIAAAAAAAAAAAAAAAAAAAAAAIA/AAAAAAAAAAAAAAAAAACAPwAAAAA=\"}]}"},
+    {"gltf", "{\"asset\":{\"version\":\"2.0\"},\"scene\":0,\"scenes\":[{\"nodes\":[0]}],\"nodes\":[{\"mesh\":0}],"
+             "\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":1},\"indices\":0}]}],\"bufferViews\":[{"
+             "\"buffer\":0,\"byteLength\":6},{\"buffer\":0,\"byteOffset\":8,\"byteLength\":36}],\"accessors\":[{"
+             "\"bufferView\":0,\"componentType\":5123,\"count\":3,\"type\":\"SCALAR\"},{\"bufferView\":1,"
+             "\"componentType\":5123,\"count\":3,\"type\":\"VEC3\"}],\"buffers\":[{\"byteLength\":44,\"uri\":\"data:;"
+             "base64,AAABAAIAAAAAAAAAAAAAAAAAAAAAAIA/AAAAAAAAAAAAAAAAAACAPwAAAAA=\"}]}"},
+    {"gltf",
+     "{\"asset\":{\"version\":\"2.0\"},\"scene\":0,\"scenes\":[{\"nodes\":[0]}],\"nodes\":[{\"mesh\":0}],\"meshes\":[{"
+     "\"primitives\":[{\"attributes\":{\"POSITION\":1},\"indices\":0,\"extensions\":{\"KHR_draco_mesh_compression\":{}}"
+     "}]}],\"bufferViews\":[{\"buffer\":0,\"byteLength\":6},{\"buffer\":0,\"byteOffset\":8,\"byteLength\":36}],"
+     "\"accessors\":[{\"bufferView\":0,\"componentType\":5123,\"count\":3,\"type\":\"SCALAR\"},{\"bufferView\":1,"
+     "\"componentType\":5126,\"count\":3,\"type\":\"VEC3\"}],\"buffers\":[{\"byteLength\":44,\"uri\":\"data:;base64,"
+     "AAABAAIAAAAAAAAAAAAAAAAAAAAAAIA/AAAAAAAAAAAAAAAAAACAPwAAAAA=\"}]}"},
+    {"gltf", "{\"asset\":{\"version\":\"1.0\"},\"scene\":0,\"scenes\":[{\"nodes\":[0]}],\"nodes\":[{\"mesh\":0}],"
+             "\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":1},\"indices\":0}]}],\"bufferViews\":[{"
+             "\"buffer\":0,\"byteLength\":6},{\"buffer\":0,\"byteOffset\":8,\"byteLength\":36}],\"accessors\":[{"
+             "\"bufferView\":0,\"componentType\":5123,\"count\":3,\"type\":\"SCALAR\"},{\"bufferView\":1,"
+             "\"componentType\":5126,\"count\":3,\"type\":\"VEC3\"}],\"buffers\":[{\"byteLength\":44,\"uri\":\"data:;"
+             "base64,AAABAAIAAAAAAAAAAAAAAAAAAAAAAIA/AAAAAAAAAAAAAAAAAACAPwAAAAA=\"}]}"},
+    {"gltf",
+     "{\"asset\":{\"version\":\"2.0\"},\"scene\":0,\"scenes\":[{\"nodes\":[0]}],\"nodes\":[{\"mesh\":0,\"matrix\":[1,0,"
+     "0,0,0,1,0,0,0,0,1,0,5,6,7,1]}],\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":1},\"indices\":0}]}],"
+     "\"bufferViews\":[{\"buffer\":0,\"byteLength\":6},{\"buffer\":0,\"byteOffset\":8,\"byteLength\":36}],"
+     "\"accessors\":[{\"bufferView\":0,\"componentType\":5123,\"count\":3,\"type\":\"SCALAR\"},{\"bufferView\":1,"
+     "\"componentType\":5126,\"count\":3,\"type\":\"VEC3\"}],\"buffers\":[{\"byteLength\":44,\"uri\":\"data:;base64,"
+     "AAABAAIAAAAAAAAAAAAAAAAAAAAAAIA/AAAAAAAAAAAAAAAAAACAPwAAAAA=\"}]}"},
+    {"text", "\012\010a line\n"},
+    {"text", "\003\002x a.lim --drop-small --camera random:2:2 --newell most=9,planes\n"},
+    {"text", "\003\002x a.lim --camera near:2:2 --size 8x8 --stats --compare --antialias --delta=3\n"},
+    {"text", "\003\001x a.lim --size 8x8 --tree bsp\n"},
+    {"text", "\003\002x a.obj --size 8x8 --camera a.cam\n"},
+    {"text", "\003\002x a.obj --size 8x8 --drop-small --newell most=20 --camera random:1:1\n"},
+    {"text", "\004\002x a.obj --drop-small --cores all\n"},
+    {"text", "\011--hid\n"},
+    {"text", "\011--hid 12 --spi x\n"},
+    {"text", "\011--hid 12 --te 5\n"},
+    {"text", "\011--hid 12 --no-cs\n"},
+    {"text", "\011--spi x --dc a:1 --reset a:1\n"},
+    {"text", "\011--spi x --dc a:1 --cs 5\n"},
+    {"text", "\011--spi x --dc a:1 --no-cs --cs-high\n"},
+    {"text", "\011--spi x --dc a:1 --te a:2 --mode 3\n"},
+    {"text", "\011--spi x --mode 9\n"},
+    {"text", "\011--spi x --dc a:1\n"},
+    {"text", "\011--dc a:1\n"},
+    {"obj", "mtllib a.mtl\nv 0 0 0\\\r\n\nv 1 0 0\nv 0 1 0\nf 1 2 \\\n3\n"},
+    {"obj", "v 1 2 3 4 5\nf 1 1 1\n"},
+    {"ply",
+     "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\nproperty strange "
+     "w\nelement face 1\nproperty list uchar int vertex_index\nend_header\n0 0 0 1\n1 0 0 1\n0 1 0 1\n3 0 1 2\n"},
+    {"ply", "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\nelement "
+            "tristrips 1\nproperty list int int vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n"},
+    {"ply", "ply\nformat ascii 1.0\nelement vertex 2\nproperty float x\nproperty float y\nproperty float z\nproperty "
+            "float w\nelement face 0\nproperty list uchar int vertex_index\nend_header\n0 0 0\n1 0 0 5\n1 1 1 1 1\n"},
+    {"stl", "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 x\nvertex 1 0 0\nvertex 0 1 "
+            "0\nendloop\nendfacet\nendsolid a\n"},
+    {"stl", "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1"},
+    {"off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n"},
+    {"off", "OFF # a comment\n\n# another\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n"},
+    {"off", "4OFF\n3 1 0\n0 0 0 1\n2 0 0 2\n0 1 0 1\n3 0 1 2\n"},
 };
 
 static void put_texts(const char *folder)
 {
     for (unsigned i = 0; i < sizeof texts / sizeof *texts; i++)
         put(folder, texts[i].target, "text", i, texts[i].text, strlen(texts[i].text));
+}
+
+/* A glTF file whose buffer is a file of its own, behind a byte 0xFF: corners 0, 1, 2 of a triangle. */
+static void put_buffer_beside(const char *folder)
+{
+    static const char model[] =
+        "{\"asset\":{\"version\":\"2.0\"},\"scene\":0,\"scenes\":[{\"nodes\":[0]}],\"nodes\":[{\"mesh\":0}],"
+        "\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":1},\"indices\":0}]}],"
+        "\"bufferViews\":[{\"buffer\":0,\"byteLength\":6},{\"buffer\":0,\"byteOffset\":8,\"byteLength\":36}],"
+        "\"accessors\":[{\"bufferView\":0,\"componentType\":5123,\"count\":3,\"type\":\"SCALAR\"},"
+        "{\"bufferView\":1,\"componentType\":5126,\"count\":3,\"type\":\"VEC3\"}],"
+        "\"buffers\":[{\"byteLength\":44,\"uri\":\"model.bin\"}]}\xFF";
+    static const char buffer[44] = {[2] = 1, [4] = 2, [22] = (char)0x80, [23] = 0x3F, [38] = (char)0x80, [39] = 0x3F};
+    char file[sizeof model - 1 + sizeof buffer];
+
+    memcpy(file, model, sizeof model - 1);
+    memcpy(file + sizeof model - 1, buffer, sizeof buffer);
+    put(folder, "gltf", "beside", 0, file, sizeof file);
 }
 
 int main(int argc, char **argv)
@@ -142,6 +265,7 @@ int main(int argc, char **argv)
         return EXIT_FAILURE;
     }
     put_texts(argv[1]);
+    put_buffer_beside(argv[1]);
     for (unsigned number = 0; number < count; number++) {
         uint8_t bytes[BYTES_B];
         for (size_t i = 0; i < sizeof bytes; i++)
