@@ -24,7 +24,7 @@ const char *__lsan_default_suppressions(void);
 
 const char *__lsan_default_suppressions(void)
 {
-    return "leak:operator new\nleak:libassimp\nleak:libgd\n";
+    return "leak:operator new\nleak:libassimp\nleak:libgd\nleak:libarchive\n";
 }
 
 const struct fuzz_target *fuzz_find(const char *name)

@@ -13,7 +13,7 @@ set -eu
 
 : "${BUILD:?is set by the Makefile}" "${FUZZ_FLAGS:=-max_total_time=60}" "${FUZZ_MERGE:=no}"
 build=$BUILD/fuzz
-foreign='libassimp|libgd|libpng|libjpeg|libz\.|libtiff|libwebp|libavif|libheif'
+foreign='libassimp|libarchive|libgd|libpng|libjpeg|libz\.|libtiff|libwebp|libavif|libheif'
 export ASAN_OPTIONS="allocator_may_return_null=1:${ASAN_OPTIONS:-}"
 
 # Coverage by counters alone: recorded comparisons would be those of the sanitizers, and cost three quarters of the time.

@@ -117,7 +117,8 @@ static const char *check_load(struct options *options)
     struct error err;
 
     if (options->cameras.text && (options->cameras.random_count < 1 || options->cameras.random_count > 3)) return NULL;
-    if (options->orbit_frames > 9 || options->setup.w_px > 64 || options->setup.h_px > 64) return NULL;
+    if (options->setup.w_px > 64 || options->setup.h_px > 64) return NULL;
+    options->orbit_frames = 3;
     const bool is_compiled = options_scene_is_compiled(options);
     const char *name = is_compiled ? "options.lim" : "options.obj";
     const char *place = fuzz_as_named_file(name, (const uint8_t *)model, sizeof model - 1);
