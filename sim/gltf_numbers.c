@@ -3,12 +3,11 @@
  * Numbers in buffers are little-endian. */
 #include "gltf_numbers.h"
 
+#include "companion.h"
 #include "grow.h"
 
-#include <limits.h>
 #include <math.h>
 #include <stdint.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -38,30 +37,8 @@ static void decode_base64(const char *text, struct gltf_buffer *out)
     out->bytes = out->owned = bytes;
 }
 
-/* A URI's path, %20 and its like decoded, in the folder of the file. */
-static bool path_of(const char *path, const char *uri, char out[PATH_MAX])
+static bool read_buffer(const struct gltf_file *file, size_t index, struct gltf_buffer *out, struct error *err)
 {
-    const char *slash = strrchr(path, '/');
-    size_t length = slash ? (size_t)(slash - path) + 1 : 0;
-    if (length + strlen(uri) >= PATH_MAX) return false;
-    memcpy(out, path, length);
-    for (; *uri; uri++) {
-        unsigned code;
-        if (*uri == '%' && sscanf(uri + 1, "%2x", &code) == 1 && uri[1] && uri[2]) {
-            out[length++] = (char)code;
-            uri += 2;
-        } else {
-            out[length++] = *uri;
-        }
-    }
-    out[length] = '\0';
-    return true;
-}
-
-static bool read_buffer(const char *path, const struct gltf_file *file, size_t index, struct gltf_buffer *out,
-                        struct error *err)
-{
-    char beside[PATH_MAX];
     struct whole_file whole;
     const char *uri = json_string_value(json_object_get(gltf_element(file, "buffers", index), "uri"));
     const char *base64 = uri && strncmp(uri, "data:", 5) == 0 ? strstr(uri, ";base64,") : NULL;
@@ -72,8 +49,7 @@ static bool read_buffer(const char *path, const struct gltf_file *file, size_t i
         decode_base64(base64 + strlen(";base64,"), out);
         return true;
     }
-    if (!path_of(path, uri, beside)) return error_set(err, "%s: the name of a buffer is too long", path);
-    if (!whole_file_read(beside, &whole, err)) return false;
+    if (!whole_file_read_companion(uri, &whole, err)) return false;
     *out = (struct gltf_buffer){whole.bytes, whole.size_b, whole.bytes};
     return true;
 }
@@ -81,9 +57,10 @@ static bool read_buffer(const char *path, const struct gltf_file *file, size_t i
 bool gltf_buffers_read(const char *path, const struct gltf_file *file, struct gltf_buffers *out, struct error *err)
 {
     const size_t count = json_array_size(json_object_get(file->root, "buffers"));
+    companions_begin(path);
     *out = (struct gltf_buffers){grow_zeroed(count, sizeof *out->items), 0};
     for (; out->count < count; out->count++)
-        if (!read_buffer(path, file, out->count, &out->items[out->count], err)) return false;
+        if (!read_buffer(file, out->count, &out->items[out->count], err)) return false;
     return true;
 }
 

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "whole_file.h"
 
+#include "companion.h"
 #include "input_file.h"
 #include "model_io.h"
 
@@ -18,17 +19,29 @@ static bool read_stream(const char *path, FILE *stream, size_t size_b, struct wh
     return !ferror(stream) || error_set(err, "%s: %s", path, strerror(errno));
 }
 
-bool whole_file_read(const char *path, struct whole_file *out, struct error *err)
+static bool take(const char *path, FILE *stream, size_t size_b, struct whole_file *out, struct error *err)
 {
-    size_t size_b;
     *out = (struct whole_file){0};
-    FILE *stream = input_open(path, MODEL_FILE_MOST_B, &size_b, err);
     if (!stream) return false;
     const bool ok =
         (size_b > 0 || error_set(err, "%s: the file is empty", path)) && read_stream(path, stream, size_b, out, err);
     fclose(stream);
     if (!ok) whole_file_free(out);
     return ok;
+}
+
+bool whole_file_read(const char *path, struct whole_file *out, struct error *err)
+{
+    size_t size_b = 0;
+    FILE *stream = input_open(path, MODEL_FILE_MOST_B, &size_b, err);
+    return take(path, stream, size_b, out, err);
+}
+
+bool whole_file_read_companion(const char *name, struct whole_file *out, struct error *err)
+{
+    size_t size_b = 0;
+    FILE *stream = companion_open(name, MODEL_FILE_MOST_B, &size_b, err);
+    return take(name, stream, size_b, out, err);
 }
 
 void whole_file_free(struct whole_file *file)

@@ -15,6 +15,9 @@ struct whole_file {
 
 /* What model_io_check() accepts. An error names the file. */
 bool whole_file_read(const char *path, struct whole_file *out, struct error *err);
+
+/* The same for what a model names, after companions_begin(). */
+bool whole_file_read_companion(const char *name, struct whole_file *out, struct error *err);
 void whole_file_free(struct whole_file *file);
 
 /* How many bytes in front of a text say that it is UTF-8; or that it is UTF-16, which is left to libraries. */

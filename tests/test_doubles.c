@@ -12,6 +12,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 static char folder[] = "/tmp/limner-test-XXXXXX";
@@ -307,6 +308,32 @@ static void chains_of_gltf_nodes_are_doubles(void **state)
     model_free(&model);
 }
 
+/* A folder may be called %2e%2e, which decoded would lead out. The other file is not the model's to name. */
+static void the_reference_reads_the_file_that_the_importer_read(void **state)
+{
+    static const char text[] =
+        "{\"asset\": {\"version\": \"2.0\"}, \"scene\": 0, \"scenes\": [{\"nodes\": [0]}], \"nodes\": [{\"mesh\": "
+        "0}],\n"
+        " \"meshes\": [{\"primitives\": [{\"attributes\": {\"POSITION\": 0}}]}],\n"
+        " \"accessors\": [{\"bufferView\": 0, \"componentType\": 5126, \"count\": 3, \"type\": \"VEC3\"}],\n"
+        " \"bufferViews\": [{\"buffer\": 0, \"byteLength\": 36}],\n"
+        " \"buffers\": [{\"byteLength\": 36, \"uri\": \"%2e%2e/a.bin\"}]}\n";
+    static const float own[9] = {0, 0, 0, 1, 0, 0, 0, 1, 0}, other[9] = {5, 5, 5};
+    char below[64];
+    (void)state;
+    snprintf(below, sizeof below, "%s/below", folder);
+    assert_int_equal(mkdir(below, 0700), 0);
+    snprintf(below, sizeof below, "%s/below/%%2e%%2e", folder);
+    assert_int_equal(mkdir(below, 0700), 0);
+    put_bytes("a.bin", other, sizeof other);
+    put_bytes("below/%2e%2e/a.bin", own, sizeof own);
+    put("below/a.gltf", text);
+    struct model model = both_read();
+    assert_at(&model, 0, 0, 0, 0, 0);
+    assert_at(&model, 0, 1, 1, 0, 0);
+    model_free(&model);
+}
+
 static void damaged_gltf_is_refused(void **state)
 {
     struct model model;
@@ -475,6 +502,7 @@ int main(void)
         cmocka_unit_test(off_faces_that_would_be_wrong_are_refused),
         cmocka_unit_test(gltf_nodes_are_doubles),
         cmocka_unit_test(chains_of_gltf_nodes_are_doubles),
+        cmocka_unit_test(the_reference_reads_the_file_that_the_importer_read),
         cmocka_unit_test(damaged_gltf_is_refused),
         cmocka_unit_test(a_disagreement_of_the_readers_is_an_error),
         cmocka_unit_test(a_format_without_a_reader_is_told),
