@@ -273,7 +273,7 @@ double lens_least_near_m(const struct lens *lens, const struct grid *grid)
     return diagonals / fmin(1.0, fmin(lens->tan_x, lens->tan_y)) / grid->units_per_m;
 }
 
-static double usual_near_m(const struct grid *grid)
+double lens_usual_near_m(const struct grid *grid)
 {
     const double longest_side_units = 65534.0;
     return fmin(0.1, longest_side_units / grid->units_per_m / 10.0);
@@ -283,13 +283,13 @@ double lens_default_near_m(const struct grid *grid)
 {
     const double tangent = tan(DEFAULT_FOV_DEG / 360.0 * PI);
     const struct lens lens = {.tan_x = tangent, .tan_y = tangent};
-    return fmax(usual_near_m(grid), lens_least_near_m(&lens, grid));
+    return fmax(lens_usual_near_m(grid), lens_least_near_m(&lens, grid));
 }
 
 double lens_forced_near_m(const struct grid *grid)
 {
     const double near_m = lens_default_near_m(grid);
-    return near_m > usual_near_m(grid) ? near_m : 0.0;
+    return near_m > lens_usual_near_m(grid) ? near_m : 0.0;
 }
 
 bool lens_for_grid(struct lens *lens, double fov_deg, double near_m, const struct grid *grid, unsigned w_px,

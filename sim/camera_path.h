@@ -53,8 +53,10 @@ bool lens_init(struct lens *lens, double fov_deg, double near_m, unsigned w_px, 
  * of the grid, more for a narrow lens. */
 double lens_least_near_m(const struct lens *lens, const struct grid *grid);
 
-/* 0.1 m; a tenth of the longest side of a scene smaller than a metre. Wide scenes have more: lens_least_near_m() of a
- * lens of 60 degrees. */
+/* 0.1 m; a tenth of the longest side of a scene smaller than a metre. */
+double lens_usual_near_m(const struct grid *grid);
+
+/* The same, but in wide scenes more: lens_least_near_m() of a lens of 60 degrees. */
 double lens_default_near_m(const struct grid *grid);
 
 /* The distance that the grid forces on a near plane that nobody chose, or 0 if it is the default. */

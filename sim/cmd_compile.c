@@ -243,7 +243,7 @@ static bool compile_all(const struct request *request, struct result *result, st
             return false;
         if (*moving->model.notice) fprintf(stderr, "limner: %s: %s\n", request->models[i], moving->model.notice);
         if (moving->count && !method_moves(result->scenes[i].report.draws, err)) return false;
-        if (!request->compile.near_m) lens_note_near(request->models[i], &result->scenes[i].grid);
+        if (request->compile.near_m <= 0.0) lens_note_near(request->models[i], &result->scenes[i].grid);
         result->named[i] = (struct named_scene){&result->scenes[i], result->names[i], moving->count ? moving : NULL};
     }
     return true;

@@ -191,13 +191,12 @@ static struct judging judging_of(const struct mesh *mesh, const struct compile_o
 {
     const bool is_chosen = options->near_m > 0.0;
     const double forced_m = fmax(options->forced_near_m, lens_forced_near_m(&mesh->grid));
-    struct judging judging = {
-        .original = mesh->original,
-        .mesh = mesh,
-        .scene = scene,
-        .has_fractions = is_exact(options),
-        .seen_m = FAITHFUL_PIXEL * (is_chosen ? options->near_m : fmax(forced_m, lens_default_near_m(&mesh->grid))),
-        .cut_m = is_chosen || options->drop_small ? 0.0 : forced_m};
+    struct judging judging = {.original = mesh->original,
+                              .mesh = mesh,
+                              .scene = scene,
+                              .has_fractions = is_exact(options),
+                              .seen_m = FAITHFUL_PIXEL * (is_chosen ? options->near_m : lens_usual_near_m(&mesh->grid)),
+                              .cut_m = is_chosen || options->drop_small ? 0.0 : forced_m};
     if (!scene) return judging;
     judging.planes = grow_zeroed(mesh->counts.faces + 1, sizeof *judging.planes);
     note_planes(&judging);

@@ -15,8 +15,8 @@ struct original;
 #define FAITHFUL_SHARE (1.0 / 32.0)
 #define FAITHFUL_PLANE_SHARE 0.17677669529663687
 
-/* What spans less than a pixel of the default picture even from the near plane (options.near_m, or the default) is not
- * looked at: 240 pixels, 60 degrees. */
+/* What spans less than a pixel of the default picture even from the near plane (options.near_m, or the usual one) is
+ * not looked at: 240 pixels, 60 degrees. */
 #define FAITHFUL_PIXEL 0.0048
 
 /* FAITHFUL_CUT: drawn as it should be, but by no camera that is as near as the face's patch is large, because the

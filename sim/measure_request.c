@@ -254,7 +254,7 @@ bool measure_request_cameras(const struct measure_request *request, const struct
                              const struct lens *lens, struct camera_path *path, struct error *err)
 {
     struct camera_path few = {0};
-    if (!request->compile.near_m) lens_note_near(request->model, &scene->grid);
+    if (request->compile.near_m <= 0.0) lens_note_near(request->model, &scene->grid);
     const bool ok = camera_choice_plan(&request->cameras, scene, lens, MEASURE_ORBIT_FRAMES, path, err) &&
                     camera_path_few(path, request->frames, &few, err);
     camera_path_free(path);

@@ -352,6 +352,6 @@ bool options_load(const struct options *options, struct compiled *scene, struct 
     if (!lens_for_grid(lens, options->fov_deg, options->compile.near_m, &scene->grid, options->setup.w_px,
                        options->setup.h_px, err))
         return false;
-    if (!options->compile.near_m) lens_note_near(options->scene_path, &scene->grid);
+    if (options->compile.near_m <= 0.0) lens_note_near(options->scene_path, &scene->grid);
     return camera_choice_plan(&options->cameras, scene, lens, options->orbit_frames, path, err);
 }
