@@ -130,7 +130,7 @@
 #endif
 
 /* The depth sort compares a list of n polygons at most LIM_NEWELL_EFFORT n^2 times, and a comparison for each piece: 1
- * to 65535. Random triangles through one another take some 100. */
+ * to 65535. Random triangles through one another take up to 20. */
 #ifndef LIM_NEWELL_EFFORT
 #define LIM_NEWELL_EFFORT 256u
 #endif

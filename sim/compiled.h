@@ -97,6 +97,7 @@ struct compile_report {
     bool convex;                  /* one convex solid */
     enum lim_method draws;        /* what firmware draws it with */
     unsigned w_px, h_px;          /* of the panel that the pools were measured for */
+    size_t few_cameras;           /* that was done on so many cameras alone, as sorting takes long; 0: on all */
     const struct core *core;      /* the precision profile asked for */
     double near_m;                /* options.near_m */
     struct predicted wrong;       /* on sampled cameras; only if options.predict, else .percent is NaN */

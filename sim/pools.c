@@ -24,7 +24,7 @@
 enum { SAMPLED = 256, PORTRAITS = 64, CAMERAS = SAMPLED + PORTRAITS };
 /* A depth sort that splits so much is asked for by fewer cameras: FEW of either kind. */
 enum { ENOUGH_SPLITS = 20000, FEW = 4 };
-enum { STRAYS = 1, LEAST_PIECES = 8, PLENTY_OF_PIECES = 16000, PLENTY = 60000, FOV_DEG = 60 };
+enum { STRAYS = 1, LEAST_PIECES = 8, PLENTY_OF_PIECES = 30000, PLENTY = 60000, FOV_DEG = 60 };
 enum { CAMERAS_AT_LEAST = STRAYS + 2 }; /* whatever time it takes */
 /* What is active is retained, and takes more cells than its head's. */
 enum { MOST_RETAINED = PLENTY / MCU_HEAD_CELLS };
@@ -202,6 +202,7 @@ static bool sample_spans(struct compiled *roomy, struct moving *moving, const st
     struct usage usage = {0};
     if (!sample_method(roomy, moving, setup, style, &usage, err)) return false;
     raise_limits(roomy, moving, &usage, limits);
+    if (style == STYLE_PLAIN && !moving && usage.splits >= ENOUGH_SPLITS) roomy->report.few_cameras = usage.cameras;
     if (style == STYLE_PLAIN && usage.cameras && frame_cost_knows(setup->method) && frame_cost_is_known(&roomy->scene))
         roomy->report.instructions = usage.instructions / (double)usage.cameras;
     return true;
@@ -258,6 +259,7 @@ bool pools_measure(struct compiled *scene, const struct core *core, unsigned w_p
     const bool is_known = frame_cost_knows(scene->report.draws);
     scene->report.instructions = is_known ? roomy.report.instructions : NAN;
     scene->report.delta_runs = roomy.report.delta_runs;
+    scene->report.few_cameras = roomy.report.few_cameras;
     scene->report.w_px = w_px;
     scene->report.h_px = h_px;
     return scene->report.draws != LIM_SCANLINE || pools_measure_scanline(scene, core, 0.0, err);

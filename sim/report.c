@@ -182,6 +182,9 @@ static void print_ram(const struct compiled *scene)
     if (scene->report.framebuffer)
         print_count("framebuffer, bytes", framebuffer_b(scene->report.w_px, scene->report.h_px));
     print_count("working memory, bytes", pools_mcu_mem_b(scene));
+    if (scene->report.few_cameras)
+        printf("    %-26s %8zu sampled cameras alone, as the depth sort takes long\n", "measured on",
+               scene->report.few_cameras);
     print_count("least, bytes", pools_mcu_mem_min_b(scene));
 }
 

@@ -11,10 +11,10 @@ void unsettled_add(struct unsettled *sum, const struct lim_newell_stats *stats)
 
 void unsettled_print(const struct unsettled *sum, const char *who, FILE *out)
 {
-    static const char *const reasons[LIM_FORCED_REASONS] = {
-        [LIM_FORCED_ROOM] = "for want of memory for pieces",
-        [LIM_FORCED_CORNERS] = "as a piece would have too many corners",
-        [LIM_FORCED_EFFORT] = "when no comparisons were left"};
+    static const char *const reasons[LIM_FORCED_REASONS] = {[LIM_FORCED_ROOM] = "for want of memory for pieces",
+                                                            [LIM_FORCED_CORNERS] =
+                                                                "as a piece would have too many corners",
+                                                            [LIM_FORCED_EFFORT] = "when no comparisons were left"};
     const char *before = ": ";
 
     fprintf(out, "%s: the order of %zu polygons and pieces in %zu frame%s could not be settled", who, sum->entries,

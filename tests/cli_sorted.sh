@@ -102,12 +102,18 @@ compiles() {
     timeout 120 "$BUILD/limner" compile "$work/many.obj" --method newell --size 160x120 -o "$work/many" >/dev/null && [ -s "$work/many.h" ]
 }
 
+few_cameras_are_told() {
+    "$BUILD/limner" compile "$work/many.obj" --method newell --size 160x120 --report >"$work/said" && says 'measured on +[1-9][0-9]? sampled cameras alone' &&
+        "$BUILD/limner" compile sim/scenes/knot.obj --method newell --report >"$work/said" && ! says 'sampled cameras alone'
+}
+
 tap_check "a hundred triangles through one another are right, and do not take long" a_hundred_are_right
 tap_check "fifty through one point are right, and all are settled" a_star_is_right fast
 tap_check "so they are with finer corners" a_star_is_right exact
 tap_check "few comparisons: the frames end, and what was left is told" the_limit_is_told
 tap_check "the scenes that are shipped are not divided, and settled" the_limit_is_far
 tap_check "a hundred are compiled, too" compiles
+tap_check "the report tells on how few cameras memory was measured" few_cameras_are_told
 tap_check "newell agrees with the reference, and could settle every pair" newell_is_right
 tap_check "so it does with planes first and one of two split" newell_is_right --newell planes,one
 tap_check "it split polygons" says '3:P_behind'
