@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 #
 # Fuzzes one target after another under libFuzzer and clang's sanitizers: sh tests/fuzz.sh TARGET... (make fuzz).
-# Starts from tests/corpus and keeps what it finds in $BUILD/fuzz/corpus; an input that breaks a promise is
+# Starts from tests/corpus and from seeds (libfuzzer/seeds.c), and keeps what it finds in $BUILD/fuzz/corpus; an input that breaks a promise is
 # left as $BUILD/fuzz/TARGET-crash-... FUZZ_FLAGS are libFuzzer's: -max_total_time=60, -runs=10000000.
 # FUZZ_MERGE=yes does not fuzz: it makes tests/corpus the least of itself and what was found that reaches as much.
 #
@@ -19,7 +19,7 @@ export ASAN_OPTIONS="allocator_may_return_null=1:${ASAN_OPTIONS:-}"
 # Coverage by counters alone: recorded comparisons would be those of the sanitizers, and cost three quarters of the time.
 opt='-O2 -g -fsanitize=address,undefined -fno-sanitize-recover=all'
 opt="$opt -fsanitize-coverage=inline-8bit-counters,pc-table"
-make -s BUILD="$build" CC=clang OPT="$opt" DEPS=skip "$build/tests/fuzz"
+make -s BUILD="$build" CC=clang OPT="$opt" DEPS=skip "$build/tests/fuzz" "$build/tests/fuzz_seeds"
 
 run() { # TARGET FLAG...
     name=$1
@@ -70,6 +70,8 @@ merge() { # TARGET
 TMPDIR=$(mktemp -d) # of inputs that are files, also where the program does not come to its end
 export TMPDIR
 trap 'rm -rf "$TMPDIR"' EXIT
+mkdir -p "$build/corpus"
+ASAN_OPTIONS="$ASAN_OPTIONS:detect_leaks=0" "$build/tests/fuzz_seeds" "$build/corpus" 40
 for target; do
     mkdir -p "$build/corpus/$target" "tests/corpus/$target"
     if [ "$FUZZ_MERGE" = yes ]; then
