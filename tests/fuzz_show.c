@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { METHODS = LIM_NEWELL + 1, PAGE_PX = 8 };
+enum { METHODS = LIM_NEWELL + 1, PAGE_PX = 8, EFFORT_MOST = 64 };
 
 /* Those of firmware, which come first; cores for measurements alone would double the corpus. */
 static unsigned count_profiles(void)
@@ -27,6 +27,8 @@ struct fuzz_look fuzz_look_from(struct fuzz_bytes *bytes)
     look.antialias = flags & 4;
     look.is_round = flags & 8;
     look.newell = (struct lim_newell_options){.planes_first = flags & 16, .split_one = flags & 32};
+    if (flags & 64) look.newell.most = 1 + look.wireframe.colour % EFFORT_MOST;
+    look.refreshes = flags & 128;
     if (look.method == LIM_CONVEX || look.method == LIM_PAINTER) look.antialias = look.is_round = false;
     return look;
 }
@@ -149,6 +151,7 @@ static bool shows_what_is_painted(const struct stage *stage)
 static const char *draw_frame(struct stage *stage, int frame)
 {
     fuzz_panel_begin(&stage->panel, lim_memory_colour(stage->unpainted), frame == 0 ? stage->means->fails_at : 0);
+    if (frame && stage->look->refreshes) stage->core->refresh(stage->lim);
     const int err = draw(stage, frame);
     if (stage->panel.broken) return stage->panel.broken;
     if (stage->panel.failed)

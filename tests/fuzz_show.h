@@ -27,6 +27,7 @@ struct fuzz_look {
     struct lim_wireframe wireframe;
     struct lim_newell_options newell;
     bool antialias, is_round;
+    bool refreshes; /* before the second frame */
 };
 
 struct fuzz_means {
