@@ -12,6 +12,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
+#include <unistd.h>
 #include <zlib.h>
 
 enum { MARK = 0xFF, ENTRIES_MAX = 8, BLOCK_B = 512, FILE_MAX_B = 1 << 16, NAME_MAX_B = 100 };
@@ -135,10 +136,13 @@ static bool are_same(const struct report *a, const struct report *b)
 
 static const char *read_in(struct report *report, struct work_folder *folder, const char *path, bool *ok)
 {
+    char outside[sizeof folder->path + 16];
     struct error err;
 
     if (!work_folder_make(folder, &err)) abort();
     *ok = report_read(report, folder, path, &err);
+    snprintf(outside, sizeof outside, "%s/../escaped", folder->path);
+    if (access(outside, F_OK) == 0) return "a file outside of the folder";
     return *ok ? check_files(report, folder) : fuzz_check_refusal(err.text, path);
 }
 

@@ -327,12 +327,18 @@ static void write_stl(struct written *written, struct fuzz_bytes *bytes)
 
 static void write_off(struct written *written, struct fuzz_bytes *bytes)
 {
-    written_put(written, "OFF\n%zu %zu 0\n", written->vertex_count, written->face_count);
-    for (size_t i = 0; i < written->vertex_count; i++)
+    const bool has_divisors = fuzz_below(bytes, 2);
+
+    written_put(written, "%sOFF\n%zu %zu 0\n", has_divisors ? "4" : "", written->vertex_count, written->face_count);
+    for (size_t i = 0; i < written->vertex_count; i++) {
+        const int divisor = has_divisors ? 1 + fuzz_below(bytes, 9) : 1;
         for (int axis = 0; axis < 3; axis++) {
-            written->vertices[i][axis] = written_put_decimal(written, bytes);
-            written_put(written, "%s", axis < 2 ? blanks[fuzz_below(bytes, BLANKS)] : "\n");
+            written->vertices[i][axis] = written_put_decimal(written, bytes) / divisor;
+            written_put(written, "%s", blanks[fuzz_below(bytes, BLANKS)]);
         }
+        if (has_divisors) written_put(written, "%d", divisor);
+        written_put(written, "\n");
+    }
     for (size_t i = 0; i < written->face_count; i++) {
         written_put(written, "%zu", written->faces[i].count);
         for (size_t k = 0; k < written->faces[i].count; k++)

@@ -92,8 +92,10 @@ static const struct {
     {"report", "0report.txt\nlimner report 1\nscene: scene/a.obj\noutcome: drawn\nlist\n\xFF"
                "0scene/a.obj\n\xFF"
                "0scene/a.obj\n"},
-    {"report", "0report.txt\nlimner report 1\nscene: scene/../a.obj\noutcome: drawn\nlist\n\xFF"
+    {"report", "0report.txt\nlimner report 1\nscene: scene/../a.obj\noutcome: crashed\nlist\n\377"
                "0scene/../a.obj\n"},
+    {"report", "0report.txt\nlimner report 1\nscene: scene/../../escaped\noutcome: crashed\nlist\n\377"
+               "0scene/../../escaped\nx"},
     {"report", "0report.txt\nlimner report 1\nscene: scene/a.obj\noutcome: lost\nlist\n\xFF"
                "0scene/a.obj\n"},
     {"report", "0report.txt\nlimner report 1\nfile: 3 01234567 scene/a.obj\n\xFF"
