@@ -56,7 +56,7 @@ nothing_found() { # COMMAND [OPTION...]: time is over before there is anything
 }
 for command in 'compile -o x' 'compile --report' 'compile --max-error 1 -o x' 'compile --max-vertex-error 1 -o x' 'compile --tree clusters -o x' \
     'compile --tree axis -o x' 'compile --tree octree -o x' 'render -o %d.png --gif x.gif --ids x.ids --write-hashes x.hashes' \
-    'measure -o m' 'compare -o c' splitters view 'play --panel st7789 --spi /dev/spidev0.0 --dc 1'; do
+    'measure --no-cost -o m' 'compare -o c' splitters view 'play --panel st7789 --spi /dev/spidev0.0 --dc 1'; do
     # shellcheck disable=SC2086 # an option is a word
     tap_check "$command: nothing yet, which is an error" nothing_found $command ../heavy.obj
 done
@@ -123,7 +123,7 @@ shows_progress() { # COMMAND [OPTION...]
     grep -q '% \|reading ' out && grep -q 'stopped after' out
 }
 if script -qec true /dev/null >/dev/null 2>&1; then
-    for command in 'compile heavy.obj --report' 'render heavy.obj --write-hashes x' 'measure heavy.obj' 'compare heavy.obj' \
+    for command in 'compile heavy.obj --report' 'render heavy.obj --write-hashes x' 'measure heavy.obj --no-cost' 'compare heavy.obj' \
         'splitters heavy.obj' 'view heavy.obj' 'compile heavy.obj --report --max-error 1'; do
         tap_check "progress is shown: $command" shows_progress "$command"
     done
