@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: MIT
  *
  * Small frames from hostile cameras: eyes at vertices, beside them and far out, angles on the axes and a hair off,
- * every lens, near planes from the nearest to the farthest. Codes, pixels and all statistics are as in
- * tests/golden_cameras.expected; a frame in parts is the same as a frame at once. tests/test_extreme_*.c say what is
+ * every lens, near planes from the nearest to the farthest. Codes, pixels, all statistics and what frames leave in memory
+ * are as in tests/golden_cameras.expected; a frame in parts is the same as a frame at once. tests/test_extreme_*.c say what is
  * right; this tells that a change which was to change nothing did. GOLDEN_FRAMES=write writes the file anew. */
 #include "cmocka_ready.h"
-#include "golden_stage.h"
+#include "golden_state.h"
 #include "random_camera.h"
 
 #include <string.h>
@@ -99,7 +99,7 @@ static void put_way(struct simulator *simulator, struct golden_stage *stage, con
 {
     const size_t movers = stage->moving.count;
     struct lim_instance kept[MOVERS_MAX];
-    uint32_t all = GOLDEN_HASH;
+    uint32_t all = GOLDEN_HASH, memory = GOLDEN_HASH;
     struct random random = {77};
 
     assert_true(movers <= MOVERS_MAX);
@@ -114,7 +114,8 @@ static void put_way(struct simulator *simulator, struct golden_stage *stage, con
         }
         if (way->method == LIM_NEWELL) simulator->core->newell(simulator->lim, &orders[i % 4]);
         const int code = simulator_draw(simulator, &camera);
-        const uint32_t hash = hash_of(simulator, code);
+        const uint32_t hash = hash_of(simulator, code), left = code ? 0 : golden_state(simulator);
+        memory = golden_hash(memory, &left, sizeof left);
         if (way->special != GOLDEN_DELTA) assert_int_equal(hash_of(simulator, draw_in_parts(simulator, &camera)), hash);
         if (way->special == GOLDEN_DELTA && i % 2) { /* nothing changes */
             const uint32_t again = hash_of(simulator, simulator_draw(simulator, &camera));
@@ -123,7 +124,7 @@ static void put_way(struct simulator *simulator, struct golden_stage *stage, con
         all = golden_hash(all, &hash, sizeof hash);
         if (i % 6 == 5) golden_put(" %08x", all);
     }
-    golden_put("\n");
+    golden_put(", memory %08x\n", memory);
     if (movers) memcpy(stage->moving.instances, kept, movers * sizeof *kept);
 }
 
@@ -133,8 +134,10 @@ static void put_scene(struct golden_stage *stage)
         for (size_t i = 0; cores[k]->is_profile && golden_ways[i].name; i++) {
             const size_t size = (i + k) % (sizeof sizes / sizeof *sizes);
             struct simulator simulator;
-            if (golden_begin(&simulator, stage, cores[k], &golden_ways[i], sizes[size].w_px, sizes[size].h_px))
+            if (golden_begin(&simulator, stage, cores[k], &golden_ways[i], sizes[size].w_px, sizes[size].h_px)) {
+                golden_state_clear(&simulator, stage);
                 put_way(&simulator, stage, &golden_ways[i]);
+            }
             simulator_free(&simulator);
         }
 }

@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: MIT
  *
  * The renderer in every amount of memory from the least on: a byte less is refused, pictures are the same in all of
- * them where the method promises that, and pixels and statistics are as in tests/golden_memory.expected. A picture in
+ * them where the method promises that, and pixels, statistics and what frames leave in memory are as in tests/golden_memory.expected. A picture in
  * little memory is drawn in many walks, so this is where pools run out: of gaps, active polygons, retained cells,
  * pieces, layers, entries of movers, runs of delta output. GOLDEN_FRAMES=write writes the file anew. */
 #include "cmocka_ready.h"
-#include "golden_stage.h"
+#include "golden_state.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -17,7 +17,8 @@ struct trial {
     struct golden_stage *stage;
     const struct golden_way *way;
     struct lim_camera camera;
-    uint32_t hash, bands, picture; /* picture: of the first frame, 0 before that */
+    uint32_t hash, bands, memory;
+    uint32_t picture; /* of the first frame, 0 before that */
 };
 
 /* What lends its memory anew. */
@@ -34,7 +35,9 @@ static bool init_in(struct trial *trial, size_t mem_b)
     simulator->mover_mem = NULL;
     const int code = core->init(simulator->lim, simulator->scene, &simulator->target, simulator->mem, mem_b);
     if (code) assert_int_equal(code, LIM_ERR_MEMORY);
-    return !code && golden_turn_on(simulator, trial->stage, trial->way);
+    if (code || !golden_turn_on(simulator, trial->stage, trial->way)) return false;
+    golden_state_clear(simulator, trial->stage);
+    return true;
 }
 
 /* Newell's cuts depend on how many pieces there is room for. Antialiased glass and textures are rounded otherwise on a
@@ -60,6 +63,8 @@ static void draw(struct trial *trial)
     if (is_always_the_same(trial)) assert_int_equal(picture, trial->picture);
     trial->bands += stats->bands;
     trial->hash = golden_hash(trial->hash ^ picture, stats, sizeof *stats);
+    const uint32_t left = golden_state(&trial->simulator);
+    trial->memory = golden_hash(trial->memory, &left, sizeof left);
 }
 
 /* The limits of movers, from nothing to what they ask for. */
@@ -97,8 +102,8 @@ static void draw_in_all(struct trial *trial)
         draw(trial);
     }
     if (trial->stage->moving.count) draw_with_movers(trial);
-    golden_put("%s %s %s: %zu to %zu B, bands %u, %08x\n", trial->stage->name, simulator->core->name, trial->way->name,
-               least_b, most_b, trial->bands, trial->hash);
+    golden_put("%s %s %s: %zu to %zu B, bands %u, %08x, memory %08x\n", trial->stage->name, simulator->core->name, trial->way->name,
+               least_b, most_b, trial->bands, trial->hash, trial->memory);
 }
 
 static void put_scene(struct golden_stage *stage)
@@ -112,7 +117,7 @@ static void put_scene(struct golden_stage *stage)
     assert_true(camera_path_to_camera(&stage->path, 1, &lens, &stage->scene.grid, &trial.camera, &err));
     for (size_t k = 0; cores[k]; k++)
         for (trial.way = golden_ways; cores[k]->is_profile && trial.way->name; trial.way++) {
-            trial.hash = GOLDEN_HASH;
+            trial.hash = trial.memory = GOLDEN_HASH;
             trial.bands = trial.picture = 0;
             if (golden_begin(&trial.simulator, stage, cores[k], trial.way, W_PX, H_PX)) draw_in_all(&trial);
             simulator_free(&trial.simulator);

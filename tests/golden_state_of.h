@@ -1,0 +1,209 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * golden_state() for the profile that LIM_PROFILE names. What has no padding is taken as bytes. */
+#ifndef TESTS_GOLDEN_STATE_OF_H
+#define TESTS_GOLDEN_STATE_OF_H
+
+#include "golden_state.h"
+#include "state.h"
+
+static uint32_t add(uint32_t hash, int64_t value)
+{
+    return golden_hash(hash, &value, sizeof value);
+}
+
+static uint32_t add_three(uint32_t hash, const int32_t v[3])
+{
+    return golden_hash(hash, v, 3 * sizeof *v);
+}
+
+/* VIEW --------------------------------------------------------------------------------------- */
+
+static uint32_t add_rows(uint32_t hash, const struct lim_rows *rows)
+{
+    hash = add(add(add(hash, rows->tele_bits), rows->near_qv), rows->far_units);
+    for (int i = 0; i < 3; i++) {
+        hash = add(hash, rows->row[i].shift_qv);
+        for (int k = 0; k < 3; k++) {
+            hash = add(hash, rows->row[i].n_qv[k]);
+#if LIM_HAS_LIMBS
+            hash = add(hash, rows->row[i].low_qv15[k]);
+#endif
+        }
+    }
+    return hash;
+}
+
+static uint32_t add_vertices(uint32_t hash, const struct lim_view_cached *cache)
+{
+    for (int i = 0; i < LIM_VIEW_CACHE_ENTRIES; i++) {
+        if (cache[i].vertex == (lim_index)LIM_NO_INDEX) continue;
+        hash = add(add(hash, cache[i].vertex), cache[i].codes);
+        if (!(cache[i].codes & LIM_VIEW_GUARD)) hash = add(add(hash, cache[i].at.x), cache[i].at.y);
+    }
+    return hash;
+}
+
+static uint32_t add_eye(uint32_t hash, const struct lim_eye *eye)
+{
+    hash = add(add(add_three(hash, eye->at_q8), eye->near_end), eye->shift);
+    for (int i = 0; i < 3; i++)
+        hash = add(hash, eye->reduced[i]);
+    return add(add(hash, eye->slack_rest), eye->large_slack);
+}
+
+static uint32_t add_cull(uint32_t hash, const struct lim_cull *cull)
+{
+    for (int side = 0; side < 4; side++) {
+        for (int i = 0; i < 3; i++)
+            hash = add(hash, cull->sides[side].n[i]);
+        hash = add(hash, cull->sides[side].offset);
+    }
+    return hash;
+}
+
+/* Movers and sorted polygons ----------------------------------------------------------------- */
+
+static uint32_t add_mover(uint32_t hash, const struct lim_mover *mover, bool lit)
+{
+    hash = add(hash, mover->radius_q12);
+    if (mover->radius_q12 < 0) return hash;
+    hash = add_three(add_eye(add_rows(hash, &mover->view.rows), &mover->eye), mover->centre_q12);
+    for (int i = 0; lit && i < 3; i++)
+        hash = add(hash, mover->to_q14[i]);
+    return hash;
+}
+
+static uint32_t add_movers(uint32_t hash, const struct lim_movers *movers, uint16_t count)
+{
+    hash = add_rows(add_three(add_three(hash, movers->ahead_q28), movers->eye_q8), &movers->world.rows);
+    for (uint16_t i = 0; i < count && i < movers->most; i++)
+        hash = add_mover(hash, &movers->movers[i], movers->light.on);
+    return hash;
+}
+
+static uint32_t add_polygon(uint32_t hash, const struct lim_newell_polygon *polygon)
+{
+    hash = golden_hash(add(hash, polygon->near_qv), &polygon->rect, sizeof polygon->rect);
+    hash = add(add(add(hash, polygon->node), polygon->cuts), polygon->owner);
+    return add(hash, polygon->eye_in_front | polygon->swapped << 1 | polygon->last << 2);
+}
+
+static uint32_t add_sorted(uint32_t hash, const struct lim_sorter *sorter, bool with_pieces)
+{
+    hash = add(add(hash, sorter->size), sorter->used);
+    for (uint16_t i = 0; i < sorter->used; i++) {
+        hash = add(add(add(hash, sorter->list[i].far_qv), sorter->list[i].record), sorter->list[i].next);
+        if (with_pieces) hash = add_polygon(hash, &sorter->newell.polygons[i]);
+    }
+    if (!with_pieces) return hash;
+    hash = add(add(hash, sorter->newell.cut_size), sorter->newell.cuts_used);
+    return golden_hash(hash, sorter->newell.cuts, sorter->newell.cuts_used * sizeof *sorter->newell.cuts);
+}
+
+/* Textures and edges ------------------------------------------------------------------------- */
+
+static uint32_t add_texturing(uint32_t hash, const struct lim_texturing *texturing)
+{
+    for (int i = 0; i < 3; i++)
+        hash = add_three(add_three(hash, texturing->axes[i].high_q15), texturing->axes[i].low_q30);
+    for (int i = 0; i < 2; i++) {
+        hash = add(add(hash, texturing->tan_q28[i]), texturing->tan_a_px[i]);
+        hash = add(hash, texturing->tan_a_px_bits[i]);
+    }
+    return add(add(hash, texturing->far_bits), texturing->level_q4);
+}
+
+static uint32_t add_gradients(uint32_t hash, const struct lim_gradients *gradients)
+{
+    hash = golden_hash(hash, &gradients->depth, sizeof gradients->depth);
+    for (int i = 0; i < 2; i++) {
+        hash = golden_hash(hash, &gradients->uv[i], sizeof gradients->uv[i]);
+        hash = add(add(hash, gradients->eye_uv_q16[i]), gradients->shift[i]);
+    }
+    return add(add(hash, gradients->depth_min), gradients->level_q4);
+}
+
+static uint32_t add_edge(uint32_t hash, const struct lim_edge *edge)
+{
+    return add(add(add(add(add(hash, edge->at), edge->step), edge->end), edge->next), edge->step_vertex);
+}
+
+static uint32_t add_actives(uint32_t hash, const struct lim_actives *actives, bool textured, bool antialiased)
+{
+    hash = add(add(hash, actives->pool_size), actives->fresh);
+    for (uint16_t i = 0; i < actives->fresh; i++) {
+        const struct lim_active *active = &actives->pool[i];
+        hash = add(add(add(hash, active->polygon), active->turn), active->bottom);
+        if (textured) hash = add_gradients(hash, &active->gradients);
+        if (!antialiased) hash = add_edge(add_edge(hash, &active->pair.left), &active->pair.right);
+    }
+    return hash;
+}
+
+static uint32_t add_crossings(uint32_t hash, const struct lim_convex *convex, bool textured)
+{
+    for (uint16_t i = 0; i < convex->pool_used; i++) {
+        const struct lim_crossing *crossing = &convex->pool[i];
+        if (textured && crossing->polygon.texture != LIM_NONE) hash = add_gradients(hash, &crossing->gradients);
+        hash = add_edge(add_edge(hash, &crossing->pair.left), &crossing->pair.right);
+        for (uint8_t k = 0; k < crossing->polygon.n; k++)
+            hash = add(add(hash, crossing->polygon.at[k].x), crossing->polygon.at[k].y);
+    }
+    return hash;
+}
+
+/* In wireframe each has a bit an edge behind its corners, and of the words of those only as many mean something. Up to
+ * the first piece: how many lines that has is not noted. */
+static uint32_t add_wires(uint32_t hash, const struct lim_retained *retained)
+{
+    const union lim_retained_cell *const cells = retained->cells;
+    const unsigned cell_bits = 8 * sizeof *cells;
+
+    for (uint16_t at = 0; at < retained->used && cells[at].link.n;) {
+        const unsigned n = cells[at].link.n, corners = LIM_RETAINED_HEAD_CELLS + n;
+        const uint16_t *hidden = cells[at + corners].hidden;
+        hash = golden_hash(hash, &cells[at], corners * sizeof *cells);
+        for (unsigned k = 0; k < n; k++)
+            hash = add(hash, hidden[k / 16] >> k % 16 & 1);
+        at = (uint16_t)(at + corners + ((n + 15) / 16 * 16 + cell_bits - 1) / cell_bits);
+    }
+    return hash;
+}
+
+/* All of it ---------------------------------------------------------------------------------- */
+
+static uint32_t add_spans(uint32_t hash, const struct lim *lim)
+{
+    const struct lim_spans *spans = &lim->spans;
+    const struct lim_retained *retained = &lim->retained;
+    const bool textured = lim->scene->textures && lim->scene->texture_count;
+
+    hash = add(add(add(hash, spans->pool_size), spans->fresh), spans->open_lines);
+    hash = golden_hash(hash, spans->pool, spans->fresh * sizeof *spans->pool);
+    hash = golden_hash(hash, spans->lines, lim->target.h_px * sizeof *spans->lines);
+    hash = add(add(hash, retained->size), retained->used);
+    hash = lim->wireframe.on ? add_wires(hash, retained)
+                             : golden_hash(hash, retained->cells, retained->used * sizeof *retained->cells);
+    hash = add_actives(hash, &lim->paint.actives, textured, lim->view.antialiased);
+    return add(add(hash, lim->paint.layers.size), lim->paint.layers.used);
+}
+
+static uint32_t state_of(const void *state, uint16_t movers)
+{
+    const struct lim *lim = state;
+    const enum lim_method method = lim->target.method;
+    uint32_t hash = add_vertices(add_rows(GOLDEN_HASH, &lim->view.rows), lim->view.cache);
+
+    hash = add_eye(add_cull(add(hash, lim->view.vertices), &lim->cull), &lim->walk.eye);
+    if (lim->scene->textures) hash = add_texturing(hash, &lim->texturing);
+    if (method == LIM_CONVEX) return add_crossings(hash, &lim->convex, lim->scene->textures);
+    if (lim->movers.most) hash = add_movers(hash, &lim->movers, movers);
+    if (lim->movers.most || method == LIM_NEWELL || method == LIM_DEPTH)
+        hash = add_sorted(hash, &lim->sorter, lim->movers.most || method == LIM_NEWELL);
+    if (lim->portals.bits)
+        hash = golden_hash(hash, lim->portals.bits, LIM_PORTALS_BITS_B(lim->scene->box_count));
+    return method == LIM_PAINTER ? hash : add_spans(hash, lim);
+}
+
+#endif
