@@ -209,6 +209,131 @@ static void whatever_goes_wrong_in_a_frame_the_next_one_is_right_without_a_start
     sweep_all(false, wire_everything);
 }
 
+/* What a panel does beside frames: a call, and with which argument. */
+struct deed {
+    int (*call)(struct panel *panel, int argument);
+    int argument;
+    bool goes_on; /* after an error, with what is left of it */
+};
+
+static int do_blank(struct panel *panel, int argument)
+{
+    return panel_blank(panel, argument);
+}
+
+static int do_sleep(struct panel *panel, int argument)
+{
+    return panel_sleep(panel, argument);
+}
+
+static int do_darken(struct panel *panel, int argument)
+{
+    (void)argument;
+    return panel_darken(panel);
+}
+
+static int do_turn(struct panel *panel, int argument)
+{
+    return panel_set_rotation(panel, (enum panel_rotation)argument);
+}
+
+static int do_invert(struct panel *panel, int argument)
+{
+    return panel_set_inverted(panel, argument);
+}
+
+static int do_light(struct panel *panel, int argument)
+{
+    return panel_set_backlight(panel, argument);
+}
+
+static int do_keep(struct panel *panel, int argument)
+{
+    (void)argument;
+    return panel_keep(panel);
+}
+
+static int do_begin(struct panel *panel, int argument)
+{
+    (void)argument;
+    return panel_begin_frame(panel);
+}
+
+static int do_window(struct panel *panel, int argument)
+{
+    (void)argument;
+    return panel_window(panel, 0, 0, panel->w_px, panel->step_y_px);
+}
+
+static const struct deed deeds[] = {
+    {do_blank, 1, false}, {do_blank, 0, false}, {do_sleep, 1, false},  {do_sleep, 0, false},  {do_darken, 0, true},
+    {do_turn, 1, false},  {do_turn, 2, false},  {do_turn, 0, false},   {do_invert, 1, false}, {do_invert, 0, false},
+    {do_light, 0, false}, {do_light, 1, false}, {do_keep, 0, false},   {do_begin, 0, false},  {do_window, 0, false}};
+
+/* Fails the deed's n-th call; a setting that did not come through is none, so the next start is as the first was.
+ * Whether it came to that call. */
+static bool fail_deed(const struct deed *deed, enum fault fault, long n)
+{
+    struct panel *panel = rig.display.panel;
+    const uint16_t w_px = panel->w_px, h_px = panel->h_px;
+
+    assert_int_equal(panel_init(panel), 0);
+    assert_int_equal(panel_rig_draw(&rig, WHOLE_PX), 0);
+    fault_port_arm(&rig.fault, n);
+    rig.fault.fault = fault;
+    const int err = deed->call(panel, deed->argument);
+    const bool failed = rig.fault.failed;
+    if (!failed) {
+        assert_true(err == 0 || err == PANEL_ERR_UNSUPPORTED);
+        return false;
+    }
+    assert_int_equal(err, rig.fault.code);
+    if (!deed->goes_on) assert_int_equal(rig.fault.calls_late, 0);
+    fault_port_arm(&rig.fault, -1);
+    assert_int_equal(panel->w_px, w_px);
+    assert_int_equal(panel->h_px, h_px);
+    assert_next_frame_is_right(true);
+    return true;
+}
+
+static void whatever_goes_wrong_in_any_other_call_comes_through_and_changes_no_setting(void **state)
+{
+    struct panel_choice choice;
+    long calls = 0;
+
+    (void)state;
+    for (size_t i = 0; panel_choice_at(i, &choice); i++)
+        for (size_t k = 0; k < sizeof deeds / sizeof *deeds; k++)
+            for (int fault = FAULT_AT_ONCE; fault <= FAULT_LATE; fault++) {
+                const struct display_module module = panel_rig_module(&choice, SWEEP_W_PX, SWEEP_H_PX);
+                assert_true(panel_rig_setup(&rig, &choice, &module, wire_everything));
+                long n = 0;
+                while (fail_deed(&deeds[k], (enum fault)fault, n))
+                    n++;
+                calls += n;
+            }
+    print_message("# every panel: %ld faults beside frames\n", calls);
+    assert_true(calls > 500);
+}
+
+/* A setting that came through is kept by the next start. */
+static void a_start_keeps_what_was_set(void **state)
+{
+    struct panel_choice choice;
+
+    (void)state;
+    for (size_t i = 0; panel_choice_at(i, &choice); i++) {
+        const struct display_module module = panel_rig_module(&choice, SMALL_W_PX, SMALL_H_PX);
+        start(&choice, &module);
+        const bool inverts = panel_set_inverted(rig.display.panel, true) == 0;
+        assert_int_equal(panel_init(rig.display.panel), 0);
+        assert_int_equal(panel_rig_draw(&rig, WHOLE_PX), 0);
+        panel_rig_assert_seen(&rig, inverts);
+        assert_int_equal(panel_set_inverted(rig.display.panel, false), inverts ? 0 : PANEL_ERR_UNSUPPORTED);
+        panel_rig_assert_seen(&rig, false);
+    }
+}
+
 /* README -------------------------------------------------------------------------------------- */
 
 static void put_format(char *to, size_t to_b, enum panel_format format)
@@ -274,6 +399,8 @@ int main(void)
         cmocka_unit_test(every_setting_does_what_it_says_or_is_refused),
         cmocka_unit_test(whatever_goes_wrong_comes_through_and_the_next_start_is_right),
         cmocka_unit_test(whatever_goes_wrong_in_a_frame_the_next_one_is_right_without_a_start),
+        cmocka_unit_test(whatever_goes_wrong_in_any_other_call_comes_through_and_changes_no_setting),
+        cmocka_unit_test(a_start_keeps_what_was_set),
         cmocka_unit_test(readme_has_a_row_for_each_panel_and_no_other),
     };
     return cmocka_run_group_tests_name("every_panel", tests, NULL, NULL);

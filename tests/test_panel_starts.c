@@ -52,16 +52,60 @@ static int note_delay(void *ctx, uint32_t delay_us)
     return 0;
 }
 
+static unsigned message_b; /* what a message costs the port */
+
 static void note(struct panel_rig *on, struct port *port)
 {
     static char dc[] = "dc", reset[] = "reset", light[] = "light", select_[] = "select";
 
-    port->bus = (struct bus){.write = note_bytes};
+    port->bus = (struct bus){.write = note_bytes, .message_b = (uint16_t)message_b};
     port->dc = (struct pin){dc, note_pin};
     port->reset = (struct pin){reset, note_pin};
     port->backlight = (struct pin){light, note_pin};
     if (on->choice.family->selects) port->select = (struct pin){select_, note_pin};
     port->clock = (struct clock){.delay = note_delay};
+}
+
+/* Behind what the port was asked for. */
+static void put_result(int err)
+{
+    put(" =%d", err);
+}
+
+/* The last piece of the picture, a pixel more than it holds, and a window outside. */
+static void put_corner(struct panel *panel)
+{
+    static const uint8_t zeros[3 * 480];
+    const uint16_t w_px = panel->w_px, h_px = panel->h_px, x_step_px = panel->step_x_px, y_step_px = panel->step_y_px;
+
+    put(" %ux%u", w_px, h_px);
+    put_result(panel_window(panel, w_px - x_step_px, h_px - y_step_px, x_step_px, y_step_px));
+    put_result(panel_pixels(panel, zeros, (size_t)x_step_px * y_step_px));
+    put_result(panel_pixels(panel, zeros, (size_t)x_step_px * y_step_px));
+    put_result(panel_window(panel, w_px, 0, x_step_px, y_step_px));
+    put_result(panel_pixels(panel, zeros, x_step_px));
+    put_result(panel_flush(panel));
+}
+
+/* Everything else that a panel does. */
+static void put_rest(struct panel *panel)
+{
+    put(" | blank");
+    put_result(panel_blank(panel, true));
+    put_result(panel_set_inverted(panel, true));
+    put_result(panel_set_inverted(panel, false));
+    put_result(panel_blank(panel, false));
+    put(" | light");
+    put_result(panel_set_backlight(panel, false));
+    put_result(panel_set_backlight(panel, true));
+    put(" | frame");
+    put_result(panel_begin_frame(panel));
+    for (unsigned turns = 0; turns < 5; turns++) {
+        put(" | turn %u", turns);
+        put_result(panel_set_rotation(panel, (enum panel_rotation)turns));
+        put_corner(panel);
+    }
+    put(" | a window costs %u", panel->window_b);
 }
 
 static void put_start(const struct panel_choice *choice, const struct display_module *module, const char *what)
@@ -85,6 +129,7 @@ static void put_start(const struct panel_choice *choice, const struct display_mo
     (void)!panel_sleep(panel, false);
     (void)!panel_darken(panel);
     (void)!panel_keep(panel);
+    put_rest(panel);
     put("\n");
 }
 
@@ -104,6 +149,10 @@ static void put_panel(const struct panel_choice *choice)
     put_start(choice, &module, "bgr inverted converter");
     module.mirror = true;
     put_start(choice, &module, "mirrored");
+    module.mirror = false;
+    message_b = 7;
+    put_start(choice, &module, "of messages");
+    message_b = 0;
     module = panel_rig_module(choice, 480, 480);
     for (int format = 0; format < PANEL_FORMATS; format++) {
         struct panel_choice other = *choice;
