@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT
  *
- * What a frame leaves behind in the renderer's memory: the view and its rows, vertices on the screen, poses and balls of
- * movers, depths and rectangles of sorted polygons, retained corners, edges, mappings of textures, the sizes of pools. Of
- * most of it a small picture shows little. Read member by member, in each profile's own layout. */
+ * What a frame leaves behind in the renderer's memory: the view and its rows, vertices on the screen, poses and balls
+ * of movers, depths and rectangles of sorted polygons, retained corners, edges, mappings of textures, the sizes of
+ * pools. Of most of it a small picture shows little. Read member by member, in each profile's own layout. */
 #ifndef TESTS_GOLDEN_STATE_H
 #define TESTS_GOLDEN_STATE_H
 

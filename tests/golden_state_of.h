@@ -201,8 +201,7 @@ static uint32_t state_of(const void *state, uint16_t movers)
     if (lim->movers.most) hash = add_movers(hash, &lim->movers, movers);
     if (lim->movers.most || method == LIM_NEWELL || method == LIM_DEPTH)
         hash = add_sorted(hash, &lim->sorter, lim->movers.most || method == LIM_NEWELL);
-    if (lim->portals.bits)
-        hash = golden_hash(hash, lim->portals.bits, LIM_PORTALS_BITS_B(lim->scene->box_count));
+    if (lim->portals.bits) hash = golden_hash(hash, lim->portals.bits, LIM_PORTALS_BITS_B(lim->scene->box_count));
     return method == LIM_PAINTER ? hash : add_spans(hash, lim);
 }
 

@@ -266,9 +266,9 @@ static int do_window(struct panel *panel, int argument)
 }
 
 static const struct deed deeds[] = {
-    {do_blank, 1, false}, {do_blank, 0, false}, {do_sleep, 1, false},  {do_sleep, 0, false},  {do_darken, 0, true},
-    {do_turn, 1, false},  {do_turn, 2, false},  {do_turn, 0, false},   {do_invert, 1, false}, {do_invert, 0, false},
-    {do_light, 0, false}, {do_light, 1, false}, {do_keep, 0, false},   {do_begin, 0, false},  {do_window, 0, false}};
+    {do_blank, 1, false}, {do_blank, 0, false}, {do_sleep, 1, false}, {do_sleep, 0, false},  {do_darken, 0, true},
+    {do_turn, 1, false},  {do_turn, 2, false},  {do_turn, 0, false},  {do_invert, 1, false}, {do_invert, 0, false},
+    {do_light, 0, false}, {do_light, 1, false}, {do_keep, 0, false},  {do_begin, 0, false},  {do_window, 0, false}};
 
 /* Fails the deed's n-th call; a setting that did not come through is none, so the next start is as the first was.
  * Whether it came to that call. */

@@ -1,9 +1,10 @@
 /* SPDX-License-Identifier: MIT
  *
  * Small frames from hostile cameras: eyes at vertices, beside them and far out, angles on the axes and a hair off,
- * every lens, near planes from the nearest to the farthest. Codes, pixels, all statistics and what frames leave in memory
- * are as in tests/golden_cameras.expected; a frame in parts is the same as a frame at once. tests/test_extreme_*.c say what is
- * right; this tells that a change which was to change nothing did. GOLDEN_FRAMES=write writes the file anew. */
+ * every lens, near planes from the nearest to the farthest. Codes, pixels, all statistics and what frames leave in
+ * memory are as in tests/golden_cameras.expected; a frame in parts is the same as a frame at once.
+ * tests/test_extreme_*.c say what is right; this tells that a change which was to change nothing did.
+ * GOLDEN_FRAMES=write writes the file anew. */
 #include "cmocka_ready.h"
 #include "golden_state.h"
 #include "random_camera.h"

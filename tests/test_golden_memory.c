@@ -1,9 +1,10 @@
 /* SPDX-License-Identifier: MIT
  *
  * The renderer in every amount of memory from the least on: a byte less is refused, pictures are the same in all of
- * them where the method promises that, and pixels, statistics and what frames leave in memory are as in tests/golden_memory.expected. A picture in
- * little memory is drawn in many walks, so this is where pools run out: of gaps, active polygons, retained cells,
- * pieces, layers, entries of movers, runs of delta output. GOLDEN_FRAMES=write writes the file anew. */
+ * them where the method promises that, and pixels, statistics and what frames leave in memory are as in
+ * tests/golden_memory.expected. A picture in little memory is drawn in many walks, so this is where pools run out: of
+ * gaps, active polygons, retained cells, pieces, layers, entries of movers, runs of delta output. GOLDEN_FRAMES=write
+ * writes the file anew. */
 #include "cmocka_ready.h"
 #include "golden_state.h"
 
@@ -102,8 +103,8 @@ static void draw_in_all(struct trial *trial)
         draw(trial);
     }
     if (trial->stage->moving.count) draw_with_movers(trial);
-    golden_put("%s %s %s: %zu to %zu B, bands %u, %08x, memory %08x\n", trial->stage->name, simulator->core->name, trial->way->name,
-               least_b, most_b, trial->bands, trial->hash, trial->memory);
+    golden_put("%s %s %s: %zu to %zu B, bands %u, %08x, memory %08x\n", trial->stage->name, simulator->core->name,
+               trial->way->name, least_b, most_b, trial->bands, trial->hash, trial->memory);
 }
 
 static void put_scene(struct golden_stage *stage)
