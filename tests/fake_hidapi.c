@@ -97,6 +97,7 @@ int hid_read_timeout(hid_device *device, unsigned char *data, size_t length, int
 {
     assert_int_equal(length, device->reports.report_b);
     assert_true(milliseconds > 0);
+    if (milliseconds > fake_hidapi.longest_ms) fake_hidapi.longest_ms = milliseconds;
     if (fake_hidapi.interrupted_every && ++fake_hidapi.reads % fake_hidapi.interrupted_every == 0) {
         errno = EINTR;
         return -1;

@@ -9,7 +9,7 @@
 
 #include <wchar.h>
 
-enum { FAKE_PLACES = 3 };
+enum { FAKE_PLACES = 20 };
 
 struct fake_place {
     struct emulated_cable *cable; /* NULL, or unplugged: nothing is listed */
@@ -25,6 +25,7 @@ struct fake_hidapi {
     unsigned interrupted_every; /* each so many-th read is ended by a signal; 0: none */
     unsigned reads;
     bool writes_short; /* fewer bytes are written than were given */
+    int longest_ms;    /* that a read was to wait at most, since this was 0 */
 };
 
 extern struct fake_hidapi fake_hidapi; /* hidapi has no contexts */

@@ -5,10 +5,14 @@
 #include "bridge_rig.h"
 #include "cmocka_ready.h"
 #include "fake_hidapi.h"
+#include "hid/hid_bridges.h"
 #include "hid/hid_port.h"
 
 #include <errno.h>
+#include <stdio.h>
 #include <string.h>
+#include <time.h>
+#include <wchar.h>
 
 static struct bridge_rig rig;
 static struct emulated_bridge others[FAKE_PLACES]; /* without a display of interest */
@@ -19,6 +23,32 @@ static void assert_text(const char *part)
     if (!strstr(port.error, part)) fail_msg("\"%s\" does not say \"%s\"", port.error, part);
     assert_null(strchr(port.error, '\n'));
     assert_true(strlen(port.error) < PORT_ERROR_B - 1);
+}
+
+/* Time stands still but for a millisecond that every look at the clock takes, and sleep is noted. */
+static struct {
+    struct timespec now, asked;
+    unsigned sleeps, interrupted; /* the first so many end early */
+} fake_time;
+
+int clock_gettime(clockid_t clock, struct timespec *now)
+{
+    (void)clock; /* cmocka looks at others */
+    *now = fake_time.now;
+    fake_time.now.tv_nsec += 1000000;
+    if (fake_time.now.tv_nsec < 1000000000) return 0;
+    fake_time.now.tv_nsec -= 1000000000;
+    fake_time.now.tv_sec++;
+    return 0;
+}
+
+int nanosleep(const struct timespec *asked, struct timespec *left)
+{
+    fake_time.asked = *asked;
+    if (fake_time.sleeps++ >= fake_time.interrupted) return 0;
+    *left = (struct timespec){asked->tv_sec / 2, asked->tv_nsec / 2};
+    errno = EINTR;
+    return -1;
 }
 
 /* The rig's bridge in the first place, with this serial number. */
@@ -76,7 +106,88 @@ static void waits_take_their_time(void **state)
 {
     (void)state;
     assert_int_equal(open_port(NULL), 0);
+    fake_time.sleeps = 0;
     assert_int_equal(clock_delay(&port.clock, 10), 0);
+    assert_int_equal(fake_time.asked.tv_sec, 0);
+    assert_int_equal(fake_time.asked.tv_nsec, 10000);
+    assert_int_equal(clock_delay(&port.clock, 3999999), 0);
+    assert_int_equal(fake_time.asked.tv_sec, 3);
+    assert_int_equal(fake_time.asked.tv_nsec, 999999000);
+    assert_int_equal(clock_delay(&port.clock, 4000000), 0);
+    assert_int_equal(fake_time.asked.tv_sec, 4);
+    assert_int_equal(fake_time.asked.tv_nsec, 0);
+    assert_int_equal(fake_time.sleeps, 3);
+    fake_time.interrupted = 5;
+    assert_int_equal(clock_delay(&port.clock, 4000000), 0);
+    fake_time.interrupted = 0;
+    assert_int_equal(fake_time.sleeps, 6);
+    assert_int_equal(fake_time.asked.tv_sec, 1); /* half of 4 s, twice: the last is the rest of the rest */
+}
+
+/* A look at the clock takes a millisecond, of the second that an answer is waited for, wherever the second begins. */
+static void answers_are_waited_for_a_second(void **state)
+{
+    (void)state;
+    for (long begin_ns = 1; begin_ns < 1000000000; begin_ns += 49999999) {
+        fake_time.now = (struct timespec){7, begin_ns};
+        assert_int_equal(open_port(NULL), 0);
+        assert_int_equal(fake_hidapi.longest_ms, BRIDGE_PATIENCE_MS - 1);
+        fake_hidapi.longest_ms = 0;
+        port_close(&port);
+    }
+}
+
+static void serial_numbers_are_cut_and_paths_are_not(void **state)
+{
+    static const size_t lengths[] = {0, 1, 62, 63, 64, 65, 127, 128, 129};
+    static wchar_t serial[130];
+    static char path[130];
+    struct hid_bridge found[HID_BRIDGES_MAX];
+
+    (void)state;
+    for (size_t i = 0; i < sizeof lengths / sizeof *lengths; i++) {
+        const size_t length = lengths[i];
+        wmemset(serial, L'7', length);
+        memset(path, '/', length);
+        serial[length] = L'\0';
+        path[length] = '\0';
+        fake_hidapi.places[0].serial = serial;
+        fake_hidapi.places[0].path = path;
+        assert_int_equal(hid_bridges_find(found), length < 128);
+        if (length >= 128) continue;
+        assert_string_equal(found[0].path, path);
+        assert_int_equal(strlen(found[0].serial), length < 64 ? length : 63);
+    }
+}
+
+static void of_a_serial_number_what_is_not_ascii_is_no_digit(void **state)
+{
+    static const wchar_t serial[] = {L'A', L' ', L'!', L'~', 127, 128, 0xE9, 31, L'z', L'\0'};
+    struct hid_bridge found[HID_BRIDGES_MAX];
+
+    (void)state;
+    fake_hidapi.places[0].serial = serial;
+    assert_int_equal(hid_bridges_find(found), 1);
+    assert_string_equal(found[0].serial, "A?!~????z");
+}
+
+static void of_many_bridges_the_first_are_found(void **state)
+{
+    static const wchar_t *const serials[] = {L"00", L"01", L"02", L"03", L"04", L"05", L"06", L"07", L"08", L"09",
+                                             L"10", L"11", L"12", L"13", L"14", L"15", L"16", L"17", L"18", L"19"};
+    struct hid_bridge found[HID_BRIDGES_MAX + 4]; /* untouched behind the last */
+
+    (void)state;
+    for (unsigned n = 1; n <= FAKE_PLACES; n++) {
+        char last[3];
+        if (n > 1) plug_in(n - 1, "/dev/hidraw7", serials[n - 1]);
+        memset(found, 0x5A, sizeof found);
+        const size_t listed = hid_bridges_find(found);
+        assert_int_equal(listed, n < 16 ? n : 16);
+        snprintf(last, sizeof last, "%02u", (unsigned)listed - 1);
+        if (n > 1) assert_string_equal(found[listed - 1].serial, last);
+        assert_int_equal(found[listed].serial[0], 0x5A);
+    }
 }
 
 static void the_right_bridge_is_taken(void **state)
@@ -215,6 +326,10 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test_setup_teardown(frames_arrive_whole, set_up, tear_down),
         cmocka_unit_test_setup_teardown(waits_take_their_time, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(answers_are_waited_for_a_second, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(serial_numbers_are_cut_and_paths_are_not, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(of_a_serial_number_what_is_not_ascii_is_no_digit, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(of_many_bridges_the_first_are_found, set_up, tear_down),
         cmocka_unit_test_setup_teardown(the_right_bridge_is_taken, set_up, tear_down),
         cmocka_unit_test_setup_teardown(of_several_none_is_taken_unasked, set_up, tear_down),
         cmocka_unit_test_setup_teardown(a_bridge_that_is_not_there_is_told, set_up, tear_down),
