@@ -149,7 +149,7 @@ static void put_settings(const struct bridge_kind *kind)
     for (unsigned pin = 0; pin < 16; pin++)
         for (unsigned how = 0; how < 4; how++) {
             struct bridge_config config = usual;
-            config.outputs = (uint16_t)(how & 1 ? 1u << pin : config.outputs);
+            config.outputs = (uint16_t)(how & 1 ? 1u << pin : 0);
             config.levels = (uint16_t)(how == 3 ? 1u << pin : 0);
             config.selects = (uint16_t)(how & 2 ? 1u << (pin + 1) % 16 : 1u << pin);
             connect(kind);

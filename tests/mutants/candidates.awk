@@ -137,7 +137,7 @@ function choices(    at, first, last, i, c, depth, colon, yes, no) {
     mutant(first, last - first, "choice", no)
 }
 
-# f(a, b) becomes f(b, a).
+# f(a, b) becomes f(b, a), unless f(a, b) is f(b, a): products, the greater, what two rectangles share.
 function arguments(    at, rest, open, end, i, c, depth, comma, second) {
     if (code !~ /^ /) return # a function's head
     at = 0
@@ -148,6 +148,7 @@ function arguments(    at, rest, open, end, i, c, depth, comma, second) {
         rest = substr(code, at + 1)
         end = closing(open)
         if (!end || substr(code, 1, open - 1) ~ /(^|[^a-z_])(if|for|while|switch|return|sizeof)$/) continue
+        if (substr(code, 1, open - 1) ~ /(^|[^a-z_])(lim_mul_q30|mul_high_[a-z_]*s32|greater|smaller|intersection|is_same)$/) continue
         depth = comma = second = 0
         for (i = open + 1; i < end; i++) {
             c = substr(code, i, 1)

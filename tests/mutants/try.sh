@@ -3,7 +3,8 @@
 #
 # Tries one mutant: sh tests/mutants/try.sh NUMBER, a line of $BUILD/mutants/candidates. Makes it in a copy of firmware/ and
 # hal/, compiles what has the line within it, links what executes it and runs that, the fastest first, until a test
-# fails or those that passed take BUDGET_S (20) together: what slow tests alone would find counts as alive. Leaves a line "OUTCOME NUMBER PLACE OPERATOR BY" in $BUILD/mutants/results/NUMBER. Outcomes:
+# fails or those that passed take BUDGET_S (20) together: what slow tests alone would find counts as alive. What lives
+# runs a fifth as long under the address sanitizer. Leaves a line "OUTCOME NUMBER PLACE OPERATOR BY" in $BUILD/mutants/results/NUMBER. Outcomes:
 #   killed      BY names the test that failed; or it ran into its time limit
 #   survived    BY says how many tests passed
 #   uncovered   no test executes the line
@@ -155,8 +156,8 @@ core() { # core-NAME
 }
 
 # The command of make, with the mutated objects before the libraries: an archive's member is not taken for what is there.
-link() { # TEST OBJECT...
-    awk -v test="$1" -v out="$tree/$1" -v build="$BUILD" -v objects="$2" '
+link() { # TEST OBJECTS [FLAG]
+    awk -v test="$1" -v out="$tree/$1" -v build="$BUILD" -v objects="$2" -v flag="${3:-}" '
         BEGIN { n = split(objects, object, " "); own = build "/host/tests/" test ".o" }
         index($0, " -o " build "/tests/" test " ") {
             for (i = 1; i <= NF; i++) {
@@ -167,7 +168,7 @@ link() { # TEST OBJECT...
                 if ($i ~ "^" build "/host/lib[a-z]*[.]a$") { archives = archives " " $i; $i = "" }
                 if ($i == "-lcmocka") $i = objects archives " " $i
             }
-            print
+            print $0, flag
             exit
         }' "$state/links" >"$tree/link"
     sh "$tree/link" 2>>"$tree/errors"
@@ -175,17 +176,16 @@ link() { # TEST OBJECT...
 
 # -- The trial ----------------------------------------------------------------------------------------------------------
 
-passed=0 spent_ms=0
-while read -r test objects; do
+# Every object of a judge's that differs, each core linked anew as one: into $link_objects; "" if none does.
+judge_objects() { # OBJECT,OBJECT...
     changed=
-    for object in $(echo "$objects" | tr , ' '); do
+    for object in $(echo "$1" | tr , ' '); do
         differs "$object" || continue
         case $object in
         core-*) case " $changed " in *" ${object%%/*} "*) ;; *) changed="$changed ${object%%/*}" ;; esac ;;
         *) changed="$changed $tree/objects/$object" ;;
         esac
     done
-    [ -n "$changed" ] || continue
     link_objects=
     for object in $changed; do
         case $object in
@@ -196,26 +196,52 @@ while read -r test objects; do
         esac
         link_objects="$link_objects $object"
     done
-    link "$test" "$link_objects" || finish broken "does not link"
+}
+
+# Ends with "killed" if the test fails.
+run() { # TEST LIMIT_S LIMIT_KB
     # Processor time, which others on the machine do not spend; and a wall time for what waits.
+    (ulimit -t "$2" && ulimit -c 0 && ulimit -f 200000 && ulimit -v "$3" &&
+        exec timeout -k 2 $(($2 * 20)) "$tree/$1" </dev/null >"$tree/said" 2>&1) 2>/dev/null
+    status=$?
+    rm -f "$tree/$1"
+    case $status in
+    0) return ;;
+    124 | 137 | 152) finish killed "$1 (time)" ;;
+    esac
+    finish killed "$1"
+}
+
+passed=0 spent_ms=0
+while read -r test objects; do
+    judge_objects "$objects"
+    [ -n "$link_objects" ] || continue
+    link "$test" "$link_objects" || finish broken "does not link"
     usual_ms=$(awk '{ print int($1 * 1000) }' "$state/times/$test")
     spent_ms=$((spent_ms + usual_ms))
     [ $spent_ms -le $((BUDGET_S * 1000)) ] || break
-    limit_s=$((usual_ms * 4 / 1000 + 2))
-    (ulimit -t "$limit_s" && ulimit -c 0 && ulimit -f 200000 && ulimit -v 8000000 &&
-        exec timeout -k 2 $((limit_s * 20)) "$tree/$test" </dev/null >"$tree/said" 2>&1) 2>/dev/null
-    status=$?
-    [ $status -eq 0 ] || {
-        case $status in
-        124 | 137 | 152) finish killed "$test (time)" ;;
-        esac
-        finish killed "$test"
-    }
+    run "$test" $((usual_ms * 4 / 1000 + 2)) 8000000
     passed=$((passed + 1))
-    rm -f "$tree/$test"
 done <"$tree/judges"
 
-[ $passed -eq 0 ] || finish survived "$passed"
+# What lives is tried once more with what it changes under the address sanitizer, whose suite judges, too.
+traps='-fsanitize=address,undefined -fno-sanitize-recover=all'
+spent_ms=0
+[ $passed -eq 0 ] || {
+    rm -f "$tree"/core-*.o
+    find "$tree/objects" -name '*.o' -exec rm {} +
+    while read -r test objects; do
+        usual_ms=$(awk '{ print int($1 * 1000) }' "$state/times/$test")
+        spent_ms=$((spent_ms + usual_ms))
+        [ $spent_ms -le $((BUDGET_S * 200)) ] || break
+        judge_objects "$objects"
+        [ -n "$link_objects" ] || continue
+        link "$test" "$link_objects" -fsanitize=address,undefined || break
+        run "$test" $((usual_ms * 12 / 1000 + 4)) unlimited
+    done <"$tree/judges"
+    finish survived "$passed"
+}
+
 [ -s "$tree/judges" ] && finish same ""
 
 # Nothing executes it: is it compiled at all?
