@@ -40,6 +40,13 @@ const struct golden_way golden_ways[] = {{"nearest", LIM_NEAREST_FIRST, GOLDEN_P
                                          {"wireframe", LIM_NEAREST_FIRST, GOLDEN_WIREFRAME},
                                          {"painter-wireframe", LIM_PAINTER, GOLDEN_WIREFRAME},
                                          {"framebuffer", LIM_NEAREST_FIRST, GOLDEN_FRAMEBUFFER},
+                                         {"painter-framebuffer", LIM_PAINTER, GOLDEN_FRAMEBUFFER},
+                                         {"depth-antialias", LIM_DEPTH, GOLDEN_ANTIALIAS},
+                                         {"newell-antialias", LIM_NEWELL, GOLDEN_ANTIALIAS},
+                                         {"newell-wireframe", LIM_NEWELL, GOLDEN_WIREFRAME},
+                                         {"convex-wireframe", LIM_CONVEX, GOLDEN_WIREFRAME},
+                                         {"convex-delta", LIM_CONVEX, GOLDEN_DELTA},
+                                         {"newell-delta", LIM_NEWELL, GOLDEN_DELTA},
                                          {NULL, LIM_NEAREST_FIRST, GOLDEN_PLAIN}};
 
 /* Scenes ------------------------------------------------------------------------------------- */
