@@ -5,6 +5,7 @@
 
 #include "cmocka_ready.h"
 #include "mesh_rig.h"
+#include "method.h"
 #include "texture_rig.h"
 
 #include <math.h>
@@ -172,11 +173,53 @@ static void open_prisms(struct golden_stage *stage, int count)
     assert_true(lens_init(&stage->lens, 70, lens_default_near_m(&stage->scene.grid), GOLDEN_W_PX, GOLDEN_H_PX, &err));
 }
 
+/* A square that many triangles go through, along the tangents of a circle. */
+static void add_disc(struct mesh *mesh)
+{
+    static const double square_m[4][3] = {{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}};
+    enum { CUTS = 28 };
+
+    mesh_rig_add(mesh, square_m, 4);
+    for (int i = 0; i < CUTS; i++) {
+        const double angle = 6.283185307179586 * (i * 11 % CUTS + 0.5) / CUTS, x = cos(angle), y = sin(angle);
+        const double corners_m[3][3] = {{x + 0.3 * y, y - 0.3 * x, 0.3}, {x - 0.3 * y, y + 0.3 * x, 0.3}, {x, y, -0.4}};
+        mesh_rig_add(mesh, corners_m, 3);
+    }
+}
+
+/* Polygons in leaves: in one, in no order, or in some. */
+static void open_leaves(struct golden_stage *stage, bool is_disc, enum tree_kind tree)
+{
+    static const struct viewpoint views[GOLDEN_FRAMES] = {
+        {{2.1, 1.2, 3.4}, {0, 0, 0}, 1}, {{-0.4, 0.3, 2.3}, {0.1, 0, -0.2}, 2}, {{6, -9.2, -7.2}, {0.3, 0.1, 0}, 3}};
+    const struct compile_options options = {.tolerance_units = 0.5,
+                                            .method = method_parse("newell", NULL),
+                                            .splitter = "fewest",
+                                            .tree = tree,
+                                            .core = &core_exact,
+                                            .w_px = GOLDEN_W_PX,
+                                            .h_px = GOLDEN_H_PX};
+    struct random random = {8};
+    struct error err;
+
+    stage->is_set = tree == TREE_NONE;
+    stage->mesh = mesh_rig(is_disc ? 3000.0 : 900.0);
+    if (is_disc)
+        add_disc(&stage->mesh);
+    else
+        mesh_rig_solids(&stage->mesh, &random, 7);
+    if (!compile_mesh(&stage->mesh, &options, &stage->scene, &err)) fail_msg("%s", err.text);
+    stage->path = (struct camera_path){.frames = malloc(sizeof views), .count = GOLDEN_FRAMES};
+    assert_non_null(stage->path.frames);
+    memcpy(stage->path.frames, views, sizeof views);
+    assert_true(lens_init(&stage->lens, 70, lens_default_near_m(&stage->scene.grid), GOLDEN_W_PX, GOLDEN_H_PX, &err));
+}
+
 bool golden_open(struct golden_stage *stage, size_t scene)
 {
-    static const char *const made[] = {"textured", "prism", "prisms", "crate"};
+    static const char *const made[] = {"textured", "prism", "prisms", "crate", "disc", "solids", "solids in clusters"};
 
-    if (scene > SCENES + 3) return false;
+    if (scene > SCENES + 6) return false;
     memset(stage, 0, sizeof *stage);
     stage->name = scene < SCENES ? scenes[scene].name : made[scene - SCENES];
     if (scene < SCENES)
@@ -185,6 +228,8 @@ bool golden_open(struct golden_stage *stage, size_t scene)
         open_textured(stage);
     else if (scene == SCENES + 3)
         open_crate(stage);
+    else if (scene > SCENES + 3)
+        open_leaves(stage, scene == SCENES + 4, scene == SCENES + 6 ? TREE_CLUSTERS : TREE_NONE);
     else
         open_prisms(stage, (int)(scene - SCENES));
     return true;
@@ -221,10 +266,12 @@ bool golden_begin(struct simulator *simulator, struct golden_stage *stage, const
     const struct simulator_setup setup = {
         w_px, h_px, way->method, way->special == GOLDEN_FRAMEBUFFER ? SIMULATOR_FRAMEBUFFER : SIMULATOR_MEMORY, core};
     const bool walks = setup.method == LIM_NEAREST_FIRST || setup.method == LIM_PAINTER;
+    const bool sorts = setup.method == LIM_DEPTH || setup.method == LIM_NEWELL;
     struct error err;
 
     memset(simulator, 0, sizeof *simulator);
     if (stage->moving.count && !walks) return false;
+    if (stage->is_set && !sorts) return false;
     return simulator_init(simulator, &stage->scene.scene, &setup, &err) && golden_turn_on(simulator, stage, way);
 }
 

@@ -31,6 +31,7 @@ struct golden_stage {
     struct moving moving;
     struct camera_path path;
     struct lens lens;
+    bool is_set; /* without a tree: for what sorts */
 };
 
 /* Opens a scene, 0 and up. false: there are no more. */
