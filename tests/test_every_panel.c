@@ -316,6 +316,33 @@ static void whatever_goes_wrong_in_any_other_call_comes_through_and_changes_no_s
     assert_true(calls > 500);
 }
 
+/* Of the window that was open before a start no pixel is taken any more, whether the start comes through or not. */
+static void a_start_closes_the_window(void **state)
+{
+    static const uint8_t zeros[3 * WHOLE_PX];
+    struct panel_choice choice;
+
+    (void)state;
+    for (size_t i = 0; panel_choice_at(i, &choice); i++) {
+        const struct display_module module = panel_rig_module(&choice, SWEEP_W_PX, SWEEP_H_PX);
+        start(&choice, &module);
+        struct panel *panel = rig.display.panel;
+        bool failed = true;
+        for (long n = 0; failed; n++) {
+            const size_t piece_px = (size_t)panel->step_x_px * panel->step_y_px;
+            assert_int_equal(panel_window(panel, 0, 0, panel->w_px, panel->h_px), 0);
+            assert_int_equal(panel_pixels(panel, zeros, piece_px), 0);
+            fault_port_arm(&rig.fault, n);
+            const int err = panel_init(panel);
+            failed = rig.fault.failed;
+            assert_int_equal(err, failed ? rig.fault.code : 0);
+            fault_port_arm(&rig.fault, -1);
+            assert_int_equal(panel_pixels(panel, zeros, piece_px), PANEL_ERR_WINDOW);
+            assert_int_equal(panel_init(panel), 0);
+        }
+    }
+}
+
 /* A setting that came through is kept by the next start. */
 static void a_start_keeps_what_was_set(void **state)
 {
@@ -400,6 +427,7 @@ int main(void)
         cmocka_unit_test(whatever_goes_wrong_comes_through_and_the_next_start_is_right),
         cmocka_unit_test(whatever_goes_wrong_in_a_frame_the_next_one_is_right_without_a_start),
         cmocka_unit_test(whatever_goes_wrong_in_any_other_call_comes_through_and_changes_no_setting),
+        cmocka_unit_test(a_start_closes_the_window),
         cmocka_unit_test(a_start_keeps_what_was_set),
         cmocka_unit_test(readme_has_a_row_for_each_panel_and_no_other),
     };
