@@ -6,7 +6,9 @@
  * gaps, active polygons, retained cells, pieces, layers, entries of movers, runs of delta output. GOLDEN_FRAMES=write
  * writes the file anew. */
 #include "cmocka_ready.h"
+#include "delta.h"
 #include "golden_state.h"
+#include "smooth.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -137,9 +139,37 @@ static void in_any_memory_frames_are_what_they_were(void **state)
     golden_compare("tests/golden_memory.expected");
 }
 
+/* In each profile and method: all of what antialiasing and delta output ask for, or an error. */
+static void a_byte_less_than_is_asked_for_is_refused(void **state)
+{
+    static uint32_t lent[1 << 14];
+    struct golden_stage stage;
+
+    (void)state;
+    assert_true(golden_open(&stage, 0));
+    for (size_t k = 0; cores[k]; k++)
+        for (const struct golden_way *way = golden_ways; way->name; way++) {
+            const size_t smooth_b = LIM_ANTIALIAS_MEM_B(W_PX), runs_b = LIM_DELTA_MEM_B(W_PX, H_PX, 1);
+            struct simulator simulator;
+            if (way->special == GOLDEN_PLAIN && golden_begin(&simulator, &stage, cores[k], way, W_PX, H_PX)) {
+                const bool can = way->method != LIM_PAINTER && way->method != LIM_CONVEX;
+                const int err = can ? LIM_OK : LIM_ERR_TARGET, less = can ? LIM_ERR_MEMORY : LIM_ERR_TARGET;
+                assert_int_equal(cores[k]->set_antialias(simulator.lim, lent, smooth_b - 1), less);
+                assert_int_equal(cores[k]->set_antialias(simulator.lim, lent, smooth_b), err);
+                assert_int_equal(cores[k]->set_antialias(simulator.lim, NULL, 0), LIM_OK);
+                assert_int_equal(cores[k]->set_delta(simulator.lim, lent, runs_b - 4), LIM_ERR_MEMORY);
+                assert_int_equal(cores[k]->set_delta(simulator.lim, lent, runs_b + 4), LIM_OK);
+                assert_int_equal(cores[k]->set_delta(simulator.lim, NULL, 0), LIM_OK);
+            }
+            simulator_free(&simulator);
+        }
+    golden_close(&stage);
+}
+
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(in_any_memory_frames_are_what_they_were)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(in_any_memory_frames_are_what_they_were),
+                                       cmocka_unit_test(a_byte_less_than_is_asked_for_is_refused)};
 
     return cmocka_run_group_tests_name("golden_memory", tests, NULL, NULL);
 }

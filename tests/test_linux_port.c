@@ -79,6 +79,25 @@ static void writes_are_split_at_bufsiz(void **state)
     assert_split("65536\n", 20000, (size_t[]){20000}, 1);
     assert_split(NULL, 4097, (size_t[]){4096, 1}, 2); /* unreadable: the kernel's usual one */
     assert_split("4096\n", 0, NULL, 0);
+    assert_split("4294967295\n", 20000, (size_t[]){20000}, 1);
+}
+
+/* A transfer takes as long to begin as so many bytes: a 50,000th of a second, as far as 16 bits count. */
+static void what_a_message_costs_grows_with_the_speed(void **state)
+{
+    static const struct {
+        uint32_t speed_hz, message_b;
+    } cases[] = {{399999, 0}, {400000, 1}, {799999, 1}, {20000000, 50}, {400000000, 1000}, {4294967295u, 10737}};
+
+    (void)state;
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        fake_linux_init();
+        struct linux_port_config config = all_wired;
+        config.speed_hz = cases[i].speed_hz;
+        open_port(&config);
+        assert_int_equal(port.bus.message_b, cases[i].message_b);
+        port_close(&port);
+    }
 }
 
 static void the_device_is_set_up_as_asked(void **state)
@@ -490,6 +509,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test_setup(writes_are_split_at_bufsiz, set_up),
+        cmocka_unit_test_setup(what_a_message_costs_grows_with_the_speed, set_up),
         cmocka_unit_test_setup(the_device_is_set_up_as_asked, set_up),
         cmocka_unit_test_setup(what_the_kernel_finds_too_long_is_sent_in_halves, set_up),
         cmocka_unit_test_setup(a_message_that_is_sent_in_part_is_an_error, set_up),
