@@ -208,6 +208,10 @@ static void open_leaves(struct golden_stage *stage, bool is_disc, enum tree_kind
         add_disc(&stage->mesh);
     else
         mesh_rig_solids(&stage->mesh, &random, 7);
+    for (size_t i = 0; i < stage->mesh.polygon_count; i++) {
+        stage->mesh.polygons[i].colour = (uint32_t)(i * 0x3A5F17) & 0xFFFFFF;
+        if (i % 3 == 2) stage->mesh.polygons[i].transparency = (uint8_t)(40 + i % 5 * 40);
+    }
     if (!compile_mesh(&stage->mesh, &options, &stage->scene, &err)) fail_msg("%s", err.text);
     stage->path = (struct camera_path){.frames = malloc(sizeof views), .count = GOLDEN_FRAMES};
     assert_non_null(stage->path.frames);
