@@ -3,7 +3,10 @@
  * The program that links this is linked with --wrap for each __wrap_ function here. */
 #include "fake_linux.h"
 
+#include "cmocka_ready.h"
+
 #include <errno.h>
+#include <fcntl.h>
 #include <glob.h>
 #include <linux/spi/spidev.h>
 #include <stdarg.h>
@@ -144,6 +147,7 @@ int __wrap_open(const char *path, int flags, ...)
 {
     const bool is_spi = strncmp(path, "/dev/", 5) == 0;
     if (!is_spi && strncmp(path, "/sys/", 5) != 0) return __real_open(path, flags); /* no device: a scene, a camera */
+    assert_true(flags & O_CLOEXEC); /* it is nobody's business whom we start */
     if (fake_fails(is_spi ? "open" : "open bufsiz")) return -1;
     if (is_spi && fake_is_interrupted()) return -1;
     errno = is_spi ? fake.spi_err_no : 0;

@@ -166,9 +166,92 @@ static void a_byte_less_than_is_asked_for_is_refused(void **state)
     golden_close(&stage);
 }
 
+/* Between the renderer and a simulator's target: its n-th call of either kind fails. */
+static struct {
+    struct lim_target inner;
+    long calls, fails_at, late;
+    bool lends_nothing, failed; /* lend() fails, or done() */
+} between;
+
+enum { TARGET_ERROR = -4711 };
+
+static bool fails(bool lends)
+{
+    if (between.failed) between.late++;
+    if (lends != between.lends_nothing || between.calls++ != between.fails_at) return false;
+    between.failed = true;
+    return true;
+}
+
+static void *lend_between(void *ctx, uint16_t y)
+{
+    return fails(true) ? NULL : between.inner.lend(ctx, y);
+}
+
+static int done_between(void *ctx, uint16_t y, uint16_t x, uint16_t n)
+{
+    const int err = between.inner.done(ctx, y, x, n);
+
+    return fails(false) ? TARGET_ERROR : err;
+}
+
+/* Whether it came to the n-th call. */
+static bool fail_target(struct trial *trial, bool lends, long n)
+{
+    between.calls = between.late = 0;
+    between.fails_at = n;
+    between.lends_nothing = lends;
+    between.failed = false;
+    assert_true(init_in(trial, trial->simulator.core->mem_min_b(trial->simulator.scene, &between.inner) + 2000));
+    const int code = simulator_draw(&trial->simulator, &trial->camera);
+    assert_int_equal(code, !between.failed ? LIM_OK : lends ? LIM_ERR_TARGET : TARGET_ERROR);
+    assert_int_equal(between.late, 0);
+    return between.failed;
+}
+
+static unsigned fail_targets(struct golden_stage *stage, const struct core *core, const struct golden_way *way)
+{
+    struct trial trial = {.stage = stage, .way = way};
+    struct simulator *simulator = &trial.simulator;
+    struct lens lens;
+    struct error err;
+    unsigned failed = 0;
+
+    assert_true(lens_init(&lens, 70, lens_default_near_m(&stage->scene.grid), W_PX, H_PX, &err));
+    assert_true(camera_path_to_camera(&stage->path, 1, &lens, &stage->scene.grid, &trial.camera, &err));
+    if (stage->moving.count) moving_pose(&stage->moving, moving_time_s(&stage->moving, 1, GOLDEN_FRAMES));
+    if (golden_begin(simulator, stage, core, way, W_PX, H_PX)) {
+        between.inner = simulator->target;
+        simulator->target.lend = lend_between;
+        simulator->target.done = done_between;
+        for (int lends = 0; lends < 2; lends++)
+            for (long n = 0; fail_target(&trial, lends, n); n += 1 + n)
+                failed++;
+    }
+    simulator_free(simulator);
+    return failed;
+}
+
+static void an_error_of_the_target_ends_the_frame_and_comes_through(void **state)
+{
+    struct golden_stage stage;
+    unsigned failed = 0;
+
+    (void)state;
+    for (size_t scene = 0; golden_open(&stage, scene); scene++) {
+        for (size_t k = 0; cores[k]; k++)
+            for (const struct golden_way *way = golden_ways; cores[k]->is_profile && way->name; way++)
+                failed += fail_targets(&stage, cores[k], way);
+        golden_close(&stage);
+    }
+    print_message("# golden memory: %u errors of targets\n", failed);
+    assert_true(failed > 3000);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {cmocka_unit_test(in_any_memory_frames_are_what_they_were),
+                                       cmocka_unit_test(an_error_of_the_target_ends_the_frame_and_comes_through),
                                        cmocka_unit_test(a_byte_less_than_is_asked_for_is_refused)};
 
     return cmocka_run_group_tests_name("golden_memory", tests, NULL, NULL);
