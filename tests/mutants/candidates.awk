@@ -25,6 +25,26 @@ function swap_binary(one, other, operator) {
     replace_fixed(" " one " ", 1, length(one), operator, other)
 }
 
+# The same of a relation, but where it chooses the smaller or larger of what it compares: of equals either will do.
+function swap_bound(one, other,    at, from, before, after, a, b) {
+    from = 1
+    while (at = index(substr(code, from), " " one " ")) {
+        from += at
+        before = substr(code, 1, from - 2)
+        after = substr(code, from + length(one) + 1)
+        a = match(before, /[A-Za-z0-9_>.-]+$/) ? substr(before, RSTART) : ""
+        b = match(after, /^[A-Za-z0-9_>.-]+/) ? substr(after, 1, RLENGTH) : ""
+        after = substr(after, length(b) + 1)
+        if (a != "" && b != "" && before !~ /[-+*\/&|] *[A-Za-z0-9_>.-]+$/ && (after ~ /^ \? [^ ]+ : [^ ;,)]+[;,)]/ || after ~ /^\) [^ ]+ = [^ ]+;$/)) {
+            sub(/[;,)].*$/, "", after)
+            if (after == " ? " a " : " b || after == " ? " b " : " a) continue
+            after = substr(code, from + length(one) + 1 + length(b))
+            if (after == ") " a " = " b ";" || after == ") " b " = " a ";") continue
+        }
+        mutant(from, length(one), "relation", other)
+    }
+}
+
 function replace_fixed(text, skip, length_, operator, by,    at, from) {
     from = 1
     while (at = index(substr(code, from), text)) {
@@ -236,8 +256,8 @@ FNR == 1 { in_comment = in_directive = in_assert = 0; starts = 1 }
     }
     if (code ~ /^ *$/) next
 
-    swap_binary("<", "<=", "relation"); swap_binary("<=", "<", "relation")
-    swap_binary(">", ">=", "relation"); swap_binary(">=", ">", "relation")
+    swap_bound("<", "<="); swap_bound("<=", "<")
+    swap_bound(">", ">="); swap_bound(">=", ">")
     swap_binary("==", "!=", "relation"); swap_binary("!=", "==", "relation")
     swap_binary("<", ">", "relation"); swap_binary(">", "<", "relation")
     swap_binary("&&", "||", "logic"); swap_binary("||", "&&", "logic")
