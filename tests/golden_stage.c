@@ -14,7 +14,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { TEXT_B = 1 << 18, SIDES = 26 };
+enum { TEXT_B = 1 << 18, SIDES = 26, FEWER_SIDES = 18 };
 
 static const struct {
     const char *name, *model, *cameras; /* no cameras: an orbit */
@@ -124,26 +124,26 @@ static void open_crate(struct golden_stage *stage)
 }
 
 /* A prism around the z axis, turned about y. */
-static void add_prism(struct mesh *mesh, double turn, double half_m)
+static void add_prism(struct mesh *mesh, int sides, double turn, double half_m)
 {
     double rim_m[2][SIDES][3];
 
-    for (int i = 0; i < SIDES; i++)
+    for (int i = 0; i < sides; i++)
         for (int end = 0; end < 2; end++) {
-            const double angle = 6.283185307179586 * i / SIDES * (end ? 1 : -1);
+            const double angle = 6.283185307179586 * i / sides * (end ? 1 : -1);
             const double x = cos(angle), y = sin(angle), z = end ? half_m : -half_m;
             rim_m[end][i][0] = x * cos(turn) + z * sin(turn);
             rim_m[end][i][1] = y;
             rim_m[end][i][2] = z * cos(turn) - x * sin(turn);
         }
-    mesh_rig_add(mesh, rim_m[0], SIDES);
-    mesh_rig_add(mesh, rim_m[1], SIDES);
-    for (int i = 0; i < SIDES; i++) {
-        const int k = (i + 1) % SIDES;
+    mesh_rig_add(mesh, rim_m[0], (size_t)sides);
+    mesh_rig_add(mesh, rim_m[1], (size_t)sides);
+    for (int i = 0; i < sides; i++) {
+        const int k = (i + 1) % sides;
         double side_m[4][3];
         memcpy(side_m[0], rim_m[1][i], sizeof side_m[0]);
-        memcpy(side_m[1], rim_m[0][(SIDES - i) % SIDES], sizeof side_m[0]);
-        memcpy(side_m[2], rim_m[0][(SIDES - k) % SIDES], sizeof side_m[0]);
+        memcpy(side_m[1], rim_m[0][(sides - i) % sides], sizeof side_m[0]);
+        memcpy(side_m[2], rim_m[0][(sides - k) % sides], sizeof side_m[0]);
         memcpy(side_m[3], rim_m[1][k], sizeof side_m[0]);
         mesh_rig_add(mesh, (const double(*)[3])side_m, 4);
     }
@@ -164,8 +164,8 @@ static void open_prisms(struct golden_stage *stage, int count)
     struct error err;
 
     stage->mesh = mesh_rig(3000.0);
-    add_prism(&stage->mesh, 0.2, 0.4);
-    if (count > 1) add_prism(&stage->mesh, 1.1, 0.3);
+    add_prism(&stage->mesh, SIDES, 0.2, 0.4);
+    if (count > 1) add_prism(&stage->mesh, FEWER_SIDES, 1.1, 0.3);
     if (!compile_mesh(&stage->mesh, &options, &stage->scene, &err)) fail_msg("%s", err.text);
     stage->path = (struct camera_path){.frames = malloc(sizeof views), .count = GOLDEN_FRAMES};
     assert_non_null(stage->path.frames);

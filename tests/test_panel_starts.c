@@ -5,6 +5,7 @@
  * public description. They were looked up once and must not change unseen; PANEL_STARTS=write writes the file anew. */
 #include "cmocka_ready.h"
 #include "panel_rig.h"
+#include "panels.h"
 
 #include <stdarg.h>
 #include <stdio.h>
@@ -195,9 +196,102 @@ static void every_panel_starts_as_it_always_did(void **state)
     free(text);
 }
 
+/* Bytes of a start, for a contrast of the caller's. */
+static uint8_t sent[1024];
+static size_t sent_b;
+
+static int keep_bytes(void *ctx, const uint8_t *data, size_t n_b)
+{
+    (void)ctx;
+    assert_true(n_b <= sizeof sent - sent_b);
+    memcpy(sent + sent_b, data, n_b);
+    sent_b += n_b;
+    return 0;
+}
+
+static int take_level(void *ctx, bool high)
+{
+    (void)ctx, (void)high;
+    return 0;
+}
+
+static int take_delay(void *ctx, uint32_t delay_us)
+{
+    (void)ctx, (void)delay_us;
+    return 0;
+}
+
+/* PANEL_ERR_CONFIG: it does not take that one. */
+static int start_pages(size_t i, uint8_t contrast)
+{
+    const struct pages_chip *chip = panels_pages[i];
+    const struct pages_config config = {.bus = {.write = keep_bytes},
+                                        .dc = {NULL, take_level},
+                                        .clock = {NULL, take_delay},
+                                        .w_px = chip->mem_w_px,
+                                        .h_px = (uint16_t)(chip->mem_h_px / 8 * 8),
+                                        .contrast = contrast};
+    struct pages pages;
+
+    sent_b = 0;
+    const int err = pages_setup(&pages, chip, &config);
+    return err ? err : panel_init(&pages.panel);
+}
+
+static int start_solomon(size_t i, uint8_t contrast)
+{
+    const struct solomon_chip *chip = panels_solomon[i];
+    const struct solomon_config config = {.bus = {.write = keep_bytes},
+                                          .dc = {NULL, take_level},
+                                          .clock = {NULL, take_delay},
+                                          .w_px = chip->mem_w_px,
+                                          .h_px = chip->mem_h_px,
+                                          .format = PANEL_USUAL,
+                                          .contrast = contrast};
+    struct solomon solomon;
+
+    sent_b = 0;
+    const int err = solomon_setup(&solomon, chip, &config);
+    return err ? err : panel_init(&solomon.panel);
+}
+
+/* Of a start one byte is the contrast, whatever it is: the usual one unless another is given, up to the chip's most. */
+static void assert_contrast(int (*start)(size_t i, uint8_t contrast), size_t i, uint8_t usual, uint8_t most)
+{
+    static uint8_t first[sizeof sent];
+    const uint8_t given = most / 2 + 1 == usual ? most / 2 : most / 2 + 1;
+    size_t differ = 0, at = 0;
+
+    assert_int_equal(start(i, 0), 0);
+    memcpy(first, sent, sent_b);
+    const size_t first_b = sent_b;
+    assert_int_equal(start(i, given), 0);
+    assert_int_equal(sent_b, first_b);
+    for (size_t k = 0; k < sent_b; k++)
+        if (sent[k] != first[k]) {
+            at = k;
+            differ++;
+        }
+    assert_int_equal(differ, 1);
+    assert_int_equal((uint8_t)(sent[at] - first[at]), (uint8_t)(given - usual));
+    assert_int_equal(start(i, most), 0);
+    assert_int_equal((uint8_t)(sent[at] - first[at]), (uint8_t)(most - usual));
+    if (most < UINT8_MAX) assert_int_equal(start(i, (uint8_t)(most + 1)), PANEL_ERR_CONFIG);
+}
+
+static void contrast_is_as_given_or_as_usual(void **state)
+{
+    (void)state;
+    for (size_t i = 0; panels_pages[i]; i++)
+        assert_contrast(start_pages, i, panels_pages[i]->contrast, panels_pages[i]->contrast_max);
+    for (size_t i = 0; panels_solomon[i]; i++)
+        assert_contrast(start_solomon, i, panels_solomon[i]->contrast, panels_solomon[i]->contrast_max);
+}
+
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(every_panel_starts_as_it_always_did)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(every_panel_starts_as_it_always_did),
+                                       cmocka_unit_test(contrast_is_as_given_or_as_usual)};
 
     return cmocka_run_group_tests_name("panel_starts", tests, NULL, NULL);
 }
