@@ -13,7 +13,8 @@
 
 enum { W_PX = 46, H_PX = 27, FRAMES = 14, GLASS_ERROR = -77 };
 
-static const struct lim_target_costs costs[] = {{11, 16, 1, 1}, {11, 12, 1, 2}, {40, 16, 1, 4}, {3, 1, 8, 1}};
+static const struct lim_target_costs costs[] = {
+    {11, 16, 1, 1}, {11, 12, 1, 2}, {40, 16, 1, 4}, {3, 1, 8, 1}, {0, 16, 1, 1}};
 static const struct {
     const char *name;
     uint16_t runs;

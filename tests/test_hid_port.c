@@ -29,6 +29,7 @@ static void assert_text(const char *part)
 static struct {
     struct timespec now, asked;
     unsigned sleeps, interrupted; /* the first so many end early */
+    int sleep_errno;              /* that all of them fail with; 0: none does */
 } fake_time;
 
 int clock_gettime(clockid_t clock, struct timespec *now)
@@ -45,6 +46,8 @@ int clock_gettime(clockid_t clock, struct timespec *now)
 int nanosleep(const struct timespec *asked, struct timespec *left)
 {
     fake_time.asked = *asked;
+    errno = fake_time.sleep_errno;
+    if (errno) return -1;
     if (fake_time.sleeps++ >= fake_time.interrupted) return 0;
     *left = (struct timespec){asked->tv_sec / 2, asked->tv_nsec / 2};
     errno = EINTR;
@@ -122,6 +125,9 @@ static void waits_take_their_time(void **state)
     fake_time.interrupted = 0;
     assert_int_equal(fake_time.sleeps, 6);
     assert_int_equal(fake_time.asked.tv_sec, 1); /* half of 4 s, twice: the last is the rest of the rest */
+    fake_time.sleep_errno = EINVAL;
+    assert_int_equal(clock_delay(&port.clock, 4), -EINVAL);
+    fake_time.sleep_errno = 0;
 }
 
 /* A look at the clock takes a millisecond, of the second that an answer is waited for, wherever the second begins. */
