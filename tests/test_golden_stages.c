@@ -101,9 +101,10 @@ static struct lim_camera any_camera(struct random *random)
 {
     struct lim_camera camera = {.near_q8 = (int32_t)(INT64_C(1) << random_in(random, 0, 24))};
 
-    for (int i = 0; i < 3; i++)
-        camera.eye_q8[i] =
-            (int32_t)random_in(random, -(INT64_C(1) << 27), INT64_C(1) << 27) >> random_in(random, 0, 20);
+    for (int i = 0; i < 3; i++) { /* one number a statement: compilers would choose the order */
+        const int64_t bits = random_in(random, 0, 20);
+        camera.eye_q8[i] = (int32_t)random_in(random, -(INT64_C(1) << 27), INT64_C(1) << 27) >> bits;
+    }
     camera.yaw = random_angle(random);
     camera.pitch = random_angle(random);
     camera.roll = random_angle(random);
@@ -122,7 +123,8 @@ static void rows_of_cameras(void **state)
     (void)state;
     for (int i = 0; i < 3000; i++) {
         const struct lim_camera camera = any_camera(&random);
-        const struct lim_rect open = {0, 0, (uint16_t)random_in(&random, 1, 240), (uint16_t)random_in(&random, 1, 240)};
+        const uint16_t w_px = (uint16_t)random_in(&random, 1, 240), h_px = (uint16_t)random_in(&random, 1, 240);
+        const struct lim_rect open = {0, 0, w_px, h_px};
         struct lim_view view = {0};
         int32_t axes_q30[9];
         struct lim_cull cull;
@@ -186,7 +188,9 @@ static void places_of_motions(void **state)
     (void)state;
     for (int i = 0; i < 3000; i++) {
         struct lim_motion_key keys[KEYS];
-        const struct lim_motion motion = {keys, (uint16_t)random_in(&random, 1, KEYS), random_u64(&random) & 1};
+        const uint16_t count = (uint16_t)random_in(&random, 1, KEYS);
+        const bool repeats = random_u64(&random) & 1;
+        const struct lim_motion motion = {keys, count, repeats};
         uint32_t time_ms = 0;
         for (int k = 0; k < KEYS; k++) {
             time_ms += (uint32_t)random_in(&random, 0, 5);
