@@ -171,7 +171,8 @@ static void coordinates_that_are_no_numbers_are_refused(void **state)
 {
     (void)state;
     assert_refused("tests/models/nan.obj", "tests/models/nan.obj:4: 'nan' is not a decimal number up to 3.4e38");
-    assert_refused("tests/models/infinite.obj", "tests/models/infinite.obj:4: 'inf' is not a decimal number up to 3.4e38");
+    assert_refused("tests/models/infinite.obj",
+                   "tests/models/infinite.obj:4: 'inf' is not a decimal number up to 3.4e38");
 }
 
 static void indices_out_of_range_are_refused(void **state)
