@@ -242,7 +242,8 @@ static void eye_about_walls(const struct lim_scene *scene, uint32_t ball_units, 
     const struct lim_vertex at = scene->vertices[random_u64(random) % scene->vertex_count];
     const int32_t vertex[3] = {at.x, at.y, at.z};
     const int64_t reaches[] = {ball_units + 1, 4, 60};
-    const int64_t reach = reaches[random_u64(random) % 3] * (random_u64(random) & 1 ? 1 : -1);
+    const int64_t length = reaches[random_u64(random) % 3];
+    const int64_t reach = random_u64(random) & 1 ? length : -length;
 
     for (int i = 0; i < 3; i++)
         eye_q8[i] = (vertex[i] + (int32_t)random_in(random, -400, 400)) * 256;
