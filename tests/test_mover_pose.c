@@ -392,6 +392,27 @@ static void places_at_the_bounds_are_in(void **state)
     stage_close(&stage);
 }
 
+/* The middle of all corners, wherever they are, and a radius that is not much more than the way to the farthest. */
+static void balls_are_about_the_corners(void **state)
+{
+    static const int16_t places[][3] = {{-20000, 300, 12000}, {20000, -9000, 5}, {1, 2, -3000}};
+    static struct stage stage;
+    const struct lim_camera camera = set_camera(false);
+
+    (void)state;
+    for (size_t k = 0; k < sizeof places / sizeof *places; k++) {
+        stage_open(&stage, places[k]);
+        assert_true(pose(&stage, &camera));
+        const struct lim_mover *mover = stage.lim.movers.movers;
+        const int32_t half[3] = {450, 400, 50}; /* what the triangles span: add_triangles() */
+        for (int i = 0; i < 3; i++)
+            assert_int_equal(mover->centre_q12[i], (places[k][i] + half[i]) * 4096);
+        assert_true(mover->radius_q12 >= (int32_t)(sqrt(450 * 450 + 400 * 400 + 50 * 50) * 4096));
+        assert_true(mover->radius_q12 <= (450 + 450 * 107 / 256 + 5) * 4096);
+        stage_close(&stage);
+    }
+}
+
 /* All of the ball is within 2^16 units. */
 static void balls_end_within_the_world(void **state)
 {
@@ -490,6 +511,7 @@ int main(void)
         cmocka_unit_test(depths_are_how_far_ahead),
         cmocka_unit_test(objects_that_cannot_be_drawn_are_left_out),
         cmocka_unit_test(places_at_the_bounds_are_in),
+        cmocka_unit_test(balls_are_about_the_corners),
         cmocka_unit_test(balls_end_within_the_world),
         cmocka_unit_test(eyes_at_the_bounds_are_near_enough),
         cmocka_unit_test(memory_is_taken_to_its_end),

@@ -211,6 +211,30 @@ static void planes_are_those_of_rays(void **state)
     }
 }
 
+/* However near to the plane the eye is. */
+static void depths_are_never_below_the_least(void **state)
+{
+    struct random random = {703};
+    int least = 0;
+
+    (void)state;
+    for (int round = 0; round < ROUNDS; round++) {
+        struct lim_gradients gradients;
+        struct stage stage;
+        stage_open(&stage, &random);
+        stage.texturing.far_bits = 17;
+        stage.mapping.d = (int32_t)floor(dot(stage.n, stage.eye)) + round % 3;
+        stage.h = stage.mapping.d - dot(stage.n, stage.eye);
+        lim_texture_set(&stage.texturing, 0, &gradients);
+        if (stage.h == 0) stage.h = 1.0 / 256;
+        const double scale = exp2(nearbyint(log2(scale_of(&stage, &gradients.depth, stage.n))));
+        const double depth = fabs(stage.h) * scale / exp2(stage.texturing.far_bits);
+        assert_true(gradients.depth_min >= 1 && fabs(gradients.depth_min - fmax(depth, 1)) <= 0.51);
+        least += depth < 0.4;
+    }
+    assert_true(least > 10);
+}
+
 /* Lines -------------------------------------------------------------------------------------- */
 
 /* The texel of the planes as they are, and how far reciprocals of 15 bits may be off. */
@@ -293,11 +317,39 @@ static void lines_show_what_planes_say(void **state)
     assert_true(lines > ROUNDS / 8);
 }
 
+/* What is beyond 32 bits on the left are whole turns. */
+static void steps_are_shifted_modulo_turns(void **state)
+{
+    struct stage stage;
+    struct random random = {704};
+
+    (void)state;
+    stage_open(&stage, &random);
+    for (int sign = -1; sign < 2; sign += 2) {
+        struct lim_gradients gradients = {.depth = {1 << 29, 0, 0}, .uv = {{sign * 12345678, 0, 0}}, .depth_min = 1};
+        const struct lim_textured_span span = {&stage.texturing, &gradients, 0, 0, 1};
+        struct lim_texture_line line;
+        gradients.texture = stage.texture;
+        gradients.shift[0] = 2; /* as many as 2^29 has zeros: none is left */
+        lim_texture_line_begin(&line, &span, 0);
+        const int64_t product = (int32_t)line.at.uv_q16[0];
+        assert_true(fabs((double)product - sign * 12345678.0 / 2) < 1000);
+        for (int bits = -60; bits <= 60; bits++) {
+            const uint64_t left = bits < 0 ? (uint64_t)product << -bits : (uint64_t)(product >> bits);
+            gradients.shift[0] = (int8_t)(bits + 2);
+            lim_texture_line_begin(&line, &span, 0);
+            assert_int_equal(line.at.uv_q16[0], (uint32_t)left);
+        }
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(planes_are_those_of_rays),
+        cmocka_unit_test(depths_are_never_below_the_least),
         cmocka_unit_test(lines_show_what_planes_say),
+        cmocka_unit_test(steps_are_shifted_modulo_turns),
     };
 
     return cmocka_run_group_tests_name("texture_planes", tests, NULL, NULL);
