@@ -223,6 +223,26 @@ static void pieces_end_where_a_list_does(void **state)
     }
 }
 
+/* More polygons than a list holds are not sorted, and have no pieces. */
+static void lists_that_would_be_too_long_have_no_pieces(void **state)
+{
+    const struct lim_target target = target_of(LIM_NEWELL);
+    static struct set set;
+
+    (void)state;
+    make_set(&set);
+    for (unsigned count = 32766; count < 32770; count++) {
+        set.scene.polygon_count = (lim_index)count;
+        set.scene.limits.pieces = 20;
+        const size_t wanted_b = lim_mem_b(&set.scene, &target);
+        set.scene.limits.pieces = 0;
+        const size_t without_b = lim_mem_b(&set.scene, &target);
+        const size_t piece_b =
+            sizeof(struct lim_sorted) + sizeof(struct lim_newell_polygon) + 2 * sizeof(struct lim_cut);
+        assert_int_equal(wanted_b - without_b, count < 32767 ? piece_b : 0);
+    }
+}
+
 /* What scan lines paint leaves no gaps but where something is transparent. */
 static void lines_painted_at_once_have_no_gaps(void **state)
 {
@@ -244,8 +264,11 @@ static void lines_painted_at_once_have_no_gaps(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(pools_are_the_least_and_those_wanted), cmocka_unit_test(pools_in_between_are_in_proportion),
-        cmocka_unit_test(what_is_left_over_goes_to_pieces),     cmocka_unit_test(pieces_end_where_a_list_does),
+        cmocka_unit_test(pools_are_the_least_and_those_wanted),
+        cmocka_unit_test(pools_in_between_are_in_proportion),
+        cmocka_unit_test(what_is_left_over_goes_to_pieces),
+        cmocka_unit_test(pieces_end_where_a_list_does),
+        cmocka_unit_test(lists_that_would_be_too_long_have_no_pieces),
         cmocka_unit_test(lines_painted_at_once_have_no_gaps),
     };
 
