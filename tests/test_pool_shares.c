@@ -261,6 +261,28 @@ static void lines_painted_at_once_have_no_gaps(void **state)
     assert_in_range(lim_mem_b(&set.scene, &target), opaque_b, opaque_b + 15);
 }
 
+/* Side by side, none behind another. */
+static void as_many_are_active_as_cross_a_line(void **state)
+{
+    const struct lim_camera camera = set_camera(false);
+    static struct set_view view;
+    static struct set set;
+
+    (void)state;
+    for (int count = 1; count <= 5; count++) {
+        set_init(&set);
+        for (int i = 0; i < count; i++) {
+            const int16_t x = (int16_t)(-900 + 350 * i), top = (int16_t)(500 + 90 * i);
+            const int16_t corners[4][3] = {
+                {x, -800, -1000}, {(int16_t)(x + 300), -800, -1000}, {(int16_t)(x + 300), top, -1000}, {x, top, -1000}};
+            set_add(&set, (lim_index)(i + 1), 4, corners);
+        }
+        set_draw(&set, LIM_NEAREST_FIRST, NULL, -1, &camera, &view);
+        assert_int_equal(lim_stats(&view.lim)->active_max, count);
+        set_view_free(&view);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -270,6 +292,7 @@ int main(void)
         cmocka_unit_test(pieces_end_where_a_list_does),
         cmocka_unit_test(lists_that_would_be_too_long_have_no_pieces),
         cmocka_unit_test(lines_painted_at_once_have_no_gaps),
+        cmocka_unit_test(as_many_are_active_as_cross_a_line),
     };
 
     return cmocka_run_group_tests_name("pool_shares", tests, NULL, NULL);
