@@ -15,7 +15,7 @@
 #include <time.h>
 #include <unistd.h>
 
-enum { SPI_FD = 1000, BUFSIZ_FD = 1001 };
+enum { SPI_FD = 1000, BUFSIZ_FD = 1001, FAKE_PATHS_MAX = 64 };
 
 struct fake_linux fake;
 
@@ -52,6 +52,7 @@ bool fake_is_interrupted(void)
 {
     if (fake.interrupts == 0) return false;
     fake.interrupts--;
+    fake.now_ns += fake.interrupt_ns;
     errno = EINTR;
     return true;
 }
@@ -134,6 +135,8 @@ ssize_t __wrap_read(int fd, void *to, size_t most_b);
 int __wrap_ioctl(int fd, unsigned long request, ...);
 int __wrap_glob(const char *pattern, int flags, int (*on_error)(const char *path, int err_no), glob_t *out);
 void __wrap_globfree(glob_t *paths);
+void *__wrap_calloc(size_t n, size_t size_b);
+void *__real_calloc(size_t n, size_t size_b);
 int __wrap_clock_gettime(clockid_t id, struct timespec *out);
 int __wrap_clock_nanosleep(clockid_t id, int flags, const struct timespec *until, struct timespec *left);
 
@@ -147,7 +150,7 @@ int __wrap_open(const char *path, int flags, ...)
 {
     const bool is_spi = strncmp(path, "/dev/", 5) == 0;
     if (!is_spi && strncmp(path, "/sys/", 5) != 0) return __real_open(path, flags); /* no device: a scene, a camera */
-    assert_true(flags & O_CLOEXEC); /* it is nobody's business whom we start */
+    assert_int_equal(flags, (is_spi ? O_RDWR : O_RDONLY) | O_CLOEXEC); /* it is nobody's business whom we start */
     if (fake_fails(is_spi ? "open" : "open bufsiz")) return -1;
     if (is_spi && fake_is_interrupted()) return -1;
     errno = is_spi ? fake.spi_err_no : 0;
@@ -210,11 +213,12 @@ int __wrap_ioctl(int fd, unsigned long request, ...)
 
 int __wrap_glob(const char *pattern, int flags, int (*on_error)(const char *path, int err_no), glob_t *out)
 {
-    static char *paths[FAKE_CHIPS_MAX];
-    static char text[FAKE_CHIPS_MAX][32];
+    static char *paths[FAKE_PATHS_MAX];
+    static char text[FAKE_PATHS_MAX][32];
     (void)flags, (void)on_error;
     const bool is_spi = strcmp(pattern, "/dev/spidev*") == 0;
-    const unsigned count = is_spi ? fake.spi_path != NULL : fake.chip_count;
+    const unsigned spis = !fake.spi_path ? 0 : fake.spi_count ? fake.spi_count : 1;
+    const unsigned count = is_spi ? spis : fake.chip_count;
     for (unsigned i = 0; i < count; i++)
         paths[i] = strcpy(text[i], is_spi ? fake.spi_path : fake.chips[i].path);
     *out = (glob_t){.gl_pathc = count, .gl_pathv = paths};
@@ -227,6 +231,11 @@ void __wrap_globfree(glob_t *paths)
 {
     (void)paths;
     fake.objects--;
+}
+
+void *__wrap_calloc(size_t n, size_t size_b)
+{
+    return fake.no_memory ? NULL : __real_calloc(n, size_b);
 }
 
 int __wrap_clock_gettime(clockid_t id, struct timespec *out)

@@ -30,6 +30,8 @@ struct fake_chip {
 struct fake_linux {
     /* The machine; to be set by a test. */
     const char *spi_path; /* NULL: there is none */
+    unsigned spi_count;   /* so often it is listed; 0: once */
+    bool no_memory;       /* nothing can be allocated */
     int spi_err_no;       /* of opening it; 0: it opens */
     const char *bufsiz;   /* text of the module's parameter; NULL: unreadable */
     size_t most_b;        /* of a message, for the kernel */
@@ -48,11 +50,12 @@ struct fake_linux {
     int fds, chips_open, lines_held, objects; /* not closed, released or freed yet */
 
     /* Faults: the call of that index among all that can fail, counted from 0. */
-    long calls, fail_at; /* -1: none */
-    int err_no;          /* that it sets */
-    const char *failed;  /* its name; NULL: none has failed yet */
-    long waited_at;      /* the last call that waited for a line */
-    unsigned interrupts; /* of so many calls that can be interrupted, before they succeed */
+    long calls, fail_at;   /* -1: none */
+    int err_no;            /* that it sets */
+    const char *failed;    /* its name; NULL: none has failed yet */
+    long waited_at;        /* the last call that waited for a line */
+    unsigned interrupts;   /* of so many calls that can be interrupted, before they succeed */
+    uint64_t interrupt_ns; /* that each of them takes */
 };
 
 extern struct fake_linux fake;

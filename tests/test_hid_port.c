@@ -54,6 +54,19 @@ int nanosleep(const struct timespec *asked, struct timespec *left)
     return -1;
 }
 
+/* The program is linked with --wrap for it. */
+static int allocations_left = -1; /* of the port's; -1: any number */
+
+void *__real_calloc(size_t n, size_t size_b);
+void *__wrap_calloc(size_t n, size_t size_b);
+
+void *__wrap_calloc(size_t n, size_t size_b)
+{
+    if (allocations_left == 0) return NULL;
+    if (allocations_left > 0) allocations_left--;
+    return __real_calloc(n, size_b);
+}
+
 /* The rig's bridge in the first place, with this serial number. */
 static int set_up(void **state)
 {
@@ -229,6 +242,26 @@ static void a_bridge_that_is_not_there_is_told(void **state)
     assert_null(port.close);
 }
 
+static void a_lack_of_memory_is_told(void **state)
+{
+    int enough = 0;
+
+    (void)state;
+    for (int err = -ENOMEM; err; enough++) {
+        memset(&port, 0x5A, sizeof port);
+        allocations_left = enough;
+        err = open_port(NULL);
+        allocations_left = -1;
+        if (!err) break;
+        assert_int_equal(err, -ENOMEM);
+        assert_text("out of memory");
+        assert_non_null(strstr(port.error, enough < 2 ? "USB-HID bridge: " : "MCP2210 0001: "));
+        assert_null(port.close);
+        assert_int_equal(fake_hidapi.opened, fake_hidapi.closed);
+    }
+    assert_int_equal(enough, 3); /* the link, the port and the bridge's state */
+}
+
 static void a_lack_of_permission_names_the_rule(void **state)
 {
     (void)state;
@@ -339,6 +372,7 @@ int main(void)
         cmocka_unit_test_setup_teardown(the_right_bridge_is_taken, set_up, tear_down),
         cmocka_unit_test_setup_teardown(of_several_none_is_taken_unasked, set_up, tear_down),
         cmocka_unit_test_setup_teardown(a_bridge_that_is_not_there_is_told, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(a_lack_of_memory_is_told, set_up, tear_down),
         cmocka_unit_test_setup_teardown(a_lack_of_permission_names_the_rule, set_up, tear_down),
         cmocka_unit_test_setup_teardown(an_error_that_is_no_unplugging_is_told_as_hidapi_does, set_up, tear_down),
         cmocka_unit_test_setup_teardown(a_report_cut_short_is_an_error, set_up, tear_down),

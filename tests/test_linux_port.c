@@ -5,6 +5,7 @@
 #include "cmocka_ready.h"
 #include "fake_linux.h"
 #include "linux/linux_port.h"
+#include "linux/spidev.h"
 #include "screen.h"
 #include "test_card.h"
 
@@ -193,6 +194,55 @@ static void devices_that_cannot_be_opened_are_explained(void **state)
     assert_refused(&all_wired, EIO, "/dev/spidev0.0: Input/output error");
 }
 
+/* As many as the message has room for. */
+static void of_many_devices_the_first_are_named(void **state)
+{
+    static const char each[] = "/dev/spidev0.0";
+    struct linux_port_config config = all_wired;
+
+    (void)state;
+    config.spi = "/dev/spidev1.0";
+    for (fake.spi_count = 2; fake.spi_count < 60; fake.spi_count++) {
+        unsigned named = 0;
+        assert_int_equal(linux_port_open(&port, &config), -ENOENT);
+        assert_true(fake_is_clean());
+        const char *at = strstr(port.error, "; there are ");
+        assert_non_null(at);
+        for (at = strstr(at, each); at; at = strstr(at + 1, each))
+            named++;
+        assert_true(named == fake.spi_count || (named >= 6 && named < 20));
+        assert_true(strlen(port.error) < PORT_ERROR_B);
+    }
+}
+
+static void a_lack_of_memory_is_told(void **state)
+{
+    (void)state;
+    memset(&port, 0x5A, sizeof port);
+    fake.no_memory = true;
+    const int err = linux_port_open(&port, &all_wired);
+    fake.no_memory = false;
+    assert_int_equal(err, -ENOMEM);
+    assert_string_equal(port.error, "/dev/spidev0.0: out of memory");
+    assert_null(port.close);
+    assert_true(fake_is_clean());
+}
+
+static void a_device_that_cannot_be_set_up_is_closed(void **state)
+{
+    (void)state;
+    for (long n = 2; n < 5; n++) { /* after the opens and the read: mode, bits a word, rate */
+        struct spidev spidev;
+        fake_linux_init();
+        fake_fail_at(n + 1, EINVAL);
+        assert_int_equal(spidev_open(&spidev, "/dev/spidev0.0", 0, 1000000, &port), -EINVAL);
+        assert_int_equal(spidev.fd, -1);
+        assert_true(fake_is_clean());
+        spidev_close(&spidev);
+        assert_true(fake_is_clean());
+    }
+}
+
 static void what_a_device_cannot_do_is_explained(void **state)
 {
     (void)state;
@@ -201,6 +251,9 @@ static void what_a_device_cannot_do_is_explained(void **state)
     assert_refused(&all_wired, ENOTTY, "/dev/spidev0.0: not an SPI device");
     fake_fail_at(2, EINVAL);
     assert_refused(&all_wired, EINVAL, "/dev/spidev0.0: mode 3: Invalid argument; the controller cannot do that");
+    fake_fail_at(3, EINVAL);
+    assert_refused(&all_wired, EINVAL,
+                   "/dev/spidev0.0: bits a word 8: Invalid argument; the controller cannot do that");
     fake_fail_at(4, EINVAL);
     assert_refused(&all_wired, EINVAL, "/dev/spidev0.0: Hz 20000000: Invalid argument; the controller cannot do that");
 }
@@ -333,6 +386,34 @@ static void a_rise_is_waited_for_and_not_remembered(void **state)
     assert_int_equal(fake.now_ns - before_ns, 20000000);
     fake.rise_after_waits = 2; /* the first wait sees that nothing is remembered */
     assert_int_equal(edge_wait(&port.tearing, 20000), 1);
+    port_close(&port);
+}
+
+/* Signals do not make a wait longer, nor end it early. */
+static void a_wait_for_a_rise_ends_in_time_however_often_it_is_interrupted(void **state)
+{
+    static const struct {
+        uint64_t interrupt_ns, all_ns;
+    } cases[] = {{0, 1000000},      {1, 1000000},      {499999, 1000000},
+                 {500000, 1000000}, {500001, 1000002}, {3000000000u, 6000000000u},
+                 {999999, 1999998}, {333333, 1000000}};
+
+    (void)state;
+    open_port(&all_wired);
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        fake.now_ns = 1999999998;
+        const uint64_t before_ns = fake.now_ns;
+        fake.interrupts = 2; /* the first is that of what rose earlier */
+        fake.interrupt_ns = cases[i].interrupt_ns;
+        assert_int_equal(edge_wait(&port.tearing, 1000), 0);
+        assert_int_equal(fake.interrupts, 0);
+        assert_int_equal(fake.now_ns - before_ns, cases[i].all_ns);
+    }
+    fake.interrupts = 1;
+    fake.interrupt_ns = 999999; /* a nanosecond is left */
+    const uint64_t before_ns = fake.now_ns;
+    assert_int_equal(edge_wait(&port.tearing, 1000), 0);
+    assert_int_equal(fake.now_ns - before_ns, 1000000);
     port_close(&port);
 }
 
@@ -515,6 +596,9 @@ int main(void)
         cmocka_unit_test_setup(a_message_that_is_sent_in_part_is_an_error, set_up),
         cmocka_unit_test_setup(signals_interrupt_nothing, set_up),
         cmocka_unit_test_setup(devices_that_cannot_be_opened_are_explained, set_up),
+        cmocka_unit_test_setup(of_many_devices_the_first_are_named, set_up),
+        cmocka_unit_test_setup(a_lack_of_memory_is_told, set_up),
+        cmocka_unit_test_setup(a_device_that_cannot_be_set_up_is_closed, set_up),
         cmocka_unit_test_setup(what_a_device_cannot_do_is_explained, set_up),
         cmocka_unit_test_setup(lines_that_cannot_be_had_are_explained, set_up),
         cmocka_unit_test_setup(chips_that_cannot_be_opened_are_explained, set_up),
@@ -525,6 +609,7 @@ int main(void)
         cmocka_unit_test_setup(each_pin_sets_its_own_line, set_up),
         cmocka_unit_test_setup(pins_that_were_not_asked_for_are_not_wired, set_up),
         cmocka_unit_test_setup(a_rise_is_waited_for_and_not_remembered, set_up),
+        cmocka_unit_test_setup(a_wait_for_a_rise_ends_in_time_however_often_it_is_interrupted, set_up),
         cmocka_unit_test_setup(a_frame_arrives_whole_however_it_is_split, set_up),
         cmocka_unit_test_setup(opening_that_fails_anywhere_leaves_nothing_open, set_up),
         cmocka_unit_test_setup(a_frame_that_fails_anywhere_is_told_and_the_next_is_whole, set_up),
