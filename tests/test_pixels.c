@@ -92,6 +92,27 @@ static void greys_are_gathered_as_pixel_by_pixel(void **state)
     lines_agree(PANEL_GREY4);
 }
 
+/* A line of one colour but for a byte of one pixel: runs are found four pixels at a time, and end at any of them. */
+static void a_single_byte_ends_a_run(void **state)
+{
+    static const uint16_t colours[] = {0xFFFF, 0x0000, 0xFF00, 0x00FF, 0x7F7F, 0xF81F};
+    enum { RUN_PX = 15 };
+
+    (void)state;
+    for (size_t i = 0; i < sizeof colours / sizeof *colours; i++)
+        for (uint32_t at_b = 0; at_b < 2 * RUN_PX; at_b++)
+            for (uint32_t y = 0; y < 8; y++) {
+                uint8_t line[2 * RUN_PX], wanted[RUN_PX] = {0}, to[RUN_PX] = {0};
+                for (uint32_t k = 0; k < 2 * RUN_PX; k++)
+                    line[k] = (uint8_t)(k % 2 ? colours[i] : colours[i] >> 8);
+                line[at_b] ^= 0xFF;
+                for (uint32_t x = 0; x < RUN_PX; x++)
+                    put_pixel(PANEL_GREY4, wanted, (uint32_t)line[2 * x] << 8 | line[2 * x + 1], x, y);
+                pixels_gather(PANEL_GREY4, to, line, 0, (uint16_t)y, RUN_PX);
+                assert_memory_equal(to, wanted, sizeof to);
+            }
+}
+
 static void put_eight(enum panel_format format, uint32_t rgb565, uint32_t y)
 {
     uint8_t line[16], wanted[4] = {0}, to[4] = {0};
@@ -122,6 +143,7 @@ int main(void)
         cmocka_unit_test(pages_are_gathered_as_pixel_by_pixel),
         cmocka_unit_test(lines_of_bits_are_gathered_as_pixel_by_pixel),
         cmocka_unit_test(greys_are_gathered_as_pixel_by_pixel),
+        cmocka_unit_test(a_single_byte_ends_a_run),
         cmocka_unit_test(every_colour_is_gathered_as_the_formula_says),
     };
 
