@@ -231,6 +231,19 @@ static void of_several_none_is_taken_unasked(void **state)
     assert_int_equal(fake_hidapi.opened, 0);
 }
 
+/* Half of what a reason may have is theirs, 112 bytes with the end of the text. */
+static void of_many_serial_numbers_the_first_are_named(void **state)
+{
+    static const char before[] = "USB-HID bridge: there are several; choose by serial number: 0001, ";
+
+    (void)state;
+    for (unsigned i = 1; i < FAKE_PLACES; i++)
+        plug_in(i, "/dev/hidraw1", L"0123456789");
+    assert_int_equal(open_port(NULL), -EEXIST);
+    assert_memory_equal(port.error, before, sizeof before - 1);
+    assert_int_equal(strlen(port.error), sizeof before - 1 - 6 + 111);
+}
+
 static void a_bridge_that_is_not_there_is_told(void **state)
 {
     (void)state;
@@ -371,6 +384,7 @@ int main(void)
         cmocka_unit_test_setup_teardown(of_many_bridges_the_first_are_found, set_up, tear_down),
         cmocka_unit_test_setup_teardown(the_right_bridge_is_taken, set_up, tear_down),
         cmocka_unit_test_setup_teardown(of_several_none_is_taken_unasked, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(of_many_serial_numbers_the_first_are_named, set_up, tear_down),
         cmocka_unit_test_setup_teardown(a_bridge_that_is_not_there_is_told, set_up, tear_down),
         cmocka_unit_test_setup_teardown(a_lack_of_memory_is_told, set_up, tear_down),
         cmocka_unit_test_setup_teardown(a_lack_of_permission_names_the_rule, set_up, tear_down),
