@@ -308,6 +308,20 @@ static void an_error_that_is_no_unplugging_is_told_as_hidapi_does(void **state)
     }
 }
 
+static void a_bridge_that_does_not_begin_again_is_closed(void **state)
+{
+    (void)state;
+    assert_int_equal(open_port(NULL), 0);
+    emulated_cable_arm(&rig.bridge.cable, 0, CABLE_REFUSED, -EIO);
+    assert_int_equal(pin_set(&port.dc, true), -EIO);
+    assert_int_equal(fake_hidapi.opened, fake_hidapi.closed);
+    emulated_cable_arm(&rig.bridge.cable, 0, CABLE_LOST, 0);
+    assert_int_equal(pin_set(&port.dc, true), -ETIMEDOUT);
+    assert_int_equal(fake_hidapi.opened, 2);
+    assert_int_equal(fake_hidapi.closed, 2);
+    assert_int_equal(pin_set(&port.dc, true), 0);
+}
+
 static void a_report_cut_short_is_an_error(void **state)
 {
     (void)state;
@@ -389,6 +403,7 @@ int main(void)
         cmocka_unit_test_setup_teardown(a_lack_of_memory_is_told, set_up, tear_down),
         cmocka_unit_test_setup_teardown(a_lack_of_permission_names_the_rule, set_up, tear_down),
         cmocka_unit_test_setup_teardown(an_error_that_is_no_unplugging_is_told_as_hidapi_does, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(a_bridge_that_does_not_begin_again_is_closed, set_up, tear_down),
         cmocka_unit_test_setup_teardown(a_report_cut_short_is_an_error, set_up, tear_down),
         cmocka_unit_test_setup_teardown(plugs_may_be_pulled_at_any_report, set_up, tear_down),
         cmocka_unit_test_setup_teardown(a_bridge_without_a_serial_number_comes_back_as_the_only_one, set_up, tear_down),

@@ -77,6 +77,7 @@ static void writes_are_split_at_bufsiz(void **state)
     assert_split("4096\n", 4097, (size_t[]){4096, 1}, 2);
     assert_split("4096\n", 8192, (size_t[]){4096, 4096}, 2);
     assert_split("777\n", 2000, (size_t[]){777, 777, 446}, 3);
+    assert_split("000000000000777", 2000, (size_t[]){777, 777, 446}, 3); /* the longest text that is read */
     assert_split("65536\n", 20000, (size_t[]){20000}, 1);
     assert_split(NULL, 4097, (size_t[]){4096, 1}, 2); /* unreadable: the kernel's usual one */
     assert_split("4096\n", 0, NULL, 0);
