@@ -260,6 +260,41 @@ static void every_chip_is_here(void **state)
     assert_null(panels_sharp[2]);
 }
 
+/* MIPI DCS 1.01, 5.1. */
+static void commands_are_as_the_standard_has_them(void **state)
+{
+    (void)state;
+    assert_int_equal(DCS_SWRESET, 0x01);
+    assert_int_equal(DCS_SLPIN, 0x10);
+    assert_int_equal(DCS_SLPOUT, 0x11);
+    assert_int_equal(DCS_NORON, 0x13);
+    assert_int_equal(DCS_INVOFF, 0x20);
+    assert_int_equal(DCS_INVON, 0x21);
+    assert_int_equal(DCS_DISPOFF, 0x28);
+    assert_int_equal(DCS_DISPON, 0x29);
+    assert_int_equal(DCS_CASET, 0x2A);
+    assert_int_equal(DCS_RASET, 0x2B);
+    assert_int_equal(DCS_RAMWR, 0x2C);
+    assert_int_equal(DCS_TEON, 0x35);
+    assert_int_equal(DCS_MADCTL, 0x36);
+}
+
+static void what_a_driver_does_not_have_is_unsupported(void **state)
+{
+    static const struct panel_ops none = {0};
+    struct panel bare = {.ops = &none};
+
+    (void)state;
+    assert_int_equal(panel_begin_frame(&bare), 0);
+    assert_int_equal(panel_keep(&bare), 0);
+    assert_int_equal(panel_sleep(&bare, true), PANEL_ERR_UNSUPPORTED);
+    assert_int_equal(panel_blank(&bare, true), PANEL_ERR_UNSUPPORTED);
+    assert_int_equal(panel_darken(&bare), PANEL_ERR_UNSUPPORTED);
+    assert_int_equal(panel_set_rotation(&bare, PANEL_UPRIGHT), PANEL_ERR_UNSUPPORTED);
+    assert_int_equal(panel_set_inverted(&bare, true), PANEL_ERR_UNSUPPORTED);
+    assert_int_equal(panel_set_backlight(&bare, true), PANEL_ERR_UNSUPPORTED);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -268,6 +303,8 @@ int main(void)
         cmocka_unit_test(chips_turn_by_quarters_or_halves),
         cmocka_unit_test(what_a_driver_needs_must_be_there),
         cmocka_unit_test(every_chip_is_here),
+        cmocka_unit_test(commands_are_as_the_standard_has_them),
+        cmocka_unit_test(what_a_driver_does_not_have_is_unsupported),
     };
     return cmocka_run_group_tests_name("panel_limits", tests, NULL, NULL);
 }
