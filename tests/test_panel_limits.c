@@ -277,6 +277,7 @@ static void commands_are_as_the_standard_has_them(void **state)
     assert_int_equal(DCS_RAMWR, 0x2C);
     assert_int_equal(DCS_TEON, 0x35);
     assert_int_equal(DCS_MADCTL, 0x36);
+    assert_int_equal(DCS_COLMOD, 0x3A);
 }
 
 static void what_a_driver_does_not_have_is_unsupported(void **state)
