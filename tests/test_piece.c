@@ -67,7 +67,7 @@ static void make_polygon(struct polygon *polygon, struct random *random, int bit
         centre[2] = (int16_t)(centre[2] - (2000 >> bits));
         polygon->count = (int)random_in(random, 3, 4);
         for (int i = 0; i < 3; i++) {
-            polygon->corners[0][i] = first ? first[i] : (int16_t)(centre[i] - u[i] / 2 - v[i] / 2);
+            polygon->corners[0][i] = (int16_t)(first ? first[i] : centre[i] - u[i] / 2 - v[i] / 2);
             polygon->corners[1][i] = (int16_t)(polygon->corners[0][i] + u[i]);
             polygon->corners[2][i] = (int16_t)(polygon->corners[1][i] + v[i]);
             polygon->corners[3][i] = (int16_t)(polygon->corners[0][i] + v[i]);
