@@ -34,8 +34,8 @@ struct lim_newell_stats {
     uint32_t decided[LIM_TESTS];            /* which test settled how many of them */
     uint32_t swaps;                         /* a Q that goes before its P */
     uint32_t splits;                        /* polygons or pieces cut in two */
-    uint32_t divisions;                     /* parts divided by a plane, since comparing them took too long, or */
-    uint32_t stuck;                         /* of these, since it found neither an order nor what to split */
+    uint32_t divisions;                     /* parts of the list that a plane divided */
+    uint32_t stuck;                         /* of these: comparing found neither an order nor a polygon to split */
     uint32_t forced;                        /* entries left to their farthest points: the picture may be wrong there */
     uint32_t forced_by[LIM_FORCED_REASONS]; /* the same, by reason */
 };

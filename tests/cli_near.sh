@@ -72,17 +72,8 @@ silent() { "$limner" compile "$@" --report >"$work/said" 2>"$work/err" && ! grep
 tap_check "not of one that was asked for" silent "$ground" --drop-small --near 11.2
 tap_check "and not of rooms" silent sim/scenes/rooms.obj
 
-refused() { # PATTERN ARGUMENT...
-    pattern=$1
-    shift
-    rm -rf "$work/out"
-    mkdir "$work/out"
-    timeout 60 "$limner" "$@" >"$work/said" 2>"$work/err" </dev/null
-    status=$?
-    cat "$work/err"
-    [ $status -eq 1 ] && [ ! -s "$work/said" ] && [ "$(grep -vc '^limner: note: ' "$work/err")" -eq 1 ] &&
-        [ -z "$(find "$work/out" -type f)" ] && grep -qE -- "$pattern" "$work/err"
-}
+ignored='^limner: note: '
+. tests/refused.sh
 nearer='--near 1: nothing nearer than 11\.2 m can be drawn on a grid with units of 3\.66 m'
 tap_check "compile refuses a nearer one" refused "$nearer" compile "$ground" --drop-small --near 1 -o "$work/out/x"
 tap_check "render does" refused "$nearer" render "$ground" --drop-small --near 1 -o "$work/out/%d.png"

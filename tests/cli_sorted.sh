@@ -55,14 +55,7 @@ awk 'BEGIN {
 }' >"$work/many.obj"
 
 # Triangles through one point, seen from both sides: near it corners that rounding makes one or moves past each other.
-awk 'BEGIN {
-    srand(2)
-    for (i = 0; i < 50; i++) {
-        for (k = 0; k < 6; k++) c[k] = 2 * rand() - 1
-        printf "v %.4f %.4f %.4f\nv %.4f %.4f %.4f\nv %.4f %.4f %.4f\n", c[0], c[1], c[2], c[3], c[4], c[5], -c[0] - c[3], -c[1] - c[4], -c[2] - c[5]
-        printf "f %d %d %d\nf %d %d %d\n", 3 * i + 1, 3 * i + 2, 3 * i + 3, 3 * i + 3, 3 * i + 2, 3 * i + 1
-    }
-}' >"$work/star.obj"
+awk -v seed=2 -v count=50 -f tests/star.awk >"$work/star.obj"
 
 # worst COLUMN: of the worst frame of those that --stats printed
 worst() {
