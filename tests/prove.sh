@@ -3,7 +3,7 @@
 # Proves what the contracts (ACSL) of the arithmetic kernels state, and that nothing in them overflows, divides by
 # zero, shifts too far or reaches outside of its memory: Frama-C's WP makes the goals, Z3 discharges them. A
 # goal that is lost fails, and so does one that is missing: tests/prove/expected has how many there must be,
-# and `sh tests/prove.sh --table` writes it anew. What the provers say of a goal is kept in $BUILD/prove, by the
+# and `sh tests/prove.sh --table` writes it anew. What the provers say of a goal is kept outside of the project, by the
 # goal's text: only goals that have changed are proved again.
 . tests/tap.sh
 
@@ -43,18 +43,24 @@ prove() { # BUILD FUNCTIONS MILLION-STEPS
 
 # Most goals take few steps; functions of which one is lost have another try, and more of them.
 prove_all() { # BUILD: the functions that tests/prove/kernels lists for it
-    prove "$1" "$(awk -v build="$1" '$1 == build { print $2 }' tests/prove/kernels | paste -sd ,)" 20 >"$work/tried" ||
-        return 1
-    lost=$(awk '$3 < $4 { print $2 }' "$work/tried" | paste -sd ,)
-    awk '$3 == $4' "$work/tried"
+    prove "$1" "$(awk -v build="$1" '$1 == build { print $2 }' tests/prove/kernels | paste -sd ,)" 20 \
+        >"$work/$1.tried" || return 1
+    lost=$(awk '$3 < $4 { print $2 }' "$work/$1.tried" | paste -sd ,)
+    awk '$3 == $4' "$work/$1.tried"
     [ -z "$lost" ] || prove "$1" "$lost" 150
 }
 
-mkdir -p "$BUILD/prove"
-cache=$(cd "$BUILD/prove" && pwd)
+cache=${XDG_CACHE_HOME:-$HOME/.cache}/limner/prove
+mkdir -p "$cache"
 why3 config detect >"$work/why3.log" 2>&1
+# All builds at once: with what is kept, most of each one's time is spent in waiting.
 for build in $builds; do
-    prove_all "$build" >>"$work/goals" || { cat "$work/$build.log" >&2; exit 1; }
+    (prove_all "$build" >"$work/$build.goals" || echo failed >"$work/$build.failed") &
+done
+wait
+for build in $builds; do
+    [ ! -f "$work/$build.failed" ] || { cat "$work/$build.log" >&2; exit 1; }
+    cat "$work/$build.goals" >>"$work/goals"
 done
 
 if [ "${1:-}" = --table ]; then
