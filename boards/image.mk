@@ -92,9 +92,12 @@ $(common)/flags: force | packages
 	@mkdir -p $(@D)
 	@echo '$(TOOLS)gcc $(board_flags)' | cmp -s - $@ || echo '$(TOOLS)gcc $(board_flags)' > $@
 
+# Call graphs have a cache of their own; assembly has no graph.
+board_cache = $(if $(filter %.c,$<),$(if $(findstring callgraph,$(FRAMES)),CCACHE='$(CCACHE)' sh sim/graph_cache.sh,$(CCACHE)))
+
 define board_object
 @mkdir -p $(@D)
-@$(TOOLS)gcc $(board_flags) $(1) -c -o $@ $<
+@$(board_cache) $(TOOLS)gcc $(board_flags) $(1) -c -o $@ $<
 endef
 
 $(common)/%.o: %.c $(common)/flags

@@ -24,8 +24,8 @@ footprint_objects() {
     for footprint_source in firmware/*.c; do
         footprint_object=${footprint_source##*/}
         # shellcheck disable=SC2046,SC2086 # flags are words
-        $(target_compiler "$footprint_core") $(target_flags "$footprint_core") $footprint_flags $WARNINGS \
-            -fcallgraph-info=su -I"$footprint_dir" -DLIM_CONFIG="\"$footprint_header\"" "$@" \
+        sh sim/graph_cache.sh $(target_compiler "$footprint_core") $(target_flags "$footprint_core") $footprint_flags \
+            $WARNINGS -fcallgraph-info=su -I"$footprint_dir" -DLIM_CONFIG="\"$footprint_header\"" "$@" \
             -c -o "$footprint_dir/$footprint_core/${footprint_object%.c}.o" "$footprint_source" || return 1
     done
 }

@@ -129,6 +129,30 @@ unknown_pointers_are_found() {
     ! awk -f sim/stack.awk -v roots=lim_frame "$work/pointer.ci" 2>"$work/said" && grep -q 'nobody says where to' "$work/said"
 }
 
+# A cache of objects and call graphs, sim/graph_cache.sh: in a folder of any name what is the same comes from it, what is not
+# is compiled.
+graph_of() { # FOLDER FLAG...
+    graph_dir=$work/$1
+    shift
+    (cd "$graph_dir" && XDG_CACHE_HOME=$work/cache CCACHE=yes sh "$OLDPWD/sim/graph_cache.sh" arm-none-eabi-gcc -Os \
+        -fcallgraph-info=su -I"$graph_dir" "$@" -MMD -c -o made.o code.c) && cat "$graph_dir/made.o" "$graph_dir/made.ci"
+}
+
+cached_graphs_are_right() {
+    for folder in here there; do
+        mkdir "$work/$folder"
+        echo 'enum { ROOM = 40 };' >"$work/$folder/room.h"
+        printf '#include "room.h"\nint use(int *);\nint lim_frame(void) { int room[ROOM]; return use(room) + MORE; }\n' \
+            >"$work/$folder/code.c"
+    done
+    graph_of here -DMORE=1 >"$work/first" && graph_of there -DMORE=1 | cmp "$work/first" - || return 1
+    [ "$(find "$work/cache" -name '*.ci' | wc -l)" -eq 1 ] && grep -q '^made.o: code.c .*room.h' "$work/there/made.d" || return 1
+    ! graph_of here -DMORE=2 | cmp -s "$work/first" - && ! graph_of here -DMORE=1 -O2 | cmp -s "$work/first" - || return 1
+    echo 'enum { ROOM = 50 };' >"$work/there/room.h"
+    ! graph_of there -DMORE=1 | cmp -s "$work/first" - && [ "$(find "$work/cache" -name '*.ci' | wc -l)" -eq 4 ] &&
+        grep -q '20[0-9] bytes' "$work/there/made.ci"
+}
+
 # Memory ------------------------------------------------------------------------------------------------------
 
 # The scene's memory is a constant: on 16 KB of RAM the teapot does not link, and the icosahedron does.
@@ -212,6 +236,7 @@ for core in m0plus m4; do
 done
 tap_check "recursion has no bound" recursion_is_found
 tap_check "nor has a pointer that nobody accounts for" unknown_pointers_are_found
+tap_check "objects and call graphs from the cache are those of the compiler" cached_graphs_are_right
 tap_check "16 KB of RAM hold the icosahedron" link_on_microbit icosahedron
 tap_check "what they do not hold the linker refuses" too_large_is_the_linkers_affair
 tap_check "the table in README is what is measured now" sh sim/footprint_table.sh --check
