@@ -6,10 +6,9 @@
 # together names meet in pairs. What cannot go together is refused in a line, which is no failure; what neither draws
 # nor says why is. Pictures are small and frames few: it is arithmetic that is looked at.
 . tests/tap.sh
+. tests/with_sanitizers.sh
 
-build=$BUILD/sanitize
 limner=$build/limner
-export ASAN_OPTIONS=detect_leaks=1 UBSAN_OPTIONS=print_stacktrace=1
 
 # Words, and how many of them go before those of the run before come again: no two lists have the same length in common.
 methods='nearest scanline painter bsp clusters axis octree octree-centre clusters-sampled depth newell portals convex'
@@ -111,10 +110,7 @@ becomes_c() { # SCENE
     "$limner" compile "$1" -o "$work/compiled/$(basename "$1")" --size 64x64
 }
 
-# sanitize.sh builds there as well.
-mkdir -p "$build"
-tap_check "the program builds with the sanitizers" flock "$build.lock" make -s BUILD="$build" DEPS=skip \
-    OPT='-O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all' "$limner"
+tap_check "the program builds with the sanitizers" sanitized "$limner"
 turn=0
 for scene in sim/scenes/*.obj sim/scenes/*.gltf sim/scenes/*.glb sim/scenes/*.ply sim/scenes/*.stl \
     "$BUILD/scenes/demo.obj" "$BUILD/scenes/textured/textured.obj"; do
