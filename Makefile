@@ -267,6 +267,7 @@ suite-prove     := tests/prove.sh
 suite-format    := tests/format.sh
 suite-kernel    := tests/kernel.sh
 suite-arm64     := tests/arm64.sh
+suite-extremes  := tests/cli_extremes.sh
 suite-soak      := $(filter $(BUILD)/tests/soak_%,$(test_programs))
 
 # What buttons do to a board's frames.
@@ -292,8 +293,13 @@ tests-kernel: packages
 tests/kernel.sh: tests-kernel $(kernel_programs)
 tests/arm64.sh: $(kernel_programs)
 
-unknown := $(filter-out $(ALL_SUITES) arm64 fixed features soak,$(suites))
-$(if $(unknown),$(error there is no suite $(unknown); there are: all $(ALL_SUITES) arm64 features))
+unknown := $(filter-out $(ALL_SUITES) arm64 fixed features extremes soak,$(suites))
+$(if $(unknown),$(error there is no suite $(unknown); there are: all $(ALL_SUITES) arm64 features extremes))
+
+# By itself it draws all frames, in all suites a part of them.
+ifeq ($(suites),extremes)
+export EXTREMES := whole
+endif
 
 # The longest first, so that none of them is left alone at the end.
 longest  := tests/sanitize.sh tests/sanitize_scenes.sh tests/prove.sh tests/compilers.sh tests/cli_extremes.sh
