@@ -305,20 +305,35 @@ static void make_bar(int16_t corners[BAR_CORNERS][3], struct random *random)
     if (plane.d > 0) turn_over(corners, BAR_CORNERS);
 }
 
+/* Whether no corner of a bar is so near to another's plane that it counts as on it. */
+static bool are_clear(const struct bars *bars)
+{
+    for (int plane = 0; plane < BARS; plane++) {
+        const double *n = bars->planes[plane].n;
+        for (int k = 0; k < BARS * BAR_CORNERS; k++) {
+            const double value = value_of(&bars->planes[plane], bars->corners[k / BAR_CORNERS][k % BAR_CORNERS]);
+            if (k / BAR_CORNERS != plane && fabs(value) < 2 * (fabs(n[0]) + fabs(n[1]) + fabs(n[2]))) return false;
+        }
+    }
+    return true;
+}
+
 static void make_bars(struct bars *bars, struct random *random)
 {
     static const uint16_t colours[BARS] = {0xF800, 0x07E0, 0x001F, 0xFFFF};
 
-    set_init(&bars->set);
-    for (int b = 0; b < BARS; b++) {
-        int16_t corners[BAR_CORNERS][3];
-        make_bar(corners, random);
-        set_add(&bars->set, colours[b], BAR_CORNERS, (const int16_t(*)[3])corners);
-        plane_of(&bars->planes[b], (const int16_t(*)[3])corners);
-        for (int k = 0; k < BAR_CORNERS; k++)
-            for (int i = 0; i < 3; i++)
-                bars->corners[b][k][i] = corners[k][i];
-    }
+    do {
+        set_init(&bars->set);
+        for (int b = 0; b < BARS; b++) {
+            int16_t corners[BAR_CORNERS][3];
+            make_bar(corners, random);
+            set_add(&bars->set, colours[b], BAR_CORNERS, (const int16_t(*)[3])corners);
+            plane_of(&bars->planes[b], (const int16_t(*)[3])corners);
+            for (int k = 0; k < BAR_CORNERS; k++)
+                for (int i = 0; i < 3; i++)
+                    bars->corners[b][k][i] = corners[k][i];
+        }
+    } while (!are_clear(bars));
 }
 
 /* Counter-clockwise: its normal is the way in from each side, turned by a quarter. */
@@ -338,29 +353,26 @@ static bool is_on_bar(const struct bars *bars, int b, const double at[3])
     return true;
 }
 
-/* The bar that is seen at a place of the screen; BARS: none; -1: two are as near, to some units. */
+/* The bar that is seen at a place of the screen; BARS: none. */
 static int seen_at(const struct bars *bars, double x_px, double y_px)
 {
-    double nearest = INFINITY, second = INFINITY;
+    double nearest = INFINITY;
     int seen = BARS;
 
     for (int b = 0; b < BARS; b++) {
         double at[3];
         meet(at, &bars->planes[b], x_px, y_px);
-        if (-at[2] >= second || !is_on_bar(bars, b, at)) continue;
-        second = -at[2];
-        if (second >= nearest) continue;
-        second = nearest;
+        if (-at[2] >= nearest || !is_on_bar(bars, b, at)) continue;
         nearest = -at[2];
         seen = b;
     }
-    return second - nearest < 6 ? -1 : seen;
+    return seen;
 }
 
-/* The same of all that is a 32nd of a pixel around it; -1: they are not all the same. */
+/* The same of all that is a 128th of a pixel around it; -1: they are not all the same. */
 static int certainly_seen_at(const struct bars *bars, double x_px, double y_px)
 {
-    const double off_px = 1.0 / 32;
+    const double off_px = 1.0 / 128;
     const int seen = seen_at(bars, x_px, y_px);
 
     for (int k = 0; k < 4; k++)
