@@ -413,6 +413,43 @@ static void balls_are_about_the_corners(void **state)
     }
 }
 
+/* Around the box that an object knows, whatever its shape: no less than half its diagonal, and no more than the longest
+ * half and 107/256 of the others, rounded up to a unit of the object; and a unit of the scene for the centre. */
+static void balls_hold_boxes_of_any_shape(void **state)
+{
+    static const int16_t at[3] = {0, 0, 0};
+    static struct stage stage;
+    static struct lim_box box;
+    const struct lim_camera camera = set_camera(false);
+    struct random random = {606};
+
+    (void)state;
+    stage_open(&stage, at);
+    stage.object.scene.boxes = &box;
+    stage.object.scene.box_count = 1;
+    stage.object.leaf.box = 0;
+    for (int round = 0; round < ROUNDS; round++) {
+        const uint16_t most = (uint16_t)(random_in(&random, 1, 1 << random_in(&random, 3, 15)) - 1);
+        double squares = 0, sum = 0;
+        for (int i = 0; i < 3; i++) { /* two of them often the longest and one 0, where the bound is tight */
+            const int64_t kind = random_in(&random, 0, 5);
+            box.half[i] = kind < 3 ? most : kind < 5 ? 0 : (uint16_t)random_in(&random, 0, most);
+            squares += (double)box.half[i] * box.half[i];
+            sum += box.half[i];
+        }
+        const double longest = fmax(box.half[0], fmax(box.half[1], box.half[2]));
+        place_anyhow(&stage.instance, &random);
+        for (int i = 0; i < 3; i++)
+            stage.instance.at_q8[i] /= 16; /* all is within the world */
+        assert_true(pose(&stage, &camera));
+        const double radius = stage.lim.movers.movers[0].radius_q12 / 4096.0;
+        const double scale = ldexp(1, -stage.instance.finer_bits);
+        assert_true(radius >= sqrt(squares) * scale + 1 - 1.0 / 4096);
+        assert_true(radius <= (longest + (sum - longest) * 107 / 256 + 1) * scale + 1);
+    }
+    stage_close(&stage);
+}
+
 /* All of the ball is within 2^16 units. */
 static void balls_end_within_the_world(void **state)
 {
@@ -512,6 +549,7 @@ int main(void)
         cmocka_unit_test(objects_that_cannot_be_drawn_are_left_out),
         cmocka_unit_test(places_at_the_bounds_are_in),
         cmocka_unit_test(balls_are_about_the_corners),
+        cmocka_unit_test(balls_hold_boxes_of_any_shape),
         cmocka_unit_test(balls_end_within_the_world),
         cmocka_unit_test(eyes_at_the_bounds_are_near_enough),
         cmocka_unit_test(memory_is_taken_to_its_end),
