@@ -232,6 +232,7 @@ static void check_line(struct stage *stage, const struct lim_screen_polygon *who
     polygons[WHOLE].cuts = LIM_NONE;
     const struct lim_point all = lim_piece_line(&stage->lim, WHOLE, whole, y);
     polygons[WHOLE].cuts = 0;
+    assert_true(all.x >= 0 && all.y <= W_PX);
     for (int x = 0; x < W_PX; x++) {
         assert_int_equal(has(front, x) + has(back, x), has(all, x));
         if (!has(all, x)) continue;
@@ -263,6 +264,49 @@ static void slivers_seen_at_grazing_angles_have_their_pixels_only(void **state)
     print_message("# %zu in front, %zu behind, %zu unsure\n", found.front, found.back, found.unsure);
     assert_true(found.front > ROUNDS && found.back > ROUNDS);
     assert_true(found.unsure < (found.front + found.back) / 20);
+}
+
+/* A wall ahead, cut by a plane that goes through the eye and through the middle of a column, or of a line: that is in
+ * front, whichever side is. */
+static void pixels_on_a_plane_are_in_front_of_it(void **state)
+{
+    enum { ODD_PX = 33, MIDDLE_PX = ODD_PX / 2 };
+    static const int16_t wall[4][3] = {{-1900, -900, -800}, {1900, -900, -800}, {1900, 900, -800}, {-1900, 900, -800}};
+    static const struct lim_rect screen = {0, 0, ODD_PX, ODD_PX};
+    static struct stage stage;
+
+    (void)state;
+    for (int k = 0; k < 4; k++) {
+        const bool is_level = k & 1, is_turned = k & 2; /* in front is what is above or to the right */
+        int16_t cutter[3][3] = {{0, 0, -100}, {0, 0, -500}, {0, 70, -100}};
+        const struct lim_target target = {
+            .w_px = ODD_PX, .h_px = ODD_PX, .method = LIM_NEWELL, .ctx = &stage, .lend = lend, .done = done};
+        struct lim_screen_polygon whole;
+        if (is_level) cutter[2][0] = 70, cutter[2][1] = 0;
+        if (is_turned) turn_over(cutter, 3);
+        set_init(&stage.set);
+        set_add(&stage.set, 1, 4, wall);
+        set_add(&stage.set, 2, 3, (const int16_t(*)[3])cutter);
+        plane_of(&stage.planes[CUTTER], (const int16_t(*)[3])cutter);
+        const size_t mem_b = lim_mem_b(&stage.set.scene, &target);
+        stage.mem = malloc(mem_b);
+        assert_non_null(stage.mem);
+        assert_int_equal(lim_init(&stage.lim, &stage.set.scene, &target, stage.mem, mem_b), LIM_OK);
+        assert_int_equal(lim_frame(&stage.lim, &camera), LIM_OK);
+        list_pieces(&stage.lim);
+        assert_true(lim_project(&whole, &stage.lim.view, stage.lim.scene, stage.lim.scene->polygons, &screen, NULL));
+        for (int16_t y = 0; y < ODD_PX; y++) {
+            const struct lim_point front = lim_piece_line(&stage.lim, WHOLE, &whole, y);
+            const struct lim_point back = lim_piece_line(&stage.lim, BEHIND, &whole, y);
+            for (int x = 0; x < ODD_PX; x++) {
+                const int to = is_level ? MIDDLE_PX - y : x - MIDDLE_PX;
+                const double sign = stage.planes[CUTTER].n[is_level];
+                assert_int_equal(has(front, x), to * sign >= 0);
+                assert_int_equal(has(back, x), to * sign < 0);
+            }
+        }
+        free(stage.mem);
+    }
 }
 
 /* Samples ------------------------------------------------------------------------------------ */
@@ -469,6 +513,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(slivers_seen_at_grazing_angles_have_their_pixels_only),
+        cmocka_unit_test(pixels_on_a_plane_are_in_front_of_it),
         cmocka_unit_test(pieces_have_the_samples_on_their_side),
     };
 
