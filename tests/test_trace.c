@@ -362,12 +362,13 @@ static bool are_clear(const struct bars *bars)
     return true;
 }
 
-static void make_bars(struct bars *bars, struct random *random)
+static void make_bars(struct bars *bars, uint8_t alpha, struct random *random)
 {
     static const uint16_t colours[BARS] = {0xF800, 0x07E0, 0x001F, 0xFFFF};
 
     do {
         set_init(&bars->set);
+        bars->set.alpha = alpha;
         for (int b = 0; b < BARS; b++) {
             int16_t corners[BAR_CORNERS][3];
             make_bar(corners, random);
@@ -468,7 +469,7 @@ static size_t check_samples(const struct bars *bars, const struct canvas *canvas
     return mixed;
 }
 
-static struct lim_stats draw_smooth(struct set *set, struct canvas *canvas)
+static struct lim_stats draw(const struct set *set, bool is_smooth, struct canvas *canvas)
 {
     static uint32_t smooth_mem[LIM_ANTIALIAS_MEM_B(W_PX) / 4];
     const struct lim_target target = {
@@ -480,7 +481,7 @@ static struct lim_stats draw_smooth(struct set *set, struct canvas *canvas)
     assert_non_null(mem);
     memset(canvas, 0xA5, sizeof *canvas);
     assert_int_equal(lim_init(&lim, &set->scene, &target, mem, mem_b), LIM_OK);
-    assert_int_equal(lim_set_antialias(&lim, smooth_mem, sizeof smooth_mem), LIM_OK);
+    if (is_smooth) assert_int_equal(lim_set_antialias(&lim, smooth_mem, sizeof smooth_mem), LIM_OK);
     assert_int_equal(lim_frame(&lim, &camera), LIM_OK);
     free(mem);
     return *lim_stats(&lim);
@@ -496,17 +497,105 @@ static void pieces_have_the_samples_on_their_side(void **state)
     (void)state;
     for (int scene = 0; scene < SCENES; scene++) {
         static struct canvas plenty, least;
-        make_bars(&bars, &random);
-        const struct lim_stats stats = draw_smooth(&bars.set, &plenty);
+        make_bars(&bars, 0, &random);
+        const struct lim_stats stats = draw(&bars.set, true, &plenty);
         assert_int_equal(stats.newell.forced, 0);
         mixed += check_samples(&bars, &plenty);
         splits += stats.newell.splits;
         bars.set.scene.limits = (struct lim_limits){1, 4, 0, 0, 0, bars.set.scene.limits.pieces, 0};
-        alone += draw_smooth(&bars.set, &least).bands;
+        alone += draw(&bars.set, true, &least).bands;
         assert_memory_equal(plenty.pixels, least.pixels, sizeof plenty.pixels);
     }
     print_message("# %zu splits, %zu mixed pixels, %zu bands\n", splits, mixed, alone);
     assert_true(splits > 2 * SCENES && mixed > 100 * SCENES && alone > 10 * SCENES);
+}
+
+/* Behind a hole --------------------------------------------------------------------------------- */
+
+enum { WALL_Z = -600, WALL_COLOUR = 0x7BEF };
+
+/* x0 <= x < x1 .. in pixels, a wall's. */
+static void add_wall(struct set *set, int x0, int y0, int x1, int y1)
+{
+    const int x_px[4] = {x0, x1, x1, x0}, y_px[4] = {y1, y1, y0, y0};
+    int16_t corners[4][3];
+
+    for (int k = 0; k < 4; k++) {
+        corners[k][0] = (int16_t)lround((2.0 * x_px[k] - W_PX) / W_PX * TAN_X * -WALL_Z);
+        corners[k][1] = (int16_t)lround((H_PX - 2.0 * y_px[k]) / H_PX * TAN_Y * -WALL_Z);
+        corners[k][2] = WALL_Z;
+    }
+    set_add(set, WALL_COLOUR, 4, (const int16_t(*)[3])corners);
+}
+
+/* All that is farther on is hidden but for a hole. */
+static void add_wall_with_hole(struct set *set, const struct lim_rect *hole)
+{
+    set->alpha = 0;
+    add_wall(set, -1, -1, hole->x0, H_PX + 1);
+    add_wall(set, hole->x1, -1, W_PX + 1, H_PX + 1);
+    add_wall(set, hole->x0, -1, hole->x1, hole->y0);
+    add_wall(set, hole->x0, hole->y1, hole->x1, H_PX + 1);
+}
+
+static struct lim_rect any_hole(struct random *random)
+{
+    const int x_px = (int)random_in(random, 8, W_PX - 12), y_px = (int)random_in(random, 4, H_PX - 8);
+    const int w_px = (int)random_in(random, 1, 4), h_px = (int)random_in(random, 1, 4);
+
+    return (struct lim_rect){(uint16_t)x_px, (uint16_t)y_px, (uint16_t)(x_px + w_px), (uint16_t)(y_px + h_px)};
+}
+
+/* Antialiased the hole's edge may show the wall. Returns how many pixels there show glass, certain or not. */
+static int check_hole(const struct bars *bars, const struct canvas *canvas, const struct lim_rect *hole, bool is_smooth,
+                      size_t *certain)
+{
+    const int margin_px = is_smooth;
+    int glass = 0;
+
+    for (int y = hole->y0; y < hole->y1; y++)
+        for (int x = hole->x0; x < hole->x1; x++) {
+            const uint16_t pixel = lim_memory_colour(canvas->pixels[y][x]);
+            const int seen = certainly_seen_at(bars, x + 0.5, y + 0.5);
+            int shown[BARS + 1];
+            const bool is_all = count_samples(bars, x, y, shown) == SAMPLES;
+            const bool is_clear = is_smooth ? is_all && shown[BARS] == SAMPLES : seen == BARS;
+            const bool is_glass = is_smooth ? is_all && !shown[BARS] : seen >= 0 && seen < BARS;
+            glass += !is_all || shown[BARS] < SAMPLES;
+            if (x < hole->x0 + margin_px || x >= hole->x1 - margin_px) continue;
+            if (y < hole->y0 + margin_px || y >= hole->y1 - margin_px) continue;
+            if (is_clear) assert_int_equal(pixel, 0);
+            if (is_glass) assert_int_not_equal(pixel, 0);
+            *certain += is_glass;
+        }
+    return glass;
+}
+
+/* Pieces of glass are there where a wall leaves some of them open, and are no work where it does not. */
+static void pieces_of_glass_are_seen_through_a_hole(void **state)
+{
+    enum { HOLES = 400, WALLS = 4 };
+    static struct bars bars;
+    struct random random = {513};
+    size_t glass = 0, splits = 0, clear = 0;
+
+    (void)state;
+    for (int k = 0; k < HOLES; k++) {
+        static struct canvas canvas;
+        const bool is_smooth = k % 4 == 0;
+        const struct lim_rect hole = any_hole(&random);
+        make_bars(&bars, 100, &random);
+        add_wall_with_hole(&bars.set, &hole);
+        bars.set.scene.limits.layers = 200;
+        const struct lim_stats stats = draw(&bars.set, is_smooth, &canvas);
+        assert_int_equal(stats.bands, 0);
+        splits += stats.newell.splits;
+        if (check_hole(&bars, &canvas, &hole, is_smooth, &glass)) continue;
+        assert_int_equal(stats.polygons_seen, WALLS);
+        clear++;
+    }
+    print_message("# %zu splits, %zu pixels of glass, %zu holes without\n", splits, glass, clear);
+    assert_true(splits > HOLES && glass > HOLES / 2 && clear > HOLES / 8);
 }
 
 int main(void)
@@ -515,6 +604,7 @@ int main(void)
         cmocka_unit_test(slivers_seen_at_grazing_angles_have_their_pixels_only),
         cmocka_unit_test(pixels_on_a_plane_are_in_front_of_it),
         cmocka_unit_test(pieces_have_the_samples_on_their_side),
+        cmocka_unit_test(pieces_of_glass_are_seen_through_a_hole),
     };
 
     return cmocka_run_group_tests_name("trace", tests, NULL, NULL);
