@@ -229,11 +229,33 @@ static void where_nothing_else_is_they_are_seen(void **state)
         }
 }
 
+/* Nor does anything remain of it from the frame before. */
+static void what_is_left_out_is_not_seen(void **state)
+{
+    static struct stage stage;
+    const struct lim_camera camera = set_camera(false);
+
+    (void)state;
+    for (int i = 0; i < ORDERS; i++) {
+        stage_init(&stage);
+        add_square(&stage.objects[0], 7, 8, 8, 40, 40, 800);
+        (void)draw(&stage, orders[i], 1);
+        assert_int_equal(pixel_at(&stage, 20, 20), 7);
+        stage.instances[0].finer_bits = 4; /* more than there are */
+        assert_int_equal(lim_movers_frame(&stage.lim, &camera, stage.instances, 1), LIM_OK);
+        assert_int_equal(lim_stats(&stage.lim)->movers.left_out, 1);
+        for (int k = 0; k < SET_SIDE_PX * SET_SIDE_PX; k++)
+            assert_int_equal(pixel_at(&stage, k % SET_SIDE_PX, k / SET_SIDE_PX), 0);
+        stage_free(&stage);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(all_records_of_a_run_are_seen),
         cmocka_unit_test(where_nothing_else_is_they_are_seen),
+        cmocka_unit_test(what_is_left_out_is_not_seen),
         cmocka_unit_test(those_one_behind_the_other_stay_whole),
         cmocka_unit_test(by_their_centres_they_are_in_order_of_them),
     };

@@ -341,6 +341,34 @@ static void set_ups_that_cannot_work_are_refused(void **state)
     stage_free(&stage);
 }
 
+/* Of whatever bytes a renderer's memory is made: nothing is on that was not asked for, and nothing has begun. */
+static void what_memory_held_before_does_not_matter(void **state)
+{
+    static const enum lim_method orders[] = {LIM_NEAREST_FIRST, LIM_PAINTER};
+    static const int before[] = {0, 1, 0xA5, 0xFF};
+    static uint16_t first[H_PX][W_PX];
+    struct random random = {416};
+    struct stage stage;
+
+    (void)state;
+    stage_init(&stage, &random);
+    const struct lim_camera camera = closed_stage_camera(&stage.in, &random);
+    for (int m = 0; m < 2; m++)
+        for (int k = 0; k < 4; k++) {
+            memset(&stage.lim, before[k], sizeof stage.lim);
+            stage_start(&stage, orders[m], 0);
+            assert_int_equal(lim_bands(&stage.lim), 0);
+            assert_false(lim_frame_work(&stage.lim));
+            assert_int_equal(lim_frame_paint(&stage.lim), LIM_ERR_BEGIN);
+            wipe(&stage);
+            assert_int_equal(lim_frame(&stage.lim, &camera), LIM_OK);
+            assert_every_pixel_painted_and_done_once(&stage);
+            if (!m && !k) memcpy(first, stage.canvas.pixels, sizeof first);
+            assert_memory_equal(first, stage.canvas.pixels, sizeof first);
+        }
+    stage_free(&stage);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -352,6 +380,7 @@ int main(void)
         cmocka_unit_test(a_target_that_fails_at_any_call_ends_the_frame_and_the_next_is_whole),
         cmocka_unit_test(cameras_out_of_range_are_refused),
         cmocka_unit_test(set_ups_that_cannot_work_are_refused),
+        cmocka_unit_test(what_memory_held_before_does_not_matter),
     };
 
     return cmocka_run_group_tests_name("frame", tests, NULL, NULL);
