@@ -14,7 +14,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { ROUNDS = 4000, SIDE_PX = 16, MOVERS = 1, ENTRIES = 16, FRONT = 1, BACK = 2 };
+enum { ROUNDS = 8000, SIDE_PX = 16, MOVERS = 1, ENTRIES = 16, FRONT = 1, BACK = 2 };
 
 /* A static scene of one plane, and an object. */
 struct stage {
@@ -202,6 +202,21 @@ static bool set_corners(struct stage *stage, const double distance[3], struct ra
     return true;
 }
 
+/* All a little within the limit of what counts as on the plane, or a little beyond it; or anywhere; and one of them
+ * often on the other side. */
+static void any_distances(const struct stage *stage, double distance[3], struct random *random)
+{
+    const double limit = (double)(llabs(stage->n[0]) + llabs(stage->n[1]) + llabs(stage->n[2])) / length_of(stage->n);
+    const int side = random_in(random, 0, 1) ? 1 : -1, odd = (int)random_in(random, 0, 5),
+              kind = (int)random_in(random, 0, 2);
+
+    for (int k = 0; k < 3; k++) {
+        const double part = random_unit(random);
+        distance[k] = side * (kind == 0 ? limit * (0.8 + 0.4 * part) : kind == 1 ? limit * part : 30 * part);
+        if (k == odd) distance[k] = -distance[k];
+    }
+}
+
 static void polygons_go_where_their_corners_are(void **state)
 {
     static struct stage stage;
@@ -215,11 +230,8 @@ static void polygons_go_where_their_corners_are(void **state)
         bool is_clear;
         any_plane(&stage, &random);
         place_anyhow(&stage, &random);
-        const int side = random_in(&random, 0, 1) ? 1 : -1;
         const bool eye_in_front = random_in(&random, 0, 1);
-        const double reach = random_in(&random, 0, 1) ? 2.5 : 30;
-        for (int k = 0; k < 3; k++)
-            distance[k] = side * (random_unit(&random) * reach - (reach > 3 && k == 2 ? 9 : 0));
+        any_distances(&stage, distance, &random);
         if (!set_corners(&stage, distance, &random)) continue;
         const int sides = sides_of_corners(&stage, &is_clear);
         if (!is_clear) continue;
@@ -230,6 +242,29 @@ static void polygons_go_where_their_corners_are(void **state)
     print_message("# %d on it, %d in front, %d behind, %d both\n", found[0], found[1], found[2], found[3]);
     for (int sides = 0; sides < 4; sides++)
         assert_true(found[sides] > ROUNDS / 40);
+}
+
+/* What enters by its centre goes where that is; on the plane, to where the eye is. */
+static void centres_decide_for_those_that_enter_by_them(void **state)
+{
+    static const int64_t along_x[3] = {1, 0, 0};
+    static struct stage stage;
+    struct random random = {553};
+
+    (void)state;
+    stage_open(&stage);
+    stage.instance.by_centre = true;
+    for (int i = 0; i < 3; i++)
+        stage.box.half[i] = 500;
+    for (int eye_in_front = 0; eye_in_front < 2; eye_in_front++)
+        for (int32_t beyond_q12 = -3; beyond_q12 <= 3; beyond_q12++) {
+            place_anyhow(&stage, &random);
+            set_plane(&stage, along_x, 77);
+            stage.lim.movers.movers[0].centre_q12[0] = 77 * 4096 + beyond_q12;
+            const bool is_front = beyond_q12 ? beyond_q12 > 0 : eye_in_front;
+            assert_int_equal(sides_after(&stage, true, eye_in_front), is_front ? FRONT : BACK);
+        }
+    stage_close(&stage);
 }
 
 /* A ball that reaches the plane is taken apart; one that does not, by more than what its radius and the plane's length
@@ -280,6 +315,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(polygons_go_where_their_corners_are),
+        cmocka_unit_test(centres_decide_for_those_that_enter_by_them),
         cmocka_unit_test(balls_are_taken_apart_where_they_reach_the_plane),
     };
 
