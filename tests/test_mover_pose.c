@@ -7,6 +7,8 @@
 #include "limner.h"
 #include "order.h"
 #include "orientation.h"
+#include "piece.h"
+#include "plane.h"
 #include "random_camera.h"
 #include "set_rig.h"
 
@@ -497,6 +499,152 @@ static void eyes_at_the_bounds_are_near_enough(void **state)
     stage_close(&stage);
 }
 
+/* Sides -------------------------------------------------------------------------------------- */
+
+/* A plane of the object's, in its own units; what is within the sum of its normal is on it. */
+struct own_plane {
+    double n[3], d, slack;
+};
+
+static int side_of(const struct own_plane *plane, const double at[3])
+{
+    const double value = dot(plane->n, at) - plane->d;
+
+    return value > plane->slack ? LIM_SIDE_FRONT : value < -plane->slack ? LIM_SIDE_BACK : 0;
+}
+
+/* Anywhere, or just about where it begins to be beside a plane. */
+static void any_corner(int16_t corner[3], const struct own_plane *plane, struct random *random)
+{
+    double at[3];
+
+    for (int i = 0; i < 3; i++)
+        at[i] = (double)random_in(random, -1000, 1000);
+    const double to = plane->slack * (0.7 + random_unit(random)) * (random_in(random, 0, 7) ? 1 : -1);
+    const double by = plane->slack > 0 ? (to + plane->d - dot(plane->n, at)) / dot(plane->n, plane->n) : 0;
+    for (int i = 0; i < 3; i++)
+        corner[i] = (int16_t)lround(fmax(-4000, fmin(4000, at[i] + by * plane->n[i])));
+}
+
+static bool is_flat(const int16_t (*corners)[3])
+{
+    double area = 0;
+
+    for (int i = 0; i < 3; i++) {
+        const int j = (i + 1) % 3, k = (i + 2) % 3;
+        const double part = (double)(corners[1][j] - corners[0][j]) * (corners[2][k] - corners[0][k]) -
+                            (double)(corners[1][k] - corners[0][k]) * (corners[2][j] - corners[0][j]);
+        area += part * part;
+    }
+    return area < 1e8;
+}
+
+/* Adds a triangle to the object; `beside` may be all 0: anywhere. */
+static void add_own(struct stage *stage, const struct own_plane *beside, struct own_plane *plane, int16_t corners[3][3],
+                    struct random *random)
+{
+    const struct lim_scene *object = &stage->object.scene;
+    int64_t n[3], d;
+
+    do {
+        for (int k = 0; k < 3; k++)
+            any_corner(corners[k], beside, random);
+    } while (is_flat((const int16_t(*)[3])corners));
+    set_add(&stage->object, 1, 3, (const int16_t(*)[3])corners);
+    plane_exact(object, lim_record_plane(&object->polygons[stage->object.last]), n, &d);
+    for (int i = 0; i < 3; i++)
+        plane->n[i] = (double)n[i];
+    plane->d = (double)d;
+    plane->slack = fabs(plane->n[0]) + fabs(plane->n[1]) + fabs(plane->n[2]);
+}
+
+/* Whether that is so as well where it is turned, as the sum is another then, and of units up to eight times as large.
+ */
+static bool is_sure(const struct own_plane *plane, const double at[3])
+{
+    const double beside = fabs(dot(plane->n, at) - plane->d);
+
+    return beside < 0.5 * plane->slack || beside > 16 * plane->slack;
+}
+
+/* What of a triangle is in front of one plane, and on which sides of another: 0 and clear, or not clear. */
+static int sides_of_front(const int16_t (*corners)[3], const struct own_plane *cut, const struct own_plane *plane,
+                          bool *is_clear)
+{
+    int sides = 0, crossings = 0;
+
+    *is_clear = true;
+    for (int k = 0; k < 3; k++) {
+        double a[3], b[3], at[3];
+        for (int i = 0; i < 3; i++) {
+            a[i] = corners[k][i];
+            b[i] = corners[(k + 1) % 3][i];
+        }
+        const double from = dot(cut->n, a) - cut->d, to = dot(cut->n, b) - cut->d;
+        if (fabs(from) < 3 * cut->slack) *is_clear = false;
+        if (!is_sure(plane, a)) *is_clear = false;
+        if (from >= 0) sides |= side_of(plane, a);
+        if ((from >= 0) == (to >= 0)) continue;
+        for (int i = 0; i < 3; i++)
+            at[i] = a[i] + (b[i] - a[i]) * from / (from - to);
+        if (!is_sure(plane, at)) *is_clear = false;
+        sides |= side_of(plane, at);
+        crossings++;
+    }
+    if (crossings != 2) *is_clear = false;
+    return sides;
+}
+
+/* As if the object stood still; and where a polygon has been cut, what is left of it. */
+static void sides_within_an_object_are_its_own(void **state)
+{
+    enum { OF, BY, CUT, POLYGONS };
+    static const int16_t at[3] = {0, 0, 0};
+    static const struct own_plane anywhere;
+    static struct stage stage;
+    struct random random = {607};
+    int whole[4] = {0}, pieces = 0;
+
+    (void)state;
+    stage_open(&stage, at);
+    stage.lim.movers.instances = &stage.instance;
+    struct lim_newell *newell = &stage.lim.sorter.newell;
+    for (int round = 0; round < ROUNDS; round++) {
+        struct own_plane planes[POLYGONS];
+        int16_t corners[POLYGONS][3][3];
+        int expected = 0;
+        bool is_clear;
+        place_anyhow(&stage.instance, &random);
+        set_init(&stage.object);
+        add_own(&stage, &anywhere, &planes[BY], corners[BY], &random);
+        add_own(&stage, round & 1 ? &planes[BY] : &anywhere, &planes[OF], corners[OF], &random);
+        add_own(&stage, &anywhere, &planes[CUT], corners[CUT], &random);
+        for (int i = 0; i < POLYGONS; i++) {
+            static const lim_index order[POLYGONS] = {1, 0, 2};
+            const lim_index words = (lim_index)lim_record_words(stage.object.polygons[0]);
+            stage.lim.sorter.list[i] = (struct lim_sorted){.record = (lim_index)(order[i] * words), .next = LIM_NONE};
+            newell->polygons[i] = (struct lim_newell_polygon){.cuts = LIM_NONE, .owner = 0};
+        }
+        for (int k = 0; k < 3; k++) {
+            const double corner[3] = {corners[OF][k][0], corners[OF][k][1], corners[OF][k][2]};
+            expected |= side_of(&planes[BY], corner);
+        }
+        assert_int_equal(lim_piece_sides(&stage.lim, OF, BY), expected);
+        whole[expected]++;
+        const int of_piece = sides_of_front((const int16_t(*)[3])corners[OF], &planes[CUT], &planes[BY], &is_clear);
+        if (!is_clear) continue;
+        newell->cuts[0] = (struct lim_cut){LIM_NONE, CUT | LIM_CUT_FRONT};
+        newell->polygons[OF].cuts = 0;
+        assert_int_equal(lim_piece_sides(&stage.lim, OF, BY), expected == LIM_SIDE_BOTH ? of_piece : expected);
+        pieces += expected == LIM_SIDE_BOTH && of_piece != LIM_SIDE_BOTH;
+    }
+    print_message("# %d on it, %d in front, %d behind, %d both, %d pieces\n", whole[0], whole[1], whole[2], whole[3],
+                  pieces);
+    assert_true(whole[0] > ROUNDS / 100 && whole[1] > ROUNDS / 20 && whole[2] > ROUNDS / 20 && whole[3] > ROUNDS / 20);
+    assert_true(pieces > ROUNDS / 50);
+    stage_close(&stage);
+}
+
 /* Memory ------------------------------------------------------------------------------------- */
 
 static void memory_is_taken_to_its_end(void **state)
@@ -552,6 +700,7 @@ int main(void)
         cmocka_unit_test(balls_hold_boxes_of_any_shape),
         cmocka_unit_test(balls_end_within_the_world),
         cmocka_unit_test(eyes_at_the_bounds_are_near_enough),
+        cmocka_unit_test(sides_within_an_object_are_its_own),
         cmocka_unit_test(memory_is_taken_to_its_end),
     };
 
