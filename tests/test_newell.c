@@ -336,6 +336,37 @@ static void any_memory_beside_gives_the_same_picture(void **state)
     set_view_free(&least);
 }
 
+/* A wall, and a plate that comes through it along the upper side of a line: above that the plate is nearer, or below.
+ * Of each what is seen, one cell a line that it has, and what goes before them, is all that is retained. */
+static void of_a_piece_its_own_lines_are_retained(void **state)
+{
+    static const int16_t wall[4][3] = {
+        {-1200, -1200, 1024}, {1200, -1200, 1024}, {1200, 1200, 1024}, {-1200, 1200, 1024}};
+    const struct lim_camera camera = set_camera(false);
+
+    (void)state;
+    for (int line = 4; line < SET_SIDE_PX - 4; line++)
+        for (int sign = -1; sign <= 1; sign += 2) {
+            const int y = (SET_SIDE_PX / 2 - line) * 32;
+            const int16_t top = (int16_t)(1024 + sign * (1600 - y) / 4),
+                          bottom = (int16_t)(1024 - sign * (1600 + y) / 4);
+            const int16_t plate[4][3] = {
+                {-1700, -1600, bottom}, {1700, -1600, bottom}, {1700, 1600, top}, {-1700, 1600, top}};
+            struct set set;
+            struct set_view view;
+            set_init(&set);
+            set_add_seen(&set, 1, false, 4, wall);
+            set_add_seen(&set, 2, false, 4, plate);
+            set_draw(&set, LIM_NEWELL, NULL, -1, &camera, &view);
+            assert_int_equal(lim_stats(&view.lim)->newell.splits, 2);
+            assert_int_equal(lim_stats(&view.lim)->polygons_seen, 2);
+            assert_int_equal(lim_stats(&view.lim)->retained_cells_max, 2 * LIM_RETAINED_HEAD_CELLS + SET_SIDE_PX);
+            for (int i = 0; i < SET_SIDE_PX; i++)
+                assert_int_equal(lim_memory_colour(view.pixels[i][9]), (i < line) == (sign < 0) ? 2 : 1);
+            set_view_free(&view);
+        }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -350,6 +381,7 @@ int main(void)
         cmocka_unit_test(a_ring_of_swaps_is_found_by_its_flags),
         cmocka_unit_test(neighbours_that_share_an_edge_pass_the_plane_tests),
         cmocka_unit_test(a_polygon_seen_edge_on_is_dropped),
+        cmocka_unit_test(of_a_piece_its_own_lines_are_retained),
         cmocka_unit_test(without_room_to_split_the_rest_goes_by_farthest_points),
     };
 
