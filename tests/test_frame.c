@@ -341,6 +341,56 @@ static void set_ups_that_cannot_work_are_refused(void **state)
     stage_free(&stage);
 }
 
+/* As on round glass, and nothing of each seventh line. */
+static void find_visible(void *ctx, uint16_t y_px, uint16_t *x0_px, uint16_t *x1_px)
+{
+    const int from_middle = y_px < H_PX / 2 ? H_PX / 2 - y_px : y_px - H_PX / 2;
+
+    (void)ctx;
+    *x0_px = (uint16_t)(y_px % 7 ? from_middle : W_PX / 2);
+    *x1_px = (uint16_t)(y_px % 7 ? W_PX - from_middle / 2 : W_PX / 2);
+}
+
+static int done_or_nothing(void *ctx, uint16_t y_px, uint16_t x_px, uint16_t n_px)
+{
+    return n_px ? done(ctx, y_px, x_px, n_px) : 0;
+}
+
+static void what_is_not_visible_is_not_painted(void **state)
+{
+    static uint16_t whole[H_PX][W_PX];
+    struct random random = {417};
+    struct stage stage;
+
+    (void)state;
+    stage_init(&stage, &random);
+    struct lim_target target = target_of(&stage, LIM_NEAREST_FIRST);
+    const size_t least_b = lim_mem_min_b(&stage.in.scene.scene, &target),
+                 most_b = lim_mem_b(&stage.in.scene.scene, &target);
+    target.visible = find_visible;
+    target.done = done_or_nothing;
+    for (int f = 0; f < 2 * FRAMES; f++) {
+        const struct lim_camera camera = closed_stage_camera(&stage.in, &random);
+        const size_t mem_b = f & 1 ? (size_t)random_in(&random, (int64_t)least_b, (int64_t)most_b) : most_b;
+        stage_start(&stage, LIM_NEAREST_FIRST, 0);
+        wipe(&stage);
+        assert_int_equal(lim_frame(&stage.lim, &camera), LIM_OK);
+        memcpy(whole, stage.canvas.pixels, sizeof whole);
+        assert_int_equal(lim_init(&stage.lim, &stage.in.scene.scene, &target, stage.mem, mem_b), LIM_OK);
+        wipe(&stage);
+        assert_int_equal(lim_frame(&stage.lim, &camera), LIM_OK);
+        for (uint16_t y = 0; y < H_PX; y++)
+            for (uint16_t x = 0; x < W_PX; x++) {
+                uint16_t x0, x1;
+                find_visible(NULL, y, &x0, &x1);
+                const bool is_seen = x >= x0 && x < x1;
+                assert_int_equal(stage.canvas.done[y][x], is_seen);
+                assert_int_equal(stage.canvas.pixels[y][x], is_seen ? whole[y][x] : stage.unpainted);
+            }
+    }
+    stage_free(&stage);
+}
+
 /* Of whatever bytes a renderer's memory is made: nothing is on that was not asked for, and nothing has begun. */
 static void what_memory_held_before_does_not_matter(void **state)
 {
@@ -380,6 +430,7 @@ int main(void)
         cmocka_unit_test(a_target_that_fails_at_any_call_ends_the_frame_and_the_next_is_whole),
         cmocka_unit_test(cameras_out_of_range_are_refused),
         cmocka_unit_test(set_ups_that_cannot_work_are_refused),
+        cmocka_unit_test(what_is_not_visible_is_not_painted),
         cmocka_unit_test(what_memory_held_before_does_not_matter),
     };
 

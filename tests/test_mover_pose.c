@@ -271,9 +271,17 @@ static void check_camera(const struct stage *stage, const struct lim_camera *cam
     for (int i = 0; i < 3; i++)
         assert_true(fabs(n[i] / length - ahead[i]) < 3 / length);
     assert_true(fabs(dot(n, own) + (double)row[2].shift_qv) <= 4 * (fabs(own[0]) + fabs(own[1]) + fabs(own[2])) + 4);
+    /* To the right and down as far as ahead, 45 degrees aside. */
+    for (int axis = 0; axis < 2; axis++) {
+        double aside[3];
+        turn_back(instance, axes[axis], aside);
+        for (int i = 0; i < 3; i++)
+            assert_true(fabs((double)row[axis].n_qv[i] / length - aside[i]) < 3 / length);
+    }
     /* Where the near plane is. */
-    const double near_qv = ldexp(camera->near_q8, instance->finer_bits - 8) * length;
-    if (near_qv > 1 << 18) assert_true(fabs(mover->view.rows.near_qv - near_qv) < near_qv / 1000 + 4);
+    const double near_qv = ldexp(fmin(ldexp(camera->near_q8, instance->finer_bits), LIM_NEAR_MAX_Q8), -8) * length;
+    if (near_qv > 1 << 18 && near_qv < 1 << 29)
+        assert_true(fabs(mover->view.rows.near_qv - near_qv) < near_qv / 1000 + 4);
 }
 
 static void cameras_are_as_objects_see_them(void **state)
@@ -286,8 +294,9 @@ static void cameras_are_as_objects_see_them(void **state)
     (void)state;
     stage_open(&stage, at);
     for (int round = 0; round < ROUNDS; round++) {
-        const struct lim_camera camera = any_camera(&random);
+        struct lim_camera camera = any_camera(&random);
         double axes[3][3], to[3], own_to[3];
+        camera.near_q8 = (int32_t)random_in(&random, 1, INT64_C(1) << random_in(&random, 0, 24));
         place_anyhow(&stage.instance, &random);
         for (int i = 0; i < 3; i++) {
             stage.lim.movers.light.to_q14[i] = (int16_t)random_in(&random, -9459, 9459);
@@ -494,6 +503,8 @@ static void eyes_at_the_bounds_are_near_enough(void **state)
         camera.eye_q8[i / 2] = end_q8;
         assert_false(pose(&stage, &camera));
         camera.eye_q8[i / 2] = end_q8 - (end_q8 > 0 ? 1 : -1);
+        assert_true(pose(&stage, &camera));
+        camera.near_q8 = LIM_NEAR_MAX_Q8; /* farther than the object can tell */
         assert_true(pose(&stage, &camera));
     }
     stage_close(&stage);
