@@ -391,6 +391,19 @@ static void what_is_not_visible_is_not_painted(void **state)
     stage_free(&stage);
 }
 
+/* Nor for what a target returns of its own, an errno. */
+static void errors_are_not_taken_for_others(void **state)
+{
+    static const int errors[] = {LIM_OK, LIM_ERR_MEMORY, LIM_ERR_SCENE, LIM_ERR_TARGET, LIM_ERR_CAMERA, LIM_ERR_BEGIN};
+
+    (void)state;
+    for (int i = 1; i < 6; i++) {
+        assert_true(errors[i] < -1000);
+        for (int k = 0; k < i; k++)
+            assert_int_not_equal(errors[i], errors[k]);
+    }
+}
+
 /* Of whatever bytes a renderer's memory is made: nothing is on that was not asked for, and nothing has begun. */
 static void what_memory_held_before_does_not_matter(void **state)
 {
@@ -431,6 +444,7 @@ int main(void)
         cmocka_unit_test(cameras_out_of_range_are_refused),
         cmocka_unit_test(set_ups_that_cannot_work_are_refused),
         cmocka_unit_test(what_is_not_visible_is_not_painted),
+        cmocka_unit_test(errors_are_not_taken_for_others),
         cmocka_unit_test(what_memory_held_before_does_not_matter),
     };
 

@@ -131,8 +131,8 @@ static bool make_pair(struct stage *stage, struct random *random)
         back |= value < -slack / 16;
     }
     if (!front || !back) return false;
-    set_add(&stage->set, 1, 4, (const int16_t(*)[3])corners);
     set_add(&stage->set, 2, 3, (const int16_t(*)[3])cutter);
+    set_add(&stage->set, 1, 4, (const int16_t(*)[3])corners);
     return true;
 }
 
@@ -155,7 +155,7 @@ static void list_pieces(struct lim *lim)
     struct lim_newell *newell = &sorter->newell;
 
     for (int i = 0; i < ENTRIES; i++) {
-        const lim_index record = i == CUTTER ? (lim_index)lim_record_words(lim->scene->polygons[0]) : 0;
+        const lim_index record = i == CUTTER ? 0 : (lim_index)lim_record_words(lim->scene->polygons[0]);
         const uint16_t cut = i == WHOLE ? 0 : i == BEHIND ? 1 : LIM_NONE;
         sorter->list[i] = (struct lim_sorted){.record = record, .next = LIM_NONE};
         newell->polygons[i] = (struct lim_newell_polygon){.cuts = cut, .owner = LIM_NONE};
@@ -214,6 +214,11 @@ static int certain_side_at(const struct stage *stage, int x_px, int y_px)
     return side;
 }
 
+static const lim_index *record_of_whole(const struct stage *stage)
+{
+    return &stage->set.polygons[stage->lim.sorter.list[WHOLE].record];
+}
+
 static bool has(struct lim_point line, int x_px)
 {
     return x_px >= line.x && x_px < line.y;
@@ -255,7 +260,7 @@ static void slivers_seen_at_grazing_angles_have_their_pixels_only(void **state)
         const struct lim_rect screen = {0, 0, W_PX, H_PX};
         struct lim_screen_polygon whole;
         stage_open(&stage, &random);
-        if (lim_project(&whole, &stage.lim.view, stage.lim.scene, stage.lim.scene->polygons, &screen, NULL) &&
+        if (lim_project(&whole, &stage.lim.view, stage.lim.scene, record_of_whole(&stage), &screen, NULL) &&
             !whole.shape.folded)
             for (int16_t y = whole.shape.top > 0 ? whole.shape.top : 0; y < whole.shape.bottom && y < H_PX; y++)
                 check_line(&stage, &whole, y, &found);
@@ -285,8 +290,8 @@ static void pixels_on_a_plane_are_in_front_of_it(void **state)
         if (is_level) cutter[2][0] = 70, cutter[2][1] = 0;
         if (is_turned) turn_over(cutter, 3);
         set_init(&stage.set);
-        set_add(&stage.set, 1, 4, wall);
         set_add(&stage.set, 2, 3, (const int16_t(*)[3])cutter);
+        set_add(&stage.set, 1, 4, wall);
         plane_of(&stage.planes[CUTTER], (const int16_t(*)[3])cutter);
         const size_t mem_b = lim_mem_b(&stage.set.scene, &target);
         stage.mem = malloc(mem_b);
@@ -294,7 +299,7 @@ static void pixels_on_a_plane_are_in_front_of_it(void **state)
         assert_int_equal(lim_init(&stage.lim, &stage.set.scene, &target, stage.mem, mem_b), LIM_OK);
         assert_int_equal(lim_frame(&stage.lim, &camera), LIM_OK);
         list_pieces(&stage.lim);
-        assert_true(lim_project(&whole, &stage.lim.view, stage.lim.scene, stage.lim.scene->polygons, &screen, NULL));
+        assert_true(lim_project(&whole, &stage.lim.view, stage.lim.scene, record_of_whole(&stage), &screen, NULL));
         for (int16_t y = 0; y < ODD_PX; y++) {
             const struct lim_point front = lim_piece_line(&stage.lim, WHOLE, &whole, y);
             const struct lim_point back = lim_piece_line(&stage.lim, BEHIND, &whole, y);
