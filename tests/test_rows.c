@@ -4,11 +4,13 @@
  * how far the scene reaches, which scale is best, and how far a vertex may be off. */
 #include "angle.h"
 #include "cmocka_ready.h"
+#include "orientation.h"
 #include "random.h"
 #include "rows.h"
 #include "view.h"
 
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 #define ONE_Q28 (UINT32_C(1) << 28)
@@ -317,6 +319,36 @@ static void the_near_plane_is_where_it_was_asked_for(void **state)
     assert_true(asked > CAMERAS / 10 && least > CAMERAS / 10);
 }
 
+/* They may be all that there is: nine. */
+static void axes_that_are_the_cameras_give_its_rows(void **state)
+{
+    int32_t *axes_q30 = malloc(9 * sizeof *axes_q30);
+    struct random random = {29};
+
+    (void)state;
+    assert_non_null(axes_q30);
+    for (int k = 0; k < CAMERAS; k++) {
+        struct lim_rows rows, turned;
+        struct boxed boxed;
+        any_box(&boxed, &random);
+        struct lim_camera camera = usual;
+        any_eye(camera.eye_q8, &boxed.box, &random, INT64_C(1) << 20);
+        camera.yaw = (uint32_t)random_u64(&random);
+        camera.pitch = (uint32_t)random_u64(&random);
+        camera.roll = (uint32_t)random_u64(&random);
+        lim_orientation_set(axes_q30, &camera);
+        assert_true(lim_rows_set(&rows, &boxed.scene, &camera));
+        assert_true(lim_rows_set_turned(&turned, &boxed.scene, &camera, axes_q30));
+        assert_int_equal(turned.far_units, rows.far_units);
+        assert_int_equal(turned.near_qv, rows.near_qv);
+        for (int i = 0; i < 9; i++)
+            assert_int_equal(turned.row[i / 3].n_qv[i % 3], rows.row[i / 3].n_qv[i % 3]);
+        for (int i = 0; i < 3; i++)
+            assert_int_equal(turned.row[i].shift_qv, rows.row[i].shift_qv);
+    }
+    free(axes_q30);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -328,6 +360,7 @@ int main(void)
         cmocka_unit_test(the_scale_has_the_least_rounding),
         cmocka_unit_test(corners_are_where_they_belong_the_nearest_to_the_unit),
         cmocka_unit_test(the_near_plane_is_where_it_was_asked_for),
+        cmocka_unit_test(axes_that_are_the_cameras_give_its_rows),
     };
 
     return cmocka_run_group_tests_name("rows", tests, NULL, NULL);
