@@ -656,6 +656,65 @@ static void sides_within_an_object_are_its_own(void **state)
     stage_close(&stage);
 }
 
+/* On either side of a plane, by some 4096ths of a unit, or on it: what crosses it has a corner there, on both sides. */
+static void corners_are_added_where_the_plane_is_crossed(void **state)
+{
+    enum { VALUES = 5, CASES = VALUES * VALUES * VALUES };
+    static const struct lim_plane_wide along_x = {.n = {1, 0, 0}, .slack = 1, .narrow = true, .axis = 0};
+    static const int16_t at[3] = {0, 0, 0};
+    static struct stage stage;
+
+    (void)state;
+    stage_open(&stage, at);
+    stage.lim.movers.instances = &stage.instance;
+    stage.instance.axes_q30[0] = 1 << 18; /* an object's unit is a 4096th */
+    stage.lim.sorter.list[0] = (struct lim_sorted){.record = 0, .next = LIM_NONE};
+    stage.lim.sorter.newell.polygons[0] = (struct lim_newell_polygon){.cuts = LIM_NONE, .owner = 0};
+    for (int k = 0; k < CASES; k++)
+        for (int front = 0; front < 2; front++) {
+            const int x[3] = {k % VALUES - 2, k / VALUES % VALUES - 2, k / VALUES / VALUES - 2};
+            struct lim_corners places[2];
+            int expected = 0;
+            for (int i = 0; i < 3; i++) {
+                stage.object.vertices[i].x = (int16_t)x[i];
+                expected += (front ? x[i] >= 0 : x[i] <= 0) + (x[i] * x[(i + 1) % 3] < 0);
+            }
+            const struct lim_corners *corners = lim_corners_cut(&stage.lim, 0, &along_x, front, places);
+            assert_int_equal(corners ? corners->n : 0, expected < 3 ? 0 : expected);
+            for (int i = 0; corners && i < expected; i++)
+                assert_true(front ? corners->at_q12[i][0] >= 0 : corners->at_q12[i][0] <= 0);
+        }
+    stage_close(&stage);
+}
+
+/* The scene's limit and what cuts may add, of which a corner may bring two: one more than it has need be. */
+static void polygons_have_as_many_corners_as_cuts_may_add(void **state)
+{
+    static const struct lim_plane_wide along_x = {.n = {1, 0, 0}, .slack = 1, .narrow = true, .axis = 0};
+    static const int16_t at[3] = {0, 0, 0};
+    static struct stage stage;
+
+    (void)state;
+    stage_open(&stage, at);
+    stage.lim.movers.instances = &stage.instance;
+    stage.lim.sorter.list[0] = (struct lim_sorted){.record = 0, .next = LIM_NONE};
+    stage.lim.sorter.newell.polygons[0] = (struct lim_newell_polygon){.cuts = LIM_NONE, .owner = 0};
+    for (uint16_t limit = 0; limit < 8; limit++)
+        for (int n = 3; n < LIM_CUT_VERTICES + 8; n++) {
+            struct lim_corners places[2];
+            stage.object.scene.limits.vertices = limit;
+            stage.object.polygons[0] = (lim_index)n;
+            for (int k = 0; k < n; k++) {
+                stage.object.vertices[k] = (struct lim_vertex){7, (int16_t)(k * k), (int16_t)k};
+                stage.object.polygons[LIM_POLYGON_HEAD_WORDS + k] = (lim_index)k;
+            }
+            const struct lim_corners *corners = lim_corners_cut(&stage.lim, 0, &along_x, true, places);
+            assert_int_equal(corners != NULL, n < limit + LIM_CUT_VERTICES);
+            if (corners) assert_int_equal(corners->n, n);
+        }
+    stage_close(&stage);
+}
+
 /* Memory ------------------------------------------------------------------------------------- */
 
 static void memory_is_taken_to_its_end(void **state)
@@ -712,6 +771,8 @@ int main(void)
         cmocka_unit_test(balls_end_within_the_world),
         cmocka_unit_test(eyes_at_the_bounds_are_near_enough),
         cmocka_unit_test(sides_within_an_object_are_its_own),
+        cmocka_unit_test(corners_are_added_where_the_plane_is_crossed),
+        cmocka_unit_test(polygons_have_as_many_corners_as_cuts_may_add),
         cmocka_unit_test(memory_is_taken_to_its_end),
     };
 
