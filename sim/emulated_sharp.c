@@ -12,8 +12,8 @@
 
 enum { WRITE = 0x80, POSITIVE = 0x40, CLEAR = 0x20, SIGN_US = 1000000 };
 
-static const struct emulated_sharp_kind ls013b7dh03 = {"ls013b7dh03", 128, 128, 6, 2};
-static const struct emulated_sharp_kind ls027b7dh01 = {"ls027b7dh01", 400, 240, 3, 1};
+static const struct emulated_sharp_kind ls013b7dh03 = {"ls013b7dh03", 128, 128, 6, 2, 2};
+static const struct emulated_sharp_kind ls027b7dh01 = {"ls027b7dh01", 400, 240, 3, 1, 1};
 
 const struct emulated_sharp_kind *const emulated_sharp_kinds[] = {&ls013b7dh03, &ls027b7dh01, NULL};
 
@@ -117,8 +117,12 @@ static void take_select(void *ctx, bool high)
 
     if (chip->port.pending_b) complain(chip, "select changed while bytes were on their way");
     check_sign(chip);
-    if (chip->selected && !high) check_end(chip);
+    if (chip->selected && !high) {
+        check_end(chip);
+        chip->rise_us = chip->port.now_us + chip->kind->pulse_us;
+    }
     if (!chip->selected && high) {
+        if (emulated_port_is_before(&chip->port, chip->rise_us)) complain(chip, "select was low for too short a time");
         chip->select_us = chip->port.now_us;
         chip->n_b = 0;
     }
@@ -129,7 +133,12 @@ static int set_alternate(void *ctx, bool high)
 {
     struct emulated_sharp *chip = ctx;
 
-    if (high && !chip->pin_high && chip->by_pin) set_sign(chip, !chip->positive);
+    if (high && !chip->pin_high) {
+        if (chip->by_pin) set_sign(chip, !chip->positive);
+        chip->fall_us = chip->port.now_us + chip->kind->pulse_us;
+    }
+    if (!high && chip->pin_high && emulated_port_is_before(&chip->port, chip->fall_us))
+        complain(chip, "EXTCOMIN was high for too short a time");
     chip->pin_high = high;
     return 0;
 }

@@ -13,6 +13,7 @@ struct emulated_sharp_kind {
     const char *name;
     uint16_t w_px, h_px;
     uint8_t setup_us, hold_us; /* of select, before and after the bits */
+    uint8_t pulse_us;          /* the least time that select is low, and that EXTCOMIN is high */
 };
 
 /* All kinds, ends with NULL; NULL: there is none of that name. */
@@ -29,6 +30,7 @@ struct emulated_sharp {
     bool by_pin; /* EXTMODE is high: the sign is EXTCOMIN's, not the commands' */
     bool selected, pin_high;
     uint64_t select_us, byte_us; /* when select rose, and when the last byte came */
+    uint64_t rise_us, fall_us;   /* when select may rise again, and EXTCOMIN may fall */
     uint32_t n_b;                /* bytes since then */
     uint8_t command, number;     /* the first of them; that of the line that comes in */
     uint8_t line[EMULATED_SHARP_MAX_W_PX / 8];

@@ -128,6 +128,37 @@ static void every_frame_and_every_keep_changes_the_sign(void **state)
     }
 }
 
+/* A line more than there is, and half a line, end the window where they begin. */
+static void lines_may_come_several_at_once(void **state)
+{
+    static uint8_t bytes[8 * 400 / 8];
+
+    (void)state;
+    for (size_t i = 0; i < sizeof bytes; i++)
+        bytes[i] = (uint8_t)(i * 37 + i / 11 + 1);
+    for (size_t i = 0; panels_sharp[i]; i++) {
+        const uint16_t w_px = panels_sharp[i]->w_px, line_b = w_px / 8;
+        for (uint16_t n = 1; n <= 7; n++)
+            for (uint16_t more_px = 0; more_px <= w_px; more_px += w_px / 2) {
+                rig_setup(panels_sharp[i], false);
+                rig_start(panels_sharp[i]);
+                struct panel *panel = &rig.display.panel;
+                assert_int_equal(panel_window(panel, 0, 5, w_px, n), 0);
+                assert_int_equal(panel_pixels(panel, bytes, (size_t)n * w_px + more_px),
+                                 more_px ? PANEL_ERR_WINDOW : 0);
+                assert_int_equal(panel_pixels(panel, bytes, w_px), PANEL_ERR_WINDOW);
+                assert_int_equal(panel_flush(panel), 0);
+                assert_memory_equal(rig.glass.memory[5], bytes, line_b);
+                for (unsigned k = 1; k < n; k++)
+                    assert_memory_equal(rig.glass.memory[5 + k], &bytes[k * line_b], line_b);
+                assert_true(emulated_sharp_is_white(&rig.glass, 0, 4));
+                assert_true(emulated_sharp_is_white(&rig.glass, w_px - 1, 5 + n));
+                assert_int_equal(rig.glass.port.stores, n);
+                assert_quiet();
+            }
+    }
+}
+
 /* In the middle of a frame as well: the window is closed then. */
 static void keep_ends_a_message_under_way(void **state)
 {
@@ -216,6 +247,27 @@ static void mistakes_are_complained_about(void **state)
     assert_int_equal(rig.glass.complaints, 2); /* while bytes are on their way */
 }
 
+/* Their least widths are 2 us on the one, 1 us on the other. */
+static void pulses_that_are_too_short_are_complained_about(void **state)
+{
+    (void)state;
+    for (size_t i = 0; panels_sharp[i]; i++)
+        for (uint32_t pulse_us = 0; pulse_us < 4; pulse_us++) {
+            const unsigned complaints = pulse_us < (panels_sharp[i] == &ls013b7dh03 ? 2 : 1);
+            rig_setup(panels_sharp[i], true);
+            assert_int_equal(pin_set(&rig.config.alternate, true), 0);
+            assert_int_equal(clock_delay(&rig.config.clock, pulse_us), 0);
+            assert_int_equal(pin_set(&rig.config.alternate, false), 0);
+            assert_int_equal(rig.glass.complaints, complaints);
+            rig_setup(panels_sharp[i], false);
+            rig.glass.port.deferred = false;
+            send((const uint8_t[2]){0x20}, 2, 6, 2);
+            assert_int_equal(clock_delay(&rig.config.clock, pulse_us), 0);
+            send((const uint8_t[2]){0x20}, 2, 6, 2);
+            assert_int_equal(rig.glass.complaints, complaints);
+        }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -223,9 +275,11 @@ int main(void)
         cmocka_unit_test(lines_go_where_they_belong_whatever_came_before),
         cmocka_unit_test(a_frame_is_one_message),
         cmocka_unit_test(every_frame_and_every_keep_changes_the_sign),
+        cmocka_unit_test(lines_may_come_several_at_once),
         cmocka_unit_test(keep_ends_a_message_under_way),
         cmocka_unit_test(what_the_glass_cannot_is_refused),
         cmocka_unit_test(mistakes_are_complained_about),
+        cmocka_unit_test(pulses_that_are_too_short_are_complained_about),
     };
     return cmocka_run_group_tests_name("sharp", tests, NULL, NULL);
 }
