@@ -8,6 +8,7 @@
 #include "mcu/avr_timer.h"
 #include "mcu/fe310_prci.h"
 #include "mcu/fe310_spi.h"
+#include "mcu/lm3s_clocks.h"
 #include "mcu/mtime.h"
 #include "mcu/pl022.h"
 #include "mcu/rp2040_clocks.h"
@@ -17,6 +18,8 @@
 #include "mcu/systick.h"
 #include "mcu/wait.h"
 #include "watched_registers.h"
+
+#include <string.h>
 
 #define AT(type, member) offsetof(struct type, member)
 
@@ -191,22 +194,24 @@ static void the_stm32_s_spi_is_set_up_before_it_is_enabled(void **state)
     assert_int_equal(registers->cr1, 0xC347);
 }
 
-enum { STREAM = 3 };
+enum { STREAM = 3, STREAM_BIT = 22, PART_MAX_B = 65535 };
 
 static struct stm32_dma_stream *stream_of(void)
 {
     return &((struct stm32_dma_registers *)page)->streams[STREAM];
 }
 
-/* A byte leaves each `moves` looks; the last one sets the stream's flag, TCIF3, bit 27 of the lower half. */
+static uint32_t stream_step_b; /* bytes that leave at once */
+
+/* Bytes leave each `moves` looks; the last one sets the stream's flag, TCIF3, bit 27 of the lower half. */
 static void stm32_dma_moves(size_t at_b)
 {
     struct stm32_dma_registers *dma = page;
     struct stm32_dma_stream *stream = stream_of();
 
     if (at_b != AT(stm32_dma_registers, isr[0]) || !(stream->cr & 1) || watched.reads[at_b] % moves) return;
-    if (stream->ndtr) stream->ndtr--;
-    if (!stream->ndtr) dma->isr[0] |= UINT32_C(1) << 27;
+    stream->ndtr -= stream->ndtr < stream_step_b ? stream->ndtr : stream_step_b;
+    if (!stream->ndtr) dma->isr[0] |= UINT32_C(32) << STREAM_BIT;
 }
 
 /* A stream that is enabled is looked at, no more. */
@@ -228,7 +233,7 @@ static void a_stream_is_set_up_before_and_stopped_behind_each_part(void **state)
     struct stm32_dma dma;
 
     (void)state;
-    changed_while_enabled = 0, moves = 50;
+    changed_while_enabled = 0, moves = 50, stream_step_b = 1;
     start(stm32_dma_moves, stm32_dma_is_written);
     int err = stm32_dma_init(&dma, page, STREAM, 3, &spi);
     const struct bus bus = stm32_dma_bus(&dma);
@@ -243,8 +248,72 @@ static void a_stream_is_set_up_before_and_stopped_behind_each_part(void **state)
     assert_int_equal(none, 0);
     assert_int_equal(changed_while_enabled, 0);
     assert_int_equal(watched_times(AT(stm32_dma_registers, streams[STREAM].ndtr), sizeof bytes), 2);
-    assert_int_equal(watched_times(AT(stm32_dma_registers, ifcr[0]), UINT32_C(0x3D) << 22), 2);
+    assert_int_equal(watched_times(AT(stm32_dma_registers, ifcr[0]), UINT32_C(0x3D) << STREAM_BIT), 2);
     assert_int_equal(stream_of()->cr, 3u << 25 | 1u << 10 | 1u << 6);
+}
+
+enum { PARTS_MAX = 8 };
+
+/* Where each part is read from, and its length, when the stream is enabled for it. */
+static struct {
+    uint32_t from, n_b;
+} parts[PARTS_MAX];
+static unsigned n_parts, bad_part; /* the part in which the bus fails; from 1 on, 0: none */
+
+static void stm32_dma_parts_move(size_t at_b)
+{
+    stm32_dma_moves(at_b);
+    if (n_parts == bad_part && bad_part) ((struct stm32_dma_registers *)page)->isr[0] |= UINT32_C(8) << STREAM_BIT;
+}
+
+static void stm32_dma_parts_are_noted(size_t at_b)
+{
+    stm32_dma_is_written(at_b);
+    if (at_b != AT(stm32_dma_registers, streams[STREAM].cr) || !(stream_of()->cr & 1) || n_parts == PARTS_MAX) return;
+    parts[n_parts].from = stream_of()->m0ar;
+    parts[n_parts++].n_b = stream_of()->ndtr;
+}
+
+/* RM0090, 10.5.6: NDTR has 16 bits, and is written while the stream is disabled only. */
+static int send_in_parts(size_t n_b, unsigned bad)
+{
+    static const uint8_t bytes[4 * PART_MAX_B];
+    struct stm32_spi_registers spi_registers = {.sr = 2};
+    struct stm32_spi spi = {&spi_registers};
+    struct stm32_dma dma;
+
+    watched_begin();
+    changed_while_enabled = n_parts = 0, moves = 3, stream_step_b = 9999, bad_part = bad;
+    start(stm32_dma_parts_move, stm32_dma_parts_are_noted);
+    int err = stm32_dma_init(&dma, page, STREAM, 3, &spi);
+    const struct bus bus = stm32_dma_bus(&dma);
+    if (!err) err = bus_write(&bus, bytes, n_b);
+    const int flushed = bus_flush(&bus);
+    watched_stop();
+    assert_int_equal(changed_while_enabled, 0);
+    assert_int_equal(stream_of()->cr & 1, 0);
+    for (unsigned i = 0; i < n_parts; i++)
+        assert_int_equal(parts[i].from, (uint32_t)(uintptr_t)&bytes[i * (size_t)PART_MAX_B]);
+    return err ? err : flushed;
+}
+
+static void each_part_is_waited_for_before_the_next(void **state)
+{
+    static const uint32_t lengths_b[] = {17, 65534, 65535, 65536, 131070, 131071, 200000};
+
+    (void)state;
+    for (size_t i = 0; i < sizeof lengths_b / sizeof *lengths_b; i++) {
+        uint32_t left_b = lengths_b[i];
+        const unsigned wanted = (left_b + PART_MAX_B - 1) / PART_MAX_B;
+        assert_int_equal(send_in_parts(left_b, 0), 0);
+        assert_int_equal(n_parts, wanted);
+        for (unsigned k = 0; k < n_parts; left_b -= parts[k++].n_b)
+            assert_int_equal(parts[k].n_b, left_b < PART_MAX_B ? left_b : PART_MAX_B);
+        for (unsigned bad = 1; bad <= wanted; bad++) {
+            assert_int_equal(send_in_parts(lengths_b[i], bad), MCU_ERR_BUS);
+            assert_int_equal(n_parts, bad);
+        }
+    }
 }
 
 /* -- The PL022 --------------------------------------------------------------------------------- */
@@ -316,6 +385,79 @@ static void what_the_pl022_receives_is_taken(void **state)
         }
 }
 
+/* Its transmitter: eight bytes wait, and one is on the wire, which leaves each `moves` looks. */
+static struct {
+    uint8_t waiting[8], sent[64];
+    unsigned n_waiting, n_sent;
+    bool is_shifting;
+    uint8_t shifter;
+    uint32_t looks_before[64]; /* each byte was written */
+    unsigned n_written;
+} transmitter;
+
+static void pl022_shifts(void)
+{
+    if (transmitter.is_shifting && transmitter.n_sent < 64)
+        transmitter.sent[transmitter.n_sent++] = transmitter.shifter;
+    transmitter.is_shifting = transmitter.n_waiting > 0;
+    if (!transmitter.is_shifting) return;
+    transmitter.shifter = transmitter.waiting[0];
+    memmove(transmitter.waiting, transmitter.waiting + 1, --transmitter.n_waiting);
+}
+
+static void pl022_looks(size_t at_b)
+{
+    struct pl022_registers *spi = page;
+
+    pl022_receives(at_b);
+    if (at_b != AT(pl022_registers, sr)) return;
+    if (watched.reads[at_b] % moves == 0) pl022_shifts();
+    const bool is_busy = transmitter.n_waiting || transmitter.is_shifting;
+    spi->sr &= ~(uint32_t)(PL022_SR_TFE | PL022_SR_TNF | PL022_SR_BSY);
+    spi->sr |= (transmitter.n_waiting ? 0u : PL022_SR_TFE) | (transmitter.n_waiting < 8 ? PL022_SR_TNF : 0u) |
+               (is_busy ? PL022_SR_BSY : 0u);
+}
+
+static void pl022_takes(size_t at_b)
+{
+    if (at_b != AT(pl022_registers, dr)) return;
+    pl022_sends(at_b);
+    if (transmitter.n_waiting < 8)
+        transmitter.waiting[transmitter.n_waiting++] = (uint8_t)((struct pl022_registers *)page)->dr;
+    if (transmitter.n_written < 64)
+        transmitter.looks_before[transmitter.n_written++] = watched.reads[AT(pl022_registers, sr)];
+    if (!transmitter.is_shifting) pl022_shifts();
+}
+
+/* What is written to a full FIFO would be lost. Of whole FIFOs only the first byte is waited for. */
+static void what_the_pl022_sends_is_what_was_written(void **state)
+{
+    const struct pl022_config config = {.clock_hz = 50000000, .spi_hz = 25000000, .mode = 3};
+    uint8_t bytes[41];
+    struct pl022 spi;
+
+    (void)state;
+    for (uint8_t i = 0; i < sizeof bytes; i++)
+        bytes[i] = (uint8_t)(i + 1);
+    for (moves = 1; moves < 4; moves++)
+        for (size_t n_b = 0; n_b <= sizeof bytes; n_b++) {
+            memset(&transmitter, 0, sizeof transmitter);
+            received = 0;
+            watched_begin();
+            start(pl022_looks, pl022_takes);
+            int err = pl022_init(&spi, page, &config);
+            if (!err) err = pl022_write(&spi, bytes, n_b);
+            if (!err) err = pl022_flush(&spi);
+            watched_stop();
+            assert_int_equal(err, 0);
+            assert_int_equal(transmitter.n_sent, n_b);
+            assert_memory_equal(transmitter.sent, bytes, n_b);
+            assert_false(transmitter.n_waiting || transmitter.is_shifting);
+            for (size_t i = 1; i < n_b / 8 * 8; i++)
+                if (i % 8) assert_int_equal(transmitter.looks_before[i], transmitter.looks_before[i - 1]);
+        }
+}
+
 /* -- The RP2040's DMA -------------------------------------------------------------------------- */
 
 enum { CHANNEL = 3 };
@@ -378,6 +520,36 @@ static void a_channel_that_stands_still_is_waited_for_until_it_has_stopped(void 
     assert_int_equal(watched.log[0].at_b, AT(rp2040_dma_registers, ch[CHANNEL].ctrl_trig));
     assert_int_equal(watched.log[0].value & 1, 0);
     assert_in_range(watched.reads[AT(rp2040_dma_registers, ch[CHANNEL].trans_count)], 10000, 20000);
+}
+
+/* -- The LM3S's clocks ------------------------------------------------------------------------- */
+
+static void lm3s_pll_locks(size_t at_b)
+{
+    struct lm3s_system_registers *system = page;
+    const bool is_on = !(system->rcc & (1u << 13 | 3u << 4)); /* PWRDN, and OSCSRC is the main oscillator */
+
+    if (at_b == AT(lm3s_system_registers, ris) && moves && watched.reads[at_b] == moves && is_on)
+        system->ris |= 1u << 6;
+}
+
+/* LM3S6965 data sheet: a crystal starts in 10 ms at most, the PLL's counter has 1200h of its periods, and the internal
+ * oscillator has up to a third more than 12 MHz. A look takes four cycles. */
+static void the_lm3s_s_pll_is_given_its_time(void **state)
+{
+    const uint32_t us = 10000 + 0x1200 / 8, looks = us * (12 + 12 / 3) / 4;
+    struct lm3s_system_registers *system = page;
+
+    (void)state;
+    for (moves = 0; moves < 2; moves++) {
+        watched_begin();
+        start(lm3s_pll_locks, NULL);
+        const int err = lm3s_clocks_init(system);
+        watched_stop();
+        assert_int_equal(err, moves ? 0 : MCU_ERR_TIMEOUT);
+        assert_int_equal(watched.reads[AT(lm3s_system_registers, ris)], moves ? 1 : looks);
+        assert_int_equal(system->rcc >> 11 & 1, moves ? 0 : 1); /* BYPASS: by the PLL only when it has locked */
+    }
 }
 
 /* -- The RP2040's clocks ----------------------------------------------------------------------- */
@@ -593,10 +765,13 @@ int main(void)
         TEST(the_fe310_runs_by_its_ring_while_the_pll_changes),
         TEST(the_stm32_s_spi_is_set_up_before_it_is_enabled),
         TEST(a_stream_is_set_up_before_and_stopped_behind_each_part),
+        TEST(each_part_is_waited_for_before_the_next),
         TEST(the_pl022_is_enabled_last),
         TEST(what_the_pl022_receives_is_taken),
+        TEST(what_the_pl022_sends_is_what_was_written),
         TEST(a_slow_channel_is_waited_for),
         TEST(a_channel_that_stands_still_is_waited_for_until_it_has_stopped),
+        TEST(the_lm3s_s_pll_is_given_its_time),
         TEST(the_rp2040_does_not_run_by_a_pll_that_changes),
         TEST(systick_waits_as_long_as_it_says),
         TEST(mtime_waits_as_long_as_it_says),

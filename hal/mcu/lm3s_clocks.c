@@ -15,9 +15,9 @@
 
 #define PLL_LOCKED (UINT32_C(1) << 6) /* in RIS, and cleared in MISC */
 
-/* The PLL says that it has locked after 4608 periods of the crystal, which needs 10 ms at most to start. Until then the
- * processor runs from the internal oscillator, 12 MHz and a third: a look takes four cycles or more. */
-enum { PLL_LOOKS = 16000000 / 100 / 4 + 3000 };
+/* The PLL says that it has locked after 4608 periods of the crystal's 8 MHz, which needs 10 ms at most to start. Until
+ * then the processor runs from the internal oscillator, 12 MHz and a third: a look takes four cycles or more. */
+enum { LOOKS_PER_US = 16 / 4, PLL_LOOKS = (10000 + 4608 / 8) * LOOKS_PER_US };
 
 /* In the order of 5.3, with the PLL off before, so that it locks anew. */
 int lm3s_clocks_init(volatile struct lm3s_system_registers *system)
