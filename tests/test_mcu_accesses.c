@@ -8,7 +8,6 @@
 #include "mcu/avr_timer.h"
 #include "mcu/fe310_prci.h"
 #include "mcu/fe310_spi.h"
-#include "mcu/lm3s_clocks.h"
 #include "mcu/mtime.h"
 #include "mcu/pl022.h"
 #include "mcu/rp2040_clocks.h"
@@ -522,36 +521,6 @@ static void a_channel_that_stands_still_is_waited_for_until_it_has_stopped(void 
     assert_in_range(watched.reads[AT(rp2040_dma_registers, ch[CHANNEL].trans_count)], 10000, 20000);
 }
 
-/* -- The LM3S's clocks ------------------------------------------------------------------------- */
-
-static void lm3s_pll_locks(size_t at_b)
-{
-    struct lm3s_system_registers *system = page;
-    const bool is_on = !(system->rcc & (1u << 13 | 3u << 4)); /* PWRDN, and OSCSRC is the main oscillator */
-
-    if (at_b == AT(lm3s_system_registers, ris) && moves && watched.reads[at_b] == moves && is_on)
-        system->ris |= 1u << 6;
-}
-
-/* LM3S6965 data sheet: a crystal starts in 10 ms at most, the PLL's counter has 1200h of its periods, and the internal
- * oscillator has up to a third more than 12 MHz. A look takes four cycles. */
-static void the_lm3s_s_pll_is_given_its_time(void **state)
-{
-    const uint32_t us = 10000 + 0x1200 / 8, looks = us * (12 + 12 / 3) / 4;
-    struct lm3s_system_registers *system = page;
-
-    (void)state;
-    for (moves = 0; moves < 2; moves++) {
-        watched_begin();
-        start(lm3s_pll_locks, NULL);
-        const int err = lm3s_clocks_init(system);
-        watched_stop();
-        assert_int_equal(err, moves ? 0 : MCU_ERR_TIMEOUT);
-        assert_int_equal(watched.reads[AT(lm3s_system_registers, ris)], moves ? 1 : looks);
-        assert_int_equal(system->rcc >> 11 & 1, moves ? 0 : 1); /* BYPASS: by the PLL only when it has locked */
-    }
-}
-
 /* -- The RP2040's clocks ----------------------------------------------------------------------- */
 
 struct tree {
@@ -771,7 +740,6 @@ int main(void)
         TEST(what_the_pl022_sends_is_what_was_written),
         TEST(a_slow_channel_is_waited_for),
         TEST(a_channel_that_stands_still_is_waited_for_until_it_has_stopped),
-        TEST(the_lm3s_s_pll_is_given_its_time),
         TEST(the_rp2040_does_not_run_by_a_pll_that_changes),
         TEST(systick_waits_as_long_as_it_says),
         TEST(mtime_waits_as_long_as_it_says),
