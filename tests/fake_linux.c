@@ -15,15 +15,19 @@
 #include <time.h>
 #include <unistd.h>
 
-enum { SPI_FD = 1000, BUFSIZ_FD = 1001, FAKE_PATHS_MAX = 64 };
+enum { FIRST_FD = 1000, AS_SPI = 1, AS_BUFSIZ, FAKE_PATHS_MAX = 64 };
 
 struct fake_linux fake;
 
 void fake_linux_init(void)
 {
     static const char *const names[] = {"GPIO0", "GPIO1", "GPIO2", "GPIO3", "GPIO4", "GPIO5", "GPIO6", "GPIO7"};
-    fake = (struct fake_linux){
-        .spi_path = "/dev/spidev0.0", .bufsiz = "4096\n", .most_b = 4096, .chip_count = 2, .fail_at = -1};
+    fake = (struct fake_linux){.spi_path = "/dev/spidev0.0",
+                               .bufsiz = "4096\n",
+                               .first_fd = FIRST_FD,
+                               .most_b = 4096,
+                               .chip_count = 2,
+                               .fail_at = -1};
     fake.chips[0] = (struct fake_chip){"/dev/gpiochip0", "gpiochip0", "pinctrl-fake", FAKE_LINES_MAX, 0, {{0}}};
     fake.chips[1] = (struct fake_chip){"/dev/gpiochip1", "gpiochip1", "expander", 4, 0, {{0}}};
     for (unsigned i = 0; i < FAKE_LINES_MAX; i++)
@@ -140,10 +144,22 @@ void *__real_calloc(size_t n, size_t size_b);
 int __wrap_clock_gettime(clockid_t id, struct timespec *out);
 int __wrap_clock_nanosleep(clockid_t id, int flags, const struct timespec *until, struct timespec *left);
 
-static int opened(int fd)
+static bool is_fake(int fd)
 {
+    return fd >= fake.first_fd && fd < fake.first_fd + FAKE_FDS_MAX;
+}
+
+static int opened(uint8_t as)
+{
+    int i = 0;
+
+    while (i < FAKE_FDS_MAX && fake.open_as[i])
+        i++;
+    errno = EMFILE;
+    if (i == FAKE_FDS_MAX) return -1;
     fake.fds++;
-    return fd;
+    fake.open_as[i] = as;
+    return fake.first_fd + i;
 }
 
 int __wrap_open(const char *path, int flags, ...)
@@ -156,14 +172,15 @@ int __wrap_open(const char *path, int flags, ...)
     errno = is_spi ? fake.spi_err_no : 0;
     if (errno) return -1;
     errno = ENOENT;
-    if (!is_spi) return fake.bufsiz ? opened(BUFSIZ_FD) : -1;
-    return fake.spi_path && strcmp(path, fake.spi_path) == 0 ? opened(SPI_FD) : -1;
+    if (!is_spi) return fake.bufsiz ? opened(AS_BUFSIZ) : -1;
+    return fake.spi_path && strcmp(path, fake.spi_path) == 0 ? opened(AS_SPI) : -1;
 }
 
 int __wrap_close(int fd)
 {
-    if (fd != SPI_FD && fd != BUFSIZ_FD) return __real_close(fd);
+    if (!is_fake(fd)) return __real_close(fd);
     fake.fds--;
+    fake.open_as[fd - fake.first_fd] = 0;
     return 0;
 }
 
@@ -197,8 +214,9 @@ int __wrap_ioctl(int fd, unsigned long request, ...)
     const void *argument = va_arg(arguments, const void *);
     va_end(arguments);
     if (fake_fails("ioctl") || fake_is_interrupted()) return -1;
-    errno = fd == SPI_FD ? ENOTTY : EBADF;
-    if (fd != SPI_FD) return -1;
+    errno = EBADF;
+    if (!is_fake(fd) || fake.open_as[fd - fake.first_fd] != AS_SPI) return -1;
+    errno = ENOTTY;
     if (request == SPI_IOC_MESSAGE(1)) return send_message(argument);
     if (request == SPI_IOC_WR_MODE)
         fake.mode = *(const uint8_t *)argument;

@@ -8,7 +8,7 @@
 
 #include "emulated_display.h"
 
-enum { FAKE_CHIPS_MAX = 3, FAKE_LINES_MAX = 8, FAKE_MESSAGES_MAX = 1024 };
+enum { FAKE_CHIPS_MAX = 3, FAKE_LINES_MAX = 8, FAKE_MESSAGES_MAX = 1024, FAKE_FDS_MAX = 8 };
 
 struct fake_line {
     const char *name;     /* NULL: none */
@@ -34,6 +34,7 @@ struct fake_linux {
     bool no_memory;       /* nothing can be allocated */
     int spi_err_no;       /* of opening it; 0: it opens */
     const char *bufsiz;   /* text of the module's parameter; NULL: unreadable */
+    int first_fd;         /* the least descriptor that is free; as it is, nobody else's */
     size_t most_b;        /* of a message, for the kernel */
     size_t unsent_b;      /* of each message, that the kernel says it has not sent */
     unsigned chip_count;
@@ -48,6 +49,7 @@ struct fake_linux {
     unsigned message_count;
     uint64_t now_ns;
     int fds, chips_open, lines_held, objects; /* not closed, released or freed yet */
+    uint8_t open_as[FAKE_FDS_MAX];            /* what the descriptors from the first on are open as; 0: they are not */
 
     /* Faults: the call of that index among all that can fail, counted from 0. */
     long calls, fail_at;   /* -1: none */

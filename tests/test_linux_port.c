@@ -84,6 +84,23 @@ static void writes_are_split_at_bufsiz(void **state)
     assert_split("4294967295\n", 20000, (size_t[]){20000}, 1);
 }
 
+/* Who is started without a standard input gets its descriptor, 0, for the first that he opens. */
+static void any_descriptor_will_do(void **state)
+{
+    static const uint8_t bytes[100];
+
+    (void)state;
+    fake.first_fd = 0;
+    fake.bufsiz = "77\n";
+    open_port(&all_wired);
+    assert_int_equal(fake.fds, 1);
+    assert_int_equal(bus_write(&port.bus, bytes, sizeof bytes), 0);
+    assert_int_equal(fake.message_count, 2);
+    assert_int_equal(fake.messages_b[0], 77);
+    port_close(&port);
+    assert_true(fake_is_clean());
+}
+
 /* A transfer takes as long to begin as so many bytes: a 50,000th of a second, as far as 16 bits count. */
 static void what_a_message_costs_grows_with_the_speed(void **state)
 {
@@ -591,6 +608,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test_setup(writes_are_split_at_bufsiz, set_up),
+        cmocka_unit_test_setup(any_descriptor_will_do, set_up),
         cmocka_unit_test_setup(what_a_message_costs_grows_with_the_speed, set_up),
         cmocka_unit_test_setup(the_device_is_set_up_as_asked, set_up),
         cmocka_unit_test_setup(what_the_kernel_finds_too_long_is_sent_in_halves, set_up),
