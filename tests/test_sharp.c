@@ -4,6 +4,7 @@
  * cannot, and what the emulated glass complains about. */
 #include "cmocka_ready.h"
 #include "emulated_sharp.h"
+#include "fault_port.h"
 #include "panels.h"
 #include "screen.h"
 
@@ -126,6 +127,32 @@ static void every_frame_and_every_keep_changes_the_sign(void **state)
         assert_int_equal(panel_keep(&rig.display.panel), 0);
         assert_int_equal(rig.glass.complaints, 1);
     }
+}
+
+/* A frame begins with a pulse: the pin, a wait, the pin. What fails is told, and nothing is tried behind it. */
+static void errors_of_the_pulse_come_through(void **state)
+{
+    struct fault_port fault;
+
+    (void)state;
+    rig_setup(&ls013b7dh03, true);
+    struct port port = emulated_port_whole(&rig.glass.port);
+    port.reset = rig.config.alternate; /* in the place of one that the glass does not have */
+    port = fault_port_over(&fault, &port, NULL);
+    rig.config.alternate = port.reset;
+    rig.config.clock = port.clock;
+    rig_start(&ls013b7dh03);
+    for (long n = 0; n < 3; n++) {
+        fault_port_arm(&fault, n);
+        assert_int_equal(panel_begin_frame(&rig.display.panel), fault.code);
+        assert_int_equal(fault.calls_late, 0);
+        fault_port_arm(&fault, n);
+        assert_int_equal(panel_keep(&rig.display.panel), fault.code);
+        assert_int_equal(fault.calls_late, 0);
+    }
+    fault_port_arm(&fault, 3);
+    assert_int_equal(panel_begin_frame(&rig.display.panel), 0);
+    assert_int_equal(fault.calls, 3);
 }
 
 /* A line more than there is, and half a line, end the window where they begin. */
@@ -275,6 +302,7 @@ int main(void)
         cmocka_unit_test(lines_go_where_they_belong_whatever_came_before),
         cmocka_unit_test(a_frame_is_one_message),
         cmocka_unit_test(every_frame_and_every_keep_changes_the_sign),
+        cmocka_unit_test(errors_of_the_pulse_come_through),
         cmocka_unit_test(lines_may_come_several_at_once),
         cmocka_unit_test(keep_ends_a_message_under_way),
         cmocka_unit_test(what_the_glass_cannot_is_refused),
