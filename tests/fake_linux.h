@@ -31,7 +31,7 @@ struct fake_linux {
     /* The machine; to be set by a test. */
     const char *spi_path; /* NULL: there is none */
     unsigned spi_count;   /* so often it is listed; 0: once */
-    bool no_memory;       /* nothing can be allocated */
+    bool no_memory;       /* nothing can be allocated, and nobody wants more than one of anything */
     int spi_err_no;       /* of opening it; 0: it opens */
     const char *bufsiz;   /* text of the module's parameter; NULL: unreadable */
     int first_fd;         /* the least descriptor that is free; as it is, nobody else's */

@@ -64,6 +64,7 @@ void *__wrap_calloc(size_t n, size_t size_b);
 
 void *__wrap_calloc(size_t n, size_t size_b)
 {
+    if (allocations_left >= 0) assert_int_equal(n, 1); /* nobody has more than one of anything */
     if (allocations_left == 0) return NULL;
     if (allocations_left > 0) allocations_left--;
     return __real_calloc(n, size_b);
@@ -327,6 +328,24 @@ static void a_bridge_that_does_not_begin_again_is_closed(void **state)
     assert_int_equal(pin_set(&port.dc, true), 0);
 }
 
+/* What the bridge itself complained about is forgotten when the next error is the cable's. */
+static void each_error_has_its_own_reason(void **state)
+{
+    (void)state;
+    assert_int_equal(open_port(NULL), 0);
+    for (unsigned i = 0; i < 3; i++) {
+        emulated_cable_arm(&rig.bridge.cable, 0, CABLE_LOST, 0);
+        assert_int_equal(pin_set(&port.dc, true), -ETIMEDOUT);
+        assert_text("MCP2210 0001: no answer");
+        assert_int_equal(fake_hidapi.closed, i);
+        emulated_cable_arm(&rig.bridge.cable, 0, CABLE_REFUSED, -EIO);
+        assert_int_equal(pin_set(&port.dc, true), -EIO);
+        assert_text("MCP2210 0001: hidapi: a made-up error");
+        assert_int_equal(fake_hidapi.closed, i + 1);
+        assert_int_equal(pin_set(&port.dc, true), 0);
+    }
+}
+
 static void a_report_cut_short_is_an_error(void **state)
 {
     (void)state;
@@ -409,6 +428,7 @@ int main(void)
         cmocka_unit_test_setup_teardown(a_lack_of_permission_names_the_rule, set_up, tear_down),
         cmocka_unit_test_setup_teardown(an_error_that_is_no_unplugging_is_told_as_hidapi_does, set_up, tear_down),
         cmocka_unit_test_setup_teardown(a_bridge_that_does_not_begin_again_is_closed, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(each_error_has_its_own_reason, set_up, tear_down),
         cmocka_unit_test_setup_teardown(a_report_cut_short_is_an_error, set_up, tear_down),
         cmocka_unit_test_setup_teardown(plugs_may_be_pulled_at_any_report, set_up, tear_down),
         cmocka_unit_test_setup_teardown(a_bridge_without_a_serial_number_comes_back_as_the_only_one, set_up, tear_down),
