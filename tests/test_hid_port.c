@@ -162,6 +162,16 @@ static void answers_are_waited_for_a_second(void **state)
     }
 }
 
+static void of_a_closed_port_nothing_is_wired(void **state)
+{
+    (void)state;
+    assert_int_equal(open_port(NULL), 0);
+    assert_true(pin_is_wired(&port.dc) && pin_is_wired(&port.reset));
+    port_close(&port);
+    assert_false(pin_is_wired(&port.dc) || pin_is_wired(&port.reset) || pin_is_wired(&port.backlight));
+    assert_true(!port.bus.write && !port.clock.delay && !port.ctx && !port.close);
+}
+
 static void serial_numbers_are_cut_and_paths_are_not(void **state)
 {
     static const size_t lengths[] = {0, 1, 62, 63, 64, 65, 127, 128, 129};
@@ -417,6 +427,7 @@ int main(void)
         cmocka_unit_test_setup_teardown(frames_arrive_whole, set_up, tear_down),
         cmocka_unit_test_setup_teardown(waits_take_their_time, set_up, tear_down),
         cmocka_unit_test_setup_teardown(answers_are_waited_for_a_second, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(of_a_closed_port_nothing_is_wired, set_up, tear_down),
         cmocka_unit_test_setup_teardown(serial_numbers_are_cut_and_paths_are_not, set_up, tear_down),
         cmocka_unit_test_setup_teardown(of_a_serial_number_what_is_not_ascii_is_no_digit, set_up, tear_down),
         cmocka_unit_test_setup_teardown(of_many_bridges_the_first_are_found, set_up, tear_down),

@@ -83,7 +83,7 @@ static int connect(struct bridge_port *self)
     return settle_error(self, err);
 }
 
-/* What fails is not sent again. */
+/* What fails is not sent again; where nothing waits, nothing is sent. */
 static int send_waiting(struct bridge_port *self)
 {
     const size_t n_b = self->waiting_b;
@@ -125,7 +125,7 @@ static int set(void *ctx, bool high)
     const uint16_t bit = (uint16_t)(1u << pin->index);
 
     int err = connect(self);
-    if (!err && self->waiting_b) err = send_waiting(self);
+    if (!err) err = send_waiting(self);
     if (!err) err = settle_error(self, self->kind->set(self->state, pin->index, high));
     if (!err) self->config.levels = (uint16_t)(high ? self->config.levels | bit : self->config.levels & ~bit);
     return err;
