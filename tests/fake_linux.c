@@ -28,9 +28,9 @@ void fake_linux_init(void)
                                .most_b = 4096,
                                .chip_count = 2,
                                .fail_at = -1};
-    fake.chips[0] = (struct fake_chip){"/dev/gpiochip0", "gpiochip0", "pinctrl-fake", FAKE_LINES_MAX, 0, {{0}}};
+    fake.chips[0] = (struct fake_chip){"/dev/gpiochip0", "gpiochip0", "pinctrl-fake", FAKE_NAMED_LINES, 0, {{0}}};
     fake.chips[1] = (struct fake_chip){"/dev/gpiochip1", "gpiochip1", "expander", 4, 0, {{0}}};
-    for (unsigned i = 0; i < FAKE_LINES_MAX; i++)
+    for (unsigned i = 0; i < FAKE_NAMED_LINES; i++)
         fake.chips[0].lines[i].name = names[i];
 }
 
@@ -232,7 +232,7 @@ int __wrap_ioctl(int fd, unsigned long request, ...)
 int __wrap_glob(const char *pattern, int flags, int (*on_error)(const char *path, int err_no), glob_t *out)
 {
     static char *paths[FAKE_PATHS_MAX];
-    static char text[FAKE_PATHS_MAX][32];
+    static char text[FAKE_PATHS_MAX][64];
     (void)flags, (void)on_error;
     const bool is_spi = strcmp(pattern, "/dev/spidev*") == 0;
     const unsigned spis = !fake.spi_path ? 0 : fake.spi_count ? fake.spi_count : 1;

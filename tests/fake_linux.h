@@ -8,7 +8,7 @@
 
 #include "emulated_display.h"
 
-enum { FAKE_CHIPS_MAX = 3, FAKE_LINES_MAX = 8, FAKE_MESSAGES_MAX = 1024, FAKE_FDS_MAX = 8 };
+enum { FAKE_CHIPS_MAX = 3, FAKE_LINES_MAX = 16, FAKE_NAMED_LINES = 8, FAKE_MESSAGES_MAX = 1024, FAKE_FDS_MAX = 8 };
 
 struct fake_line {
     const char *name;     /* NULL: none */

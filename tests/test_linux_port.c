@@ -10,6 +10,7 @@
 #include "test_card.h"
 
 #include <errno.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -82,6 +83,25 @@ static void writes_are_split_at_bufsiz(void **state)
     assert_split(NULL, 4097, (size_t[]){4096, 1}, 2); /* unreadable: the kernel's usual one */
     assert_split("4096\n", 0, NULL, 0);
     assert_split("4294967295\n", 20000, (size_t[]){20000}, 1);
+    assert_split("1\n", 2, (size_t[]){1, 1}, 2);
+}
+
+/* Of what cannot be a length the kernel's usual one takes the place. */
+static void a_bufsiz_that_is_no_length_does_not_count(void **state)
+{
+    static const char *const texts[] = {"0\n", "", "4294967296\n", "many\n"};
+    static const uint8_t bytes[4097];
+
+    (void)state;
+    for (size_t i = 0; i < sizeof texts / sizeof *texts; i++) {
+        fake_linux_init();
+        fake.bufsiz = texts[i];
+        open_port(&all_wired);
+        assert_int_equal(bus_write(&port.bus, bytes, sizeof bytes), 0);
+        assert_int_equal(fake.messages_b[0], 4096);
+        assert_int_equal(fake.messages_b[1], 1);
+        port_close(&port);
+    }
 }
 
 /* Who is started without a standard input gets its descriptor, 0, for the first that he opens. */
@@ -156,6 +176,27 @@ static void what_the_kernel_finds_too_long_is_sent_in_halves(void **state)
     port_close(&port);
 }
 
+/* 16 bytes are no more halved: what refuses so few refuses everything. */
+static void a_message_of_sixteen_bytes_is_not_halved(void **state)
+{
+    static const struct {
+        const char *bufsiz, *text;
+    } cases[] = {
+        {"32\n", "a message of 16 bytes"}, {"34\n", "a message of 8 bytes"}, {"15\n", "a message of 15 bytes"}};
+    static const uint8_t bytes[40];
+
+    (void)state;
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        fake_linux_init();
+        fake.bufsiz = cases[i].bufsiz;
+        fake.most_b = 4;
+        open_port(&all_wired);
+        assert_int_equal(bus_write(&port.bus, bytes, sizeof bytes), -EMSGSIZE);
+        assert_non_null(strstr(port.error, cases[i].text));
+        port_close(&port);
+    }
+}
+
 static void a_message_that_is_sent_in_part_is_an_error(void **state)
 {
     static const uint8_t bytes[100];
@@ -206,6 +247,15 @@ static void devices_that_cannot_be_opened_are_explained(void **state)
         &all_wired, EACCES,
         "/dev/spidev0.0: Permission denied; join group spi (`ls -l` shows whose it is), or add the udev rule "
         "of README");
+    fake.spi_err_no = EPERM;
+    assert_refused(
+        &all_wired, EPERM,
+        "/dev/spidev0.0: Operation not permitted; join group spi (`ls -l` shows whose it is), or add the udev rule "
+        "of README");
+    fake.spi_err_no = ENODEV;
+    assert_refused(&all_wired, ENODEV, "/dev/spidev0.0: no such device; there are /dev/spidev0.0");
+    fake.spi_err_no = ENXIO;
+    assert_refused(&all_wired, ENXIO, "/dev/spidev0.0: no such device; there are /dev/spidev0.0");
     fake.spi_err_no = EBUSY;
     assert_refused(&all_wired, EBUSY, "/dev/spidev0.0: in use by another program; `fuser /dev/spidev0.0` names it");
     fake.spi_err_no = EIO;
@@ -307,6 +357,10 @@ static void chips_that_cannot_be_opened_are_explained(void **state)
     assert_line_refused("GPIO2", EACCES,
                         "/dev/gpiochip0: Permission denied; join group gpio (`ls -l` shows whose it is), or add the "
                         "udev rule of README");
+    fake.chips[0].open_err_no = EPERM;
+    assert_line_refused("GPIO2", EPERM,
+                        "/dev/gpiochip0: Operation not permitted; join group gpio (`ls -l` shows whose it is), or add "
+                        "the udev rule of README");
     fake.chips[0].open_err_no = EIO;
     assert_line_refused("GPIO2", EIO, "/dev/gpiochip0: Input/output error");
     fake.chip_count = 0;
@@ -327,7 +381,7 @@ static void a_link_to_a_chip_is_no_second_chip(void **state)
 {
     (void)state;
     fake.chips[2] =
-        (struct fake_chip){"/dev/gpiochip4", "gpiochip0", "pinctrl-fake", FAKE_LINES_MAX, 0, {{.name = "GPIO2"}}};
+        (struct fake_chip){"/dev/gpiochip4", "gpiochip0", "pinctrl-fake", FAKE_NAMED_LINES, 0, {{.name = "GPIO2"}}};
     fake.chip_count = 3;
     open_port(&(struct linux_port_config){.spi = "/dev/spidev0.0", .dc = "GPIO2", .speed_hz = 1000000});
     assert_true(fake.chips[0].lines[2].held);
@@ -341,6 +395,85 @@ static void a_line_may_be_named_as_a_chip_and_number(void **state)
     open_port(&(struct linux_port_config){.spi = "/dev/spidev0.0", .dc = "header:pin", .speed_hz = 1000000});
     assert_true(fake.chips[0].lines[0].held);
     port_close(&port);
+}
+
+static void assert_taken(const char *name, unsigned chip, unsigned number)
+{
+    open_port(&(struct linux_port_config){.spi = "/dev/spidev0.0", .dc = name, .speed_hz = 1000000});
+    assert_true(fake.chips[chip].lines[number].held);
+    assert_int_equal(fake.lines_held, 1);
+    port_close(&port);
+    assert_true(fake_is_clean());
+}
+
+/* Names and labels may be of one letter, begin like a path, and be as long as the kernel's, 31 letters. */
+static void chips_may_have_any_name(void **state)
+{
+    static const char longest[] = "a-label-of-thirty-one-letters..";
+
+    (void)state;
+    fake.chips[1].n_lines = 13;
+    assert_taken("expander:0", 1, 0);
+    assert_taken("expander:9", 1, 9);
+    assert_taken("expander:12", 1, 12);
+    assert_taken("/dev/gpiochip1:10", 1, 10);
+    fake.chips[1].label = "x";
+    assert_taken("x:11", 1, 11);
+    assert_line_refused("x:13", EINVAL, "x:13: gpiochip1 (x) has lines 0 to 12");
+    assert_line_refused("y:1", ENOENT,
+                        "y:1: no chip of that name on gpiochip0 (pinctrl-fake), gpiochip1 (x); `limner devices` lists "
+                        "them");
+    fake.chips[1].label = "/devices";
+    assert_taken("/devices:2", 1, 2);
+    assert_int_equal(strlen(longest), 31);
+    fake.chips[1].label = longest;
+    assert_taken("a-label-of-thirty-one-letters..:3", 1, 3);
+    fake.chips[1].lines[5].name = ":5";
+    assert_taken(":5", 1, 5);
+    fake.chips[1].lines[6].name = "n";
+    assert_taken("n", 1, 6);
+    assert_line_refused("expander:0x1", ENOENT,
+                        "expander:0x1: no line of that name on gpiochip0 (pinctrl-fake), gpiochip1 "
+                        "(a-label-of-thirty-one-letters..); `limner devices` lists them");
+}
+
+/* Half of the message is theirs. */
+static void of_many_chips_the_first_are_named(void **state)
+{
+    static const char *const names[] = {"gpiochip-of-thirty-one-letters0", "gpiochip-of-thirty-one-letters1",
+                                        "gpiochip-of-thirty-one-letters2"};
+    static const char *const paths[] = {"/dev/gpiochip-of-thirty-one-letters0", "/dev/gpiochip-of-thirty-one-letters1",
+                                        "/dev/gpiochip-of-thirty-one-letters2"};
+    static const char before[] = "GPIO77: no line of that name on ", behind[] = "; `limner devices` lists them";
+    char wanted[PORT_ERROR_B];
+
+    (void)state;
+    fake.chip_count = 3;
+    for (unsigned i = 0; i < 3; i++)
+        fake.chips[i] = (struct fake_chip){paths[i], names[i], names[i], 4, 0, {{0}}};
+    snprintf(wanted, sizeof wanted, "%s (%s), %s (%s), %s (%s)", names[0], names[0], names[1], names[1], names[2],
+             names[2]);
+    assert_true(strlen(wanted) > PORT_ERROR_B / 2);
+    snprintf(wanted + PORT_ERROR_B / 2 - 1, PORT_ERROR_B / 2 + 1, "%s", behind);
+    const struct linux_port_config config = {.spi = "/dev/spidev0.0", .dc = "GPIO77", .speed_hz = 1000000};
+    assert_int_equal(linux_port_open(&port, &config), -ENOENT);
+    assert_memory_equal(port.error, before, sizeof before - 1);
+    assert_string_equal(port.error + sizeof before - 1, wanted);
+    assert_true(fake_is_clean());
+}
+
+static void both_places_of_a_name_are_told_whole(void **state)
+{
+    (void)state;
+    fake.chips[1].path = "/dev/gpiochip-of-thirty-one-letters.";
+    fake.chips[1].name = "gpiochip-of-thirty-one-letters.";
+    fake.chips[1].n_lines = 13;
+    fake.chips[1].lines[12].name = "GPIO3";
+    assert_line_refused("GPIO3", ENOTUNIQ,
+                        "GPIO3: more than one is called so; give gpiochip0:3 or gpiochip-of-thirty-one-letters.:12");
+    fake.chips[0].lines[2].is_used = true;
+    fake.chips[0].lines[2].consumer = "x";
+    assert_line_refused("GPIO2", EBUSY, "GPIO2: gpiochip0:2 is in use by \"x\"; end that, or take another line");
 }
 
 /* Lines ----------------------------------------------------------------------------------------- */
@@ -536,6 +669,7 @@ static void opening_that_fails_anywhere_leaves_nothing_open(void **state)
             assert_true(err == -EREMOTEIO || err == -ENOMEM);
             assert_non_null(fake.failed);
             assert_true(strlen(port.error) > 10);
+            assert_non_null(strstr(port.error, err == -ENOMEM ? "out of memory" : "Remote I/O error"));
             refused++;
         } else {
             assert_true(fake.failed == NULL || is_survived());
@@ -608,10 +742,12 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test_setup(writes_are_split_at_bufsiz, set_up),
+        cmocka_unit_test_setup(a_bufsiz_that_is_no_length_does_not_count, set_up),
         cmocka_unit_test_setup(any_descriptor_will_do, set_up),
         cmocka_unit_test_setup(what_a_message_costs_grows_with_the_speed, set_up),
         cmocka_unit_test_setup(the_device_is_set_up_as_asked, set_up),
         cmocka_unit_test_setup(what_the_kernel_finds_too_long_is_sent_in_halves, set_up),
+        cmocka_unit_test_setup(a_message_of_sixteen_bytes_is_not_halved, set_up),
         cmocka_unit_test_setup(a_message_that_is_sent_in_part_is_an_error, set_up),
         cmocka_unit_test_setup(signals_interrupt_nothing, set_up),
         cmocka_unit_test_setup(devices_that_cannot_be_opened_are_explained, set_up),
@@ -624,6 +760,9 @@ int main(void)
         cmocka_unit_test_setup(a_chip_that_is_not_needed_may_be_closed_to_us, set_up),
         cmocka_unit_test_setup(a_link_to_a_chip_is_no_second_chip, set_up),
         cmocka_unit_test_setup(a_line_may_be_named_as_a_chip_and_number, set_up),
+        cmocka_unit_test_setup(chips_may_have_any_name, set_up),
+        cmocka_unit_test_setup(of_many_chips_the_first_are_named, set_up),
+        cmocka_unit_test_setup(both_places_of_a_name_are_told_whole, set_up),
         cmocka_unit_test_setup(lines_are_taken_by_any_name_at_their_quiet_level, set_up),
         cmocka_unit_test_setup(each_pin_sets_its_own_line, set_up),
         cmocka_unit_test_setup(pins_that_were_not_asked_for_are_not_wired, set_up),

@@ -15,7 +15,7 @@ static const char CONSUMER[] = "limner";
 
 struct search {
     const char *name;
-    char chip[64];         /* of CHIP:NUMBER; "": by the line's own name */
+    char chip[64];         /* of CHIP:NUMBER; "": by the line's own name, as of ":NUMBER" */
     unsigned long number;  /* of CHIP:NUMBER */
     struct gpio_line line; /* the first that was found */
     unsigned found;
@@ -31,7 +31,7 @@ static void search_parse(struct search *search, const char *name)
     const char *colon = strrchr(name, ':');
     char *end = NULL;
     *search = (struct search){.name = name};
-    if (!colon || colon == name || colon[1] < '0' || colon[1] > '9') return;
+    if (!colon || colon[1] < '0' || colon[1] > '9') return;
     search->number = strtoul(colon + 1, &end, 10);
     if (*end != '\0') return;
     if (strncmp(name, "/dev/", 5) == 0) name += 5;
