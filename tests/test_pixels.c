@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT
  *
  * What is gathered goes by runs of one colour; here it is compared with a formula that takes each pixel by itself, in
- * lines of runs of all lengths, in two pieces. What single colours become is in test_panels.c. */
+ * lines of runs of all lengths, in two pieces. What is packed is compared with its pixels, packed one by one. What
+ * single colours become is in test_panels.c. */
 #include "cmocka_ready.h"
 #include "pixels.h"
 #include "random.h"
@@ -137,6 +138,55 @@ static void every_colour_is_gathered_as_the_formula_says(void **state)
     }
 }
 
+/* Half bytes at `to`, the upper ones first. */
+static void put_half(uint8_t *to, size_t at, unsigned half)
+{
+    to[at / 2] = (uint8_t)(at % 2 ? to[at / 2] | half : half << 4);
+}
+
+/* What a line becomes by its pixels, each of which is packed alone, at its place. Returns the half bytes. */
+static size_t pack_one_by_one(enum panel_format format, uint8_t *to, const uint8_t *from, uint16_t x_px, uint16_t n_px)
+{
+    const size_t halves = format == PANEL_RGB444 ? 3 : 2 * pixels_b(format, 1);
+    size_t at = 0;
+
+    for (uint16_t i = 0; i < n_px; i++) {
+        uint8_t one[4];
+        pixels_pack(format, one, from + 2 * i, (uint16_t)(x_px + i), 5, 1);
+        for (size_t k = 0; k < halves; k++)
+            put_half(to, at++, k % 2 ? one[k / 2] & 15u : one[k / 2] >> 4);
+    }
+    return at;
+}
+
+/* In memory of its own or as far before the pixels as it has to begin, and nothing behind it. */
+static void pixels_are_packed_as_one_by_one(void **state)
+{
+    static const enum panel_format formats[] = {PANEL_RGB565, PANEL_RGB444, PANEL_RGB666, PANEL_RGB666_LOW};
+    enum { MOST_PX = 9, UNTOUCHED = 0x5A };
+    struct random random = {7};
+
+    (void)state;
+    for (size_t i = 0; i < sizeof formats / sizeof *formats; i++)
+        for (uint16_t n_px = 0; n_px <= MOST_PX; n_px++)
+            for (uint16_t x_px = 0; x_px < 4; x_px++) {
+                uint8_t line[2 * MOST_PX], wanted[3 * MOST_PX + 2] = {0}, to[3 * MOST_PX + 2], place[3 * MOST_PX + 2];
+                for (size_t k = 0; k < sizeof line; k++)
+                    line[k] = (uint8_t)random_in(&random, 0, 255);
+                const size_t used_b = (pack_one_by_one(formats[i], wanted, line, x_px, n_px) + 1) / 2;
+                const size_t head_b = pixels_head_b(formats[i], n_px);
+                memset(wanted + used_b, UNTOUCHED, sizeof wanted - used_b);
+                memset(to, UNTOUCHED, sizeof to);
+                pixels_pack(formats[i], to, line, x_px, 5, n_px);
+                assert_memory_equal(to, wanted, sizeof to);
+                assert_int_equal(pixels_b(formats[i], n_px), used_b);
+                memset(place, UNTOUCHED, sizeof place);
+                memcpy(place + head_b, line, 2u * n_px);
+                pixels_pack(formats[i], place, place + head_b, x_px, 5, n_px);
+                assert_memory_equal(place, wanted, used_b);
+            }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -144,6 +194,7 @@ int main(void)
         cmocka_unit_test(lines_of_bits_are_gathered_as_pixel_by_pixel),
         cmocka_unit_test(greys_are_gathered_as_pixel_by_pixel),
         cmocka_unit_test(a_single_byte_ends_a_run),
+        cmocka_unit_test(pixels_are_packed_as_one_by_one),
         cmocka_unit_test(every_colour_is_gathered_as_the_formula_says),
     };
 
