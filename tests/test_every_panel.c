@@ -343,6 +343,81 @@ static void a_start_closes_the_window(void **state)
     }
 }
 
+/* Nor after pixels or a flush that failed. */
+static void an_error_closes_the_window(void **state)
+{
+    static const uint8_t zeros[3 * WHOLE_PX];
+    struct panel_choice choice;
+
+    (void)state;
+    for (size_t i = 0; panel_choice_at(i, &choice); i++) {
+        const struct display_module module = panel_rig_module(&choice, SWEEP_W_PX, SWEEP_H_PX);
+        start(&choice, &module);
+        struct panel *panel = rig.display.panel;
+        const size_t piece_px = (size_t)panel->step_x_px * panel->step_y_px;
+        bool failed = true;
+        for (long n = 0; failed; n++) {
+            assert_int_equal(panel_window(panel, 0, 0, panel->w_px, panel->h_px), 0);
+            fault_port_arm(&rig.fault, n);
+            int err = panel_pixels(panel, zeros, piece_px);
+            if (!err) err = panel_flush(panel);
+            failed = rig.fault.failed;
+            assert_int_equal(err, failed ? rig.fault.code : 0);
+            fault_port_arm(&rig.fault, -1);
+            if (failed) assert_int_equal(panel_pixels(panel, zeros, piece_px), PANEL_ERR_WINDOW);
+            assert_int_equal(panel_init(panel), 0);
+        }
+    }
+}
+
+static void wire_messages(struct panel_rig *on, struct port *port)
+{
+    wire_everything(on, port);
+    port->bus.message_b = 60;
+}
+
+/* A window fails at its n-th call, and what comes next at its m-th. Whether it came to that one. */
+static bool fail_twice(const struct deed *deed, enum fault fault, long n, long m)
+{
+    struct panel *panel = rig.display.panel;
+
+    fault_port_arm(&rig.fault, n);
+    rig.fault.fault = fault;
+    const int first = do_window(panel, 0);
+    assert_int_equal(first, rig.fault.failed ? rig.fault.code : 0);
+    fault_port_arm(&rig.fault, m);
+    rig.fault.fault = fault;
+    const int err = deed->call(panel, deed->argument);
+    const bool failed = rig.fault.failed;
+    assert_true(failed ? err == rig.fault.code : err == 0 || err == PANEL_ERR_UNSUPPORTED);
+    assert_int_equal(rig.fault.calls_late, 0);
+    fault_port_arm(&rig.fault, -1);
+    assert_int_equal(panel_init(panel), 0);
+    return failed;
+}
+
+/* After an error chips are told more than else, so that what it cut short comes to an end: this may fail as well. */
+static void errors_come_through_one_after_another(void **state)
+{
+    static const struct deed seconds[] = {{do_window, 0, false}, {do_invert, 1, false}, {do_blank, 1, false}};
+    enum { WINDOW_CALLS = 16 };
+    struct panel_choice choice;
+    long calls = 0;
+
+    (void)state;
+    for (size_t i = 0; panel_choice_at(i, &choice); i++)
+        for (unsigned k = 0; k < 2 * sizeof seconds / sizeof *seconds; k++) {
+            const struct display_module module = panel_rig_module(&choice, SWEEP_W_PX, SWEEP_H_PX);
+            assert_true(panel_rig_setup(&rig, &choice, &module, k % 2 ? wire_messages : wire_everything));
+            assert_int_equal(panel_init(rig.display.panel), 0);
+            for (long n = 0; n < WINDOW_CALLS; n++)
+                for (long m = 0; fail_twice(&seconds[k / 2], n % 2 ? FAULT_SHORT : FAULT_LATE, n, m); m++)
+                    calls++;
+        }
+    print_message("# every panel: %ld faults after another\n", calls);
+    assert_true(calls > 2000);
+}
+
 /* A setting that came through is kept by the next start. */
 static void a_start_keeps_what_was_set(void **state)
 {
@@ -428,6 +503,8 @@ int main(void)
         cmocka_unit_test(whatever_goes_wrong_in_a_frame_the_next_one_is_right_without_a_start),
         cmocka_unit_test(whatever_goes_wrong_in_any_other_call_comes_through_and_changes_no_setting),
         cmocka_unit_test(a_start_closes_the_window),
+        cmocka_unit_test(an_error_closes_the_window),
+        cmocka_unit_test(errors_come_through_one_after_another),
         cmocka_unit_test(a_start_keeps_what_was_set),
         cmocka_unit_test(readme_has_a_row_for_each_panel_and_no_other),
     };
