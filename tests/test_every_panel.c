@@ -343,7 +343,7 @@ static void a_start_closes_the_window(void **state)
     }
 }
 
-/* Nor after pixels or a flush that failed. */
+/* Nor after pixels or a flush that failed, nor after another window that was refused. */
 static void an_error_closes_the_window(void **state)
 {
     static const uint8_t zeros[3 * WHOLE_PX];
@@ -356,6 +356,9 @@ static void an_error_closes_the_window(void **state)
         struct panel *panel = rig.display.panel;
         const size_t piece_px = (size_t)panel->step_x_px * panel->step_y_px;
         bool failed = true;
+        assert_int_equal(panel_window(panel, 0, 0, panel->w_px, panel->h_px), 0);
+        assert_int_equal(panel_window(panel, 0, panel->h_px, panel->w_px, panel->h_px), PANEL_ERR_WINDOW);
+        assert_int_equal(panel_pixels(panel, zeros, piece_px), PANEL_ERR_WINDOW);
         for (long n = 0; failed; n++) {
             assert_int_equal(panel_window(panel, 0, 0, panel->w_px, panel->h_px), 0);
             fault_port_arm(&rig.fault, n);
