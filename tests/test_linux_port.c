@@ -84,6 +84,7 @@ static void writes_are_split_at_bufsiz(void **state)
     assert_split("4096\n", 0, NULL, 0);
     assert_split("4294967295\n", 20000, (size_t[]){20000}, 1);
     assert_split("1\n", 2, (size_t[]){1, 1}, 2);
+    assert_split("9", 10, (size_t[]){9, 1}, 2);
 }
 
 /* Of what cannot be a length the kernel's usual one takes the place. */

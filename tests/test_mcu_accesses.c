@@ -172,6 +172,27 @@ static void the_fe310_runs_by_its_ring_while_the_pll_changes(void **state)
 
 /* -- The STM32's SPI and DMA ------------------------------------------------------------------- */
 
+/* Where there is no controller, or none that has a clock, nothing that is written stays: RM0090, 7.3.10. */
+static void nothing_stays(size_t at_b)
+{
+    memset((uint8_t *)page + at_b, 0, sizeof(uint32_t));
+}
+
+static void a_controller_that_is_not_there_is_told(void **state)
+{
+    struct stm32_spi_registers spi_registers = {.sr = 2, .cr1 = 0x40};
+    struct stm32_spi spi = {&spi_registers};
+    struct stm32_dma dma;
+
+    (void)state;
+    start(NULL, nothing_stays);
+    const int err = stm32_dma_init(&dma, page, 3, 3, &spi);
+    watched_stop();
+    assert_int_equal(err, MCU_ERR_CONFIG);
+    assert_int_equal(spi_registers.cr1, 0x40);
+    assert_int_equal(spi_registers.cr2, 0); /* the SPI asks nobody for bytes */
+}
+
 static void the_stm32_s_spi_is_set_up_before_it_is_enabled(void **state)
 {
     (void)state;
@@ -736,6 +757,7 @@ int main(void)
         TEST(what_was_received_before_is_taken_at_the_start),
         TEST(of_what_is_sent_no_byte_comes_back_without_room),
         TEST(the_fe310_runs_by_its_ring_while_the_pll_changes),
+        TEST(a_controller_that_is_not_there_is_told),
         TEST(the_stm32_s_spi_is_set_up_before_it_is_enabled),
         TEST(a_stream_is_set_up_before_and_stopped_behind_each_part),
         TEST(each_part_is_waited_for_before_the_next),

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 #
 # Lists the mutants of C files, one a line, divided by tabs: FILE LINE COLUMN LENGTH OPERATOR TEXT. The TEXT takes the
-# place of LENGTH characters from the COLUMN on. Comments, strings, the preprocessor's lines, static asserts and
-# asserts have none. The sources are laid out by clang-format, which the patterns rely on: a binary operator stands
+# place of LENGTH characters from the COLUMN on. Comments, strings, the preprocessor's lines, static asserts, asserts
+# and the attribute `format`, which makes no code, have none. The sources are laid out by clang-format, which the patterns rely on: a binary operator stands
 # between spaces, a unary one next to its operand, and a statement begins a line.
 
 function mutant(column, length_, operator, text) {
@@ -157,7 +157,8 @@ function choices(    at, first, last, i, c, depth, colon, yes, no) {
     mutant(first, last - first, "choice", no)
 }
 
-# f(a, b) becomes f(b, a), unless f(a, b) is f(b, a): products, the greater, what two rectangles share.
+# f(a, b) becomes f(b, a), unless f(a, b) is f(b, a): products, the greater, what two rectangles share, whether two
+# strings are equal.
 function arguments(    at, rest, open, end, i, c, depth, comma, second) {
     if (code !~ /^ /) return # a function's head
     at = 0
@@ -168,7 +169,7 @@ function arguments(    at, rest, open, end, i, c, depth, comma, second) {
         rest = substr(code, at + 1)
         end = closing(open)
         if (!end || substr(code, 1, open - 1) ~ /(^|[^a-z_])(if|for|while|switch|return|sizeof)$/) continue
-        if (substr(code, 1, open - 1) ~ /(^|[^a-z_])(lim_mul_q30|mul_high_[a-z_]*s32|greater|smaller|intersection|is_same)$/) continue
+        if (substr(code, 1, open - 1) ~ /(^|[^a-z_])(lim_mul_q30|mul_high_[a-z_]*s32|greater|smaller|intersection|is_same|strcmp)$/) continue
         depth = comma = second = 0
         for (i = open + 1; i < end; i++) {
             c = substr(code, i, 1)
@@ -241,6 +242,18 @@ function blank(line,    i, c, two, out, quote) {
     return out
 }
 
+# The attribute becomes other characters: columns stay.
+function without_format(    at, end, i, covered) {
+    while (at = index(code, "__attribute__((format(")) {
+        end = closing(at + length("__attribute__"))
+        if (!end) return
+        covered = ""
+        for (i = at; i <= end; i++)
+            covered = covered "@"
+        code = substr(code, 1, at - 1) covered substr(code, end + 1)
+    }
+}
+
 FNR == 1 { in_comment = in_directive = in_assert = 0; starts = 1 }
 
 {
@@ -255,6 +268,7 @@ FNR == 1 { in_comment = in_directive = in_assert = 0; starts = 1 }
         next
     }
     if (code ~ /^ *$/) next
+    without_format()
 
     swap_bound("<", "<="); swap_bound("<=", "<")
     swap_bound(">", ">="); swap_bound(">=", ">")
