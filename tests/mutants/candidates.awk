@@ -2,8 +2,9 @@
 #
 # Lists the mutants of C files, one a line, divided by tabs: FILE LINE COLUMN LENGTH OPERATOR TEXT. The TEXT takes the
 # place of LENGTH characters from the COLUMN on. Comments, strings, the preprocessor's lines, static asserts, asserts
-# and the attribute `format`, which makes no code, have none. The sources are laid out by clang-format, which the patterns rely on: a binary operator stands
-# between spaces, a unary one next to its operand, and a statement begins a line.
+# and the attribute `format`, which makes no code, have none. The sources are laid out by clang-format, which the
+# patterns rely on: a binary operator stands between spaces, a unary one next to its operand, and a statement begins a
+# line.
 
 function mutant(column, length_, operator, text) {
     if (text != substr(raw, column, length_))
