@@ -10,6 +10,8 @@
 
 struct fake_hidapi fake_hidapi;
 
+enum { QUIET_MOST_MS = 100 }; /* who waits for no longer waits for nothing to come */
+
 struct hid_device_ {
     struct reports reports;
 };
@@ -33,6 +35,12 @@ static void *copy(const void *data, size_t n_b)
 
     assert_non_null(to);
     return memcpy(to, data, n_b);
+}
+
+int hid_exit(void)
+{
+    if (fake_hidapi.opened != fake_hidapi.closed) fake_hidapi.ended_open = true;
+    return 0;
 }
 
 struct hid_device_info *hid_enumerate(unsigned short vendor_id, unsigned short product_id)
@@ -68,6 +76,7 @@ hid_device *hid_open_path(const char *path)
     for (unsigned i = 0; i < FAKE_PLACES; i++) {
         const struct fake_place *place = &fake_hidapi.places[i];
         if (!is_listed(place) || strcmp(place->path, path) != 0) continue;
+        if (place->open_untold) return NULL;
         errno = place->open_errno;
         if (place->open_errno) return NULL;
         fake_hidapi.opened++;
@@ -90,6 +99,7 @@ int hid_write(hid_device *device, const unsigned char *data, size_t length)
     assert_int_equal(length, 1 + device->reports.report_b);
     assert_int_equal(data[0], 0); /* reports have no numbers */
     if (device->reports.write(device->reports.ctx, data + 1) != 0) return -1;
+    errno = EINTR; /* a call that succeeds may leave anything there */
     return fake_hidapi.writes_short ? 7 : (int)length;
 }
 
@@ -98,6 +108,7 @@ int hid_read_timeout(hid_device *device, unsigned char *data, size_t length, int
     assert_int_equal(length, device->reports.report_b);
     assert_true(milliseconds > 0);
     if (milliseconds > fake_hidapi.longest_ms) fake_hidapi.longest_ms = milliseconds;
+    if (milliseconds > QUIET_MOST_MS && milliseconds < fake_hidapi.shortest_ms) fake_hidapi.shortest_ms = milliseconds;
     if (fake_hidapi.interrupted_every && ++fake_hidapi.reads % fake_hidapi.interrupted_every == 0) {
         errno = EINTR;
         return -1;

@@ -16,7 +16,8 @@ struct fake_place {
     const char *path;
     const wchar_t *serial; /* may be NULL */
     int interface;
-    int open_errno; /* opening it fails with that; 0: it does not */
+    int open_errno;   /* opening it fails with that; 0: it does not */
+    bool open_untold; /* opening it fails, and errno stays as it is */
 };
 
 struct fake_hidapi {
@@ -26,6 +27,8 @@ struct fake_hidapi {
     unsigned reads;
     bool writes_short; /* fewer bytes are written than were given */
     int longest_ms;    /* that a read was to wait at most, since this was 0 */
+    int shortest_ms;   /* and at least, of those that wait for an answer */
+    bool ended_open;   /* the library was left while something was open */
 };
 
 extern struct fake_hidapi fake_hidapi; /* hidapi has no contexts */

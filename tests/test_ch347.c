@@ -174,7 +174,8 @@ static void hidapi_finds_it_by_its_interface(void **state)
     emulated_bridge_init_ch347(&rig.bridge, rig.glass.port);
     serial_port = rig.bridge.cable;
     fake_hidapi = (struct fake_hidapi){
-        .places = {{&serial_port, "/dev/hidraw0", L"7", 0, 0}, {&rig.bridge.cable, "/dev/hidraw1", L"7", 1, 0}}};
+        .places = {{.cable = &serial_port, .path = "/dev/hidraw0", .serial = L"7"},
+                   {.cable = &rig.bridge.cable, .path = "/dev/hidraw1", .serial = L"7", .interface = 1}}};
     const struct bridge_options options = emulated_bridge_options(&rig.bridge);
     assert_int_equal(hid_port_open(&port, "7", &options), 0);
     port.clock = emulated_port_clock(rig.glass.port);

@@ -75,7 +75,8 @@ static int set_up(void **state)
 {
     (void)state;
     bridge_rig_setup(&rig, "st7735", 24, 9);
-    fake_hidapi = (struct fake_hidapi){.places = {{&rig.bridge.cable, "/dev/hidraw0", L"0001", 0, 0}}};
+    fake_hidapi =
+        (struct fake_hidapi){.places = {{.cable = &rig.bridge.cable, .path = "/dev/hidraw0", .serial = L"0001"}}};
     for (unsigned i = 1; i < FAKE_PLACES; i++)
         emulated_bridge_init(&others[i], rig.glass.port);
     return 0;
@@ -88,6 +89,7 @@ static int tear_down(void **state)
     port_close(&port);
     assert_int_equal(fake_hidapi.opened, fake_hidapi.closed);
     assert_int_equal(fake_hidapi.listed, fake_hidapi.freed);
+    assert_false(fake_hidapi.ended_open);
     return 0;
 }
 
@@ -107,7 +109,7 @@ static void connect_driver(void)
 
 static void plug_in(unsigned place, const char *path, const wchar_t *serial)
 {
-    fake_hidapi.places[place] = (struct fake_place){&others[place].cable, path, serial, 0, 0};
+    fake_hidapi.places[place] = (struct fake_place){.cable = &others[place].cable, .path = path, .serial = serial};
 }
 
 static void frames_arrive_whole(void **state)
@@ -153,11 +155,13 @@ static void waits_take_their_time(void **state)
 static void answers_are_waited_for_a_second(void **state)
 {
     (void)state;
-    for (long begin_ns = 1; begin_ns < 1000000000; begin_ns += 49999999) {
+    for (long begin_ns = 1; begin_ns < 1000000000; begin_ns += begin_ns < 900000000 ? 49999999 : 1000000) {
         fake_time.now = (struct timespec){7, begin_ns};
+        fake_hidapi.longest_ms = 0;
+        fake_hidapi.shortest_ms = BRIDGE_PATIENCE_MS;
         assert_int_equal(open_port(NULL), 0);
         assert_int_equal(fake_hidapi.longest_ms, BRIDGE_PATIENCE_MS - 1);
-        fake_hidapi.longest_ms = 0;
+        assert_int_equal(fake_hidapi.shortest_ms, BRIDGE_PATIENCE_MS - 1);
         port_close(&port);
     }
 }
@@ -241,7 +245,8 @@ static void of_several_none_is_taken_unasked(void **state)
     plug_in(1, "/dev/hidraw1", L"0002");
     plug_in(2, "/dev/hidraw2", NULL);
     assert_int_equal(open_port(NULL), -EEXIST);
-    assert_text(
+    assert_string_equal(
+        port.error,
         "USB-HID bridge: there are several; choose by serial number: 0001, 0002, one without a readable serial number");
     assert_int_equal(open_port(""), -EEXIST);
     assert_int_equal(fake_hidapi.opened, 0);
@@ -264,11 +269,41 @@ static void a_bridge_that_is_not_there_is_told(void **state)
 {
     (void)state;
     assert_int_equal(open_port("0007"), -ENODEV);
-    assert_text("USB-HID bridge 0007: none has that serial number; there is 0001");
+    assert_string_equal(port.error, "USB-HID bridge 0007: none has that serial number; there is 0001");
+    plug_in(1, "/dev/hidraw1", L"0002");
+    assert_int_equal(open_port("0002"), 0);
+    port_close(&port);
+    fake_hidapi.places[1].cable = NULL; /* and is no longer found, whatever memory holds of it */
+    assert_int_equal(open_port("0002"), -ENODEV);
+    assert_string_equal(port.error, "USB-HID bridge 0002: none has that serial number; there is 0001");
     fake_hidapi.places[0].cable = NULL;
     assert_int_equal(open_port(NULL), -ENODEV);
     assert_text("USB-HID bridge: none is plugged in (MCP2210 is USB 04d8:00de, CH347T in its HID mode 1a86:55dc)");
     assert_null(port.close);
+}
+
+static void the_longest_serial_number_is_named_whole(void **state)
+{
+    static const char longest[] = "012345678901234567890123456789012345678901234567890123456789012";
+
+    (void)state;
+    assert_int_equal(strlen(longest), HID_SERIAL_B - 1);
+    assert_int_equal(open_port(longest), -ENODEV);
+    assert_memory_equal(port.error, "USB-HID bridge ", 15);
+    assert_memory_equal(port.error + 15, longest, sizeof longest - 1);
+    assert_string_equal(port.error + 15 + sizeof longest - 1, ": none has that serial number; there is 0001");
+}
+
+/* As by libusb, whatever errno was before. */
+static void an_error_without_a_number_may_be_one_of_permissions(void **state)
+{
+    (void)state;
+    fake_hidapi.places[0].open_untold = true;
+    for (int before = 0; before < 20; before++) {
+        errno = before;
+        assert_int_equal(open_port(NULL), -EIO);
+        assert_text("MCP2210: cannot be opened, mostly for want of permission; put ATTRS{idVendor}==\"04d8\"");
+    }
 }
 
 static void a_lack_of_memory_is_told(void **state)
@@ -435,6 +470,8 @@ int main(void)
         cmocka_unit_test_setup_teardown(of_several_none_is_taken_unasked, set_up, tear_down),
         cmocka_unit_test_setup_teardown(of_many_serial_numbers_the_first_are_named, set_up, tear_down),
         cmocka_unit_test_setup_teardown(a_bridge_that_is_not_there_is_told, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(the_longest_serial_number_is_named_whole, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(an_error_without_a_number_may_be_one_of_permissions, set_up, tear_down),
         cmocka_unit_test_setup_teardown(a_lack_of_memory_is_told, set_up, tear_down),
         cmocka_unit_test_setup_teardown(a_lack_of_permission_names_the_rule, set_up, tear_down),
         cmocka_unit_test_setup_teardown(an_error_that_is_no_unplugging_is_told_as_hidapi_does, set_up, tear_down),

@@ -44,11 +44,11 @@ size_t hid_bridges_find(struct hid_bridge found[HID_BRIDGES_MAX])
     return n;
 }
 
+/* Of one bridge at least. */
 static void list_serials(const struct hid_bridge *found, size_t n, char *text, size_t text_b)
 {
     size_t used_b = 0;
 
-    text[0] = '\0';
     for (size_t i = 0; i < n && used_b < text_b; i++)
         used_b += (size_t)snprintf(text + used_b, text_b - used_b, "%s%s", i ? ", " : "",
                                    found[i].serial[0] ? found[i].serial : "one without a readable serial number");
@@ -61,11 +61,11 @@ int hid_bridges_choose(const char *serial, struct hid_bridge *out, char why[HID_
     const bool is_any = !serial || !serial[0];
     char serials[HID_WHY_B / 2];
 
-    list_serials(found, n, serials, sizeof serials);
     if (n == 0) {
         snprintf(why, HID_WHY_B, "none is plugged in (MCP2210 is USB 04d8:00de, CH347T in its HID mode 1a86:55dc)");
         return -ENODEV;
     }
+    list_serials(found, n, serials, sizeof serials);
     if (is_any && n > 1) {
         snprintf(why, HID_WHY_B, "there are several; choose by serial number: %s", serials);
         return -EEXIST;
