@@ -440,6 +440,18 @@ static void plugs_may_be_pulled_at_any_report(void **state)
     assert_true(n > 60);
 }
 
+/* As many as are looked at, and ours no more among them. */
+static void one_of_many_may_be_unplugged(void **state)
+{
+    (void)state;
+    for (unsigned i = 1; i < FAKE_PLACES; i++)
+        plug_in(i, "/dev/hidraw7", L"0002");
+    assert_int_equal(open_port("0001"), 0);
+    rig.bridge.cable.unplugged = true;
+    assert_int_equal(pin_set(&port.dc, true), -ENODEV);
+    assert_string_equal(port.error, "MCP2210 0001: unplugged; plug it in again");
+}
+
 static void a_bridge_without_a_serial_number_comes_back_as_the_only_one(void **state)
 {
     (void)state;
@@ -479,6 +491,7 @@ int main(void)
         cmocka_unit_test_setup_teardown(each_error_has_its_own_reason, set_up, tear_down),
         cmocka_unit_test_setup_teardown(a_report_cut_short_is_an_error, set_up, tear_down),
         cmocka_unit_test_setup_teardown(plugs_may_be_pulled_at_any_report, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(one_of_many_may_be_unplugged, set_up, tear_down),
         cmocka_unit_test_setup_teardown(a_bridge_without_a_serial_number_comes_back_as_the_only_one, set_up, tear_down),
     };
     return cmocka_run_group_tests_name("hid_port", tests, NULL, NULL);
