@@ -270,6 +270,22 @@ static void the_stm32f4_runs_by_its_pll_from_wherever_it_was(void **state)
             }
 }
 
+/* RM0090, 3.5.1: who raises the clock reads the wait states back first. */
+static void an_stm32f4_whose_flash_takes_no_wait_states_stays_slow(void **state)
+{
+    (void)state;
+    start_stm32(&f4, &f4_left[0], 8000000, 2);
+    has_wait_states = false;
+    const struct stm32f4_clocks clocks = stm32f4_rcc_init((struct stm32f4_rcc *)(void *)page, word(ACR_B), hse_hz);
+    watched_stop();
+    assert_quiet();
+    assert_int_equal(clocks.cpu_hz, 16000000);
+    assert_int_equal(clocks.apb1_hz, 16000000);
+    assert_int_equal(clocks.apb2_hz, 16000000);
+    assert_int_equal(cpu_hz(), 16000000);
+    assert_int_equal(seen_cr & (oscillators[BY_HSE] | oscillators[BY_PLL]), 0);
+}
+
 static uint32_t reads_since; /* of a register, since it was written */
 
 static void one_is_read(size_t at_b)
@@ -425,6 +441,7 @@ int main(void)
         cmocka_unit_test(the_stm32f1_runs_by_its_pll_from_wherever_it_was),
         cmocka_unit_test(an_stm32f100_without_wait_states_stays_slow),
         cmocka_unit_test(the_stm32f4_runs_by_its_pll_from_wherever_it_was),
+        cmocka_unit_test(an_stm32f4_whose_flash_takes_no_wait_states_stays_slow),
         cmocka_unit_test(clocks_of_peripherals_are_read_back),
         cmocka_unit_test(the_lm3s_runs_by_its_pll_from_wherever_it_was),
         cmocka_unit_test(the_lm3s_s_pll_is_given_its_time),

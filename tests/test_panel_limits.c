@@ -159,6 +159,7 @@ static void glass_is_within_the_memory(void **state)
         assert_int_equal(panel.h_px, chip->h_px);
         assert_int_equal(panel.step_x_px, step_x_px);
         assert_int_equal(panel.step_y_px, step_y_px);
+        assert_int_equal(panel_init(&panel), 0);
         wish.w_px = (uint16_t)(chip->w_px + step_x_px);
         ASSERT_TAKES(chip, &wish, false);
         wish.w_px = 0;
