@@ -335,7 +335,7 @@ bool camera_path_to_camera(const struct camera_path *path, size_t frame, const s
     double near_q8 = round(lens->near_m * grid->units_per_m * 256.0);
     if (!(near_q8 >= 1.0 && near_q8 <= NEAR_MAX_Q8))
         return error_set(err, "--near %g: out of range; this scene allows %.3g to %.3g m", lens->near_m,
-                         1.0 / 256.0 / grid->units_per_m, NEAR_MAX_Q8 / 256.0 / grid->units_per_m);
+                         lens_least_near_m(lens, grid) * LENS_PRINTED_UP, NEAR_MAX_Q8 / 256.0 / grid->units_per_m);
     camera->near_q8 = (int32_t)near_q8;
 
     double direction[3];

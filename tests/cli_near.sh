@@ -80,6 +80,14 @@ tap_check "render does" refused "$nearer" render "$ground" --drop-small --near 1
 tap_check "measure does" refused "$nearer" measure "$ground" --drop-small --near 1 --no-cost -o "$work/out"
 tap_check "view does" refused "$nearer" view "$ground" --drop-small --near 1
 tap_check "a lens of 20 degrees has it farther off" refused '--near 12: nothing nearer than 3[0-9]\.[0-9] m' render "$ground" --drop-small --near 12 --fov 20 -o "$work/out/%d.png"
+range_is_true() { # MODEL: the nearest plane that a refusal names is drawn with, half of it is refused
+    ! "$limner" render "$1" --near 1000000 -o "$work/out/%d.png" 2>"$work/said" || return 1
+    cat "$work/said"
+    least_m=$(sed -n 's/.*out of range; this scene allows \([^ ]*\) to [^ ]* m$/\1/p' "$work/said")
+    "$limner" render "$1" --camera random:1:1 --near "$least_m" && echo "$least_m" &&
+        ! "$limner" render "$1" --camera random:1:1 --near "$(echo "$least_m" | awk '{ print $1 / 2 }')"
+}
+tap_check "one that is too far off is told the range, whose lower end is the nearest" range_is_true sim/scenes/teapot.obj
 tap_check "compile refuses none at all" refused '--near 0: the near plane must lie in front of the eye' compile "$ground" --near 0 -o "$work/out/x"
 
 # A box of 0.3 mm: less than a pixel from 10 cm, half a screen from 1 mm. Boxes of 0.1 to 0.4 m: less than a pixel from 90 m.
