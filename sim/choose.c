@@ -16,7 +16,6 @@
 
 enum { FOV_DEG = 60 };
 static const double CHOICE_SHARE = 0.5; /* of the time: then the scene is compiled for what was chosen */
-static const double SCENES_SHARE = 0.5; /* of that, what the first scene leaves: then they are drawn */
 
 /* What is measured: the model, its scene without and with fractions, the views. */
 struct trial {
@@ -61,28 +60,15 @@ static bool sample_path(struct trial *trial, const struct compiled *scene, struc
 /* All but exact share a scene; exact, the last, is left out if its own takes too long. Those that are refused leave the
  * rows. */
 static bool compile_rows(struct trial *trial, const struct compile_options *options, struct choice *choice,
-                         const char *model_path, struct error *err)
+                         struct error *err)
 {
-    const struct deadline_end whole = deadline_end();
-    const size_t count = choice->count;
-    choice->count = 0;
-    for (size_t i = 0; i < count; i++) {
-        const struct core *core = choice->rows[i].core;
-        struct measure_candidate *candidate = &trial->candidates[choice->count];
-        candidate->core = core;
-        if (measure_scene_for(&trial->scenes, &trial->source, core, options, &candidate->scene, err)) {
-            choice->rows[choice->count] = choice->rows[i];
-            if (!choice->count++) deadline_share(SCENES_SHARE);
-        } else if (!deadline_passed()) {
-            measure_refusals_add(&choice->refused, core, err);
-        } else if (choice->count) {
-            deadline_say("precisions without %s", core->name);
-        } else {
-            return error_prefix(err, model_path);
-        }
-    }
-    deadline_restore(whole);
-    return choice->count || measure_refusals_set(&choice->refused, model_path, err);
+    for (size_t i = 0; i < choice->count; i++)
+        trial->candidates[i].core = choice->rows[i].core;
+    const bool ok = measure_compile(&trial->scenes, &trial->source, options, trial->candidates, &choice->count,
+                                    &choice->refused, err);
+    for (size_t i = 0; i < choice->count; i++)
+        choice->rows[i].core = trial->candidates[i].core;
+    return ok;
 }
 
 static bool prepare(struct trial *trial, const char *model_path, const struct compile_options *options,
@@ -90,7 +76,7 @@ static bool prepare(struct trial *trial, const char *model_path, const struct co
 {
     if (!camera_choice_read(&bound->cameras, &trial->path, err)) return false;
     if (!measure_source_read(&trial->source, model_path, options, options->w_px, options->h_px, err)) return false;
-    if (!compile_rows(trial, options, choice, model_path, err)) return false;
+    if (!compile_rows(trial, options, choice, err)) return false;
     const struct compiled *scene = trial->candidates[0].scene;
     return lens_for_grid(&trial->lens, FOV_DEG, options->near_m, &scene->grid, options->w_px, options->h_px, err) &&
            (bound->cameras.text ? camera_choice_plan(&bound->cameras, scene, &trial->lens, 0, &trial->path, err)

@@ -35,31 +35,19 @@ struct measurement {
 
 /* Start -------------------------------------------------------------------------------------- */
 
-/* Of the time that the first scene leaves; the rest is for pictures and instructions. */
-static const double COMPILE_SHARE = 0.5;
-
 /* Rows whose scene takes too long, or is refused, are left out, as long as there are others. */
 static bool compile_rows(struct measurement *measurement, struct error *err)
 {
     const struct measure_request *request = &measurement->request;
-    const struct deadline_end whole = deadline_end();
-    size_t *count = &measurement->table.row_count;
-    for (size_t i = 0; i < request->core_count; i++) {
-        const struct core *core = request->cores[i];
-        measurement->table.rows[*count].core = measurement->candidates[*count].core = core;
-        const bool ok = measure_scene_for(&measurement->scenes, &measurement->source, core, &request->compile,
-                                          &measurement->candidates[*count].scene, err);
-        if (ok && !(*count)++) deadline_share(COMPILE_SHARE);
-        if (ok) continue;
-        if (!deadline_passed())
-            measure_refusals_add(&measurement->table.refused, core, err);
-        else if (*count)
-            deadline_say("rows without %s", core->name);
-        else
-            return error_prefix(err, request->model);
-    }
-    deadline_restore(whole);
-    return *count || measure_refusals_set(&measurement->table.refused, request->model, err);
+    struct measure_table *table = &measurement->table;
+    table->row_count = request->core_count;
+    for (size_t i = 0; i < request->core_count; i++)
+        measurement->candidates[i].core = request->cores[i];
+    const bool ok = measure_compile(&measurement->scenes, &measurement->source, &request->compile,
+                                    measurement->candidates, &table->row_count, &table->refused, err);
+    for (size_t i = 0; i < table->row_count; i++)
+        table->rows[i].core = measurement->candidates[i].core;
+    return ok;
 }
 
 static bool prepare(struct measurement *measurement, struct error *err)

@@ -10,6 +10,7 @@
 #include "compare.h"
 #include "compiled.h"
 #include "map.h"
+#include "measure_refusals.h"
 #include "simulator.h"
 #include "unsettled.h"
 
@@ -91,6 +92,13 @@ struct measure_scenes {
  * nothing. Compiled when first asked for; what was refused is not tried again. */
 bool measure_scene_for(struct measure_scenes *scenes, const struct measure_source *source, const struct core *core,
                        const struct compile_options *options, const struct compiled **out, struct error *err);
+
+/* Gives the candidates, whose renderers are named and of which there are *count, their scenes. Those that are refused
+ * (and added to `refused`), or take more than half of the time that the first scene leaves, go from the list; one at
+ * least stays, or it is an error that names the model. */
+bool measure_compile(struct measure_scenes *scenes, const struct measure_source *source,
+                     const struct compile_options *options, struct measure_candidate *candidates, size_t *count,
+                     struct measure_refusals *refused, struct error *err);
 
 void measure_scenes_free(struct measure_scenes *scenes);
 

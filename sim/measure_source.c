@@ -203,6 +203,31 @@ bool measure_scene_for(struct measure_scenes *scenes, const struct measure_sourc
     return false;
 }
 
+bool measure_compile(struct measure_scenes *scenes, const struct measure_source *source,
+                     const struct compile_options *options, struct measure_candidate *candidates, size_t *count,
+                     struct measure_refusals *refused, struct error *err)
+{
+    const double share = 0.5; /* the rest is for pictures and instructions */
+    const struct deadline_end whole = deadline_end();
+    const size_t wanted = *count;
+    *count = 0;
+    for (size_t i = 0; i < wanted; i++) {
+        struct measure_candidate *candidate = &candidates[*count];
+        candidate->core = candidates[i].core;
+        if (measure_scene_for(scenes, source, candidate->core, options, &candidate->scene, err)) {
+            if (!(*count)++) deadline_share(share);
+        } else if (!deadline_passed()) {
+            measure_refusals_add(refused, candidate->core, err);
+        } else if (*count) {
+            deadline_say("precisions without %s", candidate->core->name);
+        } else {
+            return error_prefix(err, source->path);
+        }
+    }
+    deadline_restore(whole);
+    return *count || measure_refusals_set(refused, source->path, err);
+}
+
 void measure_scenes_free(struct measure_scenes *scenes)
 {
     compiled_free(&scenes->plain);
