@@ -316,6 +316,7 @@ static void cameras_out_of_range_are_refused(void **state)
 
 static void set_ups_that_cannot_work_are_refused(void **state)
 {
+    enum { BAD = 8 };
     struct random random = {36};
     struct stage stage;
 
@@ -325,19 +326,89 @@ static void set_ups_that_cannot_work_are_refused(void **state)
     const struct lim_target good = target_of(&stage, LIM_NEAREST_FIRST);
     const size_t least_b = lim_mem_min_b(&scene, &good);
     void *mem = malloc(least_b);
-    struct lim_target bad[4] = {good, good, good, good};
+    struct lim_target bad[BAD];
+    for (int i = 0; i < BAD; i++)
+        bad[i] = good;
     bad[0].w_px = 0;
     bad[1].h_px = LIM_MAX_SIDE_PX + 1;
     bad[2].lend = NULL;
     bad[3].format = (enum lim_format)77;
-    for (int i = 0; i < 4; i++) {
+    bad[4].w_px = LIM_MAX_SIDE_PX + 1;
+    bad[5].h_px = 0;
+    bad[6].done = NULL;
+    bad[7].method = (enum lim_method)77;
+    for (int i = 0; i < BAD; i++)
         assert_int_equal(lim_init(&stage.lim, &scene, &bad[i], mem, least_b), LIM_ERR_TARGET);
-    }
     assert_int_equal(lim_init(&stage.lim, &scene, &good, mem, least_b - 1), LIM_ERR_MEMORY);
     assert_int_equal(lim_init(&stage.lim, &scene, &good, mem, least_b), LIM_OK);
     scene.limits.vertices = LIM_MAX_VERTICES + 1;
     assert_int_equal(lim_init(&stage.lim, &scene, &good, mem, least_b), LIM_ERR_SCENE);
     free(mem);
+    stage_free(&stage);
+}
+
+static int init_with_the_least(struct lim *lim, const struct lim_scene *scene, const struct lim_target *target)
+{
+    const size_t mem_b = lim_mem_min_b(scene, target) + 4;
+    void *mem = malloc(mem_b);
+
+    assert_non_null(mem);
+    const int err = lim_init(lim, scene, target, mem, mem_b);
+    free(mem);
+    return err;
+}
+
+/* At each bound, and one beyond. */
+static void set_ups_at_the_bounds_work(void **state)
+{
+    static const uint16_t sides_px[] = {1, LIM_MAX_SIDE_PX};
+    static const struct lim_node node = {{LIM_PLANE_X, 5}, LIM_NO_INDEX, LIM_NO_INDEX, 0, LIM_NO_INDEX, LIM_NO_INDEX};
+    struct lim_scene scene = {.nodes = &node, .node_count = 1, .limits = {.depth = 1, .vertices = LIM_MAX_VERTICES}};
+    static struct stage stage;
+
+    (void)state;
+    struct lim_target target = target_of(&stage, LIM_NEAREST_FIRST);
+    for (int i = 0; i < 4; i++) {
+        target.w_px = sides_px[i & 1];
+        target.h_px = sides_px[i >> 1];
+        assert_int_equal(init_with_the_least(&stage.lim, &scene, &target), LIM_OK);
+    }
+    target = target_of(&stage, LIM_NEWELL);
+    scene.polygon_count = LIM_SORTED_MAX;
+    assert_int_equal(init_with_the_least(&stage.lim, &scene, &target), LIM_OK);
+    scene.polygon_count++;
+    assert_int_equal(init_with_the_least(&stage.lim, &scene, &target), LIM_ERR_SCENE);
+    target.method = LIM_PAINTER;
+    assert_int_equal(init_with_the_least(&stage.lim, &scene, &target), LIM_OK);
+    target.method = LIM_CONVEX;
+    scene.polygon_count = LIM_NONE - 1;
+    assert_int_equal(init_with_the_least(&stage.lim, &scene, &target), LIM_OK);
+    scene.polygon_count++;
+    assert_int_equal(init_with_the_least(&stage.lim, &scene, &target), LIM_ERR_SCENE);
+}
+
+/* What is convex has a tree without forks, of as many levels as nodes, each of them a face. */
+static void trees_that_are_not_of_something_convex_are_refused(void **state)
+{
+    static const struct lim_node face = {{LIM_PLANE_X, 5}, 1, LIM_NO_INDEX, LIM_NO_INDEX, LIM_NO_INDEX, LIM_NO_INDEX};
+    static const struct lim_node leaf = {{LIM_NO_INDEX, 0}, LIM_NO_INDEX, LIM_NO_INDEX,
+                                         LIM_NO_INDEX,      LIM_NO_INDEX, LIM_NO_INDEX};
+    struct random random = {418};
+    struct stage stage;
+
+    (void)state;
+    stage_init(&stage, &random);
+    const struct lim_target target = target_of(&stage, LIM_CONVEX);
+    for (int kind = 0; kind < 3; kind++) {
+        const struct lim_node nodes[2] = {face, kind == 1 ? leaf : face};
+        const struct lim_scene scene = {
+            .nodes = nodes, .node_count = 2, .limits = {.depth = kind == 2 ? 1 : 2, .vertices = 4, .active = 2}};
+        const size_t mem_b = lim_mem_b(&scene, &target);
+        void *mem = malloc(mem_b + 4);
+        assert_non_null(mem);
+        assert_int_equal(lim_init(&stage.lim, &scene, &target, mem, mem_b + 4), kind ? LIM_ERR_SCENE : LIM_OK);
+        free(mem);
+    }
     stage_free(&stage);
 }
 
@@ -443,6 +514,8 @@ int main(void)
         cmocka_unit_test(a_target_that_fails_at_any_call_ends_the_frame_and_the_next_is_whole),
         cmocka_unit_test(cameras_out_of_range_are_refused),
         cmocka_unit_test(set_ups_that_cannot_work_are_refused),
+        cmocka_unit_test(set_ups_at_the_bounds_work),
+        cmocka_unit_test(trees_that_are_not_of_something_convex_are_refused),
         cmocka_unit_test(what_is_not_visible_is_not_painted),
         cmocka_unit_test(errors_are_not_taken_for_others),
         cmocka_unit_test(what_memory_held_before_does_not_matter),

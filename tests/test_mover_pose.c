@@ -687,6 +687,36 @@ static void corners_are_added_where_the_plane_is_crossed(void **state)
     stage_close(&stage);
 }
 
+/* What of it reaches 5 units before the plane is cut off, and the rest lies on it: it is before the plane, as the whole
+ * is. */
+static void sides_are_the_wholes_as_long_as_they_decide(void **state)
+{
+    enum { OF, CUT, POLYGONS };
+    static const struct lim_plane_wide along_x = {.n = {1, 0, 0}, .slack = 1, .narrow = true, .axis = 0};
+    static const int16_t at[3] = {0, 0, 0};
+    static struct stage stage;
+
+    (void)state;
+    stage_open(&stage, at);
+    stage.lim.movers.instances = &stage.instance;
+    for (int sign = -1; sign <= 1; sign += 2) {
+        const int16_t whole[3][3] = {{0, 0, 0}, {0, 10, 0}, {(int16_t)(5 * sign), 10, 0}};
+        const int16_t cutter[3][3] = {{0, 1, 0}, {0, 1, 9}, {9, 1, 0}}; /* faces up */
+        set_init(&stage.object);
+        set_add(&stage.object, 1, 3, whole);
+        set_add(&stage.object, 2, 3, cutter);
+        for (int i = 0; i < POLYGONS; i++) {
+            const lim_index words = (lim_index)lim_record_words(stage.object.polygons[0]);
+            stage.lim.sorter.list[i] = (struct lim_sorted){.record = i == CUT ? words : 0, .next = LIM_NONE};
+            stage.lim.sorter.newell.polygons[i] = (struct lim_newell_polygon){.cuts = LIM_NONE, .owner = 0};
+        }
+        stage.lim.sorter.newell.cuts[0] = (struct lim_cut){LIM_NONE, CUT};
+        stage.lim.sorter.newell.polygons[OF].cuts = 0;
+        assert_int_equal(lim_piece_sides_of(&stage.lim, OF, &along_x), sign > 0 ? LIM_SIDE_FRONT : LIM_SIDE_BACK);
+    }
+    stage_close(&stage);
+}
+
 /* The scene's limit and what cuts may add, of which a corner may bring two: one more than it has need be. */
 static void polygons_have_as_many_corners_as_cuts_may_add(void **state)
 {
@@ -772,6 +802,7 @@ int main(void)
         cmocka_unit_test(eyes_at_the_bounds_are_near_enough),
         cmocka_unit_test(sides_within_an_object_are_its_own),
         cmocka_unit_test(corners_are_added_where_the_plane_is_crossed),
+        cmocka_unit_test(sides_are_the_wholes_as_long_as_they_decide),
         cmocka_unit_test(polygons_have_as_many_corners_as_cuts_may_add),
         cmocka_unit_test(memory_is_taken_to_its_end),
     };
