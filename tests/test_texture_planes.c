@@ -250,6 +250,17 @@ static double texel_of(const struct lim_gradients *gradients, int i, int x, int 
     return gradients->eye_uv_q16[i] / 65536.0 + way;
 }
 
+/* Texels do not go past the stretch's end, but for what is cut to units; and as near to it as a reciprocal of 15 bits
+ * takes them, which is exact for powers of two. */
+static void check_share(double step_q16, double way_q16, int steps)
+{
+    const double share_q16 = way_q16 / steps, off_q16 = steps & (steps - 1) ? fabs(way_q16) / 32768 : 0;
+
+    assert_true(fabs(step_q16 - share_q16) <= 2 + off_q16);
+    if (way_q16 > 0) assert_true(step_q16 <= share_q16);
+    if (way_q16 < 0) assert_true(step_q16 >= share_q16 - 2);
+}
+
 static void check_line(const struct stage *stage, const struct lim_gradients *gradients, struct random *random)
 {
     const int y = (int)random_in(random, 0, stage->h_px - 1), left = (int)random_in(random, 0, stage->w_px - 1);
@@ -272,6 +283,7 @@ static void check_line(const struct stage *stage, const struct lim_gradients *gr
             assert_true(apart(line.to.uv_q16[i] / 65536.0, end) <= off);
             const double way_q16 = (int32_t)(line.to.uv_q16[i] - line.at.uv_q16[i]);
             const double steps = last > begin ? last - begin : 1, share_q16 = way_q16 / steps;
+            check_share(line.step_q16[i], way_q16, (int)steps);
             assert_true(fabs(line.step_q16[i] - share_q16) <= 2 + fabs(share_q16) / 2000);
         }
         assert_int_equal(line.level, line.at.level < line.to.level ? line.at.level : line.to.level);
