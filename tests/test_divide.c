@@ -311,9 +311,32 @@ static void balls_are_taken_apart_where_they_reach_the_plane(void **state)
     assert_true(found[0] > ROUNDS / 10 && found[1] > ROUNDS / 10);
 }
 
+/* Room for so many entries is room for as many cuts: the most of either that there was. */
+static void entries_are_counted_with_their_cuts(void **state)
+{
+    static const uint16_t used[][2] = {{3, 0}, {3, 3}, {2, 7}, {7, 6}, {6, 1}, {9, 8}, {8, 10}, {1, 1}};
+    static struct stage stage;
+    struct lim_sorter *sorter = &stage.lim.sorter;
+    uint32_t most = 0;
+
+    (void)state;
+    stage_open(&stage);
+    stage.lim.stats.movers.entries = 0;
+    for (size_t k = 0; k < sizeof used / sizeof *used; k++) {
+        sorter->used = used[k][0];
+        sorter->newell.cuts_used = used[k][1];
+        for (int i = 0; i < 2; i++)
+            if (used[k][i] > most) most = used[k][i];
+        lim_movers_note_entries(&stage.lim);
+        assert_int_equal(stage.lim.stats.movers.entries, most);
+    }
+    stage_close(&stage);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(entries_are_counted_with_their_cuts),
         cmocka_unit_test(polygons_go_where_their_corners_are),
         cmocka_unit_test(centres_decide_for_those_that_enter_by_them),
         cmocka_unit_test(balls_are_taken_apart_where_they_reach_the_plane),
