@@ -39,10 +39,11 @@ if [ -f "$folder/$key.ci" ]; then
     exit 0
 fi
 "$@" -o "$object"
-# Whole or not at all, the graph last; what nobody asked for in two months goes.
+# Whole or not at all, the graph last.
 for kind in o ci; do
     made=$object
     [ $kind = o ] || made=$stem.ci
     cp "$made" "$text" && mv "$text" "$folder/$key.$kind"
 done
-find "$folder" -type f -mtime +60 -delete
+# What nobody asked for in two months goes. Another compiler's text may go at the same time.
+find "$folder" -type f -mtime +60 -delete 2>/dev/null || true
