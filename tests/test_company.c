@@ -3,6 +3,7 @@
  * Objects that move where nothing else is: each is seen as its records say, in both orders of the tree; those whose
  * extents in depth do not overlap are painted one after the other, and others polygon by polygon. */
 #include "cmocka_ready.h"
+#include "plain_lines.h"
 #include "random.h"
 #include "set_rig.h"
 #include "state.h"
@@ -18,19 +19,9 @@ struct stage {
     struct lim_instance instances[OBJECTS];
     struct lim lim;
     void *mem, *mover_mem;
+    struct plain_lines lines;
     uint16_t pixels[SET_SIDE_PX][SET_SIDE_PX];
 };
-
-static void *lend(void *ctx, uint16_t y_px)
-{
-    return ((struct stage *)ctx)->pixels[y_px];
-}
-
-static int done(void *ctx, uint16_t y_px, uint16_t x_px, uint16_t n_px)
-{
-    (void)ctx, (void)y_px, (void)x_px, (void)n_px;
-    return 0;
-}
 
 static const enum lim_method orders[] = {LIM_NEAREST_FIRST, LIM_PAINTER};
 enum { ORDERS = sizeof orders / sizeof *orders };
@@ -51,17 +42,12 @@ static void stage_init(struct stage *stage)
 static const struct lim_stats *draw(struct stage *stage, enum lim_method method, uint16_t count)
 {
     const struct lim_movers_limits limits = {OBJECTS, 1, ENTRIES};
-    const struct lim_target target = {.w_px = SET_SIDE_PX,
-                                      .h_px = SET_SIDE_PX,
-                                      .format = LIM_RGB565,
-                                      .method = method,
-                                      .ctx = stage,
-                                      .lend = lend,
-                                      .done = done};
+    const struct lim_target target = plain_lines_target(&stage->lines, SET_SIDE_PX, SET_SIDE_PX, method);
     const struct lim_camera camera = set_camera(false);
     const size_t mem_b = lim_mem_b(&stage->nothing.scene, &target);
     const size_t mover_mem_b = lim_movers_mem_b(&stage->nothing.scene, &limits);
 
+    stage->lines = (struct plain_lines){stage->pixels[0], SET_SIDE_PX};
     free(stage->mem);
     free(stage->mover_mem);
     stage->mem = malloc(mem_b);

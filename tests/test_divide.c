@@ -6,6 +6,7 @@
 #include "corners.h"
 #include "limner.h"
 #include "order.h"
+#include "plain_lines.h"
 #include "plane.h"
 #include "random_camera.h"
 #include "set_rig.h"
@@ -23,34 +24,16 @@ struct stage {
     struct lim_instance instance;
     struct lim_box box;
     struct lim lim;
+    struct plain_lines lines;
     uint16_t line[SIDE_PX];
     void *mem, *mover_mem;
     int64_t n[3], d;
 };
 
-static void *lend(void *ctx, uint16_t y_px)
-{
-    (void)y_px;
-    return ((struct stage *)ctx)->line;
-}
-
-static int done(void *ctx, uint16_t y_px, uint16_t x_px, uint16_t n_px)
-{
-    (void)ctx, (void)y_px, (void)x_px, (void)n_px;
-    return 0;
-}
-
 static void stage_open(struct stage *stage)
 {
     static const int16_t triangle[3][3] = {{0, 0, 0}, {90, 0, 0}, {0, 90, 0}};
     const struct lim_movers_limits limits = {MOVERS, 1, ENTRIES};
-    const struct lim_target target = {.w_px = SIDE_PX,
-                                      .h_px = SIDE_PX,
-                                      .format = LIM_RGB565,
-                                      .method = LIM_NEAREST_FIRST,
-                                      .ctx = stage,
-                                      .lend = lend,
-                                      .done = done};
 
     memset(stage, 0, sizeof *stage);
     set_init(&stage->scene);
@@ -62,6 +45,8 @@ static void stage_open(struct stage *stage)
     stage->node = (struct lim_node){{0, 0}, LIM_NO_INDEX, LIM_NO_INDEX, LIM_NO_INDEX, LIM_NO_INDEX, LIM_NO_INDEX};
     stage->scene.scene.nodes = &stage->node;
     stage->scene.scene.plane_count = stage->scene.scene.exact_count = 1;
+    stage->lines.pixels = stage->line;
+    const struct lim_target target = plain_lines_target(&stage->lines, SIDE_PX, SIDE_PX, LIM_NEAREST_FIRST);
     const size_t mem_b = lim_mem_b(&stage->scene.scene, &target);
     const size_t mover_mem_b = lim_movers_mem_b(&stage->scene.scene, &limits);
     stage->mem = malloc(mem_b);

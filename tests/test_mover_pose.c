@@ -8,6 +8,7 @@
 #include "order.h"
 #include "orientation.h"
 #include "piece.h"
+#include "plain_lines.h"
 #include "plane.h"
 #include "random_camera.h"
 #include "set_rig.h"
@@ -23,21 +24,10 @@ struct stage {
     struct set scene, object;
     struct lim_instance instance;
     struct lim lim;
+    struct plain_lines lines;
     uint16_t line[SIDE_PX];
     void *mem, *mover_mem;
 };
-
-static void *lend(void *ctx, uint16_t y_px)
-{
-    (void)y_px;
-    return ((struct stage *)ctx)->line;
-}
-
-static int done(void *ctx, uint16_t y_px, uint16_t x_px, uint16_t n_px)
-{
-    (void)ctx, (void)y_px, (void)x_px, (void)n_px;
-    return 0;
-}
 
 static void add_triangles(struct set *set, const int16_t at[3])
 {
@@ -63,18 +53,13 @@ static struct lim_movers_limits limits_of(uint16_t entries)
 static void stage_open(struct stage *stage, const int16_t at[3])
 {
     static const int16_t origin[3] = {0, 0, -2000};
-    const struct lim_target target = {.w_px = SIDE_PX,
-                                      .h_px = SIDE_PX,
-                                      .format = LIM_RGB565,
-                                      .method = LIM_NEAREST_FIRST,
-                                      .ctx = stage,
-                                      .lend = lend,
-                                      .done = done};
     const struct lim_movers_limits limits = limits_of(ENTRIES);
 
     memset(stage, 0, sizeof *stage);
     add_triangles(&stage->scene, origin);
     add_triangles(&stage->object, at);
+    stage->lines.pixels = stage->line;
+    const struct lim_target target = plain_lines_target(&stage->lines, SIDE_PX, SIDE_PX, LIM_NEAREST_FIRST);
     const size_t mem_b = lim_mem_b(&stage->scene.scene, &target);
     const size_t mover_mem_b = lim_movers_mem_b(&stage->scene.scene, &limits);
     stage->mem = malloc(mem_b);

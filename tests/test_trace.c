@@ -6,6 +6,7 @@
 #include "cmocka_ready.h"
 #include "order.h"
 #include "piece.h"
+#include "plain_lines.h"
 #include "random.h"
 #include "set_rig.h"
 
@@ -28,6 +29,7 @@ struct stage {
     struct set set;
     struct lim lim;
     void *mem;
+    struct plain_lines lines;
     uint16_t line[W_PX];
     struct surface planes[2];
 };
@@ -136,18 +138,6 @@ static bool make_pair(struct stage *stage, struct random *random)
     return true;
 }
 
-static void *lend(void *ctx, uint16_t y_px)
-{
-    (void)y_px;
-    return ((struct stage *)ctx)->line;
-}
-
-static int done(void *ctx, uint16_t y_px, uint16_t x_px, uint16_t n_px)
-{
-    (void)ctx, (void)y_px, (void)x_px, (void)n_px;
-    return 0;
-}
-
 /* The strip's part in front of the cutter, the cutter, and the part behind it. */
 static void list_pieces(struct lim *lim)
 {
@@ -168,8 +158,8 @@ static void list_pieces(struct lim *lim)
 
 static void stage_open(struct stage *stage, struct random *random)
 {
-    const struct lim_target target = {
-        .w_px = W_PX, .h_px = H_PX, .method = LIM_NEWELL, .ctx = stage, .lend = lend, .done = done};
+    stage->lines.pixels = stage->line;
+    const struct lim_target target = plain_lines_target(&stage->lines, W_PX, H_PX, LIM_NEWELL);
 
     while (!make_pair(stage, random)) {
     }
@@ -284,8 +274,8 @@ static void pixels_on_a_plane_are_in_front_of_it(void **state)
     for (int k = 0; k < 4; k++) {
         const bool is_level = k & 1, is_turned = k & 2; /* in front is what is above or to the right */
         int16_t cutter[3][3] = {{0, 0, -100}, {0, 0, -500}, {0, 70, -100}};
-        const struct lim_target target = {
-            .w_px = ODD_PX, .h_px = ODD_PX, .method = LIM_NEWELL, .ctx = &stage, .lend = lend, .done = done};
+        stage.lines.pixels = stage.line;
+        const struct lim_target target = plain_lines_target(&stage.lines, ODD_PX, ODD_PX, LIM_NEWELL);
         struct lim_screen_polygon whole;
         if (is_level) cutter[2][0] = 70, cutter[2][1] = 0;
         if (is_turned) turn_over(cutter, 3);
@@ -327,11 +317,6 @@ struct bars {
 struct canvas {
     uint16_t pixels[H_PX][W_PX];
 };
-
-static void *lend_line(void *ctx, uint16_t y_px)
-{
-    return ((struct canvas *)ctx)->pixels[y_px];
-}
 
 /* A parallelogram some 2000 units ahead that faces the eye. */
 static void make_bar(int16_t corners[BAR_CORNERS][3], struct random *random)
@@ -477,8 +462,8 @@ static size_t check_samples(const struct bars *bars, const struct canvas *canvas
 static struct lim_stats draw(const struct set *set, bool is_smooth, struct canvas *canvas)
 {
     static uint32_t smooth_mem[LIM_ANTIALIAS_MEM_B(W_PX) / 4];
-    const struct lim_target target = {
-        .w_px = W_PX, .h_px = H_PX, .method = LIM_NEWELL, .ctx = canvas, .lend = lend_line, .done = done};
+    struct plain_lines lines = {canvas->pixels[0], W_PX};
+    const struct lim_target target = plain_lines_target(&lines, W_PX, H_PX, LIM_NEWELL);
     const size_t mem_b = lim_mem_b(&set->scene, &target);
     void *mem = malloc(mem_b);
     static struct lim lim;
