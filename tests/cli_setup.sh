@@ -83,11 +83,7 @@ tap_check "a package that apt does not have is named" unknown_package
 tap_check "DEPS=no: only says" deps_no
 tap_check "DEPS=skip: does not look" deps_skip
 tap_check "not root, no terminal: the command to run is named" no_terminal
-if script -qec true /dev/null >/dev/null 2>&1; then
-    tap_check "not root, yes: installed through sudo" user_agrees
-    tap_check "not root, no: nothing is installed" user_declines
-    tap_check "not root, lists too old: updated after the yes" user_updates
-else
-    tap_skip "not root, on a terminal" "this system has no pseudo-terminals"
-fi
+tap_on_terminal "not root, yes: installed through sudo" user_agrees
+tap_on_terminal "not root, no: nothing is installed" user_declines
+tap_on_terminal "not root, lists too old: updated after the yes" user_updates
 tap_done

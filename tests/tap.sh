@@ -48,6 +48,14 @@ tap_skip() { # NAME REASON
     echo "ok $tap_count - $1 # SKIP $2"
 }
 
+tap_on_terminal() { # as tap_check, where the command can have a terminal
+    if script -qec true /dev/null >/dev/null 2>&1; then
+        tap_check "$@"
+    else
+        tap_skip "$1" "this system has no pseudo-terminals"
+    fi
+}
+
 tap_done() {
     echo "1..$tap_count"
 }
