@@ -6,14 +6,19 @@
 demo=$BUILD/scenes/demo
 scenes="sim/scenes/rooms sim/scenes/teapot $demo"
 
+# A third of each path: what is not optimised takes its time.
+for scene in $scenes; do
+    awk '!/^#/ && NF && n++ % 3 == 0' "$scene.cam" >"$work/$(basename "$scene").cam"
+done
+
 # Sums up what a program makes of the scenes, file by file.
 sums_of() { # NAME PROGRAM
     for scene in $scenes; do
         out=$work/$1/$(basename "$scene")
         mkdir -p "$out"
         "$2" compile "$scene.obj" -o "$out/scene" >/dev/null &&
-            "$2" render "$scene.obj" --camera "$scene.cam" --size 240x240 --ids "$out/ids" -o "$out/%03d.png" \
-                >/dev/null || return 1
+            "$2" render "$scene.obj" --camera "$work/$(basename "$scene").cam" --size 240x240 --ids "$out/ids" \
+                -o "$out/%03d.png" >/dev/null || return 1
     done
     (cd "$work/$1" && find . -type f -exec sha256sum {} + | sort -k 2) >"$work/$1.sums"
     [ "$(grep -c png "$work/$1.sums")" -ge 3 ]

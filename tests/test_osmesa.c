@@ -8,6 +8,7 @@
  * reference's own agreement tells, which is promised as well. */
 #include "cmocka_ready.h"
 #include "compare.h"
+#include "effort.h"
 #include "ids.h"
 #include "osmesa.h"
 #include "profiles.h"
@@ -16,7 +17,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { SIDE_PX = 240, PIXELS = SIDE_PX * SIDE_PX, FRAMES = 64 };
+enum { SIDE_PX = 240, PIXELS = SIDE_PX * SIDE_PX, FRAMES = 64, FRAMES_LEAST = 16 };
 
 static const double REFERENCE_PERCENT = 99.997; /* least agreement of the reference: oracle and reference are right */
 
@@ -147,7 +148,7 @@ static void judge(const struct contest *contest, size_t frames)
 static void agree(const char *name, const char *model_path, const char *camera_path)
 {
     static struct contest contest;
-    size_t frames = FRAMES;
+    size_t frames = (size_t)(effort(FRAMES) < FRAMES_LEAST ? FRAMES_LEAST : effort(FRAMES));
 
     begin(&contest, name, model_path, camera_path);
     if (frames > contest.path.count) frames = contest.path.count;
