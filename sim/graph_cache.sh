@@ -27,23 +27,19 @@ done
 stem=${object%.*}
 
 # Files' names go: temporary folders are among them. Lines stay: the graph has them.
-text=$(mktemp "$folder/text.XXXXXX")
-trap 'rm -f "$text"' EXIT
-"$@" ${depends:+-MF "$stem.d" -MT "$object"} -E -o "$text"
-key=$({ echo "$words" && "$1" --version && sed 's/^# \([0-9]*\) .*/# \1/' "$text"; } | sha256sum | cut -d ' ' -f 1)
+"$@" ${depends:+-MF "$stem.d" -MT "$object"} -E -o "$stem.text"
+key=$({ echo "$words" && "$1" --version && sed 's/^# \([0-9]*\) .*/# \1/' "$stem.text"; } | sha256sum)
+kept=$folder/${key%% *}
+rm "$stem.text"
 
-if [ -f "$folder/$key.ci" ]; then
-    touch "$folder/$key.o" "$folder/$key.ci"
-    cp "$folder/$key.o" "$object"
-    cp "$folder/$key.ci" "$stem.ci"
+if [ -f "$kept.ci" ]; then
+    cp "$kept.o" "$object"
+    cp "$kept.ci" "$stem.ci"
     exit 0
 fi
 "$@" -o "$object"
 # Whole or not at all, the graph last.
-for kind in o ci; do
-    made=$object
-    [ $kind = o ] || made=$stem.ci
-    cp "$made" "$text" && mv "$text" "$folder/$key.$kind"
-done
-# What nobody asked for in two months goes. Another compiler's text may go at the same time.
+cp "$object" "$kept.$$" && mv "$kept.$$" "$kept.o"
+cp "$stem.ci" "$kept.$$" && mv "$kept.$$" "$kept.ci"
+# What is two months old is made anew. Another compiler's files may go at the same time.
 find "$folder" -type f -mtime +60 -delete 2>/dev/null || true
