@@ -28,6 +28,10 @@ wait_for() { # COMMAND...: up to thirty seconds
     return 1
 }
 
+is_gone() { # PID
+    ! kill -0 "$1" 2>/dev/null || grep -q '^State:.*zombie' "/proc/$1/status"
+}
+
 there_is() { # PATTERN...
     [ -n "$(find . -name "$1" | head -n 1)" ]
 }
@@ -222,9 +226,6 @@ ends_children() { # SIGNAL COMMAND...
     is_empty ../running && is_empty ../tmp
 }
 
-is_gone() { # PID
-    ! kill -0 "$1" 2>/dev/null || grep -q '^State:.*zombie' "/proc/$1/status"
-}
 for signal in TERM INT; do
     tap_check "measure ends its compiler on $signal" ends_children $signal "$limner" measure "$scenes/icosahedron.obj" \
         --core m0plus --precision fast --size 64x48 -o tables
