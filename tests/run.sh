@@ -1,8 +1,8 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
 #
-# Runs test programs that print TAP, one more at once than there are processors, as some only wait:
-# sh tests/run.sh PROGRAM... Prints a line for each as it ends, then every failure with its diagnostics and every skip with its
+# Runs test programs that print TAP, as many at once as there are processors: sh tests/run.sh PROGRAM...
+# Prints a line for each as it ends, then every failure with its diagnostics and every skip with its
 # reason, then one closing line: N passed, N failed[, N skipped]. Succeeds if nothing failed and
 # something passed. TEST_TIMEOUT_S bounds each program, TEST_JOBS the number at once.
 set -u
@@ -25,7 +25,7 @@ run_one() {
         -f "$(dirname "$0")/tap.awk" "$result.tap"
 }
 
-: "${TEST_TIMEOUT_S:=1800}" "${TEST_JOBS:=$(($(nproc) + 1))}"
+: "${TEST_TIMEOUT_S:=1800}" "${TEST_JOBS:=$(nproc)}"
 export TEST_TIMEOUT_S TEST_JOBS
 
 if [ "${1:-}" = --one ]; then
