@@ -163,10 +163,11 @@ $(BUILD)/limner: $(call object,sim/main.c) $(library) | $(BUILD)/count_plugin.so
 $(call object,sim/measure_cost.c sim/cmd_measure.c): PLACES = -DLIM_SOURCE_FOLDER='"$(CURDIR)"' \
 	-DLIM_COUNT_PLUGIN='"$(abspath $(BUILD))/count_plugin.so"'
 
-# What reports say of the sources: written anew, and compiled anew, when it changes.
+# What reports say of the sources: written anew, and compiled anew, when it changes. A copy that git does not know, built
+# into the same folder, keeps it.
 $(BUILD)/host/sources: force
 	@mkdir -p $(@D)
-	@sources="$$(git describe --always --dirty 2>/dev/null)"; echo "$$sources" | cmp -s - $@ || echo "$$sources" > $@
+	@sources="$$(git describe --always --dirty 2>/dev/null || cat $@ 2>/dev/null)"; echo "$$sources" | cmp -s - $@ || echo "$$sources" > $@
 
 $(call object,sim/versions.c): PLACES = -DLIM_SOURCES='"$(shell cat $(BUILD)/host/sources)"'
 $(call object,sim/versions.c): $(BUILD)/host/sources
