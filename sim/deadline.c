@@ -4,7 +4,6 @@
 #include "deadline.h"
 
 #include "parse.h"
-#include "progress.h"
 
 #include <math.h>
 #include <stdarg.h>
@@ -94,15 +93,38 @@ void deadline_restore(struct deadline_end outer)
     end_s = outer.end_s;
 }
 
+/* What is too long for it is cut: there are a few stages, and a line each. */
+static char kept_lines[4096];
+static size_t kept_b;
+
+static void keep(const char *format, va_list arguments)
+{
+    const size_t room_b = sizeof kept_lines - kept_b;
+    const int n_b = vsnprintf(kept_lines + kept_b, room_b, format, arguments);
+    if (n_b > 0) kept_b += (size_t)n_b < room_b ? (size_t)n_b : room_b - 1;
+}
+
+static void keep_text(const char *format, ...)
+{
+    va_list arguments;
+    va_start(arguments, format);
+    keep(format, arguments);
+    va_end(arguments);
+}
+
 void deadline_say(const char *kept, ...)
 {
     va_list arguments;
     if (!deadline_passed()) return;
-    progress_end();
     char after[AFTER_B];
-    fprintf(stderr, "limner: %s: best so far: ", after_what(after));
+    keep_text("limner: %s: best so far: ", after_what(after));
     va_start(arguments, kept);
-    vfprintf(stderr, kept, arguments);
+    keep(kept, arguments);
     va_end(arguments);
-    fputc('\n', stderr);
+    keep_text("\n");
+}
+
+void deadline_tell(void)
+{
+    fputs(kept_lines, stderr);
 }

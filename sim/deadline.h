@@ -35,8 +35,12 @@ struct deadline_end deadline_share(double share);
 struct deadline_end deadline_end(void); /* as it is now */
 void deadline_restore(struct deadline_end outer);
 
-/* Says, if time is over, what counts nonetheless: a line on standard error. */
+/* Notes, if time is over, what counts nonetheless. */
 void deadline_say(const char *kept, ...) __attribute__((format(printf, 1, 2)));
+
+/* Prints these notes, a line each on standard error: for commands that succeed. One that fails keeps nothing, and has
+ * its error to print. */
+void deadline_tell(void);
 
 /* The clock, for tests: seconds that never go back. NULL: the system's. */
 void deadline_set_clock(double (*now_s)(void));

@@ -222,5 +222,7 @@ int main(int argc, char **argv)
 {
     streams_prepare();
     ending_prepare();
-    return streams_end(run(argc, argv));
+    const int status = run(argc, argv);
+    if (status == 0) deadline_tell();
+    return streams_end(status);
 }
