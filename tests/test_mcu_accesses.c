@@ -134,6 +134,18 @@ static void fe310_clocks_come(size_t at_b)
     if (at_b == AT(fe310_prci, pllcfg) && !(prci->pllcfg & 1 << 18)) prci->pllcfg |= UINT32_C(1) << 31;
 }
 
+static const struct fe310_spi_registers *fe310_flash;
+static bool is_flash_too_fast;
+
+/* 256 MHz, of which SiFive's own programs let the flash have an eighteenth. */
+static void fe310_is_written(size_t at_b)
+{
+    const struct fe310_prci *prci = page;
+
+    if (at_b == AT(fe310_prci, pllcfg) && (prci->pllcfg & 0x7FFFF) == 0x305F1)
+        is_flash_too_fast |= fe310_flash->sckdiv < 8;
+}
+
 static int no_delay(void *ctx, uint32_t delay_us)
 {
     *(uint32_t *)ctx += delay_us;
@@ -147,18 +159,21 @@ static void the_fe310_runs_by_its_ring_while_the_pll_changes(void **state)
     (void)state;
     const uint16_t pllcfg_b = AT(fe310_prci, pllcfg);
     const uint32_t pll = 1u << 17 | 1u << 10 | 31u << 4 | 1;
-    struct fe310_spi_registers flash = {0};
+    struct fe310_spi_registers flash = {.sckdiv = 3};
     struct fe310_prci *prci = page;
     uint32_t waited_us = 0, values[8];
     unsigned n = 0;
 
     prci->pllcfg = 0x70FF7; /* all of it, passed by and chosen */
-    start(fe310_clocks_come, NULL);
+    fe310_flash = &flash;
+    is_flash_too_fast = false;
+    start(fe310_clocks_come, fe310_is_written);
     const uint32_t rate_hz = fe310_prci_init(prci, &flash, &(struct clock){&waited_us, no_delay});
     watched_stop();
     assert_int_equal(rate_hz, 256000000);
     assert_int_equal(waited_us, 100);
-    assert_int_equal(flash.sckdiv, 3);
+    assert_false(is_flash_too_fast);
+    assert_int_equal(flash.sckdiv, 8);
     assert_int_equal(watched.log[0].at_b, AT(fe310_prci, hfrosccfg));
     for (unsigned i = 0; i < watched.n_log; i++)
         if (watched.log[i].at_b == pllcfg_b && n < 8) values[n++] = watched.log[i].value & 0x7FFFF;

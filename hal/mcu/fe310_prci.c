@@ -21,7 +21,7 @@ enum {
     PLL_REFSEL_HFXOSC = 1 << 17,
     PLL_BYPASS = 1 << 18,
     PLLOUT_DIV_BY_1 = 1 << 8,
-    FLASH_SCKDIV = 3, /* an eighth: 32 MHz, of 50 that the flash may have for the command which is used after a reset */
+    FLASH_SCKDIV = 8, /* 256 MHz / (2 * (8 + 1)), 14.2 MHz: fe310_prci.h */
     LOCK_US = 100,    /* for so long LOCK may say anything */
 };
 
@@ -60,7 +60,7 @@ static int start_pll(struct fe310_prci *prci, const struct clock *clock)
 uint32_t fe310_prci_init(struct fe310_prci *prci, struct fe310_spi_registers *flash, const struct clock *clock)
 {
     run_by_ring(prci);
-    flash->sckdiv = FLASH_SCKDIV;
+    flash->sckdiv = FLASH_SCKDIV; /* before the PLL is selected: instructions come through it */
     if (start(&prci->hfxosccfg) || start_pll(prci, clock)) return HFROSC_MAX_HZ;
     prci->pllcfg |= PLL_SEL;
     return PLL_HZ;

@@ -1,7 +1,13 @@
 /* SPDX-License-Identifier: MIT
  *
  * Clocks of SiFive's FE310: 256 MHz from a crystal of 16 MHz, or the ring oscillator where that does not start.
- * Registers: FE310-G000 Manual, chapter 6, "Clock Generation (PRCI)". */
+ * Registers: FE310-G000 Manual, chapter 6, "Clock Generation (PRCI)", and "SPI" (SCKDIV: SCK is the clock by twice the
+ * divider and one).
+ *
+ * The flash that instructions come from is read at 14.2 MHz, by SCKDIV = 8, which is what SiFive's own start-up code
+ * sets for 256 MHz (sifive/freedom-e-sdk, bsp/env/freedom-e300-hifive1/init.c), and all others found. Its command after
+ * a reset, 03h, may have 50 MHz by its data sheet (IS25LP128, "Normal Read"), but nobody says when the FE310 samples
+ * what comes back: 3, an eighth, may well do, and is not known to. Not tried on hardware. */
 #ifndef HAL_MCU_FE310_PRCI_H
 #define HAL_MCU_FE310_PRCI_H
 
