@@ -5,6 +5,7 @@
 #include "camera_path.h"
 
 #include "input_file.h"
+#include "notice.h"
 
 #include <ctype.h>
 #include <errno.h>
@@ -310,10 +311,9 @@ void lens_note_near(const char *model_path, const struct grid *grid)
 {
     const double near_m = lens_forced_near_m(grid);
     if (near_m > 0.0)
-        fprintf(stderr,
-                "limner: note: %s: nothing nearer to the eye than %.3g m is drawn, because its grid has units of %.3g "
-                "m; for eyes that come nearer, split the model into several scenes\n",
-                model_path, near_m * LENS_PRINTED_UP, 1.0 / grid->units_per_m);
+        notice("%s: nothing nearer to the eye than %.3g m is drawn, because its grid has units of %.3g m; for eyes "
+               "that come nearer, split the model into several scenes",
+               model_path, near_m * LENS_PRINTED_UP, 1.0 / grid->units_per_m);
 }
 
 static uint32_t turn_from_radians(double radians)

@@ -7,6 +7,7 @@
 #include "faithful.h"
 #include "linux/interrupt.h"
 #include "module_choice.h"
+#include "notice.h"
 #include "options.h"
 #include "parse.h"
 #include "player.h"
@@ -19,6 +20,7 @@
 enum {
     ORBIT_FRAMES = 240, /* a turn in 8 s at 30 frames a second */
     FRAMES_MAX = 1000000000,
+    USUAL_MODE = 0,        /* of SPI, where the module takes several */
     CARD_PAUSE_US = 800000 /* a display that is plugged in again soon shows it; memory LCDs want a frame a second */
 };
 
@@ -92,7 +94,11 @@ static bool play_parse(struct play *play, int argc, char **argv, struct error *e
 static bool open_display(struct play *play, struct error *err)
 {
     const struct module_choice *choice = &play->module_choice;
-    if (!port_choice_open(&play->port_choice, choice->speed_hz, &play->port, err)) return false;
+    const uint8_t mode = spi_mode_of(choice->spi_modes, USUAL_MODE);
+    if (!port_choice_open(&play->port_choice, choice->speed_hz, mode, &play->port, err)) return false;
+    if (mode != USUAL_MODE && !choice->mode_given)
+        notice("SPI mode %u, which most modules with %s want; --mode says otherwise", (unsigned)mode,
+               choice->panel.name);
     player_init(&play->player, &play->port);
     struct port counted = play->port;
     counted.bus = play->player.bus;

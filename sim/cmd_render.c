@@ -13,6 +13,7 @@
 #include "frame_table.h"
 #include "hashes.h"
 #include "ids.h"
+#include "notice.h"
 #include "options.h"
 #include "outputs.h"
 #include "progress.h"
@@ -90,11 +91,9 @@ static bool allocate(struct render *render, struct error *err)
 static void print_notes(const struct compile_report *report)
 {
     for (size_t i = 0; i < report->note_count; i++)
-        fprintf(stderr, "limner: note: %s\n", report->notes[i].text);
-    if (report->mesh.clamped)
-        fprintf(stderr, "limner: note: %zu faces have an opacity beyond 0..1, clamped\n", report->mesh.clamped);
-    if (report->mesh.unmapped)
-        fprintf(stderr, "limner: note: %zu faces have a texture, but no texture coordinates\n", report->mesh.unmapped);
+        notice("%s", report->notes[i].text);
+    if (report->mesh.clamped) notice("%zu faces have an opacity beyond 0..1, clamped", report->mesh.clamped);
+    if (report->mesh.unmapped) notice("%zu faces have a texture, but no texture coordinates", report->mesh.unmapped);
 }
 
 /* The reference's faces have colours if none of them moves. */
@@ -112,9 +111,7 @@ static bool read_reference(struct render *render, unsigned w_px, unsigned h_px, 
                                   : reference_read(&render->reference, path, w_px, h_px, err);
     const bool shares = moving->count ? !moving->model.source_points : render->reference.shares_importer;
     if (ok && shares)
-        fprintf(stderr,
-                "limner: note: %s: the reference has no reader of its own for it, and has the importer's vertices\n",
-                path);
+        notice("%s: the reference has no reader of its own for it, and has the importer's vertices", path);
     return ok;
 }
 

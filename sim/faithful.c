@@ -6,6 +6,7 @@
 
 #include "camera_path.h"
 #include "grow.h"
+#include "notice.h"
 #include "original.h"
 #include "tree_choice.h"
 #include "vec3.h"
@@ -389,6 +390,6 @@ bool faithful_compile(const struct mesh *mesh, const struct compile_options *opt
 void faithful_note(const struct compiled *scene)
 {
     if (scene->report.left_out)
-        fprintf(stderr, "limner: note: --drop-small left out %zu of %zu faces, too small for the grid\n",
-                scene->report.left_out, scene->report.mesh.faces);
+        notice("--drop-small left out %zu of %zu faces, too small for the grid", scene->report.left_out,
+               scene->report.mesh.faces);
 }

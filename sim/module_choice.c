@@ -1,7 +1,13 @@
 /* SPDX-License-Identifier: MIT
  *
  * What most sellers put behind a chip. Glass of any other size lies in the middle of the chip's memory: so do those of
- * 135x240, 170x320 and 240x280 pixels on ST7789 and of 64x48 on SSD1306. */
+ * 135x240, 170x320 and 240x280 pixels on ST7789 and of 64x48 on SSD1306.
+ *
+ * Modes of SPI: most modules of 240x240 pixels on ST7789 lack CS and take mode 3 alone (Bodmer/TFT_eSPI, issue 163),
+ * those with CS take it as well (ST7789V's datasheet, in its pull request 182), so that Bodmer/TFT_eSPI's TFT_eSPI.h
+ * and moononournation/Arduino_GFX's Arduino_ST7789.cpp have it for all. Sharp's memory LCDs want a clock that is low
+ * between messages (olikraus/u8g2, issue 1071). For others mode 0 is usual, and mode 3 disturbs where they share a bus
+ * with what takes mode 0 (SH1106: olikraus/u8g2, issue 1901). */
 #include "module_choice.h"
 
 #include "parse.h"
@@ -15,26 +21,30 @@ struct usual_module {
     const char *panel;
     struct display_module module;
     uint32_t speed_hz;
+    uint8_t spi_modes; /* that it takes, a set of spi_modes.h */
 };
 
 static const struct usual_module USUAL[] = {
-    {"gc9a01", {.w_px = 240, .h_px = 240, .bgr = true, .invert = true}, 40000000},
-    {"ili9341", {.w_px = 240, .h_px = 320, .bgr = true}, 32000000},
-    {"ili9488", {.w_px = 320, .h_px = 480, .bgr = true}, 20000000},
-    {"ls013b7dh03", {.w_px = 128, .h_px = 128}, 1000000},
-    {"ls027b7dh01", {.w_px = 400, .h_px = 240}, 2000000},
-    {"pcd8544", {.w_px = 84, .h_px = 48}, 4000000},
-    {"sh1106", {.w_px = 128, .h_px = 64, .ox_px = 2}, 4000000},
-    {"ssd1306", {.w_px = 128, .h_px = 64}, 8000000},
-    {"ssd0323", {.w_px = 128, .h_px = 64}, 4000000},
-    {"ssd1327", {.w_px = 128, .h_px = 128}, 4000000},
-    {"ssd1351", {.w_px = 128, .h_px = 128}, 16000000},
-    {"st7567", {.w_px = 128, .h_px = 64}, 4000000},
-    {"st7735", {.w_px = 128, .h_px = 160, .ox_px = 2, .oy_px = 1, .bgr = true}, 15000000},
-    {"st7735", {.w_px = 128, .h_px = 128, .ox_px = 2, .oy_px = 3, .bgr = true}, 15000000},
-    {"st7735", {.w_px = 80, .h_px = 160, .ox_px = 26, .oy_px = 1, .bgr = true, .invert = true}, 15000000},
-    {"st7789", {.w_px = 240, .h_px = 240, .invert = true}, 40000000},
-    {"uc1701", {.w_px = 128, .h_px = 64}, 4000000},
+    {"gc9a01", {.w_px = 240, .h_px = 240, .bgr = true, .invert = true}, 40000000, SPI_IDLES_ANYHOW},
+    {"ili9341", {.w_px = 240, .h_px = 320, .bgr = true}, 32000000, SPI_IDLES_ANYHOW},
+    {"ili9488", {.w_px = 320, .h_px = 480, .bgr = true}, 20000000, SPI_IDLES_ANYHOW},
+    {"ls013b7dh03", {.w_px = 128, .h_px = 128}, 1000000, SPI_IDLES_LOW},
+    {"ls027b7dh01", {.w_px = 400, .h_px = 240}, 2000000, SPI_IDLES_LOW},
+    {"pcd8544", {.w_px = 84, .h_px = 48}, 4000000, SPI_IDLES_ANYHOW},
+    {"sh1106", {.w_px = 128, .h_px = 64, .ox_px = 2}, 4000000, SPI_IDLES_ANYHOW},
+    {"ssd1306", {.w_px = 128, .h_px = 64}, 8000000, SPI_IDLES_ANYHOW},
+    {"ssd0323", {.w_px = 128, .h_px = 64}, 4000000, SPI_IDLES_ANYHOW},
+    {"ssd1327", {.w_px = 128, .h_px = 128}, 4000000, SPI_IDLES_ANYHOW},
+    {"ssd1351", {.w_px = 128, .h_px = 128}, 16000000, SPI_IDLES_ANYHOW},
+    {"st7567", {.w_px = 128, .h_px = 64}, 4000000, SPI_IDLES_ANYHOW},
+    {"st7735", {.w_px = 128, .h_px = 160, .ox_px = 2, .oy_px = 1, .bgr = true}, 15000000, SPI_IDLES_ANYHOW},
+    {"st7735", {.w_px = 128, .h_px = 128, .ox_px = 2, .oy_px = 3, .bgr = true}, 15000000, SPI_IDLES_ANYHOW},
+    {"st7735",
+     {.w_px = 80, .h_px = 160, .ox_px = 26, .oy_px = 1, .bgr = true, .invert = true},
+     15000000,
+     SPI_IDLES_ANYHOW},
+    {"st7789", {.w_px = 240, .h_px = 240, .invert = true}, 40000000, SPI_IDLES_HIGH},
+    {"uc1701", {.w_px = 128, .h_px = 64}, 4000000, SPI_IDLES_ANYHOW},
 };
 
 static bool is_row_of(const struct usual_module *row, const struct panel_choice *panel, unsigned w_px, unsigned h_px)
@@ -56,6 +66,8 @@ static void take_usual(struct module_choice *out)
     const struct usual_module *row = find_usual(&out->panel, 0, 0);
     out->module = row ? row->module : (struct display_module){.w_px = out->panel.mem_w_px, .h_px = out->panel.mem_h_px};
     out->speed_hz = row ? row->speed_hz : 1000000;
+    out->spi_modes = row ? row->spi_modes : SPI_IDLES_ANYHOW;
+    out->mode_given = false;
 }
 
 static bool take_size(struct module_choice *out, struct arguments *arguments, struct error *err)
@@ -119,6 +131,18 @@ static bool take_speed(struct module_choice *out, struct arguments *arguments, s
            (!text || parse_whole("--hz", text, 1, SPEED_MAX_HZ, &out->speed_hz, err));
 }
 
+static bool take_mode(struct module_choice *out, struct arguments *arguments, struct error *err)
+{
+    const char *text = NULL;
+    uint32_t mode;
+    if (!arguments_value(arguments, "--mode", &text, err)) return false;
+    if (!text) return true;
+    if (!parse_whole("--mode", text, 0, 3, &mode, err)) return false;
+    out->spi_modes = (uint8_t)(1u << mode);
+    out->mode_given = true;
+    return true;
+}
+
 bool module_choice_parse(struct module_choice *out, struct arguments *arguments, struct error *err)
 {
     const char *panel = NULL;
@@ -127,8 +151,9 @@ bool module_choice_parse(struct module_choice *out, struct arguments *arguments,
     if (!panel_choice_parse(panel, NULL, &out->panel, err)) return false;
     take_usual(out);
     struct display_module *module = &out->module;
-    if (!take_speed(out, arguments, err) || !take_size(out, arguments, err) || !take_offset(out, arguments, err) ||
-        !take_rotation(module, arguments, err) || !arguments_either(arguments, "--bgr", "--rgb", &module->bgr, err) ||
+    if (!take_speed(out, arguments, err) || !take_mode(out, arguments, err) || !take_size(out, arguments, err) ||
+        !take_offset(out, arguments, err) || !take_rotation(module, arguments, err) ||
+        !arguments_either(arguments, "--bgr", "--rgb", &module->bgr, err) ||
         !arguments_either(arguments, "--invert", "--no-invert", &module->invert, err))
         return false;
     module->mirror = arguments_flag(arguments, "--mirror");

@@ -7,15 +7,18 @@
 
 #include "arguments.h"
 #include "display.h"
+#include "spi_modes.h"
 
 struct module_choice {
     struct panel_choice panel;
     struct display_module module;
     uint32_t speed_hz; /* clock of the bus, the usual one if nobody said otherwise */
+    uint8_t spi_modes; /* that it takes, a set of spi_modes.h; one alone if somebody said so */
+    bool mode_given;
 };
 
-/* Takes --panel, --hz, --size, --offset, --rotate, --mirror, --bgr or --rgb, --invert or --no-invert, --converter out
- * of *arguments. */
+/* Takes --panel, --hz, --mode, --size, --offset, --rotate, --mirror, --bgr or --rgb, --invert or --no-invert,
+ * --converter out of *arguments. */
 bool module_choice_parse(struct module_choice *out, struct arguments *arguments, struct error *err);
 
 /* Of the picture as its viewer has it, turned. */

@@ -3,7 +3,6 @@
 
 #include "hid/hid_port.h"
 #include "idle_port.h"
-#include "parse.h"
 
 #include <string.h>
 
@@ -11,19 +10,15 @@
 
 static bool linux_parse(struct linux_port_config *out, struct arguments *arguments, struct error *err)
 {
-    const char *mode = NULL;
-    uint32_t mode_value = 0;
     *out = (struct linux_port_config){0};
     if (!arguments_value(arguments, "--spi", &out->spi, err) || !arguments_value(arguments, "--dc", &out->dc, err) ||
         !arguments_value(arguments, "--reset", &out->reset, err) ||
         !arguments_value(arguments, "--backlight", &out->backlight, err) ||
         !arguments_value(arguments, "--select", &out->select, err) ||
-        !arguments_value(arguments, "--te", &out->tearing, err) || !arguments_value(arguments, "--mode", &mode, err))
+        !arguments_value(arguments, "--te", &out->tearing, err))
         return false;
     out->no_cs = arguments_flag(arguments, "--no-cs");
     out->cs_high = arguments_flag(arguments, "--cs-high");
-    if (mode && !parse_whole("--mode", mode, 0, 3, &mode_value, err)) return false;
-    out->mode = (uint8_t)mode_value;
     return true;
 }
 
@@ -76,7 +71,7 @@ static bool hid_check(const struct port_choice *choice, struct error *err)
     return lines_check(config, err);
 }
 
-static int hid_open(const struct port_choice *choice, uint32_t speed_hz, struct port *port)
+static int hid_open(const struct port_choice *choice, uint32_t speed_hz, uint8_t mode, struct port *port)
 {
     const struct linux_port_config *config = &choice->linux_port;
     const struct bridge_options options = {.dc = config->dc,
@@ -85,7 +80,7 @@ static int hid_open(const struct port_choice *choice, uint32_t speed_hz, struct 
                                            .select = config->select,
                                            .chip_select = choice->chip_select,
                                            .bit_rate_hz = speed_hz,
-                                           .mode = config->mode};
+                                           .mode = mode};
     return hid_port_open(port, choice->serial, &options);
 }
 
@@ -115,10 +110,12 @@ struct port port_choice_stand_in(const struct port_choice *choice)
     return port;
 }
 
-bool port_choice_open(const struct port_choice *choice, uint32_t speed_hz, struct port *port, struct error *err)
+bool port_choice_open(const struct port_choice *choice, uint32_t speed_hz, uint8_t mode, struct port *port,
+                      struct error *err)
 {
     struct linux_port_config config = choice->linux_port;
     config.speed_hz = speed_hz;
-    const int code = choice->kind == PORT_HID ? hid_open(choice, speed_hz, port) : linux_port_open(port, &config);
+    config.mode = mode;
+    const int code = choice->kind == PORT_HID ? hid_open(choice, speed_hz, mode, port) : linux_port_open(port, &config);
     return code == 0 || error_set(err, "%s", port->error);
 }

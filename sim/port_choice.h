@@ -14,8 +14,8 @@ enum port_kind { PORT_LINUX, PORT_HID };
 struct port_choice {
     enum port_kind kind;
     struct linux_port_config
-        linux_port;          /* for PORT_LINUX, and of PORT_HID what they share; but for speed_hz, the module's */
-    const char *serial;      /* for PORT_HID; NULL: the only bridge */
+        linux_port;     /* for PORT_LINUX, and of PORT_HID what they share; but for speed_hz and mode, the module's */
+    const char *serial; /* for PORT_HID; NULL: the only bridge */
     const char *chip_select; /* for PORT_HID; NULL: the display's is tied low */
 };
 
@@ -25,7 +25,8 @@ bool port_choice_parse(struct port_choice *out, struct arguments *arguments, str
 /* A port with the pins that were asked for, all of which do nothing: to see whether a panel can do with them. */
 struct port port_choice_stand_in(const struct port_choice *choice);
 
-/* The strings and *port must stay where they are until port_close(). `speed_hz`: the module's. */
-bool port_choice_open(const struct port_choice *choice, uint32_t speed_hz, struct port *port, struct error *err);
+/* The strings and *port must stay where they are until port_close(). `speed_hz`, `mode`: the module's. */
+bool port_choice_open(const struct port_choice *choice, uint32_t speed_hz, uint8_t mode, struct port *port,
+                      struct error *err);
 
 #endif
