@@ -35,7 +35,9 @@ static void write_header(FILE *file, const struct module_choice *choice, const s
     fprintf(file, "/* A display's module, written by `limner module`. */\n");
     fprintf(file, "#ifndef %s_MODULE_H\n#define %s_MODULE_H\n\n#include \"screen.h\"\n\n", name->macro, name->macro);
     fprintf(file, "#define MODULE_NAME \"%s\"\n", choice->panel.name);
-    fprintf(file, "#define MODULE_SPEED_HZ %" PRIu32 "u\n\n", choice->speed_hz);
+    fprintf(file, "#define MODULE_SPEED_HZ %" PRIu32 "u\n", choice->speed_hz);
+    fprintf(file, "/* Modes of SPI that it takes, 1 << mode each: spi_modes.h. */\n#define MODULE_SPI_MODES %uu\n\n",
+            (unsigned)choice->spi_modes);
     fprintf(file, "/* Of the panel, and so of the renderer's target. What its chip cannot turn is the camera's: "
                   "screen_turn_camera(). */\n");
     fprintf(file, "#define MODULE_W_PX %u\n#define MODULE_H_PX %u\n", panel->w_px, panel->h_px);

@@ -46,6 +46,19 @@ tells_wrong_pixels() { # GOLDEN MAKE-ARGUMENT...
     ! board emulate CHECK="$work/wrong" "$@" >/dev/null && cat "$work/said" && grep -q 'frame 0 differs' "$work/said"
 }
 
+# The mode in which an image's first byte goes out: the two bits of SPI's register that say so, as QEMU sees it written.
+starts_in_mode() { # MODE SYSTEM MACHINE CONTROL DATA IMAGE
+    said=$(sh sim/emulators/qemu.sh "$2" "$3" "$6" awk -v control="0x$4" -v data="0x$5" '
+        $7 == control { value = $9 }
+        $7 == data { print value; exit }') && echo "control register: $said" && [ -n "$said" ] &&
+        [ $((said & 3)) -eq "$1" ]
+}
+
+draws_in_mode() { # MODE SYSTEM MACHINE CONTROL DATA BOARD PANEL
+    board BOARD="$6" BOARDS="$kept/boards/f100" PART=f100 PANEL="$7" SCENE=icosahedron image &&
+        starts_in_mode "$1" "$2" "$3" "$4" "$5" "$kept/boards/f100/$6/icosahedron-$7-fast/image.elf"
+}
+
 sh boards/table.sh --rows >"$work/rows"
 while read -r row; do
     # shellcheck disable=SC2086 # arguments are words
@@ -61,5 +74,14 @@ readme_has_no_other_row() {
 tap_check "README has a row for each, and no other" readme_has_no_other_row
 tap_check "a scene that moves, 18 bits a pixel" draws BOARD=stm32f405 SCENE=movers PANEL=st7735:rgb666
 tap_check "what changes alone" draws BOARD=stm32f405 COMPILE=--delta
+tap_check "a memory LCD" draws BOARD=hifive1 PANEL=ls013b7dh03 SCENE=icosahedron
+for row in 'arm netduinoplus2 40013000 4001300c stm32f405' 'riscv32 sifive_e 10024004 10024048 hifive1' \
+    'arm stm32vldiscovery 40013000 4001300c bluepill'; do
+    # shellcheck disable=SC2086 # arguments are words
+    {
+        tap_check "${row##* }: mode 0, where the clock must be low between messages" draws_in_mode 0 $row ls013b7dh03
+        tap_check "${row##* }: mode 3 elsewhere" draws_in_mode 3 $row st7735
+    }
+done
 tap_check "a wrong pixel is told" tells_wrong_pixels "$kept/boards/stm32f405/rooms-st7789-fast/golden.8" BOARD=stm32f405
 tap_done

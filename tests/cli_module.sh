@@ -62,6 +62,13 @@ tap_check "a chip that turns the picture has it turned" says ili9488 'MODULE_W_P
     'MODULE_CAMERA_TURN PANEL_UPRIGHT' 'MODULE_LINES_MEM_B(n_lines) SCREEN_WIDE_MEM_B(MODULE_W_PX, n_lines)'
 tap_check "a chip that cannot leaves it to the camera" says ssd1306 'MODULE_W_PX 128' 'MODULE_H_PX 64' 'MODULE_MONO 1' \
     'MODULE_CAMERA_TURN PANEL_TURNED_90' 'MODULE_LINES_MEM_B(n_lines) SCREEN_PAGES_MEM_B(MODULE_W_PX, n_lines)'
+module st7789 --panel st7789
+module ls027b7dh01 --panel ls027b7dh01
+module told --panel st7735 --mode 3
+tap_check "a controller that is often without chip select has a clock that idles high" says st7789 'MODULE_SPI_MODES 8u'
+tap_check "a memory LCD has one that idles low" says ls027b7dh01 'MODULE_SPI_MODES 1u'
+tap_check "others take both" says ssd0323 'MODULE_SPI_MODES 9u'
+tap_check "the mode of SPI can be told" says told 'MODULE_SPI_MODES 8u'
 tap_check "greys are no black and white" says ssd0323 'MODULE_MONO 0' 'MODULE_FORMAT PANEL_GREY4'
 
 is_refused() { # TEXT ARGUMENT...
@@ -81,5 +88,7 @@ tap_check "a mirror that the driver refuses is refused" is_refused \
     --panel ls013b7dh03 --mirror -o "$work/bad"
 tap_check "a clock is a number" is_refused "--hz 0: must be a whole number from 1 to 1000000000" --panel st7789 \
     --hz 0 -o "$work/bad"
+tap_check "there are four modes of SPI" is_refused "--mode 4: must be a whole number from 0 to 3" --panel st7789 \
+    --mode 4 -o "$work/bad"
 tap_check "what is left over is refused" is_refused "module: what is '--delta'?" --panel st7789 -o "$work/bad" --delta
 tap_done

@@ -19,7 +19,7 @@ static void a_rate_is_the_next_slower_one(void **state)
     for (size_t i = 0; i < sizeof rates / sizeof *rates; i++) {
         struct avr_spi_registers registers = {0};
         struct avr_spi spi;
-        assert_int_equal(avr_spi_init(&spi, &registers, 16000000, rates[i].spi_hz), 0);
+        assert_int_equal(avr_spi_init(&spi, &registers, 16000000, rates[i].spi_hz, 0), 0);
         assert_int_equal(registers.spcr, AVR_SPCR_SPE | AVR_SPCR_MSTR | rates[i].spr);
         assert_int_equal(registers.spsr, rates[i].doubled);
     }
@@ -31,9 +31,23 @@ static void a_rate_too_slow_is_refused(void **state)
     struct avr_spi_registers registers = {0};
     struct avr_spi spi;
 
-    assert_int_equal(avr_spi_init(&spi, &registers, 16000000, 124999), MCU_ERR_CONFIG);
-    assert_int_equal(avr_spi_init(&spi, &registers, 16000000, 0), MCU_ERR_CONFIG);
+    assert_int_equal(avr_spi_init(&spi, &registers, 16000000, 124999, 0), MCU_ERR_CONFIG);
+    assert_int_equal(avr_spi_init(&spi, &registers, 16000000, 0, 0), MCU_ERR_CONFIG);
     assert_int_equal(registers.spcr, 0);
+}
+
+/* Table 17-2 of the manual: CPOL is bit 3 of SPCR, CPHA bit 2. */
+static void modes_are_polarity_and_phase(void **state)
+{
+    static const uint8_t bits[] = {0x00, 0x04, 0x08, 0x0C};
+    (void)state;
+
+    for (uint8_t mode = 0; mode < 4; mode++) {
+        struct avr_spi_registers registers = {0};
+        struct avr_spi spi;
+        assert_int_equal(avr_spi_init(&spi, &registers, 16000000, 8000000, mode), 0);
+        assert_int_equal(registers.spcr, 0x50 | bits[mode]);
+    }
 }
 
 static void every_byte_waits_for_its_end(void **state)
@@ -43,7 +57,7 @@ static void every_byte_waits_for_its_end(void **state)
     struct avr_spi_registers registers = {0};
     struct avr_spi spi;
 
-    assert_int_equal(avr_spi_init(&spi, &registers, 16000000, 8000000), 0);
+    assert_int_equal(avr_spi_init(&spi, &registers, 16000000, 8000000, 0), 0);
     const struct bus bus = avr_spi_bus(&spi);
     registers.spsr |= AVR_SPSR_SPIF;
     assert_int_equal(bus_write(&bus, data, sizeof data), 0);
@@ -125,6 +139,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_rate_is_the_next_slower_one),
         cmocka_unit_test(a_rate_too_slow_is_refused),
+        cmocka_unit_test(modes_are_polarity_and_phase),
         cmocka_unit_test(every_byte_waits_for_its_end),
         cmocka_unit_test(a_pin_leaves_its_port_alone),
         cmocka_unit_test(a_light_that_sinks_is_lit_by_a_low_level),

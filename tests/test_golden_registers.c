@@ -79,7 +79,7 @@ static void avr(unsigned pattern)
     for (int i = 0; i < RATES; i++) {
         for (int k = 0; k < RATES; k++) {
             fill(pattern, &spi_at, sizeof spi_at);
-            note(&spi_at, sizeof spi_at, avr_spi_init(&spi, &spi_at, rates_hz[i], rates_hz[k]));
+            note(&spi_at, sizeof spi_at, avr_spi_init(&spi, &spi_at, rates_hz[i], rates_hz[k], 0));
         }
         fill(pattern, &timer_at, sizeof timer_at);
         const int err = avr_timer_init(&timer, &timer_at, rates_hz[i]);
@@ -128,10 +128,10 @@ static void fe310(unsigned pattern)
         for (int k = 0; k<RATES; k += pattern> 2 ? 7 : 1) {
             fill(pattern, &spi_at, sizeof spi_at);
             spi_at.rxdata |= pattern % 3 ? UINT32_C(1) << 31 : 0;
-            note(&spi_at, sizeof spi_at, fe310_spi_init(&spi, &spi_at, rates_hz[i], rates_hz[k]));
+            note(&spi_at, sizeof spi_at, fe310_spi_init(&spi, &spi_at, rates_hz[i], rates_hz[k], 3));
         }
     fill(pattern, &spi_at, sizeof spi_at);
-    if (fe310_spi_init(&spi, &spi_at, 16000000, 4000000)) return;
+    if (fe310_spi_init(&spi, &spi_at, 16000000, 4000000, 3)) return;
     const struct bus bus = fe310_spi_bus(&spi);
     for (int ready = 0; ready < 2; ready++) {
         spi_at.rxdata = ready ? 0 : UINT32_C(1) << 31;
@@ -289,9 +289,9 @@ static void stm32(unsigned pattern)
     for (int i = 0; i < RATES; i++)
         for (int k = 0; k < RATES; k++) {
             fill(pattern, &spi_at, sizeof spi_at);
-            note(&spi_at, sizeof spi_at, stm32_spi_init(&spi, &spi_at, rates_hz[i], rates_hz[k]));
+            note(&spi_at, sizeof spi_at, stm32_spi_init(&spi, &spi_at, rates_hz[i], rates_hz[k], 3));
         }
-    assert_int_equal(stm32_spi_init(&spi, &spi_at, 84000000, 21000000), 0);
+    assert_int_equal(stm32_spi_init(&spi, &spi_at, 84000000, 21000000, 3), 0);
     const struct bus bus = stm32_spi_bus(&spi);
     for (spi_at.sr = 0; spi_at.sr < 512; spi_at.sr += spi_at.sr ? spi_at.sr : 1)
         note_bus(&bus, &spi_at, sizeof spi_at);

@@ -95,7 +95,7 @@ static void what_was_received_before_is_taken_at_the_start(void **state)
 
     received = FE310_ROOM_B, moves = 0;
     start(fe310_takes, fe310_sends);
-    const int err = fe310_spi_init(&spi, page, 256000000, 32000000);
+    const int err = fe310_spi_init(&spi, page, 256000000, 32000000, 3);
     watched_stop();
     assert_int_equal(err, 0);
     assert_int_equal(received, 0);
@@ -110,7 +110,7 @@ static void of_what_is_sent_no_byte_comes_back_without_room(void **state)
     (void)state;
     received = lost = 0, moves = 3;
     start(fe310_takes, fe310_sends);
-    int err = fe310_spi_init(&spi, page, 256000000, 32000000);
+    int err = fe310_spi_init(&spi, page, 256000000, 32000000, 3);
     const struct bus bus = fe310_spi_bus(&spi);
     if (!err) err = bus_write(&bus, bytes, sizeof bytes);
     const unsigned behind = received;
@@ -216,7 +216,7 @@ static void the_stm32_s_spi_is_set_up_before_it_is_enabled(void **state)
 
     registers->cr1 = 0xFFFF, registers->cr2 = 0xFFFF;
     start(NULL, NULL);
-    const int err = stm32_spi_init(&spi, registers, 72000000, 36000000);
+    const int err = stm32_spi_init(&spi, registers, 72000000, 36000000, 3);
     watched_stop();
     assert_int_equal(err, 0);
     assert_true(watched.n_log >= 3);
@@ -744,7 +744,7 @@ static void the_avr_s_spi_waits_for_each_byte(void **state)
     struct avr_spi spi;
 
     (void)state;
-    assert_int_equal(avr_spi_init(&spi, page, 16000000, 8000000), 0);
+    assert_int_equal(avr_spi_init(&spi, page, 16000000, 8000000, 0), 0);
     const struct bus bus = avr_spi_bus(&spi);
     moves = 1600;
     start(avr_byte_leaves, NULL);

@@ -32,7 +32,7 @@ static int set_up(void **state)
 {
     (void)state;
     rig = (struct rig){.registers.streams[STREAM].cr = 1, .registers.streams[STREAM].fcr = 0x21};
-    assert_int_equal(stm32_spi_init(&rig.spi, &rig.spi_registers, 84000000, 42000000), 0);
+    assert_int_equal(stm32_spi_init(&rig.spi, &rig.spi_registers, 84000000, 42000000, 3), 0);
     assert_int_equal(stm32_dma_init(&rig.dma, &rig.registers, STREAM, CHANNEL, &rig.spi), 0);
     rig.bus = stm32_dma_bus(&rig.dma);
     rig.spi_registers.sr = TXE;

@@ -15,7 +15,7 @@ static void assert_rate(uint32_t clock_hz, uint32_t spi_hz, uint32_t br)
     struct stm32_spi_registers registers = {.cr1 = 0xFFFF, .cr2 = 0xFFFF};
     struct stm32_spi spi;
 
-    assert_int_equal(stm32_spi_init(&spi, &registers, clock_hz, spi_hz), 0);
+    assert_int_equal(stm32_spi_init(&spi, &registers, clock_hz, spi_hz, 3), 0);
     assert_int_equal(registers.cr1 >> 3 & 7, br);
     assert_int_equal(registers.cr2, 0);
 }
@@ -37,24 +37,27 @@ static void test_refuses_a_rate_that_is_too_slow(void **state)
     struct stm32_spi_registers registers = {0};
     struct stm32_spi spi;
 
-    assert_int_equal(stm32_spi_init(&spi, &registers, 8000000, 31249), MCU_ERR_CONFIG);
+    assert_int_equal(stm32_spi_init(&spi, &registers, 8000000, 31249, 3), MCU_ERR_CONFIG);
     assert_int_equal(registers.cr1, 0);
 }
 
-/* RM0008 25.5.1: one line, an output; select by software, high; enabled; master; clock idles high, second edge. */
-static void test_is_a_master_in_mode_3_that_only_sends_bytes(void **state)
+/* RM0008 25.5.1: one line, an output; select by software, high; enabled; master; CPOL is bit 1, CPHA bit 0. */
+static void test_is_a_master_in_any_mode_that_only_sends_bytes(void **state)
 {
+    static const uint32_t cr1[] = {0xC344, 0xC345, 0xC346, 0xC347};
     (void)state;
-    struct stm32_spi_registers registers = {0};
-    struct stm32_spi spi;
 
-    assert_int_equal(stm32_spi_init(&spi, &registers, 72000000, 36000000), 0);
-    assert_int_equal(registers.cr1, 0xC347);
+    for (uint8_t mode = 0; mode < 4; mode++) {
+        struct stm32_spi_registers registers = {0};
+        struct stm32_spi spi;
+        assert_int_equal(stm32_spi_init(&spi, &registers, 72000000, 36000000, mode), 0);
+        assert_int_equal(registers.cr1, cr1[mode]);
+    }
 }
 
 static struct bus bus_of(struct stm32_spi *spi, struct stm32_spi_registers *registers, uint32_t status)
 {
-    assert_int_equal(stm32_spi_init(spi, registers, 72000000, 36000000), 0);
+    assert_int_equal(stm32_spi_init(spi, registers, 72000000, 36000000, 3), 0);
     registers->sr = status;
     registers->dr = 0x55;
     return stm32_spi_bus(spi);
@@ -105,7 +108,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_takes_the_rate_that_is_asked_for_or_the_next_slower_one),
         cmocka_unit_test(test_refuses_a_rate_that_is_too_slow),
-        cmocka_unit_test(test_is_a_master_in_mode_3_that_only_sends_bytes),
+        cmocka_unit_test(test_is_a_master_in_any_mode_that_only_sends_bytes),
         cmocka_unit_test(test_sends_bytes_in_order),
         cmocka_unit_test(test_tells_that_the_data_register_stays_full),
         cmocka_unit_test(test_tells_that_the_last_byte_does_not_leave),

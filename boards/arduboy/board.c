@@ -41,27 +41,26 @@ static void init_lights_and_buttons(struct board *board)
 }
 
 /* The display is alone on the bus, and selected for good once that is idle. */
-static int init_bus(struct board *board, uint32_t spi_hz)
+static int init_bus(struct board *board, uint32_t spi_hz, uint8_t spi_modes)
 {
     const struct pin selected = avr_gpio_output(&select, AVR_GPIO_D_REGISTERS, D_SELECT, true);
-
     (void)avr_gpio_output(&dc, AVR_GPIO_B_REGISTERS, B_SS, true);
     (void)avr_gpio_output(&dc, AVR_GPIO_B_REGISTERS, B_SCK, false);
     (void)avr_gpio_output(&dc, AVR_GPIO_B_REGISTERS, B_MOSI, false);
     board->dc = avr_gpio_output(&dc, AVR_GPIO_D_REGISTERS, D_DC, true);
     board->reset = avr_gpio_output(&reset, AVR_GPIO_D_REGISTERS, D_RESET, true);
-    int err = avr_spi_init(&spi, AVR_SPI_REGISTERS, BOARD_CPU_HZ, spi_hz);
+    int err = avr_spi_init(&spi, AVR_SPI_REGISTERS, BOARD_CPU_HZ, spi_hz, spi_modes & SPI_IDLES_LOW ? 0 : 3);
     if (err) return err;
     board->bus = avr_spi_bus(&spi);
     return pin_set(&selected, false);
 }
 
-int board_init(struct board *board, uint32_t spi_hz)
+int board_init(struct board *board, uint32_t spi_hz, uint8_t spi_modes)
 {
     wdt_disable();
     init_lights_and_buttons(board);
     int err = avr_timer_init(&timer, AVR_TIMER_1_REGISTERS, BOARD_CPU_HZ);
     if (err) return err;
     board->clock = avr_timer_clock(&timer);
-    return init_bus(board, spi_hz);
+    return init_bus(board, spi_hz, spi_modes);
 }

@@ -19,6 +19,9 @@ static const struct stm32f1_pin led = {.port = STM32F1_GPIOC, .bit = 13, .invert
 static struct systick systick;
 static struct stm32_spi spi;
 
+/* Modules without chip select want a clock that idles high. */
+enum { SPI_MODE = 3 };
+
 /* The panel is selected when SPI has begun: what it may have taken for a bit before is forgotten then. */
 static void take_pins(struct board *board)
 {
@@ -31,7 +34,7 @@ static void take_pins(struct board *board)
     stm32f1_gpio_lend(&mosi);
 }
 
-int board_init(struct board *board, uint32_t spi_hz)
+int board_init(struct board *board, uint32_t spi_hz, uint8_t spi_modes)
 {
     const uint32_t cpu_hz = stm32f1_rcc_init(STM32F1_RCC, STM32F1_FLASH_ACR, CPU_HZ);
 
@@ -40,7 +43,8 @@ int board_init(struct board *board, uint32_t spi_hz)
     int err = systick_init(&systick, SYSTICK_REGISTERS, cpu_hz);
     if (err) return err;
     board->clock = systick_clock(&systick);
-    err = stm32_spi_init(&spi, STM32_SPI1, cpu_hz, spi_hz < SPI_MAX_HZ ? spi_hz : SPI_MAX_HZ);
+    err = stm32_spi_init(&spi, STM32_SPI1, cpu_hz, spi_hz < SPI_MAX_HZ ? spi_hz : SPI_MAX_HZ,
+                         spi_mode_of(spi_modes, SPI_MODE));
     if (err) return err;
     board->bus = stm32_spi_bus(&spi);
     return pin_set(&board->select, false);

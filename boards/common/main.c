@@ -111,7 +111,7 @@ static int run(void)
     struct panel *panel;
 
     board = (struct board){0};
-    int err = board_init(&board, MODULE_SPEED_HZ);
+    int err = board_init(&board, MODULE_SPEED_HZ, MODULE_SPI_MODES);
     if (!err) err = module_setup(&panel, &board);
     if (!err) err = panel_init(panel);
     const bool is_lit = !err;

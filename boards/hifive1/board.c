@@ -19,6 +19,9 @@ static const struct fe310_pin backlight = {.port = FE310_GPIO, .bit = 23};
 static struct mtime mtime;
 static struct fe310_spi spi;
 
+/* Modules without chip select want a clock that idles high. */
+enum { SPI_MODE = 3 };
+
 /* The panel is selected when SPI has begun: what it may have taken for a bit before is forgotten then. */
 static void take_pins(struct board *board)
 {
@@ -31,13 +34,14 @@ static void take_pins(struct board *board)
     fe310_gpio_lend(&mosi);
 }
 
-int board_init(struct board *board, uint32_t spi_hz)
+int board_init(struct board *board, uint32_t spi_hz, uint8_t spi_modes)
 {
     mtime = (struct mtime){.low = FE310_MTIME, .rate_hz = MTIME_HZ};
     board->clock = mtime_clock(&mtime);
     take_pins(board);
     const uint32_t cpu_hz = fe310_prci_init(FE310_PRCI, FE310_QSPI0, &board->clock);
-    int err = fe310_spi_init(&spi, FE310_QSPI1, cpu_hz, spi_hz < SPI_MAX_HZ ? spi_hz : SPI_MAX_HZ);
+    int err = fe310_spi_init(&spi, FE310_QSPI1, cpu_hz, spi_hz < SPI_MAX_HZ ? spi_hz : SPI_MAX_HZ,
+                             spi_mode_of(spi_modes, SPI_MODE));
     if (err) return err;
     board->bus = fe310_spi_bus(&spi);
     return pin_set(&board->select, false);

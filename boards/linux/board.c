@@ -23,11 +23,14 @@ enum { SPI, MODE, DC, RESET, BACKLIGHT, SELECT, TEARING, LED, WIRES };
 static const struct {
     const char *variable, *usual; /* NULL: not wired */
 } wires[WIRES] = {
-    [SPI] = {"LIMNER_SPI", "/dev/spidev0.0"}, [MODE] = {"LIMNER_MODE", "0"},
+    [SPI] = {"LIMNER_SPI", "/dev/spidev0.0"}, [MODE] = {"LIMNER_MODE", NULL},
     [DC] = {"LIMNER_DC", "GPIO25"},           [RESET] = {"LIMNER_RESET", "GPIO24"},
     [BACKLIGHT] = {"LIMNER_BACKLIGHT", NULL}, [SELECT] = {"LIMNER_SELECT", NULL},
     [TEARING] = {"LIMNER_TE", NULL},          [LED] = {"LIMNER_LED", NULL},
 };
+
+/* Where the module takes several. */
+enum { USUAL_MODE = 0 };
 
 static struct port port;
 
@@ -48,7 +51,7 @@ static int read_mode(uint8_t *mode)
     return 0;
 }
 
-int board_init(struct board *board, uint32_t spi_hz)
+int board_init(struct board *board, uint32_t spi_hz, uint8_t spi_modes)
 {
     struct linux_port_config config = {.spi = value_of(SPI),
                                        .dc = value_of(DC),
@@ -60,6 +63,7 @@ int board_init(struct board *board, uint32_t spi_hz)
                                        .speed_hz = spi_hz};
 
     interrupt_watch();
+    config.mode = spi_mode_of(spi_modes, USUAL_MODE);
     int err = read_mode(&config.mode);
     if (!err) err = linux_port_open(&port, &config);
     if (err) return err;

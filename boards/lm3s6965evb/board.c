@@ -32,11 +32,11 @@ static uint8_t buttons(void)
 }
 
 /* The display is not selected until the bus is idle, so it misses what an abandoned frame left there. */
-static int init_bus(struct board *board, uint32_t spi_hz)
+static int init_bus(struct board *board, uint32_t spi_hz, uint8_t spi_modes)
 {
-    const struct pl022_config config = {.clock_hz = LM3S_SYSTEM_HZ, .spi_hz = spi_hz, .mode = OLED_MODE};
+    const struct pl022_config config = {
+        .clock_hz = LM3S_SYSTEM_HZ, .spi_hz = spi_hz, .mode = spi_mode_of(spi_modes, OLED_MODE)};
     const struct pin select = lm3s_gpio_output(&oled_select, LM3S_GPIO_A_REGISTERS, OLED_SELECT, true);
-
     lm3s_gpio_alternate(LM3S_GPIO_A_REGISTERS, A_SSI0_CLK_TX);
     int err = pl022_init(&ssi, SSI0_REGISTERS, &config);
     if (err) return err;
@@ -52,7 +52,7 @@ static void init_buttons(struct board *board)
 }
 
 /* The LED first: it tells what goes wrong with the rest. */
-int board_init(struct board *board, uint32_t spi_hz)
+int board_init(struct board *board, uint32_t spi_hz, uint8_t spi_modes)
 {
     lm3s_peripherals_start(LM3S_SYSTEM_REGISTERS, 2, LM3S_2_GPIO_A | LM3S_2_GPIO_C | LM3S_2_GPIO_E | LM3S_2_GPIO_F);
     lm3s_peripherals_start(LM3S_SYSTEM_REGISTERS, 1, LM3S_1_SSI0);
@@ -66,5 +66,5 @@ int board_init(struct board *board, uint32_t spi_hz)
     board->dc = lm3s_gpio_output(&oled_dc, LM3S_GPIO_C_REGISTERS, OLED_DC, true);
     board->backlight = lm3s_gpio_output(&oled_supply, LM3S_GPIO_C_REGISTERS, OLED_SUPPLY, false);
     init_buttons(board);
-    return init_bus(board, spi_hz);
+    return init_bus(board, spi_hz, spi_modes);
 }

@@ -23,8 +23,7 @@ enum {
     PIN_LED = 25,
 };
 
-/* Idle high, sampled at the second edge, which is the rising one that all these displays take: with SPH = 1 the PL022
- * makes no pause between bytes (4.4.3). */
+/* Where the display takes it: with SPH = 1 the PL022 makes no pause between bytes (4.4.3). */
 enum { SPI_MODE = 3 };
 enum { DMA_CHANNEL = 0 };
 
@@ -74,9 +73,10 @@ static void take_pins(struct board *board)
 
 /* The display is selected once the clock is at its idle level, and stays so: it is alone on the bus. A falling edge
  * also ends what an earlier start left half sent. */
-static int start_bus(struct board *board, uint32_t spi_hz)
+static int start_bus(struct board *board, uint32_t spi_hz, uint8_t spi_modes)
 {
-    const struct pl022_config config = {.clock_hz = RP2040_SYS_HZ, .spi_hz = spi_hz, .mode = SPI_MODE};
+    const struct pl022_config config = {
+        .clock_hz = RP2040_SYS_HZ, .spi_hz = spi_hz, .mode = spi_mode_of(spi_modes, SPI_MODE)};
     int err = rp2040_reset(CLOCKS.resets, RP2040_RESET_SPI0 | RP2040_RESET_DMA);
 
     if (!err) err = pl022_init(&parts.spi, RP2040_SPI0_REGISTERS, &config);
@@ -87,7 +87,7 @@ static int start_bus(struct board *board, uint32_t spi_hz)
 }
 
 /* The LED and a clock come first, to tell of what fails later; until the PLL runs the clock waits for longer. */
-int board_init(struct board *board, uint32_t spi_hz)
+int board_init(struct board *board, uint32_t spi_hz, uint8_t spi_modes)
 {
     int err = rp2040_release(CLOCKS.resets, RP2040_RESET_IO_BANK0 | RP2040_RESET_PADS_BANK0);
 
@@ -96,5 +96,5 @@ int board_init(struct board *board, uint32_t spi_hz)
     err = systick_init(&parts.systick, SYSTICK_REGISTERS, RP2040_SYS_HZ);
     board->clock = systick_clock(&parts.systick);
     if (!err) err = rp2040_clocks_init(&CLOCKS);
-    return err ? err : start_bus(board, spi_hz);
+    return err ? err : start_bus(board, spi_hz, spi_modes);
 }

@@ -11,6 +11,9 @@
 
 enum { SPI1_FUNCTION = 5, SPI1_STREAM = 3, SPI1_CHANNEL = 3 };
 
+/* Modules without chip select want a clock that idles high. */
+enum { SPI_MODE = 3 };
+
 static const struct stm32f4_pin select = {.port = STM32F4_GPIOA, .bit = 4};
 static const struct stm32f4_pin sck = {.port = STM32F4_GPIOA, .bit = 5};
 static const struct stm32f4_pin dc = {.port = STM32F4_GPIOA, .bit = 6};
@@ -42,7 +45,7 @@ static struct bus take_bus(void)
     return stm32_dma_bus(&dma);
 }
 
-int board_init(struct board *board, uint32_t spi_hz)
+int board_init(struct board *board, uint32_t spi_hz, uint8_t spi_modes)
 {
     const struct stm32f4_clocks clocks = stm32f4_rcc_init(STM32F4_RCC, STM32F4_FLASH_ACR, HSE_HZ);
 
@@ -51,7 +54,7 @@ int board_init(struct board *board, uint32_t spi_hz)
     int err = systick_init(&systick, SYSTICK_REGISTERS, clocks.cpu_hz);
     if (err) return err;
     board->clock = systick_clock(&systick);
-    err = stm32_spi_init(&spi, STM32_SPI1, clocks.apb2_hz, spi_hz);
+    err = stm32_spi_init(&spi, STM32_SPI1, clocks.apb2_hz, spi_hz, spi_mode_of(spi_modes, SPI_MODE));
     if (err) return err;
     board->bus = take_bus();
     return pin_set(&board->select, false);

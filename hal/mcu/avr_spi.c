@@ -6,7 +6,8 @@ enum { RATES = 7 }; /* halves of the processor's rate */
 /* A byte takes 8 * 128 cycles at the slowest rate, and in an emulator that knows no rates 1600; a look takes five. */
 enum { LOOKS_MAX = 2000 };
 
-int avr_spi_init(struct avr_spi *spi, volatile struct avr_spi_registers *registers, uint32_t cpu_hz, uint32_t spi_hz)
+int avr_spi_init(struct avr_spi *spi, volatile struct avr_spi_registers *registers, uint32_t cpu_hz, uint32_t spi_hz,
+                 uint8_t mode)
 {
     uint8_t rate = 0;
 
@@ -15,7 +16,8 @@ int avr_spi_init(struct avr_spi *spi, volatile struct avr_spi_registers *registe
     if (rate == RATES) return MCU_ERR_CONFIG;
     spi->registers = registers;
     /* Every other rate is the one below with its clock doubled; the slowest, 1/128, is the exception. */
-    registers->spcr = (uint8_t)(AVR_SPCR_SPE | AVR_SPCR_MSTR | (rate < RATES - 1 ? rate / 2 : 3));
+    registers->spcr =
+        (uint8_t)(AVR_SPCR_SPE | AVR_SPCR_MSTR | mode * AVR_SPCR_CPHA | (rate < RATES - 1 ? rate / 2 : 3));
     registers->spsr = rate % 2 || rate == RATES - 1 ? 0 : AVR_SPSR_SPI2X;
     return 0;
 }

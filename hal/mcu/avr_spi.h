@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * The SPI of AVR microcontrollers as a bus: master, mode 0, polled, with waits that end. The pins, SS among them, which
+ * The SPI of AVR microcontrollers as a bus: master, polled, with waits that end. The pins, SS among them, which
  * must be an output or high, are the board's.
  * Manual: Atmel-7766, ATmega16U4/ATmega32U4, section 17, "Serial Peripheral Interface". Not tried on hardware. */
 #ifndef HAL_MCU_AVR_SPI_H
@@ -20,6 +20,7 @@ struct avr_spi_registers {
 enum {
     AVR_SPCR_SPE = 1 << 6,
     AVR_SPCR_MSTR = 1 << 4,
+    AVR_SPCR_CPHA = 1 << 2, /* and CPOL above it, as SPI numbers its modes */
     AVR_SPSR_SPIF = 1 << 7, /* a byte has left */
     AVR_SPSR_SPI2X = 1 << 0
 };
@@ -28,9 +29,10 @@ struct avr_spi {
     volatile struct avr_spi_registers *registers;
 };
 
-/* The fastest rate that is not above spi_hz: the processor's divided by 2, 4, ... 128. MCU_ERR_CONFIG: all are. */
+/* In SPI's mode 0 .. 3, at the fastest rate that is not above spi_hz: the processor's divided by 2, 4, ... 128.
+ * MCU_ERR_CONFIG: all are. */
 HAL_MUST_CHECK int avr_spi_init(struct avr_spi *spi, volatile struct avr_spi_registers *registers, uint32_t cpu_hz,
-                                uint32_t spi_hz);
+                                uint32_t spi_hz, uint8_t mode);
 
 /* Its bytes have left when a write returns. MCU_ERR_TIMEOUT: one does not leave. *spi must outlive the bus. */
 struct bus avr_spi_bus(struct avr_spi *spi);

@@ -7,7 +7,7 @@
 
 enum {
     SCKDIV_MAX = 0xFFF,
-    SCKMODE_3 = 3, /* the clock idles high, panels read at its rise */
+    SCKMODE_MODES = 3, /* polarity and phase, as SPI numbers its modes */
     CSMODE_OFF = 3,
     FMT_8_BITS = 8 << 16, /* one line, most significant first, what comes in is kept */
     FIFO_B = 8,
@@ -16,14 +16,15 @@ enum {
 /* A byte takes 8 * 8192 of the processor's cycles at most, and a look four at least. */
 #define LOOKS_MAX UINT32_C(65535)
 
-int fe310_spi_init(struct fe310_spi *spi, struct fe310_spi_registers *registers, uint32_t clock_hz, uint32_t spi_hz)
+int fe310_spi_init(struct fe310_spi *spi, struct fe310_spi_registers *registers, uint32_t clock_hz, uint32_t spi_hz,
+                   uint8_t mode)
 {
     const uint32_t sckdiv = spi_hz ? (clock_hz - 1) / 2 / spi_hz : UINT32_MAX;
 
     *spi = (struct fe310_spi){.registers = registers};
     if (sckdiv > SCKDIV_MAX) return MCU_ERR_CONFIG;
     registers->sckdiv = sckdiv;
-    registers->sckmode = SCKMODE_3;
+    registers->sckmode = mode & SCKMODE_MODES;
     registers->csmode = CSMODE_OFF;
     registers->fmt = FMT_8_BITS;
     for (uint8_t i = 0; i < FIFO_B; i++) /* what was received before */

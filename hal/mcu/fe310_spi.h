@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
- * SPI of SiFive's FE310 as a bus: master, mode 3, eight bits, most significant first, polled, chip select left to a
- * pin. Registers: FE310-G000 Manual, chapter 19, "Serial Peripheral Interface (SPI)". Nothing tells that the last byte
+ * SPI of SiFive's FE310 as a bus: master, eight bits, most significant first, polled, chip select left to a pin.
+ * Registers: FE310-G000 Manual, chapter 19, "Serial Peripheral Interface (SPI)". Nothing tells that the last byte
  * has left but the byte that is received for it: so as many are awaited as were sent, and never more are on their way
  * than the receiver has room for. */
 #ifndef HAL_MCU_FE310_SPI_H
@@ -24,10 +24,10 @@ struct fe310_spi {
     uint8_t on_their_way; /* bytes sent for which none was received yet */
 };
 
-/* Starts at spi_hz or the next slower rate: clock_hz divided by 2, 4, 6 ... 8192. MCU_ERR_CONFIG: that is too fast
- * still. */
+/* Starts in SPI's mode 0 .. 3, at spi_hz or the next slower rate: clock_hz divided by 2, 4, 6 ... 8192. MCU_ERR_CONFIG:
+ * that is too fast still. */
 HAL_MUST_CHECK int fe310_spi_init(struct fe310_spi *spi, struct fe310_spi_registers *registers, uint32_t clock_hz,
-                                  uint32_t spi_hz);
+                                  uint32_t spi_hz, uint8_t mode);
 
 /* *spi must outlive the bus. MCU_ERR_TIMEOUT: bytes do not leave. */
 struct bus fe310_spi_bus(struct fe310_spi *spi);

@@ -7,8 +7,7 @@
 #include "mcu/wait.h"
 
 enum {
-    CR1_CPHA = 1 << 0,
-    CR1_CPOL = 1 << 1,
+    CR1_MODES = 3 << 0, /* CPOL and CPHA, as SPI numbers its modes */
     CR1_MSTR = 1 << 2,
     CR1_BR_SHIFT = 3,
     CR1_SPE = 1 << 6,
@@ -25,7 +24,8 @@ enum {
  * so many looks two bytes have long left. */
 #define LOOKS_MAX UINT32_C(65535)
 
-int stm32_spi_init(struct stm32_spi *spi, struct stm32_spi_registers *registers, uint32_t clock_hz, uint32_t spi_hz)
+int stm32_spi_init(struct stm32_spi *spi, struct stm32_spi_registers *registers, uint32_t clock_hz, uint32_t spi_hz,
+                   uint8_t mode)
 {
     uint32_t br = 0;
 
@@ -35,8 +35,7 @@ int stm32_spi_init(struct stm32_spi *spi, struct stm32_spi_registers *registers,
     if ((clock_hz >> (br + 1)) > spi_hz) return MCU_ERR_CONFIG;
     registers->cr1 = 0;
     registers->cr2 = 0;
-    registers->cr1 =
-        CR1_BIDIMODE | CR1_BIDIOE | CR1_SSM | CR1_SSI | CR1_MSTR | CR1_CPOL | CR1_CPHA | br << CR1_BR_SHIFT;
+    registers->cr1 = CR1_BIDIMODE | CR1_BIDIOE | CR1_SSM | CR1_SSI | CR1_MSTR | br << CR1_BR_SHIFT | (mode & CR1_MODES);
     registers->cr1 |= CR1_SPE;
     return 0;
 }

@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
  * SPI of STM32F1 and STM32F4 as a bus: master, eight bits, most significant first, transmit only, polled.
- * Registers: RM0008 (F1) 25.5, RM0090 (F4) 28.5; RM0041 (F100) has the same.
- * Mode 3: every panel reads on the rising edge, and those without chip select want a clock that idles high. */
+ * Registers: RM0008 (F1) 25.5, RM0090 (F4) 28.5; RM0041 (F100) has the same. */
 #ifndef HAL_MCU_STM32_SPI_H
 #define HAL_MCU_STM32_SPI_H
 
@@ -21,10 +20,10 @@ struct stm32_spi {
     struct stm32_spi_registers *registers;
 };
 
-/* Starts the peripheral, whose own clock, clock_hz, is on already, at spi_hz or the next slower rate: clock_hz divided
- * by 2, 4, 8 ... 256. MCU_ERR_CONFIG: that is too fast still. */
+/* Starts the peripheral, whose own clock, clock_hz, is on already, in SPI's mode 0 .. 3, at spi_hz or the next slower
+ * rate: clock_hz divided by 2, 4, 8 ... 256. MCU_ERR_CONFIG: that is too fast still. */
 HAL_MUST_CHECK int stm32_spi_init(struct stm32_spi *spi, struct stm32_spi_registers *registers, uint32_t clock_hz,
-                                  uint32_t spi_hz);
+                                  uint32_t spi_hz, uint8_t mode);
 
 /* *spi must outlive the bus. MCU_ERR_TIMEOUT: the peripheral does not take or send its bytes. */
 struct bus stm32_spi_bus(struct stm32_spi *spi);

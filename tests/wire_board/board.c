@@ -42,8 +42,9 @@ static int set_level(void *ctx, bool high)
     return printf("p %s %d\n", (const char *)ctx, high) < 0 ? -1 : 0;
 }
 
-int board_init(struct board *board, uint32_t spi_hz)
+int board_init(struct board *board, uint32_t spi_hz, uint8_t spi_modes)
 {
+    (void)spi_modes;
     wires.byte_ns = (uint32_t)(UINT64_C(8000000000) / spi_hz);
     board->bus = (struct bus){.ctx = &wires, .write = write_bytes};
     board->clock = (struct clock){.ctx = &wires, .delay = delay};
