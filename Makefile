@@ -243,8 +243,8 @@ $(test_programs): $(BUILD)/tests/%: $(BUILD)/host/tests/%.o $(test_library) $(li
 $(BUILD)/tests/test_osmesa: test_links := -lOSMesa
 
 # A machine without a kernel takes the place of these calls, see tests/fake_linux.h, and of libgpiod's.
-faked      := test_linux_port test_linux_panels test_play
-fake_calls := open close read ioctl glob globfree calloc clock_gettime clock_nanosleep
+faked      := test_linux_port test_linux_spi test_linux_panels test_play
+fake_calls := open close read readlink access ioctl glob globfree calloc clock_gettime clock_nanosleep
 $(addprefix $(BUILD)/tests/,$(faked)): $(call object,tests/fake_gpiod_v1.c tests/fake_gpiod_v2.c)
 $(addprefix $(BUILD)/tests/,$(faked)): test_links := $(foreach name,$(fake_calls),-Xlinker --wrap=$(name))
 tests/cli_gpiod.sh: $(BUILD)/tests/test_linux_port

@@ -11,7 +11,7 @@
 
 #include "bus.h"
 
-enum { PORT_ERROR_B = 256 };
+enum { PORT_ERROR_B = 384 };
 
 struct port {
     struct bus bus;
@@ -19,6 +19,7 @@ struct port {
     struct edge tearing;
     struct clock clock;
     char error[PORT_ERROR_B];         /* of the call that failed last, without a newline */
+    char notice[PORT_ERROR_B];        /* what it does otherwise than it was asked to, as it cannot; "": nothing */
     void *ctx;                        /* the port's own state */
     void (*close)(struct port *port); /* releases lines and devices; NULL: not open */
 };

@@ -5,6 +5,7 @@
 #include "commands.h"
 #include "hid/hid_bridges.h"
 #include "linux/gpio_lines.h"
+#include "linux/spi_devices.h"
 
 #include <errno.h>
 #include <fcntl.h>
@@ -19,12 +20,12 @@ static const char *help_for(int err_no, const char *group_help)
     return err_no == EACCES || err_no == EPERM ? group_help : "";
 }
 
-/* Device nodes, or that there are `none`. */
+/* Device nodes, or that there are `none`; NULL: then nothing. */
 static void print_all(const char *pattern, void (*print)(const char *path), const char *none)
 {
     glob_t paths;
     if (glob(pattern, 0, NULL, &paths) != 0) {
-        puts(none);
+        if (none) puts(none);
         return;
     }
     for (size_t i = 0; i < paths.gl_pathc; i++)
@@ -46,10 +47,16 @@ static void print_spidev(const char *path)
     printf("spi   %s: usable\n", path);
 }
 
+/* What an overlay has taken is listed as well, and how it comes back. */
 static void print_spidevs(void)
 {
-    print_all("/dev/spidev*", print_spidev,
-              "spi   none: no /dev/spidev*; load spidev and the controller's driver (Raspberry Pi: dtparam=spi=on)");
+    char trouble[SPI_TROUBLE_B], none[SPI_TROUBLE_B + 32];
+    struct spi_place place;
+    spi_trouble(trouble);
+    snprintf(none, sizeof none, "spi   none: no /dev/spidev*; %s", trouble);
+    print_all("/dev/spidev*", print_spidev, spi_place_without_node(&place, 0) ? NULL : none);
+    for (size_t i = 0; spi_place_without_node(&place, i); i++)
+        if (spi_place_trouble(trouble, &place)) printf("spi   spi%u.%u: %s\n", place.bus, place.select, trouble);
 }
 
 /* GPIO ------------------------------------------------------------------------------------------ */

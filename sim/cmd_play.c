@@ -94,10 +94,10 @@ static bool play_parse(struct play *play, int argc, char **argv, struct error *e
 static bool open_display(struct play *play, struct error *err)
 {
     const struct module_choice *choice = &play->module_choice;
-    const uint8_t mode = spi_mode_of(choice->spi_modes, USUAL_MODE);
-    if (!port_choice_open(&play->port_choice, choice->speed_hz, mode, &play->port, err)) return false;
-    if (mode != USUAL_MODE && !choice->mode_given)
-        notice("SPI mode %u, which most modules with %s want; --mode says otherwise", (unsigned)mode,
+    const struct port_clock clock = {choice->speed_hz, spi_mode_of(choice->spi_modes, USUAL_MODE), !choice->mode_given};
+    if (!port_choice_open(&play->port_choice, &clock, &play->port, err)) return false;
+    if (clock.mode != USUAL_MODE && clock.any_mode && !play->port.notice[0])
+        notice("SPI mode %u, which most modules with %s want; --mode says otherwise", (unsigned)clock.mode,
                choice->panel.name);
     player_init(&play->player, &play->port);
     struct port counted = play->port;

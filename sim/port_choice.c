@@ -3,6 +3,7 @@
 
 #include "hid/hid_port.h"
 #include "idle_port.h"
+#include "notice.h"
 
 #include <string.h>
 
@@ -53,6 +54,15 @@ static bool linux_check(const struct linux_port_config *config, struct error *er
                      "play: needs --spi DEVICE, as /dev/spidev0.0, or --hid; `limner devices` lists those there are");
 }
 
+static int linux_open(const struct port_choice *choice, const struct port_clock *clock, struct port *port)
+{
+    struct linux_port_config config = choice->linux_port;
+    config.speed_hz = clock->speed_hz;
+    config.mode = clock->mode;
+    config.any_mode = clock->any_mode;
+    return linux_port_open(port, &config);
+}
+
 /* USB-HID bridges ------------------------------------------------------------------------------- */
 
 /* Serial numbers are digits, and scenes are not named so: --hid SCENE stays what it looks like. */
@@ -71,7 +81,7 @@ static bool hid_check(const struct port_choice *choice, struct error *err)
     return lines_check(config, err);
 }
 
-static int hid_open(const struct port_choice *choice, uint32_t speed_hz, uint8_t mode, struct port *port)
+static int hid_open(const struct port_choice *choice, const struct port_clock *clock, struct port *port)
 {
     const struct linux_port_config *config = &choice->linux_port;
     const struct bridge_options options = {.dc = config->dc,
@@ -79,8 +89,8 @@ static int hid_open(const struct port_choice *choice, uint32_t speed_hz, uint8_t
                                            .backlight = config->backlight,
                                            .select = config->select,
                                            .chip_select = choice->chip_select,
-                                           .bit_rate_hz = speed_hz,
-                                           .mode = mode};
+                                           .bit_rate_hz = clock->speed_hz,
+                                           .mode = clock->mode};
     return hid_port_open(port, choice->serial, &options);
 }
 
@@ -110,12 +120,12 @@ struct port port_choice_stand_in(const struct port_choice *choice)
     return port;
 }
 
-bool port_choice_open(const struct port_choice *choice, uint32_t speed_hz, uint8_t mode, struct port *port,
+bool port_choice_open(const struct port_choice *choice, const struct port_clock *clock, struct port *port,
                       struct error *err)
 {
-    struct linux_port_config config = choice->linux_port;
-    config.speed_hz = speed_hz;
-    config.mode = mode;
-    const int code = choice->kind == PORT_HID ? hid_open(choice, speed_hz, mode, port) : linux_port_open(port, &config);
-    return code == 0 || error_set(err, "%s", port->error);
+    const bool is_hid = choice->kind == PORT_HID;
+    const int code = is_hid ? hid_open(choice, clock, port) : linux_open(choice, clock, port);
+    if (code) return error_set(err, "%s", port->error);
+    if (port->notice[0]) notice("%s", port->notice);
+    return true;
 }

@@ -10,12 +10,13 @@
 #include <glob.h>
 #include <linux/spi/spidev.h>
 #include <stdarg.h>
+#include <stdlib.h>
 #include <string.h>
 #include <sys/ioctl.h>
 #include <time.h>
 #include <unistd.h>
 
-enum { FIRST_FD = 1000, AS_SPI = 1, AS_BUFSIZ, FAKE_PATHS_MAX = 64 };
+enum { FIRST_FD = 1000, AS_SPI = 1, AS_BUFSIZ, AS_NODE, FAKE_PATHS_MAX = 64 };
 
 struct fake_linux fake;
 
@@ -24,6 +25,7 @@ void fake_linux_init(void)
     static const char *const names[] = {"GPIO0", "GPIO1", "GPIO2", "GPIO3", "GPIO4", "GPIO5", "GPIO6", "GPIO7"};
     fake = (struct fake_linux){.spi_path = "/dev/spidev0.0",
                                .bufsiz = "4096\n",
+                               .mode_bits = 0xFF,
                                .first_fd = FIRST_FD,
                                .most_b = 4096,
                                .chip_count = 2,
@@ -132,6 +134,8 @@ int fake_line_wait(struct fake_line *line, uint64_t timeout_ns)
 /* The system's calls ---------------------------------------------------------------------------- */
 
 int __wrap_open(const char *path, int flags, ...);
+ssize_t __wrap_readlink(const char *path, char *to, size_t most_b);
+int __wrap_access(const char *path, int mode);
 int __real_open(const char *path, int flags, ...);
 int __real_close(int fd);
 int __wrap_close(int fd);
@@ -162,11 +166,40 @@ static int opened(uint8_t as)
     return fake.first_fd + i;
 }
 
+/* NULL: there is none. */
+static const struct fake_node *find_node(const char *path)
+{
+    for (int i = 0; i < FAKE_NODES_MAX; i++)
+        if (fake.nodes[i].path && strcmp(fake.nodes[i].path, path) == 0) return &fake.nodes[i];
+    return NULL;
+}
+
+int __wrap_access(const char *path, int mode)
+{
+    assert_int_equal(mode, F_OK);
+    const bool is_spi = fake.spi_path && strcmp(path, fake.spi_path) == 0;
+    errno = ENOENT;
+    return is_spi || find_node(path) ? 0 : -1;
+}
+
+ssize_t __wrap_readlink(const char *path, char *to, size_t most_b)
+{
+    const struct fake_node *node = find_node(path);
+    errno = EINVAL;
+    if (!node || !node->link) return -1;
+    const size_t n_b = strlen(node->link) < most_b ? strlen(node->link) : most_b;
+    memcpy(to, node->link, n_b); /* without an end */
+    return (ssize_t)n_b;
+}
+
 int __wrap_open(const char *path, int flags, ...)
 {
+    const struct fake_node *node = find_node(path);
     const bool is_spi = strncmp(path, "/dev/", 5) == 0;
     if (!is_spi && strncmp(path, "/sys/", 5) != 0) return __real_open(path, flags); /* no device: a scene, a camera */
     assert_int_equal(flags, (is_spi ? O_RDWR : O_RDONLY) | O_CLOEXEC); /* it is nobody's business whom we start */
+    errno = ENOENT;
+    if (node && !is_spi) return node->text ? opened((uint8_t)(AS_NODE + (node - fake.nodes))) : -1;
     if (fake_fails(is_spi ? "open" : "open bufsiz")) return -1;
     if (is_spi && fake_is_interrupted()) return -1;
     errno = is_spi ? fake.spi_err_no : 0;
@@ -186,10 +219,11 @@ int __wrap_close(int fd)
 
 ssize_t __wrap_read(int fd, void *to, size_t most_b)
 {
-    (void)fd;
-    if (fake_fails("read bufsiz")) return -1;
-    const size_t n_b = strlen(fake.bufsiz) < most_b ? strlen(fake.bufsiz) : most_b;
-    memcpy(to, fake.bufsiz, n_b);
+    const int as = fake.open_as[fd - fake.first_fd];
+    if (as < AS_NODE && fake_fails("read bufsiz")) return -1;
+    const char *text = as < AS_NODE ? fake.bufsiz : fake.nodes[as - AS_NODE].text;
+    const size_t n_b = strlen(text) < most_b ? strlen(text) : most_b;
+    memcpy(to, text, n_b);
     return (ssize_t)n_b;
 }
 
@@ -207,19 +241,34 @@ static int send_message(const struct spi_ioc_transfer *transfer)
     return code || bus_flush(&bus) ? -1 : (int)transfer->len;
 }
 
+static int write_mode(uint8_t mode)
+{
+    errno = EINVAL;
+    if (mode & ~fake.mode_bits) return -1;
+    fake.mode = (uint8_t)(mode | (fake.cs_is_gpio ? SPI_CS_HIGH : 0));
+    return 0;
+}
+
+static uint8_t read_mode(void)
+{
+    if (!fake.cs_is_gpio) return fake.mode;
+    return (uint8_t)(fake.cs_is_told_high ? fake.mode | SPI_CS_HIGH : fake.mode & ~SPI_CS_HIGH);
+}
+
 int __wrap_ioctl(int fd, unsigned long request, ...)
 {
     va_list arguments;
     va_start(arguments, request);
-    const void *argument = va_arg(arguments, const void *);
+    void *argument = va_arg(arguments, void *);
     va_end(arguments);
     if (fake_fails("ioctl") || fake_is_interrupted()) return -1;
     errno = EBADF;
     if (!is_fake(fd) || fake.open_as[fd - fake.first_fd] != AS_SPI) return -1;
     errno = ENOTTY;
     if (request == SPI_IOC_MESSAGE(1)) return send_message(argument);
-    if (request == SPI_IOC_WR_MODE)
-        fake.mode = *(const uint8_t *)argument;
+    if (request == SPI_IOC_WR_MODE) return write_mode(*(const uint8_t *)argument);
+    if (request == SPI_IOC_RD_MODE)
+        *(uint8_t *)argument = read_mode();
     else if (request == SPI_IOC_WR_BITS_PER_WORD)
         fake.word_bits = *(const uint8_t *)argument;
     else if (request == SPI_IOC_WR_MAX_SPEED_HZ)
@@ -229,16 +278,34 @@ int __wrap_ioctl(int fd, unsigned long request, ...)
     return 0;
 }
 
-int __wrap_glob(const char *pattern, int flags, int (*on_error)(const char *path, int err_no), glob_t *out)
+/* As sorted as they are listed. */
+static unsigned list_nodes(const char *pattern, char **paths)
 {
-    static char *paths[FAKE_PATHS_MAX];
-    static char text[FAKE_PATHS_MAX][64];
-    (void)flags, (void)on_error;
-    const bool is_spi = strcmp(pattern, "/dev/spidev*") == 0;
+    const size_t length = strlen(pattern) - 1; /* without its star */
+    unsigned count = 0;
+    for (int i = 0; i < FAKE_NODES_MAX; i++) {
+        const char *path = fake.nodes[i].path;
+        if (path && strncmp(path, pattern, length) == 0 && !strchr(path + length, '/')) paths[count++] = strdup(path);
+    }
+    return count;
+}
+
+static unsigned list_devices(bool is_spi, char **paths)
+{
     const unsigned spis = !fake.spi_path ? 0 : fake.spi_count ? fake.spi_count : 1;
     const unsigned count = is_spi ? spis : fake.chip_count;
     for (unsigned i = 0; i < count; i++)
-        paths[i] = strcpy(text[i], is_spi ? fake.spi_path : fake.chips[i].path);
+        paths[i] = strdup(is_spi ? fake.spi_path : fake.chips[i].path);
+    return count;
+}
+
+int __wrap_glob(const char *pattern, int flags, int (*on_error)(const char *path, int err_no), glob_t *out)
+{
+    static char *paths[FAKE_PATHS_MAX];
+    (void)flags, (void)on_error;
+    const bool is_device = strncmp(pattern, "/dev/", 5) == 0;
+    const unsigned count =
+        is_device ? list_devices(strcmp(pattern, "/dev/spidev*") == 0, paths) : list_nodes(pattern, paths);
     *out = (glob_t){.gl_pathc = count, .gl_pathv = paths};
     if (count == 0) return GLOB_NOMATCH;
     fake.objects++;
@@ -247,7 +314,8 @@ int __wrap_glob(const char *pattern, int flags, int (*on_error)(const char *path
 
 void __wrap_globfree(glob_t *paths)
 {
-    (void)paths;
+    for (size_t i = 0; i < paths->gl_pathc; i++)
+        free(paths->gl_pathv[i]);
     fake.objects--;
 }
 

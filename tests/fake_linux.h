@@ -8,7 +8,14 @@
 
 #include "emulated_display.h"
 
-enum { FAKE_CHIPS_MAX = 3, FAKE_LINES_MAX = 16, FAKE_NAMED_LINES = 8, FAKE_MESSAGES_MAX = 1024, FAKE_FDS_MAX = 8 };
+enum {
+    FAKE_CHIPS_MAX = 3,
+    FAKE_LINES_MAX = 16,
+    FAKE_NODES_MAX = 8,
+    FAKE_NAMED_LINES = 8,
+    FAKE_MESSAGES_MAX = 1024,
+    FAKE_FDS_MAX = 8
+};
 
 struct fake_line {
     const char *name;     /* NULL: none */
@@ -27,6 +34,13 @@ struct fake_chip {
     struct fake_line lines[FAKE_LINES_MAX];
 };
 
+/* A path of /sys, /dev or /boot beside the SPI device and the chips. */
+struct fake_node {
+    const char *path;
+    const char *text; /* what it holds; NULL: it cannot be read */
+    const char *link; /* where it leads; NULL: it is no link */
+};
+
 struct fake_linux {
     /* The machine; to be set by a test. */
     const char *spi_path; /* NULL: there is none */
@@ -34,6 +48,10 @@ struct fake_linux {
     bool no_memory;       /* nothing can be allocated, and nobody wants more than one of anything */
     int spi_err_no;       /* of opening it; 0: it opens */
     const char *bufsiz;   /* text of the module's parameter; NULL: unreadable */
+    struct fake_node nodes[FAKE_NODES_MAX];
+    uint8_t mode_bits;    /* of SPI's flags, those that the controller has */
+    bool cs_is_gpio;      /* its level is the device tree's: SPI_CS_HIGH stays set */
+    bool cs_is_told_high; /* and so it is read, as by some kernels; else as never set */
     int first_fd;         /* the least descriptor that is free; as it is, nobody else's */
     size_t most_b;        /* of a message, for the kernel */
     size_t unsent_b;      /* of each message, that the kernel says it has not sent */

@@ -304,7 +304,7 @@ static void a_device_that_cannot_be_set_up_is_closed(void **state)
         struct spidev spidev;
         fake_linux_init();
         fake_fail_at(n + 1, EINVAL);
-        assert_int_equal(spidev_open(&spidev, "/dev/spidev0.0", 0, 1000000, &port), -EINVAL);
+        assert_int_equal(spidev_open(&spidev, "/dev/spidev0.0", 0, 0, 1000000, &port), -EINVAL);
         assert_int_equal(spidev.fd, -1);
         assert_true(fake_is_clean());
         spidev_close(&spidev);
@@ -340,8 +340,10 @@ static void lines_that_cannot_be_had_are_explained(void **state)
     fake.chips[0].lines[2].is_used = true;
     assert_line_refused("GPIO2", EBUSY, "GPIO2: gpiochip0:2 cannot be had: Device or resource busy");
     fake.chips[0].lines[2].consumer = "lcd-reset";
-    assert_line_refused("GPIO2", EBUSY,
-                        "GPIO2: gpiochip0:2 is in use by \"lcd-reset\"; end that, or take another line");
+    assert_line_refused(
+        "GPIO2", EBUSY,
+        "GPIO2: gpiochip0:2 is in use by \"lcd-reset\"; end that program, take the overlay away that says so, or take "
+        "another line");
     fake.chips[1].lines[1].name = "GPIO3";
     assert_line_refused("GPIO3", ENOTUNIQ, "GPIO3: more than one is called so; give gpiochip0:3 or gpiochip1:1");
     fake.chips[0].lines[7].name = "GPIO1";
@@ -474,7 +476,10 @@ static void both_places_of_a_name_are_told_whole(void **state)
                         "GPIO3: more than one is called so; give gpiochip0:3 or gpiochip-of-thirty-one-letters.:12");
     fake.chips[0].lines[2].is_used = true;
     fake.chips[0].lines[2].consumer = "x";
-    assert_line_refused("GPIO2", EBUSY, "GPIO2: gpiochip0:2 is in use by \"x\"; end that, or take another line");
+    assert_line_refused(
+        "GPIO2", EBUSY,
+        "GPIO2: gpiochip0:2 is in use by \"x\"; end that program, take the overlay away that says so, or take "
+        "another line");
 }
 
 /* Lines ----------------------------------------------------------------------------------------- */

@@ -108,6 +108,26 @@ static void the_display_shows_what_the_simulator_does(void **state)
     assert_ended();
 }
 
+/* The mode in which a card goes out. */
+static uint8_t mode_of(const char *panel, const struct display_module *module, const char *more)
+{
+    char all[128];
+    plug_in(panel, module);
+    snprintf(all, sizeof all, "--frames 1 --test-card %s", more);
+    assert_int_equal(play(panel, all), 0);
+    return fake.mode;
+}
+
+static void the_mode_of_spi_is_the_modules_unless_it_is_given(void **state)
+{
+    (void)state;
+    const struct display_module oled = {.w_px = 128, .h_px = 64};
+    assert_int_equal(mode_of("st7789", &glass_module, "--size 96x72 --offset 11,12"), 3);
+    assert_int_equal(mode_of("st7789", &glass_module, "--size 96x72 --offset 11,12 --mode 0"), 0);
+    assert_int_equal(mode_of("ssd1306", &oled, ""), 0);
+    assert_int_equal(mode_of("ssd1306", &oled, "--mode 3"), 3);
+}
+
 static void a_turned_display_shows_it_turned(void **state)
 {
     (void)state;
@@ -417,6 +437,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_display_shows_what_the_simulator_does),
+        cmocka_unit_test(the_mode_of_spi_is_the_modules_unless_it_is_given),
         cmocka_unit_test(a_turned_display_shows_it_turned),
         cmocka_unit_test(the_card_is_right_in_all_rotations),
         cmocka_unit_test(a_scene_is_turned_by_the_camera_where_the_chip_cannot),

@@ -64,9 +64,11 @@ int board_init(struct board *board, uint32_t spi_hz, uint8_t spi_modes)
 
     interrupt_watch();
     config.mode = spi_mode_of(spi_modes, USUAL_MODE);
+    config.any_mode = !value_of(MODE);
     int err = read_mode(&config.mode);
     if (!err) err = linux_port_open(&port, &config);
     if (err) return err;
+    if (port.notice[0]) fprintf(stderr, "limner: note: %s\n", port.notice);
     *board = (struct board){.bus = port.bus,
                             .dc = port.dc,
                             .reset = port.reset,

@@ -128,8 +128,10 @@ static int in_use(const struct gpio_line *line, const char *name, int err_no, st
     struct gpio_line_info info;
     const bool known = err_no == EBUSY && gpio_chip_line(&line->chip, line->offset, &info) == 0 && info.consumer[0];
     if (known)
-        return linux_fail(port, err_no, "%s: %s:%u is in use by \"%s\"; end that, or take another line", name,
-                          line->chip.name, line->offset, info.consumer);
+        return linux_fail(
+            port, err_no,
+            "%s: %s:%u is in use by \"%s\"; end that program, take the overlay away that says so, or take another line",
+            name, line->chip.name, line->offset, info.consumer);
     return linux_fail(port, err_no, "%s: %s:%u cannot be had: %s", name, line->chip.name, line->offset,
                       strerror(err_no));
 }

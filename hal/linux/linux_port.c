@@ -137,7 +137,8 @@ static void close_port(struct port *port)
 static int acquire(struct linux_port *self, struct port *port, const struct linux_port_config *config)
 {
     const unsigned mode = config->mode | (config->no_cs ? SPI_NO_CS : 0u) | (config->cs_high ? SPI_CS_HIGH : 0u);
-    int err = spidev_open(&self->spi, config->spi, (uint8_t)mode, config->speed_hz, port);
+    const unsigned spare = (config->no_cs ? SPI_NO_CS : 0u) | (config->any_mode ? SPI_MODE_3 : 0u);
+    int err = spidev_open(&self->spi, config->spi, (uint8_t)mode, (uint8_t)spare, config->speed_hz, port);
     if (!err) err = take(self, port, DC, config->dc, GPIO_OUTPUT_LOW);
     if (!err) err = take(self, port, RESET, config->reset, GPIO_OUTPUT_HIGH);
     if (!err) err = take(self, port, BACKLIGHT, config->backlight, GPIO_OUTPUT_LOW);

@@ -24,7 +24,9 @@ struct linux_port_config {
     const char *tearing;   /* an input; its last rises are remembered until a wait begins */
     uint32_t speed_hz;     /* required, above 0: what the panel takes at most; the controller may be slower */
     uint8_t mode;          /* 0 .. 3: clock polarity and phase */
-    bool no_cs, cs_high;   /* the bus's chip select stays off; is active high. Not every controller can */
+    bool any_mode;         /* a controller that cannot do that mode may take mode 0, which port->notice says then */
+    bool no_cs, cs_high;   /* the bus's chip select stays off, unless the controller cannot: port->notice; is active
+                              high */
 };
 
 /* Opens all of it, or nothing. 0 or a negative errno, with a line in port->error. *port must not move until

@@ -2,10 +2,13 @@
  *
  * The kernel copies a message into a buffer of its module's parameter `bufsiz`, and refuses a longer one as a whole
  * with EMSGSIZE; so does a controller that takes less. Longer writes are split, and what was refused for its length is
- * sent again in halves. */
+ * sent again in halves.
+ * A mode with a flag that the controller does not have is refused as a whole with EINVAL (spi_setup() in the kernel's
+ * drivers/spi/spi.c): flags are then tried one by one, for what can be left out, and for who is to blame. */
 #include "spidev.h"
 
 #include "fail.h"
+#include "spi_devices.h"
 
 #include <errno.h>
 #include <fcntl.h>
@@ -42,20 +45,27 @@ static int control(const struct spidev *spidev, unsigned long request, void *arg
     return result < 0 ? -errno : result;
 }
 
+/* Nodes that there are, as many as there is room for. */
+static void list_nodes(char *out, size_t out_b)
+{
+    glob_t paths;
+    out[0] = '\0';
+    if (glob("/dev/spidev*", 0, NULL, &paths) != 0) return;
+    for (size_t i = 0, used = 0; i < paths.gl_pathc && used < out_b; i++)
+        used += (size_t)snprintf(out + used, out_b - used, "%s%s", i ? ", " : "", paths.gl_pathv[i]);
+    globfree(&paths);
+}
+
 static int no_such_device(const char *path, int err_no, struct port *port)
 {
-    char there[PORT_ERROR_B / 2] = "";
-    glob_t paths;
-    if (glob("/dev/spidev*", 0, NULL, &paths) == 0) {
-        for (size_t i = 0, used = 0; i < paths.gl_pathc && used < sizeof there; i++)
-            used += (size_t)snprintf(there + used, sizeof there - used, "%s%s", i ? ", " : "", paths.gl_pathv[i]);
-        globfree(&paths);
-    }
+    char there[PORT_ERROR_B / 2], trouble[SPI_TROUBLE_B];
+    struct spi_place place;
+    if (spi_place_of(&place, path) && spi_place_trouble(trouble, &place))
+        return linux_fail(port, err_no, "%s: no such device: %s", path, trouble);
+    list_nodes(there, sizeof there);
     if (there[0]) return linux_fail(port, err_no, "%s: no such device; there are %s", path, there);
-    return linux_fail(port, err_no,
-                      "%s: no such device, nor any other; load spidev and the controller's driver (Raspberry Pi: "
-                      "dtparam=spi=on)",
-                      path);
+    if (!spi_place_without_node(&place, 0) || !spi_place_trouble(trouble, &place)) spi_trouble(trouble);
+    return linux_fail(port, err_no, "%s: no such device, nor any other; %s", path, trouble);
 }
 
 static int cannot_open(const char *path, int err_no, struct port *port)
@@ -82,12 +92,105 @@ static int cannot_set(const struct spidev *spidev, int err, const char *what, un
                       strerror(-err));
 }
 
+/* Modes ----------------------------------------------------------------------------------------- */
+
+static const struct {
+    uint8_t flag;
+    const char *name;
+} FLAGS[] = {{SPI_CPHA, "SPI_CPHA"}, {SPI_CPOL, "SPI_CPOL"}, {SPI_CS_HIGH, "SPI_CS_HIGH"}, {SPI_NO_CS, "SPI_NO_CS"}};
+enum { FLAG_COUNT = sizeof FLAGS / sizeof FLAGS[0], FLAG_NAMES_B = 48 };
+
+static int set_mode(const struct spidev *spidev, uint8_t mode)
+{
+    return control(spidev, SPI_IOC_WR_MODE, &mode);
+}
+
+/* Those of the flags that the controller refuses by themselves, and their names. */
+static uint8_t refused_flags(const struct spidev *spidev, uint8_t mode, char names[FLAG_NAMES_B])
+{
+    unsigned refused = 0;
+    size_t used = 0;
+    for (size_t i = 0; i < FLAG_COUNT; i++) {
+        if (!(mode & FLAGS[i].flag) || set_mode(spidev, FLAGS[i].flag) != -EINVAL) continue;
+        used += (size_t)snprintf(names + used, FLAG_NAMES_B - used, "%s%s", refused ? ", " : "", FLAGS[i].name);
+        refused |= FLAGS[i].flag;
+    }
+    return (uint8_t)refused;
+}
+
+/* In brackets. */
+static void name_controller(char out[SPI_NAME_B + 3], const char *path)
+{
+    struct spi_place place;
+    char name[SPI_NAME_B];
+    out[0] = '\0';
+    if (spi_place_of(&place, path) && spi_controller_name(name, &place)) snprintf(out, SPI_NAME_B + 3, " (%s)", name);
+}
+
+static void note_left_out(const struct spidev *spidev, uint8_t refused, const char *names)
+{
+    char controller[SPI_NAME_B + 3];
+    name_controller(controller, spidev->path);
+    linux_note(spidev->port, "%s: its controller%s refuses %s", spidev->path, controller, names);
+    if (refused & SPI_MODE_3)
+        linux_note(spidev->port, "mode 0 is taken, in which a display whose chip select is not wired may stay dark");
+    if (refused & SPI_NO_CS) linux_note(spidev->port, "chip select is driven, so leave its pin open");
+}
+
+/* Flags that can do without: phase and polarity only together. */
+static int leave_out(const struct spidev *spidev, uint8_t *mode, uint8_t spare)
+{
+    char names[FLAG_NAMES_B] = "", controller[SPI_NAME_B + 3];
+    const uint8_t refused = refused_flags(spidev, *mode, names);
+    if (!refused) return cannot_set(spidev, -EINVAL, "mode", *mode);
+    if (refused & ~spare) {
+        name_controller(controller, spidev->path);
+        return linux_fail(spidev->port, EINVAL, "%s: its controller%s refuses %s", spidev->path, controller, names);
+    }
+    *mode = (uint8_t)(*mode & ~(refused & SPI_MODE_3 ? refused | SPI_MODE_3 : refused));
+    const int err = set_mode(spidev, *mode);
+    if (err < 0) return cannot_set(spidev, err, "mode", *mode);
+    note_left_out(spidev, refused, names);
+    return 0;
+}
+
+/* Where chip select is a GPIO line spidev keeps SPI_CS_HIGH set whatever it is told, as the line's own description has
+ * the polarity (spidev_ioctl() in drivers/spi/spidev.c, since Linux 5.4). Kernels of some years say then that it is
+ * set when it was not asked for, later ones that it is not set when it was. */
+static bool keeps_polarity(const struct spidev *spidev, uint8_t mode)
+{
+    uint8_t with = mode, without = 0;
+    const int err = control(spidev, SPI_IOC_RD_MODE, &with);
+    if (err < 0) return false;
+    if (!(with & SPI_CS_HIGH)) return true;
+    if (set_mode(spidev, (uint8_t)(mode & ~SPI_CS_HIGH)) < 0 || control(spidev, SPI_IOC_RD_MODE, &without) < 0)
+        return false;
+    return without & SPI_CS_HIGH;
+}
+
+static int configure_mode(struct spidev *spidev, uint8_t mode, uint8_t spare)
+{
+    int err = set_mode(spidev, mode);
+    if (err == -EINVAL)
+        err = leave_out(spidev, &mode, spare);
+    else if (err < 0)
+        err = cannot_set(spidev, err, "mode", mode);
+    if (err < 0 || !(mode & SPI_CS_HIGH)) return err;
+    if (keeps_polarity(spidev, mode))
+        linux_note(spidev->port,
+                   "%s: its chip select is a GPIO line, whose level the device tree says (cs-gpios); SPI_CS_HIGH "
+                   "changes nothing",
+                   spidev->path);
+    err = set_mode(spidev, mode);
+    return err < 0 ? cannot_set(spidev, err, "mode", mode) : 0;
+}
+
 /* Whatever the last program has left there: a word of more bits would change the order of bytes. */
-static int configure(struct spidev *spidev, uint8_t mode)
+static int configure(struct spidev *spidev, uint8_t mode, uint8_t spare)
 {
     uint8_t word_bits = WORD_BITS;
-    int err = control(spidev, SPI_IOC_WR_MODE, &mode);
-    if (err < 0) return cannot_set(spidev, err, "mode", mode);
+    int err = configure_mode(spidev, mode, spare);
+    if (err < 0) return err;
     err = control(spidev, SPI_IOC_WR_BITS_PER_WORD, &word_bits);
     if (err < 0) return cannot_set(spidev, err, "bits a word", word_bits);
     err = control(spidev, SPI_IOC_WR_MAX_SPEED_HZ, &spidev->speed_hz);
@@ -95,14 +198,17 @@ static int configure(struct spidev *spidev, uint8_t mode)
     return 0;
 }
 
-int spidev_open(struct spidev *spidev, const char *path, uint8_t mode, uint32_t speed_hz, struct port *port)
+/* The device ------------------------------------------------------------------------------------ */
+
+int spidev_open(struct spidev *spidev, const char *path, uint8_t mode, uint8_t spare, uint32_t speed_hz,
+                struct port *port)
 {
     *spidev = (struct spidev){.path = path, .speed_hz = speed_hz, .most_b = bufsiz_b(), .port = port};
     do
         spidev->fd = open(path, O_RDWR | O_CLOEXEC);
     while (spidev->fd < 0 && errno == EINTR);
     if (spidev->fd < 0) return cannot_open(path, errno, port);
-    const int err = configure(spidev, mode);
+    const int err = configure(spidev, mode, spare);
     if (err) spidev_close(spidev);
     return err;
 }

@@ -14,9 +14,10 @@ struct spidev {
     struct port *port;
 };
 
-/* `mode` is 0 .. 3 and flags of <linux/spi/spi.h>. The path must outlive *spidev. 0 or a negative errno, with a line in
+/* `mode` is 0 .. 3 and flags of <linux/spi/spi.h>; `spare`, those of its bits that are left out where the controller
+ * refuses them, which port->notice says. The path must outlive *spidev. 0 or a negative errno, with a line in
  * port->error. */
-HAL_MUST_CHECK int spidev_open(struct spidev *spidev, const char *path, uint8_t mode, uint32_t speed_hz,
+HAL_MUST_CHECK int spidev_open(struct spidev *spidev, const char *path, uint8_t mode, uint8_t spare, uint32_t speed_hz,
                                struct port *port);
 void spidev_close(struct spidev *spidev);
 
