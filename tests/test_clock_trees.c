@@ -319,9 +319,14 @@ static void clocks_of_peripherals_are_read_back(void **state)
 
 /* -- LM3S: data sheet of the LM3S6965, 5.3 and 5.5 ------------------------------------------------ */
 
-enum { RIS_B = 0x50, MISC_B = 0x58, RCC_B = 0x60, RCC2_B = 0x70 };
+enum { DID0_B = 0, LDOPCTL_B = 0x34, RIS_B = 0x50, MISC_B = 0x58, RCC_B = 0x60, RCC2_B = 0x70 };
 enum { RCC_BYPASS = 1 << 11, RCC_PWRDN = 1 << 13, RCC_USESYSDIV = 1 << 22, RCC_SOURCE = 0x3F0, LOCKED = 1 << 6 };
 
+/* Of DID0: format 1, class 1 (Fury), revision. Of LDOPCTL: StellarisWare's inc/hw_sysctl.h has it. */
+static const uint32_t LM3S6965_A2 = 0x10010002;
+enum { V_2_50 = 0, V_2_75 = 0x1B };
+
+static uint32_t lm3s_did0 = 0x10010002;
 static unsigned locked_after;      /* looks; 0: it does not */
 static bool is_locked, is_noticed; /* the PLL; in RIS */
 static uint32_t rcc_before;
@@ -349,6 +354,8 @@ static void lm3s_is_written(size_t at_b)
     const uint32_t rcc = *word(RCC_B);
 
     if (at_b == MISC_B && *word(MISC_B) & LOCKED) is_noticed = false;
+    if (at_b == RCC_B && !(rcc & RCC_BYPASS) && *word(DID0_B) == LM3S6965_A2)
+        check(*word(LDOPCTL_B) == V_2_75, "the PLL of revision A2 is taken at 2.5 V");
     if (at_b == RCC_B && (rcc & RCC_PWRDN || (rcc ^ rcc_before) & RCC_SOURCE)) is_locked = false, looks = 0;
     rcc_before = rcc;
     check_lm3s();
@@ -357,6 +364,7 @@ static void lm3s_is_written(size_t at_b)
 static int start_lm3s(uint32_t rcc, uint32_t rcc2, unsigned after)
 {
     prepare(1);
+    *word(DID0_B) = lm3s_did0;
     *word(RCC_B) = rcc_before = rcc;
     *word(RCC2_B) = rcc2;
     locked_after = after;
@@ -398,6 +406,27 @@ static void the_lm3s_s_pll_is_given_its_time(void **state)
     assert_int_equal(start_lm3s(0x078E3AD1, 0x07802810, 0), MCU_ERR_TIMEOUT);
     assert_int_equal(watched.reads[RIS_B], us * (12 + 12 / 3) / 4);
     assert_true(*word(RCC_B) & RCC_BYPASS);
+}
+
+/* The erratum is revision A2's; others run at the 2.5 V that they are specified for. */
+static void the_lm3s_has_a_higher_core_voltage_on_revision_a2_alone(void **state)
+{
+    static const struct {
+        uint32_t did0, ldopctl;
+    } parts[] = {
+        {0x10010002, V_2_75}, {0x10010000, V_2_50}, {0x10010100, V_2_50}, {0x10010102, V_2_50},
+        {0x10010202, V_2_50}, {0x00000002, V_2_50}, {0x10000002, V_2_50}, {0x10030002, V_2_50},
+    };
+
+    (void)state;
+    for (size_t i = 0; i < sizeof parts / sizeof *parts; i++) {
+        lm3s_did0 = parts[i].did0;
+        assert_int_equal(start_lm3s(0x078E3AD1, 0x07802810, 3), 0);
+        assert_int_equal(*word(LDOPCTL_B), parts[i].ldopctl);
+        assert_int_equal(watched.writes[LDOPCTL_B], parts[i].ldopctl != V_2_50);
+        assert_int_equal(*word(DID0_B), parts[i].did0);
+    }
+    lm3s_did0 = LM3S6965_A2;
 }
 
 static unsigned steps;
@@ -445,6 +474,7 @@ int main(void)
         cmocka_unit_test(clocks_of_peripherals_are_read_back),
         cmocka_unit_test(the_lm3s_runs_by_its_pll_from_wherever_it_was),
         cmocka_unit_test(the_lm3s_s_pll_is_given_its_time),
+        cmocka_unit_test(the_lm3s_has_a_higher_core_voltage_on_revision_a2_alone),
         cmocka_unit_test(an_lm3s_s_peripheral_is_clocked_and_then_reset),
     };
     return cmocka_run_group_tests_name("clock_trees", tests, NULL, NULL);

@@ -29,6 +29,7 @@ static void registers_lie_where_the_manual_says(void **state)
     assert_int_equal(offsetof(struct lm3s_gpio_registers, afsel), 0x420);
     assert_int_equal(offsetof(struct lm3s_gpio_registers, dr2r), 0x500);
     assert_int_equal(offsetof(struct lm3s_gpio_registers, den), 0x51c);
+    assert_int_equal(offsetof(struct lm3s_system_registers, ldopctl), 0x034);
     assert_int_equal(offsetof(struct lm3s_system_registers, srcr), 0x040);
     assert_int_equal(offsetof(struct lm3s_system_registers, ris), 0x050);
     assert_int_equal(offsetof(struct lm3s_system_registers, rcc), 0x060);

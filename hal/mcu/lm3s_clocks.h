@@ -36,8 +36,9 @@ struct lm3s_system_registers {
 
 #define LM3S_SYSTEM_HZ UINT32_C(50000000)
 
-/* Runs the processor and its peripherals at LM3S_SYSTEM_HZ, whatever they ran at before. MCU_ERR_TIMEOUT: the PLL does
- * not lock, for want of its crystal; all runs on from the oscillator that there is. */
+/* Runs the processor and its peripherals at LM3S_SYSTEM_HZ, whatever they ran at before; on revision A2 of the silicon,
+ * which DID0 tells, with the core at 2.75 V. MCU_ERR_TIMEOUT: the PLL does not lock, for want of its crystal; all runs
+ * on from the oscillator that there is. */
 HAL_MUST_CHECK int lm3s_clocks_init(volatile struct lm3s_system_registers *system);
 
 /* Clocks the peripherals whose bits are set, of the group 0, 1 or 2, and puts them where they were after power-on. */
