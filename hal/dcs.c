@@ -15,6 +15,7 @@
 
 /* Waits, in microseconds. The standard asks for 10 us of reset, 5 ms until the chip listens again and
  * 120 ms until it may leave sleep, and 120 ms between entering and leaving sleep, either way. */
+#define LISTEN_US UINT32_C(10000)
 #define RESET_US UINT32_C(150000)
 #define SLEEP_US UINT32_C(120000)
 
@@ -36,14 +37,17 @@ static int dcs_command_wait(struct dcs *dcs, uint8_t command, uint32_t delay_us)
     return clock_delay(&dcs->config.clock, delay_us);
 }
 
-/* Who waits for the refresh wants to write behind it: it starts at the picture's first line where that is one of the
- * glass's. */
+/* The picture on the glass, and then the glass on the memory. Who waits for the refresh wants to write behind it: it
+ * starts at the picture's first line where that is one of the glass's. */
 static uint8_t dcs_madctl(const struct dcs *dcs, enum panel_rotation rotation)
 {
-    unsigned madctl = turn_of(rotation, dcs->config.mirror);
+    const struct dcs_config *config = &dcs->config;
+    unsigned madctl = (unsigned)turn_of(rotation, config->mirror) ^ dcs->chip->reversed;
 
-    if (dcs->config.bgr) madctl |= MADCTL_BGR;
-    if (edge_is_wired(&dcs->config.tearing) && rotation == PANEL_TURNED_180) madctl |= MADCTL_ML;
+    if (config->flip_columns) madctl ^= TURN_COLUMNS;
+    if (config->flip_rows) madctl ^= TURN_ROWS;
+    if (edge_is_wired(&config->tearing) && (madctl & (TURN_EXCHANGE | TURN_ROWS)) == TURN_ROWS) madctl |= MADCTL_ML;
+    if (config->bgr) madctl |= MADCTL_BGR;
     return (uint8_t)madctl;
 }
 
@@ -72,18 +76,29 @@ static int dcs_address(struct dcs *dcs, uint8_t command, uint16_t first, uint16_
     return wire_send(&dcs->wire, command, args, sizeof args);
 }
 
-/* The offset rule: a mirrored axis counts from the memory's far end, so the glass's other margin
- * is the offset; exchanged axes exchange the offsets. It holds for every turn and mirror. */
+static uint16_t dcs_mem_w_px(const struct dcs_config *config, const struct dcs_chip *chip)
+{
+    return config->mem_w_px ? config->mem_w_px : chip->mem_w_px;
+}
+
+static uint16_t dcs_mem_h_px(const struct dcs_config *config, const struct dcs_chip *chip)
+{
+    return config->mem_h_px ? config->mem_h_px : chip->mem_h_px;
+}
+
+/* The offset rule: an axis that the picture runs against counts from the memory's far end, so the glass's other margin
+ * is the offset; exchanged axes exchange the offsets. It holds for every turn and mirror, and however the glass shows
+ * memory: offsets are those of the upright picture. */
 static void dcs_offsets(const struct dcs *dcs, uint16_t *x_px, uint16_t *y_px)
 {
     const struct dcs_config *config = &dcs->config;
-    uint8_t madctl = dcs_madctl(dcs, dcs->rotation);
+    const uint8_t turn = turn_of(dcs->rotation, config->mirror);
     uint16_t column = config->ox_px;
     uint16_t row = config->oy_px;
-    if (madctl & TURN_COLUMNS) column = (uint16_t)(dcs->chip->mem_w_px - config->w_px - config->ox_px);
-    if (madctl & TURN_ROWS) row = (uint16_t)(dcs->chip->mem_h_px - config->h_px - config->oy_px);
-    *x_px = madctl & TURN_EXCHANGE ? row : column;
-    *y_px = madctl & TURN_EXCHANGE ? column : row;
+    if (turn & TURN_COLUMNS) column = (uint16_t)(dcs_mem_w_px(config, dcs->chip) - config->w_px - config->ox_px);
+    if (turn & TURN_ROWS) row = (uint16_t)(dcs_mem_h_px(config, dcs->chip) - config->h_px - config->oy_px);
+    *x_px = turn & TURN_EXCHANGE ? row : column;
+    *y_px = turn & TURN_EXCHANGE ? column : row;
 }
 
 static int dcs_window(struct panel *panel, uint16_t x_px, uint16_t y_px, uint16_t w_px, uint16_t h_px)
@@ -148,12 +163,30 @@ static int dcs_send_format(struct dcs *dcs)
     return wire_send(&dcs->wire, DCS_COLMOD, &colmod[dcs->panel.format], 1);
 }
 
+/* A pin that the board has may lead nowhere on the module, so the command comes in any case. */
+static int dcs_reset(struct dcs *dcs)
+{
+    const struct dcs_config *config = &dcs->config;
+    int err = pin_is_wired(&config->reset) ? wire_reset(&config->reset, &config->clock, LISTEN_US) : 0;
+    if (err) return err;
+    return dcs_reset_by_command(dcs);
+}
+
+/* Out of sleep with the chip's own registers set. */
+static int dcs_leave_sleep(struct dcs *dcs)
+{
+    const struct dcs_chip *chip = dcs->chip;
+    int err = chip->wakes_last ? wire_send_list(&dcs->wire, chip->setup, chip->setup_b) : 0;
+    if (err) return err;
+    err = dcs_command_wait(dcs, DCS_SLPOUT, SLEEP_US);
+    if (err || chip->wakes_last) return err;
+    return wire_send_list(&dcs->wire, chip->setup, chip->setup_b);
+}
+
 /* From reset to a chip that shows its memory. */
 static int dcs_wake(struct dcs *dcs)
 {
-    int err = dcs_command_wait(dcs, DCS_SLPOUT, SLEEP_US);
-    if (err) return err;
-    err = wire_send_list(&dcs->wire, dcs->chip->setup, dcs->chip->setup_b);
+    int err = dcs_leave_sleep(dcs);
     if (err) return err;
     err = dcs_send_tearing(dcs);
     if (err) return err;
@@ -173,8 +206,7 @@ static int dcs_init(struct panel *panel)
     if (err) return err;
     err = wire_set(&dcs->config.backlight, false);
     if (err) return err;
-    err = pin_is_wired(&dcs->config.reset) ? wire_reset(&dcs->config.reset, &dcs->config.clock, RESET_US)
-                                           : dcs_reset_by_command(dcs);
+    err = dcs_reset(dcs);
     if (err) return err;
     err = dcs_wake(dcs);
     if (err) return err;
@@ -247,10 +279,10 @@ static void dcs_visible(const struct panel *panel, uint16_t y_px, uint16_t *x0_p
 static bool dcs_config_fits(const struct dcs_config *config, const struct dcs_chip *chip)
 {
     if (!config->bus.write || !config->dc.set || !config->clock.delay) return false;
-    if (config->w_px == 0 || config->w_px > chip->mem_w_px) return false;
-    if (config->h_px == 0 || config->h_px > chip->mem_h_px) return false;
-    if (config->ox_px > chip->mem_w_px - config->w_px) return false;
-    if (config->oy_px > chip->mem_h_px - config->h_px) return false;
+    const uint16_t mem_w_px = dcs_mem_w_px(config, chip), mem_h_px = dcs_mem_h_px(config, chip);
+    if (mem_w_px > chip->mem_w_px || mem_h_px > chip->mem_h_px) return false;
+    if (config->w_px == 0 || config->w_px > mem_w_px || config->ox_px > mem_w_px - config->w_px) return false;
+    if (config->h_px == 0 || config->h_px > mem_h_px || config->oy_px > mem_h_px - config->h_px) return false;
     if ((unsigned)config->format >= PANEL_FORMATS || !((chip->formats | 1 << PANEL_USUAL) >> config->format & 1))
         return false;
     return (unsigned)config->rotation <= PANEL_TURNED_270;

@@ -35,7 +35,9 @@ struct dcs_chip {
     enum panel_format format;    /* of these, the usual one */
     bool is_round;               /* of its glass only the inscribed ellipse is seen */
     uint16_t mem_w_px, mem_h_px; /* size of its memory with MADCTL = 0 */
-    const uint8_t *setup;        /* sent once it is awake: command, number of arguments, arguments; repeated */
+    uint8_t reversed;            /* enum turn (hal/turn.h): what usual glass shows the other way round */
+    bool wakes_last;             /* its set-up list goes before SLPOUT, and not behind it */
+    const uint8_t *setup;        /* command, number of arguments, arguments; repeated */
     size_t setup_b;              /* length of the list */
 };
 
@@ -49,9 +51,11 @@ struct dcs_config {
     struct edge tearing;          /* the chip's TE output, which tells the start of a refresh; see below */
     struct clock clock;           /* required */
     uint16_t w_px, h_px;          /* size of the glass, upright: 1 .. the memory's; 0 is refused */
+    uint16_t mem_w_px, mem_h_px;  /* memory that the module's mode pins leave: 1 .. the chip's; 0: the chip's */
     uint16_t ox_px, oy_px;        /* memory column and row of the glass's top left pixel; offset + size <= memory's */
     enum panel_rotation rotation; /* of the picture at start; 0: upright */
     bool mirror;                  /* left and right of the picture swapped, for a view in a mirror */
+    bool flip_columns, flip_rows; /* glass that shows memory the other way round than the usual module does */
     bool bgr;                     /* glass whose red and blue come out swapped without it */
     bool invert;                  /* glass whose colours come out negative without it, as IPS glass does */
     enum panel_format format;     /* one that the chip takes */

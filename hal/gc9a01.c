@@ -62,6 +62,7 @@ const struct dcs_chip gc9a01 = {
     .formats = 1 << PANEL_RGB565 | 1 << PANEL_RGB444 | 1 << PANEL_RGB666,
     .format = PANEL_RGB565,
     .is_round = true,
+    .wakes_last = true,
     .setup = setup,
     .setup_b = sizeof setup,
 };

@@ -2,8 +2,9 @@
  *
  * Ilitek ILI9341: 240x320 memory and glass, nearly always BGR; write clock 10 MHz by the datasheet, 40 MHz in wide use.
  * Voltages and gamma are those of the modules' makers; CFh, EDh, E8h, CBh, F7h and EAh are registers of its power
- * supply. */
+ * supply. With the scan directions of B6h that all of them send usual glass shows memory's last column first. */
 #include "panels.h"
+#include "turn.h"
 
 enum {
     GAMMA_SET = 0x26,
@@ -52,6 +53,7 @@ const struct dcs_chip ili9341 = {
     .mem_h_px = 320,
     .formats = 1 << PANEL_RGB565 | 1 << PANEL_RGB666,
     .format = PANEL_RGB565,
+    .reversed = TURN_COLUMNS,
     .setup = setup,
     .setup_b = sizeof setup,
 };

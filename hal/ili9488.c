@@ -1,9 +1,10 @@
 /* SPDX-License-Identifier: MIT
  *
  * Ilitek ILI9488, and ILI9486 as far as this goes: 320x480 memory and glass, nearly always BGR. On SPI it takes three
- * bytes a pixel and nothing else. Modules for the Raspberry Pi that call themselves so sit behind a shift register of
- * 16 bits and are not driven like this. */
+ * bytes a pixel and nothing else. Usual glass shows memory's last column first. Modules for the Raspberry Pi that call
+ * themselves so sit behind a shift register of 16 bits and are not driven like this. */
 #include "panels.h"
+#include "turn.h"
 
 enum {
     INTERFACE = 0xB0,
@@ -42,6 +43,7 @@ const struct dcs_chip ili9488 = {
     .mem_h_px = 480,
     .formats = 1 << PANEL_RGB666,
     .format = PANEL_RGB666,
+    .reversed = TURN_COLUMNS,
     .setup = setup,
     .setup_b = sizeof setup,
 };

@@ -12,18 +12,25 @@ uint8_t pages_put(uint8_t *commands, const uint8_t *list, uint8_t n_b)
     return n_b;
 }
 
-/* How the glass's lines are wired goes by how many there are: on one side, or on both in turn. */
+/* Small glass of many columns has its lines on one side, any other on both in turn. */
+static uint8_t pages_wires(const struct pages_config *config)
+{
+    const bool usual = config->h_px <= 32 && config->w_px > 64;
+    const bool sequential = config->wiring ? config->wiring == PAGES_WIRING_SEQUENTIAL : usual;
+
+    return sequential ? 0x02 : 0x12;
+}
+
 uint8_t pages_setup_oled(uint8_t commands[PAGES_SETUP_MAX_B], const struct pages_config *config, uint8_t contrast,
                          const uint8_t *supply, uint8_t supply_b, uint8_t precharge)
 {
-    const uint8_t wires = config->h_px > 32 ? 0x12 : 0x02;
     /* clang-format off */
     const uint8_t list[] = {
         0xAE,                             /* display off */
         0xD5, 0x80,                       /* clock */
         0xA8, (uint8_t)(config->h_px - 1u), /* lines */
-        0xD3, 0x00, 0x40,                 /* first line */
-        0xDA, wires,
+        0xD3, 0x00,                       /* the first line drives the first output */
+        0xDA, pages_wires(config),
         0x81, contrast,
         0xD9, precharge, 0xDB, 0x40,      /* level of what is off */
         0xA4,                             /* show memory */
@@ -46,6 +53,11 @@ uint8_t pages_flip_a0(uint8_t commands[2], bool columns, bool rows)
     commands[0] = columns ? 0xA0 : 0xA1;
     commands[1] = rows ? 0xC0 : 0xC8;
     return 2;
+}
+
+uint8_t pages_flip_a1(uint8_t commands[2], bool columns, bool rows)
+{
+    return pages_flip_a0(commands, !columns, rows);
 }
 
 uint8_t pages_address_b0(uint8_t commands[PAGES_ADDRESS_MAX_B], uint8_t page, uint8_t column)
@@ -97,14 +109,24 @@ static bool pages_runs_back(const struct pages *pages, enum panel_rotation rotat
     return (rotation == PANEL_TURNED_180) != pages->config.mirror;
 }
 
+/* Lines counted from below meet the glass's first one as far on the other side. */
+static uint8_t pages_start_line(const struct pages *pages, enum panel_rotation rotation)
+{
+    const unsigned mem_h_px = pages->chip->mem_h_px, line = pages->config.start_line;
+
+    return (uint8_t)(rotation == PANEL_TURNED_180 ? (mem_h_px - line) % mem_h_px : line);
+}
+
 static int pages_send_flip(struct pages *pages, enum panel_rotation rotation)
 {
-    uint8_t commands[2];
+    const struct pages_chip *chip = pages->chip;
+    uint8_t commands[3], n_b = 0;
 
-    if (!pages->chip->flip) return 0;
-    const uint8_t n_b = pages->chip->flip(commands, pages->config.flip_columns != pages_runs_back(pages, rotation),
-                                          pages->config.flip_rows != (rotation == PANEL_TURNED_180));
-    return pages_command(pages, commands, n_b);
+    if (chip->start_line) commands[n_b++] = (uint8_t)(chip->start_line | pages_start_line(pages, rotation));
+    if (chip->flip)
+        n_b = (uint8_t)(n_b + chip->flip(&commands[n_b], pages->config.flip_columns != pages_runs_back(pages, rotation),
+                                         pages->config.flip_rows != (rotation == PANEL_TURNED_180)));
+    return n_b ? pages_command(pages, commands, n_b) : 0;
 }
 
 static int pages_send_look(struct pages *pages, bool on, bool inverted)
@@ -312,6 +334,9 @@ static bool pages_config_fits(const struct pages_config *config, const struct pa
     if (config->h_px == 0 || config->h_px % 8 || config->h_px > chip->mem_h_px) return false;
     if (config->ox_px > chip->mem_w_px - config->w_px || config->contrast > chip->contrast_max) return false;
     if (!chip->flip && (config->mirror || config->flip_columns || config->flip_rows)) return false;
+    if (config->start_line && (!chip->start_line || config->start_line >= chip->mem_h_px)) return false;
+    if ((unsigned)config->wiring > PAGES_WIRING_ALTERNATIVE) return false;
+    if (!chip->is_oled && (config->wiring || config->internal_reference)) return false;
     return pages_can(chip, config->rotation);
 }
 

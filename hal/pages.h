@@ -15,6 +15,10 @@ enum { PAGES_SETUP_MAX_B = 32, PAGES_ADDRESS_MAX_B = 8 };
 
 struct pages_config;
 
+/* How the lines of OLED glass hang on the chip's outputs: one after the other, or on both sides in turn. The usual
+ * wiring goes by the glass's size. */
+enum pages_wiring { PAGES_WIRING_USUAL, PAGES_WIRING_SEQUENTIAL, PAGES_WIRING_ALTERNATIVE };
+
 /* How a chip differs from the others. Its functions write commands, which all go out with D/C low, arguments too, and
  * return how many bytes. */
 struct pages_chip {
@@ -24,6 +28,8 @@ struct pages_chip {
     uint32_t reset_us;              /* after the pulse, until it listens */
     uint32_t wake_us;               /* after each byte of `wake`, which raise its voltages */
     uint8_t wake[3], wake_b;
+    uint8_t start_line; /* command, of which the lower bits are the line; 0: it has none */
+    bool is_oled;       /* `wiring` and `internal_reference` mean something */
     uint8_t (*setup)(uint8_t commands[PAGES_SETUP_MAX_B], const struct pages_config *config, uint8_t contrast);
     uint8_t (*look)(uint8_t commands[2], bool on, bool inverted);
     uint8_t (*flip)(uint8_t commands[2], bool columns, bool rows); /* left and right, top and bottom; NULL: it cannot */
@@ -46,9 +52,12 @@ struct pages_config {
     uint16_t ox_px;               /* memory columns before the glass's left edge; offset + size <= memory's */
     enum panel_rotation rotation; /* upright; or by half a turn, where the chip flips */
     bool mirror;                  /* left and right swapped, where the chip flips */
-    bool flip_columns, flip_rows; /* glass that shows memory the other way round */
+    bool flip_columns, flip_rows; /* glass that shows memory the other way round than the usual module does */
     bool invert;                  /* glass that comes out negative without it */
-    uint8_t contrast;             /* 0: the chip's usual one; modules vary */
+    uint8_t contrast;             /* 1 .. the chip's most; 0: its usual one; modules vary */
+    uint8_t start_line;           /* memory line that the glass begins with, upright: 0 .. the memory's less 1 */
+    enum pages_wiring wiring;     /* of OLED glass */
+    bool internal_reference;      /* OLED glass whose current the chip itself sets, as of 72x40 pixels */
 };
 
 /* State of one panel; private but for `panel`. */
@@ -69,7 +78,9 @@ uint8_t pages_put(uint8_t *commands, const uint8_t *list, uint8_t n_b);
 uint8_t pages_setup_oled(uint8_t commands[PAGES_SETUP_MAX_B], const struct pages_config *config, uint8_t contrast,
                          const uint8_t *supply, uint8_t supply_b, uint8_t precharge);
 uint8_t pages_look_ae(uint8_t commands[2], bool on, bool inverted);
-uint8_t pages_flip_a0(uint8_t commands[2], bool columns, bool rows); /* the usual module is wired to the last ones */
+uint8_t pages_flip_a0(uint8_t commands[2], bool columns,
+                      bool rows); /* usual glass shows the last column and line first */
+uint8_t pages_flip_a1(uint8_t commands[2], bool columns, bool rows); /* ...the first column and the last line */
 uint8_t pages_address_b0(uint8_t commands[PAGES_ADDRESS_MAX_B], uint8_t page, uint8_t column);
 
 /* Fills *pages without touching the hardware; panel_init() does. The configuration is copied; chip and the ports'

@@ -6,7 +6,7 @@
 
 static uint8_t setup(uint8_t commands[PAGES_SETUP_MAX_B], const struct pages_config *config, uint8_t contrast)
 {
-    static const uint8_t supply[] = {0xAD, 0x8B, 0x32}; /* converter on, 8 V */
+    static const uint8_t supply[] = {0xAD, 0x8B, 0x33}; /* converter on, 9 V */
 
     return pages_setup_oled(commands, config, contrast, supply, sizeof supply, 0x1F);
 }
@@ -19,6 +19,8 @@ const struct pages_chip sh1106 = {
     .contrast = 0x80,
     .reset_us = 100,
     .setup = setup,
+    .start_line = 0x40,
+    .is_oled = true,
     .look = pages_look_ae,
     .flip = pages_flip_a0,
     .address = pages_address_b0,

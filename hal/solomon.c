@@ -10,6 +10,7 @@ enum {
     COLUMNS = 0x15, /* first and last that a window has */
     ROWS = 0x75,
     REMAP = 0xA0,
+    START_LINE = 0xA1,
     SHIFT = 0xA2,
     SLEEP = 0xAE,
     WAKE = 0xAF
@@ -38,6 +39,19 @@ static uint8_t solomon_turn(const struct solomon *solomon, enum panel_rotation r
     return (uint8_t)turn;
 }
 
+/* Glass on the first of all outputs has its top line as far from the last one as memory has more lines than it: what is
+ * scanned from there meets it later. */
+static uint8_t solomon_start_line(const struct solomon *solomon, enum panel_rotation rotation)
+{
+    const struct solomon_chip *chip = solomon->chip;
+    const struct solomon_config *config = &solomon->config;
+    const bool on_its_head = turn_of(rotation, config->mirror) & TURN_ROWS;
+    const bool from_the_last = !(solomon_turn(solomon, rotation) & TURN_ROWS);
+    const unsigned line = on_its_head ? chip->mem_h_px - (unsigned)config->start_line : config->start_line;
+
+    return (uint8_t)((line + (chip->scans_all && from_the_last ? config->h_px : 0u)) % chip->mem_h_px);
+}
+
 static int solomon_send_turn(struct solomon *solomon, enum panel_rotation rotation)
 {
     const struct solomon_chip *chip = solomon->chip;
@@ -52,6 +66,8 @@ static int solomon_send_turn(struct solomon *solomon, enum panel_rotation rotati
     if (config->bgr) remap ^= chip->remap_bgr;
     if (solomon->panel.format == PANEL_RGB666_LOW) remap ^= chip->remap_wide;
     int err = solomon_send_byte(solomon, REMAP, (uint8_t)remap);
+    if (err) return err;
+    err = solomon_send_byte(solomon, START_LINE, solomon_start_line(solomon, rotation));
     if (err) return err;
     return solomon_send_byte(solomon, SHIFT, on_its_head ? config->shift_turned : config->shift);
 }
@@ -85,7 +101,7 @@ static int solomon_send_setup(struct solomon *solomon)
     if (chip->converter)
         err = solomon_send_byte(solomon, chip->converter, config->converter ? chip->internal : chip->external);
     if (err) return err;
-    err = solomon_send_byte(solomon, chip->lines, (uint8_t)(config->h_px - 1u));
+    err = solomon_send_byte(solomon, chip->lines, (uint8_t)((chip->scans_all ? chip->mem_h_px : config->h_px) - 1u));
     if (err) return err;
     return solomon_send_byte(solomon, chip->contrast_command, config->contrast ? config->contrast : chip->contrast);
 }
@@ -223,6 +239,7 @@ static bool solomon_config_fits(const struct solomon_config *config, const struc
         return false;
     if (config->h_px == 0 || config->h_px > chip->mem_h_px || config->contrast > chip->contrast_max) return false;
     if (config->w_px % chip->column_px || config->ox_px % chip->column_px) return false;
+    if (config->start_line >= chip->mem_h_px) return false;
     if ((unsigned)config->format >= PANEL_FORMATS || !((chip->formats | 1 << PANEL_USUAL) >> config->format & 1))
         return false;
     if (config->converter && !chip->converter) return false;

@@ -12,14 +12,15 @@
 
 /* How a chip differs from the others. Of A0h's value, upright on the usual module, bits are reversed. */
 struct solomon_chip {
-    const char *name;                                 /* lower case */
-    uint8_t formats;                                  /* 1 << enum panel_format, of all that it takes on SPI */
-    enum panel_format format;                         /* of these, the usual one */
-    uint16_t mem_w_px, mem_h_px;                      /* size of its memory */
-    bool args_low;                                    /* D/C low for arguments too */
-    uint8_t column_px;                                /* pixels that a column address stands for */
-    uint8_t lines;                                    /* command that takes the number of lines in use, less 1 */
-    uint8_t write;                                    /* command before pixels; 0: none is needed */
+    const char *name;            /* lower case */
+    uint8_t formats;             /* 1 << enum panel_format, of all that it takes on SPI */
+    enum panel_format format;    /* of these, the usual one */
+    uint16_t mem_w_px, mem_h_px; /* size of its memory */
+    bool args_low;               /* D/C low for arguments too */
+    uint8_t column_px;           /* pixels that a column address stands for */
+    uint8_t lines;               /* command that takes the number of lines in use, less 1 */
+    bool scans_all; /* all of memory's lines are in use, of which the glass has the first; else those of the glass */
+    uint8_t write;  /* command before pixels; 0: none is needed */
     uint8_t as_is, negative, all_off;                 /* commands: what of memory is shown */
     uint8_t contrast_command, contrast_max, contrast; /* with what it takes, and the usual one */
     uint8_t converter;          /* command for its own converter of the glass's voltage; 0: it has none */
@@ -42,12 +43,13 @@ struct solomon_config {
     uint16_t w_px, h_px;          /* size of the glass, upright: 1 .. the memory's; w a multiple of column_px */
     uint16_t ox_px;               /* memory columns before the glass's left edge, a multiple of column_px */
     uint8_t shift, shift_turned;  /* A2h, where the maker gives one: upright, and with lines counted from below */
+    uint8_t start_line;           /* memory line that the glass begins with, upright: 0 .. the memory's less 1 */
     enum panel_rotation rotation; /* of the picture at start; by quarters where the chip exchanges columns and rows */
     bool mirror;                  /* left and right of the picture swapped */
-    bool flip_columns, flip_rows; /* glass that shows memory the other way round */
+    bool flip_columns, flip_rows; /* glass that shows memory the other way round than the usual module does */
     bool bgr;                     /* glass whose red and blue come out swapped without it */
     bool invert;                  /* glass that comes out negative without it */
-    uint8_t contrast;             /* 0: the chip's usual one */
+    uint8_t contrast;             /* 1 .. the chip's most; 0: its usual one */
     bool converter;               /* the module has the parts for the chip's own converter of the glass's voltage */
     enum panel_format format;     /* one that the chip takes */
 };

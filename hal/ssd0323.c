@@ -1,15 +1,15 @@
 /* SPDX-License-Identifier: MIT
  *
  * Solomon Systech SSD0323, and SSD1325: 128x80 memory behind OLED glass of 128x64 or up to that, 16 levels of grey; SPI
- * clock 4 MHz. Glass of fewer lines may want a shift of its maker's. */
+ * clock 4 MHz. Glass of fewer lines may want a shift of its maker's; that of 128x64 on TI's LM3S6965EVB has its upper
+ * edge 4 lines below memory's last. */
 #include "panels.h"
 
 /* clang-format off */
 static const uint8_t setup[] = {
     0xAE, 0,       /* asleep */
     0xB3, 1, 0x91, /* clock */
-    0xA1, 1, 0x00, /* first line */
-    0x86, 0,       /* full range of current */
+    0x85, 0,       /* half of the range of current */
     0xB8, 8, 0x01, 0x11, 0x22, 0x32, 0x43, 0x54, 0x65, 0x76, /* levels of grey */
     0xB2, 1, 0x51, /* length of a line */
     0xB1, 1, 0x55, /* precharge: phases, voltage */
@@ -33,7 +33,7 @@ const struct solomon_chip ssd0323 = {
     .all_off = 0xA6,
     .contrast_command = 0x81,
     .contrast_max = 127,
-    .contrast = 0x70,
+    .contrast = 0x50,
     .converter = 0xAD,
     .external = 0x02,
     .internal = 0x03,

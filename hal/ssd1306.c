@@ -1,15 +1,19 @@
 /* SPDX-License-Identifier: MIT
  *
- * Solomon Systech SSD1306: 128x64 memory behind OLED glass of 128x64 or 128x32, SPI clock up to 10 MHz. The charge pump
+ * Solomon Systech SSD1306: 128x64 memory behind OLED glass of 128x64 or less, SPI clock up to 10 MHz. The charge pump
  * makes the glass's voltage; modules that have their own do without it. Usual modules show column 127 and line 63
- * first. */
+ * first. Glass of 96 columns begins at column 0, narrower glass in the middle; that of 72x40 wants
+ * internal_reference. */
 #include "panels.h"
 
 static uint8_t setup(uint8_t commands[PAGES_SETUP_MAX_B], const struct pages_config *config, uint8_t contrast)
 {
     static const uint8_t supply[] = {0x8D, 0x14, 0x20, 0x02}; /* charge pump on; page addressing */
+    static const uint8_t reference[] = {0xAD, 0x30};
+    const uint8_t n_b = pages_setup_oled(commands, config, contrast, supply, sizeof supply, 0xF1);
 
-    return pages_setup_oled(commands, config, contrast, supply, sizeof supply, 0xF1);
+    if (!config->internal_reference) return n_b;
+    return (uint8_t)(n_b + pages_put(commands + n_b, reference, sizeof reference));
 }
 
 /* Horizontal addressing, told each time: two bytes of a message that is sent anyway. */
@@ -28,6 +32,8 @@ const struct pages_chip ssd1306 = {
     .contrast = 0xCF,
     .reset_us = 100,
     .setup = setup,
+    .start_line = 0x40,
+    .is_oled = true,
     .look = pages_look_ae,
     .flip = pages_flip_a0,
     .address = pages_address_b0,

@@ -9,7 +9,6 @@
 static const uint8_t setup[] = {
     0xFD, 1, 0x12, /* unlock commands */
     0xAE, 0,       /* asleep */
-    0xA1, 1, 0x00, /* first line */
     0xAB, 1, 0x01, /* supply of the logic from inside */
     0xB1, 1, 0x51, /* precharge: phases, second phase and voltage */
     0xB6, 1, 0x01,

@@ -11,7 +11,6 @@ static const uint8_t setup[] = {
     0xFD, 1, 0xB1,
     0xAE, 0,                   /* asleep */
     0xB3, 1, 0xF1,             /* clock */
-    0xA1, 1, 0x00,             /* first line */
     0xB5, 1, 0x00,             /* outputs off */
     0xAB, 1, 0x01,             /* supply of the logic from inside */
     0xB1, 1, 0x32,             /* precharge: phases, voltage, second phase */
@@ -31,6 +30,7 @@ const struct solomon_chip ssd1351 = {
     .mem_h_px = 128,
     .column_px = 1,
     .lines = 0xCA,
+    .scans_all = true, /* as those do who are known to drive glass of 96 lines */
     .write = 0x5C,
     .as_is = 0xA6,
     .negative = 0xA7,

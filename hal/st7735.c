@@ -1,11 +1,12 @@
 /* SPDX-License-Identifier: MIT
  *
- * Sitronix ST7735R, ST7735S: 132x162 memory, write clock 15 MHz by the datasheet, 27 MHz in wide use. Common modules:
- *     glass     ox_px, oy_px  colours
- *     128x160   0, 0          RGB or BGR, by the batch
- *     128x160   2, 1          BGR ("green tab")
- *     128x128   2, 3          BGR
- *     80x160    26, 1         BGR, IPS (invert)
+ * Sitronix ST7735R, ST7735S: 132x162 memory, or less by the module's mode pins (mem_w_px, mem_h_px); write clock 15 MHz
+ * by the datasheet, 27 MHz in wide use. Common modules:
+ *     glass     memory    ox_px, oy_px  colours
+ *     128x160   128x160   0, 0          RGB or BGR, by the batch ("red tab", "black tab")
+ *     128x160   132x162   2, 1          BGR ("green tab")
+ *     128x128   132x132   2, 1          BGR
+ *     80x160    132x162   26, 1         BGR, IPS (invert)
  * What the chip loads at reset suits few glasses: frame rate, voltages and gamma are those of the modules' makers. */
 #include "panels.h"
 

@@ -40,6 +40,16 @@ void c_field_number(FILE *file, const char *name, uint16_t number)
     if (number) fprintf(file, "        .%s = %u,\n", name, number);
 }
 
+void c_field_wiring(FILE *file, const char *name, enum pages_wiring wiring)
+{
+    static const char *const names[] = {
+        [PAGES_WIRING_USUAL] = "PAGES_WIRING_USUAL",
+        [PAGES_WIRING_SEQUENTIAL] = "PAGES_WIRING_SEQUENTIAL",
+        [PAGES_WIRING_ALTERNATIVE] = "PAGES_WIRING_ALTERNATIVE",
+    };
+    if (wiring) put(file, name, names[wiring]);
+}
+
 void c_field_rotation(FILE *file, const char *name, enum panel_rotation rotation)
 {
     if (rotation) put(file, name, c_field_rotation_name(rotation));

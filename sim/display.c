@@ -13,16 +13,20 @@
 /* clang-format off */
 #define DCS_FIELDS(PIN, VALUE) \
     PIN(bus, bus) PIN(dc, dc) PIN(reset, reset) PIN(backlight, backlight) PIN(tearing, tearing) PIN(clock, clock) \
-    VALUE(w_px, module) VALUE(h_px, module) VALUE(ox_px, module) VALUE(oy_px, module) \
-    VALUE(rotation, module) VALUE(mirror, module) VALUE(bgr, module) VALUE(invert, module) VALUE(format, choice)
+    VALUE(w_px, module) VALUE(h_px, module) VALUE(mem_w_px, module) VALUE(mem_h_px, module) \
+    VALUE(ox_px, module) VALUE(oy_px, module) VALUE(rotation, module) VALUE(mirror, module) \
+    VALUE(flip_columns, module) VALUE(flip_rows, module) VALUE(bgr, module) VALUE(invert, module) VALUE(format, choice)
 #define PAGES_FIELDS(PIN, VALUE) \
     PIN(bus, bus) PIN(dc, dc) PIN(reset, reset) PIN(backlight, backlight) PIN(clock, clock) \
-    VALUE(w_px, module) VALUE(h_px, module) VALUE(ox_px, module) \
-    VALUE(rotation, module) VALUE(mirror, module) VALUE(invert, module)
+    VALUE(w_px, module) VALUE(h_px, module) VALUE(ox_px, module) VALUE(rotation, module) VALUE(mirror, module) \
+    VALUE(flip_columns, module) VALUE(flip_rows, module) VALUE(invert, module) VALUE(contrast, module) \
+    VALUE(start_line, module) VALUE(wiring, module) VALUE(internal_reference, module)
 #define SOLOMON_FIELDS(PIN, VALUE) \
     PIN(bus, bus) PIN(dc, dc) PIN(reset, reset) PIN(backlight, backlight) PIN(clock, clock) \
-    VALUE(w_px, module) VALUE(h_px, module) VALUE(ox_px, module) VALUE(rotation, module) VALUE(mirror, module) \
-    VALUE(bgr, module) VALUE(invert, module) VALUE(converter, module) VALUE(format, choice)
+    VALUE(w_px, module) VALUE(h_px, module) VALUE(ox_px, module) VALUE(shift, module) VALUE(shift_turned, module) \
+    VALUE(start_line, module) VALUE(rotation, module) VALUE(mirror, module) VALUE(flip_columns, module) \
+    VALUE(flip_rows, module) VALUE(bgr, module) VALUE(invert, module) VALUE(contrast, module) \
+    VALUE(converter, module) VALUE(format, choice)
 #define SHARP_FIELDS(PIN, VALUE) \
     PIN(bus, bus) PIN(select, select) PIN(shown, backlight) PIN(clock, clock)
 /* clang-format on */
@@ -45,6 +49,8 @@ static bool dcs_family_chip(size_t index, struct panel_choice *out)
                                  .mem_h_px = chip->mem_h_px,
                                  .w_step_px = 1,
                                  .h_step_px = 1,
+                                 .has_mode_pins = true,
+                                 .flips = true,
                                  .formats = chip->formats,
                                  .format = chip->format};
     return true;
@@ -83,6 +89,10 @@ static bool pages_family_chip(size_t index, struct panel_choice *out)
                                  .mem_h_px = chip->mem_h_px,
                                  .w_step_px = 1,
                                  .h_step_px = 8,
+                                 .has_wiring = chip->is_oled,
+                                 .flips = chip->flip != NULL,
+                                 .contrast_max = chip->contrast_max,
+                                 .start_lines = chip->start_line ? chip->mem_h_px : 0,
                                  .formats = 1 << PANEL_MONO_PAGES,
                                  .format = PANEL_MONO_PAGES};
     return true;
@@ -119,6 +129,9 @@ static bool solomon_family_chip(size_t index, struct panel_choice *out)
                                  .w_step_px = chip->column_px,
                                  .h_step_px = 1,
                                  .has_converter = chip->converter != 0,
+                                 .flips = true,
+                                 .contrast_max = chip->contrast_max,
+                                 .start_lines = chip->mem_h_px,
                                  .formats = chip->formats,
                                  .format = chip->format};
     return true;
@@ -162,7 +175,8 @@ static int sharp_family_setup(struct display *display, const struct panel_choice
                               const struct display_module *module, const struct port *port)
 {
     const struct sharp_config config = {SHARP_FIELDS(FILL_PIN, FILL_VALUE)};
-    if (module->rotation != PANEL_UPRIGHT || module->mirror) return PANEL_ERR_CONFIG;
+    if (module->rotation != PANEL_UPRIGHT || module->mirror || module->flip_columns || module->flip_rows)
+        return PANEL_ERR_CONFIG;
     display->panel = &display->driver.sharp.panel;
     return sharp_setup(&display->driver.sharp, choice->chip, &config);
 }
@@ -239,12 +253,14 @@ bool panel_choice_parse(const char *text, const char *also, struct panel_choice 
 bool display_module_check(const struct panel_choice *choice, const struct display_module *module, struct error *err)
 {
     const unsigned w_px = module->w_px, h_px = module->h_px;
-    if (w_px > choice->mem_w_px || h_px > choice->mem_h_px)
+    const unsigned mem_w_px = module->mem_w_px ? module->mem_w_px : choice->mem_w_px;
+    const unsigned mem_h_px = module->mem_h_px ? module->mem_h_px : choice->mem_h_px;
+    if (w_px > mem_w_px || h_px > mem_h_px)
         return error_set(err, "--panel %s: %ux%u pixels do not fit into its memory of %ux%u", choice->name, w_px, h_px,
-                         choice->mem_w_px, choice->mem_h_px);
-    if (module->ox_px > choice->mem_w_px - w_px || module->oy_px > choice->mem_h_px - h_px)
+                         mem_w_px, mem_h_px);
+    if (module->ox_px > mem_w_px - w_px || module->oy_px > mem_h_px - h_px)
         return error_set(err, "--panel %s: %ux%u pixels at %u,%u leave its memory of %ux%u", choice->name, w_px, h_px,
-                         module->ox_px, module->oy_px, choice->mem_w_px, choice->mem_h_px);
+                         module->ox_px, module->oy_px, mem_w_px, mem_h_px);
     return (w_px % choice->w_step_px == 0 && h_px % choice->h_step_px == 0) ||
            error_set(err, "--panel %s: %ux%u: its sides are multiples of %u and %u pixels", choice->name, w_px, h_px,
                      choice->w_step_px, choice->h_step_px);

@@ -22,6 +22,11 @@ struct panel_choice {
     uint16_t mem_w_px, mem_h_px;   /* of its memory: the largest glass */
     uint16_t w_step_px, h_step_px; /* the sides of its glass and its offsets are multiples of these */
     bool has_converter;            /* of the glass's voltage, of its own */
+    bool has_mode_pins;            /* by which a module may leave less of its memory */
+    bool has_wiring;               /* it is told how the lines of its glass are wired */
+    bool flips;                    /* it can show memory's columns and rows from their other ends */
+    uint8_t contrast_max;          /* 0: it has no contrast */
+    uint16_t start_lines;          /* lines of memory that the glass may begin with; 0: the first alone */
     uint8_t formats;               /* 1 << enum panel_format, of all that it takes */
     enum panel_format format;
 };
@@ -29,10 +34,16 @@ struct panel_choice {
 /* The glass, and how it is joined to the chip. */
 struct display_module {
     uint16_t w_px, h_px;          /* upright */
+    uint16_t mem_w_px, mem_h_px;  /* memory that mode pins leave; 0: the chip's */
     uint16_t ox_px, oy_px;        /* memory column and row of its top left pixel */
     enum panel_rotation rotation; /* of the picture */
     bool mirror, bgr, invert;     /* as in struct dcs_config */
+    bool flip_columns, flip_rows;
+    uint8_t contrast, start_line; /* as in struct pages_config */
+    enum pages_wiring wiring;     /* likewise */
+    bool internal_reference;      /* likewise */
     bool converter;               /* as in struct solomon_config */
+    uint8_t shift, shift_turned;  /* likewise */
 };
 
 /* A driver; must not move. */

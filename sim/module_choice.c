@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
  * What most sellers put behind a chip. Glass of any other size lies in the middle of the chip's memory: so do those of
- * 135x240, 170x320 and 240x280 pixels on ST7789 and of 64x48 on SSD1306.
+ * 135x240, 170x320 and 240x280 pixels on ST7789 and of 64x48 and 64x32 on SSD1306.
  *
  * Modes of SPI: most modules of 240x240 pixels on ST7789 lack CS and take mode 3 alone (Bodmer/TFT_eSPI, issue 163),
  * those with CS take it as well (ST7789V's datasheet, in its pull request 182), so that Bodmer/TFT_eSPI's TFT_eSPI.h
@@ -33,18 +33,27 @@ static const struct usual_module USUAL[] = {
     {"pcd8544", {.w_px = 84, .h_px = 48}, 4000000, SPI_IDLES_ANYHOW},
     {"sh1106", {.w_px = 128, .h_px = 64, .ox_px = 2}, 4000000, SPI_IDLES_ANYHOW},
     {"ssd1306", {.w_px = 128, .h_px = 64}, 8000000, SPI_IDLES_ANYHOW},
-    {"ssd0323", {.w_px = 128, .h_px = 64}, 4000000, SPI_IDLES_ANYHOW},
+    {"ssd1306", {.w_px = 96, .h_px = 16}, 8000000, SPI_IDLES_ANYHOW},
+    {"ssd1306", {.w_px = 96, .h_px = 40, .wiring = PAGES_WIRING_SEQUENTIAL}, 8000000, SPI_IDLES_ANYHOW},
+    {"ssd1306", {.w_px = 72, .h_px = 40, .ox_px = 28, .internal_reference = true}, 8000000, SPI_IDLES_ANYHOW},
+    {"ssd0323", {.w_px = 128, .h_px = 64, .shift = 76, .shift_turned = 68}, 4000000, SPI_IDLES_ANYHOW},
     {"ssd1327", {.w_px = 128, .h_px = 128}, 4000000, SPI_IDLES_ANYHOW},
+    {"ssd1327", {.w_px = 128, .h_px = 96, .shift = 32, .shift_turned = 96}, 4000000, SPI_IDLES_ANYHOW},
     {"ssd1351", {.w_px = 128, .h_px = 128}, 16000000, SPI_IDLES_ANYHOW},
+    {"ssd1351", {.w_px = 128, .h_px = 96}, 16000000, SPI_IDLES_ANYHOW},
     {"st7567", {.w_px = 128, .h_px = 64}, 4000000, SPI_IDLES_ANYHOW},
     {"st7735", {.w_px = 128, .h_px = 160, .ox_px = 2, .oy_px = 1, .bgr = true}, 15000000, SPI_IDLES_ANYHOW},
-    {"st7735", {.w_px = 128, .h_px = 128, .ox_px = 2, .oy_px = 3, .bgr = true}, 15000000, SPI_IDLES_ANYHOW},
+    {"st7735",
+     {.w_px = 128, .h_px = 128, .mem_w_px = 132, .mem_h_px = 132, .ox_px = 2, .oy_px = 1, .bgr = true},
+     15000000,
+     SPI_IDLES_ANYHOW},
     {"st7735",
      {.w_px = 80, .h_px = 160, .ox_px = 26, .oy_px = 1, .bgr = true, .invert = true},
      15000000,
      SPI_IDLES_ANYHOW},
     {"st7789", {.w_px = 240, .h_px = 240, .invert = true}, 40000000, SPI_IDLES_HIGH},
     {"uc1701", {.w_px = 128, .h_px = 64}, 4000000, SPI_IDLES_ANYHOW},
+    {"uc1701", {.w_px = 102, .h_px = 64, .flip_columns = true, .flip_rows = true}, 4000000, SPI_IDLES_ANYHOW},
 };
 
 static bool is_row_of(const struct usual_module *row, const struct panel_choice *panel, unsigned w_px, unsigned h_px)
@@ -86,9 +95,33 @@ static bool take_size(struct module_choice *out, struct arguments *arguments, st
     module->w_px = (uint16_t)w_px;
     module->h_px = (uint16_t)h_px;
     module->ox_px = module->oy_px = 0;
+    module->shift = module->shift_turned = 0; /* of the usual size */
     if (!display_module_check(&out->panel, module, err)) return false;
     module->ox_px = (uint16_t)((out->panel.mem_w_px - w_px) / 2);
     module->oy_px = (uint16_t)((out->panel.mem_h_px - h_px) / 2);
+    return true;
+}
+
+/* What mode pins leave of a chip's memory. Glass that was in the middle of all of it is in the middle of what is left.
+ */
+static bool take_memory(struct module_choice *out, struct arguments *arguments, struct error *err)
+{
+    struct display_module *module = &out->module;
+    const struct panel_choice *panel = &out->panel;
+    const char *text = NULL;
+    unsigned w_px, h_px;
+    if (!arguments_value(arguments, "--memory", &text, err)) return false;
+    if (!text) return true;
+    if (!panel->has_mode_pins) return error_set(err, "--memory %s: %s has no mode pins", text, panel->name);
+    if (!parse_size(text, &w_px, &h_px, err)) return false;
+    if (w_px > panel->mem_w_px || h_px > panel->mem_h_px)
+        return error_set(err, "--memory %s: %s has %ux%u", text, panel->name, panel->mem_w_px, panel->mem_h_px);
+    module->mem_w_px = (uint16_t)w_px;
+    module->mem_h_px = (uint16_t)h_px;
+    module->ox_px = module->oy_px = 0;
+    if (!display_module_check(panel, module, err)) return false;
+    module->ox_px = (uint16_t)((w_px - module->w_px) / 2);
+    module->oy_px = (uint16_t)((h_px - module->h_px) / 2);
     return true;
 }
 
@@ -124,6 +157,44 @@ static bool take_rotation(struct display_module *module, struct arguments *argum
     return error_set(err, "--rotate %s: must be 0, 90, 180 or 270 degrees, clockwise", text);
 }
 
+/* What a chip is told of its glass by a number. */
+static bool take_number(const struct panel_choice *panel, const char *name, unsigned least, unsigned most,
+                        uint8_t *number, struct arguments *arguments, struct error *err)
+{
+    const char *text = NULL;
+    uint32_t value = 0;
+    if (!arguments_value(arguments, name, &text, err)) return false;
+    if (!text) return true;
+    if (!most) return error_set(err, "%s %s: %s has none", name, text, panel->name);
+    if (!parse_whole(name, text, least, most, &value, err)) return false;
+    *number = (uint8_t)value;
+    return true;
+}
+
+static bool take_wiring(struct module_choice *out, struct arguments *arguments, struct error *err)
+{
+    const char *text = NULL;
+    if (!arguments_value(arguments, "--wiring", &text, err)) return false;
+    if (!text) return true;
+    if (!out->panel.has_wiring) return error_set(err, "--wiring %s: %s is not told any", text, out->panel.name);
+    const bool is_sequential = strcmp(text, "sequential") == 0;
+    out->module.wiring = is_sequential ? PAGES_WIRING_SEQUENTIAL : PAGES_WIRING_ALTERNATIVE;
+    return is_sequential || strcmp(text, "alternative") == 0 ||
+           error_set(err, "--wiring %s: must be sequential or alternative", text);
+}
+
+static bool take_mirrors(struct module_choice *out, struct arguments *arguments, struct error *err)
+{
+    struct display_module *module = &out->module;
+    const bool columns = arguments_flag(arguments, "--mirror-columns");
+    const bool rows = arguments_flag(arguments, "--mirror-rows");
+    module->mirror = arguments_flag(arguments, "--mirror");
+    module->flip_columns = module->flip_columns != columns;
+    module->flip_rows = module->flip_rows != rows;
+    return !(columns || rows) || out->panel.flips ||
+           error_set(err, "%s: %s cannot", columns ? "--mirror-columns" : "--mirror-rows", out->panel.name);
+}
+
 static bool take_speed(struct module_choice *out, struct arguments *arguments, struct error *err)
 {
     const char *text = NULL;
@@ -151,12 +222,16 @@ bool module_choice_parse(struct module_choice *out, struct arguments *arguments,
     if (!panel_choice_parse(panel, NULL, &out->panel, err)) return false;
     take_usual(out);
     struct display_module *module = &out->module;
+    const unsigned last_line = out->panel.start_lines ? out->panel.start_lines - 1u : 0;
     if (!take_speed(out, arguments, err) || !take_mode(out, arguments, err) || !take_size(out, arguments, err) ||
-        !take_offset(out, arguments, err) || !take_rotation(module, arguments, err) ||
+        !take_memory(out, arguments, err) || !take_offset(out, arguments, err) ||
+        !take_rotation(module, arguments, err) || !take_mirrors(out, arguments, err) ||
         !arguments_either(arguments, "--bgr", "--rgb", &module->bgr, err) ||
-        !arguments_either(arguments, "--invert", "--no-invert", &module->invert, err))
+        !arguments_either(arguments, "--invert", "--no-invert", &module->invert, err) ||
+        !take_number(&out->panel, "--contrast", 1, out->panel.contrast_max, &module->contrast, arguments, err) ||
+        !take_number(&out->panel, "--start-line", 0, last_line, &module->start_line, arguments, err) ||
+        !take_wiring(out, arguments, err))
         return false;
-    module->mirror = arguments_flag(arguments, "--mirror");
     module->converter = arguments_flag(arguments, "--converter");
     if (module->converter && !out->panel.has_converter)
         return error_set(err, "--converter: %s has no converter of the glass's voltage", out->panel.name);

@@ -17,8 +17,9 @@ struct module_choice {
     bool mode_given;
 };
 
-/* Takes --panel, --hz, --mode, --size, --offset, --rotate, --mirror, --bgr or --rgb, --invert or --no-invert,
- * --converter out of *arguments. */
+/* Takes --panel, --hz, --mode, --size, --memory, --offset, --start-line, --rotate, --mirror, --mirror-columns,
+ * --mirror-rows,
+ * --bgr or --rgb, --invert or --no-invert, --contrast, --wiring, --converter out of *arguments. */
 bool module_choice_parse(struct module_choice *out, struct arguments *arguments, struct error *err);
 
 /* Of the picture as its viewer has it, turned. */
