@@ -71,6 +71,42 @@ tap_check "others take both" says ssd0323 'MODULE_SPI_MODES 9u'
 tap_check "the mode of SPI can be told" says told 'MODULE_SPI_MODES 8u'
 tap_check "greys are no black and white" says ssd0323 'MODULE_MONO 0' 'MODULE_FORMAT PANEL_GREY4'
 
+has() { # NAME FIELD...: in its configuration
+    source=$work/$1.c
+    shift
+    for field; do
+        grep -qxF "        .$field," "$source" || { echo "no $field in" && cat "$source" && return 1; }
+    done
+}
+
+has_not() { # NAME WORD
+    ! grep -n "$2" "$work/$1.c"
+}
+
+module st7735 --panel st7735 --size 128x128
+module red --panel st7735 --memory 128x160 --offset 0,0
+module small --panel ssd1306 --size 72x40
+module tall --panel ssd1306 --size 128x32 --wiring alternative --contrast 255 --start-line 63
+module seen --panel ili9341 --mirror-rows
+module dogs --panel uc1701 --size 102x64
+module undone --panel uc1701 --size 102x64 --mirror-columns --mirror-rows
+module osram --panel ssd0323 --start-line 79 --contrast 1
+module other --panel ssd0323 --size 128x80
+tap_check "glass of 128x128 has the memory that its mode pins leave" has st7735 'mem_w_px = 132' 'mem_h_px = 132' \
+    'ox_px = 2' 'oy_px = 1'
+tap_check "and any other what --memory says" has red 'mem_w_px = 128' 'mem_h_px = 160' 'w_px = 128' 'h_px = 160'
+tap_check "which has no margin" has_not red 'o[xy]_px'
+tap_check "the smallest OLED has the chip's reference" has small 'internal_reference = true' 'ox_px = 28'
+tap_check "an OLED is told wiring, contrast and first line" has tall 'wiring = PAGES_WIRING_ALTERNATIVE' \
+    'contrast = 255' 'start_line = 63'
+tap_check "rows are mirrored without columns" has seen 'flip_rows = true'
+tap_check "and columns are not" has_not seen 'flip_columns\|mirror'
+tap_check "glass that is mounted the other way round says so" has dogs 'flip_columns = true' 'flip_rows = true'
+tap_check "unless it is not" has_not undone flip
+tap_check "the LM3S6965EVB's glass has its maker's shift" has osram 'shift = 76' 'shift_turned = 68' 'start_line = 79' \
+    'contrast = 1'
+tap_check "which another size has not" has_not other shift
+
 is_refused() { # TEXT ARGUMENT...
     text=$1
     shift
@@ -86,6 +122,28 @@ tap_check "a size beyond the chip's is refused" is_refused \
 tap_check "a mirror that the driver refuses is refused" is_refused \
     "--panel ls013b7dh03: its driver refuses these pins, or a mirrored picture (-2001)" \
     --panel ls013b7dh03 --mirror -o "$work/bad"
+tap_check "rows that no chip can mirror are refused" is_refused "--mirror-rows: pcd8544 cannot" --panel pcd8544 \
+    --mirror-rows -o "$work/bad"
+tap_check "so are columns" is_refused "--mirror-columns: ls027b7dh01 cannot" --panel ls027b7dh01 --mirror-columns \
+    -o "$work/bad"
+tap_check "a contrast that no chip has is refused" is_refused "--contrast 3: st7789 has none" --panel st7789 \
+    --contrast 3 -o "$work/bad"
+tap_check "so is one that is too large" is_refused "--contrast 64: must be a whole number from 1 to 63" --panel st7567 \
+    --contrast 64 -o "$work/bad"
+tap_check "a first line beyond memory is refused" is_refused "--start-line 64: must be a whole number from 0 to 63" \
+    --panel ssd1306 --start-line 64 -o "$work/bad"
+tap_check "and one where there is none" is_refused "--start-line 0: pcd8544 has none" --panel pcd8544 --start-line 0 \
+    -o "$work/bad"
+tap_check "a wiring has a name" is_refused "--wiring odd: must be sequential or alternative" --panel sh1106 \
+    --wiring odd -o "$work/bad"
+tap_check "and belongs to OLEDs" is_refused "--wiring sequential: st7567 is not told any" --panel st7567 \
+    --wiring sequential -o "$work/bad"
+tap_check "memory that the chip has not is refused" is_refused "--memory 133x162: st7735 has 132x162" --panel st7735 \
+    --memory 133x162 -o "$work/bad"
+tap_check "memory without mode pins is refused" is_refused "--memory 64x64: ssd1351 has no mode pins" --panel ssd1351 \
+    --memory 64x64 -o "$work/bad"
+tap_check "memory smaller than the glass is refused" is_refused \
+    "--panel st7735: 128x160 pixels do not fit into its memory of 120x160" --panel st7735 --memory 120x160 -o "$work/bad"
 tap_check "a clock is a number" is_refused "--hz 0: must be a whole number from 1 to 1000000000" --panel st7789 \
     --hz 0 -o "$work/bad"
 tap_check "there are four modes of SPI" is_refused "--mode 4: must be a whole number from 0 to 3" --panel st7789 \

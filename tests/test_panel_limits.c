@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
- * What each chip takes, by numbers of its datasheet that are written here once more: memory, contrast, offsets; at the
- * limit, one less and one more. */
+ * What each chip takes, by numbers of its datasheet that are written here once more: memory, contrast, offsets, first
+ * line; at the limit, one less and one more. */
 #include "cmocka_ready.h"
 #include "panels.h"
 
@@ -16,17 +16,24 @@ struct limits {
     uint16_t w_px, h_px;
     unsigned contrast_max, contrast;
     uint8_t step_x_px, step_y_px;
-    bool turns_by_quarters;
+    bool turns_by_quarters, is_oled;
+    unsigned start_lines;
 };
 
 static const struct limits chips[] = {
-    {"gc9a01", DCS, 240, 240, 0, 0, 1, 1, true},          {"ili9341", DCS, 240, 320, 0, 0, 1, 1, true},
-    {"ili9488", DCS, 320, 480, 0, 0, 1, 1, true},         {"st7735", DCS, 132, 162, 0, 0, 1, 1, true},
-    {"st7789", DCS, 240, 320, 0, 0, 1, 1, true},          {"pcd8544", PAGES, 84, 48, 127, 63, 1, 8, false},
-    {"sh1106", PAGES, 132, 64, 255, 128, 1, 8, false},    {"ssd1306", PAGES, 128, 64, 255, 207, 1, 8, false},
-    {"st7567", PAGES, 132, 64, 63, 32, 1, 8, false},      {"uc1701", PAGES, 132, 64, 63, 39, 1, 8, false},
-    {"ssd0323", SOLOMON, 128, 80, 127, 112, 2, 1, false}, {"ssd1327", SOLOMON, 128, 128, 255, 128, 2, 1, false},
-    {"ssd1351", SOLOMON, 128, 128, 15, 15, 1, 1, true},
+    {"gc9a01", DCS, 240, 240, 0, 0, 1, 1, true, false, 1},
+    {"ili9341", DCS, 240, 320, 0, 0, 1, 1, true, false, 1},
+    {"ili9488", DCS, 320, 480, 0, 0, 1, 1, true, false, 1},
+    {"st7735", DCS, 132, 162, 0, 0, 1, 1, true, false, 1},
+    {"st7789", DCS, 240, 320, 0, 0, 1, 1, true, false, 1},
+    {"pcd8544", PAGES, 84, 48, 127, 63, 1, 8, false, false, 1},
+    {"sh1106", PAGES, 132, 64, 255, 128, 1, 8, false, true, 64},
+    {"ssd1306", PAGES, 128, 64, 255, 207, 1, 8, false, true, 64},
+    {"st7567", PAGES, 132, 64, 63, 36, 1, 8, false, false, 64},
+    {"uc1701", PAGES, 132, 64, 63, 39, 1, 8, false, false, 64},
+    {"ssd0323", SOLOMON, 128, 80, 127, 80, 2, 1, false, true, 80},
+    {"ssd1327", SOLOMON, 128, 128, 255, 128, 2, 1, false, true, 128},
+    {"ssd1351", SOLOMON, 128, 128, 15, 15, 1, 1, true, true, 128},
 };
 enum { CHIPS = sizeof chips / sizeof *chips };
 
@@ -49,9 +56,10 @@ static int delay(void *ctx, uint32_t delay_us)
 }
 
 struct wish {
-    uint16_t w_px, h_px, ox_px, oy_px;
-    uint8_t contrast;
-    unsigned rotation, format;
+    uint16_t w_px, h_px, ox_px, oy_px, mem_w_px, mem_h_px;
+    uint8_t contrast, start_line;
+    unsigned rotation, format, wiring;
+    bool internal_reference;
     bool no_write, no_dc, no_delay;
 };
 
@@ -103,6 +111,8 @@ static int setup(const struct limits *chip, const struct wish *wish)
                                           .h_px = wish->h_px,
                                           .ox_px = wish->ox_px,
                                           .oy_px = wish->oy_px,
+                                          .mem_w_px = wish->mem_w_px,
+                                          .mem_h_px = wish->mem_h_px,
                                           .rotation = rotation,
                                           .format = (enum panel_format)wish->format};
         err = dcs_setup(&dcs, dcs_of(chip->name), &config);
@@ -115,7 +125,10 @@ static int setup(const struct limits *chip, const struct wish *wish)
                                             .h_px = wish->h_px,
                                             .ox_px = wish->ox_px,
                                             .rotation = rotation,
-                                            .contrast = wish->contrast};
+                                            .contrast = wish->contrast,
+                                            .start_line = wish->start_line,
+                                            .wiring = (enum pages_wiring)wish->wiring,
+                                            .internal_reference = wish->internal_reference};
         err = pages_setup(&pages, pages_of(chip->name), &config);
         panel = pages.panel;
     } else {
@@ -127,6 +140,7 @@ static int setup(const struct limits *chip, const struct wish *wish)
                                               .ox_px = wish->ox_px,
                                               .rotation = rotation,
                                               .contrast = wish->contrast,
+                                              .start_line = wish->start_line,
                                               .format = (enum panel_format)wish->format};
         err = solomon_setup(&solomon, solomon_of(chip->name), &config);
         panel = solomon.panel;
@@ -190,6 +204,64 @@ static void glass_is_within_the_memory(void **state)
         ASSERT_TAKES(chip, &wish, false);
         wish.h_px--;
         ASSERT_TAKES(chip, &wish, true);
+    }
+}
+
+static void mode_pins_leave_what_the_chip_has_or_less(void **state)
+{
+    (void)state;
+    for (size_t i = 0; i < CHIPS; i++) {
+        const struct limits *chip = &chips[i];
+        struct wish wish = whole(chip);
+        if (chip->kind != DCS) continue;
+        wish.mem_w_px = (uint16_t)(chip->w_px + 1);
+        ASSERT_TAKES(chip, &wish, false);
+        wish.mem_w_px = chip->w_px;
+        wish.mem_h_px = (uint16_t)(chip->h_px + 1);
+        ASSERT_TAKES(chip, &wish, false);
+        wish.mem_h_px = (uint16_t)(chip->h_px - 1);
+        ASSERT_TAKES(chip, &wish, false);
+        wish.h_px = wish.mem_h_px;
+        ASSERT_TAKES(chip, &wish, true);
+        wish.mem_w_px = (uint16_t)(chip->w_px - 3);
+        ASSERT_TAKES(chip, &wish, false);
+        wish.w_px = (uint16_t)(chip->w_px - 4);
+        wish.ox_px = 1;
+        ASSERT_TAKES(chip, &wish, true);
+        wish.oy_px = 1;
+        ASSERT_TAKES(chip, &wish, false);
+        wish.oy_px = 0;
+        wish.ox_px = 2;
+        ASSERT_TAKES(chip, &wish, false);
+    }
+}
+
+static void the_glass_begins_with_a_line_of_memory(void **state)
+{
+    (void)state;
+    for (size_t i = 0; i < CHIPS; i++) {
+        const struct limits *chip = &chips[i];
+        struct wish wish = whole(chip);
+        if (chip->kind == DCS) continue;
+        for (unsigned line = 0; line < 256; line++) {
+            wish.start_line = (uint8_t)line;
+            ASSERT_TAKES(chip, &wish, line < chip->start_lines);
+        }
+    }
+}
+
+static void only_an_oled_of_pages_is_told_its_wiring_and_reference(void **state)
+{
+    (void)state;
+    for (size_t i = 0; i < CHIPS; i++) {
+        const struct limits *chip = &chips[i];
+        struct wish wish = whole(chip);
+        if (chip->kind != PAGES) continue;
+        for (wish.wiring = 0; wish.wiring < 4; wish.wiring++)
+            ASSERT_TAKES(chip, &wish, wish.wiring == 0 || (chip->is_oled && wish.wiring < 3));
+        wish.wiring = 0;
+        wish.internal_reference = true;
+        ASSERT_TAKES(chip, &wish, chip->is_oled);
     }
 }
 
@@ -301,6 +373,9 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(glass_is_within_the_memory),
+        cmocka_unit_test(mode_pins_leave_what_the_chip_has_or_less),
+        cmocka_unit_test(the_glass_begins_with_a_line_of_memory),
+        cmocka_unit_test(only_an_oled_of_pages_is_told_its_wiring_and_reference),
         cmocka_unit_test(contrast_is_up_to_the_chip_s_most),
         cmocka_unit_test(chips_turn_by_quarters_or_halves),
         cmocka_unit_test(what_a_driver_needs_must_be_there),

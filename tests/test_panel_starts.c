@@ -134,6 +134,19 @@ static void put_start(const struct panel_choice *choice, const struct display_mo
     put("\n");
 }
 
+/* What some chips are told of their glass. */
+static void put_told(const struct panel_choice *choice, struct display_module module)
+{
+    module.contrast = choice->contrast_max;
+    module.start_line = choice->start_lines ? 5 : 0;
+    if (module.contrast || module.start_line) put_start(choice, &module, "most contrast, line 5");
+    module.internal_reference = choice->has_wiring;
+    for (unsigned wiring = 1; choice->has_wiring && wiring < 3; wiring++) {
+        module.wiring = (enum pages_wiring)wiring;
+        put_start(choice, &module, wiring == 1 ? "reference, wired in sequence" : "reference, wired in turn");
+    }
+}
+
 static void put_panel(const struct panel_choice *choice)
 {
     struct display_module module = panel_rig_module(choice, 480, 480);
@@ -151,6 +164,12 @@ static void put_panel(const struct panel_choice *choice)
     module.mirror = true;
     put_start(choice, &module, "mirrored");
     module.mirror = false;
+    module.flip_columns = true;
+    put_start(choice, &module, "columns mirrored");
+    module.flip_rows = true;
+    put_start(choice, &module, "both mirrored");
+    module.flip_columns = module.flip_rows = false;
+    put_told(choice, module);
     message_b = 7;
     put_start(choice, &module, "of messages");
     message_b = 0;
