@@ -55,11 +55,6 @@ uint8_t pages_flip_a0(uint8_t commands[2], bool columns, bool rows)
     return 2;
 }
 
-uint8_t pages_flip_a1(uint8_t commands[2], bool columns, bool rows)
-{
-    return pages_flip_a0(commands, !columns, rows);
-}
-
 uint8_t pages_address_b0(uint8_t commands[PAGES_ADDRESS_MAX_B], uint8_t page, uint8_t column)
 {
     commands[0] = (uint8_t)(0xB0 | page);

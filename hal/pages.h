@@ -78,9 +78,8 @@ uint8_t pages_put(uint8_t *commands, const uint8_t *list, uint8_t n_b);
 uint8_t pages_setup_oled(uint8_t commands[PAGES_SETUP_MAX_B], const struct pages_config *config, uint8_t contrast,
                          const uint8_t *supply, uint8_t supply_b, uint8_t precharge);
 uint8_t pages_look_ae(uint8_t commands[2], bool on, bool inverted);
-uint8_t pages_flip_a0(uint8_t commands[2], bool columns,
-                      bool rows); /* usual glass shows the last column and line first */
-uint8_t pages_flip_a1(uint8_t commands[2], bool columns, bool rows); /* ...the first column and the last line */
+/* For glass that usually shows the last column and line first. */
+uint8_t pages_flip_a0(uint8_t commands[2], bool columns, bool rows);
 uint8_t pages_address_b0(uint8_t commands[PAGES_ADDRESS_MAX_B], uint8_t page, uint8_t column);
 
 /* Fills *pages without touching the hardware; panel_init() does. The configuration is copied; chip and the ports'

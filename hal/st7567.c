@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: MIT
  *
  * Sitronix ST7567: 132x64 memory (a 65th line is for icons) behind LCD glass, SPI clock 4 MHz in wide use. Usual
- * modules show column 0 and line 63 first. Bias and contrast vary by module: if the glass stays white or goes black,
- * try others. Its voltage is 2.1 V x ratio x (1 - (63 - contrast) / 162), with the ratio 4.5 that is set here 7.9 V. */
+ * modules show column 131 and line 0 first, with 4 columns before glass of 128 (ox_px = 4). Bias and contrast vary by
+ * module: if the glass stays white or goes black, try others. Its voltage is 2.1 V x ratio x (1 - (63 - contrast) / 162):
+ * with the ratio 4.5 that is set here, and the usual contrast, 7.9 V. */
 #include "panels.h"
 
 static uint8_t setup(uint8_t commands[PAGES_SETUP_MAX_B], const struct pages_config *config, uint8_t contrast)
@@ -18,6 +19,11 @@ static uint8_t setup(uint8_t commands[PAGES_SETUP_MAX_B], const struct pages_con
     return pages_put(commands, list, sizeof list);
 }
 
+static uint8_t flip(uint8_t commands[2], bool columns, bool rows)
+{
+    return pages_flip_a0(commands, columns, !rows);
+}
+
 const struct pages_chip st7567 = {
     .name = "st7567",
     .mem_w_px = 132,
@@ -31,6 +37,6 @@ const struct pages_chip st7567 = {
     .setup = setup,
     .start_line = 0x40,
     .look = pages_look_ae,
-    .flip = pages_flip_a1,
+    .flip = flip,
     .address = pages_address_b0,
 };

@@ -5,10 +5,12 @@
  *     glass     memory    ox_px, oy_px  colours
  *     128x160   128x160   0, 0          RGB or BGR, by the batch ("red tab", "black tab")
  *     128x160   132x162   2, 1          BGR ("green tab")
- *     128x128   132x132   2, 1          BGR
+ *     128x128   132x132   2, 3          BGR
  *     80x160    132x162   26, 1         BGR, IPS (invert)
- * What the chip loads at reset suits few glasses: frame rate, voltages and gamma are those of the modules' makers. */
+ * Usual glass shows memory's last column and row first; offsets are those of the upright picture, as everywhere. What
+ * the chip loads at reset suits few glasses: frame rate, voltages and gamma are those of the modules' makers. */
 #include "panels.h"
+#include "turn.h"
 
 enum {
     FRMCTR1 = 0xB1, /* frame rate: normal, idle, partial */
@@ -49,6 +51,7 @@ const struct dcs_chip st7735 = {
     .mem_h_px = 162,
     .formats = 1 << PANEL_RGB565 | 1 << PANEL_RGB444 | 1 << PANEL_RGB666,
     .format = PANEL_RGB565,
+    .reversed = TURN_COLUMNS | TURN_ROWS,
     .setup = setup,
     .setup_b = sizeof setup,
 };

@@ -2,7 +2,7 @@
  *
  * UltraChip UC1701: 132x64 memory (a 65th line is for icons) behind LCD glass, SPI clock 4 MHz in wide use. It speaks
  * ST7567's commands but for the supply, which it brings up by itself, and a register for temperature; usual modules
- * show column 0 and line 63 first, as ST7567's do. Glass of 102x64 wants flip_columns and flip_rows. Bias and contrast
+ * show column 0 and line 63 first. Glass of 102x64 wants flip_columns and flip_rows. Bias and contrast
  * vary by module: if the glass stays white or goes black, try others. */
 #include "panels.h"
 
@@ -20,6 +20,11 @@ static uint8_t setup(uint8_t commands[PAGES_SETUP_MAX_B], const struct pages_con
     return pages_put(commands, list, sizeof list);
 }
 
+static uint8_t flip(uint8_t commands[2], bool columns, bool rows)
+{
+    return pages_flip_a0(commands, !columns, rows);
+}
+
 const struct pages_chip uc1701 = {
     .name = "uc1701",
     .mem_w_px = 132,
@@ -33,6 +38,6 @@ const struct pages_chip uc1701 = {
     .setup = setup,
     .start_line = 0x40,
     .look = pages_look_ae,
-    .flip = pages_flip_a1,
+    .flip = flip,
     .address = pages_address_b0,
 };

@@ -93,7 +93,7 @@ module undone --panel uc1701 --size 102x64 --mirror-columns --mirror-rows
 module osram --panel ssd0323 --start-line 79 --contrast 1
 module other --panel ssd0323 --size 128x80
 tap_check "glass of 128x128 has the memory that its mode pins leave" has st7735 'mem_w_px = 132' 'mem_h_px = 132' \
-    'ox_px = 2' 'oy_px = 1'
+    'ox_px = 2' 'oy_px = 3'
 tap_check "and any other what --memory says" has red 'mem_w_px = 128' 'mem_h_px = 160' 'w_px = 128' 'h_px = 160'
 tap_check "which has no margin" has_not red 'o[xy]_px'
 tap_check "the smallest OLED has the chip's reference" has small 'internal_reference = true' 'ox_px = 28'
