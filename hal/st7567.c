@@ -2,8 +2,8 @@
  *
  * Sitronix ST7567: 132x64 memory (a 65th line is for icons) behind LCD glass, SPI clock 4 MHz in wide use. Usual
  * modules show column 131 and line 0 first, with 4 columns before glass of 128 (ox_px = 4). Bias and contrast vary by
- * module: if the glass stays white or goes black, try others. Its voltage is 2.1 V x ratio x (1 - (63 - contrast) / 162):
- * with the ratio 4.5 that is set here, and the usual contrast, 7.9 V. */
+ * module: if the glass stays white or goes black, try others. Its voltage is 2.1 V x ratio x (1 - (63 - contrast) /
+ * 162): with the ratio 4.5 that is set here, and the usual contrast, 7.9 V. */
 #include "panels.h"
 
 static uint8_t setup(uint8_t commands[PAGES_SETUP_MAX_B], const struct pages_config *config, uint8_t contrast)
