@@ -21,7 +21,7 @@ struct bridge_bench *bridge_bench_open(const struct panel_choice *choice, const 
         error_set(err, "bridge: out of memory");
         return NULL;
     }
-    emulated_display_init(&bench->glass, choice, module);
+    emulated_display_choose(&bench->glass, choice, module);
     emulated_bridge_init(&bench->bridge, bench->glass.port);
     if (open_port(bench, err) && display_setup(&bench->display, choice, module, &bench->port, err)) return bench;
     bridge_bench_close(bench);

@@ -23,6 +23,7 @@ struct decode {
     struct module_choice module;
     const char *map_path, *pattern; /* NULL: not asked for */
     uint64_t frames_asked;          /* 0: all that there are */
+    bool is_foreign;                /* not written by this project */
 
     struct qemu_map map;
     struct outputs outputs;
@@ -58,6 +59,7 @@ static bool take_path(struct decode *decode, const struct arguments *arguments, 
 static bool decode_parse(struct decode *decode, int argc, char **argv, struct error *err)
 {
     struct arguments arguments = {argv, argc};
+    decode->is_foreign = arguments_flag(&arguments, "--foreign");
     return module_choice_parse(&decode->module, &arguments, err) &&
            arguments_value(&arguments, "--qemu", &decode->map_path, err) &&
            arguments_value(&arguments, "-o", &decode->pattern, err) &&
@@ -78,6 +80,7 @@ static bool start(struct decode *decode, struct error *err)
     decode->pixels = malloc(sizeof decode->pixels[0] * pixel_count);
     if (!decode->listener || !decode->rgb || !decode->pixels) return error_set(err, "decode: out of memory");
     listener_init(decode->listener, &decode->module);
+    if (decode->is_foreign) emulated_display_take_foreign(&decode->listener->display);
     const bool is_input = strcmp(decode->path, "-") == 0;
     decode->lines.file = input_open_stream(decode->path, err);
     if (!decode->lines.file) return false;
@@ -167,12 +170,22 @@ static bool read_lines(struct decode *decode, struct error *err)
     return check_count(decode, err);
 }
 
+/* What glass would bear, and a driver's author may want to know. */
+static void tell_notices(const struct decode *decode)
+{
+    const char *last;
+    const unsigned notices = emulated_display_notices(&decode->listener->display, &last);
+    if (notices) fprintf(stderr, "limner: %s: %u notices, the last: %s\n", decode->path, notices, last);
+}
+
 /* All of it ---------------------------------------------------------------------------------- */
 
 static bool decode_run(struct decode *decode, struct error *err)
 {
-    return start(decode, err) && read_lines(decode, err) && hash_list_close(&decode->hashes, err) &&
-           outputs_keep(&decode->outputs, err) && hash_list_check(&decode->hashes, err);
+    if (!start(decode, err) || !read_lines(decode, err)) return false;
+    tell_notices(decode);
+    return hash_list_close(&decode->hashes, err) && outputs_keep(&decode->outputs, err) &&
+           hash_list_check(&decode->hashes, err);
 }
 
 static void decode_free(struct decode *decode)

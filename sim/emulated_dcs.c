@@ -20,28 +20,57 @@ enum {
     MADCTL_RESERVED = 0x03
 };
 
+/* In the second argument of the register for scanning. */
+enum { SCAN_ROWS_BACK = 0x40, SCAN_COLUMNS_BACK = 0x20 };
+
 enum { RESET_PULSE_US = 10, LISTEN_US = 5000, SLEEP_CHANGE_US = 120000 };
+
+/* `is_borne`: glass would bear it. */
+__attribute__((format(printf, 4, 0))) static void keep(bool is_borne, struct emulated_dcs *chip,
+                                                       enum emulated_complaint kind, const char *format, va_list args)
+{
+    if (is_borne && emulated_port_notes(&chip->port, format, args)) return;
+    vsnprintf(chip->complaint, sizeof chip->complaint, format, args);
+    chip->complaints++;
+    chip->complaints_of[kind]++;
+    if (chip->on_complaint) chip->on_complaint(chip->on_complaint_ctx, chip->complaint);
+}
+
+__attribute__((format(printf, 4, 5))) static void note_if(bool is_borne, struct emulated_dcs *chip,
+                                                          enum emulated_complaint kind, const char *format, ...)
+{
+    va_list args;
+    va_start(args, format);
+    keep(is_borne, chip, kind, format, args);
+    va_end(args);
+}
+
+__attribute__((format(printf, 3, 4))) static void note(struct emulated_dcs *chip, enum emulated_complaint kind,
+                                                       const char *format, ...)
+{
+    va_list args;
+    va_start(args, format);
+    keep(true, chip, kind, format, args);
+    va_end(args);
+}
 
 __attribute__((format(printf, 3, 4))) static void complain(struct emulated_dcs *chip, enum emulated_complaint kind,
                                                            const char *format, ...)
 {
     va_list args;
     va_start(args, format);
-    vsnprintf(chip->complaint, sizeof chip->complaint, format, args);
+    keep(false, chip, kind, format, args);
     va_end(args);
-    chip->complaints++;
-    chip->complaints_of[kind]++;
-    if (chip->on_complaint) chip->on_complaint(chip->on_complaint_ctx, chip->complaint);
 }
 
 static uint16_t columns_end(const struct emulated_dcs *chip)
 {
-    return chip->madctl & EXCHANGE ? chip->kind->h_px : chip->kind->w_px;
+    return chip->madctl & EXCHANGE ? chip->glass.mem_h_px : chip->glass.mem_w_px;
 }
 
 static uint16_t rows_end(const struct emulated_dcs *chip)
 {
-    return chip->madctl & EXCHANGE ? chip->kind->w_px : chip->kind->h_px;
+    return chip->madctl & EXCHANGE ? chip->glass.mem_w_px : chip->glass.mem_h_px;
 }
 
 /* What both kinds of reset do; memory keeps its contents. */
@@ -51,6 +80,7 @@ static void reset_registers(struct emulated_dcs *chip)
     chip->display_on = false;
     chip->inverted = false;
     chip->tells_refresh = false;
+    chip->scan = 0;
     chip->columns[0] = 0;
     chip->columns[1] = (uint16_t)(columns_end(chip) - 1);
     chip->rows[0] = 0;
@@ -74,9 +104,9 @@ static void reset_hardware(struct emulated_dcs *chip)
 static bool too_soon(struct emulated_dcs *chip, uint64_t from_us)
 {
     if (!emulated_port_is_before(&chip->port, from_us)) return false;
-    complain(chip, EMULATED_TOO_SOON, "%s came %u us too soon", chip->command->name,
-             (unsigned)(from_us - chip->port.now_us));
-    return true;
+    note(chip, EMULATED_TOO_SOON, "%s came %u us too soon", chip->command->name,
+         (unsigned)(from_us - chip->port.now_us));
+    return !chip->port.foreign;
 }
 
 static void run_swreset(struct emulated_dcs *chip)
@@ -130,7 +160,7 @@ static void run_teoff(struct emulated_dcs *chip)
 /* Mode 1 tells each line as well. */
 static void run_teon(struct emulated_dcs *chip)
 {
-    if (chip->args[0] != 0) complain(chip, EMULATED_ARGS_VALUE, "TEON 0x%02X", chip->args[0]);
+    if (chip->args[0] != 0) note(chip, EMULATED_ARGS_VALUE, "TEON 0x%02X", chip->args[0]);
     chip->tells_refresh = true;
 }
 
@@ -167,7 +197,7 @@ static void run_raset(struct emulated_dcs *chip)
 
 static void run_madctl(struct emulated_dcs *chip)
 {
-    if (chip->args[0] & MADCTL_RESERVED) complain(chip, EMULATED_ARGS_VALUE, "MADCTL 0x%02X", chip->args[0]);
+    if (chip->args[0] & MADCTL_RESERVED) note(chip, EMULATED_ARGS_VALUE, "MADCTL 0x%02X", chip->args[0]);
     chip->madctl = chip->args[0];
     chip->address_valid = false;
 }
@@ -184,6 +214,12 @@ static void run_colmod(struct emulated_dcs *chip)
         chip->bits_a_pixel = 24;
     else
         complain(chip, EMULATED_ARGS_VALUE, "COLMOD 0x%02X", chip->args[0]);
+}
+
+/* Which way the outputs for columns and for rows are scanned, whatever MADCTL says of memory. */
+static void run_scan(struct emulated_dcs *chip)
+{
+    chip->scan = chip->args[1];
 }
 
 static void start_writing(struct emulated_dcs *chip)
@@ -213,6 +249,7 @@ static const struct emulated_command *find_vendor(struct emulated_dcs *chip, uin
         if (at->code != code) continue;
         snprintf(chip->vendor_name, sizeof chip->vendor_name, "command 0x%02X", code);
         chip->vendor = (struct emulated_command){code, at->n_args, chip->vendor_name, NULL};
+        if (code == chip->kind->scan_register) chip->vendor.run = run_scan;
         return &chip->vendor;
     }
     return NULL;
@@ -234,16 +271,21 @@ static const struct emulated_command *find_command(struct emulated_dcs *chip, ui
     return find_vendor(chip, code);
 }
 
+/* Whether nothing is seen of a command that has too few arguments, or too many. */
+static bool is_borne(const struct emulated_command *command)
+{
+    return !command->run || command->run == run_teon || command->run == run_scan;
+}
+
 static void end_command(struct emulated_dcs *chip)
 {
     const struct emulated_command *command = chip->command;
     if (chip->writing && chip->n_bits >= 8) { /* 4 bits over are the filling after an odd 12-bit pixel */
         complain(chip, EMULATED_PIXEL_SPLIT, "pixel cut after %u of %u bits", chip->n_bits, chip->bits_a_pixel);
     }
-    if (command && chip->n_args < command->n_args) {
-        complain(chip, EMULATED_ARGS_SHORT, "%s ended after %u of %u arguments", command->name, chip->n_args,
-                 command->n_args);
-    }
+    if (command && chip->n_args < command->n_args)
+        note_if(is_borne(command), chip, EMULATED_ARGS_SHORT, "%s ended after %u of %u arguments", command->name,
+                chip->n_args, command->n_args);
     chip->command = NULL;
     chip->writing = false;
     chip->ignore_data = false;
@@ -261,7 +303,7 @@ static void receive_command(struct emulated_dcs *chip, uint8_t code)
     end_command(chip);
     chip->command = find_command(chip, code);
     if (!chip->command) {
-        complain(chip, EMULATED_UNKNOWN_COMMAND, "command 0x%02X is unknown or not modelled", code);
+        note(chip, EMULATED_UNKNOWN_COMMAND, "command 0x%02X is unknown or not modelled", code);
         chip->ignore_data = true;
         return;
     }
@@ -272,8 +314,9 @@ static void receive_command(struct emulated_dcs *chip, uint8_t code)
 static void receive_argument(struct emulated_dcs *chip, uint8_t byte)
 {
     if (!chip->command || chip->n_args == chip->command->n_args) {
-        complain(chip, EMULATED_ARGS_EXTRA, "data 0x%02X after %s, which takes %u bytes: too many, or no RAMWR", byte,
-                 chip->command ? chip->command->name : "no command", chip->command ? chip->command->n_args : 0);
+        note_if(chip->command && chip->command->n_args && is_borne(chip->command), chip, EMULATED_ARGS_EXTRA,
+                "data 0x%02X after %s, which takes %u bytes: too many, or no RAMWR", byte,
+                chip->command ? chip->command->name : "no command", chip->command ? chip->command->n_args : 0);
         chip->ignore_data = true;
         return;
     }
@@ -322,8 +365,8 @@ static void store_pixel(struct emulated_dcs *chip, uint32_t raw)
     }
     unsigned column = chip->madctl & EXCHANGE ? chip->y : chip->x;
     unsigned row = chip->madctl & EXCHANGE ? chip->x : chip->y;
-    if (chip->madctl & COLUMN_ORDER) column = chip->kind->w_px - 1u - column;
-    if (chip->madctl & ROW_ORDER) row = chip->kind->h_px - 1u - row;
+    if (chip->madctl & COLUMN_ORDER) column = chip->glass.mem_w_px - 1u - column;
+    if (chip->madctl & ROW_ORDER) row = chip->glass.mem_h_px - 1u - row;
     if (chip->x == chip->columns[0] && chip->y == chip->rows[0]) chip->first_row = (uint16_t)row;
     chip->memory[row][column] = decode(raw, chip->bits_a_pixel);
     chip->port.stores++;
@@ -368,12 +411,22 @@ static void lose(void *ctx, size_t n_b)
     complain(ctx, EMULATED_RESET, "%zu bytes while reset is low", n_b);
 }
 
-void emulated_dcs_init(struct emulated_dcs *chip, const struct emulated_module *module)
+static void fill_with_noise(struct emulated_dcs *chip)
 {
-    const struct emulated_kind *kind = module->kind ? module->kind : emulated_kind_find("st7789");
+    uint32_t noise = 1;
+    for (unsigned row = 0; row < EMULATED_MAX_H_PX; row++) {
+        for (unsigned column = 0; column < EMULATED_MAX_W_PX; column++) {
+            noise = noise * 1664525u + 1013904223u;
+            chip->memory[row][column] = decode(noise >> 16, 16);
+        }
+    }
+}
 
-    assert(module->ox_px + module->w_px <= kind->w_px);
-    assert(module->oy_px + module->h_px <= kind->h_px);
+void emulated_dcs_init(struct emulated_dcs *chip, const struct glass *glass)
+{
+    const struct emulated_kind *kind = emulated_kind_find(glass->chip);
+
+    assert(kind && glass->mem_w_px <= kind->w_px && glass->mem_h_px <= kind->h_px && glass_fits(glass));
     memset(chip, 0, sizeof *chip);
     chip->port = (struct emulated_port){.chip = chip,
                                         .command = take_command,
@@ -382,24 +435,17 @@ void emulated_dcs_init(struct emulated_dcs *chip, const struct emulated_module *
                                         .lost = lose,
                                         .edge = next_refresh};
     chip->refresh_us = 16667;
-    chip->module = *module;
+    chip->glass = *glass;
     chip->kind = kind;
-    uint32_t noise = 1;
-    for (unsigned row = 0; row < kind->h_px; row++) {
-        for (unsigned column = 0; column < kind->w_px; column++) {
-            noise = noise * 1664525u + 1013904223u;
-            if (chip->x == chip->columns[0] && chip->y == chip->rows[0]) chip->first_row = (uint16_t)row;
-            chip->memory[row][column] = decode(noise >> 16, 16);
-        }
-    }
+    fill_with_noise(chip);
     reset_hardware(chip);
 }
 
 static void see(const struct emulated_dcs *chip, const struct emulated_pixel *pixel, uint8_t rgb[3])
 {
     bool lit = chip->display_on && !chip->asleep && !chip->port.reset_low && !chip->port.backlight_low;
-    bool negative = chip->inverted != chip->module.ips;
-    bool swapped = ((chip->madctl & BLUE_FIRST) != 0) != chip->module.bgr;
+    bool negative = chip->inverted != chip->glass.negative;
+    bool swapped = ((chip->madctl & BLUE_FIRST) != 0) != chip->glass.blue_first;
     for (unsigned i = 0; i < 3; i++) {
         uint8_t c = pixel->rgb[swapped ? 2 - i : i];
         rgb[i] = !lit ? 0 : negative ? (uint8_t)(255 - c) : c;
@@ -407,25 +453,38 @@ static void see(const struct emulated_dcs *chip, const struct emulated_pixel *pi
 }
 
 /* The glass's own x and y. A pixel is seen if its centre is inside of the ellipse. */
-static bool is_on_glass(const struct emulated_module *module, const struct emulated_kind *kind, unsigned x, unsigned y)
+static bool is_on_glass(const struct emulated_dcs *chip, unsigned x, unsigned y)
 {
-    const double dx = (2.0 * x + 1.0 - module->w_px) / module->w_px, dy = (2.0 * y + 1.0 - module->h_px) / module->h_px;
+    const struct glass *glass = &chip->glass;
+    const double dx = (2.0 * x + 1.0 - glass->w_px) / glass->w_px, dy = (2.0 * y + 1.0 - glass->h_px) / glass->h_px;
 
-    return !kind->is_round || dx * dx + dy * dy <= 1.0;
+    return !chip->kind->is_round || dx * dx + dy * dy <= 1.0;
 }
 
+/* Memory is scanned from its first row on, whichever end of the glass shows it. */
 bool emulated_dcs_follows_refresh(const struct emulated_dcs *chip)
 {
-    const struct emulated_module *module = &chip->module;
+    const struct glass *glass = &chip->glass;
+    const unsigned from = glass->lines_back ? glass->line + 1u - glass->h_px : glass->line;
 
-    return chip->first_row == (chip->madctl & REFRESH_UP ? module->oy_px + module->h_px - 1u : module->oy_px);
+    return chip->first_row == (chip->madctl & REFRESH_UP ? from + glass->h_px - 1u : from);
+}
+
+/* What of memory drives the glass's pixel: scanned backwards, each output gets what the opposite one would. */
+static const struct emulated_pixel *pixel_at(const struct emulated_dcs *chip, unsigned x, unsigned y)
+{
+    const struct glass *glass = &chip->glass;
+    const unsigned column = glass_column(glass, x), row = glass_line(glass, y);
+
+    return &chip->memory[chip->scan & SCAN_ROWS_BACK ? glass->mem_h_px - 1u - row : row]
+                        [chip->scan & SCAN_COLUMNS_BACK ? glass->mem_w_px - 1u - column : column];
 }
 
 void emulated_dcs_show(const struct emulated_dcs *chip, unsigned quarter_turns, uint8_t *rgb, uint32_t *raw)
 {
-    const struct emulated_module *module = &chip->module;
-    unsigned w_px = quarter_turns % 2 ? module->h_px : module->w_px;
-    unsigned h_px = quarter_turns % 2 ? module->w_px : module->h_px;
+    const struct glass *glass = &chip->glass;
+    unsigned w_px = quarter_turns % 2 ? glass->h_px : glass->w_px;
+    unsigned h_px = quarter_turns % 2 ? glass->w_px : glass->h_px;
     for (unsigned i = 0; i < w_px * h_px; i++) {
         unsigned x = i % w_px;
         unsigned y = i / w_px;
@@ -433,11 +492,10 @@ void emulated_dcs_show(const struct emulated_dcs *chip, unsigned quarter_turns, 
         unsigned below = h_px - 1 - y;
         const unsigned column[] = {x, below, right, y};
         const unsigned row[] = {y, x, below, right};
-        const struct emulated_pixel *pixel =
-            &chip->memory[module->oy_px + row[quarter_turns % 4]][module->ox_px + column[quarter_turns % 4]];
+        const unsigned glass_x = column[quarter_turns % 4], glass_y = row[quarter_turns % 4];
+        const struct emulated_pixel *pixel = pixel_at(chip, glass_x, glass_y);
         if (rgb) see(chip, pixel, &rgb[(size_t)3 * i]);
-        if (rgb && !is_on_glass(module, chip->kind, column[quarter_turns % 4], row[quarter_turns % 4]))
-            memset(&rgb[(size_t)3 * i], 0, 3);
+        if (rgb && !is_on_glass(chip, glass_x, glass_y)) memset(&rgb[(size_t)3 * i], 0, 3);
         if (raw) raw[i] = pixel->raw;
     }
 }

@@ -9,6 +9,7 @@
 #define SIM_EMULATED_DCS_H
 
 #include "emulated_port.h"
+#include "glass.h"
 
 enum { EMULATED_MAX_W_PX = 320, EMULATED_MAX_H_PX = 480, EMULATED_MAX_ARGS = 16 };
 
@@ -23,6 +24,7 @@ struct emulated_kind {
     uint16_t w_px, h_px;                       /* memory, with MADCTL = 0 */
     bool takes_12, takes_16;                   /* bits a pixel on SPI; all take 18 in three bytes */
     bool is_round;                             /* glass that shows the inscribed ellipse alone */
+    uint8_t scan_register;                     /* sets which way outputs are scanned; 0: none does */
     const struct emulated_register *registers; /* ends with code 0 */
 };
 
@@ -43,15 +45,6 @@ enum emulated_complaint {
     EMULATED_TEARING,         /* waited for the refresh, which was not switched on to be told */
     EMULATED_RESET,           /* reset pulse under 10 us, or bytes sent while reset is low */
     EMULATED_COMPLAINTS
-};
-
-/* The module round the chip. */
-struct emulated_module {
-    const struct emulated_kind *kind; /* NULL: st7789 */
-    uint16_t w_px, h_px;              /* glass, upright; with the offsets it must lie within memory */
-    uint16_t ox_px, oy_px;            /* memory column and row behind the glass's top left pixel */
-    bool ips;                         /* glass that shows the negative unless inversion is on */
-    bool bgr;                         /* glass with blue first: true colours need MADCTL's BGR bit */
 };
 
 struct emulated_dcs;
@@ -81,7 +74,7 @@ struct emulated_dcs {
     uint32_t frame_writes;                       /* RAMWR commands */
 
     /* Module, and when it may be told what. */
-    struct emulated_module module;
+    struct glass glass;
     uint64_t ready_us, sleep_in_from_us, sleep_out_from_us;
 
     /* Registers, and the command under way. */
@@ -89,6 +82,7 @@ struct emulated_dcs {
     bool tells_refresh;  /* TEON */
     uint64_t refresh_us; /* between two refreshes: 60 Hz, to be set */
     uint8_t madctl, bits_a_pixel;
+    uint8_t scan; /* the second argument of kind->scan_register */
     const struct emulated_kind *kind;
     struct emulated_command vendor; /* a command that only this kind has, while it is received */
     char vendor_name[16];
@@ -106,7 +100,7 @@ struct emulated_dcs {
 };
 
 /* Power on: registers at their defaults, memory full of noise. */
-void emulated_dcs_init(struct emulated_dcs *chip, const struct emulated_module *module);
+void emulated_dcs_init(struct emulated_dcs *chip, const struct glass *glass);
 
 /* Whether the last window was begun where a refresh of the glass begins: at its first line, or its last (ML). */
 bool emulated_dcs_follows_refresh(const struct emulated_dcs *chip);

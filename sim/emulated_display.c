@@ -3,31 +3,24 @@
  * The emulated families, each with what the others need to know of it. */
 #include "emulated_display.h"
 
+#include "glass_choice.h"
 #include "rgb565.h"
 
 #include <string.h>
 
 struct emulation {
-    const struct display_family *family;
-    /* The chip's port. */
-    struct emulated_port *(*init)(struct emulated_display *display, const char *name,
-                                  const struct display_module *module);
+    /* The chip's port; NULL: it is none of the family. */
+    struct emulated_port *(*init)(struct emulated_display *display, const struct glass *glass);
     unsigned (*complaints)(const struct emulated_display *display, const char **last);
     void (*show)(const struct emulated_display *display, uint8_t *rgb);
 };
 
 /* MIPI DCS ----------------------------------------------------------------------------------- */
 
-static struct emulated_port *dcs_init(struct emulated_display *display, const char *name,
-                                      const struct display_module *module)
+static struct emulated_port *dcs_init(struct emulated_display *display, const struct glass *glass)
 {
-    emulated_dcs_init(&display->chip.dcs, &(struct emulated_module){.kind = emulated_kind_find(name),
-                                                                    .w_px = module->w_px,
-                                                                    .h_px = module->h_px,
-                                                                    .ox_px = module->ox_px,
-                                                                    .oy_px = module->oy_px,
-                                                                    .ips = module->invert,
-                                                                    .bgr = module->bgr});
+    if (!emulated_kind_find(glass->chip)) return NULL;
+    emulated_dcs_init(&display->chip.dcs, glass);
     return &display->chip.dcs.port;
 }
 
@@ -44,14 +37,10 @@ static void dcs_show(const struct emulated_display *display, uint8_t *rgb)
 
 /* Pages -------------------------------------------------------------------------------------- */
 
-static struct emulated_port *pages_init(struct emulated_display *display, const char *name,
-                                        const struct display_module *module)
+static struct emulated_port *pages_init(struct emulated_display *display, const struct glass *glass)
 {
-    emulated_pages_init(&display->chip.pages, &(struct emulated_pages_module){.kind = emulated_pages_kind_find(name),
-                                                                              .w_px = module->w_px,
-                                                                              .h_px = module->h_px,
-                                                                              .ox_px = module->ox_px,
-                                                                              .negative = module->invert});
+    if (!emulated_pages_kind_find(glass->chip)) return NULL;
+    emulated_pages_init(&display->chip.pages, glass);
     return &display->chip.pages.port;
 }
 
@@ -70,16 +59,10 @@ static void pages_show(const struct emulated_display *display, uint8_t *rgb)
 
 /* Solomon Systech ---------------------------------------------------------------------------- */
 
-static struct emulated_port *solomon_init(struct emulated_display *display, const char *name,
-                                          const struct display_module *module)
+static struct emulated_port *solomon_init(struct emulated_display *display, const struct glass *glass)
 {
-    emulated_solomon_init(&display->chip.solomon,
-                          &(struct emulated_solomon_module){.kind = emulated_solomon_kind_find(name),
-                                                            .w_px = module->w_px,
-                                                            .h_px = module->h_px,
-                                                            .ox_px = module->ox_px,
-                                                            .blue_first = module->bgr,
-                                                            .negative = module->invert});
+    if (!emulated_solomon_kind_find(glass->chip)) return NULL;
+    emulated_solomon_init(&display->chip.solomon, glass);
     return &display->chip.solomon.port;
 }
 
@@ -98,11 +81,12 @@ static void solomon_show(const struct emulated_display *display, uint8_t *rgb)
 
 /* Sharp -------------------------------------------------------------------------------------- */
 
-static struct emulated_port *sharp_init(struct emulated_display *display, const char *name,
-                                        const struct display_module *module)
+/* The parts come in one size and kind. */
+static struct emulated_port *sharp_init(struct emulated_display *display, const struct glass *glass)
 {
-    (void)module; /* the parts come in one size and kind */
-    emulated_sharp_init(&display->chip.sharp, emulated_sharp_kind_find(name), false);
+    const struct emulated_sharp_kind *kind = emulated_sharp_kind_find(glass->chip);
+    if (!kind) return NULL;
+    emulated_sharp_init(&display->chip.sharp, kind, false);
     return &display->chip.sharp.port;
 }
 
@@ -122,29 +106,45 @@ static void sharp_show(const struct emulated_display *display, uint8_t *rgb)
 /* All of them -------------------------------------------------------------------------------- */
 
 static const struct emulation EMULATIONS[] = {
-    {&display_dcs, dcs_init, dcs_complaints, dcs_show},
-    {&display_pages, pages_init, pages_complaints, pages_show},
-    {&display_solomon, solomon_init, solomon_complaints, solomon_show},
-    {&display_sharp, sharp_init, sharp_complaints, sharp_show},
+    {dcs_init, dcs_complaints, dcs_show},
+    {pages_init, pages_complaints, pages_show},
+    {solomon_init, solomon_complaints, solomon_show},
+    {sharp_init, sharp_complaints, sharp_show},
 };
 
-void emulated_display_init(struct emulated_display *display, const struct panel_choice *choice,
-                           const struct display_module *module)
+void emulated_display_init(struct emulated_display *display, const struct glass *glass)
 {
     const struct emulation *emulation = EMULATIONS;
-    while (emulation->family != choice->family)
+    while (!(display->port = emulation->init(display, glass)))
         emulation++;
     display->emulation = emulation;
-    display->name = choice->name;
-    display->w_px = module->w_px;
-    display->h_px = module->h_px;
-    display->port = emulation->init(display, choice->name, module);
+    display->name = glass->chip;
+    display->w_px = glass->w_px;
+    display->h_px = glass->h_px;
     display->port->deferred = true;
+}
+
+void emulated_display_choose(struct emulated_display *display, const struct panel_choice *panel,
+                             const struct display_module *module)
+{
+    const struct glass glass = glass_choose(panel, module);
+    emulated_display_init(display, &glass);
 }
 
 unsigned emulated_display_complaints(const struct emulated_display *display, const char **last)
 {
     return display->emulation->complaints(display, last);
+}
+
+void emulated_display_take_foreign(struct emulated_display *display)
+{
+    display->port->foreign = true;
+}
+
+unsigned emulated_display_notices(const struct emulated_display *display, const char **last)
+{
+    *last = display->port->notice;
+    return display->port->notices;
 }
 
 bool emulated_display_is_quiet(const struct emulated_display *display, struct error *err)

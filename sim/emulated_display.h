@@ -27,13 +27,22 @@ struct emulated_display {
     } chip;
 };
 
-/* Power on. Of the module, size, offsets, BGR and inversion are what the glass is; how the picture is turned on it is
- * the driver's affair. */
-void emulated_display_init(struct emulated_display *display, const struct panel_choice *choice,
-                           const struct display_module *module);
+/* Power on. The chip is one of the table's. */
+void emulated_display_init(struct emulated_display *display, const struct glass *glass);
+
+/* The same, with the glass that a choice of module speaks of: glass_choose(). */
+void emulated_display_choose(struct emulated_display *display, const struct panel_choice *panel,
+                             const struct display_module *module);
 
 /* How often the chip had anything to complain about since; text of the last. */
 unsigned emulated_display_complaints(const struct emulated_display *display, const char **last);
+
+/* What comes was not written by this project: what glass would bear of it is a notice, and no complaint. To be called
+ * after init. */
+void emulated_display_take_foreign(struct emulated_display *display);
+
+/* How many notices there were since; text of the last. */
+unsigned emulated_display_notices(const struct emulated_display *display, const char **last);
 
 /* An error if the chip had anything to complain about since. */
 bool emulated_display_is_quiet(const struct emulated_display *display, struct error *err);

@@ -34,10 +34,14 @@ static const struct emulated_kind st7789 = {
     .name = "st7789", .w_px = 240, .h_px = 320, .takes_12 = true, .takes_16 = true};
 static const struct emulated_kind st7735 = {
     .name = "st7735", .w_px = 132, .h_px = 162, .takes_12 = true, .takes_16 = true, .registers = st7735_registers};
-static const struct emulated_kind ili9341 = {
-    .name = "ili9341", .w_px = 240, .h_px = 320, .takes_16 = true, .registers = ili9341_registers};
+static const struct emulated_kind ili9341 = {.name = "ili9341",
+                                             .w_px = 240,
+                                             .h_px = 320,
+                                             .takes_16 = true,
+                                             .scan_register = 0xB6,
+                                             .registers = ili9341_registers};
 static const struct emulated_kind ili9488 = {
-    .name = "ili9488", .w_px = 320, .h_px = 480, .registers = ili9488_registers};
+    .name = "ili9488", .w_px = 320, .h_px = 480, .scan_register = 0xB6, .registers = ili9488_registers};
 static const struct emulated_kind gc9a01 = {.name = "gc9a01",
                                             .w_px = 240,
                                             .h_px = 240,

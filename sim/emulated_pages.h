@@ -6,8 +6,9 @@
 #define SIM_EMULATED_PAGES_H
 
 #include "emulated_port.h"
+#include "glass.h"
 
-enum { EMULATED_PAGES_MAX_W_PX = 132, EMULATED_PAGES_MAX_H_PX = 64 };
+enum { EMULATED_PAGES_MAX_W_PX = 132, EMULATED_PAGES_MAX_H_PX = 64, EMULATED_PAGES_MAX_ARGS = 6 };
 
 struct emulated_pages_kind;
 
@@ -15,40 +16,33 @@ struct emulated_pages_kind;
 extern const struct emulated_pages_kind *const emulated_pages_kinds[];
 const struct emulated_pages_kind *emulated_pages_kind_find(const char *name);
 
-/* The module round the chip: its left edge shows the last column less ox_px, its top the last line in use, as is usual;
- * a PCD8544's the first ones, a UC1701's the first column. */
-struct emulated_pages_module {
-    const struct emulated_pages_kind *kind;
-    uint16_t w_px, h_px, ox_px;
-    bool first_columns, first_lines; /* glass that is wired the other way round */
-    bool negative;                   /* glass that is bright where a pixel is off */
-};
-
 /* All of it may be read. */
 struct emulated_pages {
     struct emulated_port port; /* for a driver's configuration */
     unsigned complaints;       /* all */
     char complaint[160];       /* text of the last */
 
-    struct emulated_pages_module module;
+    const struct emulated_pages_kind *kind;
+    struct glass glass;
     uint64_t ready_us; /* when it listens after a reset */
 
     /* Registers, and the command under way. */
-    uint8_t command, n_args, args_due, args[2]; /* a command that waits for arguments */
+    uint8_t command, n_args, args_due, args[EMULATED_PAGES_MAX_ARGS]; /* a command that waits for arguments */
     uint8_t page, column;
-    bool on, inverted, columns_flipped, lines_flipped, extended, asleep;
-    uint8_t power;                /* parts of the supply that are on */
-    uint64_t power_us;            /* since when */
-    uint8_t lines;                /* in use */
-    bool glass;                   /* whether the wiring of lines was told */
+    bool on, inverted, all_on, columns_flipped, lines_flipped, extended, asleep;
+    uint8_t power;                    /* parts of the supply that are on */
+    uint64_t power_us;                /* since when */
+    uint8_t lines, shift, start_line; /* in use; the first output less; memory's line that the scan starts with */
+    uint8_t wiring;                   /* of outputs to sides, as DAh has it */
+    bool told_wiring, has_reference;
     uint8_t mode;                 /* how memory is addressed, by its number at an SSD1306 */
-    uint8_t columns[2], pages[2]; /* of horizontal addressing: first and last */
+    uint8_t columns[2], pages[2]; /* of a window: first and last */
     bool window_full;             /* the last byte went to their end */
     uint8_t memory[EMULATED_PAGES_MAX_H_PX / 8][EMULATED_PAGES_MAX_W_PX]; /* by the glass's wires, not by address */
 };
 
 /* Power on: registers at their defaults, memory full of noise. */
-void emulated_pages_init(struct emulated_pages *chip, const struct emulated_pages_module *module);
+void emulated_pages_init(struct emulated_pages *chip, const struct glass *glass);
 
 /* Whether a pixel of the upright glass is bright: false in the dark. */
 bool emulated_pages_is_bright(const struct emulated_pages *chip, unsigned x, unsigned y);

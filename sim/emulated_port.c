@@ -1,9 +1,19 @@
 /* SPDX-License-Identifier: MIT */
 #include "emulated_port.h"
 
+#include <stdio.h>
+
 bool emulated_port_is_before(const struct emulated_port *port, uint64_t at_us)
 {
     return !port->timeless && port->now_us < at_us;
+}
+
+bool emulated_port_notes(struct emulated_port *port, const char *format, va_list args)
+{
+    if (!port->foreign) return false;
+    vsnprintf(port->notice, sizeof port->notice, format, args);
+    port->notices++;
+    return true;
 }
 
 static void receive(struct emulated_port *port)

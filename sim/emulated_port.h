@@ -7,6 +7,8 @@
 
 #include "port.h"
 
+#include <stdarg.h>
+
 /* All of it may be read; the chip's functions get `chip`. */
 struct emulated_port {
     void *chip;
@@ -23,13 +25,22 @@ struct emulated_port {
     bool dc_high, reset_low, backlight_low;
     uint64_t reset_low_us; /* since when */
     uint64_t now_us;
-    bool timeless;   /* nobody tells the time: no wait is too short */
+    bool timeless;    /* nobody tells the time: no wait is too short */
+    bool foreign;     /* to be set after init: what comes was not written by this project; see emulated_port_notes() */
+    unsigned notices; /* of foreign streams: all, and the text of the last */
+    char notice[160];
     uint64_t bus_b;  /* bytes received */
     uint64_t stores; /* by the chip, which counts them: pixels, bytes of several or lines, as its memory takes them */
 };
 
 /* For the chip: whether it is too soon for what may happen from at_us on. */
 bool emulated_port_is_before(const struct emulated_port *port, uint64_t at_us);
+
+/* For the chip, about something that glass would bear: a command that is not modelled, vendors' registers, arguments
+ * that the chip ignores, a supply in another order, waits that are short. From a foreign stream that is a notice, kept
+ * and counted here. false: it is a complaint, which is the chip's own to keep; `args` were not touched. */
+__attribute__((format(printf, 2, 0))) bool emulated_port_notes(struct emulated_port *port, const char *format,
+                                                               va_list args);
 
 /* What a driver's configuration takes. */
 struct bus emulated_port_bus(struct emulated_port *port);

@@ -21,30 +21,30 @@ struct emulated_solomon_kind {
     uint16_t w_px, h_px;
     bool args_low;        /* arguments come with D/C low, and pixels need no command */
     bool has_colours;     /* else two pixels of grey a byte */
-    bool last_column;     /* usual glass has it on the left */
     uint8_t lines, write; /* commands: lines in use; pixels follow */
     uint8_t as_is, negative, all_off;
     uint8_t columns_bit, exchange_bit, grey_bit; /* of A0h; the last: which pixel of a byte comes first */
     const struct command *commands;              /* ends with code 0 */
 };
 
-enum { ROWS_BIT = 0x10, RED_FIRST_BIT = 0x04 };
+enum { ROWS_BIT = 0x10, EXCHANGE_COLOURS_BIT = 0x04 };
 
 /* Beside these: 15h, 75h, A0h, A1h, A2h, AEh, AFh, FDh, which are modelled, and those that the kinds name. */
 static const struct command ssd1351_commands[] = {
-    {0x9E, 0, false}, {0xAB, 1, false}, {0xB1, 1, true},  {0xB2, 3, false},  {0xB3, 1, true},
-    {0xB4, 3, false}, {0xB5, 1, false}, {0xB6, 1, false}, {0xB8, 63, false}, {0xB9, 0, false},
-    {0xBB, 1, true},  {0xBE, 1, true},  {0xC1, 3, true},  {0xC7, 1, false},  {0, 0, false},
+    {0x9E, 0, false}, {0xAB, 1, false}, {0xB1, 1, true},   {0xB2, 3, false}, {0xB3, 1, true}, {0xB4, 3, false},
+    {0xB5, 1, false}, {0xB6, 1, false}, {0xB8, 63, false}, {0xB9, 0, false}, {0xBB, 1, true}, {0xBE, 1, true},
+    {0xC1, 3, true},  {0xC7, 1, false}, {0xE3, 0, false},  {0, 0, false},
 };
 static const struct command ssd1327_commands[] = {
     {0x2E, 0, false}, {0x81, 1, false}, {0xAB, 1, false},  {0xB1, 1, false}, {0xB3, 1, false},
     {0xB5, 1, false}, {0xB6, 1, false}, {0xB8, 15, false}, {0xB9, 0, false}, {0xBC, 1, false},
-    {0xBE, 1, false}, {0xD5, 1, false}, {0, 0, false},
+    {0xBE, 1, false}, {0xD5, 1, false}, {0xE3, 0, false},  {0, 0, false},
 };
 static const struct command ssd0323_commands[] = {
     {0x81, 1, false}, {0x84, 0, false}, {0x85, 0, false}, {0x86, 0, false}, {0xAD, 1, false},
     {0xB1, 1, false}, {0xB2, 1, false}, {0xB3, 1, false}, {0xB8, 8, false}, {0xBC, 1, false},
-    {0xBE, 1, false}, {0xBF, 1, false}, {0xE3, 0, false}, {0, 0, false},
+    {0xBE, 1, false}, {0xBF, 1, false}, {0xE3, 0, false}, {0x23, 1, false}, {0x2E, 0, false},
+    {0xB0, 1, false}, {0xB4, 1, false}, {0xCF, 1, false}, {0, 0, false},
 };
 
 static const struct emulated_solomon_kind ssd1351 = {.name = "ssd1351",
@@ -63,7 +63,6 @@ static const struct emulated_solomon_kind ssd1327 = {.name = "ssd1327",
                                                      .w_px = 128,
                                                      .h_px = 128,
                                                      .args_low = true,
-                                                     .last_column = true,
                                                      .lines = 0xA8,
                                                      .as_is = 0xA4,
                                                      .negative = 0xA7,
@@ -94,13 +93,27 @@ const struct emulated_solomon_kind *emulated_solomon_kind_find(const char *name)
     return NULL;
 }
 
+__attribute__((format(printf, 2, 0))) static void keep(struct emulated_solomon *chip, const char *format, va_list args)
+{
+    vsnprintf(chip->complaint, sizeof chip->complaint, format, args);
+    chip->complaints++;
+}
+
 __attribute__((format(printf, 2, 3))) static void complain(struct emulated_solomon *chip, const char *format, ...)
 {
     va_list args;
     va_start(args, format);
-    vsnprintf(chip->complaint, sizeof chip->complaint, format, args);
+    keep(chip, format, args);
     va_end(args);
-    chip->complaints++;
+}
+
+/* Of what glass would bear. */
+__attribute__((format(printf, 2, 3))) static void note(struct emulated_solomon *chip, const char *format, ...)
+{
+    va_list args;
+    va_start(args, format);
+    if (!emulated_port_notes(&chip->port, format, args)) keep(chip, format, args);
+    va_end(args);
 }
 
 static unsigned column_px(const struct emulated_solomon_kind *kind)
@@ -110,7 +123,7 @@ static unsigned column_px(const struct emulated_solomon_kind *kind)
 
 static void reset_registers(struct emulated_solomon *chip)
 {
-    const struct emulated_solomon_kind *kind = chip->module.kind;
+    const struct emulated_solomon_kind *kind = chip->kind;
 
     chip->n_args = chip->args_due = 0;
     chip->unlocked = chip->awake = chip->window_full = false;
@@ -139,7 +152,7 @@ static void set_range(struct emulated_solomon *chip, uint8_t range[2], uint8_t *
 
 static void set_remap(struct emulated_solomon *chip, uint8_t remap)
 {
-    const struct emulated_solomon_kind *kind = chip->module.kind;
+    const struct emulated_solomon_kind *kind = chip->kind;
     const unsigned depth = remap >> 6;
 
     if (kind->has_colours ? remap & 0x08 || depth == 0 || depth == 3 : remap & 0xA8)
@@ -150,20 +163,21 @@ static void set_remap(struct emulated_solomon *chip, uint8_t remap)
 
 static void lock(struct emulated_solomon *chip, uint8_t how)
 {
-    if (how != 0x12 && (how != 0xB1 || !chip->module.kind->has_colours)) complain(chip, "FDh %02Xh", how);
+    if (how != 0x12 && (how != 0xB1 || !chip->kind->has_colours)) note(chip, "FDh %02Xh", how);
     if (how == 0xB1) chip->unlocked = true;
 }
 
+/* More lines in use than there are do no harm, fewer are seen as well. */
 static void wake(struct emulated_solomon *chip)
 {
-    if (chip->lines + 1 != chip->module.h_px)
-        complain(chip, "%u lines in use, the glass has %u", chip->lines + 1, chip->module.h_px);
+    if (chip->lines + 1 < chip->glass.h_px)
+        note(chip, "%u lines in use, the glass has %u", chip->lines + 1, chip->glass.h_px);
     chip->awake = true;
 }
 
 static void run(struct emulated_solomon *chip)
 {
-    const struct emulated_solomon_kind *kind = chip->module.kind;
+    const struct emulated_solomon_kind *kind = chip->kind;
     const uint8_t command = chip->command, argument = chip->args[0];
 
     if (command == 0x15)
@@ -191,7 +205,7 @@ static void run(struct emulated_solomon *chip)
 /* How many arguments a command takes; -1: the chip has none of that code. */
 static int args_of(struct emulated_solomon *chip, uint8_t code)
 {
-    const struct emulated_solomon_kind *kind = chip->module.kind;
+    const struct emulated_solomon_kind *kind = chip->kind;
 
     if (code == 0x15 || code == 0x75) return 2;
     if (code == 0xA0 || code == 0xA1 || code == 0xA2 || code == 0xFD || code == kind->lines) return 1;
@@ -200,7 +214,7 @@ static int args_of(struct emulated_solomon *chip, uint8_t code)
     if (kind->write && code == kind->write) return 0;
     for (const struct command *at = kind->commands; at->code; at++) {
         if (at->code != code) continue;
-        if (at->is_locked && !chip->unlocked) complain(chip, "%02Xh is locked", code);
+        if (at->is_locked && !chip->unlocked) note(chip, "%02Xh is locked", code);
         return at->n_args;
     }
     return -1;
@@ -208,7 +222,7 @@ static int args_of(struct emulated_solomon *chip, uint8_t code)
 
 static void begin(struct emulated_solomon *chip, uint8_t code)
 {
-    const struct emulated_solomon_kind *kind = chip->module.kind;
+    const struct emulated_solomon_kind *kind = chip->kind;
     const int n_args = args_of(chip, code);
 
     if (chip->n_bits) complain(chip, "a pixel was cut after %u bits", chip->n_bits);
@@ -217,7 +231,7 @@ static void begin(struct emulated_solomon *chip, uint8_t code)
     chip->command = code;
     chip->n_args = 0;
     chip->args_due = n_args > 0 ? (uint8_t)n_args : 0;
-    if (n_args < 0) complain(chip, "command %02Xh is unknown or not modelled", code);
+    if (n_args < 0) note(chip, "command %02Xh is unknown or not modelled", code);
     if (n_args == 0) run(chip);
 }
 
@@ -231,7 +245,7 @@ static void take_command(void *ctx, uint8_t byte)
 {
     struct emulated_solomon *chip = ctx;
 
-    if (chip->args_due && chip->module.kind->args_low) {
+    if (chip->args_due && chip->kind->args_low) {
         take_argument(chip, byte);
         return;
     }
@@ -251,7 +265,7 @@ static bool step(uint8_t *at, const uint8_t range[2])
 
 static void advance(struct emulated_solomon *chip)
 {
-    if (chip->remap & chip->module.kind->exchange_bit)
+    if (chip->remap & chip->kind->exchange_bit)
         chip->window_full = step(&chip->row, chip->rows) && step(&chip->column, chip->columns);
     else
         chip->window_full = step(&chip->column, chip->columns) && step(&chip->row, chip->rows);
@@ -259,7 +273,7 @@ static void advance(struct emulated_solomon *chip)
 
 static void store_greys(struct emulated_solomon *chip, uint8_t byte)
 {
-    const struct emulated_solomon_kind *kind = chip->module.kind;
+    const struct emulated_solomon_kind *kind = chip->kind;
     const unsigned pair = chip->remap & kind->columns_bit ? kind->w_px / 2u - 1 - chip->column : chip->column;
     const bool upper_first = chip->remap & kind->grey_bit;
 
@@ -271,7 +285,7 @@ static void store_greys(struct emulated_solomon *chip, uint8_t byte)
 
 static void store_colour(struct emulated_solomon *chip, uint8_t byte)
 {
-    const struct emulated_solomon_kind *kind = chip->module.kind;
+    const struct emulated_solomon_kind *kind = chip->kind;
     const unsigned wire = chip->remap & kind->columns_bit ? kind->w_px - 1u - chip->column : chip->column;
     const bool is_wide = chip->remap >> 6 == 2;
 
@@ -288,7 +302,7 @@ static void store_colour(struct emulated_solomon *chip, uint8_t byte)
 static void take_data(void *ctx, uint8_t byte)
 {
     struct emulated_solomon *chip = ctx;
-    const bool args_low = chip->module.kind->args_low;
+    const bool args_low = chip->kind->args_low;
 
     if (chip->args_due && !args_low) {
         take_argument(chip, byte);
@@ -299,7 +313,7 @@ static void take_data(void *ctx, uint8_t byte)
         return;
     }
     if (chip->window_full && chip->n_bits == 0) complain(chip, "more pixels than the window holds");
-    if (chip->module.kind->has_colours)
+    if (chip->kind->has_colours)
         store_colour(chip, byte);
     else
         store_greys(chip, byte);
@@ -318,13 +332,15 @@ static void lose(void *ctx, size_t n_b)
     complain(ctx, "%zu bytes while reset is low", n_b);
 }
 
-void emulated_solomon_init(struct emulated_solomon *chip, const struct emulated_solomon_module *module)
+void emulated_solomon_init(struct emulated_solomon *chip, const struct glass *glass)
 {
-    assert(module->ox_px + module->w_px <= module->kind->w_px && module->h_px <= module->kind->h_px);
     memset(chip, 0, sizeof *chip);
+    chip->kind = emulated_solomon_kind_find(glass->chip);
+    chip->glass = *glass;
+    assert(chip->kind && glass->mem_w_px == chip->kind->w_px && glass->mem_h_px == chip->kind->h_px);
+    assert(glass_fits(glass));
     chip->port = (struct emulated_port){
         .chip = chip, .command = take_command, .data = take_data, .reset = take_reset, .lost = lose};
-    chip->module = *module;
     for (unsigned i = 0; i < EMULATED_SOLOMON_MAX_PX * EMULATED_SOLOMON_MAX_PX; i++)
         chip->memory[i / EMULATED_SOLOMON_MAX_PX][i % EMULATED_SOLOMON_MAX_PX] = i * 167u & 15u;
     reset_registers(chip);
@@ -332,16 +348,17 @@ void emulated_solomon_init(struct emulated_solomon *chip, const struct emulated_
 
 /* What the eye sees -------------------------------------------------------------------------- */
 
-/* Lines are scanned from either end of those in use, and begin in memory where A1h and A2h say. */
-static unsigned memory_row(const struct emulated_solomon *chip, unsigned y)
+/* Lines in use are scanned from output 0 on, or down to it; the shift moves all outputs by so many lines. Memory begins
+ * where A1h says. Outputs beyond the lines in use show nothing. */
+static bool memory_row(const struct emulated_solomon *chip, unsigned y, unsigned *row)
 {
-    const struct emulated_solomon_module *module = &chip->module;
-    const unsigned from_top = module->flipped_rows ? module->h_px - 1u - y : y;
-    const bool scans_down = chip->remap & ROWS_BIT;
-    const unsigned scanned = scans_down ? from_top : module->h_px - 1u - from_top;
-    const unsigned shift = scans_down != module->flipped_rows ? module->shift : module->shift_turned;
+    const unsigned outputs = chip->kind->h_px, output = glass_line(&chip->glass, y);
+    const unsigned last = chip->glass.told_lines ? chip->lines : outputs - 1u;
+    const unsigned scanned =
+        (chip->remap & ROWS_BIT ? outputs + last + chip->shift - output : output + chip->shift) % outputs;
 
-    return (scanned + chip->first_line + chip->shift + module->kind->h_px - shift) % module->kind->h_px;
+    *row = (scanned + chip->first_line) % outputs;
+    return scanned <= chip->lines;
 }
 
 static void decode(const struct emulated_solomon *chip, unsigned row, unsigned wire, uint8_t rgb[3])
@@ -353,9 +370,9 @@ static void decode(const struct emulated_solomon *chip, unsigned row, unsigned w
     const unsigned third = is_wide ? raw & 63 : raw & 31;
     const uint8_t outer[] = {(uint8_t)(is_wide ? first << 2 | first >> 4 : first << 3 | first >> 2),
                              (uint8_t)(is_wide ? third << 2 | third >> 4 : third << 3 | third >> 2)};
-    const bool red_first = (bool)(chip->remap & RED_FIRST_BIT) != chip->module.blue_first;
+    const bool red_first = (bool)(chip->remap & EXCHANGE_COLOURS_BIT) == chip->glass.blue_first;
 
-    if (!chip->module.kind->has_colours) {
+    if (!chip->kind->has_colours) {
         memset(rgb, (int)(raw * 17), 3);
         return;
     }
@@ -366,15 +383,13 @@ static void decode(const struct emulated_solomon *chip, unsigned row, unsigned w
 
 void emulated_solomon_see(const struct emulated_solomon *chip, unsigned x, unsigned y, uint8_t rgb[3])
 {
-    const struct emulated_solomon_module *module = &chip->module;
-    const struct emulated_solomon_kind *kind = module->kind;
-    const unsigned from_left = module->ox_px + x;
-    const unsigned wire = kind->last_column != module->flipped_columns ? kind->w_px - 1u - from_left : from_left;
+    const struct emulated_solomon_kind *kind = chip->kind;
     const bool lit = chip->awake && !chip->port.reset_low && !chip->port.backlight_low;
+    unsigned row;
 
     memset(rgb, 0, 3);
-    if (!lit || chip->shown == kind->all_off) return;
-    decode(chip, memory_row(chip, y), wire, rgb);
-    for (unsigned i = 0; i < 3 && (chip->shown == kind->negative) != module->negative; i++)
+    if (!lit || chip->shown == kind->all_off || !memory_row(chip, y, &row)) return;
+    decode(chip, row, glass_column(&chip->glass, x), rgb);
+    for (unsigned i = 0; i < 3 && (chip->shown == kind->negative) != chip->glass.negative; i++)
         rgb[i] = (uint8_t)(255 - rgb[i]);
 }

@@ -6,6 +6,7 @@
 #define SIM_EMULATED_SOLOMON_H
 
 #include "emulated_port.h"
+#include "glass.h"
 
 enum { EMULATED_SOLOMON_MAX_PX = 128, EMULATED_SOLOMON_MAX_ARGS = 64 };
 
@@ -15,23 +16,14 @@ struct emulated_solomon_kind;
 extern const struct emulated_solomon_kind *const emulated_solomon_kinds[];
 const struct emulated_solomon_kind *emulated_solomon_kind_find(const char *name);
 
-/* The module round the chip: its top line is the last in use, its left edge what its kind has there, less ox_px. */
-struct emulated_solomon_module {
-    const struct emulated_solomon_kind *kind;
-    uint16_t w_px, h_px, ox_px;
-    uint8_t shift, shift_turned;        /* what A2h has to be, as the glass's lines are scanned up or down */
-    bool flipped_columns, flipped_rows; /* glass that is wired the other way round */
-    bool blue_first;                    /* glass with blue where red usually is */
-    bool negative;                      /* glass that is bright where a pixel is off */
-};
-
 /* All of it may be read. */
 struct emulated_solomon {
     struct emulated_port port; /* for a driver's configuration */
     unsigned complaints;       /* all */
     char complaint[160];       /* text of the last */
 
-    struct emulated_solomon_module module;
+    const struct emulated_solomon_kind *kind;
+    struct glass glass;
 
     /* Registers, and the command under way. */
     uint8_t command, n_args, args_due;
@@ -48,7 +40,7 @@ struct emulated_solomon {
 };
 
 /* Power on: registers at their defaults, memory full of noise. */
-void emulated_solomon_init(struct emulated_solomon *chip, const struct emulated_solomon_module *module);
+void emulated_solomon_init(struct emulated_solomon *chip, const struct glass *glass);
 
 /* What the eye sees at a pixel of the upright glass: red, green, blue; black in the dark. */
 void emulated_solomon_see(const struct emulated_solomon *chip, unsigned x, unsigned y, uint8_t rgb[3]);

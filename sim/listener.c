@@ -11,7 +11,7 @@
 void listener_init(struct listener *listener, const struct module_choice *choice)
 {
     *listener = (struct listener){.module = choice->module};
-    emulated_display_init(&listener->display, &choice->panel, &choice->module);
+    emulated_display_choose(&listener->display, &choice->panel, &choice->module);
     listener->display.port->deferred = false;
     listener->display.port->timeless = true;
     listener->port = emulated_port_whole(listener->display.port);

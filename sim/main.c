@@ -137,6 +137,7 @@ static const char USAGE[] =
     "        for levels of dc, reset, select, backlight, cs and led, which ends frames, `t NANOSECONDS`, `# ...`\n"
     "  --qemu MAP          instead: what QEMU prints with -trace memory_region_ops_write; MAP says which registers\n"
     "                      are which wires: `spi ADDRESS`, `pin NAME bsrr|clear|masked|output ADDRESS BIT`\n"
+    "  --foreign           the log is of somebody else's driver: what glass would bear is told, and no error\n"
     "  --frames N          ends after so many (all)\n"
     "  -o PATTERN, --write-hashes FILE, --check FILE  as render\n"
     "hashes: --write-hashes FILE, --check FILE as render; --shrink N: a pixel is NxN of the picture's (1)\n"

@@ -38,7 +38,7 @@ bool panel_board_init(struct panel_board *board, const struct panel_choice *choi
         panel_board_free(board);
         return error_set(err, "emulated %s: out of memory", board->name);
     }
-    emulated_display_init(&board->module, choice, &module);
+    emulated_display_choose(&board->module, choice, &module);
     const struct port port = emulated_port_whole(board->module.port);
     if (!display_setup(&board->display, choice, &module, &port, err)) {
         panel_board_free(board);

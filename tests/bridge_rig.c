@@ -46,7 +46,7 @@ void bridge_rig_connect(struct bridge_rig *rig, const struct port *port)
 
 static void draw_golden(struct bridge_rig *rig)
 {
-    emulated_display_init(&rig->glass, &rig->choice, &rig->module);
+    emulated_display_choose(&rig->glass, &rig->choice, &rig->module);
     const struct port port = emulated_port_whole(rig->glass.port);
     bridge_rig_connect(rig, &port);
     assert_int_equal(panel_init(rig->display.panel), 0);
@@ -107,7 +107,7 @@ void bridge_rig_setup(struct bridge_rig *rig, const char *panel, uint16_t w_px, 
     rig->module = (struct display_module){.w_px = w_px, .h_px = h_px};
     if (!again) {
         draw_golden(rig);
-        emulated_display_init(&rig->glass, &rig->choice, &rig->module);
+        emulated_display_choose(&rig->glass, &rig->choice, &rig->module);
     }
     scribble(rig);
     emulated_bridge_init(&rig->bridge, rig->glass.port);

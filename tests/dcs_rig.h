@@ -47,10 +47,25 @@ static inline void fault_arm(long fail_at)
     fault_port_arm(&rig.fault, fail_at);
 }
 
-/* An emulated module and a configuration that suits it, all pins wired. */
-static inline void rig_setup(struct emulated_module module)
+/* Glass like that of the chip's usual module, but for what stands here. */
+struct dcs_make {
+    const char *chip; /* NULL: st7789 */
+    uint16_t w_px, h_px, ox_px, oy_px;
+    bool ips, bgr;
+};
+
+static inline void power_chip(struct dcs_make make)
 {
-    emulated_dcs_init(&rig.chip, &module);
+    struct glass glass = glass_like(make.chip ? make.chip : "st7789", make.w_px, make.h_px, make.ox_px, make.oy_px);
+    glass.negative = make.ips;
+    glass.blue_first = make.bgr;
+    emulated_dcs_init(&rig.chip, &glass);
+}
+
+/* An emulated module and a configuration that suits it, all pins wired. */
+static inline void rig_setup(struct dcs_make module)
+{
+    power_chip(module);
     rig.driver = NULL;
     for (size_t i = 0; panels_dcs[i]; i++)
         if (strcmp(panels_dcs[i]->name, rig.chip.kind->name) == 0) rig.driver = panels_dcs[i];
@@ -82,10 +97,10 @@ static inline void rig_setup(struct emulated_module module)
     fault_arm(-1);
 }
 
-static const struct emulated_module module_240x240 = {.w_px = 240, .h_px = 240, .ips = true};
-static const struct emulated_module module_135x240 = {.w_px = 135, .h_px = 240, .ox_px = 52, .oy_px = 40, .ips = true};
-static const struct emulated_module module_240x280 = {.w_px = 240, .h_px = 280, .oy_px = 20, .ips = true};
-static const struct emulated_module module_small = {.w_px = 17, .h_px = 24, .ox_px = 100, .oy_px = 90, .ips = true};
+static const struct dcs_make module_240x240 = {.w_px = 240, .h_px = 240, .ips = true};
+static const struct dcs_make module_135x240 = {.w_px = 135, .h_px = 240, .ox_px = 52, .oy_px = 40, .ips = true};
+static const struct dcs_make module_240x280 = {.w_px = 240, .h_px = 280, .oy_px = 20, .ips = true};
+static const struct dcs_make module_small = {.w_px = 17, .h_px = 24, .ox_px = 100, .oy_px = 90, .ips = true};
 
 static inline uint16_t card_px(unsigned x, unsigned y, unsigned w, unsigned h)
 {

@@ -28,21 +28,35 @@ struct display_module panel_rig_module(const struct panel_choice *choice, uint16
     return module;
 }
 
-bool panel_rig_setup(struct panel_rig *rig, const struct panel_choice *choice, const struct display_module *module,
-                     void (*wire)(struct panel_rig *rig, struct port *port))
+/* The driver, on the emulated chip as it was powered. */
+static bool start(struct panel_rig *rig, const struct panel_choice *choice, const struct display_module *module,
+                  void (*wire)(struct panel_rig *rig, struct port *port))
 {
     struct error err;
 
     rig->choice = *choice;
     rig->module = *module;
     rig->drawn_px = 0;
-    emulated_display_init(&rig->glass, choice, module);
     struct port port = emulated_port_whole(rig->glass.port);
     if (wire) wire(rig, &port);
     port = fault_port_over(&rig->fault, &port, &rig->glass.port->pending_b);
     if (!display_setup(&rig->display, choice, module, &port, &err)) return false;
     assert_int_equal(screen_init(&rig->screen, rig->display.panel, LIM_NEAREST_FIRST, rig->mem, sizeof rig->mem), 0);
     return true;
+}
+
+bool panel_rig_setup(struct panel_rig *rig, const struct panel_choice *choice, const struct display_module *module,
+                     void (*wire)(struct panel_rig *rig, struct port *port))
+{
+    emulated_display_choose(&rig->glass, choice, module);
+    return start(rig, choice, module, wire);
+}
+
+bool panel_rig_setup_on(struct panel_rig *rig, const struct panel_choice *choice, const struct display_module *module,
+                        const struct glass *glass)
+{
+    emulated_display_init(&rig->glass, glass);
+    return start(rig, choice, module, NULL);
 }
 
 /* The picture --------------------------------------------------------------------------------- */

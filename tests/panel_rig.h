@@ -28,6 +28,10 @@ struct panel_rig {
 bool panel_rig_setup(struct panel_rig *rig, const struct panel_choice *choice, const struct display_module *module,
                      void (*wire)(struct panel_rig *rig, struct port *port));
 
+/* The same on glass of one's own choice. */
+bool panel_rig_setup_on(struct panel_rig *rig, const struct panel_choice *choice, const struct display_module *module,
+                        const struct glass *glass);
+
 /* A small module, or one with all of the chip's memory: no larger than the chip, and of the sizes that it comes in. */
 struct display_module panel_rig_module(const struct panel_choice *choice, uint16_t w_px, uint16_t h_px);
 

@@ -6,7 +6,7 @@
 #include "dcs_rig.h"
 
 /* A picture turned clockwise by r quarters has its first corner at the glass's corner r. */
-static void check_rotations(struct emulated_module module)
+static void check_rotations(struct dcs_make module)
 {
     for (unsigned r = 0; r < 4; r++) {
         rig_setup(module);
@@ -79,7 +79,7 @@ static void bgr_suits_bgr_glass_and_swaps_red_and_blue_elsewhere(void **state)
     (void)state;
     for (unsigned glass = 0; glass < 2; glass++) {
         for (unsigned config = 0; config < 2; config++) {
-            struct emulated_module module = module_small;
+            struct dcs_make module = module_small;
             module.bgr = glass;
             rig_setup(module);
             rig.config.bgr = config;
@@ -97,7 +97,7 @@ static void inversion_suits_ips_glass_and_shows_the_negative_elsewhere(void **st
     (void)state;
     for (unsigned ips = 0; ips < 2; ips++) {
         for (unsigned invert = 0; invert < 2; invert++) {
-            struct emulated_module module = module_small;
+            struct dcs_make module = module_small;
             module.ips = ips;
             rig_setup(module);
             rig.config.invert = invert;

@@ -7,8 +7,7 @@
 /* The chip below the driver: bytes by hand. */
 static void chip_start(bool awake)
 {
-    struct emulated_module module = module_240x240;
-    emulated_dcs_init(&rig.chip, &module);
+    power_chip(module_240x240);
     rig.bus = emulated_port_bus(&rig.chip.port);
     rig.dc = emulated_port_dc(&rig.chip.port);
     rig.reset = emulated_port_reset(&rig.chip.port);

@@ -596,7 +596,7 @@ static void start_display(const char *bufsiz)
     fake_linux_init();
     fake.bufsiz = bufsiz;
     assert_true(panel_choice_parse("st7789", NULL, &choice, &err));
-    emulated_display_init(&rig.glass, &choice, &module);
+    emulated_display_choose(&rig.glass, &choice, &module);
     fake.display = rig.glass.port;
     fake.chips[0].lines[5].wire = emulated_port_dc(fake.display);
     fake.chips[0].lines[4].wire = emulated_port_reset(fake.display);

@@ -30,11 +30,9 @@ static struct rig {
 
 static void rig_setup(const struct pages_chip *driver, uint16_t w_px, uint16_t h_px)
 {
-    const struct emulated_pages_module module = {.kind = emulated_pages_kind_find(driver->name),
-                                                 .w_px = w_px,
-                                                 .h_px = h_px,
-                                                 .ox_px = (uint16_t)((driver->mem_w_px - w_px) / 3)};
-    emulated_pages_init(&rig.chip, &module);
+    const uint16_t ox_px = (uint16_t)((driver->mem_w_px - w_px) / 3);
+    const struct glass glass = glass_like(driver->name, w_px, h_px, ox_px, 0);
+    emulated_pages_init(&rig.chip, &glass);
     rig.chip.port.deferred = true;
     rig.fault = (struct fault_port){.bus = emulated_port_bus(&rig.chip.port),
                                     .dc = {.inner = emulated_port_dc(&rig.chip.port)},
@@ -50,7 +48,7 @@ static void rig_setup(const struct pages_chip *driver, uint16_t w_px, uint16_t h
                                        .clock = fault_port_clock(&rig.fault),
                                        .w_px = w_px,
                                        .h_px = h_px,
-                                       .ox_px = module.ox_px};
+                                       .ox_px = ox_px};
 }
 
 static void rig_open(const struct pages_chip *driver, unsigned n_lines)
@@ -165,9 +163,19 @@ static void glass_of_any_make_shows_the_card(void **state)
     for (size_t i = 0; panels_pages[i]; i++)
         for (unsigned make = 0; make < (panels_pages[i]->flip ? 8u : 2u); make++) {
             rig_setup(panels_pages[i], 48, 48);
-            rig.chip.module.negative = rig.config.invert = make & 1;
-            rig.chip.module.first_columns = rig.config.flip_columns = make & 2;
-            rig.chip.module.first_lines = rig.config.flip_rows = make & 4;
+            struct glass *glass = &rig.chip.glass;
+            glass->negative = rig.config.invert = make & 1;
+            if (make & 2) {
+                glass->column = (uint16_t)(glass->mem_w_px - 1 - glass->column);
+                glass->columns_back = !glass->columns_back;
+                rig.config.flip_columns = true;
+            }
+            if (make & 4) {
+                glass->line =
+                    (uint16_t)(glass->told_lines ? glass_line(glass, 47) : glass->mem_h_px - 1u - glass->line);
+                glass->lines_back = !glass->lines_back;
+                rig.config.flip_rows = true;
+            }
             rig_open(panels_pages[i], 2);
             assert_int_equal(panel_init(&rig.display.panel), 0);
             assert_int_equal(draw(48), 0);

@@ -116,14 +116,14 @@ static void lines_are_packed_in_their_own_memory(void **state)
 
 /* Panels ------------------------------------------------------------------------------------- */
 
-static struct emulated_module module_of(const struct dcs_chip *chip, uint16_t w_px, uint16_t h_px)
+static struct dcs_make module_of(const struct dcs_chip *chip, uint16_t w_px, uint16_t h_px)
 {
-    return (struct emulated_module){.kind = emulated_kind_find(chip->name),
-                                    .w_px = w_px,
-                                    .h_px = h_px,
-                                    .ox_px = (uint16_t)((chip->mem_w_px - w_px) / 3),
-                                    .oy_px = (uint16_t)((chip->mem_h_px - h_px) / 3),
-                                    .ips = true};
+    return (struct dcs_make){.chip = chip->name,
+                             .w_px = w_px,
+                             .h_px = h_px,
+                             .ox_px = (uint16_t)((chip->mem_w_px - w_px) / 3),
+                             .oy_px = (uint16_t)((chip->mem_h_px - h_px) / 3),
+                             .ips = true};
 }
 
 static bool is_seen(unsigned x, unsigned y)

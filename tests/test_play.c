@@ -35,7 +35,7 @@ static void plug_in(const char *panel, const struct display_module *module)
     struct panel_choice choice;
     fake_linux_init();
     assert_true(panel_choice_parse(panel, NULL, &choice, &(struct error){0}));
-    emulated_display_init(&glass, &choice, module);
+    emulated_display_choose(&glass, &choice, module);
     fake.display = glass.port;
     fake.chips[0].lines[5].wire = emulated_port_dc(fake.display);
     fake.chips[0].lines[4].wire = emulated_port_reset(fake.display);

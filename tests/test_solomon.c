@@ -20,13 +20,10 @@ static struct rig {
 } rig;
 
 /* An emulated module of a make, and a configuration for the usual one. */
-static void rig_setup(const struct solomon_chip *driver, struct emulated_solomon_module make)
+static void rig_setup(const struct solomon_chip *driver)
 {
-    make.kind = emulated_solomon_kind_find(driver->name);
-    make.w_px = W_PX;
-    make.h_px = H_PX;
-    make.ox_px = 10;
-    emulated_solomon_init(&rig.chip, &make);
+    const struct glass glass = glass_like(driver->name, W_PX, H_PX, 10, 0);
+    emulated_solomon_init(&rig.chip, &glass);
     rig.chip.port.deferred = true;
     rig.config = (struct solomon_config){.bus = emulated_port_bus(&rig.chip.port),
                                          .dc = emulated_port_dc(&rig.chip.port),
@@ -44,7 +41,15 @@ static void rig_start(const struct solomon_chip *driver)
     assert_int_equal(panel_init(&rig.display.panel), 0);
 }
 
-/* Black, but for a white spot at x, y and a red one beside it: seen at the same place of the upright glass. */
+/* On the glass, of a picture that is upright or turned by half. */
+static void see(unsigned x, unsigned y, uint8_t rgb[3])
+{
+    const bool turned = rig.display.rotation == PANEL_TURNED_180;
+
+    emulated_solomon_see(&rig.chip, turned ? W_PX - 1 - x : x, turned ? H_PX - 1 - y : y, rgb);
+}
+
+/* Black, but for a white spot at x, y and a red one beside it: seen there by the picture's viewer. */
 static void check_spot(unsigned x, unsigned y)
 {
     const struct lim_target *target = &rig.screen.target;
@@ -58,41 +63,56 @@ static void check_spot(unsigned x, unsigned y)
         assert_int_equal(target->done(target->ctx, line_y, 0, target->w_px), 0);
     }
     assert_int_equal(screen_end_frame(&rig.screen), 0);
-    emulated_solomon_see(&rig.chip, x, y, rgb);
+    see(x, y, rgb);
     assert_memory_equal(rgb, "\xFF\xFF\xFF", 3);
-    emulated_solomon_see(&rig.chip, x + 1, y, rgb);
+    see(x + 1, y, rgb);
     const bool is_grey = rig.display.panel.format == PANEL_GREY4;
     assert_true(rgb[0] > 50 && rgb[2] == (is_grey ? rgb[0] : 0));
-    emulated_solomon_see(&rig.chip, x - 1, y, rgb);
+    see(x - 1, y, rgb);
     assert_memory_equal(rgb, "\0\0\0", 3);
     if (rig.chip.complaints) fail_msg("%u complaints, the last: %s", rig.chip.complaints, rig.chip.complaint);
+}
+
+/* The lines of glass whose maker shifts them by so much, upright; and the shift that it needs turned by half. */
+static unsigned shift_lines(struct glass *glass, bool flipped, unsigned shift)
+{
+    const unsigned all = glass->mem_h_px, from = glass->told_lines ? H_PX : all;
+
+    glass->line = (uint16_t)((flipped ? all - shift : from - 1 + shift) % all);
+    glass->lines_back = !flipped;
+    return ((glass->told_lines ? 0u : H_PX) + all - shift) % all;
+}
+
+static void check_make(const struct solomon_chip *chip, unsigned make)
+{
+    struct glass *glass = &rig.chip.glass;
+
+    rig_setup(chip);
+    rig.config.flip_columns = make & 1;
+    rig.config.flip_rows = make & 2;
+    rig.config.bgr = make & 4;
+    rig.config.invert = glass->negative = make & 8;
+    rig.config.shift = make & 16 ? 32 : 0;
+    rig.config.shift_turned = (uint8_t)shift_lines(glass, make & 2, rig.config.shift);
+    if (make & 1) {
+        glass->column = (uint16_t)(glass->mem_w_px - 1 - glass->column);
+        glass->columns_back = !glass->columns_back;
+    }
+    if (make & 4) glass->blue_first = !glass->blue_first;
+    rig_start(chip);
+    check_spot(3, 5);
+    assert_int_equal(panel_set_rotation(&rig.display.panel, PANEL_TURNED_180), 0);
+    check_spot(3, 5);
+    assert_int_equal(panel_set_rotation(&rig.display.panel, PANEL_UPRIGHT), 0);
+    check_spot(W_PX - 2, H_PX - 1);
 }
 
 static void glass_of_any_make_shows_the_picture(void **state)
 {
     (void)state;
     for (size_t i = 0; panels_solomon[i]; i++)
-        for (unsigned make = 0; make < 32; make++) {
-            const bool has_shift = make & 16;
-            rig_setup(panels_solomon[i], (struct emulated_solomon_module){.flipped_columns = make & 1,
-                                                                          .flipped_rows = make & 2,
-                                                                          .blue_first = make & 4,
-                                                                          .negative = make & 8,
-                                                                          .shift = has_shift ? 32 : 0,
-                                                                          .shift_turned = has_shift ? 48 : 0});
-            rig.config.flip_columns = make & 1;
-            rig.config.flip_rows = make & 2;
-            rig.config.bgr = make & 4;
-            rig.config.invert = make & 8;
-            rig.config.shift = has_shift ? 32 : 0;
-            rig.config.shift_turned = has_shift ? 48 : 0;
-            rig_start(panels_solomon[i]);
-            check_spot(3, 5);
-            assert_int_equal(panel_set_rotation(&rig.display.panel, PANEL_TURNED_180), 0);
-            assert_int_equal(rig.chip.shift, has_shift ? 48 : 0);
-            assert_int_equal(panel_set_rotation(&rig.display.panel, PANEL_UPRIGHT), 0);
-            check_spot(W_PX - 2, H_PX - 1);
-        }
+        for (unsigned make = 0; make < 32; make++)
+            check_make(panels_solomon[i], make);
 }
 
 static void grey_is_not_turned_by_quarters_and_colours_are(void **state)
@@ -100,7 +120,7 @@ static void grey_is_not_turned_by_quarters_and_colours_are(void **state)
     (void)state;
     for (size_t i = 0; panels_solomon[i]; i++) {
         const bool can = panels_solomon[i] == &ssd1351;
-        rig_setup(panels_solomon[i], (struct emulated_solomon_module){0});
+        rig_setup(panels_solomon[i]);
         rig_start(panels_solomon[i]);
         assert_int_equal(panel_set_rotation(&rig.display.panel, PANEL_TURNED_90), can ? 0 : PANEL_ERR_UNSUPPORTED);
         assert_int_equal(rig.display.panel.w_px, can ? H_PX : W_PX);
@@ -134,7 +154,7 @@ static void the_glass_gets_its_voltage_from_where_it_is_made(void **state)
 {
     (void)state;
     for (int own = 0; own < 2; own++) {
-        rig_setup(&ssd0323, (struct emulated_solomon_module){0});
+        rig_setup(&ssd0323);
         struct converter_spy spy = {.bus = rig.config.bus, .command = 0xAD};
         rig.config.bus = (struct bus){.ctx = &spy, .write = spy_write, .flush = spy_flush};
         rig.config.converter = own;
@@ -152,7 +172,7 @@ static void what_a_chip_cannot_is_refused(void **state)
     for (size_t i = 0; panels_solomon[i]; i++) {
         const struct solomon_chip *chip = panels_solomon[i];
         const bool is_grey = chip->column_px == 2;
-        rig_setup(chip, (struct emulated_solomon_module){0});
+        rig_setup(chip);
         struct solomon_config bad[10];
         for (unsigned k = 0; k < 10; k++)
             bad[k] = rig.config;
@@ -186,7 +206,7 @@ static void what_a_chip_cannot_is_refused(void **state)
 static void a_frame_is_one_window(void **state)
 {
     (void)state;
-    rig_setup(&ssd1327, (struct emulated_solomon_module){0});
+    rig_setup(&ssd1327);
     rig_start(&ssd1327);
     const uint64_t before_b = rig.chip.port.bus_b;
     check_spot(3, 5);
@@ -199,17 +219,22 @@ static void mistakes_are_complained_about(void **state)
     static const struct {
         const struct solomon_chip *chip;
         uint8_t bytes[8], n_b; /* the first with D/C low, the others as the chip wants arguments or pixels */
-    } mistakes[] = {{&ssd1351, {0x2E}, 1},         {&ssd1351, {0xB1, 0x32}, 2}, /* locked */
-                    {&ssd1351, {0xFD, 0x77}, 2},   {&ssd1351, {0x15, 5, 4}, 3},
-                    {&ssd1351, {0x75, 0, 128}, 3}, {&ssd1351, {0xA0, 0x34}, 2}, /* 256 colours */
-                    {&ssd1351, {0xA0, 0x54}, 2},                                /* lines wired otherwise */
-                    {&ssd1351, {0xA6, 0x00}, 2},                                /* pixels without 5Ch */
-                    {&ssd1351, {0xAF}, 1},                                      /* more lines than the glass has */
-                    {&ssd1327, {0x5C}, 1},         {&ssd1327, {0xA0, 0xD1}, 2},
-                    {&ssd0323, {0x75, 0, 80}, 3},  {&ssd0323, {0xFD, 0xB1}, 2}};
+    } mistakes[] = {{&ssd1351, {0x2E}, 1},
+                    {&ssd1351, {0xB1, 0x32}, 2}, /* locked */
+                    {&ssd1351, {0xFD, 0x77}, 2},
+                    {&ssd1351, {0x15, 5, 4}, 3},
+                    {&ssd1351, {0x75, 0, 128}, 3},
+                    {&ssd1351, {0xA0, 0x34}, 2},       /* 256 colours */
+                    {&ssd1351, {0xA0, 0x54}, 2},       /* lines wired otherwise */
+                    {&ssd1351, {0xA6, 0x00}, 2},       /* pixels without 5Ch */
+                    {&ssd1327, {0xA8, 0x1F, 0xAF}, 3}, /* fewer lines than the glass has */
+                    {&ssd1327, {0x5C}, 1},
+                    {&ssd1327, {0xA0, 0xD1}, 2},
+                    {&ssd0323, {0x75, 0, 80}, 3},
+                    {&ssd0323, {0xFD, 0xB1}, 2}};
     (void)state;
     for (size_t i = 0; i < sizeof mistakes / sizeof *mistakes; i++) {
-        rig_setup(mistakes[i].chip, (struct emulated_solomon_module){0});
+        rig_setup(mistakes[i].chip);
         rig.chip.port.deferred = false;
         assert_int_equal(bus_write(&rig.config.bus, mistakes[i].bytes, 1), 0);
         assert_int_equal(pin_set(&rig.config.dc, !mistakes[i].chip->args_low), 0);
@@ -224,7 +249,7 @@ static void pixels_too_many_cut_or_too_early_are_complained_about(void **state)
 
     (void)state;
     for (size_t i = 0; panels_solomon[i]; i++) {
-        rig_setup(panels_solomon[i], (struct emulated_solomon_module){0});
+        rig_setup(panels_solomon[i]);
         rig.chip.port.deferred = false;
         rig_start(panels_solomon[i]);
         assert_int_equal(panel_window(&rig.display.panel, 0, 0, 2, 1), 0);
@@ -232,7 +257,7 @@ static void pixels_too_many_cut_or_too_early_are_complained_about(void **state)
         assert_int_equal(bus_write(&rig.config.bus, pixels, 8), 0);
         assert_true(rig.chip.complaints > 0);
     }
-    rig_setup(&ssd1351, (struct emulated_solomon_module){0});
+    rig_setup(&ssd1351);
     rig.chip.port.deferred = false;
     rig_start(&ssd1351);
     assert_int_equal(panel_window(&rig.display.panel, 0, 0, 2, 1), 0);

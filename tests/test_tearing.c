@@ -21,7 +21,7 @@ static void every_frame_begins_with_a_refresh(void **state)
 {
     (void)state;
     for (size_t i = 0; panels_dcs[i]; i++) {
-        rig_setup((struct emulated_module){.kind = emulated_kind_find(panels_dcs[i]->name), .w_px = 30, .h_px = 20});
+        rig_setup((struct dcs_make){.chip = panels_dcs[i]->name, .w_px = 30, .h_px = 20});
         rig.chip.refresh_us = REFRESH_US;
         rig.config.tearing = emulated_port_tearing(&rig.chip.port);
         rig.config.format = panels_dcs[i]->format;

@@ -160,7 +160,7 @@ static bool power_on(struct replay *replay, const char *panel, const char *glass
                                           .invert = true};
     if (!panel_choice_parse(panel, NULL, &replay->panel, err) || !display_module_check(&replay->panel, &module, err))
         return false;
-    emulated_display_init(&replay->module, &replay->panel, &module);
+    emulated_display_choose(&replay->module, &replay->panel, &module);
     replay->module.port->deferred = false; /* what was recorded has left */
     replay->port = emulated_port_whole(replay->module.port);
     replay->pixels = calloc((size_t)w_px * h_px, sizeof *replay->pixels);

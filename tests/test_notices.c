@@ -1,0 +1,154 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Streams that others wrote: what glass would bear of them is a notice, and does what it does on glass; what breaks a
+ * picture is a complaint as ever. From the project's own drivers both are complaints. */
+#include "cmocka_ready.h"
+#include "emulated_display.h"
+
+#include <string.h>
+
+static struct emulated_display display;
+static struct port port;
+
+static void power(const char *chip, bool foreign)
+{
+    emulated_display_init(&display, glass_find(chip, 0, 0));
+    display.port->deferred = false;
+    if (foreign) emulated_display_take_foreign(&display);
+    port = emulated_port_whole(display.port);
+}
+
+/* A command, and arguments as data. */
+static void send(const uint8_t *bytes, size_t n_b)
+{
+    assert_int_equal(pin_set(&port.dc, false), 0);
+    assert_int_equal(bus_write(&port.bus, bytes, 1), 0);
+    assert_int_equal(pin_set(&port.dc, true), 0);
+    if (n_b > 1) assert_int_equal(bus_write(&port.bus, bytes + 1, n_b - 1), 0);
+}
+
+#define SEND(...) send((const uint8_t[]){__VA_ARGS__}, sizeof((const uint8_t[]){__VA_ARGS__}))
+
+static void send_commands(const uint8_t *bytes, size_t n_b)
+{
+    assert_int_equal(pin_set(&port.dc, false), 0);
+    assert_int_equal(bus_write(&port.bus, bytes, n_b), 0);
+}
+
+#define COMMANDS(...) send_commands((const uint8_t[]){__VA_ARGS__}, sizeof((const uint8_t[]){__VA_ARGS__}))
+
+static void check(unsigned notices, unsigned complaints)
+{
+    const char *last;
+    const unsigned noticed = emulated_display_notices(&display, &last);
+
+    assert_int_equal(noticed, notices);
+    assert_true(noticed == 0 || last[0] != '\0');
+    const unsigned complained = emulated_display_complaints(&display, &last);
+    if (complained != complaints) fail_msg("%u complaints, the last: %s", complained, last);
+}
+
+/* What Linux' and others' drivers send to an ILI9341 beyond what it describes. */
+static void send_to_ili9341(void)
+{
+    display.port->now_us = 1000000;
+    SEND(0xEF, 0x03, 0x80, 0x02);       /* not described */
+    SEND(0xB6, 0x08, 0x82, 0x27, 0x00); /* one too many */
+    SEND(0x35);                         /* without its argument */
+    SEND(0x00);
+}
+
+static void an_lcd_bears_vendors_registers(void **state)
+{
+    (void)state;
+    power("ili9341", true);
+    send_to_ili9341();
+    check(3, 0);
+    power("ili9341", false);
+    send_to_ili9341();
+    check(0, 3);
+}
+
+static void an_lcd_that_is_not_waited_for_goes_on(void **state)
+{
+    (void)state;
+    for (int foreign = 0; foreign < 2; foreign++) {
+        power("st7735", foreign);
+        SEND(0x01);
+        SEND(0x11);
+        assert_int_equal(display.chip.dcs.asleep, !foreign);
+        check(foreign ? 3 : 0, foreign ? 0 : 3);
+    }
+}
+
+static void pixels_outside_are_a_complaint_from_anybody(void **state)
+{
+    (void)state;
+    power("st7789", true);
+    display.port->now_us = 1000000;
+    SEND(0x11);
+    display.port->now_us += 1000000;
+    SEND(0x3A, 0x55);
+    SEND(0x2A, 0, 0, 0, 0);
+    SEND(0x2B, 0, 0, 0, 0);
+    SEND(0x2C, 1, 2, 3, 4);
+    check(0, 1);
+    SEND(0x2A, 0, 0, 1, 0);
+    check(0, 2);
+}
+
+static void an_oled_bears_scrolling_that_is_stopped(void **state)
+{
+    (void)state;
+    power("ssd1306", true);
+    display.port->now_us = 1000000;
+    COMMANDS(0xAE, 0x2E, 0xE3, 0x8D, 0x14, 0xA8, 0x3F, 0xDA, 0x12, 0xE2, 0xAF);
+    check(1, 0);
+    assert_true(display.chip.pages.on);
+    COMMANDS(0x26, 0, 0, 0, 7, 0, 0xFF); /* its arguments are no commands */
+    check(2, 0);
+    assert_true(display.chip.pages.on);
+    COMMANDS(0xA5);
+    check(2, 0);
+    for (unsigned x = 0; x < 128; x++)
+        assert_true(emulated_pages_is_bright(&display.chip.pages, x, x / 2));
+    COMMANDS(0x20, 0x00, 0x21, 5, 4);
+    check(2, 1);
+}
+
+static void an_lcd_of_pages_bears_its_supply_at_once(void **state)
+{
+    (void)state;
+    for (int foreign = 0; foreign < 2; foreign++) {
+        power("st7567", foreign);
+        display.port->now_us = 1000000;
+        COMMANDS(0x2F, 0xAF);
+        check(foreign ? 2 : 0, foreign ? 0 : 2);
+        assert_true(display.chip.pages.on);
+    }
+}
+
+static void an_oled_with_windows_bears_what_it_does_not_know(void **state)
+{
+    (void)state;
+    for (int foreign = 0; foreign < 2; foreign++) {
+        power("ssd1327", foreign);
+        COMMANDS(0x99, 0xB1, 0x51);
+        check(foreign ? 1 : 0, foreign ? 0 : 1);
+        COMMANDS(0x15, 5, 4);
+        check(foreign ? 1 : 0, foreign ? 1 : 2);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(an_lcd_bears_vendors_registers),
+        cmocka_unit_test(an_lcd_that_is_not_waited_for_goes_on),
+        cmocka_unit_test(pixels_outside_are_a_complaint_from_anybody),
+        cmocka_unit_test(an_oled_bears_scrolling_that_is_stopped),
+        cmocka_unit_test(an_lcd_of_pages_bears_its_supply_at_once),
+        cmocka_unit_test(an_oled_with_windows_bears_what_it_does_not_know),
+    };
+    return cmocka_run_group_tests_name("notices", tests, NULL, NULL);
+}
