@@ -104,12 +104,14 @@ static bool pages_runs_back(const struct pages *pages, enum panel_rotation rotat
     return (rotation == PANEL_TURNED_180) != pages->config.mirror;
 }
 
-/* Lines counted from below meet the glass's first one as far on the other side. */
+/* Lines counted from below meet the glass's first one as far on the other side. Where all outputs are scanned, and not
+ * those of the glass alone, they meet those that it does not have before. */
 static uint8_t pages_start_line(const struct pages *pages, enum panel_rotation rotation)
 {
     const unsigned mem_h_px = pages->chip->mem_h_px, line = pages->config.start_line;
+    const unsigned scanned_px = pages->chip->scans_all ? pages->config.h_px : mem_h_px;
 
-    return (uint8_t)(rotation == PANEL_TURNED_180 ? (mem_h_px - line) % mem_h_px : line);
+    return (uint8_t)(rotation == PANEL_TURNED_180 ? (mem_h_px + scanned_px - line) % mem_h_px : line);
 }
 
 static int pages_send_flip(struct pages *pages, enum panel_rotation rotation)

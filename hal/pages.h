@@ -28,6 +28,7 @@ struct pages_chip {
     uint32_t reset_us;              /* after the pulse, until it listens */
     uint32_t wake_us;               /* after each byte of `wake`, which raise its voltages */
     uint8_t wake[3], wake_b;
+    bool scans_all;     /* it scans lines of all its outputs, however many the glass has */
     uint8_t start_line; /* command, of which the lower bits are the line; 0: it has none */
     bool is_oled;       /* `wiring` and `internal_reference` mean something */
     uint8_t (*setup)(uint8_t commands[PAGES_SETUP_MAX_B], const struct pages_config *config, uint8_t contrast);

@@ -52,6 +52,17 @@ static uint8_t solomon_start_line(const struct solomon *solomon, enum panel_rota
     return (uint8_t)((line + (chip->scans_all && from_the_last ? config->h_px : 0u)) % chip->mem_h_px);
 }
 
+/* Lines counted from below: what is shifted one way is shifted the other. A chip that counts from the last of all
+ * outputs, and not of those that the glass has, meets the glass that much later. */
+static uint8_t solomon_shift_turned(const struct solomon *solomon)
+{
+    const struct solomon_chip *chip = solomon->chip;
+    const struct solomon_config *config = &solomon->config;
+
+    if (config->shift_turned) return config->shift_turned;
+    return (uint8_t)((2u * chip->mem_h_px + (chip->counts_all ? config->h_px : 0u) - config->shift) % chip->mem_h_px);
+}
+
 static int solomon_send_turn(struct solomon *solomon, enum panel_rotation rotation)
 {
     const struct solomon_chip *chip = solomon->chip;
@@ -69,7 +80,7 @@ static int solomon_send_turn(struct solomon *solomon, enum panel_rotation rotati
     if (err) return err;
     err = solomon_send_byte(solomon, START_LINE, solomon_start_line(solomon, rotation));
     if (err) return err;
-    return solomon_send_byte(solomon, SHIFT, on_its_head ? config->shift_turned : config->shift);
+    return solomon_send_byte(solomon, SHIFT, on_its_head ? solomon_shift_turned(solomon) : config->shift);
 }
 
 static int solomon_send_shown(struct solomon *solomon, bool blank, bool inverted)

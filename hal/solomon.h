@@ -19,8 +19,9 @@ struct solomon_chip {
     bool args_low;               /* D/C low for arguments too */
     uint8_t column_px;           /* pixels that a column address stands for */
     uint8_t lines;               /* command that takes the number of lines in use, less 1 */
-    bool scans_all; /* all of memory's lines are in use, of which the glass has the first; else those of the glass */
-    uint8_t write;  /* command before pixels; 0: none is needed */
+    bool scans_all;  /* all of memory's lines are in use, of which the glass has the first; else those of the glass */
+    bool counts_all; /* backwards it counts lines from the last of all outputs; else from the last of those in use */
+    uint8_t write;   /* command before pixels; 0: none is needed */
     uint8_t as_is, negative, all_off;                 /* commands: what of memory is shown */
     uint8_t contrast_command, contrast_max, contrast; /* with what it takes, and the usual one */
     uint8_t converter;          /* command for its own converter of the glass's voltage; 0: it has none */
@@ -42,7 +43,8 @@ struct solomon_config {
     struct clock clock;           /* required */
     uint16_t w_px, h_px;          /* size of the glass, upright: 1 .. the memory's; w a multiple of column_px */
     uint16_t ox_px;               /* memory columns before the glass's left edge, a multiple of column_px */
-    uint8_t shift, shift_turned;  /* A2h, where the maker gives one: upright, and with lines counted from below */
+    uint8_t shift;                /* A2h, where the maker gives one, upright */
+    uint8_t shift_turned;         /* and with lines counted from below; 0: as follows from `shift` */
     uint8_t start_line;           /* memory line that the glass begins with, upright: 0 .. the memory's less 1 */
     enum panel_rotation rotation; /* of the picture at start; by quarters where the chip exchanges columns and rows */
     bool mirror;                  /* left and right of the picture swapped */

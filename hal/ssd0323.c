@@ -28,6 +28,7 @@ const struct solomon_chip ssd0323 = {
     .args_low = true,
     .column_px = 2,
     .lines = 0xA8,
+    .counts_all = true,
     .as_is = 0xA4,
     .negative = 0xA7,
     .all_off = 0xA6,

@@ -35,6 +35,7 @@ const struct pages_chip st7567 = {
     .wake = {0x2C, 0x2E, 0x2F}, /* booster, regulator, follower, one after the other */
     .wake_b = 3,
     .setup = setup,
+    .scans_all = true,
     .start_line = 0x40,
     .look = pages_look_ae,
     .flip = flip,

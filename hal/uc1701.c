@@ -36,6 +36,7 @@ const struct pages_chip uc1701 = {
     .wake = {0x2F},
     .wake_b = 1,
     .setup = setup,
+    .scans_all = true,
     .start_line = 0x40,
     .look = pages_look_ae,
     .flip = flip,
