@@ -7,6 +7,7 @@
 #include "choose.h"
 #include "commands.h"
 #include "grow.h"
+#include "idle_options.h"
 #include "moving.h"
 #include "parse.h"
 #include "portal_choice.h"
@@ -81,6 +82,7 @@ struct request {
     struct compile_options compile;
     struct choice_bound bound; /* of --max-error and its like */
     struct moving_options movers;
+    struct idle_options idle; /* given ones, that may change nothing */
     bool report_only;
 };
 
@@ -183,8 +185,10 @@ static bool parse(int argc, char **argv, struct request *out, struct error *err)
     out->bound = (struct choice_bound){.wrong_percent = -1.0, .vertex_px = -1.0};
     opterr = 0;
     optind = 1;
-    for (int code; (code = getopt_long(argc, argv, ":o:", OPTIONS, NULL)) != -1;)
+    for (int code, index = 0; (code = getopt_long(argc, argv, ":o:", OPTIONS, &index)) != -1;) {
         if (!parse_option(code, argv, out, err)) return false;
+        if (code != 'o') idle_options_add(&out->idle, OPTIONS[index].name);
+    }
     if (optind >= argc) return error_set(err, "compile: needs a model");
     out->models = &argv[optind];
     out->model_count = (size_t)(argc - optind);
@@ -249,6 +253,21 @@ static bool compile_all(const struct request *request, struct result *result, st
     return true;
 }
 
+/* What moves one model may do nothing to another. */
+static void note_idle(const struct request *request, const struct result *result)
+{
+    size_t moving = 0, stopped = 0;
+    for (size_t i = 0; i < result->count; i++) {
+        moving += result->moving[i].count;
+        stopped += result->moving[i].stopped;
+    }
+    idle_options_note_scene(&request->idle,
+                            &(struct idle_scene){.name = result->count == 1 ? request->models[0] : "these models",
+                                                 .is_set = request->compile.tree == TREE_NONE,
+                                                 .is_still = !moving,
+                                                 .was_still = !moving && !stopped});
+}
+
 static bool put_scene(const struct named_scene *scene, const char *header, struct outputs *outputs, struct error *err)
 {
     char path[C_PATH_MAX_B];
@@ -303,6 +322,7 @@ static bool run(struct request *request, struct error *err)
                             grow_zeroed(count, sizeof *result.named), grow_zeroed(count, sizeof *result.names), 0};
     bool ok = (!request->name || name_all(request, &result, err)) && choose(request, err) &&
               compile_all(request, &result, err) && (!request->name || write_files(&result, request->name, err));
+    if (ok) note_idle(request, &result);
     if (ok) print_reports(request, &result);
     if (ok) print_effort();
     for (size_t i = 0; i < result.count; i++) {

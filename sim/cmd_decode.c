@@ -7,6 +7,7 @@
 #include "frame_file.h"
 #include "hash_list.h"
 #include "hashes.h"
+#include "idle_options.h"
 #include "input_file.h"
 #include "parse.h"
 #include "qemu_trace.h"
@@ -21,6 +22,7 @@ enum { LINE_MOST_B = 16 << 20, FRAMES_MAX = 1000000, PATH_SIZE = 4096, OTHER_LIN
 struct decode {
     const char *path; /* "-": standard input */
     struct module_choice module;
+    struct idle_options idle;       /* given ones, that may change nothing */
     const char *map_path, *pattern; /* NULL: not asked for */
     uint64_t frames_asked;          /* 0: all that there are */
     bool is_foreign;                /* not written by this project */
@@ -59,6 +61,7 @@ static bool take_path(struct decode *decode, const struct arguments *arguments, 
 static bool decode_parse(struct decode *decode, int argc, char **argv, struct error *err)
 {
     struct arguments arguments = {argv, argc};
+    idle_options_find(&decode->idle, argc, argv);
     decode->is_foreign = arguments_flag(&arguments, "--foreign");
     return module_choice_parse(&decode->module, &arguments, err) &&
            arguments_value(&arguments, "--qemu", &decode->map_path, err) &&
@@ -182,7 +185,10 @@ static void tell_notices(const struct decode *decode)
 
 static bool decode_run(struct decode *decode, struct error *err)
 {
-    if (!start(decode, err) || !read_lines(decode, err)) return false;
+    if (!start(decode, err)) return false;
+    idle_options_note_panel(&decode->idle, &decode->module.panel);
+    idle_options_note_record(&decode->idle);
+    if (!read_lines(decode, err)) return false;
     tell_notices(decode);
     return hash_list_close(&decode->hashes, err) && outputs_keep(&decode->outputs, err) &&
            hash_list_check(&decode->hashes, err);

@@ -28,8 +28,9 @@ struct play {
     struct port_choice port_choice;
     struct module_choice module_choice;
     struct options options;
-    bool card;       /* the test card, and no scene */
-    uint64_t frames; /* 0: until a signal */
+    struct idle_options idle; /* given ones, that may change nothing */
+    bool card;                /* the test card, and no scene */
+    uint64_t frames;          /* 0: until a signal */
 
     struct compiled scene;
     struct moving moving;
@@ -83,6 +84,7 @@ static bool try_driver(struct play *play, struct error *err)
 static bool play_parse(struct play *play, int argc, char **argv, struct error *err)
 {
     struct arguments arguments = {argv, argc};
+    idle_options_find(&play->idle, argc, argv);
     play->card = arguments_flag(&arguments, "--test-card");
     return module_choice_parse(&play->module_choice, &arguments, err) &&
            port_choice_parse(&play->port_choice, &arguments, err) && take_frames(play, &arguments, err) &&
@@ -99,6 +101,7 @@ static bool open_display(struct play *play, struct error *err)
     if (clock.mode != USUAL_MODE && clock.any_mode && !play->port.notice[0])
         notice("SPI mode %u, which most modules with %s want; --mode says otherwise", (unsigned)clock.mode,
                choice->panel.name);
+    idle_options_note_panel(&play->idle, &choice->panel);
     player_init(&play->player, &play->port);
     struct port counted = play->port;
     counted.bus = play->player.bus;
@@ -131,6 +134,7 @@ static bool load_scene(struct play *play, struct error *err)
     struct lens lens;
     if (!options_load(&play->options, &play->scene, &play->moving, &lens, &play->path, err)) return false;
     faithful_note(&play->scene);
+    options_note_stopped(&play->options, &play->moving);
     deadline_begin(0.0); /* what is played has no end of its own */
     return plan_cameras(play, &lens, err);
 }

@@ -29,9 +29,7 @@ static bool view_load(struct viewing *view, struct lens *lens, struct error *err
     if (method != LIM_NEAREST_FIRST && method != LIM_PAINTER) options->movers.mode = MOVING_OFF;
     if (!options_load(options, &view->scene, &view->moving, lens, &view->path, err)) return false;
     faithful_note(&view->scene);
-    if (view->moving.stopped)
-        fprintf(stderr, "limner: %s: objects stand still; methods nearest, painter and bsp move them\n",
-                options->scene_path);
+    options_note_stopped(options, &view->moving);
     return true;
 }
 

@@ -5,6 +5,7 @@
 #include "options.h"
 
 #include "grow.h"
+#include "notice.h"
 #include "order_choice.h"
 #include "outputs.h"
 #include "parse.h"
@@ -295,11 +296,12 @@ bool options_parse(int argc, char **argv, enum options_set set, struct options *
                             .compile = {.tolerance_units = 0.5, .splitter = "auto", .trial = TRIAL_IF_SPLIT}};
     opterr = 0;
     optind = 1;
-    int code;
-    while ((code = getopt_long(argc, argv, is_render ? ":o:" : ":", OPTIONS + (is_render ? 0 : RENDER_ONLY_OPTIONS),
-                               NULL)) != -1) {
+    const struct option *known = OPTIONS + (is_render ? 0 : RENDER_ONLY_OPTIONS);
+    int code, index = 0;
+    while ((code = getopt_long(argc, argv, is_render ? ":o:" : ":", known, &index)) != -1) {
         if (code == ':' || code == '?') return unusable_option(code, argv, err);
         if (!parse_option(code, optarg, out, err)) return false;
+        if (code != OPTION_OUT) idle_options_add(&out->idle, known[index].name);
     }
     if (optind >= argc) return error_set(err, "%s: needs a model or a .lim file", argv[0]);
     if (optind + 1 < argc) return error_set(err, "%s: one scene at a time, what is '%s'?", argv[0], argv[optind + 1]);
@@ -344,11 +346,29 @@ static bool load_scene(const struct options *options, struct compiled *scene, st
     return true;
 }
 
+void options_note_stopped(const struct options *options, const struct moving *moving)
+{
+    if (moving->stopped)
+        notice("%s: objects stand still; methods nearest, painter and bsp move them", options->scene_path);
+}
+
+/* Who hands over no *moving has taken no options of movers. */
+static void note_idle(const struct options *options, const struct moving *moving)
+{
+    const bool is_still = moving && !moving->count;
+    idle_options_note_scene(&options->idle, &(struct idle_scene){.name = options->scene_path,
+                                                                 .is_compiled = options_scene_is_compiled(options),
+                                                                 .is_set = options->compile.tree == TREE_NONE,
+                                                                 .is_still = is_still,
+                                                                 .was_still = is_still && !moving->stopped});
+}
+
 bool options_load(const struct options *options, struct compiled *scene, struct moving *moving, struct lens *lens,
                   struct camera_path *path, struct error *err)
 {
     if (!camera_choice_read(&options->cameras, path, err)) return false;
     if (!load_scene(options, scene, moving, err)) return false;
+    note_idle(options, moving);
     if (!lens_for_grid(lens, options->fov_deg, options->compile.near_m, &scene->grid, options->setup.w_px,
                        options->setup.h_px, err))
         return false;

@@ -5,6 +5,7 @@
 #define SIM_OPTIONS_H
 
 #include "camera_choice.h"
+#include "idle_options.h"
 #include "moving.h"
 #include "simulator.h"
 #include "target.h"
@@ -24,7 +25,8 @@ struct options {
     bool stats, compare;
     struct lim_newell_options newell;
     struct moving_options movers;
-    double frames_per_s; /* of what moves */
+    double frames_per_s;      /* of what moves */
+    struct idle_options idle; /* given ones, that may change nothing */
 };
 
 enum options_set { OPTIONS_RENDER, OPTIONS_VIEW };
@@ -33,10 +35,13 @@ enum options_set { OPTIONS_RENDER, OPTIONS_VIEW };
 bool options_parse(int argc, char **argv, enum options_set set, struct options *out, struct error *err);
 
 /* Reads or plans the cameras and reads the scene: a .lim file as it is, anything else
- * compiled. `moving`: NULL, nothing moves. *scene, *moving and *path must be zero and are the caller's to free, also
- * after a failure. */
+ * compiled. Options that change nothing for that scene are told. `moving`: NULL, nothing moves. *scene, *moving and
+ * *path must be zero and are the caller's to free, also after a failure. */
 bool options_load(const struct options *options, struct compiled *scene, struct moving *moving, struct lens *lens,
                   struct camera_path *path, struct error *err);
+
+/* Says so, if the method moves nothing of a model that could move. */
+void options_note_stopped(const struct options *options, const struct moving *moving);
 
 /* What a value of an option is to the file system. */
 enum option_files { OPTION_NAMES_NONE, OPTION_READS_CAMERAS, OPTION_NAMES_FILE };

@@ -37,6 +37,30 @@ no_such_line() { refuse '^limner: NOWHERE: no line of that name on .*wire-tap' c
 not_spi() { refuse '^limner: /dev/null: not an SPI device' card --spi /dev/null --dc DC; }
 broken_bus() { refuse '^limner: .*/dev/spidev0\.2: .*Input/output error' card --spi /dev/spidev0.2 --dc DC; }
 
+held_by_a_driver() {
+    refuse "^limner: /dev/spidev0\.3: no such device: the kernel's driver fb_held has spi0\.3," \
+        card --spi /dev/spidev0.3 --dc DC
+}
+held_device_is_listed() { limner devices | grep -E "^spi +spi0\.3: the kernel's driver fb_held has "; }
+line_of_the_kernel() { refuse '^limner: CS: .* is in use by "spi2 CS0"' card --spi /dev/spidev0.0 --dc CS; }
+flag_is_refused() { refuse '^limner: /dev/spidev1\.0: .* refuses SPI_CS_HIGH$' card --spi /dev/spidev1.0 --dc DC --cs-high; }
+
+# notes PATTERN COMMAND...: it succeeds, and says one line that matches.
+notes() {
+    pattern=$1
+    shift
+    "$@" 2>said
+    status=$?
+    cat said
+    [ $status = 0 ] && [ "$(wc -l <said)" = 1 ] && grep -qE -- "$pattern" said
+}
+oled() { limner play --panel ssd1306 --test-card --frames 1 --dc DC "$@"; }
+flag_is_left_out() { notes '^limner: note: /dev/spidev1\.0: .* refuses SPI_NO_CS;' oled --spi /dev/spidev1.0 --no-cs; }
+level_of_a_line() { notes '^limner: note: /dev/spidev2\.0: its chip select is a GPIO line' oled --spi /dev/spidev2.0 --cs-high; }
+idle_option() { notes '^limner: note: --bgr: ssd1306 has no colours; nothing changes$' oled --spi /dev/spidev0.0 --bgr; }
+usual_mode() { notes '^limner: note: SPI mode 3, which ' card --spi /dev/spidev0.0 --dc DC; }
+level_of_a_controller() { oled --spi /dev/spidev0.0 --cs-high 2>said && [ ! -s said ]; }
+
 line_in_use() {
     gpioset --mode=signal wire-tap 0=1 &
     holder=$!
@@ -131,6 +155,15 @@ tap_check "a device that is not there" no_such_device
 tap_check "a device that is none" not_spi
 tap_check "a line that is not there" no_such_line
 tap_check "a line that another program has" line_in_use
+tap_check "a line that the kernel has" line_of_the_kernel
+tap_check "a device that another driver has" held_by_a_driver
+tap_check "it is listed" held_device_is_listed
+tap_check "a flag that the controller lacks" flag_is_refused
+tap_check "one that can be left out" flag_is_left_out
+tap_check "chip select that is a GPIO line keeps its level" level_of_a_line
+tap_check "an option that changes nothing" idle_option
+tap_check "a mode that was not asked for" usual_mode
+tap_check "chip select that is the controller's is active high" level_of_a_controller
 tap_check "no right to the SPI device" no_right_to_spi
 tap_check "no right to the lines" no_right_to_lines
 tap_check "a controller that fails" broken_bus

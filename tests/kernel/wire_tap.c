@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT OR GPL-2.0
 /*
- * A display's wires, recorded: an SPI controller with three chip selects and a chip of GPIO lines, of which everything
- * that a program does to them becomes one ordered record, read from /dev/wire_tap. Built into the kernel of
- * tests/kernel. Chip select 0 takes messages of any length, 1 refuses those of more than 1000 bytes, 2 all; what is
- * refused is not recorded. MISO is not connected.
+ * A display's wires, recorded: SPI controllers and a chip of GPIO lines, of which everything that a program does to
+ * them becomes one ordered record, read from /dev/wire_tap. Built into the kernel of tests/kernel. On bus 0 chip select
+ * 0 takes messages of any length, 1 refuses those of more than 1000 bytes, 2 all; what is refused is not recorded; 3 is
+ * another driver's than spidev's. Bus 1 has no other flags than clock polarity and phase, as spi-dw; the chip select of
+ * bus 2 is a GPIO line. MISO is not connected.
  *
  * A record is a struct wire_tap_event in the machine's byte order, followed by n_b bytes of data. A transfer takes as
  * long as on a wire. With a kernel whose time moves only while everything sleeps, the times are the sums of transfers
@@ -11,6 +12,7 @@
  */
 #include <linux/delay.h>
 #include <linux/gpio/driver.h>
+#include <linux/gpio/machine.h>
 #include <linux/kfifo.h>
 #include <linux/ktime.h>
 #include <linux/miscdevice.h>
@@ -24,17 +26,24 @@
 
 #define FIFO_B (16u << 20) /* a power of two; a dozen frames of 240x320 */
 
-enum { SELECT_FREE, SELECT_SHORT, SELECT_BROKEN, N_SELECTS };
+enum { SELECT_FREE, SELECT_SHORT, SELECT_BROKEN, SELECT_HELD, N_SELECTS };
+enum { BUS_USUAL, BUS_PLAIN, BUS_SELECTED_BY_LINE };
+enum { LINE_CS = WIRE_LINES, N_LINES };
 enum { SHORT_MOST_B = 1000 };
 
-static const char *const line_names[WIRE_LINES] = {
-    [WIRE_DC] = "DC", [WIRE_RESET] = "RESET", [WIRE_BACKLIGHT] = "BACKLIGHT", [WIRE_SELECT] = "SELECT"};
+static const char *const line_names[N_LINES] = {[WIRE_DC] = "DC",
+                                                [WIRE_RESET] = "RESET",
+                                                [WIRE_BACKLIGHT] = "BACKLIGHT",
+                                                [WIRE_SELECT] = "SELECT",
+                                                [LINE_CS] = "CS"};
+
+static struct gpiod_lookup_table chip_selects = {
+    .dev_id = "spi2", .table = {GPIO_LOOKUP_IDX("wire-tap", LINE_CS, "cs", 0, GPIO_ACTIVE_LOW), {}}};
 
 static struct {
     struct platform_device *device;
     struct gpio_chip lines;
     unsigned long levels, inputs; /* a bit for each line */
-    struct spi_controller *spi;
     struct kfifo record;
     void *memory;
     bool full; /* something was lost: the record says so by ending with an error */
@@ -97,13 +106,13 @@ static void line_free(struct gpio_chip *chip, unsigned int line)
 
 static int add_lines(void)
 {
-    tap.inputs = GENMASK(WIRE_LINES - 1, 0);
+    tap.inputs = GENMASK(N_LINES - 1, 0);
     tap.lines = (struct gpio_chip){
         .label = "wire-tap",
         .parent = &tap.device->dev,
         .owner = THIS_MODULE,
         .base = -1,
-        .ngpio = WIRE_LINES,
+        .ngpio = N_LINES,
         .names = line_names,
         .free = line_free,
         .get_direction = line_direction,
@@ -130,44 +139,66 @@ static int transfer(struct spi_controller *spi, struct spi_device *device, struc
                                          .word_bits = x->bits_per_word,
                                          .value = x->speed_hz,
                                          .n_b = x->len};
-    if (device->chip_select == SELECT_BROKEN) return -EIO;
-    if (device->chip_select == SELECT_SHORT && x->len > SHORT_MOST_B) return -EMSGSIZE;
+    if (spi->bus_num == BUS_USUAL && device->chip_select == SELECT_BROKEN) return -EIO;
+    if (spi->bus_num == BUS_USUAL && device->chip_select == SELECT_SHORT && x->len > SHORT_MOST_B) return -EMSGSIZE;
     if (x->tx_buf) record(event, x->tx_buf);
     if (x->rx_buf) memset(x->rx_buf, 0, x->len);
     fsleep(DIV_ROUND_UP_ULL(8ull * USEC_PER_SEC * x->len, x->speed_hz));
     return 0;
 }
 
-/* Names that spidev's driver takes, as it takes none of its own. */
-static int add_device(u16 chip_select)
+/* Has a device, as a display's driver would, and does nothing with it. */
+static int hold(struct spi_device *device)
 {
-    struct spi_board_info info = {.modalias = "bk4", .max_speed_hz = 62500000, .chip_select = chip_select};
+    return 0;
+}
 
-    return spi_new_device(tap.spi, &info) ? 0 : -ENODEV;
+static const struct spi_device_id held_ids[] = {{"fb_held", 0}, {}};
+static struct spi_driver holder = {.driver = {.name = "fb_held"}, .id_table = held_ids, .probe = hold};
+
+/* spidev's driver takes none of its own name, but this one. */
+static int add_device(struct spi_controller *spi, u16 chip_select, const char *name)
+{
+    struct spi_board_info info = {.max_speed_hz = 62500000, .chip_select = chip_select};
+
+    strscpy(info.modalias, name, sizeof(info.modalias));
+    return spi_new_device(spi, &info) ? 0 : -ENODEV;
+}
+
+static int add_bus(s16 bus, u32 mode_bits, u16 n_selects)
+{
+    struct spi_controller *spi = spi_alloc_master(&tap.device->dev, 0);
+    u16 chip_select;
+    int err;
+
+    if (!spi) return -ENOMEM;
+    spi->bus_num = bus;
+    spi->num_chipselect = n_selects;
+    spi->mode_bits = mode_bits;
+    spi->use_gpio_descriptors = bus == BUS_SELECTED_BY_LINE;
+    spi->bits_per_word_mask = SPI_BPW_MASK(8);
+    spi->min_speed_hz = 1000;
+    spi->max_speed_hz = 62500000;
+    spi->set_cs = select_chip;
+    spi->transfer_one = transfer;
+    err = spi_register_controller(spi);
+    if (err) {
+        spi_controller_put(spi);
+        return err;
+    }
+    for (chip_select = 0; chip_select < n_selects && !err; chip_select++)
+        err = add_device(spi, chip_select, chip_select == SELECT_HELD ? "fb_held" : "bk4");
+    return err;
 }
 
 static int add_spi(void)
 {
-    u16 chip_select;
-    int err;
+    int err = spi_register_driver(&holder);
 
-    tap.spi = spi_alloc_master(&tap.device->dev, 0);
-    if (!tap.spi) return -ENOMEM;
-    tap.spi->bus_num = 0;
-    tap.spi->num_chipselect = N_SELECTS;
-    tap.spi->mode_bits = SPI_CPOL | SPI_CPHA | SPI_CS_HIGH | SPI_NO_CS;
-    tap.spi->bits_per_word_mask = SPI_BPW_MASK(8);
-    tap.spi->min_speed_hz = 1000;
-    tap.spi->max_speed_hz = 62500000;
-    tap.spi->set_cs = select_chip;
-    tap.spi->transfer_one = transfer;
-    err = spi_register_controller(tap.spi);
-    if (err) {
-        spi_controller_put(tap.spi);
-        return err;
-    }
-    for (chip_select = 0; chip_select < N_SELECTS && !err; chip_select++)
-        err = add_device(chip_select);
+    gpiod_add_lookup_table(&chip_selects);
+    if (!err) err = add_bus(BUS_USUAL, SPI_CPOL | SPI_CPHA | SPI_CS_HIGH | SPI_NO_CS, N_SELECTS);
+    if (!err) err = add_bus(BUS_PLAIN, SPI_CPOL | SPI_CPHA, 1);
+    if (!err) err = add_bus(BUS_SELECTED_BY_LINE, SPI_CPOL | SPI_CPHA, 1);
     return err;
 }
 
