@@ -22,7 +22,7 @@ static const struct {
 } rooms[] = {{"plenty", 4000, 4}, {"some", 60, 1}, {"least", 4, 0}};
 
 /* What a target was sent, and what it shows. */
-struct glass {
+struct shown {
     uint16_t lines[H_PX][W_PX + 2], shown[H_PX][W_PX];
     bool is_round;
     uint16_t page_px;
@@ -30,7 +30,7 @@ struct glass {
     long calls, fails_at;
 };
 
-static void find_seen(const struct glass *glass, uint16_t y, uint16_t *x0, uint16_t *x1)
+static void find_seen(const struct shown *glass, uint16_t y, uint16_t *x0, uint16_t *x1)
 {
     const int dy = 2 * y + 1 - H_PX, most = H_PX * H_PX;
 
@@ -42,14 +42,14 @@ static void find_seen(const struct glass *glass, uint16_t y, uint16_t *x0, uint1
 
 static void *lend(void *ctx, uint16_t y)
 {
-    struct glass *glass = ctx;
+    struct shown *glass = ctx;
 
     return glass->lines[y];
 }
 
 static int done(void *ctx, uint16_t y, uint16_t x, uint16_t n)
 {
-    struct glass *glass = ctx;
+    struct shown *glass = ctx;
     const uint16_t piece[] = {y, x, n}, first = (uint16_t)(y / glass->page_px * glass->page_px);
 
     glass->hash = golden_hash(glass->hash, piece, sizeof piece);
@@ -61,7 +61,7 @@ static int done(void *ctx, uint16_t y, uint16_t x, uint16_t n)
 
 static int window(void *ctx, const struct lim_rect *rect)
 {
-    struct glass *glass = ctx;
+    struct shown *glass = ctx;
     static const struct lim_rect none = {1, 2, 3, 4};
 
     glass->hash = golden_hash(glass->hash, rect ? rect : &none, sizeof *rect);
@@ -73,7 +73,7 @@ static void visible(void *ctx, uint16_t y, uint16_t *x0, uint16_t *x1)
     find_seen(ctx, y, x0, x1);
 }
 
-static struct lim_target target_of(struct glass *glass, enum lim_method method, const struct lim_target_costs *cost)
+static struct lim_target target_of(struct shown *glass, enum lim_method method, const struct lim_target_costs *cost)
 {
     glass->page_px = cost->page_px;
     return (struct lim_target){.w_px = W_PX,
@@ -88,7 +88,7 @@ static struct lim_target target_of(struct glass *glass, enum lim_method method, 
                                .costs = *cost};
 }
 
-static void begin(struct simulator *simulator, const struct golden_stage *stage, struct glass *glass,
+static void begin(struct simulator *simulator, const struct golden_stage *stage, struct shown *glass,
                   enum lim_method method, const struct lim_target_costs *cost, unsigned part)
 {
     const struct lim_target target = target_of(glass, method, cost);
@@ -114,7 +114,7 @@ static struct lim_camera camera_at(const struct golden_stage *stage, unsigned fr
     return camera;
 }
 
-static void assert_shows_the_same(const struct glass *glass, const struct glass *whole)
+static void assert_shows_the_same(const struct shown *glass, const struct shown *whole)
 {
     for (uint16_t y = 0; y < H_PX; y++) {
         uint16_t x0, x1;
@@ -126,7 +126,7 @@ static void assert_shows_the_same(const struct glass *glass, const struct glass 
 static void put_target(const struct golden_stage *stage, enum lim_method method, const struct lim_target_costs *cost,
                        bool is_round, size_t room)
 {
-    static struct glass glass, whole;
+    static struct shown glass, whole;
     struct simulator simulator, other;
     uint32_t sent[4] = {0};
     struct error err;

@@ -45,7 +45,7 @@ static int send(size_t n_b)
 
 /* Frames ----------------------------------------------------------------------------------- */
 
-static const struct glass {
+static const struct panel_size {
     const char *panel;
     uint16_t w_px, h_px;
 } GLASS[] = {{"st7735", 128, 160},    {"ssd1306", 128, 64}, {"st7789", 31, 17},  {"pcd8544", 84, 48},
@@ -220,9 +220,9 @@ static bool survives(const char *panel, uint16_t w_px, uint16_t h_px, long n, en
 
 static void whatever_happens_to_a_report_is_told_and_overcome(void **state)
 {
-    static const struct glass small[] = {{"ssd1306", 24, 16}, {"pcd8544", 17, 16},       {"st7735", 24, 9},
-                                         {"st7789", 10, 8},   {"gc9a01:rgb444", 16, 16}, {"ssd1327", 24, 8},
-                                         {"ssd1351", 10, 8},  {"ls013b7dh03", 128, 128}};
+    static const struct panel_size small[] = {{"ssd1306", 24, 16}, {"pcd8544", 17, 16},       {"st7735", 24, 9},
+                                              {"st7789", 10, 8},   {"gc9a01:rgb444", 16, 16}, {"ssd1327", 24, 8},
+                                              {"ssd1351", 10, 8},  {"ls013b7dh03", 128, 128}};
     long runs = 0;
 
     (void)state;
