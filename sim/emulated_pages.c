@@ -150,9 +150,9 @@ static void switch_on(struct emulated_pages *chip)
 
 static void set_range(struct emulated_pages *chip, uint8_t range[2], uint8_t *at, unsigned end)
 {
-    if (chip->mode == PAGE_BY_PAGE) complain(chip, "%02Xh: pages are addressed one by one", chip->command);
+    if (chip->mode == PAGE_BY_PAGE) note(chip, "%02Xh: pages are addressed one by one", chip->command);
     if (chip->args[0] > chip->args[1] || chip->args[1] >= end)
-        complain(chip, "%02Xh %u..%u: memory is 0..%u", chip->command, chip->args[0], chip->args[1], end - 1);
+        note(chip, "%02Xh %u..%u: memory is 0..%u", chip->command, chip->args[0], chip->args[1], end - 1);
     range[0] = (uint8_t)(chip->args[0] % end);
     range[1] = (uint8_t)(chip->args[1] % end);
     *at = range[0];
@@ -230,8 +230,9 @@ static void set_power(struct emulated_pages *chip, uint8_t power)
 /* The address within a page, and the page, where each is addressed for itself. */
 static void set_address(struct emulated_pages *chip, uint8_t command)
 {
-    if (chip->mode != PAGE_BY_PAGE) complain(chip, "%02Xh: pages are not addressed one by one", command);
-    if (command >= 0xB0)
+    if (chip->mode != PAGE_BY_PAGE)
+        note(chip, "%02Xh: pages are not addressed one by one", command);
+    else if (command >= 0xB0)
         chip->page = command & 7;
     else if (command < 0x10)
         chip->column = (uint8_t)((chip->column & 0xF0) | command);
@@ -354,7 +355,7 @@ static void take_data(void *ctx, uint8_t byte)
 
     if (chip->args_due) complain(chip, "data after 0x%02X, which lacks %u arguments", chip->command, chip->args_due);
     chip->args_due = 0;
-    if (chip->window_full) complain(chip, "more bytes than the window holds");
+    if (chip->window_full) note(chip, "more bytes than the window holds");
     chip->window_full = false;
     if (chip->column >= kind->w_px || chip->page >= kind->h_px / 8) {
         complain(chip, "data at page %u, column %u", chip->page, chip->column);

@@ -143,7 +143,7 @@ static void reset_registers(struct emulated_solomon *chip)
 static void set_range(struct emulated_solomon *chip, uint8_t range[2], uint8_t *at, unsigned end)
 {
     if (chip->args[0] > chip->args[1] || chip->args[1] >= end)
-        complain(chip, "%02Xh %u..%u: memory is 0..%u", chip->command, chip->args[0], chip->args[1], end - 1);
+        note(chip, "%02Xh %u..%u: memory is 0..%u", chip->command, chip->args[0], chip->args[1], end - 1);
     range[0] = (uint8_t)(chip->args[0] % end);
     range[1] = (uint8_t)(chip->args[1] % end);
     *at = range[0];
@@ -312,7 +312,7 @@ static void take_data(void *ctx, uint8_t byte)
         complain(chip, "data %02Xh after command %02Xh", byte, chip->command);
         return;
     }
-    if (chip->window_full && chip->n_bits == 0) complain(chip, "more pixels than the window holds");
+    if (chip->window_full && chip->n_bits == 0) note(chip, "more pixels than the window holds");
     if (chip->kind->has_colours)
         store_colour(chip, byte);
     else

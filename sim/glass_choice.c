@@ -53,27 +53,33 @@ static void mirror_lines(struct glass *glass)
     glass->lines_back = !glass->lines_back;
 }
 
-/* Memory's line `start` is the first that is seen: the glass begins as many outputs earlier. */
+/* Another line of memory is the first that is seen, by a start line or by a shift: the glass begins as many outputs
+ * earlier. */
 static void start_at(struct glass *glass, int by)
 {
     const int outputs = glass->mem_h_px;
     glass->line = (uint16_t)((glass->line + outputs + (glass->lines_back ? by : -by)) % outputs);
 }
 
-static uint16_t either(uint16_t said, uint16_t usual)
+/* Memory that is left, if somebody said another than is usual; 0 is all that the chip has. */
+static unsigned memory(uint16_t said, uint16_t usual, uint16_t glass, uint16_t chip)
 {
-    return said ? said : usual;
+    if (said == usual) return glass;
+    return said ? said : chip;
 }
 
 static void place(struct glass *glass, const struct panel_choice *panel, const struct display_module *module,
                   const struct display_module *usual)
 {
-    move_columns(glass, module->ox_px - usual->ox_px, either(module->mem_w_px, glass->mem_w_px));
+    move_columns(glass, module->ox_px - usual->ox_px,
+                 memory(module->mem_w_px, usual->mem_w_px, glass->mem_w_px, panel->mem_w_px));
     if (panel->family->has_rows)
-        move_rows(glass, module->oy_px - usual->oy_px, either(module->mem_h_px, glass->mem_h_px));
+        move_rows(glass, module->oy_px - usual->oy_px,
+                  memory(module->mem_h_px, usual->mem_h_px, glass->mem_h_px, panel->mem_h_px));
     if (module->flip_columns != usual->flip_columns) mirror_columns(glass);
     if (module->flip_rows != usual->flip_rows) mirror_lines(glass);
-    if (module->start_line != usual->start_line) start_at(glass, module->start_line - usual->start_line);
+    start_at(glass, module->start_line - usual->start_line);
+    start_at(glass, module->shift - usual->shift);
 }
 
 struct glass glass_choose(const struct panel_choice *panel, const struct display_module *module)
