@@ -12,25 +12,18 @@ uint8_t pages_put(uint8_t *commands, const uint8_t *list, uint8_t n_b)
     return n_b;
 }
 
-/* Small glass of many columns has its lines on one side, any other on both in turn. */
-static uint8_t pages_wires(const struct pages_config *config)
+uint8_t pages_setup_oled(uint8_t commands[PAGES_SETUP_MAX_B], const struct pages_config *config,
+                         enum pages_wiring usual, uint8_t contrast, const uint8_t *supply, uint8_t supply_b,
+                         uint8_t precharge)
 {
-    const bool usual = config->h_px <= 32 && config->w_px > 64;
-    const bool sequential = config->wiring ? config->wiring == PAGES_WIRING_SEQUENTIAL : usual;
-
-    return sequential ? 0x02 : 0x12;
-}
-
-uint8_t pages_setup_oled(uint8_t commands[PAGES_SETUP_MAX_B], const struct pages_config *config, uint8_t contrast,
-                         const uint8_t *supply, uint8_t supply_b, uint8_t precharge)
-{
+    const enum pages_wiring wiring = config->wiring ? config->wiring : usual;
     /* clang-format off */
     const uint8_t list[] = {
         0xAE,                             /* display off */
         0xD5, 0x80,                       /* clock */
         0xA8, (uint8_t)(config->h_px - 1u), /* lines */
         0xD3, 0x00,                       /* the first line drives the first output */
-        0xDA, pages_wires(config),
+        0xDA, wiring == PAGES_WIRING_SEQUENTIAL ? 0x02 : 0x12,
         0x81, contrast,
         0xD9, precharge, 0xDB, 0x40,      /* level of what is off */
         0xA4,                             /* show memory */

@@ -76,8 +76,9 @@ struct pages {
 
 /* What most of the chips have in common, for their tables. */
 uint8_t pages_put(uint8_t *commands, const uint8_t *list, uint8_t n_b);
-uint8_t pages_setup_oled(uint8_t commands[PAGES_SETUP_MAX_B], const struct pages_config *config, uint8_t contrast,
-                         const uint8_t *supply, uint8_t supply_b, uint8_t precharge);
+uint8_t pages_setup_oled(uint8_t commands[PAGES_SETUP_MAX_B], const struct pages_config *config,
+                         enum pages_wiring usual, uint8_t contrast, const uint8_t *supply, uint8_t supply_b,
+                         uint8_t precharge);
 uint8_t pages_look_ae(uint8_t commands[2], bool on, bool inverted);
 /* For glass that usually shows the last column and line first. */
 uint8_t pages_flip_a0(uint8_t commands[2], bool columns, bool rows);

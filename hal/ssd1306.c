@@ -10,7 +10,9 @@ static uint8_t setup(uint8_t commands[PAGES_SETUP_MAX_B], const struct pages_con
 {
     static const uint8_t supply[] = {0x8D, 0x14, 0x20, 0x02}; /* charge pump on; page addressing */
     static const uint8_t reference[] = {0xAD, 0x30};
-    const uint8_t n_b = pages_setup_oled(commands, config, contrast, supply, sizeof supply, 0xF1);
+    const bool is_low = config->h_px <= 32 && config->w_px > 64; /* and has all lines on one side */
+    const enum pages_wiring usual = is_low ? PAGES_WIRING_SEQUENTIAL : PAGES_WIRING_ALTERNATIVE;
+    const uint8_t n_b = pages_setup_oled(commands, config, usual, contrast, supply, sizeof supply, 0xF1);
 
     if (!config->internal_reference) return n_b;
     return (uint8_t)(n_b + pages_put(commands + n_b, reference, sizeof reference));
