@@ -35,7 +35,9 @@ card() { limner play --panel st7789 --test-card --frames 1 "$@"; }
 no_such_device() { refuse '^limner: /dev/spidev9\.9: no such device; .*/dev/spidev0\.0' card --spi /dev/spidev9.9 --dc DC; }
 no_such_line() { refuse '^limner: NOWHERE: no line of that name on .*wire-tap' card --spi /dev/spidev0.0 --dc NOWHERE; }
 not_spi() { refuse '^limner: /dev/null: not an SPI device' card --spi /dev/null --dc DC; }
-broken_bus() { refuse '^limner: .*/dev/spidev0\.2: .*Input/output error' card --spi /dev/spidev0.2 --dc DC; }
+broken_bus() {
+    refuse '^limner: .*/dev/spidev0\.2: .*Input/output error' card --mode 0 --spi /dev/spidev0.2 --dc DC
+}
 
 held_by_a_driver() {
     refuse "^limner: /dev/spidev0\.3: no such device: the kernel's driver fb_held has spi0\.3," \
