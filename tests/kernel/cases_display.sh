@@ -44,6 +44,12 @@ held_by_a_driver() {
         card --spi /dev/spidev0.3 --dc DC
 }
 held_device_is_listed() { limner devices | grep -E "^spi +spi0\.3: the kernel's driver fb_held has "; }
+# With README's commands, but that spidev is built in.
+freed() {
+    (cd /sys/bus/spi && echo spi0.3 >drivers/fb_held/unbind && echo spidev >devices/spi0.3/driver_override &&
+        echo spi0.3 >drivers/spidev/bind) && oled --spi /dev/spidev0.3 &&
+        ! held_device_is_listed && limner devices | grep '^spi  */dev/spidev0\.3: usable'
+}
 line_of_the_kernel() { refuse '^limner: CS: .* is in use by "spi2 CS0"' card --spi /dev/spidev0.0 --dc CS; }
 flag_is_refused() { refuse '^limner: /dev/spidev1\.0: .* refuses SPI_CS_HIGH$' card --spi /dev/spidev1.0 --dc DC --cs-high; }
 
@@ -160,6 +166,7 @@ tap_check "a line that another program has" line_in_use
 tap_check "a line that the kernel has" line_of_the_kernel
 tap_check "a device that another driver has" held_by_a_driver
 tap_check "it is listed" held_device_is_listed
+tap_check "it can be freed" freed
 tap_check "a flag that the controller lacks" flag_is_refused
 tap_check "one that can be left out" flag_is_left_out
 tap_check "chip select that is a GPIO line keeps its level" level_of_a_line
