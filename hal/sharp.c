@@ -12,10 +12,11 @@ enum { WRITE = 0x80, POSITIVE = 0x40, CLEAR = 0x20 }; /* bits of a command, in t
 
 enum { SELECT_UNKNOWN, SELECT_LOW, SELECT_HIGH };
 
-/* Waits by the slower part's datasheet: select before the first bit, and after the last; the sign's latch at the start,
- * before and after the glass is shown. */
+/* Waits by the slower part's datasheet: select before the first bit, after the last, and until the next; the sign's
+ * latch at the start, before and after the glass is shown. */
 #define SETUP_US UINT32_C(6)
 #define HOLD_US UINT32_C(2)
+#define LOW_US UINT32_C(6)
 #define LATCH_US UINT32_C(30)
 
 static struct sharp *sharp_of(const struct panel *panel)
@@ -48,7 +49,7 @@ static int sharp_release(struct sharp *sharp)
     int err = bus_flush(&sharp->config.bus);
     if (!err) err = clock_delay(&sharp->config.clock, HOLD_US);
     if (!err) err = pin_set(&sharp->config.select, false);
-    if (!err) err = clock_delay(&sharp->config.clock, HOLD_US);
+    if (!err) err = clock_delay(&sharp->config.clock, LOW_US);
     if (!err) sharp->select = SELECT_LOW;
     return err;
 }

@@ -12,8 +12,13 @@
 
 enum { WRITE = 0x80, POSITIVE = 0x40, CLEAR = 0x20, SIGN_US = 1000000 };
 
-static const struct emulated_sharp_kind ls013b7dh03 = {"ls013b7dh03", 128, 128, 6, 2, 2};
-static const struct emulated_sharp_kind ls027b7dh01 = {"ls027b7dh01", 400, 240, 3, 1, 1};
+/* The datasheets' tsSCS, thSCS, twSCSL and the width of EXTCOMIN, as drivers quote them: 6, 2, 6 for glass of 128x128
+ * and LS013B7DH05, and 2 for twSCSL of LS013B4DN04 alone; 3, 1, 1, 1 for LS027B7DH01 and LS027B4DH01. No driver was
+ * found to quote EXTCOMIN's of the first; Zephyr's drivers/display/ls0xx.c has 3 us for all. */
+static const struct emulated_sharp_kind ls013b7dh03 = {
+    .name = "ls013b7dh03", .w_px = 128, .h_px = 128, .setup_us = 6, .hold_us = 2, .low_us = 6, .pulse_us = 2};
+static const struct emulated_sharp_kind ls027b7dh01 = {
+    .name = "ls027b7dh01", .w_px = 400, .h_px = 240, .setup_us = 3, .hold_us = 1, .low_us = 1, .pulse_us = 1};
 
 const struct emulated_sharp_kind *const emulated_sharp_kinds[] = {&ls013b7dh03, &ls027b7dh01, NULL};
 
@@ -119,7 +124,7 @@ static void take_select(void *ctx, bool high)
     check_sign(chip);
     if (chip->selected && !high) {
         check_end(chip);
-        chip->rise_us = chip->port.now_us + chip->kind->pulse_us;
+        chip->rise_us = chip->port.now_us + chip->kind->low_us;
     }
     if (!chip->selected && high) {
         if (emulated_port_is_before(&chip->port, chip->rise_us)) complain(chip, "select was low for too short a time");

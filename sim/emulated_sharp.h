@@ -13,7 +13,7 @@ struct emulated_sharp_kind {
     const char *name;
     uint16_t w_px, h_px;
     uint8_t setup_us, hold_us; /* of select, before and after the bits */
-    uint8_t pulse_us;          /* the least time that select is low, and that EXTCOMIN is high */
+    uint8_t low_us, pulse_us;  /* the least time that select is low, and that EXTCOMIN is high */
 };
 
 /* All kinds, ends with NULL; NULL: there is none of that name. */
