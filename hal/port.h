@@ -18,6 +18,7 @@ struct port {
     struct pin dc, reset, backlight, select, led; /* those that were not asked for are not wired */
     struct edge tearing;
     struct clock clock;
+    uint8_t spi_mode;                 /* 0 .. 3, in which it sends */
     char error[PORT_ERROR_B];         /* of the call that failed last, without a newline */
     char notice[PORT_ERROR_B];        /* what it does otherwise than it was asked to, as it cannot; "": nothing */
     void *ctx;                        /* the port's own state */

@@ -98,8 +98,8 @@ static bool open_display(struct play *play, struct error *err)
     const struct module_choice *choice = &play->module_choice;
     const struct port_clock clock = {choice->speed_hz, spi_mode_of(choice->spi_modes, USUAL_MODE), !choice->mode_given};
     if (!port_choice_open(&play->port_choice, &clock, &play->port, err)) return false;
-    if (clock.mode != USUAL_MODE && clock.any_mode && !play->port.notice[0])
-        notice("SPI mode %u, which most modules with %s want; --mode says otherwise", (unsigned)clock.mode,
+    if (play->port.spi_mode != USUAL_MODE && clock.any_mode)
+        notice("SPI mode %u, which most modules with %s want; --mode says otherwise", (unsigned)play->port.spi_mode,
                choice->panel.name);
     idle_options_note_panel(&play->idle, &choice->panel);
     player_init(&play->player, &play->port);

@@ -36,6 +36,7 @@ static void assert_opened(const struct linux_port_config *config, uint8_t mode, 
     assert_int_equal(linux_port_open(&port, config), 0);
     assert_string_equal(port.notice, text);
     assert_int_equal(fake.mode, mode);
+    assert_int_equal(port.spi_mode, mode & SPI_MODE_3);
     assert_int_equal(fake.word_bits, 8);
     port_close(&port);
     assert_true(fake_is_clean());

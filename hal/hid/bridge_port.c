@@ -202,6 +202,7 @@ int bridge_port_open(struct port *port, const struct bridge_link *link, const st
         self->link = *link;
         self->config.bit_rate_hz = options->bit_rate_hz ? options->bit_rate_hz : UINT32_MAX;
         self->config.mode = options->mode;
+        port->spi_mode = options->mode;
         port->bus = (struct bus){.ctx = self, .write = write_bytes, .flush = flush};
         port->close = close_port;
         err = parse_pins(port, self, options);

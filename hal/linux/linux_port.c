@@ -160,6 +160,7 @@ static void fill(struct port *port, struct linux_port *self)
     port->led = pin_of(self, LED);
     if (self->lines[TEARING].name) port->tearing = (struct edge){&self->lines[TEARING], wait};
     port->clock = (struct clock){port, delay};
+    port->spi_mode = self->spi.mode;
     port->ctx = self;
     port->close = close_port;
 }

@@ -175,6 +175,7 @@ static int configure_mode(struct spidev *spidev, uint8_t mode, uint8_t spare)
         err = leave_out(spidev, &mode, spare);
     else if (err < 0)
         err = cannot_set(spidev, err, "mode", mode);
+    spidev->mode = mode & SPI_MODE_3;
     if (err < 0 || !(mode & SPI_CS_HIGH)) return err;
     if (keeps_polarity(spidev, mode))
         linux_note(spidev->port,

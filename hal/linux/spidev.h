@@ -11,6 +11,7 @@ struct spidev {
     const char *path;
     uint32_t speed_hz;
     uint32_t most_b; /* of a message */
+    uint8_t mode;    /* 0 .. 3 */
     struct port *port;
 };
 
