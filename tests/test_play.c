@@ -128,6 +128,40 @@ static void the_mode_of_spi_is_the_modules_unless_it_is_given(void **state)
     assert_int_equal(mode_of("ssd1306", &oled, "--mode 3"), 3);
 }
 
+/* What a card's run says on standard error; it succeeds. */
+static const char *notes_of(const char *panel, const struct display_module *module, const char *more)
+{
+    static char text[1024];
+    const int before = dup(STDERR_FILENO);
+    FILE *file = tmpfile();
+    assert_non_null(file);
+    fflush(stderr);
+    assert_int_equal(dup2(fileno(file), STDERR_FILENO), STDERR_FILENO);
+    (void)mode_of(panel, module, more);
+    fflush(stderr);
+    assert_int_equal(dup2(before, STDERR_FILENO), STDERR_FILENO);
+    __real_close(before);
+    rewind(file);
+    text[fread(text, 1, sizeof text - 1, file)] = '\0';
+    fclose(file);
+    return text;
+}
+
+static void what_is_chosen_or_changes_nothing_is_told(void **state)
+{
+    (void)state;
+    const struct display_module oled = {.w_px = 128, .h_px = 64}, memory_lcd = {.w_px = 128, .h_px = 128};
+    assert_string_equal(notes_of("st7789", &glass_module, "--size 96x72 --offset 11,12 --bgr"),
+                        "limner: note: SPI mode 3, which most modules with st7789 want; --mode says otherwise\n");
+    assert_string_equal(notes_of("st7789", &glass_module, "--size 96x72 --offset 11,12 --mode 3"), "");
+    assert_string_equal(notes_of("ssd1306", &oled, "--invert"), "");
+    assert_string_equal(notes_of("ssd1306", &oled, "--bgr"),
+                        "limner: note: --bgr: ssd1306 has no colours; nothing changes\n");
+    assert_string_equal(notes_of("ls013b7dh03", &memory_lcd, "--select GPIO2"),
+                        "limner: note: --dc: ls013b7dh03 has no data/command pin; nothing changes\n"
+                        "limner: note: --reset: ls013b7dh03 has no reset pin; nothing changes\n");
+}
+
 static void a_turned_display_shows_it_turned(void **state)
 {
     (void)state;
@@ -438,6 +472,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_display_shows_what_the_simulator_does),
         cmocka_unit_test(the_mode_of_spi_is_the_modules_unless_it_is_given),
+        cmocka_unit_test(what_is_chosen_or_changes_nothing_is_told),
         cmocka_unit_test(a_turned_display_shows_it_turned),
         cmocka_unit_test(the_card_is_right_in_all_rotations),
         cmocka_unit_test(a_scene_is_turned_by_the_camera_where_the_chip_cannot),
