@@ -44,7 +44,10 @@ static void print_spidev(const char *path)
         return;
     }
     close(fd);
-    printf("spi   %s: usable\n", path);
+    char controller[SPI_NAME_B];
+    struct spi_place place;
+    const bool is_known = spi_place_of(&place, path) && spi_controller_name(controller, &place);
+    printf("spi   %s: usable%s%s\n", path, is_known ? ", on " : "", is_known ? controller : "");
 }
 
 /* What an overlay has taken is listed as well, and how it comes back. */
