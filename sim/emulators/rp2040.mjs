@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
 //
 // Runs an RP2040's image in rp2040js, and prints what goes over a display's wires as a wire log (sim/wire_log.h) and,
-// as comments, what each frame took:
+// as comments, what each frame took, and all but the first in the mean:
 //   node rp2040.mjs MODULES IMAGE.uf2 SYMBOLS FRAMES --spi 0 --pin dc=16 --pin led=25 ...
 // MODULES: the folder of npm.sh; SYMBOLS: what nm says of the image. A frame has been shown when the LED changes after
-// frame_end() and nothing is left to be sent. Ends after FRAMES of them, or with a failure when the next one does not
-// come.
+// frame_end() and nothing is left to be sent; without a pin of that name, when nothing is left. Ends after FRAMES of
+// them, or with a failure when the next one does not come, or something is done to flash that is wrong.
 //   --stop-after BYTES --for RESETS   the SPI stops then, and works again after so many resets of it
+//   --flash CHIP    what the image is read from (serial_flash.mjs); w25q16jv is a Pico's
+//   --cache POLICY  which of two ways a miss replaces (rp2040_xip.mjs): lru, fifo, random
 import fs from 'node:fs';
 import { createRequire } from 'node:module';
 import { parseArgs } from 'node:util';
@@ -18,7 +20,7 @@ import { enterBoot2, loadUf2 } from './rp2040_flash.mjs';
 const INSTRUCTIONS_MAX = 3e8; // for a frame
 const BYTES_A_LINE = 64;
 const PAUSE_NS = 5000; // between bytes: time that a chip may be waiting for
-const LED_AFTER_CYCLES = 1000; // between the end of a frame and the LED that tells it
+const LED_AFTER_CYCLES = 50000; // between the end of a frame and the LED that tells it: that may come from flash
 
 class Log {
     constructor(chip) {
@@ -59,6 +61,7 @@ function readArguments() {
     const options = {
         spi: { type: 'string', default: '0' }, pin: { type: 'string', multiple: true, default: [] },
         'stop-after': { type: 'string', default: 'Infinity' }, for: { type: 'string', default: '1' },
+        flash: { type: 'string', default: 'w25q16jv' }, cache: { type: 'string', default: 'fifo' },
     };
     const { values, positionals } = parseArgs({ options, allowPositionals: true });
     const [modules, image, symbols, frames] = positionals;
@@ -67,7 +70,7 @@ function readArguments() {
         emulator: createRequire(`${modules}/package.json`)('rp2040js'),
         image: fs.readFileSync(image), symbols: fs.readFileSync(symbols, 'utf8'), frames: Number(frames),
         spi: Number(values.spi), pins: values.pin.map((pin) => pin.split('=')),
-        stopAfter: Number(values['stop-after']), resets: Number(values.for),
+        stopAfter: Number(values['stop-after']), resets: Number(values.for), flash: values.flash, policy: values.cache,
     };
 }
 
@@ -75,13 +78,14 @@ class Run {
     constructor(options) {
         this.options = options;
         this.bytes = this.frames = this.instructions = 0;
-        this.chip = makeChip(options.emulator, options.spi, (byte) => this.byteLeft(byte), () => this.spiWorks());
+        this.chip = makeChip(options.emulator, options, (byte) => this.byteLeft(byte), () => this.spiWorks());
         this.spi = this.chip.spi[options.spi];
         this.log = new Log(this.chip);
         loadUf2(this.chip.flash, options.image);
         enterBoot2(this.chip);
-        this.cycles = new Cycles(this.chip.core, options.symbols);
+        this.cycles = new Cycles(this.chip, options.symbols);
         for (const [name, number] of options.pins) this.watch(name, this.chip.gpio[Number(number)]);
+        this.hasLed = options.pins.some(([name]) => name === 'led');
     }
 
     // What is no output is neither high nor low.
@@ -125,7 +129,9 @@ class Run {
         this.cycles.at(core.PC);
         core.executeInstruction();
         chip.clock.tick(((core.cycles - before) * 1e9) / chip.clkSys);
+        if (!this.hasLed) this.ledChanged();
         if (++this.instructions > INSTRUCTIONS_MAX) throw new Error(`frame ${this.frames} does not come`);
+        if (chip.complaints.length) throw new Error(`flash: ${chip.complaints[0]}`);
         if (core.waiting) throw new Error('sleeps for ever: nothing interrupts');
     }
 }
@@ -134,6 +140,7 @@ try {
     const options = readArguments();
     const run = new Run(options);
     while (run.frames < options.frames) run.step();
+    run.log.line(run.cycles.mean(run.chip.clkSys));
 } catch (error) {
     console.error(`rp2040: ${error.message}`);
     process.exitCode = 1;

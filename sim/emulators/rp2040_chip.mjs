@@ -2,11 +2,17 @@
 //
 // rp2040js's RP2040, and what a display's driver could do wrong there unseen: a byte takes its time to leave the SPI,
 // peripherals are held in reset until they are released, lose their state when they are reset, and do not work without
-// a clock. RP2040 Datasheet, 2.14 (resets), 4.4 (SPI).
+// a clock. Flash is read as the second stage has set it up, and a cache stands before it. RP2040 Datasheet, 2.14
+// (resets), 4.4 (SPI).
+import { Ssi } from './rp2040_ssi.mjs';
+import { Xip } from './rp2040_xip.mjs';
+import { SerialFlash } from './serial_flash.mjs';
+
 const RESETS = 0x4000c000;
 const RESET_DONE = 8;
 const ALL = 0x01ffffff;
 const SYSTICK_CVR = 0x18;
+const SSI = 0x18000;
 
 // Bits of RESETS: what a display's driver touches. Others are not held.
 const HELD = [
@@ -86,7 +92,18 @@ function hurryWaits(chip) {
     };
 }
 
-export function makeChip({ RP2040, ConsoleLogger, LogLevel }, spiNumber, leaves, works) {
+// chip.serialFlash, chip.ssi, chip.xip; chip.complaints of what is done with them that is wrong.
+function putFlash(chip, name, policy) {
+    const complain = (text) => chip.complaints.push(text);
+
+    chip.complaints = [];
+    chip.serialFlash = new SerialFlash(chip.flash, name, () => chip.clock.nanos, complain);
+    chip.ssi = new Ssi(chip.serialFlash, () => chip.clkSys, (call) => chip.clock.createAlarm(call), complain);
+    chip.peripherals[SSI] = chip.ssi;
+    chip.xip = new Xip(chip, chip.ssi, policy);
+}
+
+export function makeChip({ RP2040, ConsoleLogger, LogLevel }, { spi: spiNumber = 0, flash, policy }, leaves, works) {
     const chip = new RP2040();
 
     chip.logger = new ConsoleLogger(LogLevel.Error);
@@ -95,6 +112,7 @@ export function makeChip({ RP2040, ConsoleLogger, LogLevel }, spiNumber, leaves,
     };
     takeTime(chip, chip.spi[spiNumber], leaves, works);
     takeTime(chip, chip.spi[1 - spiNumber], () => {}, () => true);
+    putFlash(chip, flash, policy);
     holdInReset(chip);
     hurryWaits(chip);
     return chip;

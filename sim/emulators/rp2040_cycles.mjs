@@ -2,8 +2,8 @@
 //
 // The cycles of a frame, by marks that the image's symbols set: all between frame_begin() and frame_end(), of them
 // those within the painting of lines, and those of waiting for the bus; what is left walks and projects. So does what is
-// done of the next frame instead of waiting for the bus, in the middle of painting. Code in flash
-// takes no longer here than code in RAM: on the chip it does where its cache misses.
+// done of the next frame instead of waiting for the bus, in the middle of painting. All have the waits for flash in
+// them that the cache's misses make, which are told apart as well.
 const FLASH = 0x10000000;
 const BEGIN = 1, END = 2, PAINT = 3, WAIT = 4, AHEAD = 5;
 const MARKS = new Map([
@@ -29,12 +29,14 @@ function marksOf(symbols, flashB) {
 }
 
 export class Cycles {
-    constructor(core, symbols) {
-        this.core = core;
+    constructor(chip, symbols) {
+        this.core = chip.core;
+        this.xip = chip.xip;
         this.marks = marksOf(symbols, 1 << 24);
         this.waiting = this.painting = this.leading = null; // where and with which stack what was entered returns
         this.running = false;
         this.ended = -1; // when the last frame did
+        this.sum = {};
     }
 
     // Before each instruction.
@@ -48,12 +50,20 @@ export class Cycles {
 
     begin() {
         Object.assign(this, { running: true, began: this.core.cycles, paint: 0, wait: 0, ahead: 0, bytes: 0, besides: 0 });
+        const { misses, codeMisses, waits } = this.xip;
+        this.before = { misses, codeMisses, waits };
+    }
+
+    // What flash took since the frame began.
+    flash() {
+        const { xip, before } = this;
+        return Object.fromEntries(Object.keys(before).map((name) => [name, xip[name] - before[name]]));
     }
 
     enter(mark) {
         const { core } = this;
         if (mark === BEGIN) this.begin();
-        if (mark === END) Object.assign(this, { running: false, ended: core.cycles });
+        if (mark === END) Object.assign(this, { running: false, ended: core.cycles, took: this.flash() });
         const here = { pc: core.LR & ~1, sp: core.SP, since: core.cycles };
         if (mark === WAIT && !this.waiting) this.waiting = here;
         if (mark === AHEAD && !this.leading) this.leading = here;
@@ -85,8 +95,25 @@ export class Cycles {
     report(frame, cyclesOfByte) {
         const total = this.ended - this.began;
         const walk = total - this.paint - this.wait;
+        const { misses, codeMisses: code, waits } = this.took;
+        if (frame) this.add({ frames: 1, total, cpu: total - this.wait, misses, waits });
         return `# cycles frame ${frame} total ${total} walk ${walk} paint ${this.paint} wait ${this.wait}\n` +
             `# bus frame ${frame} bytes ${this.bytes} cycles ${Math.round(this.bytes * cyclesOfByte)} ` +
-            `besides work ${this.besides}\n`;
+            `besides work ${this.besides}\n` +
+            `# flash frame ${frame} misses ${misses} code ${code} data ${misses - code} waits ${waits}\n`;
+    }
+
+    // Not the first, which nothing goes before and for which everything has to come from flash.
+    add(costs) {
+        for (const [name, value] of Object.entries(costs)) this.sum[name] = (this.sum[name] ?? 0) + value;
+    }
+
+    mean(clockHz) {
+        const { frames, total, cpu, misses, waits } = this.sum;
+        if (!frames) return '';
+        const [rate, cpuRate] = [total, cpu].map((cycles) => ((clockHz * frames) / cycles).toFixed(1));
+        const [each, missed, waited] = [cpu, misses, waits].map((value) => Math.round(value / frames));
+        return `# mean of ${frames} frames: ${rate} a second; by the processor alone ${cpuRate}, ${each} cycles, ` +
+            `of which ${waited} wait for flash, for ${missed} misses of the cache\n`;
     }
 }

@@ -50,6 +50,7 @@ export function enterBoot2(chip) {
         throw new Error('the second stage has a wrong checksum: the boot ROM would not enter it');
     }
     chip.sram.set(boot2, BOOT2_RUNS_AT - 0x20000000);
+    chip.ssi.asRomLeavesIt();
     chip.core.SP = STACK_OF_ROM;
     chip.core.LR = 0;
     chip.core.PC = BOOT2_RUNS_AT;
