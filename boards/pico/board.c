@@ -8,7 +8,7 @@
 #include "mcu/sio_gpio.h"
 #include "mcu/systick.h"
 
-/* GPIO numbers. */
+/* GPIO numbers; board.mk says where the LED is: PIN_LED, or -1 for none. A Pico W has its own behind the radio chip. */
 enum {
     PIN_A = 12,
     PIN_B = 13,
@@ -20,7 +20,6 @@ enum {
     PIN_TX = 19,
     PIN_BACKLIGHT = 20,
     PIN_RESET = 22,
-    PIN_LED = 25,
 };
 
 /* Where the display takes it: with SPH = 1 the PL022 makes no pause between bytes (4.4.3). */
@@ -59,7 +58,7 @@ static uint8_t read_buttons(void)
 /* Levels at which a display is left alone: not selected, not in reset, dark. */
 static void take_pins(struct board *board)
 {
-    board->led = sio_gpio_output(&parts.led, &GPIO, PIN_LED, false);
+    if (PIN_LED >= 0) board->led = sio_gpio_output(&parts.led, &GPIO, (uint8_t)PIN_LED, false);
     board->dc = sio_gpio_output(&parts.dc, &GPIO, PIN_DC, false);
     board->select = sio_gpio_output(&parts.select, &GPIO, PIN_SELECT, true);
     board->reset = sio_gpio_output(&parts.reset, &GPIO, PIN_RESET, true);

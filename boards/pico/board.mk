@@ -14,6 +14,12 @@ PANEL     := st7789
 MODULE    := --size 240x240 --hz 62500000
 SCENE     := rooms
 PRECISION := fast
+# Where the LED is, GP0 to GP28 (25: a Pico's own), or none.
+LED       := 25
+led_pin    = $(patsubst GP%,%,$(patsubst GPIO%,%,$(LED)))
+$(if $(filter none 0 1 2 3 4 5 6 7 8 9 10 11 21 25 26 27 28,$(led_pin)),,$(error LED=$(LED): none, or a pin that is free: \
+	GP0 to GP11, GP21, GP25 to GP28))
+DEFINES    = -DPIN_LED=$(if $(filter none,$(LED)),-1,$(led_pin))
 START     += boards/common/start_cortex_m.c
 SOURCES   := $(board_folder)/board.c \
 	$(addprefix hal/mcu/,rp2040_clocks.c rp2040_dma.c pl022.c sio_gpio.c systick.c)
@@ -26,6 +32,7 @@ FLASH_PACKAGES := util-linux
 FLASH           = sh $(board_folder)/flash.sh $(IMAGE)
 
 EMULATE_PACKAGES := nodejs npm
-EMULATE = sh sim/emulators/rp2040.sh $(IMAGE) $(N) '$(WIRES)' $(DECODE)
-WIRES   = --pin dc=16 --pin $(if $(filter ls0%,$(PANEL)),select,cs)=17 --pin backlight=20 --pin reset=22 --pin led=25
+EMULATE = $(if $(filter none,$(LED)),echo 'emulate: LED=none: frames are told by the LED' >&2; exit 1,\
+	sh sim/emulators/rp2040.sh $(IMAGE) $(N) '$(WIRES)' $(DECODE))
+WIRES   = --pin dc=16 --pin $(if $(filter ls0%,$(PANEL)),select,cs)=17 --pin backlight=20 --pin reset=22 --pin led=$(led_pin)
 SPI_CLOCK_HZ := $(CPU_HZ)
