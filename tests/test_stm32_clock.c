@@ -56,6 +56,17 @@ static void assert_f4_runs_by(uint32_t hse_hz, uint32_t pllcfgr)
     assert_int_equal(flash_acr, 0x705);                         /* caches, prefetch, five wait states */
 }
 
+/* RM0090 7.3.2: bits 31 to 28 hold 2 after a reset, and keep it. */
+static void test_f4_keeps_reserved_bits(void **state)
+{
+    struct stm32f4_rcc rcc = {.cr = ALL_READY, .cfgr = BY_PLL, .pllcfgr = 0x24003010};
+    uint32_t flash_acr = 0;
+
+    (void)state;
+    assert_int_equal(stm32f4_rcc_init(&rcc, &flash_acr, 12000000).cpu_hz, 168000000);
+    assert_int_equal(rcc.pllcfgr, 0x2740540C);
+}
+
 /* RM0090 7.3.2: PLLQ 7, PLLSRC HSE, PLLP 2, PLLN 336, PLLM. */
 static void test_f4_runs_at_168_mhz_by_its_crystal(void **state)
 {
@@ -123,12 +134,27 @@ static void test_f1_gives_a_clock_to_peripherals_beside_those_that_have_one(void
     assert_int_equal(rcc.apb2enr, 0x1011);
 }
 
+static void test_peripherals_that_were_reset_are_at_work_again(void **state)
+{
+    struct stm32f4_rcc four = {.ahb1rstr = 1 << 22, .apb2rstr = 1};
+    struct stm32f1_rcc one = {.apb2rstr = 1};
+
+    (void)state;
+    stm32f4_rcc_reset(&four, STM32F4_DMA2_ON, STM32F4_SPI1_ON);
+    assert_int_equal(four.ahb1rstr, 0);
+    assert_int_equal(four.apb2rstr, 1);
+    stm32f1_rcc_reset(&one, STM32F1_SPI1_ON);
+    assert_int_equal(one.apb2rstr, 1);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_f4_stays_on_its_own_oscillator_where_something_is_not_ready),
         cmocka_unit_test(test_f4_is_left_at_rest_by_whatever_ran_before),
+        cmocka_unit_test(test_f4_keeps_reserved_bits),
         cmocka_unit_test(test_f4_runs_at_168_mhz_by_its_crystal),
+        cmocka_unit_test(test_peripherals_that_were_reset_are_at_work_again),
         cmocka_unit_test(test_f4_gives_a_clock_to_peripherals_beside_those_that_have_one),
         cmocka_unit_test(test_f1_stays_on_its_own_oscillator_where_something_is_not_ready),
         cmocka_unit_test(test_f1_runs_by_a_multiple_of_its_crystal),

@@ -39,6 +39,7 @@ int board_init(struct board *board, uint32_t spi_hz, uint8_t spi_modes)
     const uint32_t cpu_hz = stm32f1_rcc_init(STM32F1_RCC, STM32F1_FLASH_ACR, CPU_HZ);
 
     stm32f1_rcc_enable(STM32F1_RCC, STM32F1_GPIOA_ON | STM32F1_GPIOB_ON | STM32F1_GPIOC_ON | STM32F1_SPI1_ON);
+    stm32f1_rcc_reset(STM32F1_RCC, STM32F1_SPI1_ON);
     take_pins(board);
     int err = systick_init(&systick, SYSTICK_REGISTERS, cpu_hz);
     if (err) return err;

@@ -50,6 +50,7 @@ int board_init(struct board *board, uint32_t spi_hz, uint8_t spi_modes)
     const struct stm32f4_clocks clocks = stm32f4_rcc_init(STM32F4_RCC, STM32F4_FLASH_ACR, HSE_HZ);
 
     stm32f4_rcc_enable(STM32F4_RCC, STM32F4_GPIOA_ON | STM32F4_GPIOC_ON | STM32F4_DMA2_ON, STM32F4_SPI1_ON);
+    stm32f4_rcc_reset(STM32F4_RCC, STM32F4_DMA2_ON, STM32F4_SPI1_ON);
     take_pins(board);
     int err = systick_init(&systick, SYSTICK_REGISTERS, clocks.cpu_hz);
     if (err) return err;

@@ -47,11 +47,12 @@ int stm32_dma_init(struct stm32_dma *dma, struct stm32_dma_registers *registers,
     if (chosen->par != address_of(&spi->registers->dr)) return MCU_ERR_CONFIG;
     chosen->fcr = 0;
     chosen->cr = (uint32_t)channel << SXCR_CHSEL_SHIFT | SXCR_MINC | SXCR_DIR_FROM_MEMORY;
-    spi->registers->cr2 |= SPI_CR2_TXDMAEN;
     return 0;
 }
 
-/* What was written to memory must be there before the stream reads it. */
+/* What was written to memory must be there before the stream reads it. The SPI asks for data only while a stream sends:
+ * a request stays until a stream acknowledges it (RM0090 10.3.2), so what the processor sends would leave one behind.
+ */
 static void start(struct stm32_dma *dma, const uint8_t *data, uint16_t n_b)
 {
     *dma->ifcr = IFCR_ALL << dma->flags_shift;
@@ -59,12 +60,14 @@ static void start(struct stm32_dma *dma, const uint8_t *data, uint16_t n_b)
     dma->stream->ndtr = n_b;
     __atomic_thread_fence(__ATOMIC_SEQ_CST);
     dma->stream->cr |= SXCR_EN;
+    dma->spi->registers->cr2 |= SPI_CR2_TXDMAEN;
     dma->sending = true;
 }
 
 static void stop(struct stm32_dma *dma)
 {
     dma->stream->cr &= ~SXCR_EN;
+    dma->spi->registers->cr2 &= ~SPI_CR2_TXDMAEN;
     dma->sending = false;
 }
 

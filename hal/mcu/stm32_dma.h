@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
  * SPI of the STM32F4 as a bus whose writes go on after they have returned: a stream of a DMA controller feeds the
- * data register. Registers: RM0090 10.5. Not tried on hardware, nor in an emulator: QEMU has no such controller. */
+ * data register. Registers: RM0090 10.5. Not tried on hardware. */
 #ifndef HAL_MCU_STM32_DMA_H
 #define HAL_MCU_STM32_DMA_H
 

@@ -58,6 +58,12 @@ uint32_t stm32f1_rcc_init(struct stm32f1_rcc *rcc, volatile uint32_t *flash_acr,
     return HSI_HZ;
 }
 
+void stm32f1_rcc_reset(struct stm32f1_rcc *rcc, uint32_t apb2)
+{
+    rcc->apb2rstr |= apb2;
+    rcc->apb2rstr &= ~apb2;
+}
+
 void stm32f1_rcc_enable(struct stm32f1_rcc *rcc, uint32_t apb2)
 {
     rcc->apb2enr |= apb2;

@@ -14,7 +14,7 @@ struct stm32f1_rcc {
 #define STM32F1_RCC ((struct stm32f1_rcc *)UINT32_C(0x40021000))
 #define STM32F1_FLASH_ACR ((volatile uint32_t *)UINT32_C(0x40022000))
 
-/* Bits of RCC_APB2ENR. */
+/* Bits of RCC_APB2ENR and RCC_APB2RSTR. */
 enum stm32f1_apb2 {
     STM32F1_GPIOA_ON = 1 << 2,
     STM32F1_GPIOB_ON = 1 << 3,
@@ -27,5 +27,9 @@ uint32_t stm32f1_rcc_init(struct stm32f1_rcc *rcc, volatile uint32_t *flash_acr,
 
 /* Gives peripherals their clock, beside those that have it. */
 void stm32f1_rcc_enable(struct stm32f1_rcc *rcc, uint32_t apb2);
+
+/* Has peripherals, which have their clock, forget all that a boot loader or an earlier start left, whatever they were
+ * about. */
+void stm32f1_rcc_reset(struct stm32f1_rcc *rcc, uint32_t apb2);
 
 #endif

@@ -8,6 +8,7 @@
 
 #define HSI_HZ UINT32_C(16000000)
 #define PLL_HZ UINT32_C(168000000)
+#define PLLCFGR_RESERVED UINT32_C(0xF0BC8000) /* not all of them are 0, and they are to be kept: RM0090 7.3.2 */
 
 enum {
     PLLN = 336,
@@ -42,8 +43,8 @@ static void reset(struct stm32f4_rcc *rcc)
 static bool run_by_pll(struct stm32f4_rcc *rcc, volatile uint32_t *flash_acr, uint32_t hse_hz)
 {
     if (!stm32_clock_start(&rcc->cr, STM32_HSE_ON)) return false;
-    rcc->pllcfgr = hse_hz / 1000000u | (uint32_t)PLLN << PLLCFGR_PLLN_SHIFT | PLLCFGR_PLLSRC_HSE |
-                   (uint32_t)PLLQ << PLLCFGR_PLLQ_SHIFT;
+    rcc->pllcfgr = (rcc->pllcfgr & PLLCFGR_RESERVED) | hse_hz / 1000000u | (uint32_t)PLLN << PLLCFGR_PLLN_SHIFT |
+                   PLLCFGR_PLLSRC_HSE | (uint32_t)PLLQ << PLLCFGR_PLLQ_SHIFT;
     if (!stm32_clock_start(&rcc->cr, STM32_PLL_ON)) return false;
     *flash_acr = ACR_LATENCY_5 | ACR_PRFTEN | ACR_ICEN | ACR_DCEN;
     if ((*flash_acr & ACR_LATENCY) != ACR_LATENCY_5) return false;
@@ -58,6 +59,14 @@ struct stm32f4_clocks stm32f4_rcc_init(struct stm32f4_rcc *rcc, volatile uint32_
         return (struct stm32f4_clocks){.cpu_hz = PLL_HZ, .apb1_hz = PLL_HZ / 4, .apb2_hz = PLL_HZ / 2};
     reset(rcc);
     return (struct stm32f4_clocks){.cpu_hz = HSI_HZ, .apb1_hz = HSI_HZ, .apb2_hz = HSI_HZ};
+}
+
+void stm32f4_rcc_reset(struct stm32f4_rcc *rcc, uint32_t ahb1, uint32_t apb2)
+{
+    rcc->ahb1rstr |= ahb1;
+    rcc->ahb1rstr &= ~ahb1;
+    rcc->apb2rstr |= apb2;
+    rcc->apb2rstr &= ~apb2;
 }
 
 /* A peripheral listens two cycles after its clock is on; reading back takes them: ES0182, "Delay after an RCC

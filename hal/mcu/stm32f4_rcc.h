@@ -18,7 +18,7 @@ struct stm32f4_rcc {
 #define STM32F4_RCC ((struct stm32f4_rcc *)UINT32_C(0x40023800))
 #define STM32F4_FLASH_ACR ((volatile uint32_t *)UINT32_C(0x40023C00))
 
-/* Bits of RCC_AHB1ENR and RCC_APB2ENR. */
+/* Bits of RCC_AHB1ENR and RCC_APB2ENR, and of the registers that reset. */
 enum stm32f4_ahb1 { STM32F4_GPIOA_ON = 1 << 0, STM32F4_GPIOC_ON = 1 << 2, STM32F4_DMA2_ON = 1 << 22 };
 enum stm32f4_apb2 { STM32F4_SPI1_ON = 1 << 12 };
 
@@ -31,5 +31,9 @@ struct stm32f4_clocks stm32f4_rcc_init(struct stm32f4_rcc *rcc, volatile uint32_
 
 /* Gives peripherals their clock: bits of both registers, added to those that are on. */
 void stm32f4_rcc_enable(struct stm32f4_rcc *rcc, uint32_t ahb1, uint32_t apb2);
+
+/* Has peripherals, which have their clock, forget all that a boot loader or an earlier start left, whatever they were
+ * about. First those of AHB1: a DMA stream is off before what it feeds. */
+void stm32f4_rcc_reset(struct stm32f4_rcc *rcc, uint32_t ahb1, uint32_t apb2);
 
 #endif
