@@ -34,6 +34,7 @@ packages-board    = $(PACKAGES)
 packages-flash    = $(FLASH_PACKAGES)
 packages-emulate  = $(EMULATE_PACKAGES)
 packages-cost     = $(EMULATE_PACKAGES)
+packages-rules    = $(RULES_PACKAGES)
 
 # -- The scene and its path -------------------------------------------------------------------------------------------
 
@@ -172,7 +173,10 @@ SPI_HZ  = $(shell awk -v clock_hz=$(SPI_CLOCK_HZ) -v most_hz=$(or $(SPI_MAX_HZ),
 		for (by = 2; clock_hz / by > wanted_hz; by = dividers == "powers" ? 2 * by : by + 2); \
 		print clock_hz / by }' $(folder)/module.h)
 
-.PHONY: image flash emulate cost
+# The rate that the panel was asked for: what the SPI's may not exceed.
+PANEL_HZ = $(shell awk '$$2 == "MODULE_SPEED_HZ" { print $$3 + 0 }' $(folder)/module.h)
+
+.PHONY: image flash emulate rules cost
 all: image
 image: $(addprefix $(IMAGE).,elf $(IMAGES)) | packages
 	@cat $(folder)/fits
@@ -186,6 +190,11 @@ emulate: image $(CHECK) $(EMULATOR) ## BOARD=NAME [N=FRAMES]: run the image in i
 	$(LIVE)mkdir -p $(PICTURES)
 	$(LIVE)$(EMULATE)
 	$(LIVE)$(if $(camera_turn),echo "emulate: frames were not checked: the simulator does not turn its camera as this panel needs")
+
+rules: image $(CHECK) $(RULES_CHECKER) ## BOARD=NAME [N=FRAMES]: hold what the image does to registers to its maker's manuals; frames, checked
+	$(LIVE)$(if $(RULES),,echo "rules: none are written down for $(BOARD)" >&2; exit 1)
+	$(LIVE)mkdir -p $(PICTURES)
+	$(LIVE)$(RULES)
 
 cost: image $(CHECK) $(EMULATOR) $(BUILD)/count_plugin.so ## BOARD=NAME: run N frames, and print what one costs
 	$(LIVE)mkdir -p $(PICTURES)

@@ -50,6 +50,7 @@ for word; do
     -lcmocka) need libcmocka-dev ;;
     -lOSMesa) need libosmesa6-dev ;;
     -lsimavr) need libsimavr-dev ;;
+    -lunicorn) need libunicorn-dev ;;
     -lelf) need libelf-dev ;;
     -fsanitize=fuzzer) need libclang-rt-dev ;;
     tests/test_*.c) need libcmocka-dev ;;
@@ -116,6 +117,8 @@ board_file() { rm -rf "$work/build/boards" && made BOARD=pico "$work/build/board
 with_jobs() { rm -rf "$work/build/boards" && made -j8 BOARD=arduboy all && called avr-gcc; }
 flashing() { rm -rf "$work/build/boards" && made BOARD=arduboy flash FLASH=true && called avr-gcc && has avrdude; }
 emulating() { rm -rf "$work/build/boards" && made BOARD=arduboy emulate EMULATE=true && called avr-gcc && called gcc && has libsimavr-dev; }
+rules() { rm -rf "$work/build/boards" && made BOARD=stm32f405 rules RULES=true && called arm-none-eabi-gcc && called gcc && has libunicorn-dev; }
+rules_checker_alone() { rm -f "$work/build/stm32" && made "$work/build/stm32" && called gcc; }
 emulator_alone() { rm -f "$work/build/simavr_oled" && made "$work/build/simavr_oled" && called gcc; }
 libraries_known() {
     rm -rf "$work/build/boards" && made BOARD=linux && grep -q -- '-DLIM_GPIOD=1 ' "$work/build/host/flags" &&
@@ -141,6 +144,8 @@ tap_check "make -j8 BOARD=arduboy all" with_jobs
 tap_check "make BOARD=arduboy flash" flashing
 tap_check "make BOARD=arduboy emulate" emulating
 tap_check "the host of an emulator alone" emulator_alone
+tap_check "make BOARD=stm32f405 rules" rules
+tap_check "the chip that holds an image to rules alone" rules_checker_alone
 tap_check "libraries are looked for once they are there" libraries_known
 tap_check "the host program alone, from nothing" program
 tap_check "make run test-programs" two_goals

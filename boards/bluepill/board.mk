@@ -49,3 +49,9 @@ EMULATE  = $(MAKE) DEPS=skip BOARD=$(BOARD) PART=f100 BOARDS='$(BOARDS)/f100' SC
 endif
 SPI_CLOCK_HZ := $(CPU_HZ)
 SPI_DIVIDERS := powers
+
+# By the project's own chip, an F103 whichever PART is chosen: see boards/DESIGN.md.
+RULES_PACKAGES := libunicorn-dev
+RULES_CHECKER  := $(BUILD)/stm32
+RULES           = sh sim/emulators/stm32.sh $(BUILD) f103 $(IMAGE).bin $(N) $(board_folder)/trace.map \
+	'--panel $(PANEL_HZ) $(FAULTS)' $(DECODE)

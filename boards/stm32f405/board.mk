@@ -28,3 +28,9 @@ QEMU             := arm netduinoplus2
 EMULATE           = sh sim/emulators/qemu.sh $(QEMU) $(IMAGE).elf $(DECODE) --qemu $(board_folder)/trace.map
 SPI_CLOCK_HZ     := 84000000
 SPI_DIVIDERS     := powers
+
+# By the project's own chip, with what QEMU lacks: see boards/DESIGN.md.
+RULES_PACKAGES := libunicorn-dev
+RULES_CHECKER  := $(BUILD)/stm32
+RULES           = sh sim/emulators/stm32.sh $(BUILD) f405 $(IMAGE).bin $(N) $(board_folder)/trace.map \
+	'--hse $(HSE_HZ) --panel $(PANEL_HZ) $(FAULTS)' $(DECODE)

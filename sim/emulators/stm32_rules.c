@@ -1,0 +1,58 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * RM0090 is the reference manual of the STM32F405, DS8626 its datasheet, ES0182 its errata; RM0008, DS5319 and PM0075
+ * are the STM32F103's. Sections are those of RM0090 Rev 21 and RM0008 Rev 21. */
+#include "stm32_rules.h"
+
+#include <stddef.h>
+
+const struct chip_rule_text chip_rules[RULES] = {
+    [RULE_MODELLED] = {{"no rule", "no rule"}, "the emulated chip does not have what the program uses"},
+    [RULE_WIDTH] = {{"RM0090 10.5, 28.5", "RM0008 25.5"}, "DMA's registers are accessed by words, SPI's not by bytes"},
+    [RULE_RESERVED] = {{"RM0090 7.3, 8.4, 10.5, 28.5", "RM0008 7.3, 9.2, 25.5"},
+                       "reserved bits keep their reset value"},
+    [RULE_CLOCK_ON] = {{"RM0090 7.3.10, 7.3.14", "RM0008 7.3.7"},
+                       "a peripheral's clock is on before its registers are used"},
+    [RULE_CLOCK_DELAY] = {{"ES0182, delay after an RCC peripheral clock enabling", NULL},
+                          "a peripheral is used two cycles after its clock is on, or after that was read back"},
+    [RULE_CRYSTAL] = {{"RM0090 7.2.1, DS8626 5.3.8", "RM0008 7.2.1, DS5319 5.3.6"},
+                      "the crystal is in the oscillator's range"},
+    [RULE_PLL_STOPPED] = {{"RM0090 7.3.2", "RM0008 7.3.2"}, "the PLL is configured while it is off"},
+    [RULE_PLL_SOURCE] = {{"RM0090 7.2.3", "RM0008 7.2.3"}, "the PLL's source is ready before the PLL is started"},
+    [RULE_PLL_RANGE] = {{"RM0090 7.3.2", "RM0008 7.2.3, 7.3.2"}, "the PLL's factors and rates are in range"},
+    [RULE_SWITCH_READY] = {{"RM0090 7.2.6", "RM0008 7.2.6"}, "a clock is ready before it is selected"},
+    [RULE_SWITCH_READ] = {{"RM0090 3.5.1, 7.3.3", "RM0008 7.3.2"}, "SWS is read until it tells the selected clock"},
+    [RULE_STOP_UNUSED] = {{"RM0090 7.3.1", "RM0008 7.3.1"}, "what the processor runs by is not stopped"},
+    [RULE_WAIT_STATES] = {{"RM0090 3.5.1, table 10", "RM0008 3.3.3"}, "flash has the wait states that the rate needs"},
+    [RULE_WAIT_STATES_READ] = {{"RM0090 3.5.1", "RM0008 3.3.3"}, "new wait states are read back before the rate rises"},
+    [RULE_PREFETCH] = {{NULL, "RM0008 3.3.3"},
+                       "prefetch is switched at 24 MHz at most, without a prescaler of the AHB"},
+    [RULE_BUS_RATE] = {{"RM0090 7.2, 7.3.3; DS8626 5.3.1", "RM0008 7.2, 7.3.2"}, "processor and buses are in range"},
+    [RULE_VOLTAGE] = {{"RM0090 5.1.3, 5.4.1", NULL}, "more than 144 MHz want the regulator's scale 1"},
+    [RULE_DEBUG_PINS] = {{"RM0090 8.3.1", NULL}, "the debug port's pins stay its own"},
+    [RULE_PIN_IDLE] = {{"RM0090 28.3.8, 28.3.9", "RM0008 25.3.8"},
+                       "D/C, select and reset change when TXE is 1, BSY 0 and no DMA is on its way"},
+    [RULE_PIN_DRIVEN] = {{"RM0090 8.3.2", "RM0008 9.1"}, "D/C and select are outputs before a byte is sent"},
+    [RULE_SPI_PINS] = {{"RM0090 8.3.2, DS8626 table 9", "RM0008 9.1.9, DS5319 table 5"}, "SCK and MOSI are the SPI's"},
+    [RULE_SPI_EDGES] = {{"RM0090 8.4.3, DS8626 5.3.16", "RM0008 9.2.1"}, "a pin's speed suffices for its rate"},
+    [RULE_SPI_RATE] = {{"DS8626 5.3.19", "DS5319 5.3.16"}, "SCK is no faster than the SPI and the panel may be"},
+    [RULE_SPI_ORDER] = {{"RM0090 28.3.3, 28.5.1", "RM0008 25.3.3, 25.5.1"},
+                        "the SPI is configured first, then enabled"},
+    [RULE_SPI_SELECTED] = {{"RM0090 28.3.10", "RM0008 25.3.10"},
+                           "a master that selects itself has SSI set: no mode fault"},
+    [RULE_SPI_DIRECTION] = {{"RM0090 28.3.4", "RM0008 25.3.4"}, "what sends is a master whose data line is an output"},
+    [RULE_SPI_ENABLED] = {{"RM0090 28.3.5", "RM0008 25.3.5"}, "data are written when the SPI is enabled"},
+    [RULE_SPI_EMPTY] = {{"RM0090 28.3.5, 28.3.7", "RM0008 25.3.5, 25.3.7"}, "data are written when TXE is 1"},
+    [RULE_SPI_IDLE] = {{"RM0090 28.3.8", "RM0008 25.3.8"}, "the SPI is disabled when TXE is 1 and BSY 0"},
+    [RULE_DMA_STOPPED] = {{"RM0090 10.3.17, 10.5.5", NULL}, "a stream is configured while it is disabled"},
+    [RULE_DMA_READ] = {{"RM0090 10.3.17", NULL},
+                       "EN is read as 0 after a stream was disabled, before it is configured"},
+    [RULE_DMA_FLAGS] = {{"RM0090 10.3.17", NULL}, "a stream's flags are cleared before it is enabled"},
+    [RULE_DMA_REQUEST] = {{"RM0090 table 44", NULL}, "stream and channel are those of SPI1's transmitter"},
+    [RULE_DMA_COUNT] = {{"RM0090 10.3.5, 10.5.6", NULL}, "a stream has 1 to 65535 items to send"},
+    [RULE_DMA_WIDTH] = {{"RM0090 10.3.10, 28.3.9", NULL}, "PSIZE is what the SPI sends at once"},
+    [RULE_DMA_TARGET] = {{"RM0090 10.3.6, 28.3.9", NULL}, "a stream leads from memory to the SPI's data register"},
+    [RULE_DMA_MEMORY] = {{"RM0090 2.1, 2.3.1", NULL}, "DMA reads flash, SRAM1 and SRAM2, not CCM"},
+    [RULE_DMA_FIRST] = {{"RM0090 10.3.17", NULL},
+                        "a stream is off, and EN read as 0, before its peripheral is switched off"},
+};
