@@ -28,8 +28,8 @@ struct stm32_dma {
     bool sending;
 };
 
-/* After stm32_spi_init(), with the controller's clock on. Stream and channel that serve the SPI's transmitter: RM0090,
- * table 43 (DMA2: SPI1 has stream 3 or 5, channel 3). MCU_ERR_CONFIG: there is no controller, its registers keep
+/* After stm32_spi_init(), with the controller's clock on. Stream and channel that serve the SPI's transmitter: RM0090
+ * 10.3.3 (DMA2: SPI1 has stream 3 or 5, channel 3). MCU_ERR_CONFIG: there is no controller, its registers keep
  * nothing; the SPI can be used as it was. MCU_ERR_TIMEOUT: the stream does not stop what it did before. */
 HAL_MUST_CHECK int stm32_dma_init(struct stm32_dma *dma, struct stm32_dma_registers *registers, uint8_t stream,
                                   uint8_t channel, const struct stm32_spi *spi);
