@@ -289,7 +289,7 @@ $(BUILD)/tests/boards/walked: $(BUILD)/host/tests/boards/walked.o $(library)
 tests/boards_lm3s6965evb.sh: $(BUILD)/tests/boards/walked
 
 # Programs for the tests with a kernel of their own, which is built beforehand because that takes minutes, once.
-kernel_programs := $(patsubst %,$(BUILD)/tests/kernel/%,replay port_calls bridge power_off pins wires)
+kernel_programs := $(patsubst %,$(BUILD)/tests/kernel/%,replay port_calls bridge power_off pins wires paint)
 
 $(kernel_programs): $(BUILD)/tests/kernel/%: $(BUILD)/host/tests/kernel/%.o $(BUILD)/host/tests/kernel/card.o $(library)
 	@mkdir -p $(@D)
@@ -442,4 +442,4 @@ clean: ## remove build/ and out/
 
 -include $(patsubst %.o,%.d,$(call object,$(sources) $(generator) $(textured_generator) $(scale_generator) $(test_sources) tests/exhaustive/main.c tests/libfuzzer/main.c tests/libfuzzer/replay.c tests/libfuzzer/seeds.c \
 	tests/boards/walked.c $(wildcard sim/emulators/stm32*.c) \
-	$(filter-out %/wire_tap.c,$(wildcard tests/kernel/*.c))))
+	$(filter-out %/wire_tap.c %/wire_display.c,$(wildcard tests/kernel/*.c))))

@@ -24,7 +24,7 @@ key() {
     {
         dpkg-query -W -f '${Version}\n' "$package"
         sed -n '/^compile()/,/^}/p' "$here/build.sh"
-        cat "$here/uml.config" "$here/wire_tap.c" "$here/wire_tap.h"
+        cat "$here/uml.config" "$here"/wire_*.[ch]
     } | sha256sum | cut -c1-16
 }
 
@@ -40,8 +40,8 @@ show_progress() {
 compile() { # FOLDER
     tar xf "$archive" -C "$1" --strip-components=1 &&
         sed -i '/HOST_FP_SIZE/s/2696/12288/' "$1/arch/x86/um/user-offsets.c" &&
-        cp "$here/wire_tap.c" "$here/wire_tap.h" "$1/drivers/spi/" &&
-        echo 'obj-y += wire_tap.o' >>"$1/drivers/spi/Makefile" &&
+        cp "$here"/wire_*.[ch] "$1/drivers/spi/" &&
+        echo 'obj-y += wire_tap.o wire_display.o' >>"$1/drivers/spi/Makefile" &&
         make -C "$1" ARCH=um KCONFIG_ALLCONFIG="$here/uml.config" allnoconfig &&
         { make -C "$1" ARCH=um -j"$(nproc)" linux 2>&1 | tee -a "$1/log" | show_progress; } &&
         strip -o "$1/stripped" "$1/linux"
