@@ -21,7 +21,7 @@ ifeq ($(origin CCACHE),undefined)
 CCACHE := $(shell sh sim/compiler_cache.sh)
 endif
 
-ALL_SUITES := host arm cpus boards cross compilers sanitize models prove format kernel
+ALL_SUITES := host arm cpus boards cross compilers sanitize models prove format kernel foreign
 SUITES     := host arm
 suites     := $(if $(filter all,$(SUITES)),$(ALL_SUITES),$(SUITES))
 
@@ -33,7 +33,7 @@ endif
 # Begins a recipe line whose output must appear as it comes: with +, but not under `make -n`, where + would run it.
 LIVE = $(if $(findstring n,$(firstword -$(MAKEFLAGS))),,+)@
 
-.PHONY: all extremes soak run view check test test-arm64 test-fixed test-programs models-table tables hid-table delta-table footprint tradeoff scale predictions compare bench bench-baseline prove exhaustive fuzz fuzz-coverage mutate format clean help packages force
+.PHONY: all extremes soak run view check test test-arm64 test-fixed test-programs models-table foreign-table tables hid-table delta-table footprint tradeoff scale predictions compare bench bench-baseline prove exhaustive fuzz fuzz-coverage mutate format clean help packages force
 .SECONDARY:
 .DELETE_ON_ERROR:
 
@@ -61,6 +61,7 @@ packages-features      := clang
 packages-arm64         := libcmocka-dev gcc-aarch64-linux-gnu libc6-dev-arm64-cross qemu-system-arm device-tree-compiler cpio
 packages-test-arm64    := $(packages-arm64)
 packages-kernel        := libcmocka-dev linux-source-6.1 flex bison bc xz-utils gpiod
+packages-foreign       := python3-luma.lcd python3-luma.oled $(packages-kernel)
 packages-format        := clang-format
 packages-soak          := $(packages-host)
 packages-extremes      := $(packages-host)
@@ -71,6 +72,7 @@ packages-fuzz-coverage := $(packages-fuzz)
 packages-view          := libsdl2-dev
 packages-stm32         := $(shell sed -n 's/^RULES_PACKAGES *:= *//p' boards/stm32f405/board.mk)
 packages-simavr        := $(shell sed -n 's/^EMULATE_PACKAGES *:= *//p' boards/arduboy/board.mk)
+packages-foreign-table := $(packages-foreign)
 packages-models-table  := $(packages-models)
 packages-test-programs := $(packages-host)
 packages-footprint     := gcc-arm-none-eabi
@@ -276,6 +278,7 @@ suite-features  := tests/features.sh
 suite-prove     := tests/prove.sh
 suite-format    := tests/format.sh
 suite-kernel    := tests/kernel.sh
+suite-foreign   := tests/foreign.sh
 suite-arm64     := tests/arm64.sh
 suite-extremes  := tests/cli_extremes.sh
 suite-soak      := $(filter $(BUILD)/tests/soak_%,$(test_programs))
@@ -296,12 +299,19 @@ $(kernel_programs): $(BUILD)/tests/kernel/%: $(BUILD)/host/tests/kernel/%.o $(BU
 	@echo "LD $@"
 	@$(CC) $(HOST_OPT) -o $@ $^ -lcmocka $(LINKS)
 
+# The test card for drivers of others.
+$(BUILD)/tests/foreign/card: $(BUILD)/host/tests/foreign/card.o $(library)
+	@mkdir -p $(@D)
+	@echo "LD $@"
+	@$(CC) $(HOST_OPT) -o $@ $^ $(LINKS)
+
 .PHONY: tests-kernel
 tests-kernel: packages
 	$(LIVE)sh tests/kernel/build.sh || true
 
 tests/kernel.sh: tests-kernel $(kernel_programs)
 tests/arm64.sh: $(kernel_programs)
+tests/foreign.sh: tests-kernel $(kernel_programs) $(BUILD)/tests/foreign/card
 
 unknown := $(filter-out $(ALL_SUITES) arm64 fixed features extremes soak,$(suites))
 $(if $(unknown),$(error there is no suite $(unknown); there are: all $(ALL_SUITES) arm64 features extremes))
@@ -387,6 +397,9 @@ models-table: $(BUILD)/limner ## write the outcomes of Debian's test models anew
 tables: $(BUILD)/limner $(demo) ## measure README's table and draw its picture anew
 	$(LIVE)sh sim/tables.sh --write
 
+foreign-table: $(BUILD)/limner tests/foreign.sh ## draw with others' drivers, and write the table of what emulated modules show anew
+	$(LIVE)sh tests/foreign.sh --write
+
 hid-table: $(BUILD)/limner ## predict frames a second over USB-HID anew
 	$(LIVE)sh sim/bridge_table.sh --write
 
@@ -441,5 +454,5 @@ clean: ## remove build/ and out/
 	@rm -rf $(BUILD) out
 
 -include $(patsubst %.o,%.d,$(call object,$(sources) $(generator) $(textured_generator) $(scale_generator) $(test_sources) tests/exhaustive/main.c tests/libfuzzer/main.c tests/libfuzzer/replay.c tests/libfuzzer/seeds.c \
-	tests/boards/walked.c $(wildcard sim/emulators/stm32*.c) \
+	tests/boards/walked.c tests/foreign/card.c $(wildcard sim/emulators/stm32*.c) \
 	$(filter-out %/wire_tap.c %/wire_display.c,$(wildcard tests/kernel/*.c))))

@@ -7,7 +7,7 @@
 # shellcheck shell=sh
 
 readme_page() {
-    grep -l "<!-- $1 begin" README.md sim/MEASURED.md || { echo "no page has a table $1" >&2; return 1; }
+    grep -l "<!-- $1 begin" README.md sim/MEASURED.md tests/foreign/README.md || { echo "no page has a table $1" >&2; return 1; }
 }
 
 readme_with() {

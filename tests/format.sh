@@ -14,7 +14,7 @@ formatted() {
 licensed() {
     # shellcheck disable=SC2086
     ! find $folders Makefile .ci -type f \( -name '*.[ch]' -o -name '*.sh' -o -name '*.ld' -o -name '*.awk' \
-        -o -name '*.mjs' -o -name '*.S' -o -name '*.mk' \
+        -o -name '*.mjs' -o -name '*.py' -o -name '*.S' -o -name '*.mk' \
         -o -name Makefile -o -name run \) -exec grep -L 'SPDX-License-Identifier: MIT' {} + | grep .
 }
 
