@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: MIT
  *
- * `limner decode`: what went over a display's wires, a wire log or a trace of QEMU's, from a file or a pipe -> an
- * emulated display -> frames, a line each, and PNG files and hashes as `limner render --panel` has them. What the chip
- * has to complain about is an error, and named with the line that it came from. */
+ * `limner decode`: what went over a display's wires, a wire log, a trace of QEMU's or a logic analyser's capture, from
+ * a file or a pipe -> an emulated display -> frames, a line each, and PNG files and hashes as `limner render --panel`
+ * has them. What the chip has to complain about is an error, and named with the line or the time that it came from. */
+#include "capture.h"
 #include "commands.h"
 #include "frame_file.h"
 #include "hash_list.h"
@@ -26,6 +27,8 @@ struct decode {
     const char *map_path, *pattern; /* NULL: not asked for */
     uint64_t frames_asked;          /* 0: all that there are */
     bool is_foreign;                /* not written by this project */
+
+    struct capture_choice choice;
 
     struct qemu_map map;
     struct outputs outputs;
@@ -52,7 +55,7 @@ static bool take_frames(struct decode *decode, struct arguments *arguments, stru
 
 static bool take_path(struct decode *decode, const struct arguments *arguments, struct error *err)
 {
-    if (arguments->count < 2) return error_set(err, "decode: needs a wire log, or - for standard input");
+    if (arguments->count < 2) return error_set(err, "decode: needs a wire log or a capture, or - for standard input");
     if (arguments->count > 2) return error_set(err, "decode: what is '%s'?", arguments->items[2]);
     decode->path = arguments->items[1];
     return true;
@@ -66,6 +69,7 @@ static bool decode_parse(struct decode *decode, int argc, char **argv, struct er
     return module_choice_parse(&decode->module, &arguments, err) &&
            arguments_value(&arguments, "--qemu", &decode->map_path, err) &&
            arguments_value(&arguments, "-o", &decode->pattern, err) &&
+           capture_choice_parse(&decode->choice, &arguments, err) &&
            hash_list_parse(&decode->hashes, &arguments, err) && take_frames(decode, &arguments, err) &&
            take_path(decode, &arguments, err);
 }
@@ -146,18 +150,26 @@ static bool has_all(const struct decode *decode)
     return decode->frames_asked && decode->hashes.count == decode->frames_asked;
 }
 
+/* " of 8", where somebody asked for so many. */
+static const char *print_asked(const struct decode *decode, char *text, size_t size_b)
+{
+    text[0] = '\0';
+    if (decode->frames_asked) snprintf(text, size_b, " of %" PRIu64, decode->frames_asked);
+    return text;
+}
+
 /* Where there should be frames and are not, the reason is often on the wires. */
 static bool check_count(const struct decode *decode, struct error *err)
 {
     const struct listener *listener = decode->listener;
     const size_t count = decode->hashes.count;
     if (count && (!decode->frames_asked || has_all(decode))) return true;
-    char asked[32] = "";
-    if (decode->frames_asked) snprintf(asked, sizeof asked, " of %" PRIu64, decode->frames_asked);
+    char asked[32];
     return error_set(err,
                      "%s: ends after %zu%s frames; then %" PRIu64 " bytes came, and the LED, whose change ends a "
                      "frame, stayed%s",
-                     decode->path, count, asked, listener->display.port->bus_b - listener->last_b,
+                     decode->path, count, print_asked(decode, asked, sizeof asked),
+                     listener->display.port->bus_b - listener->last_b,
                      listener->other_b ? "; bytes came while cs was high" : "");
 }
 
@@ -181,6 +193,48 @@ static void tell_notices(const struct decode *decode)
     if (notices) fprintf(stderr, "limner: %s: %u notices, the last: %s\n", decode->path, notices, last);
 }
 
+/* Captures ----------------------------------------------------------------------------------- */
+
+static bool take_captured(void *ctx, struct error *err)
+{
+    struct decode *decode = ctx;
+    return take_frame(decode, err) && !has_all(decode);
+}
+
+static bool check_captured(const struct decode *decode, const struct capture *capture, struct error *err)
+{
+    char why[256], asked[32];
+    if (decode->hashes.count && (!decode->frames_asked || has_all(decode))) return true;
+    capture_say_end(capture, why, sizeof why);
+    return error_set(err, "%s: ends after %zu%s frames; %s", decode->path, decode->hashes.count,
+                     print_asked(decode, asked, sizeof asked), why);
+}
+
+static bool read_capture(struct decode *decode, enum capture_kind kind, struct error *err)
+{
+    struct capture capture = {.choice = &decode->choice,
+                              .module = &decode->module,
+                              .listener = decode->listener,
+                              .path = decode->path,
+                              .is_stream = decode->lines.file == stdin,
+                              .on_frame = take_captured,
+                              .ctx = decode,
+                              .lines_before = decode->lines.number};
+    return capture_read(&capture, kind, decode->lines.file, err) && check_captured(decode, &capture, err);
+}
+
+/* Of what the file is: a trace where there is a map, else it begins as one of them does. */
+static bool read_input(struct decode *decode, struct error *err)
+{
+    const enum capture_kind kind =
+        decode->map_path ? CAPTURE_NONE : capture_kind_of(decode->lines.file, &decode->lines.number);
+    if (kind != CAPTURE_NONE) return read_capture(decode, kind, err);
+    if (!decode->choice.is_asked) return read_lines(decode, err);
+    return error_set(
+        err, "%s: neither a VCD nor a session of sigrok's: --wires, --mode, --pause and --running are for these",
+        decode->path);
+}
+
 /* All of it ---------------------------------------------------------------------------------- */
 
 static bool decode_run(struct decode *decode, struct error *err)
@@ -188,7 +242,7 @@ static bool decode_run(struct decode *decode, struct error *err)
     if (!start(decode, err)) return false;
     idle_options_note_panel(&decode->idle, &decode->module.panel);
     idle_options_note_record(&decode->idle);
-    if (!read_lines(decode, err)) return false;
+    if (!read_input(decode, err)) return false;
     tell_notices(decode);
     return hash_list_close(&decode->hashes, err) && outputs_keep(&decode->outputs, err) &&
            hash_list_check(&decode->hashes, err);
@@ -198,6 +252,7 @@ static void decode_free(struct decode *decode)
 {
     input_close_stream(decode->lines.file);
     hash_list_free(&decode->hashes);
+    wire_names_free(&decode->choice.names);
     outputs_discard(&decode->outputs);
     free(decode->listener);
     free(decode->rgb);

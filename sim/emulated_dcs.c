@@ -359,7 +359,7 @@ static void store_pixel(struct emulated_dcs *chip, uint32_t raw)
     if (chip->madctl & ROW_ORDER) row = chip->glass.mem_h_px - 1u - row;
     if (chip->x == chip->columns[0] && chip->y == chip->rows[0]) chip->first_row = (uint16_t)row;
     chip->memory[row][column] = decode(raw, chip->bits_a_pixel);
-    chip->port.stores++;
+    emulated_port_store(&chip->port, (struct emulated_place){(uint16_t)column, (uint16_t)row, 1, 1});
     advance_address(chip);
 }
 

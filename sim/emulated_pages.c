@@ -363,7 +363,7 @@ static void take_data(void *ctx, uint8_t byte)
     }
     const unsigned wire = chip->columns_flipped ? kind->w_px - 1u - chip->column : chip->column;
     chip->memory[chip->page][wire] = byte;
-    chip->port.stores++;
+    emulated_port_store(&chip->port, (struct emulated_place){(uint16_t)wire, (uint16_t)(8 * chip->page), 1, 8});
     advance(chip);
 }
 

@@ -16,6 +16,12 @@ bool emulated_port_notes(struct emulated_port *port, const char *format, va_list
     return true;
 }
 
+void emulated_port_store(struct emulated_port *port, struct emulated_place place)
+{
+    port->stores++;
+    port->stored = place;
+}
+
 static void receive(struct emulated_port *port)
 {
     port->bus_b += port->pending_b;

@@ -9,6 +9,11 @@
 
 #include <stdarg.h>
 
+/* A rectangle of a chip's memory. */
+struct emulated_place {
+    uint16_t x_px, y_px, w_px, h_px;
+};
+
 /* All of it may be read; the chip's functions get `chip`. */
 struct emulated_port {
     void *chip;
@@ -30,7 +35,8 @@ struct emulated_port {
     unsigned notices; /* of foreign streams: all, and the text of the last */
     char notice[160];
     uint64_t bus_b;  /* bytes received */
-    uint64_t stores; /* by the chip, which counts them: pixels, bytes of several or lines, as its memory takes them */
+    uint64_t stores; /* by the chip, which tells each: pixels, bytes of several or lines, as its memory takes them */
+    struct emulated_place stored; /* the last of them */
 };
 
 /* For the chip: whether it is too soon for what may happen from at_us on. */
@@ -41,6 +47,9 @@ bool emulated_port_is_before(const struct emulated_port *port, uint64_t at_us);
  * and counted here. false: it is a complaint, which is the chip's own to keep; `args` were not touched. */
 __attribute__((format(printf, 2, 0))) bool emulated_port_notes(struct emulated_port *port, const char *format,
                                                                va_list args);
+
+/* For the chip: it stored something. */
+void emulated_port_store(struct emulated_port *port, struct emulated_place place);
 
 /* What a driver's configuration takes. */
 struct bus emulated_port_bus(struct emulated_port *port);

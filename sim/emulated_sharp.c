@@ -82,7 +82,7 @@ static void store_line(struct emulated_sharp *chip)
         complain(chip, "line %u: there are 1..%u", chip->number, chip->kind->h_px);
     else
         memcpy(chip->memory[chip->number - 1], chip->line, sizeof chip->line);
-    chip->port.stores++;
+    emulated_port_store(&chip->port, (struct emulated_place){0, chip->number, chip->kind->w_px, 1});
 }
 
 static void take_byte(void *ctx, uint8_t byte)

@@ -279,7 +279,7 @@ static void store_greys(struct emulated_solomon *chip, uint8_t byte)
 
     chip->memory[chip->row][2 * pair] = upper_first ? byte >> 4 : byte & 15;
     chip->memory[chip->row][2 * pair + 1] = upper_first ? byte & 15 : byte >> 4;
-    chip->port.stores++;
+    emulated_port_store(&chip->port, (struct emulated_place){(uint16_t)(2 * pair), chip->row, 2, 1});
     advance(chip);
 }
 
@@ -294,7 +294,7 @@ static void store_colour(struct emulated_solomon *chip, uint8_t byte)
     if (chip->n_bits < (is_wide ? 24 : 16)) return;
     chip->memory[chip->row][wire] = chip->bits;
     chip->wide[chip->row][wire] = is_wide;
-    chip->port.stores++;
+    emulated_port_store(&chip->port, (struct emulated_place){(uint16_t)wire, chip->row, 1, 1});
     chip->bits = chip->n_bits = 0;
     advance(chip);
 }

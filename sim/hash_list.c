@@ -11,13 +11,14 @@
 bool hash_list_parse(struct hash_list *list, struct arguments *arguments, struct error *err)
 {
     return arguments_value(arguments, "--check", &list->check_path, err) &&
+           arguments_value(arguments, "--check-loop", &list->loop_path, err) &&
            arguments_value(arguments, "--write-hashes", &list->write_path, err);
 }
 
 bool hash_list_open(struct hash_list *list, struct outputs *outputs, struct error *err)
 {
     if (!list->write_path) return true;
-    if (!outputs_spare(outputs, list->check_path, err)) return false;
+    if (!outputs_spare(outputs, list->check_path, err) || !outputs_spare(outputs, list->loop_path, err)) return false;
     list->file = outputs_open(outputs, list->write_path, err);
     return list->file != NULL;
 }
@@ -39,7 +40,8 @@ bool hash_list_close(struct hash_list *list, struct error *err)
 
 bool hash_list_check(const struct hash_list *list, struct error *err)
 {
-    return !list->check_path || hashes_check(list->hashes, list->count, list->check_path, err);
+    if (list->check_path && !hashes_check(list->hashes, list->count, list->check_path, err)) return false;
+    return !list->loop_path || hashes_check_loop(list->hashes, list->count, list->loop_path, err);
 }
 
 void hash_list_free(struct hash_list *list)

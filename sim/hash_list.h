@@ -11,13 +11,13 @@
 #include <stdint.h>
 
 struct hash_list {
-    const char *check_path, *write_path; /* NULL: not asked for */
+    const char *check_path, *loop_path, *write_path; /* NULL: not asked for */
     FILE *file;
     uint64_t *hashes;
     size_t count, capacity;
 };
 
-/* Takes --check and --write-hashes out of *arguments; *list must be zero. */
+/* Takes --check, --check-loop and --write-hashes out of *arguments; *list must be zero. */
 bool hash_list_parse(struct hash_list *list, struct arguments *arguments, struct error *err);
 
 /* Begins the file that is to be written. */

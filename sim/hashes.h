@@ -20,4 +20,8 @@ bool hashes_write(const uint64_t *hashes, size_t count, FILE *file);
 /* Compares with a hash file; the error names the first frame that differs. */
 bool hashes_check(const uint64_t *hashes, size_t count, const char *path, struct error *err);
 
+/* The same with frames of what is shown for ever, seen from anywhere on: the first may be any of the file's, which goes
+ * round. */
+bool hashes_check_loop(const uint64_t *hashes, size_t count, const char *path, struct error *err);
+
 #endif

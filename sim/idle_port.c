@@ -30,3 +30,11 @@ struct port idle_port(void)
                          .tearing = {.wait = wait_for_nothing},
                          .clock = {.delay = wait_for_nothing}};
 }
+
+bool idle_display_setup(struct display *display, const struct module_choice *choice, struct error *err)
+{
+    struct port port = idle_port();
+    if (!choice->panel.family->tells_refresh) port.tearing = (struct edge){0};
+    if (!choice->panel.family->selects) port.select = (struct pin){0};
+    return display_setup(display, &choice->panel, &choice->module, &port, err);
+}

@@ -43,7 +43,7 @@ void listener_bytes(struct listener *listener, const uint8_t *bytes, size_t n_b)
         expect(bus_write(&listener->port.bus, bytes, n_b));
 }
 
-static void end_frame(struct listener *listener)
+void listener_end_frame(struct listener *listener)
 {
     const struct emulated_port *port = listener->display.port;
     if (port->stores == listener->last_stores) return;
@@ -73,7 +73,7 @@ void listener_level(struct listener *listener, enum listener_pin pin, bool high)
 {
     const struct pin *of_chip = wired_pin(listener, pin);
     if (of_chip && pin_is_wired(of_chip)) expect(pin_set(of_chip, high));
-    if (pin == LISTENER_LED && high != listener->is_high[LISTENER_LED]) end_frame(listener);
+    if (pin == LISTENER_LED && high != listener->is_high[LISTENER_LED]) listener_end_frame(listener);
     listener->is_high[pin] = high;
 }
 

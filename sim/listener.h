@@ -36,6 +36,9 @@ void listener_init(struct listener *listener, const struct module_choice *choice
 
 void listener_bytes(struct listener *listener, const uint8_t *bytes, size_t n_b);
 
+/* A frame ends here, if pixels came since the last one did, although the LED has not changed. */
+void listener_end_frame(struct listener *listener);
+
 /* The level of a wire, changed or not. */
 void listener_level(struct listener *listener, enum listener_pin pin, bool high);
 

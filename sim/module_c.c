@@ -10,15 +10,6 @@
 
 #include <inttypes.h>
 
-/* A board has every pin that a panel may want. */
-static bool try_driver(const struct module_choice *choice, struct display *display, struct error *err)
-{
-    struct port port = idle_port();
-    if (!choice->panel.family->tells_refresh) port.tearing = (struct edge){0};
-    if (!choice->panel.family->selects) port.select = (struct pin){0};
-    return display_setup(display, &choice->panel, &choice->module, &port, err);
-}
-
 /* In screen.h's terms. */
 static const char *lines_macro(const struct panel *panel)
 {
@@ -85,6 +76,6 @@ static bool put(const struct module_choice *choice, const struct display *displa
 bool module_c_put(const struct module_choice *choice, const char *path, struct outputs *outputs, struct error *err)
 {
     struct display display;
-    return try_driver(choice, &display, err) && put(choice, &display, path, true, outputs, err) &&
+    return idle_display_setup(&display, choice, err) && put(choice, &display, path, true, outputs, err) &&
            put(choice, &display, path, false, outputs, err);
 }

@@ -4,32 +4,7 @@
 # on a board that is this computer and writes down what goes over its wires (tests/wire_board); decoded, these are the
 # frames that `limner render` has of that panel, and no wait was too short. Bad input ends with one line that names it.
 . tests/tap.sh
-
-limner=$BUILD/limner
-model=sim/scenes/icosahedron.obj
-printf '%s\n' '0 1 4 0 0 0' '2 1 3 0 0 0' '3 0 1 0 0 0' '1 -1 3 0.3 0 0' >"$work/path.cam"
-
-compile() { # SOURCE...: for the scene
-    # shellcheck disable=SC2086 # warnings are words
-    printf '%s\n' "$@" | (cd "$work/objects" && xargs -P 2 -n 8 "${CC:-gcc}" -std=c11 -O1 $WARNINGS -I"$work" \
-        -DLIM_CONFIG='"model.h"' -I"$OLDPWD/firmware" -I"$OLDPWD/hal" -I"$OLDPWD/hal/mcu" -I"$OLDPWD/boards/common" -c)
-}
-
-compile_scene() {
-    mkdir -p "$work/objects"
-    "$limner" compile "$model" --size 240x240 -o "$work/model" &&
-        compile "$work/model.c" "$PWD"/firmware/*.c "$PWD/boards/common/screen.c" "$PWD/tests/wire_board/board.c"
-}
-
-make_firmware() { # SIZE RENDERED-PANEL PANEL OPTION...
-    size=$1 rendered=$2
-    shift 2
-    "$limner" render "$model" --camera "$work/path.cam" --size "$size" --panel "$rendered" \
-        --write-hashes "$work/golden" --write-cameras "$work/cameras.h" &&
-        "$limner" module --panel "$@" -o "$work/module" &&
-        compile "$work/module.c" "$PWD/boards/common/main.c" "$PWD/boards/common/app_scene.c" &&
-        "${CC:-gcc}" -o "$work/firmware" "$work"/objects/*.o "$BUILD/host/liblimner.a"
-}
+. tests/wire_board/firmware.sh
 
 decode() { # OPTION...: of what the firmware does
     "$work/firmware" | timeout 20 "$limner" decode - "$@"
@@ -55,7 +30,7 @@ tap_check "those of a memory LCD, whose select is the driver's" shows 128x128 \
 # -- What is made of them: the last firmware's frames ------------------------------------------------------------------
 
 log=$work/wires
-"$work/firmware" | awk '{ print } $1 == "p" && $2 == "led" && frames++ == 4 { exit }' >"$log" # level 0, four changes
+wires_of_four >"$log"
 
 lcd() { # OPTION...
     "$limner" decode "$log" --panel ls013b7dh03 "$@"
@@ -67,15 +42,6 @@ writes_files() {
         --check "$work/golden"
 }
 tap_check "hashes and pictures are those of render" writes_files
-
-fails() { # PATTERN COMMAND...: one line of error, nothing else left
-    pattern=$1
-    shift
-    rm -rf "$work/bad"
-    "$@" >"$work/out" 2>"$work/said" && return 1
-    cat "$work/said"
-    [ "$(wc -l <"$work/said")" -eq 1 ] && grep -qE -- "$pattern" "$work/said" && [ ! -e "$work/bad" ]
-}
 
 cut_bytes() { # all lines, one of them without its last byte
     awk 'NF > 16 && !cut++ { sub(/ [0-9A-F][0-9A-F]$/, "") } { print }' "$log" >"$work/cut"

@@ -125,7 +125,7 @@ libraries_known() {
         grep -q -- '-DLIM_GPIOD=1 ' "$work/build/boards/linux/common/flags"
 }
 program() { afresh && made "$work/build/limner" && called gcc && [ -x "$work/build/limner" ]; }
-two_goals() { made run test-programs && called gcc && has libcmocka-dev libosmesa6-dev; }
+two_goals() { made run test-programs && called gcc && has libcmocka-dev libosmesa6-dev sigrok-cli; }
 one_test() { rm -rf "$work/build/tests" "$work/build/host/tests" && made "$work/build/tests/test_span" && called gcc; }
 one_object() { rm -rf "$work/build/host/tests" && made "$work/build/host/tests/test_span.o" && called gcc; }
 kernel_program() { made "$work/build/tests/kernel/replay" && called gcc; }
