@@ -182,6 +182,7 @@ bool capture_begin(struct capture *capture, const struct channels *channels, uin
     capture->has_time = has_time;
     capture->wires = (struct spi_wires){.events = {capture, take_byte, take_level},
                                         .takes_falling = choice->mode == 1 || choice->mode == 2,
+                                        .rests_high = choice->mode >= 2,
                                         .is_running = choice->is_running,
                                         .sample_ns = sample_ns};
     for (int i = 0; i < CAPTURE_WIRES; i++)

@@ -69,7 +69,7 @@ static bool take_bit(struct spi_wires *wires, uint64_t now_ns, struct error *err
     return wires->events.byte(wires->events.ctx, now_ns, wires->byte, err);
 }
 
-/* The clock may be unknown until somebody drives it. */
+/* The clock may be unknown until somebody drives it: then it is where it rests. */
 static bool take_clock(struct spi_wires *wires, uint64_t now_ns, struct wire_levels levels, struct error *err)
 {
     const uint8_t clock = bit_of(CAPTURE_SCK);
@@ -78,9 +78,10 @@ static bool take_clock(struct spi_wires *wires, uint64_t now_ns, struct wire_lev
         if (wires->has_begun && was_known && wires->n_bits)
             return error_set(err, "sck is unknown (x or z) within a byte");
         wires->at.unknown |= clock;
+        wires->at.high = (uint8_t)((wires->at.high & ~clock) | (wires->rests_high ? clock : 0));
         return true;
     }
-    const bool is_edge = wires->has_begun && was_known && high != ((wires->at.high & clock) != 0);
+    const bool is_edge = wires->has_begun && high != ((wires->at.high & clock) != 0);
     wires->at.unknown &= (uint8_t)~clock;
     wires->at.high = (uint8_t)((wires->at.high & ~clock) | (levels.high & clock));
     if (!is_edge) return true;

@@ -27,6 +27,7 @@ struct spi_wires {
     struct wire_events events;
     uint8_t wired;         /* wires that were captured; the clock, MOSI and either D/C or select are */
     bool takes_falling;    /* bits come with the falling edge: SPI modes 1 and 2 */
+    bool rests_high;       /* the clock: SPI modes 2 and 3 */
     bool is_running;       /* the capture begins anywhere: what comes before the first command is left out */
     uint64_t sample_ns;    /* between two samples; 0: edges have times of their own */
     struct wire_levels at; /* now */

@@ -1,9 +1,10 @@
 /* SPDX-License-Identifier: MIT
  *
  * Runs an Arduboy's image in simavr, with simavr's own SSD1306 on its pins:
- *     simavr_oled IMAGE.elf FRAMES PICTURES LOG
- * PICTURES names a PNG file for each frame ('out/%03d.png'), of what that display shows; LOG becomes a wire log. A
- * frame ends when the green light changes. Standard output tells its cycles.
+ *     simavr_oled IMAGE.elf FRAMES PICTURES LOG [DUMP.vcd]
+ * PICTURES names a PNG file for each frame ('out/%03d.png'), of what that display shows; LOG becomes a wire log, DUMP
+ * what a logic analyser on the pins would capture, in simavr's own writing. A frame ends when the green light changes.
+ * Standard output tells its cycles.
  *
  * simavr lets every byte on the SPI take 100 us. What the processor waits for that is told apart, beside what the byte
  * takes at 8 MHz. */
@@ -13,6 +14,7 @@
 #include <simavr/avr_spi.h>
 #include <simavr/sim_avr.h>
 #include <simavr/sim_elf.h>
+#include <simavr/sim_vcd_file.h>
 #include <ssd1306_virt.h>
 #include <stdbool.h>
 #include <stdlib.h>
@@ -21,12 +23,17 @@
 enum { CPU_HZ = 16000000, W_PX = 128, H_PX = 64, WAIT_CYCLES = CPU_HZ / 10000, BUS_CYCLES = 16 };
 enum { SECONDS_MAX = 30 }; /* of the board's time */
 enum { LED = 7 };          /* of port B */
+enum { DUMP_US = 500 };    /* so much of the dump is in memory */
+enum { SCK, MOSI, SPI_PINS };
 
 struct run {
     avr_t *avr;
     ssd1306_t display;
     const char *pictures;
     FILE *log;
+    const char *dump_path; /* NULL: none is wanted */
+    avr_vcd_t dump;
+    avr_irq_t *spi; /* pins that simavr's SPI does not move */
     unsigned frames, frames_wanted;
     unsigned bytes; /* of this frame */
     avr_cycle_count_t began;
@@ -81,11 +88,22 @@ static void end_frame(struct run *run)
     run->frames++;
 }
 
+/* Mode 0, all bits when the byte has gone: the dump lets the edges follow each other. */
+static void clock_out(struct run *run, uint32_t value)
+{
+    for (int bit = 7; bit >= 0; bit--) {
+        avr_raise_irq(&run->spi[MOSI], value >> bit & 1);
+        avr_raise_irq(&run->spi[SCK], 1);
+        avr_raise_irq(&run->spi[SCK], 0);
+    }
+}
+
 static void on_byte(struct avr_irq_t *irq, uint32_t value, void *ctx)
 {
     struct run *run = ctx;
 
     (void)irq;
+    if (run->dump_path) clock_out(run, value);
     fprintf(run->log, "b %02X\n", (unsigned)value & 0xFFu);
     run->bytes++;
 }
@@ -138,6 +156,23 @@ static void wire(struct run *run)
     avr_irq_register_notify(avr_io_getirq(avr, AVR_IOCTL_IOPORT_GETIRQ('B'), LED), on_led, run);
 }
 
+/* The names are those on an Arduboy's plan. */
+static bool begin_dump(struct run *run)
+{
+    static const char *names[SPI_PINS] = {">sck", ">mosi"};
+    avr_t *avr = run->avr;
+
+    run->spi = avr_alloc_irq(&avr->irq_pool, 0, SPI_PINS, names);
+    if (avr_vcd_init(avr, run->dump_path, &run->dump, DUMP_US)) return fail(run->dump_path, strerror(errno));
+    avr_vcd_add_signal(&run->dump, &run->spi[SCK], 1, "SCK");
+    avr_vcd_add_signal(&run->dump, &run->spi[MOSI], 1, "MOSI");
+    avr_vcd_add_signal(&run->dump, avr_io_getirq(avr, AVR_IOCTL_IOPORT_GETIRQ('D'), 4), 1, "DC");
+    avr_vcd_add_signal(&run->dump, avr_io_getirq(avr, AVR_IOCTL_IOPORT_GETIRQ('D'), 6), 1, "CS");
+    avr_vcd_add_signal(&run->dump, avr_io_getirq(avr, AVR_IOCTL_IOPORT_GETIRQ('D'), 7), 1, "RST");
+    avr_vcd_add_signal(&run->dump, avr_io_getirq(avr, AVR_IOCTL_IOPORT_GETIRQ('B'), LED), 1, "LED");
+    return avr_vcd_start(&run->dump) == 0 || fail(run->dump_path, strerror(errno));
+}
+
 static bool load(struct run *run, const char *path)
 {
     elf_firmware_t firmware;
@@ -166,7 +201,7 @@ static bool run_frames(struct run *run)
 
 int main(int argc, char **argv)
 {
-    if (argc != 5) return !fail("usage", "simavr_oled IMAGE.elf FRAMES PICTURES LOG");
+    if (argc != 5 && argc != 6) return !fail("usage", "simavr_oled IMAGE.elf FRAMES PICTURES LOG [DUMP.vcd]");
     struct run run = {.pictures = argv[3], .frames_wanted = (unsigned)strtoul(argv[2], NULL, 10)};
 
     run.log = fopen(argv[4], "w");
@@ -174,7 +209,9 @@ int main(int argc, char **argv)
     bool ok = load(&run, argv[1]);
     if (ok) {
         wire(&run);
-        ok = run_frames(&run);
+        run.dump_path = argv[5];
+        ok = (!run.dump_path || begin_dump(&run)) && run_frames(&run);
+        if (run.dump_path) avr_vcd_close(&run.dump);
     }
     if (fclose(run.log)) ok = fail(argv[4], strerror(errno));
     return !ok;
