@@ -13,7 +13,7 @@
 #include <string.h>
 
 /* Power came so long before whatever comes first: that is no chip's wait. */
-enum { POWER_US = 200000, PAUSE_MAX_US = 1000000000 };
+enum { POWER_US = 200000, PAUSE_MAX_US = 1000000000, USUAL_MODE = 0 };
 
 /* The command line --------------------------------------------------------------------------- */
 
@@ -32,7 +32,7 @@ bool capture_choice_parse(struct capture_choice *out, struct arguments *argument
     *out = (struct capture_choice){.is_running = arguments_flag(arguments, "--running")};
     if (!arguments_value(arguments, "--wires", &wires, err)) return false;
     out->is_asked = out->is_running || wires;
-    return wire_names_parse(&out->names, wires, err) && take_number(out, arguments, "--mode", 0, 3, &out->mode, err) &&
+    return wire_names_parse(&out->names, wires, err) &&
            take_number(out, arguments, "--pause", 1, PAUSE_MAX_US, &out->pause_us, err);
 }
 
@@ -175,14 +175,15 @@ bool capture_begin(struct capture *capture, const struct channels *channels, uin
                    struct error *err)
 {
     const struct capture_choice *choice = capture->choice;
+    const uint8_t mode = spi_mode_of(capture->module->spi_modes, USUAL_MODE);
     if (!wires_find(capture->wire, &choice->names, channels, capture->module->panel.family->selects, capture->path,
                     err))
         return false;
     if (choice->pause_us && !has_time) return error_set(err, "%s: --pause: it tells no time", capture->path);
     capture->has_time = has_time;
     capture->wires = (struct spi_wires){.events = {capture, take_byte, take_level},
-                                        .takes_falling = choice->mode == 1 || choice->mode == 2,
-                                        .rests_high = choice->mode >= 2,
+                                        .takes_falling = mode == 1 || mode == 2,
+                                        .rests_high = mode >= 2,
                                         .is_running = choice->is_running,
                                         .sample_ns = sample_ns};
     for (int i = 0; i < CAPTURE_WIRES; i++)

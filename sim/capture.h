@@ -16,14 +16,13 @@
 /* What the command line says. */
 struct capture_choice {
     struct wire_names names;
-    uint32_t mode;     /* of SPI, 0 to 3 */
     uint32_t pause_us; /* a frame ends where nothing comes for so long; 0: it does not */
     bool is_running; /* the firmware was started before the capture: the display is as the module's own driver starts it
                       */
     bool is_asked;   /* there was one of the options: they mean nothing without a capture */
 };
 
-/* Takes --wires, --mode, --pause and --running out of *arguments. */
+/* Takes --wires, --pause and --running out of *arguments. */
 bool capture_choice_parse(struct capture_choice *out, struct arguments *arguments, struct error *err);
 
 /* Private but for what is set at first. */

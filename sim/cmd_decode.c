@@ -230,9 +230,8 @@ static bool read_input(struct decode *decode, struct error *err)
         decode->map_path ? CAPTURE_NONE : capture_kind_of(decode->lines.file, &decode->lines.number);
     if (kind != CAPTURE_NONE) return read_capture(decode, kind, err);
     if (!decode->choice.is_asked) return read_lines(decode, err);
-    return error_set(
-        err, "%s: neither a VCD nor a session of sigrok's: --wires, --mode, --pause and --running are for these",
-        decode->path);
+    return error_set(err, "%s: neither a VCD nor a session of sigrok's: --wires, --pause and --running are for these",
+                     decode->path);
 }
 
 /* All of it ---------------------------------------------------------------------------------- */

@@ -141,7 +141,6 @@ static const char USAGE[] =
     "  or a logic analyser's capture: a VCD, or sigrok's session (.sr)\n"
     "  --wires dc=D0,...   which channels are dc, sck, mosi, cs, reset, select, backlight and led (those with usual\n"
     "                      names: DC RS A0, SCK SCLK CLK, MOSI SDA DIN, CS CE SS, RST RES, BL, LED); cs=-: none\n"
-    "  --mode 0-3          of SPI (0)\n"
     "  --running           the firmware was started before the capture: the display is taken for one that is set up\n"
     "  --pause US          a frame ends where nothing comes for so long (without led: where the picture is whole)\n"
     "  --frames N          ends after so many (all)\n"
