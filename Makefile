@@ -115,7 +115,7 @@ LINKS = $(shell pkg-config --libs $(LIBRARIES)) -lgmp -lz -lm
 
 object  = $(patsubst %.c,$(BUILD)/host/%.o,$(1))
 sources := $(filter-out sim/core.c,$(wildcard firmware/*.c hal/*.c hal/linux/*.c hal/hid/*.c hal/mcu/*.c sim/*.c)) \
-	boards/common/screen.c boards/common/walker.c
+	$(addprefix boards/common/,card.c screen.c test_card.c walker.c)
 library := $(BUILD)/host/liblimner.a
 
 # The compiler reads its flags from this file, so that whatever is compiled is compiled anew when they change.
@@ -294,7 +294,7 @@ tests/boards_lm3s6965evb.sh: $(BUILD)/tests/boards/walked
 # Programs for the tests with a kernel of their own, which is built beforehand because that takes minutes, once.
 kernel_programs := $(patsubst %,$(BUILD)/tests/kernel/%,replay port_calls bridge power_off pins wires paint)
 
-$(kernel_programs): $(BUILD)/tests/kernel/%: $(BUILD)/host/tests/kernel/%.o $(BUILD)/host/tests/kernel/card.o $(library)
+$(kernel_programs): $(BUILD)/tests/kernel/%: $(BUILD)/host/tests/kernel/%.o $(library)
 	@mkdir -p $(@D)
 	@echo "LD $@"
 	@$(CC) $(HOST_OPT) -o $@ $^ -lcmocka $(LINKS)

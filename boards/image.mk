@@ -3,6 +3,7 @@
 # Builds the image of one board: `make BOARD=bluepill [SCENE=MODEL] [PANEL=NAME] [PRECISION=NAME]`. The board's folder
 # says what it is (board.mk); all of that, and what is below, can be said otherwise on make's command line:
 #   SCENE      a model's file, or the name of one in sim/scenes    CAMERA   its path (beside it, or round the model)
+#              test-card: the board's self-test, the card and then a solid that turns; CARD_MS: how long it stays
 #   PANEL      the display's chip    MODULE   options of its module: limner help, play: --size 128x128 --rotate 90
 #   STREAM     yes: two renderers, of which one finds out what is seen while the other's frame is sent; no; auto: if both
 #              have room    LINES  of pixels in RAM, at most
@@ -39,15 +40,18 @@ packages-rules    = $(RULES_PACKAGES)
 # -- The scene and its path -------------------------------------------------------------------------------------------
 
 $(if $(word 2,$(SCENE)),$(error SCENE=$(SCENE): make knows no paths with spaces))
-model  := $(firstword $(wildcard $(SCENE)) $(wildcard sim/scenes/$(SCENE).obj) $(wildcard sim/scenes/$(SCENE).gltf) \
-	$(filter $(BUILD)/scenes/$(SCENE).obj,$(demo)) $(filter $(BUILD)/scenes/$(SCENE)/$(SCENE).obj,$(textured)))
-$(if $(model),,$(error there is no scene $(SCENE): neither a file nor a name in sim/scenes, nor demo or textured))
+CARD    := $(filter test-card,$(SCENE))
+CARD_MS := 3000
+scene   := $(if $(CARD),icosahedron,$(SCENE))
+model   := $(firstword $(wildcard $(scene)) $(wildcard sim/scenes/$(scene).obj) $(wildcard sim/scenes/$(scene).gltf) \
+	$(filter $(BUILD)/scenes/$(scene).obj,$(demo)) $(filter $(BUILD)/scenes/$(scene)/$(scene).obj,$(textured)))
+$(if $(model),,$(error there is no scene $(SCENE): neither a file nor a name in sim/scenes, nor demo, textured or test-card))
 CAMERA  = $(filter $(basename $(model)).cam,$(demo) $(textured) $(wildcard $(basename $(model)).cam))
-name   := $(basename $(notdir $(model)))-$(subst :,-,$(PANEL))-$(PRECISION)
-BOARDS := $(BUILD)/boards
-folder := $(BOARDS)/$(BOARD)/$(name)
-IMAGE  := $(folder)/image
-common := $(BOARDS)/$(BOARD)/common
+name    := $(or $(CARD),$(basename $(notdir $(model))))-$(subst :,-,$(PANEL))-$(PRECISION)
+BOARDS  := $(BUILD)/boards
+folder  := $(BOARDS)/$(BOARD)/$(name)
+IMAGE   := $(folder)/image
+common  := $(BOARDS)/$(BOARD)/common
 options = --precision $(PRECISION) --size $(module_size)
 
 # WxH of the panel, once the module is described.
@@ -59,12 +63,13 @@ camera_turn  = $(shell sed -n 's/^.define MODULE_CAMERA_TURN PANEL_TURNED_//p' $
 camera_lies  = $(filter 90 270,$(camera_turn))
 picture_size = $(if $(camera_lies),$(subst $() ,x,$(lastword $(subst x, ,$(module_size))) $(firstword $(subst x, ,$(module_size)))),$(module_size))
 scene_flags  = $(if $(camera_lies),-DSCENE_CAMERA_LIES)
+card_flags   = $(if $(CARD),-DBOARD_CARD=1 -DBOARD_CARD_MS=$(CARD_MS))
 
 # What a file is made from, so that it is made anew when that changes.
 $(folder)/choice: force
 	@mkdir -p $(@D) $(common)
-	@echo '$(PANEL) $(MODULE) $(PRECISION) $(model) $(CAMERA) $(COMPILE) $(STREAM)' | cmp -s - $@ || \
-		echo '$(PANEL) $(MODULE) $(PRECISION) $(model) $(CAMERA) $(COMPILE) $(STREAM)' > $@
+	@echo '$(PANEL) $(MODULE) $(PRECISION) $(model) $(CAMERA) $(COMPILE) $(STREAM) $(card_flags)' | cmp -s - $@ || \
+		echo '$(PANEL) $(MODULE) $(PRECISION) $(model) $(CAMERA) $(COMPILE) $(STREAM) $(card_flags)' > $@
 
 $(folder)/module.c: $(folder)/choice $(BUILD)/limner
 	@$(BUILD)/limner module --panel $(PANEL) $(MODULE) -o $(folder)/module
@@ -81,11 +86,11 @@ $(folder)/cameras.h: $(folder)/model.lim $(CAMERA)
 
 board_flags = $(STANDARD) $(ARCH) $(OPT) $(WARNINGS) -ffunction-sections -fdata-sections $(FRAMES) -MMD -MP \
 	-DBOARD_LINES=$(LINES) $(DEFINES) -Ifirmware -Ihal -Iboards/common -I$(board_folder)
-image_flags = -I$(folder) -DLIM_CONFIG='"model.h"' $(stream_flags)
+image_flags = -I$(folder) -DLIM_CONFIG='"model.h"' $(stream_flags) $(card_flags)
 stream_flags = $(if $(filter no,$(STREAM)),,-DLIM_HAS_STREAM=1 -DSCENE_RENDERERS=2)
 
 board_sources := $(wildcard hal/*.c) $(SOURCES) $(START)
-image_sources := $(wildcard firmware/*.c) $(wildcard $(addprefix boards/common/,main.c app_scene.c screen.c walker.c))
+image_sources := $(wildcard firmware/*.c) $(wildcard $(addprefix boards/common/,main.c app_scene.c card.c screen.c test_card.c walker.c))
 board_objects := $(patsubst %,$(common)/%.o,$(basename $(board_sources))) $(if $(BOOT2),$(common)/boot2.o)
 image_objects := $(patsubst %.c,$(folder)/%.o,$(image_sources)) $(folder)/module.o
 
@@ -138,7 +143,7 @@ export BOARD TOOLS ARCH OPT LINK LAST FLASH_B RAM_B STREAM LINES
 $(IMAGE).elf: $(board_objects) $(image_objects) boards/link.sh sim/footprint.sh sim/stack.awk sim/avr_graph.awk \
 		$(folder)/limits $(wildcard $(board_folder)/*.ld boards/common/*.ld)
 	$(LIVE)rm -f $(IMAGE).*
-	$(LIVE)COMPILER='$(TOOLS)gcc $(board_flags) $(stream_flags) $(scene_flags)' sh boards/link.sh $(folder) \
+	$(LIVE)COMPILER='$(TOOLS)gcc $(board_flags) $(stream_flags) $(scene_flags) $(card_flags)' sh boards/link.sh $(folder) \
 		'$(BOARD): $(model) on $(PANEL), $(module_size), precision $(PRECISION)' $(board_objects) $(image_objects)
 
 $(IMAGE).bin: $(IMAGE).elf
@@ -150,9 +155,16 @@ $(IMAGE).hex: $(IMAGE).elf
 $(IMAGE).uf2: $(IMAGE).bin $(BUILD)/limner
 	@$(BUILD)/limner uf2 $< -o $@ $(UF2)
 
+# A frame more, the first one.
+define with_card
+@$(BUILD)/limner card --panel $(PANEL) $(MODULE) --write-hashes $@.card > $@.said && mv $@ $@.path && \
+	cat $@.card $@.path | awk '{ print NR - 1, $$2 }' > $@
+endef
+
 # What the simulator makes of the same scene on the same panel: the emulated board's frames are checked against it.
 $(folder)/golden: $(folder)/model.lim $(CAMERA) $(BUILD)/limner
 	@$(BUILD)/limner render $(model) $(addprefix --camera ,$(CAMERA)) $(options) --panel $(PANEL) $(filter-out --frame --framebuffer,$(COMPILE)) --write-hashes $@
+	$(if $(CARD),$(with_card))
 
 # For EMULATE: N frames of the path, and what makes pictures of the bytes that an emulator tells.
 N      := 8

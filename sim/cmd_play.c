@@ -2,6 +2,7 @@
  *
  * `limner play`: options -> port, panel, screen -> a scene's camera path, or the test card, on a real display. What can
  * be refused without the hardware is refused before it is touched. */
+#include "card.h"
 #include "commands.h"
 #include "deadline.h"
 #include "faithful.h"
@@ -12,7 +13,6 @@
 #include "parse.h"
 #include "player.h"
 #include "port_choice.h"
-#include "test_card.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -165,38 +165,11 @@ static int draw_scene(void *ctx, uint64_t frame)
 
 /* The test card --------------------------------------------------------------------------------- */
 
-/* A pixel of the picture that the viewer has, when it is the camera that turns: then it lies elsewhere on the glass. */
-static uint16_t card_px(const struct play *play, unsigned x_px, unsigned y_px)
-{
-    const unsigned w_px = play->screen.target.w_px, h_px = play->screen.target.h_px;
-    switch (play->display.camera_turn) {
-    case PANEL_TURNED_90:
-        return test_card_px(y_px, w_px - 1 - x_px, h_px, w_px);
-    case PANEL_TURNED_180:
-        return test_card_px(w_px - 1 - x_px, h_px - 1 - y_px, w_px, h_px);
-    case PANEL_TURNED_270:
-        return test_card_px(h_px - 1 - y_px, x_px, h_px, w_px);
-    default:
-        return test_card_px(x_px, y_px, w_px, h_px);
-    }
-}
-
 static int draw_card(void *ctx, uint64_t frame)
 {
     struct play *play = ctx;
-    const struct lim_target *target = &play->screen.target;
     (void)frame;
-    int err = screen_begin_frame(&play->screen);
-    for (uint16_t y_px = 0; y_px < target->h_px && !err; y_px++) {
-        uint8_t *line = target->lend(target->ctx, y_px);
-        for (unsigned x_px = 0; x_px < target->w_px; x_px++) {
-            const uint16_t rgb565 = card_px(play, x_px, y_px);
-            line[2 * x_px] = (uint8_t)(rgb565 >> 8);
-            line[2 * x_px + 1] = (uint8_t)rgb565;
-        }
-        err = target->done(target->ctx, y_px, 0, target->w_px);
-    }
-    return err ? err : screen_end_frame(&play->screen);
+    return card_draw(&play->screen, play->display.camera_turn);
 }
 
 /* All of it ------------------------------------------------------------------------------------- */

@@ -15,6 +15,7 @@ int cmd_play(int argc, char **argv);
 int cmd_devices(int argc, char **argv);
 int cmd_bridge(int argc, char **argv);
 int cmd_module(int argc, char **argv);
+int cmd_card(int argc, char **argv);
 int cmd_decode(int argc, char **argv);
 int cmd_hashes(int argc, char **argv);
 int cmd_uf2(int argc, char **argv);

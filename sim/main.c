@@ -24,6 +24,7 @@ static const char USAGE[] =
     "       limner play MODEL|SCENE.lim    fly a camera path on a real display, by SPI and GPIO\n"
     "       limner devices                 what a display can hang on here, and why not\n"
     "       limner module -o NAME          a display's module as NAME.c and NAME.h, for firmware\n"
+    "       limner card                    the test card as a display's module shows it, for comparison\n"
     "       limner decode FILE|-           frames out of what went over a display's wires, or an analyser captured\n"
     "       limner hashes PICTURE.png...   of pictures that others' displays showed\n"
     "       limner bridge                  frames a second over USB-HID, predicted; or of one --panel NAME --size WxH\n"
@@ -133,6 +134,7 @@ static const char USAGE[] =
     "  --frames N          ends after so many\n"
     "  --test-card         instead of a scene: corners clockwise red, green, blue and a grey ramp\n"
     "module: --panel, --hz, --mode and what follows --size, but for --frames and --test-card, as play\n"
+    "card: --panel and the module's options as above; -o FILE.png, --write-hashes FILE, --check FILE\n"
     "decode: --panel and the module's options as above; FILE is a wire log: lines `b XX ...` for bytes, `p NAME 0|1`\n"
     "        for levels of dc, reset, select, backlight, cs and led, which ends frames, `t NANOSECONDS`, `# ...`\n"
     "  --qemu MAP          instead: what QEMU prints with -trace memory_region_ops_write; MAP says which registers\n"
@@ -165,11 +167,14 @@ static const struct command {
     const char *name;
     int (*run)(int argc, char **argv);
     bool is_long; /* reads models, takes --time-limit */
-} COMMANDS[] = {{"compile", cmd_compile, true}, {"render", cmd_render, true},    {"view", cmd_view, true},
-                {"measure", cmd_measure, true}, {"compare", cmd_compare, true},  {"splitters", cmd_splitters, true},
-                {"play", cmd_play, true},       {"devices", cmd_devices, false}, {"bridge", cmd_bridge, false},
-                {"module", cmd_module, false},  {"decode", cmd_decode, false},   {"hashes", cmd_hashes, false},
-                {"uf2", cmd_uf2, false},        {"boot2", cmd_boot2, false},     {"report-bug", cmd_report_bug, true},
+} COMMANDS[] = {{"compile", cmd_compile, true}, {"render", cmd_render, true},
+                {"view", cmd_view, true},       {"measure", cmd_measure, true},
+                {"compare", cmd_compare, true}, {"splitters", cmd_splitters, true},
+                {"play", cmd_play, true},       {"devices", cmd_devices, false},
+                {"bridge", cmd_bridge, false},  {"module", cmd_module, false},
+                {"card", cmd_card, false},      {"decode", cmd_decode, false},
+                {"hashes", cmd_hashes, false},  {"uf2", cmd_uf2, false},
+                {"boot2", cmd_boot2, false},    {"report-bug", cmd_report_bug, true},
                 {"replay", cmd_replay, true}};
 
 /* --trust-paths, which means the same to all commands that read models, is taken out. */

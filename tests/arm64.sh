@@ -18,8 +18,8 @@ skip_all() {
 compile() {
     # shellcheck disable=SC2086 # a list
     $cross -std=c11 -O2 $WARNINGS -D_POSIX_C_SOURCE=200809L -DLIM_GPIOD=1 -Ifirmware -Ihal -Isim -Iboards/common \
-        -I"$debian/usr/include" -static -o "$work/root/bin/draw_card" $here/draw_card.c $here/card.c \
-        hal/*.c hal/linux/*.c boards/common/screen.c sim/display.c sim/c_field.c sim/error.c sim/test_card.c "$debian/usr/lib/aarch64-linux-gnu/libgpiod.a"
+        -I"$debian/usr/include" -static -o "$work/root/bin/draw_card" $here/draw_card.c boards/common/card.c \
+        hal/*.c hal/linux/*.c boards/common/screen.c sim/display.c sim/c_field.c sim/error.c boards/common/test_card.c "$debian/usr/lib/aarch64-linux-gnu/libgpiod.a"
 }
 
 # As boards/linux/README.md says, against Debian's libgpiod of that architecture.

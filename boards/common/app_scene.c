@@ -177,6 +177,18 @@ int scene_draw(void)
 }
 #endif
 
+#if LIM_HAS_DELTA
+void scene_refresh(void)
+{
+    for (uint8_t which = 0; which < RENDERERS; which++)
+        lim_refresh(&lim[which]);
+}
+#else
+void scene_refresh(void)
+{
+}
+#endif
+
 void scene_camera(uint16_t frame, struct lim_camera *camera)
 {
     *camera = cameras[frame];

@@ -37,6 +37,9 @@ void scene_camera(uint16_t frame, struct lim_camera *camera);
  * that rate as `limner render --fps` has it). */
 void scene_announce(uint16_t frame, const struct lim_camera *camera);
 
+/* Something else was shown meanwhile: the next frame is sent whole. */
+void scene_refresh(void);
+
 /* Draws the frame that was announced, or of two the earlier one, into the target. 0 or what lim_frame() returns. */
 LIM_MUST_CHECK int scene_draw(void);
 

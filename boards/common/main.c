@@ -1,11 +1,13 @@
 /* SPDX-License-Identifier: MIT
  *
  * The firmware of every board: a compiled scene, seen from the cameras of its path, one after the other and for ever,
- * on the panel that was chosen; buttons, where there are some, leave the path. The LED changes with every frame. When
- * something fails it blinks, as often as enum trouble says, and all begins anew; when the processor takes an exception
- * it stays lit. A program (BOARD_ENDS) leaves the panel dark when it ends, as it does when something fails. */
+ * on the panel that was chosen; as a self-test (BOARD_CARD) the test card comes before each flight. Buttons, where
+ * there are some, leave the path. The LED changes with every frame. When something fails it blinks, as often as enum
+ * trouble says, and all begins anew; when the processor takes an exception it stays lit. A program (BOARD_ENDS) leaves
+ * the panel dark when it ends, as it does when something fails. */
 #include "app_scene.h"
 #include "board.h"
+#include "card.h"
 #include "image.h"
 #include "mcu/mcu.h"
 #include "module.h"
@@ -20,7 +22,15 @@
 #define USED_LINES SCREEN_USED_LINES(MODULE_FORMAT, MODULE_W_PX, MODULE_ROUND, BOARD_LINES)
 #define LINES (SCENE_LINES(MODULE_H_PX) > 1 ? SCENE_LINES(MODULE_H_PX) : USED_LINES)
 
-enum { BLINK_US = 200000, PAUSE_US = 1000000 };
+/* The self-test: whether there is one, and for how long its card stays. */
+#ifndef BOARD_CARD
+#define BOARD_CARD 0
+#endif
+#ifndef BOARD_CARD_MS
+#define BOARD_CARD_MS 3000
+#endif
+
+enum { BLINK_US = 200000, PAUSE_US = 1000000, KEEP_MS = 500 };
 
 /* How often the LED blinks. */
 enum trouble { TROUBLE_RENDERER = 1, TROUBLE_PANEL, TROUBLE_PORT };
@@ -46,6 +56,31 @@ static int draw(uint16_t frame)
     if (!err) err = screen_end_frame(&screen);
     frame_end(frame);
     return err;
+}
+
+/* A memory LCD wants to be kept every second. */
+static int hold_card(void)
+{
+    int err = 0;
+
+    for (uint32_t left_ms = BOARD_CARD_MS; left_ms && !err;) {
+        const uint32_t part_ms = left_ms < KEEP_MS ? left_ms : KEEP_MS;
+        err = clock_delay(&board.clock, part_ms * 1000u);
+        if (!err) err = panel_keep(screen.panel);
+        left_ms -= part_ms;
+    }
+    return err;
+}
+
+/* A frame as others are, to whoever looks at the LED or the marks. */
+static int show_card(bool lit)
+{
+    frame_begin(0);
+    int err = card_draw(&screen, MODULE_CAMERA_TURN);
+    frame_end(0);
+    if (!err) err = set_led(lit);
+    scene_refresh();
+    return err ? err : hold_card();
 }
 
 /* Where the next camera is, and what follows it. */
@@ -74,8 +109,10 @@ static int fly(void)
 
     if (SCENE_AHEAD) announce(&flight, 0);
     for (uint16_t frame = 0; !(BOARD_ENDS && board_is_over()); frame = (uint16_t)((frame + 1u) % CAMERAS_COUNT)) {
+        int err = BOARD_CARD && frame == 0 ? show_card(lit = !lit) : 0;
+        if (err) return err;
         announce(&flight, (uint16_t)((frame + SCENE_AHEAD) % CAMERAS_COUNT));
-        int err = draw(frame);
+        err = draw(frame);
         if (!err) err = set_led(lit = !lit);
         if (err) return err;
     }

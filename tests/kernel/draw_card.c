@@ -18,7 +18,7 @@ static int draw(struct panel *panel)
 
     int err = panel_init(panel);
     if (!err) err = screen_init(&screen, panel, LIM_NEAREST_FIRST, lines, sizeof lines);
-    if (!err) err = card_draw(&screen);
+    if (!err) err = card_draw(&screen, PANEL_UPRIGHT);
     return err ? err : panel_blank(panel, true);
 }
 

@@ -196,7 +196,7 @@ static bool see_card(const struct panel_choice *choice, unsigned w_px, unsigned 
     if (!board) return error_set(err, "out of memory");
     bool ok = panel_board_init(board, choice, LIM_NEAREST_FIRST, w_px, h_px, err);
     if (ok) {
-        ok = (card_draw(&board->screen) == 0 || error_set(err, "the card cannot be drawn")) &&
+        ok = (card_draw(&board->screen, PANEL_UPRIGHT) == 0 || error_set(err, "the card cannot be drawn")) &&
              panel_board_read(board, pixels, err);
         panel_board_free(board);
     }

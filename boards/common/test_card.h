@@ -2,8 +2,8 @@
  *
  * The picture that shows at a glance whether a display is set up right: a corner each of red, green, blue and grey,
  * clockwise from the top left, so that turns, mirrors, exchanged colours and exchanged bytes all look different. */
-#ifndef SIM_TEST_CARD_H
-#define SIM_TEST_CARD_H
+#ifndef BOARDS_TEST_CARD_H
+#define BOARDS_TEST_CARD_H
 
 #include <stdbool.h>
 #include <stdint.h>
