@@ -188,6 +188,7 @@ bool capture_begin(struct capture *capture, const struct channels *channels, uin
                                         .sample_ns = sample_ns};
     for (int i = 0; i < CAPTURE_WIRES; i++)
         if (capture->wire[i].channel) capture->wires.wired |= (uint8_t)(1u << i);
+    capture->wires.waits_for_reset = capture->wire[CAPTURE_RESET].channel && !choice->is_running;
     if (!picture_ends_init(&capture->ends, capture->module, err)) return false;
     if (choice->is_running && !start_display(capture, err)) return false;
     capture->from_us = capture->listener->display.port->now_us + POWER_US;
@@ -226,6 +227,11 @@ void capture_say_end(const struct capture *capture, char *text, size_t size_b)
         snprintf(text, size_b, "sck never changed");
     else if (wires->bytes == 0 && wires->other_edges)
         snprintf(text, size_b, "sck changed while the display was not selected only");
+    else if (wires->bytes == 0 && wires->waits_for_reset && !wires->is_heard)
+        snprintf(
+            text, size_b,
+            "reset never fell: --running if the firmware was started before the capture, --wires reset=- if it does "
+            "not reset the display");
     else if (wires->bytes == 0 && wires->is_running)
         snprintf(text, size_b, "no command began: dc did not fall, or select rise");
     else if (is_by_picture(capture))

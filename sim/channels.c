@@ -178,6 +178,6 @@ bool wires_find(struct channel_bit out[CAPTURE_WIRES], const struct wire_names *
     for (int wire = 0; wire < CAPTURE_WIRES; wire++)
         if (!find_wire(&out[wire], names, (enum capture_wire)wire, channels, err)) return error_prefix(err, path);
     if (selects && !out[CAPTURE_SELECT].channel) out[CAPTURE_SELECT] = out[CAPTURE_CS];
-    if (selects) out[CAPTURE_CS].channel = out[CAPTURE_DC].channel = NULL;
+    if (selects) out[CAPTURE_CS].channel = out[CAPTURE_DC].channel = out[CAPTURE_RESET].channel = NULL;
     return has_all(out, channels, selects, err) || error_prefix(err, path);
 }

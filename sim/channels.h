@@ -59,8 +59,8 @@ bool wire_names_parse(struct wire_names *names, const char *text, struct error *
 void wire_names_free(struct wire_names *names);
 
 /* Finds the wires. Of a display that is selected by a pin of its own (selects) that is what may be called CS, and there
- * is no D/C. An error: a channel that was named is missing, or in several scopes; or a display cannot do without one
- * that is not there. `path`: the capture's, for errors. */
+ * is neither D/C nor reset. An error: a channel that was named is missing, or in several scopes; or a display cannot do
+ * without one that is not there. `path`: the capture's, for errors. */
 bool wires_find(struct channel_bit out[CAPTURE_WIRES], const struct wire_names *names, const struct channels *channels,
                 bool selects, const char *path, struct error *err);
 

@@ -15,6 +15,11 @@ static bool is_selected(const struct spi_wires *wires)
     return !(wires->wired & bit_of(CAPTURE_CS)) || !(wires->at.high & bit_of(CAPTURE_CS));
 }
 
+static bool is_left_out(const struct spi_wires *wires)
+{
+    return (wires->is_running || wires->waits_for_reset) && !wires->is_heard;
+}
+
 /* A byte that is not whole where one must be. */
 static bool refuse_bits(const struct spi_wires *wires, enum capture_wire wire, struct error *err)
 {
@@ -29,9 +34,8 @@ static bool refuse_bits(const struct spi_wires *wires, enum capture_wire wire, s
  * the capture, or be the clock's way to its idle level. */
 static bool end_byte(struct spi_wires *wires, enum capture_wire wire, struct error *err)
 {
-    const bool is_cut = wires->n_bits != 0;
-    const bool is_first = !wires->is_aligned && (wires->bytes == 0 || wires->is_running);
-    if (is_cut && !is_first) return refuse_bits(wires, wire, err);
+    const bool is_first = !wires->is_aligned && wires->bytes == 0;
+    if (wires->n_bits && !is_first && !is_left_out(wires)) return refuse_bits(wires, wire, err);
     wires->n_bits = 0;
     wires->is_aligned = true;
     wires->shortest_ns = UINT64_MAX;
@@ -49,20 +53,22 @@ static bool change(struct spi_wires *wires, uint64_t now_ns, enum capture_wire w
     const bool parts_bytes = wire == CAPTURE_DC || wire == CAPTURE_CS || wire == CAPTURE_SELECT;
     if (wires->has_begun && parts_bytes && !end_byte(wires, wire, err)) return false;
     if (wire == CAPTURE_RESET && !high) wires->n_bits = 0;
-    if (wires->has_begun && begins_command(wires, wire, high)) wires->is_heard = true;
+    if (wires->is_running ? wires->has_begun && begins_command(wires, wire, high) : wire == CAPTURE_RESET && !high)
+        wires->is_heard = true;
     wires->at.high = (uint8_t)(high ? wires->at.high | bit_of(wire) : wires->at.high & ~bit_of(wire));
     return wires->events.level(wires->events.ctx, now_ns, wire, high, err);
 }
 
 static bool take_bit(struct spi_wires *wires, uint64_t now_ns, struct error *err)
 {
-    if (wires->at.unknown & bit_of(CAPTURE_MOSI)) return error_set(err, "mosi is unknown (x or z) at an edge of sck");
+    if (wires->at.unknown & bit_of(CAPTURE_MOSI) && !is_left_out(wires))
+        return error_set(err, "mosi is unknown (x or z) at an edge of sck");
     wires->byte = (uint8_t)(wires->byte << 1 | ((wires->at.high & bit_of(CAPTURE_MOSI)) != 0));
     if (++wires->n_bits < 8) return true;
     wires->n_bits = 0;
     wires->pause_ns = now_ns - wires->byte_ns;
     wires->byte_ns = now_ns;
-    if (wires->is_running && !wires->is_heard) return true;
+    if (is_left_out(wires)) return true;
     if (wires->at.unknown & wires->wired & bit_of(CAPTURE_DC))
         return error_set(err, "dc is unknown (x or z) at the end of a byte");
     wires->bytes++;
@@ -75,7 +81,7 @@ static bool take_clock(struct spi_wires *wires, uint64_t now_ns, struct wire_lev
     const uint8_t clock = bit_of(CAPTURE_SCK);
     const bool was_known = !(wires->at.unknown & clock), high = levels.high & clock;
     if (levels.unknown & clock) {
-        if (wires->has_begun && was_known && wires->n_bits)
+        if (wires->has_begun && was_known && wires->n_bits && !is_left_out(wires))
             return error_set(err, "sck is unknown (x or z) within a byte");
         wires->at.unknown |= clock;
         wires->at.high = (uint8_t)((wires->at.high & ~clock) | (wires->rests_high ? clock : 0));

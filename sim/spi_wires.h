@@ -29,6 +29,7 @@ struct spi_wires {
     bool takes_falling;    /* bits come with the falling edge: SPI modes 1 and 2 */
     bool rests_high;       /* the clock: SPI modes 2 and 3 */
     bool is_running;       /* the capture begins anywhere: what comes before the first command is left out */
+    bool waits_for_reset;  /* what comes before the display's reset is */
     uint64_t sample_ns;    /* between two samples; 0: edges have times of their own */
     struct wire_levels at; /* now */
     bool has_begun, is_aligned, is_heard;

@@ -84,6 +84,15 @@ tap_check "mode 3" shows -v mode=3 -- --mode 3
 tap_check "channels have the names that options say" shows -v dc=D0 -v sck=D1 -v mosi=D2 -- \
     --wires dc=D0,sck=d1,mosi=wires.D2
 
+# Somebody switches the analyser on in the middle of a frame, and then presses the board's reset.
+shows_from_reset() {
+    cp "$work/wires" "$work/once" && head -c 7000 "$work/once" >"$work/wires" && echo >>"$work/wires" && cat "$work/once" >>"$work/wires"
+    shows -v from=30000 --
+    status=$?
+    mv "$work/once" "$work/wires"
+    return $status
+}
+tap_check "what was shown before the display was reset is left out" shows_from_reset
 tap_check "a capture that begins in the middle has the frames that follow" shows_rest 2 -v from=60000 --
 tap_check "or that picture's, where nobody captured the light" shows_rest 2 -v from=60000 -v led=0 --
 tap_check "or those behind a pause" shows_rest 2 -v from=60000 -v led=0 -v rest=400 -- --pause 30
@@ -136,8 +145,10 @@ tap_check "so is one that was asked for" fails "dump.vcd: there is no channel 'D
 tap_check "a wire that is none is refused" fails "^limner: --wires: 'data' is no wire: dc, " oled "$work/dump.vcd" --wires data=D1
 tap_check "a mode that is none is refused" fails '^limner: --mode 4' oled "$work/dump.vcd" --mode 4
 tap_check "options of captures mean nothing to wire logs" fails 'wires: neither a VCD nor a session' oled "$work/wires" --running
+dump -v from=60000 >"$work/late.vcd"
 tap_check "a capture that begins in the middle says what to do" fails 'at [0-9.]* us: .*started before the capture: --running' \
-    oled "$work/dump.vcd" --wires reset=RST,cs=CS#,dc=LED
+    oled "$work/late.vcd" --wires reset=-
+tap_check "or that nobody reset the display" fails 'ends after 0 frames; reset never fell: --running if ' oled "$work/late.vcd"
 dump -v half=4 -v glitch=30000 >"$work/glitch.vcd"
 tap_check "a spike on the clock is told, with its length" fails \
     'glitch.vcd: at 3[0-9.]* us: [a-z]* changes after [1-7] bits of a byte: .* was 100 ns' oled "$work/glitch.vcd"

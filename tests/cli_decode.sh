@@ -24,6 +24,14 @@ tap_check "in mirrors too, and off the corner of the chip's memory" shows 96x80 
 tap_check "so do those of round glass" shows 240x240 gc9a01 gc9a01
 tap_check "those of pages" shows 128x64 sh1106 sh1106 --invert
 tap_check "those of greys" shows 128x64 ssd0323 ssd0323
+# The voltage on it must not keep its sign for a second.
+memory_lcd_is_kept() {
+    DEFINES='-DBOARD_CARD=1 -DBOARD_CARD_MS=2600' make_firmware 128x128 ls013b7dh03 ls013b7dh03 &&
+        "$limner" card --panel ls013b7dh03 --write-hashes "$work/card" &&
+        cat "$work/card" "$work/golden" "$work/card" | awk '{ print NR - 1, $2 }' >"$work/all" &&
+        decode --panel ls013b7dh03 --frames 6 --check "$work/all"
+}
+tap_check "the self-test keeps a memory LCD while it shows the card" memory_lcd_is_kept
 tap_check "those of a memory LCD, whose select is the driver's" shows 128x128 \
     ls013b7dh03 ls013b7dh03
 

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 #
 # For test scripts to source, behind tap.sh: the firmware of boards/common for a display, on a board that is this computer
-# (board.c), $work/firmware; the frames that it draws are those of $work/golden, four of them and then again.
+# (board.c), $work/firmware; the frames that it draws are those of $work/golden, four of them and then again. DEFINES: more flags of the compiler's.
 # shellcheck shell=sh disable=SC2154 # $work is tap.sh's
 
 limner=$BUILD/limner
@@ -10,14 +10,14 @@ printf '%s\n' '0 1 4 0 0 0' '2 1 3 0 0 0' '3 0 1 0 0 0' '1 -1 3 0.3 0 0' >"$work
 
 compile() { # SOURCE...: for the scene
     # shellcheck disable=SC2086 # warnings are words
-    printf '%s\n' "$@" | (cd "$work/objects" && xargs -P 2 -n 8 "${CC:-gcc}" -std=c11 -O1 $WARNINGS -I"$work" \
+    printf '%s\n' "$@" | (cd "$work/objects" && xargs -P 2 -n 8 "${CC:-gcc}" -std=c11 -O1 $WARNINGS ${DEFINES:-} -I"$work" \
         -DLIM_CONFIG='"model.h"' -I"$OLDPWD/firmware" -I"$OLDPWD/hal" -I"$OLDPWD/hal/mcu" -I"$OLDPWD/boards/common" -c)
 }
 
 compile_scene() {
     mkdir -p "$work/objects"
     "$limner" compile "$model" --size 240x240 -o "$work/model" &&
-        compile "$work/model.c" "$PWD"/firmware/*.c "$PWD/boards/common/screen.c" "$PWD/tests/wire_board/board.c"
+        compile "$work/model.c" "$PWD"/firmware/*.c "$PWD"/boards/common/card.c "$PWD/boards/common/screen.c" "$PWD/tests/wire_board/board.c"
 }
 
 make_firmware() { # SIZE RENDERED-PANEL PANEL OPTION...

@@ -68,7 +68,7 @@ BEGIN {
 }
 
 $1 == "t" {
-    if (!sent) now += int(($2 - told_ns) / unit_ns)
+    if (!sent && $2 > told_ns) now += int(($2 - told_ns) / unit_ns)
     told_ns = $2
     sent = 0
 }
