@@ -214,7 +214,7 @@ enum capture_kind capture_kind_of(FILE *file, size_t *lines)
 }
 
 /* The last picture may be whole. */
-static bool end(struct capture *capture, struct error *err)
+bool capture_end(struct capture *capture, struct error *err)
 {
     if (!look_at_pause(capture, capture->now_ns - capture->wires.byte_ns, err)) return false;
     return !is_by_picture(capture) || !picture_ends_command(&capture->ends) || end_frame(capture, err);
@@ -248,5 +248,5 @@ bool capture_read(struct capture *capture, enum capture_kind kind, FILE *file, s
 {
     err->text[0] = '\0';
     const bool ok = kind == CAPTURE_VCD ? vcd_read(capture, file, err) : sigrok_read(capture, err);
-    return (ok && end(capture, err)) || !err->text[0];
+    return (ok && capture_end(capture, err)) || !err->text[0];
 }

@@ -65,4 +65,7 @@ bool capture_begin(struct capture *capture, const struct channels *channels, uin
                    struct error *err);
 bool capture_levels(struct capture *capture, uint64_t now_ns, struct wire_levels levels, struct error *err);
 
+/* No more follows: the last frame may end. */
+bool capture_end(struct capture *capture, struct error *err);
+
 #endif

@@ -179,5 +179,6 @@ bool wires_find(struct channel_bit out[CAPTURE_WIRES], const struct wire_names *
         if (!find_wire(&out[wire], names, (enum capture_wire)wire, channels, err)) return error_prefix(err, path);
     if (selects && !out[CAPTURE_SELECT].channel) out[CAPTURE_SELECT] = out[CAPTURE_CS];
     if (selects) out[CAPTURE_CS].channel = out[CAPTURE_DC].channel = out[CAPTURE_RESET].channel = NULL;
+    if (!selects) out[CAPTURE_SELECT].channel = NULL;
     return has_all(out, channels, selects, err) || error_prefix(err, path);
 }
