@@ -190,28 +190,53 @@ static void painted_at(const struct panel_rig *rig, unsigned *x, unsigned *y)
     if (rig->module.mirror) *x = rig->screen.target.w_px - 1u - *x;
 }
 
-void panel_rig_assert_seen(struct panel_rig *rig, bool negative)
+/* How far what is seen of a pixel of the glass is from what was drawn. */
+static int difference_at(const struct panel_rig *rig, unsigned i, unsigned x, unsigned y, bool negative)
 {
-    const enum panel_format format = rig->display.panel->format;
+    int rgb[3], difference = 0;
+
+    expect(rig->display.panel->format, painted_px(rig, x, y), x, y, rgb);
+    for (unsigned k = 0; k < 3; k++) {
+        const int wanted = negative ? 255 - rgb[k] : rgb[k], differs = abs(wanted - rig->seen[3 * i + k]);
+        difference = differs > difference ? differs : difference;
+    }
+    return difference;
+}
+
+/* The first pixel of the glass that is not as it should be, or how many there are. */
+static unsigned first_wrong(struct panel_rig *rig, bool negative, int *difference)
+{
     const unsigned w = rig->module.w_px, h = rig->module.h_px;
     unsigned near = 0;
 
     emulated_display_show(&rig->glass, rig->seen);
     for (unsigned i = 0; i < w * h; i++) {
         unsigned x = i % w, y = i / w;
-        int rgb[3], difference = 0;
         painted_at(rig, &x, &y);
         if (y >= drawn_px(rig) || !is_on_glass(rig, i % w, i / w)) continue;
-        expect(format, painted_px(rig, x, y), x, y, rgb);
-        for (unsigned k = 0; k < 3; k++) {
-            const int wanted = negative ? 255 - rgb[k] : rgb[k], differs = abs(wanted - rig->seen[3 * i + k]);
-            difference = differs > difference ? differs : difference;
-        }
-        near += difference != 0;
-        if (difference && (!is_near(format, difference) || near > 4 + w * h / 200))
-            fail_msg("%s, turned %u: pixel %u,%u of the glass is off by %d", rig->choice.name, rig->module.rotation,
-                     i % w, i / w, difference);
+        *difference = difference_at(rig, i, x, y, negative);
+        near += *difference != 0;
+        if (*difference && (!is_near(rig->display.panel->format, *difference) || near > 4 + w * h / 200)) return i;
     }
+    return w * h;
+}
+
+bool panel_rig_sees(struct panel_rig *rig)
+{
+    int difference;
+
+    return first_wrong(rig, false, &difference) == (unsigned)rig->module.w_px * rig->module.h_px;
+}
+
+void panel_rig_assert_seen(struct panel_rig *rig, bool negative)
+{
+    const unsigned w = rig->module.w_px, h = rig->module.h_px;
+    int difference = 0;
+    const unsigned wrong = first_wrong(rig, negative, &difference);
+
+    if (wrong != w * h)
+        fail_msg("%s, turned %u: pixel %u,%u of the glass is off by %d", rig->choice.name, rig->module.rotation,
+                 wrong % w, wrong / w, difference);
 }
 
 void panel_rig_assert_blank(struct panel_rig *rig, uint8_t value)

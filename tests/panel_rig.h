@@ -41,6 +41,9 @@ int panel_rig_draw(struct panel_rig *rig, unsigned piece_px);
 /* Fails unless the viewer sees the card, as it was turned and mirrored, in the panel's format; or its negative. */
 void panel_rig_assert_seen(struct panel_rig *rig, bool negative);
 
+/* Whether he does. */
+bool panel_rig_sees(struct panel_rig *rig);
+
 /* Fails if every pixel of the glass has not this value of red, green and blue. */
 void panel_rig_assert_blank(struct panel_rig *rig, uint8_t value);
 

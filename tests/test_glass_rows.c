@@ -7,6 +7,8 @@
 #include "module_choice.h"
 #include "panel_rig.h"
 
+#include <glob.h>
+#include <regex.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -105,10 +107,85 @@ static void every_chip_has_a_row_for_what_it_is_taken_for(void **state)
     }
 }
 
+/* Claims of the documents ----------------------------------------------------------------------------------------- */
+
+/* A row of that size, or all of the chip's memory: what the table of panels in README has. */
+static bool is_known(const char *chip, unsigned w_px, unsigned h_px)
+{
+    const struct glass *row = glass_find(chip, 0, 0);
+
+    if (!row) return false;
+    return glass_find(chip, w_px, h_px) || (row->mem_w_px == w_px && row->mem_h_px == h_px);
+}
+
+/* A chip and, soon after it, a size: counts them, and fails on one that no row holds. */
+static unsigned check_line(const regex_t *claim, const char *path, const char *line)
+{
+    regmatch_t at[4];
+    unsigned count = 0;
+
+    for (; regexec(claim, line, 4, at, 0) == 0; line += at[0].rm_eo, count++) {
+        char chip[16] = "";
+        for (regoff_t i = 0; i < at[1].rm_eo - at[1].rm_so; i++) {
+            const char c = line[at[1].rm_so + i];
+            chip[i] = c >= 'A' && c <= 'Z' ? (char)(c + 'a' - 'A') : c;
+        }
+        const unsigned w_px = (unsigned)atoi(line + at[2].rm_so), h_px = (unsigned)atoi(line + at[3].rm_so);
+        if (!is_known(chip, w_px, h_px))
+            fail_msg("%s speaks of %s with %ux%u pixels: no row has that", path, chip, w_px, h_px);
+    }
+    return count;
+}
+
+static void compile_claim(regex_t *claim)
+{
+    char pattern[512] = "(", name[32];
+
+    for (const struct glass *row = glass_rows; row->chip; row++) {
+        if (glass_find(row->chip, 0, 0) != row) continue;
+        snprintf(name, sizeof name, "%s%s", row == glass_rows ? "" : "|", row->chip);
+        strcat(pattern, name);
+    }
+    strcat(pattern, ")[^0-9x|]{0,24}[ |]{0,3}([0-9]+)x([0-9]+)");
+    assert_int_equal(regcomp(claim, pattern, REG_EXTENDED | REG_ICASE), 0);
+}
+
+static unsigned check_document(const regex_t *claim, const char *path)
+{
+    static char line[1 << 16];
+    FILE *file = fopen(path, "r");
+    unsigned count = 0;
+
+    if (!file) fail_msg("%s cannot be read", path);
+    while (fgets(line, sizeof line, file))
+        count += check_line(claim, path, line);
+    fclose(file);
+    return count;
+}
+
+static void documents_speak_of_no_module_without_a_row(void **state)
+{
+    regex_t claim;
+    glob_t boards;
+
+    (void)state;
+    compile_claim(&claim);
+    assert_true(is_known("st7735", 128, 128) && !is_known("st7735", 128, 129) && !is_known("sh1107", 128, 128));
+    assert_int_equal(check_line(&claim, "here", "| SH1106 | 132x64 | and an ssd1306 --size 72x40, 1x1"), 2);
+    assert_in_range(check_document(&claim, "README.md"), 15, 1000);
+    assert_int_equal(glob("boards/*/README.md", 0, NULL, &boards), 0);
+    unsigned count = 0;
+    for (size_t i = 0; i < boards.gl_pathc; i++)
+        count += check_document(&claim, boards.gl_pathv[i]);
+    assert_in_range(count, 5, 1000);
+    globfree(&boards);
+    regfree(&claim);
+}
+
 int main(void)
 {
     enum { MOST_ROWS = 64 };
-    static struct CMUnitTest tests[MOST_ROWS + 2];
+    static struct CMUnitTest tests[MOST_ROWS + 3];
     static char names[MOST_ROWS][64];
     size_t count = 0;
 
@@ -121,5 +198,6 @@ int main(void)
     }
     tests[count++] = (struct CMUnitTest)cmocka_unit_test(every_row_has_two_sources_and_lies_within_its_chip);
     tests[count++] = (struct CMUnitTest)cmocka_unit_test(every_chip_has_a_row_for_what_it_is_taken_for);
+    tests[count++] = (struct CMUnitTest)cmocka_unit_test(documents_speak_of_no_module_without_a_row);
     return _cmocka_run_group_tests("glass_rows", tests, count, NULL, NULL);
 }
