@@ -72,6 +72,8 @@ static const struct idle_option {
     {"reset", OF_PANEL, is_memory_lcd, "", " has no reset pin"},
     {"hz", OF_RECORD, always, "the bus has run", ""},
     {"mode", OF_RECORD, always, "the bus has run", ""},
+    {"contrast", OF_RECORD, always, "the record says it", ""},
+    {"converter", OF_RECORD, always, "the record says it", ""},
     {"splitter", OF_SCENE, is_compiled, "", " is compiled already"},
     {"splitter", OF_SCENE, is_set, "no plane divides the set of ", ""},
     {"tolerance", OF_SCENE, is_compiled, "", " is compiled already"},

@@ -23,7 +23,7 @@ void idle_options_find(struct idle_options *out, int argc, char **argv);
 
 void idle_options_note_panel(const struct idle_options *options, const struct panel_choice *panel);
 
-/* Of what was recorded, whose clock is past. */
+/* Of what was recorded: its clock is past, and what the chip was told is in it. */
 void idle_options_note_record(const struct idle_options *options);
 
 struct idle_scene {

@@ -66,7 +66,8 @@ reset='p reset 0\nt 20000000\np reset 1\nt 200000000\np led 0\np dc 0\n'
 }
 tap_check "what is decoded has gone over the bus" changes_nothing "--rgb: ssd1306 has no colours
 --hz: the bus has run
---mode: the bus has run" "--mode 3 --hz=8000000 --rgb" decode "$record" --panel ssd1306 --write-hashes OUT/hashes
+--mode: the bus has run
+--contrast: the record says it" "--mode 3 --contrast 5 --hz=8000000 --rgb" decode "$record" --panel ssd1306 --write-hashes OUT/hashes
 tap_check "its colours are exchanged where there are some" says_nothing decode "$record.colour" --panel st7735 --rgb
 
 # -- Scenes --------------------------------------------------------------------------------------------------------------
