@@ -228,6 +228,7 @@ static bool read_input(struct decode *decode, struct error *err)
 {
     const enum capture_kind kind =
         decode->map_path ? CAPTURE_NONE : capture_kind_of(decode->lines.file, &decode->lines.number);
+    idle_options_note_record(&decode->idle, kind != CAPTURE_NONE);
     if (kind != CAPTURE_NONE) return read_capture(decode, kind, err);
     if (!decode->choice.is_asked) return read_lines(decode, err);
     return error_set(err, "%s: neither a VCD nor a session of sigrok's: --wires, --pause and --running are for these",
@@ -240,7 +241,6 @@ static bool decode_run(struct decode *decode, struct error *err)
 {
     if (!start(decode, err)) return false;
     idle_options_note_panel(&decode->idle, &decode->module.panel);
-    idle_options_note_record(&decode->idle);
     if (!read_input(decode, err)) return false;
     tell_notices(decode);
     return hash_list_close(&decode->hashes, err) && outputs_keep(&decode->outputs, err) &&
