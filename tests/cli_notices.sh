@@ -71,6 +71,7 @@ tap_check "what is decoded has gone over the bus" changes_nothing "--rgb: ssd130
 tap_check "its colours are exchanged where there are some" says_nothing decode "$record.colour" --panel st7735 --rgb
 
 # A capture of the wires themselves, of one edge: it ends without a frame, but it is read in that mode.
+# shellcheck disable=SC2016 # dollars are signs
 {
     printf '$timescale 1 us $end $scope module logic $end\n'
     printf '$var wire 1 %s %s $end\n' a sck b mosi c dc
