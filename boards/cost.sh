@@ -2,8 +2,8 @@
 #
 # What a frame costs on a board: sh boards/cost.sh FOLDER TITLE CPU_HZ SPI_HZ. In: FOLDER/takes (link.sh), what the
 # emulator said of its frames (FOLDER/emulated) and, where it tells no cycles, counted instructions (FOLDER/counted).
-# Prints a row of README's table. Frames a second are computed, as if memory never made the processor wait and each
-# instruction took a cycle: not measured on hardware.
+# Prints a row of README's table. Frames a second are computed, as if each instruction took a cycle and memory never made
+# the processor wait, where the emulator's cycles do not say otherwise, as the RP2040's do: not measured on hardware.
 set -eu
 
 folder=$1 title=$2 cpu_hz=$3 spi_hz=$4

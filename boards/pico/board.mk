@@ -31,8 +31,9 @@ FLASH_TOOL     := findmnt
 FLASH_PACKAGES := util-linux
 FLASH           = sh $(board_folder)/flash.sh $(IMAGE)
 
+# EMULATED: other options of sim/emulators/rp2040.mjs: --flash unknown, --cache lru
 EMULATE_PACKAGES := nodejs npm
 EMULATE = $(if $(filter none,$(LED)),echo 'emulate: LED=none: frames are told by the LED' >&2; exit 1,\
-	sh sim/emulators/rp2040.sh $(IMAGE) $(N) '$(WIRES)' $(DECODE))
+	sh sim/emulators/rp2040.sh $(IMAGE) $(N) '$(WIRES) $(EMULATED)' $(DECODE))
 WIRES   = --pin dc=16 --pin $(if $(filter ls0%,$(PANEL)),select,cs)=17 --pin backlight=20 --pin reset=22 --pin led=$(led_pin)
 SPI_CLOCK_HZ := $(CPU_HZ)

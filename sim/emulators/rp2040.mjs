@@ -9,6 +9,8 @@
 //   --stop-after BYTES --for RESETS   the SPI stops then, and works again after so many resets of it
 //   --flash CHIP    what the image is read from (serial_flash.mjs); w25q16jv is a Pico's
 //   --cache POLICY  which of two ways a miss replaces (rp2040_xip.mjs): lru, fifo, random
+//   --bus-cycles N  what a miss takes beside the clocks of its transfer
+//   --ahead         the next word is fetched with each instruction
 import fs from 'node:fs';
 import { createRequire } from 'node:module';
 import { parseArgs } from 'node:util';
@@ -62,6 +64,7 @@ function readArguments() {
         spi: { type: 'string', default: '0' }, pin: { type: 'string', multiple: true, default: [] },
         'stop-after': { type: 'string', default: 'Infinity' }, for: { type: 'string', default: '1' },
         flash: { type: 'string', default: 'w25q16jv' }, cache: { type: 'string', default: 'fifo' },
+        'bus-cycles': { type: 'string', default: '0' }, ahead: { type: 'boolean', default: false },
     };
     const { values, positionals } = parseArgs({ options, allowPositionals: true });
     const [modules, image, symbols, frames] = positionals;
@@ -71,6 +74,7 @@ function readArguments() {
         image: fs.readFileSync(image), symbols: fs.readFileSync(symbols, 'utf8'), frames: Number(frames),
         spi: Number(values.spi), pins: values.pin.map((pin) => pin.split('=')),
         stopAfter: Number(values['stop-after']), resets: Number(values.for), flash: values.flash, policy: values.cache,
+        busCycles: Number(values['bus-cycles']), ahead: values.ahead,
     };
 }
 

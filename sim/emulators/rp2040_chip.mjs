@@ -93,17 +93,17 @@ function hurryWaits(chip) {
 }
 
 // chip.serialFlash, chip.ssi, chip.xip; chip.complaints of what is done with them that is wrong.
-function putFlash(chip, name, policy) {
+function putFlash(chip, name, cache) {
     const complain = (text) => chip.complaints.push(text);
 
     chip.complaints = [];
     chip.serialFlash = new SerialFlash(chip.flash, name, () => chip.clock.nanos, complain);
     chip.ssi = new Ssi(chip.serialFlash, () => chip.clkSys, (call) => chip.clock.createAlarm(call), complain);
     chip.peripherals[SSI] = chip.ssi;
-    chip.xip = new Xip(chip, chip.ssi, policy);
+    chip.xip = new Xip(chip, chip.ssi, cache);
 }
 
-export function makeChip({ RP2040, ConsoleLogger, LogLevel }, { spi: spiNumber = 0, flash, policy }, leaves, works) {
+export function makeChip({ RP2040, ConsoleLogger, LogLevel }, { spi: spiNumber = 0, flash, ...cache }, leaves, works) {
     const chip = new RP2040();
 
     chip.logger = new ConsoleLogger(LogLevel.Error);
@@ -112,7 +112,7 @@ export function makeChip({ RP2040, ConsoleLogger, LogLevel }, { spi: spiNumber =
     };
     takeTime(chip, chip.spi[spiNumber], leaves, works);
     takeTime(chip, chip.spi[1 - spiNumber], () => {}, () => true);
-    putFlash(chip, flash, policy);
+    putFlash(chip, flash, cache);
     holdInReset(chip);
     hurryWaits(chip);
     return chip;

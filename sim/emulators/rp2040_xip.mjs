@@ -4,9 +4,9 @@
 // Known: 16 KB, two ways, 8 bytes a line, a hit without a wait, the aliases by which it is passed by (RP2040 Datasheet,
 // 2.6.3, 2.6.3.1). A line has a valid bit for each of its words, and a miss reads one word (raspberrypi/pico-feedback,
 // issue 307, answer of the chip's maker). A miss takes the clocks that the SSI's settings make (rp2040_ssi.mjs).
-// Not published: which of two ways a miss replaces (`policy`), and what the bus adds to a transfer. Left out: that the
-// processor fetches a word ahead of a branch that is taken, and the second master on this bus, DMA, which is not
-// counted as a wait of the processor.
+// Not published: which of two ways a miss replaces (`policy`), and what the bus and the SSI add to a transfer
+// (`busCycles`, 0). The processor fetches ahead, which is wasted where a branch is taken: `ahead` fetches the next word
+// with each instruction, which is more than it does. Left out: the second master on this bus, DMA.
 const LINE_B = 8, WORDS = 2, WAYS = 2, CACHE_B = 16384;
 const SETS = CACHE_B / LINE_B / WAYS;
 const ALIASES = { CACHED: 0x10, NO_ALLOCATE: 0x11, NO_LOOK: 0x12, UNCACHED: 0x13 };
@@ -71,8 +71,8 @@ export class Cache {
 }
 
 export class Xip {
-    constructor(chip, ssi, policy) {
-        Object.assign(this, { chip, ssi, cache: new Cache(policy), misses: 0, codeMisses: 0, waits: 0 });
+    constructor(chip, ssi, { policy, busCycles = 0, ahead = false }) {
+        Object.assign(this, { chip, ssi, busCycles, ahead, cache: new Cache(policy), misses: 0, codeMisses: 0, waits: 0 });
         this.watchCore();
     }
 
@@ -86,6 +86,7 @@ export class Xip {
                 if (alias < ALIASES.CACHED || alias > ALIASES.UNCACHED) return read(address);
                 const isCode = isHalf && (address === core.PC || address === core.PC + 2);
                 const word = this.access(alias, address & 0xfffffc, isCode);
+                if (isCode && this.ahead) this.access(alias, (address + 4) & 0xfffffc, true);
                 return word === undefined ? read(address) : ((word >>> (8 * (address & 3))) & mask) >>> 0;
             };
         }
@@ -101,7 +102,7 @@ export class Xip {
     }
 
     miss(alias, offset, isCode) {
-        const { ssi, chip } = this, cycles = ssi.cyclesOfWord;
+        const { ssi, chip } = this, cycles = ssi.cyclesOfWord + this.busCycles;
         const word = ssi.word(offset), right = chip.flashView.getUint32(offset, true);
         if (alias !== ALIASES.UNCACHED && word !== right) {
             const [at, is, should] = [offset, word, right].map((value) => value.toString(16));

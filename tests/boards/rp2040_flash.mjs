@@ -18,8 +18,8 @@ const STEPS_MAX = 3e6;
 
 // -- A chip, its flash, and programs of a few halfwords ------------------------------------------------------------------
 
-function chipWith(flash, policy = 'fifo') {
-    const chip = makeChip(emulator, { flash, policy }, () => {}, () => true);
+function chipWith(flash, policy = 'fifo', more = {}) {
+    const chip = makeChip(emulator, { flash, policy, ...more }, () => {}, () => true);
     const code = fs.readFileSync(boot2);
     chip.flash.set(code, 0);
     chip.sram.set(code, BOOT2_AT - RAM);
@@ -330,6 +330,25 @@ test('the other word of a line is a miss of its own', () => {
     enter(chip, 0x4000);
     assert.equal(round(chip, 0x4000).misses, 3);
     assert.equal(round(chip, 0x4000).misses, 0);
+});
+
+test('cycles of the bus come on top of each miss', () => {
+    const chip = chipWith('w25q16jv', 'fifo', { busCycles: 10 });
+    putLoop(chip, 0x4000, 0x1000);
+    enter(chip, 0x4000);
+    assert.equal(round(chip, 0x4000).waits, (0x1000 / 4) * (QUAD + 10));
+});
+
+test('a word fetched ahead is one more behind each jump', () => {
+    for (const [ahead, misses] of [[false, 2], [true, 4]]) {
+        const chip = chipWith('w25q16jv', 'fifo', { ahead });
+        put(chip, 0x4000, bl(0x4000, 0x5000));
+        put(chip, 0x5000, bl(0x5000, 0x4000));
+        enter(chip, 0x4000);
+        const { misses: before } = chip.xip;
+        for (let i = 0; i < 8; i++) step(chip);
+        assert.equal(chip.xip.misses - before, misses);
+    }
 });
 
 // -- Data: r0 has the address, r1 the step: LDR r2, [r0]; ADDS r0, r1; B back ------------------------------------------------
