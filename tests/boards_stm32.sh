@@ -54,23 +54,29 @@ tells() { # RULE FILE SCRIPT BOARD
         cat "$work/said" && grep -q "stm32: .*$rule" "$work/said"
 }
 
-tap_check "stm32f405: eight frames by DMA at 168 MHz, SCK 42" \
-    runs_at 'processor 168000000 apb1 42000000 apb2 84000000 spi 42000000' 8 BOARD=stm32f405
+refuses() { # PATTERN ARGUMENT...
+    pattern=$1
+    shift
+    ! "$BUILD/stm32" "$@" >"$work/said" 2>&1 && cat "$work/said" && grep -q "^stm32: $pattern" "$work/said"
+}
+
+tap_check "stm32f405: five frames by DMA at 168 MHz, SCK 42" \
+    runs_at 'processor 168000000 apb1 42000000 apb2 84000000 spi 42000000' 5 BOARD=stm32f405
 tap_check "the bus is what limits it" bus_bound
 tap_check "bluepill: frames at 72 MHz, SCK 18" \
-    runs_at 'processor 72000000 apb1 36000000 apb2 72000000 spi 18000000' 4 BOARD=bluepill
-tap_check "stm32f405 without a crystal: 16 MHz" runs_at 'processor 16000000 .* spi 8000000' 2 BOARD=stm32f405 FAULTS='--hse 0'
-tap_check "bluepill without a crystal: 8 MHz" runs_at 'processor 8000000 .* spi 4000000' 2 BOARD=bluepill FAULTS='--hse 0'
-tap_check "stm32f405 whose PLL does not lock" runs_at 'processor 16000000' 2 BOARD=stm32f405 FAULTS='--pll no'
-tap_check "bluepill whose PLL does not lock" runs_at 'processor 8000000' 2 BOARD=bluepill FAULTS='--pll no'
-tap_check "a processor that is slower than its bus" runs_at 'processor 168' 4 BOARD=stm32f405 FAULTS='--cycles 9'
+    runs_at 'processor 72000000 apb1 36000000 apb2 72000000 spi 18000000' 3 BOARD=bluepill
+tap_check "stm32f405 without a crystal: 16 MHz" runs_at 'processor 16000000 .* spi 8000000' 1 BOARD=stm32f405 FAULTS='--hse 0'
+tap_check "bluepill without a crystal: 8 MHz" runs_at 'processor 8000000 .* spi 4000000' 1 BOARD=bluepill FAULTS='--hse 0'
+tap_check "stm32f405 whose PLL does not lock" runs_at 'processor 16000000' 1 BOARD=stm32f405 FAULTS='--pll no'
+tap_check "bluepill whose PLL does not lock" runs_at 'processor 8000000' 1 BOARD=bluepill FAULTS='--pll no'
+tap_check "a processor that is slower than its bus" runs_at 'processor 168' 2 BOARD=stm32f405 FAULTS='--cycles 9'
 tap_check "a framebuffer" runs_at 'processor 168' 4 BOARD=stm32f405 PANEL=ssd1351 MODULE='--size 128x128' COMPILE=--framebuffer
 tap_check "pages of a bit a pixel" runs_at 'processor 168' 4 BOARD=stm32f405 SCENE=icosahedron PANEL=ssd1306
 tap_check "stm32f405: when the SPI stops the path begins anew, by the rules" recovers stm32f405 f405
 tap_check "bluepill does as well" recovers bluepill f103
-tap_check "what changes alone" runs_at 'processor 168' 4 BOARD=stm32f405 COMPILE=--delta BOARDS="$kept/delta"
+tap_check "what changes alone" runs_at 'processor 168' 3 BOARD=stm32f405 COMPILE=--delta BOARDS="$kept/delta"
 tap_check "what is built for an STM32F100 runs on an F103 at 24 MHz, SCK 12" \
-    runs_at 'processor 24000000 apb1 24000000 apb2 24000000 spi 12000000' 4 BOARD=bluepill PART=f100 BOARDS="$kept/f100"
+    runs_at 'processor 24000000 apb1 24000000 apb2 24000000 spi 12000000' 2 BOARD=bluepill PART=f100 BOARDS="$kept/f100"
 tap_check "flags that are not cleared are told" tells 'flags are cleared' hal/mcu/stm32_dma.c '/ifcr = IFCR_ALL/d' stm32f405
 tap_check "a line that follows too soon is told" tells 'configured while it is disabled' hal/mcu/stm32_dma.c \
     's/int err = finish(dma);/int err = 0;/' stm32f405
@@ -82,4 +88,11 @@ tap_check "too few wait states are told" tells '4 wait states at 168000000 Hz, w
     's/ACR_LATENCY_5 = 5/ACR_LATENCY_5 = 4/' stm32f405
 tap_check "and on the bluepill" tells '1 wait states at 72000000 Hz, which wants 2' hal/mcu/stm32f1_rcc.c \
     's,(cpu_hz - 1) / WAIT,(cpu_hz / 2) / WAIT,' bluepill
+head -c 64 /dev/zero >"$work/zeros.bin"
+map=boards/stm32f405/trace.map
+tap_check "an image that is none is told" refuses 'the image: ' f405 "$work/zeros.bin" 1 $map "$work/wires"
+tap_check "one that is not there is" refuses "$work/none: No such file" f405 "$work/none" 1 $map "$work/wires"
+tap_check "a map that is none is" refuses 'README.md: a line is neither' f405 "$work/zeros.bin" 1 README.md "$work/wires"
+tap_check "an option that is none is" refuses '--nix: ' f405 "$work/zeros.bin" 1 $map "$work/wires" --nix 1
+tap_check "an instruction that takes no time is" refuses '--cycles: ' f405 "$work/zeros.bin" 1 $map "$work/wires" --cycles 0
 tap_done

@@ -309,6 +309,21 @@ static void test_a_fifo_reads_ahead(void **state)
     assert_int_equal(rig.sent[40], 0);
 }
 
+/* RM0090 10.3.18: an underrun at the start costs no data, and its flag is one more to clear. */
+static void test_a_stream_that_is_asked_at_once_flags_an_underrun(void **state)
+{
+    (void)state;
+    start_right(CHIP_F405);
+    stream(RAM, 100);
+    put(CR2, 2);
+    set(STREAM3, 1);
+    finish_stream();
+    assert_nothing_told();
+    assert_int_equal(rig.n_sent, 100);
+    assert_memory_equal(rig.sent, rig.ram, 100);
+    assert_true(get(LISR) >> 22 & 1);
+}
+
 static void test_a_stream_that_is_stopped_takes_its_time(void **state)
 {
     (void)state;
@@ -840,6 +855,7 @@ int main(void)
         cmocka_unit_test(test_a_stream_sends_in_the_time_of_its_bytes),
         cmocka_unit_test(test_what_is_painted_too_early_is_sent),
         cmocka_unit_test(test_a_fifo_reads_ahead),
+        cmocka_unit_test(test_a_stream_that_is_asked_at_once_flags_an_underrun),
         cmocka_unit_test(test_a_stream_that_is_stopped_takes_its_time),
         cmocka_unit_test(test_a_crystal_or_pll_that_fails_is_never_ready),
         cmocka_unit_test(test_registers_are_used_as_they_are),

@@ -195,7 +195,10 @@ static void switch_on(struct chip *chip, unsigned stream)
         return;
     }
     fill(chip, stream);
-    if (spi_asks(chip)) dma_asked(chip);
+    if (!spi_asks(chip)) return;
+    set_flag(chip, stream,
+             FEIF); /* asked before memory was read, which RM0090 10.3.18 says may happen: no data are lost */
+    dma_asked(chip);
 }
 
 void dma_start(struct chip *chip)
