@@ -5,7 +5,7 @@
 #   sh sim/emulators/rp2040.sh IMAGE FRAMES 'OPTION...' COMMAND...
 #   sh sim/emulators/rp2040.sh build/.../image 8 '--pin dc=16 --pin led=25' build/limner decode - ...
 # IMAGE is without ending, .elf and .uf2. Options are those of rp2040.mjs. Prints what the command does, then what each
-# frame took. Fails as the command does, or when the frames do not come in $EMULATE_S seconds (120).
+# frame took, and their mean. Fails as the command does, or when the frames do not come in $EMULATE_S seconds (120).
 set -eu
 
 image=$1 frames=$2 options=$3

@@ -101,7 +101,11 @@ const EXPECTED = {
     'qe-stays-0': { cycles: PLAIN, writes: 2 }, 'two-lines': { cycles: PLAIN, writes: 0 },
 };
 
+// Pads: SCLK with 8 mA and a fast slew rate; SD0 to SD3 read, with 4 mA, pulled up, and without a Schmitt trigger.
+const PADS_QSPI = 0x40020004, PADS = [0x21, 0x58, 0x58, 0x58, 0x58];
+
 function assertReads(chip, { cycles }) {
+    assert.deepEqual(PADS.map((_, i) => chip.readUint32(PADS_QSPI + 4 * i)), PADS);
     assert.deepEqual(chip.complaints, []);
     assert.equal(chip.ssi.cyclesOfWord, cycles);
     assert.equal(chip.serialFlash.isContinuous, cycles === QUAD);
