@@ -28,6 +28,7 @@ struct emulated_pages_kind {
     bool is_pcd;
     bool rises_alone; /* its supply comes up in the right order by itself */
     uint8_t needs_power, power;
+    uint8_t ratio, level; /* of the glass's voltage, after a reset */
 };
 
 /* Scrolling is told of, and not shown. */
@@ -60,14 +61,18 @@ static const struct emulated_pages_kind sh1106 = {.name = "sh1106",
                                                   .longer = sh1106_longer,
                                                   .one = "\x30\x31\x32\x33\xE3",
                                                   .needs_power = PUMP,
-                                                  .power = PUMP};
+                                                  .power = PUMP,
+                                                  .ratio = 2,
+                                                  .level = 0x80};
 static const struct emulated_pages_kind st7567 = {.name = "st7567",
                                                   .w_px = 132,
                                                   .h_px = 64,
                                                   .reset_us = 1000,
                                                   .longer = st7567_longer,
                                                   .one = st7567_one,
-                                                  .needs_power = POWER_ALL};
+                                                  .needs_power = POWER_ALL,
+                                                  .ratio = 4,
+                                                  .level = 0x20};
 static const struct emulated_pages_kind pcd8544 = {
     .name = "pcd8544", .w_px = 84, .h_px = 48, .is_pcd = true, .needs_power = PUMP};
 static const struct emulated_pages_kind uc1701 = {.name = "uc1701",
@@ -123,6 +128,8 @@ static void reset_registers(struct emulated_pages *chip)
     chip->lines = (uint8_t)kind->h_px;
     chip->shift = chip->start_line = 0;
     chip->wiring = WIRING_AT_RESET;
+    chip->ratio = kind->ratio;
+    chip->level = kind->level;
     chip->mode = kind->is_pcd ? HORIZONTAL : PAGE_BY_PAGE; /* SSD1306's default, and all that the others have */
     chip->columns[0] = chip->pages[0] = 0;
     chip->columns[1] = (uint8_t)(kind->w_px - 1);
@@ -186,6 +193,9 @@ static void run_arguments(struct emulated_pages *chip)
         break;
     case 0xD3:
         chip->shift = argument & 63;
+        break;
+    case 0x81:
+        chip->level = argument;
         break;
     case 0x8D:
         chip->power = argument & 4 ? PUMP : 0;
@@ -284,6 +294,8 @@ static void run_plain(struct emulated_pages *chip, uint8_t command)
         reset_registers(chip);
     } else if ((command & 0xF8) == 0x28 && kind->needs_power == POWER_ALL) {
         set_power(chip, command & 7);
+    } else if ((command & 0xE0) == 0x20) {
+        chip->ratio = command & 7; /* a charge pump has half as many */
     }
 }
 
@@ -294,10 +306,12 @@ static void run_pcd(struct emulated_pages *chip, uint8_t command)
         chip->asleep = command & 4;
         chip->mode = command & 2 ? VERTICAL : HORIZONTAL;
     } else if (chip->extended) {
-        if (command & 0x80)
+        if (command & 0x80) {
             chip->power = PUMP;
-        else if ((command & 0xFC) != 0x04 && (command & 0xF8) != 0x10)
+            chip->level = command & 0x7F;
+        } else if ((command & 0xFC) != 0x04 && (command & 0xF8) != 0x10) {
             note(chip, "extended command 0x%02X is unknown", command);
+        }
     } else if (command & 0x80) {
         chip->column = command & 0x7F;
     } else if ((command & 0xF8) == 0x40) {

@@ -35,6 +35,7 @@ struct emulated_pages {
     uint8_t lines, shift, start_line; /* in use; the first output less; memory's line that the scan starts with */
     uint8_t wiring;                   /* of outputs to sides, as DAh has it */
     bool told_wiring, has_reference;
+    uint8_t ratio, level;         /* of the glass's voltage: 20h to 27h or 30h to 33h, and 81h or a PCD8544's Vop */
     uint8_t mode;                 /* how memory is addressed, by its number at an SSD1306 */
     uint8_t columns[2], pages[2]; /* of a window: first and last */
     bool window_full;             /* the last byte went to their end */
@@ -46,5 +47,8 @@ void emulated_pages_init(struct emulated_pages *chip, const struct glass *glass)
 
 /* Whether a pixel of the upright glass is bright: false in the dark. */
 bool emulated_pages_is_bright(const struct emulated_pages *chip, unsigned x, unsigned y);
+
+/* The voltage that the chip makes for its glass at 25 degrees, by the datasheet; 0: that is not modelled. */
+unsigned emulated_pages_supply_mv(const struct emulated_pages *chip);
 
 #endif

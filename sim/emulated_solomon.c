@@ -130,6 +130,8 @@ static void reset_registers(struct emulated_solomon *chip)
     chip->writing = kind->args_low;
     chip->remap = kind->has_colours ? 0x40 : 0;
     chip->first_line = chip->shift = 0;
+    chip->contrast = 0x40;
+    chip->range = 0x84;
     chip->lines = (uint8_t)(kind->h_px - 1);
     chip->shown = kind->as_is;
     chip->columns[0] = chip->rows[0] = chip->column = chip->row = 0;
@@ -190,6 +192,10 @@ static void run(struct emulated_solomon *chip)
         chip->first_line = argument;
     else if (command == 0xA2)
         chip->shift = argument;
+    else if (command == 0x81)
+        chip->contrast = argument;
+    else if (command >= 0x84 && command <= 0x86)
+        chip->range = command;
     else if (command == 0xAE)
         chip->awake = false;
     else if (command == 0xAF)
@@ -392,4 +398,11 @@ void emulated_solomon_see(const struct emulated_solomon *chip, unsigned x, unsig
     decode(chip, row, glass_column(&chip->glass, x), rgb);
     for (unsigned i = 0; i < 3 && (chip->shown == kind->negative) != chip->glass.negative; i++)
         rgb[i] = (uint8_t)(255 - rgb[i]);
+}
+
+unsigned emulated_solomon_current_permille(const struct emulated_solomon *chip)
+{
+    const unsigned quarters = chip->range == 0x86 ? 4 : chip->range == 0x85 ? 2 : 1;
+
+    return strcmp(chip->kind->name, "ssd0323") == 0 ? 1000u * quarters * (chip->contrast & 127u) / (4 * 127u) : 0;
 }

@@ -31,6 +31,7 @@ struct emulated_solomon {
     bool unlocked;       /* also the commands that are locked at reset */
     bool awake, writing; /* glass on; memory takes pixels */
     uint8_t remap, first_line, shift, lines, shown;
+    uint8_t contrast, range;                  /* 81h; and 84h to 86h, quarter, half and full current */
     uint8_t columns[2], rows[2], column, row; /* the window, and where the next pixel goes */
     bool window_full;
     uint32_t bits; /* of the pixel under way */
@@ -41,6 +42,10 @@ struct emulated_solomon {
 
 /* Power on: registers at their defaults, memory full of noise. */
 void emulated_solomon_init(struct emulated_solomon *chip, const struct glass *glass);
+
+/* The current that an SSD0323's glass gets, in thousandths of the most that the chip gives; of others 0: not modelled.
+ */
+unsigned emulated_solomon_current_permille(const struct emulated_solomon *chip);
 
 /* What the eye sees at a pixel of the upright glass: red, green, blue; black in the dark. */
 void emulated_solomon_see(const struct emulated_solomon *chip, unsigned x, unsigned y, uint8_t rgb[3]);

@@ -37,6 +37,8 @@ struct glass {
     bool negative;                 /* as the chip is after a reset, colours come out negative, as on IPS glass */
     enum glass_wiring wiring;      /* of SSD1306 and SH1106 */
     bool needs_reference;          /* no resistor sets the current: the chip's own reference must (ADh 30h) */
+    uint16_t least_mv, most_mv;    /* the glass's voltage at 25 degrees, as others' drivers set it; 0: not known */
+    uint16_t current_permille; /* of OLEDs, of what the chip can give, as the module's maker sets it; 0: not known */
     const char *sources[GLASS_SOURCES]; /* repository and path, two at least */
 };
 

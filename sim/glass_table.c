@@ -171,16 +171,19 @@ const struct glass glass_rows[] = {
      * the last of those in use down to output 0. Those of fewer lines than outputs are told so (A8h) and shift nothing
      * (D3h 0). */
 
+    /* Vop 40 (Adafruit), 48 (luma), 64 (u8g2). */
     {.chip = "pcd8544",
      .module = "Nokia 5110",
      .w_px = 84,
      .h_px = 48,
      .mem_w_px = 84,
      .mem_h_px = 48,
+     .least_mv = 5460,
+     .most_mv = 6900,
      .sources = {U8G2 "u8x8_d_pcd8544_84x48.c", LUMA_LCD,
                  "adafruit/Adafruit-PCD8544-Nokia-5110-LCD-library Adafruit_PCD8544.cpp"}},
 
-    /* A1h, C8h, DAh 12h, first column addressed 2. */
+    /* A1h, C8h, DAh 12h, first column addressed 2. The pump: 32h, which it is after a reset, or 33h. */
     {.chip = "sh1106",
      .module = "1.3 inch",
      .w_px = 128,
@@ -193,6 +196,8 @@ const struct glass glass_rows[] = {
      .lines_back = true,
      .told_lines = true,
      .wiring = GLASS_ALTERNATING,
+     .least_mv = 8000,
+     .most_mv = 9000,
      .sources = {U8G2 "u8x8_d_ssd1306_128x64_noname.c", LUMA_OLED, "adafruit/Adafruit_SH110x Adafruit_SH1106G.cpp"}},
 
     /* A1h, C8h; first column addressed 0, or as said. */
@@ -286,7 +291,8 @@ const struct glass glass_rows[] = {
                  "micropython/micropython-lib micropython/drivers/display/ssd1306/ssd1306.py"}},
 
     /* A1h, C0h, first column addressed 4: three of u8g2's four modules of this size (JLX12864, OS12864, ERC12864) and
-     * luma's. Turned by half they are A0h, C8h and 0. */
+     * luma's. Turned by half they are A0h, C8h and 0. Voltages differ by glass:
+     * 23h with 10 (JLX), 50 (DG128064); 26h with 12 (OS), 39 (ERC); 22h with 57 (luma). */
     {.chip = "st7567",
      .module = "128x64 LCD",
      .w_px = 128,
@@ -295,6 +301,8 @@ const struct glass glass_rows[] = {
      .mem_h_px = 64,
      .column = 132 - 1 - 4,
      .columns_back = true,
+     .least_mv = 6358,
+     .most_mv = 10733,
      .sources = {U8G2 "u8x8_d_st7567.c", LUMA_LCD}},
 
     /* A0h, C8h, 0. luma has A1h, C0h, 4: the same glass, half a turn on. */
@@ -328,7 +336,8 @@ const struct glass glass_rows[] = {
     /* A8h 3Fh, A0h with its bit 4, A2h 4Ch: OSRAM's glass, as the maker of the LM3S6965EVB drives it (osram128x64x4.c,
      * from OSRAM's application note AN018), NHD's in u8g2, and luma's. u8g2's OS128064 is another module: 40h, and
      * without bit 4 50h; of the two directions together only 79 as the output where the chip starts to count backwards
-     * makes one glass. So it is taken to be the last of all, not of those in use. */
+     * makes one glass. So it is taken to be the last of all, not of those in use. The maker's current is 50 of 127 in
+     * half of the range (85h, 81h 50 in decimal). */
     {.chip = "ssd0323",
      .module = "OSRAM, of the LM3S6965EVB",
      .w_px = 128,
@@ -337,6 +346,7 @@ const struct glass glass_rows[] = {
      .mem_h_px = 80,
      .line = 75,
      .lines_back = true,
+     .current_permille = 196,
      .sources = {U8G2 "u8x8_d_ssd1325.c", LUMA_OLED}},
 
     /* A8h 7Fh, A0h 51h: bits 0 and 4. luma's 53h exchanges the pixels of a byte as well, as it sends them. */

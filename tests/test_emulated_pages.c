@@ -87,10 +87,37 @@ static void an_emulated_window_runs_on_to_its_end_and_is_full_then(void **state)
     assert_int_equal(chip.complaints, 2); /* data for an argument */
 }
 
+/* By the datasheets' formulas, in other terms: at 63 an ST7567 has all of 2.1 V times the ratio. */
+static void the_voltage_of_the_glass_is_by_the_datasheet(void **state)
+{
+    static const struct {
+        const char *chip;
+        uint8_t commands[4], n_b;
+        unsigned mv;
+    } supplies[] = {{"st7567", {0x27, 0x81, 63}, 3, 13650},
+                    {"st7567", {0x20, 0x81, 63}, 3, 6300},
+                    {"st7567", {0x24, 0x81, 0}, 3, 6416},
+                    {"pcd8544", {0x21, 0x80}, 2, 3060},
+                    {"pcd8544", {0x21, 0xFF}, 2, 10680},
+                    {"sh1106", {0xE3}, 1, 8000},
+                    {"sh1106", {0x30}, 1, 6400},
+                    {"sh1106", {0x33}, 1, 9000},
+                    {"ssd1306", {0x81, 255}, 2, 0}};
+    (void)state;
+    for (size_t i = 0; i < sizeof supplies / sizeof *supplies; i++) {
+        power(supplies[i].chip, 84, 48, 0);
+        chip.port.now_us += 1000000;
+        const struct bus bus = emulated_port_bus(&chip.port);
+        assert_int_equal(bus_write(&bus, supplies[i].commands, supplies[i].n_b), 0);
+        assert_in_range(emulated_pages_supply_mv(&chip), supplies[i].mv, supplies[i].mv + 1);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(mistakes_are_complained_about),
+        cmocka_unit_test(the_voltage_of_the_glass_is_by_the_datasheet),
         cmocka_unit_test(an_emulated_window_runs_on_to_its_end_and_is_full_then),
     };
     return cmocka_run_group_tests_name("emulated_pages", tests, NULL, NULL);

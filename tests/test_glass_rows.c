@@ -107,6 +107,30 @@ static void every_chip_has_a_row_for_what_it_is_taken_for(void **state)
     }
 }
 
+/* Not seen, and yet a default that can be wrong: within what others set, or twice or half of what the maker does. */
+static void usual_modules_get_their_voltage_and_current(void **state)
+{
+    unsigned voltages = 0, currents = 0;
+
+    (void)state;
+    for (const struct glass *row = glass_rows; row->chip; row++) {
+        const struct module_choice choice = choose(row);
+        assert_true(panel_rig_setup_on(&rig, &choice.panel, &choice.module, row));
+        assert_int_equal(panel_init(rig.display.panel), 0);
+        if (row->most_mv) {
+            assert_in_range(emulated_pages_supply_mv(&rig.glass.chip.pages), row->least_mv, row->most_mv);
+            voltages++;
+        }
+        if (row->current_permille) {
+            assert_in_range(emulated_solomon_current_permille(&rig.glass.chip.solomon), row->current_permille / 2u,
+                            row->current_permille * 2u);
+            currents++;
+        }
+    }
+    assert_int_equal(voltages, 3);
+    assert_int_equal(currents, 1);
+}
+
 /* Claims of the documents ----------------------------------------------------------------------------------------- */
 
 /* A row of that size, or all of the chip's memory: what the table of panels in README has. */
@@ -185,7 +209,7 @@ static void documents_speak_of_no_module_without_a_row(void **state)
 int main(void)
 {
     enum { MOST_ROWS = 64 };
-    static struct CMUnitTest tests[MOST_ROWS + 3];
+    static struct CMUnitTest tests[MOST_ROWS + 4];
     static char names[MOST_ROWS][64];
     size_t count = 0;
 
@@ -197,6 +221,7 @@ int main(void)
                                            .initial_state = (void *)(uintptr_t)row};
     }
     tests[count++] = (struct CMUnitTest)cmocka_unit_test(every_row_has_two_sources_and_lies_within_its_chip);
+    tests[count++] = (struct CMUnitTest)cmocka_unit_test(usual_modules_get_their_voltage_and_current);
     tests[count++] = (struct CMUnitTest)cmocka_unit_test(every_chip_has_a_row_for_what_it_is_taken_for);
     tests[count++] = (struct CMUnitTest)cmocka_unit_test(documents_speak_of_no_module_without_a_row);
     return _cmocka_run_group_tests("glass_rows", tests, count, NULL, NULL);
