@@ -142,13 +142,16 @@ static void reset_registers(struct emulated_solomon *chip)
 
 /* Commands --------------------------------------------------------------------------------- */
 
+/* Addresses beyond memory come round; a range that ends before it begins changes nothing. */
 static void set_range(struct emulated_solomon *chip, uint8_t range[2], uint8_t *at, unsigned end)
 {
+    const uint8_t first = (uint8_t)(chip->args[0] % end), last = (uint8_t)(chip->args[1] % end);
+
     if (chip->args[0] > chip->args[1] || chip->args[1] >= end)
         note(chip, "%02Xh %u..%u: memory is 0..%u", chip->command, chip->args[0], chip->args[1], end - 1);
-    range[0] = (uint8_t)(chip->args[0] % end);
-    range[1] = (uint8_t)(chip->args[1] % end);
-    *at = range[0];
+    if (first > last) return;
+    range[0] = *at = first;
+    range[1] = last;
     chip->window_full = false;
 }
 

@@ -185,6 +185,30 @@ static void an_oled_with_windows_bears_what_it_does_not_know(void **state)
     }
 }
 
+/* Commands are more frequent than data, and small numbers than large ones, so that many are understood. What is seen is
+ * asked for again and again: registers of any values must not lead out of memory. */
+static void any_bytes_are_borne_by_every_module(void **state)
+{
+    static uint8_t rgb[3 * 320 * 480];
+    uint32_t chance = 1;
+
+    (void)state;
+    for (const struct glass *row = glass_rows; row->chip; row++) {
+        emulated_display_init(&display, row);
+        display.port->deferred = false;
+        display.port->timeless = true;
+        port = emulated_port_whole(display.port);
+        for (unsigned i = 0; i < 3000; i++) {
+            chance = chance * 1664525u + 1013904223u;
+            const uint8_t byte = (uint8_t)(chance >> 24), wide = (uint8_t)(chance >> 16);
+            if (pin_is_wired(&port.dc)) assert_int_equal(pin_set(&port.dc, wide & 1), 0);
+            if (pin_is_wired(&port.select)) assert_int_equal(pin_set(&port.select, wide & 15), 0);
+            assert_int_equal(bus_write(&port.bus, &byte, 1), 0);
+            if (i % 500 == 0) emulated_display_show(&display, rgb);
+        }
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -196,6 +220,7 @@ int main(void)
         cmocka_unit_test(an_oled_bears_addresses_that_its_mode_ignores),
         cmocka_unit_test(an_lcd_of_pages_bears_its_supply_at_once),
         cmocka_unit_test(an_oled_with_windows_bears_what_it_does_not_know),
+        cmocka_unit_test(any_bytes_are_borne_by_every_module),
     };
     return cmocka_run_group_tests_name("notices", tests, NULL, NULL);
 }
