@@ -82,6 +82,8 @@ tap_check "a line that follows too soon is told" tells 'configured while it is d
     's/int err = finish(dma);/int err = 0;/' stm32f405
 tap_check "D/C that changes with the last byte is told" tells 'D/C, select and reset change' hal/mcu/stm32_spi.c \
     's/return err ? err : mcu_wait.*/return err;/' stm32f405
+tap_check "a driver that waits by counting is told" tells 'TXE is read as 1 and then BSY' hal/mcu/stm32_spi.c \
+    '/^int stm32_spi_flush/,/^}/ { s/int err = .*/volatile int i = !spi;/; s/return err.*/{ while (i < 999) i++; } return 0;/ }' stm32f405
 tap_check "memory that DMA does not reach is told" tells 'DMA reads flash, SRAM1 and SRAM2, not CCM' \
     boards/stm32f405/memory.ld 's/0x20000000, LENGTH = 128K/0x10000000, LENGTH = 64K/' stm32f405
 tap_check "too few wait states are told" tells '4 wait states at 168000000 Hz, which wants 5' hal/mcu/stm32f4_rcc.c \

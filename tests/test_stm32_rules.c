@@ -98,8 +98,7 @@ static void assert_nothing_told(void)
     assert_told(RULES);
 }
 
-/* -- How it is done right, and where a test does otherwise ------------------------------------------------------------
- */
+/* -- How it is done right, and where a test does otherwise -- */
 
 struct recipe {
     enum chip_kind kind;
@@ -229,8 +228,7 @@ static void finish_stream(void)
     finish();
 }
 
-/* -- What is right
- * ------------------------------------------------------------------------------------------------------ */
+/* -- What is right -- */
 
 static void test_a_program_that_keeps_the_rules_is_not_told_on(void **state)
 {
@@ -360,8 +358,7 @@ static void test_a_crystal_or_pll_that_fails_is_never_ready(void **state)
     assert_nothing_told();
 }
 
-/* -- Registers and clocks
- * ------------------------------------------------------------------------------------------------- */
+/* -- Registers and clocks -- */
 
 static void test_registers_are_used_as_they_are(void **state)
 {
@@ -530,9 +527,7 @@ static void test_the_switch_is_waited_for(void **state)
     }
 }
 
-/* -- Pins
- * -------------------------------------------------------------------------------------------------------------------
- */
+/* -- Pins -- */
 
 static void assert_start_tells(struct recipe recipe, enum chip_rule rule)
 {
@@ -577,6 +572,32 @@ static void test_wires_move_when_the_bus_rests(void **state)
     assert_told(RULE_PIN_IDLE);
 }
 
+/* It rests in time, but by luck: RM0090 28.3.9, note. */
+static void test_the_end_is_waited_for(void **state)
+{
+    (void)state;
+    for (unsigned kind = 0; kind < CHIP_KINDS; kind++) {
+        const uint32_t bsrr = right[kind].port + (kind == CHIP_F405 ? 0x18 : 0x10);
+        start_right(kind);
+        send(1);
+        chip_run(&rig.chip, 10000);
+        put(bsrr, 1 << 6);
+        assert_told(RULE_END_READ);
+        start_right(kind);
+        chip_write(&rig.chip, DR, 1, 4);
+        assert_int_equal(chip_read(&rig.chip, SR, 4) & (BSY | TXE), 0); /* BSY is 0 not yet, not already */
+        chip_run(&rig.chip, 10000);
+        put(bsrr, 1 << 6);
+        assert_told(RULE_END_READ);
+        start_right(kind);
+        send(1);
+        await(SR, TXE, TXE);
+        chip_run(&rig.chip, 10000);
+        put(CR1, right[kind].cr1);
+        assert_told(RULE_END_READ);
+    }
+}
+
 static void test_wires_are_driven(void **state)
 {
     (void)state;
@@ -593,9 +614,7 @@ static void test_wires_are_driven(void **state)
     assert_told(RULE_PIN_DRIVEN);
 }
 
-/* -- SPI
- * --------------------------------------------------------------------------------------------------------------------
- */
+/* -- SPI -- */
 
 static void test_the_spi_has_a_most_rate(void **state)
 {
@@ -690,9 +709,30 @@ static void test_modes_of_the_spi_change_what_leaves(void **state)
     assert_memory_equal(rig.sent, "\x12\x34", 2);
 }
 
-/* -- DMA
- * --------------------------------------------------------------------------------------------------------------------
- */
+/* RM0090 28.3.7, 28.3.10: what nobody reads is received all the same, unless the one data line is an output. */
+static void test_two_lines_receive_what_nobody_reads(void **state)
+{
+    (void)state;
+    start_right(CHIP_F405);
+    send(1);
+    send(2);
+    finish();
+    assert_int_equal(get(SR) & 0x41, 0);
+    struct recipe recipe = right[CHIP_F405];
+    recipe.cr1 &= ~UINT32_C(0xC000);
+    start(&recipe);
+    send(1);
+    finish();
+    assert_int_equal(get(SR) & 0x41, 1);
+    send(2);
+    finish();
+    assert_int_equal(get(SR) & 0x41, 0x41);
+    get(DR);
+    assert_int_equal(get(SR) & 0x41, 0);
+    assert_nothing_told();
+}
+
+/* -- DMA -- */
 
 static void assert_stream_tells(uint32_t at, uint32_t value, enum chip_rule rule)
 {
@@ -835,8 +875,7 @@ static void test_a_request_that_nobody_took_comes_at_the_wrong_time(void **state
     assert_told(RULE_SPI_EMPTY);
 }
 
-/* -- All of them
- * -------------------------------------------------------------------------------------------------------------- */
+/* -- All of them -- */
 
 static void test_each_rule_was_broken_on_each_chip_that_has_it(void **state)
 {
@@ -869,6 +908,7 @@ int main(void)
         cmocka_unit_test(test_the_switch_is_waited_for),
         cmocka_unit_test(test_the_spi_wants_its_pins),
         cmocka_unit_test(test_wires_move_when_the_bus_rests),
+        cmocka_unit_test(test_the_end_is_waited_for),
         cmocka_unit_test(test_wires_are_driven),
         cmocka_unit_test(test_the_spi_has_a_most_rate),
         cmocka_unit_test(test_the_spi_is_configured_then_enabled),
@@ -876,6 +916,7 @@ int main(void)
         cmocka_unit_test(test_the_spi_is_disabled_when_it_rests),
         cmocka_unit_test(test_busy_alone_tells_too_little),
         cmocka_unit_test(test_modes_of_the_spi_change_what_leaves),
+        cmocka_unit_test(test_two_lines_receive_what_nobody_reads),
         cmocka_unit_test(test_a_stream_is_told_where_from_and_where_to),
         cmocka_unit_test(test_other_streams_do_not_serve_the_spi),
         cmocka_unit_test(test_a_stream_is_off_when_it_is_configured),

@@ -83,8 +83,7 @@ static void stop(struct run *run)
     uc_emu_stop(run->processor);
 }
 
-/* -- What the chip tells
- * ------------------------------------------------------------------------------------------------ */
+/* -- What the chip tells -- */
 
 /* The same from the same place is told once. */
 static void on_complaint(void *ctx, enum chip_rule rule, const char *what)
@@ -176,8 +175,7 @@ static bool on_memory(void *ctx, uint32_t address, uint8_t *value)
     return true;
 }
 
-/* -- What the processor does
- * --------------------------------------------------------------------------------------------- */
+/* -- What the processor does -- */
 
 static void on_instruction(uc_engine *processor, uint64_t address, uint32_t size, void *ctx)
 {
@@ -244,8 +242,7 @@ static void on_exception(uc_engine *processor, uint32_t number, void *ctx)
     stop(run);
 }
 
-/* -- Setting up
- * ------------------------------------------------------------------------------------------------------------ */
+/* -- Setting up -- */
 
 static bool is(uc_err err, const char *what)
 {

@@ -77,8 +77,7 @@ static const struct chip_layout control_layout = {
     .n_registers = sizeof control_registers / sizeof control_registers[0],
 };
 
-/* -- Blocks
- * ------------------------------------------------------------------------------------------------------------ */
+/* -- Blocks -- */
 
 static void reset_block(struct chip_block *block)
 {
@@ -119,8 +118,7 @@ bool chip_add_wire(struct chip *chip, const struct chip_wire *wire)
     return true;
 }
 
-/* -- Time
- * -------------------------------------------------------------------------------------------------------------- */
+/* -- Time -- */
 
 /* Parts wake the chip anew for what comes next. */
 static void happen(struct chip *chip)
@@ -143,8 +141,7 @@ void chip_run(struct chip *chip, uint32_t cycles)
     if (chip->now_ps >= chip->next_ps) happen(chip);
 }
 
-/* -- Access
- * ------------------------------------------------------------------------------------------------------------ */
+/* -- Access -- */
 
 static const struct chip_register *find_register(const struct chip_layout *layout, uint32_t offset)
 {
@@ -227,8 +224,7 @@ void chip_write(struct chip *chip, uint32_t address, uint32_t value, unsigned wi
     if (layout->after_write) layout->after_write(chip, block, offset, before, value);
 }
 
-/* -- What RCC does to all blocks
- * --------------------------------------------------------------------------------------- */
+/* -- What RCC does to all blocks -- */
 
 void chip_switch_clocks(struct chip *chip, uint32_t rcc_word, uint32_t enabled)
 {

@@ -65,15 +65,16 @@ struct chip_clocks {
 struct chip_spi {
     bool full; /* the data register has a value: TXE is 0 */
     uint16_t data, shifting;
-    bool busy;         /* BSY */
-    bool request;      /* of DMA, until it is acknowledged */
-    bool rxne, ovr;    /* what is received nobody reads */
-    uint64_t load_ps;  /* the data register's value goes to the shift register; CHIP_NEVER: does not */
-    uint64_t end_ps;   /* the last bit has left */
-    uint64_t bytes;    /* that have left */
-    uint32_t hz;       /* SCK's rate */
-    bool stopped;      /* and does not go on */
-    uint32_t restarts; /* since it stopped */
+    bool busy;                       /* BSY */
+    bool request;                    /* of DMA, until it is acknowledged */
+    bool rxne, ovr;                  /* what is received nobody reads */
+    bool empty_is_read, end_is_read; /* SR told TXE since the last data, and then that BSY is 0 */
+    uint64_t load_ps;                /* the data register's value goes to the shift register; CHIP_NEVER: does not */
+    uint64_t end_ps;                 /* the last bit has left */
+    uint64_t bytes;                  /* that have left */
+    uint32_t hz;                     /* SCK's rate */
+    bool stopped;                    /* and does not go on */
+    uint32_t restarts;               /* since it stopped */
 };
 
 struct chip_stream {

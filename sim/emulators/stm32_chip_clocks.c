@@ -72,8 +72,7 @@ static uint32_t acr(struct chip *chip)
     return chip_value(chip_find(chip, "FLASH"), 0);
 }
 
-/* -- The PLL
- * ----------------------------------------------------------------------------------------------------------- */
+/* -- The PLL -- */
 
 /* Whether the PLL is fed by the crystal. */
 static bool is_by_hse(struct chip *chip)
@@ -179,8 +178,7 @@ static void control(struct chip *chip, uint32_t before, uint32_t now)
     if (falling & HSI_ON) stop_source(chip, SOURCE_HSI, "HSI", &chip->clocks.hsi_stops_ps);
 }
 
-/* -- Rates
- * ------------------------------------------------------------------------------------------------------------- */
+/* -- Rates -- */
 
 static uint32_t source_hz(struct chip *chip, unsigned source)
 {
@@ -296,8 +294,7 @@ void clocks_start(struct chip *chip)
     set_rates(chip);
 }
 
-/* -- Registers
- * --------------------------------------------------------------------------------------------------------- */
+/* -- Registers -- */
 
 static void rcc_before_write(struct chip *chip, struct chip_block *block, uint32_t offset, uint32_t value)
 {

@@ -55,8 +55,7 @@ static void switch_off(struct chip *chip, unsigned stream)
     chip->streams[stream].serve_ps = chip->streams[stream].off_ps = CHIP_NEVER;
 }
 
-/* -- Items
- * --------------------------------------------------------------------------------------------------------------- */
+/* -- Items -- */
 
 /* RM0090 2.1.4 and 2.3: what is behind the bus matrix. */
 static bool is_reached(uint32_t address)
@@ -160,8 +159,7 @@ void dma_peripheral_stops(struct chip *chip, const char *why)
             chip_complain(chip, RULE_DMA_FIRST, "%s: stream %u has EN %u", why, i, (unsigned)control(chip, i) & EN);
 }
 
-/* -- On
- * ------------------------------------------------------------------------------------------------------------------ */
+/* -- On -- */
 
 static void check_way(struct chip *chip, unsigned stream, uint32_t bits)
 {
@@ -207,8 +205,7 @@ void dma_start(struct chip *chip)
         chip->streams[i] = (struct chip_stream){.off_is_read = true, .off_ps = CHIP_NEVER, .serve_ps = CHIP_NEVER};
 }
 
-/* -- Registers
- * ----------------------------------------------------------------------------------------------------------- */
+/* -- Registers -- */
 
 static void before_write(struct chip *chip, struct chip_block *block, uint32_t offset, uint32_t value)
 {

@@ -56,8 +56,15 @@ static struct pin_state state_of(struct chip *chip, const struct chip_block *por
     return chip->kind == CHIP_F405 ? f405_state(port, bit) : f103_state(port, bit);
 }
 
-/* -- The display's wires
- * ------------------------------------------------------------------------------------------------ */
+/* -- The display's wires -- */
+
+static void check_rest(struct chip *chip, const struct chip_block *port, unsigned bit)
+{
+    if (!spi_is_idle(chip) || !dma_is_idle(chip))
+        chip_complain(chip, RULE_PIN_IDLE, "%s bit %u", port->layout->name, bit);
+    else if (!spi_end_is_read(chip))
+        chip_complain(chip, RULE_END_READ, "%s bit %u", port->layout->name, bit);
+}
 
 static void update_wire(struct chip *chip, unsigned index)
 {
@@ -67,8 +74,7 @@ static void update_wire(struct chip *chip, unsigned index)
     const bool high = port && chip_value(port, chip->kind == CHIP_F405 ? F4_ODR : F1_ODR) >> wire->bit & 1;
 
     if (driven && (high != wire->high || !wire->driven)) {
-        if (wire->driven && wire->is_display && !(spi_is_idle(chip) && dma_is_idle(chip)))
-            chip_complain(chip, RULE_PIN_IDLE, "%s bit %u", port->layout->name, wire->bit);
+        if (wire->driven && wire->is_display) check_rest(chip, port, wire->bit);
         chip->world.level(chip->world.ctx, index, high);
     }
     wire->driven = driven;
@@ -89,8 +95,7 @@ void pins_before_byte(struct chip *chip)
                           chip->wires[i].bit);
 }
 
-/* -- The SPI's pins
- * ------------------------------------------------------------------------------------------------------ */
+/* -- The SPI's pins -- */
 
 /* Either of two pins, of which an F103 has the first, unless it is mapped anew. */
 static void check_spi_pin(struct chip *chip, const char *name, unsigned bit_a, unsigned bit_b, uint32_t hz)
@@ -116,8 +121,7 @@ void pins_for_spi(struct chip *chip)
     check_spi_pin(chip, "MOSI", 7, 5, chip->spi.hz / 2);
 }
 
-/* -- Registers
- * ----------------------------------------------------------------------------------------------------------- */
+/* -- Registers -- */
 
 static void set_and_reset(struct chip_block *block, uint32_t odr, uint32_t set, uint32_t reset)
 {

@@ -42,6 +42,11 @@ bool spi_is_idle(const struct chip *chip)
     return !chip->spi.full && !chip->spi.busy;
 }
 
+bool spi_end_is_read(const struct chip *chip)
+{
+    return chip->spi.end_is_read;
+}
+
 bool spi_asks(const struct chip *chip)
 {
     return chip->spi.request;
@@ -55,8 +60,7 @@ static void ask(struct chip *chip)
     dma_asked(chip);
 }
 
-/* -- What leaves
- * ------------------------------------------------------------------------------------------------------- */
+/* -- What leaves -- */
 
 static uint8_t reversed(uint8_t byte)
 {
@@ -140,13 +144,13 @@ void spi_take(struct chip *chip, uint16_t value)
     if (spi->full) chip_complain(chip, RULE_SPI_EMPTY, "0x%02X takes the place of 0x%02X", value, spi->data);
     spi->full = true;
     spi->data = value;
+    spi->empty_is_read = spi->end_is_read = false;
     if (spi->busy || spi->load_ps != CHIP_NEVER || spi->stopped) return;
     spi->load_ps = chip->now_ps + LOAD_CLOCKS * PS_PER_S / chip->clocks.apb2_hz;
     chip_wake(chip, spi->load_ps);
 }
 
-/* -- On and off
- * -------------------------------------------------------------------------------------------------------- */
+/* -- On and off -- */
 
 static void check_rate(struct chip *chip)
 {
@@ -200,6 +204,8 @@ void spi_check_off(struct chip *chip, const char *why)
 {
     if (!spi_is_idle(chip))
         chip_complain(chip, RULE_SPI_IDLE, "%s: TXE is %d, BSY %d", why, !chip->spi.full, chip->spi.busy);
+    else if (!spi_end_is_read(chip))
+        chip_complain(chip, RULE_END_READ, "%s", why);
     dma_peripheral_stops(chip, why);
 }
 
@@ -209,10 +215,16 @@ void spi_start(struct chip *chip)
 
     disable(chip);
     spi->rxne = spi->ovr = false;
+    spi->end_is_read = true;
 }
 
-/* -- Registers
- * --------------------------------------------------------------------------------------------------------- */
+static void note_end(struct chip_spi *spi)
+{
+    if (!spi->full) spi->empty_is_read = true;
+    if (spi->empty_is_read && !spi->busy) spi->end_is_read = true;
+}
+
+/* -- Registers -- */
 
 static void before_write(struct chip *chip, struct chip_block *block, uint32_t offset, uint32_t value)
 {
@@ -241,11 +253,12 @@ static void after_write(struct chip *chip, struct chip_block *block, uint32_t of
 
 static uint32_t read(struct chip *chip, struct chip_block *block, uint32_t offset, uint32_t stored)
 {
-    const struct chip_spi *spi = &chip->spi;
+    struct chip_spi *spi = &chip->spi;
 
     (void)block;
-    if (offset == DR) chip->spi.rxne = chip->spi.ovr = false;
+    if (offset == DR) spi->rxne = spi->ovr = false;
     if (offset != SR) return stored;
+    note_end(spi);
     return stored | (spi->rxne ? RXNE : 0) | (spi->full ? 0 : TXE) | (spi->ovr ? OVR : 0) | (spi->busy ? BSY : 0);
 }
 

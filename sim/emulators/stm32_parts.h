@@ -65,7 +65,8 @@ void spi_start(struct chip *chip);
 void spi_run(struct chip *chip);
 void spi_take(struct chip *chip, uint16_t value); /* a write to its data register, from wherever */
 bool spi_is_idle(const struct chip *chip);
-bool spi_asks(const struct chip *chip); /* for DMA */
+bool spi_end_is_read(const struct chip *chip); /* the program knows that it is */
+bool spi_asks(const struct chip *chip);        /* for DMA */
 void spi_check_off(struct chip *chip, const char *why);
 
 /* stm32_chip_dma.c */

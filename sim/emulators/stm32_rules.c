@@ -32,6 +32,9 @@ const struct chip_rule_text chip_rules[RULES] = {
     [RULE_DEBUG_PINS] = {{"RM0090 8.3.1", NULL}, "the debug port's pins stay its own"},
     [RULE_PIN_IDLE] = {{"RM0090 28.3.8, 28.3.9", "RM0008 25.3.8"},
                        "D/C, select and reset change when TXE is 1, BSY 0 and no DMA is on its way"},
+    [RULE_END_READ] =
+        {{"RM0090 28.3.8, 28.3.9", "RM0008 25.3.8"},
+         "TXE is read as 1 and then BSY as 0 after the last data, before a wire changes or the SPI is off"},
     [RULE_PIN_DRIVEN] = {{"RM0090 8.3.2", "RM0008 9.1"}, "D/C and select are outputs before a byte is sent"},
     [RULE_SPI_PINS] = {{"RM0090 8.3.2, DS8626 table 9", "RM0008 9.1.9, DS5319 table 5"}, "SCK and MOSI are the SPI's"},
     [RULE_SPI_EDGES] = {{"RM0090 8.4.3, DS8626 5.3.16", "RM0008 9.2.1"}, "a pin's speed suffices for its rate"},

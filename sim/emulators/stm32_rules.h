@@ -27,6 +27,7 @@ enum chip_rule {
     RULE_VOLTAGE,
     RULE_DEBUG_PINS,
     RULE_PIN_IDLE,
+    RULE_END_READ,
     RULE_PIN_DRIVEN,
     RULE_SPI_PINS,
     RULE_SPI_EDGES,
