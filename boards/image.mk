@@ -190,9 +190,9 @@ PANEL_HZ = $(shell awk '$$2 == "MODULE_SPEED_HZ" { print $$3 + 0 }' $(folder)/mo
 
 .PHONY: image flash emulate rules cost
 all: image
-image: $(addprefix $(IMAGE).,elf $(IMAGES)) | packages
+image: $(addprefix $(IMAGE).,elf $(IMAGES)) $(if $(CARD),$(folder)/golden) | packages
 	@cat $(folder)/fits
-	@printf '  %s\n' $(addprefix $(IMAGE).,elf $(IMAGES))
+	@printf '  %s\n' $(addprefix $(IMAGE).,elf $(IMAGES)) $(if $(CARD),$(folder)/golden)
 
 flash: image ## BOARD=NAME: put the image on the board
 	$(LIVE)command -v $(FLASH_TOOL) > /dev/null || { echo "flash: $(FLASH_TOOL) is missing; Debian's package: $(FLASH_PACKAGES)" >&2; exit 1; }
