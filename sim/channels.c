@@ -40,7 +40,7 @@ void channels_free(struct channels *channels)
         free(channels->items[i].id);
     }
     free(channels->items);
-    *channels = (struct channels){NULL};
+    *channels = (struct channels){.items = NULL};
 }
 
 /* --wires ------------------------------------------------------------------------------------ */

@@ -104,7 +104,7 @@ static bool compare_loop(const struct hashes *wanted, const uint64_t *hashes, si
 
 bool hashes_check(const uint64_t *hashes, size_t count, const char *path, struct error *err)
 {
-    struct hashes wanted = {NULL};
+    struct hashes wanted = {.items = NULL};
     const bool ok = read_file(&wanted, path, err) && compare(&wanted, hashes, count, path, err);
     free(wanted.items);
     return ok;
@@ -112,7 +112,7 @@ bool hashes_check(const uint64_t *hashes, size_t count, const char *path, struct
 
 bool hashes_check_loop(const uint64_t *hashes, size_t count, const char *path, struct error *err)
 {
-    struct hashes wanted = {NULL};
+    struct hashes wanted = {.items = NULL};
     const bool ok = read_file(&wanted, path, err) && compare_loop(&wanted, hashes, count, path, err);
     free(wanted.items);
     return ok;
