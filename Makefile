@@ -83,7 +83,7 @@ packages-predictions    := $(packages-models)
 packages-compare       := gcc-arm-none-eabi qemu-system-arm
 packages-bench         := $(packages-tradeoff) valgrind
 packages-bench-baseline := $(packages-bench)
-packages-boards        := $(shell sed -n 's/^\(EMULATE_\|RULES_\)\{0,1\}PACKAGES *:= *//p' boards/*/board.mk)
+packages-boards        := sigrok-cli $(shell sed -n 's/^\(EMULATE_\|RULES_\)\{0,1\}PACKAGES *:= *//p' boards/*/board.mk)
 packages-boards-table  := $(packages-boards)
 packages-test          := ccache $(foreach suite,$(suites),$(packages-$(suite)))
 
@@ -351,7 +351,7 @@ test-programs: $(test_programs) ## build the unit tests without running them
 
 # -- Proofs, exhaustion, fuzzing: see tests/prove.sh, tests/exhaustive.h, tests/fuzz.h --------------------------------
 
-FUZZ_TARGETS := camera camera_file lim_file render features movers obj gltf ply stl off picture wire_log qemu text written report
+FUZZ_TARGETS := camera camera_file lim_file render features movers obj gltf ply stl off picture wire_log qemu vcd text written report
 FUZZ_FLAGS   := -max_total_time=60
 FUZZ_S       := 0
 export FUZZ_FLAGS FUZZ_S

@@ -35,12 +35,14 @@ static void choose(const char *options)
     assert_int_equal(arguments.count, 1);
 }
 
-/* With so much memory for lines; what is seen goes to pixels. */
-static void draw(const char *options, size_t mem_b)
+/* A driver for a module with these options, on one that has others, with so much memory for lines; what is seen goes to
+ * pixels. */
+static void draw_on(const char *glass_options, const char *options, size_t mem_b)
 {
     struct error err;
-    choose(options);
+    choose(glass_options);
     listener_init(&listener, &choice);
+    choose(options);
     if (!display_setup(&display, &choice.panel, &choice.module, &listener.port, &err)) fail_msg("%s", err.text);
     assert_int_equal(panel_init(display.panel), 0);
     const enum lim_method method = mem_b < sizeof mem ? LIM_CONVEX : LIM_NEAREST_FIRST;
@@ -49,6 +51,11 @@ static void draw(const char *options, size_t mem_b)
     if (!emulated_display_is_quiet(&listener.display, &err)) fail_msg("%s", err.text);
     listener_read(&listener, rgb, pixels);
     module_choice_picture(&choice.module, &w_px, &h_px);
+}
+
+static void draw(const char *options, size_t mem_b)
+{
+    draw_on(options, options, mem_b);
 }
 
 static uint16_t at(unsigned x_px, unsigned y_px)
@@ -141,6 +148,39 @@ static void runs_draw_what_lines_do(void **state)
     }
 }
 
+/* The table of hal/README.md: what is seen of a module that is built otherwise than its driver was told, and that the
+ * table's option mends it. */
+static void what_is_seen_tells_which_option_mends_it(void **state)
+{
+    (void)state;
+    enum { RED = 0xF800, GREEN = 0x07E0, BLUE = 0x001F, RAMP = 0 };
+    static const struct {
+        const char *panel, *told, *mending;
+        uint16_t clockwise[4]; /* from the top left on */
+    } rows[] = {
+        {"st7789 --size 240x320", "", "--mirror-columns", {GREEN, RED, RAMP, BLUE}},
+        {"st7789 --size 240x320", "", "--mirror-rows", {RAMP, BLUE, GREEN, RED}},
+        {"st7789 --size 240x320", "", "--mirror-rows --mirror-columns", {BLUE, RAMP, RED, GREEN}},
+        {"st7789", "--rgb", "--bgr", {BLUE, GREEN, RED, RAMP}},
+        {"ili9341", "--bgr", "--rgb", {BLUE, GREEN, RED, RAMP}},
+        {"st7789", "--no-invert", "--invert", {0x07FF, 0xF81F, 0xFFE0, 0xFFFF}},
+        {"ili9341", "--invert", "--no-invert", {0x07FF, 0xF81F, 0xFFE0, 0xFFFF}},
+    };
+    for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
+        char told[100], mended[100];
+        snprintf(told, sizeof told, "--panel %s %s", rows[i].panel, rows[i].told);
+        snprintf(mended, sizeof mended, "--panel %s %s", rows[i].panel, rows[i].mending);
+        draw_on(mended, told, sizeof mem);
+        const uint16_t *corners = rows[i].clockwise;
+        const unsigned right = w_px - 1, below = h_px - 1;
+        const unsigned x[] = {0, right, right, 0}, y[] = {0, 0, below, below};
+        for (int corner = 0; corner < 4; corner++)
+            if (corners[corner] != RAMP) assert_int_equal(at(x[corner], y[corner]), corners[corner]);
+        draw_on(mended, mended, sizeof mem);
+        assert_card();
+    }
+}
+
 /* Down to a pixel there is a card, with whatever of it there is room for. */
 static void cards_may_be_small(void **state)
 {
@@ -160,6 +200,7 @@ int main(void)
         cmocka_unit_test(its_viewer_sees_it_upright_however_the_module_is_turned),
         cmocka_unit_test(black_and_white_has_the_same_corners),
         cmocka_unit_test(runs_draw_what_lines_do),
+        cmocka_unit_test(what_is_seen_tells_which_option_mends_it),
         cmocka_unit_test(cards_may_be_small),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
