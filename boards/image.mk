@@ -3,7 +3,7 @@
 # Builds the image of one board: `make BOARD=bluepill [SCENE=MODEL] [PANEL=NAME] [PRECISION=NAME]`. The board's folder
 # says what it is (board.mk); all of that, and what is below, can be said otherwise on make's command line:
 #   SCENE      a model's file, or the name of one in sim/scenes    CAMERA   its path (beside it, or round the model)
-#              test-card: the board's self-test, the card and then a solid that turns; CARD_MS: how long it stays
+#              test-card: the board's self-test, the card and then a solid that turns; CARD_MS: how long it stays (3000; 100 to emulate)
 #   PANEL      the display's chip    MODULE   options of its module: limner help, play: --size 128x128 --rotate 90
 #   STREAM     yes: two renderers, of which one finds out what is seen while the other's frame is sent; no; auto: if both
 #              have room    LINES  of pixels in RAM, at most
@@ -41,7 +41,7 @@ packages-rules    = $(RULES_PACKAGES)
 
 $(if $(word 2,$(SCENE)),$(error SCENE=$(SCENE): make knows no paths with spaces))
 CARD    := $(filter test-card,$(SCENE))
-CARD_MS := 3000
+CARD_MS := $(if $(filter emulate,$(MAKECMDGOALS)),100,3000)
 scene   := $(if $(CARD),icosahedron,$(SCENE))
 model   := $(firstword $(wildcard $(scene)) $(wildcard sim/scenes/$(scene).obj) $(wildcard sim/scenes/$(scene).gltf) \
 	$(filter $(BUILD)/scenes/$(scene).obj,$(demo)) $(filter $(BUILD)/scenes/$(scene)/$(scene).obj,$(textured)))
