@@ -129,6 +129,7 @@ static void any_text_is_heard_by_a_display_or_refused(void **state)
     (void)state;
     replay_corpus("wire_log");
     replay_corpus("qemu");
+    replay_corpus("vcd");
 }
 
 static void any_words_are_a_command_or_refused(void **state)
