@@ -12,18 +12,15 @@ uint8_t pages_put(uint8_t *commands, const uint8_t *list, uint8_t n_b)
     return n_b;
 }
 
-uint8_t pages_setup_oled(uint8_t commands[PAGES_SETUP_MAX_B], const struct pages_config *config,
-                         enum pages_wiring usual, uint8_t contrast, const uint8_t *supply, uint8_t supply_b,
-                         uint8_t precharge)
+uint8_t pages_setup_oled(uint8_t commands[PAGES_SETUP_MAX_B], const struct pages_config *config, uint8_t contrast,
+                         const uint8_t *supply, uint8_t supply_b, uint8_t precharge)
 {
-    const enum pages_wiring wiring = config->wiring ? config->wiring : usual;
     /* clang-format off */
     const uint8_t list[] = {
         0xAE,                             /* display off */
         0xD5, 0x80,                       /* clock */
         0xA8, (uint8_t)(config->h_px - 1u), /* lines */
-        0xD3, 0x00,                       /* the first line drives the first output */
-        0xDA, wiring == PAGES_WIRING_SEQUENTIAL ? 0x02 : 0x12,
+        0xDA, config->wiring == PAGES_WIRING_SEQUENTIAL ? 0x02 : 0x12,
         0x81, contrast,
         0xD9, precharge, 0xDB, 0x40,      /* level of what is off */
         0xA4,                             /* show memory */
@@ -97,26 +94,25 @@ static bool pages_runs_back(const struct pages *pages, enum panel_rotation rotat
     return (rotation == PANEL_TURNED_180) != pages->config.mirror;
 }
 
-/* Lines counted from below meet the glass's first one as far on the other side. Where all outputs are scanned, and not
- * those of the glass alone, they meet those that it does not have before. */
-static uint8_t pages_start_line(const struct pages *pages, enum panel_rotation rotation)
-{
-    const unsigned mem_h_px = pages->chip->mem_h_px, line = pages->config.start_line;
-    const unsigned scanned_px = pages->chip->scans_all ? pages->config.h_px : mem_h_px;
-
-    return (uint8_t)(rotation == PANEL_TURNED_180 ? (mem_h_px + scanned_px - line) % mem_h_px : line);
-}
-
+/* Lines counted from below meet the glass as far on the other side; where all outputs are scanned, and not those of the
+ * glass alone, those that it does not have come before. Chips count lines modulo 64. */
 static int pages_send_flip(struct pages *pages, enum panel_rotation rotation)
 {
     const struct pages_chip *chip = pages->chip;
-    uint8_t commands[3], n_b = 0;
+    const struct pages_config *config = &pages->config;
+    const bool on_its_head = rotation == PANEL_TURNED_180;
+    uint8_t line = config->start_line, shift = config->shift, commands[5];
 
-    if (chip->start_line) commands[n_b++] = (uint8_t)(chip->start_line | pages_start_line(pages, rotation));
-    if (chip->flip)
-        n_b = (uint8_t)(n_b + chip->flip(&commands[n_b], pages->config.flip_columns != pages_runs_back(pages, rotation),
-                                         pages->config.flip_rows != (rotation == PANEL_TURNED_180)));
-    return n_b ? pages_command(pages, commands, n_b) : 0;
+    if (!chip->flip) return 0;
+    if (on_its_head) {
+        line = (uint8_t)((chip->scans_all ? config->h_px : 0) - line);
+        shift = (uint8_t)-shift;
+    }
+    chip->flip(commands, config->flip_columns != pages_runs_back(pages, rotation), config->flip_rows != on_its_head);
+    commands[2] = (uint8_t)(chip->start_line | (line & 63));
+    commands[3] = 0xD3;
+    commands[4] = shift & 63;
+    return pages_command(pages, commands, chip->is_oled ? 5 : 3);
 }
 
 static int pages_send_look(struct pages *pages, bool on, bool inverted)
@@ -317,16 +313,22 @@ static int pages_set_backlight(struct panel *panel, bool lit)
     return pin_is_wired(&pages->config.backlight) ? pin_set(&pages->config.backlight, lit) : PANEL_ERR_UNSUPPORTED;
 }
 
+static bool pages_is_size(uint16_t px, uint16_t most_px)
+{
+    return px && px <= most_px;
+}
+
+/* What chips that count lines are told of them has six bits. */
 static bool pages_config_fits(const struct pages_config *config, const struct pages_chip *chip)
 {
     if (!config->bus.write || !config->dc.set || !config->clock.delay) return false;
-    if (config->w_px == 0 || config->w_px > chip->mem_w_px) return false;
-    if (config->h_px == 0 || config->h_px % 8 || config->h_px > chip->mem_h_px) return false;
-    if (config->ox_px > chip->mem_w_px - config->w_px || config->contrast > chip->contrast_max) return false;
-    if (!chip->flip && (config->mirror || config->flip_columns || config->flip_rows)) return false;
-    if (config->start_line && (!chip->start_line || config->start_line >= chip->mem_h_px)) return false;
+    if (!pages_is_size(config->w_px, chip->mem_w_px) || !pages_is_size(config->h_px, chip->mem_h_px)) return false;
+    if (config->h_px % 8 || config->ox_px > chip->mem_w_px - config->w_px) return false;
+    if (config->contrast > chip->contrast_max || (config->start_line | config->shift) > 63) return false;
+    if (!chip->flip && (config->mirror || config->flip_columns || config->flip_rows || config->start_line))
+        return false;
     if ((unsigned)config->wiring > PAGES_WIRING_ALTERNATIVE) return false;
-    if (!chip->is_oled && (config->wiring || config->internal_reference)) return false;
+    if (!chip->is_oled && (config->wiring || config->internal_reference || config->shift)) return false;
     return pages_can(chip, config->rotation);
 }
 
@@ -343,18 +345,19 @@ int pages_setup(struct pages *pages, const struct pages_chip *chip, const struct
         .set_backlight = pages_set_backlight,
     };
     if (!pages_config_fits(config, chip)) return PANEL_ERR_CONFIG;
-    *pages = (struct pages){
-        .chip = chip, .config = *config, .rotation = config->rotation, .wire = {.bus = config->bus, .dc = config->dc}};
-    pages->panel = (struct panel){
-        .ops = &ops,
-        .chip = pages,
-        .w_px = config->w_px,
-        .h_px = config->h_px,
-        .step_x_px = 1,
-        .step_y_px = 8,
-        .format = PANEL_MONO_PAGES,
-        .runs_on = pages_runs_on(pages, config->w_px),
-        .window_b = pages_window_b(pages),
-    };
+    *pages = (struct pages){.chip = chip, .rotation = config->rotation};
+    pages->config = *config;
+    pages->wire.bus = config->bus;
+    pages->wire.dc = config->dc;
+    struct panel *panel = &pages->panel;
+    panel->ops = &ops;
+    panel->chip = pages;
+    panel->w_px = config->w_px;
+    panel->h_px = config->h_px;
+    panel->step_x_px = 1;
+    panel->step_y_px = 8;
+    panel->format = PANEL_MONO_PAGES;
+    panel->runs_on = pages_runs_on(pages, config->w_px);
+    panel->window_b = pages_window_b(pages);
     return 0;
 }

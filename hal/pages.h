@@ -15,8 +15,8 @@ enum { PAGES_SETUP_MAX_B = 32, PAGES_ADDRESS_MAX_B = 8 };
 
 struct pages_config;
 
-/* How the lines of OLED glass hang on the chip's outputs: one after the other, or on both sides in turn. The usual
- * wiring goes by the glass's size. */
+/* How the lines of OLED glass hang on the chip's outputs: one after the other, or on both sides in turn, as is usual.
+ * An SSD1306's of 128x32 and 96x16 are sequential. */
 enum pages_wiring { PAGES_WIRING_USUAL, PAGES_WIRING_SEQUENTIAL, PAGES_WIRING_ALTERNATIVE };
 
 /* How a chip differs from the others. Its functions write commands, which all go out with D/C low, arguments too, and
@@ -30,7 +30,7 @@ struct pages_chip {
     uint8_t wake[3], wake_b;
     bool scans_all;     /* it scans lines of all its outputs, however many the glass has */
     uint8_t start_line; /* command, of which the lower bits are the line; 0: it has none */
-    bool is_oled;       /* `wiring` and `internal_reference` mean something */
+    bool is_oled;       /* `shift`, `wiring` and `internal_reference` mean something */
     uint8_t (*setup)(uint8_t commands[PAGES_SETUP_MAX_B], const struct pages_config *config, uint8_t contrast);
     uint8_t (*look)(uint8_t commands[2], bool on, bool inverted);
     uint8_t (*flip)(uint8_t commands[2], bool columns, bool rows); /* left and right, top and bottom; NULL: it cannot */
@@ -57,8 +57,9 @@ struct pages_config {
     bool invert;                  /* glass that comes out negative without it */
     uint8_t contrast;             /* 1 .. the chip's most; 0: its usual one; modules vary */
     uint8_t start_line;           /* memory line that the glass begins with, upright: 0 .. the memory's less 1 */
-    enum pages_wiring wiring;     /* of OLED glass */
-    bool internal_reference;      /* OLED glass whose current the chip itself sets, as of 72x40 pixels */
+    uint8_t shift;            /* of OLED glass: lines before its first on the outputs (D3h), upright: as start_line */
+    enum pages_wiring wiring; /* of OLED glass */
+    bool internal_reference;  /* OLED glass whose current the chip itself sets, as of 72x40 pixels */
 };
 
 /* State of one panel; private but for `panel`. */
@@ -76,9 +77,8 @@ struct pages {
 
 /* What most of the chips have in common, for their tables. */
 uint8_t pages_put(uint8_t *commands, const uint8_t *list, uint8_t n_b);
-uint8_t pages_setup_oled(uint8_t commands[PAGES_SETUP_MAX_B], const struct pages_config *config,
-                         enum pages_wiring usual, uint8_t contrast, const uint8_t *supply, uint8_t supply_b,
-                         uint8_t precharge);
+uint8_t pages_setup_oled(uint8_t commands[PAGES_SETUP_MAX_B], const struct pages_config *config, uint8_t contrast,
+                         const uint8_t *supply, uint8_t supply_b, uint8_t precharge);
 uint8_t pages_look_ae(uint8_t commands[2], bool on, bool inverted);
 /* For glass that usually shows the last column and line first. */
 uint8_t pages_flip_a0(uint8_t commands[2], bool columns, bool rows);

@@ -8,7 +8,7 @@ static uint8_t setup(uint8_t commands[PAGES_SETUP_MAX_B], const struct pages_con
 {
     static const uint8_t supply[] = {0xAD, 0x8B, 0x33}; /* converter on, 9 V */
 
-    return pages_setup_oled(commands, config, PAGES_WIRING_ALTERNATIVE, contrast, supply, sizeof supply, 0x1F);
+    return pages_setup_oled(commands, config, contrast, supply, sizeof supply, 0x1F);
 }
 
 const struct pages_chip sh1106 = {

@@ -8,14 +8,10 @@
 
 static uint8_t setup(uint8_t commands[PAGES_SETUP_MAX_B], const struct pages_config *config, uint8_t contrast)
 {
-    static const uint8_t supply[] = {0x8D, 0x14, 0x20, 0x02}; /* charge pump on; page addressing */
-    static const uint8_t reference[] = {0xAD, 0x30};
-    const bool is_low = config->h_px <= 32 && config->w_px > 64; /* and has all lines on one side */
-    const enum pages_wiring usual = is_low ? PAGES_WIRING_SEQUENTIAL : PAGES_WIRING_ALTERNATIVE;
-    const uint8_t n_b = pages_setup_oled(commands, config, usual, contrast, supply, sizeof supply, 0xF1);
+    static const uint8_t supply[] = {0x8D, 0x14, 0x20, 0x02, 0xAD, 0x30}; /* pump; page addressing; reference */
+    const uint8_t supply_b = config->internal_reference ? sizeof supply : sizeof supply - 2;
 
-    if (!config->internal_reference) return n_b;
-    return (uint8_t)(n_b + pages_put(commands + n_b, reference, sizeof reference));
+    return pages_setup_oled(commands, config, contrast, supply, supply_b, 0xF1);
 }
 
 /* Horizontal addressing, told each time: two bytes of a message that is sent anyway. */

@@ -20,7 +20,7 @@
     PIN(bus, bus) PIN(dc, dc) PIN(reset, reset) PIN(backlight, backlight) PIN(clock, clock) \
     VALUE(w_px, module) VALUE(h_px, module) VALUE(ox_px, module) VALUE(rotation, module) VALUE(mirror, module) \
     VALUE(flip_columns, module) VALUE(flip_rows, module) VALUE(invert, module) VALUE(contrast, module) \
-    VALUE(start_line, module) VALUE(wiring, module) VALUE(internal_reference, module)
+    VALUE(start_line, module) VALUE(shift, module) VALUE(wiring, module) VALUE(internal_reference, module)
 #define SOLOMON_FIELDS(PIN, VALUE) \
     PIN(bus, bus) PIN(dc, dc) PIN(reset, reset) PIN(backlight, backlight) PIN(clock, clock) \
     VALUE(w_px, module) VALUE(h_px, module) VALUE(ox_px, module) VALUE(shift, module) VALUE(shift_turned, module) \

@@ -43,7 +43,7 @@ struct display_module {
     enum pages_wiring wiring;     /* likewise */
     bool internal_reference;      /* likewise */
     bool converter;               /* as in struct solomon_config */
-    uint8_t shift, shift_turned;  /* likewise */
+    uint8_t shift, shift_turned;  /* likewise, the first also as in struct pages_config */
 };
 
 /* A driver; must not move. */

@@ -13,14 +13,6 @@ const struct glass *glass_find(const char *chip, unsigned w_px, unsigned h_px)
     return NULL;
 }
 
-/* The row whose make glass of such a size is likely to have: OLEDs that are long and low have all lines on one side. */
-static const struct glass *find_likely(const char *chip, unsigned w_px, unsigned h_px)
-{
-    const struct glass *row = glass_find(chip, w_px, h_px);
-    if (!row && h_px <= 32 && w_px > 64) row = glass_find(chip, 128, 32);
-    return row ? row : glass_find(chip, 0, 0);
-}
-
 static uint16_t counted(bool back, unsigned all, unsigned at)
 {
     return (uint16_t)(back ? all - 1 - at : at);
@@ -35,7 +27,6 @@ struct glass glass_like(const char *chip, unsigned w_px, unsigned h_px, unsigned
     glass.h_px = (uint16_t)h_px;
     glass.column = counted(usual->columns_back, usual->mem_w_px, ox_px);
     glass.line = counted(usual->lines_back, usual->told_lines ? h_px : usual->mem_h_px, oy_px);
-    glass.wiring = find_likely(chip, w_px, h_px)->wiring;
     return glass;
 }
 

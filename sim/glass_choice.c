@@ -94,7 +94,7 @@ struct glass glass_choose(const struct panel_choice *panel, const struct display
     glass.blue_first = glass.blue_first != (module->bgr != usual.bgr);
     glass.negative = glass.negative != (module->invert != usual.invert);
     glass.needs_reference = glass.needs_reference != (module->internal_reference != usual.internal_reference);
-    if (module->wiring == PAGES_WIRING_SEQUENTIAL) glass.wiring = GLASS_IN_ORDER;
-    if (module->wiring == PAGES_WIRING_ALTERNATIVE) glass.wiring = GLASS_ALTERNATING;
+    if (module->wiring != usual.wiring)
+        glass.wiring = module->wiring == PAGES_WIRING_SEQUENTIAL ? GLASS_IN_ORDER : GLASS_ALTERNATING;
     return glass;
 }

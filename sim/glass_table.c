@@ -200,6 +200,21 @@ const struct glass glass_rows[] = {
      .most_mv = 9000,
      .sources = {U8G2 "u8x8_d_ssd1306_128x64_noname.c", LUMA_OLED, "adafruit/Adafruit_SH110x Adafruit_SH1106G.cpp"}},
 
+    /* The same with A8h 1Fh and D3h 10h; luma has 20h and 0Fh, the same outputs. u8g2 says Visionox of it. */
+    {.chip = "sh1106",
+     .module = "0.91 inch",
+     .w_px = 128,
+     .h_px = 32,
+     .mem_w_px = 132,
+     .mem_h_px = 64,
+     .column = 132 - 1 - 2,
+     .line = 47,
+     .columns_back = true,
+     .lines_back = true,
+     .told_lines = true,
+     .wiring = GLASS_ALTERNATING,
+     .sources = {U8G2 "u8x8_d_ssd1306_128x32.c", LUMA_OLED}},
+
     /* A1h, C8h; first column addressed 0, or as said. */
     {.chip = "ssd1306",
      .module = "0.96 inch",

@@ -190,8 +190,8 @@ static void what_a_chip_cannot_is_refused(void **state)
         const struct pages_chip *chip = panels_pages[i];
         rig_setup(chip, 48, 48);
         const struct pages_config good = rig.config;
-        struct pages_config bad[9];
-        for (unsigned k = 0; k < 9; k++)
+        struct pages_config bad[12];
+        for (unsigned k = 0; k < 12; k++)
             bad[k] = good;
         bad[0].w_px = 0;
         bad[1].h_px = 20;
@@ -202,8 +202,14 @@ static void what_a_chip_cannot_is_refused(void **state)
         bad[6].bus.write = NULL;
         bad[7].dc.set = NULL;
         bad[8].clock.delay = NULL;
-        for (unsigned k = 0; k < 9; k++)
+        bad[9].shift = 64;
+        bad[10].start_line = 64;
+        bad[11].wiring = (enum pages_wiring)3;
+        for (unsigned k = 0; k < 12; k++)
             assert_int_equal(pages_setup(&rig.display, chip, &bad[k]), PANEL_ERR_CONFIG);
+        bad[0] = good;
+        bad[0].shift = 63;
+        assert_int_equal(pages_setup(&rig.display, chip, &bad[0]), chip->is_oled ? 0 : PANEL_ERR_CONFIG);
         bad[0] = good;
         bad[0].mirror = true;
         assert_int_equal(pages_setup(&rig.display, chip, &bad[0]), chip->flip ? 0 : PANEL_ERR_CONFIG);
