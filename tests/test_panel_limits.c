@@ -31,7 +31,7 @@ static const struct limits chips[] = {
     {"ssd1306", PAGES, 128, 64, 255, 207, 1, 8, false, true, 64},
     {"st7567", PAGES, 132, 64, 63, 36, 1, 8, false, false, 64},
     {"uc1701", PAGES, 132, 64, 63, 39, 1, 8, false, false, 64},
-    {"ssd0323", SOLOMON, 128, 80, 127, 80, 2, 1, false, true, 80},
+    {"ssd0323", SOLOMON, 128, 80, 127, 50, 2, 1, false, true, 80},
     {"ssd1327", SOLOMON, 128, 128, 255, 128, 2, 1, false, true, 128},
     {"ssd1351", SOLOMON, 128, 128, 15, 15, 1, 1, true, true, 128},
 };
