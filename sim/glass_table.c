@@ -168,8 +168,8 @@ const struct glass glass_rows[] = {
     /* Pages ----------------------------------------------------------------------------------------------------------
      *
      * With A1h a chip of n columns puts what is addressed as c on its output n - 1 - c. With C8h lines are scanned from
-     * the last of those in use down to output 0. Those of fewer lines than outputs are told so (A8h) and shift nothing
-     * (D3h 0). */
+     * the last of those in use down to output 0. Chips with fewer lines than outputs are told so (A8h), and shift
+     * nothing (D3h 0) unless the comment says otherwise. */
 
     /* Vop 40 (Adafruit), 48 (luma), 64 (u8g2). */
     {.chip = "pcd8544",
@@ -274,7 +274,8 @@ const struct glass glass_rows[] = {
      .wiring = GLASS_ALTERNATING,
      .sources = {U8G2 "u8x8_d_ssd1306_64x32.c", LUMA_OLED, "adafruit/Adafruit_SSD1306 Adafruit_SSD1306.cpp",
                  "micropython/micropython-lib micropython/drivers/display/ssd1306/ssd1306.py"}},
-    /* Not in the middle of memory; micropython-lib, which puts glass of any width there, is no source for this one. */
+    /* Not in the middle of memory: luma.oled 3.10 still had it there, and today's has not; micropython-lib, which puts
+     * glass of any width there, is no source for this one. */
     {.chip = "ssd1306",
      .module = "0.69 inch",
      .w_px = 96,
@@ -342,11 +343,10 @@ const struct glass glass_rows[] = {
      .columns_back = true,
      .sources = {U8G2 "u8x8_d_uc1701_dogs102.c", LINUX "staging/fbtft/fb_uc1701.c"}},
 
-    /* Solomon Systech with windows
-     * -------------------------------------------------------------------------------------
+    /* Solomon Systech with windows -----------------------------------------------------------------------------------
      *
      * Which output is the first is worked out from the lines in use (A8h or CAh), the direction of scanning and the
-     * shift (A2h) of the sources; see emulated_solomon.h for how these go together. */
+     * shift (A2h) of the sources; memory_row() of emulated_solomon.c says how these go together. */
 
     /* A8h 3Fh, A0h with its bit 4, A2h 4Ch: OSRAM's glass, as the maker of the LM3S6965EVB drives it (osram128x64x4.c,
      * from OSRAM's application note AN018), NHD's in u8g2, and luma's. u8g2's OS128064 is another module: 40h, and
@@ -419,8 +419,7 @@ const struct glass glass_rows[] = {
      .blue_first = true,
      .sources = {"adafruit/Adafruit-SSD1351-library Adafruit_SSD1351.cpp", ARDUINO_GFX "Arduino_SSD1351.cpp"}},
 
-    /* Sharp ----------------------------------------------------------------------------------------------------------
-     */
+    /* Sharp ------------------------------------------------------------------------------------------------------ */
 
     {.chip = "ls013b7dh03",
      .module = "1.28 inch",
