@@ -29,9 +29,9 @@ luma_draws() { # NAME SIZE DRIVER [ARGUMENT...]
     "$python" $foreign/luma_stream.py "$driver" "$card" "$@" >"$log"
 }
 
-# What the guest recorded; no times are told, as luma's are not.
+# What the guest recorded, with its times.
 linux_draws() { # NAME
-    "$BUILD/tests/kernel/wires" 1 <"$stage/on-drivers/$1.wires" >"$work/$1.timed" && sed '/^t/d' "$work/$1.timed" >"$work/$1.log"
+    "$BUILD/tests/kernel/wires" 1 <"$stage/on-drivers/$1.wires" >"$work/$1.log"
 }
 
 # -- Glass -------------------------------------------------------------------------------------------------------------
