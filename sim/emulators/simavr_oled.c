@@ -98,11 +98,18 @@ static void clock_out(struct run *run, uint32_t value)
     }
 }
 
+/* simavr's display knows no start line (40h .. 7Fh), and would take the next command for its argument. */
+static void end_start_line(ssd1306_t *display)
+{
+    if ((display->command_register & 0xC0) == 0x40) display->command_register = 0;
+}
+
 static void on_byte(struct avr_irq_t *irq, uint32_t value, void *ctx)
 {
     struct run *run = ctx;
 
     (void)irq;
+    end_start_line(&run->display);
     if (run->dump_path) clock_out(run, value);
     fprintf(run->log, "b %02X\n", (unsigned)value & 0xFFu);
     run->bytes++;
