@@ -37,6 +37,11 @@ if needs_npm; then
 else
     tap_skip "Pico" "$(grep -m 1 'code\|missing' "$work/npm" || tail -n 1 "$work/npm")"
 fi
+if sh tests/kernel/build.sh --path >/dev/null 2>"$work/kernel"; then
+    tap_check "Linux, a program in the tests' kernel" shows 7d9049903aed5415 BOARD=linux PANEL=ssd1306
+else
+    tap_skip "Linux, a program in the tests' kernel" "$(tail -n 1 "$work/kernel")"
+fi
 held_against_a_picture() {
     "$BUILD/limner" card --panel st7789 -o "$work/card.png" && "$BUILD/limner" hashes "$work/card.png" | grep -q 4556b16391b40145
 }
