@@ -5,6 +5,7 @@
 #include "capture.h"
 
 #include "parse.h"
+#include "progress.h"
 #include "sigrok.h"
 #include "vcd.h"
 
@@ -213,6 +214,14 @@ enum capture_kind capture_kind_of(FILE *file, size_t *lines)
     return byte == '$' ? CAPTURE_VCD : byte == 'P' ? CAPTURE_SIGROK : CAPTURE_NONE;
 }
 
+void capture_tell_progress(struct capture *capture, uint64_t done, uint64_t all)
+{
+    const unsigned percent = all ? (unsigned)(done * 100 / all) : 0;
+    if (percent == capture->percent) return;
+    capture->percent = percent;
+    progress_bar(percent, 100, "reading %s", capture->path);
+}
+
 /* The last picture may be whole. */
 bool capture_end(struct capture *capture, struct error *err)
 {
@@ -248,5 +257,7 @@ bool capture_read(struct capture *capture, enum capture_kind kind, FILE *file, s
 {
     err->text[0] = '\0';
     const bool ok = kind == CAPTURE_VCD ? vcd_read(capture, file, err) : sigrok_read(capture, err);
-    return (ok && capture_end(capture, err)) || !err->text[0];
+    const bool has_ended = ok && capture_end(capture, err);
+    progress_end();
+    return has_ended || !err->text[0];
 }

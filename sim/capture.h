@@ -44,6 +44,7 @@ struct capture {
     uint64_t from_us;         /* in the listener's time */
     uint64_t stores, frames;  /* of the listener, that were looked at */
     bool has_begun;           /* something came over the wires */
+    unsigned percent;         /* of the file, that were told */
     bool is_partial;          /* what has come may be the end of a frame only */
 };
 
@@ -64,6 +65,9 @@ void capture_say_end(const struct capture *capture, char *text, size_t size_b);
 bool capture_begin(struct capture *capture, const struct channels *channels, uint64_t sample_ns, bool has_time,
                    struct error *err);
 bool capture_levels(struct capture *capture, uint64_t now_ns, struct wire_levels levels, struct error *err);
+
+/* How much of the file was read, for who waits; all == 0: nobody knows. */
+void capture_tell_progress(struct capture *capture, uint64_t done, uint64_t all);
 
 /* No more follows: the last frame may end. */
 bool capture_end(struct capture *capture, struct error *err);

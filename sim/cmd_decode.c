@@ -11,6 +11,7 @@
 #include "idle_options.h"
 #include "input_file.h"
 #include "parse.h"
+#include "progress.h"
 #include "qemu_trace.h"
 #include "wire_log.h"
 
@@ -113,6 +114,7 @@ static bool take_frame(struct decode *decode, struct error *err)
     listener_read(decode->listener, decode->rgb, decode->pixels);
     const uint64_t hash = hash_pixels(decode->pixels, (size_t)decode->w_px * decode->h_px);
     hash_list_add(&decode->hashes, hash);
+    progress_end();
     printf("frame %zu: %" PRIu64 " bytes, hash %016" PRIx64 "\n", frame, decode->listener->frame_bus_b, hash);
     fflush(stdout);
     return !decode->pattern || write_picture(decode, frame, err);

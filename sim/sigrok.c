@@ -261,6 +261,7 @@ static bool read_parts(struct sigrok *sigrok, struct error *err)
         if (!find(sigrok, name, err))
             return !err->text[0] && error_set(err, "%s: %s is missing", sigrok->capture->path, name);
         if (!read_part(sigrok, err)) return false;
+        capture_tell_progress(sigrok->capture, part, sigrok->parts);
     }
     sigrok->capture->now_ns = time_of(sigrok);
     return !sigrok->left_b || error_set(err, "%s: ends within a sample: was it cut off?", sigrok->capture->path);

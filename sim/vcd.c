@@ -11,8 +11,16 @@
 #include <inttypes.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 
-enum { WORD_MOST_B = 1 << 20, SIGNALS_MAX = 1000000, BITS_MAX = 1 << 20, PATH_MOST_B = 4096, WORDS_MAX = 8 };
+enum {
+    WORD_MOST_B = 1 << 20,
+    SIGNALS_MAX = 1000000,
+    BITS_MAX = 1 << 20,
+    PATH_MOST_B = 4096,
+    WORDS_MAX = 8,
+    PROGRESS_WORDS = 1 << 16
+};
 
 struct vcd {
     struct capture *capture;
@@ -25,6 +33,9 @@ struct vcd {
     struct channels channels;
     char scope[PATH_MOST_B]; /* with a dot behind each */
     uint64_t unit_fs;        /* 0: nobody told */
+
+    uint64_t all_b; /* of the file; 0: of a pipe */
+    size_t words;   /* changes, or their parts, so far */
 
     uint64_t now;               /* in units */
     struct wire_levels levels;  /* at the end of this instant */
@@ -323,8 +334,11 @@ static bool take_change(struct vcd *vcd, struct error *err)
 
 static bool read_changes(struct vcd *vcd, struct error *err)
 {
-    while (next_word(vcd, err))
+    for (; next_word(vcd, err); vcd->words++) {
+        if (vcd->words % PROGRESS_WORDS == 0)
+            capture_tell_progress(vcd->capture, (uint64_t)ftello(vcd->file), vcd->all_b);
         if (!take_change(vcd, err)) return false;
+    }
     if (err->text[0] || !commit(vcd, err)) return false;
     vcd->capture->now_ns = now_ns(vcd);
     return true;
@@ -345,6 +359,8 @@ static bool read_all(struct vcd *vcd, struct error *err)
 bool vcd_read(struct capture *capture, FILE *file, struct error *err)
 {
     struct vcd vcd = {.capture = capture, .file = file, .line = 1, .next_line = 1 + capture->lines_before};
+    struct stat about;
+    if (fstat(fileno(file), &about) == 0 && S_ISREG(about.st_mode)) vcd.all_b = (uint64_t)about.st_size;
     const bool ok = read_all(&vcd, err);
     channels_free(&vcd.channels);
     free(vcd.word);
