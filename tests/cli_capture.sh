@@ -81,6 +81,7 @@ tap_check "or low for each byte" shows -v cs=byte --
 tap_check "mode 1" shows -v mode=1 -- --mode 1
 tap_check "mode 2" shows -v mode=2 -v cs=none -- --mode 2
 tap_check "mode 3" shows -v mode=3 -- --mode 3
+tap_check "edges of one instant are as many as they are" shows -v half=0 --
 tap_check "channels have the names that options say" shows -v dc=D0 -v sck=D1 -v mosi=D2 -- \
     --wires dc=D0,sck=d1,mosi=wires.D2
 

@@ -30,6 +30,7 @@ static uint64_t now_ns;
 static bool is_captured; /* the analyser is on */
 static uint8_t rgb[3 * PIXELS_MAX];
 static uint16_t pixels[PIXELS_MAX], expected[FRAMES][PIXELS_MAX];
+static uint64_t frame_b;      /* bytes of a frame */
 static unsigned first, shown; /* the first frame that may end, and how many have */
 
 static void set(enum capture_wire wire, bool high)
@@ -136,10 +137,12 @@ static void prepare(void)
 {
     listener_init(&direct, &module);
     start_side(&plain, &direct.port);
+    const uint64_t before_b = direct.display.port->bus_b;
     for (unsigned frame = 0; frame < FRAMES; frame++) {
         draw(&plain, frame);
         listener_read(&direct, rgb, expected[frame]);
     }
+    frame_b = (direct.display.port->bus_b - before_b) / FRAMES;
     levels = (struct wire_levels){1u << CAPTURE_RESET, 0};
     is_captured = false;
     now_ns = shown = first = 0;
@@ -164,33 +167,32 @@ static void capture_from_the_start(void)
     assert_all_shown("from the start");
 }
 
-static int (*whole_write)(void *ctx, const uint8_t *bytes, size_t n_b) = clock_out;
-static unsigned writes;
+static uint64_t left_b; /* until the analyser is switched on */
 
-/* The analyser is switched on in the middle of a byte of pixels. */
+/* In the middle of a byte of pixels. */
 static int write_and_begin(void *ctx, const uint8_t *bytes, size_t n_b)
 {
-    if (!is_captured && ++writes > 40 && n_b > 4) {
+    left_b = left_b > n_b ? left_b - n_b : 0;
+    if (!is_captured && left_b == 0 && n_b > 4) {
         levels.high |= 1u << CAPTURE_SCK;
         begin_capture(true);
         set(CAPTURE_SCK, false);
     }
-    return whole_write(ctx, bytes, n_b);
+    return clock_out(ctx, bytes, n_b);
 }
 
+/* Half of the first frame has gone by then. */
 static void capture_from_the_middle(void)
 {
     struct port port = wires_port();
-    prepare();
-    writes = 0;
-    start_side(&wired, &port);
-    wired.display.panel = NULL;
     port.bus.write = write_and_begin;
+    prepare();
+    left_b = UINT64_MAX;
     start_side(&wired, &port);
-    for (unsigned frame = 0; frame < FRAMES; frame++) {
-        if (!is_captured) first = frame + 1;
+    left_b = frame_b / 2;
+    first = 1;
+    for (unsigned frame = 0; frame < FRAMES; frame++)
         draw(&wired, frame);
-    }
     assert_all_shown("from the middle");
 }
 
