@@ -184,9 +184,7 @@ void scene_refresh(void)
         lim_refresh(&lim[which]);
 }
 #else
-void scene_refresh(void)
-{
-}
+void scene_refresh(void) {}
 #endif
 
 void scene_camera(uint16_t frame, struct lim_camera *camera)
