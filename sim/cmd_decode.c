@@ -230,7 +230,6 @@ static bool read_input(struct decode *decode, struct error *err)
 {
     const enum capture_kind kind =
         decode->map_path ? CAPTURE_NONE : capture_kind_of(decode->lines.file, &decode->lines.number);
-    idle_options_note_record(&decode->idle, kind != CAPTURE_NONE);
     if (kind != CAPTURE_NONE) return read_capture(decode, kind, err);
     if (!decode->choice.is_asked) return read_lines(decode, err);
     return error_set(err, "%s: neither a VCD nor a session of sigrok's: --wires, --pause and --running are for these",

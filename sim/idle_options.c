@@ -7,21 +7,14 @@
 
 #include <string.h>
 
-enum subject_kind { OF_PANEL, OF_RECORD, OF_SCENE };
+enum subject_kind { OF_PANEL, OF_SCENE };
 
 struct subject {
     enum subject_kind kind;
     const char *name;
     const struct panel_choice *panel; /* OF_PANEL */
-    bool is_capture;                  /* OF_RECORD */
     const struct idle_scene *scene;   /* OF_SCENE */
 };
-
-static bool always(const struct subject *subject)
-{
-    (void)subject;
-    return true;
-}
 
 static bool has_no_colours(const struct subject *subject)
 {
@@ -32,11 +25,6 @@ static bool has_no_colours(const struct subject *subject)
 static bool is_memory_lcd(const struct subject *subject)
 {
     return subject->panel->family == &display_sharp;
-}
-
-static bool is_of_bytes(const struct subject *subject)
-{
-    return !subject->is_capture;
 }
 
 static bool is_compiled(const struct subject *subject)
@@ -76,10 +64,6 @@ static const struct idle_option {
     {"no-invert", OF_PANEL, is_memory_lcd, "", " shows its memory as it is"},
     {"dc", OF_PANEL, is_memory_lcd, "", " has no data/command pin"},
     {"reset", OF_PANEL, is_memory_lcd, "", " has no reset pin"},
-    {"hz", OF_RECORD, always, "the bus has run", ""},
-    {"mode", OF_RECORD, is_of_bytes, "the record is of bytes", ""},
-    {"contrast", OF_RECORD, always, "the record says it", ""},
-    {"converter", OF_RECORD, always, "the record says it", ""},
     {"splitter", OF_SCENE, is_compiled, "", " is compiled already"},
     {"splitter", OF_SCENE, is_set, "no plane divides the set of ", ""},
     {"tolerance", OF_SCENE, is_compiled, "", " is compiled already"},
@@ -129,11 +113,6 @@ static void note(const struct idle_options *options, const struct subject *subje
 void idle_options_note_panel(const struct idle_options *options, const struct panel_choice *panel)
 {
     note(options, &(struct subject){.kind = OF_PANEL, .name = panel->name, .panel = panel});
-}
-
-void idle_options_note_record(const struct idle_options *options, bool is_capture)
-{
-    note(options, &(struct subject){.kind = OF_RECORD, .name = "", .is_capture = is_capture});
 }
 
 void idle_options_note_scene(const struct idle_options *options, const struct idle_scene *scene)

@@ -23,10 +23,6 @@ void idle_options_find(struct idle_options *out, int argc, char **argv);
 
 void idle_options_note_panel(const struct idle_options *options, const struct panel_choice *panel);
 
-/* Of what was recorded: its clock is past, and what the chip was told is in it. A capture has the wires themselves,
- * whose mode counts; a log of bytes not. */
-void idle_options_note_record(const struct idle_options *options, bool is_capture);
-
 struct idle_scene {
     const char *name;
     bool is_compiled; /* before, into a .lim file */

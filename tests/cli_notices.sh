@@ -64,25 +64,11 @@ reset='p reset 0\nt 20000000\np reset 1\nt 200000000\np led 0\np dc 0\n'
         >"$record.colour"
     printf 'b 00 01 00 01\np dc 0\nb 2C\np dc 1\nb F8 00\np led 1\n' >>"$record.colour"
 }
-tap_check "what is decoded has gone over the bus" changes_nothing "--rgb: ssd1306 has no colours
---hz: the bus has run
---mode: the record is of bytes
---contrast: the record says it" "--mode 3 --contrast 5 --hz=8000000 --rgb" decode "$record" --panel ssd1306 --write-hashes OUT/hashes
+tap_check "a record is of a panel, too" changes_nothing "--rgb: ssd1306 has no colours" --rgb decode "$record" \
+    --panel ssd1306 --write-hashes OUT/hashes
+tap_check "and takes the words that set its display up" says_nothing decode "$record" --panel ssd1306 --mode 3 \
+    --contrast 5 --hz 8000000
 tap_check "its colours are exchanged where there are some" says_nothing decode "$record.colour" --panel st7735 --rgb
-
-# A capture of the wires themselves, of one edge: it ends without a frame, but it is read in that mode.
-# shellcheck disable=SC2016 # dollars are signs
-{
-    printf '$timescale 1 us $end $scope module logic $end\n'
-    printf '$var wire 1 %s %s $end\n' a sck b mosi c dc
-    printf '$upscope $end $enddefinitions $end\n#0\n0a\n0b\n0c\n#10\n1a\n'
-} >"$work/wires.vcd"
-mode_counts_in_captures() {
-    "$limner" decode "$work/wires.vcd" --panel ssd1306 --mode 3 --hz 5 2>"$work/said"
-    cat "$work/said"
-    grep -q '^limner: note: --hz: ' "$work/said" && ! grep -q 'note: --mode' "$work/said"
-}
-tap_check "the mode of captured wires counts" mode_counts_in_captures
 
 # -- Scenes --------------------------------------------------------------------------------------------------------------
 
