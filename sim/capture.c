@@ -249,8 +249,9 @@ void capture_say_end(const struct capture *capture, char *text, size_t size_b)
                  "all of the glass: capture the board's LED, or --pause)",
                  wires->bytes, capture->ends.has_begun ? capture->ends.stored_px : 0, capture->ends.whole_px);
     else
-        snprintf(text, size_b, "%" PRIu64 " bytes came, and then no %s that ends a frame", wires->bytes,
-                 capture->choice->pause_us ? "pause" : "change of the LED");
+        snprintf(text, size_b, "%" PRIu64 " bytes came, and then no %s", wires->bytes,
+                 capture->choice->pause_us ? "pause that ends a frame"
+                                           : "change of the LED, which ends a frame (without it: --wires led=-)");
 }
 
 bool capture_read(struct capture *capture, enum capture_kind kind, FILE *file, struct error *err)

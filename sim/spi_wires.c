@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT
  *
- * Of wires that change together the clock is the last: a sampled capture shows what changed shortly before an edge
- * together with the edge. The board's LED, which ends frames, comes behind the clock. */
+ * A sampled capture shows what changed shortly before or behind an edge of the clock together with the edge. D/C and
+ * select change between bytes only: so the edge that ends a byte came before them, and any other after them. The
+ * board's LED, which ends frames, comes behind the clock. */
 #include "spi_wires.h"
 
 static uint8_t bit_of(enum capture_wire wire)
@@ -113,16 +114,36 @@ static bool take_others(struct spi_wires *wires, uint64_t now_ns, struct wire_le
     return true;
 }
 
+/* MOSI with it: what changes together with an edge changed shortly before. */
+static bool take_data_and_clock(struct spi_wires *wires, uint64_t now_ns, struct wire_levels levels, struct error *err)
+{
+    const uint8_t data = bit_of(CAPTURE_MOSI);
+    wires->at.high = (uint8_t)((wires->at.high & ~data) | (levels.high & data));
+    wires->at.unknown = (uint8_t)((wires->at.unknown & ~data) | (levels.unknown & data));
+    return take_clock(wires, now_ns, levels, err);
+}
+
+/* Whether an edge comes that ends a byte. */
+static bool ends_byte(const struct spi_wires *wires, struct wire_levels levels)
+{
+    const uint8_t clock = bit_of(CAPTURE_SCK);
+    const bool high = levels.high & clock, is_edge = high != ((wires->at.high & clock) != 0);
+    return wires->has_begun && wires->n_bits == 7 && is_edge && !(levels.unknown & clock) &&
+           high != wires->takes_falling && is_selected(wires);
+}
+
 bool spi_wires_take(struct spi_wires *wires, uint64_t now_ns, struct wire_levels levels, struct error *err)
 {
-    const uint8_t data = bit_of(CAPTURE_MOSI), clock = bit_of(CAPTURE_SCK), last = bit_of(CAPTURE_LED);
-    const uint8_t others = (uint8_t) ~(data | clock | last);
+    const uint8_t clock = bit_of(CAPTURE_SCK), last = bit_of(CAPTURE_LED);
+    const uint8_t others = (uint8_t) ~(bit_of(CAPTURE_MOSI) | clock | last);
+    const bool is_first = ends_byte(wires, levels);
     if (!wires->has_begun) wires->shortest_ns = UINT64_MAX;
     if (!wires->has_begun) wires->byte_ns = now_ns;
+    if (is_first && !take_data_and_clock(wires, now_ns, levels, err)) return false;
     if (!take_others(wires, now_ns, levels, others, err)) return false;
-    wires->at.high = (uint8_t)((wires->at.high & ~data) | (levels.high & data));
     wires->at.unknown = (uint8_t)((wires->at.unknown & clock) | (levels.unknown & ~clock));
-    if (!take_clock(wires, now_ns, levels, err) || !take_others(wires, now_ns, levels, last, err)) return false;
+    if (!is_first && !take_data_and_clock(wires, now_ns, levels, err)) return false;
+    if (!take_others(wires, now_ns, levels, last, err)) return false;
     wires->has_begun = true;
     return true;
 }
