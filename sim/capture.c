@@ -16,6 +16,9 @@
 /* Power came so long before whatever comes first: that is no chip's wait. */
 enum { POWER_US = 200000, PAUSE_MAX_US = 1000000000, USUAL_MODE = 0 };
 
+/* More blanks before a capture are no capture's: who sends them may never end. */
+enum { BLANKS_MAX = 4096 };
+
 /* The command line --------------------------------------------------------------------------- */
 
 static bool take_number(struct capture_choice *out, struct arguments *arguments, const char *name, uint32_t least,
@@ -208,7 +211,7 @@ bool capture_levels(struct capture *capture, uint64_t now_ns, struct wire_levels
 enum capture_kind capture_kind_of(FILE *file, size_t *lines)
 {
     int byte;
-    while ((byte = getc(file)) != EOF && isspace(byte))
+    for (unsigned blanks = 0; (byte = getc(file)) != EOF && isspace(byte) && blanks < BLANKS_MAX; blanks++)
         *lines += byte == '\n';
     if (byte != EOF) ungetc(byte, file);
     return byte == '$' ? CAPTURE_VCD : byte == 'P' ? CAPTURE_SIGROK : CAPTURE_NONE;
