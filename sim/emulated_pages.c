@@ -237,17 +237,18 @@ static void set_power(struct emulated_pages *chip, uint8_t power)
     chip->power_us = chip->port.now_us;
 }
 
-/* The address within a page, and the page, where each is addressed for itself. */
+/* The address within a page, and the page. The SSD1306's datasheet has these commands for addressing pages one by one;
+ * modules take them in its other modes too: u8g2 places all that it draws so, with 20h 00h. */
 static void set_address(struct emulated_pages *chip, uint8_t command)
 {
-    if (chip->mode != PAGE_BY_PAGE)
-        note(chip, "%02Xh: pages are not addressed one by one", command);
-    else if (command >= 0xB0)
+    if (chip->mode != PAGE_BY_PAGE) note(chip, "%02Xh: pages are not addressed one by one", command);
+    if (command >= 0xB0)
         chip->page = command & 7;
     else if (command < 0x10)
         chip->column = (uint8_t)((chip->column & 0xF0) | command);
     else
         chip->column = (uint8_t)((chip->column & 0x0F) | (command & 0x0F) << 4);
+    chip->window_full = false;
 }
 
 static uint8_t args_of(const struct emulated_pages_kind *kind, uint8_t command)

@@ -29,13 +29,27 @@ const struct emulated_sharp_kind *emulated_sharp_kind_find(const char *name)
     return NULL;
 }
 
+__attribute__((format(printf, 2, 0))) static void keep(struct emulated_sharp *chip, const char *format, va_list args)
+{
+    vsnprintf(chip->complaint, sizeof chip->complaint, format, args);
+    chip->complaints++;
+}
+
 __attribute__((format(printf, 2, 3))) static void complain(struct emulated_sharp *chip, const char *format, ...)
 {
     va_list args;
     va_start(args, format);
-    vsnprintf(chip->complaint, sizeof chip->complaint, format, args);
+    keep(chip, format, args);
     va_end(args);
-    chip->complaints++;
+}
+
+/* Of what glass would bear. */
+__attribute__((format(printf, 2, 3))) static void note(struct emulated_sharp *chip, const char *format, ...)
+{
+    va_list args;
+    va_start(args, format);
+    if (!emulated_port_notes(&chip->port, format, args)) keep(chip, format, args);
+    va_end(args);
 }
 
 /* The same sign for longer than a second spoils the glass; said once for each time. */
@@ -60,7 +74,7 @@ static void set_sign(struct emulated_sharp *chip, bool positive)
 static void take_mode(struct emulated_sharp *chip, uint8_t command)
 {
     if (emulated_port_is_before(&chip->port, chip->select_us + chip->kind->setup_us))
-        complain(chip, "bits too soon after select");
+        note(chip, "bits too soon after select");
     if (command & WRITE && command & CLEAR) complain(chip, "command %02Xh", command);
     chip->command = command;
     if (!chip->by_pin) set_sign(chip, command & POSITIVE);
@@ -110,7 +124,7 @@ static void check_end(struct emulated_sharp *chip)
     const unsigned line_b = chip->kind->w_px / 8u, lines_b = chip->n_b - 2;
 
     if (chip->n_b && emulated_port_is_before(&chip->port, chip->byte_us + chip->kind->hold_us))
-        complain(chip, "select ended too soon after the last bit");
+        note(chip, "select ended too soon after the last bit");
     if (chip->n_b == 0) return;
     if (chip->n_b < 2 || (chip->command & WRITE ? lines_b == 0 || lines_b % (line_b + 2) : lines_b))
         complain(chip, "%u bytes after %02Xh: not whole lines and the bits behind them", chip->n_b, chip->command);
@@ -127,7 +141,7 @@ static void take_select(void *ctx, bool high)
         chip->rise_us = chip->port.now_us + chip->kind->low_us;
     }
     if (!chip->selected && high) {
-        if (emulated_port_is_before(&chip->port, chip->rise_us)) complain(chip, "select was low for too short a time");
+        if (emulated_port_is_before(&chip->port, chip->rise_us)) note(chip, "select was low for too short a time");
         chip->select_us = chip->port.now_us;
         chip->n_b = 0;
     }
@@ -143,7 +157,7 @@ static int set_alternate(void *ctx, bool high)
         chip->fall_us = chip->port.now_us + chip->kind->pulse_us;
     }
     if (!high && chip->pin_high && emulated_port_is_before(&chip->port, chip->fall_us))
-        complain(chip, "EXTCOMIN was high for too short a time");
+        note(chip, "EXTCOMIN was high for too short a time");
     chip->pin_high = high;
     return 0;
 }

@@ -138,8 +138,8 @@ static void an_oled_bears_scrolling_that_is_stopped(void **state)
     check(3, 0);
 }
 
-/* As Linux' driver does: addresses of the other mode before each frame, and no window for the second. */
-static void an_oled_bears_addresses_that_its_mode_ignores(void **state)
+/* As Linux' driver does: the start by the other mode's commands before each frame, and no window for the second. */
+static void an_oled_bears_a_start_by_commands_of_its_other_mode(void **state)
 {
     static uint8_t frame[1024];
 
@@ -150,12 +150,32 @@ static void an_oled_bears_addresses_that_its_mode_ignores(void **state)
         frame[i] = (uint8_t)(i * 7 + i / 8);
     COMMANDS(0x20, 0x01, 0x21, 0, 127, 0x22, 0, 7);
     for (unsigned k = 0; k < 2; k++) {
-        COMMANDS(0x05, 0x13);
+        COMMANDS(0x00, 0x10);
         assert_int_equal(pin_set(&port.dc, true), 0);
         assert_int_equal(bus_write(&port.bus, frame, sizeof frame), 0);
         for (unsigned i = 0; i < sizeof frame; i++)
             assert_int_equal(display.chip.pages.memory[i % 8][i / 8], frame[i]);
-        check(2 * (k + 1) + k, 0);
+        check(2 * (k + 1), 0);
+    }
+}
+
+/* As u8g2 does: whole rows at once, and each page and first column by commands that are not of that mode. */
+static void an_oled_takes_places_by_commands_of_its_other_mode(void **state)
+{
+    static const uint8_t places[][2] = {{5, 0x20}, {0, 0x7B}, {7, 0x05}};
+    static const uint8_t bytes[] = {0x12, 0x34, 0x56};
+
+    (void)state;
+    power("ssd1306", true);
+    display.port->now_us = 1000000;
+    COMMANDS(0x20, 0x00);
+    for (unsigned i = 0; i < sizeof places / sizeof *places; i++) {
+        const uint8_t page = places[i][0], column = places[i][1];
+        COMMANDS(0x10 | column >> 4, column & 15, 0xB0 | page);
+        assert_int_equal(pin_set(&port.dc, true), 0);
+        assert_int_equal(bus_write(&port.bus, bytes, sizeof bytes), 0);
+        assert_memory_equal(&display.chip.pages.memory[page][column], bytes, sizeof bytes);
+        check(3 * (i + 1), 0);
     }
 }
 
@@ -168,6 +188,23 @@ static void an_lcd_of_pages_bears_its_supply_at_once(void **state)
         COMMANDS(0x2F, 0xAF);
         check(foreign ? 2 : 0, foreign ? 0 : 2);
         assert_true(display.chip.pages.on);
+    }
+}
+
+/* As u8g2 does on a fast processor: 50 ns before and behind each message. */
+static void a_memory_lcd_bears_short_waits(void **state)
+{
+    uint8_t message[1 + 1 + 16 + 2] = {0x80, 0x40, 0x0F}; /* line 2 */
+
+    (void)state;
+    for (int foreign = 0; foreign < 2; foreign++) {
+        power("ls013b7dh03", foreign);
+        assert_int_equal(pin_set(&port.select, true), 0);
+        assert_int_equal(bus_write(&port.bus, message, sizeof message), 0);
+        assert_int_equal(pin_set(&port.select, false), 0);
+        assert_int_equal(pin_set(&port.select, true), 0);
+        check(foreign ? 3 : 0, foreign ? 0 : 3);
+        assert_int_equal(display.chip.sharp.memory[1][0], 0x0F);
     }
 }
 
@@ -217,8 +254,10 @@ int main(void)
         cmocka_unit_test(an_lcd_bears_pixels_too_early_and_too_many),
         cmocka_unit_test(a_pixel_that_is_cut_is_a_complaint_from_anybody),
         cmocka_unit_test(an_oled_bears_scrolling_that_is_stopped),
-        cmocka_unit_test(an_oled_bears_addresses_that_its_mode_ignores),
+        cmocka_unit_test(an_oled_bears_a_start_by_commands_of_its_other_mode),
+        cmocka_unit_test(an_oled_takes_places_by_commands_of_its_other_mode),
         cmocka_unit_test(an_lcd_of_pages_bears_its_supply_at_once),
+        cmocka_unit_test(a_memory_lcd_bears_short_waits),
         cmocka_unit_test(an_oled_with_windows_bears_what_it_does_not_know),
         cmocka_unit_test(any_bytes_are_borne_by_every_module),
     };
