@@ -200,7 +200,9 @@ const struct glass glass_rows[] = {
      .most_mv = 9000,
      .sources = {U8G2 "u8x8_d_ssd1306_128x64_noname.c", LUMA_OLED, "adafruit/Adafruit_SH110x Adafruit_SH1106G.cpp"}},
 
-    /* The same with A8h 1Fh and D3h 10h; luma has 20h and 0Fh, the same outputs. u8g2 says Visionox of it. */
+    /* The same with A8h 1Fh and D3h 10h; luma has 20h and 0Fh, the same outputs. u8g2 says Visionox of it, M01033; but
+     * after its table it sends that of an SSD1306 of 128x32 (D3h 0, DAh 02h) as well, which would be other outputs. An
+     * owner (u8g2's issue 1250) saw the picture of 128x64 pixels right, from its line 16 on: these. */
     {.chip = "sh1106",
      .module = "0.91 inch",
      .w_px = 128,

@@ -36,7 +36,6 @@ static const struct usual_module USUAL[] = {
     {"ssd1306", {.w_px = 128, .h_px = 64}, 8000000, SPI_IDLES_ANYHOW},
     {"ssd1306", {.w_px = 128, .h_px = 32, .wiring = PAGES_WIRING_SEQUENTIAL}, 8000000, SPI_IDLES_ANYHOW},
     {"ssd1306", {.w_px = 96, .h_px = 16, .wiring = PAGES_WIRING_SEQUENTIAL}, 8000000, SPI_IDLES_ANYHOW},
-    {"ssd1306", {.w_px = 96, .h_px = 40, .wiring = PAGES_WIRING_SEQUENTIAL}, 8000000, SPI_IDLES_ANYHOW},
     {"ssd1306", {.w_px = 72, .h_px = 40, .ox_px = 28, .internal_reference = true}, 8000000, SPI_IDLES_ANYHOW},
     {"ssd0323", {.w_px = 128, .h_px = 64, .shift = 76, .shift_turned = 68}, 4000000, SPI_IDLES_ANYHOW},
     {"ssd1327", {.w_px = 128, .h_px = 128}, 4000000, SPI_IDLES_ANYHOW},

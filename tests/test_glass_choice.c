@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT
  *
  * Modules that somebody says are not the usual ones: the glass that is chosen for them shows the card of a driver that
- * was told so, and of one that was not told it does not. On each row of the table, with each way to differ. */
+ * was told so, and of one that was not told it does not. On each row of the table, with each way to differ.
+ * And of sizes that no row has. */
 #include "cmocka_ready.h"
 #include "glass_choice.h"
 #include "module_choice.h"
@@ -11,17 +12,24 @@
 
 static struct panel_rig rig;
 
-static struct module_choice usual_of(const struct glass *row)
+/* false: the chip has no glass of that size. */
+static bool choose_size(struct module_choice *choice, const char *chip, unsigned w_px, unsigned h_px, struct error *err)
 {
     char name[32], size[32];
-    snprintf(name, sizeof name, "--panel=%s", row->chip);
-    snprintf(size, sizeof size, "--size=%ux%u", row->w_px, row->h_px);
+    snprintf(name, sizeof name, "--panel=%s", chip);
+    snprintf(size, sizeof size, "--size=%ux%u", w_px, h_px);
     char *items[] = {"", name, size, NULL};
     struct arguments arguments = {items, 3};
+
+    return module_choice_parse(choice, &arguments, err);
+}
+
+static struct module_choice usual_of(const struct glass *row)
+{
     struct module_choice choice;
     struct error err;
 
-    if (!module_choice_parse(&choice, &arguments, &err)) fail_msg("%s", err.text);
+    if (!choose_size(&choice, row->chip, row->w_px, row->h_px, &err)) fail_msg("%s", err.text);
     return choice;
 }
 
@@ -156,15 +164,49 @@ static void what_is_not_said_is_as_the_table_has_it(void **state)
     }
 }
 
+/* Every multiple of eight pixels up to 132x64, as small OLEDs come in; every fifth of larger memory. */
+static unsigned show_sizes(const struct glass *row)
+{
+    const unsigned step_w_px = row->mem_w_px <= 132 && row->mem_h_px <= 64 ? 8 : row->mem_w_px / 40 * 8u;
+    const unsigned step_h_px = row->mem_h_px <= 64 ? 8 : row->mem_h_px / 40 * 8u;
+    unsigned shown = 0;
+
+    for (unsigned w_px = step_w_px; w_px <= row->mem_w_px; w_px += step_w_px)
+        for (unsigned h_px = step_h_px; h_px <= row->mem_h_px; h_px += step_h_px) {
+            struct module_choice choice;
+            struct error err;
+            if (glass_find(row->chip, w_px, h_px) || !choose_size(&choice, row->chip, w_px, h_px, &err)) continue;
+            const struct glass glass = glass_choose(&choice.panel, &choice.module);
+            for (unsigned turn = 0; turn < 4; turn += 2) {
+                if (!shows(&choice, &choice.module, &glass, (enum panel_rotation)turn))
+                    fail_msg("%s %ux%u, turned %u: not seen", row->chip, w_px, h_px, turn);
+                panel_rig_assert_quiet(&rig, 0);
+            }
+            shown++;
+        }
+    return shown;
+}
+
+static void sizes_that_no_row_has_are_shown_too(void **state)
+{
+    unsigned shown = 0;
+
+    (void)state;
+    for (const struct glass *row = glass_rows; row->chip; row++)
+        if (glass_find(row->chip, 0, 0) == row) shown += show_sizes(row);
+    assert_in_range(shown, 400, 10000);
+}
+
 int main(void)
 {
     enum { COUNT = sizeof WAYS / sizeof WAYS[0] };
-    static struct CMUnitTest tests[COUNT + 1];
+    static struct CMUnitTest tests[COUNT + 2];
 
     for (size_t i = 0; i < COUNT; i++)
         tests[i] = (struct CMUnitTest){.name = WAYS[i].name,
                                        .test_func = what_differs_is_seen_unless_it_was_said,
                                        .initial_state = (void *)(uintptr_t)&WAYS[i]};
     tests[COUNT] = (struct CMUnitTest)cmocka_unit_test(what_is_not_said_is_as_the_table_has_it);
-    return _cmocka_run_group_tests("glass_choice", tests, COUNT + 1, NULL, NULL);
+    tests[COUNT + 1] = (struct CMUnitTest)cmocka_unit_test(sizes_that_no_row_has_are_shown_too);
+    return _cmocka_run_group_tests("glass_choice", tests, COUNT + 2, NULL, NULL);
 }
