@@ -238,7 +238,7 @@ void capture_say_end(const struct capture *capture, char *text, size_t size_b)
     if (wires->clock_edges == 0)
         snprintf(text, size_b, "sck never changed");
     else if (wires->bytes == 0 && wires->other_edges)
-        snprintf(text, size_b, "sck changed while the display was not selected only");
+        snprintf(text, size_b, "sck changed only while the display was not selected");
     else if (wires->bytes == 0 && wires->waits_for_reset && !wires->is_heard)
         snprintf(
             text, size_b,

@@ -53,6 +53,8 @@ static bool take_name(struct wire_names *names, char *item, struct error *err)
     *value = '\0';
     for (int wire = 0; wire < CAPTURE_WIRES; wire++) {
         if (strcasecmp(item, capture_wire_names[wire]) != 0) continue;
+        if (names->of[wire])
+            return error_set(err, "--wires: %s is given twice: %s, %s", item, names->of[wire], value + 1);
         names->of[wire] = value + 1;
         return true;
     }
@@ -113,17 +115,22 @@ static bool is_called(const struct channel *channel, const char *name, bool exac
 }
 
 /* Scopes often have the same signal again: it is one if the file calls it by one name. */
+static bool is_one(const struct channel_bit *a, const struct channel_bit *b)
+{
+    return a->bit == b->bit && strcmp(a->channel->id, b->channel->id) == 0;
+}
+
 static bool find(struct channel_bit *out, const struct channels *channels, const char *name, bool exactly,
                  struct error *err)
 {
     for (size_t i = 0; i < channels->count; i++) {
         const struct channel *channel = &channels->items[i];
-        unsigned bit;
-        if (!is_called(channel, name, exactly, &bit)) continue;
-        if (out->channel && (bit != out->bit || strcmp(out->channel->id, channel->id) != 0))
+        struct channel_bit found = {channel, 0};
+        if (!is_called(channel, name, exactly, &found.bit)) continue;
+        if (out->channel && !is_one(out, &found))
             return error_set(err, "'%s' is %s as well as %s: say which by --wires", name, out->channel->path,
                              channel->path);
-        *out = (struct channel_bit){channel, bit};
+        *out = found;
     }
     return true;
 }
@@ -172,6 +179,17 @@ static bool has_all(const struct channel_bit wires[CAPTURE_WIRES], const struct 
     return true;
 }
 
+/* A channel shows one wire. */
+static bool are_apart(const struct channel_bit wires[CAPTURE_WIRES], struct error *err)
+{
+    for (int a = 0; a < CAPTURE_WIRES; a++)
+        for (int b = 0; b < a; b++)
+            if (wires[a].channel && wires[b].channel && is_one(&wires[a], &wires[b]))
+                return error_set(err, "%s and %s are the same channel, %s", capture_wire_names[b],
+                                 capture_wire_names[a], wires[a].channel->path);
+    return true;
+}
+
 bool wires_find(struct channel_bit out[CAPTURE_WIRES], const struct wire_names *names, const struct channels *channels,
                 bool selects, const char *path, struct error *err)
 {
@@ -180,5 +198,5 @@ bool wires_find(struct channel_bit out[CAPTURE_WIRES], const struct wire_names *
     if (selects && !out[CAPTURE_SELECT].channel) out[CAPTURE_SELECT] = out[CAPTURE_CS];
     if (selects) out[CAPTURE_CS].channel = out[CAPTURE_DC].channel = out[CAPTURE_RESET].channel = NULL;
     if (!selects) out[CAPTURE_SELECT].channel = NULL;
-    return has_all(out, channels, selects, err) || error_prefix(err, path);
+    return (has_all(out, channels, selects, err) && are_apart(out, err)) || error_prefix(err, path);
 }

@@ -143,6 +143,10 @@ tap_check "a channel that is missing is named" fails 'unnamed.vcd: no channel is
     oled "$work/unnamed.vcd"
 tap_check "so is one that was asked for" fails "dump.vcd: there is no channel 'D9' for mosi; there are: " \
     oled "$work/dump.vcd" --wires mosi=D9
+tap_check "a wire that has two channels is refused" fails '^limner: --wires: dc is given twice: D0, D1$' \
+    oled "$work/dump.vcd" --wires dc=D0,dc=D1
+tap_check "so are two wires of one channel" fails 'unnamed.vcd: dc and cs are the same channel, wires.D0$' \
+    oled "$work/unnamed.vcd" --wires dc=D0,cs=D0
 tap_check "a wire that is none is refused" fails "^limner: --wires: 'data' is no wire: dc, " oled "$work/dump.vcd" --wires data=D1
 tap_check "a mode that is none is refused" fails '^limner: --mode 4' oled "$work/dump.vcd" --mode 4
 tap_check "options of captures mean nothing to wire logs" fails 'wires: neither a VCD nor a session' oled "$work/wires" --running
@@ -159,7 +163,7 @@ tap_check "too few frames are told" fails 'dump.vcd: ends after 4 of 5 frames; '
 head -n 20000 "$work/dump.vcd" >"$work/part.vcd"
 tap_check "frames that are not whole are told" fails 'part.vcd: ends after 0 of 2 frames; .* of 8192 pixels' oled "$work/part.vcd" \
     --wires led=- --frames 2 --write-hashes "$work/bad"
-tap_check "a display that is never selected is told" eval "sed 's/^0%&/1%\&/' '$work/dump.vcd' | refused 'sck changed while the display was not selected'"
+tap_check "a display that is never selected is told" eval "sed 's/^0%&/1%\&/' '$work/dump.vcd' | refused 'sck changed only while the display was not selected'"
 
 header='$timescale 1 us $end $var wire 1 a dc $end $var wire 1 b sck $end $var wire 1 c mosi $end $enddefinitions $end'
 bad_dump() { # TEXT PATTERN [HEADER]: behind the header, its second line
