@@ -50,6 +50,7 @@ static bool dcs_family_chip(size_t index, struct panel_choice *out)
                                  .w_step_px = 1,
                                  .h_step_px = 1,
                                  .has_mode_pins = true,
+                                 .exchanges = true,
                                  .flips = true,
                                  .formats = chip->formats,
                                  .format = chip->format};
@@ -129,6 +130,7 @@ static bool solomon_family_chip(size_t index, struct panel_choice *out)
                                  .w_step_px = chip->column_px,
                                  .h_step_px = 1,
                                  .has_converter = chip->converter != 0,
+                                 .exchanges = chip->remap_exchange != 0,
                                  .flips = true,
                                  .contrast_max = chip->contrast_max,
                                  .start_lines = chip->mem_h_px,
@@ -261,9 +263,16 @@ bool display_module_check(const struct panel_choice *choice, const struct displa
     if (module->ox_px > mem_w_px - w_px || module->oy_px > mem_h_px - h_px)
         return error_set(err, "--panel %s: %ux%u pixels at %u,%u leave its memory of %ux%u", choice->name, w_px, h_px,
                          module->ox_px, module->oy_px, mem_w_px, mem_h_px);
-    return (w_px % choice->w_step_px == 0 && h_px % choice->h_step_px == 0) ||
-           error_set(err, "--panel %s: %ux%u: its sides are multiples of %u and %u pixels", choice->name, w_px, h_px,
-                     choice->w_step_px, choice->h_step_px);
+    if (choice->w_step_px == mem_w_px && (w_px != mem_w_px || h_px != mem_h_px))
+        return error_set(err, "--panel %s: %ux%u: it has %ux%u pixels, and no others", choice->name, w_px, h_px,
+                         mem_w_px, mem_h_px);
+    const bool is_width = w_px % choice->w_step_px == 0, is_height = h_px % choice->h_step_px == 0;
+    if (!is_width || !is_height)
+        return error_set(err, "--panel %s: %ux%u: its %s must be a multiple of %u pixels", choice->name, w_px, h_px,
+                         is_width ? "height" : "width", is_width ? choice->h_step_px : choice->w_step_px);
+    return module->ox_px % choice->w_step_px == 0 ||
+           error_set(err, "--panel %s: glass begins at columns that are multiples of %u, not at %u", choice->name,
+                     choice->w_step_px, module->ox_px);
 }
 
 static int set_nothing(void *ctx, bool high)

@@ -24,6 +24,7 @@ struct panel_choice {
     bool has_converter;            /* of the glass's voltage, of its own */
     bool has_mode_pins;            /* by which a module may leave less of its memory */
     bool has_wiring;               /* it is told how the lines of its glass are wired */
+    bool exchanges;                /* it can turn a picture by a quarter; for others the camera does */
     bool flips;                    /* it can show memory's columns and rows from their other ends */
     uint8_t contrast_max;          /* 0: it has no contrast */
     uint16_t start_lines;          /* lines of memory that the glass may begin with; 0: the first alone */

@@ -4,6 +4,7 @@
 #include "emulated_display.h"
 
 #include "glass_choice.h"
+#include "module_choice.h"
 #include "rgb565.h"
 
 #include <string.h>
@@ -160,10 +161,22 @@ void emulated_display_show(const struct emulated_display *display, uint8_t *rgb)
     display->emulation->show(display, rgb);
 }
 
-void emulated_display_read(const struct emulated_display *display, uint8_t *rgb, uint16_t *pixels)
+/* The pixel of the upright glass that the viewer sees at x, y of a picture of w_px x h_px. */
+static size_t glass_index(const struct display_module *module, unsigned w_px, unsigned h_px, unsigned x, unsigned y)
 {
-    const size_t pixel_count = (size_t)display->w_px * display->h_px;
+    const unsigned from_left = module->mirror ? w_px - 1 - x : x, from_right = w_px - 1 - from_left;
+    const unsigned below = h_px - 1 - y;
+    const unsigned column[] = {from_left, below, from_right, y}, row[] = {y, from_left, below, from_right};
+    return (size_t)row[module->rotation] * module->w_px + column[module->rotation];
+}
+
+void emulated_display_read(const struct emulated_display *display, const struct display_module *module, uint8_t *rgb,
+                           uint16_t *pixels)
+{
+    unsigned w_px, h_px;
+    module_choice_picture(module, &w_px, &h_px);
     emulated_display_show(display, rgb);
-    for (size_t i = 0; i < pixel_count; i++)
-        pixels[i] = rgb565_from_rgb888(&rgb[3 * i]);
+    for (unsigned y = 0; y < h_px; y++)
+        for (unsigned x = 0; x < w_px; x++)
+            *pixels++ = rgb565_from_rgb888(&rgb[3 * glass_index(module, w_px, h_px, x, y)]);
 }

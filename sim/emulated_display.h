@@ -50,7 +50,8 @@ bool emulated_display_is_quiet(const struct emulated_display *display, struct er
 /* What the eye sees on the upright glass: 3 bytes a pixel, red first. */
 void emulated_display_show(const struct emulated_display *display, uint8_t *rgb);
 
-/* The same as RGB565 numbers; `rgb` is room for it. */
-void emulated_display_read(const struct emulated_display *display, uint8_t *rgb, uint16_t *pixels);
+/* The same as RGB565 numbers, turned and mirrored as the viewer of that module sees it; `rgb` is room for it. */
+void emulated_display_read(const struct emulated_display *display, const struct display_module *module, uint8_t *rgb,
+                           uint16_t *pixels);
 
 #endif

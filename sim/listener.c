@@ -3,8 +3,6 @@
  * The emulated chip's port, driven by records instead of a driver. */
 #include "listener.h"
 
-#include "rgb565.h"
-
 #include <assert.h>
 #include <string.h>
 
@@ -86,24 +84,7 @@ bool listener_time(struct listener *listener, uint64_t now_ns)
     return true;
 }
 
-/* The pixel of the glass that the viewer sees at x, y of his picture. */
-static size_t glass_index(const struct listener *listener, unsigned x, unsigned y)
-{
-    const struct display_module *module = &listener->module;
-    unsigned w_px, h_px;
-    module_choice_picture(module, &w_px, &h_px);
-    const unsigned from_left = module->mirror ? w_px - 1 - x : x, from_right = w_px - 1 - from_left;
-    const unsigned below = h_px - 1 - y;
-    const unsigned column[] = {from_left, below, from_right, y}, row[] = {y, from_left, below, from_right};
-    return (size_t)row[module->rotation] * module->w_px + column[module->rotation];
-}
-
 void listener_read(const struct listener *listener, uint8_t *rgb, uint16_t *pixels)
 {
-    unsigned w_px, h_px;
-    module_choice_picture(&listener->module, &w_px, &h_px);
-    emulated_display_show(&listener->display, rgb);
-    for (unsigned y = 0; y < h_px; y++)
-        for (unsigned x = 0; x < w_px; x++)
-            *pixels++ = rgb565_from_rgb888(&rgb[3 * glass_index(listener, x, y)]);
+    emulated_display_read(&listener->display, &listener->module, rgb, pixels);
 }

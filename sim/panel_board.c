@@ -11,7 +11,7 @@ static uint16_t in_the_middle(unsigned free_px, uint16_t step_px)
     return (uint16_t)(free_px / 2 / step_px * step_px);
 }
 
-static struct display_module module_of(const struct panel_choice *choice, unsigned w_px, unsigned h_px)
+static struct display_module upright_module(const struct panel_choice *choice, unsigned w_px, unsigned h_px)
 {
     return (struct display_module){.w_px = (uint16_t)w_px,
                                    .h_px = (uint16_t)h_px,
@@ -20,17 +20,29 @@ static struct display_module module_of(const struct panel_choice *choice, unsign
                                    .invert = true};
 }
 
+static bool module_of(const struct panel_choice *choice, unsigned w_px, unsigned h_px, struct display_module *out,
+                      struct error *err)
+{
+    const bool stands = w_px <= choice->mem_w_px && h_px <= choice->mem_h_px;
+    const bool lies = !stands && choice->exchanges && h_px <= choice->mem_w_px && w_px <= choice->mem_h_px;
+    *out = lies ? upright_module(choice, h_px, w_px) : upright_module(choice, w_px, h_px);
+    if (lies) out->rotation = PANEL_TURNED_90;
+    return display_module_check(choice, out, err);
+}
+
 bool panel_board_holds(const struct panel_choice *choice, unsigned w_px, unsigned h_px, struct error *err)
 {
-    return display_module_check(choice, &(struct display_module){.w_px = (uint16_t)w_px, .h_px = (uint16_t)h_px}, err);
+    struct display_module module;
+    return module_of(choice, w_px, h_px, &module, err);
 }
 
 bool panel_board_init(struct panel_board *board, const struct panel_choice *choice, enum lim_method method,
                       unsigned w_px, unsigned h_px, struct error *err)
 {
-    const struct display_module module = module_of(choice, w_px, h_px);
+    struct display_module module;
     const size_t lines_b = SCREEN_WIDE_MEM_B(w_px, method == LIM_PAINTER ? h_px : 2) + 2 * SCREEN_PAGE_B(w_px);
-    if (!display_module_check(choice, &module, err)) return false;
+    if (!module_of(choice, w_px, h_px, &module, err)) return false;
+    board->glass = module;
     board->name = choice->name;
     board->lines = malloc(lines_b);
     board->seen = malloc((size_t)3 * w_px * h_px);
@@ -59,7 +71,7 @@ uint64_t panel_board_bus_b(const struct panel_board *board)
 bool panel_board_read(struct panel_board *board, uint16_t *pixels, struct error *err)
 {
     if (!emulated_display_is_quiet(&board->module, err)) return false;
-    emulated_display_read(&board->module, board->seen, pixels);
+    emulated_display_read(&board->module, &board->glass, board->seen, pixels);
     return true;
 }
 

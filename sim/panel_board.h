@@ -11,6 +11,7 @@
 struct panel_board {
     const char *name;
     struct emulated_display module;
+    struct display_module glass; /* of it */
     struct display display; /* the driver */
     struct screen screen;   /* screen.target is what the renderer paints into */
     void *lines;

@@ -30,6 +30,8 @@ tap_check "Arduboy, in runs, without memory for a line" shows 7d9049903aed5415 B
 tap_check "and again after each flight" comes_again
 tap_check "LM3S6965, on QEMU's own display too" shows 8546549dd43d5645 BOARD=lm3s6965evb
 tap_check "blue pill" shows 7d9049903aed5415 BOARD=bluepill PANEL=ssd1306
+tap_check "and on its side, wider than the chip's memory" shows 3f8e0d12c16a9cfd BOARD=bluepill PANEL=st7735 \
+    MODULE='--size 80x160 --rotate 270'
 tap_check "STM32F405, lines that are sent together, and what changes alone" shows 4556b16391b40145 BOARD=stm32f405 COMPILE=--delta
 tap_check "HiFive1, a memory LCD" shows 40e552521c709175 BOARD=hifive1 PANEL=ls013b7dh03
 if needs_npm; then
