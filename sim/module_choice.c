@@ -10,6 +10,7 @@
  * with what takes mode 0 (SH1106: olikraus/u8g2, issue 1901). */
 #include "module_choice.h"
 
+#include "notice.h"
 #include "parse.h"
 
 #include <stdio.h>
@@ -98,7 +99,7 @@ static bool take_size(struct module_choice *out, struct arguments *arguments, st
     module->ox_px = module->oy_px = 0;
     module->shift = module->shift_turned = 0; /* of the usual size */
     if (!display_module_check(&out->panel, module, err)) return false;
-    module->ox_px = (uint16_t)((out->panel.mem_w_px - w_px) / 2);
+    module->ox_px = (uint16_t)((out->panel.mem_w_px - w_px) / 2 / out->panel.w_step_px * out->panel.w_step_px);
     module->oy_px = (uint16_t)((out->panel.mem_h_px - h_px) / 2);
     return true;
 }
@@ -117,6 +118,7 @@ static bool take_memory(struct module_choice *out, struct arguments *arguments, 
     if (!parse_size(text, &w_px, &h_px, err)) return false;
     if (w_px > panel->mem_w_px || h_px > panel->mem_h_px)
         return error_set(err, "--memory %s: %s has %ux%u", text, panel->name, panel->mem_w_px, panel->mem_h_px);
+    if (w_px == module->mem_w_px && h_px == module->mem_h_px) return true; /* so is the usual module's */
     module->mem_w_px = (uint16_t)w_px;
     module->mem_h_px = (uint16_t)h_px;
     module->ox_px = module->oy_px = 0;
@@ -192,8 +194,9 @@ static bool take_mirrors(struct module_choice *out, struct arguments *arguments,
     module->mirror = arguments_flag(arguments, "--mirror");
     module->flip_columns = module->flip_columns != columns;
     module->flip_rows = module->flip_rows != rows;
-    return !(columns || rows) || out->panel.flips ||
-           error_set(err, "%s: %s cannot", columns ? "--mirror-columns" : "--mirror-rows", out->panel.name);
+    const char *name = columns ? "--mirror-columns" : rows ? "--mirror-rows" : "--mirror";
+    return !(columns || rows || module->mirror) || out->panel.flips ||
+           error_set(err, "%s: %s cannot", name, out->panel.name);
 }
 
 static bool take_speed(struct module_choice *out, struct arguments *arguments, struct error *err)
@@ -215,6 +218,18 @@ static bool take_mode(struct module_choice *out, struct arguments *arguments, st
     return true;
 }
 
+/* A mode that is taken, as somebody may have an inverter between, though it is hardly meant. */
+static void note_mode(const struct module_choice *out, uint8_t usual_modes)
+{
+    const char *name = out->panel.name;
+    if (!out->mode_given) return;
+    if (!(out->spi_modes & SPI_IDLES_ANYHOW))
+        notice("--mode %u: %s reads as the clock rises, in modes 0 and 3", spi_mode_of(out->spi_modes, 0), name);
+    else if (usual_modes == SPI_IDLES_LOW && out->spi_modes != SPI_IDLES_LOW)
+        notice("--mode %u: %s wants a clock that is low between messages, mode 0", spi_mode_of(out->spi_modes, 0),
+               name);
+}
+
 bool module_choice_parse(struct module_choice *out, struct arguments *arguments, struct error *err)
 {
     const char *panel = NULL;
@@ -222,6 +237,7 @@ bool module_choice_parse(struct module_choice *out, struct arguments *arguments,
     if (!panel) return error_set(err, "--panel NAME is missing: the display's controller; `limner help` lists them");
     if (!panel_choice_parse(panel, NULL, &out->panel, err)) return false;
     take_usual(out);
+    const uint8_t usual_modes = out->spi_modes;
     struct display_module *module = &out->module;
     const unsigned last_line = out->panel.start_lines ? out->panel.start_lines - 1u : 0;
     if (!take_speed(out, arguments, err) || !take_mode(out, arguments, err) || !take_size(out, arguments, err) ||
@@ -236,7 +252,9 @@ bool module_choice_parse(struct module_choice *out, struct arguments *arguments,
     module->converter = arguments_flag(arguments, "--converter");
     if (module->converter && !out->panel.has_converter)
         return error_set(err, "--converter: %s has no converter of the glass's voltage", out->panel.name);
-    return display_module_check(&out->panel, module, err);
+    if (!display_module_check(&out->panel, module, err)) return false;
+    note_mode(out, usual_modes);
+    return true;
 }
 
 void module_choice_picture(const struct display_module *module, unsigned *w_px, unsigned *h_px)

@@ -120,8 +120,40 @@ tap_check "a name is required" is_refused "module: needs -o NAME, for NAME.c and
 tap_check "a size beyond the chip's is refused" is_refused \
     "--panel st7789: 320x240 pixels do not fit into its memory of 240x320" --panel st7789 --size 320x240 -o "$work/bad"
 tap_check "a mirror that the driver refuses is refused" is_refused \
-    "--panel ls013b7dh03: its driver refuses these pins, or a mirrored picture (-2001)" \
+    "--mirror: ls013b7dh03 cannot" \
     --panel ls013b7dh03 --mirror -o "$work/bad"
+tap_check "so is one of a chip that flips nothing" is_refused "--mirror: pcd8544 cannot" --panel pcd8544 --mirror \
+    -o "$work/bad"
+tap_check "two greys of a byte begin together" is_refused \
+    "--panel ssd1327: glass begins at columns that are multiples of 2, not at 1" --panel ssd1327 --size 126x96 \
+    --offset 1,0 -o "$work/bad"
+tap_check "and end so" is_refused "--panel ssd1327: 127x96: its width must be a multiple of 2 pixels" \
+    --panel ssd1327 --size 127x96 -o "$work/bad"
+tap_check "a memory LCD has its size" is_refused "--panel ls013b7dh03: 64x64: it has 128x128 pixels, and no others" \
+    --panel ls013b7dh03 --size 64x64 -o "$work/bad"
+takes() { # FILE ARGUMENT...
+    name=$1
+    shift
+    "$limner" module "$@" -o "$work/$name" 2>"$work/said"
+}
+in_the_middle() {
+    takes even --panel ssd1327 --size 122x96 && grep -q 'ox_px = 2,' "$work/even.c"
+}
+tap_check "glass in the middle of memory begins where a byte does" in_the_middle
+same_memory() {
+    takes plain --panel st7735 --size 128x128 && takes said --panel st7735 --size 128x128 --memory 132x132 &&
+        grep -q 'oy_px = 3' "$work/said.c" && [ "$(tail -n +3 "$work/plain.c")" = "$(tail -n +3 "$work/said.c")" ]
+}
+tap_check "the usual module's memory, said again, moves nothing" same_memory
+hardly_meant() { # TEXT ARGUMENT...
+    text=$1
+    shift
+    takes mode "$@" && [ "$(cat "$work/said")" = "limner: note: $text" ]
+}
+tap_check "a mode that reads the wrong edge is told" hardly_meant \
+    "--mode 2: st7789 reads as the clock rises, in modes 0 and 3" --panel st7789 --mode 2
+tap_check "so is one that a memory LCD does not bear" hardly_meant \
+    "--mode 3: ls013b7dh03 wants a clock that is low between messages, mode 0" --panel ls013b7dh03 --mode 3
 tap_check "rows that no chip can mirror are refused" is_refused "--mirror-rows: pcd8544 cannot" --panel pcd8544 \
     --mirror-rows -o "$work/bad"
 tap_check "so are columns" is_refused "--mirror-columns: ls027b7dh01 cannot" --panel ls027b7dh01 --mirror-columns \
