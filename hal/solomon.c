@@ -147,13 +147,13 @@ static int solomon_send_range(struct solomon *solomon, uint8_t command, unsigned
     return wire_send(&solomon->wire, command, range, sizeof range);
 }
 
-/* Columns and rows are the memory's, however the picture runs over them. Against the glass's columns memory is counted
- * from the other end, where the glass's margin is the other one; of lines only those in use are counted, from either
- * end. */
 /* Two ranges and, where there is one, the command that starts pixels: bytes, and how often they are written or D/C
  * changes. With arguments as low as commands it stays low from the first to the last. */
 enum { WINDOW_B = 7, WINDOW_MESSAGES = 11, GREY_WINDOW_B = 6, GREY_WINDOW_MESSAGES = 6 };
 
+/* Columns and rows are the memory's, however the picture runs over them. Against the glass's columns memory is counted
+ * from the other end, where the glass's margin is the other one; of lines only those in use are counted, from either
+ * end. */
 static int solomon_window(struct panel *panel, uint16_t x_px, uint16_t y_px, uint16_t w_px, uint16_t h_px)
 {
     struct solomon *solomon = solomon_of(panel);
