@@ -12,8 +12,8 @@ struct panel_board {
     const char *name;
     struct emulated_display module;
     struct display_module glass; /* of it */
-    struct display display; /* the driver */
-    struct screen screen;   /* screen.target is what the renderer paints into */
+    struct display display;      /* the driver */
+    struct screen screen;        /* screen.target is what the renderer paints into */
     void *lines;
     uint8_t *seen; /* 3 bytes a pixel: what is on the glass */
 };
