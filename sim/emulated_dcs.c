@@ -304,7 +304,7 @@ static void receive_command(struct emulated_dcs *chip, uint8_t code)
 static void receive_argument(struct emulated_dcs *chip, uint8_t byte)
 {
     if (!chip->command || chip->n_args == chip->command->n_args) {
-        note_if(chip->command && chip->command->n_args && is_borne(chip->command), chip, EMULATED_ARGS_EXTRA,
+        note_if(chip->command && is_borne(chip->command), chip, EMULATED_ARGS_EXTRA,
                 "data 0x%02X after %s, which takes %u bytes: too many, or no RAMWR", byte,
                 chip->command ? chip->command->name : "no command", chip->command ? chip->command->n_args : 0);
         chip->ignore_data = true;

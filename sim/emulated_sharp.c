@@ -93,7 +93,7 @@ static uint8_t lowest_first(uint8_t byte)
 static void store_line(struct emulated_sharp *chip)
 {
     if (chip->number < 1 || chip->number > chip->kind->h_px)
-        complain(chip, "line %u: there are 1..%u", chip->number, chip->kind->h_px);
+        note(chip, "line %u: there are 1..%u", chip->number, chip->kind->h_px);
     else
         memcpy(chip->memory[chip->number - 1], chip->line, sizeof chip->line);
     emulated_port_store(&chip->port, (struct emulated_place){0, chip->number, chip->kind->w_px, 1});

@@ -56,7 +56,7 @@ static void send_to_ili9341(void)
     SEND(0xEF, 0x03, 0x80, 0x02);       /* not described */
     SEND(0xB6, 0x08, 0x82, 0x27, 0x00); /* one too many */
     SEND(0x35);                         /* without its argument */
-    SEND(0x00);
+    SEND(0x00, 0x0F);                   /* neither does this take any */
 }
 
 static void an_lcd_bears_vendors_registers(void **state)
@@ -64,10 +64,10 @@ static void an_lcd_bears_vendors_registers(void **state)
     (void)state;
     power("ili9341", true);
     send_to_ili9341();
-    check(3, 0);
+    check(4, 0);
     power("ili9341", false);
     send_to_ili9341();
-    check(0, 3);
+    check(0, 4);
 }
 
 static void an_lcd_that_is_not_waited_for_goes_on(void **state)
@@ -191,13 +191,15 @@ static void an_lcd_of_pages_bears_its_supply_at_once(void **state)
     }
 }
 
-/* As u8g2 does on a fast processor: 50 ns before and behind each message. */
-static void a_memory_lcd_bears_short_waits(void **state)
+/* As u8g2 does on a fast processor: 50 ns before and behind each message; and LovyanGFX, turned: lines beyond the last.
+ */
+static void a_memory_lcd_bears_short_waits_and_lines_beyond_the_last(void **state)
 {
-    uint8_t message[1 + 1 + 16 + 2] = {0x80, 0x40, 0x0F}; /* line 2 */
+    static uint8_t before[sizeof display.chip.sharp.memory];
 
     (void)state;
     for (int foreign = 0; foreign < 2; foreign++) {
+        uint8_t message[1 + 1 + 16 + 2] = {0x80, 0x40, 0x0F}; /* line 2 */
         power("ls013b7dh03", foreign);
         assert_int_equal(pin_set(&port.select, true), 0);
         assert_int_equal(bus_write(&port.bus, message, sizeof message), 0);
@@ -205,6 +207,12 @@ static void a_memory_lcd_bears_short_waits(void **state)
         assert_int_equal(pin_set(&port.select, true), 0);
         check(foreign ? 3 : 0, foreign ? 0 : 3);
         assert_int_equal(display.chip.sharp.memory[1][0], 0x0F);
+        memcpy(before, display.chip.sharp.memory, sizeof before);
+        message[1] = 0x81; /* line 129 */
+        message[2] = 0x55;
+        assert_int_equal(bus_write(&port.bus, message, sizeof message), 0);
+        check(foreign ? 5 : 0, foreign ? 0 : 5);
+        assert_memory_equal(before, display.chip.sharp.memory, sizeof before);
     }
 }
 
@@ -257,7 +265,7 @@ int main(void)
         cmocka_unit_test(an_oled_bears_a_start_by_commands_of_its_other_mode),
         cmocka_unit_test(an_oled_takes_places_by_commands_of_its_other_mode),
         cmocka_unit_test(an_lcd_of_pages_bears_its_supply_at_once),
-        cmocka_unit_test(a_memory_lcd_bears_short_waits),
+        cmocka_unit_test(a_memory_lcd_bears_short_waits_and_lines_beyond_the_last),
         cmocka_unit_test(an_oled_with_windows_bears_what_it_does_not_know),
         cmocka_unit_test(any_bytes_are_borne_by_every_module),
     };
