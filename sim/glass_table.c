@@ -59,7 +59,8 @@ const struct glass glass_rows[] = {
      .columns_back = true,
      .blue_first = true,
      .sources = {TFT_ESPI "ILI9488_Rotation.h", TFT_ESPI "ILI9488_Init.h", ARDUINO_GFX "Arduino_ILI9488_18bit.cpp",
-                 "zephyrproject-rtos/zephyr drivers/display/display_ili9xxx.c"}},
+                 "zephyrproject-rtos/zephyr drivers/display/display_ili9xxx.c",
+                 LOVYANGFX "v1/panel/Panel_ILI948x.hpp"}},
 
     /* All that were read have MX and MY upright, none of them 0: C8h. A module with a green tab, whose memory has
      * 132x162 pixels: windows begin at 2, 1. (Those with a black or a red tab have 128x160; a black one is red first.)
@@ -378,7 +379,8 @@ const struct glass glass_rows[] = {
      .columns_back = true,
      .lines_back = true,
      .told_lines = true,
-     .sources = {U8G2 "u8x8_d_ssd1327.c", "adafruit/Adafruit_SSD1327 Adafruit_SSD1327.cpp", LUMA_OLED}},
+     .sources = {U8G2 "u8x8_d_ssd1327.c", "adafruit/Adafruit_SSD1327 Adafruit_SSD1327.cpp", LUMA_OLED,
+                 LOVYANGFX "v1/panel/Panel_SSD1327.cpp"}},
     /* A8h 5Fh, A2h 20h with bit 4 of A0h, 60h without. Seeed's module of 96x96 has its lines on the same outputs, by
      * u8g2's driver and by Seeed's own. */
     {.chip = "ssd1327",
@@ -429,7 +431,8 @@ const struct glass glass_rows[] = {
      .h_px = 128,
      .mem_w_px = 128,
      .mem_h_px = 128,
-     .sources = {U8G2 "u8x8_d_ls013b7dh03.c", "zephyrproject-rtos/zephyr drivers/display/ls0xx.c"}},
+     .sources = {U8G2 "u8x8_d_ls013b7dh03.c", "zephyrproject-rtos/zephyr drivers/display/ls0xx.c",
+                 LOVYANGFX "v1/panel/Panel_SharpLCD.cpp"}},
     {.chip = "ls027b7dh01",
      .module = "2.7 inch",
      .w_px = 400,
@@ -437,7 +440,8 @@ const struct glass glass_rows[] = {
      .mem_w_px = 400,
      .mem_h_px = 240,
      .sources = {U8G2 "u8x8_d_ls013b7dh03.c", "zephyrproject-rtos/zephyr drivers/display/ls0xx.c",
-                 "adafruit/Adafruit_SHARP_Memory_Display Adafruit_SharpMem.cpp"}},
+                 "adafruit/Adafruit_SHARP_Memory_Display Adafruit_SharpMem.cpp",
+                 LOVYANGFX "v1/panel/Panel_SharpLCD.cpp"}},
 
     {.chip = NULL},
 };
