@@ -7,6 +7,7 @@
 #include "frame_file.h"
 #include "hash_list.h"
 #include "hashes.h"
+#include "idle_options.h"
 #include "listener.h"
 
 #include <inttypes.h>
@@ -14,6 +15,7 @@
 
 struct card {
     struct module_choice choice;
+    struct idle_options idle;
     const char *path; /* NULL: no picture is asked for */
     struct hash_list hashes;
     struct outputs outputs;
@@ -29,6 +31,7 @@ struct card {
 static bool parse(struct card *card, int argc, char **argv, struct error *err)
 {
     struct arguments arguments = {argv, argc};
+    idle_options_find(&card->idle, argc, argv);
     if (!module_choice_parse(&card->choice, &arguments, err) || !arguments_value(&arguments, "-o", &card->path, err) ||
         !hash_list_parse(&card->hashes, &arguments, err))
         return false;
@@ -72,7 +75,9 @@ static bool run(struct card *card, struct error *err)
     card->rgb = malloc(3 * pixel_count);
     card->pixels = malloc(sizeof card->pixels[0] * pixel_count);
     if (!card->listener || !card->rgb || !card->pixels) return error_set(err, "card: out of memory");
-    return draw(card, err) && show(card, err);
+    if (!draw(card, err) || !show(card, err)) return false;
+    idle_options_note_panel(&card->idle, &card->choice.panel);
+    return true;
 }
 
 int cmd_card(int argc, char **argv)

@@ -53,6 +53,8 @@ for panel in gc9a01 ili9341 ili9488 ssd1351 st7735 st7789:rgb444; do
 done
 tap_check "greys and pages are inverted" says_nothing module --panel ssd1327 --invert -o OUT/module
 tap_check "a mode and a clock are written" says_nothing module --panel ls027b7dh01 --mode 0 --hz 1000000 -o OUT/module
+tap_check "the card has no colours either" changes_nothing "--bgr: ssd1306 has no colours" --bgr \
+    card --panel ssd1306 -o OUT/card.png
 
 # Two columns of a page, and two pixels: reset, commands, data, and the lamp that ends a frame.
 record=$work/record
