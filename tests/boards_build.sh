@@ -83,6 +83,9 @@ tap_check "more than the linker's region is refused" refused 'flash is short by'
 tap_check "a path that leads to a board is refused" refused 'there is no board' BOARD=../boards/bluepill
 tap_check "a board that is not there is refused" refused 'there is no board nix; there are: ' BOARD=nix
 tap_check "a scene that is not there is refused" refused 'there is no scene nix' BOARD=bluepill SCENE=nix
+tap_check "a camera path that is not there is refused" refused 'there is no camera path nix.cam' BOARD=bluepill CAMERA=nix.cam
+tap_check "a time that is none is refused" refused 'CARD_MS=soon: must be a whole number of milliseconds' BOARD=bluepill \
+    SCENE=test-card CARD_MS=soon
 tap_check "a path with spaces is refused" refused 'no paths with spaces' BOARD=bluepill SCENE='a b'
 tap_check "a panel that is not there is refused" refused 'no such panel; there are' BOARD=bluepill PANEL=nix
 tap_check "a precision that is not there is refused" refused 'precision' BOARD=bluepill PRECISION=nix
