@@ -16,7 +16,7 @@ enum { PAGES_SETUP_MAX_B = 32, PAGES_ADDRESS_MAX_B = 8 };
 struct pages_config;
 
 /* How the lines of OLED glass hang on the chip's outputs: one after the other, or on both sides in turn, as is usual.
- * An SSD1306's of 128x32, 96x16 and 96x40 are sequential. */
+ * An SSD1306's of 128x32 and 96x16 are sequential. */
 enum pages_wiring { PAGES_WIRING_USUAL, PAGES_WIRING_SEQUENTIAL, PAGES_WIRING_ALTERNATIVE };
 
 /* How a chip differs from the others. Its functions write commands, which all go out with D/C low, arguments too, and

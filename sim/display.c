@@ -316,6 +316,5 @@ bool display_setup(struct display *display, const struct panel_choice *choice, c
     }
     const char *missing = code == PANEL_ERR_CONFIG ? missing_pin(choice, &upright, port) : NULL;
     if (missing) return error_set(err, "--panel %s: needs a pin, %s LINE", choice->name, missing);
-    return code == 0 || error_set(err, "--panel %s: its driver refuses these pins%s (%d)", choice->name,
-                                  module->mirror ? ", or a mirrored picture" : "", code);
+    return code == 0 || error_set(err, "--panel %s: its driver refuses these pins (%d)", choice->name, code);
 }

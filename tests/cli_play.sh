@@ -77,7 +77,7 @@ done
 for frames in 0 -1 0.5 1e10 x; do
     st7789 "$frames frames are refused" '^limner: --frames' "$model" --frames "$frames"
 done
-refuse "a mirror is refused where the chip has none" '^limner: --panel pcd8544: .*mirrored' \
+refuse "a mirror is refused where the chip has none" '^limner: --mirror: pcd8544 cannot$' \
     play "$model" --panel pcd8544 --spi /dev/spidev99.0 --dc GPIO25 --mirror
 mono="play $model --panel ssd1306 --spi /dev/spidev99.0 --dc GPIO25"
 # shellcheck disable=SC2086 # words
