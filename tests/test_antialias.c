@@ -258,7 +258,7 @@ static void edges_are_a_quarter_as_wrong_at_most(void **state)
     const struct core *const profiles[] = {&core_fast, &core_exact};
 
     (void)state;
-    for (int m = 0; m < 3; m++)
+    for (int m = 0; m < effort(3); m++)
         for (int p = 0; p < 2; p++) {
             struct edge_error_sum sum = {0};
             measure(models[m], profiles[p], &sum);
