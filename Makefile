@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 #
 # Builds, demonstrates and tests Limner. `make help` lists the goals; `make --trace` shows every command in full.
-# Products go to $(BUILD) and out/. Nothing but make is needed to start: see sim/setup.sh.
+# Products go to $(BUILD) and out/. Nothing but make is needed to start: see sim/tools/setup.sh.
 
 # -- What can be chosen: make CC=clang OPT=-O0 BUILD=build/other SUITES="host cross" DEPS=no ---------------------------
 
@@ -18,7 +18,7 @@ export BUILD CC
 export LIMNER_TIME_LIMIT := 0
 # CCACHE= does without.
 ifeq ($(origin CCACHE),undefined)
-CCACHE := $(shell sh sim/compiler_cache.sh)
+CCACHE := $(shell sh sim/tools/compiler_cache.sh)
 endif
 
 ALL_SUITES := host arm cpus boards cross compilers sanitize models prove format kernel foreign
@@ -95,9 +95,9 @@ goals           := $(or $(MAKECMDGOALS),all)
 packages-wanted  = $(packages-build) $(if $(findstring clang,$(CC)),clang) $(packages-board) \
 	$(foreach goal,$(goals),$(packages-$(goal)) $(call packages-for-file,$(goal)))
 
-# Whatever calls a tool waits for this, most of it through a file of flags; tests/cli_packages.sh looks.
+# Whatever calls a tool waits for this, most of it through a file of flags; tests/cli/cli_packages.sh looks.
 packages:
-	$(LIVE)sh sim/setup.sh $(sort $(packages-wanted))
+	$(LIVE)sh sim/tools/setup.sh $(sort $(packages-wanted))
 
 # -- The host program: firmware and simulator, all but main() in a library that the tests link too ---------------------
 
@@ -114,7 +114,8 @@ FLAGS = -std=c11 $(HOST_OPT) $(WARNINGS) -ffp-contract=off -D_POSIX_C_SOURCE=200
 LINKS = $(shell pkg-config --libs $(LIBRARIES)) -lgmp -lz -lm
 
 object  = $(patsubst %.c,$(BUILD)/host/%.o,$(1))
-sources := $(filter-out sim/core.c,$(wildcard firmware/*.c hal/*.c hal/linux/*.c hal/hid/*.c hal/mcu/*.c sim/*.c)) \
+rooms   := base pictures model readers scene cameras displays glass render accuracy compiler measure cli
+sources := $(filter-out sim/render/core.c,$(wildcard firmware/*.c hal/*.c hal/linux/*.c hal/hid/*.c hal/mcu/*.c $(rooms:%=sim/%/*.c))) \
 	$(addprefix boards/common/,card.c screen.c test_card.c walker.c)
 library := $(BUILD)/host/liblimner.a
 
@@ -137,7 +138,7 @@ $(BUILD)/host/%.o: %.c $(BUILD)/host/flags
 profiles     := draft fast fine exact
 cores        := $(profiles) fast_4 fast_5 fast_8 fine_6
 export PROFILES = $(profiles)
-core_sources := $(wildcard firmware/*.c) sim/core.c
+core_sources := $(wildcard firmware/*.c) sim/render/core.c
 core_object   = $(patsubst %.c,$(BUILD)/core-$(1)/%.o,$(core_sources))
 core_words    = $(subst _, ,$(shell echo $(1) | tr a-z A-Z))
 core_flags    = -DCORE=core_$(1) -DLIM_PROFILE=LIM_PROFILE_$(firstword $(core_words)) \
@@ -157,14 +158,14 @@ $(BUILD)/core-$(1).o: $(call core_object,$(1))
 endef
 $(foreach name,$(cores),$(eval $(call core,$(name))))
 
-$(library): $(call object,$(filter-out sim/main.c,$(sources))) $(patsubst %,$(BUILD)/core-%.o,$(cores))
+$(library): $(call object,$(filter-out sim/cli/main.c,$(sources))) $(patsubst %,$(BUILD)/core-%.o,$(cores))
 
-$(BUILD)/limner: $(call object,sim/main.c) $(library) | $(BUILD)/count_plugin.so
+$(BUILD)/limner: $(call object,sim/cli/main.c) $(library) | $(BUILD)/count_plugin.so
 	@echo "LD $@"
 	@$(CC) $(HOST_OPT) -o $@ $(filter %.o %.a,$^) $(LINKS)
 
 # `limner measure` builds firmware for emulated processors, and QEMU loads a plugin that counts.
-$(call object,sim/measure_cost.c sim/cmd_measure.c): PLACES = -DLIM_SOURCE_FOLDER='"$(CURDIR)"' \
+$(call object,sim/measure/measure_cost.c sim/cli/cmd_measure.c): PLACES = -DLIM_SOURCE_FOLDER='"$(CURDIR)"' \
 	-DLIM_COUNT_PLUGIN='"$(abspath $(BUILD))/count_plugin.so"'
 
 # What reports say of the sources: written anew, and compiled anew, when it changes. A copy that git does not know, built
@@ -173,8 +174,8 @@ $(BUILD)/host/sources: force
 	@mkdir -p $(@D)
 	@sources="$$(git describe --always --dirty 2>/dev/null || cat $@ 2>/dev/null)"; echo "$$sources" | cmp -s - $@ || echo "$$sources" > $@
 
-$(call object,sim/versions.c): PLACES = -DLIM_SOURCES='"$(shell cat $(BUILD)/host/sources)"'
-$(call object,sim/versions.c): $(BUILD)/host/sources
+$(call object,sim/base/versions.c): PLACES = -DLIM_SOURCES='"$(shell cat $(BUILD)/host/sources)"'
+$(call object,sim/base/versions.c): $(BUILD)/host/sources
 
 $(BUILD)/count_plugin.so: sim/targets/count_plugin.c $(BUILD)/host/flags
 	@echo "CC $< (plugin)"
@@ -241,35 +242,41 @@ view: $(BUILD)/limner $(demo) ## fly through the demo scene in a window
 # -- The tests: each suite is a list of programs that print TAP --------------------------------------------------------
 
 test_library  := $(BUILD)/host/libtests.a
-test_sources  := $(wildcard tests/*.c)
-test_programs := $(patsubst %.c,$(BUILD)/%,$(filter tests/test_%.c tests/soak_%.c,$(test_sources)))
+test_sources  := $(wildcard $(addprefix tests/,unit/*/*.c golden/*.c extremes/*.c fuzz/*.c exhaustive/exhaustive.c fakes/*.c rigs/*.c))
+test_mains    := $(foreach source,$(test_sources),$(if $(filter test_% soak_%,$(notdir $(source))),$(source)))
+test_programs := $(patsubst %.c,$(BUILD)/tests/%,$(notdir $(test_mains)))
 
-$(test_library): $(call object,$(filter-out tests/test_%.c tests/soak_%.c,$(test_sources)))
+$(BUILD)/host/tests/%.o: PLACES = -Itests
 
-$(test_programs): $(BUILD)/tests/%: $(BUILD)/host/tests/%.o $(test_library) $(library)
+$(test_library): $(call object,$(filter-out $(test_mains),$(test_sources)))
+
+# build/tests/test_span is made of tests/unit/firmware/test_span.c: names are unique over all rooms.
+$(foreach source,$(test_mains),$(eval $(BUILD)/tests/$(basename $(notdir $(source))): $(call object,$(source))))
+
+$(test_programs): $(test_library) $(library)
 	@mkdir -p $(@D)
 	@echo "LD $@"
-	@$(CC) $(HOST_OPT) -o $@ $^ -lcmocka $(test_links) $(LINKS)
+	@$(CC) $(HOST_OPT) -o $@ $(filter %.o,$^) $(filter %.a,$^) -lcmocka $(test_links) $(LINKS)
 
 $(BUILD)/tests/test_osmesa: test_links := -lOSMesa
 
-# A machine without a kernel takes the place of these calls, see tests/fake_linux.h, and of libgpiod's.
+# A machine without a kernel takes the place of these calls, see tests/fakes/fake_linux.h, and of libgpiod's.
 faked      := test_linux_port test_linux_spi test_linux_panels test_play
 fake_calls := open close read readlink access ioctl glob globfree calloc clock_gettime clock_nanosleep
-$(addprefix $(BUILD)/tests/,$(faked)): $(call object,tests/fake_gpiod_v1.c tests/fake_gpiod_v2.c)
+$(addprefix $(BUILD)/tests/,$(faked)): $(call object,tests/fakes/fake_gpiod_v1.c tests/fakes/fake_gpiod_v2.c)
 $(addprefix $(BUILD)/tests/,$(faked)): test_links := $(foreach name,$(fake_calls),-Xlinker --wrap=$(name))
-tests/cli_gpiod.sh: $(BUILD)/tests/test_linux_port
+tests/cli/cli_gpiod.sh: $(BUILD)/tests/test_linux_port
 $(BUILD)/tests/test_hid_port: test_links := -Xlinker --wrap=calloc
 
 extremes := $(filter $(BUILD)/tests/test_extreme_%,$(test_programs))
-tests/cli_extremes.sh: $(extremes) $(BUILD)/limner
-tests/cli_scale.sh tests/cli_small.sh tests/arm_scale.sh: $(BUILD)/generate_scale
+tests/cli/cli_extremes.sh: $(extremes) $(BUILD)/limner
+tests/cli/cli_scale.sh tests/cli/cli_small.sh tests/arm/arm_scale.sh: $(BUILD)/generate_scale
 
-suite-host      := $(filter-out $(extremes),$(filter $(BUILD)/tests/test_%,$(test_programs))) $(wildcard tests/cli_*.sh)
-suite-arm       := $(wildcard tests/arm_*.sh)
-suite-fixed     := $(BUILD)/tests/test_fixed tests/arm_fixed.sh
-suite-cpus      := $(wildcard tests/cpus_*.sh)
-suite-boards    := $(wildcard tests/boards_*.sh)
+suite-host      := $(filter-out $(extremes),$(filter $(BUILD)/tests/test_%,$(test_programs))) $(wildcard tests/cli/cli_*.sh)
+suite-arm       := $(wildcard tests/arm/arm_*.sh)
+suite-fixed     := $(BUILD)/tests/test_fixed tests/arm/arm_fixed.sh
+suite-cpus      := $(wildcard tests/cpus/cpus_*.sh)
+suite-boards    := $(wildcard tests/boards/boards_*.sh)
 suite-cross     := tests/cross.sh
 suite-compilers := tests/compilers.sh
 suite-sanitize  := $(wildcard tests/sanitize*.sh)
@@ -280,7 +287,7 @@ suite-format    := tests/format.sh
 suite-kernel    := tests/kernel.sh
 suite-foreign   := tests/foreign.sh
 suite-arm64     := tests/arm64.sh
-suite-extremes  := tests/cli_extremes.sh
+suite-extremes  := tests/cli/cli_extremes.sh
 suite-soak      := $(filter $(BUILD)/tests/soak_%,$(test_programs))
 
 # What buttons do to a board's frames.
@@ -289,7 +296,7 @@ $(BUILD)/tests/boards/walked: $(BUILD)/host/tests/boards/walked.o $(library)
 	@echo "LD $@"
 	@$(CC) $(HOST_OPT) -o $@ $^ $(LINKS)
 
-tests/boards_lm3s6965evb.sh: $(BUILD)/tests/boards/walked
+tests/boards/boards_lm3s6965evb.sh: $(BUILD)/tests/boards/walked
 
 # Programs for the tests with a kernel of their own, which is built beforehand because that takes minutes, once.
 kernel_programs := $(patsubst %,$(BUILD)/tests/kernel/%,replay port_calls bridge power_off pins wires paint)
@@ -322,7 +329,7 @@ export EXTREMES := whole
 endif
 
 # The longest first, so that none of them is left alone at the end.
-longest  := tests/sanitize.sh tests/sanitize_scenes.sh tests/prove.sh tests/compilers.sh tests/cli_extremes.sh
+longest  := tests/sanitize.sh tests/sanitize_scenes.sh tests/prove.sh tests/compilers.sh tests/cli/cli_extremes.sh
 asked    := $(sort $(foreach suite,$(suites),$(suite-$(suite))))
 programs := $(filter $(longest),$(asked)) $(filter-out $(longest),$(asked))
 
@@ -342,14 +349,14 @@ test-arm64: ## draw through a stock arm64 kernel in QEMU, whose pins are watched
 	@$(MAKE) test SUITES=arm64
 
 extremes: $(extremes) $(BUILD)/limner packages ## run the tests of extremes and write their page anew, with its pictures
-	$(LIVE)EXTREMES=write sh tests/cli_extremes.sh
+	$(LIVE)EXTREMES=write sh tests/cli/cli_extremes.sh
 
 soak: $(suite-soak) packages ## 10^9 pixels of random closed scenes in every profile
 	$(LIVE)for program in $(suite-soak); do $$program || exit 1; done
 
 test-programs: $(test_programs) ## build the unit tests without running them
 
-# -- Proofs, exhaustion, fuzzing: see tests/prove.sh, tests/exhaustive.h, tests/fuzz.h --------------------------------
+# -- Proofs, exhaustion, fuzzing: see tests/prove.sh, tests/exhaustive/exhaustive.h, tests/fuzz/fuzz.h --------------------------------
 
 FUZZ_TARGETS := camera camera_file lim_file render features movers obj gltf ply stl off picture wire_log qemu vcd text written report
 FUZZ_FLAGS   := -max_total_time=60
@@ -363,26 +370,26 @@ exhaustive: $(BUILD)/tests/exhaustive ## try all 2^32 arguments of every unary k
 	$(LIVE)$<
 
 fuzz: packages ## fuzz each target for a minute; FUZZ_TARGETS=render FUZZ_FLAGS=-runs=1000000: other ones, longer
-	$(LIVE)sh tests/fuzz.sh $(FUZZ_TARGETS)
+	$(LIVE)sh tests/fuzz/fuzz.sh $(FUZZ_TARGETS)
 
 fuzz-coverage: packages ## count which lines the fuzz corpora reach; FUZZ_S=30: fuzz each target that long first
-	$(LIVE)sh tests/fuzz_coverage.sh $(FUZZ_TARGETS)
+	$(LIVE)sh tests/fuzz/fuzz_coverage.sh $(FUZZ_TARGETS)
 
-$(BUILD)/tests/exhaustive: $(call object,tests/exhaustive/main.c tests/exhaustive.c) $(library)
+$(BUILD)/tests/exhaustive: $(call object,tests/exhaustive/main.c tests/exhaustive/exhaustive.c) $(library)
 	@mkdir -p $(@D)
 	@$(CC) $(HOST_OPT) -o $@ $^ $(LINKS)
 
-fuzz_objects := $(call object,$(wildcard tests/fuzz*.c) tests/closed_scene.c)
+fuzz_objects := $(call object,$(filter-out tests/fuzz/test_%,$(wildcard tests/fuzz/*.c)) tests/rigs/closed_scene.c)
 
-$(BUILD)/tests/fuzz: $(call object,tests/libfuzzer/main.c) $(fuzz_objects) $(library)
+$(BUILD)/tests/fuzz: $(call object,tests/fuzz/libfuzzer/main.c) $(fuzz_objects) $(library)
 	@mkdir -p $(@D)
 	@$(CC) $(HOST_OPT) -fsanitize=fuzzer -o $@ $^ $(LINKS)
 
-$(BUILD)/tests/fuzz_replay: $(call object,tests/libfuzzer/replay.c) $(fuzz_objects) $(library)
+$(BUILD)/tests/fuzz_replay: $(call object,tests/fuzz/libfuzzer/replay.c) $(fuzz_objects) $(library)
 	@mkdir -p $(@D)
 	@$(CC) $(HOST_OPT) -o $@ $^ $(LINKS)
 
-$(BUILD)/tests/fuzz_seeds: $(call object,tests/libfuzzer/seeds.c) $(fuzz_objects) $(library)
+$(BUILD)/tests/fuzz_seeds: $(call object,tests/fuzz/libfuzzer/seeds.c) $(fuzz_objects) $(library)
 	@mkdir -p $(@D)
 	@$(CC) $(HOST_OPT) -o $@ $^ $(LINKS)
 
@@ -392,40 +399,40 @@ mutate: test-programs $(demo) packages ## break firmware and HAL on purpose, 300
 	$(LIVE)SEED='$(SEED)' MUTANTS='$(MUTANTS)' FILES='$(FILES)' MUTANT='$(MUTANT)' sh tests/mutants.sh
 
 models-table: $(BUILD)/limner ## write the outcomes of Debian's test models anew
-	$(LIVE)sh tests/models.sh --table > tests/models.expected
+	$(LIVE)sh tests/models.sh --table > tests/models/models.expected
 
 tables: $(BUILD)/limner $(demo) ## measure README's table and draw its picture anew
-	$(LIVE)sh sim/tables.sh --write
+	$(LIVE)sh sim/tools/tables.sh --write
 
 foreign-table: $(BUILD)/limner tests/foreign.sh ## draw with others' drivers, and write the table of what emulated modules show anew
 	$(LIVE)sh tests/foreign.sh --write
 
 hid-table: $(BUILD)/limner ## predict frames a second over USB-HID anew
-	$(LIVE)sh sim/bridge_table.sh --write
+	$(LIVE)sh sim/tools/bridge_table.sh --write
 
 delta-table: $(BUILD)/limner ## measure anew what delta output sends, and what it costs
-	$(LIVE)sh sim/delta_table.sh --write
+	$(LIVE)sh sim/tools/delta_table.sh --write
 
 footprint: $(BUILD)/limner $(demo) ## compile README's table of flash, RAM and stack anew
-	$(LIVE)sh sim/footprint_table.sh --write
+	$(LIVE)sh sim/tools/footprint_table.sh --write
 
 tradeoff: $(BUILD)/limner $(demo) ## measure accuracy against cost for README; everything into out/tradeoff/
-	$(LIVE)sh sim/tradeoff.sh --write
+	$(LIVE)sh sim/tools/tradeoff.sh --write
 
 scale: $(BUILD)/limner $(BUILD)/generate_scale ## measure how costs grow with a scene; SCENES="rooms6 mesh1000": only those
-	$(LIVE)sh sim/scale.sh --write
+	$(LIVE)sh sim/tools/scale.sh --write
 
 predictions: $(BUILD)/limner $(BUILD)/generate_scale $(demo) packages ## hold predicted wrong pixels against measured ones, of 47 models
-	$(LIVE)sh sim/predictions.sh --write
+	$(LIVE)sh sim/tools/predictions.sh --write
 
 compare: $(BUILD)/limner ## measure every visibility method; everything into out/compare/
-	$(LIVE)sh sim/compare.sh --write
+	$(LIVE)sh sim/tools/compare.sh --write
 
 bench: $(BUILD)/limner $(demo) $(dense) packages ## count instructions and bytes on every processor; what changed since the baseline
-	$(LIVE)sh sim/bench.sh
+	$(LIVE)sh sim/tools/bench.sh
 
 bench-baseline: $(BUILD)/limner $(demo) $(dense) packages ## the same; write the baseline and the tables anew
-	$(LIVE)sh sim/bench.sh --baseline
+	$(LIVE)sh sim/tools/bench.sh --baseline
 
 # -- Boards: see boards/image.mk ----------------------------------------------------------------------------------------
 
@@ -453,6 +460,6 @@ format: packages ## lay out every C file by .clang-format
 clean: ## remove build/ and out/
 	@rm -rf $(BUILD) out
 
--include $(patsubst %.o,%.d,$(call object,$(sources) $(generator) $(textured_generator) $(scale_generator) $(test_sources) tests/exhaustive/main.c tests/libfuzzer/main.c tests/libfuzzer/replay.c tests/libfuzzer/seeds.c \
+-include $(patsubst %.o,%.d,$(call object,$(sources) $(generator) $(textured_generator) $(scale_generator) $(test_sources) tests/exhaustive/main.c tests/fuzz/libfuzzer/main.c tests/fuzz/libfuzzer/replay.c tests/fuzz/libfuzzer/seeds.c \
 	tests/boards/walked.c tests/foreign/card.c $(wildcard sim/emulators/stm32*.c) \
 	$(filter-out %/wire_tap.c %/wire_display.c,$(wildcard tests/kernel/*.c))))

@@ -102,7 +102,7 @@ $(common)/flags: force | packages
 	@echo '$(TOOLS)gcc $(board_flags)' | cmp -s - $@ || echo '$(TOOLS)gcc $(board_flags)' > $@
 
 # Call graphs have a cache of their own; assembly has no graph.
-board_cache = $(if $(filter %.c,$<),$(if $(findstring callgraph,$(FRAMES)),CCACHE='$(CCACHE)' sh sim/graph_cache.sh,$(CCACHE)))
+board_cache = $(if $(filter %.c,$<),$(if $(findstring callgraph,$(FRAMES)),CCACHE='$(CCACHE)' sh sim/tools/graph_cache.sh,$(CCACHE)))
 
 define board_object
 @mkdir -p $(@D)
@@ -143,7 +143,7 @@ $(folder)/limits: force
 	@echo '$(FLASH_B) $(RAM_B) $(LINK) $(LAST) $(LINES)' | cmp -s - $@ || echo '$(FLASH_B) $(RAM_B) $(LINK) $(LAST) $(LINES)' > $@
 
 export BOARD TOOLS ARCH OPT LINK LAST FLASH_B RAM_B STREAM LINES
-$(IMAGE).elf: $(board_objects) $(image_objects) boards/link.sh sim/footprint.sh sim/stack.awk sim/avr_graph.awk \
+$(IMAGE).elf: $(board_objects) $(image_objects) boards/link.sh sim/tools/footprint.sh sim/tools/stack.awk sim/tools/avr_graph.awk \
 		$(folder)/limits $(wildcard $(board_folder)/*.ld boards/common/*.ld)
 	$(LIVE)rm -f $(IMAGE).*
 	$(LIVE)COMPILER='$(TOOLS)gcc $(board_flags) $(stream_flags) $(scene_flags) $(card_flags)' sh boards/link.sh $(folder) \

@@ -6,7 +6,7 @@
 # short there are fewer lines, then one renderer instead of two (STREAM=auto), then less for it than the scene asks for:
 # the same frames, for more time. What does not fit even so is refused.
 set -eu
-. sim/footprint.sh
+. sim/tools/footprint.sh
 
 folder=$1 title=$2
 shift 2
@@ -103,7 +103,7 @@ linked() { # FS COLUMN
 # Of all code: as gcc left it, or, of AVR's, as the image has it.
 graph() {
     if [ "$TOOLS" = avr- ]; then
-        "${TOOLS}objdump" -dl "$work/image.elf" | awk -f sim/avr_graph.awk
+        "${TOOLS}objdump" -dl "$work/image.elf" | awk -f sim/tools/avr_graph.awk
     else
         for object in $objects; do cat "${object%.o}.ci"; done
     fi
@@ -113,7 +113,7 @@ stack_of() { # ROOT...
     awk '{ sub(/\..*/, "", $NF); print $NF }' "$work/symbols" | sort -u >"$work/linked"
     calls | grep -v 'delta.c=delta' | linked = 2 >"$work/calls"
     graph >"$work/graph"
-    awk -f sim/stack.awk -v roots="$*" -v calls="$(tr '\n' ' ' <"$work/calls")" -v only="$(tr '\n' ' ' <"$work/linked")" "$work/graph"
+    awk -f sim/tools/stack.awk -v roots="$*" -v calls="$(tr '\n' ' ' <"$work/calls")" -v only="$(tr '\n' ' ' <"$work/linked")" "$work/graph"
 }
 
 # -- What fits -----------------------------------------------------------------------------------------------------------

@@ -4,7 +4,7 @@
 # With --write puts it into README.md between its markers. With --rows says of which images, a line of arguments of
 # `make cost` for each.
 set -eu
-. sim/readme_table.sh
+. sim/tools/readme_table.sh
 
 : "${BUILD:=build}"
 

@@ -17,9 +17,9 @@ skip_all() {
 # The port, the panels and the card, for arm64; the rest of the host program needs libraries that are not at hand.
 compile() {
     # shellcheck disable=SC2086 # a list
-    $cross -std=c11 -O2 $WARNINGS -D_POSIX_C_SOURCE=200809L -DLIM_GPIOD=1 -Ifirmware -Ihal -Isim -Iboards/common \
+    $cross -std=c11 -O2 $WARNINGS -D_POSIX_C_SOURCE=200809L -DLIM_GPIOD=1 -Ifirmware -Ihal -Isim -Iboards/common -Itests \
         -I"$debian/usr/include" -static -o "$work/root/bin/draw_card" $here/draw_card.c boards/common/card.c \
-        hal/*.c hal/linux/*.c boards/common/screen.c sim/display.c sim/c_field.c sim/error.c boards/common/test_card.c "$debian/usr/lib/aarch64-linux-gnu/libgpiod.a"
+        hal/*.c hal/linux/*.c boards/common/screen.c sim/displays/display.c sim/base/c_field.c sim/base/error.c boards/common/test_card.c "$debian/usr/lib/aarch64-linux-gnu/libgpiod.a"
 }
 
 # As boards/linux/README.md says, against Debian's libgpiod of that architecture.

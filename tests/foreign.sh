@@ -122,7 +122,7 @@ page_says_so() { # BY
 }
 
 write_table() {
-    . sim/readme_table.sh
+    . sim/tools/readme_table.sh
     {
         echo '| chip | module | driven by | picture | outcome |'
         echo '| --- | --- | --- | --- | --- |'

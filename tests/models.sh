@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 #
 # Every OBJ, STL, PLY and glTF of Debian's assimp-testmodels either renders or is refused with one line
-# and status 1; none crashes, hangs or takes more than 2 GB. The outcomes are tests/models.expected;
+# and status 1; none crashes, hangs or takes more than 2 GB. The outcomes are tests/models/models.expected;
 # `make models-table` writes that anew from `sh tests/models.sh --table`.
 . tests/tap.sh
 
@@ -48,14 +48,14 @@ esac
 
 table >"$work/table"
 while IFS='	' read -r model text; do
-    expected=$(awk -F '\t' -v model="$model" '$1 == model { print $2 }' tests/models.expected)
-    printf 'outcome:  %s\nexpected: %s\n' "$text" "${expected:-(not in tests/models.expected)}" >"$work/why"
+    expected=$(awk -F '\t' -v model="$model" '$1 == model { print $2 }' tests/models/models.expected)
+    printf 'outcome:  %s\nexpected: %s\n' "$text" "${expected:-(not in tests/models/models.expected)}" >"$work/why"
     case $text in
     BROKEN*) tap_fail "$model" "$work/why" ;;
     "$expected") tap_ok "$model: $text" ;;
     *) tap_fail "$model" "$work/why" ;;
     esac
 done <"$work/table"
-tap_check "every model in tests/models.expected was tried" sh -c \
-    "cut -f 1 '$work/table' >'$work/tried' && cut -f 1 tests/models.expected | diff - '$work/tried'"
+tap_check "every model in tests/models/models.expected was tried" sh -c \
+    "cut -f 1 '$work/table' >'$work/tried' && cut -f 1 tests/models/models.expected | diff - '$work/tried'"
 tap_done

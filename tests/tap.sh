@@ -6,7 +6,7 @@
 # shellcheck shell=sh
 
 : "${BUILD:?is set by the Makefile: run this script through make test}" "${WARNINGS:?}"
-: "${CCACHE=$(sh sim/compiler_cache.sh)}"
+: "${CCACHE=$(sh sim/tools/compiler_cache.sh)}"
 export CCACHE # limner measure compiles, too
 
 # A make that a test starts shares nothing with the make that started the test.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Runs an RP2040's image in rp2040js, and prints what goes over a display's wires as a wire log (sim/wire_log.h) and,
+// Runs an RP2040's image in rp2040js, and prints what goes over a display's wires as a wire log (sim/glass/wire_log.h) and,
 // as comments, what each frame took, and all but the first in the mean:
 //   node rp2040.mjs MODULES IMAGE.uf2 SYMBOLS FRAMES --spi 0 --pin dc=16 --pin led=25 ...
 // MODULES: the folder of npm.sh; SYMBOLS: what nm says of the image. A frame has been shown when the LED changes after

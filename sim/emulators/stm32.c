@@ -283,7 +283,7 @@ static bool load(struct run *run, const char *path)
     return whole || fail(path, "is no image that fits into flash");
 }
 
-/* `pin NAME bsrr ADDRESS BIT`; sim/qemu_trace.h. The register lies in its port's first KB. */
+/* `pin NAME bsrr ADDRESS BIT`; sim/glass/qemu_trace.h. The register lies in its port's first KB. */
 static bool take_line(struct run *run, const char *line)
 {
     char *const name = run->names[run->chip.n_wires];

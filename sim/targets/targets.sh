@@ -57,7 +57,7 @@ target_bare() { # ARCHITECTURE MACHINE
         "-Wl,-T,sim/targets/$2.ld" "boards/common/start_$1.c" boards/common/image.c sim/targets/semihost.c
 }
 
-# target_compile CORE OBJECT SOURCE FLAG...: one file, -O2 if not told otherwise; $CCACHE is of sim/compiler_cache.sh, or
+# target_compile CORE OBJECT SOURCE FLAG...: one file, -O2 if not told otherwise; $CCACHE is of sim/tools/compiler_cache.sh, or
 # empty.
 target_compile() {
     target_core=$1 target_object=$2 target_source=$3

@@ -3,8 +3,8 @@
  * The frames that a board must draw whose buttons were these: walked MODEL.lim [options of `limner render`] <BUTTONS.
  * In: a number a line, enum board_button, for each frame from the first. Out: a hash file. The steps are those of the
  * board's own code, the pixels the simulator's. */
-#include "hashes.h"
-#include "options.h"
+#include "cli/options.h"
+#include "pictures/hashes.h"
 #include "walker.h"
 
 #include <stdlib.h>

@@ -2,7 +2,7 @@
  *
  * All 2^32 arguments of every unary kernel, on all processors: a few minutes. Prints the exact
  * error bounds; fails if one is larger than its header states. */
-#include "../exhaustive.h"
+#include "exhaustive.h"
 
 #include <stdatomic.h>
 #include <stdio.h>

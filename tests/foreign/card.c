@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
  * The test card as a PPM file on standard output, for drivers that this project did not write: card WIDTH HEIGHT */
-#include "image.h"
+#include "pictures/image.h"
 #include "test_card.h"
 
 #include <stdio.h>

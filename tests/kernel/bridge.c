@@ -4,7 +4,7 @@
  * gadget, /dev/hidg0), answers go back, and what the chip does to its pins is recorded as the tap records a display's
  * wires: GP0 is D/C, GP1 reset, GP2 the backlight, GP3 chip select. Ends, as if the plug were pulled, after so many
  * reports. */
-#include "emulated_mcp2210.h"
+#include "glass/emulated_mcp2210.h"
 #include "wire_tap.h"
 
 #include <errno.h>

@@ -3,7 +3,7 @@
  * The test card on a panel by spidev and GPIO lines, from start to darkness: what is left of `limner play` where the
  * libraries of the whole program are not at hand, on a foreign processor. */
 #include "card.h"
-#include "display.h"
+#include "displays/display.h"
 #include "linux/linux_port.h"
 
 #include <stdio.h>

@@ -3,8 +3,8 @@
  * The Linux port against the kernel's own drivers: what a call of it does to the wires, as the tap recorded it. Runs in
  * the tests' kernel alone. TEARING_LINE names an input whose level is TEARING_PULL's, a file that takes pull-up and
  * pull-down. */
-#include "../cmocka_ready.h"
 #include "linux/linux_port.h"
+#include "rigs/cmocka_ready.h"
 #include "wire_tap.h"
 
 #include <errno.h>

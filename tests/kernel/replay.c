@@ -5,8 +5,8 @@
  * if bytes came without their chip select, or if what the glass showed last, before it was darkened, is not the picture
  * that was asked for. */
 #include "card.h"
-#include "image.h"
-#include "panel_board.h"
+#include "pictures/image.h"
+#include "render/panel_board.h"
 #include "wire_tap.h"
 
 #include <errno.h>

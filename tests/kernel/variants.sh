@@ -11,7 +11,7 @@ relink() {
     shift 3
     mkdir "$folder"
     libraries=$(readelf -d "$BUILD/limner" | sed -n 's/.*(NEEDED).*\[\(.*\)\]/-l:\1/p' | grep -v "$from")
-    for program in limner:sim/main.o port_calls:tests/kernel/port_calls.o; do
+    for program in limner:sim/cli/main.o port_calls:tests/kernel/port_calls.o; do
         # shellcheck disable=SC2086 # a list
         ${CC:-gcc} -o "$folder/${program%%:*}" "$BUILD/host/${program#*:}" "$@" "$BUILD/host/liblimner.a" \
             -Wl,-rpath,"$folder" "$to" -lcmocka $libraries || return 1

@@ -77,7 +77,7 @@ linked() {
 # A header of constants: all that include it.
 including() {
     find "$BUILD/host" "$BUILD/core-draft" "$BUILD/core-fast" "$BUILD/core-fine" "$BUILD/core-exact" -name '*.d' |
-        xargs grep -lF " $source" | sed "s|^$BUILD/||; s|\.d\$|.o|" | grep -vE '/sim/(measure_cost|cmd_measure|main)\.o' >"$tree/includers"
+        xargs grep -lF " $source" | sed "s|^$BUILD/||; s|\.d\$|.o|" | grep -vE '/sim/[a-z]*/(measure_cost|cmd_measure|main)\.o' >"$tree/includers"
     [ -s "$tree/includers" ] || return 0
     for test in "$state"/times/*; do
         test=${test##*/}

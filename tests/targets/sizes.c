@@ -12,7 +12,7 @@ struct compiled;
 struct core;
 struct error;
 struct moving;
-#include "../../sim/pools.h"
+#include "../../sim/compiler/pools.h"
 
 _Static_assert((int)MCU_CACHE_ENTRIES == (int)LIM_VIEW_CACHE_ENTRIES, "cache entries");
 enum { INDEX_B = LIM_HAS_WIDE ? MCU_INDEX_B : 0 };

@@ -1,0 +1,30 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Error lines. Whatever the parts say (file names and library messages may hold anything), the
+ * result is one line: control characters become spaces. */
+#include "base/error.h"
+
+#include <stdarg.h>
+#include <stdio.h>
+
+static void keep_one_line(char *text)
+{
+    for (; *text; text++)
+        if ((unsigned char)*text < ' ' || *text == 0x7F) *text = ' ';
+}
+
+bool error_set(struct error *err, const char *format, ...)
+{
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(err->text, sizeof err->text, format, arguments);
+    va_end(arguments);
+    keep_one_line(err->text);
+    return false;
+}
+
+bool error_prefix(struct error *err, const char *thing)
+{
+    struct error reason = *err;
+    return error_set(err, "%.255s: %s", thing, reason.text);
+}

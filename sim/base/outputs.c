@@ -1,0 +1,368 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * All-or-nothing output by temporary names in the same folder, so that the final rename cannot fail for want of space;
+ * what the command made is remembered in order and undone in reverse. A temporary's name is random and must be new:
+ * two runs, or a link that somebody has put there, never share it. */
+#include "base/outputs.h"
+
+#include "base/ending.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <poll.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/file.h>
+#include <sys/random.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+enum {
+    PATH_SIZE_B = 4096,
+    LINKS_MAX = 40,        /* as the kernel follows */
+    PART_NAME_MAX_B = 200, /* of a name's 255 bytes: the rest is for what the temporary's name adds */
+    PART_ADDED_B = 16,
+    PART_TRIES = 16,
+    LOCK_TRIES = 100,
+    LOCK_WAIT_MS = 10
+};
+
+struct output_path {
+    char *path; /* final name, no link */
+    char *part; /* name while being written; NULL: a folder */
+    struct leftover *leftover;
+};
+
+struct spared_file {
+    dev_t device;
+    ino_t number;
+};
+
+/* Where the file is to be: links in the place of the file are followed to their end, as fopen() does. */
+struct place {
+    char path[PATH_SIZE_B];
+    bool exists, as_it_is; /* a device, a pipe, or an open file by its number */
+    mode_t mode;
+};
+
+static void outputs_free(struct outputs *outputs)
+{
+    for (size_t i = 0; i < outputs->count; i++) {
+        ending_forget(outputs->paths[i].leftover);
+        free(outputs->paths[i].path);
+        free(outputs->paths[i].part);
+    }
+    free(outputs->paths);
+    free(outputs->spared);
+    *outputs = (struct outputs){0};
+}
+
+/* What has just been made; part: NULL for a folder. */
+static bool outputs_remember(struct outputs *outputs, const char *path, const char *part, struct error *err)
+{
+    struct output_path *paths = realloc(outputs->paths, (outputs->count + 1) * sizeof *paths);
+    if (paths) outputs->paths = paths;
+    struct output_path made = {strdup(path), part ? strdup(part) : NULL, NULL};
+    made.leftover = part ? ending_add(LEFTOVER_FILE, part) : ending_add(LEFTOVER_FOLDER, path);
+    if (paths && made.path && (!part || made.part) && made.leftover) {
+        paths[outputs->count++] = made;
+        return true;
+    }
+    ending_forget(made.leftover);
+    free(made.path);
+    free(made.part);
+    if (part)
+        unlink(part);
+    else
+        rmdir(path);
+    return error_set(err, "%s: out of memory", path);
+}
+
+/* Places ------------------------------------------------------------------------------------- */
+
+static size_t folder_length(const char *path)
+{
+    const char *slash = strrchr(path, '/');
+    return slash ? (size_t)(slash - path) + 1 : 0;
+}
+
+/* Puts the link's target in its place. */
+static bool follow(char path[PATH_SIZE_B])
+{
+    char target[PATH_SIZE_B];
+    const ssize_t length = readlink(path, target, sizeof target - 1);
+    const size_t folder_b = length > 0 && target[0] == '/' ? 0 : folder_length(path);
+    if (length < 0) return false;
+    errno = ENAMETOOLONG;
+    if (folder_b + (size_t)length >= PATH_SIZE_B) return false;
+    memcpy(path + folder_b, target, (size_t)length);
+    path[folder_b + (size_t)length] = '\0';
+    return true;
+}
+
+/* Names of open files: a link whose target is no name. */
+static bool is_open_file(const char *path)
+{
+    return strncmp(path, "/proc/", 6) == 0 || strncmp(path, "/dev/fd/", 8) == 0;
+}
+
+static bool place_find(const char *path, struct place *place)
+{
+    struct stat status;
+    *place = (struct place){0};
+    errno = ENAMETOOLONG;
+    if (strlen(path) >= sizeof place->path) return false;
+    memcpy(place->path, path, strlen(path) + 1);
+    for (int links = 0; !(place->as_it_is = is_open_file(place->path)); links++) {
+        if (lstat(place->path, &status) != 0 || !S_ISLNK(status.st_mode)) break;
+        errno = ELOOP;
+        if (links == LINKS_MAX || !follow(place->path)) return false;
+    }
+    place->exists = stat(place->path, &status) == 0;
+    place->mode = place->exists ? status.st_mode : 0;
+    place->as_it_is |= place->exists && !S_ISREG(status.st_mode);
+    return true;
+}
+
+/* Makes the folders that lead to path, and remembers those that were not there. */
+static bool make_folders(struct outputs *outputs, const char *path, struct error *err)
+{
+    char *folder = strdup(path);
+    bool ok = folder || error_set(err, "%s: out of memory", path);
+    for (char *slash = ok ? strchr(folder + 1, '/') : NULL; ok && slash; slash = strchr(slash + 1, '/')) {
+        *slash = '\0';
+        ending_hold();
+        if (mkdir(folder, 0777) == 0)
+            ok = outputs_remember(outputs, folder, NULL, err);
+        else if (errno != EEXIST)
+            ok = error_set(err, "%s: cannot make the folder: %s", folder, strerror(errno));
+        ending_release();
+        *slash = '/';
+    }
+    free(folder);
+    return ok;
+}
+
+/* Of the folder that holds path, which is there. */
+static bool folder_status(const char *path, struct stat *status)
+{
+    char folder[PATH_SIZE_B];
+    snprintf(folder, sizeof folder, "%.*s.", (int)folder_length(path), path);
+    return stat(folder, status) == 0;
+}
+
+/* However it is spelled. */
+static bool is_taken(const struct outputs *outputs, const char *path)
+{
+    struct stat mine, other;
+    const bool known = folder_status(path, &mine);
+    for (size_t i = 0; i < outputs->count; i++) {
+        const char *taken = outputs->paths[i].path;
+        if (!outputs->paths[i].part) continue;
+        if (strcmp(taken + folder_length(taken), path + folder_length(path)) != 0) continue;
+        if (strcmp(taken, path) == 0) return true;
+        if (known && folder_status(taken, &other) && mine.st_dev == other.st_dev && mine.st_ino == other.st_ino)
+            return true;
+    }
+    return false;
+}
+
+/* Spared ------------------------------------------------------------------------------------- */
+
+bool outputs_spare(struct outputs *outputs, const char *path, struct error *err)
+{
+    struct stat status;
+    if (!path || stat(path, &status) != 0 || !S_ISREG(status.st_mode)) return true;
+    struct spared_file *spared = realloc(outputs->spared, (outputs->spared_count + 1) * sizeof *spared);
+    if (!spared) return error_set(err, "%s: out of memory", path);
+    outputs->spared = spared;
+    spared[outputs->spared_count++] = (struct spared_file){status.st_dev, status.st_ino};
+    return true;
+}
+
+static bool is_spared(const struct outputs *outputs, const char *path)
+{
+    struct stat status;
+    if (stat(path, &status) != 0) return false;
+    for (size_t i = 0; i < outputs->spared_count; i++)
+        if (outputs->spared[i].device == status.st_dev && outputs->spared[i].number == status.st_ino) return true;
+    return false;
+}
+
+/* Files -------------------------------------------------------------------------------------- */
+
+/* NAME.RANDOM.part */
+static bool part_name(const char *path, char part[PATH_SIZE_B])
+{
+    static const char digits[] = "0123456789abcdefghijklmnopqrstuv";
+    const size_t folder_b = folder_length(path);
+    uint64_t random;
+    if (getentropy(&random, sizeof random) != 0) return false;
+    char word[9] = "";
+    for (int i = 0; i < 8; i++, random /= 32)
+        word[i] = digits[random % 32];
+    const int length =
+        snprintf(part, PATH_SIZE_B, "%.*s%.*s.%s.part", (int)folder_b, path, PART_NAME_MAX_B, path + folder_b, word);
+    errno = ENAMETOOLONG;
+    return length < PATH_SIZE_B;
+}
+
+/* With the permissions that fopen() would give, or leave, the file. */
+static int part_open(const struct place *place, char part[PATH_SIZE_B])
+{
+    int descriptor = -1;
+    errno = EEXIST;
+    for (int i = 0; descriptor < 0 && errno == EEXIST && i < PART_TRIES; i++)
+        if (part_name(place->path, part))
+            descriptor = open(part, O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
+    if (descriptor >= 0 && place->exists) (void)!fchmod(descriptor, place->mode & 0777);
+    return descriptor;
+}
+
+static int place_open(struct outputs *outputs, const struct place *place, struct error *err)
+{
+    char part[PATH_SIZE_B];
+    if (place->as_it_is) return open(place->path, O_WRONLY | O_CLOEXEC | O_NOCTTY);
+    ending_hold();
+    int descriptor = part_open(place, part);
+    if (descriptor >= 0 && !outputs_remember(outputs, place->path, part, err)) {
+        close(descriptor);
+        descriptor = -1;
+        errno = ENOMEM;
+    }
+    ending_release();
+    return descriptor;
+}
+
+FILE *outputs_open(struct outputs *outputs, const char *path, struct error *err)
+{
+    struct place place;
+    const bool found = place_find(path, &place);
+    const char *reason = found ? NULL : strerror(errno);
+    const size_t folder_b = found ? folder_length(place.path) : 0;
+    const bool is_folder = found && (S_ISDIR(place.mode) || (folder_b && !place.path[folder_b]));
+    if (found && place.exists && access(place.path, W_OK) != 0) reason = strerror(errno);
+    if (is_folder) reason = "it is a folder";
+    if (found && is_spared(outputs, place.path)) reason = "the same command reads it";
+    if (!path[0]) {
+        error_set(err, "%s: a file name is empty", path);
+        return NULL;
+    }
+    if (!reason && !place.as_it_is) {
+        if (!make_folders(outputs, place.path, err)) return NULL;
+        if (is_taken(outputs, place.path)) {
+            error_set(err, "%s: named for two outputs", path);
+            return NULL;
+        }
+    }
+    const int descriptor = reason ? -1 : place_open(outputs, &place, err);
+    FILE *file = descriptor >= 0 ? fdopen(descriptor, "wb") : NULL;
+    if (!file) error_set(err, "%s: cannot be written: %s", path, reason ? reason : strerror(errno));
+    if (!file && descriptor >= 0) close(descriptor);
+    return file;
+}
+
+bool outputs_close(FILE *file, const char *path, struct error *err)
+{
+    bool failed_before = ferror(file) != 0;
+    errno = 0;
+    if (fclose(file) == 0 && !failed_before) return true;
+    return error_set(err, "%s: cannot be written: %s", path, errno ? strerror(errno) : "output error");
+}
+
+/* All ---------------------------------------------------------------------------------------- */
+
+/* Two runs into one place take turns, so that files which belong together come from one run. A lock that is not to be
+ * had within a second is done without: it is another program's. Returns -1, or what to close. */
+static int lock_folder(const struct outputs *outputs)
+{
+    char folder[PATH_SIZE_B];
+    size_t first = 0;
+    while (first < outputs->count && !outputs->paths[first].part)
+        first++;
+    if (first == outputs->count) return -1;
+    const char *path = outputs->paths[first].path;
+    snprintf(folder, sizeof folder, "%.*s.", (int)folder_length(path), path);
+    const int descriptor = open(folder, O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    for (int i = 0; descriptor >= 0 && i < LOCK_TRIES && flock(descriptor, LOCK_EX | LOCK_NB) != 0; i++)
+        poll(NULL, 0, LOCK_WAIT_MS);
+    return descriptor;
+}
+
+static bool rename_all(const struct outputs *outputs, struct error *err)
+{
+    for (size_t i = 0; i < outputs->count; i++) {
+        const struct output_path *made = &outputs->paths[i];
+        if (made->part && rename(made->part, made->path) != 0)
+            return error_set(err, "%s: cannot be written: %s", made->path, strerror(errno));
+    }
+    return true;
+}
+
+bool outputs_keep(struct outputs *outputs, struct error *err)
+{
+    ending_hold();
+    const int lock = lock_folder(outputs);
+    const bool ok = rename_all(outputs, err);
+    if (lock >= 0) close(lock);
+    if (ok)
+        outputs_free(outputs);
+    else
+        outputs_discard(outputs);
+    ending_release();
+    return ok;
+}
+
+void outputs_discard(struct outputs *outputs)
+{
+    ending_hold();
+    for (size_t i = outputs->count; i-- > 0;) {
+        const struct output_path *made = &outputs->paths[i];
+        if (made->part)
+            unlink(made->part);
+        else
+            rmdir(made->path);
+    }
+    outputs_free(outputs);
+    ending_release();
+}
+
+/* Numbered names ----------------------------------------------------------------------------- */
+
+struct pattern_field {
+    const char *start, *end;
+    int width;
+    bool zeros;
+};
+
+/* The first %[0][width]d of a pattern; the pattern is never handed to printf. */
+static bool find_field(const char *pattern, struct pattern_field *field)
+{
+    field->start = strchr(pattern, '%');
+    if (!field->start) return false;
+    const char *at = field->start + 1;
+    field->zeros = *at == '0';
+    field->width = 0;
+    while (*at >= '0' && *at <= '9' && field->width < 10)
+        field->width = field->width * 10 + (*at++ - '0');
+    field->end = at + 1;
+    return *at == 'd' && !strchr(field->end, '%');
+}
+
+bool output_pattern_check(const char *pattern, struct error *err)
+{
+    struct pattern_field field;
+    if (find_field(pattern, &field)) return true;
+    return error_set(err, "-o '%s': needs exactly one %%d for the frame's number, as in 'out/%%03d.png'", pattern);
+}
+
+bool output_pattern_path(const char *pattern, size_t number, char *path, size_t size, struct error *err)
+{
+    struct pattern_field field;
+    if (!find_field(pattern, &field)) return output_pattern_check(pattern, err);
+    int start = (int)(field.start - pattern);
+    int length = snprintf(path, size, field.zeros ? "%.*s%0*zu%s" : "%.*s%*zu%s", start, pattern, field.width, number,
+                          field.end);
+    return (length >= 0 && (size_t)length < size) || error_set(err, "-o '%s': the path is too long", pattern);
+}

@@ -1,0 +1,46 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * The files that a command writes: all of them or none. Each is written beside its place as NAME.RANDOM.part, and
+ * takes its place when the command has succeeded; folders are made as needed. A signal that ends the process removes
+ * what is not in its place yet (ending.h). A file has the permissions that fopen() would give or leave it; a link in
+ * its place stays, and the file that it names is written. */
+#ifndef SIM_OUTPUTS_H
+#define SIM_OUTPUTS_H
+
+#include "base/error.h"
+
+#include <stddef.h>
+#include <stdio.h>
+
+struct output_path; /* of a file or folder */
+
+struct outputs {
+    struct output_path *paths; /* in the order of their making */
+    size_t count;
+    struct spared_file *spared; /* what is read, and so not written */
+    size_t spared_count;
+};
+
+/* A file that the command reads (NULL: none): outputs_open() refuses it from now on, however its path is spelled. What
+ * is not there, or no regular file, is not minded. */
+bool outputs_spare(struct outputs *outputs, const char *path, struct error *err);
+
+/* Begins a file, its folders included; NULL on error. Devices and pipes are opened as they are. A
+ * file of which two outputs are named, however its path is spelled, or that is spared, is refused. */
+FILE *outputs_open(struct outputs *outputs, const char *path, struct error *err);
+
+/* Closes a file of outputs_open(); what could not be written is an error. */
+bool outputs_close(FILE *file, const char *path, struct error *err);
+
+/* Puts every file in its place and frees the list. */
+bool outputs_keep(struct outputs *outputs, struct error *err);
+
+/* Removes every file and folder made, and frees the list. */
+void outputs_discard(struct outputs *outputs);
+
+/* A pattern with exactly one %d, %5d or %05d becomes the path of a numbered file; `path` holds
+ * size bytes. Anything else is refused. */
+bool output_pattern_check(const char *pattern, struct error *err);
+bool output_pattern_path(const char *pattern, size_t number, char *path, size_t size, struct error *err);
+
+#endif

@@ -1,0 +1,54 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * A word before the first colon tells random cameras from files. */
+#include "cameras/camera_choice.h"
+
+#include "cameras/random_path.h"
+#include "render/parse.h"
+
+#include <stdio.h>
+#include <string.h>
+
+enum { RANDOM_MAX = 10000 };
+static const char RANDOM[] = "random:", NEAR[] = "near:";
+
+static bool parse_part(const char *name, const char *from, size_t length, uint32_t least, uint32_t most, uint32_t *out,
+                       struct error *err)
+{
+    char text[16];
+    if (length >= sizeof text) return error_set(err, "%s: too long: %.32s", name, from);
+    snprintf(text, sizeof text, "%.*s", (int)length, from);
+    return parse_whole(name, text, least, most, out, err);
+}
+
+bool camera_choice_parse(const char *text, struct camera_choice *out, struct error *err)
+{
+    *out = (struct camera_choice){.text = text, .is_near = strncmp(text, NEAR, sizeof NEAR - 1) == 0};
+    if (!out->is_near && strncmp(text, RANDOM, sizeof RANDOM - 1) != 0) return true;
+    const char *seed = strchr(text, ':') + 1, *colon = strchr(seed, ':');
+    uint32_t count = CAMERA_CHOICE_RANDOM;
+    if (!parse_part(out->is_near ? "--camera near:SEED" : "--camera random:SEED", seed, strcspn(seed, ":"), 0,
+                    UINT32_MAX, &out->seed, err))
+        return false;
+    if (colon && !parse_part(out->is_near ? "--camera near:SEED:FRAMES" : "--camera random:SEED:FRAMES", colon + 1,
+                             strlen(colon + 1), 1, RANDOM_MAX, &count, err))
+        return false;
+    out->random_count = count;
+    return true;
+}
+
+bool camera_choice_read(const struct camera_choice *choice, struct camera_path *out, struct error *err)
+{
+    return !choice->text || choice->random_count > 0 || camera_path_read(choice->text, out, err);
+}
+
+bool camera_choice_plan(const struct camera_choice *choice, const struct compiled *scene, const struct lens *lens,
+                        size_t orbit_frames, struct camera_path *path, struct error *err)
+{
+    if (path->count > 0) return true;
+    if (choice->random_count > 0 && choice->is_near)
+        return near_path(scene, lens, choice->text, choice->seed, choice->random_count, path, err);
+    if (choice->random_count > 0)
+        return random_path(scene, choice->text, choice->seed, choice->random_count, path, err);
+    return camera_path_orbit(scene, lens, orbit_frames, path, err);
+}

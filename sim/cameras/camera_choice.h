@@ -1,0 +1,28 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * What --camera says: a camera file, cameras at random in the scene's free space, or, without it, an orbit. */
+#ifndef SIM_CAMERA_CHOICE_H
+#define SIM_CAMERA_CHOICE_H
+
+#include "cameras/camera_path.h"
+
+enum { CAMERA_CHOICE_RANDOM = 64 }; /* frames, unless said */
+
+struct camera_choice {
+    const char *text;    /* as given; NULL: not given, so an orbit */
+    size_t random_count; /* 0: the text is a file's name */
+    bool is_near;        /* of the random ones: near the model's faces */
+    uint32_t seed;       /* of the random ones */
+};
+
+/* --camera FILE, random:SEED[:FRAMES] or near:SEED[:FRAMES]; a file of such a name is ./random:1. */
+bool camera_choice_parse(const char *text, struct camera_choice *out, struct error *err);
+
+/* Reads the file, if it is one: before the scene is compiled, since that takes longer than to see a mistake. */
+bool camera_choice_read(const struct camera_choice *choice, struct camera_path *out, struct error *err);
+
+/* Plans, unless a file was read, the random cameras or an orbit of so many frames. */
+bool camera_choice_plan(const struct camera_choice *choice, const struct compiled *scene, const struct lens *lens,
+                        size_t orbit_frames, struct camera_path *path, struct error *err);
+
+#endif

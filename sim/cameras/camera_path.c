@@ -1,0 +1,349 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Camera files, the default orbit, and the step from metres to the renderer's units: the eye is
+ * rounded to 1/256 unit, angles to 2^-32 of a turn, tangents to 2^-28. */
+#include "cameras/camera_path.h"
+
+#include "base/input_file.h"
+#include "base/notice.h"
+
+#include <ctype.h>
+#include <errno.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define PI 3.14159265358979323846
+
+enum { NUMBERS_A_LINE = 6, LINE_MOST_B = 4096, FILE_MOST_B = 64 << 20, CAMERAS_MOST = 100000 };
+static const double COORDINATE_MAX_M = 1e9;   /* keeps differences and their squares far from overflow */
+static const double EYE_END_Q8 = 268435456.0; /* 2^28, exclusive */
+static const double NEAR_MAX_Q8 = 16777216.0; /* 2^24 */
+static const double DEFAULT_FOV_DEG = 60.0;
+static const double TANGENT_MIN = 1.0 / 64.0, TANGENT_MAX = 4.0;
+
+static void viewpoint_direction(const struct viewpoint *viewpoint, double direction[3])
+{
+    double length = 0.0;
+    for (int i = 0; i < 3; i++) {
+        direction[i] = viewpoint->target_m[i] - viewpoint->eye_m[i];
+        length = hypot(length, direction[i]);
+    }
+    for (int i = 0; i < 3; i++)
+        direction[i] /= length;
+}
+
+/* Straight up and straight down have no yaw of their own: half a turn gives the picture's up. */
+static double direction_yaw(const double direction[3])
+{
+    if (direction[0] == 0.0 && direction[2] == 0.0) return PI;
+    return atan2(-direction[0], -direction[2]);
+}
+
+static double direction_pitch(const double direction[3])
+{
+    return atan2(direction[1], hypot(direction[0], direction[2]));
+}
+
+void viewpoint_axes(const struct viewpoint *viewpoint, struct view_axes *axes)
+{
+    viewpoint_direction(viewpoint, axes->forward);
+    double yaw = direction_yaw(axes->forward);
+    double sin_yaw = sin(yaw), cos_yaw = cos(yaw);
+    double rise = axes->forward[1], run = hypot(axes->forward[0], axes->forward[2]);
+    memcpy(axes->right, (double[3]){cos_yaw, 0.0, -sin_yaw}, sizeof axes->right);
+    memcpy(axes->up, (double[3]){sin_yaw * rise, run, cos_yaw * rise}, sizeof axes->up);
+}
+
+/* Files -------------------------------------------------------------------------------------- */
+
+/* Parses one line without its comment into numbers; how many there are, or -1 for anything else. */
+static int line_numbers(char *line, double numbers[NUMBERS_A_LINE])
+{
+    char *comment = strchr(line, '#');
+    if (comment) *comment = '\0';
+    int count = 0;
+    for (char *at = line;; count++) {
+        while (isspace((unsigned char)*at))
+            at++;
+        if (!*at) return count;
+        char *end;
+        double number = strtod(at, &end);
+        if (end == at || (*end && !isspace((unsigned char)*end))) return -1;
+        if (count < NUMBERS_A_LINE) numbers[count] = number;
+        at = end;
+    }
+}
+
+static bool line_viewpoint(char *line, struct viewpoint *out, bool *is_blank, const char **reason)
+{
+    double numbers[NUMBERS_A_LINE];
+    int count = line_numbers(line, numbers);
+    *is_blank = count == 0;
+    if (*is_blank) return true;
+    *reason = "not a number; a line is ex ey ez tx ty tz";
+    if (count < 0) return false;
+    *reason = count < NUMBERS_A_LINE ? "fewer than six numbers; a line is ex ey ez tx ty tz"
+                                     : "more than six numbers; a line is ex ey ez tx ty tz";
+    if (count != NUMBERS_A_LINE) return false;
+    *reason = "a coordinate is not finite or beyond 1e9 m";
+    for (int i = 0; i < NUMBERS_A_LINE; i++)
+        if (!(fabs(numbers[i]) <= COORDINATE_MAX_M)) return false;
+    memcpy(out->eye_m, numbers, sizeof out->eye_m);
+    memcpy(out->target_m, numbers + 3, sizeof out->target_m);
+    double length_m = hypot(hypot(numbers[3] - numbers[0], numbers[4] - numbers[1]), numbers[5] - numbers[2]);
+    *reason = "eye and target are the same point";
+    return isnormal(length_m);
+}
+
+static bool path_append(struct camera_path *path, const struct viewpoint *viewpoint)
+{
+    bool is_full = (path->count & (path->count - 1)) == 0; /* the array doubles at powers of two */
+    if (is_full) {
+        size_t capacity = path->count ? 2 * path->count : 1;
+        struct viewpoint *frames = realloc(path->frames, capacity * sizeof *frames);
+        if (!frames) return false;
+        path->frames = frames;
+    }
+    path->frames[path->count++] = *viewpoint;
+    return true;
+}
+
+static bool read_lines(struct input_lines *lines, struct camera_path *path, struct error *err)
+{
+    const char *reason = NULL;
+    while (!reason && input_line(lines, err)) {
+        struct viewpoint viewpoint = {.line = lines->number};
+        bool is_blank;
+        const char *wrong = NULL;
+        if (!line_viewpoint(lines->line, &viewpoint, &is_blank, &wrong))
+            reason = wrong;
+        else if (!is_blank && path->count == CAMERAS_MOST)
+            return error_set(err, "%s:%zu: more than %d cameras", path->name, lines->number, CAMERAS_MOST);
+        else if (!is_blank && !path_append(path, &viewpoint))
+            reason = "out of memory";
+    }
+    if (reason) return error_set(err, "%s:%zu: %s", path->name, lines->number, reason);
+    if (err->text[0]) return false;
+    if (path->count == 0) return error_set(err, "%s: no camera in it; a line is ex ey ez tx ty tz", path->name);
+    return true;
+}
+
+bool camera_path_read(const char *name, struct camera_path *out, struct error *err)
+{
+    struct input_lines lines = {.path = name, .line_most_b = LINE_MOST_B};
+    memset(out, 0, sizeof *out);
+    err->text[0] = '\0';
+    lines.file = input_open(name, FILE_MOST_B, NULL, err);
+    if (!lines.file) return false;
+    out->name = strdup(name);
+    bool ok = out->name ? read_lines(&lines, out, err) : error_set(err, "%s: out of memory", name);
+    input_lines_free(&lines);
+    fclose(lines.file);
+    if (!ok) camera_path_free(out);
+    return ok;
+}
+
+bool camera_path_few(const struct camera_path *path, size_t count, struct camera_path *out, struct error *err)
+{
+    out->count = count < path->count ? count : path->count;
+    out->name = strdup(path->name);
+    out->frames = calloc(out->count, sizeof *out->frames);
+    if (!out->name || !out->frames) {
+        camera_path_free(out);
+        return error_set(err, "%s: out of memory", path->name);
+    }
+    for (size_t i = 0; i < out->count; i++)
+        out->frames[i] = path->frames[i * path->count / out->count];
+    return true;
+}
+
+void camera_path_free(struct camera_path *path)
+{
+    free(path->name);
+    free(path->frames);
+    memset(path, 0, sizeof *path);
+}
+
+/* Orbit -------------------------------------------------------------------------------------- */
+
+static const double ORBIT_ELEVATION = 25.0 / 180.0 * PI;
+
+static void vertex_m(const struct compiled *compiled, size_t index, double out_m[3])
+{
+    const struct lim_vertex *vertex = &compiled->scene.vertices[index];
+    const double units[3] = {vertex->x, vertex->y, vertex->z};
+    for (int i = 0; i < 3; i++)
+        out_m[i] = compiled->grid.origin_m[i] + units[i] / compiled->grid.units_per_m;
+}
+
+static void scene_centre(const struct compiled *compiled, double centre_m[3])
+{
+    double low[3] = {INFINITY, INFINITY, INFINITY}, high[3] = {-INFINITY, -INFINITY, -INFINITY};
+    for (size_t v = 0; v < compiled->scene.vertex_count; v++) {
+        double corner_m[3];
+        vertex_m(compiled, v, corner_m);
+        for (int i = 0; i < 3; i++) {
+            low[i] = fmin(low[i], corner_m[i]);
+            high[i] = fmax(high[i], corner_m[i]);
+        }
+    }
+    for (int i = 0; i < 3; i++)
+        centre_m[i] = (low[i] + high[i]) / 2.0;
+}
+
+/* The eye in one frame of an orbit, distance_m from the centre. */
+static struct viewpoint orbit_viewpoint(const double centre_m[3], double distance_m, double turn, size_t line)
+{
+    const double out_m = distance_m * cos(ORBIT_ELEVATION), up_m = distance_m * sin(ORBIT_ELEVATION);
+    return (struct viewpoint){
+        .eye_m = {centre_m[0] + out_m * sin(turn), centre_m[1] + up_m, centre_m[2] + out_m * cos(turn)},
+        .target_m = {centre_m[0], centre_m[1], centre_m[2]},
+        .line = line};
+}
+
+/* How far from the centre the eye must be to see all vertices: with q the way from the centre to a
+ * vertex, |q . right| <= tan_x (distance + q . forward), and the same for up. */
+static double distance_to_see_all(const struct compiled *compiled, const struct lens *lens, const double centre_m[3],
+                                  const struct view_axes *axes)
+{
+    double distance_m = 0.0;
+    for (size_t v = 0; v < compiled->scene.vertex_count; v++) {
+        double corner_m[3], right_m = 0.0, up_m = 0.0, forward_m = 0.0;
+        vertex_m(compiled, v, corner_m);
+        for (int i = 0; i < 3; i++) {
+            right_m += (corner_m[i] - centre_m[i]) * axes->right[i];
+            up_m += (corner_m[i] - centre_m[i]) * axes->up[i];
+            forward_m += (corner_m[i] - centre_m[i]) * axes->forward[i];
+        }
+        double depth_m = fmax(fabs(right_m) / lens->tan_x, fabs(up_m) / lens->tan_y);
+        distance_m = fmax(distance_m, depth_m - forward_m);
+    }
+    return distance_m;
+}
+
+bool camera_path_orbit(const struct compiled *scene, const struct lens *lens, size_t frame_count,
+                       struct camera_path *out, struct error *err)
+{
+    const double step = 2.0 * PI / (double)frame_count, margin = 1.05;
+    double centre_m[3], distance_m = 0.0;
+    scene_centre(scene, centre_m);
+    for (size_t frame = 0; frame < frame_count; frame++) {
+        struct viewpoint viewpoint = orbit_viewpoint(centre_m, 1.0, step * (double)frame, 0);
+        struct view_axes axes;
+        viewpoint_axes(&viewpoint, &axes);
+        distance_m = fmax(distance_m, distance_to_see_all(scene, lens, centre_m, &axes));
+    }
+    *out = (struct camera_path){.name = strdup("orbit around the scene")};
+    bool ok = out->name != NULL;
+    for (size_t frame = 0; ok && frame < frame_count; frame++) {
+        struct viewpoint viewpoint = orbit_viewpoint(centre_m, margin * distance_m, step * (double)frame, frame + 1);
+        ok = path_append(out, &viewpoint);
+    }
+    if (ok) return true;
+    camera_path_free(out);
+    return error_set(err, "orbit around the scene: out of memory");
+}
+
+/* Fixed point -------------------------------------------------------------------------------- */
+
+bool lens_init(struct lens *lens, double fov_deg, double near_m, unsigned w_px, unsigned h_px, struct error *err)
+{
+    if (!(fov_deg > 0.0 && fov_deg < 180.0))
+        return error_set(err, "--fov %g: the vertical field of view must lie between 0 and 180 degrees", fov_deg);
+    if (!(near_m > 0.0 && near_m <= COORDINATE_MAX_M))
+        return error_set(err, "--near %g: the near plane must lie in front of the eye", near_m);
+    lens->near_m = near_m;
+    lens->tan_y = tan(fov_deg / 360.0 * PI);
+    lens->tan_x = lens->tan_y * w_px / h_px;
+    if (fmax(lens->tan_x, lens->tan_y) > TANGENT_MAX)
+        return error_set(err, "--fov %g: too wide at %ux%u; the tangent of a half-angle may be 4 at most", fov_deg,
+                         w_px, h_px);
+    if (fmin(lens->tan_x, lens->tan_y) < TANGENT_MIN)
+        return error_set(err, "--fov %g: too narrow at %ux%u; the tangent of a half-angle must be 1/64 at least",
+                         fov_deg, w_px, h_px);
+    return true;
+}
+
+/* camera.h: 2^-16 of the far end's distance, which is 65534 units times what rows.c takes for the root of three at
+ * most; and a little more for the choice among scales. */
+double lens_least_near_m(const struct lens *lens, const struct grid *grid)
+{
+    const double diagonals = 1.75;
+    return diagonals / fmin(1.0, fmin(lens->tan_x, lens->tan_y)) / grid->units_per_m;
+}
+
+double lens_usual_near_m(const struct grid *grid)
+{
+    const double longest_side_units = 65534.0;
+    return fmin(0.1, longest_side_units / grid->units_per_m / 10.0);
+}
+
+double lens_default_near_m(const struct grid *grid)
+{
+    const double tangent = tan(DEFAULT_FOV_DEG / 360.0 * PI);
+    const struct lens lens = {.tan_x = tangent, .tan_y = tangent};
+    return fmax(lens_usual_near_m(grid), lens_least_near_m(&lens, grid));
+}
+
+double lens_forced_near_m(const struct grid *grid)
+{
+    const double near_m = lens_default_near_m(grid);
+    return near_m > lens_usual_near_m(grid) ? near_m : 0.0;
+}
+
+bool lens_for_grid(struct lens *lens, double fov_deg, double near_m, const struct grid *grid, unsigned w_px,
+                   unsigned h_px, struct error *err)
+{
+    if (!lens_init(lens, fov_deg, near_m > 0.0 ? near_m : lens_default_near_m(grid), w_px, h_px, err)) return false;
+    const double least_m = lens_least_near_m(lens, grid);
+    if (near_m > 0.0 && near_m < least_m)
+        return error_set(err,
+                         "--near %g: nothing nearer than %.3g m can be drawn on a grid with units of %.3g m, by this "
+                         "lens; split the model into several scenes",
+                         near_m, least_m * LENS_PRINTED_UP, 1.0 / grid->units_per_m);
+    lens->near_m = fmax(lens->near_m, least_m);
+    return true;
+}
+
+void lens_note_near(const char *model_path, const struct grid *grid)
+{
+    const double near_m = lens_forced_near_m(grid);
+    if (near_m > 0.0)
+        notice("%s: nothing nearer to the eye than %.3g m is drawn, because its grid has units of %.3g m; for eyes "
+               "that come nearer, split the model into several scenes",
+               model_path, near_m * LENS_PRINTED_UP, 1.0 / grid->units_per_m);
+}
+
+static uint32_t turn_from_radians(double radians)
+{
+    return (uint32_t)(int64_t)llround(radians / (2.0 * PI) * 4294967296.0);
+}
+
+bool camera_path_to_camera(const struct camera_path *path, size_t frame, const struct lens *lens,
+                           const struct grid *grid, struct lim_camera *camera, struct error *err)
+{
+    const struct viewpoint *viewpoint = &path->frames[frame];
+    for (int i = 0; i < 3; i++) {
+        double eye_q8 = round((viewpoint->eye_m[i] - grid->origin_m[i]) * grid->units_per_m * 256.0);
+        if (!(fabs(eye_q8) < EYE_END_Q8))
+            return error_set(err, "%s:%zu: the eye is too far from the scene; %.6g m from its middle is the limit",
+                             path->name, viewpoint->line, EYE_END_Q8 / 256.0 / grid->units_per_m);
+        camera->eye_q8[i] = (int32_t)eye_q8;
+    }
+    double near_q8 = round(lens->near_m * grid->units_per_m * 256.0);
+    if (!(near_q8 >= 1.0 && near_q8 <= NEAR_MAX_Q8))
+        return error_set(err, "--near %g: out of range; this scene allows %.3g to %.3g m", lens->near_m,
+                         lens_least_near_m(lens, grid) * LENS_PRINTED_UP, NEAR_MAX_Q8 / 256.0 / grid->units_per_m);
+    camera->near_q8 = (int32_t)near_q8;
+
+    double direction[3];
+    viewpoint_direction(viewpoint, direction);
+    camera->yaw = turn_from_radians(direction_yaw(direction));
+    camera->pitch = turn_from_radians(direction_pitch(direction));
+    camera->roll = 0;
+    camera->tan_x_q28 = (uint32_t)llround(lens->tan_x * 268435456.0);
+    camera->tan_y_q28 = (uint32_t)llround(lens->tan_y * 268435456.0);
+    return true;
+}

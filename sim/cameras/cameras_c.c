@@ -1,0 +1,31 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * A camera path as a C header. What fails to be written shows when the file is closed. */
+#include "cameras/cameras_c.h"
+
+#include <inttypes.h>
+
+static void write_camera(FILE *file, const struct lim_camera *camera)
+{
+    fprintf(file, "    {{%" PRId32 ", %" PRId32 ", %" PRId32 "}, ", camera->eye_q8[0], camera->eye_q8[1],
+            camera->eye_q8[2]);
+    fprintf(file, "%" PRIu32 "u, %" PRIu32 "u, %" PRIu32 "u, %" PRIu32 "u, %" PRIu32 "u, %" PRId32 "},\n", camera->yaw,
+            camera->pitch, camera->roll, camera->tan_x_q28, camera->tan_y_q28, camera->near_q8);
+}
+
+bool cameras_c_write(const struct camera_path *path, const struct lens *lens, const struct grid *grid, unsigned w_px,
+                     unsigned h_px, FILE *file, struct error *err)
+{
+    fprintf(file, "/* Cameras in a scene's units, written by `limner render --write-cameras`. */\n");
+    fprintf(file, "#ifndef CAMERAS_H\n#define CAMERAS_H\n\n#include \"camera.h\"\n\n");
+    fprintf(file, "#define CAMERAS_W_PX %u\n#define CAMERAS_H_PX %u\n#define CAMERAS_COUNT %zu\n\n", w_px, h_px,
+            path->count);
+    fprintf(file, "static const LIM_FLASH struct lim_camera cameras[CAMERAS_COUNT] = {\n");
+    for (size_t frame = 0; frame < path->count; frame++) {
+        struct lim_camera camera;
+        if (!camera_path_to_camera(path, frame, lens, grid, &camera, err)) return false;
+        write_camera(file, &camera);
+    }
+    fprintf(file, "};\n\n#endif\n");
+    return true;
+}

@@ -1,0 +1,46 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Each camera is drawn on its own. */
+#include "cameras/random_path.h"
+
+#include "cameras/sample.h"
+#include "compiler/moving.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+/* `near`: the lens of cameras that look at faces from near; NULL: they are anywhere. */
+static bool draw_path(const struct compiled *scene, const struct lens *near, const char *name, uint32_t seed,
+                      size_t count, struct camera_path *out, struct error *err)
+{
+    struct sampler sampler;
+    if (scene->scene.vertex_count == 0) return error_set(err, "%s: nothing stands still in this scene", name);
+    *out = (struct camera_path){.name = strdup(name), .frames = calloc(count, sizeof *out->frames)};
+    bool ok = (out->name && out->frames) || error_set(err, "%s: out of memory", name);
+    sampler_init(&sampler, scene);
+    sampler_seed(&sampler, seed);
+    if (near) sampler.near_m = near->near_m;
+    for (; ok && out->count < count; out->count += ok) {
+        struct viewpoint *viewpoint = &out->frames[out->count];
+        if (scene->moving) sampler.time_s = moving_time_s(scene->moving, out->count, count);
+        ok = (near ? sampler_near(&sampler, viewpoint) : sampler_anywhere(&sampler, viewpoint)) ||
+             error_set(err, "%s: the scene has no free space", name);
+        viewpoint->line = out->count + 1;
+    }
+    if (!ok) camera_path_free(out);
+    return ok;
+}
+
+bool random_path(const struct compiled *scene, const char *name, uint32_t seed, size_t count, struct camera_path *out,
+                 struct error *err)
+{
+    return draw_path(scene, NULL, name, seed, count, out, err);
+}
+
+bool near_path(const struct compiled *scene, const struct lens *lens, const char *name, uint32_t seed, size_t count,
+               struct camera_path *out, struct error *err)
+{
+    if (!scene->original)
+        return error_set(err, "%s: a .lim file does not hold the model's faces; give the model", name);
+    return draw_path(scene, lens, name, seed, count, out, err);
+}

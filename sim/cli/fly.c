@@ -1,0 +1,96 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * The camera is kept as the renderer has it, so that an hour of turning does not drift. */
+#include "cli/fly.h"
+
+#include <math.h>
+#include <time.h>
+
+const char FLY_HELP[] = "w s a d: move, r f: up and down, arrows: turn and look, q: quit";
+
+static const double EYE_END_Q8 = 268435456.0;      /* 2^28, exclusive */
+static const uint32_t TURN_STEP = 1u << 25;        /* 1/128 of a full turn */
+static const int32_t PITCH_MAX = INT32_C(1) << 30; /* a quarter turn */
+static const double RADIANS = 6.283185307179586476925 / 4294967296.0;
+
+void flight_init(struct flight *flight, struct simulator *simulator, const struct lim_camera *camera,
+                 const struct grid *grid, struct moving *moving)
+{
+    const double longest_side_units = 65534.0;
+    double step_units = fmin(0.1 * grid->units_per_m, longest_side_units / 100.0);
+    *flight = (struct flight){
+        .simulator = simulator, .camera = *camera, .step_q8 = fmax(1.0, round(step_units * 256.0)), .moving = moving};
+}
+
+static double now_s(void)
+{
+    struct timespec now = {0};
+    clock_gettime(CLOCK_MONOTONIC, &now);
+    return (double)now.tv_sec + (double)now.tv_nsec / 1e9;
+}
+
+bool flight_frame(struct flight *flight, struct error *err)
+{
+    if (!flight->began) flight->began_s = now_s();
+    if (flight->moving) moving_pose(flight->moving, flight->began ? now_s() - flight->began_s : 0.0);
+    flight->began = true;
+    return simulator_frame(flight->simulator, &flight->camera, err);
+}
+
+static void move(struct flight *flight, const double direction[3])
+{
+    double eye_q8[3];
+    for (int i = 0; i < 3; i++) {
+        eye_q8[i] = round(flight->camera.eye_q8[i] + flight->step_q8 * direction[i]);
+        if (!(fabs(eye_q8[i]) < EYE_END_Q8)) return;
+    }
+    for (int i = 0; i < 3; i++)
+        flight->camera.eye_q8[i] = (int32_t)eye_q8[i];
+}
+
+static void look(struct flight *flight, int32_t step)
+{
+    int64_t pitch = (int64_t)(int32_t)flight->camera.pitch + step;
+    if (pitch >= -PITCH_MAX && pitch <= PITCH_MAX) flight->camera.pitch = (uint32_t)pitch;
+}
+
+void flight_key(struct flight *flight, enum fly_key key)
+{
+    const double yaw = flight->camera.yaw * RADIANS, pitch = (int32_t)flight->camera.pitch * RADIANS;
+    const double forward[3] = {-sin(yaw) * cos(pitch), sin(pitch), -cos(yaw) * cos(pitch)};
+    const double right[3] = {cos(yaw), 0.0, -sin(yaw)};
+    switch (key) {
+    case FLY_FORWARD:
+        move(flight, forward);
+        break;
+    case FLY_BACK:
+        move(flight, (double[3]){-forward[0], -forward[1], -forward[2]});
+        break;
+    case FLY_LEFT:
+        move(flight, (double[3]){-right[0], 0.0, -right[2]});
+        break;
+    case FLY_RIGHT:
+        move(flight, right);
+        break;
+    case FLY_UP:
+        move(flight, (double[3]){0.0, 1.0, 0.0});
+        break;
+    case FLY_DOWN:
+        move(flight, (double[3]){0.0, -1.0, 0.0});
+        break;
+    case FLY_TURN_LEFT:
+        flight->camera.yaw += TURN_STEP;
+        break;
+    case FLY_TURN_RIGHT:
+        flight->camera.yaw -= TURN_STEP;
+        break;
+    case FLY_LOOK_UP:
+        look(flight, (int32_t)TURN_STEP);
+        break;
+    case FLY_LOOK_DOWN:
+        look(flight, -(int32_t)TURN_STEP);
+        break;
+    case FLY_KEYS:
+        break;
+    }
+}

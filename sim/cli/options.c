@@ -1,0 +1,377 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Options are checked here for their form and range; what depends on the scene (lens, near plane,
+ * camera) is checked where the scene is known. */
+#include "cli/options.h"
+
+#include "base/grow.h"
+#include "base/notice.h"
+#include "base/outputs.h"
+#include "compiler/order_choice.h"
+#include "compiler/tree_choice.h"
+#include "render/parse.h"
+
+#include <errno.h>
+#include <getopt.h>
+#include <stdlib.h>
+#include <string.h>
+#include <strings.h>
+
+enum { ORBIT_FRAMES = 16 };
+
+enum option_code {
+    OPTION_OUT = 'o',
+    OPTION_GIF = 256,
+    OPTION_SHEET,
+    OPTION_IDS,
+    OPTION_STATS,
+    OPTION_COMPARE,
+    OPTION_CHECK,
+    OPTION_WRITE_HASHES,
+    OPTION_WRITE_CAMERAS,
+    OPTION_CAMERA,
+    OPTION_SIZE,
+    OPTION_FOV,
+    OPTION_NEAR,
+    OPTION_PANEL,
+    OPTION_METHOD,
+    OPTION_SPLITTER,
+    OPTION_TREE,
+    OPTION_TOLERANCE,
+    OPTION_UNLIT,
+    OPTION_DROP_SMALL,
+    OPTION_WIREFRAME,
+    OPTION_ANTIALIAS,
+    OPTION_DELTA,
+    OPTION_PRECISION,
+    OPTION_NEWELL,
+    OPTION_MOVERS,
+    OPTION_MOVER_LIGHT,
+    OPTION_FPS
+};
+
+enum { MOST_RUNS = 60000 };
+
+/* Those that only `render` has come first. */
+enum { RENDER_ONLY_OPTIONS = 12 };
+static const struct option OPTIONS[] = {
+    {"gif", required_argument, NULL, OPTION_GIF},
+    {"sheet", required_argument, NULL, OPTION_SHEET},
+    {"ids", required_argument, NULL, OPTION_IDS},
+    {"stats", no_argument, NULL, OPTION_STATS},
+    {"compare", no_argument, NULL, OPTION_COMPARE},
+    {"check", required_argument, NULL, OPTION_CHECK},
+    {"write-hashes", required_argument, NULL, OPTION_WRITE_HASHES},
+    {"write-cameras", required_argument, NULL, OPTION_WRITE_CAMERAS},
+    {"newell", required_argument, NULL, OPTION_NEWELL},
+    {"movers", required_argument, NULL, OPTION_MOVERS},
+    {"mover-light", required_argument, NULL, OPTION_MOVER_LIGHT},
+    {"fps", required_argument, NULL, OPTION_FPS},
+    {"camera", required_argument, NULL, OPTION_CAMERA},
+    {"size", required_argument, NULL, OPTION_SIZE},
+    {"fov", required_argument, NULL, OPTION_FOV},
+    {"near", required_argument, NULL, OPTION_NEAR},
+    {"panel", required_argument, NULL, OPTION_PANEL},
+    {"method", required_argument, NULL, OPTION_METHOD},
+    {"precision", required_argument, NULL, OPTION_PRECISION},
+    {"splitter", required_argument, NULL, OPTION_SPLITTER},
+    {"tree", required_argument, NULL, OPTION_TREE},
+    {"tolerance", required_argument, NULL, OPTION_TOLERANCE},
+    {"unlit", no_argument, NULL, OPTION_UNLIT},
+    {"drop-small", no_argument, NULL, OPTION_DROP_SMALL},
+    {"wireframe", optional_argument, NULL, OPTION_WIREFRAME},
+    {"antialias", no_argument, NULL, OPTION_ANTIALIAS},
+    {"delta", optional_argument, NULL, OPTION_DELTA},
+    {NULL, 0, NULL, 0},
+};
+
+static bool parse_panel(const char *text, struct options *out, struct error *err)
+{
+    out->setup.panel = strcmp(text, "memory") == 0        ? SIMULATOR_MEMORY
+                       : strcmp(text, "framebuffer") == 0 ? SIMULATOR_FRAMEBUFFER
+                                                          : SIMULATOR_PANEL;
+    return out->setup.panel != SIMULATOR_PANEL || panel_choice_parse(text, "memory, and framebuffer", &out->panel, err);
+}
+
+static bool parse_method(const char *text, struct options *out, struct error *err)
+{
+    if (!compile_method_parse(text, &out->compile, err)) return false;
+    out->setup.method = out->compile.method->draws;
+    return true;
+}
+
+/* most=N, N above 0. */
+static bool parse_most(const char *text, size_t length, uint32_t *out)
+{
+    uint32_t value = 0;
+
+    if (length < 6 || length > 13 || strncmp(text, "most=", 5) != 0) return false;
+    for (size_t i = 5; i < length; i++) {
+        if (text[i] < '0' || text[i] > '9') return false;
+        value = 10 * value + (uint32_t)(text[i] - '0');
+    }
+    *out = value;
+    return value > 0;
+}
+
+/* Names, divided by commas. */
+static bool parse_newell(const char *text, struct lim_newell_options *out, struct error *err)
+{
+    while (*text) {
+        const size_t length = strcspn(text, ",");
+        if (length == 6 && strncmp(text, "planes", length) == 0)
+            out->planes_first = true;
+        else if (length == 3 && strncmp(text, "one", length) == 0)
+            out->split_one = true;
+        else if (!parse_most(text, length, &out->most))
+            return error_set(err, "--newell %.*s: no such choice; there are planes, one and most=COMPARISONS",
+                             (int)length, text);
+        text += length + (text[length] == ',');
+    }
+    return true;
+}
+
+static bool parse_fps(const char *text, double *out, struct error *err)
+{
+    if (!parse_number("--fps", text, out, err)) return false;
+    return (*out > 0.0 && *out <= 1000.0) || error_set(err, "--fps %s: above 0, and at most 1000", text);
+}
+
+/* Nothing: as many as there may be. */
+static bool parse_runs(const char *text, uint16_t *out, struct error *err)
+{
+    uint32_t runs = MOST_RUNS;
+    if (text && !parse_whole("--delta", text, 1, MOST_RUNS, &runs, err)) return false;
+    *out = (uint16_t)runs;
+    return true;
+}
+
+static bool parse_option(int code, const char *text, struct options *out, struct error *err)
+{
+    switch (code) {
+    case OPTION_CAMERA:
+        return camera_choice_parse(text, &out->cameras, err);
+    case OPTION_SIZE:
+        return parse_size(text, &out->setup.w_px, &out->setup.h_px, err);
+    case OPTION_FOV:
+        return parse_number("--fov", text, &out->fov_deg, err);
+    case OPTION_NEAR:
+        return parse_near(text, &out->compile.near_m, err);
+    case OPTION_PANEL:
+        return parse_panel(text, out, err);
+    case OPTION_METHOD:
+        return parse_method(text, out, err);
+    case OPTION_NEWELL:
+        return parse_newell(text, &out->newell, err);
+    case OPTION_MOVERS:
+        return moving_mode_parse(text, &out->movers.mode, err);
+    case OPTION_MOVER_LIGHT:
+        return moving_light_parse(text, &out->movers.light, err);
+    case OPTION_FPS:
+        return parse_fps(text, &out->frames_per_s, err);
+    case OPTION_PRECISION:
+        return parse_precision(text, &out->setup.core, err);
+    case OPTION_UNLIT:
+        out->compile.unlit = true;
+        return true;
+    case OPTION_DROP_SMALL:
+        out->compile.drop_small = true;
+        return true;
+    case OPTION_WIREFRAME:
+        out->compile.wireframe = true;
+        return parse_wireframe(text, &out->wireframe, err);
+    case OPTION_ANTIALIAS:
+        out->compile.antialias = true;
+        return true;
+    case OPTION_DELTA:
+        out->compile.delta = true;
+        return parse_runs(text, &out->delta_runs, err);
+    case OPTION_SPLITTER:
+        out->compile.splitter = text;
+        return true;
+    case OPTION_TREE:
+        return tree_choice_parse(text, &out->compile, err);
+    case OPTION_TOLERANCE:
+        return parse_tolerance(text, &out->compile.tolerance_units, err);
+    case OPTION_OUT:
+        out->frame_pattern = text;
+        return output_pattern_check(text, err);
+    case OPTION_GIF:
+        out->gif_path = text;
+        return true;
+    case OPTION_SHEET:
+        out->sheet_path = text;
+        return true;
+    case OPTION_IDS:
+        out->ids_path = text;
+        return true;
+    case OPTION_STATS:
+        out->stats = true;
+        return true;
+    case OPTION_COMPARE:
+        out->compare = true;
+        return true;
+    case OPTION_CHECK:
+        out->check_path = text;
+        return true;
+    case OPTION_WRITE_HASHES:
+        out->hashes_path = text;
+        return true;
+    case OPTION_WRITE_CAMERAS:
+        out->cameras_path = text;
+        return true;
+    default:
+        return false;
+    }
+}
+
+static bool unusable_option(int code, char **argv, struct error *err)
+{
+    const char *given = argv[optind - 1];
+    if (code == ':') return error_set(err, "%s: needs a value", given);
+    return error_set(err, "%s: no such option here; `limner help` lists them", given);
+}
+
+static enum option_files files_of(int code, const char *value)
+{
+    struct camera_choice cameras;
+    struct error ignored;
+    switch (code) {
+    case OPTION_CAMERA:
+        return camera_choice_parse(value, &cameras, &ignored) && cameras.random_count ? OPTION_NAMES_NONE
+                                                                                      : OPTION_READS_CAMERAS;
+    case OPTION_OUT:
+    case OPTION_GIF:
+    case OPTION_SHEET:
+    case OPTION_IDS:
+    case OPTION_CHECK:
+    case OPTION_WRITE_HASHES:
+    case OPTION_WRITE_CAMERAS:
+        return OPTION_NAMES_FILE;
+    default:
+        return OPTION_NAMES_NONE;
+    }
+}
+
+bool options_split(int argc, char **argv, struct given_option **given, size_t *count, const char **scene,
+                   struct error *err)
+{
+    *given = grow_zeroed((size_t)argc, sizeof **given);
+    *count = 0;
+    opterr = 0;
+    optind = 1;
+    int code, index = -1;
+    while ((code = getopt_long(argc, argv, ":o:", OPTIONS, &index)) != -1) {
+        if (code == ':' || code == '?') return unusable_option(code, argv, err);
+        (*given)[(*count)++] =
+            (struct given_option){code == OPTION_OUT ? "o" : OPTIONS[index].name, optarg, files_of(code, optarg)};
+    }
+    *scene = argv[optind];
+    return optind + 1 >= argc || error_set(err, "one scene at a time, what is '%s'?", argv[optind + 1]);
+}
+
+/* A panel is emulated wherever its memory holds the picture. */
+static bool choose_panel(struct options *out, struct error *err)
+{
+    struct error reason;
+    const bool holds = simulator_panel_holds(&out->panel, out->setup.w_px, out->setup.h_px, &reason);
+    if (out->setup.panel == SIMULATOR_PANEL && !holds) return error_set(err, "%s", reason.text);
+    if (out->setup.panel == SIMULATOR_ANY) out->setup.panel = holds ? SIMULATOR_PANEL : SIMULATOR_MEMORY;
+    return true;
+}
+
+static bool asks_for_output(const struct options *options)
+{
+    return options->frame_pattern || options->gif_path || options->sheet_path || options->ids_path ||
+           options->check_path || options->hashes_path || options->cameras_path || options->stats || options->compare;
+}
+
+bool options_parse(int argc, char **argv, enum options_set set, struct options *out, struct error *err)
+{
+    const bool is_render = set == OPTIONS_RENDER;
+    *out = (struct options){.setup = {240, 240, LIM_NEAREST_FIRST, SIMULATOR_ANY, &core_fast},
+                            .orbit_frames = ORBIT_FRAMES,
+                            .fov_deg = 60.0,
+                            .frames_per_s = 15.0,
+                            .compile = {.tolerance_units = 0.5, .splitter = "auto", .trial = TRIAL_IF_SPLIT}};
+    opterr = 0;
+    optind = 1;
+    const struct option *known = OPTIONS + (is_render ? 0 : RENDER_ONLY_OPTIONS);
+    int code, index = 0;
+    while ((code = getopt_long(argc, argv, is_render ? ":o:" : ":", known, &index)) != -1) {
+        if (code == ':' || code == '?') return unusable_option(code, argv, err);
+        if (!parse_option(code, optarg, out, err)) return false;
+        if (code != OPTION_OUT) idle_options_add(&out->idle, known[index].name);
+    }
+    if (optind >= argc) return error_set(err, "%s: needs a model or a .lim file", argv[0]);
+    if (optind + 1 < argc) return error_set(err, "%s: one scene at a time, what is '%s'?", argv[0], argv[optind + 1]);
+    out->scene_path = argv[optind];
+    if (is_render && !asks_for_output(out)) out->frame_pattern = "out/%03d.png";
+    if (!compile_options_settle(&out->compile, err)) return false;
+    if (!out->compile.method && out->compile.tree == TREE_NONE) out->setup.method = LIM_NEWELL;
+    if (out->setup.method != LIM_NEWELL && (out->newell.planes_first || out->newell.split_one || out->newell.most))
+        return error_set(err, "--newell: goes with --method newell");
+    if (out->wireframe.on && !method_draws_wireframe(out->setup.method, err)) return false;
+    if (out->compile.antialias && !method_antialiases(out->setup.method, out->wireframe.on, err)) return false;
+    if (out->delta_runs && !method_scans(out->setup.method, "--delta is", err)) return false;
+    out->compile.keep_faces = out->ids_path || out->compare;
+    out->compile.w_px = out->setup.w_px;
+    out->compile.h_px = out->setup.h_px;
+    out->compile.core = out->setup.core;
+    return choose_panel(out, err);
+}
+
+bool options_scene_is_compiled(const struct options *options)
+{
+    const char *suffix = strrchr(options->scene_path, '.');
+    return suffix && strcasecmp(suffix, ".lim") == 0;
+}
+
+static bool load_scene(const struct options *options, struct compiled *scene, struct moving *moving, struct error *err)
+{
+    if (options_scene_is_compiled(options)) {
+        const bool any_tree_does = method_sorts(options->setup.method) || options->compile.portals == PORTALS_ON;
+        if (options->compile.tree != TREE_AUTO && !any_tree_does)
+            return error_set(err, "%s: has its tree already; give the model for another one", options->scene_path);
+        return lim_file_read(options->scene_path, scene, err) &&
+               method_scans(options->setup.method, order_needs_nearest(&options->compile, &scene->scene), err) &&
+               (method_sorts(options->setup.method) || scene->scene.limits.depth ||
+                error_set(err, "%s: a set has no order; draw it with --method newell or depth", options->scene_path)) &&
+               (options->compile.portals != PORTALS_ON || scene->scene.place_count ||
+                error_set(err, "%s: --method portals needs a scene compiled with --portals on", options->scene_path));
+    }
+    if (!moving) return compile_model(options->scene_path, &options->compile, scene, err);
+    if (!moving_compile(options->scene_path, &options->compile, &options->movers, scene, moving, err)) return false;
+    if (*moving->model.notice) fprintf(stderr, "limner: %s: %s\n", options->scene_path, moving->model.notice);
+    return true;
+}
+
+void options_note_stopped(const struct options *options, const struct moving *moving)
+{
+    if (moving->stopped)
+        notice("%s: objects stand still; methods nearest, painter and bsp move them", options->scene_path);
+}
+
+/* Who hands over no *moving has taken no options of movers. */
+static void note_idle(const struct options *options, const struct moving *moving)
+{
+    const bool is_still = moving && !moving->count;
+    idle_options_note_scene(&options->idle, &(struct idle_scene){.name = options->scene_path,
+                                                                 .is_compiled = options_scene_is_compiled(options),
+                                                                 .is_set = options->compile.tree == TREE_NONE,
+                                                                 .is_still = is_still,
+                                                                 .was_still = is_still && !moving->stopped});
+}
+
+bool options_load(const struct options *options, struct compiled *scene, struct moving *moving, struct lens *lens,
+                  struct camera_path *path, struct error *err)
+{
+    if (!camera_choice_read(&options->cameras, path, err)) return false;
+    if (!load_scene(options, scene, moving, err)) return false;
+    note_idle(options, moving);
+    if (!lens_for_grid(lens, options->fov_deg, options->compile.near_m, &scene->grid, options->setup.w_px,
+                       options->setup.h_px, err))
+        return false;
+    if (options->compile.near_m <= 0.0) lens_note_near(options->scene_path, &scene->grid);
+    return camera_choice_plan(&options->cameras, scene, lens, options->orbit_frames, path, err);
+}

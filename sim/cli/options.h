@@ -1,0 +1,62 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * The command line of `limner render` and `limner view`. */
+#ifndef SIM_OPTIONS_H
+#define SIM_OPTIONS_H
+
+#include "cameras/camera_choice.h"
+#include "compiler/moving.h"
+#include "displays/idle_options.h"
+#include "render/simulator.h"
+#include "target.h"
+
+struct options {
+    const char *scene_path; /* a model, or a compiled scene in a .lim file */
+    struct camera_choice cameras;
+    size_t orbit_frames; /* without cameras */
+    struct simulator_setup setup;
+    struct panel_choice panel; /* for SIMULATOR_PANEL */
+    double fov_deg;
+    struct compile_options compile;
+    struct lim_wireframe wireframe;
+    uint16_t delta_runs; /* 0: every frame is sent whole */
+    /* limner render only; NULL or false: not asked for */
+    const char *frame_pattern, *gif_path, *sheet_path, *ids_path, *check_path, *hashes_path, *cameras_path;
+    bool stats, compare;
+    struct lim_newell_options newell;
+    struct moving_options movers;
+    double frames_per_s;      /* of what moves */
+    struct idle_options idle; /* given ones, that may change nothing */
+};
+
+enum options_set { OPTIONS_RENDER, OPTIONS_VIEW };
+
+/* Fills in the defaults too. The strings stay argv's. */
+bool options_parse(int argc, char **argv, enum options_set set, struct options *out, struct error *err);
+
+/* Reads or plans the cameras and reads the scene: a .lim file as it is, anything else
+ * compiled. Options that change nothing for that scene are told. `moving`: NULL, nothing moves. *scene, *moving and
+ * *path must be zero and are the caller's to free, also after a failure. */
+bool options_load(const struct options *options, struct compiled *scene, struct moving *moving, struct lens *lens,
+                  struct camera_path *path, struct error *err);
+
+/* Says so, if the method moves nothing of a model that could move. */
+void options_note_stopped(const struct options *options, const struct moving *moving);
+
+/* What a value of an option is to the file system. */
+enum option_files { OPTION_NAMES_NONE, OPTION_READS_CAMERAS, OPTION_NAMES_FILE };
+
+struct given_option {
+    const char *name;  /* without dashes; "o" for -o */
+    const char *value; /* NULL: none */
+    enum option_files files;
+};
+
+/* The options of a command line of render as they were given, values unread, and the scene, or NULL. The caller frees
+ * *given; strings stay argv's. */
+bool options_split(int argc, char **argv, struct given_option **given, size_t *count, const char **scene,
+                   struct error *err);
+
+bool options_scene_is_compiled(const struct options *options);
+
+#endif

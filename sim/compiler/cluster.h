@@ -1,0 +1,17 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Clusters (Schumacker, 1969): sets of polygons that can be put into an order which is right from every
+ * viewpoint, so that no plane has to divide them. */
+#ifndef SIM_CLUSTER_H
+#define SIM_CLUSTER_H
+
+#include "compiler/bsp.h"
+
+/* Whether there are eyes from which piece p hides a part of piece q, as far as their planes tell. */
+bool cluster_hides(const struct bsp *bsp, uint32_t p, uint32_t q);
+
+/* Puts the pieces list[0 .. count) in order, nearest first. Where nothing decides, they stay as they are in the
+ * list. False: some hide one another in a ring, and there is no such order. */
+bool cluster_order(const struct bsp *bsp, const uint32_t *list, size_t count, uint32_t *order);
+
+#endif

@@ -1,0 +1,369 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Writes nodes, runs of polygon records, planes and vertices in the order in which a walk comes
+ * to them: each node, then its front subtree, then its back subtree. */
+#include "compiler/encode.h"
+
+#include "base/grow.h"
+#include "compiler/outline.h"
+
+#include <assert.h>
+#include <math.h>
+#include <stdlib.h>
+
+enum { COUNT_MAX = 0xFFFF };
+
+/* What encoding needs to remember on the way. */
+struct encoder {
+    const struct bsp *bsp;
+    struct encoding *out;
+    bool with_fractions, with_edges;
+    struct grid_point *snapped; /* the exact points, rounded */
+    struct map columns;         /* x and y -> number */
+    struct map vertices;        /* number and z -> index */
+    struct map planes;          /* group -> index */
+    struct outline outline;     /* the piece at hand */
+    uint16_t flags;             /* of its records */
+    struct texture_encoder textures;
+    struct lim_plane_ref own; /* with LIM_POLYGON_PLANE: their plane */
+};
+
+uint16_t rgb565_from_rgb888(uint32_t colour)
+{
+    uint32_t red = colour >> 16 & 0xFF, green = colour >> 8 & 0xFF, blue = colour & 0xFF;
+    return (uint16_t)((red * 31 + 127) / 255 << 11 | (green * 63 + 127) / 255 << 5 | (blue * 31 + 127) / 255);
+}
+
+/* Records ------------------------------------------------------------------------------------ */
+
+static void word_add(struct encoding *out, size_t word)
+{
+    out->words = grow(out->words, out->word_count, &out->word_capacity, sizeof *out->words);
+    out->words[out->word_count++] = (lim_index)word;
+}
+
+/* Units to nearest, halves up, and what is left: -128..127. */
+static void vertex_add(struct encoder *work, struct grid_point point)
+{
+    struct encoding *out = work->out;
+    int units[3], rest_q8[3];
+    for (int k = 0; k < 3; k++) {
+        units[k] = (int)floor(point.q8[k] / 256.0 + 0.5);
+        rest_q8[k] = point.q8[k] - units[k] * 256;
+    }
+    if (work->with_fractions) {
+        out->fractions = grow(out->fractions, out->vertex_count, &out->fraction_capacity, sizeof *out->fractions);
+        out->fractions[out->vertex_count] =
+            (struct lim_fraction){(int8_t)rest_q8[0], (int8_t)rest_q8[1], (int8_t)rest_q8[2]};
+    }
+    out->vertices = grow(out->vertices, out->vertex_count, &out->vertex_capacity, sizeof *out->vertices);
+    out->vertices[out->vertex_count++] = (struct lim_vertex){(int16_t)units[0], (int16_t)units[1], (int16_t)units[2]};
+}
+
+static uint32_t vertex_index(struct encoder *work, struct grid_point point)
+{
+    const uint64_t mask = 0xFFFFFF; /* 24 bits a coordinate: too many for one key */
+    const uint64_t x = (uint64_t)point.q8[0] & mask, y = (uint64_t)point.q8[1] & mask, z = (uint64_t)point.q8[2] & mask;
+    const uint64_t column = *map_at(&work->columns, x << 24 | y, (uint32_t)work->columns.count);
+    const uint32_t index = *map_at(&work->vertices, column << 24 | z, (uint32_t)work->out->vertex_count);
+    if (index == work->out->vertex_count) vertex_add(work, point);
+    return index;
+}
+
+static bool outline_hides(const struct outline *outline)
+{
+    for (size_t i = 0; i < outline->count; i++)
+        if (outline->hidden[i]) return true;
+    return false;
+}
+
+static void edges_add_words(struct encoding *out, const struct outline *outline)
+{
+    for (size_t first = 0; first < outline->count; first += 16) {
+        size_t word = 0;
+        for (size_t k = first; k < outline->count && k < first + 16; k++)
+            word |= (size_t)outline->hidden[k] << (k - first);
+        word_add(out, word);
+    }
+}
+
+static void record_add(struct encoder *work, const struct outline *outline, const struct mesh_polygon *polygon)
+{
+    struct encoding *out = work->out;
+    out->faces = grow(out->faces, out->record_count, &out->face_capacity, sizeof *out->faces);
+    out->faces[out->record_count++] = polygon->face;
+    out->last_record = out->word_count;
+    const bool with_edges = work->with_edges && outline_hides(outline);
+    uint16_t texture[LIM_POLYGON_TEXTURE_WORDS];
+    const bool is_textured = !polygon->transparency && texture_encode(&work->textures, polygon, texture);
+    word_add(out, outline->count | work->flags | (polygon->transparency ? LIM_POLYGON_ALPHA : 0u) |
+                      (with_edges ? LIM_POLYGON_EDGES : 0u) | (is_textured ? LIM_POLYGON_TEXTURE : 0u));
+    word_add(out,
+             rgb565_from_rgb888(polygon->mapping ? texture_flat_colour(work->bsp->mesh, polygon) : polygon->colour));
+    for (size_t i = 0; i < outline->count; i++)
+        word_add(out, vertex_index(work, outline->corners[i]));
+    if (work->flags & LIM_POLYGON_PLANE) {
+        word_add(out, work->own.plane);
+        word_add(out, (lim_index)work->own.offset);
+    }
+    if (polygon->transparency) word_add(out, LIM_OPAQUE - polygon->transparency);
+    if (with_edges) edges_add_words(out, outline);
+    for (size_t i = 0; is_textured && i < LIM_POLYGON_TEXTURE_WORDS; i++)
+        word_add(out, texture[i]);
+    out->widest = outline->count > out->widest ? outline->count : out->widest;
+}
+
+static struct outline outline_part(const struct outline *whole, size_t from, size_t count)
+{
+    struct outline part = {.count = count,
+                           .corners = grow_zeroed(count, sizeof *part.corners),
+                           .hidden = grow_zeroed(count, sizeof *part.hidden)};
+    for (size_t i = 0; i < count; i++) {
+        part.corners[i] = whole->corners[(from + i) % whole->count];
+        part.hidden[i] = i + 1 == count || whole->hidden[(from + i) % whole->count]; /* the last one is the chord */
+    }
+    return part;
+}
+
+/* An outline with too many corners is halved; each level halves their number. */
+static void outline_add(struct encoder *work, const struct outline *outline, const struct mesh_polygon *polygon)
+{
+    if (outline->count <= LIM_MAX_VERTICES) {
+        record_add(work, outline, polygon);
+        return;
+    }
+    size_t from = outline_chord(outline), half = outline->count / 2;
+    struct outline parts[2] = {outline_part(outline, from, half + 1),
+                               outline_part(outline, from + half, outline->count - half + 1)};
+    for (int i = 0; i < 2; i++) {
+        outline_add(work, &parts[i], polygon);
+        outline_free(&parts[i]);
+    }
+}
+
+static void outline_turn(struct outline *outline)
+{
+    for (size_t i = 0, j = outline->count; i + 1 < j; i++) {
+        struct grid_point corner = outline->corners[i];
+        outline->corners[i] = outline->corners[--j];
+        outline->corners[j] = corner;
+    }
+    for (size_t i = 0, j = outline->count - 1; i + 1 < j; i++) { /* the last edge stays the last */
+        bool hidden = outline->hidden[i];
+        outline->hidden[i] = outline->hidden[--j];
+        outline->hidden[j] = hidden;
+    }
+}
+
+static void piece_encode(struct encoder *work, uint32_t index, bool back_run)
+{
+    const struct bsp_piece *piece = &work->bsp->pieces[index];
+    const struct mesh_polygon *polygon = &work->bsp->mesh->polygons[piece->polygon];
+    bool turned = work->bsp->coplanar->faces_back[piece->polygon] != back_run;
+    if (turned && !polygon->two_sided) return;
+    outline_trace(work->bsp, piece, work->snapped, &work->outline);
+    if (turned && work->outline.count) outline_turn(&work->outline);
+    if (work->outline.count) outline_add(work, &work->outline, polygon);
+}
+
+/* The records of a node's pieces that are seen from one side; their word offset or LIM_NO_INDEX. */
+static size_t run_encode(struct encoder *work, const struct bsp_node *node, bool back_run)
+{
+    struct encoding *out = work->out;
+    size_t first = out->word_count;
+    work->flags = 0;
+    for (size_t i = 0; i < node->count; i++)
+        piece_encode(work, work->bsp->placed[node->first + i], back_run);
+    if (out->word_count == first) return LIM_NO_INDEX;
+    out->words[out->last_record] |= LIM_POLYGON_LAST;
+    return first;
+}
+
+/* Planes ------------------------------------------------------------------------------------- */
+
+static size_t exact_add(struct encoding *out, const struct plane *plane)
+{
+    out->exact = grow(out->exact, out->exact_count, &out->exact_capacity, sizeof *out->exact);
+    struct lim_plane_exact *exact = &out->exact[out->exact_count];
+    for (int i = 0; i < 3; i++)
+        exact->n[i] = (int32_t)plane->n[i];
+    exact->d_lo = (uint32_t)plane->d;
+    exact->d_hi = (int32_t)((plane->d - exact->d_lo) / (INT64_C(1) << 32));
+    return out->exact_count++;
+}
+
+/* A plane as long as the bounds of scene.h allow is the same plane, and fewer eyes are too close to it for 16 bits. */
+static struct lim_plane small_record(const struct plane *plane)
+{
+    const int64_t sum = llabs(plane->n[0]) + llabs(plane->n[1]) + llabs(plane->n[2]), d = llabs(plane->d);
+    const int64_t by_sum = PLANE_SUM_MAX / sum, by_d = d ? LIM_PLANE_D_MAX / d : by_sum;
+    const int64_t factor = by_sum < by_d ? by_sum : by_d;
+    assert(factor >= 1); /* plane.c */
+    const int64_t n[3] = {plane->n[0] * factor, plane->n[1] * factor, plane->n[2] * factor};
+    return plane_record(n, plane->d * factor);
+}
+
+static void plane_add(struct encoding *out, const struct plane *plane)
+{
+    out->planes = grow(out->planes, out->plane_count, &out->plane_capacity, sizeof *out->planes);
+    out->planes[out->plane_count++] = plane->kind == PLANE_LARGE
+                                          ? plane_filter(plane->n, plane->d, (lim_index)exact_add(out, plane))
+                                          : small_record(plane);
+}
+
+/* Where a node or a record finds its plane. */
+static struct lim_plane_ref plane_ref(struct encoder *work, uint32_t group)
+{
+    const struct plane *plane = bsp_plane(work->bsp, group);
+    if (plane->kind <= PLANE_Z)
+        return (struct lim_plane_ref){LIM_PLANE_X + (lim_index)plane->kind, (lim_offset)plane->d};
+    uint32_t index = *map_at(&work->planes, group, (uint32_t)work->out->plane_count);
+    if (index == work->out->plane_count) plane_add(work->out, plane);
+    return (struct lim_plane_ref){index * LIM_PLANE_WORDS, 0};
+}
+
+/* Nodes -------------------------------------------------------------------------------------- */
+
+/* For each node of the tree the node that takes its place: itself if it has something to draw or
+ * to divide, its only child otherwise, BSP_NONE if its whole subtree rounded to nothing. */
+static uint32_t *find_heirs(struct encoder *work)
+{
+    const struct bsp *bsp = work->bsp;
+    uint32_t *heirs = grow_zeroed(bsp->node_count, sizeof *heirs);
+    for (uint32_t i = (uint32_t)bsp->node_count; i-- > 0;) {
+        const struct bsp_node *node = &bsp->nodes[i];
+        size_t drawn = 0;
+        for (size_t k = 0; k < node->count; k++) {
+            outline_trace(bsp, &bsp->pieces[bsp->placed[node->first + k]], work->snapped, &work->outline);
+            drawn += work->outline.count > 0;
+        }
+        work->out->collapsed += node->count - drawn;
+        uint32_t front = node->front == BSP_NONE ? BSP_NONE : heirs[node->front];
+        uint32_t back = node->back == BSP_NONE ? BSP_NONE : heirs[node->back];
+        bool needed = drawn || (front != BSP_NONE && back != BSP_NONE);
+        heirs[i] = needed ? i : front != BSP_NONE ? front : back;
+    }
+    return heirs;
+}
+
+static lim_index child_index(const uint32_t *heirs, const uint32_t *numbers, uint32_t child)
+{
+    return child == BSP_NONE || heirs[child] == BSP_NONE ? LIM_NO_INDEX : numbers[heirs[child]];
+}
+
+/* A leaf's pieces in their order, with a record for each side from which one is seen. */
+static size_t leaf_encode(struct encoder *work, const struct bsp_node *node)
+{
+    size_t first = work->out->word_count;
+    for (size_t i = 0; i < node->count; i++) {
+        const uint32_t index = work->bsp->placed[node->first + i];
+        work->own = plane_ref(work, work->bsp->coplanar->group[work->bsp->pieces[index].polygon]);
+        for (int back = 0; back < 2; back++) {
+            work->flags = (uint16_t)(LIM_POLYGON_PLANE | (back ? LIM_POLYGON_BACK : 0));
+            piece_encode(work, index, back);
+        }
+    }
+    work->out->words[work->out->last_record] |= LIM_POLYGON_LAST;
+    return first;
+}
+
+static struct lim_node node_encode(struct encoder *work, const struct bsp_node *node)
+{
+    struct lim_node out = {.front = LIM_NO_INDEX, .back = LIM_NO_INDEX, .box = LIM_NO_INDEX};
+    if (node->group == BSP_NONE) {
+        out.split.plane = out.back_run = LIM_NO_INDEX;
+        out.front_run = (lim_index)leaf_encode(work, node);
+        return out;
+    }
+    out.split = plane_ref(work, node->group);
+    out.front_run = (lim_index)run_encode(work, node, false);
+    out.back_run = (lim_index)run_encode(work, node, true);
+    return out;
+}
+
+/* The tree's nodes come in the order wanted already; only the needed ones are numbered. */
+static void nodes_encode(struct encoder *work, const uint32_t *heirs)
+{
+    const struct bsp *bsp = work->bsp;
+    struct encoding *out = work->out;
+    uint32_t *numbers = grow_zeroed(bsp->node_count, sizeof *numbers);
+    for (uint32_t i = 0; i < bsp->node_count; i++)
+        if (heirs[i] == i) numbers[i] = (uint32_t)out->node_count++;
+    out->nodes = grow_zeroed(out->node_count, sizeof *out->nodes);
+    for (uint32_t i = 0; i < bsp->node_count; i++) {
+        if (heirs[i] != i) continue;
+        struct lim_node node = node_encode(work, &bsp->nodes[i]);
+        node.front = child_index(heirs, numbers, bsp->nodes[i].front);
+        node.back = child_index(heirs, numbers, bsp->nodes[i].back);
+        out->nodes[numbers[i]] = node;
+    }
+    free(numbers);
+}
+
+bool encode_check_count(size_t count, const char *what, struct error *err)
+{
+    return count <= COUNT_MAX || error_set(err, "scene too large: %zu %s, %d are the most (%zu too many)", count, what,
+                                           COUNT_MAX, count - COUNT_MAX);
+}
+
+/* BSP_PIECES_MAX keeps everything else far below what 32 bits count. */
+static bool check_counts(const struct encoding *out, struct error *err)
+{
+    if (out->node_count == 0) return error_set(err, "nothing is left of the scene on its grid");
+    if (out->textures.texture_count && !encode_check_count(out->word_count, "words of polygons with textures", err))
+        return false;
+    return encode_check_count(out->depth, "levels of the tree", err) && texture_arrays_check(&out->textures, err);
+}
+
+/* Parents come before children. */
+static size_t tree_depth(const struct encoding *out)
+{
+    size_t *depths = grow_zeroed(out->node_count, sizeof *depths), deepest = 0;
+    for (size_t i = 0; i < out->node_count; i++) {
+        const lim_index children[2] = {out->nodes[i].front, out->nodes[i].back};
+        deepest = depths[i] + 1 > deepest ? depths[i] + 1 : deepest;
+        for (int k = 0; k < 2; k++)
+            if (children[k] != LIM_NO_INDEX) depths[children[k]] = depths[i] + 1;
+    }
+    free(depths);
+    return deepest;
+}
+
+bool encode_bsp(const struct bsp *bsp, bool with_fractions, bool with_edges, struct encoding *out, struct error *err)
+{
+    const struct exact_points *points = bsp->edges.points;
+    struct encoder work = {.bsp = bsp, .out = out, .with_fractions = with_fractions, .with_edges = with_edges};
+    *out = (struct encoding){0};
+    texture_encoder_init(&work.textures, bsp->mesh, &out->textures);
+    work.snapped = grow_zeroed(points->count, sizeof *work.snapped);
+    for (uint32_t i = 0; i < points->count; i++)
+        work.snapped[i] = exact_snap(points, i, with_fractions ? 8 : 0);
+    uint32_t *heirs = find_heirs(&work);
+    nodes_encode(&work, heirs);
+    texture_encoder_finish(&work.textures);
+    out->depth = tree_depth(out);
+    bool ok = check_counts(out, err);
+    if (ok) encode_boxes(out);
+    free(heirs);
+    free(work.snapped);
+    outline_free(&work.outline);
+    map_free(&work.columns);
+    map_free(&work.vertices);
+    map_free(&work.planes);
+    texture_encoder_free(&work.textures);
+    return ok;
+}
+
+void encoding_free(struct encoding *encoding)
+{
+    free(encoding->vertices);
+    free(encoding->fractions);
+    free(encoding->nodes);
+    free(encoding->planes);
+    free(encoding->exact);
+    free(encoding->boxes);
+    free(encoding->words);
+    free(encoding->faces);
+    texture_arrays_free(&encoding->textures);
+    *encoding = (struct encoding){0};
+}

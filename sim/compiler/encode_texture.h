@@ -1,0 +1,48 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Textures and mappings of a mesh as the scene's arrays have them: only what some record shows. */
+#ifndef SIM_ENCODE_TEXTURE_H
+#define SIM_ENCODE_TEXTURE_H
+
+#include "base/map.h"
+#include "model/mesh.h"
+#include "scene.h"
+
+/* The arrays, still of any length. */
+struct texture_arrays {
+    struct lim_mapping *mappings;
+    struct lim_texture *textures;
+    uint16_t *palettes; /* as in memory */
+    uint8_t *texels;
+    size_t mapping_count, texture_count, palette_colours, texel_count;
+    size_t mapping_capacity, texture_capacity, palette_capacity, texel_capacity;
+};
+
+struct texture_encoder {
+    const struct mesh *mesh;
+    struct texture_arrays *out;
+    struct map mappings; /* of the mesh -> of the scene */
+    struct map same;     /* hash -> first mapping of the scene with these bytes */
+    struct map looks;    /* texture and light -> texture of the scene */
+    struct map texels;   /* texture -> its first block */
+    unsigned light_bits; /* levels of light are 2^light_bits a channel */
+};
+
+/* Levels of light as many as palettes have room for, 16 at most: each that a face needs takes a palette. */
+void texture_encoder_init(struct texture_encoder *encoder, const struct mesh *mesh, struct texture_arrays *out);
+
+/* The words that a record has on the polygon's texture; false: it has none. */
+bool texture_encode(struct texture_encoder *encoder, const struct mesh_polygon *polygon, uint16_t words[2]);
+
+/* Where the texture cannot be shown, as on what is transparent: its mean, lit. */
+uint32_t texture_flat_colour(const struct mesh *mesh, const struct mesh_polygon *polygon);
+
+/* When all records are encoded. */
+void texture_encoder_finish(struct texture_encoder *encoder);
+
+/* Refuses what does not fit 16-bit indices. */
+bool texture_arrays_check(const struct texture_arrays *arrays, struct error *err);
+void texture_encoder_free(struct texture_encoder *encoder);
+void texture_arrays_free(struct texture_arrays *arrays);
+
+#endif

@@ -1,0 +1,395 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Corners are rounded here anew, and planes are taken from the scene's own arrays: nothing is believed of what the
+ * stages before have counted. */
+#include "compiler/faithful.h"
+
+#include "base/grow.h"
+#include "base/notice.h"
+#include "base/vec3.h"
+#include "cameras/camera_path.h"
+#include "compiler/tree_choice.h"
+#include "model/original.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { NAMED = 3, ROUNDS = 8 };
+static const double COVERED_UNITS = 2.0; /* a surface that is as near takes a sliver's place */
+static const double JOINED = 2.0;        /* how much larger faces may be that are left out with one */
+
+/* What is asked of every face. */
+struct judging {
+    const struct original *original;
+    const struct mesh *mesh;
+    const struct compiled *scene; /* or NULL */
+    bool has_fractions;
+    const struct lim_plane_ref *
+        *planes;   /* of each face number of the mesh, by which its records are seen; NULL: none */
+    double seen_m; /* what is smaller is not looked at */
+    double cut_m;  /* what is smaller is cut away where a camera comes as near; 0: it is not, or was asked for */
+    uint8_t *faults;
+};
+
+static void to_units(const struct grid *grid, const double at_m[3], double out[3])
+{
+    for (int i = 0; i < 3; i++)
+        out[i] = (at_m[i] - grid->origin_m[i]) * grid->units_per_m;
+}
+
+static double rounded(double units, bool has_fractions)
+{
+    return has_fractions ? floor(units * 256.0 + 0.5) / 256.0 : floor(units + 0.5);
+}
+
+/* How far the farthest corner is drawn from where the file has it, units: by the weld and by rounding. */
+static double corners_moved(const struct judging *judging, const struct original_face *face, bool has_fractions)
+{
+    const struct grid *grid = &judging->mesh->grid;
+    double most2 = 0;
+    for (uint32_t k = face->first; k < face->first + face->count; k++) {
+        double from[3], to[3];
+        to_units(grid, judging->original->corners_m[k], from);
+        to_units(grid, judging->mesh->points[judging->original->points[k]], to);
+        for (int i = 0; i < 3; i++)
+            to[i] = rounded(to[i], has_fractions);
+        most2 = fmax(most2, vec3_distance2(from, to));
+    }
+    return sqrt(most2);
+}
+
+/* How far the farthest corner is off the plane by which the renderer decides whether the face is seen, units. */
+static double plane_off(const struct judging *judging, const struct original_face *face,
+                        const struct lim_plane_ref *ref)
+{
+    int64_t n[3], d;
+    double most = 0;
+    plane_exact(&judging->scene->scene, ref, n, &d);
+    const double normal[3] = {(double)n[0], (double)n[1], (double)n[2]}, length = sqrt(vec3_dot(normal, normal));
+    for (uint32_t k = face->first; k < face->first + face->count; k++) {
+        double at[3];
+        to_units(&judging->mesh->grid, judging->original->corners_m[k], at);
+        most = fmax(most, fabs(vec3_dot(normal, at) - (double)d) / length);
+    }
+    return most;
+}
+
+static const struct lim_plane_ref *plane_of(const struct judging *judging, size_t face)
+{
+    return judging->planes[judging->mesh->merged_into[face + 1]];
+}
+
+/* Planes ------------------------------------------------------------------------------------- */
+
+static void note_run(struct judging *judging, const uint32_t *numbers, lim_index run, const struct lim_plane_ref *split)
+{
+    const struct lim_scene *scene = &judging->scene->scene;
+    if (run == LIM_NO_INDEX) return;
+    for (size_t word = run;; word += lim_record_words(scene->polygons[word])) {
+        const lim_index *record = &scene->polygons[word];
+        const uint32_t face = judging->scene->faces[numbers[word]];
+        if (!judging->planes[face]) judging->planes[face] = split ? split : lim_record_plane(record);
+        if (*record & LIM_POLYGON_LAST) return;
+    }
+}
+
+static void note_planes(struct judging *judging)
+{
+    const struct lim_scene *scene = &judging->scene->scene;
+    uint32_t *numbers = grow_zeroed(scene->polygon_words, sizeof *numbers); /* of the record that begins there */
+    for (size_t word = 0, number = 0; word < scene->polygon_words; word += lim_record_words(scene->polygons[word]))
+        numbers[word] = (uint32_t)number++;
+    for (size_t i = 0; i < scene->node_count; i++) {
+        const struct lim_node *node = &scene->nodes[i];
+        const bool is_leaf = node->split.plane == LIM_NO_INDEX;
+        note_run(judging, numbers, node->front_run, is_leaf ? NULL : &node->split);
+        if (!is_leaf) note_run(judging, numbers, node->back_run, &node->split);
+    }
+    free(numbers);
+}
+
+/* Slivers ------------------------------------------------------------------------------------ */
+
+static bool near_triangle(const double a[3], const double b[3], const double c[3], const double p[3], double near_m)
+{
+    const double near2 = near_m * near_m;
+    if (vec3_segment_distance2(a, b, p) < near2 || vec3_segment_distance2(b, c, p) < near2 ||
+        vec3_segment_distance2(c, a, p) < near2)
+        return true;
+    double ab[3], ac[3], ap[3];
+    vec3_sub(ab, b, a);
+    vec3_sub(ac, c, a);
+    vec3_sub(ap, p, a);
+    const double bb = vec3_dot(ab, ab), bc = vec3_dot(ab, ac), cc = vec3_dot(ac, ac);
+    const double pb = vec3_dot(ap, ab), pc = vec3_dot(ap, ac), all = bb * cc - bc * bc;
+    if (!(all > 0)) return false;
+    const double s = (cc * pb - bc * pc) / all, t = (bb * pc - bc * pb) / all;
+    if (s < 0 || t < 0 || s + t > 1) return false;
+    return vec3_dot(ap, ap) - (s * pb + t * pc) < near2;
+}
+
+static bool is_near(const struct original *original, const struct original_face *face, const double p[3], double near_m)
+{
+    double(*corners)[3] = &original->corners_m[face->first];
+    const double reach_m = face->radius_m + near_m;
+    if (vec3_distance2(face->centre_m, p) > reach_m * reach_m) return false;
+    for (uint32_t k = 2; k < face->count; k++)
+        if (near_triangle(corners[0], corners[k - 1], corners[k], p, near_m)) return true;
+    return false;
+}
+
+/* Whether faces that the sliver is joined to, and that are drawn, take its place: its corners' and its middle's. */
+static bool is_covered(const struct judging *judging, const struct original_face *sliver)
+{
+    const struct original *original = judging->original;
+    const double near_m = COVERED_UNITS / judging->mesh->grid.units_per_m;
+    for (uint32_t k = 0; k <= sliver->count; k++) {
+        const double *p = k < sliver->count ? original->corners_m[sliver->first + k] : sliver->centre_m;
+        bool any = false;
+        for (size_t i = 0; i < original->face_count && !any; i++) {
+            const struct original_face *face = &original->faces[i];
+            any = face->thing == sliver->thing && face->count && plane_of(judging, i) &&
+                  is_near(original, face, p, near_m);
+        }
+        if (!any) return false;
+    }
+    return true;
+}
+
+/* Judging ------------------------------------------------------------------------------------ */
+
+static enum faithful_fault judge_place(const struct judging *judging, size_t index)
+{
+    const struct original_face *face = &judging->original->faces[index];
+    const double size_units = face->size_m * judging->mesh->grid.units_per_m;
+    const bool moved = corners_moved(judging, face, judging->has_fractions) > FAITHFUL_SHARE * size_units;
+    if (!judging->scene) return moved ? FAITHFUL_MOVED : FAITHFUL_KEPT;
+    const struct lim_plane_ref *plane = plane_of(judging, index);
+    if (plane)
+        return moved || plane_off(judging, face, plane) > FAITHFUL_PLANE_SHARE * size_units ? FAITHFUL_MOVED
+                                                                                            : FAITHFUL_KEPT;
+    if (moved) return FAITHFUL_VANISHED;
+    return face->width_m < judging->seen_m || is_covered(judging, face) ? FAITHFUL_KEPT : FAITHFUL_VANISHED;
+}
+
+static enum faithful_fault judge_face(const struct judging *judging, size_t index)
+{
+    const struct original_face *face = &judging->original->faces[index];
+    if (!face->count || face->size_m < judging->seen_m) return FAITHFUL_KEPT;
+    const enum faithful_fault fault = judge_place(judging, index);
+    return judging->scene && fault == FAITHFUL_KEPT && face->size_m < judging->cut_m ? FAITHFUL_CUT : fault;
+}
+
+static bool is_exact(const struct compile_options *options)
+{
+    return options->core && options->core->profile == LIM_PROFILE_EXACT;
+}
+
+static struct judging judging_of(const struct mesh *mesh, const struct compile_options *options,
+                                 const struct compiled *scene)
+{
+    const bool is_chosen = options->near_m > 0.0;
+    const double forced_m = fmax(options->forced_near_m, lens_forced_near_m(&mesh->grid));
+    struct judging judging = {.original = mesh->original,
+                              .mesh = mesh,
+                              .scene = scene,
+                              .has_fractions = is_exact(options),
+                              .seen_m = FAITHFUL_PIXEL * (is_chosen ? options->near_m : lens_usual_near_m(&mesh->grid)),
+                              .cut_m = is_chosen || options->drop_small ? 0.0 : forced_m};
+    if (!scene) return judging;
+    judging.planes = grow_zeroed(mesh->counts.faces + 1, sizeof *judging.planes);
+    note_planes(&judging);
+    return judging;
+}
+
+uint8_t *faithful_judge(const struct mesh *mesh, const struct compile_options *options, const struct compiled *scene)
+{
+    struct judging judging = judging_of(mesh, options, scene);
+    uint8_t *faults = grow_zeroed(mesh->original->face_count, sizeof *faults);
+    for (size_t i = 0; i < mesh->original->face_count; i++)
+        faults[i] = (uint8_t)judge_face(&judging, i);
+    free(judging.planes);
+    return faults;
+}
+
+/* Refusing ----------------------------------------------------------------------------------- */
+
+/* Whether fractions of units would do: not for what the near plane cuts away, in any precision. A plane that is not
+ * known may be off by the tolerance. */
+static bool exact_helps(const struct mesh *mesh, const struct compile_options *options, const struct compiled *scene,
+                        const uint8_t *faults)
+{
+    struct judging judging = judging_of(mesh, options, scene);
+    bool helps = !judging.has_fractions;
+    for (size_t i = 0; i < mesh->original->face_count && helps; i++) {
+        const struct original_face *face = &mesh->original->faces[i];
+        const double size_units = face->size_m * mesh->grid.units_per_m;
+        helps = !face->count || face->size_m < judging.seen_m || face->size_m >= judging.cut_m;
+        if (!faults[i] || !helps) continue;
+        const struct lim_plane_ref *plane = scene ? plane_of(&judging, i) : NULL;
+        const double off = plane ? plane_off(&judging, face, plane) : options->tolerance_units;
+        helps = corners_moved(&judging, face, true) <= FAITHFUL_SHARE * size_units &&
+                off <= FAITHFUL_PLANE_SHARE * size_units;
+    }
+    free(judging.planes);
+    return helps;
+}
+
+/* The smallest come first; what the near plane cuts away only if nothing is worse. Returns how many there are, and sets
+ * *worst to what became of the worst of them. */
+static size_t name_faults(const struct original *original, const uint8_t *faults, char *names, size_t names_b,
+                          uint8_t *worst)
+{
+    size_t count = 0, length = 0;
+    *worst = FAITHFUL_KEPT;
+    for (size_t i = 0; i < original->face_count; i++)
+        if (faults[i] > *worst) *worst = faults[i];
+    for (size_t i = 0; i < original->seen_count; i++) {
+        const struct original_face *face = &original->faces[original->by_size[i]];
+        const uint8_t fault = faults[original->by_size[i]];
+        if (!fault || (fault == FAITHFUL_CUT && *worst != FAITHFUL_CUT)) continue;
+        if (count++ < NAMED)
+            length += (size_t)snprintf(names + length, names_b - length, "%s%lu (%.3g m)", count > 1 ? ", " : "",
+                                       (unsigned long)face->number, face->size_m);
+    }
+    return count;
+}
+
+static bool refuse(const struct mesh *mesh, const struct compile_options *options, const struct compiled *scene,
+                   const uint8_t *faults, struct error *err)
+{
+    const struct original *original = mesh->original;
+    const double unit_m = 1.0 / mesh->grid.units_per_m;
+    char names[96] = "";
+    uint8_t worst;
+    const size_t count = name_faults(original, faults, names, sizeof names, &worst);
+    const char *more = count > NAMED ? " ..." : "";
+    if (worst == FAITHFUL_CUT)
+        return error_set(err,
+                         "face %s%s: %zu of %zu faces are smaller than the distance within which nothing is drawn on a "
+                         "grid with units of %.3g m; split the model into several scenes, or give --near %.3g",
+                         names, more, count, original->seen_count, unit_m,
+                         fmax(options->forced_near_m, lens_forced_near_m(&mesh->grid)) * LENS_PRINTED_UP);
+    return error_set(err,
+                     "face %s%s: %zu of %zu faces would vanish or move too far on a grid with units of %.3g m; "
+                     "split the model into several scenes, enlarge what is small, leave it out by --drop-small%s",
+                     names, more, count, original->seen_count, unit_m,
+                     exact_helps(mesh, options, scene, faults) ? ", or take --precision exact" : "");
+}
+
+/* Leaving out -------------------------------------------------------------------------------- */
+
+/* All of a small thing goes: one that lacks a side, or has one that moved, is not what the model shows either. */
+static void add_joined(const struct original *original, uint8_t *faults)
+{
+    double *largest = grow_zeroed(original->face_count, sizeof *largest);
+    for (size_t i = 0; i < original->face_count; i++) {
+        double *of = &largest[original->faces[i].thing];
+        if (faults[i]) *of = fmax(*of, original->faces[i].size_m);
+    }
+    for (size_t i = 0; i < original->face_count; i++) {
+        const struct original_face *face = &original->faces[i];
+        if (face->count && face->size_m <= JOINED * largest[face->thing]) faults[i] = FAITHFUL_VANISHED;
+    }
+    free(largest);
+}
+
+/* Takes their polygons out of the mesh; of merged ones all go. Returns whether any did. */
+static bool leave_out(struct mesh *mesh, const uint8_t *faults, bool *is_out)
+{
+    const size_t before = mesh->polygon_count;
+    for (size_t i = 0; i < mesh->original->face_count; i++)
+        if (faults[i]) is_out[mesh->merged_into[i + 1]] = true;
+    mesh->polygon_count = 0;
+    for (size_t i = 0; i < before; i++)
+        if (!is_out[mesh->polygons[i].face]) mesh->polygons[mesh->polygon_count++] = mesh->polygons[i];
+    return mesh->polygon_count < before;
+}
+
+static size_t count_out(const struct mesh *mesh, const uint8_t *faults, const bool *is_out)
+{
+    size_t count = 0;
+    for (size_t i = 0; i < mesh->original->face_count; i++) {
+        const uint32_t group = mesh->merged_into[i + 1];
+        count += mesh->original->faces[i].count && (group ? is_out[group] : faults[i] != FAITHFUL_KEPT);
+    }
+    return count;
+}
+
+/* A copy of the mesh with polygons of its own, that fewer and fewer are left of. */
+struct leaving {
+    struct mesh mesh;
+    uint8_t *faults; /* of all rounds */
+    bool *is_out;    /* of each face number of the mesh */
+};
+
+/* Of a scene, or of rounding alone: false if it cannot be helped. */
+static bool settle(struct leaving *leaving, const struct compile_options *options, const struct compiled *scene,
+                   bool *changed, struct error *err)
+{
+    struct mesh *mesh = &leaving->mesh;
+    uint8_t *faults = faithful_judge(mesh, options, scene);
+    bool any = false, ok = true;
+    for (size_t i = 0; i < mesh->original->face_count; i++) {
+        if (leaving->faults[i]) faults[i] = FAITHFUL_KEPT; /* it is out already */
+        any |= faults[i] != FAITHFUL_KEPT;
+    }
+    if (any && !options->drop_small) ok = refuse(mesh, options, scene, faults, err);
+    if (any && ok) {
+        add_joined(mesh->original, faults);
+        for (size_t i = 0; i < mesh->original->face_count; i++)
+            leaving->faults[i] |= faults[i];
+        *changed = leave_out(mesh, leaving->faults, leaving->is_out);
+        if (!mesh->polygon_count) ok = error_set(err, "--drop-small: all faces are too small for the grid");
+    }
+    free(faults);
+    return ok;
+}
+
+static bool compile_kept(struct leaving *leaving, const struct compile_options *options, struct compiled *out,
+                         struct error *err)
+{
+    bool changed = false;
+    if (!settle(leaving, options, NULL, &changed, err)) return false;
+    for (int round = 0; round < ROUNDS; round++) {
+        changed = false;
+        if (!tree_choice_compile(&leaving->mesh, options, out, err)) return false;
+        if (!settle(leaving, options, out, &changed, err)) break;
+        if (!changed) {
+            out->original = original_share(leaving->mesh.original);
+            out->report.left_out = count_out(&leaving->mesh, leaving->faults, leaving->is_out);
+            return true;
+        }
+        if (round + 1 < ROUNDS)
+            compiled_free(out);
+        else
+            error_set(err, "--drop-small: what is left is too small for the grid still");
+    }
+    compiled_free(out);
+    return false;
+}
+
+bool faithful_compile(const struct mesh *mesh, const struct compile_options *options, struct compiled *out,
+                      struct error *err)
+{
+    *out = (struct compiled){0};
+    if (!mesh->original) return tree_choice_compile(mesh, options, out, err);
+    struct leaving leaving = {*mesh, grow_zeroed(mesh->original->face_count, 1),
+                              grow_zeroed(mesh->counts.faces + 1, sizeof *leaving.is_out)};
+    leaving.mesh.polygons = grow_zeroed(mesh->polygon_count, sizeof *mesh->polygons);
+    memcpy(leaving.mesh.polygons, mesh->polygons, mesh->polygon_count * sizeof *mesh->polygons);
+    const bool ok = compile_kept(&leaving, options, out, err);
+    free(leaving.mesh.polygons);
+    free(leaving.faults);
+    free(leaving.is_out);
+    return ok;
+}
+
+void faithful_note(const struct compiled *scene)
+{
+    if (scene->report.left_out)
+        notice("--drop-small left out %zu of %zu faces, too small for the grid", scene->report.left_out,
+               scene->report.mesh.faces);
+}

@@ -1,0 +1,402 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * The static part chooses the grid. An object's origin is that of its node, about which the animation turns it. */
+#include "compiler/moving.h"
+
+#include "accuracy/reference.h"
+#include "base/grow.h"
+#include "base/vec3.h"
+#include "cameras/camera_path.h"
+#include "compiler/pools.h"
+#include "compiler/predict.h"
+#include "model/light.h"
+#include "model/model_part.h"
+#include "model/pose.h"
+#include "readers/source.h"
+#include "render/simulator.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { FINER_BITS_MAX = 2, ENTRIES_A_POLYGON = 4, ENTRIES_SPARE = 256 };
+static const double GRID_END = 32767.0, AT_END_Q8 = 16777216.0;
+
+bool moving_mode_parse(const char *text, enum moving_mode *out, struct error *err)
+{
+    static const char *const names[] = {
+        [MOVING_CLIPPED] = "clipped", [MOVING_BY_CENTRE] = "centre", [MOVING_OFF] = "off"};
+    for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
+        if (strcmp(text, names[i]) != 0) continue;
+        *out = (enum moving_mode)i;
+        return true;
+    }
+    return error_set(err, "--movers %s: no such way; there are clipped, centre and off", text);
+}
+
+bool moving_light_parse(const char *text, bool *out, struct error *err)
+{
+    *out = strcmp(text, "turning") == 0;
+    return *out || strcmp(text, "baked") == 0 ||
+           error_set(err, "--mover-light %s: no such light; there are baked and turning", text);
+}
+
+/* The finest grid that holds the object. */
+static bool object_grid(const struct grid *scene, const struct model *part, struct grid *grid, uint8_t *finer_bits)
+{
+    double farthest_m = 0;
+    for (size_t i = 0; i < part->point_count; i++)
+        for (int k = 0; k < 3; k++)
+            farthest_m = fmax(farthest_m, fabs(part->points[i][k]));
+    *grid = (struct grid){{0, 0, 0}, scene->units_per_m};
+    if (!(farthest_m * grid->units_per_m <= GRID_END)) return false;
+    for (*finer_bits = 0; *finer_bits < FINER_BITS_MAX && farthest_m * grid->units_per_m * 2 <= GRID_END; ++*finer_bits)
+        grid->units_per_m *= 2;
+    return true;
+}
+
+static void number_faces(struct compiled *scene, const uint32_t *numbers)
+{
+    for (size_t i = 0; i < scene->scene.polygon_count; i++)
+        scene->faces[i] = numbers[scene->faces[i] - 1];
+}
+
+static bool key_set(const struct model_key *from, const struct grid *grid, struct lim_motion_key *to)
+{
+    to->time_ms = (uint32_t)llround(from->time_s * 1000);
+    for (int i = 0; i < 3; i++) {
+        const double at_q8 = (from->pose.at_m[i] - grid->origin_m[i]) * grid->units_per_m * 256;
+        if (!(fabs(at_q8) < AT_END_Q8)) return false;
+        to->at_q8[i] = (int32_t)lround(at_q8);
+    }
+    for (int i = 0; i < 4; i++)
+        to->turn_q15[i] = (int16_t)fmin(fmax(round(from->pose.turn[i] * 32768), -32767), 32767);
+    return true;
+}
+
+/* Of a quaternion and its negative, which turn alike, the one that is nearer to the key before. */
+static void arc_set(struct lim_motion_key *key, struct lim_motion_key *next)
+{
+    double dot = 0;
+    for (int i = 0; i < 4; i++)
+        dot += (double)key->turn_q15[i] * next->turn_q15[i] / (32768.0 * 32768.0);
+    for (int i = 0; dot < 0 && i < 4; i++)
+        next->turn_q15[i] = (int16_t)-next->turn_q15[i];
+    key->arc = (uint16_t)fmin(round(acos(fmin(fabs(dot), 1)) / 6.283185307179586 * 65536), 16383);
+}
+
+static bool motion_set(const struct model *model, size_t index, const struct grid *grid, struct moving_object *object,
+                       struct error *err)
+{
+    const struct model_mover *mover = &model->movers[index];
+    object->keys = grow_zeroed(mover->key_count, sizeof *object->keys);
+    if (mover->key_count > UINT16_MAX) return error_set(err, "node '%s': more than 65535 keys", mover->name);
+    for (uint32_t i = 0; i < mover->key_count; i++)
+        if (!key_set(&model->keys[mover->first_key + i], grid, &object->keys[i]))
+            return error_set(err, "node '%s': it moves farther than twice the scene's size", mover->name);
+    for (uint32_t i = 0; i + 1 < mover->key_count; i++)
+        arc_set(&object->keys[i], &object->keys[i + 1]);
+    object->motion = (struct lim_motion){object->keys, (uint16_t)mover->key_count, true};
+    return true;
+}
+
+static bool compile_object(struct moving *moving, size_t index, const struct grid *scene_grid,
+                           const struct compile_options *options, enum moving_mode mode, struct error *err)
+{
+    struct moving_object *object = &moving->objects[index];
+    struct lim_instance *instance = &moving->instances[index];
+    struct compile_options own = *options;
+    struct model part;
+    uint32_t *numbers;
+    struct grid grid;
+    own.predict = false;
+    own.forced_near_m = lens_forced_near_m(scene_grid);
+    own.method = &methods[0];
+    own.tree = TREE_BSP;
+    own.portals = PORTALS_OFF;
+    memcpy(object->name, moving->model.movers[index].name, sizeof object->name);
+    model_part(&moving->model, index + 1, &part, &numbers);
+    bool ok = object_grid(scene_grid, &part, &grid, &instance->finer_bits) ||
+              error_set(err, "its mesh is larger than the scene that it moves in, or far from the node's origin");
+    ok = ok && compile_part(&part, &grid, &own, &object->scene, err);
+    if (ok) number_faces(&object->scene, numbers);
+    if (!ok) {
+        char text[MODEL_NAME_B + 8];
+        snprintf(text, sizeof text, "node '%s'", object->name);
+        error_prefix(err, text);
+    }
+    ok = ok && motion_set(&moving->model, index, scene_grid, object, err);
+    instance->object = &object->scene.scene;
+    instance->by_centre = mode == MOVING_BY_CENTRE;
+    model_free(&part);
+    free(numbers);
+    return ok;
+}
+
+static struct note *add_note(struct compile_report *report)
+{
+    size_t capacity = report->note_count;
+    report->notes = grow(report->notes, report->note_count, &capacity, sizeof *report->notes);
+    return &report->notes[report->note_count++];
+}
+
+static void note_left_out(const struct moving_object *object, struct compile_report *report)
+{
+    const struct compile_report *own = &object->scene.report;
+    if (own->left_out)
+        snprintf(add_note(report)->text, sizeof report->notes->text,
+                 "object '%s': --drop-small left out %zu of %zu faces, too small for the grid", object->name,
+                 own->left_out, own->mesh.faces);
+}
+
+/* What moves has the mean colours of its pictures. */
+static void note_textured(const struct model *model, size_t index, struct compile_report *report)
+{
+    bool textured = false;
+    for (size_t i = 0; i < model->face_count; i++)
+        textured |= model->faces[i].mover == index + 1 && model->faces[i].picture;
+    if (textured)
+        snprintf(add_note(report)->text, sizeof report->notes->text,
+                 "object '%s': textures are not drawn on what moves", model->movers[index].name);
+}
+
+static void limits_set(struct moving *moving)
+{
+    size_t polygons = 0;
+    struct lim_movers_limits *limits = &moving->limits;
+    *limits = (struct lim_movers_limits){.instances = (uint16_t)moving->count};
+    for (size_t i = 0; i < moving->count; i++) {
+        const struct lim_scene *object = &moving->objects[i].scene.scene;
+        polygons += object->polygon_count;
+        if (object->limits.depth > limits->depth) limits->depth = object->limits.depth;
+    }
+    const size_t entries = moving->count + polygons * ENTRIES_A_POLYGON + ENTRIES_SPARE;
+    limits->entries = (uint16_t)(entries < LIM_SORTED_MAX ? entries : LIM_SORTED_MAX);
+}
+
+/* They are refused where they are to be drawn. */
+static bool draws_no_movers(enum lim_method draws)
+{
+    return draws != LIM_NEAREST_FIRST && draws != LIM_PAINTER;
+}
+
+/* Face numbers of all parts together have 16 bits where something moves. */
+static bool has_numbers(const struct moving *moving, const struct compiled *scene)
+{
+    size_t polygons = scene->scene.polygon_count;
+    for (size_t i = 0; i < moving->count; i++)
+        polygons += moving->objects[i].scene.scene.polygon_count;
+    return polygons <= UINT16_MAX;
+}
+
+static bool predict_parts(struct moving *moving, const struct core *core, struct compiled *scene, struct error *err)
+{
+    struct reference reference = {0};
+    uint32_t *groups = NULL;
+    if (!has_numbers(moving, scene)) {
+        snprintf(add_note(&scene->report)->text, sizeof scene->report.notes->text,
+                 "wrong pixels are not predicted: scene and objects have more than 65535 polygons");
+        return true;
+    }
+    scene->moving = moving;
+    const bool ok = moving_groups(moving, &groups, err) &&
+                    moving_reference(moving, &reference, PREDICT_SIDE_PX, PREDICT_SIDE_PX, err) &&
+                    predict_wrong(scene, core, &reference, groups, &scene->report.wrong, err);
+    scene->moving = NULL; /* the caller's */
+    reference_free(&reference);
+    free(groups);
+    return ok;
+}
+
+static bool compile_parts(struct moving *moving, const struct compile_options *options, enum moving_mode mode,
+                          struct compiled *scene, struct error *err)
+{
+    struct compile_options own = *options;
+    struct model part;
+    uint32_t *numbers;
+    if (!own.method) own.method = &methods[0]; /* nearest first */
+    if (own.tree == TREE_AUTO) own.tree = TREE_BSP;
+    own.predict = false; /* all parts together are */
+    model_part(&moving->model, 0, &part, &numbers);
+    bool ok =
+        part.face_count || error_set(err, "everything in it is animated; objects move in a scene that stands still");
+    ok = ok && compile_part(&part, NULL, &own, scene, err);
+    if (ok) number_faces(scene, numbers);
+    model_free(&part);
+    free(numbers);
+    if (!ok) return false;
+    moving->count = moving->model.mover_count;
+    moving->objects = grow_zeroed(moving->count, sizeof *moving->objects);
+    moving->instances = grow_zeroed(moving->count, sizeof *moving->instances);
+    for (size_t i = 0; ok && i < moving->count; i++) {
+        note_textured(&moving->model, i, &scene->report);
+        ok = compile_object(moving, i, &scene->grid, options, mode, err);
+        if (ok) note_left_out(&moving->objects[i], &scene->report);
+    }
+    if (!ok) return false;
+    limits_set(moving);
+    return draws_no_movers(own.method->draws) ||
+           (pools_measure_moving(scene, moving, options->core, scene->report.w_px, scene->report.h_px, err) &&
+            (!options->predict || predict_parts(moving, options->core, scene, err)));
+}
+
+static void stop_movers(struct moving *moving)
+{
+    struct model *model = &moving->model;
+    for (size_t i = 0; i < model->face_count; i++)
+        model->faces[i].mover = 0;
+    moving->stopped = model->mover_count;
+    model->mover_count = model->key_count = 0;
+}
+
+/* Their light comes later; a material that has none of its own is lit all the same. */
+static void keep_movers_unlit(struct moving *moving)
+{
+    for (size_t i = 0; i < moving->model.face_count; i++)
+        moving->model.faces[i].unlit |= moving->model.faces[i].mover > 0;
+    moving->light = light_lamp();
+}
+
+bool moving_compile(const char *path, const struct compile_options *options, const struct moving_options *movers,
+                    struct compiled *scene, struct moving *moving, struct error *err)
+{
+    struct model model;
+    *moving = (struct moving){0};
+    if (!model_import(path, &model, err)) return false;
+    if (options->predict && !source_take(path, &model, err)) {
+        model_free(&model);
+        return false;
+    }
+    return (moving_compile_model(&model, options, movers, scene, moving, err) || error_prefix(err, path));
+}
+
+bool moving_compile_model(const struct model *model, const struct compile_options *options,
+                          const struct moving_options *movers, struct compiled *scene, struct moving *moving,
+                          struct error *err)
+{
+    *moving = (struct moving){.model = *model};
+    if (movers->mode == MOVING_OFF) stop_movers(moving);
+    if (movers->light && !options->unlit) keep_movers_unlit(moving);
+    if (!options->unlit) light_bake(&moving->model);
+    if (!moving->model.mover_count) return compile_part(&moving->model, NULL, options, scene, err);
+    if (options->framebuffer) return error_set(err, "--framebuffer: objects that move are drawn line by line");
+    return compile_parts(moving, options, movers->mode, scene, err);
+}
+
+bool moving_compile_own(const char *path, const struct compile_options *options, enum moving_mode mode,
+                        struct compiled *scene, struct error *err)
+{
+    const struct moving_options movers = {.mode = mode};
+    struct moving *moving = grow_zeroed(1, sizeof *moving);
+    bool ok = moving_compile(path, options, &movers, scene, moving, err);
+    if (ok && moving->count) {
+        scene->moving = moving;
+        return true;
+    }
+    moving_free(moving);
+    free(moving);
+    if (!ok) compiled_free(scene);
+    return ok;
+}
+
+static bool add_groups(const struct moving *moving, size_t mover, uint32_t *groups, struct error *err)
+{
+    struct model part;
+    struct mesh mesh;
+    uint32_t *numbers;
+    model_part(&moving->model, mover, &part, &numbers);
+    bool ok = mover ? mesh_clean_on(&part, &moving->objects[mover - 1].scene.grid, &mesh, err)
+                    : mesh_clean(&part, &mesh, err);
+    if (ok) {
+        ok = mesh_merge(&mesh, err);
+        for (size_t i = 1; ok && i <= part.face_count; i++)
+            groups[numbers[i - 1]] = mesh.merged_into[i] ? numbers[mesh.merged_into[i] - 1] : 0;
+        mesh_free(&mesh);
+    }
+    model_free(&part);
+    free(numbers);
+    return ok;
+}
+
+bool moving_groups(const struct moving *moving, uint32_t **groups, struct error *err)
+{
+    bool ok = true;
+    *groups = grow_zeroed(moving->model.face_count + 1, sizeof **groups);
+    for (size_t i = 0; ok && i <= moving->count; i++)
+        ok = add_groups(moving, i, *groups, err);
+    return ok;
+}
+
+double moving_time_s(const struct moving *moving, size_t frame, size_t count)
+{
+    return floor(moving_length_s(moving) * 1000 * (double)frame / (double)count) / 1000;
+}
+
+double moving_length_s(const struct moving *moving)
+{
+    const struct lim_motion *motion = &moving->objects[0].motion;
+    return motion->keys[motion->count - 1].time_ms / 1000.0;
+}
+
+void moving_pose(struct moving *moving, double time_s)
+{
+    for (size_t i = 0; i < moving->count; i++)
+        lim_motion_at(&moving->objects[i].motion, (uint32_t)llround(time_s * 1000), &moving->instances[i]);
+}
+
+bool simulator_add_movers(struct simulator *simulator, const struct compiled *scene, struct error *err)
+{
+    const struct moving *moving = scene->moving;
+    return !moving || simulator_set_movers(simulator, moving->instances, moving->count, &moving->limits, err);
+}
+
+/* Reference ---------------------------------------------------------------------------------- */
+
+static bool reference_of_part(const struct moving *moving, size_t mover, struct reference *reference, unsigned w_px,
+                              unsigned h_px, struct error *err)
+{
+    struct model part;
+    struct mesh mesh;
+    uint32_t *numbers;
+    model_part(&moving->model, mover, &part, &numbers);
+    const struct model view = source_view(&part);
+    bool ok = mesh_clean_fine(&view, mover ? &moving->objects[mover - 1].scene.grid : NULL, &mesh, err);
+    if (ok) {
+        for (size_t i = 0; i < mesh.polygon_count; i++)
+            mesh.polygons[i].face = numbers[mesh.polygons[i].face - 1];
+        ok = mover ? reference_add(reference, &mesh, mover, err) : reference_init(reference, &mesh, w_px, h_px, err);
+        mesh_free(&mesh);
+    }
+    model_free(&part);
+    free(numbers);
+    return ok;
+}
+
+bool moving_reference(const struct moving *moving, struct reference *reference, unsigned w_px, unsigned h_px,
+                      struct error *err)
+{
+    bool ok = true;
+    for (size_t i = 0; ok && i <= moving->count; i++)
+        ok = reference_of_part(moving, i, reference, w_px, h_px, err);
+    return ok;
+}
+
+void moving_pose_reference(const struct moving *moving, struct reference *reference, double time_s)
+{
+    for (size_t i = 0; i < moving->count; i++) {
+        const struct model_pose pose = pose_at(&moving->model, &moving->model.movers[i], time_s);
+        reference_pose(reference, i + 1, &pose);
+    }
+}
+
+void moving_free(struct moving *moving)
+{
+    for (size_t i = 0; i < moving->count; i++) {
+        compiled_free(&moving->objects[i].scene);
+        free(moving->objects[i].keys);
+    }
+    free(moving->objects);
+    free(moving->instances);
+    model_free(&moving->model);
+    *moving = (struct moving){0};
+}

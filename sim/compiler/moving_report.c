@@ -1,0 +1,43 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * What a scene's moving objects cost, as a table. */
+#include "compiler/moving.h"
+#include "compiler/pools.h"
+
+#include <stdio.h>
+
+/* Its scene, its keys, and its entry in the table of objects. */
+static size_t object_flash_b(const struct moving_object *object)
+{
+    return object->scene.report.flash_b + object->motion.count * sizeof *object->keys + MCU_MOVED_B;
+}
+
+static void print_object(const struct moving_object *object)
+{
+    const struct lim_scene *scene = &object->scene.scene;
+    printf("  %-28s %8u %8u %8u %8zu\n", object->name, (unsigned)scene->polygon_count, (unsigned)scene->node_count,
+           (unsigned)object->motion.count, object_flash_b(object));
+}
+
+static void print_sum(const struct moving *moving)
+{
+    size_t polygons = 0, nodes = 0, keys = 0, flash_b = 0;
+    for (size_t i = 0; i < moving->count; i++) {
+        const struct moving_object *object = &moving->objects[i];
+        polygons += object->scene.scene.polygon_count;
+        nodes += object->scene.scene.node_count;
+        keys += object->motion.count;
+        flash_b += object_flash_b(object);
+    }
+    printf("  %-28s %8zu %8zu %8zu %8zu\n", "in all", polygons, nodes, keys, flash_b);
+}
+
+void moving_report_print(const struct moving *moving, const struct compiled *scene, const char *name)
+{
+    printf("%-30s %8s %8s %8s %8s\n", "objects that move", "polygons", "nodes", "keys", "bytes");
+    for (size_t i = 0; i < moving->count; i++)
+        print_object(&moving->objects[i]);
+    print_sum(moving);
+    printf("  %-28s %8zu beside the scene's\n", "working memory, bytes", pools_mcu_movers_mem_b(scene, moving));
+    if (name) printf("  note: %s.lim holds what stands still alone: `limner render` shows no objects of it\n", name);
+}

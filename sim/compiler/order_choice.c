@@ -1,0 +1,55 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Counted by frame_cost.h, which also chooses trees. Where scan lines would cost several times as much, as in large
+ * closed scenes, a few cameras spend what all may, and end it. */
+#include "compiler/order_choice.h"
+
+#include "compiler/pools.h"
+#include "render/frame_cost.h"
+#include "scene/lim_image.h"
+#include "scene/method.h"
+#include "scene/records.h"
+
+#include <math.h>
+
+static const double ENOUGH = 0.95; /* of the instructions of nearest first: less of a gain is no better than a guess */
+
+const char *order_needs_nearest(const struct compile_options *options, const struct lim_scene *scene)
+{
+    if (options->wireframe) return "--wireframe is";
+    if (options->antialias) return "--antialias is";
+    if (options->delta) return "--delta is";
+    if (options->frame) return "--frame is";
+    return scene->texture_count || records_with(scene, LIM_POLYGON_ALPHA) ? "textures and glass are" : NULL;
+}
+
+bool order_can_fill(const struct compile_options *options, const struct compiled *scene, struct error *err)
+{
+    const enum lim_method draws = scene->report.draws;
+    const char *by_lines = order_needs_nearest(options, &scene->scene);
+
+    if (options->frame) return error_set(err, "--framebuffer --frame: the picture is kept once; take one of the two");
+    if (by_lines) return error_set(err, "--framebuffer: %s drawn line by line", by_lines);
+    return draws == LIM_NEAREST_FIRST || draws == LIM_PAINTER ||
+           error_set(err, "--framebuffer --method %s: it draws line by line; nearest and painter paint into one",
+                     method_name(draws));
+}
+
+void order_settle_framebuffer(struct compile_report *report)
+{
+    if (report->draws == LIM_SCANLINE) report->draws = LIM_PAINTER;
+    report->instructions = NAN;
+}
+
+bool order_choose(struct compiled *scene, const struct compile_options *options, struct error *err)
+{
+    struct compile_report *report = &scene->report;
+    const double nearest = report->instructions;
+
+    if (!options->choose_order || options->method || report->draws != LIM_NEAREST_FIRST) return true;
+    if (isnan(nearest) || order_needs_nearest(options, &scene->scene)) return true;
+    const size_t nearest_mem_b = pools_mcu_mem_b(scene);
+    if (!pools_measure_scanline(scene, options->core, ENOUGH * nearest, err)) return false;
+    report->order = (struct order_choice){true, nearest, ENOUGH * nearest, nearest_mem_b};
+    return true;
+}

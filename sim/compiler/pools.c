@@ -1,0 +1,419 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Frames from sampled cameras with pools that cannot run out; what they used, and some more. Who needs
+ * even more falls back to bands, or projects a solid's faces again. The greediest is left out: in an open scene it may
+ * be a stray, an eye where nobody is meant to be. What stands alone takes most of the pools when it just fills the
+ * screen, which few eyes anywhere around it see: so there are portraits as well. */
+#include "compiler/pools.h"
+
+#include "base/deadline.h"
+#include "base/progress.h"
+#include "cameras/sample.h"
+#include "compiler/moving.h"
+#include "portals.h"
+#include "render/frame_cost.h"
+#include "render/simulator.h"
+#include "scene/lim_image.h"
+#include "scene/needs.h"
+#include "scene/records.h"
+#include "scene/width.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+enum { SAMPLED = 256, PORTRAITS = 64, CAMERAS = SAMPLED + PORTRAITS };
+/* A depth sort that splits so much is asked for by fewer cameras: FEW of either kind. */
+enum { ENOUGH_SPLITS = 20000, FEW = 4 };
+enum { STRAYS = 1, LEAST_PIECES = 8, PLENTY_OF_PIECES = 30000, PLENTY = 60000, FOV_DEG = 60 };
+enum { CAMERAS_AT_LEAST = STRAYS + 2 }; /* whatever time it takes */
+/* What is active is retained, and takes more cells than its head's. */
+enum { MOST_RETAINED = PLENTY / MCU_HEAD_CELLS };
+
+/* What each camera used of each pool. */
+struct usage {
+    size_t cameras;
+    uint16_t cells[CAMERAS], gaps[CAMERAS], active[CAMERAS], layers[CAMERAS], runs[CAMERAS];
+    double instructions;              /* predicted, of all frames */
+    double instructions_most;         /* beyond that no more frames are drawn; 0: whatever it takes */
+    uint32_t splits;                  /* of all frames */
+    uint32_t splits_max, entries_max; /* strays included: without room for a piece the picture may be wrong */
+};
+
+static uint16_t least_cells(const struct lim_limits *limits)
+{
+    return (uint16_t)(MCU_HEAD_CELLS + limits->vertices + MCU_CLIP_PLANES);
+}
+
+static uint16_t with_margin(uint16_t used, uint16_t least)
+{
+    const unsigned wanted = used + used / 8u + 1;
+    return (uint16_t)(wanted < least ? least : wanted > UINT16_MAX ? UINT16_MAX : wanted);
+}
+
+static int compare_u16(const void *a, const void *b)
+{
+    return *(const uint16_t *)a - *(const uint16_t *)b;
+}
+
+static uint16_t most(uint16_t *used, size_t cameras)
+{
+    if (cameras <= STRAYS) return 0;
+    qsort(used, cameras, sizeof *used, compare_u16);
+    return used[cameras - 1 - STRAYS];
+}
+
+static void note(struct usage *usage, const struct simulator *simulator)
+{
+    const struct lim_stats *stats = simulator_stats(simulator);
+    const size_t i = usage->cameras++;
+    usage->cells[i] = stats->retained_cells_max;
+    usage->gaps[i] = stats->gaps_max;
+    usage->active[i] = stats->active_max;
+    usage->runs[i] = stats->delta.runs_max;
+    usage->instructions += frame_cost_m0plus(stats, &simulator->target);
+    usage->splits += stats->newell.splits;
+    if (stats->newell.splits > usage->splits_max) usage->splits_max = stats->newell.splits;
+    usage->layers[i] = stats->layers_max;
+    if (stats->movers.entries > usage->entries_max) usage->entries_max = stats->movers.entries;
+}
+
+static bool is_too_much(const struct usage *usage)
+{
+    return usage->instructions_most > 0.0 && usage->instructions > usage->instructions_most;
+}
+
+/* The camera to go on with: this one, or the first portrait, or none. */
+static int after_enough(const struct usage *usage, const struct moving *moving, int i)
+{
+    if (moving || usage->splits < ENOUGH_SPLITS) return i;
+    if (i < SAMPLED) return i < FEW ? i : SAMPLED;
+    return i < SAMPLED + FEW ? i : CAMERAS;
+}
+
+/* The i-th camera; false: there is none. Out-of-range ones (a scene of thousands of kilometres) are passed over. */
+static bool next_camera(struct sampler *sampler, int i, const struct lens *lens, struct lim_camera *out)
+{
+    struct viewpoint viewpoint;
+    struct error ignored;
+
+    if (i < SAMPLED)
+        viewpoint = sampler_next(sampler);
+    else if (!sampler_portrait(sampler, &viewpoint))
+        return false;
+    const struct camera_path path = {"sampled cameras", &viewpoint, 1};
+    return camera_path_to_camera(&path, 0, lens, &sampler->scene->grid, out, &ignored);
+}
+
+/* What is found from few cameras may be too little, which costs time in frames, and pixels only of methods that sort.
+ */
+static bool ends_early(const struct usage *usage)
+{
+    if (usage->cameras < CAMERAS_AT_LEAST || !deadline_passed()) return false;
+    deadline_say("pools measured on %zu of %d sampled cameras%s", usage->cameras, (int)CAMERAS,
+                 usage->splits_max ? "; others may have no room for pieces of polygons" : "");
+    return true;
+}
+
+static bool sample_frames(const struct compiled *scene, struct moving *moving, struct simulator *simulator,
+                          struct usage *usage, struct error *err)
+{
+    struct sampler sampler;
+    struct lens lens;
+
+    sampler_init(&sampler, scene);
+    if (!lens_for_grid(&lens, FOV_DEG, 0, &scene->grid, simulator->target.w_px, simulator->target.h_px, err))
+        return false;
+    for (int i = 0; i < CAMERAS && !is_too_much(usage) && !ends_early(usage); i++) {
+        struct lim_camera camera;
+        i = after_enough(usage, moving, i);
+        if (i == CAMERAS) break;
+        progress_bar((size_t)i, CAMERAS, "sampled cameras");
+        if (!next_camera(&sampler, i, &lens, &camera)) continue;
+        if (moving) moving_pose(moving, moving_length_s(moving) * i / SAMPLED);
+        if (!simulator_frame(simulator, &camera, err)) return false;
+        note(usage, simulator);
+    }
+    return true;
+}
+
+/* How frames are drawn. */
+enum style { STYLE_PLAIN, STYLE_WIREFRAME, STYLE_ANTIALIAS };
+
+static bool sample_method(const struct compiled *scene, struct moving *moving, const struct simulator_setup *setup,
+                          enum style style, struct usage *usage, struct error *err)
+{
+    struct simulator simulator;
+    if (!simulator_init(&simulator, &scene->scene, setup, err)) return false;
+    simulator_set_wireframe(&simulator, &(struct lim_wireframe){.on = style == STYLE_WIREFRAME});
+    const bool ok =
+        simulator_set_antialias(&simulator, style == STYLE_ANTIALIAS, err) &&
+        simulator_set_delta(&simulator, scene->report.delta_runs ? PLENTY : 0, err) &&
+        (!moving || simulator_set_movers(&simulator, moving->instances, moving->count, &moving->limits, err)) &&
+        sample_frames(scene, moving, &simulator, usage, err);
+    simulator_free(&simulator);
+    return ok;
+}
+
+/* A convex solid's own method counts faces that cover no pixel as well, and in a firmware of its own those beside
+ * the screen (project.c): a few more cross a line. */
+static bool sample_convex(struct compiled *roomy, struct simulator_setup *setup, uint16_t *active, struct error *err)
+{
+    struct usage usage = {0};
+    setup->method = LIM_CONVEX;
+    roomy->scene.limits.active = (uint16_t)(roomy->scene.polygon_count < PLENTY ? roomy->scene.polygon_count : PLENTY);
+    if (!sample_method(roomy, NULL, setup, STYLE_PLAIN, &usage, err)) return false;
+    const uint16_t crossing = with_margin(most(usage.active, usage.cameras), 1);
+    *active = crossing > *active ? crossing : *active;
+    return true;
+}
+
+/* Half as many again: no camera was asked for the worst. */
+static uint16_t pieces_for(const struct usage *usage)
+{
+    const uint32_t wanted = usage->splits_max ? usage->splits_max + usage->splits_max / 2 + LEAST_PIECES : 0;
+    return (uint16_t)(wanted < LIM_SORTED_MAX ? wanted : LIM_SORTED_MAX);
+}
+
+static uint16_t greater(uint16_t a, uint16_t b)
+{
+    return a > b ? a : b;
+}
+
+/* Raises the limits to what the orders with spans used. */
+static void raise_limits(struct compiled *roomy, struct moving *moving, struct usage *usage, struct lim_limits *limits)
+{
+    const uint16_t cells = with_margin(most(usage->cells, usage->cameras), least_cells(limits));
+    limits->retained_cells = greater(limits->retained_cells, cells);
+    limits->gaps = greater(limits->gaps, with_margin(most(usage->gaps, usage->cameras), 1));
+    limits->active = greater(limits->active, with_margin(most(usage->active, usage->cameras), 1));
+    limits->pieces = greater(limits->pieces, pieces_for(usage));
+    if (roomy->report.delta_runs)
+        roomy->report.delta_runs = greater(roomy->report.delta_runs, with_margin(most(usage->runs, usage->cameras), 1));
+    if (roomy->scene.limits.layers)
+        limits->layers = greater(limits->layers, with_margin(most(usage->layers, usage->cameras), 1));
+    if (moving) usage->splits_max = usage->entries_max;
+    if (moving && pieces_for(usage) < moving->limits.entries)
+        moving->limits.entries = greater(pieces_for(usage), moving->limits.instances);
+}
+
+static bool sample_spans(struct compiled *roomy, struct moving *moving, const struct simulator_setup *setup,
+                         enum style style, struct lim_limits *limits, struct error *err)
+{
+    struct usage usage = {0};
+    if (!sample_method(roomy, moving, setup, style, &usage, err)) return false;
+    raise_limits(roomy, moving, &usage, limits);
+    if (style == STYLE_PLAIN && !moving && usage.splits >= ENOUGH_SPLITS) roomy->report.few_cameras = usage.cameras;
+    if (style == STYLE_PLAIN && usage.cameras && frame_cost_knows(setup->method) && frame_cost_is_known(&roomy->scene))
+        roomy->report.instructions = usage.instructions / (double)usage.cameras;
+    return true;
+}
+
+/* A scene with the same arrays whose pools do not run out. `active`, too, must be enough, and should be no more than
+ * that: the renderer links all of them anew for every frame. */
+static struct compiled roomy_of(const struct compiled *scene, uint32_t active)
+{
+    struct compiled roomy = *scene;
+    roomy.scene.limits.retained_cells = roomy.scene.limits.gaps = PLENTY;
+    roomy.scene.limits.active = (uint16_t)(active < MOST_RETAINED ? active : MOST_RETAINED);
+    roomy.scene.limits.pieces = PLENTY_OF_PIECES;
+    roomy.scene.limits.layers = records_with(&scene->scene, LIM_POLYGON_ALPHA) ? PLENTY : 0;
+    return roomy;
+}
+
+bool pools_measure_moving(struct compiled *scene, struct moving *moving, const struct core *core, unsigned w_px,
+                          unsigned h_px, struct error *err)
+{
+    struct lim_limits limits = scene->scene.limits;
+    struct compiled roomy = roomy_of(scene, MOST_RETAINED);
+    const struct simulator_setup setup = {w_px, h_px, LIM_NEAREST_FIRST, SIMULATOR_UNSEEN, core};
+
+    for (size_t i = 0; i < moving->count; i++) {
+        const struct lim_scene *object = &moving->objects[i].scene.scene;
+        if (records_with(object, LIM_POLYGON_ALPHA)) roomy.scene.limits.layers = PLENTY;
+        limits.retained_cells = greater(limits.retained_cells, least_cells(&object->limits));
+    }
+    if (!sample_spans(&roomy, moving, &setup, STYLE_PLAIN, &limits, err) ||
+        (scene->report.wireframe && !sample_spans(&roomy, moving, &setup, STYLE_WIREFRAME, &limits, err)) ||
+        (scene->report.antialias && !sample_spans(&roomy, moving, &setup, STYLE_ANTIALIAS, &limits, err)))
+        return false;
+    lim_image_set_limits(scene, &limits);
+    scene->report.delta_runs = roomy.report.delta_runs;
+    scene->report.instructions = NAN; /* what moves costs, too */
+    return true;
+}
+
+bool pools_measure(struct compiled *scene, const struct core *core, unsigned w_px, unsigned h_px, struct error *err)
+{
+    struct lim_limits limits = {.depth = scene->scene.limits.depth, .vertices = scene->scene.limits.vertices};
+    const enum lim_method method = method_sorts(scene->report.draws) ? scene->report.draws : LIM_NEAREST_FIRST;
+    const uint32_t cut = method == LIM_NEWELL ? PLENTY_OF_PIECES : 0; /* all others are active once at most */
+    struct compiled roomy = roomy_of(scene, scene->scene.polygon_count + cut);
+    struct simulator_setup setup = {w_px, h_px, method, SIMULATOR_UNSEEN, core};
+
+    if (!sample_spans(&roomy, NULL, &setup, STYLE_PLAIN, &limits, err) ||
+        (scene->report.wireframe && !sample_spans(&roomy, NULL, &setup, STYLE_WIREFRAME, &limits, err)) ||
+        (scene->report.antialias && !sample_spans(&roomy, NULL, &setup, STYLE_ANTIALIAS, &limits, err)))
+        return false;
+    if (scene->report.convex && !sample_convex(&roomy, &setup, &limits.active, err)) return false;
+    lim_image_set_limits(scene, &limits);
+    const bool is_known = frame_cost_knows(scene->report.draws);
+    scene->report.instructions = is_known ? roomy.report.instructions : NAN;
+    scene->report.delta_runs = roomy.report.delta_runs;
+    scene->report.few_cameras = roomy.report.few_cameras;
+    scene->report.w_px = w_px;
+    scene->report.h_px = h_px;
+    return scene->report.draws != LIM_SCANLINE || pools_measure_scanline(scene, core, 0.0, err);
+}
+
+bool pools_measure_scanline(struct compiled *scene, const struct core *core, double instructions_most,
+                            struct error *err)
+{
+    struct lim_limits limits = scene->scene.limits;
+    struct compiled roomy = roomy_of(scene, scene->scene.polygon_count);
+    const struct simulator_setup setup = {scene->report.w_px, scene->report.h_px, LIM_SCANLINE, SIMULATOR_UNSEEN, core};
+
+    struct usage usage = {.instructions_most = instructions_most * CAMERAS};
+
+    if (!sample_method(&roomy, NULL, &setup, STYLE_PLAIN, &usage, err)) return false;
+    const double instructions = usage.instructions / (double)usage.cameras;
+    if (instructions_most > 0.0 && deadline_passed()) return true; /* of other cameras than those before */
+    if (instructions_most > 0.0 && !(instructions <= instructions_most)) return true;
+    raise_limits(&roomy, NULL, &usage, &limits);
+    lim_image_set_limits(scene, &limits);
+    scene->report.draws = LIM_SCANLINE;
+    scene->report.instructions = frame_cost_is_known(&scene->scene) ? instructions : NAN;
+    return true;
+}
+
+/* Whether a firmware for this panel needs wide screen coordinates in this profile. */
+static bool is_wide(const struct compile_report *report)
+{
+    const unsigned narrow_px = report->core ? report->core->narrow_px : core_fast.narrow_px;
+    return report->w_px > narrow_px || report->h_px > narrow_px;
+}
+
+static bool has_long_edges(const struct compile_report *report)
+{
+    return report->core && report->core->sub_bits >= MCU_LONG_EDGES_MIN_SUB_BITS;
+}
+
+static size_t active_b(const struct compiled *scene)
+{
+    const bool is_long = has_long_edges(&scene->report), has_texture = scene->scene.texture_count;
+    const size_t samples_b = scene->report.antialias ? (size_t)MCU_ACTIVE_SAMPLES_B : 0;
+
+    return MCU_ACTIVE_B + (is_long ? (size_t)MCU_LONG_EDGES_B : samples_b) +
+           (has_texture ? (size_t)MCU_ACTIVE_TEXTURE_B : 0) +
+           (has_texture && is_long ? (size_t)MCU_ACTIVE_TEXTURE_PADDING_B : 0);
+}
+
+/* An entry of the cache, a pending node: each has an index. */
+static size_t index_b(const struct compiled *scene)
+{
+    return width_is_wide(&scene->scene) ? (size_t)MCU_INDEX_B : 0;
+}
+
+static size_t cached_b(const struct compiled *scene)
+{
+    return (is_wide(&scene->report) ? (size_t)MCU_CACHED_WIDE_B : (size_t)MCU_CACHED_B) + index_b(scene);
+}
+
+static size_t pending_b(const struct compiled *scene)
+{
+    return MCU_PENDING_B + index_b(scene);
+}
+
+static size_t aligned_b(size_t size_b)
+{
+    return (size_b + 3) & ~(size_t)3;
+}
+
+static size_t sorted_b(const struct compiled *scene, size_t pieces)
+{
+    const size_t count = scene->scene.polygon_count;
+    if (scene->report.draws == LIM_DEPTH) return count * (MCU_SORTED_B + index_b(scene));
+    return (count + pieces) * (MCU_SORTED_B + MCU_NEWELL_B + 2 * index_b(scene)) + pieces * 2 * MCU_CUT_B;
+}
+
+static size_t nearest_b(const struct compiled *scene, size_t cells, size_t gaps, size_t active, size_t pieces)
+{
+    const bool wide = is_wide(&scene->report), sorts = method_sorts(scene->report.draws);
+    const size_t cell_b = wide ? MCU_CELL_WIDE_B : MCU_CELL_B;
+    const size_t covered_b = scene->report.antialias ? (size_t)MCU_COVERED_B : 0;
+    const size_t fixed_b = MCU_CACHE_ENTRIES * cached_b(scene) + scene->report.h_px * (MCU_LINE_B + covered_b) +
+                           (sorts ? 0 : scene->scene.limits.depth * pending_b(scene));
+    return (sorts ? sorted_b(scene, pieces) : 0) +
+           aligned_b(fixed_b + cells * cell_b + gaps * (MCU_GAP_B + covered_b) + active * active_b(scene)) +
+           (sorts ? 0 : lim_portals_mem_b(&scene->scene));
+}
+
+static size_t layers_b(const struct lim_limits *limits)
+{
+    return limits->layers * (size_t)MCU_LAYER_B;
+}
+
+static size_t convex_b(const struct compiled *scene, size_t active)
+{
+    const bool wide = is_wide(&scene->report);
+    const size_t point_b = wide ? MCU_CELL_WIDE_B : MCU_CELL_B;
+    const size_t face_b = MCU_FACE_B + index_b(scene) / 2;
+    const size_t points = scene->scene.limits.vertices + (size_t)MCU_CLIP_PLANES;
+    const size_t flags_b = scene->report.wireframe ? (points + 15) / 16 * 2 : 0;
+    const size_t texture_b = scene->scene.texture_count ? (size_t)MCU_CROSSING_TEXTURE_B : 0;
+    const size_t long_b = has_long_edges(&scene->report) ? (size_t)MCU_CROSSING_LONG_EDGES_B : 0;
+    const size_t crossing_b = MCU_CROSSING_B + long_b + texture_b + points * point_b + aligned_b(flags_b);
+    return aligned_b(MCU_CACHE_ENTRIES * cached_b(scene) + scene->report.h_px * (size_t)MCU_TOP_B +
+                     scene->scene.polygon_count * face_b + active * crossing_b);
+}
+
+static size_t painter_b(const struct compiled *scene)
+{
+    return aligned_b(MCU_CACHE_ENTRIES * cached_b(scene) + scene->scene.limits.depth * pending_b(scene)) +
+           lim_portals_mem_b(&scene->scene);
+}
+
+struct lim_limits pools_mcu_limits(const struct compiled *scene, const struct needs *needs)
+{
+    struct lim_limits limits = scene->scene.limits;
+    if (scene->report.draws == LIM_SCANLINE) limits.gaps = 1;
+    const bool keeps = scene->report.frame || scene->report.framebuffer;
+    if (scene->report.draws != LIM_NEAREST_FIRST || !keeps || !needs_retain_nothing(needs)) return limits;
+    limits.retained_cells = least_cells(&limits);
+    limits.active = 1;
+    return limits;
+}
+
+size_t pools_mcu_mem_b(const struct compiled *scene)
+{
+    const struct needs needs = needs_of(scene, scene->moving);
+    const struct lim_limits limits = pools_mcu_limits(scene, &needs);
+    if (scene->report.draws == LIM_CONVEX) return convex_b(scene, limits.active);
+    if (scene->report.draws == LIM_PAINTER) return painter_b(scene);
+    return nearest_b(scene, limits.retained_cells, limits.gaps, limits.active, limits.pieces) + layers_b(&limits);
+}
+
+size_t pools_mcu_mem_min_b(const struct compiled *scene)
+{
+    if (scene->report.draws == LIM_CONVEX) return convex_b(scene, 0);
+    if (scene->report.draws == LIM_PAINTER) return painter_b(scene);
+    return nearest_b(scene, least_cells(&scene->scene.limits), 1, 1, 0);
+}
+
+static size_t mover_b(const struct compiled *scene, const struct moving *moving)
+{
+    const struct core *core = scene->report.core ? scene->report.core : &core_fast;
+    const bool fine = core->profile >= LIM_PROFILE_FINE;
+    return MCU_MOVER_B + index_b(scene) + (fine ? (size_t)MCU_MOVER_FINE_B : 0) +
+           (scene->report.antialias ? (size_t)MCU_MOVER_ANTIALIAS_B : 0) +
+           (moving->light.on ? (size_t)MCU_MOVER_LIGHT_B : 0);
+}
+
+size_t pools_mcu_movers_mem_b(const struct compiled *scene, const struct moving *moving)
+{
+    const struct lim_movers_limits *limits = &moving->limits;
+    const size_t route_b = MCU_ROUTE_B + index_b(scene) / 2;
+    return aligned_b(limits->instances * mover_b(scene, moving) +
+                     limits->entries * (MCU_SORTED_B + MCU_NEWELL_B + MCU_CUT_B + 2 * index_b(scene)) +
+                     MCU_CACHE_ENTRIES * cached_b(scene) +
+                     ((size_t)scene->scene.limits.depth + limits->depth) * route_b);
+}

@@ -1,0 +1,171 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Portals pay if they spare the renderer at least a quarter of the polygons that it reaches, on sampled cameras that
+ * stand in closed cells mostly, and take at most a tenth of the scene's flash: the walk from near to far ends as soon
+ * as the picture is full, so there must be a good deal left to spare for bytes that are always there. */
+#include "compiler/portal_choice.h"
+
+#include "base/deadline.h"
+#include "base/progress.h"
+#include "cameras/sample.h"
+#include "compiler/sights.h"
+#include "render/simulator.h"
+#include "scene/lim_image.h"
+
+#include <math.h>
+#include <string.h>
+
+enum { CAMERAS = 64, SIDE_PX = 96, FOV_DEG = 60, LEAST_SAVED_PERCENT = 25, MOST_FLASH_PERCENT = 10 };
+
+/* What the renderer's rounding may shift: never less than this, so that a scene may be drawn smaller and less
+ * precisely than it was compiled for. */
+static const double LEAST_ANGLE_RAD = 1.0 / 128.0;
+static const double VERTEX_ERROR_PX = 4.0; /* in sub-pixels: rounding, and what the matrix errs; in draft, pixels */
+
+bool portals_parse(const char *text, enum portals_wanted *out, struct error *err)
+{
+    static const char *const names[] = {[PORTALS_OFF] = "off", [PORTALS_AUTO] = "auto", [PORTALS_ON] = "on"};
+    for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
+        if (strcmp(text, names[i]) != 0) continue;
+        *out = (enum portals_wanted)i;
+        return true;
+    }
+    return error_set(err, "--portals %s: there are on, off and auto", text);
+}
+
+static double angle_of(const struct compiled *scene, const struct compile_options *options)
+{
+    const struct core *core = options->core ? options->core : &core_fast;
+    const unsigned w_px = scene->report.w_px, h_px = scene->report.h_px, side_px = w_px < h_px ? w_px : h_px;
+    const double pixel_rad = 2.0 * tan(FOV_DEG / 2.0 / 180.0 * acos(-1.0)) / side_px;
+    return fmax(LEAST_ANGLE_RAD, pixel_rad * VERTEX_ERROR_PX / (1 << core->sub_bits));
+}
+
+/* Trying ------------------------------------------------------------------------------------- */
+
+/* Sampled cameras, drawn with what the portals show and without. */
+struct trial {
+    const struct compiled *scene;
+    struct lim_scene plain; /* the scene without places */
+    struct simulator with, without;
+    struct portal_report *report;
+};
+
+static bool trial_begin(struct trial *trial, const struct compiled *scene, const struct core *core,
+                        struct portal_report *report, struct error *err)
+{
+    const bool is_draft = core && core->profile == LIM_PROFILE_DRAFT; /* has stray pixels of its own */
+    const struct simulator_setup setup = {SIDE_PX, SIDE_PX, scene->report.draws, SIMULATOR_MEMORY,
+                                          is_draft ? &core_fast : core};
+    *trial = (struct trial){.scene = scene, .plain = scene->scene, .report = report};
+    trial->plain.place_count = 0;
+    if (!simulator_init(&trial->with, &scene->scene, &setup, err)) return false;
+    if (simulator_init(&trial->without, &trial->plain, &setup, err)) return true;
+    simulator_free(&trial->with);
+    return false;
+}
+
+static bool trial_frame(struct trial *trial, const struct lim_camera *camera, struct error *err)
+{
+    if (!simulator_frame(&trial->with, camera, err) || !simulator_frame(&trial->without, camera, err)) return false;
+    struct portal_report *report = trial->report;
+    report->cameras++;
+    report->polygons_before += simulator_stats(&trial->without)->polygons;
+    report->polygons_after += simulator_stats(&trial->with)->polygons;
+    report->vertices_before += simulator_stats(&trial->without)->vertices;
+    report->vertices_after += simulator_stats(&trial->with)->vertices;
+    report->different += memcmp(trial->with.pixels, trial->without.pixels,
+                                simulator_pixel_count(&trial->with) * sizeof *trial->with.pixels) != 0;
+    return true;
+}
+
+static bool trial_run(struct trial *trial, struct error *err)
+{
+    struct sampler sampler;
+    struct lens lens;
+    sampler_init(&sampler, trial->scene);
+    if (!lens_for_grid(&lens, FOV_DEG, 0, &trial->scene->grid, SIDE_PX, SIDE_PX, err)) return false;
+    for (int i = 0; i < CAMERAS && deadline_check(err, "portals were still tried out"); i++) {
+        progress_bar((size_t)i, CAMERAS, "portals");
+        struct viewpoint viewpoint = sampler_next(&sampler);
+        const struct camera_path path = {"sampled cameras", &viewpoint, 1};
+        struct lim_camera camera;
+        if (!camera_path_to_camera(&path, 0, &lens, &trial->scene->grid, &camera, err)) continue; /* out of range */
+        if (!trial_frame(trial, &camera, err)) return false;
+    }
+    return deadline_check(err, "portals were still tried out");
+}
+
+static bool try_out(const struct compiled *scene, const struct core *core, struct portal_report *report,
+                    struct error *err)
+{
+    struct trial trial;
+    if (!trial_begin(&trial, scene, core, report, err)) return false;
+    const bool ok = trial_run(&trial, err);
+    simulator_free(&trial.with);
+    simulator_free(&trial.without);
+    return ok;
+}
+
+/* Deciding ----------------------------------------------------------------------------------- */
+
+static bool pays(const struct compile_report *report)
+{
+    const struct portal_report *portals = &report->portals;
+    const size_t saved = portals->polygons_before - portals->polygons_after;
+    return portals->polygons_after <= portals->polygons_before &&
+           saved * 100 >= portals->polygons_before * LEAST_SAVED_PERCENT &&
+           portals->bytes * 100 <= report->flash_b * MOST_FLASH_PERCENT;
+}
+
+/* Keeps them or takes them out again. */
+static bool decide(struct compiled *scene, const struct compile_options *options, struct error *err)
+{
+    struct portal_report *report = &scene->report.portals;
+    const bool wanted = options->portals == PORTALS_ON;
+    if (wanted && report->different)
+        return error_set(err, "portals: %zu of %zu sampled pictures differ; the model has openings finer than its grid",
+                         report->different, report->cameras);
+    report->kept = !report->different && (wanted || pays(&scene->report));
+    if (report->kept)
+        scene->report.flash_b += report->bytes;
+    else
+        lim_image_set_sights(scene, NULL, 0, NULL, 0);
+    return true;
+}
+
+static void attach(struct compiled *scene, const struct sights *sights)
+{
+    enum { FIELDS_B = 2 * 4 + 2 * 2 }; /* of struct lim_scene */
+    struct portal_report *report = &scene->report.portals;
+    report->tried = true;
+    report->zones = sights->zones;
+    report->sights = sights->kept;
+    report->mean_polygons = sights->mean_polygons;
+    report->bytes = sights->place_count * sizeof *sights->places + sights->byte_count + FIELDS_B;
+    lim_image_set_sights(scene, sights->places, sights->place_count, sights->bytes, sights->byte_count);
+}
+
+bool portals_add(struct compiled *scene, const struct compile_options *options, struct error *err)
+{
+    struct portal_report *report = &scene->report.portals;
+    struct sights sights;
+    struct error reason;
+    const bool wanted = options->portals == PORTALS_ON;
+    if (options->portals == PORTALS_OFF || (!wanted && scene->report.draws == LIM_CONVEX)) return true;
+    progress("portals");
+    if (scene->report.draws == LIM_CONVEX) return error_set(err, "portals: one convex solid has no cells to look from");
+    if (!sights_find(&scene->scene, angle_of(scene, options), &sights, &reason)) {
+        if (!wanted) deadline_say("a scene without portals");
+        snprintf(report->refused, sizeof report->refused, "%.95s", reason.text);
+        return !wanted || error_set(err, "portals: %s", reason.text);
+    }
+    attach(scene, &sights);
+    sights_free(&sights);
+    if (try_out(scene, options->core, report, err)) return decide(scene, options, err);
+    if (wanted || !deadline_passed()) return false;
+    *report = (struct portal_report){0}; /* they are not needed, and nothing is known of them */
+    lim_image_set_sights(scene, NULL, 0, NULL, 0);
+    deadline_say("a scene without portals");
+    return true;
+}

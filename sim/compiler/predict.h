@@ -1,0 +1,22 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * The share of wrong pixels to expect of a scene, found by trying: sampled cameras, drawn by the
+ * renderer and by the reference. */
+#ifndef SIM_PREDICT_H
+#define SIM_PREDICT_H
+
+#include "accuracy/reference.h"
+#include "render/core.h"
+#include "scene/compiled.h"
+
+/* Half of the cameras look anywhere, half at faces of all sizes, from as near as these are small. */
+enum { PREDICT_SIDE_PX = 240, PREDICT_CAMERAS = 48 };
+
+/* `reference` holds the source polygons for pictures of PREDICT_SIDE_PX; `groups` as in compare.h. A scene that does
+ * not know its original has all cameras anywhere. What moves in it (scene->moving) is elsewhere in each frame, and half
+ * of the latter cameras look at it. Where there is no free space for one kind of camera, there are fewer.
+ */
+bool predict_wrong(const struct compiled *scene, const struct core *core, struct reference *reference,
+                   const uint32_t *groups, struct predicted *out, struct error *err);
+
+#endif

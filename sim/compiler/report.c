@@ -1,0 +1,200 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * What compiling made of a model, as a table. */
+#include "compiler/pools.h"
+#include "scene/compiled.h"
+#include "scene/records.h"
+#include "scene/width.h"
+
+#include <math.h>
+#include <stdio.h>
+
+static void print_count(const char *what, size_t count)
+{
+    printf("  %-28s %8zu\n", what, count);
+}
+
+/* What happened to the input, as far as it did. */
+static void print_mended(const struct mesh_counts *mesh)
+{
+    const struct {
+        const char *what;
+        size_t count;
+    } rows[] = {{"opacity beyond 0..1, clamped", mesh->clamped}, {"invisible, dropped", mesh->invisible},
+                {"no area, dropped", mesh->zero_area},           {"too small for the grid", mesh->too_small},
+                {"not planar, triangulated", mesh->non_planar},  {"not convex, triangulated", mesh->concave},
+                {"texture bent, triangulated", mesh->bent},      {"no texture coordinates", mesh->unmapped},
+                {"merged into a neighbour", mesh->merged},       {"T-vertices inserted", mesh->t_vertices}};
+    print_count("faces in the model", mesh->faces);
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++)
+        if (rows[i].count) print_count(rows[i].what, rows[i].count);
+}
+
+static void print_transparent(const struct compiled *scene)
+{
+    const size_t count = records_with(&scene->scene, LIM_POLYGON_ALPHA);
+    if (!count) return;
+    print_count("  of these transparent", count);
+    print_count("  layers on a line, room for", scene->scene.limits.layers);
+}
+
+static void print_outlines(const struct compiled *scene)
+{
+    print_count("with edges that are not drawn", records_with(&scene->scene, LIM_POLYGON_EDGES));
+}
+
+static void print_choice(const struct compile_report *report)
+{
+    if (report->choice.kind == CHOICE_UNKNOWN)
+        printf("    %-26s no cost is predicted where polygons are transparent or textured\n", "chosen:");
+    else if (report->choice.kind == CHOICE_LONG)
+        printf("    %-26s others take long with so many polygons; --tree auto tries them\n", "chosen:");
+    else if (report->choice.kind == CHOICE_NEEDLESS)
+        printf("    %-26s it splits less than a quarter of the polygons\n", "chosen:");
+    else if (report->tree == TREE_BSP)
+        printf("    %-26s no other tree spares a tenth of its instructions\n", "chosen:");
+    else
+        printf("    %-26s %.1f %% of the BSP tree's instructions, %.1f %% of its bytes\n",
+               "chosen:", 100.0 * report->instructions / report->choice.bsp_instructions,
+               100.0 * (double)report->flash_b / (double)report->choice.bsp_flash_b);
+}
+
+/* Trees are compared as filled polygons in profile fast; of other frames that says nothing. */
+static bool is_predicted(const struct compile_report *report)
+{
+    return !isnan(report->instructions) && report->core == &core_fast && !report->antialias && !report->wireframe;
+}
+
+/* What the choice of the order was made by. */
+static void print_order(const struct compiled *scene)
+{
+    const struct compile_report *report = &scene->report;
+    const struct order_choice *order = &report->order;
+
+    if (!order->tried) return;
+    if (report->draws != LIM_SCANLINE) {
+        printf("  drawn nearest first: by scan lines more than %.0f instructions predicted\n", order->scanline_most);
+        return;
+    }
+    printf("  drawn by scan lines: %.0f instead of %.0f instructions predicted\n", report->instructions,
+           order->nearest_instructions);
+    printf("    %zu instead of %zu bytes of working memory\n", pools_mcu_mem_b(scene), order->nearest_mem_b);
+}
+
+static void print_tree(const struct compiled *scene)
+{
+    static const char *const kinds[] = {"x = const", "y = const",     "z = const",
+                                        "upright",   "16-bit normal", "32-bit normal"};
+    const struct compile_report *report = &scene->report;
+    print_count("polygons before splitting", report->polygons_in);
+    print_count("splits", report->splits);
+    if (report->left_out) print_count("left out, too small", report->left_out);
+    if (report->collapsed) print_count("pieces rounded to nothing", report->collapsed);
+    print_count("polygons in the scene", report->polygons_out);
+    print_transparent(scene);
+    print_count("most vertices of a polygon", scene->scene.limits.vertices);
+    printf("  %-28s %8s\n", "tree", tree_names[report->tree]);
+    if (report->choice.kind) print_choice(report);
+    if (report->tree != TREE_NONE) printf("  %-28s %8s\n", "splitter", report->splitter);
+    print_count("depth of the tree", report->depth);
+    if (report->wireframe) print_outlines(scene);
+    if (report->convex) printf("  %-28s %8s\n", "one convex solid", "yes");
+    print_count("nodes", scene->scene.node_count);
+    for (size_t i = 0; i < sizeof kinds / sizeof *kinds; i++)
+        if (report->kinds[i]) printf("    %-26s %8zu\n", kinds[i], report->kinds[i]);
+    if (report->leaves && report->tree != TREE_NONE) print_count("  leaves with an order", report->leaves);
+    printf("  %-28s %8.1f\n", "units per metre", scene->grid.units_per_m);
+    printf("  %-28s %8.4f units\n", "worst wrong side, certified", report->worst_violation_units);
+    if (report->core) printf("  %-28s %8s\n", "precision", report->core->name);
+    if (is_predicted(report))
+        printf("  %-28s %8.0f on Cortex-M0+, predicted\n", "instructions a frame", report->instructions);
+    if (is_predicted(report)) print_order(scene);
+    if (!isnan(report->wrong.percent))
+        printf("  %-28s %8.4f %%, %zu sampled cameras\n", "wrong pixels, predicted", report->wrong.percent,
+               report->wrong.cameras);
+    if (!isnan(report->wrong.percent) && report->wrong.near_cameras)
+        printf("  %-28s %8.4f %%, %zu of them\n", "  near faces, small ones too", report->wrong.near_percent,
+               report->wrong.near_cameras);
+}
+
+static void print_notes(const struct compile_report *report)
+{
+    for (size_t i = 0; i < report->note_count; i++)
+        printf("  note: %s\n", report->notes[i].text);
+}
+
+/* Bytes against polygons: what the compiler decided by. */
+static void print_portals(const struct portal_report *portals)
+{
+    if (portals->refused[0]) printf("portals: %s\n", portals->refused);
+    if (!portals->tried) return;
+    printf("%-30s %8s\n", "portals",
+           portals->kept        ? "kept"
+           : portals->different ? "left out: pictures differ"
+                                : "left out");
+    print_count("rooms", portals->zones);
+    print_count("different sights", portals->sights);
+    print_count("bytes", portals->bytes);
+    printf("  %-28s %8.1f\n", "polygons a sight shows", portals->mean_polygons);
+    printf("  %-28s %8.1f, %zu sampled cameras\n", "polygons reached, without",
+           (double)portals->polygons_before / (double)portals->cameras, portals->cameras);
+    printf("  %-28s %8.1f\n", "polygons reached, with", (double)portals->polygons_after / (double)portals->cameras);
+    printf("  %-28s %8.1f\n", "vertices, without", (double)portals->vertices_before / (double)portals->cameras);
+    printf("  %-28s %8.1f\n", "vertices, with", (double)portals->vertices_after / (double)portals->cameras);
+}
+
+static void print_bytes(const char *what, size_t size_b, size_t polygons)
+{
+    printf("  %-28s %8zu %10.1f\n", what, size_b, (double)size_b / (double)polygons);
+}
+
+static void print_flash(const struct compiled *scene)
+{
+    const struct lim_scene *arrays = &scene->scene;
+    const bool wide = width_is_wide(arrays);
+    size_t polygons = scene->report.polygons_in;
+    printf("%-30s %8s %10s\n", "flash", "bytes", "a polygon");
+    print_bytes("vertices", arrays->vertex_count * sizeof *arrays->vertices, polygons);
+    print_bytes("nodes", arrays->node_count * width_node_b(wide), polygons);
+    print_bytes("planes", arrays->plane_count * width_plane_b(wide), polygons);
+    print_bytes("exact planes", arrays->exact_count * sizeof *arrays->exact, polygons);
+    print_bytes("boxes", arrays->box_count * sizeof *arrays->boxes, polygons);
+    print_bytes("polygons", arrays->polygon_words * width_word_b(wide), polygons);
+    if (arrays->texture_count) {
+        print_bytes("texels", arrays->texel_blocks * (size_t)LIM_TEXEL_BLOCK, polygons);
+        print_bytes("palettes", arrays->palette_colours * sizeof *arrays->palettes, polygons);
+        print_bytes("mappings and textures",
+                    arrays->mapping_count * sizeof *arrays->mappings + arrays->texture_count * sizeof *arrays->textures,
+                    polygons);
+    }
+    print_bytes("in all", scene->report.flash_b, polygons);
+}
+
+/* Lines begin at whole words. */
+static size_t framebuffer_b(unsigned w_px, unsigned h_px)
+{
+    return (size_t)(w_px + 1) / 2 * 4 * h_px;
+}
+
+static void print_ram(const struct compiled *scene)
+{
+    printf("RAM at %ux%u pixels, %s\n", scene->report.w_px, scene->report.h_px, method_title(scene->report.draws));
+    if (scene->report.framebuffer)
+        print_count("framebuffer, bytes", framebuffer_b(scene->report.w_px, scene->report.h_px));
+    print_count("working memory, bytes", pools_mcu_mem_b(scene));
+    if (scene->report.few_cameras)
+        printf("    %-26s %8zu sampled cameras alone, as the depth sort takes long\n", "measured on",
+               scene->report.few_cameras);
+    print_count("least, bytes", pools_mcu_mem_min_b(scene));
+}
+
+void compile_report_print(const struct compiled *scene, const char *name)
+{
+    printf("%s\n", name);
+    print_mended(&scene->report.mesh);
+    print_notes(&scene->report);
+    print_tree(scene);
+    print_flash(scene);
+    print_ram(scene);
+    print_portals(&scene->report.portals);
+}

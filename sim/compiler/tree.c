@@ -1,0 +1,81 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * A cut that would leave one side as long as the list was gives way to the plane of a polygon, which takes
+ * that polygon out of the list: so every tree ends. */
+#include "compiler/tree.h"
+
+#include "compiler/axis_cut.h"
+#include "compiler/cluster.h"
+#include "compiler/cluster_cut.h"
+#include "compiler/sampled_order.h"
+
+#include <stdio.h>
+#include <string.h>
+
+/* A cluster is compared pair by pair; small ones serve where the tree itself shall do the sorting. */
+enum { CLUSTER_PIECES_MAX = 4096, CELL_PIECES_MAX = 16 };
+
+const char *const tree_names[TREE_KINDS] = {"auto",   "bsp",           "clusters",         "axis",
+                                            "octree", "octree-centre", "clusters-sampled", "none"};
+
+bool tree_kind_parse(const char *text, enum tree_kind *out, struct error *err)
+{
+    char names[128];
+    size_t used = 0;
+    for (int kind = 0; kind < TREE_KINDS; kind++) {
+        if (strcmp(text, tree_names[kind]) == 0) {
+            *out = (enum tree_kind)kind;
+            return true;
+        }
+        used += (size_t)snprintf(names + used, sizeof names - used, "%s%s", kind ? ", " : "", tree_names[kind]);
+    }
+    return error_set(err, "--tree %s: no such tree; there are %s", text, names);
+}
+
+bool tree_ends(const struct bsp *bsp, enum tree_kind kind, const uint32_t *list, size_t count, uint32_t *order)
+{
+    switch (kind) {
+    case TREE_NONE:
+        memcpy(order, list, count * sizeof *list);
+        return true;
+    case TREE_CLUSTERS:
+        return count <= CLUSTER_PIECES_MAX && cluster_order(bsp, list, count, order);
+    case TREE_CLUSTERS_SAMPLED:
+        return bsp->rings.count && sampled_order_sort(bsp, list, count, order);
+    case TREE_AXIS:
+    case TREE_OCTREE:
+    case TREE_OCTREE_CENTRE:
+        return count <= CELL_PIECES_MAX && cluster_order(bsp, list, count, order);
+    default:
+        return false;
+    }
+}
+
+/* A polygon's own plane where that is cheaper. */
+static uint32_t cut_or_polygon(struct bsp *bsp, const struct splitter *splitter, const uint32_t *list, size_t count)
+{
+    double cut_cost, polygon_cost;
+    const uint32_t cut = axis_cut_best(bsp, splitter, list, count, &cut_cost);
+    const uint32_t polygon = splitter_choose(splitter, bsp, list, count, &polygon_cost);
+    return cut == BSP_NONE || polygon_cost < cut_cost ? polygon : cut;
+}
+
+/* The first polygon and a few at random are heuristics for their own sake. */
+bool tree_wants_rings(const struct bsp_plan *plan, size_t polygons)
+{
+    return plan->kind == TREE_CLUSTERS && plan->splitter != &splitters[0] && !plan->splitter->samples &&
+           polygons <= CLUSTER_PIECES_MAX;
+}
+
+uint32_t tree_divider(struct bsp *bsp, const struct bsp_plan *plan, struct tree_place place, const uint32_t *list,
+                      size_t count)
+{
+    double cost;
+    if (bsp->rings.count) return cluster_cut_best(bsp, plan->splitter, list, count);
+    if (plan->kind == TREE_AXIS) return cut_or_polygon(bsp, plan->splitter, list, count);
+    if (plan->kind == TREE_OCTREE || plan->kind == TREE_OCTREE_CENTRE) {
+        const uint32_t cut = axis_cut_halving(bsp, place, list, count);
+        if (cut != BSP_NONE) return cut;
+    }
+    return splitter_choose(plan->splitter, bsp, list, count, &cost);
+}

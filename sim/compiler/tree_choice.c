@@ -1,0 +1,81 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Other trees are better where the BSP tree splits much, so by default that is where they are tried. One whole
+ * compilation for each kind, pools included, because these draw the cameras. */
+#include "compiler/tree_choice.h"
+
+#include "base/deadline.h"
+#include "compiler/order_choice.h"
+
+#include <math.h>
+
+static const enum tree_kind OTHERS[] = {TREE_CLUSTERS, TREE_AXIS};
+static const double ENOUGH = 0.9, ALIKE = 0.01; /* of the BSP tree's instructions */
+static const double OTHERS_SHARE = 0.5;         /* of the time: what follows needs some */
+static const size_t SPLIT_MUCH = 4;             /* a quarter of the polygons */
+static const size_t MANY = 2000;                /* polygons: clusters of more take long to find */
+
+bool tree_choice_parse(const char *text, struct compile_options *out, struct error *err)
+{
+    if (!tree_kind_parse(text, &out->tree, err)) return false;
+    out->trial = TRIAL_ALWAYS;
+    return true;
+}
+
+static bool is_better(const struct compile_report *a, const struct compile_report *b, const struct compile_report *bsp)
+{
+    if (isnan(a->instructions) || a->instructions > ENOUGH * bsp->instructions) return false;
+    if (b == bsp) return true;
+    const double less = b->instructions - a->instructions;
+    return fabs(less) > ALIKE * bsp->instructions ? less > 0.0 : a->flash_b < b->flash_b;
+}
+
+/* Replaces *out where another tree is better. One that fails, being too large, is none. */
+static void try_others(const struct mesh *mesh, struct compile_options options, struct compiled *out)
+{
+    const struct compile_report bsp = out->report;
+    const struct compile_report *best = &bsp;
+    const struct deadline_end whole = deadline_share(OTHERS_SHARE);
+    for (size_t i = 0; i < sizeof OTHERS / sizeof *OTHERS; i++) {
+        struct compiled candidate;
+        struct error ignored;
+        options.tree = OTHERS[i];
+        if (deadline_passed()) break;
+        if (!compile_mesh(mesh, &options, &candidate, &ignored)) continue;
+        if (!deadline_passed() && is_better(&candidate.report, best, &bsp)) {
+            const struct compiled worse = *out;
+            *out = candidate;
+            candidate = worse;
+            best = &out->report;
+        }
+        compiled_free(&candidate);
+    }
+    deadline_say("the BSP tree, and of the others those tried in time");
+    deadline_restore(whole);
+    out->report.choice = (struct tree_choice){CHOICE_MADE, bsp.instructions, bsp.flash_b};
+}
+
+static void choose_tree(const struct mesh *mesh, const struct compile_options *options, struct compiled *out)
+{
+    const bool is_open = options->trial != TRIAL_NEVER && options->tree == TREE_AUTO;
+    if (!is_open || (out->report.draws != LIM_NEAREST_FIRST && out->report.draws != LIM_SCANLINE)) return;
+    const struct compile_report *bsp = &out->report;
+    const bool unasked = options->trial == TRIAL_IF_SPLIT;
+    if (isnan(bsp->instructions))
+        out->report.choice.kind = CHOICE_UNKNOWN;
+    else if (unasked && SPLIT_MUCH * bsp->splits < bsp->polygons_in)
+        out->report.choice.kind = CHOICE_NEEDLESS;
+    else if (unasked && bsp->polygons_in > MANY)
+        out->report.choice.kind = CHOICE_LONG;
+    else
+        try_others(mesh, *options, out);
+}
+
+bool tree_choice_compile(const struct mesh *mesh, const struct compile_options *options, struct compiled *out,
+                         struct error *err)
+{
+    if (!compile_mesh(mesh, options, out, err)) return false;
+    choose_tree(mesh, options, out);
+    if (options->framebuffer) order_settle_framebuffer(&out->report);
+    return true;
+}

@@ -1,0 +1,271 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Options and their lists of names, divided by commas. */
+#include "measure/measure_request.h"
+
+#include "base/child.h"
+#include "compiler/portal_choice.h"
+#include "compiler/tree_choice.h"
+#include "render/parse.h"
+
+#include <getopt.h>
+#include <stdio.h>
+#include <string.h>
+#include <strings.h>
+
+enum option_code {
+    OPTION_CAMERA = 256,
+    OPTION_SIZE,
+    OPTION_FOV,
+    OPTION_NEAR,
+    OPTION_PRECISION,
+    OPTION_CORE,
+    OPTION_NO_COST,
+    OPTION_KEEP_FACES,
+    OPTION_UNLIT,
+    OPTION_DROP_SMALL,
+    OPTION_METHOD,
+    OPTION_ANTIALIAS,
+    OPTION_DELTA,
+    OPTION_FRAMEBUFFER,
+    OPTION_PORTALS,
+    OPTION_TREE,
+    OPTION_SPLITTER,
+    OPTION_FRAMES,
+    OPTION_COST_FRAMES
+};
+
+enum { COST_FRAMES = 4, FRAMES_MAX = 1000000 };
+
+static const struct option OPTIONS[] = {
+    {"out", required_argument, NULL, 'o'},
+    {"camera", required_argument, NULL, OPTION_CAMERA},
+    {"size", required_argument, NULL, OPTION_SIZE},
+    {"fov", required_argument, NULL, OPTION_FOV},
+    {"near", required_argument, NULL, OPTION_NEAR},
+    {"precision", required_argument, NULL, OPTION_PRECISION},
+    {"core", required_argument, NULL, OPTION_CORE},
+    {"no-cost", no_argument, NULL, OPTION_NO_COST},
+    {"keep-faces", no_argument, NULL, OPTION_KEEP_FACES},
+    {"unlit", no_argument, NULL, OPTION_UNLIT},
+    {"drop-small", no_argument, NULL, OPTION_DROP_SMALL},
+    {"method", required_argument, NULL, OPTION_METHOD},
+    {"antialias", no_argument, NULL, OPTION_ANTIALIAS},
+    {"delta", no_argument, NULL, OPTION_DELTA},
+    {"framebuffer", no_argument, NULL, OPTION_FRAMEBUFFER},
+    {"portals", required_argument, NULL, OPTION_PORTALS},
+    {"tree", required_argument, NULL, OPTION_TREE},
+    {"splitter", required_argument, NULL, OPTION_SPLITTER},
+    {"frames", required_argument, NULL, OPTION_FRAMES},
+    {"cost-frames", required_argument, NULL, OPTION_COST_FRAMES},
+    {NULL, 0, NULL, 0},
+};
+
+/* Some only make sense for one of the two. */
+static bool has_option(enum measure_of of, int code)
+{
+    if (code == OPTION_METHOD || code == OPTION_TREE || code == OPTION_PORTALS) return of == MEASURE_PRECISIONS;
+    if (code == OPTION_FRAMES || code == OPTION_COST_FRAMES) return of == MEASURE_METHODS;
+    return true;
+}
+
+/* Calls `add` for each name of a list. */
+static bool parse_list(const char *option, const char *text, struct measure_request *out,
+                       bool (*add)(struct measure_request *out, const char *name, struct error *err), struct error *err)
+{
+    for (;;) {
+        char name[32];
+        const size_t length = strcspn(text, ",");
+        if (length == 0 || length >= sizeof name) return error_set(err, "%s: names, divided by commas", option);
+        snprintf(name, sizeof name, "%.*s", (int)length, text);
+        if (!add(out, name, err)) return false;
+        if (!text[length]) return true;
+        text += length + 1;
+    }
+}
+
+static bool add_core(struct measure_request *out, const char *name, struct error *err)
+{
+    const struct core *core = core_find(name);
+    if (!core) return error_set(err, "--precision %s: no such profile or variant", name);
+    for (size_t i = 0; i < out->core_count; i++)
+        if (out->cores[i] == core) return error_set(err, "--precision %s: named twice", name);
+    if (out->core_count == MEASURE_CORES_MAX) return error_set(err, "--precision: too many");
+    out->cores[out->core_count++] = core;
+    return true;
+}
+
+static bool add_cpu(struct measure_request *out, const char *name, struct error *err)
+{
+    const struct measure_cpu *cpu;
+    if (!measure_cpu_parse(name, &cpu, err)) return false;
+    for (size_t i = 0; i < out->cpu_count; i++)
+        if (out->cpus[i] == cpu) return error_set(err, "--core %s: named twice", name);
+    if (out->cpu_count == MEASURE_REQUEST_CPUS_MAX) return error_set(err, "--core: too many");
+    out->cpus[out->cpu_count++] = cpu;
+    return true;
+}
+
+static bool parse_count(const char *option, const char *text, size_t *out, struct error *err)
+{
+    double number;
+    if (!parse_number(option, text, &number, err)) return false;
+    *out = number >= 1.0 && number <= FRAMES_MAX ? (size_t)number : 0;
+    return (*out > 0 && (double)*out == number) ||
+           error_set(err, "%s %s: how many frames, 1 to %d", option, text, FRAMES_MAX);
+}
+
+static bool no_such_option(const char *given, struct error *err)
+{
+    return error_set(err, "%s: no such option here; `limner help` lists them", given);
+}
+
+static bool refuse_option(int code, struct error *err)
+{
+    char given[32];
+    size_t i = 0;
+    while (OPTIONS[i].val != code)
+        i++;
+    snprintf(given, sizeof given, "--%s", OPTIONS[i].name);
+    return no_such_option(given, err);
+}
+
+static bool parse_option(int code, char **argv, struct measure_request *out, bool *no_cost, struct error *err)
+{
+    switch (code) {
+    case 'o':
+        out->folder = optarg;
+        return *optarg || error_set(err, "-o: needs a folder");
+    case OPTION_CAMERA:
+        return camera_choice_parse(optarg, &out->cameras, err);
+    case OPTION_SIZE:
+        return parse_size(optarg, &out->w_px, &out->h_px, err);
+    case OPTION_FOV:
+        return parse_number("--fov", optarg, &out->fov_deg, err);
+    case OPTION_NEAR:
+        return parse_near(optarg, &out->compile.near_m, err);
+    case OPTION_PRECISION:
+        return parse_list("--precision", optarg, out, add_core, err);
+    case OPTION_CORE:
+        return parse_list("--core", optarg, out, add_cpu, err);
+    case OPTION_PORTALS:
+        return portals_parse(optarg, &out->compile.portals, err);
+    case OPTION_METHOD:
+        return compile_method_parse(optarg, &out->compile, err);
+    case OPTION_TREE:
+        return tree_choice_parse(optarg, &out->compile, err);
+    case OPTION_SPLITTER:
+        out->compile.splitter = optarg;
+        return true;
+    case OPTION_FRAMES:
+        return parse_count("--frames", optarg, &out->frames, err);
+    case OPTION_COST_FRAMES:
+        return parse_count("--cost-frames", optarg, &out->cost_frames, err);
+    case OPTION_NO_COST:
+        *no_cost = true;
+        return true;
+    case OPTION_KEEP_FACES:
+        out->compile.keep_faces = true;
+        return true;
+    case OPTION_UNLIT:
+        out->compile.unlit = true;
+        return true;
+    case OPTION_DROP_SMALL:
+        out->compile.drop_small = true;
+        return true;
+    case OPTION_ANTIALIAS:
+        out->compile.antialias = true;
+        return true;
+    case OPTION_DELTA:
+        out->compile.delta = true;
+        return true;
+    case OPTION_FRAMEBUFFER:
+        out->compile.framebuffer = true;
+        return true;
+    case ':':
+        return error_set(err, "%s: needs a value", argv[optind - 1]);
+    default:
+        return no_such_option(argv[optind - 1], err);
+    }
+}
+
+static bool take_model(int argc, char **argv, struct measure_request *out, struct error *err)
+{
+    if (optind >= argc) return error_set(err, "%s: needs a model", argv[0]);
+    if (optind + 1 < argc) return error_set(err, "%s: one model at a time, what is '%s'?", argv[0], argv[optind + 1]);
+    out->model = argv[optind];
+    const char *slash = strrchr(out->model, '/'), *name = slash ? slash + 1 : out->model;
+    const char *dot = strrchr(name, '.');
+    if (dot && strcasecmp(dot, ".lim") == 0)
+        return error_set(err, "%s: accuracy is measured against the model, not against a compiled scene", out->model);
+    snprintf(out->name, sizeof out->name, "%.*s", (int)(dot ? dot - name : (long)strlen(name)), name);
+    return true;
+}
+
+static void fill_in(enum measure_of of, bool no_cost, struct measure_request *out)
+{
+    const bool is_methods = of == MEASURE_METHODS;
+    if (is_methods && !out->core_count) out->cores[out->core_count++] = &core_fast;
+    if (!out->core_count)
+        for (size_t i = 0; cores[i] && i < MEASURE_CORES_MAX; i++)
+            out->cores[out->core_count++] = cores[i];
+    if (!out->cpu_count && !no_cost)
+        for (size_t i = 0; i < measure_cpu_count; i++)
+            if (!is_methods || strcmp(measure_cpus[i].name, "m0plus") == 0 || strcmp(measure_cpus[i].name, "m4") == 0)
+                out->cpus[out->cpu_count++] = &measure_cpus[i];
+    out->compile.w_px = out->w_px;
+    out->compile.h_px = out->h_px;
+    if (is_methods) out->compile.core = out->cores[0];
+}
+
+bool measure_request_parse(int argc, char **argv, enum measure_of of, struct measure_request *out, struct error *err)
+{
+    bool no_cost = false;
+    *out = (struct measure_request){
+        .w_px = 240,
+        .h_px = 240,
+        .fov_deg = 60.0,
+        .compile = {.tolerance_units = 0.5, .splitter = "auto", .trial = TRIAL_IF_SPLIT, .choose_order = true},
+        .frames = FRAMES_MAX,
+        .cost_frames = COST_FRAMES};
+    opterr = 0;
+    optind = 1;
+    for (int code; (code = getopt_long(argc, argv, ":o:", OPTIONS, NULL)) != -1;)
+        if (!(has_option(of, code) ? parse_option(code, argv, out, &no_cost, err) : refuse_option(code, err)))
+            return false;
+    if (!take_model(argc, argv, out, err)) return false;
+    if (no_cost && out->cpu_count) return error_set(err, "%s: --core and --no-cost exclude each other", argv[0]);
+    if (of == MEASURE_METHODS && out->core_count > 1) return error_set(err, "%s: one --precision at a time", argv[0]);
+    fill_in(of, no_cost, out);
+    return compile_options_settle(&out->compile, err);
+}
+
+bool measure_request_load(const struct measure_request *request, struct measure_source *source, struct lens *lens,
+                          struct camera_path *path, struct error *err)
+{
+    if (!camera_choice_read(&request->cameras, path, err)) return false;
+    if (!measure_source_read(source, request->model, &request->compile, request->w_px, request->h_px, err))
+        return false;
+    return lens_for_grid(lens, request->fov_deg, request->compile.near_m, &source->mesh.grid, request->w_px,
+                         request->h_px, err);
+}
+
+bool measure_request_cameras(const struct measure_request *request, const struct compiled *scene,
+                             const struct lens *lens, struct camera_path *path, struct error *err)
+{
+    struct camera_path few = {0};
+    if (request->compile.near_m <= 0.0) lens_note_near(request->model, &scene->grid);
+    const bool ok = camera_choice_plan(&request->cameras, scene, lens, MEASURE_ORBIT_FRAMES, path, err) &&
+                    camera_path_few(path, request->frames, &few, err);
+    camera_path_free(path);
+    *path = few;
+    return ok;
+}
+
+bool measure_request_check(const struct measure_request *request, struct error *err)
+{
+    for (size_t i = 0; i < request->cpu_count; i++)
+        if (!measure_cpu_check(request->cpus[i], err)) return false;
+    if (!request->folder || !request->cpu_count || child_exists("gnuplot")) return true;
+    return error_set(err, "gnuplot: not found; the plot needs Debian's package gnuplot-nox (or leave out -o)");
+}

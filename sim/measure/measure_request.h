@@ -1,0 +1,47 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * The command lines of `limner measure` and `limner compare`. */
+#ifndef SIM_MEASURE_REQUEST_H
+#define SIM_MEASURE_REQUEST_H
+
+#include "cameras/camera_choice.h"
+#include "measure/measure.h"
+
+enum { MEASURE_CORES_MAX = 32, MEASURE_REQUEST_CPUS_MAX = 8, MEASURE_NAME_B = 128, MEASURE_ORBIT_FRAMES = 16 };
+
+/* Precisions of one method; or methods, in one precision. */
+enum measure_of { MEASURE_PRECISIONS, MEASURE_METHODS };
+
+/* gnuplot's script. */
+#define MEASURE_PLOT LIM_SOURCE_FOLDER "/sim/tools/measure.gp"
+
+struct measure_request {
+    const char *model, *folder; /* folder: NULL, not given */
+    struct camera_choice cameras;
+    char name[MEASURE_NAME_B]; /* the model's, without folder and suffix */
+    unsigned w_px, h_px;
+    double fov_deg;
+    struct compile_options compile;
+    const struct core *cores[MEASURE_CORES_MAX];
+    const struct measure_cpu *cpus[MEASURE_REQUEST_CPUS_MAX];
+    size_t core_count, cpu_count; /* cpu_count 0: accuracy only */
+    size_t frames, cost_frames;   /* MEASURE_METHODS: how many of the cameras, and of these for instructions */
+};
+
+/* Fills in the defaults too: every renderer on every processor; for methods, profile fast on m0plus and m4. The
+ * strings stay argv's. */
+bool measure_request_parse(int argc, char **argv, enum measure_of of, struct measure_request *out, struct error *err);
+
+/* Reads the camera file, if there is one, and the model. All three must be zero and are the caller's to free, also
+ * after a failure. */
+bool measure_request_load(const struct measure_request *request, struct measure_source *source, struct lens *lens,
+                          struct camera_path *path, struct error *err);
+
+/* As many cameras of the file, or of those planned for the scene, as are wanted; *path is what was loaded. */
+bool measure_request_cameras(const struct measure_request *request, const struct compiled *scene,
+                             const struct lens *lens, struct camera_path *path, struct error *err);
+
+/* Whether all the tools that it takes are there. */
+bool measure_request_check(const struct measure_request *request, struct error *err);
+
+#endif

@@ -1,0 +1,86 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * mesh_textures_make(): which pictures become textures, how large, and what there is to say about them. */
+#include "model/mesh.h"
+
+#include "base/grow.h"
+#include "scene.h"
+
+#include <stdio.h>
+#include <string.h>
+
+enum { BLOCKS_MAX = 0xFFFF, MOST_BITS = 10 };
+
+static bool is_shown(const struct picture *picture)
+{
+    return picture->faces && picture->w_px;
+}
+
+/* Of all textures together, in blocks. */
+static size_t blocks_at(const struct model *model, uint8_t most_bits)
+{
+    size_t blocks = 0;
+    for (size_t i = 0; i < model->picture_count; i++) {
+        const struct picture *picture = &model->pictures[i];
+        if (is_shown(picture))
+            blocks += texture_texels(texture_side_bits(picture->w_px, most_bits),
+                                     texture_side_bits(picture->h_px, most_bits)) /
+                      LIM_TEXEL_BLOCK;
+    }
+    return blocks;
+}
+
+static struct note *note_add(struct mesh *mesh)
+{
+    mesh->notes = grow(mesh->notes, mesh->note_count, &mesh->note_capacity, sizeof *mesh->notes);
+    return &mesh->notes[mesh->note_count++];
+}
+
+static void note_unreadable(struct mesh *mesh, const struct picture *picture)
+{
+    struct note *note = note_add(mesh);
+    snprintf(note->text, sizeof note->text, "texture %s: %s; faces of a flat colour instead: %zu", picture->name,
+             picture->reason, picture->faces);
+}
+
+static void note_opaque(struct mesh *mesh, const struct picture *picture)
+{
+    if (!picture->clear_faces) return;
+    struct note *note = note_add(mesh);
+    snprintf(note->text, sizeof note->text, "texture %s: its transparency is not drawn; faces that it belongs to: %zu",
+             picture->name, picture->clear_faces);
+}
+
+static void note_resized(struct mesh *mesh, const struct picture *picture, const struct texture *texture, bool crowded)
+{
+    const unsigned w_px = 1u << texture->w_bits, h_px = 1u << texture->h_bits;
+    if (w_px == picture->found_w_px && h_px == picture->found_h_px) return;
+    struct note *note = note_add(mesh);
+    snprintf(note->text, sizeof note->text, "texture %s: %lux%lu pixels, resized to %ux%u%s", picture->name,
+             (unsigned long)picture->found_w_px, (unsigned long)picture->found_h_px, w_px, h_px,
+             crowded ? ": the scene's textures would be too large together" : "");
+}
+
+bool mesh_textures_make(const struct model *model, struct mesh *mesh, struct error *err)
+{
+    uint8_t most_bits = MOST_BITS;
+    while (most_bits > 0 && blocks_at(model, most_bits) > BLOCKS_MAX)
+        most_bits--;
+    if (blocks_at(model, most_bits) > BLOCKS_MAX)
+        return error_set(err, "scene too large: %zu textures, %d are the most", model->picture_count, BLOCKS_MAX);
+    if (model->picture_count) mesh->textures = grow_zeroed(model->picture_count, sizeof *mesh->textures);
+    mesh->texture_count = model->picture_count;
+    for (size_t i = 0; i < model->picture_count; i++) {
+        const struct picture *picture = &model->pictures[i];
+        note_opaque(mesh, picture);
+        if (!picture->faces) continue;
+        if (!picture->w_px) {
+            note_unreadable(mesh, picture);
+            continue;
+        }
+        if (!texture_make(picture, most_bits, &mesh->textures[i]))
+            return error_set(err, "texture %s: out of memory", picture->name);
+        note_resized(mesh, picture, &mesh->textures[i], most_bits < MOST_BITS);
+    }
+    return true;
+}

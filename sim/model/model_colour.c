@@ -1,0 +1,107 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Face colours from the importer's materials and vertex colours. Linear light (physically based
+ * materials) is encoded by the sRGB curve of IEC 61966-2-1 after all arithmetic. */
+#include "model/model_colour.h"
+
+#include "model/model.h"
+
+#include <assimp/GltfMaterial.h>
+#include <assimp/material.h>
+#include <math.h>
+#include <string.h>
+
+/* The importer makes up a material where the file has none: its default, or one without a name. */
+static bool is_made_up(const struct aiMaterial *material)
+{
+    struct aiString name;
+    return aiGetMaterialString(material, AI_MATKEY_NAME, &name) != aiReturn_SUCCESS || name.length == 0 ||
+           strcmp(name.data, AI_DEFAULT_MATERIAL_NAME) == 0;
+}
+
+static struct model_paint default_paint(const struct aiMesh *mesh)
+{
+    double grey = mesh->mColors[0] ? 1.0 : (MODEL_DEFAULT_COLOUR & 0xFF) / 255.0;
+    return (struct model_paint){.rgb = {grey, grey, grey}, .opacity = 1.0};
+}
+
+static float number_of(const struct aiMaterial *material, const char *key, unsigned type, unsigned index,
+                       float otherwise)
+{
+    float number = otherwise;
+    unsigned count = 1;
+    return aiGetMaterialFloatArray(material, key, type, index, &number, &count) == aiReturn_SUCCESS ? number
+                                                                                                    : otherwise;
+}
+
+/* glTF says in `alphaMode` what its alpha means; other formats have an opacity and no more. */
+static void set_opacity(struct model_paint *paint, const struct aiMaterial *material)
+{
+    struct aiString mode;
+    const double opacity = number_of(material, AI_MATKEY_OPACITY, 1.0F);
+    const bool has_mode = aiGetMaterialString(material, AI_MATKEY_GLTF_ALPHAMODE, &mode) == aiReturn_SUCCESS;
+    paint->opacity = opacity;
+    paint->blends = has_mode && strcmp(mode.data, "BLEND") == 0;
+    const bool masked = has_mode && strcmp(mode.data, "MASK") == 0;
+    paint->textures_blend = !has_mode || paint->blends || masked;
+    if (!has_mode || paint->blends) return;
+    paint->opacity = masked && opacity < number_of(material, AI_MATKEY_GLTF_ALPHACUTOFF, 0.5F) ? 0.0 : 1.0;
+}
+
+struct model_paint model_paint_of(const struct aiScene *scene, const struct aiMesh *mesh)
+{
+    struct model_paint paint = default_paint(mesh);
+    if (mesh->mMaterialIndex >= scene->mNumMaterials) return paint;
+    const struct aiMaterial *material = scene->mMaterials[mesh->mMaterialIndex];
+    struct aiColor4D colour;
+    bool base = aiGetMaterialColor(material, AI_MATKEY_BASE_COLOR, &colour) == aiReturn_SUCCESS;
+    bool found = base || (!is_made_up(material) &&
+                          aiGetMaterialColor(material, AI_MATKEY_COLOR_DIFFUSE, &colour) == aiReturn_SUCCESS);
+    if (found) paint = (struct model_paint){.rgb = {colour.r, colour.g, colour.b}, .linear = base};
+    int shading = 0;
+    aiGetMaterialIntegerArray(material, AI_MATKEY_SHADING_MODEL, &shading, NULL);
+    paint.unlit = shading == aiShadingMode_NoShading;
+    int two_sided = 0;
+    aiGetMaterialIntegerArray(material, AI_MATKEY_TWOSIDED, &two_sided, NULL);
+    paint.two_sided = two_sided != 0;
+    set_opacity(&paint, material);
+    return paint;
+}
+
+static double srgb_from_linear(double c)
+{
+    return c <= 0.0031308 ? 12.92 * c : 1.055 * pow(c, 1 / 2.4) - 0.055;
+}
+
+/* NaN, which a file may hold, becomes black. */
+static uint32_t byte_from_unit(double c)
+{
+    return c > 0 ? (uint32_t)(255 * fmin(c, 1) + 0.5) : 0;
+}
+
+double model_face_opacity(const struct model_paint *paint, const struct aiMesh *mesh, const struct aiFace *face)
+{
+    if (!paint->blends || !mesh->mColors[0]) return paint->opacity;
+    double sum = 0;
+    for (unsigned i = 0; i < face->mNumIndices; i++)
+        sum += mesh->mColors[0][face->mIndices[i]].a;
+    return paint->opacity * sum / face->mNumIndices;
+}
+
+uint32_t model_face_colour(const struct model_paint *paint, const struct aiMesh *mesh, const struct aiFace *face)
+{
+    double rgb[3] = {paint->rgb[0], paint->rgb[1], paint->rgb[2]};
+    if (mesh->mColors[0]) {
+        double sum[3] = {0, 0, 0};
+        for (unsigned i = 0; i < face->mNumIndices; i++) {
+            const struct aiColor4D *c = &mesh->mColors[0][face->mIndices[i]];
+            sum[0] += c->r, sum[1] += c->g, sum[2] += c->b;
+        }
+        for (int axis = 0; axis < 3; axis++)
+            rgb[axis] *= sum[axis] / face->mNumIndices;
+    }
+    uint32_t colour = 0;
+    for (int axis = 0; axis < 3; axis++)
+        colour = colour << 8 | byte_from_unit(paint->linear ? srgb_from_linear(rgb[axis]) : rgb[axis]);
+    return colour;
+}

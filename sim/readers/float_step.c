@@ -1,0 +1,41 @@
+/* SPDX-License-Identifier: MIT */
+#include "readers/float_step.h"
+
+#include <float.h>
+#include <math.h>
+#include <stdio.h>
+
+static const double GRID_SPAN_UNITS = 65534, PARTS_OF_A_UNIT = 16;
+
+double float_step_at(double magnitude)
+{
+    const int least = FLT_MIN_EXP - 1;
+    const int exponent = magnitude > 0 ? ilogb(magnitude) : least;
+    return ldexp(1, (exponent > least ? exponent : least) - (FLT_MANT_DIG - 1));
+}
+
+static double longest_side_m(const struct model *model)
+{
+    double longest_m = 0;
+    for (int axis = 0; axis < 3; axis++) {
+        double low_m = INFINITY, high_m = -INFINITY;
+        for (size_t i = 0; i < model->corner_count; i++) {
+            low_m = fmin(low_m, model->points[model->corners[i]][axis]);
+            high_m = fmax(high_m, model->points[model->corners[i]][axis]);
+        }
+        longest_m = fmax(longest_m, high_m - low_m);
+    }
+    return longest_m;
+}
+
+void float_step_note(struct model *model, double step_m)
+{
+    char text[sizeof model->notice];
+    const double unit_m = longest_side_m(model) / GRID_SPAN_UNITS;
+    if (!(step_m * PARTS_OF_A_UNIT > unit_m)) return;
+    snprintf(text, sizeof text,
+             "its vertices come as float32 numbers, which are %.3g m apart as far out as they are: more than 1/16 of "
+             "the grid's unit of %.3g m",
+             step_m, unit_m);
+    model_note(model, text);
+}

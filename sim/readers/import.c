@@ -1,0 +1,341 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Model files by assimp. No post-processing: the library would triangulate, merge and reorder. The
+ * node tree is walked twice, first to count (and to refuse what is too large or out of range), then
+ * to fill three arrays of exactly that size. Vertices and node transforms are double where the file's format lets us
+ * (vertex_numbers.h, node_transforms.h), and arithmetic is so everywhere. */
+#include "readers/import.h"
+
+#include "base/grow.h"
+#include "model/model_colour.h"
+#include "readers/companion.h"
+#include "readers/float_step.h"
+#include "readers/import_motion.h"
+#include "readers/model_io.h"
+#include "readers/model_whole.h"
+#include "readers/picture.h"
+#include "readers/vertex_numbers.h"
+
+#include <assimp/cimport.h>
+#include <assimp/config.h>
+#include <assimp/scene.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* A face's own limit: what is done with it takes time that grows with the square of its corners. */
+enum { MOST_CORNERS = 1 << 23, MOST_FACES = 1 << 20, MOST_FACE_CORNERS = 1024 };
+
+struct import {
+    const char *path;
+    const struct aiScene *scene;
+    struct model *model;
+    struct error *err;
+    struct node_transform transform; /* of the node being read */
+    struct model_paint paint;        /* of the mesh being read */
+    uint32_t picture, mask;          /* the same; 0: none */
+    unsigned uv_set;
+    size_t picture_capacity, point_total;
+    const struct aiNode **movers; /* the nodes of model->movers */
+    uint16_t mover;               /* of the node being read: model_face.mover */
+    struct vertex_numbers numbers;
+    struct node_transforms transforms;
+    double step_m; /* the largest of those between float32 numbers that vertices came as */
+};
+
+typedef bool mesh_reader(struct import *import, const struct aiMesh *mesh);
+
+static struct node_transform affine_identity(void)
+{
+    return (struct node_transform){{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}};
+}
+
+static struct node_transform affine_times(const struct node_transform *a, const struct node_transform *b)
+{
+    struct node_transform out;
+    for (int row = 0; row < 3; row++)
+        for (int column = 0; column < 4; column++) {
+            double sum = column == 3 ? a->m[row][3] : 0;
+            for (int k = 0; k < 3; k++)
+                sum += a->m[row][k] * b->m[k][column];
+            out.m[row][column] = sum;
+        }
+    return out;
+}
+
+static bool affine_mirrors(const struct node_transform *a)
+{
+    const double(*m)[4] = a->m;
+    return m[0][0] * (m[1][1] * m[2][2] - m[1][2] * m[2][1]) - m[0][1] * (m[1][0] * m[2][2] - m[1][2] * m[2][0]) +
+               m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]) <
+           0;
+}
+
+static uint16_t mover_of(const struct import *import, const struct aiNode *node)
+{
+    for (size_t i = 0; i < import->model->mover_count; i++)
+        if (import->movers[i] == node) return (uint16_t)(i + 1);
+    return 0;
+}
+
+/* Parents first; a node's meshes in their order, then its children, which move with it. */
+static bool walk(struct import *import, const struct aiNode *node, struct node_transform parent, uint16_t mover,
+                 mesh_reader *read)
+{
+    const struct node_transform own = node_transform_of(&import->transforms, node), here = affine_times(&parent, &own);
+    if (!mover) mover = mover_of(import, node);
+    for (unsigned i = 0; i < node->mNumMeshes; i++) {
+        import->transform = here;
+        import->mover = mover;
+        if (!read(import, import->scene->mMeshes[node->mMeshes[i]])) return false;
+    }
+    for (unsigned i = 0; i < node->mNumChildren; i++)
+        if (!walk(import, node->mChildren[i], here, mover, read)) return false;
+    return true;
+}
+
+static bool count_mesh(struct import *import, const struct aiMesh *mesh)
+{
+    struct model *model = import->model;
+    model->point_count += mesh->mNumVertices;
+    for (unsigned i = 0; i < mesh->mNumFaces; i++) {
+        const struct aiFace *face = &mesh->mFaces[i];
+        if (face->mNumIndices < 3) continue;
+        model->face_count++;
+        model->corner_count += face->mNumIndices;
+        if (face->mNumIndices > MOST_FACE_CORNERS)
+            return error_set(import->err, "%s: face %zu has %u corners, %d are the most", import->path,
+                             model->face_count, face->mNumIndices, MOST_FACE_CORNERS);
+        for (unsigned k = 0; k < face->mNumIndices; k++)
+            if (face->mIndices[k] >= mesh->mNumVertices)
+                return error_set(import->err, "%s: face %zu: vertex index %u is out of range, there are %u",
+                                 import->path, model->face_count, face->mIndices[k], mesh->mNumVertices);
+    }
+    if (model->face_count > MOST_FACES)
+        return error_set(import->err, "%s: more than %d faces", import->path, MOST_FACES);
+    if (model->corner_count > MOST_CORNERS || model->point_count > MOST_CORNERS)
+        return error_set(import->err, "%s: more than %d corners or vertices", import->path, MOST_CORNERS);
+    return true;
+}
+
+/* In its node's coordinates. What the library leaves unset is at the origin. */
+static bool vertex_of(struct import *import, const struct aiVector3D *v, double out[3])
+{
+    const bool is_set = v->x != 0 || v->y != 0 || v->z != 0;
+    out[0] = v->x;
+    out[1] = v->y;
+    out[2] = v->z;
+    if (!import->numbers.table.count || !is_set) return true;
+    const double *point = vertex_table_find(&import->numbers.table, out[0], out[1], out[2]);
+    if (!point) return error_set(import->err, "%s: the importer changed a vertex on its way", import->path);
+    memcpy(out, point, 3 * sizeof *out);
+    return true;
+}
+
+static void note_step(struct import *import, const double v[3])
+{
+    const double(*m)[4] = (const double(*)[4])import->transform.m;
+    const bool is_double = import->numbers.table.count && !import->numbers.is_float32;
+    for (int axis = 0; axis < 3; axis++) {
+        double step_m = 0;
+        for (int i = 0; i < 3 && !is_double; i++)
+            step_m += fabs(m[axis][i]) * float_step_at(fabs(v[i]));
+        if (!is_double && !node_transforms_are_double(&import->transforms) && m[axis][3] != 0)
+            step_m += float_step_at(fabs(m[axis][3]));
+        import->step_m = fmax(import->step_m, step_m);
+    }
+}
+
+static bool add_points(struct import *import, const struct aiMesh *mesh)
+{
+    struct model *model = import->model;
+    for (unsigned i = 0; i < mesh->mNumVertices; i++) {
+        double v[3], *point = model->points[model->point_count++];
+        if (!vertex_of(import, &mesh->mVertices[i], v)) return false;
+        note_step(import, v);
+        for (int axis = 0; axis < 3; axis++) {
+            const double *row = import->transform.m[axis];
+            point[axis] = row[0] * v[0] + row[1] * v[1] + row[2] * v[2] + row[3];
+        }
+    }
+    return true;
+}
+
+/* Of the last face. Opacities beyond 0..1 occur, and what they mean is plain. */
+static bool set_transparency(struct import *import, double opacity)
+{
+    struct model *model = import->model;
+    if (!isfinite(opacity))
+        return error_set(import->err, "%s: face %zu: the opacity of its material is NaN or infinite", import->path,
+                         model->face_count);
+    const double clamped = fmin(fmax(opacity, 0), 1);
+    model->alpha_clamped += clamped != opacity;
+    model->faces[model->face_count - 1].transparency = (uint8_t)(255 * (1 - clamped) + 0.5);
+    return true;
+}
+
+/* Pictures are named again and again, by each material that shows them. */
+static uint32_t picture_number(struct import *import, const char *name)
+{
+    struct model *model = import->model;
+    for (size_t i = 0; i < model->picture_count; i++)
+        if (strncmp(model->pictures[i].name, name, TEXTURE_NAME_B - 1) == 0) return (uint32_t)i + 1;
+    model->pictures = grow(model->pictures, model->picture_count, &import->picture_capacity, sizeof *model->pictures);
+    picture_read(import->scene, name, &model->pictures[model->picture_count]);
+    return (uint32_t)++model->picture_count;
+}
+
+static void find_pictures(struct import *import, const struct aiMesh *mesh)
+{
+    struct aiString name;
+    import->picture = import->mask = 0;
+    if (mesh->mMaterialIndex >= import->scene->mNumMaterials) return;
+    const struct aiMaterial *material = import->scene->mMaterials[mesh->mMaterialIndex];
+    if (picture_name_of(material, &name, &import->uv_set)) import->picture = picture_number(import, name.data);
+    if (picture_mask_of(material, &name)) import->mask = picture_number(import, name.data);
+    if (!import->mask && import->picture && import->paint.textures_blend &&
+        import->model->pictures[import->picture - 1].has_alpha)
+        import->mask = import->picture;
+}
+
+/* The library counts v from the bottom. Without coordinates there is nothing to show: NaN says so. */
+static bool add_uvs(struct import *import, const struct aiMesh *mesh, uint32_t first_point)
+{
+    struct model *model = import->model;
+    if (!import->picture) return true;
+    if (!model->uvs) model->uvs = calloc(import->point_total, sizeof *model->uvs);
+    if (!model->uvs) return error_set(import->err, "%s: not enough memory", import->path);
+    const struct aiVector3D *uvs =
+        import->uv_set < AI_MAX_NUMBER_OF_TEXTURECOORDS ? mesh->mTextureCoords[import->uv_set] : NULL;
+    for (unsigned i = 0; i < mesh->mNumVertices; i++) {
+        double *uv = model->uvs[first_point + i];
+        uv[0] = uvs ? uvs[i].x : NAN;
+        uv[1] = uvs ? 1.0 - uvs[i].y : NAN;
+    }
+    return true;
+}
+
+static bool add_face(struct import *import, const struct aiFace *from, uint32_t first_point, uint32_t colour)
+{
+    struct model *model = import->model;
+    bool mirrored = affine_mirrors(&import->transform);
+    struct model_face *face = &model->faces[model->face_count++];
+    *face = (struct model_face){.first = (uint32_t)model->corner_count,
+                                .count = from->mNumIndices,
+                                .colour = colour,
+                                .picture = import->picture,
+                                .two_sided = import->paint.two_sided,
+                                .unlit = import->paint.unlit,
+                                .mover = import->mover};
+    if (face->picture) model->pictures[face->picture - 1].faces++;
+    if (import->mask) model->pictures[import->mask - 1].clear_faces++;
+    for (unsigned k = 0; k < from->mNumIndices; k++) {
+        uint32_t corner = first_point + from->mIndices[mirrored ? from->mNumIndices - 1 - k : k];
+        const double *p = model->points[corner];
+        if (!isfinite(p[0]) || !isfinite(p[1]) || !isfinite(p[2]))
+            return error_set(import->err, "%s: face %zu has a corner whose coordinates are NaN or infinite",
+                             import->path, model->face_count);
+        model->corners[model->corner_count++] = corner;
+    }
+    return true;
+}
+
+static bool add_mesh(struct import *import, const struct aiMesh *mesh)
+{
+    uint32_t first_point = (uint32_t)import->model->point_count;
+    if (!add_points(import, mesh)) return false;
+    import->paint = model_paint_of(import->scene, mesh);
+    find_pictures(import, mesh);
+    if (!add_uvs(import, mesh, first_point)) return false;
+    for (unsigned i = 0; i < mesh->mNumFaces; i++) {
+        const struct aiFace *face = &mesh->mFaces[i];
+        if (face->mNumIndices < 3) continue;
+        if (!add_face(import, face, first_point, model_face_colour(&import->paint, mesh, face)) ||
+            !set_transparency(import, model_face_opacity(&import->paint, mesh, face)))
+            return false;
+    }
+    return true;
+}
+
+static bool allocate(struct import *import)
+{
+    struct model *model = import->model;
+    if (model->face_count == 0) return error_set(import->err, "%s: there are no faces in it", import->path);
+    model->points = calloc(model->point_count, sizeof *model->points);
+    model->corners = calloc(model->corner_count, sizeof *model->corners);
+    model->faces = calloc(model->face_count, sizeof *model->faces);
+    import->point_total = model->point_count;
+    model->point_count = model->corner_count = model->face_count = 0;
+    if (!model->points || !model->corners || !model->faces)
+        return error_set(import->err, "%s: not enough memory", import->path);
+    return true;
+}
+
+static bool read_scene(struct import *import)
+{
+    const struct aiNode *root = import->scene->mRootNode;
+    if (!root) return error_set(import->err, "%s: there is no scene in it", import->path);
+    return node_transforms_read(import->path, import->scene, &import->transforms, import->err) &&
+           import_motions(import->path, import->scene, &import->transforms, import->model, &import->movers,
+                          &import->step_m, import->err) &&
+           walk(import, root, affine_identity(), 0, count_mesh) && allocate(import) &&
+           walk(import, root, affine_identity(), 0, add_mesh);
+}
+
+/* The library drops such faces with no more than a line in its log. */
+static void watch_log(const char *message, char *dropped)
+{
+    if (strstr(message, "out-of-range")) *dropped = true;
+}
+
+static bool refuse(const char *path, struct error *err)
+{
+    const char *reason = aiGetErrorString();
+    if (strstr(reason, "No suitable reader")) reason = "not in a format that the importer knows";
+    if (strstr(reason, "bad_alloc")) reason = "it asks for more memory than the importer gets";
+    size_t length = strlen(reason);
+    while (length > 0 && strchr(" .\r\n", reason[length - 1]))
+        length--;
+    return error_set(err, "%s: %.*s", path, (int)length, reason);
+}
+
+static const struct aiScene *import_file(const char *path, const struct whole_file *file, struct error *err)
+{
+    char dropped = false;
+    struct aiLogStream log = {.callback = watch_log, .user = &dropped};
+    const struct model_io_instead instead = {path, file->bytes, file->size_b};
+    struct aiFileIO io = model_io(&instead);
+    struct aiPropertyStore *settings = aiCreatePropertyStore();
+    /* Else a file without a mesh would get one made up from its skeleton. */
+    aiSetImportPropertyInteger(settings, AI_CONFIG_IMPORT_NO_SKELETON_MESHES, 1);
+    aiAttachLogStream(&log);
+    const struct aiScene *scene = aiImportFileExWithProperties(path, 0, &io, settings);
+    aiDetachLogStream(&log);
+    aiReleasePropertyStore(settings);
+    if (scene && !dropped) return scene;
+    aiReleaseImport(scene);
+    if (companions_refused(err)) return NULL;
+    if (dropped)
+        error_set(err, "%s: vertex indices of some faces are out of range", path);
+    else
+        refuse(path, err);
+    return NULL;
+}
+
+bool import_model(const char *path, struct model *model, struct error *err)
+{
+    *model = (struct model){0};
+    if (!model_io_check(path, err) || !model_is_whole(path, err)) return false;
+    struct import import = {.path = path, .model = model, .err = err};
+    companions_begin(path);
+    if (!vertex_numbers_make(path, &import.numbers, err)) return false;
+    import.scene = import_file(path, &import.numbers.file, err);
+    bool ok = import.scene && read_scene(&import) && !companions_refused(err);
+    if (ok) float_step_note(model, import.step_m);
+    free(import.movers);
+    node_transforms_free(&import.transforms);
+    aiReleaseImport(import.scene);
+    vertex_numbers_free(&import.numbers);
+    if (!ok) model_free(model);
+    return ok;
+}

@@ -1,0 +1,26 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * How the importer library reads files: whole, into memory. */
+#ifndef SIM_MODEL_IO_H
+#define SIM_MODEL_IO_H
+
+#include "base/error.h"
+
+#include <assimp/cfileio.h>
+
+enum { MODEL_FILE_MOST_B = 256 << 20 };
+
+/* Refuses what is no model file by its looks: missing, a folder, empty, a pipe, or larger than 256 MB. */
+bool model_io_check(const char *path, struct error *err);
+
+/* What the library gets when it asks for one of the files: vertex_numbers.h. */
+struct model_io_instead {
+    const char *path;
+    const char *bytes; /* NULL: the file itself */
+    size_t size_b;
+};
+
+/* For aiImportFileEx(). `instead` must outlive the import. */
+struct aiFileIO model_io(const struct model_io_instead *instead);
+
+#endif

@@ -1,0 +1,231 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Transparent parts are read as opaque, in whatever colour the file gives to them; that there are some is known. */
+#include "readers/picture.h"
+
+#include "pictures/picture_size.h"
+#include "readers/companion.h"
+
+#include <assimp/material.h>
+#include <errno.h>
+#include <gd.h>
+#include <gd_errors.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { LARGEST_FILE_B = 64 << 20 };
+
+/* libgd's messages: of a truncated JPEG it makes a picture that is grey below, and says no more than that. */
+static bool is_truncated;
+
+static void take_message(int priority, const char *format, va_list arguments)
+{
+    char text[256];
+    (void)priority;
+    vsnprintf(text, sizeof text, format, arguments);
+    is_truncated |= strstr(text, "Premature end") != NULL;
+}
+
+static gdImagePtr read_jpeg(int size_b, void *bytes)
+{
+    is_truncated = false;
+    gdImagePtr image = gdImageCreateFromJpegPtrEx(size_b, bytes, 0); /* 0: with messages */
+    if (!image || !is_truncated) return image;
+    gdImageDestroy(image);
+    return NULL;
+}
+
+static const struct {
+    const char *magic;
+    gdImagePtr (*read)(int size_b, void *bytes);
+} FORMATS[] = {{"\x89PNG", gdImageCreateFromPngPtr},
+               {"\xFF\xD8\xFF", read_jpeg},
+               {"GIF8", gdImageCreateFromGifPtr},
+               {"BM", gdImageCreateFromBmpPtr}};
+
+static void refuse(struct picture *picture, const char *reason)
+{
+    snprintf(picture->reason, sizeof picture->reason, "%s", reason);
+}
+
+/* What is too large is refused: to draw on without it would hide that. */
+static void refuse_import(struct picture *picture, const char *reason)
+{
+    struct error err;
+    error_set(&err, "texture %s: %s", picture->name, reason);
+    companions_refuse(&err);
+    refuse(picture, "refused");
+}
+
+static bool has_alpha(gdImagePtr image)
+{
+    const int transparent = gdImageTrueColor(image) ? gdImageGetTransparent(image) : -1;
+    for (int y = 0; y < gdImageSY(image); y++) {
+        for (int x = 0; x < gdImageSX(image); x++) {
+            const int colour = gdImageGetTrueColorPixel(image, x, y);
+            if (gdTrueColorGetAlpha(colour) != gdAlphaOpaque || colour == transparent) return true;
+        }
+    }
+    return false;
+}
+
+/* Takes the image, shrinks it to the largest size that any scene can have. */
+static void take(struct picture *picture, gdImagePtr image)
+{
+    const int w_px = gdImageSX(image), h_px = gdImageSY(image);
+    const int most_px = TEXTURE_SIDE_MAX_PX;
+    picture->found_w_px = (uint32_t)w_px;
+    picture->found_h_px = (uint32_t)h_px;
+    picture->has_alpha |= has_alpha(image);
+    const int to_w_px = w_px < most_px ? w_px : most_px, to_h_px = h_px < most_px ? h_px : most_px;
+    gdImagePtr small = gdImageCreateTrueColor(to_w_px, to_h_px);
+    picture->pixels = small ? calloc((size_t)to_w_px * (size_t)to_h_px, sizeof *picture->pixels) : NULL;
+    if (picture->pixels) {
+        gdImageAlphaBlending(small, gdEffectReplace);
+        if (to_w_px == w_px && to_h_px == h_px)
+            gdImageCopy(small, image, 0, 0, 0, 0, w_px, h_px);
+        else
+            gdImageCopyResampled(small, image, 0, 0, 0, 0, to_w_px, to_h_px, w_px, h_px);
+        picture->w_px = (uint32_t)to_w_px;
+        picture->h_px = (uint32_t)to_h_px;
+        for (int y = 0; y < to_h_px; y++)
+            for (int x = 0; x < to_w_px; x++)
+                picture->pixels[y * to_w_px + x] = (uint32_t)small->tpixels[y][x] & 0xFFFFFF;
+    } else {
+        refuse(picture, "out of memory");
+    }
+    if (small) gdImageDestroy(small);
+    gdImageDestroy(image);
+}
+
+static void read_bytes(struct picture *picture, void *bytes, size_t size_b)
+{
+    for (size_t i = 0; i < sizeof FORMATS / sizeof *FORMATS; i++) {
+        const size_t magic_b = strlen(FORMATS[i].magic);
+        if (size_b < magic_b || memcmp(bytes, FORMATS[i].magic, magic_b) != 0) continue;
+        char reason[TEXTURE_NAME_B];
+        if (!picture_size_check(bytes, size_b, reason, sizeof reason)) {
+            (strstr(reason, "damaged") ? refuse : refuse_import)(picture, reason);
+            return;
+        }
+        gdSetErrorMethod(take_message);
+        gdImagePtr image = FORMATS[i].read((int)size_b, bytes);
+        gdClearErrorMethod();
+        if (image)
+            take(picture, image);
+        else
+            refuse(picture, "damaged, or too large to be read");
+        return;
+    }
+    refuse(picture, size_b ? "neither PNG nor JPEG, GIF or BMP" : "the file is empty");
+}
+
+static void read_stream(struct picture *picture, FILE *file, size_t size_b)
+{
+    char *bytes = malloc(size_b + 1);
+    const size_t got_b = bytes ? fread(bytes, 1, size_b, file) : 0;
+    if (!bytes)
+        refuse(picture, "out of memory");
+    else if (ferror(file))
+        refuse(picture, "it cannot be read");
+    else
+        read_bytes(picture, bytes, got_b);
+    free(bytes);
+}
+
+/* Models often come without their pictures: that is no reason to refuse them. */
+static void read_file(struct picture *picture, const char *name)
+{
+    struct error err;
+    size_t size_b = 0;
+    FILE *file = companion_open(name, LARGEST_FILE_B, &size_b, &err);
+    if (!file && (errno == ENOENT || errno == ENOTDIR))
+        refuse(picture, "there is no such file");
+    else if (!file && errno == EISDIR)
+        refuse(picture, "it is a folder");
+    else if (!file && errno == ENAMETOOLONG)
+        refuse(picture, "its path is too long");
+    else if (!file)
+        refuse_import(picture, err.text);
+    if (!file) return;
+    read_stream(picture, file, size_b);
+    fclose(file);
+}
+
+/* Uncompressed: texels of four bytes. */
+static void read_raw(struct picture *picture, const struct aiTexture *texture)
+{
+    if (texture->mWidth == 0 || texture->mHeight > PICTURE_MOST_PX / texture->mWidth) {
+        if (texture->mWidth)
+            refuse_import(picture, "too many pixels");
+        else
+            refuse(picture, "it has no pixels");
+        return;
+    }
+    gdImagePtr image = gdImageCreateTrueColor((int)texture->mWidth, (int)texture->mHeight);
+    const struct aiTexel *texel = texture->pcData;
+    for (unsigned y = 0; image && y < texture->mHeight; y++)
+        for (unsigned x = 0; x < texture->mWidth; x++, texel++) {
+            image->tpixels[y][x] = texel->r << 16 | texel->g << 8 | texel->b;
+            picture->has_alpha |= texel->a < 255;
+        }
+    if (image)
+        take(picture, image);
+    else
+        refuse(picture, "out of memory");
+}
+
+/* "*3" is the fourth one inside the model; others go by name. */
+static const struct aiTexture *embedded(const struct aiScene *scene, const char *name)
+{
+    if (name[0] == '*') {
+        const unsigned long index = strtoul(name + 1, NULL, 10);
+        return index < scene->mNumTextures ? scene->mTextures[index] : NULL;
+    }
+    for (unsigned i = 0; i < scene->mNumTextures; i++)
+        if (strcmp(scene->mTextures[i]->mFilename.data, name) == 0) return scene->mTextures[i];
+    return NULL;
+}
+
+void picture_read(const struct aiScene *scene, const char *name, struct picture *out)
+{
+    const struct aiTexture *texture = embedded(scene, name);
+    memset(out, 0, sizeof *out);
+    snprintf(out->name, sizeof out->name, "%s", name);
+    if (texture && texture->mHeight)
+        read_raw(out, texture);
+    else if (texture)
+        read_bytes(out, texture->pcData, texture->mWidth);
+    else if (name[0] == '*')
+        refuse(out, "the model holds no such picture");
+    else
+        read_file(out, name);
+}
+
+void picture_free(struct picture *picture)
+{
+    free(picture->pixels);
+    picture->pixels = NULL;
+}
+
+bool picture_mask_of(const struct aiMaterial *material, struct aiString *name)
+{
+    return aiGetMaterialTexture(material, aiTextureType_OPACITY, 0, name, NULL, NULL, NULL, NULL, NULL, NULL) ==
+               aiReturn_SUCCESS &&
+           name->length > 0;
+}
+
+bool picture_name_of(const struct aiMaterial *material, struct aiString *name, unsigned *uv_set)
+{
+    static const enum aiTextureType types[] = {aiTextureType_BASE_COLOR, aiTextureType_DIFFUSE};
+    for (size_t i = 0; i < sizeof types / sizeof *types; i++) {
+        *uv_set = 0;
+        if (aiGetMaterialTexture(material, types[i], 0, name, NULL, uv_set, NULL, NULL, NULL, NULL) ==
+                aiReturn_SUCCESS &&
+            name->length > 0)
+            return true;
+    }
+    return false;
+}

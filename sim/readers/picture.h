@@ -1,0 +1,23 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * The pictures that an importer's materials name: read by libgd from files beside the model, or out of the
+ * model itself. Runs in the importer's child process, because pictures may be as damaged as models. */
+#ifndef SIM_PICTURE_H
+#define SIM_PICTURE_H
+
+#include "model/texture.h"
+
+#include <assimp/scene.h>
+
+/* PNG, JPEG, GIF or BMP, as the bytes themselves say. What cannot be read has a reason and no
+ * pixels; what may not be read ends the import (companion.h). */
+void picture_read(const struct aiScene *scene, const char *name, struct picture *out);
+void picture_free(struct picture *picture);
+
+/* The texture of a material's colour, and which set of coordinates goes with it. false: it has none. */
+bool picture_name_of(const struct aiMaterial *material, struct aiString *name, unsigned *uv_set);
+
+/* The texture of its opacity alone: map_d of MTL. false: it has none. */
+bool picture_mask_of(const struct aiMaterial *material, struct aiString *name);
+
+#endif

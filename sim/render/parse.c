@@ -1,0 +1,98 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Form and range of option values; nothing here knows a scene. */
+#include "render/parse.h"
+
+#include "compiler/encode.h"
+
+#include <errno.h>
+#include <inttypes.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { COLOUR_DIGITS = 6 };
+
+bool parse_number(const char *option, const char *text, double *out, struct error *err)
+{
+    char *end;
+    errno = 0;
+    *out = strtod(text, &end);
+    return (end != text && *end == '\0' && errno == 0) || error_set(err, "%s %s: not a number", option, text);
+}
+
+bool parse_whole(const char *option, const char *text, uint32_t least, uint32_t most, uint32_t *out, struct error *err)
+{
+    double number;
+    if (!parse_number(option, text, &number, err)) return false;
+    if (!(number >= least && number <= most) || number != (uint32_t)number)
+        return error_set(err, "%s %s: must be a whole number from %" PRIu32 " to %" PRIu32, option, text, least, most);
+    *out = (uint32_t)number;
+    return true;
+}
+
+/* Six hexadecimal digits, then `stop`. */
+static bool parse_colour(const char *text, char stop, uint16_t *rgb565)
+{
+    if (strspn(text, "0123456789abcdefABCDEF") != COLOUR_DIGITS || text[COLOUR_DIGITS] != stop) return false;
+    *rgb565 = rgb565_from_rgb888((uint32_t)strtoul(text, NULL, 16));
+    return true;
+}
+
+bool parse_wireframe(const char *text, struct lim_wireframe *out, struct error *err)
+{
+    *out = (struct lim_wireframe){.on = true, .one_colour = text != NULL};
+    return !text ||
+           (parse_colour(text, ',', &out->colour) && parse_colour(text + COLOUR_DIGITS + 1, '\0', &out->background)) ||
+           error_set(err, "--wireframe=%s: must be two colours, the line's and the background's: RRGGBB,RRGGBB", text);
+}
+
+/* Digits up to `stop`; 0 if there are none or too many. */
+static unsigned parse_side(const char **at, char stop)
+{
+    unsigned side_px = 0;
+    while (**at >= '0' && **at <= '9') {
+        if (side_px <= PARSE_SIDE_MAX_PX) side_px = side_px * 10 + (unsigned)(**at - '0');
+        ++*at;
+    }
+    return **at == stop && side_px <= PARSE_SIDE_MAX_PX ? side_px : 0;
+}
+
+bool parse_size(const char *text, unsigned *w_px, unsigned *h_px, struct error *err)
+{
+    const char *at = text;
+    *w_px = parse_side(&at, 'x');
+    if (*w_px) {
+        at++;
+        *h_px = parse_side(&at, '\0');
+    }
+    return (*w_px && *h_px) ||
+           error_set(err, "--size %s: must be WxH, each from 1 to %d pixels", text, PARSE_SIDE_MAX_PX);
+}
+
+bool parse_precision(const char *text, const struct core **core, struct error *err)
+{
+    *core = core_find(text);
+    return *core || error_set(err, "--precision %s: no such profile; there are draft, fast, fine and exact", text);
+}
+
+bool parse_bound(const char *option, const char *text, const char *unit, double *out, struct error *err)
+{
+    char *end;
+    errno = 0;
+    *out = strtod(text, &end);
+    if (end == text || errno || (*end && strcmp(end, unit) != 0))
+        return error_set(err, "%s %s: not a number of %s", option, text, unit);
+    return *out > 0.0 || error_set(err, "%s %s: must be above 0", option, text);
+}
+
+bool parse_near(const char *text, double *near_m, struct error *err)
+{
+    return parse_number("--near", text, near_m, err) &&
+           (*near_m > 0.0 || error_set(err, "--near %s: the near plane must lie in front of the eye", text));
+}
+
+bool parse_tolerance(const char *text, double *units, struct error *err)
+{
+    if (!parse_number("--tolerance", text, units, err)) return false;
+    return (*units >= 0.0 && *units <= 1024.0) || error_set(err, "--tolerance %s: must be 0 to 1024 units", text);
+}

@@ -1,0 +1,309 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * A scene as C: const arrays for flash in NAME.c. */
+#include "base/c_name.h"
+#include "fill.h"
+#include "scene/scene_files.h"
+
+#include <stdio.h>
+
+enum { NUMBERS_A_LINE = 16 };
+
+static void begin_array(FILE *file, const struct c_name *prefix, const char *type, const char *name, unsigned count)
+{
+    fprintf(file, "\nstatic const LIM_FLASH %s %s_%s[%u] = {", type, prefix->symbol, name, count);
+}
+
+static void end_array(FILE *file)
+{
+    fputs("\n};\n", file);
+}
+
+/* NONE, and the macros that stand for numbers of a width, are what the firmware's width makes of them. */
+static void write_index(FILE *file, lim_index index)
+{
+    if (index == LIM_NO_INDEX)
+        fputs(", NONE", file);
+    else
+        fprintf(file, ", %lu", (unsigned long)index);
+}
+
+static void write_plane_index(FILE *file, lim_index plane)
+{
+    if (plane == LIM_NO_INDEX)
+        fputs("NONE, ", file);
+    else if (plane >= LIM_PLANE_X)
+        fprintf(file, "LIM_PLANE_%c, ", "XYZ"[plane - LIM_PLANE_X]);
+    else
+        fprintf(file, "AT(%lu), ", (unsigned long)(plane / LIM_PLANE_WORDS));
+}
+
+static void write_vertices(FILE *file, const struct lim_scene *scene, const struct c_name *prefix)
+{
+    begin_array(file, prefix, "struct lim_vertex", "vertices", scene->vertex_count);
+    for (size_t i = 0; i < scene->vertex_count; i++) {
+        const struct lim_vertex *vertex = &scene->vertices[i];
+        fprintf(file, "%s{%d, %d, %d},", i % 4 ? " " : "\n    ", vertex->x, vertex->y, vertex->z);
+    }
+    end_array(file);
+}
+
+static void write_fractions(FILE *file, const struct lim_scene *scene, const struct c_name *prefix)
+{
+    begin_array(file, prefix, "struct lim_fraction", "fractions", scene->vertex_count);
+    for (size_t i = 0; i < scene->vertex_count; i++) {
+        const struct lim_fraction *fraction = &scene->fractions[i];
+        fprintf(file, "%s{%d, %d, %d},", i % 4 ? " " : "\n    ", fraction->x_q8, fraction->y_q8, fraction->z_q8);
+    }
+    end_array(file);
+}
+
+static void write_nodes(FILE *file, const struct lim_scene *scene, const struct c_name *prefix)
+{
+    begin_array(file, prefix, "struct lim_node", "nodes", scene->node_count);
+    for (size_t i = 0; i < scene->node_count; i++) {
+        const struct lim_node *node = &scene->nodes[i];
+        fprintf(file, "%s{{", i % 2 ? " " : "\n    ");
+        write_plane_index(file, node->split.plane);
+        fprintf(file, "%d}", (int)node->split.offset);
+        write_index(file, node->front);
+        write_index(file, node->back);
+        write_index(file, node->front_run);
+        write_index(file, node->back_run);
+        write_index(file, node->box);
+        fputs("},", file);
+    }
+    end_array(file);
+}
+
+static void write_planes(FILE *file, const struct lim_scene *scene, const struct c_name *prefix)
+{
+    begin_array(file, prefix, "struct lim_plane", "planes", scene->plane_count);
+    for (size_t i = 0; i < scene->plane_count; i++) {
+        const struct lim_plane *plane = &scene->planes[i];
+        fprintf(file, "%sLIM_PLANE(%d, %d, %d", i % 2 ? " " : "\n    ", lim_plane_x(plane), lim_plane_y(plane),
+                lim_plane_z(plane));
+        write_index(file, lim_plane_exact(plane));
+        fprintf(file, ", %ld),", (long)lim_plane_d(plane));
+    }
+    end_array(file);
+}
+
+static void write_exact(FILE *file, const struct lim_scene *scene, const struct c_name *prefix)
+{
+    begin_array(file, prefix, "struct lim_plane_exact", "exact", scene->exact_count);
+    for (size_t i = 0; i < scene->exact_count; i++) {
+        const struct lim_plane_exact *exact = &scene->exact[i];
+        fprintf(file, "\n    {{%ld, %ld, %ld}, %ld, %luu},", (long)exact->n[0], (long)exact->n[1], (long)exact->n[2],
+                (long)exact->d_hi, (unsigned long)exact->d_lo);
+    }
+    end_array(file);
+}
+
+static void write_boxes(FILE *file, const struct lim_scene *scene, const struct c_name *prefix)
+{
+    begin_array(file, prefix, "struct lim_box", "boxes", scene->box_count);
+    for (size_t i = 0; i < scene->box_count; i++) {
+        const struct lim_box *box = &scene->boxes[i];
+        fprintf(file, "%s{{%d, %d, %d}, {%u, %u, %u}},", i % 2 ? " " : "\n    ", box->centre[0], box->centre[1],
+                box->centre[2], (unsigned)box->half[0], (unsigned)box->half[1], (unsigned)box->half[2]);
+    }
+    end_array(file);
+}
+
+static void write_places(FILE *file, const struct lim_scene *scene, const struct c_name *prefix)
+{
+    begin_array(file, prefix, "struct lim_place", "places", scene->place_count);
+    for (size_t i = 0; i < scene->place_count; i++)
+        fprintf(file, "%s{%u, %u},", i % 8 ? " " : "\n    ", (unsigned)scene->places[i].cell,
+                (unsigned)scene->places[i].sight);
+    end_array(file);
+    begin_array(file, prefix, "uint8_t", "sights", scene->sight_bytes);
+    for (size_t i = 0; i < scene->sight_bytes; i++)
+        fprintf(file, "%s%u,", i % NUMBERS_A_LINE ? " " : "\n    ", (unsigned)scene->sights[i]);
+    end_array(file);
+}
+
+/* In a leaf a record names its plane. */
+static void write_record(FILE *file, const lim_index *record)
+{
+    const size_t plane_at =
+        record[0] & LIM_POLYGON_PLANE ? LIM_POLYGON_HEAD_WORDS + (record[0] & LIM_POLYGON_COUNT) : 0;
+    fputs("\n   ", file);
+    for (size_t i = 0; i < lim_record_words(record[0]); i++) {
+        fputc(' ', file);
+        if (i && i == plane_at) {
+            write_plane_index(file, record[i++]);
+            fprintf(file, "(lim_index)%ld,", (long)(lim_offset)record[i]);
+        } else
+            fprintf(file, "%lu,", (unsigned long)record[i]);
+    }
+}
+
+static void write_polygons(FILE *file, const struct lim_scene *scene, const struct c_name *prefix)
+{
+    begin_array(file, prefix, "lim_index", "polygons", scene->polygon_words);
+    for (size_t i = 0; i < scene->polygon_words; i += lim_record_words(scene->polygons[i]))
+        write_record(file, &scene->polygons[i]);
+    end_array(file);
+}
+
+static void write_mappings(FILE *file, const struct lim_scene *scene, const struct c_name *prefix)
+{
+    begin_array(file, prefix, "struct lim_mapping", "mappings", scene->mapping_count);
+    for (size_t i = 0; i < scene->mapping_count; i++) {
+        const struct lim_mapping *m = &scene->mappings[i];
+        fprintf(file, "\n    {{%d, %d, %d}, {{%d, %d, %d}, {%d, %d, %d}}, %d, {%u, %u}, 0, %ld, {%ld, %ld}},", m->n[0],
+                m->n[1], m->n[2], m->uv[0][0], m->uv[0][1], m->uv[0][2], m->uv[1][0], m->uv[1][1], m->uv[1][2],
+                m->level_q4, m->bits[0], m->bits[1], (long)m->d, (long)m->at_zero_q16[0], (long)m->at_zero_q16[1]);
+    }
+    end_array(file);
+}
+
+static void write_looks(FILE *file, const struct lim_scene *scene, const struct c_name *prefix)
+{
+    begin_array(file, prefix, "struct lim_texture", "textures", scene->texture_count);
+    for (size_t i = 0; i < scene->texture_count; i++) {
+        const struct lim_texture *texture = &scene->textures[i];
+        fprintf(file, "%s{%u, %u, %u, %u, %u, 0},", i % 4 ? " " : "\n    ", (unsigned)texture->texels,
+                (unsigned)texture->palette, texture->w_bits, texture->h_bits, texture->levels);
+    }
+    end_array(file);
+}
+
+/* Numbers, which the macro turns into what memory holds. */
+static void write_palettes(FILE *file, const struct lim_scene *scene, const struct c_name *prefix)
+{
+    begin_array(file, prefix, "uint16_t", "palettes", scene->palette_colours);
+    for (size_t i = 0; i < scene->palette_colours; i++)
+        fprintf(file, "%sLIM_MEMORY_COLOUR(%u),", i % 4 ? " " : "\n    ", lim_memory_colour(scene->palettes[i]));
+    end_array(file);
+}
+
+static void write_texels(FILE *file, const struct lim_scene *scene, const struct c_name *prefix)
+{
+    const unsigned count = scene->texel_blocks * (unsigned)LIM_TEXEL_BLOCK;
+    begin_array(file, prefix, "uint8_t", "texels", count);
+    for (size_t i = 0; i < count; i++)
+        fprintf(file, "%s%u,", i % NUMBERS_A_LINE ? " " : "\n    ", scene->texels[i]);
+    end_array(file);
+}
+
+static void write_textures(FILE *file, const struct lim_scene *scene, const struct c_name *prefix)
+{
+    write_mappings(file, scene, prefix);
+    write_looks(file, scene, prefix);
+    write_palettes(file, scene, prefix);
+    write_texels(file, scene, prefix);
+}
+
+/* C has no arrays of no elements: what is empty is left out, here and where it is written. */
+static void write_pointer(FILE *file, const struct c_name *prefix, const char *field, unsigned count)
+{
+    if (count) fprintf(file, "    .%s = %s_%s,\n", field, prefix->symbol, field);
+}
+
+static void write_texture_fields(FILE *file, const struct lim_scene *scene, const struct c_name *prefix)
+{
+    if (!scene->texture_count) return;
+    write_pointer(file, prefix, "mappings", scene->mapping_count);
+    write_pointer(file, prefix, "textures", scene->texture_count);
+    write_pointer(file, prefix, "palettes", scene->palette_colours);
+    write_pointer(file, prefix, "texels", scene->texel_blocks);
+    fprintf(file,
+            "    .mapping_count = %u,\n    .texture_count = %u,\n    .palette_colours = %u,\n    .texel_blocks = %u,\n",
+            (unsigned)scene->mapping_count, (unsigned)scene->texture_count, (unsigned)scene->palette_colours,
+            (unsigned)scene->texel_blocks);
+}
+
+/* A build may do without. */
+static void write_portals(FILE *file, const struct lim_scene *scene, const struct c_name *prefix)
+{
+    fputs("#if LIM_HAS_PORTALS\n", file);
+    write_pointer(file, prefix, "places", scene->place_count);
+    write_pointer(file, prefix, "sights", scene->sight_bytes);
+    fprintf(file, "    .place_count = %u,\n    .sight_bytes = %u,\n#endif\n", (unsigned)scene->place_count,
+            (unsigned)scene->sight_bytes);
+}
+
+static void write_scene(FILE *file, const struct lim_scene *scene, const struct c_name *prefix)
+{
+    const struct lim_limits *limits = &scene->limits;
+    fprintf(file, "\nconst struct lim_scene %s_scene = {\n", prefix->symbol);
+    write_pointer(file, prefix, "vertices", scene->vertex_count);
+    write_pointer(file, prefix, "nodes", scene->node_count);
+    write_pointer(file, prefix, "planes", scene->plane_count);
+    write_pointer(file, prefix, "exact", scene->exact_count);
+    write_pointer(file, prefix, "boxes", scene->box_count);
+    write_pointer(file, prefix, "polygons", scene->polygon_words);
+    write_pointer(file, prefix, "fractions", scene->fractions ? scene->vertex_count : 0);
+    if (scene->place_count) write_portals(file, scene, prefix);
+    fprintf(file, "    .vertex_count = %u,\n    .node_count = %u,\n    .plane_count = %u,\n    .exact_count = %u,\n",
+            (unsigned)scene->vertex_count, (unsigned)scene->node_count, (unsigned)scene->plane_count,
+            (unsigned)scene->exact_count);
+    fprintf(file, "    .box_count = %u,\n    .polygon_words = %u,\n    .polygon_count = %u,\n    .background = %u,\n",
+            (unsigned)scene->box_count, (unsigned)scene->polygon_words, (unsigned)scene->polygon_count,
+            (unsigned)scene->background);
+    write_texture_fields(file, scene, prefix);
+    fprintf(file,
+            "    .limits = {.depth = %u, .vertices = %u, .retained_cells = %u, .gaps = %u, .active = %u,\n"
+            "               .pieces = %u, .layers = %u},\n};\n",
+            (unsigned)limits->depth, (unsigned)limits->vertices, (unsigned)limits->retained_cells,
+            (unsigned)limits->gaps, (unsigned)limits->active, (unsigned)limits->pieces, (unsigned)limits->layers);
+}
+
+static void write_source(FILE *file, const struct compiled *scene, const struct c_name *prefix,
+                         const struct c_name *header)
+{
+    const struct lim_scene *arrays = &scene->scene;
+    fprintf(file, "/* The arrays of %s, declared in %s.h; written by `limner compile`. */\n", prefix->file,
+            header->file);
+    fprintf(file, "#include \"scene.h\"\n\n#include \"%s.h\"\n\n", header->file);
+    fprintf(file, "_Static_assert(LIM_SCENE_VERSION == %d, \"compile this scene again\");\n", LIM_SCENE_VERSION);
+    fputs("#define NONE LIM_NO_INDEX\n#define AT(plane) ((plane)*LIM_PLANE_WORDS)\n", file);
+    write_vertices(file, arrays, prefix);
+    if (arrays->fractions) write_fractions(file, arrays, prefix);
+    write_nodes(file, arrays, prefix);
+    if (arrays->plane_count) write_planes(file, arrays, prefix);
+    if (arrays->exact_count) write_exact(file, arrays, prefix);
+    if (arrays->box_count) write_boxes(file, arrays, prefix);
+    write_polygons(file, arrays, prefix);
+    if (arrays->texture_count) write_textures(file, arrays, prefix);
+    if (arrays->place_count) {
+        fputs("\n#if LIM_HAS_PORTALS", file);
+        write_places(file, arrays, prefix);
+        fputs("#endif\n", file);
+    }
+    write_scene(file, arrays, prefix);
+}
+
+/* Files -------------------------------------------------------------------------------------- */
+
+bool c_source_put(const struct named_scene *scene, const char *header, struct outputs *outputs, struct error *err)
+{
+    char path[C_PATH_MAX_B];
+    struct c_name name, header_name;
+    if (!c_path(path, scene->name, ".c", err) || !c_name_init(&name, scene->name, err) ||
+        !c_name_init(&header_name, header, err))
+        return false;
+    FILE *file = outputs_open(outputs, path, err);
+    if (!file) return false;
+    write_source(file, scene->scene, &name, &header_name);
+    return outputs_close(file, path, err);
+}
+
+bool c_source_write(const struct compiled *scene, const char *name, struct error *err)
+{
+    const struct named_scene named = {scene, name, scene->moving};
+    struct outputs outputs = {0};
+    bool ok = c_header_put(&named, 1, name, &outputs, err) && c_source_put(&named, name, &outputs, err) &&
+              (!named.moving || c_movers_put(&named, name, &outputs, err));
+    return scene_files_finish(&outputs, ok, err);
+}
+
+bool scene_files_finish(struct outputs *outputs, bool ok, struct error *err)
+{
+    if (ok) return outputs_keep(outputs, err);
+    outputs_discard(outputs);
+    return false;
+}

@@ -1,0 +1,156 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * A compiled scene on the host: what flash would hold, and what only the host wants to know. Made
+ * by compile_mesh() or read from a .lim file; written as .lim or as C source. firmware/SCENE.md. */
+#ifndef SIM_COMPILED_H
+#define SIM_COMPILED_H
+
+#include "base/error.h"
+#include "model/mesh.h"
+#include "render/core.h"
+#include "scene.h"
+#include "scene/method.h"
+#include "scene/plane.h"
+
+/* When to try what other trees cost (tree_choice.h); where none is tried it is the BSP tree. */
+enum tree_trial { TRIAL_NEVER, TRIAL_IF_SPLIT, TRIAL_ALWAYS };
+
+enum portals_wanted { PORTALS_OFF, PORTALS_AUTO, PORTALS_ON };
+
+struct compile_options {
+    double tolerance_units;      /* a polygon this near to a plane lies on it; 0.5 by default, 0 = exact */
+    const struct method *method; /* how it is to be drawn; NULL: convex for one convex solid, else nearest first */
+    bool choose_order;           /* where that is NULL: or by scan lines, if that is predicted to be cheaper */
+    enum tree_kind tree;         /* TREE_AUTO by default */
+    enum tree_trial trial;       /* of other trees, where it is TREE_AUTO */
+    const char *splitter;        /* heuristic of the tree builder: splitter.h's names */
+    bool keep_faces;             /* do not merge: every face keeps its own number in --ids */
+    const struct core *core;     /* precision profile of the prediction and of NAME.h; NULL: fast */
+    unsigned w_px, h_px;         /* the panel that pool sizes are measured for; 0: 240 */
+    bool unlit;                  /* colours stay as they are in the model: no light is baked in */
+    bool antialias;              /* for drawing with antialiased edges: pools are measured so */
+    bool delta;                  /* for sending what changes alone: its memory is measured */
+    bool round;                  /* for round glass, too */
+    bool frame;                  /* for targets that keep the whole picture in pixels of their own */
+    bool framebuffer;            /* for targets with all pixels in memory */
+    bool wireframe;              /* for drawing as wireframe: edges that are not the model's are known */
+    enum portals_wanted portals; /* whether to store what is seen from where; AUTO: if it pays */
+    double near_m;               /* of the cameras that it is for; 0: lens_default_near_m() */
+    double forced_near_m; /* of what moves: how near the scene's cameras may have their near plane, if no nearer */
+    bool drop_small;      /* leave out what is too small for the grid, instead of refusing the model */
+    bool predict;         /* measure the wrong-pixel share for the report: takes a second or so */
+};
+
+/* What portals would spare, or do. */
+struct portal_report {
+    bool tried, kept;
+    char refused[96];                       /* why not tried; empty: not asked for */
+    size_t zones, sights, bytes;            /* rooms, different sights, flash that they take */
+    double mean_polygons;                   /* that a sight shows, from anywhere in closed cells */
+    size_t cameras, different;              /* sampled pictures; those that differ with portals: none may */
+    size_t polygons_before, polygons_after; /* reached in all of them */
+    size_t vertices_before, vertices_after;
+};
+
+/* What another tree than the BSP tree was weighed against. */
+struct tree_choice {
+    /* UNKNOWN: nothing is predicted; LONG: there are too many polygons to try unasked; NEEDLESS: the BSP tree splits
+     * too little to look on */
+    enum { CHOICE_NONE, CHOICE_UNKNOWN, CHOICE_LONG, CHOICE_NEEDLESS, CHOICE_MADE } kind;
+    double bsp_instructions;
+    size_t bsp_flash_b;
+};
+
+/* What drawing by scan lines was weighed against (order_choice.h). */
+struct order_choice {
+    bool tried;
+    double nearest_instructions, scanline_most; /* beyond which scan lines are not taken */
+    size_t nearest_mem_b;                       /* working memory on a 32-bit MCU */
+};
+
+/* The share of pixels that show another face than the source does. */
+struct predicted {
+    double percent;               /* of all cameras */
+    double near_percent;          /* of those near faces of all sizes */
+    size_t cameras, near_cameras; /* how many of each */
+};
+
+struct compile_report {
+    struct mesh_counts mesh;
+    size_t polygons_in, polygons_out; /* before and after splitting */
+    size_t splits;
+    size_t left_out;  /* faces that options.drop_small left out */
+    size_t collapsed; /* pieces that the grid rounded to nothing */
+    size_t depth;
+    size_t kinds[PLANE_KINDS]; /* nodes by enum plane_kind */
+    size_t leaves;             /* nodes without a plane */
+    enum tree_kind tree;       /* the kind that won */
+    struct tree_choice choice;
+    double worst_violation_units; /* certified: how far any vertex lies on the wrong side */
+    char splitter[16];            /* the heuristic that won */
+    bool antialias;               /* firmware can draw it with antialiased edges */
+    bool wireframe;               /* firmware can draw it as wireframe */
+    uint16_t delta_runs;          /* firmware can send what changes alone, which takes so many runs; 0: it cannot */
+    bool round;                   /* firmware leaves out what round glass does not show */
+    bool frame;                   /* firmware fills a picture that its target keeps */
+    bool framebuffer;             /* firmware paints into a framebuffer */
+    bool convex;                  /* one convex solid */
+    enum lim_method draws;        /* what firmware draws it with */
+    unsigned w_px, h_px;          /* of the panel that the pools were measured for */
+    size_t few_cameras;           /* that was done on so many cameras alone, as sorting takes long; 0: on all */
+    const struct core *core;      /* the precision profile asked for */
+    double near_m;                /* options.near_m */
+    struct predicted wrong;       /* on sampled cameras; only if options.predict, else .percent is NaN */
+    double instructions; /* of a frame on a Cortex-M0+, predicted (frame_cost.h); NaN: neither nearest first nor by scan
+                            lines, or not opaque and flat */
+    struct order_choice order;
+    struct note *notes; /* on textures, for people; owned */
+    size_t note_count;
+    struct portal_report portals;
+    size_t flash_b; /* bytes of all arrays and the struct lim_scene on a 32-bit MCU */
+};
+
+struct moving;
+struct original;
+
+struct compiled {
+    struct lim_scene scene; /* its pointers lead into `image` */
+    struct moving *moving;  /* what moves in it, owned; NULL: nothing, or it is kept elsewhere */
+    struct grid grid;
+    uint32_t *faces;           /* polygon_count entries: face number (1-based) of each record, in order */
+    struct original *original; /* the model's faces, shared; NULL: not known, as of a .lim file */
+    void *image;               /* the .lim file's bytes, owned */
+    size_t image_b;
+    struct compile_report report; /* all zero when read from a file */
+};
+
+/* --method: names how to draw and, for some methods, the tree. */
+bool compile_method_parse(const char *text, struct compile_options *out, struct error *err);
+
+/* When all options are known: the method's tree, if none is asked for. An error if the two do not go together. */
+bool compile_options_settle(struct compile_options *options, struct error *err);
+
+/* Builds the exact BSP tree of a mesh (T-vertices already in it) and encodes it. */
+bool compile_mesh(const struct mesh *mesh, const struct compile_options *options, struct compiled *out,
+                  struct error *err);
+
+/* A model that has its light to compiled scene; `grid`: NULL, or the one that it is to have. */
+bool compile_part(const struct model *model, const struct grid *grid, const struct compile_options *options,
+                  struct compiled *out, struct error *err);
+
+/* Model file -> compiled scene, all steps; what is animated stays where the file has it. */
+bool compile_model(const char *path, const struct compile_options *options, struct compiled *out, struct error *err);
+
+/* .lim files: versioned, checksummed, little-endian. A refused file is named with the reason:
+ * missing, truncated, no Limner scene, wrong version, checksum, or an index out of range. */
+bool lim_file_write(const struct compiled *scene, const char *path, struct error *err);
+bool lim_file_read(const char *path, struct compiled *out, struct error *err);
+
+/* NAME.c and NAME.h: const arrays and the configuration for a firmware build. `name` is a path
+ * without suffix; its last part prefixes the C symbols. scene_files.h has more. */
+bool c_source_write(const struct compiled *scene, const char *name, struct error *err);
+
+void compile_report_print(const struct compiled *scene, const char *name);
+void compiled_free(struct compiled *scene);
+
+#endif

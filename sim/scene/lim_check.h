@@ -1,0 +1,18 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Whether a scene keeps every promise of scene.h, so that the firmware, which trusts its flash,
+ * may trust a file. */
+#ifndef SIM_LIM_CHECK_H
+#define SIM_LIM_CHECK_H
+
+#include "base/error.h"
+#include "scene.h"
+
+/* Refuses indices out of range, nodes that are no tree, runs that do not end or overlap, planes
+ * and boxes out of bounds, boxes that do not hold their subtrees, and limits that the scene exceeds. */
+bool lim_check(const struct lim_scene *scene, struct error *err);
+
+/* The part of it that is about textures and mappings. */
+bool lim_check_textures(const struct lim_scene *scene, struct error *err);
+
+#endif

@@ -1,0 +1,223 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Layout of .lim images, and the turning of their bytes on big-endian hosts. The file's structs
+ * are scene.h's, so their sizes and offsets are part of the format and are asserted here. */
+#include "scene/lim_image.h"
+
+#include "base/grow.h"
+#include "compiler/encode.h"
+
+#include <assert.h>
+#include <stdlib.h>
+#include <string.h>
+#include <zlib.h>
+
+/* No text, and damaged by whatever turns line ends: the idea of PNG's signature. */
+const unsigned char lim_file_magic[LIM_FILE_MAGIC_B] = {0x89, 'L', 'I', 'M', '\r', '\n', 0x1A, '\n'};
+
+static_assert(sizeof(struct lim_file_header) == 128, "header");
+static_assert(offsetof(struct lim_file_header, crc32) + 4 == LIM_FILE_CRC_FROM_B, "header");
+static_assert(offsetof(struct lim_file_header, units_per_m) == 24, "header");
+static_assert(offsetof(struct lim_file_header, counts) == 56, "header");
+static_assert(offsetof(struct lim_file_header, limits) == 114, "header");
+static_assert(sizeof(struct lim_vertex) == 6, "vertex");
+static_assert(sizeof(struct lim_fraction) == 3, "fraction");
+static_assert(sizeof(struct lim_node) == 28, "node");
+static_assert(offsetof(struct lim_node, box) == 24, "node");
+static_assert(sizeof(struct lim_plane) == 16, "plane");
+static_assert(offsetof(struct lim_plane, exact) == 12, "plane");
+static_assert(sizeof(struct lim_plane_exact) == 20, "exact plane");
+static_assert(offsetof(struct lim_plane_exact, d_lo) == 16, "exact plane");
+static_assert(sizeof(struct lim_box) == 12, "box");
+static_assert(sizeof(struct lim_mapping) == 36, "mapping");
+static_assert(offsetof(struct lim_mapping, bits) == 20, "mapping");
+static_assert(sizeof(struct lim_texture) == 8, "texture");
+static_assert(sizeof(struct lim_place) == 4, "place");
+static_assert(sizeof(struct lim_limits) == sizeof((struct lim_file_header *)0)->limits, "limits");
+
+/* Element size of each section, and the widths of its fields in bytes, as a repeating pattern. */
+static const struct {
+    size_t size_b;
+    const char *fields;
+} SECTIONS[SECTION_COUNT] = {
+    [SECTION_VERTICES] = {sizeof(struct lim_vertex), "2"},
+    [SECTION_NODES] = {sizeof(struct lim_node), "4"},
+    [SECTION_PLANES] = {sizeof(struct lim_plane), "4"},
+    [SECTION_EXACT] = {sizeof(struct lim_plane_exact), "4"},
+    [SECTION_BOXES] = {sizeof(struct lim_box), "2"},
+    [SECTION_POLYGONS] = {sizeof(lim_index), "4"},
+    [SECTION_FACES] = {sizeof(uint32_t), "4"},
+    [SECTION_FRACTIONS] = {sizeof(struct lim_fraction), "1"},
+    [SECTION_MAPPINGS] = {sizeof(struct lim_mapping), "2222222222112444"},
+    [SECTION_TEXTURES] = {sizeof(struct lim_texture), "221111"},
+    [SECTION_PALETTES] = {sizeof(uint16_t), "1"}, /* as in memory, the same on every host */
+    [SECTION_TEXELS] = {LIM_TEXEL_BLOCK, "1"},
+    [SECTION_PLACES] = {sizeof(struct lim_place), "2"},
+    [SECTION_SIGHTS] = {sizeof(uint8_t), "1"},
+};
+static const char HEADER_FIELDS[] = "11111111"
+                                    "4444"
+                                    "8888"
+                                    "44444444444444"
+                                    "2"
+                                    "2222222";
+
+static uint64_t align_b(uint64_t size_b)
+{
+    return (size_b + LIM_FILE_ALIGN_B - 1) / LIM_FILE_ALIGN_B * LIM_FILE_ALIGN_B;
+}
+
+uint64_t lim_image_section_b(const struct lim_file_header *header, enum lim_section section)
+{
+    uint64_t at_b = sizeof *header;
+    for (int i = 0; i < (int)section; i++)
+        at_b += align_b((uint64_t)header->counts[i] * SECTIONS[i].size_b);
+    return at_b;
+}
+
+uint64_t lim_image_section_end_b(const struct lim_file_header *header, enum lim_section section)
+{
+    return lim_image_section_b(header, section) + (uint64_t)header->counts[section] * SECTIONS[section].size_b;
+}
+
+static void *section_at(void *image, enum lim_section section)
+{
+    return (unsigned char *)image + lim_image_section_b(image, section);
+}
+
+void lim_image_bind(void *image, struct compiled *scene)
+{
+    const struct lim_file_header *header = image;
+    scene->image = image;
+    scene->image_b = header->file_b;
+    scene->grid.units_per_m = header->units_per_m;
+    memcpy(scene->grid.origin_m, header->origin_m, sizeof scene->grid.origin_m);
+    scene->faces = section_at(image, SECTION_FACES);
+    scene->scene = (struct lim_scene){
+        .vertices = section_at(image, SECTION_VERTICES),
+        .nodes = section_at(image, SECTION_NODES),
+        .planes = section_at(image, SECTION_PLANES),
+        .exact = section_at(image, SECTION_EXACT),
+        .boxes = section_at(image, SECTION_BOXES),
+        .polygons = section_at(image, SECTION_POLYGONS),
+        .fractions = header->counts[SECTION_FRACTIONS] ? section_at(image, SECTION_FRACTIONS) : NULL,
+        .places = header->counts[SECTION_PLACES] ? section_at(image, SECTION_PLACES) : NULL,
+        .sights = header->counts[SECTION_SIGHTS] ? section_at(image, SECTION_SIGHTS) : NULL,
+        .place_count = (uint16_t)header->counts[SECTION_PLACES],
+        .sight_bytes = (uint16_t)header->counts[SECTION_SIGHTS],
+        .vertex_count = header->counts[SECTION_VERTICES],
+        .node_count = header->counts[SECTION_NODES],
+        .plane_count = header->counts[SECTION_PLANES],
+        .exact_count = header->counts[SECTION_EXACT],
+        .box_count = header->counts[SECTION_BOXES],
+        .polygon_words = header->counts[SECTION_POLYGONS],
+        .polygon_count = header->counts[SECTION_FACES],
+        .background = header->background,
+    };
+    memcpy(&scene->scene.limits, header->limits, sizeof scene->scene.limits);
+    scene->scene.mappings = section_at(image, SECTION_MAPPINGS);
+    scene->scene.textures = section_at(image, SECTION_TEXTURES);
+    scene->scene.palettes = section_at(image, SECTION_PALETTES);
+    scene->scene.texels = section_at(image, SECTION_TEXELS);
+    scene->scene.mapping_count = (uint16_t)header->counts[SECTION_MAPPINGS];
+    scene->scene.texture_count = (uint16_t)header->counts[SECTION_TEXTURES];
+    scene->scene.palette_colours = (uint16_t)header->counts[SECTION_PALETTES];
+    scene->scene.texel_blocks = (uint16_t)header->counts[SECTION_TEXELS];
+}
+
+static struct lim_file_header header_of(const struct encoding *encoding, const struct grid *grid)
+{
+    const struct texture_arrays *textures = &encoding->textures;
+    const size_t counts[SECTION_COUNT] = {encoding->vertex_count,    encoding->node_count,
+                                          encoding->plane_count,     encoding->exact_count,
+                                          encoding->box_count,       encoding->word_count,
+                                          encoding->record_count,    encoding->fractions ? encoding->vertex_count : 0,
+                                          textures->mapping_count,   textures->texture_count,
+                                          textures->palette_colours, textures->texel_count / LIM_TEXEL_BLOCK};
+    const struct lim_limits limits = {.depth = (uint16_t)encoding->depth, .vertices = (uint16_t)encoding->widest};
+    struct lim_file_header header = {.version = LIM_FILE_VERSION, .header_b = sizeof header};
+    memcpy(header.magic, lim_file_magic, sizeof header.magic);
+    header.units_per_m = grid->units_per_m;
+    memcpy(header.origin_m, grid->origin_m, sizeof header.origin_m);
+    for (int i = 0; i < SECTION_COUNT; i++)
+        header.counts[i] = (uint32_t)counts[i];
+    memcpy(header.limits, &limits, sizeof header.limits);
+    header.file_b = (uint32_t)lim_image_section_b(&header, SECTION_COUNT);
+    return header;
+}
+
+void lim_image_make(const struct encoding *encoding, const struct grid *grid, struct compiled *out)
+{
+    const struct lim_file_header header = header_of(encoding, grid);
+    const struct texture_arrays *textures = &encoding->textures;
+    const void *sections[SECTION_COUNT] = {encoding->vertices, encoding->nodes,     encoding->planes,
+                                           encoding->exact,    encoding->boxes,     encoding->words,
+                                           encoding->faces,    encoding->fractions, textures->mappings,
+                                           textures->textures, textures->palettes,  textures->texels};
+    unsigned char *image = grow_zeroed(header.file_b, 1);
+    memcpy(image, &header, sizeof header);
+    for (int i = 0; i < SECTION_COUNT; i++)
+        if (header.counts[i])
+            memcpy(image + lim_image_section_b(&header, (enum lim_section)i), sections[i],
+                   header.counts[i] * SECTIONS[i].size_b);
+    lim_image_bind(image, out);
+}
+
+void lim_image_set_sights(struct compiled *scene, const struct lim_place *places, size_t place_count,
+                          const uint8_t *sights, size_t sight_bytes)
+{
+    struct lim_file_header header;
+    memcpy(&header, scene->image, sizeof header);
+    const size_t kept_b = (size_t)lim_image_section_b(&header, SECTION_PLACES);
+    header.counts[SECTION_PLACES] = (uint32_t)place_count;
+    header.counts[SECTION_SIGHTS] = (uint32_t)sight_bytes;
+    header.file_b = (uint32_t)lim_image_section_b(&header, SECTION_COUNT);
+    unsigned char *image = grow_zeroed(header.file_b, 1);
+    memcpy(image, scene->image, kept_b);
+    memcpy(image, &header, sizeof header);
+    if (place_count) memcpy(image + kept_b, places, place_count * sizeof *places);
+    if (sight_bytes) memcpy(section_at(image, SECTION_SIGHTS), sights, sight_bytes);
+    free(scene->image);
+    lim_image_bind(image, scene);
+}
+
+void lim_image_set_limits(struct compiled *scene, const struct lim_limits *limits)
+{
+    struct lim_file_header *header = scene->image;
+    memcpy(header->limits, limits, sizeof header->limits);
+    scene->scene.limits = *limits;
+}
+
+/* Reverses each field's bytes; the pattern of widths repeats until the end. */
+static void swap_fields(unsigned char *at, size_t size_b, const char *fields)
+{
+    const unsigned char *end = at + size_b;
+    for (size_t field = 0; at < end; field++) {
+        if (fields[field] == '\0') field = 0;
+        size_t width_b = (size_t)(fields[field] - '0');
+        for (size_t i = 0; i < width_b / 2; i++) {
+            unsigned char byte = at[i];
+            at[i] = at[width_b - 1 - i];
+            at[width_b - 1 - i] = byte;
+        }
+        at += width_b;
+    }
+}
+
+void lim_image_swap_header(void *image)
+{
+    swap_fields(image, sizeof(struct lim_file_header), HEADER_FIELDS);
+}
+
+void lim_image_swap_sections(void *image, const struct lim_file_header *header)
+{
+    for (int i = 0; i < SECTION_COUNT; i++)
+        swap_fields((unsigned char *)image + lim_image_section_b(header, (enum lim_section)i),
+                    header->counts[i] * SECTIONS[i].size_b, SECTIONS[i].fields);
+}
+
+uint32_t lim_image_crc32(const void *image, size_t image_b)
+{
+    const Bytef *bytes = image;
+    return (uint32_t)crc32(crc32(0, Z_NULL, 0), bytes + LIM_FILE_CRC_FROM_B, (uInt)(image_b - LIM_FILE_CRC_FROM_B));
+}

@@ -1,0 +1,72 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * The bytes of a .lim file, as firmware/SCENE.md specifies them: a header and sections with
+ * the structs of scene.h, indices of 32 bits, little-endian. In memory an image has the host's byte order, so that a
+ * struct lim_scene can point into it. */
+#ifndef SIM_LIM_IMAGE_H
+#define SIM_LIM_IMAGE_H
+
+#include "scene/compiled.h"
+
+enum { LIM_FILE_VERSION = 6, LIM_FILE_ALIGN_B = 8, LIM_FILE_MAGIC_B = 8 };
+
+extern const unsigned char lim_file_magic[LIM_FILE_MAGIC_B];
+
+/* Sections in the order of the file. */
+enum lim_section {
+    SECTION_VERTICES,
+    SECTION_NODES,
+    SECTION_PLANES,
+    SECTION_EXACT,
+    SECTION_BOXES,
+    SECTION_POLYGONS,
+    SECTION_FACES,
+    SECTION_FRACTIONS,
+    SECTION_MAPPINGS,
+    SECTION_TEXTURES,
+    SECTION_PALETTES,
+    SECTION_TEXELS, /* in blocks */
+    SECTION_PLACES,
+    SECTION_SIGHTS,
+    SECTION_COUNT
+};
+
+struct lim_file_header {
+    unsigned char magic[LIM_FILE_MAGIC_B];
+    uint32_t version;
+    uint32_t header_b;
+    uint32_t file_b;
+    uint32_t crc32;     /* of all bytes of the file behind this field, as zlib's crc32() */
+    double units_per_m; /* IEEE 754 */
+    double origin_m[3];
+    uint32_t counts[SECTION_COUNT]; /* elements in each section */
+    uint16_t background;            /* RGB565 as a number */
+    uint16_t limits[7];             /* the fields of struct lim_limits in their order */
+};
+
+enum { LIM_FILE_CRC_FROM_B = 24 }; /* the first byte that crc32 covers */
+
+/* Where a section begins, and, for SECTION_COUNT, the size of the file. */
+uint64_t lim_image_section_b(const struct lim_file_header *header, enum lim_section section);
+
+/* Where its last element ends; what follows up to the next section is zero. */
+uint64_t lim_image_section_end_b(const struct lim_file_header *header, enum lim_section section);
+
+/* Points *scene into the image. */
+void lim_image_bind(void *image, struct compiled *scene);
+
+/* Gives a scene sights, or none: makes its image anew. The arrays stay the caller's. */
+void lim_image_set_sights(struct compiled *scene, const struct lim_place *places, size_t place_count,
+                          const uint8_t *sights, size_t sight_bytes);
+
+/* Sets the limits of the scene and of its image. */
+void lim_image_set_limits(struct compiled *scene, const struct lim_limits *limits);
+
+/* Turns the header, or the sections that a header in this host's order describes, between this
+ * host's byte order and the other one. */
+void lim_image_swap_header(void *image);
+void lim_image_swap_sections(void *image, const struct lim_file_header *header);
+
+uint32_t lim_image_crc32(const void *image, size_t image_b);
+
+#endif

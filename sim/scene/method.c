@@ -1,0 +1,97 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * The methods. */
+#include "scene/method.h"
+
+#include <stdio.h>
+#include <string.h>
+
+const struct method methods[] = {
+    {"nearest", LIM_NEAREST_FIRST, TREE_AUTO, false, true},
+    {"painter", LIM_PAINTER, TREE_AUTO, false, true},
+    {"convex", LIM_CONVEX, TREE_AUTO, false, true},
+    {"scanline", LIM_SCANLINE, TREE_AUTO, false, true},
+    {"bsp", LIM_NEAREST_FIRST, TREE_BSP, false, true},
+    {"clusters", LIM_NEAREST_FIRST, TREE_CLUSTERS, false, true},
+    {"axis", LIM_NEAREST_FIRST, TREE_AXIS, false, true},
+    {"octree", LIM_NEAREST_FIRST, TREE_OCTREE, false, true},
+    {"octree-centre", LIM_NEAREST_FIRST, TREE_OCTREE_CENTRE, false, false},
+    {"clusters-sampled", LIM_NEAREST_FIRST, TREE_CLUSTERS_SAMPLED, false, false},
+    {"portals", LIM_NEAREST_FIRST, TREE_BSP, true, true},
+    {"depth", LIM_DEPTH, TREE_NONE, false, false},
+    {"newell", LIM_NEWELL, TREE_NONE, false, true},
+};
+const size_t method_count = sizeof methods / sizeof *methods;
+
+const struct method *method_parse(const char *text, struct error *err)
+{
+    char names[256];
+    size_t used = 0;
+    for (size_t i = 0; i < method_count; i++) {
+        if (strcmp(text, methods[i].name) == 0) return &methods[i];
+        used += (size_t)snprintf(names + used, sizeof names - used, "%s%s", i ? ", " : "", methods[i].name);
+    }
+    error_set(err, "--method %s: no such method; there are %s", text, names);
+    return NULL;
+}
+
+const char *method_name(enum lim_method draws)
+{
+    size_t i = 0;
+
+    while (methods[i].draws != draws)
+        i++;
+    return methods[i].name;
+}
+
+const char *method_title(enum lim_method draws)
+{
+    static const char *const titles[] = {
+        [LIM_NEAREST_FIRST] = "nearest first", [LIM_PAINTER] = "back to front",
+        [LIM_CONVEX] = "as one convex solid",  [LIM_SCANLINE] = "by scan lines",
+        [LIM_DEPTH] = "by farthest points",    [LIM_NEWELL] = "by Newell's depth sort"};
+    return titles[draws];
+}
+
+const char *method_symbol(enum lim_method draws)
+{
+    static const char *const symbols[] = {
+        [LIM_NEAREST_FIRST] = "LIM_NEAREST_FIRST", [LIM_PAINTER] = "LIM_PAINTER", [LIM_CONVEX] = "LIM_CONVEX",
+        [LIM_SCANLINE] = "LIM_SCANLINE",           [LIM_DEPTH] = "LIM_DEPTH",     [LIM_NEWELL] = "LIM_NEWELL"};
+    return symbols[draws];
+}
+
+bool method_sorts(enum lim_method draws)
+{
+    return draws == LIM_DEPTH || draws == LIM_NEWELL;
+}
+
+bool method_scans(enum lim_method draws, const char *what, struct error *err)
+{
+    return draws != LIM_SCANLINE || !what ||
+           error_set(err, "--method scanline: %s drawn nearest first; take --method nearest", what);
+}
+
+bool method_draws_wireframe(enum lim_method draws, struct error *err)
+{
+    if (!method_scans(draws, "--wireframe is", err)) return false;
+    return draws != LIM_NEWELL ||
+           error_set(err, "--wireframe --method newell: pieces of split polygons have no outline; take another method");
+}
+
+bool method_antialiases(enum lim_method draws, bool wireframe, struct error *err)
+{
+    if (wireframe) return error_set(err, "--antialias --wireframe: outlines are not antialiased; take one of the two");
+    if (!method_scans(draws, "--antialias is", err)) return false;
+    if (draws == LIM_CONVEX)
+        return error_set(err, "--antialias --method convex: faces are painted over one another; take --method nearest");
+    return draws != LIM_PAINTER || error_set(err, "--antialias --method painter: back to front, what lies behind "
+                                                  "shines through edges; take --method nearest");
+}
+
+bool method_moves(enum lim_method draws, struct error *err)
+{
+    return draws == LIM_NEAREST_FIRST || draws == LIM_PAINTER ||
+           error_set(err, "--method %s: it moves no objects; nearest and painter do, with any tree",
+                     method_name(draws));
+}

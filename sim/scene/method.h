@@ -1,0 +1,48 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Visibility methods by name: what the firmware does, and the tree that it does it on. */
+#ifndef SIM_METHOD_H
+#define SIM_METHOD_H
+
+#include "base/error.h"
+#include "scene/tree_kind.h"
+#include "target.h"
+
+struct method {
+    const char *name;
+    enum lim_method draws;
+    enum tree_kind tree; /* TREE_AUTO: any will do */
+    bool portals;        /* what can be seen from where is in the scene, whether it pays or not */
+    bool exact;          /* else a picture may be wrong by more than rounding */
+};
+
+extern const struct method methods[];
+extern const size_t method_count;
+
+/* By its name, from --method; an unknown one is refused with the list of those there are. */
+const struct method *method_parse(const char *text, struct error *err);
+
+/* Whether it draws objects that move. */
+bool method_moves(enum lim_method draws, struct error *err);
+
+/* The first name that chooses it; and what the tables and the report call it. */
+const char *method_name(enum lim_method draws);
+const char *method_title(enum lim_method draws);
+
+/* Whether it sorts all polygons, whatever the tree. */
+bool method_sorts(enum lim_method draws);
+
+/* Refuses what has no antialiased edges. */
+bool method_antialiases(enum lim_method draws, bool wireframe, struct error *err);
+
+/* Refuses scan lines with what they cannot paint, which the firmware would draw nearest first: `what`: its name and
+ * "is" or "are"; NULL: there is none. */
+bool method_scans(enum lim_method draws, const char *what, struct error *err);
+
+/* Refuses what cannot draw wireframes. */
+bool method_draws_wireframe(enum lim_method draws, struct error *err);
+
+/* Its C name, enum lim_method. */
+const char *method_symbol(enum lim_method draws);
+
+#endif

@@ -1,0 +1,45 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * What a renderer must contain to draw a scene, or any of several: the configuration of a firmware
+ * (config.h). */
+#ifndef SIM_NEEDS_H
+#define SIM_NEEDS_H
+
+#include "scene/compiled.h"
+
+#include <stdio.h>
+
+struct moving;
+
+struct needs {
+    bool nearest, scanline, convex, painter; /* methods */
+    bool depth, newell;                      /* more of them */
+    bool leaves;                             /* ordered clusters */
+    bool textures;
+    bool portals;              /* what can be seen from where */
+    bool wide;                 /* indices of 32 bits */
+    bool cull, slanted, large; /* what the methods have to do with the scene's boxes and planes */
+    bool transparent;          /* polygons with alpha */
+    bool wireframe;            /* to be drawn so */
+    bool movers, light;        /* what moves, and whether it is lit in each frame */
+    bool antialias;            /* with smooth edges */
+    bool delta, round, frame;  /* what changes alone; round glass; targets that keep the picture */
+    bool framebuffer;          /* targets with all pixels in memory */
+    unsigned vertices;         /* most of any polygon */
+    unsigned side_px;          /* longest of any panel that pools were measured for; 0: none */
+    const struct core *core;   /* precision; NULL: not said */
+};
+
+/* `moving`: what moves in it, or NULL. */
+struct needs needs_of(const struct compiled *scene, const struct moving *moving);
+
+/* All that either needs. Both have the same precision. */
+struct needs needs_union(const struct needs *a, const struct needs *b);
+
+/* Whether what is drawn nearest first is painted as it comes, so that nothing waits for its line: firmware/pools.c. */
+bool needs_retain_nothing(const struct needs *needs);
+
+/* As macros, each of which a build may define itself. */
+void needs_write(const struct needs *needs, FILE *file);
+
+#endif

@@ -1,0 +1,12 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * From one record to the next by its own length. */
+#include "scene/records.h"
+
+size_t records_with(const struct lim_scene *scene, lim_index flags)
+{
+    size_t count = 0;
+    for (size_t at = 0; at < scene->polygon_words; at += lim_record_words(scene->polygons[at]))
+        count += (scene->polygons[at] & flags) != 0;
+    return count;
+}

@@ -1,0 +1,39 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * The files of compiled scenes, each as part of a set of outputs that is kept or discarded as a
+ * whole. Names are paths without suffix. */
+#ifndef SIM_SCENE_FILES_H
+#define SIM_SCENE_FILES_H
+
+#include "base/c_name.h"
+#include "base/outputs.h"
+#include "scene/compiled.h"
+
+struct moving;
+
+struct named_scene {
+    const struct compiled *scene;
+    const char *name;
+    const struct moving *moving; /* what moves in it; NULL: nothing */
+};
+
+/* NAME.lim, at the path given. */
+bool lim_file_put(const struct compiled *scene, const char *path, struct outputs *outputs, struct error *err);
+
+/* HEADER.h: the configuration that all the scenes share, and what a program has to know of each. */
+bool c_header_put(const struct named_scene *scenes, size_t count, const char *header, struct outputs *outputs,
+                  struct error *err);
+
+/* NAME.c: the arrays. It includes HEADER.h. */
+bool c_source_put(const struct named_scene *scene, const char *header, struct outputs *outputs, struct error *err);
+
+/* What moves in a scene: NAME_object1.c and .lim, and so on, and NAME_movers.c, which includes HEADER.h. */
+bool c_movers_put(const struct named_scene *scene, const char *header, struct outputs *outputs, struct error *err);
+
+/* What NAME.h says of that. */
+void c_movers_declare(FILE *file, const struct named_scene *scene, const struct c_name *name);
+
+/* Keeps the outputs if `ok`, discards them otherwise; whether both went well. */
+bool scene_files_finish(struct outputs *outputs, bool ok, struct error *err);
+
+#endif

@@ -1,0 +1,87 @@
+# SPDX-License-Identifier: MIT
+#
+# What a scene costs in a firmware, for scripts to source: compiled for a Cortex-M at -Os, the renderer linked by
+# what lim_init() and lim_frame() reach. Runs in the project's folder. After footprint_of: the renderer's code and
+# tables, the scene's data, the RAM of struct lim and the scene's memory, the worst-case stack; all bytes.
+# Needs sim/targets/targets.sh to be sourced as well, and $WARNINGS.
+# shellcheck shell=sh
+
+footprint_flags='-Os -ffreestanding -ffunction-sections -fdata-sections -Ifirmware'
+
+# Where calls through pointers lead.
+# SPAN's sink is set by what paints into gaps, or into a framebuffer; flat scenes do without, and bands.c where there is
+# none.
+footprint_calls='span.c=paint_piece span.c=lim_framebuffer_fill span.c=none bands.c=lim_framebuffer_fill bands.c=none
+    mask.c=lim_smooth_mix mask.c=push company.c=draw_mover company.c=paint_mover'
+
+# footprint_objects CORE FOLDER HEADER [FLAG...]: the renderer's objects and call graphs in FOLDER, which has the
+# scene's HEADER.
+footprint_objects() {
+    footprint_core=$1 footprint_dir=$2 footprint_header=$3
+    shift 3
+    rm -rf "$footprint_dir/$footprint_core"
+    mkdir "$footprint_dir/$footprint_core"
+    for footprint_source in firmware/*.c; do
+        footprint_object=${footprint_source##*/}
+        # shellcheck disable=SC2046,SC2086 # flags are words
+        sh sim/tools/graph_cache.sh $(target_compiler "$footprint_core") $(target_flags "$footprint_core") $footprint_flags \
+            $WARNINGS -fcallgraph-info=su -I"$footprint_dir" -DLIM_CONFIG="\"$footprint_header\"" "$@" \
+            -c -o "$footprint_dir/$footprint_core/${footprint_object%.c}.o" "$footprint_source" || return 1
+    done
+}
+
+footprint_entries='lim_frame lim_init'
+
+# footprint_link CORE FOLDER: what of the objects the entries need, in FOLDER/CORE/renderer.elf. Of a C
+# library it needs memcpy and memset at most.
+footprint_link() {
+    # shellcheck disable=SC2046,SC2086 # flags are words
+    $(target_compiler "$1") $(target_flags "$1") -Os -ffreestanding -ffunction-sections -c \
+        -o "$2/$1/library.image" boards/common/image.c &&
+        $(target_compiler "$1") $(target_flags "$1") -nostdlib -Wl,--gc-sections -Wl,-e,lim_frame \
+            $(printf -- '-Wl,-u,%s ' $footprint_entries) -o "$2/$1/renderer.elf" "$2/$1"/*.o "$2/$1/library.image" -lgcc
+}
+
+footprint_size() { # CORE FILE COLUMN: 1 text, 2 data, 3 bss
+    "$(target_tools "$1")size" "$2" | awk -v column="$3" 'NR > 1 { sum += $column } END { print sum }'
+}
+
+# footprint_ram CORE FOLDER HEADER SCENE H_PX [FLAG...]: struct lim, and what SCENE asks for; SCENE in capitals.
+footprint_ram() {
+    footprint_core=$1 footprint_dir=$2 footprint_header=$3 footprint_scene=$4 footprint_h_px=$5
+    shift 5
+    printf '#include "limner.h"\nstruct lim lim;\nuint32_t mem[%s_SCENE_MEM_B(%s) / 4];\n' "$footprint_scene" \
+        "$footprint_h_px" >"$footprint_dir/ram.c"
+    # shellcheck disable=SC2046,SC2086 # flags are words
+    $(target_compiler "$footprint_core") $(target_flags "$footprint_core") $footprint_flags \
+        -I"$footprint_dir" -DLIM_CONFIG="\"$footprint_header\"" "$@" -c -o "$footprint_dir/ram.image" \
+        "$footprint_dir/ram.c" && footprint_size "$footprint_core" "$footprint_dir/ram.image" 3
+}
+
+# footprint_stack CORE FOLDER: the bytes and the path, without what the target's functions take. With delta output that
+# is the target of all stages.
+footprint_stack() {
+    footprint_at_target='paint.c flat.c painter.c framebuffer.h convex.c smooth.c'
+    footprint_outside="$footprint_at_target span.h" footprint_more=
+    if grep -q delta_done "$2/$1/delta.ci"; then
+        footprint_outside='delta.c span.h'
+        for footprint_stage in $footprint_at_target; do
+            footprint_more="$footprint_more $footprint_stage=delta_done $footprint_stage=delta_lend"
+        done
+    fi
+    awk -f sim/tools/stack.awk -v roots='lim_init lim_frame' -v calls="$footprint_calls$footprint_more" \
+        -v outside="$footprint_outside" "$2/$1"/*.ci
+}
+
+# footprint_costs CORE FOLDER H_PX: of the scene model.h in FOLDER: code, RAM, stack.
+footprint_costs() {
+    footprint_objects "$1" "$2" model.h && footprint_link "$1" "$2" && footprint_stack "$1" "$2" >"$2/stack" || return 1
+    echo "$(footprint_size "$1" "$2/$1/renderer.elf" 1) $(footprint_ram "$1" "$2" model.h MODEL "$3")" \
+        "$(sed 's/:.*//' "$2/stack")"
+}
+
+footprint_data() { # FOLDER: the constant arrays of the scene model.c
+    # shellcheck disable=SC2046,SC2086 # flags are words
+    $(target_compiler m4) $(target_flags m4) $footprint_flags -I"$1" -DLIM_CONFIG='"model.h"' \
+        -c -o "$1/model.image" "$1/model.c" && footprint_size m4 "$1/model.image" 1
+}

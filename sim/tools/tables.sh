@@ -1,0 +1,59 @@
+# SPDX-License-Identifier: MIT
+#
+# Prints README's table: what the compiler and the simulator measure on the demo and the benchmark
+# scenes. With --write puts it into README.md between its markers, and the picture beside the demo;
+# with --check says how README differs. Needs $BUILD/limner and $BUILD/scenes.
+set -eu
+. sim/tools/readme_table.sh
+
+: "${BUILD:=build}"
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+
+reported() { # LABEL: a number of the compiler's report
+    sed -n "s/^ *$1  *\([0-9]*\).*/\1/p" "$work/report" | head -n 1
+}
+
+mean() { # COLUMN: of the statistics' line of means
+    awk -v column="$1" '$1 == "frame" && !at { for (i = 1; i <= NF; i++) if ($i == column) at = i }
+        $1 == "mean" && !shown { print $at; shown = 1 }' "$work/fast"
+}
+
+closing() { # FILE PHRASE: the number after it in the comparison's closing line
+    sed -n "\$s/.*$2 \([0-9.]*\).*/\1/p" "$work/$1"
+}
+
+measure() { # PRECISION SCENE: into $work/PRECISION
+    "$BUILD/limner" render "$2.obj" --camera "$2.cam" --size 240x240 --precision "$1" --stats --compare \
+        --sheet "$work/sheet.png" >"$work/$1"
+}
+
+row() { # NAME FOLDER
+    "$BUILD/limner" compile "$2/$1.obj" --keep-faces -o "$work/scene" >"$work/report"
+    measure fast "$2/$1"
+    measure fine "$2/$1"
+    echo "| $1 | $(reported 'faces in the model') | $(reported splits) | $(reported 'in all')" \
+        "| $(reported 'working memory, bytes') | $(mean polygons) | $(mean seen) | $(mean overdraw)" \
+        "| $(closing fast wrong) | $(closing fine wrong) | $(closing fast shift) | $(closing fine shift)" \
+        "| $(($(closing fast holes) + $(closing fine holes))) |"
+}
+
+table() {
+    echo "| scene | polygons | splits | flash, bytes | RAM, bytes | reached | seen | overdraw | wrong, % fast | fine | beyond 1 px, ppm fast | fine | holes |"
+    echo "|---|---|---|---|---|---|---|---|---|---|---|---|---|"
+    row demo "$BUILD/scenes"
+    for scene in rooms rooms-tilted teapot; do row "$scene" sim/scenes; done
+}
+
+# Twelve frames of the demo's walk.
+picture() {
+    awk 'NR % 8 == 5' "$BUILD/scenes/demo.cam" >"$work/few.cam"
+    "$BUILD/limner" render "$BUILD/scenes/demo.obj" --camera "$work/few.cam" --sheet sim/scenes/demo.png
+}
+
+table >"$work/table"
+case ${1:-} in
+--write) readme_write table "$work/table" && picture ;;
+--check) readme_has table "$work/table" ;;
+*) cat "$work/table" ;;
+esac

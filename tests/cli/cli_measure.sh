@@ -1,0 +1,85 @@
+# SPDX-License-Identifier: MIT
+#
+# `limner measure` without counting: tables, files, refusals; and README says what it says.
+. tests/tap.sh
+
+scene=sim/scenes/rooms.obj
+head -n 3 sim/scenes/rooms.cam >"$work/few.cam"
+
+measure() {
+    "$BUILD/limner" measure "$scene" --camera "$work/few.cam" --size 120x120 "$@"
+}
+
+# refuses WORDS COMMAND...: fails, in one line that has the words, without a word on standard output.
+refuses() {
+    words=$1
+    shift
+    if "$@" >"$work/out" 2>"$work/err"; then
+        echo "succeeded"
+        return 1
+    fi
+    cat "$work/err"
+    [ ! -s "$work/out" ] && [ "$(wc -l <"$work/err")" -eq 1 ] && grep -qF -- "$words" "$work/err"
+}
+
+prints_a_row_for_each() {
+    measure --no-cost >"$work/table" && cat "$work/table" && for name in draft fast fine exact; do
+        grep -q "^| $name | [0-9]* | [0-9.]* | " "$work/table" || return 1
+    done
+}
+
+decides_every_side() {
+    grep '^| ' "$work/table" | grep -v precision | grep -v ' | 0 of [1-9][0-9]* |$' && return 1
+    grep -q ' | 0 of [1-9][0-9]* |$' "$work/table"
+}
+
+is_the_same_again() {
+    measure --no-cost >"$work/again" && diff "$work/table" "$work/again"
+}
+
+writes_markdown_and_csv() {
+    measure --no-cost --precision fast,exact -o "$work/new/folder" >"$work/said" &&
+        diff "$work/said" "$work/new/folder/measure.md" && [ "$(wc -l <"$work/new/folder/measure.csv")" -eq 3 ] &&
+        [ "$(ls "$work/new/folder")" = "$(printf 'measure.csv\nmeasure.md')" ]
+}
+
+leaves_nothing_behind() {
+    mkdir -p "$work/blocked/measure.csv" "$work/tmp"
+    refuses "it is a folder" env TMPDIR="$work/tmp" "$BUILD/limner" measure "$scene" --camera "$work/few.cam" \
+        --no-cost --precision fast -o "$work/blocked" &&
+        [ "$(ls "$work/blocked")" = measure.csv ] && [ -z "$(ls "$work/tmp")" ]
+}
+
+# With a PATH in which there is a compiler for Arm and no emulator.
+names_the_package() {
+    mkdir -p "$work/bin"
+    ln -sf /bin/true "$work/bin/arm-none-eabi-gcc"
+    refuses "Debian's package gcc-arm-none-eabi" env PATH=/nowhere "$BUILD/limner" measure "$scene" --core m0plus &&
+        refuses "Debian's package qemu-system-arm" env PATH="$work/bin" "$BUILD/limner" measure "$scene" --core m4 &&
+        refuses "Debian's package gcc-riscv64-unknown-elf" env PATH=/nowhere "$BUILD/limner" measure "$scene" \
+            --core rv32
+}
+
+names_the_plotter() {
+    ln -sf /bin/true "$work/bin/qemu-system-arm"
+    refuses "Debian's package gnuplot-nox" env PATH="$work/bin" "$BUILD/limner" measure "$scene" --core m4 \
+        -o "$work/plot"
+}
+
+tap_check "every profile has its row" prints_a_row_for_each
+tap_check "no plane decision is wrong" decides_every_side
+tap_check "the same again is the same" is_the_same_again
+tap_check "-o writes what is printed, and CSV" writes_markdown_and_csv
+tap_check "what cannot be written leaves nothing behind" leaves_nothing_behind
+tap_check "a missing compiler or emulator is named with its package" names_the_package
+tap_check "a missing plotter is named with its package" names_the_plotter
+tap_check "no model" refuses "needs a model" "$BUILD/limner" measure
+tap_check "a compiled scene is refused" refuses "not against a compiled scene" "$BUILD/limner" measure a.lim
+tap_check "an unknown profile is refused" refuses "--precision brisk" measure --precision fast,brisk
+tap_check "a profile named twice is refused" refuses "named twice" measure --precision fast,fast
+tap_check "an unknown processor is refused" refuses "there are m0plus, m3, m4 and rv32" measure --core z80
+tap_check "an empty name is refused" refuses "divided by commas" measure --precision fast,
+tap_check "a processor without counting is refused" refuses "exclude each other" measure --core m4 --no-cost
+tap_check "a missing model is refused" refuses "none.obj" "$BUILD/limner" measure none.obj --no-cost
+tap_check "README's accuracy of rooms is what is measured now" sh sim/tools/tradeoff.sh --check rooms
+tap_done

@@ -1,0 +1,299 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * How memory is shared out among the nearest-first order's pools: what is asked for is what they take; at the least and
+ * at the scene's limits they are these, in between in proportion; what is left over goes to pieces; and pools lie side
+ * by side within the memory that was lent. */
+#include "limner.h"
+#include "rigs/cmocka_ready.h"
+#include "rigs/set_rig.h"
+#include "state.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+enum { H_PX = 40, LEAST_CELLS = LIM_RETAINED_HEAD_CELLS + 4 + 5, ALIGNED = 64 };
+
+struct sizes {
+    size_t active, cells, gaps, pieces, layers;
+};
+
+static void *lend(void *ctx, uint16_t y_px)
+{
+    (void)y_px;
+    return ctx;
+}
+
+static int done(void *ctx, uint16_t y_px, uint16_t x_px, uint16_t n_px)
+{
+    (void)ctx, (void)y_px, (void)x_px, (void)n_px;
+    return 0;
+}
+
+static struct lim_target target_of(enum lim_method method)
+{
+    return (struct lim_target){
+        .w_px = 50, .h_px = H_PX, .format = LIM_RGB565, .method = method, .lend = lend, .done = done};
+}
+
+static void make_set(struct set *set)
+{
+    static const int16_t corners[3][3] = {{0, 0, -100}, {90, 0, -100}, {0, 90, -100}};
+
+    set_init(set);
+    set_add(set, 1, 3, corners);
+    set_add(set, 2, 3, corners);
+    set->scene.limits = (struct lim_limits){7, 4, 101, 33, 9, 20, 6};
+}
+
+/* All that a renderer is lent, in bytes, one after the other. */
+static size_t sum_b(enum lim_method method, const struct sizes *sizes)
+{
+    const bool sorts = method == LIM_DEPTH || method == LIM_NEWELL;
+    const size_t entries = 2 + sizes->pieces;
+    size_t b = LIM_VIEW_CACHE_ENTRIES * sizeof(struct lim_view_cached) + H_PX * sizeof(struct lim_line) +
+               sizes->active * sizeof(struct lim_active) + sizes->cells * sizeof(union lim_retained_cell) +
+               sizes->gaps * sizeof(struct lim_gap) + sizes->layers * sizeof(struct lim_layer);
+
+    if (!sorts) b += 7 * sizeof(struct lim_walk_pending);
+    if (sorts) b += entries * sizeof(struct lim_sorted);
+    if (method == LIM_NEWELL)
+        b += entries * sizeof(struct lim_newell_polygon) + sizes->pieces * 2 * sizeof(struct lim_cut);
+    return b;
+}
+
+static struct sizes sizes_of(const struct lim *lim, enum lim_method method)
+{
+    struct sizes sizes = {lim->paint.actives.pool_size, lim->retained.size, lim->spans.pool_size, 0,
+                          lim->paint.layers.size};
+
+    if (method == LIM_NEWELL) {
+        sizes.pieces = lim->sorter.size - 2u;
+        assert_int_equal(lim->sorter.newell.cut_size, 2 * sizes.pieces);
+    }
+    if (method == LIM_DEPTH) assert_int_equal(lim->sorter.size, 2);
+    return sizes;
+}
+
+static void mark(uint8_t *mem, size_t mem_b, const void *pool, size_t pool_b)
+{
+    const size_t at = (size_t)((const uint8_t *)pool - mem);
+
+    assert_true(at <= mem_b && pool_b <= mem_b - at);
+    for (size_t k = 0; k < pool_b; k++)
+        assert_int_equal(mem[at + k]++, 0);
+}
+
+/* No byte is in two pools, and none beyond the memory is in one. */
+static void check_places(struct lim *lim, enum lim_method method, uint8_t *mem, size_t mem_b)
+{
+    const struct sizes sizes = sizes_of(lim, method);
+    const struct lim_sorter *sorter = &lim->sorter;
+
+    memset(mem, 0, mem_b);
+    mark(mem, mem_b, lim->paint.actives.pool, sizes.active * sizeof(struct lim_active));
+    mark(mem, mem_b, lim->retained.cells, sizes.cells * sizeof(union lim_retained_cell));
+    mark(mem, mem_b, lim->spans.lines, H_PX * sizeof(struct lim_line));
+    mark(mem, mem_b, lim->spans.pool, sizes.gaps * sizeof(struct lim_gap));
+    mark(mem, mem_b, lim->paint.layers.pool, sizes.layers * sizeof(struct lim_layer));
+    mark(mem, mem_b, lim->view.cache, LIM_VIEW_CACHE_ENTRIES * sizeof(struct lim_view_cached));
+    if (method == LIM_NEAREST_FIRST) mark(mem, mem_b, lim->stack, 7 * sizeof *lim->stack);
+    if (method != LIM_NEAREST_FIRST) mark(mem, mem_b, sorter->list, sorter->size * sizeof *sorter->list);
+    if (method != LIM_NEWELL) return;
+    mark(mem, mem_b, sorter->newell.polygons, sorter->size * sizeof *sorter->newell.polygons);
+    mark(mem, mem_b, sorter->newell.cuts, sorter->newell.cut_size * sizeof *sorter->newell.cuts);
+}
+
+static struct sizes share(const struct set *set, enum lim_method method, size_t mem_b)
+{
+    const struct lim_target target = target_of(method);
+    uint8_t *mem = aligned_alloc(ALIGNED, (mem_b + ALIGNED - 1) / ALIGNED * ALIGNED);
+    struct lim lim;
+
+    assert_non_null(mem);
+    assert_int_equal(lim_init(&lim, &set->scene, &target, mem, mem_b), LIM_OK);
+    check_places(&lim, method, mem, mem_b);
+    free(mem);
+    return sizes_of(&lim, method);
+}
+
+static void assert_sizes(struct sizes found, struct sizes expected)
+{
+    assert_int_equal(found.active, expected.active);
+    assert_int_equal(found.cells, expected.cells);
+    assert_int_equal(found.gaps, expected.gaps);
+    assert_int_equal(found.pieces, expected.pieces);
+    assert_int_equal(found.layers, expected.layers);
+}
+
+static size_t proportion(size_t least, size_t most, size_t part)
+{
+    return least + (most - least) * part / 256;
+}
+
+static const enum lim_method orders[] = {LIM_NEAREST_FIRST, LIM_DEPTH, LIM_NEWELL};
+enum { ORDERS = sizeof orders / sizeof *orders };
+
+static struct sizes least_of(void)
+{
+    return (struct sizes){1, LEAST_CELLS, 1, 0, 0};
+}
+
+static struct sizes wanted_of(enum lim_method method)
+{
+    return (struct sizes){9, 101, 33, method == LIM_NEWELL ? 20 : 0, 6};
+}
+
+static void pools_are_the_least_and_those_wanted(void **state)
+{
+    static struct set set;
+
+    (void)state;
+    make_set(&set);
+    for (int i = 0; i < ORDERS; i++) {
+        const struct lim_target target = target_of(orders[i]);
+        const struct sizes least = least_of(), wanted = wanted_of(orders[i]);
+        const size_t least_b = lim_mem_min_b(&set.scene, &target), wanted_b = lim_mem_b(&set.scene, &target);
+        const size_t sum_least_b = sum_b(orders[i], &least), sum_wanted_b = sum_b(orders[i], &wanted);
+        struct lim lim;
+        assert_in_range(least_b, sum_least_b, sum_least_b + 7); /* aligned */
+        assert_in_range(wanted_b, sum_wanted_b, sum_wanted_b + 15);
+        assert_sizes(share(&set, orders[i], least_b), least);
+        assert_sizes(share(&set, orders[i], wanted_b), wanted);
+        uint8_t *mem = aligned_alloc(ALIGNED, (least_b + ALIGNED - 1) / ALIGNED * ALIGNED);
+        assert_non_null(mem);
+        assert_int_equal(lim_init(&lim, &set.scene, &target, mem, least_b - 1), LIM_ERR_MEMORY);
+        free(mem);
+    }
+}
+
+static void pools_in_between_are_in_proportion(void **state)
+{
+    static struct set set;
+
+    (void)state;
+    make_set(&set);
+    for (int i = 0; i < ORDERS; i++) {
+        const struct lim_target target = target_of(orders[i]);
+        const struct sizes least = least_of(), wanted = wanted_of(orders[i]);
+        const size_t least_b = lim_mem_min_b(&set.scene, &target), wanted_b = lim_mem_b(&set.scene, &target);
+        for (size_t mem_b = least_b; mem_b < wanted_b; mem_b++) {
+            const size_t part = (mem_b - least_b) * 256 / (wanted_b - least_b);
+            assert_sizes(share(&set, orders[i], mem_b), (struct sizes){proportion(least.active, wanted.active, part),
+                                                                       proportion(least.cells, wanted.cells, part),
+                                                                       proportion(least.gaps, wanted.gaps, part),
+                                                                       proportion(least.pieces, wanted.pieces, part),
+                                                                       proportion(least.layers, wanted.layers, part)});
+        }
+    }
+}
+
+/* A list has 32767 entries at most. */
+static void what_is_left_over_goes_to_pieces(void **state)
+{
+    static const size_t more[] = {0, 1, 2, 63, 32766 - 22, 32767 - 22, 32768 - 22, 40000};
+    const size_t piece_b = sizeof(struct lim_sorted) + sizeof(struct lim_newell_polygon) + 2 * sizeof(struct lim_cut);
+    static struct set set;
+
+    (void)state;
+    make_set(&set);
+    for (size_t k = 0; k < sizeof more / sizeof *more; k++)
+        for (int i = 0; i < ORDERS; i++)
+            for (size_t odd_b = 0; odd_b < piece_b; odd_b += piece_b - 1) {
+                const struct lim_target target = target_of(orders[i]);
+                struct sizes wanted = wanted_of(orders[i]);
+                const size_t mem_b = lim_mem_b(&set.scene, &target) + more[k] * piece_b + odd_b;
+                if (orders[i] == LIM_NEWELL) wanted.pieces += more[k] < 32767 - 22 ? more[k] : 32767 - 22;
+                assert_sizes(share(&set, orders[i], mem_b), wanted);
+            }
+}
+
+/* Nothing else stays within what 16 bits count: a scene that says it wants more pieces than a list has gets those. */
+static void pieces_end_where_a_list_does(void **state)
+{
+    static struct set set;
+
+    (void)state;
+    make_set(&set);
+    for (unsigned pieces = 32763; pieces < 32768; pieces++) {
+        const struct lim_target target = target_of(LIM_NEWELL);
+        set.scene.limits.pieces = (uint16_t)pieces;
+        struct sizes wanted = wanted_of(LIM_NEWELL);
+        wanted.pieces = pieces < 32765 ? pieces : 32765;
+        assert_sizes(share(&set, LIM_NEWELL, lim_mem_b(&set.scene, &target)), wanted);
+    }
+}
+
+/* More polygons than a list holds are not sorted, and have no pieces. */
+static void lists_that_would_be_too_long_have_no_pieces(void **state)
+{
+    const struct lim_target target = target_of(LIM_NEWELL);
+    static struct set set;
+
+    (void)state;
+    make_set(&set);
+    for (unsigned count = 32766; count < 32770; count++) {
+        set.scene.polygon_count = (lim_index)count;
+        set.scene.limits.pieces = 20;
+        const size_t wanted_b = lim_mem_b(&set.scene, &target);
+        set.scene.limits.pieces = 0;
+        const size_t without_b = lim_mem_b(&set.scene, &target);
+        const size_t piece_b =
+            sizeof(struct lim_sorted) + sizeof(struct lim_newell_polygon) + 2 * sizeof(struct lim_cut);
+        assert_int_equal(wanted_b - without_b, count < 32767 ? piece_b : 0);
+    }
+}
+
+/* What scan lines paint leaves no gaps but where something is transparent. */
+static void lines_painted_at_once_have_no_gaps(void **state)
+{
+    const struct lim_target target = target_of(LIM_SCANLINE);
+    static struct set set;
+    struct sizes wanted = wanted_of(LIM_SCANLINE);
+
+    (void)state;
+    make_set(&set);
+    const size_t glass_b = sum_b(LIM_SCANLINE, &wanted);
+    assert_in_range(lim_mem_b(&set.scene, &target), glass_b, glass_b + 15);
+    set.scene.limits.layers = 0;
+    wanted.layers = 0;
+    wanted.gaps = 1;
+    const size_t opaque_b = sum_b(LIM_SCANLINE, &wanted);
+    assert_in_range(lim_mem_b(&set.scene, &target), opaque_b, opaque_b + 15);
+}
+
+/* Side by side, none behind another. */
+static void as_many_are_active_as_cross_a_line(void **state)
+{
+    const struct lim_camera camera = set_camera(false);
+    static struct set_view view;
+    static struct set set;
+
+    (void)state;
+    for (int count = 1; count <= 5; count++) {
+        set_init(&set);
+        for (int i = 0; i < count; i++) {
+            const int16_t x = (int16_t)(-900 + 350 * i), top = (int16_t)(500 + 90 * i);
+            const int16_t corners[4][3] = {
+                {x, -800, -1000}, {(int16_t)(x + 300), -800, -1000}, {(int16_t)(x + 300), top, -1000}, {x, top, -1000}};
+            set_add(&set, (lim_index)(i + 1), 4, corners);
+        }
+        set_draw(&set, LIM_NEAREST_FIRST, NULL, -1, &camera, &view);
+        assert_int_equal(lim_stats(&view.lim)->active_max, count);
+        set_view_free(&view);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(pools_are_the_least_and_those_wanted),
+        cmocka_unit_test(pools_in_between_are_in_proportion),
+        cmocka_unit_test(what_is_left_over_goes_to_pieces),
+        cmocka_unit_test(pieces_end_where_a_list_does),
+        cmocka_unit_test(lists_that_would_be_too_long_have_no_pieces),
+        cmocka_unit_test(lines_painted_at_once_have_no_gaps),
+        cmocka_unit_test(as_many_are_active_as_cross_a_line),
+    };
+
+    return cmocka_run_group_tests_name("pool_shares", tests, NULL, NULL);
+}

@@ -1,0 +1,420 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * What antialiasing is made of: the samples of polygons that tile the plane are all of each pixel's, each once; gaps
+ * against a picture of booleans; sums of colours. */
+#include "fill.h"
+#include "limner.h"
+#include "rigs/cmocka_ready.h"
+#include "rigs/random.h"
+#include "smooth.h"
+
+#include <math.h>
+#include <string.h>
+
+enum { W = 60, H = 50, POINTS = 40, MESHES = 200, TRIANGLES = 3 * POINTS };
+
+/* Strips ------------------------------------------------------------------------------------- */
+
+/* Rows of random samples, some of them without any, against each pixel's count of them. */
+static void a_strip_begins_and_ends_where_its_samples_do(void **state)
+{
+    enum { COLUMNS = 12, STRIPS = 100000 };
+    struct random random = {71};
+
+    (void)state;
+    for (int i = 0; i < STRIPS; i++) {
+        struct lim_strip strip;
+        uint8_t count[COLUMNS] = {0};
+        int x0 = COLUMNS, x1 = 0, inner0 = COLUMNS, inner1 = 0;
+        for (int s = 0; s < LIM_SAMPLE_ROWS; s++) {
+            strip.left[s] = (int16_t)random_in(&random, 0, 4 * COLUMNS);
+            strip.right[s] = (int16_t)random_in(&random, 0, 4 * COLUMNS);
+            for (int v = strip.left[s]; v < strip.right[s]; v++)
+                count[v / 4]++;
+        }
+        for (int x = 0; x < COLUMNS; x++) {
+            if (count[x] && x0 == COLUMNS) x0 = x;
+            if (count[x]) x1 = x + 1;
+            if (count[x] == 16 && inner0 == COLUMNS) inner0 = x;
+            if (count[x] == 16) inner1 = x + 1;
+        }
+        lim_strip_bound(&strip);
+        if (x0 >= x1) {
+            assert_true(strip.x0 >= strip.x1);
+        } else {
+            assert_int_equal(strip.x0, x0);
+            assert_int_equal(strip.x1, x1);
+        }
+        if (inner0 >= inner1) {
+            assert_true(strip.inner0 >= strip.inner1);
+        } else {
+            assert_int_equal(strip.inner0, inner0);
+            assert_int_equal(strip.inner1, inner1);
+        }
+    }
+}
+
+struct cover {
+    uint16_t mask[H][W];
+    unsigned twice; /* samples that were there already */
+};
+
+static void add_strip(struct cover *cover, const struct lim_strip *strip, int16_t y)
+{
+    struct lim_run run;
+
+    for (int16_t x = strip->x0 > 0 ? strip->x0 : 0; x < strip->x1 && x < W; x = run.x1) {
+        lim_strip_run(strip, x, &run);
+        assert_true(run.x0 == x && run.x1 > x);
+        for (int16_t at = x; at < run.x1 && at < W; at++) {
+            cover->twice += lim_sample_count(cover->mask[y][at] & run.mask);
+            cover->mask[y][at] |= run.mask;
+        }
+    }
+}
+
+static void add_plain(struct cover *cover, const struct lim_point *at, uint8_t n, const struct lim_edge_shape *shape)
+{
+    struct lim_sample_edges edges;
+    struct lim_strip strip;
+
+    lim_strip_begin(&edges, n, shape->first);
+    for (int16_t y = shape->top > 0 ? shape->top : 0; y < shape->bottom && y < H; y++) {
+        lim_strip_next(&strip, &edges, at, n, shape->first, y, shape->end_row);
+        add_strip(cover, &strip, y);
+    }
+}
+
+/* As a fan if it is folded, as the renderer draws it. Returns whether it is. */
+static bool add_polygon(struct cover *cover, const struct lim_point *at, uint8_t n)
+{
+    struct lim_edge_shape shape;
+
+    lim_samples_measure(&shape, at, n);
+    if (!shape.folded) add_plain(cover, at, n, &shape);
+    for (uint8_t k = 1; shape.folded && k + 1 < n; k++) {
+        const struct lim_point triangle[3] = {at[shape.apex], at[(shape.apex + k) % n], at[(shape.apex + k + 1) % n]};
+        struct lim_edge_shape of;
+        lim_samples_measure(&of, triangle, 3);
+        add_plain(cover, triangle, 3, &of);
+    }
+    return shape.folded;
+}
+
+/* In pixels from the middle of the first one's. */
+static struct lim_point point(double x, double y)
+{
+    return (struct lim_point){(lim_sub)lround((x - LIM_ORIGIN_PX) * LIM_SUB),
+                              (lim_sub)lround((y - LIM_ORIGIN_PX) * LIM_SUB)};
+}
+
+/* Corners counter-clockwise as seen, y down. */
+static void rectangle(struct lim_point at[4], double x0, double y0, double x1, double y1)
+{
+    at[0] = point(x0, y0);
+    at[1] = point(x0, y1);
+    at[2] = point(x1, y1);
+    at[3] = point(x1, y0);
+}
+
+static unsigned count_of(double x0, double y0, double x1, double y1, int x, int y)
+{
+    struct cover cover = {0};
+    struct lim_point at[4];
+
+    rectangle(at, x0, y0, x1, y1);
+    add_polygon(&cover, at, 4);
+    return lim_sample_count(cover.mask[y][x]);
+}
+
+static void a_pixel_that_is_covered_by_half_has_eight_samples(void **state)
+{
+    (void)state;
+    assert_int_equal(count_of(10, 5, 20, 15, 10, 10), 8); /* from its centre on to the right */
+    assert_int_equal(count_of(10, 5, 20, 15, 20, 10), 8); /* up to its centre from the left */
+    assert_int_equal(count_of(10, 5, 20, 15, 15, 5), 8);
+    assert_int_equal(count_of(10, 5, 20, 15, 15, 15), 8);
+    assert_int_equal(count_of(10, 5, 20, 15, 10, 5), 4); /* a corner: a quarter */
+    assert_int_equal(count_of(10, 5, 20, 15, 15, 10), 16);
+    assert_int_equal(count_of(10, 5, 20, 15, 21, 10), 0);
+}
+
+static void an_upright_edge_knows_all_sixteenths_and_a_level_one_all_quarters(void **state)
+{
+    (void)state;
+    for (int i = 0; i <= 16; i++) {
+        assert_int_equal(count_of(9.5 + i / 16.0, 5, 20, 15, 10, 10), 16 - i);
+        assert_int_equal(count_of(5, 9.5 + i / 16.0, 20, 15, 10, 10), 4 * (4 - (i + 1) / 4));
+    }
+}
+
+/* A tenth of a pixel wide, between the centres of pixels: without antialiasing there is nothing of it. */
+static void a_sliver_covers_what_it_covers(void **state)
+{
+    unsigned samples = 0;
+    struct cover cover = {0};
+    const struct lim_point at[4] = {point(20.20, 5), point(20.20, 45), point(20.30, 45), point(20.30, 5)};
+    struct lim_edge_shape shape;
+
+    (void)state;
+    lim_edge_measure_sides(&shape, at, 4);
+    assert_true(shape.left == shape.right);
+    add_polygon(&cover, at, 4);
+    for (int y = 0; y < H; y++)
+        for (int x = 0; x < W; x++)
+            samples += lim_sample_count(cover.mask[y][x]);
+    assert_true(samples >= 40 && samples <= 80); /* 0.1 * 16 a line, 40 lines */
+    assert_int_equal(cover.twice, 0);
+}
+
+static bool is_inside(const struct lim_point t[3], struct lim_point p)
+{
+    for (int k = 0; k < 3; k++) {
+        const struct lim_point a = t[k], b = t[(k + 1) % 3];
+        if ((int64_t)(b.x - a.x) * (p.y - a.y) - (int64_t)(b.y - a.y) * (p.x - a.x) >= 0) return false;
+    }
+    return true;
+}
+
+struct tiles {
+    struct lim_point at[TRIANGLES][3];
+    int count;
+};
+
+/* A quad about the picture in two triangles, points put into them one by one: slivers result. */
+static void make_tiles(struct tiles *tiles, struct random *random)
+{
+    const struct lim_point corner[4] = {point(-20, -20), point(-20, H + 20), point(W + 20, H + 20), point(W + 20, -20)};
+
+    tiles->count = 2;
+    memcpy(tiles->at[0], (struct lim_point[3]){corner[0], corner[1], corner[2]}, sizeof tiles->at[0]);
+    memcpy(tiles->at[1], (struct lim_point[3]){corner[0], corner[2], corner[3]}, sizeof tiles->at[1]);
+    for (int i = 0; i < POINTS; i++) {
+        const struct lim_point p = point(random_unit(random) * W, random_unit(random) * H);
+        for (int t = 0; t < tiles->count; t++) {
+            if (!is_inside(tiles->at[t], p)) continue;
+            struct lim_point old[3];
+            memcpy(old, tiles->at[t], sizeof old);
+            for (int k = 0; k < 3; k++) {
+                const int to = k ? tiles->count++ : t;
+                memcpy(tiles->at[to], (struct lim_point[3]){old[k], old[(k + 1) % 3], p}, sizeof old);
+            }
+            break;
+        }
+    }
+}
+
+static void neighbours_cover_all_of_each_pixel_and_nothing_twice(void **state)
+{
+    struct random random = {31};
+
+    (void)state;
+    for (int m = 0; m < MESHES; m++) {
+        struct cover cover = {0};
+        struct tiles tiles;
+        make_tiles(&tiles, &random);
+        for (int t = 0; t < tiles.count; t++)
+            add_polygon(&cover, tiles.at[t], 3);
+        assert_int_equal(cover.twice, 0);
+        for (int y = 0; y < H; y++)
+            for (int x = 0; x < W; x++)
+                assert_int_equal(cover.mask[y][x], LIM_ALL_SAMPLES);
+    }
+}
+
+/* Corners on a level edge, which rounding has moved up and down by up to a row. */
+static void folded_polygons_leave_nothing_open(void **state)
+{
+    struct random random = {33};
+    unsigned folded = 0;
+
+    (void)state;
+    for (int m = 0; m < MESHES; m++) {
+        struct lim_point upper[14], lower[14];
+        struct cover cover = {0};
+        upper[0] = point(-10, -10);
+        lower[0] = point(-10, H + 10);
+        for (int k = 1; k <= 11; k++) {
+            const struct lim_point p =
+                point(-10 + (W + 20) * (k - 1) / 10.0, 20 + (random_unit(&random) - 0.5) / 64 + m / 400.0);
+            upper[k] = p;
+            lower[12 - k + 1] = p;
+        }
+        upper[12] = point(W + 10, -10);
+        lower[1] = point(W + 10, H + 10);
+        for (int k = 1; k <= 11; k++)
+            lower[1 + k] = upper[12 - k];
+        folded += add_polygon(&cover, upper, 13);
+        folded += add_polygon(&cover, lower, 13);
+        for (int y = 0; y < H; y++)
+            for (int x = 0; x < W; x++)
+                assert_int_equal(cover.mask[y][x], LIM_ALL_SAMPLES);
+    }
+    print_message("# samples: %u of %u polygons were folded\n", folded, 2 * (unsigned)MESHES);
+    assert_true(folded > 0);
+}
+
+/* Gaps --------------------------------------------------------------------------------------- */
+
+enum { POOL = 200, STRIPS = 60, LINES = 300 };
+
+struct fixture {
+    struct lim_line line;
+    struct lim_gap pool[POOL];
+    struct lim_spans spans;
+    uint16_t closed[W], fresh[W]; /* what is closed, and what the last call closed */
+};
+
+static const struct lim_target everything; /* is seen */
+
+static void open_line(struct fixture *f, uint16_t pool_size)
+{
+    const struct lim_rect all = {0, 0, W, 1};
+
+    memset(f, 0, sizeof *f);
+    f->spans.lines = &f->line;
+    f->spans.pool = f->pool;
+    f->spans.pool_size = pool_size;
+    lim_spans_open(&f->spans, &everything, &all);
+}
+
+static void note_run(void *ctx, const struct lim_run *run, uint16_t covered)
+{
+    struct fixture *f = ctx;
+
+    assert_true(run->x0 >= 0 && run->x0 < run->x1 && run->x1 <= W && run->mask);
+    for (int x = run->x0; x < run->x1; x++) {
+        assert_int_equal(covered, f->closed[x]);
+        assert_int_equal(run->mask & f->closed[x], 0);
+        assert_int_equal(f->fresh[x], 0);
+        f->fresh[x] = run->mask;
+    }
+}
+
+static void random_strip(struct lim_strip *strip, struct random *random)
+{
+    const int16_t wide = (int16_t)random_in(random, 1, 120), left = (int16_t)random_in(random, -60, 4 * W + 20);
+    const int16_t lean = (int16_t)random_in(random, -40, 40);
+
+    for (int s = 0; s < LIM_SAMPLE_ROWS; s++) {
+        strip->left[s] = (int16_t)(left + lean * s / 4);
+        strip->right[s] = (int16_t)(strip->left[s] + wide - random_in(random, 0, 5));
+    }
+    lim_strip_bound(strip);
+}
+
+static uint16_t mask_of(const struct lim_strip *strip, int x)
+{
+    uint16_t mask = 0;
+
+    for (int s = 0; s < LIM_SAMPLE_ROWS; s++)
+        for (int k = 0; k < LIM_SAMPLES_A_ROW; k++)
+            if (4 * x + k >= strip->left[s] && 4 * x + k < strip->right[s]) mask |= (uint16_t)(1u << (4 * s + k));
+    return mask;
+}
+
+/* false: the pool is exhausted; what was closed until then is. */
+static bool close_and_compare(struct fixture *f, const struct lim_strip *strip)
+{
+    bool any = false;
+
+    memset(f->fresh, 0, sizeof f->fresh);
+    const bool sees = lim_mask_see(&f->spans, &f->line, strip, NULL, NULL);
+    const enum lim_span_result result = lim_mask_close(&f->spans, &f->line, strip, note_run, f);
+    for (int x = 0; x < W; x++) {
+        const uint16_t wanted = (uint16_t)(mask_of(strip, x) & ~f->closed[x]);
+        any |= wanted != 0;
+        if (result != LIM_SPAN_EXHAUSTED) assert_int_equal(f->fresh[x], wanted);
+        assert_int_equal(f->fresh[x] & ~wanted, 0);
+        f->closed[x] |= f->fresh[x];
+    }
+    assert_int_equal(sees, any);
+    if (result != LIM_SPAN_EXHAUSTED) assert_int_equal(result, any ? LIM_SPAN_SOME : LIM_SPAN_NOTHING);
+    return result != LIM_SPAN_EXHAUSTED;
+}
+
+static bool is_all_closed(const struct fixture *f)
+{
+    for (int x = 0; x < W; x++)
+        if (f->closed[x] != LIM_ALL_SAMPLES) return false;
+    return true;
+}
+
+static void gaps_agree_with_a_picture_of_their_samples(void **state)
+{
+    struct random random = {57};
+    unsigned exhausted = 0, closed = 0;
+
+    (void)state;
+    for (int i = 0; i < LINES; i++) {
+        struct fixture f;
+        open_line(&f, (uint16_t)(i % 2 ? POOL : random_in(&random, 0, 12)));
+        for (int s = 0; s < STRIPS; s++) {
+            struct lim_strip strip;
+            random_strip(&strip, &random);
+            exhausted += !close_and_compare(&f, &strip);
+            assert_int_equal(f.spans.open_lines, !is_all_closed(&f));
+        }
+        closed += is_all_closed(&f);
+    }
+    print_message("# samples: of %u lines %u were closed, %u calls found the pool exhausted\n", (unsigned)LINES, closed,
+                  exhausted);
+    assert_true(exhausted > 0 && closed > 0 && closed < LINES);
+}
+
+/* Colours ------------------------------------------------------------------------------------ */
+
+static void mix(uint16_t *line, uint32_t *sums, uint16_t rgb565, uint16_t mask, uint16_t covered)
+{
+    struct lim_smooth_sink sink = {.line = line, .sums = sums, .colour = lim_memory_colour(rgb565)};
+    const struct lim_run run = {1, 2, mask};
+
+    lim_smooth_mix(&sink, &run, covered);
+}
+
+/* Three polygons that meet in a pixel: the sum of their shares, rounded once, in any order. */
+static void three_polygons_in_a_pixel_are_mixed_by_what_they_cover(void **state)
+{
+    struct random random = {7};
+
+    (void)state;
+    for (int i = 0; i < 2000; i++) {
+        uint16_t line[4] = {0x1234, 0, 0x1234, 0}, colour[3], mask[3];
+        uint32_t sums[4] = {0};
+        const uint16_t cut = (uint16_t)random_u64(&random), cut2 = (uint16_t)random_u64(&random);
+        mask[0] = cut | 1;
+        mask[1] = (uint16_t)((cut2 & ~mask[0]));
+        mask[2] = (uint16_t) ~(mask[0] | mask[1]);
+        for (int k = 0; k < 3; k++)
+            colour[k] = i ? (uint16_t)random_u64(&random) : 0xFFFF;
+        uint16_t covered = 0;
+        for (int k = 0; k < 3; k++) {
+            if (mask[k]) mix(line, sums, colour[k], mask[k], covered);
+            covered |= mask[k];
+        }
+        unsigned sum[3] = {0};
+        for (int k = 0; k < 3; k++) {
+            const unsigned n = lim_sample_count(mask[k]);
+            assert_int_equal(n, __builtin_popcount(mask[k]));
+            sum[0] += n * (colour[k] >> 11), sum[1] += n * (colour[k] >> 5 & 63), sum[2] += n * (colour[k] & 31);
+        }
+        const unsigned want = ((sum[0] + 8) / 16) << 11 | ((sum[1] + 8) / 16) << 5 | (sum[2] + 8) / 16;
+        assert_int_equal(lim_memory_colour(line[1]), want);
+        assert_true(line[0] == 0x1234 && line[2] == 0x1234);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_strip_begins_and_ends_where_its_samples_do),
+        cmocka_unit_test(a_pixel_that_is_covered_by_half_has_eight_samples),
+        cmocka_unit_test(an_upright_edge_knows_all_sixteenths_and_a_level_one_all_quarters),
+        cmocka_unit_test(a_sliver_covers_what_it_covers),
+        cmocka_unit_test(neighbours_cover_all_of_each_pixel_and_nothing_twice),
+        cmocka_unit_test(folded_polygons_leave_nothing_open),
+        cmocka_unit_test(gaps_agree_with_a_picture_of_their_samples),
+        cmocka_unit_test(three_polygons_in_a_pixel_are_mixed_by_what_they_cover),
+    };
+    return cmocka_run_group_tests_name("samples", tests, NULL, NULL);
+}

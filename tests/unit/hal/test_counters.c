@@ -1,0 +1,129 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Clocks over counters that run, as a second thread's do: a wait succeeds, and takes no less than was asked for. */
+#include "mcu/avr_timer.h"
+#include "mcu/mcu.h"
+#include "mcu/mtime.h"
+#include "mcu/systick.h"
+#include "rigs/cmocka_ready.h"
+
+#include <pthread.h>
+#include <string.h>
+#include <time.h>
+
+enum { STEP = 16, ENOUGH = 6, PATIENCE_S = 10 };
+
+/* Counts on, and shows it in all three. */
+static struct {
+    uint64_t counted; /* atomic */
+    bool stops;       /* atomic */
+    pthread_t thread;
+    struct systick_registers systick;
+    struct avr_timer_registers timer;
+    volatile uint32_t mtime;
+} counter;
+
+static void *count(void *ctx)
+{
+    (void)ctx;
+    while (!__atomic_load_n(&counter.stops, __ATOMIC_RELAXED)) {
+        const uint64_t counted = __atomic_add_fetch(&counter.counted, STEP, __ATOMIC_SEQ_CST);
+        *(volatile uint32_t *)&counter.systick.cvr = (uint32_t)-counted & 0xFFFFFF;
+        *(volatile uint16_t *)&counter.timer.tcnt = (uint16_t)counted;
+        counter.mtime = (uint32_t)counted;
+    }
+    return NULL;
+}
+
+/* Begins short of the end of 32 bits, so that all of them begin anew. */
+static int begin(void **state)
+{
+    (void)state;
+    memset(&counter, 0, sizeof counter);
+    counter.counted = UINT32_MAX - 100000u;
+    return pthread_create(&counter.thread, NULL, count, NULL);
+}
+
+static int end(void **state)
+{
+    (void)state;
+    __atomic_store_n(&counter.stops, true, __ATOMIC_RELAXED);
+    return pthread_join(counter.thread, NULL);
+}
+
+static uint64_t counted(void)
+{
+    return __atomic_load_n(&counter.counted, __ATOMIC_SEQ_CST);
+}
+
+/* Until the counters show what was counted, whatever a start of them has written there. */
+static void settle(void)
+{
+    const uint64_t before = counted();
+
+    while (counted() < before + 4 * STEP)
+        continue;
+}
+
+/* Some of the waits find the counter still, on a busy machine. It is a step behind what was counted, or none. */
+static void assert_waits(const struct clock *clock, uint32_t delay_us, uint64_t counts)
+{
+    unsigned successes = 0;
+    const time_t until = time(NULL) + PATIENCE_S;
+
+    settle();
+    while (successes < ENOUGH && time(NULL) < until) {
+        const uint64_t before = counted();
+        const int err = clock_delay(clock, delay_us);
+        assert_true(err == 0 || err == MCU_ERR_TIMEOUT);
+        if (err) continue;
+        successes++;
+        assert_true(counted() - before + 2 * STEP >= counts);
+    }
+    assert_true(successes > 0);
+}
+
+static void systick_waits_as_long_as_asked(void **state)
+{
+    struct systick systick;
+
+    (void)state;
+    assert_int_equal(systick_init(&systick, &counter.systick, 125000000), 0);
+    const struct clock clock = systick_clock(&systick);
+    assert_waits(&clock, 0, 1);
+    assert_waits(&clock, 40, 5000);
+    assert_waits(&clock, 100000, 12500000);
+}
+
+static void the_timer_of_avr_waits_as_long_as_asked(void **state)
+{
+    struct avr_timer timer;
+
+    (void)state;
+    assert_int_equal(avr_timer_init(&timer, &counter.timer, 16000000), 0);
+    const struct clock clock = avr_timer_clock(&timer);
+    assert_waits(&clock, 0, 1);
+    assert_waits(&clock, 2500, 5000);
+    assert_waits(&clock, 100000, 200000);
+}
+
+static void mtime_waits_as_long_as_asked(void **state)
+{
+    struct mtime mtime = {.low = &counter.mtime, .rate_hz = 32768};
+
+    (void)state;
+    const struct clock clock = mtime_clock(&mtime);
+    assert_waits(&clock, 0, 1);
+    assert_waits(&clock, 1000000, 32768);
+    assert_waits(&clock, 200000000, 6553600);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test_setup_teardown(systick_waits_as_long_as_asked, begin, end),
+        cmocka_unit_test_setup_teardown(the_timer_of_avr_waits_as_long_as_asked, begin, end),
+        cmocka_unit_test_setup_teardown(mtime_waits_as_long_as_asked, begin, end),
+    };
+    return cmocka_run_group_tests_name("counters", tests, NULL, NULL);
+}

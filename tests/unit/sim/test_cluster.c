@@ -1,0 +1,342 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Orders that are right from everywhere: small examples, and rays through random sets. */
+#include "compiler/cluster.h"
+#include "compiler/sampled_order.h"
+#include "rigs/bsp_rig.h"
+#include "rigs/cmocka_ready.h"
+#include "rigs/mesh_rig.h"
+
+#include <math.h>
+#include <string.h>
+
+enum { PIECES_MAX = 200, SETS = 60, RAYS = 300 };
+
+/* The faces' numbers in order, or NULL: none was found. */
+static const char *order_of(const struct mesh *mesh)
+{
+    static char names[PIECES_MAX];
+    uint32_t order[PIECES_MAX];
+    struct bsp_rig rig;
+
+    bsp_rig_make(&rig, mesh, TREE_NONE);
+    assert_in_range(rig.bsp.placed_count, 1, PIECES_MAX - 1);
+    const bool sorted = cluster_order(&rig.bsp, rig.all, rig.bsp.placed_count, order);
+    for (size_t i = 0; i < rig.bsp.placed_count && sorted; i++)
+        names[i] = (char)mesh->polygons[rig.bsp.pieces[order[i]].polygon].face;
+    names[rig.bsp.placed_count] = '\0';
+    bsp_rig_free(&rig);
+    return sorted ? names : NULL;
+}
+
+/* Fronts are on the left: walls from left to right in plan look up. */
+static void walls_in_a_row_come_nearest_first(void **state)
+{
+    struct mesh mesh = mesh_rig(1000.0);
+
+    (void)state;
+    mesh_rig_wall(&mesh, 'b', -2, 2, 2, 2);
+    mesh_rig_wall(&mesh, 'c', -2, 1, 2, 1);
+    mesh_rig_wall(&mesh, 'a', -2, 3, 2, 3);
+    assert_string_equal(order_of(&mesh), "abc");
+    mesh_rig_free(&mesh);
+}
+
+static void walls_back_to_back_stay_as_they_are(void **state)
+{
+    struct mesh mesh = mesh_rig(1000.0);
+
+    (void)state;
+    mesh_rig_wall(&mesh, 'b', 2, 1, -2, 1);
+    mesh_rig_wall(&mesh, 'a', -2, 2, 2, 2);
+    assert_string_equal(order_of(&mesh), "ba");
+    mesh_rig_free(&mesh);
+}
+
+/* Each can hide the other: now from here, now from there. */
+static void two_walls_seen_from_both_sides_have_no_order(void **state)
+{
+    struct mesh mesh = mesh_rig(1000.0);
+
+    (void)state;
+    mesh_rig_wall(&mesh, 'a', -2, 1, 2, 1);
+    mesh_rig_wall(&mesh, 'b', -2, 2, 2, 2);
+    mesh.polygons[0].two_sided = mesh.polygons[1].two_sided = true;
+    assert_null(order_of(&mesh));
+    mesh_rig_free(&mesh);
+}
+
+static void walls_through_one_another_have_no_order(void **state)
+{
+    struct mesh mesh = mesh_rig(1000.0);
+
+    (void)state;
+    mesh_rig_wall(&mesh, 'a', -2, -2, 2, 2);
+    mesh_rig_wall(&mesh, 'b', -2, 2, 2, -2);
+    assert_null(order_of(&mesh));
+    mesh_rig_free(&mesh);
+}
+
+/* In plan: a hides b, b hides c, c hides a; of any two one comes first. */
+static void a_ring_of_three_has_no_order(void **state)
+{
+    static const double walls[3][4] = {{1, 6, 0, 3}, {-6, 2, -2, 4}, {2, -3, 1, 4}};
+    static const char *const orders[4] = {"bc", "ca", "ab", NULL};
+
+    (void)state;
+    for (int missing = 0; missing <= 3; missing++) {
+        struct mesh mesh = mesh_rig(1000.0);
+        for (int i = 0; i < 3; i++)
+            if (i != missing)
+                mesh_rig_wall(&mesh, (uint32_t)('a' + i), walls[i][0], walls[i][1], walls[i][2], walls[i][3]);
+        const char *order = order_of(&mesh);
+        if (orders[missing])
+            assert_string_equal(order, orders[missing]);
+        else
+            assert_null(order);
+        mesh_rig_free(&mesh);
+    }
+}
+
+/* A row of the polygons named in a text. */
+static size_t left_of(const struct rings *rings, const char *names)
+{
+    uint64_t set[2] = {0};
+    assert_in_range(rings->words, 1, 2);
+    for (; *names; names++)
+        set[(*names - 'a') / 64] |= UINT64_C(1) << (*names - 'a') % 64;
+    return rings_left(rings, set);
+}
+
+/* The three of the ring, and a stack of two apart from them. */
+static void what_is_in_rings_is_found(void **state)
+{
+    static const double walls[5][4] = {{1, 6, 0, 3}, {-6, 2, -2, 4}, {2, -3, 1, 4}, {40, 50, 41, 50}, {50, 50, 51, 50}};
+    struct mesh mesh = mesh_rig(400.0);
+    struct bsp_rig rig;
+
+    (void)state;
+    for (int i = 0; i < 5; i++)
+        mesh_rig_wall(&mesh, (uint32_t)('a' + i), walls[i][0], walls[i][1], walls[i][2], walls[i][3]);
+    bsp_rig_make(&rig, &mesh, TREE_NONE);
+    rings_find(&rig.bsp.rings, &rig.bsp);
+    assert_int_equal(left_of(&rig.bsp.rings, "abc"), 3);
+    assert_in_range(left_of(&rig.bsp.rings, "abcde"), 3, 5);
+    assert_int_equal(left_of(&rig.bsp.rings, "ab"), 0);
+    assert_int_equal(left_of(&rig.bsp.rings, "bc"), 0);
+    assert_int_equal(left_of(&rig.bsp.rings, "ca"), 0);
+    assert_int_equal(left_of(&rig.bsp.rings, ""), 0);
+    bsp_rig_free(&rig);
+    mesh_rig_free(&mesh);
+}
+
+static void a_box_keeps_its_order(void **state)
+{
+    const double centre_m[3] = {0, 0, 0}, half_m[3] = {1, 2, 3};
+    struct mesh mesh = mesh_rig(1000.0);
+
+    (void)state;
+    mesh_rig_box(&mesh, centre_m, half_m, 0.3, 0.2);
+    for (size_t i = 0; i < mesh.polygon_count; i++)
+        mesh.polygons[i].face = (uint32_t)('a' + i);
+    assert_string_equal(order_of(&mesh), "abcdef");
+    mesh_rig_free(&mesh);
+}
+
+/* Rays --------------------------------------------------------------------------------------- */
+
+static double dot(const double a[3], const double b[3])
+{
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+static void cross(const double a[3], const double b[3], double out[3])
+{
+    for (int i = 0; i < 3; i++)
+        out[i] = a[(i + 1) % 3] * b[(i + 2) % 3] - a[(i + 2) % 3] * b[(i + 1) % 3];
+}
+
+static void from_to(const double a[3], const double b[3], double out[3])
+{
+    for (int i = 0; i < 3; i++)
+        out[i] = b[i] - a[i];
+}
+
+/* Where a ray meets the front of a polygon, well inside of it; infinity: nowhere. */
+static double meets_at(const struct mesh *mesh, uint32_t index, const double eye[3], const double way[3])
+{
+    const struct mesh_polygon *polygon = &mesh->polygons[index];
+    const double(*points)[3] = (const double(*)[3])mesh->points;
+    const uint32_t *corners = &mesh->corners[polygon->first];
+    double u[3], v[3], n[3], away[3];
+
+    from_to(points[corners[0]], points[corners[1]], u);
+    from_to(points[corners[0]], points[corners[2]], v);
+    cross(u, v, n);
+    from_to(eye, points[corners[0]], away);
+    if (dot(n, way) >= 0) return INFINITY;
+    const double t = dot(n, away) / dot(n, way);
+    for (uint32_t k = 0; k < polygon->count; k++) {
+        double inward[3], to[3], edge[3];
+        from_to(points[corners[k]], points[corners[(k + 1) % polygon->count]], edge);
+        cross(n, edge, inward);
+        for (int i = 0; i < 3; i++)
+            to[i] = eye[i] + t * way[i] - points[corners[k]][i];
+        if (dot(inward, to) <= 0.002 * sqrt(dot(inward, inward))) return INFINITY;
+    }
+    return t > 0.001 ? t : INFINITY;
+}
+
+/* The first in order that a ray meets is the nearest that it meets. */
+static void assert_right_along_rays(const struct mesh *mesh, const struct bsp *bsp, const uint32_t *order,
+                                    struct random *random, int *hits)
+{
+    for (int ray = 0; ray < RAYS; ray++) {
+        const double *towards = mesh->points[random_in(random, 0, (int64_t)mesh->point_count - 1)];
+        double eye[3], way[3], first = INFINITY, nearest = INFINITY;
+        for (int i = 0; i < 3; i++) {
+            eye[i] = 12 * random_unit(random) - 6;
+            way[i] = towards[i] + 0.4 * random_unit(random) - 0.2 - eye[i];
+        }
+        for (size_t i = 0; i < bsp->placed_count; i++) {
+            const double t = meets_at(mesh, bsp->pieces[order[i]].polygon, eye, way);
+            if (isinf(first)) first = t;
+            nearest = fmin(nearest, t);
+        }
+        *hits += !isinf(first);
+        assert_true(isinf(first) || first <= nearest + 0.002);
+    }
+}
+
+/* Boxes apart from one another, some of which hide others: some sets have an order and some have none. */
+static void an_order_is_right_along_every_ray(void **state)
+{
+    struct random random = {11};
+    int sorted = 0, hits = 0;
+
+    (void)state;
+    for (int set = 0; set < SETS; set++) {
+        struct mesh mesh = mesh_rig(2000.0);
+        struct bsp_rig rig;
+        uint32_t order[PIECES_MAX];
+        const int boxes = (int)random_in(&random, 2, 4);
+        for (int i = 0; i < boxes; i++) {
+            const double centre_m[3] = {i * 1.2 - 2, random_unit(&random) * 3, random_unit(&random) * 3};
+            const double half_m[3] = {0.05 + 0.3 * random_unit(&random), 0.3 * random_unit(&random) + 0.05, 0.4};
+            mesh_rig_box(&mesh, centre_m, half_m, random_unit(&random), random_unit(&random));
+        }
+        bsp_rig_make(&rig, &mesh, TREE_NONE);
+        if (cluster_order(&rig.bsp, rig.all, rig.bsp.placed_count, order)) {
+            assert_right_along_rays(&mesh, &rig.bsp, order, &random, &hits);
+            sorted++;
+        }
+        bsp_rig_free(&rig);
+        mesh_rig_free(&mesh);
+    }
+    assert_in_range(sorted, SETS / 10, SETS - 1);
+    assert_true(hits > 1000);
+}
+
+/* Eyes see less than planes tell, and nothing else; and an order by them is one, if none is missed. */
+static void what_is_seen_is_a_part_of_what_is_proved(void **state)
+{
+    struct random random = {9};
+    struct mesh mesh = mesh_rig(2000.0);
+    struct bsp_rig rig;
+    struct rings seen;
+    size_t both = 0, proved_only = 0;
+
+    (void)state;
+    for (int i = 0; i < 5; i++) {
+        const double centre_m[3] = {i * 1.5 - 3, random_unit(&random), random_unit(&random)};
+        const double half_m[3] = {0.3, 0.3 + random_unit(&random), 0.4};
+        mesh_rig_box(&mesh, centre_m, half_m, random_unit(&random), random_unit(&random));
+    }
+    const struct compile_options options = {.tolerance_units = 0.5, .splitter = "fewest", .tree = TREE_BSP};
+    struct compiled scene;
+    struct error err;
+    assert_true(compile_mesh(&mesh, &options, &scene, &err));
+    sampled_order_find(&seen, &mesh, &scene);
+    bsp_rig_make(&rig, &mesh, TREE_NONE);
+    rings_find(&rig.bsp.rings, &rig.bsp);
+    assert_int_equal(seen.words, 1);
+    for (size_t p = 0; p < seen.count; p++) {
+        assert_int_equal(seen.hides[p] & ~rig.bsp.rings.hides[p], 0);
+        assert_int_equal(seen.hidden_by[p] & ~rig.bsp.rings.hidden_by[p], 0);
+        both += (size_t)__builtin_popcountll(seen.hides[p]);
+        proved_only += (size_t)__builtin_popcountll(rig.bsp.rings.hides[p] & ~seen.hides[p]);
+    }
+    assert_true(both > 30 && proved_only > 0);
+    rings_free(&seen);
+    compiled_free(&scene);
+    bsp_rig_free(&rig);
+    mesh_rig_free(&mesh);
+}
+
+/* a before b before c, whatever the list says; where a and c hide one another there is none. */
+static void pieces_are_sorted_by_what_was_seen(void **state)
+{
+    static const uint32_t list[3] = {2, 0, 1};
+    struct mesh mesh = mesh_rig(1000.0);
+    struct bsp_rig rig;
+    uint32_t order[3];
+
+    (void)state;
+    for (int i = 0; i < 3; i++)
+        mesh_rig_wall(&mesh, (uint32_t)('a' + i), -2, 3 - i, 2, 3 - i);
+    bsp_rig_make(&rig, &mesh, TREE_NONE);
+    rings_find(&rig.bsp.rings, &rig.bsp);
+    assert_true(sampled_order_sort(&rig.bsp, list, 3, order));
+    for (uint32_t i = 0; i < 3; i++)
+        assert_int_equal(order[i], i);
+    rig.bsp.rings.hides[2] |= 1;
+    rig.bsp.rings.hidden_by[0] |= 4;
+    assert_false(sampled_order_sort(&rig.bsp, list, 3, order));
+    bsp_rig_free(&rig);
+    mesh_rig_free(&mesh);
+}
+
+/* In trees, whose leaves hold pieces as well. */
+static void leaves_of_trees_are_sorted(void **state)
+{
+    struct random random = {3};
+
+    (void)state;
+    for (enum tree_kind kind = TREE_CLUSTERS; kind <= TREE_OCTREE; kind++) {
+        struct mesh mesh = mesh_rig(3000.0);
+        struct bsp_rig rig;
+        size_t leaves = 0;
+        mesh_rig_solids(&mesh, &random, 6);
+        bsp_rig_make(&rig, &mesh, kind);
+        for (size_t i = 0; i < rig.bsp.node_count; i++) {
+            const struct bsp_node *node = &rig.bsp.nodes[i];
+            uint32_t order[4096];
+            if (node->group != BSP_NONE) continue;
+            leaves++;
+            assert_true(cluster_order(&rig.bsp, &rig.bsp.placed[node->first], node->count, order));
+            assert_memory_equal(order, &rig.bsp.placed[node->first], node->count * sizeof *order);
+        }
+        assert_true(leaves > 1);
+        bsp_rig_free(&rig);
+        mesh_rig_free(&mesh);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(walls_in_a_row_come_nearest_first),
+        cmocka_unit_test(walls_back_to_back_stay_as_they_are),
+        cmocka_unit_test(two_walls_seen_from_both_sides_have_no_order),
+        cmocka_unit_test(walls_through_one_another_have_no_order),
+        cmocka_unit_test(a_ring_of_three_has_no_order),
+        cmocka_unit_test(what_is_in_rings_is_found),
+        cmocka_unit_test(a_box_keeps_its_order),
+        cmocka_unit_test(an_order_is_right_along_every_ray),
+        cmocka_unit_test(what_is_seen_is_a_part_of_what_is_proved),
+        cmocka_unit_test(pieces_are_sorted_by_what_was_seen),
+        cmocka_unit_test(leaves_of_trees_are_sorted),
+    };
+
+    return cmocka_run_group_tests_name("cluster", tests, NULL, NULL);
+}
