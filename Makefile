@@ -114,8 +114,8 @@ FLAGS = -std=c11 $(HOST_OPT) $(WARNINGS) -ffp-contract=off -D_POSIX_C_SOURCE=200
 LINKS = $(shell pkg-config --libs $(LIBRARIES)) -lgmp -lz -lm
 
 object  = $(patsubst %.c,$(BUILD)/host/%.o,$(1))
-rooms   := base pictures model readers scene cameras displays glass render accuracy compiler measure cli
-sources := $(filter-out sim/render/core.c,$(wildcard firmware/*.c hal/*.c hal/linux/*.c hal/hid/*.c hal/mcu/*.c $(rooms:%=sim/%/*.c))) \
+rooms   := base core pictures model readers scene cameras displays glass render accuracy compiler measure cli
+sources := $(filter-out sim/core/core.c,$(wildcard firmware/*.c hal/*.c hal/linux/*.c hal/hid/*.c hal/mcu/*.c $(rooms:%=sim/%/*.c))) \
 	$(addprefix boards/common/,card.c screen.c test_card.c walker.c)
 library := $(BUILD)/host/liblimner.a
 
@@ -138,7 +138,7 @@ $(BUILD)/host/%.o: %.c $(BUILD)/host/flags
 profiles     := draft fast fine exact
 cores        := $(profiles) fast_4 fast_5 fast_8 fine_6
 export PROFILES = $(profiles)
-core_sources := $(wildcard firmware/*.c) sim/render/core.c
+core_sources := $(wildcard firmware/*.c) sim/core/core.c
 core_object   = $(patsubst %.c,$(BUILD)/core-$(1)/%.o,$(core_sources))
 core_words    = $(subst _, ,$(shell echo $(1) | tr a-z A-Z))
 core_flags    = -DCORE=core_$(1) -DLIM_PROFILE=LIM_PROFILE_$(firstword $(core_words)) \
@@ -283,7 +283,7 @@ suite-sanitize  := $(wildcard tests/sanitize*.sh)
 suite-models    := tests/models.sh
 suite-features  := tests/features.sh
 suite-prove     := tests/prove.sh
-suite-format    := tests/format.sh
+suite-format    := tests/format.sh tests/rooms.sh
 suite-kernel    := tests/kernel.sh
 suite-foreign   := tests/foreign.sh
 suite-arm64     := tests/arm64.sh

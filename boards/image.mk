@@ -19,7 +19,7 @@ LINES    := 1
 STREAM   := no
 TITLE     = $(BOARD)$(if $(filter --framebuffer,$(COMPILE)),$(comma) framebuffer)
 comma    := ,
-START    := boards/common/image.c
+START    := boards/common/bare_image.c
 LINK      = -nostdlib -Lboards/common -T $(board_folder)/memory.ld -Wl,--defsym=image_stack_b=0
 LAST     := -lgcc
 include $(board_folder)/board.mk

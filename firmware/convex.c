@@ -8,7 +8,7 @@
  * A face for which the pool has no room is projected anew for each of its lines. */
 #include "order.h"
 
-#include "wire.h"
+#include "wireframe.h"
 
 #if LIM_HAS_CONVEX
 

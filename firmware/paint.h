@@ -17,7 +17,7 @@
 #include "span.h"
 #include "stats.h"
 #include "target.h"
-#include "wire.h"
+#include "wireframe.h"
 
 struct lim_paint {
     const struct lim_target *target;

@@ -10,7 +10,7 @@
 #include "framebuffer.h"
 #include "piece.h"
 #include "project.h"
-#include "wire.h"
+#include "wireframe.h"
 
 #if LIM_HAS_PAINTER || LIM_HAS_FALLBACK
 

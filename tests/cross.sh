@@ -30,7 +30,7 @@ compile() { # TARGET OBJECT SOURCE [FLAG...]
     cross_target=$1 cross_object=$2 cross_source=$3
     shift 3
     # shellcheck disable=SC2046,SC2086 # flags are words
-    ${CCACHE:-} "$(tools_of "$cross_target")gcc" $(flags_of "$cross_target") -O2 -ffreestanding $WARNINGS -Ifirmware -Ihal -Isim "$@" \
+    ${CCACHE:-} "$(tools_of "$cross_target")gcc" $(flags_of "$cross_target") -O2 -ffreestanding $WARNINGS -Ifirmware -Ihal "$@" \
         -c -o "$cross_object" "$cross_source"
 }
 
@@ -49,7 +49,7 @@ check_variant() { # TARGET FLAG...
     cross_target=$1
     shift
     # shellcheck disable=SC2046,SC2086 # flags are words
-    "$(tools_of "$cross_target")gcc" $(flags_of "$cross_target") -ffreestanding $WARNINGS -Ifirmware -Ihal -Isim "$@" \
+    "$(tools_of "$cross_target")gcc" $(flags_of "$cross_target") -ffreestanding $WARNINGS -Ifirmware -Ihal "$@" \
         -fsyntax-only firmware/*.c
 }
 

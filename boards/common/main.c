@@ -6,9 +6,9 @@
  * trouble says, and all begins anew; when the processor takes an exception it stays lit. A program (BOARD_ENDS) leaves
  * the panel dark when it ends, as it does when something fails. */
 #include "app_scene.h"
+#include "bare_image.h"
 #include "board.h"
 #include "card.h"
-#include "image.h"
 #include "mcu/mcu.h"
 #include "module.h"
 #include "screen.h"

@@ -3,7 +3,7 @@
  * Start-up of a bare image for Cortex-M: vector table, floating-point unit, memory, main().
  * Any exception is the program's end, and interrupts never come: a boot loader that jumps here, as the STM32's over
  * USB, may have left some of them on, and its own vector table in use. */
-#include "image.h"
+#include "bare_image.h"
 
 void arm_reset(void);
 

@@ -2,7 +2,7 @@
  *
  * Start-up of a bare image for RISC-V in machine mode: trap vector, stack, memory, main(). Any trap
  * is the program's end. */
-#include "image.h"
+#include "bare_image.h"
 
 void riscv_reset(void);
 void riscv_start(void);

@@ -4,6 +4,7 @@
  * counts. Textures repeat, so a distance is never more than half a side. */
 #include "accuracy/measure_texels.h"
 
+#include "core/core.h"
 #include "model/mapping.h"
 
 #include <math.h>

@@ -5,7 +5,7 @@
 #define SIM_MEASURE_TEXELS_H
 
 #include "accuracy/reference.h"
-#include "render/core.h"
+#include "core/core.h"
 #include "render/ids.h"
 
 enum { TEXEL_BINS_A_TEXEL = 256, TEXEL_BINS = 256 * TEXEL_BINS_A_TEXEL };

@@ -7,6 +7,7 @@
 #include "accuracy/reference.h"
 
 #include "model/pose.h"
+#include "readers/model_import.h"
 #include "readers/source.h"
 
 #include <math.h>

@@ -3,7 +3,7 @@
  * The monotonic clock against the end of the time; both in seconds. */
 #include "base/deadline.h"
 
-#include "render/parse.h"
+#include "base/parse.h"
 
 #include <math.h>
 #include <stdarg.h>

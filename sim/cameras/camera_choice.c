@@ -3,8 +3,8 @@
  * A word before the first colon tells random cameras from files. */
 #include "cameras/camera_choice.h"
 
+#include "base/parse.h"
 #include "cameras/random_path.h"
-#include "render/parse.h"
 
 #include <stdio.h>
 #include <string.h>

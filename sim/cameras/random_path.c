@@ -4,7 +4,7 @@
 #include "cameras/random_path.h"
 
 #include "cameras/sample.h"
-#include "compiler/moving.h"
+#include "scene/moving.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -5,9 +5,9 @@
 
 #include "base/vec3.h"
 #include "cameras/free_space.h"
-#include "compiler/moving.h"
 #include "model/original.h"
 #include "model/pose.h"
+#include "scene/moving.h"
 
 #include <math.h>
 

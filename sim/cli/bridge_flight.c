@@ -3,8 +3,8 @@
 
 #include "cli/bridge_bench.h"
 #include "cli/options.h"
-#include "compiler/moving.h"
 #include "render/simulator.h"
+#include "scene/moving.h"
 
 #include <stdlib.h>
 

@@ -4,9 +4,9 @@
  * README's table: whole frames, and what changes on flights through scenes. */
 #include "base/arguments.h"
 #include "base/grow.h"
+#include "base/parse.h"
 #include "cli/bridge_flight.h"
 #include "cli/commands.h"
-#include "render/parse.h"
 
 #include <stdio.h>
 #include <stdlib.h>

@@ -7,6 +7,7 @@
 #include "base/work_folder.h"
 #include "cli/commands.h"
 #include "compiler/faithful.h"
+#include "core/core.h"
 #include "measure/compare_methods.h"
 #include "measure/difference.h"
 #include "pictures/image.h"

@@ -4,14 +4,17 @@
  * scene costs. Of several models each becomes NAME_MODEL.c and .lim; they share NAME.h. */
 #include "base/c_name.h"
 #include "base/grow.h"
+#include "base/parse.h"
 #include "cameras/camera_path.h"
 #include "cli/commands.h"
-#include "compiler/moving.h"
+#include "compiler/compile.h"
+#include "compiler/moving_compile.h"
 #include "compiler/portal_choice.h"
 #include "compiler/tree_choice.h"
+#include "core/core_parse.h"
 #include "displays/idle_options.h"
 #include "measure/choose.h"
-#include "render/parse.h"
+#include "scene/moving.h"
 #include "scene/scene_files.h"
 
 #include <getopt.h>

@@ -4,6 +4,7 @@
  * a file or a pipe -> an emulated display -> frames, a line each, and PNG files and hashes as `limner render --panel`
  * has them. What the chip has to complain about is an error, and named with the line or the time that it came from. */
 #include "base/input_file.h"
+#include "base/parse.h"
 #include "base/progress.h"
 #include "cli/commands.h"
 #include "displays/idle_options.h"
@@ -13,7 +14,6 @@
 #include "pictures/frame_file.h"
 #include "pictures/hash_list.h"
 #include "pictures/hashes.h"
-#include "render/parse.h"
 
 #include <inttypes.h>
 #include <stdlib.h>

@@ -3,11 +3,11 @@
  * `limner hashes`: pictures of frames that others' displays showed -> hashes as `limner render --write-hashes` has
  * them. With --shrink N every pixel is a square of N by N, as emulators enlarge them: a square of two colours is an
  * error. */
+#include "base/parse.h"
 #include "cli/commands.h"
 #include "pictures/enlarged.h"
 #include "pictures/hash_list.h"
 #include "pictures/image.h"
-#include "render/parse.h"
 
 #include <inttypes.h>
 #include <stdlib.h>

@@ -8,6 +8,7 @@
 #include "base/work_folder.h"
 #include "cli/commands.h"
 #include "compiler/faithful.h"
+#include "core/core.h"
 #include "measure/measure_request.h"
 #include "measure/measure_table.h"
 

@@ -4,15 +4,17 @@
  * be refused without the hardware is refused before it is touched. */
 #include "base/deadline.h"
 #include "base/notice.h"
+#include "base/parse.h"
 #include "card.h"
 #include "cli/commands.h"
 #include "cli/options.h"
 #include "compiler/faithful.h"
+#include "compiler/moving_compile.h"
 #include "displays/module_choice.h"
 #include "displays/player.h"
 #include "displays/port_choice.h"
 #include "linux/interrupt.h"
-#include "render/parse.h"
+#include "scene/moving.h"
 
 #include <stdio.h>
 #include <stdlib.h>

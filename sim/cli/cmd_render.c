@@ -4,6 +4,7 @@
  * that were asked for are there at the end, or none. */
 #include "accuracy/edge_error.h"
 #include "accuracy/frame_table.h"
+#include "accuracy/moving_reference.h"
 #include "accuracy/unsettled.h"
 #include "base/deadline.h"
 #include "base/notice.h"
@@ -13,12 +14,14 @@
 #include "cli/commands.h"
 #include "cli/options.h"
 #include "compiler/faithful.h"
+#include "core/core.h"
 #include "pictures/dump.h"
 #include "pictures/frame_file.h"
 #include "pictures/hashes.h"
 #include "readers/source.h"
 #include "render/frame_cost.h"
 #include "render/ids.h"
+#include "scene/moving.h"
 
 #include <math.h>
 #include <stdlib.h>

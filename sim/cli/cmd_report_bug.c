@@ -8,6 +8,7 @@
 #include "cli/report_run.h"
 #include "model/model.h"
 #include "readers/inputs.h"
+#include "readers/model_import.h"
 
 #include <errno.h>
 #include <stdlib.h>

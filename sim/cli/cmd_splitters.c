@@ -4,12 +4,14 @@
  * bytes, and what a frame costs on cameras sampled in the scene's free space. What moves in it is left out, as the
  * tree of a scene holds what stands still. */
 #include "base/deadline.h"
+#include "base/parse.h"
 #include "cli/commands.h"
+#include "compiler/compile.h"
 #include "compiler/faithful.h"
 #include "compiler/splitter.h"
 #include "model/light.h"
 #include "model/model_part.h"
-#include "render/parse.h"
+#include "readers/model_import.h"
 #include "scene/compiled.h"
 
 #include <getopt.h>

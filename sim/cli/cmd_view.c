@@ -8,7 +8,9 @@
 #include "cli/fly.h"
 #include "cli/options.h"
 #include "compiler/faithful.h"
+#include "compiler/moving_compile.h"
 #include "pictures/dump.h"
+#include "scene/moving.h"
 
 #include <stdio.h>
 #include <stdlib.h>

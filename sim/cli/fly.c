@@ -3,6 +3,8 @@
  * The camera is kept as the renderer has it, so that an hour of turning does not drift. */
 #include "cli/fly.h"
 
+#include "scene/moving.h"
+
 #include <math.h>
 #include <time.h>
 

@@ -4,8 +4,8 @@
 #ifndef SIM_FLY_H
 #define SIM_FLY_H
 
-#include "compiler/moving.h"
 #include "render/simulator.h"
+#include "scene/moving.h"
 
 enum fly_key {
     FLY_FORWARD,

@@ -7,9 +7,14 @@
 #include "base/grow.h"
 #include "base/notice.h"
 #include "base/outputs.h"
+#include "base/parse.h"
+#include "compiler/compile.h"
+#include "compiler/moving_compile.h"
 #include "compiler/order_choice.h"
 #include "compiler/tree_choice.h"
-#include "render/parse.h"
+#include "core/core.h"
+#include "core/core_parse.h"
+#include "scene/scene_files.h"
 
 #include <errno.h>
 #include <getopt.h>

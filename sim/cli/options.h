@@ -5,9 +5,11 @@
 #define SIM_OPTIONS_H
 
 #include "cameras/camera_choice.h"
-#include "compiler/moving.h"
+#include "compiler/compile.h"
+#include "compiler/moving_compile.h"
 #include "displays/idle_options.h"
 #include "render/simulator.h"
+#include "scene/moving.h"
 #include "target.h"
 
 struct options {

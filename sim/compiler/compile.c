@@ -2,22 +2,24 @@
  *
  * Mesh to compiled scene: exact points, coplanar groups, a tree for each heuristic wanted, the
  * best of them kept. */
+#include "compiler/compile.h"
 #include "base/deadline.h"
 #include "base/grow.h"
 #include "base/progress.h"
 #include "compiler/encode.h"
 #include "compiler/faithful.h"
-#include "compiler/moving.h"
 #include "compiler/order_choice.h"
-#include "compiler/pools.h"
+#include "compiler/pool_sizes.h"
 #include "compiler/portal_choice.h"
 #include "compiler/predict.h"
 #include "compiler/sampled_order.h"
-#include "compiler/tree_choice.h"
+#include "core/core.h"
 #include "model/light.h"
 #include "model/original.h"
+#include "readers/model_import.h"
 #include "readers/source.h"
 #include "scene/convexity.h"
+#include "scene/lim_image.h"
 #include "scene/width.h"
 
 #include <math.h>
@@ -382,14 +384,4 @@ bool compile_model(const char *path, const struct compile_options *options, stru
     ok = ok && (compile_part(&model, NULL, options, out, err) || error_prefix(err, path));
     model_free(&model);
     return ok;
-}
-
-void compiled_free(struct compiled *scene)
-{
-    if (scene->moving) moving_free(scene->moving);
-    free(scene->moving);
-    original_free(scene->original);
-    free(scene->image);
-    free(scene->report.notes);
-    *scene = (struct compiled){0};
 }

@@ -5,6 +5,9 @@
 #include "compiler/encode.h"
 
 #include "base/grow.h"
+#include "base/rgb565.h"
+#include "blend.h"
+#include "compiler/encode_texture.h"
 #include "compiler/outline.h"
 
 #include <assert.h>
@@ -27,12 +30,6 @@ struct encoder {
     struct texture_encoder textures;
     struct lim_plane_ref own; /* with LIM_POLYGON_PLANE: their plane */
 };
-
-uint16_t rgb565_from_rgb888(uint32_t colour)
-{
-    uint32_t red = colour >> 16 & 0xFF, green = colour >> 8 & 0xFF, blue = colour & 0xFF;
-    return (uint16_t)((red * 31 + 127) / 255 << 11 | (green * 63 + 127) / 255 << 5 | (blue * 31 + 127) / 255);
-}
 
 /* Records ------------------------------------------------------------------------------------ */
 
@@ -98,8 +95,7 @@ static void record_add(struct encoder *work, const struct outline *outline, cons
     const bool is_textured = !polygon->transparency && texture_encode(&work->textures, polygon, texture);
     word_add(out, outline->count | work->flags | (polygon->transparency ? LIM_POLYGON_ALPHA : 0u) |
                       (with_edges ? LIM_POLYGON_EDGES : 0u) | (is_textured ? LIM_POLYGON_TEXTURE : 0u));
-    word_add(out,
-             rgb565_from_rgb888(polygon->mapping ? texture_flat_colour(work->bsp->mesh, polygon) : polygon->colour));
+    word_add(out, rgb565_nearest(polygon->mapping ? texture_flat_colour(work->bsp->mesh, polygon) : polygon->colour));
     for (size_t i = 0; i < outline->count; i++)
         word_add(out, vertex_index(work, outline->corners[i]));
     if (work->flags & LIM_POLYGON_PLANE) {
@@ -352,18 +348,4 @@ bool encode_bsp(const struct bsp *bsp, bool with_fractions, bool with_edges, str
     map_free(&work.planes);
     texture_encoder_free(&work.textures);
     return ok;
-}
-
-void encoding_free(struct encoding *encoding)
-{
-    free(encoding->vertices);
-    free(encoding->fractions);
-    free(encoding->nodes);
-    free(encoding->planes);
-    free(encoding->exact);
-    free(encoding->boxes);
-    free(encoding->words);
-    free(encoding->faces);
-    texture_arrays_free(&encoding->textures);
-    *encoding = (struct encoding){0};
 }

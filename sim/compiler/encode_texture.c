@@ -5,6 +5,7 @@
 #include "compiler/encode_texture.h"
 
 #include "base/grow.h"
+#include "base/rgb565.h"
 #include "base/vec3.h"
 #include "compiler/encode.h"
 #include "fill.h"
@@ -89,7 +90,7 @@ static uint16_t palette_add(struct texture_arrays *out, const struct texture *te
     const size_t first = out->palette_colours;
     for (size_t i = 0; i < texture->colours; i++) {
         out->palettes = grow(out->palettes, out->palette_colours, &out->palette_capacity, sizeof *out->palettes);
-        out->palettes[out->palette_colours++] = lim_memory_colour(rgb565_from_rgb888(lit(texture->palette[i], light)));
+        out->palettes[out->palette_colours++] = lim_memory_colour(rgb565_nearest(lit(texture->palette[i], light)));
     }
     return (uint16_t)first;
 }
@@ -243,12 +244,4 @@ void texture_encoder_free(struct texture_encoder *encoder)
     map_free(&encoder->same);
     map_free(&encoder->looks);
     map_free(&encoder->texels);
-}
-
-void texture_arrays_free(struct texture_arrays *arrays)
-{
-    free(arrays->mappings);
-    free(arrays->textures);
-    free(arrays->palettes);
-    free(arrays->texels);
 }

@@ -7,16 +7,7 @@
 #include "base/map.h"
 #include "model/mesh.h"
 #include "scene.h"
-
-/* The arrays, still of any length. */
-struct texture_arrays {
-    struct lim_mapping *mappings;
-    struct lim_texture *textures;
-    uint16_t *palettes; /* as in memory */
-    uint8_t *texels;
-    size_t mapping_count, texture_count, palette_colours, texel_count;
-    size_t mapping_capacity, texture_capacity, palette_capacity, texel_capacity;
-};
+#include "scene/encoding.h"
 
 struct texture_encoder {
     const struct mesh *mesh;
@@ -43,6 +34,5 @@ void texture_encoder_finish(struct texture_encoder *encoder);
 /* Refuses what does not fit 16-bit indices. */
 bool texture_arrays_check(const struct texture_arrays *arrays, struct error *err);
 void texture_encoder_free(struct texture_encoder *encoder);
-void texture_arrays_free(struct texture_arrays *arrays);
 
 #endif

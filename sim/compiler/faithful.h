@@ -5,6 +5,7 @@
 #ifndef SIM_FAITHFUL_H
 #define SIM_FAITHFUL_H
 
+#include "compiler/compile.h"
 #include "scene/compiled.h"
 
 struct original;

@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: MIT
  *
  * What a scene's moving objects cost, as a table. */
-#include "compiler/moving.h"
-#include "compiler/pools.h"
+#include "compiler/mcu_mem.h"
+#include "compiler/moving_compile.h"
+#include "scene/mcu_sizes.h"
 
 #include <stdio.h>
 
@@ -38,6 +39,6 @@ void moving_report_print(const struct moving *moving, const struct compiled *sce
     for (size_t i = 0; i < moving->count; i++)
         print_object(&moving->objects[i]);
     print_sum(moving);
-    printf("  %-28s %8zu beside the scene's\n", "working memory, bytes", pools_mcu_movers_mem_b(scene, moving));
+    printf("  %-28s %8zu beside the scene's\n", "working memory, bytes", mcu_movers_mem_b(scene, moving));
     if (name) printf("  note: %s.lim holds what stands still alone: `limner render` shows no objects of it\n", name);
 }

@@ -4,9 +4,9 @@
  * closed scenes, a few cameras spend what all may, and end it. */
 #include "compiler/order_choice.h"
 
-#include "compiler/pools.h"
-#include "render/frame_cost.h"
-#include "scene/lim_image.h"
+#include "compiler/compile.h"
+#include "compiler/mcu_mem.h"
+#include "compiler/pool_sizes.h"
 #include "scene/method.h"
 #include "scene/records.h"
 
@@ -48,7 +48,7 @@ bool order_choose(struct compiled *scene, const struct compile_options *options,
 
     if (!options->choose_order || options->method || report->draws != LIM_NEAREST_FIRST) return true;
     if (isnan(nearest) || order_needs_nearest(options, &scene->scene)) return true;
-    const size_t nearest_mem_b = pools_mcu_mem_b(scene);
+    const size_t nearest_mem_b = mcu_mem_b(scene);
     if (!pools_measure_scanline(scene, options->core, ENOUGH * nearest, err)) return false;
     report->order = (struct order_choice){true, nearest, ENOUGH * nearest, nearest_mem_b};
     return true;

@@ -8,7 +8,9 @@
 #include "base/deadline.h"
 #include "base/progress.h"
 #include "cameras/sample.h"
+#include "compiler/compile.h"
 #include "compiler/sights.h"
+#include "core/core.h"
 #include "render/simulator.h"
 #include "scene/lim_image.h"
 

@@ -4,6 +4,7 @@
 #ifndef SIM_PORTAL_CHOICE_H
 #define SIM_PORTAL_CHOICE_H
 
+#include "compiler/compile.h"
 #include "scene/compiled.h"
 
 /* off, auto or on; anything else is refused. */

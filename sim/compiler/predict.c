@@ -4,11 +4,12 @@
 #include "compiler/predict.h"
 
 #include "accuracy/compare.h"
+#include "accuracy/moving_reference.h"
 #include "base/deadline.h"
 #include "base/progress.h"
 #include "cameras/sample.h"
-#include "compiler/moving.h"
 #include "render/ids.h"
+#include "scene/moving.h"
 
 #include <math.h>
 

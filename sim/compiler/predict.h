@@ -6,7 +6,7 @@
 #define SIM_PREDICT_H
 
 #include "accuracy/reference.h"
-#include "render/core.h"
+#include "core/core.h"
 #include "scene/compiled.h"
 
 /* Half of the cameras look anywhere, half at faces of all sizes, from as near as these are small. */

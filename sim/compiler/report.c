@@ -1,7 +1,9 @@
 /* SPDX-License-Identifier: MIT
  *
  * What compiling made of a model, as a table. */
-#include "compiler/pools.h"
+#include "compiler/compile.h"
+#include "compiler/mcu_mem.h"
+#include "core/core.h"
 #include "scene/compiled.h"
 #include "scene/records.h"
 #include "scene/width.h"
@@ -78,7 +80,7 @@ static void print_order(const struct compiled *scene)
     }
     printf("  drawn by scan lines: %.0f instead of %.0f instructions predicted\n", report->instructions,
            order->nearest_instructions);
-    printf("    %zu instead of %zu bytes of working memory\n", pools_mcu_mem_b(scene), order->nearest_mem_b);
+    printf("    %zu instead of %zu bytes of working memory\n", mcu_mem_b(scene), order->nearest_mem_b);
 }
 
 static void print_tree(const struct compiled *scene)
@@ -181,11 +183,11 @@ static void print_ram(const struct compiled *scene)
     printf("RAM at %ux%u pixels, %s\n", scene->report.w_px, scene->report.h_px, method_title(scene->report.draws));
     if (scene->report.framebuffer)
         print_count("framebuffer, bytes", framebuffer_b(scene->report.w_px, scene->report.h_px));
-    print_count("working memory, bytes", pools_mcu_mem_b(scene));
+    print_count("working memory, bytes", mcu_mem_b(scene));
     if (scene->report.few_cameras)
         printf("    %-26s %8zu sampled cameras alone, as the depth sort takes long\n", "measured on",
                scene->report.few_cameras);
-    print_count("least, bytes", pools_mcu_mem_min_b(scene));
+    print_count("least, bytes", mcu_mem_min_b(scene));
 }
 
 void compile_report_print(const struct compiled *scene, const char *name)

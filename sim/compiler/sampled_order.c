@@ -6,7 +6,6 @@
 #include "base/deadline.h"
 #include "base/grow.h"
 #include "base/progress.h"
-#include "base/vec3.h"
 #include "cameras/sample.h"
 #include "compiler/bsp.h"
 

@@ -11,7 +11,7 @@
 #include "displays/module_choice.h"
 
 #include "base/notice.h"
-#include "render/parse.h"
+#include "base/parse.h"
 
 #include <stdio.h>
 #include <string.h>

@@ -4,10 +4,10 @@
  * frames end. */
 #include "glass/capture.h"
 
+#include "base/parse.h"
 #include "base/progress.h"
 #include "glass/sigrok.h"
 #include "glass/vcd.h"
-#include "render/parse.h"
 
 #include <ctype.h>
 #include <inttypes.h>

@@ -9,6 +9,8 @@
 #include "base/progress.h"
 #include "base/work_folder.h"
 #include "cameras/sample.h"
+#include "compiler/compile.h"
+#include "core/core.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -6,8 +6,9 @@
 #define SIM_CHOOSE_H
 
 #include "cameras/camera_choice.h"
-#include "measure/measure.h"
+#include "compiler/compile.h"
 #include "measure/measure_refusals.h"
+#include "measure/measurement.h"
 
 #include <stdio.h>
 

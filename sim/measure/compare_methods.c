@@ -6,7 +6,7 @@
 
 #include "base/deadline.h"
 #include "base/progress.h"
-#include "compiler/moving.h"
+#include "compiler/compile.h"
 #include "render/simulator.h"
 
 #include <stdlib.h>

@@ -4,6 +4,7 @@
 #ifndef SIM_COMPARE_METHODS_H
 #define SIM_COMPARE_METHODS_H
 
+#include "compiler/compile.h"
 #include "measure/compare_table.h"
 
 /* Compiles the scene for every method; table->rows must be zero. What a method cannot draw is in its row; false only

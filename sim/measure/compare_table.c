@@ -3,6 +3,8 @@
  * What is not known is a dash in the one and nothing in the other. */
 #include "measure/compare_table.h"
 
+#include "core/core.h"
+
 bool compare_row_draws(const struct compare_row *row)
 {
     return row->scene.image != NULL;

@@ -7,7 +7,7 @@
 #define SIM_COUNTS_H
 
 #include "measure/link_map.h"
-#include "measure/measure.h"
+#include "measure/measurement.h"
 
 /* Writes what the plugin reads. */
 bool counts_write_ranges(const struct link_map *map, const char *path, struct error *err);

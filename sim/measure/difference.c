@@ -3,9 +3,11 @@
  * The frame is drawn twice by the method, in its colours and as face numbers, and once by the reference. */
 #include "measure/difference.h"
 
-#include "compiler/moving.h"
+#include "accuracy/moving_reference.h"
 #include "pictures/image.h"
 #include "render/ids.h"
+#include "render/simulator.h"
+#include "scene/moving.h"
 
 #include <gdfonts.h>
 #include <string.h>

@@ -5,7 +5,7 @@
 #ifndef SIM_DIFFERENCE_H
 #define SIM_DIFFERENCE_H
 
-#include "measure/measure.h"
+#include "measure/measurement.h"
 
 #include <gd.h>
 

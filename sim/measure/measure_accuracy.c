@@ -2,8 +2,11 @@
  *
  * Frame by frame: the reference draws once, then every renderer; pixels, vertices and sides of planes
  * are compared while both pictures are at hand. */
+#include "accuracy/moving_reference.h"
 #include "base/deadline.h"
-#include "measure/measure.h"
+#include "core/core.h"
+#include "measure/measurement.h"
+#include "scene/moving.h"
 
 #include "accuracy/measure_texels.h"
 #include "base/progress.h"

@@ -3,6 +3,8 @@
  * Equal reasons are told once. */
 #include "measure/measure_refusals.h"
 
+#include "core/core.h"
+
 #include <string.h>
 
 void measure_refusals_add(struct measure_refusals *refusals, const struct core *core, const struct error *reason)

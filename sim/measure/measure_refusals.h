@@ -5,7 +5,7 @@
 #define SIM_MEASURE_REFUSALS_H
 
 #include "base/error.h"
-#include "render/core.h"
+#include "core/core.h"
 
 #include <stddef.h>
 #include <stdio.h>

@@ -4,9 +4,11 @@
 #include "measure/measure_request.h"
 
 #include "base/child.h"
+#include "base/parse.h"
+#include "compiler/compile.h"
 #include "compiler/portal_choice.h"
 #include "compiler/tree_choice.h"
-#include "render/parse.h"
+#include "core/core.h"
 
 #include <getopt.h>
 #include <stdio.h>

@@ -5,7 +5,9 @@
 #define SIM_MEASURE_REQUEST_H
 
 #include "cameras/camera_choice.h"
-#include "measure/measure.h"
+#include "compiler/compile.h"
+#include "core/core.h"
+#include "measure/measurement.h"
 
 enum { MEASURE_CORES_MAX = 32, MEASURE_REQUEST_CPUS_MAX = 8, MEASURE_NAME_B = 128, MEASURE_ORBIT_FRAMES = 16 };
 

@@ -4,6 +4,7 @@
 #include "measure/measure_table.h"
 
 #include "base/front.h"
+#include "core/core.h"
 
 #include <math.h>
 #include <string.h>

@@ -4,8 +4,8 @@
 #ifndef SIM_MEASURE_TABLE_H
 #define SIM_MEASURE_TABLE_H
 
-#include "measure/measure.h"
 #include "measure/measure_refusals.h"
+#include "measure/measurement.h"
 
 #include <stdio.h>
 

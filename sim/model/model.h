@@ -1,12 +1,11 @@
 /* SPDX-License-Identifier: MIT
  *
- * A model as its file has it: polygons in metres, in the file's order, nothing mended yet.
- * Imported by assimp (OBJ, glTF, STL, PLY, ...); quads and n-gons are kept. */
+ * A model as its file has it: polygons in metres, in the file's order, nothing mended yet. */
 #ifndef SIM_MODEL_H
 #define SIM_MODEL_H
 
 #include "base/error.h"
-#include "model/texture.h"
+#include "model/mipmap.h"
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -64,28 +63,6 @@ struct model {
 
 enum { MODEL_DEFAULT_COLOUR = 0xC8C8C8 }; /* of faces that have neither material nor vertex colours */
 
-/* Reads a model file. Refuses, naming file and reason: missing, unreadable or unknown format, no
- * faces, NaN or infinite coordinates, an opacity that is NaN, indices out of range, more than 2^26 corners. On success
- * the caller owns *model, otherwise it is empty.
- *
- * Faces are numbered from 1; points and lines are none. In OBJ, STL and PLY files the order is that
- * of the file. Formats with a node tree (glTF, ...) are numbered node by node, parents first, then
- * by mesh of the node, then by face of the mesh. A mirroring transform turns its faces round.
- *
- * OBJ colours are taken as sRGB. Base colours of physically based materials (glTF) are linear
- * light, as that format says, and become sRGB here. Of the textures the one
- * of the colour is read, as opaque (picture.clear_faces); it repeats, whatever the file says. One that cannot be read
- * is no error.
- *
- * Opacity is MTL's `d` (or 1 - `Tr`); glTF's base colour's and vertex colours' alpha where alphaMode is BLEND, all or
- * nothing where it is MASK, and nothing where it is OPAQUE.
- *
- * Animations move nodes rigidly. Points are where the nodes' own transforms have them; all animations of the file run
- * at once. Keys are joined by straight lines and even turns, whatever the file says. Refused, by name: an animated node
- * that is scaled by its keys, mirrored or sheared, below another one that is animated, or not the only one of its name.
- * Notices: one without a mesh, or with fewer than two keys, stands still; of several animations that move, or turn, the
- * same node the first counts. */
-bool model_import(const char *path, struct model *model, struct error *err);
 void model_free(struct model *model);
 
 /* Adds to the notice. */

@@ -4,8 +4,8 @@
 #include "model/model_part.h"
 
 #include "base/grow.h"
+#include "model/mipmap.h"
 #include "model/pose.h"
-#include "model/texture.h"
 
 #include <stdlib.h>
 #include <string.h>

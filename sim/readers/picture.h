@@ -5,7 +5,7 @@
 #ifndef SIM_PICTURE_H
 #define SIM_PICTURE_H
 
-#include "model/texture.h"
+#include "model/mipmap.h"
 
 #include <assimp/scene.h>
 

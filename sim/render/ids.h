@@ -5,8 +5,8 @@
 #ifndef SIM_IDS_H
 #define SIM_IDS_H
 
-#include "compiler/moving.h"
 #include "render/simulator.h"
+#include "scene/moving.h"
 
 struct ids {
     struct simulator simulator; /* into plain memory */

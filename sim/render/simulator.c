@@ -4,8 +4,10 @@
  * lines. Plain memory serves both methods, as it can lend every line at any time. */
 #include "render/simulator.h"
 
+#include "core/core.h"
 #include "scene/convexity.h"
 #include "scene/method.h"
+#include "scene/moving.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -273,4 +275,10 @@ void simulator_free(struct simulator *simulator)
     free(simulator->delta_mem);
     free(simulator->lim);
     memset(simulator, 0, sizeof *simulator);
+}
+
+bool simulator_add_movers(struct simulator *simulator, const struct compiled *scene, struct error *err)
+{
+    const struct moving *moving = scene->moving;
+    return !moving || simulator_set_movers(simulator, moving->instances, moving->count, &moving->limits, err);
 }

@@ -7,8 +7,8 @@
 #define SIM_SIMULATOR_H
 
 #include "base/error.h"
+#include "core/core.h"
 #include "pictures/image.h"
-#include "render/core.h"
 #include "render/panel_board.h"
 
 enum simulator_panel {
@@ -26,6 +26,8 @@ struct simulator_setup {
     enum simulator_panel panel;
     const struct core *core; /* the precision profile; NULL: fast */
 };
+
+struct compiled;
 
 struct simulator {
     const struct core *core;
@@ -91,5 +93,8 @@ struct film simulator_film(const struct simulator *simulator);
 size_t simulator_pixel_count(const struct simulator *simulator);
 
 void simulator_free(struct simulator *simulator);
+
+/* simulator_set_movers() with what moves in the scene, if anything does. */
+bool simulator_add_movers(struct simulator *simulator, const struct compiled *scene, struct error *err);
 
 #endif

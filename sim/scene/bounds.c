@@ -4,9 +4,8 @@
  * on the way, about what two small polygons do: subtrees of fewer polygons go without. */
 #include "scene/bounds.h"
 
-#include "compiler/encode.h"
-
 #include "base/grow.h"
+#include "scene/encoding.h"
 
 #include <stdlib.h>
 

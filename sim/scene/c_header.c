@@ -3,7 +3,6 @@
  * NAME.h: the needs of its scenes as configuration (config.h includes that file through LIM_CONFIG,
  * before any type is known); of each scene its grid, its memory, its declaration. */
 #include "base/c_name.h"
-#include "compiler/pools.h"
 #include "scene/needs.h"
 #include "scene/scene_files.h"
 
@@ -24,7 +23,7 @@ static void write_spans_memory(FILE *file, const struct compiled *scene, const s
 
 static void write_memory(FILE *file, const struct compiled *scene, const struct needs *needs, const char *macro)
 {
-    const struct lim_limits limits = pools_mcu_limits(scene, needs);
+    const struct lim_limits limits = needs_limits(scene, needs);
     fprintf(file, "\n/* How to draw it, and bytes for lim_init() on a target of h_px lines; limner.h has the rest of "
                   "both expressions. */\n");
     fprintf(file, "#define %s_SCENE_METHOD %s\n", macro, method_symbol(scene->report.draws));

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
  * What moves in a scene, as C: an object is a scene of its own, its motion a table of keys. */
-#include "compiler/moving.h"
+#include "scene/moving.h"
 #include "scene/scene_files.h"
 
 #include <stdio.h>

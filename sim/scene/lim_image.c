@@ -5,8 +5,6 @@
 #include "scene/lim_image.h"
 
 #include "base/grow.h"
-#include "compiler/encode.h"
-
 #include <assert.h>
 #include <stdlib.h>
 #include <string.h>

@@ -7,6 +7,7 @@
 #define SIM_LIM_IMAGE_H
 
 #include "scene/compiled.h"
+#include "scene/encoding.h"
 
 enum { LIM_FILE_VERSION = 6, LIM_FILE_ALIGN_B = 8, LIM_FILE_MAGIC_B = 8 };
 
@@ -51,6 +52,10 @@ uint64_t lim_image_section_b(const struct lim_file_header *header, enum lim_sect
 
 /* Where its last element ends; what follows up to the next section is zero. */
 uint64_t lim_image_section_end_b(const struct lim_file_header *header, enum lim_section section);
+
+/* The bytes of a .lim file with the encoded scene, in this host's byte order, and the struct
+ * lim_scene that leads into it: sets everything in *out but the report. */
+void lim_image_make(const struct encoding *encoding, const struct grid *grid, struct compiled *out);
 
 /* Points *scene into the image. */
 void lim_image_bind(void *image, struct compiled *scene);

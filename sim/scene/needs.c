@@ -3,7 +3,9 @@
  * Counters are nobody's need: who wants them says so to the C compiler. */
 #include "scene/needs.h"
 
-#include "compiler/moving.h"
+#include "core/core.h"
+#include "scene/mcu_sizes.h"
+#include "scene/moving.h"
 #include "scene/records.h"
 #include "scene/width.h"
 
@@ -101,6 +103,22 @@ bool needs_retain_nothing(const struct needs *needs)
 {
     return (needs->frame || needs->framebuffer) && !needs->textures && !needs->transparent && !needs->wireframe &&
            !needs->antialias && !needs->delta && !needs->movers;
+}
+
+uint16_t needs_least_cells(const struct lim_limits *limits)
+{
+    return (uint16_t)(MCU_HEAD_CELLS + limits->vertices + MCU_CLIP_PLANES);
+}
+
+struct lim_limits needs_limits(const struct compiled *scene, const struct needs *needs)
+{
+    struct lim_limits limits = scene->scene.limits;
+    if (scene->report.draws == LIM_SCANLINE) limits.gaps = 1;
+    const bool keeps = scene->report.frame || scene->report.framebuffer;
+    if (scene->report.draws != LIM_NEAREST_FIRST || !keeps || !needs_retain_nothing(needs)) return limits;
+    limits.retained_cells = needs_least_cells(&limits);
+    limits.active = 1;
+    return limits;
 }
 
 static void write_macro(FILE *file, const char *name, unsigned value)

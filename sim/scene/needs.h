@@ -39,6 +39,12 @@ struct needs needs_union(const struct needs *a, const struct needs *b);
 /* Whether what is drawn nearest first is painted as it comes, so that nothing waits for its line: firmware/pools.c. */
 bool needs_retain_nothing(const struct needs *needs);
 
+/* The limits that a firmware of these needs makes room for: firmware/pools.c. */
+struct lim_limits needs_limits(const struct compiled *scene, const struct needs *needs);
+
+/* The least cells that it takes: one polygon retained, clipped. */
+uint16_t needs_least_cells(const struct lim_limits *limits);
+
 /* As macros, each of which a build may define itself. */
 void needs_write(const struct needs *needs, FILE *file);
 

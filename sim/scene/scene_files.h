@@ -17,6 +17,15 @@ struct named_scene {
     const struct moving *moving; /* what moves in it; NULL: nothing */
 };
 
+/* .lim files: versioned, checksummed, little-endian. A refused file is named with the reason:
+ * missing, truncated, no Limner scene, wrong version, checksum, or an index out of range. */
+bool lim_file_write(const struct compiled *scene, const char *path, struct error *err);
+bool lim_file_read(const char *path, struct compiled *out, struct error *err);
+
+/* NAME.c and NAME.h: const arrays and the configuration for a firmware build. `name` is a path
+ * without suffix; its last part prefixes the C symbols. */
+bool c_source_write(const struct compiled *scene, const char *name, struct error *err);
+
 /* NAME.lim, at the path given. */
 bool lim_file_put(const struct compiled *scene, const char *path, struct outputs *outputs, struct error *err);
 

@@ -3,8 +3,8 @@
  * Console and end of a bare image that an emulator runs: by semihosting, on Arm and RISC-V. */
 #include "semihost.h"
 
+#include "bare_image.h"
 #include "console.h"
-#include "image.h"
 
 #if defined(__arm__)
 void semihost(uint32_t operation, const void *argument)

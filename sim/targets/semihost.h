@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
  * Semihosting: how a program without an operating system prints and ends inside of an emulator, with console.h and
- * boards/common/image.h in front of it.
+ * boards/common/bare_image.h in front of it.
  * Arm, "Semihosting for AArch32 and AArch64"; RISC-V took over the operations and structures. */
 #ifndef TARGETS_SEMIHOST_H
 #define TARGETS_SEMIHOST_H

@@ -54,7 +54,7 @@ target_image() { # CORE
 
 target_bare() { # ARCHITECTURE MACHINE
     echo -ffreestanding -nostdlib -Wl,--fatal-warnings -Wl,--no-warn-rwx-segments -Lboards/common \
-        "-Wl,-T,sim/targets/$2.ld" "boards/common/start_$1.c" boards/common/image.c sim/targets/semihost.c
+        "-Wl,-T,sim/targets/$2.ld" "boards/common/start_$1.c" boards/common/bare_image.c sim/targets/semihost.c
 }
 
 # target_compile CORE OBJECT SOURCE FLAG...: one file, -O2 if not told otherwise; $CCACHE is of sim/tools/compiler_cache.sh, or

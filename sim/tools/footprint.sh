@@ -37,7 +37,7 @@ footprint_entries='lim_frame lim_init'
 footprint_link() {
     # shellcheck disable=SC2046,SC2086 # flags are words
     $(target_compiler "$1") $(target_flags "$1") -Os -ffreestanding -ffunction-sections -c \
-        -o "$2/$1/library.image" boards/common/image.c &&
+        -o "$2/$1/library.image" boards/common/bare_image.c &&
         $(target_compiler "$1") $(target_flags "$1") -nostdlib -Wl,--gc-sections -Wl,-e,lim_frame \
             $(printf -- '-Wl,-u,%s ' $footprint_entries) -o "$2/$1/renderer.elf" "$2/$1"/*.o "$2/$1/library.image" -lgcc
 }

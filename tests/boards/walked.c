@@ -5,6 +5,7 @@
  * board's own code, the pixels the simulator's. */
 #include "cli/options.h"
 #include "pictures/hashes.h"
+#include "scene/moving.h"
 #include "walker.h"
 
 #include <stdlib.h>

@@ -2,8 +2,8 @@
  *
  * Extremes of the model: vertices at the ends of the grid, a scale that no grid can hold, slivers of
  * one unit, faces that share a plane or nearly do. */
+#include "compiler/compile.h"
 #include "extreme.h"
-#include "model/grid.h"
 #include "rigs/boxes.h"
 #include "rigs/cmocka_ready.h"
 #include "rigs/tiny_model.h"

@@ -5,6 +5,7 @@
 #include "fuzz_frame.h"
 #include "scene/compiled.h"
 #include "scene/lim_image.h"
+#include "scene/scene_files.h"
 
 #include <math.h>
 #include <stdio.h>

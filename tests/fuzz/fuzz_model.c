@@ -7,12 +7,15 @@
  *
  * The importer library is called in this process, as its child process calls it, for that is a thousand times quicker.
  * It is not instrumented, and crashes on some files: fuzz.sh tells those crashes from ours by their stack. */
-#include "compiler/moving.h"
+#include "compiler/compile.h"
+#include "compiler/moving_compile.h"
+#include "core/core.h"
 #include "fuzz.h"
 #include "fuzz_show.h"
 #include "readers/import.h"
 #include "readers/source.h"
 #include "scene/lim_check.h"
+#include "scene/moving.h"
 
 #include "cameras/camera_path.h"
 

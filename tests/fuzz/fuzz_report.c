@@ -5,7 +5,6 @@
  * the list of the others with their sizes and checksums. It is refused in one line, with nothing outside of its folder;
  * or what was read is written and read again, and is the same. */
 #include "cli/report_file.h"
-#include "cli/report_text.h"
 #include "fuzz.h"
 
 #include <stdio.h>

@@ -6,9 +6,9 @@
 #ifndef TESTS_FUZZ_SHOW_H
 #define TESTS_FUZZ_SHOW_H
 
+#include "core/core.h"
 #include "fuzz.h"
 #include "fuzz_panel.h"
-#include "render/core.h"
 
 enum { FUZZ_FRAMES = 2 };
 

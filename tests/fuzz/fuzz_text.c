@@ -4,6 +4,7 @@
  * and what they take is within the bounds that they promise. */
 #include "base/binary.h"
 #include "base/input_file.h"
+#include "base/parse.h"
 #include "cameras/camera_choice.h"
 #include "cli/boot2.h"
 #include "cli/options.h"
@@ -15,7 +16,8 @@
 #include "measure/measure_request.h"
 #include "pictures/hashes.h"
 #include "readers/decimal.h"
-#include "render/parse.h"
+#include "scene/moving.h"
+#include "scene/scene_files.h"
 
 #include <float.h>
 #include <getopt.h>

@@ -5,6 +5,7 @@
 #include "fuzz.h"
 #include "rigs/cmocka_ready.h"
 #include "scene/compiled.h"
+#include "scene/scene_files.h"
 
 #include <dirent.h>
 #include <stdio.h>

@@ -3,10 +3,14 @@
  * Scenes are compiled once for all golden tests' sizes: limits are for the golden frames'. */
 #include "golden_stage.h"
 
+#include "compiler/compile.h"
+#include "compiler/moving_compile.h"
+#include "core/core.h"
 #include "rigs/cmocka_ready.h"
 #include "rigs/mesh_rig.h"
 #include "rigs/texture_rig.h"
 #include "scene/method.h"
+#include "scene/moving.h"
 
 #include <math.h>
 #include <stdarg.h>

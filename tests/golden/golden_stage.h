@@ -8,9 +8,9 @@
 #define TESTS_GOLDEN_STAGE_H
 
 #include "cameras/camera_path.h"
-#include "compiler/moving.h"
 #include "model/model.h"
 #include "render/simulator.h"
+#include "scene/moving.h"
 
 enum { GOLDEN_W_PX = 88, GOLDEN_H_PX = 64, GOLDEN_FRAMES = 3, GOLDEN_HASH = 0x811C9DC5 };
 

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "golden_state.h"
 
+#include "core/core.h"
 #include "rigs/cmocka_ready.h"
 
 #include <string.h>

@@ -5,9 +5,11 @@
  * memory are as in tests/golden/golden_cameras.expected; a frame in parts is the same as a frame at once.
  * tests/extremes/test_extreme_*.c say what is right; this tells that a change which was to change nothing did.
  * GOLDEN_FRAMES=write writes the file anew. */
+#include "core/core.h"
 #include "golden_state.h"
 #include "rigs/cmocka_ready.h"
 #include "rigs/random_camera.h"
+#include "scene/moving.h"
 
 #include <string.h>
 

@@ -4,6 +4,7 @@
  * and with few runs, with cameras that stand and move, and errors of the target. After every frame it shows what a
  * frame sent whole would; what was sent, window by window and piece by piece, is as in
  * tests/golden/golden_delta.expected. GOLDEN_FRAMES=write writes the file anew. */
+#include "core/core.h"
 #include "golden_stage.h"
 #include "rigs/cmocka_ready.h"
 #include "rigs/random.h"

@@ -4,8 +4,10 @@
  * their pixels and what they took are as in tests/golden/golden_frames.expected. Other tests say which frames are
  * right; this one tells that a change which was to change none did. GOLDEN_FRAMES=write writes the file anew: what
  * changes in it is explained where it is committed. */
+#include "core/core.h"
 #include "golden_stage.h"
 #include "rigs/cmocka_ready.h"
+#include "scene/moving.h"
 
 static void put_frames(struct simulator *simulator, struct golden_stage *stage, const struct golden_way *way)
 {

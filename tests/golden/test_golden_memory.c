@@ -5,10 +5,12 @@
  * tests/golden/golden_memory.expected. A picture in little memory is drawn in many walks, so this is where pools run
  * out: of gaps, active polygons, retained cells, pieces, layers, entries of movers, runs of delta output.
  * GOLDEN_FRAMES=write writes the file anew. */
+#include "core/core.h"
 #include "delta.h"
 #include "golden_state.h"
 #include "rigs/cmocka_ready.h"
 #include "rigs/effort.h"
+#include "scene/moving.h"
 #include "smooth.h"
 
 #include <stdlib.h>

@@ -2,6 +2,7 @@
 #include "closed_stage.h"
 
 #include "cmocka_ready.h"
+#include "compiler/compile.h"
 
 #include <string.h>
 

@@ -5,6 +5,7 @@
 #define TESTS_CLOSED_STAGE_H
 
 #include "closed_scene.h"
+#include "compiler/compile.h"
 #include "scene/compiled.h"
 
 struct closed_stage {

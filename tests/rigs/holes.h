@@ -7,7 +7,7 @@
 #define TESTS_HOLES_H
 
 #include "accuracy/reference.h"
-#include "render/core.h"
+#include "core/core.h"
 
 struct holes {
     size_t pixels, frames;

@@ -5,6 +5,7 @@
 
 #include "base/vec3.h"
 #include "cmocka_ready.h"
+#include "readers/model_import.h"
 
 #include <stdlib.h>
 #include <string.h>

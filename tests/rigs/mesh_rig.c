@@ -4,6 +4,7 @@
 #include "mesh_rig.h"
 
 #include "cmocka_ready.h"
+#include "compiler/compile.h"
 
 #include <math.h>
 #include <stdlib.h>

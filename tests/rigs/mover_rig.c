@@ -3,8 +3,12 @@
  * Every mover has one key, so it is where that says at any time. */
 #include "mover_rig.h"
 
+#include "accuracy/moving_reference.h"
 #include "base/vec3.h"
 #include "cmocka_ready.h"
+#include "compiler/compile.h"
+#include "compiler/moving_compile.h"
+#include "scene/moving.h"
 
 #include <stdlib.h>
 #include <string.h>

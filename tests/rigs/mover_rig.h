@@ -6,6 +6,7 @@
 
 #include "accuracy/compare.h"
 #include "boxes.h"
+#include "compiler/moving_compile.h"
 #include "render/ids.h"
 
 enum { MOVER_RIG_W_PX = 160, MOVER_RIG_H_PX = 120 };

@@ -3,6 +3,8 @@
  * The host's table has the profiles first, then their variants. */
 #include "profiles.h"
 
+#include "core/core.h"
+
 size_t profiles_find(const struct core *found[PROFILES_MAX])
 {
     size_t count = 0;

@@ -5,7 +5,7 @@
 #ifndef TESTS_PROFILES_H
 #define TESTS_PROFILES_H
 
-#include "render/core.h"
+#include "core/core.h"
 
 enum { PROFILES_MAX = 4 };
 

@@ -3,6 +3,8 @@
  * The generator behind room_scene.h. */
 #include "room_scene.h"
 
+#include "compiler/compile.h"
+
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

@@ -6,6 +6,7 @@
 #define TESTS_ROOM_SCENE_H
 
 #include "cameras/camera_path.h"
+#include "compiler/compile.h"
 #include "model/model.h"
 #include "random.h"
 #include "scene/compiled.h"

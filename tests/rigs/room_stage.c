@@ -2,6 +2,7 @@
 #include "room_stage.h"
 
 #include "cmocka_ready.h"
+#include "compiler/compile.h"
 
 #include <stdlib.h>
 

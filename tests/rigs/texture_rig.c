@@ -4,6 +4,7 @@
 #include "texture_rig.h"
 
 #include "cmocka_ready.h"
+#include "compiler/compile.h"
 
 #include <stdio.h>
 #include <stdlib.h>

@@ -6,13 +6,7 @@
 
 #include "clip.h"
 
-/* Only its constants are wanted, and it is a header of the host's. */
-#define SIM_COMPILED_H
-struct compiled;
-struct core;
-struct error;
-struct moving;
-#include "../../sim/compiler/pools.h"
+#include "../../sim/scene/mcu_sizes.h"
 
 _Static_assert((int)MCU_CACHE_ENTRIES == (int)LIM_VIEW_CACHE_ENTRIES, "cache entries");
 enum { INDEX_B = LIM_HAS_WIDE ? MCU_INDEX_B : 0 };

@@ -3,6 +3,8 @@
  * Frames with antialiased edges: how near they come to the true picture, that every order and any memory paints the
  * same, that nothing shines through seams, and what is refused. */
 #include "accuracy/edge_error.h"
+#include "compiler/compile.h"
+#include "core/core.h"
 #include "limner.h"
 #include "render/simulator.h"
 #include "rigs/closed_stage.h"

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT
  *
  * Convex solids: recognised, and drawn by their own method exactly as nearest first draws them. */
-#include "render/core.h"
+#include "compiler/compile.h"
+#include "core/core.h"
 #include "rigs/cmocka_ready.h"
 #include "rigs/convex_rig.h"
 #include "rigs/effort.h"

@@ -2,8 +2,9 @@
  *
  * Convex solids whose runs a target takes, without memory for lines: the same bytes reach a monochrome panel as with
  * lines, filled and as wireframes. */
+#include "compiler/compile.h"
+#include "core/core.h"
 #include "panels.h"
-#include "render/core.h"
 #include "rigs/cmocka_ready.h"
 #include "rigs/convex_rig.h"
 #include "scene/compiled.h"

@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: MIT
  *
  * Whole frames: both orders, any memory, failing targets, bad cameras and bad set-ups. */
+#include "compiler/compile.h"
 #include "limner.h"
 #include "rigs/boxes.h"
 #include "rigs/closed_stage.h"
 #include "rigs/cmocka_ready.h"
 #include "rigs/unpainted.h"
-#include "scene/compiled.h"
 
 #include <stdlib.h>
 #include <string.h>

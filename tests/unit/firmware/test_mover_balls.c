@@ -2,6 +2,7 @@
  *
  * The ball that holds a mover, against its corners in doubles: none is outside, and the ball is no larger than the box
  * around them asks for; whether corners are the object's or, where it bends, anywhere. */
+#include "core/core.h"
 #include "golden/golden_stage.h"
 #include "rigs/cmocka_ready.h"
 #include "rigs/random_camera.h"

@@ -2,6 +2,8 @@
  *
  * Objects in a scene: before, behind and astride a wall, in a doorway, through one another; many at random against the
  * reference; and what becomes of those that there is no room for. */
+#include "compiler/moving_compile.h"
+#include "core/core.h"
 #include "rigs/cmocka_ready.h"
 #include "rigs/mover_rig.h"
 #include "rigs/tiny_model.h"

@@ -1,8 +1,10 @@
 /* SPDX-License-Identifier: MIT
  *
  * Cells and portals: no picture changes by them, and what cannot be seen is left out. */
+#include "compiler/compile.h"
 #include "compiler/flow.h"
 #include "compiler/sights.h"
+#include "core/core.h"
 #include "portals.h"
 #include "render/simulator.h"
 #include "rigs/closed_scene.h"
@@ -10,7 +12,7 @@
 #include "rigs/effort.h"
 #include "rigs/room_scene.h"
 #include "scene/lim_check.h"
-#include "scene/lim_image.h"
+#include "scene/scene_files.h"
 
 #include <stdio.h>
 #include <stdlib.h>

@@ -2,8 +2,9 @@
  *
  * Scan lines show what nearest first shows, bit for bit: in every profile, of any scene, in any memory, behind round
  * glass; and so do targets that are given what scan lines cannot paint. */
+#include "compiler/compile.h"
+#include "core/core.h"
 #include "limner.h"
-#include "render/core.h"
 #include "rigs/closed_stage.h"
 #include "rigs/cmocka_ready.h"
 #include "rigs/convex_rig.h"

@@ -2,11 +2,11 @@
  *
  * Frames in parts: begun, worked at for a while, painted. Whatever is done of which of two frames when, each must be
  * the picture that lim_frame() draws. */
+#include "compiler/compile.h"
 #include "limner.h"
 #include "rigs/closed_stage.h"
 #include "rigs/cmocka_ready.h"
 #include "rigs/effort.h"
-#include "scene/compiled.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -2,7 +2,8 @@
  *
  * Textured polygons: which texel the renderer shows, against rays in double precision; all orders paint the same;
  * levels of detail, wrapping, extremes. */
-#include "accuracy/measure_texels.h"
+#include "core/core.h"
+#include "render/simulator.h"
 #include "rigs/cmocka_ready.h"
 #include "rigs/profiles.h"
 #include "rigs/random_camera.h"

@@ -2,9 +2,9 @@
  *
  * The wire by itself: in which order bytes leave, D/C and reset change and time passes, and that whatever fails ends a
  * call with its code, after which the level of D/C is set anew. */
-#include "../../../hal/wire.h" /* firmware/ has one, too */
 #include "panel.h"
 #include "rigs/cmocka_ready.h"
+#include "wire.h"
 
 #include <stdio.h>
 #include <string.h>

@@ -3,6 +3,7 @@
  * Scenes as C source: built by the C compiler they hold what the compiled scene holds. */
 #include "rigs/cmocka_ready.h"
 #include "rigs/mesh_rig.h"
+#include "scene/scene_files.h"
 
 #include <dlfcn.h>
 #include <stdio.h>

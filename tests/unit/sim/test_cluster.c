@@ -2,6 +2,7 @@
  *
  * Orders that are right from everywhere: small examples, and rays through random sets. */
 #include "compiler/cluster.h"
+#include "compiler/compile.h"
 #include "compiler/sampled_order.h"
 #include "rigs/bsp_rig.h"
 #include "rigs/cmocka_ready.h"

@@ -2,10 +2,14 @@
  *
  * Compiled scenes: closed solids stay closed on the grid, boxes hold what they should, the numbers
  * that the project promises, and what is refused. */
-#include "compiler/encode.h"
+#include "base/rgb565.h"
+#include "compiler/compile.h"
+#include "compiler/splitter.h"
+#include "readers/model_import.h"
 #include "rigs/cmocka_ready.h"
 #include "rigs/effort.h"
 #include "rigs/mesh_rig.h"
+#include "scene/encoding.h"
 #include "scene/lim_check.h"
 #include "scene/needs.h"
 #include "scene/width.h"
@@ -220,15 +224,15 @@ static void boxes_hold_their_subtrees(void **state)
 static void colours_are_rounded_to_565(void **state)
 {
     (void)state;
-    assert_int_equal(rgb565_from_rgb888(0x000000), 0x0000);
-    assert_int_equal(rgb565_from_rgb888(0xFFFFFF), 0xFFFF);
-    assert_int_equal(rgb565_from_rgb888(0xFF0000), 0xF800);
-    assert_int_equal(rgb565_from_rgb888(0x00FF00), 0x07E0);
-    assert_int_equal(rgb565_from_rgb888(0x0000FF), 0x001F);
-    assert_int_equal(rgb565_from_rgb888(0x040204), 0x0000); /* 0.49 of a step each */
-    assert_int_equal(rgb565_from_rgb888(0x050305), 0x0821); /* 0.61, 0.74 */
-    assert_int_equal(rgb565_from_rgb888(0xFBFDFB), 0xFFFF);
-    assert_int_equal(rgb565_from_rgb888(0xFAFCFA), 0xF7DE);
+    assert_int_equal(rgb565_nearest(0x000000), 0x0000);
+    assert_int_equal(rgb565_nearest(0xFFFFFF), 0xFFFF);
+    assert_int_equal(rgb565_nearest(0xFF0000), 0xF800);
+    assert_int_equal(rgb565_nearest(0x00FF00), 0x07E0);
+    assert_int_equal(rgb565_nearest(0x0000FF), 0x001F);
+    assert_int_equal(rgb565_nearest(0x040204), 0x0000); /* 0.49 of a step each */
+    assert_int_equal(rgb565_nearest(0x050305), 0x0821); /* 0.61, 0.74 */
+    assert_int_equal(rgb565_nearest(0xFBFDFB), 0xFFFF);
+    assert_int_equal(rgb565_nearest(0xFAFCFA), 0xF7DE);
 }
 
 static void two_sided_polygons_get_a_record_for_either_side(void **state)

@@ -2,6 +2,7 @@
  *
  * The time that a command may take, by a clock that the test turns; and compiling that is stopped anywhere. */
 #include "base/deadline.h"
+#include "compiler/compile.h"
 #include "rigs/cmocka_ready.h"
 #include "rigs/effort.h"
 #include "rigs/random.h"

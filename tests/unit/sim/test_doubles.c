@@ -2,6 +2,7 @@
  *
  * Vertices as files have them, to the last bit, through the importer and through the reference's own readers; the
  * files are written here. What is expected is what a C compiler makes of the same digits. */
+#include "readers/model_import.h"
 #include "rigs/cmocka_ready.h"
 
 #include "model/model.h"

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT
  *
  * What a grid does to faces: which harm is refused, which is none, and what --drop-small leaves out. */
-#include "compiler/faithful.h"
+#include "compiler/compile.h"
+#include "core/core.h"
 
 #include "model/original.h"
 #include "rigs/boxes.h"

@@ -3,7 +3,8 @@
  * Trees with leaves know their free space as well as the BSP tree does, and so want as much memory. */
 #include "cameras/free_space.h"
 #include "cameras/sample.h"
-#include "compiler/pools.h"
+#include "compiler/compile.h"
+#include "compiler/mcu_mem.h"
 #include "rigs/cmocka_ready.h"
 #include "rigs/random.h"
 
@@ -98,7 +99,7 @@ static void pools_of_rooms_do_not_depend_on_the_tree(void **state)
     for (int i = 0; i < KINDS; i++) {
         if (kinds[i] == TREE_NONE) continue; /* methods that sort want memory for that */
         struct compiled tree = compile("sim/scenes/rooms.obj", kinds[i]);
-        assert_true(pools_mcu_mem_b(&tree) * 4 <= pools_mcu_mem_b(&bsp) * 5);
+        assert_true(mcu_mem_b(&tree) * 4 <= mcu_mem_b(&bsp) * 5);
         compiled_free(&tree);
     }
     compiled_free(&bsp);

@@ -2,10 +2,12 @@
  *
  * The scene glass against rays: each pixel's ray meets all polygons of the model, and what it meets up to the first
  * opaque one is blended in double precision. It knows nothing of tree, spans, order or RGB565. */
+#include "base/rgb565.h"
 #include "base/vec3.h"
 #include "cameras/camera_path.h"
-#include "compiler/encode.h"
+#include "compiler/compile.h"
 #include "model/light.h"
+#include "readers/model_import.h"
 #include "render/simulator.h"
 #include "rigs/cmocka_ready.h"
 
@@ -94,7 +96,7 @@ static int look(const struct mesh *mesh, const struct ray *ray, double levels[3]
         layers++;
     levels[0] = levels[1] = levels[2] = 0;
     for (size_t i = (size_t)layers < count ? (size_t)layers + 1 : count; i-- > 0;) {
-        const uint16_t colour = rgb565_from_rgb888(hits[i].polygon->colour);
+        const uint16_t colour = rgb565_nearest(hits[i].polygon->colour);
         const double own[3] = {colour >> 11, colour >> 5 & 63, colour & 31};
         const double share = 1 - hits[i].polygon->transparency / 255.0;
         for (int k = 0; k < 3; k++)

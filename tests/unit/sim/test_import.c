@@ -2,6 +2,7 @@
  *
  * model_import(): order, colours and transforms of what it accepts, and the line that each bad file
  * is refused with. The models are tests/models/. */
+#include "readers/model_import.h"
 #include "rigs/cmocka_ready.h"
 
 #include "model/model.h"

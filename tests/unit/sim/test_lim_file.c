@@ -2,11 +2,13 @@
  *
  * .lim files: what is written is read again; whatever is damaged is refused, and nothing that is
  * accepted can lead a reader out of its arrays. */
+#include "compiler/compile.h"
 #include "rigs/cmocka_ready.h"
 #include "rigs/mesh_rig.h"
 #include "scene/lim_check.h"
 #include "scene/lim_image.h"
 #include "scene/plane.h"
+#include "scene/scene_files.h"
 
 #include <stdio.h>
 #include <stdlib.h>

@@ -2,6 +2,8 @@
  *
  * Accuracy sees what is wrong: a renderer that lies about a plane or misplaces a vertex is found out.
  * And the table of it all: the front, CSV. */
+#include "compiler/compile.h"
+#include "core/core.h"
 #include "measure/measure_table.h"
 #include "rigs/cmocka_ready.h"
 

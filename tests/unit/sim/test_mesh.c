@@ -3,6 +3,7 @@
  * mesh_clean(): the grid, welding, and what becomes of each kind of face. */
 #include "model/loop.h"
 #include "model/polygon_list.h"
+#include "readers/model_import.h"
 #include "rigs/cmocka_ready.h"
 #include "rigs/mesh_checks.h"
 #include "rigs/random.h"

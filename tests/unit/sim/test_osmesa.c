@@ -6,7 +6,9 @@
  * No pixel is left out. Where faces lie in one plane, or meet nearer than the depth buffer can tell, OSMesa
  * picks one by its rounding, and the reference the one with the lower number; how little that is, the
  * reference's own agreement tells, which is promised as well. */
-#include "accuracy/compare.h"
+#include "accuracy/reference.h"
+#include "compiler/compile.h"
+#include "readers/model_import.h"
 #include "render/ids.h"
 #include "rigs/cmocka_ready.h"
 #include "rigs/effort.h"

@@ -3,6 +3,7 @@
  * Pictures of a model's materials: from files of each format, out of the model, and all that cannot be read. */
 #include "model/model.h"
 #include "readers/companion.h"
+#include "readers/model_import.h"
 #include "readers/picture.h"
 #include "rigs/cmocka_ready.h"
 

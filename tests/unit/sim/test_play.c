@@ -8,6 +8,7 @@
 #include "fakes/fake_linux.h"
 #include "linux/interrupt.h"
 #include "rigs/cmocka_ready.h"
+#include "scene/moving.h"
 #include "test_card.h"
 
 #include <errno.h>

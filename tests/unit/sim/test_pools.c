@@ -4,7 +4,9 @@
  * much too large. */
 #include "cameras/camera_path.h"
 #include "cameras/sample.h"
-#include "compiler/pools.h"
+#include "compiler/compile.h"
+#include "compiler/mcu_mem.h"
+#include "core/core.h"
 #include "render/simulator.h"
 #include "rigs/cmocka_ready.h"
 #include "rigs/mesh_rig.h"
@@ -337,9 +339,9 @@ static void pools_are_never_below_the_least(void **state)
     assert_int_equal(limits->retained_cells, 2 + 3 + 5);
     assert_in_range(limits->gaps, 1, SIDE_PX + SIDE_PX / 8 + 1);
     assert_in_range(limits->active, 1, 2);
-    const size_t least_b = pools_mcu_mem_min_b(&scene);
+    const size_t least_b = mcu_mem_min_b(&scene);
     scene.scene.limits = (struct lim_limits){1, 3, 10, 1, 0, 0, 0}; /* one convex solid, so no entry is needed */
-    assert_int_equal(least_b, pools_mcu_mem_b(&scene));
+    assert_int_equal(least_b, mcu_mem_b(&scene));
     compiled_free(&scene);
     mesh_rig_free(&mesh);
 }
@@ -399,24 +401,24 @@ static void bytes_on_a_microcontroller_add_up(void **state)
     struct compiled scene = {.scene = {.limits = {10, 4, 101, 21, 5, 0}}, .report = {.w_px = 100, .h_px = 100}};
 
     (void)state;
-    assert_int_equal(pools_mcu_mem_b(&scene), 512 + 800 + 40 + 404 + 126 + 180 + 2);
-    assert_int_equal(pools_mcu_mem_min_b(&scene), 512 + 800 + 40 + 44 + 6 + 36 + 2);
+    assert_int_equal(mcu_mem_b(&scene), 512 + 800 + 40 + 404 + 126 + 180 + 2);
+    assert_int_equal(mcu_mem_min_b(&scene), 512 + 800 + 40 + 44 + 6 + 36 + 2);
     scene.report.core = &core_fine;
-    assert_int_equal(pools_mcu_mem_b(&scene), 768 + 800 + 40 + 808 + 126 + 180 + 2);
+    assert_int_equal(mcu_mem_b(&scene), 768 + 800 + 40 + 808 + 126 + 180 + 2);
     scene.report.core = &core_fast;
     scene.report.w_px = 255;
-    assert_int_equal(pools_mcu_mem_b(&scene), 512 + 800 + 40 + 404 + 126 + 180 + 2);
+    assert_int_equal(mcu_mem_b(&scene), 512 + 800 + 40 + 404 + 126 + 180 + 2);
     scene.report.w_px = 256;
-    assert_int_equal(pools_mcu_mem_b(&scene), 768 + 800 + 40 + 808 + 126 + 180 + 2);
+    assert_int_equal(mcu_mem_b(&scene), 768 + 800 + 40 + 808 + 126 + 180 + 2);
     scene.report.core = &core_exact;
-    assert_int_equal(pools_mcu_mem_b(&scene), 768 + 800 + 40 + 808 + 126 + 5 * (36 + 28) + 2);
+    assert_int_equal(mcu_mem_b(&scene), 768 + 800 + 40 + 808 + 126 + 5 * (36 + 28) + 2);
     scene.report.antialias = true; /* 2 a line and a gap, and edges of samples */
-    assert_int_equal(pools_mcu_mem_b(&scene), 768 + 1000 + 40 + 808 + 168 + 5 * (36 + 28));
+    assert_int_equal(mcu_mem_b(&scene), 768 + 1000 + 40 + 808 + 168 + 5 * (36 + 28));
     scene.report.core = &core_fine;
-    assert_int_equal(pools_mcu_mem_b(&scene), 768 + 1000 + 40 + 808 + 168 + 5 * (36 + 16));
+    assert_int_equal(mcu_mem_b(&scene), 768 + 1000 + 40 + 808 + 168 + 5 * (36 + 16));
     scene.report.antialias = false;
     scene.report.draws = LIM_SCANLINE;
-    assert_int_equal(pools_mcu_mem_b(&scene), 768 + 800 + 40 + 808 + 6 + 180 + 2);
+    assert_int_equal(mcu_mem_b(&scene), 768 + 800 + 40 + 808 + 6 + 180 + 2);
 }
 
 /* A convex solid: 100 heads of 2, 12 faces of 6, 5 crossings of 40 and a point of 4 for each of 4 + 5 vertices; at
@@ -427,12 +429,12 @@ static void so_do_those_of_a_convex_solid(void **state)
                              .report = {.w_px = 100, .h_px = 100, .draws = LIM_CONVEX}};
 
     (void)state;
-    assert_int_equal(pools_mcu_mem_b(&scene), 512 + 200 + 72 + 5 * (40 + 9 * 4));
-    assert_int_equal(pools_mcu_mem_min_b(&scene), 512 + 200 + 72);
+    assert_int_equal(mcu_mem_b(&scene), 512 + 200 + 72 + 5 * (40 + 9 * 4));
+    assert_int_equal(mcu_mem_min_b(&scene), 512 + 200 + 72);
     scene.report.w_px = 342;
-    assert_int_equal(pools_mcu_mem_b(&scene), 768 + 200 + 72 + 5 * (40 + 9 * 8));
+    assert_int_equal(mcu_mem_b(&scene), 768 + 200 + 72 + 5 * (40 + 9 * 8));
     scene.report.draws = LIM_PAINTER; /* the vertex cache, and 12 nodes of 4 */
-    assert_int_equal(pools_mcu_mem_b(&scene), 768 + 48);
+    assert_int_equal(mcu_mem_b(&scene), 768 + 48);
 }
 
 int main(void)

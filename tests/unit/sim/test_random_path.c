@@ -4,6 +4,7 @@
 #include "cameras/camera_choice.h"
 #include "cameras/free_space.h"
 #include "cameras/random_path.h"
+#include "compiler/compile.h"
 #include "rigs/cmocka_ready.h"
 
 #include <string.h>

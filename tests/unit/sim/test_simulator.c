@@ -4,7 +4,6 @@
  * memory show the same, face numbers agree with the colours and with the reference picture. */
 #include "accuracy/compare.h"
 #include "render/ids.h"
-#include "render/panel_board.h"
 #include "rigs/cmocka_ready.h"
 
 #include <stdlib.h>

@@ -1,16 +1,12 @@
 /* SPDX-License-Identifier: MIT
  *
  * Form and range of option values; nothing here knows a scene. */
-#include "render/parse.h"
-
-#include "compiler/encode.h"
+#include "base/parse.h"
 
 #include <errno.h>
 #include <inttypes.h>
 #include <stdlib.h>
 #include <string.h>
-
-enum { COLOUR_DIGITS = 6 };
 
 bool parse_number(const char *option, const char *text, double *out, struct error *err)
 {
@@ -28,22 +24,6 @@ bool parse_whole(const char *option, const char *text, uint32_t least, uint32_t 
         return error_set(err, "%s %s: must be a whole number from %" PRIu32 " to %" PRIu32, option, text, least, most);
     *out = (uint32_t)number;
     return true;
-}
-
-/* Six hexadecimal digits, then `stop`. */
-static bool parse_colour(const char *text, char stop, uint16_t *rgb565)
-{
-    if (strspn(text, "0123456789abcdefABCDEF") != COLOUR_DIGITS || text[COLOUR_DIGITS] != stop) return false;
-    *rgb565 = rgb565_from_rgb888((uint32_t)strtoul(text, NULL, 16));
-    return true;
-}
-
-bool parse_wireframe(const char *text, struct lim_wireframe *out, struct error *err)
-{
-    *out = (struct lim_wireframe){.on = true, .one_colour = text != NULL};
-    return !text ||
-           (parse_colour(text, ',', &out->colour) && parse_colour(text + COLOUR_DIGITS + 1, '\0', &out->background)) ||
-           error_set(err, "--wireframe=%s: must be two colours, the line's and the background's: RRGGBB,RRGGBB", text);
 }
 
 /* Digits up to `stop`; 0 if there are none or too many. */
@@ -67,12 +47,6 @@ bool parse_size(const char *text, unsigned *w_px, unsigned *h_px, struct error *
     }
     return (*w_px && *h_px) ||
            error_set(err, "--size %s: must be WxH, each from 1 to %d pixels", text, PARSE_SIDE_MAX_PX);
-}
-
-bool parse_precision(const char *text, const struct core **core, struct error *err)
-{
-    *core = core_find(text);
-    return *core || error_set(err, "--precision %s: no such profile; there are draft, fast, fine and exact", text);
 }
 
 bool parse_bound(const char *option, const char *text, const char *unit, double *out, struct error *err)

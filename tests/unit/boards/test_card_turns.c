@@ -2,10 +2,10 @@
  *
  * The test card, as whoever holds the display sees it, however it is turned and whoever turns it: what README says of
  * it, point by point; and the same in runs, for boards without memory for a line. */
-#include "test_card.h"
 #include "card.h"
 #include "glass/listener.h"
 #include "rigs/cmocka_ready.h"
+#include "test_card.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -4,7 +4,7 @@
  *
  * Corners run counter-clockwise. So an edge that goes down is a left boundary and one that goes up a right one; one
  * that goes to the left has the polygon below, and one that goes to the right above. */
-#include "wire.h"
+#include "wireframe.h"
 
 #include "fill.h"
 #include "limner.h"

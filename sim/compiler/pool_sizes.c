@@ -4,19 +4,19 @@
  * even more falls back to bands, or projects a solid's faces again. The greediest is left out: in an open scene it may
  * be a stray, an eye where nobody is meant to be. What stands alone takes most of the pools when it just fills the
  * screen, which few eyes anywhere around it see: so there are portraits as well. */
-#include "compiler/pools.h"
+#include "compiler/pool_sizes.h"
 
 #include "base/deadline.h"
 #include "base/progress.h"
 #include "cameras/sample.h"
-#include "compiler/moving.h"
 #include "portals.h"
 #include "render/frame_cost.h"
 #include "render/simulator.h"
 #include "scene/lim_image.h"
+#include "scene/mcu_sizes.h"
+#include "scene/moving.h"
 #include "scene/needs.h"
 #include "scene/records.h"
-#include "scene/width.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -38,11 +38,6 @@ struct usage {
     uint32_t splits;                  /* of all frames */
     uint32_t splits_max, entries_max; /* strays included: without room for a piece the picture may be wrong */
 };
-
-static uint16_t least_cells(const struct lim_limits *limits)
-{
-    return (uint16_t)(MCU_HEAD_CELLS + limits->vertices + MCU_CLIP_PLANES);
-}
 
 static uint16_t with_margin(uint16_t used, uint16_t least)
 {
@@ -182,7 +177,7 @@ static uint16_t greater(uint16_t a, uint16_t b)
 /* Raises the limits to what the orders with spans used. */
 static void raise_limits(struct compiled *roomy, struct moving *moving, struct usage *usage, struct lim_limits *limits)
 {
-    const uint16_t cells = with_margin(most(usage->cells, usage->cameras), least_cells(limits));
+    const uint16_t cells = with_margin(most(usage->cells, usage->cameras), needs_least_cells(limits));
     limits->retained_cells = greater(limits->retained_cells, cells);
     limits->gaps = greater(limits->gaps, with_margin(most(usage->gaps, usage->cameras), 1));
     limits->active = greater(limits->active, with_margin(most(usage->active, usage->cameras), 1));
@@ -230,7 +225,7 @@ bool pools_measure_moving(struct compiled *scene, struct moving *moving, const s
     for (size_t i = 0; i < moving->count; i++) {
         const struct lim_scene *object = &moving->objects[i].scene.scene;
         if (records_with(object, LIM_POLYGON_ALPHA)) roomy.scene.limits.layers = PLENTY;
-        limits.retained_cells = greater(limits.retained_cells, least_cells(&object->limits));
+        limits.retained_cells = greater(limits.retained_cells, needs_least_cells(&object->limits));
     }
     if (!sample_spans(&roomy, moving, &setup, STYLE_PLAIN, &limits, err) ||
         (scene->report.wireframe && !sample_spans(&roomy, moving, &setup, STYLE_WIREFRAME, &limits, err)) ||
@@ -283,137 +278,4 @@ bool pools_measure_scanline(struct compiled *scene, const struct core *core, dou
     scene->report.draws = LIM_SCANLINE;
     scene->report.instructions = frame_cost_is_known(&scene->scene) ? instructions : NAN;
     return true;
-}
-
-/* Whether a firmware for this panel needs wide screen coordinates in this profile. */
-static bool is_wide(const struct compile_report *report)
-{
-    const unsigned narrow_px = report->core ? report->core->narrow_px : core_fast.narrow_px;
-    return report->w_px > narrow_px || report->h_px > narrow_px;
-}
-
-static bool has_long_edges(const struct compile_report *report)
-{
-    return report->core && report->core->sub_bits >= MCU_LONG_EDGES_MIN_SUB_BITS;
-}
-
-static size_t active_b(const struct compiled *scene)
-{
-    const bool is_long = has_long_edges(&scene->report), has_texture = scene->scene.texture_count;
-    const size_t samples_b = scene->report.antialias ? (size_t)MCU_ACTIVE_SAMPLES_B : 0;
-
-    return MCU_ACTIVE_B + (is_long ? (size_t)MCU_LONG_EDGES_B : samples_b) +
-           (has_texture ? (size_t)MCU_ACTIVE_TEXTURE_B : 0) +
-           (has_texture && is_long ? (size_t)MCU_ACTIVE_TEXTURE_PADDING_B : 0);
-}
-
-/* An entry of the cache, a pending node: each has an index. */
-static size_t index_b(const struct compiled *scene)
-{
-    return width_is_wide(&scene->scene) ? (size_t)MCU_INDEX_B : 0;
-}
-
-static size_t cached_b(const struct compiled *scene)
-{
-    return (is_wide(&scene->report) ? (size_t)MCU_CACHED_WIDE_B : (size_t)MCU_CACHED_B) + index_b(scene);
-}
-
-static size_t pending_b(const struct compiled *scene)
-{
-    return MCU_PENDING_B + index_b(scene);
-}
-
-static size_t aligned_b(size_t size_b)
-{
-    return (size_b + 3) & ~(size_t)3;
-}
-
-static size_t sorted_b(const struct compiled *scene, size_t pieces)
-{
-    const size_t count = scene->scene.polygon_count;
-    if (scene->report.draws == LIM_DEPTH) return count * (MCU_SORTED_B + index_b(scene));
-    return (count + pieces) * (MCU_SORTED_B + MCU_NEWELL_B + 2 * index_b(scene)) + pieces * 2 * MCU_CUT_B;
-}
-
-static size_t nearest_b(const struct compiled *scene, size_t cells, size_t gaps, size_t active, size_t pieces)
-{
-    const bool wide = is_wide(&scene->report), sorts = method_sorts(scene->report.draws);
-    const size_t cell_b = wide ? MCU_CELL_WIDE_B : MCU_CELL_B;
-    const size_t covered_b = scene->report.antialias ? (size_t)MCU_COVERED_B : 0;
-    const size_t fixed_b = MCU_CACHE_ENTRIES * cached_b(scene) + scene->report.h_px * (MCU_LINE_B + covered_b) +
-                           (sorts ? 0 : scene->scene.limits.depth * pending_b(scene));
-    return (sorts ? sorted_b(scene, pieces) : 0) +
-           aligned_b(fixed_b + cells * cell_b + gaps * (MCU_GAP_B + covered_b) + active * active_b(scene)) +
-           (sorts ? 0 : lim_portals_mem_b(&scene->scene));
-}
-
-static size_t layers_b(const struct lim_limits *limits)
-{
-    return limits->layers * (size_t)MCU_LAYER_B;
-}
-
-static size_t convex_b(const struct compiled *scene, size_t active)
-{
-    const bool wide = is_wide(&scene->report);
-    const size_t point_b = wide ? MCU_CELL_WIDE_B : MCU_CELL_B;
-    const size_t face_b = MCU_FACE_B + index_b(scene) / 2;
-    const size_t points = scene->scene.limits.vertices + (size_t)MCU_CLIP_PLANES;
-    const size_t flags_b = scene->report.wireframe ? (points + 15) / 16 * 2 : 0;
-    const size_t texture_b = scene->scene.texture_count ? (size_t)MCU_CROSSING_TEXTURE_B : 0;
-    const size_t long_b = has_long_edges(&scene->report) ? (size_t)MCU_CROSSING_LONG_EDGES_B : 0;
-    const size_t crossing_b = MCU_CROSSING_B + long_b + texture_b + points * point_b + aligned_b(flags_b);
-    return aligned_b(MCU_CACHE_ENTRIES * cached_b(scene) + scene->report.h_px * (size_t)MCU_TOP_B +
-                     scene->scene.polygon_count * face_b + active * crossing_b);
-}
-
-static size_t painter_b(const struct compiled *scene)
-{
-    return aligned_b(MCU_CACHE_ENTRIES * cached_b(scene) + scene->scene.limits.depth * pending_b(scene)) +
-           lim_portals_mem_b(&scene->scene);
-}
-
-struct lim_limits pools_mcu_limits(const struct compiled *scene, const struct needs *needs)
-{
-    struct lim_limits limits = scene->scene.limits;
-    if (scene->report.draws == LIM_SCANLINE) limits.gaps = 1;
-    const bool keeps = scene->report.frame || scene->report.framebuffer;
-    if (scene->report.draws != LIM_NEAREST_FIRST || !keeps || !needs_retain_nothing(needs)) return limits;
-    limits.retained_cells = least_cells(&limits);
-    limits.active = 1;
-    return limits;
-}
-
-size_t pools_mcu_mem_b(const struct compiled *scene)
-{
-    const struct needs needs = needs_of(scene, scene->moving);
-    const struct lim_limits limits = pools_mcu_limits(scene, &needs);
-    if (scene->report.draws == LIM_CONVEX) return convex_b(scene, limits.active);
-    if (scene->report.draws == LIM_PAINTER) return painter_b(scene);
-    return nearest_b(scene, limits.retained_cells, limits.gaps, limits.active, limits.pieces) + layers_b(&limits);
-}
-
-size_t pools_mcu_mem_min_b(const struct compiled *scene)
-{
-    if (scene->report.draws == LIM_CONVEX) return convex_b(scene, 0);
-    if (scene->report.draws == LIM_PAINTER) return painter_b(scene);
-    return nearest_b(scene, least_cells(&scene->scene.limits), 1, 1, 0);
-}
-
-static size_t mover_b(const struct compiled *scene, const struct moving *moving)
-{
-    const struct core *core = scene->report.core ? scene->report.core : &core_fast;
-    const bool fine = core->profile >= LIM_PROFILE_FINE;
-    return MCU_MOVER_B + index_b(scene) + (fine ? (size_t)MCU_MOVER_FINE_B : 0) +
-           (scene->report.antialias ? (size_t)MCU_MOVER_ANTIALIAS_B : 0) +
-           (moving->light.on ? (size_t)MCU_MOVER_LIGHT_B : 0);
-}
-
-size_t pools_mcu_movers_mem_b(const struct compiled *scene, const struct moving *moving)
-{
-    const struct lim_movers_limits *limits = &moving->limits;
-    const size_t route_b = MCU_ROUTE_B + index_b(scene) / 2;
-    return aligned_b(limits->instances * mover_b(scene, moving) +
-                     limits->entries * (MCU_SORTED_B + MCU_NEWELL_B + MCU_CUT_B + 2 * index_b(scene)) +
-                     MCU_CACHE_ENTRIES * cached_b(scene) +
-                     ((size_t)scene->scene.limits.depth + limits->depth) * route_b);
 }

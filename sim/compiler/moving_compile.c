@@ -1,20 +1,21 @@
 /* SPDX-License-Identifier: MIT
  *
  * The static part chooses the grid. An object's origin is that of its node, about which the animation turns it. */
-#include "compiler/moving.h"
+#include "compiler/moving_compile.h"
 
-#include "accuracy/reference.h"
+#include "accuracy/moving_reference.h"
 #include "base/grow.h"
-#include "base/vec3.h"
 #include "cameras/camera_path.h"
-#include "compiler/pools.h"
+#include "compiler/compile.h"
+#include "compiler/pool_sizes.h"
 #include "compiler/predict.h"
 #include "model/light.h"
 #include "model/model_part.h"
-#include "model/pose.h"
+#include "readers/model_import.h"
 #include "readers/source.h"
-#include "render/simulator.h"
+#include "scene/moving.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -297,106 +298,4 @@ bool moving_compile_own(const char *path, const struct compile_options *options,
     free(moving);
     if (!ok) compiled_free(scene);
     return ok;
-}
-
-static bool add_groups(const struct moving *moving, size_t mover, uint32_t *groups, struct error *err)
-{
-    struct model part;
-    struct mesh mesh;
-    uint32_t *numbers;
-    model_part(&moving->model, mover, &part, &numbers);
-    bool ok = mover ? mesh_clean_on(&part, &moving->objects[mover - 1].scene.grid, &mesh, err)
-                    : mesh_clean(&part, &mesh, err);
-    if (ok) {
-        ok = mesh_merge(&mesh, err);
-        for (size_t i = 1; ok && i <= part.face_count; i++)
-            groups[numbers[i - 1]] = mesh.merged_into[i] ? numbers[mesh.merged_into[i] - 1] : 0;
-        mesh_free(&mesh);
-    }
-    model_free(&part);
-    free(numbers);
-    return ok;
-}
-
-bool moving_groups(const struct moving *moving, uint32_t **groups, struct error *err)
-{
-    bool ok = true;
-    *groups = grow_zeroed(moving->model.face_count + 1, sizeof **groups);
-    for (size_t i = 0; ok && i <= moving->count; i++)
-        ok = add_groups(moving, i, *groups, err);
-    return ok;
-}
-
-double moving_time_s(const struct moving *moving, size_t frame, size_t count)
-{
-    return floor(moving_length_s(moving) * 1000 * (double)frame / (double)count) / 1000;
-}
-
-double moving_length_s(const struct moving *moving)
-{
-    const struct lim_motion *motion = &moving->objects[0].motion;
-    return motion->keys[motion->count - 1].time_ms / 1000.0;
-}
-
-void moving_pose(struct moving *moving, double time_s)
-{
-    for (size_t i = 0; i < moving->count; i++)
-        lim_motion_at(&moving->objects[i].motion, (uint32_t)llround(time_s * 1000), &moving->instances[i]);
-}
-
-bool simulator_add_movers(struct simulator *simulator, const struct compiled *scene, struct error *err)
-{
-    const struct moving *moving = scene->moving;
-    return !moving || simulator_set_movers(simulator, moving->instances, moving->count, &moving->limits, err);
-}
-
-/* Reference ---------------------------------------------------------------------------------- */
-
-static bool reference_of_part(const struct moving *moving, size_t mover, struct reference *reference, unsigned w_px,
-                              unsigned h_px, struct error *err)
-{
-    struct model part;
-    struct mesh mesh;
-    uint32_t *numbers;
-    model_part(&moving->model, mover, &part, &numbers);
-    const struct model view = source_view(&part);
-    bool ok = mesh_clean_fine(&view, mover ? &moving->objects[mover - 1].scene.grid : NULL, &mesh, err);
-    if (ok) {
-        for (size_t i = 0; i < mesh.polygon_count; i++)
-            mesh.polygons[i].face = numbers[mesh.polygons[i].face - 1];
-        ok = mover ? reference_add(reference, &mesh, mover, err) : reference_init(reference, &mesh, w_px, h_px, err);
-        mesh_free(&mesh);
-    }
-    model_free(&part);
-    free(numbers);
-    return ok;
-}
-
-bool moving_reference(const struct moving *moving, struct reference *reference, unsigned w_px, unsigned h_px,
-                      struct error *err)
-{
-    bool ok = true;
-    for (size_t i = 0; ok && i <= moving->count; i++)
-        ok = reference_of_part(moving, i, reference, w_px, h_px, err);
-    return ok;
-}
-
-void moving_pose_reference(const struct moving *moving, struct reference *reference, double time_s)
-{
-    for (size_t i = 0; i < moving->count; i++) {
-        const struct model_pose pose = pose_at(&moving->model, &moving->model.movers[i], time_s);
-        reference_pose(reference, i + 1, &pose);
-    }
-}
-
-void moving_free(struct moving *moving)
-{
-    for (size_t i = 0; i < moving->count; i++) {
-        compiled_free(&moving->objects[i].scene);
-        free(moving->objects[i].keys);
-    }
-    free(moving->objects);
-    free(moving->instances);
-    model_free(&moving->model);
-    *moving = (struct moving){0};
 }

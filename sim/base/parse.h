@@ -5,7 +5,9 @@
 #define SIM_PARSE_H
 
 #include "base/error.h"
-#include "render/core.h"
+
+#include <stdbool.h>
+#include <stdint.h>
 
 enum { PARSE_SIDE_MAX_PX = 1024 };
 
@@ -14,14 +16,8 @@ bool parse_number(const char *option, const char *text, double *out, struct erro
 /* A whole number, 4e7 too. */
 bool parse_whole(const char *option, const char *text, uint32_t least, uint32_t most, uint32_t *out, struct error *err);
 
-/* --wireframe[=RRGGBB,RRGGBB]: the line's colour and the background's; NULL: the polygons' and the scene's own. */
-bool parse_wireframe(const char *text, struct lim_wireframe *out, struct error *err);
-
 /* --size WxH */
 bool parse_size(const char *text, unsigned *w_px, unsigned *h_px, struct error *err);
-
-/* --precision NAME */
-bool parse_precision(const char *text, const struct core **core, struct error *err);
 
 /* A number above 0, with its unit or without: `0.03%`, `0.25px`. */
 bool parse_bound(const char *option, const char *text, const char *unit, double *out, struct error *err);

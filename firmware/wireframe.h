@@ -6,8 +6,8 @@
  * A pixel of the polygon is stroked when one of its four neighbours is not the polygon's and the way there, from centre
  * to centre, crosses an edge that is to be drawn. Nothing but the polygon's own pixels decides, so every order of
  * drawing paints the same; and polygons whose edge is not to be drawn on either side meet without a line. */
-#ifndef LIM_WIRE_H
-#define LIM_WIRE_H
+#ifndef LIM_WIREFRAME_H
+#define LIM_WIREFRAME_H
 
 #include "project.h"
 #include "target.h"

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
  * Compiled once for each profile, together with the renderer's sources; CORE is the table's name. */
-#include "render/core.h"
+#include "core/core.h"
 
 #include "project.h"
 

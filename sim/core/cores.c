@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
  * The renderers there are. */
-#include "render/core.h"
+#include "core/core.h"
 
 #include <string.h>
 

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
  * All levels lie in one picture while libgd chooses the palette, so that the small ones have a say in it too. */
-#include "model/texture.h"
+#include "model/mipmap.h"
 
 #include "scene.h"
 

@@ -2,7 +2,7 @@
  *
  * Memory of a bare image: initial values, and the functions that the compiler calls on its own
  * account, since there is no C library in the image. */
-#include "image.h"
+#include "bare_image.h"
 
 #include <stddef.h>
 

@@ -2,8 +2,8 @@
  *
  * A texture as the scene has it: a picture whose sides are powers of two, the same in half the size and so on,
  * all in one palette of 256 colours. Made of any picture that an importer found. */
-#ifndef SIM_TEXTURE_H
-#define SIM_TEXTURE_H
+#ifndef SIM_MIPMAP_H
+#define SIM_MIPMAP_H
 
 #include <stdbool.h>
 #include <stddef.h>

@@ -2,8 +2,8 @@
  *
  * A bare image: its memory, whose regions the linker script names (sections.ld), and what the start-up code of an
  * architecture (start_*.c) leaves to the program. */
-#ifndef BOARDS_IMAGE_H
-#define BOARDS_IMAGE_H
+#ifndef BOARDS_BARE_IMAGE_H
+#define BOARDS_BARE_IMAGE_H
 
 #include <stdint.h>
 

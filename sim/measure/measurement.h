@@ -3,13 +3,14 @@
  * What a renderer gets wrong and what it costs, measured: accuracy against the source model in double
  * precision, instructions counted on emulated processors. `limner measure` prints both; the compiler
  * can ask for either. */
-#ifndef SIM_MEASURE_H
-#define SIM_MEASURE_H
+#ifndef SIM_MEASUREMENT_H
+#define SIM_MEASUREMENT_H
 
 #include "accuracy/compare.h"
 #include "accuracy/unsettled.h"
 #include "base/map.h"
 #include "cameras/camera_path.h"
+#include "compiler/compile.h"
 #include "measure/measure_refusals.h"
 #include "render/simulator.h"
 #include "scene/compiled.h"

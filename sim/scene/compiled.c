@@ -1,0 +1,19 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Whose what a compiled scene points to is. */
+#include "scene/compiled.h"
+
+#include "model/original.h"
+#include "scene/moving.h"
+
+#include <stdlib.h>
+
+void compiled_free(struct compiled *scene)
+{
+    if (scene->moving) moving_free(scene->moving);
+    free(scene->moving);
+    original_free(scene->original);
+    free(scene->image);
+    free(scene->report.notes);
+    *scene = (struct compiled){0};
+}

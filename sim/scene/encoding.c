@@ -1,0 +1,28 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * What became of the arrays is copied into a .lim image; these go. */
+#include "scene/encoding.h"
+
+#include <stdlib.h>
+
+static void texture_arrays_free(struct texture_arrays *arrays)
+{
+    free(arrays->mappings);
+    free(arrays->textures);
+    free(arrays->palettes);
+    free(arrays->texels);
+}
+
+void encoding_free(struct encoding *encoding)
+{
+    free(encoding->vertices);
+    free(encoding->fractions);
+    free(encoding->nodes);
+    free(encoding->planes);
+    free(encoding->exact);
+    free(encoding->boxes);
+    free(encoding->words);
+    free(encoding->faces);
+    texture_arrays_free(&encoding->textures);
+    *encoding = (struct encoding){0};
+}

@@ -1,0 +1,43 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * The arrays of scene.h while they are made, still of any length; and their companions. */
+#ifndef SIM_ENCODING_H
+#define SIM_ENCODING_H
+
+#include "scene.h"
+#include <stddef.h>
+
+/* Textures and mappings. */
+struct texture_arrays {
+    struct lim_mapping *mappings;
+    struct lim_texture *textures;
+    uint16_t *palettes; /* as in memory */
+    uint8_t *texels;
+    size_t mapping_count, texture_count, palette_colours, texel_count;
+    size_t mapping_capacity, texture_capacity, palette_capacity, texel_capacity;
+};
+
+struct encoding {
+    struct lim_vertex *vertices;
+    struct lim_node *nodes;
+    struct lim_plane *planes;
+    struct lim_plane_exact *exact;
+    struct lim_box *boxes;
+    lim_index *words;
+    uint32_t *faces;                /* of each record */
+    struct lim_fraction *fractions; /* of each vertex; NULL: there are none */
+    size_t vertex_count, node_count, plane_count, exact_count, box_count, word_count, record_count;
+    size_t vertex_capacity, fraction_capacity, plane_capacity, exact_capacity, word_capacity, face_capacity;
+    size_t last_record; /* the word with which the newest record begins */
+    struct texture_arrays textures;
+    size_t depth, widest; /* nodes on the longest path; most vertices of a record */
+    size_t collapsed;     /* pieces that rounding left without three corners */
+};
+
+/* Gives every subtree of SUBTREE_BOX_POLYGONS polygons or more its bounding box. */
+enum { SUBTREE_BOX_POLYGONS = 4 };
+void encode_boxes(struct encoding *encoding);
+
+void encoding_free(struct encoding *encoding);
+
+#endif

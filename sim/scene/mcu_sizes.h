@@ -1,0 +1,48 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Sizes on 32-bit MCUs. It includes nothing, as tests/targets/sizes.c, which is compiled for them, asserts these
+ * numbers. */
+#ifndef SIM_MCU_SIZES_H
+#define SIM_MCU_SIZES_H
+
+/* Sizes of the structs in the caller's memory on a 32-bit MCU, of a firmware built for narrow screen
+ * coordinates and for wide ones (firmware/profile.h). */
+enum {
+    MCU_CACHE_ENTRIES = 64,
+    MCU_CACHED_B = 8,
+    MCU_CACHED_WIDE_B = 12,
+    MCU_LINE_B = 8,
+    MCU_PENDING_B = 4,
+    MCU_CELL_B = 4,
+    MCU_CELL_WIDE_B = 8,
+    MCU_GAP_B = 6,
+    MCU_COVERED_B = 2, /* antialiased, of a line and of a gap */
+    MCU_ACTIVE_B = 36,
+    MCU_ACTIVE_SAMPLES_B = 16, /* more of them if it can be drawn with antialiased edges, which are longer */
+    MCU_LONG_EDGES_B = 28,     /* more of them in profile exact, and none for samples: edges of 64 bits */
+    MCU_LONG_EDGES_MIN_SUB_BITS = 10,
+    MCU_LAYER_B = 8,
+    MCU_TOP_B = 2,
+    MCU_FACE_B = 6,
+    MCU_SORTED_B = 8,
+    MCU_NEWELL_B = 20,
+    MCU_CUT_B = 4,
+    MCU_ACTIVE_TEXTURE_B = 60,        /* more of them if the scene has textures */
+    MCU_ACTIVE_TEXTURE_PADDING_B = 4, /* and in profile exact: edges of 64 bits are aligned */
+    MCU_CROSSING_TEXTURE_B = 60,
+    MCU_CROSSING_LONG_EDGES_B = 32, /* more of them in profile exact */
+    MCU_CROSSING_B = 40,            /* and a point for each vertex */
+    MCU_MOVER_B = 144,
+    MCU_MOVER_FINE_B = 72,     /* more of them in the profiles fine and exact, at most: half on a Cortex-M0+ */
+    MCU_MOVER_ANTIALIAS_B = 4, /* more of them if it can be drawn with antialiased edges */
+    MCU_MOVER_LIGHT_B = 8,     /* more of them if light turns */
+    MCU_ROUTE_B = 6,
+    MCU_MOVED_B = 16, /* in flash */
+    /* More of them in a wide scene (width.h): of an entry of the cache, a pending node, a mover, an entry of the sorted
+     * list and what a depth sort knows of it; half as much of a face and of a pending node on a mover's way. */
+    MCU_INDEX_B = 4,
+    MCU_HEAD_CELLS = 2,
+    MCU_CLIP_PLANES = 5
+};
+
+#endif

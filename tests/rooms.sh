@@ -1,0 +1,71 @@
+# SPDX-License-Identifier: MIT
+#
+# What may include what. sim/ has rooms, which the Makefile names from the lowest to the highest: a file includes headers
+# of its own room and of lower ones, each as "room/file.h". Nothing outside of tests/ includes what lies there, firmware/
+# includes nothing but itself, hal/ itself and firmware/. No two files have one name, as all are found by their names;
+# programs that stand alone, each in a folder of its own, have what names they like.
+. tests/tap.sh
+
+# Lines "FILE:LINE:HEADER" of the sources in folders.
+includes() { # FOLDER...
+    find "$@" -name '*.[ch]' -exec grep -Hno '^# *include "[^"]*"' {} + | sed 's/# *include "//; s/"$//'
+}
+
+# The rooms, lowest first.
+rooms=$(sed -n 's/^rooms *:= //p' Makefile)
+
+arrows_go_down() {
+    includes sim | awk -F : -v rooms="$rooms" '
+        BEGIN { count = split(rooms, name, " "); for (i = 1; i <= count; i++) level[name[i]] = i }
+        { split($1, from, "/"); slash = index($3, "/"); to = substr($3, 1, slash - 1) }
+        !(from[2] in level) { next }
+        slash == 0 && system("test -f \"sim/" from[2] "/" $3 "\"") == 0 {
+            print $1 ":" $2 ": " $3 " without its room: " from[2] "/" $3; wrong = 1
+        }
+        level[to] > level[from[2]] { print $1 ":" $2 ": " from[2] " lies below " to ": " $3; wrong = 1 }
+        END { exit wrong }'
+}
+
+rooms_are_named() {
+    for room in sim/*/; do
+        room=$(basename "$room")
+        case " $rooms emulators scenes targets tools " in
+        *" $room "*) ;;
+        *) echo "sim/$room: no room of the Makefile's list" && return 1 ;;
+        esac
+    done
+    ! find sim -maxdepth 1 -name '*.[ch]' | grep .
+}
+
+# Where a header is found: beside its file, or in a folder that all see.
+stays_inside() { # FOLDER LOWER...
+    includes "$1" | awk -F : -v folders="$*" '
+        BEGIN { count = split(folders, folder, " ") }
+        {
+            from = $1
+            sub(/[^\/]*$/, "", from)
+            found = system("test -f \"" from $3 "\"") == 0
+            for (i = 1; i <= count && !found; i++) found = system("test -f \"" folder[i] "/" $3 "\"") == 0
+            if (!found) { print $1 ":" $2 ": " $3 " is in none of: " folders; wrong = 1 }
+        }
+        END { exit wrong }'
+}
+
+names_are_unique() {
+    ! find firmware hal sim boards/common tests/unit tests/rigs tests/fakes tests/golden tests/extremes -name '*.[ch]' \
+        ! -name main.c |
+        sed 's,.*/,,' | sort | uniq -d | grep .
+}
+
+few_files() { # a folder of sources is seen on one page; firmware/ is still flat
+    find hal boards sim tests -name '*.[ch]' -o -name '*.sh' | sed 's,/[^/]*$,,' | sort | uniq -c |
+        awk '$1 > 60 { print $2 ": " $1 " files, 60 are the most"; wrong = 1 } END { exit wrong }'
+}
+
+tap_check "sim/ has the rooms that the Makefile names, and no file outside of them" rooms_are_named
+tap_check "a room of sim/ includes itself and lower ones" arrows_go_down
+tap_check "firmware/ includes itself alone" stays_inside firmware
+tap_check "hal/ includes itself and firmware/" stays_inside hal firmware
+tap_check "no two files have one name" names_are_unique
+tap_check "no folder of sources but firmware/ has more than 60" few_files
+tap_done
