@@ -27,7 +27,6 @@ struct bridge_kind {
     const char *file;         /* in the name of its udev rule */
     const char *experimental; /* NULL, or what is to be said of it */
     uint16_t vendor, product;
-    int interface; /* of several that are all HID; -1: there is one */
     size_t report_b;
     uint16_t transfer_b; /* SPI bytes a report */
     uint8_t pins;        /* GP0 and so on */

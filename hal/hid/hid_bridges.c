@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "hid/hid_bridges.h"
 
-#include "hid/ch347.h"
 #include "hid/mcp2210.h"
 
 #include <errno.h>
@@ -18,13 +17,13 @@ static void copy_serial(char out[HID_SERIAL_B], const wchar_t *serial)
     out[n] = '\0';
 }
 
-static size_t find_kind(const struct bridge_kind *kind, struct hid_bridge found[HID_BRIDGES_MAX], size_t n)
+static size_t find_kind(const struct bridge_kind *kind, struct hid_bridge found[HID_BRIDGES_MAX])
 {
+    size_t n = 0;
     struct hid_device_info *const list = hid_enumerate(kind->vendor, kind->product);
 
     for (const struct hid_device_info *info = list; info && n < HID_BRIDGES_MAX; info = info->next) {
         if (strlen(info->path) >= HID_PATH_B) continue;
-        if (kind->interface >= 0 && info->interface_number != kind->interface) continue;
         found[n].kind = kind;
         copy_serial(found[n].serial, info->serial_number);
         strcpy(found[n++].path, info->path);
@@ -35,13 +34,8 @@ static size_t find_kind(const struct bridge_kind *kind, struct hid_bridge found[
 
 size_t hid_bridges_find(struct hid_bridge found[HID_BRIDGES_MAX])
 {
-    static const struct bridge_kind *const kinds[] = {&mcp2210, &ch347};
-    size_t n = 0;
-
     (void)hid_exit();
-    for (size_t i = 0; i < sizeof kinds / sizeof *kinds; i++)
-        n = find_kind(kinds[i], found, n);
-    return n;
+    return find_kind(&mcp2210, found);
 }
 
 /* Of one bridge at least. */
@@ -62,7 +56,7 @@ int hid_bridges_choose(const char *serial, struct hid_bridge *out, char why[HID_
     char serials[HID_WHY_B / 2];
 
     if (n == 0) {
-        snprintf(why, HID_WHY_B, "none is plugged in (MCP2210 is USB 04d8:00de, CH347T in its HID mode 1a86:55dc)");
+        snprintf(why, HID_WHY_B, "none is plugged in (an MCP2210 is USB 04d8:00de)");
         return -ENODEV;
     }
     list_serials(found, n, serials, sizeof serials);

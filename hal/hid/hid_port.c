@@ -9,7 +9,7 @@
 #include <string.h>
 #include <time.h>
 
-enum { REPORT_MAX_B = 512 };
+enum { REPORT_MAX_B = 64 };
 
 struct hid_link {
     hid_device *device; /* NULL: not open */

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * A port over USB: an MCP2210, or as an experiment a CH347T, through hidapi, by either of its ways on Linux, hidraw and
- * libusb.
+ * A port over USB: an MCP2210 through hidapi, by either of its ways on Linux, hidraw and libusb.
  *
  *     struct port port;
  *     int err = hid_port_open(&port, NULL, &(struct bridge_options){.dc = "GP0", .reset = "GP1", .chip_select =

@@ -121,7 +121,7 @@ static void print_bridges(void)
 {
     struct hid_bridge found[HID_BRIDGES_MAX];
     const size_t n = hid_bridges_find(found);
-    if (n == 0) puts("hid   none: no MCP2210 (USB 04d8:00de), no CH347T in its HID mode (1a86:55dc)");
+    if (n == 0) puts("hid   none: no MCP2210 (USB 04d8:00de)");
     for (size_t i = 0; i < n; i++)
         print_bridge(&found[i]);
 }

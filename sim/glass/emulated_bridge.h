@@ -1,29 +1,24 @@
 /* SPDX-License-Identifier: MIT
  *
  * An emulated bridge on an emulated cable, wired to an emulated display. An MCP2210 has D/C at GP0, reset at GP1, the
- * backlight at GP2, chip select, or the select of a memory LCD, at GP3; a CH347T has them at GP3, GP4, GP6 and GP2, and
- * no memory LCD. */
+ * backlight at GP2, chip select, or the select of a memory LCD, at GP3. */
 #ifndef SIM_EMULATED_BRIDGE_H
 #define SIM_EMULATED_BRIDGE_H
 
 #include "glass/emulated_cable.h"
-#include "glass/emulated_ch347.h"
 #include "glass/emulated_mcp2210.h"
 #include "glass/emulated_port.h"
 #include "hid/bridge_port.h"
 
 /* Must not move. */
 struct emulated_bridge {
-    const struct bridge_kind *kind; /* which of the two it is */
     struct emulated_mcp2210 chip;
-    struct emulated_ch347 ch347;
     struct emulated_cable cable;
     struct emulated_port *display;
     unsigned opened; /* how often */
 };
 
 void emulated_bridge_init(struct emulated_bridge *bridge, struct emulated_port *display);
-void emulated_bridge_init_ch347(struct emulated_bridge *bridge, struct emulated_port *display);
 
 /* Plugged in again, after a power-up. */
 void emulated_bridge_replug(struct emulated_bridge *bridge);

@@ -6,7 +6,6 @@
  * tells that a report has become another. GOLDEN_FRAMES=write writes the file anew: what changes in it is explained
  * where it is committed. */
 #include "golden/golden_stage.h"
-#include "hid/ch347.h"
 #include "hid/mcp2210.h"
 #include "rigs/bridge_rig.h"
 #include "rigs/cmocka_ready.h"
@@ -93,12 +92,9 @@ static void converse(const struct bridge_kind *kind, const struct bridge_config 
 }
 
 /* The cable anew, and what will go wrong. */
-static void connect(const struct bridge_kind *kind)
+static void connect(void)
 {
-    if (kind == &ch347)
-        emulated_bridge_init_ch347(&rig.bridge, rig.glass.port);
-    else
-        emulated_bridge_init(&rig.bridge, rig.glass.port);
+    emulated_bridge_init(&rig.bridge, rig.glass.port);
     talk.cable = emulated_cable_reports(&rig.bridge.cable);
     talk.answer = rig.bridge.cable.answer;
     rig.bridge.cable.answer = answer;
@@ -106,19 +102,17 @@ static void connect(const struct bridge_kind *kind)
     talk.mangled_at = -1;
 }
 
-static struct bridge_config usual_of(const struct bridge_kind *kind)
+static struct bridge_config usual(void)
 {
-    return kind == &ch347
-               ? (struct bridge_config){.outputs = 0x28, .levels = 0x08, .bit_rate_hz = 15000000}
-               : (struct bridge_config){.outputs = 0x29, .levels = 0x21, .selects = 0x10, .bit_rate_hz = 8000000};
+    return (struct bridge_config){.outputs = 0x29, .levels = 0x21, .selects = 0x10, .bit_rate_hz = 8000000};
 }
 
 static void put_conversation(const struct bridge_kind *kind)
 {
-    const struct bridge_config config = usual_of(kind);
+    const struct bridge_config config = usual();
 
     bridge_rig_setup(&rig, "st7735", 24, 9);
-    connect(kind);
+    connect();
     talk.noted = true;
     golden_put("%s, %zu B at once, %u B a report:", kind->name, kind->gathered_b, kind->transfer_b);
     converse(kind, &config);
@@ -132,27 +126,27 @@ static void put_settings(const struct bridge_kind *kind)
                                         468750,   468751,   937500,   1874999,   1875000,   3750000,
                                         7500000,  11999999, 12000000, 12000001,  15000000,  29999999,
                                         30000000, 59999999, 60000000, 100000000, UINT32_MAX};
-    const struct bridge_config usual = usual_of(kind);
+    const struct bridge_config start = usual();
 
     golden_put("%s, settings:", kind->name);
     talk.hash = GOLDEN_HASH;
     for (size_t i = 0; i < sizeof rates_hz / sizeof *rates_hz; i++)
         for (uint8_t mode = 0; mode < 5; mode++) {
-            struct bridge_config config = usual;
+            struct bridge_config config = start;
             config.bit_rate_hz = rates_hz[i];
             config.mode = mode;
-            connect(kind);
+            connect();
             converse(kind, &config);
         }
     golden_put(" %08x, pins:", talk.hash);
     talk.hash = GOLDEN_HASH;
     for (unsigned pin = 0; pin < 16; pin++)
         for (unsigned how = 0; how < 4; how++) {
-            struct bridge_config config = usual;
+            struct bridge_config config = start;
             config.outputs = (uint16_t)(how & 1 ? 1u << pin : 0);
             config.levels = (uint16_t)(how == 3 ? 1u << pin : 0);
             config.selects = (uint16_t)(how & 2 ? 1u << (pin + 1) % 16 : 1u << pin);
-            connect(kind);
+            connect();
             converse(kind, &config);
         }
     golden_put(" %08x\n", talk.hash);
@@ -160,14 +154,14 @@ static void put_settings(const struct bridge_kind *kind)
 
 static void put_faults(const struct bridge_kind *kind)
 {
-    const struct bridge_config config = usual_of(kind);
+    const struct bridge_config config = usual();
 
     golden_put("%s, faults:", kind->name);
     for (int fault = 0; fault < CABLE_FAULTS; fault++) {
         long n = 0;
         talk.hash = GOLDEN_HASH;
         do {
-            connect(kind);
+            connect();
             emulated_cable_arm(&rig.bridge.cable, n++, (enum cable_fault)fault, -EIO);
             converse(kind, &config);
         } while (rig.bridge.cable.faulted);
@@ -179,14 +173,14 @@ static void put_faults(const struct bridge_kind *kind)
 static void put_answers(const struct bridge_kind *kind)
 {
     static const uint8_t by[] = {0x01, 0x02, 0x10, 0x80, 0xFF};
-    const struct bridge_config config = usual_of(kind);
+    const struct bridge_config config = usual();
 
     golden_put("%s, answers:", kind->name);
     for (size_t byte = 0; byte < ANSWER_HEAD_B; byte++) {
         talk.hash = GOLDEN_HASH;
         for (size_t i = 0; i < sizeof by; i++)
             for (long n = 0; n < 12; n++) {
-                connect(kind);
+                connect();
                 talk.mangled_at = n;
                 talk.mangled_byte = byte;
                 talk.mangled_by = by[i];
@@ -199,17 +193,13 @@ static void put_answers(const struct bridge_kind *kind)
 
 static void all_is_said_as_it_was(void **state)
 {
-    static const struct bridge_kind *const kinds[] = {&mcp2210, &ch347};
-
     (void)state;
     for (size_t i = 0; i < sizeof bytes; i++)
         bytes[i] = (uint8_t)(i * 37 + i / 256);
-    for (size_t i = 0; i < sizeof kinds / sizeof *kinds; i++) {
-        put_conversation(kinds[i]);
-        put_settings(kinds[i]);
-        put_faults(kinds[i]);
-        put_answers(kinds[i]);
-    }
+    put_conversation(&mcp2210);
+    put_settings(&mcp2210);
+    put_faults(&mcp2210);
+    put_answers(&mcp2210);
     golden_compare("tests/unit/hal/bridge_reports.expected");
 }
 

@@ -2,7 +2,6 @@
  *
  * The bridges' protocols against a script that answers report by report, on a clock of its own: how long answers are
  * waited for, what is passed over, that the transport's codes come back unchanged, and which settings are refused. */
-#include "hid/ch347.h"
 #include "hid/mcp2210.h"
 #include "rigs/cmocka_ready.h"
 
@@ -29,7 +28,7 @@ static struct {
     unsigned quiet_reads;
     uint32_t timeouts_ms[8];
     unsigned n_timeouts;
-    uint8_t reports[REPORTS_MAX][CH347_REPORT_B];
+    uint8_t reports[REPORTS_MAX][MCP2210_REPORT_B];
 } script;
 
 static union {
@@ -40,11 +39,6 @@ static union {
 static uint8_t *last(void)
 {
     return script.reports[(script.writes - 1) % REPORTS_MAX];
-}
-
-static bool is_mcp2210(void)
-{
-    return script.kind == &mcp2210;
 }
 
 static int write(void *ctx, const uint8_t *report)
@@ -68,14 +62,6 @@ static void answer_mcp2210(uint8_t *to)
     if (to[0] == 0x42) to[3] = last()[1] == 60 ? script.engine_full : script.engine;
 }
 
-static void answer_ch347(uint8_t *to)
-{
-    memset(to, 0, CH347_REPORT_B);
-    to[2] = last()[2];
-    for (int i = 0; to[2] == 0xCC && i < 8; i++)
-        to[5 + i] = last()[5 + i] & 0x08 ? 0xC0 : 0x80;
-}
-
 static int read(void *ctx, uint8_t *to, uint32_t timeout_ms)
 {
     (void)ctx;
@@ -96,13 +82,10 @@ static int read(void *ctx, uint8_t *to, uint32_t timeout_ms)
         script.early_ms = 0;
         return 0;
     }
-    if (is_mcp2210())
-        answer_mcp2210(to);
-    else
-        answer_ch347(to);
+    answer_mcp2210(to);
     const int other_b = script.other_b;
     script.other_b = 0;
-    if (other_b && !script.other_is_ours) to[is_mcp2210() ? 0 : 2] ^= 1;
+    if (other_b && !script.other_is_ours) to[0] ^= 1;
     return other_b ? other_b : (int)script.kind->report_b;
 }
 
@@ -115,9 +98,7 @@ static uint64_t now_ms(void *ctx)
 
 static struct bridge_config usual(void)
 {
-    if (is_mcp2210())
-        return (struct bridge_config){.bit_rate_hz = 3000000, .mode = 3, .outputs = 0x1F, .levels = 2, .selects = 0x20};
-    return (struct bridge_config){.bit_rate_hz = 3000000, .mode = 3, .outputs = 0xD8, .levels = 8, .selects = 0x24};
+    return (struct bridge_config){.bit_rate_hz = 3000000, .mode = 3, .outputs = 0x1F, .levels = 2, .selects = 0x20};
 }
 
 static void reset(const struct bridge_kind *kind)
@@ -156,7 +137,6 @@ static int set_pin(void)
 }
 
 static int (*const calls[])(void) = {begin, send_some, set_pin};
-static const struct bridge_kind *const kinds[] = {&mcp2210, &ch347};
 
 /* As begun, with a script from here on. */
 static void begun(const struct bridge_kind *kind)
@@ -179,25 +159,24 @@ static void codes_of_the_transport_come_back(void **state)
     static const int codes[] = {-1, -2, -EIO, -7000};
 
     (void)state;
-    for (size_t k = 0; k < 2; k++)
-        for (size_t i = 0; i < 3; i++) {
-            begun(kinds[k]);
-            assert_int_equal(calls[i](), 0);
-            const int writes = script.writes, reads = script.reads;
-            assert_true(writes > 0 && reads > 0);
-            for (int n = 0; n < writes + reads; n++) {
-                begun(kinds[k]);
-                script.code = codes[n % 4];
-                *(n < writes ? &script.fail_write_at : &script.fail_read_at) = n < writes ? n : n - writes;
-                assert_int_equal(calls[i](), script.code);
-                assert_string_equal(script.kind->why(bridge.state), "");
-                script.quiet_reads = 0;
-                assert_int_equal(send_some(), 0);
-                assert_int_equal(script.quiet_reads, 1);
-                assert_int_equal(send_some(), 0);
-                assert_int_equal(script.quiet_reads, 1);
-            }
+    for (size_t i = 0; i < 3; i++) {
+        begun(&mcp2210);
+        assert_int_equal(calls[i](), 0);
+        const int writes = script.writes, reads = script.reads;
+        assert_true(writes > 0 && reads > 0);
+        for (int n = 0; n < writes + reads; n++) {
+            begun(&mcp2210);
+            script.code = codes[n % 4];
+            *(n < writes ? &script.fail_write_at : &script.fail_read_at) = n < writes ? n : n - writes;
+            assert_int_equal(calls[i](), script.code);
+            assert_string_equal(script.kind->why(bridge.state), "");
+            script.quiet_reads = 0;
+            assert_int_equal(send_some(), 0);
+            assert_int_equal(script.quiet_reads, 1);
+            assert_int_equal(send_some(), 0);
+            assert_int_equal(script.quiet_reads, 1);
         }
+    }
 }
 
 static void what_is_on_its_way_is_passed_over_up_to_64_reports(void **state)
@@ -205,38 +184,36 @@ static void what_is_on_its_way_is_passed_over_up_to_64_reports(void **state)
     static const unsigned stale[] = {0, 1, 5, 62, 63, 64, 65, 1000};
 
     (void)state;
-    for (size_t k = 0; k < 2; k++)
-        for (size_t i = 0; i < sizeof stale / sizeof *stale; i++) {
-            reset(kinds[k]);
-            script.stale = stale[i];
-            assert_int_equal(begin(), 0);
-            assert_int_equal(script.quiet_reads, stale[i] < STALE_MOST ? stale[i] + 1 : STALE_MOST);
-        }
+    for (size_t i = 0; i < sizeof stale / sizeof *stale; i++) {
+        reset(&mcp2210);
+        script.stale = stale[i];
+        assert_int_equal(begin(), 0);
+        assert_int_equal(script.quiet_reads, stale[i] < STALE_MOST ? stale[i] + 1 : STALE_MOST);
+    }
 }
 
 static void an_answer_is_waited_for_a_second(void **state)
 {
     (void)state;
-    for (size_t k = 0; k < 2; k++)
-        for (size_t i = 1; i < 3; i++) {
-            begun(kinds[k]);
-            script.silent_from = 1;
-            const uint64_t began_ms = script.now_ms;
-            assert_int_equal(calls[i](), -ETIMEDOUT);
-            assert_why("in 1000 ms; unplug it and plug it in again");
-            assert_int_equal(script.now_ms - began_ms, PATIENCE_MS);
-            assert_int_equal(script.n_timeouts, 1);
-            assert_int_equal(script.timeouts_ms[0], PATIENCE_MS);
+    for (size_t i = 1; i < 3; i++) {
+        begun(&mcp2210);
+        script.silent_from = 1;
+        const uint64_t began_ms = script.now_ms;
+        assert_int_equal(calls[i](), -ETIMEDOUT);
+        assert_why("in 1000 ms; unplug it and plug it in again");
+        assert_int_equal(script.now_ms - began_ms, PATIENCE_MS);
+        assert_int_equal(script.n_timeouts, 1);
+        assert_int_equal(script.timeouts_ms[0], PATIENCE_MS);
 
-            begun(kinds[k]);
-            script.silent_from = 1;
-            script.early_ms = 400;
-            script.look_ms = 1;
-            assert_int_equal(calls[i](), -ETIMEDOUT);
-            assert_int_equal(script.n_timeouts, 2);
-            assert_int_equal(script.timeouts_ms[0], PATIENCE_MS - 1);
-            assert_int_equal(script.timeouts_ms[1], PATIENCE_MS - 402);
-        }
+        begun(&mcp2210);
+        script.silent_from = 1;
+        script.early_ms = 400;
+        script.look_ms = 1;
+        assert_int_equal(calls[i](), -ETIMEDOUT);
+        assert_int_equal(script.n_timeouts, 2);
+        assert_int_equal(script.timeouts_ms[0], PATIENCE_MS - 1);
+        assert_int_equal(script.timeouts_ms[1], PATIENCE_MS - 402);
+    }
 }
 
 static void of_another_s_answers_and_parts_none_counts(void **state)
@@ -244,20 +221,18 @@ static void of_another_s_answers_and_parts_none_counts(void **state)
     static const struct {
         int other_b;
         bool is_ours;
-        int reads[2]; /* of each kind's */
-    } cases[] = {{64, false, {2, 2}}, {63, true, {2, 1}}, {64, true, {1, 1}},  {1, true, {2, 2}},
-                 {6, true, {2, 1}},   {5, true, {2, 2}},  {512, false, {2, 2}}};
+        int reads;
+    } cases[] = {{64, false, 2}, {63, true, 2}, {64, true, 1}, {1, true, 2}, {6, true, 2}, {5, true, 2}};
 
     (void)state;
-    for (size_t k = 0; k < 2; k++)
-        for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
-            begun(kinds[k]);
-            script.other_b = cases[i].other_b;
-            script.other_is_ours = cases[i].is_ours;
-            assert_int_equal(set_pin(), 0);
-            assert_int_equal(script.reads, cases[i].reads[k]);
-            assert_int_equal(script.writes, 1);
-        }
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        begun(&mcp2210);
+        script.other_b = cases[i].other_b;
+        script.other_is_ours = cases[i].is_ours;
+        assert_int_equal(set_pin(), 0);
+        assert_int_equal(script.reads, cases[i].reads);
+        assert_int_equal(script.writes, 1);
+    }
 }
 
 static void an_mcp2210_may_be_busy_for_a_second(void **state)
@@ -341,71 +316,17 @@ static void an_mcp2210_s_settings_are_as_its_datasheet_has_them(void **state)
     }
 }
 
-static void a_ch347_s_rate_is_the_next_power_of_two_below(void **state)
-{
-    static const struct {
-        uint32_t bit_rate_hz;
-        uint8_t code;
-    } cases[] = {{UINT32_MAX, 0}, {60000000, 0}, {59999999, 1}, {30000000, 1},
-                 {29999999, 2},   {937500, 6},   {937499, 7},   {468750, 7}};
-
-    (void)state;
-    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
-        reset(&ch347);
-        struct bridge_config config = usual();
-        config.bit_rate_hz = cases[i].bit_rate_hz;
-        assert_int_equal(begin_with(&config), 0);
-        assert_int_equal(script.reports[0][2], 0xC0);
-        assert_int_equal(script.reports[0][17], cases[i].code << 3);
-    }
-    for (uint8_t mode = 0; mode < 4; mode++) {
-        reset(&ch347);
-        struct bridge_config config = usual();
-        config.mode = mode;
-        assert_int_equal(begin_with(&config), 0);
-        assert_int_equal(script.reports[0][11], mode & 2);
-        assert_int_equal(script.reports[0][13], mode & 1);
-    }
-}
-
-static void a_ch347_without_pins_is_told_of_none(void **state)
-{
-    (void)state;
-    reset(&ch347);
-    const struct bridge_config config = {.bit_rate_hz = 468750};
-    assert_int_equal(begin_with(&config), 0);
-    assert_int_equal(script.writes, 1);
-    assert_int_equal(script.reads, 2); /* what was on its way, and the answer */
-}
-
 static void settings_that_a_bridge_does_not_have_are_refused(void **state)
 {
     static const struct {
         const struct bridge_kind *kind;
         struct bridge_config config;
         int err;
-    } cases[] = {{&mcp2210, {1499, 0, 1, 0, 2}, -EINVAL},
-                 {&mcp2210, {1500, 0, 1, 0, 2}, 0},
-                 {&mcp2210, {0, 0, 1, 0, 2}, -EINVAL},
-                 {&mcp2210, {1500, 4, 1, 0, 2}, -EINVAL},
-                 {&mcp2210, {1500, 3, 0x1FE, 0, 1}, 0},
-                 {&mcp2210, {1500, 3, 0x200, 0, 1}, -EINVAL},
-                 {&mcp2210, {1500, 3, 1, 0, 0x200}, -EINVAL},
-                 {&mcp2210, {1500, 3, 1, 0, 0x100}, 0},
-                 {&mcp2210, {1500, 3, 3, 0, 2}, -EINVAL},
-                 {&ch347, {468749, 0, 8, 0, 4}, -EINVAL},
-                 {&ch347, {468750, 0, 8, 0, 4}, 0},
-                 {&ch347, {468750, 4, 8, 0, 4}, -EINVAL},
-                 {&ch347, {468750, 3, 0xF8, 0, 4}, 0},
-                 {&ch347, {468750, 3, 0xD8, 0, 0x24}, 0},
-                 {&ch347, {468750, 3, 0xF8, 0, 0x20}, -EINVAL},
-                 {&ch347, {468750, 3, 0x100, 0, 4}, -EINVAL},
-                 {&ch347, {468750, 3, 1, 0, 4}, -EINVAL},
-                 {&ch347, {468750, 3, 2, 0, 4}, -EINVAL},
-                 {&ch347, {468750, 3, 4, 0, 0x20}, -EINVAL},
-                 {&ch347, {468750, 3, 0, 0, 8}, -EINVAL},
-                 {&ch347, {468750, 3, 0, 0, 2}, -EINVAL},
-                 {&ch347, {468750, 3, 0, 0, 0x44}, -EINVAL}};
+    } cases[] = {{&mcp2210, {1499, 0, 1, 0, 2}, -EINVAL},     {&mcp2210, {1500, 0, 1, 0, 2}, 0},
+                 {&mcp2210, {0, 0, 1, 0, 2}, -EINVAL},        {&mcp2210, {1500, 4, 1, 0, 2}, -EINVAL},
+                 {&mcp2210, {1500, 3, 0x1FE, 0, 1}, 0},       {&mcp2210, {1500, 3, 0x200, 0, 1}, -EINVAL},
+                 {&mcp2210, {1500, 3, 1, 0, 0x200}, -EINVAL}, {&mcp2210, {1500, 3, 1, 0, 0x100}, 0},
+                 {&mcp2210, {1500, 3, 3, 0, 2}, -EINVAL}};
 
     (void)state;
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
@@ -419,19 +340,18 @@ static void settings_that_a_bridge_does_not_have_are_refused(void **state)
 static void pins_that_are_no_outputs_are_not_set(void **state)
 {
     (void)state;
-    for (size_t k = 0; k < 2; k++)
-        for (unsigned pin = 0; pin < 20; pin++) {
-            reset(kinds[k]);
-            const struct bridge_config config = usual();
-            assert_int_equal(begin_with(&config), 0);
-            script.writes = 0;
-            const bool is_output = config.outputs >> pin & 1;
-            assert_int_equal(script.kind->set(bridge.state, pin, true), is_output ? 0 : -EINVAL);
-            assert_int_equal(script.writes, is_output);
-            char text[40] = "";
-            if (!is_output) snprintf(text, sizeof text, "GP%u is not set up as an output", pin);
-            assert_string_equal(script.kind->why(bridge.state), text);
-        }
+    for (unsigned pin = 0; pin < 20; pin++) {
+        reset(&mcp2210);
+        const struct bridge_config config = usual();
+        assert_int_equal(begin_with(&config), 0);
+        script.writes = 0;
+        const bool is_output = config.outputs >> pin & 1;
+        assert_int_equal(script.kind->set(bridge.state, pin, true), is_output ? 0 : -EINVAL);
+        assert_int_equal(script.writes, is_output);
+        char text[40] = "";
+        if (!is_output) snprintf(text, sizeof text, "GP%u is not set up as an output", pin);
+        assert_string_equal(script.kind->why(bridge.state), text);
+    }
 }
 
 int main(void)
@@ -444,8 +364,6 @@ int main(void)
         cmocka_unit_test(an_mcp2210_may_be_busy_for_a_second),
         cmocka_unit_test(an_mcp2210_s_transfer_may_take_a_second),
         cmocka_unit_test(an_mcp2210_s_settings_are_as_its_datasheet_has_them),
-        cmocka_unit_test(a_ch347_s_rate_is_the_next_power_of_two_below),
-        cmocka_unit_test(a_ch347_without_pins_is_told_of_none),
         cmocka_unit_test(settings_that_a_bridge_does_not_have_are_refused),
         cmocka_unit_test(pins_that_are_no_outputs_are_not_set),
     };
