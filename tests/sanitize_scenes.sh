@@ -11,7 +11,7 @@
 limner=$build/limner
 
 # Words, and how many of them go before those of the run before come again: no two lists have the same length in common.
-methods='nearest scanline painter bsp clusters axis octree octree-centre clusters-sampled depth newell portals convex'
+methods='nearest scanline painter bsp clusters axis octree depth newell portals convex'
 profiles='draft fast fine exact'
 panels='memory framebuffer st7789 st7789:rgb444 ili9488:rgb666 ssd1327 ssd0323 pcd8544 ssd1306 ls013b7dh03 gc9a01'
 options='-- --wireframe --antialias --delta --delta=3 --unlit --wireframe=00FF00,000000 --ids --antialias'

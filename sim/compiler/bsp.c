@@ -214,9 +214,7 @@ static void place(struct bsp *bsp, struct bsp_node *node, uint32_t piece)
     node->count++;
 }
 
-/* Where nothing is to be split, a piece goes to the side of its middle. */
-static void file_piece(struct bsp *bsp, struct bsp_node *node, uint32_t index, bool splits, struct list *front,
-                       struct list *back)
+static void file_piece(struct bsp *bsp, struct bsp_node *node, uint32_t index, struct list *front, struct list *back)
 {
     const struct bsp_piece *piece = &bsp->pieces[index];
     const struct plane *plane = bsp_plane(bsp, node->group);
@@ -225,7 +223,6 @@ static void file_piece(struct bsp *bsp, struct bsp_node *node, uint32_t index, b
         return;
     }
     int sides = bsp_piece_filed(bsp, piece, plane);
-    if (sides == BSP_BOTH && !splits) sides = plane_distance(plane, piece->centre) >= 0.0 ? BSP_FRONT : BSP_BACK;
     if (sides == BSP_BOTH)
         piece_split(bsp, index, node->group, front, back);
     else
@@ -291,10 +288,9 @@ static void divide(struct bsp *bsp, const struct bsp_plan *plan, struct stack *s
     }
     uint32_t group = tree_divider(bsp, plan, (struct tree_place){task.parent, task.in_front}, list, count);
     struct bsp_node *node = node_add(bsp, &task, group);
-    const bool splits = plan->kind != TREE_OCTREE_CENTRE;
     front->count = back->count = 0;
     for (size_t i = 0; i < count; i++)
-        file_piece(bsp, node, list[i], splits, front, back);
+        file_piece(bsp, node, list[i], front, back);
     stack->count = task.first;
     struct task child = {.parent = (uint32_t)(bsp->node_count - 1), .depth = task.depth + 1};
     stack_push(stack, child, back);
@@ -321,7 +317,6 @@ bool bsp_build(struct bsp *bsp, const struct mesh *mesh, const struct coplanar *
         list_add(&front, piece_of_polygon(bsp, (uint32_t)i));
     stack_push(&stack, (struct task){.parent = BSP_NONE, .depth = 1}, &front);
     if (tree_wants_rings(plan, bsp->piece_count)) rings_find(&bsp->rings, bsp);
-    if (plan->sampled) bsp->rings = rings_copy(plan->sampled);
     while (stack.task_count && bsp->piece_count <= BSP_PIECES_MAX && !deadline_passed()) {
         show_progress(bsp, plan);
         divide(bsp, plan, &stack, &front, &back);

@@ -51,7 +51,7 @@ struct bsp {
     size_t corner_count, corner_capacity, piece_count, piece_capacity, node_count, node_capacity;
     size_t placed_count, placed_capacity;
     size_t splits, depth;
-    struct rings rings; /* of clusters, proved or sampled; empty: too many polygons */
+    struct rings rings; /* of clusters; empty: too many polygons */
 };
 
 /* More pieces than any scene can hold: building stops there. */
@@ -62,7 +62,6 @@ struct bsp_plan {
     enum tree_kind kind;
     const struct splitter *splitter; /* chooses among the planes of the polygons */
     double tolerance_units;
-    const struct rings *sampled; /* TREE_CLUSTERS_SAMPLED: what hides what. NULL: nothing is known */
 };
 
 /* Builds the tree. `points` holds exactly the mesh's points and receives those of the splits.

@@ -12,7 +12,6 @@
 #include "compiler/pool_sizes.h"
 #include "compiler/portal_choice.h"
 #include "compiler/predict.h"
-#include "compiler/sampled_order.h"
 #include "core/core.h"
 #include "model/light.h"
 #include "model/original.h"
@@ -33,7 +32,6 @@ struct compilation {
     const struct compile_options *options;
     struct exact_points points;
     struct coplanar coplanar;
-    struct rings sampled; /* of TREE_CLUSTERS_SAMPLED */
 };
 
 static const double GRID_END = 32767.5; /* halves round up: 32767.5 would be 32768 */
@@ -121,8 +119,7 @@ static void image_make(struct encoding *encoding, const struct grid *grid, struc
 static bool compile_with(struct compilation *work, enum tree_kind kind, const struct splitter *splitter,
                          struct compiled *out, struct error *err)
 {
-    const struct rings *sampled = kind == TREE_CLUSTERS_SAMPLED && work->sampled.count ? &work->sampled : NULL;
-    const struct bsp_plan plan = {kind, splitter, work->options->tolerance_units, sampled};
+    const struct bsp_plan plan = {kind, splitter, work->options->tolerance_units};
     struct bsp bsp;
     struct encoding encoding = {0};
     bool ok = bsp_build(&bsp, work->mesh, &work->coplanar, &plan, &work->points);
@@ -150,19 +147,6 @@ static bool is_wanted(const struct compilation *work, enum tree_kind kind, const
     if (kind == TREE_NONE) return splitter == &splitters[1];
     if (work->mesh->polygon_count > SPLITTER_MANY && strcmp(options->splitter, "auto") == 0) return splitter->for_many;
     return splitter_answers(splitter, options->splitter);
-}
-
-/* From an exact tree, which knows its free space. */
-static bool find_sampled(struct compilation *work, struct error *err)
-{
-    enum { POLYGONS_MAX = 4096 };
-    struct compiled exact = {0};
-    if (work->options->tree != TREE_CLUSTERS_SAMPLED || work->mesh->polygon_count > POLYGONS_MAX) return true;
-    if (!compile_with(work, TREE_AXIS, &splitters[1], &exact, err)) return false;
-    progress("compiling: %zu polygons, sampled views", work->mesh->polygon_count);
-    sampled_order_find(&work->sampled, work->mesh, &exact);
-    compiled_free(&exact);
-    return deadline_check(err, "views were still sampled");
 }
 
 /* The first tree may take all of the time, the others half of what it leaves. */
@@ -281,7 +265,7 @@ bool compile_mesh(const struct mesh *mesh, const struct compile_options *options
     if (ok) {
         coplanar_find(mesh, work.points.approx, options->tolerance_units, &work.coplanar);
         ok = deadline_check(err, "planes of %zu polygons were still sought", mesh->polygon_count) &&
-             find_sampled(&work, err) && compile_best(&work, out, err) && check_method(options, out, err);
+             compile_best(&work, out, err) && check_method(options, out, err);
         out->report.wireframe = options->wireframe;
         out->report.antialias = options->antialias;
         out->report.round = options->round;
@@ -292,7 +276,6 @@ bool compile_mesh(const struct mesh *mesh, const struct compile_options *options
         progress_end();
         if (!ok) compiled_free(out);
     }
-    rings_free(&work.sampled);
     coplanar_free(&work.coplanar);
     exact_free(&work.points);
     return ok;

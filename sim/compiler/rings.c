@@ -19,27 +19,18 @@ static void bit_set(uint64_t *row, size_t at)
     row[at / WORD_BITS] |= UINT64_C(1) << at % WORD_BITS;
 }
 
-void rings_make(struct rings *rings, size_t count)
+/* Room for a relation of so many polygons, in which none hides another. */
+static void make(struct rings *rings, size_t count)
 {
     const size_t words = (count + WORD_BITS - 1) / WORD_BITS;
     *rings = (struct rings){grow_zeroed(count * words, sizeof *rings->hides),
                             grow_zeroed(count * words, sizeof *rings->hidden_by), words, count};
 }
 
-struct rings rings_copy(const struct rings *rings)
-{
-    const size_t words = rings->count * rings->words;
-    struct rings copy;
-    rings_make(&copy, rings->count);
-    memcpy(copy.hides, rings->hides, words * sizeof *copy.hides);
-    memcpy(copy.hidden_by, rings->hidden_by, words * sizeof *copy.hidden_by);
-    return copy;
-}
-
 void rings_find(struct rings *rings, const struct bsp *bsp)
 {
     const size_t count = bsp->piece_count;
-    rings_make(rings, count);
+    make(rings, count);
     const size_t words = rings->words;
     for (uint32_t p = 0; p < count && !deadline_passed(); p++)
         for (uint32_t q = 0; q < count; q++) {

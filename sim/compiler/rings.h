@@ -16,12 +16,6 @@ struct rings {
     size_t words, count; /* of a row; of polygons */
 };
 
-/* Room for a relation of so many polygons, in which none hides another. */
-void rings_make(struct rings *rings, size_t count);
-
-/* A relation of its own. */
-struct rings rings_copy(const struct rings *rings);
-
 /* All pieces of the tree are whole polygons, in the mesh's order, as when it is begun. */
 void rings_find(struct rings *rings, const struct bsp *bsp);
 

@@ -7,7 +7,6 @@
 #include "compiler/axis_cut.h"
 #include "compiler/cluster.h"
 #include "compiler/cluster_cut.h"
-#include "compiler/sampled_order.h"
 
 #include <stdio.h>
 #include <string.h>
@@ -15,8 +14,7 @@
 /* A cluster is compared pair by pair; small ones serve where the tree itself shall do the sorting. */
 enum { CLUSTER_PIECES_MAX = 4096, CELL_PIECES_MAX = 16 };
 
-const char *const tree_names[TREE_KINDS] = {"auto",   "bsp",           "clusters",         "axis",
-                                            "octree", "octree-centre", "clusters-sampled", "none"};
+const char *const tree_names[TREE_KINDS] = {"auto", "bsp", "clusters", "axis", "octree", "none"};
 
 bool tree_kind_parse(const char *text, enum tree_kind *out, struct error *err)
 {
@@ -40,11 +38,8 @@ bool tree_ends(const struct bsp *bsp, enum tree_kind kind, const uint32_t *list,
         return true;
     case TREE_CLUSTERS:
         return count <= CLUSTER_PIECES_MAX && cluster_order(bsp, list, count, order);
-    case TREE_CLUSTERS_SAMPLED:
-        return bsp->rings.count && sampled_order_sort(bsp, list, count, order);
     case TREE_AXIS:
     case TREE_OCTREE:
-    case TREE_OCTREE_CENTRE:
         return count <= CELL_PIECES_MAX && cluster_order(bsp, list, count, order);
     default:
         return false;
@@ -73,7 +68,7 @@ uint32_t tree_divider(struct bsp *bsp, const struct bsp_plan *plan, struct tree_
     double cost;
     if (bsp->rings.count) return cluster_cut_best(bsp, plan->splitter, list, count);
     if (plan->kind == TREE_AXIS) return cut_or_polygon(bsp, plan->splitter, list, count);
-    if (plan->kind == TREE_OCTREE || plan->kind == TREE_OCTREE_CENTRE) {
+    if (plan->kind == TREE_OCTREE) {
         const uint32_t cut = axis_cut_halving(bsp, place, list, count);
         if (cut != BSP_NONE) return cut;
     }

@@ -7,18 +7,11 @@
 #include <string.h>
 
 const struct method methods[] = {
-    {"nearest", LIM_NEAREST_FIRST, TREE_AUTO, false, true},
-    {"painter", LIM_PAINTER, TREE_AUTO, false, true},
-    {"convex", LIM_CONVEX, TREE_AUTO, false, true},
-    {"scanline", LIM_SCANLINE, TREE_AUTO, false, true},
-    {"bsp", LIM_NEAREST_FIRST, TREE_BSP, false, true},
-    {"clusters", LIM_NEAREST_FIRST, TREE_CLUSTERS, false, true},
-    {"axis", LIM_NEAREST_FIRST, TREE_AXIS, false, true},
-    {"octree", LIM_NEAREST_FIRST, TREE_OCTREE, false, true},
-    {"octree-centre", LIM_NEAREST_FIRST, TREE_OCTREE_CENTRE, false, false},
-    {"clusters-sampled", LIM_NEAREST_FIRST, TREE_CLUSTERS_SAMPLED, false, false},
-    {"portals", LIM_NEAREST_FIRST, TREE_BSP, true, true},
-    {"depth", LIM_DEPTH, TREE_NONE, false, false},
+    {"nearest", LIM_NEAREST_FIRST, TREE_AUTO, false, true}, {"painter", LIM_PAINTER, TREE_AUTO, false, true},
+    {"convex", LIM_CONVEX, TREE_AUTO, false, true},         {"scanline", LIM_SCANLINE, TREE_AUTO, false, true},
+    {"bsp", LIM_NEAREST_FIRST, TREE_BSP, false, true},      {"clusters", LIM_NEAREST_FIRST, TREE_CLUSTERS, false, true},
+    {"axis", LIM_NEAREST_FIRST, TREE_AXIS, false, true},    {"octree", LIM_NEAREST_FIRST, TREE_OCTREE, false, true},
+    {"portals", LIM_NEAREST_FIRST, TREE_BSP, true, true},   {"depth", LIM_DEPTH, TREE_NONE, false, false},
     {"newell", LIM_NEWELL, TREE_NONE, false, true},
 };
 const size_t method_count = sizeof methods / sizeof *methods;

@@ -7,14 +7,12 @@
 #include "base/error.h"
 
 enum tree_kind {
-    TREE_AUTO,             /* the BSP tree, or whichever draws cheapest (tree_choice.h) */
-    TREE_BSP,              /* planes of polygons, down to the last polygon */
-    TREE_CLUSTERS,         /* planes of polygons, until an order is right from everywhere (Schumacker) */
-    TREE_AXIS,             /* axis planes at coordinates of vertices, down to small clusters */
-    TREE_OCTREE,           /* axis planes that halve cubes, down to small clusters */
-    TREE_OCTREE_CENTRE,    /* the same without a split: a polygon lies in the cube of its centre. Not exact */
-    TREE_CLUSTERS_SAMPLED, /* clusters in orders that are right from sampled eyes. Not exact */
-    TREE_NONE,             /* a set: one leaf, in no order. For methods that sort */
+    TREE_AUTO,     /* the BSP tree, or whichever draws cheapest (tree_choice.h) */
+    TREE_BSP,      /* planes of polygons, down to the last polygon */
+    TREE_CLUSTERS, /* planes of polygons, until an order is right from everywhere (Schumacker) */
+    TREE_AXIS,     /* axis planes at coordinates of vertices, down to small clusters */
+    TREE_OCTREE,   /* axis planes that halve cubes, down to small clusters */
+    TREE_NONE,     /* a set: one leaf, in no order. For methods that sort */
     TREE_KINDS
 };
 

@@ -69,7 +69,7 @@ csv_parses() {
 
 writes_what_it_says() {
     diff "$work/table" "$work/knot/compare.md" &&
-        [ "$(ls "$work/knot")" = "$(printf '%s\n' clusters-sampled.png compare.csv compare.md depth.png octree-centre.png sheet.png)" ]
+        [ "$(ls "$work/knot")" = "$(printf '%s\n' compare.csv compare.md depth.png sheet.png)" ]
 }
 
 # No order errors, no holes, no pair left open; wrong pixels within the profile's bound.
@@ -144,12 +144,7 @@ tap_check "teapot: so they do" exact_agree teapot 0.08
 tap_check "glass: so they do, of what is opaque before all else" exact_agree glass 0.05
 tap_check "knot, in profile exact: so they do" exact_agree knot 0.003 --precision exact --frames 16
 for scene in knot rooms teapot; do
-    for method in depth octree-centre; do
-        tap_check "$scene: $method is found out" is_found_out $scene $method
-    done
-done
-for scene in knot rooms; do
-    tap_check "$scene: clusters-sampled is found out" is_found_out $scene clusters-sampled
+    tap_check "$scene: depth is found out" is_found_out $scene depth
 done
 tap_check "a convex solid's own method is as right as the tree" draws_a_convex_solid
 tap_check "without compilers and emulators there are dashes, and the reason" does_without_tools

@@ -3,7 +3,6 @@
  * Orders that are right from everywhere: small examples, and rays through random sets. */
 #include "compiler/cluster.h"
 #include "compiler/compile.h"
-#include "compiler/sampled_order.h"
 #include "rigs/bsp_rig.h"
 #include "rigs/cmocka_ready.h"
 #include "rigs/mesh_rig.h"
@@ -238,65 +237,6 @@ static void an_order_is_right_along_every_ray(void **state)
     assert_true(hits > 1000);
 }
 
-/* Eyes see less than planes tell, and nothing else; and an order by them is one, if none is missed. */
-static void what_is_seen_is_a_part_of_what_is_proved(void **state)
-{
-    struct random random = {9};
-    struct mesh mesh = mesh_rig(2000.0);
-    struct bsp_rig rig;
-    struct rings seen;
-    size_t both = 0, proved_only = 0;
-
-    (void)state;
-    for (int i = 0; i < 5; i++) {
-        const double centre_m[3] = {i * 1.5 - 3, random_unit(&random), random_unit(&random)};
-        const double half_m[3] = {0.3, 0.3 + random_unit(&random), 0.4};
-        mesh_rig_box(&mesh, centre_m, half_m, random_unit(&random), random_unit(&random));
-    }
-    const struct compile_options options = {.tolerance_units = 0.5, .splitter = "fewest", .tree = TREE_BSP};
-    struct compiled scene;
-    struct error err;
-    assert_true(compile_mesh(&mesh, &options, &scene, &err));
-    sampled_order_find(&seen, &mesh, &scene);
-    bsp_rig_make(&rig, &mesh, TREE_NONE);
-    rings_find(&rig.bsp.rings, &rig.bsp);
-    assert_int_equal(seen.words, 1);
-    for (size_t p = 0; p < seen.count; p++) {
-        assert_int_equal(seen.hides[p] & ~rig.bsp.rings.hides[p], 0);
-        assert_int_equal(seen.hidden_by[p] & ~rig.bsp.rings.hidden_by[p], 0);
-        both += (size_t)__builtin_popcountll(seen.hides[p]);
-        proved_only += (size_t)__builtin_popcountll(rig.bsp.rings.hides[p] & ~seen.hides[p]);
-    }
-    assert_true(both > 30 && proved_only > 0);
-    rings_free(&seen);
-    compiled_free(&scene);
-    bsp_rig_free(&rig);
-    mesh_rig_free(&mesh);
-}
-
-/* a before b before c, whatever the list says; where a and c hide one another there is none. */
-static void pieces_are_sorted_by_what_was_seen(void **state)
-{
-    static const uint32_t list[3] = {2, 0, 1};
-    struct mesh mesh = mesh_rig(1000.0);
-    struct bsp_rig rig;
-    uint32_t order[3];
-
-    (void)state;
-    for (int i = 0; i < 3; i++)
-        mesh_rig_wall(&mesh, (uint32_t)('a' + i), -2, 3 - i, 2, 3 - i);
-    bsp_rig_make(&rig, &mesh, TREE_NONE);
-    rings_find(&rig.bsp.rings, &rig.bsp);
-    assert_true(sampled_order_sort(&rig.bsp, list, 3, order));
-    for (uint32_t i = 0; i < 3; i++)
-        assert_int_equal(order[i], i);
-    rig.bsp.rings.hides[2] |= 1;
-    rig.bsp.rings.hidden_by[0] |= 4;
-    assert_false(sampled_order_sort(&rig.bsp, list, 3, order));
-    bsp_rig_free(&rig);
-    mesh_rig_free(&mesh);
-}
-
 /* In trees, whose leaves hold pieces as well. */
 static void leaves_of_trees_are_sorted(void **state)
 {
@@ -334,8 +274,6 @@ int main(void)
         cmocka_unit_test(what_is_in_rings_is_found),
         cmocka_unit_test(a_box_keeps_its_order),
         cmocka_unit_test(an_order_is_right_along_every_ray),
-        cmocka_unit_test(what_is_seen_is_a_part_of_what_is_proved),
-        cmocka_unit_test(pieces_are_sorted_by_what_was_seen),
         cmocka_unit_test(leaves_of_trees_are_sorted),
     };
 
