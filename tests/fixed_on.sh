@@ -12,7 +12,7 @@ fixed_sources='firmware/angle.c firmware/edge.c firmware/eye.c firmware/fixed.c 
 fixed_link() { # CORE PROFILE
     # shellcheck disable=SC2086 # sources are words
     target_link "$1" "$work/fixed-$1" -DLIM_PROFILE="LIM_PROFILE_$(echo "$2" | tr '[:lower:]' '[:upper:]')" \
-        tests/targets/fixed_main.c -Itests tests/rigs/fixed_vectors.c $fixed_sources
+        tests/targets/fixed_main.c -Itests/rigs tests/rigs/fixed_vectors.c $fixed_sources
 }
 
 fixed_expected() { # PROFILE
