@@ -12,7 +12,7 @@
 /*@ requires -65535 <= a <= 65535 && -65535 <= b <= 65535 && -65535 <= c <= 65535 && -65535 <= d <= 65535;
     assigns \nothing;
     ensures -8589672450 <= \result <= 8589672450; */
-static int64_t area(int32_t a, int32_t b, int32_t c, int32_t d)
+static int64_t bend_area(int32_t a, int32_t b, int32_t c, int32_t d)
 {
     //@ assert -4294836225 <= a * b <= 4294836225 && -4294836225 <= c * d <= 4294836225;
     return (int64_t)a * b - (int64_t)c * d;
@@ -39,7 +39,7 @@ static void set_normal(int64_t n[3], const int32_t a[3], const int32_t b[3], con
     //@ loop pragma UNROLL "completely", 4;
     for (uint_fast8_t i = 0; i < 3; i++) {
         const uint_fast8_t j = lim_axis_after(i), k = lim_axis_after(j);
-        n[i] = area(b[j] - a[j], c[k] - a[k], b[k] - a[k], c[j] - a[j]);
+        n[i] = bend_area(b[j] - a[j], c[k] - a[k], b[k] - a[k], c[j] - a[j]);
     }
 }
 

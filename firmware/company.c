@@ -155,8 +155,8 @@ static uint16_t colour_of(const struct lim *lim, const struct face *face)
 #endif
 
 /* Objects are not textured: what they show is their records' colours. */
-static bool project(struct lim *lim, struct lim_screen_polygon *out, const struct face *face,
-                    const struct lim_rect *open)
+static bool company_project(struct lim *lim, struct lim_screen_polygon *out, const struct face *face,
+                            const struct lim_rect *open)
 {
     const struct lim_scene *object = lim->movers.instances[face->mover].object;
 
@@ -209,7 +209,7 @@ static int draw_run(struct lim *lim, const struct lim_route *route, uint16_t mov
             face.plane = lim_record_plane(record);
             face.eye_in_front = !(record[0] & LIM_POLYGON_BACK);
         }
-        if (lim_record_is_seen(route->eye, record) && project(lim, &polygon, &face, open)) {
+        if (lim_record_is_seen(route->eye, record) && company_project(lim, &polygon, &face, open)) {
             const int err = draw(lim, LIM_NONE, &polygon, open);
             if (err) return err;
         }
@@ -250,7 +250,7 @@ static int draw_entry(struct lim *lim, uint16_t entry, const struct lim_rect *op
                               lim->sorter.newell.polygons[entry].eye_in_front};
     struct lim_screen_polygon polygon;
 
-    if (!project(lim, &polygon, &face, open)) return 0;
+    if (!company_project(lim, &polygon, &face, open)) return 0;
     return draw(lim, is_cut ? entry : (uint16_t)LIM_NONE, &polygon, open);
 }
 

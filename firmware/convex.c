@@ -29,7 +29,8 @@ void lim_convex_init(struct lim *lim, void *mem, size_t mem_b)
     lim_view_init(&lim->view, lim->target.w_px, lim->target.h_px, cache);
 }
 
-static bool project(struct lim *lim, struct lim_screen_polygon *polygon, lim_index record, struct lim_stats *stats)
+static bool convex_project(struct lim *lim, struct lim_screen_polygon *polygon, lim_index record,
+                           struct lim_stats *stats)
 {
     const struct lim_rect screen = {0, 0, lim->target.w_px, lim->target.h_px};
 
@@ -51,7 +52,8 @@ static void note_run(struct lim *lim, struct lim_screen_polygon *polygon, lim_in
 {
     for (;;) {
         const lim_index head = lim->scene->polygons[record];
-        if (project(lim, polygon, record, lim_stats_of(lim))) note_face(&lim->convex, record, polygon->shape.top);
+        if (convex_project(lim, polygon, record, lim_stats_of(lim)))
+            note_face(&lim->convex, record, polygon->shape.top);
         if (head & LIM_POLYGON_LAST) return;
         record = (lim_index)(record + lim_record_words(head));
     }
@@ -141,7 +143,7 @@ static bool has_room(const struct lim_convex *convex)
 }
 
 /* Projects a face that has no entry: into a free one, which is then its own, or else into `spare`. */
-static struct lim_crossing *enter(struct lim *lim, struct lim_face *face, struct lim_crossing *spare, int16_t y)
+static struct lim_crossing *convex_enter(struct lim *lim, struct lim_face *face, struct lim_crossing *spare, int16_t y)
 {
     struct lim_convex *convex = &lim->convex;
     struct lim_crossing *crossing = spare;
@@ -155,7 +157,7 @@ static struct lim_crossing *enter(struct lim *lim, struct lim_face *face, struct
         face->crossing = (uint16_t)i;
     }
     if (LIM_HAS_STATS && crossing == spare) lim_stats_of(lim)->bands++;
-    (void)project(lim, &crossing->polygon, face->record, NULL);
+    (void)convex_project(lim, &crossing->polygon, face->record, NULL);
     begin(lim, crossing);
     return crossing;
 }
@@ -176,7 +178,7 @@ static bool paint_face(struct lim *lim, uint16_t *line, struct lim_face *face, s
 {
     const uint32_t painted_before = LIM_HAS_STATS ? lim_stats_of(lim)->pixels_painted : 0;
     const bool has_entry = face->crossing != LIM_NONE;
-    struct lim_crossing *crossing = has_entry ? &lim->convex.pool[face->crossing] : enter(lim, face, spare, y);
+    struct lim_crossing *crossing = has_entry ? &lim->convex.pool[face->crossing] : convex_enter(lim, face, spare, y);
     const struct lim_edge_shape *shape = &crossing->polygon.shape;
 
     if (shape->folded)
@@ -245,7 +247,7 @@ static int draw_line(struct lim *lim, struct lim_crossing *spare, uint16_t y)
     return lim->target.done(lim->target.ctx, y, 0, w_px);
 }
 
-static void start(struct lim_convex *convex, const struct lim *lim)
+static void convex_start(struct lim_convex *convex, const struct lim *lim)
 {
     for (uint_fast16_t y = 0; y < lim->target.h_px; y++)
         convex->tops[y] = LIM_NONE;
@@ -258,7 +260,7 @@ int lim_convex_frame(struct lim *lim)
 {
     struct lim_crossing spare;
 
-    start(&lim->convex, lim);
+    convex_start(&lim->convex, lim);
     note_faces(lim, &spare.polygon);
     for (uint_fast16_t y = 0; y < lim->target.h_px; y++) {
         const int err = draw_line(lim, &spare, (uint16_t)y);

@@ -296,7 +296,7 @@ static uint8_t heavier_side(const struct lim *lim, uint16_t entry, const struct 
 }
 
 /* The piece in front stays `entry`. Returns the other one, or LIM_NONE: no room. */
-static uint16_t split(struct lim *lim, struct divider *divider, uint16_t entry)
+static uint16_t divide_split(struct lim *lim, struct divider *divider, uint16_t entry)
 {
     if (divider->entry == LIM_NONE) divider->entry = new_entry(lim, LIM_NO_INDEX, LIM_NONE, divider->node);
     if (divider->entry == LIM_NONE) return LIM_NONE;
@@ -325,7 +325,7 @@ static void divide_one(struct lim *lim, struct divider *divider, uint16_t entry,
                        struct queue *back)
 {
     if (sides == LIM_SIDE_BOTH) {
-        const uint16_t other = lim_mover_is_whole(lim, entry) ? (uint16_t)LIM_NONE : split(lim, divider, entry);
+        const uint16_t other = lim_mover_is_whole(lim, entry) ? (uint16_t)LIM_NONE : divide_split(lim, divider, entry);
         if (other != LIM_NONE) {
             queue_add(front, entry);
             queue_add(back, other);

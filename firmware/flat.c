@@ -9,8 +9,8 @@
 #if LIM_HAS_SPANS
 
 /* Merges those that start on the line into the list. false: no room. */
-static LIM_INLINE bool activate(struct lim_actives *actives, const struct lim_retained *retained, uint16_t polygon,
-                                uint16_t y)
+static LIM_INLINE bool flat_activate(struct lim_actives *actives, const struct lim_retained *retained, uint16_t polygon,
+                                     uint16_t y)
 {
     struct lim_active **link = &actives->first;
 
@@ -33,8 +33,9 @@ struct extent {
 };
 
 /* With `within`, no polygon reaches beyond the extent. */
-static LIM_INLINE void paint_polygons(struct lim_actives *actives, const struct lim_retained *retained, uint16_t *line,
-                                      struct extent extent, bool within, uint16_t below, struct lim_stats *stats)
+static LIM_INLINE void flat_paint_polygons(struct lim_actives *actives, const struct lim_retained *retained,
+                                           uint16_t *line, struct extent extent, bool within, uint16_t below,
+                                           struct lim_stats *stats)
 {
     struct lim_active **link = &actives->first, *active;
 
@@ -57,8 +58,8 @@ static LIM_INLINE void paint_polygons(struct lim_actives *actives, const struct 
     }
 }
 
-static LIM_INLINE void paint_background(const struct lim_spans *spans, const struct lim_gap *gap, uint16_t *line,
-                                        uint16_t colour, struct lim_stats *stats)
+static LIM_INLINE void flat_paint_background(const struct lim_spans *spans, const struct lim_gap *gap, uint16_t *line,
+                                             uint16_t colour, struct lim_stats *stats)
 {
     for (;;) {
         const uint16_t n_px = (uint16_t)(gap->x1 - gap->x0);
@@ -69,8 +70,9 @@ static LIM_INLINE void paint_background(const struct lim_spans *spans, const str
     }
 }
 
-static LIM_INLINE int paint_line(struct lim_paint *paint, struct lim_spans *spans, const struct lim_retained *retained,
-                                 const struct lim_rect *band, bool within, uint16_t y, struct lim_stats *stats)
+static LIM_INLINE int flat_paint_line(struct lim_paint *paint, struct lim_spans *spans,
+                                      const struct lim_retained *retained, const struct lim_rect *band, bool within,
+                                      uint16_t y, struct lim_stats *stats)
 {
     const uint16_t below = (uint16_t)(y + 1);
     struct extent extent = {band->x0, band->x1};
@@ -83,14 +85,15 @@ static LIM_INLINE int paint_line(struct lim_paint *paint, struct lim_spans *span
     extent = (struct extent){open.gap.x0, open.gap.x1};
 #endif
     if (LIM_HAS_STATS && paint->actives.used > stats->active_max) stats->active_max = paint->actives.used;
-    paint_background(spans, &spans->lines[y].gap, line, paint->background, stats);
-    paint_polygons(&paint->actives, retained, line, extent, within, below, stats);
+    flat_paint_background(spans, &spans->lines[y].gap, line, paint->background, stats);
+    flat_paint_polygons(&paint->actives, retained, line, extent, within, below, stats);
     return paint->target->done(paint->target->ctx, y, (uint16_t)extent.x0, (uint16_t)(extent.x1 - extent.x0));
 }
 
 /* Whether the band shows each line from side to side, and no polygon reaches beyond it. What lies within the screen is
  * rounded to its pixels, but for whole ones (perspective.h). */
-static bool is_within(const struct lim_paint *paint, const struct lim_retained *retained, const struct lim_rect *band)
+static bool flat_is_within(const struct lim_paint *paint, const struct lim_retained *retained,
+                           const struct lim_rect *band)
 {
     const struct lim_target *target = paint->target;
 
@@ -100,12 +103,13 @@ static bool is_within(const struct lim_paint *paint, const struct lim_retained *
     return LIM_SUB_BITS && !retained->overhangs && !band->x0 && band->x1 == target->w_px;
 }
 
-static LIM_INLINE int paint_lines(struct lim_paint *paint, struct lim_spans *spans, const struct lim_retained *retained,
-                                  const struct lim_rect *band, bool within, uint16_t *y, struct lim_stats *stats)
+static LIM_INLINE int flat_paint_lines(struct lim_paint *paint, struct lim_spans *spans,
+                                       const struct lim_retained *retained, const struct lim_rect *band, bool within,
+                                       uint16_t *y, struct lim_stats *stats)
 {
     for (*y = band->y0; *y < band->y1; ++*y) {
-        if (!activate(&paint->actives, retained, spans->lines[*y].retained, *y)) return LIM_PAINT_ACTIVE;
-        const int err = paint_line(paint, spans, retained, band, within, *y, stats);
+        if (!flat_activate(&paint->actives, retained, spans->lines[*y].retained, *y)) return LIM_PAINT_ACTIVE;
+        const int err = flat_paint_line(paint, spans, retained, band, within, *y, stats);
         if (err) return err;
     }
     return 0;
@@ -115,15 +119,16 @@ static LIM_INLINE int paint_lines(struct lim_paint *paint, struct lim_spans *spa
 static LIM_ALONE int paint_within(struct lim_paint *paint, struct lim_spans *spans, const struct lim_retained *retained,
                                   const struct lim_rect *band, uint16_t *y, struct lim_stats *stats)
 {
-    return paint_lines(paint, spans, retained, band, true, y, stats);
+    return flat_paint_lines(paint, spans, retained, band, true, y, stats);
 }
 
 int lim_flat_band(struct lim_paint *paint, struct lim_spans *spans, const struct lim_retained *retained,
                   const struct lim_rect *band, uint16_t *y, struct lim_stats *stats)
 {
     lim_actives_start(&paint->actives);
-    if (!LIM_IS_SHORT && is_within(paint, retained, band)) return paint_within(paint, spans, retained, band, y, stats);
-    return paint_lines(paint, spans, retained, band, false, y, stats);
+    if (!LIM_IS_SHORT && flat_is_within(paint, retained, band))
+        return paint_within(paint, spans, retained, band, y, stats);
+    return flat_paint_lines(paint, spans, retained, band, false, y, stats);
 }
 
 #endif

@@ -25,7 +25,7 @@ size_t lim_movers_mem_b(const struct lim_scene *scene, const struct lim_movers_l
     return LIM_MOVERS_MEM_B(scene->limits.depth, limits->instances, limits->depth, limits->entries);
 }
 
-static void *cut(uint8_t **mem, size_t size_b)
+static void *movers_cut(uint8_t **mem, size_t size_b)
 {
     void *piece = *mem;
 
@@ -52,16 +52,16 @@ int lim_movers_init(struct lim *lim, void *mem, size_t mem_b, const struct lim_m
     movers->object_depth = limits->depth;
     if (lim->target.method != LIM_NEAREST_FIRST && lim->target.method != LIM_PAINTER) movers->most = 0;
     if (!movers->most) return LIM_OK;
-    movers->movers = cut(&at, limits->instances * sizeof *movers->movers);
+    movers->movers = movers_cut(&at, limits->instances * sizeof *movers->movers);
     sorter->size = limits->entries;
-    sorter->list = cut(&at, limits->entries * sizeof *sorter->list);
-    sorter->newell.polygons = cut(&at, limits->entries * sizeof *sorter->newell.polygons);
+    sorter->list = movers_cut(&at, limits->entries * sizeof *sorter->list);
+    sorter->newell.polygons = movers_cut(&at, limits->entries * sizeof *sorter->newell.polygons);
     sorter->newell.cut_size = limits->entries;
     sorter->newell.options = (struct lim_newell_options){.most = 0};
-    movers->cache = cut(&at, LIM_VIEW_CACHE_ENTRIES * sizeof *movers->cache);
-    sorter->newell.cuts = cut(&at, limits->entries * sizeof *sorter->newell.cuts);
-    movers->stack = cut(&at, lim->scene->limits.depth * sizeof *movers->stack);
-    movers->object_stack = cut(&at, limits->depth * sizeof *movers->object_stack);
+    movers->cache = movers_cut(&at, LIM_VIEW_CACHE_ENTRIES * sizeof *movers->cache);
+    sorter->newell.cuts = movers_cut(&at, limits->entries * sizeof *sorter->newell.cuts);
+    movers->stack = movers_cut(&at, lim->scene->limits.depth * sizeof *movers->stack);
+    movers->object_stack = movers_cut(&at, limits->depth * sizeof *movers->object_stack);
     return LIM_OK;
 }
 
@@ -129,14 +129,14 @@ static void place_fine(const struct lim_instance *instance, const int32_t v[3], 
 #endif
 
 #if LIM_LONG_MULTIPLY
-static void place(const struct lim_instance *instance, const int32_t v[3], int32_t at_q12[3])
+static void movers_place(const struct lim_instance *instance, const int32_t v[3], int32_t at_q12[3])
 {
     place_fine(instance, v, 0, at_q12);
 }
 #else
 /* The same of whole units, |v| <= 2^15: axes in limbs of 15 bits, each product in 32. As the axes' components of one
  * coordinate are a unit vector, the sum of the high ones stays below sqrt(3) 2^30, of the low ones below 3 * 2^29. */
-static void place(const struct lim_instance *instance, const int32_t v[3], int32_t at_q12[3])
+static void movers_place(const struct lim_instance *instance, const int32_t v[3], int32_t at_q12[3])
 {
     const uint8_t shift = (uint8_t)(30 - 12 - 15 + instance->finer_bits);
 
@@ -169,7 +169,7 @@ void lim_mover_place(const struct lim *lim, uint16_t mover, lim_index vertex, in
     }
 #endif
     const int32_t v[3] = {at.x, at.y, at.z};
-    place(instance, v, at_q12);
+    movers_place(instance, v, at_q12);
 }
 
 /* The normal N = R n has as many bits as leave room, 29; its d follows from N . p = n . v for p = R v / 2^finer + at.
@@ -223,7 +223,7 @@ bool lim_movers_compares(const struct lim *lim)
 }
 
 /* What holds the object: its root's box, or what holds its vertices where it is too small to have one, or bends. */
-static struct lim_box box_of(const struct lim_instance *instance)
+static struct lim_box movers_box_of(const struct lim_instance *instance)
 {
     const struct lim_scene *object = instance->object;
     const lim_index root = lim_bends(instance) ? (lim_index)LIM_NO_INDEX : object->nodes[0].box;
@@ -251,7 +251,7 @@ static struct lim_box box_of(const struct lim_instance *instance)
 /* As in rows.c, a length is at most that of its longest component and 107/256 of the others. */
 static void set_ball(struct lim_mover *mover, const struct lim_instance *instance)
 {
-    const struct lim_box box = box_of(instance);
+    const struct lim_box box = movers_box_of(instance);
     int32_t centre[3];
     uint32_t longest = 0, sum = 0;
 
@@ -260,7 +260,7 @@ static void set_ball(struct lim_mover *mover, const struct lim_instance *instanc
         sum += box.half[i];
         if (box.half[i] > longest) longest = box.half[i];
     }
-    place(instance, centre, mover->centre_q12);
+    movers_place(instance, centre, mover->centre_q12);
     const uint32_t radius = longest + (sum - longest) * 107 / 256 + 1; /* below 2^16 */
     mover->radius_q12 = (int32_t)((radius << 12 >> instance->finer_bits) + LIM_CORNER_ONE_Q12);
 }

@@ -192,7 +192,7 @@ static LIM_RARE bool take_any(struct lim *lim, const LIM_FLASH lim_index *record
 }
 
 enum outcome {
-    OUTSIDE, /* nothing of it can be open */
+    NOTHING_OPEN, /* nothing of it can be */
     TAKEN,   /* all of it that was open is closed, and it is retained if there was any */
     EXHAUSTED_POOL,
     UNUSUAL /* nothing was done: take_any() */
@@ -211,14 +211,14 @@ static inline enum outcome take_usual(struct lim *lim, const LIM_FLASH lim_index
     if (!at) return UNUSUAL;
     if (!lim_project_usual(&shape, at, n, &lim->view, lim->scene, record, &codes)) return UNUSUAL;
     if (LIM_HAS_STATS) lim_stats_of(lim)->polygons++;
-    if (lim_view_all_outside(codes)) return OUTSIDE;
+    if (lim_view_all_outside(codes)) return NOTHING_OPEN;
     if (codes & (LIM_VIEW_LEFT | LIM_VIEW_RIGHT)) lim->retained.overhangs = true;
     const struct lim_rect *open = &lim->spans.open;
     struct lim_span_extent shown = lim_shape_lines(&shape, open);
-    if (shown.top >= shown.bottom) return OUTSIDE;
+    if (shown.top >= shown.bottom) return NOTHING_OPEN;
     if (lim_project_is_narrow(&lim->view, open)) {
         lim_edge_measure_sides(&shape, at, n);
-        if (!lim_shape_meets_sides(&shape, open)) return OUTSIDE;
+        if (!lim_shape_meets_sides(&shape, open)) return NOTHING_OPEN;
     }
     if (LIM_HAS_STATS) lim_stats_of(lim)->lines += (uint32_t)(shown.bottom - shown.top);
     if (LIM_HAS_FILLED && fills(lim)) {

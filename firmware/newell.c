@@ -320,7 +320,7 @@ static uint16_t choose_divider(struct lim *lim)
     return chosen;
 }
 
-static void push(struct lim *lim, uint16_t *head, uint16_t entry)
+static void newell_push(struct lim *lim, uint16_t *head, uint16_t entry)
 {
     lim->sorter.list[entry].next = *head;
     *head = entry;
@@ -346,13 +346,13 @@ static void place(struct lim *lim, uint16_t entry, uint16_t divider, uint16_t he
         const uint16_t other = lim_piece_split(lim, entry, divider);
         if (other != LIM_NONE) {
             if (LIM_HAS_STATS) lim_stats_of(lim)->newell.splits++;
-            push(lim, &heads[eye_in_front ? BEHIND : BEFORE], other);
+            newell_push(lim, &heads[eye_in_front ? BEHIND : BEFORE], other);
             where = eye_in_front ? BEFORE : BEHIND;
         } else {
             where = place_uncut(lim, entry, divider);
         }
     }
-    push(lim, &heads[where], entry);
+    newell_push(lim, &heads[where], entry);
 }
 
 /* Puts a list before the rest, as one part or, each entry, as a part of its own. */
@@ -371,7 +371,7 @@ static uint16_t put_before(struct lim *lim, uint16_t first, uint16_t rest, bool 
 }
 
 /* Divides the list into parts, farthest first. What lies in the plane is in the order of records, as everywhere. */
-static uint16_t divide(struct lim *lim, uint16_t rest, bool is_stuck)
+static uint16_t newell_divide(struct lim *lim, uint16_t rest, bool is_stuck)
 {
     const uint16_t divider = choose_divider(lim);
     uint16_t heads[PLACES], next;
@@ -439,7 +439,7 @@ void lim_newell_order(struct lim *lim)
         count = take_part(lim, &rest);
         const uint32_t pause = newell->left > each * count ? newell->left - each * count : 0;
         nearest = order_part(lim, nearest, pause);
-        if (sorter->first != LIM_NONE && newell->left) rest = divide(lim, rest, newell->left > pause);
+        if (sorter->first != LIM_NONE && newell->left) rest = newell_divide(lim, rest, newell->left > pause);
         nearest = emit_all(lim, sorter->first, nearest);
     }
     sorter->first = emit_all(lim, rest, nearest);

@@ -179,7 +179,7 @@ static void paint_piece(void *ctx, uint16_t x0, uint16_t x1)
 }
 
 /* Moves a polygon to line y. false: it has ended. */
-static bool advance(struct lim_active *active, const union lim_retained_cell *cells, int16_t y)
+static bool paint_advance(struct lim_active *active, const union lim_retained_cell *cells, int16_t y)
 {
     if (y >= (int16_t)lim_retained_bottom(cells)) return false;
     if (active->pair.left.end > y) lim_edge_step(&active->pair.left);
@@ -291,7 +291,7 @@ static inline bool paint_centres(struct lim_paint *paint, struct lim_spans *span
         else
             (void)lim_span_close(spans, open, left, right, paint_piece, sink);
     }
-    return advance(active, cells, (int16_t)(y + 1));
+    return paint_advance(active, cells, (int16_t)(y + 1));
 }
 
 static void paint_polygons(struct lim_paint *paint, struct lim_spans *spans, const struct lim_retained *retained,

@@ -313,7 +313,7 @@ static int paint_from_source(struct lim *lim, const struct lim_rect *screen)
 #endif
 }
 
-static int paint_background(struct lim *lim, const struct lim_rect *screen)
+static int painter_paint_background(struct lim *lim, const struct lim_rect *screen)
 {
     const uint16_t background = lim_background_of(lim);
 
@@ -328,7 +328,7 @@ static int paint_background(struct lim *lim, const struct lim_rect *screen)
 /* All of some lines. */
 static int paint_lines(struct lim *lim, const struct lim_rect *screen)
 {
-    int err = paint_background(lim, screen);
+    int err = painter_paint_background(lim, screen);
 
     if (!err) err = paint_from_source(lim, screen);
     return err ? err : lim_target_done(&lim->target, screen);

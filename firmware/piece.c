@@ -10,7 +10,7 @@
 
 #if LIM_HAS_PIECES
 
-static uint8_t side_of(int64_t value, int64_t slack)
+static uint8_t piece_side_of(int64_t value, int64_t slack)
 {
     return value > slack ? LIM_SIDE_FRONT : value < -slack ? LIM_SIDE_BACK : 0;
 }
@@ -34,7 +34,7 @@ static uint8_t sides_of_mover(const struct lim *lim, uint16_t entry, const struc
     for (uint_fast8_t k = 0; k < (record[0] & LIM_POLYGON_COUNT) && sides != LIM_SIDE_BOTH; k++) {
         int32_t at_q12[3];
         lim_entry_corner(lim, entry, record[LIM_POLYGON_HEAD_WORDS + k], at_q12);
-        sides |= side_of(lim_corner_value(plane, at_q12), slack_q12);
+        sides |= piece_side_of(lim_corner_value(plane, at_q12), slack_q12);
     }
     return sides;
 #else
@@ -53,7 +53,7 @@ static uint8_t sides_at_home(const struct lim *lim, uint16_t entry, const struct
     for (uint_fast8_t k = 0; k < (record[0] & LIM_POLYGON_COUNT) && sides != LIM_SIDE_BOTH; k++) {
         const struct lim_vertex at = vertices[record[LIM_POLYGON_HEAD_WORDS + k]];
         const uint8_t side = plane->narrow ? narrow_side_of(plane, &at)
-                                           : side_of(lim_plane_value(plane, at.x, at.y, at.z, 1), plane->slack);
+                                           : piece_side_of(lim_plane_value(plane, at.x, at.y, at.z, 1), plane->slack);
         sides |= side;
     }
     return sides;
@@ -65,7 +65,7 @@ static uint8_t sides_of_whole(const struct lim *lim, uint16_t entry, const struc
     return sides_at_home(lim, entry, plane);
 }
 
-static bool is_same(const LIM_FLASH struct lim_plane_ref *a, const LIM_FLASH struct lim_plane_ref *b)
+static bool piece_is_same(const LIM_FLASH struct lim_plane_ref *a, const LIM_FLASH struct lim_plane_ref *b)
 {
     return a->plane == b->plane && a->offset == b->offset;
 }
@@ -96,7 +96,7 @@ static uint8_t remembered_side(const struct lim *lim, uint16_t entry, uint16_t o
 
     for (uint16_t cut = newell->polygons[entry].cuts; cut != LIM_NONE; cut = newell->cuts[cut].next) {
         const uint16_t by = newell->cuts[cut].by;
-        if (!is_same(lim_plane_of(lim, by & LIM_SORTED_MAX), plane)) continue;
+        if (!piece_is_same(lim_plane_of(lim, by & LIM_SORTED_MAX), plane)) continue;
         if (!have_one_plane(lim, by & LIM_SORTED_MAX, other)) continue;
         return by & LIM_CUT_FRONT ? LIM_SIDE_FRONT : LIM_SIDE_BACK;
     }
@@ -111,7 +111,7 @@ static LIM_RARE uint8_t sides_of_piece(const struct lim *lim, uint16_t entry, co
 
     if (!corners) return LIM_SIDE_FRONT;
     for (uint_fast8_t k = 0; k < corners->n; k++)
-        sides |= side_of(lim_corner_value(plane, corners->at_q12[k]), plane->slack * LIM_CORNER_ONE_Q12);
+        sides |= piece_side_of(lim_corner_value(plane, corners->at_q12[k]), plane->slack * LIM_CORNER_ONE_Q12);
     return sides;
 }
 
@@ -228,7 +228,7 @@ static LIM_RARE bool project_corners(const struct lim *lim, const struct lim_cor
     return out->n >= 3;
 }
 
-static uint16_t greater(uint16_t a, uint16_t b)
+static uint16_t piece_greater(uint16_t a, uint16_t b)
 {
     return a > b ? a : b;
 }
@@ -240,7 +240,7 @@ static uint16_t smaller(uint16_t a, uint16_t b)
 
 static struct lim_rect intersection(const struct lim_rect *a, const struct lim_rect *b)
 {
-    return (struct lim_rect){greater(a->x0, b->x0), greater(a->y0, b->y0), smaller(a->x1, b->x1),
+    return (struct lim_rect){piece_greater(a->x0, b->x0), piece_greater(a->y0, b->y0), smaller(a->x1, b->x1),
                              smaller(a->y1, b->y1)};
 }
 
@@ -277,8 +277,8 @@ static bool parts(const struct lim_screen_polygon *a, const struct lim_screen_po
 }
 
 /* Of entry `of` what lies on one side of the plane of `by`, or all. */
-static bool project(struct lim *lim, uint16_t of, uint16_t by, uint8_t part, const struct lim_rect *open,
-                    struct lim_screen_polygon *out)
+static bool piece_project(struct lim *lim, uint16_t of, uint16_t by, uint8_t part, const struct lim_rect *open,
+                          struct lim_screen_polygon *out)
 {
     const struct lim_newell_polygon *polygons = lim->sorter.newell.polygons;
     struct lim_corners places[2];
@@ -303,7 +303,7 @@ bool lim_piece_overlaps(struct lim *lim, uint16_t of, uint16_t by, uint8_t part)
     const struct lim_rect both = intersection(&polygons[of].rect, &polygons[by].rect);
     struct lim_screen_polygon first, second;
 
-    if (!project(lim, of, by, part, &both, &first) || !project(lim, by, of, LIM_SIDE_BOTH, &both, &second))
+    if (!piece_project(lim, of, by, part, &both, &first) || !piece_project(lim, by, of, LIM_SIDE_BOTH, &both, &second))
         return false;
     return !parts(&first, &second) && !parts(&second, &first);
 }
@@ -387,7 +387,7 @@ uint16_t lim_piece_split(struct lim *lim, uint16_t entry, uint16_t by)
 }
 
 #if LIM_HAS_MOVERS
-static uint16_t within(int16_t at, uint16_t end)
+static uint16_t piece_within(int16_t at, uint16_t end)
 {
     return at < 0 ? 0 : at > (int16_t)end ? end : (uint16_t)at;
 }
@@ -402,8 +402,8 @@ bool lim_piece_measure(struct lim *lim, uint16_t entry)
     if (!lim_project(&whole, lim_entry_view(lim, entry), lim_entry_scene(lim, entry), lim_entry_record(lim, entry),
                      &screen, NULL))
         return false;
-    known->rect = (struct lim_rect){within(whole.shape.left, w_px), within(whole.shape.top, h_px),
-                                    within(whole.shape.right, w_px), within(whole.shape.bottom, h_px)};
+    known->rect = (struct lim_rect){piece_within(whole.shape.left, w_px), piece_within(whole.shape.top, h_px),
+                                    piece_within(whole.shape.right, w_px), piece_within(whole.shape.bottom, h_px)};
     return measure(lim, entry, !is_whole(lim, entry));
 }
 #endif

@@ -131,7 +131,7 @@ static struct shares with_surplus(struct shares wanted, const struct lim_scene *
 
 /* Scales the comfortable shares down to what there is; never below the least. The pools together are
  * below 2^24 bytes. */
-static struct shares divide(const struct lim_scene *scene, const struct lim_target *target, size_t mem_b)
+static struct shares pools_divide(const struct lim_scene *scene, const struct lim_target *target, size_t mem_b)
 {
     const struct shares least = least_shares(scene), wanted = comfortable_shares(scene, target);
     const size_t least_b = total_b(scene, target, least), wanted_b = total_b(scene, target, wanted);
@@ -146,7 +146,7 @@ static struct shares divide(const struct lim_scene *scene, const struct lim_targ
     return shares;
 }
 
-static void *cut(uint8_t **mem, size_t size_b)
+static void *pools_cut(uint8_t **mem, size_t size_b)
 {
     void *piece = *mem;
 
@@ -160,12 +160,12 @@ static void cut_sorter(struct lim *lim, uint8_t **at, const struct shares *share
     struct lim_sorter *sorter = &lim->sorter;
 
     sorter->size = (uint16_t)(lim->scene->polygon_count + shares->pieces);
-    sorter->list = cut(at, sorter->size * sizeof *sorter->list);
+    sorter->list = pools_cut(at, sorter->size * sizeof *sorter->list);
 #if LIM_HAS_NEWELL
     if (!LIM_IS_NEWELL(&lim->target)) return;
-    sorter->newell.polygons = cut(at, sorter->size * sizeof *sorter->newell.polygons);
+    sorter->newell.polygons = pools_cut(at, sorter->size * sizeof *sorter->newell.polygons);
     sorter->newell.cut_size = (uint16_t)(2 * shares->pieces);
-    sorter->newell.cuts = cut(at, sorter->newell.cut_size * sizeof *sorter->newell.cuts);
+    sorter->newell.cuts = pools_cut(at, sorter->newell.cut_size * sizeof *sorter->newell.cuts);
     sorter->newell.options = (struct lim_newell_options){.most = 0};
 #endif
 }
@@ -173,7 +173,7 @@ static void cut_sorter(struct lim *lim, uint8_t **at, const struct shares *share
 static inline void init_layers(struct lim_paint *paint, uint8_t **mem, const struct shares *shares)
 {
 #if LIM_HAS_TRANSPARENT
-    paint->layers = (struct lim_layers){cut(mem, LIM_LAYERS_MEM_B(shares->layers)), shares->layers, 0, false};
+    paint->layers = (struct lim_layers){pools_cut(mem, LIM_LAYERS_MEM_B(shares->layers)), shares->layers, 0, false};
 #else
     (void)paint, (void)mem, (void)shares;
 #endif
@@ -193,7 +193,7 @@ static inline void init_fallback(struct lim *lim)
 /* Widest alignment first. */
 void lim_nearest_init(struct lim *lim, void *mem, size_t mem_b)
 {
-    const struct shares shares = divide(lim->scene, &lim->target, mem_b);
+    const struct shares shares = pools_divide(lim->scene, &lim->target, mem_b);
     uint8_t *at = mem;
 
     lim->paint.target = &lim->target;
@@ -207,19 +207,20 @@ void lim_nearest_init(struct lim *lim, void *mem, size_t mem_b)
 #if LIM_HAS_DELTA
     lim->paint.delta = NULL;
 #endif
-    lim->paint.actives.pool = cut(&at, shares.active * sizeof(struct lim_active));
+    lim->paint.actives.pool = pools_cut(&at, shares.active * sizeof(struct lim_active));
     lim->paint.actives.pool_size = shares.active;
 #if LIM_HAS_SORTED
     if (LIM_IS_SORTED(&lim->target)) cut_sorter(lim, &at, &shares);
 #endif
-    lim->retained.cells = cut(&at, shares.retained_cells * sizeof(union lim_retained_cell));
+    lim->retained.cells = pools_cut(&at, shares.retained_cells * sizeof(union lim_retained_cell));
     lim->retained.size = shares.retained_cells;
-    struct lim_view_cached *cache = cut(&at, LIM_VIEW_CACHE_ENTRIES * sizeof(struct lim_view_cached));
+    struct lim_view_cached *cache = pools_cut(&at, LIM_VIEW_CACHE_ENTRIES * sizeof(struct lim_view_cached));
 #if LIM_HAS_TREE
-    if (!LIM_IS_SORTED(&lim->target)) lim->stack = cut(&at, lim->scene->limits.depth * sizeof(struct lim_walk_pending));
+    if (!LIM_IS_SORTED(&lim->target))
+        lim->stack = pools_cut(&at, lim->scene->limits.depth * sizeof(struct lim_walk_pending));
 #endif
-    lim->spans.lines = cut(&at, lim->target.h_px * sizeof(struct lim_line));
-    lim->spans.pool = cut(&at, shares.gaps * sizeof(struct lim_gap));
+    lim->spans.lines = pools_cut(&at, lim->target.h_px * sizeof(struct lim_line));
+    lim->spans.pool = pools_cut(&at, shares.gaps * sizeof(struct lim_gap));
     lim->spans.pool_size = shares.gaps;
     init_layers(&lim->paint, &at, &shares);
     init_fallback(lim);

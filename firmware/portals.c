@@ -32,16 +32,17 @@ uint32_t lim_portals_ball_units(const struct lim_camera *camera, uint32_t far_un
 }
 
 /* A ball and a plane. */
-enum side { BEHIND, TOUCHED, IN_FRONT, TOO_CLOSE };
+enum side { ALL_BEHIND, TOUCHED, IN_FRONT, TOO_CLOSE };
 
 static enum side side_at(int32_t value, int32_t reach, int32_t too_close)
 {
     if (value > reach) return IN_FRONT;
-    if (value < -reach) return BEHIND;
+    if (value < -reach) return ALL_BEHIND;
     return value <= too_close && value >= -too_close ? TOO_CLOSE : TOUCHED;
 }
 
-static enum side side_of(const struct lim_eye *eye, const LIM_FLASH struct lim_plane_ref *ref, int32_t ball_units)
+static enum side portals_side_of(const struct lim_eye *eye, const LIM_FLASH struct lim_plane_ref *ref,
+                                 int32_t ball_units)
 {
     if (!LIM_HAS_SLANTED || ref->plane >= LIM_PLANE_X) {
         const int32_t units = (eye->at_q8[ref->plane & 3] >> 8) - ref->offset;
@@ -86,8 +87,8 @@ static void add_sight(const struct lim_scene *scene, uint16_t at, uint8_t *bits)
 }
 
 /* What lies on one side of a node: a subtree for later, or a cell. `sight` is the last one added. */
-static bool enter(const struct lim_portals *portals, const struct lim_scene *scene, lim_index index, bool behind,
-                  uint16_t *depth, uint16_t *sight)
+static bool portals_enter(const struct lim_portals *portals, const struct lim_scene *scene, lim_index index,
+                          bool behind, uint16_t *depth, uint16_t *sight)
 {
     const LIM_FLASH struct lim_node *node = &scene->nodes[index];
     const lim_index child = behind ? node->back : node->front, run = behind ? node->back_run : node->front_run;
@@ -114,10 +115,10 @@ bool lim_portals_unpack(const struct lim_portals *portals, const struct lim_eye 
         portals->bits[i] = 0;
     for (;;) {
         const LIM_FLASH struct lim_node *node = &scene->nodes[index];
-        const enum side side = side_of(eye, &node->split, (int32_t)ball_units);
+        const enum side side = portals_side_of(eye, &node->split, (int32_t)ball_units);
         if (side == TOO_CLOSE) return false;
-        if (side != BEHIND && !enter(portals, scene, index, false, &depth, &sight)) return false;
-        if (side != IN_FRONT && !enter(portals, scene, index, true, &depth, &sight)) return false;
+        if (side != ALL_BEHIND && !portals_enter(portals, scene, index, false, &depth, &sight)) return false;
+        if (side != IN_FRONT && !portals_enter(portals, scene, index, true, &depth, &sight)) return false;
         if (!depth) return true;
         index = portals->stack[--depth];
     }

@@ -16,7 +16,7 @@ static void set_hidden(struct lim_screen_polygon *out, uint_fast8_t k, bool hidd
 #endif
 }
 
-static bool is_hidden(const struct lim_screen_polygon *polygon, uint_fast8_t k)
+static bool project_is_hidden(const struct lim_screen_polygon *polygon, uint_fast8_t k)
 {
     return lim_hidden_of(polygon)[k >> 4] >> (k & 15) & 1;
 }
@@ -34,7 +34,7 @@ static void hidden_to_corners(const struct lim_screen_polygon *polygon, struct l
 {
 #if LIM_HAS_WIREFRAME
     for (uint_fast8_t k = 0; k < corners->n; k++)
-        corners->at[k].hidden = is_hidden(polygon, k);
+        corners->at[k].hidden = project_is_hidden(polygon, k);
 #else
     (void)polygon, (void)corners;
 #endif
@@ -134,9 +134,9 @@ static void hidden_of_fan(const struct lim_screen_polygon *folded, uint8_t k, st
     const uint_fast8_t apex = folded->shape.apex;
     const uint_fast16_t second = (uint_fast16_t)(apex + k), third = second + 1;
 
-    set_hidden(triangle, 0, k > 1 || is_hidden(folded, apex));
-    set_hidden(triangle, 1, is_hidden(folded, (uint_fast8_t)(second < n ? second : second - n)));
-    set_hidden(triangle, 2, k + 2 < n || is_hidden(folded, (uint_fast8_t)(third < n ? third : third - n)));
+    set_hidden(triangle, 0, k > 1 || project_is_hidden(folded, apex));
+    set_hidden(triangle, 1, project_is_hidden(folded, (uint_fast8_t)(second < n ? second : second - n)));
+    set_hidden(triangle, 2, k + 2 < n || project_is_hidden(folded, (uint_fast8_t)(third < n ? third : third - n)));
 }
 
 void lim_project_fan(const struct lim_screen_polygon *folded, uint8_t k, struct lim_screen_polygon *triangle)

@@ -23,7 +23,7 @@ static void set(struct lim_rects *rects, uint16_t i, const struct lim_rect *rect
     rects->area_px[i] = area(rect);
 }
 
-static void swap(struct lim_rects *rects, uint16_t i, uint16_t k)
+static void rects_swap(struct lim_rects *rects, uint16_t i, uint16_t k)
 {
     const struct lim_rect rect = rects->rect[i];
     const uint32_t area_px = rects->area_px[i];
@@ -42,7 +42,7 @@ static void retire(struct lim_rects *rects, uint16_t y)
     for (uint16_t i = 0; i < rects->growing;) {
         const struct lim_rect *rect = &rects->rect[i];
         if (rect->y1 < y && (uint32_t)(y - rect->y1) * (uint32_t)(rect->x1 - rect->x0) >= rects->window_px)
-            swap(rects, i, --rects->growing);
+            rects_swap(rects, i, --rects->growing);
         else
             i++;
     }
@@ -69,7 +69,7 @@ bool lim_rects_add(struct lim_rects *rects, const struct lim_rect *rect)
     set(rects, best, &grown);
     if (best < rects->count) return true;
     rects->count++;
-    swap(rects, rects->growing++, best);
+    rects_swap(rects, rects->growing++, best);
     return true;
 }
 

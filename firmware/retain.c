@@ -8,7 +8,7 @@
 
 enum { CELL_WORDS = sizeof(union lim_retained_cell) / 2 };
 
-static inline uint8_t alpha_of(const struct lim_retained_polygon *polygon)
+static inline uint8_t retain_alpha_of(const struct lim_retained_polygon *polygon)
 {
 #if LIM_HAS_TRANSPARENT
     return polygon->alpha;
@@ -38,7 +38,7 @@ static inline void copy_words(uint16_t *to, const uint16_t *from, uint8_t count)
 
 bool lim_retain(struct lim_retained *retained, struct lim_line *lines, const struct lim_retained_polygon *polygon)
 {
-    const uint8_t alpha = alpha_of(polygon);
+    const uint8_t alpha = retain_alpha_of(polygon);
     const bool transparent = LIM_HAS_TRANSPARENT && alpha != LIM_OPAQUE;
     const bool is_piece = LIM_HAS_NEWELL && !polygon->n;
     const uint16_t *const hidden = hidden_of(polygon);

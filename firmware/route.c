@@ -18,7 +18,7 @@ void lim_route_begin(struct lim_route *route, uint16_t list)
 }
 
 /* NULL: all may be seen. */
-static inline const uint8_t *shown_of(const struct lim_route *route)
+static inline const uint8_t *route_shown_of(const struct lim_route *route)
 {
 #if LIM_HAS_PORTALS
     return route->shown;
@@ -33,7 +33,7 @@ static const LIM_FLASH struct lim_node *node_to_enter(struct lim *lim, struct li
 {
     const LIM_FLASH struct lim_node *node = &route->scene->nodes[route->next];
 
-    if (lim_node_is_skipped(route->scene, node, shown_of(route), route->cull, route->depth, lim_stats_of(lim))) {
+    if (lim_node_is_skipped(route->scene, node, route_shown_of(route), route->cull, route->depth, lim_stats_of(lim))) {
         route->next = LIM_NO_INDEX;
         return NULL;
     }
@@ -92,7 +92,7 @@ static void enter_leaf(struct lim *lim, struct lim_route *route, lim_index run)
     go_through_leaf(route, route->back_to_front ? list : (uint16_t)LIM_NONE);
 }
 
-static void enter(struct lim *lim, struct lim_route *route)
+static void route_enter(struct lim *lim, struct lim_route *route)
 {
     const LIM_FLASH struct lim_node *node = node_to_enter(lim, route);
     uint16_t front, back;
@@ -128,7 +128,7 @@ enum lim_route_event lim_route_next(struct lim *lim, struct lim_route *route, li
             if (route->list == LIM_NONE)
                 enter_alone(lim, route);
             else
-                enter(lim, route);
+                route_enter(lim, route);
         }
         if (route->list != LIM_NONE) {
             *what = route->list;

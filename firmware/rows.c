@@ -22,7 +22,7 @@ struct lens {
     const int32_t *eye_q8;
 };
 
-static bool in_range(const struct lim_camera *camera)
+static bool rows_in_range(const struct lim_camera *camera)
 {
     uint32_t away_q8 = 0; /* as many bits as the longest has */
 
@@ -200,7 +200,7 @@ static inline bool set_rows(struct lim_rows *rows, const struct lim_scene *scene
 {
     struct lens lens;
 
-    if (!in_range(camera)) return false;
+    if (!rows_in_range(camera)) return false;
     lens.eye_q8 = camera->eye_q8;
     const uint32_t zoom_q28 = zoom_q28_of(camera);
     rows->tele_bits = LIM_HAS_LIMBS ? 0 : (uint8_t)(clz_u32(zoom_q28 - 1) - 4); /* limbs have the bits anyway */

@@ -52,7 +52,7 @@ static inline int16_t screen_row(struct lim_point p)
 }
 
 /* M above, for row t from the origin. */
-static sample_area meeting(struct lim_point a, int32_t dx, int32_t dy, int32_t t)
+static sample_area samples_meeting(struct lim_point a, int32_t dx, int32_t dy, int32_t t)
 {
     const int32_t ax = x_of(a), ay = y_of(a);
     const int32_t part_x = ax & ((1 << COLUMN_BITS) - 1), part_y = ay & ((1 << ROW_BITS) - 1);
@@ -64,10 +64,11 @@ static sample_area meeting(struct lim_point a, int32_t dx, int32_t dy, int32_t t
     return (sample_area)(whole + (sample_wrap)((part + ((1 << COLUMN_BITS) - 1)) >> COLUMN_BITS));
 }
 
-static void edge_set(struct lim_sample_edge *edge, struct lim_point a, struct lim_point b, int16_t row, int16_t end)
+static void samples_edge_set(struct lim_sample_edge *edge, struct lim_point a, struct lim_point b, int16_t row,
+                             int16_t end)
 {
     const int32_t dx = x_of(b) - x_of(a), dy = y_of(b) - y_of(a);
-    const sample_area m = meeting(a, dx, dy, row - LIM_ORIGIN_PX * LIM_SAMPLE_ROWS);
+    const sample_area m = samples_meeting(a, dx, dy, row - LIM_ORIGIN_PX * LIM_SAMPLE_ROWS);
     int32_t x = (int32_t)(m / dy); /* rounds to zero: up, if negative */
     int32_t error = (int32_t)(m - (sample_area)x * dy);
 
@@ -103,12 +104,12 @@ static LIM_ALONE void turn(struct lim_sample_edge *edge, const struct lim_point 
         if (to >= n) to -= n;
         end = screen_row(at[to]);
     } while (end <= row);
-    edge_set(edge, at[from], at[to], row, end);
+    samples_edge_set(edge, at[from], at[to], row, end);
     edge->next = (uint8_t)to;
     edge->end = end;
 }
 
-static inline void step(struct lim_sample_edge *edge)
+static inline void samples_step(struct lim_sample_edge *edge)
 {
     edge->x = (int16_t)(edge->x + edge->step_x);
     edge->error += edge->step_error;
@@ -118,10 +119,10 @@ static inline void step(struct lim_sample_edge *edge)
     }
 }
 
-static inline void advance(struct lim_sample_edge *edge, const struct lim_point *at, uint8_t n, int16_t row)
+static inline void samples_advance(struct lim_sample_edge *edge, const struct lim_point *at, uint8_t n, int16_t row)
 {
     if (edge->end > row)
-        step(edge);
+        samples_step(edge);
     else
         turn(edge, at, n, row);
 }
@@ -172,8 +173,8 @@ static LIM_ALONE void any_rows(struct lim_strip *strip, struct lim_sample_edges 
         const int16_t row = (int16_t)(y * LIM_SAMPLE_ROWS + (int16_t)s);
         strip->left[s] = strip->right[s] = 0;
         if (row < top_row || row >= end_row) continue;
-        advance(&edges->left, at, n, row);
-        advance(&edges->right, at, n, row);
+        samples_advance(&edges->left, at, n, row);
+        samples_advance(&edges->right, at, n, row);
         strip->left[s] = sample_at(edges->left.x, s);
         strip->right[s] = sample_at(edges->right.x, s);
     }
@@ -283,7 +284,7 @@ void lim_strip_run(const struct lim_strip *strip, int16_t x, struct lim_run *run
 
 /* As in edge.c: where the extra extremes of a folded polygon lie near its top, a fan from the bottom sees every other
  * corner, and the other way round. */
-static LIM_RARE uint8_t choose_apex(const struct lim_point *at, uint8_t n, uint8_t top_at, int32_t bottom)
+static LIM_RARE uint8_t samples_choose_apex(const struct lim_point *at, uint8_t n, uint8_t top_at, int32_t bottom)
 {
     const int32_t top = row_of(at[top_at]);
     int32_t lowest_top = top, after = row_of(at[1]), here = row_of(at[0]);
@@ -315,7 +316,7 @@ void lim_samples_measure(struct lim_edge_shape *shape, const struct lim_point *a
         before = row;
     }
     shape->folded = way > 2 * (bottom - top);
-    if (shape->folded) shape->apex = choose_apex(at, n, shape->first, bottom);
+    if (shape->folded) shape->apex = samples_choose_apex(at, n, shape->first, bottom);
     shape->end_row = (int16_t)(bottom + LIM_ORIGIN_PX * LIM_SAMPLE_ROWS);
     /* A polygon between two rows has none. */
     shape->top = (int16_t)((top >> 2) + LIM_ORIGIN_PX);

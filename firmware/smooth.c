@@ -19,7 +19,7 @@ static inline uint32_t spread(uint16_t colour)
 }
 
 /* A sixteenth of a sum, rounded. */
-static inline uint16_t colour_of(uint32_t sum)
+static inline uint16_t smooth_colour_of(uint32_t sum)
 {
     const uint32_t sixteenfold = sum + HALVES;
 
@@ -28,7 +28,7 @@ static inline uint16_t colour_of(uint32_t sum)
 }
 
 /* false: it is of one colour. */
-static inline bool paint_textured(const struct lim_smooth_sink *sink, const struct lim_run *run)
+static inline bool smooth_paint_textured(const struct lim_smooth_sink *sink, const struct lim_run *run)
 {
 #if LIM_HAS_TEXTURE
     if (!sink->span.gradients) return false;
@@ -44,14 +44,14 @@ static inline bool paint_textured(const struct lim_smooth_sink *sink, const stru
 static void mix_run(struct lim_smooth_sink *sink, const struct lim_run *run, uint16_t covered)
 {
     const uint32_t count = lim_sample_count(run->mask);
-    const bool closes = (covered | run->mask) == LIM_ALL_SAMPLES, textured = paint_textured(sink, run);
+    const bool closes = (covered | run->mask) == LIM_ALL_SAMPLES, textured = smooth_paint_textured(sink, run);
     uint32_t share = spread(sink->colour) * count;
 
     for (int16_t x = run->x0; x < run->x1; x++) {
         if (LIM_HAS_TEXTURE && textured) share = spread(sink->line[x]) * count;
         const uint32_t sum = covered ? sink->sums[x] + share : share;
         if (closes)
-            sink->line[x] = colour_of(sum);
+            sink->line[x] = smooth_colour_of(sum);
         else
             sink->sums[x] = sum;
     }
@@ -66,7 +66,7 @@ void lim_smooth_mix(void *ctx, const struct lim_run *run, uint16_t covered)
         mix_run(sink, run, covered);
         return;
     }
-    if (!paint_textured(sink, run))
+    if (!smooth_paint_textured(sink, run))
         lim_fill(sink->line, (uint16_t)run->x0, (uint16_t)(run->x1 - run->x0), sink->colour);
     if (LIM_HAS_STATS) sink->painted_px = (uint16_t)(sink->painted_px + (uint16_t)(run->x1 - run->x0));
 }

@@ -81,7 +81,7 @@ static void add(struct lim *lim, lim_index at, lim_index node, bool eye_in_front
     sorter->list[sorter->first] = entry;
 }
 
-static void add_run(struct lim *lim, lim_index at, lim_index node, bool eye_in_front)
+static void sorted_add_run(struct lim *lim, lim_index at, lim_index node, bool eye_in_front)
 {
     for (;;) {
         const LIM_FLASH lim_index *record = &lim->scene->polygons[at];
@@ -100,7 +100,7 @@ static void add_all(struct lim *lim)
         const bool is_leaf = LIM_HAS_LEAVES && node->split.plane == LIM_NO_INDEX;
         const int32_t side = is_leaf ? 1 : lim_eye_side(lim_eye_of(lim), &node->split);
         const lim_index run = side > 0 ? node->front_run : side < 0 ? node->back_run : (lim_index)LIM_NO_INDEX;
-        if (run != LIM_NO_INDEX) add_run(lim, run, i, side > 0);
+        if (run != LIM_NO_INDEX) sorted_add_run(lim, run, i, side > 0);
     }
 }
 

@@ -30,7 +30,7 @@ static int16_t log2_q4(uint32_t x)
 
 /* Once a frame ------------------------------------------------------------------------------------- */
 
-static void set_axes(struct lim_texturing *texturing, const struct lim_camera *camera)
+static void texture_set_axes(struct lim_texturing *texturing, const struct lim_camera *camera)
 {
     int32_t axes_q30[9];
 
@@ -63,7 +63,7 @@ void lim_texture_begin(struct lim_texturing *texturing, const struct lim_scene *
     texturing->far_bits = (uint8_t)(32 - clz_u32(view->rows.far_units));
     for (uint_fast8_t i = 0; i < 3; i++)
         texturing->eye_q8[i] = camera->eye_q8[i];
-    set_axes(texturing, camera);
+    texture_set_axes(texturing, camera);
     set_tangent(texturing, 0, camera->tan_x_q28, texturing->w_px);
     set_tangent(texturing, 1, camera->tan_y_q28, texturing->h_px);
     /* log2 of a pixel's side at depth 1, the mean of both: 2 tan / side. */
@@ -98,7 +98,8 @@ static uint32_t bound_of(int32_t a, uint32_t b)
 }
 
 /* n . D, times 2^15 and times what fills PLANE_BITS: returns how many bits that is. */
-static int8_t set_plane(const struct lim_texturing *texturing, const int16_t n[3], struct lim_texture_plane *out)
+static int8_t texture_set_plane(const struct lim_texturing *texturing, const int16_t n[3],
+                                struct lim_texture_plane *out)
 {
     const int32_t right = dot_q15(n, &texturing->axes[0]), down = dot_q15(n, &texturing->axes[1]);
     const int32_t ahead = dot_q15(n, &texturing->axes[2]);
@@ -180,12 +181,12 @@ void lim_texture_set(const struct lim_texturing *texturing, uint16_t word, struc
     const struct lim_mapping mapping = texturing->scene->mappings[words[1]];
     const int64_t h_q8 = height_q8(texturing, &mapping);
     const struct height height = height_of(h_q8 < 0 ? -h_q8 : h_q8);
-    const int8_t depth_bits = set_plane(texturing, mapping.n, &out->depth);
+    const int8_t depth_bits = texture_set_plane(texturing, mapping.n, &out->depth);
 
     out->texture = texturing->scene->textures[words[0]];
     if (h_q8 < 0) negate(&out->depth);
     for (uint_fast8_t i = 0; i < 2; i++) {
-        const int8_t bits = set_plane(texturing, mapping.uv[i], &out->uv[i]);
+        const int8_t bits = texture_set_plane(texturing, mapping.uv[i], &out->uv[i]);
         times(&out->uv[i], height.mantissa);
         out->shift[i] = (int8_t)(23 - 32 + bits + mapping.bits[i] - height.bits - depth_bits);
         out->eye_uv_q16[i] =

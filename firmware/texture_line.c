@@ -125,7 +125,7 @@ static inline int32_t part_of_side(int32_t texels_q16, uint8_t side_bits)
 }
 
 /* Steps of a picture and more wrap, as texels do. */
-static inline int32_t twice(int32_t x)
+static inline int32_t texture_line_twice(int32_t x)
 {
     return (int32_t)((uint32_t)x * 2);
 }
@@ -135,8 +135,8 @@ struct lim_texture_walk lim_texture_at(const struct lim_texture_line *line, int1
     const struct lim_texture *texture = &line->gradients->texture;
     const uint8_t w_bits = texture->w_bits, h_bits = texture->h_bits;
     const uint32_t at = (line->at.uv_q16[1] >> h_bits << 16) + (uint16_t)(line->at.uv_q16[0] >> w_bits);
-    const int32_t u_step = part_of_side(twice(line->step_q16[0]), w_bits);
-    const int32_t v_step = part_of_side(twice(line->step_q16[1]), h_bits);
+    const int32_t u_step = part_of_side(texture_line_twice(line->step_q16[0]), w_bits);
+    const int32_t v_step = part_of_side(texture_line_twice(line->step_q16[1]), h_bits);
     const uint32_t step = ((uint32_t)v_step << 16) + (uint32_t)u_step;
 
     return (struct lim_texture_walk){at + step * (uint32_t)(x - line->x), step};

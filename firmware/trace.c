@@ -168,8 +168,8 @@ static void narrow(struct lim_point *line, const struct trace *trace, int16_t ro
 }
 
 /* The part of the screen that is drawn: no line leaves it. */
-static void fill_lines(struct lim_point *last, const struct lim_screen_polygon *whole, const struct lim_rect *open,
-                       int16_t top, int16_t bottom)
+static void trace_fill_lines(struct lim_point *last, const struct lim_screen_polygon *whole,
+                             const struct lim_rect *open, int16_t top, int16_t bottom)
 {
     struct lim_edge_pair pair;
 
@@ -200,8 +200,8 @@ static void cut_lines(const struct lim *lim, uint16_t entry, struct lim_point *l
 }
 
 #if LIM_HAS_SPANS
-static enum lim_span_result close_lines(struct lim_spans *spans, const struct lim_point *last, int16_t top,
-                                        int16_t bottom)
+static enum lim_span_result trace_close_lines(struct lim_spans *spans, const struct lim_point *last, int16_t top,
+                                              int16_t bottom)
 {
     uint8_t result = LIM_SPAN_NOTHING;
 
@@ -230,7 +230,7 @@ static bool see_lines(const struct lim_spans *spans, const struct lim_point *las
 static enum lim_span_result pass(struct lim *lim, uint8_t alpha, const struct lim_point *last, int16_t top,
                                  int16_t bottom)
 {
-    if (!LIM_HAS_TRANSPARENT || alpha == LIM_OPAQUE) return close_lines(&lim->spans, last, top, bottom);
+    if (!LIM_HAS_TRANSPARENT || alpha == LIM_OPAQUE) return trace_close_lines(&lim->spans, last, top, bottom);
     return see_lines(&lim->spans, last, top, bottom) ? LIM_SPAN_SOME : LIM_SPAN_NOTHING;
 }
 
@@ -254,7 +254,7 @@ static void trim(struct lim_point *last, int16_t *top, int16_t *bottom)
 }
 
 #if LIM_HAS_ANTIALIAS
-/* fill_lines() for rows of samples. */
+/* trace_fill_lines() for rows of samples. */
 static void fill_rows(struct lim_point *last, const struct lim_screen_polygon *whole, const struct lim_rect *open,
                       int16_t top, int16_t bottom)
 {
@@ -311,19 +311,19 @@ static inline enum lim_span_result see_piece(struct lim *lim, uint16_t entry, co
         return pass_rows(lim, whole, last, *top, *bottom);
     }
 #endif
-    fill_lines(last, whole, &lim->spans.open, *top, *bottom);
+    trace_fill_lines(last, whole, &lim->spans.open, *top, *bottom);
     cut_lines(lim, entry, last, *top, *bottom);
     trim(last, top, bottom);
     const uint8_t alpha = lim_wireframe_of(lim) ? (uint8_t)LIM_OPAQUE : lim_alpha_of(whole);
     return pass(lim, alpha, last, *top, *bottom);
 }
 
-static uint32_t cells_of(const struct lim *lim, int16_t top, int16_t bottom)
+static uint32_t trace_cells_of(const struct lim *lim, int16_t top, int16_t bottom)
 {
     return (uint32_t)(bottom - top) * (uint32_t)rows_of(lim);
 }
 
-static bool take_plain(struct lim *lim, uint16_t entry, const struct lim_screen_polygon *whole)
+static bool trace_take_plain(struct lim *lim, uint16_t entry, const struct lim_screen_polygon *whole)
 {
     const struct lim_rect *open = &lim->spans.open;
     int16_t top = whole->shape.top > (int16_t)open->y0 ? whole->shape.top : (int16_t)open->y0;
@@ -332,7 +332,7 @@ static bool take_plain(struct lim *lim, uint16_t entry, const struct lim_screen_
     struct lim_point *last = &retained->cells[retained->used].at + LIM_RETAINED_HEAD_CELLS;
 
     if (top >= bottom) return true;
-    if (LIM_RETAINED_HEAD_CELLS + cells_of(lim, top, bottom) > (uint32_t)(retained->size - retained->used))
+    if (LIM_RETAINED_HEAD_CELLS + trace_cells_of(lim, top, bottom) > (uint32_t)(retained->size - retained->used))
         return false;
     if (LIM_HAS_STATS) lim_stats_of(lim)->lines += (uint32_t)(bottom - top);
     const enum lim_span_result result = see_piece(lim, entry, whole, last, &top, &bottom);
@@ -343,7 +343,7 @@ static bool take_plain(struct lim *lim, uint16_t entry, const struct lim_screen_
     seen.at = last;
     seen.n = seen.first = 0;
     if (!lim_retain(retained, lim->spans.lines, &seen)) return false;
-    retained->used = (uint16_t)(retained->used + cells_of(lim, top, bottom)); /* what is left of them */
+    retained->used = (uint16_t)(retained->used + trace_cells_of(lim, top, bottom)); /* what is left of them */
     return true;
 }
 
@@ -355,7 +355,7 @@ struct lim_point lim_piece_line(const struct lim *lim, uint16_t entry, const str
     const struct lim_rect screen = {0, 0, lim->target.w_px, lim->target.h_px};
     struct lim_point line;
 
-    fill_lines(&line, whole, &screen, y, (int16_t)(y + 1));
+    trace_fill_lines(&line, whole, &screen, y, (int16_t)(y + 1));
     cut_lines(lim, entry, &line, y, (int16_t)(y + 1));
     return line;
 }
@@ -365,10 +365,10 @@ bool lim_piece_take(struct lim *lim, uint16_t entry, const struct lim_screen_pol
 {
     struct lim_screen_polygon triangle;
 
-    if (!whole->shape.folded) return take_plain(lim, entry, whole);
+    if (!whole->shape.folded) return trace_take_plain(lim, entry, whole);
     for (uint8_t k = 1; k + 1 < whole->n; k++) {
         lim_project_fan(whole, k, &triangle);
-        if (!take_plain(lim, entry, &triangle)) return false;
+        if (!trace_take_plain(lim, entry, &triangle)) return false;
     }
     return true;
 }

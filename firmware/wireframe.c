@@ -21,7 +21,7 @@ static int16_t lesser(int16_t a, int16_t b)
     return a < b ? a : b;
 }
 
-static int16_t greater(int16_t a, int16_t b)
+static int16_t wireframe_greater(int16_t a, int16_t b)
 {
     return a > b ? a : b;
 }
@@ -37,10 +37,10 @@ static struct stroke stroke_of(struct lim_point p, struct lim_point q, int16_t y
     if (y + 1 < top || y > bottom) return (struct stroke){0, 0};
     const int16_t here = lim_edge_column(upper, lower, y);
     const int16_t beyond = p.x == q.x ? here : lim_edge_column(upper, lower, (int16_t)(q.x < p.x ? y - 1 : y + 1));
-    struct stroke stroke = {lesser(here, beyond), greater(here, beyond)};
+    struct stroke stroke = {lesser(here, beyond), wireframe_greater(here, beyond)};
     if (y < top || y >= bottom) return stroke;
     if (is_left)
-        stroke.x1 = greater(stroke.x1, (int16_t)(here + 1));
+        stroke.x1 = wireframe_greater(stroke.x1, (int16_t)(here + 1));
     else
         stroke.x0 = lesser(stroke.x0, (int16_t)(here - 1));
     return stroke;
@@ -83,7 +83,7 @@ void lim_wire_fill(uint16_t *line, const struct lim_wire *wire, uint16_t x0, uin
         if (wire->hidden[k >> 4] >> (k & 15) & 1) continue;
         const struct lim_point next = wire->at[k + 1u < wire->n ? k + 1u : 0];
         const struct stroke stroke = stroke_of(wire->at[k], next, wire->y);
-        const int16_t from = greater(stroke.x0, (int16_t)x0), to = lesser(stroke.x1, (int16_t)x1);
+        const int16_t from = wireframe_greater(stroke.x0, (int16_t)x0), to = lesser(stroke.x1, (int16_t)x1);
         if (from < to) fill(line, wire, from, to, wire->colour);
     }
 }

@@ -73,6 +73,17 @@ check_variants() { # TARGET: other profiles, other screen coordinates, fewer fea
     return $failed
 }
 
+# Names with which a file keeps to itself are unique over the folder: all of it may become one file.
+is_one_file() { # TARGET
+    # shellcheck disable=SC2046 # names are words
+    printf '#include "%s"\n' $(cd firmware && echo *.c) >"$work/all.c"
+    failed=0
+    for profile in $(echo "$PROFILES" | tr '[:lower:]' '[:upper:]'); do
+        compile "$1" "$work/all.o" "$work/all.c" -DLIM_PROFILE="LIM_PROFILE_$profile" || failed=1
+    done
+    return $failed
+}
+
 sizes_hold() { # TARGET
     compile "$1" "$work/sizes.o" tests/targets/sizes.c -DLIM_HAS_STATS=0 -DLIM_MAX_SIDE_PX=240 &&
         compile "$1" "$work/sizes.o" tests/targets/sizes.c -DLIM_HAS_STATS=0 -DLIM_MAX_SIDE_PX=480 &&
@@ -127,6 +138,7 @@ for target in $targets; do
     tap_check "$target: firmware needs only itself and integer support" own_symbols_only "$target"
     tap_check "$target: no mutable data" no_mutable_data "$target"
     tap_check "$target: other configurations give no warning" check_variants "$target"
+    tap_check "$target: all of firmware compiles as one file" is_one_file "$target"
 done
 for target in cortex-m0plus cortex-m4 rv32imc; do
     tap_check "$target: structs are as large as the compiler reports" sizes_hold "$target"
