@@ -2,6 +2,7 @@
  *
  * `limner measure`: every precision profile's accuracy and cost on a model and its cameras. Tables go to
  * standard output; with -o, they and a plot go to a folder, all or none. */
+#include "base/child.h"
 #include "base/deadline.h"
 #include "base/outputs.h"
 #include "base/progress.h"
@@ -11,8 +12,6 @@
 #include "core/core.h"
 #include "measure/measure_request.h"
 #include "measure/measure_table.h"
-
-#include "base/child.h"
 
 #include <errno.h>
 #include <stdio.h>

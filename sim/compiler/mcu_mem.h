@@ -5,6 +5,7 @@
 #define SIM_MCU_MEM_H
 
 #include "scene/compiled.h"
+
 #include <stddef.h>
 
 struct moving;

@@ -2,16 +2,16 @@
  *
  * Frame by frame: the reference draws once, then every renderer; pixels, vertices and sides of planes
  * are compared while both pictures are at hand. */
-#include "accuracy/moving_reference.h"
-#include "base/deadline.h"
-#include "core/core.h"
 #include "measure/measurement.h"
-#include "scene/moving.h"
 
 #include "accuracy/measure_texels.h"
+#include "accuracy/moving_reference.h"
+#include "base/deadline.h"
 #include "base/progress.h"
 #include "base/vec3.h"
+#include "core/core.h"
 #include "render/ids.h"
+#include "scene/moving.h"
 #include "scene/plane.h"
 
 #include <math.h>

@@ -2,16 +2,16 @@
  *
  * Scene and cameras become C, targets/count.sh makes an image of them and runs it, the counting plugin
  * watches. The frames' hashes must be the host's: what is counted is what was judged. */
-#include "core/core.h"
 #include "measure/measurement.h"
-#include "scene/scene_files.h"
 
 #include "base/child.h"
 #include "cameras/cameras_c.h"
+#include "core/core.h"
 #include "measure/counts.h"
 #include "pictures/hashes.h"
 #include "render/simulator.h"
 #include "scene/moving.h"
+#include "scene/scene_files.h"
 
 #include <math.h>
 #include <stdio.h>

@@ -2,19 +2,19 @@
  *
  * The same steps as compile_model() takes, with what is known on the way kept: the reference sees the
  * faces before any are merged, and every point of the mesh can be found by its place on the grid. */
-#include "accuracy/moving_reference.h"
-#include "compiler/compile.h"
-#include "compiler/moving_compile.h"
-#include "core/core.h"
 #include "measure/measurement.h"
-#include "readers/model_import.h"
 
+#include "accuracy/moving_reference.h"
 #include "base/deadline.h"
 #include "base/grow.h"
 #include "base/vec3.h"
+#include "compiler/compile.h"
 #include "compiler/faithful.h"
+#include "compiler/moving_compile.h"
+#include "core/core.h"
 #include "model/light.h"
 #include "model/model_part.h"
+#include "readers/model_import.h"
 #include "readers/source.h"
 #include "scene/moving.h"
 

@@ -5,6 +5,7 @@
 #define SIM_ENCODING_H
 
 #include "scene.h"
+
 #include <stddef.h>
 
 /* Textures and mappings. */

@@ -5,6 +5,7 @@
 #include "scene/lim_image.h"
 
 #include "base/grow.h"
+
 #include <assert.h>
 #include <stdlib.h>
 #include <string.h>

@@ -7,6 +7,7 @@
  *
  * The importer library is called in this process, as its child process calls it, for that is a thousand times quicker.
  * It is not instrumented, and crashes on some files: fuzz.sh tells those crashes from ours by their stack. */
+#include "cameras/camera_path.h"
 #include "compiler/compile.h"
 #include "compiler/moving_compile.h"
 #include "core/core.h"
@@ -16,8 +17,6 @@
 #include "readers/source.h"
 #include "scene/lim_check.h"
 #include "scene/moving.h"
-
-#include "cameras/camera_path.h"
 
 #include <math.h>
 #include <stdio.h>

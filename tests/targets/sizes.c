@@ -4,9 +4,8 @@
  * Compiled for 32-bit MCUs with narrow and with wide screen coordinates; never linked. */
 #include "limner.h"
 
-#include "clip.h"
-
 #include "../../sim/scene/mcu_sizes.h"
+#include "clip.h"
 
 _Static_assert((int)MCU_CACHE_ENTRIES == (int)LIM_VIEW_CACHE_ENTRIES, "cache entries");
 enum { INDEX_B = LIM_HAS_WIDE ? MCU_INDEX_B : 0 };

@@ -3,14 +3,13 @@
  * Textured polygons: which texel the renderer shows, against rays in double precision; all orders paint the same;
  * levels of detail, wrapping, extremes. */
 #include "core/core.h"
+#include "model/light.h"
+#include "model/mapping.h"
 #include "render/simulator.h"
 #include "rigs/cmocka_ready.h"
 #include "rigs/profiles.h"
 #include "rigs/random_camera.h"
 #include "rigs/texture_rig.h"
-
-#include "model/light.h"
-#include "model/mapping.h"
 
 #include <math.h>
 #include <stdlib.h>

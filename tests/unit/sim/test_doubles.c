@@ -2,12 +2,11 @@
  *
  * Vertices as files have them, to the last bit, through the importer and through the reference's own readers; the
  * files are written here. What is expected is what a C compiler makes of the same digits. */
-#include "readers/model_import.h"
-#include "rigs/cmocka_ready.h"
-
 #include "model/model.h"
+#include "readers/model_import.h"
 #include "readers/source.h"
 #include "readers/vertex_table.h"
+#include "rigs/cmocka_ready.h"
 
 #include <math.h>
 #include <stdio.h>

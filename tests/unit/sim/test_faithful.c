@@ -3,7 +3,6 @@
  * What a grid does to faces: which harm is refused, which is none, and what --drop-small leaves out. */
 #include "compiler/compile.h"
 #include "core/core.h"
-
 #include "model/original.h"
 #include "rigs/boxes.h"
 #include "rigs/cmocka_ready.h"

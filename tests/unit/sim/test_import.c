@@ -2,11 +2,10 @@
  *
  * model_import(): order, colours and transforms of what it accepts, and the line that each bad file
  * is refused with. The models are tests/models/. */
-#include "readers/model_import.h"
-#include "rigs/cmocka_ready.h"
-
 #include "model/model.h"
 #include "readers/import.h"
+#include "readers/model_import.h"
+#include "rigs/cmocka_ready.h"
 
 #include <fcntl.h>
 #include <gd.h>
