@@ -193,7 +193,7 @@ static LIM_RARE bool take_any(struct lim *lim, const LIM_FLASH lim_index *record
 
 enum outcome {
     NOTHING_OPEN, /* nothing of it can be */
-    TAKEN,   /* all of it that was open is closed, and it is retained if there was any */
+    TAKEN,        /* all of it that was open is closed, and it is retained if there was any */
     EXHAUSTED_POOL,
     UNUSUAL /* nothing was done: take_any() */
 };

@@ -50,8 +50,7 @@ struct hid_device_info *hid_enumerate(unsigned short vendor_id, unsigned short p
     for (unsigned i = FAKE_PLACES; i-- > 0;) {
         const struct fake_place *place = &fake_hidapi.places[i];
         if (!is_listed(place) || !is_kind(place, vendor_id, product_id)) continue;
-        struct hid_device_info info = {
-            .path = copy(place->path, strlen(place->path) + 1), .next = list};
+        struct hid_device_info info = {.path = copy(place->path, strlen(place->path) + 1), .next = list};
         if (place->serial) info.serial_number = copy(place->serial, (wcslen(place->serial) + 1) * sizeof(wchar_t));
         list = copy(&info, sizeof info);
         fake_hidapi.listed++;

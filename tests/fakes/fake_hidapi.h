@@ -15,8 +15,8 @@ struct fake_place {
     struct emulated_cable *cable; /* NULL, or unplugged: nothing is listed */
     const char *path;
     const wchar_t *serial; /* may be NULL */
-    int open_errno;   /* opening it fails with that; 0: it does not */
-    bool open_untold; /* opening it fails, and errno stays as it is */
+    int open_errno;        /* opening it fails with that; 0: it does not */
+    bool open_untold;      /* opening it fails, and errno stays as it is */
 };
 
 struct fake_hidapi {
