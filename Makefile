@@ -401,7 +401,7 @@ mutate: test-programs $(demo) packages ## break firmware and HAL on purpose, 300
 models-table: $(BUILD)/limner ## write the outcomes of Debian's test models anew
 	$(LIVE)sh tests/models.sh --table > tests/models/models.expected
 
-tables: $(BUILD)/limner $(demo) ## measure README's table and draw its picture anew
+tables: $(BUILD)/limner $(demo) ## measure the table of accuracy and draw the demo's pictures anew
 	$(LIVE)sh sim/tools/tables.sh --write
 
 foreign-table: $(BUILD)/limner tests/foreign.sh ## draw with others' drivers, and write the table of what emulated modules show anew
@@ -413,10 +413,10 @@ hid-table: $(BUILD)/limner ## predict frames a second over USB-HID anew
 delta-table: $(BUILD)/limner ## measure anew what delta output sends, and what it costs
 	$(LIVE)sh sim/tools/delta_table.sh --write
 
-footprint: $(BUILD)/limner $(demo) ## compile README's table of flash, RAM and stack anew
+footprint: $(BUILD)/limner $(demo) ## compile the table of flash, RAM and stack anew
 	$(LIVE)sh sim/tools/footprint_table.sh --write
 
-tradeoff: $(BUILD)/limner $(demo) ## measure accuracy against cost for README; everything into out/tradeoff/
+tradeoff: $(BUILD)/limner $(demo) ## measure accuracy against cost; everything into out/tradeoff/
 	$(LIVE)sh sim/tools/tradeoff.sh --write
 
 scale: $(BUILD)/limner $(BUILD)/generate_scale ## measure how costs grow with a scene; SCENES="rooms6 mesh1000": only those
@@ -449,7 +449,7 @@ endif
 boards: $(BUILD)/limner $(demo) packages ## build an image for every board
 	$(LIVE)for board in $(boards); do $(MAKE) BOARD=$$board DEPS=skip || exit 1; done
 
-boards-table: $(BUILD)/limner ## run the boards' images in emulators, and write README's table of them anew
+boards-table: $(BUILD)/limner ## run the boards' images in emulators, and write the table of them anew
 	$(LIVE)sh boards/table.sh --write
 
 # -- Housekeeping ------------------------------------------------------------------------------------------------------

@@ -2,7 +2,7 @@
 #
 # What a frame costs on a board: sh boards/cost.sh FOLDER TITLE CPU_HZ SPI_HZ. In: FOLDER/takes (link.sh), what the
 # emulator said of its frames (FOLDER/emulated) and, where it tells no cycles, counted instructions (FOLDER/counted).
-# Prints a row of README's table. Frames a second are computed, as if each instruction took a cycle and memory never made
+# Prints a row of the table in boards/README.md. Frames a second are computed, as if each instruction took a cycle and memory never made
 # the processor wait, where the emulator's cycles do not say otherwise, as the RP2040's do: not measured on hardware.
 set -eu
 

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: MIT
 #
-# Prints README's table of boards: what their images take, and what a frame costs, drawn and checked in an emulator.
-# With --write puts it into README.md between its markers. With --rows says of which images, a line of arguments of
+# Prints the table of boards: what their images take, and what a frame costs, drawn and checked in an emulator.
+# With --write puts it into boards/README.md between its markers. With --rows says of which images, a line of arguments of
 # `make cost` for each.
 set -eu
-. sim/tools/readme_table.sh
+. sim/tools/page_table.sh
 
 : "${BUILD:=build}"
 
@@ -45,6 +45,6 @@ case ${1:-} in
     work=$(mktemp -d)
     trap 'rm -rf "$work"' EXIT
     table >"$work/table"
-    if [ "${1:-}" = --write ]; then readme_write boards "$work/table"; else cat "$work/table"; fi
+    if [ "${1:-}" = --write ]; then page_write boards "$work/table"; else cat "$work/table"; fi
     ;;
 esac

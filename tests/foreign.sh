@@ -117,12 +117,13 @@ enough_chips() { # COUNT BY
 
 # All that was measured stands there, and nothing else of the same drivers.
 page_says_so() { # BY
-    sed -n '/<!-- foreign begin/,/<!-- foreign end/p' $foreign/README.md | grep "| $1: " >"$work/said"
+    . sim/tools/page_table.sh
+    page_table foreign | grep "| $1: " >"$work/said"
     grep "| $1: " "$work/table" | LC_ALL=C sort | diff "$work/said" -
 }
 
 write_table() {
-    . sim/tools/readme_table.sh
+    . sim/tools/page_table.sh
     {
         echo '| chip | module | driven by | picture | outcome |'
         echo '| --- | --- | --- | --- | --- |'
@@ -130,7 +131,7 @@ write_table() {
         printf '\n%s of the 15 chips: %s by luma, %s by Linux.\n' "$(chips_shown '.*' | wc -l)" \
             "$(chips_shown luma | wc -l)" "$(chips_shown linux | wc -l)"
     } >"$work/page"
-    readme_write foreign "$work/page"
+    page_write foreign "$work/page"
 }
 
 # -- All of it ---------------------------------------------------------------------------------------------------------

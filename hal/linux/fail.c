@@ -28,6 +28,7 @@ void linux_note(struct port *port, const char *format, ...)
 
 int linux_fail_denied(struct port *port, int err_no, const char *path, const char *group)
 {
-    return linux_fail(port, err_no, "%s: %s; join group %s (`ls -l` shows whose it is), or add the udev rule of README",
+    return linux_fail(port, err_no,
+                      "%s: %s; join group %s (`ls -l` shows whose it is), or add the udev rule of hal/linux/README.md",
                       path, strerror(err_no), group);
 }

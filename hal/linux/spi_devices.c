@@ -124,7 +124,7 @@ static void held_by(char out[SPI_TROUBLE_B], const struct spi_place *place, cons
     else if (config)
         snprintf(end, left_b, "; put dtparam=spi=on in the place of its dtoverlay in %s, and start anew", config);
     else
-        snprintf(end, left_b, ", as the device tree says%s%s%s; README, Troubleshooting, says how to free it",
+        snprintf(end, left_b, ", as the device tree says%s%s%s; hal/linux/README.md says how to free it",
                  overlays ? " (on a Raspberry Pi dtoverlay=" : "", overlays ? overlays : "", overlays ? ")" : "");
 }
 
@@ -154,7 +154,7 @@ static void held_by_none(char out[SPI_TROUBLE_B], const struct spi_place *place)
                  place->select);
     else
         snprintf(out, SPI_TROUBLE_B,
-                 "spi%u.%u is kept for another driver (%s), which is not loaded; README, Troubleshooting, says how to "
+                 "spi%u.%u is kept for another driver (%s), which is not loaded; hal/linux/README.md says how to "
                  "free it",
                  place->bus, place->select, kind);
 }

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
  * `limner bridge`: how many frames a second a display behind a USB-HID bridge shows at the ceiling of reports, as
- * README's table: whole frames, and what changes on flights through scenes. */
+ * the table in sim/MEASURED.md: whole frames, and what changes on flights through scenes. */
 #include "base/arguments.h"
 #include "base/grow.h"
 #include "base/parse.h"

@@ -40,7 +40,7 @@ static void print_spidev(const char *path)
     const int fd = open(path, O_RDWR | O_CLOEXEC);
     if (fd < 0) {
         printf("spi   %s: %s%s\n", path, strerror(errno),
-               help_for(errno, "; join group spi, or add README's udev rule"));
+               help_for(errno, "; join group spi, or add the udev rule of hal/linux/README.md"));
         return;
     }
     close(fd);
@@ -83,7 +83,7 @@ static void print_gpiochip(const char *path)
     const int err = gpio_chip_open(&chip, path);
     if (err) {
         printf("gpio  %s: %s%s\n", path, strerror(-err),
-               help_for(-err, "; join group gpio, or add README's udev rule"));
+               help_for(-err, "; join group gpio, or add the udev rule of hal/linux/README.md"));
         return;
     }
     if (strcmp(strrchr(path, '/') + 1, chip.name) == 0) {

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 #
 # What frames cost, on every processor, and what they take of memory: profile fast, flat colours.
-#   sh sim/tools/bench.sh                                  everything: build/bench.csv, README's table, and what changed since
+#   sh sim/tools/bench.sh                                  everything: build/bench.csv, the tables, and what changed since
 #                                                    the baseline (exit status 1: something grew)
 #   sh sim/tools/bench.sh --baseline                       the same; writes the baseline, and the tables, anew
 #   sh sim/tools/bench.sh --rows CORES SCENE SIZE PATH     rows of these to standard output

@@ -5,7 +5,7 @@
 # sim/MEASURED.md and the picture beside the demo. With --check SCENE says how that scene's columns of pixels, which need
 # no emulator, differ from that. Needs $BUILD/limner.
 set -eu
-. sim/tools/readme_table.sh
+. sim/tools/page_table.sh
 
 : "${BUILD:=build}"
 out=out/compare
@@ -68,7 +68,7 @@ table() {
 
 write() {
     table >"$work/table"
-    readme_write compare "$work/table"
+    page_write compare "$work/table"
     cp "$out/$picture/sheet.png" sim/scenes/compare.png
 }
 
@@ -83,7 +83,7 @@ pixels() { # SCENE < TABLE
 check() { # SCENE
     compare "$1" "$work/now" --no-cost
     rows "$work/now/compare.csv" | pixels "$1" >"$work/now.pixels"
-    sed -n '/<!-- compare begin/,/<!-- compare end/p' "$(readme_page compare)" | pixels "$1" >"$work/before.pixels"
+    page_table compare | pixels "$1" >"$work/before.pixels"
     [ -s "$work/now.pixels" ] && diff "$work/before.pixels" "$work/now.pixels"
 }
 

@@ -3,7 +3,7 @@
 # Measures what delta output sends on each kind of panel, and what it costs, as tables. With --write puts them
 # into sim/MEASURED.md between its markers. Needs $BUILD/limner; the costs, emulated processors.
 set -eu
-. sim/tools/readme_table.sh
+. sim/tools/page_table.sh
 . sim/scenes/cube.sh
 
 : "${BUILD:=build}"
@@ -60,9 +60,9 @@ cube_make "$work"
 shares >"$work/shares"
 case ${1:-} in
 --write)
-    readme_write delta "$work/shares"
+    page_write delta "$work/shares"
     costs >"$work/costs"
-    readme_write delta-cost "$work/costs"
+    page_write delta-cost "$work/costs"
     ;;
 *)
     cat "$work/shares"

@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: MIT
 #
-# Prints README's table of what scenes cost in a firmware. With --write puts it into README.md between its
-# markers; with --check says how README differs. Needs $BUILD/limner, $BUILD/scenes and $WARNINGS.
+# Prints the table of what scenes cost in a firmware. With --write puts it into firmware/README.md between its
+# markers; with --check says how that differs. Needs $BUILD/limner, $BUILD/scenes and $WARNINGS.
 set -eu
 . sim/targets/targets.sh
 . sim/tools/footprint.sh
-. sim/tools/readme_table.sh
+. sim/tools/page_table.sh
 
 : "${BUILD:=build}"
 h_px=240
@@ -36,7 +36,7 @@ table() {
 
 table >"$work/table"
 case ${1:-} in
---write) readme_write footprint "$work/table" ;;
---check) readme_has footprint "$work/table" ;;
+--write) page_write footprint "$work/table" ;;
+--check) page_has footprint "$work/table" ;;
 *) cat "$work/table" ;;
 esac

@@ -5,7 +5,7 @@
 # SCENES="rooms6 mesh1000": only those. Needs $BUILD/limner and $BUILD/generate_scale; for the instructions of scenes that
 # fit QEMU's Cortex-M4 (4 MB), arm-none-eabi-gcc and qemu-system-arm; for the picture, gnuplot.
 set -eu
-. sim/tools/readme_table.sh
+. sim/tools/page_table.sh
 
 : "${BUILD:=build}" "${SCENES:=rooms6 rooms12 rooms24 rooms48 mesh1000 mesh5000 mesh20000 mesh100000 mesh200000}"
 work=$(mktemp -d)
@@ -56,7 +56,7 @@ done >"$work/rows"
 table >"$work/table"
 case ${1:-} in
 --write)
-    readme_write scale "$work/table"
+    page_write scale "$work/table"
     gnuplot -c sim/tools/scale.gp "$work/rows" >sim/scenes/scale.png
     ;;
 *) cat "$work/table" ;;

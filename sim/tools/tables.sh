@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: MIT
 #
-# Prints README's table: what the compiler and the simulator measure on the demo and the benchmark
-# scenes. With --write puts it into README.md between its markers, and the picture beside the demo;
-# with --check says how README differs. Needs $BUILD/limner and $BUILD/scenes.
+# Prints the table of accuracy: what the compiler and the simulator measure on the demo and the benchmark
+# scenes. With --write puts it into sim/MEASURED.md between its markers, and the pictures beside the
+# demo; with --check says how that differs. Needs $BUILD/limner and $BUILD/scenes.
 set -eu
-. sim/tools/readme_table.sh
+. sim/tools/page_table.sh
 
 : "${BUILD:=build}"
 work=$(mktemp -d)
@@ -45,15 +45,16 @@ table() {
     for scene in rooms rooms-tilted teapot; do row "$scene" sim/scenes; done
 }
 
-# Twelve frames of the demo's walk.
-picture() {
+# The demo's walk, moving, and twelve frames of it.
+pictures() {
+    "$BUILD/limner" render "$BUILD/scenes/demo.obj" --camera "$BUILD/scenes/demo.cam" --gif sim/scenes/demo.gif
     awk 'NR % 8 == 5' "$BUILD/scenes/demo.cam" >"$work/few.cam"
     "$BUILD/limner" render "$BUILD/scenes/demo.obj" --camera "$work/few.cam" --sheet sim/scenes/demo.png
 }
 
 table >"$work/table"
 case ${1:-} in
---write) readme_write table "$work/table" && picture ;;
---check) readme_has table "$work/table" ;;
+--write) page_write table "$work/table" && pictures ;;
+--check) page_has table "$work/table" ;;
 *) cat "$work/table" ;;
 esac

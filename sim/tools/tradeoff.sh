@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: MIT
 #
-# README's table of accuracy against cost, and its picture: what `limner measure` says of the demo and two
+# The table of accuracy against cost, and its picture: what `limner measure` says of the demo and two
 # benchmark scenes. The full tables go to out/tradeoff/. With --write puts the table between its markers in
 # README.md and the picture beside the demo. With --check SCENE says how that scene's columns of accuracy, which
 # need no emulator, differ from README. Needs $BUILD/limner and $BUILD/scenes.
 set -eu
-. sim/tools/readme_table.sh
+. sim/tools/page_table.sh
 
 : "${BUILD:=build}"
 out=out/tradeoff
@@ -64,7 +64,7 @@ table() {
 
 write() {
     table >"$work/table"
-    readme_write tradeoff "$work/table"
+    page_write tradeoff "$work/table"
     cp "$out/rooms/measure.png" sim/scenes/tradeoff.png
 }
 
@@ -76,7 +76,7 @@ accuracies() { # SCENE < TABLE
 check() { # SCENE
     measure "$1" --no-cost --precision "$profiles" -o "$work"
     rows "$work/measure.csv" | accuracies "$1" >"$work/now"
-    sed -n '/<!-- tradeoff begin/,/<!-- tradeoff end/p' README.md | accuracies "$1" >"$work/before"
+    page_table tradeoff | accuracies "$1" >"$work/before"
     [ -s "$work/now" ] && diff "$work/before" "$work/now"
 }
 

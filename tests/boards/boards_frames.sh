@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: MIT
 #
 # What the images of boards draw in emulators that others wrote: eight frames of a path, whole, each pixel as the
-# simulator draws it. The images are those of README's table (boards/table.sh), which must say of them what is measured
+# simulator draws it. The images are those of the table in boards/README.md (boards/table.sh), which must say of them what is measured
 # here.
 . tests/tap.sh
+. sim/tools/page_table.sh
 
 board() { # MAKE-ARGUMENT...
     make DEPS=skip BUILD="$BUILD" BOARDS="$kept/boards" PICTURES="$work/pictures" "$@" >"$work/said" 2>&1 || {
@@ -28,7 +29,7 @@ draws() { # MAKE-ARGUMENT...
 draws_row() { # MAKE-ARGUMENT...
     rm -rf "$work/pictures"
     board -s cost N=8 "$@" && cat "$work/said" && pictures_differ 8 && tail -n 1 "$work/said" >"$work/row" &&
-        sed -n '/<!-- boards begin/,/<!-- boards end/p' README.md | grep -qxF -f "$work/row"
+        page_table boards | grep -qxF -f "$work/row"
 }
 
 # Packages of npm are fetched, which may not be possible: that says why.
@@ -65,13 +66,13 @@ while read -r row; do
     if npm_fails $row; then
         tap_skip "$row: eight frames" "$(grep -m 1 'code\|missing' "$work/npm" || tail -n 1 "$work/npm")"
     else
-        tap_check "$row: eight frames, at the cost that README says" draws_row $row
+        tap_check "$row: eight frames, at the cost that boards/README.md says" draws_row $row
     fi
 done <"$work/rows"
-readme_has_no_other_row() {
-    [ "$(sed -n '/<!-- boards begin/,/<!-- boards end/p' README.md | grep -c '^| [a-z]')" -eq $(($(wc -l <"$work/rows") + 1)) ]
+page_has_no_other_row() {
+    [ "$(page_table boards | grep -c '^| [a-z]')" -eq $(($(wc -l <"$work/rows") + 1)) ]
 }
-tap_check "README has a row for each, and no other" readme_has_no_other_row
+tap_check "boards/README.md has a row for each, and no other" page_has_no_other_row
 tap_check "a scene that moves, 18 bits a pixel" draws BOARD=stm32f405 SCENE=movers PANEL=st7735:rgb666
 tap_check "what changes alone" draws BOARD=stm32f405 COMPILE=--delta
 tap_check "a memory LCD" draws BOARD=hifive1 PANEL=ls013b7dh03 SCENE=icosahedron

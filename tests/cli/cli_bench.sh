@@ -235,7 +235,7 @@ tap_check "a row that is none fails" broken_rows_fail
 tap_check "a missing baseline is told, and fails" no_baseline
 tap_check "counts of another compiler are skipped, with the reason" other_compilers_are_skipped
 tap_check "the baseline is well formed, and has every frame" baseline_is_whole
-tap_check "README's tables are the baseline's" sh sim/tools/bench_tables.sh --check sim/tools/bench.baseline.csv
+tap_check "the pages' tables are the baseline's" sh sim/tools/bench_tables.sh --check sim/tools/bench.baseline.csv
 tap_check "a table whose row is missing is refused" tables_need_their_rows
 tap_check "of callgrind's functions the renderer's own are counted" own_functions_are_counted
 tap_check "profiles without a frame are an error" no_frame_is_an_error

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: MIT
 #
-# USB-HID bridges from the outside: README's prediction is what the port sends to an emulated bridge, and options that
+# USB-HID bridges from the outside: sim/MEASURED.md's prediction is what the port sends to an emulated bridge, and options that
 # make no sense, or a bridge that is not there, end with one line that says so and status 1.
 . tests/tap.sh
 
-tap_check "README's table of displays over USB-HID is what is predicted now" sh sim/tools/bridge_table.sh --check
+tap_check "sim/MEASURED.md's table of displays over USB-HID is what is predicted now" sh sim/tools/bridge_table.sh --check
 
 one_row() { # PANEL SIZE
     [ "$("$BUILD/limner" bridge --panel "$1" --size "$2" | grep -c "^| $1 | $2 | ")" = 1 ]

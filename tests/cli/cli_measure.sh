@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 #
-# `limner measure` without counting: tables, files, refusals; and README says what it says.
+# `limner measure` without counting: tables, files, refusals; and sim/MEASURED.md says what it says.
 . tests/tap.sh
 
 scene=sim/scenes/rooms.obj
@@ -81,5 +81,5 @@ tap_check "an unknown processor is refused" refuses "there are m0plus, m3, m4 an
 tap_check "an empty name is refused" refuses "divided by commas" measure --precision fast,
 tap_check "a processor without counting is refused" refuses "exclude each other" measure --core m4 --no-cost
 tap_check "a missing model is refused" refuses "none.obj" "$BUILD/limner" measure none.obj --no-cost
-tap_check "README's accuracy of rooms is what is measured now" sh sim/tools/tradeoff.sh --check rooms
+tap_check "sim/MEASURED.md's accuracy of rooms is what is measured now" sh sim/tools/tradeoff.sh --check rooms
 tap_done

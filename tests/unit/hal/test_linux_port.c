@@ -247,12 +247,12 @@ static void devices_that_cannot_be_opened_are_explained(void **state)
     assert_refused(
         &all_wired, EACCES,
         "/dev/spidev0.0: Permission denied; join group spi (`ls -l` shows whose it is), or add the udev rule "
-        "of README");
+        "of hal/linux/README.md");
     fake.spi_err_no = EPERM;
     assert_refused(
         &all_wired, EPERM,
         "/dev/spidev0.0: Operation not permitted; join group spi (`ls -l` shows whose it is), or add the udev rule "
-        "of README");
+        "of hal/linux/README.md");
     fake.spi_err_no = ENODEV;
     assert_refused(&all_wired, ENODEV, "/dev/spidev0.0: no such device; there are /dev/spidev0.0");
     fake.spi_err_no = ENXIO;
@@ -359,11 +359,11 @@ static void chips_that_cannot_be_opened_are_explained(void **state)
     fake.chips[0].open_err_no = EACCES;
     assert_line_refused("GPIO2", EACCES,
                         "/dev/gpiochip0: Permission denied; join group gpio (`ls -l` shows whose it is), or add the "
-                        "udev rule of README");
+                        "udev rule of hal/linux/README.md");
     fake.chips[0].open_err_no = EPERM;
     assert_line_refused("GPIO2", EPERM,
                         "/dev/gpiochip0: Operation not permitted; join group gpio (`ls -l` shows whose it is), or add "
-                        "the udev rule of README");
+                        "the udev rule of hal/linux/README.md");
     fake.chips[0].open_err_no = EIO;
     assert_line_refused("GPIO2", EIO, "/dev/gpiochip0: Input/output error");
     fake.chip_count = 0;

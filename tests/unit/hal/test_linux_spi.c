@@ -225,9 +225,9 @@ static void elsewhere_it_is_the_device_trees_affair(void **state)
     (void)state;
     set_up_held("../drivers/panel-mipi-dbi-spi");
     assert_missing(": the kernel's driver panel-mipi-dbi-spi has spi0.0, as the device tree says (on a Raspberry Pi "
-                   "dtoverlay=mipi-dbi-spi); README, Troubleshooting, says how to free it");
+                   "dtoverlay=mipi-dbi-spi); hal/linux/README.md says how to free it");
     set_up_held("../drivers/jedec,spi-nor");
-    assert_missing(": the kernel's driver jedec,spi-nor has spi0.0, as the device tree says; README, Troubleshooting, "
+    assert_missing(": the kernel's driver jedec,spi-nor has spi0.0, as the device tree says; hal/linux/README.md "
                    "says how to free it");
 }
 
@@ -240,14 +240,15 @@ static void a_device_that_no_driver_has_is_told(void **state)
          ": no driver has spi0.0; load spidev (sudo modprobe spidev)"},
         {"MODALIAS=spi:spidev\n", ": no driver has spi0.0; load spidev (sudo modprobe spidev)"},
         {"OF_NAME=display\nOF_COMPATIBLE_0=ilitek,ili9341\nOF_COMPATIBLE_N=1\n",
-         ": spi0.0 is kept for another driver (ilitek,ili9341), which is not loaded; README, Troubleshooting, says how "
+         ": spi0.0 is kept for another driver (ilitek,ili9341), which is not loaded; hal/linux/README.md says how "
          "to free it"},
         {"OF_COMPATIBLE_0=a-company-of-some-length,its-display-of-some-length",
-         ": spi0.0 is kept for another driver (a-company-of-some-length,its-di), which is not loaded; README, "
-         "Troubleshooting, says how to free it"},
-        {"", ": spi0.0 is kept for another driver (device), which is not loaded; README, Troubleshooting, says how to "
+         ": spi0.0 is kept for another driver (a-company-of-some-length,its-di), which is not loaded; "
+         "hal/linux/README.md"
+         " says how to free it"},
+        {"", ": spi0.0 is kept for another driver (device), which is not loaded; hal/linux/README.md says how to "
              "free it"},
-        {NULL, ": spi0.0 is kept for another driver (device), which is not loaded; README, Troubleshooting, says how "
+        {NULL, ": spi0.0 is kept for another driver (device), which is not loaded; hal/linux/README.md says how "
                "to free it"},
     };
     (void)state;
@@ -282,10 +283,11 @@ static void another_place_that_is_held_is_named(void **state)
     struct linux_port_config config = bare;
     set_up_held("../drivers/fb_ili9341");
     config.spi = "/dev/spidev1.0";
-    assert_refused(&config, ENOENT,
-                   "/dev/spidev1.0: no such device, nor any other; the kernel's driver fb_ili9341 has spi0.0, as the "
-                   "device tree says (on a Raspberry Pi dtoverlay=fbtft, or a display's, such as piscreen); README, "
-                   "Troubleshooting, says how to free it");
+    assert_refused(
+        &config, ENOENT,
+        "/dev/spidev1.0: no such device, nor any other; the kernel's driver fb_ili9341 has spi0.0, as the "
+        "device tree says (on a Raspberry Pi dtoverlay=fbtft, or a display's, such as piscreen); hal/linux/README.md"
+        " says how to free it");
     fake.spi_path = "/dev/spidev0.1";
     assert_refused(&config, ENOENT, "/dev/spidev1.0: no such device; there are /dev/spidev0.1");
 }

@@ -133,7 +133,7 @@ static void usual_modules_get_their_voltage_and_current(void **state)
 
 /* Claims of the documents ----------------------------------------------------------------------------------------- */
 
-/* A row of that size, or all of the chip's memory: what the table of panels in README has. */
+/* A row of that size, or all of the chip's memory: what the table in hal/PANELS.md has. */
 static bool is_known(const char *chip, unsigned w_px, unsigned h_px)
 {
     const struct glass *row = glass_find(chip, 0, 0);
@@ -196,7 +196,10 @@ static void documents_speak_of_no_module_without_a_row(void **state)
     compile_claim(&claim);
     assert_true(is_known("st7735", 128, 128) && !is_known("st7735", 128, 129) && !is_known("sh1107", 128, 128));
     assert_int_equal(check_line(&claim, "here", "| SH1106 | 132x64 | and an ssd1306 --size 72x40, 1x1"), 2);
-    assert_in_range(check_document(&claim, "README.md"), 15, 1000);
+    assert_in_range(check_document(&claim, "hal/PANELS.md"), 15, 1000);
+    check_document(&claim, "README.md");
+    check_document(&claim, "hal/README.md");
+    check_document(&claim, "boards/README.md");
     assert_int_equal(glob("boards/*/README.md", 0, NULL, &boards), 0);
     unsigned count = 0;
     for (size_t i = 0; i < boards.gl_pathc; i++)
