@@ -37,12 +37,11 @@ LIVE = $(if $(findstring n,$(firstword -$(MAKEFLAGS))),,+)@
 .SECONDARY:
 .DELETE_ON_ERROR:
 
-all: $(BUILD)/limner ## build the host program, build/limner (the default); BOARD=NAME: a board's image
+all: $(BUILD)/limner ## [start] build the host program, build/limner (the default); BOARD=NAME: a board's image
 
-help: ## list the goals
-	@awk -F ':.*## ' '/^[a-z0-9-]+:.*## / { printf "  make %-14s %s\n", $$1, $$2 }' Makefile
-	@echo "Suites of make test: $(ALL_SUITES); on demand: arm64 (a stock kernel), features (all combinations),"
-	@echo "and cpus with EVERY_PROFILE=yes (each processor in each profile)"
+help: ## [care] list the goals
+	@awk -f sim/tools/help.awk Makefile boards/image.mk
+	@printf '\nSuites of make test: %s.\nOn demand: arm64 (a stock kernel), features (all combinations), and cpus with EVERY_PROFILE=yes.\n' "$(ALL_SUITES)"
 
 # -- Debian packages: what every build needs, and what a goal or a suite needs beside ----------------------------------
 
@@ -229,14 +228,14 @@ $(BUILD)/scenes/mesh%.obj $(BUILD)/scenes/mesh%.mtl $(BUILD)/scenes/mesh%.cam &:
 	@mkdir -p $(BUILD)/scenes
 	@$< mesh $* $(BUILD)/scenes
 
-run: $(BUILD)/limner $(demo) ## compile and render the demo scene into out/
+run: $(BUILD)/limner $(demo) ## [start] compile and render the demo scene into out/
 	$(LIVE)mkdir -p out
 	$(LIVE)$(BUILD)/limner compile $(BUILD)/scenes/demo.obj -o out/demo
 	$(LIVE)$(BUILD)/limner render $(BUILD)/scenes/demo.obj --camera $(BUILD)/scenes/demo.cam --size 240x240 \
 		-o 'out/%03d.png' --gif out/demo.gif --sheet out/sheet.png --stats --compare
 	$(LIVE)echo "The pictures: out/sheet.png (all at once) and out/demo.gif (moving)"
 
-view: $(BUILD)/limner $(demo) ## fly through the demo scene in a window
+view: $(BUILD)/limner $(demo) ## [start] fly through the demo scene in a window
 	$(LIVE)$(BUILD)/limner view $(BUILD)/scenes/demo.obj
 
 # -- The tests: each suite is a list of programs that print TAP --------------------------------------------------------
@@ -333,28 +332,28 @@ longest  := tests/sanitize.sh tests/sanitize_scenes.sh tests/prove.sh tests/comp
 asked    := $(sort $(foreach suite,$(suites),$(suite-$(suite))))
 programs := $(filter $(longest),$(asked)) $(filter-out $(longest),$(asked))
 
-test: $(BUILD)/limner $(demo) $(textured) $(programs) ## run the host and Arm suites; SUITES=all: every suite
+test: $(BUILD)/limner $(demo) $(textured) $(programs) ## [start] run the host and Arm suites; SUITES=all: every suite
 	$(LIVE)sh tests/run.sh $(programs)
 
-check: ## run the host suite only
+check: ## [test] run the host suite only
 	@$(MAKE) test SUITES=host
 
 # A make of their own, which waits until this one has made what else it was asked for.
 check test-fixed test-arm64 prove: | $(filter-out check test-fixed test-arm64 prove,$(MAKECMDGOALS))
 
-test-fixed: ## run the fixed-point tests on the host and on emulated Arm
+test-fixed: ## [test] run the fixed-point tests on the host and on emulated Arm
 	@$(MAKE) test SUITES=fixed
 
-test-arm64: ## draw through a stock arm64 kernel in QEMU, whose pins are watched
+test-arm64: ## [test] draw through a stock arm64 kernel in QEMU, whose pins are watched
 	@$(MAKE) test SUITES=arm64
 
-extremes: $(extremes) $(BUILD)/limner packages ## run the tests of extremes and write their page anew, with its pictures
+extremes: $(extremes) $(BUILD)/limner packages ## [measure] run the tests of extremes and write their page anew, with its pictures
 	$(LIVE)EXTREMES=write sh tests/cli/cli_extremes.sh
 
-soak: $(suite-soak) packages ## 10^9 pixels of random closed scenes in every profile
+soak: $(suite-soak) packages ## [test] 10^9 pixels of random closed scenes in every profile
 	$(LIVE)for program in $(suite-soak); do $$program || exit 1; done
 
-test-programs: $(test_programs) ## build the unit tests without running them
+test-programs: $(test_programs) ## [test] build the unit tests without running them
 
 # -- Proofs, exhaustion, fuzzing: see tests/prove.sh, tests/exhaustive/exhaustive.h, tests/fuzz/fuzz.h --------------------------------
 
@@ -363,16 +362,16 @@ FUZZ_FLAGS   := -max_total_time=60
 FUZZ_S       := 0
 export FUZZ_FLAGS FUZZ_S
 
-prove: ## prove that the arithmetic of the kernels cannot overflow
+prove: ## [test] prove that the arithmetic of the kernels cannot overflow
 	@$(MAKE) test SUITES=prove
 
-exhaustive: $(BUILD)/tests/exhaustive ## try all 2^32 arguments of every unary kernel
+exhaustive: $(BUILD)/tests/exhaustive ## [test] try all 2^32 arguments of every unary kernel
 	$(LIVE)$<
 
-fuzz: packages ## fuzz each target for a minute; FUZZ_TARGETS=render FUZZ_FLAGS=-runs=1000000: other ones, longer
+fuzz: packages ## [test] fuzz each target for a minute; FUZZ_TARGETS=render FUZZ_FLAGS=-runs=1000000: other ones, longer
 	$(LIVE)sh tests/fuzz/fuzz.sh $(FUZZ_TARGETS)
 
-fuzz-coverage: packages ## count which lines the fuzz corpora reach; FUZZ_S=30: fuzz each target that long first
+fuzz-coverage: packages ## [test] count which lines the fuzz corpora reach; FUZZ_S=30: fuzz each target that long first
 	$(LIVE)sh tests/fuzz/fuzz_coverage.sh $(FUZZ_TARGETS)
 
 $(BUILD)/tests/exhaustive: $(call object,tests/exhaustive/main.c tests/exhaustive/exhaustive.c) $(library)
@@ -395,43 +394,43 @@ $(BUILD)/tests/fuzz_seeds: $(call object,tests/fuzz/libfuzzer/seeds.c) $(fuzz_ob
 
 # -- Mutants: see tests/mutants/README.md -------------------------------------------------------------------------------
 
-mutate: test-programs $(demo) packages ## break firmware and HAL on purpose, 300 times; SEED=7 MUTANTS=50 FILES=firmware/clip.c, or MUTANT=NUMBER: one
+mutate: test-programs $(demo) packages ## [test] break firmware and HAL on purpose, 300 times; SEED=7 MUTANTS=50 FILES=firmware/clip.c, or MUTANT=NUMBER: one
 	$(LIVE)SEED='$(SEED)' MUTANTS='$(MUTANTS)' FILES='$(FILES)' MUTANT='$(MUTANT)' sh tests/mutants.sh
 
-models-table: $(BUILD)/limner ## write the outcomes of Debian's test models anew
+models-table: $(BUILD)/limner ## [measure] write the outcomes of Debian's test models anew
 	$(LIVE)sh tests/models.sh --table > tests/models/models.expected
 
-tables: $(BUILD)/limner $(demo) ## measure the table of accuracy and draw the demo's pictures anew
+tables: $(BUILD)/limner $(demo) ## [measure] measure the table of accuracy and draw the demo's pictures anew
 	$(LIVE)sh sim/tools/tables.sh --write
 
-foreign-table: $(BUILD)/limner tests/foreign.sh ## draw with others' drivers, and write the table of what emulated modules show anew
+foreign-table: $(BUILD)/limner tests/foreign.sh ## [measure] draw with others' drivers, and write the table of what emulated modules show anew
 	$(LIVE)sh tests/foreign.sh --write
 
-hid-table: $(BUILD)/limner ## predict frames a second over USB-HID anew
+hid-table: $(BUILD)/limner ## [measure] predict frames a second over USB-HID anew
 	$(LIVE)sh sim/tools/bridge_table.sh --write
 
-delta-table: $(BUILD)/limner ## measure anew what delta output sends, and what it costs
+delta-table: $(BUILD)/limner ## [measure] measure anew what delta output sends, and what it costs
 	$(LIVE)sh sim/tools/delta_table.sh --write
 
-footprint: $(BUILD)/limner $(demo) ## compile the table of flash, RAM and stack anew
+footprint: $(BUILD)/limner $(demo) ## [measure] compile the table of flash, RAM and stack anew
 	$(LIVE)sh sim/tools/footprint_table.sh --write
 
-tradeoff: $(BUILD)/limner $(demo) ## measure accuracy against cost; everything into out/tradeoff/
+tradeoff: $(BUILD)/limner $(demo) ## [measure] measure accuracy against cost; everything into out/tradeoff/
 	$(LIVE)sh sim/tools/tradeoff.sh --write
 
-scale: $(BUILD)/limner $(BUILD)/generate_scale ## measure how costs grow with a scene; SCENES="rooms6 mesh1000": only those
+scale: $(BUILD)/limner $(BUILD)/generate_scale ## [measure] measure how costs grow with a scene; SCENES="rooms6 mesh1000": only those
 	$(LIVE)sh sim/tools/scale.sh --write
 
-predictions: $(BUILD)/limner $(BUILD)/generate_scale $(demo) packages ## hold predicted wrong pixels against measured ones, of 47 models
+predictions: $(BUILD)/limner $(BUILD)/generate_scale $(demo) packages ## [measure] hold predicted wrong pixels against measured ones, of 47 models
 	$(LIVE)sh sim/tools/predictions.sh --write
 
-compare: $(BUILD)/limner ## measure every visibility method; everything into out/compare/
+compare: $(BUILD)/limner ## [measure] measure every visibility method; everything into out/compare/
 	$(LIVE)sh sim/tools/compare.sh --write
 
-bench: $(BUILD)/limner $(demo) $(dense) packages ## count instructions and bytes on every processor; what changed since the baseline
+bench: $(BUILD)/limner $(demo) $(dense) packages ## [measure] count instructions and bytes on every processor; what changed since the baseline
 	$(LIVE)sh sim/tools/bench.sh
 
-bench-baseline: $(BUILD)/limner $(demo) $(dense) packages ## the same; write the baseline and the tables anew
+bench-baseline: $(BUILD)/limner $(demo) $(dense) packages ## [measure] as bench; write the baseline and the tables anew
 	$(LIVE)sh sim/tools/bench.sh --baseline
 
 # -- Boards: see boards/image.mk ----------------------------------------------------------------------------------------
@@ -441,23 +440,23 @@ boards := $(patsubst boards/%/board.mk,%,$(sort $(wildcard boards/*/board.mk)))
 ifdef BOARD
 include boards/image.mk
 else
-flash emulate:
+flash emulate cost rules:
 	@echo "$@: say BOARD=NAME; there are: $(boards)" >&2; exit 1
 endif
 
 .PHONY: boards boards-table
-boards: $(BUILD)/limner $(demo) packages ## build an image for every board
+boards: $(BUILD)/limner $(demo) packages ## [board] build an image for every board
 	$(LIVE)for board in $(boards); do $(MAKE) BOARD=$$board DEPS=skip || exit 1; done
 
-boards-table: $(BUILD)/limner ## run the boards' images in emulators, and write the table of them anew
+boards-table: $(BUILD)/limner ## [measure] run the boards' images in emulators, and write the table of them anew
 	$(LIVE)sh boards/table.sh --write
 
 # -- Housekeeping ------------------------------------------------------------------------------------------------------
 
-format: packages ## lay out every C file by .clang-format
+format: packages ## [care] lay out every C file by .clang-format
 	@find firmware hal boards sim tests -name '*.[ch]' -exec clang-format -i {} +
 
-clean: ## remove build/ and out/
+clean: ## [care] remove build/ and out/
 	@rm -rf $(BUILD) out
 
 -include $(patsubst %.o,%.d,$(call object,$(sources) $(generator) $(textured_generator) $(scale_generator) $(test_sources) tests/exhaustive/main.c tests/fuzz/libfuzzer/main.c tests/fuzz/libfuzzer/replay.c tests/fuzz/libfuzzer/seeds.c \

@@ -197,21 +197,21 @@ image: $(addprefix $(IMAGE).,elf $(IMAGES)) $(if $(CARD),$(folder)/golden) | pac
 	@cat $(folder)/fits
 	@printf '  %s\n' $(addprefix $(IMAGE).,elf $(IMAGES)) $(if $(CARD),$(folder)/golden)
 
-flash: image ## BOARD=NAME: put the image on the board
+flash: image ## [start] BOARD=NAME: put the image on the board
 	$(LIVE)command -v $(FLASH_TOOL) > /dev/null || { echo "flash: $(FLASH_TOOL) is missing; Debian's package: $(FLASH_PACKAGES)" >&2; exit 1; }
 	$(LIVE)$(FLASH)
 
-emulate: image $(CHECK) $(EMULATOR) ## BOARD=NAME [N=FRAMES]: run the image in its emulator; frames, checked, into out/boards/NAME
+emulate: image $(CHECK) $(EMULATOR) ## [start] BOARD=NAME [N=FRAMES]: run the image in its emulator; frames, checked, into out/boards/NAME
 	$(LIVE)mkdir -p $(PICTURES)
 	$(LIVE)$(EMULATE)
 	$(LIVE)$(if $(camera_turn),echo "emulate: frames were not checked: the simulator does not turn its camera as this panel needs")
 
-rules: image $(CHECK) $(RULES_CHECKER) ## BOARD=NAME [N=FRAMES]: hold what the image does to registers to its maker's manuals; frames, checked
+rules: image $(CHECK) $(RULES_CHECKER) ## [board] BOARD=NAME [N=FRAMES]: hold what the image does to registers to its maker's manuals; frames, checked
 	$(LIVE)$(if $(RULES),,echo "rules: none are written down for $(BOARD)" >&2; exit 1)
 	$(LIVE)mkdir -p $(PICTURES)
 	$(LIVE)$(RULES)
 
-cost: image $(CHECK) $(EMULATOR) $(BUILD)/count_plugin.so ## BOARD=NAME: run N frames, and print what one costs
+cost: image $(CHECK) $(EMULATOR) $(BUILD)/count_plugin.so ## [board] BOARD=NAME: run N frames, and print what one costs
 	$(LIVE)mkdir -p $(PICTURES)
 	$(LIVE)$(EMULATE) > $(folder)/emulated
 	$(LIVE)$(if $(QEMU),$(COUNTED) > $(folder)/counted)
