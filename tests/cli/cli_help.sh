@@ -32,8 +32,96 @@ board_is_asked_for() {
     done
 }
 
+# -- limner COMMAND --help ---------------------------------------------------------------------------------------------
+
+limner=$(cd "$BUILD" && pwd)/limner
+commands=$("$limner" help | sed -n 's/^[usage: ]*limner \([a-z0-9-]*\) .*/\1/p' | grep -vx help | sort -u)
+
+# Arguments with which a command gets as far as its options, and writes nothing.
+base_of() { # COMMAND
+    case $1 in
+    play) echo "--panel st7735 --spi $work/none --dc GPIO1 $work/none.obj" ;;
+    module | card) echo "--panel st7735 -o $work/none/x.png" ;;
+    decode) echo "--panel st7735 $work/none.log" ;;
+    uf2 | boot2) echo "$work/none.bin -o $work/none/x.c" ;;
+    bridge | devices | hashes) ;;
+    *) echo "$work/none.obj" ;;
+    esac
+}
+
+answer() { # COMMAND OPTION [VALUE]: to that option, whatever it is called
+    # shellcheck disable=SC2046 # words
+    (cd "$work/here" && "$limner" "$1" $(base_of "$1") "$2" ${3+"$3"} </dev/null 2>&1) | sed "s/$2/OPTION/g; q"
+}
+
+# Both without and with a value an option that a command does not know is refused as one that no command knows.
+knows() { # COMMAND OPTION
+    [ "$(answer "$1" "$2")" != "$refusal" ] && [ "$(answer "$1" "$2" 1)" != "$refusal" ]
+}
+
+# The options that stand at the head of a line of help.
+told() { # < HELP
+    sed -n 's/^  -/-/p' | sed 's/  .*//' | grep -o -- '--[a-z][a-z-]*' | sort -u
+}
+
+helps() { # COMMAND
+    "$limner" "$1" --help >"$work/$1.help" 2>"$work/said" && [ ! -s "$work/said" ] &&
+        grep -q "^usage: limner $1" "$work/$1.help" && sed '$!d' "$work/$1.help" | grep -q "^  limner $1" &&
+        "$limner" help "$1" | diff "$work/$1.help" -
+}
+
+# What help tells is known, and what it does not tell is not, as far as the whole help has it.
+tells_what_it_knows() { # COMMAND
+    refusal=$(answer "$1" --nonsense)
+    told <"$work/$1.help" >"$work/told"
+    for option in $(cat "$work/options"); do
+        case $1 in
+        compile | render | view | measure | compare | splitters) ;;
+        *) grep -qxe "$option" "$work/told" || continue ;; # what they do not know is in the way of what they miss
+        esac
+        if knows "$1" "$option"; then echo "$option"; fi
+    done | diff "$work/told" -
+}
+
+everywhere_in_a_line() {
+    "$limner" render none.obj --gif x.gif --help | diff "$work/render.help" - && ! "$limner" render -- --help >"$work/out" 2>&1
+}
+
+help_has_help() {
+    for line in --help -h 'help --help'; do
+        # shellcheck disable=SC2086 # words
+        "$limner" $line | diff "$work/help" - || return 1
+    done
+}
+
+names_the_unknown() {
+    for line in 'nosuch --help' 'help nosuch'; do
+        # shellcheck disable=SC2086 # words
+        "$limner" $line >"$work/out" 2>"$work/said" && return 1
+        [ ! -s "$work/out" ] && grep -qx "limner: no command 'nosuch'; .limner help. lists them" "$work/said" || return 1
+    done
+}
+
+# The whole help has every option of every command.
+whole_has_all() {
+    for command in $commands; do told <"$work/$command.help"; done | sort -u | grep -vx -e --family >"$work/each"
+    "$limner" help | grep -o -- '--[a-z][a-z-]*' | sort -u >"$work/whole"
+    ! grep -vxF -f "$work/whole" "$work/each"
+}
+
 tap_check "make help begins with the six goals for newcomers" six_goals_come_first
 tap_check "every goal is told once" goals_are_told_once
 tap_check "a goal in no group is named" goal_without_group_is_named
 tap_check "make flash without a board says which there are" board_is_asked_for
+mkdir "$work/here" # files that options name
+"$limner" help >"$work/help"
+for command in help $commands; do "$limner" "$command" --help; done | told >"$work/options"
+for command in $commands; do
+    tap_check "$command --help: usage, options, an example" helps "$command"
+    tap_check "$command --help tells the options that it knows" tells_what_it_knows "$command"
+done
+tap_check "--help may stand behind other arguments, and before -- alone" everywhere_in_a_line
+tap_check "help is told whichever way it is asked for" help_has_help
+tap_check "help on no command is refused" names_the_unknown
+tap_check "limner help has the options of all commands" whole_has_all
 tap_done

@@ -1,0 +1,304 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * What `limner help` and `limner COMMAND --help` print. Both are made of one table: an entry is an option with the
+ * commands that take it, or a heading, which `limner help` alone prints. */
+#include "cli/usage.h"
+
+#include "cli/fly.h"
+
+#include <stddef.h>
+#include <stdint.h>
+#include <string.h>
+
+/* Bits of entries, in the order of COMMANDS below. */
+enum {
+    COMPILE = 1 << 0,
+    RENDER = 1 << 1,
+    VIEW = 1 << 2,
+    MEASURE = 1 << 3,
+    COMPARE = 1 << 4,
+    SPLITTERS = 1 << 5,
+    PLAY = 1 << 6,
+    DEVICES = 1 << 7,
+    BRIDGE = 1 << 8,
+    MODULE = 1 << 9,
+    CARD = 1 << 10,
+    DECODE = 1 << 11,
+    HASHES = 1 << 12,
+    UF2 = 1 << 13,
+    BOOT2 = 1 << 14,
+    REPORT_BUG = 1 << 15,
+    REPLAY = 1 << 16,
+    SCENES = COMPILE | RENDER | VIEW | PLAY | REPORT_BUG,
+    MODELS = SCENES | MEASURE | COMPARE | SPLITTERS,
+    MODULES = PLAY | MODULE | CARD | DECODE,
+    ALONE = 1 << 30 /* in a command's own help alone: the whole has said it in a heading */
+};
+
+static const struct usage_command {
+    const char *name, *arguments, *what, *example;
+} COMMANDS[] = {
+    {"compile", "MODEL... -o NAME",
+     "Compiles a model for firmware: NAME.c, NAME.h and NAME.lim, and a report. Several models share NAME.h.",
+     "limner compile house.obj --size 240x240 --precision fine -o house"},
+    {"render", "MODEL|SCENE.lim", "Draws frames into files.",
+     "limner render house.obj --camera walk.cam --gif walk.gif --stats"},
+    {"view", "MODEL|SCENE.lim", "Flies through a scene in a window.",
+     "limner view house.obj --panel st7735 --size 128x160"},
+    {"measure", "MODEL", "Says what each precision gets wrong and costs.",
+     "limner measure house.obj --camera random:1 -o out"},
+    {"compare", "MODEL", "Says what each visibility method gets wrong and costs.",
+     "limner compare house.obj --camera walk.cam --frames 8 -o out"},
+    {"splitters", "MODEL", "Says what each heuristic makes of the tree.", "limner splitters house.obj"},
+    {"play", "MODEL|SCENE.lim",
+     "Flies a camera path on a real display, by SPI and GPIO or a USB bridge; loops until it is ended.",
+     "limner play house.obj --panel st7789 --spi /dev/spidev0.0 --dc GPIO25 --reset GPIO24"},
+    {"devices", "", "Lists what a display can hang on here, and why not.", "limner devices"},
+    {"bridge", "[MODEL CAMERAS.cam]", "Predicts frames a second over USB-HID.",
+     "limner bridge --panel ssd1306 --size 128x64"},
+    {"module", "--panel NAME -o NAME", "Writes a display's module as NAME.c and NAME.h, for firmware.",
+     "limner module --panel st7735 --size 128x160 -o display"},
+    {"card", "--panel NAME", "Draws the test card as a display's module shows it, for comparison.",
+     "limner card --panel st7789 --size 240x240 -o card.png"},
+    {"decode", "--panel NAME FILE|-",
+     "Makes frames of what went over a display's wires, or of what an analyser captured.",
+     "limner decode capture.vcd --panel st7789 -o 'out/%03d.png'"},
+    {"hashes", "PICTURE.png...", "Hashes pictures that others' displays showed.",
+     "limner hashes frame.png --check frame.hashes"},
+    {"uf2", "IMAGE.bin -o IMAGE.uf2", "Makes what is copied to an RP2040's boot drive.",
+     "limner uf2 image.bin -o image.uf2"},
+    {"boot2", "CODE.bin -o NAME.c", "Makes an RP2040's second stage, with its checksum.",
+     "limner boot2 boot2.bin -o boot2.c"},
+    {"report-bug", "MODEL|SCENE.lim",
+     "Packs what was drawn, and all that it takes to draw it again, into one file. It takes what render takes.",
+     "limner report-bug house.obj --camera walk.cam -o limner-report.tar"},
+    {"replay", "REPORT.tar", "Draws a report again; exit status 1 if a frame differs.",
+     "limner replay limner-report.tar"},
+};
+
+static const char HEAD[] =
+    "usage: limner compile MODEL -o NAME   write NAME.c, NAME.h and NAME.lim, and report\n"
+    "       limner compile MODEL... -o NAME  several scenes for one firmware: they share NAME.h\n"
+    "       limner render MODEL|SCENE.lim  draw frames into files\n"
+    "       limner view MODEL|SCENE.lim    fly through a scene\n"
+    "       limner measure MODEL           what each precision gets wrong and costs\n"
+    "       limner compare MODEL           what each visibility method gets wrong and costs\n"
+    "       limner play MODEL|SCENE.lim    fly a camera path on a real display, by SPI and GPIO\n"
+    "       limner devices                 what a display can hang on here, and why not\n"
+    "       limner module -o NAME          a display's module as NAME.c and NAME.h, for firmware\n"
+    "       limner card                    the test card as a display's module shows it, for comparison\n"
+    "       limner decode FILE|-           frames out of what went over a display's wires, or an analyser captured\n"
+    "       limner hashes PICTURE.png...   of pictures that others' displays showed\n"
+    "       limner bridge                  frames a second over USB-HID, predicted; or of one --panel NAME --size WxH\n"
+    "       limner splitters MODEL         what each heuristic makes of the tree\n"
+    "       limner uf2 IMAGE.bin -o IMAGE.uf2  what is copied to an RP2040's boot drive (--family rp2040)\n"
+    "       limner boot2 CODE.bin -o NAME.c  an RP2040's second stage, with its checksum\n"
+    "       limner report-bug MODEL|SCENE.lim  what was drawn, and all that it takes to draw it again, in one file\n"
+    "       limner replay REPORT.tar       draws it again; exit status 1 if a frame differs\n"
+    "       limner help                    this text\n";
+
+static const struct entry {
+    uint32_t commands; /* 0: a heading */
+    const char *text;
+} ENTRIES[] = {
+    {0, "compile, render, view and measure, for a MODEL; compare and splitters take some of these, below:\n"},
+    {SCENES, "  --precision NAME    draft, fast, fine or exact (fast)\n"},
+    {SCENES | MEASURE,
+     "  --method NAME       nearest, painter, convex for one convex solid, scanline for flat scenes of which\n"
+     "                      little is hidden (compile, measure: chosen if cheaper); nearest first with a tree of\n"
+     "                      that kind: bsp, clusters, axis, octree (nearest or convex);\n"
+     "                      without a tree: depth, by farthest points, and newell, which puts that right\n"
+     "                      portals: the same with --portals on\n"},
+    {SCENES | MEASURE | SPLITTERS,
+     "  --tree NAME         auto, bsp, clusters, axis, octree or none: a set; auto: bsp, clusters or axis, whichever draws\n"
+     "                      sampled cameras cheapest (auto where bsp splits a quarter, else bsp)\n"},
+    {SCENES | MEASURE | COMPARE,
+     "  --splitter NAME     which polygon's plane divides: first, fewest, balanced, weighted, sampled,\n"
+     "                      or the best of fewest and all weights: auto (auto)\n"},
+    {SCENES | SPLITTERS, "  --tolerance UNITS   how far a polygon may be off a plane that it lies on (0.5)\n"},
+    {COMPILE | RENDER | VIEW | REPORT_BUG | MEASURE | COMPARE | SPLITTERS,
+     "  --size WxH          of the panel, 1 to 1024 pixels each (240x240)\n"},
+    {MODELS, "  --near M            distance of the near plane, metres (0.1; more in scenes of more than 2 km)\n"},
+    {MODELS, "  --drop-small        leave out what is too small for the scene's grid, instead of refusing the model\n"},
+    {MODELS, "  --unlit             colours as they are in the model: no light is baked in\n"},
+    {SCENES, "  --wireframe         for drawing outlines alone, hidden lines left out (render, view: drawn so;\n"
+             "                      --wireframe=RRGGBB,RRGGBB: all lines and the background in these colours)\n"},
+    {SCENES | MEASURE | COMPARE,
+     "  --antialias         for smooth edges, methods that draw nearest first (render, view: drawn so)\n"},
+    {SCENES | MEASURE | COMPARE,
+     "  --delta             for sending what changes alone (render, view: sent so; --delta=RUNS: with memory for\n"
+     "                      so many runs of one colour)\n"},
+    {MODELS | REPLAY,
+     "  --trust-paths       files that a MODEL names (materials, textures, buffers) may lie outside of its folder:\n"
+     "                      paths with `..`, absolute ones, links (all commands that read a MODEL)\n"},
+    {0, "compile and measure, for a MODEL:\n"},
+    {COMPILE | MEASURE | COMPARE,
+     "  --framebuffer       for boards with RAM for all pixels, 16 bits each: fewer instructions; for\n"
+     "                      opaque scenes in whole colours, in which nothing moves\n"},
+    {COMPILE | MEASURE,
+     "  --portals WHEN      store what can be seen from where: on, off, or auto, where it pays (measure: off)\n"},
+    {0, "compile and render, of models with animations (measure and compare draw all of the animation):\n"},
+    {COMPILE | RENDER | REPORT_BUG,
+     "  --movers NAME       how what moves enters the scene: clipped down its tree, centre (faster, and wrong\n"
+     "                      where it reaches through planes), off: it stays where the file has it (clipped)\n"},
+    {COMPILE | RENDER | REPORT_BUG,
+     "  --mover-light NAME  baked into its colours where the file has it, or turning: lit in each frame (baked)\n"},
+    {0, "compile only:\n"},
+    {COMPILE | ALONE, "  -o NAME             NAME.c, NAME.h and NAME.lim\n"},
+    {COMPILE | MEASURE | COMPARE | SPLITTERS, "  --keep-faces        do not merge coplanar neighbours of one colour\n"},
+    {COMPILE, "  --round             for round glass: what it does not show is left out\n"},
+    {COMPILE, "  --frame             for boards that keep the whole picture in pixels of their own, as greys: fewer "
+              "instructions\n"},
+    {COMPILE, "  --report            without -o: only report\n"},
+    {COMPILE, "  --max-error P%      the cheapest precision with at most P % wrong pixels\n"},
+    {COMPILE, "  --max-vertex-error Ppx  the same for the largest error of a vertex\n"},
+    {COMPILE, "  --camera FILE       or random:SEED[:FRAMES]: where that must hold (cameras sampled in the scene's "
+              "free space)\n"},
+    {COMPILE, "  --core NAME         whose instructions count: m0plus, m3, m4, rv32 (fewest bits)\n"},
+    {0, "render and view:\n"},
+    {RENDER | VIEW | PLAY | REPORT_BUG | MEASURE | COMPARE,
+     "  --camera FILE       a line a frame: ex ey ez tx ty tz, metres (an orbit of 16 frames); or\n"
+     "                      random:SEED[:FRAMES], at random in the scene's free space (64 frames); or near:...,\n"
+     "                      the same near the model's faces, small ones as often as large ones\n"},
+    {RENDER | VIEW | PLAY | REPORT_BUG | MEASURE | COMPARE, "  --fov DEG           vertical field of view (60)\n"},
+    {RENDER | VIEW | REPORT_BUG,
+     "  --panel NAME        of an emulated chip: gc9a01, ili9341, ili9488, ssd1351, st7735, st7789, perhaps with\n"
+     "                      :rgb444 or :rgb666; 16 greys: ssd0323, ssd1327; black and white: pcd8544, sh1106,\n"
+     "                      ssd1306, st7567, uc1701; memory LCDs: ls013b7dh03, ls027b7dh01;\n"
+     "                      or memory (st7789 where the size fits into it); or framebuffer, memory that the\n"
+     "                      renderer paints into polygon by polygon\n"},
+    {0, "render only:\n"},
+    {RENDER, "  -o PATTERN          a PNG file a frame ('out/%03d.png' if nothing else is asked for)\n"},
+    {RENDER | REPORT_BUG, "  --gif FILE          all frames, animated\n"},
+    {RENDER | REPORT_BUG, "  --sheet FILE        up to 24 frames in one PNG file\n"},
+    {RENDER | REPORT_BUG,
+     "  --ids FILE          face numbers: uint32 little-endian a pixel, 0 = background; merges no faces\n"},
+    {RENDER | REPORT_BUG, "  --fps N             frames a second of what moves (15)\n"},
+    {RENDER | REPORT_BUG, "  --stats             what each frame cost\n"},
+    {RENDER | REPORT_BUG,
+     "  --newell LIST       planes: compare with planes before rectangles; one: split one of two;\n"
+     "                      most=N: at most so many comparisons a frame (256 times the square of the polygons)\n"},
+    {RENDER | REPORT_BUG, "  --compare           how each frame differs from the double-precision reference\n"},
+    {RENDER | REPORT_BUG, "  --write-hashes FILE a hash a frame\n"},
+    {RENDER | REPORT_BUG, "  --write-cameras FILE  the cameras as a C header, for firmware of this scene\n"},
+    {RENDER | REPORT_BUG, "  --check FILE        compare with such a file; exit status 1 if a frame differs\n"},
+    {0, "measure:\n"},
+    {0, "  --camera, --size, --fov, --near, --unlit, --keep-faces, --method, --tree, --splitter, --delta as above\n"},
+    {MEASURE, "  -o DIR              measure.md, measure.csv, stages.csv and measure.png\n"},
+    {MEASURE, "  --precision LIST    names, divided by commas (all, with other sub-pixel bits too)\n"},
+    {MEASURE, "  --core LIST         processors: m0plus, m3, m4, rv32 (all)\n"},
+    {MEASURE | COMPARE, "  --no-cost           accuracy only: takes neither compilers nor emulators\n"},
+    {0, "compare:\n"},
+    {0, "  --camera, --size, --fov, --near, --unlit, --keep-faces, --no-cost as above\n"},
+    {COMPARE, "  -o DIR              compare.md, compare.csv, and in red what is wrong: sheet.png, METHOD.png\n"},
+    {COMPARE, "  --precision NAME    (fast)\n"},
+    {COMPARE, "  --core LIST         processors (m0plus,m4); without their tools: dashes\n"},
+    {COMPARE, "  --frames N          of the cameras, evenly chosen (all)\n"},
+    {COMPARE, "  --cost-frames N     of these, for instructions (4)\n"},
+    {0, "splitters: --tree, --tolerance, --size, --near, --unlit, --keep-faces as above\n"},
+    {0, "play: what view takes, but for a MODEL's own panel; loops until it is ended, unless there is --frames\n"},
+    {MODULES, "  --panel NAME        the display's controller, as render's --panel, perhaps with a format\n"},
+    {PLAY, "  --spi DEVICE        as /dev/spidev0.0\n"},
+    {PLAY, "  --hid [SERIAL]      instead: a USB-HID bridge, MCP2210 (the only one; =SERIAL if it is no number);\n"
+           "                      its lines are GP0 to GP8\n"},
+    {PLAY, "  --cs LINE           of a bridge: chip select (tied low)\n"},
+    {PLAY, "  --dc, --reset, --backlight, --te, --select LINE  GPIO lines by name or CHIP:NUMBER (not wired)\n"},
+    {MODULES, "  --hz N, --mode 0-3  of the bus (as is usual with that controller)\n"},
+    {PLAY, "  --no-cs, --cs-high  what the bus selects with\n"},
+    {MODULES, "  --size WxH          of the glass, upright\n"},
+    {MODULES, "  --offset X,Y        of the glass's corner in the chip's memory\n"},
+    {MODULES,
+     "  --memory WxH        what the module's mode pins leave of the chip's memory (as is usual for that size)\n"},
+    {MODULES, "  --start-line N      memory's line that the glass begins with, where the chip is told one (0)\n"},
+    {MODULES, "  --rotate DEG        the picture, clockwise\n"},
+    {MODULES, "  --mirror            the picture's left and right exchanged\n"},
+    {MODULES, "  --mirror-columns, --mirror-rows  of the glass, however the picture is turned\n"},
+    {MODULES, "  --bgr, --rgb, --invert, --no-invert  if colours are wrong (as is usual with that controller)\n"},
+    {MODULES, "  --contrast N        1 to what the chip takes (as is usual with that controller)\n"},
+    {MODULES, "  --wiring sequential|alternative  of the lines of mono OLEDs (as is usual for that size)\n"},
+    {MODULES, "  --converter         the controller's own one makes the glass's voltage (from outside): ssd0323\n"},
+    {PLAY, "  --frames N          ends after so many\n"},
+    {PLAY, "  --test-card         instead of a scene: corners clockwise red, green, blue and a grey ramp\n"},
+    {0, "module: --panel, --hz, --mode and what follows --size, but for --frames and --test-card, as play\n"},
+    {MODULE | ALONE, "  -o NAME             NAME.c and NAME.h\n"},
+    {0, "card: --panel and the module's options as above; -o FILE.png, --write-hashes FILE, --check FILE\n"},
+    {CARD | ALONE, "  -o FILE.png         the picture\n"},
+    {CARD | HASHES | ALONE, "  --write-hashes FILE its hash\n"},
+    {CARD | HASHES | ALONE, "  --check FILE        compare with such a file; exit status 1 if it differs\n"},
+    {CARD | HASHES | ALONE,
+     "  --check-loop FILE   the same, for frames that are shown for ever, seen from any of them on\n"},
+    {DECODE,
+     "decode: --panel and the module's options as above; FILE is a wire log: lines `b XX ...` for bytes, `p NAME 0|1`\n"
+     "        for levels of dc, reset, select, backlight, cs and led, which ends frames, `t NANOSECONDS`, `# ...`\n"},
+    {DECODE,
+     "  --qemu MAP          instead: what QEMU prints with -trace memory_region_ops_write; MAP says which registers\n"
+     "                      are which wires: `spi ADDRESS`, `pin NAME bsrr|clear|masked|output ADDRESS BIT`\n"},
+    {DECODE,
+     "  --foreign           the log is of somebody else's driver: what glass would bear is told, and no error\n"},
+    {DECODE, "  or a logic analyser's capture: a VCD, or sigrok's session (.sr)\n"},
+    {DECODE,
+     "  --wires dc=D0,...   which channels are dc, sck, mosi, cs, reset, select, backlight and led (those with usual\n"
+     "                      names: DC RS A0, SCK SCLK CLK, MOSI SDA DIN, CS CE SS, RST RES, BL, LED); cs=-: none\n"},
+    {DECODE, "  --running           the firmware was started before the capture: the display is taken for one that is "
+             "set up\n"},
+    {DECODE,
+     "  --pause US          a frame ends where nothing comes for so long (without led: where the picture is whole)\n"},
+    {DECODE, "  --frames N          ends after so many (all)\n"},
+    {DECODE, "  -o PATTERN, --write-hashes FILE, --check FILE  as render\n"},
+    {DECODE, "  --check-loop FILE   of frames that are shown for ever, seen from any of them on\n"},
+    {0, "hashes: --write-hashes FILE, --check FILE as render; --shrink N: a pixel is NxN of the picture's (1)\n"},
+    {HASHES | ALONE, "  --shrink N          a pixel is NxN of the picture's (1)\n"},
+    {0, "report-bug: what render takes; pictures are left out\n"},
+    {BRIDGE | ALONE, "  --panel NAME, --size WxH  of one display alone (all that there are, of usual sizes)\n"},
+    {UF2 | ALONE, "  -o IMAGE.uf2        the file\n"
+                  "  --family NAME       the processor: rp2040\n"},
+    {BOOT2 | ALONE, "  -o NAME.c           the file\n"},
+    {REPORT_BUG,
+     "  -o FILE             the report (limner-report.tar): a tar archive of the model, the files that it names,\n"
+     "                      cameras, options, versions and a hash a frame\n"},
+    {0, "replay:\n"},
+    {REPLAY, "  -o FILE             the report anew, with what comes out now\n"},
+    {0, "all that take a MODEL:\n"},
+    {MODELS | REPLAY,
+     "  --time-limit SECONDS  then the best so far counts, said as such; nothing yet is an error (600, or\n"
+     "                      LIMNER_TIME_LIMIT in the environment; 0: none). play and view: until they fly\n"},
+    {0, "environment, render and view:\n"},
+    {RENDER | VIEW, "  LIMNER_DUMP=x.png   write the last frame shown\n"},
+    {RENDER | VIEW, "  LIMNER_CHECK=x.png  compare it; exit status 1 if it differs\n"},
+    {VIEW, "  LIMNER_UNSEEN=1     view: SDL's video drivers dummy and offscreen, which show nothing, do for a window\n"
+           "                      (the terminal takes over)\n"},
+};
+
+enum { COMMAND_COUNT = sizeof COMMANDS / sizeof COMMANDS[0], ENTRY_COUNT = sizeof ENTRIES / sizeof ENTRIES[0] };
+
+void usage_print(FILE *out)
+{
+    fprintf(out, "%s\n", HEAD);
+    for (size_t i = 0; i < ENTRY_COUNT; i++)
+        if (!(ENTRIES[i].commands & ALONE)) fputs(ENTRIES[i].text, out);
+    fprintf(out, "\nkeys of view: %s\n", FLY_HELP);
+}
+
+static void print_options(const struct usage_command *command, FILE *out)
+{
+    const uint32_t bit = UINT32_C(1) << (command - COMMANDS);
+    const char *before = "\noptions:\n";
+    for (size_t i = 0; i < ENTRY_COUNT; i++) {
+        if (!(ENTRIES[i].commands & bit)) continue;
+        fprintf(out, "%s%s", before, ENTRIES[i].text);
+        before = "";
+    }
+}
+
+bool usage_print_command(const char *name, FILE *out)
+{
+    for (const struct usage_command *at = COMMANDS; at < COMMANDS + COMMAND_COUNT; at++) {
+        if (strcmp(at->name, name) != 0) continue;
+        fprintf(out, "usage: limner %s%s%s\n%s\n", name, *at->arguments ? " " : "", at->arguments, at->what);
+        print_options(at, out);
+        if (strcmp(name, "view") == 0) fprintf(out, "\nkeys: %s\n", FLY_HELP);
+        fprintf(out, "\nexample:\n  %s\n", at->example);
+        return true;
+    }
+    return false;
+}
