@@ -7,6 +7,8 @@
 #include "config.h"
 #include "errors.h"
 
+LIM_C_BEGIN
+
 #define LIM_TAN_MIN_Q28 (UINT32_C(1) << 22) /* 1/64 */
 #define LIM_TAN_MAX_Q28 (UINT32_C(1) << 30) /* 4: half an angle of 152 degrees */
 #define LIM_NEAR_MAX_Q8 (INT32_C(1) << 24)
@@ -27,5 +29,7 @@ struct lim_camera {
 /* Sets both tangents for square pixels from the vertical angle of view (a full turn is 2^32; it
  * must stay under half a turn). Returns LIM_ERR_CAMERA when one leaves 1/64..4. */
 LIM_MUST_CHECK int lim_camera_set_fov(struct lim_camera *camera, uint32_t fov_y, uint16_t w_px, uint16_t h_px);
+
+LIM_C_END
 
 #endif

@@ -14,6 +14,19 @@
 #include LIM_CONFIG
 #endif
 
+/* Public headers are C11 and C++11. */
+#ifdef __cplusplus
+#define LIM_C_BEGIN extern "C" {
+#define LIM_C_END }
+#define LIM_STATIC_ASSERT(condition, text) static_assert(condition, text)
+#define LIM_ALIGNOF(type) alignof(type)
+#else
+#define LIM_C_BEGIN
+#define LIM_C_END
+#define LIM_STATIC_ASSERT(condition, text) _Static_assert(condition, text)
+#define LIM_ALIGNOF(type) _Alignof(type)
+#endif
+
 /* Precision profiles; profile.h turns the choice into formats. */
 #define LIM_PROFILE_DRAFT 0
 #define LIM_PROFILE_FAST 1
@@ -241,8 +254,9 @@
 #define LIM_VIEW_CACHE_ENTRIES 64
 #endif
 
-/* Const scene data lives in flash. Only AVR needs another address space to reach it. */
-#if defined(__AVR__)
+/* Const scene data lives in flash. Only AVR needs another address space to reach it. C++ has none: there such a pointer
+ * has the same bits, may be passed on to C, and must not be dereferenced (pgm_read_word() of avr-libc reads it). */
+#if defined(__AVR__) && !defined(__cplusplus)
 #define LIM_FLASH __flash
 #else
 #define LIM_FLASH

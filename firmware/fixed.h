@@ -9,7 +9,7 @@
 
 #include "config.h"
 
-_Static_assert((-3 >> 1) == -2, "right shifts must be arithmetic");
+LIM_STATIC_ASSERT((-3 >> 1) == -2, "right shifts must be arithmetic");
 
 /* Whether 32 x 32 -> 64 is an instruction; where it is a library call, limbs of 16 bits take its place. */
 #if defined(__ARM_ARCH_6M__) || defined(__AVR__)

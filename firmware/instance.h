@@ -15,6 +15,8 @@
 #include "camera.h"
 #include "scene.h"
 
+LIM_C_BEGIN
+
 struct lim;
 
 /* An object in its place. */
@@ -58,5 +60,7 @@ LIM_MUST_CHECK int lim_movers_begin(struct lim *lim, const struct lim_camera *ca
 
 /* Sets the axes from angles, as a camera takes them: at 0, 0, 0 they are the scene's. */
 void lim_instance_turn(struct lim_instance *instance, uint32_t yaw, uint32_t pitch, uint32_t roll);
+
+LIM_C_END
 
 #endif

@@ -7,6 +7,8 @@
 
 #include "config.h"
 
+LIM_C_BEGIN
+
 struct lim;
 
 struct lim_light {
@@ -21,5 +23,7 @@ void lim_light_set(struct lim *lim, const struct lim_light *light);
 /* The colour (RGB565 as a number) of a face with this normal, of any length but 0, in the axes that `to_q14` is in. */
 uint16_t lim_light_shade(const struct lim_light *light, const int16_t to_q14[3], const int32_t normal[3],
                          uint16_t rgb565);
+
+LIM_C_END
 
 #endif

@@ -13,6 +13,7 @@
 #ifndef LIM_LIMNER_H
 #define LIM_LIMNER_H
 
+#include "angle.h"
 #include "camera.h"
 #include "config.h"
 #include "errors.h"
@@ -22,6 +23,8 @@
 #include "scene.h"
 #include "stats.h"
 #include "target.h"
+
+LIM_C_BEGIN
 
 struct lim;
 
@@ -89,5 +92,7 @@ LIM_MUST_CHECK int lim_frame_paint(struct lim *lim);
 const struct lim_stats *lim_stats(const struct lim *lim);
 
 #include "state.h" /* struct lim: complete, so that callers can place it; its fields are private */
+
+LIM_C_END
 
 #endif

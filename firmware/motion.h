@@ -7,6 +7,8 @@
 
 #include "instance.h"
 
+LIM_C_BEGIN
+
 struct lim_motion_key {
     uint32_t time_ms;    /* ascending */
     int32_t at_q8[3];    /* units of the static scene */
@@ -39,5 +41,7 @@ void lim_moved_at(const struct lim_moved *moved, uint16_t count, uint32_t time_m
     assigns instance->at_q8[0 .. 2], instance->axes_q30[0 .. 8];
     ensures \forall integer i; 0 <= i < 9 ==> -1073741824 <= instance->axes_q30[i] <= 1073741824; */
 void lim_motion_at(const struct lim_motion *motion, uint32_t time_ms, struct lim_instance *instance);
+
+LIM_C_END
 
 #endif

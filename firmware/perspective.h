@@ -165,7 +165,8 @@ static inline struct lim_depth perspective_depth(int32_t z_qv)
 
     //@ assert 1 <= zeros <= 16;
     //@ assert z_qv * recip_q15 <= 536936448 * (1 << (17 - zeros));
-    return (struct lim_depth){recip_q15, 17u - zeros};
+    const struct lim_depth depth = {recip_q15, 17u - zeros};
+    return depth;
 }
 
 /*@ requires is_in_band(x_qv, depth) && -PERSPECTIVE_MAX_QV <= x_qv <= PERSPECTIVE_MAX_QV;

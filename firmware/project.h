@@ -110,7 +110,8 @@ static inline struct lim_span_extent lim_shape_lines(const struct lim_edge_shape
 {
     const int16_t y0 = (int16_t)within->y0, y1 = (int16_t)within->y1;
 
-    return (struct lim_span_extent){shape->top > y0 ? shape->top : y0, shape->bottom < y1 ? shape->bottom : y1};
+    const struct lim_span_extent lines = {shape->top > y0 ? shape->top : y0, shape->bottom < y1 ? shape->bottom : y1};
+    return lines;
 }
 
 /* `record` is a polygon record (scene.h). false: nothing of it can be inside `open`. A polygon that is

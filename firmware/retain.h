@@ -78,17 +78,16 @@ struct lim_retained_polygon {
 static inline struct lim_retained_polygon lim_retained_of(const struct lim_screen_polygon *polygon, int16_t top,
                                                           int16_t bottom, bool wireframe)
 {
-    struct lim_retained_polygon seen = {
-        .at = polygon->at,
-        .n = polygon->n,
-        .first = polygon->shape.first,
-        .top = (uint16_t)top,
-        .bottom = (uint16_t)bottom,
-        .colour = polygon->colour,
-    };
+    struct lim_retained_polygon seen;
 
+    seen.at = polygon->at;
+    seen.n = polygon->n;
+    seen.first = polygon->shape.first;
+    seen.top = (uint16_t)top;
+    seen.bottom = (uint16_t)bottom;
+    seen.colour = polygon->colour;
 #if LIM_HAS_TRANSPARENT
-    seen.alpha = wireframe ? LIM_OPAQUE : polygon->alpha;
+    seen.alpha = wireframe ? (uint8_t)LIM_OPAQUE : polygon->alpha;
 #endif
 #if LIM_HAS_WIREFRAME
     seen.hidden = wireframe ? polygon->hidden : NULL;
@@ -121,7 +120,7 @@ static inline uint8_t lim_retained_alpha(const union lim_retained_cell *cells)
     return (uint8_t)cells[LIM_RETAINED_HEAD_CELLS + cells[0].link.n].alpha;
 }
 
-_Static_assert(sizeof(union lim_retained_cell) == sizeof(struct lim_point), "points lie one a cell");
+LIM_STATIC_ASSERT(sizeof(union lim_retained_cell) == sizeof(struct lim_point), "points lie one a cell");
 
 /* Where the points of the next polygon of n corners would lie, or NULL: there is no room. */
 static inline struct lim_point *lim_retained_place(const struct lim_retained *retained, uint8_t n)

@@ -72,8 +72,9 @@ struct lim_changes {
 
 static inline struct lim_changes lim_runs_compare(const struct lim_runs *runs, uint16_t y, bool still)
 {
-    return (struct lim_changes){runs, runs->ring + runs->first[y], runs->ring + runs->tail,
-                                still ? 0 : LIM_RUN_TEXTURED, 0};
+    const struct lim_changes changes = {runs, runs->ring + runs->first[y], runs->ring + runs->tail,
+                                        still ? 0 : LIM_RUN_TEXTURED, 0};
+    return changes;
 }
 
 /* Pixels *x0 <= x < *x1 may differ. false: no others do. */

@@ -35,11 +35,12 @@ enum {
 /* With half of what will be dropped. */
 #define SMALL_RECIP(dy) ((UINT32_C(1) << SMALL_RECIP_BITS) / ((dy) ? (dy) : 1) + (1 << SMALL_DROPPED_BITS) / 2)
 
-_Static_assert((2 * SMALL_BIAS + SMALL_LINES + 1) * SMALL_DY <= 1 << LIM_EDGE_BITS, "small edges are exact");
-_Static_assert((2 * MEDIUM_BIAS + MEDIUM_LINES + 1) * MEDIUM_DY <= 1 << LIM_EDGE_BITS, "medium ones are exact");
-_Static_assert((uint64_t)(SMALL_DX + SMALL_LEAST_DY) * SMALL_RECIP(SMALL_LEAST_DY) >> SMALL_DROPPED_BITS <= INT32_MAX,
-               "their products fit");
-_Static_assert((uint64_t)(SMALL_DX + SMALL_DY) * SMALL_RECIP(SMALL_DY / 2) <= INT32_MAX, "and these");
+LIM_STATIC_ASSERT((2 * SMALL_BIAS + SMALL_LINES + 1) * SMALL_DY <= 1 << LIM_EDGE_BITS, "small edges are exact");
+LIM_STATIC_ASSERT((2 * MEDIUM_BIAS + MEDIUM_LINES + 1) * MEDIUM_DY <= 1 << LIM_EDGE_BITS, "medium ones are exact");
+LIM_STATIC_ASSERT((uint64_t)(SMALL_DX + SMALL_LEAST_DY) * SMALL_RECIP(SMALL_LEAST_DY) >> SMALL_DROPPED_BITS <=
+                      INT32_MAX,
+                  "their products fit");
+LIM_STATIC_ASSERT((uint64_t)(SMALL_DX + SMALL_DY) * SMALL_RECIP(SMALL_DY / 2) <= INT32_MAX, "and these");
 
 #define SMALL_RECIPS_4(dy) SMALL_RECIP(dy), SMALL_RECIP((dy) + 1), SMALL_RECIP((dy) + 2), SMALL_RECIP((dy) + 3)
 #define SMALL_RECIPS_16(dy)                                                                                            \

@@ -38,8 +38,8 @@
 /* Where the crossings begin, whose edges may have 64 bits. */
 #define LIM_CONVEX_POOL_AT_B(h_px)                                                                                     \
     ((LIM_MEM_ALIGNED_B(LIM_VIEW_CACHE_ENTRIES * sizeof(struct lim_view_cached) + (h_px) * sizeof(uint16_t)) +         \
-      _Alignof(struct lim_crossing) - 1) &                                                                             \
-     ~(_Alignof(struct lim_crossing) - 1))
+      LIM_ALIGNOF(struct lim_crossing) - 1) &                                                                          \
+     ~(LIM_ALIGNOF(struct lim_crossing) - 1))
 /* `piece_count`: how often a frame's polygons can be split. */
 #define LIM_DEPTH_MEM_B(h_px, polygon_count, cell_count, gap_count, active_count)                                      \
     (LIM_MEM_B(h_px, 0, cell_count, gap_count, active_count) + (polygon_count) * sizeof(struct lim_sorted))
@@ -155,7 +155,7 @@ static inline void lim_drop_ahead(struct lim *lim)
 static inline void lim_lend_portals(struct lim *lim, void *mem)
 {
 #if LIM_HAS_PORTALS
-    uint8_t *bits = lim_portals_mem_b(lim->scene) ? mem : NULL;
+    uint8_t *bits = lim_portals_mem_b(lim->scene) ? (uint8_t *)mem : NULL;
     lim->portals.bits = bits;
     lim->portals.stack = bits ? (uint16_t *)(void *)(bits + LIM_PORTALS_BITS_B(lim->scene->box_count)) : NULL;
 #else

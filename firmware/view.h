@@ -14,7 +14,7 @@
 
 /* |coordinate| < 2^31. */
 struct lim_view_point {
-    union {
+    __extension__ union { /* C++ wants names for both */
         struct {
             int32_t x_qv, y_qv, z_qv;
         };

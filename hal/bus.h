@@ -7,6 +7,8 @@
 #ifndef HAL_BUS_H
 #define HAL_BUS_H
 
+#include "c_linkage.h"
+
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
@@ -14,8 +16,9 @@
 #define HAL_MUST_CHECK __attribute__((warn_unused_result))
 #define HAL_ALONE __attribute__((noinline)) /* a loop that wants all registers for itself */
 
-/* Constants of some size: on AVR flash is another address space, and what is not told so lies in RAM. */
-#if defined(__AVR__)
+/* Constants of some size: on AVR flash is another address space, and what is not told so lies in RAM. C++ knows none:
+ * there such a pointer is only passed on. */
+#if defined(__AVR__) && !defined(__cplusplus)
 #define HAL_FLASH __flash
 #else
 #define HAL_FLASH

@@ -10,6 +10,8 @@
 #include "panel.h"
 #include "wire.h"
 
+HAL_C_BEGIN
+
 /* Commands of MIPI DCS, by the names that the chips' datasheets use; a chip's setup list needs them. */
 enum dcs_command {
     DCS_SWRESET = 0x01,
@@ -83,5 +85,7 @@ struct dcs {
  * the ports' contexts must outlive *dcs, which must not move. PANEL_ERR_CONFIG: a required
  * function is missing, the glass leaves the memory or the chip does not take the format. */
 HAL_MUST_CHECK int dcs_setup(struct dcs *dcs, const struct dcs_chip *chip, const struct dcs_config *config);
+
+HAL_C_END
 
 #endif

@@ -8,6 +8,8 @@
 
 #include "pixels.h"
 
+HAL_C_BEGIN
+
 struct greys {
     uint8_t *picture; /* 4-byte aligned */
     uint16_t line_b;  /* a multiple of 4 */
@@ -20,5 +22,7 @@ void greys_set(struct greys *greys, uint16_t colour);
 
 /* Pixels x0_px <= x < x1_px of the line y_px become that colour. */
 void greys_fill(const struct greys *greys, uint16_t y_px, uint16_t x0_px, uint16_t x1_px);
+
+HAL_C_END
 
 #endif

@@ -11,6 +11,8 @@
 #include "panel.h"
 #include "wire.h"
 
+HAL_C_BEGIN
+
 enum { PAGES_SETUP_MAX_B = 32, PAGES_ADDRESS_MAX_B = 8 };
 
 struct pages_config;
@@ -88,5 +90,7 @@ uint8_t pages_address_b0(uint8_t commands[PAGES_ADDRESS_MAX_B], uint8_t page, ui
  * contexts must outlive *pages, which must not move. PANEL_ERR_CONFIG: a required function is missing, the glass leaves
  * the memory, or the chip cannot turn or mirror it so. */
 HAL_MUST_CHECK int pages_setup(struct pages *pages, const struct pages_chip *chip, const struct pages_config *config);
+
+HAL_C_END
 
 #endif

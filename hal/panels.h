@@ -14,6 +14,8 @@
 #include "sharp.h"
 #include "solomon.h"
 
+HAL_C_BEGIN
+
 extern const struct dcs_chip gc9a01;
 extern const struct dcs_chip ili9341;
 extern const struct dcs_chip ili9488;
@@ -38,5 +40,7 @@ extern const struct dcs_chip *const panels_dcs[];
 extern const struct pages_chip *const panels_pages[];
 extern const struct solomon_chip *const panels_solomon[];
 extern const struct sharp_chip *const panels_sharp[];
+
+HAL_C_END
 
 #endif

@@ -8,6 +8,8 @@
 
 #include "bus.h"
 
+HAL_C_BEGIN
+
 /* 1: of the formats whose pixels share bytes there are pages alone, which saves half a kilobyte of code. */
 #ifndef PIXELS_ONLY_PAGES
 #define PIXELS_ONLY_PAGES 0
@@ -69,5 +71,7 @@ void pixels_greys(uint8_t bytes[4][2], uint16_t rgb565);
 
 /* The same of n_px pixels of one colour, whatever was put there before. */
 void pixels_fill(enum panel_format format, uint8_t *to, uint16_t rgb565, uint16_t x_px, uint16_t y_px, uint16_t n_px);
+
+HAL_C_END
 
 #endif

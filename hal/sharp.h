@@ -14,6 +14,8 @@
 
 #include "panel.h"
 
+HAL_C_BEGIN
+
 /* How the parts differ. */
 struct sharp_chip {
     const char *name;    /* lower case */
@@ -42,5 +44,7 @@ struct sharp {
 /* Fills *sharp without touching the hardware; panel_init() does. The configuration is copied; chip and the ports'
  * contexts must outlive *sharp, which must not move. PANEL_ERR_CONFIG: a required function is missing. */
 HAL_MUST_CHECK int sharp_setup(struct sharp *sharp, const struct sharp_chip *chip, const struct sharp_config *config);
+
+HAL_C_END
 
 #endif

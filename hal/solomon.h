@@ -10,6 +10,8 @@
 #include "panel.h"
 #include "wire.h"
 
+HAL_C_BEGIN
+
 /* How a chip differs from the others. Of A0h's value, upright on the usual module, bits are reversed. */
 struct solomon_chip {
     const char *name;            /* lower case */
@@ -71,5 +73,7 @@ struct solomon {
  * leaves the memory or divides a byte, or the chip does not take the format or turn the picture so. */
 HAL_MUST_CHECK int solomon_setup(struct solomon *solomon, const struct solomon_chip *chip,
                                  const struct solomon_config *config);
+
+HAL_C_END
 
 #endif

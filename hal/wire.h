@@ -9,6 +9,8 @@
 
 #include "pixels.h"
 
+HAL_C_BEGIN
+
 struct wire {
     struct bus bus;
     struct pin dc;
@@ -40,5 +42,7 @@ HAL_MUST_CHECK int wire_reset(const struct pin *reset, const struct clock *clock
 
 /* A pin that need not be wired: nothing happens then. */
 HAL_MUST_CHECK int wire_set(const struct pin *pin, bool high);
+
+HAL_C_END
 
 #endif

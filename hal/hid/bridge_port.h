@@ -10,6 +10,8 @@
 #include "hid/bridge.h"
 #include "port.h"
 
+HAL_C_BEGIN
+
 /* How a bridge is reached. All functions get ctx; what ctx points to belongs to the port once that is open. */
 struct bridge_link {
     void *ctx;
@@ -35,5 +37,7 @@ struct bridge_options {
  * *port must not move. */
 HAL_MUST_CHECK int bridge_port_open(struct port *port, const struct bridge_link *link,
                                     const struct bridge_options *options);
+
+HAL_C_END
 
 #endif

@@ -9,6 +9,8 @@
 
 #include <hidapi.h>
 
+HAL_C_BEGIN
+
 enum { HID_BRIDGES_MAX = 16, HID_SERIAL_B = 64, HID_PATH_B = 128, HID_WHY_B = 224 };
 
 struct hid_bridge {
@@ -26,5 +28,7 @@ HAL_MUST_CHECK int hid_bridges_choose(const char *serial, struct hid_bridge *out
 
 /* A negative errno, -EACCES among them, whose reason is the udev rule that permits it. */
 HAL_MUST_CHECK int hid_bridges_open(const struct hid_bridge *bridge, hid_device **device, char why[HID_WHY_B]);
+
+HAL_C_END
 
 #endif

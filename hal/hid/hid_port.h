@@ -13,8 +13,12 @@
 
 #include "hid/bridge_port.h"
 
+HAL_C_BEGIN
+
 /* serial NULL or "": the only bridge there is. 0 or a negative errno with port->error. Until port_close() *port must
  * not move. */
 HAL_MUST_CHECK int hid_port_open(struct port *port, const char *serial, const struct bridge_options *options);
+
+HAL_C_END
 
 #endif

@@ -14,6 +14,8 @@
 
 #include "hid/bridge.h"
 
+HAL_C_BEGIN
+
 enum {
     MCP2210_REPORT_B = 64,
     MCP2210_PINS = 9,
@@ -24,5 +26,7 @@ enum {
 };
 
 extern const struct bridge_kind mcp2210;
+
+HAL_C_END
 
 #endif

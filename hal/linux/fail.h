@@ -7,6 +7,8 @@
 
 #include "port.h"
 
+HAL_C_BEGIN
+
 /* Sets the text, printf-style, and returns -err_no. */
 int linux_fail(struct port *port, int err_no, const char *format, ...) __attribute__((format(printf, 3, 4)));
 
@@ -15,5 +17,7 @@ void linux_note(struct port *port, const char *format, ...) __attribute__((forma
 
 /* What can be done about a node of /dev that may not be opened: `group` owns it on most distributions. */
 int linux_fail_denied(struct port *port, int err_no, const char *path, const char *group);
+
+HAL_C_END
 
 #endif

@@ -11,6 +11,8 @@
 #include <errno.h>
 #include <stdio.h>
 
+HAL_C_BEGIN
+
 enum { GPIO_NAME_B = 32 }; /* of the kernel's names, with their end */
 
 struct gpio_chip {
@@ -68,5 +70,7 @@ HAL_MUST_CHECK int gpio_line_wait(const struct gpio_line *line, uint64_t timeout
 
 /* Forgets a remembered rise, or several. */
 HAL_MUST_CHECK int gpio_line_forget(const struct gpio_line *line);
+
+HAL_C_END
 
 #endif

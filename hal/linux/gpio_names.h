@@ -9,8 +9,12 @@
 #include "gpio_lines.h"
 #include "port.h"
 
+HAL_C_BEGIN
+
 /* Takes the line of that name into *line, which is all zero before, and after a failure. Refused, with a line in
  * port->error: a name that no line has, or more than one; a line that somebody else has. */
 HAL_MUST_CHECK int gpio_take(struct gpio_line *line, const char *name, enum gpio_use use, struct port *port);
+
+HAL_C_END
 
 #endif

@@ -5,6 +5,10 @@
 #ifndef HAL_LINUX_INTERRUPT_H
 #define HAL_LINUX_INTERRUPT_H
 
+#include "c_linkage.h"
+
+HAL_C_BEGIN
+
 /* From now on SIGHUP, SIGINT and SIGTERM no longer end the process by themselves. */
 void interrupt_watch(void);
 
@@ -13,5 +17,7 @@ int interrupt_signal(void);
 
 /* Ends the process by it after all, as its parent expects; returns if none has arrived. */
 void interrupt_die(void);
+
+HAL_C_END
 
 #endif

@@ -13,6 +13,8 @@
 
 #include "port.h"
 
+HAL_C_BEGIN
+
 /* Lines are named as in gpio_names.h; NULL: not wired. */
 struct linux_port_config {
     const char *spi;       /* required: a device node of spidev */
@@ -32,5 +34,7 @@ struct linux_port_config {
 /* Opens all of it, or nothing. 0 or a negative errno, with a line in port->error. *port must not move until
  * port_close(); the configuration's strings must live as long. */
 HAL_MUST_CHECK int linux_port_open(struct port *port, const struct linux_port_config *config);
+
+HAL_C_END
 
 #endif

@@ -5,8 +5,12 @@
 #ifndef HAL_LINUX_SPI_DEVICES_H
 #define HAL_LINUX_SPI_DEVICES_H
 
+#include "c_linkage.h"
+
 #include <stdbool.h>
 #include <stddef.h>
+
+HAL_C_BEGIN
 
 enum { SPI_NAME_B = 32, SPI_TROUBLE_B = 256 };
 
@@ -30,5 +34,7 @@ void spi_trouble(char out[SPI_TROUBLE_B]);
 
 /* The devices of all buses for which spidev has no node, counted from 0. false: there are no more. */
 bool spi_place_without_node(struct spi_place *out, size_t index);
+
+HAL_C_END
 
 #endif

@@ -6,6 +6,8 @@
 
 #include "port.h"
 
+HAL_C_BEGIN
+
 struct spidev {
     int fd; /* -1: not open */
     const char *path;
@@ -24,5 +26,7 @@ void spidev_close(struct spidev *spidev);
 
 /* For a struct bus, whose context is the struct spidev. Finished on return. */
 HAL_MUST_CHECK int spidev_write(void *ctx, const uint8_t *data, size_t n_b);
+
+HAL_C_END
 
 #endif

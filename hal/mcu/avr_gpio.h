@@ -7,6 +7,8 @@
 
 #include "bus.h"
 
+HAL_C_BEGIN
+
 struct avr_gpio_registers {
     uint8_t pin;  /* what the pins are at */
     uint8_t ddr;  /* 1: output */
@@ -34,5 +36,7 @@ struct pin avr_gpio_sink(struct avr_output *output, volatile struct avr_gpio_reg
 
 /* Makes pins inputs with pull-ups: bits of a mask. */
 void avr_gpio_inputs(volatile struct avr_gpio_registers *registers, uint8_t mask);
+
+HAL_C_END
 
 #endif

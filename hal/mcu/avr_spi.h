@@ -9,6 +9,8 @@
 #include "bus.h"
 #include "mcu/mcu.h"
 
+HAL_C_BEGIN
+
 struct avr_spi_registers {
     uint8_t spcr; /* control */
     uint8_t spsr; /* status, and SPI2X */
@@ -36,5 +38,7 @@ HAL_MUST_CHECK int avr_spi_init(struct avr_spi *spi, volatile struct avr_spi_reg
 
 /* Its bytes have left when a write returns. MCU_ERR_TIMEOUT: one does not leave. *spi must outlive the bus. */
 struct bus avr_spi_bus(struct avr_spi *spi);
+
+HAL_C_END
 
 #endif

@@ -8,6 +8,8 @@
 
 #include "bus.h"
 
+HAL_C_BEGIN
+
 struct avr_timer_registers {
     uint8_t tccra, tccrb, tccrc;
     uint8_t reserved;
@@ -28,5 +30,7 @@ HAL_MUST_CHECK int avr_timer_init(struct avr_timer *timer, volatile struct avr_t
 /* Waits are up to half an hour. They end with MCU_ERR_TIMEOUT where the counter stands still. *timer must outlive it.
  */
 struct clock avr_timer_clock(struct avr_timer *timer);
+
+HAL_C_END
 
 #endif

@@ -8,6 +8,8 @@
 
 #include "bus.h"
 
+HAL_C_BEGIN
+
 struct fe310_gpio {
     volatile uint32_t input_val, input_en, output_en, output_val, pue, ds;
     volatile uint32_t rise_ie, rise_ip, fall_ie, fall_ip, high_ie, high_ip, low_ie, low_ip;
@@ -27,5 +29,7 @@ struct pin fe310_gpio_output(const struct fe310_pin *pin, bool high);
 
 /* Lends it to the peripheral that is its hardware function 0. */
 void fe310_gpio_lend(const struct fe310_pin *pin);
+
+HAL_C_END
 
 #endif

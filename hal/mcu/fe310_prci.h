@@ -13,6 +13,8 @@
 
 #include "mcu/fe310_spi.h"
 
+HAL_C_BEGIN
+
 struct fe310_prci {
     volatile uint32_t hfrosccfg, hfxosccfg, pllcfg, plloutdiv;
 };
@@ -22,5 +24,7 @@ struct fe310_prci {
 /* `flash` is the SPI that instructions come through, `clock` one that does not depend on the processor's rate. Returns
  * the rate that became of it; the ring oscillator's is the most that it may be. */
 uint32_t fe310_prci_init(struct fe310_prci *prci, struct fe310_spi_registers *flash, const struct clock *clock);
+
+HAL_C_END
 
 #endif

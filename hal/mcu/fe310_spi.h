@@ -9,6 +9,8 @@
 
 #include "bus.h"
 
+HAL_C_BEGIN
+
 struct fe310_spi_registers {
     volatile uint32_t sckdiv, sckmode, reserved_08[2];
     volatile uint32_t csid, csdef, csmode, reserved_1c[3];
@@ -31,5 +33,7 @@ HAL_MUST_CHECK int fe310_spi_init(struct fe310_spi *spi, struct fe310_spi_regist
 
 /* *spi must outlive the bus. MCU_ERR_TIMEOUT: bytes do not leave. */
 struct bus fe310_spi_bus(struct fe310_spi *spi);
+
+HAL_C_END
 
 #endif

@@ -8,6 +8,8 @@
 
 #include "bus.h"
 
+HAL_C_BEGIN
+
 struct lm3s_system_registers {
     uint32_t did0, did1, dc0;
     uint32_t reserved0;
@@ -43,5 +45,7 @@ HAL_MUST_CHECK int lm3s_clocks_init(volatile struct lm3s_system_registers *syste
 
 /* Clocks the peripherals whose bits are set, of the group 0, 1 or 2, and puts them where they were after power-on. */
 void lm3s_peripherals_start(volatile struct lm3s_system_registers *system, uint8_t group, uint32_t mask);
+
+HAL_C_END
 
 #endif

@@ -8,6 +8,8 @@
 
 #include "bus.h"
 
+HAL_C_BEGIN
+
 /* Names without the manual's GPIO. */
 struct lm3s_gpio_registers {
     uint32_t data[256]; /* 0x000: bits 9..2 of the address are a mask: the other pins neither change nor read as set */
@@ -47,5 +49,7 @@ static inline uint8_t lm3s_gpio_read(const volatile struct lm3s_gpio_registers *
 
 /* Gives the pins of the mask to the peripheral that can have them. */
 void lm3s_gpio_alternate(volatile struct lm3s_gpio_registers *port, uint8_t mask);
+
+HAL_C_END
 
 #endif

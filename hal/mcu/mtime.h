@@ -7,6 +7,8 @@
 
 #include "bus.h"
 
+HAL_C_BEGIN
+
 #define FE310_MTIME ((const volatile uint32_t *)UINT32_C(0x0200BFF8)) /* FE310-G000 Manual, chapter 9, CLINT */
 
 struct mtime {
@@ -17,5 +19,7 @@ struct mtime {
 /* *mtime must outlive the clock, whose waits are up to two counts longer than asked for. They end with MCU_ERR_TIMEOUT
  * where the counter stands still. */
 struct clock mtime_clock(struct mtime *mtime);
+
+HAL_C_END
 
 #endif

@@ -9,6 +9,8 @@
 #include "bus.h"
 #include "mcu/mcu.h"
 
+HAL_C_BEGIN
+
 /* Names without the manual's SSP. Tests hand over plain memory. */
 struct pl022_registers {
     uint32_t cr0;   /* 0x00: SCR, SPH, SPO, FRF, DSS */
@@ -60,5 +62,7 @@ HAL_MUST_CHECK int pl022_flush(struct pl022 *pl022);
 
 /* The two as a bus; *pl022 must outlive it. */
 struct bus pl022_bus(struct pl022 *pl022);
+
+HAL_C_END
 
 #endif

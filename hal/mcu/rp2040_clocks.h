@@ -7,6 +7,8 @@
 
 #include "bus.h"
 
+HAL_C_BEGIN
+
 struct rp2040_resets_registers {
     uint32_t reset; /* a bit set holds a peripheral in reset */
     uint32_t wdsel;
@@ -62,5 +64,7 @@ HAL_MUST_CHECK int rp2040_reset(volatile struct rp2040_resets_registers *resets,
 /* Runs clk_sys and clk_peri at RP2040_SYS_HZ; whatever they ran at before, so also when called again. MCU_ERR_TIMEOUT:
  * the crystal or the PLL does not come up; the processor then runs on at some slower rate. */
 HAL_MUST_CHECK int rp2040_clocks_init(const struct rp2040_clocks *at);
+
+HAL_C_END
 
 #endif

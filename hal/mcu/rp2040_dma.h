@@ -9,6 +9,8 @@
 
 #include "mcu/pl022.h"
 
+HAL_C_BEGIN
+
 /* A channel's registers; behind them come the same under other names, which start it by another of them. */
 struct rp2040_dma_channel_registers {
     uint32_t read_addr, write_addr, trans_count, ctrl_trig;
@@ -47,5 +49,7 @@ void rp2040_dma_init(struct rp2040_dma *dma, volatile struct rp2040_dma_register
 /* *dma must outlive the bus. Its calls return MCU_ERR_TIMEOUT when bytes do not leave, MCU_ERR_BUS when memory could
  * not be read; the channel has then been stopped. */
 struct bus rp2040_dma_bus(struct rp2040_dma *dma);
+
+HAL_C_END
 
 #endif

@@ -8,6 +8,8 @@
 
 #include "bus.h"
 
+HAL_C_BEGIN
+
 enum { SIO_GPIO_PINS = 30 };
 
 struct sio_registers {
@@ -67,5 +69,7 @@ struct sio_output {
 
 /* Makes pin `number` an output that has the level `high` from its first moment. */
 struct pin sio_gpio_output(struct sio_output *output, const struct sio_gpio *gpio, uint8_t number, bool high);
+
+HAL_C_END
 
 #endif

@@ -6,8 +6,12 @@
 #ifndef HAL_MCU_STM32_CLOCK_H
 #define HAL_MCU_STM32_CLOCK_H
 
+#include "c_linkage.h"
+
 #include <stdbool.h>
 #include <stdint.h>
+
+HAL_C_BEGIN
 
 /* Bits of RCC_CR that start something; the bit above is set when it is ready. */
 enum stm32_clock_on { STM32_HSI_ON = 1 << 0, STM32_HSE_ON = 1 << 16, STM32_PLL_ON = 1 << 24 };
@@ -23,5 +27,7 @@ bool stm32_clock_select(volatile uint32_t *cfgr, enum stm32_clock_source source)
 
 /* From wherever a boot loader or an earlier start left it: on the internal oscillator, PLL and crystal off. */
 void stm32_clock_reset(volatile uint32_t *cr, volatile uint32_t *cfgr);
+
+HAL_C_END
 
 #endif

@@ -7,6 +7,8 @@
 
 #include "mcu/stm32_spi.h"
 
+HAL_C_BEGIN
+
 struct stm32_dma_stream {
     volatile uint32_t cr, ndtr, par, m0ar, m1ar, fcr; /* DMA_SxCR ... DMA_SxFCR */
 };
@@ -37,5 +39,7 @@ HAL_MUST_CHECK int stm32_dma_init(struct stm32_dma *dma, struct stm32_dma_regist
 /* *dma must outlive the bus. Data must be in flash or in the RAM that the controller reaches, not in CCM.
  * MCU_ERR_TIMEOUT: the stream or the SPI has stopped; MCU_ERR_BUS: the controller could not read the data. */
 struct bus stm32_dma_bus(struct stm32_dma *dma);
+
+HAL_C_END
 
 #endif

@@ -7,6 +7,8 @@
 
 #include "bus.h"
 
+HAL_C_BEGIN
+
 struct stm32_spi_registers {
     volatile uint32_t cr1, cr2; /* SPI_CR1, SPI_CR2: control */
     volatile uint32_t sr;       /* SPI_SR: status */
@@ -31,5 +33,7 @@ struct bus stm32_spi_bus(struct stm32_spi *spi);
 /* What the bus does, for those who send some of their bytes otherwise. */
 HAL_MUST_CHECK int stm32_spi_write(const struct stm32_spi *spi, const uint8_t *data, size_t n_b);
 HAL_MUST_CHECK int stm32_spi_flush(const struct stm32_spi *spi);
+
+HAL_C_END
 
 #endif

@@ -6,6 +6,8 @@
 
 #include "bus.h"
 
+HAL_C_BEGIN
+
 struct stm32f1_gpio {
     volatile uint32_t cr[2]; /* GPIOx_CRL, GPIOx_CRH */
     volatile uint32_t idr, odr, bsrr, brr, lckr;
@@ -26,5 +28,7 @@ struct pin stm32f1_gpio_output(const struct stm32f1_pin *pin, bool high);
 
 /* Lends it to the peripheral that the datasheet names for it. Fastest edges. */
 void stm32f1_gpio_lend(const struct stm32f1_pin *pin);
+
+HAL_C_END
 
 #endif

@@ -5,7 +5,11 @@
 #ifndef HAL_MCU_STM32F1_RCC_H
 #define HAL_MCU_STM32F1_RCC_H
 
+#include "c_linkage.h"
+
 #include <stdint.h>
+
+HAL_C_BEGIN
 
 struct stm32f1_rcc {
     volatile uint32_t cr, cfgr, cir, apb2rstr, apb1rstr, ahbenr, apb2enr, apb1enr;
@@ -31,5 +35,7 @@ void stm32f1_rcc_enable(struct stm32f1_rcc *rcc, uint32_t apb2);
 /* Has peripherals, which have their clock, forget all that a boot loader or an earlier start left, whatever they were
  * about. */
 void stm32f1_rcc_reset(struct stm32f1_rcc *rcc, uint32_t apb2);
+
+HAL_C_END
 
 #endif

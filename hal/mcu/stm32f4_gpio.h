@@ -6,6 +6,8 @@
 
 #include "bus.h"
 
+HAL_C_BEGIN
+
 struct stm32f4_gpio {
     volatile uint32_t moder, otyper, ospeedr, pupdr, idr, odr, bsrr, lckr, afr[2];
 };
@@ -24,5 +26,7 @@ struct pin stm32f4_gpio_output(const struct stm32f4_pin *pin, bool high);
 
 /* Lends it to a peripheral: function 0 .. 15 is the datasheet's AF0 .. AF15. Fastest edges. */
 void stm32f4_gpio_lend(const struct stm32f4_pin *pin, uint8_t function);
+
+HAL_C_END
 
 #endif

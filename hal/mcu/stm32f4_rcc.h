@@ -5,7 +5,11 @@
 #ifndef HAL_MCU_STM32F4_RCC_H
 #define HAL_MCU_STM32F4_RCC_H
 
+#include "c_linkage.h"
+
 #include <stdint.h>
+
+HAL_C_BEGIN
 
 struct stm32f4_rcc {
     volatile uint32_t cr, pllcfgr, cfgr, cir;
@@ -35,5 +39,7 @@ void stm32f4_rcc_enable(struct stm32f4_rcc *rcc, uint32_t ahb1, uint32_t apb2);
 /* Has peripherals, which have their clock, forget all that a boot loader or an earlier start left, whatever they were
  * about. First those of AHB1: a DMA stream is off before what it feeds. */
 void stm32f4_rcc_reset(struct stm32f4_rcc *rcc, uint32_t ahb1, uint32_t apb2);
+
+HAL_C_END
 
 #endif

@@ -12,6 +12,8 @@
 
 #include "bus.h"
 
+HAL_C_BEGIN
+
 struct systick_registers {
     uint32_t csr;   /* SYST_CSR: control and status */
     uint32_t rvr;   /* SYST_RVR: what it counts down from, 24 bits */
@@ -32,5 +34,7 @@ HAL_MUST_CHECK int systick_init(struct systick *systick, volatile struct systick
 
 /* *systick must outlive the clock. Its waits end with MCU_ERR_TIMEOUT where the counter stands still. */
 struct clock systick_clock(struct systick *systick);
+
+HAL_C_END
 
 #endif
