@@ -50,7 +50,7 @@ packages-build         := gcc libc6-dev pkg-config libassimp-dev libgd-dev libgm
 packages-host          := libcmocka-dev libosmesa6-dev sigrok-cli
 packages-arm           := gcc-arm-none-eabi qemu-system-arm gnuplot-nox
 packages-fixed         := $(packages-host) $(packages-arm)
-packages-cpus          := $(packages-arm) gcc-riscv64-unknown-elf gcc-avr avr-libc gcc-powerpc-linux-gnu \
+packages-cpus          := g++ $(packages-arm) gcc-riscv64-unknown-elf gcc-avr avr-libc gcc-powerpc-linux-gnu \
 	libc6-dev-powerpc-cross qemu-system-misc qemu-user simavr
 packages-cross         := gcc-arm-none-eabi gcc-riscv64-unknown-elf gcc-avr
 packages-compilers     := clang

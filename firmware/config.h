@@ -10,8 +10,11 @@
 #include <stddef.h>
 #include <stdint.h>
 
+/* Here it states its needs alone. Its declarations come when the types are known: limner.h includes it again. */
 #ifdef LIM_CONFIG
+#define LIM_READS_CONFIG
 #include LIM_CONFIG
+#undef LIM_READS_CONFIG
 #endif
 
 /* Public headers are C11 and C++11. */
@@ -228,7 +231,9 @@
 /* Planes off the axes are tried in 32 bits first. One convex solid has too few of them for that to pay elsewhere. */
 #define LIM_HAS_FILTER (LIM_HAS_SLANTED && (LIM_HAS_HIDDEN || LIM_8_BIT))
 
-/* Longest side of any target, in pixels: 8..1024. Up to 340 edges have two fraction bits more. */
+/* Numbers below are written as such, without brackets: agree.h.
+ *
+ * Longest side of any target, in pixels: 8..1024. Up to 340 edges have two fraction bits more. */
 #ifndef LIM_MAX_SIDE_PX
 #define LIM_MAX_SIDE_PX 1024
 #endif

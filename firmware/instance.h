@@ -12,6 +12,7 @@
 #ifndef LIM_INSTANCE_H
 #define LIM_INSTANCE_H
 
+#include "agree.h"
 #include "camera.h"
 #include "scene.h"
 
@@ -44,11 +45,13 @@ struct lim_movers_limits {
 #define LIM_INSTANCES_MAX 1024
 
 /* Memory for lim_movers_init(): LIM_MOVERS_MEM_B() in state.h as a constant, or this; `scene` is the static one. */
-size_t lim_movers_mem_b(const struct lim_scene *scene, const struct lim_movers_limits *limits);
+size_t lim_movers_mem_b(const struct lim_scene *scene, const struct lim_movers_limits *limits)
+    LIM_AGREES(lim_movers_mem_b);
 
 /* Gives the movers of *lim their memory, after each lim_init(). mem (aligned for pointers) must outlive it.
  * LIM_ERR_MEMORY: it is less than lim_movers_mem_b(). */
-LIM_MUST_CHECK int lim_movers_init(struct lim *lim, void *mem, size_t mem_b, const struct lim_movers_limits *limits);
+LIM_MUST_CHECK int lim_movers_init(struct lim *lim, void *mem, size_t mem_b, const struct lim_movers_limits *limits)
+    LIM_AGREES(lim_movers_init);
 
 /* lim_frame() with instances in it, in any order. */
 LIM_MUST_CHECK int lim_movers_frame(struct lim *lim, const struct lim_camera *camera,

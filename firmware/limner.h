@@ -13,6 +13,7 @@
 #ifndef LIM_LIMNER_H
 #define LIM_LIMNER_H
 
+#include "agree.h"
 #include "angle.h"
 #include "camera.h"
 #include "config.h"
@@ -23,18 +24,19 @@
 #include "scene.h"
 #include "stats.h"
 #include "target.h"
+#include "version.h"
 
 LIM_C_BEGIN
 
 struct lim;
 
 /* Least and comfortable memory for a scene on a target; comfortable = what the scene's limits ask. */
-size_t lim_mem_min_b(const struct lim_scene *scene, const struct lim_target *target);
-size_t lim_mem_b(const struct lim_scene *scene, const struct lim_target *target);
+size_t lim_mem_min_b(const struct lim_scene *scene, const struct lim_target *target) LIM_AGREES(lim_mem_min_b);
+size_t lim_mem_b(const struct lim_scene *scene, const struct lim_target *target) LIM_AGREES(lim_mem_b);
 
 /* Prepares *lim. scene, target and mem (aligned to 4 bytes, and for pointers) must outlive it; the target is copied. */
 LIM_MUST_CHECK int lim_init(struct lim *lim, const struct lim_scene *scene, const struct lim_target *target, void *mem,
-                            size_t mem_b);
+                            size_t mem_b) LIM_AGREES(lim_init);
 
 /* How frames are drawn from now on; lim_init() turns it off. There if LIM_HAS_WIREFRAME. Scenes compiled with
  * --wireframe know which of their edges the compiler made, which are not drawn. LIM_NEWELL: polygons
@@ -94,5 +96,9 @@ const struct lim_stats *lim_stats(const struct lim *lim);
 #include "state.h" /* struct lim: complete, so that callers can place it; its fields are private */
 
 LIM_C_END
+
+#ifdef LIM_CONFIG
+#include LIM_CONFIG /* the scenes' declarations */
+#endif
 
 #endif

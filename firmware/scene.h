@@ -9,6 +9,7 @@
 #define LIM_SCENE_H
 
 #include "config.h"
+#include "version.h"
 
 /* An index into a scene's arrays, and a word of its polygons. Wide scenes have more than 16 bits can count. */
 #if LIM_HAS_WIDE
@@ -23,7 +24,7 @@ typedef int16_t lim_offset;
 
 #define LIM_NONE 0xFFFFu /* the same for pools and lists, which have 16 bits in any scene */
 
-enum { LIM_SCENE_VERSION = 6 };
+enum { LIM_SCENE_VERSION = LIM_SCENE_FORMAT }; /* what NAME.c asserted before 0.1.0 */
 
 struct lim_vertex {
     int16_t x, y, z; /* units */

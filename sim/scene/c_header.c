@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT
  *
- * NAME.h: the needs of its scenes as configuration (config.h includes that file through LIM_CONFIG,
- * before any type is known); of each scene its grid, its memory, its declaration. */
+ * NAME.h: the needs of its scenes as configuration; of each scene its grid, its memory, its declaration, for C and for
+ * C++. config.h reads the first part through LIM_CONFIG, before any type is known. Whoever includes NAME.h has the
+ * configuration, the renderer and the declarations in this order. */
 #include "base/c_name.h"
 #include "scene/needs.h"
 #include "scene/scene_files.h"
@@ -63,7 +64,7 @@ static void write_scene(FILE *file, const struct named_scene *named, const struc
         fprintf(file, "#define %s_ORIGIN_%c_M %.17g\n", macro, "XYZ"[i], scene -> grid.origin_m[i]);
     write_memory(file, scene, needs, macro);
     write_lines(file, scene, macro);
-    fprintf(file, "\nextern const struct lim_scene %s_scene;\n", name->symbol);
+    fprintf(file, "\nextern const struct lim_scene %s_scene LIM_AGREES(%s_scene);\n", name->symbol, name->symbol);
     if (named->moving) c_movers_declare(file, named, name);
 }
 
@@ -97,11 +98,31 @@ static struct needs needs_of_all(const struct named_scene *scenes, size_t count)
 static void write_configuration(FILE *file, const struct needs *needs, size_t count, const struct c_name *header)
 {
     fprintf(file, "/* %s for Limner, written by `limner compile`.\n", count > 1 ? "Scenes" : "A scene");
-    fprintf(file, " * Build with -DLIM_CONFIG='\"%s.h\"' to fit the renderer to %s. */\n", header->file,
-            count > 1 ? "them" : "it");
-    fprintf(file, "#ifndef %s_SCENE_H\n#define %s_SCENE_H\n\n", header->macro, header->macro);
+    fprintf(
+        file,
+        " * Build the renderer with -DLIM_CONFIG='\"%s.h\"' to fit it to %s. Files that include this one need no such\n"
+        " * flag. */\n",
+        header->file, count > 1 ? "them" : "it");
+    fprintf(file, "#ifndef %s_SCENE_NEEDS\n#define %s_SCENE_NEEDS\n\n", header->macro, header->macro);
     needs_write(needs, file);
-    fputs("\nstruct lim_scene;\n", file);
+    fputs("\n#endif\n", file);
+}
+
+/* All that is not configuration. limner.h may come back here, and does the declarations then. */
+static void begin_declarations(FILE *file, const struct c_name *header)
+{
+    fprintf(file, "\n#ifndef LIM_READS_CONFIG\n#include \"limner.h\"\n\n#ifndef %s_SCENE_H\n#define %s_SCENE_H\n\n",
+            header->macro, header->macro);
+    fprintf(file,
+            "LIM_STATIC_ASSERT(LIM_SCENE_FORMAT == %d, \"compile this scene again: it was written for another "
+            "version\");\n",
+            LIM_SCENE_FORMAT);
+    fputs("\nLIM_C_BEGIN\n", file);
+}
+
+static void end_declarations(FILE *file)
+{
+    fputs("\nLIM_C_END\n\n#endif\n#endif\n", file);
 }
 
 static bool write_header(FILE *file, const struct named_scene *scenes, size_t count, const char *header,
@@ -111,13 +132,14 @@ static bool write_header(FILE *file, const struct named_scene *scenes, size_t co
     const struct needs needs = needs_of_all(scenes, count);
     if (!c_name_init(&name, header, err)) return false;
     write_configuration(file, &needs, count, &name);
+    begin_declarations(file, &name);
     for (size_t i = 0; i < count; i++) {
         struct c_name scene_name;
         if (!c_name_init(&scene_name, scenes[i].name, err)) return false;
         write_scene(file, &scenes[i], &needs, &scene_name);
     }
     if (count > 1 && !write_shared_memory(file, scenes, count, name.macro, err)) return false;
-    fputs("\n#endif\n", file);
+    end_declarations(file);
     return true;
 }
 

@@ -32,9 +32,10 @@ void c_movers_declare(FILE *file, const struct named_scene *scene, const struct 
         fprintf(file, "/* Initialises struct lim_light. */\n#define %s_LIGHT {true, {%d, %d, %d}, %u, %u}\n",
                 name->macro, moving->light.to_q14[0], moving->light.to_q14[1], moving->light.to_q14[2],
                 (unsigned)moving->light.middle_q8, (unsigned)moving->light.swing_q8);
-    fprintf(file, "\nstruct lim_moved;\nextern const struct lim_moved *const %s_movers;\n", name->symbol);
+    fprintf(file, "\nextern const struct lim_moved *const %s_movers;\n", name->symbol);
     for (size_t i = 0; i < moving->count; i++)
-        fprintf(file, "extern const struct lim_scene %s_object%zu_scene;\n", name->symbol, i + 1);
+        fprintf(file, "extern const struct lim_scene %s_object%zu_scene LIM_AGREES(%s_object%zu_scene);\n",
+                name->symbol, i + 1, name->symbol, i + 1);
 }
 
 static void write_keys(FILE *file, const struct moving_object *object, const struct c_name *name, size_t i)
@@ -55,7 +56,7 @@ static void write_movers(FILE *file, const struct named_scene *scene, const stru
 {
     const struct moving *moving = scene->moving;
     fprintf(file, "/* What moves in %s, declared in %s.h; written by `limner compile`. */\n", name->file, header->file);
-    fprintf(file, "#include \"limner.h\"\n\n#include \"%s.h\"\n", header->file);
+    fprintf(file, "#include \"%s.h\"\n", header->file);
     for (size_t i = 0; i < moving->count; i++)
         write_keys(file, &moving->objects[i], name, i);
     fprintf(file, "\nstatic const struct lim_moved %s_moved[%zu] = {", name->symbol, moving->count);

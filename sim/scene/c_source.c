@@ -258,8 +258,11 @@ static void write_source(FILE *file, const struct compiled *scene, const struct 
     const struct lim_scene *arrays = &scene->scene;
     fprintf(file, "/* The arrays of %s, declared in %s.h; written by `limner compile`. */\n", prefix->file,
             header->file);
-    fprintf(file, "#include \"scene.h\"\n\n#include \"%s.h\"\n\n", header->file);
-    fprintf(file, "_Static_assert(LIM_SCENE_VERSION == %d, \"compile this scene again\");\n", LIM_SCENE_VERSION);
+    fprintf(file, "#include \"%s.h\"\n\n", header->file);
+    fprintf(
+        file,
+        "_Static_assert(LIM_SCENE_FORMAT == %d, \"compile this scene again: it was written for another version\");\n",
+        LIM_SCENE_FORMAT);
     fputs("#define NONE LIM_NO_INDEX\n#define AT(plane) ((plane)*LIM_PLANE_WORDS)\n", file);
     write_vertices(file, arrays, prefix);
     if (arrays->fractions) write_fractions(file, arrays, prefix);

@@ -5,7 +5,15 @@
 #ifndef TARGETS_CONSOLE_H
 #define TARGETS_CONSOLE_H
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /* Prints on the console of the host that runs the emulator. */
 void console_put(const char *text);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

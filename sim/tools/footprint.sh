@@ -32,6 +32,13 @@ footprint_objects() {
 
 footprint_entries='lim_frame lim_init'
 
+# footprint_symbols CORE FOLDER: those of the entries, some of which hold the configuration (firmware/agree.h).
+footprint_symbols() {
+    "$(target_tools "$1")nm" --defined-only -P "$2/$1"/*.o | awk -v entries=" $footprint_entries " '
+        { name = $1; sub(/\.needs_same_LIM_CONFIG.*/, "", name) }
+        index(entries, " " name " ") { print $1 }'
+}
+
 # footprint_link CORE FOLDER: what of the objects the entries need, in FOLDER/CORE/renderer.elf. Of a C
 # library it needs memcpy and memset at most.
 footprint_link() {
@@ -39,7 +46,7 @@ footprint_link() {
     $(target_compiler "$1") $(target_flags "$1") -Os -ffreestanding -ffunction-sections -c \
         -o "$2/$1/library.image" boards/common/bare_image.c &&
         $(target_compiler "$1") $(target_flags "$1") -nostdlib -Wl,--gc-sections -Wl,-e,lim_frame \
-            $(printf -- '-Wl,-u,%s ' $footprint_entries) -o "$2/$1/renderer.elf" "$2/$1"/*.o "$2/$1/library.image" -lgcc
+            $(printf -- '-Wl,-u,%s ' $(footprint_symbols "$1" "$2")) -o "$2/$1/renderer.elf" "$2/$1"/*.o "$2/$1/library.image" -lgcc
 }
 
 footprint_size() { # CORE FILE COLUMN: 1 text, 2 data, 3 bss

@@ -20,7 +20,7 @@ BEGIN {
     count = split(outside, names, " ")
     for (i = 1; i <= count; i++) is_outside[names[i]] = 1
     some_left_out = split(only, names, " ")
-    for (i = 1; i <= some_left_out; i++) is_linked[names[i]] = 1
+    for (i = 1; i <= some_left_out; i++) is_linked[as_declared(names[i])] = 1
 }
 
 function fail(text) {
@@ -32,6 +32,13 @@ function fail(text) {
 function quoted(key,   rest) {
     rest = substr($0, index($0, key ": \"") + length(key) + 3)
     return substr(rest, 1, index(rest, "\"") - 1)
+}
+
+# A symbol as C has it: without the configuration that firmware/agree.h puts behind it.
+function as_declared(symbol) {
+    sub(/^\*/, "", symbol)
+    sub(/\.needs_same_LIM_CONFIG.*/, "", symbol)
+    return symbol
 }
 
 # A function's own name: that of a static one is FILE:NAME.
@@ -46,7 +53,7 @@ function is_left_out(title) {
 }
 
 /^node: / {
-    title = quoted("title")
+    title = as_declared(quoted("title"))
     label = quoted("label")
     if (label !~ / bytes \(/ || is_left_out(title)) next
     if (label ~ /bytes \(dynamic\)/) fail(plain(title) ": its stack has no bound")
@@ -58,8 +65,8 @@ function is_left_out(title) {
 
 # A call through a pointer becomes one of what the pointer leads to.
 /^edge: / {
-    from = quoted("sourcename")
-    to = quoted("targetname")
+    from = as_declared(quoted("sourcename"))
+    to = as_declared(quoted("targetname"))
     if (is_left_out(from)) next
     if (to == "__indirect_call") {
         file = quoted("label")

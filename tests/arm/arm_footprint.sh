@@ -34,8 +34,8 @@ built() { # CORE NAME [FLAG...]
     footprint_link "$built_core" "$work/$built_name"
 }
 
-symbols() { # CORE NAME
-    "$(target_tools "$1")nm" "$work/$2/$1/renderer.elf" | awk '{ print $NF }'
+symbols() { # CORE NAME: without the configuration that some hold
+    "$(target_tools "$1")nm" "$work/$2/$1/renderer.elf" | awk '{ sub(/\.needs_same_LIM_CONFIG.*/, "", $NF); print $NF }'
 }
 
 # What is linked ----------------------------------------------------------------------------------------------
