@@ -52,7 +52,7 @@ packages-arm           := gcc-arm-none-eabi qemu-system-arm gnuplot-nox
 packages-fixed         := $(packages-host) $(packages-arm)
 packages-cpus          := g++ $(packages-arm) gcc-riscv64-unknown-elf gcc-avr avr-libc gcc-powerpc-linux-gnu \
 	libc6-dev-powerpc-cross qemu-system-misc qemu-user simavr
-packages-cross         := gcc-arm-none-eabi gcc-riscv64-unknown-elf gcc-avr
+packages-cross         := gcc-arm-none-eabi gcc-riscv64-unknown-elf gcc-avr avr-libc g++ clang
 packages-compilers     := clang
 packages-sanitize      := $(packages-host)
 packages-models        := assimp-testmodels
@@ -276,7 +276,7 @@ suite-arm       := $(wildcard tests/arm/arm_*.sh)
 suite-fixed     := $(BUILD)/tests/test_fixed tests/arm/arm_fixed.sh
 suite-cpus      := $(wildcard tests/cpus/cpus_*.sh)
 suite-boards    := $(wildcard tests/boards/boards_*.sh)
-suite-cross     := tests/cross.sh
+suite-cross     := tests/cross.sh tests/cross_cplusplus.sh
 suite-compilers := tests/compilers.sh
 suite-sanitize  := $(wildcard tests/sanitize*.sh)
 suite-models    := tests/models.sh

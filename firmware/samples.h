@@ -11,7 +11,8 @@
 
 #include "edge.h"
 
-enum { LIM_SAMPLE_ROWS = 4, LIM_SAMPLES_A_ROW = 4, LIM_SAMPLE_COLUMNS = 16, LIM_ALL_SAMPLES = 0xFFFF };
+enum { LIM_SAMPLE_ROWS = 4, LIM_SAMPLES_A_ROW = 4, LIM_SAMPLE_COLUMNS = 16 };
+#define LIM_ALL_SAMPLES 0xFFFF /* where int has 16 bits, no enumerator's value */
 
 /* A polygon's samples on a line of pixels: left <= v < right of each row; sample v is pixel v / 4's. */
 struct lim_strip {
