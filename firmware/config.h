@@ -2,7 +2,8 @@
  *
  * What a build of the renderer contains. A scene's generated header states its needs and
  * limits; a build names that header in LIM_CONFIG (-DLIM_CONFIG='"hall.h"'). Whatever the
- * header leaves open gets the host's generous value here, so every flag is always defined. */
+ * header leaves open gets the host's generous value here, so every flag is always defined.
+ * All files of a program have the same values; agree.h sees to it. */
 #ifndef LIM_CONFIG_H
 #define LIM_CONFIG_H
 
