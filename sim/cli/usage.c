@@ -110,8 +110,8 @@ static const struct entry {
      "                      without a tree: depth, by farthest points, and newell, which puts that right\n"
      "                      portals: the same with --portals on\n"},
     {SCENES | MEASURE | SPLITTERS,
-     "  --tree NAME         auto, bsp, clusters, axis, octree or none: a set; auto: bsp, clusters or axis, whichever draws\n"
-     "                      sampled cameras cheapest (auto where bsp splits a quarter, else bsp)\n"},
+     "  --tree NAME         auto, bsp, clusters, axis, octree or none: a set; auto: bsp, clusters or axis,\n"
+     "                      whichever draws sampled cameras cheapest (auto where bsp splits a quarter, else bsp)\n"},
     {SCENES | MEASURE | COMPARE,
      "  --splitter NAME     which polygon's plane divides: first, fewest, balanced, weighted, sampled,\n"
      "                      or the best of fewest and all weights: auto (auto)\n"},
