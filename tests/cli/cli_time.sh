@@ -95,7 +95,7 @@ none_meets() {
 }
 tap_check "compile --max-error: if none meets the bound, that time ended, and the nearest" none_meets
 some_methods() {
-    best_so_far '' compare ../few.obj --camera ../long.cam --frames 1000 --no-cost -o c --time-limit 4 && grep -q '^here/c/compare.csv$' left
+    best_so_far '' compare ../few.obj --camera ../long.cam --frames 3000 --size 480x480 --no-cost -o c --time-limit 4 && grep -q '^here/c/compare.csv$' left
 }
 tap_check "compare: the methods and frames so far" some_methods
 
