@@ -113,6 +113,7 @@ FLAGS = -std=c11 $(HOST_OPT) $(WARNINGS) -ffp-contract=off -D_POSIX_C_SOURCE=200
 LINKS = $(shell pkg-config --libs $(LIBRARIES)) -lgmp -lz -lm
 
 object  = $(patsubst %.c,$(BUILD)/host/%.o,$(1))
+# The rooms of sim/, the lowest first: each includes itself and lower ones (tests/rooms.sh).
 rooms   := base core pictures model readers scene cameras displays glass render accuracy compiler measure cli
 sources := $(filter-out sim/core/core.c,$(wildcard firmware/*.c hal/*.c hal/linux/*.c hal/hid/*.c hal/mcu/*.c $(rooms:%=sim/%/*.c))) \
 	$(addprefix boards/common/,card.c screen.c test_card.c walker.c)
@@ -355,7 +356,7 @@ soak: $(suite-soak) packages ## [test] 10^9 pixels of random closed scenes in ev
 
 test-programs: $(test_programs) ## [test] build the unit tests without running them
 
-# -- Proofs, exhaustion, fuzzing: see tests/prove.sh, tests/exhaustive/exhaustive.h, tests/fuzz/fuzz.h --------------------------------
+# -- Proofs, exhaustion, fuzzing: see tests/prove.sh, tests/exhaustive/exhaustive.h, tests/fuzz/fuzz.h -----------------
 
 FUZZ_TARGETS := camera camera_file lim_file render features movers obj gltf ply stl off picture wire_log qemu vcd text written report
 FUZZ_FLAGS   := -max_total_time=60

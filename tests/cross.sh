@@ -73,7 +73,7 @@ check_variants() { # TARGET: other profiles, other screen coordinates, fewer fea
     return $failed
 }
 
-# Names with which a file keeps to itself are unique over the folder: all of it may become one file.
+# Static names are unique over the folder, so all of it compiles as one file.
 is_one_file() { # TARGET
     # shellcheck disable=SC2046 # names are words
     printf '#include "%s"\n' $(cd firmware && echo *.c) >"$work/all.c"

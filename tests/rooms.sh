@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
 #
 # What may include what. sim/ has rooms, which the Makefile names from the lowest to the highest: a file includes headers
-# of its own room and of lower ones, each as "room/file.h". Nothing outside of tests/ includes what lies there, firmware/
-# includes nothing but itself, hal/ itself and firmware/. No two files have one name, as all are found by their names;
-# programs that stand alone, each in a folder of its own, have what names they like.
+# of its own room and of lower ones, each as "room/file.h". firmware/ includes nothing but itself, hal/ itself and
+# firmware/, sim/ these and boards/common. No two files have one name, as all are found by their names; programs that
+# stand alone, each in a folder of its own, have what names they like.
 . tests/tap.sh
 
 # Lines "FILE:LINE:HEADER" of the sources in folders.
@@ -66,6 +66,7 @@ tap_check "sim/ has the rooms that the Makefile names, and no file outside of th
 tap_check "a room of sim/ includes itself and lower ones" arrows_go_down
 tap_check "firmware/ includes itself alone" stays_inside firmware
 tap_check "hal/ includes itself and firmware/" stays_inside hal firmware
+tap_check "sim/ includes itself, firmware/, hal/ and boards/common" stays_inside sim firmware hal boards/common
 tap_check "no two files have one name" names_are_unique
 tap_check "no folder of sources but firmware/ has more than 60" few_files
 tap_done

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * Whose what a compiled scene points to is. */
+ * What a compiled scene owns. */
 #include "scene/compiled.h"
 
 #include "model/original.h"

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * What became of the arrays is copied into a .lim image; these go. */
+ * The arrays are freed once a .lim image has a copy of them. */
 #include "scene/encoding.h"
 
 #include <stdlib.h>

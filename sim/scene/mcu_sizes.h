@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * Sizes on 32-bit MCUs. It includes nothing, as tests/targets/sizes.c, which is compiled for them, asserts these
+ * Sizes on 32-bit MCUs. This header includes nothing: tests/targets/sizes.c is compiled for such MCUs, and asserts its
  * numbers. */
 #ifndef SIM_MCU_SIZES_H
 #define SIM_MCU_SIZES_H
