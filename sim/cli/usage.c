@@ -76,27 +76,6 @@ static const struct usage_command {
      "limner replay limner-report.tar"},
 };
 
-static const char HEAD[] =
-    "usage: limner compile MODEL -o NAME   write NAME.c, NAME.h and NAME.lim, and report\n"
-    "       limner compile MODEL... -o NAME  several scenes for one firmware: they share NAME.h\n"
-    "       limner render MODEL|SCENE.lim  draw frames into files\n"
-    "       limner view MODEL|SCENE.lim    fly through a scene\n"
-    "       limner measure MODEL           what each precision gets wrong and costs\n"
-    "       limner compare MODEL           what each visibility method gets wrong and costs\n"
-    "       limner play MODEL|SCENE.lim    fly a camera path on a real display, by SPI and GPIO\n"
-    "       limner devices                 what a display can hang on here, and why not\n"
-    "       limner module -o NAME          a display's module as NAME.c and NAME.h, for firmware\n"
-    "       limner card                    the test card as a display's module shows it, for comparison\n"
-    "       limner decode FILE|-           frames out of what went over a display's wires, or an analyser captured\n"
-    "       limner hashes PICTURE.png...   of pictures that others' displays showed\n"
-    "       limner bridge                  frames a second over USB-HID, predicted; or of one --panel NAME --size WxH\n"
-    "       limner splitters MODEL         what each heuristic makes of the tree\n"
-    "       limner uf2 IMAGE.bin -o IMAGE.uf2  what is copied to an RP2040's boot drive (--family rp2040)\n"
-    "       limner boot2 CODE.bin -o NAME.c  an RP2040's second stage, with its checksum\n"
-    "       limner report-bug MODEL|SCENE.lim  what was drawn, and all that it takes to draw it again, in one file\n"
-    "       limner replay REPORT.tar       draws it again; exit status 1 if a frame differs\n"
-    "       limner help                    this text\n";
-
 static const struct entry {
     uint32_t commands; /* 0: a heading */
     const char *text;
@@ -271,9 +250,19 @@ static const struct entry {
 
 enum { COMMAND_COUNT = sizeof COMMANDS / sizeof COMMANDS[0], ENTRY_COUNT = sizeof ENTRIES / sizeof ENTRIES[0] };
 
+static void print_commands(FILE *out)
+{
+    fputs("usage: limner COMMAND ...; limner COMMAND --help tells that command's options; limner help: this text\n\n",
+          out);
+    for (size_t i = 0; i < COMMAND_COUNT; i++)
+        fprintf(out, "       limner %s%s%s\n           %s\n", COMMANDS[i].name, *COMMANDS[i].arguments ? " " : "",
+                COMMANDS[i].arguments, COMMANDS[i].what);
+    fputc('\n', out);
+}
+
 void usage_print(FILE *out)
 {
-    fprintf(out, "%s\n", HEAD);
+    print_commands(out);
     for (size_t i = 0; i < ENTRY_COUNT; i++)
         if (!(ENTRIES[i].commands & ALONE)) fputs(ENTRIES[i].text, out);
     fprintf(out, "\nkeys of view: %s\n", FLY_HELP);

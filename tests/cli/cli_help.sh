@@ -35,7 +35,7 @@ board_is_asked_for() {
 # -- limner COMMAND --help ---------------------------------------------------------------------------------------------
 
 limner=$(cd "$BUILD" && pwd)/limner
-commands=$("$limner" help | sed -n 's/^[usage: ]*limner \([a-z0-9-]*\) .*/\1/p' | grep -vx help | sort -u)
+commands=$("$limner" help | sed -n 's/^ *limner \([a-z0-9-]*\)\( .*\)\{0,1\}$/\1/p' | sort -u)
 
 # Arguments with which a command gets as far as its options, and writes nothing.
 base_of() { # COMMAND
