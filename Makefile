@@ -115,7 +115,7 @@ LINKS = $(shell pkg-config --libs $(LIBRARIES)) -lgmp -lz -lm
 object  = $(patsubst %.c,$(BUILD)/host/%.o,$(1))
 # The rooms of sim/, the lowest first: each includes itself and lower ones (tests/rooms.sh).
 rooms   := base core pictures model readers scene cameras displays glass render accuracy compiler measure cli
-sources := $(filter-out sim/core/core.c,$(wildcard firmware/*.c hal/*.c hal/linux/*.c hal/hid/*.c hal/mcu/*.c $(rooms:%=sim/%/*.c))) \
+sources := $(filter-out sim/core/core.c,$(wildcard firmware/*.c firmware/*/*.c hal/*.c hal/linux/*.c hal/hid/*.c hal/mcu/*.c $(rooms:%=sim/%/*.c))) \
 	$(addprefix boards/common/,card.c screen.c test_card.c walker.c)
 library := $(BUILD)/host/liblimner.a
 
@@ -138,7 +138,7 @@ $(BUILD)/host/%.o: %.c $(BUILD)/host/flags
 profiles     := draft fast fine exact
 cores        := $(profiles) fast_4 fast_5 fast_8 fine_6
 export PROFILES = $(profiles)
-core_sources := $(wildcard firmware/*.c) sim/core/core.c
+core_sources := $(wildcard firmware/*.c firmware/*/*.c) sim/core/core.c
 core_object   = $(patsubst %.c,$(BUILD)/core-$(1)/%.o,$(core_sources))
 core_words    = $(subst _, ,$(shell echo $(1) | tr a-z A-Z))
 core_flags    = -DCORE=core_$(1) -DLIM_PROFILE=LIM_PROFILE_$(firstword $(core_words)) \
@@ -395,7 +395,7 @@ $(BUILD)/tests/fuzz_seeds: $(call object,tests/fuzz/libfuzzer/seeds.c) $(fuzz_ob
 
 # -- Mutants: see tests/mutants/README.md -------------------------------------------------------------------------------
 
-mutate: test-programs $(demo) packages ## [test] break firmware and HAL on purpose, 300 times; SEED=7 MUTANTS=50 FILES=firmware/clip.c, or MUTANT=NUMBER: one
+mutate: test-programs $(demo) packages ## [test] break firmware and HAL on purpose, 300 times; SEED=7 MUTANTS=50 FILES=firmware/view/clip.c, or MUTANT=NUMBER: one
 	$(LIVE)SEED='$(SEED)' MUTANTS='$(MUTANTS)' FILES='$(FILES)' MUTANT='$(MUTANT)' sh tests/mutants.sh
 
 models-table: $(BUILD)/limner ## [measure] write the outcomes of Debian's test models anew

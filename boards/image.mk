@@ -93,7 +93,7 @@ image_flags = -I$(folder) -DLIM_CONFIG='"model.h"' $(stream_flags) $(card_flags)
 stream_flags = $(if $(filter no,$(STREAM)),,-DLIM_HAS_STREAM=1 -DSCENE_RENDERERS=2)
 
 board_sources := $(wildcard hal/*.c) $(SOURCES) $(START)
-image_sources := $(wildcard firmware/*.c) $(wildcard $(addprefix boards/common/,main.c app_scene.c card.c screen.c test_card.c walker.c))
+image_sources := $(wildcard firmware/*.c firmware/*/*.c) $(wildcard $(addprefix boards/common/,main.c app_scene.c card.c screen.c test_card.c walker.c))
 board_objects := $(patsubst %,$(common)/%.o,$(basename $(board_sources))) $(if $(BOOT2),$(common)/boot2.o)
 image_objects := $(patsubst %.c,$(folder)/%.o,$(image_sources)) $(folder)/module.o
 

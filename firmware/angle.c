@@ -4,7 +4,7 @@
  * 6e-12 (2^-37); seven 64-bit multiplications, done a handful of times a frame. */
 #include "angle.h"
 
-#include "fixed.h"
+#include "math/fixed.h"
 
 enum { SERIES_TERMS = 8 };
 

@@ -69,8 +69,8 @@
 #endif
 
 /* Movers whose corners their owner changes. No compiled scene knows of them: who wants them says so. */
-#ifndef LIM_HAS_BENDING
-#define LIM_HAS_BENDING LIM_HAS_MOVERS
+#ifndef LIM_HAS_DEFORM
+#define LIM_HAS_DEFORM LIM_HAS_MOVERS
 #endif
 
 /* A light that shades movers in each frame. */
@@ -224,9 +224,9 @@
 
 /* Whether short code is asked for: then what does nothing but save time is left out. The same pixels. */
 #if defined(__OPTIMIZE_SIZE__)
-#define LIM_IS_SHORT 1
+#define LIM_OPTIMISE_SIZE 1
 #else
-#define LIM_IS_SHORT 0
+#define LIM_OPTIMISE_SIZE 0
 #endif
 
 /* Planes off the axes are tried in 32 bits first. One convex solid has too few of them for that to pay elsewhere. */
@@ -275,7 +275,7 @@
 #define LIM_WORD_ALIGNED
 #endif
 
-/* Code for the rare case: out of line, so that the usual one stays short. */
+/* Code for the rare case: out of line, so that the common one stays short. */
 #if defined(__GNUC__)
 #define LIM_RARE __attribute__((noinline, cold))
 #else
@@ -284,9 +284,9 @@
 
 /* A condition that seldom holds. */
 #if defined(__GNUC__)
-#define LIM_SELDOM(condition) __builtin_expect(condition, 0)
+#define LIM_UNLIKELY(condition) __builtin_expect(condition, 0)
 #else
-#define LIM_SELDOM(condition) (condition)
+#define LIM_UNLIKELY(condition) (condition)
 #endif
 
 /* Not inlined, but not rare: a loop that wants all registers for itself. */
@@ -297,7 +297,7 @@
 #endif
 
 /* Inlined wherever it is called, unless small code is asked for. */
-#if defined(__GNUC__) && !LIM_IS_SHORT
+#if defined(__GNUC__) && !LIM_OPTIMISE_SIZE
 #define LIM_INLINE inline __attribute__((always_inline))
 #else
 #define LIM_INLINE inline
@@ -323,8 +323,8 @@
 #if LIM_HAS_MOVERS && !LIM_HAS_TREE
 #error "LIM_HAS_MOVERS needs LIM_HAS_NEAREST or LIM_HAS_PAINTER"
 #endif
-#if (LIM_HAS_LIGHT || LIM_HAS_BENDING) && !LIM_HAS_MOVERS
-#error "LIM_HAS_LIGHT and LIM_HAS_BENDING need LIM_HAS_MOVERS"
+#if (LIM_HAS_LIGHT || LIM_HAS_DEFORM) && !LIM_HAS_MOVERS
+#error "LIM_HAS_LIGHT and LIM_HAS_DEFORM need LIM_HAS_MOVERS"
 #endif
 #if LIM_HAS_WIDE && SIZE_MAX <= 0xFFFF
 #error "LIM_HAS_WIDE: a processor whose sizes have 16 bits has no room for such a scene"

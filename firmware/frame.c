@@ -4,7 +4,7 @@
  * drawn in the target's order. Orders that are not linked fall out of these functions at compile time. */
 #include "limner.h"
 
-#include "order.h"
+#include "orders/order.h"
 
 static bool method_is_linked(enum lim_method method)
 {

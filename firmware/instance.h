@@ -30,7 +30,7 @@ struct lim_instance {
     /* The corners of the object are its owner's, who changes them: *object is a copy whose `vertices` are in RAM (not
      * on AVR, whose flash is elsewhere). Tree, planes and boxes mean nothing then: each polygon's plane is that of its
      * first three corners, so triangles are best, and all are sorted anew. */
-    bool bends;
+    bool deforms;
     bool by_centre; /* it enters the walk whole, at its centre: fast, and wrong where it reaches through a plane */
 };
 

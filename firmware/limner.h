@@ -19,7 +19,7 @@
 #include "config.h"
 #include "errors.h"
 #include "instance.h"
-#include "lamp.h"
+#include "light.h"
 #include "motion.h"
 #include "scene.h"
 #include "stats.h"

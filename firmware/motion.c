@@ -5,8 +5,8 @@
 #include "motion.h"
 
 #include "angle.h"
-#include "fixed.h"
-#include "root.h"
+#include "math/fixed.h"
+#include "math/isqrt.h"
 
 #if LIM_HAS_MOVERS
 
@@ -49,7 +49,7 @@ static void normalise(int32_t q_q30[4], int64_t sum[4])
     //@ loop pragma UNROLL "completely", 5;
     for (uint_fast8_t i = 0; i < 4; i++)
         square += square_of(sum[i]);
-    const uint32_t length = lim_root(square);
+    const uint32_t length = lim_isqrt(square);
     //@ loop pragma UNROLL "completely", 5;
     for (uint_fast8_t i = 0; i < 4; i++)
         q_q30[i] = part_q30((int32_t)sum[i], length);

@@ -144,14 +144,15 @@ enum { LIM_TEXEL_BLOCK = 16 };
 #define LIM_MEMORY_COLOUR(rgb565) ((uint16_t)(rgb565))
 #endif
 
-/* From which cell on a sight holds. A cell is where the tree ends: twice the number of the node whose child is missing,
- * and 1 more behind its plane. Places come in the order of their cells. Only scenes of up to 32767 nodes have any.
+/* From which cell on a visible set holds. A cell is where the tree ends: twice the number of the node whose child is
+ * missing, and 1 more behind its plane. Places come in the order of their cells. Only scenes of up to 32767 nodes have
+ * any.
  *
- * A sight is a bit a box, whether anything of its subtree may be seen, lowest first; a byte of zeros is followed by how
- * many of them there are, 1..255. */
+ * A visible set is a bit a box, whether anything of its subtree may be seen, lowest first; a byte of zeros is followed
+ * by how many of them there are, 1..255. */
 struct lim_place {
     uint16_t cell;
-    uint16_t sight; /* where it begins in lim_scene.sights, or LIM_NONE: nothing is known, everything is walked */
+    uint16_t pvs; /* where it begins in lim_scene.visible sets, or LIM_NONE: nothing is known, everything is walked */
 };
 
 /* What memory a frame needs; the compiler measures all but the first two on sampled cameras. A frame that needs more
@@ -188,8 +189,8 @@ struct lim_scene {
 #endif
 #if LIM_HAS_PORTALS
     const LIM_FLASH struct lim_place *places;
-    const LIM_FLASH uint8_t *sights;
-    uint16_t place_count, sight_bytes;
+    const LIM_FLASH uint8_t *pvs;
+    uint16_t place_count, pvs_bytes;
 #endif
 };
 

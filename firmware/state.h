@@ -5,21 +5,21 @@
 #ifndef LIM_STATE_H
 #define LIM_STATE_H
 
-#include "convex.h"
-#include "cull.h"
-#include "delta.h"
-#include "eye.h"
-#include "fill.h"
-#include "movers.h"
-#include "paint.h"
-#include "retain.h"
-#include "sorted.h"
-#include "span.h"
+#include "lines/paint.h"
+#include "lines/retain.h"
+#include "lines/span.h"
+#include "movers/movers.h"
+#include "orders/convex.h"
+#include "pieces/sorted.h"
+#include "pixels/delta.h"
+#include "pixels/fill.h"
+#include "pixels/texture.h"
 #include "stats.h"
 #include "target.h"
-#include "texture.h"
-#include "view.h"
-#include "walk.h"
+#include "view/cull.h"
+#include "view/eye.h"
+#include "view/view.h"
+#include "view/walk.h"
 
 /* Bytes that lim_init() cuts up, for each order: constant expressions when their arguments are. A scene's
  * header has its own with the scene's limits filled in: NAME_SCENE_MEM_B(h_px). */

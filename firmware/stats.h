@@ -71,7 +71,7 @@ struct lim_stats {
     uint32_t polygons_seen;    /* of these, with at least one pixel */
     uint32_t vertices;         /* vertices transformed */
     uint32_t clipped;          /* polygons that met the near plane or the guard band */
-    uint32_t folded;           /* polygons that rounding made non-monotone, drawn as triangles */
+    uint32_t non_monotone;     /* polygons that rounding made non-monotone, drawn as triangles */
     uint32_t lines;            /* lines of polygons that were stepped */
     uint32_t pixels_painted;   /* pixels written by polygons, as often as they are; not of pictures that targets keep */
     uint32_t pixels_background; /* pixels filled with the background; convex: those that no face has painted, about */

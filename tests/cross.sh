@@ -50,7 +50,7 @@ check_variant() { # TARGET FLAG...
     shift
     # shellcheck disable=SC2046,SC2086 # flags are words
     "$(tools_of "$cross_target")gcc" $(flags_of "$cross_target") -ffreestanding $WARNINGS -Ifirmware -Ihal "$@" \
-        -fsyntax-only firmware/*.c
+        -fsyntax-only firmware/*.c firmware/*/*.c
 }
 
 check_variants() { # TARGET: other profiles, other screen coordinates, fewer features
@@ -109,8 +109,8 @@ integer_support='^(memcpy|memmove|memset|memcmp)$
 ^__(tablejump2?__|.?load_[1-4])$'
 
 own_symbols_only() { # TARGET
-    "$(tools_of "$1")nm" --defined-only -P "$work/$1"/firmware/*.o | awk 'NF > 1 { print $1 }' >"$work/defined"
-    "$(tools_of "$1")nm" --undefined-only -P -A "$work/$1"/firmware/*.o | sed "s,^$work/,," >"$work/undefined"
+    "$(tools_of "$1")nm" --defined-only -P "$work/$1"/firmware/*.o "$work/$1"/firmware/*/*.o | awk 'NF > 1 { print $1 }' >"$work/defined"
+    "$(tools_of "$1")nm" --undefined-only -P -A "$work/$1"/firmware/*.o "$work/$1"/firmware/*/*.o | sed "s,^$work/,," >"$work/undefined"
     printf '%s\n' "$integer_support" >"$work/support"
     awk -v defined="$work/defined" -v support="$work/support" '
         BEGIN {
@@ -127,7 +127,7 @@ no_mutable_data() { # TARGET
 }
 
 standard_headers_only() {
-    ! grep -nE '^[[:space:]]*#[[:space:]]*include[[:space:]]*<' firmware/*.[ch] |
+    ! grep -nE '^[[:space:]]*#[[:space:]]*include[[:space:]]*<' firmware/*.[ch] firmware/*/*.[ch] |
         grep -vE '<(stdint|stddef|stdbool)\.h>'
 }
 

@@ -34,7 +34,7 @@ features_flags() { # NAME CHOICE
 features_build() { # COMPILER NAME FLAGS: $kept/NAME/program
     rm -rf "$kept/$2/objects"
     mkdir "$kept/$2/objects"
-    for source in tests/features/main.c "$kept/$2/model.c" firmware/*.c; do
+    for source in tests/features/main.c "$kept/$2/model.c" firmware/*.c firmware/*/*.c; do
         # shellcheck disable=SC2086 # flags are words
         ${CCACHE:-} $1 -std=c11 -O1 $WARNINGS $3 -DLIM_CONFIG='"model.h"' -Ifirmware -I"$kept/$2" -c \
             -o "$kept/$2/objects/$(basename "$source" .c).o" "$source" || return 1

@@ -43,7 +43,7 @@ frames_agree() { # PROFILE CORE[:FLAG]
     esac
     # shellcheck disable=SC2086 # flags are words
     target_link "$frames_core" "$work/image" "$@" $frames_flags -I"$frames_dir" -DLIM_CONFIG='"model.h"' \
-        sim/targets/frames.c boards/common/app_scene.c "$frames_dir"/model*.c firmware/*.c || return 1
+        sim/targets/frames.c boards/common/app_scene.c "$frames_dir"/model*.c firmware/*.c firmware/*/*.c || return 1
     target_run "$frames_core" "$work/image" >"$work/frames" || echo "exit status $?" >>"$work/frames"
     diff "$frames_dir/expected" "$work/frames"
 }

@@ -195,7 +195,7 @@ mkdir -p "$state"
 tests=$(ls "$BUILD/tests" | grep '^test_[a-z0-9_]*$')
 survey || exit 1
 # shellcheck disable=SC2012 # plain names
-awk -f $here/candidates.awk $(ls firmware/*.[ch] hal/*.[ch] hal/*/*.[ch]) >"$state/candidates"
+awk -f $here/candidates.awk $(ls firmware/*.[ch] firmware/*/*.[ch] hal/*.[ch] hal/*/*.[ch]) >"$state/candidates"
 equivalents >"$state/equivalents" 2>"$state/stale"
 cat "$state/stale" >&2
 

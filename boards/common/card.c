@@ -3,7 +3,7 @@
  * Line by line, through the renderer's own target: into a line's memory, or in runs where there is none. */
 #include "card.h"
 
-#include "fill.h"
+#include "pixels/fill.h"
 #include "test_card.h"
 
 /* Where the viewer has what lies at x, y of the glass. */

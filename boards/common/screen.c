@@ -6,7 +6,7 @@
  * panel that accepts the second has finished with the first; with one, done() waits. */
 #include "screen.h"
 
-#include "fill.h"
+#include "pixels/fill.h"
 
 enum { SCREEN_NO_LINE = 0xFFFF }; /* nothing is gathered yet */
 

@@ -25,7 +25,7 @@ STATS_VALUE(polygons)
 STATS_VALUE(polygons_seen)
 STATS_VALUE(vertices)
 STATS_VALUE(clipped)
-STATS_VALUE(folded)
+STATS_VALUE(non_monotone)
 STATS_VALUE(lines)
 STATS_VALUE(bands)
 STATS_VALUE(retained_cells_max)
@@ -72,7 +72,7 @@ static const struct column STATS_COLUMNS[] = {
     {"seen", 6, 0, stats_polygons_seen},
     {"vertices", 8, 0, stats_vertices},
     {"clipped", 7, 0, stats_clipped},
-    {"folded", 6, 0, stats_folded},
+    {"non-mono", 8, 0, stats_non_monotone},
     {"lines", 7, 0, stats_lines},
     {"overdraw", 8, 3, overdraw},
     {"bands", 5, 0, stats_bands},

@@ -9,7 +9,7 @@
 #include "compiler/compile.h"
 #include "compiler/faithful.h"
 #include "compiler/splitter.h"
-#include "model/light.h"
+#include "model/baked_light.h"
 #include "model/model_part.h"
 #include "readers/model_import.h"
 #include "scene/compiled.h"

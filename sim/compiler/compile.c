@@ -13,7 +13,7 @@
 #include "compiler/portal_choice.h"
 #include "compiler/predict.h"
 #include "core/core.h"
-#include "model/light.h"
+#include "model/baked_light.h"
 #include "model/original.h"
 #include "readers/model_import.h"
 #include "readers/source.h"

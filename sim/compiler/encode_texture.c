@@ -8,7 +8,7 @@
 #include "base/rgb565.h"
 #include "base/vec3.h"
 #include "compiler/encode.h"
-#include "fill.h"
+#include "pixels/fill.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -1,14 +1,14 @@
 /* SPDX-License-Identifier: MIT
  *
- * What the renderer lays out in the memory that it is given: firmware/pools.c, counted for 32-bit MCUs. */
+ * What the renderer lays out in the memory that it is given: firmware/orders/pools.c, counted for 32-bit MCUs. */
 #include "compiler/mcu_mem.h"
 
 #include "core/core.h"
-#include "portals.h"
 #include "scene/mcu_sizes.h"
 #include "scene/moving.h"
 #include "scene/needs.h"
 #include "scene/width.h"
+#include "view/portals.h"
 
 /* Whether a firmware for this panel needs wide screen coordinates in this profile. */
 static bool is_wide(const struct compile_report *report)

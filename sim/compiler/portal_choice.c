@@ -9,7 +9,7 @@
 #include "base/progress.h"
 #include "cameras/sample.h"
 #include "compiler/compile.h"
-#include "compiler/sights.h"
+#include "compiler/pvs.h"
 #include "core/core.h"
 #include "render/simulator.h"
 #include "scene/lim_image.h"
@@ -132,42 +132,42 @@ static bool decide(struct compiled *scene, const struct compile_options *options
     if (report->kept)
         scene->report.flash_b += report->bytes;
     else
-        lim_image_set_sights(scene, NULL, 0, NULL, 0);
+        lim_image_set_pvs(scene, NULL, 0, NULL, 0);
     return true;
 }
 
-static void attach(struct compiled *scene, const struct sights *sights)
+static void attach(struct compiled *scene, const struct pvs *pvs)
 {
     enum { FIELDS_B = 2 * 4 + 2 * 2 }; /* of struct lim_scene */
     struct portal_report *report = &scene->report.portals;
     report->tried = true;
-    report->zones = sights->zones;
-    report->sights = sights->kept;
-    report->mean_polygons = sights->mean_polygons;
-    report->bytes = sights->place_count * sizeof *sights->places + sights->byte_count + FIELDS_B;
-    lim_image_set_sights(scene, sights->places, sights->place_count, sights->bytes, sights->byte_count);
+    report->zones = pvs->zones;
+    report->pvs = pvs->kept;
+    report->mean_polygons = pvs->mean_polygons;
+    report->bytes = pvs->place_count * sizeof *pvs->places + pvs->byte_count + FIELDS_B;
+    lim_image_set_pvs(scene, pvs->places, pvs->place_count, pvs->bytes, pvs->byte_count);
 }
 
 bool portals_add(struct compiled *scene, const struct compile_options *options, struct error *err)
 {
     struct portal_report *report = &scene->report.portals;
-    struct sights sights;
+    struct pvs pvs;
     struct error reason;
     const bool wanted = options->portals == PORTALS_ON;
     if (options->portals == PORTALS_OFF || (!wanted && scene->report.draws == LIM_CONVEX)) return true;
     progress("portals");
     if (scene->report.draws == LIM_CONVEX) return error_set(err, "portals: one convex solid has no cells to look from");
-    if (!sights_find(&scene->scene, angle_of(scene, options), &sights, &reason)) {
+    if (!pvs_find(&scene->scene, angle_of(scene, options), &pvs, &reason)) {
         if (!wanted) deadline_say("a scene without portals");
         snprintf(report->refused, sizeof report->refused, "%.95s", reason.text);
         return !wanted || error_set(err, "portals: %s", reason.text);
     }
-    attach(scene, &sights);
-    sights_free(&sights);
+    attach(scene, &pvs);
+    pvs_free(&pvs);
     if (try_out(scene, options->core, report, err)) return decide(scene, options, err);
     if (wanted || !deadline_passed()) return false;
     *report = (struct portal_report){0}; /* they are not needed, and nothing is known of them */
-    lim_image_set_sights(scene, NULL, 0, NULL, 0);
+    lim_image_set_pvs(scene, NULL, 0, NULL, 0);
     deadline_say("a scene without portals");
     return true;
 }

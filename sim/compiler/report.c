@@ -135,9 +135,9 @@ static void print_portals(const struct portal_report *portals)
            : portals->different ? "left out: pictures differ"
                                 : "left out");
     print_count("rooms", portals->zones);
-    print_count("different sights", portals->sights);
+    print_count("different visible sets", portals->pvs);
     print_count("bytes", portals->bytes);
-    printf("  %-28s %8.1f\n", "polygons a sight shows", portals->mean_polygons);
+    printf("  %-28s %8.1f\n", "polygons a visible set shows", portals->mean_polygons);
     printf("  %-28s %8.1f, %zu sampled cameras\n", "polygons reached, without",
            (double)portals->polygons_before / (double)portals->cameras, portals->cameras);
     printf("  %-28s %8.1f\n", "polygons reached, with", (double)portals->polygons_after / (double)portals->cameras);

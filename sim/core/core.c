@@ -3,7 +3,7 @@
  * Compiled once for each profile, together with the renderer's sources; CORE is the table's name. */
 #include "core/core.h"
 
-#include "project.h"
+#include "screen/project.h"
 
 #ifndef CORE
 #error "CORE and LIM_PROFILE are set by the Makefile"
@@ -147,8 +147,8 @@ static void texels(void *state, lim_index record, core_texel *take, void *ctx)
 
     if (!lim_project(&polygon, &lim->view, lim->scene, &lim->scene->polygons[record], &screen, NULL)) return;
     if (polygon.texture == LIM_NONE) return;
-    if (!polygon.shape.folded) polygon_texels(lim, &polygon, take, ctx);
-    for (uint8_t k = 1; polygon.shape.folded && k + 1 < polygon.n; k++) {
+    if (!polygon.shape.non_monotone) polygon_texels(lim, &polygon, take, ctx);
+    for (uint8_t k = 1; polygon.shape.non_monotone && k + 1 < polygon.n; k++) {
         lim_project_fan(&polygon, k, &triangle);
         polygon_texels(lim, &triangle, take, ctx);
     }

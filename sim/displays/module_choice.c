@@ -72,7 +72,7 @@ static const struct usual_module *find_usual(const struct panel_choice *panel, u
 }
 
 /* A chip without a row: all of its memory, at a rate that any takes. */
-static void take_usual(struct module_choice *out)
+static void take_fast(struct module_choice *out)
 {
     const struct usual_module *row = find_usual(&out->panel, 0, 0);
     out->module = row ? row->module : (struct display_module){.w_px = out->panel.mem_w_px, .h_px = out->panel.mem_h_px};
@@ -236,7 +236,7 @@ bool module_choice_parse(struct module_choice *out, struct arguments *arguments,
     if (!arguments_value(arguments, "--panel", &panel, err)) return false;
     if (!panel) return error_set(err, "--panel NAME is missing: the display's controller; `limner help` lists them");
     if (!panel_choice_parse(panel, NULL, &out->panel, err)) return false;
-    take_usual(out);
+    take_fast(out);
     const uint8_t usual_modes = out->spi_modes;
     struct display_module *module = &out->module;
     const unsigned last_line = out->panel.start_lines ? out->panel.start_lines - 1u : 0;

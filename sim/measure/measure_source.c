@@ -12,7 +12,7 @@
 #include "compiler/faithful.h"
 #include "compiler/moving_compile.h"
 #include "core/core.h"
-#include "model/light.h"
+#include "model/baked_light.h"
 #include "model/model_part.h"
 #include "readers/model_import.h"
 #include "readers/source.h"

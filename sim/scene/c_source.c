@@ -2,7 +2,7 @@
  *
  * A scene as C: const arrays for flash in NAME.c. */
 #include "base/c_name.h"
-#include "fill.h"
+#include "pixels/fill.h"
 #include "scene/scene_files.h"
 
 #include <stdio.h>
@@ -116,11 +116,11 @@ static void write_places(FILE *file, const struct lim_scene *scene, const struct
     begin_array(file, prefix, "struct lim_place", "places", scene->place_count);
     for (size_t i = 0; i < scene->place_count; i++)
         fprintf(file, "%s{%u, %u},", i % 8 ? " " : "\n    ", (unsigned)scene->places[i].cell,
-                (unsigned)scene->places[i].sight);
+                (unsigned)scene->places[i].pvs);
     end_array(file);
-    begin_array(file, prefix, "uint8_t", "sights", scene->sight_bytes);
-    for (size_t i = 0; i < scene->sight_bytes; i++)
-        fprintf(file, "%s%u,", i % NUMBERS_A_LINE ? " " : "\n    ", (unsigned)scene->sights[i]);
+    begin_array(file, prefix, "uint8_t", "visible sets", scene->pvs_bytes);
+    for (size_t i = 0; i < scene->pvs_bytes; i++)
+        fprintf(file, "%s%u,", i % NUMBERS_A_LINE ? " " : "\n    ", (unsigned)scene->pvs[i]);
     end_array(file);
 }
 
@@ -221,9 +221,9 @@ static void write_portals(FILE *file, const struct lim_scene *scene, const struc
 {
     fputs("#if LIM_HAS_PORTALS\n", file);
     write_pointer(file, prefix, "places", scene->place_count);
-    write_pointer(file, prefix, "sights", scene->sight_bytes);
+    write_pointer(file, prefix, "visible sets", scene->pvs_bytes);
     fprintf(file, "    .place_count = %u,\n    .sight_bytes = %u,\n#endif\n", (unsigned)scene->place_count,
-            (unsigned)scene->sight_bytes);
+            (unsigned)scene->pvs_bytes);
 }
 
 static void write_scene(FILE *file, const struct lim_scene *scene, const struct c_name *prefix)

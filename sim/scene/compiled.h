@@ -15,8 +15,8 @@
 struct portal_report {
     bool tried, kept;
     char refused[96];                       /* why not tried; empty: not asked for */
-    size_t zones, sights, bytes;            /* rooms, different sights, flash that they take */
-    double mean_polygons;                   /* that a sight shows, from anywhere in closed cells */
+    size_t zones, pvs, bytes;               /* rooms, different visible sets, flash that they take */
+    double mean_polygons;                   /* that a visible set shows, from anywhere in closed cells */
     size_t cameras, different;              /* sampled pictures; those that differ with portals: none may */
     size_t polygons_before, polygons_after; /* reached in all of them */
     size_t vertices_before, vertices_after;

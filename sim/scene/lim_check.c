@@ -4,8 +4,8 @@
 #include "scene/lim_check.h"
 
 #include "base/grow.h"
-#include "blend.h"
-#include "newell.h"
+#include "pieces/newell.h"
+#include "pixels/blend.h"
 #include "scene/bounds.h"
 #include "scene/plane.h"
 
@@ -317,24 +317,24 @@ static bool check_place(const struct lim_scene *scene, size_t index, struct erro
         return error_set(err, "place %zu: cell %u is divided further", index, (unsigned)place->cell);
     if (index && place->cell <= scene->places[index - 1].cell)
         return error_set(err, "place %zu: does not come after the one before it", index);
-    if (place->sight == LIM_NONE || place->sight < scene->sight_bytes) return true;
-    return error_set(err, "place %zu: sight at byte %u of %u", index, (unsigned)place->sight,
-                     (unsigned)scene->sight_bytes);
+    if (place->pvs == LIM_NONE || place->pvs < scene->pvs_bytes) return true;
+    return error_set(err, "place %zu: visible set at byte %u of %u", index, (unsigned)place->pvs,
+                     (unsigned)scene->pvs_bytes);
 }
 
-/* A sight has a bit for each box, and no more. */
-static bool check_sight(const struct lim_scene *scene, size_t index, struct error *err)
+/* A visible set has a bit for each box, and no more. */
+static bool check_pvs(const struct lim_scene *scene, size_t index, struct error *err)
 {
     const size_t size_b = ((size_t)scene->box_count + 7) / 8;
-    size_t at = scene->places[index].sight, to = 0;
+    size_t at = scene->places[index].pvs, to = 0;
     if (at == LIM_NONE) return true;
-    while (to < size_b && at < scene->sight_bytes) {
-        const size_t zeros = scene->sights[at] ? 1 : at + 1 < scene->sight_bytes ? scene->sights[at + 1] : 0;
+    while (to < size_b && at < scene->pvs_bytes) {
+        const size_t zeros = scene->pvs[at] ? 1 : at + 1 < scene->pvs_bytes ? scene->pvs[at + 1] : 0;
         if (zeros == 0) break;
-        at += scene->sights[at] ? 1 : 2;
+        at += scene->pvs[at] ? 1 : 2;
         to += zeros;
     }
-    return to == size_b || error_set(err, "place %zu: its sight does not end with the boxes", index);
+    return to == size_b || error_set(err, "place %zu: its visible set does not end with the boxes", index);
 }
 
 /* The renderer numbers cells with 16 bits, goes down to them by planes, and needs boxes to skip. */
@@ -347,7 +347,7 @@ static bool check_places(const struct lim_scene *scene, struct error *err)
         return error_set(err, "places in a scene of %u nodes and %u boxes", (unsigned)scene->node_count,
                          (unsigned)scene->box_count);
     for (size_t i = 0; i < scene->place_count; i++)
-        if (!check_place(scene, i, err) || !check_sight(scene, i, err)) return false;
+        if (!check_place(scene, i, err) || !check_pvs(scene, i, err)) return false;
     return true;
 }
 

@@ -52,7 +52,7 @@ static const struct {
     [SECTION_PALETTES] = {sizeof(uint16_t), "1"}, /* as in memory, the same on every host */
     [SECTION_TEXELS] = {LIM_TEXEL_BLOCK, "1"},
     [SECTION_PLACES] = {sizeof(struct lim_place), "2"},
-    [SECTION_SIGHTS] = {sizeof(uint8_t), "1"},
+    [SECTION_PVS] = {sizeof(uint8_t), "1"},
 };
 static const char HEADER_FIELDS[] = "11111111"
                                     "4444"
@@ -101,9 +101,9 @@ void lim_image_bind(void *image, struct compiled *scene)
         .polygons = section_at(image, SECTION_POLYGONS),
         .fractions = header->counts[SECTION_FRACTIONS] ? section_at(image, SECTION_FRACTIONS) : NULL,
         .places = header->counts[SECTION_PLACES] ? section_at(image, SECTION_PLACES) : NULL,
-        .sights = header->counts[SECTION_SIGHTS] ? section_at(image, SECTION_SIGHTS) : NULL,
+        .pvs = header->counts[SECTION_PVS] ? section_at(image, SECTION_PVS) : NULL,
         .place_count = (uint16_t)header->counts[SECTION_PLACES],
-        .sight_bytes = (uint16_t)header->counts[SECTION_SIGHTS],
+        .pvs_bytes = (uint16_t)header->counts[SECTION_PVS],
         .vertex_count = header->counts[SECTION_VERTICES],
         .node_count = header->counts[SECTION_NODES],
         .plane_count = header->counts[SECTION_PLANES],
@@ -162,20 +162,20 @@ void lim_image_make(const struct encoding *encoding, const struct grid *grid, st
     lim_image_bind(image, out);
 }
 
-void lim_image_set_sights(struct compiled *scene, const struct lim_place *places, size_t place_count,
-                          const uint8_t *sights, size_t sight_bytes)
+void lim_image_set_pvs(struct compiled *scene, const struct lim_place *places, size_t place_count, const uint8_t *pvs,
+                       size_t pvs_bytes)
 {
     struct lim_file_header header;
     memcpy(&header, scene->image, sizeof header);
     const size_t kept_b = (size_t)lim_image_section_b(&header, SECTION_PLACES);
     header.counts[SECTION_PLACES] = (uint32_t)place_count;
-    header.counts[SECTION_SIGHTS] = (uint32_t)sight_bytes;
+    header.counts[SECTION_PVS] = (uint32_t)pvs_bytes;
     header.file_b = (uint32_t)lim_image_section_b(&header, SECTION_COUNT);
     unsigned char *image = grow_zeroed(header.file_b, 1);
     memcpy(image, scene->image, kept_b);
     memcpy(image, &header, sizeof header);
     if (place_count) memcpy(image + kept_b, places, place_count * sizeof *places);
-    if (sight_bytes) memcpy(section_at(image, SECTION_SIGHTS), sights, sight_bytes);
+    if (pvs_bytes) memcpy(section_at(image, SECTION_PVS), pvs, pvs_bytes);
     free(scene->image);
     lim_image_bind(image, scene);
 }

@@ -28,7 +28,7 @@ enum lim_section {
     SECTION_PALETTES,
     SECTION_TEXELS, /* in blocks */
     SECTION_PLACES,
-    SECTION_SIGHTS,
+    SECTION_PVS,
     SECTION_COUNT
 };
 
@@ -60,9 +60,9 @@ void lim_image_make(const struct encoding *encoding, const struct grid *grid, st
 /* Points *scene into the image. */
 void lim_image_bind(void *image, struct compiled *scene);
 
-/* Gives a scene sights, or none: makes its image anew. The arrays stay the caller's. */
-void lim_image_set_sights(struct compiled *scene, const struct lim_place *places, size_t place_count,
-                          const uint8_t *sights, size_t sight_bytes);
+/* Gives a scene visible sets, or none: makes its image anew. The arrays stay the caller's. */
+void lim_image_set_pvs(struct compiled *scene, const struct lim_place *places, size_t place_count, const uint8_t *pvs,
+                       size_t pvs_bytes);
 
 /* Sets the limits of the scene and of its image. */
 void lim_image_set_limits(struct compiled *scene, const struct lim_limits *limits);

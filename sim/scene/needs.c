@@ -144,7 +144,7 @@ void needs_write(const struct needs *needs, FILE *file)
     write_macro(file, "HAS_NEWELL", needs->newell);
     write_macro(file, "HAS_MOVERS", needs->movers);
     write_macro(file, "HAS_LIGHT", needs->light);
-    write_macro(file, "HAS_BENDING", 0);
+    write_macro(file, "HAS_DEFORM", 0);
     write_macro(file, "HAS_CULL", needs->cull);
     write_macro(file, "HAS_WIDE", needs->wide);
     write_macro(file, "HAS_LEAVES", needs->leaves);

@@ -36,10 +36,11 @@ struct needs needs_of(const struct compiled *scene, const struct moving *moving)
 /* All that either needs. Both have the same precision. */
 struct needs needs_union(const struct needs *a, const struct needs *b);
 
-/* Whether what is drawn nearest first is painted as it comes, so that nothing waits for its line: firmware/pools.c. */
+/* Whether what is drawn nearest first is painted as it comes, so that nothing waits for its line:
+ * firmware/orders/pools.c. */
 bool needs_retain_nothing(const struct needs *needs);
 
-/* The limits that a firmware of these needs makes room for: firmware/pools.c. */
+/* The limits that a firmware of these needs makes room for: firmware/orders/pools.c. */
 struct lim_limits needs_limits(const struct compiled *scene, const struct needs *needs);
 
 /* The least cells that it takes: one polygon retained, clipped. */

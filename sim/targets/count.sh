@@ -25,8 +25,8 @@ compile() { # OBJECT SOURCE FLAG...: both in the folder, or from the root
 # The renderer's objects in a folder of their own, so that the linker's map tells whose is what.
 build() {
     set -- '-DLIM_CONFIG="model.h"' -DLIM_HAS_STATS=0
-    mkdir -p "$folder/firmware"
-    for source in firmware/*.c; do
+    mkdir -p "$folder"/firmware $(printf "$folder/%s " firmware/*/)
+    for source in firmware/*.c firmware/*/*.c; do
         compile "${source%.c}.o" "$project/$source" "$@"
     done
     rm -f "$folder"/model*.o
@@ -35,7 +35,7 @@ build() {
         compile "${source%.c}.o" "$source" "$@"
     done
     target_link "$core" "$folder/image" "$@" -I"$folder" -Wl,--wrap=main -Wl,-Map,"$folder/image.map" \
-        sim/targets/count_check.c sim/targets/frames.c boards/common/app_scene.c "$folder"/model*.o "$folder"/firmware/*.o
+        sim/targets/count_check.c sim/targets/frames.c boards/common/app_scene.c "$folder"/model*.o "$folder"/firmware/*.o "$folder"/firmware/*/*.o
 }
 
 run() { # PLUGIN

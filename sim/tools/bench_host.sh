@@ -12,7 +12,7 @@ bench_host_count() {
     "$BUILD/limner" render "$1/model.lim" --camera "$2" --size "$3" --precision fast --write-cameras "$1/cameras.h" \
         --write-hashes "$1/expected" >/dev/null &&
         target_link host "$1/image" -g -ffreestanding -I"$1" '-DLIM_CONFIG="model.h"' -DLIM_HAS_STATS=0 \
-            sim/targets/frames.c boards/common/app_scene.c "$1"/model*.c firmware/*.c &&
+            sim/targets/frames.c boards/common/app_scene.c "$1"/model*.c firmware/*.c firmware/*/*.c &&
         valgrind --tool=callgrind --callgrind-out-file="$1/callgrind" --compress-strings=no --compress-pos=no \
             --toggle-collect=lim_frame --dump-after=lim_frame "$1/image" >"$1/hashes" 2>"$1/valgrind.log" &&
         diff "$1/expected" "$1/hashes" >&2 && awk -f sim/tools/bench_host.awk "$1"/callgrind.[0-9]*

@@ -21,7 +21,7 @@ footprint_objects() {
     shift 3
     rm -rf "$footprint_dir/$footprint_core"
     mkdir "$footprint_dir/$footprint_core"
-    for footprint_source in firmware/*.c; do
+    for footprint_source in firmware/*.c firmware/*/*.c; do
         footprint_object=${footprint_source##*/}
         # shellcheck disable=SC2046,SC2086 # flags are words
         sh sim/tools/graph_cache.sh $(target_compiler "$footprint_core") $(target_flags "$footprint_core") $footprint_flags \

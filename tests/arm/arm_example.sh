@@ -14,7 +14,7 @@ link_example() { # CORE BYTES; BYTES of memory, or what the scene asks for
     example_with_memory "$1" "$2" || return 1
     target_link "$1" "$work/$1" -DLIM_CONFIG='"teapot.h"' -DLIM_MAX_SIDE_PX=240 -Itests/example -I"$work" \
         "$work/$1.c" tests/example/display_hash.c "$work/teapot.c" \
-        firmware/*.c
+        firmware/*.c firmware/*/*.c
 }
 
 run_on_host() {

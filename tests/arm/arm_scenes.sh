@@ -39,7 +39,7 @@ expect() { # NAME: frames of the scene alone
 
 shows_both() { # CORE
     target_link "$1" "$work/$1" -I"$work" -DLIM_CONFIG='"level.h"' tests/scenes/main.c "$work/level_teapot.c" \
-        "$work/level_icosahedron.c" firmware/*.c && target_run "$1" "$work/$1" >"$work/$1.hashes" || return 1
+        "$work/level_icosahedron.c" firmware/*.c firmware/*/*.c && target_run "$1" "$work/$1" >"$work/$1.hashes" || return 1
     cat "$work/teapot.hashes" "$work/icosahedron.hashes" "$work/teapot.hashes" | diff - "$work/$1.hashes"
 }
 

@@ -27,7 +27,7 @@ int main(void)
     return err ? err : lim_frame(&lim, &camera);
 }
 END
-    for source in firmware/*.c; do
+    for source in firmware/*.c firmware/*/*.c; do
         firmware_part "$source" "$work/$(basename "$source" .c).o" || return 1
     done
     ar rcs "$work/renderer.a" "$work"/*.o && part "$work/model.o" "$work/model.c" "$fitted"
@@ -63,7 +63,7 @@ apart() { # PATTERN FLAG...
 
 renderer_is_not_fitted() {
     mkdir -p "$work/whole"
-    for source in firmware/*.c; do
+    for source in firmware/*.c firmware/*/*.c; do
         part "$work/whole/$(basename "$source" .c).o" "$source" || return 1
     done
     part "$work/main.o" "$work/main.c" "$fitted" &&
@@ -139,7 +139,7 @@ every_setting_is_told() {
 # A header of another version comes first among the places to look.
 other_version() { # VERSION-MACRO NUMBER
     mkdir -p "$work/other"
-    cp firmware/*.h "$work/other"
+    cp -R firmware/. "$work/other"
     sed -i "s/^#define $1 .*/#define $1 $2/" "$work/other/version.h"
 }
 

@@ -151,12 +151,12 @@ tables_need_their_rows() {
 # A renderer's function with another one inlined, its call of the target, which is not counted, and the C library's.
 profile() { # SELF
     cat <<END
-fl=/x/firmware/span.c
+fl=/x/firmware/lines/span.c
 fn=lim_span
 10 $1
-fi=/x/firmware/fixed.h
+fi=/x/firmware/math/fixed.h
 11 5
-fe=/x/firmware/span.c
+fe=/x/firmware/lines/span.c
 cfi=/x/sim/targets/frames.c
 cfn=done
 calls=3 20

@@ -22,7 +22,7 @@ build() { # NAME BYTES FLAG...; BYTES of memory, or what the scene asks for
     example_with_memory "$name" "$mem_b"
     # shellcheck disable=SC2086 # flags are words
     $CC -std=c11 -O2 $WARNINGS "$@" -DLIM_CONFIG='"teapot.h"' -Ifirmware -Itests/example -Isim/targets -I"$work" -o "$work/$name" \
-        "$work/$name.c" tests/example/display_hash.c sim/targets/start_host.c "$work/teapot.c" firmware/*.c
+        "$work/$name.c" tests/example/display_hash.c sim/targets/start_host.c "$work/teapot.c" firmware/*.c firmware/*/*.c
 }
 
 # Three frames; neither nothing nor everything is painted.

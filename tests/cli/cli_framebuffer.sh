@@ -84,7 +84,7 @@ asks_for() { # SCENE OPTION...: bytes into $work/asked
     # shellcheck disable=SC2086 # warnings are words
     "$BUILD/limner" compile "sim/scenes/$scene.obj" --size 128x64 -o "$work/model" "$@" >/dev/null &&
         ${CC:-cc} -std=c11 $WARNINGS -Ifirmware -I"$work" -DLIM_CONFIG='"model.h"' -o "$work/asks" "$work/main.c" \
-            "$work"/model*.c firmware/*.c && "$work/asks" >"$work/asked" && cat "$work/asked" &&
+            "$work"/model*.c firmware/*.c firmware/*/*.c && "$work/asks" >"$work/asked" && cat "$work/asked" &&
         awk '{ exit $1 != $2 || $1 <= 0 }' "$work/asked"
 }
 as_said() { # SCENE: by lines, and less in a picture

@@ -42,8 +42,8 @@ tap_check "a scene with them has both arrays" all_of_them
 object() { # NAME FLAG...: the renderer's code for the scene
     name=$1
     shift
-    gcc -std=c11 -O2 -Wall -Wextra -Wundef -Werror -Ifirmware -I"$work" "-DLIM_CONFIG=\"$name.h\"" "$@" -c firmware/walk.c \
-        -o "$work/walk.o" && gcc -std=c11 -Ifirmware -I"$work" "-DLIM_CONFIG=\"$name.h\"" "$@" -c firmware/portals.c -o "$work/portals.o" &&
+    gcc -std=c11 -O2 -Wall -Wextra -Wundef -Werror -Ifirmware -I"$work" "-DLIM_CONFIG=\"$name.h\"" "$@" -c firmware/view/walk.c \
+        -o "$work/walk.o" && gcc -std=c11 -Ifirmware -I"$work" "-DLIM_CONFIG=\"$name.h\"" "$@" -c firmware/view/portals.c -o "$work/portals.o" &&
         gcc -std=c11 -Wall -Wextra -Werror -Ifirmware -I"$work" "-DLIM_CONFIG=\"$name.h\"" "$@" -c "$work/$name.c" -o "$work/scene.o"
 }
 no_symbol() { object "$@" && [ -z "$(nm "$work/portals.o")" ]; }

@@ -172,7 +172,7 @@ needs_no_band() { # WxH
             --write-cameras "$work/cameras.h" &&
         # shellcheck disable=SC2086 # warnings are words
         ${CC:-cc} -std=c11 $WARNINGS -Ifirmware -I"$work" -DLIM_CONFIG='"model.h"' -o "$work/bands" "$work/bands.c" \
-            "$work"/model*.c firmware/*.c && "$work/bands"
+            "$work"/model*.c firmware/*.c firmware/*/*.c && "$work/bands"
 }
 for size in 32x32 64x32 128x64; do
     tap_check "at $size its own firmware needs no band for the same path" needs_no_band $size

@@ -26,7 +26,7 @@ links_and_paints() { # CORE STANDARD [FLAG...]
     $(cplusplus_of "$core") $(target_flags "$core" | sed 's/-std=[^ ]*//') "-std=$standard" -O2 -Wall -Wextra -pedantic -Werror \
         -ffreestanding -fno-exceptions -fno-rtti -ffunction-sections -fdata-sections -Ifirmware -Isim/targets -I"$work" "$@" \
         -c -o "$work/main.o" tests/cplusplus/main.cpp &&
-        target_link "$core" "$work/image" -I"$work" -DLIM_CONFIG='"model.h"' "$work/main.o" "$work/model.c" firmware/*.c &&
+        target_link "$core" "$work/image" -I"$work" -DLIM_CONFIG='"model.h"' "$work/main.o" "$work/model.c" firmware/*.c firmware/*/*.c &&
         target_run "$core" "$work/image" >"$work/frames" && diff "$work/expected" "$work/frames"
 }
 

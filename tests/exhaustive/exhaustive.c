@@ -5,7 +5,7 @@
 #include "exhaustive.h"
 
 #include "angle.h"
-#include "fixed.h"
+#include "math/fixed.h"
 
 #include <math.h>
 #include <stdio.h>

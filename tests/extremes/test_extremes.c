@@ -379,7 +379,7 @@ static struct lim_box box_with(struct random *random, const int16_t v[3])
     return box;
 }
 
-/* A point of the cube near the line of sight, whatever the lens. */
+/* A point of the cube near the line of visible set, whatever the lens. */
 static void point_in_view(struct random *random, const struct lim_camera *camera, const int16_t target[3], int16_t v[3])
 {
     const double far = random_unit(random) * 1.5, spread = ldexp(camera->tan_x_q28, -28);

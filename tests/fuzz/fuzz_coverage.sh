@@ -49,7 +49,7 @@ done
 
 # Of each compilation of a file: how often each line ran.
 notes() {
-    for notes in "$build"/core-*/firmware/*.gcno "$build"/host/firmware/*.gcno "$build"/host/sim/*/*.gcno; do
+    for notes in "$build"/core-*/firmware/*.gcno "$build"/core-*/firmware/*/*.gcno "$build"/host/firmware/*.gcno "$build"/host/firmware/*/*.gcno "$build"/host/sim/*/*.gcno; do
         name=$(basename "$notes" .gcno)
         case $notes in
         */host/sim/*) printf '%s\n' "$name" | grep -qxE "$readers" || continue ;;

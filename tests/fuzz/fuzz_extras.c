@@ -128,24 +128,24 @@ static bool has_leaf(const struct lim_scene *scene)
 }
 
 /* A bit a box: as many bytes in a row, of which the first zero ends what is looked at. */
-static void make_sights(struct fuzz_scene *made, struct fuzz_bytes *bytes)
+static void make_pvs(struct fuzz_scene *made, struct fuzz_bytes *bytes)
 {
     struct lim_scene *scene = &made->scene;
     const uint16_t size_b = (uint16_t)((scene->box_count + 7) / 8);
 
     if (!scene->box_count || has_leaf(scene)) return;
-    scene->sight_bytes = (uint16_t)(2 * size_b);
-    for (uint16_t i = 0; i < scene->sight_bytes; i++) {
+    scene->pvs_bytes = (uint16_t)(2 * size_b);
+    for (uint16_t i = 0; i < scene->pvs_bytes; i++) {
         const uint8_t bits = fuzz_u8(bytes);
-        made->sights[i] = bits ? bits : 1;
+        made->pvs[i] = bits ? bits : 1;
     }
     const uint8_t every = (uint8_t)(1 + fuzz_below(bytes, 4));
     for (uint16_t cell = 0; cell < 2 * scene->node_count; cell = (uint16_t)(cell + every)) {
         const struct lim_node *node = &made->nodes[cell / 2];
         if ((cell % 2 ? node->back : node->front) != LIM_NO_INDEX) continue; /* the tree goes on: no cell */
-        const uint8_t sight = fuzz_below(bytes, 3);
+        const uint8_t pvs = fuzz_below(bytes, 3);
         made->places[scene->place_count++] =
-            (struct lim_place){cell, sight == 2 ? (uint16_t)LIM_NONE : (uint16_t)(sight * size_b)};
+            (struct lim_place){cell, pvs == 2 ? (uint16_t)LIM_NONE : (uint16_t)(pvs * size_b)};
     }
 }
 
@@ -159,7 +159,7 @@ void fuzz_scene_add_extras(struct fuzz_scene *made, struct fuzz_bytes *bytes)
     scene->palettes = made->palette;
     scene->texels = made->texels;
     scene->places = made->places;
-    scene->sights = made->sights;
+    scene->pvs = made->pvs;
     const uint8_t layers = fuzz_u8(bytes);
     scene->limits.pieces = fuzz_u8(bytes);
     if (wanted & 1) {
@@ -171,5 +171,5 @@ void fuzz_scene_add_extras(struct fuzz_scene *made, struct fuzz_bytes *bytes)
     }
     if (wanted & 2) add_to_records(made, bytes);
     if (scene->limits.layers) scene->limits.layers = (uint16_t)(1 + layers);
-    if (wanted & 4) make_sights(made, bytes);
+    if (wanted & 4) make_pvs(made, bytes);
 }

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * Any valid scene with glass, textures and sights, in any look, by two sets of means, of which none may show. */
+ * Any valid scene with glass, textures and visible sets, in any look, by two sets of means, of which none may show. */
 #include "fuzz_scene.h"
 #include "fuzz_show.h"
 #include "fuzz_view.h"

@@ -39,7 +39,7 @@ struct fuzz_scene {
     uint16_t palette[FUZZ_PALETTE_COLOURS];
     uint8_t texels[FUZZ_TEXEL_BLOCKS * LIM_TEXEL_BLOCK];
     struct lim_place places[2 * FUZZ_NODES_MAX];
-    uint8_t sights[FUZZ_SIGHT_BYTES];
+    uint8_t pvs[FUZZ_SIGHT_BYTES];
 };
 
 void fuzz_scene_make(struct fuzz_scene *made, struct fuzz_bytes *bytes);
@@ -48,7 +48,7 @@ void fuzz_scene_make(struct fuzz_scene *made, struct fuzz_bytes *bytes);
 void fuzz_scene_make_chain(struct fuzz_scene *made, struct fuzz_bytes *bytes);
 
 /* Adds what not every scene has, as the bytes want it: polygons that are transparent, textured or made by the compiler
- * at some of their edges; sights. */
+ * at some of their edges; visible sets. */
 void fuzz_scene_add_extras(struct fuzz_scene *made, struct fuzz_bytes *bytes);
 
 #endif

@@ -6,12 +6,12 @@
  * out: of gaps, active polygons, retained cells, pieces, layers, entries of movers, runs of delta output.
  * GOLDEN_FRAMES=write writes the file anew. */
 #include "core/core.h"
-#include "delta.h"
 #include "golden_state.h"
+#include "lines/smooth.h"
+#include "pixels/delta.h"
 #include "rigs/cmocka_ready.h"
 #include "rigs/effort.h"
 #include "scene/moving.h"
-#include "smooth.h"
 
 #include <stdlib.h>
 #include <string.h>

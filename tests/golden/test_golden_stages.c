@@ -2,19 +2,19 @@
  *
  * Stages of which a frame shows little, alone, on many small inputs: their results are as in
  * tests/golden/golden_stages.expected. The stages' own tests say what is right; where several answers are (which
- * triangles cover a folded polygon, how far before a wall visibility is looked up anew), this tells that the answer is
- * another. GOLDEN_FRAMES=write writes the file anew. */
-#include "edge.h"
-#include "eye.h"
+ * triangles cover a non-monotone polygon, how far before a wall visibility is looked up anew), this tells that the
+ * answer is another. GOLDEN_FRAMES=write writes the file anew. */
 #include "golden_stage.h"
-#include "lamp.h"
+#include "light.h"
+#include "math/orientation.h"
 #include "motion.h"
-#include "orientation.h"
-#include "portals.h"
-#include "project.h"
 #include "rigs/cmocka_ready.h"
 #include "rigs/random_camera.h"
-#include "samples.h"
+#include "screen/edge.h"
+#include "screen/project.h"
+#include "screen/samples.h"
+#include "view/eye.h"
+#include "view/portals.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -26,7 +26,7 @@ static uint32_t add(uint32_t hash, int64_t value)
 
 /* EDGE --------------------------------------------------------------------------------------- */
 
-/* On a grid of half pixels, so that corners share lines and columns; many of them folded. */
+/* On a grid of half pixels, so that corners share lines and columns; many of them non-monotone. */
 static uint8_t few_corners(struct random *random, struct lim_point at[8], int grid)
 {
     const uint8_t n = (uint8_t)random_in(random, 3, 8);
@@ -45,19 +45,19 @@ static void shapes_of_small_polygons(void **state)
 
     (void)state;
     for (size_t grid = 0; grid < sizeof grids / sizeof *grids; grid++) {
-        uint32_t hash = GOLDEN_HASH, folded = 0;
+        uint32_t hash = GOLDEN_HASH, non_monotone = 0;
         for (int i = 0; i < 8000; i++) {
             struct lim_edge_shape shape = {0};
             struct lim_point at[8];
             const uint8_t n = few_corners(&random, at, grids[grid]);
-            lim_edge_measure(&shape, at, n);
-            lim_edge_measure_sides(&shape, at, n);
+            lim_edge_bounds(&shape, at, n);
+            lim_edge_bounds_sides(&shape, at, n);
             hash = add(add(hash, shape.top), shape.bottom);
             if (shape.top >= shape.bottom) continue;
-            hash = add(add(add(add(hash, shape.left), shape.right), shape.first), shape.folded ? shape.apex : -1);
-            folded += shape.folded;
+            hash = add(add(add(add(hash, shape.left), shape.right), shape.first), shape.non_monotone ? shape.apex : -1);
+            non_monotone += shape.non_monotone;
         }
-        golden_put("shapes on a grid of %d: %08x, folded %u\n", grids[grid], hash, folded);
+        golden_put("shapes on a grid of %d: %08x, non-monotone %u\n", grids[grid], hash, non_monotone);
     }
 }
 
@@ -68,7 +68,7 @@ static void samples_of_small_polygons(void **state)
 
     (void)state;
     for (size_t grid = 0; grid < sizeof grids / sizeof *grids; grid++) {
-        uint32_t hash = GOLDEN_HASH, folded = 0;
+        uint32_t hash = GOLDEN_HASH, non_monotone = 0;
         for (int i = 0; i < 8000; i++) {
             struct lim_edge_shape shape = {0};
             struct lim_point at[8];
@@ -77,10 +77,10 @@ static void samples_of_small_polygons(void **state)
                 at[k].y = (lim_sub)(at[k].y + random_in(&random, -LIM_SUB / 4, LIM_SUB / 4));
             lim_samples_measure(&shape, at, n);
             hash = add(add(add(add(hash, shape.top), shape.bottom), shape.left), shape.right);
-            hash = add(add(add(hash, shape.first), shape.end_row), shape.folded ? shape.apex : -1);
-            folded += shape.folded;
+            hash = add(add(add(hash, shape.first), shape.end_row), shape.non_monotone ? shape.apex : -1);
+            non_monotone += shape.non_monotone;
         }
-        golden_put("samples on a grid of %d: %08x, folded %u\n", grids[grid], hash, folded);
+        golden_put("samples on a grid of %d: %08x, non-monotone %u\n", grids[grid], hash, non_monotone);
     }
 }
 

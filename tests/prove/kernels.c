@@ -12,14 +12,14 @@ int __builtin_clz(unsigned x);
 /* Of each build what it proves: the more a unit holds, the more the prover of any goal has to go through. */
 #include "config.h"
 #if LIM_PROFILE == LIM_PROFILE_FAST
-#include "bend.c"
 #include "motion.c"
+#include "pieces/deform.c"
 #endif
 
 #include "angle.c"
-#include "cull.c"
-#include "edge.c"
-#include "eye.c"
-#include "fixed.c"
-#include "perspective.h"
-#include "transform.h"
+#include "math/fixed.c"
+#include "screen/edge.c"
+#include "view/cull.c"
+#include "view/eye.c"
+#include "view/perspective.h"
+#include "view/transform.h"

@@ -89,7 +89,7 @@ static void draw(struct run_stage *stage, size_t k, struct closed_run_sum *sum, 
     const size_t pixels = simulator_pixel_count(&ids->simulator), background = count_background(ids->faces, pixels);
     sum->overdrawn += stats->pixels_painted - (pixels - background);
     sum->miscounted += difference(stats->pixels_background, background);
-    sum->folded += stats->folded;
+    sum->non_monotone += stats->non_monotone;
     sum->bands += stats->bands;
     holes_add(&sum->holes, sum->profile, ids->faces, &stage->reference, 1 / grid->units_per_m);
 }
@@ -127,9 +127,9 @@ void closed_run_judge(const struct closed_run_sum *sums, size_t count, size_t pi
     for (size_t k = 0; k < count; k++) {
         const struct closed_run_sum *sum = &sums[k];
         printf("# closed-scenes %s: %zu pixels, %zu holes, %zu miscounted, %zu painted over; %.4f %% wrong, "
-               "%zu misplaced, %zu splits, %zu folded polygons, %zu bands\n",
+               "%zu misplaced, %zu splits, %zu non-monotone polygons, %zu bands\n",
                sum->profile->name, sum->holes.pixels, sum->holes.holes, sum->miscounted, sum->overdrawn,
-               holes_wrong_percent(&sum->holes), sum->holes.misplaced, sum->splits, sum->folded, sum->bands);
+               holes_wrong_percent(&sum->holes), sum->holes.misplaced, sum->splits, sum->non_monotone, sum->bands);
         failed += sum->holes.holes || sum->miscounted || sum->holes.pixels < pixels ||
                   10 * sum->overdrawn > sum->holes.pixels;
     }

@@ -19,7 +19,7 @@ struct closed_run_sum {
     struct holes holes;
     size_t overdrawn;  /* pixels that were painted over, each time */
     size_t miscounted; /* of the background: counted and not shown, or shown and not counted */
-    size_t splits, folded, bands;
+    size_t splits, non_monotone, bands;
 };
 
 /* Fills a sum for each profile and returns how many there are; shows progress on a terminal. Whatever fails

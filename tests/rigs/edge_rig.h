@@ -4,8 +4,8 @@
 #ifndef TESTS_EDGE_RIG_H
 #define TESTS_EDGE_RIG_H
 
-#include "edge.h"
 #include "random.h"
+#include "screen/edge.h"
 
 #include <stdio.h>
 
@@ -89,8 +89,8 @@ static inline size_t edge_rig_check(struct random *random, struct edge_rig_band 
     struct lim_edge_pair pair;
 
     edge_rig_triangle(random, band, at);
-    lim_edge_measure(&shape, at, 3);
-    assert_false(shape.folded);
+    lim_edge_bounds(&shape, at, 3);
+    assert_false(shape.non_monotone);
     if (shape.top >= shape.bottom) return 0;
     edge_rig_check_columns(random, at);
     const int16_t start =

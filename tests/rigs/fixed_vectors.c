@@ -6,10 +6,10 @@
 #include "fixed_vectors.h"
 
 #include "angle.h"
-#include "edge.h"
-#include "eye.h"
-#include "fixed.h"
-#include "view.h"
+#include "math/fixed.h"
+#include "screen/edge.h"
+#include "view/eye.h"
+#include "view/view.h"
 
 enum { LINE_LENGTH = 96, SERIES_CALLS = 2000 };
 
@@ -310,7 +310,7 @@ static int64_t random_edges(uint32_t *random)
         at[i].x = (lim_sub)((int32_t)(random_u32(random) % 30720u) - 7712);
         at[i].y = (lim_sub)((int32_t)(random_u32(random) % 30720u) - 7712);
     }
-    lim_edge_measure(&shape, at, 3);
+    lim_edge_bounds(&shape, at, 3);
     if (shape.top >= shape.bottom) return 0;
     lim_edge_begin(&pair, 3, shape.first);
     for (int16_t y = shape.top;;) {

@@ -3,7 +3,7 @@
  * Follows a polygon's two boundaries down its lines, without any clipping. */
 #include "raster.h"
 
-#include "project.h"
+#include "screen/project.h"
 
 static void add_interval(struct coverage *coverage, int16_t y, int16_t x0, int16_t x1)
 {
@@ -35,8 +35,8 @@ bool raster_add(struct coverage *coverage, const struct lim_point *at, uint8_t n
 {
     struct lim_screen_polygon polygon = {.n = n}, triangle;
 
-    lim_edge_measure(&polygon.shape, at, n);
-    if (!polygon.shape.folded) {
+    lim_edge_bounds(&polygon.shape, at, n);
+    if (!polygon.shape.non_monotone) {
         add_plain(coverage, &polygon.shape, at, n);
         return false;
     }

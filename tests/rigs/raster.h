@@ -4,7 +4,7 @@
 #ifndef TESTS_RASTER_H
 #define TESTS_RASTER_H
 
-#include "edge.h"
+#include "screen/edge.h"
 
 /* Pixels x0 .. x0 + w - 1, y0 .. y0 + h - 1 of the plane; may be negative. */
 struct coverage {
@@ -13,7 +13,7 @@ struct coverage {
 };
 
 /* Adds one to every pixel that the polygon covers, drawing it as the renderer does: as a fan of
- * triangles if it is folded. Returns whether it was. */
+ * triangles if it is non-monotone. Returns whether it was. */
 bool raster_add(struct coverage *coverage, const struct lim_point *at, uint8_t n);
 
 #endif

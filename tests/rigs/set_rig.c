@@ -4,7 +4,7 @@
 #include "set_rig.h"
 
 #include "cmocka_ready.h"
-#include "fill.h"
+#include "pixels/fill.h"
 #include "scene/plane.h"
 #include "unpainted.h"
 

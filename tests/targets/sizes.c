@@ -5,7 +5,7 @@
 #include "limner.h"
 
 #include "../../sim/scene/mcu_sizes.h"
-#include "clip.h"
+#include "view/clip.h"
 
 _Static_assert((int)MCU_CACHE_ENTRIES == (int)LIM_VIEW_CACHE_ENTRIES, "cache entries");
 enum { INDEX_B = LIM_HAS_WIDE ? MCU_INDEX_B : 0 };

@@ -17,7 +17,7 @@ compile() { # SOURCE...: for the scene
 compile_scene() {
     mkdir -p "$work/objects"
     "$limner" compile "$model" --size 240x240 -o "$work/model" &&
-        compile "$work/model.c" "$PWD"/firmware/*.c "$PWD"/boards/common/card.c "$PWD/boards/common/screen.c" "$PWD/tests/wire_board/board.c"
+        compile "$work/model.c" "$PWD"/firmware/*.c "$PWD"/firmware/*/*.c "$PWD"/boards/common/card.c "$PWD/boards/common/screen.c" "$PWD/tests/wire_board/board.c"
 }
 
 make_firmware() { # SIZE RENDERED-PANEL PANEL OPTION...

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT
  *
  * CLIP on polygons that rounding made not quite convex. */
-#include "clip.h"
 #include "rigs/cmocka_ready.h"
 #include "rigs/random.h"
+#include "view/clip.h"
 
 #include <math.h>
 #include <stdlib.h>

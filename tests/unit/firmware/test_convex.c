@@ -133,7 +133,7 @@ static void bend(struct compiled *scene, struct random *random)
 
 /* What the random frames were worth. */
 struct totals {
-    uint32_t pixels, twice, clipped, folded, full, empty, crowded;
+    uint32_t pixels, twice, clipped, non_monotone, full, empty, crowded;
 };
 
 /* Pixels that show a polygon: what nearest first leaves is the background. */
@@ -143,7 +143,7 @@ static uint32_t shown(const struct lim_stats *nearest)
 }
 
 /* What the convex method counts, beside what nearest first does: it paints some pixels twice, and a face that is
- * folded or shows nothing but such pixels counts once. */
+ * non-monotone or shows nothing but such pixels counts once. */
 static void assert_counts(const struct lim_stats *stats, const struct lim_stats *nearest)
 {
     assert_true(nearest->pixels_painted >= shown(nearest));
@@ -151,7 +151,7 @@ static void assert_counts(const struct lim_stats *stats, const struct lim_stats 
     assert_true(stats->pixels_background <= nearest->pixels_background);
     assert_true(stats->pixels_painted + stats->pixels_background >= W_PX * H_PX);
     assert_true(stats->polygons_seen <= stats->polygons);
-    if (nearest->folded || nearest->bands) return;
+    if (nearest->non_monotone || nearest->bands) return;
     assert_true(stats->polygons_seen >= nearest->polygons_seen);
     if (stats->pixels_painted > shown(nearest)) return;
     assert_int_equal(stats->pixels_background, nearest->pixels_background);
@@ -180,7 +180,7 @@ static void assert_same_frames(const struct compiled *scene, const struct core *
         totals->pixels += shown(&expected);
         totals->twice += stats.pixels_painted - shown(&expected);
         totals->clipped += stats.clipped;
-        totals->folded += stats.folded;
+        totals->non_monotone += stats.non_monotone;
         totals->full += expected.pixels_background == 0;
         totals->empty += stats.polygons == 0;
         totals->crowded += stats.bands;
@@ -220,21 +220,22 @@ static void every_solid_is_recognised(void **state)
 
 static void convex_draws_what_nearest_first_draws_in_every_profile(void **state)
 {
-    uint32_t folded = 0;
+    uint32_t non_monotone = 0;
     (void)state;
     for (const struct core *const *core = cores; *core; core++) {
         struct totals totals = {0};
         compare_solids(*core, 52, false, &totals);
-        printf("# %s: %u pixels, %u more painted twice, %u polygons clipped, %u folded, %u frames full, %u empty, %u "
+        printf("# %s: %u pixels, %u more painted twice, %u polygons clipped, %u non-monotone, %u frames full, %u "
+               "empty, %u "
                "pieces without room\n",
-               (*core)->name, totals.pixels, totals.twice, totals.clipped, totals.folded, totals.full, totals.empty,
-               totals.crowded);
+               (*core)->name, totals.pixels, totals.twice, totals.clipped, totals.non_monotone, totals.full,
+               totals.empty, totals.crowded);
         assert_true(totals.clipped > 0 && totals.full > 0 && totals.empty > 0);
         if (frames_a_solid() == FRAMES) assert_true(totals.clipped > 100 && totals.empty > 10 && totals.twice > 0);
         assert_true(totals.twice < totals.pixels / 100);
-        folded += totals.folded;
+        non_monotone += totals.non_monotone;
     }
-    assert_true(folded > (frames_a_solid() == FRAMES ? 10u : 0u));
+    assert_true(non_monotone > (frames_a_solid() == FRAMES ? 10u : 0u));
 }
 
 static void little_room_or_none_gives_the_same_picture(void **state)

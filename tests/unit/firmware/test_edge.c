@@ -122,12 +122,12 @@ static void make_chain(struct random *random, struct lim_point chain[CHAIN])
     }
 }
 
-static void folded_neighbours_leave_no_gap(void **state)
+static void non_monotone_neighbours_leave_no_gap(void **state)
 {
     struct random random = {7};
     const lim_sub right = (CHAIN - 1) * 20 * LIM_SUB, bottom = 80 * LIM_SUB;
     struct coverage coverage = {0, 0, (CHAIN - 1) * 20, 80, malloc((CHAIN - 1) * 20 * 80)};
-    size_t folded = 0, gaps = 0;
+    size_t non_monotone = 0, gaps = 0;
 
     (void)state;
     for (int k = 0; k < 5000; k++) {
@@ -142,13 +142,13 @@ static void folded_neighbours_leave_no_gap(void **state)
         below[CHAIN] = (struct lim_point){0, bottom};
         below[CHAIN + 1] = (struct lim_point){right, bottom};
         memset(coverage.count, 0, (size_t)(coverage.w * coverage.h));
-        folded += raster_add(&coverage, above, CHAIN + 2);
-        folded += raster_add(&coverage, below, CHAIN + 2);
+        non_monotone += raster_add(&coverage, above, CHAIN + 2);
+        non_monotone += raster_add(&coverage, below, CHAIN + 2);
         for (int32_t i = 0; i < coverage.w * coverage.h; i++)
             gaps += coverage.count[i] == 0;
     }
     assert_int_equal(gaps, 0);
-    assert_true(folded > 100); /* the case is really there */
+    assert_true(non_monotone > 100); /* the case is really there */
     free(coverage.count);
 }
 
@@ -190,7 +190,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(random_meshes_cover_every_pixel_exactly_once),
-        cmocka_unit_test(folded_neighbours_leave_no_gap),
+        cmocka_unit_test(non_monotone_neighbours_leave_no_gap),
         cmocka_unit_test(edges_are_exact_at_the_extremes),
         cmocka_unit_test(a_polygon_of_255_corners_is_its_fan),
     };

@@ -3,7 +3,7 @@
  * EDGE is exact, built for profile exact: 32 fraction bits. */
 #define LIM_PROFILE 3 /* exact */
 
-#include "edge.c"
+#include "screen/edge.c"
 
 #include "rigs/cmocka_ready.h"
 #include "rigs/edge_rig.h"

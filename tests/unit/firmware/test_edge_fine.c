@@ -5,7 +5,7 @@
 #define LIM_PROFILE 2 /* fine */
 #define LIM_MAX_SIDE_PX 340
 
-#include "edge.c"
+#include "screen/edge.c"
 
 #include "rigs/cmocka_ready.h"
 #include "rigs/edge_rig.h"

@@ -4,7 +4,7 @@
  * reciprocal that it divides by errs by no more than EDGE counts with. */
 #define LIM_DIVIDES 0
 
-#include "edge.c"
+#include "screen/edge.c"
 
 #include "rigs/cmocka_ready.h"
 #include "rigs/edge_rig.h"

@@ -3,7 +3,7 @@
  * EDGE is exact, built for a screen of 240 pixels: 22 fraction bits, coordinates of 16 bits. */
 #define LIM_MAX_SIDE_PX 240
 
-#include "edge.c"
+#include "screen/edge.c"
 
 #include "rigs/cmocka_ready.h"
 #include "rigs/edge_rig.h"

@@ -6,10 +6,10 @@
 
 #include "angle.h"
 #include "camera.h"
-#include "fixed.h"
+#include "math/fixed.h"
 #include "rigs/fixed_vectors.h"
 #include "rigs/random.h"
-#include "view.h"
+#include "view/view.h"
 
 #include <math.h>
 #include <stdio.h>

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
  * The ball that holds a mover, against its corners in doubles: none is outside, and the ball is no larger than the box
- * around them asks for; whether corners are the object's or, where it bends, anywhere. */
+ * around them asks for; whether corners are the object's or, where it deforms, anywhere. */
 #include "core/core.h"
 #include "golden/golden_stage.h"
 #include "rigs/cmocka_ready.h"
@@ -80,7 +80,7 @@ static void check_ball(const struct lim_mover *mover, const struct lim_instance 
 }
 
 /* Corners anywhere within a box that is anywhere. */
-static void bend(struct lim_vertex *vertices, size_t count, struct random *random)
+static void deform(struct lim_vertex *vertices, size_t count, struct random *random)
 {
     int64_t low[3], high[3];
 
@@ -112,7 +112,7 @@ static void every_ball_holds_its_mover_closely(void **state)
     struct lim_vertex vertices[CORNERS_MAX];
     struct random random = {401};
     struct simulator simulator;
-    unsigned bent = 0, whole = 0;
+    unsigned deformed = 0, whole = 0;
     struct error err;
 
     (void)state;
@@ -129,8 +129,8 @@ static void every_ball_holds_its_mover_closely(void **state)
         if (!camera_path_to_camera(&stage.path, round % GOLDEN_FRAMES, &stage.lens, &stage.scene.grid, &camera, &err))
             fail_msg("%s", err.text);
         memcpy(vertices, copy.vertices, copy.vertex_count * sizeof *vertices);
-        one->bends = round & 1;
-        if (one->bends) bend(vertices, copy.vertex_count, &random);
+        one->deforms = round & 1;
+        if (one->deforms) deform(vertices, copy.vertex_count, &random);
         copy.vertices = vertices;
         one->object = &copy;
         turn_anyhow(one, &random);
@@ -139,11 +139,11 @@ static void every_ball_holds_its_mover_closely(void **state)
         const struct lim_mover *mover = &lim->movers.movers[round % stage.moving.count];
         assert_true(mover->radius_q12 >= 0);
         check_ball(mover, one, &extent);
-        bent += one->bends;
-        whole += !one->bends;
+        deformed += one->deforms;
+        whole += !one->deforms;
         *one = kept;
     }
-    assert_true(bent > ROUNDS / 4 && whole > ROUNDS / 4);
+    assert_true(deformed > ROUNDS / 4 && whole > ROUNDS / 4);
     simulator_free(&simulator);
     golden_close(&stage);
 }

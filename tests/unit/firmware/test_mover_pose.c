@@ -2,11 +2,11 @@
  *
  * An instance in its place, function by function, against doubles: its corners and planes in the static scene, how far
  * ahead it is, the camera as it sees it; and which instances are left out, at each bound and one beyond. */
-#include "corners.h"
 #include "limner.h"
-#include "order.h"
-#include "orientation.h"
-#include "piece.h"
+#include "math/orientation.h"
+#include "orders/order.h"
+#include "pieces/corners.h"
+#include "pieces/piece.h"
 #include "rigs/cmocka_ready.h"
 #include "rigs/plain_lines.h"
 #include "rigs/random_camera.h"
@@ -173,10 +173,10 @@ static void corners_are_rounded_to_nearest(void **state)
     stage_close(&stage);
 }
 
-static void check_turned(const struct stage *stage, const struct lim_plane_wide *before)
+static void check_turned(const struct stage *stage, const struct lim_plane_unpacked *before)
 {
     const struct lim_instance *instance = &stage->instance;
-    struct lim_plane_wide plane = *before;
+    struct lim_plane_unpacked plane = *before;
     double own[3], turned[3], most = 0, rest = 0;
     int bits = 0;
 
@@ -210,7 +210,7 @@ static void planes_are_turned_with_their_object(void **state)
     stage.lim.movers.instances = &stage.instance;
     for (int round = 0; round < ROUNDS; round++) {
         const int64_t reach = INT64_C(1) << random_in(&random, 0, 30);
-        struct lim_plane_wide plane = {.slack = 9, .narrow = true, .axis = (uint8_t)(round % 4)};
+        struct lim_plane_unpacked plane = {.slack = 9, .narrow = true, .axis = (uint8_t)(round % 4)};
         for (int i = 0; i < 3; i++)
             plane.n[i] = (int32_t)random_in(&random, -reach, reach);
         if (!plane.n[0] && !plane.n[1]) plane.n[2] = (int32_t)reach;
@@ -645,7 +645,7 @@ static void sides_within_an_object_are_its_own(void **state)
 static void corners_are_added_where_the_plane_is_crossed(void **state)
 {
     enum { VALUES = 5, CASES = VALUES * VALUES * VALUES };
-    static const struct lim_plane_wide along_x = {.n = {1, 0, 0}, .slack = 1, .narrow = true, .axis = 0};
+    static const struct lim_plane_unpacked along_x = {.n = {1, 0, 0}, .slack = 1, .narrow = true, .axis = 0};
     static const int16_t at[3] = {0, 0, 0};
     static struct stage stage;
 
@@ -677,7 +677,7 @@ static void corners_are_added_where_the_plane_is_crossed(void **state)
 static void sides_are_the_wholes_as_long_as_they_decide(void **state)
 {
     enum { OF, CUT, POLYGONS };
-    static const struct lim_plane_wide along_x = {.n = {1, 0, 0}, .slack = 1, .narrow = true, .axis = 0};
+    static const struct lim_plane_unpacked along_x = {.n = {1, 0, 0}, .slack = 1, .narrow = true, .axis = 0};
     static const int16_t at[3] = {0, 0, 0};
     static struct stage stage;
 
@@ -705,7 +705,7 @@ static void sides_are_the_wholes_as_long_as_they_decide(void **state)
 /* The scene's limit and what cuts may add, of which a corner may bring two: one more than it has need be. */
 static void polygons_have_as_many_corners_as_cuts_may_add(void **state)
 {
-    static const struct lim_plane_wide along_x = {.n = {1, 0, 0}, .slack = 1, .narrow = true, .axis = 0};
+    static const struct lim_plane_unpacked along_x = {.n = {1, 0, 0}, .slack = 1, .narrow = true, .axis = 0};
     static const int16_t at[3] = {0, 0, 0};
     static struct stage stage;
 

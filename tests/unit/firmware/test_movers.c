@@ -361,7 +361,7 @@ static void a_flag_bends_in_the_wind(void **state)
     add_flag(&rig, &pose);
     add_box(&rig, 0.05, 0.9, 0.05, &pole); /* right through it */
     mover_rig_compile(&rig, MOVING_CLIPPED, LIM_NEAREST_FIRST, NULL);
-    rig.moving.instances[0].bends = true;
+    rig.moving.instances[0].deforms = true;
     assert_true(rig.moving.objects[0].scene.scene.vertex_count <= sizeof vertices / sizeof *vertices);
     const struct lim_movers_limits plenty = {2, rig.moving.limits.depth, 2000};
     mover_rig_limit(&rig, &plenty);

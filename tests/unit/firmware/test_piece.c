@@ -2,8 +2,8 @@
  *
  * Pieces of polygons, each function alone, on lists that are made by hand. What a piece has of a line is compared with
  * the rays through its pixels, its corners with cutting in doubles, overlaps with separating axes on the screen. */
-#include "order.h"
-#include "piece.h"
+#include "orders/order.h"
+#include "pieces/piece.h"
 #include "rigs/cmocka_ready.h"
 #include "rigs/random.h"
 #include "rigs/set_rig.h"
@@ -332,7 +332,7 @@ static void corners_are_where_planes_cut(void **state)
     (void)state;
     for (int round = 0; round < ROUNDS; round++) {
         struct lim_corners places[2];
-        struct lim_plane_wide plane;
+        struct lim_plane_unpacked plane;
         struct corners corners;
         stage_open(&stage, 3, &random);
         const struct lim *lim = &stage.view.lim;

@@ -3,9 +3,8 @@
  * Cells and portals: no picture changes by them, and what cannot be seen is left out. */
 #include "compiler/compile.h"
 #include "compiler/flow.h"
-#include "compiler/sights.h"
+#include "compiler/pvs.h"
 #include "core/core.h"
-#include "portals.h"
 #include "render/simulator.h"
 #include "rigs/closed_scene.h"
 #include "rigs/cmocka_ready.h"
@@ -13,6 +12,7 @@
 #include "rigs/room_scene.h"
 #include "scene/lim_check.h"
 #include "scene/scene_files.h"
+#include "view/portals.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -359,7 +359,7 @@ static void a_screen_hides_only_from_where_it_is_seen(void **state)
 
 /* Storage -------------------------------------------------------------------------------------- */
 
-/* One node, a cell in front of it that has a sight. */
+/* One node, a cell in front of it that has a visible set. */
 static struct lim_scene scene_of(const struct lim_place *place, const uint8_t *packed, size_t packed_b, uint16_t boxes)
 {
     static const struct lim_node node = {{LIM_PLANE_X, 0}, LIM_NO_INDEX, LIM_NO_INDEX, 0, LIM_NO_INDEX, LIM_NO_INDEX};
@@ -367,8 +367,8 @@ static struct lim_scene scene_of(const struct lim_place *place, const uint8_t *p
                               .node_count = 1,
                               .places = place,
                               .place_count = 1,
-                              .sights = packed,
-                              .sight_bytes = (uint16_t)packed_b,
+                              .pvs = packed,
+                              .pvs_bytes = (uint16_t)packed_b,
                               .box_count = boxes,
                               .limits = {.depth = 1}};
 }
@@ -395,8 +395,7 @@ static void what_is_packed_is_unpacked(void **state)
         const size_t count = (size_t)random_in(&random, 1, 600);
         for (size_t i = 0; i < count; i++)
             if (random_u64(&random) % (1 + (uint64_t)round % 50) == 0) bytes[i] = (uint8_t)random_u64(&random);
-        const struct lim_scene scene =
-            scene_of(&place, packed, sights_pack(bytes, count, packed), (uint16_t)(8 * count));
+        const struct lim_scene scene = scene_of(&place, packed, pvs_pack(bytes, count, packed), (uint16_t)(8 * count));
         memset(bits, 0xAA, sizeof bits);
         assert_true(unpack(&scene, bits));
         assert_memory_equal(bits, bytes, count);
@@ -404,7 +403,7 @@ static void what_is_packed_is_unpacked(void **state)
 }
 
 /* The unpacker ends at the end of bits and bytes alike: a guard behind both stays as it is. */
-static void a_hostile_sight_stays_within_its_bits(void **state)
+static void a_hostile_pvs_stays_within_its_bits(void **state)
 {
     struct random random = {8};
 
@@ -427,20 +426,20 @@ static void a_hostile_sight_stays_within_its_bits(void **state)
 }
 
 static void refused(const struct compiled *scene, const struct lim_place *places, size_t place_count,
-                    const uint8_t *sights, size_t sight_bytes, const char *reason)
+                    const uint8_t *pvs, size_t pvs_bytes, const char *reason)
 {
     struct lim_scene damaged = scene->scene;
     struct error err;
 
     damaged.places = places;
     damaged.place_count = (uint16_t)place_count;
-    damaged.sights = sights;
-    damaged.sight_bytes = (uint16_t)sight_bytes;
+    damaged.pvs = pvs;
+    damaged.pvs_bytes = (uint16_t)pvs_bytes;
     assert_false(lim_check(&damaged, &err));
     if (!strstr(err.text, reason)) fail_msg("'%s' does not say '%s'", err.text, reason);
 }
 
-static void damaged_places_and_sights_are_refused(void **state)
+static void damaged_places_and_pvs_are_refused(void **state)
 {
     const struct lim_place beyond = {0xFFF0, LIM_NONE};
     const uint8_t too_many[2] = {0, 255}, none[2] = {0, 0}, cut[1] = {0}, few[1] = {1};
@@ -461,7 +460,7 @@ static void damaged_places_and_sights_are_refused(void **state)
     refused(&scene, &divided, 1, few, 1, "is divided further");
     refused(&scene, twice, 2, few, 1, "does not come after");
     refused(&scene, &beyond, 1, few, 1, "cell 65520");
-    refused(&scene, &far, 1, few, 1, "sight at byte 700 of 1");
+    refused(&scene, &far, 1, few, 1, "visible set at byte 700 of 1");
     refused(&scene, &first, 1, too_many, 2, "does not end with the boxes");
     refused(&scene, &first, 1, none, 2, "does not end with the boxes");
     refused(&scene, &first, 1, cut, 1, "does not end with the boxes");
@@ -471,7 +470,7 @@ static void damaged_places_and_sights_are_refused(void **state)
     room_scene_free(&rooms);
 }
 
-static void a_file_keeps_places_and_sights(void **state)
+static void a_file_keeps_places_and_pvs(void **state)
 {
     char path[] = "/tmp/test_portals.XXXXXX";
     struct room_scene rooms;
@@ -485,9 +484,9 @@ static void a_file_keeps_places_and_sights(void **state)
     assert_true(file >= 0 && fclose(fdopen(file, "wb")) == 0);
     if (!lim_file_write(&scene, path, &err) || !lim_file_read(path, &read, &err)) fail_msg("%s", err.text);
     assert_int_equal(read.scene.place_count, scene.scene.place_count);
-    assert_int_equal(read.scene.sight_bytes, scene.scene.sight_bytes);
+    assert_int_equal(read.scene.pvs_bytes, scene.scene.pvs_bytes);
     assert_memory_equal(read.scene.places, scene.scene.places, scene.scene.place_count * sizeof *scene.scene.places);
-    assert_memory_equal(read.scene.sights, scene.scene.sights, scene.scene.sight_bytes);
+    assert_memory_equal(read.scene.pvs, scene.scene.pvs, scene.scene.pvs_bytes);
     remove(path);
     compiled_free(&read);
     compiled_free(&scene);
@@ -558,9 +557,9 @@ int main(void)
         cmocka_unit_test(a_ball_through_a_wall_sees_what_is_behind_it),
         cmocka_unit_test(a_screen_hides_only_from_where_it_is_seen),
         cmocka_unit_test(what_is_packed_is_unpacked),
-        cmocka_unit_test(a_hostile_sight_stays_within_its_bits),
-        cmocka_unit_test(damaged_places_and_sights_are_refused),
-        cmocka_unit_test(a_file_keeps_places_and_sights),
+        cmocka_unit_test(a_hostile_pvs_stays_within_its_bits),
+        cmocka_unit_test(damaged_places_and_pvs_are_refused),
+        cmocka_unit_test(a_file_keeps_places_and_pvs),
         cmocka_unit_test(what_has_no_closed_cells_is_refused),
         cmocka_unit_test(what_does_not_pay_is_left_out),
     };

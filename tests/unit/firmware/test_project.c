@@ -2,9 +2,9 @@
  *
  * From a record to a polygon on the screen: which edges wireframe leaves out, of a fan's triangles and of what clipping
  * leaves; which triangles there are. Where corners lie test_view.c and test_exact.c say. */
-#include "project.h"
 #include "rigs/cmocka_ready.h"
 #include "rigs/random.h"
+#include "screen/project.h"
 
 #include <string.h>
 
@@ -16,53 +16,54 @@ static bool is_hidden(const struct lim_screen_polygon *polygon, unsigned k)
 }
 
 /* Corners that tell their index. */
-static void any_folded(struct lim_screen_polygon *folded, struct random *random)
+static void any_non_monotone(struct lim_screen_polygon *non_monotone, struct random *random)
 {
-    memset(folded, 0, sizeof *folded);
-    folded->n = (uint8_t)(random_u64(random) % 2 ? random_in(random, 4, 20) : random_in(random, 4, CLIP_MAX_VERTICES));
-    folded->shape.apex = (uint8_t)(random_u64(random) % folded->n);
-    folded->colour = (uint16_t)random_u64(random);
-    folded->alpha = (uint8_t)random_u64(random);
-    folded->texture = (uint16_t)random_u64(random);
-    folded->antialiased = random_u64(random) & 1;
-    for (unsigned k = 0; k < folded->n; k++)
-        folded->at[k] = (struct lim_point){(lim_sub)k, (lim_sub)(k * k % 97)};
-    for (size_t i = 0; i < sizeof folded->hidden / sizeof *folded->hidden; i++)
-        folded->hidden[i] = (uint16_t)random_u64(random);
+    memset(non_monotone, 0, sizeof *non_monotone);
+    non_monotone->n =
+        (uint8_t)(random_u64(random) % 2 ? random_in(random, 4, 20) : random_in(random, 4, CLIP_MAX_VERTICES));
+    non_monotone->shape.apex = (uint8_t)(random_u64(random) % non_monotone->n);
+    non_monotone->colour = (uint16_t)random_u64(random);
+    non_monotone->alpha = (uint8_t)random_u64(random);
+    non_monotone->texture = (uint16_t)random_u64(random);
+    non_monotone->antialiased = random_u64(random) & 1;
+    for (unsigned k = 0; k < non_monotone->n; k++)
+        non_monotone->at[k] = (struct lim_point){(lim_sub)k, (lim_sub)(k * k % 97)};
+    for (size_t i = 0; i < sizeof non_monotone->hidden / sizeof *non_monotone->hidden; i++)
+        non_monotone->hidden[i] = (uint16_t)random_u64(random);
 }
 
 /* A triangle's edge is the polygon's where it leads on to the next corner; others are not drawn. */
 static void a_fan_hides_what_is_no_edge_of_the_polygon(void **state)
 {
     struct random random = {201};
-    struct lim_screen_polygon folded, triangle;
+    struct lim_screen_polygon non_monotone, triangle;
 
     (void)state;
     for (int i = 0; i < POLYGONS; i++) {
         unsigned drawn = 0, edges = 0;
-        any_folded(&folded, &random);
+        any_non_monotone(&non_monotone, &random);
         memset(&triangle, i & 1 ? 0xFF : 0, sizeof triangle);
-        for (unsigned k = 1; k + 2 <= folded.n; k++) {
-            lim_project_fan(&folded, (uint8_t)k, &triangle);
+        for (unsigned k = 1; k + 2 <= non_monotone.n; k++) {
+            lim_project_fan(&non_monotone, (uint8_t)k, &triangle);
             assert_int_equal(triangle.n, 3);
-            const unsigned wanted[3] = {folded.shape.apex, (folded.shape.apex + k) % folded.n,
-                                        (folded.shape.apex + k + 1) % folded.n};
+            const unsigned wanted[3] = {non_monotone.shape.apex, (non_monotone.shape.apex + k) % non_monotone.n,
+                                        (non_monotone.shape.apex + k + 1) % non_monotone.n};
             for (unsigned e = 0; e < 3; e++) {
                 const unsigned from = wanted[e], to = wanted[(e + 1) % 3];
-                const bool is_edge = to == (from + 1) % folded.n;
+                const bool is_edge = to == (from + 1) % non_monotone.n;
                 assert_int_equal(triangle.at[e].x, from);
-                assert_int_equal(is_hidden(&triangle, e), !is_edge || is_hidden(&folded, from));
+                assert_int_equal(is_hidden(&triangle, e), !is_edge || is_hidden(&non_monotone, from));
                 edges += is_edge;
                 drawn += !is_hidden(&triangle, e);
             }
-            assert_int_equal(triangle.colour, folded.colour);
-            assert_int_equal(triangle.alpha, folded.alpha);
-            assert_int_equal(triangle.texture, folded.texture);
-            assert_int_equal(triangle.antialiased, folded.antialiased);
+            assert_int_equal(triangle.colour, non_monotone.colour);
+            assert_int_equal(triangle.alpha, non_monotone.alpha);
+            assert_int_equal(triangle.texture, non_monotone.texture);
+            assert_int_equal(triangle.antialiased, non_monotone.antialiased);
         }
-        assert_int_equal(edges, folded.n);
-        for (unsigned k = 0; k < folded.n; k++)
-            drawn -= !is_hidden(&folded, k);
+        assert_int_equal(edges, non_monotone.n);
+        for (unsigned k = 0; k < non_monotone.n; k++)
+            drawn -= !is_hidden(&non_monotone, k);
         assert_int_equal(drawn, 0);
     }
 }

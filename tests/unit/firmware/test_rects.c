@@ -2,7 +2,7 @@
  *
  * Rectangles round what changed: every changed pixel is in one, none costs more than what it holds would have cost
  * apart, and which are put together goes by what a window costs. */
-#include "rects.h"
+#include "pixels/rects.h"
 #include "rigs/cmocka_ready.h"
 #include "rigs/random.h"
 

@@ -3,11 +3,11 @@
  * The rows of the view matrix against their definition, in long doubles and 128-bit integers: which cameras are taken,
  * how far the scene reaches, which scale is best, and how far a vertex may be off. */
 #include "angle.h"
-#include "orientation.h"
+#include "math/orientation.h"
 #include "rigs/cmocka_ready.h"
 #include "rigs/random.h"
-#include "rows.h"
-#include "view.h"
+#include "view/rows.h"
+#include "view/view.h"
 
 #include <math.h>
 #include <stdlib.h>

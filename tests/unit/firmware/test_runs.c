@@ -2,9 +2,9 @@
  *
  * Lines as runs against lines as pixels: frame after frame of random lines through rings of any size, noted in any
  * order or looked at; what is said to have changed is what has, and what is painted from runs is the line. */
+#include "pixels/runs.h"
 #include "rigs/cmocka_ready.h"
 #include "rigs/random.h"
-#include "runs.h"
 
 #include <string.h>
 

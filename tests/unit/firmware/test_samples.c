@@ -2,11 +2,11 @@
  *
  * What antialiasing is made of: the samples of polygons that tile the plane are all of each pixel's, each once; gaps
  * against a picture of booleans; sums of colours. */
-#include "fill.h"
 #include "limner.h"
+#include "lines/smooth.h"
+#include "pixels/fill.h"
 #include "rigs/cmocka_ready.h"
 #include "rigs/random.h"
-#include "smooth.h"
 
 #include <math.h>
 #include <string.h>
@@ -85,20 +85,20 @@ static void add_plain(struct cover *cover, const struct lim_point *at, uint8_t n
     }
 }
 
-/* As a fan if it is folded, as the renderer draws it. Returns whether it is. */
+/* As a fan if it is non-monotone, as the renderer draws it. Returns whether it is. */
 static bool add_polygon(struct cover *cover, const struct lim_point *at, uint8_t n)
 {
     struct lim_edge_shape shape;
 
     lim_samples_measure(&shape, at, n);
-    if (!shape.folded) add_plain(cover, at, n, &shape);
-    for (uint8_t k = 1; shape.folded && k + 1 < n; k++) {
+    if (!shape.non_monotone) add_plain(cover, at, n, &shape);
+    for (uint8_t k = 1; shape.non_monotone && k + 1 < n; k++) {
         const struct lim_point triangle[3] = {at[shape.apex], at[(shape.apex + k) % n], at[(shape.apex + k + 1) % n]};
         struct lim_edge_shape of;
         lim_samples_measure(&of, triangle, 3);
         add_plain(cover, triangle, 3, &of);
     }
-    return shape.folded;
+    return shape.non_monotone;
 }
 
 /* In pixels from the middle of the first one's. */
@@ -157,7 +157,7 @@ static void a_sliver_covers_what_it_covers(void **state)
     struct lim_edge_shape shape;
 
     (void)state;
-    lim_edge_measure_sides(&shape, at, 4);
+    lim_edge_bounds_sides(&shape, at, 4);
     assert_true(shape.left == shape.right);
     add_polygon(&cover, at, 4);
     for (int y = 0; y < H; y++)
@@ -223,10 +223,10 @@ static void neighbours_cover_all_of_each_pixel_and_nothing_twice(void **state)
 }
 
 /* Corners on a level edge, which rounding has moved up and down by up to a row. */
-static void folded_polygons_leave_nothing_open(void **state)
+static void non_monotone_polygons_leave_nothing_open(void **state)
 {
     struct random random = {33};
-    unsigned folded = 0;
+    unsigned non_monotone = 0;
 
     (void)state;
     for (int m = 0; m < MESHES; m++) {
@@ -244,14 +244,14 @@ static void folded_polygons_leave_nothing_open(void **state)
         lower[1] = point(W + 10, H + 10);
         for (int k = 1; k <= 11; k++)
             lower[1 + k] = upper[12 - k];
-        folded += add_polygon(&cover, upper, 13);
-        folded += add_polygon(&cover, lower, 13);
+        non_monotone += add_polygon(&cover, upper, 13);
+        non_monotone += add_polygon(&cover, lower, 13);
         for (int y = 0; y < H; y++)
             for (int x = 0; x < W; x++)
                 assert_int_equal(cover.mask[y][x], LIM_ALL_SAMPLES);
     }
-    print_message("# samples: %u of %u polygons were folded\n", folded, 2 * (unsigned)MESHES);
-    assert_true(folded > 0);
+    print_message("# samples: %u of %u polygons were non-monotone\n", non_monotone, 2 * (unsigned)MESHES);
+    assert_true(non_monotone > 0);
 }
 
 /* Gaps --------------------------------------------------------------------------------------- */
@@ -412,7 +412,7 @@ int main(void)
         cmocka_unit_test(an_upright_edge_knows_all_sixteenths_and_a_level_one_all_quarters),
         cmocka_unit_test(a_sliver_covers_what_it_covers),
         cmocka_unit_test(neighbours_cover_all_of_each_pixel_and_nothing_twice),
-        cmocka_unit_test(folded_polygons_leave_nothing_open),
+        cmocka_unit_test(non_monotone_polygons_leave_nothing_open),
         cmocka_unit_test(gaps_agree_with_a_picture_of_their_samples),
         cmocka_unit_test(three_polygons_in_a_pixel_are_mixed_by_what_they_cover),
     };

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT
  *
  * SPAN against a picture of booleans: what is open, which pieces come out, when the pool ends. */
+#include "lines/span.h"
 #include "rigs/cmocka_ready.h"
 #include "rigs/random.h"
-#include "span.h"
 
 #include <string.h>
 

@@ -3,7 +3,7 @@
  * Textured polygons: which texel the renderer shows, against rays in double precision; all orders paint the same;
  * levels of detail, wrapping, extremes. */
 #include "core/core.h"
-#include "model/light.h"
+#include "model/baked_light.h"
 #include "model/mapping.h"
 #include "render/simulator.h"
 #include "rigs/cmocka_ready.h"

@@ -2,10 +2,10 @@
  *
  * What texturing sets up once a frame and once a polygon, and what a line makes of it, number by number against
  * doubles: the planes over the screen, the texel that each pixel's ray meets, the level of detail. */
-#include "orientation.h"
+#include "math/orientation.h"
+#include "pixels/texture.h"
 #include "rigs/cmocka_ready.h"
 #include "rigs/random_camera.h"
-#include "texture.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -3,8 +3,8 @@
  * Which pixels of a line a piece has, where numbers are at their worst: polygons that the eye sees at a grazing angle,
  * cut so that all but a sliver lies on one side. And which samples, by frames of polygons that pass through each other.
  * Both on a screen that is no square, compared with rays. */
-#include "order.h"
-#include "piece.h"
+#include "orders/order.h"
+#include "pieces/piece.h"
 #include "rigs/cmocka_ready.h"
 #include "rigs/plain_lines.h"
 #include "rigs/random.h"
@@ -251,7 +251,7 @@ static void slivers_seen_at_grazing_angles_have_their_pixels_only(void **state)
         struct lim_screen_polygon whole;
         stage_open(&stage, &random);
         if (lim_project(&whole, &stage.lim.view, stage.lim.scene, record_of_whole(&stage), &screen, NULL) &&
-            !whole.shape.folded)
+            !whole.shape.non_monotone)
             for (int16_t y = whole.shape.top > 0 ? whole.shape.top : 0; y < whole.shape.bottom && y < H_PX; y++)
                 check_line(&stage, &whole, y, &found);
         free(stage.mem);

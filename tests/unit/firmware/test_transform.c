@@ -5,7 +5,7 @@
 #define LIM_PROFILE LIM_PROFILE_FINE
 #include "rigs/cmocka_ready.h"
 #include "rigs/random.h"
-#include "transform.h"
+#include "view/transform.h"
 
 static const int16_t ENDS[] = {-32767, -32766, -1, 0, 1, 32766, 32767};
 static const int16_t LOW_ENDS[] = {-16384, -16383, -1, 0, 1, 16383, 16384};

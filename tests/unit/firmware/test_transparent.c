@@ -2,10 +2,10 @@
  *
  * Transparent polygons: what a layer does to a pixel, that layers come in the painter's order in every order of
  * drawing and with any memory, and that models and files which cannot be right are refused. */
-#include "blend.h"
 #include "compiler/compile.h"
-#include "fill.h"
 #include "limner.h"
+#include "pixels/blend.h"
+#include "pixels/fill.h"
 #include "render/simulator.h"
 #include "rigs/closed_stage.h"
 #include "rigs/cmocka_ready.h"

@@ -3,7 +3,7 @@
  * The firmware's own walk on the worked examples of the literature: which child is entered, what is
  * drawn, in which order; and what an eye exactly on a plane sees. */
 #include "rigs/cmocka_ready.h"
-#include "walk.h"
+#include "view/walk.h"
 
 #include <string.h>
 

@@ -140,7 +140,7 @@ static void a_pixel_is_stroked_where_a_neighbour_is_not_the_polygons(void **stat
             if (f % 2) camera.roll = (uint32_t)random_u64(&random);
             draw(&stage, NULL, LIM_NEAREST_FIRST, &OFF, &camera, &filled);
             draw(&stage, NULL, LIM_NEAREST_FIRST, &WHITE, &camera, &wire);
-            if (filled.stats.clipped || filled.stats.folded) continue;
+            if (filled.stats.clipped || filled.stats.non_monotone) continue;
             stroked += assert_outline(&filled, &wire);
         }
         stage_close(&stage);

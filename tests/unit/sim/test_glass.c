@@ -6,7 +6,7 @@
 #include "base/vec3.h"
 #include "cameras/camera_path.h"
 #include "compiler/compile.h"
-#include "model/light.h"
+#include "model/baked_light.h"
 #include "readers/model_import.h"
 #include "render/simulator.h"
 #include "rigs/cmocka_ready.h"

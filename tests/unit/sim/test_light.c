@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
  * Baked light: one lamp above the left shoulder, brightness by the angle alone. */
-#include "model/light.h"
+#include "model/baked_light.h"
 #include "rigs/cmocka_ready.h"
 #include "rigs/random.h"
 #include "rigs/tiny_model.h"

@@ -1,0 +1,84 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * The list of a line's gaps, and the pool that all but its first are from: what closing whole pixels (span.c) and
+ * closing samples (mask.c) have in common. */
+#ifndef LIM_GAPS_H
+#define LIM_GAPS_H
+
+#include "lines/span.h"
+
+/* NULL behind the last one. */
+static inline struct lim_gap *lim_gap_after(const struct lim_spans *spans, const struct lim_gap *gap)
+{
+    return gap->next == LIM_NONE ? NULL : &spans->pool[gap->next];
+}
+
+/* LIM_NONE: there is none left. */
+static inline uint16_t lim_gap_take(struct lim_spans *spans)
+{
+    const uint16_t taken = spans->free;
+
+    if (taken == LIM_NONE) return spans->fresh < spans->pool_size ? spans->fresh++ : LIM_NONE;
+    spans->free = spans->pool[taken].next;
+    return taken;
+}
+
+static inline void lim_gap_give_back(struct lim_spans *spans, uint16_t gap)
+{
+    spans->pool[gap].next = spans->free;
+    spans->free = gap;
+}
+
+/* Member by member: a struct of 16 bits each would be copied by memcpy(). */
+static inline void lim_gap_copy(struct lim_gap *to, const struct lim_gap *from)
+{
+    to->x0 = from->x0;
+    to->x1 = from->x1;
+    to->next = from->next;
+#if LIM_HAS_ANTIALIAS
+    to->covered = from->covered;
+#endif
+}
+
+/* Unlinks a gap whose predecessor is `before` (NULL: it is the line's first). Returns the gap that follows, now
+ * in its place, or NULL. */
+static inline struct lim_gap *lim_gap_unlink(struct lim_spans *spans, struct lim_gap *gap, struct lim_gap *before)
+{
+    const uint16_t next = gap->next;
+
+    if (before) {
+        const uint16_t self = before->next;
+        before->next = next;
+        lim_gap_give_back(spans, self);
+        return lim_gap_after(spans, before);
+    }
+    if (next == LIM_NONE) {
+        gap->x0 = gap->x1 = 0;
+        spans->open_lines--;
+        return NULL;
+    }
+    lim_gap_copy(gap, &spans->pool[next]);
+    lim_gap_give_back(spans, next);
+    return gap;
+}
+
+/* The gap ends at x0, and a new one that follows it has its pixels from x1 on: all within the gap, x0 <= x1. false: no
+ * room. */
+static inline bool lim_gap_split(struct lim_spans *spans, struct lim_gap *gap, uint16_t x0, uint16_t x1)
+{
+    const uint16_t right = lim_gap_take(spans);
+
+    if (right == LIM_NONE) return false;
+    spans->pool[right] = (struct lim_gap)
+    {
+        .x0 = x1, .x1 = gap->x1, .next = gap->next,
+#if LIM_HAS_ANTIALIAS
+        .covered = gap->covered,
+#endif
+    };
+    gap->x1 = x0;
+    gap->next = right;
+    return true;
+}
+
+#endif

@@ -1,0 +1,64 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Gaps are only read here: what a transparent polygon covers stays open. */
+#include "lines/layers.h"
+
+#include "pixels/blend.h"
+
+#if LIM_HAS_SPANS && LIM_HAS_TRANSPARENT
+
+/* The first gap at or behind `gap` that reaches right of x, or NULL. */
+static const struct lim_gap *gap_beyond(const struct lim_spans *spans, const struct lim_gap *gap, int16_t x)
+{
+    while ((int16_t)gap->x1 <= x) {
+        if (gap->next == LIM_NONE) return NULL;
+        gap = &spans->pool[gap->next];
+    }
+    return gap;
+}
+
+bool lim_layers_see_line(const struct lim_spans *spans, uint16_t y, int16_t x0, int16_t x1)
+{
+    if (x0 >= x1) return false;
+    const struct lim_gap *gap = gap_beyond(spans, &spans->lines[y].gap, x0);
+    return gap && gap->x0 < gap->x1 && (int16_t)gap->x0 < x1;
+}
+
+bool lim_layers_see(const struct lim_spans *spans, const struct lim_screen_polygon *polygon, int16_t top,
+                    int16_t bottom)
+{
+    struct lim_edge_pair pair;
+
+    lim_edge_begin(&pair, polygon->n, polygon->shape.first);
+    for (int16_t y = top; y < bottom; y++) {
+        lim_edge_advance(&pair, polygon->at, polygon->n, y);
+        if (lim_layers_see_line(spans, (uint16_t)y, lim_edge_x(&pair.left), lim_edge_x(&pair.right))) return true;
+    }
+    return false;
+}
+
+void lim_layers_push(struct lim_layers *layers, const struct lim_spans *spans, const struct lim_line *line,
+                     const struct lim_layer *piece)
+{
+    const struct lim_gap *gap = &line->gap;
+
+    for (;; gap = &spans->pool[gap->next]) {
+        const uint16_t x0 = gap->x0 > piece->x0 ? gap->x0 : piece->x0, x1 = gap->x1 < piece->x1 ? gap->x1 : piece->x1;
+        if (x0 < x1) {
+            layers->exhausted = layers->used == layers->size;
+            if (layers->exhausted) return;
+            layers->pool[layers->used++] = (struct lim_layer){x0, x1, piece->colour, piece->alpha};
+        }
+        if (gap->next == LIM_NONE || gap->x1 >= piece->x1) return;
+    }
+}
+
+void lim_layers_blend(struct lim_layers *layers, uint16_t *line)
+{
+    while (layers->used) {
+        const struct lim_layer *layer = &layers->pool[--layers->used];
+        lim_blend(line, layer->x0, (uint16_t)(layer->x1 - layer->x0), layer->colour, layer->alpha);
+    }
+}
+
+#endif

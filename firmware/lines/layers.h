@@ -1,0 +1,39 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Transparent polygons in the nearest-first order. Pass one only looks whether any of their pixels is open; pass two
+ * puts their open pieces on a stack, and when all that is opaque is in the line, blends the stack from its top:
+ * far to near, which is the painter's order. In: gaps. Out: blended pixels. Memory: the stack, lent. */
+#ifndef LIM_LAYERS_H
+#define LIM_LAYERS_H
+
+#include "lines/span.h"
+#include "screen/project.h"
+
+/* A piece of a line that waits for what lies behind it. */
+struct lim_layer {
+    uint16_t x0, x1; /* x0 <= x < x1 */
+    uint16_t colour; /* as it lies in memory */
+    uint8_t alpha;
+};
+
+struct lim_layers {
+    struct lim_layer *pool;
+    uint16_t size, used;
+    bool exhausted; /* some did not fit */
+};
+
+/* Whether any of the pixels x0 <= x < x1 of a line is open. */
+bool lim_layers_see_line(const struct lim_spans *spans, uint16_t y, int16_t x0, int16_t x1);
+
+/* Whether any pixel of a polygon that is not non-monotone is open, on the lines top <= y < bottom that it has. */
+bool lim_layers_see(const struct lim_spans *spans, const struct lim_screen_polygon *polygon, int16_t top,
+                    int16_t bottom);
+
+/* Pushes what is open of the piece's pixels. */
+void lim_layers_push(struct lim_layers *layers, const struct lim_spans *spans, const struct lim_line *line,
+                     const struct lim_layer *piece);
+
+/* Empties the stack into `line`. */
+void lim_layers_blend(struct lim_layers *layers, uint16_t *line);
+
+#endif

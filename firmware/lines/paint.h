@@ -1,0 +1,58 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * PAINT: line by line, the retained polygons' pixels into the memory that the target lends. In: retained polygons,
+ * listed by their top line, and what SPAN has left open. Out: finished lines, top to bottom. Where all is flat colour
+ * each line is painted from far to near (flat.h). Else it closes its gaps once more, nearest polygon first, so every
+ * pixel is written exactly once; what stays open is background. Memory: a list of the polygons that cross the line,
+ * lent, and a stack for what is transparent (layers.h). */
+#ifndef LIM_PAINT_H
+#define LIM_PAINT_H
+
+#include "errors.h"
+#include "lines/active.h"
+#include "lines/layers.h"
+#include "lines/smooth.h"
+#include "lines/span.h"
+#include "lines/wireframe.h"
+#include "pixels/delta.h"
+#include "pixels/fill.h"
+#include "stats.h"
+#include "target.h"
+
+struct lim_paint {
+    const struct lim_target *target;
+#if LIM_HAS_TEXTURE
+    const struct lim_texturing *texturing;
+#endif
+    struct lim_actives actives;
+    uint16_t background; /* as it lies in memory */
+#if LIM_HAS_TRANSPARENT
+    struct lim_layers layers;
+#endif
+#if LIM_HAS_FALLBACK
+    uint16_t *lent; /* the line that could not be finished, or NULL */
+#endif
+#if LIM_HAS_ANTIALIAS
+    struct lim_smooth smooth;
+    const bool *antialiased; /* lim_view.antialiased */
+#endif
+#if LIM_HAS_WIREFRAME
+    const struct lim_wireframe *wireframe;
+#endif
+#if LIM_HAS_DELTA
+    struct lim_delta *delta; /* or NULL */
+#endif
+};
+
+/* lim_paint_band(): what it could not finish. */
+enum {
+    LIM_PAINT_ACTIVE = 1, /* too many polygons cross line *y for the pool */
+    LIM_PAINT_LAYERS = 2  /* too much of line *y, which is lent, is transparent for the stack */
+};
+
+/* Paints the lines of `band`; *y moves with those that are finished. The pool of gaps is used up. Positive: above;
+ * negative: the target's error. */
+LIM_MUST_CHECK int lim_paint_band(struct lim_paint *paint, struct lim_spans *spans, const struct lim_retained *retained,
+                                  const struct lim_rect *band, uint16_t *y, struct lim_stats *stats);
+
+#endif

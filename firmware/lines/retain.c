@@ -1,0 +1,70 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Cells are handed out in walk order, so a greater index means farther away, and each line's list
+ * runs from far to near. */
+#include "lines/retain.h"
+
+#if LIM_HAS_SPANS
+
+enum { CELL_WORDS = sizeof(union lim_retained_cell) / 2 };
+
+static inline uint8_t retain_alpha_of(const struct lim_retained_polygon *polygon)
+{
+#if LIM_HAS_TRANSPARENT
+    return polygon->alpha;
+#else
+    (void)polygon;
+    return LIM_OPAQUE;
+#endif
+}
+
+/* NULL: not in wireframe, where nothing is transparent. */
+static inline const uint16_t *hidden_of(const struct lim_retained_polygon *polygon)
+{
+#if LIM_HAS_WIREFRAME
+    return polygon->hidden;
+#else
+    (void)polygon;
+    return NULL;
+#endif
+}
+
+/* Over as many cells as it takes: they follow each other. */
+static inline void copy_words(uint16_t *to, const uint16_t *from, uint8_t count)
+{
+    while (count--)
+        *to++ = *from++;
+}
+
+bool lim_retain(struct lim_retained *retained, struct lim_line *lines, const struct lim_retained_polygon *polygon)
+{
+    const uint8_t alpha = retain_alpha_of(polygon);
+    const bool transparent = LIM_HAS_TRANSPARENT && alpha != LIM_OPAQUE;
+    const bool is_piece = LIM_HAS_NEWELL && !polygon->n;
+    const uint16_t *const hidden = hidden_of(polygon);
+    const uint8_t words = (uint8_t)(LIM_HAS_WIREFRAME && hidden ? (polygon->n + 15) / 16 : 0);
+    const uint16_t needed = (uint16_t)(LIM_RETAINED_HEAD_CELLS + polygon->n + (transparent && !is_piece) +
+                                       (words + CELL_WORDS - 1) / CELL_WORDS);
+
+    if (needed > retained->size - retained->used) return false;
+    union lim_retained_cell *cells = &retained->cells[retained->used];
+    lim_retained_link(retained, &lines[polygon->top], polygon->n, polygon->first, polygon->bottom, polygon->colour,
+                      needed);
+    retained->overhangs = true; /* not known here */
+    for (uint8_t k = 0; k < polygon->n; k++)
+        cells[LIM_RETAINED_HEAD_CELLS + k].at = polygon->at[k];
+    if (transparent) {
+        cells[1].look.bottom |= LIM_RETAINED_TRANSPARENT;
+        if (is_piece)
+            cells[0].link.first = alpha;
+        else
+            cells[LIM_RETAINED_HEAD_CELLS + polygon->n].alpha = alpha;
+    }
+    if (words) copy_words(cells[LIM_RETAINED_HEAD_CELLS + polygon->n].hidden, hidden, words);
+#if LIM_HAS_TRANSPARENT || LIM_HAS_TEXTURE
+    retained->mixed |= transparent || (LIM_HAS_TEXTURE && polygon->bottom & LIM_RETAINED_TEXTURE);
+#endif
+    return true;
+}
+
+#endif

@@ -1,0 +1,154 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * The polygons that have at least one visible pixel, by scan lines all that are in view, retained between SPAN and
+ * PAINT: their points on the screen, a colour, and the line on which they start. A tenth of the memory that their
+ * spans would take. The pool is lent by the caller. */
+#ifndef LIM_RETAIN_H
+#define LIM_RETAIN_H
+
+#include "lines/span.h"
+#include "pixels/blend.h"
+#include "profile.h"
+#include "screen/project.h"
+
+/* A retained polygon is two head cells and one cell a vertex; if it is transparent, one more with its alpha; in
+ * wireframe, as many as the flags of its edges take, an edge a bit. A piece of one (piece.h) has n = 0, its alpha in
+ * the place of `first`, and a cell a line, bottom to top: x its first pixel, y the one after its last. */
+union lim_retained_cell {
+    struct {
+        uint16_t next; /* the polygon retained before this one that starts on the same line */
+        uint8_t n, first;
+    } link;
+    struct {
+        uint16_t bottom; /* the line after its last, with LIM_RETAINED_TRANSPARENT or LIM_RETAINED_TEXTURE */
+        uint16_t colour; /* as it lies in memory; with LIM_RETAINED_TEXTURE lim_screen_polygon.texture */
+    } look;
+    struct lim_point at;
+    uint16_t alpha;
+    uint16_t hidden[sizeof(struct lim_point) / 2];
+};
+
+enum { LIM_RETAINED_HEAD_CELLS = 2 };
+#define LIM_RETAINED_TRANSPARENT 0x8000u
+#define LIM_RETAINED_TEXTURE 0x4000u
+
+struct lim_retained {
+    union lim_retained_cell *cells;
+    uint16_t size, used;
+    bool overhangs; /* a polygon may reach beyond the screen's left or right side */
+#if LIM_HAS_TRANSPARENT || LIM_HAS_TEXTURE
+    bool mixed;
+#endif
+};
+
+/* Whether one of the polygons is transparent or has a texture. */
+static inline bool lim_retained_is_mixed(const struct lim_retained *retained)
+{
+#if LIM_HAS_TRANSPARENT || LIM_HAS_TEXTURE
+    return retained->mixed;
+#else
+    (void)retained;
+    return false;
+#endif
+}
+
+static inline void lim_retained_clear(struct lim_retained *retained)
+{
+    retained->used = 0;
+    retained->overhangs = false;
+#if LIM_HAS_TRANSPARENT || LIM_HAS_TEXTURE
+    retained->mixed = false;
+#endif
+}
+
+struct lim_retained_polygon {
+    const struct lim_point *at;
+    uint8_t n, first;
+    uint16_t top, bottom; /* lines top <= y < bottom, on the screen; bottom perhaps with LIM_RETAINED_TEXTURE */
+    uint16_t colour;
+#if LIM_HAS_TRANSPARENT
+    uint8_t alpha;
+#endif
+#if LIM_HAS_WIREFRAME
+    const uint16_t *hidden; /* NULL: not in wireframe */
+#endif
+};
+
+/* What is transparent has no texture; in wireframe all is opaque and has none. */
+static inline struct lim_retained_polygon lim_retained_of(const struct lim_screen_polygon *polygon, int16_t top,
+                                                          int16_t bottom, bool wireframe)
+{
+    struct lim_retained_polygon seen;
+
+    seen.at = polygon->at;
+    seen.n = polygon->n;
+    seen.first = polygon->shape.first;
+    seen.top = (uint16_t)top;
+    seen.bottom = (uint16_t)bottom;
+    seen.colour = polygon->colour;
+#if LIM_HAS_TRANSPARENT
+    seen.alpha = wireframe ? (uint8_t)LIM_OPAQUE : polygon->alpha;
+#endif
+#if LIM_HAS_WIREFRAME
+    seen.hidden = wireframe ? polygon->hidden : NULL;
+#endif
+    if (LIM_HAS_TEXTURE && lim_screen_texture(polygon) != LIM_NONE && !wireframe &&
+        lim_alpha_of(polygon) == LIM_OPAQUE) {
+        seen.colour = lim_screen_texture(polygon);
+        seen.bottom |= LIM_RETAINED_TEXTURE;
+    }
+    return seen;
+}
+
+static inline uint16_t lim_retained_bottom(const union lim_retained_cell *cells)
+{
+    const uint16_t flags =
+        (LIM_HAS_TRANSPARENT ? LIM_RETAINED_TRANSPARENT : 0u) | (LIM_HAS_TEXTURE ? LIM_RETAINED_TEXTURE : 0u);
+
+    return (uint16_t)(cells[1].look.bottom & ~flags);
+}
+
+static inline bool lim_retained_has_texture(const union lim_retained_cell *cells)
+{
+    return LIM_HAS_TEXTURE && cells[1].look.bottom & LIM_RETAINED_TEXTURE;
+}
+
+static inline uint8_t lim_retained_alpha(const union lim_retained_cell *cells)
+{
+    if (!LIM_HAS_TRANSPARENT || !(cells[1].look.bottom & LIM_RETAINED_TRANSPARENT)) return LIM_OPAQUE;
+    if (LIM_HAS_NEWELL && !cells[0].link.n) return cells[0].link.first;
+    return (uint8_t)cells[LIM_RETAINED_HEAD_CELLS + cells[0].link.n].alpha;
+}
+
+LIM_STATIC_ASSERT(sizeof(union lim_retained_cell) == sizeof(struct lim_point), "points lie one a cell");
+
+/* Where the points of the next polygon of n corners would lie, or NULL: there is no room. */
+static inline struct lim_point *lim_retained_place(const struct lim_retained *retained, uint8_t n)
+{
+    const uint16_t needed = (uint16_t)(LIM_RETAINED_HEAD_CELLS + n);
+
+    if (needed > retained->size - retained->used) return NULL;
+    return &retained->cells[retained->used + LIM_RETAINED_HEAD_CELLS].at;
+}
+
+/* Links a polygon that takes so many cells, of which there are as many, into its top line. Points and flags are the
+ * caller's to write. */
+static inline void lim_retained_link(struct lim_retained *retained, struct lim_line *line, uint8_t n, uint8_t first,
+                                     uint16_t bottom, uint16_t colour, uint16_t cell_count)
+{
+    const uint16_t self = retained->used;
+    union lim_retained_cell *cells = &retained->cells[self];
+
+    cells[0].link.next = line->retained;
+    cells[0].link.n = n;
+    cells[0].link.first = first;
+    cells[1].look.bottom = bottom;
+    cells[1].look.colour = colour;
+    line->retained = self;
+    retained->used = (uint16_t)(self + cell_count);
+}
+
+/* Links the polygon into its top line. false: the pool is exhausted. */
+bool lim_retain(struct lim_retained *retained, struct lim_line *lines, const struct lim_retained_polygon *polygon);
+
+#endif

@@ -1,0 +1,66 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Antialiased edges, accumulated nearest first: a pixel whose samples are not all one polygon's stays open until all
+ * are closed, and each polygon adds its colour as often as it closes a sample. In: strips (samples.h), gaps that know
+ * samples (mask.h). Out: pixels. Memory: a line of sums, lent by whoever wants antialiasing. */
+#ifndef LIM_SMOOTH_H
+#define LIM_SMOOTH_H
+
+#include "lines/layers.h"
+#include "lines/mask.h"
+#include "lines/retain.h"
+#include "pixels/texture.h"
+#include "stats.h"
+
+/* What lim_set_antialias() borrows: a line's sums, and which samples are closed where that has to do without gaps. */
+#define LIM_ANTIALIAS_MEM_B(w_px) (((size_t)(w_px) * (sizeof(uint32_t) + sizeof(uint16_t)) + 3) & ~(size_t)3)
+
+struct lim_smooth {
+    uint32_t *sums;    /* of the colours of a pixel's closed samples: red from bit 20 on, green 10, blue 0; NULL: off */
+    uint16_t *covered; /* the closed samples of a line that is drawn alone */
+    uint16_t *line;    /* the memory of that line, or NULL */
+    uint16_t open_px;  /* how many of its pixels are open */
+};
+
+#if LIM_HAS_ANTIALIAS
+
+/* Where a polygon's samples go. */
+struct lim_smooth_sink {
+    uint16_t *line;
+    uint32_t *sums;
+    uint16_t colour; /* as it lies in memory */
+    uint16_t painted_px;
+    struct lim_stats *stats;
+#if LIM_HAS_TEXTURE
+    struct lim_textured_span span; /* no gradients: of one colour */
+#endif
+};
+
+/* A lim_mask_sink of a lim_smooth_sink. */
+void lim_smooth_mix(void *sink, const struct lim_run *run, uint16_t covered);
+
+/* SPAN: closes the samples of a polygon that is not non-monotone, on lines top <= y < bottom; if it is transparent,
+ * only looks whether any is open. */
+enum lim_span_result lim_smooth_close(struct lim_spans *spans, const struct lim_screen_polygon *polygon, int16_t top,
+                                      int16_t bottom);
+
+/* Pushes what is open of a transparent strip: at edges its alpha counts by samples. */
+void lim_smooth_push(struct lim_layers *layers, const struct lim_spans *spans, const struct lim_line *line,
+                     const struct lim_strip *strip, uint16_t colour, uint8_t alpha);
+
+/* What stays open of a line. */
+void lim_smooth_background(const struct lim_spans *spans, const struct lim_line *line, uint16_t background,
+                           struct lim_smooth_sink *sink);
+
+struct lim;
+
+/* A line for which the pools are too small is drawn alone, from a walk of its own, nearest first: begun, then every
+ * polygon at once, then ended. The same sums in the same order. Returns an enum lim_error or the target's. */
+int lim_smooth_begin_line(struct lim *lim, uint16_t y);
+void lim_smooth_add(struct lim *lim, const struct lim_strip *strip, const struct lim_screen_polygon *polygon);
+void lim_smooth_add_polygon(struct lim *lim, const struct lim_screen_polygon *polygon);
+int lim_smooth_end_line(struct lim *lim, uint16_t y);
+
+#endif
+
+#endif

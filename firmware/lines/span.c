@@ -1,0 +1,173 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * A piece that covers a gap's left end, right end, middle or all of it: the gap loses its left
+ * end, its right end, splits in two (the only case that takes memory), or is unlinked. An emptied
+ * gap must be unlinked at once: a later polygon would find its neighbour through it. */
+#include "lines/framebuffer.h"
+#include "lines/gaps.h"
+
+#if LIM_HAS_SPANS
+
+void lim_spans_reset_pool(struct lim_spans *spans)
+{
+    spans->free = LIM_NONE;
+    spans->fresh = 0;
+}
+
+void lim_spans_open(struct lim_spans *spans, const struct lim_target *target, const struct lim_rect *open)
+{
+    spans->open = *open;
+    spans->trimmed = false;
+    spans->open_lines = (uint16_t)(open->y1 - open->y0);
+    for (uint16_t y = open->y0; y < open->y1; y++) {
+        lim_line_open(&spans->lines[y], target, open, y);
+        if (LIM_HAS_ROUND && lim_line_is_closed(&spans->lines[y])) spans->open_lines--;
+    }
+    lim_spans_reset_pool(spans);
+}
+
+enum lim_span_result lim_span_close(struct lim_spans *spans, struct lim_line *line, int16_t x0, int16_t x1,
+                                    lim_span_sink *sink, void *ctx)
+{
+    enum lim_span_result result = LIM_SPAN_NOTHING;
+    struct lim_gap *gap = &line->gap, *before = NULL;
+
+    if (lim_line_is_closed(line)) return LIM_SPAN_NOTHING;
+    do {
+        const int32_t open0 = gap->x0, open1 = gap->x1;
+        if (open1 <= x0) {
+            before = gap;
+            gap = lim_gap_after(spans, gap);
+            continue;
+        }
+        if (open0 >= x1) break;
+        const uint16_t from = (uint16_t)(x0 > open0 ? x0 : open0), to = (uint16_t)(x1 < open1 ? x1 : open1);
+        if (from > open0 && to < open1 && !lim_gap_split(spans, gap, from, to)) return LIM_SPAN_EXHAUSTED;
+        if (LIM_HAS_SINKS && sink) sink(ctx, from, to);
+        result = LIM_SPAN_SOME;
+        if (from > open0) {
+            gap->x1 = from;
+            before = gap;
+            gap = lim_gap_after(spans, gap);
+        } else if (to < open1) {
+            gap->x0 = to;
+            break;
+        } else {
+            gap = lim_gap_unlink(spans, gap, before);
+        }
+    } while (gap);
+    return result;
+}
+
+/* A line's piece [x0, x1) that is no more than its only gap. false: there is no room for another one. */
+static inline bool close_in_gap(struct lim_spans *spans, struct lim_gap *gap, int32_t x0, int32_t x1)
+{
+    if (x0 != gap->x0) {
+        if (x1 != gap->x1) return lim_gap_split(spans, gap, (uint16_t)x0, (uint16_t)x1);
+        gap->x1 = (uint16_t)x0;
+    } else if (x1 != gap->x1) {
+        gap->x0 = (uint16_t)x1;
+    } else {
+        gap->x0 = gap->x1 = 0;
+        spans->open_lines--;
+    }
+    return true;
+}
+
+/* Most lines have one gap, or none, which lies at 0. `seen` is for what is retained, `sink` for what is painted at
+ * once: one of them is NULL. `many`: the sink of lines that have several. */
+static inline bool close_between(struct lim_spans *spans, int16_t y, int16_t end, struct lim_edge_pair *pair,
+                                 struct lim_span_extent *seen, lim_span_sink *sink, lim_span_sink *many,
+                                 struct lim_piece_look *look)
+{
+    struct lim_edge left, right;
+    struct lim_line *line = &spans->lines[y], *const after = &spans->lines[end], *first = NULL, *last = NULL;
+    bool exhausted = false;
+
+    lim_edge_copy(&left, &pair->left);
+    lim_edge_copy(&right, &pair->right);
+    do {
+        int32_t x0 = lim_edge_x(&left), x1 = lim_edge_x(&right);
+        lim_edge_step(&left);
+        lim_edge_step(&right);
+        if (line->gap.next != LIM_NONE) {
+            if (x0 >= x1) continue;
+            if (sink) look->y_px = (uint16_t)(line - spans->lines);
+            const enum lim_span_result result = lim_span_close(spans, line, (int16_t)x0, (int16_t)x1, many, look);
+            if (result == LIM_SPAN_NOTHING) continue;
+            if (result == LIM_SPAN_EXHAUSTED) exhausted = true;
+        } else {
+            if (x0 < line->gap.x0) x0 = line->gap.x0;
+            if (x1 > line->gap.x1) x1 = line->gap.x1;
+            if (x0 >= x1) continue;
+            if (!close_in_gap(spans, &line->gap, x0, x1)) exhausted = true;
+            if (sink && !exhausted) {
+                look->y_px = (uint16_t)(line - spans->lines);
+                sink(look, (uint16_t)x0, (uint16_t)x1);
+            }
+        }
+        if (sink) {
+            if (exhausted) return false;
+            continue;
+        }
+        if (!first) first = line;
+        last = line;
+    } while (++line < after);
+    lim_edge_follow(&pair->left, &left);
+    lim_edge_follow(&pair->right, &right);
+    if (first && first < spans->lines + seen->top) seen->top = (int16_t)(first - spans->lines);
+    if (first) seen->bottom = (int16_t)(last - spans->lines + 1);
+    return !exhausted;
+}
+
+bool lim_spans_close(struct lim_spans *spans, int16_t y, int16_t end, struct lim_edge_pair *pair,
+                     struct lim_span_extent *seen)
+{
+    return close_between(spans, y, end, pair, seen, NULL, NULL, NULL);
+}
+
+#if LIM_HAS_FILLED
+bool lim_spans_close_filling(struct lim_spans *spans, int16_t y, int16_t end, struct lim_edge_pair *pair,
+                             lim_span_sink *sink, struct lim_piece_look *look)
+{
+#if LIM_HAS_FRAMEBUFFER
+    if (!LIM_OPTIMISE_SIZE && (!LIM_HAS_FRAME || sink == lim_framebuffer_fill))
+        return close_between(spans, y, end, pair, NULL, lim_framebuffer_fill_inline, sink, look);
+#endif
+    return close_between(spans, y, end, pair, NULL, sink, sink, look);
+}
+#endif
+
+static uint16_t last_open(const struct lim_spans *spans, const struct lim_line *line)
+{
+    const struct lim_gap *gap = &line->gap;
+
+    while (gap->next != LIM_NONE)
+        gap = &spans->pool[gap->next];
+    return gap->x1;
+}
+
+bool lim_spans_shrink(struct lim_spans *spans)
+{
+    struct lim_rect open = spans->open;
+    uint16_t x0 = open.x1, x1 = open.x0;
+
+    while (open.y0 < open.y1 && lim_line_is_closed(&spans->lines[open.y0]))
+        open.y0++;
+    while (open.y0 < open.y1 && lim_line_is_closed(&spans->lines[open.y1 - 1]))
+        open.y1--;
+    for (uint16_t y = open.y0; y < open.y1; y++) {
+        const struct lim_line *line = &spans->lines[y];
+        if (lim_line_is_closed(line)) continue;
+        const uint16_t end = last_open(spans, line);
+        if (line->gap.x0 < x0) x0 = line->gap.x0;
+        if (end > x1) x1 = end;
+    }
+    const bool smaller =
+        spans->trimmed || x0 > open.x0 || x1 < open.x1 || open.y0 > spans->open.y0 || open.y1 < spans->open.y1;
+    spans->open = (struct lim_rect){x0, open.y0, x1, open.y1};
+    spans->trimmed = false;
+    return smaller;
+}
+
+#endif

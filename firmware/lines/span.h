@@ -1,0 +1,119 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * SPAN: per line, which pixels are still open. A line's open pixels are a list of gaps, left to
+ * right, the first one inside the line's own record: most lines never need a second. Memory: one
+ * record a line and a pool of further gaps, lent by the caller. */
+#ifndef LIM_SPAN_H
+#define LIM_SPAN_H
+
+#include "screen/edge.h"
+#include "target.h"
+#include "view/cull.h"
+
+/* Pixels x0 <= x < x1. */
+struct lim_gap {
+    uint16_t x0, x1;
+    uint16_t next; /* in the pool, or LIM_NONE */
+#if LIM_HAS_ANTIALIAS
+    uint16_t covered; /* antialiased: the samples of its pixels that are closed (samples.h), not all of them */
+#endif
+};
+
+struct lim_line {
+    struct lim_gap gap; /* x0 == x1: the line is closed */
+    uint16_t retained;  /* PAINT's list of polygons that start on this line, or LIM_NONE */
+};
+
+struct lim_spans {
+    struct lim_line *lines; /* one for each screen line */
+    struct lim_gap *pool;
+    uint16_t pool_size;
+    uint16_t free;  /* list of gaps that were given back */
+    uint16_t fresh; /* gaps from here on were never used */
+    uint16_t open_lines;
+    bool trimmed;         /* `open`, since it was drawn together */
+    struct lim_rect open; /* holds every open pixel */
+};
+
+enum lim_span_result {
+    LIM_SPAN_NOTHING = 0,  /* all of it was closed before */
+    LIM_SPAN_SOME = 1,     /* some of it was open, and is closed now */
+    LIM_SPAN_EXHAUSTED = 2 /* no gap was left in the pool; the lines are as they were found or further */
+};
+
+/* Receives a piece [x0, x1) of a line that was open, left to right. */
+typedef void lim_span_sink(void *ctx, uint16_t x0, uint16_t x1);
+
+/* Line y with the pixels of `band` open that the target shows, in one gap. */
+static inline void lim_line_open(struct lim_line *line, const struct lim_target *target, const struct lim_rect *band,
+                                 uint16_t y)
+{
+    struct lim_gap *gap = &line->gap; /* set member by member: a copy would be a call of memcpy() */
+
+    gap->x0 = band->x0;
+    gap->x1 = band->x1;
+    gap->next = LIM_NONE;
+#if LIM_HAS_ANTIALIAS
+    gap->covered = 0;
+#endif
+    line->retained = LIM_NONE;
+#if LIM_HAS_ROUND
+    if (target->visible) {
+        uint16_t x0, x1;
+        target->visible(target->ctx, y, &x0, &x1);
+        if (x0 > gap->x0) gap->x0 = x0 < gap->x1 ? x0 : gap->x1;
+        if (x1 < gap->x1) gap->x1 = x1 > gap->x0 ? x1 : gap->x0;
+    }
+#else
+    (void)target, (void)y;
+#endif
+}
+
+/* Opens the pixels of `open` that the target shows, and no others. */
+void lim_spans_open(struct lim_spans *spans, const struct lim_target *target, const struct lim_rect *open);
+
+/* Gives all gaps back; only single lines are used from now on. */
+void lim_spans_reset_pool(struct lim_spans *spans);
+
+/* Closes [x0, x1) of a line; x0 < x1, any values. Pieces that were open go to `sink`, if any. */
+enum lim_span_result lim_span_close(struct lim_spans *spans, struct lim_line *line, int16_t x0, int16_t x1,
+                                    lim_span_sink *sink, void *ctx);
+
+/* Lines top <= y < bottom; none: top >= bottom. */
+struct lim_span_extent {
+    int16_t top, bottom;
+};
+
+/* Closes what lies between two boundaries on the lines y <= line < end, to the end of which both go on, and moves them
+ * there. Widens `seen` downwards around the lines of which something was open. false: a pool is exhausted; some may be
+ * closed. The second form gives the pieces that were open to `sink` instead, with `look` for a context, whose line it
+ * sets. */
+LIM_MUST_CHECK bool lim_spans_close(struct lim_spans *spans, int16_t y, int16_t end, struct lim_edge_pair *pair,
+                                    struct lim_span_extent *seen);
+#if LIM_HAS_FILLED
+LIM_MUST_CHECK bool lim_spans_close_filling(struct lim_spans *spans, int16_t y, int16_t end, struct lim_edge_pair *pair,
+                                            lim_span_sink *sink, struct lim_piece_look *look);
+#endif
+
+/* Draws `open` together around what is open. true: it became smaller than it was at the last call. */
+bool lim_spans_shrink(struct lim_spans *spans);
+
+static inline bool lim_line_is_closed(const struct lim_line *line)
+{
+    return line->gap.x0 == line->gap.x1;
+}
+
+/* Leaves the closed lines at its top and bottom out of `open`. One must be open. */
+static inline void lim_spans_trim(struct lim_spans *spans)
+{
+    struct lim_rect *open = &spans->open;
+    const uint16_t y0 = open->y0, y1 = open->y1;
+
+    while (lim_line_is_closed(&spans->lines[open->y0]))
+        open->y0++;
+    while (lim_line_is_closed(&spans->lines[open->y1 - 1]))
+        open->y1--;
+    spans->trimmed |= open->y0 != y0 || open->y1 != y1;
+}
+
+#endif

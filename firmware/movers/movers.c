@@ -1,0 +1,379 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * POSE: each instance's view and eye in its object's own coordinates, in which its vertices are exact and its tree is
+ * walked by the same exact tests. What is rounded is where the eye is, to 1/256 of the object's unit.
+ *
+ * Ranges. A centre and all around it lie within 2^16 units, 2^28 in Q12; an eye within 2^20 units, of the static scene
+ * and of the object's own. */
+#include "movers/movers.h"
+
+#include "math/orientation.h"
+#include "orders/order.h"
+#include "pieces/corners.h"
+#include "pieces/deform.h"
+
+#if LIM_HAS_MOVERS
+
+#define WORLD_END_Q12 (INT32_C(1) << 28)
+#define AT_END_Q8 (INT32_C(1) << 24)
+enum { FINER_BITS_MAX = 3 };
+
+/* Memory ------------------------------------------------------------------------------------- */
+
+size_t lim_movers_mem_b(const struct lim_scene *scene, const struct lim_movers_limits *limits)
+{
+    return LIM_MOVERS_MEM_B(scene->limits.depth, limits->instances, limits->depth, limits->entries);
+}
+
+static void *movers_cut(uint8_t **mem, size_t size_b)
+{
+    void *piece = *mem;
+
+    *mem += size_b;
+    return piece;
+}
+
+/* Widest alignment first. */
+int lim_movers_init(struct lim *lim, void *mem, size_t mem_b, const struct lim_movers_limits *limits)
+{
+    struct lim_movers *movers = &lim->movers;
+    struct lim_sorter *sorter = &lim->sorter;
+    uint8_t *at = mem;
+
+    LIM_ASSERT(mem && (uintptr_t)mem % sizeof(void *) == 0);
+    LIM_ASSERT(limits->instances <= LIM_INSTANCES_MAX && limits->instances <= limits->entries);
+    LIM_ASSERT(limits->entries <= LIM_SORTED_MAX);
+    if (mem_b < lim_movers_mem_b(lim->scene, limits)) return LIM_ERR_MEMORY;
+    lim_drop_ahead(lim);
+#if LIM_HAS_LIGHT
+    movers->light.on = false;
+#endif
+    movers->most = limits->instances;
+    movers->object_depth = limits->depth;
+    if (lim->target.method != LIM_NEAREST_FIRST && lim->target.method != LIM_PAINTER) movers->most = 0;
+    if (!movers->most) return LIM_OK;
+    movers->movers = movers_cut(&at, limits->instances * sizeof *movers->movers);
+    sorter->size = limits->entries;
+    sorter->list = movers_cut(&at, limits->entries * sizeof *sorter->list);
+    sorter->newell.polygons = movers_cut(&at, limits->entries * sizeof *sorter->newell.polygons);
+    sorter->newell.cut_size = limits->entries;
+    sorter->newell.options = (struct lim_newell_options){.most = 0};
+    movers->cache = movers_cut(&at, LIM_VIEW_CACHE_ENTRIES * sizeof *movers->cache);
+    sorter->newell.cuts = movers_cut(&at, limits->entries * sizeof *sorter->newell.cuts);
+    movers->stack = movers_cut(&at, lim->scene->limits.depth * sizeof *movers->stack);
+    movers->object_stack = movers_cut(&at, limits->depth * sizeof *movers->object_stack);
+    return LIM_OK;
+}
+
+static void set_instances(struct lim_movers *movers, const struct lim_instance *instances, uint16_t count)
+{
+    movers->instances = instances;
+    movers->count = count < movers->most ? count : movers->most;
+    movers->given = count;
+}
+
+int lim_movers_frame(struct lim *lim, const struct lim_camera *camera, const struct lim_instance *instances,
+                     uint16_t count)
+{
+    lim_drop_ahead(lim);
+    set_instances(&lim->movers, instances, count);
+    const int err = lim_frame(lim, camera);
+    set_instances(&lim->movers, NULL, 0);
+    return err;
+}
+
+#if LIM_HAS_STREAM
+int lim_movers_begin(struct lim *lim, const struct lim_camera *camera, const struct lim_instance *instances,
+                     uint16_t count)
+{
+    lim_drop_ahead(lim);
+    set_instances(&lim->movers, instances, count);
+    const int err = lim_begin_ahead(lim, camera);
+    if (err) set_instances(&lim->movers, NULL, 0);
+    return err;
+}
+#endif
+
+void lim_instance_turn(struct lim_instance *instance, uint32_t yaw, uint32_t pitch, uint32_t roll)
+{
+    const struct lim_camera turned = {.yaw = yaw, .pitch = pitch, .roll = roll};
+
+    lim_orientation_set(instance->axes_q30, &turned); /* to the right, down, ahead: x, -y, -z */
+    for (uint_fast8_t i = 3; i < 9; i++)
+        instance->axes_q30[i] = -instance->axes_q30[i];
+}
+
+/* Pose --------------------------------------------------------------------------------------- */
+
+/* The sum of v[i] axes[j][i] over i, along the object's axis j. */
+static int64_t along_axis(const struct lim_instance *instance, uint_fast8_t j, const int32_t v[3])
+{
+    const int32_t *axis_q30 = &instance->axes_q30[3 * j];
+
+    return (int64_t)axis_q30[0] * v[0] + (int64_t)axis_q30[1] * v[1] + (int64_t)axis_q30[2] * v[2];
+}
+
+#if LIM_LONG_MULTIPLY || LIM_HAS_FRACTIONS
+/* A point of the object, `bits` fraction bits to its own unit. |v| < 2^24, so sums stay below 2^56. */
+static void place_fine(const struct lim_instance *instance, const int32_t v[3], uint8_t bits, int32_t at_q12[3])
+{
+    const uint8_t shift = (uint8_t)(30 - 12 + bits + instance->finer_bits);
+
+    for (uint_fast8_t i = 0; i < 3; i++) {
+        int64_t sum = 0;
+        for (uint_fast8_t j = 0; j < 3; j++)
+            sum += (int64_t)instance->axes_q30[3 * j + i] * v[j];
+        at_q12[i] = instance->at_q8[i] * 16 + (int32_t)shift_round_s64(sum, shift);
+    }
+}
+#endif
+
+#if LIM_LONG_MULTIPLY
+static void movers_place(const struct lim_instance *instance, const int32_t v[3], int32_t at_q12[3])
+{
+    place_fine(instance, v, 0, at_q12);
+}
+#else
+/* The same of whole units, |v| <= 2^15: axes in limbs of 15 bits, each product in 32. As the axes' components of one
+ * coordinate are a unit vector, the sum of the high ones stays below sqrt(3) 2^30, of the low ones below 3 * 2^29. */
+static void movers_place(const struct lim_instance *instance, const int32_t v[3], int32_t at_q12[3])
+{
+    const uint8_t shift = (uint8_t)(30 - 12 - 15 + instance->finer_bits);
+
+    for (uint_fast8_t i = 0; i < 3; i++) {
+        int32_t high = 0, low = 0;
+        for (uint_fast8_t j = 0; j < 3; j++) {
+            const int32_t axis_q15 = (instance->axes_q30[3 * j + i] + (INT32_C(1) << 14)) >> 15;
+            high += axis_q15 * v[j];
+            low += (instance->axes_q30[3 * j + i] - axis_q15 * (INT32_C(1) << 15)) * v[j];
+        }
+        const int32_t rest = (high & ((INT32_C(1) << shift) - 1)) * (INT32_C(1) << 15);
+        const int32_t half = INT32_C(1) << (14 + shift);
+        at_q12[i] = instance->at_q8[i] * 16 + (high >> shift) + ((low + rest + half) >> (15 + shift));
+    }
+}
+#endif
+
+void lim_mover_place(const struct lim *lim, uint16_t mover, lim_index vertex, int32_t at_q12[3])
+{
+    const struct lim_instance *instance = &lim->movers.instances[mover];
+    const struct lim_vertex at = instance->object->vertices[vertex];
+
+#if LIM_HAS_FRACTIONS
+    if (instance->object->fractions) {
+        const struct lim_fraction fraction = instance->object->fractions[vertex];
+        const int32_t v_q8[3] = {at.x * INT32_C(256) + fraction.x_q8, at.y * INT32_C(256) + fraction.y_q8,
+                                 at.z * INT32_C(256) + fraction.z_q8};
+        place_fine(instance, v_q8, 8, at_q12);
+        return;
+    }
+#endif
+    const int32_t v[3] = {at.x, at.y, at.z};
+    movers_place(instance, v, at_q12);
+}
+
+/* The normal N = R n has as many bits as leave room, 29; its d follows from N . p = n . v for p = R v / 2^finer + at.
+ */
+void lim_mover_turn(const struct lim *lim, uint16_t mover, struct lim_plane_unpacked *plane)
+{
+    const struct lim_instance *instance = &lim->movers.instances[mover];
+    const int32_t n[3] = {plane->n[0], plane->n[1], plane->n[2]};
+    const uint8_t spare = clz_u32(abs_s32(n[0]) | abs_s32(n[1]) | abs_s32(n[2])); /* n < 2^(32 - spare) */
+    int64_t offset_q8 = 0;
+
+    for (uint_fast8_t i = 0; i < 3; i++) {
+        int64_t sum = 0;
+        for (uint_fast8_t j = 0; j < 3; j++)
+            sum += (int64_t)instance->axes_q30[3 * j + i] * n[j];
+        plane->n[i] =
+            (int32_t)shift_round_s64(sum, (uint8_t)(34 - spare)); /* times 2^(spare - 4), below 2^28 sqrt(3) */
+        offset_q8 += (int64_t)plane->n[i] * instance->at_q8[i];
+    }
+    const int64_t own = spare >= 4 ? plane->d * (INT64_C(1) << (spare - 4)) : plane->d >> (4 - spare);
+    plane->d = (own >> instance->finer_bits) + (offset_q8 >> 8);
+    plane->slack = (int64_t)abs_s32(plane->n[0]) + abs_s32(plane->n[1]) + abs_s32(plane->n[2]);
+    plane->narrow = false;
+    plane->axis = LIM_NO_AXIS;
+}
+
+int32_t lim_mover_depth(const struct lim *lim, const int32_t at_q12[3])
+{
+    int64_t sum_q40 = 0;
+
+    for (uint_fast8_t i = 0; i < 3; i++)
+        sum_q40 += lim->movers.ahead_q28[i] * ((int64_t)at_q12[i] - (int64_t)lim->movers.eye_q8[i] * 16);
+    return (int32_t)(sum_q40 >> 31);
+}
+
+struct lim_view *lim_mover_view(struct lim *lim, uint16_t mover)
+{
+    struct lim_movers *movers = &lim->movers;
+
+    if (movers->cached != mover) {
+        for (uint_fast16_t i = 0; i < LIM_VIEW_CACHE_ENTRIES; i++)
+            movers->cache[i].vertex = LIM_NO_INDEX;
+        movers->cached = mover;
+    }
+    return &movers->movers[mover].view;
+}
+
+bool lim_movers_compares(const struct lim *lim)
+{
+    return LIM_IS_NEWELL(&lim->target) || lim->movers.measuring;
+}
+
+/* What holds the object: its root's box, or what holds its vertices where it is too small to have one, or deforms. */
+static struct lim_box movers_box_of(const struct lim_instance *instance)
+{
+    const struct lim_scene *object = instance->object;
+    const lim_index root = lim_deforms(instance) ? (lim_index)LIM_NO_INDEX : object->nodes[0].box;
+    int32_t low[3], high[3];
+    struct lim_box box;
+
+    if (root != LIM_NO_INDEX) return object->boxes[root];
+    for (uint_fast8_t i = 0; i < 3; i++)
+        low[i] = high[i] = 0;
+    for (lim_index k = 0; k < object->vertex_count; k++) {
+        const struct lim_vertex vertex = object->vertices[k];
+        const int32_t at[3] = {vertex.x, vertex.y, vertex.z};
+        for (uint_fast8_t i = 0; i < 3; i++) {
+            if (!k || at[i] < low[i]) low[i] = at[i];
+            if (!k || at[i] > high[i]) high[i] = at[i];
+        }
+    }
+    for (uint_fast8_t i = 0; i < 3; i++) {
+        box.centre[i] = (int16_t)((low[i] + high[i]) >> 1);
+        box.half[i] = (uint16_t)(((high[i] - low[i]) >> 1) + 1);
+    }
+    return box;
+}
+
+/* As in rows.c, a length is at most that of its longest component and 107/256 of the others. */
+static void set_ball(struct lim_mover *mover, const struct lim_instance *instance)
+{
+    const struct lim_box box = movers_box_of(instance);
+    int32_t centre[3];
+    uint32_t longest = 0, sum = 0;
+
+    for (uint_fast8_t i = 0; i < 3; i++) {
+        centre[i] = box.centre[i];
+        sum += box.half[i];
+        if (box.half[i] > longest) longest = box.half[i];
+    }
+    movers_place(instance, centre, mover->centre_q12);
+    const uint32_t radius = longest + (sum - longest) * 107 / 256 + 1; /* below 2^16 */
+    mover->radius_q12 = (int32_t)((radius << 12 >> instance->finer_bits) + LIM_CORNER_ONE_Q12);
+}
+
+static bool is_within(const struct lim_mover *mover)
+{
+    for (uint_fast8_t i = 0; i < 3; i++)
+        if ((int64_t)abs_s32(mover->centre_q12[i]) + mover->radius_q12 >= WORLD_END_Q12) return false;
+    return true;
+}
+
+/* Whether one of its polygons can be retained, as a band of one pixel asks for. */
+static bool fits_pool(const struct lim *lim, const struct lim_scene *object)
+{
+#if LIM_HAS_SPANS
+    if (LIM_HAS_NEAREST && lim->target.method == LIM_NEAREST_FIRST)
+        return LIM_RETAINED_HEAD_CELLS + object->limits.vertices + CLIP_PLANES <= lim->retained.size;
+#else
+    (void)lim;
+    (void)object;
+#endif
+    return true;
+}
+
+static bool is_usable(const struct lim *lim, const struct lim_instance *instance)
+{
+    const struct lim_scene *object = instance->object;
+
+    if (!object || !object->node_count || !object->polygon_count || instance->finer_bits > FINER_BITS_MAX) return false;
+    for (uint_fast8_t i = 0; i < 3; i++)
+        if (abs_s32(instance->at_q8[i]) >= (uint32_t)AT_END_Q8) return false;
+    return object->limits.vertices <= LIM_MAX_VERTICES && fits_pool(lim, object) &&
+           object->limits.depth <= lim->movers.object_depth && (LIM_HAS_SLANTED || !object->plane_count) &&
+           (LIM_HAS_LARGE || !object->exact_count);
+}
+
+/* The camera, as the object sees it. false: it is too far away. */
+static bool turn_camera(struct lim_camera *own, const struct lim_camera *camera, const struct lim_instance *instance,
+                        const int32_t axes_q30[9], int32_t own_axes_q30[9])
+{
+    int32_t away_q8[3];
+
+    *own = *camera;
+    for (uint_fast8_t i = 0; i < 3; i++)
+        away_q8[i] = camera->eye_q8[i] - instance->at_q8[i];
+    for (uint_fast8_t j = 0; j < 3; j++) {
+        const int64_t eye_q8 = shift_round_s64(along_axis(instance, j, away_q8), (uint8_t)(30 - instance->finer_bits));
+        if (eye_q8 >= LIM_EYE_MAX_Q8 || eye_q8 <= -LIM_EYE_MAX_Q8) return false;
+        own->eye_q8[j] = (int32_t)eye_q8;
+        for (uint_fast8_t i = 0; i < 3; i++)
+            own_axes_q30[3 * i + j] = (int32_t)shift_round_s64(along_axis(instance, j, &axes_q30[3 * i]), 30);
+    }
+    const int32_t near_end_q8 = LIM_NEAR_MAX_Q8 >> instance->finer_bits;
+    own->near_q8 = camera->near_q8 < near_end_q8 ? camera->near_q8 << instance->finer_bits : LIM_NEAR_MAX_Q8;
+    return true;
+}
+
+static bool pose(struct lim *lim, uint16_t i, const struct lim_camera *camera, const int32_t axes_q30[9])
+{
+    const struct lim_instance *instance = &lim->movers.instances[i];
+    struct lim_mover *mover = &lim->movers.movers[i];
+    struct lim_camera own;
+    int32_t own_axes_q30[9];
+
+    mover->radius_q12 = -1;
+    if (!is_usable(lim, instance) || !turn_camera(&own, camera, instance, axes_q30, own_axes_q30)) return false;
+    mover->view = lim->view;
+    mover->view.cache = lim->movers.cache;
+    mover->view.vertices = 0;
+    if (!lim_rows_set_turned(&mover->view.rows, lim_deforms(instance) ? NULL : instance->object, &own, own_axes_q30))
+        return false;
+    lim_eye_set(&mover->eye, instance->object, own.eye_q8);
+#if LIM_HAS_LIGHT
+    const int32_t to_q14[3] = {lim->movers.light.to_q14[0], lim->movers.light.to_q14[1], lim->movers.light.to_q14[2]};
+    for (uint_fast8_t k = 0; k < 3; k++)
+        mover->to_q14[k] = (int16_t)shift_round_s64(along_axis(instance, k, to_q14), 30);
+#endif
+    set_ball(mover, instance);
+    if (is_within(mover)) return true;
+    mover->radius_q12 = -1;
+    return false;
+}
+
+/* Half the scene, seen by half the camera. */
+static bool set_world(struct lim *lim, const struct lim_camera *camera, const int32_t axes_q30[9])
+{
+    struct lim_camera half = *camera;
+
+    for (uint_fast8_t i = 0; i < 3; i++)
+        half.eye_q8[i] >>= 1;
+    half.near_q8 = camera->near_q8 > 1 ? camera->near_q8 >> 1 : 1;
+    lim->movers.world = lim->view;
+    return lim_rows_set_turned(&lim->movers.world.rows, NULL, &half, axes_q30);
+}
+
+void lim_movers_pose(struct lim *lim, const struct lim_camera *camera)
+{
+    struct lim_movers *movers = &lim->movers;
+    int32_t axes_q30[9];
+    uint32_t drawn = 0;
+
+    movers->cached = LIM_NONE;
+    movers->measuring = false;
+    if (!movers->given) return;
+    lim_orientation_set(axes_q30, camera);
+    for (uint_fast8_t i = 0; i < 3; i++) {
+        movers->ahead_q28[i] = axes_q30[6 + i] >> 2;
+        movers->eye_q8[i] = camera->eye_q8[i];
+    }
+    if (!set_world(lim, camera, axes_q30)) movers->count = 0;
+    for (uint16_t i = 0; i < movers->count; i++)
+        drawn += pose(lim, i, camera, axes_q30);
+    if (LIM_HAS_STATS) lim_stats_of(lim)->movers.left_out = movers->given - drawn;
+}
+
+#endif

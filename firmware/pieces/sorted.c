@@ -1,0 +1,142 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * The list is sorted by merging, longer and longer stretches of it: no recursion, no array beside the links. */
+#include "orders/order.h"
+
+#include "screen/project.h"
+
+#if LIM_HAS_SORTED || LIM_HAS_MOVERS
+
+/* Ends a stretch after at most `length` entries. Returns what follows. */
+static uint16_t cut_after(struct lim_sorted *list, uint16_t at, uint16_t length)
+{
+    while (at != LIM_NONE && --length)
+        at = list[at].next;
+    if (at == LIM_NONE) return LIM_NONE;
+    const uint16_t rest = list[at].next;
+    list[at].next = LIM_NONE;
+    return rest;
+}
+
+/* Appends two sorted stretches to *tail, merged. Returns the new tail. */
+static uint16_t *merge(struct lim_sorted *list, uint16_t a, uint16_t b, uint16_t *tail)
+{
+    while (a != LIM_NONE || b != LIM_NONE) {
+        const bool from_b = a == LIM_NONE || (b != LIM_NONE && lim_sorted_precedes(&list[b], &list[a]));
+        uint16_t *const from = from_b ? &b : &a;
+        *tail = *from;
+        tail = &list[*from].next;
+        *from = *tail;
+    }
+    return tail;
+}
+
+uint16_t lim_sorted_sort(struct lim_sorted *list, uint16_t first)
+{
+    for (uint16_t length = 1;; length = (uint16_t)(2 * length)) {
+        uint16_t rest = first, *tail = &first;
+        uint16_t merged = 0;
+        for (first = LIM_NONE; rest != LIM_NONE; merged++) {
+            const uint16_t a = rest, b = cut_after(list, a, length);
+            rest = cut_after(list, b, length);
+            tail = merge(list, a, b, tail);
+        }
+        if (merged <= 1) return first;
+    }
+}
+
+#if LIM_HAS_SORTED
+/* What bounds a record along z: the row of z alone, before a long lens's bits are shifted out. */
+static void depth_bounds(const struct lim *lim, const LIM_FLASH lim_index *record, int32_t *near_qv, int32_t *far_qv)
+{
+    const LIM_FLASH lim_index *corners = record + LIM_POLYGON_HEAD_WORDS;
+
+    *near_qv = INT32_MAX;
+    *far_qv = INT32_MIN;
+    for (uint_fast8_t k = 0; k < (record[0] & LIM_POLYGON_COUNT); k++) {
+        const struct lim_vertex at = lim->scene->vertices[corners[k]];
+        const int32_t z_qv = transform_row(&lim->view.rows.row[2], &at);
+        if (z_qv < *near_qv) *near_qv = z_qv;
+        if (z_qv > *far_qv) *far_qv = z_qv;
+    }
+}
+
+static void add(struct lim *lim, lim_index at, lim_index node, bool eye_in_front)
+{
+    struct lim_sorter *sorter = &lim->sorter;
+    const LIM_FLASH lim_index *record = &lim->scene->polygons[at];
+    struct lim_sorted entry = {.record = at, .next = sorter->first};
+    int32_t near_qv;
+
+    depth_bounds(lim, record, &near_qv, &entry.far_qv);
+    if ((LIM_HAS_LIMBS ? entry.far_qv : entry.far_qv >> lim->view.rows.tele_bits) < lim->view.rows.near_qv) return;
+#if LIM_HAS_NEWELL
+    if (LIM_IS_NEWELL(&lim->target) && !lim_newell_add(lim, sorter->used, record, near_qv, node, eye_in_front)) return;
+#else
+    (void)node;
+    (void)eye_in_front;
+#endif
+    LIM_ASSERT(sorter->used < sorter->size);
+    sorter->first = sorter->used++;
+    sorter->list[sorter->first] = entry;
+}
+
+static void sorted_add_run(struct lim *lim, lim_index at, lim_index node, bool eye_in_front)
+{
+    for (;;) {
+        const LIM_FLASH lim_index *record = &lim->scene->polygons[at];
+        const lim_index head = record[0];
+        if (lim_record_is_seen(lim_eye_of(lim), record))
+            add(lim, at, node, head & LIM_POLYGON_PLANE ? !(head & LIM_POLYGON_BACK) : eye_in_front);
+        if (head & LIM_POLYGON_LAST) return;
+        at = (lim_index)(at + lim_record_words(head));
+    }
+}
+
+static void add_all(struct lim *lim)
+{
+    for (lim_index i = 0; i < lim->scene->node_count; i++) {
+        const LIM_FLASH struct lim_node *node = &lim->scene->nodes[i];
+        const bool is_leaf = LIM_HAS_LEAVES && node->split.plane == LIM_NO_INDEX;
+        const int32_t side = is_leaf ? 1 : lim_eye_side(lim_eye_of(lim), &node->split);
+        const lim_index run = side > 0 ? node->front_run : side < 0 ? node->back_run : (lim_index)LIM_NO_INDEX;
+        if (run != LIM_NO_INDEX) sorted_add_run(lim, run, i, side > 0);
+    }
+}
+
+void lim_sorted_reverse(struct lim_sorter *sorter)
+{
+    uint16_t first = sorter->first;
+
+    sorter->first = LIM_NONE;
+    while (first != LIM_NONE) {
+        const uint16_t next = sorter->list[first].next;
+        sorter->list[first].next = sorter->first;
+        sorter->first = first;
+        first = next;
+    }
+}
+
+void lim_sorted_order(struct lim *lim)
+{
+    struct lim_sorter *sorter = &lim->sorter;
+
+    sorter->used = 0;
+    sorter->first = LIM_NONE;
+#if LIM_HAS_NEWELL
+    sorter->newell.cuts_used = 0;
+#endif
+    add_all(lim);
+    sorter->first = lim_sorted_sort(sorter->list, sorter->first);
+#if LIM_HAS_NEWELL
+    if (LIM_IS_NEWELL(&lim->target)) lim_newell_order(lim);
+#endif
+    if (!LIM_IS_NEWELL(&lim->target)) lim_sorted_reverse(sorter);
+#if LIM_HAS_STATS
+    lim->stats.sorted = sorter->used;
+#endif
+}
+
+#endif
+
+#endif

@@ -1,0 +1,63 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * DELTA: only what differs from the last frame is sent. Between SPAN and PAINT: a line's pieces become runs of one
+ * colour, which are compared with the runs that the line had in the last frame; changes are put together to rectangles,
+ * which are painted from the runs of this frame. No framebuffer: a run takes four bytes. In: pieces of lines, or
+ * painted lines. Out: windows and pixels, to the target. What is sent makes the panel's memory equal to the whole
+ * frame. */
+#ifndef LIM_DELTA_H
+#define LIM_DELTA_H
+
+#include "camera.h"
+#include "errors.h"
+#include "pixels/rects.h"
+#include "pixels/runs.h"
+#include "stats.h"
+#include "target.h"
+
+#define LIM_DELTA_MEM_B(w_px, h_px, run_count)                                                                         \
+    ((sizeof(struct lim_delta) + ((size_t)(w_px) + (run_count)) * sizeof(uint32_t) +                                   \
+      ((size_t)(h_px) + 1) * sizeof(uint16_t) + 3) &                                                                   \
+     ~(size_t)3)
+
+/* Private. */
+struct lim_delta {
+    struct lim_target target; /* the caller's */
+    struct lim_stats *stats;
+    struct lim_runs runs;
+    struct lim_rects rects;   /* of lines that are kept; with pages: of the page, which is one line */
+    struct lim_rect stream;   /* the window of lines that were sent at once, from the line that it takes next */
+    struct lim_camera camera; /* of the last frame */
+    bool still;               /* it is this frame's as well */
+    bool known;               /* the panel shows the last frame */
+    bool noted;               /* the line that is drawn was noted: all of its pieces */
+    uint16_t y;               /* the line that was done last, all of it or a piece */
+    uint16_t *line;           /* where it is painted, or NULL */
+};
+
+#if LIM_HAS_DELTA
+/* PAINT notes every piece of a line that it has begun, in any order; `line` is NULL if it does not paint them. A line
+ * that it has not begun is painted, and looked at when it is done. */
+static inline void lim_delta_begin_line(struct lim_delta *delta, uint16_t *line)
+{
+    delta->line = line;
+    delta->noted = true;
+}
+
+static inline void lim_delta_note(struct lim_delta *delta, uint16_t x0, uint16_t x1, uint32_t look)
+{
+    lim_runs_note(&delta->runs, x0, x1, look);
+}
+
+/* Whether lines are painted even if all that they hold is noted. */
+static inline bool lim_delta_wants_lines(const struct lim_delta *delta)
+{
+    return delta->target.costs.page_px > 1;
+}
+#endif
+
+/* Round a frame, of which `err` is the outcome, counted in `stats`. After an error the next frame is whole. */
+void lim_delta_begin_frame(struct lim_delta *delta, const struct lim_camera *camera, struct lim_stats *stats);
+LIM_MUST_CHECK int lim_delta_end_frame(struct lim_delta *delta, int err);
+
+#endif

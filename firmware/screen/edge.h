@@ -1,0 +1,183 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * EDGE: a polygon on the screen -> for each line, the pixels [left, right) whose centres it covers.
+ *
+ * Exact: an edge is evaluated from its two end points, top -> bottom, as a fixed-point number whose error no pixel
+ * shows, so two polygons that share it agree on every pixel: no gap, no double hit. Never clipped against the screen:
+ * lines above it are skipped by multiplication. Pixel (x, y) belongs to a polygon when its centre is inside, or on a
+ * left or a top edge. Memory: the caller's; a polygon's points are read as long as its edges are followed. */
+#ifndef LIM_EDGE_H
+#define LIM_EDGE_H
+
+#include "profile.h"
+
+/* Where the edge is on the current line: lim_edge_x(). As quotient and remainder where the processor works on bytes,
+ * else as a fixed-point number with LIM_EDGE_BITS fraction bits, wide enough for three screens. */
+#if LIM_8_BIT
+struct lim_edge {
+    int32_t error;       /* M - x * denominator (edge.c), in -denominator+1 .. 0 */
+    int32_t step_error;  /* what a line adds to it, 0 .. denominator-1 */
+    int32_t denominator; /* lines from end to end, in sub-pixels */
+    int16_t x, step_x;
+    int16_t end;
+    uint8_t next;
+    uint8_t step_vertex;
+};
+#else
+#if LIM_SUB_BITS > 9
+#define LIM_EDGE_BITS 32
+typedef int64_t lim_edge_at;
+typedef uint64_t lim_edge_wrap; /* what it is summed in: steps below the last line may wrap */
+#else
+#define LIM_EDGE_BITS (LIM_MAX_SIDE_PX <= 340 ? 22 : 20)
+typedef int32_t lim_edge_at;
+typedef uint32_t lim_edge_wrap;
+#endif
+struct lim_edge {
+    lim_edge_at at, step; /* on the current line, and what a line adds */
+    int16_t end;          /* the line on which it hands over to the next edge, or is begun anew: see edge.c */
+    uint8_t next;         /* the vertex from which that goes on */
+    uint8_t step_vertex;  /* from there to the one after it, modulo their number: the left boundary runs forward */
+};
+#endif
+
+/* Both boundaries of a polygon, on their way down. */
+struct lim_edge_pair {
+    struct lim_edge left, right;
+};
+
+/* What a polygon looks like to EDGE; lines are relative to nothing: line y is screen line y. */
+struct lim_edge_shape {
+    int16_t top, bottom; /* lines top <= y < bottom; may lie outside of the screen */
+    int16_t left, right; /* pixels left <= x < right, likewise; set by lim_edge_bounds_sides() */
+    uint8_t first;       /* a vertex on the top line */
+    uint8_t apex;        /* if non-monotone: from which a fan of triangles covers the polygon */
+    bool non_monotone;   /* its boundary turns more than twice: rounding bent it */
+#if LIM_HAS_ANTIALIAS
+    int16_t end_row; /* the row of samples (samples.h) after its last, antialiased */
+#endif
+};
+
+/* Sets all but left and right, which fewer ask for: lim_edge_bounds_sides(). 3 <= n. */
+void lim_edge_bounds(struct lim_edge_shape *shape, const struct lim_point *at, uint8_t n);
+
+/* Both boundaries of a polygon that is not non-monotone, before its first line; lim_edge_turn() takes them to any. */
+static inline void lim_edge_begin(struct lim_edge_pair *pair, uint8_t n, uint8_t first)
+{
+    pair->left.next = pair->right.next = first;
+    pair->left.end = pair->right.end = INT16_MIN;
+    pair->left.step_vertex = 1;
+    pair->right.step_vertex = (uint8_t)(n - 1);
+}
+
+/* Puts the boundary's edge on line y, above the polygon's bottom, in the place of one that ends there or above. */
+void lim_edge_next(struct lim_edge *edge, const struct lim_point *at, uint8_t n, int16_t y);
+
+/* Replaces the edges that end on line y or above, top <= y < bottom. Returns the line on which it must be called
+ * again. */
+static inline int16_t lim_edge_turn(struct lim_edge_pair *pair, const struct lim_point *at, uint8_t n, int16_t y)
+{
+    if (pair->left.end <= y) lim_edge_next(&pair->left, at, n, y);
+    if (pair->right.end <= y) lim_edge_next(&pair->right, at, n, y);
+    return pair->left.end < pair->right.end ? pair->left.end : pair->right.end;
+}
+
+/* lim_edge_begin() and lim_edge_turn() in one, for the first line of a polygon that is asked for. */
+int16_t lim_edge_start(struct lim_edge_pair *pair, const struct lim_point *at, uint8_t n, uint8_t first, int16_t y);
+
+/* From the line above to line y, or from lim_edge_begin() to any line: steps the edges that go on, replaces the others.
+ */
+void lim_edge_advance(struct lim_edge_pair *pair, const struct lim_point *at, uint8_t n, int16_t y);
+
+/* The first line at or below a point, or the first column at or right of it. */
+int16_t lim_edge_line_of(lim_sub at);
+
+/* The first column at or right of an edge on line y; above and below its lines, that of its end. For wireframe: it
+ * divides. */
+int16_t lim_edge_column(struct lim_point upper, struct lim_point lower, int16_t y);
+
+#if LIM_8_BIT
+
+/* The first pixel centre at or right of the edge on the current line. */
+static inline int16_t lim_edge_x(const struct lim_edge *edge)
+{
+    return edge->x;
+}
+
+/* Says where it is: of pieces, whose lines are known (active.h). */
+static inline void lim_edge_put(struct lim_edge *edge, int16_t x)
+{
+    edge->x = x;
+}
+
+/* What lim_edge_step() takes of an edge, for a copy that steps in its place, and back. */
+static inline void lim_edge_copy(struct lim_edge *to, const struct lim_edge *from)
+{
+    *to = *from;
+}
+
+static inline void lim_edge_follow(struct lim_edge *edge, const struct lim_edge *ahead)
+{
+    edge->x = ahead->x;
+    edge->error = ahead->error;
+}
+
+/* To the next line. */
+static inline void lim_edge_step(struct lim_edge *edge)
+{
+    edge->x = (int16_t)(edge->x + edge->step_x);
+    edge->error += edge->step_error;
+    if (edge->error > 0) {
+        edge->error -= edge->denominator;
+        edge->x++;
+    }
+}
+
+#else
+
+/* The first pixel centre at or right of the edge on the current line. */
+/*@ requires \valid_read(edge);
+    assigns \nothing; */
+static inline int16_t lim_edge_x(const struct lim_edge *edge)
+{
+    return (int16_t)(edge->at >> LIM_EDGE_BITS);
+}
+
+/* Says where it is: of pieces, whose lines are known (active.h). */
+static inline void lim_edge_put(struct lim_edge *edge, int16_t x)
+{
+    edge->at = (lim_edge_at)x * ((lim_edge_at)1 << LIM_EDGE_BITS);
+}
+
+/* What lim_edge_step() takes of an edge, for a copy that steps in its place, and back. */
+static inline void lim_edge_copy(struct lim_edge *to, const struct lim_edge *from)
+{
+    to->at = from->at;
+    to->step = from->step;
+}
+
+static inline void lim_edge_follow(struct lim_edge *edge, const struct lim_edge *ahead)
+{
+    edge->at = ahead->at;
+}
+
+/* To the next line. */
+/*@ requires \valid(edge);
+    assigns edge->at; */
+static inline void lim_edge_step(struct lim_edge *edge)
+{
+    edge->at = (lim_edge_at)((lim_edge_wrap)edge->at + (lim_edge_wrap)edge->step);
+}
+
+#endif
+
+/* Where the edge is on the current line; and on to the next. */
+static inline int16_t lim_edge_take(struct lim_edge *edge)
+{
+    const int16_t x = lim_edge_x(edge);
+
+    lim_edge_step(edge);
+    return x;
+}
+
+#endif

@@ -1,0 +1,140 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Sutherland and Hodgman, a plane at a time, each adding at most one vertex. Corners of an edge that
+ * lies along a plane may cross it many times, by rounding alone: where several are outside, one that
+ * stands between two inner ones is replaced by one point, not by two. Distances are taken at half scale or
+ * less, because z + x/2 reaches 1.5 * 2^31. */
+#include "view/clip.h"
+
+#include "math/fixed.h"
+
+/* The near plane is 0; x has planes 1 and 2, y 3 and 4, to the left or top and to the right or bottom. */
+struct clip_plane {
+    uint_fast8_t of;                /* x or y; the near plane has none: kept is 0 */
+    int32_t kept, turned, near_qv2; /* bits of it that count, its sign, and half the near plane's distance */
+};
+
+static struct clip_plane plane_of(uint_fast8_t number, int32_t near_qv)
+{
+    if (!number) return (struct clip_plane){.near_qv2 = near_qv >> 1};
+    return (struct clip_plane){.of = (uint_fast8_t)(number - 1) >> 1, .kept = -1, .turned = number & 1 ? 0 : -1};
+}
+
+/* Inside where >= 0. */
+static inline int32_t distance(const struct lim_view_point *p, const struct clip_plane *plane)
+{
+    const int32_t quarter = (p->qv[plane->of] >> 2) & plane->kept;
+
+    return (p->z_qv >> 1) + ((quarter ^ plane->turned) - plane->turned) - plane->near_qv2;
+}
+
+/* Of the two points one is inside; from it, so that both ways along an edge lead to the same cut. */
+static LIM_RARE void cut(struct lim_view_point *out, const struct lim_view_point *from, int32_t from_d,
+                         const struct lim_view_point *to, int32_t to_d)
+{
+    const bool leaves = to_d < 0;
+    const struct lim_view_point *inner = leaves ? from : to, *outer = leaves ? to : from;
+    const uint32_t inner_d = (uint32_t)(leaves ? from_d : to_d), outer_d = (uint32_t)(leaves ? to_d : from_d);
+    const uint32_t t_q31 = ratio_q31(inner_d, inner_d - outer_d);
+
+    for (uint_fast8_t i = 0; i < 3; i++)
+        out->qv[i] = lerp_q31(inner->qv[i], outer->qv[i], t_q31);
+}
+
+/* The edge that leads on from a cut: along the plane, or what is left of one that enters. */
+static inline bool is_hidden(const struct lim_view_point *point)
+{
+#if LIM_HAS_WIREFRAME
+    return point->hidden;
+#else
+    (void)point;
+    return false;
+#endif
+}
+
+static bool are_several_outside(const struct lim_view_point *at, uint_fast8_t n, const struct clip_plane *plane)
+{
+    uint32_t outside = 0;
+
+    for (; n > 0; n--)
+        outside += (uint32_t)distance(at++, plane) >> 31;
+    return outside > 1;
+}
+
+/* Returns how many `to` receives. */
+static uint_fast8_t clip_plane(const struct lim_view_point *from, uint_fast8_t n, struct lim_view_point *to,
+                               const struct clip_plane *plane)
+{
+    const struct lim_view_point *const first = from, *const end = from + n, *here = end - 1;
+    int32_t before_d = distance(here - 1, plane), here_d = distance(here, plane);
+    struct lim_view_point *put = to;
+
+    for (; from < end; here = from++) {
+        const int32_t from_d = distance(from, plane);
+        if ((here_d ^ from_d) < 0 && (from_d < 0 || before_d < 0 || !are_several_outside(first, n, plane))) {
+            if (LIM_HAS_WIREFRAME) lim_view_hide_edge(put, from_d < 0 || is_hidden(here));
+            cut(put++, here, here_d, from, from_d);
+        }
+        if (from_d >= 0) *put++ = *from;
+        before_d = here_d;
+        here_d = from_d;
+    }
+    return (uint_fast8_t)(put - to < 3 ? 0 : put - to);
+}
+
+/* The planes that any vertex is outside of, a bit each: where a distance is negative, their bits together are. */
+static uint32_t planes_crossed(const struct lim_clip_polygon *polygon, int32_t near_qv2)
+{
+    int32_t near = 0, low[2] = {0}, high[2] = {0};
+
+    for (const struct lim_view_point *p = polygon->at, *const end = p + polygon->n; p < end; p++) {
+        const int32_t half_z = p->z_qv >> 1;
+        near |= half_z - near_qv2;
+        LIM_UNROLLED(2)
+        for (uint_fast8_t i = 0; i < 2; i++) {
+            const int32_t quarter = p->qv[i] >> 2;
+            low[i] |= half_z + quarter;
+            high[i] |= half_z - quarter;
+        }
+    }
+    return (uint32_t)near >> 31 | (uint32_t)low[0] >> 31 << 1 | (uint32_t)high[0] >> 31 << 2 |
+           (uint32_t)low[1] >> 31 << 3 | (uint32_t)high[1] >> 31 << 4;
+}
+
+/* To -limit .. limit, which is below 2^31: in one comparison, what is below -limit wraps. */
+static inline int32_t clamp_s32(int32_t x, uint32_t limit)
+{
+    if ((uint32_t)x + limit <= 2 * limit) return x;
+    return x < 0 ? -(int32_t)limit : (int32_t)limit;
+}
+
+/* Rounding may leave a cut point a unit outside of the planes; the projection needs it inside. */
+static void settle(struct lim_view_point *point, int32_t near_qv)
+{
+    if (point->z_qv < near_qv) point->z_qv = near_qv;
+    if (point->z_qv > INT32_MAX / 2) return;
+    const uint32_t limit_qv = 2 * (uint32_t)point->z_qv;
+    LIM_UNROLLED(2)
+    for (uint_fast8_t i = 0; i < 2; i++)
+        point->qv[i] = clamp_s32(point->qv[i], limit_qv);
+}
+
+/* A cut lies between two corners: planes that have none of these outside have no cut there either, but by rounding. */
+struct lim_clip_polygon *lim_clip(struct lim_clip_polygon polygons[2], int32_t near_qv)
+{
+    struct lim_clip_polygon *polygon = &polygons[0], *other = &polygons[1];
+    uint32_t crossed = planes_crossed(polygon, near_qv >> 1);
+
+    for (uint_fast8_t number = 0; crossed && polygon->n; number++, crossed >>= 1) {
+        if (!(crossed & 1)) continue;
+        const struct clip_plane plane = plane_of(number, near_qv);
+        LIM_ASSERT(polygon->n < CLIP_MAX_VERTICES); /* one more may come */
+        other->n = (uint8_t)clip_plane(polygon->at, polygon->n, other->at, &plane);
+        struct lim_clip_polygon *const clipped = other;
+        other = polygon;
+        polygon = clipped;
+    }
+    for (uint_fast8_t k = 0; k < polygon->n; k++)
+        settle(&polygon->at[k], near_qv);
+    return polygon;
+}

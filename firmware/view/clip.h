@@ -1,0 +1,22 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * CLIP: a convex polygon in view space against the near plane and the guard band |x|, |y| <= 2z.
+ * An edge is always cut from its inner to its outer end, so two polygons that share the edge get
+ * the same point. Never against the screen itself: EDGE and SPAN do that without new vertices. */
+#ifndef LIM_CLIP_H
+#define LIM_CLIP_H
+
+#include "view/view.h"
+
+enum { CLIP_PLANES = 5, CLIP_MAX_VERTICES = LIM_PIECE_VERTICES + CLIP_PLANES };
+
+struct lim_clip_polygon {
+    uint8_t n; /* 0: nothing is left; else 3..CLIP_MAX_VERTICES */
+    struct lim_view_point at[CLIP_MAX_VERTICES];
+};
+
+/* polygons[0] is clipped, in two places by turns; returns the one with the result. Every point that is left has
+ * near <= z and |x|, |y| <= 2z. */
+struct lim_clip_polygon *lim_clip(struct lim_clip_polygon polygons[2], int32_t near_qv);
+
+#endif

@@ -1,0 +1,48 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Cells and portals, as far as a frame is concerned: the compiler found out which subtrees can be seen from each
+ * part of the scene. Before the walk, what can be seen from around the eye is unpacked, a bit a box; the walk skips
+ * subtrees whose bit is 0. In: the scene, the eye, the near plane. Out: those bits. Memory: lim_portals_mem_b(), lent.
+ */
+#ifndef LIM_PORTALS_H
+#define LIM_PORTALS_H
+
+#include "camera.h"
+#include "scene.h"
+#include "view/eye.h"
+
+/* Bytes for scenes with places; the stack of nodes is one deeper than the tree. */
+#define LIM_PORTALS_MEM_B(box_count, depth) (LIM_PORTALS_BITS_B(box_count) + ((size_t)(depth) + 2) / 2 * 4)
+#define LIM_PORTALS_BITS_B(box_count) (((size_t)(box_count) + 31) / 32 * 4)
+
+struct lim_portals {
+    uint8_t *bits;   /* of boxes; NULL: the scene has no places */
+    uint16_t *stack; /* of nodes: a scene with places has few enough */
+};
+
+/* Bytes for the bits of a scene: none for one without places. */
+static inline size_t lim_portals_mem_b(const struct lim_scene *scene)
+{
+#if LIM_HAS_PORTALS
+    return scene->place_count ? LIM_PORTALS_MEM_B(scene->box_count, scene->limits.depth) : 0;
+#else
+    (void)scene;
+    return 0;
+#endif
+}
+
+/* The radius of a ball about the eye that holds the near rectangle, and some units that rounding may move a wall by.
+ * far_units: the distance of the scene's far end. Unless the eye is within the grid, the result is meaningless. */
+uint32_t lim_portals_ball_units(const struct lim_camera *camera, uint32_t far_units);
+
+/* Unpacks what can be seen from the ball about the eye. false: nothing is known, everything must be walked: the ball
+ * touches matter or open space or is larger than some thousand units, or the eye is as good as on a plane. */
+bool lim_portals_unpack(const struct lim_portals *portals, const struct lim_eye *eye, uint32_t ball_units);
+
+/* Whether a subtree with that box may be seen. */
+static inline bool lim_portals_show(const uint8_t *bits, lim_index box)
+{
+    return bits[box >> 3] >> (box & 7) & 1;
+}
+
+#endif

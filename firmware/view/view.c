@@ -1,0 +1,128 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Vertices through the three rows and the perspective, each once as long as the cache remembers it. */
+#include "view/view.h"
+
+void lim_view_init(struct lim_view *view, uint16_t w_px, uint16_t h_px, struct lim_view_cached *cache)
+{
+    perspective_set(&view->width, w_px);
+    perspective_set(&view->height, h_px);
+    view->cache = cache;
+#if LIM_HAS_ANTIALIAS
+    view->antialiased = false;
+#endif
+}
+
+bool lim_view_begin(struct lim_view *view, const struct lim_scene *scene, const struct lim_camera *camera)
+{
+    if (!lim_rows_set(&view->rows, scene, camera)) return false;
+    for (uint_fast16_t i = 0; i < LIM_VIEW_CACHE_ENTRIES; i++)
+        view->cache[i].vertex = LIM_NO_INDEX;
+    if (LIM_HAS_STATS) view->vertices = 0;
+    return true;
+}
+
+/* Inlined into the function that remembers vertices; where flash is short there is one of each. */
+#if LIM_8_BIT || LIM_OPTIMISE_SIZE
+#define VIEW_SHARED LIM_ALONE
+#else
+#define VIEW_SHARED inline
+#endif
+
+static VIEW_SHARED void transform(const struct lim_view *view, const struct lim_scene *scene,
+                                  const LIM_FLASH struct lim_vertex *vertex, struct lim_view_point *out)
+{
+    const struct lim_row *row = view->rows.row;
+#if LIM_DUAL_MULTIPLY
+    const struct lim_vertex *const at = vertex;
+#else
+    /* Read member by member: copied, its six bytes would be a call of memcpy() on a Cortex-M0+. */
+    const struct lim_vertex copy = {vertex->x, vertex->y, vertex->z}, *const at = &copy;
+#endif
+
+    LIM_UNROLLED(3)
+    for (uint_fast8_t i = 0; i < 3; i++)
+        out->qv[i] = transform_row(&row[i], at);
+#if LIM_HAS_FRACTIONS
+    if (scene->fractions) {
+        const struct lim_fraction fraction = scene->fractions[vertex - scene->vertices];
+        LIM_UNROLLED(3)
+        for (uint_fast8_t i = 0; i < 3; i++)
+            out->qv[i] += transform_fraction(&row[i], &fraction);
+    }
+#else
+    (void)scene;
+#endif
+    if (!LIM_HAS_LIMBS) out->z_qv >>= view->rows.tele_bits;
+}
+
+static VIEW_SHARED void project(const struct lim_view *view, const struct lim_view_point *point, struct lim_point *out)
+{
+    const struct lim_depth depth = perspective_depth(point->z_qv);
+
+    out->x = perspective_at(point->x_qv, depth, &view->width);
+    out->y = perspective_at(point->y_qv, depth, &view->height);
+}
+
+/* Where the rounding of a projection can carry a point from beyond the last pixels onto them, they have to
+ * be left out by a margin. With sub-pixels the last half pixel is margin enough. */
+static inline int32_t margin_of(int32_t z_qv)
+{
+    return LIM_SUB_BITS || z_qv < 0 ? 0 : z_qv >> LIM_DRAFT_MARGIN_BITS;
+}
+
+/* Of a point that is not visible. One behind the eye can be outside on both sides; one bit of the two is enough,
+ * because the codes are only used to find a side that every vertex is outside of. */
+static LIM_RARE uint8_t codes_outside(const struct lim_view *view, int32_t at_x_qv, int32_t at_y_qv, int32_t z_qv)
+{
+    const int32_t x_qv = (int32_t)abs_s32(at_x_qv), y_qv = (int32_t)abs_s32(at_y_qv);
+    const int32_t margin_qv = margin_of(z_qv); /* taken from x and y: z has no room for it */
+    uint8_t codes = 0;
+
+    if (z_qv < view->rows.near_qv) codes = LIM_VIEW_NEAR | LIM_VIEW_GUARD;
+    if (x_qv - margin_qv > z_qv) codes = (uint8_t)(codes | (at_x_qv < 0 ? LIM_VIEW_LEFT : LIM_VIEW_RIGHT));
+    if (y_qv - margin_qv > z_qv) codes = (uint8_t)(codes | (at_y_qv < 0 ? LIM_VIEW_TOP : LIM_VIEW_BOTTOM));
+    if (x_qv >> 1 > z_qv - 2 || y_qv >> 1 > z_qv - 2) codes |= LIM_VIEW_GUARD;
+    return codes;
+}
+
+/* What is visible is inside the guard band: z is at least PERSPECTIVE_Z_MIN_QV. */
+static inline uint8_t codes_of(const struct lim_view *view, const struct lim_view_point *point)
+{
+    const int32_t z_qv = point->z_qv, margin_qv = margin_of(z_qv);
+
+    if (z_qv >= view->rows.near_qv && (int32_t)abs_s32(point->x_qv) - margin_qv <= z_qv &&
+        (int32_t)abs_s32(point->y_qv) - margin_qv <= z_qv)
+        return 0;
+    return codes_outside(view, point->x_qv, point->y_qv, z_qv);
+}
+
+/* A vertex that is not remembered: one function, so that nothing of it goes through memory. */
+void lim_view_remember(struct lim_view *view, const struct lim_scene *scene, lim_index vertex,
+                       struct lim_view_cached *entry)
+{
+    struct lim_view_point point;
+
+    transform(view, scene, &scene->vertices[vertex], &point);
+    const uint8_t codes = codes_of(view, &point);
+    entry->vertex = vertex;
+#if LIM_8_BIT
+    entry->codes = codes;
+#else
+    entry->codes = lim_view_both(codes);
+#endif
+    if (!(codes & LIM_VIEW_GUARD)) project(view, &point, &entry->at);
+    if (LIM_HAS_STATS) view->vertices++;
+}
+
+/* For those who want a part of it: clipped polygons, pieces. */
+void lim_view_transform(const struct lim_view *view, const struct lim_scene *scene,
+                        const LIM_FLASH struct lim_vertex *vertex, struct lim_view_point *out)
+{
+    transform(view, scene, vertex, out);
+}
+
+void lim_view_project(const struct lim_view *view, const struct lim_view_point *point, struct lim_point *out)
+{
+    project(view, point, out);
+}

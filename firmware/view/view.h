@@ -1,0 +1,126 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * VIEW: camera and vertices -> points on the screen, rounded once. In: scene vertices (16-bit
+ * units). Out: view-space points for CLIP, screen points (struct lim_point) for EDGE. Memory: a
+ * small cache of projected vertices, lent by the caller.
+ *
+ * View space: x to the right, y down, z ahead, each row scaled by the lens so that the visible
+ * part is |x| <= z, |y| <= z. Its scale, called _qv, is the frame's own: see rows.c. */
+#ifndef LIM_VIEW_H
+#define LIM_VIEW_H
+
+#include "view/perspective.h"
+#include "view/rows.h"
+
+/* |coordinate| < 2^31. */
+struct lim_view_point {
+    __extension__ union { /* C++ wants names for both */
+        struct {
+            int32_t x_qv, y_qv, z_qv;
+        };
+        int32_t qv[3]; /* the same */
+    };
+#if LIM_HAS_WIREFRAME
+    bool hidden; /* the edge from here to the next point is not drawn */
+#endif
+};
+
+/* Whether wireframe leaves out the edge from a point to the next one. */
+static inline void lim_view_hide_edge(struct lim_view_point *point, bool hidden)
+{
+#if LIM_HAS_WIREFRAME
+    point->hidden = hidden;
+#else
+    (void)point, (void)hidden;
+#endif
+}
+
+/* Where a vertex lies outside: bits 0..4 against what is visible, GUARD against the guard band
+ * |x|, |y| <= 2z or the near plane: such a polygon must be clipped. */
+enum lim_view_code {
+    LIM_VIEW_NEAR = 1,
+    LIM_VIEW_LEFT = 2,
+    LIM_VIEW_RIGHT = 4,
+    LIM_VIEW_TOP = 8,
+    LIM_VIEW_BOTTOM = 16,
+    LIM_VIEW_OUTSIDE = 31,
+    LIM_VIEW_GUARD = 32
+};
+
+struct lim_view_cached {
+    lim_index vertex; /* LIM_NO_INDEX: empty */
+#if LIM_8_BIT
+    uint8_t codes; /* enum lim_view_code */
+#else
+    uint16_t codes; /* both: lim_view_both() */
+#endif
+    struct lim_point at; /* meaningless when codes has LIM_VIEW_GUARD */
+};
+
+/* Codes, and in the upper byte those that are not among them. */
+static inline uint16_t lim_view_both(uint16_t codes)
+{
+    return (uint16_t)(codes | (codes ^ 0xFFu) << 8);
+}
+
+/* Of a vertex that is remembered. */
+static inline uint16_t lim_view_codes(const struct lim_view_cached *entry)
+{
+    return LIM_8_BIT ? lim_view_both(entry->codes) : entry->codes;
+}
+
+/* Of the codes of several vertices, OR'ed: whether there is a side that all are outside of. */
+static inline bool lim_view_all_outside(uint_fast16_t codes)
+{
+    return ~codes & LIM_VIEW_OUTSIDE << 8;
+}
+
+struct lim_view {
+    struct lim_rows rows;
+    struct lim_side width, height;
+    struct lim_view_cached *cache;
+#if LIM_HAS_ANTIALIAS
+    bool antialiased; /* polygons are measured by their samples (samples.h) */
+#endif
+    uint32_t vertices; /* transformed since lim_view_begin(), if LIM_HAS_STATS */
+};
+
+/* Whether polygons are drawn by their samples. */
+static inline bool lim_is_antialiased(const struct lim_view *view)
+{
+#if LIM_HAS_ANTIALIAS
+    return view->antialiased;
+#else
+    (void)view;
+    return false;
+#endif
+}
+
+/* Once per target: screen geometry. `cache` has LIM_VIEW_CACHE_ENTRIES entries. */
+void lim_view_init(struct lim_view *view, uint16_t w_px, uint16_t h_px, struct lim_view_cached *cache);
+
+/* Once per frame. false: the camera is out of range (limner.h). */
+bool lim_view_begin(struct lim_view *view, const struct lim_scene *scene, const struct lim_camera *camera);
+
+/* `vertex` is one of the scene's. */
+void lim_view_transform(const struct lim_view *view, const struct lim_scene *scene,
+                        const LIM_FLASH struct lim_vertex *vertex, struct lim_view_point *out);
+
+/* Needs near <= z and |x|, |y| <= 2z. */
+void lim_view_project(const struct lim_view *view, const struct lim_view_point *point, struct lim_point *out);
+
+/* Takes a vertex in, in the place of what the entry held. */
+void lim_view_remember(struct lim_view *view, const struct lim_scene *scene, lim_index vertex,
+                       struct lim_view_cached *entry);
+
+/* A vertex on the screen, and where it lies outside: valid until another one is asked for. */
+static inline const struct lim_view_cached *lim_view_vertex(struct lim_view *view, const struct lim_scene *scene,
+                                                            lim_index vertex)
+{
+    struct lim_view_cached *entry = &view->cache[vertex % LIM_VIEW_CACHE_ENTRIES];
+
+    if (LIM_UNLIKELY(entry->vertex != vertex)) lim_view_remember(view, scene, vertex, entry);
+    return entry;
+}
+
+#endif

@@ -1,0 +1,56 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * WALK: the tree's polygons in visibility order, a run at a time. In: the scene, the eye, the open
+ * view. Out: runs (scene.h) that face the eye, and leaves' runs, whose records may or may not. Memory: a stack as deep
+ * as the tree, lent by the caller; no recursion. */
+#ifndef LIM_WALK_H
+#define LIM_WALK_H
+
+#include "scene.h"
+#include "stats.h"
+#include "view/cull.h"
+#include "view/eye.h"
+#include "view/portals.h"
+
+/* What comes when a node's near subtree is done: its own polygons, then its far subtree. LIM_NO_INDEX: nothing. */
+struct lim_walk_pending {
+    lim_index run, far;
+};
+
+struct lim_walk {
+    struct lim_eye eye; /* here, not pointed to: its fields are read at every node */
+    struct lim_walk_pending *stack;
+    uint16_t depth;
+    lim_index next; /* the subtree to enter, or LIM_NO_INDEX: the stack's top is due */
+    bool back_to_front;
+#if LIM_HAS_PORTALS
+    const uint8_t *shown; /* a bit a box: its subtree may be seen; NULL: nothing is known */
+#endif
+};
+
+/* Whether a subtree is out of view, or cannot be seen from where the eye is. shown: as in lim_walk; depth: of the
+ * walk's stack. */
+static inline bool lim_node_is_skipped(const struct lim_scene *scene, const LIM_FLASH struct lim_node *node,
+                                       const uint8_t *shown, struct lim_cull *cull, uint16_t depth,
+                                       struct lim_stats *stats)
+{
+    if (!LIM_HAS_CULL || node->box == LIM_NO_INDEX) return false;
+    if (LIM_HAS_PORTALS && shown && !lim_portals_show(shown, node->box)) {
+        if (LIM_HAS_STATS) stats->hidden++;
+        return true;
+    }
+    if (cull->inside_depth <= depth) return false;
+    if (LIM_HAS_STATS) stats->boxes++;
+    if (lim_cull_enters(cull, &scene->boxes[node->box], depth)) return false;
+    if (LIM_HAS_STATS) stats->boxes_out++;
+    return true;
+}
+
+/* Through the scene of walk->eye, which is set. `stack` has limits.depth entries. */
+void lim_walk_begin(struct lim_walk *walk, struct lim_walk_pending *stack, bool back_to_front);
+
+/* The next run's word offset into scene->polygons, or LIM_NO_INDEX when the walk is over. `cull` may
+ * have changed since the last call: the open view only ever shrinks. */
+lim_index lim_walk_next(struct lim_walk *walk, struct lim_cull *cull, struct lim_stats *stats);
+
+#endif

@@ -1,0 +1,17 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Baked light: so that a model without any light of its own reads as solid. */
+#ifndef BAKED_LIGHT_H
+#define BAKED_LIGHT_H
+
+#include "light.h"
+#include "model/model.h"
+
+/* Dims each face's colour by its angle to a lamp above the viewer's left shoulder: full where the
+ * face looks at it, a quarter where it looks away. Faces whose material is unlit keep theirs. */
+void light_bake(struct model *model);
+
+/* The same lamp for firmware that lights movers in each frame. */
+struct lim_light light_lamp(void);
+
+#endif
