@@ -85,9 +85,9 @@ calls() {
     for stage in paint.c flat.c painter.c framebuffer.h convex.c smooth.c delta.c; do
         printf "$stage=%s\n" screen_lend screen_done delta_lend delta_done
     done
-    printf 'card.c=%s\n' screen_lend screen_done screen_put_run
+    printf 'card.c=%s\n' screen_lend screen_done screen_fill_page
     printf '%s\n' span.h=screen_visible delta.c=screen_window span.c=screen_fill bands.c=screen_fill bands.c=screen_show \
-        fill.h=screen_put_run screen.c=scene_work
+        fill.h=screen_fill_page screen.c=scene_work
     for family in $families; do functions "*/hal/$family.o"; done | sed 's/^/panel.h=/'
     for chip in $(sed -n 's/^extern const struct pages_chip \([a-z0-9]*\);.*/\1/p' hal/panels.h); do
         functions "*/hal/$chip.o"

@@ -128,10 +128,9 @@
 #define LIM_HAS_ROUND LIM_HAS_SPANS
 #endif
 
-/* 1: a target that keeps the whole picture in pixels of its own gets nearest first's pieces as they are found,
- * lim_target.fill. */
-#ifndef LIM_HAS_FRAME
-#define LIM_HAS_FRAME LIM_HAS_NEAREST
+/* 1: a target may keep pixels in a format of its own, and has them filled piece by piece: lim_target.fill. */
+#ifndef LIM_HAS_FILL
+#define LIM_HAS_FILL (LIM_HAS_NEAREST || LIM_HAS_CONVEX)
 #endif
 
 /* 1: a target may have all its pixels in memory, lim_target.framebuffer: nearest first and the painter paint each
@@ -140,19 +139,13 @@
 #define LIM_HAS_FRAMEBUFFER (LIM_HAS_NEAREST || LIM_HAS_PAINTER)
 #endif
 
-/* 1: a target may take one convex solid's runs instead of lines, lim_target.put_run. No compiled scene knows of it: who
- * has such a target says so. */
-#ifndef LIM_HAS_RUNS
-#define LIM_HAS_RUNS LIM_HAS_CONVEX
-#endif
-
 /* The depth sort compares a list of n polygons at most LIM_NEWELL_EFFORT n^2 times, and a comparison for each piece: 1
  * to 65535. Random triangles through one another take up to 20. */
 #ifndef LIM_NEWELL_EFFORT
 #define LIM_NEWELL_EFFORT 256u
 #endif
 
-/* 0: all targets take runs, and no line is ever lent. */
+/* 0: all targets are filled, and no line is ever lent. */
 #ifndef LIM_HAS_LINES
 #define LIM_HAS_LINES 1
 #endif
@@ -188,10 +181,14 @@
 #define LIM_HAS_SINKS (!LIM_ALL_FLAT || LIM_HAS_FILLED)
 
 /* Whether polygons may be painted as they come, into a picture that the target keeps. */
-#define LIM_HAS_FILLED (LIM_HAS_FRAME || LIM_HAS_FRAMEBUFFER)
+#define LIM_HAS_FILLED ((LIM_HAS_FILL && LIM_HAS_NEAREST) || LIM_HAS_FRAMEBUFFER)
 
 /* What nearest first leaves to the painter's order where its pools are too small, line by line. */
 #define LIM_HAS_FALLBACK (LIM_HAS_SPANS && (LIM_HAS_TRANSPARENT || LIM_HAS_WIREFRAME))
+
+/* Whether there are lists of polygons; whether anything is painted back to front. */
+#define LIM_HAS_LISTS (LIM_HAS_SORTED || LIM_HAS_MOVERS)
+#define LIM_HAS_PAINTED (LIM_HAS_PAINTER || LIM_HAS_FALLBACK)
 
 /* Portals say which boxes can be seen from where: what walks no tree, or tests no boxes, has no use for them. */
 #ifndef LIM_HAS_PORTALS
@@ -268,11 +265,22 @@
 #define LIM_FLASH
 #endif
 
+/* Memory is cut up in words of four bytes. */
+#define LIM_MEM_ALIGNED_B(size_b) (((size_b) + 3) & ~(size_t)3)
+
 /* Of members that are copied together. */
 #if defined(__GNUC__) && !LIM_8_BIT
 #define LIM_WORD_ALIGNED __attribute__((aligned(4)))
 #else
 #define LIM_WORD_ALIGNED
+#endif
+
+/* Members that may be none, as an array: LIM_OPTIONAL(struct part, name, LIM_HAS_PART) is read as name->x where
+ * LIM_HAS_PART was asked first. */
+#if defined(__GNUC__)
+#define LIM_OPTIONAL(type, name, count) __extension__ type name[count]
+#else
+#define LIM_OPTIONAL(type, name, count) type name[(count) ? (count) : 1]
 #endif
 
 /* Code for the rare case: out of line, so that the common one stays short. */
@@ -335,8 +343,8 @@
 #if LIM_HAS_ANTIALIAS && !LIM_HAS_SPANS
 #error "LIM_HAS_ANTIALIAS needs an order that paints nearest first"
 #endif
-#if LIM_HAS_FRAME && !LIM_HAS_NEAREST
-#error "LIM_HAS_FRAME needs LIM_HAS_NEAREST"
+#if LIM_HAS_FILL && !LIM_HAS_NEAREST && !LIM_HAS_CONVEX
+#error "LIM_HAS_FILL needs LIM_HAS_NEAREST or LIM_HAS_CONVEX"
 #endif
 #if LIM_HAS_FRAMEBUFFER && !LIM_HAS_NEAREST && !LIM_HAS_PAINTER
 #error "LIM_HAS_FRAMEBUFFER needs LIM_HAS_NEAREST or LIM_HAS_PAINTER"
@@ -344,8 +352,8 @@
 #if LIM_HAS_PORTALS && !(LIM_HAS_TREE && LIM_HAS_CULL)
 #error "LIM_HAS_PORTALS needs LIM_HAS_CULL and an order that walks the tree"
 #endif
-#if !LIM_HAS_LINES && (!LIM_HAS_RUNS || LIM_HAS_HIDDEN || LIM_HAS_TEXTURE)
-#error "LIM_HAS_LINES may be 0 where LIM_HAS_RUNS is 1, and no order or texture is linked that asks for lines"
+#if !LIM_HAS_LINES && (!LIM_HAS_FILL || LIM_HAS_HIDDEN || LIM_HAS_TEXTURE)
+#error "LIM_HAS_LINES may be 0 where LIM_HAS_FILL is 1, and no order or texture is linked that asks for lines"
 #endif
 #if LIM_VIEW_CACHE_ENTRIES < 8 || LIM_VIEW_CACHE_ENTRIES > 256 || LIM_VIEW_CACHE_ENTRIES & (LIM_VIEW_CACHE_ENTRIES - 1)
 #error "LIM_VIEW_CACHE_ENTRIES must be a power of two, 8..256"

@@ -1,10 +1,8 @@
 /* SPDX-License-Identifier: MIT
  *
- * The public functions: memory is shared out once, in lim_init(); a frame is a camera taken in, then
+ * The public functions that draw_frame: memory is shared out once, in lim_init(); a frame is a camera taken in, then
  * drawn in the target's order. Orders that are not linked fall out of these functions at compile time. */
 #include "limner.h"
-
-#include "orders/order.h"
 
 static bool method_is_linked(enum lim_method method)
 {
@@ -13,14 +11,10 @@ static bool method_is_linked(enum lim_method method)
            (LIM_HAS_DEPTH && method == LIM_DEPTH) || (LIM_HAS_NEWELL && method == LIM_NEWELL);
 }
 
-/* Whether the method, which is linked, is this one: constants where it is the only one. */
-#define IS_CONVEX(target) (LIM_HAS_CONVEX && (!LIM_HAS_HIDDEN || (target)->method == LIM_CONVEX))
-#define IS_PAINTER(target) (LIM_HAS_PAINTER && (!LIM_HAS_SPANS || (target)->method == LIM_PAINTER))
-
 static size_t asked_b(const struct lim_scene *scene, const struct lim_target *target, bool least)
 {
-    if (IS_CONVEX(target)) return lim_convex_mem_b(scene, target, least ? 0 : scene->limits.active);
-    if (IS_PAINTER(target)) return lim_painter_mem_b(scene);
+    if (LIM_IS_CONVEX(target)) return lim_convex_mem_b(scene, target, least ? 0 : scene->limits.active);
+    if (LIM_IS_PAINTER(target)) return lim_painter_mem_b(scene);
     return lim_nearest_mem_b(scene, target, least);
 }
 
@@ -43,8 +37,7 @@ static bool framebuffer_is_usable(const struct lim_target *target)
     return !framebuffer->pixels || (((uintptr_t)framebuffer->pixels & 3) == 0 && framebuffer->stride_px % 2 == 0 &&
                                     framebuffer->stride_px >= target->w_px);
 #else
-    (void)target;
-    return true;
+    return target;
 #endif
 }
 
@@ -67,59 +60,60 @@ static bool scene_is_usable(const struct lim_scene *scene, const struct lim_targ
 {
     return (LIM_IS_SORTED(target) || scene->limits.depth) && scene->limits.vertices <= LIM_MAX_VERTICES &&
            (LIM_HAS_SLANTED || !scene->plane_count) && (LIM_HAS_LARGE || !scene->exact_count) &&
-           !(IS_CONVEX(target) && (scene->limits.depth != scene->node_count || ends_in_leaf(scene))) &&
-           !(LIM_HAS_WIDE && IS_CONVEX(target) && scene->polygon_count >= LIM_NONE) &&
+           !(LIM_IS_CONVEX(target) && (scene->limits.depth != scene->node_count || ends_in_leaf(scene))) &&
+           !(LIM_HAS_WIDE && LIM_IS_CONVEX(target) && scene->polygon_count >= LIM_NONE) &&
            !(LIM_HAS_WIDE && LIM_IS_SORTED(target) && scene->polygon_count > LIM_SORTED_MAX) &&
-           !(LIM_HAS_TRANSPARENT && IS_CONVEX(target) && scene->limits.layers);
+           !(LIM_HAS_TRANSPARENT && LIM_IS_CONVEX(target) && scene->limits.layers);
 }
 
-static inline void init_wireframe(struct lim *lim)
+static void connect_painter(struct lim *lim)
 {
-#if LIM_HAS_WIREFRAME
-    lim->wireframe = (struct lim_wireframe){0};
-#endif
-    (void)lim;
+    struct lim_painter *painter = lim->painter;
+
+    painter->pass = &lim->pass;
+    if (LIM_HAS_LISTS) painter->sorter = lim->sorter;
+    if (LIM_HAS_TEXTURE) painter->texturing = lim->texturing;
+    painter->lent = NULL;
+    painter->fills = false;
 }
 
-static inline void init_frame(struct lim *lim)
+static void connect_nearest(struct lim *lim)
 {
-#if LIM_HAS_FILLED
-    lim->fills = false;
-#endif
-    (void)lim;
+    struct lim_nearest *nearest = lim->nearest;
+    struct lim_paint *paint = &nearest->paint;
+
+    nearest->pass = paint->pass = &lim->pass;
+    if (LIM_HAS_LISTS) nearest->sorter = lim->sorter;
+    if (LIM_HAS_PAINTED) nearest->painter = lim->painter;
+    if (LIM_HAS_TEXTURE) paint->texturing = lim->texturing;
+    if (LIM_HAS_DELTA) paint->delta = NULL;
+    if (LIM_HAS_FALLBACK) paint->lent = NULL;
+    if (LIM_HAS_ANTIALIAS) *paint->smooth = (struct lim_smooth){.sums = NULL};
+    if (LIM_HAS_FILLED) nearest->fills = false;
+    nearest->bands = 0;
 }
 
-static inline void clear_bands(struct lim *lim)
+/* Each stage gets what it works on; all that may be turned on is off. */
+static void connect(struct lim *lim)
 {
-#if LIM_HAS_SPANS
-    lim->bands = 0;
-#endif
-    (void)lim;
-}
+    struct lim_pass *pass = &lim->pass;
 
-static inline void init_ahead(struct lim *lim)
-{
-#if LIM_HAS_STREAM
-    lim->ahead.stage = LIM_AHEAD_NONE;
-#endif
-    (void)lim;
-}
-
-static inline void init_antialias(struct lim *lim)
-{
-#if LIM_HAS_ANTIALIAS
-    lim->paint.smooth.sums = NULL;
-    lim->paint.smooth.line = NULL;
-#endif
-    (void)lim;
-}
-
-static inline void init_delta(struct lim *lim)
-{
-#if LIM_HAS_DELTA
-    lim->delta = NULL;
-#endif
-    (void)lim;
+    if (LIM_HAS_TREE) lim_walk_lend(pass->walk, pass->scene, NULL, NULL);
+    if (LIM_HAS_WIREFRAME) *pass->wireframe = (struct lim_wireframe){0};
+    if (LIM_HAS_LISTS) {
+        lim->sorter->pass = pass;
+        lim->sorter->movers = lim->movers;
+        lim->sorter->comparing = false;
+    }
+    if (LIM_HAS_MOVERS) lim->movers->most = lim->movers->given = lim->movers->count = 0;
+    if (LIM_HAS_PAINTED) connect_painter(lim);
+    if (LIM_HAS_SPANS) connect_nearest(lim);
+    if (LIM_HAS_CONVEX) {
+        lim->convex->pass = pass;
+        if (LIM_HAS_TEXTURE) lim->convex->texturing = lim->texturing;
+    }
+    if (LIM_HAS_DELTA) *lim->delta = NULL;
+    if (LIM_HAS_STREAM) lim->ahead->stage = LIM_AHEAD_NONE;
 }
 
 int lim_init(struct lim *lim, const struct lim_scene *scene, const struct lim_target *target, void *mem, size_t mem_b)
@@ -128,148 +122,138 @@ int lim_init(struct lim *lim, const struct lim_scene *scene, const struct lim_ta
     if (!target_is_usable(target)) return LIM_ERR_TARGET;
     if (!scene_is_usable(scene, target)) return LIM_ERR_SCENE;
     if (mem_b < asked_b(scene, target, true)) return LIM_ERR_MEMORY;
-    lim->scene = scene;
-    lim->target = *target;
-    init_wireframe(lim);
-    init_antialias(lim);
-    init_delta(lim);
-    init_frame(lim);
-    init_ahead(lim);
-    clear_bands(lim);
-    lim_lend_portals(lim, NULL);
-#if LIM_HAS_MOVERS
-    lim->movers.most = lim->movers.given = lim->movers.count = 0;
-#endif
-    if (IS_CONVEX(target))
-        lim_convex_init(lim, mem, mem_b);
-    else if (IS_PAINTER(target))
-        lim_painter_init(lim, mem);
+    lim->pass.scene = scene;
+    lim->pass.target = *target;
+    connect(lim);
+    if (LIM_IS_CONVEX(target))
+        lim_convex_init(lim->convex, mem, mem_b);
+    else if (LIM_IS_PAINTER(target))
+        lim_painter_init(lim->painter, mem);
     else
-        lim_nearest_init(lim, mem, mem_b);
+        lim_nearest_init(lim->nearest, mem, mem_b);
     return LIM_OK;
 }
 
-static void find_shown(struct lim *lim, const struct lim_camera *camera)
+static int draw_frame(struct lim *lim)
 {
-#if LIM_HAS_PORTALS
-    lim->walk.shown = NULL;
-    if (!lim->portals.bits) return;
-    const uint32_t ball_units = lim_portals_ball_units(camera, lim->view.rows.far_units);
-    if (lim_portals_unpack(&lim->portals, lim_eye_of(lim), ball_units)) lim->walk.shown = lim->portals.bits;
-#else
-    (void)lim;
-    (void)camera;
-#endif
+    if (LIM_IS_CONVEX(&lim->pass.target)) return lim_convex_frame(lim->convex);
+    if (LIM_IS_PAINTER(&lim->pass.target)) return lim_painter_frame(lim->painter);
+    return lim_nearest_frame(lim->nearest);
 }
 
-static int draw(struct lim *lim)
+static int set_camera(struct lim *lim, const struct lim_camera *camera)
 {
-    if (IS_CONVEX(&lim->target)) return lim_convex_frame(lim);
-    if (IS_PAINTER(&lim->target)) return lim_painter_frame(lim);
-    return lim_nearest_frame(lim);
-}
+    struct lim_pass *pass = &lim->pass;
 
-static int take_in(struct lim *lim, const struct lim_camera *camera)
-{
-    if (LIM_HAS_STATS) *lim_stats_of(lim) = (struct lim_stats){0};
-    clear_bands(lim);
-    if (!lim_view_begin(&lim->view, lim->scene, camera)) return LIM_ERR_CAMERA;
-    if (LIM_HAS_TEXTURE && lim_texture_count(lim->scene))
-        lim_texture_begin(lim_texturing_of(lim), lim->scene, &lim->view, camera);
-    lim_eye_set(lim_eye_of(lim), lim->scene, camera->eye_q8);
-    if (LIM_HAS_PORTALS) find_shown(lim, camera);
-#if LIM_HAS_MOVERS
-    lim_movers_pose(lim, camera);
-#endif
+    if (LIM_HAS_STATS) *lim_stats_of(pass) = (struct lim_stats){0};
+    if (LIM_HAS_SPANS) lim->nearest->bands = 0;
+    if (!lim_view_begin(&pass->view, pass->scene, camera)) return LIM_ERR_CAMERA;
+    if (LIM_HAS_TEXTURE && lim_texture_count(pass->scene))
+        lim_texture_begin(lim->texturing, pass->scene, &pass->view, camera);
+    lim_eye_set(lim_eye_of(pass), pass->scene, camera->eye_q8);
+    if (LIM_HAS_PORTALS) lim_walk_look_around(pass->walk, camera, pass->view.rows.far_units);
+    if (LIM_HAS_MOVERS) lim_movers_pose(lim->movers, pass, camera);
     return LIM_OK;
 }
 
 static void begin_changes(struct lim *lim, const struct lim_camera *camera)
 {
-#if LIM_HAS_DELTA
-    if (lim->delta) lim_delta_begin_frame(lim->delta, camera, lim_stats_of(lim));
-#else
-    (void)lim, (void)camera;
-#endif
+    if (*lim->delta) lim_delta_begin_frame(*lim->delta, camera, lim_stats_of(&lim->pass));
 }
 
-static int end(struct lim *lim, int err)
+static int end_frame(struct lim *lim, int err)
 {
-#if LIM_HAS_DELTA
-    if (lim->delta) err = lim_delta_end_frame(lim->delta, err);
-#endif
-    if (LIM_HAS_STATS) lim_stats_of(lim)->vertices = lim->view.vertices;
+    if (LIM_HAS_DELTA && *lim->delta) err = lim_delta_end_frame(*lim->delta, err);
+    if (LIM_HAS_STATS) lim_stats_of(&lim->pass)->vertices = lim->pass.view.vertices;
     return err;
 }
 
 int lim_frame(struct lim *lim, const struct lim_camera *camera)
 {
     lim_drop_ahead(lim);
-    const int err = take_in(lim, camera);
+    const int err = set_camera(lim, camera);
     if (err) return err;
-    begin_changes(lim, camera);
-    return end(lim, draw(lim));
+    if (LIM_HAS_DELTA) begin_changes(lim, camera);
+    return end_frame(lim, draw_frame(lim));
 }
 
 #if LIM_HAS_STREAM
-int lim_begin_ahead(struct lim *lim, const struct lim_camera *camera)
+static int begin_frame_ahead(struct lim *lim, const struct lim_camera *camera)
 {
-    const int err = take_in(lim, camera);
+    const int err = set_camera(lim, camera);
     if (err) return err;
-#if LIM_HAS_DELTA
-    lim->ahead.camera = *camera;
-#endif
-    lim->ahead.stage = LIM_AHEAD_BEGUN;
+    if (LIM_HAS_DELTA) *lim->ahead->camera = *camera;
+    lim->ahead->stage = LIM_AHEAD_BEGUN;
     return LIM_OK;
 }
 
 int lim_frame_begin(struct lim *lim, const struct lim_camera *camera)
 {
     lim_drop_ahead(lim);
-    return lim_begin_ahead(lim, camera);
+    return begin_frame_ahead(lim, camera);
 }
 
 static bool is_whole_at_once(const struct lim *lim)
 {
-    return IS_CONVEX(&lim->target) || IS_PAINTER(&lim->target);
+    return LIM_IS_CONVEX(&lim->pass.target) || LIM_IS_PAINTER(&lim->pass.target);
 }
 
 bool lim_frame_work(struct lim *lim)
 {
-    if (lim->ahead.stage == LIM_AHEAD_NONE || is_whole_at_once(lim)) return false;
-    return lim_nearest_work(lim);
+    if (lim->ahead->stage == LIM_AHEAD_NONE || is_whole_at_once(lim)) return false;
+    return lim_nearest_work(lim->nearest, &lim->ahead->stage);
 }
 
 int lim_frame_paint(struct lim *lim)
 {
-    if (lim->ahead.stage == LIM_AHEAD_NONE) return LIM_ERR_BEGIN;
-#if LIM_HAS_DELTA
-    begin_changes(lim, &lim->ahead.camera);
-#endif
-    const int err = end(lim, is_whole_at_once(lim) ? draw(lim) : lim_nearest_paint(lim));
+    if (lim->ahead->stage == LIM_AHEAD_NONE) return LIM_ERR_BEGIN;
+    if (LIM_HAS_DELTA) begin_changes(lim, lim->ahead->camera);
+    const int err =
+        end_frame(lim, is_whole_at_once(lim) ? draw_frame(lim) : lim_nearest_paint(lim->nearest, &lim->ahead->stage));
     lim_drop_ahead(lim);
     return err;
 }
 #endif
 
+#if LIM_HAS_MOVERS
+static void set_instances(struct lim_movers *movers, const struct lim_instance *instances, uint16_t count)
+{
+    movers->instances = instances;
+    movers->count = count < movers->most ? count : movers->most;
+    movers->given = count;
+}
+
+int lim_movers_frame(struct lim *lim, const struct lim_camera *camera, const struct lim_instance *instances,
+                     uint16_t count)
+{
+    lim_drop_ahead(lim);
+    set_instances(lim->movers, instances, count);
+    const int err = lim_frame(lim, camera);
+    set_instances(lim->movers, NULL, 0);
+    return err;
+}
+
+#if LIM_HAS_STREAM
+int lim_movers_begin(struct lim *lim, const struct lim_camera *camera, const struct lim_instance *instances,
+                     uint16_t count)
+{
+    lim_drop_ahead(lim);
+    set_instances(lim->movers, instances, count);
+    const int err = begin_frame_ahead(lim, camera);
+    if (err) set_instances(lim->movers, NULL, 0);
+    return err;
+}
+#endif
+#endif
+
 uint32_t lim_bands(const struct lim *lim)
 {
-#if LIM_HAS_SPANS
-    return lim->bands;
-#else
-    (void)lim;
-    return 0;
-#endif
+    return LIM_HAS_SPANS ? lim->nearest->bands : 0;
 }
 
 const struct lim_stats *lim_stats(const struct lim *lim)
 {
-#if LIM_HAS_STATS
-    return &lim->stats;
-#else
     static const struct lim_stats none = {0};
 
-    (void)lim;
-    return &none;
-#endif
+    return LIM_HAS_STATS ? lim->pass.stats : &none;
 }

@@ -5,14 +5,8 @@
 
 #include "math/fixed.h"
 #include "math/isqrt.h"
-#include "state.h"
 
 #if LIM_HAS_LIGHT
-
-void lim_light_set(struct lim *lim, const struct lim_light *light)
-{
-    lim->movers.light = *light;
-}
 
 /* -2^14..2^14: the longest component of the normal gets 14 bits, so that their products with the light's fit. */
 static int32_t cosine_q14(const int16_t to_q14[3], const int32_t normal[3])

@@ -93,6 +93,11 @@ LIM_MUST_CHECK int lim_frame_paint(struct lim *lim);
 
 const struct lim_stats *lim_stats(const struct lim *lim);
 
+struct lim_newell_options;
+
+/* How LIM_NEWELL compares and splits from the next frame on (newell.h); after lim_init(). */
+void lim_newell_set(struct lim *lim, const struct lim_newell_options *options);
+
 #include "state.h" /* struct lim: complete, so that callers can place it; its fields are private */
 
 LIM_C_END

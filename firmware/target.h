@@ -37,7 +37,7 @@ struct lim_target_costs {
     uint16_t x_align_px; /* a window's first column and its width are multiples of it, but at the right edge; 1: any */
 };
 
-/* A piece of a line in one colour, but for where it begins and ends. */
+/* A piece of a line in one colour, but for where it begins and ends: lim_target.fill. */
 struct lim_piece_look {
     void *ctx;       /* the target's, in its fill() */
     uint16_t colour; /* RGB565 as it lies in memory */
@@ -63,23 +63,21 @@ struct lim_target {
     /* Pixels x_px .. x_px + n_px - 1 of line y_px are final. A negative code ends the frame and
      * comes back from lim_frame() unchanged. */
     int (*done)(void *ctx, uint16_t y_px, uint16_t x_px, uint16_t n_px);
-#if LIM_HAS_RUNS
-    /* Instead of a line's memory, and LIM_CONVEX alone asks: pixels x_px .. x_px + n_px - 1 of line y_px have this
-     * colour, as memory would have it (LIM_MEMORY_COLOUR), whatever they had before. A line begins with its background,
-     * from end to end, and ends with done(); lend() is not called. NULL, or a scene with textures: lines are lent. */
-    void (*put_run)(void *ctx, uint16_t y_px, uint16_t x_px, uint16_t n_px, uint16_t colour);
-#endif
 #if LIM_HAS_ROUND
     /* Which pixels *x0_px <= x < *x1_px of a line are seen; no others are painted. NULL: all. Neither
      * LIM_PAINTER nor LIM_CONVEX asks. */
     void (*visible)(void *ctx, uint16_t y_px, uint16_t *x0_px, uint16_t *x1_px);
 #endif
-#if LIM_HAS_FRAME
-    /* For targets that keep the whole picture; both or, where lines are wanted, none. LIM_NEAREST_FIRST then has fill()
-     * paint pixels x0_px <= x < x1_px of a line, in any order, none that `visible` leaves out and each of the others
-     * once, or again where gaps are short; and calls show() when all are there. `look` is a struct lim_piece_look. A
-     * frame that is not made of such pieces (textures, what is transparent or moves, antialiased, as outlines, as
-     * changes) comes by lines as ever. Pixels are not counted in struct lim_stats. */
+#if LIM_HAS_FILL
+    /* For targets that keep pixels in a format of their own, instead of lines' memory: paints pixels x0_px <= x < x1_px
+     * of a line; `look` is a struct lim_piece_look. A frame that is not made of pieces in one opaque colour each
+     * (textures, what is transparent or moves, antialiased, as outlines, as changes) comes by lines as ever; pixels are
+     * not counted in struct lim_stats. NULL: lines are lent.
+     * show() NULL: the target keeps a line. LIM_CONVEX alone fills it, from the top down: first the background from end
+     * to end, then what lies on it, then it calls done().
+     * show(): it keeps the whole picture. LIM_NEAREST_FIRST fills pieces in any order, none that `visible` leaves out
+     * and each other pixel once, or again where gaps are short; LIM_CONVEX as above, on glass that is not round. When
+     * all are there show() is called, and done() is not. */
     void (*fill)(void *look, uint16_t x0_px, uint16_t x1_px);
     int (*show)(void *ctx);
 #endif

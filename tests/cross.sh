@@ -37,8 +37,9 @@ compile() { # TARGET OBJECT SOURCE [FLAG...]
 compile_all() { # TARGET FOLDER: compiles every file of the folder, tells all the warnings
     mkdir -p "$work/$1/$2"
     failed=0
-    for source in "$2"/*.c; do
-        [ -e "$source" ] || continue
+    for source in "$2"/*.c "$2"/*/*.c; do
+        case $source in *\**) continue ;; hal/*/*) continue ;; esac
+        mkdir -p "$work/$1/${source%/*}"
         compile "$1" "$work/$1/${source%.c}.o" "$source" || failed=1
     done
     return $failed
@@ -68,15 +69,15 @@ check_variants() { # TARGET: other profiles, other screen coordinates, fewer fea
         -DLIM_HAS_ROUND=0 || failed=1
     check_variant "$1" -DLIM_HAS_NEAREST=0 -DLIM_HAS_SCANLINE=0 -DLIM_HAS_DEPTH=0 -DLIM_HAS_NEWELL=0 -DLIM_HAS_CONVEX=0 \
         -DLIM_HAS_TRANSPARENT=0 -DLIM_HAS_WIREFRAME=0 || failed=1
-    check_variant "$1" -DLIM_HAS_FRAMEBUFFER=0 -DLIM_HAS_FRAME=0 || failed=1
-    check_variant "$1" -DLIM_HAS_FRAME=0 -DLIM_HAS_PAINTER=0 -DLIM_HAS_SCANLINE=0 || failed=1
+    check_variant "$1" -DLIM_HAS_FRAMEBUFFER=0 -DLIM_HAS_FILL=0 || failed=1
+    check_variant "$1" -DLIM_HAS_FILL=0 -DLIM_HAS_PAINTER=0 -DLIM_HAS_SCANLINE=0 || failed=1
     return $failed
 }
 
 # Static names are unique over the folder, so all of it compiles as one file.
 is_one_file() { # TARGET
     # shellcheck disable=SC2046 # names are words
-    printf '#include "%s"\n' $(cd firmware && echo *.c) >"$work/all.c"
+    printf '#include "%s"\n' $(cd firmware && echo *.c */*.c) >"$work/all.c"
     failed=0
     for profile in $(echo "$PROFILES" | tr '[:lower:]' '[:upper:]'); do
         compile "$1" "$work/all.o" "$work/all.c" -DLIM_PROFILE="LIM_PROFILE_$profile" || failed=1

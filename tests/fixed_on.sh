@@ -6,7 +6,7 @@
 . sim/targets/targets.sh
 
 # What the vectors reach of the renderer.
-fixed_sources='firmware/angle.c firmware/screen/edge.c firmware/view/eye.c firmware/math/fixed.c firmware/math/orientation.c firmware/view/rows.c
+fixed_sources='firmware/angle.c firmware/screen/edge.c firmware/eye.c firmware/math/fixed.c firmware/math/orientation.c firmware/view/rows.c
     firmware/view/view.c'
 
 fixed_link() { # CORE PROFILE

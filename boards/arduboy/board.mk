@@ -21,7 +21,7 @@ COMPILE    = --method convex $(if $(OUTLINES),--wireframe --unlit)
 START     :=
 LINK      :=
 FRAMES    := -g
-DEFINES    = -DBOARD_CPU_HZ=UINT32_C\($(CPU_HZ)\) -DLIM_HAS_RUNS=1 -DLIM_HAS_LINES=0 -DPIXELS_ONLY_PAGES=1
+DEFINES    = -DBOARD_CPU_HZ=UINT32_C\($(CPU_HZ)\) -DLIM_HAS_FILL=1 -DLIM_HAS_LINES=0 -DPIXELS_ONLY_PAGES=1
 SOURCES   := $(board_folder)/board.c $(addprefix hal/mcu/,avr_gpio.c avr_spi.c avr_timer.c)
 IMAGES    := hex
 PACKAGES  := gcc-avr avr-libc

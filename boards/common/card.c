@@ -3,7 +3,7 @@
  * Line by line, through the renderer's own target: into a line's memory, or in runs where there is none. */
 #include "card.h"
 
-#include "pixels/fill.h"
+#include "colour.h"
 #include "test_card.h"
 
 /* Where the viewer has what lies at x, y of the glass. */
@@ -23,36 +23,27 @@ static uint16_t card_px(const struct lim_target *target, enum panel_rotation tur
     }
 }
 
-#if LIM_HAS_RUNS
+#if LIM_HAS_FILL
+static void card_fill(const struct lim_target *target, uint16_t y_px, uint16_t x0_px, uint16_t x1_px, uint16_t rgb565)
+{
+    struct lim_piece_look look = {target->ctx, lim_memory_colour(rgb565), y_px};
+
+    target->fill(&look, x0_px, x1_px);
+}
+
 /* As the renderer has them: the background from end to end, then what lies on it. */
-static void card_put_runs(const struct lim_target *target, enum panel_rotation turn, uint16_t y_px)
+static void card_fill_line(const struct lim_target *target, enum panel_rotation turn, uint16_t y_px)
 {
     uint16_t from_px = 0, run = card_px(target, turn, 0, y_px);
 
-    target->put_run(target->ctx, y_px, 0, target->w_px, 0);
+    card_fill(target, y_px, 0, target->w_px, 0);
     for (uint16_t x_px = 1; x_px <= target->w_px; x_px++) {
         const uint16_t rgb565 = x_px < target->w_px ? card_px(target, turn, x_px, y_px) : 0;
         if (x_px < target->w_px && rgb565 == run) continue;
-        if (run) target->put_run(target->ctx, y_px, from_px, (uint16_t)(x_px - from_px), lim_memory_colour(run));
+        if (run) card_fill(target, y_px, from_px, x_px, run);
         from_px = x_px;
         run = rgb565;
     }
-}
-
-static bool card_takes_runs(const struct lim_target *target)
-{
-    return target->put_run;
-}
-#else
-static void card_put_runs(const struct lim_target *target, enum panel_rotation turn, uint16_t y_px)
-{
-    (void)target, (void)turn, (void)y_px;
-}
-
-static bool card_takes_runs(const struct lim_target *target)
-{
-    (void)target;
-    return false;
 }
 #endif
 
@@ -70,17 +61,24 @@ static int card_put_line(const struct lim_target *target, enum panel_rotation tu
     return 0;
 }
 
+static int card_draw_line(const struct lim_target *target, enum panel_rotation turn, uint16_t y_px)
+{
+#if LIM_HAS_FILL
+    if (target->fill && !target->show) {
+        card_fill_line(target, turn, y_px);
+        return 0;
+    }
+#endif
+    return card_put_line(target, turn, y_px);
+}
+
 int card_draw(struct screen *screen, enum panel_rotation turn)
 {
     const struct lim_target *target = &screen->target;
-    const bool takes_runs = card_takes_runs(target);
     int err = screen_begin_frame(screen);
 
     for (uint16_t y_px = 0; y_px < target->h_px && !err; y_px++) {
-        if (takes_runs)
-            card_put_runs(target, turn, y_px);
-        else
-            err = card_put_line(target, turn, y_px);
+        err = card_draw_line(target, turn, y_px);
         if (!err) err = target->done(target->ctx, y_px, 0, target->w_px);
     }
     return err ? err : screen_end_frame(screen);

@@ -6,7 +6,7 @@
  * panel that accepts the second has finished with the first; with one, done() waits. */
 #include "screen.h"
 
-#include "pixels/fill.h"
+#include "colour.h"
 
 enum { SCREEN_NO_LINE = 0xFFFF }; /* nothing is gathered yet */
 
@@ -221,18 +221,20 @@ static int screen_gather(struct screen *screen, uint16_t y_px, uint16_t x_px, ui
     return screen_send_gathered(screen, gathered, x_px, (uint16_t)(x_px + n_px));
 }
 
-#if LIM_HAS_RUNS
-/* A line's first run is its background: where that is black, it is so already. */
-static void screen_put_run(void *ctx, uint16_t y_px, uint16_t x_px, uint16_t n_px, uint16_t colour)
+#if LIM_HAS_FILL
+/* Into a page. A line's first piece is its background: where that is black, it is so already. */
+static void screen_fill_page(void *of_look, uint16_t x0_px, uint16_t x1_px)
 {
-    struct screen *screen = ctx;
+    const struct lim_piece_look *look = of_look;
+    struct screen *screen = look->ctx;
 
-    if (y_px != screen->filled_y_px) {
-        screen->filled_y_px = y_px;
-        screen->filled = screen_gathering(screen, y_px);
-        if (colour == 0) return;
+    if (look->y_px != screen->filled_y_px) {
+        screen->filled_y_px = look->y_px;
+        screen->filled = screen_gathering(screen, look->y_px);
+        if (look->colour == 0) return;
     }
-    pixels_fill(screen->panel->format, screen->filled, lim_memory_colour(colour), x_px, y_px, n_px);
+    pixels_fill(screen->panel->format, screen->filled, lim_memory_colour(look->colour), x0_px, look->y_px,
+                (uint16_t)(x1_px - x0_px));
 }
 #endif
 
@@ -296,8 +298,8 @@ static int screen_done(void *ctx, uint16_t y_px, uint16_t x_px, uint16_t n_px)
     return err;
 }
 
-#if LIM_HAS_FRAME
-static void screen_fill(void *of_look, uint16_t x0_px, uint16_t x1_px)
+#if LIM_HAS_FILL
+static void screen_fill_greys(void *of_look, uint16_t x0_px, uint16_t x1_px)
 {
     const struct lim_piece_look *look = of_look;
     struct greys *greys = &((struct screen *)look->ctx)->greys;
@@ -323,7 +325,7 @@ int screen_set_frame(struct screen *screen, void *frame, size_t frame_b)
     if (frame_b < SCREEN_FRAME_MEM_B(panel->w_px, panel->h_px)) return LIM_ERR_MEMORY;
     screen->greys = (struct greys){.picture = frame, .line_b = panel->w_px / 2};
     greys_set(&screen->greys, 0);
-    screen->target.fill = screen_fill;
+    screen->target.fill = screen_fill_greys;
     screen->target.show = screen_show;
     return 0;
 }
@@ -361,7 +363,7 @@ static int screen_init_lines(struct screen *screen, struct panel *panel, enum li
     uint16_t line_b = (uint16_t)(head_b + SCREEN_LINE_B(panel->w_px));
     const uint16_t most_lines = screen_most_lines(panel, is_whole);
     const uint16_t gathered_b = screen_gathered_b(panel);
-    const bool takes_runs = LIM_HAS_RUNS && method == LIM_CONVEX && gathered_b && mem_b >= gathered_b;
+    const bool takes_runs = LIM_HAS_FILL && method == LIM_CONVEX && gathered_b && mem_b >= gathered_b;
     const size_t pages_b = mem_b < 2u * gathered_b + line_b ? gathered_b : 2u * gathered_b;
     const size_t n_lines = mem_b < pages_b ? 0 : (mem_b - pages_b) / line_b;
     if ((n_lines == 0 && !takes_runs) || (is_whole && n_lines < panel->h_px)) return LIM_ERR_MEMORY;
@@ -375,8 +377,8 @@ static int screen_init_lines(struct screen *screen, struct panel *panel, enum li
     {
         .w_px = panel->w_px, .h_px = panel->h_px, .format = LIM_RGB565, .method = method, .ctx = screen,
         .lend = screen_lend, .done = screen_done,
-#if LIM_HAS_RUNS
-        .put_run = n_lines ? NULL : screen_put_run,
+#if LIM_HAS_FILL
+        .fill = n_lines ? NULL : screen_fill_page,
 #endif
 #if LIM_HAS_ROUND
         .visible = panel->visible ? screen_visible : NULL,

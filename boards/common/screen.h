@@ -34,7 +34,7 @@
 #define SCREEN_WIDE_MEM_B(w_px, n_lines) ((size_t)SCREEN_WIDE_LINE_B(w_px) * (n_lines))
 /* For formats whose pixels share bytes (PANEL_MONO_..., PANEL_GREY4): beside the lines two pages, or less, of which one
  * is gathered while the other is on its way; beside a single line one page. Pieces of a line must come from left to
- * right, and all of them. For a single convex solid (LIM_CONVEX, LIM_HAS_RUNS) 0 lines will do: its runs are put into
+ * right, and all of them. For a single convex solid (LIM_CONVEX, LIM_HAS_FILL) 0 lines will do: its runs are put into
  * the page at once, which takes less time as well. */
 #define SCREEN_PAGE_B(w_px) (((w_px) + 3u) / 4u * 4u)
 #define SCREEN_PAGES_MEM_B(w_px, n_lines)                                                                              \
@@ -83,7 +83,7 @@ struct screen {
     uint16_t waiting_line;  /* the index of the first of them */
     uint16_t waiting_y_px;
 #endif
-#if LIM_HAS_FRAME
+#if LIM_HAS_FILL
     struct greys greys; /* the picture, if there is memory for it */
 #endif
 };
@@ -101,7 +101,7 @@ LIM_MUST_CHECK int screen_init_framebuffer(struct screen *screen, struct panel *
                                            void *mem, size_t mem_b);
 #endif
 
-#if LIM_HAS_FRAME
+#if LIM_HAS_FILL
 /* Lends memory for the whole picture, 4-byte aligned, which must outlive *screen: frames that the renderer can fill
  * come there and go out in one piece. PANEL_ERR_UNSUPPORTED: the panel's pixels are not PANEL_GREY4, or lines of them
  * do not take whole words; LIM_ERR_MEMORY. */

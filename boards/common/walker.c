@@ -3,8 +3,7 @@
 
 #include "angle.h"
 #include "board.h"
-#include "math/fixed.h"
-#include "view/eye.h"
+#include "eye.h"
 
 #define TURN_STEP (UINT32_C(1) << 24)
 enum { NEAR_STEPS = 4, BOARD_WALK = BOARD_UP | BOARD_DOWN | BOARD_LEFT | BOARD_RIGHT };

@@ -14,17 +14,13 @@ struct lim_active {
     struct lim_active *next; /* in a list, or NULL */
     union {
         struct lim_edge_pair pair;
-#if LIM_HAS_ANTIALIAS
-        struct lim_sample_edges samples; /* antialiased */
-#endif
+        LIM_OPTIONAL(struct lim_sample_edges, samples, LIM_HAS_ANTIALIAS);
     };
     uint16_t polygon; /* its first cell: farther ones have greater ones */
     uint16_t turn;    /* the line on which its edges change, or its bottom */
     uint16_t bottom;
-    uint16_t colour; /* as it lies in memory */
-#if LIM_HAS_TEXTURE
-    struct lim_gradients gradients; /* if it has a texture */
-#endif
+    uint16_t colour;                                                /* as it lies in memory */
+    LIM_OPTIONAL(struct lim_gradients, gradients, LIM_HAS_TEXTURE); /* if it has a texture */
 };
 
 struct lim_actives {

@@ -5,6 +5,7 @@
 #include "lines/flat.h"
 
 #include "lines/paint.h"
+#include "pixels/fill.h"
 
 #if LIM_HAS_SPANS
 
@@ -76,18 +77,18 @@ static LIM_INLINE int flat_paint_line(struct lim_paint *paint, struct lim_spans 
 {
     const uint16_t below = (uint16_t)(y + 1);
     struct extent extent = {band->x0, band->x1};
-    uint16_t *const line = paint->target->lend(paint->target->ctx, y);
+    uint16_t *const line = paint->pass->target.lend(paint->pass->target.ctx, y);
 
     if (!line) return LIM_ERR_TARGET;
-#if LIM_HAS_ROUND
-    struct lim_line open;
-    lim_line_open(&open, paint->target, band, y);
-    extent = (struct extent){open.gap.x0, open.gap.x1};
-#endif
+    if (LIM_HAS_ROUND) {
+        struct lim_line open;
+        lim_line_open(&open, &paint->pass->target, band, y);
+        extent = (struct extent){open.gap.x0, open.gap.x1};
+    }
     if (LIM_HAS_STATS && paint->actives.used > stats->active_max) stats->active_max = paint->actives.used;
     flat_paint_background(spans, &spans->lines[y].gap, line, paint->background, stats);
     flat_paint_polygons(&paint->actives, retained, line, extent, within, below, stats);
-    return paint->target->done(paint->target->ctx, y, (uint16_t)extent.x0, (uint16_t)(extent.x1 - extent.x0));
+    return paint->pass->target.done(paint->pass->target.ctx, y, (uint16_t)extent.x0, (uint16_t)(extent.x1 - extent.x0));
 }
 
 /* Whether the band shows each line from side to side, and no polygon reaches beyond it. What lies within the screen is
@@ -95,12 +96,10 @@ static LIM_INLINE int flat_paint_line(struct lim_paint *paint, struct lim_spans 
 static bool flat_is_within(const struct lim_paint *paint, const struct lim_retained *retained,
                            const struct lim_rect *band)
 {
-    const struct lim_target *target = paint->target;
+    const struct lim_target *target = &paint->pass->target;
 
-#if LIM_HAS_ROUND
-    if (target->visible) return false;
-#endif
-    return LIM_SUB_BITS && !retained->overhangs && !band->x0 && band->x1 == target->w_px;
+    return LIM_SUB_BITS && !lim_target_is_round(target) && !retained->overhangs && !band->x0 &&
+           band->x1 == target->w_px;
 }
 
 static LIM_INLINE int flat_paint_lines(struct lim_paint *paint, struct lim_spans *spans,
@@ -123,8 +122,10 @@ static LIM_ALONE int paint_within(struct lim_paint *paint, struct lim_spans *spa
 }
 
 int lim_flat_band(struct lim_paint *paint, struct lim_spans *spans, const struct lim_retained *retained,
-                  const struct lim_rect *band, uint16_t *y, struct lim_stats *stats)
+                  const struct lim_rect *band, uint16_t *y)
 {
+    struct lim_stats *stats = lim_stats_of(paint->pass);
+
     lim_actives_start(&paint->actives);
     if (!LIM_OPTIMISE_SIZE && flat_is_within(paint, retained, band))
         return paint_within(paint, spans, retained, band, y, stats);

@@ -6,12 +6,11 @@
 #define LIM_FLAT_H
 
 #include "lines/active.h"
-#include "stats.h"
 
 struct lim_paint;
 
 /* As lim_paint_band(). The gaps that SPAN has left in the lines are their background. */
 LIM_MUST_CHECK int lim_flat_band(struct lim_paint *paint, struct lim_spans *spans, const struct lim_retained *retained,
-                                 const struct lim_rect *band, uint16_t *y, struct lim_stats *stats);
+                                 const struct lim_rect *band, uint16_t *y);
 
 #endif

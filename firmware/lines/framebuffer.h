@@ -7,17 +7,7 @@
 
 #include "lines/span.h"
 #include "pixels/fill.h"
-
-/* Whether there is one: then it is painted, and done() called for each line at the end. */
-static inline bool lim_has_framebuffer(const struct lim_target *target)
-{
-#if LIM_HAS_FRAMEBUFFER
-    return target->framebuffer.pixels;
-#else
-    (void)target;
-    return false;
-#endif
-}
+#include "pixels/target_parts.h"
 
 /* Says that whole lines are there. 0 or the target's error. */
 static inline int lim_target_done(const struct lim_target *target, const struct lim_rect *lines)
@@ -29,7 +19,6 @@ static inline int lim_target_done(const struct lim_target *target, const struct 
     return err;
 }
 
-#if LIM_HAS_FRAMEBUFFER
 static inline uint16_t *lim_framebuffer_line(const struct lim_framebuffer *framebuffer, uint16_t y_px)
 {
     return (uint16_t *)framebuffer->pixels + (size_t)y_px * framebuffer->stride_px;
@@ -50,28 +39,17 @@ static LIM_INLINE void lim_framebuffer_fill_inline(void *of_look, uint16_t x0_px
 /* Paints a polygon that is not non-monotone on the lines `shown`, top < bottom, which it has and the target too. */
 void lim_framebuffer_paint(const struct lim_target *target, const struct lim_point *at, uint8_t n, uint8_t first,
                            struct lim_span_extent shown, uint16_t colour);
-#endif
 
 /* What paints pieces as they are found, and the ctx of its looks. NULL: lines are lent. */
 static inline lim_span_sink *lim_fill_of(const struct lim_target *target)
 {
-#if LIM_HAS_FRAMEBUFFER
-    if (lim_has_framebuffer(target)) return lim_framebuffer_fill;
-#endif
-#if LIM_HAS_FRAME
-    return target->fill;
-#else
-    (void)target;
-    return NULL;
-#endif
+    if (LIM_HAS_FRAMEBUFFER && lim_has_framebuffer(target)) return lim_framebuffer_fill;
+    return lim_target_keeps_all(target) ? lim_target_fill(target) : NULL;
 }
 
 static inline void *lim_fill_ctx_of(struct lim_target *target)
 {
-#if LIM_HAS_FRAMEBUFFER
-    if (lim_has_framebuffer(target)) return &target->framebuffer;
-#endif
-    return target->ctx;
+    return lim_has_framebuffer(target) ? lim_framebuffer_of(target) : target->ctx;
 }
 
 #endif

@@ -35,9 +35,7 @@ static inline void lim_gap_copy(struct lim_gap *to, const struct lim_gap *from)
     to->x0 = from->x0;
     to->x1 = from->x1;
     to->next = from->next;
-#if LIM_HAS_ANTIALIAS
-    to->covered = from->covered;
-#endif
+    if (LIM_HAS_ANTIALIAS) *to->covered = *from->covered;
 }
 
 /* Unlinks a gap whose predecessor is `before` (NULL: it is the line's first). Returns the gap that follows, now
@@ -69,13 +67,11 @@ static inline bool lim_gap_split(struct lim_spans *spans, struct lim_gap *gap, u
     const uint16_t right = lim_gap_take(spans);
 
     if (right == LIM_NONE) return false;
-    spans->pool[right] = (struct lim_gap)
-    {
-        .x0 = x1, .x1 = gap->x1, .next = gap->next,
-#if LIM_HAS_ANTIALIAS
-        .covered = gap->covered,
-#endif
-    };
+    struct lim_gap *rest = &spans->pool[right];
+    rest->x0 = x1;
+    rest->x1 = gap->x1;
+    rest->next = gap->next;
+    if (LIM_HAS_ANTIALIAS) *rest->covered = *gap->covered;
     gap->x1 = x0;
     gap->next = right;
     return true;

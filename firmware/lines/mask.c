@@ -24,7 +24,7 @@ static void step(const struct lim_spans *spans, struct place *place)
 static bool close_part(struct lim_spans *spans, struct place *place, const struct lim_run *run)
 {
     struct lim_gap *gap = place->gap;
-    const uint16_t covered = gap->covered | run->mask, x0 = (uint16_t)run->x0, x1 = (uint16_t)run->x1;
+    const uint16_t covered = *gap->covered | run->mask, x0 = (uint16_t)run->x0, x1 = (uint16_t)run->x1;
     const bool closes = covered == LIM_ALL_SAMPLES;
 
     if (closes && x0 == gap->x0 && x1 < gap->x1) {
@@ -44,7 +44,7 @@ static bool close_part(struct lim_spans *spans, struct place *place, const struc
         if (closes) return true;
         gap = place->gap;
     }
-    gap->covered = covered;
+    *gap->covered = covered;
     if (closes)
         place->gap = lim_gap_unlink(spans, gap, place->before);
     else
@@ -59,7 +59,7 @@ static inline void set_common(struct lim_run *open, const struct lim_gap *gap, c
 
     open->x0 = run->x0 > x0 ? run->x0 : x0;
     open->x1 = run->x1 < x1 ? run->x1 : x1;
-    open->mask = (uint16_t)(run->mask & ~gap->covered);
+    open->mask = (uint16_t)(run->mask & ~*gap->covered);
 }
 
 /* Closes what is open of a run, which begins in the place's gap. Leaves the place behind it. false: no room. */
@@ -68,7 +68,7 @@ static bool close_run(struct lim_spans *spans, struct place *place, const struct
 {
     while (place->gap && (int16_t)place->gap->x0 < run->x1) {
         struct lim_run open;
-        const uint16_t covered = place->gap->covered;
+        const uint16_t covered = *place->gap->covered;
         set_common(&open, place->gap, run);
         if (!open.mask) {
             if ((int16_t)place->gap->x1 > run->x1) return true;
@@ -121,7 +121,7 @@ bool lim_mask_see(const struct lim_spans *spans, const struct lim_line *line, co
         if (open.mask) {
             any = true;
             if (!sink) break;
-            sink(ctx, &open, gap->covered);
+            sink(ctx, &open, *gap->covered);
         }
         x = open.x1;
     }

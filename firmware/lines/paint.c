@@ -5,46 +5,27 @@
 #include "lines/paint.h"
 
 #include "lines/flat.h"
+#include "lines/mask.h"
+#include "lines/wireframe.h"
+#include "pixels/fill.h"
 
 #if LIM_HAS_SPANS
 
-static const union lim_retained_cell *cells_of(const struct lim_retained *retained, const struct lim_active *active)
+static const union lim_retained_cell *paint_cells_of(const struct lim_retained *retained,
+                                                     const struct lim_active *active)
 {
     return &retained->cells[active->polygon];
 }
 
 static inline bool is_antialiased(const struct lim_paint *paint)
 {
-#if LIM_HAS_ANTIALIAS
-    return *paint->antialiased;
-#else
-    (void)paint;
-    return false;
-#endif
-}
-
-static inline bool is_wireframe(const struct lim_paint *paint)
-{
-#if LIM_HAS_WIREFRAME
-    return paint->wireframe->on;
-#else
-    (void)paint;
-    return false;
-#endif
-}
-
-static void set_texture(const struct lim_paint *paint, struct lim_active *active, const union lim_retained_cell *cells)
-{
-#if LIM_HAS_TEXTURE
-    if (lim_retained_has_texture(cells)) lim_texture_set(paint->texturing, cells[1].look.colour, &active->gradients);
-#else
-    (void)paint, (void)active, (void)cells;
-#endif
+    return lim_is_antialiased(&paint->pass->view);
 }
 
 /* Starts one polygon on line y. false: no room. */
 static bool activate(struct lim_paint *paint, const struct lim_retained *retained, uint16_t polygon, uint16_t y)
 {
+    const union lim_retained_cell *cells = &retained->cells[polygon];
     struct lim_active **link = &paint->actives.first, *active = lim_active_take(&paint->actives);
 
     if (!active) return false;
@@ -52,14 +33,13 @@ static bool activate(struct lim_paint *paint, const struct lim_retained *retaine
         link = &(*link)->next;
     active->next = *link;
     *link = active;
-    set_texture(paint, active, &retained->cells[polygon]);
-#if LIM_HAS_ANTIALIAS
-    if (is_antialiased(paint)) {
+    if (LIM_HAS_TEXTURE && lim_retained_has_texture(cells))
+        lim_texture_set(paint->texturing, cells[1].look.colour, active->gradients);
+    if (LIM_HAS_ANTIALIAS && is_antialiased(paint)) {
         active->polygon = polygon;
-        lim_strip_begin(&active->samples, retained->cells[polygon].link.n, retained->cells[polygon].link.first);
+        lim_strip_begin(active->samples, cells[0].link.n, cells[0].link.first);
         return true;
     }
-#endif
     lim_active_begin(active, retained, polygon, (int16_t)y);
     return true;
 }
@@ -76,103 +56,58 @@ struct sink {
     uint16_t *line;
     uint16_t colour;
     uint16_t painted_px;
-#if LIM_HAS_WIREFRAME
-    struct lim_wire wire; /* of no corners: polygons are filled */
-#endif
-#if LIM_HAS_TEXTURE
-    struct lim_textured_span span; /* no gradients: of one colour */
-    struct lim_stats *stats;
-#endif
-#if LIM_HAS_DELTA
-    struct lim_delta *notes; /* of this line's pieces, or NULL */
-#endif
+    LIM_OPTIONAL(struct lim_wire, wire, LIM_HAS_WIREFRAME);        /* of no corners: polygons are filled */
+    LIM_OPTIONAL(struct lim_textured_span, span, LIM_HAS_TEXTURE); /* no gradients: of one colour */
+    LIM_OPTIONAL(struct lim_stats *, stats, LIM_HAS_TEXTURE);
+    LIM_OPTIONAL(struct lim_delta *, notes, LIM_HAS_DELTA); /* of this line's pieces, or NULL */
 };
 
-static inline uint32_t texture_flag(const struct sink *sink)
+static inline bool is_textured(const struct sink *sink)
 {
-#if LIM_HAS_TEXTURE && LIM_HAS_DELTA
-    return sink->span.gradients ? LIM_RUN_TEXTURED : 0;
-#else
-    (void)sink;
-    return 0;
-#endif
+    return LIM_HAS_TEXTURE && sink->span->gradients;
 }
 
 /* true: noted, and not to be painted. */
 static inline bool note(const struct sink *sink, uint16_t x0, uint16_t x1, uint32_t look)
 {
-#if LIM_HAS_DELTA
-    if (sink->notes) lim_delta_note(sink->notes, x0, x1, look);
-    return sink->notes && !sink->line;
-#else
-    (void)sink, (void)x0, (void)x1, (void)look;
-    return false;
-#endif
-}
-
-/* NULL: polygons are filled. */
-static inline const struct lim_wire *wire_of(const struct sink *sink)
-{
-#if LIM_HAS_WIREFRAME
-    return sink->wire.n ? &sink->wire : NULL;
-#else
-    (void)sink;
-    return NULL;
-#endif
+    if (!LIM_HAS_DELTA || !*sink->notes) return false;
+    lim_delta_note(*sink->notes, x0, x1, look);
+    return !sink->line;
 }
 
 static inline void set_wire(struct sink *sink, const struct lim_paint *paint, const union lim_retained_cell *cells,
                             uint16_t y)
 {
-#if LIM_HAS_WIREFRAME
-    const struct lim_wireframe *style = paint->wireframe;
+    const struct lim_wireframe *style = lim_wireframe_of(paint->pass);
     const uint8_t n = cells[0].link.n;
 
-    sink->wire.n = 0;
-    if (!style->on) return;
-    sink->wire = (struct lim_wire){.at = lim_active_points(cells),
-                                   .hidden = cells[LIM_RETAINED_HEAD_CELLS + n].hidden,
-                                   .colour = style->one_colour ? lim_memory_colour(style->colour) : sink->colour,
-                                   .background = paint->background,
-                                   .y = (int16_t)y,
-                                   .n = n};
-#else
-    (void)sink, (void)paint, (void)cells, (void)y;
-#endif
+    sink->wire->n = 0;
+    if (!style) return;
+    *sink->wire = (struct lim_wire){.at = lim_active_points(cells),
+                                    .hidden = cells[LIM_RETAINED_HEAD_CELLS + n].hidden,
+                                    .colour = style->one_colour ? lim_memory_colour(style->colour) : sink->colour,
+                                    .background = paint->background,
+                                    .y = (int16_t)y,
+                                    .n = n};
 }
 
 static inline void set_span(struct sink *sink, const struct lim_active *active, const union lim_retained_cell *cells)
 {
-#if LIM_HAS_TEXTURE
-    sink->span.gradients = lim_retained_has_texture(cells) ? &active->gradients : NULL;
-    sink->span.left = lim_edge_x(&active->pair.left);
-    sink->span.right = lim_edge_x(&active->pair.right);
-#else
-    (void)sink, (void)active, (void)cells;
-#endif
-}
-
-/* false: it is of one colour. */
-static inline bool paint_textured(const struct sink *sink, uint16_t x0, uint16_t x1)
-{
-#if LIM_HAS_TEXTURE
-    if (!sink->span.gradients) return false;
-    lim_texture_fill(&sink->span, sink->line, x0, x1, sink->stats);
-    return true;
-#else
-    (void)sink, (void)x0, (void)x1;
-    return false;
-#endif
+    sink->span->gradients = lim_retained_has_texture(cells) ? active->gradients : NULL;
+    sink->span->left = lim_edge_x(&active->pair.left);
+    sink->span->right = lim_edge_x(&active->pair.right);
 }
 
 static void paint_piece(void *ctx, uint16_t x0, uint16_t x1)
 {
     struct sink *sink = ctx;
 
-    if (!note(sink, x0, x1, sink->colour | texture_flag(sink))) {
-        if (LIM_HAS_WIREFRAME && wire_of(sink))
-            lim_wire_fill(sink->line, wire_of(sink), x0, x1);
-        else if (!paint_textured(sink, x0, x1))
+    if (!note(sink, x0, x1, sink->colour | (is_textured(sink) ? LIM_RUN_TEXTURED : 0))) {
+        if (LIM_HAS_WIREFRAME && sink->wire->n)
+            lim_wire_fill(sink->line, sink->wire, x0, x1);
+        else if (LIM_HAS_TEXTURE && is_textured(sink))
+            lim_texture_fill(sink->span, sink->line, x0, x1, *sink->stats);
+        else
             lim_fill(sink->line, x0, (uint16_t)(x1 - x0), sink->colour);
     }
     if (LIM_HAS_STATS) sink->painted_px = (uint16_t)(sink->painted_px + x1 - x0);
@@ -188,45 +123,15 @@ static bool paint_advance(struct lim_active *active, const union lim_retained_ce
     return true;
 }
 
-static inline void keep_lent(struct lim_paint *paint, uint16_t *line)
-{
-#if LIM_HAS_FALLBACK
-    paint->lent = line;
-#else
-    (void)paint, (void)line;
-#endif
-}
-
 /* A transparent polygon leaves its pixels open. */
 static void push_layers(struct lim_paint *paint, const struct lim_spans *spans, const struct lim_line *open,
                         const struct lim_active *active, const union lim_retained_cell *cells)
 {
-#if LIM_HAS_TRANSPARENT
     const int16_t left = lim_edge_x(&active->pair.left), right = lim_edge_x(&active->pair.right);
     const struct lim_layer piece = {left > 0 ? (uint16_t)left : 0, right > 0 ? (uint16_t)right : 0,
                                     cells[1].look.colour, lim_retained_alpha(cells)};
 
-    if (!paint->layers.exhausted) lim_layers_push(&paint->layers, spans, open, &piece);
-#else
-    (void)paint, (void)spans, (void)open, (void)active, (void)cells;
-#endif
-}
-
-#if LIM_HAS_ANTIALIAS
-/* Lets the strip wait for what lies behind it. false: it is opaque. */
-static bool push_strip(struct lim_paint *paint, const struct lim_spans *spans, const struct lim_line *open,
-                       const struct lim_strip *strip, const union lim_retained_cell *cells)
-{
-#if LIM_HAS_TRANSPARENT
-    const uint8_t alpha = lim_retained_alpha(cells);
-
-    if (alpha == LIM_OPAQUE) return false;
-    lim_smooth_push(&paint->layers, spans, open, strip, cells[1].look.colour, alpha);
-    return true;
-#else
-    (void)paint, (void)spans, (void)open, (void)strip, (void)cells;
-    return false;
-#endif
+    if (!paint->layers->exhausted) lim_layers_push(paint->layers, spans, open, &piece);
 }
 
 static void mix_strip(struct lim_paint *paint, struct lim_spans *spans, struct lim_line *open,
@@ -236,43 +141,39 @@ static void mix_strip(struct lim_paint *paint, struct lim_spans *spans, struct l
     struct lim_smooth_sink smooth;
 
     smooth.line = sink->line;
-    smooth.sums = paint->smooth.sums;
+    smooth.sums = paint->smooth->sums;
     smooth.colour = cells[1].look.colour;
     smooth.painted_px = 0;
-#if LIM_HAS_TEXTURE
-    set_span(sink, active, cells);
-    smooth.span = sink->span;
-    smooth.span.left = strip->x0;
-    smooth.span.right = strip->x1;
-    smooth.stats = sink->stats;
-#else
-    (void)active;
-#endif
+    if (LIM_HAS_TEXTURE) {
+        set_span(sink, active, cells);
+        *smooth.span = *sink->span;
+        smooth.span->left = strip->x0;
+        smooth.span->right = strip->x1;
+        smooth.stats = *sink->stats;
+    }
     (void)lim_mask_close(spans, open, strip, lim_smooth_mix, &smooth);
     if (LIM_HAS_STATS) sink->painted_px = (uint16_t)(sink->painted_px + smooth.painted_px);
 }
-#endif
 
-/* An active polygon's samples on line y. false: it has ended. */
+/* An active polygon's samples on line y; a transparent one's wait for what lies behind. false: it has ended. */
 static inline bool paint_samples(struct lim_paint *paint, struct lim_spans *spans, struct lim_line *open,
                                  struct lim_active *active, const union lim_retained_cell *cells, uint16_t y,
                                  struct sink *sink)
 {
-#if LIM_HAS_ANTIALIAS
     const int16_t end_row = (int16_t)lim_retained_bottom(cells);
+    const uint8_t alpha = lim_retained_alpha(cells);
     struct lim_strip strip;
 
     if (LIM_HAS_PIECES && !cells[0].link.n)
         lim_strip_of_rows(&strip, lim_active_points(cells), end_row, (int16_t)y);
     else
-        lim_strip_next(&strip, &active->samples, lim_active_points(cells), cells[0].link.n, cells[0].link.first,
+        lim_strip_next(&strip, active->samples, lim_active_points(cells), cells[0].link.n, cells[0].link.first,
                        (int16_t)y, end_row);
-    if (!push_strip(paint, spans, open, &strip, cells)) mix_strip(paint, spans, open, &strip, active, cells, sink);
+    if (LIM_HAS_TRANSPARENT && alpha != LIM_OPAQUE)
+        lim_smooth_push(paint->layers, spans, open, &strip, cells[1].look.colour, alpha);
+    else
+        mix_strip(paint, spans, open, &strip, active, cells, sink);
     return ((int16_t)y + 1) * LIM_SAMPLE_ROWS < end_row;
-#else
-    (void)paint, (void)spans, (void)open, (void)active, (void)cells, (void)y, (void)sink;
-    return false;
-#endif
 }
 
 /* What an active polygon has on line y. false: it has ended. */
@@ -283,7 +184,7 @@ static inline bool paint_centres(struct lim_paint *paint, struct lim_spans *span
     const int16_t left = lim_edge_x(&active->pair.left), right = lim_edge_x(&active->pair.right);
 
     sink->colour = cells[1].look.colour;
-    set_span(sink, active, cells);
+    if (LIM_HAS_TEXTURE) set_span(sink, active, cells);
     if (LIM_HAS_WIREFRAME) set_wire(sink, paint, cells, y);
     if (left < right) {
         if (LIM_HAS_TRANSPARENT && lim_retained_alpha(cells) != LIM_OPAQUE)
@@ -301,7 +202,7 @@ static void paint_polygons(struct lim_paint *paint, struct lim_spans *spans, con
 
     while (*link) {
         struct lim_active *active = *link;
-        const union lim_retained_cell *cells = cells_of(retained, active);
+        const union lim_retained_cell *cells = paint_cells_of(retained, active);
         const bool goes_on = LIM_HAS_ANTIALIAS && is_antialiased(paint)
                                  ? paint_samples(paint, spans, open, active, cells, y, sink)
                                  : paint_centres(paint, spans, open, active, cells, y, sink);
@@ -313,18 +214,17 @@ static void paint_polygons(struct lim_paint *paint, struct lim_spans *spans, con
 }
 
 static void paint_background(const struct lim_spans *spans, const struct lim_line *open, const struct lim_paint *paint,
-                             const struct sink *sink, struct lim_stats *stats)
+                             const struct sink *sink)
 {
+    struct lim_stats *stats = lim_stats_of(paint->pass);
     const struct lim_gap *gap = &open->gap;
 
-#if LIM_HAS_ANTIALIAS
-    if (is_antialiased(paint)) {
-        struct lim_smooth_sink smooth = {.line = sink->line, .sums = paint->smooth.sums};
+    if (LIM_HAS_ANTIALIAS && is_antialiased(paint)) {
+        struct lim_smooth_sink smooth = {.line = sink->line, .sums = paint->smooth->sums};
         lim_smooth_background(spans, open, paint->background, &smooth);
         if (LIM_HAS_STATS) stats->pixels_background += smooth.painted_px;
         return;
     }
-#endif
     for (;;) {
         if ((!LIM_HAS_DELTA || gap->x0 < gap->x1) && !note(sink, gap->x0, gap->x1, paint->background))
             lim_fill(sink->line, gap->x0, (uint16_t)(gap->x1 - gap->x0), paint->background);
@@ -335,10 +235,10 @@ static void paint_background(const struct lim_spans *spans, const struct lim_lin
 }
 
 /* false: the stack was too small. */
-static bool blend(struct lim_paint *paint, uint16_t *line, struct lim_stats *stats)
+static bool blend(struct lim_paint *paint, uint16_t *line)
 {
-#if LIM_HAS_TRANSPARENT
-    struct lim_layers *layers = &paint->layers;
+    struct lim_stats *stats = lim_stats_of(paint->pass);
+    struct lim_layers *layers = paint->layers;
 
     if (layers->exhausted) {
         layers->exhausted = false;
@@ -347,21 +247,7 @@ static bool blend(struct lim_paint *paint, uint16_t *line, struct lim_stats *sta
     }
     if (LIM_HAS_STATS && layers->used > stats->layers_max) stats->layers_max = layers->used;
     lim_layers_blend(layers, line);
-#else
-    (void)paint, (void)line, (void)stats;
-#endif
     return true;
-}
-
-static inline void begin_span(struct sink *sink, const struct lim_paint *paint, uint16_t y, struct lim_stats *stats)
-{
-#if LIM_HAS_TEXTURE
-    sink->span.texturing = paint->texturing;
-    sink->span.y = (int16_t)y;
-    sink->stats = stats;
-#else
-    (void)sink, (void)paint, (void)y, (void)stats;
-#endif
 }
 
 /* What becomes of a line's pieces: delta output wants to know what they are, and paints what it sends by itself. It
@@ -371,78 +257,75 @@ enum line_use { PAINTED, NOTED, PAINTED_AND_NOTED };
 static enum line_use use_of_line(const struct lim_paint *paint, const struct lim_retained *retained,
                                  const struct lim_rect *band)
 {
-#if LIM_HAS_DELTA
-    if (!paint->delta || is_antialiased(paint) || is_wireframe(paint)) return PAINTED;
-    if (band->x1 - band->x0 < paint->target->w_px) return PAINTED; /* pieces of lines are sent as they are */
+    if (!LIM_HAS_DELTA || !paint->delta || is_antialiased(paint) || lim_wireframe_of(paint->pass)) return PAINTED;
+    if (band->x1 - band->x0 < paint->pass->target.w_px) return PAINTED; /* pieces of lines are sent as they are */
     enum line_use use = lim_delta_wants_lines(paint->delta) ? PAINTED_AND_NOTED : NOTED;
     if (!LIM_HAS_TRANSPARENT && !LIM_HAS_TEXTURE) return use;
     for (const struct lim_active *active = paint->actives.first; active; active = active->next) {
-        const union lim_retained_cell *cells = cells_of(retained, active);
+        const union lim_retained_cell *cells = paint_cells_of(retained, active);
         if (LIM_HAS_TRANSPARENT && lim_retained_alpha(cells) != LIM_OPAQUE) return PAINTED;
         if (lim_retained_has_texture(cells)) use = PAINTED_AND_NOTED;
     }
     return use;
-#else
-    (void)paint, (void)retained, (void)band;
-    return PAINTED;
-#endif
 }
 
-static inline void begin_notes(struct sink *sink, const struct lim_paint *paint, enum line_use use)
+/* What the sink needs but a line and a colour. */
+static inline void begin_sink(struct sink *sink, const struct lim_paint *paint, uint16_t y, enum line_use use)
 {
-#if LIM_HAS_DELTA
-    sink->notes = use == PAINTED ? NULL : paint->delta;
-    if (sink->notes) lim_delta_begin_line(sink->notes, sink->line);
-#else
-    (void)sink, (void)paint, (void)use;
-#endif
+    if (LIM_HAS_DELTA) {
+        *sink->notes = use == PAINTED ? NULL : paint->delta;
+        if (*sink->notes) lim_delta_begin_line(*sink->notes, sink->line);
+    }
+    if (LIM_HAS_TEXTURE) {
+        sink->span->texturing = paint->texturing;
+        sink->span->y = (int16_t)y;
+        *sink->stats = lim_stats_of(paint->pass);
+    }
 }
 
 static int paint_line(struct lim_paint *paint, struct lim_spans *spans, const struct lim_retained *retained,
-                      const struct lim_rect *band, uint16_t y, struct lim_stats *stats)
+                      const struct lim_rect *band, uint16_t y)
 {
+    const struct lim_target *target = &paint->pass->target;
+    struct lim_stats *stats = lim_stats_of(paint->pass);
     struct lim_line open;
     struct sink sink;
 
-    lim_line_open(&open, paint->target, band, y);
+    lim_line_open(&open, target, band, y);
     const uint16_t x0 = LIM_HAS_ROUND ? open.gap.x0 : band->x0, x1 = LIM_HAS_ROUND ? open.gap.x1 : band->x1;
     sink.colour = sink.painted_px = 0;
     const enum line_use use = use_of_line(paint, retained, band);
-    sink.line = use == NOTED ? NULL : paint->target->lend(paint->target->ctx, y);
+    sink.line = use == NOTED ? NULL : target->lend(target->ctx, y);
     if (use != NOTED && !sink.line) return LIM_ERR_TARGET;
-    begin_notes(&sink, paint, use);
-    begin_span(&sink, paint, y, stats);
+    begin_sink(&sink, paint, y, use);
     if (LIM_HAS_STATS && paint->actives.used > stats->active_max) stats->active_max = paint->actives.used;
     lim_spans_reset_pool(spans);
     paint_polygons(paint, spans, retained, &open, y, &sink);
-    paint_background(spans, &open, paint, &sink, stats);
+    paint_background(spans, &open, paint, &sink);
     if (LIM_HAS_STATS) stats->pixels_painted += sink.painted_px;
-    if (LIM_HAS_TRANSPARENT && !blend(paint, sink.line, stats)) {
-        keep_lent(paint, sink.line);
+    if (LIM_HAS_TRANSPARENT && !blend(paint, sink.line)) {
+        paint->lent = sink.line;
         return LIM_PAINT_LAYERS;
     }
-    return paint->target->done(paint->target->ctx, y, x0, (uint16_t)(x1 - x0));
+    return target->done(target->ctx, y, x0, (uint16_t)(x1 - x0));
 }
 
 /* Whether all that is retained is opaque and of one colour a polygon, and is only to be painted. */
 static inline bool is_flat(const struct lim_paint *paint, const struct lim_retained *retained)
 {
-#if LIM_HAS_DELTA
-    if (paint->delta) return false;
-#endif
-    if (LIM_HAS_WIREFRAME && is_wireframe(paint)) return false;
-    if (LIM_HAS_ANTIALIAS && is_antialiased(paint)) return false;
-    return !lim_retained_is_mixed(retained);
+    if (LIM_HAS_DELTA && paint->delta) return false;
+    if (lim_wireframe_of(paint->pass) || is_antialiased(paint)) return false;
+    return !((LIM_HAS_TRANSPARENT || LIM_HAS_TEXTURE) && retained->mixed);
 }
 
 int lim_paint_band(struct lim_paint *paint, struct lim_spans *spans, const struct lim_retained *retained,
-                   const struct lim_rect *band, uint16_t *y, struct lim_stats *stats)
+                   const struct lim_rect *band, uint16_t *y)
 {
-    if (is_flat(paint, retained)) return lim_flat_band(paint, spans, retained, band, y, stats);
+    if (is_flat(paint, retained)) return lim_flat_band(paint, spans, retained, band, y);
     lim_actives_start(&paint->actives);
     for (*y = band->y0; *y < band->y1; ++*y) {
         if (!activate_line(paint, retained, spans->lines[*y].retained, *y)) return LIM_PAINT_ACTIVE;
-        const int err = paint_line(paint, spans, retained, band, *y, stats);
+        const int err = paint_line(paint, spans, retained, band, *y);
         if (err) return err;
     }
     return 0;

@@ -13,35 +13,18 @@
 #include "lines/layers.h"
 #include "lines/smooth.h"
 #include "lines/span.h"
-#include "lines/wireframe.h"
 #include "pixels/delta.h"
-#include "pixels/fill.h"
-#include "stats.h"
-#include "target.h"
+#include "view/pass.h"
 
 struct lim_paint {
-    const struct lim_target *target;
-#if LIM_HAS_TEXTURE
-    const struct lim_texturing *texturing;
-#endif
+    struct lim_pass *pass;
+    const struct lim_texturing *texturing; /* if LIM_HAS_TEXTURE */
+    struct lim_delta *delta;               /* or NULL */
+    uint16_t *lent;                        /* the line that could not be finished, or NULL */
     struct lim_actives actives;
     uint16_t background; /* as it lies in memory */
-#if LIM_HAS_TRANSPARENT
-    struct lim_layers layers;
-#endif
-#if LIM_HAS_FALLBACK
-    uint16_t *lent; /* the line that could not be finished, or NULL */
-#endif
-#if LIM_HAS_ANTIALIAS
-    struct lim_smooth smooth;
-    const bool *antialiased; /* lim_view.antialiased */
-#endif
-#if LIM_HAS_WIREFRAME
-    const struct lim_wireframe *wireframe;
-#endif
-#if LIM_HAS_DELTA
-    struct lim_delta *delta; /* or NULL */
-#endif
+    LIM_OPTIONAL(struct lim_layers, layers, LIM_HAS_TRANSPARENT);
+    LIM_OPTIONAL(struct lim_smooth, smooth, LIM_HAS_ANTIALIAS);
 };
 
 /* lim_paint_band(): what it could not finish. */
@@ -53,6 +36,6 @@ enum {
 /* Paints the lines of `band`; *y moves with those that are finished. The pool of gaps is used up. Positive: above;
  * negative: the target's error. */
 LIM_MUST_CHECK int lim_paint_band(struct lim_paint *paint, struct lim_spans *spans, const struct lim_retained *retained,
-                                  const struct lim_rect *band, uint16_t *y, struct lim_stats *stats);
+                                  const struct lim_rect *band, uint16_t *y);
 
 #endif

@@ -8,27 +8,6 @@
 
 enum { CELL_WORDS = sizeof(union lim_retained_cell) / 2 };
 
-static inline uint8_t retain_alpha_of(const struct lim_retained_polygon *polygon)
-{
-#if LIM_HAS_TRANSPARENT
-    return polygon->alpha;
-#else
-    (void)polygon;
-    return LIM_OPAQUE;
-#endif
-}
-
-/* NULL: not in wireframe, where nothing is transparent. */
-static inline const uint16_t *hidden_of(const struct lim_retained_polygon *polygon)
-{
-#if LIM_HAS_WIREFRAME
-    return polygon->hidden;
-#else
-    (void)polygon;
-    return NULL;
-#endif
-}
-
 /* Over as many cells as it takes: they follow each other. */
 static inline void copy_words(uint16_t *to, const uint16_t *from, uint8_t count)
 {
@@ -38,11 +17,9 @@ static inline void copy_words(uint16_t *to, const uint16_t *from, uint8_t count)
 
 bool lim_retain(struct lim_retained *retained, struct lim_line *lines, const struct lim_retained_polygon *polygon)
 {
-    const uint8_t alpha = retain_alpha_of(polygon);
-    const bool transparent = LIM_HAS_TRANSPARENT && alpha != LIM_OPAQUE;
+    const bool transparent = LIM_HAS_TRANSPARENT && polygon->alpha != LIM_OPAQUE;
     const bool is_piece = LIM_HAS_NEWELL && !polygon->n;
-    const uint16_t *const hidden = hidden_of(polygon);
-    const uint8_t words = (uint8_t)(LIM_HAS_WIREFRAME && hidden ? (polygon->n + 15) / 16 : 0);
+    const uint8_t words = (uint8_t)(LIM_HAS_WIREFRAME && polygon->hidden ? (polygon->n + 15) / 16 : 0);
     const uint16_t needed = (uint16_t)(LIM_RETAINED_HEAD_CELLS + polygon->n + (transparent && !is_piece) +
                                        (words + CELL_WORDS - 1) / CELL_WORDS);
 
@@ -56,14 +33,13 @@ bool lim_retain(struct lim_retained *retained, struct lim_line *lines, const str
     if (transparent) {
         cells[1].look.bottom |= LIM_RETAINED_TRANSPARENT;
         if (is_piece)
-            cells[0].link.first = alpha;
+            cells[0].link.first = polygon->alpha;
         else
-            cells[LIM_RETAINED_HEAD_CELLS + polygon->n].alpha = alpha;
+            cells[LIM_RETAINED_HEAD_CELLS + polygon->n].alpha = polygon->alpha;
     }
-    if (words) copy_words(cells[LIM_RETAINED_HEAD_CELLS + polygon->n].hidden, hidden, words);
-#if LIM_HAS_TRANSPARENT || LIM_HAS_TEXTURE
+    if (LIM_HAS_WIREFRAME && words)
+        copy_words(cells[LIM_RETAINED_HEAD_CELLS + polygon->n].hidden, polygon->hidden, words);
     retained->mixed |= transparent || (LIM_HAS_TEXTURE && polygon->bottom & LIM_RETAINED_TEXTURE);
-#endif
     return true;
 }
 

@@ -36,29 +36,14 @@ struct lim_retained {
     union lim_retained_cell *cells;
     uint16_t size, used;
     bool overhangs; /* a polygon may reach beyond the screen's left or right side */
-#if LIM_HAS_TRANSPARENT || LIM_HAS_TEXTURE
-    bool mixed;
-#endif
+    bool mixed;     /* one of the polygons is transparent or has a texture */
 };
-
-/* Whether one of the polygons is transparent or has a texture. */
-static inline bool lim_retained_is_mixed(const struct lim_retained *retained)
-{
-#if LIM_HAS_TRANSPARENT || LIM_HAS_TEXTURE
-    return retained->mixed;
-#else
-    (void)retained;
-    return false;
-#endif
-}
 
 static inline void lim_retained_clear(struct lim_retained *retained)
 {
     retained->used = 0;
     retained->overhangs = false;
-#if LIM_HAS_TRANSPARENT || LIM_HAS_TEXTURE
     retained->mixed = false;
-#endif
 }
 
 struct lim_retained_polygon {
@@ -66,12 +51,8 @@ struct lim_retained_polygon {
     uint8_t n, first;
     uint16_t top, bottom; /* lines top <= y < bottom, on the screen; bottom perhaps with LIM_RETAINED_TEXTURE */
     uint16_t colour;
-#if LIM_HAS_TRANSPARENT
     uint8_t alpha;
-#endif
-#if LIM_HAS_WIREFRAME
     const uint16_t *hidden; /* NULL: not in wireframe */
-#endif
 };
 
 /* What is transparent has no texture; in wireframe all is opaque and has none. */
@@ -86,12 +67,8 @@ static inline struct lim_retained_polygon lim_retained_of(const struct lim_scree
     seen.top = (uint16_t)top;
     seen.bottom = (uint16_t)bottom;
     seen.colour = polygon->colour;
-#if LIM_HAS_TRANSPARENT
-    seen.alpha = wireframe ? (uint8_t)LIM_OPAQUE : polygon->alpha;
-#endif
-#if LIM_HAS_WIREFRAME
-    seen.hidden = wireframe ? polygon->hidden : NULL;
-#endif
+    seen.alpha = wireframe ? (uint8_t)LIM_OPAQUE : lim_alpha_of(polygon);
+    seen.hidden = wireframe ? lim_hidden_of(polygon) : NULL;
     if (LIM_HAS_TEXTURE && lim_screen_texture(polygon) != LIM_NONE && !wireframe &&
         lim_alpha_of(polygon) == LIM_OPAQUE) {
         seen.colour = lim_screen_texture(polygon);

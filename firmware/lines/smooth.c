@@ -4,7 +4,7 @@
  * rounded together. Colours are mixed as they are blended (blend.h), in the panel's values. */
 #include "lines/smooth.h"
 
-#include "orders/order.h"
+#include "lines/paint.h"
 #include "pixels/fill.h"
 
 #if LIM_HAS_ANTIALIAS
@@ -30,14 +30,9 @@ static inline uint16_t smooth_colour_of(uint32_t sum)
 /* false: it is of one colour. */
 static inline bool smooth_paint_textured(const struct lim_smooth_sink *sink, const struct lim_run *run)
 {
-#if LIM_HAS_TEXTURE
-    if (!sink->span.gradients) return false;
-    lim_texture_fill(&sink->span, sink->line, (uint16_t)run->x0, (uint16_t)run->x1, sink->stats);
+    if (!LIM_HAS_TEXTURE || !sink->span->gradients) return false;
+    lim_texture_fill(sink->span, sink->line, (uint16_t)run->x0, (uint16_t)run->x1, sink->stats);
     return true;
-#else
-    (void)sink, (void)run;
-    return false;
-#endif
 }
 
 /* A texture's colours come by way of the line, whose pixels mean nothing yet while they are open. */
@@ -81,7 +76,7 @@ enum lim_span_result lim_smooth_close(struct lim_spans *spans, const struct lim_
 
     lim_strip_begin(&edges, polygon->n, polygon->shape.first);
     for (int16_t y = top; y < bottom; y++) {
-        lim_strip_next(&strip, &edges, polygon->at, polygon->n, polygon->shape.first, y, polygon->shape.end_row);
+        lim_strip_next(&strip, &edges, polygon->at, polygon->n, polygon->shape.first, y, *polygon->shape.end_row);
         if (!transparent)
             result |= (uint8_t)lim_mask_close(spans, &spans->lines[y], &strip, NULL, NULL);
         else if (lim_mask_see(spans, &spans->lines[y], &strip, NULL, NULL))
@@ -100,7 +95,6 @@ struct pusher {
 
 static void push(void *ctx, const struct lim_run *run, uint16_t covered)
 {
-#if LIM_HAS_TRANSPARENT
     const struct pusher *pusher = ctx;
     struct lim_layers *layers = pusher->layers;
     const uint8_t alpha = (uint8_t)((pusher->alpha * lim_sample_count(run->mask) + 8) >> 4);
@@ -109,9 +103,6 @@ static void push(void *ctx, const struct lim_run *run, uint16_t covered)
     layers->exhausted = layers->exhausted || layers->used == layers->size;
     if (layers->exhausted) return;
     layers->pool[layers->used++] = (struct lim_layer){(uint16_t)run->x0, (uint16_t)run->x1, pusher->colour, alpha};
-#else
-    (void)ctx, (void)run, (void)covered;
-#endif
 }
 
 void lim_smooth_push(struct lim_layers *layers, const struct lim_spans *spans, const struct lim_line *line,
@@ -130,111 +121,95 @@ void lim_smooth_background(const struct lim_spans *spans, const struct lim_line 
     const struct lim_gap *gap = &line->gap;
 
     sink->colour = background;
-#if LIM_HAS_TEXTURE
-    sink->span.gradients = NULL;
-#endif
+    if (LIM_HAS_TEXTURE) sink->span->gradients = NULL;
     if (gap->x0 == gap->x1) return;
     for (;; gap = &spans->pool[gap->next]) {
-        const struct lim_run run = {(int16_t)gap->x0, (int16_t)gap->x1, (uint16_t)~gap->covered};
-        lim_smooth_mix(sink, &run, gap->covered);
+        const struct lim_run run = {(int16_t)gap->x0, (int16_t)gap->x1, (uint16_t) ~*gap->covered};
+        lim_smooth_mix(sink, &run, *gap->covered);
         if (gap->next == LIM_NONE) return;
     }
 }
 
 /* A line alone ------------------------------------------------------------------------------- */
 
-int lim_smooth_begin_line(struct lim *lim, uint16_t y)
+int lim_smooth_begin_line(struct lim_paint *paint, uint16_t y)
 {
-    struct lim_smooth *smooth = &lim->paint.smooth;
+    const struct lim_target *target = &paint->pass->target;
+    struct lim_smooth *smooth = paint->smooth;
 
-    smooth->line = lim->target.lend(lim->target.ctx, y);
+    smooth->line = target->lend(target->ctx, y);
     if (!smooth->line) return LIM_ERR_TARGET;
-    for (uint16_t x = 0; x < lim->target.w_px; x++)
+    for (uint16_t x = 0; x < target->w_px; x++)
         smooth->covered[x] = 0;
-    smooth->open_px = lim->target.w_px;
+    smooth->open_px = target->w_px;
     return LIM_OK;
 }
 
-static struct lim_smooth_sink sink_of(struct lim *lim)
+static struct lim_smooth_sink sink_of(const struct lim_paint *paint)
 {
-    const struct lim_smooth *smooth = &lim->paint.smooth;
-
-    return (struct lim_smooth_sink){.line = smooth->line, .sums = smooth->sums, .stats = lim_stats_of(lim)};
+    return (struct lim_smooth_sink){
+        .line = paint->smooth->line, .sums = paint->smooth->sums, .stats = lim_stats_of(paint->pass)};
 }
 
 /* Pixel by pixel: there are no gaps. */
-static void add_samples(struct lim *lim, struct lim_smooth_sink *sink, int16_t x, uint16_t mask)
+static void add_samples(struct lim_smooth *smooth, struct lim_spans *spans, struct lim_smooth_sink *sink, int16_t x,
+                        uint16_t mask)
 {
-    struct lim_smooth *smooth = &lim->paint.smooth;
     const uint16_t covered = smooth->covered[x];
     const struct lim_run run = {x, (int16_t)(x + 1), (uint16_t)(mask & ~covered)};
 
     if (!run.mask) return;
     lim_smooth_mix(sink, &run, covered);
     smooth->covered[x] = covered | mask;
-    if (smooth->covered[x] == LIM_ALL_SAMPLES && !--smooth->open_px) lim->spans.open_lines = 0;
+    if (smooth->covered[x] == LIM_ALL_SAMPLES && !--smooth->open_px) spans->open_lines = 0;
 }
 
-void lim_smooth_add(struct lim *lim, const struct lim_strip *strip, const struct lim_screen_polygon *polygon)
+void lim_smooth_add(struct lim_paint *paint, struct lim_spans *spans, const struct lim_strip *strip,
+                    const struct lim_screen_polygon *polygon)
 {
-    const int16_t w_px = (int16_t)lim->target.w_px, end = strip->x1 < w_px ? strip->x1 : w_px;
-    struct lim_smooth_sink sink = sink_of(lim);
+    const int16_t w_px = (int16_t)paint->pass->target.w_px, end = strip->x1 < w_px ? strip->x1 : w_px;
+    struct lim_smooth_sink sink = sink_of(paint);
+    struct lim_gradients gradients;
 
     sink.colour = polygon->colour;
-#if LIM_HAS_TEXTURE
-    struct lim_gradients gradients;
-    sink.span = (struct lim_textured_span){&lim->texturing, NULL, (int16_t)lim->spans.open.y0, strip->x0, strip->x1};
-    if (lim_screen_texture(polygon) != LIM_NONE) {
-        lim_texture_set(&lim->texturing, polygon->texture, &gradients);
-        sink.span.gradients = &gradients;
+    if (LIM_HAS_TEXTURE) {
+        *sink.span = (struct lim_textured_span){paint->texturing, NULL, (int16_t)spans->open.y0, strip->x0, strip->x1};
+        if (lim_screen_texture(polygon) != LIM_NONE) {
+            lim_texture_set(paint->texturing, lim_screen_texture(polygon), &gradients);
+            sink.span->gradients = &gradients;
+        }
     }
-#endif
     for (int16_t x = strip->x0 > 0 ? strip->x0 : 0; x < end;) {
         struct lim_run run;
         lim_strip_run(strip, x, &run);
         for (; x < run.x1 && x < end; x++)
-            add_samples(lim, &sink, x, run.mask);
+            add_samples(paint->smooth, spans, &sink, x, run.mask);
     }
     if (LIM_HAS_STATS) sink.stats->pixels_painted += sink.painted_px;
 }
 
-void lim_smooth_add_polygon(struct lim *lim, const struct lim_screen_polygon *polygon)
+void lim_smooth_add_polygon(struct lim_paint *paint, struct lim_spans *spans, const struct lim_screen_polygon *polygon)
 {
     struct lim_sample_edges edges;
     struct lim_strip strip;
 
     lim_strip_begin(&edges, polygon->n, polygon->shape.first);
-    lim_strip_next(&strip, &edges, polygon->at, polygon->n, polygon->shape.first, (int16_t)lim->spans.open.y0,
-                   polygon->shape.end_row);
-    lim_smooth_add(lim, &strip, polygon);
+    lim_strip_next(&strip, &edges, polygon->at, polygon->n, polygon->shape.first, (int16_t)spans->open.y0,
+                   *polygon->shape.end_row);
+    lim_smooth_add(paint, spans, &strip, polygon);
 }
 
-int lim_smooth_end_line(struct lim *lim, uint16_t y)
+int lim_smooth_end_line(struct lim_paint *paint, struct lim_spans *spans, uint16_t y)
 {
-    struct lim_smooth_sink sink = sink_of(lim);
+    const struct lim_target *target = &paint->pass->target;
+    struct lim_smooth_sink sink = sink_of(paint);
 
-    sink.colour = lim->paint.background;
-    for (uint16_t x = 0; x < lim->target.w_px; x++)
-        add_samples(lim, &sink, (int16_t)x, LIM_ALL_SAMPLES);
+    sink.colour = paint->background;
+    for (uint16_t x = 0; x < target->w_px; x++)
+        add_samples(paint->smooth, spans, &sink, (int16_t)x, LIM_ALL_SAMPLES);
     if (LIM_HAS_STATS) sink.stats->pixels_background += sink.painted_px;
-    lim->paint.smooth.line = NULL;
-    return lim->target.done(lim->target.ctx, y, 0, lim->target.w_px);
-}
-
-int lim_set_antialias(struct lim *lim, void *mem, size_t mem_b)
-{
-    struct lim_smooth *smooth = &lim->paint.smooth;
-    const uint16_t w_px = lim->target.w_px;
-
-    LIM_ASSERT(((uintptr_t)mem & 3) == 0);
-    if (!LIM_PAINTS_NEAREST_FIRST(&lim->target)) return mem ? LIM_ERR_TARGET : LIM_OK;
-    lim_drop_ahead(lim);
-    smooth->sums = NULL;
-    if (!mem) return LIM_OK;
-    if (mem_b < LIM_ANTIALIAS_MEM_B(w_px)) return LIM_ERR_MEMORY;
-    smooth->sums = mem;
-    smooth->covered = (uint16_t *)(void *)(smooth->sums + w_px);
-    return LIM_OK;
+    paint->smooth->line = NULL;
+    return target->done(target->ctx, y, 0, target->w_px);
 }
 
 #endif

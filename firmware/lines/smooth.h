@@ -22,8 +22,6 @@ struct lim_smooth {
     uint16_t open_px;  /* how many of its pixels are open */
 };
 
-#if LIM_HAS_ANTIALIAS
-
 /* Where a polygon's samples go. */
 struct lim_smooth_sink {
     uint16_t *line;
@@ -31,9 +29,7 @@ struct lim_smooth_sink {
     uint16_t colour; /* as it lies in memory */
     uint16_t painted_px;
     struct lim_stats *stats;
-#if LIM_HAS_TEXTURE
-    struct lim_textured_span span; /* no gradients: of one colour */
-#endif
+    LIM_OPTIONAL(struct lim_textured_span, span, LIM_HAS_TEXTURE); /* no gradients: of one colour */
 };
 
 /* A lim_mask_sink of a lim_smooth_sink. */
@@ -52,15 +48,14 @@ void lim_smooth_push(struct lim_layers *layers, const struct lim_spans *spans, c
 void lim_smooth_background(const struct lim_spans *spans, const struct lim_line *line, uint16_t background,
                            struct lim_smooth_sink *sink);
 
-struct lim;
+struct lim_paint;
 
 /* A line for which the pools are too small is drawn alone, from a walk of its own, nearest first: begun, then every
  * polygon at once, then ended. The same sums in the same order. Returns an enum lim_error or the target's. */
-int lim_smooth_begin_line(struct lim *lim, uint16_t y);
-void lim_smooth_add(struct lim *lim, const struct lim_strip *strip, const struct lim_screen_polygon *polygon);
-void lim_smooth_add_polygon(struct lim *lim, const struct lim_screen_polygon *polygon);
-int lim_smooth_end_line(struct lim *lim, uint16_t y);
-
-#endif
+int lim_smooth_begin_line(struct lim_paint *paint, uint16_t y);
+void lim_smooth_add(struct lim_paint *paint, struct lim_spans *spans, const struct lim_strip *strip,
+                    const struct lim_screen_polygon *polygon);
+void lim_smooth_add_polygon(struct lim_paint *paint, struct lim_spans *spans, const struct lim_screen_polygon *polygon);
+int lim_smooth_end_line(struct lim_paint *paint, struct lim_spans *spans, uint16_t y);
 
 #endif

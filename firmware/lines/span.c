@@ -130,10 +130,8 @@ bool lim_spans_close(struct lim_spans *spans, int16_t y, int16_t end, struct lim
 bool lim_spans_close_filling(struct lim_spans *spans, int16_t y, int16_t end, struct lim_edge_pair *pair,
                              lim_span_sink *sink, struct lim_piece_look *look)
 {
-#if LIM_HAS_FRAMEBUFFER
-    if (!LIM_OPTIMISE_SIZE && (!LIM_HAS_FRAME || sink == lim_framebuffer_fill))
+    if (LIM_HAS_FRAMEBUFFER && !LIM_OPTIMISE_SIZE && (!LIM_HAS_FILL || sink == lim_framebuffer_fill))
         return close_between(spans, y, end, pair, NULL, lim_framebuffer_fill_inline, sink, look);
-#endif
     return close_between(spans, y, end, pair, NULL, sink, sink, look);
 }
 #endif

@@ -6,17 +6,16 @@
 #ifndef LIM_SPAN_H
 #define LIM_SPAN_H
 
+#include "pixels/target_parts.h"
 #include "screen/edge.h"
-#include "target.h"
 #include "view/cull.h"
 
 /* Pixels x0 <= x < x1. */
 struct lim_gap {
     uint16_t x0, x1;
     uint16_t next; /* in the pool, or LIM_NONE */
-#if LIM_HAS_ANTIALIAS
-    uint16_t covered; /* antialiased: the samples of its pixels that are closed (samples.h), not all of them */
-#endif
+    /* Antialiased: the samples of its pixels that are closed (samples.h), not all of them. */
+    LIM_OPTIONAL(uint16_t, covered, LIM_HAS_ANTIALIAS);
 };
 
 struct lim_line {
@@ -53,20 +52,14 @@ static inline void lim_line_open(struct lim_line *line, const struct lim_target 
     gap->x0 = band->x0;
     gap->x1 = band->x1;
     gap->next = LIM_NONE;
-#if LIM_HAS_ANTIALIAS
-    gap->covered = 0;
-#endif
+    if (LIM_HAS_ANTIALIAS) *gap->covered = 0;
     line->retained = LIM_NONE;
-#if LIM_HAS_ROUND
-    if (target->visible) {
+    if (lim_target_is_round(target)) {
         uint16_t x0, x1;
-        target->visible(target->ctx, y, &x0, &x1);
+        lim_target_visible(target, y, &x0, &x1);
         if (x0 > gap->x0) gap->x0 = x0 < gap->x1 ? x0 : gap->x1;
         if (x1 < gap->x1) gap->x1 = x1 > gap->x0 ? x1 : gap->x0;
     }
-#else
-    (void)target, (void)y;
-#endif
 }
 
 /* Opens the pixels of `open` that the target shows, and no others. */
@@ -79,21 +72,14 @@ void lim_spans_reset_pool(struct lim_spans *spans);
 enum lim_span_result lim_span_close(struct lim_spans *spans, struct lim_line *line, int16_t x0, int16_t x1,
                                     lim_span_sink *sink, void *ctx);
 
-/* Lines top <= y < bottom; none: top >= bottom. */
-struct lim_span_extent {
-    int16_t top, bottom;
-};
-
 /* Closes what lies between two boundaries on the lines y <= line < end, to the end of which both go on, and moves them
  * there. Widens `seen` downwards around the lines of which something was open. false: a pool is exhausted; some may be
  * closed. The second form gives the pieces that were open to `sink` instead, with `look` for a context, whose line it
  * sets. */
 LIM_MUST_CHECK bool lim_spans_close(struct lim_spans *spans, int16_t y, int16_t end, struct lim_edge_pair *pair,
                                     struct lim_span_extent *seen);
-#if LIM_HAS_FILLED
 LIM_MUST_CHECK bool lim_spans_close_filling(struct lim_spans *spans, int16_t y, int16_t end, struct lim_edge_pair *pair,
                                             lim_span_sink *sink, struct lim_piece_look *look);
-#endif
 
 /* Draws `open` together around what is open. true: it became smaller than it was at the last call. */
 bool lim_spans_shrink(struct lim_spans *spans);

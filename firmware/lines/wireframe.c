@@ -6,7 +6,6 @@
  * that goes to the left has the polygon below, and one that goes to the right above. */
 #include "lines/wireframe.h"
 
-#include "limner.h"
 #include "pixels/fill.h"
 
 #if LIM_HAS_WIREFRAME
@@ -50,41 +49,27 @@ struct lim_wire lim_wire_of(const struct lim_screen_polygon *polygon, const stru
                             uint16_t background, int16_t y)
 {
     return (struct lim_wire){.at = polygon->at,
-                             .hidden = polygon->hidden,
+                             .hidden = lim_hidden_of(polygon),
                              .colour = style->one_colour ? lim_memory_colour(style->colour) : polygon->colour,
                              .background = background,
                              .y = y,
                              .n = polygon->n};
 }
 
-void lim_set_wireframe(struct lim *lim, const struct lim_wireframe *wireframe)
+static void stroke_run(uint16_t *line, const struct lim_wire *wire, int16_t x0, int16_t x1, uint16_t colour)
 {
-    lim_drop_ahead(lim);
-    lim->wireframe = *wireframe;
-#if LIM_HAS_SPANS
-    lim->paint.background = lim_background_of(lim);
-#endif
-}
-
-static void fill(uint16_t *line, const struct lim_wire *wire, int16_t x0, int16_t x1, uint16_t colour)
-{
-#if LIM_HAS_RUNS
-    const struct lim_target *target = wire->target;
-#else
-    const struct lim_target *target = NULL;
-#endif
-    lim_fill_run(target, line, (uint16_t)wire->y, (uint16_t)x0, (uint16_t)(x1 - x0), colour);
+    lim_fill_run(wire->target, line, (uint16_t)wire->y, (uint16_t)x0, (uint16_t)(x1 - x0), colour);
 }
 
 void lim_wire_fill(uint16_t *line, const struct lim_wire *wire, uint16_t x0, uint16_t x1)
 {
-    fill(line, wire, (int16_t)x0, (int16_t)x1, wire->background);
+    stroke_run(line, wire, (int16_t)x0, (int16_t)x1, wire->background);
     for (uint_fast8_t k = 0; k < wire->n; k++) {
         if (wire->hidden[k >> 4] >> (k & 15) & 1) continue;
         const struct lim_point next = wire->at[k + 1u < wire->n ? k + 1u : 0];
         const struct stroke stroke = stroke_of(wire->at[k], next, wire->y);
         const int16_t from = wireframe_greater(stroke.x0, (int16_t)x0), to = lesser(stroke.x1, (int16_t)x1);
-        if (from < to) fill(line, wire, from, to, wire->colour);
+        if (from < to) stroke_run(line, wire, from, to, wire->colour);
     }
 }
 

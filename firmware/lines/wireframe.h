@@ -14,9 +14,7 @@
 
 /* An outline on one line; colours as they lie in memory. */
 struct lim_wire {
-#if LIM_HAS_RUNS
-    const struct lim_target *target; /* what fills the line if it has no memory */
-#endif
+    const struct lim_target *target; /* what fills the line if it has no memory, or NULL */
     const struct lim_point *at;
     const uint16_t *hidden; /* an edge a bit, from corner k to the next: 1 is not drawn */
     uint16_t colour, background;

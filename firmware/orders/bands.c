@@ -3,7 +3,7 @@
  * A frame, nearest first: pass one (nearest.c) over all lines, then pass two (paint.c). When a pool is exhausted the
  * frame is finished in bands: the same two passes over half the lines, a quarter, one line, half a line, and more again
  * where there is room. A band of one pixel needs one polygon and no gap, so every frame ends. */
-#include "orders/order.h"
+#include "orders/nearest.h"
 
 #include "lines/framebuffer.h"
 #include "lines/gaps.h"
@@ -64,220 +64,200 @@ static void follow(struct bands *bands, const struct lim_target *target)
 }
 
 /* Positive: a pool is exhausted (LIM_PAINT_...), and *y is the first line that is not yet painted. */
-static int paint_band(struct lim *lim, const struct lim_rect *band, bool is_collected, uint16_t *y)
+static int paint_band(struct lim_nearest *nearest, const struct lim_rect *band, bool is_collected, uint16_t *y)
 {
     *y = band->y0;
     if (!is_collected) return LIM_PAINT_ACTIVE;
-    return lim_paint_band(&lim->paint, &lim->spans, &lim->retained, band, y, lim_stats_of(lim));
+    return lim_paint_band(&nearest->paint, &nearest->spans, &nearest->retained, band, y);
 }
 
 /* How far the stack must reach, and how many polygons wait at one pixel, is not bounded where some are transparent; and
  * wireframe retains more of a polygon than the least pool was made for. The painter's order needs no pool at all: a
  * line for which any is too small is painted so. */
-static bool wants_painter(const struct lim *lim, const struct lim_rect *band, int exhausted)
+static bool wants_painter(const struct lim_nearest *nearest, const struct lim_rect *band, int exhausted)
 {
-    if (!LIM_HAS_FALLBACK) return false;
-    if (!lim->scene->limits.layers && !lim_wireframe_of(lim) && !lim_moves(lim)) return false;
+    if (!nearest->pass->scene->limits.layers && !lim_wireframe_of(nearest->pass) && !lim_moves(nearest->sorter))
+        return false;
     return exhausted == LIM_PAINT_LAYERS || band->y1 - band->y0 == 1;
 }
 
 /* In all views of the frame. */
-static inline void set_antialiased(struct lim *lim, bool antialiased)
+static void set_antialiased(struct lim_nearest *nearest, bool antialiased)
 {
-#if LIM_HAS_ANTIALIAS
-    lim->view.antialiased = antialiased;
-#if LIM_HAS_MOVERS
-    lim->movers.world.antialiased = antialiased;
-    for (uint16_t i = 0; i < lim->movers.count; i++)
-        lim->movers.movers[i].view.antialiased = antialiased;
-#endif
-#else
-    (void)lim, (void)antialiased;
-#endif
+    lim_view_set_antialiased(&nearest->pass->view, antialiased);
+    if (LIM_HAS_MOVERS) lim_movers_set_antialiased(nearest->sorter->movers, antialiased);
 }
 
 /* One line, from a walk of its own: it needs no pool. */
-static inline int draw_line_alone(struct lim *lim, const struct lim_rect *band)
+static int draw_line_alone(struct lim_nearest *nearest, const struct lim_rect *band)
 {
-#if LIM_HAS_ANTIALIAS
-    const int err = lim_smooth_begin_line(lim, band->y0);
+    const int err = lim_smooth_begin_line(&nearest->paint, band->y0);
 
     if (err) return err;
-    (void)lim_collect(lim, band);
-    return lim_smooth_end_line(lim, band->y0);
-#else
-    (void)lim, (void)band;
-    return 0;
-#endif
+    (void)lim_collect(nearest, band);
+    return lim_smooth_end_line(&nearest->paint, &nearest->spans, band->y0);
 }
 
 /* The band's first line; what is left of the band comes next. */
-static int paint_first_line(struct lim *lim, struct bands *bands)
+static int paint_first_line(struct lim_nearest *nearest, struct bands *bands)
 {
     struct lim_rect *band = &bands->band;
-    int err = LIM_ERR_TARGET;
-#if LIM_HAS_FALLBACK
-    const bool antialiased = lim_is_antialiased(&lim->view);
+    const bool antialiased = lim_is_antialiased(&nearest->pass->view);
 
-    set_antialiased(lim, false);
-    err = lim_painter_line(lim, band->y0);
-    set_antialiased(lim, antialiased);
-#endif
+    if (LIM_HAS_ANTIALIAS) set_antialiased(nearest, false);
+    const int err = lim_painter_line(nearest->painter, nearest->paint.lent, band->y0);
+    if (LIM_HAS_ANTIALIAS) set_antialiased(nearest, antialiased);
+    nearest->paint.lent = NULL;
     if (band->y1 - band->y0 > 1)
         band->y0++;
     else
-        follow(bands, &lim->target);
+        follow(bands, &nearest->pass->target);
     return err;
 }
 
-static struct lim_rect whole_frame(const struct lim *lim)
+static struct lim_rect whole_frame(const struct lim_nearest *nearest)
 {
-    return (struct lim_rect){0, 0, lim->target.w_px, lim->target.h_px};
+    return (struct lim_rect){0, 0, nearest->pass->target.w_px, nearest->pass->target.h_px};
 }
 
-static void count_band(struct lim *lim)
+static void count_band(struct lim_nearest *nearest)
 {
-    lim->bands++;
-    if (LIM_HAS_STATS) lim_stats_of(lim)->bands = lim->bands;
+    nearest->bands++;
+    if (LIM_HAS_STATS) lim_stats_of(nearest->pass)->bands = nearest->bands;
 }
 
-#if LIM_HAS_FILLED
-static bool wants_fill(const struct lim *lim)
+static bool wants_fill(const struct lim_nearest *nearest)
 {
-    return lim_fill_of(&lim->target) && lim->target.method == LIM_NEAREST_FIRST && lim_can_fill(lim);
+    const struct lim_target *target = &nearest->pass->target;
+
+    return LIM_HAS_FILLED && lim_fill_of(target) && target->method == LIM_NEAREST_FIRST &&
+           lim_nearest_can_fill(nearest);
 }
 
-static void fill_background(struct lim *lim)
+static void fill_background(struct lim_nearest *nearest)
 {
-    const struct lim_rect *open = &lim->spans.open;
-    lim_span_sink *const fill = lim_fill_of(&lim->target);
-    struct lim_piece_look look = {.ctx = lim_fill_ctx_of(&lim->target), .colour = lim_background_of(lim)};
+    const struct lim_rect *open = &nearest->spans.open;
+    lim_span_sink *const fill = lim_fill_of(&nearest->pass->target);
+    struct lim_piece_look look = {.ctx = lim_fill_ctx_of(&nearest->pass->target),
+                                  .colour = lim_background_of(nearest->pass)};
 
-    if (!lim->spans.open_lines) return;
+    if (!nearest->spans.open_lines) return;
     for (look.y_px = open->y0; look.y_px < open->y1; look.y_px++) {
-        const struct lim_gap *gap = &lim->spans.lines[look.y_px].gap;
-        for (; gap; gap = lim_gap_after(&lim->spans, gap))
+        const struct lim_gap *gap = &nearest->spans.lines[look.y_px].gap;
+        for (; gap; gap = lim_gap_after(&nearest->spans, gap))
             if (gap->x0 < gap->x1) fill(&look, gap->x0, gap->x1);
     }
 }
 
 /* A framebuffer's lines are done as lines that were lent are. */
-static int show(const struct lim *lim)
+static int show(const struct lim_nearest *nearest)
 {
-    const struct lim_rect frame = whole_frame(lim);
+    const struct lim_rect frame = whole_frame(nearest);
 
-    if (lim_has_framebuffer(&lim->target)) return lim_target_done(&lim->target, &frame);
-#if LIM_HAS_FRAME
-    return lim->target.show(lim->target.ctx);
-#else
-    return LIM_ERR_TARGET;
-#endif
+    if (lim_has_framebuffer(&nearest->pass->target)) return lim_target_done(&nearest->pass->target, &frame);
+    return lim_target_show(&nearest->pass->target);
 }
 
 /* Polygons straight into the frame that the target keeps: pass one alone. What was painted of a band for which there
  * are not gaps enough is painted again. */
-static int fill_frame(struct lim *lim)
+static int fill_frame(struct lim_nearest *nearest)
 {
     struct bands bands;
 
-    bands_begin(&bands, &lim->target);
-    while (bands.band.y0 < lim->target.h_px) {
-        lim->fills = true;
-        const bool whole = lim_collect(lim, &bands.band);
-        lim->fills = false;
+    bands_begin(&bands, &nearest->pass->target);
+    while (bands.band.y0 < nearest->pass->target.h_px) {
+        nearest->fills = true;
+        const bool whole = lim_collect(nearest, &bands.band);
+        nearest->fills = false;
         if (whole) {
-            fill_background(lim);
-            follow(&bands, &lim->target);
+            fill_background(nearest);
+            follow(&bands, &nearest->pass->target);
         } else {
-            count_band(lim);
+            count_band(nearest);
             halve(&bands);
         }
     }
-    return show(lim);
+    return show(nearest);
 }
-#endif
 
-static void begin_frame(struct lim *lim)
+static void begin_frame(struct lim_nearest *nearest)
 {
-    if (LIM_HAS_ANTIALIAS) set_antialiased(lim, lim_wants_antialias(lim));
-    if (LIM_IS_SORTED(&lim->target)) lim_sorted_order(lim);
+    nearest->paint.background = lim_background_of(nearest->pass);
+    if (LIM_HAS_ANTIALIAS) set_antialiased(nearest, lim_wants_antialias(nearest));
+    if (LIM_IS_SORTED(&nearest->pass->target)) lim_sorted_order(nearest->sorter);
 }
 
 /* For what of a band could not be painted, from line band->y0 on, a pool is too small. */
-static int paint_less(struct lim *lim, struct bands *bands, int exhausted)
+static int paint_less(struct lim_nearest *nearest, struct bands *bands, int exhausted)
 {
     const struct lim_rect *band = &bands->band;
 
-    count_band(lim);
-    if (wants_painter(lim, band, exhausted)) return paint_first_line(lim, bands);
-    if (!LIM_HAS_ANTIALIAS || !lim_is_antialiased(&lim->view) || band->y1 - band->y0 > 1) {
+    count_band(nearest);
+    if (LIM_HAS_FALLBACK && wants_painter(nearest, band, exhausted)) return paint_first_line(nearest, bands);
+    if (!LIM_HAS_ANTIALIAS || !lim_is_antialiased(&nearest->pass->view) || band->y1 - band->y0 > 1) {
         halve(bands);
         return 0;
     }
-    const int err = draw_line_alone(lim, band);
-    if (!err) follow(bands, &lim->target);
+    const int err = draw_line_alone(nearest, band);
+    if (!err) follow(bands, &nearest->pass->target);
     return err;
 }
 
 /* From pass one over all lines to the frame's last line. */
-static int finish_frame(struct lim *lim, bool is_collected)
+static int finish_frame(struct lim_nearest *nearest, bool is_collected)
 {
     struct bands bands;
 
-    bands_begin(&bands, &lim->target);
+    bands_begin(&bands, &nearest->pass->target);
     for (;;) {
         uint16_t y;
-        int err = paint_band(lim, &bands.band, is_collected, &y);
+        int err = paint_band(nearest, &bands.band, is_collected, &y);
         if (err > 0) {
             bands.band.y0 = y;
-            err = paint_less(lim, &bands, err);
+            err = paint_less(nearest, &bands, err);
         } else {
-            follow(&bands, &lim->target);
+            follow(&bands, &nearest->pass->target);
         }
-        if (err || bands.band.y0 >= lim->target.h_px) return err;
-        is_collected = lim_collect(lim, &bands.band);
+        if (err || bands.band.y0 >= nearest->pass->target.h_px) return err;
+        is_collected = lim_collect(nearest, &bands.band);
     }
 }
 
-int lim_nearest_frame(struct lim *lim)
+int lim_nearest_frame(struct lim_nearest *nearest)
 {
-    const struct lim_rect frame = whole_frame(lim);
+    const struct lim_rect frame = whole_frame(nearest);
 
-    begin_frame(lim);
-#if LIM_HAS_FILLED
-    if (wants_fill(lim)) return fill_frame(lim);
-#endif
-    return finish_frame(lim, lim_collect(lim, &frame));
+    begin_frame(nearest);
+    if (LIM_HAS_FILLED && wants_fill(nearest)) return fill_frame(nearest);
+    return finish_frame(nearest, lim_collect(nearest, &frame));
 }
 
 #if LIM_HAS_STREAM
 /* A target that keeps the picture is filled by pass one. */
-static bool begin_ahead(struct lim *lim)
+static bool begin_ahead(struct lim_nearest *nearest, enum lim_ahead_stage *stage)
 {
-    const struct lim_rect frame = whole_frame(lim);
+    const struct lim_rect frame = whole_frame(nearest);
 
-#if LIM_HAS_FILLED
-    if (wants_fill(lim)) return false;
-#endif
-    begin_frame(lim);
-    lim_collect_begin(lim, &frame);
-    lim->ahead.stage = LIM_AHEAD_BUSY;
+    if (LIM_HAS_FILLED && wants_fill(nearest)) return false;
+    begin_frame(nearest);
+    lim_collect_begin(nearest, &frame);
+    *stage = LIM_AHEAD_BUSY;
     return true;
 }
 
-bool lim_nearest_work(struct lim *lim)
+bool lim_nearest_work(struct lim_nearest *nearest, enum lim_ahead_stage *stage)
 {
-    if (lim->ahead.stage == LIM_AHEAD_BEGUN) return begin_ahead(lim);
-    if (lim->ahead.stage == LIM_AHEAD_BUSY) lim->ahead.stage = lim_collect_some(lim);
-    return lim->ahead.stage == LIM_AHEAD_BUSY;
+    if (*stage == LIM_AHEAD_BEGUN) return begin_ahead(nearest, stage);
+    if (*stage == LIM_AHEAD_BUSY) *stage = lim_collect_some(nearest);
+    return *stage == LIM_AHEAD_BUSY;
 }
 
-int lim_nearest_paint(struct lim *lim)
+int lim_nearest_paint(struct lim_nearest *nearest, enum lim_ahead_stage *stage)
 {
-    if (lim->ahead.stage == LIM_AHEAD_BEGUN) return lim_nearest_frame(lim);
-    while (lim_nearest_work(lim))
+    if (*stage == LIM_AHEAD_BEGUN) return lim_nearest_frame(nearest);
+    while (lim_nearest_work(nearest, stage))
         ;
-    return finish_frame(lim, lim->ahead.stage == LIM_AHEAD_DONE);
+    return finish_frame(nearest, *stage == LIM_AHEAD_DONE);
 }
 #endif
 

@@ -6,9 +6,10 @@
  * paint the same, on slivers as well.
  *
  * A face for which the pool has no room is projected anew for each of its lines. */
-#include "orders/order.h"
+#include "orders/convex.h"
 
 #include "lines/wireframe.h"
+#include "pixels/fill.h"
 
 #if LIM_HAS_CONVEX
 
@@ -17,24 +18,24 @@ size_t lim_convex_mem_b(const struct lim_scene *scene, const struct lim_target *
     return LIM_CONVEX_MEM_B(target->h_px, scene->polygon_count, active);
 }
 
-void lim_convex_init(struct lim *lim, void *mem, size_t mem_b)
+void lim_convex_init(struct lim_convex *convex, void *mem, size_t mem_b)
 {
-    struct lim_convex *convex = &lim->convex;
-    const lim_index polygon_count = lim->scene->polygon_count;
+    const lim_index polygon_count = convex->pass->scene->polygon_count;
     struct lim_view_cached *cache = mem;
 
     convex->tops = (uint16_t *)(void *)(cache + LIM_VIEW_CACHE_ENTRIES);
-    convex->pool = (struct lim_crossing *)(void *)((uint8_t *)mem + LIM_CONVEX_POOL_AT_B(lim->target.h_px));
+    convex->pool = (struct lim_crossing *)(void *)((uint8_t *)mem + LIM_CONVEX_POOL_AT_B(convex->pass->target.h_px));
     convex->faces = (struct lim_face *)(void *)((uint8_t *)mem + (mem_b & ~(size_t)3)) - polygon_count;
-    lim_view_init(&lim->view, lim->target.w_px, lim->target.h_px, cache);
+    lim_view_init(&convex->pass->view, convex->pass->target.w_px, convex->pass->target.h_px, cache);
 }
 
-static bool convex_project(struct lim *lim, struct lim_screen_polygon *polygon, lim_index record,
+static bool convex_project(struct lim_convex *convex, struct lim_screen_polygon *polygon, lim_index record,
                            struct lim_stats *stats)
 {
-    const struct lim_rect screen = {0, 0, lim->target.w_px, lim->target.h_px};
+    const struct lim_rect screen = {0, 0, convex->pass->target.w_px, convex->pass->target.h_px};
 
-    return lim_project(polygon, &lim->view, lim->scene, &lim->scene->polygons[record], &screen, stats);
+    return lim_project(polygon, &convex->pass->view, convex->pass->scene, &convex->pass->scene->polygons[record],
+                       &screen, stats);
 }
 
 /* Pass one: which faces there are, and where they start ------------------------------------------- */
@@ -48,80 +49,71 @@ static void note_face(struct lim_convex *convex, lim_index record, int16_t top)
     *start = convex->farthest;
 }
 
-static void note_run(struct lim *lim, struct lim_screen_polygon *polygon, lim_index record)
+static void note_run(struct lim_convex *convex, struct lim_screen_polygon *polygon, lim_index record)
 {
     for (;;) {
-        const lim_index head = lim->scene->polygons[record];
-        if (convex_project(lim, polygon, record, lim_stats_of(lim)))
-            note_face(&lim->convex, record, polygon->shape.top);
+        const lim_index head = convex->pass->scene->polygons[record];
+        if (convex_project(convex, polygon, record, lim_stats_of(convex->pass)))
+            note_face(convex, record, polygon->shape.top);
         if (head & LIM_POLYGON_LAST) return;
         record = (lim_index)(record + lim_record_words(head));
     }
 }
 
-static void note_faces(struct lim *lim, struct lim_screen_polygon *polygon)
+static void note_faces(struct lim_convex *convex, struct lim_screen_polygon *polygon)
 {
-    for (uint_fast16_t i = 0; i < lim->scene->node_count; i++) {
-        const LIM_FLASH struct lim_node *node = &lim->scene->nodes[i];
-        const int32_t side = lim_eye_side(lim_eye_of(lim), &node->split);
+    for (uint_fast16_t i = 0; i < convex->pass->scene->node_count; i++) {
+        const LIM_FLASH struct lim_node *node = &convex->pass->scene->nodes[i];
+        const int32_t side = lim_eye_side(lim_eye_of(convex->pass), &node->split);
         const lim_index run = side > 0 ? node->front_run : node->back_run;
-        if (LIM_HAS_STATS) lim_stats_of(lim)->nodes++;
-        if (side && run != LIM_NO_INDEX) note_run(lim, polygon, run);
+        if (LIM_HAS_STATS) lim_stats_of(convex->pass)->nodes++;
+        if (side && run != LIM_NO_INDEX) note_run(convex, polygon, run);
     }
 }
 
 /* Pass two: the faces that cross a line ----------------------------------------------------------- */
 
-static LIM_RARE void begin(struct lim *lim, struct lim_crossing *crossing)
+static LIM_RARE void begin(struct lim_convex *convex, struct lim_crossing *crossing)
 {
-#if LIM_HAS_TEXTURE
-    if (crossing->polygon.texture != LIM_NONE)
-        lim_texture_set(&lim->texturing, crossing->polygon.texture, &crossing->gradients);
-#else
-    (void)lim;
-#endif
+    const uint16_t texture = lim_screen_texture(&crossing->polygon);
+
+    if (LIM_HAS_TEXTURE && texture != LIM_NONE) lim_texture_set(convex->texturing, texture, crossing->gradients);
     lim_edge_begin(&crossing->pair, crossing->polygon.n, crossing->polygon.shape.first);
 }
 
-/* false: it is of one colour. */
-static bool fill_textured(struct lim *lim, uint16_t *line, const struct lim_crossing *crossing, int16_t y, int16_t x0,
-                          int16_t x1)
+static void fill_textured(struct lim_convex *convex, uint16_t *line, const struct lim_crossing *crossing, int16_t y,
+                          int16_t x0, int16_t x1)
 {
-#if LIM_HAS_TEXTURE
-    const struct lim_textured_span span = {&lim->texturing, &crossing->gradients, y, lim_edge_x(&crossing->pair.left),
+    const struct lim_textured_span span = {convex->texturing, crossing->gradients, y, lim_edge_x(&crossing->pair.left),
                                            lim_edge_x(&crossing->pair.right)};
 
-    if (crossing->polygon.texture == LIM_NONE) return false;
-    lim_texture_fill(&span, line, (uint16_t)x0, (uint16_t)x1, lim_stats_of(lim));
-    return true;
-#else
-    (void)lim, (void)line, (void)crossing, (void)y, (void)x0, (void)x1;
-    return false;
-#endif
+    lim_texture_fill(&span, line, (uint16_t)x0, (uint16_t)x1, lim_stats_of(convex->pass));
 }
 
 /* The polygon's pixels on line y: its first one, or that below the last. */
-static void fill_next(struct lim *lim, uint16_t *line, struct lim_crossing *crossing, int16_t y)
+static void fill_next(struct lim_convex *convex, uint16_t *line, struct lim_crossing *crossing, int16_t y)
 {
     lim_edge_advance(&crossing->pair, crossing->polygon.at, crossing->polygon.n, y);
-    const int16_t w_px = (int16_t)lim->target.w_px, left = lim_edge_x(&crossing->pair.left);
+    const int16_t w_px = (int16_t)convex->pass->target.w_px, left = lim_edge_x(&crossing->pair.left);
     const int16_t right = lim_edge_x(&crossing->pair.right);
     const int16_t x0 = left > 0 ? left : 0, x1 = right < w_px ? right : w_px;
     if (x0 >= x1) return;
-    if (LIM_HAS_WIREFRAME && lim_wireframe_of(lim)) {
-        struct lim_wire wire = lim_wire_of(&crossing->polygon, lim_wireframe_of(lim), lim_background_of(lim), y);
-#if LIM_HAS_RUNS
-        wire.target = &lim->target;
-#endif
+    if (LIM_HAS_WIREFRAME && lim_wireframe_of(convex->pass)) {
+        struct lim_wire wire =
+            lim_wire_of(&crossing->polygon, lim_wireframe_of(convex->pass), lim_background_of(convex->pass), y);
+        wire.target = &convex->pass->target;
         lim_wire_fill(line, &wire, (uint16_t)x0, (uint16_t)x1);
-    } else if (!fill_textured(lim, line, crossing, y, x0, x1)) {
-        lim_fill_run(&lim->target, line, (uint16_t)y, (uint16_t)x0, (uint16_t)(x1 - x0), crossing->polygon.colour);
+    } else if (LIM_HAS_TEXTURE && lim_screen_texture(&crossing->polygon) != LIM_NONE) {
+        fill_textured(convex, line, crossing, y, x0, x1);
+    } else {
+        lim_fill_run(&convex->pass->target, line, (uint16_t)y, (uint16_t)x0, (uint16_t)(x1 - x0),
+                     crossing->polygon.colour);
     }
-    if (LIM_HAS_STATS) lim_stats_of(lim)->pixels_painted += (uint32_t)(x1 - x0);
+    if (LIM_HAS_STATS) lim_stats_of(convex->pass)->pixels_painted += (uint32_t)(x1 - x0);
 }
 
 /* A non-monotone face: its triangles begin anew on each line. */
-static LIM_RARE void fill_fan(struct lim *lim, uint16_t *line, const struct lim_crossing *face, int16_t y)
+static LIM_RARE void fill_fan(struct lim_convex *convex, uint16_t *line, const struct lim_crossing *face, int16_t y)
 {
     const struct lim_screen_polygon *non_monotone = &face->polygon;
     struct lim_crossing triangle;
@@ -129,8 +121,8 @@ static LIM_RARE void fill_fan(struct lim *lim, uint16_t *line, const struct lim_
     for (uint_fast8_t k = 1; k + 1u < non_monotone->n; k++) {
         lim_project_fan(non_monotone, (uint8_t)(LIM_HAS_WIREFRAME ? non_monotone->n - 1u - k : k), &triangle.polygon);
         if (y < triangle.polygon.shape.top || y >= triangle.polygon.shape.bottom) continue;
-        begin(lim, &triangle);
-        fill_next(lim, line, &triangle, y);
+        begin(convex, &triangle);
+        fill_next(convex, line, &triangle, y);
     }
 }
 
@@ -143,9 +135,9 @@ static bool has_room(const struct lim_convex *convex)
 }
 
 /* Projects a face that has no entry: into a free one, which is then its own, or else into `spare`. */
-static struct lim_crossing *convex_enter(struct lim *lim, struct lim_face *face, struct lim_crossing *spare, int16_t y)
+static struct lim_crossing *convex_enter(struct lim_convex *convex, struct lim_face *face, struct lim_crossing *spare,
+                                         int16_t y)
 {
-    struct lim_convex *convex = &lim->convex;
     struct lim_crossing *crossing = spare;
     uint_fast16_t i = 0;
 
@@ -156,44 +148,40 @@ static struct lim_crossing *convex_enter(struct lim *lim, struct lim_face *face,
         crossing = &convex->pool[i];
         face->crossing = (uint16_t)i;
     }
-    if (LIM_HAS_STATS && crossing == spare) lim_stats_of(lim)->bands++;
-    (void)convex_project(lim, &crossing->polygon, face->record, NULL);
-    begin(lim, crossing);
+    if (LIM_HAS_STATS && crossing == spare) lim_stats_of(convex->pass)->bands++;
+    (void)convex_project(convex, &crossing->polygon, face->record, NULL);
+    begin(convex, crossing);
     return crossing;
 }
 
-static void note_seen(struct lim *lim, struct lim_face *face, uint32_t painted_before)
+static void note_seen(struct lim_stats *stats, struct lim_face *face, uint32_t painted_before)
 {
-#if LIM_HAS_STATS
-    if (face->seen || lim->stats.pixels_painted == painted_before) return;
-    face->seen = true;
-    lim->stats.polygons_seen++;
-#else
-    (void)lim, (void)face, (void)painted_before;
-#endif
+    if (*face->seen || stats->pixels_painted == painted_before) return;
+    *face->seen = true;
+    stats->polygons_seen++;
 }
 
 /* false: line y is its last. */
-static bool paint_face(struct lim *lim, uint16_t *line, struct lim_face *face, struct lim_crossing *spare, int16_t y)
+static bool paint_face(struct lim_convex *convex, uint16_t *line, struct lim_face *face, struct lim_crossing *spare,
+                       int16_t y)
 {
-    const uint32_t painted_before = LIM_HAS_STATS ? lim_stats_of(lim)->pixels_painted : 0;
+    const uint32_t painted_before = LIM_HAS_STATS ? lim_stats_of(convex->pass)->pixels_painted : 0;
     const bool has_entry = face->crossing != LIM_NONE;
-    struct lim_crossing *crossing = has_entry ? &lim->convex.pool[face->crossing] : convex_enter(lim, face, spare, y);
+    struct lim_crossing *crossing = has_entry ? &convex->pool[face->crossing] : convex_enter(convex, face, spare, y);
     const struct lim_edge_shape *shape = &crossing->polygon.shape;
 
     if (shape->non_monotone)
-        fill_fan(lim, line, crossing, y);
+        fill_fan(convex, line, crossing, y);
     else
-        fill_next(lim, line, crossing, y);
-    note_seen(lim, face, painted_before);
+        fill_next(convex, line, crossing, y);
+    if (LIM_HAS_STATS) note_seen(lim_stats_of(convex->pass), face, painted_before);
     return shape->bottom > y + 1;
 }
 
 /* The faces that cross the line, and among them those that start on it, from far to near: by their indices.
  * Returns how many there are. */
-static uint16_t paint_faces(struct lim *lim, uint16_t *line, struct lim_crossing *spare, uint16_t y)
+static uint16_t paint_faces(struct lim_convex *convex, uint16_t *line, struct lim_crossing *spare, uint16_t y)
 {
-    struct lim_convex *convex = &lim->convex;
     uint16_t *link = &convex->first, start = convex->tops[y], count = 0;
 
     for (;; count++) {
@@ -205,7 +193,7 @@ static uint16_t paint_faces(struct lim *lim, uint16_t *line, struct lim_crossing
         }
         if (*link == LIM_NONE) return count;
         struct lim_face *face = &convex->faces[*link];
-        if (paint_face(lim, line, face, spare, (int16_t)y))
+        if (paint_face(convex, line, face, spare, (int16_t)y))
             link = &face->next;
         else
             *link = face->next;
@@ -213,60 +201,60 @@ static uint16_t paint_faces(struct lim *lim, uint16_t *line, struct lim_crossing
 }
 
 /* What no face has painted is background, as long as no two have painted the same. */
-static void note_line(struct lim *lim, uint16_t count, uint32_t painted_before)
+static void note_line(struct lim_convex *convex, uint16_t count, uint32_t painted_before)
 {
-    struct lim_stats *stats = lim_stats_of(lim);
-    const uint32_t painted = stats->pixels_painted - painted_before, w_px = lim->target.w_px;
+    struct lim_stats *stats = lim_stats_of(convex->pass);
+    const uint32_t painted = stats->pixels_painted - painted_before, w_px = convex->pass->target.w_px;
 
     stats->pixels_background += painted < w_px ? w_px - painted : 0;
     stats->lines += count;
     if (count > stats->active_max) stats->active_max = count;
 }
 
-/* Whether the target has no memory for lines, and needs none. */
-static bool takes_runs(const struct lim *lim)
+/* Whether the target keeps its pixels itself. Round glass would get some that it has not. */
+static bool takes_fill(const struct lim_pass *pass)
 {
-#if LIM_HAS_RUNS
-    return !LIM_HAS_LINES || (lim->target.put_run && !lim_texture_count(lim->scene));
-#else
-    (void)lim;
-    return false;
-#endif
+    if (!LIM_HAS_FILL || !LIM_HAS_LINES) return LIM_HAS_FILL;
+    return lim_target_fill(&pass->target) && !lim_texture_count(pass->scene) && !lim_target_is_round(&pass->target);
 }
 
-static int draw_line(struct lim *lim, struct lim_crossing *spare, uint16_t y)
+static int draw_line(struct lim_convex *convex, struct lim_crossing *spare, uint16_t y)
 {
-    const uint32_t painted_before = LIM_HAS_STATS ? lim_stats_of(lim)->pixels_painted : 0;
-    const uint16_t w_px = lim->target.w_px;
-    uint16_t *line = takes_runs(lim) ? NULL : lim->target.lend(lim->target.ctx, y);
+    struct lim_pass *pass = convex->pass;
+    const struct lim_target *target = &pass->target;
+    const uint32_t painted_before = LIM_HAS_STATS ? lim_stats_of(pass)->pixels_painted : 0;
+    const bool fills = takes_fill(pass);
+    uint16_t *line = fills ? NULL : target->lend(target->ctx, y);
 
-    if (!line && !takes_runs(lim)) return LIM_ERR_TARGET;
-    lim_fill_run(&lim->target, line, y, 0, w_px, lim_background_of(lim));
-    const uint16_t count = paint_faces(lim, line, spare, y);
-    if (LIM_HAS_STATS) note_line(lim, count, painted_before);
-    return lim->target.done(lim->target.ctx, y, 0, w_px);
+    if (!line && !fills) return LIM_ERR_TARGET;
+    lim_fill_run(target, line, y, 0, target->w_px, lim_background_of(pass));
+    const uint16_t count = paint_faces(convex, line, spare, y);
+    if (LIM_HAS_STATS) note_line(convex, count, painted_before);
+    return fills && lim_target_keeps_all(target) ? 0 : target->done(target->ctx, y, 0, target->w_px);
 }
 
-static void convex_start(struct lim_convex *convex, const struct lim *lim)
+static void convex_start(struct lim_convex *convex)
 {
-    for (uint_fast16_t y = 0; y < lim->target.h_px; y++)
+    for (uint_fast16_t y = 0; y < convex->pass->target.h_px; y++)
         convex->tops[y] = LIM_NONE;
-    convex->farthest = (uint16_t)lim->scene->polygon_count;
+    convex->farthest = (uint16_t)convex->pass->scene->polygon_count;
     convex->first = LIM_NONE;
     convex->pool_used = 0;
 }
 
-int lim_convex_frame(struct lim *lim)
+int lim_convex_frame(struct lim_convex *convex)
 {
     struct lim_crossing spare;
 
-    convex_start(&lim->convex, lim);
-    note_faces(lim, &spare.polygon);
-    for (uint_fast16_t y = 0; y < lim->target.h_px; y++) {
-        const int err = draw_line(lim, &spare, (uint16_t)y);
+    convex_start(convex);
+    note_faces(convex, &spare.polygon);
+    for (uint_fast16_t y = 0; y < convex->pass->target.h_px; y++) {
+        const int err = draw_line(convex, &spare, (uint16_t)y);
         if (err) return err;
     }
-    return 0;
+    return takes_fill(convex->pass) && lim_target_keeps_all(&convex->pass->target)
+               ? lim_target_show(&convex->pass->target)
+               : 0;
 }
 
 #endif

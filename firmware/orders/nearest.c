@@ -3,11 +3,13 @@
  * Nearest first, pass one: walks the tree, or the sorted list, closes gaps, and retains the polygons that closed some;
  * by scan lines all that are in view. All at once, or, where a frame is begun while another is still on its way,
  * polygon by polygon (lim_frame_work()). bands.c drives it. */
-#include "orders/order.h"
+#include "orders/nearest.h"
 
 #include "lines/framebuffer.h"
 #include "lines/layers.h"
-#include "pieces/piece.h"
+#include "pieces/entry.h"
+#include "routes/mover_order.h"
+#include "routes/mover_split.h"
 #include "screen/project.h"
 
 #if LIM_HAS_SPANS
@@ -23,464 +25,401 @@ static inline bool close_lines(struct lim_spans *spans, const struct lim_point *
     const int16_t top = shown->top, bottom = shown->bottom;
     struct lim_edge_pair pair;
 
-    (void)sink, (void)look;
     *shown = (struct lim_span_extent){bottom, top};
     lim_edge_begin(&pair, n, first);
     for (int16_t y = top; y < bottom;) {
         const int16_t turn = lim_edge_turn(&pair, at, n, y);
         const int16_t end = turn < bottom ? turn : bottom;
-#if LIM_HAS_FILLED
-        if (sink) {
-            if (!lim_spans_close_filling(spans, y, end, &pair, sink, look)) return false;
-        } else
-#endif
-            if (!lim_spans_close(spans, y, end, &pair, shown))
-            return false;
+        const bool closed = LIM_HAS_FILLED && sink ? lim_spans_close_filling(spans, y, end, &pair, sink, look)
+                                                   : lim_spans_close(spans, y, end, &pair, shown);
+        if (!closed) return false;
         y = end;
     }
     return true;
 }
 
 /* The same where polygons are painted as they come. */
-static inline bool fill_lines(struct lim *lim, const struct lim_point *at, uint8_t n, uint8_t first,
+static inline bool fill_lines(struct lim_nearest *nearest, const struct lim_point *at, uint8_t n, uint8_t first,
                               struct lim_span_extent shown, uint16_t colour)
 {
-#if LIM_HAS_FILLED
-    struct lim_piece_look look = {.ctx = lim_fill_ctx_of(&lim->target), .colour = colour};
+    struct lim_target *target = &nearest->pass->target;
+    struct lim_piece_look look = {.ctx = lim_fill_ctx_of(target), .colour = colour};
 
-    return close_lines(&lim->spans, at, n, first, &shown, lim_fill_of(&lim->target), &look);
-#else
-    (void)lim, (void)at, (void)n, (void)first, (void)shown, (void)colour;
-    return false;
-#endif
+    return close_lines(&nearest->spans, at, n, first, &shown, lim_fill_of(target), &look);
 }
 
-/* take_plain() for a polygon that is measured by its samples: it is retained up to a row of them. */
-static inline bool take_samples(struct lim *lim, const struct lim_screen_polygon *polygon, int16_t top, int16_t bottom)
+/* collect_plain() for a polygon that is measured by its samples: it is retained up to a row of them. */
+static inline bool collect_samples(struct lim_nearest *nearest, const struct lim_screen_polygon *polygon, int16_t top,
+                                   int16_t bottom)
 {
-#if LIM_HAS_ANTIALIAS
     const int16_t rows = (int16_t)(bottom * LIM_SAMPLE_ROWS);
 
-    if (lim->paint.smooth.line) {
-        lim_smooth_add_polygon(lim, polygon);
+    if (nearest->paint.smooth->line) {
+        lim_smooth_add_polygon(&nearest->paint, &nearest->spans, polygon);
         return true;
     }
-    const enum lim_span_result result = lim_smooth_close(&lim->spans, polygon, top, bottom);
+    const enum lim_span_result result = lim_smooth_close(&nearest->spans, polygon, top, bottom);
     if (result != LIM_SPAN_SOME) return result == LIM_SPAN_NOTHING;
-    if (LIM_HAS_STATS) lim_stats_of(lim)->polygons_seen++;
+    if (LIM_HAS_STATS) lim_stats_of(nearest->pass)->polygons_seen++;
     const struct lim_retained_polygon seen =
-        lim_retained_of(polygon, top, polygon->shape.end_row < rows ? polygon->shape.end_row : rows, false);
-    return lim_retain(&lim->retained, lim->spans.lines, &seen);
-#else
-    (void)lim, (void)polygon, (void)top, (void)bottom;
-    return false;
-#endif
+        lim_retained_of(polygon, top, *polygon->shape.end_row < rows ? *polygon->shape.end_row : rows, false);
+    return lim_retain(&nearest->retained, nearest->spans.lines, &seen);
 }
 
 /* Scan lines: every polygon in view is retained, without a look at what is open, and painted from far to near. What
  * that cannot paint is drawn nearest first; so are bands of one line, of which there are only where memory is scarce:
  * any number of polygons lie behind one another at a pixel, and the least pools hold one. */
-static inline bool retains_all(const struct lim *lim)
+static inline bool can_retain_all(const struct lim_nearest *nearest, const struct lim_rect *band)
 {
-#if LIM_HAS_SCANLINE
-    return lim->retains_all;
-#else
-    (void)lim;
-    return false;
-#endif
+    return LIM_IS_SCANLINE(&nearest->pass->target) && band->y1 - band->y0 > 1 && lim_nearest_can_fill(nearest);
 }
 
-#if LIM_HAS_SCANLINE
-/* In a band: one of a line is drawn nearest first, for which any pool will do. */
-static inline bool can_retain_all(const struct lim *lim, const struct lim_rect *band)
+/* Constants where there is no choice. */
+static inline bool retains_all(const struct lim_nearest *nearest)
 {
-    return LIM_IS_SCANLINE(&lim->target) && band->y1 - band->y0 > 1 && lim_can_fill(lim);
-}
-#endif
-
-static bool sees_open(const struct lim *lim, const struct lim_screen_polygon *polygon, int16_t top, int16_t bottom)
-{
-#if LIM_HAS_TRANSPARENT
-    return lim_layers_see(&lim->spans, polygon, top, bottom);
-#else
-    (void)lim, (void)polygon, (void)top, (void)bottom;
-    return false;
-#endif
+    return LIM_HAS_SCANLINE && nearest->retains_all;
 }
 
-/* Whether each polygon is painted as it comes, and nothing is retained. */
-static inline bool fills(const struct lim *lim)
+static inline bool fills(const struct lim_nearest *nearest)
 {
-#if LIM_HAS_FILLED
-    return lim->fills;
-#else
-    (void)lim;
-    return false;
-#endif
+    return LIM_HAS_FILLED && nearest->fills;
 }
 
 /* Whether a record is of one opaque colour, and drawn as such. */
-static inline bool is_for_fast_path(const struct lim *lim, const LIM_FLASH lim_index *record)
+static inline bool is_for_fast_path(const struct lim_nearest *nearest, const LIM_FLASH lim_index *record)
 {
     const unsigned slow = (LIM_HAS_TRANSPARENT ? LIM_POLYGON_ALPHA : 0u) | (LIM_HAS_TEXTURE ? LIM_POLYGON_TEXTURE : 0u);
 
-    return !(record[0] & slow) && !lim_wireframe_of(lim) && !lim_is_antialiased(&lim->view);
+    return !(record[0] & slow) && !lim_wireframe_of(nearest->pass) && !lim_is_antialiased(&nearest->pass->view);
 }
 
 /* A polygon that is not non-monotone. false: a pool is exhausted. */
-static bool take_plain(struct lim *lim, const struct lim_screen_polygon *polygon)
+static bool collect_plain(struct lim_nearest *nearest, const struct lim_screen_polygon *polygon)
 {
-    struct lim_span_extent shown = lim_shape_lines(&polygon->shape, &lim->spans.open);
+    struct lim_span_extent shown = lim_shape_lines(&polygon->shape, &nearest->spans.open);
 
     if (shown.top >= shown.bottom) return true;
-    if (LIM_HAS_STATS) lim_stats_of(lim)->lines += (uint32_t)(shown.bottom - shown.top);
-    if (LIM_HAS_FILLED && fills(lim))
-        return fill_lines(lim, polygon->at, polygon->n, polygon->shape.first, shown, polygon->colour);
-    if (LIM_HAS_ANTIALIAS && lim_is_antialiased(&lim->view)) return take_samples(lim, polygon, shown.top, shown.bottom);
-    const bool wireframe = lim_wireframe_of(lim);
+    if (LIM_HAS_STATS) lim_stats_of(nearest->pass)->lines += (uint32_t)(shown.bottom - shown.top);
+    if (LIM_HAS_FILLED && fills(nearest))
+        return fill_lines(nearest, polygon->at, polygon->n, polygon->shape.first, shown, polygon->colour);
+    if (LIM_HAS_ANTIALIAS && lim_is_antialiased(&nearest->pass->view))
+        return collect_samples(nearest, polygon, shown.top, shown.bottom);
+    const bool wireframe = lim_wireframe_of(nearest->pass);
     const uint8_t alpha = wireframe ? (uint8_t)LIM_OPAQUE : lim_alpha_of(polygon);
-    if (alpha != LIM_OPAQUE) {
-        if (!sees_open(lim, polygon, shown.top, shown.bottom)) return true;
-    } else if (!retains_all(lim) &&
-               !close_lines(&lim->spans, polygon->at, polygon->n, polygon->shape.first, &shown, NULL, NULL)) {
+    if (LIM_HAS_TRANSPARENT && alpha != LIM_OPAQUE) {
+        if (!lim_layers_see(&nearest->spans, polygon, shown.top, shown.bottom)) return true;
+    } else if (!retains_all(nearest) &&
+               !close_lines(&nearest->spans, polygon->at, polygon->n, polygon->shape.first, &shown, NULL, NULL)) {
         return false;
     }
     if (shown.top >= shown.bottom) return true;
-    if (LIM_HAS_STATS) lim_stats_of(lim)->polygons_seen++;
+    if (LIM_HAS_STATS) lim_stats_of(nearest->pass)->polygons_seen++;
     const struct lim_retained_polygon seen = lim_retained_of(polygon, shown.top, shown.bottom, wireframe);
-    return lim_retain(&lim->retained, lim->spans.lines, &seen);
+    return lim_retain(&nearest->retained, nearest->spans.lines, &seen);
 }
 
-static bool take(struct lim *lim, const struct lim_screen_polygon *polygon)
+static bool collect(struct lim_nearest *nearest, const struct lim_screen_polygon *polygon)
 {
     struct lim_screen_polygon triangle;
 
-    if (!polygon->shape.non_monotone) return take_plain(lim, polygon);
+    if (!polygon->shape.non_monotone) return collect_plain(nearest, polygon);
     for (uint8_t k = 1; k + 1 < polygon->n; k++) {
         lim_project_fan(polygon, k, &triangle);
-        if (!take_plain(lim, &triangle)) return false;
+        if (!collect_plain(nearest, &triangle)) return false;
     }
     return true;
 }
 
-static void note_pools(struct lim *lim)
+static void note_pools(struct lim_nearest *nearest)
 {
-    struct lim_stats *stats = lim_stats_of(lim);
+    struct lim_stats *stats = lim_stats_of(nearest->pass);
 
-    if (lim->retained.used > stats->retained_cells_max) stats->retained_cells_max = lim->retained.used;
-    if (lim->spans.fresh > stats->gaps_max) stats->gaps_max = lim->spans.fresh;
+    if (nearest->retained.used > stats->retained_cells_max) stats->retained_cells_max = nearest->retained.used;
+    if (nearest->spans.fresh > stats->gaps_max) stats->gaps_max = nearest->spans.fresh;
 }
 
 /* Polygons from the walk through the tree. */
-#if LIM_HAS_WALKED
 /* Draws the open view together, and CULL's planes with it. */
-static void shrink(struct lim *lim)
+static void shrink(struct lim_nearest *nearest)
 {
-    const bool smaller = lim_spans_shrink(&lim->spans);
+    const bool smaller = lim_spans_shrink(&nearest->spans);
 
-    if (LIM_HAS_CULL && smaller) lim_cull_set(lim_cull_of(lim), &lim->view, lim_eye_of(lim)->at_q8, &lim->spans.open);
+    if (LIM_HAS_CULL && smaller)
+        lim_cull_set(lim_cull_of(nearest->pass), &nearest->pass->view, lim_eye_of(nearest->pass)->at_q8,
+                     &nearest->spans.open);
 }
 
 /* Of whatever kind it is. false: a pool is exhausted. */
-static LIM_RARE bool take_any(struct lim *lim, const LIM_FLASH lim_index *record)
+static LIM_RARE bool collect_any(struct lim_nearest *nearest, const LIM_FLASH lim_index *record)
 {
     struct lim_screen_polygon polygon;
 
-    return !lim_project(&polygon, &lim->view, lim->scene, record, &lim->spans.open, lim_stats_of(lim)) ||
-           take(lim, &polygon);
+    return !lim_project(&polygon, &nearest->pass->view, nearest->pass->scene, record, &nearest->spans.open,
+                        lim_stats_of(nearest->pass)) ||
+           collect(nearest, &polygon);
 }
 
 enum outcome {
     NOTHING_OPEN, /* nothing of it can be */
-    TAKEN,        /* all of it that was open is closed, and it is retained if there was any */
+    COLLECTED,    /* all of it that was open is closed, and it is retained if there was any */
     EXHAUSTED_POOL,
-    SLOW_PATH /* nothing was done: take_any() */
+    SLOW_PATH /* nothing was done: collect_any() */
 };
 
 /* A polygon as most are: of one colour, neither clipped nor non-monotone, and with room for its points where they would
  * be retained. They are projected to that place, so none of it is ever copied. */
-static inline enum outcome take_fast(struct lim *lim, const LIM_FLASH lim_index *record)
+static inline enum outcome collect_fast(struct lim_nearest *nearest, const LIM_FLASH lim_index *record)
 {
+    struct lim_pass *const pass = nearest->pass;
     const uint8_t n = (uint8_t)(record[0] & LIM_POLYGON_COUNT);
-    struct lim_point *at = lim_retained_place(&lim->retained, n);
+    struct lim_point *at = lim_retained_place(&nearest->retained, n);
     struct lim_edge_shape shape;
     uint_fast16_t codes;
 
     LIM_ASSERT(n <= LIM_MAX_VERTICES);
     if (!at) return SLOW_PATH;
-    if (!lim_project_fast(&shape, at, n, &lim->view, lim->scene, record, &codes)) return SLOW_PATH;
-    if (LIM_HAS_STATS) lim_stats_of(lim)->polygons++;
+    if (!lim_project_fast(&shape, at, n, &pass->view, pass->scene, record, &codes)) return SLOW_PATH;
+    if (LIM_HAS_STATS) lim_stats_of(pass)->polygons++;
     if (lim_view_all_outside(codes)) return NOTHING_OPEN;
-    if (codes & (LIM_VIEW_LEFT | LIM_VIEW_RIGHT)) lim->retained.overhangs = true;
-    const struct lim_rect *open = &lim->spans.open;
+    if (codes & (LIM_VIEW_LEFT | LIM_VIEW_RIGHT)) nearest->retained.overhangs = true;
+    const struct lim_rect *open = &nearest->spans.open;
     struct lim_span_extent shown = lim_shape_lines(&shape, open);
     if (shown.top >= shown.bottom) return NOTHING_OPEN;
-    if (lim_project_is_narrow(&lim->view, open)) {
+    if (lim_project_is_narrow(&pass->view, open)) {
         lim_edge_bounds_sides(&shape, at, n);
         if (!lim_shape_meets_sides(&shape, open)) return NOTHING_OPEN;
     }
-    if (LIM_HAS_STATS) lim_stats_of(lim)->lines += (uint32_t)(shown.bottom - shown.top);
-    if (LIM_HAS_FILLED && fills(lim)) {
+    if (LIM_HAS_STATS) lim_stats_of(pass)->lines += (uint32_t)(shown.bottom - shown.top);
+    if (LIM_HAS_FILLED && fills(nearest)) {
         const uint16_t colour = lim_memory_colour((uint16_t)record[1]);
-        return fill_lines(lim, at, n, shape.first, shown, colour) ? TAKEN : EXHAUSTED_POOL;
+        return fill_lines(nearest, at, n, shape.first, shown, colour) ? COLLECTED : EXHAUSTED_POOL;
     }
-    if (!retains_all(lim)) {
+    if (!retains_all(nearest)) {
         struct lim_span_extent seen = shown;
-        if (!close_lines(&lim->spans, at, n, shape.first, &seen, NULL, NULL)) return EXHAUSTED_POOL;
-        if (seen.top >= seen.bottom) return TAKEN;
+        if (!close_lines(&nearest->spans, at, n, shape.first, &seen, NULL, NULL)) return EXHAUSTED_POOL;
+        if (seen.top >= seen.bottom) return COLLECTED;
         shown = seen;
     }
-    if (LIM_HAS_STATS) lim_stats_of(lim)->polygons_seen++;
-    lim_retained_link(&lim->retained, &lim->spans.lines[shown.top], n, shape.first, (uint16_t)shown.bottom,
+    if (LIM_HAS_STATS) lim_stats_of(pass)->polygons_seen++;
+    lim_retained_link(&nearest->retained, &nearest->spans.lines[shown.top], n, shape.first, (uint16_t)shown.bottom,
                       lim_memory_colour((uint16_t)record[1]), (uint16_t)(LIM_RETAINED_HEAD_CELLS + n));
-    return TAKEN;
+    return COLLECTED;
 }
 
 /* A record that faces the eye. false: a pool is exhausted. */
-static LIM_ALONE bool take_record(struct lim *lim, const LIM_FLASH lim_index *record, uint8_t *since_shrink)
+static LIM_ALONE bool collect_record(struct lim_nearest *nearest, const LIM_FLASH lim_index *record)
 {
-    enum outcome outcome = !LIM_OPTIMISE_SIZE && is_for_fast_path(lim, record) ? take_fast(lim, record) : SLOW_PATH;
+    enum outcome outcome =
+        !LIM_OPTIMISE_SIZE && is_for_fast_path(nearest, record) ? collect_fast(nearest, record) : SLOW_PATH;
 
-    if (outcome == SLOW_PATH) outcome = take_any(lim, record) ? TAKEN : EXHAUSTED_POOL;
+    if (outcome == SLOW_PATH) outcome = collect_any(nearest, record) ? COLLECTED : EXHAUSTED_POOL;
     if (outcome == EXHAUSTED_POOL) return false;
-    if (retains_all(lim) || !lim->spans.open_lines) return true;
-    if (outcome == TAKEN) lim_spans_trim(&lim->spans);
-    if (++*since_shrink == POLYGONS_PER_SHRINK) {
-        *since_shrink = 0;
-        shrink(lim);
+    if (retains_all(nearest) || !nearest->spans.open_lines) return true;
+    if (outcome == COLLECTED) lim_spans_trim(&nearest->spans);
+    if (++nearest->since_shrink == POLYGONS_PER_SHRINK) {
+        nearest->since_shrink = 0;
+        shrink(nearest);
     }
     return true;
 }
 
 /* false: a pool is exhausted. */
-static bool take_run(struct lim *lim, lim_index run, uint8_t *since_shrink)
+static bool collect_run(struct lim_nearest *nearest, lim_index run)
 {
-    const LIM_FLASH lim_index *record = &lim->scene->polygons[run];
+    struct lim_pass *const pass = nearest->pass;
+    const LIM_FLASH lim_index *record = &pass->scene->polygons[run];
 
     for (;;) {
         const lim_index head = record[0];
-        if (LIM_HAS_STATS) lim_stats_of(lim)->records += (head & LIM_POLYGON_PLANE) != 0;
-        if (lim_record_is_seen(&lim->walk.eye, record)) {
-            if (!take_record(lim, record, since_shrink)) return false;
-            if (!lim->spans.open_lines) return true;
+        if (LIM_HAS_STATS) lim_stats_of(pass)->records += (head & LIM_POLYGON_PLANE) != 0;
+        if (lim_record_is_seen(&pass->walk->eye, record)) {
+            if (!collect_record(nearest, record)) return false;
+            if (!nearest->spans.open_lines) return true;
         }
         if (head & LIM_POLYGON_LAST) return true;
         record += lim_record_words(head);
     }
 }
 
-#if LIM_HAS_MOVERS
 enum { MOVER_EXHAUSTED = 1, MOVER_FULL }; /* a pool; all lines */
 
-static int draw_mover(struct lim *lim, uint16_t entry, const struct lim_screen_polygon *polygon,
-                      const struct lim_rect *open)
+static int draw_mover(void *ctx, uint16_t entry, const struct lim_screen_polygon *polygon, const struct lim_rect *open)
 {
+    struct lim_nearest *nearest = ctx;
+
     (void)open;
-    if (!(entry == LIM_NONE ? take(lim, polygon) : lim_piece_take(lim, entry, polygon))) return MOVER_EXHAUSTED;
-    return lim->spans.open_lines ? 0 : MOVER_FULL;
+    if (!(entry == LIM_NONE ? collect(nearest, polygon) : lim_collect_piece(nearest, entry, polygon)))
+        return MOVER_EXHAUSTED;
+    return nearest->spans.open_lines ? 0 : MOVER_FULL;
 }
 
 /* What moves and has come to empty space. false: a pool is exhausted. */
-static bool take_list(struct lim *lim, uint16_t list)
+static bool collect_list(struct lim_nearest *nearest, uint16_t list)
 {
-    list = lim_movers_order(lim, list, false);
-    if (lim_movers_draw(lim, list, &lim->spans.open, false, draw_mover) == MOVER_EXHAUSTED) return false;
-    shrink(lim);
+    list = lim_movers_order(nearest->sorter, list, false);
+    if (lim_movers_draw(nearest->sorter, list, &nearest->spans.open, false, draw_mover, nearest) == MOVER_EXHAUSTED)
+        return false;
+    shrink(nearest);
     return true;
 }
 
-static bool collect_with_movers(struct lim *lim)
+static bool collect_with_movers(struct lim_nearest *nearest)
 {
-    struct lim_route route = lim_route_static(lim, false);
-    uint8_t since_shrink = 0;
+    struct lim_route route = lim_route_static(nearest->sorter, false);
     lim_index what;
 
-    lim_route_begin(&route, lim_movers_list(lim, lim_cull_of(lim)));
-    while (lim->spans.open_lines) {
-        const enum lim_route_event event = lim_route_next(lim, &route, &what);
+    lim_route_begin(&route, lim_movers_list(nearest->sorter, lim_cull_of(nearest->pass)));
+    while (nearest->spans.open_lines) {
+        const enum lim_route_event event = lim_route_next(&route, &what);
         if (event == LIM_ROUTE_END) return true;
-        if (!(event == LIM_ROUTE_RUN ? take_run(lim, what, &since_shrink) : take_list(lim, (uint16_t)what)))
+        if (!(event == LIM_ROUTE_RUN ? collect_run(nearest, what) : collect_list(nearest, (uint16_t)what)))
             return false;
     }
     return true;
 }
-#endif
 
-static bool collect_from_tree(struct lim *lim, const struct lim_rect *band)
+static bool collect_from_tree(struct lim_nearest *nearest, const struct lim_rect *band)
 {
-    uint8_t since_shrink = 0;
     lim_index run;
 
-    if (LIM_HAS_CULL) lim_cull_set(lim_cull_of(lim), &lim->view, lim_eye_of(lim)->at_q8, band);
-#if LIM_HAS_MOVERS
-    if (lim->movers.count) return collect_with_movers(lim);
-#endif
-    lim_walk_begin(&lim->walk, lim->stack, false);
-    while (lim->spans.open_lines &&
-           (run = lim_walk_next(&lim->walk, lim_cull_of(lim), lim_stats_of(lim))) != LIM_NO_INDEX) {
-        if (!take_run(lim, run, &since_shrink)) return false;
+    if (LIM_HAS_CULL)
+        lim_cull_set(lim_cull_of(nearest->pass), &nearest->pass->view, lim_eye_of(nearest->pass)->at_q8, band);
+    if (LIM_HAS_MOVERS && lim_moves(nearest->sorter)) return collect_with_movers(nearest);
+    lim_walk_begin(nearest->pass->walk, false);
+    while (nearest->spans.open_lines && (run = lim_walk_next(nearest->pass->walk, lim_cull_of(nearest->pass),
+                                                             lim_stats_of(nearest->pass))) != LIM_NO_INDEX) {
+        if (!collect_run(nearest, run)) return false;
     }
     return true;
 }
-#endif
 
 /* And from the sorted list. */
-#if LIM_HAS_SORTED
-static bool take_entry(struct lim *lim, uint16_t at, uint8_t *since_shrink)
+static bool collect_entry(struct lim_nearest *nearest, uint16_t at)
 {
-    const LIM_FLASH lim_index *record = &lim->scene->polygons[lim->sorter.list[at].record];
+    const LIM_FLASH lim_index *record = &nearest->pass->scene->polygons[nearest->sorter->list[at].record];
     struct lim_screen_polygon polygon;
 
-    if (!lim_project(&polygon, &lim->view, lim->scene, record, &lim->spans.open, lim_stats_of(lim))) return true;
-    if (!(LIM_HAS_NEWELL && lim_is_piece(lim, at) ? lim_piece_take(lim, at, &polygon) : take(lim, &polygon)))
+    if (!lim_project(&polygon, &nearest->pass->view, nearest->pass->scene, record, &nearest->spans.open,
+                     lim_stats_of(nearest->pass)))
+        return true;
+    if (!(LIM_HAS_NEWELL && lim_entry_is_split(nearest->sorter, at) ? lim_collect_piece(nearest, at, &polygon)
+                                                                    : collect(nearest, &polygon)))
         return false;
-    if (++*since_shrink < POLYGONS_PER_SHRINK) return true;
-    *since_shrink = 0;
-    (void)lim_spans_shrink(&lim->spans);
+    if (++nearest->since_shrink < POLYGONS_PER_SHRINK) return true;
+    nearest->since_shrink = 0;
+    (void)lim_spans_shrink(&nearest->spans);
     return true;
 }
 
-static bool collect_from_list(struct lim *lim)
+static bool collect_from_list(struct lim_nearest *nearest)
 {
-    uint8_t since_shrink = 0;
 
-    for (uint16_t at = lim->sorter.first; at != LIM_NONE && lim->spans.open_lines; at = lim->sorter.list[at].next)
-        if (!take_entry(lim, at, &since_shrink)) return false;
+    for (uint16_t at = nearest->sorter->first; at != LIM_NONE && nearest->spans.open_lines;
+         at = nearest->sorter->list[at].next)
+        if (!collect_entry(nearest, at)) return false;
     return true;
 }
-#endif
 
-static bool collect_from_source(struct lim *lim, const struct lim_rect *band)
+static bool collect_from_source(struct lim_nearest *nearest, const struct lim_rect *band)
 {
-#if LIM_HAS_SORTED
-    if (LIM_IS_SORTED(&lim->target)) return collect_from_list(lim);
-#endif
-#if LIM_HAS_WALKED
-    return collect_from_tree(lim, band);
-#else
-    (void)band;
-    return true;
-#endif
+    if (LIM_IS_SORTED(&nearest->pass->target)) return collect_from_list(nearest);
+    return collect_from_tree(nearest, band);
 }
 
-static void open_band(struct lim *lim, const struct lim_rect *band)
+static void open_band(struct lim_nearest *nearest, const struct lim_rect *band)
 {
-    lim_spans_open(&lim->spans, &lim->target, band);
-    lim_retained_clear(&lim->retained);
-#if LIM_HAS_SCANLINE
-    lim->retains_all = can_retain_all(lim, band);
-#endif
+    lim_spans_open(&nearest->spans, &nearest->pass->target, band);
+    lim_retained_clear(&nearest->retained);
+    nearest->since_shrink = 0;
+    if (LIM_HAS_SCANLINE) nearest->retains_all = can_retain_all(nearest, band);
 }
 
-bool lim_collect(struct lim *lim, const struct lim_rect *band)
+bool lim_collect(struct lim_nearest *nearest, const struct lim_rect *band)
 {
-    open_band(lim, band);
-    if (!collect_from_source(lim, band)) return false;
-    if (LIM_HAS_STATS) note_pools(lim);
+    open_band(nearest, band);
+    if (!collect_from_source(nearest, band)) return false;
+    if (LIM_HAS_STATS) note_pools(nearest);
     return true;
 }
 
 #if LIM_HAS_STREAM
-/* The same in quanta, over all lines. What a loop above has in variables is in lim->ahead. */
-#if LIM_HAS_WALKED
+/* The same in quanta, over all lines. What a loop above has in variables is in struct lim_progress. */
 /* Records up to the next that faces the eye, and this. */
-static bool take_some_of_run(struct lim *lim)
+static bool collect_some_of_run(struct lim_nearest *nearest)
 {
-    const LIM_FLASH lim_index *record = lim->ahead.record;
+    const LIM_FLASH lim_index *record = nearest->progress->record;
 
     for (bool is_seen = false; record && !is_seen;) {
         const lim_index head = record[0];
-        if (LIM_HAS_STATS) lim_stats_of(lim)->records += (head & LIM_POLYGON_PLANE) != 0;
-        is_seen = lim_record_is_seen(&lim->walk.eye, record);
-        if (is_seen && !take_record(lim, record, &lim->ahead.since_shrink)) return false;
-        record = head & LIM_POLYGON_LAST || !lim->spans.open_lines ? NULL : record + lim_record_words(head);
+        if (LIM_HAS_STATS) lim_stats_of(nearest->pass)->records += (head & LIM_POLYGON_PLANE) != 0;
+        is_seen = lim_record_is_seen(&nearest->pass->walk->eye, record);
+        if (is_seen && !collect_record(nearest, record)) return false;
+        record = head & LIM_POLYGON_LAST || !nearest->spans.open_lines ? NULL : record + lim_record_words(head);
     }
-    lim->ahead.record = record;
+    nearest->progress->record = record;
     return true;
 }
 
-static void begin_tree(struct lim *lim, const struct lim_rect *frame)
+static void begin_tree(struct lim_nearest *nearest, const struct lim_rect *frame)
 {
-    lim->ahead.record = NULL;
-    if (LIM_HAS_CULL) lim_cull_set(lim_cull_of(lim), &lim->view, lim_eye_of(lim)->at_q8, frame);
-#if LIM_HAS_MOVERS
-    if (lim->movers.count) {
-        lim->ahead.route = lim_route_static(lim, false);
-        lim_route_begin(&lim->ahead.route, lim_movers_list(lim, lim_cull_of(lim)));
+    nearest->progress->record = NULL;
+    if (LIM_HAS_CULL)
+        lim_cull_set(lim_cull_of(nearest->pass), &nearest->pass->view, lim_eye_of(nearest->pass)->at_q8, frame);
+    if (LIM_HAS_MOVERS && lim_moves(nearest->sorter)) {
+        *nearest->progress->route = lim_route_static(nearest->sorter, false);
+        lim_route_begin(nearest->progress->route, lim_movers_list(nearest->sorter, lim_cull_of(nearest->pass)));
         return;
     }
-#endif
-    lim_walk_begin(&lim->walk, lim->stack, false);
+    lim_walk_begin(nearest->pass->walk, false);
 }
 
 /* LIM_NO_INDEX: there is none. With movers, they may come instead. */
-static enum lim_route_event next_of_tree(struct lim *lim, lim_index *what)
+static enum lim_route_event next_of_tree(struct lim_nearest *nearest, lim_index *what)
 {
-#if LIM_HAS_MOVERS
-    if (lim->movers.count) return lim_route_next(lim, &lim->ahead.route, what);
-#endif
-    *what = lim_walk_next(&lim->walk, lim_cull_of(lim), lim_stats_of(lim));
+    if (LIM_HAS_MOVERS && lim_moves(nearest->sorter)) return lim_route_next(nearest->progress->route, what);
+    *what = lim_walk_next(nearest->pass->walk, lim_cull_of(nearest->pass), lim_stats_of(nearest->pass));
     return *what == LIM_NO_INDEX ? LIM_ROUTE_END : LIM_ROUTE_RUN;
 }
 
 /* A quantum: a polygon, or what has moved to one place. */
-static enum lim_ahead_stage take_some_of_tree(struct lim *lim)
+static enum lim_ahead_stage collect_some_of_tree(struct lim_nearest *nearest)
 {
     lim_index what;
 
-    if (!lim->ahead.record) {
-        const enum lim_route_event event = lim->spans.open_lines ? next_of_tree(lim, &what) : LIM_ROUTE_END;
+    if (!nearest->progress->record) {
+        const enum lim_route_event event = nearest->spans.open_lines ? next_of_tree(nearest, &what) : LIM_ROUTE_END;
         if (event == LIM_ROUTE_END) return LIM_AHEAD_DONE;
-#if LIM_HAS_MOVERS
-        if (event == LIM_ROUTE_LIST) return take_list(lim, (uint16_t)what) ? LIM_AHEAD_BUSY : LIM_AHEAD_EXHAUSTED;
-#endif
-        lim->ahead.record = &lim->scene->polygons[what];
+        if (LIM_HAS_MOVERS && event == LIM_ROUTE_LIST)
+            return collect_list(nearest, (uint16_t)what) ? LIM_AHEAD_BUSY : LIM_AHEAD_EXHAUSTED;
+        nearest->progress->record = &nearest->pass->scene->polygons[what];
     }
-    return take_some_of_run(lim) ? LIM_AHEAD_BUSY : LIM_AHEAD_EXHAUSTED;
-}
-#endif
-
-#if LIM_HAS_SORTED
-static enum lim_ahead_stage take_some_of_list(struct lim *lim)
-{
-    const uint16_t at = lim->ahead.entry;
-
-    if (at == LIM_NONE || !lim->spans.open_lines) return LIM_AHEAD_DONE;
-    lim->ahead.entry = lim->sorter.list[at].next;
-    return take_entry(lim, at, &lim->ahead.since_shrink) ? LIM_AHEAD_BUSY : LIM_AHEAD_EXHAUSTED;
-}
-#endif
-
-void lim_collect_begin(struct lim *lim, const struct lim_rect *frame)
-{
-    open_band(lim, frame);
-    lim->ahead.since_shrink = 0;
-#if LIM_HAS_SORTED
-    lim->ahead.entry = lim->sorter.first;
-    if (LIM_IS_SORTED(&lim->target)) return;
-#endif
-#if LIM_HAS_WALKED
-    begin_tree(lim, frame);
-#endif
+    return collect_some_of_run(nearest) ? LIM_AHEAD_BUSY : LIM_AHEAD_EXHAUSTED;
 }
 
-static enum lim_ahead_stage take_some(struct lim *lim)
+static enum lim_ahead_stage collect_some_of_list(struct lim_nearest *nearest)
 {
-#if LIM_HAS_SORTED
-    if (LIM_IS_SORTED(&lim->target)) return take_some_of_list(lim);
-#endif
-#if LIM_HAS_WALKED
-    return take_some_of_tree(lim);
-#else
-    return LIM_AHEAD_DONE;
-#endif
+    const uint16_t at = nearest->progress->entry;
+
+    if (at == LIM_NONE || !nearest->spans.open_lines) return LIM_AHEAD_DONE;
+    nearest->progress->entry = nearest->sorter->list[at].next;
+    return collect_entry(nearest, at) ? LIM_AHEAD_BUSY : LIM_AHEAD_EXHAUSTED;
 }
 
-enum lim_ahead_stage lim_collect_some(struct lim *lim)
+void lim_collect_begin(struct lim_nearest *nearest, const struct lim_rect *frame)
 {
-    const enum lim_ahead_stage stage = take_some(lim);
+    open_band(nearest, frame);
+    if (LIM_IS_SORTED(&nearest->pass->target))
+        nearest->progress->entry = nearest->sorter->first;
+    else
+        begin_tree(nearest, frame);
+}
 
-    if (LIM_HAS_STATS && stage == LIM_AHEAD_DONE) note_pools(lim);
+enum lim_ahead_stage lim_collect_some(struct lim_nearest *nearest)
+{
+    const enum lim_ahead_stage stage =
+        LIM_IS_SORTED(&nearest->pass->target) ? collect_some_of_list(nearest) : collect_some_of_tree(nearest);
+
+    if (LIM_HAS_STATS && stage == LIM_AHEAD_DONE) note_pools(nearest);
     return stage;
 }
 #endif

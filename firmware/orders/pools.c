@@ -2,7 +2,7 @@
  *
  * The memory of the nearest-first order: lines and cache as they must be, pools between the least and
  * what the scene's limits ask for. */
-#include "orders/order.h"
+#include "orders/nearest.h"
 
 #include "lines/framebuffer.h"
 #include "view/clip.h"
@@ -11,29 +11,8 @@
 
 struct shares {
     uint16_t active, retained_cells, gaps, pieces;
-#if LIM_HAS_TRANSPARENT
-    uint16_t layers;
-#endif
+    uint16_t layers; /* if LIM_HAS_TRANSPARENT */
 };
-
-static inline uint16_t layers_of(const struct shares *shares)
-{
-#if LIM_HAS_TRANSPARENT
-    return shares->layers;
-#else
-    (void)shares;
-    return 0;
-#endif
-}
-
-static inline void set_layers(struct shares *shares, uint16_t layers)
-{
-#if LIM_HAS_TRANSPARENT
-    shares->layers = layers;
-#else
-    (void)shares, (void)layers;
-#endif
-}
 
 /* One polygon, one gap: what a band of one pixel needs. Lines that are transparent need nothing (bands.c). */
 static struct shares least_shares(const struct lim_scene *scene)
@@ -86,7 +65,7 @@ static struct shares comfortable_shares(const struct lim_scene *scene, const str
                             .retained_cells = greater(limits->retained_cells, least.retained_cells),
                             .gaps = greater(comfortable_gaps(scene, target), least.gaps),
                             .pieces = comfortable_pieces(scene, target)};
-    if (LIM_HAS_TRANSPARENT) set_layers(&wanted, limits->layers);
+    if (LIM_HAS_TRANSPARENT) wanted.layers = limits->layers;
     if (retains_nothing(target)) {
         wanted.active = least.active;
         wanted.retained_cells = least.retained_cells;
@@ -97,7 +76,7 @@ static struct shares comfortable_shares(const struct lim_scene *scene, const str
 static size_t total_b(const struct lim_scene *scene, const struct lim_target *target, struct shares shares)
 {
     const uint16_t cells = shares.retained_cells, gaps = shares.gaps;
-    size_t sum_b = LIM_HAS_TRANSPARENT ? LIM_LAYERS_MEM_B(layers_of(&shares)) : 0;
+    size_t sum_b = LIM_HAS_TRANSPARENT ? LIM_LAYERS_MEM_B(shares.layers) : 0;
 
     if (LIM_IS_NEWELL(target))
         sum_b += LIM_NEWELL_MEM_B(target->h_px, scene->polygon_count, shares.pieces, cells, gaps, shares.active);
@@ -142,90 +121,49 @@ static struct shares pools_divide(const struct lim_scene *scene, const struct li
                             .retained_cells = between(least.retained_cells, wanted.retained_cells, part_q8),
                             .gaps = between(least.gaps, wanted.gaps, part_q8),
                             .pieces = between(0, wanted.pieces, part_q8)};
-    if (LIM_HAS_TRANSPARENT) set_layers(&shares, between(0, layers_of(&wanted), part_q8));
+    if (LIM_HAS_TRANSPARENT) shares.layers = between(0, wanted.layers, part_q8);
     return shares;
 }
 
-static void *pools_cut(uint8_t **mem, size_t size_b)
+static void cut_sorter(struct lim_sorter *sorter, uint8_t **at, const struct shares *shares)
 {
-    void *piece = *mem;
+    const struct lim_pass *pass = sorter->pass;
+    struct lim_newell *newell = sorter->newell;
 
-    *mem += size_b;
-    return piece;
-}
-
-#if LIM_HAS_SORTED
-static void cut_sorter(struct lim *lim, uint8_t **at, const struct shares *shares)
-{
-    struct lim_sorter *sorter = &lim->sorter;
-
-    sorter->size = (uint16_t)(lim->scene->polygon_count + shares->pieces);
-    sorter->list = pools_cut(at, sorter->size * sizeof *sorter->list);
-#if LIM_HAS_NEWELL
-    if (!LIM_IS_NEWELL(&lim->target)) return;
-    sorter->newell.polygons = pools_cut(at, sorter->size * sizeof *sorter->newell.polygons);
-    sorter->newell.cut_size = (uint16_t)(2 * shares->pieces);
-    sorter->newell.cuts = pools_cut(at, sorter->newell.cut_size * sizeof *sorter->newell.cuts);
-    sorter->newell.options = (struct lim_newell_options){.most = 0};
-#endif
-}
-#endif
-static inline void init_layers(struct lim_paint *paint, uint8_t **mem, const struct shares *shares)
-{
-#if LIM_HAS_TRANSPARENT
-    paint->layers = (struct lim_layers){pools_cut(mem, LIM_LAYERS_MEM_B(shares->layers)), shares->layers, 0, false};
-#else
-    (void)paint, (void)mem, (void)shares;
-#endif
-}
-
-static inline void init_fallback(struct lim *lim)
-{
-#if LIM_HAS_FALLBACK
-    lim->paint.lent = NULL;
-#endif
-#if LIM_HAS_WIREFRAME
-    lim->paint.wireframe = &lim->wireframe;
-#endif
-    (void)lim;
+    sorter->size = (uint16_t)(pass->scene->polygon_count + shares->pieces);
+    sorter->list = lim_mem_cut(at, sorter->size * sizeof *sorter->list);
+    if (!LIM_IS_NEWELL(&pass->target)) return;
+    newell->polygons = lim_mem_cut(at, sorter->size * sizeof *newell->polygons);
+    newell->cut_size = (uint16_t)(2 * shares->pieces);
+    newell->cuts = lim_mem_cut(at, newell->cut_size * sizeof *newell->cuts);
+    newell->options = (struct lim_newell_options){.most = 0};
 }
 
 /* Widest alignment first. */
-void lim_nearest_init(struct lim *lim, void *mem, size_t mem_b)
+void lim_nearest_init(struct lim_nearest *nearest, void *mem, size_t mem_b)
 {
-    const struct shares shares = pools_divide(lim->scene, &lim->target, mem_b);
+    struct lim_pass *pass = nearest->pass;
+    struct lim_spans *spans = &nearest->spans;
+    const struct shares shares = pools_divide(pass->scene, &pass->target, mem_b);
+    const bool is_sorted = LIM_IS_SORTED(&pass->target);
+    struct lim_walk_pending *stack = NULL;
     uint8_t *at = mem;
 
-    lim->paint.target = &lim->target;
-    lim->paint.background = lim_background_of(lim);
-#if LIM_HAS_TEXTURE
-    lim->paint.texturing = &lim->texturing;
-#endif
-#if LIM_HAS_ANTIALIAS
-    lim->paint.antialiased = &lim->view.antialiased;
-#endif
-#if LIM_HAS_DELTA
-    lim->paint.delta = NULL;
-#endif
-    lim->paint.actives.pool = pools_cut(&at, shares.active * sizeof(struct lim_active));
-    lim->paint.actives.pool_size = shares.active;
-#if LIM_HAS_SORTED
-    if (LIM_IS_SORTED(&lim->target)) cut_sorter(lim, &at, &shares);
-#endif
-    lim->retained.cells = pools_cut(&at, shares.retained_cells * sizeof(union lim_retained_cell));
-    lim->retained.size = shares.retained_cells;
-    struct lim_view_cached *cache = pools_cut(&at, LIM_VIEW_CACHE_ENTRIES * sizeof(struct lim_view_cached));
-#if LIM_HAS_TREE
-    if (!LIM_IS_SORTED(&lim->target))
-        lim->stack = pools_cut(&at, lim->scene->limits.depth * sizeof(struct lim_walk_pending));
-#endif
-    lim->spans.lines = pools_cut(&at, lim->target.h_px * sizeof(struct lim_line));
-    lim->spans.pool = pools_cut(&at, shares.gaps * sizeof(struct lim_gap));
-    lim->spans.pool_size = shares.gaps;
-    init_layers(&lim->paint, &at, &shares);
-    init_fallback(lim);
-    if (!LIM_IS_SORTED(&lim->target)) lim_lend_portals(lim, at);
-    lim_view_init(&lim->view, lim->target.w_px, lim->target.h_px, cache);
+    nearest->paint.actives.pool = lim_mem_cut(&at, shares.active * sizeof(struct lim_active));
+    nearest->paint.actives.pool_size = shares.active;
+    if (LIM_IS_SORTED(&pass->target)) cut_sorter(nearest->sorter, &at, &shares);
+    nearest->retained.cells = lim_mem_cut(&at, shares.retained_cells * sizeof(union lim_retained_cell));
+    nearest->retained.size = shares.retained_cells;
+    struct lim_view_cached *cache = lim_mem_cut(&at, LIM_VIEW_CACHE_ENTRIES * sizeof(struct lim_view_cached));
+    if (!is_sorted) stack = lim_mem_cut(&at, pass->scene->limits.depth * sizeof *stack);
+    spans->lines = lim_mem_cut(&at, pass->target.h_px * sizeof(struct lim_line));
+    spans->pool = lim_mem_cut(&at, shares.gaps * sizeof(struct lim_gap));
+    spans->pool_size = shares.gaps;
+    if (LIM_HAS_TRANSPARENT)
+        *nearest->paint.layers =
+            (struct lim_layers){lim_mem_cut(&at, LIM_LAYERS_MEM_B(shares.layers)), shares.layers, 0, false};
+    if (LIM_HAS_WALKED && !is_sorted) lim_walk_lend(pass->walk, pass->scene, stack, at);
+    lim_view_init(&pass->view, pass->target.w_px, pass->target.h_px, cache);
 }
 
 #endif

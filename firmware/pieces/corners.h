@@ -5,63 +5,27 @@
 #ifndef LIM_CORNERS_H
 #define LIM_CORNERS_H
 
-#include "math/fixed.h"
-#include "scene.h"
-
-struct lim;
-
-enum { LIM_CORNER_ONE_Q12 = 4096 };
+#include "pieces/sorted.h"
+#include "view/plane_unpacked.h"
 
 struct lim_corners {
     uint8_t n;
     int32_t at_q12[LIM_PIECE_VERTICES][3]; /* |coordinate| <= 2^27, of movers 2^28 */
 };
 
-enum { LIM_NO_AXIS = 3 };
-
-/* A scene's plane, unpacked. */
-struct lim_plane_unpacked {
-    int32_t n[3];
-    int64_t d;
-    int64_t slack; /* |n . p - d| up to this is on it: newell.h */
-    bool narrow;   /* n . p - d fits 32 bits for every vertex p: scene.h's bounds */
-    uint8_t axis;  /* of which n is 1, |d| < 2^15; or LIM_NO_AXIS */
-};
-
 /* The corner of a record, in units of the scene. */
-void lim_entry_corner(const struct lim *lim, uint16_t entry, lim_index vertex, int32_t at_q12[3]);
+void lim_entry_corner(const struct lim_sorter *sorter, uint16_t entry, lim_index vertex, int32_t at_q12[3]);
 
 /* The plane of an entry of the list, in its own scene. Entries without a record stand for the plane of a node. */
-const LIM_FLASH struct lim_plane_ref *lim_plane_of(const struct lim *lim, uint16_t entry);
-void lim_plane_load(struct lim_plane_unpacked *plane, const struct lim *lim, uint16_t entry);
-
-/* Any plane of the scene. */
-void lim_plane_unpack(struct lim_plane_unpacked *plane, const struct lim_scene *scene,
-                      const LIM_FLASH struct lim_plane_ref *ref);
-
-/* n . p - d, of a point in units where one is 1, or in units / one. */
-static inline int64_t lim_plane_value(const struct lim_plane_unpacked *plane, int32_t x, int32_t y, int32_t z,
-                                      int32_t one)
-{
-    return (int64_t)plane->n[0] * x + (int64_t)plane->n[1] * y + (int64_t)plane->n[2] * z - plane->d * one;
-}
-
-static inline int64_t lim_corner_value(const struct lim_plane_unpacked *plane, const int32_t at_q12[3])
-{
-    if (plane->axis != LIM_NO_AXIS) return at_q12[plane->axis] - (int32_t)plane->d * (int32_t)LIM_CORNER_ONE_Q12;
-    return lim_plane_value(plane, at_q12[0], at_q12[1], at_q12[2], LIM_CORNER_ONE_Q12);
-}
-
-/* Where the plane meets the way from a point in front to one behind, any three coordinates: always from the front, so
- * that both sides get the same. The values are n . p - d there, in any one scale. */
-void lim_plane_cross(int32_t out[3], const int32_t front[3], int64_t front_value, const int32_t back[3],
-                     int64_t back_value);
+const LIM_FLASH struct lim_plane_ref *lim_plane_of(const struct lim_sorter *sorter, uint16_t entry);
+void lim_plane_load(struct lim_plane_unpacked *plane, const struct lim_sorter *sorter, uint16_t entry);
 
 /* Those of the part of it on one side of a plane. */
-const struct lim_corners *lim_corners_cut(const struct lim *lim, uint16_t entry, const struct lim_plane_unpacked *plane,
-                                          bool front, struct lim_corners places[2]);
+const struct lim_corners *lim_corners_cut(const struct lim_sorter *sorter, uint16_t entry,
+                                          const struct lim_plane_unpacked *plane, bool front,
+                                          struct lim_corners places[2]);
 
 /* The corners of an entry, in one of two places. NULL: there are too many, or none. */
-const struct lim_corners *lim_corners_of(const struct lim *lim, uint16_t entry, struct lim_corners places[2]);
+const struct lim_corners *lim_corners_of(const struct lim_sorter *sorter, uint16_t entry, struct lim_corners places[2]);
 
 #endif

@@ -5,66 +5,53 @@
 #ifndef LIM_ENTRY_H
 #define LIM_ENTRY_H
 
-#include "orders/order.h"
-
-#if LIM_HAS_PIECES
+#include "pieces/sorted.h"
 
 /* The mover that an entry is a part of, or LIM_NONE. */
-static inline uint16_t lim_entry_owner(const struct lim *lim, uint16_t entry)
+static inline uint16_t lim_entry_owner(const struct lim_sorter *sorter, uint16_t entry)
 {
-#if LIM_HAS_MOVERS
-    return lim->sorter.newell.polygons[entry].owner;
-#else
-    (void)lim;
-    (void)entry;
-    return LIM_NONE;
-#endif
+    return LIM_HAS_MOVERS ? sorter->newell->polygons[entry].owner : (uint16_t)LIM_NONE;
 }
 
 /* What its record is one of. */
-static inline const struct lim_scene *lim_entry_scene(const struct lim *lim, uint16_t entry)
+static inline const struct lim_scene *lim_entry_scene(const struct lim_sorter *sorter, uint16_t entry)
 {
-#if LIM_HAS_MOVERS
-    const uint16_t owner = lim_entry_owner(lim, entry);
+    const uint16_t owner = lim_entry_owner(sorter, entry);
 
-    if (owner != LIM_NONE) return lim->movers.instances[owner].object;
-#else
-    (void)entry;
-#endif
-    return lim->scene;
+    return LIM_HAS_MOVERS && owner != LIM_NONE ? sorter->movers->instances[owner].object : sorter->pass->scene;
 }
 
-static inline const LIM_FLASH lim_index *lim_entry_record(const struct lim *lim, uint16_t entry)
+static inline const LIM_FLASH lim_index *lim_entry_record(const struct lim_sorter *sorter, uint16_t entry)
 {
-    return &lim_entry_scene(lim, entry)->polygons[lim->sorter.list[entry].record];
+    return &lim_entry_scene(sorter, entry)->polygons[sorter->list[entry].record];
 }
 
 /* To transform its vertices. */
-static inline const struct lim_view *lim_entry_rows(const struct lim *lim, uint16_t entry)
+static inline const struct lim_view *lim_entry_rows(const struct lim_sorter *sorter, uint16_t entry)
 {
-#if LIM_HAS_MOVERS
-    const uint16_t owner = lim_entry_owner(lim, entry);
+    const uint16_t owner = lim_entry_owner(sorter, entry);
 
-    if (owner != LIM_NONE) return &lim->movers.movers[owner].view;
-#else
-    (void)entry;
-#endif
-    return &lim->view;
+    return LIM_HAS_MOVERS && owner != LIM_NONE ? &sorter->movers->movers[owner].view : &sorter->pass->view;
 }
 
 /* To project it: the cache holds no others' vertices. */
-static inline struct lim_view *lim_entry_view(struct lim *lim, uint16_t entry)
+static inline struct lim_view *lim_entry_view(const struct lim_sorter *sorter, uint16_t entry)
 {
-#if LIM_HAS_MOVERS
-    const uint16_t owner = lim_entry_owner(lim, entry);
+    const uint16_t owner = lim_entry_owner(sorter, entry);
 
-    if (owner != LIM_NONE) return lim_mover_view(lim, owner);
-#else
-    (void)entry;
-#endif
-    return &lim->view;
+    return LIM_HAS_MOVERS && owner != LIM_NONE ? lim_mover_view(sorter->movers, owner) : &sorter->pass->view;
 }
 
-#endif
+/* Whether it is a part of a polygon that was split. */
+static inline bool lim_entry_is_cut(const struct lim_sorter *sorter, uint16_t entry)
+{
+    return sorter->newell->polygons[entry].cuts != LIM_NONE;
+}
+
+/* The same of an entry of LIM_NEWELL's list; others' are whole. */
+static inline bool lim_entry_is_split(const struct lim_sorter *sorter, uint16_t entry)
+{
+    return LIM_IS_NEWELL(&sorter->pass->target) && lim_entry_is_cut(sorter, entry);
+}
 
 #endif

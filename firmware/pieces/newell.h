@@ -29,9 +29,7 @@ struct lim_newell_polygon {
     bool eye_in_front;    /* of its plane */
     bool swapped : 1;     /* it goes before a P already */
     bool last : 1;        /* of its part of the list: what follows may be painted after all of that */
-#if LIM_HAS_MOVERS
-    uint16_t owner; /* the mover that it belongs to, or LIM_NONE */
-#endif
+    uint16_t owner;       /* the mover that it belongs to, or LIM_NONE */
 };
 
 /* A piece lies on one side of the plane of another entry. */
@@ -50,16 +48,13 @@ struct lim_newell {
     uint32_t left; /* comparisons of this list */
 };
 
-struct lim;
+struct lim_sorter;
 
-/* How LIM_NEWELL compares and splits from the next frame on; after lim_init(). */
-void lim_newell_set(struct lim *lim, const struct lim_newell_options *options);
-
-/* Takes a record in as an entry of the list. false: nothing of it can be seen. */
-bool lim_newell_add(struct lim *lim, uint16_t entry, const LIM_FLASH lim_index *record, int32_t near_qv, lim_index node,
-                    bool eye_in_front);
+/* What LIM_NEWELL knows of a polygon of the scene, which is an entry of the list already: its nearest point, where its
+ * plane is, and which pixels it may have. false: nothing of it can be seen. */
+bool lim_newell_add(struct lim_sorter *sorter, uint16_t entry, int32_t near_qv, lim_index node, bool eye_in_front);
 
 /* From a list sorted by farthest points, farthest first, to the right order, nearest first. */
-void lim_newell_order(struct lim *lim);
+void lim_newell_order(struct lim_sorter *sorter);
 
 #endif

@@ -4,8 +4,8 @@
  * own corners. */
 #include "pieces/piece.h"
 
+#include "movers/deform.h"
 #include "pieces/corners.h"
-#include "pieces/deform.h"
 #include "pieces/entry.h"
 
 #if LIM_HAS_PIECES
@@ -24,30 +24,25 @@ static uint8_t narrow_side_of(const struct lim_plane_unpacked *plane, const stru
     return value > slack ? LIM_SIDE_FRONT : value < -slack ? LIM_SIDE_BACK : 0;
 }
 
-static uint8_t sides_of_mover(const struct lim *lim, uint16_t entry, const struct lim_plane_unpacked *plane)
+static uint8_t sides_of_mover(const struct lim_sorter *sorter, uint16_t entry, const struct lim_plane_unpacked *plane)
 {
-#if LIM_HAS_MOVERS
-    const LIM_FLASH lim_index *record = lim_entry_record(lim, entry);
+    const LIM_FLASH lim_index *record = lim_entry_record(sorter, entry);
     const int64_t slack_q12 = plane->slack * LIM_CORNER_ONE_Q12;
     uint8_t sides = 0;
 
     for (uint_fast8_t k = 0; k < (record[0] & LIM_POLYGON_COUNT) && sides != LIM_SIDE_BOTH; k++) {
         int32_t at_q12[3];
-        lim_entry_corner(lim, entry, record[LIM_POLYGON_HEAD_WORDS + k], at_q12);
+        lim_entry_corner(sorter, entry, record[LIM_POLYGON_HEAD_WORDS + k], at_q12);
         sides |= piece_side_of(lim_corner_value(plane, at_q12), slack_q12);
     }
     return sides;
-#else
-    (void)lim, (void)entry, (void)plane;
-    return 0;
-#endif
 }
 
 /* The plane is of the scene that the record is of. */
-static uint8_t sides_at_home(const struct lim *lim, uint16_t entry, const struct lim_plane_unpacked *plane)
+static uint8_t sides_at_home(const struct lim_sorter *sorter, uint16_t entry, const struct lim_plane_unpacked *plane)
 {
-    const LIM_FLASH struct lim_vertex *vertices = lim_entry_scene(lim, entry)->vertices;
-    const LIM_FLASH lim_index *record = lim_entry_record(lim, entry);
+    const LIM_FLASH struct lim_vertex *vertices = lim_entry_scene(sorter, entry)->vertices;
+    const LIM_FLASH lim_index *record = lim_entry_record(sorter, entry);
     uint8_t sides = 0;
 
     for (uint_fast8_t k = 0; k < (record[0] & LIM_POLYGON_COUNT) && sides != LIM_SIDE_BOTH; k++) {
@@ -59,10 +54,10 @@ static uint8_t sides_at_home(const struct lim *lim, uint16_t entry, const struct
     return sides;
 }
 
-static uint8_t sides_of_whole(const struct lim *lim, uint16_t entry, const struct lim_plane_unpacked *plane)
+static uint8_t sides_of_whole(const struct lim_sorter *sorter, uint16_t entry, const struct lim_plane_unpacked *plane)
 {
-    if (LIM_HAS_MOVERS && lim_entry_owner(lim, entry) != LIM_NONE) return sides_of_mover(lim, entry, plane);
-    return sides_at_home(lim, entry, plane);
+    if (LIM_HAS_MOVERS && lim_entry_owner(sorter, entry) != LIM_NONE) return sides_of_mover(sorter, entry, plane);
+    return sides_at_home(sorter, entry, plane);
 }
 
 static bool piece_is_same(const LIM_FLASH struct lim_plane_ref *a, const LIM_FLASH struct lim_plane_ref *b)
@@ -72,41 +67,36 @@ static bool piece_is_same(const LIM_FLASH struct lim_plane_ref *a, const LIM_FLA
 
 /* Whether two entries whose records name the same plane have the same one: other objects have others, and polygons of
  * one that deforms only their own. */
-static bool have_one_plane(const struct lim *lim, uint16_t a, uint16_t b)
+static bool have_one_plane(const struct lim_sorter *sorter, uint16_t a, uint16_t b)
 {
-#if LIM_HAS_MOVERS
-    const uint16_t owner = lim_entry_owner(lim, a);
+    const uint16_t owner = lim_entry_owner(sorter, a);
 
-    if (owner != lim_entry_owner(lim, b)) return false;
-    if (owner != LIM_NONE && lim_deforms(&lim->movers.instances[owner]))
-        return lim->sorter.list[a].record == lim->sorter.list[b].record;
-#else
-    (void)lim;
-    (void)a;
-    (void)b;
-#endif
+    if (owner != lim_entry_owner(sorter, b)) return false;
+    if (LIM_HAS_DEFORM && owner != LIM_NONE && lim_deforms(&sorter->movers->instances[owner]))
+        return sorter->list[a].record == sorter->list[b].record;
     return true;
 }
 
 /* 0: it was never cut by that plane. */
-static uint8_t remembered_side(const struct lim *lim, uint16_t entry, uint16_t other)
+static uint8_t remembered_side(const struct lim_sorter *sorter, uint16_t entry, uint16_t other)
 {
-    const struct lim_newell *newell = &lim->sorter.newell;
-    const LIM_FLASH struct lim_plane_ref *plane = lim_plane_of(lim, other);
+    const struct lim_newell *newell = sorter->newell;
+    const LIM_FLASH struct lim_plane_ref *plane = lim_plane_of(sorter, other);
 
     for (uint16_t cut = newell->polygons[entry].cuts; cut != LIM_NONE; cut = newell->cuts[cut].next) {
         const uint16_t by = newell->cuts[cut].by;
-        if (!piece_is_same(lim_plane_of(lim, by & LIM_SORTED_MAX), plane)) continue;
-        if (!have_one_plane(lim, by & LIM_SORTED_MAX, other)) continue;
+        if (!piece_is_same(lim_plane_of(sorter, by & LIM_SORTED_MAX), plane)) continue;
+        if (!have_one_plane(sorter, by & LIM_SORTED_MAX, other)) continue;
         return by & LIM_CUT_FRONT ? LIM_SIDE_FRONT : LIM_SIDE_BACK;
     }
     return 0;
 }
 
-static LIM_RARE uint8_t sides_of_piece(const struct lim *lim, uint16_t entry, const struct lim_plane_unpacked *plane)
+static LIM_RARE uint8_t sides_of_piece(const struct lim_sorter *sorter, uint16_t entry,
+                                       const struct lim_plane_unpacked *plane)
 {
     struct lim_corners places[2];
-    const struct lim_corners *corners = lim_corners_of(lim, entry, places);
+    const struct lim_corners *corners = lim_corners_of(sorter, entry, places);
     uint8_t sides = 0;
 
     if (!corners) return LIM_SIDE_FRONT;
@@ -115,49 +105,38 @@ static LIM_RARE uint8_t sides_of_piece(const struct lim *lim, uint16_t entry, co
     return sides;
 }
 
-static bool is_whole(const struct lim *lim, uint16_t entry)
+uint8_t lim_piece_sides_of(const struct lim_sorter *sorter, uint16_t of, const struct lim_plane_unpacked *plane)
 {
-    return lim->sorter.newell.polygons[entry].cuts == LIM_NONE;
+    const uint8_t sides = sides_of_whole(sorter, of, plane);
+
+    return !lim_entry_is_cut(sorter, of) || sides != LIM_SIDE_BOTH ? sides : sides_of_piece(sorter, of, plane);
 }
 
-#if LIM_HAS_MOVERS
-uint8_t lim_piece_sides_of(const struct lim *lim, uint16_t of, const struct lim_plane_unpacked *plane)
-{
-    const uint8_t sides = sides_of_whole(lim, of, plane);
-
-    return is_whole(lim, of) || sides != LIM_SIDE_BOTH ? sides : sides_of_piece(lim, of, plane);
-}
-#endif
-
-#if LIM_HAS_MOVERS
 /* Two polygons of one object, whose planes are its own. */
-static bool are_of_one_object(const struct lim *lim, uint16_t a, uint16_t b)
+static bool are_of_one_object(const struct lim_sorter *sorter, uint16_t a, uint16_t b)
 {
-    const uint16_t owner = lim_entry_owner(lim, a);
+    const uint16_t owner = lim_entry_owner(sorter, a);
 
-    return owner != LIM_NONE && owner == lim_entry_owner(lim, b) && !lim_deforms(&lim->movers.instances[owner]);
+    return owner != LIM_NONE && owner == lim_entry_owner(sorter, b) && !lim_deforms(&sorter->movers->instances[owner]);
 }
-#endif
 
-uint8_t lim_piece_sides(const struct lim *lim, uint16_t of, uint16_t by)
+uint8_t lim_piece_sides(const struct lim_sorter *sorter, uint16_t of, uint16_t by)
 {
-    const bool whole = is_whole(lim, of);
+    const bool whole = !lim_entry_is_cut(sorter, of);
     struct lim_plane_unpacked plane;
 
     if (!whole) {
-        const uint8_t side = remembered_side(lim, of, by);
+        const uint8_t side = remembered_side(sorter, of, by);
         if (side) return side;
     }
-#if LIM_HAS_MOVERS
-    if (are_of_one_object(lim, of, by)) { /* as if they stood still */
-        lim_plane_unpack(&plane, lim_entry_scene(lim, of), lim_plane_of(lim, by));
-        const uint8_t sides = sides_at_home(lim, of, &plane);
+    if (LIM_HAS_MOVERS && are_of_one_object(sorter, of, by)) { /* as if they stood still */
+        lim_plane_unpack(&plane, lim_entry_scene(sorter, of), lim_plane_of(sorter, by));
+        const uint8_t sides = sides_at_home(sorter, of, &plane);
         if (whole || sides != LIM_SIDE_BOTH) return sides;
     }
-#endif
-    lim_plane_load(&plane, lim, by);
-    const uint8_t sides = sides_of_whole(lim, of, &plane);
-    return whole || sides != LIM_SIDE_BOTH ? sides : sides_of_piece(lim, of, &plane);
+    lim_plane_load(&plane, sorter, by);
+    const uint8_t sides = sides_of_whole(sorter, of, &plane);
+    return whole || sides != LIM_SIDE_BOTH ? sides : sides_of_piece(sorter, of, &plane);
 }
 
 /* On the screen ------------------------------------------------------------------------------- */
@@ -178,47 +157,41 @@ static int32_t transform_fine(const struct lim_row *row, const int32_t at[3], ui
 }
 
 /* Movers may leave the scene's box, for which its own view has room. */
-static const struct lim_view *view_of(const struct lim *lim, uint8_t *bits)
+static const struct lim_view *view_of(const struct lim_sorter *sorter, uint8_t *bits)
 {
-    *bits = 12;
-#if LIM_HAS_MOVERS
-    if (!LIM_IS_NEWELL(&lim->target)) {
-        *bits = 13;
-        return &lim->movers.world;
-    }
-#endif
-    return &lim->view;
+    const bool is_newell = !LIM_HAS_MOVERS || LIM_IS_NEWELL(&sorter->pass->target);
+
+    *bits = is_newell ? 12 : 13;
+    return is_newell ? &sorter->pass->view : &sorter->movers->world;
 }
 
 /* Along z, in the scale in which entries are compared. */
-static int32_t depth_of(const struct lim *lim, const int32_t at_q12[3])
+static int32_t depth_of(const struct lim_sorter *sorter, const int32_t at_q12[3])
 {
-#if LIM_HAS_MOVERS
-    if (!LIM_IS_NEWELL(&lim->target)) return lim_mover_depth(lim, at_q12);
-#endif
-    return transform_fine(&lim->view.rows.row[2], at_q12, 12);
+    if (LIM_HAS_MOVERS && !LIM_IS_NEWELL(&sorter->pass->target)) return lim_mover_depth(sorter->movers, at_q12);
+    return transform_fine(&sorter->pass->view.rows.row[2], at_q12, 12);
 }
 
-static void view_corner(const struct lim *lim, const int32_t at_q12[3], struct lim_view_point *out)
+static void view_corner(const struct lim_sorter *sorter, const int32_t at_q12[3], struct lim_view_point *out)
 {
     uint8_t bits;
-    const struct lim_view *view = view_of(lim, &bits);
+    const struct lim_view *view = view_of(sorter, &bits);
 
     for (uint_fast8_t i = 0; i < 3; i++)
         out->qv[i] = transform_fine(&view->rows.row[i], at_q12, bits);
     if (!LIM_HAS_LIMBS) out->z_qv >>= view->rows.tele_bits;
 }
 
-static LIM_RARE bool project_corners(const struct lim *lim, const struct lim_corners *corners,
+static LIM_RARE bool project_corners(const struct lim_sorter *sorter, const struct lim_corners *corners,
                                      struct lim_screen_polygon *out)
 {
     struct lim_clip_polygon clips[2];
     uint8_t bits;
-    const struct lim_view *view = view_of(lim, &bits);
+    const struct lim_view *view = view_of(sorter, &bits);
 
     clips[0].n = corners->n;
     for (uint_fast8_t k = 0; k < corners->n; k++) {
-        view_corner(lim, corners->at_q12[k], &clips[0].at[k]);
+        view_corner(sorter, corners->at_q12[k], &clips[0].at[k]);
         lim_view_hide_edge(&clips[0].at[k], false);
     }
     const struct lim_clip_polygon *clipped = lim_clip(clips, view->rows.near_qv);
@@ -277,33 +250,34 @@ static bool parts(const struct lim_screen_polygon *a, const struct lim_screen_po
 }
 
 /* Of entry `of` what lies on one side of the plane of `by`, or all. */
-static bool piece_project(struct lim *lim, uint16_t of, uint16_t by, uint8_t part, const struct lim_rect *open,
-                          struct lim_screen_polygon *out)
+static bool piece_project(struct lim_sorter *sorter, uint16_t of, uint16_t by, uint8_t part,
+                          const struct lim_rect *open, struct lim_screen_polygon *out)
 {
-    const struct lim_newell_polygon *polygons = lim->sorter.newell.polygons;
+    const struct lim_newell_polygon *polygons = sorter->newell->polygons;
     struct lim_corners places[2];
     const struct lim_corners *corners;
     struct lim_plane_unpacked plane;
 
-    if (part == LIM_SIDE_BOTH && polygons[of].cuts == LIM_NONE)
-        return lim_project(out, lim_entry_view(lim, of), lim_entry_scene(lim, of), lim_entry_record(lim, of), open,
-                           NULL);
+    if (part == LIM_SIDE_BOTH && !lim_entry_is_cut(sorter, of))
+        return lim_project(out, lim_entry_view(sorter, of), lim_entry_scene(sorter, of), lim_entry_record(sorter, of),
+                           open, NULL);
     if (part == LIM_SIDE_BOTH) {
-        corners = lim_corners_of(lim, of, places);
+        corners = lim_corners_of(sorter, of, places);
     } else {
-        lim_plane_load(&plane, lim, by);
-        corners = lim_corners_cut(lim, of, &plane, (part == LIM_SIDE_FRONT) == polygons[by].eye_in_front, places);
+        lim_plane_load(&plane, sorter, by);
+        corners = lim_corners_cut(sorter, of, &plane, (part == LIM_SIDE_FRONT) == polygons[by].eye_in_front, places);
     }
-    return corners && project_corners(lim, corners, out);
+    return corners && project_corners(sorter, corners, out);
 }
 
-bool lim_piece_overlaps(struct lim *lim, uint16_t of, uint16_t by, uint8_t part)
+bool lim_piece_overlaps(struct lim_sorter *sorter, uint16_t of, uint16_t by, uint8_t part)
 {
-    const struct lim_newell_polygon *polygons = lim->sorter.newell.polygons;
+    const struct lim_newell_polygon *polygons = sorter->newell->polygons;
     const struct lim_rect both = intersection(&polygons[of].rect, &polygons[by].rect);
     struct lim_screen_polygon first, second;
 
-    if (!piece_project(lim, of, by, part, &both, &first) || !piece_project(lim, by, of, LIM_SIDE_BOTH, &both, &second))
+    if (!piece_project(sorter, of, by, part, &both, &first) ||
+        !piece_project(sorter, by, of, LIM_SIDE_BOTH, &both, &second))
         return false;
     return !parts(&first, &second) && !parts(&second, &first);
 }
@@ -312,11 +286,12 @@ bool lim_piece_overlaps(struct lim *lim, uint16_t of, uint16_t by, uint8_t part)
 
 /* A pixel more on each side, for a piece is painted by its whole and a line. Without any pixel it is nearer than the
  * near plane, or out of view: what the whole has is as good. */
-static struct lim_rect rect_of(const struct lim *lim, const struct lim_corners *corners, const struct lim_rect *whole)
+static struct lim_rect rect_of(const struct lim_sorter *sorter, const struct lim_corners *corners,
+                               const struct lim_rect *whole)
 {
     struct lim_screen_polygon polygon;
 
-    if (!project_corners(lim, corners, &polygon)) return *whole;
+    if (!project_corners(sorter, corners, &polygon)) return *whole;
     lim_edge_bounds(&polygon.shape, polygon.at, polygon.n);
     lim_edge_bounds_sides(&polygon.shape, polygon.at, polygon.n);
     const struct lim_edge_shape *shape = &polygon.shape;
@@ -328,55 +303,53 @@ static struct lim_rect rect_of(const struct lim *lim, const struct lim_corners *
 }
 
 /* What is known of an entry after a cut; of a piece's pixels if they are compared. false: it has too many corners. */
-static bool measure(struct lim *lim, uint16_t entry, bool on_screen)
+static bool find_bounds(struct lim_sorter *sorter, uint16_t entry, bool on_screen)
 {
-    struct lim_newell_polygon *polygon = &lim->sorter.newell.polygons[entry];
+    struct lim_newell_polygon *polygon = &sorter->newell->polygons[entry];
     struct lim_corners places[2];
-    const struct lim_corners *corners = lim_corners_of(lim, entry, places);
+    const struct lim_corners *corners = lim_corners_of(sorter, entry, places);
     int32_t near_qv = INT32_MAX, far_qv = INT32_MIN;
 
     if (!corners) return false;
     for (uint_fast8_t k = 0; k < corners->n; k++) {
-        const int32_t z_qv = depth_of(lim, corners->at_q12[k]);
+        const int32_t z_qv = depth_of(sorter, corners->at_q12[k]);
         if (z_qv < near_qv) near_qv = z_qv;
         if (z_qv > far_qv) far_qv = z_qv;
     }
     polygon->near_qv = near_qv;
-    lim->sorter.list[entry].far_qv = far_qv;
-    if (on_screen) polygon->rect = rect_of(lim, corners, &polygon->rect);
+    sorter->list[entry].far_qv = far_qv;
+    if (on_screen) polygon->rect = rect_of(sorter, corners, &polygon->rect);
     return true;
 }
 
-static void remember(struct lim *lim, uint16_t entry, uint16_t by)
+static void remember(struct lim_sorter *sorter, uint16_t entry, uint16_t by)
 {
-    struct lim_newell *newell = &lim->sorter.newell;
+    struct lim_newell *newell = sorter->newell;
 
     newell->cuts[newell->cuts_used] = (struct lim_cut){newell->polygons[entry].cuts, by};
     newell->polygons[entry].cuts = newell->cuts_used++;
 }
 
-bool lim_piece_has_room(const struct lim *lim)
+bool lim_piece_has_room(const struct lim_sorter *sorter)
 {
-    const struct lim_sorter *sorter = &lim->sorter;
 
-    return sorter->used != sorter->size && sorter->newell.cut_size - sorter->newell.cuts_used >= 2;
+    return sorter->used != sorter->size && sorter->newell->cut_size - sorter->newell->cuts_used >= 2;
 }
 
-uint16_t lim_piece_split(struct lim *lim, uint16_t entry, uint16_t by)
+uint16_t lim_piece_split(struct lim_sorter *sorter, uint16_t entry, uint16_t by)
 {
-    struct lim_sorter *sorter = &lim->sorter;
-    struct lim_newell *newell = &sorter->newell;
+    struct lim_newell *newell = sorter->newell;
     const uint16_t other = sorter->used;
 
-    if (!lim_piece_has_room(lim)) return LIM_NONE;
+    if (!lim_piece_has_room(sorter)) return LIM_NONE;
     const struct lim_sorted before = sorter->list[entry];
     const struct lim_newell_polygon polygon = newell->polygons[entry];
     sorter->list[other] = before;
     newell->polygons[other] = polygon;
-    remember(lim, entry, (uint16_t)(by | LIM_CUT_FRONT));
-    remember(lim, other, by);
-    const bool on_screen = !LIM_HAS_MOVERS || lim_movers_compares(lim);
-    if (!measure(lim, entry, on_screen) || !measure(lim, other, on_screen)) {
+    remember(sorter, entry, (uint16_t)(by | LIM_CUT_FRONT));
+    remember(sorter, other, by);
+    const bool on_screen = !LIM_HAS_MOVERS || LIM_IS_NEWELL(&sorter->pass->target) || sorter->comparing;
+    if (!find_bounds(sorter, entry, on_screen) || !find_bounds(sorter, other, on_screen)) {
         newell->cuts_used = (uint16_t)(newell->cuts_used - 2);
         sorter->list[entry] = before;
         newell->polygons[entry] = polygon;
@@ -386,26 +359,30 @@ uint16_t lim_piece_split(struct lim *lim, uint16_t entry, uint16_t by)
     return other;
 }
 
-#if LIM_HAS_MOVERS
 static uint16_t piece_within(int16_t at, uint16_t end)
 {
     return at < 0 ? 0 : at > (int16_t)end ? end : (uint16_t)at;
 }
 
-bool lim_piece_bounds(struct lim *lim, uint16_t entry)
+bool lim_piece_rect(struct lim_sorter *sorter, uint16_t entry)
 {
-    const uint16_t w_px = lim->target.w_px, h_px = lim->target.h_px;
+    const uint16_t w_px = sorter->pass->target.w_px, h_px = sorter->pass->target.h_px;
     const struct lim_rect screen = {0, 0, w_px, h_px};
-    struct lim_newell_polygon *known = &lim->sorter.newell.polygons[entry];
     struct lim_screen_polygon whole;
 
-    if (!lim_project(&whole, lim_entry_view(lim, entry), lim_entry_scene(lim, entry), lim_entry_record(lim, entry),
-                     &screen, NULL))
+    if (!lim_project(&whole, lim_entry_view(sorter, entry), lim_entry_scene(sorter, entry),
+                     lim_entry_record(sorter, entry), &screen, NULL))
         return false;
-    known->rect = (struct lim_rect){piece_within(whole.shape.left, w_px), piece_within(whole.shape.top, h_px),
-                                    piece_within(whole.shape.right, w_px), piece_within(whole.shape.bottom, h_px)};
-    return measure(lim, entry, !is_whole(lim, entry));
+    const struct lim_edge_shape *shape = &whole.shape;
+    sorter->newell->polygons[entry].rect =
+        (struct lim_rect){piece_within(shape->left, w_px), piece_within(shape->top, h_px),
+                          piece_within(shape->right, w_px), piece_within(shape->bottom, h_px)};
+    return true;
 }
-#endif
+
+bool lim_piece_bounds(struct lim_sorter *sorter, uint16_t entry)
+{
+    return lim_piece_rect(sorter, entry) && find_bounds(sorter, entry, lim_entry_is_cut(sorter, entry));
+}
 
 #endif

@@ -11,39 +11,32 @@
 #include "pieces/sorted.h"
 #include "screen/project.h"
 
-struct lim;
-
 /* On which sides of a plane something lies: none is "on it". */
 enum { LIM_SIDE_FRONT = 1, LIM_SIDE_BACK = 2, LIM_SIDE_BOTH = 3 };
 
 /* The sides of a plane on which entry `of` has corners. */
-uint8_t lim_piece_sides_of(const struct lim *lim, uint16_t of, const struct lim_plane_unpacked *plane);
+uint8_t lim_piece_sides_of(const struct lim_sorter *sorter, uint16_t of, const struct lim_plane_unpacked *plane);
 
-/* What is known of an entry that is to be compared: how far it reaches, and its pixels. false: it has none. */
-bool lim_piece_bounds(struct lim *lim, uint16_t entry);
+/* The pixels that a whole entry may have. false: none. */
+bool lim_piece_rect(struct lim_sorter *sorter, uint16_t entry);
+
+/* The same, and how far it reaches, of an entry that is to be compared. false: it has no pixels. */
+bool lim_piece_bounds(struct lim_sorter *sorter, uint16_t entry);
 
 /* The sides of the plane of entry `by` on which entry `of` has corners. What was cut to a side is on that. */
-uint8_t lim_piece_sides(const struct lim *lim, uint16_t of, uint16_t by);
+uint8_t lim_piece_sides(const struct lim_sorter *sorter, uint16_t of, uint16_t by);
 
 /* Whether there is room for one piece more. */
-bool lim_piece_has_room(const struct lim *lim);
+bool lim_piece_has_room(const struct lim_sorter *sorter);
 
 /* Cuts `entry` in two by the plane of entry `by`; the piece in front of it stays in place. Returns the new entry of the
  * other, in no list yet, or LIM_NONE: there is no room, or it would have too many
  * corners. */
-uint16_t lim_piece_split(struct lim *lim, uint16_t entry, uint16_t by);
+uint16_t lim_piece_split(struct lim_sorter *sorter, uint16_t entry, uint16_t by);
 
 /* Test 5 or 6, on the screen, rounded to sub-pixels as it is painted: whether `part` of entry `of` overlaps entry `by`.
  * LIM_SIDE_BOTH: all of it; else what lies on that side of the plane of `by`, the eye being in front. What only touches
  * does not overlap. */
-bool lim_piece_overlaps(struct lim *lim, uint16_t of, uint16_t by, uint8_t part);
-
-/* The pixels x <= .. < y of a line of the screen that a piece has of a projected polygon that is not non-monotone and
- * has that line. */
-struct lim_point lim_piece_line(const struct lim *lim, uint16_t entry, const struct lim_screen_polygon *whole,
-                                int16_t y);
-
-/* SPAN for a piece of a projected polygon. false: a pool is exhausted. */
-bool lim_piece_take(struct lim *lim, uint16_t entry, const struct lim_screen_polygon *whole);
+bool lim_piece_overlaps(struct lim_sorter *sorter, uint16_t of, uint16_t by, uint8_t part);
 
 #endif

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT
  *
  * The list is sorted by merging, longer and longer stretches of it: no recursion, no array beside the links. */
-#include "orders/order.h"
+#include "pieces/sorted.h"
 
-#include "screen/project.h"
+#include "view/transform.h"
 
 #if LIM_HAS_SORTED || LIM_HAS_MOVERS
 
@@ -47,60 +47,57 @@ uint16_t lim_sorted_sort(struct lim_sorted *list, uint16_t first)
 
 #if LIM_HAS_SORTED
 /* What bounds a record along z: the row of z alone, before a long lens's bits are shifted out. */
-static void depth_bounds(const struct lim *lim, const LIM_FLASH lim_index *record, int32_t *near_qv, int32_t *far_qv)
+static void depth_bounds(const struct lim_pass *pass, const LIM_FLASH lim_index *record, int32_t *near_qv,
+                         int32_t *far_qv)
 {
     const LIM_FLASH lim_index *corners = record + LIM_POLYGON_HEAD_WORDS;
 
     *near_qv = INT32_MAX;
     *far_qv = INT32_MIN;
     for (uint_fast8_t k = 0; k < (record[0] & LIM_POLYGON_COUNT); k++) {
-        const struct lim_vertex at = lim->scene->vertices[corners[k]];
-        const int32_t z_qv = transform_row(&lim->view.rows.row[2], &at);
+        const struct lim_vertex at = pass->scene->vertices[corners[k]];
+        const int32_t z_qv = transform_row(&pass->view.rows.row[2], &at);
         if (z_qv < *near_qv) *near_qv = z_qv;
         if (z_qv > *far_qv) *far_qv = z_qv;
     }
 }
 
-static void add(struct lim *lim, lim_index at, lim_index node, bool eye_in_front)
+static void add(struct lim_sorter *sorter, lim_index at, lim_index node, bool eye_in_front)
 {
-    struct lim_sorter *sorter = &lim->sorter;
-    const LIM_FLASH lim_index *record = &lim->scene->polygons[at];
-    struct lim_sorted entry = {.record = at, .next = sorter->first};
+    const struct lim_rows *rows = &sorter->pass->view.rows;
+    struct lim_sorted *entry = &sorter->list[sorter->used];
     int32_t near_qv;
 
-    depth_bounds(lim, record, &near_qv, &entry.far_qv);
-    if ((LIM_HAS_LIMBS ? entry.far_qv : entry.far_qv >> lim->view.rows.tele_bits) < lim->view.rows.near_qv) return;
-#if LIM_HAS_NEWELL
-    if (LIM_IS_NEWELL(&lim->target) && !lim_newell_add(lim, sorter->used, record, near_qv, node, eye_in_front)) return;
-#else
-    (void)node;
-    (void)eye_in_front;
-#endif
     LIM_ASSERT(sorter->used < sorter->size);
+    *entry = (struct lim_sorted){.record = at, .next = sorter->first};
+    depth_bounds(sorter->pass, &sorter->pass->scene->polygons[at], &near_qv, &entry->far_qv);
+    if ((LIM_HAS_LIMBS ? entry->far_qv : entry->far_qv >> rows->tele_bits) < rows->near_qv) return;
+    if (LIM_HAS_NEWELL && LIM_IS_NEWELL(&sorter->pass->target) &&
+        !lim_newell_add(sorter, sorter->used, near_qv, node, eye_in_front))
+        return;
     sorter->first = sorter->used++;
-    sorter->list[sorter->first] = entry;
 }
 
-static void sorted_add_run(struct lim *lim, lim_index at, lim_index node, bool eye_in_front)
+static void sorted_add_run(struct lim_sorter *sorter, lim_index at, lim_index node, bool eye_in_front)
 {
     for (;;) {
-        const LIM_FLASH lim_index *record = &lim->scene->polygons[at];
+        const LIM_FLASH lim_index *record = &sorter->pass->scene->polygons[at];
         const lim_index head = record[0];
-        if (lim_record_is_seen(lim_eye_of(lim), record))
-            add(lim, at, node, head & LIM_POLYGON_PLANE ? !(head & LIM_POLYGON_BACK) : eye_in_front);
+        if (lim_record_is_seen(lim_eye_of(sorter->pass), record))
+            add(sorter, at, node, head & LIM_POLYGON_PLANE ? !(head & LIM_POLYGON_BACK) : eye_in_front);
         if (head & LIM_POLYGON_LAST) return;
         at = (lim_index)(at + lim_record_words(head));
     }
 }
 
-static void add_all(struct lim *lim)
+static void add_all(struct lim_sorter *sorter)
 {
-    for (lim_index i = 0; i < lim->scene->node_count; i++) {
-        const LIM_FLASH struct lim_node *node = &lim->scene->nodes[i];
+    for (lim_index i = 0; i < sorter->pass->scene->node_count; i++) {
+        const LIM_FLASH struct lim_node *node = &sorter->pass->scene->nodes[i];
         const bool is_leaf = LIM_HAS_LEAVES && node->split.plane == LIM_NO_INDEX;
-        const int32_t side = is_leaf ? 1 : lim_eye_side(lim_eye_of(lim), &node->split);
+        const int32_t side = is_leaf ? 1 : lim_eye_side(lim_eye_of(sorter->pass), &node->split);
         const lim_index run = side > 0 ? node->front_run : side < 0 ? node->back_run : (lim_index)LIM_NO_INDEX;
-        if (run != LIM_NO_INDEX) sorted_add_run(lim, run, i, side > 0);
+        if (run != LIM_NO_INDEX) sorted_add_run(sorter, run, i, side > 0);
     }
 }
 
@@ -117,24 +114,20 @@ void lim_sorted_reverse(struct lim_sorter *sorter)
     }
 }
 
-void lim_sorted_order(struct lim *lim)
+void lim_sorted_order(struct lim_sorter *sorter)
 {
-    struct lim_sorter *sorter = &lim->sorter;
+    const bool is_newell = LIM_IS_NEWELL(&sorter->pass->target);
 
     sorter->used = 0;
     sorter->first = LIM_NONE;
-#if LIM_HAS_NEWELL
-    sorter->newell.cuts_used = 0;
-#endif
-    add_all(lim);
+    if (LIM_HAS_NEWELL) sorter->newell->cuts_used = 0;
+    add_all(sorter);
     sorter->first = lim_sorted_sort(sorter->list, sorter->first);
-#if LIM_HAS_NEWELL
-    if (LIM_IS_NEWELL(&lim->target)) lim_newell_order(lim);
-#endif
-    if (!LIM_IS_NEWELL(&lim->target)) lim_sorted_reverse(sorter);
-#if LIM_HAS_STATS
-    lim->stats.sorted = sorter->used;
-#endif
+    if (LIM_HAS_NEWELL && is_newell)
+        lim_newell_order(sorter);
+    else
+        lim_sorted_reverse(sorter);
+    if (LIM_HAS_STATS) lim_stats_of(sorter->pass)->sorted = sorter->used;
 }
 
 #endif

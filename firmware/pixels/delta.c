@@ -5,7 +5,9 @@
  * painted from runs and sent. A line that cannot be painted from runs later, or was not known, is sent at once. And
  * where several lines are sent together as pages, the target gets all of them, and of the last one what has changed in
  * any. */
-#include "limner.h"
+#include "pixels/delta.h"
+
+#include "pixels/target_parts.h"
 
 #if LIM_HAS_DELTA
 
@@ -42,11 +44,7 @@ static inline void find_visible(const struct lim_delta *delta, uint16_t y, uint1
 {
     *x0 = 0;
     *x1 = delta->target.w_px;
-#if LIM_HAS_ROUND
-    if (delta->target.visible) delta->target.visible(delta->target.ctx, y, x0, x1);
-#else
-    (void)y;
-#endif
+    if (lim_target_is_round(&delta->target)) lim_target_visible(&delta->target, y, x0, x1);
 }
 
 /* Rectangles ----------------------------------------------------------------------------------------------------- */
@@ -299,6 +297,11 @@ static void delta_visible(void *ctx, uint16_t y, uint16_t *x0, uint16_t *x1)
 }
 #endif
 
+bool lim_delta_wants_lines(const struct lim_delta *delta)
+{
+    return delta->target.costs.page_px > 1;
+}
+
 /* Frames --------------------------------------------------------------------------------------------------------- */
 
 static bool is_same(const struct lim_camera *a, const struct lim_camera *b)
@@ -328,16 +331,8 @@ int lim_delta_end_frame(struct lim_delta *delta, int err)
     return err;
 }
 
-static void use(struct lim *lim, struct lim_delta *delta)
-{
-    lim->delta = delta;
-#if LIM_HAS_SPANS
-    lim->paint.delta = delta;
-#endif
-}
-
 /* What the renderer gets for a target. */
-static struct lim_target stage_of(struct lim_delta *delta)
+struct lim_target lim_delta_stage(struct lim_delta *delta)
 {
     struct lim_target target = delta->target;
 
@@ -346,6 +341,13 @@ static struct lim_target stage_of(struct lim_delta *delta)
     target.done = delta_done;
 #if LIM_HAS_ROUND
     if (target.visible) target.visible = delta_visible;
+#endif
+#if LIM_HAS_FILL
+    target.fill = NULL;
+    target.show = NULL;
+#endif
+#if LIM_HAS_FRAMEBUFFER
+    target.framebuffer.pixels = NULL;
 #endif
     return target;
 }
@@ -368,30 +370,16 @@ static void share_out(struct lim_delta *delta, size_t run_count)
     runs->first = (uint16_t *)(void *)(runs->ring + runs->size);
 }
 
-int lim_set_delta(struct lim *lim, void *mem, size_t mem_b)
+int lim_delta_init(struct lim_delta *delta, const struct lim_target *target, size_t mem_b)
 {
-    struct lim_delta *delta = mem;
-
-    LIM_ASSERT(((uintptr_t)mem & (sizeof(void *) - 1)) == 0);
-    lim_drop_ahead(lim);
-    if (lim->delta) lim->target = lim->delta->target;
-    use(lim, NULL);
-    if (!mem) return LIM_OK;
-    const struct lim_target *target = &lim->target;
     const size_t fixed_b = LIM_DELTA_MEM_B(target->w_px, target->h_px, 0);
+
     if (!target->window || !target->costs.page_px || !target->costs.pixel_bits) return LIM_ERR_TARGET;
     if (mem_b < fixed_b + sizeof(uint32_t)) return LIM_ERR_MEMORY;
     *delta = (struct lim_delta){.target = *target};
     delta->rects.window_px = window_px(&target->costs);
     share_out(delta, (mem_b - fixed_b) / sizeof(uint32_t));
-    lim->target = stage_of(delta);
-    use(lim, delta);
     return LIM_OK;
-}
-
-void lim_refresh(struct lim *lim)
-{
-    if (lim->delta) lim->delta->known = false;
 }
 
 #endif

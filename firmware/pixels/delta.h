@@ -35,7 +35,13 @@ struct lim_delta {
     uint16_t *line;           /* where it is painted, or NULL */
 };
 
-#if LIM_HAS_DELTA
+/* Prepares the memory, whose size is known, for changes of a target. LIM_ERR_MEMORY: it is too small; LIM_ERR_TARGET:
+ * the target has no window(), or does not tell its costs. */
+int lim_delta_init(struct lim_delta *delta, const struct lim_target *target, size_t mem_b);
+
+/* What the renderer gets for a target: lines are compared there, so nothing else is offered. */
+struct lim_target lim_delta_stage(struct lim_delta *delta);
+
 /* PAINT notes every piece of a line that it has begun, in any order; `line` is NULL if it does not paint them. A line
  * that it has not begun is painted, and looked at when it is done. */
 static inline void lim_delta_begin_line(struct lim_delta *delta, uint16_t *line)
@@ -50,11 +56,7 @@ static inline void lim_delta_note(struct lim_delta *delta, uint16_t x0, uint16_t
 }
 
 /* Whether lines are painted even if all that they hold is noted. */
-static inline bool lim_delta_wants_lines(const struct lim_delta *delta)
-{
-    return delta->target.costs.page_px > 1;
-}
-#endif
+bool lim_delta_wants_lines(const struct lim_delta *delta);
 
 /* Round a frame, of which `err` is the outcome, counted in `stats`. After an error the next frame is whole. */
 void lim_delta_begin_frame(struct lim_delta *delta, const struct lim_camera *camera, struct lim_stats *stats);

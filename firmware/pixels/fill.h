@@ -1,20 +1,11 @@
 /* SPDX-License-Identifier: MIT
  *
- * Pixels into memory: RGB565 as the bus wants it, the byte with the red bits first. */
+ * Pixels into memory. */
 #ifndef LIM_FILL_H
 #define LIM_FILL_H
 
-#include "target.h"
-
-/* A colour as the target's memory holds it. */
-static inline uint16_t lim_memory_colour(uint16_t rgb565)
-{
-#if __BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__
-    return (uint16_t)(rgb565 << 8 | rgb565 >> 8);
-#else
-    return rgb565;
-#endif
-}
+#include "colour.h"
+#include "pixels/target_parts.h"
 
 /* n pixels from x on, or none; `line`, the target's, is 4-byte aligned. */
 void lim_fill(uint16_t *line, uint16_t x_px, uint16_t n_px, uint16_t colour);
@@ -65,14 +56,11 @@ static LIM_INLINE void lim_fill_inline(uint16_t *line, int_fast16_t x0_px, int_f
 static inline void lim_fill_run(const struct lim_target *target, uint16_t *line, uint16_t y_px, uint16_t x_px,
                                 uint16_t n_px, uint16_t colour)
 {
-#if LIM_HAS_RUNS
-    if (!LIM_HAS_LINES || !line) {
-        target->put_run(target->ctx, y_px, x_px, n_px, colour);
+    if (LIM_HAS_FILL && (!LIM_HAS_LINES || !line)) {
+        struct lim_piece_look look = {target->ctx, colour, y_px};
+        lim_target_fill(target)(&look, x_px, (uint16_t)(x_px + n_px));
         return;
     }
-#else
-    (void)target, (void)y_px;
-#endif
     lim_fill(line, x_px, n_px, colour);
 }
 

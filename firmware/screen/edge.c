@@ -118,7 +118,7 @@ static inline void begin_long(struct lim_edge *edge, const struct lim_point *at,
 }
 
 static inline bool begin_fast(struct lim_edge *edge, const struct lim_point *from, const struct lim_point *to,
-                               int32_t y, int32_t end)
+                              int32_t y, int32_t end)
 {
     (void)edge, (void)from, (void)to, (void)y, (void)end;
     return false;
@@ -326,7 +326,7 @@ static LIM_ALONE void begin_long(struct lim_edge *edge, const struct lim_point *
 
 /* As most edges begin. false: this one does not. */
 static inline bool begin_fast(struct lim_edge *edge, const struct lim_point *from, const struct lim_point *to,
-                               int32_t y, int32_t end)
+                              int32_t y, int32_t end)
 {
     return EDGE_HAS_SMALL ? begin_small(edge, from, to, y) : begin_short(edge, from, to, y, end);
 }

@@ -46,6 +46,11 @@ struct lim_edge_pair {
     struct lim_edge left, right;
 };
 
+/* Lines top <= y < bottom; none: top >= bottom. */
+struct lim_span_extent {
+    int16_t top, bottom;
+};
+
 /* What a polygon looks like to EDGE; lines are relative to nothing: line y is screen line y. */
 struct lim_edge_shape {
     int16_t top, bottom; /* lines top <= y < bottom; may lie outside of the screen */
@@ -53,9 +58,7 @@ struct lim_edge_shape {
     uint8_t first;       /* a vertex on the top line */
     uint8_t apex;        /* if non-monotone: from which a fan of triangles covers the polygon */
     bool non_monotone;   /* its boundary turns more than twice: rounding bent it */
-#if LIM_HAS_ANTIALIAS
-    int16_t end_row; /* the row of samples (samples.h) after its last, antialiased */
-#endif
+    LIM_OPTIONAL(int16_t, end_row, LIM_HAS_ANTIALIAS); /* the row of samples (samples.h) after its last, antialiased */
 };
 
 /* Sets all but left and right, which fewer ask for: lim_edge_bounds_sides(). 3 <= n. */

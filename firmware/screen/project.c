@@ -7,13 +7,9 @@
 /* For wireframe: which edges are not drawn, as flags beside the polygon, and in its corners while it is clipped. */
 static void set_hidden(struct lim_screen_polygon *out, uint_fast8_t k, bool hidden)
 {
-#if LIM_HAS_WIREFRAME
     const uint16_t bit = (uint16_t)(1u << (k & 15));
 
     out->hidden[k >> 4] = (uint16_t)(hidden ? out->hidden[k >> 4] | bit : out->hidden[k >> 4] & ~bit);
-#else
-    (void)out, (void)k, (void)hidden;
-#endif
 }
 
 static bool project_is_hidden(const struct lim_screen_polygon *polygon, uint_fast8_t k)
@@ -32,22 +28,14 @@ static void read_hidden(struct lim_screen_polygon *out, const LIM_FLASH lim_inde
 
 static void hidden_to_corners(const struct lim_screen_polygon *polygon, struct lim_clip_polygon *corners)
 {
-#if LIM_HAS_WIREFRAME
     for (uint_fast8_t k = 0; k < corners->n; k++)
-        corners->at[k].hidden = project_is_hidden(polygon, k);
-#else
-    (void)polygon, (void)corners;
-#endif
+        lim_view_hide_edge(&corners->at[k], project_is_hidden(polygon, k));
 }
 
 static void hidden_from_corners(struct lim_screen_polygon *polygon, const struct lim_clip_polygon *corners)
 {
-#if LIM_HAS_WIREFRAME
     for (uint_fast8_t k = 0; k < corners->n; k++)
-        set_hidden(polygon, k, corners->at[k].hidden);
-#else
-    (void)polygon, (void)corners;
-#endif
+        set_hidden(polygon, k, *corners->at[k].hidden);
 }
 
 /* Of a polygon that meets the near plane or the guard band. false: nothing is left. */
@@ -66,7 +54,7 @@ static LIM_RARE bool clip_and_project(struct lim_screen_polygon *out, const stru
     if (!out->n) return false;
     for (uint_fast8_t k = 0; k < clipped->n; k++)
         lim_view_project(view, &clipped->at[k], &out->at[k]);
-    lim_shape_measure(&out->shape, out->at, out->n, lim_is_antialiased(view));
+    lim_shape_bounds(&out->shape, out->at, out->n, lim_is_antialiased(view));
     return true;
 }
 
@@ -74,14 +62,10 @@ static LIM_RARE bool clip_and_project(struct lim_screen_polygon *out, const stru
 static void note_texture(struct lim_screen_polygon *out, const struct lim_scene *scene,
                          const LIM_FLASH lim_index *record)
 {
-#if LIM_HAS_TEXTURE
-    const bool has_one = record[0] & LIM_POLYGON_TEXTURE && scene->texture_count;
+    const bool has_one = record[0] & LIM_POLYGON_TEXTURE && lim_texture_count(scene);
     const uint16_t end = (uint16_t)((uint16_t)(record - scene->polygons) + lim_record_words(record[0]));
 
-    out->texture = has_one ? (uint16_t)(end - LIM_POLYGON_TEXTURE_WORDS) : LIM_NONE;
-#else
-    (void)out, (void)scene, (void)record;
-#endif
+    *out->texture = has_one ? (uint16_t)(end - LIM_POLYGON_TEXTURE_WORDS) : LIM_NONE;
 }
 
 static inline uint8_t alpha_of(const LIM_FLASH lim_index *record)
@@ -112,7 +96,7 @@ bool lim_project(struct lim_screen_polygon *out, struct lim_view *view, const st
         if (LIM_HAS_STATS && stats) stats->clipped++;
         if (!clip_and_project(out, view, scene, corners)) return false;
     } else {
-        lim_shape_measure(&out->shape, out->at, out->n, lim_is_antialiased(view));
+        lim_shape_bounds(&out->shape, out->at, out->n, lim_is_antialiased(view));
     }
     if (LIM_HAS_STATS && stats) stats->non_monotone += out->shape.non_monotone;
     if (!meets_lines(&out->shape, open)) return false;
@@ -122,7 +106,7 @@ bool lim_project(struct lim_screen_polygon *out, struct lim_view *view, const st
     }
     out->colour = lim_memory_colour((uint16_t)record[1]);
     if (LIM_HAS_TRANSPARENT) lim_set_alpha(out, alpha_of(record));
-    note_texture(out, scene, record);
+    if (LIM_HAS_TEXTURE) note_texture(out, scene, record);
     return true;
 }
 
@@ -148,14 +132,12 @@ void lim_project_fan(const struct lim_screen_polygon *non_monotone, uint8_t k, s
     if (LIM_HAS_WIREFRAME) hidden_of_fan(non_monotone, k, triangle);
     triangle->colour = non_monotone->colour;
     if (LIM_HAS_TRANSPARENT) lim_set_alpha(triangle, lim_alpha_of(non_monotone));
-#if LIM_HAS_TEXTURE
-    triangle->texture = non_monotone->texture;
-#endif
+    if (LIM_HAS_TEXTURE) *triangle->texture = lim_screen_texture(non_monotone);
     for (uint_fast8_t i = 0; i < 3; i++) {
         triangle->at[i] = non_monotone->at[corner];
         corner += i ? 1u : k;
         if (corner >= non_monotone->n) corner -= non_monotone->n;
     }
     lim_set_antialiased(triangle, lim_is_polygon_antialiased(non_monotone));
-    lim_shape_measure(&triangle->shape, triangle->at, 3, lim_is_polygon_antialiased(non_monotone));
+    lim_shape_bounds(&triangle->shape, triangle->at, 3, lim_is_polygon_antialiased(non_monotone));
 }

@@ -300,7 +300,7 @@ static LIM_RARE uint8_t samples_choose_apex(const struct lim_point *at, uint8_t 
     return 2 * lowest_top + 1 < top + bottom ? bottom_at : top_at;
 }
 
-void lim_samples_measure(struct lim_edge_shape *shape, const struct lim_point *at, uint8_t n)
+void lim_samples_bounds(struct lim_edge_shape *shape, const struct lim_point *at, uint8_t n)
 {
     int32_t before = row_of(at[n - 1]), top = INT32_MAX, bottom = INT32_MIN, left = INT32_MAX, right = INT32_MIN,
             way = 0;
@@ -317,7 +317,7 @@ void lim_samples_measure(struct lim_edge_shape *shape, const struct lim_point *a
     }
     shape->non_monotone = way > 2 * (bottom - top);
     if (shape->non_monotone) shape->apex = samples_choose_apex(at, n, shape->first, bottom);
-    shape->end_row = (int16_t)(bottom + LIM_ORIGIN_PX * LIM_SAMPLE_ROWS);
+    *shape->end_row = (int16_t)(bottom + LIM_ORIGIN_PX * LIM_SAMPLE_ROWS);
     /* A polygon between two rows has none. */
     shape->top = (int16_t)((top >> 2) + LIM_ORIGIN_PX);
     shape->bottom = (int16_t)(top < bottom ? ((bottom + 3) >> 2) + LIM_ORIGIN_PX : shape->top);

@@ -27,8 +27,6 @@ struct lim_run {
     uint16_t mask;
 };
 
-#if LIM_HAS_ANTIALIAS
-
 /* A boundary, in rows of samples and sixteenths of a pixel: as quotient and remainder, for a row is crossed four times
  * a line by edges with four times the lines, which takes more bits than a fixed-point number has. */
 struct lim_sample_edge {
@@ -53,9 +51,9 @@ static inline void lim_strip_begin(struct lim_sample_edges *edges, uint8_t n, ui
     edges->right.step_vertex = (uint8_t)(n - 1);
 }
 
-/* lim_edge_bounds() for lines and pixels of which the polygon may have a sample; `non-monotone` as rows of samples are.
+/* lim_edge_bounds() for lines and pixels of which the polygon may have a sample; `non_monotone` as rows of samples are.
  */
-void lim_samples_measure(struct lim_edge_shape *shape, const struct lim_point *at, uint8_t n);
+void lim_samples_bounds(struct lim_edge_shape *shape, const struct lim_point *at, uint8_t n);
 
 /* The strip of line y of a polygon that is not non-monotone and ends above row `end_row`. `edges` come from
  * lim_strip_begin() or from the line above. */
@@ -87,20 +85,14 @@ static inline uint8_t lim_sample_count(uint16_t mask)
     return (uint8_t)((bits + (bits >> 8)) & 0x1F);
 }
 
-#endif
-
 /* By samples or by the centres of pixels. */
-static inline void lim_shape_measure(struct lim_edge_shape *shape, const struct lim_point *at, uint8_t n,
-                                     bool by_samples)
+static inline void lim_shape_bounds(struct lim_edge_shape *shape, const struct lim_point *at, uint8_t n,
+                                    bool by_samples)
 {
-#if LIM_HAS_ANTIALIAS
-    if (by_samples) {
-        lim_samples_measure(shape, at, n);
-        return;
-    }
-#endif
-    (void)by_samples;
-    lim_edge_bounds(shape, at, n);
+    if (LIM_HAS_ANTIALIAS && by_samples)
+        lim_samples_bounds(shape, at, n);
+    else
+        lim_edge_bounds(shape, at, n);
 }
 
 #endif

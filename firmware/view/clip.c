@@ -44,12 +44,7 @@ static LIM_RARE void cut(struct lim_view_point *out, const struct lim_view_point
 /* The edge that leads on from a cut: along the plane, or what is left of one that enters. */
 static inline bool is_hidden(const struct lim_view_point *point)
 {
-#if LIM_HAS_WIREFRAME
-    return point->hidden;
-#else
-    (void)point;
-    return false;
-#endif
+    return LIM_HAS_WIREFRAME && *point->hidden;
 }
 
 static bool are_several_outside(const struct lim_view_point *at, uint_fast8_t n, const struct clip_plane *plane)

@@ -8,8 +8,8 @@
 #define LIM_PORTALS_H
 
 #include "camera.h"
+#include "eye.h"
 #include "scene.h"
-#include "view/eye.h"
 
 /* Bytes for scenes with places; the stack of nodes is one deeper than the tree. */
 #define LIM_PORTALS_MEM_B(box_count, depth) (LIM_PORTALS_BITS_B(box_count) + ((size_t)(depth) + 2) / 2 * 4)
@@ -29,6 +29,15 @@ static inline size_t lim_portals_mem_b(const struct lim_scene *scene)
     (void)scene;
     return 0;
 #endif
+}
+
+/* Lends a scene's portals that many bytes. */
+static inline void lim_portals_lend(struct lim_portals *portals, const struct lim_scene *scene, void *mem)
+{
+    uint8_t *bits = lim_portals_mem_b(scene) ? (uint8_t *)mem : NULL;
+
+    portals->bits = bits;
+    portals->stack = bits ? (uint16_t *)(void *)(bits + LIM_PORTALS_BITS_B(scene->box_count)) : NULL;
 }
 
 /* The radius of a ball about the eye that holds the near rectangle, and some units that rounding may move a wall by.

@@ -5,8 +5,8 @@
  * way that is as good as random; so the best of some scales next to the largest is taken. */
 #include "view/rows.h"
 
+#include "eye.h"
 #include "math/orientation.h"
-#include "view/eye.h"
 #include "view/perspective.h"
 
 /* With limbs a bit is left unused, so that the projection need not look for it. */

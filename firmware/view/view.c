@@ -8,9 +8,7 @@ void lim_view_init(struct lim_view *view, uint16_t w_px, uint16_t h_px, struct l
     perspective_set(&view->width, w_px);
     perspective_set(&view->height, h_px);
     view->cache = cache;
-#if LIM_HAS_ANTIALIAS
-    view->antialiased = false;
-#endif
+    lim_view_set_antialiased(view, false);
 }
 
 bool lim_view_begin(struct lim_view *view, const struct lim_scene *scene, const struct lim_camera *camera)
@@ -106,11 +104,7 @@ void lim_view_remember(struct lim_view *view, const struct lim_scene *scene, lim
     transform(view, scene, &scene->vertices[vertex], &point);
     const uint8_t codes = codes_of(view, &point);
     entry->vertex = vertex;
-#if LIM_8_BIT
-    entry->codes = codes;
-#else
-    entry->codes = lim_view_both(codes);
-#endif
+    entry->codes = (lim_view_code_bits)(LIM_8_BIT ? codes : lim_view_both(codes));
     if (!(codes & LIM_VIEW_GUARD)) project(view, &point, &entry->at);
     if (LIM_HAS_STATS) view->vertices++;
 }

@@ -20,19 +20,13 @@ struct lim_view_point {
         };
         int32_t qv[3]; /* the same */
     };
-#if LIM_HAS_WIREFRAME
-    bool hidden; /* the edge from here to the next point is not drawn */
-#endif
+    LIM_OPTIONAL(bool, hidden, LIM_HAS_WIREFRAME); /* the edge from here to the next point is not drawn */
 };
 
 /* Whether wireframe leaves out the edge from a point to the next one. */
 static inline void lim_view_hide_edge(struct lim_view_point *point, bool hidden)
 {
-#if LIM_HAS_WIREFRAME
-    point->hidden = hidden;
-#else
-    (void)point, (void)hidden;
-#endif
+    if (LIM_HAS_WIREFRAME) *point->hidden = hidden;
 }
 
 /* Where a vertex lies outside: bits 0..4 against what is visible, GUARD against the guard band
@@ -47,13 +41,16 @@ enum lim_view_code {
     LIM_VIEW_GUARD = 32
 };
 
+/* enum lim_view_code; of words both: lim_view_both(). */
+#if LIM_8_BIT
+typedef uint8_t lim_view_code_bits;
+#else
+typedef uint16_t lim_view_code_bits;
+#endif
+
 struct lim_view_cached {
     lim_index vertex; /* LIM_NO_INDEX: empty */
-#if LIM_8_BIT
-    uint8_t codes; /* enum lim_view_code */
-#else
-    uint16_t codes; /* both: lim_view_both() */
-#endif
+    lim_view_code_bits codes;
     struct lim_point at; /* meaningless when codes has LIM_VIEW_GUARD */
 };
 
@@ -79,21 +76,19 @@ struct lim_view {
     struct lim_rows rows;
     struct lim_side width, height;
     struct lim_view_cached *cache;
-#if LIM_HAS_ANTIALIAS
-    bool antialiased; /* polygons are measured by their samples (samples.h) */
-#endif
-    uint32_t vertices; /* transformed since lim_view_begin(), if LIM_HAS_STATS */
+    LIM_OPTIONAL(bool, antialiased, LIM_HAS_ANTIALIAS); /* polygons are measured by their samples (samples.h) */
+    uint32_t vertices;                                  /* transformed since lim_view_begin(), if LIM_HAS_STATS */
 };
 
 /* Whether polygons are drawn by their samples. */
 static inline bool lim_is_antialiased(const struct lim_view *view)
 {
-#if LIM_HAS_ANTIALIAS
-    return view->antialiased;
-#else
-    (void)view;
-    return false;
-#endif
+    return LIM_HAS_ANTIALIAS && *view->antialiased;
+}
+
+static inline void lim_view_set_antialiased(struct lim_view *view, bool antialiased)
+{
+    if (LIM_HAS_ANTIALIAS) *view->antialiased = antialiased;
 }
 
 /* Once per target: screen geometry. `cache` has LIM_VIEW_CACHE_ENTRIES entries. */

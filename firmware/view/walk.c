@@ -7,23 +7,27 @@
 
 #if LIM_HAS_TREE
 
-void lim_walk_begin(struct lim_walk *walk, struct lim_walk_pending *stack, bool back_to_front)
+void lim_walk_lend(struct lim_walk *walk, const struct lim_scene *scene, struct lim_walk_pending *stack,
+                   void *portals_mem)
 {
     walk->stack = stack;
+    if (LIM_HAS_PORTALS) lim_portals_lend(walk->portals, scene, portals_mem);
+}
+
+void lim_walk_look_around(struct lim_walk *walk, const struct lim_camera *camera, uint32_t far_units)
+{
+    const struct lim_portals *portals = walk->portals;
+
+    walk->shown = NULL;
+    if (!LIM_HAS_PORTALS || !portals->bits) return;
+    if (lim_portals_unpack(portals, &walk->eye, lim_portals_ball_units(camera, far_units))) walk->shown = portals->bits;
+}
+
+void lim_walk_begin(struct lim_walk *walk, bool back_to_front)
+{
     walk->depth = 0;
     walk->next = walk->eye.scene->node_count ? 0 : LIM_NO_INDEX;
     walk->back_to_front = back_to_front;
-}
-
-/* NULL: all may be seen. */
-static inline const uint8_t *shown_of(const struct lim_walk *walk)
-{
-#if LIM_HAS_PORTALS
-    return walk->shown;
-#else
-    (void)walk;
-    return NULL;
-#endif
 }
 
 /* Only these walk from back to front: else there is nothing to ask. */
@@ -60,7 +64,7 @@ lim_index lim_walk_next(struct lim_walk *walk, struct lim_cull *cull, struct lim
         }
         const LIM_FLASH struct lim_node *node = &nodes[next];
         next = LIM_NO_INDEX;
-        if (lim_node_is_skipped(walk->eye.scene, node, shown_of(walk), cull, depth, stats)) continue;
+        if (lim_node_is_skipped(walk->eye.scene, node, walk->shown, cull, depth, stats)) continue;
         if (LIM_HAS_STATS) stats->nodes++;
         if (LIM_HAS_LEAVES && node->split.plane == LIM_NO_INDEX) {
             run = node->front_run;

@@ -6,10 +6,10 @@
 #ifndef LIM_WALK_H
 #define LIM_WALK_H
 
+#include "eye.h"
 #include "scene.h"
 #include "stats.h"
 #include "view/cull.h"
-#include "view/eye.h"
 #include "view/portals.h"
 
 /* What comes when a node's near subtree is done: its own polygons, then its far subtree. LIM_NO_INDEX: nothing. */
@@ -23,9 +23,8 @@ struct lim_walk {
     uint16_t depth;
     lim_index next; /* the subtree to enter, or LIM_NO_INDEX: the stack's top is due */
     bool back_to_front;
-#if LIM_HAS_PORTALS
-    const uint8_t *shown; /* a bit a box: its subtree may be seen; NULL: nothing is known */
-#endif
+    const uint8_t *shown; /* a bit a box: its subtree may be seen; NULL: nothing is known, as without LIM_HAS_PORTALS */
+    LIM_OPTIONAL(struct lim_portals, portals, LIM_HAS_PORTALS);
 };
 
 /* Whether a subtree is out of view, or cannot be seen from where the eye is. shown: as in lim_walk; depth: of the
@@ -46,8 +45,15 @@ static inline bool lim_node_is_skipped(const struct lim_scene *scene, const LIM_
     return true;
 }
 
-/* Through the scene of walk->eye, which is set. `stack` has limits.depth entries. */
-void lim_walk_begin(struct lim_walk *walk, struct lim_walk_pending *stack, bool back_to_front);
+/* Lends a scene's walk its memory: a stack of limits.depth entries, and lim_portals_mem_b() bytes. */
+void lim_walk_lend(struct lim_walk *walk, const struct lim_scene *scene, struct lim_walk_pending *stack,
+                   void *portals_mem);
+
+/* What can be seen from around the eye, which is set: until it is set anew. */
+void lim_walk_look_around(struct lim_walk *walk, const struct lim_camera *camera, uint32_t far_units);
+
+/* Through the scene of walk->eye, which is set. */
+void lim_walk_begin(struct lim_walk *walk, bool back_to_front);
 
 /* The next run's word offset into scene->polygons, or LIM_NO_INDEX when the walk is over. `cull` may
  * have changed since the last call: the open view only ever shrinks. */

@@ -5,8 +5,8 @@
  * meets no others than the leaf's, and the nearest of those tells. */
 #include "cameras/free_space.h"
 
+#include "eye.h"
 #include "scene/plane.h"
-#include "view/eye.h"
 
 #include <float.h>
 #include <math.h>

@@ -6,9 +6,9 @@
 
 #include "base/grow.h"
 #include "base/rgb565.h"
+#include "colour.h"
 #include "compiler/encode_texture.h"
 #include "compiler/outline.h"
-#include "pixels/blend.h"
 
 #include <assert.h>
 #include <math.h>

@@ -7,8 +7,8 @@
 #include "base/grow.h"
 #include "base/rgb565.h"
 #include "base/vec3.h"
+#include "colour.h"
 #include "compiler/encode.h"
-#include "pixels/fill.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -4,11 +4,11 @@
 #include "compiler/mcu_mem.h"
 
 #include "core/core.h"
+#include "limner.h"
 #include "scene/mcu_sizes.h"
 #include "scene/moving.h"
 #include "scene/needs.h"
 #include "scene/width.h"
-#include "view/portals.h"
 
 /* Whether a firmware for this panel needs wide screen coordinates in this profile. */
 static bool is_wide(const struct compile_report *report)

@@ -9,6 +9,7 @@
 #include "base/deadline.h"
 #include "base/progress.h"
 #include "cameras/sample.h"
+#include "limner.h"
 #include "render/frame_cost.h"
 #include "render/simulator.h"
 #include "scene/lim_image.h"
@@ -16,7 +17,6 @@
 #include "scene/moving.h"
 #include "scene/needs.h"
 #include "scene/records.h"
-#include "view/portals.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -3,7 +3,7 @@
  * Compiled once for each profile, together with the renderer's sources; CORE is the table's name. */
 #include "core/core.h"
 
-#include "screen/project.h"
+#include "limner.h"
 
 #ifndef CORE
 #error "CORE and LIM_PROFILE are set by the Makefile"
@@ -86,7 +86,7 @@ static void refresh(void *lim)
 static bool project(void *lim, lim_index vertex, double at_px[2])
 {
     struct lim *const state = lim;
-    const struct lim_view_cached *seen = lim_view_vertex(&state->view, state->scene, vertex);
+    const struct lim_view_cached *seen = lim_view_vertex(&state->pass.view, state->pass.scene, vertex);
 
     if (seen->codes & LIM_VIEW_GUARD) return false;
     at_px[0] = (double)seen->at.x / LIM_SUB + LIM_ORIGIN_PX;
@@ -105,7 +105,7 @@ static int8_t eye_side(const struct lim_scene *scene, const struct lim_plane_ref
 
 static void line_texels(const struct lim *lim, const struct lim_textured_span *span, core_texel *take, void *ctx)
 {
-    const int16_t w_px = (int16_t)lim->target.w_px, end = span->right < w_px ? span->right : w_px;
+    const int16_t w_px = (int16_t)lim->pass.target.w_px, end = span->right < w_px ? span->right : w_px;
     struct lim_texture_line line;
 
     if (span->left >= end || end <= 0) return;
@@ -124,16 +124,16 @@ static void line_texels(const struct lim *lim, const struct lim_textured_span *s
 
 static void polygon_texels(struct lim *lim, const struct lim_screen_polygon *polygon, core_texel *take, void *ctx)
 {
-    const int16_t h_px = (int16_t)lim->target.h_px;
+    const int16_t h_px = (int16_t)lim->pass.target.h_px;
     const int16_t bottom = polygon->shape.bottom < h_px ? polygon->shape.bottom : h_px;
     struct lim_gradients gradients;
     struct lim_edge_pair pair;
 
-    lim_texture_set(&lim->texturing, polygon->texture, &gradients);
+    lim_texture_set(lim->texturing, lim_screen_texture(polygon), &gradients);
     lim_edge_begin(&pair, polygon->n, polygon->shape.first);
     for (int16_t y = polygon->shape.top > 0 ? polygon->shape.top : 0; y < bottom; y++) {
         lim_edge_advance(&pair, polygon->at, polygon->n, y);
-        const struct lim_textured_span span = {&lim->texturing, &gradients, y, lim_edge_x(&pair.left),
+        const struct lim_textured_span span = {lim->texturing, &gradients, y, lim_edge_x(&pair.left),
                                                lim_edge_x(&pair.right)};
         line_texels(lim, &span, take, ctx);
     }
@@ -142,11 +142,12 @@ static void polygon_texels(struct lim *lim, const struct lim_screen_polygon *pol
 static void texels(void *state, lim_index record, core_texel *take, void *ctx)
 {
     struct lim *const lim = state;
-    const struct lim_rect screen = {0, 0, lim->target.w_px, lim->target.h_px};
+    const struct lim_rect screen = {0, 0, lim->pass.target.w_px, lim->pass.target.h_px};
     struct lim_screen_polygon polygon, triangle;
 
-    if (!lim_project(&polygon, &lim->view, lim->scene, &lim->scene->polygons[record], &screen, NULL)) return;
-    if (polygon.texture == LIM_NONE) return;
+    if (!lim_project(&polygon, &lim->pass.view, lim->pass.scene, &lim->pass.scene->polygons[record], &screen, NULL))
+        return;
+    if (lim_screen_texture(&polygon) == LIM_NONE) return;
     if (!polygon.shape.non_monotone) polygon_texels(lim, &polygon, take, ctx);
     for (uint8_t k = 1; polygon.shape.non_monotone && k + 1 < polygon.n; k++) {
         lim_project_fan(&polygon, k, &triangle);

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * An object file of the folder firmware/ is a stage; libgcc and the memory functions that compilers call
+ * An object file of the folder firmware/ or of a room in it is a stage; libgcc and the memory functions that compilers call
  * are helpers, charged to the stage that called them; all else (start-up, target) is left out. */
 #include "measure/counts.h"
 
@@ -31,12 +31,16 @@ static const char *last_of(const char *path)
     return slash ? slash + 1 : path;
 }
 
+/* FOLDER/firmware/FILE or FOLDER/firmware/ROOM/FILE */
 static bool is_in_firmware(const char *object)
 {
-    const char folder[] = "firmware/";
-    const size_t length = sizeof folder - 1, before = (size_t)(last_of(object) - object);
-    if (before < length || strncmp(object + before - length, folder, length) != 0) return false;
-    return before == length || object[before - length - 1] == '/';
+    static const char folder[] = "firmware/";
+
+    for (const char *at = object; (at = strstr(at, folder)) != NULL; at++) {
+        const char *slash = strchr(at + sizeof folder - 1, '/');
+        if ((at == object || at[-1] == '/') && (!slash || !strchr(slash + 1, '/'))) return true;
+    }
+    return false;
 }
 
 static enum owner owner_of(const struct link_section *section)

@@ -2,7 +2,7 @@
  *
  * A scene as C: const arrays for flash in NAME.c. */
 #include "base/c_name.h"
-#include "pixels/fill.h"
+#include "colour.h"
 #include "scene/scene_files.h"
 
 #include <stdio.h>

@@ -4,8 +4,8 @@
 #include "scene/lim_check.h"
 
 #include "base/grow.h"
-#include "pieces/newell.h"
-#include "pixels/blend.h"
+#include "colour.h"
+#include "limner.h"
 #include "scene/bounds.h"
 #include "scene/plane.h"
 

@@ -157,9 +157,8 @@ void needs_write(const struct needs *needs, FILE *file)
     write_macro(file, "HAS_ANTIALIAS", needs->antialias);
     write_macro(file, "HAS_DELTA", needs->delta);
     write_macro(file, "HAS_ROUND", needs->round);
-    write_macro(file, "HAS_FRAME", needs->frame && needs->nearest);
+    write_macro(file, "HAS_FILL", needs->frame && needs->nearest);
     write_macro(file, "HAS_FRAMEBUFFER", needs->framebuffer);
-    write_macro(file, "HAS_RUNS", 0);
     write_macro(file, "HAS_STREAM", 0);
     write_macro(file, "HAS_STATS", 0);
     write_macro(file, "MAX_VERTICES", needs->vertices);

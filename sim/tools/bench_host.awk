@@ -10,7 +10,7 @@ FNR == 1 {
 }
 
 /^fl=/ {
-    mine = /\/firmware\/[a-z0-9_]*\.[ch]$/
+    mine = /\/firmware\/([a-z]*\/)?[a-z0-9_]*\.[ch]$/
     stage = $0
     sub(/.*\//, "", stage)
     sub(/\..*/, "", stage)

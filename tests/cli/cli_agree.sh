@@ -128,7 +128,7 @@ every_setting_is_told() {
         set -- "$setting" $(values_of "$setting")
         tell "$@"
         tell "$@" "$fitted"
-        tell "$@" "$fitted" -DLIM_HAS_RUNS=1
+        tell "$@" "$fitted" -DLIM_HAS_FILL=1
         case $told in *same*) failed=1 ;; *apart*) continue ;; esac
         echo "$setting: $told"
         failed=1

@@ -69,7 +69,7 @@ int main(void)
 
 #if LIM_HAS_FRAMEBUFFER
     target.framebuffer = (struct lim_framebuffer){pixels, 128};
-#elif LIM_HAS_FRAME
+#elif LIM_HAS_FILL
     target.fill = fill;
 #endif
     (void)fill, (void)pixels;

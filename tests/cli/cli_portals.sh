@@ -30,11 +30,11 @@ tap_check "which is the same scene as when they are left out" cmp "$work/off.lim
 
 nothing_of_them() {
     grep -q '^#define LIM_HAS_PORTALS 0$' "$work/without.h" && ! grep -qE 'PORTALS_MEM' "$work/without.h" &&
-        ! grep -qE 'place|sight' "$work/without.c"
+        ! grep -qE 'place|pvs' "$work/without.c"
 }
 all_of_them() {
     grep -q '^#define LIM_HAS_PORTALS 1$' "$work/with.h" && grep -q 'LIM_PORTALS_MEM_B' "$work/with.h" &&
-        grep -q 'lim_place with_places' "$work/with.c" && grep -q 'uint8_t with_sights' "$work/with.c"
+        grep -q 'lim_place with_places' "$work/with.c" && grep -q 'uint8_t with_pvs' "$work/with.c"
 }
 tap_check "a scene without has nothing of them in C" nothing_of_them
 tap_check "a scene with them has both arrays" all_of_them

@@ -25,7 +25,7 @@ static void *lend(void *ctx, uint16_t y_px)
         breaks(panel, "a line was asked for that is not there");
         return NULL;
     }
-    if (panel->target.put_run) breaks(panel, "a line was asked for where runs are taken");
+    if (panel->target.fill && !panel->target.show) breaks(panel, "a line was asked for of a target that keeps it");
     return fails(panel) ? NULL : panel->lines[y_px];
 }
 
@@ -89,16 +89,17 @@ static int window(void *ctx, const struct lim_rect *opened)
     return 0;
 }
 
-static void put_run(void *ctx, uint16_t y_px, uint16_t x_px, uint16_t n_px, uint16_t colour)
+static void fill_line(void *of_look, uint16_t x0_px, uint16_t x1_px)
 {
-    struct fuzz_panel *panel = ctx;
+    const struct lim_piece_look *look = of_look;
+    struct fuzz_panel *panel = look->ctx;
 
-    if (y_px >= panel->target.h_px || x_px + n_px > panel->target.w_px) {
-        breaks(panel, "a run beside the picture");
+    if (look->y_px >= panel->target.h_px || x1_px > panel->target.w_px) {
+        breaks(panel, "a piece beside the picture");
         return;
     }
-    for (uint16_t x = x_px; x < x_px + n_px; x++)
-        panel->lines[y_px][x] = colour;
+    for (uint16_t x = x0_px; x < x1_px; x++)
+        panel->lines[look->y_px][x] = look->colour;
 }
 
 static void fill(void *of_look, uint16_t x0_px, uint16_t x1_px)
@@ -177,9 +178,10 @@ void fuzz_panel_init(struct fuzz_panel *panel, uint16_t w_px, uint16_t h_px, enu
                             .ctx = panel,
                             .lend = lend,
                             .done = done,
-                            .put_run = sink == FUZZ_SINK_RUNS ? put_run : NULL,
                             .visible = is_round ? visible : NULL,
-                            .fill = sink == FUZZ_SINK_PIECES ? fill : NULL,
+                            .fill = sink == FUZZ_SINK_PIECES ? fill
+                                    : sink == FUZZ_SINK_RUNS ? fill_line
+                                                             : NULL,
                             .show = sink == FUZZ_SINK_PIECES ? show_kept : NULL,
                             .window = page_px ? window : NULL,
                             .costs = {.window_b = 11, .pixel_bits = 16, .page_px = page_px, .x_align_px = 1}};

@@ -78,7 +78,7 @@ static uint32_t add_movers(uint32_t hash, const struct lim_movers *movers, uint1
 {
     hash = add_rows(add_three(add_three(hash, movers->ahead_q28), movers->eye_q8), &movers->world.rows);
     for (uint16_t i = 0; i < count && i < movers->most; i++)
-        hash = add_mover(hash, &movers->movers[i], movers->light.on);
+        hash = add_mover(hash, &movers->movers[i], movers->light->on);
     return hash;
 }
 
@@ -94,11 +94,11 @@ static uint32_t add_sorted(uint32_t hash, const struct lim_sorter *sorter, bool 
     hash = add(add(hash, sorter->size), sorter->used);
     for (uint16_t i = 0; i < sorter->used; i++) {
         hash = add(add(add(hash, sorter->list[i].far_qv), sorter->list[i].record), sorter->list[i].next);
-        if (with_pieces) hash = add_polygon(hash, &sorter->newell.polygons[i]);
+        if (with_pieces) hash = add_polygon(hash, &sorter->newell->polygons[i]);
     }
     if (!with_pieces) return hash;
-    hash = add(add(hash, sorter->newell.cut_size), sorter->newell.cuts_used);
-    return golden_hash(hash, sorter->newell.cuts, sorter->newell.cuts_used * sizeof *sorter->newell.cuts);
+    hash = add(add(hash, sorter->newell->cut_size), sorter->newell->cuts_used);
+    return golden_hash(hash, sorter->newell->cuts, sorter->newell->cuts_used * sizeof *sorter->newell->cuts);
 }
 
 /* Textures and edges ------------------------------------------------------------------------- */
@@ -135,7 +135,7 @@ static uint32_t add_actives(uint32_t hash, const struct lim_actives *actives, bo
     for (uint16_t i = 0; i < actives->fresh; i++) {
         const struct lim_active *active = &actives->pool[i];
         hash = add(add(add(hash, active->polygon), active->turn), active->bottom);
-        if (textured) hash = add_gradients(hash, &active->gradients);
+        if (textured) hash = add_gradients(hash, active->gradients);
         if (!antialiased) hash = add_edge(add_edge(hash, &active->pair.left), &active->pair.right);
     }
     return hash;
@@ -145,7 +145,8 @@ static uint32_t add_crossings(uint32_t hash, const struct lim_convex *convex, bo
 {
     for (uint16_t i = 0; i < convex->pool_used; i++) {
         const struct lim_crossing *crossing = &convex->pool[i];
-        if (textured && crossing->polygon.texture != LIM_NONE) hash = add_gradients(hash, &crossing->gradients);
+        if (textured && lim_screen_texture(&crossing->polygon) != LIM_NONE)
+            hash = add_gradients(hash, crossing->gradients);
         hash = add_edge(add_edge(hash, &crossing->pair.left), &crossing->pair.right);
         for (uint8_t k = 0; k < crossing->polygon.n; k++)
             hash = add(add(hash, crossing->polygon.at[k].x), crossing->polygon.at[k].y);
@@ -175,33 +176,34 @@ static uint32_t add_wires(uint32_t hash, const struct lim_retained *retained)
 
 static uint32_t add_spans(uint32_t hash, const struct lim *lim)
 {
-    const struct lim_spans *spans = &lim->spans;
-    const struct lim_retained *retained = &lim->retained;
-    const bool textured = lim->scene->textures && lim->scene->texture_count;
+    const struct lim_spans *spans = &lim->nearest->spans;
+    const struct lim_retained *retained = &lim->nearest->retained;
+    const bool textured = lim->pass.scene->textures && lim->pass.scene->texture_count;
 
     hash = add(add(add(hash, spans->pool_size), spans->fresh), spans->open_lines);
     hash = golden_hash(hash, spans->pool, spans->fresh * sizeof *spans->pool);
-    hash = golden_hash(hash, spans->lines, lim->target.h_px * sizeof *spans->lines);
+    hash = golden_hash(hash, spans->lines, lim->pass.target.h_px * sizeof *spans->lines);
     hash = add(add(hash, retained->size), retained->used);
-    hash = lim->wireframe.on ? add_wires(hash, retained)
-                             : golden_hash(hash, retained->cells, retained->used * sizeof *retained->cells);
-    hash = add_actives(hash, &lim->paint.actives, textured, lim->view.antialiased);
-    return add(add(hash, lim->paint.layers.size), lim->paint.layers.used);
+    hash = lim->pass.wireframe->on ? add_wires(hash, retained)
+                                   : golden_hash(hash, retained->cells, retained->used * sizeof *retained->cells);
+    hash = add_actives(hash, &lim->nearest->paint.actives, textured, lim_is_antialiased(&lim->pass.view));
+    return add(add(hash, lim->nearest->paint.layers->size), lim->nearest->paint.layers->used);
 }
 
 static uint32_t state_of(const void *state, uint16_t movers)
 {
     const struct lim *lim = state;
-    const enum lim_method method = lim->target.method;
-    uint32_t hash = add_vertices(add_rows(GOLDEN_HASH, &lim->view.rows), lim->view.cache);
+    const enum lim_method method = lim->pass.target.method;
+    uint32_t hash = add_vertices(add_rows(GOLDEN_HASH, &lim->pass.view.rows), lim->pass.view.cache);
 
-    hash = add_eye(add_cull(add(hash, lim->view.vertices), &lim->cull), &lim->walk.eye);
-    if (lim->scene->textures) hash = add_texturing(hash, &lim->texturing);
-    if (method == LIM_CONVEX) return add_crossings(hash, &lim->convex, lim->scene->textures);
-    if (lim->movers.most) hash = add_movers(hash, &lim->movers, movers);
-    if (lim->movers.most || method == LIM_NEWELL || method == LIM_DEPTH)
-        hash = add_sorted(hash, &lim->sorter, lim->movers.most || method == LIM_NEWELL);
-    if (lim->portals.bits) hash = golden_hash(hash, lim->portals.bits, LIM_PORTALS_BITS_B(lim->scene->box_count));
+    hash = add_eye(add_cull(add(hash, lim->pass.view.vertices), lim->pass.cull), &lim->pass.walk->eye);
+    if (lim->pass.scene->textures) hash = add_texturing(hash, lim->texturing);
+    if (method == LIM_CONVEX) return add_crossings(hash, lim->convex, lim->pass.scene->textures);
+    if (lim->movers->most) hash = add_movers(hash, lim->movers, movers);
+    if (lim->movers->most || method == LIM_NEWELL || method == LIM_DEPTH)
+        hash = add_sorted(hash, lim->sorter, lim->movers->most || method == LIM_NEWELL);
+    if (lim->pass.walk->portals->bits)
+        hash = golden_hash(hash, lim->pass.walk->portals->bits, LIM_PORTALS_BITS_B(lim->pass.scene->box_count));
     return method == LIM_PAINTER ? hash : add_spans(hash, lim);
 }
 

@@ -4,6 +4,7 @@
  * tests/golden/golden_stages.expected. The stages' own tests say what is right; where several answers are (which
  * triangles cover a non-monotone polygon, how far before a wall visibility is looked up anew), this tells that the
  * answer is another. GOLDEN_FRAMES=write writes the file anew. */
+#include "eye.h"
 #include "golden_stage.h"
 #include "light.h"
 #include "math/orientation.h"
@@ -13,7 +14,6 @@
 #include "screen/edge.h"
 #include "screen/project.h"
 #include "screen/samples.h"
-#include "view/eye.h"
 #include "view/portals.h"
 
 #include <stdlib.h>
@@ -75,9 +75,9 @@ static void samples_of_small_polygons(void **state)
             const uint8_t n = few_corners(&random, at, grids[grid]);
             for (int k = 0; k < n; k++) /* on rows of samples and between them */
                 at[k].y = (lim_sub)(at[k].y + random_in(&random, -LIM_SUB / 4, LIM_SUB / 4));
-            lim_samples_measure(&shape, at, n);
+            lim_samples_bounds(&shape, at, n);
             hash = add(add(add(add(hash, shape.top), shape.bottom), shape.left), shape.right);
-            hash = add(add(add(hash, shape.first), shape.end_row), shape.non_monotone ? shape.apex : -1);
+            hash = add(add(add(hash, shape.first), *shape.end_row), shape.non_monotone ? shape.apex : -1);
             non_monotone += shape.non_monotone;
         }
         golden_put("samples on a grid of %d: %08x, non-monotone %u\n", grids[grid], hash, non_monotone);
@@ -153,7 +153,7 @@ static void any_view_polygon(struct random *random, struct lim_clip_polygon *pol
         if (random_u64(random) % 4 == 0) at->z_qv = near_qv + (int32_t)random_in(random, -2, 2);
         if (random_u64(random) % 4 == 0) at->x_qv = at->z_qv / 2 * 4 + (int32_t)random_in(random, -5, 5);
         if (random_u64(random) % 4 == 0) at->y_qv = at->z_qv / 2 * -4 + (int32_t)random_in(random, -5, 5);
-        at->hidden = random_u64(random) & 1;
+        *at->hidden = random_u64(random) & 1;
     }
 }
 
@@ -171,7 +171,7 @@ static void clipped_polygons(void **state)
             hash = add(hash, clipped->n);
             corners += clipped->n;
             for (uint8_t k = 0; k < clipped->n; k++)
-                hash = add(golden_hash(hash, clipped->at[k].qv, sizeof clipped->at[k].qv), clipped->at[k].hidden);
+                hash = add(golden_hash(hash, clipped->at[k].qv, sizeof clipped->at[k].qv), *clipped->at[k].hidden);
         }
         golden_put("clipped at %ld: %08x, corners %u\n", (long)near_qv, hash, corners);
     }

@@ -13,13 +13,13 @@ int __builtin_clz(unsigned x);
 #include "config.h"
 #if LIM_PROFILE == LIM_PROFILE_FAST
 #include "motion.c"
-#include "pieces/deform.c"
+#include "movers/deform.c"
 #endif
 
 #include "angle.c"
 #include "math/fixed.c"
 #include "screen/edge.c"
 #include "view/cull.c"
-#include "view/eye.c"
+#include "eye.c"
 #include "view/perspective.h"
 #include "view/transform.h"

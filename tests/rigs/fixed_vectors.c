@@ -8,7 +8,7 @@
 #include "angle.h"
 #include "math/fixed.h"
 #include "screen/edge.h"
-#include "view/eye.h"
+#include "eye.h"
 #include "view/view.h"
 
 enum { LINE_LENGTH = 96, SERIES_CALLS = 2000 };

@@ -4,7 +4,7 @@
 #include "set_rig.h"
 
 #include "cmocka_ready.h"
-#include "pixels/fill.h"
+#include "colour.h"
 #include "scene/plane.h"
 #include "unpainted.h"
 
@@ -151,7 +151,7 @@ void set_draw(const struct set *set, enum lim_method method, const struct lim_ne
     assert_non_null(view->mem);
     assert_int_equal(lim_init(&view->lim, scene, &target, view->mem, mem_b), LIM_OK);
     if (options) lim_newell_set(&view->lim, options);
-    if (pieces >= 0) view->lim.sorter.newell.cut_size = (uint16_t)(2 * pieces);
+    if (pieces >= 0) view->lim.sorter->newell->cut_size = (uint16_t)(2 * pieces);
     assert_int_equal(lim_frame(&view->lim, camera), LIM_OK);
     const struct lim_stats *stats = lim_stats(&view->lim);
     assert_int_equal(view->done_px, px);
@@ -206,12 +206,12 @@ void set_view_free(struct set_view *view)
 
 void set_order(const struct set_view *view, char *names)
 {
-    const struct lim_sorter *sorter = &view->lim.sorter;
+    const struct lim_sorter *sorter = view->lim.sorter;
     size_t count = 0;
 
     for (uint16_t at = sorter->first; at != LIM_NONE; at = sorter->list[at].next)
         count++;
     names[count] = 0;
     for (uint16_t at = sorter->first; at != LIM_NONE; at = sorter->list[at].next)
-        names[--count] = (char)view->lim.scene->polygons[sorter->list[at].record + 1];
+        names[--count] = (char)view->lim.pass.scene->polygons[sorter->list[at].record + 1];
 }

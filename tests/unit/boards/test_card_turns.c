@@ -143,7 +143,7 @@ static void runs_draw_what_lines_do(void **state)
         memcpy(by_lines, pixels, sizeof pixels);
         memset(pixels, 0, sizeof pixels);
         draw(modules[i], SCREEN_PAGE_B(display.panel->w_px));
-        assert_non_null(screen.target.put_run);
+        assert_non_null(screen.target.fill);
         assert_memory_equal(by_lines, pixels, sizeof pixels[0] * w_px * h_px);
     }
 }

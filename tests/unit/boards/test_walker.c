@@ -5,7 +5,7 @@
 #include "rigs/cmocka_ready.h"
 
 #include "board.h"
-#include "view/eye.h"
+#include "eye.h"
 #include "walker.h"
 
 #include <math.h>

@@ -2,10 +2,10 @@
  *
  * The side of the eye against GMP: adversarial cases, most of them within a hair of the plane, for
  * every kind of node, with the eye inside the scene, at its border, and far outside. */
+#include "eye.h"
 #include "rigs/cmocka_ready.h"
 #include "rigs/random.h"
 #include "scene/plane.h"
-#include "view/eye.h"
 
 #include <gmp.h>
 #include <stdio.h>

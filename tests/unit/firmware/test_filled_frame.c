@@ -135,7 +135,7 @@ static void round_glass_is_filled_where_it_is_seen(void **state)
     struct pair *pair = pair_new(&((struct room_stage *)*state)->scene.scene, LIM_NEAREST_FIRST, false);
 
     for (int i = 0; i < 2; i++)
-        pair->of.lim[i].target.visible = round_glass;
+        pair->of.lim[i].pass.target.visible = round_glass;
     for (int i = 0; i < VIEWS / 4; i++) {
         const struct lim_camera camera = view(*state);
         assert_int_equal(draw(pair, &camera), 0);

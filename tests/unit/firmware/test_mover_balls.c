@@ -136,7 +136,7 @@ static void every_ball_holds_its_mover_closely(void **state)
         turn_anyhow(one, &random);
         set_corners(&extent, &copy);
         assert_int_equal(simulator_draw(&simulator, &camera), LIM_OK);
-        const struct lim_mover *mover = &lim->movers.movers[round % stage.moving.count];
+        const struct lim_mover *mover = &lim->movers->movers[round % stage.moving.count];
         assert_true(mover->radius_q12 >= 0);
         check_ball(mover, one, &extent);
         deformed += one->deforms;

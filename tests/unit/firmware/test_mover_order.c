@@ -133,7 +133,7 @@ static uint32_t divided(struct stage *stage, enum lim_method method, int32_t gap
     stage->instances[0].at_q8[2] = -1000 * 256;
     stage->instances[1].at_q8[2] = -2000 * 256;
     (void)draw(stage, method, 2);
-    const struct lim_mover *movers = stage->lim.movers.movers;
+    const struct lim_mover *movers = stage->lim.movers->movers;
     assert_int_equal(movers[0].radius_q12 % 4096 + movers[1].radius_q12 % 4096, 0); /* of whole units */
     stage->instances[1].at_q8[2] = -1000 * 256 - (movers[0].radius_q12 + movers[1].radius_q12) / 16 - gap_q8;
     if (swapped) {

@@ -4,7 +4,6 @@
  * ahead it is, the camera as it sees it; and which instances are left out, at each bound and one beyond. */
 #include "limner.h"
 #include "math/orientation.h"
-#include "orders/order.h"
 #include "pieces/corners.h"
 #include "pieces/piece.h"
 #include "rigs/cmocka_ready.h"
@@ -50,6 +49,17 @@ static struct lim_movers_limits limits_of(uint16_t entries)
     return (struct lim_movers_limits){MOVERS, 1, entries};
 }
 
+/* Movers their memory: how many corners they may have depends on the renderer's. */
+static void stage_lend(struct stage *stage)
+{
+    const struct lim_movers_limits limits = limits_of(ENTRIES);
+
+    assert_int_equal(
+        lim_movers_init(&stage->lim, stage->mover_mem, lim_movers_mem_b(&stage->scene.scene, &limits), &limits),
+        LIM_OK);
+    stage->lim.movers->instances = &stage->instance;
+}
+
 static void stage_open(struct stage *stage, const int16_t at[3])
 {
     static const int16_t origin[3] = {0, 0, -2000};
@@ -80,14 +90,14 @@ static void stage_close(struct stage *stage)
 /* What a frame does before it draws. Whether the instance is in it. */
 static bool pose(struct stage *stage, const struct lim_camera *camera)
 {
-    struct lim_movers *movers = &stage->lim.movers;
+    struct lim_movers *movers = stage->lim.movers;
 
     movers->instances = &stage->instance;
     movers->given = movers->count = 1;
-    stage->lim.stats.movers.left_out = 77;
-    lim_movers_pose(&stage->lim, camera);
+    stage->lim.pass.stats->movers.left_out = 77;
+    lim_movers_pose(stage->lim.movers, &stage->lim.pass, camera);
     const bool is_in = movers->movers[0].radius_q12 >= 0;
-    assert_int_equal(stage->lim.stats.movers.left_out, !is_in);
+    assert_int_equal(stage->lim.pass.stats->movers.left_out, !is_in);
     return is_in;
 }
 
@@ -154,7 +164,7 @@ static void corners_are_rounded_to_nearest(void **state)
 
     (void)state;
     stage_open(&stage, at);
-    stage.lim.movers.instances = &stage.instance;
+    stage.lim.movers->instances = &stage.instance;
     for (int round = 0; round < ROUNDS; round++) {
         struct lim_vertex *vertex = &stage.object.vertices[round % 9];
         int32_t at_q12[3];
@@ -164,7 +174,7 @@ static void corners_are_rounded_to_nearest(void **state)
         vertex->y = (int16_t)random_in(&random, -32768, 32767);
         vertex->z = (int16_t)random_in(&random, -32768, 32767);
         const double v[3] = {vertex->x, vertex->y, vertex->z};
-        lim_mover_place(&stage.lim, 0, (lim_index)(round % 9), at_q12);
+        lim_mover_place(stage.lim.movers, 0, (lim_index)(round % 9), at_q12);
         turn(&stage.instance, v, place);
         for (int i = 0; i < 3; i++)
             assert_true(fabs(at_q12[i] - stage.instance.at_q8[i] * 16.0 -
@@ -180,7 +190,7 @@ static void check_turned(const struct stage *stage, const struct lim_plane_unpac
     double own[3], turned[3], most = 0, rest = 0;
     int bits = 0;
 
-    lim_mover_turn(&stage->lim, 0, &plane);
+    lim_mover_turn(stage->lim.movers, 0, &plane);
     for (int i = 0; i < 3; i++) {
         own[i] = before->n[i];
         most = fmax(most, fabs(own[i]));
@@ -207,7 +217,7 @@ static void planes_are_turned_with_their_object(void **state)
 
     (void)state;
     stage_open(&stage, at);
-    stage.lim.movers.instances = &stage.instance;
+    stage.lim.movers->instances = &stage.instance;
     for (int round = 0; round < ROUNDS; round++) {
         const int64_t reach = INT64_C(1) << random_in(&random, 0, 30);
         struct lim_plane_unpacked plane = {.slack = 9, .narrow = true, .axis = (uint8_t)(round % 4)};
@@ -237,7 +247,7 @@ static void axes_of(const struct lim_camera *camera, double axes[3][3])
 
 static void check_camera(const struct stage *stage, const struct lim_camera *camera, const double axes[3][3])
 {
-    const struct lim_mover *mover = &stage->lim.movers.movers[0];
+    const struct lim_mover *mover = &stage->lim.movers->movers[0];
     const struct lim_instance *instance = &stage->instance;
     const double away[3] = {(camera->eye_q8[0] - instance->at_q8[0]) / 256.0,
                             (camera->eye_q8[1] - instance->at_q8[1]) / 256.0,
@@ -284,15 +294,15 @@ static void cameras_are_as_objects_see_them(void **state)
         camera.near_q8 = (int32_t)random_in(&random, 1, INT64_C(1) << random_in(&random, 0, 24));
         place_anyhow(&stage.instance, &random);
         for (int i = 0; i < 3; i++) {
-            stage.lim.movers.light.to_q14[i] = (int16_t)random_in(&random, -9459, 9459);
-            to[i] = stage.lim.movers.light.to_q14[i];
+            stage.lim.movers->light->to_q14[i] = (int16_t)random_in(&random, -9459, 9459);
+            to[i] = stage.lim.movers->light->to_q14[i];
         }
         if (!(round ? pose(&stage, &camera) : draw(&stage, &camera))) continue;
         axes_of(&camera, axes);
         check_camera(&stage, &camera, (const double(*)[3])axes);
         turn_back(&stage.instance, to, own_to);
         for (int i = 0; i < 3; i++)
-            assert_true(fabs(stage.lim.movers.movers[0].to_q14[i] - own_to[i]) <= 0.501);
+            assert_true(fabs(stage.lim.movers->movers[0].to_q14[i] - own_to[i]) <= 0.501);
         in++;
     }
     assert_true(in > ROUNDS * 9 / 10);
@@ -320,7 +330,7 @@ static void depths_are_how_far_ahead(void **state)
         /* The axes are cut to 28 bits: a 2^28th of the distances, together. */
         const double depth = dot(axes[2], away) * 512;
         const double off = (fabs(away[0]) + fabs(away[1]) + fabs(away[2])) * 512 / (1 << 28);
-        const int32_t found = lim_mover_depth(&stage.lim, at_q12);
+        const int32_t found = lim_mover_depth(stage.lim.movers, at_q12);
         assert_true(found >= depth - off - 1.001 && found <= depth + off + 0.001);
     }
     stage_close(&stage);
@@ -359,14 +369,15 @@ static void objects_that_cannot_be_drawn_are_left_out(void **state)
     object->limits.vertices = LIM_MAX_VERTICES + 1;
     assert_false(pose(&stage, &camera));
     object->limits.vertices = 4;
-    const uint16_t size = stage.lim.retained.size;
-    stage.lim.retained.size = LIM_RETAINED_HEAD_CELLS + 4 + 5; /* clipping adds one a plane */
+    stage.lim.nearest->retained.size = LIM_RETAINED_HEAD_CELLS + 4 + 5; /* clipping adds one a plane */
+    stage_lend(&stage);
     assert_true(pose(&stage, &camera));
-    stage.lim.retained.size--;
+    stage.lim.nearest->retained.size--;
+    stage_lend(&stage);
     assert_false(pose(&stage, &camera));
-    stage.lim.target.method = LIM_PAINTER; /* which retains nothing */
+    stage.lim.pass.target.method = LIM_PAINTER; /* which retains nothing */
+    stage_lend(&stage);
     assert_true(pose(&stage, &camera));
-    stage.lim.retained.size = size;
     stage_close(&stage);
 }
 
@@ -399,7 +410,7 @@ static void balls_are_about_the_corners(void **state)
     for (size_t k = 0; k < sizeof places / sizeof *places; k++) {
         stage_open(&stage, places[k]);
         assert_true(pose(&stage, &camera));
-        const struct lim_mover *mover = stage.lim.movers.movers;
+        const struct lim_mover *mover = stage.lim.movers->movers;
         const int32_t half[3] = {450, 400, 50}; /* what the triangles span: add_triangles() */
         for (int i = 0; i < 3; i++)
             assert_int_equal(mover->centre_q12[i], (places[k][i] + half[i]) * 4096);
@@ -438,7 +449,7 @@ static void balls_hold_boxes_of_any_shape(void **state)
         for (int i = 0; i < 3; i++)
             stage.instance.at_q8[i] /= 16; /* all is within the world */
         assert_true(pose(&stage, &camera));
-        const double radius = stage.lim.movers.movers[0].radius_q12 / 4096.0;
+        const double radius = stage.lim.movers->movers[0].radius_q12 / 4096.0;
         const double scale = ldexp(1, -stage.instance.finer_bits);
         assert_true(radius >= sqrt(squares) * scale + 1 - 1.0 / 4096);
         assert_true(radius <= (longest + (sum - longest) * 107 / 256 + 1) * scale + 1);
@@ -456,7 +467,7 @@ static void balls_end_within_the_world(void **state)
     (void)state;
     stage_open(&stage, at);
     for (int i = 0; i < 6; i++) {
-        struct lim_mover *mover = stage.lim.movers.movers;
+        struct lim_mover *mover = stage.lim.movers->movers;
         const int sign = i & 1 ? -1 : 1;
         int32_t *along_q8 = &stage.instance.at_q8[i / 2], low = 0, high = (1 << 24) - 1;
         while (high - low > 1) { /* the last place that is in */
@@ -603,8 +614,8 @@ static void sides_within_an_object_are_its_own(void **state)
 
     (void)state;
     stage_open(&stage, at);
-    stage.lim.movers.instances = &stage.instance;
-    struct lim_newell *newell = &stage.lim.sorter.newell;
+    stage.lim.movers->instances = &stage.instance;
+    struct lim_newell *newell = stage.lim.sorter->newell;
     for (int round = 0; round < ROUNDS; round++) {
         struct own_plane planes[POLYGONS];
         int16_t corners[POLYGONS][3][3];
@@ -618,20 +629,20 @@ static void sides_within_an_object_are_its_own(void **state)
         for (int i = 0; i < POLYGONS; i++) {
             static const lim_index order[POLYGONS] = {1, 0, 2};
             const lim_index words = (lim_index)lim_record_words(stage.object.polygons[0]);
-            stage.lim.sorter.list[i] = (struct lim_sorted){.record = (lim_index)(order[i] * words), .next = LIM_NONE};
+            stage.lim.sorter->list[i] = (struct lim_sorted){.record = (lim_index)(order[i] * words), .next = LIM_NONE};
             newell->polygons[i] = (struct lim_newell_polygon){.cuts = LIM_NONE, .owner = 0};
         }
         for (int k = 0; k < 3; k++) {
             const double corner[3] = {corners[OF][k][0], corners[OF][k][1], corners[OF][k][2]};
             expected |= side_of(&planes[BY], corner);
         }
-        assert_int_equal(lim_piece_sides(&stage.lim, OF, BY), expected);
+        assert_int_equal(lim_piece_sides(stage.lim.sorter, OF, BY), expected);
         whole[expected]++;
         const int of_piece = sides_of_front((const int16_t(*)[3])corners[OF], &planes[CUT], &planes[BY], &is_clear);
         if (!is_clear) continue;
         newell->cuts[0] = (struct lim_cut){LIM_NONE, CUT | LIM_CUT_FRONT};
         newell->polygons[OF].cuts = 0;
-        assert_int_equal(lim_piece_sides(&stage.lim, OF, BY), expected == LIM_SIDE_BOTH ? of_piece : expected);
+        assert_int_equal(lim_piece_sides(stage.lim.sorter, OF, BY), expected == LIM_SIDE_BOTH ? of_piece : expected);
         pieces += expected == LIM_SIDE_BOTH && of_piece != LIM_SIDE_BOTH;
     }
     print_message("# %d on it, %d in front, %d behind, %d both, %d pieces\n", whole[0], whole[1], whole[2], whole[3],
@@ -651,10 +662,10 @@ static void corners_are_added_where_the_plane_is_crossed(void **state)
 
     (void)state;
     stage_open(&stage, at);
-    stage.lim.movers.instances = &stage.instance;
+    stage.lim.movers->instances = &stage.instance;
     stage.instance.axes_q30[0] = 1 << 18; /* an object's unit is a 4096th */
-    stage.lim.sorter.list[0] = (struct lim_sorted){.record = 0, .next = LIM_NONE};
-    stage.lim.sorter.newell.polygons[0] = (struct lim_newell_polygon){.cuts = LIM_NONE, .owner = 0};
+    stage.lim.sorter->list[0] = (struct lim_sorted){.record = 0, .next = LIM_NONE};
+    stage.lim.sorter->newell->polygons[0] = (struct lim_newell_polygon){.cuts = LIM_NONE, .owner = 0};
     for (int k = 0; k < CASES; k++)
         for (int front = 0; front < 2; front++) {
             const int x[3] = {k % VALUES - 2, k / VALUES % VALUES - 2, k / VALUES / VALUES - 2};
@@ -664,7 +675,7 @@ static void corners_are_added_where_the_plane_is_crossed(void **state)
                 stage.object.vertices[i].x = (int16_t)x[i];
                 expected += (front ? x[i] >= 0 : x[i] <= 0) + (x[i] * x[(i + 1) % 3] < 0);
             }
-            const struct lim_corners *corners = lim_corners_cut(&stage.lim, 0, &along_x, front, places);
+            const struct lim_corners *corners = lim_corners_cut(stage.lim.sorter, 0, &along_x, front, places);
             assert_int_equal(corners ? corners->n : 0, expected < 3 ? 0 : expected);
             for (int i = 0; corners && i < expected; i++)
                 assert_true(front ? corners->at_q12[i][0] >= 0 : corners->at_q12[i][0] <= 0);
@@ -683,7 +694,7 @@ static void sides_are_the_wholes_as_long_as_they_decide(void **state)
 
     (void)state;
     stage_open(&stage, at);
-    stage.lim.movers.instances = &stage.instance;
+    stage.lim.movers->instances = &stage.instance;
     for (int sign = -1; sign <= 1; sign += 2) {
         const int16_t whole[3][3] = {{0, 0, 0}, {0, 10, 0}, {(int16_t)(5 * sign), 10, 0}};
         const int16_t cutter[3][3] = {{0, 1, 0}, {0, 1, 9}, {9, 1, 0}}; /* faces up */
@@ -692,12 +703,12 @@ static void sides_are_the_wholes_as_long_as_they_decide(void **state)
         set_add(&stage.object, 2, 3, cutter);
         for (int i = 0; i < POLYGONS; i++) {
             const lim_index words = (lim_index)lim_record_words(stage.object.polygons[0]);
-            stage.lim.sorter.list[i] = (struct lim_sorted){.record = i == CUT ? words : 0, .next = LIM_NONE};
-            stage.lim.sorter.newell.polygons[i] = (struct lim_newell_polygon){.cuts = LIM_NONE, .owner = 0};
+            stage.lim.sorter->list[i] = (struct lim_sorted){.record = i == CUT ? words : 0, .next = LIM_NONE};
+            stage.lim.sorter->newell->polygons[i] = (struct lim_newell_polygon){.cuts = LIM_NONE, .owner = 0};
         }
-        stage.lim.sorter.newell.cuts[0] = (struct lim_cut){LIM_NONE, CUT};
-        stage.lim.sorter.newell.polygons[OF].cuts = 0;
-        assert_int_equal(lim_piece_sides_of(&stage.lim, OF, &along_x), sign > 0 ? LIM_SIDE_FRONT : LIM_SIDE_BACK);
+        stage.lim.sorter->newell->cuts[0] = (struct lim_cut){LIM_NONE, CUT};
+        stage.lim.sorter->newell->polygons[OF].cuts = 0;
+        assert_int_equal(lim_piece_sides_of(stage.lim.sorter, OF, &along_x), sign > 0 ? LIM_SIDE_FRONT : LIM_SIDE_BACK);
     }
     stage_close(&stage);
 }
@@ -711,9 +722,9 @@ static void polygons_have_as_many_corners_as_cuts_may_add(void **state)
 
     (void)state;
     stage_open(&stage, at);
-    stage.lim.movers.instances = &stage.instance;
-    stage.lim.sorter.list[0] = (struct lim_sorted){.record = 0, .next = LIM_NONE};
-    stage.lim.sorter.newell.polygons[0] = (struct lim_newell_polygon){.cuts = LIM_NONE, .owner = 0};
+    stage.lim.movers->instances = &stage.instance;
+    stage.lim.sorter->list[0] = (struct lim_sorted){.record = 0, .next = LIM_NONE};
+    stage.lim.sorter->newell->polygons[0] = (struct lim_newell_polygon){.cuts = LIM_NONE, .owner = 0};
     for (uint16_t limit = 0; limit < 8; limit++)
         for (int n = 3; n < LIM_CUT_VERTICES + 8; n++) {
             struct lim_corners places[2];
@@ -723,7 +734,7 @@ static void polygons_have_as_many_corners_as_cuts_may_add(void **state)
                 stage.object.vertices[k] = (struct lim_vertex){7, (int16_t)(k * k), (int16_t)k};
                 stage.object.polygons[LIM_POLYGON_HEAD_WORDS + k] = (lim_index)k;
             }
-            const struct lim_corners *corners = lim_corners_cut(&stage.lim, 0, &along_x, true, places);
+            const struct lim_corners *corners = lim_corners_cut(stage.lim.sorter, 0, &along_x, true, places);
             assert_int_equal(corners != NULL, n < limit + LIM_CUT_VERTICES);
             if (corners) assert_int_equal(corners->n, n);
         }
@@ -746,27 +757,27 @@ static void memory_is_taken_to_its_end(void **state)
         assert_non_null(mem);
         assert_int_equal(lim_movers_init(&stage.lim, mem, mem_b - 1, &limits), LIM_ERR_MEMORY);
         assert_int_equal(lim_movers_init(&stage.lim, mem, mem_b, &limits), LIM_OK);
-        const struct lim_sorter *sorter = &stage.lim.sorter;
+        const struct lim_sorter *sorter = stage.lim.sorter;
         assert_int_equal(sorter->size, entries);
-        assert_int_equal(sorter->newell.cut_size, entries);
-        memset(stage.lim.movers.movers, 1, MOVERS * sizeof *stage.lim.movers.movers);
+        assert_int_equal(sorter->newell->cut_size, entries);
+        memset(stage.lim.movers->movers, 1, MOVERS * sizeof *stage.lim.movers->movers);
         memset(sorter->list, 2, entries * sizeof *sorter->list);
-        memset(sorter->newell.polygons, 3, entries * sizeof *sorter->newell.polygons);
-        memset(stage.lim.movers.cache, 4, LIM_VIEW_CACHE_ENTRIES * sizeof *stage.lim.movers.cache);
-        memset(sorter->newell.cuts, 5, entries * sizeof *sorter->newell.cuts);
-        memset(stage.lim.movers.stack, 6, sizeof *stage.lim.movers.stack);
-        memset(stage.lim.movers.object_stack, 7, sizeof *stage.lim.movers.object_stack);
+        memset(sorter->newell->polygons, 3, entries * sizeof *sorter->newell->polygons);
+        memset(stage.lim.movers->cache, 4, LIM_VIEW_CACHE_ENTRIES * sizeof *stage.lim.movers->cache);
+        memset(sorter->newell->cuts, 5, entries * sizeof *sorter->newell->cuts);
+        memset(stage.lim.movers->stack, 6, sizeof *stage.lim.movers->stack);
+        memset(stage.lim.movers->object_stack, 7, sizeof *stage.lim.movers->object_stack);
         size_t counts[8] = {0};
-        for (size_t k = 0; k < (size_t)((uint8_t *)(stage.lim.movers.object_stack + 1) - mem); k++)
+        for (size_t k = 0; k < (size_t)((uint8_t *)(stage.lim.movers->object_stack + 1) - mem); k++)
             counts[mem[k]]++;
-        assert_true((uint8_t *)(stage.lim.movers.object_stack + 1) <= mem + mem_b);
-        assert_int_equal(counts[1], MOVERS * sizeof *stage.lim.movers.movers);
+        assert_true((uint8_t *)(stage.lim.movers->object_stack + 1) <= mem + mem_b);
+        assert_int_equal(counts[1], MOVERS * sizeof *stage.lim.movers->movers);
         assert_int_equal(counts[2], entries * sizeof *sorter->list);
-        assert_int_equal(counts[3], entries * sizeof *sorter->newell.polygons);
-        assert_int_equal(counts[4], LIM_VIEW_CACHE_ENTRIES * sizeof *stage.lim.movers.cache);
-        assert_int_equal(counts[5], entries * sizeof *sorter->newell.cuts);
-        assert_int_equal(counts[6], sizeof *stage.lim.movers.stack);
-        assert_int_equal(counts[7], sizeof *stage.lim.movers.object_stack);
+        assert_int_equal(counts[3], entries * sizeof *sorter->newell->polygons);
+        assert_int_equal(counts[4], LIM_VIEW_CACHE_ENTRIES * sizeof *stage.lim.movers->cache);
+        assert_int_equal(counts[5], entries * sizeof *sorter->newell->cuts);
+        assert_int_equal(counts[6], sizeof *stage.lim.movers->stack);
+        assert_int_equal(counts[7], sizeof *stage.lim.movers->object_stack);
         free(mem);
         stage_close(&stage);
     }

@@ -3,12 +3,12 @@
  * Movers against a plane of the static tree, at the limits: polygons whose corners are just within what counts as on
  * the plane, or just not, and balls that just reach it. What the filters say is what the corners themselves do. */
 #include "limner.h"
-#include "orders/order.h"
 #include "pieces/corners.h"
 #include "rigs/cmocka_ready.h"
 #include "rigs/plain_lines.h"
 #include "rigs/random_camera.h"
 #include "rigs/set_rig.h"
+#include "routes/mover_split.h"
 #include "scene/plane.h"
 
 #include <math.h>
@@ -55,7 +55,7 @@ static void stage_open(struct stage *stage)
     assert_int_equal(lim_init(&stage->lim, &stage->scene.scene, &target, stage->mem, mem_b), LIM_OK);
     assert_int_equal(lim_movers_init(&stage->lim, stage->mover_mem, mover_mem_b, &limits), LIM_OK);
     stage->instance.object = &stage->object.scene;
-    stage->lim.movers.instances = &stage->instance;
+    stage->lim.movers->instances = &stage->instance;
 }
 
 static void stage_close(struct stage *stage)
@@ -106,7 +106,7 @@ static void any_plane(struct stage *stage, struct random *random)
 static void place_anyhow(struct stage *stage, struct random *random)
 {
     const struct lim_camera camera = set_camera(false);
-    struct lim_movers *movers = &stage->lim.movers;
+    struct lim_movers *movers = stage->lim.movers;
     const uint32_t yaw = random_angle(random), pitch = random_angle(random), roll = random_angle(random);
 
     lim_instance_turn(&stage->instance, yaw, pitch, roll);
@@ -115,21 +115,21 @@ static void place_anyhow(struct stage *stage, struct random *random)
         stage->instance.at_q8[i] = (int32_t)random_in(random, -(1 << 20), 1 << 20);
     movers->instances = &stage->instance;
     movers->given = movers->count = 1;
-    lim_movers_pose(&stage->lim, &camera);
+    lim_movers_pose(stage->lim.movers, &stage->lim.pass, &camera);
     assert_true(movers->movers[0].radius_q12 >= 0);
 }
 
 /* One entry, a polygon of the object's or all of it, and on which sides of the plane it goes. */
 static int sides_after(struct stage *stage, bool is_whole, bool eye_in_front)
 {
-    struct lim_sorter *sorter = &stage->lim.sorter;
+    struct lim_sorter *sorter = stage->lim.sorter;
     uint16_t front, back;
 
     sorter->list[0] = (struct lim_sorted){.record = is_whole ? (lim_index)LIM_NO_INDEX : 0, .next = LIM_NONE};
-    sorter->newell.polygons[0] = (struct lim_newell_polygon){.cuts = LIM_NONE, .owner = 0};
+    sorter->newell->polygons[0] = (struct lim_newell_polygon){.cuts = LIM_NONE, .owner = 0};
     sorter->used = 1;
-    sorter->newell.cuts_used = 0;
-    lim_movers_divide(&stage->lim, 0, eye_in_front ? 1 : -1, 0, &front, &back);
+    sorter->newell->cuts_used = 0;
+    lim_movers_divide(stage->lim.sorter, 0, eye_in_front ? 1 : -1, 0, &front, &back);
     return (front != LIM_NONE ? FRONT : 0) | (back != LIM_NONE ? BACK : 0);
 }
 
@@ -143,7 +143,7 @@ static int sides_of_corners(const struct stage *stage, bool *is_clear)
     *is_clear = true;
     for (lim_index k = 0; k < 3; k++) {
         int32_t at_q12[3];
-        lim_mover_place(&stage->lim, 0, k, at_q12);
+        lim_mover_place(stage->lim.movers, 0, k, at_q12);
         const double value =
             ((double)n[0] * at_q12[0] + (double)n[1] * at_q12[1] + (double)n[2] * at_q12[2]) / 4096 - (double)stage->d;
         if (fabs(fabs(value) - slack) < slack * 1e-6) *is_clear = false;
@@ -245,7 +245,7 @@ static void centres_decide_for_those_that_enter_by_them(void **state)
         for (int32_t beyond_q12 = -3; beyond_q12 <= 3; beyond_q12++) {
             place_anyhow(&stage, &random);
             set_plane(&stage, along_x, 77);
-            stage.lim.movers.movers[0].centre_q12[0] = 77 * 4096 + beyond_q12;
+            stage.lim.movers->movers[0].centre_q12[0] = 77 * 4096 + beyond_q12;
             const bool is_front = beyond_q12 ? beyond_q12 > 0 : eye_in_front;
             assert_int_equal(sides_after(&stage, true, eye_in_front), is_front ? FRONT : BACK);
         }
@@ -258,7 +258,7 @@ static void balls_are_taken_apart_where_they_reach_the_plane(void **state)
 {
     static struct stage stage;
     struct random random = {552};
-    struct lim_stats *stats = &stage.lim.stats;
+    struct lim_stats *stats = stage.lim.pass.stats;
     int found[2] = {0};
 
     (void)state;
@@ -268,7 +268,7 @@ static void balls_are_taken_apart_where_they_reach_the_plane(void **state)
         for (int i = 0; i < 3; i++)
             stage.box.half[i] = (uint16_t)random_in(&random, 1, 1 << random_in(&random, 1, 14));
         place_anyhow(&stage, &random);
-        const double length = length_of(stage.n), radius = stage.lim.movers.movers[0].radius_q12 / 4096.0;
+        const double length = length_of(stage.n), radius = stage.lim.movers->movers[0].radius_q12 / 4096.0;
         const double longest = (double)llabs(llabs(stage.n[0]) > llabs(stage.n[1]) ? stage.n[0] : stage.n[1]);
         const double most = fmax(longest, (double)llabs(stage.n[2]));
         const double sum = (double)(llabs(stage.n[0]) + llabs(stage.n[1]) + llabs(stage.n[2]));
@@ -278,7 +278,7 @@ static void balls_are_taken_apart_where_they_reach_the_plane(void **state)
                                         : least * (1 + 1e-5 * (double)random_in(&random, 1, 20));
         double value = 0;
         for (int i = 0; i < 3; i++)
-            value += (double)stage.n[i] * stage.lim.movers.movers[0].centre_q12[i] / 4096;
+            value += (double)stage.n[i] * stage.lim.movers->movers[0].centre_q12[i] / 4096;
         const int64_t d = (int64_t)(value - (is_front ? distance : -distance) * length);
         if (fabs((double)d - value) / length > 1e5 || llabs(d) >= INT64_C(1) << 47) continue;
         const int64_t n[3] = {stage.n[0], stage.n[1], stage.n[2]};
@@ -301,19 +301,19 @@ static void entries_are_counted_with_their_cuts(void **state)
 {
     static const uint16_t used[][2] = {{3, 0}, {3, 3}, {2, 7}, {7, 6}, {6, 1}, {9, 8}, {8, 10}, {1, 1}};
     static struct stage stage;
-    struct lim_sorter *sorter = &stage.lim.sorter;
+    struct lim_sorter *sorter = stage.lim.sorter;
     uint32_t most = 0;
 
     (void)state;
     stage_open(&stage);
-    stage.lim.stats.movers.entries = 0;
+    stage.lim.pass.stats->movers.entries = 0;
     for (size_t k = 0; k < sizeof used / sizeof *used; k++) {
         sorter->used = used[k][0];
-        sorter->newell.cuts_used = used[k][1];
+        sorter->newell->cuts_used = used[k][1];
         for (int i = 0; i < 2; i++)
             if (used[k][i] > most) most = used[k][i];
-        lim_movers_note_entries(&stage.lim);
-        assert_int_equal(stage.lim.stats.movers.entries, most);
+        lim_movers_note_entries(stage.lim.sorter);
+        assert_int_equal(stage.lim.pass.stats->movers.entries, most);
     }
     stage_close(&stage);
 }

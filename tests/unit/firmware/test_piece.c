@@ -2,8 +2,8 @@
  *
  * Pieces of polygons, each function alone, on lists that are made by hand. What a piece has of a line is compared with
  * the rays through its pixels, its corners with cutting in doubles, overlaps with separating axes on the screen. */
-#include "orders/order.h"
-#include "pieces/piece.h"
+#include "limner.h"
+#include "pieces/trace.h"
 #include "rigs/cmocka_ready.h"
 #include "rigs/random.h"
 #include "rigs/set_rig.h"
@@ -84,12 +84,12 @@ static bool stage_list(struct stage *stage)
     struct lim *lim = &stage->view.lim;
     lim_index at = 0;
 
-    lim->sorter.used = (uint16_t)stage->count;
-    lim->sorter.newell.cuts_used = 0;
+    lim->sorter->used = (uint16_t)stage->count;
+    lim->sorter->newell->cuts_used = 0;
     for (int i = 0; i < stage->count; i++) {
         const lim_index *record = &stage->set.polygons[at];
-        lim->sorter.list[i] = (struct lim_sorted){.record = at, .next = LIM_NONE};
-        if (!lim_newell_add(lim, (uint16_t)i, record, 0, 0, true)) return false;
+        lim->sorter->list[i] = (struct lim_sorted){.record = at, .next = LIM_NONE};
+        if (!lim_newell_add(lim->sorter, (uint16_t)i, 0, 0, true)) return false;
         at = (lim_index)(at + lim_record_words(record[0]));
     }
     return true;
@@ -219,8 +219,8 @@ static void project_whole(struct stage *stage, uint16_t entry, struct lim_screen
     const struct lim_rect screen = {0, 0, SET_SIDE_PX, SET_SIDE_PX};
     struct lim *lim = &stage->view.lim;
 
-    assert_true(lim_project(whole, &lim->view, lim->scene, &lim->scene->polygons[lim->sorter.list[entry].record],
-                            &screen, NULL));
+    assert_true(lim_project(whole, &lim->pass.view, lim->pass.scene,
+                            &lim->pass.scene->polygons[lim->sorter->list[entry].record], &screen, NULL));
 }
 
 /* The lines of one polygon and of its pieces, and of some cut once more: each pixel of the whole is in one of them, and
@@ -228,7 +228,7 @@ static void project_whole(struct stage *stage, uint16_t entry, struct lim_screen
 static size_t check_lines(struct stage *stage, const uint16_t *pieces, int count)
 {
     const struct lim *lim = &stage->view.lim;
-    const struct lim_newell *newell = &lim->sorter.newell;
+    const struct lim_newell *newell = lim->sorter->newell;
     struct lim_screen_polygon whole;
     size_t certain = 0;
 
@@ -236,10 +236,10 @@ static size_t check_lines(struct stage *stage, const uint16_t *pieces, int count
     for (int y = whole.shape.top > 0 ? whole.shape.top : 0; y < whole.shape.bottom && y < SET_SIDE_PX; y++) {
         struct lim_point lines[4], line;
         for (int k = 0; k < count; k++)
-            lines[k] = lim_piece_line(lim, pieces[k], &whole, (int16_t)y);
+            lines[k] = lim_piece_line(lim->sorter, pieces[k], &whole, (int16_t)y);
         const uint16_t cuts = newell->polygons[pieces[0]].cuts;
         newell->polygons[pieces[0]].cuts = LIM_NONE;
-        line = lim_piece_line(lim, pieces[0], &whole, (int16_t)y);
+        line = lim_piece_line(lim->sorter, pieces[0], &whole, (int16_t)y);
         newell->polygons[pieces[0]].cuts = cuts;
         for (int x = 0; x < SET_SIDE_PX; x++) {
             int in = 0;
@@ -263,8 +263,8 @@ static size_t check_lines(struct stage *stage, const uint16_t *pieces, int count
 static void check_known(const struct stage *stage, uint16_t entry, const struct corners *corners)
 {
     const struct lim *lim = &stage->view.lim;
-    const struct lim_newell_polygon *polygon = &lim->sorter.newell.polygons[entry];
-    const double scale = -(double)lim->view.rows.row[2].n_qv[2];
+    const struct lim_newell_polygon *polygon = &lim->sorter->newell->polygons[entry];
+    const double scale = -(double)lim->pass.view.rows.row[2].n_qv[2];
     double low[3] = {INFINITY, INFINITY, INFINITY}, high[3] = {-INFINITY, -INFINITY, -INFINITY};
 
     for (int k = 0; k < corners->n; k++) {
@@ -276,7 +276,7 @@ static void check_known(const struct stage *stage, uint16_t entry, const struct 
         }
     }
     assert_true(fabs(polygon->near_qv - low[2] * scale) <= scale / 1000 + 2);
-    assert_true(fabs(lim->sorter.list[entry].far_qv - high[2] * scale) <= scale / 1000 + 2);
+    assert_true(fabs(lim->sorter->list[entry].far_qv - high[2] * scale) <= scale / 1000 + 2);
     for (int i = 0; i < 2; i++) {
         const uint16_t from = i ? polygon->rect.y0 : polygon->rect.x0, to = i ? polygon->rect.y1 : polygon->rect.x1;
         if (high[i] - low[i] < 3 || high[0] < 3 || high[1] < 3 || low[0] > SET_SIDE_PX - 3 || low[1] > SET_SIDE_PX - 3)
@@ -304,7 +304,7 @@ static void pieces_have_the_pixels_on_their_side(void **state)
         back = front;
         if (is_clear(&front, &stage.polygons[1])) {
             struct lim *lim = &stage.view.lim;
-            uint16_t pieces[3] = {0, lim_piece_split(lim, 0, 1)};
+            uint16_t pieces[3] = {0, lim_piece_split(lim->sorter, 0, 1)};
             assert_int_equal(pieces[1], 3);
             cut_corners(&front, &stage.polygons[1], true);
             cut_corners(&back, &stage.polygons[1], false);
@@ -312,7 +312,7 @@ static void pieces_have_the_pixels_on_their_side(void **state)
             check_known(&stage, pieces[1], &back);
             certain += check_lines(&stage, pieces, 2);
             if (is_clear(&back, &stage.polygons[2])) {
-                pieces[2] = lim_piece_split(lim, pieces[1], 2);
+                pieces[2] = lim_piece_split(lim->sorter, pieces[1], 2);
                 assert_int_equal(pieces[2], 4);
                 certain += check_lines(&stage, pieces, 3);
             }
@@ -339,18 +339,18 @@ static void corners_are_where_planes_cut(void **state)
         for (int front = 0; front < 2; front++) {
             assert_true(stage_list(&stage));
             corners_of(&corners, &stage.polygons[0]);
-            assert_corners(lim_corners_of(lim, 0, places), &corners, 0);
+            assert_corners(lim_corners_of(lim->sorter, 0, places), &corners, 0);
             if (!is_clear(&corners, &stage.polygons[1])) continue;
             cut_corners(&corners, &stage.polygons[1], front);
-            lim_plane_load(&plane, lim, 1);
-            assert_corners(lim_corners_cut(lim, 0, &plane, front, places), &corners, 1.01);
+            lim_plane_load(&plane, lim->sorter, 1);
+            assert_corners(lim_corners_cut(lim->sorter, 0, &plane, front, places), &corners, 1.01);
             if (!is_clear(&corners, &stage.polygons[2])) continue;
-            lim->sorter.newell.cuts[0] = (struct lim_cut){LIM_NONE, (uint16_t)(1 | (front ? LIM_CUT_FRONT : 0))};
-            lim->sorter.newell.polygons[0].cuts = 0;
-            assert_corners(lim_corners_of(lim, 0, places), &corners, 1.01);
+            lim->sorter->newell->cuts[0] = (struct lim_cut){LIM_NONE, (uint16_t)(1 | (front ? LIM_CUT_FRONT : 0))};
+            lim->sorter->newell->polygons[0].cuts = 0;
+            assert_corners(lim_corners_of(lim->sorter, 0, places), &corners, 1.01);
             cut_corners(&corners, &stage.polygons[2], !front);
-            lim_plane_load(&plane, lim, 2);
-            assert_corners(lim_corners_cut(lim, 0, &plane, !front, places), &corners, 40);
+            lim_plane_load(&plane, lim->sorter, 2);
+            assert_corners(lim_corners_cut(lim->sorter, 0, &plane, !front, places), &corners, 40);
             cuts++;
         }
         stage_close(&stage);
@@ -368,16 +368,16 @@ static void what_was_cut_to_a_side_is_on_it(void **state)
     for (int round = 0; round < 40; round++) {
         stage_open(&stage, 4, &random);
         struct lim *lim = &stage.view.lim;
-        struct lim_newell *newell = &lim->sorter.newell;
+        struct lim_newell *newell = lim->sorter->newell;
         newell->cuts[0] = (struct lim_cut){LIM_NONE, 1 | LIM_CUT_FRONT};
         newell->cuts[1] = (struct lim_cut){0, 2};
         newell->cuts[2] = (struct lim_cut){LIM_NONE, 1};
         newell->cuts_used = 3;
         newell->polygons[0].cuts = 1;
-        assert_int_equal(lim_piece_sides(lim, 0, 1), LIM_SIDE_FRONT);
-        assert_int_equal(lim_piece_sides(lim, 0, 2), LIM_SIDE_BACK);
+        assert_int_equal(lim_piece_sides(lim->sorter, 0, 1), LIM_SIDE_FRONT);
+        assert_int_equal(lim_piece_sides(lim->sorter, 0, 2), LIM_SIDE_BACK);
         newell->polygons[0].cuts = 2;
-        assert_int_equal(lim_piece_sides(lim, 0, 1), LIM_SIDE_BACK);
+        assert_int_equal(lim_piece_sides(lim->sorter, 0, 1), LIM_SIDE_BACK);
         stage_close(&stage);
     }
 }
@@ -404,7 +404,7 @@ static void sides_are_those_of_corners(void **state)
                     const double value = value_of(plane, corners.at[k]);
                     expected |= value > slack ? LIM_SIDE_FRONT : value < -slack ? LIM_SIDE_BACK : 0;
                 }
-                assert_int_equal(lim_piece_sides(lim, of, by), expected);
+                assert_int_equal(lim_piece_sides(lim->sorter, of, by), expected);
                 found[expected]++;
             }
         stage_close(&stage);
@@ -424,24 +424,24 @@ static void a_split_takes_what_room_there_is_and_no_more(void **state)
         struct corners corners;
         stage_open(&stage, 2, &random);
         corners_of(&corners, &stage.polygons[0]);
-        struct lim_sorter *sorter = &stage.view.lim.sorter;
+        struct lim_sorter *sorter = stage.view.lim.sorter;
         if (is_clear(&corners, &stage.polygons[1])) {
-            const uint16_t cut_size = sorter->newell.cut_size, size = sorter->size;
-            sorter->newell.cut_size = 1;
-            assert_int_equal(lim_piece_split(&stage.view.lim, 0, 1), LIM_NONE);
-            sorter->newell.cut_size = cut_size;
+            const uint16_t cut_size = sorter->newell->cut_size, size = sorter->size;
+            sorter->newell->cut_size = 1;
+            assert_int_equal(lim_piece_split(stage.view.lim.sorter, 0, 1), LIM_NONE);
+            sorter->newell->cut_size = cut_size;
             sorter->size = 2;
-            assert_int_equal(lim_piece_split(&stage.view.lim, 0, 1), LIM_NONE);
+            assert_int_equal(lim_piece_split(stage.view.lim.sorter, 0, 1), LIM_NONE);
             sorter->size = 3;
-            sorter->newell.cut_size = 2;
-            assert_int_equal(sorter->newell.polygons[0].cuts, LIM_NONE);
-            assert_int_equal(lim_piece_split(&stage.view.lim, 0, 1), 2);
+            sorter->newell->cut_size = 2;
+            assert_int_equal(sorter->newell->polygons[0].cuts, LIM_NONE);
+            assert_int_equal(lim_piece_split(stage.view.lim.sorter, 0, 1), 2);
             assert_int_equal(sorter->used, 3);
-            assert_int_equal(sorter->newell.cuts_used, 2);
-            assert_int_equal(sorter->newell.cuts[sorter->newell.polygons[0].cuts].by, 1 | LIM_CUT_FRONT);
-            assert_int_equal(sorter->newell.cuts[sorter->newell.polygons[2].cuts].by, 1);
-            assert_false(lim_piece_has_room(&stage.view.lim));
-            sorter->newell.cut_size = cut_size;
+            assert_int_equal(sorter->newell->cuts_used, 2);
+            assert_int_equal(sorter->newell->cuts[sorter->newell->polygons[0].cuts].by, 1 | LIM_CUT_FRONT);
+            assert_int_equal(sorter->newell->cuts[sorter->newell->polygons[2].cuts].by, 1);
+            assert_false(lim_piece_has_room(stage.view.lim.sorter));
+            sorter->newell->cut_size = cut_size;
             sorter->size = size;
             splits++;
         }
@@ -501,7 +501,7 @@ static void what_overlaps_on_the_screen_is_found(void **state)
             outline_of(&outlines[0], &corners[0]);
             outline_of(&outlines[1], &corners[1]);
             const double gap = fmax(gap_px(&outlines[0], &outlines[1]), gap_px(&outlines[1], &outlines[0]));
-            const bool overlaps = lim_piece_overlaps(&stage.view.lim, 0, 1, part);
+            const bool overlaps = lim_piece_overlaps(stage.view.lim.sorter, 0, 1, part);
             if (gap > 0.1) assert_false(overlaps);
             if (gap < -0.1) assert_true(overlaps);
             apart += gap > 0.1;

@@ -63,14 +63,14 @@ static size_t sum_b(enum lim_method method, const struct sizes *sizes)
 
 static struct sizes sizes_of(const struct lim *lim, enum lim_method method)
 {
-    struct sizes sizes = {lim->paint.actives.pool_size, lim->retained.size, lim->spans.pool_size, 0,
-                          lim->paint.layers.size};
+    struct sizes sizes = {lim->nearest->paint.actives.pool_size, lim->nearest->retained.size,
+                          lim->nearest->spans.pool_size, 0, lim->nearest->paint.layers->size};
 
     if (method == LIM_NEWELL) {
-        sizes.pieces = lim->sorter.size - 2u;
-        assert_int_equal(lim->sorter.newell.cut_size, 2 * sizes.pieces);
+        sizes.pieces = lim->sorter->size - 2u;
+        assert_int_equal(lim->sorter->newell->cut_size, 2 * sizes.pieces);
     }
-    if (method == LIM_DEPTH) assert_int_equal(lim->sorter.size, 2);
+    if (method == LIM_DEPTH) assert_int_equal(lim->sorter->size, 2);
     return sizes;
 }
 
@@ -87,20 +87,20 @@ static void mark(uint8_t *mem, size_t mem_b, const void *pool, size_t pool_b)
 static void check_places(struct lim *lim, enum lim_method method, uint8_t *mem, size_t mem_b)
 {
     const struct sizes sizes = sizes_of(lim, method);
-    const struct lim_sorter *sorter = &lim->sorter;
+    const struct lim_sorter *sorter = lim->sorter;
 
     memset(mem, 0, mem_b);
-    mark(mem, mem_b, lim->paint.actives.pool, sizes.active * sizeof(struct lim_active));
-    mark(mem, mem_b, lim->retained.cells, sizes.cells * sizeof(union lim_retained_cell));
-    mark(mem, mem_b, lim->spans.lines, H_PX * sizeof(struct lim_line));
-    mark(mem, mem_b, lim->spans.pool, sizes.gaps * sizeof(struct lim_gap));
-    mark(mem, mem_b, lim->paint.layers.pool, sizes.layers * sizeof(struct lim_layer));
-    mark(mem, mem_b, lim->view.cache, LIM_VIEW_CACHE_ENTRIES * sizeof(struct lim_view_cached));
-    if (method == LIM_NEAREST_FIRST) mark(mem, mem_b, lim->stack, 7 * sizeof *lim->stack);
+    mark(mem, mem_b, lim->nearest->paint.actives.pool, sizes.active * sizeof(struct lim_active));
+    mark(mem, mem_b, lim->nearest->retained.cells, sizes.cells * sizeof(union lim_retained_cell));
+    mark(mem, mem_b, lim->nearest->spans.lines, H_PX * sizeof(struct lim_line));
+    mark(mem, mem_b, lim->nearest->spans.pool, sizes.gaps * sizeof(struct lim_gap));
+    mark(mem, mem_b, lim->nearest->paint.layers->pool, sizes.layers * sizeof(struct lim_layer));
+    mark(mem, mem_b, lim->pass.view.cache, LIM_VIEW_CACHE_ENTRIES * sizeof(struct lim_view_cached));
+    if (method == LIM_NEAREST_FIRST) mark(mem, mem_b, lim->pass.walk->stack, 7 * sizeof *lim->pass.walk->stack);
     if (method != LIM_NEAREST_FIRST) mark(mem, mem_b, sorter->list, sorter->size * sizeof *sorter->list);
     if (method != LIM_NEWELL) return;
-    mark(mem, mem_b, sorter->newell.polygons, sorter->size * sizeof *sorter->newell.polygons);
-    mark(mem, mem_b, sorter->newell.cuts, sorter->newell.cut_size * sizeof *sorter->newell.cuts);
+    mark(mem, mem_b, sorter->newell->polygons, sorter->size * sizeof *sorter->newell->polygons);
+    mark(mem, mem_b, sorter->newell->cuts, sorter->newell->cut_size * sizeof *sorter->newell->cuts);
 }
 
 static struct sizes share(const struct set *set, enum lim_method method, size_t mem_b)

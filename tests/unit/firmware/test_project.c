@@ -23,9 +23,9 @@ static void any_non_monotone(struct lim_screen_polygon *non_monotone, struct ran
         (uint8_t)(random_u64(random) % 2 ? random_in(random, 4, 20) : random_in(random, 4, CLIP_MAX_VERTICES));
     non_monotone->shape.apex = (uint8_t)(random_u64(random) % non_monotone->n);
     non_monotone->colour = (uint16_t)random_u64(random);
-    non_monotone->alpha = (uint8_t)random_u64(random);
-    non_monotone->texture = (uint16_t)random_u64(random);
-    non_monotone->antialiased = random_u64(random) & 1;
+    *non_monotone->alpha = (uint8_t)random_u64(random);
+    *non_monotone->texture = (uint16_t)random_u64(random);
+    *non_monotone->antialiased = random_u64(random) & 1;
     for (unsigned k = 0; k < non_monotone->n; k++)
         non_monotone->at[k] = (struct lim_point){(lim_sub)k, (lim_sub)(k * k % 97)};
     for (size_t i = 0; i < sizeof non_monotone->hidden / sizeof *non_monotone->hidden; i++)
@@ -57,9 +57,9 @@ static void a_fan_hides_what_is_no_edge_of_the_polygon(void **state)
                 drawn += !is_hidden(&triangle, e);
             }
             assert_int_equal(triangle.colour, non_monotone.colour);
-            assert_int_equal(triangle.alpha, non_monotone.alpha);
-            assert_int_equal(triangle.texture, non_monotone.texture);
-            assert_int_equal(triangle.antialiased, non_monotone.antialiased);
+            assert_int_equal(*triangle.alpha, *non_monotone.alpha);
+            assert_int_equal(*triangle.texture, *non_monotone.texture);
+            assert_int_equal(*triangle.antialiased, *non_monotone.antialiased);
         }
         assert_int_equal(edges, non_monotone.n);
         for (unsigned k = 0; k < non_monotone.n; k++)
@@ -146,7 +146,7 @@ static void what_clipping_leaves_of_an_edge_keeps_its_flag_and_a_cut_has_none(vo
                                                                (corner == 1 || corner == 2 ? 2 : -2) * SIDE_QV,
                                                        .y_qv = shifts_qv[plane][1] + (corner >= 2 ? 2 : -2) * SIDE_QV,
                                                        .z_qv = shifts_qv[plane][2],
-                                                       .hidden = flags >> k & 1};
+                                                       .hidden = {flags >> k & 1}};
                     polygons[0].at[k] = whole[k];
                 }
                 const struct lim_clip_polygon *clipped = lim_clip(polygons, NEAR_QV);
@@ -158,7 +158,7 @@ static void what_clipping_leaves_of_an_edge_keeps_its_flag_and_a_cut_has_none(vo
                         if (lies_between(from, &whole[e], &whole[(e + 1) % 4]) &&
                             lies_between(to, &whole[e], &whole[(e + 1) % 4]))
                             owner = e;
-                    assert_int_equal(from->hidden, owner == 4 ? 1 : flags >> owner & 1);
+                    assert_int_equal(*from->hidden, owner == 4 ? 1 : flags >> owner & 1);
                     cuts += owner == 4;
                 }
             }

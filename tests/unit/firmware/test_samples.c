@@ -80,7 +80,7 @@ static void add_plain(struct cover *cover, const struct lim_point *at, uint8_t n
 
     lim_strip_begin(&edges, n, shape->first);
     for (int16_t y = shape->top > 0 ? shape->top : 0; y < shape->bottom && y < H; y++) {
-        lim_strip_next(&strip, &edges, at, n, shape->first, y, shape->end_row);
+        lim_strip_next(&strip, &edges, at, n, shape->first, y, *shape->end_row);
         add_strip(cover, &strip, y);
     }
 }
@@ -90,12 +90,12 @@ static bool add_polygon(struct cover *cover, const struct lim_point *at, uint8_t
 {
     struct lim_edge_shape shape;
 
-    lim_samples_measure(&shape, at, n);
+    lim_samples_bounds(&shape, at, n);
     if (!shape.non_monotone) add_plain(cover, at, n, &shape);
     for (uint8_t k = 1; shape.non_monotone && k + 1 < n; k++) {
         const struct lim_point triangle[3] = {at[shape.apex], at[(shape.apex + k) % n], at[(shape.apex + k + 1) % n]};
         struct lim_edge_shape of;
-        lim_samples_measure(&of, triangle, 3);
+        lim_samples_bounds(&of, triangle, 3);
         add_plain(cover, triangle, 3, &of);
     }
     return shape.non_monotone;

@@ -3,8 +3,8 @@
  * Which pixels of a line a piece has, where numbers are at their worst: polygons that the eye sees at a grazing angle,
  * cut so that all but a sliver lies on one side. And which samples, by frames of polygons that pass through each other.
  * Both on a screen that is no square, compared with rays. */
-#include "orders/order.h"
-#include "pieces/piece.h"
+#include "limner.h"
+#include "pieces/trace.h"
 #include "rigs/cmocka_ready.h"
 #include "rigs/plain_lines.h"
 #include "rigs/random.h"
@@ -141,11 +141,11 @@ static bool make_pair(struct stage *stage, struct random *random)
 /* The strip's part in front of the cutter, the cutter, and the part behind it. */
 static void list_pieces(struct lim *lim)
 {
-    struct lim_sorter *sorter = &lim->sorter;
-    struct lim_newell *newell = &sorter->newell;
+    struct lim_sorter *sorter = lim->sorter;
+    struct lim_newell *newell = sorter->newell;
 
     for (int i = 0; i < ENTRIES; i++) {
-        const lim_index record = i == CUTTER ? 0 : (lim_index)lim_record_words(lim->scene->polygons[0]);
+        const lim_index record = i == CUTTER ? 0 : (lim_index)lim_record_words(lim->pass.scene->polygons[0]);
         const uint16_t cut = i == WHOLE ? 0 : i == BEHIND ? 1 : LIM_NONE;
         sorter->list[i] = (struct lim_sorted){.record = record, .next = LIM_NONE};
         newell->polygons[i] = (struct lim_newell_polygon){.cuts = cut, .owner = LIM_NONE};
@@ -206,7 +206,7 @@ static int certain_side_at(const struct stage *stage, int x_px, int y_px)
 
 static const lim_index *record_of_whole(const struct stage *stage)
 {
-    return &stage->set.polygons[stage->lim.sorter.list[WHOLE].record];
+    return &stage->set.polygons[stage->lim.sorter->list[WHOLE].record];
 }
 
 static bool has(struct lim_point line, int x_px)
@@ -220,12 +220,12 @@ struct found {
 
 static void check_line(struct stage *stage, const struct lim_screen_polygon *whole, int16_t y, struct found *found)
 {
-    struct lim_newell_polygon *polygons = stage->lim.sorter.newell.polygons;
-    const struct lim_point front = lim_piece_line(&stage->lim, WHOLE, whole, y);
-    const struct lim_point back = lim_piece_line(&stage->lim, BEHIND, whole, y);
+    struct lim_newell_polygon *polygons = stage->lim.sorter->newell->polygons;
+    const struct lim_point front = lim_piece_line(stage->lim.sorter, WHOLE, whole, y);
+    const struct lim_point back = lim_piece_line(stage->lim.sorter, BEHIND, whole, y);
 
     polygons[WHOLE].cuts = LIM_NONE;
-    const struct lim_point all = lim_piece_line(&stage->lim, WHOLE, whole, y);
+    const struct lim_point all = lim_piece_line(stage->lim.sorter, WHOLE, whole, y);
     polygons[WHOLE].cuts = 0;
     assert_true(all.x >= 0 && all.y <= W_PX);
     for (int x = 0; x < W_PX; x++) {
@@ -250,7 +250,7 @@ static void slivers_seen_at_grazing_angles_have_their_pixels_only(void **state)
         const struct lim_rect screen = {0, 0, W_PX, H_PX};
         struct lim_screen_polygon whole;
         stage_open(&stage, &random);
-        if (lim_project(&whole, &stage.lim.view, stage.lim.scene, record_of_whole(&stage), &screen, NULL) &&
+        if (lim_project(&whole, &stage.lim.pass.view, stage.lim.pass.scene, record_of_whole(&stage), &screen, NULL) &&
             !whole.shape.non_monotone)
             for (int16_t y = whole.shape.top > 0 ? whole.shape.top : 0; y < whole.shape.bottom && y < H_PX; y++)
                 check_line(&stage, &whole, y, &found);
@@ -289,10 +289,11 @@ static void pixels_on_a_plane_are_in_front_of_it(void **state)
         assert_int_equal(lim_init(&stage.lim, &stage.set.scene, &target, stage.mem, mem_b), LIM_OK);
         assert_int_equal(lim_frame(&stage.lim, &camera), LIM_OK);
         list_pieces(&stage.lim);
-        assert_true(lim_project(&whole, &stage.lim.view, stage.lim.scene, record_of_whole(&stage), &screen, NULL));
+        assert_true(
+            lim_project(&whole, &stage.lim.pass.view, stage.lim.pass.scene, record_of_whole(&stage), &screen, NULL));
         for (int16_t y = 0; y < ODD_PX; y++) {
-            const struct lim_point front = lim_piece_line(&stage.lim, WHOLE, &whole, y);
-            const struct lim_point back = lim_piece_line(&stage.lim, BEHIND, &whole, y);
+            const struct lim_point front = lim_piece_line(stage.lim.sorter, WHOLE, &whole, y);
+            const struct lim_point back = lim_piece_line(stage.lim.sorter, BEHIND, &whole, y);
             for (int x = 0; x < ODD_PX; x++) {
                 const int to = is_level ? MIDDLE_PX - y : x - MIDDLE_PX;
                 const double sign = stage.planes[CUTTER].n[is_level];

@@ -37,11 +37,11 @@ static void walk_all(const struct tree *tree, const int32_t eye_units[3], bool b
     struct lim_cull cull = {0};
     struct lim_stats stats = {0};
     struct lim_walk_pending stack[MAX_DEPTH];
-    struct lim_walk walk;
+    struct lim_walk walk = {.stack = stack};
     lim_index run;
 
     lim_eye_set(&walk.eye, &scene, eye_q8);
-    lim_walk_begin(&walk, stack, back_to_front);
+    lim_walk_begin(&walk, back_to_front);
     while ((run = lim_walk_next(&walk, &cull, &stats)) != LIM_NO_INDEX)
         *order++ = (char)run;
     *order = 0;

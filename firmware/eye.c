@@ -12,7 +12,7 @@
  *
  * LIM_PLANE_SLACK does for all, but for eyes in the cube's farthest corners, where large_slack is more. With it in d's
  * place, d / 2^k is rounded up instead of down: g changes its sign, and no bound. */
-#include "view/eye.h"
+#include "eye.h"
 
 #include "math/fixed.h"
 

@@ -5,9 +5,9 @@
 #ifndef LIM_DEFORM_H
 #define LIM_DEFORM_H
 
+#include "eye.h"
 #include "instance.h"
-#include "pieces/corners.h"
-#include "view/eye.h"
+#include "view/plane_unpacked.h"
 
 /* Whether the instance deforms; a constant where none can. */
 static inline bool lim_deforms(const struct lim_instance *instance)

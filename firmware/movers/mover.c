@@ -5,105 +5,16 @@
  *
  * Ranges. A centre and all around it lie within 2^16 units, 2^28 in Q12; an eye within 2^20 units, of the static scene
  * and of the object's own. */
-#include "movers/movers.h"
+#include "movers/mover.h"
 
 #include "math/orientation.h"
-#include "orders/order.h"
-#include "pieces/corners.h"
-#include "pieces/deform.h"
+#include "movers/deform.h"
 
 #if LIM_HAS_MOVERS
 
 #define WORLD_END_Q12 (INT32_C(1) << 28)
 #define AT_END_Q8 (INT32_C(1) << 24)
 enum { FINER_BITS_MAX = 3 };
-
-/* Memory ------------------------------------------------------------------------------------- */
-
-size_t lim_movers_mem_b(const struct lim_scene *scene, const struct lim_movers_limits *limits)
-{
-    return LIM_MOVERS_MEM_B(scene->limits.depth, limits->instances, limits->depth, limits->entries);
-}
-
-static void *movers_cut(uint8_t **mem, size_t size_b)
-{
-    void *piece = *mem;
-
-    *mem += size_b;
-    return piece;
-}
-
-/* Widest alignment first. */
-int lim_movers_init(struct lim *lim, void *mem, size_t mem_b, const struct lim_movers_limits *limits)
-{
-    struct lim_movers *movers = &lim->movers;
-    struct lim_sorter *sorter = &lim->sorter;
-    uint8_t *at = mem;
-
-    LIM_ASSERT(mem && (uintptr_t)mem % sizeof(void *) == 0);
-    LIM_ASSERT(limits->instances <= LIM_INSTANCES_MAX && limits->instances <= limits->entries);
-    LIM_ASSERT(limits->entries <= LIM_SORTED_MAX);
-    if (mem_b < lim_movers_mem_b(lim->scene, limits)) return LIM_ERR_MEMORY;
-    lim_drop_ahead(lim);
-#if LIM_HAS_LIGHT
-    movers->light.on = false;
-#endif
-    movers->most = limits->instances;
-    movers->object_depth = limits->depth;
-    if (lim->target.method != LIM_NEAREST_FIRST && lim->target.method != LIM_PAINTER) movers->most = 0;
-    if (!movers->most) return LIM_OK;
-    movers->movers = movers_cut(&at, limits->instances * sizeof *movers->movers);
-    sorter->size = limits->entries;
-    sorter->list = movers_cut(&at, limits->entries * sizeof *sorter->list);
-    sorter->newell.polygons = movers_cut(&at, limits->entries * sizeof *sorter->newell.polygons);
-    sorter->newell.cut_size = limits->entries;
-    sorter->newell.options = (struct lim_newell_options){.most = 0};
-    movers->cache = movers_cut(&at, LIM_VIEW_CACHE_ENTRIES * sizeof *movers->cache);
-    sorter->newell.cuts = movers_cut(&at, limits->entries * sizeof *sorter->newell.cuts);
-    movers->stack = movers_cut(&at, lim->scene->limits.depth * sizeof *movers->stack);
-    movers->object_stack = movers_cut(&at, limits->depth * sizeof *movers->object_stack);
-    return LIM_OK;
-}
-
-static void set_instances(struct lim_movers *movers, const struct lim_instance *instances, uint16_t count)
-{
-    movers->instances = instances;
-    movers->count = count < movers->most ? count : movers->most;
-    movers->given = count;
-}
-
-int lim_movers_frame(struct lim *lim, const struct lim_camera *camera, const struct lim_instance *instances,
-                     uint16_t count)
-{
-    lim_drop_ahead(lim);
-    set_instances(&lim->movers, instances, count);
-    const int err = lim_frame(lim, camera);
-    set_instances(&lim->movers, NULL, 0);
-    return err;
-}
-
-#if LIM_HAS_STREAM
-int lim_movers_begin(struct lim *lim, const struct lim_camera *camera, const struct lim_instance *instances,
-                     uint16_t count)
-{
-    lim_drop_ahead(lim);
-    set_instances(&lim->movers, instances, count);
-    const int err = lim_begin_ahead(lim, camera);
-    if (err) set_instances(&lim->movers, NULL, 0);
-    return err;
-}
-#endif
-
-void lim_instance_turn(struct lim_instance *instance, uint32_t yaw, uint32_t pitch, uint32_t roll)
-{
-    const struct lim_camera turned = {.yaw = yaw, .pitch = pitch, .roll = roll};
-
-    lim_orientation_set(instance->axes_q30, &turned); /* to the right, down, ahead: x, -y, -z */
-    for (uint_fast8_t i = 3; i < 9; i++)
-        instance->axes_q30[i] = -instance->axes_q30[i];
-}
-
-/* Pose --------------------------------------------------------------------------------------- */
 
 /* The sum of v[i] axes[j][i] over i, along the object's axis j. */
 static int64_t along_axis(const struct lim_instance *instance, uint_fast8_t j, const int32_t v[3])
@@ -154,9 +65,9 @@ static void movers_place(const struct lim_instance *instance, const int32_t v[3]
 }
 #endif
 
-void lim_mover_place(const struct lim *lim, uint16_t mover, lim_index vertex, int32_t at_q12[3])
+void lim_mover_place(const struct lim_movers *movers, uint16_t mover, lim_index vertex, int32_t at_q12[3])
 {
-    const struct lim_instance *instance = &lim->movers.instances[mover];
+    const struct lim_instance *instance = &movers->instances[mover];
     const struct lim_vertex at = instance->object->vertices[vertex];
 
 #if LIM_HAS_FRACTIONS
@@ -174,9 +85,9 @@ void lim_mover_place(const struct lim *lim, uint16_t mover, lim_index vertex, in
 
 /* The normal N = R n has as many bits as leave room, 29; its d follows from N . p = n . v for p = R v / 2^finer + at.
  */
-void lim_mover_turn(const struct lim *lim, uint16_t mover, struct lim_plane_unpacked *plane)
+void lim_mover_turn(const struct lim_movers *movers, uint16_t mover, struct lim_plane_unpacked *plane)
 {
-    const struct lim_instance *instance = &lim->movers.instances[mover];
+    const struct lim_instance *instance = &movers->instances[mover];
     const int32_t n[3] = {plane->n[0], plane->n[1], plane->n[2]};
     const uint8_t spare = clz_u32(abs_s32(n[0]) | abs_s32(n[1]) | abs_s32(n[2])); /* n < 2^(32 - spare) */
     int64_t offset_q8 = 0;
@@ -196,30 +107,23 @@ void lim_mover_turn(const struct lim *lim, uint16_t mover, struct lim_plane_unpa
     plane->axis = LIM_NO_AXIS;
 }
 
-int32_t lim_mover_depth(const struct lim *lim, const int32_t at_q12[3])
+int32_t lim_mover_depth(const struct lim_movers *movers, const int32_t at_q12[3])
 {
     int64_t sum_q40 = 0;
 
     for (uint_fast8_t i = 0; i < 3; i++)
-        sum_q40 += lim->movers.ahead_q28[i] * ((int64_t)at_q12[i] - (int64_t)lim->movers.eye_q8[i] * 16);
+        sum_q40 += movers->ahead_q28[i] * ((int64_t)at_q12[i] - (int64_t)movers->eye_q8[i] * 16);
     return (int32_t)(sum_q40 >> 31);
 }
 
-struct lim_view *lim_mover_view(struct lim *lim, uint16_t mover)
+struct lim_view *lim_mover_view(struct lim_movers *movers, uint16_t mover)
 {
-    struct lim_movers *movers = &lim->movers;
-
     if (movers->cached != mover) {
         for (uint_fast16_t i = 0; i < LIM_VIEW_CACHE_ENTRIES; i++)
             movers->cache[i].vertex = LIM_NO_INDEX;
         movers->cached = mover;
     }
     return &movers->movers[mover].view;
-}
-
-bool lim_movers_compares(const struct lim *lim)
-{
-    return LIM_IS_NEWELL(&lim->target) || lim->movers.measuring;
 }
 
 /* What holds the object: its root's box, or what holds its vertices where it is too small to have one, or deforms. */
@@ -272,29 +176,15 @@ static bool is_within(const struct lim_mover *mover)
     return true;
 }
 
-/* Whether one of its polygons can be retained, as a band of one pixel asks for. */
-static bool fits_pool(const struct lim *lim, const struct lim_scene *object)
-{
-#if LIM_HAS_SPANS
-    if (LIM_HAS_NEAREST && lim->target.method == LIM_NEAREST_FIRST)
-        return LIM_RETAINED_HEAD_CELLS + object->limits.vertices + CLIP_PLANES <= lim->retained.size;
-#else
-    (void)lim;
-    (void)object;
-#endif
-    return true;
-}
-
-static bool is_usable(const struct lim *lim, const struct lim_instance *instance)
+static bool is_usable(const struct lim_movers *movers, const struct lim_instance *instance)
 {
     const struct lim_scene *object = instance->object;
 
     if (!object || !object->node_count || !object->polygon_count || instance->finer_bits > FINER_BITS_MAX) return false;
     for (uint_fast8_t i = 0; i < 3; i++)
         if (abs_s32(instance->at_q8[i]) >= (uint32_t)AT_END_Q8) return false;
-    return object->limits.vertices <= LIM_MAX_VERTICES && fits_pool(lim, object) &&
-           object->limits.depth <= lim->movers.object_depth && (LIM_HAS_SLANTED || !object->plane_count) &&
-           (LIM_HAS_LARGE || !object->exact_count);
+    return object->limits.vertices <= movers->most_corners && object->limits.depth <= movers->object_depth &&
+           (LIM_HAS_SLANTED || !object->plane_count) && (LIM_HAS_LARGE || !object->exact_count);
 }
 
 /* The camera, as the object sees it. false: it is too far away. */
@@ -318,62 +208,73 @@ static bool turn_camera(struct lim_camera *own, const struct lim_camera *camera,
     return true;
 }
 
-static bool pose(struct lim *lim, uint16_t i, const struct lim_camera *camera, const int32_t axes_q30[9])
+static void turn_light(struct lim_mover *mover, const struct lim_instance *instance, const struct lim_light *light)
 {
-    const struct lim_instance *instance = &lim->movers.instances[i];
-    struct lim_mover *mover = &lim->movers.movers[i];
+    const int32_t to_q14[3] = {light->to_q14[0], light->to_q14[1], light->to_q14[2]};
+
+    for (uint_fast8_t k = 0; k < 3; k++)
+        mover->to_q14[k] = (int16_t)shift_round_s64(along_axis(instance, k, to_q14), 30);
+}
+
+static bool pose(struct lim_movers *movers, const struct lim_view *view, uint16_t i, const struct lim_camera *camera,
+                 const int32_t axes_q30[9])
+{
+    const struct lim_instance *instance = &movers->instances[i];
+    struct lim_mover *mover = &movers->movers[i];
     struct lim_camera own;
     int32_t own_axes_q30[9];
 
     mover->radius_q12 = -1;
-    if (!is_usable(lim, instance) || !turn_camera(&own, camera, instance, axes_q30, own_axes_q30)) return false;
-    mover->view = lim->view;
-    mover->view.cache = lim->movers.cache;
+    if (!is_usable(movers, instance) || !turn_camera(&own, camera, instance, axes_q30, own_axes_q30)) return false;
+    mover->view = *view;
+    mover->view.cache = movers->cache;
     mover->view.vertices = 0;
     if (!lim_rows_set_turned(&mover->view.rows, lim_deforms(instance) ? NULL : instance->object, &own, own_axes_q30))
         return false;
     lim_eye_set(&mover->eye, instance->object, own.eye_q8);
-#if LIM_HAS_LIGHT
-    const int32_t to_q14[3] = {lim->movers.light.to_q14[0], lim->movers.light.to_q14[1], lim->movers.light.to_q14[2]};
-    for (uint_fast8_t k = 0; k < 3; k++)
-        mover->to_q14[k] = (int16_t)shift_round_s64(along_axis(instance, k, to_q14), 30);
-#endif
+    if (LIM_HAS_LIGHT) turn_light(mover, instance, movers->light);
     set_ball(mover, instance);
     if (is_within(mover)) return true;
     mover->radius_q12 = -1;
     return false;
 }
 
+void lim_movers_set_antialiased(struct lim_movers *movers, bool antialiased)
+{
+    lim_view_set_antialiased(&movers->world, antialiased);
+    for (uint16_t i = 0; i < movers->count; i++)
+        lim_view_set_antialiased(&movers->movers[i].view, antialiased);
+}
+
 /* Half the scene, seen by half the camera. */
-static bool set_world(struct lim *lim, const struct lim_camera *camera, const int32_t axes_q30[9])
+static bool set_world(struct lim_movers *movers, const struct lim_view *view, const struct lim_camera *camera,
+                      const int32_t axes_q30[9])
 {
     struct lim_camera half = *camera;
 
     for (uint_fast8_t i = 0; i < 3; i++)
         half.eye_q8[i] >>= 1;
     half.near_q8 = camera->near_q8 > 1 ? camera->near_q8 >> 1 : 1;
-    lim->movers.world = lim->view;
-    return lim_rows_set_turned(&lim->movers.world.rows, NULL, &half, axes_q30);
+    movers->world = *view;
+    return lim_rows_set_turned(&movers->world.rows, NULL, &half, axes_q30);
 }
 
-void lim_movers_pose(struct lim *lim, const struct lim_camera *camera)
+void lim_movers_pose(struct lim_movers *movers, struct lim_pass *pass, const struct lim_camera *camera)
 {
-    struct lim_movers *movers = &lim->movers;
     int32_t axes_q30[9];
     uint32_t drawn = 0;
 
     movers->cached = LIM_NONE;
-    movers->measuring = false;
     if (!movers->given) return;
     lim_orientation_set(axes_q30, camera);
     for (uint_fast8_t i = 0; i < 3; i++) {
         movers->ahead_q28[i] = axes_q30[6 + i] >> 2;
         movers->eye_q8[i] = camera->eye_q8[i];
     }
-    if (!set_world(lim, camera, axes_q30)) movers->count = 0;
+    if (!set_world(movers, &pass->view, camera, axes_q30)) movers->count = 0;
     for (uint16_t i = 0; i < movers->count; i++)
-        drawn += pose(lim, i, camera, axes_q30);
-    if (LIM_HAS_STATS) lim_stats_of(lim)->movers.left_out = movers->given - drawn;
+        drawn += pose(movers, &pass->view, i, camera, axes_q30);
+    if (LIM_HAS_STATS) lim_stats_of(pass)->movers.left_out = movers->given - drawn;
 }
 
 #endif

@@ -4,9 +4,9 @@
  * plane, so a mover is never cut by a plane that does not divide the space around it, and subtrees without movers cost
  * what they cost WALK. A subtree without a node is empty space: what has come there is handed out at once. So is
  * what has come to a subtree whose polygons are out of view: there is nothing in it to be sorted with. */
-#include "movers/movers.h"
+#include "routes/route.h"
 
-#include "orders/order.h"
+#include "routes/mover_split.h"
 
 #if LIM_HAS_MOVERS
 
@@ -17,27 +17,17 @@ void lim_route_begin(struct lim_route *route, uint16_t list)
     route->list = list;
 }
 
-/* NULL: all may be seen. */
-static inline const uint8_t *route_shown_of(const struct lim_route *route)
-{
-#if LIM_HAS_PORTALS
-    return route->shown;
-#else
-    (void)route;
-    return NULL;
-#endif
-}
-
 /* The node to enter, or NULL: nothing of it can be seen. */
-static const LIM_FLASH struct lim_node *node_to_enter(struct lim *lim, struct lim_route *route)
+static const LIM_FLASH struct lim_node *node_to_enter(struct lim_route *route)
 {
     const LIM_FLASH struct lim_node *node = &route->scene->nodes[route->next];
 
-    if (lim_node_is_skipped(route->scene, node, route_shown_of(route), route->cull, route->depth, lim_stats_of(lim))) {
+    if (lim_node_is_skipped(route->scene, node, route->shown, route->cull, route->depth,
+                            lim_stats_of(route->sorter->pass))) {
         route->next = LIM_NO_INDEX;
         return NULL;
     }
-    if (LIM_HAS_STATS) lim_stats_of(lim)->nodes++;
+    if (LIM_HAS_STATS) lim_stats_of(route->sorter->pass)->nodes++;
     LIM_ASSERT(route->depth < route->scene->limits.depth);
     return node;
 }
@@ -67,9 +57,9 @@ static void go_through_leaf(struct lim_route *route, uint16_t list)
 }
 
 /* Where nothing moves. */
-static void enter_alone(struct lim *lim, struct lim_route *route)
+static void enter_alone(struct lim_route *route)
 {
-    const LIM_FLASH struct lim_node *node = node_to_enter(lim, route);
+    const LIM_FLASH struct lim_node *node = node_to_enter(route);
 
     if (!node) return;
     if (is_leaf(node))
@@ -79,31 +69,31 @@ static void enter_alone(struct lim *lim, struct lim_route *route)
 }
 
 /* The order of its run knows nothing of movers: both are sorted together, or else movers are taken for nearer. */
-static void enter_leaf(struct lim *lim, struct lim_route *route, lim_index run)
+static void enter_leaf(struct lim_route *route, lim_index run)
 {
     const uint16_t list = route->list;
 
-    if (lim_movers_join(lim, run, list)) {
+    if (lim_movers_join(route->sorter, run, list)) {
         route->next = LIM_NO_INDEX;
         return;
     }
-    if (LIM_HAS_STATS) lim_stats_of(lim)->movers.unsorted++;
+    if (LIM_HAS_STATS) lim_stats_of(route->sorter->pass)->movers.unsorted++;
     if (route->back_to_front) route->list = LIM_NONE;
     go_through_leaf(route, route->back_to_front ? list : (uint16_t)LIM_NONE);
 }
 
-static void route_enter(struct lim *lim, struct lim_route *route)
+static void route_enter(struct lim_route *route)
 {
-    const LIM_FLASH struct lim_node *node = node_to_enter(lim, route);
+    const LIM_FLASH struct lim_node *node = node_to_enter(route);
     uint16_t front, back;
 
     if (!node) return;
     if (is_leaf(node)) {
-        enter_leaf(lim, route, node->front_run);
+        enter_leaf(route, node->front_run);
         return;
     }
     const int32_t side = lim_eye_side(route->eye, &node->split);
-    lim_movers_divide(lim, route->next, side, route->list, &front, &back);
+    lim_movers_divide(route->sorter, route->next, side, route->list, &front, &back);
     go_near(route, node, side, front, back);
 }
 
@@ -121,14 +111,14 @@ static lim_index leave(struct lim_route *route)
     return top->side > 0 ? node->front_run : top->side < 0 ? node->back_run : (lim_index)LIM_NO_INDEX;
 }
 
-enum lim_route_event lim_route_next(struct lim *lim, struct lim_route *route, lim_index *what)
+enum lim_route_event lim_route_next(struct lim_route *route, lim_index *what)
 {
     for (;;) {
         while (route->next != LIM_NO_INDEX) {
             if (route->list == LIM_NONE)
-                enter_alone(lim, route);
+                enter_alone(route);
             else
-                route_enter(lim, route);
+                route_enter(route);
         }
         if (route->list != LIM_NONE) {
             *what = route->list;
@@ -141,44 +131,43 @@ enum lim_route_event lim_route_next(struct lim *lim, struct lim_route *route, li
     }
 }
 
-bool lim_route_next_alone(struct lim *lim, struct lim_route *route, lim_index *run)
+bool lim_route_next_alone(struct lim_route *route, lim_index *run)
 {
     for (;;) {
         while (route->next != LIM_NO_INDEX)
-            enter_alone(lim, route);
+            enter_alone(route);
         if (!route->depth) return false;
         *run = leave(route);
         if (*run != LIM_NO_INDEX) return true;
     }
 }
 
-struct lim_route lim_route_static(struct lim *lim, bool back_to_front)
+struct lim_route lim_route_static(struct lim_sorter *sorter, bool back_to_front)
 {
-    return (struct lim_route)
-    {
-        .scene = lim->scene, .eye = lim_eye_of(lim), .cull = lim_cull_of(lim), .stack = lim->movers.stack,
-#if LIM_HAS_PORTALS
-        .shown = lim->walk.shown,
-#endif
-        .back_to_front = back_to_front
-    };
+    struct lim_pass *pass = sorter->pass;
+
+    return (struct lim_route){.sorter = sorter,
+                              .scene = pass->scene,
+                              .eye = lim_eye_of(pass),
+                              .cull = lim_cull_of(pass),
+                              .shown = pass->walk->shown,
+                              .stack = sorter->movers->stack,
+                              .back_to_front = back_to_front};
 }
 
-struct lim_route lim_route_object(struct lim *lim, uint16_t mover, const struct lim_rect *open, bool back_to_front)
+struct lim_route lim_route_object(struct lim_sorter *sorter, uint16_t mover, const struct lim_rect *open,
+                                  bool back_to_front)
 {
-    struct lim_movers *movers = &lim->movers;
+    struct lim_movers *movers = sorter->movers;
     const struct lim_mover *self = &movers->movers[mover];
-    struct lim_route route = {.scene = movers->instances[mover].object,
+    struct lim_route route = {.sorter = sorter,
+                              .scene = movers->instances[mover].object,
                               .eye = &self->eye,
+                              .cull = movers->cull,
                               .stack = movers->object_stack,
                               .back_to_front = back_to_front};
 
-#if LIM_HAS_CULL
-    lim_cull_set(&movers->cull, &self->view, self->eye.at_q8, open);
-    route.cull = &movers->cull;
-#else
-    (void)open;
-#endif
+    if (LIM_HAS_CULL) lim_cull_set(movers->cull, &self->view, self->eye.at_q8, open);
     lim_route_begin(&route, LIM_NONE);
     return route;
 }

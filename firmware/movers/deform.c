@@ -2,7 +2,7 @@
  *
  * Differences of corners have 17 bits and their products 34, so a normal has 36 at most: it is shortened to 29, which
  * no corner of the 16-bit cube can tell, and its plane goes through the first corner. */
-#include "pieces/deform.h"
+#include "movers/deform.h"
 
 #if LIM_HAS_DEFORM
 

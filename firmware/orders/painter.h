@@ -1,0 +1,40 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Back to front, into a framebuffer. Nearest first comes here with single lines for which a pool is too small. */
+#ifndef LIM_PAINTER_H
+#define LIM_PAINTER_H
+
+#include "pieces/sorted.h"
+#include "pixels/texture.h"
+#include "view/pass.h"
+
+#define LIM_PAINTER_MEM_B(depth)                                                                                       \
+    LIM_MEM_ALIGNED_B(LIM_VIEW_CACHE_ENTRIES * sizeof(struct lim_view_cached) +                                        \
+                      (depth) * sizeof(struct lim_walk_pending))
+
+/* Whether all of a frame is made of pieces in one opaque colour each, and of no others: a target that keeps the whole
+ * picture can have them as they are found. */
+static inline bool lim_can_fill(const struct lim_sorter *sorter, const struct lim_pass *pass)
+{
+    return !(LIM_HAS_TRANSPARENT && pass->scene->limits.layers) &&
+           !(LIM_HAS_TEXTURE && lim_texture_count(pass->scene)) && !lim_wireframe_of(pass) && !lim_moves(sorter);
+}
+
+struct lim_painter {
+    struct lim_pass *pass;
+    struct lim_sorter *sorter; /* of a sorted method's polygons, or of movers */
+    const struct lim_texturing *texturing;
+    uint16_t *lent; /* the line that nearest first could not finish, or NULL */
+    bool fills;     /* the target's framebuffer is painted */
+};
+
+size_t lim_painter_mem_b(const struct lim_scene *scene);
+void lim_painter_init(struct lim_painter *painter, void *mem);
+
+/* A frame, of a camera that is taken in. 0, an enum lim_error, or the target's error. */
+LIM_MUST_CHECK int lim_painter_frame(struct lim_painter *painter);
+
+/* Line y of a frame of nearest first, and done. `lent`: it is lent already; NULL: it is lent now. */
+LIM_MUST_CHECK int lim_painter_line(struct lim_painter *painter, uint16_t *lent, uint16_t y);
+
+#endif

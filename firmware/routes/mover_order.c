@@ -1,0 +1,270 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * A list of movers in empty space, from which nothing of the static scene divides them. One object's polygons
+ * are in the order of its own tree. Objects whose extents in depth do not overlap follow each other; else all their
+ * polygons are sorted as Newell, Newell and Sancha did (newell.c), which splits what passes through each other. */
+#include "routes/mover_order.h"
+
+#include "movers/deform.h"
+#include "pieces/corners.h"
+#include "pieces/entry.h"
+#include "pieces/piece.h"
+#include "routes/mover_split.h"
+#include "routes/route.h"
+
+#if LIM_HAS_MOVERS
+
+static bool deforms(const struct lim_sorter *sorter, uint16_t entry)
+{
+    const uint16_t owner = lim_entry_owner(sorter, entry);
+
+    return owner != LIM_NONE && lim_deforms(&sorter->movers->instances[owner]);
+}
+
+/* One that has an order of its own. */
+static bool has_one_owner(const struct lim_sorter *sorter, uint16_t list)
+{
+    const uint16_t owner = lim_entry_owner(sorter, list);
+
+    if (deforms(sorter, list)) return false;
+    for (; list != LIM_NONE; list = sorter->list[list].next)
+        if (lim_entry_owner(sorter, list) != owner) return false;
+    return true;
+}
+
+static uint16_t reverse(struct lim_sorted *list, uint16_t first)
+{
+    uint16_t reversed = LIM_NONE;
+
+    while (first != LIM_NONE) {
+        const uint16_t next = list[first].next;
+        list[first].next = reversed;
+        reversed = first;
+        first = next;
+    }
+    return reversed;
+}
+
+/* Along the camera's axis. An instance that enters by its centre is a point. */
+static void measure_ball(struct lim_sorter *sorter, uint16_t entry)
+{
+    const uint16_t owner = lim_entry_owner(sorter, entry);
+    const struct lim_mover *mover = &sorter->movers->movers[owner];
+    const int32_t depth = lim_mover_depth(sorter->movers, mover->centre_q12);
+    const int32_t reach = sorter->movers->instances[owner].by_centre ? 0 : (mover->radius_q12 >> 3) + 1;
+
+    sorter->list[entry].far_qv = depth + reach;
+    sorter->newell->polygons[entry].near_qv = depth - reach;
+}
+
+/* Whether the list is of whole instances, one behind the other or by their centres; it is sorted then, nearest first.
+ */
+static bool is_row(struct lim_sorter *sorter, uint16_t *list)
+{
+    struct lim_sorted *entries = sorter->list;
+    int32_t end = INT32_MIN;
+
+    for (uint16_t at = *list; at != LIM_NONE; at = entries[at].next) {
+        if (!lim_mover_is_whole(sorter, at) || deforms(sorter, at)) return false;
+        measure_ball(sorter, at);
+    }
+    *list = reverse(entries, lim_sorted_sort(entries, *list));
+    for (uint16_t at = *list; at != LIM_NONE; at = entries[at].next) {
+        if (sorter->newell->polygons[at].near_qv < end) return false;
+        end = entries[at].far_qv;
+    }
+    return true;
+}
+
+/* Every entry a polygon or a piece, with all that Newell's sort wants to know; what has no pixel is dropped. false: no
+ * room. */
+static bool measure_all(struct lim_sorter *sorter, uint16_t *list)
+{
+    uint16_t *link = list;
+
+    while (*link != LIM_NONE) {
+        const uint16_t entry = *link;
+        if (lim_mover_is_whole(sorter, entry)) {
+            const bool stays =
+                sorter->movers->instances[lim_entry_owner(sorter, entry)].by_centre && !deforms(sorter, entry);
+            if (stays || !lim_mover_burst(sorter, entry, link)) return false;
+        } else if (lim_piece_bounds(sorter, entry)) {
+            link = &sorter->list[entry].next;
+        } else {
+            *link = sorter->list[entry].next;
+        }
+    }
+    return true;
+}
+
+/* Nothing better can be done: by farthest points, whatever they are. */
+static uint16_t sort_roughly(struct lim_sorter *sorter, uint16_t list)
+{
+    for (uint16_t at = list; at != LIM_NONE; at = sorter->list[at].next) {
+        if (lim_mover_is_whole(sorter, at))
+            measure_ball(sorter, at);
+        else
+            (void)lim_piece_bounds(sorter, at);
+    }
+    if (LIM_HAS_STATS) lim_stats_of(sorter->pass)->movers.forced++;
+    return reverse(sorter->list, lim_sorted_sort(sorter->list, list));
+}
+
+static uint16_t sort(struct lim_sorter *sorter, uint16_t list)
+{
+    if (is_row(sorter, &list)) return list;
+    if (!measure_all(sorter, &list)) return sort_roughly(sorter, list);
+    sorter->first = lim_sorted_sort(sorter->list, list);
+    sorter->comparing = true;
+    lim_newell_order(sorter);
+    sorter->comparing = false;
+    lim_movers_note_entries(sorter);
+    return sorter->first;
+}
+
+uint16_t lim_movers_order(struct lim_sorter *sorter, uint16_t list, bool back_to_front)
+{
+    if (!has_one_owner(sorter, list)) list = sort(sorter, list);
+    return back_to_front ? reverse(sorter->list, list) : list;
+}
+
+/* Drawing ------------------------------------------------------------------------------------ */
+
+/* A polygon of a mover: its plane, in its object, and on which side of that the eye is. */
+struct face {
+    const LIM_FLASH lim_index *record;
+    const LIM_FLASH struct lim_plane_ref *plane;
+    uint16_t mover;
+    bool eye_in_front;
+};
+
+/* What has no plane, because its corners have come to lie on a line, is not lit. */
+static uint16_t colour_of(const struct lim_sorter *sorter, const struct face *face)
+{
+    const struct lim_scene *object = sorter->movers->instances[face->mover].object;
+    struct lim_plane_unpacked plane;
+
+    if (!LIM_HAS_DEFORM || !lim_deforms(&sorter->movers->instances[face->mover]))
+        lim_plane_unpack(&plane, object, face->plane);
+    else if (!lim_deform_plane(&plane, object, face->record))
+        return (uint16_t)face->record[1];
+    for (uint_fast8_t i = 0; i < 3 && !face->eye_in_front; i++)
+        plane.n[i] = -plane.n[i];
+    return lim_light_shade(sorter->movers->light, sorter->movers->movers[face->mover].to_q14, plane.n,
+                           (uint16_t)face->record[1]);
+}
+
+/* Objects are not textured: what they show is their records' colours. */
+static bool mover_order_project(struct lim_sorter *sorter, struct lim_screen_polygon *out, const struct face *face,
+                                const struct lim_rect *open)
+{
+    const struct lim_scene *object = sorter->movers->instances[face->mover].object;
+
+    if (!lim_project(out, lim_mover_view(sorter->movers, face->mover), object, face->record, open,
+                     lim_stats_of(sorter->pass)))
+        return false;
+    if (LIM_HAS_LIGHT && sorter->movers->light->on) out->colour = lim_memory_colour(colour_of(sorter, face));
+    if (LIM_HAS_TEXTURE) *out->texture = LIM_NONE;
+    return true;
+}
+
+/* The record before `record` in its run, which begins at `first`; NULL: there is none. */
+static const LIM_FLASH lim_index *record_before(const LIM_FLASH lim_index *first, const LIM_FLASH lim_index *record)
+{
+    const LIM_FLASH lim_index *before = first;
+
+    if (record == first) return NULL;
+    while (before + lim_record_words(before[0]) != record)
+        before += lim_record_words(before[0]);
+    return before;
+}
+
+static const LIM_FLASH lim_index *record_after(const LIM_FLASH lim_index *record)
+{
+    return record[0] & LIM_POLYGON_LAST ? NULL : record + lim_record_words(record[0]);
+}
+
+static const LIM_FLASH lim_index *last_record(const LIM_FLASH lim_index *record)
+{
+    while (!(record[0] & LIM_POLYGON_LAST))
+        record += lim_record_words(record[0]);
+    return record;
+}
+
+static int draw_run(struct lim_sorter *sorter, const struct lim_route *route, uint16_t mover, lim_index run,
+                    const struct lim_rect *open, lim_mover_draw *draw, void *ctx)
+{
+    const LIM_FLASH lim_index *const first = &route->scene->polygons[run];
+    const LIM_FLASH lim_index *record = route->back_to_front ? last_record(first) : first;
+    struct lim_screen_polygon polygon;
+    struct face face = {.plane = &route->scene->nodes[route->node].split, .mover = mover};
+
+    while (record) {
+        face.record = record;
+        face.eye_in_front = route->side > 0;
+        if (LIM_HAS_LEAVES && record[0] & LIM_POLYGON_PLANE) {
+            face.plane = lim_record_plane(record);
+            face.eye_in_front = !(record[0] & LIM_POLYGON_BACK);
+        }
+        if (lim_record_is_seen(route->eye, record) && mover_order_project(sorter, &polygon, &face, open)) {
+            const int err = draw(ctx, LIM_NONE, &polygon, open);
+            if (err) return err;
+        }
+        record = route->back_to_front ? record_before(first, record) : record_after(record);
+    }
+    return 0;
+}
+
+/* By the order of its own tree. */
+static int draw_whole(struct lim_sorter *sorter, uint16_t mover, const struct lim_rect *open, bool back_to_front,
+                      lim_mover_draw *draw, void *ctx)
+{
+    struct lim_route route = lim_route_object(sorter, mover, open, back_to_front);
+    lim_index run;
+
+    while (lim_route_next_alone(&route, &run)) {
+        const int err = draw_run(sorter, &route, mover, run, open, draw, ctx);
+        if (err) return err;
+    }
+    return 0;
+}
+
+/* A polygon of a leaf that movers have come to. */
+static int draw_still(struct lim_sorter *sorter, uint16_t entry, const struct lim_rect *open, lim_mover_draw *draw,
+                      void *ctx)
+{
+    const bool is_cut = lim_entry_is_cut(sorter, entry);
+    struct lim_screen_polygon polygon;
+
+    if (!lim_project(&polygon, &sorter->pass->view, sorter->pass->scene, lim_entry_record(sorter, entry), open,
+                     lim_stats_of(sorter->pass)))
+        return 0;
+    return draw(ctx, is_cut ? entry : (uint16_t)LIM_NONE, &polygon, open);
+}
+
+static int draw_entry(struct lim_sorter *sorter, uint16_t entry, const struct lim_rect *open, lim_mover_draw *draw,
+                      void *ctx)
+{
+    if (lim_entry_owner(sorter, entry) == LIM_NONE) return draw_still(sorter, entry, open, draw, ctx);
+    const bool is_cut = lim_entry_is_cut(sorter, entry);
+    const struct face face = {lim_entry_record(sorter, entry), lim_plane_of(sorter, entry),
+                              lim_entry_owner(sorter, entry), sorter->newell->polygons[entry].eye_in_front};
+    struct lim_screen_polygon polygon;
+
+    if (!mover_order_project(sorter, &polygon, &face, open)) return 0;
+    return draw(ctx, is_cut ? entry : (uint16_t)LIM_NONE, &polygon, open);
+}
+
+int lim_movers_draw(struct lim_sorter *sorter, uint16_t list, const struct lim_rect *open, bool back_to_front,
+                    lim_mover_draw *draw, void *ctx)
+{
+    for (; list != LIM_NONE; list = sorter->list[list].next) {
+        const int err = lim_mover_is_whole(sorter, list)
+                            ? draw_whole(sorter, lim_entry_owner(sorter, list), open, back_to_front, draw, ctx)
+                            : draw_entry(sorter, list, open, draw, ctx);
+        if (err) return err;
+    }
+    return 0;
+}
+
+#endif

@@ -1,0 +1,123 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * The public functions that say how frames are drawn, and what with. Each drops a frame that is begun. */
+#include "limner.h"
+
+#if LIM_HAS_WIREFRAME
+void lim_set_wireframe(struct lim *lim, const struct lim_wireframe *wireframe)
+{
+    lim_drop_ahead(lim);
+    *lim->pass.wireframe = *wireframe;
+}
+#endif
+
+#if LIM_HAS_ANTIALIAS
+int lim_set_antialias(struct lim *lim, void *mem, size_t mem_b)
+{
+    struct lim_smooth *smooth = lim->nearest->paint.smooth;
+    const uint16_t w_px = lim->pass.target.w_px;
+
+    LIM_ASSERT(((uintptr_t)mem & 3) == 0);
+    if (!LIM_PAINTS_NEAREST_FIRST(&lim->pass.target)) return mem ? LIM_ERR_TARGET : LIM_OK;
+    lim_drop_ahead(lim);
+    smooth->sums = NULL;
+    if (!mem) return LIM_OK;
+    if (mem_b < LIM_ANTIALIAS_MEM_B(w_px)) return LIM_ERR_MEMORY;
+    smooth->sums = mem;
+    smooth->covered = (uint16_t *)(void *)(smooth->sums + w_px);
+    return LIM_OK;
+}
+#endif
+
+#if LIM_HAS_DELTA
+static void use_delta(struct lim *lim, struct lim_delta *delta)
+{
+    *lim->delta = delta;
+    if (LIM_HAS_SPANS) lim->nearest->paint.delta = delta;
+}
+
+int lim_set_delta(struct lim *lim, void *mem, size_t mem_b)
+{
+    struct lim_target *target = &lim->pass.target;
+
+    LIM_ASSERT(((uintptr_t)mem & (sizeof(void *) - 1)) == 0);
+    lim_drop_ahead(lim);
+    if (*lim->delta) *target = (*lim->delta)->target;
+    use_delta(lim, NULL);
+    if (!mem) return LIM_OK;
+    const int err = lim_delta_init(mem, target, mem_b);
+    if (err) return err;
+    *target = lim_delta_stage(mem);
+    use_delta(lim, mem);
+    return LIM_OK;
+}
+
+void lim_refresh(struct lim *lim)
+{
+    if (*lim->delta) (*lim->delta)->known = false;
+}
+#endif
+
+#if LIM_HAS_PIECES
+void lim_newell_set(struct lim *lim, const struct lim_newell_options *options)
+{
+    lim->sorter->newell->options = *options;
+}
+#endif
+
+#if LIM_HAS_LIGHT
+void lim_light_set(struct lim *lim, const struct lim_light *light)
+{
+    *lim->movers->light = *light;
+}
+#endif
+
+#if LIM_HAS_MOVERS
+size_t lim_movers_mem_b(const struct lim_scene *scene, const struct lim_movers_limits *limits)
+{
+    return LIM_MOVERS_MEM_B(scene->limits.depth, limits->instances, limits->depth, limits->entries);
+}
+
+/* Of a polygon that can be retained, as a band of one pixel asks for. */
+static uint16_t most_mover_corners(const struct lim *lim)
+{
+    const uint16_t most = LIM_MAX_VERTICES, taken = LIM_RETAINED_HEAD_CELLS + CLIP_PLANES;
+
+    if (!LIM_HAS_NEAREST || lim->pass.target.method != LIM_NEAREST_FIRST) return most;
+    const uint16_t cells = lim->nearest->retained.size;
+    return cells < most + taken ? (uint16_t)(cells - taken) : most;
+}
+
+/* Widest alignment first. */
+int lim_movers_init(struct lim *lim, void *mem, size_t mem_b, const struct lim_movers_limits *limits)
+{
+    struct lim_movers *movers = lim->movers;
+    struct lim_sorter *sorter = lim->sorter;
+    struct lim_newell *newell = sorter->newell;
+    const struct lim_scene *scene = lim->pass.scene;
+    uint8_t *at = mem;
+
+    LIM_ASSERT(mem && (uintptr_t)mem % sizeof(void *) == 0);
+    LIM_ASSERT(limits->instances <= LIM_INSTANCES_MAX && limits->instances <= limits->entries);
+    LIM_ASSERT(limits->entries <= LIM_SORTED_MAX);
+    if (mem_b < lim_movers_mem_b(scene, limits)) return LIM_ERR_MEMORY;
+    lim_drop_ahead(lim);
+    if (LIM_HAS_LIGHT) movers->light->on = false;
+    movers->most = limits->instances;
+    movers->object_depth = limits->depth;
+    movers->most_corners = most_mover_corners(lim);
+    if (lim->pass.target.method != LIM_NEAREST_FIRST && lim->pass.target.method != LIM_PAINTER) movers->most = 0;
+    if (!movers->most) return LIM_OK;
+    movers->movers = lim_mem_cut(&at, limits->instances * sizeof *movers->movers);
+    sorter->size = limits->entries;
+    sorter->list = lim_mem_cut(&at, limits->entries * sizeof *sorter->list);
+    newell->polygons = lim_mem_cut(&at, limits->entries * sizeof *newell->polygons);
+    newell->cut_size = limits->entries;
+    newell->options = (struct lim_newell_options){.most = 0};
+    movers->cache = lim_mem_cut(&at, LIM_VIEW_CACHE_ENTRIES * sizeof *movers->cache);
+    newell->cuts = lim_mem_cut(&at, limits->entries * sizeof *newell->cuts);
+    movers->stack = lim_mem_cut(&at, scene->limits.depth * sizeof *movers->stack);
+    movers->object_stack = lim_mem_cut(&at, limits->depth * sizeof *movers->object_stack);
+    return LIM_OK;
+}
+#endif

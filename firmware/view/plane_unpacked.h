@@ -1,0 +1,41 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Planes of a scene, unpacked, and where points lie to them: in units, or with 12 fraction bits. */
+#ifndef LIM_PLANE_UNPACKED_H
+#define LIM_PLANE_UNPACKED_H
+
+#include "math/fixed.h"
+#include "scene.h"
+
+enum { LIM_CORNER_ONE_Q12 = 4096, LIM_NO_AXIS = 3 };
+
+struct lim_plane_unpacked {
+    int32_t n[3];
+    int64_t d;
+    int64_t slack; /* |n . p - d| up to this is on it: newell.h */
+    bool narrow;   /* n . p - d fits 32 bits for every vertex p: scene.h's bounds */
+    uint8_t axis;  /* of which n is 1, |d| < 2^15; or LIM_NO_AXIS */
+};
+
+void lim_plane_unpack(struct lim_plane_unpacked *plane, const struct lim_scene *scene,
+                      const LIM_FLASH struct lim_plane_ref *ref);
+
+/* n . p - d, of a point in units where one is 1, or in units / one. */
+static inline int64_t lim_plane_value(const struct lim_plane_unpacked *plane, int32_t x, int32_t y, int32_t z,
+                                      int32_t one)
+{
+    return (int64_t)plane->n[0] * x + (int64_t)plane->n[1] * y + (int64_t)plane->n[2] * z - plane->d * one;
+}
+
+static inline int64_t lim_corner_value(const struct lim_plane_unpacked *plane, const int32_t at_q12[3])
+{
+    if (plane->axis != LIM_NO_AXIS) return at_q12[plane->axis] - (int32_t)plane->d * (int32_t)LIM_CORNER_ONE_Q12;
+    return lim_plane_value(plane, at_q12[0], at_q12[1], at_q12[2], LIM_CORNER_ONE_Q12);
+}
+
+/* Where the plane meets the way from a point in front to one behind, any three coordinates: always from the front, so
+ * that both sides get the same. The values are n . p - d there, in any one scale. */
+void lim_plane_cross(int32_t out[3], const int32_t front[3], int64_t front_value, const int32_t back[3],
+                     int64_t back_value);
+
+#endif
