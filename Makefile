@@ -41,7 +41,7 @@ all: $(BUILD)/limner ## [start] build the host program, build/limner (the defaul
 
 help: ## [care] list the goals
 	@awk -f sim/tools/help.awk Makefile boards/image.mk
-	@printf '\nSuites of make test: %s.\nOn demand: arm64 (a stock kernel), features (all combinations), and cpus with EVERY_PROFILE=yes.\n' "$(ALL_SUITES)"
+	@printf '\nSuites of make test: %s.\nOn demand: arm64 (a stock kernel), features (all combinations), sub-bits (profiles with other ones), and cpus with EVERY_PROFILE=yes.\n' "$(ALL_SUITES)"
 
 # -- Debian packages: what every build needs, and what a goal or a suite needs beside ----------------------------------
 
@@ -63,6 +63,7 @@ packages-kernel        := libcmocka-dev linux-source-6.1 flex bison bc xz-utils 
 packages-foreign       := python3-luma.lcd python3-luma.oled $(packages-kernel)
 packages-format        := clang-format
 packages-soak          := $(packages-host)
+packages-sub-bits      := $(packages-host) $(packages-arm) gcc-riscv64-unknown-elf qemu-system-misc
 packages-extremes      := $(packages-host)
 packages-prove         := frama-c-base why3 z3
 packages-fuzz          := clang libclang-rt-dev
@@ -133,16 +134,13 @@ $(BUILD)/host/%.o: %.c $(BUILD)/host/flags
 	@rm -f $@
 	@ar rcs $@ $^
 
-# The renderer once for each precision profile, and with other sub-pixel bits (fast_4: profile fast, 4 bits) for
-# measurements; all names but that of its table made local.
+# The renderer once for each precision profile, all names but that of its table made local. Those with other sub-pixel
+# bits are compiled by whoever measures them: see sim/targets/core.sh.
 profiles     := draft fast fine exact
-cores        := $(profiles) fast_4 fast_5 fast_8 fine_6
 export PROFILES = $(profiles)
 core_sources := $(wildcard firmware/*.c firmware/*/*.c) sim/core/core.c
 core_object   = $(patsubst %.c,$(BUILD)/core-$(1)/%.o,$(core_sources))
-core_words    = $(subst _, ,$(shell echo $(1) | tr a-z A-Z))
-core_flags    = -DCORE=core_$(1) -DLIM_PROFILE=LIM_PROFILE_$(firstword $(core_words)) \
-	$(addprefix -DLIM_SUB_BITS=,$(word 2,$(core_words)))
+core_flags    = -DCORE=core_$(1) -DLIM_PROFILE=LIM_PROFILE_$(shell echo $(1) | tr a-z A-Z)
 
 define core
 $(BUILD)/core-$(1)/%.o: %.c $(BUILD)/host/flags
@@ -156,16 +154,16 @@ $(BUILD)/core-$(1).o: $(call core_object,$(1))
 
 -include $(patsubst %.o,%.d,$(call core_object,$(1)))
 endef
-$(foreach name,$(cores),$(eval $(call core,$(name))))
+$(foreach name,$(profiles),$(eval $(call core,$(name))))
 
-$(library): $(call object,$(filter-out sim/cli/main.c,$(sources))) $(patsubst %,$(BUILD)/core-%.o,$(cores))
+$(library): $(call object,$(filter-out sim/cli/main.c,$(sources))) $(patsubst %,$(BUILD)/core-%.o,$(profiles))
 
 $(BUILD)/limner: $(call object,sim/cli/main.c) $(library) | $(BUILD)/count_plugin.so
 	@echo "LD $@"
 	@$(CC) $(HOST_OPT) -o $@ $(filter %.o %.a,$^) $(LINKS)
 
-# `limner measure` builds firmware for emulated processors, and QEMU loads a plugin that counts.
-$(call object,sim/measure/measure_cost.c sim/cli/cmd_measure.c): PLACES = -DLIM_SOURCE_FOLDER='"$(CURDIR)"' \
+# `limner measure` builds firmware for emulated processors and with other sub-pixel bits; QEMU loads a plugin that counts.
+$(call object,sim/measure/measure_cost.c sim/measure/sub_bits.c sim/cli/cmd_measure.c): PLACES = -DLIM_SOURCE_FOLDER='"$(CURDIR)"' \
 	-DLIM_COUNT_PLUGIN='"$(abspath $(BUILD))/count_plugin.so"'
 
 # What reports say of the sources: written anew, and compiled anew, when it changes. A copy that git does not know, built
@@ -271,6 +269,7 @@ $(BUILD)/tests/test_hid_port: test_links := -Xlinker --wrap=calloc
 extremes := $(filter $(BUILD)/tests/test_extreme_%,$(test_programs))
 tests/cli/cli_extremes.sh: $(extremes) $(BUILD)/limner
 tests/cli/cli_scale.sh tests/cli/cli_small.sh tests/arm/arm_scale.sh: $(BUILD)/generate_scale
+tests/sub_bits.sh: $(BUILD)/limner $(addprefix $(BUILD)/tests/,test_convex test_scanline test_target_errors)
 
 suite-host      := $(filter-out $(extremes),$(filter $(BUILD)/tests/test_%,$(test_programs))) $(wildcard tests/cli/cli_*.sh)
 suite-arm       := $(wildcard tests/arm/arm_*.sh)
@@ -282,6 +281,7 @@ suite-compilers := tests/compilers.sh
 suite-sanitize  := $(wildcard tests/sanitize*.sh)
 suite-models    := tests/models.sh
 suite-features  := tests/features.sh
+suite-sub-bits  := tests/sub_bits.sh
 suite-prove     := tests/prove.sh
 suite-format    := tests/format.sh tests/rooms.sh
 suite-kernel    := tests/kernel.sh
@@ -320,8 +320,8 @@ tests/kernel.sh: tests-kernel $(kernel_programs)
 tests/arm64.sh: $(kernel_programs)
 tests/foreign.sh: tests-kernel $(kernel_programs) $(BUILD)/tests/foreign/card
 
-unknown := $(filter-out $(ALL_SUITES) arm64 fixed features extremes soak,$(suites))
-$(if $(unknown),$(error there is no suite $(unknown); there are: all $(ALL_SUITES) arm64 features extremes))
+unknown := $(filter-out $(ALL_SUITES) arm64 fixed features sub-bits extremes soak,$(suites))
+$(if $(unknown),$(error there is no suite $(unknown); there are: all $(ALL_SUITES) arm64 features sub-bits extremes))
 
 # By itself it draws all frames, in all suites a part of them.
 ifeq ($(suites),extremes)

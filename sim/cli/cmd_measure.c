@@ -194,6 +194,7 @@ static bool write_files(struct measurement *measurement, struct error *err)
 static bool run(struct measurement *measurement, struct error *err)
 {
     const bool ok = measure_request_check(&measurement->request, err) && work_folder_make(&measurement->folder, err) &&
+                    measure_request_load_variants(&measurement->request, measurement->folder.path, err) &&
                     prepare(measurement, err) && measure_all(measurement, err) && write_files(measurement, err);
     progress_end();
     if (!ok) return false;

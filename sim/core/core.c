@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
- * Compiled once for each profile, together with the renderer's sources; CORE is the table's name. */
+ * Compiled once for each profile, together with the renderer's sources; CORE is the table's name. So is a profile with
+ * other sub-pixel bits, by targets/core.sh. */
 #include "core/core.h"
 
 #include "limner.h"
@@ -155,7 +156,8 @@ static void texels(void *state, lim_index record, core_texel *take, void *ctx)
     }
 }
 
-const struct core CORE = {.name = CORE_NAME(CORE),
+const struct core CORE = {.shared_b = CORE_SHARED_B,
+                          .name = CORE_NAME(CORE),
                           .profile = LIM_PROFILE,
                           .sub_bits = LIM_SUB_BITS,
                           .is_profile = LIM_SUB_BITS == LIM_PROFILE_SUB_BITS,

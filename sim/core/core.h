@@ -17,6 +17,7 @@ struct core_texel_at {
 typedef void core_texel(void *ctx, const struct core_texel_at *at);
 
 struct core {
+    size_t shared_b;    /* CORE_SHARED_B; the first, for one that is loaded (measure/sub_bits.h) may have another */
     const char *name;   /* "fast"; "fast_4" has other sub-pixel bits than its profile's own */
     uint8_t profile;    /* LIM_PROFILE_... */
     uint8_t sub_bits;   /* of a pixel */
@@ -53,9 +54,14 @@ struct core {
     void (*texels)(void *lim, lim_index record, core_texel *take, void *ctx);
 };
 
+/* The sizes of what a core and its caller share. */
+#define CORE_SHARED_B                                                                                                  \
+    (sizeof(struct core) + sizeof(struct lim_scene) + sizeof(struct lim_target) + sizeof(struct lim_camera) +          \
+     sizeof(struct lim_stats))
+
 extern const struct core core_draft, core_fast, core_fine, core_exact;
 
-/* All of them, the four profiles first, cheapest first; NULL behind the last. */
+/* All of them, cheapest first; NULL behind the last. */
 extern const struct core *const cores[];
 
 /* By name, or NULL. */

@@ -5,10 +5,7 @@
 
 #include <string.h>
 
-extern const struct core core_fast_4, core_fast_5, core_fast_8, core_fine_6;
-
-const struct core *const cores[] = {&core_draft,  &core_fast,   &core_fine,   &core_exact, &core_fast_4,
-                                    &core_fast_5, &core_fast_8, &core_fine_6, NULL};
+const struct core *const cores[] = {&core_draft, &core_fast, &core_fine, &core_exact, NULL};
 
 const struct core *core_find(const char *name)
 {

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * The cheapest renderer that is right enough: every profile and variant measured on a model, the bound
+ * The cheapest renderer that is right enough: every profile measured on a model, the bound
  * applied, the cost compared. */
 #ifndef SIM_CHOOSE_H
 #define SIM_CHOOSE_H

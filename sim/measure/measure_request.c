@@ -5,6 +5,7 @@
 
 #include "base/child.h"
 #include "base/parse.h"
+#include "base/progress.h"
 #include "compiler/compile.h"
 #include "compiler/portal_choice.h"
 #include "compiler/tree_choice.h"
@@ -21,6 +22,7 @@ enum option_code {
     OPTION_FOV,
     OPTION_NEAR,
     OPTION_PRECISION,
+    OPTION_SUB_BITS,
     OPTION_CORE,
     OPTION_NO_COST,
     OPTION_KEEP_FACES,
@@ -46,6 +48,7 @@ static const struct option OPTIONS[] = {
     {"fov", required_argument, NULL, OPTION_FOV},
     {"near", required_argument, NULL, OPTION_NEAR},
     {"precision", required_argument, NULL, OPTION_PRECISION},
+    {"sub-bits", no_argument, NULL, OPTION_SUB_BITS},
     {"core", required_argument, NULL, OPTION_CORE},
     {"no-cost", no_argument, NULL, OPTION_NO_COST},
     {"keep-faces", no_argument, NULL, OPTION_KEEP_FACES},
@@ -66,7 +69,8 @@ static const struct option OPTIONS[] = {
 /* Some only make sense for one of the two. */
 static bool has_option(enum measure_of of, int code)
 {
-    if (code == OPTION_METHOD || code == OPTION_TREE || code == OPTION_PORTALS) return of == MEASURE_PRECISIONS;
+    if (code == OPTION_METHOD || code == OPTION_TREE || code == OPTION_PORTALS || code == OPTION_SUB_BITS)
+        return of == MEASURE_PRECISIONS;
     if (code == OPTION_FRAMES || code == OPTION_COST_FRAMES) return of == MEASURE_METHODS;
     return true;
 }
@@ -86,14 +90,25 @@ static bool parse_list(const char *option, const char *text, struct measure_requ
     }
 }
 
+static bool has_core(const struct measure_request *request, const char *name)
+{
+    for (size_t i = 0; i < request->core_count; i++)
+        if (strcmp(request->cores[i]->name, name) == 0) return true;
+    for (size_t i = 0; i < request->variant_count; i++)
+        if (strcmp(request->variants[i], name) == 0) return true;
+    return false;
+}
+
 static bool add_core(struct measure_request *out, const char *name, struct error *err)
 {
     const struct core *core = core_find(name);
-    if (!core) return error_set(err, "--precision %s: no such profile or variant", name);
-    for (size_t i = 0; i < out->core_count; i++)
-        if (out->cores[i] == core) return error_set(err, "--precision %s: named twice", name);
-    if (out->core_count == MEASURE_CORES_MAX) return error_set(err, "--precision: too many");
-    out->cores[out->core_count++] = core;
+    if (!core && !sub_bits_check_name(name, err)) return false;
+    if (has_core(out, name)) return error_set(err, "--precision %s: named twice", name);
+    if (out->core_count + out->variant_count == MEASURE_CORES_MAX) return error_set(err, "--precision: too many");
+    if (core)
+        out->cores[out->core_count++] = core;
+    else
+        snprintf(out->variants[out->variant_count++], sizeof *out->variants, "%s", name);
     return true;
 }
 
@@ -148,6 +163,9 @@ static bool parse_option(int code, char **argv, struct measure_request *out, boo
         return parse_near(optarg, &out->compile.near_m, err);
     case OPTION_PRECISION:
         return parse_list("--precision", optarg, out, add_core, err);
+    case OPTION_SUB_BITS:
+        out->sub_bits = true;
+        return true;
     case OPTION_CORE:
         return parse_list("--core", optarg, out, add_cpu, err);
     case OPTION_PORTALS:
@@ -204,13 +222,21 @@ static bool take_model(int argc, char **argv, struct measure_request *out, struc
     return true;
 }
 
+static void add_usual_variants(struct measure_request *out)
+{
+    struct error ignored;
+    for (size_t i = 0; sub_bits_usual[i]; i++)
+        if (!has_core(out, sub_bits_usual[i])) (void)add_core(out, sub_bits_usual[i], &ignored);
+}
+
 static void fill_in(enum measure_of of, bool no_cost, struct measure_request *out)
 {
     const bool is_methods = of == MEASURE_METHODS;
     if (is_methods && !out->core_count) out->cores[out->core_count++] = &core_fast;
-    if (!out->core_count)
+    if (!out->core_count && !out->variant_count)
         for (size_t i = 0; cores[i] && i < MEASURE_CORES_MAX; i++)
             out->cores[out->core_count++] = cores[i];
+    if (out->sub_bits) add_usual_variants(out);
     if (!out->cpu_count && !no_cost)
         for (size_t i = 0; i < measure_cpu_count; i++)
             if (!is_methods || strcmp(measure_cpus[i].name, "m0plus") == 0 || strcmp(measure_cpus[i].name, "m4") == 0)
@@ -238,6 +264,8 @@ bool measure_request_parse(int argc, char **argv, enum measure_of of, struct mea
     if (!take_model(argc, argv, out, err)) return false;
     if (no_cost && out->cpu_count) return error_set(err, "%s: --core and --no-cost exclude each other", argv[0]);
     if (of == MEASURE_METHODS && out->core_count > 1) return error_set(err, "%s: one --precision at a time", argv[0]);
+    if (of == MEASURE_METHODS && out->variant_count)
+        return error_set(err, "%s: --precision %s: no such profile", argv[0], out->variants[0]);
     fill_in(of, no_cost, out);
     return compile_options_settle(&out->compile, err);
 }
@@ -268,6 +296,18 @@ bool measure_request_check(const struct measure_request *request, struct error *
 {
     for (size_t i = 0; i < request->cpu_count; i++)
         if (!measure_cpu_check(request->cpus[i], err)) return false;
+    if (request->variant_count && !sub_bits_check_tools(err)) return false;
     if (!request->folder || !request->cpu_count || child_exists("gnuplot")) return true;
     return error_set(err, "gnuplot: not found; the plot needs Debian's package gnuplot-nox (or leave out -o)");
+}
+
+bool measure_request_load_variants(struct measure_request *request, const char *folder, struct error *err)
+{
+    for (size_t i = 0; i < request->variant_count; i++) {
+        progress_bar(i, request->variant_count, "compiling %s", request->variants[i]);
+        if (!sub_bits_load(request->variants[i], folder, &request->cores[request->core_count], err)) return false;
+        request->core_count++;
+    }
+    request->variant_count = 0;
+    return true;
 }

@@ -8,6 +8,7 @@
 #include "compiler/compile.h"
 #include "core/core.h"
 #include "measure/measurement.h"
+#include "measure/sub_bits.h"
 
 enum { MEASURE_CORES_MAX = 32, MEASURE_REQUEST_CPUS_MAX = 8, MEASURE_NAME_B = 128, MEASURE_ORBIT_FRAMES = 16 };
 
@@ -20,17 +21,20 @@ enum measure_of { MEASURE_PRECISIONS, MEASURE_METHODS };
 struct measure_request {
     const char *model, *folder; /* folder: NULL, not given */
     struct camera_choice cameras;
+    bool sub_bits;             /* with the usual variants */
     char name[MEASURE_NAME_B]; /* the model's, without folder and suffix */
     unsigned w_px, h_px;
     double fov_deg;
     struct compile_options compile;
     const struct core *cores[MEASURE_CORES_MAX];
+    char variants[MEASURE_CORES_MAX][SUB_BITS_NAME_B]; /* with other sub-pixel bits, to be loaded: they come behind */
     const struct measure_cpu *cpus[MEASURE_REQUEST_CPUS_MAX];
-    size_t core_count, cpu_count; /* cpu_count 0: accuracy only */
-    size_t frames, cost_frames;   /* MEASURE_METHODS: how many of the cameras, and of these for instructions */
+    size_t core_count, variant_count;
+    size_t cpu_count;           /* 0: accuracy only */
+    size_t frames, cost_frames; /* MEASURE_METHODS: how many of the cameras, and of these for instructions */
 };
 
-/* Fills in the defaults too: every renderer on every processor; for methods, profile fast on m0plus and m4. The
+/* Fills in the defaults too: every profile on every processor; for methods, profile fast on m0plus and m4. The
  * strings stay argv's. */
 bool measure_request_parse(int argc, char **argv, enum measure_of of, struct measure_request *out, struct error *err);
 
@@ -45,5 +49,8 @@ bool measure_request_cameras(const struct measure_request *request, const struct
 
 /* Whether all the tools that it takes are there. */
 bool measure_request_check(const struct measure_request *request, struct error *err);
+
+/* Compiles and loads the variants, which become cores behind the others; the folder is for files of that. */
+bool measure_request_load_variants(struct measure_request *request, const char *folder, struct error *err);
 
 #endif

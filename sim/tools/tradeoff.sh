@@ -57,7 +57,7 @@ table() {
     echo "|---|---|---|---|---|---|---|---|---|---|"
     for scene in demo rooms teapot; do
         echo "tradeoff: $scene" >&2
-        measure "$scene" -o "$out/$scene"
+        measure "$scene" --sub-bits -o "$out/$scene"
         rows "$out/$scene/measure.csv"
     done
 }

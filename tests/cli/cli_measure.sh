@@ -25,7 +25,7 @@ refuses() {
 prints_a_row_for_each() {
     measure --no-cost >"$work/table" && cat "$work/table" && for name in draft fast fine exact; do
         grep -q "^| $name | [0-9]* | [0-9.]* | " "$work/table" || return 1
-    done
+    done && [ "$(grep -c '^| [a-z_0-9]* | [0-9]* | ' "$work/table")" -eq 4 ]
 }
 
 decides_every_side() {
@@ -66,7 +66,29 @@ names_the_plotter() {
         -o "$work/plot"
 }
 
-tap_check "every profile has its row" prints_a_row_for_each
+# Other sub-pixel bits, which are compiled on the way.
+variant() {
+    measure --no-cost --precision fast_4,fast >"$work/said" && cat "$work/said" && grep -q '^| fast | 7 | ' "$work/said" &&
+        grep -q '^| fast_4 | 4 | ' "$work/said" && ! grep -q '^| fine' "$work/said"
+}
+
+leaves_no_files() {
+    mkdir -p "$work/own"
+    TMPDIR=$work/own refuses "$@" && [ -z "$(ls "$work/own")" ]
+}
+
+tap_check "every profile has its row, and nothing else" prints_a_row_for_each
+tap_check "other sub-pixel bits are measured, too" variant
+tap_check "they need a compiler" refuses "nowhere-gcc: not found" env CC=nowhere-gcc "$BUILD/limner" measure "$scene" --no-cost --sub-bits
+tap_check "one that fails says why" leaves_no_files "compiling fast_4: firmware/" \
+    env CC="gcc -DLIM_MAX_SIDE_PX=0" "$BUILD/limner" measure "$scene" --no-cost --precision fast_4
+tap_check "what does not fit the program is refused" leaves_no_files "fast_4 does not fit this program" \
+    env CC="gcc -DLIM_HAS_WIDE=0" "$BUILD/limner" measure "$scene" --no-cost --precision fast_4
+tap_check "bits that are the profile's own" refuses "the bits of fast itself" measure --no-cost --precision fast_7
+tap_check "more bits than there are" refuses "0 to 12" measure --no-cost --precision exact_13
+tap_check "bits that are no number" refuses "no such profile" measure --no-cost --precision fast_x
+tap_check "one named twice" refuses "named twice" measure --no-cost --precision fast_4,fast_4
+tap_check "a comparison of methods takes a profile" refuses "no such profile" "$BUILD/limner" compare "$scene" --precision fast_4
 tap_check "no plane decision is wrong" decides_every_side
 tap_check "the same again is the same" is_the_same_again
 tap_check "-o writes what is printed, and CSV" writes_markdown_and_csv

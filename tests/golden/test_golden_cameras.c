@@ -177,7 +177,7 @@ static void put_way(struct simulator *simulator, struct golden_stage *stage, con
 static void put_scene(struct golden_stage *stage)
 {
     for (size_t k = 0; cores[k]; k++)
-        for (size_t i = 0; cores[k]->is_profile && golden_ways[i].name; i++) {
+        for (size_t i = 0; golden_ways[i].name; i++) {
             const size_t size = (i + k) % (sizeof sizes / sizeof *sizes);
             struct simulator simulator;
             if (golden_begin(&simulator, stage, cores[k], &golden_ways[i], sizes[size].w_px, sizes[size].h_px)) {

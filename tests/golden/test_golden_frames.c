@@ -38,7 +38,7 @@ static void put_frames(struct simulator *simulator, struct golden_stage *stage, 
 static void put_scene(struct golden_stage *stage)
 {
     for (size_t k = 0; cores[k]; k++)
-        for (const struct golden_way *way = golden_ways; cores[k]->is_profile && way->name; way++) {
+        for (const struct golden_way *way = golden_ways; way->name; way++) {
             struct simulator simulator;
             if (golden_begin(&simulator, stage, cores[k], way, GOLDEN_W_PX, GOLDEN_H_PX))
                 put_frames(&simulator, stage, way);

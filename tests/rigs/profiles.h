@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * The precision profiles that the host can draw with, for tests that make a promise for each. The
- * sub-pixel variants of a profile are none: they are there to be measured. */
+ * The precision profiles, for tests that make a promise for each. */
 #ifndef TESTS_PROFILES_H
 #define TESTS_PROFILES_H
 
@@ -11,5 +10,9 @@ enum { PROFILES_MAX = 4 };
 
 /* From the coarsest to the most exact, and their number. */
 size_t profiles_find(const struct core *found[PROFILES_MAX]);
+
+/* For promises that hold whatever the sub-pixel bits are: the profiles, or, if $SUB_BITS is set, those with other bits
+ * (measure/sub_bits.h), which are compiled first. */
+size_t profiles_or_sub_bits(const struct core *found[PROFILES_MAX]);
 
 #endif

@@ -104,17 +104,19 @@ typedef void trial(const struct compiled *scene, const struct core *core, enum l
 
 static void try_all(trial *one)
 {
+    const struct core *found[PROFILES_MAX];
+    const size_t count = profiles_or_sub_bits(found);
     struct random random = {801};
     struct mesh mesh = mesh_rig(200.0);
 
     convex_rig_add(&mesh, &random, 4);
-    for (size_t k = 0; cores[k]; k++) {
+    for (size_t k = 0; k < count; k++) {
         struct compiled scene;
         struct error err;
-        const struct compile_options options = {.tolerance_units = 0.5, .splitter = "auto", .core = cores[k]};
+        const struct compile_options options = {.tolerance_units = 0.5, .splitter = "auto", .core = found[k]};
         if (!compile_mesh(&mesh, &options, &scene, &err)) fail_msg("%s", err.text);
         for (size_t i = 0; i < ORDERS; i++)
-            one(&scene, cores[k], orders[i]);
+            one(&scene, found[k], orders[i]);
         compiled_free(&scene);
     }
     mesh_rig_free(&mesh);
