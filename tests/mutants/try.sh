@@ -124,9 +124,7 @@ compile() { # OBJECT [FLAGS]: into the tree, 1 if that is refused
     case $1 in
     core-*)
         name=${1%%/*} name=${name#core-}
-        words=$(echo "$name" | tr a-z A-Z)
-        flags="-DCORE=core_$name -DLIM_PROFILE=LIM_PROFILE_${words%%_*}"
-        case $name in *_*) flags="$flags -DLIM_SUB_BITS=${name#*_}" ;; esac
+        flags="-DCORE=core_$name -DLIM_PROFILE=LIM_PROFILE_$(echo "$name" | tr a-z A-Z)"
         ;;
     *) flags= ;;
     esac
