@@ -33,7 +33,7 @@ endif
 # Begins a recipe line whose output must appear as it comes: with +, but not under `make -n`, where + would run it.
 LIVE = $(if $(findstring n,$(firstword -$(MAKEFLAGS))),,+)@
 
-.PHONY: all extremes soak run view check test test-arm64 test-fixed test-programs models-table foreign-table tables hid-table delta-table footprint tradeoff scale predictions compare bench bench-baseline prove exhaustive fuzz fuzz-coverage mutate format clean help packages force
+.PHONY: all extremes soak run view check test test-arm64 test-fixed test-programs models-table tables footprint tradeoff scale predictions compare bench bench-baseline prove exhaustive fuzz fuzz-coverage mutate format clean help packages force
 .SECONDARY:
 .DELETE_ON_ERROR:
 
@@ -72,11 +72,9 @@ packages-fuzz-coverage := $(packages-fuzz)
 packages-view          := libsdl2-dev
 packages-stm32         := $(shell sed -n 's/^RULES_PACKAGES *:= *//p' boards/stm32f405/board.mk)
 packages-simavr        := $(shell sed -n 's/^EMULATE_PACKAGES *:= *//p' boards/arduboy/board.mk)
-packages-foreign-table := $(packages-foreign)
 packages-models-table  := $(packages-models)
 packages-test-programs := $(packages-host)
 packages-footprint     := gcc-arm-none-eabi
-packages-delta-table   := gcc-arm-none-eabi qemu-system-arm
 packages-tradeoff      := $(packages-arm) gcc-riscv64-unknown-elf qemu-system-misc
 packages-scale         := gcc-arm-none-eabi qemu-system-arm gnuplot-nox
 packages-predictions    := $(packages-models)
@@ -84,7 +82,8 @@ packages-compare       := gcc-arm-none-eabi qemu-system-arm
 packages-bench         := $(packages-tradeoff) valgrind
 packages-bench-baseline := $(packages-bench)
 packages-boards        := sigrok-cli $(shell sed -n 's/^\(EMULATE_\|RULES_\)\{0,1\}PACKAGES *:= *//p' boards/*/board.mk)
-packages-boards-table  := $(packages-boards)
+packages-delta-cost    := gcc-arm-none-eabi qemu-system-arm
+packages-tables        := $(foreach table,$(TABLES),$(packages-$(table)))
 packages-test          := ccache $(foreach suite,$(suites),$(packages-$(suite)))
 
 # A goal that is a file needs what makes it; with BOARD= every goal may need the board's compiler.
@@ -401,32 +400,17 @@ mutate: test-programs $(demo) packages ## [test] break firmware and HAL on purpo
 models-table: $(BUILD)/limner ## [measure] write the outcomes of Debian's test models anew
 	$(LIVE)sh tests/models.sh --table > tests/models/models.expected
 
-tables: $(BUILD)/limner $(demo) ## [measure] measure the table of accuracy and draw the demo's pictures anew
-	$(LIVE)sh sim/tools/tables.sh --write
+# All tables of pages are written by one script, which has their list.
+tables: ## [measure] write the quick tables of pages anew; TABLES="delta-cost boards foreign": these
+footprint: ## [measure] compile the table of flash, RAM and stack anew
+tradeoff: ## [measure] measure accuracy against cost; everything into out/tradeoff/
+scale: ## [measure] measure how costs grow with a scene
+predictions: ## [measure] hold predicted wrong pixels against measured ones, of 47 models
+compare: ## [measure] measure every visibility method; everything into out/compare/
 
-foreign-table: $(BUILD)/limner tests/foreign.sh ## [measure] draw with others' drivers, and write the table of what emulated modules show anew
-	$(LIVE)sh tests/foreign.sh --write
-
-hid-table: $(BUILD)/limner ## [measure] predict frames a second over USB-HID anew
-	$(LIVE)sh sim/tools/bridge_table.sh --write
-
-delta-table: $(BUILD)/limner ## [measure] measure anew what delta output sends, and what it costs
-	$(LIVE)sh sim/tools/delta_table.sh --write
-
-footprint: $(BUILD)/limner $(demo) ## [measure] compile the table of flash, RAM and stack anew
-	$(LIVE)sh sim/tools/footprint_table.sh --write
-
-tradeoff: $(BUILD)/limner $(demo) ## [measure] measure accuracy against cost; everything into out/tradeoff/
-	$(LIVE)sh sim/tools/tradeoff.sh --write
-
-scale: $(BUILD)/limner $(BUILD)/generate_scale ## [measure] measure how costs grow with a scene; SCENES="rooms6 mesh1000": only those
-	$(LIVE)sh sim/tools/scale.sh --write
-
-predictions: $(BUILD)/limner $(BUILD)/generate_scale $(demo) packages ## [measure] hold predicted wrong pixels against measured ones, of 47 models
-	$(LIVE)sh sim/tools/predictions.sh --write
-
-compare: $(BUILD)/limner ## [measure] measure every visibility method; everything into out/compare/
-	$(LIVE)sh sim/tools/compare.sh --write
+tables: $(if $(filter foreign,$(TABLES)),tests/foreign.sh)
+tables footprint tradeoff scale predictions compare: $(BUILD)/limner $(BUILD)/generate_scale $(demo) packages
+	$(LIVE)sh sim/tools/tables.sh --write $(if $(filter tables,$@),$(TABLES),$@)
 
 bench: $(BUILD)/limner $(demo) $(dense) packages ## [measure] count instructions and bytes on every processor; what changed since the baseline
 	$(LIVE)sh sim/tools/bench.sh
@@ -445,12 +429,9 @@ flash emulate cost rules:
 	@echo "$@: say BOARD=NAME; there are: $(boards)" >&2; exit 1
 endif
 
-.PHONY: boards boards-table
+.PHONY: boards
 boards: $(BUILD)/limner $(demo) packages ## [board] build an image for every board
 	$(LIVE)for board in $(boards); do $(MAKE) BOARD=$$board DEPS=skip || exit 1; done
-
-boards-table: $(BUILD)/limner ## [measure] run the boards' images in emulators, and write the table of them anew
-	$(LIVE)sh boards/table.sh --write
 
 # -- Housekeeping ------------------------------------------------------------------------------------------------------
 

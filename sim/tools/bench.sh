@@ -166,7 +166,7 @@ everything() {
     echo "$header" >"$BUILD/bench.csv"
     jobs | while read -r kind scene size path; do cat "$out/$kind-$scene-$size-$path.csv"; done |
         sort -t , -k 2,4 -k 1,1 -s >>"$BUILD/bench.csv"
-    sh sim/tools/bench_tables.sh "$BUILD/bench.csv"
+    BENCH_CSV=$BUILD/bench.csv sh sim/tools/tables.sh peers
 }
 
 case ${1:-} in
@@ -186,7 +186,7 @@ case ${1:-} in
     sh sim/tools/bench_compare.sh "$baseline" "$BUILD/bench.csv" || true
     sh sim/tools/bench_compare.sh --baseline "$BUILD/bench.csv" >"$out/baseline"
     cp "$out/baseline" "$baseline"
-    sh sim/tools/bench_tables.sh --write "$baseline"
+    sh sim/tools/tables.sh --write figures peers bench bench-stages bench-memory
     ;;
 '')
     everything

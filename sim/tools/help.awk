@@ -8,7 +8,7 @@ BEGIN {
     title["start"] = "To begin with"
     title["board"] = "Boards (BOARD=NAME; boards/README.md)"
     title["test"] = "Tests and proofs (tests/README.md)"
-    title["measure"] = "Measuring (sim/MEASURED.md); all but bench write their tables or pages anew"
+    title["measure"] = "Measuring (sim/MEASURED.md); all but bench write tables or pages anew"
     title["care"] = "The rest"
 }
 

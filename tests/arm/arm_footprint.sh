@@ -239,5 +239,5 @@ tap_check "nor has a pointer that nobody accounts for" unknown_pointers_are_foun
 tap_check "objects and call graphs from the cache are those of the compiler" cached_graphs_are_right
 tap_check "16 KB of RAM hold the icosahedron" link_on_microbit icosahedron
 tap_check "what they do not hold the linker refuses" too_large_is_the_linkers_affair
-tap_check "the table in firmware/README.md is what is measured now" sh sim/tools/footprint_table.sh --check
+tap_check "the table in firmware/README.md is what is measured now" sh sim/tools/tables.sh --check footprint
 tap_done

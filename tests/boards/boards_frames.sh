@@ -1,10 +1,9 @@
 # SPDX-License-Identifier: MIT
 #
 # What the images of boards draw in emulators that others wrote: eight frames of a path, whole, each pixel as the
-# simulator draws it. The images are those of the table in boards/README.md (boards/table.sh), which must say of them what is measured
+# simulator draws it. The images are those of boards/images.txt, of which the table in boards/README.md must say what is measured
 # here.
 . tests/tap.sh
-. sim/tools/page_table.sh
 
 board() { # MAKE-ARGUMENT...
     make DEPS=skip BUILD="$BUILD" BOARDS="$kept/boards" PICTURES="$work/pictures" "$@" >"$work/said" 2>&1 || {
@@ -29,7 +28,7 @@ draws() { # MAKE-ARGUMENT...
 draws_row() { # MAKE-ARGUMENT...
     rm -rf "$work/pictures"
     board -s cost N=8 "$@" && cat "$work/said" && pictures_differ 8 && tail -n 1 "$work/said" >"$work/row" &&
-        page_table boards | grep -qxF -f "$work/row"
+        grep -qxF -f "$work/row" "$work/page"
 }
 
 # Packages of npm are fetched, which may not be possible: that says why.
@@ -60,7 +59,7 @@ draws_in_mode() { # MODE SYSTEM MACHINE CONTROL DATA BOARD PANEL
         starts_in_mode "$1" "$2" "$3" "$4" "$5" "$kept/boards/f100/$6/icosahedron-$7-fast/image.elf"
 }
 
-sh boards/table.sh --rows >"$work/rows"
+sh sim/tools/tables.sh --show boards >"$work/page"
 while read -r row; do
     # shellcheck disable=SC2086 # arguments are words
     if npm_fails $row; then
@@ -68,9 +67,9 @@ while read -r row; do
     else
         tap_check "$row: eight frames, at the cost that boards/README.md says" draws_row $row
     fi
-done <"$work/rows"
+done <boards/images.txt
 page_has_no_other_row() {
-    [ "$(page_table boards | grep -c '^| [a-z]')" -eq $(($(wc -l <"$work/rows") + 1)) ]
+    [ "$(grep -c '^| [a-z]' "$work/page")" -eq $(($(wc -l <boards/images.txt) + 1)) ]
 }
 tap_check "boards/README.md has a row for each, and no other" page_has_no_other_row
 tap_check "a scene that moves, 18 bits a pixel" draws BOARD=stm32f405 SCENE=movers PANEL=st7735:rgb666

@@ -4,7 +4,7 @@
 # make no sense, or a bridge that is not there, end with one line that says so and status 1.
 . tests/tap.sh
 
-tap_check "sim/MEASURED.md's table of displays over USB-HID is what is predicted now" sh sim/tools/bridge_table.sh --check
+tap_check "sim/MEASURED.md's table of displays over USB-HID is what is predicted now" sh sim/tools/tables.sh --check bridge
 
 one_row() { # PANEL SIZE
     [ "$("$BUILD/limner" bridge --panel "$1" --size "$2" | grep -c "^| $1 | $2 | ")" = 1 ]

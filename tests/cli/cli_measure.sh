@@ -103,5 +103,5 @@ tap_check "an unknown processor is refused" refuses "there are m0plus, m3, m4 an
 tap_check "an empty name is refused" refuses "divided by commas" measure --precision fast,
 tap_check "a processor without counting is refused" refuses "exclude each other" measure --core m4 --no-cost
 tap_check "a missing model is refused" refuses "none.obj" "$BUILD/limner" measure none.obj --no-cost
-tap_check "sim/MEASURED.md's accuracy of rooms is what is measured now" sh sim/tools/tradeoff.sh --check rooms
+tap_check "sim/MEASURED.md's accuracy of rooms is what is measured now" sh sim/tools/tables.sh --check tradeoff:rooms
 tap_done

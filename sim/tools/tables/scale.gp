@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 #
-# gnuplot -c sim/tools/scale.gp ROWS: what a frame costs against the size of the scene, from the rows of sim/tools/scale.sh, as PNG on
+# gnuplot -c sim/tools/tables/scale.gp ROWS: what a frame costs against the size of the scene, from the rows of sim/tools/tables/scale.sh, as PNG on
 # standard output.
 set terminal pngcairo size 1000, 420 font 'sans,10'
 set datafile missing NaN

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 #
-# One of the tables of sim/tools/bench_tables.sh: `table` says which. Rows come in the order of the CSV, so that scenes stand as
-# sim/tools/bench.sh has them; of sim/tools/peers.txt, which comes first for the table of peers, in its own.
+# One of the tables of sim/tools/tables/bench.sh: `table` says which. Rows come in the order of the CSV, so that scenes stand as
+# sim/tools/bench.sh has them; of sim/tools/tables/peers.txt, which comes first for the table of peers, in its own.
 
 BEGIN {
     core_count = split(cores, core_names, " ")

@@ -1,15 +1,15 @@
 # SPDX-License-Identifier: MIT
 #
 # How costs grow with a scene: buildings of more and more rooms through which the same walk leads, and one mesh in finer and
-# finer triangles. With --write puts the table into sim/MEASURED.md between its markers, and draws sim/scenes/scale.png.
-# SCENES="rooms6 mesh1000": only those. Needs $BUILD/limner and $BUILD/generate_scale; for the instructions of scenes that
-# fit QEMU's Cortex-M4 (4 MB), arm-none-eabi-gcc and qemu-system-arm; for the picture, gnuplot.
-set -eu
-. sim/tools/page_table.sh
+# finer triangles; and a picture of that. SCENES="rooms6 mesh1000" prints these alone. Instructions are those of scenes
+# that fit QEMU's Cortex-M4 (4 MB).
+# shellcheck shell=sh disable=SC2154 # of tables.sh: work, pictures
 
-: "${BUILD:=build}" "${SCENES:=rooms6 rooms12 rooms24 rooms48 mesh1000 mesh5000 mesh20000 mesh100000 mesh200000}"
-work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
+if [ -n "$pictures" ] && [ -n "${SCENES:-}" ]; then
+    echo "scale: SCENES is for printing; the page has all" >&2
+    exit 1
+fi
+: "${SCENES:=rooms6 rooms12 rooms24 rooms48 mesh1000 mesh5000 mesh20000 mesh100000 mesh200000}"
 flash_most_kb=3500
 
 counted() { # SCENE: thousand instructions a frame on the emulated processor
@@ -53,11 +53,5 @@ table() {
 for scene in $SCENES; do
     row "$scene"
 done >"$work/rows"
-table >"$work/table"
-case ${1:-} in
---write)
-    page_write scale "$work/table"
-    gnuplot -c sim/tools/scale.gp "$work/rows" >sim/scenes/scale.png
-    ;;
-*) cat "$work/table" ;;
-esac
+table
+[ -z "$pictures" ] || gnuplot -c sim/tools/tables/scale.gp "$work/rows" >"$pictures/scale.png"

@@ -1,17 +1,10 @@
 # SPDX-License-Identifier: MIT
 #
-# The table of visibility methods, and its picture: what `limner compare` says of five kinds of scenes. Full
-# tables and pictures of what is wrong go to out/compare/. With --write puts the table between its markers in
-# sim/MEASURED.md and the picture beside the demo. With --check SCENE says how that scene's columns of pixels, which need
-# no emulator, differ from that. Needs $BUILD/limner.
-set -eu
-. sim/tools/page_table.sh
+# Every visibility method on five kinds of scenes, and a picture of what they get wrong: what `limner compare` says. Full
+# tables and pictures go to out/compare. A part is a scene's columns of pixels, which need no emulator.
+# shellcheck shell=sh disable=SC2154 # of tables.sh: work, pictures
 
-: "${BUILD:=build}"
 out=out/compare
-work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
-trap 'exit 1' INT TERM
 
 # One convex solid, rooms, a dense mesh, polygons that pass through each other and hide each other in a ring, objects
 # that move through rooms and through each other.
@@ -66,12 +59,6 @@ table() {
     done
 }
 
-write() {
-    table >"$work/table"
-    page_write compare "$work/table"
-    cp "$out/$picture/sheet.png" sim/scenes/compare.png
-}
-
 # The columns of pixels alone, a line a method.
 pixels() { # SCENE < TABLE
     awk -F ' *[|] *' -v scene="$1" '$2 == scene {
@@ -80,15 +67,14 @@ pixels() { # SCENE < TABLE
     }' | sort
 }
 
-check() { # SCENE
-    compare "$1" "$work/now" --no-cost
-    rows "$work/now/compare.csv" | pixels "$1" >"$work/now.pixels"
-    page_table compare | pixels "$1" >"$work/before.pixels"
-    [ -s "$work/now.pixels" ] && diff "$work/before.pixels" "$work/now.pixels"
-}
-
-case ${1:-} in
---write) write ;;
---check) check "$2" ;;
-*) table ;;
+case ${2:-} in
+part)
+    compare "$3" "$work/now" --no-cost
+    rows "$work/now/compare.csv" | pixels "$3"
+    ;;
+of) pixels "$3" ;;
+*)
+    table
+    [ -z "$pictures" ] || cp "$out/$picture/sheet.png" "$pictures/compare.png"
+    ;;
 esac

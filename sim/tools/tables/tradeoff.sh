@@ -1,18 +1,11 @@
 # SPDX-License-Identifier: MIT
 #
-# The table of accuracy against cost, and its picture: what `limner measure` says of the demo and two
-# benchmark scenes. The full tables go to out/tradeoff/. With --write puts the table between its markers in
-# README.md and the picture beside the demo. With --check SCENE says how that scene's columns of accuracy, which
-# need no emulator, differ from README. Needs $BUILD/limner and $BUILD/scenes.
-set -eu
-. sim/tools/page_table.sh
+# Accuracy against cost: what `limner measure` says of the demo and two benchmark scenes, and its picture of the rooms. The
+# full tables go to out/tradeoff. A part is a scene's columns of accuracy, which need no emulator.
+# shellcheck shell=sh disable=SC2154 # of tables.sh: work, pictures
 
-: "${BUILD:=build}"
 out=out/tradeoff
 profiles=draft,fast,fine,exact
-work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
-trap 'exit 1' INT TERM
 
 folder_of() { # SCENE
     [ "$1" = demo ] && echo "$BUILD/scenes" || echo sim/scenes
@@ -24,7 +17,7 @@ measure() { # SCENE [OPTION...]
     "$BUILD/limner" measure "$folder/$scene.obj" --camera "$folder/$scene.cam" --size 240x240 "$@" >"$work/said"
 }
 
-# Rows of README's table from a CSV of `limner measure`: the four profiles on two processors. No field that is
+# Rows of the table from a CSV of `limner measure`: the four profiles on two processors. No field that is
 # used has a comma in it.
 rows() { # CSV
     awk -F , '
@@ -62,28 +55,19 @@ table() {
     done
 }
 
-write() {
-    table >"$work/table"
-    page_write tradeoff "$work/table"
-    cp "$out/rooms/measure.png" sim/scenes/tradeoff.png
-}
-
 # The columns of accuracy alone.
 accuracies() { # SCENE < TABLE
     awk -F '|' -v scene=" $1 " '$2 == scene && NF > 6 { print $2 "|" $3 "|" $4 "|" $5 "|" $6 }'
 }
 
-check() { # SCENE
-    measure "$1" --no-cost --precision "$profiles" -o "$work"
-    rows "$work/measure.csv" | accuracies "$1" >"$work/now"
-    page_table tradeoff | accuracies "$1" >"$work/before"
-    [ -s "$work/now" ] && diff "$work/before" "$work/now"
-}
-
-case ${1:-} in
---write) write ;;
---check) check "$2" ;;
+case ${2:-} in
+part)
+    measure "$3" --no-cost --precision "$profiles" -o "$work"
+    rows "$work/measure.csv" | accuracies "$3"
+    ;;
+of) accuracies "$3" ;;
 *)
     table
+    [ -z "$pictures" ] || cp "$out/rooms/measure.png" "$pictures/tradeoff.png"
     ;;
 esac

@@ -1,34 +1,33 @@
 # SPDX-License-Identifier: MIT
 #
-# Measures what delta output sends on each kind of panel, and what it costs, as tables. With --write puts them
-# into sim/MEASURED.md between its markers. Needs $BUILD/limner; the costs, emulated processors.
-set -eu
-. sim/tools/page_table.sh
+# What delta output sends on each kind of panel (delta), and what it costs on emulated processors (delta-cost). A part is a
+# panel's row.
+# shellcheck shell=sh disable=SC2154 # of tables.sh: work
 . sim/scenes/cube.sh
-
-: "${BUILD:=build}"
-work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
 
 panels='st7789:240x240 st7789:240x240:rgb444 ili9341:240x320 ili9488:320x480 gc9a01:240x240 st7735:128x160 ssd1351:128x128
     ssd1327:128x128 ssd0323:128x64 ls027b7dh01:400x240 ssd1306:128x64 st7567:128x64 pcd8544:84x48'
 
 share() { # MODEL CAMERAS: in percent of a whole frame's bytes
-    "$BUILD/limner" render "$1" --camera "$2" --panel "$panel" --size "$size" --delta --stats |
-        awk '/^delta: / { printf " %.2f |", $2 }'
+    "$BUILD/limner" render "$1" --camera "$2" --panel "$panel" --size "$size" --delta --stats >"$work/stats"
+    awk '/^delta: / { printf " %.2f |", $2 }' "$work/stats"
 }
 
 shares() {
     echo '| panel | pixels | whole, bytes | cube turns, % | walk, % | turn, % |'
     echo '|---|---|---|---|---|---|'
+    share_rows
+}
+
+share_rows() {
     for row in $panels; do
         name=${row%%:*} rest=${row#*:}
         size=${rest%%:*} format=${rest#"$size"}
         panel=$name$format
         printf '| %s | %s |' "$panel" "$size"
         head -n 1 sim/scenes/rooms-walk.cam >"$work/one.cam"
-        "$BUILD/limner" render sim/scenes/rooms.obj --camera "$work/one.cam" --panel "$panel" --size "$size" --stats |
-            awk '$1 == 0 { bytes = $NF } END { printf " %d |", bytes }'
+        "$BUILD/limner" render sim/scenes/rooms.obj --camera "$work/one.cam" --panel "$panel" --size "$size" --stats >"$work/stats"
+        awk '$1 == 0 { printf " %d |", $NF }' "$work/stats"
         share "$work/cube.dae" "$work/cube.cam"
         share sim/scenes/rooms.obj sim/scenes/rooms-walk.cam
         share sim/scenes/rooms.obj sim/scenes/rooms-turn.cam
@@ -52,20 +51,24 @@ costs() {
         grep -v '^#' "sim/scenes/rooms-$path.cam" | head -n 60 >"$work/$path.cam"
         # shellcheck disable=SC2046 # numbers are words
         set -- $(instructions "$work/$path.cam") $(instructions "$work/$path.cam" --delta)
-        echo "| $path | $1 | $3 | $2 | $4 |"
+        echo "| $path | ${1:-} | ${3:-} | ${2:-} | ${4:-} |"
     done
 }
 
-cube_make "$work"
-shares >"$work/shares"
-case ${1:-} in
---write)
-    page_write delta "$work/shares"
-    costs >"$work/costs"
-    page_write delta-cost "$work/costs"
+# What begins with the panel and a colon is its own.
+only() { # PANEL
+    for row in $panels; do
+        case $row in "$1":*) echo "$row" ;; esac
+    done | head -n 1
+}
+
+[ "${2:-}" = of ] || cube_make "$work"
+case $1-${2:-} in
+delta-part)
+    panels=$(only "$3")
+    share_rows
     ;;
-*)
-    cat "$work/shares"
-    costs
-    ;;
+delta-of) grep "^| $3 |" ;;
+delta-) shares ;;
+delta-cost-) costs ;;
 esac

@@ -1,20 +1,17 @@
-#!/bin/sh
 # SPDX-License-Identifier: MIT
 #
-# predictions.sh --write | --table FOLDER: the wrong pixels that `limner compile` predicts, against those that `limner
-# measure` finds with cameras of other random numbers, half of them anywhere and half near faces, and for OBJ files with
-# cameras that no code of the simulator drew (other_cameras.awk); in every profile. Models are those of Debian's
-# assimp-testmodels that are not drawn from animations, and scenes of the project and its generators. --write makes
-# sim/PREDICTED.md anew; FOLDER gets a file a model, so that a run which was interrupted goes on.
-set -e
-: "${BUILD:?}"
+# The wrong pixels that `limner compile` predicts, against those that `limner measure` finds with cameras of other random
+# numbers, half of them anywhere and half near faces, and for OBJ files with cameras that no code of the simulator drew
+# (other_cameras.awk); in every profile. Models are those of Debian's assimp-testmodels that are not drawn from animations,
+# and scenes of the project and its generators. $BUILD/predictions keeps a file a model, so that a run which was interrupted
+# goes on.
+# shellcheck shell=sh disable=SC2154 # of tables.sh: work
 limner=$(cd "$BUILD" && pwd)/limner
 assimp=/usr/share/assimp/models
 seed=77
 frames=24 # of each kind
 # One tree a scene: which one decides little about errors.
 tree='--tree bsp --splitter fewest'
-export BUILD
 
 generated='floor 100
 floor 300
@@ -64,7 +61,7 @@ measured_all() { # MODEL PROFILE,... FILE for cameras
     for kind in random near; do measured "$1" "$2" $kind:$seed:$frames measured; done
     case $1 in *.obj) ;; *) return ;; esac
     for other_seed in 1 2; do
-        awk -v seed=$other_seed -v count=$frames -f sim/tools/other_cameras.awk "$1" >"$3"
+        awk -v seed=$other_seed -v count=$frames -f sim/tools/tables/other_cameras.awk "$1" >"$3"
         [ ! -s "$3" ] || measured "$1" "$2" "$3" other
     done
     rm -f "$3"
@@ -92,7 +89,7 @@ one() { # MODEL FOLDER
         function verdict(a, b) { return a < 0.001 && b < 0.001 || a <= 2 * b && b <= 2 * a ? "within" : "beyond" }
         function cells(kind, p,    mean) {
             if (!count[kind, p])
-                return kind == "other" ? "| - | |" : "| - | not measured |"
+                return kind == "other" ? "| - | - |" : "| - | not measured |"
             mean = sum[kind, p] / count[kind, p]
             return sprintf("| %.4f | %s |", mean, verdict(predicted[p] + 0, mean))
         }
@@ -100,7 +97,7 @@ one() { # MODEL FOLDER
             for (i = 1; i <= n; i++) {
                 p = order[i]
                 if (p in reason)
-                    printf "| %s | %s | - | - | refused: %s | - | |\n", name, p, reason[p]
+                    printf "| %s | %s | - | - | refused: %s | - | - |\n", name, p, reason[p]
                 else
                     printf "| %s | %s | %.4f %s%s\n", name, p, predicted[p], cells("measured", p),
                            substr(cells("other", p), 2)
@@ -114,50 +111,33 @@ table() { # FOLDER
     list "$1" >"$1/list"
     # The smallest first.
     tr '\n' '\0' <"$1/list" | xargs -0 ls -Sr >"$1/sorted"
-    xargs -d '\n' -P "${JOBS:-$(nproc)}" -I '{}' sh "$0" --one '{}' "$1" <"$1/sorted"
+    xargs -d '\n' -P "${JOBS:-$(nproc)}" -I '{}' sh -eu "$0" one '{}' "$1" <"$1/sorted"
     while IFS= read -r model; do
         cat "$1/$(row_file "$model").rows"
     done <"$1/list"
 }
 
-case ${1:-} in
---one) one "$2" "$3" ;;
---table) table "$2" ;;
---write)
-    folder=$BUILD/predictions
-    mkdir -p "$folder"
-    table "$folder" >"$folder/table"
-    {
-        cat <<'TEXT'
-# Predicted and measured wrong pixels
+# How many pairs lie within a factor of two.
+summary() { # FILE
+    awk -F ' *[|] *' '{ refused += $6 ~ /^refused/; count[$6]++; other[$8]++ }
+        !($2 in seen) { seen[$2]; models++ }
+        END {
+            printf "%d models in four profiles: %d pairs within, %d beyond (%.1f %% within); %d refused. ",
+                   models, count["within"], count["beyond"],
+                   100 * count["within"] / (count["within"] + count["beyond"]), refused
+            printf "By other cameras: %d within, %d beyond (%.1f %%).\n\n", other["within"], other["beyond"],
+                   100 * other["within"] / (other["within"] + other["beyond"])
+        }' "$1"
+}
 
-`limner compile` predicts from 48 cameras that it draws, `limner measure --camera random:77:24` and `--camera near:77:24`
-measure; the mean of these two stands in the table, in % of 240 x 240 pixels. *Within*: within a factor of two, or both
-below 0.001 %. The last two columns are OBJ files again, with 48 cameras that [a script](tools/other_cameras.awk) draws from the
-file's text, sharing neither code nor habits with the simulator: eyes inside walls, distances to 2 % of the model. Written
-by `make predictions`. What is refused are floors so wide that boxes of 0.1 to 1.5 m on them (ground: 0.6 m) are too few
-units large. Beyond in regr01 are walls of two colours a tenth of a millimetre apart: on a camera that looks at one, most
-of a picture depends on which of the two is in front, and few of 48 do.
-
-TEXT
-        awk -F ' *[|] *' '{ refused += $6 ~ /^refused/; count[$6]++; other[$8]++ }
-            !($2 in seen) { seen[$2]; models++ }
-            END {
-                printf "%d models in four profiles: %d pairs within, %d beyond (%.1f %% within); %d refused. ",
-                       models, count["within"], count["beyond"],
-                       100 * count["within"] / (count["within"] + count["beyond"]), refused
-                printf "By other cameras: %d within, %d beyond (%.1f %%).\n\n", other["within"], other["beyond"],
-                       100 * other["within"] / (other["within"] + other["beyond"])
-            }' "$folder/table"
-        echo '| scene | profile | predicted, % | measured, % | | by other cameras, % | |'
-        echo '|---|---|---|---|---|---|---|'
-        cat "$folder/table"
-    } >"$folder/page"
-    mv "$folder/page" sim/PREDICTED.md
-    grep ' pairs within' sim/PREDICTED.md
-    ;;
+case $1 in
+one) one "$2" "$3" ;;
 *)
-    echo 'usage: predictions.sh --write | --table FOLDER' >&2
-    exit 1
+    folder=$BUILD/predictions
+    table "$folder" >"$work/rows"
+    summary "$work/rows"
+    echo '| scene | profile | predicted, % | measured, % | | by other cameras, % | |'
+    echo '|---|---|---|---|---|---|---|'
+    cat "$work/rows"
     ;;
 esac

@@ -1,12 +1,10 @@
 # SPDX-License-Identifier: MIT
 #
-# Tables of what sim/tools/bench.sh counted, from its CSV or from the baseline: sh sim/tools/bench_tables.sh [--write|--check] CSV.
-# Prints that against other renderers (sim/tools/peers.txt); --write puts all of them between their markers, in sim/MEASURED.md and,
-# of the one against others five rows, in README.md; --check says how these differ.
-set -eu
-. sim/tools/page_table.sh
+# What sim/tools/bench.sh counted, from $BENCH_CSV or the baseline: frames (bench), their stages (bench-stages), memory
+# (bench-memory), all against other renderers (peers, sim/tools/tables/peers.txt), and five rows of that (figures).
+# shellcheck shell=sh disable=SC2154 # of tables.sh: work
 
-names='peers figures bench bench-stages bench-memory'
+: "${BENCH_CSV:=sim/tools/bench.baseline.csv}"
 cores='m0plus m3 m4 rv32 host'
 
 # README's rows: of the table against others `what is there=what README calls it`.
@@ -31,31 +29,17 @@ figures() { # < TABLE
         }'
 }
 
-table() { # NAME CSV
-    case $1 in
-    figures)
-        table peers "$2" | figures
-        return
-        ;;
-    peers) set -- "$1" sim/tools/peers.txt "$2" ;;
-    *) set -- "$1" "$2" ;;
-    esac
-    table_name=$1
+table() { # NAME FILE...
+    name=$1
     shift
-    awk -v table="$table_name" -v cores="$cores" -f sim/tools/bench_tables.awk "$@"
-}
-
-each() { # page_write or readme_has, CSV
-    work=$(mktemp -d)
-    trap 'rm -rf "$work"' EXIT
-    for name in $names; do
-        table "$name" "$2" >"$work/$name"
-        "$1" "$name" "$work/$name"
-    done
+    awk -v table="$name" -v cores="$cores" -f sim/tools/tables/bench.awk "$@"
 }
 
 case $1 in
---write) each page_write "$2" ;;
---check) each page_has "$2" ;;
-*) table peers "$1" ;;
+figures)
+    table peers sim/tools/tables/peers.txt "$BENCH_CSV" >"$work/peers"
+    figures <"$work/peers"
+    ;;
+peers) table peers sim/tools/tables/peers.txt "$BENCH_CSV" ;;
+*) table "$1" "$BENCH_CSV" ;;
 esac

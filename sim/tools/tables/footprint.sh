@@ -1,16 +1,12 @@
 # SPDX-License-Identifier: MIT
 #
-# Prints the table of what scenes cost in a firmware. With --write puts it into firmware/README.md between its
-# markers; with --check says how that differs. Needs $BUILD/limner, $BUILD/scenes and $WARNINGS.
-set -eu
+# What scenes cost in a firmware.
+# shellcheck shell=sh disable=SC2154 # of tables.sh: work
 . sim/targets/targets.sh
 . sim/tools/footprint.sh
-. sim/tools/page_table.sh
 
-: "${BUILD:=build}"
+: "${WARNINGS:=-Wall}"
 h_px=240
-work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
 
 method_of() { # FOLDER
     sed -n 's/^#define MODEL_SCENE_METHOD LIM_//p' "$1/model.h" | tr '[:upper:]' '[:lower:]' | sed 's/_first$//'
@@ -34,9 +30,4 @@ table() {
     for scene in rooms teapot icosahedron; do row $scene sim/scenes/$scene.obj; done
 }
 
-table >"$work/table"
-case ${1:-} in
---write) page_write footprint "$work/table" ;;
---check) page_has footprint "$work/table" ;;
-*) cat "$work/table" ;;
-esac
+table
