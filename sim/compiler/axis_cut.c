@@ -99,11 +99,11 @@ struct cell {
 };
 
 /* Narrowed by the cuts above; polygons' planes do not count. */
-static struct cell cell_of(const struct bsp *bsp, struct tree_place place)
+static struct cell cell_of(const struct bsp *bsp, struct bsp_place place)
 {
     struct cell cell = {{-CUBE_END, -CUBE_END, -CUBE_END}, {CUBE_END, CUBE_END, CUBE_END}, 0};
     for (; place.parent != BSP_NONE;
-         place = (struct tree_place){bsp->nodes[place.parent].parent, bsp->nodes[place.parent].in_front}) {
+         place = (struct bsp_place){bsp->nodes[place.parent].parent, bsp->nodes[place.parent].in_front}) {
         const uint32_t group = bsp->nodes[place.parent].group;
         if (group < bsp->coplanar->count) continue;
         const struct plane *plane = bsp_plane(bsp, group);
@@ -117,7 +117,7 @@ static struct cell cell_of(const struct bsp *bsp, struct tree_place place)
 }
 
 /* Halves are left out where all pieces lie in one: no node is worth that. */
-uint32_t axis_cut_halving(struct bsp *bsp, struct tree_place place, const uint32_t *list, size_t count)
+uint32_t axis_cut_halving(struct bsp *bsp, struct bsp_place place, const uint32_t *list, size_t count)
 {
     struct cell cell = cell_of(bsp, place);
     for (size_t step = cell.cuts;; step++) {

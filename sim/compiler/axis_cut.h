@@ -4,7 +4,8 @@
 #ifndef SIM_AXIS_CUT_H
 #define SIM_AXIS_CUT_H
 
-#include "compiler/tree.h"
+#include "compiler/bsp.h"
+#include "compiler/splitter.h"
 
 /* Candidates: up to `most` whole coordinates along an axis at which a piece begins or ends, in order, evenly chosen.
  * Returns how many. */
@@ -19,6 +20,6 @@ uint32_t axis_cut_best(struct bsp *bsp, const struct splitter *splitter, const u
 /* The plane that halves the cube, or the half or quarter of one, in which the list stands: x, y and z by turns, and
  * those at once that leave all pieces on one side. BSP_NONE: the cube has become too small, or many pieces lie across.
  */
-uint32_t axis_cut_halving(struct bsp *bsp, struct tree_place place, const uint32_t *list, size_t count);
+uint32_t axis_cut_halving(struct bsp *bsp, struct bsp_place place, const uint32_t *list, size_t count);
 
 #endif

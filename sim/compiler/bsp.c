@@ -1,43 +1,13 @@
 /* SPDX-License-Identifier: MIT
  *
- * Building the tree with a list of open tasks instead of recursion: trees may be as deep as the
- * scene has planes. Every node takes all polygons of its own group out of the list, whatever
- * rounding says about them, so the work ends. */
+ * Pieces are made of the mesh's polygons and of what planes cut; no corner of a piece is ever moved. */
 #include "compiler/bsp.h"
 
-#include "base/deadline.h"
 #include "base/grow.h"
-#include "base/progress.h"
-#include "compiler/tree.h"
 #include "model/inner.h"
 
 #include <math.h>
 #include <stdlib.h>
-
-/* A list of pieces that shall become a subtree. Lists lie on a stack, the next task's on top. */
-struct task {
-    uint32_t parent;
-    bool in_front;
-    size_t first, depth;
-};
-
-struct stack {
-    uint32_t *pieces;
-    size_t count, capacity;
-    struct task *tasks;
-    size_t task_count, task_capacity;
-};
-
-struct list {
-    uint32_t *items;
-    size_t count, capacity;
-};
-
-static void list_add(struct list *list, uint32_t item)
-{
-    list->items = grow(list->items, list->count, &list->capacity, sizeof *list->items);
-    list->items[list->count++] = item;
-}
 
 /* Pieces ------------------------------------------------------------------------------------- */
 
@@ -76,7 +46,7 @@ static uint32_t piece_add(struct bsp *bsp, size_t first, uint32_t polygon)
     return (uint32_t)bsp->piece_count++;
 }
 
-static uint32_t piece_of_polygon(struct bsp *bsp, uint32_t index)
+uint32_t bsp_piece_of(struct bsp *bsp, uint32_t index)
 {
     const struct mesh_polygon *polygon = &bsp->mesh->polygons[index];
     const uint32_t *corners = &bsp->mesh->corners[polygon->first];
@@ -192,7 +162,7 @@ static void find_extremes(const struct bsp *bsp, const struct bsp_piece *piece, 
     }
 }
 
-static void piece_split(struct bsp *bsp, uint32_t index, uint32_t group, struct list *front, struct list *back)
+void bsp_piece_split(struct bsp *bsp, uint32_t index, uint32_t group, uint32_t *front, uint32_t *back)
 {
     const struct bsp_piece piece = bsp->pieces[index];
     uint32_t top = 0, bottom = 0;
@@ -200,141 +170,15 @@ static void piece_split(struct bsp *bsp, uint32_t index, uint32_t group, struct 
     struct crossing down = find_crossing(bsp, &piece, top, 1, group);
     struct crossing up = find_crossing(bsp, &piece, bottom, -1, group);
     uint32_t cut = edges_add_cut(&bsp->edges, down.point, up.point);
-    list_add(front, piece_between(bsp, &piece, up, down, cut));
-    list_add(back, piece_between(bsp, &piece, down, up, cut));
+    *front = piece_between(bsp, &piece, up, down, cut);
+    *back = piece_between(bsp, &piece, down, up, cut);
     bsp->splits++;
-}
-
-/* Building ----------------------------------------------------------------------------------- */
-
-static void place(struct bsp *bsp, struct bsp_node *node, uint32_t piece)
-{
-    bsp->placed = grow(bsp->placed, bsp->placed_count, &bsp->placed_capacity, sizeof *bsp->placed);
-    bsp->placed[bsp->placed_count++] = piece;
-    node->count++;
-}
-
-static void file_piece(struct bsp *bsp, struct bsp_node *node, uint32_t index, struct list *front, struct list *back)
-{
-    const struct bsp_piece *piece = &bsp->pieces[index];
-    const struct plane *plane = bsp_plane(bsp, node->group);
-    if (bsp->coplanar->group[piece->polygon] == node->group) {
-        place(bsp, node, index);
-        return;
-    }
-    int sides = bsp_piece_filed(bsp, piece, plane);
-    if (sides == BSP_BOTH)
-        piece_split(bsp, index, node->group, front, back);
-    else
-        list_add(sides == BSP_FRONT ? front : back, index);
-}
-
-static struct bsp_node *node_add(struct bsp *bsp, const struct task *task, uint32_t group)
-{
-    bsp->nodes = grow(bsp->nodes, bsp->node_count, &bsp->node_capacity, sizeof *bsp->nodes);
-    uint32_t index = (uint32_t)bsp->node_count++;
-    struct bsp_node *node = &bsp->nodes[index];
-    *node = (struct bsp_node){.group = group,
-                              .front = BSP_NONE,
-                              .back = BSP_NONE,
-                              .parent = task->parent,
-                              .in_front = task->in_front,
-                              .first = bsp->placed_count};
-    if (task->parent != BSP_NONE) {
-        struct bsp_node *parent = &bsp->nodes[task->parent];
-        *(task->in_front ? &parent->front : &parent->back) = index;
-    }
-    bsp->depth = task->depth > bsp->depth ? task->depth : bsp->depth;
-    return node;
-}
-
-static void stack_push(struct stack *stack, struct task task, const struct list *list)
-{
-    if (list->count == 0) return;
-    task.first = stack->count;
-    for (size_t i = 0; i < list->count; i++) {
-        stack->pieces = grow(stack->pieces, stack->count, &stack->capacity, sizeof *stack->pieces);
-        stack->pieces[stack->count++] = list->items[i];
-    }
-    stack->tasks = grow(stack->tasks, stack->task_count, &stack->task_capacity, sizeof *stack->tasks);
-    stack->tasks[stack->task_count++] = task;
-}
-
-/* Makes a leaf of the list, if the kind of tree has one here. */
-static bool end_in_leaf(struct bsp *bsp, enum tree_kind kind, const struct task *task, const uint32_t *list,
-                        size_t count)
-{
-    uint32_t *order = grow_zeroed(count, sizeof *order);
-    const bool ends = tree_ends(bsp, kind, list, count, order);
-    if (ends) {
-        struct bsp_node *node = node_add(bsp, task, BSP_NONE);
-        for (size_t i = 0; i < count; i++)
-            place(bsp, node, order[i]);
-    }
-    free(order);
-    return ends;
-}
-
-/* Turns the task on top of the stack into a leaf, or into a node and up to two tasks. */
-static void divide(struct bsp *bsp, const struct bsp_plan *plan, struct stack *stack, struct list *front,
-                   struct list *back)
-{
-    const struct task task = stack->tasks[--stack->task_count];
-    const uint32_t *list = stack->pieces + task.first;
-    size_t count = stack->count - task.first;
-    if (end_in_leaf(bsp, plan->kind, &task, list, count)) {
-        stack->count = task.first;
-        return;
-    }
-    uint32_t group = tree_divider(bsp, plan, (struct tree_place){task.parent, task.in_front}, list, count);
-    struct bsp_node *node = node_add(bsp, &task, group);
-    front->count = back->count = 0;
-    for (size_t i = 0; i < count; i++)
-        file_piece(bsp, node, list[i], front, back);
-    stack->count = task.first;
-    struct task child = {.parent = (uint32_t)(bsp->node_count - 1), .depth = task.depth + 1};
-    stack_push(stack, child, back);
-    child.in_front = true;
-    stack_push(stack, child, front);
-}
-
-/* Each node takes one polygon in at least, and those still to come may be split. */
-static void show_progress(const struct bsp *bsp, const struct bsp_plan *plan)
-{
-    const size_t all = bsp->mesh->polygon_count + bsp->splits;
-    progress_bar(bsp->placed_count < all ? bsp->placed_count : all, all, "compiling: %zu polygons, %s, %s",
-                 bsp->mesh->polygon_count, tree_names[plan->kind], plan->splitter->name);
-}
-
-bool bsp_build(struct bsp *bsp, const struct mesh *mesh, const struct coplanar *coplanar, const struct bsp_plan *plan,
-               struct exact_points *points)
-{
-    *bsp = (struct bsp){.mesh = mesh, .coplanar = coplanar, .tolerance_units = plan->tolerance_units};
-    bsp->edges.points = points;
-    struct stack stack = {0};
-    struct list front = {0}, back = {0};
-    for (size_t i = 0; i < mesh->polygon_count; i++)
-        list_add(&front, piece_of_polygon(bsp, (uint32_t)i));
-    stack_push(&stack, (struct task){.parent = BSP_NONE, .depth = 1}, &front);
-    if (tree_wants_rings(plan, bsp->piece_count)) rings_find(&bsp->rings, bsp);
-    while (stack.task_count && bsp->piece_count <= BSP_PIECES_MAX && !deadline_passed()) {
-        show_progress(bsp, plan);
-        divide(bsp, plan, &stack, &front, &back);
-    }
-    bool complete = stack.task_count == 0 && !deadline_passed(); /* what ended early is no tree */
-    edges_sort(&bsp->edges);
-    free(front.items);
-    free(back.items);
-    free(stack.pieces);
-    free(stack.tasks);
-    return complete;
 }
 
 void bsp_free(struct bsp *bsp)
 {
     edges_free(&bsp->edges);
     map_free(&bsp->cut_of);
-    rings_free(&bsp->rings);
     free(bsp->cuts);
     free(bsp->corners);
     free(bsp->pieces);

@@ -9,9 +9,6 @@
 
 #include "compiler/coplanar.h"
 #include "compiler/edges.h"
-#include "compiler/rings.h"
-#include "compiler/splitter.h"
-#include "scene/tree_kind.h"
 
 #define BSP_NONE UINT32_MAX
 
@@ -51,23 +48,16 @@ struct bsp {
     size_t corner_count, corner_capacity, piece_count, piece_capacity, node_count, node_capacity;
     size_t placed_count, placed_capacity;
     size_t splits, depth;
-    struct rings rings; /* of clusters; empty: too many polygons */
 };
 
 /* More pieces than any scene can hold: building stops there. */
 enum { BSP_PIECES_MAX = 1 << 20 };
 
-/* How a tree is to be built. */
-struct bsp_plan {
-    enum tree_kind kind;
-    const struct splitter *splitter; /* chooses among the planes of the polygons */
-    double tolerance_units;
+/* Where a list of pieces stands: to become the front or the back child of a node, or the root (BSP_NONE). */
+struct bsp_place {
+    uint32_t parent;
+    bool in_front;
 };
-
-/* Builds the tree. `points` holds exactly the mesh's points and receives those of the splits.
- * False if the pieces become too many. bsp_free() it either way. */
-bool bsp_build(struct bsp *bsp, const struct mesh *mesh, const struct coplanar *coplanar, const struct bsp_plan *plan,
-               struct exact_points *points);
 
 /* The plane of a group or a cut. */
 const struct plane *bsp_plane(const struct bsp *bsp, uint32_t group);
@@ -82,6 +72,12 @@ int bsp_piece_sides(const struct bsp *bsp, const struct bsp_piece *piece, const 
 
 /* The same, but a piece that lies on the plane all over is on the side of its middle: where it is filed. */
 int bsp_piece_filed(const struct bsp *bsp, const struct bsp_piece *piece, const struct plane *plane);
+
+/* A new piece: that polygon of the mesh, whole. */
+uint32_t bsp_piece_of(struct bsp *bsp, uint32_t polygon);
+
+/* Splits a piece that has corners on both sides of the group's plane. */
+void bsp_piece_split(struct bsp *bsp, uint32_t piece, uint32_t group, uint32_t *front, uint32_t *back);
 
 /* How far any corner of a piece lies on the wrong side of a plane that the piece is filed under,
  * or off the plane that it is filed in; an upper bound, in units, 0 if exactly none does. */

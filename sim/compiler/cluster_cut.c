@@ -21,6 +21,7 @@ static const double RING_COST = 4.0;
 struct trial {
     struct bsp *bsp;
     const struct splitter *splitter;
+    const struct rings *rings;
     const uint32_t *list;
     size_t count;
     uint64_t *front, *back;
@@ -39,8 +40,8 @@ static struct splitter_tally divide(const struct trial *trial, uint32_t group)
     const struct bsp *bsp = trial->bsp;
     const struct plane *plane = bsp_plane(bsp, group);
     struct splitter_tally tally = {0};
-    memset(trial->front, 0, bsp->rings.words * sizeof *trial->front);
-    memset(trial->back, 0, bsp->rings.words * sizeof *trial->back);
+    memset(trial->front, 0, trial->rings->words * sizeof *trial->front);
+    memset(trial->back, 0, trial->rings->words * sizeof *trial->back);
     for (size_t i = 0; i < trial->count; i++) {
         const struct bsp_piece *piece = &bsp->pieces[trial->list[i]];
         if (bsp->coplanar->group[piece->polygon] == group) {
@@ -69,8 +70,7 @@ static void try(struct trial *trial, uint32_t group)
     const struct splitter_tally tally = divide(trial, group);
     double cost = splitter_cost(trial->splitter, bsp_plane(trial->bsp, group)->kind, &tally, trial->count);
     if (!ends(trial, &tally) || cost >= trial->least) return;
-    const struct rings *rings = &trial->bsp->rings;
-    cost += RING_COST * (double)(rings_left(rings, trial->front) + rings_left(rings, trial->back));
+    cost += RING_COST * (double)(rings_left(trial->rings, trial->front) + rings_left(trial->rings, trial->back));
     if (cost >= trial->least) return;
     trial->least = cost;
     trial->best = group;
@@ -84,11 +84,12 @@ static void try_cuts(struct trial *trial, int axis)
         if (!i || at[i] != at[i - 1]) try(trial, bsp_cut(trial->bsp, (enum plane_kind)(PLANE_X + axis), at[i]));
 }
 
-uint32_t cluster_cut_best(struct bsp *bsp, const struct splitter *splitter, const uint32_t *list, size_t count)
+uint32_t cluster_cut_best(struct bsp *bsp, const struct splitter *splitter, const struct rings *rings,
+                          const uint32_t *list, size_t count)
 {
-    struct trial trial = {bsp, splitter, list, count, NULL, NULL, BSP_NONE, DBL_MAX};
-    trial.front = grow_zeroed(bsp->rings.words, sizeof *trial.front);
-    trial.back = grow_zeroed(bsp->rings.words, sizeof *trial.back);
+    struct trial trial = {bsp, splitter, rings, list, count, NULL, NULL, BSP_NONE, DBL_MAX};
+    trial.front = grow_zeroed(rings->words, sizeof *trial.front);
+    trial.back = grow_zeroed(rings->words, sizeof *trial.back);
     for (int axis = 0; axis < 3; axis++)
         try_cuts(&trial, axis);
     const size_t tries = count < PLANES_MAX ? count : PLANES_MAX;

@@ -5,9 +5,12 @@
 #define SIM_CLUSTER_CUT_H
 
 #include "compiler/bsp.h"
+#include "compiler/rings.h"
+#include "compiler/splitter.h"
 
 /* Among axis planes and the planes of polygons in the list: the cheapest by the splitter's weights and by what is left
- * in rings. bsp->rings has been found. */
-uint32_t cluster_cut_best(struct bsp *bsp, const struct splitter *splitter, const uint32_t *list, size_t count);
+ * in rings. */
+uint32_t cluster_cut_best(struct bsp *bsp, const struct splitter *splitter, const struct rings *rings,
+                          const uint32_t *list, size_t count);
 
 #endif

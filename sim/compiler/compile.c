@@ -6,6 +6,7 @@
 #include "base/deadline.h"
 #include "base/grow.h"
 #include "base/progress.h"
+#include "compiler/bsp_build.h"
 #include "compiler/encode.h"
 #include "compiler/faithful.h"
 #include "compiler/order_choice.h"
@@ -74,7 +75,7 @@ static enum lim_method draws_with(const struct compile_options *options, bool co
 }
 
 static void report_set(struct compile_report *report, const struct bsp *bsp, const struct encoding *encoding,
-                       const struct lim_scene *scene, const struct bsp_plan *plan)
+                       const struct lim_scene *scene, const struct tree_plan *plan)
 {
     *report = (struct compile_report){.mesh = bsp->mesh->counts,
                                       .polygons_in = bsp->mesh->polygon_count,
@@ -119,7 +120,7 @@ static void image_make(struct encoding *encoding, const struct grid *grid, struc
 static bool compile_with(struct compilation *work, enum tree_kind kind, const struct splitter *splitter,
                          struct compiled *out, struct error *err)
 {
-    const struct bsp_plan plan = {kind, splitter, work->options->tolerance_units};
+    const struct tree_plan plan = {kind, splitter, work->options->tolerance_units};
     struct bsp bsp;
     struct encoding encoding = {0};
     bool ok = bsp_build(&bsp, work->mesh, &work->coplanar, &plan, &work->points);

@@ -56,17 +56,17 @@ static uint32_t cut_or_polygon(struct bsp *bsp, const struct splitter *splitter,
 }
 
 /* The first polygon and a few at random are heuristics for their own sake. */
-bool tree_wants_rings(const struct bsp_plan *plan, size_t polygons)
+bool tree_wants_rings(const struct tree_plan *plan, size_t polygons)
 {
     return plan->kind == TREE_CLUSTERS && plan->splitter != &splitters[0] && !plan->splitter->samples &&
            polygons <= CLUSTER_PIECES_MAX;
 }
 
-uint32_t tree_divider(struct bsp *bsp, const struct bsp_plan *plan, struct tree_place place, const uint32_t *list,
-                      size_t count)
+uint32_t tree_divider(struct bsp *bsp, const struct tree_plan *plan, const struct rings *rings, struct bsp_place place,
+                      const uint32_t *list, size_t count)
 {
     double cost;
-    if (bsp->rings.count) return cluster_cut_best(bsp, plan->splitter, list, count);
+    if (rings->count) return cluster_cut_best(bsp, plan->splitter, rings, list, count);
     if (plan->kind == TREE_AXIS) return cut_or_polygon(bsp, plan->splitter, list, count);
     if (plan->kind == TREE_OCTREE) {
         const uint32_t cut = axis_cut_halving(bsp, place, list, count);

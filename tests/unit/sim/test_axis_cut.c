@@ -10,7 +10,7 @@
 #include <string.h>
 
 static const double UNITS_PER_M = 1000.0;
-static const struct tree_place ROOT = {BSP_NONE, false};
+static const struct bsp_place ROOT = {BSP_NONE, false};
 enum { CANDIDATES = 10 };
 
 static struct mesh boxes(int count, double apart_m, double half_z_m)

@@ -2,7 +2,7 @@
  *
  * The tree: the worked examples of the literature, and what must hold for every tree, checked in
  * rationals on closed solids, needles and polygons through one another. */
-#include "compiler/bsp.h"
+#include "compiler/bsp_build.h"
 #include "rigs/cmocka_ready.h"
 #include "rigs/mesh_rig.h"
 
@@ -175,7 +175,7 @@ static void grove_plant(struct grove *grove, uint64_t seed, const struct splitte
     for (size_t i = 0; i < grove->mesh.point_count; i++)
         exact_add_m(&grove->points, grove->mesh.points[i], &grove->mesh.grid);
     coplanar_find(&grove->mesh, grove->points.approx, tolerance, &grove->coplanar);
-    const struct bsp_plan plan = {TREE_BSP, splitter, tolerance};
+    const struct tree_plan plan = {TREE_BSP, splitter, tolerance};
     assert_true(bsp_build(&grove->bsp, &grove->mesh, &grove->coplanar, &plan, &grove->points));
 }
 

@@ -114,18 +114,20 @@ static void what_is_in_rings_is_found(void **state)
     static const double walls[5][4] = {{1, 6, 0, 3}, {-6, 2, -2, 4}, {2, -3, 1, 4}, {40, 50, 41, 50}, {50, 50, 51, 50}};
     struct mesh mesh = mesh_rig(400.0);
     struct bsp_rig rig;
+    struct rings rings;
 
     (void)state;
     for (int i = 0; i < 5; i++)
         mesh_rig_wall(&mesh, (uint32_t)('a' + i), walls[i][0], walls[i][1], walls[i][2], walls[i][3]);
     bsp_rig_make(&rig, &mesh, TREE_NONE);
-    rings_find(&rig.bsp.rings, &rig.bsp);
-    assert_int_equal(left_of(&rig.bsp.rings, "abc"), 3);
-    assert_in_range(left_of(&rig.bsp.rings, "abcde"), 3, 5);
-    assert_int_equal(left_of(&rig.bsp.rings, "ab"), 0);
-    assert_int_equal(left_of(&rig.bsp.rings, "bc"), 0);
-    assert_int_equal(left_of(&rig.bsp.rings, "ca"), 0);
-    assert_int_equal(left_of(&rig.bsp.rings, ""), 0);
+    rings_find(&rings, &rig.bsp);
+    assert_int_equal(left_of(&rings, "abc"), 3);
+    assert_in_range(left_of(&rings, "abcde"), 3, 5);
+    assert_int_equal(left_of(&rings, "ab"), 0);
+    assert_int_equal(left_of(&rings, "bc"), 0);
+    assert_int_equal(left_of(&rings, "ca"), 0);
+    assert_int_equal(left_of(&rings, ""), 0);
+    rings_free(&rings);
     bsp_rig_free(&rig);
     mesh_rig_free(&mesh);
 }
