@@ -1,8 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "cli/bridge_bench.h"
 
-#include "cli/bridge_cost.h"
-
 #include <stdlib.h>
 
 static bool open_port(struct bridge_bench *bench, struct error *err)

@@ -21,6 +21,11 @@ struct bridge_bench *bridge_bench_open(const struct panel_choice *choice, const 
                                        struct error *err);
 void bridge_bench_close(struct bridge_bench *bench);
 
+struct bridge_cost {
+    unsigned long spi_b; /* commands and pixels */
+    unsigned long reports;
+};
+
 /* What has gone through it so far. */
 struct bridge_cost bridge_bench_cost(const struct bridge_bench *bench);
 

@@ -1,8 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "cli/bridge_cost.h"
 
-#include "cli/bridge_bench.h"
-
 enum { PIECE_PX = 960 }; /* whole bytes in every format */
 
 static int send_window(struct panel *panel, const struct bridge_window *window)

@@ -8,18 +8,13 @@
 #ifndef SIM_BRIDGE_COST_H
 #define SIM_BRIDGE_COST_H
 
-#include "displays/display.h"
+#include "cli/bridge_bench.h"
 
 enum { BRIDGE_REPORTS_PER_S = 1000 };
 
 /* A rectangle of the picture; on panels of pages it begins and ends at whole ones. */
 struct bridge_window {
     uint16_t x_px, y_px, w_px, h_px;
-};
-
-struct bridge_cost {
-    unsigned long spi_b; /* commands and pixels */
-    unsigned long reports;
 };
 
 /* Of a frame that sends these windows, one after the other, to a panel that was sent such a frame before. n_windows 0:

@@ -14,90 +14,8 @@
 #include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
-#include <zlib.h>
 
 enum { PATH_MAX_B = 1024, BLOCK_B = 1 << 16 };
-
-static bool path_in(const struct work_folder *folder, const char *name, char path[PATH_MAX_B], struct error *err)
-{
-    return snprintf(path, PATH_MAX_B, "%s/%s", folder->path, name) < PATH_MAX_B ||
-           error_set(err, "%s: the path is too long", name);
-}
-
-static bool is_plain_path(const char *path)
-{
-    if (!*path) return false;
-    for (const char *part = path; part; part = strchr(part, '/') ? strchr(part, '/') + 1 : NULL) {
-        const size_t length = strcspn(part, "/");
-        if (length == 0 || (length == 1 && part[0] == '.') || (length == 2 && strncmp(part, "..", 2) == 0))
-            return false;
-    }
-    for (const char *c = path; *c; c++)
-        if ((unsigned char)*c < ' ' || *c == 0x7F || *c == '\\') return false;
-    return true;
-}
-
-bool report_name_is_allowed(const char *name)
-{
-    if (strlen(name) >= REPORT_NAME_B) return false;
-    if (strncmp(name, REPORT_SCENE_FOLDER, strlen(REPORT_SCENE_FOLDER)) == 0)
-        return is_plain_path(name + strlen(REPORT_SCENE_FOLDER));
-    return strcmp(name, REPORT_TEXT_NAME) == 0 || strcmp(name, REPORT_HASHES_NAME) == 0 ||
-           strcmp(name, REPORT_CAMERAS_NAME) == 0;
-}
-
-/* The list -------------------------------------------------------------------------------------- */
-
-static bool measure_file(const char *path, struct report_file *file, struct error *err)
-{
-    unsigned char block[BLOCK_B];
-    size_t got_b, size_b = 0;
-    uLong crc = crc32(0, NULL, 0);
-    FILE *stream = fopen(path, "rb");
-    if (!stream) return error_set(err, "%s: %s", file->name, strerror(errno));
-    while ((got_b = fread(block, 1, sizeof block, stream)) > 0 && size_b <= REPORT_TOTAL_B) {
-        crc = crc32(crc, block, (uInt)got_b);
-        size_b += got_b;
-    }
-    const bool ok = !ferror(stream) || error_set(err, "%s: cannot be read", file->name);
-    fclose(stream);
-    file->size_b = (uint32_t)size_b;
-    file->crc32 = (uint32_t)crc;
-    return ok;
-}
-
-bool report_add(struct report *report, const struct work_folder *folder, const char *name, struct error *err)
-{
-    char path[PATH_MAX_B];
-    if (!report_name_is_allowed(name)) return error_set(err, "%s: no name that a report can hold", name);
-    if (report->file_count == REPORT_FILES_MAX)
-        return error_set(err, "%s: a report holds %d files at most", name, REPORT_FILES_MAX);
-    struct report_file *file = &report->files[report->file_count];
-    snprintf(file->name, sizeof file->name, "%s", name);
-    if (!path_in(folder, name, path, err) || !measure_file(path, file, err)) return false;
-    if (file->size_b > REPORT_TOTAL_B - report->total_b)
-        return error_set(err, "%s: a report holds %d MB at most", name, REPORT_TOTAL_B >> 20);
-    report->total_b += file->size_b;
-    report->file_count++;
-    return true;
-}
-
-bool report_add_argument(struct report *report, const char *text, struct error *err)
-{
-    if (report->argument_count == REPORT_ARGUMENTS_MAX)
-        return error_set(err, "%s: a report holds %d options at most", text, REPORT_ARGUMENTS_MAX);
-    char *copy = strdup(text);
-    if (!copy) return error_set(err, "%s: out of memory", text);
-    report->arguments[report->argument_count++] = copy;
-    return true;
-}
-
-void report_free(struct report *report)
-{
-    for (size_t i = 0; i < report->argument_count; i++)
-        free(report->arguments[i]);
-    report->argument_count = 0;
-}
 
 /* Writing --------------------------------------------------------------------------------------- */
 
@@ -121,7 +39,7 @@ static bool write_file(struct archive *archive, const struct work_folder *folder
                        struct error *err)
 {
     char path[PATH_MAX_B];
-    if (!path_in(folder, file->name, path, err)) return false;
+    if (!work_folder_place(folder, file->name, path, sizeof path, err)) return false;
     FILE *stream = fopen(path, "rb");
     char *bytes = malloc(file->size_b + (size_t)1);
     bool ok = stream && bytes && fread(bytes, 1, file->size_b, stream) == file->size_b;
@@ -240,7 +158,7 @@ static bool check_list(const struct report *listed, const struct work_folder *fo
 static bool read_text(struct report *report, const struct work_folder *folder, struct error *err)
 {
     char path[PATH_MAX_B];
-    if (!path_in(folder, REPORT_TEXT_NAME, path, err)) return false;
+    if (!work_folder_place(folder, REPORT_TEXT_NAME, path, sizeof path, err)) return false;
     FILE *file = fopen(path, "rb");
     char *text = malloc(REPORT_TEXT_B + 1);
     const size_t size_b = file && text ? fread(text, 1, REPORT_TEXT_B, file) : 0;

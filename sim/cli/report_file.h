@@ -1,54 +1,12 @@
 /* SPDX-License-Identifier: MIT
  *
- * A report: what `limner render` was given, and what came of it, in one file that anybody can run again. It is an
- * uncompressed tar archive of plain files; report.txt, the first of them, says what the others are. sim/DESIGN.md has
- * the format, and what a reader refuses. */
+ * A report as one file that anybody can run again: an uncompressed tar archive of plain files; report.txt, the first of
+ * them, says what the others are. sim/DESIGN.md has the format, and what a reader refuses. */
 #ifndef SIM_REPORT_FILE_H
 #define SIM_REPORT_FILE_H
 
-#include "base/error.h"
 #include "base/outputs.h"
-#include "base/work_folder.h"
-
-#include <stddef.h>
-#include <stdint.h>
-
-enum {
-    REPORT_FILES_MAX = 1000,
-    REPORT_ARGUMENTS_MAX = 100,
-    REPORT_NAME_B = 200,
-    REPORT_TEXT_B = 1 << 20, /* of report.txt */
-    REPORT_TOTAL_B = 1 << 28 /* of all files */
-};
-#define REPORT_TEXT_NAME "report.txt"
-#define REPORT_HASHES_NAME "frames.hashes"
-#define REPORT_CAMERAS_NAME "cameras.cam"
-#define REPORT_IDS_OPTION "--ids=faces.ids" /* what --ids becomes: faces keep their numbers with it */
-#define REPORT_SCENE_FOLDER "scene/"
-#define REPORT_UP_FOLDER "up/" /* what stands for each folder above the model's that a name of its leads to */
-
-struct report_file {
-    char name[REPORT_NAME_B]; /* within the report */
-    uint32_t size_b, crc32;   /* zlib's */
-};
-
-enum report_outcome { REPORT_DRAWN, REPORT_REFUSED, REPORT_CRASHED };
-
-struct report {
-    struct report_file files[REPORT_FILES_MAX]; /* all but report.txt */
-    size_t file_count, total_b;
-    char *arguments[REPORT_ARGUMENTS_MAX]; /* of render, but for the scene's name */
-    size_t argument_count;
-    char scene[REPORT_NAME_B]; /* a name among the files */
-    enum report_outcome outcome;
-    char reason[sizeof((struct error *)0)->text]; /* how it was refused, or ended */
-};
-
-/* Whether a file may have that name in a report: one of the names above, or scene/ and a path that goes no way up. */
-bool report_name_is_allowed(const char *name);
-
-/* Takes a file of the work folder into the list. */
-bool report_add(struct report *report, const struct work_folder *folder, const char *name, struct error *err);
+#include "cli/bug_report.h"
 
 /* Writes the report; the files' contents are those in the folder. */
 bool report_write(const struct report *report, const struct work_folder *folder, const char *path,
@@ -57,8 +15,5 @@ bool report_write(const struct report *report, const struct work_folder *folder,
 /* Reads a report and lays its files into the folder, which is empty. *report must be zero, and is the caller's to
  * free. */
 bool report_read(struct report *report, const struct work_folder *folder, const char *path, struct error *err);
-
-bool report_add_argument(struct report *report, const char *text, struct error *err);
-void report_free(struct report *report);
 
 #endif

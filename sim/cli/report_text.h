@@ -4,7 +4,7 @@
 #ifndef SIM_REPORT_TEXT_H
 #define SIM_REPORT_TEXT_H
 
-#include "cli/report_file.h"
+#include "cli/bug_report.h"
 
 /* The caller frees *text. */
 bool report_text_make(const struct report *report, char **text, size_t *text_b, struct error *err);

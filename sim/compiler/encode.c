@@ -14,8 +14,6 @@
 #include <math.h>
 #include <stdlib.h>
 
-enum { COUNT_MAX = 0xFFFF };
-
 /* What encoding needs to remember on the way. */
 struct encoder {
     const struct bsp *bsp;
@@ -296,19 +294,13 @@ static void nodes_encode(struct encoder *work, const uint32_t *heirs)
     free(numbers);
 }
 
-bool encode_check_count(size_t count, const char *what, struct error *err)
-{
-    return count <= COUNT_MAX || error_set(err, "scene too large: %zu %s, %d are the most (%zu too many)", count, what,
-                                           COUNT_MAX, count - COUNT_MAX);
-}
-
 /* BSP_PIECES_MAX keeps everything else far below what 32 bits count. */
 static bool check_counts(const struct encoding *out, struct error *err)
 {
     if (out->node_count == 0) return error_set(err, "nothing is left of the scene on its grid");
-    if (out->textures.texture_count && !encode_check_count(out->word_count, "words of polygons with textures", err))
+    if (out->textures.texture_count && !encoding_check_count(out->word_count, "words of polygons with textures", err))
         return false;
-    return encode_check_count(out->depth, "levels of the tree", err) && texture_arrays_check(&out->textures, err);
+    return encoding_check_count(out->depth, "levels of the tree", err) && texture_arrays_check(&out->textures, err);
 }
 
 /* Parents come before children. */

@@ -12,7 +12,4 @@
  * The caller frees *out either way. */
 bool encode_bsp(const struct bsp *bsp, bool with_fractions, bool with_edges, struct encoding *out, struct error *err);
 
-/* Refuses a count that does not fit 16 bits. */
-bool encode_check_count(size_t count, const char *what, struct error *err);
-
 #endif

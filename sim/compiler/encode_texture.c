@@ -8,7 +8,6 @@
 #include "base/rgb565.h"
 #include "base/vec3.h"
 #include "colour.h"
-#include "compiler/encode.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -232,10 +231,10 @@ void texture_encoder_finish(struct texture_encoder *encoder)
 
 bool texture_arrays_check(const struct texture_arrays *arrays, struct error *err)
 {
-    return encode_check_count(arrays->mapping_count, "texture mappings", err) &&
-           encode_check_count(arrays->texture_count, "textures, each light counted", err) &&
-           encode_check_count(arrays->palette_colours, "colours of palettes", err) &&
-           encode_check_count(arrays->texel_count / LIM_TEXEL_BLOCK, "blocks of texels", err);
+    return encoding_check_count(arrays->mapping_count, "texture mappings", err) &&
+           encoding_check_count(arrays->texture_count, "textures, each light counted", err) &&
+           encoding_check_count(arrays->palette_colours, "colours of palettes", err) &&
+           encoding_check_count(arrays->texel_count / LIM_TEXEL_BLOCK, "blocks of texels", err);
 }
 
 void texture_encoder_free(struct texture_encoder *encoder)

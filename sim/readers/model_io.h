@@ -8,8 +8,6 @@
 
 #include <assimp/cfileio.h>
 
-enum { MODEL_FILE_MOST_B = 256 << 20 };
-
 /* Refuses what is no model file by its looks: missing, a folder, empty, a pipe, or larger than 256 MB. */
 bool model_io_check(const char *path, struct error *err);
 

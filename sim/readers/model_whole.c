@@ -7,7 +7,6 @@
 
 #include "base/binary.h"
 #include "base/input_file.h"
-#include "readers/model_io.h"
 #include "readers/whole_file.h"
 
 #include <ctype.h>

@@ -3,7 +3,6 @@
 
 #include "base/input_file.h"
 #include "readers/companion.h"
-#include "readers/model_io.h"
 
 #include <errno.h>
 #include <stdio.h>

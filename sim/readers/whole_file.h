@@ -8,12 +8,14 @@
 
 #include <stddef.h>
 
+enum { MODEL_FILE_MOST_B = 256 << 20 };
+
 struct whole_file {
     char *bytes; /* size_b of them, then a 0; owned */
     size_t size_b;
 };
 
-/* What model_io_check() accepts. An error names the file. */
+/* Refuses what is missing, a folder, empty, a pipe, or larger than 256 MB. An error names the file. */
 bool whole_file_read(const char *path, struct whole_file *out, struct error *err);
 
 /* The same for what a model names, after companions_begin(). */

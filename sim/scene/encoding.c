@@ -5,6 +5,8 @@
 
 #include <stdlib.h>
 
+enum { COUNT_MAX = 0xFFFF };
+
 static void texture_arrays_free(struct texture_arrays *arrays)
 {
     free(arrays->mappings);
@@ -25,4 +27,10 @@ void encoding_free(struct encoding *encoding)
     free(encoding->faces);
     texture_arrays_free(&encoding->textures);
     *encoding = (struct encoding){0};
+}
+
+bool encoding_check_count(size_t count, const char *what, struct error *err)
+{
+    return count <= COUNT_MAX || error_set(err, "scene too large: %zu %s, %d are the most (%zu too many)", count, what,
+                                           COUNT_MAX, count - COUNT_MAX);
 }

@@ -4,6 +4,7 @@
 #ifndef SIM_ENCODING_H
 #define SIM_ENCODING_H
 
+#include "base/error.h"
 #include "scene.h"
 
 #include <stddef.h>
@@ -38,6 +39,9 @@ struct encoding {
 /* Gives every subtree of SUBTREE_BOX_POLYGONS polygons or more its bounding box. */
 enum { SUBTREE_BOX_POLYGONS = 4 };
 void encode_boxes(struct encoding *encoding);
+
+/* Refuses a count that does not fit 16 bits. */
+bool encoding_check_count(size_t count, const char *what, struct error *err);
 
 void encoding_free(struct encoding *encoding);
 
