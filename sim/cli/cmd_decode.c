@@ -8,7 +8,7 @@
 #include "base/progress.h"
 #include "cli/commands.h"
 #include "displays/idle_options.h"
-#include "glass/capture.h"
+#include "glass/capture_file.h"
 #include "glass/qemu_trace.h"
 #include "glass/wire_log.h"
 #include "pictures/frame_file.h"

@@ -6,18 +6,12 @@
 
 #include "base/parse.h"
 #include "base/progress.h"
-#include "glass/sigrok.h"
-#include "glass/vcd.h"
 
-#include <ctype.h>
 #include <inttypes.h>
 #include <string.h>
 
 /* Power came so long before whatever comes first: that is no chip's wait. */
 enum { POWER_US = 200000, PAUSE_MAX_US = 1000000000, USUAL_MODE = 0 };
-
-/* More blanks before a capture are no capture's: who sends them may never end. */
-enum { BLANKS_MAX = 4096 };
 
 /* The command line --------------------------------------------------------------------------- */
 
@@ -206,17 +200,6 @@ bool capture_levels(struct capture *capture, uint64_t now_ns, struct wire_levels
     return spi_wires_take(&capture->wires, now_ns, levels, err) || add_hint(capture, err) || prefix_time(capture, err);
 }
 
-/* All of it ---------------------------------------------------------------------------------- */
-
-enum capture_kind capture_kind_of(FILE *file, size_t *lines)
-{
-    int byte;
-    for (unsigned blanks = 0; (byte = getc(file)) != EOF && isspace(byte) && blanks < BLANKS_MAX; blanks++)
-        *lines += byte == '\n';
-    if (byte != EOF) ungetc(byte, file);
-    return byte == '$' ? CAPTURE_VCD : byte == 'P' ? CAPTURE_SIGROK : CAPTURE_NONE;
-}
-
 void capture_tell_progress(struct capture *capture, uint64_t done, uint64_t all)
 {
     const unsigned percent = all ? (unsigned)(done * 100 / all) : 0;
@@ -255,13 +238,4 @@ void capture_say_end(const struct capture *capture, char *text, size_t size_b)
         snprintf(text, size_b, "%" PRIu64 " bytes came, and then no %s", wires->bytes,
                  capture->choice->pause_us ? "pause that ends a frame"
                                            : "change of the LED, which ends a frame (without it: --wires led=-)");
-}
-
-bool capture_read(struct capture *capture, enum capture_kind kind, FILE *file, struct error *err)
-{
-    err->text[0] = '\0';
-    const bool ok = kind == CAPTURE_VCD ? vcd_read(capture, file, err) : sigrok_read(capture, err);
-    const bool has_ended = ok && capture_end(capture, err);
-    progress_end();
-    return has_ended || !err->text[0];
 }

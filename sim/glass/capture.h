@@ -48,14 +48,6 @@ struct capture {
     bool is_partial;          /* what has come may be the end of a frame only */
 };
 
-/* Whether the file, which is at its start, is a capture; else it is text that somebody else reads. Its first blank
- * lines are skipped, and counted. */
-enum capture_kind { CAPTURE_NONE, CAPTURE_VCD, CAPTURE_SIGROK };
-enum capture_kind capture_kind_of(FILE *file, size_t *lines);
-
-/* Reads all of it, or until on_frame() wants no more. An error names the file, and a line or the time. */
-bool capture_read(struct capture *capture, enum capture_kind kind, FILE *file, struct error *err);
-
 /* Why there are no more frames, as far as one can tell: words behind `ends after 2 frames; `. */
 void capture_say_end(const struct capture *capture, char *text, size_t size_b);
 

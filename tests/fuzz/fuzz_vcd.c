@@ -4,7 +4,7 @@
  * carry is heard by the emulated chip, which complains in one line or not at all; whatever was heard, there is a
  * picture. Glass of more pixels than a test has time for is left alone. */
 #include "fuzz_words.h"
-#include "glass/capture.h"
+#include "glass/capture_file.h"
 
 #include <stdlib.h>
 
