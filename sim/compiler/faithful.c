@@ -8,7 +8,6 @@
 #include "base/notice.h"
 #include "base/vec3.h"
 #include "cameras/camera_path.h"
-#include "compiler/compile.h"
 #include "compiler/tree_choice.h"
 #include "core/core.h"
 #include "model/original.h"

@@ -5,7 +5,7 @@
 #ifndef SIM_FAITHFUL_H
 #define SIM_FAITHFUL_H
 
-#include "compiler/compile.h"
+#include "compiler/compile_options.h"
 #include "scene/compiled.h"
 
 struct original;

@@ -4,11 +4,11 @@
 #include "compiler/moving_compile.h"
 
 #include "accuracy/moving_reference.h"
+#include "accuracy/predict.h"
 #include "base/grow.h"
 #include "cameras/camera_path.h"
 #include "compiler/compile.h"
 #include "compiler/pool_sizes.h"
-#include "compiler/predict.h"
 #include "model/baked_light.h"
 #include "model/model_part.h"
 #include "readers/model_import.h"

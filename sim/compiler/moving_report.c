@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT
  *
  * What a scene's moving objects cost, as a table. */
-#include "compiler/mcu_mem.h"
 #include "compiler/moving_compile.h"
+#include "scene/mcu_mem.h"
 #include "scene/mcu_sizes.h"
 
 #include <stdio.h>

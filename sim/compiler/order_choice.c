@@ -4,9 +4,8 @@
  * closed scenes, a few cameras spend what all may, and end it. */
 #include "compiler/order_choice.h"
 
-#include "compiler/compile.h"
-#include "compiler/mcu_mem.h"
 #include "compiler/pool_sizes.h"
+#include "scene/mcu_mem.h"
 #include "scene/method.h"
 #include "scene/records.h"
 

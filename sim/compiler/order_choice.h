@@ -6,7 +6,7 @@
 #ifndef SIM_ORDER_CHOICE_H
 #define SIM_ORDER_CHOICE_H
 
-#include "compiler/compile.h"
+#include "compiler/compile_options.h"
 #include "scene/compiled.h"
 
 /* What keeps the scene, or what it is to be compiled for, from being painted by scan lines; as method_scans()

@@ -8,7 +8,6 @@
 #include "base/deadline.h"
 #include "base/progress.h"
 #include "cameras/sample.h"
-#include "compiler/compile.h"
 #include "compiler/pvs.h"
 #include "core/core.h"
 #include "render/simulator.h"

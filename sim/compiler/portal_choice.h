@@ -4,7 +4,7 @@
 #ifndef SIM_PORTAL_CHOICE_H
 #define SIM_PORTAL_CHOICE_H
 
-#include "compiler/compile.h"
+#include "compiler/compile_options.h"
 #include "scene/compiled.h"
 
 /* off, auto or on; anything else is refused. */

@@ -2,9 +2,9 @@
  *
  * What compiling made of a model, as a table. */
 #include "compiler/compile.h"
-#include "compiler/mcu_mem.h"
 #include "core/core.h"
 #include "scene/compiled.h"
+#include "scene/mcu_mem.h"
 #include "scene/records.h"
 #include "scene/width.h"
 

@@ -5,7 +5,7 @@
 #include "compiler/tree_choice.h"
 
 #include "base/deadline.h"
-#include "compiler/compile.h"
+#include "compiler/compile_mesh.h"
 #include "compiler/order_choice.h"
 
 #include <math.h>

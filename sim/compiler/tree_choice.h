@@ -5,7 +5,7 @@
 #ifndef SIM_TREE_CHOICE_H
 #define SIM_TREE_CHOICE_H
 
-#include "compiler/compile.h"
+#include "compiler/compile_options.h"
 #include "scene/compiled.h"
 
 /* --tree NAME. */

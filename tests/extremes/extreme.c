@@ -3,7 +3,7 @@
  * The rig behind extreme.h. */
 #include "extreme.h"
 
-#include "compiler/compile.h"
+#include "compiler/compile_mesh.h"
 #include "rigs/cmocka_ready.h"
 #include "rigs/effort.h"
 

@@ -2,7 +2,7 @@
  *
  * The renderer at the ends of its ranges: any camera that is legal, eyes far outside of the scene,
  * lenses from 1/64 to 4 and screens from a pixel up. */
-#include "compiler/compile.h"
+#include "compiler/compile_mesh.h"
 #include "limner.h"
 #include "rigs/closed_scene.h"
 #include "rigs/cmocka_ready.h"

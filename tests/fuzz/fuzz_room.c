@@ -3,7 +3,7 @@
  * The seed is chosen for a room with few polygons and a solid. */
 #include "fuzz_room.h"
 
-#include "compiler/compile.h"
+#include "compiler/compile_mesh.h"
 #include "rigs/closed_scene.h"
 
 #include <stdio.h>

@@ -3,7 +3,7 @@
  * Scenes are compiled once for all golden tests' sizes: limits are for the golden frames'. */
 #include "golden_stage.h"
 
-#include "compiler/compile.h"
+#include "compiler/compile_mesh.h"
 #include "compiler/moving_compile.h"
 #include "core/core.h"
 #include "rigs/cmocka_ready.h"

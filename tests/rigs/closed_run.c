@@ -6,7 +6,7 @@
 #include "base/progress.h"
 #include "closed_scene.h"
 #include "cmocka_ready.h"
-#include "compiler/compile.h"
+#include "compiler/compile_mesh.h"
 #include "render/ids.h"
 
 #include <stdio.h>

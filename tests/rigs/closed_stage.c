@@ -2,7 +2,7 @@
 #include "closed_stage.h"
 
 #include "cmocka_ready.h"
-#include "compiler/compile.h"
+#include "compiler/compile_mesh.h"
 
 #include <string.h>
 

@@ -4,7 +4,7 @@
 #include "mesh_rig.h"
 
 #include "cmocka_ready.h"
-#include "compiler/compile.h"
+#include "compiler/compile_mesh.h"
 
 #include <math.h>
 #include <stdlib.h>

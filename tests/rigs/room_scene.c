@@ -3,7 +3,7 @@
  * The generator behind room_scene.h. */
 #include "room_scene.h"
 
-#include "compiler/compile.h"
+#include "compiler/compile_mesh.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -4,7 +4,7 @@
 #include "texture_rig.h"
 
 #include "cmocka_ready.h"
-#include "compiler/compile.h"
+#include "compiler/compile_mesh.h"
 
 #include <stdio.h>
 #include <stdlib.h>

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
  * Convex solids: recognised, and drawn by their own method exactly as nearest first draws them. */
-#include "compiler/compile.h"
+#include "compiler/compile_mesh.h"
 #include "core/core.h"
 #include "rigs/cmocka_ready.h"
 #include "rigs/convex_rig.h"

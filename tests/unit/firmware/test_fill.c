@@ -2,7 +2,7 @@
  *
  * Convex solids whose runs a target takes, without memory for lines: the same bytes reach a monochrome panel as with
  * lines, filled and as wireframes. */
-#include "compiler/compile.h"
+#include "compiler/compile_mesh.h"
 #include "core/core.h"
 #include "panels.h"
 #include "rigs/cmocka_ready.h"

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
  * Cells and portals: no picture changes by them, and what cannot be seen is left out. */
-#include "compiler/compile.h"
+#include "compiler/compile_mesh.h"
 #include "compiler/flow.h"
 #include "compiler/pvs.h"
 #include "core/core.h"

@@ -2,7 +2,7 @@
  *
  * Scan lines show what nearest first shows, bit for bit: in every profile, of any scene, in any memory, behind round
  * glass; and so do targets that are given what scan lines cannot paint. */
-#include "compiler/compile.h"
+#include "compiler/compile_mesh.h"
 #include "core/core.h"
 #include "limner.h"
 #include "rigs/closed_stage.h"

@@ -2,7 +2,7 @@
  *
  * A convex solid, drawn by any method: where a target fails, at any of its calls, the frame ends and says why; and what
  * was in memory before lim_init() does not matter. */
-#include "compiler/compile.h"
+#include "compiler/compile_mesh.h"
 #include "core/core.h"
 #include "rigs/cmocka_ready.h"
 #include "rigs/convex_rig.h"

@@ -2,7 +2,7 @@
  *
  * Hidden-line wireframe: which pixels of a polygon are stroked, exactly; that no edge is drawn which only the compiler
  * or clipping made; that every order of drawing, and any memory, paints the same. */
-#include "compiler/compile.h"
+#include "compiler/compile_mesh.h"
 #include "limner.h"
 #include "render/simulator.h"
 #include "rigs/closed_scene.h"

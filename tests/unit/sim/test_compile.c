@@ -4,6 +4,7 @@
  * that the project promises, and what is refused. */
 #include "base/rgb565.h"
 #include "compiler/compile.h"
+#include "compiler/compile_mesh.h"
 #include "compiler/splitter.h"
 #include "readers/model_import.h"
 #include "rigs/cmocka_ready.h"

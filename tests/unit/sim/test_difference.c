@@ -2,7 +2,7 @@
  *
  * Pictures of differences show what was counted: as many red pixels as holes and order errors, amber for the other
  * wrong ones, grey for all that is right. And a few cameras of a path are chosen evenly. */
-#include "compiler/compile.h"
+#include "compiler/compile_mesh.h"
 #include "core/core.h"
 #include "measure/difference.h"
 #include "rigs/cmocka_ready.h"

@@ -4,9 +4,9 @@
 #include "cameras/free_space.h"
 #include "cameras/sample.h"
 #include "compiler/compile.h"
-#include "compiler/mcu_mem.h"
 #include "rigs/cmocka_ready.h"
 #include "rigs/random.h"
+#include "scene/mcu_mem.h"
 
 enum { EYES = 1000, POINTS = 4000, FEW = POINTS / 500 };
 

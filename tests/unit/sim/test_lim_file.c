@@ -2,7 +2,7 @@
  *
  * .lim files: what is written is read again; whatever is damaged is refused, and nothing that is
  * accepted can lead a reader out of its arrays. */
-#include "compiler/compile.h"
+#include "compiler/compile_mesh.h"
 #include "rigs/cmocka_ready.h"
 #include "rigs/mesh_rig.h"
 #include "scene/lim_check.h"

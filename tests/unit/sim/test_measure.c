@@ -2,7 +2,7 @@
  *
  * Accuracy sees what is wrong: a renderer that lies about a plane or misplaces a vertex is found out.
  * And the table of it all: the front, CSV. */
-#include "compiler/compile.h"
+#include "compiler/compile_mesh.h"
 #include "core/core.h"
 #include "measure/measure_table.h"
 #include "rigs/cmocka_ready.h"

@@ -4,13 +4,13 @@
  * much too large. */
 #include "cameras/camera_path.h"
 #include "cameras/sample.h"
-#include "compiler/compile.h"
-#include "compiler/mcu_mem.h"
+#include "compiler/compile_mesh.h"
 #include "core/core.h"
 #include "render/simulator.h"
 #include "rigs/cmocka_ready.h"
 #include "rigs/mesh_rig.h"
 #include "scene/lim_image.h"
+#include "scene/mcu_mem.h"
 
 #include <math.h>
 #include <string.h>

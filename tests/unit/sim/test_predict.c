@@ -2,8 +2,8 @@
  *
  * The predicted share of wrong pixels: next to nothing where the renderer is right, much where the
  * reference is made to disagree. */
+#include "accuracy/predict.h"
 #include "compiler/compile.h"
-#include "compiler/predict.h"
 #include "rigs/cmocka_ready.h"
 #include "rigs/mesh_rig.h"
 

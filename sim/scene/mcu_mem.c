@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
  * What the renderer lays out in the memory that it is given: firmware/orders/pools.c, counted for 32-bit MCUs. */
-#include "compiler/mcu_mem.h"
+#include "scene/mcu_mem.h"
 
 #include "core/core.h"
 #include "limner.h"

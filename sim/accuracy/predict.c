@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
  * The same samplers as for random cameras, the same comparison as --compare. */
-#include "compiler/predict.h"
+#include "accuracy/predict.h"
 
 #include "accuracy/compare.h"
 #include "accuracy/moving_reference.h"

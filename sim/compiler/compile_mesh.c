@@ -1,0 +1,276 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Exact points, coplanar groups, a tree for each heuristic wanted, the best of them kept. */
+#include "compiler/compile_mesh.h"
+
+#include "base/deadline.h"
+#include "base/progress.h"
+#include "compiler/bsp_build.h"
+#include "compiler/encode.h"
+#include "compiler/order_choice.h"
+#include "compiler/pool_sizes.h"
+#include "compiler/portal_choice.h"
+#include "core/core.h"
+#include "scene/convexity.h"
+#include "scene/lim_image.h"
+#include "scene/width.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* What every heuristic starts from. */
+struct compilation {
+    const struct mesh *mesh;
+    const struct compile_options *options;
+    struct exact_points points;
+    struct coplanar coplanar;
+};
+
+static const double GRID_END = 32767.5; /* halves round up: 32767.5 would be 32768 */
+
+/* Texture arrays and, in struct lim_scene, four pointers and counts; scenes without textures have neither. */
+static size_t texture_flash_b(const struct lim_scene *scene)
+{
+    enum { FIELDS_B = 4 * 4 + 4 * 2 };
+    if (!scene->texture_count) return 0;
+    return FIELDS_B + scene->mapping_count * sizeof *scene->mappings + scene->texture_count * sizeof *scene->textures +
+           scene->palette_colours * sizeof *scene->palettes + scene->texel_blocks * (size_t)LIM_TEXEL_BLOCK;
+}
+
+/* Bytes of a scene's arrays and its struct lim_scene, as a 32-bit microcontroller holds them. */
+static size_t flash_b(const struct lim_scene *scene)
+{
+    enum { POINTERS = 7, POINTER_B = 4, COUNTS = 7, FIXED_B = POINTERS * POINTER_B + 7 * 2 };
+    const bool wide = width_is_wide(scene);
+    return FIXED_B + COUNTS * width_word_b(wide) + scene->vertex_count * sizeof *scene->vertices +
+           scene->node_count * width_node_b(wide) + scene->plane_count * width_plane_b(wide) +
+           scene->exact_count * sizeof *scene->exact + scene->box_count * sizeof *scene->boxes +
+           scene->polygon_words * width_word_b(wide) +
+           (scene->fractions ? scene->vertex_count * sizeof *scene->fractions : 0) + texture_flash_b(scene);
+}
+
+/* The smaller the better: bytes of flash, with splits and depth as bytes on top. A split costs
+ * instructions in every frame that shows it; a level of depth costs 4 bytes of stack. */
+static size_t badness(const struct compile_report *report)
+{
+    enum { SPLIT_B = 40, LEVEL_B = 4 };
+    return report->flash_b + report->splits * SPLIT_B + report->depth * LEVEL_B;
+}
+
+/* A convex solid's own method is the cheapest that draws it line by line; it has no antialiased edges. */
+static enum lim_method draws_with(const struct compile_options *options, bool convex)
+{
+    if (options->method) return options->method->draws;
+    if (options->tree == TREE_NONE) return LIM_NEWELL;
+    return convex && !options->antialias && !options->framebuffer ? LIM_CONVEX : LIM_NEAREST_FIRST;
+}
+
+static void report_set(struct compile_report *report, const struct bsp *bsp, const struct encoding *encoding,
+                       const struct lim_scene *scene, const struct tree_plan *plan)
+{
+    *report = (struct compile_report){.mesh = bsp->mesh->counts,
+                                      .polygons_in = bsp->mesh->polygon_count,
+                                      .polygons_out = encoding->record_count,
+                                      .splits = bsp->splits,
+                                      .collapsed = encoding->collapsed,
+                                      .depth = encoding->depth,
+                                      .worst_violation_units = bsp_worst_violation(bsp),
+                                      .convex = scene_is_convex(scene),
+                                      .tree = plan->kind,
+                                      .wrong = {.percent = NAN},
+                                      .instructions = NAN,
+                                      .flash_b = flash_b(scene)};
+    for (size_t i = 0; i < scene->node_count; i++)
+        if (scene->nodes[i].split.plane == LIM_NO_INDEX)
+            report->leaves++;
+        else
+            report->kinds[plane_kind_of(scene, &scene->nodes[i].split)]++;
+    snprintf(report->splitter, sizeof report->splitter, "%s", plan->splitter->name);
+}
+
+/* Profile exact draws vertices with fractions; for the others they would only take flash. */
+static bool is_exact(const struct compile_options *options)
+{
+    return options->core && options->core->profile == LIM_PROFILE_EXACT;
+}
+
+/* A convex solid is drawn as a whole: bounds of its parts would only take flash. Those of all of it,
+ * the root's, tell the camera how far the scene reaches. */
+static void image_make(struct encoding *encoding, const struct grid *grid, struct compiled *out)
+{
+    lim_image_make(encoding, grid, out);
+    if (encoding->box_count < 2 || !scene_is_convex(&out->scene)) return;
+    for (size_t i = 1; i < encoding->node_count; i++)
+        encoding->nodes[i].box = LIM_NO_INDEX;
+    encoding->box_count = 1;
+    free(out->image);
+    lim_image_make(encoding, grid, out);
+}
+
+/* One heuristic, from the list of polygons to the scene. */
+static bool compile_with(struct compilation *work, enum tree_kind kind, const struct splitter *splitter,
+                         struct compiled *out, struct error *err)
+{
+    const struct tree_plan plan = {kind, splitter, work->options->tolerance_units};
+    struct bsp bsp;
+    struct encoding encoding = {0};
+    bool ok = bsp_build(&bsp, work->mesh, &work->coplanar, &plan, &work->points);
+    if (!ok && deadline_check(err, "no tree of the %zu polygons", work->mesh->polygon_count))
+        error_set(err, "scene too large: split into more than %d pieces", BSP_PIECES_MAX);
+    ok = ok && encode_bsp(&bsp, is_exact(work->options), work->options->wireframe, &encoding, err);
+    if (ok) {
+        if (kind == TREE_NONE) encoding.depth = 0; /* for methods that sort */
+        image_make(&encoding, &work->mesh->grid, out);
+        report_set(&out->report, &bsp, &encoding, &out->scene, &plan);
+        out->report.draws = draws_with(work->options, out->report.convex);
+    }
+    encoding_free(&encoding);
+    bsp_free(&bsp);
+    exact_truncate(&work->points, work->mesh->point_count);
+    return ok;
+}
+
+/* A set has no planes to choose. Of many polygons not every tree is built that might be the smallest. */
+static bool is_wanted(const struct compilation *work, enum tree_kind kind, const struct splitter *splitter)
+{
+    const struct compile_options *options = work->options;
+    const bool kind_wanted = options->tree == TREE_AUTO ? kind == TREE_BSP : kind == options->tree;
+    if (!kind_wanted) return false;
+    if (kind == TREE_NONE) return splitter == &splitters[1];
+    if (work->mesh->polygon_count > SPLITTER_MANY && strcmp(options->splitter, "auto") == 0) return splitter->for_many;
+    return splitter_answers(splitter, options->splitter);
+}
+
+/* The first tree may take all of the time, the others half of what it leaves. */
+static const double OTHERS_SHARE = 0.5;
+static const double MEASURED_SHARE = 0.5;
+
+/* Keeps the best of all; an error is the last one, and counts only if none succeeds. */
+static bool compile_best(struct compilation *work, struct compiled *out, struct error *err)
+{
+    bool ok = false;
+    size_t tried = 0;
+    if (!splitter_check(work->options->splitter, err)) return false;
+    const struct deadline_end whole = deadline_end();
+    for (size_t i = 0; i < splitter_count * TREE_KINDS; i++) {
+        const struct splitter *splitter = &splitters[i % splitter_count];
+        const enum tree_kind kind = (enum tree_kind)(i / splitter_count);
+        struct compiled candidate = {0};
+        if (!is_wanted(work, kind, splitter)) continue;
+        if (ok && deadline_passed()) continue;
+        progress("compiling: %zu polygons, %s, %s", work->mesh->polygon_count, tree_names[kind], splitter->name);
+        if (!compile_with(work, kind, splitter, &candidate, err)) continue;
+        if (!ok || badness(&candidate.report) < badness(&out->report)) {
+            struct compiled worse = *out;
+            *out = candidate;
+            candidate = worse;
+        }
+        compiled_free(&candidate);
+        ok = true;
+        if (!tried++) deadline_share(OTHERS_SHARE);
+    }
+    if (ok) deadline_say("the best of %zu trees", tried);
+    deadline_restore(whole);
+    return ok;
+}
+
+/* Corners only: points that no polygon uses may lie anywhere. */
+static bool check_grid(const struct compilation *work, struct error *err)
+{
+    for (size_t i = 0; i < work->mesh->corner_count; i++)
+        for (int k = 0; k < 3; k++)
+            if (!(fabs(work->points.approx[work->mesh->corners[i]][k]) < GRID_END))
+                return error_set(err, "vertex %lu lies beyond the 16-bit grid",
+                                 (unsigned long)work->mesh->corners[i] + 1);
+    return work->mesh->polygon_count > 0 || error_set(err, "no polygons");
+}
+
+/* Corners that a polygon has on the grid: neighbours that round to the same point are one. */
+static size_t corners_on_grid(const struct compilation *work, const struct mesh_polygon *polygon)
+{
+    const uint32_t *corners = &work->mesh->corners[polygon->first];
+    size_t count = 0;
+    for (uint32_t i = 0; i < polygon->count; i++) {
+        const double *here = work->points.approx[corners[i]];
+        const double *next = work->points.approx[corners[i + 1 < polygon->count ? i + 1 : 0]];
+        count += floor(here[0] + 0.5) != floor(next[0] + 0.5) || floor(here[1] + 0.5) != floor(next[1] + 0.5) ||
+                 floor(here[2] + 0.5) != floor(next[2] + 0.5);
+    }
+    return count;
+}
+
+/* Splits only add to the words of polygons: what is too much before is not worth a tree. Only PAINT limits them: it
+ * keeps where a polygon's texture is in 16 bits. */
+static bool check_size(const struct compilation *work, struct error *err)
+{
+    size_t words = 0;
+    if (work->mesh->polygon_count > BSP_PIECES_MAX)
+        return error_set(err, "scene too large: %zu polygons, %d are the most", work->mesh->polygon_count,
+                         BSP_PIECES_MAX);
+    if (!work->mesh->texture_count) return true;
+    for (size_t i = 0; i < work->mesh->polygon_count; i++) {
+        const struct mesh_polygon *polygon = &work->mesh->polygons[i];
+        const size_t corners = corners_on_grid(work, polygon);
+        const size_t extra = polygon->transparency > 0;
+        if (corners >= 3) words += (LIM_POLYGON_HEAD_WORDS + corners + extra) * (polygon->two_sided ? 2 : 1);
+    }
+    return encoding_check_count(words, "words of polygons with textures", err);
+}
+
+static unsigned side_or_default(unsigned side_px)
+{
+    return side_px ? side_px : 240;
+}
+
+static bool check_method(const struct compile_options *options, const struct compiled *scene, struct error *err)
+{
+    if (options->antialias && !method_antialiases(scene->report.draws, options->wireframe, err)) return false;
+    if (options->wireframe && !method_draws_wireframe(scene->report.draws, err)) return false;
+    if (options->framebuffer && !order_can_fill(options, scene, err)) return false;
+    if (!method_scans(scene->report.draws, order_needs_nearest(options, &scene->scene), err)) return false;
+    if (method_sorts(scene->report.draws) && scene->scene.polygon_count > LIM_SORTED_MAX)
+        return error_set(err, "scene too large to be sorted: %lu pieces of polygons, %u are the most",
+                         (unsigned long)scene->scene.polygon_count, LIM_SORTED_MAX);
+    return scene->report.draws != LIM_CONVEX || scene->report.convex ||
+           error_set(err, "--method %s: the scene is not one convex solid", options->method->name);
+}
+
+/* What is measured on sampled cameras leaves half of the time to whoever asked for the scene. */
+static bool compile_measured(struct compiled *out, const struct compile_options *options, struct error *err)
+{
+    const struct deadline_end whole = deadline_share(MEASURED_SHARE);
+    const bool ok =
+        pools_measure(out, options->core, side_or_default(options->w_px), side_or_default(options->h_px), err) &&
+        order_choose(out, options, err) && portals_add(out, options, err);
+    deadline_restore(whole);
+    return ok;
+}
+
+bool compile_mesh(const struct mesh *mesh, const struct compile_options *options, struct compiled *out,
+                  struct error *err)
+{
+    struct compilation work = {.mesh = mesh, .options = options};
+    *out = (struct compiled){0};
+    for (size_t i = 0; i < mesh->point_count; i++)
+        exact_add_m(&work.points, mesh->points[i], &mesh->grid);
+    bool ok = check_grid(&work, err) && check_size(&work, err);
+    if (ok) {
+        coplanar_find(mesh, work.points.approx, options->tolerance_units, &work.coplanar);
+        ok = deadline_check(err, "planes of %zu polygons were still sought", mesh->polygon_count) &&
+             compile_best(&work, out, err) && check_method(options, out, err);
+        out->report.wireframe = options->wireframe;
+        out->report.antialias = options->antialias;
+        out->report.round = options->round;
+        out->report.frame = options->frame;
+        out->report.framebuffer = options->framebuffer;
+        out->report.delta_runs = options->delta;
+        ok = ok && compile_measured(out, options, err);
+        progress_end();
+        if (!ok) compiled_free(out);
+    }
+    coplanar_free(&work.coplanar);
+    exact_free(&work.points);
+    return ok;
+}

@@ -1,0 +1,25 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * A method may need a tree of its own kind, or none. */
+#include "compiler/compile_options.h"
+
+bool compile_options_settle(struct compile_options *options, struct error *err)
+{
+    const struct method *method = options->method;
+    if (!method) return true;
+    if (options->tree == TREE_AUTO) options->tree = method->tree;
+    if (method_sorts(method->draws)) return true;
+    if (options->tree == TREE_NONE)
+        return error_set(err, "--method %s --tree none: a set has no order; depth and newell draw it", method->name);
+    return method->tree == TREE_AUTO || method->tree == options->tree ||
+           error_set(err, "--method %s --tree %s: that method has a tree of its own", method->name,
+                     tree_names[options->tree]);
+}
+
+bool compile_method_parse(const char *text, struct compile_options *out, struct error *err)
+{
+    out->method = method_parse(text, err);
+    if (!out->method) return false;
+    if (out->method->portals) out->portals = PORTALS_ON;
+    return true;
+}
