@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
 #
 # What may include what. sim/ has rooms, which the Makefile names from the lowest to the highest: a file includes headers
-# of its own room and of lower ones, each as "room/file.h". firmware/ includes nothing but itself, hal/ itself and
-# firmware/, sim/ these and boards/common. No two files have one name, as all are found by their names; programs that
-# stand alone, each in a folder of its own, have what names they like.
+# of its own room and of lower ones, each as "room/file.h", and no two files need each other. firmware/ includes nothing
+# but itself, hal/ itself and firmware/, sim/ these and boards/common. No two files have one name, as all are found by
+# their names; programs that stand alone, each in a folder of its own, have what names they like.
 . tests/tap.sh
 
 # Lines "FILE:LINE:HEADER" of the sources in folders.
@@ -57,6 +57,39 @@ names_are_unique() {
         sed 's,.*/,,' | sort | uniq -d | grep .
 }
 
+# A file and its header are one. A scene owns what moves in it, which is made of scenes; the emulated STM32's parts are one
+# chip, whose header is not theirs.
+known_rings='scene/compiled scene/moving
+emulators/stm32_chip emulators/stm32_parts'
+
+# Lines "FILE NEEDED" of sim/.
+needs() {
+    includes sim | awk -F : '{
+        from = $1
+        sub(/^sim\//, "", from)
+        sub(/\.[ch]$/, "", from)
+        folder = from
+        sub(/[^\/]*$/, "", folder)
+        to = $3 ~ /\// ? $3 : folder $3
+        sub(/\.h$/, "", to)
+        if (from != to) print from, to
+    }' | sort -u
+}
+
+no_rings() { # LINES of needs: those that are known are not followed
+    printf '%s\n' "$1" | grep -vxF "$known_rings" >"$work/needs"
+    tsort "$work/needs" >/dev/null 2>"$work/ring" && return
+    sed -n 's/^tsort: \(.*[^:]\)$/\1/p' "$work/ring"
+    return 1
+}
+
+sim_has_no_rings() { no_rings "$(needs)"; }
+
+rings_are_named() {
+    ! no_rings "$(needs && echo 'base/error scene/encoding')" >"$work/said" && grep -qx base/error "$work/said" &&
+        grep -qx scene/encoding "$work/said"
+}
+
 few_files() { # a folder of sources is seen on one page; firmware/ is still flat
     find hal boards sim tests -name '*.[ch]' -o -name '*.sh' | sed 's,/[^/]*$,,' | sort | uniq -c |
         awk '$1 > 60 { print $2 ": " $1 " files, 60 are the most"; wrong = 1 } END { exit wrong }'
@@ -67,6 +100,8 @@ tap_check "a room of sim/ includes itself and lower ones" arrows_go_down
 tap_check "firmware/ includes itself alone" stays_inside firmware
 tap_check "hal/ includes itself and firmware/" stays_inside hal firmware
 tap_check "sim/ includes itself, firmware/, hal/ and boards/common" stays_inside sim firmware hal boards/common
+tap_check "no two files of sim/ need each other, nor more in a ring" sim_has_no_rings
+tap_check "those that do are named" rings_are_named
 tap_check "no two files have one name" names_are_unique
 tap_check "no folder of sources but firmware/ has more than 60" few_files
 tap_done

@@ -10,6 +10,7 @@
 
 static const double GRID_SPAN_UNITS = 65534; /* -32767 .. 32767 */
 static const double SQUEEZE = 1000;          /* leaves the rest of the model 65 units or less */
+static const double FLAT_UNITS = 0.5;        /* what rounding to the grid does anyway */
 
 struct bounds {
     double low[3], high[3];
@@ -202,4 +203,19 @@ bool grid_choose(const struct model *model, struct grid *grid, struct error *err
     if (ok) choose_scale(places, count, &all, longest_m, grid);
     free(places);
     return ok;
+}
+
+double grid_weld_m(const struct grid *grid)
+{
+    return 1 / (16 * grid->units_per_m);
+}
+
+double grid_near_m(const struct grid *grid)
+{
+    return grid_weld_m(grid) / 2;
+}
+
+double grid_flat_m(const struct grid *grid)
+{
+    return FLAT_UNITS / grid->units_per_m;
 }

@@ -14,6 +14,7 @@
 #include "model/mesh.h"
 #include "model/polygon_list.h"
 
+#include "model/grid.h"
 #include <stdlib.h>
 #include <string.h>
 
@@ -279,7 +280,7 @@ static bool finish(struct merging *merging, struct error *err)
 bool mesh_merge(struct mesh *mesh, struct error *err)
 {
     if (!mesh_insert_t_vertices(mesh, err)) return false;
-    struct merging merging = {.mesh = mesh, .near_m = mesh_near_m(&mesh->grid), .flat_m = mesh_flat_m(&mesh->grid)};
+    struct merging merging = {.mesh = mesh, .near_m = grid_near_m(&mesh->grid), .flat_m = grid_flat_m(&mesh->grid)};
     mesh->counts.t_vertices = 0;
     start(&merging);
     const struct deadline_end whole = deadline_share(MERGE_SHARE);

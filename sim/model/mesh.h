@@ -55,7 +55,7 @@ struct mesh_counts {
 struct original;
 
 struct mesh {
-    double (*points)[3]; /* metres, no two nearer than mesh_weld_m(); some may be unused */
+    double (*points)[3]; /* metres, no two nearer than grid_weld_m(); some may be unused */
     size_t point_count;
     uint32_t *corners;
     size_t corner_count;
@@ -75,17 +75,6 @@ struct mesh {
                                   that holds it (its first piece, if it was cut), itself if unmerged, 0
                                   if dropped */
 };
-
-/* Points nearer than this are one: 1/16 unit, 2^-20 of the scene's longest side. A float32 importer
- * is 16 times finer. */
-double mesh_weld_m(const struct grid *grid);
-
-/* A point nearer than this to an edge lies on it: half of mesh_weld_m(), so that dividing an edge
- * at the points on it always comes to an end. */
-double mesh_near_m(const struct grid *grid);
-
-/* A polygon is flat while its corners stay this near to its plane: half a unit. */
-double mesh_flat_m(const struct grid *grid);
 
 /* Welds, drops faces of no area or opacity, triangulates what is not flat or not convex. Chooses the grid: the
  * largest scale at which every coordinate fits -32767..32767, the origin in the middle of the bounds.

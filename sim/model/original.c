@@ -8,6 +8,7 @@
 #include "base/grow.h"
 #include "base/map.h"
 #include "base/vec3.h"
+#include "model/grid.h"
 #include "model/loop.h"
 #include "model/mesh.h"
 #include "model/weld.h"
@@ -185,7 +186,7 @@ struct original *original_make(const struct model *model, const struct grid *gri
                              .by_size = grow_zeroed(model->face_count, sizeof *out->by_size)};
     struct joining joining = {.out = out,
                               .model = model,
-                              .same = weld_points(model, mesh_weld_m(grid) / FINER, &places),
+                              .same = weld_points(model, grid_weld_m(grid) / FINER, &places),
                               .patch = grow_zeroed(model->face_count, sizeof *joining.patch),
                               .thing = grow_zeroed(model->face_count, sizeof *joining.thing)};
     joining.places = places.point_count;

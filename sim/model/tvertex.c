@@ -14,6 +14,7 @@
 #include "model/point_tree.h"
 #include "model/polygon_list.h"
 
+#include "model/grid.h"
 #include <stdlib.h>
 #include <string.h>
 
@@ -144,7 +145,7 @@ static void build_tree(struct inserting *inserting)
 
 bool mesh_insert_t_vertices(struct mesh *mesh, struct error *err)
 {
-    struct inserting inserting = {.mesh = mesh, .near_m = mesh_near_m(&mesh->grid)};
+    struct inserting inserting = {.mesh = mesh, .near_m = grid_near_m(&mesh->grid)};
     struct polygon_list list = {0};
     mesh->counts.t_vertices = 0;
     build_tree(&inserting);

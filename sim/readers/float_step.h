@@ -10,7 +10,7 @@
 double float_step_at(double magnitude);
 
 /* step_m: the largest step among vertices that came as float32. If that is more than 1/16 of what the scene's longest
- * side gives as its grid's unit, below which points are one (mesh_weld_m()), model->notice says so, in metres. */
+ * side gives as its grid's unit, below which points are one (grid_weld_m()), model->notice says so, in metres. */
 void float_step_note(struct model *model, double step_m);
 
 #endif

@@ -6,20 +6,10 @@
 #define DEMO_HOUSE_H
 
 #include "demo_soup.h"
+#include "demo_window.h"
 
 #include <stdbool.h>
 #include <stddef.h>
-
-enum outward { NORTH, SOUTH, WEST };
-
-/* A window: the box of its opening through the wall, divided by bars into columns and rows. */
-struct window {
-    int lo_mm[3], hi_mm[3];
-    enum outward outward;
-    int columns, rows;
-    bool sunny;        /* the sun shines in */
-    double brightness; /* of the sky seen through it, 1 = as it is */
-};
 
 /* A rectangle through which skylight comes, or sky itself. Light leaves along edge_u x edge_v. */
 struct opening {
@@ -48,11 +38,6 @@ extern const struct vec3 house_sun;
 extern const struct vec3 house_kitchen_door[4];
 extern const struct vec3 house_court_edges[2][2];
 extern const struct vec3 house_court_lit;
-
-/* At the middle of a window's outer lower edge, facing into the room. */
-struct frame window_frame(const struct window *window);
-int window_width_mm(const struct window *window);
-int window_height_mm(const struct window *window);
 
 void house_build(struct soup *soup);
 

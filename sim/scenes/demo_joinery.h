@@ -6,7 +6,7 @@
 #define DEMO_JOINERY_H
 
 #include "demo_carve.h"
-#include "demo_house.h"
+#include "demo_window.h"
 
 /* A window's bars, too flat for their sides to show: width, and distance from the wall's outside;
  * the wall's thickness. */

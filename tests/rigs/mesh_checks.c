@@ -2,6 +2,7 @@
  *
  * Brute force, and formulas other than the ones under test. */
 #include "mesh_checks.h"
+#include "model/grid.h"
 
 #include "base/vec3.h"
 #include "cmocka_ready.h"
@@ -97,7 +98,7 @@ size_t mesh_open_edges(const struct mesh *mesh)
 
 static size_t points_inside(const struct mesh *mesh, const bool *is_corner, uint32_t a, uint32_t b)
 {
-    double near_m = mesh_near_m(&mesh->grid);
+    double near_m = grid_near_m(&mesh->grid);
     const double *from = mesh->points[a], *to = mesh->points[b];
     size_t count = 0;
     for (uint32_t i = 0; i < mesh->point_count; i++) {
@@ -130,7 +131,7 @@ static bool turns_right(const struct mesh *mesh, size_t polygon, size_t k, const
 {
     const double *before = corner(mesh, polygon, k + mesh->polygons[polygon].count - 1);
     const double *here = corner(mesh, polygon, k), *after = corner(mesh, polygon, k + 1);
-    double u[3], v[3], near_m = mesh_near_m(&mesh->grid);
+    double u[3], v[3], near_m = grid_near_m(&mesh->grid);
     vec3_sub(u, here, before);
     vec3_sub(v, after, here);
     double turn = (u[1] * v[2] - u[2] * v[1]) * normal[0] + (u[2] * v[0] - u[0] * v[2]) * normal[1] +

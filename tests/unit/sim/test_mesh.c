@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
  * mesh_clean(): the grid, welding, and what becomes of each kind of face. */
+#include "model/grid.h"
 #include "model/loop.h"
 #include "model/polygon_list.h"
 #include "readers/model_import.h"
@@ -48,7 +49,7 @@ static void the_grid_fits_the_longest_side_exactly(void **state)
     struct mesh mesh = cleaned(&model);
     assert_true(mesh.grid.origin_m[0] == 12 && mesh.grid.origin_m[1] == 0 && mesh.grid.origin_m[2] == 5);
     assert_true(mesh.grid.units_per_m == 65534.0 / 4);
-    assert_true(mesh_weld_m(&mesh.grid) == 1 / (16 * mesh.grid.units_per_m));
+    assert_true(grid_weld_m(&mesh.grid) == 1 / (16 * mesh.grid.units_per_m));
     mesh_free(&mesh);
 }
 
@@ -108,7 +109,7 @@ static void welded_points_keep_their_distance(void **state)
         tiny_add(&model, 3, (const double(*)[3])p);
     }
     struct mesh mesh = cleaned(&model);
-    double weld_m = mesh_weld_m(&mesh.grid);
+    double weld_m = grid_weld_m(&mesh.grid);
     assert_true(mesh.point_count > 300 && mesh.point_count < 900); /* many, but not all, were welded */
     for (size_t i = 0; i < mesh.point_count; i++)
         for (size_t k = 0; k < i; k++) {

@@ -23,21 +23,6 @@
 
 enum { INVISIBLE = 255 /* as a transparency */, FINER = 256 /* than the grid */ };
 
-static const double FLAT_UNITS = 0.5; /* what rounding to the grid does anyway */
-
-double mesh_weld_m(const struct grid *grid)
-{
-    return 1 / (16 * grid->units_per_m);
-}
-double mesh_near_m(const struct grid *grid)
-{
-    return mesh_weld_m(grid) / 2;
-}
-double mesh_flat_m(const struct grid *grid)
-{
-    return FLAT_UNITS / grid->units_per_m;
-}
-
 struct cleaning {
     const struct model *model;
     struct mesh *mesh;
@@ -193,9 +178,9 @@ static bool clean_on(const struct model *model, const struct grid *grid, struct 
         return false;
     }
     struct cleaning cleaning = {
-        .model = model, .mesh = mesh, .near_m = mesh_near_m(&mesh->grid), .flat_m = mesh_flat_m(&mesh->grid)};
+        .model = model, .mesh = mesh, .near_m = grid_near_m(&mesh->grid), .flat_m = grid_flat_m(&mesh->grid)};
     mesh->merged_into = grow_zeroed(model->face_count + 1, sizeof *mesh->merged_into);
-    uint32_t *welded = weld_points(model, mesh_weld_m(&mesh->grid), mesh);
+    uint32_t *welded = weld_points(model, grid_weld_m(&mesh->grid), mesh);
     cleaning.welded = welded;
     bool ok = deadline_check(err, "points were still welded");
     if (ok) clean_faces(&cleaning, model, welded);
