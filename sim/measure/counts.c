@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
- * An object file of the folder firmware/ or of a room in it is a stage; libgcc and the memory functions that compilers call
- * are helpers, charged to the stage that called them; all else (start-up, target) is left out. */
+ * An object file of the folder firmware/ or of a room in it is a stage; libgcc and the memory functions that compilers
+ * call are helpers, charged to the stage that called them; all else (start-up, target) is left out. */
 #include "measure/counts.h"
 
 #include "base/grow.h"

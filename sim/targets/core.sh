@@ -22,7 +22,7 @@ failed() {
 }
 
 # shellcheck disable=SC2016 # the inner shell's
-printf '%s\n' firmware/*.c sim/core/core.c | xargs -n 1 -P "$(nproc)" sh -c '
+printf '%s\n' firmware/*.c firmware/*/*.c sim/core/core.c | xargs -n 1 -P "$(nproc)" sh -c '
     $CCACHE $CC $flags -c -o "$objects/$(basename "$1" .c).o" "$1" || exit 255' sh 2>"$folder/said" || failed
 $CC -shared -Wl,-Bsymbolic -o "$folder/core_$name.so" "$objects"/*.o 2>"$folder/said" || failed
 rm -r "$objects"

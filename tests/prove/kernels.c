@@ -17,9 +17,9 @@ int __builtin_clz(unsigned x);
 #endif
 
 #include "angle.c"
+#include "eye.c"
 #include "math/fixed.c"
 #include "screen/edge.c"
 #include "view/cull.c"
-#include "eye.c"
 #include "view/perspective.h"
 #include "view/transform.h"

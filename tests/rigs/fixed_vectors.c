@@ -6,9 +6,9 @@
 #include "fixed_vectors.h"
 
 #include "angle.h"
+#include "eye.h"
 #include "math/fixed.h"
 #include "screen/edge.h"
-#include "eye.h"
 #include "view/view.h"
 
 enum { LINE_LENGTH = 96, SERIES_CALLS = 2000 };

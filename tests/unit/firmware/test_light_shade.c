@@ -83,5 +83,5 @@ int main(void)
         cmocka_unit_test(ends_are_reached_and_not_passed),
     };
 
-    return cmocka_run_group_tests_name("lamp", tests, NULL, NULL);
+    return cmocka_run_group_tests_name("light_shade", tests, NULL, NULL);
 }
