@@ -113,9 +113,10 @@ FLAGS = -std=c11 $(HOST_OPT) $(WARNINGS) -ffp-contract=off -D_POSIX_C_SOURCE=200
 LINKS = $(shell pkg-config --libs $(LIBRARIES)) -lgmp -lz -lm
 
 object  = $(patsubst %.c,$(BUILD)/host/%.o,$(1))
-# The rooms of sim/, the lowest first: each includes itself and lower ones (tests/rooms.sh).
+# The rooms of sim/ and of firmware/, the lowest first: each includes itself and lower ones (tests/rooms.sh).
 rooms   := base core pictures model readers scene cameras displays glass render accuracy compiler measure cli
-sources := $(filter-out sim/core/core.c,$(wildcard firmware/*.c firmware/*/*.c hal/*.c hal/linux/*.c hal/hid/*.c hal/mcu/*.c $(rooms:%=sim/%/*.c))) \
+firmware_rooms := math view screen pixels lines movers pieces routes orders
+sources := $(filter-out sim/core/core.c,$(wildcard firmware/*.c $(firmware_rooms:%=firmware/%/*.c) hal/*.c hal/linux/*.c hal/hid/*.c hal/mcu/*.c $(rooms:%=sim/%/*.c))) \
 	$(addprefix boards/common/,card.c screen.c test_card.c walker.c)
 library := $(BUILD)/host/liblimner.a
 
@@ -137,7 +138,7 @@ $(BUILD)/host/%.o: %.c $(BUILD)/host/flags
 # bits are compiled by whoever measures them: see sim/targets/core.sh.
 profiles     := draft fast fine exact
 export PROFILES = $(profiles)
-core_sources := $(wildcard firmware/*.c firmware/*/*.c) sim/core/core.c
+core_sources := $(wildcard firmware/*.c $(firmware_rooms:%=firmware/%/*.c)) sim/core/core.c
 core_object   = $(patsubst %.c,$(BUILD)/core-$(1)/%.o,$(core_sources))
 core_flags    = -DCORE=core_$(1) -DLIM_PROFILE=LIM_PROFILE_$(shell echo $(1) | tr a-z A-Z)
 

@@ -1,9 +1,11 @@
 # SPDX-License-Identifier: MIT
 #
-# What may include what. sim/ has rooms, which the Makefile names from the lowest to the highest: a file includes headers
-# of its own room and of lower ones, each as "room/file.h", and no two files need each other. firmware/ includes nothing
-# but itself, hal/ itself and firmware/, sim/ these and boards/common. No two files have one name, as all are found by
-# their names; programs that stand alone, each in a folder of its own, have what names they like.
+# What may include what. sim/ and firmware/ have rooms, which the Makefile names from the lowest to the highest: a file
+# includes headers of its own room and of lower ones, each as "room/file.h", and no two files need each other. The headers
+# of firmware/ outside of its rooms are public: the rooms may use them, but for those that know the whole renderer. Nobody
+# else includes what is in a room of firmware/. firmware/ includes nothing but itself, hal/ itself and firmware/, sim/ these
+# and boards/common. No two files have one name, as all are found by their names; programs that stand alone, each in a
+# folder of its own, have what names they like.
 . tests/tap.sh
 
 # Lines "FILE:LINE:HEADER" of the sources in folders.
@@ -11,30 +13,54 @@ includes() { # FOLDER...
     find "$@" -name '*.[ch]' -exec grep -Hno '^# *include "[^"]*"' {} + | sed 's/# *include "//; s/"$//'
 }
 
-# The rooms, lowest first.
-rooms=$(sed -n 's/^rooms *:= //p' Makefile)
+# The rooms of a folder, lowest first.
+rooms_of() { # FOLDER
+    case $1 in
+    sim) sed -n 's/^rooms *:= //p' Makefile ;;
+    firmware) sed -n 's/^firmware_rooms *:= //p' Makefile ;;
+    esac
+}
 
-arrows_go_down() {
-    includes sim | awk -F : -v rooms="$rooms" '
+arrows_go_down() { # FOLDER
+    includes "$1" | awk -F : -v folder="$1" -v rooms="$(rooms_of "$1")" '
         BEGIN { count = split(rooms, name, " "); for (i = 1; i <= count; i++) level[name[i]] = i }
         { split($1, from, "/"); slash = index($3, "/"); to = substr($3, 1, slash - 1) }
         !(from[2] in level) { next }
-        slash == 0 && system("test -f \"sim/" from[2] "/" $3 "\"") == 0 {
+        slash == 0 && system("test -f \"" folder "/" from[2] "/" $3 "\"") == 0 {
             print $1 ":" $2 ": " $3 " without its room: " from[2] "/" $3; wrong = 1
         }
         level[to] > level[from[2]] { print $1 ":" $2 ": " from[2] " lies below " to ": " $3; wrong = 1 }
         END { exit wrong }'
 }
 
-rooms_are_named() {
-    for room in sim/*/; do
+rooms_are_named() { # FOLDER OTHER...
+    folder=$1
+    shift
+    for room in "$folder"/*/; do
         room=$(basename "$room")
-        case " $rooms emulators scenes targets tools " in
+        case " $(rooms_of "$folder") $* " in
         *" $room "*) ;;
-        *) echo "sim/$room: no room of the Makefile's list" && return 1 ;;
+        *) echo "$folder/$room: no room of the Makefile's list" && return 1 ;;
         esac
     done
-    ! find sim -maxdepth 1 -name '*.[ch]' | grep .
+}
+
+sim_is_rooms_alone() { ! find sim -maxdepth 1 -name '*.[ch]' | grep .; }
+
+# In firmware/ itself state.h and limner.h know the whole renderer, and what draws; other headers at most the lowest room.
+renderer_is_on_top() {
+    ! includes firmware | grep '^firmware/[a-z]*/' | grep -E ':(limner|state)\.h$' &&
+        ! includes $(ls firmware/*.h | grep -v '/state.h') | grep / | grep -vE ':(math/.*|[a-z_]*\.h)$' | cut -d : -f 3 |
+        grep / && ! grep -nE 'struct lim \*|struct lim lim' firmware/*/*.[ch]
+}
+
+rooms_are_private() {
+    ! includes hal sim boards | grep -E ":($(rooms_of firmware | tr ' ' '|'))/" >"$work/private" ||
+        awk -F : '{
+            split($1, from, "/")
+            if (system("test -f sim/" $3) == 0 && from[1] == "sim") next
+            print $1 ":" $2 ": " $3 " is private to firmware/"; wrong = 1
+        } END { exit wrong }' "$work/private"
 }
 
 # Where a header is found: beside its file, or in a folder that all see.
@@ -62,15 +88,14 @@ names_are_unique() {
 known_rings='scene/compiled scene/moving
 emulators/stm32_chip emulators/stm32_parts'
 
-# Lines "FILE NEEDED" of sim/.
-needs() {
-    includes sim | awk -F : '{
-        from = $1
-        sub(/^sim\//, "", from)
+# Lines "FILE NEEDED" of a folder.
+needs() { # FOLDER
+    includes "$1" | awk -F : -v folder="$1/" '{
+        from = substr($1, length(folder) + 1)
         sub(/\.[ch]$/, "", from)
-        folder = from
-        sub(/[^\/]*$/, "", folder)
-        to = $3 ~ /\// ? $3 : folder $3
+        beside = from
+        sub(/[^\/]*$/, "", beside)
+        to = $3 ~ /\// || system("test -f \"" folder beside $3 "\"") ? $3 : beside $3
         sub(/\.h$/, "", to)
         if (from != to) print from, to
     }' | sort -u
@@ -83,25 +108,31 @@ no_rings() { # LINES of needs: those that are known are not followed
     return 1
 }
 
-sim_has_no_rings() { no_rings "$(needs)"; }
+has_no_rings() { no_rings "$(needs "$1")"; } # FOLDER
 
 rings_are_named() {
-    ! no_rings "$(needs && echo 'base/error scene/encoding')" >"$work/said" && grep -qx base/error "$work/said" &&
+    ! no_rings "$(needs sim && echo 'base/error scene/encoding')" >"$work/said" && grep -qx base/error "$work/said" &&
         grep -qx scene/encoding "$work/said"
 }
 
-few_files() { # a folder of sources is seen on one page; firmware/ is still flat
-    find hal boards sim tests -name '*.[ch]' -o -name '*.sh' | sed 's,/[^/]*$,,' | sort | uniq -c |
+few_files() { # a folder of sources is seen on one page
+    find firmware hal boards sim tests -name '*.[ch]' -o -name '*.sh' | sed 's,/[^/]*$,,' | sort | uniq -c |
         awk '$1 > 60 { print $2 ": " $1 " files, 60 are the most"; wrong = 1 } END { exit wrong }'
 }
 
-tap_check "sim/ has the rooms that the Makefile names, and no file outside of them" rooms_are_named
-tap_check "a room of sim/ includes itself and lower ones" arrows_go_down
+tap_check "sim/ has the rooms that the Makefile names" rooms_are_named sim emulators scenes targets tools
+tap_check "and no file outside of them" sim_is_rooms_alone
+tap_check "so has firmware/" rooms_are_named firmware
+tap_check "a room of sim/ includes itself and lower ones" arrows_go_down sim
+tap_check "so does a room of firmware/" arrows_go_down firmware
+tap_check "no room of firmware/ knows struct lim" renderer_is_on_top
+tap_check "nobody else includes what is in a room of firmware/" rooms_are_private
 tap_check "firmware/ includes itself alone" stays_inside firmware
 tap_check "hal/ includes itself and firmware/" stays_inside hal firmware
 tap_check "sim/ includes itself, firmware/, hal/ and boards/common" stays_inside sim firmware hal boards/common
-tap_check "no two files of sim/ need each other, nor more in a ring" sim_has_no_rings
+tap_check "no two files of sim/ need each other, nor more in a ring" has_no_rings sim
+tap_check "no two files of firmware/ do" has_no_rings firmware
 tap_check "those that do are named" rings_are_named
 tap_check "no two files have one name" names_are_unique
-tap_check "no folder of sources but firmware/ has more than 60" few_files
+tap_check "no folder of sources has more than 60" few_files
 tap_done

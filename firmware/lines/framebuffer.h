@@ -5,9 +5,9 @@
 #ifndef LIM_FRAMEBUFFER_H
 #define LIM_FRAMEBUFFER_H
 
-#include "lines/span.h"
 #include "pixels/fill.h"
 #include "pixels/target_parts.h"
+#include "screen/edge.h"
 
 /* Says that whole lines are there. 0 or the target's error. */
 static inline int lim_target_done(const struct lim_target *target, const struct lim_rect *lines)
@@ -24,7 +24,7 @@ static inline uint16_t *lim_framebuffer_line(const struct lim_framebuffer *frame
     return (uint16_t *)framebuffer->pixels + (size_t)y_px * framebuffer->stride_px;
 }
 
-/* A lim_span_sink for pieces of a line; `of_look` is a struct lim_piece_look, and its ctx the framebuffer. */
+/* A lim_piece_fill for pieces of a line; `of_look` is a struct lim_piece_look, and its ctx the framebuffer. */
 void lim_framebuffer_fill(void *of_look, uint16_t x0_px, uint16_t x1_px);
 
 /* The same where calls are many. */
@@ -41,7 +41,7 @@ void lim_framebuffer_paint(const struct lim_target *target, const struct lim_poi
                            struct lim_span_extent shown, uint16_t colour);
 
 /* What paints pieces as they are found, and the ctx of its looks. NULL: lines are lent. */
-static inline lim_span_sink *lim_fill_of(const struct lim_target *target)
+static inline lim_piece_fill *lim_fill_of(const struct lim_target *target)
 {
     if (LIM_HAS_FRAMEBUFFER && lim_has_framebuffer(target)) return lim_framebuffer_fill;
     return lim_target_keeps_all(target) ? lim_target_fill(target) : NULL;

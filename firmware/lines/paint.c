@@ -4,7 +4,6 @@
  * their cells. New ones arrive far to near (retain.h), so each is put in front of the one before it or further up. */
 #include "lines/paint.h"
 
-#include "lines/flat.h"
 #include "lines/mask.h"
 #include "lines/wireframe.h"
 #include "pixels/fill.h"

@@ -38,4 +38,10 @@ enum {
 LIM_MUST_CHECK int lim_paint_band(struct lim_paint *paint, struct lim_spans *spans, const struct lim_retained *retained,
                                   const struct lim_rect *band, uint16_t *y);
 
+/* The same where all is opaque and of one colour a polygon, as most frames are (flat.c): each line from far to near
+ * over its background, which is the gaps that SPAN has left. Filling a run again costs less than to find out which of
+ * its pixels are still open. */
+LIM_MUST_CHECK int lim_flat_band(struct lim_paint *paint, struct lim_spans *spans, const struct lim_retained *retained,
+                                 const struct lim_rect *band, uint16_t *y);
+
 #endif

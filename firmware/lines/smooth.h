@@ -48,14 +48,4 @@ void lim_smooth_push(struct lim_layers *layers, const struct lim_spans *spans, c
 void lim_smooth_background(const struct lim_spans *spans, const struct lim_line *line, uint16_t background,
                            struct lim_smooth_sink *sink);
 
-struct lim_paint;
-
-/* A line for which the pools are too small is drawn alone, from a walk of its own, nearest first: begun, then every
- * polygon at once, then ended. The same sums in the same order. Returns an enum lim_error or the target's. */
-int lim_smooth_begin_line(struct lim_paint *paint, uint16_t y);
-void lim_smooth_add(struct lim_paint *paint, struct lim_spans *spans, const struct lim_strip *strip,
-                    const struct lim_screen_polygon *polygon);
-void lim_smooth_add_polygon(struct lim_paint *paint, struct lim_spans *spans, const struct lim_screen_polygon *polygon);
-int lim_smooth_end_line(struct lim_paint *paint, struct lim_spans *spans, uint16_t y);
-
 #endif

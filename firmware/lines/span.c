@@ -3,8 +3,9 @@
  * A piece that covers a gap's left end, right end, middle or all of it: the gap loses its left
  * end, its right end, splits in two (the only case that takes memory), or is unlinked. An emptied
  * gap must be unlinked at once: a later polygon would find its neighbour through it. */
+#include "lines/span.h"
+
 #include "lines/framebuffer.h"
-#include "lines/gaps.h"
 
 #if LIM_HAS_SPANS
 
@@ -27,7 +28,7 @@ void lim_spans_open(struct lim_spans *spans, const struct lim_target *target, co
 }
 
 enum lim_span_result lim_span_close(struct lim_spans *spans, struct lim_line *line, int16_t x0, int16_t x1,
-                                    lim_span_sink *sink, void *ctx)
+                                    lim_piece_fill *sink, void *ctx)
 {
     enum lim_span_result result = LIM_SPAN_NOTHING;
     struct lim_gap *gap = &line->gap, *before = NULL;
@@ -77,7 +78,7 @@ static inline bool close_in_gap(struct lim_spans *spans, struct lim_gap *gap, in
 /* Most lines have one gap, or none, which lies at 0. `seen` is for what is retained, `sink` for what is painted at
  * once: one of them is NULL. `many`: the sink of lines that have several. */
 static inline bool close_between(struct lim_spans *spans, int16_t y, int16_t end, struct lim_edge_pair *pair,
-                                 struct lim_span_extent *seen, lim_span_sink *sink, lim_span_sink *many,
+                                 struct lim_span_extent *seen, lim_piece_fill *sink, lim_piece_fill *many,
                                  struct lim_piece_look *look)
 {
     struct lim_edge left, right;
@@ -128,7 +129,7 @@ bool lim_spans_close(struct lim_spans *spans, int16_t y, int16_t end, struct lim
 
 #if LIM_HAS_FILLED
 bool lim_spans_close_filling(struct lim_spans *spans, int16_t y, int16_t end, struct lim_edge_pair *pair,
-                             lim_span_sink *sink, struct lim_piece_look *look)
+                             lim_piece_fill *sink, struct lim_piece_look *look)
 {
     if (LIM_HAS_FRAMEBUFFER && !LIM_OPTIMISE_SIZE && (!LIM_HAS_FILL || sink == lim_framebuffer_fill))
         return close_between(spans, y, end, pair, NULL, lim_framebuffer_fill_inline, sink, look);

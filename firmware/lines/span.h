@@ -6,42 +6,15 @@
 #ifndef LIM_SPAN_H
 #define LIM_SPAN_H
 
+#include "lines/gaps.h"
 #include "pixels/target_parts.h"
 #include "screen/edge.h"
-#include "view/cull.h"
-
-/* Pixels x0 <= x < x1. */
-struct lim_gap {
-    uint16_t x0, x1;
-    uint16_t next; /* in the pool, or LIM_NONE */
-    /* Antialiased: the samples of its pixels that are closed (samples.h), not all of them. */
-    LIM_OPTIONAL(uint16_t, covered, LIM_HAS_ANTIALIAS);
-};
-
-struct lim_line {
-    struct lim_gap gap; /* x0 == x1: the line is closed */
-    uint16_t retained;  /* PAINT's list of polygons that start on this line, or LIM_NONE */
-};
-
-struct lim_spans {
-    struct lim_line *lines; /* one for each screen line */
-    struct lim_gap *pool;
-    uint16_t pool_size;
-    uint16_t free;  /* list of gaps that were given back */
-    uint16_t fresh; /* gaps from here on were never used */
-    uint16_t open_lines;
-    bool trimmed;         /* `open`, since it was drawn together */
-    struct lim_rect open; /* holds every open pixel */
-};
 
 enum lim_span_result {
     LIM_SPAN_NOTHING = 0,  /* all of it was closed before */
     LIM_SPAN_SOME = 1,     /* some of it was open, and is closed now */
     LIM_SPAN_EXHAUSTED = 2 /* no gap was left in the pool; the lines are as they were found or further */
 };
-
-/* Receives a piece [x0, x1) of a line that was open, left to right. */
-typedef void lim_span_sink(void *ctx, uint16_t x0, uint16_t x1);
 
 /* Line y with the pixels of `band` open that the target shows, in one gap. */
 static inline void lim_line_open(struct lim_line *line, const struct lim_target *target, const struct lim_rect *band,
@@ -70,7 +43,7 @@ void lim_spans_reset_pool(struct lim_spans *spans);
 
 /* Closes [x0, x1) of a line; x0 < x1, any values. Pieces that were open go to `sink`, if any. */
 enum lim_span_result lim_span_close(struct lim_spans *spans, struct lim_line *line, int16_t x0, int16_t x1,
-                                    lim_span_sink *sink, void *ctx);
+                                    lim_piece_fill *sink, void *ctx);
 
 /* Closes what lies between two boundaries on the lines y <= line < end, to the end of which both go on, and moves them
  * there. Widens `seen` downwards around the lines of which something was open. false: a pool is exhausted; some may be
@@ -79,7 +52,7 @@ enum lim_span_result lim_span_close(struct lim_spans *spans, struct lim_line *li
 LIM_MUST_CHECK bool lim_spans_close(struct lim_spans *spans, int16_t y, int16_t end, struct lim_edge_pair *pair,
                                     struct lim_span_extent *seen);
 LIM_MUST_CHECK bool lim_spans_close_filling(struct lim_spans *spans, int16_t y, int16_t end, struct lim_edge_pair *pair,
-                                            lim_span_sink *sink, struct lim_piece_look *look);
+                                            lim_piece_fill *sink, struct lim_piece_look *look);
 
 /* Draws `open` together around what is open. true: it became smaller than it was at the last call. */
 bool lim_spans_shrink(struct lim_spans *spans);

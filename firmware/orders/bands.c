@@ -3,7 +3,9 @@
  * A frame, nearest first: pass one (nearest.c) over all lines, then pass two (paint.c). When a pool is exhausted the
  * frame is finished in bands: the same two passes over half the lines, a quarter, one line, half a line, and more again
  * where there is room. A band of one pixel needs one polygon and no gap, so every frame ends. */
+#include "lines/smooth_line.h"
 #include "orders/nearest.h"
+#include "pieces/sorted.h"
 
 #include "lines/framebuffer.h"
 #include "lines/gaps.h"
@@ -137,7 +139,7 @@ static bool wants_fill(const struct lim_nearest *nearest)
 static void fill_background(struct lim_nearest *nearest)
 {
     const struct lim_rect *open = &nearest->spans.open;
-    lim_span_sink *const fill = lim_fill_of(&nearest->pass->target);
+    lim_piece_fill *const fill = lim_fill_of(&nearest->pass->target);
     struct lim_piece_look look = {.ctx = lim_fill_ctx_of(&nearest->pass->target),
                                   .colour = lim_background_of(nearest->pass)};
 

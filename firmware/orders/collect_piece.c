@@ -4,6 +4,7 @@
  * place where a piece would be retained holds its lines meanwhile. */
 #include "lines/layers.h"
 #include "lines/mask.h"
+#include "lines/smooth_line.h"
 #include "orders/nearest.h"
 #include "pieces/trace.h"
 

@@ -4,6 +4,7 @@
  * by scan lines all that are in view. All at once, or, where a frame is begun while another is still on its way,
  * polygon by polygon (lim_frame_work()). bands.c drives it. */
 #include "orders/nearest.h"
+#include "lines/smooth_line.h"
 
 #include "lines/framebuffer.h"
 #include "lines/layers.h"
@@ -20,7 +21,7 @@ enum { POLYGONS_PER_SHRINK = 20 }; /* the open view is drawn together this often
  * open. sink: for the pieces, with `look`, where they are painted at once, and nobody asks for lines; or NULL. false: a
  * pool is exhausted. */
 static inline bool close_lines(struct lim_spans *spans, const struct lim_point *at, uint8_t n, uint8_t first,
-                               struct lim_span_extent *shown, lim_span_sink *sink, struct lim_piece_look *look)
+                               struct lim_span_extent *shown, lim_piece_fill *sink, struct lim_piece_look *look)
 {
     const int16_t top = shown->top, bottom = shown->bottom;
     struct lim_edge_pair pair;

@@ -10,8 +10,8 @@
 #include "lines/retain.h"
 #include "lines/span.h"
 #include "orders/painter.h"
-#include "pieces/sorted.h"
-#include "routes/route.h"
+#include "pieces/sorter.h"
+#include "routes/mover_route.h"
 
 /* Bytes that lim_init() cuts up, for each order: constant expressions when their arguments are. A scene's header has
  * its own with the scene's limits filled in: NAME_SCENE_MEM_B(h_px). */

@@ -13,8 +13,8 @@
 #include "pixels/blend.h"
 #include "pixels/fill.h"
 #include "routes/mover_order.h"
+#include "routes/mover_route.h"
 #include "routes/mover_split.h"
-#include "routes/route.h"
 
 #if LIM_HAS_PAINTED
 

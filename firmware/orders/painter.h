@@ -4,7 +4,7 @@
 #ifndef LIM_PAINTER_H
 #define LIM_PAINTER_H
 
-#include "pieces/sorted.h"
+#include "pieces/sorter.h"
 #include "pixels/texture.h"
 #include "view/pass.h"
 

@@ -16,7 +16,7 @@
 #include "pieces/newell.h"
 
 #include "pieces/piece.h"
-#include "pieces/sorted.h"
+#include "pieces/sorter.h"
 
 #if LIM_HAS_PIECES
 

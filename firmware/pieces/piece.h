@@ -8,7 +8,7 @@
 #define LIM_PIECE_H
 
 #include "pieces/corners.h"
-#include "pieces/sorted.h"
+#include "pieces/sorter.h"
 #include "screen/project.h"
 
 /* On which sides of a plane something lies: none is "on it". */

@@ -8,8 +8,8 @@
 #include "errors.h"
 #include "target.h"
 
-/* lim_target.fill. */
-typedef void lim_piece_fill(void *look, uint16_t x0_px, uint16_t x1_px);
+/* Receives pixels x0_px <= x < x1_px of a line: lim_target.fill, or what SPAN found open, left to right. */
+typedef void lim_piece_fill(void *ctx, uint16_t x0_px, uint16_t x1_px);
 
 /* Whether a target leaves out pixels of its lines: lim_target_visible() says which it has. */
 static inline bool lim_target_is_round(const struct lim_target *target)

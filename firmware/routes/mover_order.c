@@ -8,6 +8,7 @@
 #include "movers/deform.h"
 #include "pieces/corners.h"
 #include "pieces/entry.h"
+#include "pieces/newell.h"
 #include "pieces/piece.h"
 #include "routes/mover_split.h"
 #include "routes/route.h"

@@ -4,7 +4,7 @@
 #ifndef LIM_MOVER_ORDER_H
 #define LIM_MOVER_ORDER_H
 
-#include "pieces/sorted.h"
+#include "pieces/sorter.h"
 #include "screen/project.h"
 
 /* Puts a list that has come to empty space in order, nearest first or the other way round. Returns its head. */

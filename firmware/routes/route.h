@@ -1,12 +1,11 @@
 /* SPDX-License-Identifier: MIT
  *
- * ROUTE carries movers down the static tree: a list of whole instances and of pieces goes with each subtree, and is
- * divided by its planes. Where the list comes to empty space it is put in order (mover_order.h). */
+ * A way through a tree: of an object's own, alone, or of the static scene's with movers (mover_route.h). */
 #ifndef LIM_ROUTE_H
 #define LIM_ROUTE_H
 
 #include "movers/mover.h"
-#include "pieces/sorted.h"
+#include "pieces/sorter.h"
 
 struct lim_route {
     struct lim_sorter *sorter; /* of the lists */
@@ -23,20 +22,35 @@ struct lim_route {
     bool back_to_front;
 };
 
-enum lim_route_event { LIM_ROUTE_END, LIM_ROUTE_RUN, LIM_ROUTE_LIST };
-
-/* The route through the static scene, and through an object in the view of `open`. */
-struct lim_route lim_route_static(struct lim_sorter *sorter, bool back_to_front);
+/* The route through an object in the view of `open`; it is begun. */
 struct lim_route lim_route_object(struct lim_sorter *sorter, uint16_t mover, const struct lim_rect *open,
                                   bool back_to_front);
 
 /* Begins at the root with a list. */
 void lim_route_begin(struct lim_route *route, uint16_t list);
 
-/* What comes next: a run (its offset in *what), or a list. */
-enum lim_route_event lim_route_next(struct lim_route *route, lim_index *what);
-
 /* The next run of a route that began without a list; false: there is none. */
 bool lim_route_next_alone(struct lim_route *route, lim_index *run);
+
+/* Steps. The node to enter, or NULL: nothing of it can be seen. */
+const LIM_FLASH struct lim_node *lim_route_node_to_enter(struct lim_route *route);
+
+static inline bool lim_route_is_leaf(const LIM_FLASH struct lim_node *node)
+{
+    return LIM_HAS_LEAVES && node->split.plane == LIM_NO_INDEX;
+}
+
+/* The near subtree is next, with what moves in it; the rest waits. */
+void lim_route_go_near(struct lim_route *route, const LIM_FLASH struct lim_node *node, int32_t side, uint16_t front,
+                       uint16_t back);
+
+/* A leaf's run comes when it is left. */
+void lim_route_go_through_leaf(struct lim_route *route, uint16_t list);
+
+/* Where nothing moves. */
+void lim_route_enter_alone(struct lim_route *route);
+
+/* Takes up what waits on the stack. Returns the run that comes before it, or LIM_NO_INDEX. */
+lim_index lim_route_leave(struct lim_route *route);
 
 #endif

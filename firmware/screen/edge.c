@@ -16,7 +16,6 @@
 #include "screen/edge.h"
 
 #include "math/divisor.h"
-#include "screen/edge_bounds.h"
 #include "screen/small.h"
 
 #if LIM_EDGE_IS_SHORT

@@ -5,7 +5,6 @@
 #define LIM_PROJECT_H
 
 #include "colour.h"
-#include "screen/edge_bounds.h"
 #include "screen/samples.h"
 #include "stats.h"
 #include "view/clip.h"

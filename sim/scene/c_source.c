@@ -118,7 +118,7 @@ static void write_places(FILE *file, const struct lim_scene *scene, const struct
         fprintf(file, "%s{%u, %u},", i % 8 ? " " : "\n    ", (unsigned)scene->places[i].cell,
                 (unsigned)scene->places[i].pvs);
     end_array(file);
-    begin_array(file, prefix, "uint8_t", "visible sets", scene->pvs_bytes);
+    begin_array(file, prefix, "uint8_t", "pvs", scene->pvs_bytes);
     for (size_t i = 0; i < scene->pvs_bytes; i++)
         fprintf(file, "%s%u,", i % NUMBERS_A_LINE ? " " : "\n    ", (unsigned)scene->pvs[i]);
     end_array(file);
@@ -221,7 +221,7 @@ static void write_portals(FILE *file, const struct lim_scene *scene, const struc
 {
     fputs("#if LIM_HAS_PORTALS\n", file);
     write_pointer(file, prefix, "places", scene->place_count);
-    write_pointer(file, prefix, "visible sets", scene->pvs_bytes);
+    write_pointer(file, prefix, "pvs", scene->pvs_bytes);
     fprintf(file, "    .place_count = %u,\n    .sight_bytes = %u,\n#endif\n", (unsigned)scene->place_count,
             (unsigned)scene->pvs_bytes);
 }

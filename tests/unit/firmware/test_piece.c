@@ -3,6 +3,7 @@
  * Pieces of polygons, each function alone, on lists that are made by hand. What a piece has of a line is compared with
  * the rays through its pixels, its corners with cutting in doubles, overlaps with separating axes on the screen. */
 #include "limner.h"
+#include "pieces/newell.h"
 #include "pieces/trace.h"
 #include "rigs/cmocka_ready.h"
 #include "rigs/random.h"

@@ -1,0 +1,75 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * ROUTE is WALK with movers: a list of movers goes with each subtree. At a node the list is divided by the node's
+ * plane, so a mover is never cut by a plane that does not divide the space around it, and subtrees without movers cost
+ * what they cost WALK. A subtree without a node is empty space: what has come there is handed out at once. So is
+ * what has come to a subtree whose polygons are out of view: there is nothing in it to be sorted with. */
+#include "routes/mover_route.h"
+
+#include "routes/mover_split.h"
+
+#if LIM_HAS_MOVERS
+
+/* The order of its run knows nothing of movers: both are sorted together, or else movers are taken for nearer. */
+static void enter_leaf(struct lim_route *route, lim_index run)
+{
+    const uint16_t list = route->list;
+
+    if (lim_movers_join(route->sorter, run, list)) {
+        route->next = LIM_NO_INDEX;
+        return;
+    }
+    if (LIM_HAS_STATS) lim_stats_of(route->sorter->pass)->movers.unsorted++;
+    if (route->back_to_front) route->list = LIM_NONE;
+    lim_route_go_through_leaf(route, route->back_to_front ? list : (uint16_t)LIM_NONE);
+}
+
+static void route_enter(struct lim_route *route)
+{
+    const LIM_FLASH struct lim_node *node = lim_route_node_to_enter(route);
+    uint16_t front, back;
+
+    if (!node) return;
+    if (lim_route_is_leaf(node)) {
+        enter_leaf(route, node->front_run);
+        return;
+    }
+    const int32_t side = lim_eye_side(route->eye, &node->split);
+    lim_movers_divide(route->sorter, route->next, side, route->list, &front, &back);
+    lim_route_go_near(route, node, side, front, back);
+}
+
+enum lim_route_event lim_route_next(struct lim_route *route, lim_index *what)
+{
+    for (;;) {
+        while (route->next != LIM_NO_INDEX) {
+            if (route->list == LIM_NONE)
+                lim_route_enter_alone(route);
+            else
+                route_enter(route);
+        }
+        if (route->list != LIM_NONE) {
+            *what = route->list;
+            route->list = LIM_NONE;
+            return LIM_ROUTE_LIST;
+        }
+        if (!route->depth) return LIM_ROUTE_END;
+        *what = lim_route_leave(route);
+        if (*what != LIM_NO_INDEX) return LIM_ROUTE_RUN;
+    }
+}
+
+struct lim_route lim_route_static(struct lim_sorter *sorter, bool back_to_front)
+{
+    struct lim_pass *pass = sorter->pass;
+
+    return (struct lim_route){.sorter = sorter,
+                              .scene = pass->scene,
+                              .eye = lim_eye_of(pass),
+                              .cull = lim_cull_of(pass),
+                              .shown = pass->walk->shown,
+                              .stack = sorter->movers->stack,
+                              .back_to_front = back_to_front};
+}
+
+#endif
