@@ -222,7 +222,7 @@ static void write_portals(FILE *file, const struct lim_scene *scene, const struc
     fputs("#if LIM_HAS_PORTALS\n", file);
     write_pointer(file, prefix, "places", scene->place_count);
     write_pointer(file, prefix, "pvs", scene->pvs_bytes);
-    fprintf(file, "    .place_count = %u,\n    .sight_bytes = %u,\n#endif\n", (unsigned)scene->place_count,
+    fprintf(file, "    .place_count = %u,\n    .pvs_bytes = %u,\n#endif\n", (unsigned)scene->place_count,
             (unsigned)scene->pvs_bytes);
 }
 
