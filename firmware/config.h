@@ -319,10 +319,36 @@
 #define LIM_UNROLLED(n)
 #endif
 
-/* A caller's bug ends here. Define LIM_ASSERT before this header to hook it up; the default keeps
- * the renderer free of any library. The condition is evaluated only where a hook asks for it. */
+/* Stops the program where a debugger sees it: by the instruction that is made for this, without any library. Without a
+ * debugger a Cortex-M comes to its HardFault handler, a RISC-V to its trap handler, a Linux program ends by a signal.
+ * An AVR stays where it is, with interrupts off: its `break` is for debuggers alone. */
+#if defined(__AVR__)
+#define LIM_TRAP()                                                                                                     \
+    __extension__({                                                                                                    \
+        for (;;)                                                                                                       \
+            __asm__ volatile("cli\n\tbreak");                                                                          \
+    })
+#elif defined(__GNUC__)
+#define LIM_TRAP() __builtin_trap()
+#else
+static inline void lim_trap(void)
+{
+    for (;;)
+        continue;
+}
+#define LIM_TRAP() lim_trap()
+#endif
+
+/* A caller's bug ends here. Functions that are called once, or once a frame, evaluate the condition. Define LIM_ASSERT,
+ * for all files, to have something else happen: assert(condition); or ((void)0), and bugs go unnoticed. */
 #ifndef LIM_ASSERT
-#define LIM_ASSERT(condition) ((void)0)
+#define LIM_ASSERT(condition) ((condition) ? (void)0 : LIM_TRAP())
+#endif
+
+/* A bug of the renderer, or a scene that no compiler wrote. It stands where a frame spends its time, so it is evaluated
+ * only if a build says -DLIM_DEBUG_ASSERT=LIM_ASSERT, as the tests with sanitizers do. */
+#ifndef LIM_DEBUG_ASSERT
+#define LIM_DEBUG_ASSERT(condition) ((void)0)
 #endif
 
 #if !LIM_HAS_HIDDEN && !LIM_HAS_CONVEX

@@ -118,7 +118,7 @@ static void connect(struct lim *lim)
 
 int lim_init(struct lim *lim, const struct lim_scene *scene, const struct lim_target *target, void *mem, size_t mem_b)
 {
-    LIM_ASSERT(lim && scene && target && mem && ((uintptr_t)mem & 3) == 0);
+    LIM_ASSERT(lim && scene && target && mem && (uintptr_t)mem % LIM_ALIGNOF(uint32_t) == 0);
     if (!target_is_usable(target)) return LIM_ERR_TARGET;
     if (!scene_is_usable(scene, target)) return LIM_ERR_SCENE;
     if (mem_b < asked_b(scene, target, true)) return LIM_ERR_MEMORY;
@@ -145,6 +145,7 @@ static int set_camera(struct lim *lim, const struct lim_camera *camera)
 {
     struct lim_pass *pass = &lim->pass;
 
+    LIM_ASSERT(pass->scene && camera); /* it was prepared */
     if (LIM_HAS_STATS) *lim_stats_of(pass) = (struct lim_stats){0};
     if (LIM_HAS_SPANS) lim->nearest->bands = 0;
     if (!lim_view_begin(&pass->view, pass->scene, camera)) return LIM_ERR_CAMERA;

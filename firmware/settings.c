@@ -17,7 +17,7 @@ int lim_set_antialias(struct lim *lim, void *mem, size_t mem_b)
     struct lim_smooth *smooth = lim->nearest->paint.smooth;
     const uint16_t w_px = lim->pass.target.w_px;
 
-    LIM_ASSERT(((uintptr_t)mem & 3) == 0);
+    LIM_ASSERT((uintptr_t)mem % LIM_ALIGNOF(uint32_t) == 0);
     if (!LIM_PAINTS_NEAREST_FIRST(&lim->pass.target)) return mem ? LIM_ERR_TARGET : LIM_OK;
     lim_drop_ahead(lim);
     smooth->sums = NULL;
@@ -40,7 +40,7 @@ int lim_set_delta(struct lim *lim, void *mem, size_t mem_b)
 {
     struct lim_target *target = &lim->pass.target;
 
-    LIM_ASSERT(((uintptr_t)mem & (sizeof(void *) - 1)) == 0);
+    LIM_ASSERT((uintptr_t)mem % LIM_ALIGNOF(void *) == 0);
     lim_drop_ahead(lim);
     if (*lim->delta) *target = (*lim->delta)->target;
     use_delta(lim, NULL);
@@ -97,7 +97,7 @@ int lim_movers_init(struct lim *lim, void *mem, size_t mem_b, const struct lim_m
     const struct lim_scene *scene = lim->pass.scene;
     uint8_t *at = mem;
 
-    LIM_ASSERT(mem && (uintptr_t)mem % sizeof(void *) == 0);
+    LIM_ASSERT(mem && (uintptr_t)mem % LIM_ALIGNOF(void *) == 0);
     LIM_ASSERT(limits->instances <= LIM_INSTANCES_MAX && limits->instances <= limits->entries);
     LIM_ASSERT(limits->entries <= LIM_SORTED_MAX);
     if (mem_b < lim_movers_mem_b(scene, limits)) return LIM_ERR_MEMORY;

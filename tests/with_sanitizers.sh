@@ -12,5 +12,6 @@ export ASAN_OPTIONS=detect_leaks=1 UBSAN_OPTIONS=print_stacktrace=1
 sanitized() {
     mkdir -p "$build"
     flock "$build.lock" make -s BUILD="$build" DEPS=skip \
-        OPT="-O1 -g1 -fdebug-prefix-map=$PWD=. -fsanitize=address,undefined -fno-sanitize-recover=all" "$@"
+        OPT="-O1 -g1 -fdebug-prefix-map=$PWD=. -DLIM_DEBUG_ASSERT=LIM_ASSERT -fsanitize=address,undefined \
+            -fno-sanitize-recover=all" "$@"
 }

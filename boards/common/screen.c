@@ -285,7 +285,7 @@ static struct lim_target_costs screen_costs(const struct panel *panel)
 static int screen_done(void *ctx, uint16_t y_px, uint16_t x_px, uint16_t n_px)
 {
     struct screen *screen = ctx;
-    LIM_ASSERT(y_px < screen->target.h_px && x_px <= screen->target.w_px && n_px <= screen->target.w_px - x_px);
+    LIM_DEBUG_ASSERT(y_px < screen->target.h_px && x_px <= screen->target.w_px && n_px <= screen->target.w_px - x_px);
     uint16_t x0_px, x1_px, end_px = (uint16_t)(x_px + n_px);
     screen_visible(screen, y_px, &x0_px, &x1_px);
     if (x0_px < x_px || screen->window_given) x0_px = x_px;

@@ -177,7 +177,7 @@ static inline enum outcome collect_fast(struct lim_nearest *nearest, const LIM_F
     struct lim_edge_shape shape;
     uint_fast16_t codes;
 
-    LIM_ASSERT(n <= LIM_MAX_VERTICES);
+    LIM_DEBUG_ASSERT(n <= LIM_MAX_VERTICES);
     if (!at) return SLOW_PATH;
     if (!lim_project_fast(&shape, at, n, &pass->view, pass->scene, record, &codes)) return SLOW_PATH;
     if (LIM_HAS_STATS) lim_stats_of(pass)->polygons++;

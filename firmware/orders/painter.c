@@ -138,7 +138,7 @@ static inline bool paint_fast(struct lim_painter *painter, const LIM_FLASH lim_i
     struct lim_edge_shape shape;
     uint_fast16_t codes;
 
-    LIM_ASSERT(n <= LIM_MAX_VERTICES);
+    LIM_DEBUG_ASSERT(n <= LIM_MAX_VERTICES);
     if (!lim_project_fast(&shape, at, n, &painter->pass->view, painter->pass->scene, record, &codes)) return false;
     if (LIM_HAS_STATS) lim_stats_of(painter->pass)->polygons++;
     if (!lim_view_all_outside(codes)) paint_into(painter, at, n, &shape, lim_memory_colour((uint16_t)record[1]));

@@ -30,7 +30,7 @@ static void add(struct lim_sorter *sorter, lim_index at, lim_index node, bool ey
     struct lim_sorted *entry = &sorter->list[sorter->used];
     int32_t near_qv;
 
-    LIM_ASSERT(sorter->used < sorter->size);
+    LIM_DEBUG_ASSERT(sorter->used < sorter->size);
     *entry = (struct lim_sorted){.record = at, .next = sorter->first};
     depth_bounds(sorter->pass, &sorter->pass->scene->polygons[at], &near_qv, &entry->far_qv);
     if ((LIM_HAS_LIMBS ? entry->far_qv : entry->far_qv >> rows->tele_bits) < rows->near_qv) return;

@@ -81,7 +81,7 @@ uint16_t lim_movers_list(struct lim_sorter *sorter, const struct lim_cull *open)
         if (movers->movers[i].radius_q12 < 0) continue;
         if (is_in_view(&movers->movers[i], open)) {
             const uint16_t entry = new_entry(sorter, LIM_NO_INDEX, i, LIM_NO_INDEX);
-            LIM_ASSERT(entry != LIM_NONE); /* there are as many as instances */
+            LIM_DEBUG_ASSERT(entry != LIM_NONE); /* there are as many as instances */
             if (entry != LIM_NONE) queue_add(&queue, entry);
         } else if (LIM_HAS_STATS) {
             lim_stats_of(sorter->pass)->movers.hidden++;

@@ -23,7 +23,7 @@ const LIM_FLASH struct lim_node *lim_route_node_to_enter(struct lim_route *route
         return NULL;
     }
     if (LIM_HAS_STATS) lim_stats_of(route->sorter->pass)->nodes++;
-    LIM_ASSERT(route->depth < route->scene->limits.depth);
+    LIM_DEBUG_ASSERT(route->depth < route->scene->limits.depth);
     return node;
 }
 

@@ -86,7 +86,7 @@ bool lim_project(struct lim_screen_polygon *out, struct lim_view *view, const st
     const LIM_FLASH lim_index *corners = record + LIM_POLYGON_HEAD_WORDS;
 
     out->n = (uint8_t)(record[0] & LIM_POLYGON_COUNT);
-    LIM_ASSERT(out->n <= LIM_MAX_VERTICES);
+    LIM_DEBUG_ASSERT(out->n <= LIM_MAX_VERTICES);
     lim_set_antialiased(out, lim_is_antialiased(view));
     const uint_fast16_t codes = lim_project_corners(out->at, out->n, view, scene, corners);
     if (LIM_HAS_STATS && stats) stats->polygons++;

@@ -123,7 +123,7 @@ struct lim_clip_polygon *lim_clip(struct lim_clip_polygon polygons[2], int32_t n
     for (uint_fast8_t number = 0; crossed && polygon->n; number++, crossed >>= 1) {
         if (!(crossed & 1)) continue;
         const struct clip_plane plane = plane_of(number, near_qv);
-        LIM_ASSERT(polygon->n < CLIP_MAX_VERTICES); /* one more may come */
+        LIM_DEBUG_ASSERT(polygon->n < CLIP_MAX_VERTICES); /* one more may come */
         other->n = (uint8_t)clip_plane(polygon->at, polygon->n, other->at, &plane);
         struct lim_clip_polygon *const clipped = other;
         other = polygon;

@@ -70,7 +70,7 @@ lim_index lim_walk_next(struct lim_walk *walk, struct lim_cull *cull, struct lim
             run = node->front_run;
             continue;
         }
-        LIM_ASSERT(depth < walk->eye.scene->limits.depth);
+        LIM_DEBUG_ASSERT(depth < walk->eye.scene->limits.depth);
         next = enter(walk, node, &walk->stack[depth++]);
     } while (run == LIM_NO_INDEX);
     walk->next = next;

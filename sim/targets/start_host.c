@@ -8,4 +8,5 @@
 void console_put(const char *text)
 {
     fputs(text, stdout);
+    fflush(stdout); /* a program that a signal ends has said it */
 }
