@@ -184,6 +184,7 @@ for core in m0plus m4; do
     tap_check "$core: it has a walk, spans and retained polygons" links $core rooms '^lim_(walk_next|span_close|retain)$'
     tap_check "$core: and neither painter nor convex code, nor portals" links_no $core rooms 'painter|convex|portal'
     tap_check "$core: nor anything for transparent polygons" links_no $core rooms 'blend|layer|alpha'
+    tap_check "$core: nor for cameras that look at a target" links_no $core rooms 'look_at|orbit|atan2'
     tap_check "$core: nor for wireframe" links_no $core rooms 'wire|hidden|edge_column'
     tap_check "$core: nor for antialiased edges" links_no $core rooms 'smooth|sample|strip|mask|antialias'
     tap_check "$core: the renderer of the smooth rooms builds" built $core smooth

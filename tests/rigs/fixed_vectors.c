@@ -268,6 +268,21 @@ static int64_t random_sine(uint32_t *random)
     return lim_sin_q30(random_u32(random));
 }
 
+/* A camera that looks at a point, and one that is put around it. */
+static int64_t random_aim(uint32_t *random)
+{
+    struct lim_camera looking = {.yaw = 0}, orbiting;
+    int32_t eye_q8[3], target_q8[3];
+
+    for (uint8_t i = 0; i < 3; i++) {
+        eye_q8[i] = (int32_t)random_length_u32(random);
+        target_q8[i] = (int32_t)random_u32(random);
+    }
+    lim_look_at(&looking, eye_q8, target_q8);
+    lim_orbit(&orbiting, target_q8, eye_q8[0], looking.yaw, looking.pitch);
+    return (int64_t)looking.pitch * 4096 + looking.yaw + (orbiting.eye_q8[0] ^ orbiting.eye_q8[1] ^ orbiting.eye_q8[2]);
+}
+
 /* A camera anywhere in the cube, a vertex anywhere: transformed, and projected where it may be. */
 static int64_t random_vertex(uint32_t *random)
 {
@@ -373,6 +388,7 @@ int fixed_vectors_run(void (*put)(const char *line))
     series(&report, "lerp_q31", random_lerp);
     series(&report, "mul_high_s32", random_product);
     series(&report, "lim_sin_q30", random_sine);
+    series(&report, "aim", random_aim);
     series(&report, "vertex", random_vertex);
     series(&report, "edges", random_edges);
     return report.failed;
