@@ -13,6 +13,9 @@ LIM_C_BEGIN
 #define LIM_TAN_MAX_Q28 (UINT32_C(1) << 30) /* 4: half an angle of 152 degrees */
 #define LIM_NEAR_MAX_Q8 (INT32_C(1) << 24)
 
+/* A constant number of units, with 8 fraction bits, rounded to nearest. */
+#define LIM_UNITS_Q8(units) ((int32_t)((units) < 0 ? (units)*256.0 - 0.5 : (units)*256.0 + 0.5))
+
 /* A full turn is 2^32. Yaw 0 looks along -z, a quarter turn along -x: counter-clockwise from above;
  * pitch raises the view; roll turns the picture counter-clockwise. Nothing is accumulated: a stored
  * angle cannot drift. */

@@ -24,11 +24,13 @@
 #define LIM_C_END }
 #define LIM_STATIC_ASSERT(condition, text) static_assert(condition, text)
 #define LIM_ALIGNOF(type) alignof(type)
+#define LIM_ALIGNAS(size_b) alignas(size_b)
 #else
 #define LIM_C_BEGIN
 #define LIM_C_END
 #define LIM_STATIC_ASSERT(condition, text) _Static_assert(condition, text)
 #define LIM_ALIGNOF(type) _Alignof(type)
+#define LIM_ALIGNAS(size_b) _Alignas(size_b)
 #endif
 
 /* Precision profiles; profile.h turns the choice into formats. */

@@ -2,10 +2,12 @@
  *
  * Limner: solid 3D scenes on small displays, in fixed point, without allocation.
  *
- *     struct lim lim;
+ *     static struct lim lim;
  *     static uint32_t mem[HALL_SCENE_MEM_B(240) / 4];
  *     int err = lim_init(&lim, &hall_scene, &target, mem, sizeof mem);
  *     if (!err) err = lim_frame(&lim, &camera);
+ *
+ * A shorter way for displays that take pixels from a function: begin.h.
  *
  * The caller owns all memory. Three kinds of trouble are never mixed: a caller's bug asserts
  * (LIM_ASSERT); bad data or hardware returns a negative code; a pool that is too small makes the
@@ -15,6 +17,7 @@
 
 #include "agree.h"
 #include "angle.h"
+#include "begin.h"
 #include "camera.h"
 #include "config.h"
 #include "errors.h"

@@ -4,8 +4,11 @@
  * C++. config.h reads the first part through LIM_CONFIG, before any type is known. Whoever includes NAME.h has the
  * configuration, the renderer and the declarations in this order. */
 #include "base/c_name.h"
+#include "scene/moving.h"
 #include "scene/needs.h"
 #include "scene/scene_files.h"
+
+#include <string.h>
 
 /* What the three orders that leave gaps need. */
 static void write_spans_memory(FILE *file, const struct compiled *scene, const struct lim_limits *limits)
@@ -44,12 +47,76 @@ static void write_memory(FILE *file, const struct compiled *scene, const struct 
                 macro, (unsigned)scene->report.delta_runs);
 }
 
+/* A number with all its digits, which C never takes for an integer: on AVR those have 16 bits. */
+static void write_number(FILE *file, const char *macro, const char *suffix, double number)
+{
+    char digits[40];
+    snprintf(digits, sizeof digits, "%.17g", number);
+    fprintf(file, "#define %s_%s %s%s\n", macro, suffix, digits, strpbrk(digits, ".e") ? "" : ".0");
+}
+
+/* Places and lengths of the model's world: the compiler has both numbers, so none of it is left for the processor. */
+static void write_metres(FILE *file, const struct compiled *scene, const char *macro)
+{
+    static const char *const origins[] = {"ORIGIN_X_M", "ORIGIN_Y_M", "ORIGIN_Z_M"};
+    write_number(file, macro, "UNITS_PER_M", scene->grid.units_per_m);
+    for (int i = 0; i < 3; i++)
+        write_number(file, macro, origins[i], scene->grid.origin_m[i]);
+    fprintf(
+        file,
+        "/* Of metres that are constants, units with 8 fraction bits: of a length, of a place, and of a point, which\n"
+        " * initialises int32_t[3]. */\n"
+        "#define %s_M_Q8(metres) LIM_UNITS_Q8((metres)*%s_UNITS_PER_M)\n",
+        macro, macro);
+    for (int i = 0; i < 3; i++)
+        fprintf(file, "#define %s_%c_Q8(metres) LIM_UNITS_Q8(((metres) - (%s_ORIGIN_%c_M)) * %s_UNITS_PER_M)\n", macro,
+                "XYZ"[i], macro, "XYZ"[i], macro);
+    fprintf(file, "#define %s_POINT_Q8(x_m, y_m, z_m) {%s_X_Q8(x_m), %s_Y_Q8(y_m), %s_Z_Q8(z_m)}\n", macro, macro,
+            macro, macro);
+}
+
 /* What the target must be able to lend at any time. */
 static void write_lines(FILE *file, const struct compiled *scene, const char *macro)
 {
     const bool all = scene->report.draws == LIM_PAINTER || scene->report.framebuffer;
 
     fprintf(file, "#define %s_SCENE_LINES(h_px) %s\n", macro, all ? "(h_px)" : "1");
+}
+
+/* For lim_begin(): begin.h. */
+static void write_block(FILE *file, const struct c_name *name, bool has_movers)
+{
+    fprintf(file,
+            "\n/* `%s_MEMORY(240, 240);` declares %s_memory, all that a display of so many pixels takes: begin.h. */\n"
+            "#define %s_MEMORY(w_px, h_px) \\\n    LIM_MEMORY(%s_memory, w_px, h_px, %s_SCENE_MEM_B(h_px), ",
+            name->macro, name->symbol, name->macro, name->symbol, name->macro);
+    fprintf(file, has_movers ? "%s_MOVERS_MEM_B" : "0", name->macro);
+    fprintf(file, ", %s_SCENE_LINES(h_px))\n", name->macro);
+}
+
+/* Ties a scene to its method, its memory and what moves in it. */
+static void write_begin(FILE *file, const struct named_scene *named, const struct c_name *name)
+{
+    const bool has_movers = named->moving != NULL, has_light = has_movers && named->moving->light.on;
+
+    fprintf(
+        file,
+        "\n/* Prepares memory.lim to draw it on a display that send() sends to. 0, or what lim_init() returns. */\n"
+        "LIM_MUST_CHECK static inline int %s_begin(const struct lim_memory *memory, lim_send *send, void *ctx)\n{\n",
+        name->symbol);
+    if (!has_movers) {
+        fprintf(file, "    return lim_begin(memory, &%s_scene, %s_SCENE_METHOD, send, ctx);\n}\n", name->symbol,
+                name->macro);
+        return;
+    }
+    fprintf(file, "    const struct lim_movers_limits limits = %s_MOVERS_LIMITS;\n", name->macro);
+    if (has_light) fprintf(file, "    const struct lim_light light = %s_LIGHT;\n", name->macro);
+    fprintf(file,
+            "    int err = lim_begin(memory, &%s_scene, %s_SCENE_METHOD, send, ctx);\n"
+            "    if (!err) err = lim_movers_init(memory->lim, memory->movers, memory->movers_b, &limits);\n",
+            name->symbol, name->macro);
+    if (has_light) fputs("    if (!err) lim_light_set(memory->lim, &light);\n", file);
+    fputs("    return err;\n}\n", file);
 }
 
 static void write_scene(FILE *file, const struct named_scene *named, const struct needs *needs,
@@ -59,29 +126,53 @@ static void write_scene(FILE *file, const struct named_scene *named, const struc
     const char *macro = name->macro;
     fprintf(file, "\n/* %s: %u polygons%s. unit = (metre - origin) * units per metre */\n", name->file,
             (unsigned)scene->scene.polygon_count, scene->report.convex ? ", one convex solid" : "");
-    fprintf(file, "#define %s_UNITS_PER_M %.17g\n", macro, scene->grid.units_per_m);
-    for (int i = 0; i < 3; i++)
-        fprintf(file, "#define %s_ORIGIN_%c_M %.17g\n", macro, "XYZ"[i], scene -> grid.origin_m[i]);
+    write_metres(file, scene, macro);
     write_memory(file, scene, needs, macro);
     write_lines(file, scene, macro);
     fprintf(file, "\nextern const struct lim_scene %s_scene LIM_AGREES(%s_scene);\n", name->symbol, name->symbol);
     if (named->moving) c_movers_declare(file, named, name);
+    write_block(file, name, named->moving != NULL);
+    write_begin(file, named, name);
 }
 
-/* One after the other is shown in one block of memory: the greatest of all. */
-static bool write_shared_memory(FILE *file, const struct named_scene *scenes, size_t count, const char *macro,
-                                struct error *err)
+/* The greatest of what the scenes have for `what`; what moves only some have. */
+static bool write_greatest(FILE *file, const struct named_scene *scenes, size_t count, const char *macro,
+                           const char *what, bool moving_only, struct error *err)
 {
-    fputs("\n/* Enough for any of the scenes. */\n", file);
-    fprintf(file, "#define %s_LARGER_B(a, b) ((a) > (b) ? (a) : (b))\n#define %s_SCENE_MEM_B(h_px) ", macro, macro);
-    for (size_t i = 0; i + 1 < count; i++)
-        fprintf(file, "%s_LARGER_B(", macro);
-    for (size_t i = 0; i < count; i++) {
+    size_t left = 0;
+    for (size_t i = 0; i < count; i++)
+        left += !moving_only || scenes[i].moving;
+    for (size_t i = 1; i < left; i++)
+        fprintf(file, "%s_LARGER(", macro);
+    for (size_t i = 0, at = 0; i < count; i++) {
         struct c_name name;
         if (!c_name_init(&name, scenes[i].name, err)) return false;
-        fprintf(file, "%s%s_SCENE_MEM_B(h_px)%s", i ? ", " : "", name.macro, i ? ")" : "");
+        if (moving_only && !scenes[i].moving) continue;
+        fprintf(file, "%s%s_%s%s", at ? ", " : "", name.macro, what, at ? ")" : "");
+        at++;
     }
     fputs("\n", file);
+    return true;
+}
+
+/* One after the other is shown in one block of memory. */
+static bool write_shared_memory(FILE *file, const struct named_scene *scenes, size_t count, const struct c_name *header,
+                                struct error *err)
+{
+    const char *macro = header->macro;
+    bool has_movers = false;
+    for (size_t i = 0; i < count; i++)
+        has_movers |= scenes[i].moving != NULL;
+    fputs("\n/* Enough for any of the scenes. */\n", file);
+    fprintf(file, "#define %s_LARGER(a, b) ((a) > (b) ? (a) : (b))\n#define %s_SCENE_MEM_B(h_px) ", macro, macro);
+    if (!write_greatest(file, scenes, count, macro, "SCENE_MEM_B(h_px)", false, err)) return false;
+    fprintf(file, "#define %s_SCENE_LINES(h_px) ", macro);
+    if (!write_greatest(file, scenes, count, macro, "SCENE_LINES(h_px)", false, err)) return false;
+    if (has_movers) {
+        fprintf(file, "#define %s_MOVERS_MEM_B ", macro);
+        if (!write_greatest(file, scenes, count, macro, "MOVERS_MEM_B", true, err)) return false;
+    }
+    write_block(file, header, has_movers);
     return true;
 }
 
@@ -138,7 +229,7 @@ static bool write_header(FILE *file, const struct named_scene *scenes, size_t co
         if (!c_name_init(&scene_name, scenes[i].name, err)) return false;
         write_scene(file, &scenes[i], &needs, &scene_name);
     }
-    if (count > 1 && !write_shared_memory(file, scenes, count, name.macro, err)) return false;
+    if (count > 1 && !write_shared_memory(file, scenes, count, &name, err)) return false;
     end_declarations(file);
     return true;
 }

@@ -5,24 +5,28 @@
 . tests/tap.sh
 . tests/example/example.sh
 
-# README shows what is compiled here, in at most 30 lines of C.
+# README shows what is compiled here, in at most 20 lines of C, which are C++ as well.
 readme_shows_it() {
     sed -n '/^```c$/,/^```$/p' README.md | sed '1d; $d' >"$work/shown.c"
-    sed '/SPDX-License-Identifier/d' tests/example/main.c | diff "$work/shown.c" - && [ "$(grep -c . "$work/shown.c")" -le 30 ]
+    sed '/SPDX-License-Identifier/d' tests/example/main.c | diff "$work/shown.c" - && [ "$(grep -c . "$work/shown.c")" -le 20 ]
 }
 
 compile_scene() {
     "$BUILD/limner" compile sim/scenes/teapot.obj -o "$work/teapot"
 }
 
+standard=c11 # of the program's file
+
 build() { # NAME BYTES FLAG...; BYTES of memory, or what the scene asks for
     name=$1
     mem_b=$2
     shift 2
-    example_with_memory "$name" "$mem_b"
+    compiler=$CC
+    case $standard in c++*) compiler=$(example_cplusplus "$CC") ;; esac
+    example_with_memory "$name" "$mem_b" && example_main "$compiler" "$name" $standard "$@" || return 1
     # shellcheck disable=SC2086 # flags are words
     $CC -std=c11 -O2 $WARNINGS "$@" -DLIM_CONFIG='"teapot.h"' -Ifirmware -Itests/example -Isim/targets -I"$work" -o "$work/$name" \
-        "$work/$name.c" tests/example/display_hash.c sim/targets/start_host.c "$work/teapot.c" firmware/*.c firmware/*/*.c
+        "$work/$name.o" tests/example/display_hash.c sim/targets/start_host.c "$work/teapot.c" firmware/*.c firmware/*/*.c
 }
 
 # Three frames; neither nothing nor everything is painted.
@@ -42,12 +46,29 @@ refuses() { # NAME BYTES FLAG...
     [ $? -eq 1 ] && [ ! -s "$work/$1.txt" ]
 }
 
-tap_check "the program in README is the one that is tested, of 30 lines at most" readme_shows_it
+in_cplusplus() { # STANDARD NAME
+    standard=$1
+    same_frames "$2" all -DLIM_MAX_SIDE_PX=240
+}
+
+# A user's file reads little of the project.
+headers_read() { # MOST
+    "$CC" -std=c11 -M -Ifirmware -Itests/example -I"$work" "$work/narrow.c" | tr -s ' \\\n' '\n' | grep -E "^(firmware|$work)/.*\.h$" |
+        sort -u >"$work/headers"
+    echo "$(wc -l <"$work/headers") headers:"
+    cat "$work/headers"
+    [ "$(wc -l <"$work/headers")" -le "$1" ]
+}
+
+tap_check "the program in README is the one that is tested, of 20 lines at most" readme_shows_it
 tap_check "the teapot compiles to C" compile_scene
 tap_check "the example shows it on a display of 240 pixels" shows_a_teapot narrow all -DLIM_MAX_SIDE_PX=240
 tap_check "a build for 1024 pixels draws the same frames" same_frames wide all -DLIM_MAX_SIDE_PX=1024
 tap_check "so does one without counters and painter" same_frames bare all -DLIM_MAX_SIDE_PX=240 -DLIM_HAS_STATS=0 \
     -DLIM_HAS_PAINTER=0
 tap_check "so does one with 8 KB of memory" same_frames small 8192 -DLIM_MAX_SIDE_PX=240
+for other in c++11 c++20; do
+    tap_check "the same file in $other draws the same frames" in_cplusplus $other $other
+done
 tap_check "2 KB of memory are refused" refuses smaller 2048 -DLIM_MAX_SIDE_PX=240
 tap_done

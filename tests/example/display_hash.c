@@ -32,11 +32,11 @@ static void put_frame(void)
     console_put("\n");
 }
 
-int display_line(uint16_t y_px, uint16_t x_px, const uint16_t *pixels, uint16_t n_px)
+int display_send(void *ctx, uint16_t y_px, const uint16_t *pixels, uint16_t x_px, uint16_t n_px)
 {
     const unsigned char *bytes = (const unsigned char *)pixels;
 
-    if (frame_px != (uint32_t)y_px * DISPLAY_W_PX + x_px || x_px + n_px > DISPLAY_W_PX) return -1;
+    if (ctx || frame_px != (uint32_t)y_px * DISPLAY_W_PX + x_px || x_px + n_px > DISPLAY_W_PX) return -1;
     for (uint32_t i = 0; i < 2u * n_px; i++)
         hash = (hash ^ bytes[i]) * FNV_PRIME;
     for (uint16_t i = 0; i < n_px; i++)

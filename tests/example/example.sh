@@ -8,8 +8,33 @@ example_with_memory() { # NAME BYTES
     case $2 in
     all) cp tests/example/main.c "$work/$1.c" ;;
     *)
-        sed "s/TEAPOT_SCENE_MEM_B(240)/$2/" tests/example/main.c >"$work/$1.c"
+        sed "s/^TEAPOT_MEMORY(240, 240);/LIM_MEMORY(teapot_memory, 240, 240, $2, 0, 1);/" tests/example/main.c >"$work/$1.c"
         ! cmp -s tests/example/main.c "$work/$1.c"
         ;;
+    esac
+}
+
+# example_main COMPILER NAME STANDARD FLAG...: $work/NAME.o of $work/NAME.c, in C or, as STANDARD says, in C++.
+example_main() {
+    main_compiler=$1 main_name=$2 main_standard=$3
+    shift 3
+    case $main_standard in
+    c++*)
+        "$main_compiler" -x c++ "-std=$main_standard" -O2 -Wall -Wextra -pedantic -Werror -fno-exceptions -Ifirmware -Itests/example -I"$work" "$@" \
+            -c -o "$work/$main_name.o" "$work/$main_name.c"
+        ;;
+    *)
+        # shellcheck disable=SC2086 # flags are words
+        "$main_compiler" "-std=$main_standard" -O2 $WARNINGS -Ifirmware -Itests/example -I"$work" "$@" \
+            -c -o "$work/$main_name.o" "$work/$main_name.c"
+        ;;
+    esac
+}
+
+# The C++ compiler that belongs to one of C.
+example_cplusplus() { # COMPILER
+    case $1 in
+    *clang*) echo "$1" | sed 's/clang/clang++/' ;;
+    *) echo "$1" | sed 's/gcc/g++/' ;;
     esac
 }
