@@ -1,22 +1,37 @@
 /* SPDX-License-Identifier: MIT
  *
- * What a build of the renderer contains. A scene's generated header states its needs and
- * limits; a build names that header in LIM_CONFIG (-DLIM_CONFIG='"hall.h"'). Whatever the
- * header leaves open gets the host's generous value here, so every flag is always defined.
- * All files of a program have the same values; agree.h sees to it. */
-#ifndef LIM_CONFIG_H
+ * What a build of the renderer contains. A scene's generated header states its needs and limits. A build says which
+ * header that is:
+ *
+ * - by LIM_CONFIG, -DLIM_CONFIG='"hall.h"', for all files; or
+ * - by a file limner_config.h that includes hall.h, in a folder where the compiler looks for <headers> (-I). Settings
+ *   of its own come before (#define LIM_HAS_STATS 1). Compilers without __has_include do not find it.
+ *
+ * With neither the renderer has all features, for any scene; that works, and is large. Whatever a header leaves open
+ * gets the host's generous value here, so every flag is always defined. All files of a program have the same values;
+ * agree.h sees to it. */
+
+#if !defined(LIM_CONFIG) && defined(__has_include)
+#if __has_include(<limner_config.h>)
+#define LIM_CONFIG <limner_config.h>
+#endif
+#endif
+
+/* First it states its needs alone, also to a scene's header that comes before this one (LIM_READS_SETTINGS). Its
+ * declarations come when the types are known: limner.h includes it again. */
+#if defined(LIM_CONFIG) && !defined(LIM_SETTINGS_ARE_READ)
+#define LIM_SETTINGS_ARE_READ
+#define LIM_READS_CONFIG
+#include LIM_CONFIG
+#undef LIM_READS_CONFIG
+#endif
+
+#if !defined(LIM_CONFIG_H) && !defined(LIM_READS_SETTINGS)
 #define LIM_CONFIG_H
 
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
-
-/* Here it states its needs alone. Its declarations come when the types are known: limner.h includes it again. */
-#ifdef LIM_CONFIG
-#define LIM_READS_CONFIG
-#include LIM_CONFIG
-#undef LIM_READS_CONFIG
-#endif
 
 /* Public headers are C11 and C++11. */
 #ifdef __cplusplus

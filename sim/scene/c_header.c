@@ -189,11 +189,15 @@ static struct needs needs_of_all(const struct named_scene *scenes, size_t count)
 static void write_configuration(FILE *file, const struct needs *needs, size_t count, const struct c_name *header)
 {
     fprintf(file, "/* %s for Limner, written by `limner compile`.\n", count > 1 ? "Scenes" : "A scene");
-    fprintf(
-        file,
-        " * Build the renderer with -DLIM_CONFIG='\"%s.h\"' to fit it to %s. Files that include this one need no such\n"
-        " * flag. */\n",
-        header->file, count > 1 ? "them" : "it");
+    fprintf(file,
+            " * Build the renderer with -DLIM_CONFIG='\"%s.h\"' to fit it to %s, or include this file in a "
+            "limner_config.h\n"
+            " * that the compiler finds: firmware/config.h. Files that include this one need no such flag. */\n",
+            header->file, count > 1 ? "them" : "it");
+    /* What the build has to say comes first. */
+    fputs("#ifndef LIM_READS_CONFIG\n#define LIM_READS_SETTINGS\n#include \"config.h\"\n#undef "
+          "LIM_READS_SETTINGS\n#endif\n\n",
+          file);
     fprintf(file, "#ifndef %s_SCENE_NEEDS\n#define %s_SCENE_NEEDS\n\n", header->macro, header->macro);
     needs_write(needs, file);
     fputs("\n#endif\n", file);
