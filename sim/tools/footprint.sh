@@ -69,9 +69,9 @@ footprint_ram() {
 # is the target of all stages.
 footprint_stack() {
     footprint_at_target='paint.c flat.c painter.c framebuffer.h convex.c smooth.c'
-    footprint_outside="$footprint_at_target span.h" footprint_more=
+    footprint_outside="$footprint_at_target begin.c span.h" footprint_more=
     if grep -q delta_done "$2/$1/delta.ci"; then
-        footprint_outside='delta.c span.h'
+        footprint_outside='delta.c begin.c span.h'
         for footprint_stage in $footprint_at_target; do
             footprint_more="$footprint_more $footprint_stage=delta_done $footprint_stage=delta_lend"
         done
