@@ -48,6 +48,15 @@ static void *hidden(void *pointer)
     return pointer;
 }
 
+/* A sender without a function. */
+static int send_nowhere(void)
+{
+    struct lim_sender sender = {NULL, NULL, (uint16_t *)(void *)line, sizeof line, 0};
+    struct lim_target to;
+
+    return lim_sender_target(hidden(&sender), W_PX, H_PX, LIM_NEAREST_FIRST, &to);
+}
+
 static int draw(void)
 {
     struct lim *const it = hidden(BUG == 1 ? NULL : &lim);
@@ -57,6 +66,7 @@ static int draw(void)
     const struct lim_camera *const from = hidden(BUG == 6 ? NULL : (void *)&camera);
     void *const pools = BUG == 4 ? NULL : mem.bytes + (BUG == 5 ? 2 : BUG == 11);
 
+    if (BUG == 13) return send_nowhere();
     if (BUG == 12) shallow.limits.depth = 2;
     if (BUG != 7) {
         const int err = lim_init(it, scene, to, hidden(pools), sizeof mem - 2);
