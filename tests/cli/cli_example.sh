@@ -51,15 +51,6 @@ in_cplusplus() { # STANDARD NAME
     same_frames "$2" all -DLIM_MAX_SIDE_PX=240
 }
 
-# A user's file reads little of the project.
-headers_read() { # MOST
-    "$CC" -std=c11 -M -Ifirmware -Itests/example -I"$work" "$work/narrow.c" | tr -s ' \\\n' '\n' | grep -E "^(firmware|$work)/.*\.h$" |
-        sort -u >"$work/headers"
-    echo "$(wc -l <"$work/headers") headers:"
-    cat "$work/headers"
-    [ "$(wc -l <"$work/headers")" -le "$1" ]
-}
-
 tap_check "the program in README is the one that is tested, of 20 lines at most" readme_shows_it
 tap_check "the teapot compiles to C" compile_scene
 tap_check "the example shows it on a display of 240 pixels" shows_a_teapot narrow all -DLIM_MAX_SIDE_PX=240
