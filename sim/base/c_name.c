@@ -6,14 +6,21 @@
 #include <ctype.h>
 #include <stdio.h>
 #include <string.h>
+#include <strings.h>
+
+/* Whether C takes the name as it is, and it is none that the renderer has: those begin with lim_. */
+static bool stands_alone(const char *file)
+{
+    if (!isalpha((unsigned char)file[0])) return false;
+    return strncasecmp(file, "lim", 3) != 0 || isalnum((unsigned char)file[3]);
+}
 
 bool c_name_init(struct c_name *name, const char *path, struct error *err)
 {
     const char *slash = strrchr(path, '/');
     name->file = slash ? slash + 1 : path;
     if (!*name->file) return error_set(err, "-o '%s': names a folder, not a scene", path);
-    bool has_letter = isalpha((unsigned char)name->file[0]) != 0;
-    int printed = snprintf(name->symbol, C_NAME_MAX_B, "%s%s", has_letter ? "" : "scene_", name->file);
+    int printed = snprintf(name->symbol, C_NAME_MAX_B, "%s%s", stands_alone(name->file) ? "" : "scene_", name->file);
     if (printed >= C_NAME_MAX_B) return error_set(err, "-o '%s': the name is too long for C symbols", path);
     for (size_t i = 0; i <= strlen(name->symbol); i++) {
         unsigned char letter = (unsigned char)name->symbol[i];

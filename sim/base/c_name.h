@@ -14,8 +14,9 @@ struct c_name {
     char macro[C_NAME_MAX_B];  /* "HALL" */
 };
 
-/* `path` is without suffix and outlives *name. Every character that C does not allow becomes '_', and
- * a letter comes first. Refuses a folder, and what is too long. */
+/* `path` is without suffix and outlives *name. Every character that C does not allow becomes '_';
+ * "scene_" comes before a name without a letter in front, and before one that begins with lim_ as the renderer's do.
+ * Refuses a folder, and what is too long. */
 bool c_name_init(struct c_name *name, const char *path, struct error *err);
 
 /* PATH and a suffix; refuses what is too long. */

@@ -144,6 +144,18 @@ static void any_file_name_makes_a_symbol(void **state)
     (void)state;
     struct compiled scene = compile_boxes(1, 0.0, 0.5);
     assert_round_trip(&scene, "2nd-floor.v1", "scene_2nd_floor_v1_scene");
+    assert_round_trip(&scene, "limbo", "limbo_scene");
+    compiled_free(&scene);
+}
+
+/* lim_frame_begin() is the renderer's, and so is LIM_MEMORY. */
+static void names_of_the_renderer_are_not_taken(void **state)
+{
+    (void)state;
+    struct compiled scene = compile_boxes(1, 0.0, 0.5);
+    assert_round_trip(&scene, "lim", "scene_lim_scene");
+    assert_round_trip(&scene, "lim-frame", "scene_lim_frame_scene");
+    assert_round_trip(&scene, "LIM", "scene_LIM_scene");
     compiled_free(&scene);
 }
 
@@ -166,9 +178,9 @@ static void names_that_cannot_be_are_refused(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a_scene_survives_as_c_source),     cmocka_unit_test(exact_planes_survive_too),
-        cmocka_unit_test(empty_arrays_are_left_out),        cmocka_unit_test(any_file_name_makes_a_symbol),
-        cmocka_unit_test(names_that_cannot_be_are_refused),
+        cmocka_unit_test(a_scene_survives_as_c_source),        cmocka_unit_test(exact_planes_survive_too),
+        cmocka_unit_test(empty_arrays_are_left_out),           cmocka_unit_test(any_file_name_makes_a_symbol),
+        cmocka_unit_test(names_of_the_renderer_are_not_taken), cmocka_unit_test(names_that_cannot_be_are_refused),
     };
     return cmocka_run_group_tests(tests, setup, teardown);
 }
