@@ -7,8 +7,9 @@
  *     err = hall_begin(&hall_memory, send, NULL);
  *     if (!err) err = lim_frame(hall_memory.lim, &camera);
  *
- * Who wants a line to be painted while another one is on its way, or sends what changes alone, makes a struct
- * lim_target instead (target.h). */
+ * lim_set_wireframe() and lim_set_antialias() come after hall_begin(), as after lim_init(). Who wants a line to be
+ * painted while another one is on its way, or to send what changes alone (lim_set_delta() asks for windows), makes a
+ * struct lim_target instead (target.h). */
 #ifndef LIM_BEGIN_H
 #define LIM_BEGIN_H
 

@@ -10,23 +10,12 @@ compile_scene() {
     "$BUILD/limner" compile sim/scenes/teapot.obj -o "$work/teapot" >"$work/report"
 }
 
-link_example() { # CORE BYTES [STANDARD]; BYTES of memory, or what the scene asks for
-    compiler=$(target_compiler "$1") standard=${3:-c11}
-    case $standard in c++*) compiler=$(example_cplusplus "$compiler") ;; esac
-    # shellcheck disable=SC2046 # flags are words
-    example_with_memory "$1" "$2" &&
-        example_main "$compiler" "$1" "$standard" $(target_flags "$1" | sed 's/-std=[^ ]*//') -ffreestanding -DLIM_MAX_SIDE_PX=240 || return 1
-    target_link "$1" "$work/$1" -DLIM_CONFIG='"teapot.h"' -DLIM_MAX_SIDE_PX=240 -Itests/example -I"$work" \
-        "$work/$1.o" tests/example/display_hash.c "$work/teapot.c" \
-        firmware/*.c firmware/*/*.c
-}
-
 run_on_host() {
-    link_example host all && target_run host "$work/host" >"$work/host.txt" && [ "$(wc -l <"$work/host.txt")" -eq 3 ]
+    example_link host all && target_run host "$work/host" >"$work/host.txt" && [ "$(wc -l <"$work/host.txt")" -eq 3 ]
 }
 
 run_on_arm() { # CORE BYTES [STANDARD]
-    link_example "$@" || return 1
+    example_link "$@" || return 1
     target_run "$1" "$work/$1" >"$work/$1.txt" || {
         tail -n 3 "$work/$1.txt"
         return 1

@@ -15,15 +15,11 @@ compile_scene() {
     "$BUILD/limner" compile sim/scenes/teapot.obj -o "$work/teapot"
 }
 
-standard=c11 # of the program's file
-
 build() { # NAME BYTES FLAG...; BYTES of memory, or what the scene asks for
     name=$1
     mem_b=$2
     shift 2
-    compiler=$CC
-    case $standard in c++*) compiler=$(example_cplusplus "$CC") ;; esac
-    example_with_memory "$name" "$mem_b" && example_main "$compiler" "$name" $standard "$@" || return 1
+    example_with_memory "$name" "$mem_b" && example_main "$CC" "$name" c11 "$@" || return 1
     # shellcheck disable=SC2086 # flags are words
     $CC -std=c11 -O2 $WARNINGS "$@" -DLIM_CONFIG='"teapot.h"' -Ifirmware -Itests/example -Isim/targets -I"$work" -o "$work/$name" \
         "$work/$name.o" tests/example/display_hash.c sim/targets/start_host.c "$work/teapot.c" firmware/*.c firmware/*/*.c
@@ -46,11 +42,6 @@ refuses() { # NAME BYTES FLAG...
     [ $? -eq 1 ] && [ ! -s "$work/$1.txt" ]
 }
 
-in_cplusplus() { # STANDARD NAME
-    standard=$1
-    same_frames "$2" all -DLIM_MAX_SIDE_PX=240
-}
-
 tap_check "the program in README is the one that is tested, of 20 lines at most" readme_shows_it
 tap_check "the teapot compiles to C" compile_scene
 tap_check "the example shows it on a display of 240 pixels" shows_a_teapot narrow all -DLIM_MAX_SIDE_PX=240
@@ -58,8 +49,5 @@ tap_check "a build for 1024 pixels draws the same frames" same_frames wide all -
 tap_check "so does one without counters and painter" same_frames bare all -DLIM_MAX_SIDE_PX=240 -DLIM_HAS_STATS=0 \
     -DLIM_HAS_PAINTER=0
 tap_check "so does one with 8 KB of memory" same_frames small 8192 -DLIM_MAX_SIDE_PX=240
-for other in c++11 c++20; do
-    tap_check "the same file in $other draws the same frames" in_cplusplus $other $other
-done
 tap_check "2 KB of memory are refused" refuses smaller 2048 -DLIM_MAX_SIDE_PX=240
 tap_done

@@ -38,3 +38,17 @@ example_cplusplus() { # COMPILER
     *) echo "$1" | sed 's/gcc/g++/' ;;
     esac
 }
+
+# example_link CORE BYTES [STANDARD]: $work/CORE, an image with so much memory, or what the scene asks for; for scripts that
+# have sourced sim/targets/targets.sh.
+example_link() {
+    compiler=$(target_compiler "$1") standard=${3:-c11} freestanding=-ffreestanding
+    [ "$1" != host ] || freestanding=
+    case $standard in c++*) compiler=$(example_cplusplus "$compiler") ;; esac
+    # shellcheck disable=SC2046 # flags are words
+    example_with_memory "$1" "$2" &&
+        example_main "$compiler" "$1" "$standard" $(target_flags "$1" | sed 's/-std=[^ ]*//') $freestanding -DLIM_MAX_SIDE_PX=240 || return 1
+    target_link "$1" "$work/$1" -DLIM_CONFIG='"teapot.h"' -DLIM_MAX_SIDE_PX=240 -Itests/example -I"$work" \
+        "$work/$1.o" tests/example/display_hash.c "$work/teapot.c" \
+        firmware/*.c
+}
