@@ -26,7 +26,7 @@ static double between(uint32_t angle, long double radians)
 /* Numbers of every length and sign, and often 0. */
 static int32_t any_length(struct random *random)
 {
-    const uint32_t size = (uint32_t)(random_u64(random) >> 32) >> random_in(random, 0, 32);
+    const uint32_t size = (uint32_t)(random_u64(random) >> 32 >> random_in(random, 0, 32));
 
     return random_u64(random) & 1 ? (int32_t)size : (int32_t)(0u - size);
 }
