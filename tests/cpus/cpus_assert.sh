@@ -27,7 +27,7 @@ ran_with() { # CORE BUG FLAG...
 renderer_of() { # CORE FLAG...
     core=$1
     shift
-    for source in "$work/model.c" firmware/*.c; do
+    for source in "$work/model.c" firmware/*.c firmware/*/*.c; do
         target_compile "$core" "$work/$core/$(basename "$source" .c).o" "$source" -ffreestanding -I"$work" \
             -DLIM_CONFIG='"model.h"' "$@" || return 1
     done

@@ -30,7 +30,7 @@ draws() { # CORE STANDARD FLAG...: what was prepared
     cp tests/targets/begin.c "$work/begin.c"
     # shellcheck disable=SC2046 # flags are words
     example_main "$compiler" begin "$standard" $(target_flags "$core" | sed 's/-std=[^ ]*//') $freestanding -Isim/targets "$@" &&
-        target_link "$core" "$work/image" -I"$work" -DLIM_CONFIG='"model.h"' "$work/begin.o" "$work"/model*.c firmware/*.c || return 1
+        target_link "$core" "$work/image" -I"$work" -DLIM_CONFIG='"model.h"' "$work/begin.o" "$work"/model*.c firmware/*.c firmware/*/*.c || return 1
     target_run "$core" "$work/image" >"$work/frames" || echo "exit status $?" >>"$work/frames"
     diff "$work/expected" "$work/frames"
 }

@@ -28,7 +28,7 @@ program() { # CORE STANDARD FLAG...: its main file
 link() { # CORE FLAG...: that with the renderer and the scene
     core=$1
     shift
-    target_link "$core" "$work/image" -I"$work" "$@" "$work/begin.o" "$work/model.c" firmware/*.c
+    target_link "$core" "$work/image" -I"$work" "$@" "$work/begin.o" "$work/model.c" firmware/*.c firmware/*/*.c
 }
 
 draws() { # CORE

@@ -50,5 +50,5 @@ example_link() {
         example_main "$compiler" "$1" "$standard" $(target_flags "$1" | sed 's/-std=[^ ]*//') $freestanding -DLIM_MAX_SIDE_PX=240 || return 1
     target_link "$1" "$work/$1" -DLIM_CONFIG='"teapot.h"' -DLIM_MAX_SIDE_PX=240 -Itests/example -I"$work" \
         "$work/$1.o" tests/example/display_hash.c "$work/teapot.c" \
-        firmware/*.c
+        firmware/*.c firmware/*/*.c
 }
