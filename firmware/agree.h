@@ -22,136 +22,12 @@
 #else
 #define LIM_AGREED_PROFILE ".exact_"
 #endif
-#if LIM_HAS_NEAREST
-#define LIM_AGREED_NEAREST ".nearest"
-#else
-#define LIM_AGREED_NEAREST
-#endif
-#if LIM_HAS_PAINTER
-#define LIM_AGREED_PAINTER ".painter"
-#else
-#define LIM_AGREED_PAINTER
-#endif
-#if LIM_HAS_CONVEX
-#define LIM_AGREED_CONVEX ".convex"
-#else
-#define LIM_AGREED_CONVEX
-#endif
-#if LIM_HAS_SCANLINE
-#define LIM_AGREED_SCANLINE ".scanline"
-#else
-#define LIM_AGREED_SCANLINE
-#endif
-#if LIM_HAS_DEPTH
-#define LIM_AGREED_DEPTH ".depth"
-#else
-#define LIM_AGREED_DEPTH
-#endif
-#if LIM_HAS_NEWELL
-#define LIM_AGREED_NEWELL ".newell"
-#else
-#define LIM_AGREED_NEWELL
-#endif
-#if LIM_HAS_MOVERS
-#define LIM_AGREED_MOVERS ".movers"
-#else
-#define LIM_AGREED_MOVERS
-#endif
-#if LIM_HAS_DEFORM
-#define LIM_AGREED_DEFORM ".deform"
-#else
-#define LIM_AGREED_DEFORM
-#endif
-#if LIM_HAS_LIGHT
-#define LIM_AGREED_LIGHT ".light"
-#else
-#define LIM_AGREED_LIGHT
-#endif
-#if LIM_HAS_CULL
-#define LIM_AGREED_CULL ".cull"
-#else
-#define LIM_AGREED_CULL
-#endif
-#if LIM_HAS_SLANTED
-#define LIM_AGREED_SLANTED ".slanted"
-#else
-#define LIM_AGREED_SLANTED
-#endif
-#if LIM_HAS_LARGE
-#define LIM_AGREED_LARGE ".large"
-#else
-#define LIM_AGREED_LARGE
-#endif
-#if LIM_HAS_WIDE
-#define LIM_AGREED_WIDE ".wide"
-#else
-#define LIM_AGREED_WIDE
-#endif
-#if LIM_HAS_LEAVES
-#define LIM_AGREED_LEAVES ".leaves"
-#else
-#define LIM_AGREED_LEAVES
-#endif
-#if LIM_HAS_TRANSPARENT
-#define LIM_AGREED_TRANSPARENT ".transparent"
-#else
-#define LIM_AGREED_TRANSPARENT
-#endif
-#if LIM_HAS_TEXTURE
-#define LIM_AGREED_TEXTURE ".texture"
-#else
-#define LIM_AGREED_TEXTURE
-#endif
-#if LIM_HAS_WIREFRAME
-#define LIM_AGREED_WIREFRAME ".wireframe"
-#else
-#define LIM_AGREED_WIREFRAME
-#endif
-#if LIM_HAS_ANTIALIAS
-#define LIM_AGREED_ANTIALIAS ".antialias"
-#else
-#define LIM_AGREED_ANTIALIAS
-#endif
-#if LIM_HAS_DELTA
-#define LIM_AGREED_DELTA ".delta"
-#else
-#define LIM_AGREED_DELTA
-#endif
-#if LIM_HAS_STREAM
-#define LIM_AGREED_STREAM ".stream"
-#else
-#define LIM_AGREED_STREAM
-#endif
-#if LIM_HAS_ROUND
-#define LIM_AGREED_ROUND ".round"
-#else
-#define LIM_AGREED_ROUND
-#endif
-#if LIM_HAS_FILL
-#define LIM_AGREED_FILL ".fill"
-#else
-#define LIM_AGREED_FILL
-#endif
-#if LIM_HAS_FRAMEBUFFER
-#define LIM_AGREED_FRAMEBUFFER ".framebuffer"
-#else
-#define LIM_AGREED_FRAMEBUFFER
-#endif
-#if LIM_HAS_LINES
-#define LIM_AGREED_LINES ".lines"
-#else
-#define LIM_AGREED_LINES
-#endif
-#if LIM_HAS_STATS
-#define LIM_AGREED_STATS ".stats"
-#else
-#define LIM_AGREED_STATS
-#endif
-#if LIM_HAS_PORTALS
-#define LIM_AGREED_PORTALS ".portals"
-#else
-#define LIM_AGREED_PORTALS
-#endif
+
+/* `word` where a flag, which is 0 or 1, is 1. */
+#define LIM_AGREED(flag, word) LIM_AGREED_OF(flag, word)
+#define LIM_AGREED_OF(flag, word) LIM_AGREED_##flag(word)
+#define LIM_AGREED_0(word)
+#define LIM_AGREED_1(word) word
 
 #define LIM_AGREED_TEXT(number) LIM_AGREED_QUOTE(number)
 #define LIM_AGREED_QUOTE(number) #number
@@ -162,11 +38,32 @@
     LIM_AGREED_PROFILE LIM_AGREED_TEXT(LIM_SUB_BITS) "." LIM_AGREED_TEXT(LIM_MAX_SIDE_PX) "px." LIM_AGREED_TEXT(       \
         LIM_MAX_VERTICES) "vertices." LIM_AGREED_TEXT(LIM_VIEW_CACHE_ENTRIES) "cached"
 #define LIM_AGREED_FLAGS                                                                                               \
-    LIM_AGREED_NEAREST LIM_AGREED_PAINTER LIM_AGREED_CONVEX LIM_AGREED_SCANLINE LIM_AGREED_DEPTH LIM_AGREED_NEWELL     \
-        LIM_AGREED_MOVERS LIM_AGREED_DEFORM LIM_AGREED_LIGHT LIM_AGREED_CULL LIM_AGREED_SLANTED LIM_AGREED_LARGE       \
-            LIM_AGREED_WIDE LIM_AGREED_LEAVES LIM_AGREED_TRANSPARENT LIM_AGREED_TEXTURE LIM_AGREED_WIREFRAME           \
-                LIM_AGREED_ANTIALIAS LIM_AGREED_DELTA LIM_AGREED_STREAM LIM_AGREED_ROUND LIM_AGREED_FILL               \
-                    LIM_AGREED_FRAMEBUFFER LIM_AGREED_LINES LIM_AGREED_STATS LIM_AGREED_PORTALS
+    LIM_AGREED(LIM_HAS_NEAREST, ".nearest")                                                                            \
+    LIM_AGREED(LIM_HAS_PAINTER, ".painter")                                                                            \
+    LIM_AGREED(LIM_HAS_CONVEX, ".convex")                                                                              \
+    LIM_AGREED(LIM_HAS_SCANLINE, ".scanline")                                                                          \
+    LIM_AGREED(LIM_HAS_DEPTH, ".depth")                                                                                \
+    LIM_AGREED(LIM_HAS_NEWELL, ".newell")                                                                              \
+    LIM_AGREED(LIM_HAS_MOVERS, ".movers")                                                                              \
+    LIM_AGREED(LIM_HAS_DEFORM, ".deform")                                                                              \
+    LIM_AGREED(LIM_HAS_LIGHT, ".light")                                                                                \
+    LIM_AGREED(LIM_HAS_CULL, ".cull")                                                                                  \
+    LIM_AGREED(LIM_HAS_SLANTED, ".slanted")                                                                            \
+    LIM_AGREED(LIM_HAS_LARGE, ".large")                                                                                \
+    LIM_AGREED(LIM_HAS_WIDE, ".wide")                                                                                  \
+    LIM_AGREED(LIM_HAS_LEAVES, ".leaves")                                                                              \
+    LIM_AGREED(LIM_HAS_TRANSPARENT, ".transparent")                                                                    \
+    LIM_AGREED(LIM_HAS_TEXTURE, ".texture")                                                                            \
+    LIM_AGREED(LIM_HAS_WIREFRAME, ".wireframe")                                                                        \
+    LIM_AGREED(LIM_HAS_ANTIALIAS, ".antialias")                                                                        \
+    LIM_AGREED(LIM_HAS_DELTA, ".delta")                                                                                \
+    LIM_AGREED(LIM_HAS_STREAM, ".stream")                                                                              \
+    LIM_AGREED(LIM_HAS_ROUND, ".round")                                                                                \
+    LIM_AGREED(LIM_HAS_FILL, ".fill")                                                                                  \
+    LIM_AGREED(LIM_HAS_FRAMEBUFFER, ".framebuffer")                                                                    \
+    LIM_AGREED(LIM_HAS_LINES, ".lines")                                                                                \
+    LIM_AGREED(LIM_HAS_STATS, ".stats")                                                                                \
+    LIM_AGREED(LIM_HAS_PORTALS, ".portals")
 
 /* After the declaration of a function or of a scene, before the semicolon. */
 #if defined(__GNUC__)

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
  * A target of one line, or of all of them, whose pixels are sent as soon as they are final. */
-#include "limner.h"
+#include "begin.h"
 
 static uint16_t *sender_line(const struct lim_sender *sender, uint16_t y_px)
 {
@@ -35,14 +35,4 @@ int lim_sender_target(struct lim_sender *sender, uint16_t w_px, uint16_t h_px, e
     if (is_whole) target->framebuffer = (struct lim_framebuffer){sender->lines, sender->stride_px};
 #endif
     return LIM_OK;
-}
-
-int lim_begin(const struct lim_memory *memory, const struct lim_scene *scene, enum lim_method method, lim_send *send,
-              void *ctx)
-{
-    struct lim_target target;
-
-    *memory->sender = (struct lim_sender){send, ctx, memory->lines, memory->lines_b, 0};
-    const int err = lim_sender_target(memory->sender, memory->w_px, memory->h_px, method, &target);
-    return err ? err : lim_init(memory->lim, scene, &target, memory->pools, memory->pools_b);
 }

@@ -58,6 +58,20 @@
 #define LIM_PROFILE LIM_PROFILE_FAST
 #endif
 
+/* Either of two flags or both, as a flag: 0 or 1, without an operator. */
+#define LIM_BOTH(a, b) LIM_BOTH_OF(a, b)
+#define LIM_BOTH_OF(a, b) LIM_BOTH_##a##b
+#define LIM_BOTH_00 0
+#define LIM_BOTH_01 0
+#define LIM_BOTH_10 0
+#define LIM_BOTH_11 1
+#define LIM_EITHER(a, b) LIM_EITHER_OF(a, b)
+#define LIM_EITHER_OF(a, b) LIM_EITHER_##a##b
+#define LIM_EITHER_00 0
+#define LIM_EITHER_01 1
+#define LIM_EITHER_10 1
+#define LIM_EITHER_11 1
+
 /* Features: 1 is linked, 0 is not. What a scene needs is in its header; hosts have everything.
  *
  * The order of drawing, enum lim_method: one of them at least. */
@@ -82,7 +96,7 @@
 
 /* Moving objects in the walk through a tree; hosts have them with every tree. */
 #ifndef LIM_HAS_MOVERS
-#define LIM_HAS_MOVERS (LIM_HAS_NEAREST || LIM_HAS_PAINTER)
+#define LIM_HAS_MOVERS LIM_EITHER(LIM_HAS_NEAREST, LIM_HAS_PAINTER)
 #endif
 
 /* Movers whose corners their owner changes. No compiled scene knows of them: who wants them says so. */
@@ -107,7 +121,11 @@
 #endif
 
 #ifndef LIM_HAS_WIDE
-#define LIM_HAS_WIDE (SIZE_MAX > 0xFFFF) /* more of something than 16 bits count: indices of 32 bits */
+#if SIZE_MAX > 0xFFFF
+#define LIM_HAS_WIDE 1 /* more of something than 16 bits count: indices of 32 bits */
+#else
+#define LIM_HAS_WIDE 0
+#endif
 #endif
 #ifndef LIM_HAS_LEAVES
 #define LIM_HAS_LEAVES 1 /* leaves: ordered clusters and sets without a tree */
@@ -147,13 +165,13 @@
 
 /* 1: a target may keep pixels in a format of its own, and has them filled piece by piece: lim_target.fill. */
 #ifndef LIM_HAS_FILL
-#define LIM_HAS_FILL (LIM_HAS_NEAREST || LIM_HAS_CONVEX)
+#define LIM_HAS_FILL LIM_EITHER(LIM_HAS_NEAREST, LIM_HAS_CONVEX)
 #endif
 
 /* 1: a target may have all its pixels in memory, lim_target.framebuffer: nearest first and the painter paint each
  * polygon there as it comes. */
 #ifndef LIM_HAS_FRAMEBUFFER
-#define LIM_HAS_FRAMEBUFFER (LIM_HAS_NEAREST || LIM_HAS_PAINTER)
+#define LIM_HAS_FRAMEBUFFER LIM_EITHER(LIM_HAS_NEAREST, LIM_HAS_PAINTER)
 #endif
 
 /* The depth sort compares a list of n polygons at most LIM_NEWELL_EFFORT n^2 times, and a comparison for each piece: 1
@@ -184,11 +202,11 @@
 
 /* The walk through the tree serves three orders, of which two paint lines, a sorted list of polygons two others; spans
  * serve all that paint nearest first, and a vertex beside the view is left out by all that look for what is hidden. */
-#define LIM_HAS_WALKED (LIM_HAS_NEAREST || LIM_HAS_SCANLINE)
-#define LIM_HAS_TREE (LIM_HAS_WALKED || LIM_HAS_PAINTER)
-#define LIM_HAS_SORTED (LIM_HAS_DEPTH || LIM_HAS_NEWELL)
+#define LIM_HAS_WALKED LIM_EITHER(LIM_HAS_NEAREST, LIM_HAS_SCANLINE)
+#define LIM_HAS_TREE LIM_EITHER(LIM_HAS_WALKED, LIM_HAS_PAINTER)
+#define LIM_HAS_SORTED LIM_EITHER(LIM_HAS_DEPTH, LIM_HAS_NEWELL)
 #define LIM_HAS_PIECES (LIM_HAS_NEWELL || LIM_HAS_MOVERS) /* polygons are compared, and split */
-#define LIM_HAS_SPANS (LIM_HAS_WALKED || LIM_HAS_SORTED)
+#define LIM_HAS_SPANS LIM_EITHER(LIM_HAS_WALKED, LIM_HAS_SORTED)
 #define LIM_HAS_HIDDEN (LIM_HAS_TREE || LIM_HAS_SORTED)
 
 /* Whether there is nothing that flat.c cannot paint: then pieces of lines are of interest to targets alone that keep
@@ -209,7 +227,7 @@
 
 /* Portals say which boxes can be seen from where: what walks no tree, or tests no boxes, has no use for them. */
 #ifndef LIM_HAS_PORTALS
-#define LIM_HAS_PORTALS (LIM_HAS_TREE && LIM_HAS_CULL)
+#define LIM_HAS_PORTALS LIM_BOTH(LIM_HAS_TREE, LIM_HAS_CULL)
 #endif
 
 /* Whether the processor works on bytes: 32 bits are four steps then and 64 a call of the library, divisions take a step

@@ -1,7 +1,18 @@
 /* SPDX-License-Identifier: MIT
  *
- * The public functions that say how frames are drawn, and what with. Each drops a frame that is begun. */
+ * The public functions that say how frames are drawn, and what with. What is said after lim_init() drops a frame that is
+ * begun. */
 #include "limner.h"
+
+int lim_begin(const struct lim_memory *memory, const struct lim_scene *scene, enum lim_method method, lim_send *send,
+              void *ctx)
+{
+    struct lim_target target;
+
+    *memory->sender = (struct lim_sender){send, ctx, memory->lines, memory->lines_b, 0};
+    const int err = lim_sender_target(memory->sender, memory->w_px, memory->h_px, method, &target);
+    return err ? err : lim_init(memory->lim, scene, &target, memory->pools, memory->pools_b);
+}
 
 #if LIM_HAS_WIREFRAME
 void lim_set_wireframe(struct lim *lim, const struct lim_wireframe *wireframe)

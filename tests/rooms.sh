@@ -120,6 +120,15 @@ few_files() { # a folder of sources is seen on one page
         awk '$1 > 60 { print $2 ": " $1 " files, 60 are the most"; wrong = 1 } END { exit wrong }'
 }
 
+# Stages are linked or not by constants that the compiler folds: what is asked of the preprocessor is what it alone can say.
+few_conditions() {
+    find firmware -name '*.[ch]' -exec cat {} + | awk '
+        /^\{/ { inside = 1 }
+        /^\}/ { inside = 0 }
+        /^[ \t]*#[ \t]*if/ && !/_H$/ { all++; bodies += inside }
+        END { print all " #if, " bodies " in functions; 250 and 40 are the most"; exit all > 250 || bodies > 40 }'
+}
+
 tap_check "sim/ has the rooms that the Makefile names" rooms_are_named sim emulators scenes targets tools
 tap_check "and no file outside of them" sim_is_rooms_alone
 tap_check "so has firmware/" rooms_are_named firmware
@@ -135,4 +144,5 @@ tap_check "no two files of firmware/ do" has_no_rings firmware
 tap_check "those that do are named" rings_are_named
 tap_check "no two files have one name" names_are_unique
 tap_check "no folder of sources has more than 60" few_files
+tap_check "firmware/ asks the preprocessor seldom" few_conditions
 tap_done
