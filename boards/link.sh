@@ -82,12 +82,12 @@ functions() { # PATTERN...: of the objects
 # board's drivers, the renderer's to the screen.
 calls() {
     echo "$footprint_calls" | tr -s ' \n' '\n'
-    for stage in paint.c flat.c painter.c framebuffer.h convex.c smooth.c delta.c; do
+    for stage in paint.c flat.c painter.c framebuffer.h convex.c smooth_line.c delta.c; do
         printf "$stage=%s\n" screen_lend screen_done delta_lend delta_done
     done
     printf 'card.c=%s\n' screen_lend screen_done screen_fill_page
-    printf '%s\n' span.h=screen_visible delta.c=screen_window span.c=screen_fill bands.c=screen_fill bands.c=screen_show \
-        fill.h=screen_fill_page screen.c=scene_work
+    printf '%s\n' target_parts.h=screen_visible delta.c=screen_window span.c=screen_fill_greys bands.c=screen_fill_greys target_parts.h=screen_show target_parts.h=none \
+        fill.h=screen_fill_page fill.h=screen_fill_greys screen.c=scene_work
     for family in $families; do functions "*/hal/$family.o"; done | sed 's/^/panel.h=/'
     for chip in $(sed -n 's/^extern const struct pages_chip \([a-z0-9]*\);.*/\1/p' hal/panels.h); do
         functions "*/hal/$chip.o"
@@ -111,6 +111,7 @@ graph() {
 
 stack_of() { # ROOT...
     awk '{ sub(/\..*/, "", $NF); print $NF }' "$work/symbols" | sort -u >"$work/linked"
+    echo none >>"$work/linked" # what is not linked is not called
     calls | grep -v 'delta.c=delta' | linked = 2 >"$work/calls"
     graph >"$work/graph"
     awk -f sim/tools/stack.awk -v roots="$*" -v calls="$(tr '\n' ' ' <"$work/calls")" -v only="$(tr '\n' ' ' <"$work/linked")" "$work/graph"

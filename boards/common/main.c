@@ -38,7 +38,7 @@ enum trouble { TROUBLE_RENDERER = 1, TROUBLE_PANEL, TROUBLE_PORT };
 static struct board board;
 static struct screen screen;
 static uint32_t lines[MODULE_LINES_MEM_B(LINES) / 4];
-#if LIM_HAS_FILL
+#if SCREEN_KEEPS_FRAME
 static uint32_t picture[SCREEN_FRAME_MEM_B(MODULE_W_PX, MODULE_H_PX) / 4];
 #endif
 
@@ -122,7 +122,7 @@ static int fly(void)
 /* Lends the whole picture where there is memory for it. */
 static int set_frame(void)
 {
-#if LIM_HAS_FILL
+#if SCREEN_KEEPS_FRAME
     return screen_set_frame(&screen, picture, sizeof picture);
 #else
     return 0;

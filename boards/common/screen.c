@@ -221,7 +221,7 @@ static int screen_gather(struct screen *screen, uint16_t y_px, uint16_t x_px, ui
     return screen_send_gathered(screen, gathered, x_px, (uint16_t)(x_px + n_px));
 }
 
-#if LIM_HAS_FILL
+#if LIM_HAS_FILL && LIM_HAS_CONVEX
 /* Into a page. A line's first piece is its background: where that is black, it is so already. */
 static void screen_fill_page(void *of_look, uint16_t x0_px, uint16_t x1_px)
 {
@@ -298,7 +298,7 @@ static int screen_done(void *ctx, uint16_t y_px, uint16_t x_px, uint16_t n_px)
     return err;
 }
 
-#if LIM_HAS_FILL
+#if SCREEN_KEEPS_FRAME
 static void screen_fill_greys(void *of_look, uint16_t x0_px, uint16_t x1_px)
 {
     const struct lim_piece_look *look = of_look;
@@ -377,7 +377,7 @@ static int screen_init_lines(struct screen *screen, struct panel *panel, enum li
     {
         .w_px = panel->w_px, .h_px = panel->h_px, .format = LIM_RGB565, .method = method, .ctx = screen,
         .lend = screen_lend, .done = screen_done,
-#if LIM_HAS_FILL
+#if LIM_HAS_FILL && LIM_HAS_CONVEX
         .fill = n_lines ? NULL : screen_fill_page,
 #endif
 #if LIM_HAS_ROUND

@@ -49,6 +49,9 @@
 /* For screen_set_frame(), in PANEL_GREY4. */
 #define SCREEN_FRAME_MEM_B(w_px, h_px) ((size_t)(((w_px) + 7u) / 8u * 4u) * (h_px))
 
+/* Whether a screen may keep the whole picture: what LIM_NEAREST_FIRST fills. */
+#define SCREEN_KEEPS_FRAME (LIM_HAS_FILL && LIM_HAS_NEAREST)
+
 /* Private but for `target`. */
 struct screen {
     struct lim_target target; /* what the renderer paints into */
@@ -83,7 +86,7 @@ struct screen {
     uint16_t waiting_line;  /* the index of the first of them */
     uint16_t waiting_y_px;
 #endif
-#if LIM_HAS_FILL
+#if SCREEN_KEEPS_FRAME
     struct greys greys; /* the picture, if there is memory for it */
 #endif
 };
@@ -101,7 +104,7 @@ LIM_MUST_CHECK int screen_init_framebuffer(struct screen *screen, struct panel *
                                            void *mem, size_t mem_b);
 #endif
 
-#if LIM_HAS_FILL
+#if SCREEN_KEEPS_FRAME
 /* Lends memory for the whole picture, 4-byte aligned, which must outlive *screen: frames that the renderer can fill
  * come there and go out in one piece. PANEL_ERR_UNSUPPORTED: the panel's pixels are not PANEL_GREY4, or lines of them
  * do not take whole words; LIM_ERR_MEMORY. */

@@ -12,7 +12,7 @@ footprint_flags='-Os -ffreestanding -ffunction-sections -fdata-sections -Ifirmwa
 # SPAN's sink is set by what paints into gaps, or into a framebuffer; flat scenes do without, and bands.c where there is
 # none.
 footprint_calls='span.c=paint_piece span.c=lim_framebuffer_fill span.c=none bands.c=lim_framebuffer_fill bands.c=none
-    mask.c=lim_smooth_mix mask.c=push company.c=draw_mover company.c=paint_mover'
+    mask.c=lim_smooth_mix mask.c=push mover_order.c=draw_mover mover_order.c=paint_mover'
 
 # footprint_objects CORE FOLDER HEADER [FLAG...]: the renderer's objects and call graphs in FOLDER, which has the
 # scene's HEADER.
@@ -68,10 +68,10 @@ footprint_ram() {
 # footprint_stack CORE FOLDER: the bytes and the path, without what the target's functions take. With delta output that
 # is the target of all stages.
 footprint_stack() {
-    footprint_at_target='paint.c flat.c painter.c framebuffer.h convex.c smooth.c'
-    footprint_outside="$footprint_at_target begin.c span.h" footprint_more=
+    footprint_at_target='paint.c flat.c painter.c framebuffer.h convex.c smooth_line.c'
+    footprint_outside="$footprint_at_target begin.c target_parts.h fill.h" footprint_more=
     if grep -q delta_done "$2/$1/delta.ci"; then
-        footprint_outside='delta.c begin.c span.h'
+        footprint_outside='delta.c begin.c target_parts.h fill.h'
         for footprint_stage in $footprint_at_target; do
             footprint_more="$footprint_more $footprint_stage=delta_done $footprint_stage=delta_lend"
         done
