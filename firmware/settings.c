@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
- * The public functions that say how frames are drawn, and what with. What is said after lim_init() drops a frame that is
- * begun. */
+ * The public functions that say how frames are drawn, and what with. What is said after lim_init() drops a frame that
+ * is begun. */
 #include "limner.h"
 
 int lim_begin(const struct lim_memory *memory, const struct lim_scene *scene, enum lim_method method, lim_send *send,

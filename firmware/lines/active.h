@@ -43,7 +43,7 @@ static inline void lim_actives_start(struct lim_actives *actives)
 }
 
 /* NULL: there is no room. */
-static inline struct lim_active *lim_active_take(struct lim_actives *actives)
+static inline struct lim_active *lim_active_new(struct lim_actives *actives)
 {
     struct lim_active *active = actives->free;
 
@@ -67,7 +67,7 @@ static inline void lim_active_give_back(struct lim_actives *actives, struct lim_
 }
 
 /* A piece has no edges: its lines are there, the last one first. */
-static LIM_RARE void lim_active_take_line(struct lim_active *active, const union lim_retained_cell *cells, int16_t y)
+static LIM_RARE void lim_active_set_line(struct lim_active *active, const union lim_retained_cell *cells, int16_t y)
 {
     const struct lim_point line = lim_active_points(cells)[(int16_t)active->bottom - 1 - y];
 
@@ -80,7 +80,7 @@ static LIM_RARE void lim_active_take_line(struct lim_active *active, const union
 static inline void lim_active_turn(struct lim_active *active, const union lim_retained_cell *cells, int16_t y)
 {
     if (LIM_HAS_PIECES && !cells[0].link.n) {
-        lim_active_take_line(active, cells, y);
+        lim_active_set_line(active, cells, y);
         return;
     }
     const uint16_t at = (uint16_t)lim_edge_turn(&active->pair, lim_active_points(cells), cells[0].link.n, y);
@@ -97,7 +97,7 @@ static inline void lim_active_begin(struct lim_active *active, const struct lim_
     active->bottom = lim_retained_bottom(cells);
     active->colour = cells[1].look.colour;
     if (LIM_HAS_PIECES && !cells[0].link.n) {
-        lim_active_take_line(active, cells, y);
+        lim_active_set_line(active, cells, y);
         return;
     }
     const uint16_t at =

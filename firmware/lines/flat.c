@@ -14,7 +14,7 @@ static LIM_INLINE bool flat_activate(struct lim_actives *actives, const struct l
     struct lim_active **link = &actives->first;
 
     for (; polygon != LIM_NONE; polygon = retained->cells[polygon].link.next) {
-        struct lim_active *active = lim_active_take(actives);
+        struct lim_active *active = lim_active_new(actives);
         if (!active) return false;
         while (*link && (*link)->polygon > polygon)
             link = &(*link)->next;
@@ -39,7 +39,7 @@ static LIM_INLINE void flat_paint_polygons(struct lim_actives *actives, const st
     struct lim_active **link = &actives->first, *active;
 
     while ((active = *link) != NULL) {
-        int32_t x0 = lim_edge_take(&active->pair.left), x1 = lim_edge_take(&active->pair.right);
+        int32_t x0 = lim_edge_next_x(&active->pair.left), x1 = lim_edge_next_x(&active->pair.right);
         if (!within && x0 < extent.x0) x0 = extent.x0;
         if (!within && x1 > extent.x1) x1 = extent.x1;
         if (x0 < x1) {

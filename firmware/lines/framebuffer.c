@@ -23,7 +23,7 @@ void lim_framebuffer_paint(const struct lim_target *target, const struct lim_poi
     int16_t y = shown.top, turn = lim_edge_start(&pair, at, n, first, y);
 
     for (;;) {
-        int32_t x0 = lim_edge_take(&pair.left), x1 = lim_edge_take(&pair.right);
+        int32_t x0 = lim_edge_next_x(&pair.left), x1 = lim_edge_next_x(&pair.right);
         if (x0 < 0) x0 = 0;
         if (x1 > w_px) x1 = w_px;
         if (x0 < x1) lim_fill_inline(line, (int_fast16_t)x0, (int_fast16_t)x1, colour);

@@ -39,7 +39,7 @@ static inline struct lim_gap *lim_gap_after(const struct lim_spans *spans, const
 }
 
 /* LIM_NONE: there is none left. */
-static inline uint16_t lim_gap_take(struct lim_spans *spans)
+static inline uint16_t lim_gap_new(struct lim_spans *spans)
 {
     const uint16_t taken = spans->free;
 
@@ -89,7 +89,7 @@ static inline struct lim_gap *lim_gap_unlink(struct lim_spans *spans, struct lim
  * room. */
 static inline bool lim_gap_split(struct lim_spans *spans, struct lim_gap *gap, uint16_t x0, uint16_t x1)
 {
-    const uint16_t right = lim_gap_take(spans);
+    const uint16_t right = lim_gap_new(spans);
 
     if (right == LIM_NONE) return false;
     struct lim_gap *rest = &spans->pool[right];

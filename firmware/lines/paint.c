@@ -25,7 +25,7 @@ static inline bool is_antialiased(const struct lim_paint *paint)
 static bool activate(struct lim_paint *paint, const struct lim_retained *retained, uint16_t polygon, uint16_t y)
 {
     const union lim_retained_cell *cells = &retained->cells[polygon];
-    struct lim_active **link = &paint->actives.first, *active = lim_active_take(&paint->actives);
+    struct lim_active **link = &paint->actives.first, *active = lim_active_new(&paint->actives);
 
     if (!active) return false;
     while (*link && (*link)->polygon < polygon)

@@ -301,7 +301,7 @@ static inline uint32_t recip_q15_of(uint32_t z, uint8_t *shift)
 /* The high half of a product, floor(a b / 2^32): the same bits in two forms. */
 /*@ assigns \nothing;
     ensures \result == (a * b) >> 32; */
-static inline int32_t mul_high_wide_s32(int32_t a, int32_t b)
+static inline int32_t mul_high_long_s32(int32_t a, int32_t b)
 {
     return (int32_t)(((int64_t)a * b) >> 32);
 }
@@ -328,7 +328,7 @@ static inline int32_t mul_high_limbs_s32(int32_t a, int32_t b)
     ensures \result == (a * b) >> 32; */
 static inline int32_t mul_high_s32(int32_t a, int32_t b)
 {
-    return LIM_LONG_MULTIPLY ? mul_high_wide_s32(a, b) : mul_high_limbs_s32(a, b);
+    return LIM_LONG_MULTIPLY ? mul_high_long_s32(a, b) : mul_high_limbs_s32(a, b);
 }
 
 /* floor(a b / 2^32) for a positive b of which only the upper 16 bits are set: with limbs, two products. */
@@ -337,7 +337,7 @@ static inline int32_t mul_high_s32(int32_t a, int32_t b)
     ensures \result == (a * b) >> 32; */
 static inline int32_t mul_s32_top(int32_t a, int32_t b)
 {
-    if (LIM_LONG_MULTIPLY) return mul_high_wide_s32(a, b);
+    if (LIM_LONG_MULTIPLY) return mul_high_long_s32(a, b);
     const uint32_t top = (uint32_t)b >> 16;
     //@ assert b == top * 65536 && a == (a >> 16) * 65536 + (a & 0xFFFF);
     //@ assert a * b == (a >> 16) * top * 4294967296 + (a & 0xFFFF) * top * 65536;

@@ -49,7 +49,7 @@ static inline bool fill_lines(struct lim_nearest *nearest, const struct lim_poin
     return close_lines(&nearest->spans, at, n, first, &shown, lim_fill_of(target), &look);
 }
 
-/* collect_plain() for a polygon that is measured by its samples: it is retained up to a row of them. */
+/* collect_plain() for a polygon that is drawn by its samples: it is retained up to a row of them. */
 static inline bool collect_samples(struct lim_nearest *nearest, const struct lim_screen_polygon *polygon, int16_t top,
                                    int16_t bottom)
 {

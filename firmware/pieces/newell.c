@@ -369,7 +369,7 @@ static uint16_t newell_divide(struct lim_sorter *sorter, uint16_t rest, bool is_
 }
 
 /* Makes the first part of the rest the list. Returns how many entries it has. */
-static uint16_t take_part(struct lim_sorter *sorter, uint16_t *rest)
+static uint16_t next_part(struct lim_sorter *sorter, uint16_t *rest)
 {
     struct lim_sorted *list = sorter->list;
     uint16_t at = *rest, count = 1;
@@ -410,7 +410,7 @@ void lim_newell_order(struct lim_sorter *sorter)
         count++;
     newell->left = newell->options.most ? newell->options.most : most_for(count);
     for (uint32_t each = (uint32_t)WHOLE_COMPARES * count; rest != LIM_NONE && newell->left; each = PART_COMPARES) {
-        count = take_part(sorter, &rest);
+        count = next_part(sorter, &rest);
         const uint32_t pause = newell->left > each * count ? newell->left - each * count : 0;
         nearest = order_part(sorter, nearest, pause);
         if (sorter->first != LIM_NONE && newell->left) rest = newell_divide(sorter, rest, newell->left > pause);

@@ -47,7 +47,7 @@ static uint16_t reverse(struct lim_sorted *list, uint16_t first)
 }
 
 /* Along the camera's axis. An instance that enters by its centre is a point. */
-static void measure_ball(struct lim_sorter *sorter, uint16_t entry)
+static void ball_bounds(struct lim_sorter *sorter, uint16_t entry)
 {
     const uint16_t owner = lim_entry_owner(sorter, entry);
     const struct lim_mover *mover = &sorter->movers->movers[owner];
@@ -67,7 +67,7 @@ static bool is_row(struct lim_sorter *sorter, uint16_t *list)
 
     for (uint16_t at = *list; at != LIM_NONE; at = entries[at].next) {
         if (!lim_mover_is_whole(sorter, at) || deforms(sorter, at)) return false;
-        measure_ball(sorter, at);
+        ball_bounds(sorter, at);
     }
     *list = reverse(entries, lim_sorted_sort(entries, *list));
     for (uint16_t at = *list; at != LIM_NONE; at = entries[at].next) {
@@ -79,7 +79,7 @@ static bool is_row(struct lim_sorter *sorter, uint16_t *list)
 
 /* Every entry a polygon or a piece, with all that Newell's sort wants to know; what has no pixel is dropped. false: no
  * room. */
-static bool measure_all(struct lim_sorter *sorter, uint16_t *list)
+static bool bound_all(struct lim_sorter *sorter, uint16_t *list)
 {
     uint16_t *link = list;
 
@@ -103,7 +103,7 @@ static uint16_t sort_roughly(struct lim_sorter *sorter, uint16_t list)
 {
     for (uint16_t at = list; at != LIM_NONE; at = sorter->list[at].next) {
         if (lim_mover_is_whole(sorter, at))
-            measure_ball(sorter, at);
+            ball_bounds(sorter, at);
         else
             (void)lim_piece_bounds(sorter, at);
     }
@@ -114,7 +114,7 @@ static uint16_t sort_roughly(struct lim_sorter *sorter, uint16_t list)
 static uint16_t sort(struct lim_sorter *sorter, uint16_t list)
 {
     if (is_row(sorter, &list)) return list;
-    if (!measure_all(sorter, &list)) return sort_roughly(sorter, list);
+    if (!bound_all(sorter, &list)) return sort_roughly(sorter, list);
     sorter->first = lim_sorted_sort(sorter->list, list);
     sorter->comparing = true;
     lim_newell_order(sorter);

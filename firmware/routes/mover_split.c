@@ -209,7 +209,7 @@ static int32_t saturate(int64_t x)
 /* The plane as an object has it, of which most polygons lie on one side by far. With n < 2^(32 - spare), n_q14 is a
  * normal of a length below sqrt(3) 2^14, and products with a vertex add up to less than 3 * 2^29; offsets stay below
  * 2^62. */
-static void take_to(const struct lim_sorter *sorter, struct divider *divider, uint16_t owner)
+static void turn_to(const struct lim_sorter *sorter, struct divider *divider, uint16_t owner)
 {
     const struct lim_instance *instance = &sorter->movers->instances[owner];
     const int32_t *n = divider->plane.n;
@@ -301,7 +301,7 @@ static uint8_t sides_of(const struct lim_sorter *sorter, struct divider *divider
 
     if (lim_mover_is_whole(sorter, entry)) return sides_of_ball(sorter, entry, &divider->plane);
     if (owner != LIM_NONE) {
-        if (owner != divider->owner) take_to(sorter, divider, owner);
+        if (owner != divider->owner) turn_to(sorter, divider, owner);
         const uint8_t side = certain_side(sorter, divider, entry);
         if (side) return side;
     }

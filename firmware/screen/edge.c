@@ -416,7 +416,7 @@ static LIM_RARE uint8_t choose_apex(const struct lim_point *at, uint8_t n, uint8
 }
 
 /* A plain polygon's boundary goes down from its top to its bottom once; what goes farther is non-monotone. */
-static LIM_RARE void measure_folds(struct lim_edge_shape *shape, const struct lim_point *at, uint8_t n)
+static LIM_RARE void find_turns(struct lim_edge_shape *shape, const struct lim_point *at, uint8_t n)
 {
     const lim_edge_sub top = (lim_edge_sub)(shape->top - LIM_ORIGIN_PX);
     const lim_edge_sub bottom = (lim_edge_sub)(shape->bottom - LIM_ORIGIN_PX);
@@ -452,7 +452,7 @@ lim_edge_sub lim_edge_bounds_down(struct lim_edge_span *span, const struct lim_p
 
 void lim_edge_bounds(struct lim_edge_shape *shape, const struct lim_point *at, uint8_t n)
 {
-    if (!lim_edge_bounds_plain(shape, at, n)) measure_folds(shape, at, n);
+    if (!lim_edge_bounds_plain(shape, at, n)) find_turns(shape, at, n);
 }
 
 #if LIM_HAS_WIREFRAME

@@ -175,7 +175,7 @@ static inline void lim_edge_step(struct lim_edge *edge)
 #endif
 
 /* Where the edge is on the current line; and on to the next. */
-static inline int16_t lim_edge_take(struct lim_edge *edge)
+static inline int16_t lim_edge_next_x(struct lim_edge *edge)
 {
     const int16_t x = lim_edge_x(edge);
 

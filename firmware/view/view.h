@@ -76,7 +76,7 @@ struct lim_view {
     struct lim_rows rows;
     struct lim_side width, height;
     struct lim_view_cached *cache;
-    LIM_OPTIONAL(bool, antialiased, LIM_HAS_ANTIALIAS); /* polygons are measured by their samples (samples.h) */
+    LIM_OPTIONAL(bool, antialiased, LIM_HAS_ANTIALIAS); /* polygons are drawn by their samples (samples.h) */
     uint32_t vertices;                                  /* transformed since lim_view_begin(), if LIM_HAS_STATS */
 };
 

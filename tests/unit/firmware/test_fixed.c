@@ -90,19 +90,19 @@ static void limbs_multiply_like_wide_integers(void **state)
     (void)state;
     for (size_t i = 0; i < count; i++)
         for (size_t k = 0; k < count; k++)
-            assert_int_equal(mul_high_limbs_s32(cases[i], cases[k]), mul_high_wide_s32(cases[i], cases[k]));
+            assert_int_equal(mul_high_limbs_s32(cases[i], cases[k]), mul_high_long_s32(cases[i], cases[k]));
     for (int k = 0; k < RANDOM_PAIRS; k++) {
         const uint64_t pair = random_u64(&random);
         const int32_t a = (int32_t)(uint32_t)(pair >> 32), b = (int32_t)(uint32_t)pair;
         const uint16_t c = (uint16_t)pair;
-        if (mul_high_limbs_s32(a, b) != mul_high_wide_s32(a, b) ||
+        if (mul_high_limbs_s32(a, b) != mul_high_long_s32(a, b) ||
             mul_s32_top(a, c / 2 * 65536) != (int32_t)(((int64_t)a * (c / 2)) >> 16) ||
             mul_u32_top((uint32_t)a, (uint32_t)c << 16) != (uint32_t)(((uint64_t)(uint32_t)a * c) >> 16))
             fail_msg("%ld * %ld or %u", (long)a, (long)b, (unsigned)c);
     }
-    assert_int_equal(mul_high_wide_s32(INT32_MIN, INT32_MAX), -1073741824);
-    assert_int_equal(mul_high_wide_s32(INT32_MIN, INT32_MIN), 1073741824);
-    assert_int_equal(mul_high_wide_s32(-1, 1), -1);
+    assert_int_equal(mul_high_long_s32(INT32_MIN, INT32_MAX), -1073741824);
+    assert_int_equal(mul_high_long_s32(INT32_MIN, INT32_MIN), 1073741824);
+    assert_int_equal(mul_high_long_s32(-1, 1), -1);
 }
 
 static void ratio_is_within_8_units_of_2_31(void **state)
