@@ -66,12 +66,14 @@ struct lim_memory {
                       "--size WxH");                                                                                   \
     LIM_STATIC_ASSERT(UINT64_C(1) * LIM_LINE_B(width_px) * (line_count) <= SIZE_MAX / 2,                               \
                       "all lines of this display together are more than the processor can address");                   \
+    LIM_OPTIONAL_BEGIN                                                                                                 \
     static struct name##_block {                                                                                       \
         struct lim lim;                                                                                                \
         struct lim_sender sender;                                                                                      \
         void *pools[LIM_POINTERS(pool_b) + LIM_POINTERS(mover_b)];                                                     \
         LIM_ALIGNAS(4) uint16_t lines[(size_t)LIM_LINE_B(width_px) / 2 * (line_count)];                                \
     } name##_block;                                                                                                    \
+    LIM_OPTIONAL_END                                                                                                   \
     static const struct lim_memory name = {&name##_block.lim,                                                          \
                                            &name##_block.sender,                                                       \
                                            name##_block.pools,                                                         \

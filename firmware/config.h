@@ -58,7 +58,8 @@
 #define LIM_PROFILE LIM_PROFILE_FAST
 #endif
 
-/* Either of two flags or both, as a flag: 0 or 1, without an operator. */
+/* Either of two flags or both, as a flag: 0 or 1, without an operator. So flags have no comments in their lines, which
+ * some preprocessors keep. */
 #define LIM_BOTH(a, b) LIM_BOTH_OF(a, b)
 #define LIM_BOTH_OF(a, b) LIM_BOTH_##a##b
 #define LIM_BOTH_00 0
@@ -75,23 +76,29 @@
 /* Features: 1 is linked, 0 is not. What a scene needs is in its header; hosts have everything.
  *
  * The order of drawing, enum lim_method: one of them at least. */
+/* Nearest first: walk, spans, retained polygons. */
 #ifndef LIM_HAS_NEAREST
-#define LIM_HAS_NEAREST 1 /* nearest first: walk, spans, retained polygons */
+#define LIM_HAS_NEAREST 1
 #endif
+/* Back to front into a framebuffer. */
 #ifndef LIM_HAS_PAINTER
-#define LIM_HAS_PAINTER 1 /* back to front into a framebuffer */
+#define LIM_HAS_PAINTER 1
 #endif
+/* One convex solid: no tree walk, no spans. */
 #ifndef LIM_HAS_CONVEX
-#define LIM_HAS_CONVEX 1 /* one convex solid: no tree walk, no spans */
+#define LIM_HAS_CONVEX 1
 #endif
+/* All that is in view retained, lines from far to near: no spans. */
 #ifndef LIM_HAS_SCANLINE
-#define LIM_HAS_SCANLINE 1 /* all that is in view retained, lines from far to near: no spans */
+#define LIM_HAS_SCANLINE 1
 #endif
+/* All polygons sorted by their farthest points, spans. */
 #ifndef LIM_HAS_DEPTH
-#define LIM_HAS_DEPTH 1 /* all polygons sorted by their farthest points, spans */
+#define LIM_HAS_DEPTH 1
 #endif
+/* The same, put right by comparing polygons and splitting them. */
 #ifndef LIM_HAS_NEWELL
-#define LIM_HAS_NEWELL 1 /* the same, put right by comparing polygons and splitting them */
+#define LIM_HAS_NEWELL 1
 #endif
 
 /* Moving objects in the walk through a tree; hosts have them with every tree. */
@@ -110,31 +117,38 @@
 #endif
 
 /* What the scene's arrays hold. */
+/* Bounds of subtrees, to be tested against the open view. */
 #ifndef LIM_HAS_CULL
-#define LIM_HAS_CULL 1 /* bounds of subtrees, to be tested against the open view */
+#define LIM_HAS_CULL 1
 #endif
+/* Planes off the axes. */
 #ifndef LIM_HAS_SLANTED
-#define LIM_HAS_SLANTED 1 /* planes off the axes */
+#define LIM_HAS_SLANTED 1
 #endif
+/* LARGE planes: with an exact plane beside their filter. */
 #ifndef LIM_HAS_LARGE
-#define LIM_HAS_LARGE 1 /* LARGE planes: with an exact plane beside their filter */
+#define LIM_HAS_LARGE 1
 #endif
 
+/* More of something than 16 bits count: indices of 32 bits. */
 #ifndef LIM_HAS_WIDE
 #if SIZE_MAX > 0xFFFF
-#define LIM_HAS_WIDE 1 /* more of something than 16 bits count: indices of 32 bits */
+#define LIM_HAS_WIDE 1
 #else
 #define LIM_HAS_WIDE 0
 #endif
 #endif
+/* Leaves: ordered clusters and sets without a tree. */
 #ifndef LIM_HAS_LEAVES
-#define LIM_HAS_LEAVES 1 /* leaves: ordered clusters and sets without a tree */
+#define LIM_HAS_LEAVES 1
 #endif
+/* Polygons that what lies behind them shines through. */
 #ifndef LIM_HAS_TRANSPARENT
-#define LIM_HAS_TRANSPARENT 1 /* polygons that what lies behind them shines through */
+#define LIM_HAS_TRANSPARENT 1
 #endif
+/* Polygons with a texture. */
 #ifndef LIM_HAS_TEXTURE
-#define LIM_HAS_TEXTURE 1 /* polygons with a texture */
+#define LIM_HAS_TEXTURE 1
 #endif
 
 /* 1: lim_set_wireframe() is there. */
@@ -298,6 +312,16 @@
 #define LIM_FLASH __flash
 #else
 #define LIM_FLASH
+#endif
+
+/* Around structs that have such members: C++ compilers that are asked to be pedantic have none. C and C++ agree on what
+ * they are. */
+#if defined(__cplusplus) && defined(__GNUC__)
+#define LIM_OPTIONAL_BEGIN _Pragma("GCC diagnostic push") _Pragma("GCC diagnostic ignored \"-Wpedantic\"")
+#define LIM_OPTIONAL_END _Pragma("GCC diagnostic pop")
+#else
+#define LIM_OPTIONAL_BEGIN
+#define LIM_OPTIONAL_END
 #endif
 
 /* Memory is cut up in words of four bytes. */

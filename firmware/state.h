@@ -5,11 +5,9 @@
 #ifndef LIM_STATE_H
 #define LIM_STATE_H
 
-/* C++ has no members that may be none; the two languages agree on what they are. */
-#if defined(__cplusplus) && defined(__GNUC__)
-#pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wpedantic"
-#endif
+#include "config.h"
+
+LIM_OPTIONAL_BEGIN
 
 #include "orders/convex.h"
 #include "orders/nearest.h"
@@ -49,8 +47,6 @@ static inline void lim_drop_ahead(struct lim *lim)
     if (LIM_HAS_MOVERS) lim->movers->count = lim->movers->given = 0;
 }
 
-#if defined(__cplusplus) && defined(__GNUC__)
-#pragma GCC diagnostic pop
-#endif
+LIM_OPTIONAL_END
 
 #endif

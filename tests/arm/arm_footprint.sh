@@ -62,18 +62,26 @@ has_no_member() { # NAME MEMBER...
     has_name=$1
     shift
     for member; do
-        if state_b m4 "$has_name" "((struct lim *)0)->$member" 2>/dev/null; then
-            echo "struct lim has $member"
-            return 1
-        fi
+        member_b=$(state_b m4 "$has_name" "((struct lim *)0)->$member") && [ "$member_b" -eq 0 ] && continue
+        echo "struct lim has $member"
+        return 1
     done
-    state_b m4 "$has_name" '((struct lim *)0)->view' >/dev/null
+    [ "$(state_b m4 "$has_name" '((struct lim *)0)->pass.view')" -gt 0 ]
+}
+
+target_has_no() { # NAME MEMBER...: which users set, and is not declared
+    has_name=$1
+    shift
+    for member; do
+        ! state_b m4 "$has_name" "((struct lim_target *)0)->$member" 2>/dev/null || return 1
+    done
+    [ "$(state_b m4 "$has_name" '((struct lim_target *)0)->done')" -gt 0 ]
 }
 
 counters_cost_their_own_size() {
     without=$(state_b m4 rooms 'struct lim') && with=$(state_b m4 rooms 'struct lim' -DLIM_HAS_STATS=1) &&
         stats=$(state_b m4 rooms 'struct lim_stats') && echo "$without and $stats make $with" &&
-        [ $((without + stats)) -eq "$with" ] && has_no_member rooms stats
+        [ $((without + stats)) -eq "$with" ] && has_no_member rooms pass.stats
 }
 
 # The planes of the model decide: with a feature that it does not need the code grows, without it does not.
@@ -213,11 +221,12 @@ for core in m0plus m4; do
     tap_check "$core: it has no walk, no culling, no spans, nothing retained" links_no $core icosahedron \
         'walk|cull|span|retain|nearest|painter|lim_paint|wire'
 done
-tap_check "nor has it state for them" has_no_member icosahedron walk stack cull spans retained paint stats
-tap_check "the rooms have no state for a convex solid" has_no_member rooms convex stats paint.layers wireframe paint.smooth view.antialiased delta paint.delta target.window target.visible
+tap_check "nor has it state for them" has_no_member icosahedron pass.walk pass.cull nearest sorter pass.stats
+tap_check "the rooms have no state for a convex solid" has_no_member rooms convex painter pass.stats pass.wireframe pass.view.antialiased delta nearest-\>paint.layers nearest-\>paint.smooth
 tap_check "nor for movers" has_no_member rooms movers sorter
-tap_check "nor for scan lines, nor for frames in parts" has_no_member rooms retains_all ahead
-tap_check "nor for textures" has_no_member rooms texturing paint.texturing
+tap_check "nor for windows and round glass" target_has_no rooms window visible fill
+tap_check "nor for scan lines, nor for frames in parts" has_no_member rooms ahead nearest-\>progress
+tap_check "nor for textures" has_no_member rooms texturing
 tap_check "counters cost what they count in, and without them nothing is counted" counters_cost_their_own_size
 tap_check "a scene without large planes has no code for them" no_exact_planes rooms
 tap_check "subtree bounds are only tested where there are some" grows_with icosahedron -DLIM_HAS_NEAREST=1 -DLIM_HAS_CULL=1
