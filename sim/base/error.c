@@ -28,3 +28,8 @@ bool error_prefix(struct error *err, const char *thing)
     struct error reason = *err;
     return error_set(err, "%.255s: %s", thing, reason.text);
 }
+
+bool error_no_option(struct error *err, const char *given)
+{
+    return error_set(err, "%s: no such option here; --help lists those that there are", given);
+}

@@ -21,4 +21,7 @@ bool error_set(struct error *err, const char *format, ...) __attribute__((format
  * Returns false. */
 bool error_prefix(struct error *err, const char *thing);
 
+/* A command does not have what it was given. Returns false. */
+bool error_no_option(struct error *err, const char *given);
+
 #endif

@@ -27,7 +27,7 @@ static bool parse(struct replay *replay, int argc, char **argv, struct error *er
             if (++i == argc) return error_set(err, "-o: needs a value");
             replay->new_path = argv[i];
         } else if (argv[i][0] == '-' && argv[i][1]) {
-            return error_set(err, "%s: no such option here; `limner help` lists them", argv[i]);
+            return error_no_option(err, argv[i]);
         } else if (replay->path) {
             return error_set(err, "replay: one report at a time, what is '%s'?", argv[i]);
         } else {

@@ -59,7 +59,7 @@ static bool parse_option(int code, char **argv, struct compile_options *out, str
     case ':':
         return error_set(err, "%s: needs a value", argv[optind - 1]);
     default:
-        return error_set(err, "%s: no such option here; `limner help` lists them", argv[optind - 1]);
+        return error_no_option(err, argv[optind - 1]);
     }
 }
 

@@ -234,7 +234,7 @@ static bool unusable_option(int code, char **argv, struct error *err)
 {
     const char *given = argv[optind - 1];
     if (code == ':') return error_set(err, "%s: needs a value", given);
-    return error_set(err, "%s: no such option here; `limner help` lists them", given);
+    return error_no_option(err, given);
 }
 
 static enum option_files files_of(int code, const char *value)

@@ -134,7 +134,7 @@ static bool parse_count(const char *option, const char *text, size_t *out, struc
 
 static bool no_such_option(const char *given, struct error *err)
 {
-    return error_set(err, "%s: no such option here; `limner help` lists them", given);
+    return error_no_option(err, given);
 }
 
 static bool refuse_option(int code, struct error *err)
