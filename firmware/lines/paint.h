@@ -2,7 +2,7 @@
  *
  * PAINT: line by line, the retained polygons' pixels into the memory that the target lends. In: retained polygons,
  * listed by their top line, and what SPAN has left open. Out: finished lines, top to bottom. Where all is flat colour
- * each line is painted from far to near (flat.h). Else it closes its gaps once more, nearest polygon first, so every
+ * each line is painted from far to near (flat.c). Else it closes its gaps once more, nearest polygon first, so every
  * pixel is written exactly once; what stays open is background. Memory: a list of the polygons that cross the line,
  * lent, and a stack for what is transparent (layers.h). */
 #ifndef LIM_PAINT_H
