@@ -143,7 +143,7 @@ $(folder)/limits: force
 	@echo '$(FLASH_B) $(RAM_B) $(LINK) $(LAST) $(LINES)' | cmp -s - $@ || echo '$(FLASH_B) $(RAM_B) $(LINK) $(LAST) $(LINES)' > $@
 
 export BOARD TOOLS ARCH OPT LINK LAST FLASH_B RAM_B STREAM LINES
-$(IMAGE).elf: $(board_objects) $(image_objects) boards/link.sh sim/tools/footprint.sh sim/tools/stack.awk sim/tools/avr_graph.awk \
+$(IMAGE).elf: $(board_objects) $(image_objects) boards/link.sh sim/tools/footprint.sh sim/tools/pointers.awk sim/tools/stack.awk sim/tools/avr_graph.awk \
 		$(folder)/limits $(wildcard $(board_folder)/*.ld boards/common/*.ld)
 	$(LIVE)rm -f $(IMAGE).*
 	$(LIVE)COMPILER='$(TOOLS)gcc $(board_flags) $(stream_flags) $(scene_flags) $(card_flags)' sh boards/link.sh $(folder) \

@@ -56,50 +56,6 @@ symbol_b() { # NAME: bytes of the largest symbol of that name
 
 # -- The stack: the deepest chain of calls from main(), or of what an exception calls -----------------------------------
 
-families='dcs pages solomon sharp'
-
-# An object's functions, from what gcc left of its call graph, or of AVR's from its symbols.
-names() { # OBJECT
-    if [ "$TOOLS" = avr- ]; then
-        "${TOOLS}nm" "$1" | sed -n 's/^[0-9a-f]* [tT] \([a-z0-9_]*\)[.a-z0-9]*$/\1/p'
-    else
-        sed -n 's/^node: { title: "\([^"]*:\)\{0,1\}\([a-z0-9_]*\)[.a-z0-9]*".*bytes (.*/\2/p' "${1%.o}.ci"
-    fi
-}
-
-# The names of functions in some objects; what sets things up is called by name only.
-functions() { # PATTERN...: of the objects
-    for pattern; do
-        for object in $objects; do
-            case $object in
-            $pattern) names "$object" ;;
-            esac
-        done
-    done | grep -v '_setup$\|_init$' | sort -u
-}
-
-# Pairs FILE=FUNCTION where calls through pointers lead: a panel's to its family, a family's to its chip or to the
-# board's drivers, the renderer's to the screen.
-calls() {
-    echo "$footprint_calls" | tr -s ' \n' '\n'
-    for stage in paint.c flat.c painter.c framebuffer.h convex.c smooth_line.c delta.c; do
-        printf "$stage=%s\n" screen_lend screen_done delta_lend delta_done
-    done
-    printf 'card.c=%s\n' screen_lend screen_done screen_fill_page
-    printf '%s\n' target_parts.h=screen_visible delta.c=screen_window span.c=screen_fill_greys bands.c=screen_fill_greys target_parts.h=screen_show target_parts.h=none \
-        fill.h=screen_fill_page fill.h=screen_fill_greys screen.c=scene_work
-    for family in $families; do functions "*/hal/$family.o"; done | sed 's/^/panel.h=/'
-    for chip in $(sed -n 's/^extern const struct pages_chip \([a-z0-9]*\);.*/\1/p' hal/panels.h); do
-        functions "*/hal/$chip.o"
-    done | sed 's/^/pages.c=/'
-    functions '*/hal/mcu/*.o' "*/common/boards/$BOARD/*.o" | sed 's/^/bus.h=/;p;s/bus\.h/main.c/'
-}
-
-# What was linked of a file or of standard input, whose lines have names in column COLUMN between characters FS.
-linked() { # FS COLUMN
-    awk -F "$1" -v column="$2" 'NR == FNR { is[$1]; next } $column in is' "$work/linked" -
-}
-
 # Of all code: as gcc left it, or, of AVR's, as the image has it.
 graph() {
     if [ "$TOOLS" = avr- ]; then
@@ -111,10 +67,8 @@ graph() {
 
 stack_of() { # ROOT...
     awk '{ sub(/\..*/, "", $NF); print $NF }' "$work/symbols" | sort -u >"$work/linked"
-    echo none >>"$work/linked" # what is not linked is not called
-    calls | grep -v 'delta.c=delta' | linked = 2 >"$work/calls"
     graph >"$work/graph"
-    awk -f sim/tools/stack.awk -v roots="$*" -v calls="$(tr '\n' ' ' <"$work/calls")" -v only="$(tr '\n' ' ' <"$work/linked")" "$work/graph"
+    awk -f sim/tools/stack.awk -v roots="$*" -v only="$(tr '\n' ' ' <"$work/linked")" "$work/pointers" "$work/graph"
 }
 
 # -- What fits -----------------------------------------------------------------------------------------------------------
@@ -124,6 +78,7 @@ fits() {
 }
 
 bound() {
+    [ -f "$work/pointers" ] || footprint_pointers >"$work/pointers" || fail "$title: its stack cannot be bounded"
     # shellcheck disable=SC2046 # not all processors have exceptions
     stack=$(stack_of main $(awk '$NF == "image_fault" { print $NF }' "$work/symbols")) || fail "$title: its stack cannot be bounded"
     stack_b=${stack%%:*}

@@ -44,6 +44,10 @@ struct lim_piece_look {
     uint16_t y_px;
 };
 
+/* Paints pixels x0_px <= x < x1_px of a line; lim_target.fill, whose `ctx` is a struct lim_piece_look, and what the
+ * renderer has of its own. */
+typedef void lim_piece_fill(void *ctx, uint16_t x0_px, uint16_t x1_px);
+
 /* All of a target's pixels in memory, each as lend() has it. */
 struct lim_framebuffer {
     void *pixels;       /* of line 0, 4-byte aligned; NULL: there is none */
@@ -69,16 +73,15 @@ struct lim_target {
     void (*visible)(void *ctx, uint16_t y_px, uint16_t *x0_px, uint16_t *x1_px);
 #endif
 #if LIM_HAS_FILL
-    /* For targets that keep pixels in a format of their own, instead of lines' memory: paints pixels x0_px <= x < x1_px
-     * of a line; `look` is a struct lim_piece_look. A frame that is not made of pieces in one opaque colour each
-     * (textures, what is transparent or moves, antialiased, as outlines, as changes) comes by lines as ever; pixels are
-     * not counted in struct lim_stats. NULL: lines are lent.
+    /* For targets that keep pixels in a format of their own, instead of lines' memory. A frame that is not made of
+     * pieces in one opaque colour each (textures, what is transparent or moves, antialiased, as outlines, as changes)
+     * comes by lines as ever; pixels are not counted in struct lim_stats. NULL: lines are lent.
      * show() NULL: the target keeps a line. LIM_CONVEX alone fills it, from the top down: first the background from end
      * to end, then what lies on it, then it calls done().
      * show(): it keeps the whole picture. LIM_NEAREST_FIRST fills pieces in any order, none that `visible` leaves out
      * and each other pixel once, or again where gaps are short; LIM_CONVEX as above, on glass that is not round. When
      * all are there show() is called, and done() is not. */
-    void (*fill)(void *look, uint16_t x0_px, uint16_t x1_px);
+    lim_piece_fill *fill;
     int (*show)(void *ctx);
 #endif
 #if LIM_HAS_FRAMEBUFFER

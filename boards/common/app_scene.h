@@ -10,6 +10,7 @@
 
 #include "cameras.h"
 #include "model.h"
+#include "screen.h"
 
 /* How many lines of h_px the target must be able to lend at any time. */
 #define SCENE_LINES(h_px) MODEL_SCENE_LINES(h_px)
@@ -44,7 +45,7 @@ void scene_refresh(void);
 LIM_MUST_CHECK int scene_draw(void);
 
 /* For screen_set_bus(): a little of the frame that is not being drawn yet, if SCENE_AHEAD; else nothing. */
-bool scene_work(void *ctx);
+screen_work scene_work;
 
 /* Marks of a frame, which do nothing, for whoever counts what is between them. */
 void frame_begin(uint16_t frame);

@@ -341,7 +341,7 @@ static uint16_t screen_gathered_b(const struct panel *panel)
 static uint16_t screen_most_lines(const struct panel *panel, bool is_whole)
 {
     if (is_whole) return panel->h_px;
-    return SCREEN_USED_LINES(panel->format, panel->w_px, panel->visible, UINT16_MAX - 1);
+    return SCREEN_USED_LINES(panel->format, panel->w_px, panel->visible != NULL, UINT16_MAX - 1);
 }
 
 static inline void screen_init_stream(struct screen *screen)
@@ -423,7 +423,7 @@ int screen_end_frame(struct screen *screen)
 }
 
 #if LIM_HAS_STREAM
-void screen_set_bus(struct screen *screen, const struct bus *bus, bool (*work)(void *ctx), void *ctx)
+void screen_set_bus(struct screen *screen, const struct bus *bus, screen_work *work, void *ctx)
 {
     screen->bus = *bus;
     screen->work = work;

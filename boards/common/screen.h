@@ -40,6 +40,9 @@
 #define SCREEN_PAGES_MEM_B(w_px, n_lines)                                                                              \
     (SCREEN_MEM_B(w_px, n_lines) + ((n_lines) < 2 ? 1u : 2u) * SCREEN_PAGE_B(w_px))
 
+/* Does a little, which needs nothing of the screen, and returns whether there is more. */
+typedef bool screen_work(void *ctx);
+
 /* Whether lines can be sent together, and how many of n_lines have a use. */
 #define SCREEN_JOINS(format, w_px, is_round)                                                                           \
     (LIM_HAS_STREAM && (format) == PANEL_RGB565 && (w_px) % 2 == 0 && !(is_round))
@@ -78,7 +81,7 @@ struct screen {
     bool half_byte; /* the window's last pixel ends within a byte, which is filled up */
 #if LIM_HAS_STREAM
     struct bus bus; /* the panel's, if it was told */
-    bool (*work)(void *ctx);
+    screen_work *work;
     void *work_ctx;
     size_t spare_b;         /* as long as more than that is to be sent, work is done */
     uint16_t block_lines;   /* half of the lines, or 1: how many can be sent together */
@@ -114,7 +117,7 @@ LIM_MUST_CHECK int screen_set_frame(struct screen *screen, void *frame, size_t f
 #if LIM_HAS_STREAM
 /* Tells the port that the panel is on (struct bus), of which left_b() is asked, and what to do instead of waiting for
  * it: work() does a little, which needs nothing of the screen, and returns whether there is more. NULL: nothing. */
-void screen_set_bus(struct screen *screen, const struct bus *bus, bool (*work)(void *ctx), void *ctx);
+void screen_set_bus(struct screen *screen, const struct bus *bus, screen_work *work, void *ctx);
 #endif
 
 /* Before each frame: whatever was sent to the panel meanwhile, the frame starts with a window; it is held until the

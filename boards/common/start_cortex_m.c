@@ -5,7 +5,10 @@
  * USB, may have left some of them on, and its own vector table in use. */
 #include "bare_image.h"
 
-void arm_reset(void);
+typedef void arm_handler(void); /* of an exception */
+
+arm_handler arm_reset;
+arm_handler image_fault;
 
 extern const uint32_t image_entry[]; /* the vector table, sections.ld */
 
@@ -37,8 +40,8 @@ void arm_reset(void)
 /* What the processor reads at reset: the stack pointer and the handlers of exceptions 1 to 15. */
 __attribute__((section(".vectors"), used)) static const struct {
     uint32_t *stack_top;
-    void (*reset)(void);
-    void (*faults[14])(void);
+    arm_handler *reset;
+    arm_handler *faults[14];
 } vectors = {
     image_stack_top,
     arm_reset,

@@ -24,10 +24,11 @@ static inline uint16_t *lim_framebuffer_line(const struct lim_framebuffer *frame
     return (uint16_t *)framebuffer->pixels + (size_t)y_px * framebuffer->stride_px;
 }
 
-/* A lim_piece_fill for pieces of a line; `of_look` is a struct lim_piece_look, and its ctx the framebuffer. */
-void lim_framebuffer_fill(void *of_look, uint16_t x0_px, uint16_t x1_px);
+/* Its context is a struct lim_piece_look, and the ctx of that the framebuffer. */
+lim_piece_fill lim_framebuffer_fill;
 
 /* The same where calls are many. */
+static lim_piece_fill lim_framebuffer_fill_inline;
 static LIM_INLINE void lim_framebuffer_fill_inline(void *of_look, uint16_t x0_px, uint16_t x1_px)
 {
     const struct lim_piece_look *look = of_look;

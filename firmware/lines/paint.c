@@ -97,6 +97,8 @@ static inline void set_span(struct sink *sink, const struct lim_active *active, 
     sink->span->right = lim_edge_x(&active->pair.right);
 }
 
+static lim_piece_fill paint_piece;
+
 static void paint_piece(void *ctx, uint16_t x0, uint16_t x1)
 {
     struct sink *sink = ctx;

@@ -92,6 +92,8 @@ struct pusher {
     uint8_t alpha;
 };
 
+static lim_mask_sink push;
+
 static void push(void *ctx, const struct lim_run *run, uint16_t covered)
 {
     const struct pusher *pusher = ctx;

@@ -32,8 +32,8 @@ struct lim_smooth_sink {
     LIM_OPTIONAL(struct lim_textured_span, span, LIM_HAS_TEXTURE); /* no gradients: of one colour */
 };
 
-/* A lim_mask_sink of a lim_smooth_sink. */
-void lim_smooth_mix(void *sink, const struct lim_run *run, uint16_t covered);
+/* Its context is a struct lim_smooth_sink. */
+lim_mask_sink lim_smooth_mix;
 
 /* SPAN: closes the samples of a polygon that is not non-monotone, on lines top <= y < bottom; if it is transparent,
  * only looks whether any is open. */

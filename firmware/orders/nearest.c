@@ -244,6 +244,8 @@ static bool collect_run(struct lim_nearest *nearest, lim_index run)
 
 enum { MOVER_EXHAUSTED = 1, MOVER_FULL }; /* a pool; all lines */
 
+static lim_mover_draw draw_mover;
+
 static int draw_mover(void *ctx, uint16_t entry, const struct lim_screen_polygon *polygon, const struct lim_rect *open)
 {
     struct lim_nearest *nearest = ctx;

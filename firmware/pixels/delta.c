@@ -337,10 +337,10 @@ struct lim_target lim_delta_stage(struct lim_delta *delta)
     struct lim_target target = delta->target;
 
     target.ctx = delta;
-    target.lend = delta_lend;
-    target.done = delta_done;
+    target.lend = delta_lend; /* never called from this file */
+    target.done = delta_done; /* never called from this file */
 #if LIM_HAS_ROUND
-    if (target.visible) target.visible = delta_visible;
+    if (target.visible) target.visible = delta_visible; /* never called from this file */
 #endif
 #if LIM_HAS_FILL
     target.fill = NULL;

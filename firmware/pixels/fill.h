@@ -57,8 +57,9 @@ static inline void lim_fill_run(const struct lim_target *target, uint16_t *line,
                                 uint16_t n_px, uint16_t colour)
 {
     if (LIM_HAS_FILL && (!LIM_HAS_LINES || !line)) {
+        lim_piece_fill *const fill = lim_target_fill(target);
         struct lim_piece_look look = {target->ctx, colour, y_px};
-        lim_target_fill(target)(&look, x_px, (uint16_t)(x_px + n_px));
+        fill(&look, x_px, (uint16_t)(x_px + n_px));
         return;
     }
     lim_fill(line, x_px, n_px, colour);

@@ -8,14 +8,11 @@
 #include "errors.h"
 #include "target.h"
 
-/* Receives pixels x0_px <= x < x1_px of a line: lim_target.fill, or what SPAN found open, left to right. */
-typedef void lim_piece_fill(void *ctx, uint16_t x0_px, uint16_t x1_px);
-
 /* Whether a target leaves out pixels of its lines: lim_target_visible() says which it has. */
 static inline bool lim_target_is_round(const struct lim_target *target)
 {
 #if LIM_HAS_ROUND
-    return target->visible;
+    return target->visible != NULL;
 #else
     (void)target;
     return false;
@@ -48,7 +45,7 @@ static inline lim_piece_fill *lim_target_fill(const struct lim_target *target)
 static inline bool lim_target_keeps_all(const struct lim_target *target)
 {
 #if LIM_HAS_FILL
-    return target->show;
+    return target->show != NULL;
 #else
     (void)target;
     return false;

@@ -145,6 +145,6 @@ int hid_port_open(struct port *port, const char *serial, const struct bridge_opt
                                     .release = release,
                                     .name = name,
                                     .why = why,
-                                    .clock = {.ctx = NULL, .delay = delay}};
+                                    .clock = (struct clock){.ctx = NULL, .delay = delay}};
     return bridge_port_open(port, &hid, options);
 }

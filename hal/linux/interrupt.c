@@ -8,6 +8,9 @@
 
 static volatile sig_atomic_t seen;
 
+typedef void signal_handler(int signal_number);
+static signal_handler note;
+
 static void note(int signal_number)
 {
     seen = signal_number;

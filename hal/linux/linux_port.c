@@ -115,7 +115,7 @@ static int take(struct linux_port *self, struct port *port, enum line_index inde
 static struct pin pin_of(struct linux_port *self, enum line_index index)
 {
     struct named_line *line = &self->lines[index];
-    return line->name ? (struct pin){line, set} : (struct pin){0};
+    return line->name ? (struct pin){.ctx = line, .set = set} : (struct pin){0};
 }
 
 /* The port -------------------------------------------------------------------------------------- */
@@ -158,8 +158,8 @@ static void fill(struct port *port, struct linux_port *self)
     port->backlight = pin_of(self, BACKLIGHT);
     port->select = pin_of(self, SELECT);
     port->led = pin_of(self, LED);
-    if (self->lines[TEARING].name) port->tearing = (struct edge){&self->lines[TEARING], wait};
-    port->clock = (struct clock){port, delay};
+    if (self->lines[TEARING].name) port->tearing = (struct edge){.ctx = &self->lines[TEARING], .wait = wait};
+    port->clock = (struct clock){.ctx = port, .delay = delay};
     port->spi_mode = self->spi.mode;
     port->ctx = self;
     port->close = close_port;

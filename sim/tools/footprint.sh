@@ -8,12 +8,6 @@
 
 footprint_flags='-Os -ffreestanding -ffunction-sections -fdata-sections -Ifirmware'
 
-# Where calls through pointers lead.
-# SPAN's sink is set by what paints into gaps, or into a framebuffer; flat scenes do without, and bands.c where there is
-# none.
-footprint_calls='span.c=paint_piece span.c=lim_framebuffer_fill span.c=none bands.c=lim_framebuffer_fill bands.c=none
-    mask.c=lim_smooth_mix mask.c=push mover_order.c=draw_mover mover_order.c=paint_mover'
-
 # footprint_objects CORE FOLDER HEADER [FLAG...]: the renderer's objects and call graphs in FOLDER, which has the
 # scene's HEADER.
 footprint_objects() {
@@ -65,19 +59,15 @@ footprint_ram() {
         "$footprint_dir/ram.c" && footprint_size "$footprint_core" "$footprint_dir/ram.image" 3
 }
 
-# footprint_stack CORE FOLDER: the bytes and the path, without what the target's functions take. With delta output that
-# is the target of all stages.
+# Where calls through pointers lead, in the project's folder.
+footprint_pointers() {
+    find -L firmware hal boards -name '*.[ch]' -exec awk -f sim/tools/pointers.awk {} +
+}
+
+# footprint_stack CORE FOLDER: the bytes and the path, without what the target's functions take.
 footprint_stack() {
-    footprint_at_target='paint.c flat.c painter.c framebuffer.h convex.c smooth_line.c'
-    footprint_outside="$footprint_at_target begin.c target_parts.h fill.h" footprint_more=
-    if grep -q delta_done "$2/$1/delta.ci"; then
-        footprint_outside='delta.c begin.c target_parts.h fill.h'
-        for footprint_stage in $footprint_at_target; do
-            footprint_more="$footprint_more $footprint_stage=delta_done $footprint_stage=delta_lend"
-        done
-    fi
-    awk -f sim/tools/stack.awk -v roots='lim_init lim_frame' -v calls="$footprint_calls$footprint_more" \
-        -v outside="$footprint_outside" "$2/$1"/*.ci
+    footprint_pointers >"$2/pointers" &&
+        awk -f sim/tools/stack.awk -v roots='lim_init lim_frame' "$2/pointers" "$2/$1"/*.ci
 }
 
 # footprint_costs CORE FOLDER H_PX: of the scene model.h in FOLDER: code, RAM, stack.

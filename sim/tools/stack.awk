@@ -1,24 +1,15 @@
 # SPDX-License-Identifier: MIT
 #
 # The worst-case stack of functions, from what gcc -fcallgraph-info=su writes: awk -f sim/tools/stack.awk
-# -v roots='lim_init lim_frame' [-v calls='span.c=paint_piece ...'] [-v outside='paint.c ...'] *.ci
-# `calls` says where a file's calls through a pointer lead, to one function or several of which some are linked; "none"
-# among them is a pointer that nobody sets where the others are not linked. Those
-# of the files in `outside` lead to somebody else's functions, whose stack comes on top. Prints the bytes of the deepest root, and the path there. An
-# error: recursion, a frame without bound, a pointer not accounted for. `only`, if given, are the functions that were linked:
-# no other counts.
+# -v roots='lim_init lim_frame' [-v only='...'] POINTERS *.ci
+# POINTERS is what sim/tools/pointers.awk says of the sources. Prints the bytes of the deepest root, and the path there.
+# An error: recursion, a frame without bound, a call through a pointer of which the sources do not say where it leads to.
+# Where none of its functions is in the graphs it leads to somebody else's, whose stack comes on top: a target that the
+# renderer does not know. `only`, if given, are the functions that were linked: no other counts.
 
 # Code of the compiler's own library, written in assembly or without call graph: more than any of it takes.
 BEGIN {
     library_b = 64
-    count = split(calls, pairs, " ")
-    for (i = 1; i <= count; i++) {
-        at = index(pairs[i], "=")
-        file = substr(pairs[i], 1, at - 1)
-        leads[file] = leads[file] (file in leads && leads[file] != "" ? "|" : "") substr(pairs[i], at + 1)
-    }
-    count = split(outside, names, " ")
-    for (i = 1; i <= count; i++) is_outside[names[i]] = 1
     some_left_out = split(only, names, " ")
     for (i = 1; i <= some_left_out; i++) is_linked[as_declared(names[i])] = 1
 }
@@ -52,45 +43,87 @@ function is_left_out(title) {
     return some_left_out && !(plain(title) in is_linked)
 }
 
+# POINTERS: where there is a call, and what may be called.
+$1 == "call" { pointers[$2] = pointers[$2] " " $3 }
+$1 == "to" { leads[$2] = leads[$2] " " $3 ($4 == "elsewhere" ? "/" : "") }
+
 /^node: / {
     title = as_declared(quoted("title"))
     label = quoted("label")
     if (label !~ / bytes \(/ || is_left_out(title)) next
     if (label ~ /bytes \(dynamic\)/) fail(plain(title) ": its stack has no bound")
+    split(label, parts, "\\\\n")
+    home[title] = base_of(parts[2])
     own_b[title] = label
     sub(/.*\\n/, "", own_b[title])
     own_b[title] += 0
     by_name[plain(title)] = title
+    titles[plain(title)] = titles[plain(title)] " " title
 }
 
-# A call through a pointer becomes one of what the pointer leads to.
 /^edge: / {
     from = as_declared(quoted("sourcename"))
     to = as_declared(quoted("targetname"))
     if (is_left_out(from)) next
     if (to == "__indirect_call") {
-        file = quoted("label")
-        sub(/:.*/, "", file)
-        sub(/.*\//, "", file)
-        if (file in is_outside) next
-        if (!(file in leads)) fail(file ": calls through a pointer, and nobody says where to")
-        to = "*" leads[file]
+        place = quoted("label")
+        at = base_of(place) ":" line_of(place)
+        if (!(at in pointers)) fail(place ": calls through a pointer, and nobody says where to")
+        to = "*" at
     }
     callees[from] = callees[from] " " to
 }
 
-# Of what a pointer may lead to, that which goes deepest.
-function deepest_of(names,   list, n, i, bytes, most_b, most) {
-    n = split(names, list, "|")
+# The file and the line of a place PATH:LINE:COLUMN, of which the column may be missing.
+function base_of(place) {
+    sub(/:.*/, "", place)
+    sub(/.*\//, "", place)
+    return place
+}
+
+function line_of(place) {
+    sub(/^[^:]*:/, "", place)
+    return place + 0
+}
+
+# The functions that a place's pointers reach from a file.
+function reached(place, from,   list, words, n, m, i, k, names, name) {
+    n = split(pointers[place], list, " ")
     for (i = 1; i <= n; i++) {
-        if (!(list[i] in by_name)) continue
-        bytes = deepest(by_name[list[i]])
-        if (most && bytes <= most_b) continue
-        most_b = bytes
-        most = by_name[list[i]]
+        m = split(leads[list[i]], words, " ")
+        for (k = 1; k <= m; k++) {
+            name = words[k]
+            if (sub(/\/$/, "", name) && index(name, home[from] ":") == 1) continue
+            names = names " " name
+        }
     }
-    if (!most && ("|" names "|") !~ /\|none\|/) fail(names ": no such function")
+    return names
+}
+
+# Of what may be called at a place from a function, that which goes deepest; "": nothing that is there. A pointer's
+# functions are FILE:NAME, of which FILE is - where any file may call NAME; / behind it: not through a pointer in FILE.
+function deepest_at(place, from,   list, n, i, candidates, count, k, bytes, most_b, most) {
+    n = split(reached(place, from), list, " ")
+    for (i = 1; i <= n; i++) {
+        count = split(titles_of(list[i]), candidates, " ")
+        for (k = 1; k <= count; k++) {
+            bytes = deepest(candidates[k])
+            if (most != "" && bytes <= most_b) continue
+            most_b = bytes
+            most = candidates[k]
+        }
+    }
     return most
+}
+
+# The graph's functions that are FILE:NAME. Of a static one that is not known to be of another file, all: graphs of AVR
+# have no files.
+function titles_of(wanted,   parts, list, n, i, found) {
+    split(wanted, parts, ":")
+    n = split(titles[parts[2]], list, " ")
+    for (i = 1; i <= n; i++)
+        if (parts[1] == "-" || home[list[i]] == "" || home[list[i]] == parts[1]) found = found " " list[i]
+    return found
 }
 
 # Bytes of a function and all that it calls; `via` is the deepest way there.
@@ -106,7 +139,7 @@ function deepest(title,   list, n, i, callee, below_b, most_b, name) {
     n = split(callees[title], list, " ")
     for (i = 1; i <= n; i++) {
         callee = list[i]
-        if (sub(/^\*/, "", callee)) callee = deepest_of(callee)
+        if (sub(/^\*/, "", callee)) callee = deepest_at(callee, title)
         if (callee == "") continue
         below_b = deepest(callee)
         if (below_b <= most_b) continue
