@@ -32,14 +32,16 @@ compile_model() {
     done
 }
 
+too_large='overflowed\|will not fit\|is not within region'
+
 # What does not fit is linked all the same, to see by how much.
 link() {
     # shellcheck disable=SC2086 # flags are words
     "${TOOLS}gcc" $ARCH $OPT -Wl,--gc-sections -Wl,--noinhibit-exec -Wl,-Map,"$folder/image.map" $LINK \
         -o "$work/image.elf" "$@" "$folder"/model*.o $LAST 2>"$work/said" ||
-        grep -q 'overflowed\|will not fit' "$work/said" || { cat "$work/said" >&2; fail "$title: cannot be linked"; }
+        grep -q "$too_large" "$work/said" || { cat "$work/said" >&2; fail "$title: cannot be linked"; }
     # What a linker script asserts does not inhibit it, either.
-    if grep -v 'overflowed\|will not fit' "$work/said" >&2; then fail "$title: is not linked as it should be"; fi
+    if grep -v "$too_large" "$work/said" >&2; then fail "$title: is not linked as it should be"; fi
     "${TOOLS}nm" -S "$work/image.elf" >"$work/symbols"
     "${TOOLS}size" -A "$work/image.elf" | awk '
         $1 ~ /^\.(boot2|vectors|text|rodata|init|fini)/ { code += $2 }
