@@ -50,7 +50,7 @@ reading && operation == "sbci" && operands ~ /^r29/ { frame_b += 256 * number(op
 reading && operation == "sbiw" && operands ~ /^r28/ { frame_b += number(operands) }
 { reading = 0 }
 
-operation == "icall" || operation == "eicall" { put_edge("__indirect_call") }
+operation ~ /^e?icall$/ || (operation ~ /^e?ijmp$/ && function_name !~ /tablejump/) { put_edge("__indirect_call") }
 operation ~ /^r?(call|jmp)$/ && match($0, /0x[0-9a-f]+ <[^>+]*>/) {
     target = substr($0, RSTART, RLENGTH)
     split(target, parts, " ")

@@ -2,7 +2,7 @@
 #
 # Where calls through pointers lead, as the C says it: awk -f sim/tools/pointers.awk SOURCE... (all of firmware/, hal/ and
 # boards/). Prints for sim/tools/stack.awk
-#   call FILE:LINE POINTER                       a call through it
+#   call FILE:LINE POINTER                       a line of a statement that calls through it
 #   to POINTER FILE:FUNCTION [elsewhere]         a function that it may lead to; `elsewhere`: but not from that file
 # A POINTER is one of two:
 #   - a struct's member, `target.lend`: the last word of the struct's name, and the member's. Whoever calls through it or
@@ -27,11 +27,13 @@ FNR == 1 {
     if ($0 ~ /\/\* never called from this file \*\//) is_elsewhere[file_count, FNR] = 1
 }
 
-# A line without comments, texts and directives.
+# A line without comments and texts; of directives what macros stand for.
 function code_of(text,   code, at, next_at) {
-    if (in_directive || (!in_comment && text ~ /^[ \t]*#/)) {
-        in_directive = text ~ /\\$/
-        return ""
+    if (in_directive || (!in_comment && text ~ /^ *#/)) {
+        if (!in_directive) is_macro = sub(/^ *# *define [A-Za-z_0-9]+(\([^)]*\))?/, "", text)
+        in_directive = sub(/\\$/, "", text)
+        if (!is_macro) return ""
+        text = " " text
     }
     gsub(/__attribute__\(\(([^()]|\([^()]*\))*\)\)/, "", text)
     gsub(/"([^"\\]|\\.)*"/, "\"\"", text)
@@ -78,15 +80,29 @@ function read_declarations(text,   name) {
     if (text ~ /^typedef .*[ *][a-z_0-9]+\(/ && text !~ /\(\*/) {
         name = text
         sub(/\(.*/, "", name)
-        is_type[last_name(name)] = 1
-    } else if (match(text, /\(\*[a-z_0-9]+\)\(/)) {
+        add_type(last_name(name))
+    } else if (match(text, /\(\*[a-z_0-9]+(\[[^]]*\])?\)\(/)) {
         name = substr(text, RSTART + 2, RLENGTH - 4)
-        if (tag == "") wrong(name ": is no struct's member: declare a type of functions for it")
+        if (tag == "" || name ~ /\[/) wrong(name ": is no struct's member: declare a type of functions for it")
         else add_member(tag, name, last_word(tag) "." name)
     } else if (text ~ /^[A-Za-z_]/) {
         name = declared_function(text)
         if (name != "") add_function(name, text)
     }
+}
+
+# Of two types for the same functions the compiler takes one for the other.
+function add_type(name,   at, kind) {
+    is_type[name] = 1
+    for (at = row; at <= lines[file]; at++) {
+        kind = kind line[file, at]
+        if (line[file, at] ~ /;$/) break
+    }
+    sub(name "\\(", "(", kind)
+    gsub(/[a-z_0-9]+[,)]/, ",", kind)
+    gsub(/ /, "", kind)
+    if ((kind in type_like) && type_like[kind] != name) wrong(name ": is the same type as " type_like[kind])
+    type_like[kind] = name
 }
 
 # The struct whose members are declared here: its tag, or "".
@@ -162,8 +178,17 @@ function put(pointer, name,   where) {
 }
 
 function put_call(pointer) {
-    print "call " bases[file] ":" row " " pointer
+    called_here = called_here " " pointer
     if (!(pointer in called_at)) called_at[pointer] = files[file] ":" row
+}
+
+# Compilers differ in which of a statement's lines they name.
+function put_calls(   list, count, i, at) {
+    count = split(called_here, list, " ")
+    for (i = 1; i <= count; i++)
+        for (at = begun; at <= row; at++) print "call " bases[file] ":" at " " list[i]
+    called_here = ""
+    begun = 0
 }
 
 # The pointer that a member of a struct of that name is, or "".
@@ -187,7 +212,7 @@ function read_uses(text,   rest, before, word) {
         if (before ~ /(->|[^0-9.]\.|^\.)$/) use_member(before, word, rest)
         else if (is_declared(text, before, rest)) is_local[word] = 1
         else if (rest ~ /^\(/) use_call(word)
-        else if (!(word in is_local) && text !~ /^[A-Za-z_]/) use_function(before, word)
+        else if (!(word in is_local) && (text !~ /^[A-Za-z_]/ || before ~ /\{/)) use_function(before, word)
     }
 }
 
@@ -246,7 +271,7 @@ function use_call(name) {
 
 # A function that is not called here is set to a member, or has a type.
 function use_function(before, name) {
-    if (owner(name) == "" || is_set_here[name] == row || before ~ /((struct|enum|union) |LIM_AGREES\()$/) return
+    if (owner(name) == "" || is_set_here[name] == row || before ~ /((struct|enum|union) |LIM_AGREES\(|\(\*)$/) return
     if (!((owner(name), name) in type_of_function)) wrong(name ": its address is taken, and nobody says as what: declare it by a type of functions")
 }
 
@@ -256,7 +281,11 @@ END {
     for (file = 1; file <= file_count; file++)
         for (row = 1; row <= lines[file]; row++) read_types(line[file, row])
     for (file = 1; file <= file_count; file++)
-        for (row = 1; row <= lines[file]; row++) read_uses(line[file, row])
+        for (row = 1; row <= lines[file]; row++) {
+            if (line[file, row] != "" && !begun) begun = row
+            read_uses(line[file, row])
+            if (line[file, row] ~ /[;{}]$/) put_calls()
+        }
     for (pointer in is_set) {
         if ((pointer in called_at) || pointer in is_type) continue
         print pointer ": is set, and nobody calls it" > "/dev/stderr"

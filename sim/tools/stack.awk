@@ -52,8 +52,7 @@ $1 == "to" { leads[$2] = leads[$2] " " $3 ($4 == "elsewhere" ? "/" : "") }
     label = quoted("label")
     if (label !~ / bytes \(/ || is_left_out(title)) next
     if (label ~ /bytes \(dynamic\)/) fail(plain(title) ": its stack has no bound")
-    split(label, parts, "\\\\n")
-    home[title] = base_of(parts[2])
+    home[title] = split(label, parts, "\\\\n") == 3 ? base_of(parts[2]) : ""
     own_b[title] = label
     sub(/.*\\n/, "", own_b[title])
     own_b[title] += 0
