@@ -2,7 +2,7 @@
 #
 # Where calls through pointers lead, as the C says it: awk -f sim/tools/pointers.awk SOURCE... (all of firmware/, hal/ and
 # boards/). Prints for sim/tools/stack.awk
-#   call FILE:LINE POINTER                       a line of a statement that calls through it
+#   call FILE:LINE POINTER                       a call through it
 #   to POINTER FILE:FUNCTION [elsewhere]         a function that it may lead to; `elsewhere`: but not from that file
 # A POINTER is one of two:
 #   - a struct's member, `target.lend`: the last word of the struct's name, and the member's. Whoever calls through it or
@@ -111,8 +111,10 @@ function note_struct(text) {
     else if (text ~ /^ *\}/) tag = ""
 }
 
-function add_member(tag, name, pointer) {
-    member[tag, name] = member_by_word[last_word(tag), name] = pointer
+function add_member(tag, name, pointer,   word) {
+    word = last_word(tag)
+    if (((word, name) in member_by_word) && member_by_word[word, name] != pointer) wrong(name ": is another pointer in another struct ..._" word)
+    member[tag, name] = member_by_word[word, name] = pointer
 }
 
 function declared_function(text,   word) {
@@ -178,17 +180,8 @@ function put(pointer, name,   where) {
 }
 
 function put_call(pointer) {
-    called_here = called_here " " pointer
+    print "call " bases[file] ":" row " " pointer
     if (!(pointer in called_at)) called_at[pointer] = files[file] ":" row
-}
-
-# Compilers differ in which of a statement's lines they name.
-function put_calls(   list, count, i, at) {
-    count = split(called_here, list, " ")
-    for (i = 1; i <= count; i++)
-        for (at = begun; at <= row; at++) print "call " bases[file] ":" at " " list[i]
-    called_here = ""
-    begun = 0
 }
 
 # The pointer that a member of a struct of that name is, or "".
@@ -250,9 +243,9 @@ function use_set(pointer, rest,   found, word) {
     while (match(rest, /[A-Za-z_][A-Za-z_0-9]*/)) {
         word = substr(rest, RSTART, RLENGTH)
         rest = substr(rest, RSTART + RLENGTH)
-        if (owner(word) == "" || (word in is_local)) continue
+        if (owner(word) == "" || (word in is_local) || rest ~ /^\(/) continue
         put(pointer, word)
-        is_set_here[word] = row
+        is_set_here[file, word] = row
         found = 1
     }
     if (!found) wrong(pointer ": is set to what is no function's name")
@@ -269,9 +262,9 @@ function use_call(name) {
     if (owner(name) == "" && ((file, name) in variable)) put_call(variable[file, name])
 }
 
-# A function that is not called here is set to a member, or has a type.
+# A function's name without a call: it is set to a member, or has a type.
 function use_function(before, name) {
-    if (owner(name) == "" || is_set_here[name] == row || before ~ /((struct|enum|union) |LIM_AGREES\(|\(\*)$/) return
+    if (owner(name) == "" || is_set_here[file, name] == row || before ~ /((struct|enum|union) |LIM_AGREES\(|\(\*)$/) return
     if (!((owner(name), name) in type_of_function)) wrong(name ": its address is taken, and nobody says as what: declare it by a type of functions")
 }
 
@@ -281,11 +274,7 @@ END {
     for (file = 1; file <= file_count; file++)
         for (row = 1; row <= lines[file]; row++) read_types(line[file, row])
     for (file = 1; file <= file_count; file++)
-        for (row = 1; row <= lines[file]; row++) {
-            if (line[file, row] != "" && !begun) begun = row
-            read_uses(line[file, row])
-            if (line[file, row] ~ /[;{}]$/) put_calls()
-        }
+        for (row = 1; row <= lines[file]; row++) read_uses(line[file, row])
     for (pointer in is_set) {
         if ((pointer in called_at) || pointer in is_type) continue
         print pointer ": is set, and nobody calls it" > "/dev/stderr"
