@@ -26,7 +26,7 @@ struct lim;
  * first. `pixels` may be written to again as soon as it returns. Lines come from the top down, the pieces of a line
  * from left to right, together all pixels of a frame, each once. 0; or a negative code, which ends the frame, and comes
  * back from lim_frame(). */
-typedef int lim_send(void *ctx, uint16_t y_px, const uint16_t *pixels, uint16_t x_px, uint16_t n_px);
+typedef int lim_send(void *ctx, uint16_t y_px, const uint16_t *pixels, uint16_t x_px, uint16_t n_px); /* program's */
 
 /* Bytes of a line. */
 #define LIM_LINE_B(w_px) (((w_px)*2u + 3u) / 4u * 4u)
