@@ -356,6 +356,14 @@
 #define LIM_UNLIKELY(condition) (condition)
 #endif
 
+/* Of a static function that calls a part which may not be linked: where nothing calls it, it is left out even without
+ * an optimizer. */
+#if defined(__GNUC__) && !defined(__OPTIMIZE__)
+#define LIM_IF_CALLED inline
+#else
+#define LIM_IF_CALLED
+#endif
+
 /* Not inlined, but not rare: a loop that wants all registers for itself. */
 #if defined(__GNUC__)
 #define LIM_ALONE __attribute__((noinline))

@@ -157,7 +157,7 @@ static int set_camera(struct lim *lim, const struct lim_camera *camera)
     return LIM_OK;
 }
 
-static void begin_changes(struct lim *lim, const struct lim_camera *camera)
+static LIM_IF_CALLED void begin_changes(struct lim *lim, const struct lim_camera *camera)
 {
     if (*lim->delta) lim_delta_begin_frame(*lim->delta, camera, lim_stats_of(&lim->pass));
 }
@@ -201,7 +201,7 @@ static bool is_whole_at_once(const struct lim *lim)
 
 bool lim_frame_work(struct lim *lim)
 {
-    if (lim->ahead->stage == LIM_AHEAD_NONE || is_whole_at_once(lim)) return false;
+    if (!LIM_HAS_SPANS || lim->ahead->stage == LIM_AHEAD_NONE || is_whole_at_once(lim)) return false;
     return lim_nearest_work(lim->nearest, &lim->ahead->stage);
 }
 
@@ -210,7 +210,8 @@ int lim_frame_paint(struct lim *lim)
     if (lim->ahead->stage == LIM_AHEAD_NONE) return LIM_ERR_BEGIN;
     if (LIM_HAS_DELTA) begin_changes(lim, lim->ahead->camera);
     const int err =
-        end_frame(lim, is_whole_at_once(lim) ? draw_frame(lim) : lim_nearest_paint(lim->nearest, &lim->ahead->stage));
+        end_frame(lim, !LIM_HAS_SPANS || is_whole_at_once(lim) ? draw_frame(lim)
+                                                               : lim_nearest_paint(lim->nearest, &lim->ahead->stage));
     lim_drop_ahead(lim);
     return err;
 }

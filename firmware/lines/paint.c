@@ -125,8 +125,9 @@ static bool paint_advance(struct lim_active *active, const union lim_retained_ce
 }
 
 /* A transparent polygon leaves its pixels open. */
-static void push_layers(struct lim_paint *paint, const struct lim_spans *spans, const struct lim_line *open,
-                        const struct lim_active *active, const union lim_retained_cell *cells)
+static LIM_IF_CALLED void push_layers(struct lim_paint *paint, const struct lim_spans *spans,
+                                      const struct lim_line *open, const struct lim_active *active,
+                                      const union lim_retained_cell *cells)
 {
     const int16_t left = lim_edge_x(&active->pair.left), right = lim_edge_x(&active->pair.right);
     const struct lim_layer piece = {left > 0 ? (uint16_t)left : 0, right > 0 ? (uint16_t)right : 0,
@@ -135,9 +136,9 @@ static void push_layers(struct lim_paint *paint, const struct lim_spans *spans, 
     if (!paint->layers->exhausted) lim_layers_push(paint->layers, spans, open, &piece);
 }
 
-static void mix_strip(struct lim_paint *paint, struct lim_spans *spans, struct lim_line *open,
-                      const struct lim_strip *strip, const struct lim_active *active,
-                      const union lim_retained_cell *cells, struct sink *sink)
+static LIM_IF_CALLED void mix_strip(struct lim_paint *paint, struct lim_spans *spans, struct lim_line *open,
+                                    const struct lim_strip *strip, const struct lim_active *active,
+                                    const union lim_retained_cell *cells, struct sink *sink)
 {
     struct lim_smooth_sink smooth;
 
@@ -236,7 +237,7 @@ static void paint_background(const struct lim_spans *spans, const struct lim_lin
 }
 
 /* false: the stack was too small. */
-static bool blend(struct lim_paint *paint, uint16_t *line)
+static LIM_IF_CALLED bool blend(struct lim_paint *paint, uint16_t *line)
 {
     struct lim_stats *stats = lim_stats_of(paint->pass);
     struct lim_layers *layers = paint->layers;

@@ -91,7 +91,7 @@ static void set_antialiased(struct lim_nearest *nearest, bool antialiased)
 }
 
 /* One line, from a walk of its own: it needs no pool. */
-static int draw_line_alone(struct lim_nearest *nearest, const struct lim_rect *band)
+static LIM_IF_CALLED int draw_line_alone(struct lim_nearest *nearest, const struct lim_rect *band)
 {
     const int err = lim_smooth_begin_line(&nearest->paint, band->y0);
 
@@ -101,7 +101,7 @@ static int draw_line_alone(struct lim_nearest *nearest, const struct lim_rect *b
 }
 
 /* The band's first line; what is left of the band comes next. */
-static int paint_first_line(struct lim_nearest *nearest, struct bands *bands)
+static LIM_IF_CALLED int paint_first_line(struct lim_nearest *nearest, struct bands *bands)
 {
     struct lim_rect *band = &bands->band;
     const bool antialiased = lim_is_antialiased(&nearest->pass->view);

@@ -23,7 +23,8 @@ static enum lim_span_result close_piece_lines(struct lim_spans *spans, const str
     return result & LIM_SPAN_EXHAUSTED ? LIM_SPAN_EXHAUSTED : (enum lim_span_result)result;
 }
 
-static bool see_lines(const struct lim_spans *spans, const struct lim_point *last, int16_t top, int16_t bottom)
+static LIM_IF_CALLED bool see_lines(const struct lim_spans *spans, const struct lim_point *last, int16_t top,
+                                    int16_t bottom)
 {
     for (int16_t y = top; y < bottom; y++) {
         const struct lim_point *line = &last[bottom - 1 - y];
@@ -60,8 +61,8 @@ static void trim(struct lim_point *last, int16_t *top, int16_t *bottom)
 }
 
 /* lim_trace_lines() for rows of samples. */
-static void fill_rows(struct lim_point *last, const struct lim_screen_polygon *whole, const struct lim_rect *open,
-                      int16_t top, int16_t bottom)
+static LIM_IF_CALLED void fill_rows(struct lim_point *last, const struct lim_screen_polygon *whole,
+                                    const struct lim_rect *open, int16_t top, int16_t bottom)
 {
     const int16_t x0 = (int16_t)(open->x0 * LIM_SAMPLES_A_ROW), x1 = (int16_t)(open->x1 * LIM_SAMPLES_A_ROW);
     struct lim_sample_edges edges;
@@ -79,8 +80,8 @@ static void fill_rows(struct lim_point *last, const struct lim_screen_polygon *w
 }
 
 /* pass() for them; a line that is drawn alone takes them at once. */
-static enum lim_span_result pass_rows(struct lim_nearest *nearest, const struct lim_screen_polygon *whole,
-                                      const struct lim_point *last, int16_t top, int16_t bottom)
+static LIM_IF_CALLED enum lim_span_result pass_rows(struct lim_nearest *nearest, const struct lim_screen_polygon *whole,
+                                                    const struct lim_point *last, int16_t top, int16_t bottom)
 {
     const int16_t end_row = (int16_t)(bottom * LIM_SAMPLE_ROWS);
     uint8_t result = LIM_SPAN_NOTHING;

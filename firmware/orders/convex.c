@@ -81,8 +81,8 @@ static LIM_RARE void begin(struct lim_convex *convex, struct lim_crossing *cross
     lim_edge_begin(&crossing->pair, crossing->polygon.n, crossing->polygon.shape.first);
 }
 
-static void fill_textured(struct lim_convex *convex, uint16_t *line, const struct lim_crossing *crossing, int16_t y,
-                          int16_t x0, int16_t x1)
+static LIM_IF_CALLED void fill_textured(struct lim_convex *convex, uint16_t *line, const struct lim_crossing *crossing,
+                                        int16_t y, int16_t x0, int16_t x1)
 {
     const struct lim_textured_span span = {convex->texturing, crossing->gradients, y, lim_edge_x(&crossing->pair.left),
                                            lim_edge_x(&crossing->pair.right)};

@@ -246,7 +246,8 @@ enum { MOVER_EXHAUSTED = 1, MOVER_FULL }; /* a pool; all lines */
 
 static lim_mover_draw draw_mover;
 
-static int draw_mover(void *ctx, uint16_t entry, const struct lim_screen_polygon *polygon, const struct lim_rect *open)
+static LIM_IF_CALLED int draw_mover(void *ctx, uint16_t entry, const struct lim_screen_polygon *polygon,
+                                    const struct lim_rect *open)
 {
     struct lim_nearest *nearest = ctx;
 
@@ -257,7 +258,7 @@ static int draw_mover(void *ctx, uint16_t entry, const struct lim_screen_polygon
 }
 
 /* What moves and has come to empty space. false: a pool is exhausted. */
-static bool collect_list(struct lim_nearest *nearest, uint16_t list)
+static LIM_IF_CALLED bool collect_list(struct lim_nearest *nearest, uint16_t list)
 {
     list = lim_movers_order(nearest->sorter, list, false);
     if (lim_movers_draw(nearest->sorter, list, &nearest->spans.open, false, draw_mover, nearest) == MOVER_EXHAUSTED)
@@ -266,7 +267,7 @@ static bool collect_list(struct lim_nearest *nearest, uint16_t list)
     return true;
 }
 
-static bool collect_with_movers(struct lim_nearest *nearest)
+static LIM_IF_CALLED bool collect_with_movers(struct lim_nearest *nearest)
 {
     struct lim_route route = lim_route_static(nearest->sorter, false);
     lim_index what;
@@ -281,7 +282,7 @@ static bool collect_with_movers(struct lim_nearest *nearest)
     return true;
 }
 
-static bool collect_from_tree(struct lim_nearest *nearest, const struct lim_rect *band)
+static LIM_IF_CALLED bool collect_from_tree(struct lim_nearest *nearest, const struct lim_rect *band)
 {
     lim_index run;
 

@@ -189,7 +189,7 @@ static int paint_run(struct lim_painter *painter, lim_index run, const struct li
     return 0;
 }
 
-static int paint_tree(struct lim_painter *painter, const struct lim_rect *screen)
+static LIM_IF_CALLED int paint_tree(struct lim_painter *painter, const struct lim_rect *screen)
 {
     lim_index run;
 
@@ -205,8 +205,8 @@ static int paint_tree(struct lim_painter *painter, const struct lim_rect *screen
 }
 
 /* A piece of a split polygon, on one line. */
-static int paint_piece_line(struct lim_painter *painter, uint16_t entry, const struct lim_screen_polygon *whole,
-                            uint16_t y)
+static LIM_IF_CALLED int paint_piece_line(struct lim_painter *painter, uint16_t entry,
+                                          const struct lim_screen_polygon *whole, uint16_t y)
 {
     const uint8_t fans = whole->shape.non_monotone ? (uint8_t)(whole->n - 2) : 1;
     struct lim_screen_polygon triangle;
@@ -232,8 +232,8 @@ static int paint_piece_line(struct lim_painter *painter, uint16_t entry, const s
 static lim_mover_draw paint_mover;
 
 /* The part of the screen that is painted is all of it, or a line. */
-static int paint_mover(void *ctx, uint16_t entry, const struct lim_screen_polygon *polygon,
-                       const struct lim_rect *screen)
+static LIM_IF_CALLED int paint_mover(void *ctx, uint16_t entry, const struct lim_screen_polygon *polygon,
+                                     const struct lim_rect *screen)
 {
     struct lim_painter *painter = ctx;
     const int16_t bottom = polygon->shape.bottom < (int16_t)screen->y1 ? polygon->shape.bottom : (int16_t)screen->y1;
@@ -248,13 +248,13 @@ static int paint_mover(void *ctx, uint16_t entry, const struct lim_screen_polygo
 }
 
 /* What moves and has come to empty space. */
-static int paint_list(struct lim_painter *painter, uint16_t list, const struct lim_rect *screen)
+static LIM_IF_CALLED int paint_list(struct lim_painter *painter, uint16_t list, const struct lim_rect *screen)
 {
     list = lim_movers_order(painter->sorter, list, true);
     return lim_movers_draw(painter->sorter, list, screen, true, paint_mover, painter);
 }
 
-static int paint_with_movers(struct lim_painter *painter, const struct lim_rect *screen)
+static LIM_IF_CALLED int paint_with_movers(struct lim_painter *painter, const struct lim_rect *screen)
 {
     struct lim_route route = lim_route_static(painter->sorter, true);
     lim_index what;
@@ -271,7 +271,7 @@ static int paint_with_movers(struct lim_painter *painter, const struct lim_rect 
     }
 }
 
-static int paint_sorted(struct lim_painter *painter, const struct lim_rect *screen)
+static LIM_IF_CALLED int paint_sorted(struct lim_painter *painter, const struct lim_rect *screen)
 {
     struct lim_screen_polygon polygon;
     int err = 0;

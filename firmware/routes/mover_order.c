@@ -140,7 +140,7 @@ struct face {
 };
 
 /* What has no plane, because its corners have come to lie on a line, is not lit. */
-static uint16_t colour_of(const struct lim_sorter *sorter, const struct face *face)
+static LIM_IF_CALLED uint16_t colour_of(const struct lim_sorter *sorter, const struct face *face)
 {
     const struct lim_scene *object = sorter->movers->instances[face->mover].object;
     struct lim_plane_unpacked plane;

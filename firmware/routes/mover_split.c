@@ -112,7 +112,7 @@ static bool add_run(struct lim_sorter *sorter, struct queue *queue, const struct
 }
 
 /* Every record, wherever in the tree it is: it knows its own plane. */
-static bool add_deformed(struct lim_sorter *sorter, struct queue *queue, uint16_t mover)
+static LIM_IF_CALLED bool add_deformed(struct lim_sorter *sorter, struct queue *queue, uint16_t mover)
 {
     const struct lim_scene *object = sorter->movers->instances[mover].object;
 
