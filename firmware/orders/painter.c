@@ -39,7 +39,8 @@ static uint16_t *line_at(struct lim_painter *painter, uint16_t y)
 {
     struct lim_target *target = &painter->pass->target;
 
-    if (LIM_HAS_FRAMEBUFFER && painter->fills) return lim_framebuffer_line(lim_framebuffer_of(target), y);
+    if (LIM_HAS_PAINTER && LIM_HAS_FRAMEBUFFER && painter->fills)
+        return lim_framebuffer_line(lim_framebuffer_of(target), y);
     return painter->lent ? painter->lent : target->lend(target->ctx, y);
 }
 
@@ -152,7 +153,7 @@ static LIM_ALONE int paint_record(struct lim_painter *painter, const LIM_FLASH l
 {
     struct lim_screen_polygon polygon;
 
-    if (LIM_HAS_FRAMEBUFFER && painter->fills && paint_fast(painter, record, polygon.at)) return 0;
+    if (LIM_HAS_PAINTER && LIM_HAS_FRAMEBUFFER && painter->fills && paint_fast(painter, record, polygon.at)) return 0;
     if (!lim_project(&polygon, &painter->pass->view, painter->pass->scene, record, screen, lim_stats_of(painter->pass)))
         return 0;
     return paint_any(painter, &polygon, screen);
