@@ -70,7 +70,7 @@ static inline void *lim_mem_cut(uint8_t **mem, size_t size_b)
     (LIM_HAS_SCANLINE && ((!LIM_HAS_NEAREST && !LIM_HAS_SORTED) || (target)->method == LIM_SCANLINE))
 
 /* Polygons come from a sorted list instead of the tree. */
-#define LIM_IS_SORTED(target) (LIM_HAS_SORTED && (!LIM_HAS_WALKED || (target)->method >= LIM_DEPTH))
+#define LIM_IS_SORTED(target) (LIM_HAS_SORTED && (!LIM_HAS_TREE || (target)->method >= LIM_DEPTH))
 #define LIM_IS_NEWELL(target)                                                                                          \
     (LIM_HAS_NEWELL && ((!LIM_HAS_WALKED && !LIM_HAS_DEPTH) || (target)->method == LIM_NEWELL))
 
