@@ -1,28 +1,9 @@
 # SPDX-License-Identifier: MIT
 #
-# Builds with any two features, with either alone and with neither, paint what the full renderer paints: six
-# choices that hold all pairs. (Suite `features` has all choices.)
+# Builds with any two features, and without any two, paint what the full renderer paints: an eighth of the pairs, which
+# one SEED says. (Suite `features` has all pairs.) A renderer that is fitted to a scene links without an optimizer.
 . tests/tap.sh
 . tests/features_on.sh
-
-# Row 1 to 6 of a covering array: up to ten features are on in three rows each, in the first and in two others, no two
-# features in the same three.
-pairwise() { # ROW
-    awk -v row="$1" -v count="$features_count" '
-        BEGIN {
-            for (a = 2; a < 6; a++)
-                for (b = a + 1; b <= 6; b++)
-                    if (f++ < count) choice += (row == 1 || row == a || row == b) * 2 ^ (f - 1)
-            print choice
-        }'
-}
-
-pairwise_on() { # COMPILER NAME
-    for row in 1 2 3 4 5 6; do
-        tap_check "$1: $2 with features $(pairwise $row) is painted as by the full renderer" \
-            features_draw "$1" "$2" "$(pairwise $row)"
-    done
-}
 
 convex_refuses() { # SCENE
     "$BUILD/limner" render "$1" --method convex --size 32x32 -o "$work/none%d.png" >/dev/null 2>"$work/said" && return 1
@@ -37,20 +18,28 @@ convex_is_nearest() { # SCENE
     diff "$work/nearest" "$work/convex"
 }
 
+
+# One object for each file, as users build: what the scene does without is called by nobody.
+links_unoptimized() { # COMPILER NAME
+    rm -rf "$work/objects"
+    mkdir "$work/objects"
+    # shellcheck disable=SC2086 # flags are words
+    for source in tests/features/main.c "$kept/$2"/model*.c firmware/*.c firmware/*/*.c; do
+        ${CCACHE:-} "$1" -std=c11 -O0 $WARNINGS -DLIM_CONFIG='"model.h"' -Ifirmware -I"$kept/$2" -c \
+            -o "$work/objects/$(basename "$source" .c).o" "$source" || return 1
+    done
+    "$1" -o "$kept/$2/program" "$work"/objects/*.o && "$kept/$2/program" >"$kept/$2/frames" &&
+        features_compare "$2" "$(features_all "$2")"
+}
+
 tap_check "--method convex refuses the rooms" convex_refuses sim/scenes/rooms.obj
 tap_check "--method convex paints an icosahedron as nearest first does" convex_is_nearest sim/scenes/icosahedron.obj
-tap_check "the full renderer paints the rooms" features_prepare rooms
-tap_check "the full renderer paints the icosahedron" features_prepare icosahedron teapot
-pairwise_on "$CC" rooms
-pairwise_on "$CC" icosahedron
-tap_check "the full renderer paints the glass" features_prepare glass
-pairwise_on "$CC" glass
-if command -v clang >/dev/null; then
-    for name in rooms icosahedron glass; do
-        tap_check "clang: $name with what it needs alone" features_draw clang $name 0
-        tap_check "clang: $name with every feature" features_draw clang $name $(((1 << features_count) - 1))
-    done
-else
-    tap_skip "clang: builds with few and with all features" "clang is not installed; suite features asks for it"
-fi
+features_pairs "$CC"
+for compiler in gcc clang; do
+    if command -v $compiler >/dev/null; then
+        tap_check "$compiler: a renderer fitted to the rooms links without an optimizer" links_unoptimized $compiler rooms
+    else
+        tap_skip "$compiler: a renderer fitted to the rooms links without an optimizer" "$compiler is not installed"
+    fi
+done
 tap_done

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT
  *
- * Renders a list of cameras by every method that this build has, into a framebuffer, and prints each
- * frame's number and hash as `limner render --write-hashes` does, method by method. Compiled for a scene
- * (model.h), its cameras (cameras.h) and a choice of features. */
+ * Renders a list of cameras by every method that this build has, in every way that it has, into a framebuffer. Prints
+ * `METHOD WAY`, and each frame's number and hash as `limner render --write-hashes` does; where the renderer refuses,
+ * `refused`. Compiled for a scene (model.h), its cameras (cameras.h) and a choice of features. */
 #include "limner.h"
 
 #include "cameras.h"
@@ -12,12 +12,39 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-enum { LINE_PX = (CAMERAS_W_PX + 1) / 2 * 2 };
+enum { LINE_PX = (CAMERAS_W_PX + 1) / 2 * 2, RUNS = 64 * CAMERAS_H_PX };
+
+enum way { PLAIN, FILL, FRAMEBUFFER, PARTS, WIREFRAME, ANTIALIAS, DELTA, WAYS };
+
+static const struct {
+    const char *name;
+    bool linked;
+} WAY[WAYS] = {{"plain", LIM_HAS_LINES},  {"fill", LIM_HAS_FILL},           {"framebuffer", LIM_HAS_FRAMEBUFFER},
+               {"parts", LIM_HAS_STREAM}, {"wireframe", LIM_HAS_WIREFRAME}, {"antialias", LIM_HAS_ANTIALIAS},
+               {"delta", LIM_HAS_DELTA}};
+
+static const struct {
+    const char *name;
+    enum lim_method method;
+    bool linked;
+} METHOD[] = {{"nearest", LIM_NEAREST_FIRST, LIM_HAS_NEAREST},
+              {"painter", LIM_PAINTER, LIM_HAS_PAINTER},
+              {"convex", LIM_CONVEX, LIM_HAS_CONVEX},
+              {"scanline", LIM_SCANLINE, LIM_HAS_SCANLINE},
+              {"depth", LIM_DEPTH, LIM_HAS_DEPTH},
+              {"newell", LIM_NEWELL, LIM_HAS_NEWELL}};
+
+static uint32_t frame[CAMERAS_H_PX * LINE_PX / 2];
+
+static uint16_t *line(uint16_t y_px)
+{
+    return (uint16_t *)frame + (size_t)y_px * LINE_PX;
+}
 
 static void *lend(void *ctx, uint16_t y_px)
 {
-    uint16_t *frame = ctx;
-    return frame + (size_t)y_px * LINE_PX;
+    (void)ctx;
+    return line(y_px);
 }
 
 static int done(void *ctx, uint16_t y_px, uint16_t x_px, uint16_t n_px)
@@ -26,65 +53,173 @@ static int done(void *ctx, uint16_t y_px, uint16_t x_px, uint16_t n_px)
     return y_px < CAMERAS_H_PX && x_px + n_px <= CAMERAS_W_PX ? 0 : -1;
 }
 
+#if LIM_HAS_FILL
+static void fill(void *look, uint16_t x0_px, uint16_t x1_px)
+{
+    const struct lim_piece_look *piece = look;
+
+    for (uint16_t x = x0_px; x < x1_px; x++)
+        line(piece->y_px)[x] = piece->colour;
+}
+
+static int show(void *ctx)
+{
+    (void)ctx;
+    return 0;
+}
+#endif
+
+#if LIM_HAS_DELTA
+static int window(void *ctx, const struct lim_rect *opened)
+{
+    (void)ctx;
+    return opened && (opened->x1 > CAMERAS_W_PX || opened->y1 > CAMERAS_H_PX) ? -1 : 0;
+}
+#endif
+
 /* FNV-1a, 64 bits, of the bytes as the bus gets them. */
-static uint64_t hash_of(const uint16_t *frame)
+static uint64_t hash_of_frame(void)
 {
     uint64_t hash = UINT64_C(0xcbf29ce484222325);
-    for (size_t y = 0; y < CAMERAS_H_PX; y++) {
-        const uint8_t *bytes = (const uint8_t *)(frame + y * LINE_PX);
+    for (uint16_t y = 0; y < CAMERAS_H_PX; y++) {
+        const uint8_t *bytes = (const uint8_t *)line(y);
         for (size_t i = 0; i < 2 * CAMERAS_W_PX; i++)
             hash = (hash ^ bytes[i]) * UINT64_C(0x100000001b3);
     }
     return hash;
 }
 
-/* In parts, a quantum at a time, if there are such: then a frame that is drawn at once is made of them as well. */
-static int draw(struct lim *lim, const struct lim_camera *camera, bool in_parts)
+static struct lim_target target_for(enum lim_method method, enum way way)
+{
+    struct lim_target target = {
+        .w_px = CAMERAS_W_PX, .h_px = CAMERAS_H_PX, .format = LIM_RGB565, .method = method, .lend = lend, .done = done};
+    (void)way;
+#if LIM_HAS_FILL
+    if (way == FILL || !LIM_HAS_LINES) target.fill = fill, target.show = way == FILL ? show : NULL;
+#endif
+#if LIM_HAS_FRAMEBUFFER
+    if (way == FRAMEBUFFER) target.framebuffer = (struct lim_framebuffer){frame, LINE_PX};
+#endif
+#if LIM_HAS_DELTA
+    target.window = window;
+    target.costs = (struct lim_target_costs){.window_b = 11, .pixel_bits = 16, .page_px = 1, .x_align_px = 1};
+#endif
+    return target;
+}
+
+/* What is asked for beside the method. */
+static int set_way(struct lim *lim, enum way way)
+{
+    (void)lim;
+#if LIM_HAS_WIREFRAME
+    if (way == WIREFRAME) lim_set_wireframe(lim, &(const struct lim_wireframe){.on = true});
+#endif
+#if LIM_HAS_ANTIALIAS
+    static uint32_t smooth_mem[LIM_ANTIALIAS_MEM_B(CAMERAS_W_PX) / 4];
+    if (way == ANTIALIAS) return lim_set_antialias(lim, smooth_mem, sizeof smooth_mem);
+#endif
+#if LIM_HAS_DELTA
+    static void *delta_mem[LIM_DELTA_MEM_B(CAMERAS_W_PX, CAMERAS_H_PX, RUNS) / sizeof(void *) + 1];
+    if (way == DELTA) return lim_set_delta(lim, delta_mem, sizeof delta_mem);
+#endif
+    return way >= WAYS;
+}
+
+#ifdef MODEL_MOVERS
+static int set_movers(struct lim *lim)
+{
+    static void *mover_mem[MODEL_MOVERS_MEM_B / sizeof(void *) + 1];
+    const struct lim_movers_limits limits = MODEL_MOVERS_LIMITS;
+    const int err = lim_movers_init(lim, mover_mem, sizeof mover_mem, &limits);
+
+#ifdef MODEL_LIGHT
+    const struct lim_light light = MODEL_LIGHT;
+    lim_light_set(lim, &light);
+#endif
+    return err;
+}
+
+/* Three frames a second. */
+static const struct lim_instance *placed(size_t at)
+{
+    static struct lim_instance instances[MODEL_MOVERS];
+
+    lim_moved_at(model_movers, MODEL_MOVERS, ((uint32_t)at * 1000 + 1) / 3, instances);
+    return instances;
+}
+
+static int draw_at_once(struct lim *lim, size_t at)
+{
+    return lim_movers_frame(lim, &cameras[at], placed(at), MODEL_MOVERS);
+}
+
+#if LIM_HAS_STREAM
+static int begin(struct lim *lim, size_t at)
+{
+    return lim_movers_begin(lim, &cameras[at], placed(at), MODEL_MOVERS);
+}
+#endif
+#else
+static int set_movers(struct lim *lim)
+{
+    (void)lim;
+    return 0;
+}
+
+static int draw_at_once(struct lim *lim, size_t at)
+{
+    return lim_frame(lim, &cameras[at]);
+}
+
+#if LIM_HAS_STREAM
+static int begin(struct lim *lim, size_t at)
+{
+    return lim_frame_begin(lim, &cameras[at]);
+}
+#endif
+#endif
+
+static int draw(struct lim *lim, size_t at, enum way way)
 {
 #if LIM_HAS_STREAM
-    if (in_parts) {
-        const int err = lim_frame_begin(lim, camera);
+    if (way == PARTS) {
+        const int err = begin(lim, at);
         while (!err && lim_frame_work(lim))
             continue;
         return err ? err : lim_frame_paint(lim);
     }
 #endif
-    (void)in_parts;
-    return lim_frame(lim, camera);
+    (void)way;
+    return draw_at_once(lim, at);
 }
 
-static int render(enum lim_method method, bool in_parts)
+static void render(enum lim_method method, enum way way)
 {
-    static uint32_t frame[CAMERAS_H_PX * LINE_PX / 2];
     static struct lim lim;
-    const struct lim_target target = {.w_px = CAMERAS_W_PX,
-                                      .h_px = CAMERAS_H_PX,
-                                      .format = LIM_RGB565,
-                                      .method = method,
-                                      .ctx = frame,
-                                      .lend = lend,
-                                      .done = done};
+    const struct lim_target target = target_for(method, way);
     const size_t mem_b = lim_mem_b(&model_scene, &target);
     void *mem = malloc(mem_b);
     int err = mem ? lim_init(&lim, &model_scene, &target, mem, mem_b) : LIM_ERR_MEMORY;
-    for (size_t i = 0; i < CAMERAS_COUNT && !err; i++) {
-        err = draw(&lim, &cameras[i], in_parts);
-        if (!err) printf("%zu %016" PRIx64 "\n", i, hash_of((const uint16_t *)frame));
+
+    if (!err) err = set_way(&lim, way);
+    if (!err) err = set_movers(&lim);
+    for (size_t at = 0; at < CAMERAS_COUNT && !err; at++) {
+        err = draw(&lim, at, way);
+        if (!err) printf("%zu %016" PRIx64 "\n", at, hash_of_frame());
+        if (!LIM_HAS_STATS && !err && lim_stats(&lim)->pixels_painted) err = -1;
     }
-    if (!LIM_HAS_STATS && lim_stats(&lim)->pixels_painted) err = -1;
+    if (err) printf("refused\n");
     free(mem);
-    return err;
 }
 
 int main(void)
 {
-    int err = 0;
-    for (int in_parts = 0; in_parts <= LIM_HAS_STREAM; in_parts++) {
-        if (!err && LIM_HAS_NEAREST) err = render(LIM_NEAREST_FIRST, in_parts);
-        if (!err && LIM_HAS_SCANLINE) err = render(LIM_SCANLINE, in_parts);
+    for (size_t i = 0; i < sizeof METHOD / sizeof *METHOD; i++) {
+        for (unsigned way = PLAIN; way < WAYS; way++) {
+            if (!METHOD[i].linked || !WAY[way].linked) continue;
+            printf("%s %s\n", METHOD[i].name, WAY[way].name);
+            render(METHOD[i].method, (enum way)way);
+        }
     }
-    if (!err && LIM_HAS_PAINTER) err = render(LIM_PAINTER, false);
-    if (!err && LIM_HAS_CONVEX && MODEL_SCENE_METHOD == LIM_CONVEX) err = render(LIM_CONVEX, false);
-    if (err) fprintf(stderr, "error %d\n", err);
-    return err ? EXIT_FAILURE : EXIT_SUCCESS;
+    return EXIT_SUCCESS;
 }

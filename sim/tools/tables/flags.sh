@@ -1,0 +1,105 @@
+# SPDX-License-Identifier: MIT
+#
+# What a firmware saves by a flag of config.h that is off, on the scene of the project that saves most: on Cortex-M0+ at
+# -Os, the renderer with and without it as sim/tools/footprint.sh links it.
+# shellcheck shell=sh disable=SC2154 # of tables.sh: work
+. sim/targets/targets.sh
+. sim/tools/footprint.sh
+
+: "${WARNINGS:=-Wall}"
+h_px=240
+
+# A flag, the scene, and what else a build with the flag on needs, or one without it that could have it.
+flags() {
+    cat <<'END'
+LIM_HAS_NEAREST icosahedron
+LIM_HAS_SCANLINE icosahedron
+LIM_HAS_PAINTER rooms
+LIM_HAS_CONVEX rooms
+LIM_HAS_DEPTH rooms
+LIM_HAS_NEWELL rooms
+LIM_HAS_MOVERS rooms
+LIM_HAS_DEFORM movers
+LIM_HAS_LIGHT movers
+LIM_HAS_CULL quarters
+LIM_HAS_SLANTED opacity
+LIM_HAS_LARGE icosahedron
+LIM_HAS_WIDE rooms
+LIM_HAS_LEAVES movers
+LIM_HAS_TRANSPARENT rooms
+LIM_HAS_TEXTURE rooms
+LIM_HAS_WIREFRAME rooms
+LIM_HAS_ANTIALIAS rooms
+LIM_HAS_DELTA rooms
+LIM_HAS_STREAM movers
+LIM_HAS_ROUND changing
+LIM_HAS_FILL rooms
+LIM_HAS_FRAMEBUFFER rooms
+LIM_HAS_LINES icosahedron -DLIM_HAS_FILL=1
+LIM_HAS_STATS rooms
+LIM_HAS_PORTALS rooms
+LIM_RECIP_TABLE rooms
+END
+}
+
+scene() { # NAME: its model, and options
+    case $1 in
+    movers) echo sim/scenes/movers.gltf ;;
+    quarters) echo tests/models/quarters.obj --method nearest ;;
+    opacity) echo tests/models/opacity.obj ;;
+    changing) echo sim/scenes/rooms.obj --delta ;;
+    *) echo "sim/scenes/$1.obj" ;;
+    esac
+}
+
+shown() { # NAME: in the table
+    case $1 in
+    opacity | quarters) scene "$1" ;;
+    changing) echo 'rooms, `--delta`' ;;
+    *) echo "$1" ;;
+    esac
+}
+
+compile() { # NAME
+    [ -d "$work/$1" ] && return
+    mkdir "$work/$1"
+    # shellcheck disable=SC2046 # words
+    "$BUILD/limner" compile $(scene "$1") --size ${h_px}x$h_px -o "$work/$1/model" >/dev/null
+}
+
+# Without call graphs, which are for stacks: all files at once.
+cost() { # NAME FLAG...: code and tables, RAM
+    cost_dir=$work/$1 project=$PWD
+    shift
+    rm -rf "$cost_dir/m0plus"
+    mkdir "$cost_dir/m0plus"
+    # shellcheck disable=SC2046,SC2086 # words
+    (cd "$cost_dir/m0plus" && $(target_compiler m0plus) $(target_flags m0plus) -Os -ffreestanding -ffunction-sections \
+        -fdata-sections $WARNINGS "-I$project/firmware" -I.. -DLIM_CONFIG='"model.h"' "$@" \
+        -c "$project"/firmware/*.c "$project"/firmware/*/*.c)
+    footprint_link m0plus "$cost_dir"
+    echo "$(footprint_size m0plus "$cost_dir/m0plus/renderer.elf" 1) $(footprint_ram m0plus "$cost_dir" model.h MODEL $h_px "$@")"
+}
+
+row() { # FLAG SCENE [OTHER-FLAG...]
+    flag=$1 name=$2
+    shift 2
+    compile "$name"
+    off=$(cost "$name" "-D$flag=0" "$@")
+    on=$(cost "$name" "-D$flag=1" "$@")
+    echo "$flag:$(shown "$name"):$off $on" | awk -F : '{
+        split($3, b, " ")
+        printf "| `%s` | %s | %d | %.1f | %d | %.1f |\n", $1, $2, b[3] - b[1], 100 * (b[3] - b[1]) / b[3], b[4] - b[2], 100 * (b[4] - b[2]) / b[4]
+    }'
+}
+
+# Each flag that can be set has a row.
+flags | cut -d ' ' -f 1 | sort >"$work/listed"
+{ sed -n 's/^#ifndef \(LIM_HAS_[A-Z]*\)$/\1/p' firmware/config.h && echo LIM_RECIP_TABLE; } | sort | diff - "$work/listed" >&2
+
+echo '| flag | scene that is without it | code and tables saved, bytes | % | RAM saved, bytes | % |'
+echo '|---|---|---|---|---|---|'
+flags | while read -r row_flag row_scene row_flags; do
+    # shellcheck disable=SC2086 # words
+    row "$row_flag" "$row_scene" $row_flags
+done
