@@ -108,7 +108,7 @@ LIBRARIES = assimp gdlib jansson libarchive libgpiod hidapi-$(HIDAPI) $(if $(fil
 HAVE_SDL2 = $(shell pkg-config --exists sdl2 && echo 1 || echo 0)
 GPIOD     = $(firstword $(subst ., ,$(shell pkg-config --modversion libgpiod)))
 FLAGS = -std=c11 $(HOST_OPT) $(WARNINGS) -ffp-contract=off -D_POSIX_C_SOURCE=200809L -DLIM_HAVE_SDL2=$(HAVE_SDL2) \
-	-DLIM_GPIOD=$(GPIOD) \
+	-DLIM_GPIOD=$(GPIOD) -DSCREEN_STREAMS=1 \
 	-Ifirmware -Ihal -Isim -Iboards/common $(shell pkg-config --cflags $(LIBRARIES)) -MMD -MP
 LINKS = $(shell pkg-config --libs $(LIBRARIES)) -lgmp -lz -lm
 

@@ -90,7 +90,7 @@ $(folder)/cameras.h: $(folder)/model.lim $(CAMERA)
 board_flags = $(STANDARD) $(ARCH) $(OPT) $(WARNINGS) -ffunction-sections -fdata-sections $(FRAMES) -MMD -MP \
 	-DBOARD_LINES=$(LINES) $(DEFINES) -Ifirmware -Ihal -Iboards/common -I$(board_folder)
 image_flags = -I$(folder) -DLIM_CONFIG='"model.h"' $(stream_flags) $(card_flags)
-stream_flags = $(if $(filter no,$(STREAM)),,-DLIM_HAS_STREAM=1 -DSCENE_RENDERERS=2)
+stream_flags = $(if $(filter no,$(STREAM)),,-DSCREEN_STREAMS=1 -DSCENE_RENDERERS=2)
 
 board_sources := $(wildcard hal/*.c) $(SOURCES) $(START)
 image_sources := $(wildcard firmware/*.c firmware/*/*.c) $(wildcard $(addprefix boards/common/,main.c app_scene.c card.c screen.c test_card.c walker.c))

@@ -57,7 +57,6 @@
     LIM_AGREED(LIM_HAS_WIREFRAME, ".wireframe")                                                                        \
     LIM_AGREED(LIM_HAS_ANTIALIAS, ".antialias")                                                                        \
     LIM_AGREED(LIM_HAS_DELTA, ".delta")                                                                                \
-    LIM_AGREED(LIM_HAS_STREAM, ".stream")                                                                              \
     LIM_AGREED(LIM_HAS_ROUND, ".round")                                                                                \
     LIM_AGREED(LIM_HAS_FILL, ".fill")                                                                                  \
     LIM_AGREED(LIM_HAS_FRAMEBUFFER, ".framebuffer")                                                                    \

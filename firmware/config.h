@@ -166,12 +166,6 @@
 #define LIM_HAS_DELTA 1
 #endif
 
-/* 1: lim_frame_begin() and what belongs to it are there: a frame in parts. No compiled scene knows of it: who sends one
- * frame while the next is begun says so. */
-#ifndef LIM_HAS_STREAM
-#define LIM_HAS_STREAM 1
-#endif
-
 /* 1: what paints nearest first leaves out what round glass does not show. */
 #ifndef LIM_HAS_ROUND
 #define LIM_HAS_ROUND LIM_HAS_SPANS

@@ -113,7 +113,7 @@ static void connect(struct lim *lim)
         if (LIM_HAS_TEXTURE) lim->convex->texturing = lim->texturing;
     }
     if (LIM_HAS_DELTA) *lim->delta = NULL;
-    if (LIM_HAS_STREAM) lim->ahead->stage = LIM_AHEAD_NONE;
+    lim->ahead.stage = LIM_AHEAD_NONE;
 }
 
 int lim_init(struct lim *lim, const struct lim_scene *scene, const struct lim_target *target, void *mem, size_t mem_b)
@@ -178,13 +178,12 @@ int lim_frame(struct lim *lim, const struct lim_camera *camera)
     return end_frame(lim, draw_frame(lim));
 }
 
-#if LIM_HAS_STREAM
 static int begin_frame_ahead(struct lim *lim, const struct lim_camera *camera)
 {
     const int err = set_camera(lim, camera);
     if (err) return err;
-    if (LIM_HAS_DELTA) *lim->ahead->camera = *camera;
-    lim->ahead->stage = LIM_AHEAD_BEGUN;
+    if (LIM_HAS_DELTA) *lim->ahead.camera = *camera;
+    lim->ahead.stage = LIM_AHEAD_BEGUN;
     return LIM_OK;
 }
 
@@ -201,21 +200,20 @@ static bool is_whole_at_once(const struct lim *lim)
 
 bool lim_frame_work(struct lim *lim)
 {
-    if (!LIM_HAS_SPANS || lim->ahead->stage == LIM_AHEAD_NONE || is_whole_at_once(lim)) return false;
-    return lim_nearest_work(lim->nearest, &lim->ahead->stage);
+    if (!LIM_HAS_SPANS || lim->ahead.stage == LIM_AHEAD_NONE || is_whole_at_once(lim)) return false;
+    return lim_nearest_work(lim->nearest, &lim->ahead.stage);
 }
 
 int lim_frame_paint(struct lim *lim)
 {
-    if (lim->ahead->stage == LIM_AHEAD_NONE) return LIM_ERR_BEGIN;
-    if (LIM_HAS_DELTA) begin_changes(lim, lim->ahead->camera);
+    if (lim->ahead.stage == LIM_AHEAD_NONE) return LIM_ERR_BEGIN;
+    if (LIM_HAS_DELTA) begin_changes(lim, lim->ahead.camera);
     const int err =
         end_frame(lim, !LIM_HAS_SPANS || is_whole_at_once(lim) ? draw_frame(lim)
-                                                               : lim_nearest_paint(lim->nearest, &lim->ahead->stage));
+                                                               : lim_nearest_paint(lim->nearest, &lim->ahead.stage));
     lim_drop_ahead(lim);
     return err;
 }
-#endif
 
 #if LIM_HAS_MOVERS
 static void set_instances(struct lim_movers *movers, const struct lim_instance *instances, uint16_t count)
@@ -235,7 +233,6 @@ int lim_movers_frame(struct lim *lim, const struct lim_camera *camera, const str
     return err;
 }
 
-#if LIM_HAS_STREAM
 int lim_movers_begin(struct lim *lim, const struct lim_camera *camera, const struct lim_instance *instances,
                      uint16_t count)
 {
@@ -245,7 +242,6 @@ int lim_movers_begin(struct lim *lim, const struct lim_camera *camera, const str
     if (err) set_instances(lim->movers, NULL, 0);
     return err;
 }
-#endif
 #endif
 
 uint32_t lim_bands(const struct lim *lim)

@@ -70,9 +70,9 @@ LIM_MUST_CHECK int lim_frame(struct lim *lim, const struct lim_camera *camera);
  * even without LIM_HAS_STATS, so that firmware can tell. LIM_CONVEX and LIM_PAINTER have no such passes. */
 uint32_t lim_bands(const struct lim *lim);
 
-/* A frame in parts, there if LIM_HAS_STREAM: lim_frame() is lim_frame_begin() and lim_frame_paint(). Between the two,
- * lim_frame_work() does pass one in quanta, without the target's memory. So where there are two renderers, each with
- * memory of its own, one finds out what is seen in its frame in the time that the other's needs to be sent:
+/* A frame in parts: lim_frame() is lim_frame_begin() and lim_frame_paint(). Between the two, lim_frame_work() does pass
+ * one in quanta, without the target's memory. So where there are two renderers, each with memory of its own, one finds
+ * out what is seen in its frame in the time that the other's needs to be sent:
  *
  *     err = lim_frame_begin(&next, &camera);
  *     ...lim_frame_paint(&now), in whose target's done(), instead of waiting:

@@ -36,14 +36,14 @@ struct lim {
     LIM_OPTIONAL(struct lim_nearest, nearest, LIM_HAS_SPANS);
     LIM_OPTIONAL(struct lim_convex, convex, LIM_HAS_CONVEX);
     LIM_OPTIONAL(struct lim_delta *, delta, LIM_HAS_DELTA); /* NULL: every frame is sent whole */
-    LIM_OPTIONAL(struct lim_ahead, ahead, LIM_HAS_STREAM);
+    struct lim_ahead ahead;
 };
 
 /* If a frame was begun, it is no more, and has no instances. */
 static inline void lim_drop_ahead(struct lim *lim)
 {
-    if (!LIM_HAS_STREAM || lim->ahead->stage == LIM_AHEAD_NONE) return;
-    lim->ahead->stage = LIM_AHEAD_NONE;
+    if (lim->ahead.stage == LIM_AHEAD_NONE) return;
+    lim->ahead.stage = LIM_AHEAD_NONE;
     if (LIM_HAS_MOVERS) lim->movers->count = lim->movers->given = 0;
 }
 

@@ -108,7 +108,7 @@ features_build() { # COMPILER NAME ALL-FLAGS
 features_compare() { # NAME ALL-FLAGS
     awk -v flags="$2" '
         function linked(method, way) {
-            flag["fill"] = "FILL"; flag["framebuffer"] = "FRAMEBUFFER"; flag["parts"] = "STREAM"; flag["plain"] = "LINES"
+            flag["fill"] = "FILL"; flag["framebuffer"] = "FRAMEBUFFER"; flag["parts"] = flag["plain"] = "LINES"
             return on["LIM_HAS_" toupper(method)] && on["LIM_HAS_" (way in flag ? flag[way] : toupper(way))]
         }
         BEGIN {

@@ -137,7 +137,7 @@ static int set_screen(struct panel *panel)
     const int err = screen_init(&screen, panel, SCENE_METHOD, lines, sizeof lines);
 #endif
 
-#if LIM_HAS_STREAM
+#if SCREEN_STREAMS
     if (!err) screen_set_bus(&screen, &board.bus, scene_work, NULL);
 #endif
     return err;

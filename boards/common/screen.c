@@ -14,7 +14,7 @@ enum { SCREEN_NO_LINE = 0xFFFF }; /* nothing is gathered yet */
  * as far as one can tell: an eighth of what goes out together. */
 static void screen_meanwhile(struct screen *screen)
 {
-#if LIM_HAS_STREAM
+#if SCREEN_STREAMS
     if (!screen->work) return;
     while (bus_left_b(&screen->bus) > screen->spare_b && screen->work(screen->work_ctx))
         ;
@@ -94,7 +94,7 @@ static const uint8_t *screen_pack(const struct screen *screen, uint16_t y_px, ui
     return to;
 }
 
-#if LIM_HAS_STREAM
+#if SCREEN_STREAMS
 /* Lines that wait, together. While they are on their way lines of the other half are lent. */
 static int screen_send_waiting(struct screen *screen)
 {
@@ -153,7 +153,7 @@ static int screen_send_piece(struct screen *screen, uint16_t y_px, uint16_t x_px
 
 static int screen_send(struct screen *screen, uint16_t y_px, uint16_t x_px, uint16_t n_px)
 {
-#if LIM_HAS_STREAM
+#if SCREEN_STREAMS
     if (screen->block_lines > 1 && n_px == screen->target.w_px) return screen_wait(screen, y_px);
 #endif
     return screen_send_piece(screen, y_px, x_px, n_px);
@@ -346,7 +346,7 @@ static uint16_t screen_most_lines(const struct panel *panel, bool is_whole)
 
 static inline void screen_init_stream(struct screen *screen)
 {
-#if LIM_HAS_STREAM
+#if SCREEN_STREAMS
     const bool takes_turns = !screen->is_whole && screen->n_lines > 1;
     screen->block_lines = takes_turns ? screen->n_lines / 2 : 1;
     if (takes_turns) screen->n_lines = (uint16_t)(2 * screen->block_lines);
@@ -409,7 +409,7 @@ int screen_init_framebuffer(struct screen *screen, struct panel *panel, enum lim
 int screen_begin_frame(struct screen *screen)
 {
     screen->window_open = false;
-#if LIM_HAS_STREAM
+#if SCREEN_STREAMS
     screen->waiting_lines = 0;
 #endif
     screen->gathered_y_px = screen->filled_y_px = SCREEN_NO_LINE;
@@ -422,7 +422,7 @@ int screen_end_frame(struct screen *screen)
     return err ? err : screen_flush(screen);
 }
 
-#if LIM_HAS_STREAM
+#if SCREEN_STREAMS
 void screen_set_bus(struct screen *screen, const struct bus *bus, screen_work *work, void *ctx)
 {
     screen->bus = *bus;

@@ -4,7 +4,7 @@
  * Lines that come whole and in order travel in one window a frame; a piece that does not continue
  * where the last one ended opens a window of its own. So does, where pixels share bytes (PANEL_RGB444), what follows an
  * odd number of them; and each line on round glass, of which only what is seen is sent. With memory for two lines one
- * is painted while the other is on its way (DMA). With more, LIM_HAS_STREAM, and a port that tells what is on its way,
+ * is painted while the other is on its way (DMA). With more, SCREEN_STREAMS, and a port that tells what is on its way,
  * lines wait for the bus and not the other way round: all that are complete go out together when it is free
  * (screen_set_bus()).
  *
@@ -43,9 +43,14 @@
 /* Does a little, which needs nothing of the screen, and returns whether there is more. */
 typedef bool screen_work(void *ctx);
 
+/* 1: screen_set_bus() is there, and room for what it takes. The same for all files of an image. */
+#ifndef SCREEN_STREAMS
+#define SCREEN_STREAMS 0
+#endif
+
 /* Whether lines can be sent together, and how many of n_lines have a use. */
 #define SCREEN_JOINS(format, w_px, is_round)                                                                           \
-    (LIM_HAS_STREAM && (format) == PANEL_RGB565 && (w_px) % 2 == 0 && !(is_round))
+    (SCREEN_STREAMS && (format) == PANEL_RGB565 && (w_px) % 2 == 0 && !(is_round))
 #define SCREEN_USED_LINES(format, w_px, is_round, n_lines)                                                             \
     (SCREEN_JOINS(format, w_px, is_round) || (n_lines) < 2 ? (n_lines) : 2)
 
@@ -79,7 +84,7 @@ struct screen {
     uint16_t window_end_y_px; /* first line below the window */
     uint16_t next_x_px, next_y_px;
     bool half_byte; /* the window's last pixel ends within a byte, which is filled up */
-#if LIM_HAS_STREAM
+#if SCREEN_STREAMS
     struct bus bus; /* the panel's, if it was told */
     screen_work *work;
     void *work_ctx;
@@ -114,7 +119,7 @@ LIM_MUST_CHECK int screen_init_framebuffer(struct screen *screen, struct panel *
 LIM_MUST_CHECK int screen_set_frame(struct screen *screen, void *frame, size_t frame_b);
 #endif
 
-#if LIM_HAS_STREAM
+#if SCREEN_STREAMS
 /* Tells the port that the panel is on (struct bus), of which left_b() is asked, and what to do instead of waiting for
  * it: work() does a little, which needs nothing of the screen, and returns whether there is more. NULL: nothing. */
 void screen_set_bus(struct screen *screen, const struct bus *bus, screen_work *work, void *ctx);

@@ -234,7 +234,6 @@ int lim_nearest_frame(struct lim_nearest *nearest)
     return finish_frame(nearest, lim_collect(nearest, &frame));
 }
 
-#if LIM_HAS_STREAM
 /* A target that keeps the picture is filled by pass one. */
 static bool begin_ahead(struct lim_nearest *nearest, enum lim_ahead_stage *stage)
 {
@@ -261,6 +260,5 @@ int lim_nearest_paint(struct lim_nearest *nearest, enum lim_ahead_stage *stage)
         ;
     return finish_frame(nearest, *stage == LIM_AHEAD_DONE);
 }
-#endif
 
 #endif

@@ -346,12 +346,11 @@ bool lim_collect(struct lim_nearest *nearest, const struct lim_rect *band)
     return true;
 }
 
-#if LIM_HAS_STREAM
 /* The same in quanta, over all lines. What a loop above has in variables is in struct lim_progress. */
 /* Records up to the next that faces the eye, and this. */
 static bool collect_some_of_run(struct lim_nearest *nearest)
 {
-    const LIM_FLASH lim_index *record = nearest->progress->record;
+    const LIM_FLASH lim_index *record = nearest->progress.record;
 
     for (bool is_seen = false; record && !is_seen;) {
         const lim_index head = record[0];
@@ -360,27 +359,27 @@ static bool collect_some_of_run(struct lim_nearest *nearest)
         if (is_seen && !collect_record(nearest, record)) return false;
         record = head & LIM_POLYGON_LAST || !nearest->spans.open_lines ? NULL : record + lim_record_words(head);
     }
-    nearest->progress->record = record;
+    nearest->progress.record = record;
     return true;
 }
 
-static void begin_tree(struct lim_nearest *nearest, const struct lim_rect *frame)
+static LIM_IF_CALLED void begin_tree(struct lim_nearest *nearest, const struct lim_rect *frame)
 {
-    nearest->progress->record = NULL;
+    nearest->progress.record = NULL;
     if (LIM_HAS_CULL)
         lim_cull_set(lim_cull_of(nearest->pass), &nearest->pass->view, lim_eye_of(nearest->pass)->at_q8, frame);
     if (LIM_HAS_MOVERS && lim_moves(nearest->sorter)) {
-        *nearest->progress->route = lim_route_static(nearest->sorter, false);
-        lim_route_begin(nearest->progress->route, lim_movers_list(nearest->sorter, lim_cull_of(nearest->pass)));
+        *nearest->progress.route = lim_route_static(nearest->sorter, false);
+        lim_route_begin(nearest->progress.route, lim_movers_list(nearest->sorter, lim_cull_of(nearest->pass)));
         return;
     }
     lim_walk_begin(nearest->pass->walk, false);
 }
 
 /* LIM_NO_INDEX: there is none. With movers, they may come instead. */
-static enum lim_route_event next_of_tree(struct lim_nearest *nearest, lim_index *what)
+static LIM_IF_CALLED enum lim_route_event next_of_tree(struct lim_nearest *nearest, lim_index *what)
 {
-    if (LIM_HAS_MOVERS && lim_moves(nearest->sorter)) return lim_route_next(nearest->progress->route, what);
+    if (LIM_HAS_MOVERS && lim_moves(nearest->sorter)) return lim_route_next(nearest->progress.route, what);
     *what = lim_walk_next(nearest->pass->walk, lim_cull_of(nearest->pass), lim_stats_of(nearest->pass));
     return *what == LIM_NO_INDEX ? LIM_ROUTE_END : LIM_ROUTE_RUN;
 }
@@ -390,22 +389,22 @@ static enum lim_ahead_stage collect_some_of_tree(struct lim_nearest *nearest)
 {
     lim_index what;
 
-    if (!nearest->progress->record) {
+    if (!nearest->progress.record) {
         const enum lim_route_event event = nearest->spans.open_lines ? next_of_tree(nearest, &what) : LIM_ROUTE_END;
         if (event == LIM_ROUTE_END) return LIM_AHEAD_DONE;
         if (LIM_HAS_MOVERS && event == LIM_ROUTE_LIST)
             return collect_list(nearest, (uint16_t)what) ? LIM_AHEAD_BUSY : LIM_AHEAD_EXHAUSTED;
-        nearest->progress->record = &nearest->pass->scene->polygons[what];
+        nearest->progress.record = &nearest->pass->scene->polygons[what];
     }
     return collect_some_of_run(nearest) ? LIM_AHEAD_BUSY : LIM_AHEAD_EXHAUSTED;
 }
 
 static enum lim_ahead_stage collect_some_of_list(struct lim_nearest *nearest)
 {
-    const uint16_t at = nearest->progress->entry;
+    const uint16_t at = nearest->progress.entry;
 
     if (at == LIM_NONE || !nearest->spans.open_lines) return LIM_AHEAD_DONE;
-    nearest->progress->entry = nearest->sorter->list[at].next;
+    nearest->progress.entry = nearest->sorter->list[at].next;
     return collect_entry(nearest, at) ? LIM_AHEAD_BUSY : LIM_AHEAD_EXHAUSTED;
 }
 
@@ -413,7 +412,7 @@ void lim_collect_begin(struct lim_nearest *nearest, const struct lim_rect *frame
 {
     open_band(nearest, frame);
     if (LIM_IS_SORTED(&nearest->pass->target))
-        nearest->progress->entry = nearest->sorter->first;
+        nearest->progress.entry = nearest->sorter->first;
     else
         begin_tree(nearest, frame);
 }
@@ -426,6 +425,5 @@ enum lim_ahead_stage lim_collect_some(struct lim_nearest *nearest)
     if (LIM_HAS_STATS && stage == LIM_AHEAD_DONE) note_pools(nearest);
     return stage;
 }
-#endif
 
 #endif

@@ -56,7 +56,7 @@ struct lim_nearest {
     uint8_t since_shrink; /* polygons since the open view was drawn together */
     bool retains_all;     /* by scan lines, in this band */
     bool fills;           /* polygons are painted as they come */
-    LIM_OPTIONAL(struct lim_progress, progress, LIM_HAS_STREAM);
+    struct lim_progress progress;
 };
 
 /* What memory it asks for (`least`: with less it is refused), and how it cuts that up. */
@@ -66,7 +66,7 @@ void lim_nearest_init(struct lim_nearest *nearest, void *mem, size_t mem_b);
 /* A frame, of a camera that is taken in. 0, an enum lim_error, or the target's error. */
 LIM_MUST_CHECK int lim_nearest_frame(struct lim_nearest *nearest);
 
-/* The same in parts, after lim_frame_begin(), if LIM_HAS_STREAM. */
+/* The same in parts, after lim_frame_begin(). */
 bool lim_nearest_work(struct lim_nearest *nearest, enum lim_ahead_stage *stage);
 LIM_MUST_CHECK int lim_nearest_paint(struct lim_nearest *nearest, enum lim_ahead_stage *stage);
 

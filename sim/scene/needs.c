@@ -159,7 +159,6 @@ void needs_write(const struct needs *needs, FILE *file)
     write_macro(file, "HAS_ROUND", needs->round);
     write_macro(file, "HAS_FILL", needs->frame && needs->nearest);
     write_macro(file, "HAS_FRAMEBUFFER", needs->framebuffer);
-    write_macro(file, "HAS_STREAM", 0);
     write_macro(file, "HAS_STATS", 0);
     write_macro(file, "MAX_VERTICES", needs->vertices);
     if (needs->side_px) write_macro(file, "MAX_SIDE_PX", greater(needs->side_px, SIDE_MIN_PX));

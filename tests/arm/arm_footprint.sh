@@ -244,7 +244,7 @@ for core in m0plus m4; do
     tap_check "$core: it has all of that" links $core changing '^lim_(set_delta|runs_keep|rects_add)$'
     tap_check "$core: nor anything of frames in parts" links_no $core rooms 'ahead|collect_(begin|some)|frame_(begin|work|paint)'
     footprint_entries='lim_frame lim_init lim_frame_begin lim_frame_work lim_frame_paint'
-    tap_check "$core: the renderer of the rooms in parts builds" built $core parts -DLIM_HAS_STREAM=1
+    tap_check "$core: the renderer of the rooms in parts builds" built $core parts
     footprint_entries='lim_frame lim_init'
     tap_check "$core: it has all of that" links $core parts '^lim_(begin_ahead|collect_begin|collect_some|frame_work)$'
     tap_check "$core: the renderer of the glass builds" built $core glass
@@ -265,7 +265,6 @@ tap_check "nor has it state for them" has_no_member icosahedron pass.walk pass.c
 tap_check "the rooms have no state for a convex solid" has_no_member rooms convex painter pass.stats pass.wireframe pass.view.antialiased delta nearest-\>paint.layers nearest-\>paint.smooth
 tap_check "nor for movers" has_no_member rooms movers sorter
 tap_check "nor for windows and round glass" target_has_no rooms window visible fill
-tap_check "nor for scan lines, nor for frames in parts" has_no_member rooms ahead nearest-\>progress
 tap_check "nor for textures" has_no_member rooms texturing
 tap_check "counters cost what they count in, and without them nothing is counted" counters_cost_their_own_size
 tap_check "a scene without large planes has no code for them" no_exact_planes rooms

@@ -47,8 +47,7 @@ stops_at() { # CORE STATUS-PATTERN BUG FLAG...
 # All that an entry checks, with all features.
 stops_at_each() { # CORE STATUS-PATTERN
     for each in 1 2 3 4 5 6 7 8 9 10 13; do
-        stops_at "$1" "$2" $each -DLIM_HAS_NEAREST=1 -DLIM_HAS_MOVERS=1 -DLIM_HAS_ANTIALIAS=1 -DLIM_HAS_DELTA=1 \
-            -DLIM_HAS_STREAM=1 || return 1
+        stops_at "$1" "$2" $each -DLIM_HAS_NEAREST=1 -DLIM_HAS_MOVERS=1 -DLIM_HAS_ANTIALIAS=1 -DLIM_HAS_DELTA=1 || return 1
     done
 }
 

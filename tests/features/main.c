@@ -19,8 +19,8 @@ enum way { PLAIN, FILL, FRAMEBUFFER, PARTS, WIREFRAME, ANTIALIAS, DELTA, WAYS };
 static const struct {
     const char *name;
     bool linked;
-} WAY[WAYS] = {{"plain", LIM_HAS_LINES},  {"fill", LIM_HAS_FILL},           {"framebuffer", LIM_HAS_FRAMEBUFFER},
-               {"parts", LIM_HAS_STREAM}, {"wireframe", LIM_HAS_WIREFRAME}, {"antialias", LIM_HAS_ANTIALIAS},
+} WAY[WAYS] = {{"plain", LIM_HAS_LINES}, {"fill", LIM_HAS_FILL},           {"framebuffer", LIM_HAS_FRAMEBUFFER},
+               {"parts", LIM_HAS_LINES}, {"wireframe", LIM_HAS_WIREFRAME}, {"antialias", LIM_HAS_ANTIALIAS},
                {"delta", LIM_HAS_DELTA}};
 
 static const struct {
@@ -153,12 +153,10 @@ static int draw_at_once(struct lim *lim, size_t at)
     return lim_movers_frame(lim, &cameras[at], placed(at), MODEL_MOVERS);
 }
 
-#if LIM_HAS_STREAM
 static int begin(struct lim *lim, size_t at)
 {
     return lim_movers_begin(lim, &cameras[at], placed(at), MODEL_MOVERS);
 }
-#endif
 #else
 static int set_movers(struct lim *lim)
 {
@@ -171,26 +169,19 @@ static int draw_at_once(struct lim *lim, size_t at)
     return lim_frame(lim, &cameras[at]);
 }
 
-#if LIM_HAS_STREAM
 static int begin(struct lim *lim, size_t at)
 {
     return lim_frame_begin(lim, &cameras[at]);
 }
 #endif
-#endif
 
 static int draw(struct lim *lim, size_t at, enum way way)
 {
-#if LIM_HAS_STREAM
-    if (way == PARTS) {
-        const int err = begin(lim, at);
-        while (!err && lim_frame_work(lim))
-            continue;
-        return err ? err : lim_frame_paint(lim);
-    }
-#endif
-    (void)way;
-    return draw_at_once(lim, at);
+    if (way != PARTS) return draw_at_once(lim, at);
+    const int err = begin(lim, at);
+    while (!err && lim_frame_work(lim))
+        continue;
+    return err ? err : lim_frame_paint(lim);
 }
 
 static void render(enum lim_method method, enum way way)
