@@ -82,7 +82,9 @@ struct lim_target {
      * and each other pixel once, or again where gaps are short; LIM_CONVEX as above, on glass that is not round. When
      * all are there show() is called, and done() is not. */
     lim_piece_fill *fill;
+#if LIM_HAS_NEAREST
     int (*show)(void *ctx);
+#endif
 #endif
 #if LIM_HAS_FRAMEBUFFER
     /* LIM_NEAREST_FIRST and LIM_PAINTER paint polygons here as they come, and call done() for each whole line when all

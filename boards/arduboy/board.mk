@@ -37,4 +37,4 @@ EMULATE           = sh sim/emulators/simavr.sh $(BUILD) $(IMAGE).elf $(N) $(PICT
 	$(BUILD)/limner decode - --panel $(PANEL) $(MODULE) --frames $(N) --check $(CHECK)
 
 # Where most of the time goes.
-%/firmware/convex.o %/firmware/edge.o %/firmware/view.o %/hal/pixels.o: OPT := -O2
+%/firmware/orders/convex.o %/firmware/screen/edge.o %/hal/pixels.o: OPT := -O2

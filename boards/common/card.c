@@ -61,10 +61,21 @@ static int card_put_line(const struct lim_target *target, enum panel_rotation tu
     return 0;
 }
 
+#if LIM_HAS_FILL
+static bool screen_keeps_frame(const struct lim_target *target)
+{
+#if SCREEN_KEEPS_FRAME
+    return target->show != NULL;
+#else
+    return !target;
+#endif
+}
+#endif
+
 static int card_draw_line(const struct lim_target *target, enum panel_rotation turn, uint16_t y_px)
 {
 #if LIM_HAS_FILL
-    if (target->fill && !target->show) {
+    if (target->fill && !screen_keeps_frame(target)) {
         card_fill_line(target, turn, y_px);
         return 0;
     }

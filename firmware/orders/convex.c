@@ -20,22 +20,23 @@ size_t lim_convex_mem_b(const struct lim_scene *scene, const struct lim_target *
 
 void lim_convex_init(struct lim_convex *convex, void *mem, size_t mem_b)
 {
-    const lim_index polygon_count = convex->pass->scene->polygon_count;
+    struct lim_pass *const pass = convex->pass;
+    const lim_index polygon_count = pass->scene->polygon_count;
     struct lim_view_cached *cache = mem;
 
     convex->tops = (uint16_t *)(void *)(cache + LIM_VIEW_CACHE_ENTRIES);
-    convex->pool = (struct lim_crossing *)(void *)((uint8_t *)mem + LIM_CONVEX_POOL_AT_B(convex->pass->target.h_px));
+    convex->pool = (struct lim_crossing *)(void *)((uint8_t *)mem + LIM_CONVEX_POOL_AT_B(pass->target.h_px));
     convex->faces = (struct lim_face *)(void *)((uint8_t *)mem + (mem_b & ~(size_t)3)) - polygon_count;
-    lim_view_init(&convex->pass->view, convex->pass->target.w_px, convex->pass->target.h_px, cache);
+    lim_view_init(&pass->view, pass->target.w_px, pass->target.h_px, cache);
 }
 
 static bool convex_project(struct lim_convex *convex, struct lim_screen_polygon *polygon, lim_index record,
                            struct lim_stats *stats)
 {
-    const struct lim_rect screen = {0, 0, convex->pass->target.w_px, convex->pass->target.h_px};
+    struct lim_pass *const pass = convex->pass;
+    const struct lim_rect screen = {0, 0, pass->target.w_px, pass->target.h_px};
 
-    return lim_project(polygon, &convex->pass->view, convex->pass->scene, &convex->pass->scene->polygons[record],
-                       &screen, stats);
+    return lim_project(polygon, &pass->view, pass->scene, &pass->scene->polygons[record], &screen, stats);
 }
 
 /* Pass one: which faces there are, and where they start ------------------------------------------- */
@@ -51,10 +52,11 @@ static void note_face(struct lim_convex *convex, lim_index record, int16_t top)
 
 static void note_run(struct lim_convex *convex, struct lim_screen_polygon *polygon, lim_index record)
 {
+    struct lim_pass *const pass = convex->pass;
+
     for (;;) {
-        const lim_index head = convex->pass->scene->polygons[record];
-        if (convex_project(convex, polygon, record, lim_stats_of(convex->pass)))
-            note_face(convex, record, polygon->shape.top);
+        const lim_index head = pass->scene->polygons[record];
+        if (convex_project(convex, polygon, record, lim_stats_of(pass))) note_face(convex, record, polygon->shape.top);
         if (head & LIM_POLYGON_LAST) return;
         record = (lim_index)(record + lim_record_words(head));
     }
@@ -62,11 +64,13 @@ static void note_run(struct lim_convex *convex, struct lim_screen_polygon *polyg
 
 static void note_faces(struct lim_convex *convex, struct lim_screen_polygon *polygon)
 {
-    for (uint_fast16_t i = 0; i < convex->pass->scene->node_count; i++) {
-        const LIM_FLASH struct lim_node *node = &convex->pass->scene->nodes[i];
-        const int32_t side = lim_eye_side(lim_eye_of(convex->pass), &node->split);
+    struct lim_pass *const pass = convex->pass;
+
+    for (uint_fast16_t i = 0; i < pass->scene->node_count; i++) {
+        const LIM_FLASH struct lim_node *node = &pass->scene->nodes[i];
+        const int32_t side = lim_eye_side(lim_eye_of(pass), &node->split);
         const lim_index run = side > 0 ? node->front_run : node->back_run;
-        if (LIM_HAS_STATS) lim_stats_of(convex->pass)->nodes++;
+        if (LIM_HAS_STATS) lim_stats_of(pass)->nodes++;
         if (side && run != LIM_NO_INDEX) note_run(convex, polygon, run);
     }
 }
@@ -90,26 +94,37 @@ static LIM_IF_CALLED void fill_textured(struct lim_convex *convex, uint16_t *lin
     lim_texture_fill(&span, line, (uint16_t)x0, (uint16_t)x1, lim_stats_of(convex->pass));
 }
 
+/* Pixels of the line that is painted, which may be the target's. */
+static LIM_ALONE void fill_pixels(struct lim_convex *convex, uint16_t *line, int16_t x0, int16_t x1, uint16_t colour)
+{
+    if (LIM_HAS_FILL && (!LIM_HAS_LINES || !line)) {
+        lim_piece_fill *const fill = lim_target_fill(&convex->pass->target);
+        convex->look->colour = colour;
+        fill(convex->look, (uint16_t)x0, (uint16_t)x1);
+    } else {
+        lim_fill(line, (uint16_t)x0, (uint16_t)(x1 - x0), colour);
+    }
+}
+
 /* The polygon's pixels on line y: its first one, or that below the last. */
 static void fill_next(struct lim_convex *convex, uint16_t *line, struct lim_crossing *crossing, int16_t y)
 {
+    struct lim_pass *const pass = convex->pass;
     lim_edge_advance(&crossing->pair, crossing->polygon.at, crossing->polygon.n, y);
-    const int16_t w_px = (int16_t)convex->pass->target.w_px, left = lim_edge_x(&crossing->pair.left);
+    const int16_t w_px = (int16_t)pass->target.w_px, left = lim_edge_x(&crossing->pair.left);
     const int16_t right = lim_edge_x(&crossing->pair.right);
     const int16_t x0 = left > 0 ? left : 0, x1 = right < w_px ? right : w_px;
     if (x0 >= x1) return;
-    if (LIM_HAS_WIREFRAME && lim_wireframe_of(convex->pass)) {
-        struct lim_wire wire =
-            lim_wire_of(&crossing->polygon, lim_wireframe_of(convex->pass), lim_background_of(convex->pass), y);
-        wire.target = &convex->pass->target;
+    if (LIM_HAS_WIREFRAME && lim_wireframe_of(pass)) {
+        struct lim_wire wire = lim_wire_of(&crossing->polygon, lim_wireframe_of(pass), lim_background_of(pass), y);
+        wire.target = &pass->target;
         lim_wire_fill(line, &wire, (uint16_t)x0, (uint16_t)x1);
     } else if (LIM_HAS_TEXTURE && lim_screen_texture(&crossing->polygon) != LIM_NONE) {
         fill_textured(convex, line, crossing, y, x0, x1);
     } else {
-        lim_fill_run(&convex->pass->target, line, (uint16_t)y, (uint16_t)x0, (uint16_t)(x1 - x0),
-                     crossing->polygon.colour);
+        fill_pixels(convex, line, x0, x1, crossing->polygon.colour);
     }
-    if (LIM_HAS_STATS) lim_stats_of(convex->pass)->pixels_painted += (uint32_t)(x1 - x0);
+    if (LIM_HAS_STATS) lim_stats_of(pass)->pixels_painted += (uint32_t)(x1 - x0);
 }
 
 /* A non-monotone face: its triangles begin anew on each line. */
@@ -165,7 +180,8 @@ static void note_seen(struct lim_stats *stats, struct lim_face *face, uint32_t p
 static bool paint_face(struct lim_convex *convex, uint16_t *line, struct lim_face *face, struct lim_crossing *spare,
                        int16_t y)
 {
-    const uint32_t painted_before = LIM_HAS_STATS ? lim_stats_of(convex->pass)->pixels_painted : 0;
+    struct lim_pass *const pass = convex->pass;
+    const uint32_t painted_before = LIM_HAS_STATS ? lim_stats_of(pass)->pixels_painted : 0;
     const bool has_entry = face->crossing != LIM_NONE;
     struct lim_crossing *crossing = has_entry ? &convex->pool[face->crossing] : convex_enter(convex, face, spare, y);
     const struct lim_edge_shape *shape = &crossing->polygon.shape;
@@ -174,7 +190,7 @@ static bool paint_face(struct lim_convex *convex, uint16_t *line, struct lim_fac
         fill_fan(convex, line, crossing, y);
     else
         fill_next(convex, line, crossing, y);
-    if (LIM_HAS_STATS) note_seen(lim_stats_of(convex->pass), face, painted_before);
+    if (LIM_HAS_STATS) note_seen(lim_stats_of(pass), face, painted_before);
     return shape->bottom > y + 1;
 }
 
@@ -203,8 +219,9 @@ static uint16_t paint_faces(struct lim_convex *convex, uint16_t *line, struct li
 /* What no face has painted is background, as long as no two have painted the same. */
 static void note_line(struct lim_convex *convex, uint16_t count, uint32_t painted_before)
 {
-    struct lim_stats *stats = lim_stats_of(convex->pass);
-    const uint32_t painted = stats->pixels_painted - painted_before, w_px = convex->pass->target.w_px;
+    struct lim_pass *const pass = convex->pass;
+    struct lim_stats *stats = lim_stats_of(pass);
+    const uint32_t painted = stats->pixels_painted - painted_before, w_px = pass->target.w_px;
 
     stats->pixels_background += painted < w_px ? w_px - painted : 0;
     stats->lines += count;
@@ -227,7 +244,8 @@ static int draw_line(struct lim_convex *convex, struct lim_crossing *spare, uint
     uint16_t *line = fills ? NULL : target->lend(target->ctx, y);
 
     if (!line && !fills) return LIM_ERR_TARGET;
-    lim_fill_run(target, line, y, 0, target->w_px, lim_background_of(pass));
+    if (LIM_HAS_FILL) *convex->look = (struct lim_piece_look){.ctx = target->ctx, .y_px = y};
+    fill_pixels(convex, line, 0, (int16_t)target->w_px, lim_background_of(pass));
     const uint16_t count = paint_faces(convex, line, spare, y);
     if (LIM_HAS_STATS) note_line(convex, count, painted_before);
     return fills && lim_target_keeps_all(target) ? 0 : target->done(target->ctx, y, 0, target->w_px);
@@ -235,26 +253,27 @@ static int draw_line(struct lim_convex *convex, struct lim_crossing *spare, uint
 
 static void convex_start(struct lim_convex *convex)
 {
-    for (uint_fast16_t y = 0; y < convex->pass->target.h_px; y++)
+    struct lim_pass *const pass = convex->pass;
+
+    for (uint_fast16_t y = 0; y < pass->target.h_px; y++)
         convex->tops[y] = LIM_NONE;
-    convex->farthest = (uint16_t)convex->pass->scene->polygon_count;
+    convex->farthest = (uint16_t)pass->scene->polygon_count;
     convex->first = LIM_NONE;
     convex->pool_used = 0;
 }
 
 int lim_convex_frame(struct lim_convex *convex)
 {
+    struct lim_pass *const pass = convex->pass;
     struct lim_crossing spare;
 
     convex_start(convex);
     note_faces(convex, &spare.polygon);
-    for (uint_fast16_t y = 0; y < convex->pass->target.h_px; y++) {
+    for (uint_fast16_t y = 0; y < pass->target.h_px; y++) {
         const int err = draw_line(convex, &spare, (uint16_t)y);
         if (err) return err;
     }
-    return takes_fill(convex->pass) && lim_target_keeps_all(&convex->pass->target)
-               ? lim_target_show(&convex->pass->target)
-               : 0;
+    return takes_fill(pass) && lim_target_keeps_all(&pass->target) ? lim_target_show(&pass->target) : 0;
 }
 
 #endif

@@ -44,7 +44,8 @@ struct lim_convex {
     struct lim_face *faces; /* those of this frame from the farthest to the nearest: from `farthest` to memory's end */
     uint16_t pool_used;     /* entries that this frame has used, free again or not */
     uint16_t farthest;
-    uint16_t first; /* of the faces that cross the current line, or LIM_NONE */
+    uint16_t first;                                          /* of the faces that cross the current line, or LIM_NONE */
+    LIM_OPTIONAL(struct lim_piece_look, look, LIM_HAS_FILL); /* of the current line */
 };
 
 /* `active`: for how many faces on a line; 0 is the least. */

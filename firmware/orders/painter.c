@@ -47,17 +47,17 @@ static uint16_t *line_at(struct lim_painter *painter, uint16_t y)
 static int fill_piece(struct lim_painter *painter, const struct lim_textured_span *span, uint16_t x0, uint16_t x1,
                       const struct lim_screen_polygon *polygon)
 {
+    struct lim_pass *const pass = painter->pass;
     uint16_t *line = line_at(painter, (uint16_t)span->y);
 
     if (!line) return LIM_ERR_TARGET;
-    if (LIM_HAS_WIREFRAME && lim_wireframe_of(painter->pass)) {
-        const struct lim_wire wire =
-            lim_wire_of(polygon, lim_wireframe_of(painter->pass), lim_background_of(painter->pass), span->y);
+    if (LIM_HAS_WIREFRAME && lim_wireframe_of(pass)) {
+        const struct lim_wire wire = lim_wire_of(polygon, lim_wireframe_of(pass), lim_background_of(pass), span->y);
         lim_wire_fill(line, &wire, x0, x1);
     } else if (LIM_HAS_TRANSPARENT && lim_alpha_of(polygon) != LIM_OPAQUE)
         lim_blend(line, x0, (uint16_t)(x1 - x0), polygon->colour, lim_alpha_of(polygon));
     else if (LIM_HAS_TEXTURE && lim_screen_texture(polygon) != LIM_NONE)
-        lim_texture_fill(span, line, x0, x1, lim_stats_of(painter->pass));
+        lim_texture_fill(span, line, x0, x1, lim_stats_of(pass));
     else
         lim_fill(line, x0, (uint16_t)(x1 - x0), polygon->colour);
     return 0;
@@ -67,11 +67,12 @@ static int fill_piece(struct lim_painter *painter, const struct lim_textured_spa
 static int fill_clamped(struct lim_painter *painter, const struct lim_textured_span *span,
                         const struct lim_screen_polygon *polygon)
 {
-    const int16_t w_px = (int16_t)painter->pass->target.w_px;
+    struct lim_pass *const pass = painter->pass;
+    const int16_t w_px = (int16_t)pass->target.w_px;
     const int16_t x0 = span->left < 0 ? 0 : span->left, x1 = span->right > w_px ? w_px : span->right;
 
     if (x0 >= x1) return 0;
-    if (LIM_HAS_STATS) lim_stats_of(painter->pass)->pixels_painted += (uint32_t)(x1 - x0);
+    if (LIM_HAS_STATS) lim_stats_of(pass)->pixels_painted += (uint32_t)(x1 - x0);
     return fill_piece(painter, span, (uint16_t)x0, (uint16_t)x1, polygon);
 }
 
@@ -123,25 +124,27 @@ static int paint_any(struct lim_painter *painter, const struct lim_screen_polygo
 static inline void paint_into(struct lim_painter *painter, const struct lim_point *at, uint8_t n,
                               const struct lim_edge_shape *shape, uint16_t colour)
 {
-    const struct lim_rect screen = {0, 0, painter->pass->target.w_px, painter->pass->target.h_px};
+    struct lim_pass *const pass = painter->pass;
+    const struct lim_rect screen = {0, 0, pass->target.w_px, pass->target.h_px};
     const struct lim_span_extent shown = lim_shape_lines(shape, &screen);
 
     if (shown.top >= shown.bottom) return;
-    if (LIM_HAS_STATS) lim_stats_of(painter->pass)->lines += (uint32_t)(shown.bottom - shown.top);
-    lim_framebuffer_paint(&painter->pass->target, at, n, shape->first, shown, colour);
+    if (LIM_HAS_STATS) lim_stats_of(pass)->lines += (uint32_t)(shown.bottom - shown.top);
+    lim_framebuffer_paint(&pass->target, at, n, shape->first, shown, colour);
 }
 
 /* A record that faces the eye, and is neither clipped nor non-monotone; `at` is for its points. false: nothing was
  * done. */
 static inline bool paint_fast(struct lim_painter *painter, const LIM_FLASH lim_index *record, struct lim_point *at)
 {
+    struct lim_pass *const pass = painter->pass;
     const uint8_t n = (uint8_t)(record[0] & LIM_POLYGON_COUNT);
     struct lim_edge_shape shape;
     uint_fast16_t codes;
 
     LIM_DEBUG_ASSERT(n <= LIM_MAX_VERTICES);
-    if (!lim_project_fast(&shape, at, n, &painter->pass->view, painter->pass->scene, record, &codes)) return false;
-    if (LIM_HAS_STATS) lim_stats_of(painter->pass)->polygons++;
+    if (!lim_project_fast(&shape, at, n, &pass->view, pass->scene, record, &codes)) return false;
+    if (LIM_HAS_STATS) lim_stats_of(pass)->polygons++;
     if (!lim_view_all_outside(codes)) paint_into(painter, at, n, &shape, lim_memory_colour((uint16_t)record[1]));
     return true;
 }
@@ -151,11 +154,11 @@ static inline bool paint_fast(struct lim_painter *painter, const LIM_FLASH lim_i
 static LIM_ALONE int paint_record(struct lim_painter *painter, const LIM_FLASH lim_index *record,
                                   const struct lim_rect *screen)
 {
+    struct lim_pass *const pass = painter->pass;
     struct lim_screen_polygon polygon;
 
     if (LIM_HAS_PAINTER && LIM_HAS_FRAMEBUFFER && painter->fills && paint_fast(painter, record, polygon.at)) return 0;
-    if (!lim_project(&polygon, &painter->pass->view, painter->pass->scene, record, screen, lim_stats_of(painter->pass)))
-        return 0;
+    if (!lim_project(&polygon, &pass->view, pass->scene, record, screen, lim_stats_of(pass))) return 0;
     return paint_any(painter, &polygon, screen);
 }
 
@@ -166,14 +169,15 @@ enum { NOTED_RECORDS = 24 };
  * there is room for, each round paints the last ones that are left. */
 static int paint_run(struct lim_painter *painter, lim_index run, const struct lim_rect *screen)
 {
-    const LIM_FLASH lim_index *const first = &painter->pass->scene->polygons[run], *painted = NULL;
+    struct lim_pass *const pass = painter->pass;
+    const LIM_FLASH lim_index *const first = &pass->scene->polygons[run], *painted = NULL;
     const LIM_FLASH lim_index *noted[NOTED_RECORDS];
 
     do {
         const LIM_FLASH lim_index *record = first, *from = first, **to = noted;
         for (;;) {
             const lim_index head = record[0];
-            if (lim_record_is_seen(&painter->pass->walk->eye, record)) {
+            if (lim_record_is_seen(&pass->walk->eye, record)) {
                 if (to == noted + NOTED_RECORDS) to = noted, from = record;
                 *to++ = record;
             }
@@ -192,13 +196,12 @@ static int paint_run(struct lim_painter *painter, lim_index run, const struct li
 
 static LIM_IF_CALLED int paint_tree(struct lim_painter *painter, const struct lim_rect *screen)
 {
+    struct lim_pass *const pass = painter->pass;
     lim_index run;
 
-    if (LIM_HAS_CULL)
-        lim_cull_set(lim_cull_of(painter->pass), &painter->pass->view, lim_eye_of(painter->pass)->at_q8, screen);
-    lim_walk_begin(painter->pass->walk, true);
-    while ((run = lim_walk_next(painter->pass->walk, lim_cull_of(painter->pass), lim_stats_of(painter->pass))) !=
-           LIM_NO_INDEX) {
+    if (LIM_HAS_CULL) lim_cull_set(lim_cull_of(pass), &pass->view, lim_eye_of(pass)->at_q8, screen);
+    lim_walk_begin(pass->walk, true);
+    while ((run = lim_walk_next(pass->walk, lim_cull_of(pass), lim_stats_of(pass))) != LIM_NO_INDEX) {
         const int err = paint_run(painter, run, screen);
         if (err) return err;
     }
@@ -257,12 +260,12 @@ static LIM_IF_CALLED int paint_list(struct lim_painter *painter, uint16_t list, 
 
 static LIM_IF_CALLED int paint_with_movers(struct lim_painter *painter, const struct lim_rect *screen)
 {
+    struct lim_pass *const pass = painter->pass;
     struct lim_route route = lim_route_static(painter->sorter, true);
     lim_index what;
 
-    if (LIM_HAS_CULL)
-        lim_cull_set(lim_cull_of(painter->pass), &painter->pass->view, lim_eye_of(painter->pass)->at_q8, screen);
-    lim_route_begin(&route, lim_movers_list(painter->sorter, lim_cull_of(painter->pass)));
+    if (LIM_HAS_CULL) lim_cull_set(lim_cull_of(pass), &pass->view, lim_eye_of(pass)->at_q8, screen);
+    lim_route_begin(&route, lim_movers_list(painter->sorter, lim_cull_of(pass)));
     for (;;) {
         const enum lim_route_event event = lim_route_next(&route, &what);
         if (event == LIM_ROUTE_END) return 0;
@@ -274,15 +277,14 @@ static LIM_IF_CALLED int paint_with_movers(struct lim_painter *painter, const st
 
 static LIM_IF_CALLED int paint_sorted(struct lim_painter *painter, const struct lim_rect *screen)
 {
+    struct lim_pass *const pass = painter->pass;
     struct lim_screen_polygon polygon;
     int err = 0;
 
     lim_sorted_reverse(painter->sorter);
     for (uint16_t at = painter->sorter->first; at != LIM_NONE && !err; at = painter->sorter->list[at].next) {
-        const LIM_FLASH lim_index *record = &painter->pass->scene->polygons[painter->sorter->list[at].record];
-        if (!lim_project(&polygon, &painter->pass->view, painter->pass->scene, record, screen,
-                         lim_stats_of(painter->pass)))
-            continue;
+        const LIM_FLASH lim_index *record = &pass->scene->polygons[painter->sorter->list[at].record];
+        if (!lim_project(&polygon, &pass->view, pass->scene, record, screen, lim_stats_of(pass))) continue;
         err = LIM_HAS_NEWELL && lim_entry_is_split(painter->sorter, at)
                   ? paint_piece_line(painter, at, &polygon, screen->y0)
                   : paint_any(painter, &polygon, screen);
@@ -300,12 +302,13 @@ static int paint_from_source(struct lim_painter *painter, const struct lim_rect 
 
 static int painter_paint_background(struct lim_painter *painter, const struct lim_rect *screen)
 {
-    const uint16_t background = lim_background_of(painter->pass);
+    struct lim_pass *const pass = painter->pass;
+    const uint16_t background = lim_background_of(pass);
 
     for (uint16_t y = screen->y0; y < screen->y1; y++) {
         uint16_t *line = line_at(painter, y);
         if (!line) return LIM_ERR_TARGET;
-        lim_fill(line, 0, painter->pass->target.w_px, background);
+        lim_fill(line, 0, pass->target.w_px, background);
     }
     return 0;
 }
@@ -321,15 +324,17 @@ static int paint_lines(struct lim_painter *painter, const struct lim_rect *scree
 
 int lim_painter_frame(struct lim_painter *painter)
 {
-    struct lim_target *target = &painter->pass->target;
+    struct lim_pass *const pass = painter->pass;
+    struct lim_target *target = &pass->target;
     const struct lim_rect screen = {0, 0, target->w_px, target->h_px};
 
-    painter->fills = lim_has_framebuffer(target) && lim_can_fill(painter->sorter, painter->pass);
+    painter->fills = lim_has_framebuffer(target) && lim_can_fill(painter->sorter, pass);
     const int err = paint_lines(painter, &screen);
     painter->fills = false;
     return err;
 }
 
+#if LIM_HAS_FALLBACK
 int lim_painter_line(struct lim_painter *painter, uint16_t *lent, uint16_t y)
 {
     const struct lim_target *target = &painter->pass->target;
@@ -340,5 +345,6 @@ int lim_painter_line(struct lim_painter *painter, uint16_t *lent, uint16_t y)
     painter->lent = NULL;
     return err;
 }
+#endif
 
 #endif

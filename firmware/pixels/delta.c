@@ -344,7 +344,6 @@ struct lim_target lim_delta_stage(struct lim_delta *delta)
 #endif
 #if LIM_HAS_FILL
     target.fill = NULL;
-    target.show = NULL;
 #endif
 #if LIM_HAS_FRAMEBUFFER
     target.framebuffer.pixels = NULL;

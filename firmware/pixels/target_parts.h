@@ -44,7 +44,7 @@ static inline lim_piece_fill *lim_target_fill(const struct lim_target *target)
 /* Whether it keeps the whole picture. */
 static inline bool lim_target_keeps_all(const struct lim_target *target)
 {
-#if LIM_HAS_FILL
+#if LIM_HAS_FILL && LIM_HAS_NEAREST
     return target->show != NULL;
 #else
     (void)target;
@@ -54,7 +54,7 @@ static inline bool lim_target_keeps_all(const struct lim_target *target)
 
 static inline int lim_target_show(const struct lim_target *target)
 {
-#if LIM_HAS_FILL
+#if LIM_HAS_FILL && LIM_HAS_NEAREST
     return target->show(target->ctx);
 #else
     (void)target;
