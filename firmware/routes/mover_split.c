@@ -148,7 +148,10 @@ bool lim_mover_burst(struct lim_sorter *sorter, uint16_t entry, uint16_t *list)
     uint16_t head;
     struct queue queue = queue_begin(sorter, &head);
 
-    if (!(LIM_HAS_DEFORM && deforms ? add_deformed(sorter, &queue, mover) : add_by_tree(sorter, &queue, mover))) {
+    const bool has_room =
+        LIM_HAS_DEFORM && deforms ? add_deformed(sorter, &queue, mover) : add_by_tree(sorter, &queue, mover);
+
+    if (!has_room) {
         sorter->used = used;
         return false;
     }
