@@ -41,7 +41,7 @@ all: $(BUILD)/limner ## [start] build the host program, build/limner (the defaul
 
 help: ## [care] list the goals
 	@awk -f sim/tools/help.awk Makefile boards/image.mk
-	@printf '\nSuites of make test: %s.\nOn demand: arm64 (a stock kernel), features (all combinations), sub-bits (profiles with other ones), and cpus with EVERY_PROFILE=yes.\n' "$(ALL_SUITES)"
+	@printf '\nSuites of make test: %s.\nOn demand: arm64 (a stock kernel), features (all pairs of LIM_HAS_ flags; SUITES=all has an eighth, SEED=0 to 7 say which), sub-bits (profiles with other ones), and cpus with EVERY_PROFILE=yes.\n' "$(ALL_SUITES)"
 
 # -- Debian packages: what every build needs, and what a goal or a suite needs beside ----------------------------------
 
@@ -75,6 +75,7 @@ packages-simavr        := $(shell sed -n 's/^EMULATE_PACKAGES *:= *//p' boards/a
 packages-models-table  := $(packages-models)
 packages-test-programs := $(packages-host)
 packages-footprint     := gcc-arm-none-eabi
+packages-flags         := gcc-arm-none-eabi
 packages-tradeoff      := $(packages-arm) gcc-riscv64-unknown-elf qemu-system-misc
 packages-scale         := gcc-arm-none-eabi qemu-system-arm gnuplot-nox
 packages-predictions    := $(packages-models)

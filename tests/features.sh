@@ -4,7 +4,7 @@
 . tests/tap.sh
 . tests/features_on.sh
 
-features_pairs gcc all
+features_pairs gcc clang all
 SEED=$((SEED + 8))
-features_pairs clang all
+features_pairs clang gcc all
 tap_done

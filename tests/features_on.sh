@@ -6,7 +6,8 @@
 #
 #   features_prepare NAME                 one of $features_scenes
 #   features_draw COMPILER NAME FLAG...   FLAG: LIM_HAS_X=0 or 1; the others are what the scene's header says
-#   features_pairs COMPILER [all]         a test for each pair of flags: an eighth of them, or all, with both on and both off
+#   features_pairs COMPILER OTHER [all]   a test for each pair of flags: an eighth of them, or all, both on and both off;
+#                                         by one compiler with both on, by the other with both off
 #
 # Which flags can be set is read from firmware/config.h, which of them a scene leaves open from its header. What config.h
 # refuses is not legal.
@@ -154,23 +155,23 @@ features_pair() { # COMPILER FILE
     echo "not legal" >>"$work/illegal"
 }
 
-features_pairs() { # COMPILER [all]
+features_pairs() { # COMPILER OTHER [all]
     echo "# SEED=$SEED"
-    set -- "$1" "${2:-}"
+    set -- "$1" "$2" "${3:-}"
     for features_name in $features_scenes; do
         tap_check "the full renderer paints $features_name" features_prepare "$features_name"
     done
     # shellcheck disable=SC2046 # names are words
-    awk -v features="$features" -v seed="$SEED" -v all="${2:+1}" -f tests/features/plan.awk \
+    awk -v features="$features" -v seed="$SEED" -v all="${3:+1}" -f tests/features/plan.awk \
         $(printf "$kept/%s/model.h " $features_scenes) >"$work/plan"
     : >"$work/illegal"
     for features_this in $(awk '{ print $1 "/" $2 }' "$work/plan" | uniq); do
         awk -v pair="${features_this%/*}" -v side="${features_this#*/}" '$1 == pair && $2 == side' "$work/plan" >"$work/tries"
         case $features_this in
-        *bare) features_what="with ${features_this%/*} beside what a scene needs" ;;
-        *) features_what="without ${features_this%/*}" ;;
+        *bare) features_by=$1 features_what="with ${features_this%/*} beside what a scene needs" ;;
+        *) features_by=$2 features_what="without ${features_this%/*}" ;;
         esac
-        tap_check "SEED=$SEED, $1: $features_what" features_pair "$1" "$work/tries"
+        tap_check "SEED=$SEED, $features_by: $features_what" features_pair "$features_by" "$work/tries"
     done
     tap_check "config.h refuses a fifth of the pairs at most" features_are_mostly_legal
 }
