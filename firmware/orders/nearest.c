@@ -306,9 +306,10 @@ static bool collect_entry(struct lim_nearest *nearest, uint16_t at)
     if (!lim_project(&polygon, &nearest->pass->view, nearest->pass->scene, record, &nearest->spans.open,
                      lim_stats_of(nearest->pass)))
         return true;
-    if (!(LIM_HAS_NEWELL && lim_entry_is_split(nearest->sorter, at) ? lim_collect_piece(nearest, at, &polygon)
-                                                                    : collect(nearest, &polygon)))
-        return false;
+    const bool has_room = LIM_HAS_NEWELL && lim_entry_is_split(nearest->sorter, at)
+                              ? lim_collect_piece(nearest, at, &polygon)
+                              : collect(nearest, &polygon);
+    if (!has_room) return false;
     if (++nearest->since_shrink < POLYGONS_PER_SHRINK) return true;
     nearest->since_shrink = 0;
     (void)lim_spans_shrink(&nearest->spans);
