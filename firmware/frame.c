@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * The public functions that draw_frame: memory is shared out once, in lim_init(); a frame is a camera taken in, then
+ * The public functions that draw: memory is shared out once, in lim_init(); a frame is a camera taken in, then
  * drawn in the target's order. Orders that are not linked fall out of these functions at compile time. */
 #include "limner.h"
 
@@ -37,7 +37,8 @@ static bool framebuffer_is_usable(const struct lim_target *target)
     return !framebuffer->pixels || (((uintptr_t)framebuffer->pixels & 3) == 0 && framebuffer->stride_px % 2 == 0 &&
                                     framebuffer->stride_px >= target->w_px);
 #else
-    return target;
+    (void)target;
+    return true;
 #endif
 }
 

@@ -61,21 +61,16 @@ static int card_put_line(const struct lim_target *target, enum panel_rotation tu
     return 0;
 }
 
-#if LIM_HAS_FILL
-static bool screen_keeps_frame(const struct lim_target *target)
-{
-#if SCREEN_KEEPS_FRAME
-    return target->show != NULL;
-#else
-    return !target;
-#endif
-}
-#endif
-
+/* A screen that keeps the whole picture gets the card by lines, as others do. */
 static int card_draw_line(const struct lim_target *target, enum panel_rotation turn, uint16_t y_px)
 {
+#if LIM_HAS_FILL && SCREEN_KEEPS_FRAME
+    const bool fills = target->fill && !target->show;
+#elif LIM_HAS_FILL
+    const bool fills = target->fill != NULL;
+#endif
 #if LIM_HAS_FILL
-    if (target->fill && !screen_keeps_frame(target)) {
+    if (fills) {
         card_fill_line(target, turn, y_px);
         return 0;
     }
