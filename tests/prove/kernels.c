@@ -16,10 +16,13 @@ int __builtin_clz(unsigned x);
 #include "movers/deform.c"
 #endif
 
+/* In the order in which the prover finds all: it depends on it. */
+// clang-format off
 #include "angle.c"
+#include "view/cull.c"
+#include "screen/edge.c"
 #include "eye.c"
 #include "math/fixed.c"
-#include "screen/edge.c"
-#include "view/cull.c"
 #include "view/perspective.h"
 #include "view/transform.h"
+// clang-format on
