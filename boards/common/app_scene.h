@@ -10,7 +10,7 @@
 
 #include "cameras.h"
 #include "model.h"
-#include "screen.h"
+#include "screen_work.h"
 
 /* How many lines of h_px the target must be able to lend at any time. */
 #define SCENE_LINES(h_px) MODEL_SCENE_LINES(h_px)

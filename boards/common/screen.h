@@ -22,6 +22,7 @@
 #include "errors.h"
 #include "greys.h"
 #include "panel.h"
+#include "screen_work.h"
 #include "target.h"
 
 /* Bytes for n_lines of w_px pixels, each line 4-byte aligned. Lines: 1, slow on a bus that works alone; 2; an even
@@ -39,9 +40,6 @@
 #define SCREEN_PAGE_B(w_px) (((w_px) + 3u) / 4u * 4u)
 #define SCREEN_PAGES_MEM_B(w_px, n_lines)                                                                              \
     (SCREEN_MEM_B(w_px, n_lines) + ((n_lines) < 2 ? 1u : 2u) * SCREEN_PAGE_B(w_px))
-
-/* Does a little, which needs nothing of the screen, and returns whether there is more. */
-typedef bool screen_work(void *ctx);
 
 /* 1: screen_set_bus() is there, and room for what it takes. The same for all files of an image. */
 #ifndef SCREEN_STREAMS
