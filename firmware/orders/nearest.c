@@ -349,7 +349,7 @@ bool lim_collect(struct lim_nearest *nearest, const struct lim_rect *band)
 
 /* The same in quanta, over all lines. What a loop above has in variables is in struct lim_progress. */
 /* Records up to the next that faces the eye, and this. */
-static bool collect_some_of_run(struct lim_nearest *nearest)
+static LIM_IF_CALLED bool collect_some_of_run(struct lim_nearest *nearest)
 {
     const LIM_FLASH lim_index *record = nearest->progress.record;
 
@@ -386,7 +386,7 @@ static LIM_IF_CALLED enum lim_route_event next_of_tree(struct lim_nearest *neare
 }
 
 /* A quantum: a polygon, or what has moved to one place. */
-static enum lim_ahead_stage collect_some_of_tree(struct lim_nearest *nearest)
+static LIM_IF_CALLED enum lim_ahead_stage collect_some_of_tree(struct lim_nearest *nearest)
 {
     lim_index what;
 
@@ -400,7 +400,7 @@ static enum lim_ahead_stage collect_some_of_tree(struct lim_nearest *nearest)
     return collect_some_of_run(nearest) ? LIM_AHEAD_BUSY : LIM_AHEAD_EXHAUSTED;
 }
 
-static enum lim_ahead_stage collect_some_of_list(struct lim_nearest *nearest)
+static LIM_IF_CALLED enum lim_ahead_stage collect_some_of_list(struct lim_nearest *nearest)
 {
     const uint16_t at = nearest->progress.entry;
 

@@ -62,11 +62,13 @@ static void fill(void *look, uint16_t x0_px, uint16_t x1_px)
         line(piece->y_px)[x] = piece->colour;
 }
 
+#if LIM_HAS_NEAREST
 static int show(void *ctx)
 {
     (void)ctx;
     return 0;
 }
+#endif
 #endif
 
 #if LIM_HAS_DELTA
@@ -95,7 +97,10 @@ static struct lim_target target_for(enum lim_method method, enum way way)
         .w_px = CAMERAS_W_PX, .h_px = CAMERAS_H_PX, .format = LIM_RGB565, .method = method, .lend = lend, .done = done};
     (void)way;
 #if LIM_HAS_FILL
-    if (way == FILL || !LIM_HAS_LINES) target.fill = fill, target.show = way == FILL ? show : NULL;
+    if (way == FILL || !LIM_HAS_LINES) target.fill = fill;
+#if LIM_HAS_NEAREST
+    if (way == FILL) target.show = show;
+#endif
 #endif
 #if LIM_HAS_FRAMEBUFFER
     if (way == FRAMEBUFFER) target.framebuffer = (struct lim_framebuffer){frame, LINE_PX};
