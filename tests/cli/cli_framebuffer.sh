@@ -61,6 +61,7 @@ cat >"$work/main.c" <<'END'
 #include <stdio.h>
 
 static void fill(void *look, uint16_t x0_px, uint16_t x1_px) { (void)look, (void)x0_px, (void)x1_px; }
+static int show(void *ctx) { return ctx != NULL; }
 
 int main(void)
 {
@@ -71,8 +72,9 @@ int main(void)
     target.framebuffer = (struct lim_framebuffer){pixels, 128};
 #elif LIM_HAS_FILL
     target.fill = fill;
+    target.show = show;
 #endif
-    (void)fill, (void)pixels;
+    (void)fill, (void)show, (void)pixels;
     printf("%zu %zu\n", lim_mem_b(&model_scene, &target), (size_t)MODEL_SCENE_MEM_B(64));
     return 0;
 }

@@ -89,7 +89,7 @@ write_metres() { # MOST-OFF, units with 8 fraction bits
 
 metres_are_units() { # CORE MOST-OFF
     write_metres "$2" && target_link "$1" "$work/image" -I"$work" -DLIM_CONFIG='"model.h"' "$work/metres.c" firmware/aim.c \
-        firmware/arctangent.c firmware/angle.c firmware/fixed.c || return 1
+        firmware/arctangent.c firmware/angle.c firmware/math/fixed.c || return 1
     target_run "$1" "$work/image" >"$work/said" && grep -qx near "$work/said"
 }
 
