@@ -167,7 +167,7 @@ int main(void)
 }
 END
 needs_no_band() { # WxH
-    scans 'by scan lines' --size "$1" -o "$work/model" &&
+    scans 'by scan lines' --method scanline --size "$1" -o "$work/model" &&
         "$BUILD/limner" render "$work/model.lim" --camera sim/scenes/teapot.cam --size "$1" \
             --write-cameras "$work/cameras.h" &&
         # shellcheck disable=SC2086 # warnings are words
