@@ -117,6 +117,7 @@
 #endif
 
 /* What the scene's arrays hold. */
+
 /* Bounds of subtrees, to be tested against the open view. */
 #ifndef LIM_HAS_CULL
 #define LIM_HAS_CULL 1
@@ -308,6 +309,14 @@
 #define LIM_FLASH
 #endif
 
+/* Members that may be none, as an array: LIM_OPTIONAL(struct part, name, LIM_HAS_PART) is read as name->x where
+ * LIM_HAS_PART was asked first. */
+#if defined(__GNUC__)
+#define LIM_OPTIONAL(type, name, count) __extension__ type name[count]
+#else
+#define LIM_OPTIONAL(type, name, count) type name[(count) ? (count) : 1]
+#endif
+
 /* Around structs that have such members: C++ compilers that are asked to be pedantic have none. C and C++ agree on what
  * they are. */
 #if defined(__cplusplus) && defined(__GNUC__)
@@ -326,14 +335,6 @@
 #define LIM_WORD_ALIGNED __attribute__((aligned(4)))
 #else
 #define LIM_WORD_ALIGNED
-#endif
-
-/* Members that may be none, as an array: LIM_OPTIONAL(struct part, name, LIM_HAS_PART) is read as name->x where
- * LIM_HAS_PART was asked first. */
-#if defined(__GNUC__)
-#define LIM_OPTIONAL(type, name, count) __extension__ type name[count]
-#else
-#define LIM_OPTIONAL(type, name, count) type name[(count) ? (count) : 1]
 #endif
 
 /* Code for the rare case: out of line, so that the common one stays short. */

@@ -3,12 +3,12 @@
  * A frame, nearest first: pass one (nearest.c) over all lines, then pass two (paint.c). When a pool is exhausted the
  * frame is finished in bands: the same two passes over half the lines, a quarter, one line, half a line, and more again
  * where there is room. A band of one pixel needs one polygon and no gap, so every frame ends. */
-#include "lines/smooth_line.h"
 #include "orders/nearest.h"
-#include "pieces/sorted.h"
 
 #include "lines/framebuffer.h"
 #include "lines/gaps.h"
+#include "lines/smooth_line.h"
+#include "pieces/sorted.h"
 
 #if LIM_HAS_SPANS
 

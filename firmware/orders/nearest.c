@@ -4,10 +4,10 @@
  * by scan lines all that are in view. All at once, or, where a frame is begun while another is still on its way,
  * polygon by polygon (lim_frame_work()). bands.c drives it. */
 #include "orders/nearest.h"
-#include "lines/smooth_line.h"
 
 #include "lines/framebuffer.h"
 #include "lines/layers.h"
+#include "lines/smooth_line.h"
 #include "pieces/entry.h"
 #include "routes/mover_order.h"
 #include "routes/mover_split.h"
@@ -139,7 +139,6 @@ static void note_pools(struct lim_nearest *nearest)
     if (nearest->spans.fresh > stats->gaps_max) stats->gaps_max = nearest->spans.fresh;
 }
 
-/* Polygons from the walk through the tree. */
 /* Draws the open view together, and CULL's planes with it. */
 static void shrink(struct lim_nearest *nearest)
 {
@@ -224,7 +223,7 @@ static LIM_ALONE bool collect_record(struct lim_nearest *nearest, const LIM_FLAS
     return true;
 }
 
-/* false: a pool is exhausted. */
+/* Polygons from the walk through the tree. false: a pool is exhausted. */
 static bool collect_run(struct lim_nearest *nearest, lim_index run)
 {
     struct lim_pass *const pass = nearest->pass;
@@ -297,7 +296,7 @@ static LIM_IF_CALLED bool collect_from_tree(struct lim_nearest *nearest, const s
     return true;
 }
 
-/* And from the sorted list. */
+/* From the sorted list. false: a pool is exhausted. */
 static bool collect_entry(struct lim_nearest *nearest, uint16_t at)
 {
     const LIM_FLASH lim_index *record = &nearest->pass->scene->polygons[nearest->sorter->list[at].record];
@@ -318,7 +317,6 @@ static bool collect_entry(struct lim_nearest *nearest, uint16_t at)
 
 static bool collect_from_list(struct lim_nearest *nearest)
 {
-
     for (uint16_t at = nearest->sorter->first; at != LIM_NONE && nearest->spans.open_lines;
          at = nearest->sorter->list[at].next)
         if (!collect_entry(nearest, at)) return false;
@@ -348,7 +346,8 @@ bool lim_collect(struct lim_nearest *nearest, const struct lim_rect *band)
 }
 
 /* The same in quanta, over all lines. What a loop above has in variables is in struct lim_progress. */
-/* Records up to the next that faces the eye, and this. */
+
+/* Records up to the next that faces the eye, and that one. */
 static LIM_IF_CALLED bool collect_some_of_run(struct lim_nearest *nearest)
 {
     const LIM_FLASH lim_index *record = nearest->progress.record;

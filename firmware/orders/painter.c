@@ -150,6 +150,7 @@ static inline bool paint_fast(struct lim_painter *painter, const LIM_FLASH lim_i
 }
 
 /* Where polygons come from, far to near: the walk through the tree, or the sorted list. */
+
 /* A record that faces the eye. */
 static LIM_ALONE int paint_record(struct lim_painter *painter, const LIM_FLASH lim_index *record,
                                   const struct lim_rect *screen)

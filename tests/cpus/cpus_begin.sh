@@ -24,12 +24,8 @@ prepare() { # MODEL SIZE "OPTION..." "OPTION...": of compile, and of render
 draws() { # CORE STANDARD FLAG...: what was prepared
     core=$1 standard=$2
     shift 2
-    compiler=$(target_compiler "$core") freestanding=-ffreestanding
-    [ "$core" != host ] || freestanding=
-    case $standard in c++*) compiler=$(example_cplusplus "$compiler") ;; esac
     cp tests/targets/begin.c "$work/begin.c"
-    # shellcheck disable=SC2046 # flags are words
-    example_main "$compiler" begin "$standard" $(target_flags "$core" | sed 's/-std=[^ ]*//') $freestanding -Isim/targets "$@" &&
+    example_main_for "$core" begin "$standard" -Isim/targets "$@" &&
         target_link "$core" "$work/image" -I"$work" -DLIM_CONFIG='"model.h"' "$work/begin.o" "$work"/model*.c firmware/*.c firmware/*/*.c || return 1
     target_run "$core" "$work/image" >"$work/frames" || echo "exit status $?" >>"$work/frames"
     diff "$work/expected" "$work/frames"

@@ -18,11 +18,7 @@ prepare() {
 program() { # CORE STANDARD FLAG...: its main file
     core=$1 standard=$2
     shift 2
-    compiler=$(target_compiler "$core") freestanding=-ffreestanding
-    [ "$core" != host ] || freestanding=
-    case $standard in c++*) compiler=$(example_cplusplus "$compiler") ;; esac
-    # shellcheck disable=SC2046 # flags are words
-    example_main "$compiler" begin "$standard" $(target_flags "$core" | sed 's/-std=[^ ]*//') $freestanding -Isim/targets "$@"
+    example_main_for "$core" begin "$standard" -Isim/targets "$@"
 }
 
 link() { # CORE FLAG...: that with the renderer and the scene

@@ -13,18 +13,11 @@ render_expected() {
             --write-cameras "$work/cameras.h" && [ "$(cut -d ' ' -f 2 "$work/expected" | sort -u | wc -l)" -eq 3 ]
 }
 
-cplusplus_of() { # CORE
-    case $1 in
-    host) [ "${CC#clang}" = "$CC" ] && echo g++ || echo clang++ ;;
-    *) echo "$(target_tools "$1")g++" ;;
-    esac
-}
-
 links_and_paints() { # CORE STANDARD [FLAG...]
     core=$1 standard=$2
     shift 2
     # shellcheck disable=SC2046 # flags are words
-    $(cplusplus_of "$core") $(target_flags "$core" | sed 's/-std=[^ ]*//') "-std=$standard" -O2 -Wall -Wextra -pedantic -Werror \
+    "$(example_cplusplus "$(target_compiler "$core")")" $(target_flags "$core" | sed 's/-std=[^ ]*//') "-std=$standard" -O2 -Wall -Wextra -pedantic -Werror \
         -ffreestanding -fno-exceptions -fno-rtti -ffunction-sections -fdata-sections -Ifirmware -Isim/targets -I"$work" "$@" \
         -c -o "$work/main.o" tests/cplusplus/main.cpp &&
         target_link "$core" "$work/image" -I"$work" -DLIM_CONFIG='"model.h"' "$work/main.o" "$work/model.c" firmware/*.c firmware/*/*.c &&

@@ -39,15 +39,23 @@ example_cplusplus() { # COMPILER
     esac
 }
 
+# example_main_for CORE NAME STANDARD FLAG...: the same by a core's compiler, with that core's flags.
+example_main_for() {
+    main_core=$1 main_file=$2 main_language=$3
+    shift 3
+    case $main_language in
+    c++*) core_compiler=$(example_cplusplus "$(target_compiler "$main_core")") ;;
+    *) core_compiler=$(target_compiler "$main_core") ;;
+    esac
+    [ "$main_core" = host ] || set -- -ffreestanding "$@"
+    # shellcheck disable=SC2046 # flags are words
+    example_main "$core_compiler" "$main_file" "$main_language" $(target_flags "$main_core" | sed 's/-std=[^ ]*//') "$@"
+}
+
 # example_link CORE BYTES [STANDARD]: $work/CORE, an image with so much memory, or what the scene asks for; for scripts that
 # have sourced sim/targets/targets.sh.
 example_link() {
-    compiler=$(target_compiler "$1") standard=${3:-c11} freestanding=-ffreestanding
-    [ "$1" != host ] || freestanding=
-    case $standard in c++*) compiler=$(example_cplusplus "$compiler") ;; esac
-    # shellcheck disable=SC2046 # flags are words
-    example_with_memory "$1" "$2" &&
-        example_main "$compiler" "$1" "$standard" $(target_flags "$1" | sed 's/-std=[^ ]*//') $freestanding -DLIM_MAX_SIDE_PX=240 || return 1
+    example_with_memory "$1" "$2" && example_main_for "$1" "$1" "${3:-c11}" -DLIM_MAX_SIDE_PX=240 || return 1
     target_link "$1" "$work/$1" -DLIM_CONFIG='"teapot.h"' -DLIM_MAX_SIDE_PX=240 -Itests/example -I"$work" \
         "$work/$1.o" tests/example/display_hash.c "$work/teapot.c" \
         firmware/*.c firmware/*/*.c
