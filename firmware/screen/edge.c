@@ -74,7 +74,7 @@ static inline int32_t divide(int32_t a, int32_t by, int32_t *rest)
 /*@ requires by > 0 && -2147483648 <= a / by <= 2147483647 && \valid(rest);
     assigns *rest;
     ensures \result == a / by && *rest == a - \result * by; */
-static inline int32_t mover_split_area(lim_sub_area a, int32_t by, int32_t *rest)
+static inline int32_t divide_area(lim_sub_area a, int32_t by, int32_t *rest)
 {
     if (LIM_EDGE_IS_SHORT) return divide((int32_t)a, by, rest);
     const int32_t quotient = (int32_t)(a / by);
@@ -90,7 +90,7 @@ static void edge_set(struct lim_edge *edge, struct lim_point a, struct lim_point
 {
     const int32_t dx = (int32_t)b.x - a.x, dy = (int32_t)b.y - a.y;
     int32_t error, rest;
-    int32_t x = mover_split_area(meeting(a, dx, dy, y), dy, &error); /* up, if negative */
+    int32_t x = divide_area(meeting(a, dx, dy, y), dy, &error); /* up, if negative */
 
     if (error > 0) {
         x++;
@@ -148,7 +148,7 @@ static inline lim_edge_at fraction_of(uint32_t rest, const struct divisor *divis
 static inline int32_t floor_of(lim_sub_area m, const struct divisor *divisor, int32_t *rest)
 {
 #if LIM_EDGE_BITS == 32
-    const int32_t quotient = mover_split_area(m, divisor->by, rest);
+    const int32_t quotient = divide_area(m, divisor->by, rest);
     if (*rest >= 0) return quotient;
     *rest += divisor->by;
     return quotient - 1;
@@ -189,7 +189,7 @@ static LIM_RARE int32_t stretch_of(int32_t dy)
     assigns edge->at; */
 static LIM_RARE void set_line(struct lim_edge *edge, lim_sub_area m, int32_t dy)
 {
-    int32_t rest, whole = mover_split_area(m, dy, &rest);
+    int32_t rest, whole = divide_area(m, dy, &rest);
 
     if (rest > 0) whole++;
     edge->at = (lim_edge_at)((lim_edge_wrap)(lim_edge_at)(whole + LIM_ORIGIN_PX) << LIM_EDGE_BITS);
