@@ -10,8 +10,15 @@
 #ifndef LIM_AGREE_H
 #define LIM_AGREE_H
 
-#include "profile.h"
-#include "version.h"
+#include "config.h"
+
+/* What a version promises: DESIGN.md. */
+#define LIM_VERSION_MAJOR 0
+#define LIM_VERSION_MINOR 1
+#define LIM_VERSION_PATCH 0
+
+/* For #if: 0.1.0 is 0x000100. */
+#define LIM_VERSION (LIM_VERSION_MAJOR * 0x10000 + LIM_VERSION_MINOR * 0x100 + LIM_VERSION_PATCH)
 
 #if LIM_PROFILE == LIM_PROFILE_DRAFT
 #define LIM_AGREED_PROFILE ".draft_"

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
  * A target of one line, or of all of them, whose pixels are sent as soon as they are final. */
-#include "begin.h"
+#include "limner.h"
 
 static uint16_t *sender_line(const struct lim_sender *sender, uint16_t y_px)
 {

@@ -4,6 +4,7 @@
 #include "camera.h"
 
 #include "angle.h"
+#include "target.h"
 
 static bool in_range(uint64_t tan_q28)
 {

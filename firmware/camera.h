@@ -5,7 +5,6 @@
 #define LIM_CAMERA_H
 
 #include "config.h"
-#include "errors.h"
 
 LIM_C_BEGIN
 

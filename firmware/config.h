@@ -48,7 +48,14 @@
 #define LIM_ALIGNAS(size_b) _Alignas(size_b)
 #endif
 
-/* Precision profiles; profile.h turns the choice into formats. */
+/* Precision profiles. Within a profile every CPU and compiler paints the same pixels.
+ *
+ *   draft  16-bit rows and ratios, whole pixels
+ *   fast   the same, 1/128 pixel
+ *   fine   rows of 29 bits in two limbs, ratios of 19 bits, 1/512 pixel
+ *   exact  the same rows, ratios of 27 bits, vertices with 8 further bits, 1/4096 pixel
+ *
+ * Formats are in stages.h, the arithmetic in transform.h and perspective.h; no other stage knows more than names. */
 #define LIM_PROFILE_DRAFT 0
 #define LIM_PROFILE_FAST 1
 #define LIM_PROFILE_FINE 2
@@ -56,6 +63,26 @@
 
 #ifndef LIM_PROFILE
 #define LIM_PROFILE LIM_PROFILE_FAST
+#endif
+
+#if LIM_PROFILE == LIM_PROFILE_DRAFT
+#define LIM_PROFILE_SUB_BITS 0
+#elif LIM_PROFILE == LIM_PROFILE_FAST
+#define LIM_PROFILE_SUB_BITS 7
+#elif LIM_PROFILE == LIM_PROFILE_FINE
+#define LIM_PROFILE_SUB_BITS 9
+#elif LIM_PROFILE == LIM_PROFILE_EXACT
+#define LIM_PROFILE_SUB_BITS 12
+#else
+#error "unknown LIM_PROFILE"
+#endif
+
+/* Sub-pixel bits, 0..12: a profile's own unless a build says otherwise. */
+#ifndef LIM_SUB_BITS
+#define LIM_SUB_BITS LIM_PROFILE_SUB_BITS
+#endif
+#if LIM_SUB_BITS < 0 || LIM_SUB_BITS > 12
+#error "LIM_SUB_BITS must be 0..12"
 #endif
 
 /* Either of two flags or both, as a flag: 0 or 1, without an operator. So flags have no comments in their lines, which
@@ -256,6 +283,13 @@
 #endif
 #endif
 
+/* Whether 32 x 32 -> 64 is an instruction; where it is a library call, limbs of 16 bits take its place. */
+#if defined(__ARM_ARCH_6M__) || defined(__AVR__)
+#define LIM_LONG_MULTIPLY 0
+#else
+#define LIM_LONG_MULTIPLY 1
+#endif
+
 /* Whether two products of 16 bits and their sum are one instruction: then pairs of numbers are loaded at once. */
 #if defined(__ARM_FEATURE_DSP)
 #define LIM_DUAL_MULTIPLY 1
@@ -343,6 +377,9 @@
 #else
 #define LIM_RARE
 #endif
+
+/* Of functions that can fail. */
+#define LIM_MUST_CHECK __attribute__((warn_unused_result))
 
 /* A condition that seldom holds. */
 #if defined(__GNUC__)

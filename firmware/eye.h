@@ -6,28 +6,9 @@
 #define LIM_EYE_H
 
 #include "math/fixed.h"
-#include "scene.h"
+#include "stages.h"
 
 #define LIM_EYE_MAX_Q8 (INT32_C(1) << 28) /* |eye_q8| stays below: 64-bit plane values cannot overflow */
-
-/* Has 16 bits, which is not worth a word's while, unless pairs of them are multiplied. */
-#if LIM_8_BIT || LIM_DUAL_MULTIPLY
-typedef int16_t lim_eye_reduced;
-#else
-typedef int32_t lim_eye_reduced;
-#endif
-
-struct lim_eye {
-    int32_t at_q8[3]; /* units */
-    /* What the filter needs, if LIM_HAS_FILTER. */
-    lim_eye_reduced reduced[3]; /* floor(at / 2^shift), within 16 bits whatever the distance */
-    lim_index near_end;         /* a lim_node.plane below this is decided by lim_eye_near_side() */
-    uint8_t shift;              /* 0 inside the 16-bit cube of the scene */
-    int32_t slack_rest;         /* what shifting takes from LIM_PLANE_SLACK */
-    int32_t large_slack;        /* how far the filter of a LARGE plane can be off, in its own scale */
-    const struct lim_scene *scene;
-    const LIM_FLASH struct lim_plane *planes; /* the scene's: a load less on the way to each */
-};
 
 void lim_eye_set(struct lim_eye *eye, const struct lim_scene *scene, const int32_t at_q8[3]);
 

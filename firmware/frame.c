@@ -4,6 +4,18 @@
  * drawn in the target's order. Orders that are not linked fall out of these functions at compile time. */
 #include "limner.h"
 
+#include "ahead.h"
+#include "eye.h"
+#include "movers/mover.h"
+#include "orders/convex.h"
+#include "orders/nearest.h"
+#include "orders/painter.h"
+#include "pixels/delta.h"
+#include "pixels/texture.h"
+#include "view/pass.h"
+#include "view/view.h"
+#include "view/walk.h"
+
 static bool method_is_linked(enum lim_method method)
 {
     return (LIM_HAS_NEAREST && method == LIM_NEAREST_FIRST) || (LIM_HAS_PAINTER && method == LIM_PAINTER) ||

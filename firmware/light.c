@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
  * Lambert's cosine in 32 bits: the normal is made short enough first. */
-#include "light.h"
+#include "scene.h"
 
 #include "math/fixed.h"
 #include "math/isqrt.h"

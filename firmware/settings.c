@@ -4,6 +4,10 @@
  * is begun. */
 #include "limner.h"
 
+#include "ahead.h"
+#include "pixels/delta.h"
+#include "view/pass.h"
+
 int lim_begin(const struct lim_memory *memory, const struct lim_scene *scene, enum lim_method method, lim_send *send,
               void *ctx)
 {

@@ -6,7 +6,22 @@
 #define LIM_TARGET_H
 
 #include "config.h"
-#include "rect.h"
+
+/* What can go wrong at run time. Functions that can fail return 0 or a negative code, and are checked. A target's own
+ * negative codes come back unchanged. */
+enum lim_error {
+    LIM_OK = 0,
+    LIM_ERR_MEMORY = -1001, /* mem_b is below lim_mem_min_b() */
+    LIM_ERR_SCENE = -1002,  /* the scene needs more than this build was configured for */
+    LIM_ERR_TARGET = -1003, /* the target's size or format is not supported, or it lent no line */
+    LIM_ERR_CAMERA = -1004, /* position or lens out of range */
+    LIM_ERR_BEGIN = -1005   /* no frame was begun */
+};
+
+/* A rectangle of the screen: pixels x0 <= x < x1, y0 <= y < y1. */
+struct lim_rect {
+    uint16_t x0, y0, x1, y1;
+};
 
 enum lim_format {
     LIM_RGB565 /* two bytes a pixel as the bus wants them: the byte with the red bits first */

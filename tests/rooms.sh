@@ -47,12 +47,31 @@ rooms_are_named() { # FOLDER OTHER...
 
 sim_is_rooms_alone() { ! find sim -maxdepth 1 -name '*.[ch]' | grep .; }
 
-# In firmware/ itself state.h and limner.h know the whole renderer, and what draws; other headers at most the lowest room.
+# In firmware/ itself few files know the whole renderer; its headers include at most the lowest room.
 renderer_is_on_top() {
-    ! includes firmware | grep '^firmware/[a-z]*/' | grep -E ':(limner|state)\.h$' &&
-        ! includes $(ls firmware/*.h | grep -v '/state.h') | grep / | grep -vE ':(math/.*|[a-z_]*\.h)$' | cut -d : -f 3 |
-        grep / && ! grep -nE 'struct lim \*|struct lim lim' firmware/*/*.[ch]
+    ! includes firmware | grep '^firmware/[a-z]*/' | grep -E ':(limner|ahead|inspect)\.h$' &&
+        ! includes firmware/*.h | cut -d : -f 3 | grep / | grep -v '^math/' &&
+        ! grep -nE 'struct lim \*|struct lim lim' firmware/*/*.[ch] &&
+        [ "$(grep -lE 'struct lim \*' firmware/*.[ch] | wc -l)" -le 8 ]
 }
+
+# A header that includes none is one deep.
+shallow() { # MOST
+    includes firmware | sed 's,^firmware/,,' | awk -F : -v most="$1" '
+        $1 ~ /\.h$/ { needed[$1] = needed[$1] " " $3 }
+        function depth(header,    list, count, i, below, deepest) {
+            if (header in known) return known[header]
+            count = split(needed[header], list, " ")
+            for (i = 1; i <= count; i++) if ((below = depth(list[i])) > deepest) deepest = below
+            return known[header] = deepest + 1
+        }
+        END {
+            for (header in needed) if (depth(header) > most) { print "firmware/" header ": " depth(header) " deep"; wrong = 1 }
+            exit wrong
+        }'
+}
+
+headers_are_shallow() { shallow 6 && ! shallow 5 >/dev/null; }
 
 rooms_are_private() {
     ! includes hal sim boards | grep -E ":($(rooms_of firmware | tr ' ' '|'))/" >"$work/private" ||
@@ -136,6 +155,7 @@ tap_check "a room of sim/ includes itself and lower ones" arrows_go_down sim
 tap_check "so does a room of firmware/" arrows_go_down firmware
 tap_check "no room of firmware/ knows struct lim" renderer_is_on_top
 tap_check "nobody else includes what is in a room of firmware/" rooms_are_private
+tap_check "no header of firmware/ is more than six deep" headers_are_shallow
 tap_check "firmware/ includes itself alone" stays_inside firmware
 tap_check "hal/ includes itself and firmware/" stays_inside hal firmware
 tap_check "sim/ includes itself, firmware/, hal/ and boards/common" stays_inside sim firmware hal boards/common

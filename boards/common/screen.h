@@ -19,7 +19,6 @@
 
 #include "bus.h"
 #include "camera.h"
-#include "errors.h"
 #include "greys.h"
 #include "panel.h"
 #include "screen_work.h"

@@ -6,30 +6,7 @@
 #define LIM_ACTIVE_H
 
 #include "lines/retain.h"
-#include "pixels/texture.h"
 #include "screen/edge.h"
-#include "screen/samples.h"
-
-struct lim_active {
-    struct lim_active *next; /* in a list, or NULL */
-    union {
-        struct lim_edge_pair pair;
-        LIM_OPTIONAL(struct lim_sample_edges, samples, LIM_HAS_ANTIALIAS);
-    };
-    uint16_t polygon; /* its first cell: farther ones have greater ones */
-    uint16_t turn;    /* the line on which its edges change, or its bottom */
-    uint16_t bottom;
-    uint16_t colour;                                                /* as it lies in memory */
-    LIM_OPTIONAL(struct lim_gradients, gradients, LIM_HAS_TEXTURE); /* if it has a texture */
-};
-
-struct lim_actives {
-    struct lim_active *pool;
-    uint16_t pool_size;
-    uint16_t fresh;                  /* from here on were never used */
-    uint16_t used;                   /* at this time, if LIM_HAS_STATS */
-    struct lim_active *first, *free; /* lists through `next`: what crosses the line, and what was given back */
-};
 
 static inline const struct lim_point *lim_active_points(const union lim_retained_cell *cells)
 {

@@ -2,8 +2,12 @@
  *
  * The polygons that cross a line are kept from far to near, as retain.h lists those that start on it. What is nearer
  * paints over what is farther, so each pixel ends as the nearest polygon's: the picture of pass one. */
+#include "lines/active.h"
 #include "lines/paint.h"
+#include "lines/span.h"
 #include "pixels/fill.h"
+#include "screen/edge.h"
+#include "view/pass.h"
 
 #if LIM_HAS_SPANS
 

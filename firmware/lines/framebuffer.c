@@ -4,6 +4,8 @@
  * the screen ends. */
 #include "lines/framebuffer.h"
 
+#include "screen/edge.h"
+
 #if LIM_HAS_FRAMEBUFFER
 
 void lim_framebuffer_fill(void *of_look, uint16_t x0_px, uint16_t x1_px)

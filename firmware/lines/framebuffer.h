@@ -7,7 +7,7 @@
 
 #include "pixels/fill.h"
 #include "pixels/target_parts.h"
-#include "screen/edge.h"
+#include "stages.h"
 
 /* Says that whole lines are there. 0 or the target's error. */
 static inline int lim_target_done(const struct lim_target *target, const struct lim_rect *lines)

@@ -5,31 +5,13 @@
 #ifndef LIM_GAPS_H
 #define LIM_GAPS_H
 
-#include "rect.h"
-#include "scene.h"
+#include "stages.h"
 
-/* Pixels x0 <= x < x1. */
-struct lim_gap {
-    uint16_t x0, x1;
-    uint16_t next; /* in the pool, or LIM_NONE */
-    /* Antialiased: the samples of its pixels that are closed (samples.h), not all of them. */
-    LIM_OPTIONAL(uint16_t, covered, LIM_HAS_ANTIALIAS);
-};
-
-struct lim_line {
-    struct lim_gap gap; /* x0 == x1: the line is closed */
-    uint16_t retained;  /* PAINT's list of polygons that start on this line, or LIM_NONE */
-};
-
-struct lim_spans {
-    struct lim_line *lines; /* one for each screen line */
-    struct lim_gap *pool;
-    uint16_t pool_size;
-    uint16_t free;  /* list of gaps that were given back */
-    uint16_t fresh; /* gaps from here on were never used */
-    uint16_t open_lines;
-    bool trimmed;         /* `open`, since it was drawn together */
-    struct lim_rect open; /* holds every open pixel */
+/* What became of pixels, or samples, that were to be closed. */
+enum lim_span_result {
+    LIM_SPAN_NOTHING = 0,  /* all of it was closed before */
+    LIM_SPAN_SOME = 1,     /* some of it was open, and is closed now */
+    LIM_SPAN_EXHAUSTED = 2 /* no gap was left in the pool; the lines are as they were found or further */
 };
 
 /* NULL behind the last one. */

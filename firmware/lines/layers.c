@@ -4,6 +4,7 @@
 #include "lines/layers.h"
 
 #include "pixels/blend.h"
+#include "screen/edge.h"
 
 #if LIM_HAS_SPANS && LIM_HAS_TRANSPARENT
 

@@ -6,21 +6,7 @@
 #ifndef LIM_LAYERS_H
 #define LIM_LAYERS_H
 
-#include "lines/span.h"
-#include "screen/project.h"
-
-/* A piece of a line that waits for what lies behind it. */
-struct lim_layer {
-    uint16_t x0, x1; /* x0 <= x < x1 */
-    uint16_t colour; /* as it lies in memory */
-    uint8_t alpha;
-};
-
-struct lim_layers {
-    struct lim_layer *pool;
-    uint16_t size, used;
-    bool exhausted; /* some did not fit */
-};
+#include "stages.h"
 
 /* Whether any of the pixels x0 <= x < x1 of a line is open. */
 bool lim_layers_see_line(const struct lim_spans *spans, uint16_t y, int16_t x0, int16_t x1);

@@ -6,6 +6,7 @@
 #include "lines/mask.h"
 
 #include "lines/gaps.h"
+#include "screen/samples.h"
 
 #if LIM_HAS_ANTIALIAS
 

@@ -5,8 +5,10 @@
 #ifndef LIM_MASK_H
 #define LIM_MASK_H
 
-#include "lines/span.h"
-#include "screen/samples.h"
+#include "lines/gaps.h"
+
+struct lim_run;
+struct lim_strip;
 
 /* Receives pixels x0 <= x < x1 of a line, left to right: of each, the samples `mask` were open; `covered`, others,
  * were closed before. */

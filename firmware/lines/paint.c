@@ -4,9 +4,20 @@
  * their cells. New ones arrive far to near (retain.h), so each is put in front of the one before it or further up. */
 #include "lines/paint.h"
 
+#include "lines/active.h"
+#include "lines/layers.h"
 #include "lines/mask.h"
+#include "lines/retain.h"
+#include "lines/smooth.h"
+#include "lines/span.h"
 #include "lines/wireframe.h"
+#include "pixels/delta.h"
 #include "pixels/fill.h"
+#include "pixels/runs.h"
+#include "pixels/texture.h"
+#include "screen/samples.h"
+#include "view/pass.h"
+#include "view/view.h"
 
 #if LIM_HAS_SPANS
 

@@ -8,24 +8,7 @@
 #ifndef LIM_PAINT_H
 #define LIM_PAINT_H
 
-#include "errors.h"
-#include "lines/active.h"
-#include "lines/layers.h"
-#include "lines/smooth.h"
-#include "lines/span.h"
-#include "pixels/delta.h"
-#include "view/pass.h"
-
-struct lim_paint {
-    struct lim_pass *pass;
-    const struct lim_texturing *texturing; /* if LIM_HAS_TEXTURE */
-    struct lim_delta *delta;               /* or NULL */
-    uint16_t *lent;                        /* the line that could not be finished, or NULL */
-    struct lim_actives actives;
-    uint16_t background; /* as it lies in memory */
-    LIM_OPTIONAL(struct lim_layers, layers, LIM_HAS_TRANSPARENT);
-    LIM_OPTIONAL(struct lim_smooth, smooth, LIM_HAS_ANTIALIAS);
-};
+#include "stages.h"
 
 /* lim_paint_band(): what it could not finish. */
 enum {

@@ -6,38 +6,7 @@
 #ifndef LIM_RETAIN_H
 #define LIM_RETAIN_H
 
-#include "lines/span.h"
-#include "pixels/blend.h"
-#include "profile.h"
-#include "screen/project.h"
-
-/* A retained polygon is two head cells and one cell a vertex; if it is transparent, one more with its alpha; in
- * wireframe, as many as the flags of its edges take, an edge a bit. A piece of one (piece.h) has n = 0, its alpha in
- * the place of `first`, and a cell a line, bottom to top: x its first pixel, y the one after its last. */
-union lim_retained_cell {
-    struct {
-        uint16_t next; /* the polygon retained before this one that starts on the same line */
-        uint8_t n, first;
-    } link;
-    struct {
-        uint16_t bottom; /* the line after its last, with LIM_RETAINED_TRANSPARENT or LIM_RETAINED_TEXTURE */
-        uint16_t colour; /* as it lies in memory; with LIM_RETAINED_TEXTURE lim_screen_polygon.texture */
-    } look;
-    struct lim_point at;
-    uint16_t alpha;
-    uint16_t hidden[sizeof(struct lim_point) / 2];
-};
-
-enum { LIM_RETAINED_HEAD_CELLS = 2 };
-#define LIM_RETAINED_TRANSPARENT 0x8000u
-#define LIM_RETAINED_TEXTURE 0x4000u
-
-struct lim_retained {
-    union lim_retained_cell *cells;
-    uint16_t size, used;
-    bool overhangs; /* a polygon may reach beyond the screen's left or right side */
-    bool mixed;     /* one of the polygons is transparent or has a texture */
-};
+#include "screen/polygon.h"
 
 static inline void lim_retained_clear(struct lim_retained *retained)
 {

@@ -5,6 +5,8 @@
 #include "lines/smooth.h"
 
 #include "pixels/fill.h"
+#include "screen/polygon.h"
+#include "screen/samples.h"
 
 #if LIM_HAS_ANTIALIAS
 

@@ -6,21 +6,9 @@
 #ifndef LIM_SMOOTH_H
 #define LIM_SMOOTH_H
 
-#include "lines/layers.h"
 #include "lines/mask.h"
-#include "lines/retain.h"
 #include "pixels/texture.h"
-#include "stats.h"
-
-/* What lim_set_antialias() borrows: a line's sums, and which samples are closed where that has to do without gaps. */
-#define LIM_ANTIALIAS_MEM_B(w_px) (((size_t)(w_px) * (sizeof(uint32_t) + sizeof(uint16_t)) + 3) & ~(size_t)3)
-
-struct lim_smooth {
-    uint32_t *sums;    /* of the colours of a pixel's closed samples: red from bit 20 on, green 10, blue 0; NULL: off */
-    uint16_t *covered; /* the closed samples of a line that is drawn alone */
-    uint16_t *line;    /* the memory of that line, or NULL */
-    uint16_t open_px;  /* how many of its pixels are open */
-};
+#include "screen/samples.h"
 
 /* Where a polygon's samples go. */
 struct lim_smooth_sink {

@@ -3,6 +3,12 @@
  * Pixel by pixel: there are no gaps, but a word a pixel that says which of its samples are closed. */
 #include "lines/smooth_line.h"
 
+#include "lines/smooth.h"
+#include "pixels/texture.h"
+#include "screen/polygon.h"
+#include "screen/samples.h"
+#include "view/pass.h"
+
 #if LIM_HAS_ANTIALIAS
 
 int lim_smooth_begin_line(struct lim_paint *paint, uint16_t y)

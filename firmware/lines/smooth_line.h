@@ -5,7 +5,8 @@
 #ifndef LIM_SMOOTH_LINE_H
 #define LIM_SMOOTH_LINE_H
 
-#include "lines/paint.h"
+#include "screen/samples.h"
+#include "stages.h"
 
 /* A line for which the pools are too small is drawn alone, from a walk of its own, nearest first: begun, then every
  * polygon at once, then ended. The same sums in the same order. Returns an enum lim_error or the target's. */

@@ -6,6 +6,7 @@
 #include "lines/span.h"
 
 #include "lines/framebuffer.h"
+#include "screen/edge.h"
 
 #if LIM_HAS_SPANS
 

@@ -8,13 +8,6 @@
 
 #include "lines/gaps.h"
 #include "pixels/target_parts.h"
-#include "screen/edge.h"
-
-enum lim_span_result {
-    LIM_SPAN_NOTHING = 0,  /* all of it was closed before */
-    LIM_SPAN_SOME = 1,     /* some of it was open, and is closed now */
-    LIM_SPAN_EXHAUSTED = 2 /* no gap was left in the pool; the lines are as they were found or further */
-};
 
 /* Line y with the pixels of `band` open that the target shows, in one gap. */
 static inline void lim_line_open(struct lim_line *line, const struct lim_target *target, const struct lim_rect *band,

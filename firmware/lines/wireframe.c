@@ -7,6 +7,8 @@
 #include "lines/wireframe.h"
 
 #include "pixels/fill.h"
+#include "screen/edge.h"
+#include "screen/polygon.h"
 
 #if LIM_HAS_WIREFRAME
 

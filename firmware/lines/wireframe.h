@@ -9,8 +9,7 @@
 #ifndef LIM_WIREFRAME_H
 #define LIM_WIREFRAME_H
 
-#include "screen/project.h"
-#include "target.h"
+#include "stages.h"
 
 /* An outline on one line; colours as they lie in memory. */
 struct lim_wire {

@@ -11,13 +11,6 @@
 
 LIM_STATIC_ASSERT((-3 >> 1) == -2, "right shifts must be arithmetic");
 
-/* Whether 32 x 32 -> 64 is an instruction; where it is a library call, limbs of 16 bits take its place. */
-#if defined(__ARM_ARCH_6M__) || defined(__AVR__)
-#define LIM_LONG_MULTIPLY 0
-#else
-#define LIM_LONG_MULTIPLY 1
-#endif
-
 /* Whether there is an instruction that counts leading zeros. */
 #if defined(__ARM_ARCH_6M__) || defined(__AVR__) || (defined(__riscv) && !defined(__riscv_zbb))
 #define LIM_HAS_CLZ 0

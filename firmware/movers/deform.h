@@ -5,8 +5,7 @@
 #ifndef LIM_DEFORM_H
 #define LIM_DEFORM_H
 
-#include "eye.h"
-#include "instance.h"
+#include "orders.h"
 #include "view/plane_unpacked.h"
 
 /* Whether the instance deforms; a constant where none can. */

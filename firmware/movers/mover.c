@@ -7,8 +7,12 @@
  * and of the object's own. */
 #include "movers/mover.h"
 
+#include "eye.h"
 #include "math/orientation.h"
 #include "movers/deform.h"
+#include "view/pass.h"
+#include "view/rows.h"
+#include "view/view.h"
 
 #if LIM_HAS_MOVERS
 

@@ -7,8 +7,11 @@
 
 #include "lines/framebuffer.h"
 #include "lines/gaps.h"
+#include "lines/paint.h"
 #include "lines/smooth_line.h"
+#include "movers/mover.h"
 #include "pieces/sorted.h"
+#include "view/view.h"
 
 #if LIM_HAS_SPANS
 

@@ -4,9 +4,14 @@
  * place where a piece would be retained holds its lines meanwhile. */
 #include "lines/layers.h"
 #include "lines/mask.h"
+#include "lines/retain.h"
 #include "lines/smooth_line.h"
+#include "lines/span.h"
 #include "orders/nearest.h"
 #include "pieces/trace.h"
+#include "screen/polygon.h"
+#include "screen/project.h"
+#include "view/view.h"
 
 #if LIM_HAS_SPANS && LIM_HAS_PIECES
 

@@ -8,8 +8,15 @@
  * A face for which the pool has no room is projected anew for each of its lines. */
 #include "orders/convex.h"
 
+#include "eye.h"
 #include "lines/wireframe.h"
 #include "pixels/fill.h"
+#include "pixels/texture.h"
+#include "screen/edge.h"
+#include "screen/polygon.h"
+#include "screen/project.h"
+#include "view/pass.h"
+#include "view/view.h"
 
 #if LIM_HAS_CONVEX
 

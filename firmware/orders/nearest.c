@@ -5,13 +5,23 @@
  * polygon by polygon (lim_frame_work()). bands.c drives it. */
 #include "orders/nearest.h"
 
+#include "eye.h"
 #include "lines/framebuffer.h"
+#include "lines/gaps.h"
 #include "lines/layers.h"
+#include "lines/retain.h"
+#include "lines/smooth.h"
 #include "lines/smooth_line.h"
+#include "lines/span.h"
 #include "pieces/entry.h"
 #include "routes/mover_order.h"
+#include "routes/mover_route.h"
 #include "routes/mover_split.h"
+#include "routes/route.h"
 #include "screen/project.h"
+#include "screen/samples.h"
+#include "view/cull.h"
+#include "view/walk.h"
 
 #if LIM_HAS_SPANS
 

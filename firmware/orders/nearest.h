@@ -6,58 +6,7 @@
 #ifndef LIM_NEAREST_H
 #define LIM_NEAREST_H
 
-#include "lines/paint.h"
-#include "lines/retain.h"
-#include "lines/span.h"
 #include "orders/painter.h"
-#include "pieces/sorter.h"
-#include "routes/mover_route.h"
-
-/* Bytes that lim_init() cuts up, for each order: constant expressions when their arguments are. A scene's header has
- * its own with the scene's limits filled in: NAME_SCENE_MEM_B(h_px). */
-#define LIM_MEM_B(h_px, depth, cell_count, gap_count, active_count)                                                    \
-    LIM_MEM_ALIGNED_B(LIM_VIEW_CACHE_ENTRIES * sizeof(struct lim_view_cached) + (h_px) * sizeof(struct lim_line) +     \
-                      (depth) * sizeof(struct lim_walk_pending) + (cell_count) * sizeof(union lim_retained_cell) +     \
-                      (gap_count) * sizeof(struct lim_gap) + (active_count) * sizeof(struct lim_active))
-/* Beside LIM_MEM_B(), if the scene has transparent polygons. */
-#define LIM_LAYERS_MEM_B(layer_count) ((layer_count) * sizeof(struct lim_layer))
-/* `piece_count`: how often a frame's polygons can be split. */
-#define LIM_DEPTH_MEM_B(h_px, polygon_count, cell_count, gap_count, active_count)                                      \
-    (LIM_MEM_B(h_px, 0, cell_count, gap_count, active_count) + (polygon_count) * sizeof(struct lim_sorted))
-#define LIM_NEWELL_MEM_B(h_px, polygon_count, piece_count, cell_count, gap_count, active_count)                        \
-    (LIM_DEPTH_MEM_B(h_px, (polygon_count) + (piece_count), cell_count, gap_count, active_count) +                     \
-     ((polygon_count) + (piece_count)) * sizeof(struct lim_newell_polygon) +                                           \
-     (piece_count) * (2 * sizeof(struct lim_cut)))
-
-/* How far a frame is that lim_frame_begin() began. */
-enum lim_ahead_stage {
-    LIM_AHEAD_NONE, /* there is none */
-    LIM_AHEAD_BEGUN,
-    LIM_AHEAD_BUSY,     /* in pass one */
-    LIM_AHEAD_DONE,     /* with pass one */
-    LIM_AHEAD_EXHAUSTED /* in pass one: a pool is */
-};
-
-/* Pass one between two quanta. */
-struct lim_progress {
-    const LIM_FLASH lim_index *record; /* of a run, the next; NULL: another run is due */
-    LIM_OPTIONAL(struct lim_route, route, LIM_HAS_MOVERS);
-    uint16_t entry; /* of the sorted list, the next */
-};
-
-struct lim_nearest {
-    struct lim_pass *pass;
-    struct lim_sorter *sorter;   /* of a sorted method's polygons, or of movers */
-    struct lim_painter *painter; /* for lines for which a pool is too small */
-    struct lim_spans spans;
-    struct lim_retained retained;
-    struct lim_paint paint;
-    uint32_t bands;       /* lim_bands() */
-    uint8_t since_shrink; /* polygons since the open view was drawn together */
-    bool retains_all;     /* by scan lines, in this band */
-    bool fills;           /* polygons are painted as they come */
-    struct lim_progress progress;
-};
 
 /* What memory it asks for (`least`: with less it is refused), and how it cuts that up. */
 size_t lim_nearest_mem_b(const struct lim_scene *scene, const struct lim_target *target, bool least);

@@ -6,15 +6,25 @@
  * transparent for its pools: this order needs none. */
 #include "orders/painter.h"
 
+#include "eye.h"
 #include "lines/framebuffer.h"
 #include "lines/wireframe.h"
 #include "pieces/entry.h"
+#include "pieces/sorter.h"
 #include "pieces/trace.h"
 #include "pixels/blend.h"
 #include "pixels/fill.h"
+#include "pixels/texture.h"
 #include "routes/mover_order.h"
 #include "routes/mover_route.h"
 #include "routes/mover_split.h"
+#include "routes/route.h"
+#include "screen/edge.h"
+#include "screen/polygon.h"
+#include "screen/project.h"
+#include "view/cull.h"
+#include "view/view.h"
+#include "view/walk.h"
 
 #if LIM_HAS_PAINTED
 

@@ -4,13 +4,8 @@
 #ifndef LIM_PAINTER_H
 #define LIM_PAINTER_H
 
-#include "pieces/sorter.h"
-#include "pixels/texture.h"
+#include "orders.h"
 #include "view/pass.h"
-
-#define LIM_PAINTER_MEM_B(depth)                                                                                       \
-    LIM_MEM_ALIGNED_B(LIM_VIEW_CACHE_ENTRIES * sizeof(struct lim_view_cached) +                                        \
-                      (depth) * sizeof(struct lim_walk_pending))
 
 /* Whether all of a frame is made of pieces in one opaque colour each, and of no others: a target that keeps the whole
  * picture can have them as they are found. */
@@ -19,14 +14,6 @@ static inline bool lim_can_fill(const struct lim_sorter *sorter, const struct li
     return !(LIM_HAS_TRANSPARENT && pass->scene->limits.layers) &&
            !(LIM_HAS_TEXTURE && lim_texture_count(pass->scene)) && !lim_wireframe_of(pass) && !lim_moves(sorter);
 }
-
-struct lim_painter {
-    struct lim_pass *pass;
-    struct lim_sorter *sorter; /* of a sorted method's polygons, or of movers */
-    const struct lim_texturing *texturing;
-    uint16_t *lent; /* the line that nearest first could not finish, or NULL */
-    bool fills;     /* the target's framebuffer is painted */
-};
 
 size_t lim_painter_mem_b(const struct lim_scene *scene);
 void lim_painter_init(struct lim_painter *painter, void *mem);

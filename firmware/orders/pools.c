@@ -6,6 +6,7 @@
 
 #include "lines/framebuffer.h"
 #include "view/clip.h"
+#include "view/walk.h"
 
 #if LIM_HAS_SPANS
 

@@ -5,7 +5,7 @@
 #ifndef LIM_CORNERS_H
 #define LIM_CORNERS_H
 
-#include "pieces/sorter.h"
+#include "orders.h"
 #include "view/plane_unpacked.h"
 
 struct lim_corners {

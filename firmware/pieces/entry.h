@@ -5,7 +5,8 @@
 #ifndef LIM_ENTRY_H
 #define LIM_ENTRY_H
 
-#include "pieces/sorter.h"
+#include "movers/mover.h"
+#include "view/pass.h"
 
 /* The mover that an entry is a part of, or LIM_NONE. */
 static inline uint16_t lim_entry_owner(const struct lim_sorter *sorter, uint16_t entry)

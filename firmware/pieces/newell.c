@@ -17,6 +17,7 @@
 
 #include "pieces/piece.h"
 #include "pieces/sorter.h"
+#include "view/pass.h"
 
 #if LIM_HAS_PIECES
 

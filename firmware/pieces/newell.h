@@ -10,7 +10,7 @@
 #ifndef LIM_NEWELL_H
 #define LIM_NEWELL_H
 
-#include "pieces/sorter.h"
+#include "orders.h"
 
 /* What LIM_NEWELL knows of a polygon of the scene, which is an entry of the list already: its nearest point, where its
  * plane is, and which pixels it may have. false: nothing of it can be seen. */

@@ -7,6 +7,10 @@
 #include "movers/deform.h"
 #include "pieces/corners.h"
 #include "pieces/entry.h"
+#include "screen/edge.h"
+#include "screen/project.h"
+#include "view/clip.h"
+#include "view/view.h"
 
 #if LIM_HAS_PIECES
 

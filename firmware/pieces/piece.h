@@ -7,9 +7,8 @@
 #ifndef LIM_PIECE_H
 #define LIM_PIECE_H
 
-#include "pieces/corners.h"
-#include "pieces/sorter.h"
-#include "screen/project.h"
+#include "orders.h"
+#include "view/plane_unpacked.h"
 
 /* On which sides of a plane something lies: none is "on it". */
 enum { LIM_SIDE_FRONT = 1, LIM_SIDE_BACK = 2, LIM_SIDE_BOTH = 3 };

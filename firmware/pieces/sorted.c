@@ -3,7 +3,10 @@
  * Every record that faces the eye becomes an entry, whatever the tree says. */
 #include "pieces/sorted.h"
 
+#include "eye.h"
 #include "pieces/newell.h"
+#include "pieces/sorter.h"
+#include "view/pass.h"
 #include "view/transform.h"
 
 #if LIM_HAS_SORTED

@@ -7,7 +7,7 @@
 #ifndef LIM_SORTED_H
 #define LIM_SORTED_H
 
-#include "pieces/sorter.h"
+#include "orders.h"
 
 /* Lists and orders. The camera is taken in. */
 void lim_sorted_order(struct lim_sorter *sorter);

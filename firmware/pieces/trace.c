@@ -5,8 +5,13 @@
  * of pixels w h m . r steps by 2 h m[0]: with |m| < 2^30 all of it stays below 2^52; of samples, below 2^58. */
 #include "pieces/trace.h"
 
+#include "math/fixed.h"
 #include "pieces/corners.h"
 #include "pieces/entry.h"
+#include "screen/edge.h"
+#include "screen/samples.h"
+#include "view/plane_unpacked.h"
+#include "view/view.h"
 
 #if LIM_HAS_PIECES
 

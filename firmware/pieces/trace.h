@@ -6,7 +6,7 @@
 #ifndef LIM_TRACE_H
 #define LIM_TRACE_H
 
-#include "pieces/piece.h"
+#include "orders.h"
 
 /* Lines top <= y < bottom of a projected polygon that is not non-monotone and has them, as far as they are within
  * `open`: that of `bottom` - 1 first. */

@@ -7,6 +7,7 @@
  * any. */
 #include "pixels/delta.h"
 
+#include "pixels/rects.h"
 #include "pixels/target_parts.h"
 
 #if LIM_HAS_DELTA

@@ -8,32 +8,7 @@
 #ifndef LIM_DELTA_H
 #define LIM_DELTA_H
 
-#include "camera.h"
-#include "errors.h"
-#include "pixels/rects.h"
 #include "pixels/runs.h"
-#include "stats.h"
-#include "target.h"
-
-#define LIM_DELTA_MEM_B(w_px, h_px, run_count)                                                                         \
-    ((sizeof(struct lim_delta) + ((size_t)(w_px) + (run_count)) * sizeof(uint32_t) +                                   \
-      ((size_t)(h_px) + 1) * sizeof(uint16_t) + 3) &                                                                   \
-     ~(size_t)3)
-
-/* Private. */
-struct lim_delta {
-    struct lim_target target; /* the caller's */
-    struct lim_stats *stats;
-    struct lim_runs runs;
-    struct lim_rects rects;   /* of lines that are kept; with pages: of the page, which is one line */
-    struct lim_rect stream;   /* the window of lines that were sent at once, from the line that it takes next */
-    struct lim_camera camera; /* of the last frame */
-    bool still;               /* it is this frame's as well */
-    bool known;               /* the panel shows the last frame */
-    bool noted;               /* the line that is drawn was noted: all of its pieces */
-    uint16_t y;               /* the line that was done last, all of it or a piece */
-    uint16_t *line;           /* where it is painted, or NULL */
-};
 
 /* Prepares the memory, whose size is known, for changes of a target. LIM_ERR_MEMORY: it is too small; LIM_ERR_TARGET:
  * the target has no window(), or does not tell its costs. */

@@ -6,21 +6,7 @@
 #ifndef LIM_RECTS_H
 #define LIM_RECTS_H
 
-#include "target.h"
-
-/* How many are put together at a time: with fewer, more is sent and less is tried. */
-#ifndef LIM_DELTA_RECTS
-#define LIM_DELTA_RECTS 32
-#endif
-
-struct lim_rects {
-    uint32_t window_px; /* what a window costs, in pixels that could be sent instead */
-    uint16_t count;
-    uint16_t growing; /* so many, which come first, may still grow */
-    uint16_t y;       /* the line that was added to last */
-    struct lim_rect rect[LIM_DELTA_RECTS];
-    uint32_t area_px[LIM_DELTA_RECTS];
-};
+#include "orders.h"
 
 /* Puts a rectangle, not above the last one, where that costs least: to another one, which grows over all between them,
  * or on its own. false: it would be on its own, and there is no room. */

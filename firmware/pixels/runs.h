@@ -7,24 +7,13 @@
 #ifndef LIM_RUNS_H
 #define LIM_RUNS_H
 
-#include "config.h"
+#include "orders.h"
 
 /* A run: the x after its last pixel from bit 20 on; below, its look: a colour as it lies in memory, or one of these. */
 #define LIM_RUN_END_BIT 20
 #define LIM_RUN_LOOK ((UINT32_C(1) << LIM_RUN_END_BIT) - 1u)
 #define LIM_RUN_TEXTURED (UINT32_C(1) << 16) /* with which texture */
 #define LIM_RUN_UNSEEN (UINT32_C(1) << 17)   /* behind the rim of round glass */
-
-struct lim_runs {
-    uint32_t *line;  /* w_px: the runs that begin at each pixel, of the line that is drawn */
-    uint32_t *ring;  /* of all lines */
-    uint16_t size;   /* of the ring; one less can be in use */
-    uint16_t head;   /* where its next run goes */
-    uint16_t tail;   /* its oldest run: the last frame's, of the line that is drawn */
-    uint16_t *first; /* h_px + 1: each line's first run, as this frame has it up to the line that is drawn, and as the
-                        last frame had it below. A line that begins where the next one does is not known */
-    uint16_t w_px, h_px;
-};
 
 static inline uint16_t lim_run_end(uint32_t run)
 {

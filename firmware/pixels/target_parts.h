@@ -5,7 +5,6 @@
 #ifndef LIM_TARGET_PARTS_H
 #define LIM_TARGET_PARTS_H
 
-#include "errors.h"
 #include "target.h"
 
 /* Whether a target leaves out pixels of its lines: lim_target_visible() says which it has. */

@@ -6,6 +6,7 @@
  * of the largest depth on the screen. */
 #include "pixels/texture.h"
 
+#include "math/fixed.h"
 #include "math/orientation.h"
 
 #if LIM_HAS_TEXTURE

@@ -3,6 +3,8 @@
  * Painting: a division every so many pixels of a line, texels along a straight line in between. */
 #include "pixels/texture.h"
 
+#include "math/fixed.h"
+
 #if LIM_HAS_TEXTURE
 
 enum { STEP_PX = 1 << LIM_TEXTURE_STEP_BITS, TEXEL_BLOCK = LIM_TEXEL_BLOCK };

@@ -5,13 +5,16 @@
  * polygons are sorted as Newell, Newell and Sancha did (newell.c), which splits what passes through each other. */
 #include "routes/mover_order.h"
 
+#include "eye.h"
 #include "movers/deform.h"
 #include "pieces/corners.h"
 #include "pieces/entry.h"
 #include "pieces/newell.h"
 #include "pieces/piece.h"
+#include "pieces/sorter.h"
 #include "routes/mover_split.h"
 #include "routes/route.h"
+#include "screen/project.h"
 
 #if LIM_HAS_MOVERS
 

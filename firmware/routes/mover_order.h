@@ -4,8 +4,7 @@
 #ifndef LIM_MOVER_ORDER_H
 #define LIM_MOVER_ORDER_H
 
-#include "pieces/sorter.h"
-#include "screen/project.h"
+#include "orders.h"
 
 /* Puts a list that has come to empty space in order, nearest first or the other way round. Returns its head. */
 uint16_t lim_movers_order(struct lim_sorter *sorter, uint16_t list, bool back_to_front);

@@ -6,7 +6,10 @@
  * what has come to a subtree whose polygons are out of view: there is nothing in it to be sorted with. */
 #include "routes/mover_route.h"
 
+#include "eye.h"
 #include "routes/mover_split.h"
+#include "routes/route.h"
+#include "view/pass.h"
 
 #if LIM_HAS_MOVERS
 

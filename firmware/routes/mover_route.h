@@ -5,7 +5,7 @@
 #ifndef LIM_MOVER_ROUTE_H
 #define LIM_MOVER_ROUTE_H
 
-#include "routes/route.h"
+#include "orders.h"
 
 enum lim_route_event { LIM_ROUTE_END, LIM_ROUTE_RUN, LIM_ROUTE_LIST };
 

@@ -6,11 +6,13 @@
  * walk. */
 #include "routes/mover_split.h"
 
+#include "eye.h"
 #include "movers/deform.h"
 #include "pieces/corners.h"
 #include "pieces/entry.h"
 #include "pieces/piece.h"
 #include "routes/route.h"
+#include "view/cull.h"
 
 #if LIM_HAS_MOVERS
 

@@ -5,7 +5,7 @@
 #ifndef LIM_MOVER_SPLIT_H
 #define LIM_MOVER_SPLIT_H
 
-#include "pieces/sorter.h"
+#include "orders.h"
 
 /* The list of all movers that `open` may show, from scratch: pieces of an earlier walk are gone. */
 uint16_t lim_movers_list(struct lim_sorter *sorter, const struct lim_cull *open);

@@ -3,6 +3,11 @@
  * As WALK, but a node waits on the stack instead of its run: what comes is told with its node and the eye's side. */
 #include "routes/route.h"
 
+#include "eye.h"
+#include "view/cull.h"
+#include "view/pass.h"
+#include "view/walk.h"
+
 #if LIM_HAS_MOVERS
 
 void lim_route_begin(struct lim_route *route, uint16_t list)

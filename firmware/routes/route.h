@@ -4,23 +4,7 @@
 #ifndef LIM_ROUTE_H
 #define LIM_ROUTE_H
 
-#include "movers/mover.h"
-#include "pieces/sorter.h"
-
-struct lim_route {
-    struct lim_sorter *sorter; /* of the lists */
-    const struct lim_scene *scene;
-    const struct lim_eye *eye;
-    struct lim_cull *cull; /* the open view in the scene's coordinates */
-    const uint8_t *shown;  /* NULL: all (portals.h) */
-    struct lim_route_pending *stack;
-    uint16_t depth;
-    lim_index next; /* the subtree to enter, or LIM_NO_INDEX */
-    uint16_t list;  /* what moves in it */
-    lim_index node; /* whose run was handed out last */
-    int8_t side;    /* of the eye there */
-    bool back_to_front;
-};
+#include "orders.h"
 
 /* The route through an object in the view of `open`; it is begun. */
 struct lim_route lim_route_object(struct lim_sorter *sorter, uint16_t mover, const struct lim_rect *open,

@@ -9,57 +9,16 @@
 #ifndef LIM_EDGE_H
 #define LIM_EDGE_H
 
-#include "profile.h"
+#include "stages.h"
 
-/* Where the edge is on the current line: lim_edge_x(). As quotient and remainder where the processor works on bytes,
- * else as a fixed-point number with LIM_EDGE_BITS fraction bits, wide enough for three screens. */
-#if LIM_8_BIT
-struct lim_edge {
-    int32_t error;       /* M - x * denominator (edge.c), in -denominator+1 .. 0 */
-    int32_t step_error;  /* what a line adds to it, 0 .. denominator-1 */
-    int32_t denominator; /* lines from end to end, in sub-pixels */
-    int16_t x, step_x;
-    int16_t end;
-    uint8_t next;
-    uint8_t step_vertex;
-};
-#else
+/* Sums of products (edge.c), and what they are summed in: 32 bits may wrap on the way, 64 never need to. */
 #if LIM_SUB_BITS > 9
-#define LIM_EDGE_BITS 32
-typedef int64_t lim_edge_at;
-typedef uint64_t lim_edge_wrap; /* what it is summed in: steps below the last line may wrap */
+typedef int64_t lim_sub_area;
+typedef int64_t lim_sub_wrap;
 #else
-#define LIM_EDGE_BITS (LIM_MAX_SIDE_PX <= 340 ? 22 : 20)
-typedef int32_t lim_edge_at;
-typedef uint32_t lim_edge_wrap;
+typedef int32_t lim_sub_area;
+typedef uint32_t lim_sub_wrap;
 #endif
-struct lim_edge {
-    lim_edge_at at, step; /* on the current line, and what a line adds */
-    int16_t end;          /* the line on which it hands over to the next edge, or is begun anew: see edge.c */
-    uint8_t next;         /* the vertex from which that goes on */
-    uint8_t step_vertex;  /* from there to the one after it, modulo their number: the left boundary runs forward */
-};
-#endif
-
-/* Both boundaries of a polygon, on their way down. */
-struct lim_edge_pair {
-    struct lim_edge left, right;
-};
-
-/* Lines top <= y < bottom; none: top >= bottom. */
-struct lim_span_extent {
-    int16_t top, bottom;
-};
-
-/* What a polygon looks like to EDGE; lines are relative to nothing: line y is screen line y. */
-struct lim_edge_shape {
-    int16_t top, bottom; /* lines top <= y < bottom; may lie outside of the screen */
-    int16_t left, right; /* pixels left <= x < right, likewise; set by lim_edge_bounds_sides() */
-    uint8_t first;       /* a vertex on the top line */
-    uint8_t apex;        /* if non-monotone: from which a fan of triangles covers the polygon */
-    bool non_monotone;   /* its boundary turns more than twice: rounding bent it */
-    LIM_OPTIONAL(int16_t, end_row, LIM_HAS_ANTIALIAS); /* the row of samples (samples.h) after its last, antialiased */
-};
 
 /* Sets all but left and right, which fewer ask for: lim_edge_bounds_sides(). 3 <= n. */
 void lim_edge_bounds(struct lim_edge_shape *shape, const struct lim_point *at, uint8_t n);

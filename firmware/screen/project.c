@@ -4,6 +4,9 @@
  * plane or the guard band are transformed again, in view space. */
 #include "screen/project.h"
 
+#include "screen/samples.h"
+#include "view/clip.h"
+
 /* For wireframe: which edges are not drawn, as flags beside the polygon, and in its corners while it is clipped. */
 static void set_hidden(struct lim_screen_polygon *out, uint_fast8_t k, bool hidden)
 {

@@ -4,57 +4,9 @@
 #ifndef LIM_PROJECT_H
 #define LIM_PROJECT_H
 
-#include "colour.h"
-#include "screen/samples.h"
-#include "stats.h"
-#include "view/clip.h"
-#include "view/cull.h"
+#include "screen/edge.h"
+#include "screen/polygon.h"
 #include "view/view.h"
-
-#define LIM_FLAG_WORDS(count) (((count) + 15) / 16)
-
-struct lim_screen_polygon {
-    struct lim_edge_shape shape;
-    uint16_t colour; /* as it lies in memory */
-    uint8_t n;
-    LIM_OPTIONAL(uint8_t, alpha, LIM_HAS_TRANSPARENT);
-    LIM_OPTIONAL(uint16_t, hidden, LIM_HAS_WIREFRAME *LIM_FLAG_WORDS(CLIP_MAX_VERTICES)); /* an edge a bit: not drawn */
-    LIM_OPTIONAL(bool, antialiased, LIM_HAS_ANTIALIAS); /* `shape` is of its samples */
-    /* The word of lim_scene.polygons at which its record names its texture, or LIM_NONE. */
-    LIM_OPTIONAL(uint16_t, texture, LIM_HAS_TEXTURE);
-    struct lim_point at[CLIP_MAX_VERTICES];
-};
-
-static inline uint8_t lim_alpha_of(const struct lim_screen_polygon *polygon)
-{
-    return LIM_HAS_TRANSPARENT ? *polygon->alpha : (uint8_t)LIM_OPAQUE;
-}
-
-/* NULL: there are none. */
-static inline const uint16_t *lim_hidden_of(const struct lim_screen_polygon *polygon)
-{
-    return LIM_HAS_WIREFRAME ? polygon->hidden : NULL;
-}
-
-static inline uint16_t lim_screen_texture(const struct lim_screen_polygon *polygon)
-{
-    return LIM_HAS_TEXTURE ? *polygon->texture : (uint16_t)LIM_NONE;
-}
-
-static inline void lim_set_antialiased(struct lim_screen_polygon *out, bool antialiased)
-{
-    if (LIM_HAS_ANTIALIAS) *out->antialiased = antialiased;
-}
-
-static inline bool lim_is_polygon_antialiased(const struct lim_screen_polygon *polygon)
-{
-    return LIM_HAS_ANTIALIAS && *polygon->antialiased;
-}
-
-static inline void lim_set_alpha(struct lim_screen_polygon *out, uint8_t alpha)
-{
-    if (LIM_HAS_TRANSPARENT) *out->alpha = alpha;
-}
 
 /* Whether some columns of the screen are no longer open, so that those of polygons have to be looked at. What is beyond
  * the screen's own sides CULL and the codes leave out. */

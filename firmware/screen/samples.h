@@ -27,21 +27,6 @@ struct lim_run {
     uint16_t mask;
 };
 
-/* A boundary, in rows of samples and sixteenths of a pixel: as quotient and remainder, for a row is crossed four times
- * a line by edges with four times the lines, which takes more bits than a fixed-point number has. */
-struct lim_sample_edge {
-    int32_t error;       /* M - x * denominator (samples.c), in -denominator+1 .. 0 */
-    int32_t step_error;  /* what a row adds to it, 0 .. denominator-1 */
-    int32_t denominator; /* rows from end to end, in their units */
-    int16_t x, step_x;
-    int16_t end; /* the row on which it hands over to the next edge */
-    uint8_t next, step_vertex;
-};
-
-struct lim_sample_edges {
-    struct lim_sample_edge left, right;
-};
-
 /* As lim_edge_begin(). */
 static inline void lim_strip_begin(struct lim_sample_edges *edges, uint8_t n, uint8_t first)
 {

@@ -11,7 +11,7 @@
 #ifndef LIM_SMALL_H
 #define LIM_SMALL_H
 
-#include "profile.h"
+#include "stages.h"
 
 #define EDGE_HAS_SMALL (!LIM_DIVIDES && !LIM_8_BIT && !LIM_OPTIMISE_SIZE && LIM_SUB_BITS >= 7 && LIM_SUB_BITS <= 9)
 

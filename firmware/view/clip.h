@@ -8,8 +8,6 @@
 
 #include "view/view.h"
 
-enum { CLIP_PLANES = 5, CLIP_MAX_VERTICES = LIM_PIECE_VERTICES + CLIP_PLANES };
-
 struct lim_clip_polygon {
     uint8_t n; /* 0: nothing is left; else 3..CLIP_MAX_VERTICES */
     struct lim_view_point at[CLIP_MAX_VERTICES];

@@ -5,21 +5,7 @@
 #ifndef LIM_CULL_H
 #define LIM_CULL_H
 
-#include "scene.h"
-#include "view/view.h"
-
-#include "rect.h" /* last: where a type stands decides whether the proof of perspective_at() is found in time */
-
-struct lim_cull_plane {
-    int16_t n[3];          /* points inwards; two bits less than the view matrix, length <= 2^14 */
-    uint16_t inside_depth; /* on stacks this deep or deeper all boxes are inside; LIM_NONE: none is known to be */
-    int32_t offset;        /* plus the slack that makes it conservative */
-};
-
-struct lim_cull {
-    struct lim_cull_plane sides[4]; /* left, right, top, bottom */
-    uint16_t inside_depth;          /* of all four */
-};
+#include "stages.h"
 
 void lim_cull_set(struct lim_cull *cull, const struct lim_view *view, const int32_t eye_q8[3],
                   const struct lim_rect *open);

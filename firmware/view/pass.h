@@ -6,22 +6,7 @@
 #define LIM_PASS_H
 
 #include "colour.h"
-#include "stats.h"
-#include "target.h"
-#include "view/cull.h"
-#include "view/view.h"
-#include "view/walk.h"
-
-struct lim_pass {
-    const struct lim_scene *scene;
-    struct lim_target target;
-    struct lim_view view;
-    LIM_OPTIONAL(struct lim_cull, cull, LIM_HAS_CULL);
-    LIM_OPTIONAL(struct lim_walk, walk, LIM_HAS_TREE);
-    LIM_OPTIONAL(struct lim_eye, eye, !LIM_HAS_TREE);
-    LIM_OPTIONAL(struct lim_wireframe, wireframe, LIM_HAS_WIREFRAME);
-    LIM_OPTIONAL(struct lim_stats, stats, LIM_HAS_STATS);
-};
+#include "stages.h"
 
 /* What is not there is never read. */
 static inline struct lim_stats *lim_stats_of(struct lim_pass *pass)

@@ -13,7 +13,7 @@
 #define LIM_PERSPECTIVE_H
 
 #include "math/fixed.h"
-#include "profile.h"
+#include "stages.h"
 
 /* The 16-bit form shifts z right to 15 bits; the others use a scale half as large (rows.c). */
 #define PERSPECTIVE_Z_MIN_QV (LIM_HAS_LIMBS ? INT32_C(1) << 14 : INT32_C(1) << 15)
@@ -29,12 +29,6 @@ enum {
 
 /* What |x| <= 2z comes to: 2, and 2^-11 for the errors. */
 #define PERSPECTIVE_RATIO_MAX ((INT32_C(2) << PERSPECTIVE_RATIO_BITS) + (INT32_C(1) << (PERSPECTIVE_RATIO_BITS - 11)))
-
-/* One side of the screen. */
-struct lim_side {
-    int32_t px;
-    int32_t middle_qs; /* half-pixels from the origin, and what makes the last shift round */
-};
 
 /*@ predicate is_side(struct lim_side side) =
       1 <= side.px <= LIM_MAX_SIDE_PX &&

@@ -7,29 +7,7 @@
 #ifndef LIM_PORTALS_H
 #define LIM_PORTALS_H
 
-#include "camera.h"
-#include "eye.h"
-#include "scene.h"
-
-/* Bytes for scenes with places; the stack of nodes is one deeper than the tree. */
-#define LIM_PORTALS_MEM_B(box_count, depth) (LIM_PORTALS_BITS_B(box_count) + ((size_t)(depth) + 2) / 2 * 4)
-#define LIM_PORTALS_BITS_B(box_count) (((size_t)(box_count) + 31) / 32 * 4)
-
-struct lim_portals {
-    uint8_t *bits;   /* of boxes; NULL: the scene has no places */
-    uint16_t *stack; /* of nodes: a scene with places has few enough */
-};
-
-/* Bytes for the bits of a scene: none for one without places. */
-static inline size_t lim_portals_mem_b(const struct lim_scene *scene)
-{
-#if LIM_HAS_PORTALS
-    return scene->place_count ? LIM_PORTALS_MEM_B(scene->box_count, scene->limits.depth) : 0;
-#else
-    (void)scene;
-    return 0;
-#endif
-}
+#include "stages.h"
 
 /* Lends a scene's portals that many bytes. */
 static inline void lim_portals_lend(struct lim_portals *portals, const struct lim_scene *scene, void *mem)

@@ -4,15 +4,7 @@
 #ifndef LIM_ROWS_H
 #define LIM_ROWS_H
 
-#include "camera.h"
-#include "view/transform.h"
-
-struct lim_rows {
-    uint8_t tele_bits;     /* the row of z is kept 2^tele_bits times as long: a narrow lens makes it short */
-    struct lim_row row[3]; /* x, y and z of view space */
-    int32_t near_qv;       /* distance of the near plane in view space, >= PERSPECTIVE_Z_MIN_QV */
-    uint32_t far_units;    /* no vertex is farther from the eye */
-};
+#include "stages.h"
 
 /* Returns false when the camera is out of range (camera.h). */
 bool lim_rows_set(struct lim_rows *rows, const struct lim_scene *scene, const struct lim_camera *camera);

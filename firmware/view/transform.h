@@ -13,26 +13,7 @@
 #define LIM_TRANSFORM_H
 
 #include "math/fixed.h"
-#include "profile.h"
-#include "scene.h"
-
-#if LIM_DUAL_MULTIPLY
-typedef int16_t lim_row_entry;
-#else
-typedef int_fast16_t lim_row_entry;
-#endif
-
-/* A row of the view matrix. */
-struct lim_row {
-    lim_row_entry n_qv[3]; /* |entry| <= 32767 */
-    int32_t shift_qv;      /* where the row puts the origin of the scene */
-#if LIM_HAS_LIMBS
-    lim_row_entry low_qv15[3]; /* what rounding took from the entries, 15 bits further: -2^14..2^14 */
-#endif
-#if LIM_HAS_LIMBS && LIM_LONG_MULTIPLY
-    int32_t n_qv16[3]; /* both together, doubled */
-#endif
-};
+#include "stages.h"
 
 /* n . v + sum, which may wrap. |n| <= 2^15, |v| <= 2^15: no single product does. */
 /*@ requires \valid_read(n + (0 .. 2)) && \valid_read(at);

@@ -3,6 +3,10 @@
  * Vertices through the three rows and the perspective, each once as long as the cache remembers it. */
 #include "view/view.h"
 
+#include "view/perspective.h"
+#include "view/rows.h"
+#include "view/transform.h"
+
 void lim_view_init(struct lim_view *view, uint16_t w_px, uint16_t h_px, struct lim_view_cached *cache)
 {
     perspective_set(&view->width, w_px);

@@ -9,8 +9,7 @@
 #ifndef LIM_VIEW_H
 #define LIM_VIEW_H
 
-#include "view/perspective.h"
-#include "view/rows.h"
+#include "stages.h"
 
 /* |coordinate| < 2^31. */
 struct lim_view_point {
@@ -41,19 +40,6 @@ enum lim_view_code {
     LIM_VIEW_GUARD = 32
 };
 
-/* enum lim_view_code; of words both: lim_view_both(). */
-#if LIM_8_BIT
-typedef uint8_t lim_view_code_bits;
-#else
-typedef uint16_t lim_view_code_bits;
-#endif
-
-struct lim_view_cached {
-    lim_index vertex; /* LIM_NO_INDEX: empty */
-    lim_view_code_bits codes;
-    struct lim_point at; /* meaningless when codes has LIM_VIEW_GUARD */
-};
-
 /* Codes, and in the upper byte those that are not among them. */
 static inline uint16_t lim_view_both(uint16_t codes)
 {
@@ -71,14 +57,6 @@ static inline bool lim_view_all_outside(uint_fast16_t codes)
 {
     return ~codes & LIM_VIEW_OUTSIDE << 8;
 }
-
-struct lim_view {
-    struct lim_rows rows;
-    struct lim_side width, height;
-    struct lim_view_cached *cache;
-    LIM_OPTIONAL(bool, antialiased, LIM_HAS_ANTIALIAS); /* polygons are drawn by their samples (samples.h) */
-    uint32_t vertices;                                  /* transformed since lim_view_begin(), if LIM_HAS_STATS */
-};
 
 /* Whether polygons are drawn by their samples. */
 static inline bool lim_is_antialiased(const struct lim_view *view)

@@ -5,6 +5,8 @@
  * drawn; either order of the subtrees is right, and the one of an eye behind is taken. */
 #include "view/walk.h"
 
+#include "eye.h"
+
 #if LIM_HAS_TREE
 
 void lim_walk_lend(struct lim_walk *walk, const struct lim_scene *scene, struct lim_walk_pending *stack,

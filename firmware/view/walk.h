@@ -6,26 +6,9 @@
 #ifndef LIM_WALK_H
 #define LIM_WALK_H
 
-#include "eye.h"
-#include "scene.h"
-#include "stats.h"
+#include "stages.h"
 #include "view/cull.h"
 #include "view/portals.h"
-
-/* What comes when a node's near subtree is done: its own polygons, then its far subtree. LIM_NO_INDEX: nothing. */
-struct lim_walk_pending {
-    lim_index run, far;
-};
-
-struct lim_walk {
-    struct lim_eye eye; /* here, not pointed to: its fields are read at every node */
-    struct lim_walk_pending *stack;
-    uint16_t depth;
-    lim_index next; /* the subtree to enter, or LIM_NO_INDEX: the stack's top is due */
-    bool back_to_front;
-    const uint8_t *shown; /* a bit a box: its subtree may be seen; NULL: nothing is known, as without LIM_HAS_PORTALS */
-    LIM_OPTIONAL(struct lim_portals, portals, LIM_HAS_PORTALS);
-};
 
 /* Whether a subtree is out of view, or cannot be seen from where the eye is. shown: as in lim_walk; depth: of the
  * walk's stack. */

@@ -3,6 +3,8 @@
  * One picture of the reference after the other, each with its rays elsewhere in their pixels, is added up. */
 #include "accuracy/edge_error.h"
 
+#include "colour.h"
+
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

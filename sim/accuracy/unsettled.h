@@ -4,7 +4,7 @@
 #ifndef SIM_UNSETTLED_H
 #define SIM_UNSETTLED_H
 
-#include "stats.h"
+#include "stages.h"
 
 #include <stddef.h>
 #include <stdio.h>

@@ -4,6 +4,7 @@
  * other sub-pixel bits, by targets/core.sh. */
 #include "core/core.h"
 
+#include "inspect.h"
 #include "limner.h"
 
 #ifndef CORE
@@ -86,74 +87,36 @@ static void refresh(void *lim)
 
 static bool project(void *lim, lim_index vertex, double at_px[2])
 {
-    struct lim *const state = lim;
-    const struct lim_view_cached *seen = lim_view_vertex(&state->pass.view, state->pass.scene, vertex);
+    struct lim_point at;
 
-    if (seen->codes & LIM_VIEW_GUARD) return false;
-    at_px[0] = (double)seen->at.x / LIM_SUB + LIM_ORIGIN_PX;
-    at_px[1] = (double)seen->at.y / LIM_SUB + LIM_ORIGIN_PX;
+    if (!lim_inspect_vertex(lim, vertex, &at)) return false;
+    at_px[0] = (double)at.x / LIM_SUB + LIM_ORIGIN_PX;
+    at_px[1] = (double)at.y / LIM_SUB + LIM_ORIGIN_PX;
     return true;
 }
 
-static int8_t eye_side(const struct lim_scene *scene, const struct lim_plane_ref *ref, const int32_t eye_q8[3])
-{
-    struct lim_eye eye;
+/* Who asked for texels. */
+struct asker {
+    core_texel *take;
+    void *ctx;
+};
 
-    lim_eye_set(&eye, scene, eye_q8);
-    const int32_t side = lim_eye_side(&eye, ref);
-    return (int8_t)((side > 0) - (side < 0));
+static void take_texel(void *ctx, const struct lim_inspected_texel *texel)
+{
+    const struct asker *asker = ctx;
+    const struct core_texel_at at = {texel->x_px,
+                                     texel->y_px,
+                                     {(texel->place & 0xFFFF) / 65536.0, (texel->place >> 16) / 65536.0},
+                                     texel->level,
+                                     texel->divided};
+    asker->take(asker->ctx, &at);
 }
 
-static void line_texels(const struct lim *lim, const struct lim_textured_span *span, core_texel *take, void *ctx)
+static void texels(void *lim, lim_index record, core_texel *take, void *ctx)
 {
-    const int16_t w_px = (int16_t)lim->pass.target.w_px, end = span->right < w_px ? span->right : w_px;
-    struct lim_texture_line line;
+    struct asker asker = {take, ctx};
 
-    if (span->left >= end || end <= 0) return;
-    lim_texture_line_begin(&line, span, span->left > 0 ? span->left : 0);
-    for (int16_t x = span->left > 0 ? span->left : 0; x < end; x++) {
-        if (x == line.end) lim_texture_line_next(&line);
-        const uint32_t place = lim_texture_at(&line, x).at;
-        const struct core_texel_at at = {(uint16_t)x,
-                                         (uint16_t)span->y,
-                                         {(place & 0xFFFF) / 65536.0, (place >> 16) / 65536.0},
-                                         line.level,
-                                         x == line.x};
-        take(ctx, &at);
-    }
-}
-
-static void polygon_texels(struct lim *lim, const struct lim_screen_polygon *polygon, core_texel *take, void *ctx)
-{
-    const int16_t h_px = (int16_t)lim->pass.target.h_px;
-    const int16_t bottom = polygon->shape.bottom < h_px ? polygon->shape.bottom : h_px;
-    struct lim_gradients gradients;
-    struct lim_edge_pair pair;
-
-    lim_texture_set(lim->texturing, lim_screen_texture(polygon), &gradients);
-    lim_edge_begin(&pair, polygon->n, polygon->shape.first);
-    for (int16_t y = polygon->shape.top > 0 ? polygon->shape.top : 0; y < bottom; y++) {
-        lim_edge_advance(&pair, polygon->at, polygon->n, y);
-        const struct lim_textured_span span = {lim->texturing, &gradients, y, lim_edge_x(&pair.left),
-                                               lim_edge_x(&pair.right)};
-        line_texels(lim, &span, take, ctx);
-    }
-}
-
-static void texels(void *state, lim_index record, core_texel *take, void *ctx)
-{
-    struct lim *const lim = state;
-    const struct lim_rect screen = {0, 0, lim->pass.target.w_px, lim->pass.target.h_px};
-    struct lim_screen_polygon polygon, triangle;
-
-    if (!lim_project(&polygon, &lim->pass.view, lim->pass.scene, &lim->pass.scene->polygons[record], &screen, NULL))
-        return;
-    if (lim_screen_texture(&polygon) == LIM_NONE) return;
-    if (!polygon.shape.non_monotone) polygon_texels(lim, &polygon, take, ctx);
-    for (uint8_t k = 1; polygon.shape.non_monotone && k + 1 < polygon.n; k++) {
-        lim_project_fan(&polygon, k, &triangle);
-        polygon_texels(lim, &triangle, take, ctx);
-    }
+    lim_inspect_texels(lim, record, take_texel, &asker);
 }
 
 const struct core CORE = {.shared_b = CORE_SHARED_B,
@@ -181,5 +144,5 @@ const struct core CORE = {.shared_b = CORE_SHARED_B,
                           .set_delta = set_delta,
                           .refresh = refresh,
                           .project = project,
-                          .eye_side = eye_side,
+                          .eye_side = lim_inspect_side,
                           .texels = texels};

@@ -16,7 +16,7 @@
 #error "LIM_SOURCE_FOLDER is set by the Makefile"
 #endif
 
-enum { PATH_MAX_B = 1024, SUB_BITS_MOST = 12 /* firmware/profile.h */ };
+enum { PATH_MAX_B = 1024, SUB_BITS_MOST = 12 /* firmware/config.h */ };
 
 const char *const sub_bits_usual[] = {"fast_4", "fast_5", "fast_8", "fine_6", NULL};
 

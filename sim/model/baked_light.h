@@ -4,8 +4,8 @@
 #ifndef BAKED_LIGHT_H
 #define BAKED_LIGHT_H
 
-#include "light.h"
 #include "model/model.h"
+#include "scene.h"
 
 /* Dims each face's colour by its angle to a lamp above the viewer's left shoulder: full where the
  * face looks at it, a quarter where it looks away. Faces whose material is unlit keep theirs. */

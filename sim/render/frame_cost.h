@@ -6,7 +6,7 @@
 #define SIM_FRAME_COST_H
 
 #include "scene.h"
-#include "stats.h"
+#include "stages.h"
 #include "target.h"
 
 /* Whether frames drawn by a method can be predicted: nearest first, and by scan lines. */

@@ -3,6 +3,8 @@
  * The copied scene shares everything with the original but the polygon records. */
 #include "render/ids.h"
 
+#include "colour.h"
+
 #include <stdlib.h>
 #include <string.h>
 

@@ -83,11 +83,11 @@ static void write_lines(FILE *file, const struct compiled *scene, const char *ma
     fprintf(file, "#define %s_SCENE_LINES(h_px) %s\n", macro, all ? "(h_px)" : "1");
 }
 
-/* For lim_begin(): begin.h. */
+/* For lim_begin(). */
 static void write_block(FILE *file, const struct c_name *name, bool has_movers)
 {
     fprintf(file,
-            "\n/* `%s_MEMORY(240, 240);` declares %s_memory, all that a display of so many pixels takes: begin.h. */\n"
+            "\n/* `%s_MEMORY(240, 240);` declares %s_memory, all that a display of so many pixels takes. */\n"
             "#define %s_MEMORY(w_px, h_px) \\\n    LIM_MEMORY(%s_memory, w_px, h_px, %s_SCENE_MEM_B(h_px), ",
             name->macro, name->symbol, name->macro, name->symbol, name->macro);
     fprintf(file, has_movers ? "%s_MOVERS_MEM_B" : "0", name->macro);

@@ -6,7 +6,7 @@
 #define SIM_MCU_SIZES_H
 
 /* Sizes of the structs in the caller's memory on a 32-bit MCU, of a firmware built for narrow screen
- * coordinates and for wide ones (firmware/profile.h). */
+ * coordinates and for wide ones (firmware/stages.h). */
 enum {
     MCU_CACHE_ENTRIES = 64,
     MCU_CACHED_B = 8,

@@ -81,7 +81,7 @@ scene_is_apart() {
 
 # Every setting of config.h that structs may depend on is in the symbol, or may not be changed by itself.
 settings() {
-    sed -n 's/^#ifndef \(LIM_[A-Z_]*\)$/\1/p' firmware/config.h firmware/profile.h | grep -vE '_H$'
+    sed -n 's/^#ifndef \(LIM_[A-Z_]*\)$/\1/p' firmware/config.h | grep -vE '_H$'
 }
 
 # These decide how something is computed, and no struct.
@@ -140,7 +140,7 @@ every_setting_is_told() {
 other_version() { # VERSION-MACRO NUMBER
     mkdir -p "$work/other"
     cp -R firmware/. "$work/other"
-    sed -i "s/^#define $1 .*/#define $1 $2/" "$work/other/version.h"
+    sed -i "s/^#define $1 .*/#define $1 $2/" "$work/other/agree.h" "$work/other/scene.h"
 }
 
 version_is_apart() {

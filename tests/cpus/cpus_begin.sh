@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 #
-# NAME_MEMORY and name_begin() of a scene's header (firmware/begin.h), in C and in C++: the memory fits whatever the scene
+# NAME_MEMORY and name_begin() of a scene's header (firmware/limner.h), in C and in C++: the memory fits whatever the scene
 # is drawn by, and the frames are those of `limner render`. What does not fit is refused when it is compiled.
 . tests/tap.sh
 . sim/targets/targets.sh

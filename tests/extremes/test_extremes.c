@@ -2,7 +2,9 @@
  *
  * The renderer at the ends of its ranges: any camera that is legal, eyes far outside of the scene,
  * lenses from 1/64 to 4 and screens from a pixel up. */
+#include "colour.h"
 #include "compiler/compile_mesh.h"
+#include "eye.h"
 #include "limner.h"
 #include "rigs/closed_scene.h"
 #include "rigs/cmocka_ready.h"
@@ -10,6 +12,8 @@
 #include "rigs/random_camera.h"
 #include "rigs/unpainted.h"
 #include "scene/compiled.h"
+#include "view/cull.h"
+#include "view/view.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -3,6 +3,7 @@
  * Memory is taken from the heap to the byte, so that a sanitizer sees every step beyond it. */
 #include "fuzz_frame.h"
 
+#include "colour.h"
 #include "core/core.h"
 #include "rigs/unpainted.h"
 

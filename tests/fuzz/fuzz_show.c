@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "fuzz_show.h"
 
+#include "colour.h"
 #include "core/core.h"
 #include "rigs/unpainted.h"
 

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "fuzz_view.h"
 
+#include "eye.h"
 #include "fuzz_frame.h"
 
 /* low .. high; most values of any size about as likely. */

@@ -5,7 +5,9 @@
 #define TESTS_GOLDEN_STATE_OF_H
 
 #include "golden_state.h"
-#include "state.h"
+#include "limner.h"
+#include "screen/polygon.h"
+#include "view/view.h"
 
 static uint32_t add(uint32_t hash, int64_t value)
 {

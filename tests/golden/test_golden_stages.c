@@ -6,14 +6,15 @@
  * answer is another. GOLDEN_FRAMES=write writes the file anew. */
 #include "eye.h"
 #include "golden_stage.h"
-#include "light.h"
 #include "math/orientation.h"
-#include "motion.h"
 #include "rigs/cmocka_ready.h"
 #include "rigs/random_camera.h"
+#include "scene.h"
 #include "screen/edge.h"
 #include "screen/project.h"
 #include "screen/samples.h"
+#include "view/clip.h"
+#include "view/cull.h"
 #include "view/portals.h"
 
 #include <stdlib.h>

@@ -4,6 +4,7 @@
 #ifndef TESTS_UNPAINTED_H
 #define TESTS_UNPAINTED_H
 
+#include "colour.h"
 #include "limner.h"
 
 #include <stddef.h>

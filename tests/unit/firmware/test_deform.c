@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
  * The planes of polygons whose corners change, against the exact ones. */
+#include "eye.h"
 #include "movers/deform.h"
 #include "rigs/cmocka_ready.h"
 #include "rigs/random.h"

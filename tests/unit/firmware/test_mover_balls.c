@@ -4,9 +4,9 @@
  * around them asks for; whether corners are the object's or, where it deforms, anywhere. */
 #include "core/core.h"
 #include "golden/golden_stage.h"
+#include "limner.h"
 #include "rigs/cmocka_ready.h"
 #include "rigs/random_camera.h"
-#include "state.h"
 
 #include <math.h>
 #include <string.h>

@@ -2,11 +2,12 @@
  *
  * Objects that move where nothing else is: each is seen as its records say, in both orders of the tree; those whose
  * extents in depth do not overlap are painted one after the other, and others polygon by polygon. */
+#include "colour.h"
+#include "limner.h"
 #include "rigs/cmocka_ready.h"
 #include "rigs/plain_lines.h"
 #include "rigs/random.h"
 #include "rigs/set_rig.h"
-#include "state.h"
 
 #include <stdlib.h>
 #include <string.h>

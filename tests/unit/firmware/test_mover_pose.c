@@ -4,6 +4,7 @@
  * ahead it is, the camera as it sees it; and which instances are left out, at each bound and one beyond. */
 #include "limner.h"
 #include "math/orientation.h"
+#include "movers/mover.h"
 #include "pieces/corners.h"
 #include "pieces/piece.h"
 #include "rigs/cmocka_ready.h"
@@ -11,6 +12,7 @@
 #include "rigs/random_camera.h"
 #include "rigs/set_rig.h"
 #include "scene/plane.h"
+#include "view/plane_unpacked.h"
 
 #include <math.h>
 #include <stdlib.h>

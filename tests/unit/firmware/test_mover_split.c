@@ -3,6 +3,7 @@
  * Movers against a plane of the static tree, at the limits: polygons whose corners are just within what counts as on
  * the plane, or just not, and balls that just reach it. What the filters say is what the corners themselves do. */
 #include "limner.h"
+#include "movers/mover.h"
 #include "pieces/corners.h"
 #include "rigs/cmocka_ready.h"
 #include "rigs/plain_lines.h"

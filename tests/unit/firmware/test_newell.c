@@ -2,6 +2,7 @@
  *
  * The worked examples of the depth sort: orders, swaps, splits, memory that runs out. Sets are given as one looks
  * at them: x to the right, y up, the depth ahead; the eye looks along -z, or along +z, which must not matter. */
+#include "colour.h"
 #include "rigs/cmocka_ready.h"
 #include "rigs/random.h"
 #include "rigs/set_rig.h"

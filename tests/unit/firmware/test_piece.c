@@ -3,11 +3,15 @@
  * Pieces of polygons, each function alone, on lists that are made by hand. What a piece has of a line is compared with
  * the rays through its pixels, its corners with cutting in doubles, overlaps with separating axes on the screen. */
 #include "limner.h"
+#include "pieces/corners.h"
 #include "pieces/newell.h"
+#include "pieces/piece.h"
 #include "pieces/trace.h"
 #include "rigs/cmocka_ready.h"
 #include "rigs/random.h"
 #include "rigs/set_rig.h"
+#include "screen/project.h"
+#include "view/plane_unpacked.h"
 
 #include <math.h>
 #include <string.h>

@@ -6,7 +6,6 @@
 #include "limner.h"
 #include "rigs/cmocka_ready.h"
 #include "rigs/set_rig.h"
-#include "state.h"
 
 #include <stdlib.h>
 #include <string.h>

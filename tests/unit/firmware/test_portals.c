@@ -5,6 +5,7 @@
 #include "compiler/flow.h"
 #include "compiler/pvs.h"
 #include "core/core.h"
+#include "eye.h"
 #include "render/simulator.h"
 #include "rigs/closed_scene.h"
 #include "rigs/cmocka_ready.h"

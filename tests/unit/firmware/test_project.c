@@ -5,6 +5,7 @@
 #include "rigs/cmocka_ready.h"
 #include "rigs/random.h"
 #include "screen/project.h"
+#include "view/clip.h"
 
 #include <string.h>
 

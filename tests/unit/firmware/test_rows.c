@@ -6,6 +6,7 @@
 #include "math/orientation.h"
 #include "rigs/cmocka_ready.h"
 #include "rigs/random.h"
+#include "view/perspective.h"
 #include "view/rows.h"
 #include "view/view.h"
 

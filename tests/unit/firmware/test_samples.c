@@ -4,9 +4,12 @@
  * against a picture of booleans; sums of colours. */
 #include "limner.h"
 #include "lines/smooth.h"
+#include "lines/span.h"
 #include "pixels/fill.h"
 #include "rigs/cmocka_ready.h"
 #include "rigs/random.h"
+#include "screen/edge.h"
+#include "screen/samples.h"
 
 #include <math.h>
 #include <string.h>

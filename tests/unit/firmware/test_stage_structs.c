@@ -3,7 +3,12 @@
  * Stages without a renderer: each order of drawing, the sorted list, the walk and the movers are handed their own
  * structs, on a pass that is put together by hand, and draw and say what lim_frame() does. */
 #include "compiler/compile_mesh.h"
+#include "eye.h"
 #include "limner.h"
+#include "movers/mover.h"
+#include "orders/convex.h"
+#include "orders/nearest.h"
+#include "orders/painter.h"
 #include "pieces/sorted.h"
 #include "rigs/closed_stage.h"
 #include "rigs/cmocka_ready.h"
@@ -11,6 +16,9 @@
 #include "rigs/plain_lines.h"
 #include "rigs/set_rig.h"
 #include "routes/mover_split.h"
+#include "view/cull.h"
+#include "view/pass.h"
+#include "view/view.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -6,6 +6,7 @@
 #include "pixels/texture.h"
 #include "rigs/cmocka_ready.h"
 #include "rigs/random_camera.h"
+#include "view/view.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -3,12 +3,14 @@
  * Which pixels of a line a piece has, where numbers are at their worst: polygons that the eye sees at a grazing angle,
  * cut so that all but a sliver lies on one side. And which samples, by frames of polygons that pass through each other.
  * Both on a screen that is no square, compared with rays. */
+#include "colour.h"
 #include "limner.h"
 #include "pieces/trace.h"
 #include "rigs/cmocka_ready.h"
 #include "rigs/plain_lines.h"
 #include "rigs/random.h"
 #include "rigs/set_rig.h"
+#include "screen/project.h"
 
 #include <math.h>
 #include <stdlib.h>

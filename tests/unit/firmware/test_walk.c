@@ -2,6 +2,7 @@
  *
  * The firmware's own walk on the worked examples of the literature: which child is entered, what is
  * drawn, in which order; and what an eye exactly on a plane sees. */
+#include "eye.h"
 #include "rigs/cmocka_ready.h"
 #include "view/walk.h"
 

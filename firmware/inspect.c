@@ -1,0 +1,87 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Looks into the stages for measurements, by their own functions. */
+#include "inspect.h"
+
+#include "eye.h"
+#include "limner.h"
+#include "pixels/texture.h"
+#include "screen/edge.h"
+#include "screen/polygon.h"
+#include "screen/project.h"
+#include "view/view.h"
+
+bool lim_inspect_vertex(struct lim *lim, lim_index vertex, struct lim_point *at)
+{
+    const struct lim_view_cached *seen = lim_view_vertex(&lim->pass.view, lim->pass.scene, vertex);
+
+    *at = seen->at;
+    return !(seen->codes & LIM_VIEW_GUARD);
+}
+
+int8_t lim_inspect_side(const struct lim_scene *scene, const struct lim_plane_ref *ref, const int32_t eye_q8[3])
+{
+    struct lim_eye eye;
+
+    lim_eye_set(&eye, scene, eye_q8);
+    const int32_t side = lim_eye_side(&eye, ref);
+    return (int8_t)((side > 0) - (side < 0));
+}
+
+#if LIM_HAS_TEXTURE
+
+static void take_line(const struct lim_pass *pass, const struct lim_textured_span *span, lim_inspect_texel *take,
+                      void *ctx)
+{
+    const int16_t w_px = (int16_t)pass->target.w_px, end = span->right < w_px ? span->right : w_px;
+    const int16_t first = span->left > 0 ? span->left : 0;
+    struct lim_texture_line line;
+
+    if (first >= end) return;
+    lim_texture_line_begin(&line, span, first);
+    for (int16_t x = first; x < end; x++) {
+        if (x == line.end) lim_texture_line_next(&line);
+        const struct lim_inspected_texel texel = {.place = lim_texture_at(&line, x).at,
+                                                  .x_px = (uint16_t)x,
+                                                  .y_px = (uint16_t)span->y,
+                                                  .level = line.level,
+                                                  .divided = x == line.x};
+        take(ctx, &texel);
+    }
+}
+
+/* Of one that is not non-monotone. */
+static void take_polygon(const struct lim *lim, const struct lim_screen_polygon *polygon, lim_inspect_texel *take,
+                         void *ctx)
+{
+    const int16_t h_px = (int16_t)lim->pass.target.h_px;
+    const int16_t bottom = polygon->shape.bottom < h_px ? polygon->shape.bottom : h_px;
+    struct lim_gradients gradients;
+    struct lim_edge_pair pair;
+
+    lim_texture_set(lim->texturing, lim_screen_texture(polygon), &gradients);
+    lim_edge_begin(&pair, polygon->n, polygon->shape.first);
+    for (int16_t y = polygon->shape.top > 0 ? polygon->shape.top : 0; y < bottom; y++) {
+        lim_edge_advance(&pair, polygon->at, polygon->n, y);
+        const struct lim_textured_span span = {lim->texturing, &gradients, y, lim_edge_x(&pair.left),
+                                               lim_edge_x(&pair.right)};
+        take_line(&lim->pass, &span, take, ctx);
+    }
+}
+
+void lim_inspect_texels(struct lim *lim, lim_index record, lim_inspect_texel *take, void *ctx)
+{
+    struct lim_pass *const pass = &lim->pass;
+    const struct lim_rect screen = {0, 0, pass->target.w_px, pass->target.h_px};
+    struct lim_screen_polygon polygon, triangle;
+
+    if (!lim_project(&polygon, &pass->view, pass->scene, &pass->scene->polygons[record], &screen, NULL)) return;
+    if (lim_screen_texture(&polygon) == LIM_NONE) return;
+    if (!polygon.shape.non_monotone) take_polygon(lim, &polygon, take, ctx);
+    for (uint8_t k = 1; polygon.shape.non_monotone && k + 1 < polygon.n; k++) {
+        lim_project_fan(&polygon, k, &triangle);
+        take_polygon(lim, &triangle, take, ctx);
+    }
+}
+
+#endif

@@ -1,0 +1,281 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * What the orders keep, and what they put to use above the lines: lists, what moves, changes of the picture. As
+ * stages.h, so that callers can place a renderer. Public are struct lim_newell_options and the sizes of memory, at the
+ * end. */
+#ifndef LIM_ORDERS_H
+#define LIM_ORDERS_H
+
+#include "config.h"
+#include "scene.h"
+#include "stages.h"
+#include "target.h"
+
+LIM_OPTIONAL_BEGIN
+
+/* Lists, and what moves ------------------------------------------------------------------------------------------- */
+
+/* An instance as this frame has it. */
+struct lim_mover {
+    struct lim_view view;  /* in the object's coordinates; the cache is shared */
+    struct lim_eye eye;    /* likewise */
+    int32_t centre_q12[3]; /* of the object's box, units of the static scene, |centre| + radius < 2^28 */
+    int32_t radius_q12;    /* negative: it is left out */
+    LIM_OPTIONAL(int16_t, to_q14, 3 * LIM_HAS_LIGHT); /* towards the light, in its own axes */
+};
+
+/* What is due when a node's near subtree is done: route.h. */
+struct lim_route_pending {
+    lim_index node;
+    uint16_t list; /* for its far subtree, or LIM_NONE */
+    int8_t side;   /* of the eye */
+};
+
+struct lim_movers {
+    const struct lim_instance *instances; /* the caller's */
+    uint16_t given, count;                /* of this frame, and how many of them there is room for */
+    uint16_t most;                        /* instances that there is room for */
+    uint16_t most_corners;                /* of a polygon */
+    struct lim_mover *movers;
+    struct lim_view_cached *cache;
+    uint16_t cached; /* whose vertices the cache holds */
+    struct lim_route_pending *stack, *object_stack;
+    uint16_t object_depth;
+    int32_t ahead_q28[3]; /* the camera's */
+    int32_t eye_q8[3];
+    struct lim_view world; /* of the static scene at half its scale, so that it reaches to 2^16 units */
+    LIM_OPTIONAL(struct lim_light, light, LIM_HAS_LIGHT);
+    LIM_OPTIONAL(struct lim_cull, cull, LIM_HAS_CULL); /* of the object that is being drawn whole */
+};
+
+/* How LIM_NEWELL works (newell.h). Zero is the default; either gives a right picture. */
+struct lim_newell_options {
+    bool planes_first; /* tests 3 and 4 before 1 and 2 */
+    bool split_one;    /* only P, by Q's plane, where that does */
+    uint32_t most;     /* comparisons of a list, after which it is painted as it is; 0: LIM_NEWELL_EFFORT (config.h) */
+};
+
+/* What LIM_NEWELL has to know of an entry of the sorted list beside its farthest point. */
+struct lim_newell_polygon {
+    int32_t near_qv;      /* view-space z of its nearest vertex */
+    struct lim_rect rect; /* holds every pixel of it */
+    lim_index node;       /* whose run it is in */
+    uint16_t cuts;        /* the last cut that made this piece, or LIM_NONE: it is whole */
+    bool eye_in_front;    /* of its plane */
+    bool swapped : 1;     /* it goes before a P already */
+    bool last : 1;        /* of its part of the list: what follows may be painted after all of that */
+    uint16_t owner;       /* the mover that it belongs to, or LIM_NONE */
+};
+
+/* A piece lies on one side of the plane of another entry. */
+struct lim_cut {
+    uint16_t next; /* the cut before it, or LIM_NONE */
+    uint16_t by;   /* that entry, and LIM_CUT_FRONT */
+};
+#define LIM_CUT_FRONT 0x8000u
+#define LIM_SORTED_MAX 0x7FFFu /* entries of a list */
+
+struct lim_newell {
+    struct lim_newell_polygon *polygons; /* one an entry */
+    struct lim_cut *cuts;
+    uint16_t cut_size, cuts_used;
+    struct lim_newell_options options;
+    uint32_t left; /* comparisons of this list */
+};
+
+/* An entry of the list. */
+struct lim_sorted {
+    int32_t far_qv;   /* view-space z of its farthest vertex, as rows.c scales it */
+    lim_index record; /* in scene->polygons */
+    uint16_t next;    /* in the list, or LIM_NONE */
+};
+
+/* A list of the scene's polygons, once a frame; or of movers and their pieces, in the walk through a tree. */
+struct lim_sorter {
+    struct lim_pass *pass;
+    struct lim_movers *movers; /* whose parts entries may be */
+    struct lim_sorted *list;
+    uint16_t size, used;
+    uint16_t first; /* of the list; once the frame is ordered, the nearest */
+    bool comparing; /* movers by newell.c: what it wants to know of pieces is kept up */
+    LIM_OPTIONAL(struct lim_newell, newell, LIM_HAS_PIECES);
+};
+
+/* Whether the frame has movers. */
+static inline bool lim_moves(const struct lim_sorter *sorter)
+{
+    return LIM_HAS_MOVERS && sorter->movers->count > 0;
+}
+
+struct lim_route {
+    struct lim_sorter *sorter; /* of the lists */
+    const struct lim_scene *scene;
+    const struct lim_eye *eye;
+    struct lim_cull *cull; /* the open view in the scene's coordinates */
+    const uint8_t *shown;  /* NULL: all (portals.h) */
+    struct lim_route_pending *stack;
+    uint16_t depth;
+    lim_index next; /* the subtree to enter, or LIM_NO_INDEX */
+    uint16_t list;  /* what moves in it */
+    lim_index node; /* whose run was handed out last */
+    int8_t side;    /* of the eye there */
+    bool back_to_front;
+};
+
+/* Changes --------------------------------------------------------------------------------------------------------- */
+
+struct lim_runs {
+    uint32_t *line;  /* w_px: the runs that begin at each pixel, of the line that is drawn */
+    uint32_t *ring;  /* of all lines */
+    uint16_t size;   /* of the ring; one less can be in use */
+    uint16_t head;   /* where its next run goes */
+    uint16_t tail;   /* its oldest run: the last frame's, of the line that is drawn */
+    uint16_t *first; /* h_px + 1: each line's first run, as this frame has it up to the line that is drawn, and as the
+                        last frame had it below. A line that begins where the next one does is not known */
+    uint16_t w_px, h_px;
+};
+
+/* How many are put together at a time: with fewer, more is sent and less is tried. */
+enum { LIM_DELTA_RECTS = 32 };
+
+struct lim_rects {
+    uint32_t window_px; /* what a window costs, in pixels that could be sent instead */
+    uint16_t count;
+    uint16_t growing; /* so many, which come first, may still grow */
+    uint16_t y;       /* the line that was added to last */
+    struct lim_rect rect[LIM_DELTA_RECTS];
+    uint32_t area_px[LIM_DELTA_RECTS];
+};
+
+struct lim_delta {
+    struct lim_target target; /* the caller's */
+    struct lim_stats *stats;
+    struct lim_runs runs;
+    struct lim_rects rects;   /* of lines that are kept; with pages: of the page, which is one line */
+    struct lim_rect stream;   /* the window of lines that were sent at once, from the line that it takes next */
+    struct lim_camera camera; /* of the last frame */
+    bool still;               /* it is this frame's as well */
+    bool known;               /* the panel shows the last frame */
+    bool noted;               /* the line that is drawn was noted: all of its pieces */
+    uint16_t y;               /* the line that was done last, all of it or a piece */
+    uint16_t *line;           /* where it is painted, or NULL */
+};
+
+/* Orders ---------------------------------------------------------------------------------------------------------- */
+
+struct lim_painter {
+    struct lim_pass *pass;
+    struct lim_sorter *sorter; /* of a sorted method's polygons, or of movers */
+    const struct lim_texturing *texturing;
+    uint16_t *lent; /* the line that nearest first could not finish, or NULL */
+    bool fills;     /* the target's framebuffer is painted */
+};
+
+/* How far a frame is that lim_frame_begin() began. */
+enum lim_ahead_stage {
+    LIM_AHEAD_NONE, /* there is none */
+    LIM_AHEAD_BEGUN,
+    LIM_AHEAD_BUSY,     /* in pass one */
+    LIM_AHEAD_DONE,     /* with pass one */
+    LIM_AHEAD_EXHAUSTED /* in pass one: a pool is */
+};
+
+/* Pass one between two quanta. */
+struct lim_progress {
+    const LIM_FLASH lim_index *record; /* of a run, the next; NULL: another run is due */
+    LIM_OPTIONAL(struct lim_route, route, LIM_HAS_MOVERS);
+    uint16_t entry; /* of the sorted list, the next */
+};
+
+struct lim_nearest {
+    struct lim_pass *pass;
+    struct lim_sorter *sorter;   /* of a sorted method's polygons, or of movers */
+    struct lim_painter *painter; /* for lines for which a pool is too small */
+    struct lim_spans spans;
+    struct lim_retained retained;
+    struct lim_paint paint;
+    uint32_t bands;       /* lim_bands() */
+    uint8_t since_shrink; /* polygons since the open view was drawn together */
+    bool retains_all;     /* by scan lines, in this band */
+    bool fills;           /* polygons are painted as they come */
+    struct lim_progress progress;
+};
+
+/* A polygon that faces the eye and meets the screen. */
+struct lim_face {
+    lim_index record;                        /* word offset into lim_scene.polygons */
+    uint16_t next;                           /* in a list, or LIM_NONE */
+    uint16_t crossing;                       /* its entry in the pool, or LIM_NONE */
+    LIM_OPTIONAL(bool, seen, LIM_HAS_STATS); /* it has painted a pixel */
+};
+
+/* A face that crosses the current line, and where its boundaries are unless it is non-monotone. Free for another
+ * one on the lines from polygon.shape.bottom on. */
+struct lim_crossing {
+    struct lim_screen_polygon polygon;
+    struct lim_edge_pair pair;
+    LIM_OPTIONAL(struct lim_gradients, gradients, LIM_HAS_TEXTURE); /* if it has a texture */
+};
+
+struct lim_convex {
+    struct lim_pass *pass;
+    const struct lim_texturing *texturing;
+    uint16_t *tops; /* for each line the faces that start on it, or LIM_NONE */
+    struct lim_crossing *pool;
+    struct lim_face *faces; /* those of this frame from the farthest to the nearest: from `farthest` to memory's end */
+    uint16_t pool_used;     /* entries that this frame has used, free again or not */
+    uint16_t farthest;
+    uint16_t first;                                          /* of the faces that cross the current line, or LIM_NONE */
+    LIM_OPTIONAL(struct lim_piece_look, look, LIM_HAS_FILL); /* of the current line */
+};
+
+/* Memory ---------------------------------------------------------------------------------------------------------- */
+
+/* Bytes that lim_init() cuts up, for each order: constant expressions when their arguments are. A scene's header has
+ * its own with the scene's limits filled in: NAME_SCENE_MEM_B(h_px). */
+#define LIM_MEM_B(h_px, depth, cell_count, gap_count, active_count)                                                    \
+    LIM_MEM_ALIGNED_B(LIM_VIEW_CACHE_ENTRIES * sizeof(struct lim_view_cached) + (h_px) * sizeof(struct lim_line) +     \
+                      (depth) * sizeof(struct lim_walk_pending) + (cell_count) * sizeof(union lim_retained_cell) +     \
+                      (gap_count) * sizeof(struct lim_gap) + (active_count) * sizeof(struct lim_active))
+/* Beside LIM_MEM_B(), if the scene has transparent polygons. */
+#define LIM_LAYERS_MEM_B(layer_count) ((layer_count) * sizeof(struct lim_layer))
+/* `piece_count`: how often a frame's polygons can be split. */
+#define LIM_DEPTH_MEM_B(h_px, polygon_count, cell_count, gap_count, active_count)                                      \
+    (LIM_MEM_B(h_px, 0, cell_count, gap_count, active_count) + (polygon_count) * sizeof(struct lim_sorted))
+#define LIM_NEWELL_MEM_B(h_px, polygon_count, piece_count, cell_count, gap_count, active_count)                        \
+    (LIM_DEPTH_MEM_B(h_px, (polygon_count) + (piece_count), cell_count, gap_count, active_count) +                     \
+     ((polygon_count) + (piece_count)) * sizeof(struct lim_newell_polygon) +                                           \
+     (piece_count) * (2 * sizeof(struct lim_cut)))
+
+#define LIM_PAINTER_MEM_B(depth)                                                                                       \
+    LIM_MEM_ALIGNED_B(LIM_VIEW_CACHE_ENTRIES * sizeof(struct lim_view_cached) +                                        \
+                      (depth) * sizeof(struct lim_walk_pending))
+
+#define LIM_CONVEX_MEM_B(h_px, polygon_count, active_count)                                                            \
+    LIM_MEM_ALIGNED_B(LIM_MEM_ALIGNED_B(LIM_CONVEX_POOL_AT_B(h_px) + (polygon_count) * sizeof(struct lim_face)) +      \
+                      (active_count) * sizeof(struct lim_crossing))
+/* Where the crossings begin, whose edges may have 64 bits. */
+#define LIM_CONVEX_POOL_AT_B(h_px)                                                                                     \
+    ((LIM_MEM_ALIGNED_B(LIM_VIEW_CACHE_ENTRIES * sizeof(struct lim_view_cached) + (h_px) * sizeof(uint16_t)) +         \
+      LIM_ALIGNOF(struct lim_crossing) - 1) &                                                                          \
+     ~(LIM_ALIGNOF(struct lim_crossing) - 1))
+
+/* For lim_movers_init(): `depth` of the static scene, `object_depth` and the rest as struct lim_movers_limits. */
+#define LIM_MOVERS_MEM_B(depth, instance_count, object_depth, entry_count)                                             \
+    LIM_MEM_ALIGNED_B((instance_count) * sizeof(struct lim_mover) +                                                    \
+                      (entry_count) *                                                                                  \
+                          (sizeof(struct lim_sorted) + sizeof(struct lim_newell_polygon) + sizeof(struct lim_cut)) +   \
+                      LIM_VIEW_CACHE_ENTRIES * sizeof(struct lim_view_cached) +                                        \
+                      ((size_t)(depth) + (object_depth)) * sizeof(struct lim_route_pending))
+
+/* What lim_set_antialias() borrows: a line's sums, and which samples are closed where that has to do without gaps. */
+#define LIM_ANTIALIAS_MEM_B(w_px) (((size_t)(w_px) * (sizeof(uint32_t) + sizeof(uint16_t)) + 3) & ~(size_t)3)
+
+#define LIM_DELTA_MEM_B(w_px, h_px, run_count)                                                                         \
+    ((sizeof(struct lim_delta) + ((size_t)(w_px) + (run_count)) * sizeof(uint32_t) +                                   \
+      ((size_t)(h_px) + 1) * sizeof(uint16_t) + 3) &                                                                   \
+     ~(size_t)3)
+
+LIM_OPTIONAL_END
+
+#endif

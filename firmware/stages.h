@@ -1,0 +1,494 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * What the stages keep: a struct for each that has any state, and the entries of the pools that they are lent. They are
+ * complete here so that callers can place a renderer, and know its memory's size as a constant. Public is what frames
+ * count; all else is private: a struct belongs to the stage whose header has its functions. What stands above the lines
+ * is in orders.h. */
+#ifndef LIM_STAGES_H
+#define LIM_STAGES_H
+
+#include "camera.h"
+#include "config.h"
+#include "scene.h"
+#include "target.h"
+
+struct lim_delta;
+
+LIM_OPTIONAL_BEGIN
+
+/* Numbers --------------------------------------------------------------------------------------------------------- */
+
+#define LIM_HAS_LIMBS (LIM_PROFILE >= LIM_PROFILE_FINE)      /* rows and ratios beyond 16 bits */
+#define LIM_HAS_FRACTIONS (LIM_PROFILE == LIM_PROFILE_EXACT) /* vertices with 8 fraction bits */
+
+#define LIM_DRAFT_MARGIN_BITS 8 /* what is outside by 2^-8 of half the screen stays outside in whole pixels too */
+#define LIM_SUB ((int32_t)1 << LIM_SUB_BITS) /* sub-pixels in a pixel */
+
+/* Screen coordinates span -w/2 .. 3w/2 because of the guard band. Up to this many pixels a side they fit
+ * 16 bits, if they count from a pixel in the middle. Which one it is makes no difference to any picture. */
+#define LIM_NARROW_SIDE_PX (32767 >> LIM_SUB_BITS)
+#define LIM_WIDE (LIM_MAX_SIDE_PX > LIM_NARROW_SIDE_PX)
+#define LIM_ORIGIN_PX (LIM_WIDE ? 0 : LIM_MAX_SIDE_PX / 2)
+
+/* A screen coordinate in sub-pixels. */
+#if LIM_WIDE
+typedef int32_t lim_sub;
+#else
+typedef int16_t lim_sub;
+#endif
+
+/* A point on the screen; the centre of pixel (i, j) is at (i - LIM_ORIGIN_PX, j - LIM_ORIGIN_PX) * LIM_SUB. Aligned, so
+ * that processors of 32 bits copy it as a word; where they must not load one from odd halves they would call memcpy().
+ */
+struct lim_point {
+    lim_sub x LIM_WORD_ALIGNED, y;
+};
+
+/* What frames count ----------------------------------------------------------------------------------------------- */
+
+/* The tests of LIM_NEWELL in their textbook order, and where they are tried swapped. */
+enum lim_newell_test {
+    LIM_TEST_X,          /* 1: the extents in x do not overlap, in whole pixels */
+    LIM_TEST_Y,          /* 2: nor those in y */
+    LIM_TEST_P_BEHIND,   /* 3: P lies behind Q's plane */
+    LIM_TEST_Q_IN_FRONT, /* 4: Q lies in front of P's plane */
+    LIM_TEST_APART,      /* 5: the projections do not overlap */
+    LIM_TEST_Q_BEHIND,   /* 3': Q lies behind P's plane */
+    LIM_TEST_P_IN_FRONT, /* 4': P lies in front of Q's plane */
+    LIM_TEST_P_PART,     /* 6: that part of P which lies in front of Q's plane does not overlap Q on the screen */
+    LIM_TEST_P_REST,     /* 6': nor does that part which lies behind it */
+    LIM_TESTS
+};
+
+/* Why an entry was left to its farthest point, in LIM_NEWELL and where movers meet. */
+enum lim_forced {
+    LIM_FORCED_ROOM,    /* no memory for another piece */
+    LIM_FORCED_CORNERS, /* a piece would have too many corners */
+    LIM_FORCED_EFFORT,  /* no comparisons left */
+    LIM_FORCED_REASONS
+};
+
+/* What it took to order a frame's polygons. */
+struct lim_newell_stats {
+    uint32_t comparisons;                   /* pairs whose extents in z overlap */
+    uint32_t decided[LIM_TESTS];            /* which test settled how many of them */
+    uint32_t swaps;                         /* a Q that goes before its P */
+    uint32_t splits;                        /* polygons or pieces cut in two */
+    uint32_t divisions;                     /* parts of the list that a plane divided */
+    uint32_t stuck;                         /* of these: comparing found neither an order nor a polygon to split */
+    uint32_t forced;                        /* entries left to their farthest points: the picture may be wrong there */
+    uint32_t forced_by[LIM_FORCED_REASONS]; /* the same, by reason */
+};
+
+/* What became of a frame's instances. */
+struct lim_mover_stats {
+    uint32_t left_out; /* without a mesh, beyond the number, too far away, or drawn by a method without a tree */
+    uint32_t hidden;   /* out of view */
+    uint32_t divided;  /* that reached through a plane: their polygons were taken one by one */
+    uint32_t pieces;   /* cuts by planes of the scene */
+    uint32_t forced;   /* left to their centres, because there was no room: perhaps wrong */
+    uint32_t entries;  /* most in use in one walk, of entries or of cuts */
+    uint32_t unsorted; /* lists that met a leaf's polygons without being sorted with them: perhaps wrong */
+};
+
+/* What delta output sent of a frame. */
+struct lim_delta_stats {
+    uint32_t pixels;      /* sent */
+    uint32_t windows;     /* opened for them; with pages, pieces of pages */
+    uint16_t runs_max;    /* most of the runs that were kept at a time */
+    uint16_t lines_whole; /* lines that were sent whole because the last frame's, or their own, were not kept */
+};
+
+/* What a frame did; all zero when LIM_HAS_STATS is 0. Lines that nearest first leaves to the painter's order, for want
+ * of memory, have no background that is counted. */
+struct lim_stats {
+    uint32_t nodes;            /* nodes visited */
+    uint32_t records;          /* records of leaves, each of which has a plane to test */
+    uint32_t boxes, boxes_out; /* subtree bounds tested; of these out of the open view */
+    uint32_t hidden;           /* subtrees that cannot be seen from where the eye is */
+    uint32_t polygons;         /* polygons reached: front-facing, in a subtree that was not skipped */
+    uint32_t polygons_seen;    /* of these, with at least one pixel */
+    uint32_t vertices;         /* vertices transformed */
+    uint32_t clipped;          /* polygons that met the near plane or the guard band */
+    uint32_t non_monotone;     /* polygons that rounding made non-monotone, drawn as triangles */
+    uint32_t lines;            /* lines of polygons that were stepped */
+    uint32_t pixels_painted;   /* pixels written by polygons, as often as they are; not of pictures that targets keep */
+    uint32_t pixels_background; /* pixels filled with the background; convex: those that no face has painted, about */
+#if LIM_HAS_TEXTURE
+    uint32_t divisions; /* for the perspective of textures */
+#endif
+    uint32_t bands; /* extra walks because a pool was exhausted; convex: faces' lines without room */
+#if LIM_HAS_SORTED
+    uint32_t sorted; /* entries of the sorted list, pieces included */
+#endif
+#if LIM_HAS_PIECES
+    struct lim_newell_stats newell;
+#endif
+#if LIM_HAS_MOVERS
+    struct lim_mover_stats movers;
+#endif
+#if LIM_HAS_DELTA
+    struct lim_delta_stats delta;
+#endif
+    uint16_t retained_cells_max, gaps_max, active_max; /* most used of each pool in one walk; convex: faces on a line */
+    uint16_t layers_max;                               /* most transparent pieces of one line, nearest first */
+};
+
+/* View ------------------------------------------------------------------------------------------------------------ */
+
+#if LIM_DUAL_MULTIPLY
+typedef int16_t lim_row_entry;
+#else
+typedef int_fast16_t lim_row_entry;
+#endif
+
+/* A row of the view matrix. */
+struct lim_row {
+    lim_row_entry n_qv[3]; /* |entry| <= 32767 */
+    int32_t shift_qv;      /* where the row puts the origin of the scene */
+#if LIM_HAS_LIMBS
+    lim_row_entry low_qv15[3]; /* what rounding took from the entries, 15 bits further: -2^14..2^14 */
+#endif
+#if LIM_HAS_LIMBS && LIM_LONG_MULTIPLY
+    int32_t n_qv16[3]; /* both together, doubled */
+#endif
+};
+
+struct lim_rows {
+    uint8_t tele_bits;     /* the row of z is kept 2^tele_bits times as long: a narrow lens makes it short */
+    struct lim_row row[3]; /* x, y and z of view space */
+    int32_t near_qv;       /* distance of the near plane in view space, >= PERSPECTIVE_Z_MIN_QV */
+    uint32_t far_units;    /* no vertex is farther from the eye */
+};
+
+/* One side of the screen. */
+struct lim_side {
+    int32_t px;
+    int32_t middle_qs; /* half-pixels from the origin, and what makes the last shift round */
+};
+
+/* enum lim_view_code; of words both: lim_view_both(). */
+#if LIM_8_BIT
+typedef uint8_t lim_view_code_bits;
+#else
+typedef uint16_t lim_view_code_bits;
+#endif
+
+struct lim_view_cached {
+    lim_index vertex; /* LIM_NO_INDEX: empty */
+    lim_view_code_bits codes;
+    struct lim_point at; /* meaningless when codes has LIM_VIEW_GUARD */
+};
+
+struct lim_view {
+    struct lim_rows rows;
+    struct lim_side width, height;
+    struct lim_view_cached *cache;
+    LIM_OPTIONAL(bool, antialiased, LIM_HAS_ANTIALIAS); /* polygons are drawn by their samples (samples.h) */
+    uint32_t vertices;                                  /* transformed since lim_view_begin(), if LIM_HAS_STATS */
+};
+
+struct lim_cull_plane {
+    int16_t n[3];          /* points inwards; two bits less than the view matrix, length <= 2^14 */
+    uint16_t inside_depth; /* on stacks this deep or deeper all boxes are inside; LIM_NONE: none is known to be */
+    int32_t offset;        /* plus the slack that makes it conservative */
+};
+
+struct lim_cull {
+    struct lim_cull_plane sides[4]; /* left, right, top, bottom */
+    uint16_t inside_depth;          /* of all four */
+};
+
+/* Has 16 bits, which is not worth a word's while, unless pairs of them are multiplied. */
+#if LIM_8_BIT || LIM_DUAL_MULTIPLY
+typedef int16_t lim_eye_reduced;
+#else
+typedef int32_t lim_eye_reduced;
+#endif
+
+struct lim_eye {
+    int32_t at_q8[3]; /* units */
+    /* What the filter needs, if LIM_HAS_FILTER. */
+    lim_eye_reduced reduced[3]; /* floor(at / 2^shift), within 16 bits whatever the distance */
+    lim_index near_end;         /* a lim_node.plane below this is decided by lim_eye_near_side() */
+    uint8_t shift;              /* 0 inside the 16-bit cube of the scene */
+    int32_t slack_rest;         /* what shifting takes from LIM_PLANE_SLACK */
+    int32_t large_slack;        /* how far the filter of a LARGE plane can be off, in its own scale */
+    const struct lim_scene *scene;
+    const LIM_FLASH struct lim_plane *planes; /* the scene's: a load less on the way to each */
+};
+
+struct lim_portals {
+    uint8_t *bits;   /* of boxes; NULL: the scene has no places */
+    uint16_t *stack; /* of nodes: a scene with places has few enough */
+};
+
+/* Bytes for scenes with places; the stack of nodes is one deeper than the tree. */
+#define LIM_PORTALS_MEM_B(box_count, depth) (LIM_PORTALS_BITS_B(box_count) + ((size_t)(depth) + 2) / 2 * 4)
+#define LIM_PORTALS_BITS_B(box_count) (((size_t)(box_count) + 31) / 32 * 4)
+
+/* Bytes for the bits of a scene: none for one without places. */
+static inline size_t lim_portals_mem_b(const struct lim_scene *scene)
+{
+#if LIM_HAS_PORTALS
+    return scene->place_count ? LIM_PORTALS_MEM_B(scene->box_count, scene->limits.depth) : 0;
+#else
+    (void)scene;
+    return 0;
+#endif
+}
+
+/* What comes when a node's near subtree is done: its own polygons, then its far subtree. LIM_NO_INDEX: nothing. */
+struct lim_walk_pending {
+    lim_index run, far;
+};
+
+struct lim_walk {
+    struct lim_eye eye; /* here, not pointed to: its fields are read at every node */
+    struct lim_walk_pending *stack;
+    uint16_t depth;
+    lim_index next; /* the subtree to enter, or LIM_NO_INDEX: the stack's top is due */
+    bool back_to_front;
+    const uint8_t *shown; /* a bit a box: its subtree may be seen; NULL: nothing is known, as without LIM_HAS_PORTALS */
+    LIM_OPTIONAL(struct lim_portals, portals, LIM_HAS_PORTALS);
+};
+
+struct lim_pass {
+    const struct lim_scene *scene;
+    struct lim_target target;
+    struct lim_view view;
+    LIM_OPTIONAL(struct lim_cull, cull, LIM_HAS_CULL);
+    LIM_OPTIONAL(struct lim_walk, walk, LIM_HAS_TREE);
+    LIM_OPTIONAL(struct lim_eye, eye, !LIM_HAS_TREE);
+    LIM_OPTIONAL(struct lim_wireframe, wireframe, LIM_HAS_WIREFRAME);
+    LIM_OPTIONAL(struct lim_stats, stats, LIM_HAS_STATS);
+};
+
+/* Polygons on the screen ------------------------------------------------------------------------------------------ */
+
+/* Where the edge is on the current line: lim_edge_x(). As quotient and remainder where the processor works on bytes,
+ * else as a fixed-point number with LIM_EDGE_BITS fraction bits, wide enough for three screens. */
+#if LIM_8_BIT
+struct lim_edge {
+    int32_t error;       /* M - x * denominator (edge.c), in -denominator+1 .. 0 */
+    int32_t step_error;  /* what a line adds to it, 0 .. denominator-1 */
+    int32_t denominator; /* lines from end to end, in sub-pixels */
+    int16_t x, step_x;
+    int16_t end;
+    uint8_t next;
+    uint8_t step_vertex;
+};
+#else
+#if LIM_SUB_BITS > 9
+#define LIM_EDGE_BITS 32
+typedef int64_t lim_edge_at;
+typedef uint64_t lim_edge_wrap; /* what it is summed in: steps below the last line may wrap */
+#else
+#define LIM_EDGE_BITS (LIM_MAX_SIDE_PX <= 340 ? 22 : 20)
+typedef int32_t lim_edge_at;
+typedef uint32_t lim_edge_wrap;
+#endif
+struct lim_edge {
+    lim_edge_at at, step; /* on the current line, and what a line adds */
+    int16_t end;          /* the line on which it hands over to the next edge, or is begun anew: see edge.c */
+    uint8_t next;         /* the vertex from which that goes on */
+    uint8_t step_vertex;  /* from there to the one after it, modulo their number: the left boundary runs forward */
+};
+#endif
+
+/* Both boundaries of a polygon, on their way down. */
+struct lim_edge_pair {
+    struct lim_edge left, right;
+};
+
+/* Lines top <= y < bottom; none: top >= bottom. */
+struct lim_span_extent {
+    int16_t top, bottom;
+};
+
+/* What a polygon looks like to EDGE; lines are relative to nothing: line y is screen line y. */
+struct lim_edge_shape {
+    int16_t top, bottom; /* lines top <= y < bottom; may lie outside of the screen */
+    int16_t left, right; /* pixels left <= x < right, likewise; set by lim_edge_bounds_sides() */
+    uint8_t first;       /* a vertex on the top line */
+    uint8_t apex;        /* if non-monotone: from which a fan of triangles covers the polygon */
+    bool non_monotone;   /* its boundary turns more than twice: rounding bent it */
+    LIM_OPTIONAL(int16_t, end_row, LIM_HAS_ANTIALIAS); /* the row of samples (samples.h) after its last, antialiased */
+};
+
+/* A boundary, in rows of samples and sixteenths of a pixel: as quotient and remainder, for a row is crossed four times
+ * a line by edges with four times the lines, which takes more bits than a fixed-point number has. */
+struct lim_sample_edge {
+    int32_t error;       /* M - x * denominator (samples.c), in -denominator+1 .. 0 */
+    int32_t step_error;  /* what a row adds to it, 0 .. denominator-1 */
+    int32_t denominator; /* rows from end to end, in their units */
+    int16_t x, step_x;
+    int16_t end; /* the row on which it hands over to the next edge */
+    uint8_t next, step_vertex;
+};
+
+struct lim_sample_edges {
+    struct lim_sample_edge left, right;
+};
+
+enum { CLIP_PLANES = 5, CLIP_MAX_VERTICES = LIM_PIECE_VERTICES + CLIP_PLANES };
+#define LIM_FLAG_WORDS(count) (((count) + 15) / 16)
+
+struct lim_screen_polygon {
+    struct lim_edge_shape shape;
+    uint16_t colour; /* as it lies in memory */
+    uint8_t n;
+    LIM_OPTIONAL(uint8_t, alpha, LIM_HAS_TRANSPARENT);
+    LIM_OPTIONAL(uint16_t, hidden, LIM_HAS_WIREFRAME *LIM_FLAG_WORDS(CLIP_MAX_VERTICES)); /* an edge a bit: not drawn */
+    LIM_OPTIONAL(bool, antialiased, LIM_HAS_ANTIALIAS); /* `shape` is of its samples */
+    /* The word of lim_scene.polygons at which its record names its texture, or LIM_NONE. */
+    LIM_OPTIONAL(uint16_t, texture, LIM_HAS_TEXTURE);
+    struct lim_point at[CLIP_MAX_VERTICES];
+};
+
+/* Textures -------------------------------------------------------------------------------------------------------- */
+
+/* An axis of the camera, a unit vector: high / 2^15 + low / 2^30. */
+struct lim_texture_axis {
+    int32_t high_q15[3], low_q30[3]; /* |high| <= 2^15, |low| <= 2^14 */
+};
+
+/* What all textured polygons of a frame have in common. */
+struct lim_texturing {
+    const struct lim_scene *scene;
+    int32_t eye_q8[3];
+    struct lim_texture_axis axes[3]; /* right, down, ahead */
+    uint32_t tan_q28[2];             /* of the half-angles of view: x, y */
+    int32_t tan_a_px[2];             /* the same by the side in pixels, 2^30 .. 2^31 - 1: */
+    int8_t tan_a_px_bits[2];         /* times 2^-31 times 2^-bits */
+    int16_t w_px, h_px;
+    uint8_t far_bits; /* no vertex is 2^far_bits units away or more */
+    int16_t level_q4; /* what the lens adds to every level of detail, log2 */
+};
+
+/* at + x * X + y * Y for X = 2 x_px + 1 - w_px, and Y likewise: half-pixels from the middle of the screen. Below 2^30
+ * for X within -2 w_px .. 2 w_px and every line of the screen. */
+struct lim_texture_plane {
+    int32_t at, x, y;
+};
+
+/* A polygon's mapping as this frame's camera sees it. */
+struct lim_gradients {
+    struct lim_texture_plane depth; /* n . D, positive where the polygon is: 1 / z but for a factor */
+    struct lim_texture_plane uv[2]; /* h (a . D), each with a factor of its own */
+    uint32_t eye_uv_q16[2];         /* texels at the eye, modulo 2^16 */
+    int32_t depth_min;              /* that of the scene's far end, at least 1 */
+    int16_t level_q4;               /* of detail, less 3/2 log2(depth) but for the constant */
+    int8_t shift[2];                /* makes up for the factors */
+    struct lim_texture texture;     /* a copy: it is looked at for each stretch */
+};
+
+/* Lines ----------------------------------------------------------------------------------------------------------- */
+
+/* Pixels x0 <= x < x1. */
+struct lim_gap {
+    uint16_t x0, x1;
+    uint16_t next; /* in the pool, or LIM_NONE */
+    /* Antialiased: the samples of its pixels that are closed (samples.h), not all of them. */
+    LIM_OPTIONAL(uint16_t, covered, LIM_HAS_ANTIALIAS);
+};
+
+struct lim_line {
+    struct lim_gap gap; /* x0 == x1: the line is closed */
+    uint16_t retained;  /* PAINT's list of polygons that start on this line, or LIM_NONE */
+};
+
+struct lim_spans {
+    struct lim_line *lines; /* one for each screen line */
+    struct lim_gap *pool;
+    uint16_t pool_size;
+    uint16_t free;  /* list of gaps that were given back */
+    uint16_t fresh; /* gaps from here on were never used */
+    uint16_t open_lines;
+    bool trimmed;         /* `open`, since it was drawn together */
+    struct lim_rect open; /* holds every open pixel */
+};
+
+/* A retained polygon is two head cells and one cell a vertex; if it is transparent, one more with its alpha; in
+ * wireframe, as many as the flags of its edges take, an edge a bit. A piece of one (piece.h) has n = 0, its alpha in
+ * the place of `first`, and a cell a line, bottom to top: x its first pixel, y the one after its last. */
+union lim_retained_cell {
+    struct {
+        uint16_t next; /* the polygon retained before this one that starts on the same line */
+        uint8_t n, first;
+    } link;
+    struct {
+        uint16_t bottom; /* the line after its last, with LIM_RETAINED_TRANSPARENT or LIM_RETAINED_TEXTURE */
+        uint16_t colour; /* as it lies in memory; with LIM_RETAINED_TEXTURE lim_screen_polygon.texture */
+    } look;
+    struct lim_point at;
+    uint16_t alpha;
+    uint16_t hidden[sizeof(struct lim_point) / 2];
+};
+
+enum { LIM_RETAINED_HEAD_CELLS = 2 };
+#define LIM_RETAINED_TRANSPARENT 0x8000u
+#define LIM_RETAINED_TEXTURE 0x4000u
+
+struct lim_retained {
+    union lim_retained_cell *cells;
+    uint16_t size, used;
+    bool overhangs; /* a polygon may reach beyond the screen's left or right side */
+    bool mixed;     /* one of the polygons is transparent or has a texture */
+};
+
+struct lim_active {
+    struct lim_active *next; /* in a list, or NULL */
+    union {
+        struct lim_edge_pair pair;
+        LIM_OPTIONAL(struct lim_sample_edges, samples, LIM_HAS_ANTIALIAS);
+    };
+    uint16_t polygon; /* its first cell: farther ones have greater ones */
+    uint16_t turn;    /* the line on which its edges change, or its bottom */
+    uint16_t bottom;
+    uint16_t colour;                                                /* as it lies in memory */
+    LIM_OPTIONAL(struct lim_gradients, gradients, LIM_HAS_TEXTURE); /* if it has a texture */
+};
+
+struct lim_actives {
+    struct lim_active *pool;
+    uint16_t pool_size;
+    uint16_t fresh;                  /* from here on were never used */
+    uint16_t used;                   /* at this time, if LIM_HAS_STATS */
+    struct lim_active *first, *free; /* lists through `next`: what crosses the line, and what was given back */
+};
+
+/* A piece of a line that waits for what lies behind it. */
+struct lim_layer {
+    uint16_t x0, x1; /* x0 <= x < x1 */
+    uint16_t colour; /* as it lies in memory */
+    uint8_t alpha;
+};
+
+struct lim_layers {
+    struct lim_layer *pool;
+    uint16_t size, used;
+    bool exhausted; /* some did not fit */
+};
+
+struct lim_smooth {
+    uint32_t *sums;    /* of the colours of a pixel's closed samples: red from bit 20 on, green 10, blue 0; NULL: off */
+    uint16_t *covered; /* the closed samples of a line that is drawn alone */
+    uint16_t *line;    /* the memory of that line, or NULL */
+    uint16_t open_px;  /* how many of its pixels are open */
+};
+
+struct lim_paint {
+    struct lim_pass *pass;
+    const struct lim_texturing *texturing; /* if LIM_HAS_TEXTURE */
+    struct lim_delta *delta;               /* or NULL */
+    uint16_t *lent;                        /* the line that could not be finished, or NULL */
+    struct lim_actives actives;
+    uint16_t background; /* as it lies in memory */
+    LIM_OPTIONAL(struct lim_layers, layers, LIM_HAS_TRANSPARENT);
+    LIM_OPTIONAL(struct lim_smooth, smooth, LIM_HAS_ANTIALIAS);
+};
+
+LIM_OPTIONAL_END
+
+#endif
