@@ -9,9 +9,8 @@
 /* If a frame was begun, it is no more, and has no instances. */
 static inline void lim_drop_ahead(struct lim *lim)
 {
-    if (lim->ahead.stage == LIM_AHEAD_NONE) return;
+    if (LIM_HAS_MOVERS && lim->ahead.stage != LIM_AHEAD_NONE) lim->movers->count = lim->movers->given = 0;
     lim->ahead.stage = LIM_AHEAD_NONE;
-    if (LIM_HAS_MOVERS) lim->movers->count = lim->movers->given = 0;
 }
 
 #endif

@@ -371,22 +371,23 @@
 #define LIM_WORD_ALIGNED
 #endif
 
-/* Code for the rare case: out of line, so that the common one stays short. */
+/* LIM_RARE: code for the rare case, out of line, so that the common one stays short. LIM_ALONE: not inlined, but not
+ * rare, as a loop that wants all registers for itself. LIM_UNLIKELY: a condition that seldom holds. LIM_IN_EACH_CALLER:
+ * inlined in each, even where small code is asked for; programs have but one of them. */
 #if defined(__GNUC__)
 #define LIM_RARE __attribute__((noinline, cold))
+#define LIM_ALONE __attribute__((noinline))
+#define LIM_UNLIKELY(condition) __builtin_expect(condition, 0)
+#define LIM_IN_EACH_CALLER inline __attribute__((always_inline))
 #else
 #define LIM_RARE
+#define LIM_ALONE
+#define LIM_UNLIKELY(condition) (condition)
+#define LIM_IN_EACH_CALLER inline
 #endif
 
 /* Of functions that can fail. */
 #define LIM_MUST_CHECK __attribute__((warn_unused_result))
-
-/* A condition that seldom holds. */
-#if defined(__GNUC__)
-#define LIM_UNLIKELY(condition) __builtin_expect(condition, 0)
-#else
-#define LIM_UNLIKELY(condition) (condition)
-#endif
 
 /* Of a static function that calls a part which may not be linked: where nothing calls it, it is left out even without
  * an optimizer. */
@@ -394,13 +395,6 @@
 #define LIM_IF_CALLED inline
 #else
 #define LIM_IF_CALLED
-#endif
-
-/* Not inlined, but not rare: a loop that wants all registers for itself. */
-#if defined(__GNUC__)
-#define LIM_ALONE __attribute__((noinline))
-#else
-#define LIM_ALONE
 #endif
 
 /* Inlined wherever it is called, unless small code is asked for. */

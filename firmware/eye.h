@@ -28,8 +28,8 @@ int32_t lim_eye_close_side(const struct lim_eye *eye, const LIM_FLASH struct lim
 static inline int32_t lim_eye_dot(const struct lim_eye *eye, const LIM_FLASH struct lim_plane *plane)
 {
 #if LIM_DUAL_MULTIPLY
-    const uint32_t sum = fixed_dot_pairs((const int16_t *)&plane->n_yx, eye->reduced, 0);
-    return (int32_t)(sum + (uint32_t)(lim_plane_z(plane) * eye->reduced[2]));
+    const int32_t of_z = lim_plane_z(plane) * eye->reduced[2];
+    return (int32_t)fixed_dot_pairs((const int16_t *)&plane->n_yx, eye->reduced, (uint32_t)of_z);
 #else
     const int32_t x = lim_plane_x(plane), y = lim_plane_y(plane), z = lim_plane_z(plane);
     //@ assert size(x) + size(y) + size(z) <= 32767;
@@ -75,7 +75,7 @@ static inline int32_t lim_eye_side(const struct lim_eye *eye, const LIM_FLASH st
 }
 
 /* Whether a record of a run that WALK gave faces the eye: those of a node do, those of a leaf may. */
-static inline bool lim_record_is_seen(const struct lim_eye *eye, const LIM_FLASH lim_index *record)
+static LIM_INLINE bool lim_record_is_seen(const struct lim_eye *eye, const LIM_FLASH lim_index *record)
 {
     if (!LIM_HAS_LEAVES || !(record[0] & LIM_POLYGON_PLANE)) return true;
     const LIM_FLASH struct lim_plane_ref *ref = lim_record_plane(record);

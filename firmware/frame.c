@@ -84,10 +84,9 @@ static void connect_painter(struct lim *lim)
     struct lim_painter *painter = lim->painter;
 
     painter->pass = &lim->pass;
-    if (LIM_HAS_LISTS) painter->sorter = lim->sorter;
-    if (LIM_HAS_TEXTURE) painter->texturing = lim->texturing;
-    painter->lent = NULL;
-    painter->fills = false;
+    if (LIM_HAS_LISTS) *painter->sorter = lim->sorter;
+    if (LIM_HAS_FALLBACK) *painter->lent = NULL;
+    if (LIM_HAS_FALLBACK) painter->fills = false;
 }
 
 static void connect_nearest(struct lim *lim)
@@ -96,11 +95,10 @@ static void connect_nearest(struct lim *lim)
     struct lim_paint *paint = &nearest->paint;
 
     nearest->pass = paint->pass = &lim->pass;
-    if (LIM_HAS_LISTS) nearest->sorter = lim->sorter;
-    if (LIM_HAS_PAINTED) nearest->painter = lim->painter;
-    if (LIM_HAS_TEXTURE) paint->texturing = lim->texturing;
-    if (LIM_HAS_DELTA) paint->delta = NULL;
-    if (LIM_HAS_FALLBACK) paint->lent = NULL;
+    if (LIM_HAS_LISTS) *nearest->sorter = lim->sorter;
+    if (LIM_HAS_FALLBACK) *nearest->painter = lim->painter;
+    if (LIM_HAS_DELTA) *paint->delta = NULL;
+    if (LIM_HAS_FALLBACK) *paint->lent = NULL;
     if (LIM_HAS_ANTIALIAS) *paint->smooth = (struct lim_smooth){.sums = NULL};
     if (LIM_HAS_FILLED) nearest->fills = false;
     nearest->bands = 0;
@@ -111,7 +109,7 @@ static void connect(struct lim *lim)
 {
     struct lim_pass *pass = &lim->pass;
 
-    if (LIM_HAS_TREE) lim_walk_lend(pass->walk, pass->scene, NULL, NULL);
+    if (LIM_HAS_PORTALS) lim_portals_lend(pass->walk->portals, pass->scene, NULL);
     if (LIM_HAS_WIREFRAME) *pass->wireframe = (struct lim_wireframe){0};
     if (LIM_HAS_LISTS) {
         lim->sorter->pass = pass;
@@ -121,10 +119,7 @@ static void connect(struct lim *lim)
     if (LIM_HAS_MOVERS) lim->movers->most = lim->movers->given = lim->movers->count = 0;
     if (LIM_HAS_PAINTED) connect_painter(lim);
     if (LIM_HAS_SPANS) connect_nearest(lim);
-    if (LIM_HAS_CONVEX) {
-        lim->convex->pass = pass;
-        if (LIM_HAS_TEXTURE) lim->convex->texturing = lim->texturing;
-    }
+    if (LIM_HAS_CONVEX) lim->convex->pass = pass;
     if (LIM_HAS_DELTA) *lim->delta = NULL;
     lim->ahead.stage = LIM_AHEAD_NONE;
 }
@@ -151,10 +146,10 @@ static int draw_frame(struct lim *lim)
 {
     if (LIM_IS_CONVEX(&lim->pass.target)) return lim_convex_frame(lim->convex);
     if (LIM_IS_PAINTER(&lim->pass.target)) return lim_painter_frame(lim->painter);
-    return lim_nearest_frame(lim->nearest);
+    return lim_nearest_frame(lim->nearest, LIM_AHEAD_BEGUN);
 }
 
-static int set_camera(struct lim *lim, const struct lim_camera *camera)
+static LIM_IN_EACH_CALLER int set_camera(struct lim *lim, const struct lim_camera *camera)
 {
     struct lim_pass *pass = &lim->pass;
 
@@ -163,7 +158,7 @@ static int set_camera(struct lim *lim, const struct lim_camera *camera)
     if (LIM_HAS_SPANS) lim->nearest->bands = 0;
     if (!lim_view_begin(&pass->view, pass->scene, camera)) return LIM_ERR_CAMERA;
     if (LIM_HAS_TEXTURE && lim_texture_count(pass->scene))
-        lim_texture_begin(lim->texturing, pass->scene, &pass->view, camera);
+        lim_texture_begin(pass->texturing, pass->scene, &pass->view, camera);
     lim_eye_set(lim_eye_of(pass), pass->scene, camera->eye_q8);
     if (LIM_HAS_PORTALS) lim_walk_look_around(pass->walk, camera, pass->view.rows.far_units);
     if (LIM_HAS_MOVERS) lim_movers_pose(lim->movers, pass, camera);
@@ -178,7 +173,7 @@ static LIM_IF_CALLED void begin_changes(struct lim *lim, const struct lim_camera
 static int end_frame(struct lim *lim, int err)
 {
     if (LIM_HAS_DELTA && *lim->delta) err = lim_delta_end_frame(*lim->delta, err);
-    if (LIM_HAS_STATS) lim_stats_of(&lim->pass)->vertices = lim->pass.view.vertices;
+    if (LIM_HAS_STATS) lim_stats_of(&lim->pass)->vertices = *lim->pass.view.vertices;
     return err;
 }
 

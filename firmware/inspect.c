@@ -59,11 +59,11 @@ static void take_polygon(const struct lim *lim, const struct lim_screen_polygon 
     struct lim_gradients gradients;
     struct lim_edge_pair pair;
 
-    lim_texture_set(lim->texturing, lim_screen_texture(polygon), &gradients);
+    lim_texture_set(lim->pass.texturing, lim_screen_texture(polygon), &gradients);
     lim_edge_begin(&pair, polygon->n, polygon->shape.first);
     for (int16_t y = polygon->shape.top > 0 ? polygon->shape.top : 0; y < bottom; y++) {
         lim_edge_advance(&pair, polygon->at, polygon->n, y);
-        const struct lim_textured_span span = {lim->texturing, &gradients, y, lim_edge_x(&pair.left),
+        const struct lim_textured_span span = {lim->pass.texturing, &gradients, y, lim_edge_x(&pair.left),
                                                lim_edge_x(&pair.right)};
         take_line(&lim->pass, &span, take, ctx);
     }

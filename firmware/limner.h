@@ -210,7 +210,6 @@ struct lim_ahead {
 
 struct lim {
     struct lim_pass pass;
-    LIM_OPTIONAL(struct lim_texturing, texturing, LIM_HAS_TEXTURE);
     LIM_OPTIONAL(struct lim_sorter, sorter, LIM_HAS_LISTS);
     LIM_OPTIONAL(struct lim_movers, movers, LIM_HAS_MOVERS);
     LIM_OPTIONAL(struct lim_painter, painter, LIM_HAS_PAINTED);

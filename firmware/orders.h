@@ -165,10 +165,9 @@ struct lim_delta {
 
 struct lim_painter {
     struct lim_pass *pass;
-    struct lim_sorter *sorter; /* of a sorted method's polygons, or of movers */
-    const struct lim_texturing *texturing;
-    uint16_t *lent; /* the line that nearest first could not finish, or NULL */
-    bool fills;     /* the target's framebuffer is painted */
+    LIM_OPTIONAL(struct lim_sorter *, sorter, LIM_HAS_LISTS); /* of a sorted method's polygons, or of movers */
+    LIM_OPTIONAL(uint16_t *, lent, LIM_HAS_FALLBACK); /* the line that nearest first could not finish, or NULL */
+    bool fills;                                       /* the target's framebuffer is painted */
 };
 
 /* How far a frame is that lim_frame_begin() began. */
@@ -189,8 +188,8 @@ struct lim_progress {
 
 struct lim_nearest {
     struct lim_pass *pass;
-    struct lim_sorter *sorter;   /* of a sorted method's polygons, or of movers */
-    struct lim_painter *painter; /* for lines for which a pool is too small */
+    LIM_OPTIONAL(struct lim_sorter *, sorter, LIM_HAS_LISTS);      /* of a sorted method's polygons, or of movers */
+    LIM_OPTIONAL(struct lim_painter *, painter, LIM_HAS_FALLBACK); /* for lines for which a pool is too small */
     struct lim_spans spans;
     struct lim_retained retained;
     struct lim_paint paint;
@@ -219,7 +218,6 @@ struct lim_crossing {
 
 struct lim_convex {
     struct lim_pass *pass;
-    const struct lim_texturing *texturing;
     uint16_t *tops; /* for each line the faces that start on it, or LIM_NONE */
     struct lim_crossing *pool;
     struct lim_face *faces; /* those of this frame from the farthest to the nearest: from `farthest` to memory's end */

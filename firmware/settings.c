@@ -48,7 +48,7 @@ int lim_set_antialias(struct lim *lim, void *mem, size_t mem_b)
 static void use_delta(struct lim *lim, struct lim_delta *delta)
 {
     *lim->delta = delta;
-    if (LIM_HAS_SPANS) lim->nearest->paint.delta = delta;
+    if (LIM_HAS_SPANS) *lim->nearest->paint.delta = delta;
 }
 
 int lim_set_delta(struct lim *lim, void *mem, size_t mem_b)

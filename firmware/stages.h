@@ -185,7 +185,7 @@ struct lim_view {
     struct lim_side width, height;
     struct lim_view_cached *cache;
     LIM_OPTIONAL(bool, antialiased, LIM_HAS_ANTIALIAS); /* polygons are drawn by their samples (samples.h) */
-    uint32_t vertices;                                  /* transformed since lim_view_begin(), if LIM_HAS_STATS */
+    LIM_OPTIONAL(uint32_t, vertices, LIM_HAS_STATS);    /* transformed since lim_view_begin() */
 };
 
 struct lim_cull_plane {
@@ -253,6 +253,45 @@ struct lim_walk {
     LIM_OPTIONAL(struct lim_portals, portals, LIM_HAS_PORTALS);
 };
 
+/* Textures -------------------------------------------------------------------------------------------------------- */
+
+/* An axis of the camera, a unit vector: high / 2^15 + low / 2^30. */
+struct lim_texture_axis {
+    int32_t high_q15[3], low_q30[3]; /* |high| <= 2^15, |low| <= 2^14 */
+};
+
+/* What all textured polygons of a frame have in common. */
+struct lim_texturing {
+    const struct lim_scene *scene;
+    int32_t eye_q8[3];
+    struct lim_texture_axis axes[3]; /* right, down, ahead */
+    uint32_t tan_q28[2];             /* of the half-angles of view: x, y */
+    int32_t tan_a_px[2];             /* the same by the side in pixels, 2^30 .. 2^31 - 1: */
+    int8_t tan_a_px_bits[2];         /* times 2^-31 times 2^-bits */
+    int16_t w_px, h_px;
+    uint8_t far_bits; /* no vertex is 2^far_bits units away or more */
+    int16_t level_q4; /* what the lens adds to every level of detail, log2 */
+};
+
+/* at + x * X + y * Y for X = 2 x_px + 1 - w_px, and Y likewise: half-pixels from the middle of the screen. Below 2^30
+ * for X within -2 w_px .. 2 w_px and every line of the screen. */
+struct lim_texture_plane {
+    int32_t at, x, y;
+};
+
+/* A polygon's mapping as this frame's camera sees it. */
+struct lim_gradients {
+    struct lim_texture_plane depth; /* n . D, positive where the polygon is: 1 / z but for a factor */
+    struct lim_texture_plane uv[2]; /* h (a . D), each with a factor of its own */
+    uint32_t eye_uv_q16[2];         /* texels at the eye, modulo 2^16 */
+    int32_t depth_min;              /* that of the scene's far end, at least 1 */
+    int16_t level_q4;               /* of detail, less 3/2 log2(depth) but for the constant */
+    int8_t shift[2];                /* makes up for the factors */
+    struct lim_texture texture;     /* a copy: it is looked at for each stretch */
+};
+
+/* What stages share ----------------------------------------------------------------------------------------------- */
+
 struct lim_pass {
     const struct lim_scene *scene;
     struct lim_target target;
@@ -260,6 +299,7 @@ struct lim_pass {
     LIM_OPTIONAL(struct lim_cull, cull, LIM_HAS_CULL);
     LIM_OPTIONAL(struct lim_walk, walk, LIM_HAS_TREE);
     LIM_OPTIONAL(struct lim_eye, eye, !LIM_HAS_TREE);
+    LIM_OPTIONAL(struct lim_texturing, texturing, LIM_HAS_TEXTURE);
     LIM_OPTIONAL(struct lim_wireframe, wireframe, LIM_HAS_WIREFRAME);
     LIM_OPTIONAL(struct lim_stats, stats, LIM_HAS_STATS);
 };
@@ -344,43 +384,6 @@ struct lim_screen_polygon {
     /* The word of lim_scene.polygons at which its record names its texture, or LIM_NONE. */
     LIM_OPTIONAL(uint16_t, texture, LIM_HAS_TEXTURE);
     struct lim_point at[CLIP_MAX_VERTICES];
-};
-
-/* Textures -------------------------------------------------------------------------------------------------------- */
-
-/* An axis of the camera, a unit vector: high / 2^15 + low / 2^30. */
-struct lim_texture_axis {
-    int32_t high_q15[3], low_q30[3]; /* |high| <= 2^15, |low| <= 2^14 */
-};
-
-/* What all textured polygons of a frame have in common. */
-struct lim_texturing {
-    const struct lim_scene *scene;
-    int32_t eye_q8[3];
-    struct lim_texture_axis axes[3]; /* right, down, ahead */
-    uint32_t tan_q28[2];             /* of the half-angles of view: x, y */
-    int32_t tan_a_px[2];             /* the same by the side in pixels, 2^30 .. 2^31 - 1: */
-    int8_t tan_a_px_bits[2];         /* times 2^-31 times 2^-bits */
-    int16_t w_px, h_px;
-    uint8_t far_bits; /* no vertex is 2^far_bits units away or more */
-    int16_t level_q4; /* what the lens adds to every level of detail, log2 */
-};
-
-/* at + x * X + y * Y for X = 2 x_px + 1 - w_px, and Y likewise: half-pixels from the middle of the screen. Below 2^30
- * for X within -2 w_px .. 2 w_px and every line of the screen. */
-struct lim_texture_plane {
-    int32_t at, x, y;
-};
-
-/* A polygon's mapping as this frame's camera sees it. */
-struct lim_gradients {
-    struct lim_texture_plane depth; /* n . D, positive where the polygon is: 1 / z but for a factor */
-    struct lim_texture_plane uv[2]; /* h (a . D), each with a factor of its own */
-    uint32_t eye_uv_q16[2];         /* texels at the eye, modulo 2^16 */
-    int32_t depth_min;              /* that of the scene's far end, at least 1 */
-    int16_t level_q4;               /* of detail, less 3/2 log2(depth) but for the constant */
-    int8_t shift[2];                /* makes up for the factors */
-    struct lim_texture texture;     /* a copy: it is looked at for each stretch */
 };
 
 /* Lines ----------------------------------------------------------------------------------------------------------- */
@@ -480,9 +483,8 @@ struct lim_smooth {
 
 struct lim_paint {
     struct lim_pass *pass;
-    const struct lim_texturing *texturing; /* if LIM_HAS_TEXTURE */
-    struct lim_delta *delta;               /* or NULL */
-    uint16_t *lent;                        /* the line that could not be finished, or NULL */
+    LIM_OPTIONAL(struct lim_delta *, delta, LIM_HAS_DELTA); /* or NULL */
+    LIM_OPTIONAL(uint16_t *, lent, LIM_HAS_FALLBACK);       /* the line that could not be finished, or NULL */
     struct lim_actives actives;
     uint16_t background; /* as it lies in memory */
     LIM_OPTIONAL(struct lim_layers, layers, LIM_HAS_TRANSPARENT);

@@ -44,7 +44,7 @@ static bool activate(struct lim_paint *paint, const struct lim_retained *retaine
     active->next = *link;
     *link = active;
     if (LIM_HAS_TEXTURE && lim_retained_has_texture(cells))
-        lim_texture_set(paint->texturing, cells[1].look.colour, active->gradients);
+        lim_texture_set(paint->pass->texturing, cells[1].look.colour, active->gradients);
     if (LIM_HAS_ANTIALIAS && is_antialiased(paint)) {
         active->polygon = polygon;
         lim_strip_begin(active->samples, cells[0].link.n, cells[0].link.first);
@@ -270,9 +270,9 @@ enum line_use { PAINTED, NOTED, PAINTED_AND_NOTED };
 static enum line_use use_of_line(const struct lim_paint *paint, const struct lim_retained *retained,
                                  const struct lim_rect *band)
 {
-    if (!LIM_HAS_DELTA || !paint->delta || is_antialiased(paint) || lim_wireframe_of(paint->pass)) return PAINTED;
+    if (!LIM_HAS_DELTA || !*paint->delta || is_antialiased(paint) || lim_wireframe_of(paint->pass)) return PAINTED;
     if (band->x1 - band->x0 < paint->pass->target.w_px) return PAINTED; /* pieces of lines are sent as they are */
-    enum line_use use = lim_delta_wants_lines(paint->delta) ? PAINTED_AND_NOTED : NOTED;
+    enum line_use use = lim_delta_wants_lines(*paint->delta) ? PAINTED_AND_NOTED : NOTED;
     if (!LIM_HAS_TRANSPARENT && !LIM_HAS_TEXTURE) return use;
     for (const struct lim_active *active = paint->actives.first; active; active = active->next) {
         const union lim_retained_cell *cells = paint_cells_of(retained, active);
@@ -286,11 +286,11 @@ static enum line_use use_of_line(const struct lim_paint *paint, const struct lim
 static inline void begin_sink(struct sink *sink, const struct lim_paint *paint, uint16_t y, enum line_use use)
 {
     if (LIM_HAS_DELTA) {
-        *sink->notes = use == PAINTED ? NULL : paint->delta;
+        *sink->notes = use == PAINTED ? NULL : *paint->delta;
         if (*sink->notes) lim_delta_begin_line(*sink->notes, sink->line);
     }
     if (LIM_HAS_TEXTURE) {
-        sink->span->texturing = paint->texturing;
+        sink->span->texturing = paint->pass->texturing;
         sink->span->y = (int16_t)y;
         *sink->stats = lim_stats_of(paint->pass);
     }
@@ -317,7 +317,7 @@ static int paint_line(struct lim_paint *paint, struct lim_spans *spans, const st
     paint_background(spans, &open, paint, &sink);
     if (LIM_HAS_STATS) stats->pixels_painted += sink.painted_px;
     if (LIM_HAS_TRANSPARENT && !blend(paint, sink.line)) {
-        paint->lent = sink.line;
+        *paint->lent = sink.line;
         return LIM_PAINT_LAYERS;
     }
     return target->done(target->ctx, y, x0, (uint16_t)(x1 - x0));
@@ -326,7 +326,7 @@ static int paint_line(struct lim_paint *paint, struct lim_spans *spans, const st
 /* Whether all that is retained is opaque and of one colour a polygon, and is only to be painted. */
 static inline bool is_flat(const struct lim_paint *paint, const struct lim_retained *retained)
 {
-    if (LIM_HAS_DELTA && paint->delta) return false;
+    if (LIM_HAS_DELTA && *paint->delta) return false;
     if (lim_wireframe_of(paint->pass) || is_antialiased(paint)) return false;
     return !((LIM_HAS_TRANSPARENT || LIM_HAS_TEXTURE) && retained->mixed);
 }

@@ -52,9 +52,10 @@ void lim_smooth_add(struct lim_paint *paint, struct lim_spans *spans, const stru
 
     sink.colour = polygon->colour;
     if (LIM_HAS_TEXTURE) {
-        *sink.span = (struct lim_textured_span){paint->texturing, NULL, (int16_t)spans->open.y0, strip->x0, strip->x1};
+        *sink.span =
+            (struct lim_textured_span){paint->pass->texturing, NULL, (int16_t)spans->open.y0, strip->x0, strip->x1};
         if (lim_screen_texture(polygon) != LIM_NONE) {
-            lim_texture_set(paint->texturing, lim_screen_texture(polygon), &gradients);
+            lim_texture_set(paint->pass->texturing, lim_screen_texture(polygon), &gradients);
             sink.span->gradients = &gradients;
         }
     }

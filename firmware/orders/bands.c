@@ -81,7 +81,8 @@ static int paint_band(struct lim_nearest *nearest, const struct lim_rect *band, 
  * line for which any is too small is painted so. */
 static bool wants_painter(const struct lim_nearest *nearest, const struct lim_rect *band, int exhausted)
 {
-    if (!nearest->pass->scene->limits.layers && !lim_wireframe_of(nearest->pass) && !lim_moves(nearest->sorter))
+    if (!nearest->pass->scene->limits.layers && !lim_wireframe_of(nearest->pass) &&
+        !lim_moves(lim_nearest_sorter(nearest)))
         return false;
     return exhausted == LIM_PAINT_LAYERS || band->y1 - band->y0 == 1;
 }
@@ -90,7 +91,7 @@ static bool wants_painter(const struct lim_nearest *nearest, const struct lim_re
 static void set_antialiased(struct lim_nearest *nearest, bool antialiased)
 {
     lim_view_set_antialiased(&nearest->pass->view, antialiased);
-    if (LIM_HAS_MOVERS) lim_movers_set_antialiased(nearest->sorter->movers, antialiased);
+    if (LIM_HAS_MOVERS) lim_movers_set_antialiased(lim_nearest_sorter(nearest)->movers, antialiased);
 }
 
 /* One line, from a walk of its own: it needs no pool. */
@@ -110,9 +111,9 @@ static LIM_IF_CALLED int paint_first_line(struct lim_nearest *nearest, struct ba
     const bool antialiased = lim_is_antialiased(&nearest->pass->view);
 
     if (LIM_HAS_ANTIALIAS) set_antialiased(nearest, false);
-    const int err = lim_painter_line(nearest->painter, nearest->paint.lent, band->y0);
+    const int err = lim_painter_line(*nearest->painter, *nearest->paint.lent, band->y0);
     if (LIM_HAS_ANTIALIAS) set_antialiased(nearest, antialiased);
-    nearest->paint.lent = NULL;
+    *nearest->paint.lent = NULL;
     if (band->y1 - band->y0 > 1)
         band->y0++;
     else
@@ -189,7 +190,7 @@ static void begin_frame(struct lim_nearest *nearest)
 {
     nearest->paint.background = lim_background_of(nearest->pass);
     if (LIM_HAS_ANTIALIAS) set_antialiased(nearest, lim_wants_antialias(nearest));
-    if (LIM_IS_SORTED(&nearest->pass->target)) lim_sorted_order(nearest->sorter);
+    if (LIM_IS_SORTED(&nearest->pass->target)) lim_sorted_order(lim_nearest_sorter(nearest));
 }
 
 /* For what of a band could not be painted, from line band->y0 on, a pool is too small. */
@@ -208,11 +209,17 @@ static int paint_less(struct lim_nearest *nearest, struct bands *bands, int exha
     return err;
 }
 
-/* From pass one over all lines to the frame's last line. */
-static int finish_frame(struct lim_nearest *nearest, bool is_collected)
+int lim_nearest_frame(struct lim_nearest *nearest, enum lim_ahead_stage stage)
 {
+    const struct lim_rect frame = whole_frame(nearest);
+    bool is_collected = stage == LIM_AHEAD_DONE;
     struct bands bands;
 
+    if (stage == LIM_AHEAD_BEGUN) {
+        begin_frame(nearest);
+        if (LIM_HAS_FILLED && wants_fill(nearest)) return fill_frame(nearest);
+        is_collected = lim_collect(nearest, &frame);
+    }
     bands_begin(&bands, &nearest->pass->target);
     for (;;) {
         uint16_t y;
@@ -226,15 +233,6 @@ static int finish_frame(struct lim_nearest *nearest, bool is_collected)
         if (err || bands.band.y0 >= nearest->pass->target.h_px) return err;
         is_collected = lim_collect(nearest, &bands.band);
     }
-}
-
-int lim_nearest_frame(struct lim_nearest *nearest)
-{
-    const struct lim_rect frame = whole_frame(nearest);
-
-    begin_frame(nearest);
-    if (LIM_HAS_FILLED && wants_fill(nearest)) return fill_frame(nearest);
-    return finish_frame(nearest, lim_collect(nearest, &frame));
 }
 
 /* A target that keeps the picture is filled by pass one. */
@@ -258,10 +256,9 @@ bool lim_nearest_work(struct lim_nearest *nearest, enum lim_ahead_stage *stage)
 
 int lim_nearest_paint(struct lim_nearest *nearest, enum lim_ahead_stage *stage)
 {
-    if (*stage == LIM_AHEAD_BEGUN) return lim_nearest_frame(nearest);
-    while (lim_nearest_work(nearest, stage))
-        ;
-    return finish_frame(nearest, *stage == LIM_AHEAD_DONE);
+    while (*stage == LIM_AHEAD_BUSY)
+        *stage = lim_collect_some(nearest);
+    return lim_nearest_frame(nearest, *stage);
 }
 
 #endif

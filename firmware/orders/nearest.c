@@ -269,8 +269,9 @@ static LIM_IF_CALLED int draw_mover(void *ctx, uint16_t entry, const struct lim_
 /* What moves and has come to empty space. false: a pool is exhausted. */
 static LIM_IF_CALLED bool collect_list(struct lim_nearest *nearest, uint16_t list)
 {
-    list = lim_movers_order(nearest->sorter, list, false);
-    if (lim_movers_draw(nearest->sorter, list, &nearest->spans.open, false, draw_mover, nearest) == MOVER_EXHAUSTED)
+    list = lim_movers_order(lim_nearest_sorter(nearest), list, false);
+    if (lim_movers_draw(lim_nearest_sorter(nearest), list, &nearest->spans.open, false, draw_mover, nearest) ==
+        MOVER_EXHAUSTED)
         return false;
     shrink(nearest);
     return true;
@@ -278,10 +279,10 @@ static LIM_IF_CALLED bool collect_list(struct lim_nearest *nearest, uint16_t lis
 
 static LIM_IF_CALLED bool collect_with_movers(struct lim_nearest *nearest)
 {
-    struct lim_route route = lim_route_static(nearest->sorter, false);
+    struct lim_route route = lim_route_static(lim_nearest_sorter(nearest), false);
     lim_index what;
 
-    lim_route_begin(&route, lim_movers_list(nearest->sorter, lim_cull_of(nearest->pass)));
+    lim_route_begin(&route, lim_movers_list(lim_nearest_sorter(nearest), lim_cull_of(nearest->pass)));
     while (nearest->spans.open_lines) {
         const enum lim_route_event event = lim_route_next(&route, &what);
         if (event == LIM_ROUTE_END) return true;
@@ -297,7 +298,7 @@ static LIM_IF_CALLED bool collect_from_tree(struct lim_nearest *nearest, const s
 
     if (LIM_HAS_CULL)
         lim_cull_set(lim_cull_of(nearest->pass), &nearest->pass->view, lim_eye_of(nearest->pass)->at_q8, band);
-    if (LIM_HAS_MOVERS && lim_moves(nearest->sorter)) return collect_with_movers(nearest);
+    if (LIM_HAS_MOVERS && lim_moves(lim_nearest_sorter(nearest))) return collect_with_movers(nearest);
     lim_walk_begin(nearest->pass->walk, false);
     while (nearest->spans.open_lines && (run = lim_walk_next(nearest->pass->walk, lim_cull_of(nearest->pass),
                                                              lim_stats_of(nearest->pass))) != LIM_NO_INDEX) {
@@ -309,13 +310,13 @@ static LIM_IF_CALLED bool collect_from_tree(struct lim_nearest *nearest, const s
 /* From the sorted list. false: a pool is exhausted. */
 static bool collect_entry(struct lim_nearest *nearest, uint16_t at)
 {
-    const LIM_FLASH lim_index *record = &nearest->pass->scene->polygons[nearest->sorter->list[at].record];
+    const LIM_FLASH lim_index *record = &nearest->pass->scene->polygons[lim_nearest_sorter(nearest)->list[at].record];
     struct lim_screen_polygon polygon;
 
     if (!lim_project(&polygon, &nearest->pass->view, nearest->pass->scene, record, &nearest->spans.open,
                      lim_stats_of(nearest->pass)))
         return true;
-    const bool has_room = LIM_HAS_NEWELL && lim_entry_is_split(nearest->sorter, at)
+    const bool has_room = LIM_HAS_NEWELL && lim_entry_is_split(lim_nearest_sorter(nearest), at)
                               ? lim_collect_piece(nearest, at, &polygon)
                               : collect(nearest, &polygon);
     if (!has_room) return false;
@@ -327,8 +328,8 @@ static bool collect_entry(struct lim_nearest *nearest, uint16_t at)
 
 static bool collect_from_list(struct lim_nearest *nearest)
 {
-    for (uint16_t at = nearest->sorter->first; at != LIM_NONE && nearest->spans.open_lines;
-         at = nearest->sorter->list[at].next)
+    for (uint16_t at = lim_nearest_sorter(nearest)->first; at != LIM_NONE && nearest->spans.open_lines;
+         at = lim_nearest_sorter(nearest)->list[at].next)
         if (!collect_entry(nearest, at)) return false;
     return true;
 }
@@ -378,9 +379,10 @@ static LIM_IF_CALLED void begin_tree(struct lim_nearest *nearest, const struct l
     nearest->progress.record = NULL;
     if (LIM_HAS_CULL)
         lim_cull_set(lim_cull_of(nearest->pass), &nearest->pass->view, lim_eye_of(nearest->pass)->at_q8, frame);
-    if (LIM_HAS_MOVERS && lim_moves(nearest->sorter)) {
-        *nearest->progress.route = lim_route_static(nearest->sorter, false);
-        lim_route_begin(nearest->progress.route, lim_movers_list(nearest->sorter, lim_cull_of(nearest->pass)));
+    if (LIM_HAS_MOVERS && lim_moves(lim_nearest_sorter(nearest))) {
+        *nearest->progress.route = lim_route_static(lim_nearest_sorter(nearest), false);
+        lim_route_begin(nearest->progress.route,
+                        lim_movers_list(lim_nearest_sorter(nearest), lim_cull_of(nearest->pass)));
         return;
     }
     lim_walk_begin(nearest->pass->walk, false);
@@ -389,7 +391,7 @@ static LIM_IF_CALLED void begin_tree(struct lim_nearest *nearest, const struct l
 /* LIM_NO_INDEX: there is none. With movers, they may come instead. */
 static LIM_IF_CALLED enum lim_route_event next_of_tree(struct lim_nearest *nearest, lim_index *what)
 {
-    if (LIM_HAS_MOVERS && lim_moves(nearest->sorter)) return lim_route_next(nearest->progress.route, what);
+    if (LIM_HAS_MOVERS && lim_moves(lim_nearest_sorter(nearest))) return lim_route_next(nearest->progress.route, what);
     *what = lim_walk_next(nearest->pass->walk, lim_cull_of(nearest->pass), lim_stats_of(nearest->pass));
     return *what == LIM_NO_INDEX ? LIM_ROUTE_END : LIM_ROUTE_RUN;
 }
@@ -414,7 +416,7 @@ static LIM_IF_CALLED enum lim_ahead_stage collect_some_of_list(struct lim_neares
     const uint16_t at = nearest->progress.entry;
 
     if (at == LIM_NONE || !nearest->spans.open_lines) return LIM_AHEAD_DONE;
-    nearest->progress.entry = nearest->sorter->list[at].next;
+    nearest->progress.entry = lim_nearest_sorter(nearest)->list[at].next;
     return collect_entry(nearest, at) ? LIM_AHEAD_BUSY : LIM_AHEAD_EXHAUSTED;
 }
 
@@ -422,7 +424,7 @@ void lim_collect_begin(struct lim_nearest *nearest, const struct lim_rect *frame
 {
     open_band(nearest, frame);
     if (LIM_IS_SORTED(&nearest->pass->target))
-        nearest->progress.entry = nearest->sorter->first;
+        nearest->progress.entry = lim_nearest_sorter(nearest)->first;
     else
         begin_tree(nearest, frame);
 }

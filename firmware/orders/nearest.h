@@ -8,12 +8,19 @@
 
 #include "orders/painter.h"
 
+/* Of movers, or of a sorted method's polygons. */
+static inline struct lim_sorter *lim_nearest_sorter(const struct lim_nearest *nearest)
+{
+    return LIM_HAS_LISTS ? *nearest->sorter : NULL;
+}
+
 /* What memory it asks for (`least`: with less it is refused), and how it cuts that up. */
 size_t lim_nearest_mem_b(const struct lim_scene *scene, const struct lim_target *target, bool least);
 void lim_nearest_init(struct lim_nearest *nearest, void *mem, size_t mem_b);
 
-/* A frame, of a camera that is taken in. 0, an enum lim_error, or the target's error. */
-LIM_MUST_CHECK int lim_nearest_frame(struct lim_nearest *nearest);
+/* A frame, of a camera that is taken in. 0, an enum lim_error, or the target's error. stage: how far pass one is;
+ * LIM_AHEAD_BEGUN: not begun. */
+LIM_MUST_CHECK int lim_nearest_frame(struct lim_nearest *nearest, enum lim_ahead_stage stage);
 
 /* The same in parts, after lim_frame_begin(). */
 bool lim_nearest_work(struct lim_nearest *nearest, enum lim_ahead_stage *stage);
@@ -38,8 +45,8 @@ static inline bool lim_wants_antialias(const struct lim_nearest *nearest)
 /* Whether frames, but for changes, are as lim_can_fill() says. */
 static inline bool lim_nearest_can_fill(const struct lim_nearest *nearest)
 {
-    return !(LIM_HAS_DELTA && nearest->paint.delta) && !lim_wants_antialias(nearest) &&
-           lim_can_fill(nearest->sorter, nearest->pass);
+    return !(LIM_HAS_DELTA && *nearest->paint.delta) && !lim_wants_antialias(nearest) &&
+           lim_can_fill(lim_nearest_sorter(nearest), nearest->pass);
 }
 
 #endif

@@ -51,7 +51,7 @@ static uint16_t *line_at(struct lim_painter *painter, uint16_t y)
 
     if (LIM_HAS_PAINTER && LIM_HAS_FRAMEBUFFER && painter->fills)
         return lim_framebuffer_line(lim_framebuffer_of(target), y);
-    return painter->lent ? painter->lent : target->lend(target->ctx, y);
+    return LIM_HAS_FALLBACK && *painter->lent ? *painter->lent : target->lend(target->ctx, y);
 }
 
 static int fill_piece(struct lim_painter *painter, const struct lim_textured_span *span, uint16_t x0, uint16_t x1,
@@ -90,7 +90,7 @@ static void begin_texture(struct lim_painter *painter, const struct lim_screen_p
                           struct lim_gradients *gradients)
 {
     if (LIM_HAS_TEXTURE && lim_screen_texture(polygon) != LIM_NONE)
-        lim_texture_set(painter->texturing, lim_screen_texture(polygon), gradients);
+        lim_texture_set(painter->pass->texturing, lim_screen_texture(polygon), gradients);
 }
 
 static int paint_plain(struct lim_painter *painter, const struct lim_screen_polygon *polygon,
@@ -108,7 +108,7 @@ static int paint_plain(struct lim_painter *painter, const struct lim_screen_poly
     lim_edge_begin(&pair, polygon->n, polygon->shape.first);
     for (;;) {
         lim_edge_advance(&pair, polygon->at, polygon->n, y);
-        const struct lim_textured_span span = {painter->texturing, &gradients, y, lim_edge_x(&pair.left),
+        const struct lim_textured_span span = {painter->pass->texturing, &gradients, y, lim_edge_x(&pair.left),
                                                lim_edge_x(&pair.right)};
         const int err = fill_clamped(painter, &span, polygon);
         if (err) return err;
@@ -131,10 +131,9 @@ static int paint_any(struct lim_painter *painter, const struct lim_screen_polygo
 }
 
 /* paint_plain() where the target has a framebuffer. */
-static inline void paint_into(struct lim_painter *painter, const struct lim_point *at, uint8_t n,
+static inline void paint_into(struct lim_pass *pass, const struct lim_point *at, uint8_t n,
                               const struct lim_edge_shape *shape, uint16_t colour)
 {
-    struct lim_pass *const pass = painter->pass;
     const struct lim_rect screen = {0, 0, pass->target.w_px, pass->target.h_px};
     const struct lim_span_extent shown = lim_shape_lines(shape, &screen);
 
@@ -143,19 +142,18 @@ static inline void paint_into(struct lim_painter *painter, const struct lim_poin
     lim_framebuffer_paint(&pass->target, at, n, shape->first, shown, colour);
 }
 
-/* A record that faces the eye, and is neither clipped nor non-monotone; `at` is for its points. false: nothing was
- * done. */
-static inline bool paint_fast(struct lim_painter *painter, const LIM_FLASH lim_index *record, struct lim_point *at)
+/* A record that faces the eye, and is neither clipped nor non-monotone. false: nothing was done. */
+static LIM_ALONE bool paint_fast(struct lim_pass *pass, const LIM_FLASH lim_index *record)
 {
-    struct lim_pass *const pass = painter->pass;
     const uint8_t n = (uint8_t)(record[0] & LIM_POLYGON_COUNT);
+    struct lim_point at[LIM_MAX_VERTICES];
     struct lim_edge_shape shape;
     uint_fast16_t codes;
 
     LIM_DEBUG_ASSERT(n <= LIM_MAX_VERTICES);
     if (!lim_project_fast(&shape, at, n, &pass->view, pass->scene, record, &codes)) return false;
     if (LIM_HAS_STATS) lim_stats_of(pass)->polygons++;
-    if (!lim_view_all_outside(codes)) paint_into(painter, at, n, &shape, lim_memory_colour((uint16_t)record[1]));
+    if (!lim_view_all_outside(codes)) paint_into(pass, at, n, &shape, lim_memory_colour((uint16_t)record[1]));
     return true;
 }
 
@@ -168,7 +166,6 @@ static LIM_ALONE int paint_record(struct lim_painter *painter, const LIM_FLASH l
     struct lim_pass *const pass = painter->pass;
     struct lim_screen_polygon polygon;
 
-    if (LIM_HAS_PAINTER && LIM_HAS_FRAMEBUFFER && painter->fills && paint_fast(painter, record, polygon.at)) return 0;
     if (!lim_project(&polygon, &pass->view, pass->scene, record, screen, lim_stats_of(pass))) return 0;
     return paint_any(painter, &polygon, screen);
 }
@@ -197,7 +194,9 @@ static int paint_run(struct lim_painter *painter, lim_index run, const struct li
             if (record == painted) break;
         }
         while (to != noted) {
-            const int err = paint_record(painter, *--to, screen);
+            record = *--to;
+            if (LIM_HAS_PAINTER && LIM_HAS_FRAMEBUFFER && painter->fills && paint_fast(pass, record)) continue;
+            const int err = paint_record(painter, record, screen);
             if (err) return err;
         }
         painted = from;
@@ -234,8 +233,8 @@ static LIM_IF_CALLED int paint_piece_line(struct lim_painter *painter, uint16_t 
             polygon = &triangle;
         }
         if (polygon->shape.top > (int16_t)y || polygon->shape.bottom <= (int16_t)y) continue;
-        const struct lim_point line = lim_piece_line(painter->sorter, entry, polygon, (int16_t)y);
-        const struct lim_textured_span span = {painter->texturing, &gradients, (int16_t)y, (int16_t)line.x,
+        const struct lim_point line = lim_piece_line(lim_painter_sorter(painter), entry, polygon, (int16_t)y);
+        const struct lim_textured_span span = {painter->pass->texturing, &gradients, (int16_t)y, (int16_t)line.x,
                                                (int16_t)line.y};
         begin_texture(painter, polygon, &gradients);
         const int err = fill_clamped(painter, &span, polygon);
@@ -265,18 +264,18 @@ static LIM_IF_CALLED int paint_mover(void *ctx, uint16_t entry, const struct lim
 /* What moves and has come to empty space. */
 static LIM_IF_CALLED int paint_list(struct lim_painter *painter, uint16_t list, const struct lim_rect *screen)
 {
-    list = lim_movers_order(painter->sorter, list, true);
-    return lim_movers_draw(painter->sorter, list, screen, true, paint_mover, painter);
+    list = lim_movers_order(lim_painter_sorter(painter), list, true);
+    return lim_movers_draw(lim_painter_sorter(painter), list, screen, true, paint_mover, painter);
 }
 
 static LIM_IF_CALLED int paint_with_movers(struct lim_painter *painter, const struct lim_rect *screen)
 {
     struct lim_pass *const pass = painter->pass;
-    struct lim_route route = lim_route_static(painter->sorter, true);
+    struct lim_route route = lim_route_static(lim_painter_sorter(painter), true);
     lim_index what;
 
     if (LIM_HAS_CULL) lim_cull_set(lim_cull_of(pass), &pass->view, lim_eye_of(pass)->at_q8, screen);
-    lim_route_begin(&route, lim_movers_list(painter->sorter, lim_cull_of(pass)));
+    lim_route_begin(&route, lim_movers_list(lim_painter_sorter(painter), lim_cull_of(pass)));
     for (;;) {
         const enum lim_route_event event = lim_route_next(&route, &what);
         if (event == LIM_ROUTE_END) return 0;
@@ -292,22 +291,23 @@ static LIM_IF_CALLED int paint_sorted(struct lim_painter *painter, const struct 
     struct lim_screen_polygon polygon;
     int err = 0;
 
-    lim_sorted_reverse(painter->sorter);
-    for (uint16_t at = painter->sorter->first; at != LIM_NONE && !err; at = painter->sorter->list[at].next) {
-        const LIM_FLASH lim_index *record = &pass->scene->polygons[painter->sorter->list[at].record];
+    lim_sorted_reverse(lim_painter_sorter(painter));
+    for (uint16_t at = lim_painter_sorter(painter)->first; at != LIM_NONE && !err;
+         at = lim_painter_sorter(painter)->list[at].next) {
+        const LIM_FLASH lim_index *record = &pass->scene->polygons[lim_painter_sorter(painter)->list[at].record];
         if (!lim_project(&polygon, &pass->view, pass->scene, record, screen, lim_stats_of(pass))) continue;
-        err = LIM_HAS_NEWELL && lim_entry_is_split(painter->sorter, at)
+        err = LIM_HAS_NEWELL && lim_entry_is_split(lim_painter_sorter(painter), at)
                   ? paint_piece_line(painter, at, &polygon, screen->y0)
                   : paint_any(painter, &polygon, screen);
     }
-    lim_sorted_reverse(painter->sorter);
+    lim_sorted_reverse(lim_painter_sorter(painter));
     return err;
 }
 
 static int paint_from_source(struct lim_painter *painter, const struct lim_rect *screen)
 {
     if (LIM_IS_SORTED(&painter->pass->target)) return paint_sorted(painter, screen);
-    if (LIM_HAS_MOVERS && lim_moves(painter->sorter)) return paint_with_movers(painter, screen);
+    if (LIM_HAS_MOVERS && lim_moves(lim_painter_sorter(painter))) return paint_with_movers(painter, screen);
     return paint_tree(painter, screen);
 }
 
@@ -339,7 +339,7 @@ int lim_painter_frame(struct lim_painter *painter)
     struct lim_target *target = &pass->target;
     const struct lim_rect screen = {0, 0, target->w_px, target->h_px};
 
-    painter->fills = lim_has_framebuffer(target) && lim_can_fill(painter->sorter, pass);
+    painter->fills = lim_has_framebuffer(target) && lim_can_fill(lim_painter_sorter(painter), pass);
     const int err = paint_lines(painter, &screen);
     painter->fills = false;
     return err;
@@ -351,9 +351,9 @@ int lim_painter_line(struct lim_painter *painter, uint16_t *lent, uint16_t y)
     const struct lim_target *target = &painter->pass->target;
     const struct lim_rect screen = {0, y, target->w_px, (uint16_t)(y + 1)};
 
-    painter->lent = lent ? lent : target->lend(target->ctx, y);
-    const int err = painter->lent ? paint_lines(painter, &screen) : LIM_ERR_TARGET;
-    painter->lent = NULL;
+    *painter->lent = lent ? lent : target->lend(target->ctx, y);
+    const int err = *painter->lent ? paint_lines(painter, &screen) : LIM_ERR_TARGET;
+    *painter->lent = NULL;
     return err;
 }
 #endif

@@ -15,6 +15,12 @@ static inline bool lim_can_fill(const struct lim_sorter *sorter, const struct li
            !(LIM_HAS_TEXTURE && lim_texture_count(pass->scene)) && !lim_wireframe_of(pass) && !lim_moves(sorter);
 }
 
+/* Of movers, or of a sorted method's polygons. */
+static inline struct lim_sorter *lim_painter_sorter(const struct lim_painter *painter)
+{
+    return LIM_HAS_LISTS ? *painter->sorter : NULL;
+}
+
 size_t lim_painter_mem_b(const struct lim_scene *scene);
 void lim_painter_init(struct lim_painter *painter, void *mem);
 

@@ -12,7 +12,7 @@
 
 struct shares {
     uint16_t active, retained_cells, gaps, pieces;
-    uint16_t layers; /* if LIM_HAS_TRANSPARENT */
+    LIM_OPTIONAL(uint16_t, layers, LIM_HAS_TRANSPARENT);
 };
 
 /* One polygon, one gap: what a band of one pixel needs. Lines that are transparent need nothing (bands.c). */
@@ -66,7 +66,7 @@ static struct shares comfortable_shares(const struct lim_scene *scene, const str
                             .retained_cells = greater(limits->retained_cells, least.retained_cells),
                             .gaps = greater(comfortable_gaps(scene, target), least.gaps),
                             .pieces = comfortable_pieces(scene, target)};
-    if (LIM_HAS_TRANSPARENT) wanted.layers = limits->layers;
+    if (LIM_HAS_TRANSPARENT) *wanted.layers = limits->layers;
     if (retains_nothing(target)) {
         wanted.active = least.active;
         wanted.retained_cells = least.retained_cells;
@@ -77,7 +77,7 @@ static struct shares comfortable_shares(const struct lim_scene *scene, const str
 static size_t total_b(const struct lim_scene *scene, const struct lim_target *target, struct shares shares)
 {
     const uint16_t cells = shares.retained_cells, gaps = shares.gaps;
-    size_t sum_b = LIM_HAS_TRANSPARENT ? LIM_LAYERS_MEM_B(shares.layers) : 0;
+    size_t sum_b = LIM_HAS_TRANSPARENT ? LIM_LAYERS_MEM_B(*shares.layers) : 0;
 
     if (LIM_IS_NEWELL(target))
         sum_b += LIM_NEWELL_MEM_B(target->h_px, scene->polygon_count, shares.pieces, cells, gaps, shares.active);
@@ -122,7 +122,7 @@ static struct shares pools_divide(const struct lim_scene *scene, const struct li
                             .retained_cells = between(least.retained_cells, wanted.retained_cells, part_q8),
                             .gaps = between(least.gaps, wanted.gaps, part_q8),
                             .pieces = between(0, wanted.pieces, part_q8)};
-    if (LIM_HAS_TRANSPARENT) shares.layers = between(0, wanted.layers, part_q8);
+    if (LIM_HAS_TRANSPARENT) *shares.layers = between(0, *wanted.layers, part_q8);
     return shares;
 }
 
@@ -152,7 +152,7 @@ void lim_nearest_init(struct lim_nearest *nearest, void *mem, size_t mem_b)
 
     nearest->paint.actives.pool = lim_mem_cut(&at, shares.active * sizeof(struct lim_active));
     nearest->paint.actives.pool_size = shares.active;
-    if (LIM_IS_SORTED(&pass->target)) cut_sorter(nearest->sorter, &at, &shares);
+    if (LIM_IS_SORTED(&pass->target)) cut_sorter(lim_nearest_sorter(nearest), &at, &shares);
     nearest->retained.cells = lim_mem_cut(&at, shares.retained_cells * sizeof(union lim_retained_cell));
     nearest->retained.size = shares.retained_cells;
     struct lim_view_cached *cache = lim_mem_cut(&at, LIM_VIEW_CACHE_ENTRIES * sizeof(struct lim_view_cached));
@@ -162,7 +162,7 @@ void lim_nearest_init(struct lim_nearest *nearest, void *mem, size_t mem_b)
     spans->pool_size = shares.gaps;
     if (LIM_HAS_TRANSPARENT)
         *nearest->paint.layers =
-            (struct lim_layers){lim_mem_cut(&at, LIM_LAYERS_MEM_B(shares.layers)), shares.layers, 0, false};
+            (struct lim_layers){lim_mem_cut(&at, LIM_LAYERS_MEM_B(*shares.layers)), *shares.layers, 0, false};
     if (LIM_HAS_WALKED && !is_sorted) lim_walk_lend(pass->walk, pass->scene, stack, at);
     lim_view_init(&pass->view, pass->target.w_px, pass->target.h_px, cache);
 }

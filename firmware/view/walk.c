@@ -9,13 +9,6 @@
 
 #if LIM_HAS_TREE
 
-void lim_walk_lend(struct lim_walk *walk, const struct lim_scene *scene, struct lim_walk_pending *stack,
-                   void *portals_mem)
-{
-    walk->stack = stack;
-    if (LIM_HAS_PORTALS) lim_portals_lend(walk->portals, scene, portals_mem);
-}
-
 void lim_walk_look_around(struct lim_walk *walk, const struct lim_camera *camera, uint32_t far_units)
 {
     const struct lim_portals *portals = walk->portals;

@@ -29,8 +29,12 @@ static inline bool lim_node_is_skipped(const struct lim_scene *scene, const LIM_
 }
 
 /* Lends a scene's walk its memory: a stack of limits.depth entries, and lim_portals_mem_b() bytes. */
-void lim_walk_lend(struct lim_walk *walk, const struct lim_scene *scene, struct lim_walk_pending *stack,
-                   void *portals_mem);
+static inline void lim_walk_lend(struct lim_walk *walk, const struct lim_scene *scene, struct lim_walk_pending *stack,
+                                 void *portals_mem)
+{
+    walk->stack = stack;
+    if (LIM_HAS_PORTALS) lim_portals_lend(walk->portals, scene, portals_mem);
+}
 
 /* What can be seen from around the eye, which is set: until it is set anew. */
 void lim_walk_look_around(struct lim_walk *walk, const struct lim_camera *camera, uint32_t far_units);

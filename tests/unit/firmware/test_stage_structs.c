@@ -30,7 +30,6 @@ struct two {
     const struct lim_scene *scene;
     struct lim lim;
     struct lim_pass pass;
-    struct lim_texturing texturing;
     struct lim_sorter sorter;
     struct lim_movers movers;
     void *mem[2];
@@ -78,14 +77,14 @@ static void assert_same(const struct two *two)
 
 static void draw_nearest(struct two *two, const struct closed_stage *stage, struct random *random)
 {
-    struct lim_nearest nearest = {.pass = &two->pass, .sorter = &two->sorter, .paint.pass = &two->pass};
+    struct lim_nearest nearest = {.pass = &two->pass, .sorter = {&two->sorter}, .paint.pass = &two->pass};
 
     lim_nearest_init(&nearest, two->mem[1], two->mem_b);
     for (int i = 0; i < FRAMES; i++) {
         const struct lim_camera camera = closed_stage_camera(stage, random);
         take_camera_in(two, &camera);
         nearest.bands = 0;
-        assert_int_equal(lim_nearest_frame(&nearest), 0);
+        assert_int_equal(lim_nearest_frame(&nearest, LIM_AHEAD_BEGUN), 0);
         assert_same(two);
         assert_int_equal(nearest.bands, lim_bands(&two->lim));
     }
@@ -93,7 +92,7 @@ static void draw_nearest(struct two *two, const struct closed_stage *stage, stru
 
 static void draw_painter(struct two *two, const struct closed_stage *stage, struct random *random)
 {
-    struct lim_painter painter = {.pass = &two->pass, .sorter = &two->sorter};
+    struct lim_painter painter = {.pass = &two->pass, .sorter = {&two->sorter}};
 
     lim_painter_init(&painter, two->mem[1]);
     for (int i = 0; i < FRAMES; i++) {
@@ -154,7 +153,7 @@ static void a_solid_is_drawn_with_its_own_struct(void **state)
         assert_true(
             compile_mesh(&mesh, &(struct compile_options){.tolerance_units = 0.5, .splitter = "fewest"}, &scene, &err));
         two_open(&two, &scene.scene, LIM_CONVEX);
-        struct lim_convex convex = {.pass = &two.pass, .texturing = &two.texturing};
+        struct lim_convex convex = {.pass = &two.pass};
         lim_convex_init(&convex, two.mem[1], two.mem_b);
         for (int i = 0; i < FRAMES; i++) {
             struct lim_camera camera;
