@@ -166,7 +166,7 @@ endef
 
 # What the simulator makes of the same scene on the same panel: the emulated board's frames are checked against it.
 $(folder)/golden: $(folder)/model.lim $(CAMERA) $(BUILD)/limner
-	@$(BUILD)/limner render $(model) $(addprefix --camera ,$(CAMERA)) $(options) --panel $(PANEL) $(filter-out --frame --framebuffer,$(COMPILE)) --write-hashes $@
+	@$(BUILD)/limner render $(model) $(addprefix --camera ,$(CAMERA)) $(options) --panel $(PANEL) $(filter-out --fill --framebuffer,$(COMPILE)) --write-hashes $@
 	$(if $(CARD),$(with_card))
 
 # For EMULATE: N frames of the path, and what makes pictures of the bytes that an emulator tells.

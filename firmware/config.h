@@ -371,17 +371,15 @@
 #define LIM_WORD_ALIGNED
 #endif
 
-/* LIM_RARE: code for the rare case, out of line, so that the common one stays short. LIM_ALONE: not inlined, but not
- * rare, as a loop that wants all registers for itself. LIM_UNLIKELY: a condition that seldom holds. LIM_IN_EACH_CALLER:
- * inlined in each, even where small code is asked for; programs have but one of them. */
+/* LIM_RARE: code for the rare case, out of line, so that the common one stays short. LIM_UNLIKELY: a condition that
+ * seldom holds. LIM_IN_EACH_CALLER: inlined in each, even where small code is asked for; programs have but one of them.
+ */
 #if defined(__GNUC__)
 #define LIM_RARE __attribute__((noinline, cold))
-#define LIM_ALONE __attribute__((noinline))
 #define LIM_UNLIKELY(condition) __builtin_expect(condition, 0)
 #define LIM_IN_EACH_CALLER inline __attribute__((always_inline))
 #else
 #define LIM_RARE
-#define LIM_ALONE
 #define LIM_UNLIKELY(condition) (condition)
 #define LIM_IN_EACH_CALLER inline
 #endif
@@ -389,11 +387,17 @@
 /* Of functions that can fail. */
 #define LIM_MUST_CHECK __attribute__((warn_unused_result))
 
-/* Of a static function that calls a part which may not be linked: where nothing calls it, it is left out even without
- * an optimizer. */
-#if defined(__GNUC__) && !defined(__OPTIMIZE__)
+/* LIM_ALONE: not inlined, but not rare, as a loop that wants all registers for itself. LIM_IF_CALLED: of a static
+ * function that calls a part which may not be linked; where nothing calls it, it is left out even without an optimizer.
+ */
+#if defined(__GNUC__) && defined(__OPTIMIZE__)
+#define LIM_ALONE __attribute__((noinline))
+#define LIM_IF_CALLED
+#elif defined(__GNUC__)
+#define LIM_ALONE
 #define LIM_IF_CALLED inline
 #else
+#define LIM_ALONE
 #define LIM_IF_CALLED
 #endif
 

@@ -143,7 +143,7 @@ static inline void paint_into(struct lim_pass *pass, const struct lim_point *at,
 }
 
 /* A record that faces the eye, and is neither clipped nor non-monotone. false: nothing was done. */
-static LIM_ALONE bool paint_fast(struct lim_pass *pass, const LIM_FLASH lim_index *record)
+static LIM_ALONE LIM_IF_CALLED bool paint_fast(struct lim_pass *pass, const LIM_FLASH lim_index *record)
 {
     const uint8_t n = (uint8_t)(record[0] & LIM_POLYGON_COUNT);
     struct lim_point at[LIM_MAX_VERTICES];

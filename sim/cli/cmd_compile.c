@@ -36,7 +36,7 @@ enum option_code {
     OPTION_ANTIALIAS,
     OPTION_DELTA,
     OPTION_ROUND,
-    OPTION_FRAME,
+    OPTION_FILL,
     OPTION_FRAMEBUFFER,
     OPTION_SIZE,
     OPTION_NEAR,
@@ -63,7 +63,7 @@ static const struct option OPTIONS[] = {
     {"antialias", no_argument, NULL, OPTION_ANTIALIAS},
     {"delta", no_argument, NULL, OPTION_DELTA},
     {"round", no_argument, NULL, OPTION_ROUND},
-    {"frame", no_argument, NULL, OPTION_FRAME},
+    {"fill", no_argument, NULL, OPTION_FILL},
     {"framebuffer", no_argument, NULL, OPTION_FRAMEBUFFER},
     {"precision", required_argument, NULL, OPTION_PRECISION},
     {"max-error", required_argument, NULL, OPTION_MAX_ERROR},
@@ -132,8 +132,8 @@ static bool parse_option(int code, char **argv, struct request *out, struct erro
     case OPTION_ROUND:
         out->compile.round = true;
         return true;
-    case OPTION_FRAME:
-        out->compile.frame = true;
+    case OPTION_FILL:
+        out->compile.fill = true;
         return true;
     case OPTION_FRAMEBUFFER:
         out->compile.framebuffer = true;

@@ -126,7 +126,7 @@ static const struct entry {
     {COMPILE | ALONE, "  -o NAME             NAME.c, NAME.h and NAME.lim\n"},
     {COMPILE | MEASURE | COMPARE | SPLITTERS, "  --keep-faces        do not merge coplanar neighbours of one colour\n"},
     {COMPILE, "  --round             for round glass: what it does not show is left out\n"},
-    {COMPILE, "  --frame             for boards that keep the whole picture in pixels of their own, as greys: fewer "
+    {COMPILE, "  --fill              for boards that keep the whole picture in pixels of their own, as greys: fewer "
               "instructions\n"},
     {COMPILE, "  --report            without -o: only report\n"},
     {COMPILE, "  --max-error P%      the cheapest precision with at most P % wrong pixels\n"},

@@ -263,7 +263,7 @@ bool compile_mesh(const struct mesh *mesh, const struct compile_options *options
         out->report.wireframe = options->wireframe;
         out->report.antialias = options->antialias;
         out->report.round = options->round;
-        out->report.frame = options->frame;
+        out->report.fill = options->fill;
         out->report.framebuffer = options->framebuffer;
         out->report.delta_runs = options->delta;
         ok = ok && compile_measured(out, options, err);

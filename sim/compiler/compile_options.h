@@ -29,7 +29,7 @@ struct compile_options {
     bool antialias;              /* for drawing with antialiased edges: pools are measured so */
     bool delta;                  /* for sending what changes alone: its memory is measured */
     bool round;                  /* for round glass, too */
-    bool frame;                  /* for targets that keep the whole picture in pixels of their own */
+    bool fill;                   /* for targets that keep the whole picture in pixels of their own */
     bool framebuffer;            /* for targets with all pixels in memory */
     bool wireframe;              /* for drawing as wireframe: edges that are not the model's are known */
     enum portals_wanted portals; /* whether to store what is seen from where; AUTO: if it pays */

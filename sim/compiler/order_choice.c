@@ -18,7 +18,7 @@ const char *order_needs_nearest(const struct compile_options *options, const str
     if (options->wireframe) return "--wireframe is";
     if (options->antialias) return "--antialias is";
     if (options->delta) return "--delta is";
-    if (options->frame) return "--frame is";
+    if (options->fill) return "--fill is";
     return scene->texture_count || records_with(scene, LIM_POLYGON_ALPHA) ? "textures and glass are" : NULL;
 }
 
@@ -27,7 +27,7 @@ bool order_can_fill(const struct compile_options *options, const struct compiled
     const enum lim_method draws = scene->report.draws;
     const char *by_lines = order_needs_nearest(options, &scene->scene);
 
-    if (options->frame) return error_set(err, "--framebuffer --frame: the picture is kept once; take one of the two");
+    if (options->fill) return error_set(err, "--framebuffer --fill: the picture is kept once; take one of the two");
     if (by_lines) return error_set(err, "--framebuffer: %s drawn line by line", by_lines);
     return draws == LIM_NEAREST_FIRST || draws == LIM_PAINTER ||
            error_set(err, "--framebuffer --method %s: it draws line by line; nearest and painter paint into one",

@@ -29,9 +29,9 @@ static int frame(void *lim, const struct lim_camera *camera)
     return lim_frame(lim, camera);
 }
 
-static void light(void *lim, const struct lim_light *lamp)
+static void light(void *lim, const struct lim_light *to)
 {
-    lim_light_set(lim, lamp);
+    lim_light_set(lim, to);
 }
 
 static int movers_init(void *lim, void *mem, size_t mem_b, const struct lim_movers_limits *limits)

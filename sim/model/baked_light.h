@@ -7,11 +7,11 @@
 #include "model/model.h"
 #include "scene.h"
 
-/* Dims each face's colour by its angle to a lamp above the viewer's left shoulder: full where the
+/* Dims each face's colour by its angle to a light above the viewer's left shoulder: full where the
  * face looks at it, a quarter where it looks away. Faces whose material is unlit keep theirs. */
 void light_bake(struct model *model);
 
-/* The same lamp for firmware that lights movers in each frame. */
+/* The same light for firmware that lights movers in each frame. */
 struct lim_light light_lamp(void);
 
 #endif

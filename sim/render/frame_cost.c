@@ -8,7 +8,7 @@
 
 struct frame_cost {
     double node, record, box, vertex, polygon, clipped, seen, line, gap, screen_line, pixel;
-    double company; /* a polygon that is seen, for each that crosses a line: it finds its place between these */
+    double crossing; /* a polygon that is seen, for each that crosses a line: it finds its place between these */
 };
 
 static const struct frame_cost NEAREST_FIRST = {.node = 78,
@@ -22,7 +22,7 @@ static const struct frame_cost NEAREST_FIRST = {.node = 78,
                                                 .gap = 168,
                                                 .screen_line = 230,
                                                 .pixel = 0.55,
-                                                .company = 80.52};
+                                                .crossing = 80.52};
 static const struct frame_cost SCANLINE = {.node = 77,
                                            .record = 0,
                                            .box = 138,
@@ -34,7 +34,7 @@ static const struct frame_cost SCANLINE = {.node = 77,
                                            .gap = 0,
                                            .screen_line = 126,
                                            .pixel = 0.00,
-                                           .company = 0.73};
+                                           .crossing = 0.73};
 
 bool frame_cost_knows(enum lim_method method)
 {
@@ -49,7 +49,7 @@ double frame_cost_m0plus(const struct lim_stats *stats, const struct lim_target 
            a->polygon * stats->polygons + a->clipped * stats->clipped + a->seen * stats->polygons_seen +
            a->line * stats->lines + a->gap * stats->gaps_max + a->screen_line * target->h_px +
            a->pixel * ((double)stats->pixels_painted + stats->pixels_background) +
-           a->company * stats->polygons_seen * stats->lines / target->h_px;
+           a->crossing * stats->polygons_seen * stats->lines / target->h_px;
 }
 
 bool frame_cost_is_known(const struct lim_scene *scene)

@@ -62,7 +62,7 @@ struct compile_report {
     bool wireframe;               /* firmware can draw it as wireframe */
     uint16_t delta_runs;          /* firmware can send what changes alone, which takes so many runs; 0: it cannot */
     bool round;                   /* firmware leaves out what round glass does not show */
-    bool frame;                   /* firmware fills a picture that its target keeps */
+    bool fill;                    /* firmware fills a picture that its target keeps */
     bool framebuffer;             /* firmware paints into a framebuffer */
     bool convex;                  /* one convex solid */
     enum lim_method draws;        /* what firmware draws it with */

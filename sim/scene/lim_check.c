@@ -304,7 +304,7 @@ static bool check_bounds(const struct checker *work)
     return ok;
 }
 
-/* Sights ----------------------------------------------------------------------------------------- */
+/* Visible sets ----------------------------------------------------------------------------------------- */
 
 static bool check_place(const struct lim_scene *scene, size_t index, struct error *err)
 {

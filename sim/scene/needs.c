@@ -41,7 +41,7 @@ static struct needs needs_of_scene(const struct compiled *scene)
                           .antialias = scene->report.antialias,
                           .delta = scene->report.delta_runs > 0,
                           .round = scene->report.round,
-                          .frame = scene->report.frame,
+                          .fill = scene->report.fill,
                           .framebuffer = scene->report.framebuffer,
                           .vertices = scene->scene.limits.vertices,
                           .side_px = greater(scene->report.w_px, scene->report.h_px),
@@ -92,7 +92,7 @@ struct needs needs_union(const struct needs *a, const struct needs *b)
                           .antialias = a->antialias || b->antialias,
                           .delta = a->delta || b->delta,
                           .round = a->round || b->round,
-                          .frame = a->frame || b->frame,
+                          .fill = a->fill || b->fill,
                           .framebuffer = a->framebuffer || b->framebuffer,
                           .vertices = greater(a->vertices, b->vertices),
                           .side_px = greater(a->side_px, b->side_px),
@@ -101,7 +101,7 @@ struct needs needs_union(const struct needs *a, const struct needs *b)
 
 bool needs_retain_nothing(const struct needs *needs)
 {
-    return (needs->frame || needs->framebuffer) && !needs->textures && !needs->transparent && !needs->wireframe &&
+    return (needs->fill || needs->framebuffer) && !needs->textures && !needs->transparent && !needs->wireframe &&
            !needs->antialias && !needs->delta && !needs->movers;
 }
 
@@ -114,7 +114,7 @@ struct lim_limits needs_limits(const struct compiled *scene, const struct needs 
 {
     struct lim_limits limits = scene->scene.limits;
     if (scene->report.draws == LIM_SCANLINE) limits.gaps = 1;
-    const bool keeps = scene->report.frame || scene->report.framebuffer;
+    const bool keeps = scene->report.fill || scene->report.framebuffer;
     if (scene->report.draws != LIM_NEAREST_FIRST || !keeps || !needs_retain_nothing(needs)) return limits;
     limits.retained_cells = needs_least_cells(&limits);
     limits.active = 1;
@@ -157,7 +157,7 @@ void needs_write(const struct needs *needs, FILE *file)
     write_macro(file, "HAS_ANTIALIAS", needs->antialias);
     write_macro(file, "HAS_DELTA", needs->delta);
     write_macro(file, "HAS_ROUND", needs->round);
-    write_macro(file, "HAS_FILL", needs->frame && needs->nearest);
+    write_macro(file, "HAS_FILL", needs->fill && needs->nearest);
     write_macro(file, "HAS_FRAMEBUFFER", needs->framebuffer);
     write_macro(file, "HAS_STATS", 0);
     write_macro(file, "MAX_VERTICES", needs->vertices);

@@ -23,7 +23,7 @@ struct needs {
     bool wireframe;            /* to be drawn so */
     bool movers, light;        /* what moves, and whether it is lit in each frame */
     bool antialias;            /* with smooth edges */
-    bool delta, round, frame;  /* what changes alone; round glass; targets that keep the picture */
+    bool delta, round, fill;   /* what changes alone; round glass; targets that keep the picture */
     bool framebuffer;          /* targets with all pixels in memory */
     unsigned vertices;         /* most of any polygon */
     unsigned side_px;          /* longest of any panel that pools were measured for; 0: none */

@@ -94,10 +94,10 @@ as_said() { # SCENE: by lines, and less in a picture
         [ "$(cut -d ' ' -f 1 "$work/asked")" -lt "$(cut -d ' ' -f 1 "$work/by_lines")" ]
 }
 tap_check "rooms: memory as its header says, and less than for lines" as_said rooms --framebuffer
-tap_check "so for a picture in pixels of the target's own" as_said rooms --frame
+tap_check "so for a picture in pixels of the target's own" as_said rooms --fill
 tap_check "a teapot: memory as its header says, and less than for lines" as_said teapot --framebuffer
-tap_check "glass waits for its lines: the picture takes nothing off" asks_for glass --frame
-tap_check "nor of a firmware that draws outlines as well" asks_for rooms --frame --wireframe
+tap_check "glass waits for its lines: the picture takes nothing off" asks_for glass --fill
+tap_check "nor of a firmware that draws outlines as well" asks_for rooms --fill --wireframe
 
 refuses() { # MESSAGE ARGUMENT...
     message=$1
@@ -116,8 +116,8 @@ for command in 'compile --report' "measure --no-cost -o $work/moved"; do
     tap_check "${command%% *}: so are objects that move" refuses '--framebuffer: objects that move are drawn line by line' \
         $command sim/scenes/movers.gltf --framebuffer
 done
-tap_check "so are two pictures" refuses '--framebuffer --frame: the picture is kept once; take one of the two' \
-    compile sim/scenes/rooms.obj --framebuffer --frame --report
+tap_check "so are two pictures" refuses '--framebuffer --fill: the picture is kept once; take one of the two' \
+    compile sim/scenes/rooms.obj --framebuffer --fill --report
 for method in scanline newell depth; do
     tap_check "--method $method is refused" refuses "--framebuffer --method $method: it draws line by line; nearest and painter paint into one" \
         compile sim/scenes/rooms.obj --framebuffer --method $method --report

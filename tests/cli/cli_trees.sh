@@ -178,7 +178,7 @@ for size in 32x32 64x32 128x64; do
     tap_check "at $size its own firmware needs no band for the same path" needs_no_band $size
 done
 stays_nearest() {
-    for asked in '--method nearest' --wireframe --antialias --delta --frame; do
+    for asked in '--method nearest' --wireframe --antialias --delta --fill; do
         # shellcheck disable=SC2086 # an option and its value
         scans 'nearest first' $asked && ! grep 'scan lines' "$work/report" || return 1
     done
@@ -198,9 +198,9 @@ for option in --wireframe --antialias --delta; do
         refuses ".*--method scanline: $option is drawn nearest first; take --method nearest" \
         render sim/scenes/teapot.obj --method scanline $option
 done
-tap_check "--method scanline --frame is refused" \
-    refuses '.*--method scanline: --frame is drawn nearest first; take --method nearest' \
-    compile sim/scenes/teapot.obj --method scanline --frame --report
+tap_check "--method scanline --fill is refused" \
+    refuses '.*--method scanline: --fill is drawn nearest first; take --method nearest' \
+    compile sim/scenes/teapot.obj --method scanline --fill --report
 for command in 'compile sim/scenes/glass.obj --report' 'render sim/scenes/glass.obj'; do
     # shellcheck disable=SC2086 # a command and its arguments
     tap_check "${command%% *}: --method scanline is refused for glass" \
