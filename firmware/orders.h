@@ -6,6 +6,7 @@
 #ifndef LIM_ORDERS_H
 #define LIM_ORDERS_H
 
+#include "camera.h"
 #include "config.h"
 #include "scene.h"
 #include "stages.h"

@@ -4,6 +4,8 @@
  * no corner of the 16-bit cube can tell, and its plane goes through the first corner. */
 #include "movers/deform.h"
 
+#include "stages.h"
+
 #if LIM_HAS_DEFORM
 
 #define NORMAL_END (INT64_C(1) << 29)

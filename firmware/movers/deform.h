@@ -5,7 +5,8 @@
 #ifndef LIM_DEFORM_H
 #define LIM_DEFORM_H
 
-#include "orders.h"
+#include "scene.h"
+#include "stages.h"
 #include "view/plane_unpacked.h"
 
 /* Whether the instance deforms; a constant where none can. */

@@ -5,7 +5,7 @@
 #include "orders/nearest.h"
 
 #include "lines/framebuffer.h"
-#include "view/clip.h"
+#include "view/view.h"
 #include "view/walk.h"
 
 #if LIM_HAS_SPANS

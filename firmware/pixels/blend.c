@@ -4,7 +4,7 @@
  * same for all pixels, the half that rounds included. */
 #include "pixels/blend.h"
 
-#include "pixels/fill.h"
+#include "colour.h"
 
 #if LIM_HAS_TRANSPARENT
 

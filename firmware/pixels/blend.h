@@ -9,7 +9,7 @@
 #ifndef LIM_BLEND_H
 #define LIM_BLEND_H
 
-#include "colour.h"
+#include "config.h"
 
 /* n pixels from x on. `colour` and the pixels are as they lie in memory (colour.h). */
 void lim_blend(uint16_t *line, uint16_t x_px, uint16_t n_px, uint16_t colour, uint8_t alpha);

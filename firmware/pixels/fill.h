@@ -4,7 +4,6 @@
 #ifndef LIM_FILL_H
 #define LIM_FILL_H
 
-#include "colour.h"
 #include "pixels/target_parts.h"
 
 /* n pixels from x on, or none; `line`, the target's, is 4-byte aligned. */

@@ -13,6 +13,7 @@
 #ifndef LIM_TEXTURE_H
 #define LIM_TEXTURE_H
 
+#include "camera.h"
 #include "stages.h"
 
 /* From one division to the next there are 2^this pixels; in between, texels are taken along a straight line. In draft

@@ -4,6 +4,8 @@
  * plane or the guard band are transformed again, in view space. */
 #include "screen/project.h"
 
+#include "colour.h"
+#include "screen/polygon.h"
 #include "screen/samples.h"
 #include "view/clip.h"
 

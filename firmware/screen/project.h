@@ -5,7 +5,7 @@
 #define LIM_PROJECT_H
 
 #include "screen/edge.h"
-#include "screen/polygon.h"
+#include "stages.h"
 #include "view/view.h"
 
 /* Whether some columns of the screen are no longer open, so that those of polygons have to be looked at. What is beyond

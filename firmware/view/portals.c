@@ -9,6 +9,7 @@
  * culled as backs where by their vertices they close the view. */
 #include "view/portals.h"
 
+#include "camera.h"
 #include "eye.h"
 #include "math/fixed.h"
 

@@ -7,6 +7,7 @@
 #ifndef LIM_PORTALS_H
 #define LIM_PORTALS_H
 
+#include "camera.h"
 #include "stages.h"
 
 /* Lends a scene's portals that many bytes. */

@@ -4,6 +4,7 @@
 #ifndef LIM_ROWS_H
 #define LIM_ROWS_H
 
+#include "camera.h"
 #include "stages.h"
 
 /* Returns false when the camera is out of range (camera.h). */

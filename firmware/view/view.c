@@ -3,6 +3,7 @@
  * Vertices through the three rows and the perspective, each once as long as the cache remembers it. */
 #include "view/view.h"
 
+#include "camera.h"
 #include "view/perspective.h"
 #include "view/rows.h"
 #include "view/transform.h"

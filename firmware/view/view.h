@@ -9,6 +9,7 @@
 #ifndef LIM_VIEW_H
 #define LIM_VIEW_H
 
+#include "camera.h"
 #include "stages.h"
 
 /* |coordinate| < 2^31. */

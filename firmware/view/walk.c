@@ -5,6 +5,7 @@
  * drawn; either order of the subtrees is right, and the one of an eye behind is taken. */
 #include "view/walk.h"
 
+#include "camera.h"
 #include "eye.h"
 
 #if LIM_HAS_TREE

@@ -6,6 +6,7 @@
 #ifndef LIM_WALK_H
 #define LIM_WALK_H
 
+#include "camera.h"
 #include "stages.h"
 #include "view/cull.h"
 #include "view/portals.h"

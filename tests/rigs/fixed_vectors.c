@@ -6,6 +6,7 @@
 #include "fixed_vectors.h"
 
 #include "angle.h"
+#include "camera.h"
 #include "eye.h"
 #include "math/fixed.h"
 #include "screen/edge.h"

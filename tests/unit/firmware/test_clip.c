@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
  * CLIP on polygons that rounding made not quite convex. */
+#include "camera.h"
 #include "rigs/cmocka_ready.h"
 #include "rigs/random.h"
 #include "view/clip.h"

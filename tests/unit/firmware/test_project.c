@@ -2,6 +2,7 @@
  *
  * From a record to a polygon on the screen: which edges wireframe leaves out, of a fan's triangles and of what clipping
  * leaves; which triangles there are. Where corners lie test_view.c and test_exact.c say. */
+#include "camera.h"
 #include "rigs/cmocka_ready.h"
 #include "rigs/random.h"
 #include "screen/project.h"

@@ -2,6 +2,7 @@
  *
  * What antialiasing is made of: the samples of polygons that tile the plane are all of each pixel's, each once; gaps
  * against a picture of booleans; sums of colours. */
+#include "colour.h"
 #include "limner.h"
 #include "lines/smooth.h"
 #include "lines/span.h"

@@ -2,6 +2,7 @@
  *
  * Transparent polygons: what a layer does to a pixel, that layers come in the painter's order in every order of
  * drawing and with any memory, and that models and files which cannot be right are refused. */
+#include "colour.h"
 #include "compiler/compile.h"
 #include "limner.h"
 #include "pixels/blend.h"
