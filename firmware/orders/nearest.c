@@ -269,9 +269,10 @@ static LIM_IF_CALLED int draw_mover(void *ctx, uint16_t entry, const struct lim_
 /* What moves and has come to empty space. false: a pool is exhausted. */
 static LIM_IF_CALLED bool collect_list(struct lim_nearest *nearest, uint16_t list)
 {
-    list = lim_movers_order(lim_nearest_sorter(nearest), list, false);
-    if (lim_movers_draw(lim_nearest_sorter(nearest), list, &nearest->spans.open, false, draw_mover, nearest) ==
-        MOVER_EXHAUSTED)
+    struct lim_sorter *const sorter = lim_nearest_sorter(nearest);
+
+    list = lim_movers_order(sorter, list, false);
+    if (lim_movers_draw(sorter, list, &nearest->spans.open, false, draw_mover, nearest) == MOVER_EXHAUSTED)
         return false;
     shrink(nearest);
     return true;
@@ -310,15 +311,15 @@ static LIM_IF_CALLED bool collect_from_tree(struct lim_nearest *nearest, const s
 /* From the sorted list. false: a pool is exhausted. */
 static bool collect_entry(struct lim_nearest *nearest, uint16_t at)
 {
-    const LIM_FLASH lim_index *record = &nearest->pass->scene->polygons[lim_nearest_sorter(nearest)->list[at].record];
+    struct lim_sorter *const sorter = lim_nearest_sorter(nearest);
+    const LIM_FLASH lim_index *record = &nearest->pass->scene->polygons[sorter->list[at].record];
     struct lim_screen_polygon polygon;
 
     if (!lim_project(&polygon, &nearest->pass->view, nearest->pass->scene, record, &nearest->spans.open,
                      lim_stats_of(nearest->pass)))
         return true;
-    const bool has_room = LIM_HAS_NEWELL && lim_entry_is_split(lim_nearest_sorter(nearest), at)
-                              ? lim_collect_piece(nearest, at, &polygon)
-                              : collect(nearest, &polygon);
+    const bool has_room = LIM_HAS_NEWELL && lim_entry_is_split(sorter, at) ? lim_collect_piece(nearest, at, &polygon)
+                                                                           : collect(nearest, &polygon);
     if (!has_room) return false;
     if (++nearest->since_shrink < POLYGONS_PER_SHRINK) return true;
     nearest->since_shrink = 0;
@@ -328,8 +329,9 @@ static bool collect_entry(struct lim_nearest *nearest, uint16_t at)
 
 static bool collect_from_list(struct lim_nearest *nearest)
 {
-    for (uint16_t at = lim_nearest_sorter(nearest)->first; at != LIM_NONE && nearest->spans.open_lines;
-         at = lim_nearest_sorter(nearest)->list[at].next)
+    struct lim_sorter *const sorter = lim_nearest_sorter(nearest);
+
+    for (uint16_t at = sorter->first; at != LIM_NONE && nearest->spans.open_lines; at = sorter->list[at].next)
         if (!collect_entry(nearest, at)) return false;
     return true;
 }

@@ -264,8 +264,10 @@ static LIM_IF_CALLED int paint_mover(void *ctx, uint16_t entry, const struct lim
 /* What moves and has come to empty space. */
 static LIM_IF_CALLED int paint_list(struct lim_painter *painter, uint16_t list, const struct lim_rect *screen)
 {
-    list = lim_movers_order(lim_painter_sorter(painter), list, true);
-    return lim_movers_draw(lim_painter_sorter(painter), list, screen, true, paint_mover, painter);
+    struct lim_sorter *const sorter = lim_painter_sorter(painter);
+
+    list = lim_movers_order(sorter, list, true);
+    return lim_movers_draw(sorter, list, screen, true, paint_mover, painter);
 }
 
 static LIM_IF_CALLED int paint_with_movers(struct lim_painter *painter, const struct lim_rect *screen)
@@ -288,19 +290,18 @@ static LIM_IF_CALLED int paint_with_movers(struct lim_painter *painter, const st
 static LIM_IF_CALLED int paint_sorted(struct lim_painter *painter, const struct lim_rect *screen)
 {
     struct lim_pass *const pass = painter->pass;
+    struct lim_sorter *const sorter = lim_painter_sorter(painter);
     struct lim_screen_polygon polygon;
     int err = 0;
 
-    lim_sorted_reverse(lim_painter_sorter(painter));
-    for (uint16_t at = lim_painter_sorter(painter)->first; at != LIM_NONE && !err;
-         at = lim_painter_sorter(painter)->list[at].next) {
-        const LIM_FLASH lim_index *record = &pass->scene->polygons[lim_painter_sorter(painter)->list[at].record];
+    lim_sorted_reverse(sorter);
+    for (uint16_t at = sorter->first; at != LIM_NONE && !err; at = sorter->list[at].next) {
+        const LIM_FLASH lim_index *record = &pass->scene->polygons[sorter->list[at].record];
         if (!lim_project(&polygon, &pass->view, pass->scene, record, screen, lim_stats_of(pass))) continue;
-        err = LIM_HAS_NEWELL && lim_entry_is_split(lim_painter_sorter(painter), at)
-                  ? paint_piece_line(painter, at, &polygon, screen->y0)
-                  : paint_any(painter, &polygon, screen);
+        err = LIM_HAS_NEWELL && lim_entry_is_split(sorter, at) ? paint_piece_line(painter, at, &polygon, screen->y0)
+                                                               : paint_any(painter, &polygon, screen);
     }
-    lim_sorted_reverse(lim_painter_sorter(painter));
+    lim_sorted_reverse(sorter);
     return err;
 }
 
