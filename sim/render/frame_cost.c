@@ -15,26 +15,26 @@ static const struct frame_cost NEAREST_FIRST = {.node = 78,
                                                 .record = 0,
                                                 .box = 229,
                                                 .vertex = 167,
-                                                .polygon = 10,
+                                                .polygon = 20,
                                                 .clipped = 2278,
-                                                .seen = 1375,
+                                                .seen = 1354,
                                                 .line = 92,
-                                                .gap = 168,
-                                                .screen_line = 230,
-                                                .pixel = 0.55,
-                                                .crossing = 80.52};
+                                                .gap = 167,
+                                                .screen_line = 229,
+                                                .pixel = 0.54,
+                                                .crossing = 80.28};
 static const struct frame_cost SCANLINE = {.node = 77,
                                            .record = 0,
                                            .box = 138,
                                            .vertex = 149,
-                                           .polygon = 294,
-                                           .clipped = 2119,
-                                           .seen = 294,
+                                           .polygon = 298,
+                                           .clipped = 2120,
+                                           .seen = 283,
                                            .line = 82,
                                            .gap = 0,
-                                           .screen_line = 126,
+                                           .screen_line = 127,
                                            .pixel = 0.00,
-                                           .crossing = 0.73};
+                                           .crossing = 0.70};
 
 bool frame_cost_knows(enum lim_method method)
 {

@@ -34,11 +34,11 @@ count() { # METHOD SCENE SIZE TREE SPLITTER
         name="$1 $2-$3-$4-$5" "$work/out/stages.csv"
     awk -v w_px="${3%x*}" -v h_px="${3#*x}" '
         $1 == "frame" { for (i = 1; i <= NF; i++) column[$i] = i }
-        $1 ~ /^[0-9]+$/ { company += $column["seen"] * $column["lines"] / h_px; frames++ } # a product: frame by frame
+        $1 ~ /^[0-9]+$/ { crossing += $column["seen"] * $column["lines"] / h_px; frames++ } # a product: frame by frame
         $1 == "mean" {
             print $column["nodes"], $column["records"], $column["boxes"], $column["vertices"], $column["polygons"],
                 $column["clipped"], $column["seen"], $column["lines"], $column["gaps"], h_px,
-                $column["overdraw"] * w_px * h_px, company / frames
+                $column["overdraw"] * w_px * h_px, crossing / frames
         }' "$work/stats"
 }
 
@@ -56,7 +56,7 @@ done >"$data"
 fit() { # METHOD TITLE
     awk -v method="$1" -v title="$2" '
         BEGIN {
-            split("node record box vertex polygon clipped seen line gap screen_line pixel company", name)
+            split("node record box vertex polygon clipped seen line gap screen_line pixel crossing", name)
             split("1 2;3;4 5;6;5 7 8 9 10 11 12", counters_of, ";")
         }
         $1 == method {
