@@ -475,8 +475,8 @@ static inline void lim_trap(void)
 #if LIM_HAS_PORTALS && !(LIM_HAS_TREE && LIM_HAS_CULL)
 #error "LIM_HAS_PORTALS needs LIM_HAS_CULL and an order that walks the tree"
 #endif
-#if !LIM_HAS_LINES && (!LIM_HAS_FILL || LIM_HAS_HIDDEN || LIM_HAS_TEXTURE)
-#error "LIM_HAS_LINES may be 0 where LIM_HAS_FILL is 1, and no order or texture is linked that asks for lines"
+#if !LIM_HAS_LINES && (!LIM_HAS_FILL || LIM_HAS_HIDDEN || LIM_HAS_TEXTURE || LIM_HAS_DELTA)
+#error "LIM_HAS_LINES may be 0 where LIM_HAS_FILL is 1, and nothing is linked that asks for lines"
 #endif
 #if LIM_VIEW_CACHE_ENTRIES < 8 || LIM_VIEW_CACHE_ENTRIES > 256 || LIM_VIEW_CACHE_ENTRIES & (LIM_VIEW_CACHE_ENTRIES - 1)
 #error "LIM_VIEW_CACHE_ENTRIES must be a power of two, 8..256"
