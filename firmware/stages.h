@@ -7,6 +7,7 @@
 #ifndef LIM_STAGES_H
 #define LIM_STAGES_H
 
+#include "camera.h"
 #include "config.h"
 #include "scene.h"
 #include "target.h"
