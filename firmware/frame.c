@@ -174,7 +174,7 @@ static LIM_IF_CALLED void begin_changes(struct lim *lim, const struct lim_camera
 static int end_frame(struct lim *lim, int err)
 {
     if (LIM_HAS_DELTA && *lim->delta) err = lim_delta_end_frame(*lim->delta, err);
-    if (LIM_HAS_STATS) lim_stats_of(&lim->pass)->vertices = *lim->pass.view.vertices;
+    if (LIM_HAS_STATS) lim_stats_of(&lim->pass)->vertices = lim->pass.view.vertices;
     return err;
 }
 

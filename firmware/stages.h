@@ -7,7 +7,7 @@
 #ifndef LIM_STAGES_H
 #define LIM_STAGES_H
 
-#include "camera.h"
+#include "camera.h" /* first: where a type stands decides whether the proof of perspective_at() is found in time */
 #include "config.h"
 #include "scene.h"
 #include "target.h"
@@ -185,7 +185,7 @@ struct lim_view {
     struct lim_side width, height;
     struct lim_view_cached *cache;
     LIM_OPTIONAL(bool, antialiased, LIM_HAS_ANTIALIAS); /* polygons are drawn by their samples (samples.h) */
-    LIM_OPTIONAL(uint32_t, vertices, LIM_HAS_STATS);    /* transformed since lim_view_begin() */
+    uint32_t vertices;                                  /* transformed since lim_view_begin(), if LIM_HAS_STATS */
 };
 
 struct lim_cull_plane {

@@ -232,7 +232,7 @@ static bool pose(struct lim_movers *movers, const struct lim_view *view, uint16_
     if (!is_usable(movers, instance) || !turn_camera(&own, camera, instance, axes_q30, own_axes_q30)) return false;
     mover->view = *view;
     mover->view.cache = movers->cache;
-    if (LIM_HAS_STATS) *mover->view.vertices = 0;
+    mover->view.vertices = 0;
     if (!lim_rows_set_turned(&mover->view.rows, lim_deforms(instance) ? NULL : instance->object, &own, own_axes_q30))
         return false;
     lim_eye_set(&mover->eye, instance->object, own.eye_q8);

@@ -8,7 +8,7 @@
 
 #include "orders/painter.h"
 
-/* Of movers, or of a sorted method's polygons. */
+/* The lists of movers, or of a sorted method's polygons; NULL where neither is linked. */
 static inline struct lim_sorter *lim_nearest_sorter(const struct lim_nearest *nearest)
 {
     return LIM_HAS_LISTS ? *nearest->sorter : NULL;
@@ -18,8 +18,8 @@ static inline struct lim_sorter *lim_nearest_sorter(const struct lim_nearest *ne
 size_t lim_nearest_mem_b(const struct lim_scene *scene, const struct lim_target *target, bool least);
 void lim_nearest_init(struct lim_nearest *nearest, void *mem, size_t mem_b);
 
-/* A frame, of a camera that is taken in. 0, an enum lim_error, or the target's error. stage: how far pass one is;
- * LIM_AHEAD_BEGUN: not begun. */
+/* A frame, of a camera that is taken in. 0, an enum lim_error, or the target's error. stage: LIM_AHEAD_BEGUN,
+ * pass one is still to be made; else how it has ended. */
 LIM_MUST_CHECK int lim_nearest_frame(struct lim_nearest *nearest, enum lim_ahead_stage stage);
 
 /* The same in parts, after lim_frame_begin(). */

@@ -15,7 +15,7 @@ static inline bool lim_can_fill(const struct lim_sorter *sorter, const struct li
            !(LIM_HAS_TEXTURE && lim_texture_count(pass->scene)) && !lim_wireframe_of(pass) && !lim_moves(sorter);
 }
 
-/* Of movers, or of a sorted method's polygons. */
+/* The lists of movers, or of a sorted method's polygons; NULL where neither is linked. */
 static inline struct lim_sorter *lim_painter_sorter(const struct lim_painter *painter)
 {
     return LIM_HAS_LISTS ? *painter->sorter : NULL;

@@ -21,7 +21,7 @@ bool lim_view_begin(struct lim_view *view, const struct lim_scene *scene, const 
     if (!lim_rows_set(&view->rows, scene, camera)) return false;
     for (uint_fast16_t i = 0; i < LIM_VIEW_CACHE_ENTRIES; i++)
         view->cache[i].vertex = LIM_NO_INDEX;
-    if (LIM_HAS_STATS) *view->vertices = 0;
+    if (LIM_HAS_STATS) view->vertices = 0;
     return true;
 }
 
@@ -111,7 +111,7 @@ void lim_view_remember(struct lim_view *view, const struct lim_scene *scene, lim
     entry->vertex = vertex;
     entry->codes = (lim_view_code_bits)(LIM_8_BIT ? codes : lim_view_both(codes));
     if (!(codes & LIM_VIEW_GUARD)) project(view, &point, &entry->at);
-    if (LIM_HAS_STATS) (*view->vertices)++;
+    if (LIM_HAS_STATS) view->vertices++;
 }
 
 /* For those who want a part of it: clipped polygons, pieces. */

@@ -265,7 +265,7 @@ tap_check "nor has it state for them" has_no_member icosahedron pass.walk pass.c
 tap_check "the rooms have no state for a convex solid" has_no_member rooms convex painter pass.stats pass.wireframe pass.view.antialiased delta nearest-\>paint.layers nearest-\>paint.smooth
 tap_check "nor for movers" has_no_member rooms movers sorter
 tap_check "nor for windows and round glass" target_has_no rooms window visible fill
-tap_check "nor for textures" has_no_member rooms texturing
+tap_check "nor for textures" has_no_member rooms pass.texturing
 tap_check "counters cost what they count in, and without them nothing is counted" counters_cost_their_own_size
 tap_check "a scene without large planes has no code for them" no_exact_planes rooms
 tap_check "subtree bounds are only tested where there are some" grows_with icosahedron -DLIM_HAS_NEAREST=1 -DLIM_HAS_CULL=1

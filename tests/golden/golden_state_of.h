@@ -198,7 +198,7 @@ static uint32_t state_of(const void *state, uint16_t movers)
     const enum lim_method method = lim->pass.target.method;
     uint32_t hash = add_vertices(add_rows(GOLDEN_HASH, &lim->pass.view.rows), lim->pass.view.cache);
 
-    hash = add_eye(add_cull(add(hash, *lim->pass.view.vertices), lim->pass.cull), &lim->pass.walk->eye);
+    hash = add_eye(add_cull(add(hash, lim->pass.view.vertices), lim->pass.cull), &lim->pass.walk->eye);
     if (lim->pass.scene->textures) hash = add_texturing(hash, lim->pass.texturing);
     if (method == LIM_CONVEX) return add_crossings(hash, lim->convex, lim->pass.scene->textures);
     if (lim->movers->most) hash = add_movers(hash, lim->movers, movers);
