@@ -85,9 +85,7 @@ static void connect_painter(struct lim *lim)
 
     painter->pass = &lim->pass;
     if (LIM_HAS_LISTS) *painter->sorter = lim->sorter;
-    if (!LIM_HAS_FALLBACK) return;
-    *painter->lent = NULL;
-    painter->fills = false;
+    if (LIM_HAS_FALLBACK) *painter->lent = NULL;
 }
 
 static void connect_nearest(struct lim *lim)

@@ -168,7 +168,6 @@ struct lim_painter {
     struct lim_pass *pass;
     LIM_OPTIONAL(struct lim_sorter *, sorter, LIM_HAS_LISTS); /* of a sorted method's polygons, or of movers */
     LIM_OPTIONAL(uint16_t *, lent, LIM_HAS_FALLBACK); /* the line that nearest first could not finish, or NULL */
-    bool fills;                                       /* the target's framebuffer is painted */
 };
 
 /* How far a frame is that lim_frame_begin() began. */

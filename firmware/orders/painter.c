@@ -45,11 +45,20 @@ void lim_painter_init(struct lim_painter *painter, void *mem)
 }
 #endif
 
+/* Whether polygons are painted into the target's framebuffer. A line that nearest first could not finish is lent. */
+static inline bool fills_framebuffer(const struct lim_painter *painter)
+{
+    const struct lim_pass *pass = painter->pass;
+
+    return lim_has_framebuffer(&pass->target) && !(LIM_HAS_FALLBACK && *painter->lent) &&
+           lim_can_fill(lim_painter_sorter(painter), pass);
+}
+
 static uint16_t *line_at(struct lim_painter *painter, uint16_t y)
 {
     struct lim_target *target = &painter->pass->target;
 
-    if (LIM_HAS_PAINTER && LIM_HAS_FRAMEBUFFER && painter->fills)
+    if (LIM_HAS_PAINTER && LIM_HAS_FRAMEBUFFER && fills_framebuffer(painter))
         return lim_framebuffer_line(lim_framebuffer_of(target), y);
     return LIM_HAS_FALLBACK && *painter->lent ? *painter->lent : target->lend(target->ctx, y);
 }
@@ -195,7 +204,8 @@ static int paint_run(struct lim_painter *painter, lim_index run, const struct li
         }
         while (to != noted) {
             record = *--to;
-            if (LIM_HAS_PAINTER && LIM_HAS_FRAMEBUFFER && painter->fills && paint_fast(pass, record)) continue;
+            if (LIM_HAS_PAINTER && LIM_HAS_FRAMEBUFFER && fills_framebuffer(painter) && paint_fast(pass, record))
+                continue;
             const int err = paint_record(painter, record, screen);
             if (err) return err;
         }
@@ -336,14 +346,10 @@ static int paint_lines(struct lim_painter *painter, const struct lim_rect *scree
 
 int lim_painter_frame(struct lim_painter *painter)
 {
-    struct lim_pass *const pass = painter->pass;
-    struct lim_target *target = &pass->target;
+    const struct lim_target *target = &painter->pass->target;
     const struct lim_rect screen = {0, 0, target->w_px, target->h_px};
 
-    painter->fills = lim_has_framebuffer(target) && lim_can_fill(lim_painter_sorter(painter), pass);
-    const int err = paint_lines(painter, &screen);
-    painter->fills = false;
-    return err;
+    return paint_lines(painter, &screen);
 }
 
 #if LIM_HAS_FALLBACK
