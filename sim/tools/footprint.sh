@@ -53,8 +53,8 @@ footprint_ram() {
     shift 5
     printf '#include "limner.h"\nstruct lim lim;\nuint32_t mem[%s_SCENE_MEM_B(%s) / 4];\n' "$footprint_scene" \
         "$footprint_h_px" >"$footprint_dir/ram.c"
-    # shellcheck disable=SC2046,SC2086 # flags are words
-    $(target_compiler "$footprint_core") $(target_flags "$footprint_core") $footprint_flags \
+    # shellcheck disable=SC2046,SC2086 # flags are words; avr-gcc would make both common, which counts as no section
+    $(target_compiler "$footprint_core") $(target_flags "$footprint_core") $footprint_flags -fno-common \
         -I"$footprint_dir" -DLIM_CONFIG="\"$footprint_header\"" "$@" -c -o "$footprint_dir/ram.image" \
         "$footprint_dir/ram.c" && footprint_size "$footprint_core" "$footprint_dir/ram.image" 3
 }

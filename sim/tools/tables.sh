@@ -29,7 +29,7 @@ peers quick bench-baseline bench
 bench quick bench-baseline bench
 bench-stages quick bench-baseline bench
 bench-memory quick bench-baseline bench
-flags slow tables-flags flags /limner arm-none-eabi-gcc
+flags slow tables-flags flags /limner arm-none-eabi-gcc avr-gcc
 footprint slow footprint footprint /limner /scenes/demo.obj arm-none-eabi-gcc
 tradeoff slow tradeoff tradeoff /limner /scenes/demo.obj gnuplot
 compare slow compare compare /limner

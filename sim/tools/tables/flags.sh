@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 #
-# What a firmware saves by a flag of config.h that is off, on the scene of the project that saves most: on Cortex-M0+ at
-# -Os, the renderer with and without it as sim/tools/footprint.sh links it.
+# What a firmware saves by a flag of config.h that is off, on the scene of the project that saves most: at -Os, on
+# Cortex-M0+ if no other core is named, the renderer with and without it as sim/tools/footprint.sh links it.
 # shellcheck shell=sh disable=SC2154 # of tables.sh: work
 . sim/targets/targets.sh
 . sim/tools/footprint.sh
@@ -9,7 +9,7 @@
 : "${WARNINGS:=-Wall}"
 h_px=240
 
-# A flag, the scene, and what else a build with the flag on needs, or one without it that could have it.
+# A flag, the scene or SCENE@CORE, and what else a build with the flag on needs, or one without it that could have it.
 flags() {
     cat <<'END'
 LIM_HAS_NEAREST icosahedron
@@ -23,7 +23,7 @@ LIM_HAS_DEFORM movers
 LIM_HAS_LIGHT movers
 LIM_HAS_CULL quarters
 LIM_HAS_SLANTED opacity
-LIM_HAS_LARGE icosahedron
+LIM_HAS_LARGE icosahedron@avr
 LIM_HAS_WIDE rooms
 LIM_HAS_LEAVES movers
 LIM_HAS_TRANSPARENT rooms
@@ -59,6 +59,14 @@ shown() { # NAME: in the table
     esac
 }
 
+shown_core() { # CORE
+    case $1 in
+    m0plus) ;;
+    avr) echo ', ATmega1284P' ;;
+    *) echo ", $1" ;;
+    esac
+}
+
 compile() { # NAME
     [ -d "$work/$1" ] && return
     mkdir "$work/$1"
@@ -67,26 +75,28 @@ compile() { # NAME
 }
 
 # Without call graphs, which are for stacks: all files at once.
-cost() { # NAME FLAG...: code and tables, RAM
-    cost_dir=$work/$1 project=$PWD
-    shift
-    rm -rf "$cost_dir/m0plus"
-    mkdir "$cost_dir/m0plus"
+cost() { # NAME CORE FLAG...: code and tables, RAM
+    cost_dir=$work/$1 cost_core=$2 project=$PWD
+    shift 2
+    rm -rf "${cost_dir:?}/$cost_core"
+    mkdir "$cost_dir/$cost_core"
     # shellcheck disable=SC2046,SC2086 # words
-    (cd "$cost_dir/m0plus" && $(target_compiler m0plus) $(target_flags m0plus) -Os -ffreestanding -ffunction-sections \
-        -fdata-sections $WARNINGS "-I$project/firmware" -I.. -DLIM_CONFIG='"model.h"' "$@" \
+    (cd "$cost_dir/$cost_core" && $(target_compiler "$cost_core") $(target_flags "$cost_core") -Os -ffreestanding \
+        -ffunction-sections -fdata-sections $WARNINGS "-I$project/firmware" -I.. -DLIM_CONFIG='"model.h"' "$@" \
         -c "$project"/firmware/*.c "$project"/firmware/*/*.c)
-    footprint_link m0plus "$cost_dir"
-    echo "$(footprint_size m0plus "$cost_dir/m0plus/renderer.elf" 1) $(footprint_ram m0plus "$cost_dir" model.h MODEL $h_px "$@")"
+    footprint_link "$cost_core" "$cost_dir"
+    echo "$(footprint_size "$cost_core" "$cost_dir/$cost_core/renderer.elf" 1)" \
+        "$(footprint_ram "$cost_core" "$cost_dir" model.h MODEL $h_px "$@")"
 }
 
-row() { # FLAG SCENE [OTHER-FLAG...]
-    flag=$1 name=$2
+row() { # FLAG SCENE[@CORE] [OTHER-FLAG...]
+    flag=$1 name=${2%@*} core=m0plus
+    [ "$name" = "$2" ] || core=${2#*@}
     shift 2
     compile "$name"
-    off=$(cost "$name" "-D$flag=0" "$@")
-    on=$(cost "$name" "-D$flag=1" "$@")
-    echo "$flag:$(shown "$name"):$off $on" | awk -F : '{
+    off=$(cost "$name" $core "-D$flag=0" "$@")
+    on=$(cost "$name" $core "-D$flag=1" "$@")
+    echo "$flag:$(shown "$name")$(shown_core $core):$off $on" | awk -F : '{
         split($3, b, " ")
         printf "| `%s` | %s | %d | %.1f | %d | %.1f |\n", $1, $2, b[3] - b[1], 100 * (b[3] - b[1]) / b[3], b[4] - b[2], 100 * (b[4] - b[2]) / b[4]
     }'
