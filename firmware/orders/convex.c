@@ -37,10 +37,9 @@ void lim_convex_init(struct lim_convex *convex, void *mem, size_t mem_b)
     lim_view_init(&pass->view, pass->target.w_px, pass->target.h_px, cache);
 }
 
-static bool convex_project(struct lim_convex *convex, struct lim_screen_polygon *polygon, lim_index record,
+static bool convex_project(struct lim_pass *pass, struct lim_screen_polygon *polygon, lim_index record,
                            struct lim_stats *stats)
 {
-    struct lim_pass *const pass = convex->pass;
     const struct lim_rect screen = {0, 0, pass->target.w_px, pass->target.h_px};
 
     return lim_project(polygon, &pass->view, pass->scene, &pass->scene->polygons[record], &screen, stats);
@@ -51,19 +50,19 @@ static bool convex_project(struct lim_convex *convex, struct lim_screen_polygon 
 /* Faces come from near to far: each is put before those that start on the same line. */
 static void note_face(struct lim_convex *convex, lim_index record, int16_t top)
 {
-    uint16_t *start = &convex->tops[top > 0 ? top : 0];
+    uint16_t *start = convex->tops;
 
+    if (top > 0) start += top;
     convex->faces[--convex->farthest] = (struct lim_face){.record = record, .next = *start, .crossing = LIM_NONE};
     *start = convex->farthest;
 }
 
-static void note_run(struct lim_convex *convex, struct lim_screen_polygon *polygon, lim_index record)
+static void note_run(struct lim_convex *convex, struct lim_pass *pass, struct lim_screen_polygon *polygon,
+                     lim_index record)
 {
-    struct lim_pass *const pass = convex->pass;
-
     for (;;) {
         const lim_index head = pass->scene->polygons[record];
-        if (convex_project(convex, polygon, record, lim_stats_of(pass))) note_face(convex, record, polygon->shape.top);
+        if (convex_project(pass, polygon, record, lim_stats_of(pass))) note_face(convex, record, polygon->shape.top);
         if (head & LIM_POLYGON_LAST) return;
         record = (lim_index)(record + lim_record_words(head));
     }
@@ -78,7 +77,7 @@ static void note_faces(struct lim_convex *convex, struct lim_screen_polygon *pol
         const int32_t side = lim_eye_side(lim_eye_of(pass), &node->split);
         const lim_index run = side > 0 ? node->front_run : node->back_run;
         if (LIM_HAS_STATS) lim_stats_of(pass)->nodes++;
-        if (side && run != LIM_NO_INDEX) note_run(convex, polygon, run);
+        if (side && run != LIM_NO_INDEX) note_run(convex, pass, polygon, run);
     }
 }
 
@@ -171,7 +170,7 @@ static struct lim_crossing *convex_enter(struct lim_convex *convex, struct lim_f
         face->crossing = (uint16_t)i;
     }
     if (LIM_HAS_STATS && crossing == spare) lim_stats_of(convex->pass)->bands++;
-    (void)convex_project(convex, &crossing->polygon, face->record, NULL);
+    (void)convex_project(convex->pass, &crossing->polygon, face->record, NULL);
     begin(convex, crossing);
     return crossing;
 }
@@ -242,6 +241,15 @@ static bool takes_fill(const struct lim_pass *pass)
     return lim_target_fill(&pass->target) && !lim_texture_count(pass->scene) && !lim_target_is_round(&pass->target);
 }
 
+/* Looks for the target anew, so that no register keeps it while faces are painted. */
+static int line_done(const struct lim_convex *convex, const uint16_t *line, uint16_t y)
+{
+    const struct lim_target *target = &convex->pass->target;
+
+    if (LIM_HAS_FILL && !line && lim_target_keeps_all(target)) return 0;
+    return target->done(target->ctx, y, 0, target->w_px);
+}
+
 static int draw_line(struct lim_convex *convex, struct lim_crossing *spare, uint16_t y)
 {
     struct lim_pass *pass = convex->pass;
@@ -255,32 +263,36 @@ static int draw_line(struct lim_convex *convex, struct lim_crossing *spare, uint
     fill_pixels(convex, line, 0, (int16_t)target->w_px, lim_background_of(pass));
     const uint16_t count = paint_faces(convex, line, spare, y);
     if (LIM_HAS_STATS) note_line(convex, count, painted_before);
-    return fills && lim_target_keeps_all(target) ? 0 : target->done(target->ctx, y, 0, target->w_px);
+    return line_done(convex, line, y);
 }
 
 static void convex_start(struct lim_convex *convex)
 {
     struct lim_pass *const pass = convex->pass;
 
-    for (uint_fast16_t y = 0; y < pass->target.h_px; y++)
+    for (uint_fast16_t y = pass->target.h_px; y-- > 0;)
         convex->tops[y] = LIM_NONE;
     convex->farthest = (uint16_t)pass->scene->polygon_count;
     convex->first = LIM_NONE;
     convex->pool_used = 0;
 }
 
+static int show_all(const struct lim_pass *pass)
+{
+    return takes_fill(pass) && lim_target_keeps_all(&pass->target) ? lim_target_show(&pass->target) : 0;
+}
+
 int lim_convex_frame(struct lim_convex *convex)
 {
-    struct lim_pass *const pass = convex->pass;
     struct lim_crossing spare;
 
     convex_start(convex);
     note_faces(convex, &spare.polygon);
-    for (uint_fast16_t y = 0; y < pass->target.h_px; y++) {
+    for (uint_fast16_t y = 0; y < convex->pass->target.h_px; y++) {
         const int err = draw_line(convex, &spare, (uint16_t)y);
         if (err) return err;
     }
-    return takes_fill(pass) && lim_target_keeps_all(&pass->target) ? lim_target_show(&pass->target) : 0;
+    return show_all(convex->pass);
 }
 
 #endif

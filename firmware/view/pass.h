@@ -11,12 +11,12 @@
 /* What is not there is never read. */
 static inline struct lim_stats *lim_stats_of(struct lim_pass *pass)
 {
-    return pass->stats;
+    return LIM_HAS_STATS ? pass->stats : NULL;
 }
 
 static inline struct lim_cull *lim_cull_of(struct lim_pass *pass)
 {
-    return pass->cull;
+    return LIM_HAS_CULL ? pass->cull : NULL;
 }
 
 static inline struct lim_eye *lim_eye_of(struct lim_pass *pass)
