@@ -7,7 +7,7 @@
 #include "accuracy/reference.h"
 
 #include "model/pose.h"
-#include "readers/model_import.h"
+#include "readers/model_read.h"
 #include "readers/source.h"
 
 #include <math.h>
@@ -171,12 +171,12 @@ bool reference_init(struct reference *reference, const struct mesh *mesh, unsign
     return ok;
 }
 
-bool reference_read(struct reference *reference, const char *model_path, unsigned w_px, unsigned h_px,
-                    struct error *err)
+bool reference_read(struct reference *reference, const char *model_path, const struct orientation *orientation,
+                    unsigned w_px, unsigned h_px, struct error *err)
 {
     struct model model;
     struct mesh mesh;
-    if (!model_import(model_path, &model, err)) return false;
+    if (!model_read(model_path, orientation, &model, err)) return false;
     bool ok = source_take(model_path, &model, err);
     const struct model view = source_view(&model);
     const bool shares_importer = !model.source_points;

@@ -8,6 +8,7 @@
 
 #include "cameras/camera_path.h"
 #include "model/mesh.h"
+#include "model/orientation.h"
 
 struct reference_polygon;
 struct reference_edge;
@@ -50,10 +51,10 @@ void reference_pose(struct reference *reference, size_t mover, const struct mode
 /* Moves a mover's corners in its own coordinates, before it is placed. */
 void reference_bend(struct reference *reference, size_t mover, void (*bend)(double at_m[3], double how), double how);
 
-/* The same from a model file: imported, read once more by the reference's own reader (source.h), and cleaned as
+/* The same from a model file: imported, turned, read once more by the reference's own reader (source.h), and cleaned as
  * mesh_clean_fine() does. */
-bool reference_read(struct reference *reference, const char *model_path, unsigned w_px, unsigned h_px,
-                    struct error *err);
+bool reference_read(struct reference *reference, const char *model_path, const struct orientation *orientation,
+                    unsigned w_px, unsigned h_px, struct error *err);
 
 /* Draws into faces and depths_m. Pixel (0, 0) is the top left one; its centre lies at
  * x = -tan_x * (1 - 1 / w_px), y = tan_y * (1 - 1 / h_px) on the plane at distance 1. */

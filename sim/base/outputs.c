@@ -6,6 +6,8 @@
 #include "base/outputs.h"
 
 #include "base/ending.h"
+#include "base/grow.h"
+#include "base/written.h"
 
 #include <errno.h>
 #include <fcntl.h>
@@ -220,10 +222,23 @@ static int part_open(const struct place *place, char part[PATH_SIZE_B])
     return descriptor;
 }
 
+static bool are_one_file(int a, int b)
+{
+    struct stat of_a, of_b;
+    return fstat(a, &of_a) == 0 && fstat(b, &of_b) == 0 && of_a.st_dev == of_b.st_dev && of_a.st_ino == of_b.st_ino;
+}
+
+static int open_as_it_is(struct outputs *outputs, const char *path)
+{
+    const int descriptor = open(path, O_WRONLY | O_CLOEXEC | O_NOCTTY);
+    outputs->has_stdout |= descriptor >= 0 && are_one_file(descriptor, STDOUT_FILENO);
+    return descriptor;
+}
+
 static int place_open(struct outputs *outputs, const struct place *place, struct error *err)
 {
     char part[PATH_SIZE_B];
-    if (place->as_it_is) return open(place->path, O_WRONLY | O_CLOEXEC | O_NOCTTY);
+    if (place->as_it_is) return open_as_it_is(outputs, place->path);
     ending_hold();
     int descriptor = part_open(place, part);
     if (descriptor >= 0 && !outputs_remember(outputs, place->path, part, err)) {
@@ -300,17 +315,30 @@ static bool rename_all(const struct outputs *outputs, struct error *err)
     return true;
 }
 
+static void files_text(const struct outputs *outputs, char text[WRITTEN_B])
+{
+    const char **files = grow_zeroed(outputs->count + 1, sizeof *files);
+    size_t count = 0;
+    for (size_t i = 0; i < outputs->count && !outputs->has_stdout; i++)
+        if (outputs->paths[i].part) files[count++] = outputs->paths[i].path;
+    written_text(files, count, text);
+    free(files);
+}
+
 bool outputs_keep(struct outputs *outputs, struct error *err)
 {
+    char text[WRITTEN_B];
     ending_hold();
     const int lock = lock_folder(outputs);
     const bool ok = rename_all(outputs, err);
     if (lock >= 0) close(lock);
+    files_text(outputs, text);
     if (ok)
         outputs_free(outputs);
     else
         outputs_discard(outputs);
     ending_release();
+    if (ok) written_say(text);
     return ok;
 }
 
@@ -357,9 +385,17 @@ bool output_pattern_check(const char *pattern, struct error *err)
     return error_set(err, "-o '%s': needs exactly one %%d for the frame's number, as in 'out/%%03d.png'", pattern);
 }
 
+bool output_is_one(const char *pattern)
+{
+    return *pattern && !strchr(pattern, '%');
+}
+
 bool output_pattern_path(const char *pattern, size_t number, char *path, size_t size, struct error *err)
 {
     struct pattern_field field;
+    if (number == 0 && output_is_one(pattern))
+        return (size_t)snprintf(path, size, "%s", pattern) < size ||
+               error_set(err, "-o '%s': the path is too long", pattern);
     if (!find_field(pattern, &field)) return output_pattern_check(pattern, err);
     int start = (int)(field.start - pattern);
     int length = snprintf(path, size, field.zeros ? "%.*s%0*zu%s" : "%.*s%*zu%s", start, pattern, field.width, number,

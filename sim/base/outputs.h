@@ -9,6 +9,7 @@
 
 #include "base/error.h"
 
+#include <stdbool.h>
 #include <stddef.h>
 #include <stdio.h>
 
@@ -19,6 +20,7 @@ struct outputs {
     size_t count;
     struct spared_file *spared; /* what is read, and so not written */
     size_t spared_count;
+    bool has_stdout; /* an output is standard output itself: nothing else is to be said there */
 };
 
 /* A file that the command reads (NULL: none): outputs_open() refuses it from now on, however its path is spelled. What
@@ -32,7 +34,7 @@ FILE *outputs_open(struct outputs *outputs, const char *path, struct error *err)
 /* Closes a file of outputs_open(); what could not be written is an error. */
 bool outputs_close(FILE *file, const char *path, struct error *err);
 
-/* Puts every file in its place and frees the list. */
+/* Puts every file in its place, says so (written.h) and frees the list. */
 bool outputs_keep(struct outputs *outputs, struct error *err);
 
 /* Removes every file and folder made, and frees the list. */
@@ -41,6 +43,9 @@ void outputs_discard(struct outputs *outputs);
 /* A pattern with exactly one %d, %5d or %05d becomes the path of a numbered file; `path` holds
  * size bytes. Anything else is refused. */
 bool output_pattern_check(const char *pattern, struct error *err);
+
+/* A name without %: that of one file. output_pattern_path() gives it to number 0. */
+bool output_is_one(const char *pattern);
 bool output_pattern_path(const char *pattern, size_t number, char *path, size_t size, struct error *err);
 
 #endif

@@ -31,6 +31,7 @@ enum option_code {
     OPTION_KEEP_FACES,
     OPTION_PORTALS,
     OPTION_UNLIT,
+    OPTION_BACKGROUND,
     OPTION_DROP_SMALL,
     OPTION_WIREFRAME,
     OPTION_ANTIALIAS,
@@ -58,7 +59,9 @@ static const struct option OPTIONS[] = {
     {"portals", required_argument, NULL, OPTION_PORTALS},
     {"keep-faces", no_argument, NULL, OPTION_KEEP_FACES},
     {"unlit", no_argument, NULL, OPTION_UNLIT},
+    {"background", required_argument, NULL, OPTION_BACKGROUND},
     {"drop-small", no_argument, NULL, OPTION_DROP_SMALL},
+    ORIENTATION_OPTIONS,
     {"wireframe", no_argument, NULL, OPTION_WIREFRAME},
     {"antialias", no_argument, NULL, OPTION_ANTIALIAS},
     {"delta", no_argument, NULL, OPTION_DELTA},
@@ -114,9 +117,15 @@ static bool parse_option(int code, char **argv, struct request *out, struct erro
     case OPTION_KEEP_FACES:
         out->compile.keep_faces = true;
         return true;
+    case OPTION_BACKGROUND:
+        return parse_background(optarg, &out->compile.background, err);
     case OPTION_UNLIT:
         out->compile.unlit = true;
         return true;
+    case ORIENTATION_UP:
+    case ORIENTATION_REVERSE_FACES:
+    case ORIENTATION_TWO_SIDED:
+        return orientation_parse(code, optarg, &out->compile.orientation, err);
     case OPTION_DROP_SMALL:
         out->compile.drop_small = true;
         return true;

@@ -27,8 +27,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { GIF_FRAMES_PER_S = 15 };
-
 /* 1 GB. */
 static const size_t FILM_MOST_PX = (size_t)1 << 29;
 
@@ -38,6 +36,7 @@ struct render {
     struct moving moving;
     struct lens lens;
     struct camera_path path;
+    double frames_per_s;
     struct simulator simulator;
     struct ids ids;             /* --ids, --compare */
     struct reference reference; /* --compare */
@@ -109,9 +108,10 @@ static bool read_reference(struct render *render, unsigned w_px, unsigned h_px, 
 {
     const char *path = render->options.scene_path;
     struct moving *moving = &render->moving;
-    const bool ok = moving->count ? source_take(path, &moving->model, err) &&
-                                        moving_reference(moving, &render->reference, w_px, h_px, err)
-                                  : reference_read(&render->reference, path, w_px, h_px, err);
+    const bool ok =
+        moving->count
+            ? source_take(path, &moving->model, err) && moving_reference(moving, &render->reference, w_px, h_px, err)
+            : reference_read(&render->reference, path, &render->options.compile.orientation, w_px, h_px, err);
     const bool shares = moving->count ? !moving->model.source_points : render->reference.shares_importer;
     if (ok && shares)
         notice("%s: the reference has no reader of its own for it, and has the importer's vertices", path);
@@ -121,6 +121,7 @@ static bool read_reference(struct render *render, unsigned w_px, unsigned h_px, 
 static bool start(struct render *render, struct error *err)
 {
     const struct options *options = &render->options;
+    render->frames_per_s = options_rate(options, &render->moving, render->path.count);
     const unsigned w_px = options->setup.w_px, h_px = options->setup.h_px;
     if (!simulator_init_on(&render->simulator, &render->scene.scene, &options->setup, &options->panel, err))
         return false;
@@ -156,7 +157,7 @@ static bool write_frame(struct render *render, size_t frame, struct error *err)
 /* Firmware counts milliseconds. */
 static double frame_time_s(const struct render *render, size_t frame)
 {
-    return round(1000.0 * (double)frame / render->options.frames_per_s) / 1000.0;
+    return round(1000.0 * (double)frame / render->frames_per_s) / 1000.0;
 }
 
 static bool identify_frame(struct render *render, size_t frame, const struct lim_camera *camera, struct error *err)
@@ -227,7 +228,7 @@ static bool write_films(struct render *render, struct error *err)
 {
     const struct options *options = &render->options;
     const struct film film = {options->setup.w_px, options->setup.h_px, render->path.count, render->film_pixels};
-    if (render->gif_file && !image_write_gif(&film, GIF_FRAMES_PER_S, render->gif_file, options->gif_path, err))
+    if (render->gif_file && !image_write_gif(&film, render->frames_per_s, render->gif_file, options->gif_path, err))
         return false;
     if (render->sheet_file && !write_sheet(render, &film, err)) return false;
     if (render->hashes_file && !hashes_write(render->hashes, render->path.count, render->hashes_file))

@@ -11,7 +11,7 @@
 #include "compiler/splitter.h"
 #include "model/baked_light.h"
 #include "model/model_part.h"
-#include "readers/model_import.h"
+#include "readers/model_read.h"
 #include "scene/compiled.h"
 
 #include <getopt.h>
@@ -30,10 +30,15 @@ enum option_code {
 };
 
 static const struct option OPTIONS[] = {
-    {"tree", required_argument, NULL, OPTION_TREE},       {"tolerance", required_argument, NULL, OPTION_TOLERANCE},
-    {"size", required_argument, NULL, OPTION_SIZE},       {"near", required_argument, NULL, OPTION_NEAR},
-    {"unlit", no_argument, NULL, OPTION_UNLIT},           {"keep-faces", no_argument, NULL, OPTION_KEEP_FACES},
-    {"drop-small", no_argument, NULL, OPTION_DROP_SMALL}, {NULL, 0, NULL, 0},
+    {"tree", required_argument, NULL, OPTION_TREE},
+    {"tolerance", required_argument, NULL, OPTION_TOLERANCE},
+    {"size", required_argument, NULL, OPTION_SIZE},
+    {"near", required_argument, NULL, OPTION_NEAR},
+    {"unlit", no_argument, NULL, OPTION_UNLIT},
+    {"keep-faces", no_argument, NULL, OPTION_KEEP_FACES},
+    {"drop-small", no_argument, NULL, OPTION_DROP_SMALL},
+    ORIENTATION_OPTIONS,
+    {NULL, 0, NULL, 0},
 };
 
 static bool parse_option(int code, char **argv, struct compile_options *out, struct error *err)
@@ -53,6 +58,10 @@ static bool parse_option(int code, char **argv, struct compile_options *out, str
     case OPTION_KEEP_FACES:
         out->keep_faces = true;
         return true;
+    case ORIENTATION_UP:
+    case ORIENTATION_REVERSE_FACES:
+    case ORIENTATION_TWO_SIDED:
+        return orientation_parse(code, optarg, &out->orientation, err);
     case OPTION_DROP_SMALL:
         out->drop_small = true;
         return true;
@@ -94,7 +103,7 @@ static bool read_still(const char *path, const struct compile_options *options, 
 {
     struct model model;
     *numbers = NULL;
-    if (!model_import(path, &model, err)) return false;
+    if (!model_read(path, &options->orientation, &model, err)) return false;
     if (*model.notice) fprintf(stderr, "limner: %s: %s\n", path, model.notice);
     if (!options->unlit) light_bake(&model);
     *movers = model.mover_count;

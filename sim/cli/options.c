@@ -14,15 +14,17 @@
 #include "compiler/tree_choice.h"
 #include "core/core.h"
 #include "core/core_parse.h"
+#include "displays/module_choice.h"
 #include "scene/scene_files.h"
 
 #include <errno.h>
 #include <getopt.h>
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 #include <strings.h>
 
-enum { ORBIT_FRAMES = 16 };
+enum { ORBIT_FRAMES = 16, UNSAID_SIZE_PX = 240, WHITE = 0xFFFF };
 
 enum option_code {
     OPTION_OUT = 'o',
@@ -44,6 +46,7 @@ enum option_code {
     OPTION_TREE,
     OPTION_TOLERANCE,
     OPTION_UNLIT,
+    OPTION_BACKGROUND,
     OPTION_DROP_SMALL,
     OPTION_WIREFRAME,
     OPTION_ANTIALIAS,
@@ -52,13 +55,14 @@ enum option_code {
     OPTION_NEWELL,
     OPTION_MOVERS,
     OPTION_MOVER_LIGHT,
-    OPTION_FPS
+    OPTION_FPS,
+    OPTION_FRAMES
 };
 
-enum { MOST_RUNS = 60000 };
+enum { MOST_RUNS = 60000, MOST_FRAMES = 100000, MOST_LOOP_FRAMES = 600 };
 
 /* Those that only `render` has come first. */
-enum { RENDER_ONLY_OPTIONS = 12 };
+enum { RENDER_ONLY_OPTIONS = 13 };
 static const struct option OPTIONS[] = {
     {"gif", required_argument, NULL, OPTION_GIF},
     {"sheet", required_argument, NULL, OPTION_SHEET},
@@ -72,6 +76,7 @@ static const struct option OPTIONS[] = {
     {"movers", required_argument, NULL, OPTION_MOVERS},
     {"mover-light", required_argument, NULL, OPTION_MOVER_LIGHT},
     {"fps", required_argument, NULL, OPTION_FPS},
+    {"frames", required_argument, NULL, OPTION_FRAMES},
     {"camera", required_argument, NULL, OPTION_CAMERA},
     {"size", required_argument, NULL, OPTION_SIZE},
     {"fov", required_argument, NULL, OPTION_FOV},
@@ -83,7 +88,9 @@ static const struct option OPTIONS[] = {
     {"tree", required_argument, NULL, OPTION_TREE},
     {"tolerance", required_argument, NULL, OPTION_TOLERANCE},
     {"unlit", no_argument, NULL, OPTION_UNLIT},
+    {"background", required_argument, NULL, OPTION_BACKGROUND},
     {"drop-small", no_argument, NULL, OPTION_DROP_SMALL},
+    ORIENTATION_OPTIONS,
     {"wireframe", optional_argument, NULL, OPTION_WIREFRAME},
     {"antialias", no_argument, NULL, OPTION_ANTIALIAS},
     {"delta", optional_argument, NULL, OPTION_DELTA},
@@ -136,10 +143,20 @@ static bool parse_newell(const char *text, struct lim_newell_options *out, struc
     return true;
 }
 
-static bool parse_fps(const char *text, double *out, struct error *err)
+static bool parse_fps(const char *text, struct options *out, struct error *err)
 {
-    if (!parse_number("--fps", text, out, err)) return false;
-    return (*out > 0.0 && *out <= 1000.0) || error_set(err, "--fps %s: above 0, and at most 1000", text);
+    const double *rate = &out->frames_per_s;
+    out->has_rate = true;
+    if (!parse_number("--fps", text, &out->frames_per_s, err)) return false;
+    return (*rate > 0.0 && *rate <= 1000.0) || error_set(err, "--fps %s: above 0, and at most 1000", text);
+}
+
+static bool parse_frames(const char *text, size_t *out, struct error *err)
+{
+    uint32_t frames = 0;
+    if (!parse_whole("--frames", text, 1, MOST_FRAMES, &frames, err)) return false;
+    *out = frames;
+    return true;
 }
 
 /* Nothing: as many as there may be. */
@@ -173,12 +190,20 @@ static bool parse_option(int code, const char *text, struct options *out, struct
     case OPTION_MOVER_LIGHT:
         return moving_light_parse(text, &out->movers.light, err);
     case OPTION_FPS:
-        return parse_fps(text, &out->frames_per_s, err);
+        return parse_fps(text, out, err);
+    case OPTION_FRAMES:
+        return parse_frames(text, &out->frames, err);
     case OPTION_PRECISION:
         return parse_precision(text, &out->setup.core, err);
+    case OPTION_BACKGROUND:
+        return parse_background(text, &out->compile.background, err);
     case OPTION_UNLIT:
         out->compile.unlit = true;
         return true;
+    case ORIENTATION_UP:
+    case ORIENTATION_REVERSE_FACES:
+    case ORIENTATION_TWO_SIDED:
+        return orientation_parse(code, text, &out->compile.orientation, err);
     case OPTION_DROP_SMALL:
         out->compile.drop_small = true;
         return true;
@@ -200,7 +225,7 @@ static bool parse_option(int code, const char *text, struct options *out, struct
         return parse_tolerance(text, &out->compile.tolerance_units, err);
     case OPTION_OUT:
         out->frame_pattern = text;
-        return output_pattern_check(text, err);
+        return output_is_one(text) || output_pattern_check(text, err);
     case OPTION_GIF:
         out->gif_path = text;
         return true;
@@ -275,6 +300,42 @@ bool options_split(int argc, char **argv, struct given_option **given, size_t *c
     return optind + 1 >= argc || error_set(err, "one scene at a time, what is '%s'?", argv[optind + 1]);
 }
 
+static bool has_one_file(const struct options *options)
+{
+    return options->frame_pattern && output_is_one(options->frame_pattern);
+}
+
+/* One file of an orbit is its first frame. */
+static bool settle_frames(struct options *options, struct error *err)
+{
+    if (has_one_file(options) && !options->frames && !options->cameras.text) options->frames = 1;
+    if (options->cameras.random_count > 0 && options->frames) options->cameras.random_count = options->frames;
+    const size_t count = options->frames ? options->frames : options->cameras.random_count;
+    if (!has_one_file(options) || count <= 1) return true;
+    return error_set(err, "-o '%s': one file for %zu frames; %%d numbers them, as in 'out/%%03d.png'",
+                     options->frame_pattern, count);
+}
+
+/* A file's cameras: the first ones, if fewer are wanted. */
+static bool take_frames(const struct options *options, struct camera_path *path, struct error *err)
+{
+    if (options->frames > path->count)
+        return error_set(err, "--frames %zu: %s has %zu", options->frames, options->cameras.text, path->count);
+    if (options->frames) path->count = options->frames;
+    return !has_one_file(options) || path->count == 1 ||
+           error_set(err, "-o '%s': one file for the %zu frames of %s; --frames 1 is the first, or %%d numbers them",
+                     options->frame_pattern, path->count, options->cameras.text);
+}
+
+/* Without --size a panel has its usual glass. */
+static void settle_size(struct options *options)
+{
+    struct simulator_setup *setup = &options->setup;
+    if (setup->w_px) return;
+    setup->w_px = setup->h_px = UNSAID_SIZE_PX;
+    if (setup->panel == SIMULATOR_PANEL) module_usual_size(&options->panel, &setup->w_px, &setup->h_px);
+}
+
 /* A panel is emulated wherever its memory holds the picture. */
 static bool choose_panel(struct options *out, struct error *err)
 {
@@ -291,10 +352,19 @@ static bool asks_for_output(const struct options *options)
            options->check_path || options->hashes_path || options->cameras_path || options->stats || options->compare;
 }
 
+void options_outline_on(struct options *options, const struct panel_choice *panel)
+{
+    const bool is_mono = panel->format == PANEL_MONO_PAGES || panel->format == PANEL_MONO_LINES;
+    if (!options->wireframe.on || options->wireframe.one_colour || !is_mono) return;
+    options->wireframe.one_colour = true;
+    options->wireframe.colour = WHITE;
+    options->wireframe.background = 0;
+}
+
 bool options_parse(int argc, char **argv, enum options_set set, struct options *out, struct error *err)
 {
     const bool is_render = set == OPTIONS_RENDER;
-    *out = (struct options){.setup = {240, 240, LIM_NEAREST_FIRST, SIMULATOR_ANY, &core_fast},
+    *out = (struct options){.setup = {0, 0, LIM_NEAREST_FIRST, SIMULATOR_ANY, &core_fast},
                             .orbit_frames = ORBIT_FRAMES,
                             .fov_deg = 60.0,
                             .frames_per_s = 15.0,
@@ -306,7 +376,7 @@ bool options_parse(int argc, char **argv, enum options_set set, struct options *
     while ((code = getopt_long(argc, argv, is_render ? ":o:" : ":", known, &index)) != -1) {
         if (code == ':' || code == '?') return unusable_option(code, argv, err);
         if (!parse_option(code, optarg, out, err)) return false;
-        if (code != OPTION_OUT) idle_options_add(&out->idle, known[index].name);
+        if (code != OPTION_OUT && code != OPTION_FPS) idle_options_add(&out->idle, known[index].name);
     }
     if (optind >= argc) return error_set(err, "%s: needs a model or a .lim file", argv[0]);
     if (optind + 1 < argc) return error_set(err, "%s: one scene at a time, what is '%s'?", argv[0], argv[optind + 1]);
@@ -319,6 +389,10 @@ bool options_parse(int argc, char **argv, enum options_set set, struct options *
     if (out->wireframe.on && !method_draws_wireframe(out->setup.method, err)) return false;
     if (out->compile.antialias && !method_antialiases(out->setup.method, out->wireframe.on, err)) return false;
     if (out->delta_runs && !method_scans(out->setup.method, "--delta is", err)) return false;
+    settle_size(out);
+    if (out->setup.panel == SIMULATOR_PANEL) options_outline_on(out, &out->panel);
+    if (!settle_frames(out, err)) return false;
+    if (out->has_rate && !out->gif_path) idle_options_add(&out->idle, "fps");
     out->compile.keep_faces = out->ids_path || out->compare;
     out->compile.w_px = out->setup.w_px;
     out->compile.h_px = out->setup.h_px;
@@ -368,15 +442,40 @@ static void note_idle(const struct options *options, const struct moving *moving
                                                                  .was_still = is_still && !moving->stopped});
 }
 
+bool options_loop(const struct options *options, const struct moving *moving)
+{
+    return moving && moving->count && !options->cameras.text && !(options->frames && options->has_rate);
+}
+
+/* A short animation is shown as often as makes an orbit of it. */
+static double loop_length_s(const struct options *options, const struct moving *moving)
+{
+    const double length_s = moving_length_s(moving), orbit_s = (double)options->orbit_frames / options->frames_per_s;
+    return length_s > 0 ? length_s * fmax(1, ceil(orbit_s / length_s)) : orbit_s;
+}
+
+static size_t orbit_frames(const struct options *options, const struct moving *moving)
+{
+    if (options->frames) return options->frames;
+    if (!options_loop(options, moving)) return options->orbit_frames;
+    return (size_t)fmin(MOST_LOOP_FRAMES, round(loop_length_s(options, moving) * options->frames_per_s));
+}
+
+double options_rate(const struct options *options, const struct moving *moving, size_t count)
+{
+    return options_loop(options, moving) ? (double)count / loop_length_s(options, moving) : options->frames_per_s;
+}
+
 bool options_load(const struct options *options, struct compiled *scene, struct moving *moving, struct lens *lens,
                   struct camera_path *path, struct error *err)
 {
     if (!camera_choice_read(&options->cameras, path, err)) return false;
+    if (path->count && !take_frames(options, path, err)) return false;
     if (!load_scene(options, scene, moving, err)) return false;
     note_idle(options, moving);
     if (!lens_for_grid(lens, options->fov_deg, options->compile.near_m, &scene->grid, options->setup.w_px,
                        options->setup.h_px, err))
         return false;
     if (options->compile.near_m <= 0.0) lens_note_near(options->scene_path, &scene->grid);
-    return camera_choice_plan(&options->cameras, scene, lens, options->orbit_frames, path, err);
+    return camera_choice_plan(&options->cameras, scene, lens, orbit_frames(options, moving), path, err);
 }

@@ -15,7 +15,8 @@
 struct options {
     const char *scene_path; /* a model, or a compiled scene in a .lim file */
     struct camera_choice cameras;
-    size_t orbit_frames; /* without cameras */
+    size_t orbit_frames; /* without cameras; fewer or more where something moves, unless frames says how many */
+    size_t frames;       /* how many are drawn; 0: not said */
     struct simulator_setup setup;
     struct panel_choice panel; /* for SIMULATOR_PANEL */
     double fov_deg;
@@ -28,6 +29,7 @@ struct options {
     struct lim_newell_options newell;
     struct moving_options movers;
     double frames_per_s;      /* of what moves */
+    bool has_rate;            /* it was said */
     struct idle_options idle; /* given ones, that may change nothing */
 };
 
@@ -41,6 +43,16 @@ bool options_parse(int argc, char **argv, enum options_set set, struct options *
  * *path must be zero and are the caller's to free, also after a failure. */
 bool options_load(const struct options *options, struct compiled *scene, struct moving *moving, struct lens *lens,
                   struct camera_path *path, struct error *err);
+
+/* What is black or white shows outlines in white on black, unless they were given colours. */
+void options_outline_on(struct options *options, const struct panel_choice *panel);
+
+/* Whether the frames show all of what moves, as often as it takes, and end where they began: an orbit's do, unless both
+ * how many they are and how many a second was said. */
+bool options_loop(const struct options *options, const struct moving *moving);
+
+/* How many frames of count are shown a second. */
+double options_rate(const struct options *options, const struct moving *moving, size_t count);
 
 /* Says so, if the method moves nothing of a model that could move. */
 void options_note_stopped(const struct options *options, const struct moving *moving);

@@ -96,12 +96,18 @@ static const struct entry {
      "                      or the best of fewest and all weights: auto (auto)\n"},
     {SCENES | SPLITTERS, "  --tolerance UNITS   how far a polygon may be off a plane that it lies on (0.5)\n"},
     {COMPILE | RENDER | VIEW | REPORT_BUG | MEASURE | COMPARE | SPLITTERS,
-     "  --size WxH          of the panel, 1 to 1024 pixels each (240x240)\n"},
+     "  --size WxH          of the panel, 1 to 1024 pixels each (240x240; render, view: that of --panel)\n"},
     {MODELS, "  --near M            distance of the near plane, metres (0.1; more in scenes of more than 2 km)\n"},
     {MODELS, "  --drop-small        leave out what is too small for the scene's grid, instead of refusing the model\n"},
+    {MODELS, "  --up y|z            which axis of the file is up (y; of STL files what the model stands on, else z)\n"
+             "  --reverse-faces     the file's faces run clockwise, seen from outside\n"
+             "  --two-sided         all faces are seen from both sides, as those of open models may have to be\n"},
     {MODELS, "  --unlit             colours as they are in the model: no light is baked in\n"},
-    {SCENES, "  --wireframe         for drawing outlines alone, hidden lines left out (render, view: drawn so;\n"
-             "                      --wireframe=RRGGBB,RRGGBB: all lines and the background in these colours)\n"},
+    {SCENES, "  --background RRGGBB  where no face is seen (000000)\n"},
+    {SCENES,
+     "  --wireframe         for drawing outlines alone, hidden lines left out (render, view: drawn so;\n"
+     "                      --wireframe=RRGGBB,RRGGBB: all lines and the background in these colours, which black and\n"
+     "                      white panels have as white on black)\n"},
     {SCENES | MEASURE | COMPARE,
      "  --antialias         for smooth edges, methods that draw nearest first (render, view: drawn so)\n"},
     {SCENES | MEASURE | COMPARE,
@@ -147,12 +153,16 @@ static const struct entry {
      "                      or memory (st7789 where the size fits into it); or framebuffer, memory that the\n"
      "                      renderer paints into polygon by polygon\n"},
     {0, "render only:\n"},
-    {RENDER, "  -o PATTERN          a PNG file a frame ('out/%03d.png' if nothing else is asked for)\n"},
-    {RENDER | REPORT_BUG, "  --gif FILE          all frames, animated\n"},
+    {RENDER, "  -o PATTERN          a PNG file a frame ('out/%03d.png' if nothing else is asked for), or house.png: "
+             "one frame\n"},
+    {RENDER | REPORT_BUG,
+     "  --frames N          so many: of an orbit, or the first ones of other cameras (all; of an orbit 16, or\n"
+     "                      as many as all that moves takes)\n"},
+    {RENDER | REPORT_BUG, "  --gif FILE          all frames, animated; without --camera its end meets its beginning\n"},
     {RENDER | REPORT_BUG, "  --sheet FILE        up to 24 frames in one PNG file\n"},
     {RENDER | REPORT_BUG,
      "  --ids FILE          face numbers: uint32 little-endian a pixel, 0 = background; merges no faces\n"},
-    {RENDER | REPORT_BUG, "  --fps N             frames a second of what moves (15)\n"},
+    {RENDER | REPORT_BUG, "  --fps N             frames a second of what moves, and of --gif (15)\n"},
     {RENDER | REPORT_BUG, "  --stats             what each frame cost\n"},
     {RENDER | REPORT_BUG,
      "  --newell LIST       planes: compare with planes before rectangles; one: split one of two;\n"

@@ -9,7 +9,7 @@
 #include "core/core.h"
 #include "model/baked_light.h"
 #include "model/original.h"
-#include "readers/model_import.h"
+#include "readers/model_read.h"
 #include "readers/source.h"
 
 #include <stdlib.h>
@@ -74,7 +74,7 @@ bool compile_model(const char *path, const struct compile_options *options, stru
 {
     struct model model;
     *out = (struct compiled){0};
-    if (!model_import(path, &model, err)) return false;
+    if (!model_read(path, &options->orientation, &model, err)) return false;
     bool ok = !options->predict || source_take(path, &model, err);
     if (!options->unlit) light_bake(&model);
     ok = ok && (compile_part(&model, NULL, options, out, err) || error_prefix(err, path));

@@ -122,6 +122,7 @@ static bool compile_with(struct compilation *work, enum tree_kind kind, const st
     ok = ok && encode_bsp(&bsp, is_exact(work->options), work->options->wireframe, &encoding, err);
     if (ok) {
         if (kind == TREE_NONE) encoding.depth = 0; /* for methods that sort */
+        encoding.background = work->options->background;
         image_make(&encoding, &work->mesh->grid, out);
         report_set(&out->report, &bsp, &encoding, &out->scene, &plan);
         out->report.draws = draws_with(work->options, out->report.convex);

@@ -5,6 +5,7 @@
 #define SIM_COMPILE_OPTIONS_H
 
 #include "base/error.h"
+#include "model/orientation.h"
 #include "scene/method.h"
 #include "scene/tree_kind.h"
 
@@ -16,24 +17,26 @@ enum tree_trial { TRIAL_NEVER, TRIAL_IF_SPLIT, TRIAL_ALWAYS };
 enum portals_wanted { PORTALS_OFF, PORTALS_AUTO, PORTALS_ON };
 
 struct compile_options {
-    double tolerance_units;      /* a polygon this near to a plane lies on it; 0.5 by default, 0 = exact */
-    const struct method *method; /* how it is to be drawn; NULL: convex for one convex solid, else nearest first */
-    bool choose_order;           /* where that is NULL: or by scan lines, if that is predicted to be cheaper */
-    enum tree_kind tree;         /* TREE_AUTO by default */
-    enum tree_trial trial;       /* of other trees, where it is TREE_AUTO */
-    const char *splitter;        /* heuristic of the tree builder: splitter.h's names */
-    bool keep_faces;             /* do not merge: every face keeps its own number in --ids */
-    const struct core *core;     /* precision profile of the prediction and of NAME.h; NULL: fast */
-    unsigned w_px, h_px;         /* the panel that pool sizes are measured for; 0: 240 */
-    bool unlit;                  /* colours stay as they are in the model: no light is baked in */
-    bool antialias;              /* for drawing with antialiased edges: pools are measured so */
-    bool delta;                  /* for sending what changes alone: its memory is measured */
-    bool round;                  /* for round glass, too */
-    bool fill;                   /* for targets that keep the whole picture in pixels of their own */
-    bool framebuffer;            /* for targets with all pixels in memory */
-    bool wireframe;              /* for drawing as wireframe: edges that are not the model's are known */
-    enum portals_wanted portals; /* whether to store what is seen from where; AUTO: if it pays */
-    double near_m;               /* of the cameras that it is for; 0: lens_default_near_m() */
+    double tolerance_units;         /* a polygon this near to a plane lies on it; 0.5 by default, 0 = exact */
+    const struct method *method;    /* how it is to be drawn; NULL: convex for one convex solid, else nearest first */
+    bool choose_order;              /* where that is NULL: or by scan lines, if that is predicted to be cheaper */
+    enum tree_kind tree;            /* TREE_AUTO by default */
+    enum tree_trial trial;          /* of other trees, where it is TREE_AUTO */
+    const char *splitter;           /* heuristic of the tree builder: splitter.h's names */
+    bool keep_faces;                /* do not merge: every face keeps its own number in --ids */
+    const struct core *core;        /* precision profile of the prediction and of NAME.h; NULL: fast */
+    unsigned w_px, h_px;            /* the panel that pool sizes are measured for; 0: 240 */
+    struct orientation orientation; /* of the model's file */
+    uint16_t background;            /* RGB565 as a number */
+    bool unlit;                     /* colours stay as they are in the model: no light is baked in */
+    bool antialias;                 /* for drawing with antialiased edges: pools are measured so */
+    bool delta;                     /* for sending what changes alone: its memory is measured */
+    bool round;                     /* for round glass, too */
+    bool fill;                      /* for targets that keep the whole picture in pixels of their own */
+    bool framebuffer;               /* for targets with all pixels in memory */
+    bool wireframe;                 /* for drawing as wireframe: edges that are not the model's are known */
+    enum portals_wanted portals;    /* whether to store what is seen from where; AUTO: if it pays */
+    double near_m;                  /* of the cameras that it is for; 0: lens_default_near_m() */
     double forced_near_m; /* of what moves: how near the scene's cameras may have their near plane, if no nearer */
     bool drop_small;      /* leave out what is too small for the grid, instead of refusing the model */
     bool predict;         /* measure the wrong-pixel share for the report: takes a second or so */

@@ -11,7 +11,7 @@
 #include "compiler/pool_sizes.h"
 #include "model/baked_light.h"
 #include "model/model_part.h"
-#include "readers/model_import.h"
+#include "readers/model_read.h"
 #include "readers/source.h"
 #include "scene/moving.h"
 
@@ -263,7 +263,7 @@ bool moving_compile(const char *path, const struct compile_options *options, con
 {
     struct model model;
     *moving = (struct moving){0};
-    if (!model_import(path, &model, err)) return false;
+    if (!model_read(path, &options->orientation, &model, err)) return false;
     if (options->predict && !source_take(path, &model, err)) {
         model_free(&model);
         return false;

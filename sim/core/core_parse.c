@@ -31,3 +31,9 @@ bool parse_wireframe(const char *text, struct lim_wireframe *out, struct error *
            (parse_colour(text, ',', &out->colour) && parse_colour(text + COLOUR_DIGITS + 1, '\0', &out->background)) ||
            error_set(err, "--wireframe=%s: must be two colours, the line's and the background's: RRGGBB,RRGGBB", text);
 }
+
+bool parse_background(const char *text, uint16_t *out, struct error *err)
+{
+    return parse_colour(text, '\0', out) ||
+           error_set(err, "--background %s: must be a colour, six hexadecimal digits: RRGGBB", text);
+}

@@ -13,4 +13,7 @@ bool parse_precision(const char *text, const struct core **core, struct error *e
 /* --wireframe[=RRGGBB,RRGGBB]: the line's colour and the background's; NULL: the polygons' and the scene's own. */
 bool parse_wireframe(const char *text, struct lim_wireframe *out, struct error *err);
 
+/* --background RRGGBB, as RGB565. */
+bool parse_background(const char *text, uint16_t *out, struct error *err);
+
 #endif

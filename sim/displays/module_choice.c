@@ -71,6 +71,13 @@ static const struct usual_module *find_usual(const struct panel_choice *panel, u
     return NULL;
 }
 
+void module_usual_size(const struct panel_choice *panel, unsigned *w_px, unsigned *h_px)
+{
+    const struct usual_module *row = find_usual(panel, 0, 0);
+    *w_px = row ? row->module.w_px : panel->mem_w_px;
+    *h_px = row ? row->module.h_px : panel->mem_h_px;
+}
+
 /* A chip without a row: all of its memory, at a rate that any takes. */
 static void take_fast(struct module_choice *out)
 {

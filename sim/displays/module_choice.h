@@ -25,4 +25,7 @@ bool module_choice_parse(struct module_choice *out, struct arguments *arguments,
 /* Of the picture as its viewer has it, turned. */
 void module_choice_picture(const struct display_module *module, unsigned *w_px, unsigned *h_px);
 
+/* The glass, upright, that is usual with the chip. */
+void module_usual_size(const struct panel_choice *panel, unsigned *w_px, unsigned *h_px);
+
 #endif

@@ -54,6 +54,7 @@ static const struct option OPTIONS[] = {
     {"keep-faces", no_argument, NULL, OPTION_KEEP_FACES},
     {"unlit", no_argument, NULL, OPTION_UNLIT},
     {"drop-small", no_argument, NULL, OPTION_DROP_SMALL},
+    ORIENTATION_OPTIONS,
     {"method", required_argument, NULL, OPTION_METHOD},
     {"antialias", no_argument, NULL, OPTION_ANTIALIAS},
     {"delta", no_argument, NULL, OPTION_DELTA},
@@ -190,6 +191,10 @@ static bool parse_option(int code, char **argv, struct measure_request *out, boo
     case OPTION_UNLIT:
         out->compile.unlit = true;
         return true;
+    case ORIENTATION_UP:
+    case ORIENTATION_REVERSE_FACES:
+    case ORIENTATION_TWO_SIDED:
+        return orientation_parse(code, optarg, &out->compile.orientation, err);
     case OPTION_DROP_SMALL:
         out->compile.drop_small = true;
         return true;

@@ -14,7 +14,7 @@
 #include "core/core.h"
 #include "model/baked_light.h"
 #include "model/model_part.h"
-#include "readers/model_import.h"
+#include "readers/model_read.h"
 #include "readers/source.h"
 #include "scene/moving.h"
 
@@ -101,7 +101,7 @@ bool measure_source_read(struct measure_source *source, const char *model_path, 
     struct model model;
     *source = (struct measure_source){.path = strdup(model_path)};
     if (!source->path) return error_set(err, "%s: out of memory", model_path);
-    bool ok = model_import(model_path, &model, err);
+    bool ok = model_read(model_path, &options->orientation, &model, err);
     ok = ok && source_take(model_path, &model, err);
     if (ok && *model.notice) fprintf(stderr, "limner: %s: %s\n", model_path, model.notice);
     const bool moves = ok && model.mover_count > 0;

@@ -58,6 +58,7 @@ struct model {
     size_t mover_count;
     struct model_key *keys; /* of each mover, by time */
     size_t key_count;
+    bool z_was_up, faces_were_reversed; /* by orientation.h; the file has them otherwise */
     char notice[512]; /* what was left out, or is not as it should be, and why; empty: nothing */
 };
 

@@ -8,6 +8,7 @@
 #include "pictures/picture_size.h"
 
 #include <errno.h>
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -145,16 +146,21 @@ static gdImagePtr gif_frame(const struct film *film, size_t frame, gdImagePtr pa
     return image;
 }
 
+static int gif_time_cs(size_t frame, double frames_per_s)
+{
+    return (int)floor((double)frame * 100 / frames_per_s);
+}
+
 /* Each frame but the first holds only the rectangle that differs from the one before. Delays are
  * hundredths of a second: uneven ones keep the mean rate. */
-static bool gif_frames(const struct film *film, unsigned frames_per_s, gdImagePtr palette, const uint8_t *index,
+static bool gif_frames(const struct film *film, double frames_per_s, gdImagePtr palette, const uint8_t *index,
                        FILE *file)
 {
     gdImagePtr before = NULL;
     bool ok = true;
     for (size_t frame = 0; ok && frame < film->count; frame++) {
         gdImagePtr image = gif_frame(film, frame, palette, index);
-        int delay_cs = (int)((frame + 1) * 100 / frames_per_s - frame * 100 / frames_per_s);
+        const int delay_cs = gif_time_cs(frame + 1, frames_per_s) - gif_time_cs(frame, frames_per_s);
         ok = image != NULL;
         if (ok && frame == 0) gdImageGifAnimBegin(image, file, 1, 0);
         /* libgd cannot write a rectangle of no pixels: a frame like the one before is written whole. */
@@ -168,7 +174,7 @@ static bool gif_frames(const struct film *film, unsigned frames_per_s, gdImagePt
     return ok;
 }
 
-bool image_write_gif(const struct film *film, unsigned frames_per_s, FILE *file, const char *name, struct error *err)
+bool image_write_gif(const struct film *film, double frames_per_s, FILE *file, const char *name, struct error *err)
 {
     struct gif_colours *colours = calloc(1, sizeof *colours);
     gdImagePtr palette = colours ? gif_colours_choose(colours, film) : NULL;

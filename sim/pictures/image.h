@@ -34,7 +34,7 @@ bool image_write_png(gdImagePtr image, FILE *file, const char *name, struct erro
 gdImagePtr image_read_png(const char *path, struct error *err);
 
 /* Plays for ever; one palette for all frames, so that no colour flickers. */
-bool image_write_gif(const struct film *film, unsigned frames_per_s, FILE *file, const char *name, struct error *err);
+bool image_write_gif(const struct film *film, double frames_per_s, FILE *file, const char *name, struct error *err);
 
 /* Compares one frame with a PNG file, pixel by pixel; the error names the first difference. */
 bool image_check_png(const struct film *frame, const char *path, struct error *err);

@@ -3,6 +3,7 @@
 
 #include "base/grow.h"
 #include "base/vec3.h"
+#include "model/orientation.h"
 #include "readers/whole_file.h"
 
 #include <stdlib.h>
@@ -53,10 +54,10 @@ static enum source_result read_any(const char *path, struct source *source, stru
 }
 
 /* Faces are compared in their order, corners in theirs. */
-static bool place_points(const char *path, const struct source *source, const struct model *model, double (*points)[3],
+static bool place_points(const char *path, struct source *source, const struct model *model, double (*points)[3],
                          struct error *err)
 {
-    const double(*corner)[3] = (const double(*)[3])source->corners;
+    double(*corner)[3] = source->corners;
     if (source->face_count != model->face_count)
         return error_set(err, "%s: the importer finds %zu faces in it, the reference's reader %zu", path,
                          model->face_count, source->face_count);
@@ -66,7 +67,9 @@ static bool place_points(const char *path, const struct source *source, const st
             return error_set(err, "%s: face %zu: the importer finds %u corners, the reference's reader %u", path, i + 1,
                              face->count, source->counts[i]);
         for (uint32_t k = 0; k < face->count; k++, corner++) {
-            const uint32_t point = model->corners[face->first + k];
+            const uint32_t at = model->faces_were_reversed ? face->count - 1 - k : k;
+            const uint32_t point = model->corners[face->first + at];
+            orientation_point(model, *corner);
             const double apart_m = sqrt(vec3_distance2(model->points[point], *corner));
             if (!(apart_m <= ROUNDING * source->reach_m))
                 return error_set(

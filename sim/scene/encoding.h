@@ -34,6 +34,7 @@ struct encoding {
     struct texture_arrays textures;
     size_t depth, widest; /* nodes on the longest path; most vertices of a record */
     size_t collapsed;     /* pieces that rounding left without three corners */
+    uint16_t background;  /* RGB565 as a number */
 };
 
 /* Gives every subtree of SUBTREE_BOX_POLYGONS polygons or more its bounding box. */

@@ -137,6 +137,7 @@ static struct lim_file_header header_of(const struct encoding *encoding, const s
     struct lim_file_header header = {.version = LIM_FILE_VERSION, .header_b = sizeof header};
     memcpy(header.magic, lim_file_magic, sizeof header.magic);
     header.units_per_m = grid->units_per_m;
+    header.background = encoding->background;
     memcpy(header.origin_m, grid->origin_m, sizeof header.origin_m);
     for (int i = 0; i < SECTION_COUNT; i++)
         header.counts[i] = (uint32_t)counts[i];

@@ -96,4 +96,34 @@ tap_check "bailing out is a failure" expect_text "no disk" 1 "1 passed, 1 failed
 tap_check "a hang is a failure" expect_text "timed out after 2 s" 1 "1 passed, 1 failed" ./hangs
 tap_check "a program that is not there is a failure" expect 1 "2 passed, 1 failed" ./good ./absent
 tap_check "no program at all is not a success" expect 1 "0 passed, 0 failed"
+
+# -- How far it is -------------------------------------------------------------------------------------------------------
+
+program ./slow <<'EOF'
+echo 1..1; sleep 3; echo ok 1 - one
+EOF
+
+# The first run knows no times, and leaves them; the second one says how long it will take, and what runs meanwhile.
+tells_times() {
+    rm -f "$work/times"
+    (cd "$work" && TEST_TIMES=times TEST_JOBS=1 TEST_TELL_S=1 sh "$OLDPWD/tests/run.sh" ./slow ./good) >"$work/said" || return 1
+    cat "$work/said" "$work/times"
+    grep -qx '2 test programs, 1 at once' "$work/said" && grep -q '^good [01]$' "$work/times" && grep -q '^slow [34]$' "$work/times" &&
+        grep -q '^\[1/2\] slow  *1 passed' "$work/said" && grep -q '^\[2/2\] good  *2 passed' "$work/said" &&
+        grep -qx '\.\.\. 0 of 2 done; running: slow' "$work/said" || return 1
+    (cd "$work" && TEST_TIMES=times TEST_JOBS=1 TEST_TELL_S=1 sh "$OLDPWD/tests/run.sh" ./good ./slow) >"$work/said" || return 1
+    cat "$work/said"
+    grep -qE '^2 test programs, 1 at once, about [345] s$' "$work/said" &&
+        grep -qE '^\.\.\. 1 of 2 done, about [34] s left; running: slow$' "$work/said"
+}
+tap_check "times of one run tell how long the next one takes" tells_times
+keeps_other_times() {
+    echo 'elsewhere 7' >>"$work/times"
+    (cd "$work" && TEST_TIMES=times sh "$OLDPWD/tests/run.sh" ./good) >"$work/said" && grep -qx 'elsewhere 7' "$work/times" &&
+        grep -q '^slow' "$work/times"
+}
+tap_check "times of what did not run stay" keeps_other_times
+leaves_nothing() { ! grep -lsz '^321[7]$' /proc/[0-9]*/cmdline; }
+(cd "$work" && TEST_TELL_S=3217 sh "$OLDPWD/tests/run.sh" ./good) >/dev/null
+tap_check "nothing of the runner is left behind" leaves_nothing
 tap_done

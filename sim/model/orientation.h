@@ -1,0 +1,40 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * How a file's coordinates and faces are to be taken: which axis is up, which side of a face is outside. Formats that
+ * say it (glTF, COLLADA, FBX) have y up when they are read; OBJ, PLY and STL say nothing. */
+#ifndef SIM_ORIENTATION_H
+#define SIM_ORIENTATION_H
+
+#include "base/error.h"
+#include "model/model.h"
+
+enum model_up { UP_BY_EVIDENCE, UP_Y, UP_Z };
+
+struct orientation {
+    enum model_up up;
+    bool reverse_faces; /* the file's are clockwise, seen from outside */
+    bool two_sided;     /* all faces are seen from both sides */
+};
+
+/* Rows of a table for getopt_long(), and what it returns then. `text`: of --up. */
+#define ORIENTATION_OPTIONS                                                                                            \
+    {"up", required_argument, NULL, ORIENTATION_UP}, {"reverse-faces", no_argument, NULL, ORIENTATION_REVERSE_FACES},  \
+    {                                                                                                                  \
+        "two-sided", no_argument, NULL, ORIENTATION_TWO_SIDED                                                          \
+    }
+enum orientation_code { ORIENTATION_UP = 1024, ORIENTATION_REVERSE_FACES, ORIENTATION_TWO_SIDED };
+bool orientation_parse(int code, const char *text, struct orientation *out, struct error *err);
+
+/* Turns the model, whose coordinates are the file's, so that y is up. Notices tell what was found out without being
+ * asked, and what looks wrong. `z_by_custom`: files of that format have z up by custom (STL), unless the model stands
+ * on the side of its least y and not on that of its least z. */
+void orientation_apply(const struct orientation *orientation, bool z_by_custom, struct model *model);
+
+/* A point of the same file, as orientation_apply() has turned the model's. Exact. */
+void orientation_point(const struct model *model, double at_m[3]);
+
+/* How much of the area below the model (of the box round it, seen along the axis) is its own flat underside: 0 to 1,
+ * or a little more where faces overlap. axis: 1 for y, 2 for z. */
+double orientation_underside(const struct model *model, int axis);
+
+#endif

@@ -1,0 +1,12 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * A model as the commands take it: imported, and turned as they were told. */
+#ifndef SIM_MODEL_READ_H
+#define SIM_MODEL_READ_H
+
+#include "model/orientation.h"
+
+/* model_import(), then flat_texture_find() and orientation_apply(). On success the caller owns *model, otherwise it is empty. */
+bool model_read(const char *path, const struct orientation *orientation, struct model *model, struct error *err);
+
+#endif
