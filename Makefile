@@ -41,7 +41,7 @@ all: $(BUILD)/limner ## [start] build the host program, build/limner (the defaul
 
 help: ## [care] list the goals
 	@awk -f sim/tools/help.awk Makefile boards/image.mk
-	@printf '\nSuites of make test: %s.\nOn demand: arm64 (a stock kernel), features (all pairs of LIM_HAS_ flags; SUITES=all has an eighth, SEED=0 to 7 say which), sub-bits (profiles with other ones), and cpus with EVERY_PROFILE=yes.\n' "$(ALL_SUITES)"
+	@printf '\nSuites of make test: %s.\nOn demand: arm64 (a stock kernel), features (all pairs of LIM_HAS_ flags; SUITES=all has an eighth, SEED=0 to 7 say which), sanitize with SEED=all (else a half), sub-bits (profiles with other ones), and cpus with EVERY_PROFILE=yes.\n' "$(ALL_SUITES)"
 
 # -- Debian packages: what every build needs, and what a goal or a suite needs beside ----------------------------------
 
@@ -330,7 +330,8 @@ export EXTREMES := whole
 endif
 
 # The longest first, so that none of them is left alone at the end.
-longest  := tests/sanitize.sh tests/sanitize_scenes.sh tests/prove.sh tests/compilers.sh tests/cli/cli_extremes.sh
+longest  := tests/sanitize.sh tests/arm/arm_footprint.sh tests/boards/boards_frames.sh tests/models.sh tests/sanitize_scenes.sh \
+	tests/cross.sh tests/compilers.sh tests/prove.sh tests/cli/cli_extremes.sh
 asked    := $(sort $(foreach suite,$(suites),$(suite-$(suite))))
 programs := $(filter $(longest),$(asked)) $(filter-out $(longest),$(asked))
 

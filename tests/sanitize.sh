@@ -1,15 +1,18 @@
 # SPDX-License-Identifier: MIT
 #
-# The unit tests under gcc's address and undefined-behaviour sanitizers: no report. sanitize_scenes.sh draws.
+# The unit tests under gcc's address and undefined-behaviour sanitizers: no report. sanitize_scenes.sh draws. A run has
+# every second program, another half with each commit; SEED=0 and SEED=1 name the halves, SEED=all has both.
 . tests/tap.sh
 . tests/with_sanitizers.sh
 
 # The longest tests do a part of their work here.
 export TEST_EFFORT=5
 
-tap_check "everything builds with the sanitizers" sanitized test-programs "$build/limner"
-for program in "$build"/tests/test_*; do
-    [ -x "$program" ] || continue
+programs=$(halved tests/*/test_*.c tests/*/*/test_*.c | sed "s,.*/\(.*\)\.c$,$build/tests/\1,")
+echo "# SEED=$SEED"
+# shellcheck disable=SC2086 # names are words
+tap_check "everything builds with the sanitizers" sanitized $programs "$build/limner"
+for program in $programs; do
     tap_check "$(basename "$program")" "$program"
 done
 tap_done
