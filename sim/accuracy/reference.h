@@ -8,7 +8,7 @@
 
 #include "cameras/camera_path.h"
 #include "model/mesh.h"
-#include "model/orientation.h"
+#include "model/model_orientation.h"
 
 struct reference_polygon;
 struct reference_edge;

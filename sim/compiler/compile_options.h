@@ -5,7 +5,7 @@
 #define SIM_COMPILE_OPTIONS_H
 
 #include "base/error.h"
-#include "model/orientation.h"
+#include "model/model_orientation.h"
 #include "scene/method.h"
 #include "scene/tree_kind.h"
 

@@ -58,8 +58,8 @@ struct model {
     size_t mover_count;
     struct model_key *keys; /* of each mover, by time */
     size_t key_count;
-    bool z_was_up, faces_were_reversed; /* by orientation.h; the file has them otherwise */
-    char notice[512]; /* what was left out, or is not as it should be, and why; empty: nothing */
+    bool z_was_up, faces_were_reversed; /* by model_orientation.h; the file has them otherwise */
+    char notice[512];                   /* what was left out, or is not as it should be, and why; empty: nothing */
 };
 
 enum { MODEL_DEFAULT_COLOUR = 0xC8C8C8 }; /* of faces that have neither material nor vertex colours */

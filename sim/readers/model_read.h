@@ -4,9 +4,10 @@
 #ifndef SIM_MODEL_READ_H
 #define SIM_MODEL_READ_H
 
-#include "model/orientation.h"
+#include "model/model_orientation.h"
 
-/* model_import(), then flat_texture_find() and orientation_apply(). On success the caller owns *model, otherwise it is empty. */
+/* model_import(), then flat_texture_find() and orientation_apply(). On success the caller owns *model, otherwise it is
+ * empty. */
 bool model_read(const char *path, const struct orientation *orientation, struct model *model, struct error *err);
 
 #endif

@@ -3,7 +3,7 @@
 
 #include "base/grow.h"
 #include "base/vec3.h"
-#include "model/orientation.h"
+#include "model/model_orientation.h"
 #include "readers/whole_file.h"
 
 #include <stdlib.h>

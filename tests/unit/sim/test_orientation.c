@@ -150,6 +150,7 @@ static void other_files_have_y_up_and_those_that_lie_are_noticed(void **state)
     assert_up(&(struct pyramid){.up = 1, .height = 3}, "a.obj", UP_BY_EVIDENCE, 1, "");
     assert_up(&(struct pyramid){.up = 2, .height = 3}, "a.obj", UP_BY_EVIDENCE, 2, "--up z");
     assert_up(&(struct pyramid){.up = 2, .height = 3, .open = true}, "a.obj", UP_BY_EVIDENCE, 2, "");
+    assert_up(&(struct pyramid){.up = 2, .height = 0.001}, "a.obj", UP_BY_EVIDENCE, 2, ""); /* a flat thing */
 }
 
 static void a_closed_model_that_runs_clockwise_is_noticed(void **state)

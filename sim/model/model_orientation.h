@@ -2,8 +2,8 @@
  *
  * How a file's coordinates and faces are to be taken: which axis is up, which side of a face is outside. Formats that
  * say it (glTF, COLLADA, FBX) have y up when they are read; OBJ, PLY and STL say nothing. */
-#ifndef SIM_ORIENTATION_H
-#define SIM_ORIENTATION_H
+#ifndef SIM_MODEL_ORIENTATION_H
+#define SIM_MODEL_ORIENTATION_H
 
 #include "base/error.h"
 #include "model/model.h"
@@ -34,7 +34,7 @@ void orientation_apply(const struct orientation *orientation, bool z_by_custom, 
 void orientation_point(const struct model *model, double at_m[3]);
 
 /* How much of the area below the model (of the box round it, seen along the axis) is its own flat underside: 0 to 1,
- * or a little more where faces overlap. axis: 1 for y, 2 for z. */
+ * or a little more where faces overlap; 0 of what is flat itself. axis: 1 for y, 2 for z. */
 double orientation_underside(const struct model *model, int axis);
 
 #endif

@@ -2,7 +2,7 @@
  *
  * What stands, stands on something flat. CAD programs and slicers have z up, and their models stand on a plane of equal
  * z: that is the evidence. */
-#include "model/orientation.h"
+#include "model/model_orientation.h"
 
 #include "base/vec3.h"
 #include "model/winding.h"
@@ -61,8 +61,11 @@ double orientation_underside(const struct model *model, int axis)
 {
     double least[3], most[3], twice_m2 = 0;
     box_of(model, least, most);
+    const double height_m = most[axis] - least[axis],
+                 reach_m = fmax(most[0] - least[0], most[3 - axis] - least[3 - axis]);
     const double box_m2 = (most[0] - least[0]) * (most[3 - axis] - least[3 - axis]);
-    const double level_m = least[axis] + LEVEL * (most[axis] - least[axis]);
+    const double level_m = least[axis] + LEVEL * height_m;
+    if (!(height_m > LEVEL * reach_m)) return 0;
     for (size_t i = 0; i < model->face_count; i++) {
         double normal[3];
         if (!is_below(model, &model->faces[i], axis, level_m)) continue;
