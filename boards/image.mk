@@ -204,7 +204,7 @@ flash: image ## [start] BOARD=NAME: put the image on the board
 emulate: image $(CHECK) $(EMULATOR) ## [start] BOARD=NAME [N=FRAMES]: run the image in its emulator; frames, checked, into out/boards/NAME
 	$(LIVE)mkdir -p $(PICTURES)
 	$(LIVE)$(EMULATE)
-	$(LIVE)$(if $(camera_turn),echo "emulate: frames were not checked: the simulator does not turn its camera as this panel needs")
+	$(LIVE)echo "emulate: $(if $(camera_turn),$(N) frames were not checked: the simulator does not turn its camera as this panel needs,$(N) frames equal the simulator's); PNGs in $(PICTURES)"
 
 rules: image $(CHECK) $(RULES_CHECKER) ## [board] BOARD=NAME [N=FRAMES]: hold what the image does to registers to its maker's manuals; frames, checked
 	$(LIVE)$(if $(RULES),,echo "rules: none are written down for $(BOARD)" >&2; exit 1)
