@@ -222,23 +222,10 @@ static int part_open(const struct place *place, char part[PATH_SIZE_B])
     return descriptor;
 }
 
-static bool are_one_file(int a, int b)
-{
-    struct stat of_a, of_b;
-    return fstat(a, &of_a) == 0 && fstat(b, &of_b) == 0 && of_a.st_dev == of_b.st_dev && of_a.st_ino == of_b.st_ino;
-}
-
-static int open_as_it_is(struct outputs *outputs, const char *path)
-{
-    const int descriptor = open(path, O_WRONLY | O_CLOEXEC | O_NOCTTY);
-    outputs->has_stdout |= descriptor >= 0 && are_one_file(descriptor, STDOUT_FILENO);
-    return descriptor;
-}
-
 static int place_open(struct outputs *outputs, const struct place *place, struct error *err)
 {
     char part[PATH_SIZE_B];
-    if (place->as_it_is) return open_as_it_is(outputs, place->path);
+    if (place->as_it_is) return open(place->path, O_WRONLY | O_CLOEXEC | O_NOCTTY);
     ending_hold();
     int descriptor = part_open(place, part);
     if (descriptor >= 0 && !outputs_remember(outputs, place->path, part, err)) {
@@ -319,7 +306,7 @@ static void files_text(const struct outputs *outputs, char text[WRITTEN_B])
 {
     const char **files = grow_zeroed(outputs->count + 1, sizeof *files);
     size_t count = 0;
-    for (size_t i = 0; i < outputs->count && !outputs->has_stdout; i++)
+    for (size_t i = 0; i < outputs->count; i++)
         if (outputs->paths[i].part) files[count++] = outputs->paths[i].path;
     written_text(files, count, text);
     free(files);

@@ -9,7 +9,6 @@
 
 #include "base/error.h"
 
-#include <stdbool.h>
 #include <stddef.h>
 #include <stdio.h>
 
@@ -20,7 +19,6 @@ struct outputs {
     size_t count;
     struct spared_file *spared; /* what is read, and so not written */
     size_t spared_count;
-    bool has_stdout; /* an output is standard output itself: nothing else is to be said there */
 };
 
 /* A file that the command reads (NULL: none): outputs_open() refuses it from now on, however its path is spelled. What

@@ -2,7 +2,6 @@
 #include "base/written.h"
 
 #include <ctype.h>
-#include <fcntl.h>
 #include <stdbool.h>
 #include <stdio.h>
 #include <string.h>
@@ -69,14 +68,7 @@ void written_text(const char *const *paths, size_t count, char text[WRITTEN_B])
     }
 }
 
-/* streams_prepare() puts something in its place that cannot be written. */
-static bool is_closed(int descriptor)
-{
-    const int flags = fcntl(descriptor, F_GETFL);
-    return flags < 0 || (flags & O_ACCMODE) == O_RDONLY;
-}
-
 void written_say(const char *text)
 {
-    if (*text && !is_closed(STDOUT_FILENO)) puts(text);
+    if (*text && isatty(STDOUT_FILENO)) puts(text);
 }

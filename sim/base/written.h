@@ -13,7 +13,7 @@ enum { WRITTEN_B = 1024 };
  * too long ends in dots. */
 void written_text(const char *const *paths, size_t count, char text[WRITTEN_B]);
 
-/* Puts such a line on standard output, unless it is empty or standard output was closed by who began the command. */
+/* Puts such a line on standard output, if that is a terminal: what a script reads has nothing else in it. */
 void written_say(const char *text);
 
 #endif

@@ -67,7 +67,6 @@ static bool take_scene(struct play *play, struct arguments *arguments, struct er
                error_set(err, "--test-card: draws no scene, what is '%s'?", arguments->items[1]);
     if (!options_parse(arguments->count, arguments->items, OPTIONS_VIEW, options, err)) return false;
     options->orbit_frames = ORBIT_FRAMES;
-    options_outline_on(options, &play->module_choice.panel);
     const enum lim_method method = options->setup.method;
     if (method != LIM_NEAREST_FIRST && method != LIM_PAINTER) options->movers.mode = MOVING_OFF;
     module_choice_picture(&play->module_choice.module, &options->setup.w_px, &options->setup.h_px);

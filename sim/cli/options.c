@@ -24,7 +24,7 @@
 #include <string.h>
 #include <strings.h>
 
-enum { ORBIT_FRAMES = 16, UNSAID_SIZE_PX = 240, WHITE = 0xFFFF };
+enum { ORBIT_FRAMES = 16, UNSAID_SIZE_PX = 240 };
 
 enum option_code {
     OPTION_OUT = 'o',
@@ -352,15 +352,6 @@ static bool asks_for_output(const struct options *options)
            options->check_path || options->hashes_path || options->cameras_path || options->stats || options->compare;
 }
 
-void options_outline_on(struct options *options, const struct panel_choice *panel)
-{
-    const bool is_mono = panel->format == PANEL_MONO_PAGES || panel->format == PANEL_MONO_LINES;
-    if (!options->wireframe.on || options->wireframe.one_colour || !is_mono) return;
-    options->wireframe.one_colour = true;
-    options->wireframe.colour = WHITE;
-    options->wireframe.background = 0;
-}
-
 bool options_parse(int argc, char **argv, enum options_set set, struct options *out, struct error *err)
 {
     const bool is_render = set == OPTIONS_RENDER;
@@ -390,7 +381,6 @@ bool options_parse(int argc, char **argv, enum options_set set, struct options *
     if (out->compile.antialias && !method_antialiases(out->setup.method, out->wireframe.on, err)) return false;
     if (out->delta_runs && !method_scans(out->setup.method, "--delta is", err)) return false;
     settle_size(out);
-    if (out->setup.panel == SIMULATOR_PANEL) options_outline_on(out, &out->panel);
     if (!settle_frames(out, err)) return false;
     if (out->has_rate && !out->gif_path) idle_options_add(&out->idle, "fps");
     out->compile.keep_faces = out->ids_path || out->compare;

@@ -44,9 +44,6 @@ bool options_parse(int argc, char **argv, enum options_set set, struct options *
 bool options_load(const struct options *options, struct compiled *scene, struct moving *moving, struct lens *lens,
                   struct camera_path *path, struct error *err);
 
-/* What is black or white shows outlines in white on black, unless they were given colours. */
-void options_outline_on(struct options *options, const struct panel_choice *panel);
-
 /* Whether the frames show all of what moves, as often as it takes, and end where they began: an orbit's do, unless both
  * how many they are and how many a second was said. */
 bool options_loop(const struct options *options, const struct moving *moving);

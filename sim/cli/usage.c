@@ -104,10 +104,8 @@ static const struct entry {
              "  --two-sided         all faces are seen from both sides, as those of open models may have to be\n"},
     {MODELS, "  --unlit             colours as they are in the model: no light is baked in\n"},
     {SCENES, "  --background RRGGBB  where no face is seen (000000)\n"},
-    {SCENES,
-     "  --wireframe         for drawing outlines alone, hidden lines left out (render, view: drawn so;\n"
-     "                      --wireframe=RRGGBB,RRGGBB: all lines and the background in these colours, which black and\n"
-     "                      white panels have as white on black)\n"},
+    {SCENES, "  --wireframe         for drawing outlines alone, hidden lines left out (render, view: drawn so;\n"
+             "                      --wireframe=RRGGBB,RRGGBB: all lines and the background in these colours)\n"},
     {SCENES | MEASURE | COMPARE,
      "  --antialias         for smooth edges, methods that draw nearest first (render, view: drawn so)\n"},
     {SCENES | MEASURE | COMPARE,

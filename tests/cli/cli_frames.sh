@@ -25,7 +25,7 @@ refused() {
 
 mkdir here && cd here || exit 1
 
-one_file() { small -o house.png >said && [ "$(cat said)" = "wrote house.png" ] && small -o 'o/%d.png' --frames 1 && cmp house.png o/0.png; }
+one_file() { small -o house.png && small -o 'o/%d.png' --frames 1 && cmp house.png o/0.png; }
 tap_check "-o house.png is one frame, the first of an orbit" one_file
 
 first_camera() {
@@ -84,18 +84,20 @@ tap_check "frames of an animation are spread evenly over all of it" loop_closes
 
 # -- What is said --------------------------------------------------------------------------------------------------------
 
+# On a terminal alone: what a script reads has nothing else in it.
 says() { # LINE ARGUMENT...
     line=$1
     shift
-    small "$@" >said 2>err && cat said err && [ "$(cat said)" = "$line" ] && [ ! -s err ]
+    script -qec "'$limner' render '$scenes/icosahedron.obj' --size 24x16 $*" /dev/null </dev/null | tr '\r' '\n' | sed 's/.*\x1b\[K//' >said
+    cat said
+    grep -qxF "$line" said
 }
-tap_check "numbered frames are one item" says "wrote s/0.png to s/4.png (5 files)" -o 's/%d.png' --frames 5
-tap_check "files are named in their order" says "wrote f.gif, f.png and h.txt" --gif f.gif --sheet f.png --write-hashes h.txt
-tap_check "two frames are two files" says "wrote t/0.png and t/1.png" -o 't/%d.png' --frames 2
-
-nothing_mixed() { small --write-hashes /dev/stdout --frames 2 >said && [ "$(grep -c wrote said)" -eq 0 ] && [ -s said ]; }
-tap_check "nothing else goes where standard output is a file that was asked for" nothing_mixed
-
-compile_says() { "$limner" compile "$scenes/icosahedron.obj" -o ico >said && grep -qx 'wrote ico.h, ico.c and ico.lim' said; }
-tap_check "compile says it as well" compile_says
+if script -qec true /dev/null >/dev/null 2>&1; then
+    tap_check "numbered frames are one item" says "wrote s/0.png to s/4.png (5 files)" -o s/%d.png --frames 5
+    tap_check "files are named in their order" says "wrote f.gif, f.png and h.txt" --gif f.gif --sheet f.png --write-hashes h.txt
+else
+    tap_skip "a terminal is told what was written" "there are no pseudo-terminals here"
+fi
+is_quiet() { small -o 'quiet/%d.png' --frames 2 >said 2>&1 && [ ! -s said ]; }
+tap_check "a pipe is told nothing" is_quiet
 tap_done

@@ -161,8 +161,8 @@ tap_check "without options an orbit of 16 frames goes to out/" writes_by_default
 writes_films() { render --gif x.gif --sheet x.png && [ "$(head -c 6 x.gif)" = GIF89a ] && [ -s x.png ] && [ ! -e x.png.part ]; }
 tap_check "an animated GIF and a contact sheet are written" writes_films
 
-is_quiet() { render --gif x.gif >said 2>&1 && [ "$(cat said)" = 'wrote x.gif' ]; }
-tap_check "nothing is said in a pipe but what was written" is_quiet
+is_quiet() { render --gif x.gif >said 2>&1 && [ ! -s said ]; }
+tap_check "nothing is said in a pipe" is_quiet
 
 writes_ids() {
     render --ids ids && [ "$(wc -c <ids)" -eq $((3 * 64 * 48 * 4)) ] &&
@@ -283,8 +283,7 @@ tap_check "an interrupted render leaves nothing behind" cleans_up_when_interrupt
 
 shows_in_terminal() {
     env -u DISPLAY -u WAYLAND_DISPLAY SDL_VIDEODRIVER=x11 LIMNER_DUMP=view.png "$limner" view pyramid.obj \
-        --camera path.cam --size 64x48 >picture </dev/null && [ "$(wc -l <picture)" -eq 25 ] &&
-        [ "$(tail -n 1 picture)" = 'wrote view.png' ] && cmp view.png out/000.png
+        --camera path.cam --size 64x48 >picture </dev/null && [ "$(wc -l <picture)" -eq 24 ] && cmp view.png out/000.png
 }
 tap_check "view without a display shows the first frame as text" shows_in_terminal
 

@@ -2,6 +2,7 @@
  *
  * Output files come all or none, numbered names are safe, hash files find the frame that changed. */
 #include "base/outputs.h"
+#include "base/written.h"
 #include "pictures/hashes.h"
 #include "rigs/cmocka_ready.h"
 
@@ -75,6 +76,43 @@ static void discarded_files_and_folders_are_gone(void **state)
     write_text(&outputs, "a/two.txt", "two");
     outputs_discard(&outputs);
     assert_false(exists("a"));
+}
+
+static void what_was_written_is_told_in_a_line(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *files[6], *line;
+    } cases[] = {
+        {{NULL}, ""},
+        {{"a.png"}, "wrote a.png"},
+        {{"a.c", "a.h"}, "wrote a.c and a.h"},
+        {{"a.c", "a.h", "a.lim"}, "wrote a.c, a.h and a.lim"},
+        {{"o/0.png", "o/1.png"}, "wrote o/0.png and o/1.png"},
+        {{"a.gif", "o/9.png", "o/10.png", "o/11.png"}, "wrote a.gif and o/9.png to o/11.png (3 files)"},
+        {{"0.a", "1.a", "2.a", "0.b", "1.b", "x"}, "wrote 0.a to 2.a (3 files), 0.b, 1.b and x"},
+        {{"a\nb\033[K"}, "wrote a b [K"},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        char text[WRITTEN_B];
+        size_t count = 0;
+        while (count < 6 && cases[i].files[count])
+            count++;
+        written_text(cases[i].files, count, text);
+        assert_string_equal(text, cases[i].line);
+    }
+}
+
+static void a_line_that_would_be_too_long_ends_in_dots(void **state)
+{
+    (void)state;
+    static char name[2 * WRITTEN_B];
+    const char *files[1] = {name};
+    char text[WRITTEN_B];
+    memset(name, 'n', sizeof name - 1);
+    written_text(files, 1, text);
+    assert_int_equal(strlen(text), WRITTEN_B - 1);
+    assert_string_equal(text + WRITTEN_B - 6, "nn...");
 }
 
 static void discarding_leaves_what_was_there_before(void **state)
@@ -228,6 +266,8 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(kept_files_are_in_place_in_new_folders),
         cmocka_unit_test(discarded_files_and_folders_are_gone),
+        cmocka_unit_test(what_was_written_is_told_in_a_line),
+        cmocka_unit_test(a_line_that_would_be_too_long_ends_in_dots),
         cmocka_unit_test(discarding_leaves_what_was_there_before),
         cmocka_unit_test(what_cannot_be_written_is_named),
         cmocka_unit_test(devices_are_written_as_they_are),
