@@ -115,7 +115,7 @@ LINKS = $(shell pkg-config --libs $(LIBRARIES)) -lgmp -lz -lm
 
 object  = $(patsubst %.c,$(BUILD)/host/%.o,$(1))
 # The rooms of sim/ and of firmware/, the lowest first: each includes itself and lower ones (tests/rooms.sh).
-rooms   := base core pictures model readers scene cameras displays glass render accuracy compiler measure cli
+rooms   := base core pictures model readers scene cameras displays glass render accuracy compiler export measure cli
 firmware_rooms := math view screen pixels lines movers pieces routes orders
 sources := $(filter-out sim/core/core.c,$(wildcard firmware/*.c $(firmware_rooms:%=firmware/%/*.c) hal/*.c hal/linux/*.c hal/hid/*.c hal/mcu/*.c $(rooms:%=sim/%/*.c))) \
 	$(addprefix boards/common/,card.c screen.c test_card.c walker.c)
@@ -157,6 +157,23 @@ $(BUILD)/core-$(1).o: $(call core_object,$(1))
 endef
 $(foreach name,$(profiles),$(eval $(call core,$(name))))
 
+# What `limner export` writes folders from: sim/export/embedded.h.
+embedded := $(sort $(wildcard firmware/*.[ch] $(firmware_rooms:%=firmware/%/*.[ch]) hal/*.[ch] hal/adapters/*.h) \
+	$(addprefix boards/common/,board.h screen.c screen.h screen_work.h) $(shell find sim/export/worlds -type f) LICENSE)
+
+$(BUILD)/host/embedded.c: $(embedded) sim/tools/embed.sh $(BUILD)/host/embedded
+	@sh sim/tools/embed.sh $(embedded) > $@
+
+# Their names, so that what is new or gone counts.
+$(BUILD)/host/embedded: force
+	@mkdir -p $(@D)
+	@echo '$(embedded)' | cmp -s - $@ || echo '$(embedded)' > $@
+
+$(BUILD)/host/embedded.o: $(BUILD)/host/embedded.c $(BUILD)/host/flags
+	@echo "CC $< ($(words $(embedded)) files)"
+	@$(CCACHE) $(CC) @$(BUILD)/host/flags -c -o $@ $<
+
+$(library): $(BUILD)/host/embedded.o
 $(library): $(call object,$(filter-out sim/cli/main.c,$(sources))) $(patsubst %,$(BUILD)/core-%.o,$(profiles))
 
 $(BUILD)/limner: $(call object,sim/cli/main.c) $(library) | $(BUILD)/count_plugin.so

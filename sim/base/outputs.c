@@ -273,6 +273,13 @@ bool outputs_close(FILE *file, const char *path, struct error *err)
     return error_set(err, "%s: cannot be written: %s", path, errno ? strerror(errno) : "output error");
 }
 
+FILE *outputs_reread(const struct outputs *outputs, size_t index, const char **path)
+{
+    const struct output_path *output = &outputs->paths[index];
+    *path = output->path;
+    return output->part ? fopen(output->part, "rb") : NULL;
+}
+
 /* All ---------------------------------------------------------------------------------------- */
 
 /* Two runs into one place take turns, so that files which belong together come from one run. A lock that is not to be

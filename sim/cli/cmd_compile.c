@@ -2,293 +2,21 @@
  *
  * limner compile MODEL... -o NAME: writes NAME.c, NAME.h and NAME.lim, all or none, and says what the
  * scene costs. Of several models each becomes NAME_MODEL.c and .lim; they share NAME.h. */
-#include "base/c_name.h"
-#include "base/grow.h"
-#include "base/parse.h"
-#include "cameras/camera_path.h"
 #include "cli/commands.h"
-#include "compiler/compile.h"
-#include "compiler/moving_compile.h"
-#include "compiler/portal_choice.h"
-#include "compiler/tree_choice.h"
-#include "core/core_parse.h"
-#include "displays/idle_options.h"
-#include "measure/choose.h"
-#include "scene/moving.h"
-#include "scene/scene_files.h"
+#include "cli/compile_request.h"
 
-#include <getopt.h>
 #include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
-#include <sys/resource.h>
-
-enum option_code {
-    OPTION_TOLERANCE = 256,
-    OPTION_SPLITTER,
-    OPTION_TREE,
-    OPTION_METHOD,
-    OPTION_KEEP_FACES,
-    OPTION_PORTALS,
-    OPTION_UNLIT,
-    OPTION_BACKGROUND,
-    OPTION_DROP_SMALL,
-    OPTION_WIREFRAME,
-    OPTION_ANTIALIAS,
-    OPTION_DELTA,
-    OPTION_ROUND,
-    OPTION_FILL,
-    OPTION_FRAMEBUFFER,
-    OPTION_SIZE,
-    OPTION_NEAR,
-    OPTION_PRECISION,
-    OPTION_MAX_ERROR,
-    OPTION_MAX_VERTEX_ERROR,
-    OPTION_CAMERA,
-    OPTION_CORE,
-    OPTION_MOVERS,
-    OPTION_MOVER_LIGHT,
-    OPTION_REPORT
-};
-
-static const struct option OPTIONS[] = {
-    {"tolerance", required_argument, NULL, OPTION_TOLERANCE},
-    {"splitter", required_argument, NULL, OPTION_SPLITTER},
-    {"tree", required_argument, NULL, OPTION_TREE},
-    {"method", required_argument, NULL, OPTION_METHOD},
-    {"portals", required_argument, NULL, OPTION_PORTALS},
-    {"keep-faces", no_argument, NULL, OPTION_KEEP_FACES},
-    {"unlit", no_argument, NULL, OPTION_UNLIT},
-    {"background", required_argument, NULL, OPTION_BACKGROUND},
-    {"drop-small", no_argument, NULL, OPTION_DROP_SMALL},
-    ORIENTATION_OPTIONS,
-    {"wireframe", no_argument, NULL, OPTION_WIREFRAME},
-    {"antialias", no_argument, NULL, OPTION_ANTIALIAS},
-    {"delta", no_argument, NULL, OPTION_DELTA},
-    {"round", no_argument, NULL, OPTION_ROUND},
-    {"fill", no_argument, NULL, OPTION_FILL},
-    {"framebuffer", no_argument, NULL, OPTION_FRAMEBUFFER},
-    {"precision", required_argument, NULL, OPTION_PRECISION},
-    {"max-error", required_argument, NULL, OPTION_MAX_ERROR},
-    {"max-vertex-error", required_argument, NULL, OPTION_MAX_VERTEX_ERROR},
-    {"camera", required_argument, NULL, OPTION_CAMERA},
-    {"core", required_argument, NULL, OPTION_CORE},
-    {"size", required_argument, NULL, OPTION_SIZE},
-    {"near", required_argument, NULL, OPTION_NEAR},
-    {"mover-light", required_argument, NULL, OPTION_MOVER_LIGHT},
-    {"movers", required_argument, NULL, OPTION_MOVERS},
-    {"report", no_argument, NULL, OPTION_REPORT},
-    {NULL, 0, NULL, 0},
-};
-
-struct request {
-    char **models; /* what to compile */
-    size_t model_count;
-    const char *name; /* the path to write to, without suffix */
-    struct compile_options compile;
-    struct choice_bound bound; /* of --max-error and its like */
-    struct moving_options movers;
-    struct idle_options idle; /* given ones, that may change nothing */
-    bool report_only;
-};
-
-static bool has_bound(const struct request *request)
-{
-    return request->bound.wrong_percent >= 0.0 || request->bound.vertex_px >= 0.0;
-}
-
-static bool parse_option(int code, char **argv, struct request *out, struct error *err)
-{
-    switch (code) {
-    case 'o':
-        out->name = optarg;
-        return *optarg || error_set(err, "-o: needs a name");
-    case OPTION_TOLERANCE:
-        return parse_tolerance(optarg, &out->compile.tolerance_units, err);
-    case OPTION_SPLITTER:
-        out->compile.splitter = optarg;
-        return true;
-    case OPTION_METHOD:
-        return compile_method_parse(optarg, &out->compile, err);
-    case OPTION_TREE:
-        return tree_choice_parse(optarg, &out->compile, err);
-    case OPTION_PORTALS:
-        return portals_parse(optarg, &out->compile.portals, err);
-    case OPTION_KEEP_FACES:
-        out->compile.keep_faces = true;
-        return true;
-    case OPTION_BACKGROUND:
-        return parse_background(optarg, &out->compile.background, err);
-    case OPTION_UNLIT:
-        out->compile.unlit = true;
-        return true;
-    case ORIENTATION_UP:
-    case ORIENTATION_REVERSE_FACES:
-    case ORIENTATION_TWO_SIDED:
-        return orientation_parse(code, optarg, &out->compile.orientation, err);
-    case OPTION_DROP_SMALL:
-        out->compile.drop_small = true;
-        return true;
-    case OPTION_WIREFRAME:
-        out->compile.wireframe = true;
-        return true;
-    case OPTION_ANTIALIAS:
-        out->compile.antialias = true;
-        return true;
-    case OPTION_DELTA:
-        out->compile.delta = true;
-        return true;
-    case OPTION_ROUND:
-        out->compile.round = true;
-        return true;
-    case OPTION_FILL:
-        out->compile.fill = true;
-        return true;
-    case OPTION_FRAMEBUFFER:
-        out->compile.framebuffer = true;
-        return true;
-    case OPTION_PRECISION:
-        return parse_precision(optarg, &out->compile.core, err);
-    case OPTION_SIZE:
-        return parse_size(optarg, &out->compile.w_px, &out->compile.h_px, err);
-    case OPTION_NEAR:
-        return parse_near(optarg, &out->compile.near_m, err);
-    case OPTION_MAX_ERROR:
-        return parse_bound("--max-error", optarg, "%", &out->bound.wrong_percent, err);
-    case OPTION_MAX_VERTEX_ERROR:
-        return parse_bound("--max-vertex-error", optarg, "px", &out->bound.vertex_px, err);
-    case OPTION_CAMERA:
-        return camera_choice_parse(optarg, &out->bound.cameras, err);
-    case OPTION_CORE:
-        return measure_cpu_parse(optarg, &out->bound.cpu, err);
-    case OPTION_MOVERS:
-        return moving_mode_parse(optarg, &out->movers.mode, err);
-    case OPTION_MOVER_LIGHT:
-        return moving_light_parse(optarg, &out->movers.light, err);
-    case OPTION_REPORT:
-        out->report_only = true;
-        return true;
-    case ':':
-        return error_set(err, "%s: needs a value", argv[optind - 1]);
-    default:
-        return error_no_option(err, argv[optind - 1]);
-    }
-}
-
-static bool check_bound(const struct request *request, struct error *err)
-{
-    if (!has_bound(request))
-        return (!request->bound.cameras.text && !request->bound.cpu) ||
-               error_set(err, "compile: --camera and --core go with --max-error or --max-vertex-error");
-    if (request->compile.core) return error_set(err, "compile: --precision leaves --max-error nothing to choose");
-    return request->model_count == 1 || error_set(err, "compile: --max-error takes one model at a time");
-}
-
-static bool parse(int argc, char **argv, struct request *out, struct error *err)
-{
-    *out = (struct request){.compile = {.tolerance_units = 0.5,
-                                        .splitter = "auto",
-                                        .trial = TRIAL_IF_SPLIT,
-                                        .choose_order = true,
-                                        .w_px = 240,
-                                        .h_px = 240,
-                                        .portals = PORTALS_AUTO,
-                                        .predict = true}};
-    out->bound = (struct choice_bound){.wrong_percent = -1.0, .vertex_px = -1.0};
-    opterr = 0;
-    optind = 1;
-    for (int code, index = 0; (code = getopt_long(argc, argv, ":o:", OPTIONS, &index)) != -1;) {
-        if (!parse_option(code, argv, out, err)) return false;
-        if (code != 'o') idle_options_add(&out->idle, OPTIONS[index].name);
-    }
-    if (optind >= argc) return error_set(err, "compile: needs a model");
-    out->models = &argv[optind];
-    out->model_count = (size_t)(argc - optind);
-    return check_bound(out, err) && compile_options_settle(&out->compile, err) &&
-           (out->name || out->report_only || error_set(err, "compile: needs -o NAME, or --report alone"));
-}
-
-/* What becomes of the models, one to one. */
-struct result {
-    struct compiled *scenes;
-    struct moving *moving;
-    struct named_scene *named;
-    char (*names)[C_PATH_MAX_B];
-    size_t count; /* so far */
-};
-
-/* NAME for a single model; NAME_hall for house/hall.obj where there are others. */
-static bool name_scene(const struct request *request, size_t i, char name[C_PATH_MAX_B], struct error *err)
-{
-    if (request->model_count == 1) return c_path(name, request->name, "", err);
-    const char *slash = strrchr(request->models[i], '/'), *file = slash ? slash + 1 : request->models[i];
-    const char *dot = strrchr(file, '.');
-    char suffix[C_NAME_MAX_B];
-    if (snprintf(suffix, sizeof suffix, "_%.*s", dot ? (int)(dot - file) : (int)strlen(file), file) >= C_NAME_MAX_B)
-        return error_set(err, "%s: the name is too long for C symbols", request->models[i]);
-    return c_path(name, request->name, suffix, err);
-}
-
-static bool names_differ(const struct result *result, size_t i, const char *model, struct error *err)
-{
-    struct c_name mine, other;
-    if (!c_name_init(&mine, result->names[i], err)) return false;
-    for (size_t k = 0; k < i; k++) {
-        if (!c_name_init(&other, result->names[k], err)) return false;
-        if (strcmp(mine.macro, other.macro) == 0)
-            return error_set(err, "%s: a scene of that name is there already", model);
-    }
-    return true;
-}
-
-/* Names first: what cannot be written is not worth compiling. */
-static bool name_all(const struct request *request, struct result *result, struct error *err)
-{
-    for (size_t i = 0; i < request->model_count; i++)
-        if (!name_scene(request, i, result->names[i], err) || !names_differ(result, i, request->models[i], err))
-            return false;
-    return true;
-}
-
-static bool compile_all(const struct request *request, struct result *result, struct error *err)
-{
-    for (size_t i = 0; i < request->model_count; i++) {
-        struct moving *moving = &result->moving[i];
-        result->count++;
-        if (!moving_compile(request->models[i], &request->compile, &request->movers, &result->scenes[i], moving, err))
-            return false;
-        if (*moving->model.notice) fprintf(stderr, "limner: %s: %s\n", request->models[i], moving->model.notice);
-        if (moving->count && !method_moves(result->scenes[i].report.draws, err)) return false;
-        if (request->compile.near_m <= 0.0) lens_note_near(request->models[i], &result->scenes[i].grid);
-        result->named[i] = (struct named_scene){&result->scenes[i], result->names[i], moving->count ? moving : NULL};
-    }
-    return true;
-}
-
-/* What moves one model may do nothing to another. */
-static void note_idle(const struct request *request, const struct result *result)
-{
-    size_t moving = 0, stopped = 0;
-    for (size_t i = 0; i < result->count; i++) {
-        moving += result->moving[i].count;
-        stopped += result->moving[i].stopped;
-    }
-    idle_options_note_scene(&request->idle,
-                            &(struct idle_scene){.name = result->count == 1 ? request->models[0] : "these models",
-                                                 .is_set = request->compile.tree == TREE_NONE,
-                                                 .is_still = !moving,
-                                                 .was_still = !moving && !stopped});
-}
 
 static bool put_scene(const struct named_scene *scene, const char *header, struct outputs *outputs, struct error *err)
 {
     char path[C_PATH_MAX_B];
     return c_path(path, scene->name, ".lim", err) && c_source_put(scene, header, outputs, err) &&
            lim_file_put(scene->scene, path, outputs, err) &&
-           (!scene->moving || c_movers_put(scene, header, outputs, err));
+           (!scene->moving || (c_movers_put(scene, header, outputs, err) && lim_movers_put(scene, outputs, err)));
 }
 
-static bool write_files(const struct result *result, const char *name, struct error *err)
+static bool write_files(const struct compile_result *result, const char *name, struct error *err)
 {
     struct outputs outputs = {0};
     bool ok = c_header_put(result->named, result->count, name, &outputs, err);
@@ -297,62 +25,26 @@ static bool write_files(const struct result *result, const char *name, struct er
     return scene_files_finish(&outputs, ok, err);
 }
 
-static void print_reports(const struct request *request, const struct result *result)
+static bool run(struct compile_request *request, struct error *err)
 {
-    for (size_t i = 0; i < result->count; i++) {
-        const struct compiled *scene = &result->scenes[i];
-        compile_report_print(scene, request->name ? result->names[i] : request->models[i]);
-        if (result->moving[i].count)
-            moving_report_print(&result->moving[i], scene, request->name ? result->names[i] : NULL);
-    }
-}
-
-/* How much memory this program had at most, all of its work together. */
-static void print_effort(void)
-{
-    struct rusage usage;
-    if (getrusage(RUSAGE_SELF, &usage) == 0)
-        printf("%-30s %8ld MB\n", "memory for compiling, at most", usage.ru_maxrss / 1024);
-}
-
-/* The precision that the bound asks for; evidence goes to standard output. */
-static bool choose(struct request *request, struct error *err)
-{
-    struct choice choice;
-    if (!has_bound(request)) return true;
-    const bool ok = choose_core(request->models[0], &request->compile, &request->bound, &choice, err);
-    if (choice.frames) choice_print(&choice, &request->bound, stdout);
-    fflush(stdout); /* the import forks */
-    request->compile.core = choice.core;
+    struct compile_result result;
+    bool ok =
+        compile_request_run(request, &result, err) && (!request->name || write_files(&result, request->name, err));
+    if (ok) compile_result_report(request, &result);
+    compile_result_free(&result);
     return ok;
 }
 
-static bool run(struct request *request, struct error *err)
+static bool is_asked(const struct compile_request *request, struct error *err)
 {
-    const size_t count = request->model_count;
-    struct result result = {grow_zeroed(count, sizeof *result.scenes), grow_zeroed(count, sizeof *result.moving),
-                            grow_zeroed(count, sizeof *result.named), grow_zeroed(count, sizeof *result.names), 0};
-    bool ok = (!request->name || name_all(request, &result, err)) && choose(request, err) &&
-              compile_all(request, &result, err) && (!request->name || write_files(&result, request->name, err));
-    if (ok) note_idle(request, &result);
-    if (ok) print_reports(request, &result);
-    if (ok) print_effort();
-    for (size_t i = 0; i < result.count; i++) {
-        compiled_free(&result.scenes[i]);
-        moving_free(&result.moving[i]);
-    }
-    free(result.moving);
-    free(result.scenes);
-    free(result.named);
-    free(result.names);
-    return ok;
+    return request->name || request->report_only || error_set(err, "compile: needs -o NAME, or --report alone");
 }
 
 int cmd_compile(int argc, char **argv)
 {
-    struct request request;
+    struct compile_request request;
     struct error err;
-    bool ok = parse(argc, argv, &request, &err) && run(&request, &err);
+    bool ok = compile_request_parse(argc, argv, &request, &err) && is_asked(&request, &err) && run(&request, &err);
     if (!ok) fprintf(stderr, "limner: %s\n", err.text);
     return ok ? EXIT_SUCCESS : EXIT_FAILURE;
 }

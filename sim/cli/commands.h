@@ -22,5 +22,6 @@ int cmd_uf2(int argc, char **argv);
 int cmd_boot2(int argc, char **argv);
 int cmd_report_bug(int argc, char **argv);
 int cmd_replay(int argc, char **argv);
+int cmd_export(int argc, char **argv);
 
 #endif

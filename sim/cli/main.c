@@ -26,7 +26,7 @@ static const struct command {
                 {"card", cmd_card, false},      {"decode", cmd_decode, false},
                 {"hashes", cmd_hashes, false},  {"uf2", cmd_uf2, false},
                 {"boot2", cmd_boot2, false},    {"report-bug", cmd_report_bug, true},
-                {"replay", cmd_replay, true}};
+                {"replay", cmd_replay, true},   {"export", cmd_export, true}};
 
 /* --trust-paths, which means the same to all commands that read models, is taken out. */
 static int take_trust(int argc, char **argv)

@@ -73,6 +73,16 @@ static bool put(const struct module_choice *choice, const struct display *displa
     return outputs_close(file, file_path, err);
 }
 
+bool module_c_write(const struct module_choice *choice, const char *name, FILE *header, FILE *source, struct error *err)
+{
+    struct display display;
+    struct c_name c_name;
+    if (!idle_display_setup(&display, choice, err) || !c_name_init(&c_name, name, err)) return false;
+    write_header(header, choice, &display, &c_name);
+    write_source(source, choice, &display, &c_name);
+    return true;
+}
+
 bool module_c_put(const struct module_choice *choice, const char *path, struct outputs *outputs, struct error *err)
 {
     struct display display;

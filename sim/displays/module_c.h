@@ -8,7 +8,13 @@
 #include "base/outputs.h"
 #include "displays/module_choice.h"
 
+#include <stdio.h>
+
 /* PATH.h and PATH.c. Refuses what the panel's driver does. */
 bool module_c_put(const struct module_choice *choice, const char *path, struct outputs *outputs, struct error *err);
+
+/* The same into files that are open: NAME.h and NAME.c. */
+bool module_c_write(const struct module_choice *choice, const char *name, FILE *header, FILE *source,
+                    struct error *err);
 
 #endif

@@ -176,7 +176,7 @@ static bool write_shared_memory(FILE *file, const struct named_scene *scenes, si
     return true;
 }
 
-static struct needs needs_of_all(const struct named_scene *scenes, size_t count)
+struct needs c_header_needs(const struct named_scene *scenes, size_t count)
 {
     struct needs needs = needs_of(scenes[0].scene, scenes[0].moving);
     for (size_t i = 1; i < count; i++) {
@@ -220,32 +220,64 @@ static void end_declarations(FILE *file)
     fputs("\nLIM_C_END\n\n#endif\n#endif\n", file);
 }
 
-static bool write_header(FILE *file, const struct named_scene *scenes, size_t count, const char *header,
-                         struct error *err)
+static bool write_scenes(FILE *file, const struct named_scene *scenes, size_t count, const struct needs *needs,
+                         const struct c_name *header, struct error *err)
 {
-    struct c_name name;
-    const struct needs needs = needs_of_all(scenes, count);
-    if (!c_name_init(&name, header, err)) return false;
-    write_configuration(file, &needs, count, &name);
-    begin_declarations(file, &name);
     for (size_t i = 0; i < count; i++) {
-        struct c_name scene_name;
-        if (!c_name_init(&scene_name, scenes[i].name, err)) return false;
-        write_scene(file, &scenes[i], &needs, &scene_name);
+        struct c_name name;
+        if (!c_name_init(&name, scenes[i].name, err)) return false;
+        write_scene(file, &scenes[i], needs, &name);
     }
-    if (count > 1 && !write_shared_memory(file, scenes, count, &name, err)) return false;
-    end_declarations(file);
-    return true;
+    return count < 2 || write_shared_memory(file, scenes, count, header, err);
 }
 
-bool c_header_put(const struct named_scene *scenes, size_t count, const char *header, struct outputs *outputs,
-                  struct error *err)
+static bool write_configured(FILE *file, const struct named_scene *scenes, size_t count, const struct c_name *header,
+                             struct error *err)
+{
+    const struct needs needs = c_header_needs(scenes, count);
+    write_configuration(file, &needs, count, header);
+    begin_declarations(file, header);
+    const bool ok = write_scenes(file, scenes, count, &needs, header, err);
+    end_declarations(file);
+    return ok;
+}
+
+static bool write_declarations(FILE *file, const struct named_scene *scenes, size_t count, const struct c_name *header,
+                               struct error *err)
+{
+    const struct needs needs = c_header_needs(scenes, count);
+    fprintf(file, "/* %s for Limner, written by `limner export`. limner.h was written with it, and fits it. */\n",
+            count > 1 ? "Scenes" : "A scene");
+    fprintf(file, "#ifndef %s_SCENE_H\n#define %s_SCENE_H\n\n#include \"limner.h\"\n\nLIM_C_BEGIN\n", header->macro,
+            header->macro);
+    const bool ok = write_scenes(file, scenes, count, &needs, header, err);
+    fputs("\nLIM_C_END\n\n#endif\n", file);
+    return ok;
+}
+
+typedef bool header_writer(FILE *file, const struct named_scene *scenes, size_t count, const struct c_name *header,
+                           struct error *err);
+
+static bool put(header_writer *write, const struct named_scene *scenes, size_t count, const char *header,
+                struct outputs *outputs, struct error *err)
 {
     char path[C_PATH_MAX_B];
     struct c_name name;
     if (!c_path(path, header, ".h", err) || !c_name_init(&name, header, err)) return false;
     FILE *file = outputs_open(outputs, path, err);
     if (!file) return false;
-    bool written = write_header(file, scenes, count, header, err);
+    const bool written = write(file, scenes, count, &name, err);
     return outputs_close(file, path, err) && written;
+}
+
+bool c_header_put(const struct named_scene *scenes, size_t count, const char *header, struct outputs *outputs,
+                  struct error *err)
+{
+    return put(write_configured, scenes, count, header, outputs, err);
+}
+
+bool c_declarations_put(const struct named_scene *scenes, size_t count, const char *header, struct outputs *outputs,
+                        struct error *err)
+{
+    return put(write_declarations, scenes, count, header, outputs, err);
 }

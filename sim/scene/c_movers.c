@@ -69,10 +69,19 @@ static void write_movers(FILE *file, const struct named_scene *scene, const stru
 static bool put_objects(const struct named_scene *scene, const char *header, struct outputs *outputs, struct error *err)
 {
     for (size_t i = 0; i < scene->moving->count; i++) {
-        char name[C_PATH_MAX_B], path[C_PATH_MAX_B];
+        char name[C_PATH_MAX_B];
         const struct named_scene object = {&scene->moving->objects[i].scene, name, NULL};
+        if (!object_name(scene, i, name, err) || !c_source_put(&object, header, outputs, err)) return false;
+    }
+    return true;
+}
+
+bool lim_movers_put(const struct named_scene *scene, struct outputs *outputs, struct error *err)
+{
+    for (size_t i = 0; i < scene->moving->count; i++) {
+        char name[C_PATH_MAX_B], path[C_PATH_MAX_B];
         if (!object_name(scene, i, name, err) || !c_path(path, name, ".lim", err) ||
-            !c_source_put(&object, header, outputs, err) || !lim_file_put(object.scene, path, outputs, err))
+            !lim_file_put(&scene->moving->objects[i].scene, path, outputs, err))
             return false;
     }
     return true;

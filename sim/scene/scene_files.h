@@ -10,6 +10,7 @@
 #include "scene/compiled.h"
 
 struct moving;
+struct needs;
 
 struct named_scene {
     const struct compiled *scene;
@@ -33,11 +34,21 @@ bool lim_file_put(const struct compiled *scene, const char *path, struct outputs
 bool c_header_put(const struct named_scene *scenes, size_t count, const char *header, struct outputs *outputs,
                   struct error *err);
 
+/* HEADER.h without the configuration, for a renderer that has it inside (limner export). */
+bool c_declarations_put(const struct named_scene *scenes, size_t count, const char *header, struct outputs *outputs,
+                        struct error *err);
+
+/* All that any of the scenes needs. */
+struct needs c_header_needs(const struct named_scene *scenes, size_t count);
+
 /* NAME.c: the arrays. It includes HEADER.h. */
 bool c_source_put(const struct named_scene *scene, const char *header, struct outputs *outputs, struct error *err);
 
-/* What moves in a scene: NAME_object1.c and .lim, and so on, and NAME_movers.c, which includes HEADER.h. */
+/* What moves in a scene: NAME_object1.c, and so on, and NAME_movers.c, which includes HEADER.h. */
 bool c_movers_put(const struct named_scene *scene, const char *header, struct outputs *outputs, struct error *err);
+
+/* The same objects as NAME_object1.lim, and so on. */
+bool lim_movers_put(const struct named_scene *scene, struct outputs *outputs, struct error *err);
 
 /* What NAME.h says of that. */
 void c_movers_declare(FILE *file, const struct named_scene *scene, const struct c_name *name);

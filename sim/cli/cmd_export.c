@@ -1,0 +1,165 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * limner export MODEL... --for WORLD -o FOLDER: a folder that a toolchain takes as it is: the renderer, cut to what the
+ * scenes require, the scenes, a display's driver, an example. It takes what `limner compile` takes, and what describes
+ * a display. */
+#include "cli/commands.h"
+#include "cli/compile_request.h"
+#include "displays/idle_port.h"
+#include "export/export.h"
+#include "export/export_folder.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { ARGUMENTS_MORE = 3 };
+
+struct export_request {
+    const struct world *world;
+    char folder[C_PATH_MAX_B], command[C_PATH_MAX_B];
+    struct c_name name;
+    char path[C_PATH_MAX_B]; /* of the files, without suffix */
+    struct module_choice module;
+    bool has_module;
+    struct compile_request compile;
+};
+
+/* As it was typed, for the page of the folder; words that a shell would take apart are quoted. */
+static void tell_command(int argc, char **argv, char command[C_PATH_MAX_B])
+{
+    size_t at = (size_t)snprintf(command, C_PATH_MAX_B, "limner");
+    for (int i = 0; i < argc && at < C_PATH_MAX_B; i++) {
+        const bool is_plain =
+            strspn(argv[i], "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-./:,=%+") ==
+            strlen(argv[i]);
+        at += (size_t)snprintf(command + at, C_PATH_MAX_B - at, is_plain ? " %s" : " '%s'", argv[i]);
+    }
+}
+
+/* Without slashes at its end. */
+static bool take_folder(struct export_request *out, const char *folder, struct error *err)
+{
+    if (!folder) return error_set(err, "export: needs -o FOLDER");
+    size_t length = strlen(folder);
+    while (length > 1 && folder[length - 1] == '/')
+        length--;
+    if (length >= C_PATH_MAX_B) return error_set(err, "%s: the path is too long", folder);
+    snprintf(out->folder, sizeof out->folder, "%.*s", (int)length, folder);
+    if (!c_name_init(&out->name, out->folder, err)) return false;
+    if (strcmp(out->name.symbol, out->name.file) != 0)
+        fprintf(stderr, "limner: %s: is called %s in C\n", out->name.file, out->name.symbol);
+    if (snprintf(out->path, sizeof out->path, "%s/%s%s", out->folder, out->world->source, out->name.symbol) >=
+        C_PATH_MAX_B)
+        return error_set(err, "%s: the path is too long", folder);
+    return true;
+}
+
+/* A display that was described, or the commonest one of the world unless pixels are asked for by their size alone. */
+static bool take_module(struct export_request *out, struct arguments *arguments, struct error *err)
+{
+    static char option[] = "--panel";
+    char usual[32];
+    bool is_sized = false;
+    for (int i = 1; i < arguments->count; i++) {
+        if (strncmp(arguments->items[i], "--panel", 7) == 0) out->has_module = true;
+        if (strncmp(arguments->items[i], "--size", 6) == 0) is_sized = true;
+    }
+    if (!out->has_module && (is_sized || !out->world->panel)) return true;
+    if (!out->has_module) {
+        snprintf(usual, sizeof usual, "%s", out->world->panel);
+        arguments->items[arguments->count++] = option;
+        arguments->items[arguments->count++] = usual;
+        out->has_module = true;
+    }
+    return module_choice_parse(&out->module, arguments, err);
+}
+
+/* The target's sides, and what its glass and its pixels ask of the renderer. */
+static bool fit_to_module(struct export_request *out, struct error *err)
+{
+    struct display display;
+    if (!out->has_module) return true;
+    if (!idle_display_setup(&display, &out->module, err)) return false;
+    out->compile.compile.w_px = display.panel->w_px;
+    out->compile.compile.h_px = display.panel->h_px;
+    out->compile.compile.round |= display.panel->visible != NULL;
+    return true;
+}
+
+static bool parse(struct arguments *arguments, struct export_request *out, struct error *err)
+{
+    const char *world = NULL, *folder = NULL;
+    if (!arguments_value(arguments, "--for", &world, err) || !arguments_value(arguments, "-o", &folder, err))
+        return false;
+    if (!world) return error_set(err, "export: needs --for WORLD: arduino, idf, pico, cmake or plain");
+    out->world = world_find(world, err);
+    if (!out->world || !take_folder(out, folder, err) || !take_module(out, arguments, err)) return false;
+    if (!compile_request_parse(arguments->count, arguments->items, &out->compile, err)) return false;
+    out->compile.name = out->path;
+    return fit_to_module(out, err);
+}
+
+/* File names are those of C, which no toolchain minds. */
+static bool name_files(const struct export_request *request, struct compile_result *result, struct error *err)
+{
+    for (size_t i = 0; i < result->count; i++) {
+        struct c_name name;
+        char path[2 * C_PATH_MAX_B];
+        if (!c_name_init(&name, result->names[i], err)) return false;
+        if (strcmp(name.symbol, name.file) != 0)
+            fprintf(stderr, "limner: %s: is called %s in C\n", name.file, name.symbol);
+        if (snprintf(path, sizeof path, "%s/%s%s", request->folder, request->world->source, name.symbol) >=
+            C_PATH_MAX_B)
+            return error_set(err, "%s: the path is too long", request->folder);
+        strcpy(result->names[i], path);
+    }
+    return true;
+}
+
+static bool write_folder(const struct export *export, struct export_folder *folder, struct error *err)
+{
+    struct outputs outputs = {0};
+    const bool ok = export_put(export, &outputs, err) && export_folder_list(folder, &outputs, err);
+    if (!scene_files_finish(&outputs, ok, err)) return false;
+    export_folder_tidy(folder);
+    return true;
+}
+
+static bool run(struct export_request *request, struct error *err)
+{
+    struct export_folder folder;
+    struct compile_result result = {0};
+    bool ok = export_folder_open(&folder, request->folder, err) &&
+              compile_request_run(&request->compile, &result, err) && name_files(request, &result, err);
+    const struct export export = {.world = request->world,
+                                  .folder = request->folder,
+                                  .name = &request->name,
+                                  .scenes = result.named,
+                                  .count = result.count,
+                                  .module = request->has_module ? &request->module : NULL,
+                                  .w_px = request->compile.compile.w_px,
+                                  .h_px = request->compile.compile.h_px,
+                                  .command = request->command};
+    ok = ok && write_folder(&export, &folder, err);
+    if (ok) compile_result_report(&request->compile, &result);
+    if (ok) export_report(&export);
+    compile_result_free(&result);
+    export_folder_free(&folder);
+    return ok;
+}
+
+int cmd_export(int argc, char **argv)
+{
+    struct error err;
+    struct export_request request = {.world = NULL};
+    char **items = calloc((size_t)argc + ARGUMENTS_MORE, sizeof *items);
+    if (!items) return EXIT_FAILURE;
+    memcpy(items, argv, (size_t)argc * sizeof *items);
+    struct arguments arguments = {items, argc};
+    tell_command(argc, argv, request.command);
+    const bool ok = parse(&arguments, &request, &err) && run(&request, &err);
+    if (!ok) fprintf(stderr, "limner: %s\n", err.text);
+    free(items);
+    return ok ? EXIT_SUCCESS : EXIT_FAILURE;
+}

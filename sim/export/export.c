@@ -1,0 +1,412 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Everything is written through one set of outputs, so that a folder is whole or is not there. limner.files says what
+ * an export wrote, so that the next one may take its place, and nothing else may be overwritten. */
+#include "export/export.h"
+
+#include "agree.h"
+#include "base/grow.h"
+#include "cameras/camera_path.h"
+#include "export/amalgam.h"
+#include "export/display_c.h"
+#include "export/embedded.h"
+#include "export/template.h"
+#include "scene/mcu_mem.h"
+#include "scene/moving.h"
+#include "scene/needs.h"
+
+#include <math.h>
+#include <stdarg.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* Nobody else defines these. */
+static const char *const SETTLED[] = {"LIM_HAS_",     "LIM_PROFILE", "LIM_SUB_BITS",  "LIM_MAX_",
+                                      "LIM_CONFIG",   "LIM_READS_",  "LIM_SETTINGS_", "SCREEN_STREAMS",
+                                      "PIXELS_ONLY_", "BOARD_ENDS",  "__has_include", NULL};
+static const char *const FOLDERS[] = {"firmware/", "hal/", "boards/common/", NULL};
+
+/* In which order its rooms are joined, the lowest first; then what knows them all. */
+static const char *const ROOMS[] = {"math/",   "view/",   "screen/", "pixels/", "lines/",
+                                    "movers/", "pieces/", "routes/", "orders/", ""};
+
+enum { EXPORT_FOV_DEG = 60, ORBIT_FRAMES = 36 };
+
+/* Estimates on the safe side of what is refused: the smallest renderer with a driver, and its stack. */
+enum { LEAST_CODE_B = 8192, LEAST_STACK_B = 512, STRUCTS_B = 400 };
+
+struct export_orbit {
+    double target_m[3], radius_m, near_m;
+};
+
+static FILE *open_in(const struct export *export, const char *folder, const char *name, char path[C_PATH_MAX_B],
+                     struct outputs *outputs, struct error *err)
+{
+    if (snprintf(path, C_PATH_MAX_B, "%s/%s%s", export->folder, folder, name) >= C_PATH_MAX_B) {
+        error_set(err, "%s: the path is too long", export->folder);
+        return NULL;
+    }
+    return outputs_open(outputs, path, err);
+}
+
+static void put_settings(const struct export *export, FILE *out)
+{
+    const struct needs needs = c_header_needs(export->scenes, export->count);
+    if (display_c_is_filled(export)) fputs("#define LIM_HAS_FILL 1\n#define LIM_HAS_LINES 0\n", out);
+    needs_write(&needs, out);
+}
+
+/* As text that amalgam.h learns the settings from. */
+static bool add_settings(const struct export *export, struct amalgam *joined, FILE *out, struct error *err)
+{
+    char *settings = NULL;
+    size_t settings_b;
+    FILE *memory = open_memstream(&settings, &settings_b);
+    if (!memory) return error_set(err, "no memory for settings");
+    put_settings(export, memory);
+    fclose(memory);
+    const bool ok = amalgam_add_text(joined, "what the scene requires", settings, out, err);
+    free(settings);
+    return ok;
+}
+
+static bool write_header(const struct export *export, struct amalgam *joined, FILE *out, struct error *err)
+{
+    fprintf(out,
+            "/* Limner %d.%d.%d: solid 3D scenes on small displays. The renderer for %s, written by `limner export`.\n"
+            " * MIT licence: see LICENSE. */\n#ifndef LIMNER_H\n#define LIMNER_H\n",
+            LIM_VERSION_MAJOR, LIM_VERSION_MINOR, LIM_VERSION_PATCH, export->name->symbol);
+    if (!add_settings(export, joined, out, err) || !amalgam_add(joined, "firmware/limner.h", out, err)) return false;
+    fputs("\n#endif\n", out);
+    return true;
+}
+
+static bool add_room(const char *room, struct amalgam *joined, FILE *out, struct error *err)
+{
+    char start[64];
+    const size_t start_b = (size_t)snprintf(start, sizeof start, "firmware/%s", room);
+    for (const struct embedded *file = embedded_files; file->path; file++) {
+        const size_t path_b = strlen(file->path);
+        if (strncmp(file->path, start, start_b) != 0 || strchr(file->path + start_b, '/')) continue;
+        if (strcmp(file->path + path_b - 2, ".c") == 0 && !amalgam_add(joined, file->path, out, err)) return false;
+    }
+    return true;
+}
+
+static bool write_renderer(struct amalgam *joined, FILE *out, struct error *err)
+{
+    fputs("/* The renderer whose header is limner.h; written by `limner export` from the files that are named below. "
+          "MIT\n"
+          " * licence: see LICENSE. */\n#include \"limner.h\"\n",
+          out);
+    for (size_t i = 0; i < sizeof ROOMS / sizeof *ROOMS; i++)
+        if (!add_room(ROOMS[i], joined, out, err)) return false;
+    return true;
+}
+
+/* limner.h, and then whatever rests upon it. */
+typedef bool part_writer(const struct export *export, struct amalgam *joined, FILE *out, struct error *err);
+
+static bool put_part(const struct export *export, const char *folder, const char *name, part_writer *write,
+                     struct amalgam *joined, struct outputs *outputs, struct error *err)
+{
+    char path[C_PATH_MAX_B];
+    FILE *out = open_in(export, folder, name, path, outputs, err);
+    if (!out) return false;
+    const bool ok = write(export, joined, out, err);
+    return outputs_close(out, path, err) && ok;
+}
+
+static bool renderer_part(const struct export *export, struct amalgam *joined, FILE *out, struct error *err)
+{
+    (void)export;
+    return write_renderer(joined, out, err);
+}
+
+static bool display_header_part(const struct export *export, struct amalgam *joined, FILE *out, struct error *err)
+{
+    (void)joined;
+    return display_c_write_header(export, out, err);
+}
+
+/* What a port fills. */
+static bool add_wires(struct amalgam *joined, FILE *out, struct error *err)
+{
+    return amalgam_add(joined, "hal/spi_modes.h", out, err) && amalgam_add(joined, "boards/common/board.h", out, err);
+}
+
+/* It stands alone; *joined learns what is in it. */
+static bool wires_part(const struct export *export, struct amalgam *joined, FILE *out, struct error *err)
+{
+    struct amalgam alone = {.conditions.settled = SETTLED, .folders = FOLDERS};
+    (void)export;
+    fputs(
+        "/* What a display hangs on: bus, pins and clock, which a port fills. Written by `limner export`. MIT licence: "
+        "see\n * LICENSE. */\n#ifndef LIMNER_DISPLAY_H\n#define LIMNER_DISPLAY_H\n",
+        out);
+    FILE *nowhere = fopen("/dev/null", "w");
+    const bool ok = add_wires(&alone, out, err) &&
+                    (nowhere ? add_wires(joined, nowhere, err) : error_set(err, "/dev/null: cannot be opened"));
+    if (nowhere) fclose(nowhere);
+    amalgam_free(&alone);
+    fputs("\n#endif\n", out);
+    return ok;
+}
+
+static bool put_display(const struct export *export, struct amalgam *joined, struct outputs *outputs, struct error *err)
+{
+    char header[C_NAME_MAX_B + 16], source[C_NAME_MAX_B + 16];
+    snprintf(header, sizeof header, "%s_display.h", export->name->symbol);
+    snprintf(source, sizeof source, "%s_display.c", export->name->symbol);
+    return put_part(export, export->world->header, "limner_display.h", wires_part, joined, outputs, err) &&
+           put_part(export, export->world->header, header, display_header_part, joined, outputs, err) &&
+           put_part(export, export->world->source, source, display_c_write_source, joined, outputs, err);
+}
+
+/* Two branches of one header: the renderer and the display's driver each join what limner.h did not. */
+static bool put_sources(const struct export *export, struct outputs *outputs, struct error *err)
+{
+    struct amalgam renderer = {.conditions.settled = SETTLED, .folders = FOLDERS};
+    struct amalgam display = renderer;
+    bool ok = put_part(export, export->world->header, "limner.h", write_header, &renderer, outputs, err) &&
+              put_part(export, export->world->source, "limner.c", renderer_part, &renderer, outputs, err);
+    FILE *nowhere = fopen("/dev/null", "w");
+    ok = ok && (nowhere || error_set(err, "/dev/null: cannot be opened")) &&
+         (!export->module ||
+          (write_header(export, &display, nowhere, err) && put_display(export, &display, outputs, err)));
+    if (nowhere) fclose(nowhere);
+    amalgam_free(&renderer);
+    amalgam_free(&display);
+    return ok;
+}
+
+static bool is_wanted(const struct export *export, enum world_when when)
+{
+    switch (when) {
+    case WORLD_ALWAYS:
+        return true;
+    case WORLD_WITH_PANEL:
+        return export->module;
+    case WORLD_WITHOUT_PANEL:
+        return !export->module;
+    default:
+        return !export->module || export->module->panel.format == PANEL_RGB565;
+    }
+}
+
+/* Files of the project that come as they are: one header takes the place of those that it was joined from. */
+static void write_adapter(const char *text, const char *header, FILE *out)
+{
+    bool is_included = false;
+    for (const char *end; *text; text = end) {
+        end = strchr(text, '\n');
+        end = end ? end + 1 : text + strlen(text);
+        if (strncmp(text, "#include \"", 10) != 0) {
+            fwrite(text, 1, (size_t)(end - text), out);
+        } else if (!is_included) {
+            fprintf(out, "#include \"%s\"\n", header);
+            is_included = true;
+        }
+    }
+}
+
+static bool is_adapter(const char *from)
+{
+    return strncmp(from, "hal/adapters/", 13) == 0;
+}
+
+/* Ports know the display's wires, others the renderer. */
+static const char *adapter_header(const char *text)
+{
+    return strstr(text, "#include \"limner.h\"") ? "limner.h" : "limner_display.h";
+}
+
+static bool put_file(const struct export *export, const struct world_file *file, const struct template_word *words,
+                     size_t word_count, struct outputs *outputs, struct error *err)
+{
+    char *to = NULL, path[C_PATH_MAX_B];
+    size_t to_b;
+    const struct embedded *from = embedded_find(file->from);
+    if (!from) return error_set(err, "%s: no such file in this program", file->from);
+    FILE *memory = open_memstream(&to, &to_b);
+    if (!memory) return error_set(err, "no memory for a name");
+    template_write(memory, file->to, words, word_count);
+    fclose(memory);
+    FILE *out = open_in(export, "", to, path, outputs, err);
+    free(to);
+    if (!out) return false;
+    if (is_adapter(file->from))
+        write_adapter(from->text, adapter_header(from->text), out);
+    else
+        template_write(out, from->text, words, word_count);
+    return outputs_close(out, path, err);
+}
+
+static bool put_world(const struct export *export, const struct template_word *words, size_t word_count,
+                      struct outputs *outputs, struct error *err)
+{
+    static const struct world_file licence = {"LICENSE", "LICENSE", WORLD_ALWAYS};
+    if (!put_file(export, &licence, words, word_count, outputs, err)) return false;
+    for (size_t i = 0; i < export->world->file_count; i++) {
+        const struct world_file *file = &export->world->files[i];
+        if (is_wanted(export, file->when) && !put_file(export, file, words, word_count, outputs, err)) return false;
+    }
+    return true;
+}
+
+static bool put_scenes(const struct export *export, struct outputs *outputs, struct error *err)
+{
+    char header[C_PATH_MAX_B];
+    if (snprintf(header, sizeof header, "%s/%s%s", export->folder, export->world->header, export->name->symbol) >=
+        C_PATH_MAX_B)
+        return error_set(err, "%s: the path is too long", export->folder);
+    if (!c_declarations_put(export->scenes, export->count, header, outputs, err)) return false;
+    for (size_t i = 0; i < export->count; i++) {
+        const struct named_scene *scene = &export->scenes[i];
+        if (!c_source_put(scene, header, outputs, err) || (scene->moving && !c_movers_put(scene, header, outputs, err)))
+            return false;
+    }
+    return true;
+}
+
+/* The example's orbit: the simulator's. */
+static bool plan_orbit(const struct export *export, struct export_orbit *orbit, struct error *err)
+{
+    struct lens lens;
+    struct camera_path path;
+    const struct compiled *scene = export->scenes[0].scene;
+    if (!lens_for_grid(&lens, EXPORT_FOV_DEG, 0.0, &scene->grid, export->w_px, export->h_px, err) ||
+        !camera_path_orbit(scene, &lens, ORBIT_FRAMES, &path, err))
+        return false;
+    const struct viewpoint *first = &path.frames[0];
+    double square_m2 = 0.0;
+    for (int i = 0; i < 3; i++) {
+        orbit->target_m[i] = first->target_m[i];
+        square_m2 += (first->eye_m[i] - first->target_m[i]) * (first->eye_m[i] - first->target_m[i]);
+    }
+    orbit->radius_m = sqrt(square_m2);
+    orbit->near_m = lens.near_m;
+    camera_path_free(&path);
+    return true;
+}
+
+/* All sources but the example's, each after a blank and with its folder. */
+static void write_sources(const struct export *export, FILE *out)
+{
+    const char *folder = export->world->source, *symbol = export->name->symbol;
+    fprintf(out, "%slimner.c", folder);
+    for (size_t i = 0; i < export->count; i++) {
+        const struct moving *moving = export->scenes[i].moving;
+        const char *scene = strrchr(export->scenes[i].name, '/') + 1;
+        fprintf(out, " %s%s.c", folder, scene);
+        for (size_t k = 0; moving && k < moving->count; k++)
+            fprintf(out, " %s%s_object%zu.c", folder, scene, k + 1);
+        if (moving) fprintf(out, " %s%s_movers.c", folder, scene);
+    }
+    if (export->module) fprintf(out, " %s%s_display.c", folder, symbol);
+}
+
+enum { WORDS_MAX = 24, WORD_TEXT_B = 4096 };
+
+struct words {
+    struct template_word list[WORDS_MAX];
+    char texts[WORDS_MAX][WORD_TEXT_B];
+    size_t count;
+};
+
+__attribute__((format(printf, 3, 4))) static void add_word(struct words *words, const char *word, const char *format,
+                                                           ...)
+{
+    char *text = words->texts[words->count];
+    va_list values;
+    va_start(values, format);
+    vsnprintf(text, WORD_TEXT_B, format, values);
+    va_end(values);
+    words->list[words->count++] = (struct template_word){word, text};
+}
+
+static void add_sources(const struct export *export, struct words *words)
+{
+    char *sources = NULL;
+    size_t sources_b;
+    FILE *memory = open_memstream(&sources, &sources_b);
+    if (!memory) return;
+    write_sources(export, memory);
+    fclose(memory);
+    add_word(words, "sources", "%s", sources);
+    free(sources);
+}
+
+static void add_orbit(const struct export_orbit *orbit, struct words *words)
+{
+    add_word(words, "TARGET_M", "%.4g, %.4g, %.4g", orbit->target_m[0], orbit->target_m[1], orbit->target_m[2]);
+    add_word(words, "ORBIT_M", "%.4g", orbit->radius_m);
+    add_word(words, "NEAR_M", "%.3g", orbit->near_m);
+    add_word(words, "LENS", "%d", EXPORT_FOV_DEG);
+}
+
+static bool fill_words(const struct export *export, struct words *words, struct error *err)
+{
+    struct export_orbit orbit;
+    struct c_name first;
+    const struct export_cost cost = export_cost(export);
+    if (!plan_orbit(export, &orbit, err) || !c_name_init(&first, export->scenes[0].name, err)) return false;
+    *words = (struct words){.count = 0};
+    add_word(words, "name", "%s", export->name->symbol);
+    add_word(words, "NAME", "%s", export->name->macro);
+    add_word(words, "scene", "%s", first.symbol);
+    add_word(words, "SCENE", "%s", first.macro);
+    add_word(words, "title", "%s", export->world->title);
+    add_word(words, "version", "%d.%d.%d", LIM_VERSION_MAJOR, LIM_VERSION_MINOR, LIM_VERSION_PATCH);
+    add_word(words, "command", "%s", export->command);
+    add_word(words, "W", "%u", export->w_px);
+    add_word(words, "H", "%u", export->h_px);
+    add_word(words, "panel", "%s", export->module ? export->module->panel.name : "no display");
+    add_word(words, "data_b", "%zu", cost.data_b);
+    add_word(words, "ram_b", "%zu", cost.ram_b);
+    add_orbit(&orbit, words);
+    add_sources(export, words);
+    return true;
+}
+
+bool export_put(const struct export *export, struct outputs *outputs, struct error *err)
+{
+    struct words *words = grow_zeroed(1, sizeof *words);
+    const bool ok = fill_words(export, words, err) && put_scenes(export, outputs, err) &&
+                    put_sources(export, outputs, err) && put_world(export, words->list, words->count, outputs, err);
+    free(words);
+    return ok;
+}
+
+/* One scene is in memory at a time, beside a line of pixels and what the display's driver keeps. */
+struct export_cost export_cost(const struct export *export)
+{
+    struct export_cost cost = {0, 0};
+    for (size_t i = 0; i < export->count; i++) {
+        const struct compiled *scene = export->scenes[i].scene;
+        const struct moving *moving = export->scenes[i].moving;
+        const size_t ram_b = mcu_mem_b(scene) + (moving ? mcu_movers_mem_b(scene, moving) : 0);
+        cost.data_b += scene->report.flash_b;
+        for (size_t k = 0; moving && k < moving->count; k++)
+            cost.data_b += moving->objects[k].scene.report.flash_b;
+        if (ram_b > cost.ram_b) cost.ram_b = ram_b;
+    }
+    cost.ram_b += STRUCTS_B + (display_c_is_filled(export) ? 2u : 2u * export->world->line_count) * export->w_px;
+    return cost;
+}
+
+void export_report(const struct export *export)
+{
+    const struct world *world = export->world;
+    const struct export_cost cost = export_cost(export);
+    printf("%s: %zu bytes of scene data, %zu of RAM without the stack; the code takes some 5 to 15 KB more\n",
+           export->folder, cost.data_b, cost.ram_b);
+    if (!world->smallest ||
+        (cost.data_b + LEAST_CODE_B <= world->flash_b && cost.ram_b + LEAST_STACK_B <= world->ram_b))
+        return;
+    fprintf(stderr,
+            "limner: %s: too large for %s, which has %lu bytes of flash and %lu of RAM: the scene takes %zu with the "
+            "least code, and %zu with the least stack; larger boards have room\n",
+            export->folder, world->smallest, (unsigned long)world->flash_b, (unsigned long)world->ram_b,
+            cost.data_b + LEAST_CODE_B, cost.ram_b + LEAST_STACK_B);
+}

@@ -1,0 +1,66 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Flash and RAM of the smallest boards: ATmega32U4 with its bootloader (Leonardo), RP2040 (Pico), ESP32-C3 with what
+ * ESP-IDF leaves of 400 KB and of an application partition of 1 MB. */
+#include "export/world.h"
+
+#include <string.h>
+
+#define COUNT(files) (sizeof(files) / sizeof *(files))
+
+static const struct world_file ARDUINO[] = {
+    {"sim/export/worlds/arduino/library.properties", "library.properties", WORLD_ALWAYS},
+    {"sim/export/worlds/arduino/library.json", "library.json", WORLD_ALWAYS},
+    {"sim/export/worlds/arduino/README.md", "README.md", WORLD_ALWAYS},
+    {"sim/export/worlds/arduino/panel.ino", "examples/@name@/@name@.ino", WORLD_WITH_PANEL},
+    {"hal/adapters/limner_arduino.h", "src/limner_arduino.h", WORLD_WITH_PANEL},
+};
+
+static const struct world_file IDF[] = {
+    {"sim/export/worlds/idf/CMakeLists.txt", "CMakeLists.txt", WORLD_ALWAYS},
+    {"sim/export/worlds/idf/idf_component.yml", "idf_component.yml", WORLD_ALWAYS},
+    {"sim/export/worlds/idf/README.md", "README.md", WORLD_ALWAYS},
+    {"sim/export/worlds/idf/example/CMakeLists.txt", "examples/@name@/CMakeLists.txt", WORLD_WITH_PANEL},
+    {"sim/export/worlds/idf/example/main/CMakeLists.txt", "examples/@name@/main/CMakeLists.txt", WORLD_WITH_PANEL},
+    {"sim/export/worlds/idf/example/main/main.c", "examples/@name@/main/main.c", WORLD_WITH_PANEL},
+    {"hal/adapters/limner_idf.h", "include/limner_idf.h", WORLD_WITH_PANEL},
+};
+
+static const struct world_file PICO[] = {
+    {"sim/export/worlds/pico/CMakeLists.txt", "CMakeLists.txt", WORLD_ALWAYS},
+    {"sim/export/worlds/pico/README.md", "README.md", WORLD_ALWAYS},
+    {"sim/export/worlds/pico/example/CMakeLists.txt", "example/CMakeLists.txt", WORLD_WITH_PANEL},
+    {"sim/export/worlds/pico/example/main.c", "example/main.c", WORLD_WITH_PANEL},
+    {"hal/adapters/limner_pico.h", "src/limner_pico.h", WORLD_WITH_PANEL},
+};
+
+static const struct world_file CMAKE[] = {
+    {"sim/export/worlds/cmake/CMakeLists.txt", "CMakeLists.txt", WORLD_ALWAYS},
+    {"sim/export/worlds/cmake/README.md", "README.md", WORLD_ALWAYS},
+    {"sim/export/worlds/cmake/example/CMakeLists.txt", "example/CMakeLists.txt", WORLD_ALWAYS},
+    {"sim/export/worlds/plain/send.c", "example/main.c", WORLD_WITHOUT_PANEL},
+    {"sim/export/worlds/plain/panel.c", "example/main.c", WORLD_WITH_PANEL},
+};
+
+static const struct world_file PLAIN[] = {
+    {"sim/export/worlds/plain/README.md", "README.md", WORLD_ALWAYS},
+    {"sim/export/worlds/plain/send.c", "main.c", WORLD_WITHOUT_PANEL},
+    {"sim/export/worlds/plain/panel.c", "main.c", WORLD_WITH_PANEL},
+};
+
+static const struct world WORLDS[] = {
+    {"arduino", "Arduino and PlatformIO", "ili9341", "src/", "src/", ARDUINO, COUNT(ARDUINO), 1, "an Arduino Leonardo",
+     28672, 2560},
+    {"idf", "ESP-IDF", "st7789", "src/", "include/", IDF, COUNT(IDF), 2, "an ESP32-C3", 1048576, 327680},
+    {"pico", "Pico SDK", "st7789", "src/", "src/", PICO, COUNT(PICO), 2, "a Raspberry Pi Pico", 2097152, 270336},
+    {"cmake", "CMake", NULL, "src/", "src/", CMAKE, COUNT(CMAKE), 1, NULL, 0, 0},
+    {"plain", "any compiler", NULL, "", "", PLAIN, COUNT(PLAIN), 1, NULL, 0, 0},
+};
+
+const struct world *world_find(const char *name, struct error *err)
+{
+    for (size_t i = 0; i < COUNT(WORLDS); i++)
+        if (strcmp(WORLDS[i].name, name) == 0) return &WORLDS[i];
+    error_set(err, "--for %s: no such world; there are: arduino, idf, pico, cmake, plain", name);
+    return NULL;
+}
