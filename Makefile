@@ -21,7 +21,7 @@ ifeq ($(origin CCACHE),undefined)
 CCACHE := $(shell sh sim/tools/compiler_cache.sh)
 endif
 
-ALL_SUITES := host arm cpus boards cross compilers sanitize models prove format kernel foreign
+ALL_SUITES := host arm cpus boards export cross compilers sanitize models prove format kernel foreign
 SUITES     := host arm
 suites     := $(if $(filter all,$(SUITES)),$(ALL_SUITES),$(SUITES))
 
@@ -52,6 +52,8 @@ packages-arm           := gcc-arm-none-eabi qemu-system-arm gnuplot-nox
 packages-fixed         := $(packages-host) $(packages-arm)
 packages-cpus          := g++ $(packages-arm) gcc-riscv64-unknown-elf gcc-avr avr-libc gcc-powerpc-linux-gnu \
 	libc6-dev-powerpc-cross qemu-system-misc qemu-user simavr
+packages-export        := g++ cmake arduino-builder arduino-core-avr gcc-avr avr-libc libsimavr-dev libelf-dev gcc-riscv64-unknown-elf \
+	qemu-system-misc $(packages-arm)
 packages-cross         := gcc-arm-none-eabi gcc-riscv64-unknown-elf gcc-avr avr-libc g++ clang
 packages-compilers     := clang
 packages-sanitize      := $(packages-host)
@@ -294,6 +296,7 @@ suite-arm       := $(wildcard tests/arm/arm_*.sh)
 suite-fixed     := $(BUILD)/tests/test_fixed tests/arm/arm_fixed.sh
 suite-cpus      := $(wildcard tests/cpus/cpus_*.sh)
 suite-boards    := $(wildcard tests/boards/boards_*.sh)
+suite-export    := $(wildcard tests/export/export_*.sh)
 suite-cross     := tests/cross.sh tests/cross_cplusplus.sh
 suite-compilers := tests/compilers.sh
 suite-sanitize  := $(wildcard tests/sanitize*.sh)

@@ -42,7 +42,7 @@ uint32_t lim_recip_divided_q24(uint32_t mantissa_q31)
 #if LIM_8_BIT
 
 /* Shifts are by bytes where they can be: of the library's, and the compiler's, each bit is a turn of a loop. */
-int32_t lim_mul_q30(int32_t a_q30, int32_t b_q30)
+LIM_ALONE int32_t lim_mul_q30(int32_t a_q30, int32_t b_q30)
 {
     const union {
         int64_t q60;
@@ -72,7 +72,8 @@ uint32_t lim_divide_u9(uint32_t a, uint16_t b)
 
 #else
 
-int32_t lim_mul_q30(int32_t a_q30, int32_t b_q30)
+/* Not inlined where all sources are one file either: rows and angles call it often, and seldom. */
+LIM_ALONE int32_t lim_mul_q30(int32_t a_q30, int32_t b_q30)
 {
     return (int32_t)shift_round_s64((int64_t)a_q30 * b_q30, 30);
 }

@@ -30,7 +30,7 @@ static int open_window(struct lim_delta *delta, const struct lim_rect *window)
     return delta->target.window(delta->target.ctx, window);
 }
 
-static int send(struct lim_delta *delta, uint16_t y, const struct lim_rect *rect)
+static int send_window(struct lim_delta *delta, uint16_t y, const struct lim_rect *rect)
 {
     note_sent(delta, width(rect), 0);
     return delta->target.done(delta->target.ctx, y, rect->x0, width(rect));
@@ -58,7 +58,7 @@ static int send_rect(struct lim_delta *delta, const struct lim_rect *rect)
         uint16_t *line = lend(delta, y);
         if (!line) return LIM_ERR_TARGET;
         lim_runs_paint(&delta->runs, y, line, rect->x0, rect->x1);
-        err = send(delta, y, rect);
+        err = send_window(delta, y, rect);
     }
     return err;
 }
@@ -124,7 +124,7 @@ static int send_stretch(struct lim_delta *delta, const struct lim_rect *stretch)
         if (err) return err;
     }
     stream->y0++;
-    return send(delta, stretch->y0, stretch);
+    return send_window(delta, stretch->y0, stretch);
 }
 
 /* The line first: its memory may be what rectangles are painted in. They must not grow over it, and go as well. */
@@ -184,7 +184,7 @@ static int send_page(struct lim_delta *delta, uint16_t y)
     lim_rects_join(&delta->rects);
     for (uint16_t i = 0; i < delta->rects.count && !err; i++) {
         note_sent(delta, 0, 1);
-        err = send(delta, y, &delta->rects.rect[i]);
+        err = send_window(delta, y, &delta->rects.rect[i]);
     }
     lim_rects_clear(&delta->rects);
     return err;
@@ -260,7 +260,7 @@ static int send_piece(struct lim_delta *delta, const struct lim_rect *piece, boo
     }
     delta->stream.y0 = delta->target.h_px;
     int err = open_window(delta, NULL);
-    if (!err) err = send(delta, piece->y0, piece);
+    if (!err) err = send_window(delta, piece->y0, piece);
     return err || !is_last ? err : send_rects(delta);
 }
 

@@ -9,7 +9,10 @@
 #include "scene/needs.h"
 
 #include <inttypes.h>
+#include <math.h>
 #include <stdlib.h>
+
+static const double PI = 3.14159265358979323846, Q28 = 268435456.0;
 
 static bool is_turned(const struct display *display)
 {
@@ -56,7 +59,14 @@ static void write_sizes(const struct export *export, const struct display *displ
     fprintf(out, "#define %s_DISPLAY_H_PX %u\n", macro, is_turned(display) ? w_px : h_px);
     fputs("/* What its SPI may run at, and in which modes, 1 << mode each (spi_modes). */\n", out);
     fprintf(out, "#define %s_DISPLAY_HZ UINT32_C(%" PRIu32 ")\n", macro, export->module->speed_hz);
-    fprintf(out, "#define %s_DISPLAY_SPI_MODES %u\n\n", macro, (unsigned)export->module->spi_modes);
+    fprintf(out, "#define %s_DISPLAY_SPI_MODES %u\n", macro, (unsigned)export->module->spi_modes);
+    fprintf(
+        out,
+        "/* A lens of %d degrees from top to bottom, for struct lim_camera; lim_camera_set_fov() makes others. */\n",
+        EXPORT_FOV_DEG);
+    const double tan_y = tan(EXPORT_FOV_DEG / 360.0 * PI), tan_x = tan_y * export->w_px / export->h_px;
+    fprintf(out, "#define %s_DISPLAY_TAN_X_Q28 UINT32_C(%.0f)\n", macro, tan_x * Q28);
+    fprintf(out, "#define %s_DISPLAY_TAN_Y_Q28 UINT32_C(%.0f)\n\n", macro, tan_y * Q28);
 }
 
 bool display_c_write_header(const struct export *export, FILE *out, struct error *err)
@@ -92,6 +102,21 @@ static size_t most_movers(const struct export *export)
     return most;
 }
 
+/* Where the smallest board has room for the least alone it gets no more than that. */
+static void write_pools(const struct export *export, FILE *out)
+{
+    const struct export_cost cost = export_cost(export);
+    const char *macro = export->name->macro;
+    if (export->world->is_avr && !export_has_room(export, cost.ram_b) && export_has_room(export, cost.least_ram_b))
+        fprintf(out,
+                "/* With the least memory the same frames take longer. */\n#if defined(__AVR__)\n#define POOLS_B %zu\n"
+                "#else\n#define POOLS_B %s_SCENE_MEM_B(MODULE_H_PX)\n#endif\n",
+                cost.least_mem_b, macro);
+    else
+        fprintf(out, "#define POOLS_B %s_SCENE_MEM_B(MODULE_H_PX)\n", macro);
+    fputs("static void *pools[LIM_POINTERS(POOLS_B)];\n", out);
+}
+
 static bool write_memory(const struct export *export, FILE *out, struct error *err)
 {
     const char *macro = export->name->macro;
@@ -105,7 +130,7 @@ static bool write_memory(const struct export *export, FILE *out, struct error *e
             "%s_SCENE_LINES(MODULE_H_PX) : USED_LINES)\n\n",
             macro, macro);
     fputs("static struct screen screen;\nstatic struct lim lim;\n", out);
-    fprintf(out, "static void *pools[LIM_POINTERS(%s_SCENE_MEM_B(MODULE_H_PX))];\n", macro);
+    write_pools(export, out);
     fputs("static uint32_t lines[MODULE_LINES_MEM_B(LINES) / 4];\n", out);
     fputs(
         "#if SCREEN_KEEPS_FRAME\nstatic uint32_t picture[SCREEN_FRAME_MEM_B(MODULE_W_PX, MODULE_H_PX) / 4];\n#endif\n",
@@ -252,7 +277,10 @@ bool display_c_write_source(const struct export *export, struct amalgam *joined,
     joined->aliases = aliases;
     fprintf(out, "/* %s_display.h says what this is. */\n#include \"%s_display.h\"\n", export->name->symbol,
             export->name->symbol);
-    if (export->module->panel.format == PANEL_MONO_PAGES) fputs("\n#define PIXELS_ONLY_PAGES 1\n", out);
+    if (export->module->panel.format == PANEL_MONO_PAGES) {
+        fputs("\n#define PIXELS_ONLY_PAGES 1\n", out);
+        conditions_define(&joined->conditions, "PIXELS_ONLY_PAGES", "1");
+    }
     const bool ok = module_texts(export->module, texts, err) && add_driver(export->module, joined, out, err) &&
                     amalgam_add(joined, "boards/common/screen.c", out, err) &&
                     amalgam_add_text(joined, "boards/common/module.h", texts[0], out, err) &&

@@ -30,10 +30,10 @@ static const char *const FOLDERS[] = {"firmware/", "hal/", "boards/common/", NUL
 static const char *const ROOMS[] = {"math/",   "view/",   "screen/", "pixels/", "lines/",
                                     "movers/", "pieces/", "routes/", "orders/", ""};
 
-enum { EXPORT_FOV_DEG = 60, ORBIT_FRAMES = 36 };
+enum { ORBIT_FRAMES = 36 };
 
 /* Estimates on the safe side of what is refused: the smallest renderer with a driver, and its stack. */
-enum { LEAST_CODE_B = 8192, LEAST_STACK_B = 512, STRUCTS_B = 400 };
+enum { LEAST_CODE_B = 8192, LEAST_STACK_B = 640, STRUCTS_B = 400 };
 
 struct export_orbit {
     double target_m[3], radius_m, near_m;
@@ -345,6 +345,16 @@ static void add_orbit(const struct export_orbit *orbit, struct words *words)
     add_word(words, "LENS", "%d", EXPORT_FOV_DEG);
 }
 
+/* Who sets chip select: the port, or the display's driver. */
+static void add_selects(const struct export *export, struct words *words)
+{
+    const bool selects = export->module && export->module->panel.family->selects;
+    add_word(words, "cs_10", "%s", selects ? "LIMNER_NO_PIN" : "10");
+    add_word(words, "select_10", "%s", selects ? "10" : "LIMNER_NO_PIN");
+    add_word(words, "cs_17", "%s", selects ? "LIMNER_NO_PIN" : "17");
+    add_word(words, "select_17", "%s", selects ? "17" : "LIMNER_NO_PIN");
+}
+
 static bool fill_words(const struct export *export, struct words *words, struct error *err)
 {
     struct export_orbit orbit;
@@ -364,6 +374,7 @@ static bool fill_words(const struct export *export, struct words *words, struct 
     add_word(words, "panel", "%s", export->module ? export->module->panel.name : "no display");
     add_word(words, "data_b", "%zu", cost.data_b);
     add_word(words, "ram_b", "%zu", cost.ram_b);
+    add_selects(export, words);
     add_orbit(&orbit, words);
     add_sources(export, words);
     return true;
@@ -378,21 +389,38 @@ bool export_put(const struct export *export, struct outputs *outputs, struct err
     return ok;
 }
 
-/* One scene is in memory at a time, beside a line of pixels and what the display's driver keeps. */
+static size_t movers_ram_b(const struct named_scene *scene)
+{
+    return scene->moving ? mcu_movers_mem_b(scene->scene, scene->moving) : 0;
+}
+
+static size_t greater(size_t a, size_t b)
+{
+    return a > b ? a : b;
+}
+
+/* One scene is in memory at a time, beside lines of pixels, or two pages of a display, and what drivers keep. */
 struct export_cost export_cost(const struct export *export)
 {
-    struct export_cost cost = {0, 0};
+    struct export_cost cost = {0};
+    const size_t lines_b = (display_c_is_filled(export) ? 1u : 2u * export->world->line_count) * export->w_px;
     for (size_t i = 0; i < export->count; i++) {
         const struct compiled *scene = export->scenes[i].scene;
         const struct moving *moving = export->scenes[i].moving;
-        const size_t ram_b = mcu_mem_b(scene) + (moving ? mcu_movers_mem_b(scene, moving) : 0);
+        const size_t fixed_b = STRUCTS_B + lines_b + movers_ram_b(&export->scenes[i]);
         cost.data_b += scene->report.flash_b;
         for (size_t k = 0; moving && k < moving->count; k++)
             cost.data_b += moving->objects[k].scene.report.flash_b;
-        if (ram_b > cost.ram_b) cost.ram_b = ram_b;
+        cost.ram_b = greater(cost.ram_b, fixed_b + mcu_mem_b(scene));
+        cost.least_ram_b = greater(cost.least_ram_b, fixed_b + mcu_mem_min_b(scene));
+        cost.least_mem_b = greater(cost.least_mem_b, mcu_mem_min_b(scene));
     }
-    cost.ram_b += STRUCTS_B + (display_c_is_filled(export) ? 2u : 2u * export->world->line_count) * export->w_px;
     return cost;
+}
+
+bool export_has_room(const struct export *export, size_t ram_b)
+{
+    return !export->world->smallest || ram_b + LEAST_STACK_B <= export->world->ram_b;
 }
 
 void export_report(const struct export *export)
@@ -401,12 +429,11 @@ void export_report(const struct export *export)
     const struct export_cost cost = export_cost(export);
     printf("%s: %zu bytes of scene data, %zu of RAM without the stack; the code takes some 5 to 15 KB more\n",
            export->folder, cost.data_b, cost.ram_b);
-    if (!world->smallest ||
-        (cost.data_b + LEAST_CODE_B <= world->flash_b && cost.ram_b + LEAST_STACK_B <= world->ram_b))
+    if (!world->smallest || (cost.data_b + LEAST_CODE_B <= world->flash_b && export_has_room(export, cost.least_ram_b)))
         return;
     fprintf(stderr,
             "limner: %s: too large for %s, which has %lu bytes of flash and %lu of RAM: the scene takes %zu with the "
             "least code, and %zu with the least stack; larger boards have room\n",
             export->folder, world->smallest, (unsigned long)world->flash_b, (unsigned long)world->ram_b,
-            cost.data_b + LEAST_CODE_B, cost.ram_b + LEAST_STACK_B);
+            cost.data_b + LEAST_CODE_B, cost.least_ram_b + LEAST_STACK_B);
 }

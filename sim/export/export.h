@@ -25,11 +25,19 @@ struct export
 
 bool export_put(const struct export *export, struct outputs *outputs, struct error *err);
 
-/* Bytes of constant data, and of RAM without the stack. */
+/* The lens of the example. */
+enum { EXPORT_FOV_DEG = 60 };
+
+/* Bytes of constant data, and of RAM without the stack: with what the scene asks for, and with the least that it takes.
+ */
 struct export_cost {
-    size_t data_b, ram_b;
+    size_t data_b, ram_b, least_ram_b;
+    size_t least_mem_b; /* for lim_init() alone */
 };
 struct export_cost export_cost(const struct export *export);
+
+/* Whether the world's smallest board has so much RAM, and a stack beside it. */
+bool export_has_room(const struct export *export, size_t ram_b);
 
 /* What the scenes take, and whether that is more than the world's smallest board has. */
 void export_report(const struct export *export);

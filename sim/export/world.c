@@ -50,11 +50,11 @@ static const struct world_file PLAIN[] = {
 
 static const struct world WORLDS[] = {
     {"arduino", "Arduino and PlatformIO", "ili9341", "src/", "src/", ARDUINO, COUNT(ARDUINO), 1, "an Arduino Leonardo",
-     28672, 2560},
-    {"idf", "ESP-IDF", "st7789", "src/", "include/", IDF, COUNT(IDF), 2, "an ESP32-C3", 1048576, 327680},
-    {"pico", "Pico SDK", "st7789", "src/", "src/", PICO, COUNT(PICO), 2, "a Raspberry Pi Pico", 2097152, 270336},
-    {"cmake", "CMake", NULL, "src/", "src/", CMAKE, COUNT(CMAKE), 1, NULL, 0, 0},
-    {"plain", "any compiler", NULL, "", "", PLAIN, COUNT(PLAIN), 1, NULL, 0, 0},
+     28672, 2304, true},
+    {"idf", "ESP-IDF", "st7789", "src/", "include/", IDF, COUNT(IDF), 2, "an ESP32-C3", 1048576, 327680, false},
+    {"pico", "Pico SDK", "st7789", "src/", "src/", PICO, COUNT(PICO), 2, "a Raspberry Pi Pico", 2097152, 270336, false},
+    {"cmake", "CMake", NULL, "src/", "src/", CMAKE, COUNT(CMAKE), 1, NULL, 0, 0, false},
+    {"plain", "any compiler", NULL, "", "", PLAIN, COUNT(PLAIN), 1, NULL, 0, 0, false},
 };
 
 const struct world *world_find(const char *name, struct error *err)

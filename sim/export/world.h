@@ -7,6 +7,7 @@
 
 #include "base/error.h"
 
+#include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 
@@ -28,7 +29,8 @@ struct world {
     size_t file_count;
     uint16_t line_count;     /* of pixels: two where one is sent while another is painted */
     const char *smallest;    /* board; NULL: there is no such */
-    uint32_t flash_b, ram_b; /* of that, for a program; RAM with the stack */
+    uint32_t flash_b, ram_b; /* of that, for a program and its data; RAM with the stack, less what is the world's own */
+    bool is_avr;             /* some of its boards are */
 };
 
 /* NULL and a list of those that there are. */

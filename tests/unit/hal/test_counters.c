@@ -11,7 +11,7 @@
 #include <string.h>
 #include <time.h>
 
-enum { STEP = 16, ENOUGH = 6, PATIENCE_S = 10 };
+enum { STEP = 16, ENOUGH = 6, PATIENCE_S = 60 };
 
 /* Counts on, and shows it in all three. */
 static struct {

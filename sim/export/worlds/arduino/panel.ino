@@ -2,16 +2,16 @@
 #include <@name@_display.h>
 #include <limner_arduino.h>
 
-static struct limner_arduino wires = {10, 9, 8, LIMNER_NO_PIN, 10}; // cs, dc, reset, backlight; select of a memory LCD
+// cs, dc, reset, backlight, select (a memory LCD's, which its driver sets)
+static struct limner_arduino wires = {@cs_10@, 9, 8, LIMNER_NO_PIN, @select_10@, SPISettings()};
 static struct board board;
-static struct lim_camera camera;
+static struct lim_camera camera = {
+    {0, 0, 0}, 0, 0, 0, @NAME@_DISPLAY_TAN_X_Q28, @NAME@_DISPLAY_TAN_Y_Q28, @SCENE@_M_Q8(@NEAR_M@)};
 static int err;
 
 void setup() {
   limner_arduino_board(&wires, &board, @NAME@_DISPLAY_HZ, @NAME@_DISPLAY_SPI_MODES);
   err = @name@_display_begin(&board);
-  if (!err) err = lim_camera_set_fov(&camera, LIM_DEGREES(@LENS@), @NAME@_DISPLAY_W_PX, @NAME@_DISPLAY_H_PX);
-  camera.near_q8 = @SCENE@_M_Q8(@NEAR_M@);
   pinMode(LED_BUILTIN, OUTPUT);
 }
 

@@ -5,7 +5,8 @@
 int board_wires(struct board *board, uint32_t spi_hz, uint8_t spi_modes);
 
 static struct board board;
-static struct lim_camera camera;
+static struct lim_camera camera = {
+    {0, 0, 0}, 0, 0, 0, @NAME@_DISPLAY_TAN_X_Q28, @NAME@_DISPLAY_TAN_Y_Q28, @SCENE@_M_Q8(@NEAR_M@)};
 
 int main(void)
 {
@@ -13,8 +14,6 @@ int main(void)
 
     int err = board_wires(&board, @NAME@_DISPLAY_HZ, @NAME@_DISPLAY_SPI_MODES);
     if (!err) err = @name@_display_begin(&board);
-    if (!err) err = lim_camera_set_fov(&camera, LIM_DEGREES(@LENS@), @NAME@_DISPLAY_W_PX, @NAME@_DISPLAY_H_PX);
-    camera.near_q8 = @SCENE@_M_Q8(@NEAR_M@);
     for (uint32_t time_ms = 0; !err; time_ms += 40) {
         lim_orbit(&camera, target_q8, @SCENE@_M_Q8(@ORBIT_M@), time_ms / 40 * LIM_DEGREES(3), LIM_DEGREES(-25));
         err = @name@_display_frame(&camera, time_ms);

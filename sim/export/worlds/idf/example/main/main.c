@@ -6,9 +6,10 @@
 #include "esp_timer.h"
 
 static struct limner_idf wires = {
-    .host = SPI2_HOST, .sck = 6, .mosi = 7, .cs = 10, .dc = 4, .reset = 5, .backlight = LIMNER_NO_PIN, .select = LIMNER_NO_PIN};
+    .host = SPI2_HOST, .sck = 6, .mosi = 7, .cs = @cs_10@, .dc = 4, .reset = 5, .backlight = LIMNER_NO_PIN, .select = @select_10@};
 static struct board board;
-static struct lim_camera camera;
+static struct lim_camera camera = {
+    {0, 0, 0}, 0, 0, 0, @NAME@_DISPLAY_TAN_X_Q28, @NAME@_DISPLAY_TAN_Y_Q28, @SCENE@_M_Q8(@NEAR_M@)};
 
 void app_main(void)
 {
@@ -16,8 +17,6 @@ void app_main(void)
 
     int err = limner_idf_board(&wires, &board, @NAME@_DISPLAY_HZ, @NAME@_DISPLAY_SPI_MODES);
     if (!err) err = @name@_display_begin(&board);
-    if (!err) err = lim_camera_set_fov(&camera, LIM_DEGREES(@LENS@), @NAME@_DISPLAY_W_PX, @NAME@_DISPLAY_H_PX);
-    camera.near_q8 = @SCENE@_M_Q8(@NEAR_M@);
     for (uint32_t yaw = 0; !err; yaw += LIM_DEGREES(3)) {
         lim_orbit(&camera, target_q8, @SCENE@_M_Q8(@ORBIT_M@), yaw, LIM_DEGREES(-25));
         err = @name@_display_frame(&camera, (uint32_t)(esp_timer_get_time() / 1000));
