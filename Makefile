@@ -319,6 +319,8 @@ $(BUILD)/tests/boards/walked: $(BUILD)/host/tests/boards/walked.o $(library)
 
 tests/boards/boards_lm3s6965evb.sh: $(BUILD)/tests/boards/walked
 
+tests/export/export_arduino.sh: $(BUILD)/simavr_oled
+
 # Programs for the tests with a kernel of their own, which is built beforehand because that takes minutes, once.
 kernel_programs := $(patsubst %,$(BUILD)/tests/kernel/%,replay port_calls bridge power_off pins wires paint)
 

@@ -4,7 +4,7 @@
 #   sh sim/emulators/simavr.sh BUILD IMAGE FRAMES PICTURES CHECK COMMAND...
 # What that display showed goes to PICTURES/000.png and so on, and must be the frames whose hashes the file CHECK has;
 # what went over its wires is the command's standard input (limner decode - ...), whose exit status this has. Beside it
-# prints the frames' cycles.
+# prints the frames' cycles, and how deep the stack was.
 set -eu
 
 build=$1 image=$2 frames=$3 pictures=$4 check=$5
@@ -18,7 +18,7 @@ timeout -k 5 "${EMULATE_S:-120}" "$build/simavr_oled" "$image" "$frames" "$pictu
     cat "$work/complaints" >&2
     exit 1
 }
-grep '^# cycles' "$work/said"
+grep '^# ' "$work/said"
 i=0
 while [ "$i" -lt "$frames" ]; do
     printf '%s/%03d.png\n' "$pictures" "$i"

@@ -4,7 +4,7 @@
  *     simavr_oled IMAGE.elf FRAMES PICTURES LOG [DUMP.vcd]
  * PICTURES names a PNG file for each frame ('out/%03d.png'), of what that display shows; LOG becomes a wire log, DUMP
  * what a logic analyser on the pins would capture, in simavr's own writing. A frame ends when the green light changes.
- * Standard output tells its cycles.
+ * Standard output tells its cycles, and how deep its stack was.
  *
  * simavr lets every byte on the SPI take 100 us. What the processor waits for that is told apart, beside what the byte
  * takes at 8 MHz. */
@@ -24,6 +24,7 @@ enum { CPU_HZ = 16000000, W_PX = 128, H_PX = 64, WAIT_CYCLES = CPU_HZ / 10000, B
 enum { SECONDS_MAX = 30 }; /* of the board's time */
 enum { LED = 7 };          /* of port B */
 enum { DUMP_US = 500 };    /* so much of the dump is in memory */
+enum { UNTOUCHED = 0xA5 }; /* in RAM, where nothing was written */
 enum { SCK, MOSI, SPI_PINS };
 
 struct run {
@@ -37,6 +38,7 @@ struct run {
     unsigned frames, frames_wanted;
     unsigned bytes; /* of this frame */
     avr_cycle_count_t began;
+    uint16_t static_end; /* address behind the program's variables: what is above is the stack's */
     bool failed;
 };
 
@@ -191,7 +193,19 @@ static bool load(struct run *run, const char *path)
     avr_init(run->avr);
     firmware.frequency = CPU_HZ;
     avr_load_firmware(run->avr, &firmware);
+    run->static_end = (uint16_t)(run->avr->ioend + 1u + firmware.datasize + firmware.bsssize);
+    memset(run->avr->data + run->static_end, UNTOUCHED, run->avr->ramend + 1u - run->static_end);
     return true;
+}
+
+/* How deep the stack was, by the lowest byte of it that the program has written. */
+static void tell_stack(const struct run *run)
+{
+    unsigned lowest = run->static_end;
+
+    while (lowest <= run->avr->ramend && run->avr->data[lowest] == UNTOUCHED)
+        lowest++;
+    printf("# stack %u of %u bytes\n", run->avr->ramend + 1u - lowest, run->avr->ramend + 1u - run->static_end);
 }
 
 static bool run_frames(struct run *run)
@@ -218,6 +232,7 @@ int main(int argc, char **argv)
         wire(&run);
         run.dump_path = argv[5];
         ok = (!run.dump_path || begin_dump(&run)) && run_frames(&run);
+        tell_stack(&run);
         if (run.dump_path) avr_vcd_close(&run.dump);
     }
     if (fclose(run.log)) ok = fail(argv[4], strerror(errno));
