@@ -21,7 +21,7 @@ ifeq ($(origin CCACHE),undefined)
 CCACHE := $(shell sh sim/tools/compiler_cache.sh)
 endif
 
-ALL_SUITES := host arm cpus boards cross compilers sanitize models prove format kernel foreign
+ALL_SUITES := host arm cpus boards adapters cross compilers sanitize models prove format kernel foreign
 SUITES     := host arm
 suites     := $(if $(filter all,$(SUITES)),$(ALL_SUITES),$(SUITES))
 
@@ -54,6 +54,7 @@ packages-cpus          := g++ $(packages-arm) gcc-riscv64-unknown-elf gcc-avr av
 	libc6-dev-powerpc-cross qemu-system-misc qemu-user simavr
 packages-cross         := gcc-arm-none-eabi gcc-riscv64-unknown-elf gcc-avr avr-libc g++ clang
 packages-compilers     := clang
+packages-adapters      := g++
 packages-sanitize      := $(packages-host)
 packages-models        := assimp-testmodels
 packages-features      := clang
@@ -277,6 +278,7 @@ suite-arm       := $(wildcard tests/arm/arm_*.sh)
 suite-fixed     := $(BUILD)/tests/test_fixed tests/arm/arm_fixed.sh
 suite-cpus      := $(wildcard tests/cpus/cpus_*.sh)
 suite-boards    := $(wildcard tests/boards/boards_*.sh)
+suite-adapters  := $(wildcard tests/adapters/adapters_*.sh)
 suite-cross     := tests/cross.sh tests/cross_cplusplus.sh
 suite-compilers := tests/compilers.sh
 suite-sanitize  := $(wildcard tests/sanitize*.sh)
