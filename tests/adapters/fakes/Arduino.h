@@ -7,6 +7,19 @@
 #include "fake_wires.h"
 
 #include <string.h>
+#include <string>
+
+#define LED_BUILTIN WIRE_BACKLIGHT
+
+/* What sketches concatenate. */
+class String : public std::string
+{
+  public:
+    String(const std::string &text) : std::string(text) {}
+    explicit String(int value) : std::string(std::to_string(value)) {}
+};
+
+unsigned long millis();
 
 typedef enum { LOW = 0, HIGH = 1, CHANGE = 2, FALLING = 3, RISING = 4 } PinStatus;
 typedef enum { INPUT = 0x0, OUTPUT = 0x1, INPUT_PULLUP = 0x2, INPUT_PULLDOWN = 0x3 } PinMode;

@@ -4,7 +4,12 @@
 #ifndef FAKE_LOVYANGFX_HPP
 #define FAKE_LOVYANGFX_HPP
 
+#include "Arduino.h"
 #include "fake_display.h"
+
+#ifndef TFT_BLACK
+#define TFT_BLACK 0x0000
+#endif
 
 namespace lgfx
 {
@@ -24,6 +29,13 @@ class LovyanGFX
     virtual ~LovyanGFX() {}
     int32_t width(void) const { return w_px_; }
     int32_t height(void) const { return h_px_; }
+    bool init(void) { return true; }
+    void fillScreen(uint32_t color) { (void)color; }
+    size_t drawString(const String &string, int32_t x, int32_t y)
+    {
+        (void)string, (void)x, (void)y;
+        return 0;
+    }
     bool getSwapBytes(void) const { return swaps_; }
     void setSwapBytes(bool swap) { swaps_ = swap; }
 
@@ -87,5 +99,9 @@ class LGFX_Device : public LovyanGFX
 };
 
 } // namespace lgfx
+
+#ifdef LGFX_AUTODETECT
+typedef lgfx::LGFX_Device LGFX;
+#endif
 
 #endif

@@ -67,6 +67,22 @@ void *lv_draw_layer_go_to_xy(lv_layer_t *layer, int32_t x, int32_t y);
 void lv_draw_dispatch_wait_for_request(void);
 void lv_draw_dispatch(void);
 
+typedef struct _lv_timer_t lv_timer_t;
+typedef void (*lv_timer_cb_t)(lv_timer_t *timer);
+
+/* For the example alone, which is compiled and not run. */
+lv_obj_t *lv_obj_create(lv_obj_t *parent);
+void lv_obj_remove_style_all(lv_obj_t *obj);
+void lv_obj_set_size(lv_obj_t *obj, int32_t w, int32_t h);
+void lv_obj_invalidate(const lv_obj_t *obj);
+void *lv_obj_add_event_cb(lv_obj_t *obj, lv_event_cb_t event_cb, lv_event_code_t filter, void *user_data);
+lv_obj_t *lv_label_create(lv_obj_t *parent);
+void lv_label_set_text(lv_obj_t *obj, const char *text);
+void lv_label_set_text_fmt(lv_obj_t *obj, const char *fmt, ...) __attribute__((format(printf, 2, 3)));
+lv_timer_t *lv_timer_create(lv_timer_cb_t timer_xcb, uint32_t period, void *user_data);
+void *lv_timer_get_user_data(lv_timer_t *timer);
+uint32_t lv_tick_get(void);
+
 /* The fake: redraws an area, `rows` lines at a time, in a format, of a screen with one widget at `coords`; the stripes
  * go to the fake display. */
 void fake_lvgl_refresh(lv_color_format_t cf, int32_t rows, lv_area_t area, lv_area_t coords, lv_event_cb_t cb,
