@@ -4,7 +4,8 @@
 # includes headers of its own room and of lower ones, each as "room/file.h", and no two files need each other. The headers
 # of firmware/ outside of its rooms are public: the rooms may use them, but for those that know the whole renderer. Nobody
 # else includes what is in a room of firmware/. firmware/ includes nothing but itself, hal/ itself and firmware/, sim/ these
-# and boards/common. No two files have one name, as all are found by their names; programs that stand alone, each in a
+# and boards/common; hal/adapters, which nobody includes but a program, hal/, firmware/ and boards/common, and the headers
+# of the libraries that it joins to. No two files have one name, as all are found by their names; programs that stand alone, each in a
 # folder of its own, have what names they like.
 . tests/tap.sh
 
@@ -84,7 +85,7 @@ rooms_are_private() {
 
 # Where a header is found: beside its file, or in a folder that all see.
 stays_inside() { # FOLDER LOWER...
-    includes "$1" | awk -F : -v folders="$*" '
+    includes "$1" | grep -v '^hal/adapters/' | awk -F : -v folders="$*" '
         BEGIN { count = split(folders, folder, " ") }
         {
             from = $1
@@ -94,6 +95,26 @@ stays_inside() { # FOLDER LOWER...
             if (!found) { print $1 ":" $2 ": " $3 " is in none of: " folders; wrong = 1 }
         }
         END { exit wrong }'
+}
+
+# What a library's header is called is seen by that no file of ours has its name.
+adapters_are_on_top() {
+    ! includes firmware hal sim boards | grep -v '^hal/adapters/' | grep -E ':(adapters/|limner_[a-z_]*\.h)' &&
+        includes hal/adapters | cut -d : -f 3 | sort -u >"$work/joined" && while read -r header; do
+        ours=$(find firmware hal sim boards tests/unit -name "$(basename "$header")")
+        case $ours in
+        '' | "firmware/$header" | "hal/$header" | "boards/common/$header") ;;
+        *) echo "hal/adapters includes $ours" && return 1 ;;
+        esac
+    done <"$work/joined"
+}
+
+# What users copy is short: lines that are neither comment nor blank.
+adapters_are_short() { # MOST
+    for header in hal/adapters/*.h; do
+        lines=$("${CC:-gcc}" -fpreprocessed -dD -E -P -x c++ "$header" | grep -c .)
+        [ "$lines" -le "$1" ] || { echo "$header: $lines lines, $1 are the most" && return 1; }
+    done
 }
 
 names_are_unique() {
@@ -148,7 +169,7 @@ few_conditions() {
         END { print all " #if, " bodies " in functions; 250 and 40 are the most"; exit all > 250 || bodies > 40 }'
 }
 
-tap_check "sim/ has the rooms that the Makefile names" rooms_are_named sim emulators scenes targets tools
+tap_check "sim/ has the rooms that the Makefile names" rooms_are_named sim emulators export scenes targets tools
 tap_check "and no file outside of them" sim_is_rooms_alone
 tap_check "so has firmware/" rooms_are_named firmware
 tap_check "a room of sim/ includes itself and lower ones" arrows_go_down sim
@@ -158,6 +179,8 @@ tap_check "nobody else includes what is in a room of firmware/" rooms_are_privat
 tap_check "no header of firmware/ is more than six deep" headers_are_shallow
 tap_check "firmware/ includes itself alone" stays_inside firmware
 tap_check "hal/ includes itself and firmware/" stays_inside hal firmware
+tap_check "hal/adapters stands on them and boards/common, and nothing on it" adapters_are_on_top
+tap_check "its headers have 80 lines of code at most" adapters_are_short 80
 tap_check "sim/ includes itself, firmware/, hal/ and boards/common" stays_inside sim firmware hal boards/common
 tap_check "no two files of sim/ need each other, nor more in a ring" has_no_rings sim
 tap_check "no two files of firmware/ do" has_no_rings firmware

@@ -96,6 +96,8 @@ struct screen {
 #endif
 };
 
+HAL_C_BEGIN
+
 /* Prepares *screen, which must not move, for the panel's present size: call it again after a
  * change of rotation. mem is 4-byte aligned; it and the panel must outlive *screen.
  * LIM_ERR_MEMORY: mem_b holds no line, or for the painter not all. */
@@ -132,5 +134,7 @@ void screen_turn_camera(struct lim_camera *camera, enum panel_rotation rotation)
 
 /* After each frame: waits until it has left. 0 or the panel's negative code. */
 LIM_MUST_CHECK int screen_end_frame(struct screen *screen);
+
+HAL_C_END
 
 #endif

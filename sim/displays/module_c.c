@@ -37,11 +37,13 @@ static void write_header(FILE *file, const struct module_choice *choice, const s
     fprintf(file, "#define MODULE_MONO %d\n#define MODULE_ROUND %d\n\n", is_mono, panel->visible != NULL);
     fprintf(file, "/* Bytes for screen_init() of so many lines. */\n");
     fprintf(file, "#define MODULE_LINES_MEM_B(n_lines) %s(MODULE_W_PX, n_lines)\n\n", lines_macro(panel));
-    fprintf(file, "struct board;\n\n");
+    fprintf(file, "struct board;\n\nHAL_C_BEGIN\n\n");
     fprintf(file,
             "/* Sets the driver up without touching the hardware: panel_init(*panel) does. 0 or an enum panel_error. "
             "The board\n * outlives the panel. */\n");
-    fprintf(file, "HAL_MUST_CHECK int module_setup(struct panel **panel, const struct board *board);\n\n#endif\n");
+    fprintf(
+        file,
+        "HAL_MUST_CHECK int module_setup(struct panel **panel, const struct board *board);\n\nHAL_C_END\n\n#endif\n");
 }
 
 static void write_source(FILE *file, const struct module_choice *choice, const struct display *display,

@@ -14,6 +14,12 @@ static const struct world_file ARDUINO[] = {
     {"sim/export/worlds/arduino/README.md", "README.md", WORLD_ALWAYS},
     {"sim/export/worlds/arduino/panel.ino", "examples/@name@/@name@.ino", WORLD_WITH_PANEL},
     {"hal/adapters/limner_arduino.h", "src/limner_arduino.h", WORLD_WITH_PANEL},
+    {"sim/export/worlds/arduino/tft_espi.ino", "examples/@name@_TFT_eSPI/@name@_TFT_eSPI.ino", WORLD_IN_COLOUR},
+    {"hal/adapters/limner_tft_espi.h", "src/limner_tft_espi.h", WORLD_IN_COLOUR},
+    {"sim/export/worlds/arduino/lovyangfx.ino", "examples/@name@_LovyanGFX/@name@_LovyanGFX.ino", WORLD_IN_COLOUR},
+    {"hal/adapters/limner_lovyangfx.h", "src/limner_lovyangfx.h", WORLD_IN_COLOUR},
+    {"sim/export/worlds/any/lvgl_view.c", "examples/@name@_LVGL/@name@_view.c", WORLD_IN_COLOUR},
+    {"hal/adapters/limner_lvgl.h", "src/limner_lvgl.h", WORLD_IN_COLOUR},
 };
 
 static const struct world_file IDF[] = {
@@ -24,6 +30,13 @@ static const struct world_file IDF[] = {
     {"sim/export/worlds/idf/example/main/CMakeLists.txt", "examples/@name@/main/CMakeLists.txt", WORLD_WITH_PANEL},
     {"sim/export/worlds/idf/example/main/main.c", "examples/@name@/main/main.c", WORLD_WITH_PANEL},
     {"hal/adapters/limner_idf.h", "include/limner_idf.h", WORLD_WITH_PANEL},
+    {"sim/export/worlds/idf/example/CMakeLists.txt", "examples/@name@_esp_lcd/CMakeLists.txt", WORLD_IN_COLOUR},
+    {"sim/export/worlds/idf/example/main/CMakeLists.txt", "examples/@name@_esp_lcd/main/CMakeLists.txt",
+     WORLD_IN_COLOUR},
+    {"sim/export/worlds/idf/esp_lcd/main/main.c", "examples/@name@_esp_lcd/main/main.c", WORLD_IN_COLOUR},
+    {"hal/adapters/limner_esp_lcd.h", "include/limner_esp_lcd.h", WORLD_IN_COLOUR},
+    {"sim/export/worlds/any/lvgl_view.c", "examples/@name@_LVGL/@name@_view.c", WORLD_IN_COLOUR},
+    {"hal/adapters/limner_lvgl.h", "include/limner_lvgl.h", WORLD_IN_COLOUR},
 };
 
 static const struct world_file PICO[] = {

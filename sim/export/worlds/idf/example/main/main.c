@@ -6,7 +6,7 @@
 #include "esp_timer.h"
 
 static struct limner_idf wires = {
-    .host = SPI2_HOST, .sck = 6, .mosi = 7, .cs = @cs_10@, .dc = 4, .reset = 5, .backlight = LIMNER_NO_PIN, .select = @select_10@};
+    .host = SPI2_HOST, .sck = 6, .mosi = 7, .cs = @cs_idf@, .dc = 4, .reset = 5, .backlight = GPIO_NUM_NC, .select = @select_idf@};
 static struct board board;
 static struct lim_camera camera = {
     {0, 0, 0}, 0, 0, 0, @NAME@_DISPLAY_TAN_X_Q28, @NAME@_DISPLAY_TAN_Y_Q28, @SCENE@_M_Q8(@NEAR_M@)};

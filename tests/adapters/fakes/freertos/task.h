@@ -1,0 +1,13 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * A fake of FreeRTOS, for the examples alone, which are compiled and not run. */
+#ifndef FAKE_TASK_H
+#define FAKE_TASK_H
+
+#include "FreeRTOS.h"
+
+#define pdMS_TO_TICKS(ms) ((TickType_t)(ms) / 10)
+
+void vTaskDelay(TickType_t xTicksToDelay);
+
+#endif
