@@ -145,9 +145,9 @@ static const struct entry {
      "                      the same near the model's faces, small ones as often as large ones\n"},
     {RENDER | VIEW | PLAY | REPORT_BUG | MEASURE | COMPARE, "  --fov DEG           vertical field of view (60)\n"},
     {RENDER | VIEW | REPORT_BUG,
-     "  --panel NAME        of an emulated chip: gc9a01, ili9341, ili9488, ssd1351, st7735, st7789, perhaps with\n"
-     "                      :rgb444 or :rgb666; 16 greys: ssd0323, ssd1327; black and white: pcd8544, sh1106,\n"
-     "                      ssd1306, st7567, uc1701; memory LCDs: ls013b7dh03, ls027b7dh01;\n"
+     "  --panel NAME        of an emulated chip: gc9a01, ili9341, ili9488, ssd1351, st7735, st7789, st7796,\n"
+     "                      perhaps with :rgb444 or :rgb666; 16 greys: ssd0323, ssd1327; black and white:\n"
+     "                      pcd8544, sh1106, ssd1306, st7567, uc1701; memory LCDs: ls013b7dh03, ls027b7dh01;\n"
      "                      or memory (st7789 where the size fits into it); or framebuffer, memory that the\n"
      "                      renderer paints into polygon by polygon\n"},
     {0, "render only:\n"},
