@@ -29,6 +29,7 @@ enum {
     BOOT2 = 1 << 14,
     REPORT_BUG = 1 << 15,
     REPLAY = 1 << 16,
+    ESPIMAGE = 1 << 17,
     SCENES = COMPILE | RENDER | VIEW | PLAY | REPORT_BUG,
     MODELS = SCENES | MEASURE | COMPARE | SPLITTERS,
     MODULES = PLAY | MODULE | CARD | DECODE,
@@ -74,6 +75,8 @@ static const struct usage_command {
      "limner report-bug house.obj --camera walk.cam -o limner-report.tar"},
     {"replay", "REPORT.tar", "Draws a report again; exit status 1 if a frame differs.",
      "limner replay limner-report.tar"},
+    {"espimage", "IMAGE.elf -o IMAGE.esp", "Makes what the ROM of an ESP32-C3 loads from flash.",
+     "limner espimage image.elf -o image.esp"},
 };
 
 static const struct entry {
@@ -242,6 +245,8 @@ static const struct entry {
     {UF2 | ALONE, "  -o IMAGE.uf2        the file\n"
                   "  --family NAME       the processor: rp2040\n"},
     {BOOT2 | ALONE, "  -o NAME.c           the file\n"},
+    {ESPIMAGE | ALONE, "  -o IMAGE.esp        the file\n"
+                       "  --chip NAME         the processor: esp32c3\n"},
     {REPORT_BUG,
      "  -o FILE             the report (limner-report.tar): a tar archive of the model, the files that it names,\n"
      "                      cameras, options, versions and a hash a frame\n"},
