@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT
  *
  * The ESP32-C3's RAM begins where its cache's ends, and ends for an image where the ROM's buffers for a download begin
- * (espressif/esp-idf components/bootloader/subproject/main/ld/esp32c3/bootloader.memory.ld.in). Flash is read in the
- * slowest way that all chips know, two lines and 40 MHz, which the header says to the ROM. */
+ * (espressif/esp-idf components/bootloader/subproject/main/ld/esp32c3/bootloader.memory.ld.in). The header tells the
+ * ROM to read flash by two lines, at 40 MHz: its slower rate that images usually have. */
 #include "cli/esp_image.h"
 
 #include "base/sha256.h"
