@@ -92,7 +92,7 @@ packages-test          := ccache $(foreach suite,$(suites),$(packages-$(suite)))
 # A goal that is a file needs what makes it; with BOARD= every goal may need the board's compiler.
 packages-for-file = $(strip $(if $(filter $(BUILD)/tests/% $(BUILD)/host/tests/% tests/%,$(1)),$(packages-host)) \
 	$(if $(filter $(BUILD)/tests/fuzz,$(1)),$(packages-fuzz)) $(if $(filter $(BUILD)/simavr_oled,$(1)),$(packages-simavr)) \
-	$(if $(filter $(BUILD)/stm32,$(1)),$(packages-stm32)))
+	$(if $(filter $(BUILD)/stm32 $(BUILD)/esp32c3,$(1)),$(packages-stm32)))
 goals           := $(or $(MAKECMDGOALS),all)
 packages-wanted  = $(packages-build) $(if $(findstring clang,$(CC)),clang) $(packages-board) \
 	$(foreach goal,$(goals),$(packages-$(goal)) $(call packages-for-file,$(goal)))
@@ -209,6 +209,13 @@ $(BUILD)/simavr_oled: sim/emulators/simavr_oled.c $(BUILD)/host/flags
 stm32_chip := $(call object,$(wildcard sim/emulators/stm32_chip*.c) sim/emulators/stm32_rules.c)
 $(BUILD)/tests/test_stm32_rules: $(stm32_chip)
 $(BUILD)/stm32: $(call object,sim/emulators/stm32.c) $(stm32_chip)
+	@echo "LD $@"
+	@$(CC) $(HOST_OPT) -o $@ $^ -lunicorn
+
+# An ESP32-C3, in the same way.
+esp32c3_chip := $(call object,sim/emulators/esp32c3_chip.c sim/emulators/esp32c3_rules.c)
+$(BUILD)/tests/test_esp32c3_rules: $(esp32c3_chip)
+$(BUILD)/esp32c3: $(call object,sim/emulators/esp32c3.c) $(esp32c3_chip)
 	@echo "LD $@"
 	@$(CC) $(HOST_OPT) -o $@ $^ -lunicorn
 
@@ -467,5 +474,5 @@ clean: ## [care] remove build/ and out/
 	@rm -rf $(BUILD) out
 
 -include $(patsubst %.o,%.d,$(call object,$(sources) $(generator) $(textured_generator) $(scale_generator) $(test_sources) tests/exhaustive/main.c tests/fuzz/libfuzzer/main.c tests/fuzz/libfuzzer/replay.c tests/fuzz/libfuzzer/seeds.c \
-	tests/boards/walked.c tests/foreign/card.c $(wildcard sim/emulators/stm32*.c) \
+	tests/boards/walked.c tests/foreign/card.c $(wildcard sim/emulators/stm32*.c sim/emulators/esp32c3*.c) \
 	$(filter-out %/wire_tap.c %/wire_display.c,$(wildcard tests/kernel/*.c))))

@@ -140,9 +140,10 @@ $(folder)/module.o: $(folder)/module.c
 
 $(folder)/limits: force
 	@mkdir -p $(@D)
-	@echo '$(FLASH_B) $(RAM_B) $(LINK) $(LAST) $(LINES)' | cmp -s - $@ || echo '$(FLASH_B) $(RAM_B) $(LINK) $(LAST) $(LINES)' > $@
+	@echo '$(FLASH_B) $(RAM_B) $(CODE_IN_RAM) $(LINK) $(LAST) $(LINES)' | cmp -s - $@ || \
+		echo '$(FLASH_B) $(RAM_B) $(CODE_IN_RAM) $(LINK) $(LAST) $(LINES)' > $@
 
-export BOARD TOOLS ARCH OPT LINK LAST FLASH_B RAM_B STREAM LINES
+export BOARD TOOLS ARCH OPT LINK LAST FLASH_B RAM_B CODE_IN_RAM STREAM LINES
 $(IMAGE).elf: $(board_objects) $(image_objects) boards/link.sh sim/tools/footprint.sh sim/tools/pointers.awk sim/tools/stack.awk sim/tools/avr_graph.awk \
 		$(folder)/limits $(wildcard $(board_folder)/*.ld boards/common/*.ld)
 	$(LIVE)rm -f $(IMAGE).*
@@ -157,6 +158,10 @@ $(IMAGE).hex: $(IMAGE).elf
 
 $(IMAGE).uf2: $(IMAGE).bin $(BUILD)/limner
 	@$(BUILD)/limner uf2 $< -o $@ $(UF2)
+
+# What the ROM of an Espressif chip loads.
+$(IMAGE).esp: $(IMAGE).elf $(BUILD)/limner
+	@$(BUILD)/limner espimage $< -o $@ $(ESPIMAGE)
 
 # A frame more, the first one.
 define with_card
@@ -198,7 +203,7 @@ image: $(addprefix $(IMAGE).,elf $(IMAGES)) $(if $(CARD),$(folder)/golden) | pac
 	@printf '  %s\n' $(addprefix $(IMAGE).,elf $(IMAGES)) $(if $(CARD),$(folder)/golden)
 
 flash: image ## [start] BOARD=NAME: put the image on the board
-	$(LIVE)command -v $(FLASH_TOOL) > /dev/null || { echo "flash: $(FLASH_TOOL) is missing; Debian's package: $(FLASH_PACKAGES)" >&2; exit 1; }
+	$(LIVE)command -v $(FLASH_TOOL) > /dev/null || { echo "flash: $(FLASH_TOOL) is missing; $(or $(FLASH_FROM),Debian's package: $(FLASH_PACKAGES))" >&2; exit 1; }
 	$(LIVE)$(FLASH)
 
 emulate: image $(CHECK) $(EMULATOR) ## [start] BOARD=NAME [N=FRAMES]: run the image in its emulator; frames, checked, into out/boards/NAME

@@ -43,11 +43,11 @@ link() {
     # What a linker script asserts does not inhibit it, either.
     if grep -v "$too_large" "$work/said" >&2; then fail "$title: is not linked as it should be"; fi
     "${TOOLS}nm" -S "$work/image.elf" >"$work/symbols"
-    "${TOOLS}size" -A "$work/image.elf" | awk '
+    "${TOOLS}size" -A "$work/image.elf" | awk -v code_in_ram="${CODE_IN_RAM:-}" '
         $1 ~ /^\.(boot2|vectors|text|rodata|init|fini)/ { code += $2 }
         $1 ~ /^\.(data|sdata)/ { data += $2 }
         $1 ~ /^\.(bss|sbss|noinit)/ { bss += $2 }
-        END { print code + data, data + bss }' >"$work/size"
+        END { print code + data, (code_in_ram ? code : 0) + data + bss }' >"$work/size"
     read -r flash_b static_b <"$work/size"
 }
 

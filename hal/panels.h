@@ -21,6 +21,7 @@ extern const struct dcs_chip ili9341;
 extern const struct dcs_chip ili9488;
 extern const struct dcs_chip st7735;
 extern const struct dcs_chip st7789;
+extern const struct dcs_chip st7796;
 
 extern const struct pages_chip pcd8544;
 extern const struct pages_chip sh1106;

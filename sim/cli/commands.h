@@ -19,6 +19,7 @@ int cmd_card(int argc, char **argv);
 int cmd_decode(int argc, char **argv);
 int cmd_hashes(int argc, char **argv);
 int cmd_uf2(int argc, char **argv);
+int cmd_espimage(int argc, char **argv);
 int cmd_boot2(int argc, char **argv);
 int cmd_report_bug(int argc, char **argv);
 int cmd_replay(int argc, char **argv);

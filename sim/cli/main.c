@@ -18,15 +18,25 @@ static const struct command {
     const char *name;
     int (*run)(int argc, char **argv);
     bool is_long; /* reads models, takes --time-limit */
-} COMMANDS[] = {{"compile", cmd_compile, true}, {"render", cmd_render, true},
-                {"view", cmd_view, true},       {"measure", cmd_measure, true},
-                {"compare", cmd_compare, true}, {"splitters", cmd_splitters, true},
-                {"play", cmd_play, true},       {"devices", cmd_devices, false},
-                {"bridge", cmd_bridge, false},  {"module", cmd_module, false},
-                {"card", cmd_card, false},      {"decode", cmd_decode, false},
-                {"hashes", cmd_hashes, false},  {"uf2", cmd_uf2, false},
-                {"boot2", cmd_boot2, false},    {"report-bug", cmd_report_bug, true},
-                {"replay", cmd_replay, true},   {"export", cmd_export, true}};
+} COMMANDS[] = {{"compile", cmd_compile, true},
+                {"render", cmd_render, true},
+                {"view", cmd_view, true},
+                {"measure", cmd_measure, true},
+                {"compare", cmd_compare, true},
+                {"splitters", cmd_splitters, true},
+                {"play", cmd_play, true},
+                {"devices", cmd_devices, false},
+                {"bridge", cmd_bridge, false},
+                {"module", cmd_module, false},
+                {"card", cmd_card, false},
+                {"decode", cmd_decode, false},
+                {"hashes", cmd_hashes, false},
+                {"uf2", cmd_uf2, false},
+                {"espimage", cmd_espimage, false},
+                {"boot2", cmd_boot2, false},
+                {"report-bug", cmd_report_bug, true},
+                {"replay", cmd_replay, true},
+                {"export", cmd_export, true}};
 
 /* --trust-paths, which means the same to all commands that read models, is taken out. */
 static int take_trust(int argc, char **argv)

@@ -29,6 +29,7 @@ enum {
     BOOT2 = 1 << 14,
     REPORT_BUG = 1 << 15,
     REPLAY = 1 << 16,
+    ESPIMAGE = 1 << 17,
     SCENES = COMPILE | RENDER | VIEW | PLAY | REPORT_BUG,
     MODELS = SCENES | MEASURE | COMPARE | SPLITTERS,
     MODULES = PLAY | MODULE | CARD | DECODE,
@@ -74,6 +75,8 @@ static const struct usage_command {
      "limner report-bug house.obj --camera walk.cam -o limner-report.tar"},
     {"replay", "REPORT.tar", "Draws a report again; exit status 1 if a frame differs.",
      "limner replay limner-report.tar"},
+    {"espimage", "IMAGE.elf -o IMAGE.esp", "Makes what the ROM of an ESP32-C3 loads from flash.",
+     "limner espimage image.elf -o image.esp"},
 };
 
 static const struct entry {
@@ -145,9 +148,9 @@ static const struct entry {
      "                      the same near the model's faces, small ones as often as large ones\n"},
     {RENDER | VIEW | PLAY | REPORT_BUG | MEASURE | COMPARE, "  --fov DEG           vertical field of view (60)\n"},
     {RENDER | VIEW | REPORT_BUG,
-     "  --panel NAME        of an emulated chip: gc9a01, ili9341, ili9488, ssd1351, st7735, st7789, perhaps with\n"
-     "                      :rgb444 or :rgb666; 16 greys: ssd0323, ssd1327; black and white: pcd8544, sh1106,\n"
-     "                      ssd1306, st7567, uc1701; memory LCDs: ls013b7dh03, ls027b7dh01;\n"
+     "  --panel NAME        of an emulated chip: gc9a01, ili9341, ili9488, ssd1351, st7735, st7789, st7796,\n"
+     "                      perhaps with :rgb444 or :rgb666; 16 greys: ssd0323, ssd1327; black and white:\n"
+     "                      pcd8544, sh1106, ssd1306, st7567, uc1701; memory LCDs: ls013b7dh03, ls027b7dh01;\n"
      "                      or memory (st7789 where the size fits into it); or framebuffer, memory that the\n"
      "                      renderer paints into polygon by polygon\n"},
     {0, "render only:\n"},
@@ -242,6 +245,8 @@ static const struct entry {
     {UF2 | ALONE, "  -o IMAGE.uf2        the file\n"
                   "  --family NAME       the processor: rp2040\n"},
     {BOOT2 | ALONE, "  -o NAME.c           the file\n"},
+    {ESPIMAGE | ALONE, "  -o IMAGE.esp        the file\n"
+                       "  --chip NAME         the processor: esp32c3\n"},
     {REPORT_BUG,
      "  -o FILE             the report (limner-report.tar): a tar archive of the model, the files that it names,\n"
      "                      cameras, options, versions and a hash a frame\n"},

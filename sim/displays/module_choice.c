@@ -54,6 +54,8 @@ static const struct usual_module USUAL[] = {
      15000000,
      SPI_IDLES_ANYHOW},
     {"st7789", {.w_px = 240, .h_px = 240, .invert = true}, 40000000, SPI_IDLES_HIGH},
+    {"st7796", {.w_px = 320, .h_px = 480, .bgr = true}, 40000000, SPI_IDLES_ANYHOW},
+    {"st7796", {.w_px = 222, .h_px = 480, .ox_px = 49, .bgr = true, .invert = true}, 40000000, SPI_IDLES_ANYHOW},
     {"uc1701", {.w_px = 128, .h_px = 64}, 4000000, SPI_IDLES_ANYHOW},
     {"uc1701", {.w_px = 102, .h_px = 64, .flip_columns = true, .flip_rows = true}, 4000000, SPI_IDLES_ANYHOW},
 };

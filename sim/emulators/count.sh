@@ -8,24 +8,10 @@ set -eu
 
 frames=$1 plugin=$2 elf=$3 system=$4 machine=$5
 shift 5
-[ $# -gt 0 ] || { echo "count: no drivers were named" >&2; exit 1; }
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
-for object; do
-    sed -n 's/^node: { title: "\([^"]*:\)\{0,1\}\([A-Za-z0-9_.]*\)".*bytes (.*/\2/p' "${object%.o}.ci"
-done | sort -u >"$work/drivers"
-
-# Functions on Arm have an odd address by name only.
-"${TOOLS}nm" -S "$elf" | sort | awk '
-    NR == FNR { driver[$1]; next }
-    $NF == "frame_begin" { print "begin " $1 }
-    $NF == "frame_end" { print "end " $1 }
-    NF == 4 && $3 ~ /[tT]/ && $4 in driver { print "range", $1, $2 }' "$work/drivers" - |
-    while read -r kind start length; do
-        [ "$kind" != range ] || printf 'range %x %x\n' "0x$start" $((0x$start + 0x$length))
-        [ "$kind" = range ] || printf '%s %x\n' "$kind" "0x$start"
-    done >"$work/ranges"
+sh sim/emulators/ranges.sh "$elf" "$@" >"$work/ranges"
 
 status=0
 timeout -k 5 120 "qemu-system-$system" -M "$machine" -kernel "$elf" -nodefaults -display none -serial none \

@@ -194,6 +194,16 @@ static bool is_wanted(const struct export *export, enum world_when when)
     }
 }
 
+/* Headers of the project, as adapters name them. */
+static bool is_own_include(const char *line)
+{
+    static const char *const own[] = {"limner.h", "target.h", "board.h", "bus.h", "spi_modes.h"};
+    if (strncmp(line, "#include \"", 10) != 0) return false;
+    for (size_t i = 0; i < sizeof own / sizeof *own; i++)
+        if (strncmp(line + 10, own[i], strlen(own[i])) == 0 && line[10 + strlen(own[i])] == '"') return true;
+    return false;
+}
+
 /* Files of the project that come as they are: one header takes the place of those that it was joined from. */
 static void write_adapter(const char *text, const char *header, FILE *out)
 {
@@ -201,7 +211,7 @@ static void write_adapter(const char *text, const char *header, FILE *out)
     for (const char *end; *text; text = end) {
         end = strchr(text, '\n');
         end = end ? end + 1 : text + strlen(text);
-        if (strncmp(text, "#include \"", 10) != 0) {
+        if (!is_own_include(text)) {
             fwrite(text, 1, (size_t)(end - text), out);
         } else if (!is_included) {
             fprintf(out, "#include \"%s\"\n", header);

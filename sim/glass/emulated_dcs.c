@@ -13,6 +13,9 @@
 
 enum { ROW_ORDER = 0x80, COLUMN_ORDER = 0x40, EXCHANGE = 0x20, MADCTL_RESERVED = 0x03 };
 
+/* The keys of a register that locks others, and what takes each back; others are locked from B0h on. */
+enum { KEY_1 = 0xC3, KEY_2 = 0x96, ALL_KEYS = 3, FIRST_LOCKED = 0xB0 };
+
 enum { RESET_PULSE_US = 10, LISTEN_US = 5000, SLEEP_CHANGE_US = 120000 };
 
 /* `is_borne`: glass would bear it. */
@@ -71,6 +74,7 @@ static void reset_registers(struct emulated_dcs *chip)
     chip->inverted = false;
     chip->tells_refresh = false;
     chip->scan = 0;
+    chip->keys = 0;
     chip->columns[0] = 0;
     chip->columns[1] = (uint16_t)(columns_end(chip) - 1);
     chip->rows[0] = 0;
@@ -212,6 +216,19 @@ static void run_scan(struct emulated_dcs *chip)
     chip->scan = chip->args[1];
 }
 
+/* A key's bits, inverted, take it back. */
+static void run_lock(struct emulated_dcs *chip)
+{
+    const uint8_t key = chip->args[0], taken = (uint8_t)~key;
+
+    if (key == KEY_1 || key == KEY_2)
+        chip->keys |= key == KEY_1 ? 1 : 2;
+    else if (taken == KEY_1 || taken == KEY_2)
+        chip->keys &= taken == KEY_1 ? 2 : 1;
+    else
+        note(chip, EMULATED_ARGS_VALUE, "%s 0x%02X is no key", chip->command->name, key);
+}
+
 static void start_writing(struct emulated_dcs *chip)
 {
     chip->writing = true;
@@ -233,13 +250,21 @@ static void run_ramwr(struct emulated_dcs *chip)
     start_writing(chip);
 }
 
+static bool is_locked(const struct emulated_dcs *chip, uint8_t code)
+{
+    const uint8_t lock = chip->kind->lock_register;
+    return lock && code != lock && code >= FIRST_LOCKED && chip->keys != ALL_KEYS;
+}
+
 static const struct emulated_command *find_vendor(struct emulated_dcs *chip, uint8_t code)
 {
+    if (is_locked(chip, code)) return NULL;
     for (const struct emulated_register *at = chip->kind->registers; at && at->code; at++) {
         if (at->code != code) continue;
         snprintf(chip->vendor_name, sizeof chip->vendor_name, "command 0x%02X", code);
         chip->vendor = (struct emulated_command){code, at->n_args, chip->vendor_name, NULL};
         if (code == chip->kind->scan_register) chip->vendor.run = run_scan;
+        if (code == chip->kind->lock_register) chip->vendor.run = run_lock;
         return &chip->vendor;
     }
     return NULL;
@@ -293,7 +318,8 @@ static void receive_command(struct emulated_dcs *chip, uint8_t code)
     end_command(chip);
     chip->command = find_command(chip, code);
     if (!chip->command) {
-        note(chip, EMULATED_UNKNOWN_COMMAND, "command 0x%02X is unknown or not modelled", code);
+        note(chip, EMULATED_UNKNOWN_COMMAND, "command 0x%02X is %s", code,
+             is_locked(chip, code) ? "locked" : "unknown or not modelled");
         chip->ignore_data = true;
         return;
     }

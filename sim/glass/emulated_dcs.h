@@ -21,10 +21,11 @@ struct emulated_register {
 /* What the chips differ in. */
 struct emulated_kind {
     const char *name;
-    uint16_t w_px, h_px;                       /* memory, with MADCTL = 0 */
-    bool takes_12, takes_16;                   /* bits a pixel on SPI; all take 18 in three bytes */
-    bool is_round;                             /* glass that shows the inscribed ellipse alone */
-    uint8_t scan_register;                     /* sets which way outputs are scanned; 0: none does */
+    uint16_t w_px, h_px;     /* memory, with MADCTL = 0 */
+    bool takes_12, takes_16; /* bits a pixel on SPI; all take 18 in three bytes */
+    bool is_round;           /* glass that shows the inscribed ellipse alone */
+    uint8_t scan_register;   /* sets which way outputs are scanned; 0: none does */
+    uint8_t lock_register;   /* takes two keys before it lets others be written; 0: nothing is locked */
     const struct emulated_register *registers; /* ends with code 0 */
 };
 
@@ -83,6 +84,7 @@ struct emulated_dcs {
     uint64_t refresh_us; /* between two refreshes: 60 Hz, to be set */
     uint8_t madctl, bits_a_pixel;
     uint8_t scan; /* the second argument of kind->scan_register */
+    uint8_t keys; /* of kind->lock_register that have come */
     const struct emulated_kind *kind;
     struct emulated_command vendor; /* a command that only this kind has, while it is received */
     char vendor_name[16];

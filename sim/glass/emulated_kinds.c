@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
  * The chips as their datasheets describe them: memory, formats, and how many arguments each register takes. GC9A01's
- * are those of its maker's example, as there is no public description. */
+ * are those of its maker's example, as there is no public description; ST7796S's those of others' drivers. */
 #include "glass/emulated_dcs.h"
 
 #include <string.h>
@@ -20,6 +20,13 @@ static const struct emulated_register ili9341_registers[] = {
 static const struct emulated_register ili9488_registers[] = {
     {0xB0, 1}, {0xB1, 1}, {0xB4, 1}, {0xB5, 4},  {0xB6, 3},  {0xB7, 1}, {0xC0, 2},
     {0xC1, 1}, {0xC2, 1}, {0xC5, 3}, {0xE0, 15}, {0xE1, 15}, {0xF7, 4}, {0, 0},
+};
+
+/* As zephyrproject-rtos/zephyr has them (drivers/display/display_st7796s.c and its binding) and Sergey1560/fb_st7796s.
+ */
+static const struct emulated_register st7796_registers[] = {
+    {0x38, 0}, {0x53, 1}, {0xB0, 1}, {0xB1, 2}, {0xB2, 2}, {0xB3, 2},  {0xB4, 1},  {0xB5, 4}, {0xB6, 3}, {0xB7, 1},
+    {0xC0, 2}, {0xC1, 1}, {0xC2, 1}, {0xC5, 1}, {0xC6, 1}, {0xE0, 14}, {0xE1, 14}, {0xE8, 8}, {0xF0, 1}, {0, 0},
 };
 
 static const struct emulated_register gc9a01_registers[] = {
@@ -42,6 +49,13 @@ static const struct emulated_kind ili9341 = {.name = "ili9341",
                                              .registers = ili9341_registers};
 static const struct emulated_kind ili9488 = {
     .name = "ili9488", .w_px = 320, .h_px = 480, .scan_register = 0xB6, .registers = ili9488_registers};
+static const struct emulated_kind st7796 = {.name = "st7796",
+                                            .w_px = 320,
+                                            .h_px = 480,
+                                            .takes_16 = true,
+                                            .scan_register = 0xB6,
+                                            .lock_register = 0xF0,
+                                            .registers = st7796_registers};
 static const struct emulated_kind gc9a01 = {.name = "gc9a01",
                                             .w_px = 240,
                                             .h_px = 240,
@@ -50,7 +64,7 @@ static const struct emulated_kind gc9a01 = {.name = "gc9a01",
                                             .is_round = true,
                                             .registers = gc9a01_registers};
 
-const struct emulated_kind *const emulated_kinds[] = {&gc9a01, &ili9341, &ili9488, &st7735, &st7789, NULL};
+const struct emulated_kind *const emulated_kinds[] = {&gc9a01, &ili9341, &ili9488, &st7735, &st7789, &st7796, NULL};
 
 const struct emulated_kind *emulated_kind_find(const char *name)
 {

@@ -166,6 +166,35 @@ const struct glass glass_rows[] = {
      .negative = true,
      .sources = {TFT_ESPI "ST7789_Rotation.h", ADAFRUIT_77XX "Adafruit_ST7789.cpp", ARDUINO_GFX "Arduino_ST7789.cpp"}},
 
+    /* 48h where B6h leaves columns scanned forward (02h), 08h where it turns them (22h): the same glass. It is sold
+     * with TN glass and with IPS glass, which differ in the colours after a reset alone (LovyanGFX, Arduino_GFX:
+     * `ips`); this is TN. fb_st7796s has 28h for landscape, Zephyr as well. */
+    {.chip = "st7796",
+     .module = "3.5 and 4 inch",
+     .w_px = 320,
+     .h_px = 480,
+     .mem_w_px = 320,
+     .mem_h_px = 480,
+     .column = 319,
+     .columns_back = true,
+     .blue_first = true,
+     .sources = {TFT_ESPI "ST7796_Rotation.h", ARDUINO_GFX "Arduino_ST7796.cpp", LOVYANGFX "v1/panel/Panel_ST7796.hpp",
+                 "Sergey1560/fb_st7796s kernel_module/fb_st7796s.c",
+                 "zephyrproject-rtos/zephyr drivers/display/display_st7796s.c"}},
+    /* Colours inverted; windows begin at 49 either way round: the glass is in memory's middle. */
+    {.chip = "st7796",
+     .module = "2.33 inch, IPS",
+     .w_px = 222,
+     .h_px = 480,
+     .mem_w_px = 320,
+     .mem_h_px = 480,
+     .column = 319 - 49,
+     .columns_back = true,
+     .blue_first = true,
+     .negative = true,
+     .sources = {TFT_ESPI "ST7796_Rotation.h", "Bodmer/TFT_eSPI User_Setups/Setup212_LilyGo_T_PicoPro.h",
+                 "Xinyuan-LilyGO/T-Display-S3-Pro examples/Arduino_GFX_HelloWorld/HelloWorld.ino"}},
+
     /* Pages ----------------------------------------------------------------------------------------------------------
      *
      * With A1h a chip of n columns puts what is addressed as c on its output n - 1 - c. With C8h lines are scanned from

@@ -34,6 +34,7 @@ tap_check "and on its side, wider than the chip's memory" shows 3f8e0d12c16a9cfd
     MODULE='--size 80x160 --rotate 270'
 tap_check "STM32F405, lines that are sent together, and what changes alone" shows 4556b16391b40145 BOARD=stm32f405 COMPILE=--delta
 tap_check "HiFive1, a memory LCD" shows 40e552521c709175 BOARD=hifive1 PANEL=ls013b7dh03
+tap_check "ESP32-C3, an ST7796" shows 11b22d94e62fb545 BOARD=esp32c3 PANEL=st7796
 if needs_npm; then
     tap_check "Pico" shows 4556b16391b40145 BOARD=pico
 else

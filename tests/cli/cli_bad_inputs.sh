@@ -100,6 +100,7 @@ for file in pipe /dev/zero /dev/random /dev/full folder none; do
     refuse "hashes $file" "$file: $why" hashes $file --write-hashes ../out/h
     refuse "uf2 $file" "$file: $why" uf2 $file -o ../out/x.uf2
     refuse "boot2 $file" "$file: $why" boot2 $file -o ../out/x.c
+    refuse "espimage $file" "$file: $why" espimage $file -o ../out/x.esp
     compile "a model that is $file" "$file: $why" $file
 done
 for model in pipe.obj pipe.lim; do

@@ -43,7 +43,7 @@ base_of() { # COMMAND
     play) echo "--panel st7735 --spi $work/none --dc GPIO1 $work/none.obj" ;;
     module | card) echo "--panel st7735 -o $work/none/x.png" ;;
     decode) echo "--panel st7735 $work/none.log" ;;
-    uf2 | boot2) echo "$work/none.bin -o $work/none/x.c" ;;
+    uf2 | boot2 | espimage) echo "$work/none.bin -o $work/none/x.c" ;;
     bridge | devices | hashes) ;;
     *) echo "$work/none.obj" ;;
     esac
@@ -104,7 +104,7 @@ names_the_unknown() {
 
 # The whole help has every option of every command.
 whole_has_all() {
-    for command in $commands; do told <"$work/$command.help"; done | sort -u | grep -vx -e --family >"$work/each"
+    for command in $commands; do told <"$work/$command.help"; done | sort -u | grep -vx -e --family -e --chip >"$work/each"
     "$limner" help | grep -o -- '--[a-z][a-z-]*' | sort -u >"$work/whole"
     ! grep -vxF -f "$work/whole" "$work/each"
 }

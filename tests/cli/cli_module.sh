@@ -52,6 +52,8 @@ says() { # NAME DEFINITION...
 module gc9a01 --panel gc9a01
 module fast --panel st7789 --hz 62500000
 module ili9488 --panel ili9488 --rotate 270
+module st7796 --panel st7796
+module narrow --panel st7796 --size 222x480
 module ssd1306 --panel ssd1306 --rotate 90
 module ssd0323 --panel ssd0323
 tap_check "a round panel says so" says gc9a01 'MODULE_NAME "gc9a01"' 'MODULE_ROUND 1' 'MODULE_MONO 0' \
@@ -60,6 +62,9 @@ tap_check "a round panel says so" says gc9a01 'MODULE_NAME "gc9a01"' 'MODULE_ROU
 tap_check "the bus's clock can be another than the usual" says fast 'MODULE_SPEED_HZ 62500000u'
 tap_check "a chip that turns the picture has it turned" says ili9488 'MODULE_W_PX 480' 'MODULE_H_PX 320' \
     'MODULE_CAMERA_TURN PANEL_UPRIGHT' 'MODULE_LINES_MEM_B(n_lines) SCREEN_WIDE_MEM_B(MODULE_W_PX, n_lines)'
+tap_check "TN glass is not inverted" says st7796 'MODULE_NAME "st7796"' 'MODULE_W_PX 320' 'MODULE_H_PX 480' \
+    'MODULE_FORMAT PANEL_RGB565' 'MODULE_SPEED_HZ 40000000u'
+tap_check "narrow IPS glass lies in the middle of memory" says narrow 'MODULE_W_PX 222' 'MODULE_H_PX 480'
 tap_check "a chip that cannot leaves it to the camera" says ssd1306 'MODULE_W_PX 128' 'MODULE_H_PX 64' 'MODULE_MONO 1' \
     'MODULE_CAMERA_TURN PANEL_TURNED_90' 'MODULE_LINES_MEM_B(n_lines) SCREEN_PAGES_MEM_B(MODULE_W_PX, n_lines)'
 module st7789 --panel st7789

@@ -48,7 +48,7 @@ for panel in ls013b7dh03 ls027b7dh01; do
     tap_check "$panel has neither colours nor inversion" changes_nothing "--bgr: $panel has no colours
 --no-invert: $panel shows its memory as it is" "--no-invert --bgr" module --panel $panel -o OUT/module
 done
-for panel in gc9a01 ili9341 ili9488 ssd1351 st7735 st7789:rgb444; do
+for panel in gc9a01 ili9341 ili9488 ssd1351 st7735 st7796 st7789:rgb444; do
     tap_check "$panel takes both" says_nothing module --panel $panel --bgr --invert -o OUT/module
 done
 tap_check "greys and pages are inverted" says_nothing module --panel ssd1327 --invert -o OUT/module

@@ -61,6 +61,7 @@ tap_check "help names each panel" names_all
 
 refuse "an unknown panel is refused" '^limner: --panel hd44780: no such panel; there are .*st7789' play "$model" --panel hd44780
 refuse "emulated memory is no display" '^limner: --panel memory: no such panel' play "$model" --panel memory
+refuse "so is one that it takes on wider buses alone" '^limner: --panel st7796:rgb444: ' play "$model" --panel st7796:rgb444
 refuse "a format that a panel does not take is refused" '^limner: --panel ili9488:rgb565: ' play "$model" --panel ili9488:rgb565
 st7789 "glass beyond memory is refused" '^limner: --panel st7789: 241x320 pixels do not fit' "$model" --size 241x320
 st7789 "glass that leaves memory is refused" '^limner: --panel st7789: 240x240 pixels at 0,81 leave' "$model" --offset 0,81

@@ -188,7 +188,7 @@ refuse "a hash file of another length is an error" '^limner: none.hashes: has 0 
 rm none.hashes
 
 panels_agree() {
-    for panel in memory st7789 st7735 ili9341 ili9488 st7789:rgb666; do
+    for panel in memory st7789 st7735 st7796 ili9341 ili9488 st7789:rgb666; do
         render --panel $panel --check hashes || return 1
     done
     render --method painter --check hashes && render --method painter --panel ili9488 --check hashes

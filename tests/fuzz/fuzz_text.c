@@ -7,6 +7,7 @@
 #include "base/parse.h"
 #include "cameras/camera_choice.h"
 #include "cli/boot2.h"
+#include "cli/esp_image.h"
 #include "cli/options.h"
 #include "cli/uf2.h"
 #include "displays/port_choice.h"
@@ -201,6 +202,37 @@ static const char *read_decimal(struct fuzz_bytes *bytes)
     return !ok || is_same ? NULL : "a decimal is another number";
 }
 
+/* What an ESP32-C3 loads is as long as its parts say, and each segment is RAM that it has. */
+static const char *check_esp_image(const struct esp_image *image, const struct esp_chip *chip)
+{
+    size_t at = 24;
+
+    if (image->size_b % 16 || image->bytes[0] != 0xE9) return "an image of no such form";
+    for (unsigned i = 0; i < image->bytes[1]; i++) {
+        uint32_t header[2];
+        memcpy(header, image->bytes + at, sizeof header);
+        const uint32_t in_code_b = header[0] - chip->code_at, in_data_b = header[0] - chip->data_at;
+        const uint32_t at_b = in_code_b < chip->ram_b ? in_code_b : in_data_b;
+        if (at_b >= chip->ram_b || header[1] > chip->ram_b - at_b) return "a segment outside of RAM";
+        at += sizeof header + header[1];
+    }
+    return at / 16 * 16 + 16 + 32 == image->size_b ? NULL : "an image of another length than its segments have";
+}
+
+static const char *read_program(struct fuzz_bytes *bytes, const struct esp_chip *chip)
+{
+    const struct binary file = {(uint8_t *)(uintptr_t)bytes->at, bytes->left_b};
+    struct elf_program program;
+    struct esp_image image;
+    struct error err;
+
+    if (!elf_program_read(&file, chip->machine, &program, &err) || !esp_image_make(&image, chip, &program, &err))
+        return fuzz_check_refusal(err.text, NULL);
+    const char *wrong = check_esp_image(&image, chip);
+    free(image.bytes);
+    return wrong;
+}
+
 /* UF2 and the RP2040's second stage: of a binary file, its bytes in their places. */
 static const char *read_image(struct fuzz_bytes *bytes)
 {
@@ -209,8 +241,10 @@ static const char *read_image(struct fuzz_bytes *bytes)
     const struct fuzz_bytes name = fuzz_part(bytes, '\n');
     char *text = fuzz_string(&name);
     const struct uf2_family *family = uf2_family_find(text, &err);
+    const struct esp_chip *chip = family ? NULL : esp_chip_find(text, &(struct error){""});
 
     free(text);
+    if (chip) return read_program(bytes, chip);
     if (!family) return fuzz_check_refusal(err.text, "--family");
     for (uint32_t i = 0; i < uf2_block_count(bytes->left_b); i++) {
         const size_t at_b = (size_t)i * UF2_PAYLOAD_B, left_b = bytes->left_b - at_b;

@@ -93,8 +93,8 @@ static void its_viewer_sees_it_upright_however_the_module_is_turned(void **state
     (void)state;
     static const char *const turns[] = {"0", "90", "180", "270"};
     static const char *const modules[] = {"--panel st7789 --size 135x240", "--panel ili9341", "--panel st7735",
-                                          "--panel ssd1351 --size 128x96"};
-    for (int module = 0; module < 4; module++)
+                                          "--panel ssd1351 --size 128x96", "--panel st7796 --size 222x480"};
+    for (int module = 0; module < 5; module++)
         for (int turn = 0; turn < 4; turn++) {
             char options[100];
             snprintf(options, sizeof options, "%s --rotate %s", modules[module], turns[turn]);

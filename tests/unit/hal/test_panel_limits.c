@@ -26,6 +26,7 @@ static const struct limits chips[] = {
     {"ili9488", DCS, 320, 480, 0, 0, 1, 1, true, false, 1},
     {"st7735", DCS, 132, 162, 0, 0, 1, 1, true, false, 1},
     {"st7789", DCS, 240, 320, 0, 0, 1, 1, true, false, 1},
+    {"st7796", DCS, 320, 480, 0, 0, 1, 1, true, false, 1},
     {"pcd8544", PAGES, 84, 48, 127, 63, 1, 8, false, false, 1},
     {"sh1106", PAGES, 132, 64, 255, 128, 1, 8, false, true, 64},
     {"ssd1306", PAGES, 128, 64, 255, 207, 1, 8, false, true, 64},

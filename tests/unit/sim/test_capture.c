@@ -228,7 +228,7 @@ static void for_every_panel(void (*run)(void))
             run();
             runs++;
         }
-    assert_int_equal(runs, 4 / every * 15);
+    assert_int_equal(runs, 4 / every * 16);
 }
 
 static void as_many_frames_end_as_were_drawn(void **state)

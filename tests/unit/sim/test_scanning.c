@@ -243,6 +243,47 @@ static void scan_directions_turn_what_madctl_does_not(void **state)
     }
 }
 
+/* Arduino_GFX turns the scan of columns and mirrors nothing, TFT_eSPI and fb_st7796s the other way round: the same
+ * glass. What comes before both keys, or once one of them was taken back, does nothing. */
+static void registers_that_are_locked_stay_as_they_are(void **state)
+{
+    static uint32_t raw[320 * 480];
+    static const struct {
+        uint8_t keys[4], scan, madctl;
+        unsigned locked, corner_px;
+    } cases[] = {
+        {{0xC3, 0x96, 0x3C, 0x69}, 0x22, 0x08, 0, 0},         {{0xC3, 0x96, 0x3C, 0x69}, 0x02, 0x48, 0, 0},
+        {{0xC3, 0xC3, 0x3C, 0x69}, 0x22, 0x08, 1, 319},       {{0x96, 0x96, 0x69, 0x3C}, 0x22, 0x08, 1, 319},
+        {{0xC3, 0x96, 0xC3, 0x96}, 0x62, 0x08, 0, 479 * 320},
+    };
+
+    (void)state;
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        emulated_dcs_init(&lcd, glass_find("st7796", 0, 0));
+        lcd.port.deferred = false;
+        SEND(0x11);
+        SEND(0xF0, cases[i].keys[0]);
+        SEND(0xF0, cases[i].keys[1]);
+        SEND(0xB6, 0x80, cases[i].scan, 0x3B);
+        SEND(0xF0, cases[i].keys[2]);
+        SEND(0xF0, cases[i].keys[3]);
+        SEND(0x36, cases[i].madctl);
+        SEND(0x3A, 0x55);
+        SEND(0x2A, 0, 0, 0, 0);
+        SEND(0x2B, 0, 0, 0, 0);
+        SEND(0x2C, 0x12, 0x34);
+        emulated_dcs_show(&lcd, 0, NULL, raw);
+        assert_int_equal(raw[cases[i].corner_px], 0x1234);
+        assert_int_equal(lcd.complaints_of[EMULATED_UNKNOWN_COMMAND], cases[i].locked);
+        assert_int_equal(lcd.complaints, cases[i].locked);
+    }
+    SEND(0xF0, 0xA5);
+    assert_int_equal(lcd.complaints_of[EMULATED_ARGS_VALUE], 1);
+    SEND(0x01);
+    SEND(0xB4, 0x01);
+    assert_int_equal(lcd.complaints_of[EMULATED_UNKNOWN_COMMAND], 1);
+}
+
 /* Adafruit_ST7735.cpp and others: the first pixel of 128x128 is at 2, 3 with MX and MY, at 2, 1 without. */
 static void memory_that_mode_pins_leave_ends_at_132_lines(void **state)
 {
@@ -275,6 +316,7 @@ int main(void)
         cmocka_unit_test(lines_that_are_wired_otherwise_are_out_of_order),
         cmocka_unit_test(small_glass_without_its_reference_stays_dark),
         cmocka_unit_test(scan_directions_turn_what_madctl_does_not),
+        cmocka_unit_test(registers_that_are_locked_stay_as_they_are),
         cmocka_unit_test(memory_that_mode_pins_leave_ends_at_132_lines),
     };
     return cmocka_run_group_tests_name("scanning", tests, NULL, NULL);
