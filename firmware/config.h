@@ -274,8 +274,8 @@
 #define LIM_8_BIT 0
 #endif
 
-/* Whether this is an Xtensa with the call0 convention, as the LX106 of an ESP8266: that multiplies 32 x 32 -> 32 bits and
- * does not divide (Tensilica's core-isa.h for it). Those of ESP32s, which do more, have register windows. */
+/* Whether this is an Xtensa with the call0 convention, as the LX106 of an ESP8266: that multiplies 32 x 32 -> 32 bits
+ * and does not divide (Tensilica's core-isa.h for it). Those of ESP32s, which do more, have register windows. */
 #if defined(__XTENSA_CALL0_ABI__)
 #define LIM_LX106 1
 #else

@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: MIT
  *
  * What gcc calls where the LX106 has no instruction, and Debian's libgcc for it does not have: products of 64 bits, and
- * divisions. Other builds of gcc for the ESP8266 have them, and so has the chip's ROM. The core multiplies 32 x 32 -> 32
- * bits (mull) and counts leading zeros (nsau). Names and meanings: "GCC Internals", 4.1 (libgcc's integer routines). */
+ * divisions. Other builds of gcc for the ESP8266 have them, and so has the chip's ROM. The core multiplies 32 x 32 ->
+ * 32 bits (mull) and counts leading zeros (nsau). Names and meanings: "GCC Internals", 4.1 (libgcc's integer routines).
+ */
 #include <stdint.h>
 
 int64_t __muldi3(int64_t a, int64_t b);

@@ -13,9 +13,9 @@ enum { STANDARD_OUTPUT = 1 };
 
 void lx106_start(void);
 
-/* The image begins here, and so do its vectors: 0x10 a debug exception, 0x20 an NMI, 0x30 and 0x50 other exceptions, 0x70
- * an exception within one. There is no stack yet. PS = 0: exceptions are not held to be within another; no interrupt is
- * enabled. A constant stands before the instruction that loads it (l32r). */
+/* The image begins here, and so do its vectors: 0x10 a debug exception, 0x20 an NMI, 0x30 and 0x50 other exceptions,
+ * 0x70 an exception within one. There is no stack yet. PS = 0: exceptions are not held to be within another; no
+ * interrupt is enabled. A constant stands before the instruction that loads it (l32r). */
 __asm__(".section .vectors, \"ax\"\n"
         "vectors:\n\t"
         "j begin\n\t"

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
- * Prints products and quotients of integers of all lengths, as the processor or the compiler's library computes them; the
- * same program runs on the host, and the texts must be equal. Divisors are never 0, and no quotient overflows. */
+ * Prints products and quotients of integers of all lengths, as the processor or the compiler's library computes them;
+ * the same program runs on the host, and the texts must be equal. Divisors are never 0, and no quotient overflows. */
 #include "console.h"
 
 #include <stdint.h>
