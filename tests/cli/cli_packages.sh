@@ -134,11 +134,11 @@ other_compiler() { made CC=clang BUILD="$work/clang" "$work/clang/host/sim/base/
 window() { made view && called gcc && has libsdl2-dev && grep -q -- '-DLIM_HAVE_SDL2=1 ' "$work/build/host/flags"; }
 
 tap_check "make BOARD=arduboy, from nothing" bare_board
-for pair in bluepill:arm-none-eabi-gcc hifive1:riscv64-unknown-elf-gcc lm3s6965evb:arm-none-eabi-gcc pico:arm-none-eabi-gcc \
+for pair in bluepill:arm-none-eabi-gcc hifive1:riscv64-unknown-elf-gcc lm3s6965evb:arm-none-eabi-gcc pico:arm-none-eabi-gcc pico2:arm-none-eabi-gcc \
     stm32f405:arm-none-eabi-gcc linux:gcc; do
     tap_check "make BOARD=${pair%%:*}" board "${pair%%:*}" "${pair#*:}"
 done
-tap_check "every board is among these" [ "$(ls -d boards/*/board.mk | wc -l)" -eq 7 ]
+tap_check "every board is among these" [ "$(ls -d boards/*/board.mk | wc -l)" -eq 8 ]
 tap_check "make BOARD=pico FILE" board_file
 tap_check "make -j8 BOARD=arduboy all" with_jobs
 tap_check "make BOARD=arduboy flash" flashing
