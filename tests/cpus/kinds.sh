@@ -22,6 +22,9 @@ kinds_on() { # CORE[:FLAG]...
     cp sim/scenes/teapot.cam "$work/solid.cam"
     kind exact "$work/solid" 80x60 "$1"
     kind fast "$BUILD/scenes/textured/textured" 80x60 "$1"
+    kind draft sim/scenes/glass 80x60 "$1"
+    frames_options=--delta
+    kind fast sim/scenes/rooms 80x60 "$1"
     frames_options=--antialias
     kind exact sim/scenes/rooms 80x60 "$1"
     frames_options='--method newell'
