@@ -51,7 +51,7 @@ packages-host          := libcmocka-dev libosmesa6-dev sigrok-cli
 packages-arm           := gcc-arm-none-eabi qemu-system-arm gnuplot-nox
 packages-fixed         := $(packages-host) $(packages-arm)
 packages-cpus          := g++ $(packages-arm) gcc-riscv64-unknown-elf gcc-avr avr-libc gcc-powerpc-linux-gnu \
-	libc6-dev-powerpc-cross qemu-system-misc qemu-user simavr
+	libc6-dev-powerpc-cross gcc-xtensa-lx106 qemu-system-misc qemu-user simavr
 packages-export        := g++ cmake arduino-builder arduino-core-avr gcc-avr avr-libc libsimavr-dev libelf-dev gcc-riscv64-unknown-elf \
 	qemu-system-misc $(packages-arm)
 packages-cross         := gcc-arm-none-eabi gcc-riscv64-unknown-elf gcc-avr avr-libc g++ clang

@@ -15,6 +15,8 @@ $(if $(filter $(boards),$(BOARD)),,$(error there is no board $(BOARD); there are
 # Flags that make the processor's code, and what makes an image of objects; a board may say otherwise.
 STANDARD := -std=c11 -ffreestanding
 FRAMES   := -fcallgraph-info=su
+COUNTED_ELF     = $(IMAGE).elf
+COUNTED_DRIVERS = $(filter $(common)/hal/mcu/%,$(board_objects))
 LINES    := 1
 STREAM   := no
 TITLE     = $(BOARD)$(if $(filter --framebuffer,$(COMPILE)),$(comma) framebuffer)
@@ -186,7 +188,7 @@ $(folder)/golden.$(N): $(folder)/golden
 	@awk -v n=$(N) '{ hash[NR] = $$2 } END { for (i = 0; i < n + 0; i++) print i, hash[i % NR + 1] }' $< > $@
 
 # What QEMU has no clock for is counted.
-COUNTED = sh sim/emulators/count.sh $(N) $(BUILD)/count_plugin.so $(IMAGE).elf $(QEMU) $(filter $(common)/hal/mcu/%,$(board_objects))
+COUNTED = sh sim/emulators/count.sh $(N) $(BUILD)/count_plugin.so $(COUNTED_ELF) $(QEMU) $(COUNTED_DRIVERS)
 SPI_HZ  = $(shell awk -v clock_hz=$(SPI_CLOCK_HZ) -v most_hz=$(or $(SPI_MAX_HZ),$(SPI_CLOCK_HZ)) -v dividers=$(SPI_DIVIDERS) ' \
 	$$2 == "MODULE_SPEED_HZ" { \
 		wanted_hz = $$3 + 0 < most_hz + 0 ? $$3 + 0 : most_hz + 0; \

@@ -12,7 +12,6 @@
 /* The PLL, 2.18.4: 12 MHz / 1 * 125 = 1500 MHz, which the two dividers behind it make 125 MHz. */
 #define PLL_REFDIV UINT32_C(1)
 #define PLL_FBDIV UINT32_C(125)
-#define PLL_PRIM ((UINT32_C(6) << 16) | (UINT32_C(2) << 12))
 #define PLL_CS_LOCK (UINT32_C(1) << 31)
 #define PLL_PWR_PD UINT32_C(1)
 #define PLL_PWR_POSTDIVPD (UINT32_C(1) << 3)
@@ -24,7 +23,6 @@
 #define CLK_SYS_SRC_REF UINT32_C(0)
 #define CLK_SYS_SRC_AUX UINT32_C(1)         /* AUXSRC = 0: PLL_SYS */
 #define CLK_PERI_ENABLE (UINT32_C(1) << 11) /* AUXSRC = 0: clk_sys */
-#define CLK_DIV_1 (UINT32_C(1) << 8)
 
 /* The longest wait is the crystal's, 1 ms and some more, on the ring oscillator's 12 MHz at most. */
 #define LOOKS (UINT32_C(1) << 16)
@@ -48,10 +46,10 @@ static int start_crystal(volatile struct rp2040_xosc_registers *xosc)
     return mcu_wait(&xosc->status, XOSC_STATUS_STABLE, XOSC_STATUS_STABLE, LOOKS);
 }
 
-static int start_pll(const struct rp2040_clocks *at)
+int rp2040_pll_start(volatile struct rp2040_pll_registers *pll, volatile struct rp2040_resets_registers *resets,
+                     uint32_t reset, uint32_t prim)
 {
-    volatile struct rp2040_pll_registers *const pll = at->pll_sys;
-    int err = rp2040_reset(at->resets, RP2040_RESET_PLL_SYS);
+    int err = rp2040_reset(resets, reset);
 
     if (err) return err;
     pll->cs = PLL_REFDIV;
@@ -59,7 +57,7 @@ static int start_pll(const struct rp2040_clocks *at)
     pll->pwr &= ~(PLL_PWR_PD | PLL_PWR_VCOPD);
     err = mcu_wait(&pll->cs, PLL_CS_LOCK, PLL_CS_LOCK, LOOKS);
     if (err) return err;
-    pll->prim = PLL_PRIM;
+    pll->prim = prim;
     pll->pwr &= ~PLL_PWR_POSTDIVPD;
     return 0;
 }
@@ -74,17 +72,28 @@ static int switch_to(volatile struct rp2040_clock_registers *clock, uint32_t sou
 }
 
 /* Away from the PLL while it changes. */
-int rp2040_clocks_init(const struct rp2040_clocks *at)
+int rp2040_clocks_start(const struct rp2040_clocks *at, const struct rp2040_clock_facts *facts)
 {
     volatile struct rp2040_clocks_registers *const clocks = at->clocks;
     int err = start_crystal(at->xosc);
 
     if (!err) err = switch_to(&clocks->sys, CLK_SYS_SRC_REF);
     if (!err) err = switch_to(&clocks->ref, CLK_REF_SRC_XOSC);
-    if (!err) err = start_pll(at);
+    if (!err) err = rp2040_pll_start(at->pll_sys, at->resets, facts->reset_pll_sys, facts->pll_prim);
     if (err) return err;
     clocks->sys.ctrl = CLK_SYS_SRC_REF;
-    clocks->sys.div = CLK_DIV_1;
+    clocks->sys.div = facts->div_1;
     clocks->peri.ctrl = CLK_PERI_ENABLE;
     return switch_to(&clocks->sys, CLK_SYS_SRC_AUX);
+}
+
+int rp2040_clocks_init(const struct rp2040_clocks *at)
+{
+    static const struct rp2040_clock_facts FACTS = {
+        .reset_pll_sys = RP2040_RESET_PLL_SYS,
+        .pll_prim = RP2040_PLL_PRIM(6, 2),
+        .div_1 = UINT32_C(1) << 8,
+    };
+
+    return rp2040_clocks_start(at, &FACTS);
 }

@@ -61,6 +61,24 @@ HAL_MUST_CHECK int rp2040_release(volatile struct rp2040_resets_registers *reset
 /* Puts them into reset first. */
 HAL_MUST_CHECK int rp2040_reset(volatile struct rp2040_resets_registers *resets, uint32_t mask);
 
+/* PLL_SYS's register PRIM: divides by both, which are 1 to 7. */
+#define RP2040_PLL_PRIM(first, second) ((UINT32_C(first) << 16) | (UINT32_C(second) << 12))
+
+/* Resets a PLL, by its bit of RESETS, and lets it run: 1500 MHz from the crystal, divided by `prim`. MCU_ERR_TIMEOUT:
+ * it does not lock. */
+HAL_MUST_CHECK int rp2040_pll_start(volatile struct rp2040_pll_registers *pll,
+                                    volatile struct rp2040_resets_registers *resets, uint32_t reset, uint32_t prim);
+
+/* What later chips of the family have otherwise. */
+struct rp2040_clock_facts {
+    uint32_t reset_pll_sys; /* its bit of RESETS */
+    uint32_t pll_prim;      /* dividers behind 1500 MHz: RP2040_PLL_PRIM() */
+    uint32_t div_1;         /* of a clock's register DIV: divide by 1 */
+};
+
+/* Runs clk_sys and clk_peri at 1500 MHz as the facts divide them; otherwise as rp2040_clocks_init(). */
+HAL_MUST_CHECK int rp2040_clocks_start(const struct rp2040_clocks *at, const struct rp2040_clock_facts *facts);
+
 /* Runs clk_sys and clk_peri at RP2040_SYS_HZ; whatever they ran at before, so also when called again. MCU_ERR_TIMEOUT:
  * the crystal or the PLL does not come up; the processor then runs on at some slower rate. */
 HAL_MUST_CHECK int rp2040_clocks_init(const struct rp2040_clocks *at);

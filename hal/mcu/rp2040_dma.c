@@ -16,19 +16,12 @@
  * 100 kHz, is 10,000 cycles. */
 enum { LOOKS_MAX = 1 << 14 };
 
-static volatile struct rp2040_dma_channel_registers *channel_of(const struct rp2040_dma *dma)
-{
-    return &dma->registers->ch[dma->channel];
-}
-
 /* Disabled first, or it would go on to the next byte. */
 static int stop(const struct rp2040_dma *dma)
 {
-    const uint32_t bit = UINT32_C(1) << dma->channel;
-
-    channel_of(dma)->ctrl_trig &= ~CTRL_EN;
-    dma->registers->chan_abort = bit;
-    const int err = mcu_wait(&dma->registers->chan_abort, bit, 0, LOOKS_MAX);
+    dma->channel->ctrl_trig &= ~CTRL_EN;
+    *dma->chan_abort = dma->mask;
+    const int err = mcu_wait(dma->chan_abort, dma->mask, 0, LOOKS_MAX);
     return err ? err : MCU_ERR_TIMEOUT;
 }
 
@@ -36,10 +29,10 @@ static int stop(const struct rp2040_dma *dma)
  * its own, so that who counts cycles can tell waiting from work. */
 static __attribute__((noinline)) int rp2040_dma_wait(const struct rp2040_dma *dma)
 {
-    volatile struct rp2040_dma_channel_registers *const channel = channel_of(dma);
+    volatile struct rp2040_dma_channel_registers *const channel = dma->channel;
     uint32_t before = channel->trans_count, looks = 0;
 
-    while (channel->ctrl_trig & CTRL_BUSY) {
+    while (channel->ctrl_trig & dma->busy) {
         const uint32_t left = channel->trans_count;
         looks = left == before ? looks + 1 : 0;
         if (looks == LOOKS_MAX) return stop(dma);
@@ -52,14 +45,13 @@ static __attribute__((noinline)) int rp2040_dma_wait(const struct rp2040_dma *dm
 
 static void start(const struct rp2040_dma *dma, const uint8_t *data, size_t n_b)
 {
-    volatile struct rp2040_dma_channel_registers *const channel = channel_of(dma);
+    volatile struct rp2040_dma_channel_registers *const channel = dma->channel;
 
     channel->read_addr = (uint32_t)(uintptr_t)data;
     channel->write_addr = (uint32_t)(uintptr_t)&dma->spi->registers->dr;
     channel->trans_count = (uint32_t)n_b;
     __asm__ volatile("" ::: "memory"); /* what was painted is in memory */
-    channel->ctrl_trig = CTRL_EN | CTRL_INCR_READ | CTRL_CHAIN_TO(dma->channel) | CTRL_TREQ_SEL(dma->dreq) |
-                         CTRL_IRQ_QUIET | CTRL_ERRORS;
+    channel->ctrl_trig = dma->start;
 }
 
 static int dma_write(void *ctx, const uint8_t *data, size_t n_b)
@@ -83,15 +75,22 @@ static int dma_flush(void *ctx)
 
 static size_t dma_left_b(void *ctx)
 {
-    const volatile struct rp2040_dma_channel_registers *const channel = channel_of(ctx);
+    const struct rp2040_dma *dma = ctx;
 
-    return channel->ctrl_trig & CTRL_BUSY ? channel->trans_count : 0;
+    return dma->channel->ctrl_trig & dma->busy ? dma->channel->trans_count : 0;
 }
 
 void rp2040_dma_init(struct rp2040_dma *dma, volatile struct rp2040_dma_registers *registers, uint8_t channel,
                      struct pl022 *spi, uint8_t dreq)
 {
-    *dma = (struct rp2040_dma){.registers = registers, .spi = spi, .channel = channel, .dreq = dreq};
+    *dma = (struct rp2040_dma){
+        .channel = &registers->ch[channel],
+        .chan_abort = &registers->chan_abort,
+        .spi = spi,
+        .start = CTRL_EN | CTRL_INCR_READ | CTRL_CHAIN_TO(channel) | CTRL_TREQ_SEL(dreq) | CTRL_IRQ_QUIET | CTRL_ERRORS,
+        .busy = CTRL_BUSY,
+        .mask = UINT32_C(1) << channel,
+    };
     spi->registers->dmacr = PL022_DMACR_TXDMAE;
 }
 

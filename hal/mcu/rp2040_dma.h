@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT
  *
- * A bus that sends by DMA: a channel of the RP2040 feeds the PL022's FIFO while the processor paints the next line.
- * write() returns when the channel has begun, and the next write() or flush() waits for it. What is short is polled:
- * it would have left before a channel is set up and looked after.
- * Manual: RP2040 Datasheet, 2.5 (DMA) and 4.4 (SPI). Not tried on hardware. */
+ * A bus that sends by DMA: a channel of the RP2040, or of an RP2350 (rp2350_dma.h), feeds the PL022's FIFO while the
+ * processor paints the next line. write() returns when the channel has begun, and the next write() or flush() waits for
+ * it. What is short is polled: it would have left before a channel is set up and looked after. Manual: RP2040
+ * Datasheet, 2.5 (DMA) and 4.4 (SPI). Not tried on hardware. */
 #ifndef HAL_MCU_RP2040_DMA_H
 #define HAL_MCU_RP2040_DMA_H
 
@@ -35,11 +35,14 @@ enum {
     RP2040_DMA_MIN_B = 16,    /* less is polled: two FIFOs */
 };
 
+/* Where later chips of the family have other bits, they are here, too. */
 struct rp2040_dma {
-    volatile struct rp2040_dma_registers *registers;
+    volatile struct rp2040_dma_channel_registers *channel;
+    volatile uint32_t *chan_abort;
     struct pl022 *spi;
-    uint8_t channel;
-    uint8_t dreq; /* of the SPI's transmit FIFO */
+    uint32_t start; /* what CTRL_TRIG is written to begin */
+    uint32_t busy;  /* its bit */
+    uint32_t mask;  /* the channel's bit where each has one */
 };
 
 /* Takes the channel, which must not be in use, for the SPI, which is set up. */

@@ -13,9 +13,10 @@ static bool put(const struct binary *image, const struct uf2_family *family, con
                 struct error *err)
 {
     FILE *file = outputs_open(outputs, path, err);
+    uint8_t block[UF2_BLOCK_B];
     if (!file) return false;
+    if (uf2_absolute_block(block, family)) fwrite(block, 1, sizeof block, file);
     for (uint32_t i = 0; i < uf2_block_count(image->size_b); i++) {
-        uint8_t block[UF2_BLOCK_B];
         uf2_block(block, family, image->bytes, image->size_b, i);
         fwrite(block, 1, sizeof block, file);
     }

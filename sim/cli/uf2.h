@@ -7,6 +7,7 @@
 
 #include "base/error.h"
 
+#include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 #include <stdio.h>
@@ -22,6 +23,7 @@ struct uf2_family {
     uint32_t id;
     uint32_t address; /* where its flash begins */
     uint32_t flash_b; /* the most that it can have */
+    bool needs_absolute_block;
 };
 
 /* NULL and a list of those that there are. */
@@ -32,5 +34,10 @@ void uf2_block(uint8_t block[UF2_BLOCK_B], const struct uf2_family *family, cons
                uint32_t index);
 
 uint32_t uf2_block_count(size_t image_b);
+
+/* The first block of a file, before the image's, if the family needs one: an RP2350 whose flash has partitions forgets
+ * where they are unless a block for a fixed address comes first (erratum RP2350-E10). Its address is beyond the flash
+ * of all boards, and who knows of the erratum ignores it. Source: raspberrypi/picotool, elf2uf2/elf2uf2.cpp. */
+bool uf2_absolute_block(uint8_t block[UF2_BLOCK_B], const struct uf2_family *family);
 
 #endif

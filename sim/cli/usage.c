@@ -140,7 +140,7 @@ static const struct entry {
     {COMPILE, "  --max-vertex-error Ppx  the same for the largest error of a vertex\n"},
     {COMPILE, "  --camera FILE       or random:SEED[:FRAMES]: where that must hold (cameras sampled in the scene's "
               "free space)\n"},
-    {COMPILE, "  --core NAME         whose instructions count: m0plus, m3, m4, rv32 (fewest bits)\n"},
+    {COMPILE, "  --core NAME         whose instructions count: m0plus, m3, m4, m33, rv32 (fewest bits)\n"},
     {0, "render and view:\n"},
     {RENDER | VIEW | PLAY | REPORT_BUG | MEASURE | COMPARE,
      "  --camera FILE       a line a frame: ex ey ez tx ty tz, metres (an orbit of 16 frames); or\n"
@@ -178,7 +178,7 @@ static const struct entry {
     {MEASURE,
      "  --precision LIST    names, divided by commas (the four profiles); fast_4: fast with 4 sub-pixel bits\n"},
     {MEASURE, "  --sub-bits          fast_4, fast_5, fast_8 and fine_6, too: each is compiled first\n"},
-    {MEASURE, "  --core LIST         processors: m0plus, m3, m4, rv32 (all)\n"},
+    {MEASURE, "  --core LIST         processors: m0plus, m3, m4, m33, rv32 (all)\n"},
     {MEASURE | COMPARE, "  --no-cost           accuracy only: takes neither compilers nor emulators\n"},
     {0, "compare:\n"},
     {0, "  --camera, --size, --fov, --near, --unlit, --keep-faces, --no-cost as above\n"},
@@ -243,7 +243,7 @@ static const struct entry {
     {0, "report-bug: what render takes; pictures are left out\n"},
     {BRIDGE | ALONE, "  --panel NAME, --size WxH  of one display alone (all that there are, of usual sizes)\n"},
     {UF2 | ALONE, "  -o IMAGE.uf2        the file\n"
-                  "  --family NAME       the processor: rp2040\n"},
+                  "  --family NAME       the processor: rp2040, rp2350-arm-s\n"},
     {BOOT2 | ALONE, "  -o NAME.c           the file\n"},
     {ESPIMAGE | ALONE, "  -o IMAGE.esp        the file\n"
                        "  --chip NAME         the processor: esp32c3\n"},

@@ -15,7 +15,7 @@ sh sim/emulators/ranges.sh "$elf" "$@" >"$work/ranges"
 
 status=0
 timeout -k 5 120 "qemu-system-$system" -M "$machine" -kernel "$elf" -nodefaults -display none -serial none \
-    -monitor none -icount shift=0 -plugin "$plugin,ranges=$work/ranges,out=$work/counts,frames=$frames" \
+    -monitor none -semihosting-config enable=on,target=native -icount shift=0 -plugin "$plugin,ranges=$work/ranges,out=$work/counts,frames=$frames" \
     </dev/null 2>"$work/said" || status=$?
 if [ "$(tail -n 1 "$work/counts" 2>/dev/null)" != done ]; then
     echo "count: $elf: $machine did not draw $frames frames (exit status $status)" >&2

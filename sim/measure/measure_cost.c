@@ -33,6 +33,7 @@ enum { PATH_MAX_B = 1024 };
 const struct measure_cpu measure_cpus[] = {{"m0plus", "Cortex-M0+", ARM_TOOLS},
                                            {"m3", "Cortex-M3", ARM_TOOLS},
                                            {"m4", "Cortex-M4F", ARM_TOOLS},
+                                           {"m33", "Cortex-M33", ARM_TOOLS},
                                            {"rv32", "RV32IMC", RISCV_TOOLS}};
 const size_t measure_cpu_count = sizeof measure_cpus / sizeof *measure_cpus;
 
@@ -53,7 +54,7 @@ static bool check_tool(const char *program, const char *package, struct error *e
 bool measure_cpu_parse(const char *name, const struct measure_cpu **out, struct error *err)
 {
     *out = measure_cpu_find(name);
-    return *out || error_set(err, "--core %s: no such processor; there are m0plus, m3, m4 and rv32", name);
+    return *out || error_set(err, "--core %s: no such processor; there are m0plus, m3, m4, m33 and rv32", name);
 }
 
 bool measure_cpu_check(const struct measure_cpu *cpu, struct error *err)

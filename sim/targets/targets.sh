@@ -5,7 +5,10 @@
 #   m0plus    Cortex-M0+ code with 4 MB of RAM (QEMU has no such machine with as much: it runs on a Cortex-M3)
 #   microbit  the same code on the Cortex-M0 of a micro:bit, which refuses any other; 16 KB of RAM
 #   m3 m4     Cortex-M3; Cortex-M4 with floating-point unit
+#   m33       Cortex-M33 with floating-point unit and DSP instructions, in secure state
+#   m33nofp   the same machine, code that touches no floating-point register
 #   rv32      RISC-V RV32IMC in machine mode
+#   lx106     the ESP8266's core, an Xtensa without division and long products
 #   avr       ATmega1284P, 128 KB of flash and 16 KB of RAM
 #   powerpc   32-bit big-endian, under Linux
 #   host      this computer
@@ -13,8 +16,9 @@
 
 target_tools() { # CORE: the prefix of its tools
     case $1 in
-    m0plus | microbit | m3 | m4) echo arm-none-eabi- ;;
+    m0plus | microbit | m3 | m4 | m33 | m33nofp) echo arm-none-eabi- ;;
     rv32) echo riscv64-unknown-elf- ;;
+    lx106) echo xtensa-lx106-elf- ;;
     avr) echo avr- ;;
     powerpc) echo powerpc-linux-gnu- ;;
     esac
@@ -29,6 +33,8 @@ target_flags() { # CORE: of the compiler, for code that is to be the target's
     m0plus | microbit) echo -std=c11 -mthumb -mcpu=cortex-m0plus ;;
     m3) echo -std=c11 -mthumb -mcpu=cortex-m3 ;;
     m4) echo -std=c11 -mthumb -mcpu=cortex-m4 -mfpu=fpv4-sp-d16 -mfloat-abi=hard ;;
+    m33) echo -std=c11 -mthumb -mcpu=cortex-m33 -mfpu=fpv5-sp-d16 -mfloat-abi=hard ;;
+    m33nofp) echo -std=c11 -mthumb -mcpu=cortex-m33+nofp -mfloat-abi=soft ;;
     rv32) echo -std=c11 -march=rv32imc -mabi=ilp32 ;;
     avr) echo -std=gnu11 -mmcu=atmega1284p ;; # gnu: __flash is no part of C
     *) echo -std=c11 ;;
@@ -45,7 +51,9 @@ target_image() { # CORE
     case $1 in
     m0plus | m3 | m4) target_bare cortex_m mps2 ;;
     microbit) target_bare cortex_m microbit ;;
+    m33 | m33nofp) target_bare cortex_m an505 ;;
     rv32) target_bare riscv virt ;;
+    lx106) target_bare_of lx106 sim/targets/start_lx106.c sim/targets/integers_lx106.c ;;
     avr) echo sim/targets/start_avr.c ;;
     powerpc) echo -static sim/targets/start_host.c ;;
     host) echo sim/targets/start_host.c ;;
@@ -53,8 +61,14 @@ target_image() { # CORE
 }
 
 target_bare() { # ARCHITECTURE MACHINE
+    target_bare_of "$2" "boards/common/start_$1.c" sim/targets/semihost.c
+}
+
+target_bare_of() { # MACHINE SOURCE...
+    target_script=sim/targets/$1.ld
+    shift
     echo -ffreestanding -nostdlib -Wl,--fatal-warnings -Wl,--no-warn-rwx-segments -Lboards/common \
-        "-Wl,-T,sim/targets/$2.ld" "boards/common/start_$1.c" boards/common/bare_image.c sim/targets/semihost.c
+        "-Wl,-T,$target_script" boards/common/bare_image.c "$@"
 }
 
 # target_compile CORE OBJECT SOURCE FLAG...: one file, -O2 if not told otherwise; $CCACHE is of sim/tools/compiler_cache.sh, or
@@ -107,8 +121,10 @@ target_run() {
     case $target_core in
     m0plus | m3) target_qemu arm mps2-an385 $target_peer "$@" ;;
     m4) target_qemu arm mps2-an386 $target_peer "$@" ;;
+    m33 | m33nofp) target_qemu arm mps2-an505 $target_peer "$@" ;;
     microbit) target_qemu arm microbit -nic none "$@" ;;
     rv32) target_qemu riscv32 virt -nic none -bios none "$@" ;;
+    lx106) target_qemu xtensa sim -cpu lx106 -nic none "$@" ;;
     avr) target_simavr ;;
     powerpc) timeout -k 5 120 qemu-ppc "$@" "$target_output" ;;
     host) timeout -k 5 120 "$target_output" ;;

@@ -140,7 +140,7 @@ jobs() {
 
 job() { # KIND SCENE SIZE PATH FOLDER: its rows
     case $1 in
-    emulated) emulated m0plus,m3,m4,rv32 "$2" "$3" "$4" "$5" ;;
+    emulated) emulated m0plus,m3,m4,m33,rv32 "$2" "$3" "$4" "$5" ;;
     on_host) on_host "$2" "$3" "$5" ;;
     memory) memory "$2" "$3" "$5" ;;
     esac

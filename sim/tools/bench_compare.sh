@@ -9,7 +9,7 @@
 set -eu
 . sim/targets/targets.sh
 
-cores='m0plus m3 m4 rv32 host'
+cores='m0plus m3 m4 m33 rv32 host'
 
 versions() {
     for core in $cores; do

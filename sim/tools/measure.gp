@@ -15,8 +15,8 @@ set key off
 set format x '%.0f'
 set offsets graph 0.08, graph 0.18, 0, 0
 title_of(core) = core eq 'm0plus' ? 'Cortex-M0+' : core eq 'm3' ? 'Cortex-M3' : core eq 'm4' ? 'Cortex-M4F' : \
-    core eq 'rv32' ? 'RV32IMC' : core
-cores = ARG2 . ' ' . ARG3 . ' ' . ARG4 . ' ' . ARG5
+    core eq 'm33' ? 'Cortex-M33' : core eq 'rv32' ? 'RV32IMC' : core
+cores = ARG2 . ' ' . ARG3 . ' ' . ARG4 . ' ' . ARG5 . ' ' . ARG6
 x(core) = stringcolumn('core') eq core ? column('instructions') / 1000 : NaN
 front_x(core) = column('on_front') == 1 ? x(core) : NaN
 y(i) = column('wrong_percent') > 0 ? column('wrong_percent') : 1e-5

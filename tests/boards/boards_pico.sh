@@ -167,6 +167,6 @@ head -c 253 /dev/zero >"$work/long.bin"
 tap_check "a second stage that is too long is refused" refuses 'long.bin: more than 252 bytes' \
     boot2 "$work/long.bin" -o "$work/none"
 tap_check "an empty image is refused" refuses 'empty.bin: the file is empty' uf2 "$work/empty.bin" -o "$work/none"
-tap_check "an unknown family is refused" refuses "no 'nix'; there is rp2040" \
+tap_check "an unknown family is refused" refuses "no 'nix'; there are rp2040 and rp2350-arm-s" \
     uf2 "$image.bin" --family nix -o "$work/none"
 tap_done

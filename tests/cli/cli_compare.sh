@@ -161,6 +161,6 @@ tap_check "an option of measure alone is refused" refuses "--method: no such opt
 tap_check "no frames are refused" refuses "--frames 0: how many frames" a.obj --frames 0
 tap_check "half a frame is refused" refuses "--cost-frames 1.5: how many frames" a.obj --cost-frames 1.5
 tap_check "two profiles are refused" refuses "one --precision at a time" a.obj --precision fast,fine
-tap_check "an unknown processor is refused" refuses "there are m0plus, m3, m4 and rv32" a.obj --core z80
+tap_check "an unknown processor is refused" refuses "there are m0plus, m3, m4, m33 and rv32" a.obj --core z80
 tap_check "sim/MEASURED.md says of knot what is measured now" sh sim/tools/tables.sh --check compare:knot
 tap_done

@@ -99,7 +99,7 @@ tap_check "no model" refuses "needs a model" "$BUILD/limner" measure
 tap_check "a compiled scene is refused" refuses "not against a compiled scene" "$BUILD/limner" measure a.lim
 tap_check "an unknown profile is refused" refuses "--precision brisk" measure --precision fast,brisk
 tap_check "a profile named twice is refused" refuses "named twice" measure --precision fast,fast
-tap_check "an unknown processor is refused" refuses "there are m0plus, m3, m4 and rv32" measure --core z80
+tap_check "an unknown processor is refused" refuses "there are m0plus, m3, m4, m33 and rv32" measure --core z80
 tap_check "an empty name is refused" refuses "divided by commas" measure --precision fast,
 tap_check "a processor without counting is refused" refuses "exclude each other" measure --core m4 --no-cost
 tap_check "a missing model is refused" refuses "none.obj" "$BUILD/limner" measure none.obj --no-cost

@@ -134,7 +134,7 @@ other_compiler() { made CC=clang BUILD="$work/clang" "$work/clang/host/sim/base/
 window() { made view && called gcc && has libsdl2-dev && grep -q -- '-DLIM_HAVE_SDL2=1 ' "$work/build/host/flags"; }
 
 tap_check "make BOARD=arduboy, from nothing" bare_board
-for pair in bluepill:arm-none-eabi-gcc hifive1:riscv64-unknown-elf-gcc esp32c3:riscv64-unknown-elf-gcc lm3s6965evb:arm-none-eabi-gcc pico:arm-none-eabi-gcc \
+for pair in bluepill:arm-none-eabi-gcc hifive1:riscv64-unknown-elf-gcc esp32c3:riscv64-unknown-elf-gcc lm3s6965evb:arm-none-eabi-gcc pico:arm-none-eabi-gcc pico2:arm-none-eabi-gcc \
     stm32f405:arm-none-eabi-gcc linux:gcc; do
     tap_check "make BOARD=${pair%%:*}" board "${pair%%:*}" "${pair#*:}"
 done

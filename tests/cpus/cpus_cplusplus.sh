@@ -42,6 +42,7 @@ for standard in c++11 c++20; do
     tap_check "host: the same file in $standard draws them, too" example_in_cplusplus "$standard"
 done
 tap_check "m0plus: so does one of c++17" links_and_paints m0plus c++17
+tap_check "m33: so does one of c++20" links_and_paints m33 c++20
 tap_check "rv32: so does one of c++14" links_and_paints rv32 c++14
 tap_check "avr: so does one of c++11, with 8 KB of memory" links_and_paints avr c++11 -DMEM_B=8192
 tap_done

@@ -5,7 +5,7 @@
 
 BEGIN {
     core_count = split(cores, core_names, " ")
-    split("m0plus Cortex-M0+ m3 Cortex-M3 m4 Cortex-M4F rv32 RV32IMC host host", words, " ")
+    split("m0plus Cortex-M0+ m3 Cortex-M3 m4 Cortex-M4F m33 Cortex-M33 rv32 RV32IMC host host", words, " ")
     for (i = 1; i in words; i += 2) title[words[i]] = words[i + 1]
 }
 
@@ -38,6 +38,11 @@ END {
 
 function number(value) {
     return value == "-" || value == "" ? "-" : sprintf(value >= 100 ? "%.0f" : value >= 1 ? "%.1f" : "%.3f", value)
+}
+
+function rule(columns,   line) {
+    while (columns--) line = line "---|"
+    return line
 }
 
 function times(value) {
@@ -82,7 +87,7 @@ function frames(   i, c, place, part) {
     printf "| scene | pixels | cameras |"
     for (c = 1; c <= core_count; c++) printf " %s |", title[core_names[c]]
     print " wrong, % | holes, px |"
-    print "|---|---|---|---|---|---|---|---|---|---|"
+    print "|" rule(core_count + 5)
     for (i = 1; i <= place_count; i++) {
         place = places[i]
         split(place, part, ",")
@@ -96,7 +101,7 @@ function frames(   i, c, place, part) {
 function by_stage(   i, k, c, place, part, list, count, key) {
     printf "| scene | stage |"
     for (c = 1; c <= core_count; c++) printf " %s |", title[core_names[c]]
-    print "\n|---|---|---|---|---|---|---|"
+    print "\n|" rule(core_count + 2)
     for (i = 1; i <= place_count; i++) {
         place = places[i]
         split(place, part, ",")

@@ -5,7 +5,7 @@
 # shellcheck shell=sh disable=SC2154 # of tables.sh: work
 
 : "${BENCH_CSV:=sim/tools/bench.baseline.csv}"
-cores='m0plus m3 m4 rv32 host'
+cores='m0plus m3 m4 m33 rv32 host'
 
 # README's rows: of the table against others `what is there=what README calls it`.
 figures() { # < TABLE

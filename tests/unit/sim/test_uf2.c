@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
- * What an RP2040 is given: UF2 blocks, field by field as Microsoft's specification has them, and the second stage's
- * checksum, which is the CRC-32/MPEG-2 of the catalogues. */
+ * What an RP2040 and an RP2350 are given: UF2 blocks, field by field as Microsoft's specification has them, and the
+ * second stage's checksum, which is the CRC-32/MPEG-2 of the catalogues. */
 #include "cli/boot2.h"
 #include "cli/uf2.h"
 #include "rigs/cmocka_ready.h"
@@ -64,7 +64,28 @@ static void test_an_unknown_family_is_refused_with_those_known(void **state)
     (void)state;
     struct error err;
     assert_null(uf2_family_find("samd51", &err));
-    assert_string_equal(err.text, "--family: no 'samd51'; there is rp2040");
+    assert_string_equal(err.text, "--family: no 'samd51'; there are rp2040 and rp2350-arm-s");
+}
+
+static void test_an_rp2350_is_told_a_fixed_address_first(void **state)
+{
+    (void)state;
+    uint8_t block[UF2_BLOCK_B];
+    struct error err;
+    memset(block, 0x11, sizeof block);
+    assert_false(uf2_absolute_block(block, uf2_family_find("rp2040", &err)));
+    assert_int_equal(block[0], 0x11);
+    assert_true(uf2_absolute_block(block, uf2_family_find("rp2350-arm-s", &err)));
+
+    const uint32_t header[] = {0x0A324655, 0x9E5D5157, 0xA000, 0x10FFFF00, 256, 0, 2, 0xE48BFF57};
+    assert_words(block, header, 8);
+    for (size_t i = 32; i < 288; i++)
+        assert_int_equal(block[i], 0xEF);
+    assert_int_equal(word_at(block + 288), 0x9957E304);
+    for (size_t i = 292; i < 508; i++)
+        assert_int_equal(block[i], 0);
+    assert_int_equal(word_at(block + 508), 0x0AB16F30);
+    assert_int_equal(uf2_family_find("rp2350-arm-s", &err)->id, 0xE48BFF59);
 }
 
 static void test_the_checksum_is_that_of_the_catalogues(void **state)
@@ -93,6 +114,7 @@ int main(void)
         cmocka_unit_test(test_the_last_block_is_filled_up),
         cmocka_unit_test(test_blocks_are_as_many_as_pages),
         cmocka_unit_test(test_an_unknown_family_is_refused_with_those_known),
+        cmocka_unit_test(test_an_rp2350_is_told_a_fixed_address_first),
         cmocka_unit_test(test_the_checksum_is_that_of_the_catalogues),
         cmocka_unit_test(test_a_second_stage_ends_with_the_checksum_of_what_precedes),
     };

@@ -8,8 +8,13 @@
 
 #include "pico/time.h"
 
+#include <stdio.h>
+#include <stdlib.h>
+
 bool stdio_init_all(void);
 void sleep_ms(uint32_t ms);
-void panic(const char *format, ...) __attribute__((noreturn, format(printf, 1, 2)));
+
+/* Stops the program. */
+#define panic(...) (fprintf(stderr, __VA_ARGS__), exit(2))
 
 #endif

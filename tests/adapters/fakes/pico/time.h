@@ -13,6 +13,18 @@ static inline void sleep_us(uint64_t us)
     wires_pass(us);
 }
 
+typedef uint64_t absolute_time_t;
+
+static inline absolute_time_t get_absolute_time(void)
+{
+    return wires_now_us();
+}
+
+static inline uint32_t to_ms_since_boot(absolute_time_t time)
+{
+    return (uint32_t)(time / 1000);
+}
+
 static inline void tight_loop_contents(void) {}
 
 #endif
