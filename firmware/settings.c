@@ -26,6 +26,14 @@ void lim_set_wireframe(struct lim *lim, const struct lim_wireframe *wireframe)
 }
 #endif
 
+#if LIM_HAS_OVERLAY
+void lim_set_overlay(struct lim *lim, const struct lim_overlay *overlay)
+{
+    LIM_ASSERT(!overlay || overlay->draw);
+    *lim->pass.overlay = overlay;
+}
+#endif
+
 #if LIM_HAS_ANTIALIAS
 int lim_set_antialias(struct lim *lim, void *mem, size_t mem_b)
 {

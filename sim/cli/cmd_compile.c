@@ -36,6 +36,7 @@ enum option_code {
     OPTION_WIREFRAME,
     OPTION_ANTIALIAS,
     OPTION_DELTA,
+    OPTION_OVERLAY,
     OPTION_ROUND,
     OPTION_FILL,
     OPTION_FRAMEBUFFER,
@@ -65,6 +66,7 @@ static const struct option OPTIONS[] = {
     {"wireframe", no_argument, NULL, OPTION_WIREFRAME},
     {"antialias", no_argument, NULL, OPTION_ANTIALIAS},
     {"delta", no_argument, NULL, OPTION_DELTA},
+    {"overlay", no_argument, NULL, OPTION_OVERLAY},
     {"round", no_argument, NULL, OPTION_ROUND},
     {"fill", no_argument, NULL, OPTION_FILL},
     {"framebuffer", no_argument, NULL, OPTION_FRAMEBUFFER},
@@ -137,6 +139,9 @@ static bool parse_option(int code, char **argv, struct request *out, struct erro
         return true;
     case OPTION_DELTA:
         out->compile.delta = true;
+        return true;
+    case OPTION_OVERLAY:
+        out->compile.overlay = true;
         return true;
     case OPTION_ROUND:
         out->compile.round = true;

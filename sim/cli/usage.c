@@ -129,6 +129,7 @@ static const struct entry {
     {0, "compile only:\n"},
     {COMPILE | ALONE, "  -o NAME             NAME.c, NAME.h and NAME.lim\n"},
     {COMPILE | MEASURE | COMPARE | SPLITTERS, "  --keep-faces        do not merge coplanar neighbours of one colour\n"},
+    {COMPILE, "  --overlay           for text and figures over the frames (firmware/overlay.h)\n"},
     {COMPILE, "  --round             for round glass: what it does not show is left out\n"},
     {COMPILE, "  --fill              for boards that keep the whole picture in pixels of their own, as greys: fewer "
               "instructions\n"},
@@ -161,6 +162,8 @@ static const struct entry {
     {RENDER | REPORT_BUG,
      "  --ids FILE          face numbers: uint32 little-endian a pixel, 0 = background; merges no faces\n"},
     {RENDER | REPORT_BUG, "  --fps N             frames a second of what moves, and of --gif (15)\n"},
+    {RENDER | REPORT_BUG,
+     "  --overlay TEXT      a text over each frame, as firmware draws it; each # in it becomes the frame's number\n"},
     {RENDER | REPORT_BUG, "  --stats             what each frame cost\n"},
     {RENDER | REPORT_BUG,
      "  --newell LIST       planes: compare with planes before rectangles; one: split one of two;\n"
