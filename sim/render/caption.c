@@ -36,7 +36,7 @@ static void write_text(struct caption *caption, const char *text, size_t frame)
     char *to = caption->text;
     for (; *text; text++) {
         if (*text == '#')
-            to += snprintf(to, FRAME_DIGITS + 1, "%zu", frame);
+            to += snprintf(to, FRAME_DIGITS + 1, "%zu", frame % 10000000);
         else
             *to++ = *text;
     }
