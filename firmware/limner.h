@@ -26,7 +26,6 @@
 #include "camera.h"
 #include "config.h"
 #include "orders.h"
-#include "overlay.h"
 #include "scene.h"
 #include "stages.h"
 #include "target.h"
@@ -34,6 +33,7 @@
 LIM_C_BEGIN
 
 struct lim;
+struct lim_overlay; /* overlay.h */
 
 /* Least and comfortable memory for a scene on a target; comfortable = what the scene's limits ask. */
 size_t lim_mem_min_b(const struct lim_scene *scene, const struct lim_target *target) LIM_AGREES(lim_mem_min_b);

@@ -5,6 +5,7 @@
 #include "limner.h"
 
 #include "ahead.h"
+#include "overlay.h"
 #include "pixels/delta.h"
 #include "view/pass.h"
 

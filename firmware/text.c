@@ -4,7 +4,7 @@
  * at most. */
 #include "text.h"
 
-#include "font.h"
+#include "pixels/font.h"
 
 #if LIM_HAS_OVERLAY
 

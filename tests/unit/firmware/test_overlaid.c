@@ -5,6 +5,7 @@
  * every call the next frame is right. */
 #include "colour.h"
 #include "compiler/compile_mesh.h"
+#include "overlay.h"
 #include "rigs/cmocka_ready.h"
 #include "rigs/convex_rig.h"
 #include "rigs/effort.h"

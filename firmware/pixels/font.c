@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
  * 475 bytes of flash. tests/unit/firmware/font.expected shows them as pictures. */
-#include "font.h"
+#include "pixels/font.h"
 
 #if LIM_HAS_OVERLAY
 
