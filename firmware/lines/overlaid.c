@@ -9,9 +9,10 @@
 
 void lim_overlay_line(const struct lim_pass *pass, uint16_t *pixels, uint16_t y_px, uint16_t x0_px, uint16_t x1_px)
 {
+    const struct lim_overlay *overlay = *pass->overlay;
     const struct lim_overlay_line line = {y_px, x0_px, x1_px, pixels, &pass->target};
 
-    if (lim_is_overlaid(pass, y_px) && x0_px < x1_px) (*pass->overlay)->draw((*pass->overlay)->ctx, &line);
+    if (lim_is_overlaid(pass, y_px) && x0_px < x1_px) overlay->draw(overlay->ctx, &line);
 }
 
 void lim_overlay_picture(struct lim_pass *pass)

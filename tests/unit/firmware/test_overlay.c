@@ -8,10 +8,10 @@
 #include "colour.h"
 #include "rigs/cmocka_ready.h"
 #include "rigs/effort.h"
-#include "rigs/font_pictures.h"
 #include "rigs/random.h"
 #include "target.h"
 #include "text.h"
+#include "unit/firmware/font_pictures.h"
 
 #include <stdio.h>
 #include <stdlib.h>

@@ -6,8 +6,8 @@
 #include "render/caption.h"
 #include "rigs/cmocka_ready.h"
 #include "rigs/effort.h"
-#include "rigs/font_pictures.h"
 #include "rigs/room_stage.h"
+#include "unit/firmware/font_pictures.h"
 
 #include <stdio.h>
 #include <stdlib.h>

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "font_pictures.h"
 
-#include "cmocka_ready.h"
+#include "rigs/cmocka_ready.h"
 
 #include <stdio.h>
 #include <string.h>
