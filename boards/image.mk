@@ -164,9 +164,12 @@ define with_card
 	cat $@.card $@.path | awk '{ print NR - 1, $$2 }' > $@
 endef
 
+# An image for which something may lie over the frames shows their numbers.
+caption = $(if $(filter --overlay,$(COMPILE)),--overlay 'frame \#')
+
 # What the simulator makes of the same scene on the same panel: the emulated board's frames are checked against it.
 $(folder)/golden: $(folder)/model.lim $(CAMERA) $(BUILD)/limner
-	@$(BUILD)/limner render $(model) $(addprefix --camera ,$(CAMERA)) $(options) --panel $(PANEL) $(filter-out --fill --framebuffer,$(COMPILE)) --write-hashes $@
+	@$(BUILD)/limner render $(model) $(addprefix --camera ,$(CAMERA)) $(options) --panel $(PANEL) $(filter-out --fill --framebuffer --overlay,$(COMPILE)) $(caption) --write-hashes $@
 	$(if $(CARD),$(with_card))
 
 # For EMULATE: N frames of the path, and what makes pictures of the bytes that an emulator tells.

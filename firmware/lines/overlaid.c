@@ -7,12 +7,11 @@
 
 #if LIM_HAS_OVERLAY
 
-void lim_overlay_line(const struct lim_pass *pass, uint16_t *pixels, uint16_t y_px, uint16_t x0_px, uint16_t x1_px)
+void lim_overlay_call(const struct lim_pass *pass, const struct lim_overlay_line *line)
 {
     const struct lim_overlay *overlay = *pass->overlay;
-    const struct lim_overlay_line line = {y_px, x0_px, x1_px, pixels, &pass->target};
 
-    if (lim_is_overlaid(pass, y_px) && x0_px < x1_px) overlay->draw(overlay->ctx, &line);
+    if (line->x0_px < line->x1_px) overlay->draw(overlay->ctx, line);
 }
 
 void lim_overlay_picture(struct lim_pass *pass)

@@ -18,20 +18,16 @@ static inline bool lim_is_overlaid(const struct lim_pass *pass, uint16_t y_px)
 }
 
 #if LIM_HAS_OVERLAY
-/* Draws over pixels x0 <= x < x1 of line y, which lies at `pixels`; or, if that is NULL, is filled by the target. */
-void lim_overlay_line(const struct lim_pass *pass, uint16_t *pixels, uint16_t y_px, uint16_t x0_px, uint16_t x1_px);
+/* Calls the caller's function, which there is. */
+void lim_overlay_call(const struct lim_pass *pass, const struct lim_overlay_line *line);
 
-/* The same over all lines of a picture that the target keeps, as far as they are seen. */
+/* Draws over all lines of a picture that the target keeps, as far as they are seen. */
 void lim_overlay_picture(struct lim_pass *pass);
 #else
-static inline void lim_overlay_line(const struct lim_pass *pass, uint16_t *pixels, uint16_t y_px, uint16_t x0_px,
-                                    uint16_t x1_px)
+static inline void lim_overlay_call(const struct lim_pass *pass, const struct lim_overlay_line *line)
 {
     (void)pass;
-    (void)pixels;
-    (void)y_px;
-    (void)x0_px;
-    (void)x1_px;
+    (void)line;
 }
 
 static inline void lim_overlay_picture(struct lim_pass *pass)
@@ -39,5 +35,15 @@ static inline void lim_overlay_picture(struct lim_pass *pass)
     (void)pass;
 }
 #endif
+
+/* Draws over pixels x0 <= x < x1 of line y, which lies at `pixels`; or, if that is NULL, is filled by the target. Most
+ * lines have nothing over them. */
+static inline void lim_overlay_line(const struct lim_pass *pass, uint16_t *pixels, uint16_t y_px, uint16_t x0_px,
+                                    uint16_t x1_px)
+{
+    if (!lim_is_overlaid(pass, y_px)) return;
+    const struct lim_overlay_line line = {y_px, x0_px, x1_px, pixels, &pass->target};
+    lim_overlay_call(pass, &line);
+}
 
 #endif

@@ -118,6 +118,8 @@ static const struct entry {
     {COMPILE | MEASURE | COMPARE,
      "  --framebuffer       for boards with RAM for all pixels, 16 bits each: fewer instructions; for\n"
      "                      opaque scenes in whole colours, in which nothing moves\n"},
+    {COMPILE | MEASURE | COMPARE,
+     "  --overlay           for text and figures over the frames (firmware/overlay.h; measure: the frame's number)\n"},
     {COMPILE | MEASURE,
      "  --portals WHEN      store what can be seen from where: on, off, or auto, where it pays (measure: off)\n"},
     {0, "compile and render, of models with animations (measure and compare draw all of the animation):\n"},
@@ -129,7 +131,6 @@ static const struct entry {
     {0, "compile only:\n"},
     {COMPILE | ALONE, "  -o NAME             NAME.c, NAME.h and NAME.lim\n"},
     {COMPILE | MEASURE | COMPARE | SPLITTERS, "  --keep-faces        do not merge coplanar neighbours of one colour\n"},
-    {COMPILE, "  --overlay           for text and figures over the frames (firmware/overlay.h)\n"},
     {COMPILE, "  --round             for round glass: what it does not show is left out\n"},
     {COMPILE, "  --fill              for boards that keep the whole picture in pixels of their own, as greys: fewer "
               "instructions\n"},
