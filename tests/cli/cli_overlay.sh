@@ -70,6 +70,27 @@ takes_no_bytes() {
     done
 }
 
+# The program in README with the lines of firmware/README.md in it: its frames are others than without.
+readme_draws() {
+    "$BUILD/limner" compile sim/scenes/teapot.obj --overlay -o "$work/teapot" >/dev/null || return 1
+    sed -n '/^## Text over/,/^## /p' firmware/README.md | sed -n '/^```c$/,/^```$/p' | sed '1d; $d' >"$work/lines.c"
+    awk -v lines="$work/lines.c" '
+        { print }
+        /^static struct lim_camera/ { while ((getline line <lines) > 0) print line; print "static const int32_t frames_per_s_q8 = 6234;" }
+        /teapot_begin\(/ { print "lim_set_overlay(teapot_memory.lim, &overlay);" }
+        /^ *lim_orbit\(/ { print "lim_text_fixed(fps, frames_per_s_q8, 8, 1);" }' tests/example/main.c >"$work/main.c"
+    grep -q 'lim_set_overlay(teapot_memory.lim, &overlay);' firmware/README.md &&
+        grep -q 'lim_text_fixed(fps, frames_per_s_q8, 8, 1);' firmware/README.md || return 1
+    for source in "$work/main.c" tests/example/main.c; do
+        # shellcheck disable=SC2086 # flags are words
+        $CC -std=c11 -O0 $WARNINGS -DLIM_CONFIG='"teapot.h"' -Ifirmware -Itests/example -Isim/targets -I"$work" -o "$work/program" \
+            "$source" tests/example/display_hash.c sim/targets/start_host.c "$work/teapot.c" firmware/*.c firmware/*/*.c &&
+            "$work/program" || return 1
+    done >"$work/frames"
+    cat "$work/frames"
+    [ "$(wc -l <"$work/frames")" -eq 6 ] && [ "$(sort -u "$work/frames" | wc -l)" -eq 6 ]
+}
+
 refused() { # WHAT TEXT
     ! "$BUILD/limner" render sim/scenes/icosahedron.obj --overlay "$2" -o "$work/none%d.png" >"$work/out" 2>"$work/said" &&
         cat "$work/said" && [ "$(wc -l <"$work/said")" -eq 1 ] && grep -q "^limner: --overlay: .*$1" "$work/said" &&
@@ -95,6 +116,7 @@ tap_check "a text that stays is not sent again" and_nothing_is_sent_if_it_stays
 tap_check "films and sheets have it" is_in_films
 tap_check "compile --overlay links it" header_says 1 --overlay
 tap_check "else no file of it takes a byte" takes_no_bytes
+tap_check "the lines in firmware/README.md draw over the example's frames" readme_draws
 tap_check "a text that is empty is refused" refused '1 to 170 characters, not 0' ''
 tap_check "so is one of 171 characters" refused 'not 171' "$(printf '%171s' '')"
 tap_check "so is what the font has not" refused 'byte 195' "$(printf 'gr\303\274n')"
