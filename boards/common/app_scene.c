@@ -108,8 +108,6 @@ enum { CAPTION_Y_PX = TARGET_H_PX / 8 };
 static char caption[6 + LIM_TEXT_INTEGER_B] = "frame ";
 static uint16_t caption_w_px;
 
-static lim_overlay_draw draw_caption;
-
 static void draw_caption(void *ctx, const struct lim_overlay_line *line)
 {
     const int16_t x_px = (int16_t)((TARGET_W_PX - caption_w_px) / 2);
