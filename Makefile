@@ -86,6 +86,7 @@ packages-bench         := $(packages-tradeoff) valgrind
 packages-bench-baseline := $(packages-bench)
 packages-boards        := sigrok-cli $(shell sed -n 's/^\(EMULATE_\|RULES_\)\{0,1\}PACKAGES *:= *//p' boards/*/board.mk)
 packages-delta-cost    := gcc-arm-none-eabi qemu-system-arm
+packages-overlay-cost  := gcc-arm-none-eabi qemu-system-arm
 packages-tables        := $(foreach table,$(TABLES),$(packages-$(table)))
 packages-test          := ccache $(foreach suite,$(suites),$(packages-$(suite)))
 

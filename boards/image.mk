@@ -8,6 +8,7 @@
 #   STREAM     yes: two renderers, of which one finds out what is seen while the other's frame is sent; no; auto: if both
 #              have room    LINES  of pixels in RAM, at most
 #   PRECISION  draft, fast, fine, exact    COMPILE   other options of `limner compile`: --wireframe --delta
+#              --overlay: frames show their number
 
 board_folder := boards/$(BOARD)
 $(if $(filter $(boards),$(BOARD)),,$(error there is no board $(BOARD); there are: $(boards)))
@@ -171,9 +172,13 @@ define with_card
 	cat $@.card $@.path | awk '{ print NR - 1, $$2 }' > $@
 endef
 
+# An image for which something may lie over the frames shows their numbers.
+number_sign := \#
+caption      = $(if $(filter --overlay,$(COMPILE)),--overlay 'frame $(number_sign)')
+
 # What the simulator makes of the same scene on the same panel: the emulated board's frames are checked against it.
 $(folder)/golden: $(folder)/model.lim $(CAMERA) $(BUILD)/limner
-	@$(BUILD)/limner render $(model) $(addprefix --camera ,$(CAMERA)) $(options) --panel $(PANEL) $(filter-out --fill --framebuffer,$(COMPILE)) --write-hashes $@
+	@$(BUILD)/limner render $(model) $(addprefix --camera ,$(CAMERA)) $(options) --panel $(PANEL) $(filter-out --fill --framebuffer --overlay,$(COMPILE)) $(caption) --write-hashes $@
 	$(if $(CARD),$(with_card))
 
 # For EMULATE: N frames of the path, and what makes pictures of the bytes that an emulator tells.

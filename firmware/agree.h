@@ -64,6 +64,7 @@
     LIM_AGREED(LIM_HAS_WIREFRAME, ".wireframe")                                                                        \
     LIM_AGREED(LIM_HAS_ANTIALIAS, ".antialias")                                                                        \
     LIM_AGREED(LIM_HAS_DELTA, ".delta")                                                                                \
+    LIM_AGREED(LIM_HAS_OVERLAY, ".overlay")                                                                            \
     LIM_AGREED(LIM_HAS_ROUND, ".round")                                                                                \
     LIM_AGREED(LIM_HAS_FILL, ".fill")                                                                                  \
     LIM_AGREED(LIM_HAS_FRAMEBUFFER, ".framebuffer")                                                                    \

@@ -194,6 +194,11 @@
 #define LIM_HAS_DELTA 1
 #endif
 
+/* 1: lim_set_overlay() is there. */
+#ifndef LIM_HAS_OVERLAY
+#define LIM_HAS_OVERLAY 1
+#endif
+
 /* 1: what paints nearest first leaves out what round glass does not show. */
 #ifndef LIM_HAS_ROUND
 #define LIM_HAS_ROUND LIM_HAS_SPANS

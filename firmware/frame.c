@@ -110,6 +110,7 @@ static void connect(struct lim *lim)
 
     if (LIM_HAS_PORTALS) lim_portals_lend(pass->walk->portals, pass->scene, NULL);
     if (LIM_HAS_WIREFRAME) *pass->wireframe = (struct lim_wireframe){0};
+    if (LIM_HAS_OVERLAY) *pass->overlay = NULL;
     if (LIM_HAS_LISTS) {
         lim->sorter->pass = pass;
         lim->sorter->movers = lim->movers;

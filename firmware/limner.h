@@ -33,6 +33,7 @@
 LIM_C_BEGIN
 
 struct lim;
+struct lim_overlay; /* overlay.h */
 
 /* Least and comfortable memory for a scene on a target; comfortable = what the scene's limits ask. */
 size_t lim_mem_min_b(const struct lim_scene *scene, const struct lim_target *target) LIM_AGREES(lim_mem_min_b);
@@ -46,6 +47,12 @@ LIM_MUST_CHECK int lim_init(struct lim *lim, const struct lim_scene *scene, cons
  * --wireframe know which of their edges the compiler made, which are not drawn. LIM_NEWELL: polygons
  * that it splits are filled, not outlined. */
 void lim_set_wireframe(struct lim *lim, const struct lim_wireframe *wireframe);
+
+/* Draws something over frames, from the next one that is painted on (overlay.h); lim_init() turns it off. There if
+ * LIM_HAS_OVERLAY. *overlay must outlive it; NULL turns it off. It may lie over the frames of several renderers. With
+ * delta output it is sent as far as it changed, and what it no longer hides as well; its lines need runs as scenes do.
+ */
+void lim_set_overlay(struct lim *lim, const struct lim_overlay *overlay);
 
 /* Draws frames with antialiased edges from now on; lim_init() turns it off. There if LIM_HAS_ANTIALIAS. `mem`, 4-byte
  * aligned, LIM_ANTIALIAS_MEM_B(w_px) bytes or more, must outlive it; NULL turns it off. LIM_ERR_MEMORY: too little;

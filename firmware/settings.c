@@ -5,6 +5,7 @@
 #include "limner.h"
 
 #include "ahead.h"
+#include "overlay.h"
 #include "pixels/delta.h"
 #include "view/pass.h"
 
@@ -23,6 +24,14 @@ void lim_set_wireframe(struct lim *lim, const struct lim_wireframe *wireframe)
 {
     lim_drop_ahead(lim);
     *lim->pass.wireframe = *wireframe;
+}
+#endif
+
+#if LIM_HAS_OVERLAY
+void lim_set_overlay(struct lim *lim, const struct lim_overlay *overlay)
+{
+    LIM_ASSERT(!overlay || overlay->draw);
+    *lim->pass.overlay = overlay;
 }
 #endif
 

@@ -94,8 +94,8 @@ struct lim_target {
      * show() NULL: the target keeps a line. LIM_CONVEX alone fills it, from the top down: first the background from end
      * to end, then what lies on it, then it calls done().
      * show(): it keeps the whole picture. LIM_NEAREST_FIRST fills pieces in any order, none that `visible` leaves out
-     * and each other pixel once, or again where gaps are short; LIM_CONVEX as above, on glass that is not round. When
-     * all are there show() is called, and done() is not. */
+     * and each other pixel once, or again where gaps are short or something lies over it (overlay.h); LIM_CONVEX as
+     * above, on glass that is not round. When all are there show() is called, and done() is not. */
     lim_piece_fill *fill;
 #if LIM_HAS_NEAREST
     int (*show)(void *ctx);

@@ -66,6 +66,7 @@ features_prepare() { # NAME
         for features_way in wireframe antialias delta; do
             features_expect $features_method $features_way --$features_way
         done
+        features_expect $features_method overlay --overlay 'over it'
     done >"$features_dir/expected"
     for features_source in firmware/*.c firmware/*/*.c; do
         echo "#include \"$features_source\""

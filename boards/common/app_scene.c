@@ -3,6 +3,8 @@
  * Static memory for one scene: the linker says if it does not fit. */
 #include "app_scene.h"
 
+#include "text.h"
+
 /* The target's sides: those of the cameras' picture, or exchanged where the camera lies down for a panel that cannot
  * turn it. */
 #ifdef SCENE_CAMERA_LIES
@@ -97,6 +99,53 @@ static int begin(uint8_t which)
 #endif
 #endif
 
+#if LIM_HAS_OVERLAY
+/* What `limner render --overlay 'frame #'` shows: white on black, in the middle, an eighth of the height below the
+ * upper edge. */
+enum { CAPTION_BORDER_PX = 2, CAPTION_H_PX = LIM_TEXT_H_PX - 1 + 2 * CAPTION_BORDER_PX };
+enum { CAPTION_Y_PX = TARGET_H_PX / 8 };
+
+static char caption[6 + LIM_TEXT_INTEGER_B] = "frame ";
+static uint16_t caption_w_px;
+
+static void draw_caption(void *ctx, const struct lim_overlay_line *line)
+{
+    const int16_t x_px = (int16_t)((TARGET_W_PX - caption_w_px) / 2);
+    const struct lim_overlay_box box = {x_px, CAPTION_Y_PX, (int16_t)caption_w_px, CAPTION_H_PX};
+    const struct lim_text_style style = {.colour = 0xFFFF};
+
+    lim_overlay_box(line, &box, 0);
+    lim_text(line, (int16_t)(x_px + CAPTION_BORDER_PX), CAPTION_Y_PX + CAPTION_BORDER_PX, ctx, &style);
+}
+
+static const struct lim_overlay overlay = {
+    .draw = draw_caption, .ctx = caption, .y0_px = CAPTION_Y_PX, .y1_px = CAPTION_Y_PX + CAPTION_H_PX};
+
+static uint16_t frame_of[RENDERERS]; /* that was announced */
+
+static void note_frame(uint8_t which, uint16_t frame)
+{
+    frame_of[which] = frame;
+}
+
+static void set_caption(uint8_t which)
+{
+    const char *const end = lim_text_integer(caption + 6, frame_of[which]);
+
+    caption_w_px = (uint16_t)((end - caption) * LIM_TEXT_W_PX - 1 + 2 * CAPTION_BORDER_PX);
+}
+#else
+static void note_frame(uint8_t which, uint16_t frame)
+{
+    (void)which, (void)frame;
+}
+
+static void set_caption(uint8_t which)
+{
+    (void)which;
+}
+#endif
+
 static int init_renderer(uint8_t which, const struct lim_target *target)
 {
     struct lim *const self = &lim[which];
@@ -107,6 +156,9 @@ static int init_renderer(uint8_t which, const struct lim_target *target)
 #endif
 #if LIM_HAS_ANTIALIAS
     if (!err) err = lim_set_antialias(self, smooth_mem, sizeof smooth_mem);
+#endif
+#if LIM_HAS_OVERLAY
+    if (!err) lim_set_overlay(self, &overlay);
 #endif
     if (LIM_HAS_WIREFRAME && !err) lim_set_wireframe(self, &(const struct lim_wireframe){.on = true});
     return err ? err : init_movers(which);
@@ -128,6 +180,7 @@ int scene_init(const struct lim_target *target)
 void scene_announce(uint16_t frame, const struct lim_camera *camera)
 {
     camera_of[announced] = camera;
+    note_frame(announced, frame);
     phase_of[announced] = ANNOUNCED;
     place(announced, frame);
     announced = !announced;
@@ -147,6 +200,7 @@ bool scene_work(void *ctx)
 
 int scene_draw(void)
 {
+    set_caption(drawn);
     const int err = phase_of[drawn] == BEGUN ? lim_frame_paint(&lim[drawn]) : draw_at_once(drawn);
 
     phase_of[drawn] = DRAWN;
@@ -162,6 +216,7 @@ int scene_init(const struct lim_target *target)
 void scene_announce(uint16_t frame, const struct lim_camera *camera)
 {
     camera_of[0] = camera;
+    note_frame(0, frame);
     place(0, frame);
 }
 
@@ -173,6 +228,7 @@ bool scene_work(void *ctx)
 
 int scene_draw(void)
 {
+    set_caption(0);
     return draw_at_once(0);
 }
 #endif

@@ -3,6 +3,7 @@
  * The polygons that cross a line are kept from far to near, as retain.h lists those that start on it. What is nearer
  * paints over what is farther, so each pixel ends as the nearest polygon's: the picture of pass one. */
 #include "lines/active.h"
+#include "lines/overlaid.h"
 #include "lines/paint.h"
 #include "lines/span.h"
 #include "pixels/fill.h"
@@ -90,6 +91,7 @@ static LIM_INLINE int flat_paint_line(struct lim_paint *paint, struct lim_spans 
     if (LIM_HAS_STATS && paint->actives.used > stats->active_max) stats->active_max = paint->actives.used;
     flat_paint_background(spans, &spans->lines[y].gap, line, paint->background, stats);
     flat_paint_polygons(&paint->actives, retained, line, extent, within, below, stats);
+    lim_overlay_line(paint->pass, line, y, (uint16_t)extent.x0, (uint16_t)extent.x1);
     return paint->pass->target.done(paint->pass->target.ctx, y, (uint16_t)extent.x0, (uint16_t)(extent.x1 - extent.x0));
 }
 

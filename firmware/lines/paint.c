@@ -7,6 +7,7 @@
 #include "lines/active.h"
 #include "lines/layers.h"
 #include "lines/mask.h"
+#include "lines/overlaid.h"
 #include "lines/retain.h"
 #include "lines/smooth.h"
 #include "lines/span.h"
@@ -264,13 +265,14 @@ static LIM_IF_CALLED bool blend(struct lim_paint *paint, uint16_t *line)
 }
 
 /* What becomes of a line's pieces: delta output wants to know what they are, and paints what it sends by itself. It
- * looks at what is mixed when it is painted, and cannot paint textures. */
+ * looks at what is mixed or drawn over when it is painted, and cannot paint textures. */
 enum line_use { PAINTED, NOTED, PAINTED_AND_NOTED };
 
 static enum line_use use_of_line(const struct lim_paint *paint, const struct lim_retained *retained,
-                                 const struct lim_rect *band)
+                                 const struct lim_rect *band, uint16_t y)
 {
     if (!LIM_HAS_DELTA || !*paint->delta || is_antialiased(paint) || lim_wireframe_of(paint->pass)) return PAINTED;
+    if (lim_is_overlaid(paint->pass, y)) return PAINTED;
     if (band->x1 - band->x0 < paint->pass->target.w_px) return PAINTED; /* pieces of lines are sent as they are */
     enum line_use use = lim_delta_wants_lines(*paint->delta) ? PAINTED_AND_NOTED : NOTED;
     if (!LIM_HAS_TRANSPARENT && !LIM_HAS_TEXTURE) return use;
@@ -307,7 +309,7 @@ static int paint_line(struct lim_paint *paint, struct lim_spans *spans, const st
     lim_line_open(&open, target, band, y);
     const uint16_t x0 = LIM_HAS_ROUND ? open.gap.x0 : band->x0, x1 = LIM_HAS_ROUND ? open.gap.x1 : band->x1;
     sink.colour = sink.painted_px = 0;
-    const enum line_use use = use_of_line(paint, retained, band);
+    const enum line_use use = use_of_line(paint, retained, band, y);
     sink.line = use == NOTED ? NULL : target->lend(target->ctx, y);
     if (use != NOTED && !sink.line) return LIM_ERR_TARGET;
     begin_sink(&sink, paint, y, use);
@@ -320,6 +322,7 @@ static int paint_line(struct lim_paint *paint, struct lim_spans *spans, const st
         *paint->lent = sink.line;
         return LIM_PAINT_LAYERS;
     }
+    lim_overlay_line(paint->pass, sink.line, y, x0, x1);
     return target->done(target->ctx, y, x0, (uint16_t)(x1 - x0));
 }
 

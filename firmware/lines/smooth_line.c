@@ -3,6 +3,7 @@
  * Pixel by pixel: there are no gaps, but a word a pixel that says which of its samples are closed. */
 #include "lines/smooth_line.h"
 
+#include "lines/overlaid.h"
 #include "lines/smooth.h"
 #include "pixels/texture.h"
 #include "screen/polygon.h"
@@ -88,6 +89,7 @@ int lim_smooth_end_line(struct lim_paint *paint, struct lim_spans *spans, uint16
     for (uint16_t x = 0; x < target->w_px; x++)
         add_samples(paint->smooth, spans, &sink, (int16_t)x, LIM_ALL_SAMPLES);
     if (LIM_HAS_STATS) sink.stats->pixels_background += sink.painted_px;
+    lim_overlay_line(paint->pass, paint->smooth->line, y, 0, target->w_px);
     paint->smooth->line = NULL;
     return target->done(target->ctx, y, 0, target->w_px);
 }

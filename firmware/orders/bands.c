@@ -7,6 +7,7 @@
 
 #include "lines/framebuffer.h"
 #include "lines/gaps.h"
+#include "lines/overlaid.h"
 #include "lines/paint.h"
 #include "lines/smooth_line.h"
 #include "movers/mover.h"
@@ -160,6 +161,7 @@ static int show(const struct lim_nearest *nearest)
 {
     const struct lim_rect frame = whole_frame(nearest);
 
+    lim_overlay_picture(nearest->pass);
     if (lim_has_framebuffer(&nearest->pass->target)) return lim_target_done(&nearest->pass->target, &frame);
     return lim_target_show(&nearest->pass->target);
 }

@@ -9,6 +9,7 @@
 #include "orders/convex.h"
 
 #include "eye.h"
+#include "lines/overlaid.h"
 #include "lines/wireframe.h"
 #include "pixels/fill.h"
 #include "pixels/texture.h"
@@ -263,6 +264,7 @@ static int draw_line(struct lim_convex *convex, struct lim_crossing *spare, uint
     fill_pixels(convex, line, 0, (int16_t)target->w_px, lim_background_of(pass));
     const uint16_t count = paint_faces(convex, line, spare, y);
     if (LIM_HAS_STATS) note_line(convex, count, painted_before);
+    lim_overlay_line(pass, line, y, 0, target->w_px);
     return line_done(convex, line, y);
 }
 

@@ -8,6 +8,7 @@
 
 #include "eye.h"
 #include "lines/framebuffer.h"
+#include "lines/overlaid.h"
 #include "lines/wireframe.h"
 #include "pieces/entry.h"
 #include "pieces/sorter.h"
@@ -335,12 +336,26 @@ static int painter_paint_background(struct lim_painter *painter, const struct li
     return 0;
 }
 
+static int draw_over(struct lim_painter *painter, const struct lim_rect *screen)
+{
+    const struct lim_pass *const pass = painter->pass;
+
+    for (uint16_t y = screen->y0; y < screen->y1; y++) {
+        if (!lim_is_overlaid(pass, y)) continue;
+        uint16_t *line = line_at(painter, y);
+        if (!line) return LIM_ERR_TARGET;
+        lim_overlay_line(pass, line, y, 0, pass->target.w_px);
+    }
+    return 0;
+}
+
 /* All of some lines. */
 static int paint_lines(struct lim_painter *painter, const struct lim_rect *screen)
 {
     int err = painter_paint_background(painter, screen);
 
     if (!err) err = paint_from_source(painter, screen);
+    if (LIM_HAS_OVERLAY && !err) err = draw_over(painter, screen);
     return err ? err : lim_target_done(&painter->pass->target, screen);
 }
 

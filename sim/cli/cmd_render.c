@@ -19,6 +19,7 @@
 #include "pictures/frame_file.h"
 #include "pictures/hashes.h"
 #include "readers/source.h"
+#include "render/caption.h"
 #include "render/frame_cost.h"
 #include "render/ids.h"
 #include "scene/moving.h"
@@ -41,6 +42,7 @@ struct render {
     struct ids ids;             /* --ids, --compare */
     struct reference reference; /* --compare */
     struct edge_error edges;    /* --antialias --compare */
+    struct caption caption;     /* --overlay */
     struct outputs outputs;
     FILE *gif_file, *sheet_file, *ids_file, *hashes_file, *cameras_file; /* NULL: not asked for */
     struct frame_row *rows;                                              /* one a frame */
@@ -179,6 +181,8 @@ static bool render_frame(struct render *render, size_t frame, struct error *err)
     const size_t pixel_count = simulator_pixel_count(&render->simulator);
     struct lim_camera camera;
     moving_pose(&render->moving, frame_time_s(render, frame));
+    const char *text = render->options.overlay_text;
+    if (text) caption_set(&render->caption, text, frame, &render->simulator);
     if (!camera_path_to_camera(&render->path, frame, &render->lens, &render->scene.grid, &camera, err) ||
         !simulator_frame(&render->simulator, &camera, err))
         return false;
@@ -268,7 +272,8 @@ static bool is_predictable(const struct render *render)
 {
     const struct options *options = &render->options;
     return frame_cost_knows(options->setup.method) && options->setup.core == &core_fast && !options->wireframe.on &&
-           !options->compile.antialias && !render->moving.count && frame_cost_is_known(&render->scene.scene);
+           !options->compile.antialias && !options->overlay_text && !render->moving.count &&
+           frame_cost_is_known(&render->scene.scene);
 }
 
 static void print_tables(const struct render *render)

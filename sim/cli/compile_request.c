@@ -40,7 +40,8 @@ enum option_code {
     OPTION_CORE,
     OPTION_MOVERS,
     OPTION_MOVER_LIGHT,
-    OPTION_REPORT
+    OPTION_REPORT,
+    OPTION_OVERLAY
 };
 
 static const struct option OPTIONS[] = {
@@ -57,6 +58,7 @@ static const struct option OPTIONS[] = {
     {"wireframe", no_argument, NULL, OPTION_WIREFRAME},
     {"antialias", no_argument, NULL, OPTION_ANTIALIAS},
     {"delta", no_argument, NULL, OPTION_DELTA},
+    {"overlay", no_argument, NULL, OPTION_OVERLAY},
     {"round", no_argument, NULL, OPTION_ROUND},
     {"fill", no_argument, NULL, OPTION_FILL},
     {"framebuffer", no_argument, NULL, OPTION_FRAMEBUFFER},
@@ -118,6 +120,9 @@ static bool parse_option(int code, char **argv, struct compile_request *out, str
         return true;
     case OPTION_DELTA:
         out->compile.delta = true;
+        return true;
+    case OPTION_OVERLAY:
+        out->compile.overlay = true;
         return true;
     case OPTION_ROUND:
         out->compile.round = true;

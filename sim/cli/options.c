@@ -15,6 +15,7 @@
 #include "core/core.h"
 #include "core/core_parse.h"
 #include "displays/module_choice.h"
+#include "render/caption.h"
 #include "scene/scene_files.h"
 
 #include <errno.h>
@@ -51,6 +52,7 @@ enum option_code {
     OPTION_WIREFRAME,
     OPTION_ANTIALIAS,
     OPTION_DELTA,
+    OPTION_OVERLAY,
     OPTION_PRECISION,
     OPTION_NEWELL,
     OPTION_MOVERS,
@@ -62,7 +64,7 @@ enum option_code {
 enum { MOST_RUNS = 60000, MOST_FRAMES = 100000, MOST_LOOP_FRAMES = 600 };
 
 /* Those that only `render` has come first. */
-enum { RENDER_ONLY_OPTIONS = 13 };
+enum { RENDER_ONLY_OPTIONS = 14 };
 static const struct option OPTIONS[] = {
     {"gif", required_argument, NULL, OPTION_GIF},
     {"sheet", required_argument, NULL, OPTION_SHEET},
@@ -75,6 +77,7 @@ static const struct option OPTIONS[] = {
     {"newell", required_argument, NULL, OPTION_NEWELL},
     {"movers", required_argument, NULL, OPTION_MOVERS},
     {"mover-light", required_argument, NULL, OPTION_MOVER_LIGHT},
+    {"overlay", required_argument, NULL, OPTION_OVERLAY},
     {"fps", required_argument, NULL, OPTION_FPS},
     {"frames", required_argument, NULL, OPTION_FRAMES},
     {"camera", required_argument, NULL, OPTION_CAMERA},
@@ -216,6 +219,9 @@ static bool parse_option(int code, const char *text, struct options *out, struct
     case OPTION_DELTA:
         out->compile.delta = true;
         return parse_runs(text, &out->delta_runs, err);
+    case OPTION_OVERLAY:
+        out->overlay_text = text;
+        return caption_check(text, err);
     case OPTION_SPLITTER:
         out->compile.splitter = text;
         return true;

@@ -25,6 +25,7 @@ struct options {
     uint16_t delta_runs; /* 0: every frame is sent whole */
     /* limner render only; NULL or false: not asked for */
     const char *frame_pattern, *gif_path, *sheet_path, *ids_path, *check_path, *hashes_path, *cameras_path;
+    const char *overlay_text; /* over each frame */
     bool stats, compare;
     struct lim_newell_options newell;
     struct moving_options movers;

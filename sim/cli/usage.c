@@ -121,6 +121,8 @@ static const struct entry {
     {COMPILE | MEASURE | COMPARE,
      "  --framebuffer       for boards with RAM for all pixels, 16 bits each: fewer instructions; for\n"
      "                      opaque scenes in whole colours, in which nothing moves\n"},
+    {COMPILE | MEASURE | COMPARE,
+     "  --overlay           for text and figures over the frames (firmware/overlay.h; measure: the frame's number)\n"},
     {COMPILE | MEASURE,
      "  --portals WHEN      store what can be seen from where: on, off, or auto, where it pays (measure: off)\n"},
     {0, "compile and render, of models with animations (measure and compare draw all of the animation):\n"},
@@ -164,6 +166,8 @@ static const struct entry {
     {RENDER | REPORT_BUG,
      "  --ids FILE          face numbers: uint32 little-endian a pixel, 0 = background; merges no faces\n"},
     {RENDER | REPORT_BUG, "  --fps N             frames a second of what moves, and of --gif (15)\n"},
+    {RENDER | REPORT_BUG,
+     "  --overlay TEXT      a text over each frame, as firmware draws it; each # in it becomes the frame's number\n"},
     {RENDER | REPORT_BUG, "  --stats             what each frame cost\n"},
     {RENDER | REPORT_BUG,
      "  --newell LIST       planes: compare with planes before rectangles; one: split one of two;\n"

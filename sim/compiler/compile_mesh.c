@@ -263,6 +263,7 @@ bool compile_mesh(const struct mesh *mesh, const struct compile_options *options
              compile_best(&work, out, err) && check_method(options, out, err);
         out->report.wireframe = options->wireframe;
         out->report.antialias = options->antialias;
+        out->report.overlay = options->overlay;
         out->report.round = options->round;
         out->report.fill = options->fill;
         out->report.framebuffer = options->framebuffer;

@@ -31,6 +31,7 @@ struct compile_options {
     bool unlit;                     /* colours stay as they are in the model: no light is baked in */
     bool antialias;                 /* for drawing with antialiased edges: pools are measured so */
     bool delta;                     /* for sending what changes alone: its memory is measured */
+    bool overlay;                   /* for drawing over frames */
     bool round;                     /* for round glass, too */
     bool fill;                      /* for targets that keep the whole picture in pixels of their own */
     bool framebuffer;               /* for targets with all pixels in memory */

@@ -75,6 +75,11 @@ static int set_antialias(void *lim, void *mem, size_t mem_b)
     return lim_set_antialias(lim, mem, mem_b);
 }
 
+static void set_overlay(void *lim, const struct lim_overlay *overlay)
+{
+    lim_set_overlay(lim, overlay);
+}
+
 static int set_delta(void *lim, void *mem, size_t mem_b)
 {
     return lim_set_delta(lim, mem, mem_b);
@@ -142,6 +147,7 @@ const struct core CORE = {.shared_b = CORE_SHARED_B,
                           .set_wireframe = set_wireframe,
                           .set_antialias = set_antialias,
                           .set_delta = set_delta,
+                          .set_overlay = set_overlay,
                           .refresh = refresh,
                           .project = project,
                           .eye_side = lim_inspect_side,

@@ -43,9 +43,10 @@ struct core {
     int (*paint)(void *lim);
     const struct lim_stats *(*stats)(const void *lim);
     void (*set_wireframe)(void *lim, const struct lim_wireframe *wireframe);
-    int (*set_antialias)(void *lim, void *mem, size_t mem_b); /* lim_set_antialias() */
-    int (*set_delta)(void *lim, void *mem, size_t mem_b);     /* lim_set_delta() */
-    void (*refresh)(void *lim);                               /* lim_refresh() */
+    int (*set_antialias)(void *lim, void *mem, size_t mem_b);          /* lim_set_antialias() */
+    int (*set_delta)(void *lim, void *mem, size_t mem_b);              /* lim_set_delta() */
+    void (*set_overlay)(void *lim, const struct lim_overlay *overlay); /* lim_set_overlay() */
+    void (*refresh)(void *lim);                                        /* lim_refresh() */
     /* For measurements: where the camera of the last frame puts a vertex, in pixels, the centre of the first
      * one at 0 (false: it is left to clipping); which side of a plane an eye is on, as WALK decides it. */
     bool (*project)(void *lim, lim_index vertex, double at_px[2]);

@@ -9,6 +9,7 @@
 #include "core/core.h"
 #include "measure/counts.h"
 #include "pictures/hashes.h"
+#include "render/caption.h"
 #include "render/simulator.h"
 #include "scene/moving.h"
 #include "scene/scene_files.h"
@@ -124,12 +125,14 @@ static bool host_frames(const struct run *run, uint64_t *hashes, uint64_t *nodes
     const struct simulator_setup setup = {views->w_px, views->h_px, scene->report.draws, measure_panel(scene),
                                           run->candidate->core};
     struct simulator simulator;
+    struct caption caption;
     if (!simulator_init(&simulator, &scene->scene, &setup, err)) return false;
     bool ok = simulator_add_movers(&simulator, scene, err) &&
               simulator_set_antialias(&simulator, scene->report.antialias, err);
     for (size_t frame = 0; ok && frame < views->path->count; frame++) {
         struct lim_camera camera;
         if (scene->moving) moving_pose(scene->moving, moving_time_s(scene->moving, frame, views->path->count));
+        if (scene->report.overlay) caption_set(&caption, "frame #", frame, &simulator);
         ok = camera_path_to_camera(views->path, frame, views->lens, &scene->grid, &camera, err) &&
              simulator_frame(&simulator, &camera, err);
         if (!ok) break;

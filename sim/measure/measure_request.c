@@ -31,6 +31,7 @@ enum option_code {
     OPTION_METHOD,
     OPTION_ANTIALIAS,
     OPTION_DELTA,
+    OPTION_OVERLAY,
     OPTION_FRAMEBUFFER,
     OPTION_PORTALS,
     OPTION_TREE,
@@ -58,6 +59,7 @@ static const struct option OPTIONS[] = {
     {"method", required_argument, NULL, OPTION_METHOD},
     {"antialias", no_argument, NULL, OPTION_ANTIALIAS},
     {"delta", no_argument, NULL, OPTION_DELTA},
+    {"overlay", no_argument, NULL, OPTION_OVERLAY},
     {"framebuffer", no_argument, NULL, OPTION_FRAMEBUFFER},
     {"portals", required_argument, NULL, OPTION_PORTALS},
     {"tree", required_argument, NULL, OPTION_TREE},
@@ -203,6 +205,9 @@ static bool parse_option(int code, char **argv, struct measure_request *out, boo
         return true;
     case OPTION_DELTA:
         out->compile.delta = true;
+        return true;
+    case OPTION_OVERLAY:
+        out->compile.overlay = true;
         return true;
     case OPTION_FRAMEBUFFER:
         out->compile.framebuffer = true;

@@ -61,6 +61,7 @@ struct compile_report {
     bool antialias;               /* firmware can draw it with antialiased edges */
     bool wireframe;               /* firmware can draw it as wireframe */
     uint16_t delta_runs;          /* firmware can send what changes alone, which takes so many runs; 0: it cannot */
+    bool overlay;                 /* firmware can draw over its frames */
     bool round;                   /* firmware leaves out what round glass does not show */
     bool fill;                    /* firmware fills a picture that its target keeps */
     bool framebuffer;             /* firmware paints into a framebuffer */

@@ -40,6 +40,7 @@ static struct needs needs_of_scene(const struct compiled *scene)
                           .wireframe = scene->report.wireframe,
                           .antialias = scene->report.antialias,
                           .delta = scene->report.delta_runs > 0,
+                          .overlay = scene->report.overlay,
                           .round = scene->report.round,
                           .fill = scene->report.fill,
                           .framebuffer = scene->report.framebuffer,
@@ -91,6 +92,7 @@ struct needs needs_union(const struct needs *a, const struct needs *b)
                           .light = a->light || b->light,
                           .antialias = a->antialias || b->antialias,
                           .delta = a->delta || b->delta,
+                          .overlay = a->overlay || b->overlay,
                           .round = a->round || b->round,
                           .fill = a->fill || b->fill,
                           .framebuffer = a->framebuffer || b->framebuffer,
@@ -156,6 +158,7 @@ void needs_write(const struct needs *needs, FILE *file)
     write_macro(file, "HAS_WIREFRAME", needs->wireframe);
     write_macro(file, "HAS_ANTIALIAS", needs->antialias);
     write_macro(file, "HAS_DELTA", needs->delta);
+    write_macro(file, "HAS_OVERLAY", needs->overlay);
     write_macro(file, "HAS_ROUND", needs->round);
     write_macro(file, "HAS_FILL", needs->fill && needs->nearest);
     write_macro(file, "HAS_FRAMEBUFFER", needs->framebuffer);

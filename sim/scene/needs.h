@@ -24,6 +24,7 @@ struct needs {
     bool movers, light;        /* what moves, and whether it is lit in each frame */
     bool antialias;            /* with smooth edges */
     bool delta, round, fill;   /* what changes alone; round glass; targets that keep the picture */
+    bool overlay;              /* what lies over frames */
     bool framebuffer;          /* targets with all pixels in memory */
     unsigned vertices;         /* most of any polygon */
     unsigned side_px;          /* longest of any panel that pools were measured for; 0: none */

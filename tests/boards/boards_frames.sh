@@ -74,6 +74,8 @@ page_has_no_other_row() {
 tap_check "boards/README.md has a row for each, and no other" page_has_no_other_row
 tap_check "a scene that moves, 18 bits a pixel" draws BOARD=stm32f405 SCENE=movers PANEL=st7735:rgb666
 tap_check "what changes alone" draws BOARD=stm32f405 COMPILE=--delta
+tap_check "changes of text over frames" draws BOARD=stm32f405 COMPILE='--delta --overlay'
+tap_check "text over a solid whose runs go into pages" draws BOARD=arduboy SCENE=icosahedron COMPILE=--overlay
 tap_check "a memory LCD" draws BOARD=hifive1 PANEL=ls013b7dh03 SCENE=icosahedron
 for row in 'arm netduinoplus2 40013000 4001300c stm32f405' 'riscv32 sifive_e 10024004 10024048 hifive1' \
     'arm stm32vldiscovery 40013000 4001300c bluepill'; do

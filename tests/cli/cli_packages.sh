@@ -138,7 +138,7 @@ for pair in bluepill:arm-none-eabi-gcc hifive1:riscv64-unknown-elf-gcc esp32c3:r
     stm32f405:arm-none-eabi-gcc linux:gcc; do
     tap_check "make BOARD=${pair%%:*}" board "${pair%%:*}" "${pair#*:}"
 done
-tap_check "every board is among these" [ "$(ls -d boards/*/board.mk | wc -l)" -eq 8 ]
+tap_check "every board is among these" [ "$(ls -d boards/*/board.mk | wc -l)" -eq 9 ]
 tap_check "make BOARD=pico FILE" board_file
 tap_check "make -j8 BOARD=arduboy all" with_jobs
 tap_check "make BOARD=arduboy flash" flashing

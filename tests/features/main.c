@@ -7,6 +7,7 @@
 
 #include "cameras.h"
 #include "model.h"
+#include "text.h"
 
 #include <inttypes.h>
 #include <stdio.h>
@@ -14,14 +15,14 @@
 
 enum { LINE_PX = (CAMERAS_W_PX + 1) / 2 * 2, RUNS = 64 * CAMERAS_H_PX };
 
-enum way { PLAIN, FILL, FRAMEBUFFER, PARTS, WIREFRAME, ANTIALIAS, DELTA, WAYS };
+enum way { PLAIN, FILL, FRAMEBUFFER, PARTS, WIREFRAME, ANTIALIAS, DELTA, OVERLAY, WAYS };
 
 static const struct {
     const char *name;
     bool linked;
 } WAY[WAYS] = {{"plain", LIM_HAS_LINES}, {"fill", LIM_HAS_FILL},           {"framebuffer", LIM_HAS_FRAMEBUFFER},
                {"parts", LIM_HAS_LINES}, {"wireframe", LIM_HAS_WIREFRAME}, {"antialias", LIM_HAS_ANTIALIAS},
-               {"delta", LIM_HAS_DELTA}};
+               {"delta", LIM_HAS_DELTA}, {"overlay", LIM_HAS_OVERLAY}};
 
 static const struct {
     const char *name;
@@ -112,12 +113,33 @@ static struct lim_target target_for(enum lim_method method, enum way way)
     return target;
 }
 
+#if LIM_HAS_OVERLAY
+/* `limner render --overlay "over it"`. */
+static lim_overlay_draw draw_over;
+
+enum { OVER_W_PX = 7 * LIM_TEXT_W_PX + 3, OVER_H_PX = LIM_TEXT_H_PX + 3 };
+enum { OVER_X_PX = (CAMERAS_W_PX - OVER_W_PX) / 2, OVER_Y_PX = CAMERAS_H_PX / 8 };
+
+static void draw_over(void *ctx, const struct lim_overlay_line *over)
+{
+    const struct lim_overlay_box box = {OVER_X_PX, OVER_Y_PX, OVER_W_PX, OVER_H_PX};
+
+    (void)ctx;
+    lim_overlay_box(over, &box, 0);
+    lim_text(over, OVER_X_PX + 2, OVER_Y_PX + 2, "over it", &(const struct lim_text_style){.colour = 0xFFFF});
+}
+#endif
+
 /* What is asked for beside the method. */
 static int set_way(struct lim *lim, enum way way)
 {
     (void)lim;
 #if LIM_HAS_WIREFRAME
     if (way == WIREFRAME) lim_set_wireframe(lim, &(const struct lim_wireframe){.on = true});
+#endif
+#if LIM_HAS_OVERLAY
+    static const struct lim_overlay overlay = {.draw = draw_over, .y0_px = 0, .y1_px = CAMERAS_H_PX};
+    if (way == OVERLAY) lim_set_overlay(lim, &overlay);
 #endif
 #if LIM_HAS_ANTIALIAS
     static uint32_t smooth_mem[LIM_ANTIALIAS_MEM_B(CAMERAS_W_PX) / 4];

@@ -3,7 +3,9 @@
 
 #include "colour.h"
 #include "core/core.h"
+#include "overlay.h"
 #include "rigs/unpainted.h"
+#include "text.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -30,6 +32,7 @@ struct fuzz_look fuzz_look_from(struct fuzz_bytes *bytes)
     look.newell = (struct lim_newell_options){.planes_first = flags & 16, .split_one = flags & 32};
     if (flags & 64) look.newell.most = 1 + look.wireframe.colour % EFFORT_MOST;
     look.refreshes = flags & 128;
+    if (!look.wireframe.on) look.overlay = look.wireframe.background;
     if (look.method == LIM_CONVEX || look.method == LIM_PAINTER) look.antialias = look.is_round = false;
     return look;
 }
@@ -52,6 +55,33 @@ static bool sorts(enum lim_method method)
     return method == LIM_DEPTH || method == LIM_NEWELL;
 }
 
+/* What lies over frames: a box and a text, anywhere and elsewhere in the second one. */
+struct over {
+    struct lim_overlay overlay;
+    int16_t x_px, y_px;
+    uint8_t scale;
+};
+
+static lim_overlay_draw draw_over;
+
+static void draw_over(void *ctx, const struct lim_overlay_line *line)
+{
+    const struct over *over = ctx;
+    const struct lim_text_style style = {.colour = 0xFFFF, .solid = over->scale & 1, .scale = over->scale};
+
+    lim_overlay_box(line, &(const struct lim_overlay_box){over->y_px, over->x_px, 9, 7}, 0);
+    lim_text(line, over->x_px, over->y_px, "Fuzz", &style);
+}
+
+static void place_over(struct over *over, uint16_t seed, uint16_t h_px, int frame)
+{
+    over->x_px = (int16_t)((seed & 63) - 20 + 3 * frame);
+    over->y_px = (int16_t)((seed >> 6 & 63) - 10 + (seed >> 15) * frame);
+    over->scale = (uint8_t)(seed >> 12 & 3);
+    over->overlay = (struct lim_overlay){.draw = draw_over, .ctx = over, .y0_px = seed >> 14, .y1_px = h_px};
+    if (seed & 1) over->overlay.y1_px = (uint16_t)(h_px / 2 + frame);
+}
+
 /* A renderer in a show, and its memory: to the byte, so that a sanitizer sees every step beyond it. */
 struct stage {
     const struct fuzz_subject *subject;
@@ -61,6 +91,7 @@ struct stage {
     struct fuzz_panel panel;
     struct lim_scene scene;
     void *lim, *mem, *delta_mem, *smooth_mem, *mover_mem;
+    struct over over;
     uint16_t unpainted;
 };
 
@@ -152,6 +183,10 @@ static bool shows_what_is_painted(const struct stage *stage)
 static const char *draw_frame(struct stage *stage, int frame)
 {
     fuzz_panel_begin(&stage->panel, lim_memory_colour(stage->unpainted), frame == 0 ? stage->means->fails_at : 0);
+    if (stage->look->overlay) {
+        place_over(&stage->over, stage->look->overlay, stage->panel.target.h_px, frame);
+        stage->core->set_overlay(stage->lim, &stage->over.overlay);
+    }
     if (frame && stage->look->refreshes) stage->core->refresh(stage->lim);
     const int err = draw(stage, frame);
     if (stage->panel.broken) return stage->panel.broken;

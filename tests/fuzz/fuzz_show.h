@@ -27,7 +27,8 @@ struct fuzz_look {
     struct lim_wireframe wireframe;
     struct lim_newell_options newell;
     bool antialias, is_round;
-    bool refreshes; /* before the second frame */
+    uint16_t overlay; /* where something lies over the frames; 0: nothing does */
+    bool refreshes;   /* before the second frame */
 };
 
 struct fuzz_means {

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: MIT
 #
 # What a firmware saves by a flag of config.h that is off, on the scene of the project that saves most: at -Os, on
-# Cortex-M0+ if no other core is named, the renderer with and without it as sim/tools/footprint.sh links it.
+# Cortex-M0+ if no other core is named, the renderer with and without it as sim/tools/footprint.sh links it. Overlays are
+# with text.
 # shellcheck shell=sh disable=SC2154 # of tables.sh: work
 . sim/targets/targets.sh
 . sim/tools/footprint.sh
@@ -31,6 +32,7 @@ LIM_HAS_TEXTURE rooms
 LIM_HAS_WIREFRAME rooms
 LIM_HAS_ANTIALIAS rooms
 LIM_HAS_DELTA rooms
+LIM_HAS_OVERLAY rooms
 LIM_HAS_ROUND changing
 LIM_HAS_FILL rooms
 LIM_HAS_FRAMEBUFFER rooms
@@ -94,6 +96,8 @@ row() { # FLAG SCENE[@CORE] [OTHER-FLAG...]
     [ "$name" = "$2" ] || core=${2#*@}
     shift 2
     compile "$name"
+    # shellcheck disable=SC2034 # of footprint.sh
+    case $flag in LIM_HAS_OVERLAY) footprint_entries="$footprint_entries lim_set_overlay lim_text" ;; esac
     off=$(cost "$name" $core "-D$flag=0" "$@")
     on=$(cost "$name" $core "-D$flag=1" "$@")
     echo "$flag:$(shown "$name")$(shown_core $core):$off $on" | awk -F : '{

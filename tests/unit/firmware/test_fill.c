@@ -1,14 +1,16 @@
 /* SPDX-License-Identifier: MIT
  *
  * Convex solids whose runs a target takes, without memory for lines: the same bytes reach a monochrome panel as with
- * lines, filled and as wireframes. */
+ * lines, filled and as wireframes, with and without something over them. */
 #include "compiler/compile_mesh.h"
 #include "core/core.h"
+#include "overlay.h"
 #include "panels.h"
 #include "rigs/cmocka_ready.h"
 #include "rigs/convex_rig.h"
 #include "scene/compiled.h"
 #include "screen.h"
+#include "text.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -74,7 +76,7 @@ static struct lim_camera camera_at(const struct rig *rig, struct viewpoint viewp
 
 /* A frame on an SSD1306; mem_b says whether there are lines. */
 static void draw(const struct rig *rig, const struct core *core, const struct lim_camera *camera, bool wireframe,
-                 size_t mem_b, struct sent *sent)
+                 const struct lim_overlay *overlay, size_t mem_b, struct sent *sent)
 {
     const struct pages_config config = {.bus = {.ctx = sent, .write = write_sent},
                                         .dc = {.set = set_nothing},
@@ -92,6 +94,7 @@ static void draw(const struct rig *rig, const struct core *core, const struct li
     void *lim = calloc(1, core->lim_b), *mem = malloc(lim_mem_b);
     assert_int_equal(core->init(lim, &rig->scene.scene, &screen.target, mem, lim_mem_b), 0);
     core->set_wireframe(lim, &(const struct lim_wireframe){.on = wireframe});
+    core->set_overlay(lim, overlay);
     for (int frame = 0; frame < 2; frame++) { /* what the first one left must not show */
         sent->n_b = 0;
         assert_int_equal(screen_begin_frame(&screen), 0);
@@ -102,7 +105,18 @@ static void draw(const struct rig *rig, const struct core *core, const struct li
     free(lim);
 }
 
-static void compare(const struct core *core, bool wireframe)
+static lim_overlay_draw draw_over;
+
+/* Light and dark, and grey, which is dithered. */
+static void draw_over(void *ctx, const struct lim_overlay_line *line)
+{
+    (void)ctx;
+    lim_overlay_box(line, &(const struct lim_overlay_box){20, 8, 60, 30}, 0x8410);
+    lim_text(line, 24, 13, "over it", &(const struct lim_text_style){.colour = 0xFFFF, .solid = true});
+    lim_text(line, 100, 50, "out of it", &(const struct lim_text_style){.colour = 0xFFFF, .scale = 2});
+}
+
+static void compare(const struct core *core, bool wireframe, const struct lim_overlay *overlay)
 {
     struct random random = {wireframe ? 7 : 5};
     size_t lit = 0;
@@ -114,8 +128,8 @@ static void compare(const struct core *core, bool wireframe)
         for (unsigned view = 0; view < CAMERAS; view++) {
             const struct lim_camera camera = camera_at(&rig, convex_rig_viewpoint(&random));
             struct sent with_lines = {.n_b = 0}, by_runs = {.n_b = 0};
-            draw(&rig, core, &camera, wireframe, SCREEN_PAGES_MEM_B(W_PX, 1), &with_lines);
-            draw(&rig, core, &camera, wireframe, SCREEN_PAGES_MEM_B(W_PX, 0), &by_runs);
+            draw(&rig, core, &camera, wireframe, overlay, SCREEN_PAGES_MEM_B(W_PX, 1), &with_lines);
+            draw(&rig, core, &camera, wireframe, overlay, SCREEN_PAGES_MEM_B(W_PX, 0), &by_runs);
             assert_int_equal(by_runs.n_b, with_lines.n_b);
             assert_memory_equal(by_runs.bytes, with_lines.bytes, with_lines.n_b);
             for (size_t at = 0; at < by_runs.n_b; at++)
@@ -130,13 +144,22 @@ static void compare(const struct core *core, bool wireframe)
 static void runs_give_the_bytes_that_lines_give(void **state)
 {
     (void)state;
-    compare(&core_fast, false);
+    compare(&core_fast, false, NULL);
 }
 
 static void wireframes_do(void **state)
 {
     (void)state;
-    compare(&core_fast, true);
+    compare(&core_fast, true, NULL);
+}
+
+static void what_lies_over_them_does(void **state)
+{
+    const struct lim_overlay overlay = {.draw = draw_over, .y0_px = 5, .y1_px = 60};
+
+    (void)state;
+    compare(&core_fast, false, &overlay);
+    compare(&core_fast, true, &overlay);
 }
 
 static void less_than_a_page_is_refused(void **state)
@@ -162,6 +185,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(runs_give_the_bytes_that_lines_give),
         cmocka_unit_test(wireframes_do),
+        cmocka_unit_test(what_lies_over_them_does),
         cmocka_unit_test(less_than_a_page_is_refused),
     };
 
