@@ -89,6 +89,10 @@ bool display_c_write_header(const struct export *export, FILE *out, struct error
     }
     fputs("/* Draws a frame, and returns when the display has it. time_ms places what moves. */\n", out);
     fprintf(out, "LIM_MUST_CHECK int %s_display_frame(const struct lim_camera *camera, uint32_t time_ms);\n\n", symbol);
+    fprintf(out,
+            "/* The renderer, for lim_set_...(), once the display has begun. */\nstruct lim "
+            "*%s_display_renderer(void);\n\n",
+            symbol);
     fputs("LIM_C_END\n\n#endif\n", out);
     return true;
 }
@@ -218,6 +222,7 @@ static bool write_calls(const struct export *export, FILE *out, struct error *er
             export->name->symbol);
     fputs(most_movers(export) ? MOVING_FRAME : STILL_FRAME, out);
     fputs("    return err ? err : screen_end_frame(&screen);\n}\n", out);
+    fprintf(out, "\nstruct lim *%s_display_renderer(void)\n{\n    return &lim;\n}\n", export->name->symbol);
     return true;
 }
 

@@ -77,6 +77,9 @@ static bool write_header(const struct export *export, struct amalgam *joined, FI
             " * MIT licence: see LICENSE. */\n#ifndef LIMNER_H\n#define LIMNER_H\n",
             LIM_VERSION_MAJOR, LIM_VERSION_MINOR, LIM_VERSION_PATCH, export->name->symbol);
     if (!add_settings(export, joined, out, err) || !amalgam_add(joined, "firmware/limner.h", out, err)) return false;
+    if (conditions_ask(&joined->conditions, "LIM_HAS_OVERLAY") == KNOWN_TRUE &&
+        (!amalgam_add(joined, "firmware/overlay.h", out, err) || !amalgam_add(joined, "firmware/text.h", out, err)))
+        return false;
     fputs("\n#endif\n", out);
     return true;
 }

@@ -18,7 +18,7 @@ with_cameras() { # FILE EXPRESSION
     {
         printf '#include "cameras.h"\n#include "fake_wires.h"\n#include <stdio.h>\n#include <stdlib.h>\n'
         sed -e "$2" -e 's/^\( *\)lim_orbit(.*/\1static uint16_t frame;\n\1if (frame == CAMERAS_COUNT) exit(wires_complaints() != 0);\n\1camera = cameras[frame++];/' \
-            -e 's/^\( *\)err = model_display_frame(.*/&\n\1printf("p led %d\\n", frame % 2);/' "$1"
+            -e 's/^\( *\)err = model_display_frame(.*/\1err = model_display_frame(\&camera, ((frame - 1u) * 1000u + 7u) \/ 15u);\n\1printf("p led %d\\n", frame % 2);/' "$1"
     } >"$1.new" && mv "$1.new" "$1" && grep -q 'frame == CAMERAS_COUNT' "$1" && grep -q 'p led' "$1"
 }
 
@@ -51,7 +51,7 @@ idf_draws() { # MODEL CAMERAS|- PANEL OPTION...
         with_cameras "$folder/model/examples/model/main/main.c" 's/\.sck = 6/.sck = WIRE_CLOCK/; s/\.mosi = 7/.mosi = WIRE_DATA/; s/= 10,/= WIRE_CS,/
             s/\.dc = 4/.dc = WIRE_DC/; s/\.reset = 5/.reset = WIRE_RESET/; s/select = 10/select = WIRE_SELECT/' &&
         IDF_PATH=$here/tests/export/stubs/idf builds "$folder/model/examples/model" "$folder/built" "$folder" &&
-        frames_are_right "$folder/built/model" "$folder/expected" "$panel"
+        frames_are_right "$folder/built/model.elf" "$folder/expected" "$panel"
 }
 
 # The component by its own CMakeLists.txt, without the driver's fakes.
@@ -62,7 +62,7 @@ idf_as_rv32() {
         printf 'function(idf_component_register)\n    cmake_parse_arguments(c "" "" "SRCS;INCLUDE_DIRS;REQUIRES" ${ARGN})\n    set(sources "${c_SRCS}" PARENT_SCOPE)\n    message("SRCS ${c_SRCS}")\nendfunction()\ninclude(%s/CMakeLists.txt)\n' "$folder/model" >"$folder/read.cmake" &&
         sources=$(cmake -P "$folder/read.cmake" 2>&1 | sed -n 's/^SRCS //p' | tr ';' '\n' | sed "s#^#$folder/model/#") || return 1
     # shellcheck disable=SC2046,SC2086 # flags and sources are words
-    $(target_compiler rv32) $(target_flags rv32) -O2 $WARNINGS -I"$folder/model/include" -I"$folder" -I"$work/names" -Isim/targets -Iboards/common \
+    $(target_compiler rv32) $(target_flags rv32) -O2 -ffunction-sections -fdata-sections -Wl,--gc-sections $WARNINGS -I"$folder/model/include" -I"$folder" -I"$work/names" -Isim/targets -Iboards/common \
         -o "$folder/draws" tests/export/draw.c $sources $(target_image rv32) -lgcc || return 1
     target_run rv32 "$folder/draws" >"$folder/drawn" && diff "$folder/expected" "$folder/drawn"
 }
