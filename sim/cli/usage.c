@@ -30,9 +30,10 @@ enum {
     REPORT_BUG = 1 << 15,
     REPLAY = 1 << 16,
     ESPIMAGE = 1 << 17,
-    SCENES = COMPILE | RENDER | VIEW | PLAY | REPORT_BUG,
+    EXPORT = 1 << 18,
+    SCENES = COMPILE | RENDER | VIEW | PLAY | REPORT_BUG | EXPORT,
     MODELS = SCENES | MEASURE | COMPARE | SPLITTERS,
-    MODULES = PLAY | MODULE | CARD | DECODE,
+    MODULES = PLAY | MODULE | CARD | DECODE | EXPORT,
     ALONE = 1 << 30 /* in a command's own help alone: the whole has said it in a heading */
 };
 
@@ -77,6 +78,10 @@ static const struct usage_command {
      "limner replay limner-report.tar"},
     {"espimage", "IMAGE.elf -o IMAGE.esp", "Makes what the ROM of an ESP32-C3 loads from flash.",
      "limner espimage image.elf -o image.esp"},
+    {"export", "MODEL... --for WORLD -o FOLDER",
+     "Writes a folder for a toolchain: renderer, scene, display, example. Without --panel and --size: its commonest "
+     "display.",
+     "limner export house.obj --for pico --panel ili9341 -o house"},
 };
 
 static const struct entry {
@@ -118,31 +123,34 @@ static const struct entry {
      "  --trust-paths       files that a MODEL names (materials, textures, buffers) may lie outside of its folder:\n"
      "                      paths with `..`, absolute ones, links (all commands that read a MODEL)\n"},
     {0, "compile and measure, for a MODEL:\n"},
-    {COMPILE | MEASURE | COMPARE,
+    {COMPILE | EXPORT | MEASURE | COMPARE,
      "  --framebuffer       for boards with RAM for all pixels, 16 bits each: fewer instructions; for\n"
      "                      opaque scenes in whole colours, in which nothing moves\n"},
-    {COMPILE | MEASURE | COMPARE,
+    {COMPILE | EXPORT | MEASURE | COMPARE,
      "  --overlay           for text and figures over the frames (firmware/overlay.h; measure: the frame's number)\n"},
-    {COMPILE | MEASURE,
+    {COMPILE | EXPORT | MEASURE,
      "  --portals WHEN      store what can be seen from where: on, off, or auto, where it pays (measure: off)\n"},
     {0, "compile and render, of models with animations (measure and compare draw all of the animation):\n"},
-    {COMPILE | RENDER | REPORT_BUG,
+    {COMPILE | EXPORT | RENDER | REPORT_BUG,
      "  --movers NAME       how what moves enters the scene: clipped down its tree, centre (faster, and wrong\n"
      "                      where it reaches through planes), off: it stays where the file has it (clipped)\n"},
-    {COMPILE | RENDER | REPORT_BUG,
+    {COMPILE | EXPORT | RENDER | REPORT_BUG,
      "  --mover-light NAME  baked into its colours where the file has it, or turning: lit in each frame (baked)\n"},
     {0, "compile only:\n"},
     {COMPILE | ALONE, "  -o NAME             NAME.c, NAME.h and NAME.lim\n"},
-    {COMPILE | MEASURE | COMPARE | SPLITTERS, "  --keep-faces        do not merge coplanar neighbours of one colour\n"},
-    {COMPILE, "  --round             for round glass: what it does not show is left out\n"},
-    {COMPILE, "  --fill              for boards that keep the whole picture in pixels of their own, as greys: fewer "
-              "instructions\n"},
+    {COMPILE | EXPORT | MEASURE | COMPARE | SPLITTERS,
+     "  --keep-faces        do not merge coplanar neighbours of one colour\n"},
+    {COMPILE | EXPORT, "  --round             for round glass: what it does not show is left out\n"},
+    {COMPILE | EXPORT,
+     "  --fill              for boards that keep the whole picture in pixels of their own, as greys: fewer "
+     "instructions\n"},
     {COMPILE, "  --report            without -o: only report\n"},
-    {COMPILE, "  --max-error P%      the cheapest precision with at most P % wrong pixels\n"},
-    {COMPILE, "  --max-vertex-error Ppx  the same for the largest error of a vertex\n"},
-    {COMPILE, "  --camera FILE       or random:SEED[:FRAMES]: where that must hold (cameras sampled in the scene's "
-              "free space)\n"},
-    {COMPILE, "  --core NAME         whose instructions count: m0plus, m3, m4, m33, rv32 (fewest bits)\n"},
+    {COMPILE | EXPORT, "  --max-error P%      the cheapest precision with at most P % wrong pixels\n"},
+    {COMPILE | EXPORT, "  --max-vertex-error Ppx  the same for the largest error of a vertex\n"},
+    {COMPILE | EXPORT,
+     "  --camera FILE       or random:SEED[:FRAMES]: where that must hold (cameras sampled in the scene's "
+     "free space)\n"},
+    {COMPILE | EXPORT, "  --core NAME         whose instructions count: m0plus, m3, m4, m33, rv32 (fewest bits)\n"},
     {0, "render and view:\n"},
     {RENDER | VIEW | PLAY | REPORT_BUG | MEASURE | COMPARE,
      "  --camera FILE       a line a frame: ex ey ez tx ty tz, metres (an orbit of 16 frames); or\n"
@@ -254,6 +262,9 @@ static const struct entry {
     {REPORT_BUG,
      "  -o FILE             the report (limner-report.tar): a tar archive of the model, the files that it names,\n"
      "                      cameras, options, versions and a hash a frame\n"},
+    {0, "export, which takes what compile takes, and a display as play does:\n"},
+    {EXPORT, "  --for WORLD         arduino (PlatformIO, too), idf, pico, cmake or plain\n"
+             "  -o FOLDER           to write; one that an export wrote, unchanged, is written anew\n"},
     {0, "replay:\n"},
     {REPLAY, "  -o FILE             the report anew, with what comes out now\n"},
     {0, "all that take a MODEL:\n"},

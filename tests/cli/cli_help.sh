@@ -44,6 +44,7 @@ base_of() { # COMMAND
     module | card) echo "--panel st7735 -o $work/none/x.png" ;;
     decode) echo "--panel st7735 $work/none.log" ;;
     uf2 | boot2 | espimage) echo "$work/none.bin -o $work/none/x.c" ;;
+    export) echo "--for plain -o $work/none --panel st7735 $work/none.obj" ;;
     bridge | devices | hashes) ;;
     *) echo "$work/none.obj" ;;
     esac
