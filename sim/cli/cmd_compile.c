@@ -13,6 +13,7 @@
 #include "compiler/tree_choice.h"
 #include "core/core_parse.h"
 #include "displays/idle_options.h"
+#include "displays/module_choice.h"
 #include "measure/choose.h"
 #include "scene/moving.h"
 #include "scene/scene_files.h"
@@ -22,6 +23,8 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/resource.h>
+
+enum { UNSAID_SIZE_PX = 240 };
 
 enum option_code {
     OPTION_TOLERANCE = 256,
@@ -40,6 +43,7 @@ enum option_code {
     OPTION_FILL,
     OPTION_FRAMEBUFFER,
     OPTION_SIZE,
+    OPTION_PANEL,
     OPTION_NEAR,
     OPTION_PRECISION,
     OPTION_MAX_ERROR,
@@ -74,6 +78,7 @@ static const struct option OPTIONS[] = {
     {"camera", required_argument, NULL, OPTION_CAMERA},
     {"core", required_argument, NULL, OPTION_CORE},
     {"size", required_argument, NULL, OPTION_SIZE},
+    {"panel", required_argument, NULL, OPTION_PANEL},
     {"near", required_argument, NULL, OPTION_NEAR},
     {"mover-light", required_argument, NULL, OPTION_MOVER_LIGHT},
     {"movers", required_argument, NULL, OPTION_MOVERS},
@@ -86,6 +91,7 @@ struct request {
     size_t model_count;
     const char *name; /* the path to write to, without suffix */
     struct compile_options compile;
+    struct panel_choice panel; /* of --panel; without a family: not said */
     struct choice_bound bound; /* of --max-error and its like */
     struct moving_options movers;
     struct idle_options idle; /* given ones, that may change nothing */
@@ -151,6 +157,8 @@ static bool parse_option(int code, char **argv, struct request *out, struct erro
         return parse_precision(optarg, &out->compile.core, err);
     case OPTION_SIZE:
         return parse_size(optarg, &out->compile.w_px, &out->compile.h_px, err);
+    case OPTION_PANEL:
+        return panel_choice_parse(optarg, NULL, &out->panel, err);
     case OPTION_NEAR:
         return parse_near(optarg, &out->compile.near_m, err);
     case OPTION_MAX_ERROR:
@@ -184,14 +192,23 @@ static bool check_bound(const struct request *request, struct error *err)
     return request->model_count == 1 || error_set(err, "compile: --max-error takes one model at a time");
 }
 
+/* What the panel says that nothing else has said. */
+static void settle_panel(struct request *request)
+{
+    struct compile_options *compile = &request->compile;
+    const bool has_panel = request->panel.family != NULL, has_size = compile->w_px > 0;
+    if (has_panel) compile->mono = panel_choice_is_mono(&request->panel);
+    if (has_size) return;
+    compile->w_px = compile->h_px = UNSAID_SIZE_PX;
+    if (has_panel) module_usual_size(&request->panel, &compile->w_px, &compile->h_px);
+}
+
 static bool parse(int argc, char **argv, struct request *out, struct error *err)
 {
     *out = (struct request){.compile = {.tolerance_units = 0.5,
                                         .splitter = "auto",
                                         .trial = TRIAL_IF_SPLIT,
                                         .choose_order = true,
-                                        .w_px = 240,
-                                        .h_px = 240,
                                         .portals = PORTALS_AUTO,
                                         .predict = true}};
     out->bound = (struct choice_bound){.wrong_percent = -1.0, .vertex_px = -1.0};
@@ -204,6 +221,7 @@ static bool parse(int argc, char **argv, struct request *out, struct error *err)
     if (optind >= argc) return error_set(err, "compile: needs a model");
     out->models = &argv[optind];
     out->model_count = (size_t)(argc - optind);
+    settle_panel(out);
     return check_bound(out, err) && compile_options_settle(&out->compile, err) &&
            (out->name || out->report_only || error_set(err, "compile: needs -o NAME, or --report alone"));
 }

@@ -96,7 +96,7 @@ static const struct entry {
      "                      or the best of fewest and all weights: auto (auto)\n"},
     {SCENES | SPLITTERS, "  --tolerance UNITS   how far a polygon may be off a plane that it lies on (0.5)\n"},
     {COMPILE | RENDER | VIEW | REPORT_BUG | MEASURE | COMPARE | SPLITTERS,
-     "  --size WxH          of the panel, 1 to 1024 pixels each (240x240; render, view: that of --panel)\n"},
+     "  --size WxH          of the panel, 1 to 1024 pixels each (240x240; compile, render, view: that of --panel)\n"},
     {MODELS, "  --near M            distance of the near plane, metres (0.1; more in scenes of more than 2 km)\n"},
     {MODELS, "  --drop-small        leave out what is too small for the scene's grid, instead of refusing the model\n"},
     {MODELS, "  --up y|z            which axis of the file is up (y; of STL files what the model stands on, else z)\n"
@@ -104,8 +104,10 @@ static const struct entry {
              "  --two-sided         all faces are seen from both sides, as those of open models may have to be\n"},
     {MODELS, "  --unlit             colours as they are in the model: no light is baked in\n"},
     {SCENES, "  --background RRGGBB  where no face is seen (000000)\n"},
-    {SCENES, "  --wireframe         for drawing outlines alone, hidden lines left out (render, view: drawn so;\n"
-             "                      --wireframe=RRGGBB,RRGGBB: all lines and the background in these colours)\n"},
+    {SCENES,
+     "  --wireframe         for drawing outlines alone, hidden lines left out (render, view: drawn so;\n"
+     "                      --wireframe=RRGGBB,RRGGBB: all lines and the background in these colours; on black\n"
+     "                      and white panels white on black, on memory LCDs black on white)\n"},
     {SCENES | MEASURE | COMPARE,
      "  --antialias         for smooth edges, methods that draw nearest first (render, view: drawn so)\n"},
     {SCENES | MEASURE | COMPARE,
@@ -129,6 +131,9 @@ static const struct entry {
     {0, "compile only:\n"},
     {COMPILE | ALONE, "  -o NAME             NAME.c, NAME.h and NAME.lim\n"},
     {COMPILE | MEASURE | COMPARE | SPLITTERS, "  --keep-faces        do not merge coplanar neighbours of one colour\n"},
+    {COMPILE,
+     "  --panel NAME        a chip, as render's --panel: its size, and if it is black and white light and tones\n"
+     "                      that can be told apart there\n"},
     {COMPILE, "  --round             for round glass: what it does not show is left out\n"},
     {COMPILE, "  --fill              for boards that keep the whole picture in pixels of their own, as greys: fewer "
               "instructions\n"},
