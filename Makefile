@@ -113,6 +113,8 @@ FLAGS = -std=c11 $(HOST_OPT) $(WARNINGS) -ffp-contract=off -D_POSIX_C_SOURCE=200
 	-Ifirmware -Ihal -Isim -Iboards/common $(shell pkg-config --cflags $(LIBRARIES)) -MMD -MP
 LINKS = $(shell pkg-config --libs $(LIBRARIES)) -lgmp -lz -lm
 
+progress    = sh sim/tools/progress.sh
+progress_of = $(BUILD)/progress $(progress_count)
 object  = $(patsubst %.c,$(BUILD)/host/%.o,$(1))
 # The rooms of sim/ and of firmware/, the lowest first: each includes itself and lower ones (tests/rooms.sh).
 rooms   := base core pictures model readers scene cameras displays glass render accuracy compiler measure cli
@@ -125,10 +127,11 @@ library := $(BUILD)/host/liblimner.a
 $(BUILD)/host/flags: force | packages
 	@mkdir -p $(@D)
 	@echo '$(FLAGS)' | cmp -s - $@ || echo '$(FLAGS)' > $@
+	@$(progress) begin $(progress_of)
 
 $(BUILD)/host/%.o: %.c $(BUILD)/host/flags
 	@mkdir -p $(@D)
-	@echo "CC $<"
+	@$(progress) step $(progress_of) "CC $<"
 	@$(CCACHE) $(CC) @$(BUILD)/host/flags $(PLACES) -c -o $@ $<
 
 %.a:
@@ -146,7 +149,7 @@ core_flags    = -DCORE=core_$(1) -DLIM_PROFILE=LIM_PROFILE_$(shell echo $(1) | t
 define core
 $(BUILD)/core-$(1)/%.o: %.c $(BUILD)/host/flags
 	@mkdir -p $$(@D)
-	@echo "CC $$< ($(1))"
+	@$$(progress) step $$(progress_of) "CC $$< ($(1))"
 	@$$(CCACHE) $$(CC) @$(BUILD)/host/flags $(core_flags) -c -o $$@ $$<
 
 $(BUILD)/core-$(1).o: $(call core_object,$(1))
@@ -435,6 +438,16 @@ endif
 .PHONY: boards
 boards: $(BUILD)/limner $(demo) packages ## [board] build an image for every board
 	$(LIVE)for board in $(boards); do $(MAKE) BOARD=$$board DEPS=skip || exit 1; done
+
+# -- What a first build has to compile: the objects of its goals that are not there ------------------------------------
+
+progress_program := $(filter all run view test check $(BUILD)/limner,$(or $(MAKECMDGOALS),all))
+progress_objects := $(if $(progress_program),$(call object,$(sources)) $(foreach name,$(profiles),$(call core_object,$(name)))) \
+	$(if $(filter run view test,$(MAKECMDGOALS)),$(call object,$(generator))) \
+	$(if $(filter test,$(MAKECMDGOALS)),$(call object,$(test_sources) $(textured_generator)))
+progress_missing := $(words $(filter-out $(wildcard $(progress_objects)),$(progress_objects)))
+# A few files are compiled before anybody asks.
+progress_count   := $(if $(filter $(shell test $(progress_missing) -ge 100 && echo yes),yes),$(progress_missing),0)
 
 # -- Housekeeping ------------------------------------------------------------------------------------------------------
 
