@@ -78,6 +78,7 @@ packages-footprint     := gcc-arm-none-eabi
 packages-flags         := gcc-arm-none-eabi
 packages-tradeoff      := $(packages-arm) gcc-riscv64-unknown-elf qemu-system-misc
 packages-scale         := gcc-arm-none-eabi qemu-system-arm gnuplot-nox
+packages-contact-sheet := $(packages-models)
 packages-predictions    := $(packages-models)
 packages-compare       := gcc-arm-none-eabi qemu-system-arm
 packages-bench         := $(packages-tradeoff) valgrind
@@ -240,6 +241,14 @@ run: $(BUILD)/limner $(demo) ## [start] compile and render the demo scene into o
 
 view: $(BUILD)/limner $(demo) ## [start] fly through the demo scene in a window
 	$(LIVE)$(BUILD)/limner view $(BUILD)/scenes/demo.obj
+
+$(BUILD)/contact_sheet: sim/tools/contact_sheet.c $(BUILD)/host/flags
+	@echo "CC $<"
+	@$(CC) -std=c11 -O2 $(WARNINGS) -o $@ $< -lgd
+
+.PHONY: contact-sheet
+contact-sheet: $(BUILD)/limner $(BUILD)/contact_sheet packages ## [measure] draw others' models by default options, to be looked at: out/contact-sheet.png; MODELS="A B": these
+	$(LIVE)sh sim/tools/contact_sheet.sh out/contact-sheet.png $(MODELS)
 
 # -- The tests: each suite is a list of programs that print TAP --------------------------------------------------------
 
