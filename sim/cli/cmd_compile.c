@@ -295,6 +295,7 @@ static void note_idle(const struct request *request, const struct result *result
                             &(struct idle_scene){.name = result->count == 1 ? request->models[0] : "these models",
                                                  .is_set = request->compile.tree == TREE_NONE,
                                                  .is_still = !moving,
+                                                 .is_unlit = request->compile.unlit,
                                                  .was_still = !moving && !stopped});
 }
 

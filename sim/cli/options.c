@@ -436,6 +436,8 @@ static void note_idle(const struct options *options, const struct moving *moving
                                                                  .is_compiled = options_scene_is_compiled(options),
                                                                  .is_set = options->compile.tree == TREE_NONE,
                                                                  .is_still = is_still,
+                                                                 .is_unlit = options->compile.unlit,
+                                                                 .has_background = options->wireframe.one_colour,
                                                                  .was_still = is_still && !moving->stopped});
 }
 
