@@ -33,7 +33,7 @@ endif
 # Begins a recipe line whose output must appear as it comes: with +, but not under `make -n`, where + would run it.
 LIVE = $(if $(findstring n,$(firstword -$(MAKEFLAGS))),,+)@
 
-.PHONY: all extremes soak run view check test test-arm64 test-fixed test-programs models-table tables footprint tradeoff scale predictions compare bench bench-baseline prove exhaustive fuzz fuzz-coverage mutate format clean help packages force
+.PHONY: all install uninstall extremes soak run view check test test-arm64 test-fixed test-programs models-table tables footprint tradeoff scale predictions compare bench bench-baseline prove exhaustive fuzz fuzz-coverage mutate format clean help packages force
 .SECONDARY:
 .DELETE_ON_ERROR:
 
@@ -47,7 +47,7 @@ help: ## [care] list the goals
 
 packages-build         := gcc libc6-dev pkg-config libassimp-dev libgd-dev libgmp-dev libjansson-dev zlib1g-dev \
 	libgpiod-dev libhidapi-dev libarchive-dev
-packages-host          := libcmocka-dev libosmesa6-dev sigrok-cli
+packages-host          := libcmocka-dev libosmesa6-dev sigrok-cli groff-base
 packages-arm           := gcc-arm-none-eabi qemu-system-arm gnuplot-nox
 packages-fixed         := $(packages-host) $(packages-arm)
 packages-cpus          := g++ $(packages-arm) gcc-riscv64-unknown-elf gcc-avr avr-libc gcc-powerpc-linux-gnu \
@@ -450,7 +450,7 @@ boards: $(BUILD)/limner $(demo) packages ## [board] build an image for every boa
 
 # -- What a first build has to compile: the objects of its goals that are not there ------------------------------------
 
-progress_program := $(filter all run view test check $(BUILD)/limner,$(or $(MAKECMDGOALS),all))
+progress_program := $(filter all install run view test check $(BUILD)/limner,$(or $(MAKECMDGOALS),all))
 progress_objects := $(if $(progress_program),$(call object,$(sources)) $(foreach name,$(profiles),$(call core_object,$(name)))) \
 	$(if $(filter run view test,$(MAKECMDGOALS)),$(call object,$(generator))) \
 	$(if $(filter test,$(MAKECMDGOALS)),$(call object,$(test_sources) $(textured_generator)))
@@ -462,6 +462,14 @@ progress_count   := $(if $(filter $(shell test $(progress_missing) -ge 100 && ec
 
 format: packages ## [care] lay out every C file by .clang-format
 	@find firmware hal boards sim tests -name '*.[ch]' -exec clang-format -i {} +
+
+PREFIX  := /usr/local
+DESTDIR :=
+install: $(BUILD)/limner ## [care] install limner, its manual page and completion for bash; PREFIX=/usr/local DESTDIR=
+	$(LIVE)PREFIX='$(PREFIX)' DESTDIR='$(DESTDIR)' sh sim/tools/install.sh install
+
+uninstall: ## [care] take away what make install has put there, with the same PREFIX and DESTDIR
+	$(LIVE)PREFIX='$(PREFIX)' DESTDIR='$(DESTDIR)' sh sim/tools/install.sh uninstall
 
 clean: ## [care] remove build/ and out/
 	@rm -rf $(BUILD) out

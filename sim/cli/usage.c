@@ -5,9 +5,8 @@
 #include "cli/usage.h"
 
 #include "cli/fly.h"
+#include "cli/usage_table.h"
 
-#include <stddef.h>
-#include <stdint.h>
 #include <string.h>
 
 /* Bits of entries, in the order of COMMANDS below. */
@@ -35,9 +34,7 @@ enum {
     ALONE = 1 << 30 /* in a command's own help alone: the whole has said it in a heading */
 };
 
-static const struct usage_command {
-    const char *name, *arguments, *what, *example;
-} COMMANDS[] = {
+static const struct usage_command COMMANDS[] = {
     {"compile", "MODEL... -o NAME",
      "Compiles a model for firmware: NAME.c, NAME.h and NAME.lim, and a report. Several models share NAME.h.",
      "limner compile house.obj --size 240x240 --precision fine -o house"},
@@ -76,10 +73,7 @@ static const struct usage_command {
      "limner replay limner-report.tar"},
 };
 
-static const struct entry {
-    uint32_t commands; /* 0: a heading */
-    const char *text;
-} ENTRIES[] = {
+static const struct usage_entry ENTRIES[] = {
     {0, "compile, render, view and measure, for a MODEL; compare and splitters take some of these, below:\n"},
     {SCENES, "  --precision NAME    draft, fast, fine or exact (fast)\n"},
     {SCENES | MEASURE,
@@ -264,6 +258,21 @@ static const struct entry {
 };
 
 enum { COMMAND_COUNT = sizeof COMMANDS / sizeof COMMANDS[0], ENTRY_COUNT = sizeof ENTRIES / sizeof ENTRIES[0] };
+
+const struct usage_command *usage_command_at(size_t index)
+{
+    return index < COMMAND_COUNT ? &COMMANDS[index] : NULL;
+}
+
+const struct usage_entry *usage_entry_at(size_t index)
+{
+    return index < ENTRY_COUNT ? &ENTRIES[index] : NULL;
+}
+
+bool usage_is_alone(const struct usage_entry *entry)
+{
+    return entry->commands & ALONE;
+}
 
 static void print_commands(FILE *out)
 {

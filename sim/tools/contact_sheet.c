@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
- * contact_sheet SHEET.png FOLDER...: joins what contact_sheet.sh left in each folder, 0.png and 1.png, of one size, and the
- * lines of `said`, which stand below. A picture that is missing is a dark field. */
+ * contact_sheet SHEET.png FOLDER...: joins what contact_sheet.sh left in each folder, 0.png and 1.png, of one size, and
+ * the lines of `said`, which stand below. A picture that is missing is a dark field. */
 #include <gd.h>
 #include <gdfonts.h>
 #include <stdbool.h>
@@ -70,7 +70,8 @@ int main(int argc, char **argv)
     if (!sheet) return fputs("contact_sheet: out of memory\n", stderr), EXIT_FAILURE;
     gdImageFilledRectangle(sheet, 0, 0, gdImageSX(sheet), gdImageSY(sheet), gdTrueColor(40, 40, 48));
     for (int i = 0; i < count; i++) {
-        const int x = i % COLUMNS * (CELL_W_PX + GAP_PX) + GAP_PX / 2, y = i / COLUMNS * (CELL_H_PX + GAP_PX) + GAP_PX / 2;
+        const int x = i % COLUMNS * (CELL_W_PX + GAP_PX) + GAP_PX / 2,
+                  y = i / COLUMNS * (CELL_H_PX + GAP_PX) + GAP_PX / 2;
         for (int which = 0; which < 2; which++)
             draw_picture(sheet, argv[2 + i], which, x + which * (SIDE_PX + 2), y);
         draw_text(sheet, argv[2 + i], x, y + SIDE_PX);

@@ -34,7 +34,10 @@ tell() {
 }
 
 step() {
-    [ -f "$file" ] && [ "$all" -gt 0 ] || { echo "$*" && return; }
+    if [ ! -f "$file" ] || [ "$all" -eq 0 ]; then
+        echo "$*"
+        return
+    fi
     printf . >>"$file"
     n=$(wc -c <"$file")
     if [ "$n" -gt "$all" ]; then
