@@ -33,7 +33,7 @@ endif
 # Begins a recipe line whose output must appear as it comes: with +, but not under `make -n`, where + would run it.
 LIVE = $(if $(findstring n,$(firstword -$(MAKEFLAGS))),,+)@
 
-.PHONY: all extremes soak run view check test test-arm64 test-fixed test-programs models-table tables footprint tradeoff scale predictions compare bench bench-baseline prove exhaustive fuzz fuzz-coverage mutate format clean help packages force
+.PHONY: all install uninstall extremes soak run view check test test-arm64 test-fixed test-programs models-table tables footprint tradeoff scale predictions compare bench bench-baseline prove exhaustive fuzz fuzz-coverage mutate format clean help packages force
 .SECONDARY:
 .DELETE_ON_ERROR:
 
@@ -47,7 +47,7 @@ help: ## [care] list the goals
 
 packages-build         := gcc libc6-dev pkg-config libassimp-dev libgd-dev libgmp-dev libjansson-dev zlib1g-dev \
 	libgpiod-dev libhidapi-dev libarchive-dev
-packages-host          := libcmocka-dev libosmesa6-dev sigrok-cli
+packages-host          := libcmocka-dev libosmesa6-dev sigrok-cli groff-base
 packages-arm           := gcc-arm-none-eabi qemu-system-arm gnuplot-nox
 packages-fixed         := $(packages-host) $(packages-arm)
 packages-cpus          := g++ $(packages-arm) gcc-riscv64-unknown-elf gcc-avr avr-libc gcc-powerpc-linux-gnu \
@@ -80,6 +80,7 @@ packages-footprint     := gcc-arm-none-eabi
 packages-flags         := gcc-arm-none-eabi
 packages-tradeoff      := $(packages-arm) gcc-riscv64-unknown-elf qemu-system-misc
 packages-scale         := gcc-arm-none-eabi qemu-system-arm gnuplot-nox
+packages-contact-sheet := $(packages-models)
 packages-predictions    := $(packages-models)
 packages-compare       := gcc-arm-none-eabi qemu-system-arm
 packages-bench         := $(packages-tradeoff) valgrind
@@ -116,6 +117,8 @@ FLAGS = -std=c11 $(HOST_OPT) $(WARNINGS) -ffp-contract=off -D_POSIX_C_SOURCE=200
 	-Ifirmware -Ihal -Isim -Iboards/common $(shell pkg-config --cflags $(LIBRARIES)) -MMD -MP
 LINKS = $(shell pkg-config --libs $(LIBRARIES)) -lgmp -lz -lm
 
+progress    = sh sim/tools/progress.sh
+progress_of = $(BUILD)/progress $(progress_count)
 object  = $(patsubst %.c,$(BUILD)/host/%.o,$(1))
 # The rooms of sim/ and of firmware/, the lowest first: each includes itself and lower ones (tests/rooms.sh).
 rooms   := base core pictures model readers scene cameras displays glass render accuracy compiler export measure cli
@@ -128,10 +131,11 @@ library := $(BUILD)/host/liblimner.a
 $(BUILD)/host/flags: force | packages
 	@mkdir -p $(@D)
 	@echo '$(FLAGS)' | cmp -s - $@ || echo '$(FLAGS)' > $@
+	@$(progress) begin $(progress_of)
 
 $(BUILD)/host/%.o: %.c $(BUILD)/host/flags
 	@mkdir -p $(@D)
-	@echo "CC $<"
+	@$(progress) step $(progress_of) "CC $<"
 	@$(CCACHE) $(CC) @$(BUILD)/host/flags $(PLACES) -c -o $@ $<
 
 %.a:
@@ -149,7 +153,7 @@ core_flags    = -DCORE=core_$(1) -DLIM_PROFILE=LIM_PROFILE_$(shell echo $(1) | t
 define core
 $(BUILD)/core-$(1)/%.o: %.c $(BUILD)/host/flags
 	@mkdir -p $$(@D)
-	@echo "CC $$< ($(1))"
+	@$$(progress) step $$(progress_of) "CC $$< ($(1))"
 	@$$(CCACHE) $$(CC) @$(BUILD)/host/flags $(core_flags) -c -o $$@ $$<
 
 $(BUILD)/core-$(1).o: $(call core_object,$(1))
@@ -264,6 +268,14 @@ run: $(BUILD)/limner $(demo) ## [start] compile and render the demo scene into o
 
 view: $(BUILD)/limner $(demo) ## [start] fly through the demo scene in a window
 	$(LIVE)$(BUILD)/limner view $(BUILD)/scenes/demo.obj
+
+$(BUILD)/contact_sheet: sim/tools/contact_sheet.c $(BUILD)/host/flags
+	@echo "CC $<"
+	@$(CC) -std=c11 -O2 $(WARNINGS) -o $@ $< -lgd
+
+.PHONY: contact-sheet
+contact-sheet: $(BUILD)/limner $(BUILD)/contact_sheet packages ## [measure] draw others' models by default options, to be looked at: out/contact-sheet.png; MODELS="A B": these
+	$(LIVE)sh sim/tools/contact_sheet.sh out/contact-sheet.png $(MODELS)
 
 # -- The tests: each suite is a list of programs that print TAP --------------------------------------------------------
 
@@ -466,10 +478,28 @@ endif
 boards: $(BUILD)/limner $(demo) packages ## [board] build an image for every board
 	$(LIVE)for board in $(boards); do $(MAKE) BOARD=$$board DEPS=skip || exit 1; done
 
+# -- What a first build has to compile: the objects of its goals that are not there ------------------------------------
+
+progress_program := $(filter all install run view test check $(BUILD)/limner,$(or $(MAKECMDGOALS),all))
+progress_objects := $(if $(progress_program),$(call object,$(sources)) $(foreach name,$(profiles),$(call core_object,$(name)))) \
+	$(if $(filter run view test,$(MAKECMDGOALS)),$(call object,$(generator))) \
+	$(if $(filter test,$(MAKECMDGOALS)),$(call object,$(test_sources) $(textured_generator)))
+progress_missing := $(words $(filter-out $(wildcard $(progress_objects)),$(progress_objects)))
+# A few files are compiled before anybody asks.
+progress_count   := $(if $(filter $(shell test $(progress_missing) -ge 100 && echo yes),yes),$(progress_missing),0)
+
 # -- Housekeeping ------------------------------------------------------------------------------------------------------
 
 format: packages ## [care] lay out every C file by .clang-format
 	@find firmware hal boards sim tests -name '*.[ch]' -exec clang-format -i {} +
+
+PREFIX  := /usr/local
+DESTDIR :=
+install: $(BUILD)/limner ## [care] install limner, its manual page and completion for bash; PREFIX=/usr/local DESTDIR=
+	$(LIVE)PREFIX='$(PREFIX)' DESTDIR='$(DESTDIR)' sh sim/tools/install.sh install
+
+uninstall: ## [care] take away what make install has put there, with the same PREFIX and DESTDIR
+	$(LIVE)PREFIX='$(PREFIX)' DESTDIR='$(DESTDIR)' sh sim/tools/install.sh uninstall
 
 clean: ## [care] remove build/ and out/
 	@rm -rf $(BUILD) out

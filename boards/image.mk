@@ -68,7 +68,7 @@ module_size = $(shell awk '$$2 == "MODULE_W_PX" { w = $$3 } $$2 == "MODULE_H_PX"
 camera_turn  = $(shell sed -n 's/^.define MODULE_CAMERA_TURN PANEL_TURNED_//p' $(folder)/module.h)
 camera_lies  = $(filter 90 270,$(camera_turn))
 picture_size = $(if $(camera_lies),$(subst $() ,x,$(lastword $(subst x, ,$(module_size))) $(firstword $(subst x, ,$(module_size)))),$(module_size))
-scene_flags  = $(if $(camera_lies),-DSCENE_CAMERA_LIES)
+scene_flags  = $(if $(camera_lies),-DSCENE_CAMERA_LIES) -DSCENE_MODULE
 card_flags   = $(if $(CARD),-DBOARD_CARD=1 -DBOARD_CARD_MS=$(CARD_MS))
 
 # What a file is made from, so that it is made anew when that changes.
@@ -83,7 +83,7 @@ $(folder)/module.c: $(folder)/choice $(BUILD)/limner
 $(folder)/model.lim: $(folder)/module.c $(model) $(BUILD)/limner
 	@echo "SCENE $(model)"
 	@rm -f $(folder)/model*.c $(folder)/model*.o
-	@$(BUILD)/limner compile $(model) -o $(folder)/model $(options) $(COMPILE) > $(folder)/report
+	@$(BUILD)/limner compile $(model) -o $(folder)/model $(options) --panel $(PANEL) $(COMPILE) > $(folder)/report
 
 $(folder)/cameras.h: $(folder)/model.lim $(CAMERA)
 	@$(BUILD)/limner render $(folder)/model.lim $(addprefix --camera ,$(CAMERA)) --size $(picture_size) --write-cameras $@

@@ -15,6 +15,17 @@
 #define TARGET_H_PX CAMERAS_H_PX
 #endif
 
+/* Outlines, where the scene has some: those that its module shows best, or in the polygons' own colours. */
+#ifdef SCENE_MODULE
+#include "module.h"
+#define SCENE_OUTLINES MODULE_OUTLINES
+#else
+#define SCENE_OUTLINES                                                                                                 \
+    {                                                                                                                  \
+        .on = true                                                                                                     \
+    }
+#endif
+
 /* What the scene asks for. With less, down to lim_mem_min_b(), the same frames take longer. */
 #ifndef SCENE_MEM_B
 #define SCENE_MEM_B MODEL_SCENE_MEM_B(TARGET_H_PX)
@@ -160,7 +171,7 @@ static int init_renderer(uint8_t which, const struct lim_target *target)
 #if LIM_HAS_OVERLAY
     if (!err) lim_set_overlay(self, &overlay);
 #endif
-    if (LIM_HAS_WIREFRAME && !err) lim_set_wireframe(self, &(const struct lim_wireframe){.on = true});
+    if (LIM_HAS_WIREFRAME && !err) lim_set_wireframe(self, &(const struct lim_wireframe)SCENE_OUTLINES);
     return err ? err : init_movers(which);
 }
 

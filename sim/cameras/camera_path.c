@@ -168,7 +168,9 @@ void camera_path_free(struct camera_path *path)
 
 /* Orbit -------------------------------------------------------------------------------------- */
 
+enum { HEIGHT_STEPS = 16 };
 static const double ORBIT_ELEVATION = 25.0 / 180.0 * PI;
+static const double STEEP_ELEVATION = 36.0 / 180.0 * PI; /* from so near a box shows its top, too */
 
 static void vertex_m(const struct compiled *compiled, size_t index, double out_m[3])
 {
@@ -178,7 +180,8 @@ static void vertex_m(const struct compiled *compiled, size_t index, double out_m
         out_m[i] = compiled->grid.origin_m[i] + units[i] / compiled->grid.units_per_m;
 }
 
-static void scene_centre(const struct compiled *compiled, double centre_m[3])
+/* Returns half of its height. */
+static double scene_centre(const struct compiled *compiled, double centre_m[3])
 {
     double low[3] = {INFINITY, INFINITY, INFINITY}, high[3] = {-INFINITY, -INFINITY, -INFINITY};
     for (size_t v = 0; v < compiled->scene.vertex_count; v++) {
@@ -191,16 +194,23 @@ static void scene_centre(const struct compiled *compiled, double centre_m[3])
     }
     for (int i = 0; i < 3; i++)
         centre_m[i] = (low[i] + high[i]) / 2.0;
+    return (high[1] - low[1]) / 2.0;
 }
 
+struct orbit {
+    double centre_m[3], elevation;
+    size_t frame_count;
+};
+
 /* The eye in one frame of an orbit, distance_m from the centre. */
-static struct viewpoint orbit_viewpoint(const double centre_m[3], double distance_m, double turn, size_t line)
+static struct viewpoint orbit_viewpoint(const struct orbit *orbit, double distance_m, size_t frame)
 {
-    const double out_m = distance_m * cos(ORBIT_ELEVATION), up_m = distance_m * sin(ORBIT_ELEVATION);
+    const double *centre_m = orbit->centre_m, turn = 2.0 * PI * (double)frame / (double)orbit->frame_count;
+    const double out_m = distance_m * cos(orbit->elevation), up_m = distance_m * sin(orbit->elevation);
     return (struct viewpoint){
         .eye_m = {centre_m[0] + out_m * sin(turn), centre_m[1] + up_m, centre_m[2] + out_m * cos(turn)},
         .target_m = {centre_m[0], centre_m[1], centre_m[2]},
-        .line = line};
+        .line = frame + 1};
 }
 
 /* How far from the centre the eye must be to see all vertices: with q the way from the centre to a
@@ -223,22 +233,55 @@ static double distance_to_see_all(const struct compiled *compiled, const struct 
     return distance_m;
 }
 
+/* From where all of it is in view in each frame. */
+static double orbit_distance_m(const struct compiled *scene, const struct lens *lens, const struct orbit *orbit)
+{
+    double distance_m = 0.0;
+    for (size_t frame = 0; frame < orbit->frame_count; frame++) {
+        const struct viewpoint viewpoint = orbit_viewpoint(orbit, 1.0, frame);
+        struct view_axes axes;
+        viewpoint_axes(&viewpoint, &axes);
+        distance_m = fmax(distance_m, distance_to_see_all(scene, lens, orbit->centre_m, &axes));
+    }
+    return distance_m;
+}
+
+static double distance_at_m(const struct compiled *scene, const struct lens *lens, struct orbit orbit, double height_m)
+{
+    orbit.centre_m[1] = height_m;
+    return orbit_distance_m(scene, lens, &orbit);
+}
+
+/* Moves the centre up or down to where the eye may be nearest: what is near and low takes more room than what is far
+ * and high. The distance is the greatest of functions that are linear in the height: the golden section finds the
+ * least. */
+static void settle_height(const struct compiled *scene, const struct lens *lens, double half_m, struct orbit *orbit)
+{
+    const double golden = (sqrt(5.0) - 1.0) / 2.0;
+    double low_m = orbit->centre_m[1] - half_m, high_m = orbit->centre_m[1] + half_m;
+    for (int step = 0; step < HEIGHT_STEPS; step++) {
+        const double part_m = golden * (high_m - low_m), lower_m = high_m - part_m, upper_m = low_m + part_m;
+        if (distance_at_m(scene, lens, *orbit, lower_m) < distance_at_m(scene, lens, *orbit, upper_m))
+            high_m = upper_m;
+        else
+            low_m = lower_m;
+    }
+    orbit->centre_m[1] = (low_m + high_m) / 2.0;
+}
+
 bool camera_path_orbit(const struct compiled *scene, const struct lens *lens, size_t frame_count,
                        struct camera_path *out, struct error *err)
 {
-    const double step = 2.0 * PI / (double)frame_count, margin = 1.05;
-    double centre_m[3], distance_m = 0.0;
-    scene_centre(scene, centre_m);
-    for (size_t frame = 0; frame < frame_count; frame++) {
-        struct viewpoint viewpoint = orbit_viewpoint(centre_m, 1.0, step * (double)frame, 0);
-        struct view_axes axes;
-        viewpoint_axes(&viewpoint, &axes);
-        distance_m = fmax(distance_m, distance_to_see_all(scene, lens, centre_m, &axes));
-    }
+    const bool is_small = lens->least_side_px <= SMALL_SIDE_PX;
+    const double margin = is_small ? 1.02 : 1.05;
+    struct orbit orbit = {.elevation = is_small ? STEEP_ELEVATION : ORBIT_ELEVATION, .frame_count = frame_count};
+    const double half_m = scene_centre(scene, orbit.centre_m);
+    if (is_small) settle_height(scene, lens, half_m, &orbit);
+    const double distance_m = orbit_distance_m(scene, lens, &orbit);
     *out = (struct camera_path){.name = strdup("orbit around the scene")};
     bool ok = out->name != NULL;
     for (size_t frame = 0; ok && frame < frame_count; frame++) {
-        struct viewpoint viewpoint = orbit_viewpoint(centre_m, margin * distance_m, step * (double)frame, frame + 1);
+        const struct viewpoint viewpoint = orbit_viewpoint(&orbit, margin * distance_m, frame);
         ok = path_append(out, &viewpoint);
     }
     if (ok) return true;
@@ -255,6 +298,7 @@ bool lens_init(struct lens *lens, double fov_deg, double near_m, unsigned w_px, 
     if (!(near_m > 0.0 && near_m <= COORDINATE_MAX_M))
         return error_set(err, "--near %g: the near plane must lie in front of the eye", near_m);
     lens->near_m = near_m;
+    lens->least_side_px = w_px < h_px ? w_px : h_px;
     lens->tan_y = tan(fov_deg / 360.0 * PI);
     lens->tan_x = lens->tan_y * w_px / h_px;
     if (fmax(lens->tan_x, lens->tan_y) > TANGENT_MAX)

@@ -27,6 +27,7 @@ struct camera_path {
 struct lens {
     double tan_x, tan_y;
     double near_m;
+    unsigned least_side_px; /* of the picture */
 };
 
 /* Orthonormal axes of the view; right = forward x up. */
@@ -37,7 +38,9 @@ struct view_axes {
 /* Refuses, by FILE:LINE: reason, what is not six finite numbers, and an eye on its target. */
 bool camera_path_read(const char *path, struct camera_path *out, struct error *err);
 
-/* frame_count frames once around the scene's bounds, from where all of it is in view. */
+/* frame_count frames once around the scene's bounds, from where all of it is in view. Small pictures, of SMALL_SIDE_PX
+ * at most, it fills from top to bottom; in others the middle of its bounds is the picture's. */
+enum { SMALL_SIDE_PX = 64 };
 bool camera_path_orbit(const struct compiled *scene, const struct lens *lens, size_t frame_count,
                        struct camera_path *out, struct error *err);
 

@@ -84,6 +84,7 @@ static bool fit_to_module(struct export_request *out, struct error *err)
     out->compile.compile.w_px = display.panel->w_px;
     out->compile.compile.h_px = display.panel->h_px;
     out->compile.compile.round |= display.panel->visible != NULL;
+    out->compile.compile.mono = panel_choice_is_mono(&out->module.panel);
     return true;
 }
 

@@ -66,6 +66,7 @@ static bool take_scene(struct play *play, struct arguments *arguments, struct er
         return arguments->count == 1 ||
                error_set(err, "--test-card: draws no scene, what is '%s'?", arguments->items[1]);
     if (!options_parse(arguments->count, arguments->items, OPTIONS_VIEW, options, err)) return false;
+    options_settle_panel(options, &play->module_choice.panel);
     options->orbit_frames = ORBIT_FRAMES;
     const enum lim_method method = options->setup.method;
     if (method != LIM_NEAREST_FIRST && method != LIM_PAINTER) options->movers.mode = MOVING_OFF;

@@ -15,6 +15,8 @@
 #include <string.h>
 #include <sys/resource.h>
 
+enum { UNSAID_SIZE_PX = 240 };
+
 enum option_code {
     OPTION_TOLERANCE = 256,
     OPTION_SPLITTER,
@@ -32,6 +34,7 @@ enum option_code {
     OPTION_FILL,
     OPTION_FRAMEBUFFER,
     OPTION_SIZE,
+    OPTION_PANEL,
     OPTION_NEAR,
     OPTION_PRECISION,
     OPTION_MAX_ERROR,
@@ -68,6 +71,7 @@ static const struct option OPTIONS[] = {
     {"camera", required_argument, NULL, OPTION_CAMERA},
     {"core", required_argument, NULL, OPTION_CORE},
     {"size", required_argument, NULL, OPTION_SIZE},
+    {"panel", required_argument, NULL, OPTION_PANEL},
     {"near", required_argument, NULL, OPTION_NEAR},
     {"mover-light", required_argument, NULL, OPTION_MOVER_LIGHT},
     {"movers", required_argument, NULL, OPTION_MOVERS},
@@ -137,6 +141,8 @@ static bool parse_option(int code, char **argv, struct compile_request *out, str
         return parse_precision(optarg, &out->compile.core, err);
     case OPTION_SIZE:
         return parse_size(optarg, &out->compile.w_px, &out->compile.h_px, err);
+    case OPTION_PANEL:
+        return panel_choice_parse(optarg, NULL, &out->panel, err);
     case OPTION_NEAR:
         return parse_near(optarg, &out->compile.near_m, err);
     case OPTION_MAX_ERROR:
@@ -171,6 +177,17 @@ static bool check_bound(const struct compile_request *request, struct error *err
     return request->model_count == 1 || error_set(err, "%s: --max-error takes one model at a time", request->command);
 }
 
+/* What the panel says that nothing else has said. */
+static void settle_panel(struct compile_request *request)
+{
+    struct compile_options *compile = &request->compile;
+    const bool has_panel = request->panel.family != NULL, has_size = compile->w_px > 0;
+    if (has_panel) compile->mono = panel_choice_is_mono(&request->panel);
+    if (has_size) return;
+    compile->w_px = compile->h_px = UNSAID_SIZE_PX;
+    if (has_panel) module_usual_size(&request->panel, &compile->w_px, &compile->h_px);
+}
+
 bool compile_request_parse(int argc, char **argv, struct compile_request *out, struct error *err)
 {
     *out = (struct compile_request){.command = argv[0],
@@ -178,8 +195,6 @@ bool compile_request_parse(int argc, char **argv, struct compile_request *out, s
                                                 .splitter = "auto",
                                                 .trial = TRIAL_IF_SPLIT,
                                                 .choose_order = true,
-                                                .w_px = 240,
-                                                .h_px = 240,
                                                 .portals = PORTALS_AUTO,
                                                 .predict = true}};
     out->bound = (struct choice_bound){.wrong_percent = -1.0, .vertex_px = -1.0};
@@ -192,6 +207,7 @@ bool compile_request_parse(int argc, char **argv, struct compile_request *out, s
     if (optind >= argc) return error_set(err, "%s: needs a model", out->command);
     out->models = &argv[optind];
     out->model_count = (size_t)(argc - optind);
+    settle_panel(out);
     return check_bound(out, err) && compile_options_settle(&out->compile, err);
 }
 
@@ -255,6 +271,7 @@ static void note_idle(const struct compile_request *request, const struct compil
                             &(struct idle_scene){.name = result->count == 1 ? request->models[0] : "these models",
                                                  .is_set = request->compile.tree == TREE_NONE,
                                                  .is_still = !moving,
+                                                 .is_unlit = request->compile.unlit,
                                                  .was_still = !moving && !stopped});
 }
 

@@ -8,6 +8,7 @@
 #include "compiler/compile_options.h"
 #include "compiler/moving_compile.h"
 #include "displays/idle_options.h"
+#include "displays/module_choice.h"
 #include "measure/choose.h"
 #include "scene/scene_files.h"
 
@@ -17,6 +18,7 @@ struct compile_request {
     size_t model_count;
     const char *name; /* the path to write to, without suffix */
     struct compile_options compile;
+    struct panel_choice panel; /* of --panel; without a family: not said */
     struct choice_bound bound; /* of --max-error and its like */
     struct moving_options movers;
     struct idle_options idle; /* given ones, that may change nothing */

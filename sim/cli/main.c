@@ -6,6 +6,8 @@
 #include "base/ending.h"
 #include "base/streams.h"
 #include "cli/commands.h"
+#include "cli/completion.h"
+#include "cli/man_page.h"
 #include "cli/usage.h"
 #include "readers/companion.h"
 
@@ -74,8 +76,11 @@ static int no_command(const char *name)
     return EXIT_FAILURE;
 }
 
+/* For `make install`. */
 static int help_with(const char *name)
 {
+    if (strcmp(name, "--man") == 0) return man_page_print(stdout), EXIT_SUCCESS;
+    if (strcmp(name, "--bash-completion") == 0) return completion_print(stdout), EXIT_SUCCESS;
     return usage_print_command(name, stdout) ? EXIT_SUCCESS : no_command(name);
 }
 

@@ -352,6 +352,12 @@ static bool choose_panel(struct options *out, struct error *err)
     return true;
 }
 
+void options_settle_panel(struct options *options, const struct panel_choice *panel)
+{
+    options->compile.mono = panel_choice_is_mono(panel);
+    if (options->wireframe.on && !options->wireframe.one_colour) options->wireframe = panel_choice_outlines(panel);
+}
+
 static bool asks_for_output(const struct options *options)
 {
     return options->frame_pattern || options->gif_path || options->sheet_path || options->ids_path ||
@@ -387,6 +393,7 @@ bool options_parse(int argc, char **argv, enum options_set set, struct options *
     if (out->compile.antialias && !method_antialiases(out->setup.method, out->wireframe.on, err)) return false;
     if (out->delta_runs && !method_scans(out->setup.method, "--delta is", err)) return false;
     settle_size(out);
+    if (out->setup.panel == SIMULATOR_PANEL) options_settle_panel(out, &out->panel);
     if (!settle_frames(out, err)) return false;
     if (out->has_rate && !out->gif_path) idle_options_add(&out->idle, "fps");
     out->compile.keep_faces = out->ids_path || out->compare;
@@ -435,6 +442,8 @@ static void note_idle(const struct options *options, const struct moving *moving
                                                                  .is_compiled = options_scene_is_compiled(options),
                                                                  .is_set = options->compile.tree == TREE_NONE,
                                                                  .is_still = is_still,
+                                                                 .is_unlit = options->compile.unlit,
+                                                                 .has_background = options->wireframe.one_colour,
                                                                  .was_still = is_still && !moving->stopped});
 }
 

@@ -39,6 +39,9 @@ enum options_set { OPTIONS_RENDER, OPTIONS_VIEW };
 /* Fills in the defaults too. The strings stay argv's. */
 bool options_parse(int argc, char **argv, enum options_set set, struct options *out, struct error *err);
 
+/* What is drawn otherwise for such a panel, unless the command line said how: light, tones and outlines. */
+void options_settle_panel(struct options *options, const struct panel_choice *panel);
+
 /* Reads or plans the cameras and reads the scene: a .lim file as it is, anything else
  * compiled. Options that change nothing for that scene are told. `moving`: NULL, nothing moves. *scene, *moving and
  * *path must be zero and are the caller's to free, also after a failure. */

@@ -5,9 +5,8 @@
 #include "cli/usage.h"
 
 #include "cli/fly.h"
+#include "cli/usage_table.h"
 
-#include <stddef.h>
-#include <stdint.h>
 #include <string.h>
 
 /* Bits of entries, in the order of COMMANDS below. */
@@ -37,9 +36,7 @@ enum {
     ALONE = 1 << 30 /* in a command's own help alone: the whole has said it in a heading */
 };
 
-static const struct usage_command {
-    const char *name, *arguments, *what, *example;
-} COMMANDS[] = {
+static const struct usage_command COMMANDS[] = {
     {"compile", "MODEL... -o NAME",
      "Compiles a model for firmware: NAME.c, NAME.h and NAME.lim, and a report. Several models share NAME.h.",
      "limner compile house.obj --size 240x240 --precision fine -o house"},
@@ -84,10 +81,7 @@ static const struct usage_command {
      "limner export house.obj --for pico --panel ili9341 -o house"},
 };
 
-static const struct entry {
-    uint32_t commands; /* 0: a heading */
-    const char *text;
-} ENTRIES[] = {
+static const struct usage_entry ENTRIES[] = {
     {0, "compile, render, view and measure, for a MODEL; compare and splitters take some of these, below:\n"},
     {SCENES, "  --precision NAME    draft, fast, fine or exact (fast)\n"},
     {SCENES | MEASURE,
@@ -104,7 +98,7 @@ static const struct entry {
      "                      or the best of fewest and all weights: auto (auto)\n"},
     {SCENES | SPLITTERS, "  --tolerance UNITS   how far a polygon may be off a plane that it lies on (0.5)\n"},
     {COMPILE | RENDER | VIEW | REPORT_BUG | MEASURE | COMPARE | SPLITTERS,
-     "  --size WxH          of the panel, 1 to 1024 pixels each (240x240; render, view: that of --panel)\n"},
+     "  --size WxH          of the panel, 1 to 1024 pixels each (240x240; compile, render, view: that of --panel)\n"},
     {MODELS, "  --near M            distance of the near plane, metres (0.1; more in scenes of more than 2 km)\n"},
     {MODELS, "  --drop-small        leave out what is too small for the scene's grid, instead of refusing the model\n"},
     {MODELS, "  --up y|z            which axis of the file is up (y; of STL files what the model stands on, else z)\n"
@@ -112,8 +106,10 @@ static const struct entry {
              "  --two-sided         all faces are seen from both sides, as those of open models may have to be\n"},
     {MODELS, "  --unlit             colours as they are in the model: no light is baked in\n"},
     {SCENES, "  --background RRGGBB  where no face is seen (000000)\n"},
-    {SCENES, "  --wireframe         for drawing outlines alone, hidden lines left out (render, view: drawn so;\n"
-             "                      --wireframe=RRGGBB,RRGGBB: all lines and the background in these colours)\n"},
+    {SCENES,
+     "  --wireframe         for drawing outlines alone, hidden lines left out (render, view: drawn so;\n"
+     "                      --wireframe=RRGGBB,RRGGBB: all lines and the background in these colours; on black\n"
+     "                      and white panels white on black, on memory LCDs black on white)\n"},
     {SCENES | MEASURE | COMPARE,
      "  --antialias         for smooth edges, methods that draw nearest first (render, view: drawn so)\n"},
     {SCENES | MEASURE | COMPARE,
@@ -140,6 +136,9 @@ static const struct entry {
     {COMPILE | ALONE, "  -o NAME             NAME.c, NAME.h and NAME.lim\n"},
     {COMPILE | EXPORT | MEASURE | COMPARE | SPLITTERS,
      "  --keep-faces        do not merge coplanar neighbours of one colour\n"},
+    {COMPILE,
+     "  --panel NAME        a chip, as render's --panel: its size, and if it is black and white light and tones\n"
+     "                      that can be told apart there\n"},
     {COMPILE | EXPORT, "  --round             for round glass: what it does not show is left out\n"},
     {COMPILE | EXPORT,
      "  --fill              for boards that keep the whole picture in pixels of their own, as greys: fewer "
@@ -279,6 +278,21 @@ static const struct entry {
 };
 
 enum { COMMAND_COUNT = sizeof COMMANDS / sizeof COMMANDS[0], ENTRY_COUNT = sizeof ENTRIES / sizeof ENTRIES[0] };
+
+const struct usage_command *usage_command_at(size_t index)
+{
+    return index < COMMAND_COUNT ? &COMMANDS[index] : NULL;
+}
+
+const struct usage_entry *usage_entry_at(size_t index)
+{
+    return index < ENTRY_COUNT ? &ENTRIES[index] : NULL;
+}
+
+bool usage_is_alone(const struct usage_entry *entry)
+{
+    return entry->commands & ALONE;
+}
 
 static void print_commands(FILE *out)
 {

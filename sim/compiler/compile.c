@@ -7,7 +7,6 @@
 #include "base/grow.h"
 #include "compiler/faithful.h"
 #include "core/core.h"
-#include "model/baked_light.h"
 #include "model/original.h"
 #include "readers/model_read.h"
 #include "readers/source.h"
@@ -76,7 +75,7 @@ bool compile_model(const char *path, const struct compile_options *options, stru
     *out = (struct compiled){0};
     if (!model_read(path, &options->orientation, &model, err)) return false;
     bool ok = !options->predict || source_take(path, &model, err);
-    if (!options->unlit) light_bake(&model);
+    compile_options_light(options, &model);
     ok = ok && (compile_part(&model, NULL, options, out, err) || error_prefix(err, path));
     model_free(&model);
     return ok;

@@ -261,6 +261,7 @@ bool compile_mesh(const struct mesh *mesh, const struct compile_options *options
         coplanar_find(mesh, work.points.approx, options->tolerance_units, &work.coplanar);
         ok = deadline_check(err, "planes of %zu polygons were still sought", mesh->polygon_count) &&
              compile_best(&work, out, err) && check_method(options, out, err);
+        out->report.mono = options->mono && !options->unlit;
         out->report.wireframe = options->wireframe;
         out->report.antialias = options->antialias;
         out->report.overlay = options->overlay;

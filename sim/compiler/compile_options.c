@@ -3,6 +3,8 @@
  * A method may need a tree of its own kind, or none. */
 #include "compiler/compile_options.h"
 
+#include "model/baked_light.h"
+
 bool compile_options_settle(struct compile_options *options, struct error *err)
 {
     const struct method *method = options->method;
@@ -22,4 +24,10 @@ bool compile_method_parse(const char *text, struct compile_options *out, struct 
     if (!out->method) return false;
     if (out->method->portals) out->portals = PORTALS_ON;
     return true;
+}
+
+void compile_options_light(const struct compile_options *options, struct model *model)
+{
+    if (options->unlit) return;
+    (options->mono ? light_bake_mono : light_bake)(model);
 }

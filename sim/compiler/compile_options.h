@@ -10,6 +10,7 @@
 #include "scene/tree_kind.h"
 
 struct core;
+struct model;
 
 /* When to try what other trees cost (tree_choice.h); where none is tried it is the BSP tree. */
 enum tree_trial { TRIAL_NEVER, TRIAL_IF_SPLIT, TRIAL_ALWAYS };
@@ -29,6 +30,7 @@ struct compile_options {
     struct orientation orientation; /* of the model's file */
     uint16_t background;            /* RGB565 as a number */
     bool unlit;                     /* colours stay as they are in the model: no light is baked in */
+    bool mono;                      /* tones and light are those for black and white pixels; unlit: nothing changes */
     bool antialias;                 /* for drawing with antialiased edges: pools are measured so */
     bool delta;                     /* for sending what changes alone: its memory is measured */
     bool overlay;                   /* for drawing over frames */
@@ -45,6 +47,9 @@ struct compile_options {
 
 /* --method: names how to draw and, for some methods, the tree. */
 bool compile_method_parse(const char *text, struct compile_options *out, struct error *err);
+
+/* The light that is baked into the model, and what goes with it. */
+void compile_options_light(const struct compile_options *options, struct model *model);
 
 /* When all options are known: the method's tree, if none is asked for. An error if the two do not go together. */
 bool compile_options_settle(struct compile_options *options, struct error *err);

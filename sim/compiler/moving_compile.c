@@ -251,11 +251,11 @@ static void stop_movers(struct moving *moving)
 }
 
 /* Their light comes later; a material that has none of its own is lit all the same. */
-static void keep_movers_unlit(struct moving *moving)
+static void keep_movers_unlit(struct moving *moving, bool mono)
 {
     for (size_t i = 0; i < moving->model.face_count; i++)
         moving->model.faces[i].unlit |= moving->model.faces[i].mover > 0;
-    moving->light = light_lamp();
+    moving->light = mono ? light_lamp_mono() : light_lamp();
 }
 
 bool moving_compile(const char *path, const struct compile_options *options, const struct moving_options *movers,
@@ -277,8 +277,8 @@ bool moving_compile_model(const struct model *model, const struct compile_option
 {
     *moving = (struct moving){.model = *model};
     if (movers->mode == MOVING_OFF) stop_movers(moving);
-    if (movers->light && !options->unlit) keep_movers_unlit(moving);
-    if (!options->unlit) light_bake(&moving->model);
+    if (movers->light && !options->unlit) keep_movers_unlit(moving, options->mono);
+    compile_options_light(options, &moving->model);
     if (!moving->model.mover_count) return compile_part(&moving->model, NULL, options, scene, err);
     if (options->framebuffer) return error_set(err, "--framebuffer: objects that move are drawn line by line");
     return compile_parts(moving, options, movers->mode, scene, err);

@@ -99,6 +99,7 @@ static void print_tree(const struct compiled *scene)
     if (report->choice.kind) print_choice(report);
     if (report->tree != TREE_NONE) printf("  %-28s %8s\n", "splitter", report->splitter);
     print_count("depth of the tree", report->depth);
+    if (report->mono) printf("  %-28s %8s\n", "light and tones", "for black and white pixels");
     if (report->wireframe) print_outlines(scene);
     if (report->convex) printf("  %-28s %8s\n", "one convex solid", "yes");
     print_count("nodes", scene->scene.node_count);

@@ -214,6 +214,19 @@ bool panel_choice_at(size_t index, struct panel_choice *out)
     return false;
 }
 
+bool panel_choice_is_mono(const struct panel_choice *choice)
+{
+    return choice->format == PANEL_MONO_PAGES || choice->format == PANEL_MONO_LINES;
+}
+
+struct lim_wireframe panel_choice_outlines(const struct panel_choice *choice)
+{
+    struct lim_wireframe wireframe = {.on = true, .one_colour = panel_choice_is_mono(choice)};
+    if (choice->format == PANEL_MONO_PAGES) wireframe.colour = UINT16_MAX;
+    if (choice->format == PANEL_MONO_LINES) wireframe.background = UINT16_MAX;
+    return wireframe;
+}
+
 static bool refuse_panel(const char *text, const char *also, struct error *err)
 {
     struct panel_choice choice;

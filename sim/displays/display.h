@@ -9,6 +9,7 @@
 #include "base/error.h"
 #include "panels.h"
 #include "port.h"
+#include "target.h"
 
 #include <stdio.h>
 
@@ -82,6 +83,13 @@ bool panel_choice_at(size_t index, struct panel_choice *out);
 /* --panel NAME or NAME:FORMAT; an unknown one is refused with the list of those there are. `also`: what else the option
  * takes, for that list, or NULL. */
 bool panel_choice_parse(const char *text, const char *also, struct panel_choice *out, struct error *err);
+
+/* Whether its pixels are black or white. */
+bool panel_choice_is_mono(const struct panel_choice *choice);
+
+/* How outlines show best on it, which have no colours to be told by. On pages a pixel that is set is a line: it glows
+ * on an OLED and is ink on an LCD. A memory LCD is light by itself: lines are black. Else the polygons' own colours. */
+struct lim_wireframe panel_choice_outlines(const struct panel_choice *choice);
 
 /* Whether the glass fits into the chip's memory; an error says why not. */
 bool display_module_check(const struct panel_choice *choice, const struct display_module *module, struct error *err);

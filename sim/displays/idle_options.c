@@ -52,6 +52,16 @@ static bool was_still(const struct subject *subject)
     return subject->scene->was_still;
 }
 
+static bool is_unlit(const struct subject *subject)
+{
+    return subject->scene->is_unlit;
+}
+
+static bool has_background(const struct subject *subject)
+{
+    return subject->scene->has_background;
+}
+
 static const struct idle_option {
     const char *name;
     enum subject_kind kind;
@@ -71,11 +81,14 @@ static const struct idle_option {
     {"unlit", OF_SCENE, is_compiled, "", " is compiled already"},
     {"drop-small", OF_SCENE, is_compiled, "", " is compiled already"},
     {"background", OF_SCENE, is_compiled, "", " is compiled already"},
+    {"background", OF_SCENE, has_background, "outlines have their own, of ", ""},
+    {"fill", OF_SCENE, is_set, "", " is sorted, and not filled as it is found"},
     {"up", OF_SCENE, is_compiled, "", " is compiled already"},
     {"reverse-faces", OF_SCENE, is_compiled, "", " is compiled already"},
     {"two-sided", OF_SCENE, is_compiled, "", " is compiled already"},
     {"movers", OF_SCENE, was_still, "nothing moves in ", ""},
     {"mover-light", OF_SCENE, is_still, "nothing moves in ", ""},
+    {"mover-light", OF_SCENE, is_unlit, "--unlit leaves nothing lit in ", ""},
     {"fps", OF_SCENE, is_still, "nothing moves in ", ""},
 };
 enum { OPTION_COUNT = sizeof OPTIONS / sizeof OPTIONS[0] };

@@ -25,10 +25,12 @@ void idle_options_note_panel(const struct idle_options *options, const struct pa
 
 struct idle_scene {
     const char *name;
-    bool is_compiled; /* before, into a .lim file */
-    bool is_set;      /* without a tree */
-    bool is_still;    /* nothing is drawn moving */
-    bool was_still;   /* nor has the file anything that could move */
+    bool is_compiled;    /* before, into a .lim file */
+    bool is_set;         /* without a tree */
+    bool is_still;       /* nothing is drawn moving */
+    bool was_still;      /* nor has the file anything that could move */
+    bool is_unlit;       /* without light */
+    bool has_background; /* drawn as outlines in two colours */
 };
 
 void idle_options_note_scene(const struct idle_options *options, const struct idle_scene *scene);

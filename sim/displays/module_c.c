@@ -21,7 +21,8 @@ static void write_header(FILE *file, const struct module_choice *choice, const s
                          const struct c_name *name)
 {
     const struct panel *panel = display->panel;
-    const bool is_mono = panel->format == PANEL_MONO_PAGES || panel->format == PANEL_MONO_LINES;
+    const bool is_mono = panel_choice_is_mono(&choice->panel);
+    const struct lim_wireframe outlines = panel_choice_outlines(&choice->panel);
 
     fprintf(file, "/* A display's module, written by `limner module`. */\n");
     fprintf(file, "#ifndef %s_MODULE_H\n#define %s_MODULE_H\n\n#include \"screen.h\"\n\n", name->macro, name->macro);
@@ -34,7 +35,12 @@ static void write_header(FILE *file, const struct module_choice *choice, const s
     fprintf(file, "#define MODULE_W_PX %u\n#define MODULE_H_PX %u\n", panel->w_px, panel->h_px);
     fprintf(file, "#define MODULE_CAMERA_TURN %s\n", c_field_rotation_name(display->camera_turn));
     fprintf(file, "#define MODULE_FORMAT %s\n", c_field_format_name(panel->format));
-    fprintf(file, "#define MODULE_MONO %d\n#define MODULE_ROUND %d\n\n", is_mono, panel->visible != NULL);
+    fprintf(file, "#define MODULE_MONO %d\n#define MODULE_ROUND %d\n", is_mono, panel->visible != NULL);
+    fprintf(file, "/* A struct lim_wireframe that can be read on it. */\n#define MODULE_OUTLINES {.on = true");
+    if (outlines.one_colour)
+        fprintf(file, ", .one_colour = true, .colour = 0x%04X, .background = 0x%04X", outlines.colour,
+                outlines.background);
+    fprintf(file, "}\n\n");
     fprintf(file, "/* Bytes for screen_init() of so many lines. */\n");
     fprintf(file, "#define MODULE_LINES_MEM_B(n_lines) %s(MODULE_W_PX, n_lines)\n\n", lines_macro(panel));
     fprintf(file, "struct board;\n\nHAL_C_BEGIN\n\n");

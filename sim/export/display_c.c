@@ -195,7 +195,7 @@ static const char START[] =
     "    if (!err) err = lim_set_antialias(&lim, smooth_mem, sizeof smooth_mem);\n"
     "#endif\n"
     "#if LIM_HAS_WIREFRAME\n"
-    "    if (!err) lim_set_wireframe(&lim, &(const struct lim_wireframe){.on = true});\n"
+    "    if (!err) lim_set_wireframe(&lim, &(const struct lim_wireframe)MODULE_OUTLINES);\n"
     "#endif\n"
     "    return err;\n"
     "}\n";

@@ -11,7 +11,11 @@
  * face looks at it, a quarter where it looks away. Faces whose material is unlit keep theirs. */
 void light_bake(struct model *model);
 
+/* For a panel of black and white pixels: tones (mono_tones.h), and more between light and shade. */
+void light_bake_mono(struct model *model);
+
 /* The same light for firmware that lights movers in each frame. */
 struct lim_light light_lamp(void);
+struct lim_light light_lamp_mono(void);
 
 #endif

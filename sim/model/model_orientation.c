@@ -83,16 +83,18 @@ static int stands_on(const struct model *model)
     return z >= STANDS && y < LIES_BESIDE ? 2 : 0;
 }
 
-static bool is_z_up(const struct orientation *orientation, bool z_by_custom, struct model *model)
+static const char MOSTLY_Z[] = "z is up, as in most files of that kind; --up y, if not";
+
+static bool is_z_up(const struct orientation *orientation, enum up_custom custom, struct model *model)
 {
     if (orientation->up != UP_BY_EVIDENCE) return orientation->up == UP_Z;
+    if (custom == CUSTOM_ALWAYS_Z) return true;
     const int axis = stands_on(model);
-    if (!z_by_custom && axis == 2) model_note(model, "it stands on its least z: --up z, if it lies on its back");
-    if (!z_by_custom) return false;
+    if (custom == CUSTOM_Y && axis == 2) model_note(model, "it stands on its least z: --up z, if it lies on its back");
+    if (custom == CUSTOM_Y) return false;
     if (axis == 1) model_note(model, "y is up, it stands on its least y; --up z, if not");
     if (axis == 1) return false;
-    model_note(model, axis == 2 ? "z is up, it stands on its least z; --up y, if not"
-                                : "z is up, as in most files of that kind; --up y, if not");
+    model_note(model, axis == 2 ? "z is up, it stands on its least z; --up y, if not" : MOSTLY_Z);
     return true;
 }
 
@@ -116,6 +118,16 @@ static void turn_pose(struct model_pose *pose)
     pose->turn[1] = h * (y + z);
     pose->turn[2] = h * (z - y);
     pose->turn[3] = h * (w + x);
+}
+
+/* What the importer did to it is undone. It has no animations then. */
+static void turn_back(struct model *model)
+{
+    for (size_t i = 0; i < model->point_count; i++) {
+        const double y_m = model->points[i][1];
+        model->points[i][1] = -model->points[i][2];
+        model->points[i][2] = y_m;
+    }
 }
 
 static void turn_up(struct model *model)
@@ -142,15 +154,34 @@ static void reverse_faces(struct model *model)
     model->faces_were_reversed = true;
 }
 
-void orientation_apply(const struct orientation *orientation, bool z_by_custom, struct model *model)
+/* As it was handed over its least z is its least y. */
+static void apply_to_turned(const struct orientation *orientation, struct model *model)
 {
-    if (is_z_up(orientation, z_by_custom, model)) turn_up(model);
+    if (orientation->up == UP_Y) turn_back(model);
+    if (orientation->up == UP_BY_EVIDENCE && stands_on(model) != 1) model_note(model, MOSTLY_Z);
+}
+
+/* Some importers hand over faces that all have two sides (OFF). */
+static void note_winding(const struct orientation *orientation, struct model *model)
+{
+    if (orientation->two_sided || !winding_is_clockwise(model)) return;
+    if (orientation->reverse_faces)
+        model_note(model, "faces run clockwise now: leave out --reverse-faces");
+    else
+        model_note(model, model->faces[0].two_sided ? "faces run clockwise, it is lit from inside: --reverse-faces"
+                                                    : "faces run clockwise, it is seen from inside: --reverse-faces");
+}
+
+void orientation_apply(const struct orientation *orientation, enum up_custom custom, struct model *model)
+{
+    if (custom == CUSTOM_TURNED)
+        apply_to_turned(orientation, model);
+    else if (is_z_up(orientation, custom, model))
+        turn_up(model);
     if (orientation->reverse_faces) reverse_faces(model);
+    note_winding(orientation, model);
     for (size_t i = 0; i < model->face_count && orientation->two_sided; i++)
         model->faces[i].two_sided = true;
-    if (!winding_is_clockwise(model)) return;
-    model_note(model, orientation->reverse_faces ? "faces run clockwise now: leave out --reverse-faces"
-                                                 : "faces run clockwise, it is seen from inside: --reverse-faces");
 }
 
 void orientation_point(const struct model *model, double at_m[3])

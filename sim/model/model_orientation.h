@@ -10,6 +10,14 @@
 
 enum model_up { UP_BY_EVIDENCE, UP_Y, UP_Z };
 
+/* What files of a format have, and how the importer hands it over. */
+enum up_custom {
+    CUSTOM_Y, /* y up, or nobody knows */
+    CUSTOM_Z, /* mostly z up (STL): unless the model stands on the side of its least y and not on that of its least z */
+    CUSTOM_ALWAYS_Z, /* z up by the program that writes them (Blender, trueSpace) */
+    CUSTOM_TURNED    /* mostly z up, and the importer has turned them by a quarter, asked or not (3ds Max's) */
+};
+
 struct orientation {
     enum model_up up;
     bool reverse_faces; /* the file's are clockwise, seen from outside */
@@ -26,9 +34,8 @@ enum orientation_code { ORIENTATION_UP = 1024, ORIENTATION_REVERSE_FACES, ORIENT
 bool orientation_parse(int code, const char *text, struct orientation *out, struct error *err);
 
 /* Turns the model, whose coordinates are the file's, so that y is up. Notices tell what was found out without being
- * asked, and what looks wrong. `z_by_custom`: files of that format have z up by custom (STL), unless the model stands
- * on the side of its least y and not on that of its least z. */
-void orientation_apply(const struct orientation *orientation, bool z_by_custom, struct model *model);
+ * asked, and what looks wrong. */
+void orientation_apply(const struct orientation *orientation, enum up_custom custom, struct model *model);
 
 /* A point of the same file, as orientation_apply() has turned the model's. Exact. */
 void orientation_point(const struct model *model, double at_m[3]);

@@ -6,9 +6,10 @@
 
 #include "model/model.h"
 
-/* Whether the model's one-sided faces enclose something, with each edge between two of them that run along it in
- * opposite directions, and the volume that they enclose is negative: seen from outside their corners run clockwise.
- * Points at one place count as one. */
+/* Whether the model's faces, all of one side or all of two, enclose something, with each edge between two of them that
+ * run along it in opposite directions, and the volume that they enclose is negative: seen from outside their corners
+ * run clockwise. Of faces of two sides, of which light asks for the right one, a tenth of the edges may be open. Points
+ * at one place count as one. */
 bool winding_is_clockwise(const struct model *model);
 
 #endif

@@ -291,7 +291,9 @@ static void watch_log(const char *message, char *dropped)
 static bool refuse(const char *path, struct error *err)
 {
     const char *reason = aiGetErrorString();
-    if (strstr(reason, "No suitable reader")) reason = "not in a format that the importer knows";
+    /* Whatever nobody else takes is tried as Blender's. */
+    const bool is_unknown = strstr(reason, "BLENDER magic") && !path_has_suffix(path, ".blend");
+    if (is_unknown || strstr(reason, "No suitable reader")) reason = "not in a format that the importer knows";
     if (strstr(reason, "bad_alloc")) reason = "it asks for more memory than the importer gets";
     size_t length = strlen(reason);
     while (length > 0 && strchr(" .\r\n", reason[length - 1]))

@@ -5,10 +5,24 @@
 #include "readers/model_import.h"
 #include "readers/whole_file.h"
 
+/* Which way up formats are, that assimp hands over as they are, but for those of 3ds Max. */
+static const struct {
+    const char *suffix;
+    enum up_custom custom;
+} CUSTOMS[] = {{".stl", CUSTOM_Z},        {".blend", CUSTOM_ALWAYS_Z}, {".cob", CUSTOM_ALWAYS_Z},
+               {".scn", CUSTOM_ALWAYS_Z}, {".3ds", CUSTOM_TURNED},     {".ase", CUSTOM_TURNED}};
+
+static enum up_custom custom_of(const char *path)
+{
+    for (size_t i = 0; i < sizeof CUSTOMS / sizeof *CUSTOMS; i++)
+        if (path_has_suffix(path, CUSTOMS[i].suffix)) return CUSTOMS[i].custom;
+    return CUSTOM_Y;
+}
+
 bool model_read(const char *path, const struct orientation *orientation, struct model *model, struct error *err)
 {
     if (!model_import(path, model, err)) return false;
     flat_texture_find(model);
-    orientation_apply(orientation, path_has_suffix(path, ".stl"), model);
+    orientation_apply(orientation, custom_of(path), model);
     return true;
 }

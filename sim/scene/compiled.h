@@ -59,6 +59,7 @@ struct compile_report {
     double worst_violation_units; /* certified: how far any vertex lies on the wrong side */
     char splitter[16];            /* the heuristic that won */
     bool antialias;               /* firmware can draw it with antialiased edges */
+    bool mono;                    /* lit for black and white pixels */
     bool wireframe;               /* firmware can draw it as wireframe */
     uint16_t delta_runs;          /* firmware can send what changes alone, which takes so many runs; 0: it cannot */
     bool overlay;                 /* firmware can draw over its frames */

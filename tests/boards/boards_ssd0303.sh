@@ -19,7 +19,7 @@ compile_scene() { # CAMERA
     mkdir -p "$work/objects"
     echo "$1" >"$work/path.cam"
     "$limner" compile $model --size 96x16 -o "$work/model" &&
-        "$limner" render "$model" --camera "$work/path.cam" --size 96x16 --panel ssd1306 --write-hashes "$work/golden" \
+        "$limner" render "$work/model.lim" --camera "$work/path.cam" --size 96x16 --panel ssd1306 --write-hashes "$work/golden" \
             --write-cameras "$work/cameras.h" -o "$work/golden-%d.png" &&
         compile "$work/model.c" "$PWD"/firmware/*.c "$PWD"/firmware/*/*.c "$PWD"/hal/*.c "$PWD/tests/i2c_board/board.c" \
             "$PWD"/boards/common/screen.c "$PWD"/boards/common/walker.c "$PWD"/boards/common/bare_image.c \

@@ -95,10 +95,21 @@ frame='--camera random:1:1'
     tap_check "one may be drawn as a set" says_nothing render "$work/compiled.lim" $frame --tree none -o OUT/%d.png
     tap_check "a set has no planes" changes_nothing "--splitter: no plane divides the set of $still" "--splitter fewest" \
         render $still $frame --tree none -o OUT/%d.png
+    tap_check "outlines in two colours have their own background" changes_nothing \
+        "--background: outlines have their own, of $still" "--background 102030" \
+        render $still $frame --wireframe=FFFFFF,000000 -o OUT/%d.png
+    tap_check "so have those of black and white panels" changes_nothing \
+        "--background: outlines have their own, of $still" "--background 102030" \
+        render $still $frame --wireframe --panel ssd1306 -o OUT/%d.png
+    tap_check "those in their own colours do not" says_nothing render $still $frame --wireframe --background 102030 -o OUT/%d.png
+    tap_check "what is not lit is not lit as it moves" changes_nothing "--mover-light: --unlit leaves nothing lit in $moving" \
+        "--mover-light turning" render $moving $frame --unlit -o OUT/%d.png
     tap_check "a tree has" says_nothing render $still $frame --splitter fewest -o OUT/%d.png
 }
 tap_check "a still model is compiled" changes_nothing "--movers: nothing moves in $still" "--movers centre" \
     compile "$still" -o OUT/scene
+tap_check "a set is sorted, and not filled" changes_nothing "--fill: $still is sorted, and not filled as it is found" "--fill" \
+    compile "$still" --tree none -o OUT/scene
 tap_check "two of which one moves" says_nothing compile "$still" "$moving" --movers centre -o OUT/scene
 tap_check "two that stand still" changes_nothing "--movers: nothing moves in these models
 --mover-light: nothing moves in these models" "--movers centre --mover-light turning" \

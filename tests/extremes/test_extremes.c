@@ -240,7 +240,7 @@ static void rolled_and_long_views_of_closed_scenes_show_no_background(void **sta
         for (int f = 0; f < effort(ROLLED_FRAMES); f++) {
             struct viewpoint viewpoint = closed_scene_viewpoint(&stage.closed, &random);
             const struct camera_path path = {"random", &viewpoint, 1};
-            const struct lens lens = {1.0 / 60, 1.0 / 60, 0.01};
+            const struct lens lens = {1.0 / 60, 1.0 / 60, 0.01, 240};
             struct lim_camera camera;
             struct canvas canvas;
             struct lim_stats stats;

@@ -74,6 +74,7 @@ static void open_file(struct golden_stage *stage, const char *model, const char 
     snprintf(path, sizeof path, "sim/scenes/%s", model);
     bool ok = moving_compile(path, &options, &movers, &stage->scene, &stage->moving, &err);
     if (ok) ok = lens_init(&stage->lens, 70, lens_default_near_m(&stage->scene.grid), GOLDEN_W_PX, GOLDEN_H_PX, &err);
+    stage->lens.least_side_px = SMALL_SIDE_PX + 1; /* the orbit of larger pictures */
     snprintf(path, sizeof path, "sim/scenes/%s", cameras ? cameras : "");
     if (ok)
         ok = cameras ? camera_path_read(path, &whole, &err)

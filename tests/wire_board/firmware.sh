@@ -23,7 +23,7 @@ compile_scene() {
 make_firmware() { # SIZE RENDERED-PANEL PANEL OPTION...
     size=$1 rendered=$2
     shift 2
-    "$limner" render "$model" --camera "$work/path.cam" --size "$size" --panel "$rendered" \
+    "$limner" render "$work/model.lim" --camera "$work/path.cam" --size "$size" --panel "$rendered" \
         --write-hashes "$work/golden" --write-cameras "$work/cameras.h" &&
         "$limner" module --panel "$@" -o "$work/module" &&
         compile "$work/module.c" "$PWD/boards/common/main.c" "$PWD/boards/common/app_scene.c" &&

@@ -317,16 +317,55 @@ static void orbit_fills_the_view_with_the_whole_scene(void **state)
     static const struct lim_vertex corners[] = {{-100, 0, -3000}, {100, 0, -3000}, {100, 900, 20}, {-100, 7, 3000}};
     const struct compiled scene = {.scene = {.vertices = corners, .vertex_count = 4},
                                    .grid = {.origin_m = {5.0, 6.0, 7.0}, .units_per_m = 100.0}};
-    static const struct lens lenses[] = {{1.0, 0.5, 0.1}, {0.3, 1.0, 0.1}, {4.0, 0.02, 0.1}};
+    static const struct lens lenses[] = {{1.0, 0.5, 0.1, 240}, {0.3, 1.0, 0.1, 240}, {4.0, 0.02, 0.1, 240}};
     for (int i = 0; i < 3; i++) {
         double extent = orbit_extent(&scene, &lenses[i]);
         assert_true(extent > 0.9 && extent < 1.0);
     }
 }
 
+/* How much of the picture's height the scene's corners take, over all frames; all of them are in view. */
+static double height_taken(const struct compiled *scene, const struct lens *lens)
+{
+    struct camera_path path;
+    struct error err;
+    double least = 1.0, most = -1.0;
+    assert_true(camera_path_orbit(scene, lens, 16, &path, &err));
+    for (size_t frame = 0; frame < path.count; frame++) {
+        struct view_axes axes;
+        viewpoint_axes(&path.frames[frame], &axes);
+        for (lim_index v = 0; v < scene->scene.vertex_count; v++) {
+            const struct lim_vertex *vertex = &scene->scene.vertices[v];
+            const double units[3] = {vertex->x, vertex->y, vertex->z};
+            double p[3];
+            for (int i = 0; i < 3; i++)
+                p[i] = scene->grid.origin_m[i] + units[i] / scene->grid.units_per_m - path.frames[frame].eye_m[i];
+            const double depth_m = dot(p, axes.forward), at = dot(p, axes.up) / (lens->tan_y * depth_m);
+            assert_true(fabs(at) < 1.0 && fabs(dot(p, axes.right)) < lens->tan_x * depth_m);
+            least = fmin(least, at);
+            most = fmax(most, at);
+        }
+    }
+    camera_path_free(&path);
+    return (most - least) / 2.0;
+}
+
+/* A box, twice as wide as high, in a picture that is twice as wide as high. */
+static void small_pictures_are_filled_from_top_to_bottom(void **state)
+{
+    (void)state;
+    static const struct lim_vertex corners[] = {{-900, 0, -900},   {900, 0, -900},   {900, 0, 900},   {-900, 0, 900},
+                                                {-900, 900, -900}, {900, 900, -900}, {900, 900, 900}, {-900, 900, 900}};
+    const struct compiled scene = {.scene = {.vertices = corners, .vertex_count = 8}, .grid = {.units_per_m = 100.0}};
+    const struct lens large = {1.0, 0.5, 0.1, 120}, small = {1.0, 0.5, 0.1, 64};
+    assert_true(height_taken(&scene, &small) > 0.95);
+    assert_true(height_taken(&scene, &large) < 0.9);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(small_pictures_are_filled_from_top_to_bottom),
         cmocka_unit_test(file_with_comments_and_blank_lines_is_read),
         cmocka_unit_test(bad_line_is_named_with_its_number_and_reason),
         cmocka_unit_test(nul_byte_in_a_line_is_refused),

@@ -200,6 +200,68 @@ static void the_reference_follows(void **state)
     model_free(&model);
 }
 
+static void write_off(const char *path, bool open, bool clockwise)
+{
+    const struct pyramid pyramid = {.up = 1, .height = 3};
+    FILE *file = fopen(path, "w");
+    assert_non_null(file);
+    fprintf(file, "OFF\n5 %d 0\n", open ? 4 : 6);
+    for (int i = 0; i < 5; i++) {
+        double at[3];
+        place(&pyramid, i, at);
+        fprintf(file, "%g %g %g\n", at[0], at[1], at[2]);
+    }
+    for (int i = open ? 2 : 0; i < 6; i++)
+        fprintf(file, "3 %d %d %d\n", FACES[i][clockwise ? 2 : 0], FACES[i][1], FACES[i][clockwise ? 0 : 2]);
+    fclose(file);
+}
+
+/* Faces of OFF files have two sides, as they are read: nothing is hidden, but light asks which is outside. */
+static void what_is_lit_from_inside_is_noticed(void **state)
+{
+    (void)state;
+    for (int way = 0; way < 4; way++) {
+        write_off("a.off", way & 1, way & 2);
+        struct model model;
+        struct error err;
+        assert_true(model_read("a.off", &(struct orientation){0}, &model, &err));
+        unlink("a.off");
+        assert_notice(&model, way == 2 ? "it is lit from inside: --reverse-faces" : "");
+        model_free(&model);
+    }
+}
+
+/* Formats with a custom: a point one up by it, as the importer hands it over, and where it is then. */
+static void customs_of_formats_and_what_is_said_decide(void **state)
+{
+    (void)state;
+    static const struct {
+        enum up_custom custom;
+        enum model_up up;
+        double is[3];
+        const char *notice;
+    } cases[] = {
+        {CUSTOM_Y, UP_BY_EVIDENCE, {1, 2, 3}, ""},
+        {CUSTOM_Z, UP_BY_EVIDENCE, {1, 3, -2}, "--up y, if not"},
+        {CUSTOM_ALWAYS_Z, UP_BY_EVIDENCE, {1, 3, -2}, ""},
+        {CUSTOM_ALWAYS_Z, UP_Y, {1, 2, 3}, ""},
+        {CUSTOM_ALWAYS_Z, UP_Z, {1, 3, -2}, ""},
+        {CUSTOM_TURNED, UP_BY_EVIDENCE, {1, 2, 3}, "--up y, if not"},
+        {CUSTOM_TURNED, UP_Z, {1, 2, 3}, ""},
+        {CUSTOM_TURNED, UP_Y, {1, -3, 2}, ""},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        double points[4][3] = {{1, 2, 3}, {0, 0, 0}, {5, 0, 1}, {0, 5, 2}};
+        uint32_t corners[3] = {1, 2, 3};
+        struct model_face face = {.count = 3};
+        struct model model = {
+            .points = points, .point_count = 4, .corners = corners, .corner_count = 3, .faces = &face, .face_count = 1};
+        orientation_apply(&(struct orientation){.up = cases[i].up}, cases[i].custom, &model);
+        assert_memory_equal(points[0], cases[i].is, sizeof points[0]);
+        assert_notice(&model, cases[i].notice);
+    }
+}
+
 /* A mover's own coordinates stay: where it is placed turns. */
 static void movers_turn_with_the_model(void **state)
 {
@@ -218,7 +280,7 @@ static void movers_turn_with_the_model(void **state)
                           .keys = &key,
                           .key_count = 1};
     const struct model_pose before[2] = {mover.rest, key.pose};
-    orientation_apply(&(struct orientation){.up = UP_Z}, false, &model);
+    orientation_apply(&(struct orientation){.up = UP_Z}, CUSTOM_Y, &model);
     const struct model_pose after[2] = {mover.rest, key.pose};
     for (int i = 0; i < 2; i++) {
         const double own[3] = {0.3, -1.7, 2.9};
@@ -304,6 +366,8 @@ int main(void)
         cmocka_unit_test(other_files_have_y_up_and_those_that_lie_are_noticed),
         cmocka_unit_test(a_closed_model_that_runs_clockwise_is_noticed),
         cmocka_unit_test(what_is_open_or_two_sided_has_no_inside),
+        cmocka_unit_test(what_is_lit_from_inside_is_noticed),
+        cmocka_unit_test(customs_of_formats_and_what_is_said_decide),
         cmocka_unit_test(the_reference_follows),
         cmocka_unit_test(movers_turn_with_the_model),
         cmocka_unit_test(faces_of_one_colour_lose_their_picture),
