@@ -1,11 +1,10 @@
 /* SPDX-License-Identifier: MIT
  *
  * Draws on a panel of ESP-IDF's esp_lcd (5.2 and later), which returns while DMA still reads: lines are gathered in two
- * blocks, of which one is filled while the other is on its way, until on_color_trans_done says that it has arrived.
- *
+ * blocks, of which one is filled while the other is on its way, until on_color_trans_done says that it has arrived:
  *     static uint16_t blocks[2 * 8 * 240]; // 8 lines each, in memory that DMA reads
  *     static struct limner_esp_lcd display = {.memory = &house_memory, .blocks = blocks, .blocks_b = sizeof blocks};
- *     int err = limner_esp_lcd_begin(&display, panel, io); // 0, LIM_ERR_MEMORY, or an esp_err_t, negative
+ *     int err = limner_esp_lcd_begin(&display, panel, io);                       // LIM_ERR_MEMORY, -esp_err_t
  *     if (!err) err = house_begin(&house_memory, limner_esp_lcd_send, &display); */
 #ifndef LIMNER_ESP_LCD_H
 #define LIMNER_ESP_LCD_H
@@ -30,8 +29,7 @@ struct limner_esp_lcd {
 static inline bool limner_esp_lcd_arrived(esp_lcd_panel_io_handle_t io, esp_lcd_panel_io_event_data_t *data, void *ctx)
 {
     BaseType_t woken = pdFALSE;
-    (void)io, (void)data;
-    return xSemaphoreGiveFromISR(((struct limner_esp_lcd *)ctx)->arrived, &woken) && woken;
+    return (void)io, (void)data, xSemaphoreGiveFromISR(((struct limner_esp_lcd *)ctx)->arrived, &woken) && woken;
 }
 
 static inline int limner_esp_lcd_begin(struct limner_esp_lcd *to, esp_lcd_panel_handle_t panel,

@@ -61,7 +61,7 @@ footprint_ram() {
 
 # Where calls through pointers lead, in the project's folder.
 footprint_pointers() {
-    find -L firmware hal boards -name '*.[ch]' -exec awk -f sim/tools/pointers.awk {} +
+    find -L firmware hal boards -name '*.[ch]' ! -path 'hal/adapters/*' -exec awk -f sim/tools/pointers.awk {} +
 }
 
 # footprint_stack CORE FOLDER: the bytes and the path, without what the target's functions take.
