@@ -279,18 +279,11 @@
 #define LIM_8_BIT 0
 #endif
 
-/* Whether this is an Xtensa with the call0 convention, as the LX106 of an ESP8266: that multiplies 32 x 32 -> 32 bits
- * and does not divide (Tensilica's core-isa.h for it). Those of ESP32s, which do more, have register windows. */
-#if defined(__XTENSA_CALL0_ABI__)
-#define LIM_LX106 1
-#else
-#define LIM_LX106 0
-#endif
-
-/* Whether the processor has an instruction to divide by. */
+/* Whether the processor has an instruction to divide by. An Xtensa with the call0 convention is the LX106 of an
+ * ESP8266, which has none (Tensilica's core-isa.h for it). */
 #ifndef LIM_DIVIDES
 #if (defined(__arm__) && !defined(__ARM_FEATURE_IDIV)) || (defined(__riscv) && !defined(__riscv_div)) || LIM_8_BIT ||  \
-    LIM_LX106
+    defined(__XTENSA_CALL0_ABI__)
 #define LIM_DIVIDES 0
 #else
 #define LIM_DIVIDES 1
@@ -298,7 +291,7 @@
 #endif
 
 /* Whether 32 x 32 -> 64 is an instruction; where it is a library call, limbs of 16 bits take its place. */
-#if defined(__ARM_ARCH_6M__) || defined(__AVR__) || LIM_LX106
+#if defined(__ARM_ARCH_6M__) || defined(__AVR__) || defined(__XTENSA_CALL0_ABI__)
 #define LIM_LONG_MULTIPLY 0
 #else
 #define LIM_LONG_MULTIPLY 1

@@ -119,10 +119,10 @@ static bool name_files(const struct export_request *request, struct compile_resu
     return true;
 }
 
-static bool write_folder(const struct export *export, struct export_folder *folder, struct error *err)
+static bool write_folder(const struct export_plan *plan, struct export_folder *folder, struct error *err)
 {
     struct outputs outputs = {0};
-    const bool ok = export_put(export, &outputs, err) && export_folder_list(folder, &outputs, err);
+    const bool ok = export_put(plan, &outputs, err) && export_folder_list(folder, &outputs, err);
     if (!scene_files_finish(&outputs, ok, err)) return false;
     export_folder_tidy(folder);
     return true;
@@ -134,18 +134,18 @@ static bool run(struct export_request *request, struct error *err)
     struct compile_result result = {0};
     bool ok = export_folder_open(&folder, request->folder, err) &&
               compile_request_run(&request->compile, &result, err) && name_files(request, &result, err);
-    const struct export export = {.world = request->world,
-                                  .folder = request->folder,
-                                  .name = &request->name,
-                                  .scenes = result.named,
-                                  .count = result.count,
-                                  .module = request->has_module ? &request->module : NULL,
-                                  .w_px = request->compile.compile.w_px,
-                                  .h_px = request->compile.compile.h_px,
-                                  .command = request->command};
-    ok = ok && write_folder(&export, &folder, err);
+    const struct export_plan plan = {.world = request->world,
+                                     .folder = request->folder,
+                                     .name = &request->name,
+                                     .scenes = result.named,
+                                     .count = result.count,
+                                     .module = request->has_module ? &request->module : NULL,
+                                     .w_px = request->compile.compile.w_px,
+                                     .h_px = request->compile.compile.h_px,
+                                     .command = request->command};
+    ok = ok && write_folder(&plan, &folder, err);
     if (ok) compile_result_report(&request->compile, &result);
-    if (ok) export_report(&export);
+    if (ok) export_report(&plan);
     compile_result_free(&result);
     export_folder_free(&folder);
     return ok;

@@ -19,26 +19,16 @@ static bool is_turned(const struct display *display)
     return display->camera_turn == PANEL_TURNED_90 || display->camera_turn == PANEL_TURNED_270;
 }
 
-bool display_c_is_filled(const struct export *export)
+static bool scene_name(const struct export_plan *plan, size_t i, struct c_name *name, struct error *err)
 {
-    struct display display;
-    struct error err;
-    const struct needs needs = c_header_needs(export->scenes, export->count);
-    if (!export->module || !idle_display_setup(&display, export->module, &err)) return false;
-    return display.panel->step_y_px > 1 && needs.convex && !needs.nearest && !needs.scanline && !needs.painter &&
-           !needs.depth && !needs.newell && !needs.textures && !needs.delta;
+    return c_name_init(name, plan->scenes[i].name, err);
 }
 
-static bool scene_name(const struct export *export, size_t i, struct c_name *name, struct error *err)
+static void write_head(const struct export_plan *plan, FILE *out)
 {
-    return c_name_init(name, export->scenes[i].name, err);
-}
-
-static void write_head(const struct export *export, FILE *out)
-{
-    const struct c_name *name = export->name;
+    const struct c_name *name = plan->name;
     fprintf(out, "/* %s on %s, with the memory that both take; written by `limner export`.\n *\n", name->symbol,
-            export->module->panel.name);
+            plan->module->panel.name);
     fputs(" *     a port fills a struct board (limner_display.h): the bus and the pins that the display hangs on\n",
           out);
     fprintf(out, " *     int err = %s_display_begin(&board);\n", name->symbol);
@@ -50,41 +40,41 @@ static void write_head(const struct export *export, FILE *out)
     fprintf(out, "#include \"%s.h\"\n#include \"limner_display.h\"\n\nLIM_C_BEGIN\n\n", name->symbol);
 }
 
-static void write_sizes(const struct export *export, const struct display *display, FILE *out)
+static void write_sizes(const struct export_plan *plan, const struct display *display, FILE *out)
 {
-    const char *macro = export->name->macro;
+    const char *macro = plan->name->macro;
     const unsigned w_px = display->panel->w_px, h_px = display->panel->h_px;
     fputs("/* Of the picture. */\n", out);
     fprintf(out, "#define %s_DISPLAY_W_PX %u\n", macro, is_turned(display) ? h_px : w_px);
     fprintf(out, "#define %s_DISPLAY_H_PX %u\n", macro, is_turned(display) ? w_px : h_px);
     fputs("/* What its SPI may run at, and in which modes, 1 << mode each (spi_modes). */\n", out);
-    fprintf(out, "#define %s_DISPLAY_HZ UINT32_C(%" PRIu32 ")\n", macro, export->module->speed_hz);
-    fprintf(out, "#define %s_DISPLAY_SPI_MODES %u\n", macro, (unsigned)export->module->spi_modes);
+    fprintf(out, "#define %s_DISPLAY_HZ UINT32_C(%" PRIu32 ")\n", macro, plan->module->speed_hz);
+    fprintf(out, "#define %s_DISPLAY_SPI_MODES %u\n", macro, (unsigned)plan->module->spi_modes);
     fprintf(
         out,
         "/* A lens of %d degrees from top to bottom, for struct lim_camera; lim_camera_set_fov() makes others. */\n",
         EXPORT_FOV_DEG);
-    const double tan_y = tan(EXPORT_FOV_DEG / 360.0 * PI), tan_x = tan_y * export->w_px / export->h_px;
+    const double tan_y = tan(EXPORT_FOV_DEG / 360.0 * PI), tan_x = tan_y * plan->w_px / plan->h_px;
     fprintf(out, "#define %s_DISPLAY_TAN_X_Q28 UINT32_C(%.0f)\n", macro, tan_x * Q28);
     fprintf(out, "#define %s_DISPLAY_TAN_Y_Q28 UINT32_C(%.0f)\n\n", macro, tan_y * Q28);
 }
 
-bool display_c_write_header(const struct export *export, FILE *out, struct error *err)
+bool display_c_write_header(const struct export_plan *plan, FILE *out, struct error *err)
 {
     struct display display;
-    const char *symbol = export->name->symbol;
-    if (!idle_display_setup(&display, export->module, err)) return false;
-    write_head(export, out);
-    write_sizes(export, &display, out);
+    const char *symbol = plan->name->symbol;
+    if (!idle_display_setup(&display, plan->module, err)) return false;
+    write_head(plan, out);
+    write_sizes(plan, &display, out);
     fprintf(out,
             "/* Starts the display, and then the %sscene on it. The board must outlive it. May be called again when\n"
             " * something failed. */\n",
-            export->count > 1 ? "first " : "");
+            plan->count > 1 ? "first " : "");
     fprintf(out, "LIM_MUST_CHECK int %s_display_begin(const struct board *board);\n\n", symbol);
-    if (export->count > 1) fputs("/* From the next frame on. They share their memory. */\n", out);
-    for (size_t i = 0; export->count > 1 && i < export->count; i++) {
+    if (plan->count > 1) fputs("/* From the next frame on. They share their memory. */\n", out);
+    for (size_t i = 0; plan->count > 1 && i < plan->count; i++) {
         struct c_name name;
-        if (!scene_name(export, i, &name, err)) return false;
+        if (!scene_name(plan, i, &name, err)) return false;
         fprintf(out, "LIM_MUST_CHECK int %s_display_show(void);\n", name.symbol);
     }
     fputs("/* Draws a frame, and returns when the display has it. time_ms places what moves. */\n", out);
@@ -98,20 +88,20 @@ bool display_c_write_header(const struct export *export, FILE *out, struct error
 }
 
 /* The most movers of any scene. */
-static size_t most_movers(const struct export *export)
+static size_t most_movers(const struct export_plan *plan)
 {
     size_t most = 0;
-    for (size_t i = 0; i < export->count; i++)
-        if (export->scenes[i].moving && export->scenes[i].moving->count > most) most = export->scenes[i].moving->count;
+    for (size_t i = 0; i < plan->count; i++)
+        if (plan->scenes[i].moving && plan->scenes[i].moving->count > most) most = plan->scenes[i].moving->count;
     return most;
 }
 
 /* Where the smallest board has room for the least alone it gets no more than that. */
-static void write_pools(const struct export *export, FILE *out)
+static void write_pools(const struct export_plan *plan, FILE *out)
 {
-    const struct export_cost cost = export_cost(export);
-    const char *macro = export->name->macro;
-    if (export->world->is_avr && !export_has_room(export, cost.ram_b) && export_has_room(export, cost.least_ram_b))
+    const struct export_cost cost = export_cost(plan);
+    const char *macro = plan->name->macro;
+    if (plan->world->is_avr && !export_has_room(plan, cost.ram_b) && export_has_room(plan, cost.least_ram_b))
         fprintf(out,
                 "/* With the least memory the same frames take longer. */\n#if defined(__AVR__)\n#define POOLS_B %zu\n"
                 "#else\n#define POOLS_B %s_SCENE_MEM_B(MODULE_H_PX)\n#endif\n",
@@ -121,20 +111,20 @@ static void write_pools(const struct export *export, FILE *out)
     fputs("static void *pools[LIM_POINTERS(POOLS_B)];\n", out);
 }
 
-static bool write_memory(const struct export *export, FILE *out, struct error *err)
+static bool write_memory(const struct export_plan *plan, FILE *out, struct error *err)
 {
-    const char *macro = export->name->macro;
-    const size_t movers = most_movers(export);
+    const char *macro = plan->name->macro;
+    const size_t movers = most_movers(plan);
     struct c_name first;
-    if (!scene_name(export, 0, &first, err)) return false;
+    if (!scene_name(plan, 0, &first, err)) return false;
     fprintf(out, "#define USED_LINES SCREEN_USED_LINES(MODULE_FORMAT, MODULE_W_PX, MODULE_ROUND, %u)\n",
-            display_c_is_filled(export) ? 0u : export->world->line_count);
+            export_is_filled(plan) ? 0u : plan->world->line_count);
     fprintf(out,
             "#define LINES (%s_SCENE_LINES(MODULE_H_PX) > USED_LINES && !LIM_HAS_FILL ? "
             "%s_SCENE_LINES(MODULE_H_PX) : USED_LINES)\n\n",
             macro, macro);
     fputs("static struct screen screen;\nstatic struct lim lim;\n", out);
-    write_pools(export, out);
+    write_pools(plan, out);
     fputs("static uint32_t lines[MODULE_LINES_MEM_B(LINES) / 4];\n", out);
     fputs(
         "#if SCREEN_KEEPS_FRAME\nstatic uint32_t picture[SCREEN_FRAME_MEM_B(MODULE_W_PX, MODULE_H_PX) / 4];\n#endif\n",
@@ -160,16 +150,16 @@ static void write_movers(const struct named_scene *scene, const struct c_name *n
     if (scene->moving->light.on) fputs("    if (!err) lim_light_set(&lim, &light);\n", out);
 }
 
-static bool write_show(const struct export *export, size_t i, FILE *out, struct error *err)
+static bool write_show(const struct export_plan *plan, size_t i, FILE *out, struct error *err)
 {
-    const struct named_scene *scene = &export->scenes[i];
+    const struct named_scene *scene = &plan->scenes[i];
     struct c_name name;
-    if (!scene_name(export, i, &name, err)) return false;
-    fprintf(out, "\n%sint %s_display_show(void)\n{\n", export->count > 1 ? "" : "static ", name.symbol);
+    if (!scene_name(plan, i, &name, err)) return false;
+    fprintf(out, "\n%sint %s_display_show(void)\n{\n", plan->count > 1 ? "" : "static ", name.symbol);
     fprintf(out, "    int err = start(&%s_scene, %s_SCENE_METHOD);\n", name.symbol, name.macro);
     if (scene->moving)
         write_movers(scene, &name, out);
-    else if (most_movers(export))
+    else if (most_movers(plan))
         fputs("    moved = NULL;\n", out);
     fputs("    return err;\n}\n", out);
     return true;
@@ -206,33 +196,33 @@ static const char MOVING_FRAME[] =
     "    if (moved) lim_moved_at(moved, moved_count, time_ms, instances);\n"
     "    if (!err) err = moved ? lim_movers_frame(&lim, &turned, instances, moved_count) : lim_frame(&lim, &turned);\n";
 
-static bool write_calls(const struct export *export, FILE *out, struct error *err)
+static bool write_calls(const struct export_plan *plan, FILE *out, struct error *err)
 {
     struct c_name first;
-    if (!scene_name(export, 0, &first, err)) return false;
+    if (!scene_name(plan, 0, &first, err)) return false;
     fprintf(out,
             "\nint %s_display_begin(const struct board *board)\n{\n    struct panel *panel;\n"
             "    int err = module_setup(&panel, board);\n    if (!err) err = panel_init(panel);\n"
             "    screen.panel = panel;\n    return err ? err : %s_display_show();\n}\n",
-            export->name->symbol, first.symbol);
+            plan->name->symbol, first.symbol);
     fprintf(out,
             "\nint %s_display_frame(const struct lim_camera *camera, uint32_t time_ms)\n{\n"
             "    struct lim_camera turned = *camera;\n    int err = screen_begin_frame(&screen);\n"
             "    screen_turn_camera(&turned, MODULE_CAMERA_TURN);\n",
-            export->name->symbol);
-    fputs(most_movers(export) ? MOVING_FRAME : STILL_FRAME, out);
+            plan->name->symbol);
+    fputs(most_movers(plan) ? MOVING_FRAME : STILL_FRAME, out);
     fputs("    return err ? err : screen_end_frame(&screen);\n}\n", out);
-    fprintf(out, "\nstruct lim *%s_display_renderer(void)\n{\n    return &lim;\n}\n", export->name->symbol);
+    fprintf(out, "\nstruct lim *%s_display_renderer(void)\n{\n    return &lim;\n}\n", plan->name->symbol);
     return true;
 }
 
-static bool write_glue(const struct export *export, FILE *out, struct error *err)
+static bool write_glue(const struct export_plan *plan, FILE *out, struct error *err)
 {
-    if (!write_memory(export, out, err)) return false;
+    if (!write_memory(plan, out, err)) return false;
     fputs(START, out);
-    for (size_t i = 0; i < export->count; i++)
-        if (!write_show(export, i, out, err)) return false;
-    return write_calls(export, out, err);
+    for (size_t i = 0; i < plan->count; i++)
+        if (!write_show(plan, i, out, err)) return false;
+    return write_calls(plan, out, err);
 }
 
 /* The module's two files as texts, to be freed. */
@@ -258,39 +248,39 @@ static bool add_driver(const struct module_choice *module, struct amalgam *joine
     return amalgam_add(joined, family, out, err) && amalgam_add(joined, chip, out, err);
 }
 
-static bool add_glue(const struct export *export, struct amalgam *joined, FILE *out, struct error *err)
+static bool add_glue(const struct export_plan *plan, struct amalgam *joined, FILE *out, struct error *err)
 {
     char *glue = NULL;
     size_t glue_b;
     FILE *memory = open_memstream(&glue, &glue_b);
     if (!memory) return error_set(err, "no memory for a display");
-    bool ok = write_glue(export, memory, err);
+    bool ok = write_glue(plan, memory, err);
     fclose(memory);
     ok = ok && amalgam_add_text(joined, "the scene on the display", glue, out, err);
     free(glue);
     return ok;
 }
 
-bool display_c_write_source(const struct export *export, struct amalgam *joined, FILE *out, struct error *err)
+bool display_c_write_source(const struct export_plan *plan, struct amalgam *joined, FILE *out, struct error *err)
 {
     static const char *const folders[] = {"firmware/", "hal/", "boards/common/", NULL};
     char header_alias[64];
-    snprintf(header_alias, sizeof header_alias, "%s.h", export->module->panel.family->driver);
+    snprintf(header_alias, sizeof header_alias, "%s.h", plan->module->panel.family->driver);
     const char *const aliases[] = {"panels.h", header_alias, NULL};
     char *texts[2] = {NULL, NULL};
     joined->folders = folders;
     joined->aliases = aliases;
-    fprintf(out, "/* %s_display.h says what this is. */\n#include \"%s_display.h\"\n", export->name->symbol,
-            export->name->symbol);
-    if (export->module->panel.format == PANEL_MONO_PAGES) {
+    fprintf(out, "/* %s_display.h says what this is. */\n#include \"%s_display.h\"\n", plan->name->symbol,
+            plan->name->symbol);
+    if (plan->module->panel.format == PANEL_MONO_PAGES) {
         fputs("\n#define PIXELS_ONLY_PAGES 1\n", out);
         conditions_define(&joined->conditions, "PIXELS_ONLY_PAGES", "1");
     }
-    const bool ok = module_texts(export->module, texts, err) && add_driver(export->module, joined, out, err) &&
+    const bool ok = module_texts(plan->module, texts, err) && add_driver(plan->module, joined, out, err) &&
                     amalgam_add(joined, "boards/common/screen.c", out, err) &&
                     amalgam_add_text(joined, "boards/common/module.h", texts[0], out, err) &&
                     amalgam_add_text(joined, "boards/common/module.c", texts[1], out, err) &&
-                    add_glue(export, joined, out, err);
+                    add_glue(plan, joined, out, err);
     free(texts[0]);
     free(texts[1]);
     return ok;

@@ -6,14 +6,11 @@
 #define SIM_DISPLAY_C_H
 
 #include "export/amalgam.h"
-#include "export/export.h"
+#include "export/export_plan.h"
 
-/* Whether the display's runs are put into its pages at once, without a line of memory. */
-bool display_c_is_filled(const struct export *export);
-
-bool display_c_write_header(const struct export *export, FILE *out, struct error *err);
+bool display_c_write_header(const struct export_plan *plan, FILE *out, struct error *err);
 
 /* *joined knows what limner.h and limner_display.h hold. */
-bool display_c_write_source(const struct export *export, struct amalgam *joined, FILE *out, struct error *err);
+bool display_c_write_source(const struct export_plan *plan, struct amalgam *joined, FILE *out, struct error *err);
 
 #endif

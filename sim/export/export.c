@@ -32,51 +32,51 @@ static const char *const ROOMS[] = {"math/",   "view/",   "screen/", "pixels/", 
 
 enum { ORBIT_FRAMES = 36 };
 
-/* Estimates on the safe side of what is refused: the smallest renderer with a driver, and its stack. */
-enum { LEAST_CODE_B = 8192, LEAST_STACK_B = 640, STRUCTS_B = 400 };
+/* An estimate on the safe side of what is refused: the smallest renderer with a driver. */
+enum { LEAST_CODE_B = 8192 };
 
 struct export_orbit {
     double target_m[3], radius_m, near_m;
 };
 
-static FILE *open_in(const struct export *export, const char *folder, const char *name, char path[C_PATH_MAX_B],
+static FILE *open_in(const struct export_plan *plan, const char *folder, const char *name, char path[C_PATH_MAX_B],
                      struct outputs *outputs, struct error *err)
 {
-    if (snprintf(path, C_PATH_MAX_B, "%s/%s%s", export->folder, folder, name) >= C_PATH_MAX_B) {
-        error_set(err, "%s: the path is too long", export->folder);
+    if (snprintf(path, C_PATH_MAX_B, "%s/%s%s", plan->folder, folder, name) >= C_PATH_MAX_B) {
+        error_set(err, "%s: the path is too long", plan->folder);
         return NULL;
     }
     return outputs_open(outputs, path, err);
 }
 
-static void put_settings(const struct export *export, FILE *out)
+static void put_settings(const struct export_plan *plan, FILE *out)
 {
-    const struct needs needs = c_header_needs(export->scenes, export->count);
-    if (display_c_is_filled(export)) fputs("#define LIM_HAS_FILL 1\n#define LIM_HAS_LINES 0\n", out);
+    const struct needs needs = c_header_needs(plan->scenes, plan->count);
+    if (export_is_filled(plan)) fputs("#define LIM_HAS_FILL 1\n#define LIM_HAS_LINES 0\n", out);
     needs_write(&needs, out);
 }
 
 /* As text that amalgam.h learns the settings from. */
-static bool add_settings(const struct export *export, struct amalgam *joined, FILE *out, struct error *err)
+static bool add_settings(const struct export_plan *plan, struct amalgam *joined, FILE *out, struct error *err)
 {
     char *settings = NULL;
     size_t settings_b;
     FILE *memory = open_memstream(&settings, &settings_b);
     if (!memory) return error_set(err, "no memory for settings");
-    put_settings(export, memory);
+    put_settings(plan, memory);
     fclose(memory);
     const bool ok = amalgam_add_text(joined, "what the scene requires", settings, out, err);
     free(settings);
     return ok;
 }
 
-static bool write_header(const struct export *export, struct amalgam *joined, FILE *out, struct error *err)
+static bool write_header(const struct export_plan *plan, struct amalgam *joined, FILE *out, struct error *err)
 {
     fprintf(out,
             "/* Limner %d.%d.%d: solid 3D scenes on small displays. The renderer for %s, written by `limner export`.\n"
             " * MIT licence: see LICENSE. */\n#ifndef LIMNER_H\n#define LIMNER_H\n",
-            LIM_VERSION_MAJOR, LIM_VERSION_MINOR, LIM_VERSION_PATCH, export->name->symbol);
-    if (!add_settings(export, joined, out, err) || !amalgam_add(joined, "firmware/limner.h", out, err)) return false;
+            LIM_VERSION_MAJOR, LIM_VERSION_MINOR, LIM_VERSION_PATCH, plan->name->symbol);
+    if (!add_settings(plan, joined, out, err) || !amalgam_add(joined, "firmware/limner.h", out, err)) return false;
     if (conditions_ask(&joined->conditions, "LIM_HAS_OVERLAY") == KNOWN_TRUE &&
         (!amalgam_add(joined, "firmware/overlay.h", out, err) || !amalgam_add(joined, "firmware/text.h", out, err)))
         return false;
@@ -108,28 +108,28 @@ static bool write_renderer(struct amalgam *joined, FILE *out, struct error *err)
 }
 
 /* limner.h, and then whatever rests upon it. */
-typedef bool part_writer(const struct export *export, struct amalgam *joined, FILE *out, struct error *err);
+typedef bool part_writer(const struct export_plan *plan, struct amalgam *joined, FILE *out, struct error *err);
 
-static bool put_part(const struct export *export, const char *folder, const char *name, part_writer *write,
+static bool put_part(const struct export_plan *plan, const char *folder, const char *name, part_writer *write,
                      struct amalgam *joined, struct outputs *outputs, struct error *err)
 {
     char path[C_PATH_MAX_B];
-    FILE *out = open_in(export, folder, name, path, outputs, err);
+    FILE *out = open_in(plan, folder, name, path, outputs, err);
     if (!out) return false;
-    const bool ok = write(export, joined, out, err);
+    const bool ok = write(plan, joined, out, err);
     return outputs_close(out, path, err) && ok;
 }
 
-static bool renderer_part(const struct export *export, struct amalgam *joined, FILE *out, struct error *err)
+static bool renderer_part(const struct export_plan *plan, struct amalgam *joined, FILE *out, struct error *err)
 {
-    (void)export;
+    (void)plan;
     return write_renderer(joined, out, err);
 }
 
-static bool display_header_part(const struct export *export, struct amalgam *joined, FILE *out, struct error *err)
+static bool display_header_part(const struct export_plan *plan, struct amalgam *joined, FILE *out, struct error *err)
 {
     (void)joined;
-    return display_c_write_header(export, out, err);
+    return display_c_write_header(plan, out, err);
 }
 
 /* What a port fills. */
@@ -139,10 +139,10 @@ static bool add_wires(struct amalgam *joined, FILE *out, struct error *err)
 }
 
 /* It stands alone; *joined learns what is in it. */
-static bool wires_part(const struct export *export, struct amalgam *joined, FILE *out, struct error *err)
+static bool wires_part(const struct export_plan *plan, struct amalgam *joined, FILE *out, struct error *err)
 {
     struct amalgam alone = {.conditions.settled = SETTLED, .folders = FOLDERS};
-    (void)export;
+    (void)plan;
     fputs(
         "/* What a display hangs on: bus, pins and clock, which a port fills. Written by `limner export`. MIT licence: "
         "see\n * LICENSE. */\n#ifndef LIMNER_DISPLAY_H\n#define LIMNER_DISPLAY_H\n",
@@ -156,44 +156,44 @@ static bool wires_part(const struct export *export, struct amalgam *joined, FILE
     return ok;
 }
 
-static bool put_display(const struct export *export, struct amalgam *joined, struct outputs *outputs, struct error *err)
+static bool put_display(const struct export_plan *plan, struct amalgam *joined, struct outputs *outputs,
+                        struct error *err)
 {
     char header[C_NAME_MAX_B + 16], source[C_NAME_MAX_B + 16];
-    snprintf(header, sizeof header, "%s_display.h", export->name->symbol);
-    snprintf(source, sizeof source, "%s_display.c", export->name->symbol);
-    return put_part(export, export->world->header, "limner_display.h", wires_part, joined, outputs, err) &&
-           put_part(export, export->world->header, header, display_header_part, joined, outputs, err) &&
-           put_part(export, export->world->source, source, display_c_write_source, joined, outputs, err);
+    snprintf(header, sizeof header, "%s_display.h", plan->name->symbol);
+    snprintf(source, sizeof source, "%s_display.c", plan->name->symbol);
+    return put_part(plan, plan->world->header, "limner_display.h", wires_part, joined, outputs, err) &&
+           put_part(plan, plan->world->header, header, display_header_part, joined, outputs, err) &&
+           put_part(plan, plan->world->source, source, display_c_write_source, joined, outputs, err);
 }
 
 /* Two branches of one header: the renderer and the display's driver each join what limner.h did not. */
-static bool put_sources(const struct export *export, struct outputs *outputs, struct error *err)
+static bool put_sources(const struct export_plan *plan, struct outputs *outputs, struct error *err)
 {
     struct amalgam renderer = {.conditions.settled = SETTLED, .folders = FOLDERS};
     struct amalgam display = renderer;
-    bool ok = put_part(export, export->world->header, "limner.h", write_header, &renderer, outputs, err) &&
-              put_part(export, export->world->source, "limner.c", renderer_part, &renderer, outputs, err);
+    bool ok = put_part(plan, plan->world->header, "limner.h", write_header, &renderer, outputs, err) &&
+              put_part(plan, plan->world->source, "limner.c", renderer_part, &renderer, outputs, err);
     FILE *nowhere = fopen("/dev/null", "w");
     ok = ok && (nowhere || error_set(err, "/dev/null: cannot be opened")) &&
-         (!export->module ||
-          (write_header(export, &display, nowhere, err) && put_display(export, &display, outputs, err)));
+         (!plan->module || (write_header(plan, &display, nowhere, err) && put_display(plan, &display, outputs, err)));
     if (nowhere) fclose(nowhere);
     amalgam_free(&renderer);
     amalgam_free(&display);
     return ok;
 }
 
-static bool is_wanted(const struct export *export, enum world_when when)
+static bool is_wanted(const struct export_plan *plan, enum world_when when)
 {
     switch (when) {
     case WORLD_ALWAYS:
         return true;
     case WORLD_WITH_PANEL:
-        return export->module;
+        return plan->module;
     case WORLD_WITHOUT_PANEL:
-        return !export->module;
+        return !plan->module;
     default:
-        return !export->module || export->module->panel.format == PANEL_RGB565;
+        return !plan->module || plan->module->panel.format == PANEL_RGB565;
     }
 }
 
@@ -234,7 +234,7 @@ static const char *adapter_header(const char *text)
     return strstr(text, "#include \"limner.h\"") ? "limner.h" : "limner_display.h";
 }
 
-static bool put_file(const struct export *export, const struct world_file *file, const struct template_word *words,
+static bool put_file(const struct export_plan *plan, const struct world_file *file, const struct template_word *words,
                      size_t word_count, struct outputs *outputs, struct error *err)
 {
     char *to = NULL, path[C_PATH_MAX_B];
@@ -245,7 +245,7 @@ static bool put_file(const struct export *export, const struct world_file *file,
     if (!memory) return error_set(err, "no memory for a name");
     template_write(memory, file->to, words, word_count);
     fclose(memory);
-    FILE *out = open_in(export, "", to, path, outputs, err);
+    FILE *out = open_in(plan, "", to, path, outputs, err);
     free(to);
     if (!out) return false;
     if (is_adapter(file->from))
@@ -255,27 +255,27 @@ static bool put_file(const struct export *export, const struct world_file *file,
     return outputs_close(out, path, err);
 }
 
-static bool put_world(const struct export *export, const struct template_word *words, size_t word_count,
+static bool put_world(const struct export_plan *plan, const struct template_word *words, size_t word_count,
                       struct outputs *outputs, struct error *err)
 {
     static const struct world_file licence = {"LICENSE", "LICENSE", WORLD_ALWAYS};
-    if (!put_file(export, &licence, words, word_count, outputs, err)) return false;
-    for (size_t i = 0; i < export->world->file_count; i++) {
-        const struct world_file *file = &export->world->files[i];
-        if (is_wanted(export, file->when) && !put_file(export, file, words, word_count, outputs, err)) return false;
+    if (!put_file(plan, &licence, words, word_count, outputs, err)) return false;
+    for (size_t i = 0; i < plan->world->file_count; i++) {
+        const struct world_file *file = &plan->world->files[i];
+        if (is_wanted(plan, file->when) && !put_file(plan, file, words, word_count, outputs, err)) return false;
     }
     return true;
 }
 
-static bool put_scenes(const struct export *export, struct outputs *outputs, struct error *err)
+static bool put_scenes(const struct export_plan *plan, struct outputs *outputs, struct error *err)
 {
     char header[C_PATH_MAX_B];
-    if (snprintf(header, sizeof header, "%s/%s%s", export->folder, export->world->header, export->name->symbol) >=
+    if (snprintf(header, sizeof header, "%s/%s%s", plan->folder, plan->world->header, plan->name->symbol) >=
         C_PATH_MAX_B)
-        return error_set(err, "%s: the path is too long", export->folder);
-    if (!c_declarations_put(export->scenes, export->count, header, outputs, err)) return false;
-    for (size_t i = 0; i < export->count; i++) {
-        const struct named_scene *scene = &export->scenes[i];
+        return error_set(err, "%s: the path is too long", plan->folder);
+    if (!c_declarations_put(plan->scenes, plan->count, header, outputs, err)) return false;
+    for (size_t i = 0; i < plan->count; i++) {
+        const struct named_scene *scene = &plan->scenes[i];
         if (!c_source_put(scene, header, outputs, err) || (scene->moving && !c_movers_put(scene, header, outputs, err)))
             return false;
     }
@@ -283,12 +283,12 @@ static bool put_scenes(const struct export *export, struct outputs *outputs, str
 }
 
 /* The example's orbit: the simulator's. */
-static bool plan_orbit(const struct export *export, struct export_orbit *orbit, struct error *err)
+static bool plan_orbit(const struct export_plan *plan, struct export_orbit *orbit, struct error *err)
 {
     struct lens lens;
     struct camera_path path;
-    const struct compiled *scene = export->scenes[0].scene;
-    if (!lens_for_grid(&lens, EXPORT_FOV_DEG, 0.0, &scene->grid, export->w_px, export->h_px, err) ||
+    const struct compiled *scene = plan->scenes[0].scene;
+    if (!lens_for_grid(&lens, EXPORT_FOV_DEG, 0.0, &scene->grid, plan->w_px, plan->h_px, err) ||
         !camera_path_orbit(scene, &lens, ORBIT_FRAMES, &path, err))
         return false;
     const struct viewpoint *first = &path.frames[0];
@@ -304,19 +304,19 @@ static bool plan_orbit(const struct export *export, struct export_orbit *orbit, 
 }
 
 /* All sources but the example's, each after a blank and with its folder. */
-static void write_sources(const struct export *export, FILE *out)
+static void write_sources(const struct export_plan *plan, FILE *out)
 {
-    const char *folder = export->world->source, *symbol = export->name->symbol;
+    const char *folder = plan->world->source, *symbol = plan->name->symbol;
     fprintf(out, "%slimner.c", folder);
-    for (size_t i = 0; i < export->count; i++) {
-        const struct moving *moving = export->scenes[i].moving;
-        const char *scene = strrchr(export->scenes[i].name, '/') + 1;
+    for (size_t i = 0; i < plan->count; i++) {
+        const struct moving *moving = plan->scenes[i].moving;
+        const char *scene = strrchr(plan->scenes[i].name, '/') + 1;
         fprintf(out, " %s%s.c", folder, scene);
         for (size_t k = 0; moving && k < moving->count; k++)
             fprintf(out, " %s%s_object%zu.c", folder, scene, k + 1);
         if (moving) fprintf(out, " %s%s_movers.c", folder, scene);
     }
-    if (export->module) fprintf(out, " %s%s_display.c", folder, symbol);
+    if (plan->module) fprintf(out, " %s%s_display.c", folder, symbol);
 }
 
 enum { WORDS_MAX = 24, WORD_TEXT_B = 4096 };
@@ -338,13 +338,13 @@ __attribute__((format(printf, 3, 4))) static void add_word(struct words *words, 
     words->list[words->count++] = (struct template_word){word, text};
 }
 
-static void add_sources(const struct export *export, struct words *words)
+static void add_sources(const struct export_plan *plan, struct words *words)
 {
     char *sources = NULL;
     size_t sources_b;
     FILE *memory = open_memstream(&sources, &sources_b);
     if (!memory) return;
-    write_sources(export, memory);
+    write_sources(plan, memory);
     fclose(memory);
     add_word(words, "sources", "%s", sources);
     free(sources);
@@ -359,9 +359,9 @@ static void add_orbit(const struct export_orbit *orbit, struct words *words)
 }
 
 /* Who sets chip select: the port, or the display's driver. */
-static void add_selects(const struct export *export, struct words *words)
+static void add_selects(const struct export_plan *plan, struct words *words)
 {
-    const bool selects = export->module && export->module->panel.family->selects;
+    const bool selects = plan->module && plan->module->panel.family->selects;
     add_word(words, "cs_10", "%s", selects ? "LIMNER_NO_PIN" : "10");
     add_word(words, "select_10", "%s", selects ? "10" : "LIMNER_NO_PIN");
     add_word(words, "cs_idf", "%s", selects ? "GPIO_NUM_NC" : "10");
@@ -370,85 +370,51 @@ static void add_selects(const struct export *export, struct words *words)
     add_word(words, "select_17", "%s", selects ? "17" : "LIMNER_NO_PIN");
 }
 
-static bool fill_words(const struct export *export, struct words *words, struct error *err)
+static bool fill_words(const struct export_plan *plan, struct words *words, struct error *err)
 {
     struct export_orbit orbit;
     struct c_name first;
-    const struct export_cost cost = export_cost(export);
-    if (!plan_orbit(export, &orbit, err) || !c_name_init(&first, export->scenes[0].name, err)) return false;
+    const struct export_cost cost = export_cost(plan);
+    if (!plan_orbit(plan, &orbit, err) || !c_name_init(&first, plan->scenes[0].name, err)) return false;
     *words = (struct words){.count = 0};
-    add_word(words, "name", "%s", export->name->symbol);
-    add_word(words, "NAME", "%s", export->name->macro);
+    add_word(words, "name", "%s", plan->name->symbol);
+    add_word(words, "NAME", "%s", plan->name->macro);
     add_word(words, "scene", "%s", first.symbol);
     add_word(words, "SCENE", "%s", first.macro);
-    add_word(words, "title", "%s", export->world->title);
+    add_word(words, "title", "%s", plan->world->title);
     add_word(words, "version", "%d.%d.%d", LIM_VERSION_MAJOR, LIM_VERSION_MINOR, LIM_VERSION_PATCH);
-    add_word(words, "command", "%s", export->command);
-    add_word(words, "W", "%u", export->w_px);
-    add_word(words, "H", "%u", export->h_px);
-    add_word(words, "panel", "%s", export->module ? export->module->panel.name : "no display");
+    add_word(words, "command", "%s", plan->command);
+    add_word(words, "W", "%u", plan->w_px);
+    add_word(words, "H", "%u", plan->h_px);
+    add_word(words, "panel", "%s", plan->module ? plan->module->panel.name : "no display");
     add_word(words, "data_b", "%zu", cost.data_b);
     add_word(words, "ram_b", "%zu", cost.ram_b);
-    add_selects(export, words);
+    add_selects(plan, words);
     add_orbit(&orbit, words);
-    add_sources(export, words);
+    add_sources(plan, words);
     return true;
 }
 
-bool export_put(const struct export *export, struct outputs *outputs, struct error *err)
+bool export_put(const struct export_plan *plan, struct outputs *outputs, struct error *err)
 {
     struct words *words = grow_zeroed(1, sizeof *words);
-    const bool ok = fill_words(export, words, err) && put_scenes(export, outputs, err) &&
-                    put_sources(export, outputs, err) && put_world(export, words->list, words->count, outputs, err);
+    const bool ok = fill_words(plan, words, err) && put_scenes(plan, outputs, err) && put_sources(plan, outputs, err) &&
+                    put_world(plan, words->list, words->count, outputs, err);
     free(words);
     return ok;
 }
 
-static size_t movers_ram_b(const struct named_scene *scene)
+void export_report(const struct export_plan *plan)
 {
-    return scene->moving ? mcu_movers_mem_b(scene->scene, scene->moving) : 0;
-}
-
-static size_t greater(size_t a, size_t b)
-{
-    return a > b ? a : b;
-}
-
-/* One scene is in memory at a time, beside lines of pixels, or two pages of a display, and what drivers keep. */
-struct export_cost export_cost(const struct export *export)
-{
-    struct export_cost cost = {0};
-    const size_t lines_b = (display_c_is_filled(export) ? 1u : 2u * export->world->line_count) * export->w_px;
-    for (size_t i = 0; i < export->count; i++) {
-        const struct compiled *scene = export->scenes[i].scene;
-        const struct moving *moving = export->scenes[i].moving;
-        const size_t fixed_b = STRUCTS_B + lines_b + movers_ram_b(&export->scenes[i]);
-        cost.data_b += scene->report.flash_b;
-        for (size_t k = 0; moving && k < moving->count; k++)
-            cost.data_b += moving->objects[k].scene.report.flash_b;
-        cost.ram_b = greater(cost.ram_b, fixed_b + mcu_mem_b(scene));
-        cost.least_ram_b = greater(cost.least_ram_b, fixed_b + mcu_mem_min_b(scene));
-        cost.least_mem_b = greater(cost.least_mem_b, mcu_mem_min_b(scene));
-    }
-    return cost;
-}
-
-bool export_has_room(const struct export *export, size_t ram_b)
-{
-    return !export->world->smallest || ram_b + LEAST_STACK_B <= export->world->ram_b;
-}
-
-void export_report(const struct export *export)
-{
-    const struct world *world = export->world;
-    const struct export_cost cost = export_cost(export);
+    const struct world *world = plan->world;
+    const struct export_cost cost = export_cost(plan);
     printf("%s: %zu bytes of scene data, %zu of RAM without the stack; the code takes some 5 to 15 KB more\n",
-           export->folder, cost.data_b, cost.ram_b);
-    if (!world->smallest || (cost.data_b + LEAST_CODE_B <= world->flash_b && export_has_room(export, cost.least_ram_b)))
+           plan->folder, cost.data_b, cost.ram_b);
+    if (!world->smallest || (cost.data_b + LEAST_CODE_B <= world->flash_b && export_has_room(plan, cost.least_ram_b)))
         return;
     fprintf(stderr,
             "limner: %s: too large for %s, which has %lu bytes of flash and %lu of RAM: the scene takes %zu with the "
             "least code, and %zu with the least stack; larger boards have room\n",
-            export->folder, world->smallest, (unsigned long)world->flash_b, (unsigned long)world->ram_b,
-            cost.data_b + LEAST_CODE_B, cost.least_ram_b + LEAST_STACK_B);
+            plan->folder, world->smallest, (unsigned long)world->flash_b, (unsigned long)world->ram_b,
+            cost.data_b + LEAST_CODE_B, cost.least_ram_b + EXPORT_STACK_B);
 }

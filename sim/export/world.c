@@ -12,13 +12,13 @@ static const struct world_file ARDUINO[] = {
     {"sim/export/worlds/arduino/library.properties", "library.properties", WORLD_ALWAYS},
     {"sim/export/worlds/arduino/library.json", "library.json", WORLD_ALWAYS},
     {"sim/export/worlds/arduino/README.md", "README.md", WORLD_ALWAYS},
-    {"sim/export/worlds/arduino/panel.ino", "examples/@name@/@name@.ino", WORLD_WITH_PANEL},
+    {"sim/export/worlds/arduino/panel.ino.in", "examples/@name@/@name@.ino", WORLD_WITH_PANEL},
     {"hal/adapters/limner_arduino.h", "src/limner_arduino.h", WORLD_WITH_PANEL},
-    {"sim/export/worlds/arduino/tft_espi.ino", "examples/@name@_TFT_eSPI/@name@_TFT_eSPI.ino", WORLD_IN_COLOUR},
+    {"sim/export/worlds/arduino/tft_espi.ino.in", "examples/@name@_TFT_eSPI/@name@_TFT_eSPI.ino", WORLD_IN_COLOUR},
     {"hal/adapters/limner_tft_espi.h", "src/limner_tft_espi.h", WORLD_IN_COLOUR},
-    {"sim/export/worlds/arduino/lovyangfx.ino", "examples/@name@_LovyanGFX/@name@_LovyanGFX.ino", WORLD_IN_COLOUR},
+    {"sim/export/worlds/arduino/lovyangfx.ino.in", "examples/@name@_LovyanGFX/@name@_LovyanGFX.ino", WORLD_IN_COLOUR},
     {"hal/adapters/limner_lovyangfx.h", "src/limner_lovyangfx.h", WORLD_IN_COLOUR},
-    {"sim/export/worlds/any/lvgl_view.c", "examples/@name@_LVGL/@name@_view.c", WORLD_IN_COLOUR},
+    {"sim/export/worlds/any/lvgl_view.c.in", "examples/@name@_LVGL/@name@_view.c", WORLD_IN_COLOUR},
     {"hal/adapters/limner_lvgl.h", "src/limner_lvgl.h", WORLD_IN_COLOUR},
 };
 
@@ -28,14 +28,14 @@ static const struct world_file IDF[] = {
     {"sim/export/worlds/idf/README.md", "README.md", WORLD_ALWAYS},
     {"sim/export/worlds/idf/example/CMakeLists.txt", "examples/@name@/CMakeLists.txt", WORLD_WITH_PANEL},
     {"sim/export/worlds/idf/example/main/CMakeLists.txt", "examples/@name@/main/CMakeLists.txt", WORLD_WITH_PANEL},
-    {"sim/export/worlds/idf/example/main/main.c", "examples/@name@/main/main.c", WORLD_WITH_PANEL},
+    {"sim/export/worlds/idf/example/main/main.c.in", "examples/@name@/main/main.c", WORLD_WITH_PANEL},
     {"hal/adapters/limner_idf.h", "include/limner_idf.h", WORLD_WITH_PANEL},
     {"sim/export/worlds/idf/example/CMakeLists.txt", "examples/@name@_esp_lcd/CMakeLists.txt", WORLD_IN_COLOUR},
     {"sim/export/worlds/idf/example/main/CMakeLists.txt", "examples/@name@_esp_lcd/main/CMakeLists.txt",
      WORLD_IN_COLOUR},
-    {"sim/export/worlds/idf/esp_lcd/main/main.c", "examples/@name@_esp_lcd/main/main.c", WORLD_IN_COLOUR},
+    {"sim/export/worlds/idf/esp_lcd/main/main.c.in", "examples/@name@_esp_lcd/main/main.c", WORLD_IN_COLOUR},
     {"hal/adapters/limner_esp_lcd.h", "include/limner_esp_lcd.h", WORLD_IN_COLOUR},
-    {"sim/export/worlds/any/lvgl_view.c", "examples/@name@_LVGL/@name@_view.c", WORLD_IN_COLOUR},
+    {"sim/export/worlds/any/lvgl_view.c.in", "examples/@name@_LVGL/@name@_view.c", WORLD_IN_COLOUR},
     {"hal/adapters/limner_lvgl.h", "include/limner_lvgl.h", WORLD_IN_COLOUR},
 };
 
@@ -43,7 +43,7 @@ static const struct world_file PICO[] = {
     {"sim/export/worlds/pico/CMakeLists.txt", "CMakeLists.txt", WORLD_ALWAYS},
     {"sim/export/worlds/pico/README.md", "README.md", WORLD_ALWAYS},
     {"sim/export/worlds/pico/example/CMakeLists.txt", "example/CMakeLists.txt", WORLD_WITH_PANEL},
-    {"sim/export/worlds/pico/example/main.c", "example/main.c", WORLD_WITH_PANEL},
+    {"sim/export/worlds/pico/example/main.c.in", "example/main.c", WORLD_WITH_PANEL},
     {"hal/adapters/limner_pico.h", "src/limner_pico.h", WORLD_WITH_PANEL},
 };
 
@@ -51,14 +51,14 @@ static const struct world_file CMAKE[] = {
     {"sim/export/worlds/cmake/CMakeLists.txt", "CMakeLists.txt", WORLD_ALWAYS},
     {"sim/export/worlds/cmake/README.md", "README.md", WORLD_ALWAYS},
     {"sim/export/worlds/cmake/example/CMakeLists.txt", "example/CMakeLists.txt", WORLD_ALWAYS},
-    {"sim/export/worlds/plain/send.c", "example/main.c", WORLD_WITHOUT_PANEL},
-    {"sim/export/worlds/plain/panel.c", "example/main.c", WORLD_WITH_PANEL},
+    {"sim/export/worlds/plain/send.c.in", "example/main.c", WORLD_WITHOUT_PANEL},
+    {"sim/export/worlds/plain/panel.c.in", "example/main.c", WORLD_WITH_PANEL},
 };
 
 static const struct world_file PLAIN[] = {
     {"sim/export/worlds/plain/README.md", "README.md", WORLD_ALWAYS},
-    {"sim/export/worlds/plain/send.c", "main.c", WORLD_WITHOUT_PANEL},
-    {"sim/export/worlds/plain/panel.c", "main.c", WORLD_WITH_PANEL},
+    {"sim/export/worlds/plain/send.c.in", "main.c", WORLD_WITHOUT_PANEL},
+    {"sim/export/worlds/plain/panel.c.in", "main.c", WORLD_WITH_PANEL},
 };
 
 static const struct world WORLDS[] = {

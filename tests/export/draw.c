@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT
  *
  * Draws an exported scene, `limner export -o DIR/model`, from every camera of cameras.h by the one function that a
- * newcomer writes, and prints each frame's number and hash as `limner render --write-hashes` does. Pixels must come from
- * left to right and from the top down, each once. Exit status 1: the renderer failed, or they did not. */
+ * newcomer writes, and prints each frame's number and hash as `limner render --write-hashes` does. Pixels must come
+ * from left to right and from the top down, each once. Exit status 1: the renderer failed, or they did not. */
 #include "model.h"
 
 #include "cameras.h"

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
- * Shows an exported scene on its display, from every camera of cameras.h, on a board that tells what goes over its wires
- * (tests/wire_board/board.c). The LED changes with every frame. */
+ * Shows an exported scene on its display, from every camera of cameras.h, on a board that tells what goes over its
+ * wires (tests/wire_board/board.c). The LED changes with every frame. */
 #include "model_display.h"
 
 #include "cameras.h"
