@@ -12,6 +12,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <strings.h>
 
 enum { ARGUMENTS_MORE = 3 };
 
@@ -37,6 +38,34 @@ static void tell_command(int argc, char **argv, char command[C_PATH_MAX_B])
     }
 }
 
+/* Names that another file, a header of C's or Arduino's library, or a target of CMake's has already. */
+static bool is_taken(const char *name)
+{
+    static const char *const taken[] = {
+        "all",    "arduino", "assert",   "clean",   "complex", "ctype",  "errno",  "fenv",   "float",
+        "help",   "install", "inttypes", "iso646",  "limits",  "locale", "main",   "math",   "package",
+        "setjmp", "signal",  "spi",      "stdarg",  "stdbool", "stddef", "stdint", "stdio",  "stdlib",
+        "string", "test",    "tgmath",   "threads", "time",    "uchar",  "wchar",  "wctype", "wire"};
+    if (strncasecmp(name, "limner", 6) == 0) return true;
+    for (size_t i = 0; i < sizeof taken / sizeof *taken; i++)
+        if (strcasecmp(name, taken[i]) == 0) return true;
+    return false;
+}
+
+/* Where the files are, without suffix, and what they are called in C, CMake and Arduino. */
+static bool name_all(struct export_request *out, struct error *err)
+{
+    struct c_name name;
+    if (!c_name_init(&name, out->folder, err)) return false;
+    if (snprintf(out->path, sizeof out->path, "%s/%s%s%s", out->folder, out->world->source,
+                 is_taken(name.symbol) ? "scene_" : "", name.symbol) >= C_PATH_MAX_B)
+        return error_set(err, "%s: the path is too long", out->folder);
+    if (!c_name_init(&out->name, out->path, err)) return false;
+    if (strcmp(out->name.symbol, name.file) != 0)
+        fprintf(stderr, "limner: %s: is called %s in the folder's files\n", name.file, out->name.symbol);
+    return true;
+}
+
 /* Without slashes at its end. */
 static bool take_folder(struct export_request *out, const char *folder, struct error *err)
 {
@@ -46,13 +75,7 @@ static bool take_folder(struct export_request *out, const char *folder, struct e
         length--;
     if (length >= C_PATH_MAX_B) return error_set(err, "%s: the path is too long", folder);
     snprintf(out->folder, sizeof out->folder, "%.*s", (int)length, folder);
-    if (!c_name_init(&out->name, out->folder, err)) return false;
-    if (strcmp(out->name.symbol, out->name.file) != 0)
-        fprintf(stderr, "limner: %s: is called %s in C\n", out->name.file, out->name.symbol);
-    if (snprintf(out->path, sizeof out->path, "%s/%s%s", out->folder, out->world->source, out->name.symbol) >=
-        C_PATH_MAX_B)
-        return error_set(err, "%s: the path is too long", folder);
-    return true;
+    return name_all(out, err);
 }
 
 /* A display that was described, or the commonest one of the world unless pixels are asked for by their size alone. */
@@ -110,7 +133,7 @@ static bool name_files(const struct export_request *request, struct compile_resu
         char path[2 * C_PATH_MAX_B];
         if (!c_name_init(&name, result->names[i], err)) return false;
         if (strcmp(name.symbol, name.file) != 0)
-            fprintf(stderr, "limner: %s: is called %s in C\n", name.file, name.symbol);
+            fprintf(stderr, "limner: %s: is called %s in the folder's files\n", name.file, name.symbol);
         if (snprintf(path, sizeof path, "%s/%s%s", request->folder, request->world->source, name.symbol) >=
             C_PATH_MAX_B)
             return error_set(err, "%s: the path is too long", request->folder);

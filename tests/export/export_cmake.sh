@@ -71,6 +71,7 @@ example_builds() {
 
 tap_check "Cortex-M0+ draws rooms" draws m0plus $scenes/rooms.obj $scenes/rooms.cam
 tap_check "Cortex-M4 draws the teapot in profile exact" draws m4 $scenes/teapot.obj $scenes/teapot.cam --precision exact
+tap_check "Cortex-M33 draws glass" draws m33 $scenes/glass.obj $scenes/glass.cam --precision fine
 tap_check "RV32IMC draws what moves" draws rv32 $scenes/movers.gltf $scenes/movers.cam
 tap_check "the example's project builds, and stops when the display fails" example_builds
 tap_done

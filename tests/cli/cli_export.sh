@@ -1,0 +1,140 @@
+# SPDX-License-Identifier: MIT
+#
+# limner export, from outside: folders that are refused, names that are mapped, scenes that are too large, and the commands
+# of README as they are written there. What exported folders draw is for the suite export.
+. tests/tap.sh
+
+limner=$(cd "$BUILD" && pwd)/limner
+model=$(pwd)/sim/scenes/icosahedron.obj
+
+says() { # STATUS EXPRESSION ARGUMENT...: one line on standard error, which has the words
+    status=$1 words=$2
+    shift 2
+    "$limner" export "$@" >"$work/out" 2>"$work/said"
+    [ $? -eq "$status" ] && grep -q -- "$words" "$work/said" && [ "$(wc -l <"$work/said")" -eq 1 ] || { cat "$work/said" && return 1; }
+}
+
+refuses() { says 1 "$@" && [ ! -s "$work/out" ]; } # EXPRESSION ARGUMENT...
+exports() { "$limner" export "$@" >"$work/out" 2>"$work/said" || { cat "$work/said" && return 1; }; }
+
+listing() { (cd "$1" && find . -type f -exec cksum {} + | sort -k 3); } # FOLDER
+
+unknown_world() {
+    refuses '^limner: --for esp8266: no such world; there are: arduino, idf, pico, cmake, plain$' "$model" --for esp8266 -o "$work/x" &&
+        refuses 'needs --for' "$model" -o "$work/x" && refuses 'needs -o' "$model" --for plain && refuses 'needs a model' --for plain -o "$work/x" &&
+        refuses 'no such option' "$model" --for plain -o "$work/x" --report && [ ! -e "$work/x" ]
+}
+
+# What somebody put there stays, and so does all else.
+foreign_files_stay() {
+    exports "$model" --for plain -o "$work/mine" && echo mine >"$work/mine/notes.txt" && listing "$work/mine" >"$work/before" &&
+        refuses 'mine/notes.txt: no export wrote this file; choose another folder' "$model" --for plain -o "$work/mine" &&
+        listing "$work/mine" | diff "$work/before" - && rm "$work/mine/notes.txt" &&
+        mkdir -p "$work/other/sub" && echo mine >"$work/other/sub/main.c" &&
+        refuses 'other/sub/main.c: no export wrote' "$model" --for plain -o "$work/other" && [ "$(cat "$work/other/sub/main.c")" = mine ] &&
+        ln -s "$model" "$work/mine/link.obj" && refuses 'mine/link.obj: no export wrote' "$model" --for plain -o "$work/mine" && rm "$work/mine/link.obj"
+}
+
+changed_files_stay() {
+    echo '/* mine */' >>"$work/mine/main.c" && listing "$work/mine" >"$work/before" &&
+        refuses 'mine/main.c: was changed since it was exported' "$model" --for plain -o "$work/mine" && listing "$work/mine" | diff "$work/before" -
+}
+
+# What it wrote itself it writes anew, and takes away what does not belong there any more.
+writes_anew() {
+    exports "$model" --for arduino -o "$work/again" && [ -f "$work/again/src/again_display.c" ] && [ -f "$work/again/examples/again/again.ino" ] &&
+        exports "$model" --for arduino --size 100x80 -o "$work/again/" && [ ! -e "$work/again/src/again_display.c" ] && [ ! -e "$work/again/examples/again" ] &&
+        (cd "$work/again" && find . -type f ! -name limner.files | sed 's,^\./,,' | sort) >"$work/there" &&
+        sed 's/^[0-9a-f]* //' "$work/again/limner.files" | sort | diff "$work/there" -
+}
+
+is_a_file() {
+    echo mine >"$work/file"
+    refuses 'file: is a file, not a folder' "$model" --for plain -o "$work/file" && [ "$(cat "$work/file")" = mine ]
+}
+
+# Nothing half-written.
+nothing_is_left() {
+    refuses 'none.obj' "$work/none.obj" --for plain -o "$work/left" && refuses 'must be WxH' sim/scenes/rooms.obj --for plain --size 9999x9 -o "$work/left" &&
+        refuses ili9999 "$model" --for plain --panel ili9999 -o "$work/left" && [ ! -e "$work/left" ]
+}
+
+too_large() {
+    says 0 'too large for an Arduino Leonardo, which has 28672 bytes of flash and 2304 of RAM: the scene takes [0-9]* with the least code, and [0-9]* with' \
+        sim/scenes/rooms.obj --for arduino -o "$work/large" && exports "$model" --for arduino --panel ssd1306 -o "$work/small" && [ ! -s "$work/said" ]
+}
+
+# Names that C, CMake or a shell would take otherwise.
+names_are_mapped() {
+    cp "$model" "$work/my model-2.obj"
+    says 0 "^limner: a house, 2nd: is called a_house__2nd in the folder's files$" "$work/my model-2.obj" --for cmake -o "$work/a house, 2nd" &&
+        [ -f "$work/a house, 2nd/src/a_house__2nd.c" ] && grep -q 'add_library(a_house__2nd ' "$work/a house, 2nd/CMakeLists.txt" &&
+        says 0 '7up: is called scene_7up in' "$model" --for arduino --panel ssd1306 -o "$work/7up" && grep -qx 'name=scene_7up' "$work/7up/library.properties" &&
+        [ -f "$work/7up/examples/scene_7up/scene_7up.ino" ] || return 1
+    for name in main test String limner Limner_pico SPI; do
+        says 0 "^limner: $name: is called scene_$name in" "$model" --for cmake --panel ssd1306 -o "$work/taken/$name" &&
+            [ -f "$work/taken/$name/src/scene_$name.c" ] || return 1
+    done
+}
+
+# Scenes of one folder share a renderer, a display and memory.
+several_models() {
+    exports "$model" sim/scenes/movers.gltf --for plain --panel st7789 -o "$work/set" &&
+        "$CC" -std=c11 $WARNINGS -I"$work/set" -c -o "$work/set.o" "$work/set/set_display.c" &&
+        "$CC" -std=c11 $WARNINGS -I"$work/set" -c -o "$work/limner.o" "$work/set/limner.c" &&
+        nm "$work/set.o" | grep -q 'T set_movers_display_show' && nm "$work/set.o" | grep -q 'T set_icosahedron_display_show' &&
+        "$CC" -std=c11 $WARNINGS -I"$work/set" -c -o "$work/main.o" "$work/set/main.c"
+}
+
+# An adapter's picture is asked for by its size alone; no display of ours is there then.
+size_alone() {
+    exports "$model" --for arduino --size 128x96 -o "$work/sized" && [ ! -e "$work/sized/src/limner_display.h" ] &&
+        grep -q 'SIZED_MEMORY(128, 96)' "$work/sized/examples/sized_TFT_eSPI/sized_TFT_eSPI.ino"
+}
+
+page_is_whole() { # FOLDER: no word is left to be replaced, and the licence is there
+    ! grep -rn '@[A-Za-z_]*@' "$1" && grep -q 'MIT License' "$1/LICENSE" && grep -q "^Written by .limner export " "$1/README.md"
+}
+
+pages_are_whole() {
+    for world in arduino idf pico cmake plain; do
+        exports "$model" --for $world --panel st7789 -o "$work/pages/$world" && page_is_whole "$work/pages/$world" &&
+            exports "$model" --for $world --size 64x64 -o "$work/pages/$world-sized" && page_is_whole "$work/pages/$world-sized" || { echo "$world" && return 1; }
+    done
+}
+
+# Of README: three commands at most each, run as they stand.
+readme_commands() { # WORLD: its commands, with the model of the tests and what stands in for an SDK
+    sed -n "/^    build\/limner export .*--for $1/,/^\$/p" README.md | sed 's/^ *//; s/ *#.*//' | grep . >"$work/commands"
+    cat "$work/commands"
+    [ -s "$work/commands" ] && [ "$(wc -l <"$work/commands")" -le 3 ] || return 1
+    (cd "$work" && mkdir -p build && ln -sf "$limner" build/limner && cp "$model" house.obj &&
+        PICO_SDK_PATH=$here/tests/export/stubs/pico HOME=$work sh -e commands) >"$work/said" 2>&1 || { cat "$work/said" && return 1; }
+}
+
+readme_pico() {
+    command -v cmake >/dev/null || { echo "cmake is missing" && return 1; }
+    readme_commands pico && [ -x "$work/build-house/house_example" ]
+}
+
+readme_arduino() { readme_commands arduino && [ -f "$work/Arduino/libraries/house/library.properties" ]; }
+
+here=$(pwd)
+tap_check "an unknown world is refused, and what is missing named" unknown_world
+tap_check "foreign files stay, and the export is refused" foreign_files_stay
+tap_check "so do files that somebody changed" changed_files_stay
+tap_check "its own folder it writes anew" writes_anew
+tap_check "a file is no folder" is_a_file
+tap_check "of an export that failed nothing is left" nothing_is_left
+tap_check "a scene too large for the smallest board is told, with bytes" too_large
+tap_check "names that toolchains cannot have are mapped, and told" names_are_mapped
+tap_check "several models share one folder" several_models
+tap_check "a size alone leaves the display to another library" size_alone
+tap_check "pages have no word left to be replaced" pages_are_whole
+if command -v cmake >/dev/null; then
+    tap_check "README's commands for a Pico" readme_pico
+else
+    tap_skip "README's commands for a Pico" "cmake is missing"
+fi
+tap_check "README's commands for an Arduino library" readme_arduino
+tap_done
