@@ -153,6 +153,8 @@ static bool write_folder(const struct export_plan *plan, struct export_folder *f
 
 static bool run(struct export_request *request, struct error *err)
 {
+    unsigned w_px = request->compile.compile.w_px, h_px = request->compile.compile.h_px;
+    if (request->has_module) module_choice_picture(&request->module.module, &w_px, &h_px);
     struct export_folder folder;
     struct compile_result result = {0};
     bool ok = export_folder_open(&folder, request->folder, err) &&
@@ -163,8 +165,8 @@ static bool run(struct export_request *request, struct error *err)
                                      .scenes = result.named,
                                      .count = result.count,
                                      .module = request->has_module ? &request->module : NULL,
-                                     .w_px = request->compile.compile.w_px,
-                                     .h_px = request->compile.compile.h_px,
+                                     .w_px = w_px,
+                                     .h_px = h_px,
                                      .command = request->command};
     ok = ok && write_folder(&plan, &folder, err);
     if (ok) compile_result_report(&request->compile, &result);

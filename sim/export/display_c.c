@@ -43,10 +43,11 @@ static void write_head(const struct export_plan *plan, FILE *out)
 static void write_sizes(const struct export_plan *plan, const struct display *display, FILE *out)
 {
     const char *macro = plan->name->macro;
-    const unsigned w_px = display->panel->w_px, h_px = display->panel->h_px;
+    const uint16_t sides_px[2] = {display->panel->w_px, display->panel->h_px};
+    const unsigned w_px = sides_px[is_turned(display)], h_px = sides_px[!is_turned(display)];
     fputs("/* Of the picture. */\n", out);
-    fprintf(out, "#define %s_DISPLAY_W_PX %u\n", macro, is_turned(display) ? h_px : w_px);
-    fprintf(out, "#define %s_DISPLAY_H_PX %u\n", macro, is_turned(display) ? w_px : h_px);
+    fprintf(out, "#define %s_DISPLAY_W_PX %u\n", macro, w_px);
+    fprintf(out, "#define %s_DISPLAY_H_PX %u\n", macro, h_px);
     fputs("/* What its SPI may run at, and in which modes, 1 << mode each (spi_modes). */\n", out);
     fprintf(out, "#define %s_DISPLAY_HZ UINT32_C(%" PRIu32 ")\n", macro, plan->module->speed_hz);
     fprintf(out, "#define %s_DISPLAY_SPI_MODES %u\n", macro, (unsigned)plan->module->spi_modes);
@@ -54,7 +55,7 @@ static void write_sizes(const struct export_plan *plan, const struct display *di
         out,
         "/* A lens of %d degrees from top to bottom, for struct lim_camera; lim_camera_set_fov() makes others. */\n",
         EXPORT_FOV_DEG);
-    const double tan_y = tan(EXPORT_FOV_DEG / 360.0 * PI), tan_x = tan_y * plan->w_px / plan->h_px;
+    const double tan_y = tan(EXPORT_FOV_DEG / 360.0 * PI), tan_x = tan_y * w_px / h_px;
     fprintf(out, "#define %s_DISPLAY_TAN_X_Q28 UINT32_C(%.0f)\n", macro, tan_x * Q28);
     fprintf(out, "#define %s_DISPLAY_TAN_Y_Q28 UINT32_C(%.0f)\n\n", macro, tan_y * Q28);
 }
@@ -108,7 +109,22 @@ static void write_pools(const struct export_plan *plan, FILE *out)
                 cost.least_mem_b, macro);
     else
         fprintf(out, "#define POOLS_B %s_SCENE_MEM_B(MODULE_H_PX)\n", macro);
-    fputs("static void *pools[LIM_POINTERS(POOLS_B)];\n", out);
+}
+
+static void write_lines(const struct export_plan *plan, FILE *out)
+{
+    const char *macro = plan->name->macro;
+    if (export_is_filled(plan)) {
+        fputs("/* Runs go into the display's pages at once. */\n#define LINES 0\n", out);
+        return;
+    }
+    fprintf(out,
+            "/* Of pixels: one is painted while another is sent, or all of them. */\n"
+            "#define USED_LINES SCREEN_USED_LINES(MODULE_FORMAT, MODULE_W_PX, MODULE_ROUND, %u)\n",
+            plan->world->line_count);
+    fprintf(out,
+            "#define LINES (%s_SCENE_LINES(MODULE_H_PX) > USED_LINES ? %s_SCENE_LINES(MODULE_H_PX) : USED_LINES)\n",
+            macro, macro);
 }
 
 static bool write_memory(const struct export_plan *plan, FILE *out, struct error *err)
@@ -117,14 +133,9 @@ static bool write_memory(const struct export_plan *plan, FILE *out, struct error
     const size_t movers = most_movers(plan);
     struct c_name first;
     if (!scene_name(plan, 0, &first, err)) return false;
-    fprintf(out, "#define USED_LINES SCREEN_USED_LINES(MODULE_FORMAT, MODULE_W_PX, MODULE_ROUND, %u)\n",
-            export_is_filled(plan) ? 0u : plan->world->line_count);
-    fprintf(out,
-            "#define LINES (%s_SCENE_LINES(MODULE_H_PX) > USED_LINES && !LIM_HAS_FILL ? "
-            "%s_SCENE_LINES(MODULE_H_PX) : USED_LINES)\n\n",
-            macro, macro);
-    fputs("static struct screen screen;\nstatic struct lim lim;\n", out);
+    write_lines(plan, out);
     write_pools(plan, out);
+    fputs("\nstatic struct screen screen;\nstatic struct lim lim;\nstatic void *pools[LIM_POINTERS(POOLS_B)];\n", out);
     fputs("static uint32_t lines[MODULE_LINES_MEM_B(LINES) / 4];\n", out);
     fputs(
         "#if SCREEN_KEEPS_FRAME\nstatic uint32_t picture[SCREEN_FRAME_MEM_B(MODULE_W_PX, MODULE_H_PX) / 4];\n#endif\n",
