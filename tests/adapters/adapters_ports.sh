@@ -23,7 +23,7 @@ link_ports() { link_frames "$work/port_frames" "$work"/*.o; }
 module() { # LINES SIZE RENDERED-PANEL PANEL OPTION...
     lines=$1 size=$2 rendered=$3
     shift 3
-    "$limner" render "$model" --size "$size" --frames 3 --panel "$rendered" --write-hashes "$work/golden" \
+    "$limner" render "$work/model.lim" --size "$size" --frames 3 --panel "$rendered" --write-hashes "$work/golden" \
         --write-cameras "$work/cameras.h" >"$work/rendered" &&
         "$limner" module --panel "$@" -o "$work/module" >"$work/written" && in_c "$work/module.c" "$work/module.o" &&
         in_c tests/adapters/port_frames.c "$work/port_frames.o" "-DLINES=$lines" && link_ports
