@@ -5,12 +5,7 @@
 # shellcheck shell=sh
 
 build=$BUILD/sanitize
-: "${SEED:=$(printf '%d' "0x$(git rev-parse --short=6 HEAD 2>/dev/null || echo 0)")}"
-
-# halved NAME...: every second one, a line each; which of them SEED says.
-halved() {
-    printf '%s\n' "$@" | awk -v seed="$SEED" 'seed == "all" || (NR + seed) % 2 == 0'
-}
+. tests/halved.sh
 export ASAN_OPTIONS=detect_leaks=1 UBSAN_OPTIONS=print_stacktrace=1
 
 # Lines and functions are enough for a report, at two thirds of the size. No object has the folder's name in it, so that

@@ -8,12 +8,35 @@
 
 footprint_flags='-Os -ffreestanding -ffunction-sections -fdata-sections -Ifirmware'
 
+# Where objects are kept that the same compiler makes of the same sources and header with the same flags; nothing: nowhere.
+footprint_kept() { # FLAG...
+    footprint_cache=${XDG_CACHE_HOME:-${HOME:-/nowhere}/.cache}/limner/objects
+    if [ -z "${CCACHE:-}" ] || ! mkdir -p "$footprint_cache" 2>/dev/null || ! [ -w "$footprint_cache" ]; then return; fi
+    find "$footprint_cache" -mindepth 1 -maxdepth 1 -mtime +7 -exec rm -rf {} + 2>/dev/null || true
+    # shellcheck disable=SC2086
+    {
+        echo "$footprint_core $(target_flags "$footprint_core") $footprint_flags $WARNINGS $*" && "$(target_compiler "$footprint_core")" --version &&
+            cat "$footprint_dir"/*.h firmware/*.[ch] firmware/*/*.[ch]
+    } | sha256sum | sed "s#^\([0-9a-f]*\).*#$footprint_cache/\1#"
+}
+
 # footprint_objects CORE FOLDER HEADER [FLAG...]: the renderer's objects and call graphs in FOLDER, which has the
 # scene's HEADER.
 footprint_objects() {
     footprint_core=$1 footprint_dir=$2 footprint_header=$3
     shift 3
     rm -rf "$footprint_dir/$footprint_core"
+    footprint_set=$(footprint_kept "$@")
+    if [ -n "$footprint_set" ] && [ -d "$footprint_set" ]; then
+        cp -r "$footprint_set" "$footprint_dir/$footprint_core"
+        return
+    fi
+    footprint_compile "$@" || return 1
+    [ -z "$footprint_set" ] || { cp -r "$footprint_dir/$footprint_core" "$footprint_set.$$" && mv -T "$footprint_set.$$" "$footprint_set" 2>/dev/null; } ||
+        rm -rf "$footprint_set.$$"
+}
+
+footprint_compile() { # FLAG...
     mkdir "$footprint_dir/$footprint_core"
     for footprint_source in firmware/*.c firmware/*/*.c; do
         footprint_object=${footprint_source##*/}

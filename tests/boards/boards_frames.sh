@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: MIT
 #
 # What the images of boards draw in emulators that others wrote: eight frames of a path, whole, each pixel as the
-# simulator draws it. The images are those of boards/images.txt, of which the table in boards/README.md must say what is measured
+# simulator draws it. The images are those of boards/images.txt, half of them in each run (tests/halved.sh), of which the table in boards/README.md must say what is measured
 # here.
 . tests/tap.sh
+. tests/halved.sh
 
 board() { # MAKE-ARGUMENT...
     make DEPS=skip BUILD="$BUILD" BOARDS="$kept/boards" PICTURES="$work/pictures" "$@" >"$work/said" 2>&1 || {
@@ -60,6 +61,8 @@ draws_in_mode() { # MODE SYSTEM MACHINE CONTROL DATA BOARD PANEL
 }
 
 sh sim/tools/tables.sh --show boards >"$work/page"
+halved "$(cat boards/images.txt)" >"$work/rows"
+echo "# SEED=$SEED"
 while read -r row; do
     # shellcheck disable=SC2086 # arguments are words
     if npm_fails $row; then
@@ -67,7 +70,7 @@ while read -r row; do
     else
         tap_check "$row: eight frames, at the cost that boards/README.md says" draws_row $row
     fi
-done <boards/images.txt
+done <"$work/rows"
 page_has_no_other_row() {
     [ "$(grep -c '^| [a-z]' "$work/page")" -eq $(($(wc -l <boards/images.txt) + 1)) ]
 }
