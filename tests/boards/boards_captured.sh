@@ -45,7 +45,7 @@ card_of() { # OPTION...: a hash
 # sigrok's demonstration device in the analyser's place: names of channels are taken.
 captures() { # BOARD
     line=$(line_of "$1" sigrok-cli | sed "s/-d fx2lafw/-d demo/; s/samplerate=24m/samplerate=1m/; s/--time [0-9]*s/--samples 4000/; s# -o # -o $work/#")
-    sh -c "$line" && [ -s "$work/$(echo "$line" | sed 's#.*/##')" ]
+    [ -n "$line" ] && sh -c "$line" && [ -s "$work/$(echo "$line" | sed 's#.*/##')" ]
 }
 
 # What the image is made for is what is decoded; what that device captured has all channels, and no picture.
