@@ -54,6 +54,11 @@ void lim_set_wireframe(struct lim *lim, const struct lim_wireframe *wireframe);
  */
 void lim_set_overlay(struct lim *lim, const struct lim_overlay *overlay);
 
+/* Says which pixels of lines are seen from now on, as on round glass: lim_target.visible, for programs that begin with
+ * hall_begin(). It is handed the target's ctx: there a struct lim_sender, whose ctx is the program's. A line of which
+ * nothing is seen comes as one piece of 0 pixels. NULL: all is seen. There if LIM_HAS_ROUND. Before lim_set_delta(). */
+void lim_set_visible(struct lim *lim, lim_visible *visible);
+
 /* Draws frames with antialiased edges from now on; lim_init() turns it off. There if LIM_HAS_ANTIALIAS. `mem`, 4-byte
  * aligned, LIM_ANTIALIAS_MEM_B(w_px) bytes or more, must outlive it; NULL turns it off. LIM_ERR_MEMORY: too little;
  * LIM_ERR_TARGET: LIM_CONVEX and LIM_PAINTER, which do not paint nearest first, have it not. Renderers that take turns

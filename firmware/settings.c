@@ -35,6 +35,14 @@ void lim_set_overlay(struct lim *lim, const struct lim_overlay *overlay)
 }
 #endif
 
+#if LIM_HAS_ROUND
+void lim_set_visible(struct lim *lim, lim_visible *visible)
+{
+    lim_drop_ahead(lim);
+    lim->pass.target.visible = visible;
+}
+#endif
+
 #if LIM_HAS_ANTIALIAS
 int lim_set_antialias(struct lim *lim, void *mem, size_t mem_b)
 {

@@ -63,6 +63,9 @@ struct lim_piece_look {
  * renderer has of its own. */
 typedef void lim_piece_fill(void *ctx, uint16_t x0_px, uint16_t x1_px);
 
+/* Which pixels *x0_px <= x < *x1_px of a line are seen; lim_target.visible. */
+typedef void lim_visible(void *ctx, uint16_t y_px, uint16_t *x0_px, uint16_t *x1_px);
+
 /* All of a target's pixels in memory, each as lend() has it. */
 struct lim_framebuffer {
     void *pixels;       /* of line 0, 4-byte aligned; NULL: there is none */
@@ -83,9 +86,7 @@ struct lim_target {
      * comes back from lim_frame() unchanged. */
     int (*done)(void *ctx, uint16_t y_px, uint16_t x_px, uint16_t n_px);
 #if LIM_HAS_ROUND
-    /* Which pixels *x0_px <= x < *x1_px of a line are seen; no others are painted. NULL: all. Neither
-     * LIM_PAINTER nor LIM_CONVEX asks. */
-    void (*visible)(void *ctx, uint16_t y_px, uint16_t *x0_px, uint16_t *x1_px);
+    lim_visible *visible; /* no other pixels are painted; NULL: all. Neither LIM_PAINTER nor LIM_CONVEX asks */
 #endif
 #if LIM_HAS_FILL
     /* For targets that keep pixels in a format of their own, instead of lines' memory. A frame that is not made of

@@ -1,19 +1,17 @@
 /* SPDX-License-Identifier: MIT
  *
- * A widget of LVGL (9.0 and later; 9.2: lvgl_private.h first) that Limner paints, without a canvas: straight into the
- * stripe that LVGL draws, over what lies below it. A stripe is a frame of which the other lines are left out:
- * README.md.
+ * A widget of LVGL (9.0 and later; 9.2: lvgl_private.h first), painted into the stripe that LVGL draws, without a
+ * canvas: a frame without the other lines (README.md).
  *
  *     static struct limner_lvgl view = {.frame = draw}; // int draw(void): lim_frame(house_memory.lim, &camera)
- *     int err = limner_lvgl_begin(&view, &house_memory, &house_scene, HOUSE_SCENE_METHOD); // then lim_movers_init()
+ *     int err = house_begin(&house_memory, limner_lvgl_send, &view);
+ *     lim_set_visible(house_memory.lim, limner_lvgl_visible); // #if LIM_HAS_ROUND: lines above a stripe cost less
  *     lv_obj_t *obj = lv_obj_create(parent); // of the picture's size; lv_obj_invalidate(obj) for the next frame
  *     lv_obj_add_event_cb(obj, limner_lvgl_draw, LV_EVENT_DRAW_MAIN, &view); */
 #ifndef LIMNER_LVGL_H
 #define LIMNER_LVGL_H
-
 #include "limner.h"
 #include "lvgl.h"
-
 enum { LIMNER_LVGL_ENOUGH = -4001 }; /* ends a frame below its stripe */
 
 struct limner_lvgl {
@@ -42,19 +40,15 @@ static inline void limner_lvgl_visible(void *ctx, uint16_t y_px, uint16_t *x0_px
 {
     const struct limner_lvgl *const to = (const struct limner_lvgl *)((struct lim_sender *)ctx)->ctx;
     const int32_t y = to->obj.y1 + y_px;
-    *x0_px = 0;
-    *x1_px = y >= to->cut.y1 && y <= to->cut.y2 ? UINT16_MAX : 0;
+    *x0_px = 0, *x1_px = y >= to->cut.y1 && y <= to->cut.y2 ? UINT16_MAX : 0;
 }
 
-/* What lies below is painted first: LVGL only notes it down. */
 static inline void limner_lvgl_draw(lv_event_t *event)
 {
     struct limner_lvgl *const to = (struct limner_lvgl *)lv_event_get_user_data(event);
     lv_layer_t *const on = to->layer = lv_event_get_layer(event);
-    while (on->draw_task_head) {
+    for (; on->draw_task_head; lv_draw_dispatch()) /* what lies below: LVGL only noted it down */
         lv_draw_dispatch_wait_for_request();
-        lv_draw_dispatch();
-    }
     lv_obj_get_coords((lv_obj_t *)lv_event_get_target(event), &to->obj);
     to->cut.x1 = LV_MAX(to->obj.x1, on->_clip_area.x1), to->cut.x2 = LV_MIN(to->obj.x2, on->_clip_area.x2);
     to->cut.y1 = LV_MAX(to->obj.y1, on->_clip_area.y1), to->cut.y2 = LV_MIN(to->obj.y2, on->_clip_area.y2);
@@ -63,18 +57,4 @@ static inline void limner_lvgl_draw(lv_event_t *event)
     const int err = is_16 ? to->frame() : LIM_ERR_TARGET;
     if (err && err != LIMNER_LVGL_ENOUGH) to->err = err;
 }
-
-static inline int limner_lvgl_begin(struct limner_lvgl *to, const struct lim_memory *memory,
-                                    const struct lim_scene *scene, enum lim_method method)
-{
-    struct lim_target target;
-    const struct lim_sender sender = {limner_lvgl_send, to, memory->lines, memory->lines_b, 0};
-    *memory->sender = sender;
-    const int err = lim_sender_target(memory->sender, memory->w_px, memory->h_px, method, &target);
-#if LIM_HAS_ROUND
-    target.visible = limner_lvgl_visible;
-#endif
-    return err ? err : lim_init(memory->lim, scene, &target, memory->pools, memory->pools_b);
-}
-
 #endif

@@ -45,6 +45,7 @@ static const struct world_file PICO[] = {
     {"sim/export/worlds/pico/example/CMakeLists.txt", "example/CMakeLists.txt", WORLD_WITH_PANEL},
     {"sim/export/worlds/pico/example/main.c.in", "example/main.c", WORLD_WITH_PANEL},
     {"hal/adapters/limner_pico.h", "src/limner_pico.h", WORLD_WITH_PANEL},
+    {"hal/adapters/limner_pico_bus.h", "src/limner_pico_bus.h", WORLD_WITH_PANEL},
 };
 
 static const struct world_file CMAKE[] = {

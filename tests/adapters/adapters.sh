@@ -45,8 +45,9 @@ compile_scene() { # MODEL SIZE
     done
 }
 
-# A header with something wrong in it, by sed: the other headers stay.
+# A header with something wrong in it, by sed; the others beside it, as they may include it.
 break_header() { # HEADER EXPRESSION
+    cp hal/adapters/*.h "$work/broken/"
     sed -e "$2" "hal/adapters/$1" >"$work/broken/$1"
     ! cmp -s "hal/adapters/$1" "$work/broken/$1"
 }

@@ -61,8 +61,8 @@ found_out() { # PORT HEADER EXPRESSION
     [ $built -eq 0 ] && ! sends "$1" again st7735
 }
 
-found_out_if() { # PORT WHAT EXPRESSION
-    tap_check "$1 is found out if $2" found_out "$1" "limner_$1.h" "$3"
+found_out_if() { # HEADER WHAT EXPRESSION
+    tap_check "$1 is found out if $2" found_out "${1%_bus}" "limner_$1.h" "$3"
 }
 
 if ! has_cplusplus; then
@@ -94,12 +94,12 @@ found_out_if arduino "it takes the lowest bit first" 's/MSBFIRST/LSBFIRST/'
 found_out_if arduino "it waits by a function that does not count so far" 's/delay_us > 10000 ? .* : //'
 found_out_if arduino "it waits a millisecond too short" 's/delay_us \/ 1000 + 2/delay_us \/ 1000/'
 found_out_if arduino "it sends the same piece again" 's/data += piece_b, //'
-found_out_if pico "D/C does not wait for the SPI" 's/while (spi_is_busy(port->spi))/while (false)/'
-found_out_if pico "it does not wait for DMA" 's/^    dma_channel_wait_for_finish_blocking(port->dma);//'
-found_out_if pico "DMA goes at its own pace" '/channel_config_set_dreq/d'
-found_out_if pico "DMA goes by words" '/channel_config_set_transfer_data_size/d'
-found_out_if pico "it keeps the display unselected" 's/gpio_put(port->cs, false)/gpio_put(port->cs, true)/'
-found_out_if pico "it says that nothing is to be flushed" 's/limner_pico_flush, limner_pico_left_b/NULL, limner_pico_left_b/'
+found_out_if pico_bus "D/C does not wait for the SPI" 's/while (spi_is_busy(wires->spi))/while (false)/'
+found_out_if pico_bus "it does not wait for DMA" 's/^    dma_channel_wait_for_finish_blocking(wires->dma);//'
+found_out_if pico_bus "DMA goes at its own pace" '/channel_config_set_dreq/d'
+found_out_if pico_bus "DMA goes by words" '/channel_config_set_transfer_data_size/d'
+found_out_if pico_bus "it keeps the display unselected" 's/gpio_put(wires->cs, false)/gpio_put(wires->cs, true)/'
+found_out_if pico_bus "it says that nothing is to be flushed" 's/limner_pico_flush, limner_pico_left_b/NULL, limner_pico_left_b/'
 found_out_if pico "it leaves D/C an input" 's/gpio_set_dir(number, GPIO_OUT)/gpio_set_dir(number, GPIO_IN)/'
 found_out_if idf "it does not fetch results" 's/(err = limner_idf_flush(port))/0/'
 found_out_if idf "it says that nothing is to be flushed" 's/limner_idf_flush, NULL/NULL, NULL/'

@@ -68,12 +68,20 @@ found_out_if() {
     tap_check "$1 is found out if $2" found_out "$1" "limner_$1.h" "$3"
 }
 
+# Of what draws on a library's display, and the Pico's two.
+are_short() {
+    for header in tft_espi lovyangfx esp_lcd lvgl pico pico_bus; do
+        [ "$(wc -l <"hal/adapters/limner_$header.h")" -le 60 ] || { echo "$header" && return 1; }
+    done
+}
+
 if ! has_cplusplus; then
     tap_skip "adapters" "there is no $CXX"
     tap_done
     exit 0
 fi
 
+tap_check "headers have at most 60 lines" are_short
 tap_check "the fakes compile" fakes_compile fake_display fake_esp_lcd fake_lvgl
 while read -r model size options; do
     # shellcheck disable=SC2086 # options are words
@@ -114,7 +122,7 @@ found_out_if esp_lcd "its window ends a column too early" 's/x0 + w_px, y1/x0 + 
 found_out_if esp_lcd "it sends full blocks alone" 's/ && y_px + 1 < to->memory->h_px//'
 found_out_if esp_lcd "it waits for its callback and has none" 's/return -esp_lcd_panel_io_register.*/(void)io, (void)callbacks; return 0;/'
 found_out_if lvgl "it does not swap for LVGL's own order" 's/\[i ^ swap\]/[i]/'
-found_out_if lvgl "it does not wait for what lies below" 's/while (on->draw_task_head)/while (false)/'
+found_out_if lvgl "it does not wait for what lies below" 's/for (; on->draw_task_head;/for (; false;/'
 found_out_if lvgl "it forgets where the stripe begins" 's/y - on->buf_area.y1/y/'
 found_out_if lvgl "it paints beyond the right edge" 's/LV_MIN(to->cut.x2 + 1 - x0, n_px)/(int32_t)n_px/'
 found_out_if lvgl "it paints beyond the left edge" 's/LV_MAX(to->cut.x1 - x0, 0)/0/'

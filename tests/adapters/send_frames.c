@@ -129,13 +129,8 @@ static int with_lvgl(void)
     const lv_color_format_t format = option.native ? LV_COLOR_FORMAT_RGB565 : LV_COLOR_FORMAT_RGB565_SWAPPED;
 
     view.frame = draw_stripe;
-    int err = limner_lvgl_begin(&view, &model_memory, &model_scene, MODEL_SCENE_METHOD);
-#ifdef MODEL_MOVERS
-    const struct lim_movers_limits limits = MODEL_MOVERS_LIMITS;
-    if (!err) err = lim_movers_init(model_memory.lim, model_memory.movers, model_memory.movers_b, &limits);
-#endif
-    library_send = model_memory.sender->send;
-    model_memory.sender->send = send;
+    int err = begin(limner_lvgl_send, &view);
+    if (!err) lim_set_visible(model_memory.lim, limner_lvgl_visible);
     for (frame = 0; frame < CAMERAS_COUNT && !err; frame++) {
         fake_lvgl_refresh(format, option.lines, screen, coords, limner_lvgl_draw, &view);
         err = view.err;

@@ -37,7 +37,7 @@ pico_draws() { # MODEL CAMERAS|- PANEL OPTION...
     shift 3
     exported_expected "$folder" "$model" "$cameras" --panel "$panel" "$@" >/dev/null &&
         "$BUILD/limner" export "$model" --for pico --panel "$panel" -o "$folder/model" "$@" >/dev/null &&
-        with_cameras "$folder/model/example/main.c" 's/\.sck = 18/.sck = WIRE_CLOCK/; s/\.tx = 19/.tx = WIRE_DATA/; s/= 17,/= WIRE_CS,/
+        with_cameras "$folder/model/example/main.c" 's/\.sck = 18/.sck = WIRE_CLOCK/; s/\.tx = 19/.tx = WIRE_DATA/; s/\.cs = 17/.cs = WIRE_CS/
             s/\.dc = 16/.dc = WIRE_DC/; s/\.reset = 22/.reset = WIRE_RESET/; s/\.backlight = 20/.backlight = WIRE_BACKLIGHT/; s/select = 17/select = WIRE_SELECT/' &&
         PICO_SDK_PATH=$here/tests/export/stubs/pico builds "$folder/model/example" "$folder/built" "$folder" &&
         frames_are_right "$folder/built/model_example" "$folder/expected" "$panel"

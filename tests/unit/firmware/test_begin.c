@@ -152,6 +152,55 @@ static void a_failure_ends_the_frame_and_comes_back(void **state)
     assert_same_frames(*state, one_line.lim);
 }
 
+/* A slanted part of each line, and every fifth line not at all. */
+static void seen(void *ctx, uint16_t y_px, uint16_t *x0_px, uint16_t *x1_px)
+{
+    assert_ptr_equal(((struct lim_sender *)ctx)->ctx, &glass);
+    *x0_px = y_px / 2;
+    *x1_px = (uint16_t)(y_px % 5 == 0 ? 0 : W_PX - y_px / 3);
+}
+
+static int put_seen(void *ctx, uint16_t y_px, const uint16_t *pixels, uint16_t x_px, uint16_t n_px)
+{
+    struct glass *glass_of = ctx;
+
+    if (n_px == 0) return 0;
+    assert_true(y_px % 5 != 0 && x_px >= y_px / 2 && x_px + n_px <= W_PX - y_px / 3);
+    memcpy(&glass_of->picture[y_px][x_px], pixels, n_px * sizeof *pixels);
+    return 0;
+}
+
+static void what_is_not_seen_is_not_sent(void **state)
+{
+    static struct glass whole;
+    const struct lim_camera camera = room_stage_view(*state, W_PX, H_PX);
+
+    assert_int_equal(lim_begin(&one_line, scene_of(state), LIM_NEAREST_FIRST, put, &whole), LIM_OK);
+    assert_int_equal(lim_frame(one_line.lim, &camera), LIM_OK);
+    assert_int_equal(lim_begin(&one_line, scene_of(state), LIM_NEAREST_FIRST, put_seen, &glass), LIM_OK);
+    lim_set_visible(one_line.lim, seen);
+    memset(glass.picture, 0x33, sizeof glass.picture);
+    assert_int_equal(lim_frame(one_line.lim, &camera), LIM_OK);
+    for (int y = 0; y < H_PX; y++)
+        for (int x = 0; x < W_PX; x++) {
+            const bool is_seen = y % 5 != 0 && x >= y / 2 && x < W_PX - y / 3;
+            assert_int_equal(glass.picture[y][x], is_seen ? whole.picture[y][x] : 0x3333);
+        }
+}
+
+static void all_is_seen_again(void **state)
+{
+    const struct lim_camera camera = room_stage_view(*state, W_PX, H_PX);
+
+    glass.fails_at = 0;
+    assert_int_equal(lim_begin(&one_line, scene_of(state), LIM_NEAREST_FIRST, put, &glass), LIM_OK);
+    lim_set_visible(one_line.lim, seen);
+    assert_int_equal(lim_frame_begin(one_line.lim, &camera), LIM_OK);
+    lim_set_visible(one_line.lim, NULL);
+    assert_int_equal(lim_frame_paint(one_line.lim), LIM_ERR_BEGIN);
+    assert_same_frames(*state, one_line.lim);
+}
+
 /* Widths, and how many bytes of the lines are there. */
 static void lines_that_are_too_short_are_refused(void **state)
 {
@@ -219,6 +268,8 @@ int main(void)
         cmocka_unit_test(scarce_pools_send_pieces),
         cmocka_unit_test(two_displays_are_apart),
         cmocka_unit_test(a_failure_ends_the_frame_and_comes_back),
+        cmocka_unit_test(what_is_not_seen_is_not_sent),
+        cmocka_unit_test(all_is_seen_again),
         cmocka_unit_test(lines_that_are_too_short_are_refused),
         cmocka_unit_test(large_displays_are_no_small_ones),
         cmocka_unit_test(a_declaration_has_the_memory_that_it_says),
