@@ -5,18 +5,15 @@
 #include "export/export.h"
 
 #include "agree.h"
-#include "base/grow.h"
-#include "cameras/camera_path.h"
 #include "export/amalgam.h"
 #include "export/display_c.h"
 #include "export/embedded.h"
+#include "export/export_words.h"
 #include "export/template.h"
 #include "scene/mcu_mem.h"
 #include "scene/moving.h"
 #include "scene/needs.h"
 
-#include <math.h>
-#include <stdarg.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -30,14 +27,8 @@ static const char *const FOLDERS[] = {"firmware/", "hal/", "boards/common/", NUL
 static const char *const ROOMS[] = {"math/",   "view/",   "screen/", "pixels/", "lines/",
                                     "movers/", "pieces/", "routes/", "orders/", ""};
 
-enum { ORBIT_FRAMES = 36 };
-
 /* An estimate on the safe side of what is refused: the smallest renderer with a driver. */
 enum { LEAST_CODE_B = 8192 };
-
-struct export_orbit {
-    double target_m[3], radius_m, near_m;
-};
 
 static FILE *open_in(const struct export_plan *plan, const char *folder, const char *name, char path[C_PATH_MAX_B],
                      struct outputs *outputs, struct error *err)
@@ -282,125 +273,13 @@ static bool put_scenes(const struct export_plan *plan, struct outputs *outputs, 
     return true;
 }
 
-/* The example's orbit: the simulator's. */
-static bool plan_orbit(const struct export_plan *plan, struct export_orbit *orbit, struct error *err)
-{
-    struct lens lens;
-    struct camera_path path;
-    const struct compiled *scene = plan->scenes[0].scene;
-    if (!lens_for_grid(&lens, EXPORT_FOV_DEG, 0.0, &scene->grid, plan->w_px, plan->h_px, err) ||
-        !camera_path_orbit(scene, &lens, ORBIT_FRAMES, &path, err))
-        return false;
-    const struct viewpoint *first = &path.frames[0];
-    double square_m2 = 0.0;
-    for (int i = 0; i < 3; i++) {
-        orbit->target_m[i] = first->target_m[i];
-        square_m2 += (first->eye_m[i] - first->target_m[i]) * (first->eye_m[i] - first->target_m[i]);
-    }
-    orbit->radius_m = sqrt(square_m2);
-    orbit->near_m = lens.near_m;
-    camera_path_free(&path);
-    return true;
-}
-
-/* All sources but the example's, each after a blank and with its folder. */
-static void write_sources(const struct export_plan *plan, FILE *out)
-{
-    const char *folder = plan->world->source, *symbol = plan->name->symbol;
-    fprintf(out, "%slimner.c", folder);
-    for (size_t i = 0; i < plan->count; i++) {
-        const struct moving *moving = plan->scenes[i].moving;
-        const char *scene = strrchr(plan->scenes[i].name, '/') + 1;
-        fprintf(out, " %s%s.c", folder, scene);
-        for (size_t k = 0; moving && k < moving->count; k++)
-            fprintf(out, " %s%s_object%zu.c", folder, scene, k + 1);
-        if (moving) fprintf(out, " %s%s_movers.c", folder, scene);
-    }
-    if (plan->module) fprintf(out, " %s%s_display.c", folder, symbol);
-}
-
-enum { WORDS_MAX = 24, WORD_TEXT_B = 4096 };
-
-struct words {
-    struct template_word list[WORDS_MAX];
-    char texts[WORDS_MAX][WORD_TEXT_B];
-    size_t count;
-};
-
-__attribute__((format(printf, 3, 4))) static void add_word(struct words *words, const char *word, const char *format,
-                                                           ...)
-{
-    char *text = words->texts[words->count];
-    va_list values;
-    va_start(values, format);
-    vsnprintf(text, WORD_TEXT_B, format, values);
-    va_end(values);
-    words->list[words->count++] = (struct template_word){word, text};
-}
-
-static void add_sources(const struct export_plan *plan, struct words *words)
-{
-    char *sources = NULL;
-    size_t sources_b;
-    FILE *memory = open_memstream(&sources, &sources_b);
-    if (!memory) return;
-    write_sources(plan, memory);
-    fclose(memory);
-    add_word(words, "sources", "%s", sources);
-    free(sources);
-}
-
-static void add_orbit(const struct export_orbit *orbit, struct words *words)
-{
-    add_word(words, "TARGET_M", "%.4g, %.4g, %.4g", orbit->target_m[0], orbit->target_m[1], orbit->target_m[2]);
-    add_word(words, "ORBIT_M", "%.4g", orbit->radius_m);
-    add_word(words, "NEAR_M", "%.3g", orbit->near_m);
-    add_word(words, "LENS", "%d", EXPORT_FOV_DEG);
-}
-
-/* Who sets chip select: the port, or the display's driver. */
-static void add_selects(const struct export_plan *plan, struct words *words)
-{
-    const bool selects = plan->module && plan->module->panel.family->selects;
-    add_word(words, "cs_10", "%s", selects ? "LIMNER_NO_PIN" : "10");
-    add_word(words, "select_10", "%s", selects ? "10" : "LIMNER_NO_PIN");
-    add_word(words, "cs_idf", "%s", selects ? "GPIO_NUM_NC" : "10");
-    add_word(words, "select_idf", "%s", selects ? "10" : "GPIO_NUM_NC");
-    add_word(words, "cs_17", "%s", selects ? "LIMNER_NO_PIN" : "17");
-    add_word(words, "select_17", "%s", selects ? "17" : "LIMNER_NO_PIN");
-}
-
-static bool fill_words(const struct export_plan *plan, struct words *words, struct error *err)
-{
-    struct export_orbit orbit;
-    struct c_name first;
-    const struct export_cost cost = export_cost(plan);
-    if (!plan_orbit(plan, &orbit, err) || !c_name_init(&first, plan->scenes[0].name, err)) return false;
-    *words = (struct words){.count = 0};
-    add_word(words, "name", "%s", plan->name->symbol);
-    add_word(words, "NAME", "%s", plan->name->macro);
-    add_word(words, "scene", "%s", first.symbol);
-    add_word(words, "SCENE", "%s", first.macro);
-    add_word(words, "title", "%s", plan->world->title);
-    add_word(words, "version", "%d.%d.%d", LIM_VERSION_MAJOR, LIM_VERSION_MINOR, LIM_VERSION_PATCH);
-    add_word(words, "command", "%s", plan->command);
-    add_word(words, "W", "%u", plan->w_px);
-    add_word(words, "H", "%u", plan->h_px);
-    add_word(words, "panel", "%s", plan->module ? plan->module->panel.name : "no display");
-    add_word(words, "data_b", "%zu", cost.data_b);
-    add_word(words, "ram_b", "%zu", cost.ram_b);
-    add_selects(plan, words);
-    add_orbit(&orbit, words);
-    add_sources(plan, words);
-    return true;
-}
-
 bool export_put(const struct export_plan *plan, struct outputs *outputs, struct error *err)
 {
-    struct words *words = grow_zeroed(1, sizeof *words);
-    const bool ok = fill_words(plan, words, err) && put_scenes(plan, outputs, err) && put_sources(plan, outputs, err) &&
-                    put_world(plan, words->list, words->count, outputs, err);
-    free(words);
+    struct export_words words;
+    if (!export_words_init(&words, plan, err)) return false;
+    const bool ok = put_scenes(plan, outputs, err) && put_sources(plan, outputs, err) &&
+                    put_world(plan, words.list, words.count, outputs, err);
+    export_words_free(&words);
     return ok;
 }
 

@@ -68,20 +68,12 @@ found_out_if() {
     tap_check "$1 is found out if $2" found_out "$1" "limner_$1.h" "$3"
 }
 
-# Of what draws on a library's display, and the Pico's two.
-are_short() {
-    for header in tft_espi lovyangfx esp_lcd lvgl pico pico_bus; do
-        [ "$(wc -l <"hal/adapters/limner_$header.h")" -le 60 ] || { echo "$header" && return 1; }
-    done
-}
-
 if ! has_cplusplus; then
     tap_skip "adapters" "there is no $CXX"
     tap_done
     exit 0
 fi
 
-tap_check "headers have at most 60 lines" are_short
 tap_check "the fakes compile" fakes_compile fake_display fake_esp_lcd fake_lvgl
 while read -r model size options; do
     # shellcheck disable=SC2086 # options are words

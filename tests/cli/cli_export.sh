@@ -86,6 +86,27 @@ several_models() {
         "$CC" -std=c11 $WARNINGS -I"$work/set" -c -o "$work/main.o" "$work/set/main.c"
 }
 
+# Their sources are more than a page of names.
+many_models() {
+    mkdir "$work/many"
+    for i in $(seq 100 175); do
+        cp "$model" "$work/many/a_model_with_a_name_that_goes_on_and_on_$i.obj"
+    done
+    exports "$work/many"/*.obj --for cmake --size 16x16 -o "$work/many_models" || return 1
+    for source in "$work/many_models"/src/*.c; do
+        grep -q " src/$(basename "$source")\>" "$work/many_models/CMakeLists.txt" || { basename "$source" && return 1; }
+    done
+}
+
+# The example looks where the model is, however far from the origin.
+example_looks_at_it() {
+    awk '/^v / { printf "v %.4f %s %.4f\n", $2 + 1234567, $3, $4 - 54321; next } { print }' "$model" >"$work/far.obj"
+    exports "$model" --for plain -o "$work/near" && exports "$work/far.obj" --for plain -o "$work/far" || return 1
+    for folder in near far; do
+        sed -n 's/.*POINT_Q8(\(.*\));/\1/p' "$work/$folder/main.c" | tr -d ,
+    done | awk 'NR == 1 { x = $1; z = $3; next } { d = $1 - x - 1234567; e = $3 - z + 54321; print d, e; exit !(d * d + e * e < 0.01) }'
+}
+
 # An adapter's picture is asked for by its size alone; no display of ours is there then.
 size_alone() {
     exports "$model" --for arduino --size 128x96 -o "$work/sized" && [ ! -e "$work/sized/src/limner_display.h" ] &&
@@ -129,6 +150,8 @@ tap_check "of an export that failed nothing is left" nothing_is_left
 tap_check "a scene too large for the smallest board is told, with bytes" too_large
 tap_check "names that toolchains cannot have are mapped, and told" names_are_mapped
 tap_check "several models share one folder" several_models
+tap_check "and so do many with long names" many_models
+tap_check "an example looks at a model that is far from the origin" example_looks_at_it
 tap_check "a size alone leaves the display to another library" size_alone
 tap_check "pages have no word left to be replaced" pages_are_whole
 if command -v cmake >/dev/null; then

@@ -1,0 +1,137 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * The example draws the orbit that the simulator has. */
+#include "export/export_words.h"
+
+#include "agree.h"
+#include "base/grow.h"
+#include "cameras/camera_path.h"
+#include "scene/moving.h"
+
+#include <math.h>
+#include <stdarg.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { ORBIT_FRAMES = 36 };
+
+struct export_orbit {
+    double target_m[3], radius_m, near_m;
+};
+
+static bool plan_orbit(const struct export_plan *plan, struct export_orbit *orbit, struct error *err)
+{
+    struct lens lens;
+    struct camera_path path;
+    const struct compiled *scene = plan->scenes[0].scene;
+    if (!lens_for_grid(&lens, EXPORT_FOV_DEG, 0.0, &scene->grid, plan->w_px, plan->h_px, err) ||
+        !camera_path_orbit(scene, &lens, ORBIT_FRAMES, &path, err))
+        return false;
+    const struct viewpoint *first = &path.frames[0];
+    double square_m2 = 0.0;
+    for (int i = 0; i < 3; i++) {
+        orbit->target_m[i] = first->target_m[i];
+        square_m2 += (first->eye_m[i] - first->target_m[i]) * (first->eye_m[i] - first->target_m[i]);
+    }
+    orbit->radius_m = sqrt(square_m2);
+    orbit->near_m = lens.near_m;
+    camera_path_free(&path);
+    return true;
+}
+
+/* All sources but the example's, each after a blank and with its folder. */
+static void write_sources(const struct export_plan *plan, FILE *out)
+{
+    const char *folder = plan->world->source, *symbol = plan->name->symbol;
+    fprintf(out, "%slimner.c", folder);
+    for (size_t i = 0; i < plan->count; i++) {
+        const struct moving *moving = plan->scenes[i].moving;
+        const char *scene = strrchr(plan->scenes[i].name, '/') + 1;
+        fprintf(out, " %s%s.c", folder, scene);
+        for (size_t k = 0; moving && k < moving->count; k++)
+            fprintf(out, " %s%s_object%zu.c", folder, scene, k + 1);
+        if (moving) fprintf(out, " %s%s_movers.c", folder, scene);
+    }
+    if (plan->module) fprintf(out, " %s%s_display.c", folder, symbol);
+}
+
+__attribute__((format(printf, 3, 4))) static void add_word(struct export_words *words, const char *word,
+                                                           const char *format, ...)
+{
+    va_list values, again;
+    va_start(values, format);
+    va_copy(again, values);
+    const size_t text_b = (size_t)vsnprintf(NULL, 0, format, values) + 1;
+    char *text = grow_zeroed(text_b, 1);
+    vsnprintf(text, text_b, format, again);
+    va_end(again);
+    va_end(values);
+    words->texts[words->count] = text;
+    words->list[words->count++] = (struct template_word){word, text};
+}
+
+static bool add_sources(const struct export_plan *plan, struct export_words *words, struct error *err)
+{
+    char *sources = NULL;
+    size_t sources_b;
+    FILE *memory = open_memstream(&sources, &sources_b);
+    if (!memory) return error_set(err, "no memory for the names of sources");
+    write_sources(plan, memory);
+    fclose(memory);
+    add_word(words, "sources", "%s", sources);
+    free(sources);
+    return true;
+}
+
+static void add_orbit(const struct export_orbit *orbit, struct export_words *words)
+{
+    add_word(words, "TARGET_M", "%.9g, %.9g, %.9g", orbit->target_m[0], orbit->target_m[1], orbit->target_m[2]);
+    add_word(words, "ORBIT_M", "%.6g", orbit->radius_m);
+    add_word(words, "NEAR_M", "%.3g", orbit->near_m);
+    add_word(words, "LENS", "%d", EXPORT_FOV_DEG);
+}
+
+/* Who sets chip select: the port, or the display's driver. */
+static void add_selects(const struct export_plan *plan, struct export_words *words)
+{
+    const bool selects = plan->module && plan->module->panel.family->selects;
+    add_word(words, "cs_10", "%s", selects ? "LIMNER_NO_PIN" : "10");
+    add_word(words, "select_10", "%s", selects ? "10" : "LIMNER_NO_PIN");
+    add_word(words, "cs_idf", "%s", selects ? "GPIO_NUM_NC" : "10");
+    add_word(words, "select_idf", "%s", selects ? "10" : "GPIO_NUM_NC");
+    add_word(words, "cs_17", "%s", selects ? "LIMNER_NO_PIN" : "17");
+    add_word(words, "select_17", "%s", selects ? "17" : "LIMNER_NO_PIN");
+}
+
+bool export_words_init(struct export_words *words, const struct export_plan *plan, struct error *err)
+{
+    struct export_orbit orbit;
+    struct c_name first;
+    const struct export_cost cost = export_cost(plan);
+    if (!plan_orbit(plan, &orbit, err) || !c_name_init(&first, plan->scenes[0].name, err)) return false;
+    *words = (struct export_words){.count = 0};
+    add_word(words, "name", "%s", plan->name->symbol);
+    add_word(words, "NAME", "%s", plan->name->macro);
+    add_word(words, "scene", "%s", first.symbol);
+    add_word(words, "SCENE", "%s", first.macro);
+    add_word(words, "title", "%s", plan->world->title);
+    add_word(words, "version", "%d.%d.%d", LIM_VERSION_MAJOR, LIM_VERSION_MINOR, LIM_VERSION_PATCH);
+    add_word(words, "command", "%s", plan->command);
+    add_word(words, "W", "%u", plan->w_px);
+    add_word(words, "H", "%u", plan->h_px);
+    add_word(words, "panel", "%s", plan->module ? plan->module->panel.name : "no display");
+    add_word(words, "data_b", "%zu", cost.data_b);
+    add_word(words, "ram_b", "%zu", cost.ram_b);
+    add_selects(plan, words);
+    add_orbit(&orbit, words);
+    if (add_sources(plan, words, err)) return true;
+    export_words_free(words);
+    return false;
+}
+
+void export_words_free(struct export_words *words)
+{
+    for (size_t i = 0; i < words->count; i++)
+        free(words->texts[i]);
+    *words = (struct export_words){.count = 0};
+}
