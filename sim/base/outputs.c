@@ -276,7 +276,7 @@ bool outputs_close(FILE *file, const char *path, struct error *err)
 FILE *outputs_reread(const struct outputs *outputs, size_t index, const char **path)
 {
     const struct output_path *output = &outputs->paths[index];
-    *path = output->path;
+    *path = output->part ? output->path : NULL;
     return output->part ? fopen(output->part, "rb") : NULL;
 }
 

@@ -32,8 +32,8 @@ FILE *outputs_open(struct outputs *outputs, const char *path, struct error *err)
 /* Closes a file of outputs_open(); what could not be written is an error. */
 bool outputs_close(FILE *file, const char *path, struct error *err);
 
-/* Output `index` < count, closed, to be read before it is in its place; *path: where that is. NULL: it is a folder, or
- * cannot be read. */
+/* Output `index` < count, closed, to be read before it is in its place; *path: where that is, NULL for a folder. NULL:
+ * it is one, or cannot be read. */
 FILE *outputs_reread(const struct outputs *outputs, size_t index, const char **path);
 
 /* Puts every file in its place, says so (written.h) and frees the list. */

@@ -18,7 +18,7 @@ enum { ARGUMENTS_MORE = 3 };
 
 struct export_request {
     const struct world *world;
-    char folder[C_PATH_MAX_B], command[C_PATH_MAX_B];
+    char folder[C_PATH_MAX_B], *command; /* as it was typed; to be freed */
     struct c_name name;
     char path[C_PATH_MAX_B]; /* of the files, without suffix */
     struct module_choice module;
@@ -27,15 +27,23 @@ struct export_request {
 };
 
 /* As it was typed, for the page of the folder; words that a shell would take apart are quoted. */
-static void tell_command(int argc, char **argv, char command[C_PATH_MAX_B])
+static char *tell_command(int argc, char **argv)
 {
-    size_t at = (size_t)snprintf(command, C_PATH_MAX_B, "limner");
-    for (int i = 0; i < argc && at < C_PATH_MAX_B; i++) {
-        const bool is_plain =
-            strspn(argv[i], "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-./:,=%+") ==
-            strlen(argv[i]);
-        at += (size_t)snprintf(command + at, C_PATH_MAX_B - at, is_plain ? " %s" : " '%s'", argv[i]);
+    static const char plain[] = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-./:,=%+";
+    char *command = NULL;
+    size_t command_b;
+    FILE *memory = open_memstream(&command, &command_b);
+    if (!memory) return NULL;
+    fputs("limner", memory);
+    for (int i = 0; i < argc; i++) {
+        const char *word = argv[i], *quote = *word && strspn(word, plain) == strlen(word) ? "" : "'";
+        fprintf(memory, " %s", quote);
+        for (; *word; word++)
+            fprintf(memory, *word == '\'' ? "'\\''" : "%c", *word);
+        fputs(quote, memory);
     }
+    fclose(memory);
+    return command;
 }
 
 /* Names that another file, a header of C's or Arduino's library, or a target of CMake's has already. */
@@ -75,6 +83,9 @@ static bool take_folder(struct export_request *out, const char *folder, struct e
         length--;
     if (length >= C_PATH_MAX_B) return error_set(err, "%s: the path is too long", folder);
     snprintf(out->folder, sizeof out->folder, "%.*s", (int)length, folder);
+    const char *last = strrchr(out->folder, '/') ? strrchr(out->folder, '/') + 1 : out->folder;
+    if (!*last || strcmp(last, ".") == 0 || strcmp(last, "..") == 0)
+        return error_set(err, "-o %s: gives the export no name; name the folder itself", folder);
     return name_all(out, err);
 }
 
@@ -102,11 +113,18 @@ static bool take_module(struct export_request *out, struct arguments *arguments,
 static bool fit_to_module(struct export_request *out, struct error *err)
 {
     struct display display;
+    if (!out->has_module && (out->compile.compile.delta || out->compile.compile.fill))
+        return error_set(err, "%s: needs a display of Limner's: --panel NAME",
+                         out->compile.compile.delta ? "--delta" : "--fill");
     if (!out->has_module) return true;
     if (!idle_display_setup(&display, &out->module, err)) return false;
-    out->compile.compile.w_px = display.panel->w_px;
-    out->compile.compile.h_px = display.panel->h_px;
-    out->compile.compile.round |= display.panel->visible != NULL;
+    const struct panel *panel = display.panel;
+    if (out->compile.compile.fill && (panel->format != PANEL_GREY4 || panel->w_px % 8 != 0 || panel->visible))
+        return error_set(err, "--fill: %s does not keep pictures so; displays with 16 greys do",
+                         out->module.panel.name);
+    out->compile.compile.w_px = panel->w_px;
+    out->compile.compile.h_px = panel->h_px;
+    out->compile.compile.round |= panel->visible != NULL;
     out->compile.compile.mono = panel_choice_is_mono(&out->module.panel);
     return true;
 }
@@ -167,6 +185,7 @@ static bool run(struct export_request *request, struct error *err)
                                      .module = request->has_module ? &request->module : NULL,
                                      .w_px = w_px,
                                      .h_px = h_px,
+                                     .near_m = request->compile.compile.near_m,
                                      .command = request->command};
     ok = ok && write_folder(&plan, &folder, err);
     if (ok) compile_result_report(&request->compile, &result);
@@ -181,12 +200,16 @@ int cmd_export(int argc, char **argv)
     struct error err;
     struct export_request request = {.world = NULL};
     char **items = calloc((size_t)argc + ARGUMENTS_MORE, sizeof *items);
-    if (!items) return EXIT_FAILURE;
+    request.command = tell_command(argc, argv);
+    if (!items || !request.command) {
+        fputs("limner: export: out of memory\n", stderr);
+        return EXIT_FAILURE;
+    }
     memcpy(items, argv, (size_t)argc * sizeof *items);
     struct arguments arguments = {items, argc};
-    tell_command(argc, argv, request.command);
     const bool ok = parse(&arguments, &request, &err) && run(&request, &err);
     if (!ok) fprintf(stderr, "limner: %s\n", err.text);
+    free(request.command);
     free(items);
     return ok ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -127,12 +127,10 @@ static void write_lines(const struct export_plan *plan, FILE *out)
             macro, macro);
 }
 
-static bool write_memory(const struct export_plan *plan, FILE *out, struct error *err)
+static void write_memory(const struct export_plan *plan, FILE *out)
 {
     const char *macro = plan->name->macro;
     const size_t movers = most_movers(plan);
-    struct c_name first;
-    if (!scene_name(plan, 0, &first, err)) return false;
     write_lines(plan, out);
     write_pools(plan, out);
     fputs("\nstatic struct screen screen;\nstatic struct lim lim;\nstatic void *pools[LIM_POINTERS(POOLS_B)];\n", out);
@@ -143,13 +141,12 @@ static bool write_memory(const struct export_plan *plan, FILE *out, struct error
     fprintf(out,
             "#if LIM_HAS_DELTA\nstatic void *delta_mem[LIM_POINTERS(%s_SCENE_DELTA_MEM_B(MODULE_W_PX, "
             "MODULE_H_PX))];\n#endif\n",
-            first.macro);
+            macro);
     fputs("#if LIM_HAS_ANTIALIAS\nstatic uint32_t smooth_mem[LIM_ANTIALIAS_MEM_B(MODULE_W_PX) / 4];\n#endif\n", out);
-    if (!movers) return true;
+    if (!movers) return;
     fprintf(out, "static void *mover_mem[LIM_POINTERS(%s_MOVERS_MEM_B)];\n", macro);
     fprintf(out, "static struct lim_instance instances[%zu];\n", movers);
     fputs("static const struct lim_moved *moved; /* NULL: nothing moves */\nstatic uint16_t moved_count;\n", out);
-    return true;
 }
 
 static void write_movers(const struct named_scene *scene, const struct c_name *name, FILE *out)
@@ -229,7 +226,7 @@ static bool write_calls(const struct export_plan *plan, FILE *out, struct error 
 
 static bool write_glue(const struct export_plan *plan, FILE *out, struct error *err)
 {
-    if (!write_memory(plan, out, err)) return false;
+    write_memory(plan, out);
     fputs(START, out);
     for (size_t i = 0; i < plan->count; i++)
         if (!write_show(plan, i, out, err)) return false;
@@ -274,12 +271,10 @@ static bool add_glue(const struct export_plan *plan, struct amalgam *joined, FIL
 
 bool display_c_write_source(const struct export_plan *plan, struct amalgam *joined, FILE *out, struct error *err)
 {
-    static const char *const folders[] = {"firmware/", "hal/", "boards/common/", NULL};
     char header_alias[64];
     snprintf(header_alias, sizeof header_alias, "%s.h", plan->module->panel.family->driver);
     const char *const aliases[] = {"panels.h", header_alias, NULL};
     char *texts[2] = {NULL, NULL};
-    joined->folders = folders;
     joined->aliases = aliases;
     fprintf(out, "/* %s_display.h says what this is. */\n#include \"%s_display.h\"\n", plan->name->symbol,
             plan->name->symbol);
@@ -292,6 +287,7 @@ bool display_c_write_source(const struct export_plan *plan, struct amalgam *join
                     amalgam_add_text(joined, "boards/common/module.h", texts[0], out, err) &&
                     amalgam_add_text(joined, "boards/common/module.c", texts[1], out, err) &&
                     add_glue(plan, joined, out, err);
+    joined->aliases = NULL;
     free(texts[0]);
     free(texts[1]);
     return ok;

@@ -27,7 +27,7 @@ static const char *const FOLDERS[] = {"firmware/", "hal/", "boards/common/", NUL
 static const char *const ROOMS[] = {"math/",   "view/",   "screen/", "pixels/", "lines/",
                                     "movers/", "pieces/", "routes/", "orders/", ""};
 
-/* An estimate on the safe side of what is refused: the smallest renderer with a driver. */
+/* An estimate, on the safe side of what is told: the smallest renderer with a driver. */
 enum { LEAST_CODE_B = 8192 };
 
 static FILE *open_in(const struct export_plan *plan, const char *folder, const char *name, char path[C_PATH_MAX_B],
@@ -184,7 +184,7 @@ static bool is_wanted(const struct export_plan *plan, enum world_when when)
     case WORLD_WITHOUT_PANEL:
         return !plan->module;
     default:
-        return !plan->module || plan->module->panel.format == PANEL_RGB565;
+        return export_is_in_colour(plan);
     }
 }
 
@@ -287,7 +287,7 @@ void export_report(const struct export_plan *plan)
 {
     const struct world *world = plan->world;
     const struct export_cost cost = export_cost(plan);
-    printf("%s: %zu bytes of scene data, %zu of RAM without the stack; the code takes some 5 to 15 KB more\n",
+    printf("%s: %zu bytes of scene data, %zu of RAM without the stack; the renderer's code comes on top\n",
            plan->folder, cost.data_b, cost.ram_b);
     if (!world->smallest || (cost.data_b + LEAST_CODE_B <= world->flash_b && export_has_room(plan, cost.least_ram_b)))
         return;

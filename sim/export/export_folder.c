@@ -33,17 +33,31 @@ static unsigned long file_crc(FILE *file)
     return crc;
 }
 
+/* In the folder, and not beyond it: somebody else may have written the list. */
+static bool is_inside(const char *path)
+{
+    bool is_up = false;
+    for (const char *part = path; part && !is_up; part = strchr(part, '/') ? strchr(part, '/') + 1 : NULL)
+        is_up = strcspn(part, "/") == 2 && strncmp(part, "..", 2) == 0;
+    return path[0] != '/' && !is_up;
+}
+
+static void add_file(struct export_file **files, size_t *count, size_t *capacity, const char *path, unsigned long crc)
+{
+    *files = grow(*files, *count, capacity, sizeof **files);
+    struct export_file *file = &(*files)[(*count)++];
+    snprintf(file->path, sizeof file->path, "%s", path);
+    file->crc = crc;
+}
+
 /* A line of the list. */
 static void add_line(struct export_folder *folder, char *line)
 {
     char *end;
     const unsigned long crc = strtoul(line, &end, 16);
     line[strcspn(line, "\n")] = '\0';
-    if (end != line + CRC_DIGITS || *end != ' ' || strlen(end + 1) >= C_PATH_MAX_B) return;
-    folder->files = grow(folder->files, folder->count, &folder->capacity, sizeof *folder->files);
-    struct export_file *file = &folder->files[folder->count++];
-    strcpy(file->path, end + 1);
-    file->crc = crc;
+    if (end == line + CRC_DIGITS && *end == ' ' && strlen(end + 1) < C_PATH_MAX_B && is_inside(end + 1))
+        add_file(&folder->files, &folder->count, &folder->capacity, end + 1, crc);
 }
 
 static void read_list(struct export_folder *folder)
@@ -61,10 +75,10 @@ static void read_list(struct export_folder *folder)
 static const struct export_folder *walked;
 static struct error *walked_err;
 
-static const struct export_file *find(const struct export_folder *folder, const char *path)
+static const struct export_file *find(const struct export_file *files, size_t count, const char *path)
 {
-    for (size_t i = 0; i < folder->count; i++)
-        if (strcmp(folder->files[i].path, path) == 0) return &folder->files[i];
+    for (size_t i = 0; i < count; i++)
+        if (strcmp(files[i].path, path) == 0) return &files[i];
     return NULL;
 }
 
@@ -79,10 +93,15 @@ static bool is_unchanged(const char *path, const struct export_file *file)
 
 static int check_file(const char *path, const struct stat *about, int kind, struct FTW *at)
 {
-    (void)about, (void)at;
+    (void)about;
+    if (kind == FTW_D) return 0;
+    if (at->level == 0) {
+        error_set(walked_err, "%s: is a link, or cannot be read; name the folder itself", path);
+        return 1;
+    }
     const char *inside = path + strlen(walked->path) + 1;
-    if (kind == FTW_D || strcmp(inside, LIST) == 0) return 0;
-    const struct export_file *file = kind == FTW_F ? find(walked, inside) : NULL;
+    if (strcmp(inside, LIST) == 0) return 0;
+    const struct export_file *file = kind == FTW_F ? find(walked->files, walked->count, inside) : NULL;
     if (!file) {
         error_set(walked_err, "%s: no export wrote this file; choose another folder", path);
         return 1;
@@ -107,41 +126,50 @@ bool export_folder_open(struct export_folder *folder, const char *path, struct e
     return err->text[0] ? false : error_set(err, "%s: cannot be read: %s", path, strerror(errno));
 }
 
-bool export_folder_list(const struct export_folder *folder, struct outputs *outputs, struct error *err)
+static bool note_file(struct export_folder *folder, FILE *file, const char *inside, FILE *list)
+{
+    const unsigned long crc = file_crc(file);
+    fprintf(list, "%08lx %s\n", crc, inside);
+    add_file(&folder->written, &folder->written_count, &folder->written_capacity, inside, crc);
+    return !ferror(file);
+}
+
+bool export_folder_list(struct export_folder *folder, struct outputs *outputs, struct error *err)
 {
     char path[C_PATH_MAX_B];
     const size_t count = outputs->count, folder_b = strlen(folder->path);
     if (!c_path(path, folder->path, "/" LIST, err)) return false;
     FILE *list = outputs_open(outputs, path, err);
     if (!list) return false;
-    for (size_t i = 0; i < count; i++) {
+    bool ok = true;
+    for (size_t i = 0; ok && i < count; i++) {
         const char *written;
         FILE *file = outputs_reread(outputs, i, &written);
-        if (!file) continue;
-        fprintf(list, "%08lx %s\n", file_crc(file), written + folder_b + 1);
-        fclose(file);
+        if (!written) continue;
+        ok = file && note_file(folder, file, written + folder_b + 1, list);
+        if (file) fclose(file);
+        if (!ok) error_set(err, "%s: cannot be read again: %s", written, strerror(errno));
     }
-    return outputs_close(list, path, err);
+    return outputs_close(list, path, err) && ok;
 }
 
 void export_folder_tidy(const struct export_folder *folder)
 {
-    struct export_folder now = {.path = folder->path};
-    read_list(&now);
     for (size_t i = 0; i < folder->count; i++) {
         char path[2 * C_PATH_MAX_B];
         snprintf(path, sizeof path, "%s/%s", folder->path, folder->files[i].path);
-        if (!find(&now, folder->files[i].path)) unlink(path);
+        if (find(folder->written, folder->written_count, folder->files[i].path)) continue;
+        unlink(path);
         for (char *slash; (slash = strrchr(path, '/')) && (size_t)(slash - path) > strlen(folder->path);) {
             *slash = '\0';
             if (rmdir(path) != 0) break;
         }
     }
-    export_folder_free(&now);
 }
 
 void export_folder_free(struct export_folder *folder)
 {
     free(folder->files);
+    free(folder->written);
     *folder = (struct export_folder){0};
 }

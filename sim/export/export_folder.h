@@ -9,15 +9,15 @@
 
 struct export_folder {
     const char *path;
-    struct export_file *files; /* that the last export wrote */
-    size_t count, capacity;
+    struct export_file *files, *written; /* what the last export wrote, and what this one does */
+    size_t count, capacity, written_count, written_capacity;
 };
 
 /* Refuses a folder with anything in it that no export wrote, or that was changed since. */
 bool export_folder_open(struct export_folder *folder, const char *path, struct error *err);
 
 /* limner.files, of all outputs so far, which are closed. */
-bool export_folder_list(const struct export_folder *folder, struct outputs *outputs, struct error *err);
+bool export_folder_list(struct export_folder *folder, struct outputs *outputs, struct error *err);
 
 /* When the outputs are in their places: removes what the last export wrote and this one did not. */
 void export_folder_tidy(const struct export_folder *folder);

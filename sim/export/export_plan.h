@@ -16,8 +16,12 @@ struct export_plan {
     size_t count;
     const struct module_choice *module; /* NULL: pixels are sent by a function of the user's */
     unsigned w_px, h_px;                /* of the picture */
+    double near_m;                      /* of the example's camera; 0: lens_default_near_m() */
     const char *command;                /* that asks for all this */
 };
+
+/* Whether the display has colours, as other libraries' examples draw them; so it is without a display of ours. */
+bool export_is_in_colour(const struct export_plan *plan);
 
 /* Whether the display's runs are put into its pages at once, without a line of memory. */
 bool export_is_filled(const struct export_plan *plan);

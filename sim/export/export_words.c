@@ -7,6 +7,7 @@
 #include "base/grow.h"
 #include "cameras/camera_path.h"
 #include "scene/moving.h"
+#include "scene/needs.h"
 
 #include <math.h>
 #include <stdarg.h>
@@ -15,8 +16,10 @@
 
 enum { ORBIT_FRAMES = 36 };
 
+static const double PI = 3.14159265358979323846;
+
 struct export_orbit {
-    double target_m[3], radius_m, near_m;
+    double target_m[3], radius_m, elevation_deg, near_m;
 };
 
 static bool plan_orbit(const struct export_plan *plan, struct export_orbit *orbit, struct error *err)
@@ -24,7 +27,7 @@ static bool plan_orbit(const struct export_plan *plan, struct export_orbit *orbi
     struct lens lens;
     struct camera_path path;
     const struct compiled *scene = plan->scenes[0].scene;
-    if (!lens_for_grid(&lens, EXPORT_FOV_DEG, 0.0, &scene->grid, plan->w_px, plan->h_px, err) ||
+    if (!lens_for_grid(&lens, EXPORT_FOV_DEG, plan->near_m, &scene->grid, plan->w_px, plan->h_px, err) ||
         !camera_path_orbit(scene, &lens, ORBIT_FRAMES, &path, err))
         return false;
     const struct viewpoint *first = &path.frames[0];
@@ -34,6 +37,7 @@ static bool plan_orbit(const struct export_plan *plan, struct export_orbit *orbi
         square_m2 += (first->eye_m[i] - first->target_m[i]) * (first->eye_m[i] - first->target_m[i]);
     }
     orbit->radius_m = sqrt(square_m2);
+    orbit->elevation_deg = asin((first->eye_m[1] - first->target_m[1]) / orbit->radius_m) * 180.0 / PI;
     orbit->near_m = lens.near_m;
     camera_path_free(&path);
     return true;
@@ -87,6 +91,7 @@ static void add_orbit(const struct export_orbit *orbit, struct export_words *wor
 {
     add_word(words, "TARGET_M", "%.9g, %.9g, %.9g", orbit->target_m[0], orbit->target_m[1], orbit->target_m[2]);
     add_word(words, "ORBIT_M", "%.6g", orbit->radius_m);
+    add_word(words, "PITCH", "%.0f", -orbit->elevation_deg);
     add_word(words, "NEAR_M", "%.3g", orbit->near_m);
     add_word(words, "LENS", "%d", EXPORT_FOV_DEG);
 }
@@ -103,6 +108,18 @@ static void add_selects(const struct export_plan *plan, struct export_words *wor
     add_word(words, "select_17", "%s", selects ? "17" : "LIMNER_NO_PIN");
 }
 
+/* What lines of templates depend on. */
+static void add_conditions(const struct export_plan *plan, struct export_words *words)
+{
+    const struct needs needs = c_header_needs(plan->scenes, plan->count);
+    add_word(words, "has_panel", "%s", plan->module ? "1" : "");
+    add_word(words, "in_colour", "%s", export_is_in_colour(plan) ? "1" : "");
+    add_word(words, "moves", "%s", plan->scenes[0].moving ? "1" : "");
+    add_word(words, "smooth", "%s", needs.antialias ? "1" : "");
+    add_word(words, "outlines", "%s", needs.wireframe ? "1" : "");
+    add_word(words, "round", "%s", needs.round ? "1" : "");
+}
+
 bool export_words_init(struct export_words *words, const struct export_plan *plan, struct error *err)
 {
     struct export_orbit orbit;
@@ -111,6 +128,7 @@ bool export_words_init(struct export_words *words, const struct export_plan *pla
     if (!plan_orbit(plan, &orbit, err) || !c_name_init(&first, plan->scenes[0].name, err)) return false;
     *words = (struct export_words){.count = 0};
     add_word(words, "name", "%s", plan->name->symbol);
+    add_word(words, "folder", "%s", strrchr(plan->folder, '/') ? strrchr(plan->folder, '/') + 1 : plan->folder);
     add_word(words, "NAME", "%s", plan->name->macro);
     add_word(words, "scene", "%s", first.symbol);
     add_word(words, "SCENE", "%s", first.macro);
@@ -122,6 +140,7 @@ bool export_words_init(struct export_words *words, const struct export_plan *pla
     add_word(words, "panel", "%s", plan->module ? plan->module->panel.name : "no display");
     add_word(words, "data_b", "%zu", cost.data_b);
     add_word(words, "ram_b", "%zu", cost.ram_b);
+    add_conditions(plan, words);
     add_selects(plan, words);
     add_orbit(&orbit, words);
     if (add_sources(plan, words, err)) return true;

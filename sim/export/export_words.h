@@ -8,7 +8,7 @@
 #include "export/export_plan.h"
 #include "export/template.h"
 
-enum { EXPORT_WORDS_MAX = 24 };
+enum { EXPORT_WORDS_MAX = 40 };
 
 struct export_words {
     struct template_word list[EXPORT_WORDS_MAX];

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
- * Texts with words to be replaced: @name@. A word that the list has not is left as it is. */
+ * Texts with words to be replaced: @name@. A word that the list has not is left as it is. A line that begins with
+ * @if name@ is written, without that, if the word stands for something, and one with @unless name@ if for nothing. */
 #ifndef SIM_TEMPLATE_H
 #define SIM_TEMPLATE_H
 

@@ -18,6 +18,7 @@ static const struct world_file ARDUINO[] = {
     {"hal/adapters/limner_tft_espi.h", "src/limner_tft_espi.h", WORLD_IN_COLOUR},
     {"sim/export/worlds/arduino/lovyangfx.ino.in", "examples/@name@_LovyanGFX/@name@_LovyanGFX.ino", WORLD_IN_COLOUR},
     {"hal/adapters/limner_lovyangfx.h", "src/limner_lovyangfx.h", WORLD_IN_COLOUR},
+    {"sim/export/worlds/any/lvgl_view.h.in", "examples/@name@_LVGL/@name@_view.h", WORLD_IN_COLOUR},
     {"sim/export/worlds/any/lvgl_view.c.in", "examples/@name@_LVGL/@name@_view.c", WORLD_IN_COLOUR},
     {"hal/adapters/limner_lvgl.h", "src/limner_lvgl.h", WORLD_IN_COLOUR},
 };
@@ -35,6 +36,7 @@ static const struct world_file IDF[] = {
      WORLD_IN_COLOUR},
     {"sim/export/worlds/idf/esp_lcd/main/main.c.in", "examples/@name@_esp_lcd/main/main.c", WORLD_IN_COLOUR},
     {"hal/adapters/limner_esp_lcd.h", "include/limner_esp_lcd.h", WORLD_IN_COLOUR},
+    {"sim/export/worlds/any/lvgl_view.h.in", "examples/@name@_LVGL/@name@_view.h", WORLD_IN_COLOUR},
     {"sim/export/worlds/any/lvgl_view.c.in", "examples/@name@_LVGL/@name@_view.c", WORLD_IN_COLOUR},
     {"hal/adapters/limner_lvgl.h", "include/limner_lvgl.h", WORLD_IN_COLOUR},
 };

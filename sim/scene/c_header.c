@@ -84,13 +84,13 @@ static void write_lines(FILE *file, const struct compiled *scene, const char *ma
 }
 
 /* For lim_begin(). */
-static void write_block(FILE *file, const struct c_name *name, bool has_movers)
+static void write_block(FILE *file, const struct c_name *name, bool moves)
 {
     fprintf(file,
             "\n/* `%s_MEMORY(240, 240);` declares %s_memory, all that a display of so many pixels takes. */\n"
             "#define %s_MEMORY(w_px, h_px) \\\n    LIM_MEMORY(%s_memory, w_px, h_px, %s_SCENE_MEM_B(h_px), ",
             name->macro, name->symbol, name->macro, name->symbol, name->macro);
-    fprintf(file, has_movers ? "%s_MOVERS_MEM_B" : "0", name->macro);
+    fprintf(file, moves ? "%s_MOVERS_MEM_B" : "0", name->macro);
     fprintf(file, ", %s_SCENE_LINES(h_px))\n", name->macro);
 }
 
@@ -135,19 +135,44 @@ static void write_scene(FILE *file, const struct named_scene *named, const struc
     write_begin(file, named, name);
 }
 
-/* The greatest of what the scenes have for `what`; what moves only some have. */
-static bool write_greatest(FILE *file, const struct named_scene *scenes, size_t count, const char *macro,
-                           const char *what, bool moving_only, struct error *err)
+typedef bool has_part(const struct named_scene *scene);
+
+static bool is_any(const struct named_scene *scene)
 {
-    size_t left = 0;
+    return scene->scene != NULL;
+}
+
+static bool moves(const struct named_scene *scene)
+{
+    return scene->moving != NULL;
+}
+
+static bool tells_changes(const struct named_scene *scene)
+{
+    return scene->scene->report.delta_runs > 0;
+}
+
+static size_t count_of(const struct named_scene *scenes, size_t count, has_part *has)
+{
+    size_t having = 0;
     for (size_t i = 0; i < count; i++)
-        left += !moving_only || scenes[i].moving;
+        having += has(&scenes[i]);
+    return having;
+}
+
+/* NAME_`what`: the greatest of those scenes that have it, if there are any. */
+static bool write_greatest(FILE *file, const struct named_scene *scenes, size_t count, const char *macro,
+                           const char *what, has_part *has, struct error *err)
+{
+    const size_t left = count_of(scenes, count, has);
+    if (!left) return true;
+    fprintf(file, "#define %s_%s ", macro, what);
     for (size_t i = 1; i < left; i++)
         fprintf(file, "%s_LARGER(", macro);
     for (size_t i = 0, at = 0; i < count; i++) {
         struct c_name name;
         if (!c_name_init(&name, scenes[i].name, err)) return false;
-        if (moving_only && !scenes[i].moving) continue;
+        if (!has(&scenes[i])) continue;
         fprintf(file, "%s%s_%s%s", at ? ", " : "", name.macro, what, at ? ")" : "");
         at++;
     }
@@ -160,19 +185,14 @@ static bool write_shared_memory(FILE *file, const struct named_scene *scenes, si
                                 struct error *err)
 {
     const char *macro = header->macro;
-    bool has_movers = false;
-    for (size_t i = 0; i < count; i++)
-        has_movers |= scenes[i].moving != NULL;
     fputs("\n/* Enough for any of the scenes. */\n", file);
-    fprintf(file, "#define %s_LARGER(a, b) ((a) > (b) ? (a) : (b))\n#define %s_SCENE_MEM_B(h_px) ", macro, macro);
-    if (!write_greatest(file, scenes, count, macro, "SCENE_MEM_B(h_px)", false, err)) return false;
-    fprintf(file, "#define %s_SCENE_LINES(h_px) ", macro);
-    if (!write_greatest(file, scenes, count, macro, "SCENE_LINES(h_px)", false, err)) return false;
-    if (has_movers) {
-        fprintf(file, "#define %s_MOVERS_MEM_B ", macro);
-        if (!write_greatest(file, scenes, count, macro, "MOVERS_MEM_B", true, err)) return false;
-    }
-    write_block(file, header, has_movers);
+    fprintf(file, "#define %s_LARGER(a, b) ((a) > (b) ? (a) : (b))\n", macro);
+    if (!write_greatest(file, scenes, count, macro, "SCENE_MEM_B(h_px)", is_any, err) ||
+        !write_greatest(file, scenes, count, macro, "SCENE_LINES(h_px)", is_any, err) ||
+        !write_greatest(file, scenes, count, macro, "SCENE_DELTA_MEM_B(w_px, h_px)", tells_changes, err) ||
+        !write_greatest(file, scenes, count, macro, "MOVERS_MEM_B", moves, err))
+        return false;
+    write_block(file, header, count_of(scenes, count, moves) > 0);
     return true;
 }
 

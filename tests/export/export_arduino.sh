@@ -33,7 +33,7 @@ build_path() {
     exported_names "$work/sketch/sketch"
     sed 's/wires = {10, 9, 8,/wires = {12, 4, 6,/
         s/^  lim_orbit(.*/  static uint8_t frame;\n  const struct lim_camera lens = cameras[frame++ % CAMERAS_COUNT];\n  camera = lens;/
-        s/LED_BUILTIN, err ? HIGH : LOW/11, err ? LOW : frame % 2/; s/LED_BUILTIN/11/
+        s/limner_arduino_led(err != 0)/digitalWrite(11, err ? LOW : frame % 2)/; s/^  limner_arduino_board/  pinMode(11, OUTPUT);\n&/
         s/^static struct board board;/#include "cameras.h"\n&/' "$work/libraries/solid/examples/solid/solid.ino" >"$work/sketch/sketch/sketch.ino"
     grep -c 'cameras\[\|, 4, 6,\|(11,' "$work/sketch/sketch/sketch.ino" | grep -qx 4 && build "$work/sketch/sketch/sketch.ino"
 }
