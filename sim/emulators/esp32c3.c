@@ -11,6 +11,7 @@
  *
  * Unicorn runs the processor, so instructions are executed by others' code; the chip (esp32c3_chip.h) is the project's.
  * An instruction takes a cycle. */
+#include "base/sha256.h"
 #include "emulators/esp32c3_chip.h"
 
 #include <errno.h>
@@ -272,6 +273,17 @@ static bool load_segments(struct run *run, const uint8_t *image, size_t size_b, 
     return true;
 }
 
+/* What follows the checksum: nothing, or the digest of all that is before it. */
+static bool is_sealed(const uint8_t *image, size_t size_b, size_t before_b)
+{
+    uint8_t digest[SHA256_B];
+
+    if (size_b != before_b + (image[23] ? SHA256_B : 0)) return fail("the image", "does not end where it should");
+    if (!image[23]) return true;
+    sha256(digest, image, before_b);
+    return !memcmp(image + before_b, digest, SHA256_B) || fail("the image", "has a wrong digest");
+}
+
 static bool boot(struct run *run, const uint8_t *image, size_t size_b)
 {
     uint8_t checksum = 0xEF;
@@ -283,7 +295,7 @@ static bool boot(struct run *run, const uint8_t *image, size_t size_b)
     if (!load_segments(run, image, size_b, &end_b, &checksum)) return false;
     const size_t checksum_at = end_b / 16 * 16 + 15;
     if (checksum_at >= size_b || image[checksum_at] != checksum) return fail("the image", "has a wrong checksum");
-    if (size_b != checksum_at + 1 + (image[23] ? 32 : 0)) return fail("the image", "does not end where it should");
+    if (!is_sealed(image, size_b, checksum_at + 1)) return false;
     run->entry = word_at(image + 4);
     return true;
 }
