@@ -16,6 +16,7 @@
 
 #include <errno.h>
 #include <inttypes.h>
+#include <limits.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -379,12 +380,19 @@ static bool read_lines(struct run *run, const char *path, bool (*take)(struct ru
     return ok;
 }
 
-static bool take_option(struct c3_setting *setting, const char *option, const char *word)
+static bool read_number(const char *what, const char *word, uint64_t *value)
 {
     char *end;
-    const uint64_t value = strtoull(word, &end, 10);
 
-    if (word[0] < '0' || word[0] > '9' || *end) return fail(option, "wants a number");
+    *value = strtoull(word, &end, 10);
+    return (word[0] >= '0' && word[0] <= '9' && !*end) || fail(what, "wants a number");
+}
+
+static bool take_option(struct c3_setting *setting, const char *option, const char *word)
+{
+    uint64_t value;
+
+    if (!read_number(option, word, &value)) return false;
     if (!strcmp(option, "--panel"))
         setting->panel_hz = (uint32_t)value;
     else if (!strcmp(option, "--stop-after"))
@@ -405,12 +413,21 @@ static bool read_options(struct c3_setting *setting, char **words)
     return true;
 }
 
+static bool read_frames(unsigned *frames, const char *word)
+{
+    uint64_t value;
+
+    if (!read_number("FRAMES", word, &value)) return false;
+    *frames = (unsigned)value;
+    return (value && value <= UINT_MAX) || fail("FRAMES", "wants a number above 0");
+}
+
 static bool set_up(struct run *run, char **words)
 {
     const struct c3_world world = {run, on_complaint, on_byte, on_level};
     struct c3_setting setting = {0};
 
-    if (!read_options(&setting, words + 5)) return false;
+    if (!read_frames(&run->frames_wanted, words[1]) || !read_options(&setting, words + 5)) return false;
     c3_init(&run->chip, &setting, &world);
     run->log = fopen(words[4], "w");
     if (!run->log) return fail(words[4], strerror(errno));
@@ -436,7 +453,6 @@ int main(int argc, char **argv)
     static struct run run;
 
     if (argc < 6) return !fail("usage", "esp32c3 IMAGE.esp FRAMES MAP RANGES LOG [OPTION VALUE]...");
-    run.frames_wanted = (unsigned)strtoul(argv[2], NULL, 10);
     const bool is_set = set_up(&run, argv + 1);
     bool ok = is_set && fly(&run);
     if (run.log) flush_bytes(&run);

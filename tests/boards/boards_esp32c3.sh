@@ -51,14 +51,20 @@ wrong_images_are_refused() {
     done
 }
 
-refuses() { # PATTERN IMAGE: before it runs a frame
+refuses() { # PATTERN IMAGE [FRAMES]: before it runs a frame
     : >"$work/none"
-    ! timeout 60 "$BUILD/esp32c3" "$2" 1 "$work/none" "$work/none" "$work/wires" >"$work/said" 2>&1 &&
+    ! timeout 60 "$BUILD/esp32c3" "$2" "${3-1}" "$work/none" "$work/none" "$work/wires" >"$work/said" 2>&1 &&
         cat "$work/said" && grep -q "^esp32c3: $1\$" "$work/said" && ! grep -q '^#' "$work/said"
 }
 
 refuses_turned() { # PATTERN BYTE
     turned_at "$2" turned && refuses "$1" "$work/turned.esp"
+}
+
+wants_frames() {
+    for frames in x 0 -1 1x '' 4294967296; do
+        refuses 'FRAMES: wants a number\( above 0\)*' "$image.esp" "$frames" || { echo "$frames" && return 1; }
+    done
 }
 
 draws() { # CLOCKS FRAMES MAKE-ARGUMENT...
@@ -115,4 +121,5 @@ tap_check "the ROM takes no image without its magic number" refuses 'the image: 
 tap_check "nor one that is not there" refuses "$work/none.esp: No such file or directory" "$work/none.esp"
 tap_check "nor one whose checksum is wrong" refuses_turned 'the image: has a wrong checksum' -33
 tap_check "nor one whose digest is" refuses_turned 'the image: has a wrong digest' -1
+tap_check "and nobody runs no frames, or no number of them" wants_frames
 tap_done
