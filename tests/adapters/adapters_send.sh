@@ -103,10 +103,17 @@ found_out_if tft_espi "it leaves the bus taken" 's/display->tft->endWrite()/(voi
 found_out_if tft_espi "it does not take the bus" 's/display->tft->startWrite();//'
 found_out_if tft_espi "its window is a line too large" 's/w_px, h_px);/w_px, h_px + 1);/'
 found_out_if tft_espi "it knows no size of the display" 's/> display->tft->width()/> 9999/'
+for library in tft_espi lovyangfx; do
+    found_out_if $library "it does not see that pixels were left out" 's/if (at_px != display->sent_px || n_px == 0) return.*//'
+    found_out_if $library "it takes lines of no pixels" 's/ || n_px == 0//'
+    found_out_if $library "it keeps the bus for a frame that it refused" 's/ || at_px != display->sent_px || n_px == 0) limner/) limner/'
+done
+found_out_if esp_lcd "it does not see that pixels were left out" 's/if ((at_px && at_px.*//'
+found_out_if esp_lcd "it takes lines of no pixels" 's/ || !n_px//'
 found_out_if tft_espi "it forgets where the picture is" 's/setAddrWindow(display->x_px/setAddrWindow(0/'
 found_out_if lovyangfx "it sends numbers" 's/lgfx::swap565_t \*/lgfx::rgb565_t */'
 found_out_if lovyangfx "it asks for the sketch's order" 's/reinterpret_cast<const lgfx::swap565_t \*>(pixels)/pixels/'
-found_out_if lovyangfx "it leaves the bus taken after a frame that was abandoned" 's/^    limner_lovyangfx_end(display);//'
+found_out_if lovyangfx "it leaves the bus taken after a frame that was abandoned" 's/^    if (at_px == 0 .*limner_lovyangfx_end(display);//'
 found_out_if lovyangfx "it relies on windows that are cut" 's/> display->gfx->height())/> 9999)/; s/> display->gfx->width()/> 9999/'
 found_out_if esp_lcd "it does not wait for what is on its way" 's/xSemaphoreTake(to->arrived, portMAX_DELAY);//; s/to->begin_px = to->begin_px.*/to->begin_px = 0;/'
 found_out_if esp_lcd "it has one block" 's/to->begin_px = to->begin_px.*/;/'

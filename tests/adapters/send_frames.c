@@ -7,8 +7,9 @@
  *
  * Options: at=X,Y the picture's corner on the display; swap: the sketch has set the other byte order; lines=N of a
  * block or a stripe; native: LVGL's format; abandon=N: of the second frame the program gives up at its piece N, and
- * draws it again; fail=N: the library refuses its call N, after which that frame is drawn again. Exits with 1 if the
- * display or the library complained. C, and C++, which has two libraries more. */
+ * draws it again; fail=N: the library refuses its call N, after which that frame is drawn again. Before the first frame
+ * pixels are left out by lim_set_visible(), which the adapter refuses. Exits with 1 if the display or the library
+ * complained. C, and C++, which has two libraries more. */
 #include "limner.h" /* as the library of the tests is built, whatever the scene's header says */
 
 #include "cameras.h"
@@ -36,6 +37,9 @@ static struct {
     bool swap, native;
 } option = {0, 0, 7, -1, -1, false, false};
 
+enum { ASKS = MODEL_SCENE_METHOD != LIM_CONVEX && MODEL_SCENE_METHOD != LIM_PAINTER };
+enum { LEFT, RIGHT, ABOVE, BELOW };
+static int hidden;
 static uint16_t frame;
 static int pieces_left = -1; /* until the frame is abandoned */
 static lim_send *library_send;
@@ -84,6 +88,27 @@ static int draw_again(void)
     return err;
 }
 
+/* On the left, on the right, lines above, a line below those that are sent. */
+static void hide(void *ctx, uint16_t y_px, uint16_t *x0_px, uint16_t *x1_px)
+{
+    (void)ctx;
+    *x0_px = hidden == LEFT && y_px >= CAMERAS_H_PX / 2;
+    *x1_px = (uint16_t)(CAMERAS_W_PX - (hidden == RIGHT && y_px >= CAMERAS_H_PX / 2));
+    if ((hidden == ABOVE && y_px < 2) || (hidden == BELOW && y_px + 1 == CAMERAS_H_PX)) *x1_px = 0;
+}
+
+/* By methods that ask what is seen; the others send all. */
+static void refuse_holes(void)
+{
+    lim_set_visible(model_memory.lim, hide);
+    for (hidden = LEFT; hidden <= BELOW; hidden++) {
+        const int err = draw();
+        if (err != (ASKS ? LIM_ERR_TARGET : LIM_OK)) fake_complain("pixels were left out, and nobody said so");
+    }
+    lim_set_visible(model_memory.lim, NULL);
+    fake_wipe();
+}
+
 static void show(void)
 {
     if (fake_left_px()) fake_complain("a window was left open");
@@ -104,6 +129,7 @@ static int with_esp_lcd(void)
     display.x_px = option.x_px, display.y_px = option.y_px;
     int err = limner_esp_lcd_begin(&display, panel, (esp_lcd_panel_io_handle_t)(void *)&something);
     if (!err) err = begin(limner_esp_lcd_send, &display);
+    if (!err) refuse_holes();
     fake_esp_lcd_fail(option.fail);
     for (frame = 0; frame < CAMERAS_COUNT && !err; frame++) {
         err = draw_again();
@@ -149,6 +175,8 @@ template <class Library, class Display> static int with(Library *library, Displa
 {
     library->setSwapBytes(option.swap);
     int err = begin(adapter_send, display);
+    if (!err) refuse_holes();
+    if (library->fake_is_taken()) fake_complain("the bus is taken for a frame with holes");
     for (frame = 0; frame < CAMERAS_COUNT && !err; frame++) {
         err = draw_again();
         if (!err) show();
@@ -165,14 +193,14 @@ template <class Library, class Display> static int with(Library *library, Displa
 static int with_tft_espi(void)
 {
     static TFT_eSPI tft;
-    static struct limner_tft_espi display = {&tft, &model_memory, option.x_px, option.y_px, false};
+    static struct limner_tft_espi display = {&tft, &model_memory, option.x_px, option.y_px, 0};
     return with(&tft, &display, limner_tft_espi_send);
 }
 
 static int with_lovyangfx(void)
 {
     static lgfx::LGFX_Device lcd;
-    static struct limner_lovyangfx display = {&lcd, &model_memory, option.x_px, option.y_px, false};
+    static struct limner_lovyangfx display = {&lcd, &model_memory, option.x_px, option.y_px, 0};
     return with(&lcd, &display, limner_lovyangfx_send);
 }
 #endif
