@@ -37,7 +37,8 @@ static inline int limner_esp_lcd_begin(struct limner_esp_lcd *to, esp_lcd_panel_
     to->panel = panel,
     to->arrived = xSemaphoreCreateCountingStatic(2, 1, &to->arrived_mem); /* the second block is free */
     if (to->blocks_b < 4u * to->memory->w_px) return LIM_ERR_MEMORY;
-    return -esp_lcd_panel_io_register_event_callbacks(io, &callbacks, to);
+    const esp_err_t err = esp_lcd_panel_io_register_event_callbacks(io, &callbacks, to);
+    return err > 0 ? -err : err;
 }
 
 static inline int limner_esp_lcd_send(void *ctx, uint16_t y_px, const uint16_t *pixels, uint16_t x_px, uint16_t n_px)
@@ -51,7 +52,7 @@ static inline int limner_esp_lcd_send(void *ctx, uint16_t y_px, const uint16_t *
     if (x_px + n_px < w_px || (row + 1 < rows && y_px + 1 < to->memory->h_px)) return LIM_OK;
     const int x0 = to->x_px, y1 = to->y_px + y_px + 1;
     const int err = esp_lcd_panel_draw_bitmap(to->panel, x0, y1 - row - 1, x0 + w_px, y1, to->blocks + to->begin_px);
-    if (err) return err < 0 ? err : -err; /* this block is not on its way */
+    if (err) return err > 0 ? -err : err; /* this block is not on its way */
     xSemaphoreTake(to->arrived, portMAX_DELAY);
     to->begin_px = to->begin_px ? 0 : (uint32_t)rows * w_px; /* the other one has arrived */
     return LIM_OK;

@@ -34,7 +34,7 @@ in_every_way() { # PROGRAM LIBRARY WAY...
     done
 }
 
-refused() { # LIBRARY OPTION: the library's error comes back, negative, and the next frame is whole
+refused() { # LIBRARY OPTIONS: the library's error comes back, negative, and the next frame is whole
     shows send_c "$1" "$2" && grep -qx '# refused: -[0-9]*' "$work/said"
 }
 
@@ -95,6 +95,7 @@ teapot.obj 100x80
 SCENES
 
 tap_check "an error of esp_lcd comes back, and the next frame is whole" refused esp_lcd fail=3
+tap_check "so it does where it is negative already" refused esp_lcd 'fail=3 espfail'
 
 found_out_if tft_espi "it sends numbers" 's/setSwapBytes(false)/setSwapBytes(true)/'
 found_out_if tft_espi "it keeps the order that the sketch has set" '/display->tft->setSwapBytes(.*);/d'
@@ -119,7 +120,9 @@ found_out_if esp_lcd "it does not wait for what is on its way" 's/xSemaphoreTake
 found_out_if esp_lcd "it has one block" 's/to->begin_px = to->begin_px.*/;/'
 found_out_if esp_lcd "its window ends a column too early" 's/x0 + w_px, y1/x0 + w_px - 1, y1/'
 found_out_if esp_lcd "it sends full blocks alone" 's/ && y_px + 1 < to->memory->h_px//'
-found_out_if esp_lcd "it waits for its callback and has none" 's/return -esp_lcd_panel_io_register.*/(void)io, (void)callbacks; return 0;/'
+found_out_if esp_lcd "it waits for its callback and has none" 's/err = esp_lcd_panel_io_register.*/err = 0;/'
+found_out_if esp_lcd "it tells errors as they are" 's/    return err > 0 ? -err : err;/    return err;/'
+found_out_if esp_lcd "it turns the sign of ESP_FAIL" 's/    return err > 0 ? -err : err;/    return -err;/'
 found_out_if lvgl "it does not swap for LVGL's own order" 's/\[i ^ swap\]/[i]/'
 found_out_if lvgl "it does not wait for what lies below" 's/for (; on->draw_task_head;/for (; false;/'
 found_out_if lvgl "it waits where nothing is below" 's/for (; on->draw_task_head; lv_draw_dispatch())/for (int i = 0; !i++ || on->draw_task_head; lv_draw_dispatch())/'

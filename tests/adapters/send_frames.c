@@ -7,9 +7,9 @@
  *
  * Options: at=X,Y the picture's corner on the display; swap: the sketch has set the other byte order; lines=N of a
  * block or a stripe; native: LVGL's format; abandon=N: of the second frame the program gives up at its piece N, and
- * draws it again; fail=N: the library refuses its call N, after which that frame is drawn again. Before the first frame
- * pixels are left out by lim_set_visible(), which the adapter refuses. Exits with 1 if the display or the library
- * complained. C, and C++, which has two libraries more. */
+ * draws it again; fail=N: the library refuses its call N (espfail: by ESP_FAIL), after which that frame is drawn again.
+ * Before the first frame pixels are left out by lim_set_visible(), which the adapter refuses. Exits with 1 if the
+ * display or the library complained. C, and C++, which has two libraries more. */
 #include "limner.h" /* as the library of the tests is built, whatever the scene's header says */
 
 #include "cameras.h"
@@ -34,8 +34,8 @@ MODEL_MEMORY(CAMERAS_W_PX, CAMERAS_H_PX);
 
 static struct {
     int x_px, y_px, lines, abandon, fail;
-    bool swap, native;
-} option = {0, 0, 7, -1, -1, false, false};
+    bool swap, native, espfail;
+} option = {0, 0, 7, -1, -1, false, false, false};
 
 enum { ASKS = MODEL_SCENE_METHOD != LIM_CONVEX && MODEL_SCENE_METHOD != LIM_PAINTER };
 enum { LEFT, RIGHT, ABOVE, BELOW };
@@ -127,10 +127,15 @@ static int with_esp_lcd(void)
     display.blocks = blocks;
     display.blocks_b = 4u * CAMERAS_W_PX * (unsigned)option.lines;
     display.x_px = option.x_px, display.y_px = option.y_px;
+    for (int i = 0; i < 2; i++) {
+        fake_esp_lcd_fail(0, i ? ESP_FAIL : ESP_ERR_INVALID_STATE);
+        if (limner_esp_lcd_begin(&display, panel, (esp_lcd_panel_io_handle_t)(void *)&something) >= 0)
+            fake_complain("an error that is not negative");
+    }
     int err = limner_esp_lcd_begin(&display, panel, (esp_lcd_panel_io_handle_t)(void *)&something);
     if (!err) err = begin(limner_esp_lcd_send, &display);
     if (!err) refuse_holes();
-    fake_esp_lcd_fail(option.fail);
+    fake_esp_lcd_fail(option.fail, option.espfail ? ESP_FAIL : ESP_ERR_TIMEOUT);
     for (frame = 0; frame < CAMERAS_COUNT && !err; frame++) {
         err = draw_again();
         fake_esp_lcd_finish();
@@ -221,6 +226,7 @@ int main(int argc, char **argv)
     for (int i = 2; i < argc; i++) {
         if (!strcmp(argv[i], "swap")) option.swap = true;
         if (!strcmp(argv[i], "native")) option.native = true;
+        if (!strcmp(argv[i], "espfail")) option.espfail = true;
         sscanf(argv[i], "at=%d,%d", &option.x_px, &option.y_px);
         sscanf(argv[i], "lines=%d", &option.lines);
         sscanf(argv[i], "abandon=%d", &option.abandon);
