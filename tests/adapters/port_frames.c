@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: MIT
  *
  * Draws the frames of cameras.h on the module of module.h through one of the ports, and prints what goes over the
- * wires, for `limner decode`: port_frames arduino|pico|idf [again]. again: the board is begun twice, as after an error.
- * Exits with 1 if a library or the display complained. */
+ * wires, for `limner decode`: port_frames arduino|pico|idf [again|fail=N,CODE]. again: the board is begun twice, as
+ * after an error; fail: the library's call N returns CODE, after which the board is begun again. Exits with 1 if a
+ * library or the display complained. */
 #include "limner.h" /* as the library of the tests is built, whatever the scene's header says */
 
 #include "cameras.h"
@@ -70,19 +71,33 @@ static int draw(uint16_t frame)
     int err = screen_begin_frame(&screen);
     if (!err) err = lim_frame(&lim, &camera);
     if (!err) err = screen_end_frame(&screen);
-    printf("p led %d\n", frame % 2 == 0);
+    if (!err) printf("p led %d\n", frame % 2 == 0);
     return err;
+}
+
+/* What went wrong once is begun anew, and goes right. */
+static int try_again(const char *port, int err)
+{
+    fprintf(stderr, "# refused: %d\n", err);
+    if (err > 0) wires_complain("an error that is not negative");
+    return set_up(port, false);
 }
 
 int main(int argc, char **argv)
 {
-    int err = argc > 1 ? 0 : -1;
+    int err = argc > 1 ? 0 : -1, call = -1, failure = 0;
 
     puts("p led 0");
-    if (!err && argc > 2) err = set_up(argv[1], true);
+    if (argc > 2 && sscanf(argv[2], "fail=%d,%d", &call, &failure) == 2) wires_fail(call, failure);
+    if (!err && argc > 2 && call < 0) err = set_up(argv[1], true);
     if (!err) err = set_up(argv[1], false);
-    for (uint16_t frame = 0; frame < CAMERAS_COUNT && !err; frame++)
+    if (err && call >= 0) err = try_again(argv[1], err);
+    for (uint16_t frame = 0; frame < CAMERAS_COUNT && !err; frame++) {
         err = draw(frame);
+        if (!err || call < 0) continue;
+        err = try_again(argv[1], err);
+        if (!err) err = draw(frame);
+    }
     if (err) fprintf(stderr, "port_frames: %d\n", err);
     return err || wires_complaints();
 }
