@@ -56,8 +56,10 @@ starts_again() {
 recovers() {
     for call in 0 1 2 3 20 200; do
         for failure in -1 259; do
-            sends idf "fail=$call,$failure" st7735 && grep -qx '# refused: -[0-9]*' "$work/told" ||
-                { echo "call $call: $failure" && return 1; }
+            if ! sends idf "fail=$call,$failure" st7735 || ! grep -qx '# refused: -[0-9]*' "$work/told"; then
+                echo "call $call: $failure"
+                return 1
+            fi
         done
     done
 }
@@ -100,7 +102,8 @@ tap_check "whatever the ESP32's drivers refuse" recovers
 found_out_if arduino "it keeps the display unselected" 's/digitalWrite(port->cs, LOW)/digitalWrite(port->cs, HIGH)/'
 found_out_if arduino "it sends outside of transactions" '/beginTransaction/d; /endTransaction/d'
 found_out_if arduino "it lets SPI read over what is sent" 's/memcpy(piece, data, piece_b);//; s/transfer(piece, /transfer((void *)data, /'
-found_out_if arduino "it sends in mode 1" 's/SPI_MODE0 : SPI_MODE3/SPI_MODE1 : SPI_MODE1/'
+found_out_if arduino "it sends in mode 1" 's/modes\[spi_mode_of(spi_modes, 0)\]/SPI_MODE1/'
+found_out_if arduino "it knows two modes" 's/modes\[spi_mode_of(spi_modes, 0)\]/spi_modes \& SPI_IDLES_LOW ? SPI_MODE0 : SPI_MODE3/'
 found_out_if arduino "it takes the lowest bit first" 's/MSBFIRST/LSBFIRST/'
 found_out_if arduino "it waits by a function that does not count so far" 's/delay_us > 10000 ? .* : //'
 found_out_if arduino "it waits a millisecond too short" 's/delay_us \/ 1000 + 2/delay_us \/ 1000/'

@@ -26,6 +26,11 @@ static struct lim lim;
 static uint32_t lines[MODULE_LINES_MEM_B(LINES) / 4];
 static void *pools[LIM_POINTERS(MODEL_SCENE_MEM_B(MODULE_H_PX))];
 
+static bool has_select(void)
+{
+    return !strncmp(MODULE_NAME, "ls0", 3); /* a memory LCD */
+}
+
 static int check_clock(void)
 {
     static const uint32_t delays_us[] = {0, 1, 999, 10000, 10001, 11000, 16384, 150000};
@@ -35,6 +40,19 @@ static int check_clock(void)
         const uint64_t before_us = wires_now_us();
         err = clock_delay(&board.clock, delays_us[i]);
         if (wires_now_us() - before_us < delays_us[i]) wires_complain("a wait is too short");
+    }
+    return err;
+}
+
+/* Of modes of which Limner's own panels want none, too. The ESP32's port keeps the mode that it began with. */
+static int check_modes(const char *port)
+{
+    int err = 0;
+
+    for (int mode = 0; mode < 4 && !err && port[0] != 'i'; mode++) {
+        err = port_board(port, &board, MODULE_SPEED_HZ, (uint8_t)(1 << mode), has_select());
+        if (!err && port[0] == 'a') err = bus_write(&board.bus, NULL, 0); /* which begins a transaction */
+        if (!err && wires_mode() != mode) wires_complain("the bus has another mode than the display");
     }
     return err;
 }
@@ -53,7 +71,7 @@ static int set_up(const char *port, bool sends_much)
 {
     struct panel *panel;
 
-    int err = port_board(port, &board, MODULE_SPEED_HZ, MODULE_SPI_MODES, !strncmp(MODULE_NAME, "ls0", 3));
+    int err = port_board(port, &board, MODULE_SPEED_HZ, MODULE_SPI_MODES, has_select());
     if (!err) err = check_clock();
     if (!err && sends_much) err = send_much();
     if (!err) err = module_setup(&panel, &board);
@@ -89,6 +107,7 @@ int main(int argc, char **argv)
 
     puts("p led 0");
     if (argc > 2 && sscanf(argv[2], "fail=%d,%d", &call, &failure) == 2) wires_fail(call, failure);
+    if (!err) err = check_modes(argv[1]);
     if (!err && argc > 2 && call < 0) err = set_up(argv[1], true);
     if (!err) err = set_up(argv[1], false);
     if (err && call >= 0) err = try_again(argv[1], err);

@@ -88,6 +88,11 @@ void wires_bus(uint32_t hz, int mode)
     wires.mode = mode;
 }
 
+int wires_mode(void)
+{
+    return wires.mode;
+}
+
 void wires_send(const uint8_t *data, size_t n_b)
 {
     if (wires.mode != 0 && wires.mode != 3) wires_complain("a bus in a mode that displays do not take");

@@ -31,6 +31,7 @@ uint64_t wires_now_us(void);
 
 /* The bus: rate and mode; or it is not ready. */
 void wires_bus(uint32_t hz, int mode);
+int wires_mode(void);
 void wires_send(const uint8_t *data, size_t n_b);
 
 /* DMA, which reads as late as it may: some bytes when it is asked how many are left, all when it is waited for. The
