@@ -220,7 +220,7 @@ $(BUILD)/stm32: $(call object,sim/emulators/stm32.c) $(stm32_chip)
 # An ESP32-C3, in the same way.
 esp32c3_chip := $(call object,sim/emulators/esp32c3_chip.c sim/emulators/esp32c3_rules.c)
 $(BUILD)/tests/test_esp32c3_rules: $(esp32c3_chip)
-$(BUILD)/esp32c3: $(call object,sim/emulators/esp32c3.c) $(esp32c3_chip)
+$(BUILD)/esp32c3: $(call object,sim/emulators/esp32c3.c sim/base/sha256.c) $(esp32c3_chip)
 	@echo "LD $@"
 	@$(CC) $(HOST_OPT) -o $@ $^ -lunicorn
 

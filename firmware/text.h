@@ -13,8 +13,9 @@ LIM_C_BEGIN
 #define LIM_TEXT_W_PX 6
 #define LIM_TEXT_H_PX 8
 
-/* Delta output keeps a line as runs of one colour: of a text of n characters at most so many more. */
-#define LIM_TEXT_RUNS(n) (LIM_TEXT_H_PX * 6u * (n))
+/* Delta output keeps a line as runs of one colour: by a text of n characters in that scale there are at most so many
+ * more. What else is drawn is not counted: a box or a bar has two a line, a frame four. */
+#define LIM_TEXT_RUNS(n, scale) (LIM_TEXT_H_PX * 6u * (n) * ((scale) ? (scale) : 1u))
 
 /* Zero is black, and what lies below shows between the strokes. */
 struct lim_text_style {

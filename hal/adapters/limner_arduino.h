@@ -67,8 +67,9 @@ static inline int limner_arduino_delay(void *, uint32_t delay_us)
 static inline void limner_arduino_board(struct limner_arduino *port, struct board *board, uint32_t spi_hz,
                                         uint8_t spi_modes)
 {
+    const decltype(SPI_MODE0) modes[] = {SPI_MODE0, SPI_MODE1, SPI_MODE2, SPI_MODE3}; /* AVR's are no 0 to 3 */
     LIMNER_SPI.begin();
-    port->settings = SPISettings(spi_hz, MSBFIRST, spi_modes & SPI_IDLES_LOW ? SPI_MODE0 : SPI_MODE3);
+    port->settings = SPISettings(spi_hz, MSBFIRST, modes[spi_mode_of(spi_modes, 0)]);
     (void)limner_arduino_pin(port->cs, true);
     board->bus = {port, limner_arduino_write, NULL, NULL, 8}; /* 8: as long as two pins and a transaction take AVR */
     board->dc = limner_arduino_pin(port->dc, false);

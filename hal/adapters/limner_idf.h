@@ -8,13 +8,11 @@
  *     if (!err) err = module_setup(&panel, &board);                                // of `limner module` */
 #ifndef LIMNER_IDF_H
 #define LIMNER_IDF_H
-
 #include "board.h"
 #include "driver/gpio.h"
 #include "driver/spi_master.h"
 #include "esp_rom_sys.h"
 #include "freertos/FreeRTOS.h"
-
 struct limner_idf {
     spi_host_device_t host;
     int sck, mosi, cs, dc, reset, backlight, select; /* select: a memory LCD's, whose driver sets it, instead of cs */
@@ -23,9 +21,14 @@ struct limner_idf {
     bool is_queued;
 };
 
+static inline int limner_idf_err(esp_err_t err)
+{
+    return err > 0 ? -err : err; /* ESP_FAIL is negative already */
+}
+
 static inline int limner_idf_set(void *ctx, bool high)
 {
-    return -gpio_set_level((gpio_num_t)(intptr_t)ctx, high);
+    return limner_idf_err(gpio_set_level((gpio_num_t)(intptr_t)ctx, high));
 }
 
 static inline struct pin limner_idf_pin(int number, bool high)
@@ -33,8 +36,7 @@ static inline struct pin limner_idf_pin(int number, bool high)
     const struct pin none = {NULL, NULL}, pin = {(void *)(intptr_t)number, limner_idf_set};
     if (number == GPIO_NUM_NC) return none;
     gpio_reset_pin((gpio_num_t)number);
-    gpio_set_level((gpio_num_t)number, high);
-    gpio_set_direction((gpio_num_t)number, GPIO_MODE_OUTPUT);
+    gpio_set_level((gpio_num_t)number, high), gpio_set_direction((gpio_num_t)number, GPIO_MODE_OUTPUT);
     return pin;
 }
 
@@ -44,7 +46,7 @@ static inline int limner_idf_flush(void *ctx)
     spi_transaction_t *sent;
     if (!port->is_queued) return 0;
     port->is_queued = false;
-    return -spi_device_get_trans_result(port->device, &sent, portMAX_DELAY);
+    return limner_idf_err(spi_device_get_trans_result(port->device, &sent, portMAX_DELAY));
 }
 
 static inline int limner_idf_write(void *ctx, const uint8_t *data, size_t n_b)
@@ -55,7 +57,7 @@ static inline int limner_idf_write(void *ctx, const uint8_t *data, size_t n_b)
         part_b = n_b < 4092 ? n_b : 4092; /* what the bus takes at once, if nobody says more */
         if ((err = limner_idf_flush(port))) return err;
         port->part.length = 8 * part_b, port->part.rxlength = 0, port->part.tx_buffer = data;
-        if ((err = spi_device_queue_trans(port->device, &port->part, portMAX_DELAY))) return -err;
+        if ((err = limner_idf_err(spi_device_queue_trans(port->device, &port->part, portMAX_DELAY)))) return err;
         port->is_queued = true;
     }
     return 0;
@@ -63,9 +65,7 @@ static inline int limner_idf_write(void *ctx, const uint8_t *data, size_t n_b)
 
 static inline int limner_idf_delay(void *ctx, uint32_t delay_us)
 {
-    (void)ctx;
-    esp_rom_delay_us(delay_us);
-    return 0;
+    return (void)ctx, esp_rom_delay_us(delay_us), 0;
 }
 
 static inline int limner_idf_board(struct limner_idf *port, struct board *board, uint32_t spi_hz, uint8_t spi_modes)
@@ -82,8 +82,9 @@ static inline int limner_idf_board(struct limner_idf *port, struct board *board,
     board->backlight = limner_idf_pin(port->backlight, false), board->select = limner_idf_pin(port->select, false);
     board->bus = bus, board->clock = clock;
     if (port->device) return limner_idf_flush(port);
-    const esp_err_t err = spi_bus_initialize(port->host, &wires, SPI_DMA_CH_AUTO);
-    return -(err ? err : spi_bus_add_device(port->host, &device, &port->device));
+    esp_err_t err = spi_bus_initialize(port->host, &wires, SPI_DMA_CH_AUTO);
+    if (err) return limner_idf_err(err);
+    if ((err = spi_bus_add_device(port->host, &device, &port->device))) spi_bus_free(port->host);
+    return limner_idf_err(err);
 }
-
 #endif

@@ -16,10 +16,12 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 trap 'exit 1' INT TERM
 
-# shellcheck disable=SC2086 # flags and objects are words, or patterns
-$compiler -Isim -DFRAMES="$frames" -c -o "$image.an505.o" sim/emulators/an505_board.c &&
-    $compiler -nostdlib -Lboards/common -T sim/targets/an505.ld -Wl,--gc-sections -Wl,--fatal-warnings \
-        -Wl,--no-warn-rwx-segments -o "$image.an505.elf" "$image.an505.o" $objects -lgcc
+rm -f "$image.an505.elf" # of an earlier run
+# shellcheck disable=SC2086 # flags are words
+$compiler -Isim -DFRAMES="$frames" -c -o "$image.an505.o" sim/emulators/an505_board.c
+# shellcheck disable=SC2086 # and objects, or patterns
+$compiler -nostdlib -Lboards/common -T sim/targets/an505.ld -Wl,--gc-sections -Wl,--fatal-warnings \
+    -Wl,--no-warn-rwx-segments -o "$image.an505.elf" "$image.an505.o" $objects -lgcc
 echo "emulate: no emulator has this chip: the image's code runs on the same core, without drivers of pins, SPI and clocks"
 target_run m33 "$image.an505.elf" >"$work/wires" || { echo "emulate: it did not come to $frames frames" >&2; exit 1; }
 "$@" <"$work/wires"

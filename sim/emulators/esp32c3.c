@@ -11,10 +11,12 @@
  *
  * Unicorn runs the processor, so instructions are executed by others' code; the chip (esp32c3_chip.h) is the project's.
  * An instruction takes a cycle. */
+#include "base/sha256.h"
 #include "emulators/esp32c3_chip.h"
 
 #include <errno.h>
 #include <inttypes.h>
+#include <limits.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -272,6 +274,17 @@ static bool load_segments(struct run *run, const uint8_t *image, size_t size_b, 
     return true;
 }
 
+/* What follows the checksum: nothing, or the digest of all that is before it. */
+static bool is_sealed(const uint8_t *image, size_t size_b, size_t before_b)
+{
+    uint8_t digest[SHA256_B];
+
+    if (size_b != before_b + (image[23] ? SHA256_B : 0)) return fail("the image", "does not end where it should");
+    if (!image[23]) return true;
+    sha256(digest, image, before_b);
+    return !memcmp(image + before_b, digest, SHA256_B) || fail("the image", "has a wrong digest");
+}
+
 static bool boot(struct run *run, const uint8_t *image, size_t size_b)
 {
     uint8_t checksum = 0xEF;
@@ -283,7 +296,7 @@ static bool boot(struct run *run, const uint8_t *image, size_t size_b)
     if (!load_segments(run, image, size_b, &end_b, &checksum)) return false;
     const size_t checksum_at = end_b / 16 * 16 + 15;
     if (checksum_at >= size_b || image[checksum_at] != checksum) return fail("the image", "has a wrong checksum");
-    if (size_b != checksum_at + 1 + (image[23] ? 32 : 0)) return fail("the image", "does not end where it should");
+    if (!is_sealed(image, size_b, checksum_at + 1)) return false;
     run->entry = word_at(image + 4);
     return true;
 }
@@ -367,12 +380,19 @@ static bool read_lines(struct run *run, const char *path, bool (*take)(struct ru
     return ok;
 }
 
-static bool take_option(struct c3_setting *setting, const char *option, const char *word)
+static bool read_number(const char *what, const char *word, uint64_t *value)
 {
     char *end;
-    const uint64_t value = strtoull(word, &end, 10);
 
-    if (word[0] < '0' || word[0] > '9' || *end) return fail(option, "wants a number");
+    *value = strtoull(word, &end, 10);
+    return (word[0] >= '0' && word[0] <= '9' && !*end) || fail(what, "wants a number");
+}
+
+static bool take_option(struct c3_setting *setting, const char *option, const char *word)
+{
+    uint64_t value;
+
+    if (!read_number(option, word, &value)) return false;
     if (!strcmp(option, "--panel"))
         setting->panel_hz = (uint32_t)value;
     else if (!strcmp(option, "--stop-after"))
@@ -393,12 +413,21 @@ static bool read_options(struct c3_setting *setting, char **words)
     return true;
 }
 
+static bool read_frames(unsigned *frames, const char *word)
+{
+    uint64_t value;
+
+    if (!read_number("FRAMES", word, &value)) return false;
+    *frames = (unsigned)value;
+    return (value && value <= UINT_MAX) || fail("FRAMES", "wants a number above 0");
+}
+
 static bool set_up(struct run *run, char **words)
 {
     const struct c3_world world = {run, on_complaint, on_byte, on_level};
     struct c3_setting setting = {0};
 
-    if (!read_options(&setting, words + 5)) return false;
+    if (!read_frames(&run->frames_wanted, words[1]) || !read_options(&setting, words + 5)) return false;
     c3_init(&run->chip, &setting, &world);
     run->log = fopen(words[4], "w");
     if (!run->log) return fail(words[4], strerror(errno));
@@ -424,7 +453,6 @@ int main(int argc, char **argv)
     static struct run run;
 
     if (argc < 6) return !fail("usage", "esp32c3 IMAGE.esp FRAMES MAP RANGES LOG [OPTION VALUE]...");
-    run.frames_wanted = (unsigned)strtoul(argv[2], NULL, 10);
     const bool is_set = set_up(&run, argv + 1);
     bool ok = is_set && fly(&run);
     if (run.log) flush_bytes(&run);

@@ -17,6 +17,7 @@
 
 #include <errno.h>
 #include <inttypes.h>
+#include <limits.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -355,6 +356,15 @@ static bool read_options(struct chip_setting *setting, unsigned *cycles, char **
     return true;
 }
 
+static bool read_frames(unsigned *frames, const char *word)
+{
+    uint64_t value = 0;
+
+    if (!read_number("FRAMES", word, &value)) return false;
+    *frames = (unsigned)value;
+    return (value && value <= UINT_MAX) || fail("FRAMES", "wants a number above 0");
+}
+
 static bool set_up(struct run *run, enum chip_kind kind, char **words)
 {
     static const uint32_t ram_b[CHIP_KINDS] = {[CHIP_F405] = 128 * 1024, [CHIP_F103] = 20 * 1024};
@@ -364,7 +374,7 @@ static bool set_up(struct run *run, enum chip_kind kind, char **words)
 
     run->cycles = 1;
     run->ram_b = ram_b[kind];
-    if (!read_options(&setting, &run->cycles, words + 4)) return false;
+    if (!read_frames(&run->frames_wanted, words[1]) || !read_options(&setting, &run->cycles, words + 4)) return false;
     chip_init(&run->chip, kind, &setting, &world);
     run->log = fopen(words[3], "w");
     if (!run->log) return fail(words[3], strerror(errno));
@@ -397,7 +407,6 @@ int main(int argc, char **argv)
 
     if (!f405 && strcmp(part, "f103") != 0)
         return !fail("usage", "stm32 f405|f103 IMAGE.bin FRAMES MAP LOG [OPTION VALUE]...");
-    run.frames_wanted = (unsigned)strtoul(argv[3], NULL, 10);
     const bool is_set = set_up(&run, f405 ? CHIP_F405 : CHIP_F103, argv + 2);
     bool ok = is_set && fly(&run);
     if (run.log) flush_bytes(&run);

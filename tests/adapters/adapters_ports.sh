@@ -33,7 +33,7 @@ sends() { # PORT WAY PANEL OPTION...
     port=$1 way=$2
     shift 2
     # shellcheck disable=SC2086 # ways are words
-    timeout 20 "$work/port_frames" "$port" $way >"$work/wires" || return 1
+    timeout 20 "$work/port_frames" "$port" $way >"$work/wires" 2>"$work/told" || { cat "$work/told"; return 1; }
     "$limner" decode "$work/wires" --panel "$@" --frames 3 --check "$work/golden"
 }
 
@@ -52,13 +52,25 @@ starts_again() {
     done
 }
 
+# What goes wrong in the set-up or in a frame comes back, negative, and the board can be begun again.
+recovers() {
+    for call in 0 1 2 3 20 200; do
+        for failure in -1 259; do
+            if ! sends idf "fail=$call,$failure" st7735 || ! grep -qx '# refused: -[0-9]*' "$work/told"; then
+                echo "call $call: $failure"
+                return 1
+            fi
+        done
+    done
+}
+
 # Broken, it compiles, and something is complained about or shown otherwise.
 found_out() { # PORT HEADER EXPRESSION
     break_header "$2" "$3" || { mend_headers && echo "nothing to break" && return 1; }
     build_boards -w && link_ports
     built=$?
     mend_headers
-    [ $built -eq 0 ] && ! sends "$1" again st7735
+    [ $built -eq 0 ] && ! { sends "$1" again st7735 && { [ "$1" != idf ] || recovers; }; }
 }
 
 found_out_if() { # HEADER WHAT EXPRESSION
@@ -85,11 +97,13 @@ tap_check "one of greys" panel_shows 2 128x128 ssd1327 ssd1327
 tap_check "and a memory LCD, whose select is its driver's" panel_shows 2 128x128 ls013b7dh03 ls013b7dh03
 tap_check "and one that is sent many lines at once" panel_shows 64 128x160 st7735 st7735
 tap_check "a board can be begun again" starts_again
+tap_check "whatever the ESP32's drivers refuse" recovers
 
 found_out_if arduino "it keeps the display unselected" 's/digitalWrite(port->cs, LOW)/digitalWrite(port->cs, HIGH)/'
 found_out_if arduino "it sends outside of transactions" '/beginTransaction/d; /endTransaction/d'
 found_out_if arduino "it lets SPI read over what is sent" 's/memcpy(piece, data, piece_b);//; s/transfer(piece, /transfer((void *)data, /'
-found_out_if arduino "it sends in mode 1" 's/SPI_MODE0 : SPI_MODE3/SPI_MODE1 : SPI_MODE1/'
+found_out_if arduino "it sends in mode 1" 's/modes\[spi_mode_of(spi_modes, 0)\]/SPI_MODE1/'
+found_out_if arduino "it knows two modes" 's/modes\[spi_mode_of(spi_modes, 0)\]/spi_modes \& SPI_IDLES_LOW ? SPI_MODE0 : SPI_MODE3/'
 found_out_if arduino "it takes the lowest bit first" 's/MSBFIRST/LSBFIRST/'
 found_out_if arduino "it waits by a function that does not count so far" 's/delay_us > 10000 ? .* : //'
 found_out_if arduino "it waits a millisecond too short" 's/delay_us \/ 1000 + 2/delay_us \/ 1000/'
@@ -106,5 +120,8 @@ found_out_if idf "it says that nothing is to be flushed" 's/limner_idf_flush, NU
 found_out_if idf "it sends longer parts than the bus takes" 's/n_b < 4092 ? n_b : 4092/n_b/'
 found_out_if idf "it keeps the length that the driver has set" 's/port->part.rxlength = 0, //'
 found_out_if idf "it counts bytes for bits" 's/length = 8 \* part_b/length = part_b/'
-found_out_if idf "it does not wait" 's/^    esp_rom_delay_us(delay_us);//'
+found_out_if idf "it keeps a bus without a device" 's/))) spi_bus_free(port->host);/))) (void)0;/'
+found_out_if idf "it turns the sign of ESP_FAIL" 's/return err > 0 ? -err : err;/return -err;/'
+found_out_if idf "it tells errors as they are" 's/return err > 0 ? -err : err;/return err;/'
+found_out_if idf "it does not wait" 's/esp_rom_delay_us(delay_us), 0/0/'
 tap_done

@@ -34,7 +34,7 @@ in_every_way() { # PROGRAM LIBRARY WAY...
     done
 }
 
-refused() { # LIBRARY OPTION: the library's error comes back, negative, and the next frame is whole
+refused() { # LIBRARY OPTIONS: the library's error comes back, negative, and the next frame is whole
     shows send_c "$1" "$2" && grep -qx '# refused: -[0-9]*' "$work/said"
 }
 
@@ -95,6 +95,7 @@ teapot.obj 100x80
 SCENES
 
 tap_check "an error of esp_lcd comes back, and the next frame is whole" refused esp_lcd fail=3
+tap_check "so it does where it is negative already" refused esp_lcd 'fail=3 espfail'
 
 found_out_if tft_espi "it sends numbers" 's/setSwapBytes(false)/setSwapBytes(true)/'
 found_out_if tft_espi "it keeps the order that the sketch has set" '/display->tft->setSwapBytes(.*);/d'
@@ -103,18 +104,30 @@ found_out_if tft_espi "it leaves the bus taken" 's/display->tft->endWrite()/(voi
 found_out_if tft_espi "it does not take the bus" 's/display->tft->startWrite();//'
 found_out_if tft_espi "its window is a line too large" 's/w_px, h_px);/w_px, h_px + 1);/'
 found_out_if tft_espi "it knows no size of the display" 's/> display->tft->width()/> 9999/'
+for library in tft_espi lovyangfx; do
+    found_out_if $library "it does not see that pixels were left out" 's/if (at_px != display->sent_px || n_px == 0) return.*//'
+    found_out_if $library "it takes lines of no pixels" 's/ || n_px == 0//'
+    found_out_if $library "it keeps the bus for a frame that it refused" 's/ || at_px != display->sent_px || n_px == 0) limner/) limner/'
+done
+found_out_if esp_lcd "it does not see that pixels were left out" 's/if ((at_px && at_px.*//'
+found_out_if esp_lcd "it takes lines of no pixels" 's/ || !n_px//'
 found_out_if tft_espi "it forgets where the picture is" 's/setAddrWindow(display->x_px/setAddrWindow(0/'
 found_out_if lovyangfx "it sends numbers" 's/lgfx::swap565_t \*/lgfx::rgb565_t */'
 found_out_if lovyangfx "it asks for the sketch's order" 's/reinterpret_cast<const lgfx::swap565_t \*>(pixels)/pixels/'
-found_out_if lovyangfx "it leaves the bus taken after a frame that was abandoned" 's/^    limner_lovyangfx_end(display);//'
+found_out_if lovyangfx "it leaves the bus taken after a frame that was abandoned" 's/^    if (at_px == 0 .*limner_lovyangfx_end(display);//'
 found_out_if lovyangfx "it relies on windows that are cut" 's/> display->gfx->height())/> 9999)/; s/> display->gfx->width()/> 9999/'
 found_out_if esp_lcd "it does not wait for what is on its way" 's/xSemaphoreTake(to->arrived, portMAX_DELAY);//; s/to->begin_px = to->begin_px.*/to->begin_px = 0;/'
 found_out_if esp_lcd "it has one block" 's/to->begin_px = to->begin_px.*/;/'
 found_out_if esp_lcd "its window ends a column too early" 's/x0 + w_px, y1/x0 + w_px - 1, y1/'
 found_out_if esp_lcd "it sends full blocks alone" 's/ && y_px + 1 < to->memory->h_px//'
-found_out_if esp_lcd "it waits for its callback and has none" 's/return -esp_lcd_panel_io_register.*/(void)io, (void)callbacks; return 0;/'
+found_out_if esp_lcd "it waits for its callback and has none" 's/err = esp_lcd_panel_io_register.*/err = 0;/'
+found_out_if esp_lcd "it tells errors as they are" 's/    return err > 0 ? -err : err;/    return err;/'
+found_out_if esp_lcd "it turns the sign of ESP_FAIL" 's/    return err > 0 ? -err : err;/    return -err;/'
 found_out_if lvgl "it does not swap for LVGL's own order" 's/\[i ^ swap\]/[i]/'
 found_out_if lvgl "it does not wait for what lies below" 's/for (; on->draw_task_head;/for (; false;/'
+found_out_if lvgl "it waits where nothing is below" 's/for (; on->draw_task_head; lv_draw_dispatch())/for (int i = 0; !i++ || on->draw_task_head; lv_draw_dispatch())/'
+found_out_if lvgl "it waits and does not dispatch" 's/on->draw_task_head; lv_draw_dispatch())/on->draw_task_head;)/'
+found_out_if lvgl "it waits twice for one request" 's/lv_draw_dispatch_wait_for_request();/& &/'
 found_out_if lvgl "it forgets where the stripe begins" 's/y - on->buf_area.y1/y/'
 found_out_if lvgl "it paints beyond the right edge" 's/LV_MIN(to->cut.x2 + 1 - x0, n_px)/(int32_t)n_px/'
 found_out_if lvgl "it paints beyond the left edge" 's/LV_MAX(to->cut.x1 - x0, 0)/0/'

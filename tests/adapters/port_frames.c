@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: MIT
  *
  * Draws the frames of cameras.h on the module of module.h through one of the ports, and prints what goes over the
- * wires, for `limner decode`: port_frames arduino|pico|idf [again]. again: the board is begun twice, as after an error.
- * Exits with 1 if a library or the display complained. */
+ * wires, for `limner decode`: port_frames arduino|pico|idf [again|fail=N,CODE]. again: the board is begun twice, as
+ * after an error; fail: the library's call N returns CODE, after which the board is begun again. Exits with 1 if a
+ * library or the display complained. */
 #include "limner.h" /* as the library of the tests is built, whatever the scene's header says */
 
 #include "cameras.h"
@@ -25,6 +26,11 @@ static struct lim lim;
 static uint32_t lines[MODULE_LINES_MEM_B(LINES) / 4];
 static void *pools[LIM_POINTERS(MODEL_SCENE_MEM_B(MODULE_H_PX))];
 
+static bool has_select(void)
+{
+    return !strncmp(MODULE_NAME, "ls0", 3); /* a memory LCD */
+}
+
 static int check_clock(void)
 {
     static const uint32_t delays_us[] = {0, 1, 999, 10000, 10001, 11000, 16384, 150000};
@@ -34,6 +40,19 @@ static int check_clock(void)
         const uint64_t before_us = wires_now_us();
         err = clock_delay(&board.clock, delays_us[i]);
         if (wires_now_us() - before_us < delays_us[i]) wires_complain("a wait is too short");
+    }
+    return err;
+}
+
+/* Of modes of which Limner's own panels want none, too. The ESP32's port keeps the mode that it began with. */
+static int check_modes(const char *port)
+{
+    int err = 0;
+
+    for (int mode = 0; mode < 4 && !err && port[0] != 'i'; mode++) {
+        err = port_board(port, &board, MODULE_SPEED_HZ, (uint8_t)(1 << mode), has_select());
+        if (!err && port[0] == 'a') err = bus_write(&board.bus, NULL, 0); /* which begins a transaction */
+        if (!err && wires_mode() != mode) wires_complain("the bus has another mode than the display");
     }
     return err;
 }
@@ -52,7 +71,7 @@ static int set_up(const char *port, bool sends_much)
 {
     struct panel *panel;
 
-    int err = port_board(port, &board, MODULE_SPEED_HZ, MODULE_SPI_MODES, !strncmp(MODULE_NAME, "ls0", 3));
+    int err = port_board(port, &board, MODULE_SPEED_HZ, MODULE_SPI_MODES, has_select());
     if (!err) err = check_clock();
     if (!err && sends_much) err = send_much();
     if (!err) err = module_setup(&panel, &board);
@@ -70,19 +89,34 @@ static int draw(uint16_t frame)
     int err = screen_begin_frame(&screen);
     if (!err) err = lim_frame(&lim, &camera);
     if (!err) err = screen_end_frame(&screen);
-    printf("p led %d\n", frame % 2 == 0);
+    if (!err) printf("p led %d\n", frame % 2 == 0);
     return err;
+}
+
+/* What went wrong once is begun anew, and goes right. */
+static int try_again(const char *port, int err)
+{
+    fprintf(stderr, "# refused: %d\n", err);
+    if (err > 0) wires_complain("an error that is not negative");
+    return set_up(port, false);
 }
 
 int main(int argc, char **argv)
 {
-    int err = argc > 1 ? 0 : -1;
+    int err = argc > 1 ? 0 : -1, call = -1, failure = 0;
 
     puts("p led 0");
-    if (!err && argc > 2) err = set_up(argv[1], true);
+    if (argc > 2 && sscanf(argv[2], "fail=%d,%d", &call, &failure) == 2) wires_fail(call, failure);
+    if (!err) err = check_modes(argv[1]);
+    if (!err && argc > 2 && call < 0) err = set_up(argv[1], true);
     if (!err) err = set_up(argv[1], false);
-    for (uint16_t frame = 0; frame < CAMERAS_COUNT && !err; frame++)
+    if (err && call >= 0) err = try_again(argv[1], err);
+    for (uint16_t frame = 0; frame < CAMERAS_COUNT && !err; frame++) {
         err = draw(frame);
+        if (!err || call < 0) continue;
+        err = try_again(argv[1], err);
+        if (!err) err = draw(frame);
+    }
     if (err) fprintf(stderr, "port_frames: %d\n", err);
     return err || wires_complaints();
 }

@@ -7,7 +7,8 @@
  *
  * Options: at=X,Y the picture's corner on the display; swap: the sketch has set the other byte order; lines=N of a
  * block or a stripe; native: LVGL's format; abandon=N: of the second frame the program gives up at its piece N, and
- * draws it again; fail=N: the library refuses its call N, after which that frame is drawn again. Exits with 1 if the
+ * draws it again; fail=N: the library refuses its call N (espfail: by ESP_FAIL), after which that frame is drawn again.
+ * Before the first frame pixels are left out by lim_set_visible(), which the adapter refuses. Exits with 1 if the
  * display or the library complained. C, and C++, which has two libraries more. */
 #include "limner.h" /* as the library of the tests is built, whatever the scene's header says */
 
@@ -33,9 +34,12 @@ MODEL_MEMORY(CAMERAS_W_PX, CAMERAS_H_PX);
 
 static struct {
     int x_px, y_px, lines, abandon, fail;
-    bool swap, native;
-} option = {0, 0, 7, -1, -1, false, false};
+    bool swap, native, espfail;
+} option = {0, 0, 7, -1, -1, false, false, false};
 
+enum { ASKS = MODEL_SCENE_METHOD != LIM_CONVEX && MODEL_SCENE_METHOD != LIM_PAINTER };
+enum { LEFT, RIGHT, ABOVE, BELOW };
+static int hidden;
 static uint16_t frame;
 static int pieces_left = -1; /* until the frame is abandoned */
 static lim_send *library_send;
@@ -84,6 +88,27 @@ static int draw_again(void)
     return err;
 }
 
+/* On the left, on the right, lines above, a line below those that are sent. */
+static void hide(void *ctx, uint16_t y_px, uint16_t *x0_px, uint16_t *x1_px)
+{
+    (void)ctx;
+    *x0_px = hidden == LEFT && y_px >= CAMERAS_H_PX / 2;
+    *x1_px = (uint16_t)(CAMERAS_W_PX - (hidden == RIGHT && y_px >= CAMERAS_H_PX / 2));
+    if ((hidden == ABOVE && y_px < 2) || (hidden == BELOW && y_px + 1 == CAMERAS_H_PX)) *x1_px = 0;
+}
+
+/* By methods that ask what is seen; the others send all. */
+static void refuse_holes(void)
+{
+    lim_set_visible(model_memory.lim, hide);
+    for (hidden = LEFT; hidden <= BELOW; hidden++) {
+        const int err = draw();
+        if (err != (ASKS ? LIM_ERR_TARGET : LIM_OK)) fake_complain("pixels were left out, and nobody said so");
+    }
+    lim_set_visible(model_memory.lim, NULL);
+    fake_wipe();
+}
+
 static void show(void)
 {
     if (fake_left_px()) fake_complain("a window was left open");
@@ -102,9 +127,15 @@ static int with_esp_lcd(void)
     display.blocks = blocks;
     display.blocks_b = 4u * CAMERAS_W_PX * (unsigned)option.lines;
     display.x_px = option.x_px, display.y_px = option.y_px;
+    for (int i = 0; i < 2; i++) {
+        fake_esp_lcd_fail(0, i ? ESP_FAIL : ESP_ERR_INVALID_STATE);
+        if (limner_esp_lcd_begin(&display, panel, (esp_lcd_panel_io_handle_t)(void *)&something) >= 0)
+            fake_complain("an error that is not negative");
+    }
     int err = limner_esp_lcd_begin(&display, panel, (esp_lcd_panel_io_handle_t)(void *)&something);
     if (!err) err = begin(limner_esp_lcd_send, &display);
-    fake_esp_lcd_fail(option.fail);
+    if (!err) refuse_holes();
+    fake_esp_lcd_fail(option.fail, option.espfail ? ESP_FAIL : ESP_ERR_TIMEOUT);
     for (frame = 0; frame < CAMERAS_COUNT && !err; frame++) {
         err = draw_again();
         fake_esp_lcd_finish();
@@ -149,6 +180,8 @@ template <class Library, class Display> static int with(Library *library, Displa
 {
     library->setSwapBytes(option.swap);
     int err = begin(adapter_send, display);
+    if (!err) refuse_holes();
+    if (library->fake_is_taken()) fake_complain("the bus is taken for a frame with holes");
     for (frame = 0; frame < CAMERAS_COUNT && !err; frame++) {
         err = draw_again();
         if (!err) show();
@@ -165,14 +198,14 @@ template <class Library, class Display> static int with(Library *library, Displa
 static int with_tft_espi(void)
 {
     static TFT_eSPI tft;
-    static struct limner_tft_espi display = {&tft, &model_memory, option.x_px, option.y_px, false};
+    static struct limner_tft_espi display = {&tft, &model_memory, option.x_px, option.y_px, 0};
     return with(&tft, &display, limner_tft_espi_send);
 }
 
 static int with_lovyangfx(void)
 {
     static lgfx::LGFX_Device lcd;
-    static struct limner_lovyangfx display = {&lcd, &model_memory, option.x_px, option.y_px, false};
+    static struct limner_lovyangfx display = {&lcd, &model_memory, option.x_px, option.y_px, 0};
     return with(&lcd, &display, limner_lovyangfx_send);
 }
 #endif
@@ -193,6 +226,7 @@ int main(int argc, char **argv)
     for (int i = 2; i < argc; i++) {
         if (!strcmp(argv[i], "swap")) option.swap = true;
         if (!strcmp(argv[i], "native")) option.native = true;
+        if (!strcmp(argv[i], "espfail")) option.espfail = true;
         sscanf(argv[i], "at=%d,%d", &option.x_px, &option.y_px);
         sscanf(argv[i], "lines=%d", &option.lines);
         sscanf(argv[i], "abandon=%d", &option.abandon);

@@ -36,22 +36,35 @@ for_this_processor() {
         grep -q '"rv32i[0-9p]*_m[0-9p]*_c[0-9p]*\(_zmmul[0-9p]*\)\{0,1\}"' "$work/attributes"
 }
 
-# One bit of each part turned.
-wrong_images_are_refused() {
-    size_b=$(wc -c <"$image.esp")
-    for at in 0 1 4 12 24 28 40 30000 $((size_b - 40)) $((size_b - 33)) $((size_b - 1)); do
-        /usr/bin/python3 -c 'import sys
+turned_at() { # BYTE NAME: the image with some of that byte's bits turned, negative: from its end
+    /usr/bin/python3 -c 'import sys
 image = bytearray(open(sys.argv[1], "rb").read())
 image[int(sys.argv[2])] ^= 0x41
-open(sys.argv[3], "wb").write(image)' "$image.esp" "$at" "$work/wrong.esp"
+open(sys.argv[3], "wb").write(image)' "$image.esp" "$1" "$work/$2.esp"
+}
+
+# A byte of each part.
+wrong_images_are_refused() {
+    for at in 0 1 4 12 24 28 40 30000 -40 -33 -1; do
+        turned_at "$at" wrong
         ! /usr/bin/python3 tests/boards/esp_image.py "$work/wrong.esp" >"$work/read" 2>&1 || { echo "byte $at" && return 1; }
     done
 }
 
-refuses() { # PATTERN IMAGE
+refuses() { # PATTERN IMAGE [FRAMES]: before it runs a frame
     : >"$work/none"
-    ! "$BUILD/esp32c3" "$2" 1 "$work/none" "$work/none" "$work/wires" >"$work/said" 2>&1 && cat "$work/said" &&
-        grep -q "^esp32c3: $1" "$work/said"
+    ! timeout 60 "$BUILD/esp32c3" "$2" "${3-1}" "$work/none" "$work/none" "$work/wires" >"$work/said" 2>&1 &&
+        cat "$work/said" && grep -q "^esp32c3: $1\$" "$work/said" && ! grep -q '^#' "$work/said"
+}
+
+refuses_turned() { # PATTERN BYTE
+    turned_at "$2" turned && refuses "$1" "$work/turned.esp"
+}
+
+wants_frames() {
+    for frames in x 0 -1 1x '' 4294967296; do
+        refuses 'FRAMES: wants a number\( above 0\)*' "$image.esp" "$frames" || { echo "$frames" && return 1; }
+    done
 }
 
 draws() { # CLOCKS FRAMES MAKE-ARGUMENT...
@@ -105,6 +118,8 @@ tap_check "a pin of another function is" tells 'at their pins' boards/esp32c3/bo
 tap_check "SPI2 without a clock is" tells 'has its clock' boards/esp32c3/board.c 's/ESP32C3_SPI2 | //'
 head -c 100 /dev/zero >"$work/zeros.esp"
 tap_check "the ROM takes no image without its magic number" refuses 'the image: does not begin with E9h' "$work/zeros.esp"
-tap_check "nor one that is not there" refuses "$work/none.esp: No such file" "$work/none.esp"
-tap_check "nor one whose checksum is wrong" refuses 'the image: ' "$work/wrong.esp"
+tap_check "nor one that is not there" refuses "$work/none.esp: No such file or directory" "$work/none.esp"
+tap_check "nor one whose checksum is wrong" refuses_turned 'the image: has a wrong checksum' -33
+tap_check "nor one whose digest is" refuses_turned 'the image: has a wrong digest' -1
+tap_check "and nobody runs no frames, or no number of them" wants_frames
 tap_done

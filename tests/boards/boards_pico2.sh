@@ -28,6 +28,13 @@ same_objects_are_linked() {
         grep '^\(lim_\|screen_\|scene_\|dcs_\|main\)' "$work/image.an505.elf" | diff "$work/of_the_image" -
 }
 
+# What an earlier run has linked stays unused where the compiler fails.
+needs_its_own_elf() {
+    cp "$image.an505.elf" "$work/old.an505.elf" &&
+        ! sh sim/emulators/an505.sh "$work/old" 1 false '' cat >"$work/said" 2>&1 && cat "$work/said" &&
+        [ ! -s "$work/said" ] && [ ! -e "$work/old.an505.elf" ]
+}
+
 read_by_rules() { # UF2
     od -An -v -tu1 "$1" | awk -f tests/boards/rp2350_image.awk
 }
@@ -85,6 +92,7 @@ says_how_to_mount() {
 
 tap_check "its code draws four frames of rooms, each pixel as the simulator does" frames_are_golden
 tap_check "what ran are the image's own objects" same_objects_are_linked
+tap_check "what an earlier run has linked does not run when the compiler fails" needs_its_own_elf
 tap_check "so it does on a display in black and white" frames_are_golden PANEL=ssd1306 SCENE=icosahedron
 board image >/dev/null
 tap_check "the boot ROM finds an image, its stack and where it begins" holds_the_rules

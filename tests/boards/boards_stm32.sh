@@ -97,4 +97,6 @@ tap_check "one that is not there is" refuses "$work/none: No such file" f405 "$w
 tap_check "a map that is none is" refuses 'README.md: a line is neither' f405 "$work/zeros.bin" 1 README.md "$work/wires"
 tap_check "an option that is none is" refuses '--nix: ' f405 "$work/zeros.bin" 1 $map "$work/wires" --nix 1
 tap_check "an instruction that takes no time is" refuses '--cycles: ' f405 "$work/zeros.bin" 1 $map "$work/wires" --cycles 0
+tap_check "no frames are" refuses 'FRAMES: ' f405 "$work/zeros.bin" 0 $map "$work/wires"
+tap_check "a number of frames that is none is" refuses 'FRAMES: ' f405 "$work/zeros.bin" x $map "$work/wires"
 tap_done

@@ -1,18 +1,18 @@
 /* SPDX-License-Identifier: MIT
  *
- * A fake of Arduino's SPI library, with the types of ArduinoCore-API's HardwareSPI.h. */
+ * A fake of Arduino's SPI library, with the types of ArduinoCore-API's HardwareSPI.h and the constants of AVR's. */
 #ifndef FAKE_SPI_H
 #define FAKE_SPI_H
 
 #include "Arduino.h"
 
-typedef enum { SPI_MODE0 = 0, SPI_MODE1 = 1, SPI_MODE2 = 2, SPI_MODE3 = 3 } SPIMode;
+typedef enum { SPI_MODE0 = 0x00, SPI_MODE1 = 0x04, SPI_MODE2 = 0x08, SPI_MODE3 = 0x0C } SPIMode;
 
 class SPISettings
 {
   public:
     SPISettings(uint32_t clock, BitOrder bitOrder, SPIMode dataMode)
-        : clock_hz(clock), mode(bitOrder == MSBFIRST ? dataMode : -1)
+        : clock_hz(clock), mode(bitOrder == MSBFIRST ? dataMode / 4 : -1)
     {
     }
     SPISettings() : clock_hz(4000000), mode(0) {}

@@ -27,9 +27,9 @@ typedef struct {
 esp_err_t esp_lcd_panel_io_register_event_callbacks(esp_lcd_panel_io_handle_t io,
                                                     const esp_lcd_panel_io_callbacks_t *cbs, void *user_ctx);
 
-/* The fake: waits for all that is on its way; the next call number `call` of draw_bitmap(), from 0 on, fails. */
+/* The fake: waits for all that is on its way; the next call number `call`, from 0 on, returns `failure`. */
 void fake_esp_lcd_finish(void);
-void fake_esp_lcd_fail(int call);
+void fake_esp_lcd_fail(int call, esp_err_t failure);
 
 #ifdef __cplusplus
 }

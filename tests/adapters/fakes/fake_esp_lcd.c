@@ -15,12 +15,19 @@ static struct {
     int n_px;
     uint8_t as_given[2 * FAKE_W_PX * FAKE_H_PX];
     int fail_at;
+    esp_err_t failure;
 } lcd = {.fail_at = -1};
+
+static bool fails(void)
+{
+    return lcd.fail_at >= 0 && lcd.fail_at-- == 0;
+}
 
 esp_err_t esp_lcd_panel_io_register_event_callbacks(esp_lcd_panel_io_handle_t io,
                                                     const esp_lcd_panel_io_callbacks_t *cbs, void *user_ctx)
 {
     if (!io || !cbs) return ESP_ERR_INVALID_ARG;
+    if (fails()) return lcd.failure;
     lcd.done = cbs->on_color_trans_done;
     lcd.done_ctx = user_ctx;
     return ESP_OK;
@@ -36,16 +43,17 @@ void fake_esp_lcd_finish(void)
     if (lcd.done) lcd.done(NULL, NULL, lcd.done_ctx);
 }
 
-void fake_esp_lcd_fail(int call)
+void fake_esp_lcd_fail(int call, esp_err_t failure)
 {
     lcd.fail_at = call;
+    lcd.failure = failure;
 }
 
 esp_err_t esp_lcd_panel_draw_bitmap(esp_lcd_panel_handle_t panel, int x_start, int y_start, int x_end, int y_end,
                                     const void *color_data)
 {
     if (!panel) return ESP_ERR_INVALID_ARG;
-    if (lcd.fail_at >= 0 && lcd.fail_at-- == 0) return ESP_ERR_TIMEOUT;
+    if (fails()) return lcd.failure;
     fake_esp_lcd_finish(); /* before it sends commands */
     fake_window(x_start, y_start, x_end - 1, y_end - 1);
     lcd.n_px = fake_left_px();

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
  * One bus with one device, whose chip select falls and rises with each transaction. A transaction is the driver's until
- * its result was fetched. */
+ * its result was fetched. Three of the calls can fail by wires_fail(). */
 #include "driver/spi_master.h"
 #include "fake_wires.h"
 
@@ -12,7 +12,7 @@ struct spi_device_t {
     spi_transaction_t *queued, as_given;
 };
 
-static bool is_initialized;
+static bool is_initialized, has_device;
 static struct spi_device_t device;
 
 static void select_display(bool selected)
@@ -27,7 +27,15 @@ esp_err_t spi_bus_initialize(spi_host_device_t host_id, const spi_bus_config_t *
         bus_config->max_transfer_sz || dma_chan != SPI_DMA_CH_AUTO)
         return ESP_ERR_INVALID_ARG;
     if (is_initialized) return ESP_ERR_INVALID_STATE;
-    is_initialized = true;
+    const esp_err_t failure = wires_failure();
+    is_initialized = !failure;
+    return failure;
+}
+
+esp_err_t spi_bus_free(spi_host_device_t host_id)
+{
+    if (host_id != SPI2_HOST || !is_initialized || has_device) return ESP_ERR_INVALID_STATE;
+    is_initialized = false;
     return ESP_OK;
 }
 
@@ -35,6 +43,9 @@ esp_err_t spi_bus_add_device(spi_host_device_t host_id, const spi_device_interfa
                              spi_device_handle_t *handle)
 {
     if (!is_initialized || host_id != SPI2_HOST || dev_config->queue_size < 1) return ESP_ERR_INVALID_ARG;
+    const esp_err_t failure = wires_failure();
+    if (failure) return failure;
+    has_device = true;
     device.config = *dev_config;
     if (dev_config->spics_io_num >= 0) wires_output((unsigned)dev_config->spics_io_num, true);
     select_display(false);
@@ -49,6 +60,8 @@ esp_err_t spi_device_queue_trans(spi_device_handle_t handle, spi_transaction_t *
     if (trans_desc->length % 8 || trans_desc->length > 8 * DEFAULT_MOST_B || trans_desc->rxlength > trans_desc->length)
         return ESP_ERR_INVALID_ARG;
     if (handle->queued) wires_complain("ESP-IDF: a transaction is queued whose last result was not fetched");
+    const esp_err_t failure = wires_failure();
+    if (failure) return failure;
     if (!trans_desc->rxlength) trans_desc->rxlength = trans_desc->length;
     handle->queued = trans_desc;
     handle->as_given = *trans_desc;

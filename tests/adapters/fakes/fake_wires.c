@@ -17,7 +17,8 @@ static struct {
     size_t n_b, at_b;
     bool busy;
     unsigned complaints;
-} wires = {.mode = -1};
+    int fail_at, failure;
+} wires = {.mode = -1, .fail_at = -1};
 static uint8_t as_given[DMA_MOST_B];
 
 void wires_complain(const char *what)
@@ -28,6 +29,17 @@ void wires_complain(const char *what)
 unsigned wires_complaints(void)
 {
     return wires.complaints;
+}
+
+void wires_fail(int call, int failure)
+{
+    wires.fail_at = call;
+    wires.failure = failure;
+}
+
+int wires_failure(void)
+{
+    return wires.fail_at >= 0 && wires.fail_at-- == 0 ? wires.failure : 0;
 }
 
 static void tell_level(unsigned pin)
@@ -74,6 +86,11 @@ void wires_bus(uint32_t hz, int mode)
     if (!hz) wires_complain("a bus without a rate");
     wires.byte_ns = (uint32_t)(UINT64_C(8000000000) / (hz ? hz : 1));
     wires.mode = mode;
+}
+
+int wires_mode(void)
+{
+    return wires.mode;
 }
 
 void wires_send(const uint8_t *data, size_t n_b)

@@ -20,6 +20,10 @@ enum { WIRE_NONE, WIRE_CS, WIRE_DC, WIRE_RESET, WIRE_BACKLIGHT, WIRE_SELECT, WIR
 void wires_complain(const char *what);
 unsigned wires_complaints(void);
 
+/* Of the calls that can fail, the next one number `call`, from 0 on, is to return `failure`; 0 for all others. */
+void wires_fail(int call, int failure);
+int wires_failure(void);
+
 void wires_output(unsigned pin, bool is_output);
 void wires_level(unsigned pin, bool high);
 void wires_pass(uint64_t time_us);
@@ -27,6 +31,7 @@ uint64_t wires_now_us(void);
 
 /* The bus: rate and mode; or it is not ready. */
 void wires_bus(uint32_t hz, int mode);
+int wires_mode(void);
 void wires_send(const uint8_t *data, size_t n_b);
 
 /* DMA, which reads as late as it may: some bytes when it is asked how many are left, all when it is waited for. The

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT
  *
  * A fake of LVGL with the types and signatures of its headers (9.5.0), as far as a widget that paints by itself needs
- * them: it draws stripe by stripe, notes down what is to be painted, and paints it when it is dispatched. */
+ * them: it draws stripe by stripe, notes down what is to be painted, and paints it when it is dispatched (fake_lvgl.c).
+ */
 #ifndef LVGL_H
 #define LVGL_H
 

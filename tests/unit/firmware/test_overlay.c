@@ -170,6 +170,50 @@ static void pieces_of_a_line_are_what_the_line_is(void **state)
     }
 }
 
+static unsigned runs_of(const struct canvas *canvas)
+{
+    unsigned runs = 0;
+
+    for (int i = 0; i < W_PX * H_PX; i++)
+        runs += i % W_PX == 0 || canvas->pixels[i / W_PX][i % W_PX] != canvas->pixels[i / W_PX][i % W_PX - 1];
+    return runs;
+}
+
+/* The same character, as often as it fits. */
+static void a_text_has_no_more_runs_than_its_constant(void **state)
+{
+    unsigned most = 0;
+
+    (void)state;
+    for (int i = 0; i < 2 * 5 * FONT_GLYPHS; i++) {
+        const uint8_t scale = (uint8_t)(i / 2 % 5), n = (uint8_t)((W_PX - 2) / LIM_TEXT_W_PX / (scale ? scale : 1));
+        struct figure figure = {.kind = TEXT, .box = {1, 1, 0, 0}, .colour = 0xFFFF};
+        figure.style = (struct lim_text_style){0xFFFF, i % 2, 0x001F, scale};
+        memset(figure.text, ' ' + i / 10, n);
+        picture(&figure);
+        const unsigned runs = runs_of(&ought) - H_PX;
+        assert_true(runs <= LIM_TEXT_RUNS(n, scale));
+        if (scale == 4 && runs > most) most = runs;
+    }
+    assert_true(most > LIM_TEXT_RUNS((W_PX - 2) / LIM_TEXT_W_PX / 4, 1)); /* the scale counts */
+}
+
+/* As text.h says. */
+static void a_box_has_two_runs_a_line_and_a_frame_four(void **state)
+{
+    struct figure figure = {.kind = BOX, .box = {7, 3, 40, 11}, .value = 1, .full = 2, .colour = 0xFFFF};
+
+    (void)state;
+    picture(&figure);
+    assert_int_equal(runs_of(&ought) - H_PX, 2 * 11);
+    figure.kind = BAR;
+    picture(&figure);
+    assert_int_equal(runs_of(&ought) - H_PX, 2 * 11);
+    figure.kind = FRAME;
+    picture(&figure);
+    assert_int_equal(runs_of(&ought) - H_PX, 2 * 2 + 4 * 9);
+}
+
 static void all_glyphs_are_distinct(void **state)
 {
     (void)state;
@@ -261,6 +305,8 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_figure_is_its_picture),
         cmocka_unit_test(pieces_of_a_line_are_what_the_line_is),
+        cmocka_unit_test(a_text_has_no_more_runs_than_its_constant),
+        cmocka_unit_test(a_box_has_two_runs_a_line_and_a_frame_four),
         cmocka_unit_test(all_glyphs_are_distinct),
         cmocka_unit_test(integers_read_back),
         cmocka_unit_test(fixed_point_numbers_are_the_nearest),

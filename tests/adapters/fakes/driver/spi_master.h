@@ -36,6 +36,7 @@ typedef struct spi_transaction_t {
 typedef struct spi_device_t *spi_device_handle_t;
 
 esp_err_t spi_bus_initialize(spi_host_device_t host_id, const spi_bus_config_t *bus_config, spi_dma_chan_t dma_chan);
+esp_err_t spi_bus_free(spi_host_device_t host_id);
 esp_err_t spi_bus_add_device(spi_host_device_t host_id, const spi_device_interface_config_t *dev_config,
                              spi_device_handle_t *handle);
 esp_err_t spi_device_queue_trans(spi_device_handle_t handle, spi_transaction_t *trans_desc, TickType_t ticks_to_wait);
