@@ -96,6 +96,26 @@ again() { # what an older version has put there is replaced
         installed install && [ ! -e "$there/share/doc/limner/OLD" ] && [ -x "$there/bin/limner" ]
 }
 tap_check "installing again leaves nothing of what was" again
+
+# Whatever fails, and after however many files: what was there is there still.
+state() { files && (cd "$root" && find . -type f -exec sha256sum {} + | LC_ALL=C sort); }
+fails() { # [PREFIX]
+    state >"$work/there" && ! installed install "$@" && state | diff "$work/there" -
+}
+full() { # for a file past 50 KB: the program
+    (trap '' XFSZ && export LC_ALL=C && ulimit -f 100 && fails) && cat "$work/said" && grep -q 'File too large' "$work/said"
+}
+tap_check "a disk that is full leaves the older version" full
+folder_in_the_way() { # of the last file
+    license=$there/share/doc/limner/LICENSE
+    rm "$license" && mkdir "$license" && fails && rmdir "$license" && grep -qx "install: $license: is a folder" "$work/said"
+}
+tap_check "so does a folder where a file is to be" folder_in_the_way
+file_in_the_way() { # of a folder, where nothing is installed
+    mkdir -p "$root/other/share" && echo theirs >"$root/other/share/doc" && fails /other && rm -r "$root/other"
+}
+tap_check "a file where a folder is to be leaves nothing" file_in_the_way
+
 away() { installed uninstall && files | diff "$work/before" -; }
 tap_check "uninstalling leaves what was there before" away
 twice() { ! installed uninstall >/dev/null && grep -q 'is not installed there' "$work/said" && files | diff "$work/before" -; }
