@@ -77,6 +77,15 @@ tap_check "a panel" completes 'ssd1306 ssd0323 ssd1327 ssd1351' limner play --pa
 tap_check "memory, where it is one" completes 'memory' limner render --panel me
 tap_check "but not elsewhere" completes '' limner module --panel me
 tap_check "a method" completes 'painter portals' limner render --method p
+tap_check "a profile" completes 'draft fast fine exact' limner compile --precision ''
+tap_check "a processor" completes 'm0plus m3 m4 m33 rv32' limner compile --core ''
+tap_check "where to export to" completes 'arduino idf pico cmake plain' limner export --for ''
+tap_check "a boot drive's processor" completes 'rp2040 rp2350-arm-s' limner uf2 --family rp
+tap_check "a chip of Espressif's" completes 'esp32c3' limner espimage --chip ''
+tap_check "a light" completes 'baked turning' limner render --mover-light ''
+tap_check "a way to move" completes 'clipped centre off' limner render --movers ''
+tap_check "whether there are portals" completes 'on off auto' limner compile --portals ''
+tap_check "an axis" completes 'y z' limner render --up ''
 tap_check "a file" completes 'house.obj hut with a door.obj' limner render h
 tap_check "a file after an option" completes 'house.obj' limner render x.obj --camera ho
 options_agree() { # each option that completion offers is in that command's help
