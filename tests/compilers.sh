@@ -33,6 +33,7 @@ same_as_first() { # COMPILER LEVEL
 }
 
 tap_check "the program that all other tests run renders" sums_of first "$BUILD/limner"
+echo "# SEED=$SEED"
 for build in clang-O2 $(halved gcc-O0 clang-O0); do
     tap_check "${build%-*} -${build#*-} gives the same scenes and frames" same_as_first "${build%-*}" "-${build#*-}"
 done

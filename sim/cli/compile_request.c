@@ -84,8 +84,41 @@ static bool has_bound(const struct compile_request *request)
     return request->bound.wrong_percent >= 0.0 || request->bound.vertex_px >= 0.0;
 }
 
+/* What an option without a value sets. */
+static bool *flag_of(int code, struct compile_request *out)
+{
+    switch (code) {
+    case OPTION_KEEP_FACES:
+        return &out->compile.keep_faces;
+    case OPTION_UNLIT:
+        return &out->compile.unlit;
+    case OPTION_DROP_SMALL:
+        return &out->compile.drop_small;
+    case OPTION_WIREFRAME:
+        return &out->compile.wireframe;
+    case OPTION_ANTIALIAS:
+        return &out->compile.antialias;
+    case OPTION_DELTA:
+        return &out->compile.delta;
+    case OPTION_OVERLAY:
+        return &out->compile.overlay;
+    case OPTION_ROUND:
+        return &out->compile.round;
+    case OPTION_FILL:
+        return &out->compile.fill;
+    case OPTION_FRAMEBUFFER:
+        return &out->compile.framebuffer;
+    case OPTION_REPORT:
+        return &out->report_only;
+    default:
+        return NULL;
+    }
+}
+
 static bool parse_option(int code, char **argv, struct compile_request *out, struct error *err)
 {
+    bool *const flag = flag_of(code, out);
+    if (flag) return *flag = true;
     switch (code) {
     case 'o':
         out->name = optarg;
@@ -101,42 +134,12 @@ static bool parse_option(int code, char **argv, struct compile_request *out, str
         return tree_choice_parse(optarg, &out->compile, err);
     case OPTION_PORTALS:
         return portals_parse(optarg, &out->compile.portals, err);
-    case OPTION_KEEP_FACES:
-        out->compile.keep_faces = true;
-        return true;
     case OPTION_BACKGROUND:
         return parse_background(optarg, &out->compile.background, err);
-    case OPTION_UNLIT:
-        out->compile.unlit = true;
-        return true;
     case ORIENTATION_UP:
     case ORIENTATION_REVERSE_FACES:
     case ORIENTATION_TWO_SIDED:
         return orientation_parse(code, optarg, &out->compile.orientation, err);
-    case OPTION_DROP_SMALL:
-        out->compile.drop_small = true;
-        return true;
-    case OPTION_WIREFRAME:
-        out->compile.wireframe = true;
-        return true;
-    case OPTION_ANTIALIAS:
-        out->compile.antialias = true;
-        return true;
-    case OPTION_DELTA:
-        out->compile.delta = true;
-        return true;
-    case OPTION_OVERLAY:
-        out->compile.overlay = true;
-        return true;
-    case OPTION_ROUND:
-        out->compile.round = true;
-        return true;
-    case OPTION_FILL:
-        out->compile.fill = true;
-        return true;
-    case OPTION_FRAMEBUFFER:
-        out->compile.framebuffer = true;
-        return true;
     case OPTION_PRECISION:
         return parse_precision(optarg, &out->compile.core, err);
     case OPTION_SIZE:
@@ -157,9 +160,6 @@ static bool parse_option(int code, char **argv, struct compile_request *out, str
         return moving_mode_parse(optarg, &out->movers.mode, err);
     case OPTION_MOVER_LIGHT:
         return moving_light_parse(optarg, &out->movers.light, err);
-    case OPTION_REPORT:
-        out->report_only = true;
-        return true;
     case ':':
         return error_set(err, "%s: needs a value", argv[optind - 1]);
     default:

@@ -171,8 +171,57 @@ static bool parse_runs(const char *text, uint16_t *out, struct error *err)
     return true;
 }
 
+/* What an option without a value sets. */
+static bool *flag_of(int code, struct options *out)
+{
+    switch (code) {
+    case OPTION_UNLIT:
+        return &out->compile.unlit;
+    case OPTION_DROP_SMALL:
+        return &out->compile.drop_small;
+    case OPTION_ANTIALIAS:
+        return &out->compile.antialias;
+    case OPTION_STATS:
+        return &out->stats;
+    case OPTION_COMPARE:
+        return &out->compare;
+    default:
+        return NULL;
+    }
+}
+
+/* Where an option's value is kept as it is. */
+static const char **text_of(int code, struct options *out)
+{
+    switch (code) {
+    case OPTION_SPLITTER:
+        return &out->compile.splitter;
+    case OPTION_GIF:
+        return &out->gif_path;
+    case OPTION_SHEET:
+        return &out->sheet_path;
+    case OPTION_IDS:
+        return &out->ids_path;
+    case OPTION_CHECK:
+        return &out->check_path;
+    case OPTION_WRITE_HASHES:
+        return &out->hashes_path;
+    case OPTION_WRITE_CAMERAS:
+        return &out->cameras_path;
+    default:
+        return NULL;
+    }
+}
+
 static bool parse_option(int code, const char *text, struct options *out, struct error *err)
 {
+    bool *const flag = flag_of(code, out);
+    const char **const kept = text_of(code, out);
+    if (flag) return *flag = true;
+    if (kept) {
+        *kept = text;
+        return true;
+    }
     switch (code) {
     case OPTION_CAMERA:
         return camera_choice_parse(text, &out->cameras, err);
@@ -200,31 +249,19 @@ static bool parse_option(int code, const char *text, struct options *out, struct
         return parse_precision(text, &out->setup.core, err);
     case OPTION_BACKGROUND:
         return parse_background(text, &out->compile.background, err);
-    case OPTION_UNLIT:
-        out->compile.unlit = true;
-        return true;
     case ORIENTATION_UP:
     case ORIENTATION_REVERSE_FACES:
     case ORIENTATION_TWO_SIDED:
         return orientation_parse(code, text, &out->compile.orientation, err);
-    case OPTION_DROP_SMALL:
-        out->compile.drop_small = true;
-        return true;
     case OPTION_WIREFRAME:
         out->compile.wireframe = true;
         return parse_wireframe(text, &out->wireframe, err);
-    case OPTION_ANTIALIAS:
-        out->compile.antialias = true;
-        return true;
     case OPTION_DELTA:
         out->compile.delta = true;
         return parse_runs(text, &out->delta_runs, err);
     case OPTION_OVERLAY:
         out->overlay_text = text;
         return caption_check(text, err);
-    case OPTION_SPLITTER:
-        out->compile.splitter = text;
-        return true;
     case OPTION_TREE:
         return tree_choice_parse(text, &out->compile, err);
     case OPTION_TOLERANCE:
@@ -232,30 +269,6 @@ static bool parse_option(int code, const char *text, struct options *out, struct
     case OPTION_OUT:
         out->frame_pattern = text;
         return output_is_one(text) || output_pattern_check(text, err);
-    case OPTION_GIF:
-        out->gif_path = text;
-        return true;
-    case OPTION_SHEET:
-        out->sheet_path = text;
-        return true;
-    case OPTION_IDS:
-        out->ids_path = text;
-        return true;
-    case OPTION_STATS:
-        out->stats = true;
-        return true;
-    case OPTION_COMPARE:
-        out->compare = true;
-        return true;
-    case OPTION_CHECK:
-        out->check_path = text;
-        return true;
-    case OPTION_WRITE_HASHES:
-        out->hashes_path = text;
-        return true;
-    case OPTION_WRITE_CAMERAS:
-        out->cameras_path = text;
-        return true;
     default:
         return false;
     }

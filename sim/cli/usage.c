@@ -64,7 +64,7 @@ static const struct usage_command COMMANDS[] = {
      "limner decode capture.vcd --panel st7789 -o 'out/%03d.png'"},
     {"hashes", "PICTURE.png...", "Hashes pictures that others' displays showed.",
      "limner hashes frame.png --check frame.hashes"},
-    {"uf2", "IMAGE.bin -o IMAGE.uf2", "Makes what is copied to an RP2040's boot drive.",
+    {"uf2", "IMAGE.bin -o IMAGE.uf2", "Makes what is copied to the boot drive of an RP2040 or RP2350.",
      "limner uf2 image.bin -o image.uf2"},
     {"boot2", "CODE.bin -o NAME.c", "Makes an RP2040's second stage, with its checksum.",
      "limner boot2 boot2.bin -o boot2.c"},

@@ -225,7 +225,8 @@ static bool include_own(struct join *join, const char *text)
 static bool include(struct join *join, const char *line, const char *text)
 {
     if (*text == '"') return include_own(join, text);
-    if (*text == '<' && (is_uncertain(join) || join_once(join->amalgam, text))) fputs(line, join->out);
+    if (*text != '<') return fail(join, "an include that is not understood");
+    if (is_uncertain(join) || join_once(join->amalgam, text)) fputs(line, join->out);
     return true;
 }
 
@@ -243,6 +244,16 @@ static void define(struct join *join, const char *text)
     char *comment = strstr(value, "/*");
     if (comment) *comment = '\0';
     conditions_define(&join->amalgam->conditions, name, value);
+}
+
+static void undefine(struct join *join, const char *text)
+{
+    char name[NAME_MAX_B];
+    copy_name(name, text);
+    if (is_uncertain(join))
+        conditions_forget(&join->amalgam->conditions, name);
+    else
+        conditions_undefine(&join->amalgam->conditions, name);
 }
 
 /* A guard's own #define is of no use any more. */
@@ -264,6 +275,7 @@ static bool join_line(struct join *join, const char *line)
         define(join, text);
         if (is_guard(text)) return true;
     }
+    if ((text = directive(line, "undef"))) undefine(join, text);
     fputs(line, join->out);
     return true;
 }

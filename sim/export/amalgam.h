@@ -18,8 +18,8 @@ struct amalgam {
     size_t count, capacity;
 };
 
-/* Adds a file of the program's own (embedded.h). What cannot be joined is an error: no such file, a header under a
- * condition that is not known, an #endif too many or too few. */
+/* Adds a file of the program's own (embedded.h). What cannot be joined is an error: no such file, an #include that
+ * names none, a header under a condition that is not known, an #endif too many or too few. */
 bool amalgam_add(struct amalgam *amalgam, const char *path, FILE *out, struct error *err);
 
 /* The same with a text that no file has; `path` stands for it in errors, and its folder is looked in for headers. */

@@ -6,8 +6,9 @@
  *
  * Macros are known from their definitions. Not defined is what begins as `settled` says, or ends in _H, and was not
  * met: include guards, and what the export alone decides. LIM_EITHER() and LIM_BOTH() are understood
- * (firmware/config.h), other macros with arguments are not known. Numbers are whole, operators those of C but ?: and
- * bits. */
+ * (firmware/config.h), other macros with arguments are not known. Numbers are whole. Operators are `defined`, !, - with
+ * one side and with two, +, < <= > >= == != once in a row, && and ||, and brackets; with others a value is not known.
+ */
 #ifndef SIM_CONDITIONS_H
 #define SIM_CONDITIONS_H
 
@@ -28,7 +29,7 @@ enum known { KNOWN_FALSE, KNOWN_TRUE, KNOWN_NOT };
 /* NAME and its text, of a #define that is certainly read. */
 void conditions_define(struct conditions *conditions, const char *name, const char *text);
 
-/* NAME is certainly not defined. */
+/* NAME is certainly not defined: of an #undef that is certainly read. */
 void conditions_undefine(struct conditions *conditions, const char *name);
 
 /* NAME may be one or the other from now on. */

@@ -12,13 +12,26 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 trap 'exit 1' INT TERM
 
+# What limner said, without a file's name before it, which is the same in each line.
+said() { # MODEL'S-FOLDER/
+    sed -e 's/^limner: //' -e 's/^note: //' | while IFS= read -r line; do
+        case $line in
+        "$1"*:*)
+            rest=${line#"$1"}
+            rest=${rest#*:}
+            [ "$rest" = "${rest# }" ] || line=${rest# }
+            ;;
+        esac
+        printf '%s\n' "$line"
+    done
+}
+
 draw() { # MODEL: pictures and what was said into a folder of its own
     count=$((count + 1))
     folder=$work/$(printf %03d $count)
     mkdir "$folder"
     "$BUILD/limner" render "$1" --size 160x160 --frames 2 --time-limit 20 -o "$folder/%d.png" 2>"$folder/notes" </dev/null
-    # What was left out of a path is the same in each line.
-    { echo "${1##*/}" && sed -e 's/^limner: //' -e 's/^note: //' -e "s#^${1%/*}/[^:]*: ##" "$folder/notes"; } >"$folder/said"
+    { echo "${1##*/}" && said "${1%/*}/" <"$folder/notes"; } >"$folder/said"
     sed '1!s/^/    /' "$folder/said"
 }
 

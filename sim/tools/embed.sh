@@ -5,6 +5,7 @@
 set -e
 LC_ALL=C
 export LC_ALL
+tab=$(printf '\t')
 echo '#include "export/embedded.h"'
 echo
 echo '#include <stddef.h>'
@@ -12,7 +13,7 @@ echo
 echo 'const struct embedded embedded_files[] = {'
 for file; do
     echo "    {\"$file\","
-    sed 's/\\/\\\\/g; s/"/\\"/g; s/\t/\\t/g; s/??/?\\?/g; s/.*/     "&\\n"/' "$file"
+    sed 's/\\/\\\\/g; s/"/\\"/g; s/'"$tab"'/\\t/g; s/??/?\\?/g; s/.*/     "&\\n"/' "$file"
     echo '    },'
 done
 echo '    {NULL, NULL}};'

@@ -12,6 +12,7 @@ footprint_flags='-Os -ffreestanding -ffunction-sections -fdata-sections -Ifirmwa
 footprint_kept() { # FLAG...
     footprint_cache=${XDG_CACHE_HOME:-${HOME:-/nowhere}/.cache}/limner/objects
     if [ -z "${CCACHE:-}" ] || ! mkdir -p "$footprint_cache" 2>/dev/null || ! [ -w "$footprint_cache" ]; then return; fi
+    # What was not used for a week goes. Another job may be about to use it: footprint_take looks whether all of it came.
     find "$footprint_cache" -mindepth 1 -maxdepth 1 -mtime +7 -exec rm -rf {} + 2>/dev/null || true
     # shellcheck disable=SC2086
     {
@@ -27,13 +28,21 @@ footprint_objects() {
     shift 3
     rm -rf "$footprint_dir/$footprint_core"
     footprint_set=$(footprint_kept "$@")
-    if [ -n "$footprint_set" ] && [ -d "$footprint_set" ]; then
-        cp -r "$footprint_set" "$footprint_dir/$footprint_core"
-        return
-    fi
+    if [ -n "$footprint_set" ] && footprint_take "$footprint_set" "$footprint_dir/$footprint_core"; then return; fi
+    rm -rf "$footprint_dir/$footprint_core"
     footprint_compile "$@" || return 1
-    [ -z "$footprint_set" ] || { cp -r "$footprint_dir/$footprint_core" "$footprint_set.$$" && mv -T "$footprint_set.$$" "$footprint_set" 2>/dev/null; } ||
+    [ -z "$footprint_set" ] || { cp -r "$footprint_dir/$footprint_core" "$footprint_set.$$" && rm -rf "$footprint_set" && mv -T "$footprint_set.$$" "$footprint_set" 2>/dev/null; } ||
         rm -rf "$footprint_set.$$"
+}
+
+# A set that is kept, whole or not at all.
+footprint_take() { # SET FOLDER
+    touch -c "$1" 2>/dev/null || true
+    [ -d "$1" ] && cp -r "$1" "$2" 2>/dev/null || return 1
+    for footprint_source in firmware/*.c firmware/*/*.c; do
+        footprint_object=${footprint_source##*/}
+        [ -f "$2/${footprint_object%.c}.o" ] && [ -f "$2/${footprint_object%.c}.ci" ] || return 1
+    done
 }
 
 footprint_compile() { # FLAG...

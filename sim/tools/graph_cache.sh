@@ -32,14 +32,14 @@ key=$({ echo "$words" && "$1" --version && sed 's/^# \([0-9]*\) .*/# \1/' "$stem
 kept=$folder/${key%% *}
 rm "$stem.text"
 
-if [ -f "$kept.ci" ]; then
-    cp "$kept.o" "$object"
-    cp "$kept.ci" "$stem.ci"
+# Another compiler may take them away now.
+if [ -f "$kept.ci" ] && cp "$kept.o" "$object" 2>/dev/null && cp "$kept.ci" "$stem.ci" 2>/dev/null; then
+    touch -c "$kept.o" "$kept.ci" || true
     exit 0
 fi
 "$@" -o "$object"
 # Whole or not at all, the graph last.
 cp "$object" "$kept.$$" && mv "$kept.$$" "$kept.o"
 cp "$stem.ci" "$kept.$$" && mv "$kept.$$" "$kept.ci"
-# What is two months old is made anew. Another compiler's files may go at the same time.
+# What was not used for two months is made anew. Another compiler's files may go at the same time.
 find "$folder" -type f -mtime +60 -delete 2>/dev/null || true

@@ -201,6 +201,25 @@ cached_graphs_are_right() {
         grep -q '20[0-9] bytes' "$work/there/made.ci"
 }
 
+# Sets of objects are taken while they are used, and made anew where a file is missing.
+kept_sets_are_whole() {
+    XDG_CACHE_HOME=$work/sets
+    mkdir "$work/kept" && : >"$work/kept/model.h"
+    footprint_compile() {
+        echo compiled >>"$work/compiled"
+        mkdir "$work/kept/m4" && for source in firmware/*.c firmware/*/*.c; do
+            source=$(basename "$source" .c) && : >"$work/kept/m4/$source.o" >"$work/kept/m4/$source.ci"
+        done
+    }
+    takes() { # HOW-OFTEN-COMPILED-BY-THEN
+        footprint_objects m4 "$work/kept" model.h && [ "$(wc -l <"$work/compiled")" -eq "$1" ] &&
+            [ -f "$work/kept/m4/frame.o" ] && [ -f "$work/kept/m4/frame.ci" ]
+    }
+    takes 1 && set=$(echo "$work/sets/limner/objects"/*) && touch -d '6 days ago' "$set" && takes 1 &&
+        [ -z "$(find "$set" -maxdepth 0 -mtime +1)" ] && rm "$set/frame.ci" && takes 2 && takes 2 &&
+        touch -d '9 days ago' "$set" && takes 3
+}
+
 # Memory ------------------------------------------------------------------------------------------------------
 
 # The scene's memory is a constant: on 16 KB of RAM the teapot does not link, and the icosahedron does.
@@ -288,6 +307,7 @@ tap_check "nor has a pointer that nobody accounts for" unknown_pointers_are_foun
 tap_check "calls through pointers lead where the sources say, of two functions of one name to the right one" pointers_lead_there
 tap_check "what the sources do not say of them is missed, and a new name is not" words_in_the_sources_count
 tap_check "objects and call graphs from the cache are those of the compiler" cached_graphs_are_right
+tap_check "sets of objects are kept while they are used, and whole" kept_sets_are_whole
 tap_check "16 KB of RAM hold the icosahedron" link_on_microbit icosahedron
 tap_check "what they do not hold the linker refuses" too_large_is_the_linkers_affair
 tap_check "the table in firmware/README.md is what is measured now" sh sim/tools/tables.sh --check footprint

@@ -77,6 +77,15 @@ tap_check "a panel" completes 'ssd1306 ssd0323 ssd1327 ssd1351' limner play --pa
 tap_check "memory, where it is one" completes 'memory' limner render --panel me
 tap_check "but not elsewhere" completes '' limner module --panel me
 tap_check "a method" completes 'painter portals' limner render --method p
+tap_check "a profile" completes 'draft fast fine exact' limner compile --precision ''
+tap_check "a processor" completes 'm0plus m3 m4 m33 rv32' limner compile --core ''
+tap_check "where to export to" completes 'arduino idf pico cmake plain' limner export --for ''
+tap_check "a boot drive's processor" completes 'rp2040 rp2350-arm-s' limner uf2 --family rp
+tap_check "a chip of Espressif's" completes 'esp32c3' limner espimage --chip ''
+tap_check "a light" completes 'baked turning' limner render --mover-light ''
+tap_check "a way to move" completes 'clipped centre off' limner render --movers ''
+tap_check "whether there are portals" completes 'on off auto' limner compile --portals ''
+tap_check "an axis" completes 'y z' limner render --up ''
 tap_check "a file" completes 'house.obj hut with a door.obj' limner render h
 tap_check "a file after an option" completes 'house.obj' limner render x.obj --camera ho
 options_agree() { # each option that completion offers is in that command's help
@@ -96,6 +105,26 @@ again() { # what an older version has put there is replaced
         installed install && [ ! -e "$there/share/doc/limner/OLD" ] && [ -x "$there/bin/limner" ]
 }
 tap_check "installing again leaves nothing of what was" again
+
+# Whatever fails, and after however many files: what was there is there still.
+state() { files && (cd "$root" && find . -type f -exec sha256sum {} + | LC_ALL=C sort); }
+fails() { # [PREFIX]
+    state >"$work/there" && ! installed install "$@" && state | diff "$work/there" -
+}
+full() { # for a file past 50 KB: the program
+    (trap '' XFSZ && export LC_ALL=C && ulimit -f 100 && fails) && cat "$work/said" && grep -q 'File too large' "$work/said"
+}
+tap_check "a disk that is full leaves the older version" full
+folder_in_the_way() { # of the last file
+    license=$there/share/doc/limner/LICENSE
+    rm "$license" && mkdir "$license" && fails && rmdir "$license" && grep -qx "install: $license: is a folder" "$work/said"
+}
+tap_check "so does a folder where a file is to be" folder_in_the_way
+file_in_the_way() { # of a folder, where nothing is installed
+    mkdir -p "$root/other/share" && echo theirs >"$root/other/share/doc" && fails /other && rm -r "$root/other"
+}
+tap_check "a file where a folder is to be leaves nothing" file_in_the_way
+
 away() { installed uninstall && files | diff "$work/before" -; }
 tap_check "uninstalling leaves what was there before" away
 twice() { ! installed uninstall >/dev/null && grep -q 'is not installed there' "$work/said" && files | diff "$work/before" -; }

@@ -37,10 +37,12 @@ else
     tap_skip "which way up others' models are" "assimp-testmodels is not installed"
 fi
 
-sheet() { # a model that is drawn, and one that is refused
-    make DEPS=skip BUILD="$BUILD" "$BUILD/contact_sheet" >"$work/said" 2>&1 && echo nonsense >"$work/bad.obj" &&
-        sh sim/tools/contact_sheet.sh "$work/sheet.png" sim/scenes/icosahedron.obj "$work/bad.obj" >"$work/said" && cat "$work/said" &&
-        grep -qx "contact-sheet: 2 models in $work/sheet.png" "$work/said" && grep -q '^    .' "$work/said" && [ -s "$work/sheet.png" ]
+sheet() { # a model that is drawn, and one that is refused, in a folder whose name is none to match
+    bad="$work/a#[b* c"
+    mkdir "$bad" && make DEPS=skip BUILD="$BUILD" "$BUILD/contact_sheet" >"$work/said" 2>&1 && echo nonsense >"$bad/bad.obj" &&
+        sh sim/tools/contact_sheet.sh "$work/sheet.png" sim/scenes/icosahedron.obj "$bad/bad.obj" >"$work/said" && cat "$work/said" &&
+        grep -qx "contact-sheet: 2 models in $work/sheet.png" "$work/said" && [ -s "$work/sheet.png" ] &&
+        sed -n '/^bad.obj$/,$p' "$work/said" | grep -q '^    [^/]*$'
 }
 tap_check "a contact sheet shows models and what was said of them" sheet
 tap_done

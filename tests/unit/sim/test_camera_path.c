@@ -362,10 +362,27 @@ static void small_pictures_are_filled_from_top_to_bottom(void **state)
     assert_true(height_taken(&scene, &large) < 0.9);
 }
 
+/* It looks at a frame each ten degrees: the work grows no faster than without a search, and so do the results. */
+static void the_height_of_a_long_orbit_is_that_of_a_short_one(void **state)
+{
+    (void)state;
+    static const struct lim_vertex corners[] = {{-900, 0, -310}, {170, 40, -900}, {600, 900, 250}, {-130, 300, 770}};
+    const struct compiled scene = {.scene = {.vertices = corners, .vertex_count = 4}, .grid = {.units_per_m = 100.0}};
+    const struct lens small = {1.0, 0.5, 0.1, 64};
+    struct camera_path shorter, longer;
+    struct error err;
+    assert_true(camera_path_orbit(&scene, &small, 36, &shorter, &err));
+    assert_true(camera_path_orbit(&scene, &small, 3600, &longer, &err));
+    assert_true(longer.frames[0].target_m[1] == shorter.frames[0].target_m[1]);
+    camera_path_free(&shorter);
+    camera_path_free(&longer);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(small_pictures_are_filled_from_top_to_bottom),
+        cmocka_unit_test(the_height_of_a_long_orbit_is_that_of_a_short_one),
         cmocka_unit_test(file_with_comments_and_blank_lines_is_read),
         cmocka_unit_test(bad_line_is_named_with_its_number_and_reason),
         cmocka_unit_test(nul_byte_in_a_line_is_refused),

@@ -10,7 +10,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const char *const SETTLED[] = {"LIM_HAS_", NULL};
+static const char *const SETTLED[] = {"LIM_HAS_", "LIM_CONFIG", "__has_include", NULL};
 
 static void expressions_are_those_of_c(void **state)
 {
@@ -47,7 +47,15 @@ static void expressions_are_those_of_c(void **state)
         {"LIM_BOTH(__AVR__, 0)", KNOWN_FALSE},
         {"__has_feature(some(thing)) || 1", KNOWN_TRUE},
         {"LOOP", KNOWN_NOT},  /* that names itself */
-        {"1 % 2", KNOWN_NOT}, /* not understood */
+        {"1 % 2", KNOWN_NOT}, /* not understood, as those that follow */
+        {"2 * 1", KNOWN_NOT},
+        {"2 / 1", KNOWN_NOT},
+        {"~0", KNOWN_NOT},
+        {"+ONE", KNOWN_NOT},
+        {"1 << 1", KNOWN_NOT},
+        {"3 & 1", KNOWN_NOT},
+        {"1 ? 1 : 0", KNOWN_NOT},
+        {"1 < 2 < 3", KNOWN_NOT},
         {"(1", KNOWN_NOT},
         {"", KNOWN_NOT},
     };
@@ -124,6 +132,17 @@ static void what_a_compiler_decides_stays(void **state)
                   "#if __AVR__\n#define A 1\n#else\n#define A 0\n#endif\n#if A\na\n#endif\n");
 }
 
+static void what_is_undefined_is_so_from_there_on(void **state)
+{
+    (void)state;
+    assert_joined("#define A 1\n#if A\na\n#endif\n#undef A\n#ifdef A\nb\n#endif\nc\n", "#define A 1\na\n#undef A\nc\n");
+    assert_joined("#define A 1\n#undef A\n#define A 2\n#if A == 2\na\n#endif\n",
+                  "#define A 1\n#undef A\n#define A 2\na\n");
+    assert_joined("#define A 1\n#if LIM_HAS_NONE\n#undef A\n#endif\n#if A\na\n#endif\n", "#define A 1\na\n");
+    assert_joined("#define A 1\n#if __AVR__\n#undef A\n#endif\n#ifdef A\na\n#endif\n",
+                  "#define A 1\n#if __AVR__\n#undef A\n#endif\n#ifdef A\na\n#endif\n");
+}
+
 static void headers_come_once(void **state)
 {
     (void)state;
@@ -153,6 +172,9 @@ static void what_cannot_be_joined_is_named(void **state)
     assert_refused("a\n#endif\n", "t:2: a condition ends that did not begin");
     assert_refused("#if 1\na\n", "t:3: a condition does not end");
     assert_refused("a\n\n#include \"nosuch.h\"\n", "t:3: no header nosuch.h");
+    assert_refused("a\n#include HEADER\n", "t:2: an include that is not understood");
+    assert_refused("#include \"open.h\n", "t:1: an include that is not understood");
+    assert_joined("#if LIM_HAS_NONE\n#include HEADER\n#endif\na\n", "a\n");
     assert_refused("#if __AVR__\n#include \"angle.h\"\n#endif\n",
                    "t:2: a header under a condition that only a compiler can decide");
 }
@@ -173,9 +195,13 @@ static void words_are_replaced(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(expressions_are_those_of_c),     cmocka_unit_test(what_is_certain_goes),
-        cmocka_unit_test(what_a_compiler_decides_stays),  cmocka_unit_test(headers_come_once),
-        cmocka_unit_test(what_cannot_be_joined_is_named), cmocka_unit_test(words_are_replaced),
+        cmocka_unit_test(expressions_are_those_of_c),
+        cmocka_unit_test(what_is_certain_goes),
+        cmocka_unit_test(what_a_compiler_decides_stays),
+        cmocka_unit_test(headers_come_once),
+        cmocka_unit_test(what_cannot_be_joined_is_named),
+        cmocka_unit_test(words_are_replaced),
+        cmocka_unit_test(what_is_undefined_is_so_from_there_on),
     };
     return cmocka_run_group_tests_name("conditions", tests, NULL, NULL);
 }
