@@ -64,6 +64,16 @@ static inline int limner_arduino_delay(void *, uint32_t delay_us)
     return 0;
 }
 
+/* Lights the board's LED, if it has one. */
+static inline void limner_arduino_led(bool lit)
+{
+#ifdef LED_BUILTIN
+    pinMode(LED_BUILTIN, OUTPUT);
+    digitalWrite(LED_BUILTIN, lit ? HIGH : LOW);
+#endif
+    (void)lit;
+}
+
 static inline void limner_arduino_board(struct limner_arduino *port, struct board *board, uint32_t spi_hz,
                                         uint8_t spi_modes)
 {

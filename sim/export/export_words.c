@@ -102,8 +102,8 @@ static void add_selects(const struct export_plan *plan, struct export_words *wor
     const bool selects = plan->module && plan->module->panel.family->selects;
     add_word(words, "cs_10", "%s", selects ? "LIMNER_NO_PIN" : "10");
     add_word(words, "select_10", "%s", selects ? "10" : "LIMNER_NO_PIN");
-    add_word(words, "cs_idf", "%s", selects ? "GPIO_NUM_NC" : "10");
-    add_word(words, "select_idf", "%s", selects ? "10" : "GPIO_NUM_NC");
+    add_word(words, "cs_idf", "%s", selects ? "GPIO_NUM_NC" : "PIN_CS");
+    add_word(words, "select_idf", "%s", selects ? "PIN_CS" : "GPIO_NUM_NC");
     add_word(words, "cs_17", "%s", selects ? "LIMNER_NO_PIN" : "17");
     add_word(words, "select_17", "%s", selects ? "17" : "LIMNER_NO_PIN");
 }

@@ -113,14 +113,67 @@ size_alone() {
         grep -q 'SIZED_MEMORY(128, 96)' "$work/sized/examples/sized_TFT_eSPI/sized_TFT_eSPI.ino"
 }
 
+# A list that somebody else wrote leads nowhere else.
+list_stays_inside() {
+    exports "$model" --for plain -o "$work/listed" && echo kept >"$work/outside" && echo kept >"$work/listed-too" || return 1
+    printf '00000000 ../outside\n00000000 src/../../outside\n00000000 %s\n' "$work/listed-too" >>"$work/listed/limner.files"
+    exports "$model" --for plain -o "$work/listed" && [ -s "$work/outside" ] && [ -s "$work/listed-too" ]
+}
+
+needs_a_name() {
+    mkdir -p "$work/named" && ln -s named "$work/linked" || return 1
+    says 1 "^limner: -o $work/named/.: gives the export no name; name the folder itself$" "$model" --for plain -o "$work/named/." &&
+        says 1 "^limner: -o ..: gives" "$model" --for plain -o .. && says 1 "^limner: -o /: gives" "$model" --for plain -o / &&
+        says 1 "^limner: $work/linked: is a link" "$model" --for plain -o "$work/linked"
+}
+
+# What would start nothing.
+needs_a_display() {
+    says 1 "^limner: --fill: st7789 does not keep pictures so" "$model" --for plain --panel st7789 --fill -o "$work/none" &&
+        says 1 "^limner: --fill: needs a display of Limner's: --panel NAME" "$model" --for plain --fill -o "$work/none" &&
+        says 1 "^limner: --delta: needs a display of Limner's: --panel NAME" "$model" --for plain --delta -o "$work/none" && [ ! -e "$work/none" ] &&
+        exports sim/scenes/rooms.obj --for plain --panel ssd0323 --fill -o "$work/kept"
+}
+
+# As a shell reads it, however long and strange.
+command_is_told() {
+    odd="it's \$odd"
+    mkdir "$work/many words" && for i in $(seq 100 140); do cp "$model" "$work/many words/a model with a name that goes on $i.obj"; done
+    exports "$work/many words"/*.obj --for plain --size 16x16 -o "$work/$odd" || return 1
+    told=$(sed -n 's/^Written by `limner export \(.*\)` (Limner.*/\1/p' "$work/$odd/README.md")
+    eval "set -- $told"
+    [ $# -eq 47 ] && [ "$1" = "$work/many words/a model with a name that goes on 100.obj" ] && shift 46 && [ "$1" = "$work/$odd" ]
+}
+
+# What the example takes beside the renderer's own memory.
+ram_is_told() { # LEAST OPTION...
+    least=$1
+    shift
+    exports sim/scenes/rooms.obj --for plain "$@" -o "$work/told" || return 1
+    sed -n 's/.* and \([0-9]*\) of RAM, without.*/\1/p' "$work/told/README.md" | awk -v least="$least" '{ print; known = $1 >= least } END { exit !known }'
+}
+
+ram_has_lines() { ram_is_told 153600 --size 320x240 --method painter && ram_is_told 57600 --panel st7789 --framebuffer --method nearest; }
+
+names_what_is_there() { # FOLDER: paths in its page, with the folder's own name before them or without
+    grep -o '`[^` ]*/[^` ]*`\|`limner[a-z_]*\.h`\|"[^"]*/[^"]*"' "$1/README.md" | tr -d '`"' | sort -u | while read -r named; do
+        case $named in
+        src/main.cpp) continue ;;
+        "$(basename "$1")"/*) named=${named#*/} ;;
+        esac
+        [ -e "$1/$named" ] || [ -e "$1/src/$named" ] || [ -e "$1/include/$named" ] || { echo "$1: there is no $named" && return 1; }
+    done
+}
+
 page_is_whole() { # FOLDER: no word is left to be replaced, and the licence is there
-    ! grep -rn '@[A-Za-z_]*@' "$1" && grep -q 'MIT License' "$1/LICENSE" && grep -q "^Written by .limner export " "$1/README.md"
+    ! grep -rn '@[A-Za-z_]*@' "$1" && grep -q 'MIT License' "$1/LICENSE" && grep -q "^Written by .limner export " "$1/README.md" && names_what_is_there "$1"
 }
 
 pages_are_whole() {
     for world in arduino idf pico cmake plain; do
         exports "$model" --for $world --panel st7789 -o "$work/pages/$world" && page_is_whole "$work/pages/$world" &&
-            exports "$model" --for $world --size 64x64 -o "$work/pages/$world-sized" && page_is_whole "$work/pages/$world-sized" || { echo "$world" && return 1; }
+            exports "$model" --for $world --size 64x64 -o "$work/pages/$world-sized" && page_is_whole "$work/pages/$world-sized" &&
+            exports "$model" --for $world --panel sh1106 -o "$work/pages/my $world" && page_is_whole "$work/pages/my $world" || { echo "$world" && return 1; }
     done
 }
 
@@ -152,6 +205,11 @@ tap_check "names that toolchains cannot have are mapped, and told" names_are_map
 tap_check "several models share one folder" several_models
 tap_check "and so do many with long names" many_models
 tap_check "an example looks at a model that is far from the origin" example_looks_at_it
+tap_check "a list of files leads nowhere out of its folder" list_stays_inside
+tap_check "an export needs a name of its own" needs_a_name
+tap_check "what would draw on no display is refused" needs_a_display
+tap_check "the page has the command, as it was typed" command_is_told
+tap_check "it tells the RAM of all lines where they are all there" ram_has_lines
 tap_check "a size alone leaves the display to another library" size_alone
 tap_check "pages have no word left to be replaced" pages_are_whole
 if command -v cmake >/dev/null; then

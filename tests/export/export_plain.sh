@@ -59,6 +59,48 @@ shows() { # NAME MODEL CAMERAS|- PANEL OPTION...
         "$BUILD/limner" decode "$kept/$name/wires" --panel $panel $turn --frames 8 --check "$kept/$name/expected"
 }
 
+# The example as it was written, on a display that looks at its pictures.
+example_shows_all() { # WIDTHxHEIGHT MODEL OPTION...
+    size=$1 model=$2 folder=$kept/whole
+    shift 2
+    rm -rf "$folder" && mkdir -p "$folder" && export_to "$folder" "$model" --size "$size" "$@" || return 1
+    $CCACHE "$CC" -std=c11 -O2 $WARNINGS -DW_PX=${size%x*} -DH_PX=${size#*x} -c -o "$folder/whole.o" tests/export/whole.c &&
+        for source in "$folder"/model/*.c; do
+            # shellcheck disable=SC2086 # flags are words
+            $CCACHE "$CC" -std=c11 -O2 $WARNINGS -I"$folder/model" -c -o "$folder/$(basename "$source" .c).o" "$source" || return 1
+        done && "$CC" -o "$folder/draws" "$folder"/*.o && timeout -k 5 60 "$folder/draws"
+}
+
+stretched() { # X Y Z: the icosahedron, of other proportions
+    awk -v x="$1" -v y="$2" -v z="$3" '/^v / { print "v", $2 * x, $3 * y, $4 * z; next } { print }' $scenes/icosahedron.obj >"$kept/stretched.obj"
+}
+
+examples_show_all() {
+    for shape in '1 1 1' '1 6 1' '8 1 8' '1 1 9' '0.001 0.002 0.001' '4000 900 4000'; do
+        # shellcheck disable=SC2086 # sides are words
+        stretched $shape
+        for size in 240x240 128x64 64x128; do
+            example_shows_all $size "$kept/stretched.obj" || { echo "$shape on $size" && return 1; }
+        done
+    done
+}
+
+options_of_examples() {
+    for options in --antialias --wireframe '--precision draft'; do
+        # shellcheck disable=SC2086 # options are words
+        example_shows_all 160x120 $scenes/teapot.obj $options || { echo "$options" && return 1; }
+    done
+}
+
+example_moves() { # its pictures differ, though the camera stands still
+    example_shows_all 96x96 $scenes/movers.gltf >"$work/said" || grep -q ' across' "$work/said" || return 1
+    sed 's/time_ms \/ 40 \* LIM_DEGREES(3)/0/' "$kept/whole/model/main.c" >"$kept/whole/still.c" && ! cmp -s "$kept/whole/still.c" "$kept/whole/model/main.c" || return 1
+    # shellcheck disable=SC2086 # flags are words
+    rm -f "$kept/whole"/main.o "$kept/whole"/whole.o && "$CC" -std=c11 -O2 $WARNINGS -I"$kept/whole/model" -c -o "$kept/whole/still.o" "$kept/whole/still.c" &&
+        "$CC" -std=c11 $WARNINGS -DW_PX=96 -DH_PX=96 -DFRAMES_DIFFER -c -o "$kept/whole/differ.o" tests/export/whole.c &&
+        "$CC" -o "$kept/whole/draws" "$kept/whole"/*.o && timeout -k 5 60 "$kept/whole/draws"
+}
+
 in_cplusplus() { # STANDARD
     # shellcheck disable=SC2034 # compile has it
    
@@ -79,6 +121,10 @@ tap_check "textures" draws textured "$BUILD/scenes/textured/textured.obj" "$BUIL
 tap_check "knots, sorted and split" draws newell $scenes/knot.obj $scenes/knot.cam --method newell
 tap_check "back to front" draws painter $scenes/rooms.obj $scenes/rooms.cam --method painter
 tap_check "sorted by depth" draws depth $scenes/knot.obj $scenes/knot.cam --method depth
+
+tap_check "examples show all of a scene, of any proportions, on any display" examples_show_all
+tap_check "smooth, in outlines" options_of_examples
+tap_check "examples show what moves" example_moves
 
 tap_check "on an ST7789" shows st7789 $scenes/rooms.obj $scenes/rooms.cam st7789
 tap_check "on an ILI9488, three bytes a pixel" shows ili9488 $scenes/teapot.obj $scenes/teapot.cam ili9488

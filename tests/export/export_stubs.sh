@@ -48,8 +48,8 @@ idf_draws() { # MODEL CAMERAS|- PANEL OPTION...
     shift 3
     exported_expected "$folder" "$model" "$cameras" --panel "$panel" "$@" >/dev/null &&
         "$BUILD/limner" export "$model" --for idf --panel "$panel" -o "$folder/model" "$@" >/dev/null &&
-        with_cameras "$folder/model/examples/model/main/main.c" 's/\.sck = 6/.sck = WIRE_CLOCK/; s/\.mosi = 7/.mosi = WIRE_DATA/; s/= 10,/= WIRE_CS,/
-            s/\.dc = 4/.dc = WIRE_DC/; s/\.reset = 5/.reset = WIRE_RESET/; s/select = 10/select = WIRE_SELECT/' &&
+        with_cameras "$folder/model/examples/model/main/main.c" 's/PIN_CLOCK = 6/PIN_CLOCK = WIRE_CLOCK/; s/PIN_DATA = 7/PIN_DATA = WIRE_DATA/; s/PIN_CS = 10/PIN_CS = WIRE_CS/
+            s/PIN_DC = 4/PIN_DC = WIRE_DC/; s/PIN_RESET = 5/PIN_RESET = WIRE_RESET/; s/select = PIN_CS/select = WIRE_SELECT/' &&
         IDF_PATH=$here/tests/export/stubs/idf builds "$folder/model/examples/model" "$folder/built" "$folder" &&
         frames_are_right "$folder/built/model.elf" "$folder/expected" "$panel"
 }
@@ -68,22 +68,26 @@ idf_as_rv32() {
 }
 
 # Those which draw on displays of other libraries; what they send is tests/adapters' to test.
-sketches_compile() {
-    "$BUILD/limner" export $scenes/teapot.obj --for arduino --size 160x128 -o "$work/sketches" >/dev/null || return 1
+sketches_compile() { # MOST-LINES MODEL OPTION...
+    lines=$1
+    shift
+    rm -rf "$work/sketches"
+    "$BUILD/limner" export "$@" --for arduino --size 160x128 -o "$work/sketches" >/dev/null 2>&1 || return 1
     for sketch in TFT_eSPI LovyanGFX; do
         g++ -x c++ -std=c++11 -Wall -Wextra -Werror -Wno-missing-field-initializers -include Arduino.h -Itests/adapters/fakes -I"$work/sketches/src" \
             -c -o "$work/sketch.o" "$work/sketches/examples/sketches_$sketch/sketches_$sketch.ino" &&
-            [ "$(wc -l <"$work/sketches/examples/sketches_$sketch/sketches_$sketch.ino")" -le 25 ] || return 1
+            [ "$(wc -l <"$work/sketches/examples/sketches_$sketch/sketches_$sketch.ino")" -le "$lines" ] || return 1
     done
     # shellcheck disable=SC2086
-    "$CC" -std=c11 $WARNINGS -Wno-missing-prototypes -Itests/adapters/fakes -I"$work/sketches/src" -c -o "$work/view.o" \
+    "$CC" -std=c11 $WARNINGS -Itests/adapters/fakes -I"$work/sketches/src" -c -o "$work/view.o" \
         "$work/sketches/examples/sketches_LVGL/sketches_view.c"
 }
 
-esp_lcd_compiles() {
-    "$BUILD/limner" export $scenes/teapot.obj --for idf --size 240x240 -o "$work/lcd" >/dev/null || return 1
+esp_lcd_compiles() { # MODEL OPTION...
+    rm -rf "$work/lcd"
+    "$BUILD/limner" export "$@" --for idf --size 240x240 -o "$work/lcd" >/dev/null || return 1
     # shellcheck disable=SC2086
-    "$CC" -std=c11 $WARNINGS -Itests/adapters/fakes -I"$work/lcd/include" -c -o "$work/lcd.o" "$work/lcd/examples/lcd_esp_lcd/main/main.c"
+    "$CC" -std=c11 $WARNINGS -Itests/adapters/fakes -Itests/export/stubs/idf/include -I"$work/lcd/include" -c -o "$work/lcd.o" "$work/lcd/examples/lcd_esp_lcd/main/main.c"
 }
 
 tap_check "the Pico's example shows rooms on an ILI9341" pico_draws $scenes/rooms.obj $scenes/rooms.cam ili9341
@@ -91,6 +95,12 @@ tap_check "and what moves on a memory LCD" pico_draws $scenes/movers.gltf $scene
 tap_check "ESP-IDF's example shows the teapot on an ST7789" idf_draws $scenes/teapot.obj $scenes/teapot.cam st7789
 tap_check "and rooms on an SH1106" idf_draws $scenes/rooms.obj $scenes/rooms.cam sh1106
 tap_check "its component draws as RV32IMC" idf_as_rv32
-tap_check "the program for esp_lcd compiles" esp_lcd_compiles
-tap_check "sketches for TFT_eSPI and LovyanGFX compile, of 25 lines at most, and a widget of LVGL" sketches_compile
+all_kinds() { # CHECK...: of what moves, in outlines, smooth
+    "$@" $scenes/movers.gltf && "$@" $scenes/teapot.obj --wireframe && "$@" $scenes/teapot.obj --antialias && "$@" $scenes/rooms.obj --round
+}
+
+tap_check "the program for esp_lcd compiles" esp_lcd_compiles $scenes/teapot.obj
+tap_check "so it does for what moves, outlines and smooth edges" all_kinds esp_lcd_compiles
+tap_check "sketches for TFT_eSPI and LovyanGFX compile, of 25 lines at most, and a widget of LVGL" sketches_compile 25 $scenes/teapot.obj
+tap_check "and so do those for what moves, outlines and smooth edges" all_kinds sketches_compile 30
 tap_done

@@ -4,6 +4,7 @@
  * its result was fetched. Three of the calls can fail by wires_fail(). */
 #include "driver/spi_master.h"
 #include "fake_wires.h"
+#include "freertos/task.h"
 
 enum { DEFAULT_MOST_B = 4092 };
 
@@ -86,4 +87,9 @@ esp_err_t spi_device_get_trans_result(spi_device_handle_t handle, spi_transactio
     *trans_desc = handle->queued;
     handle->queued = NULL;
     return ESP_OK;
+}
+
+void vTaskDelay(TickType_t xTicksToDelay)
+{
+    wires_pass(UINT64_C(10000) * xTicksToDelay);
 }

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * A fake of FreeRTOS, for the examples alone, which are compiled and not run. */
+ * A fake of FreeRTOS's other tasks: time passes. */
 #ifndef FAKE_TASK_H
 #define FAKE_TASK_H
 
