@@ -155,6 +155,7 @@ void lim_moved_at(const struct lim_moved *moved, uint16_t count, uint32_t time_m
     for (uint16_t i = 0; i < count; i++) {
         instances[i].object = moved[i].object;
         instances[i].finer_bits = moved[i].finer_bits;
+        instances[i].by_centre = moved[i].by_centre;
         lim_motion_at(&moved[i].motion, time_ms, &instances[i]);
     }
 }

@@ -355,9 +355,10 @@ struct lim_moved {
     const struct lim_scene *object;
     struct lim_motion motion;
     uint8_t finer_bits; /* lim_instance.finer_bits */
+    bool by_centre;     /* lim_instance.by_centre: `limner compile --movers centre` */
 };
 
-/* Sets an instance for each of `count` objects as they are at a time. by_centre stays as it is. */
+/* Sets an instance for each of `count` objects as they are at a time. */
 void lim_moved_at(const struct lim_moved *moved, uint16_t count, uint32_t time_ms, struct lim_instance *instances);
 
 /* Sets where the instance is, and its axes: within 2^-14 of a unit vector, no component beyond -1..1. Before its first

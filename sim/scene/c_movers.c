@@ -61,8 +61,9 @@ static void write_movers(FILE *file, const struct named_scene *scene, const stru
         write_keys(file, &moving->objects[i], name, i);
     fprintf(file, "\nstatic const struct lim_moved %s_moved[%zu] = {", name->symbol, moving->count);
     for (size_t i = 0; i < moving->count; i++)
-        fprintf(file, "\n    {&%s_object%zu_scene, {%s_keys%zu, %u, true}, %u},", name->symbol, i + 1, name->symbol,
-                i + 1, (unsigned)moving->objects[i].motion.count, (unsigned)moving->instances[i].finer_bits);
+        fprintf(file, "\n    {&%s_object%zu_scene, {%s_keys%zu, %u, true}, %u, %s},", name->symbol, i + 1, name->symbol,
+                i + 1, (unsigned)moving->objects[i].motion.count, (unsigned)moving->instances[i].finer_bits,
+                moving->instances[i].by_centre ? "true" : "false");
     fprintf(file, "\n};\n\nconst struct lim_moved *const %s_movers = %s_moved;\n", name->symbol, name->symbol);
 }
 

@@ -101,8 +101,9 @@ static void make_instance(struct movers *movers, uint16_t index, struct fuzz_byt
 
     for (int frame = 0; frame < FUZZ_FRAMES; frame++) {
         struct lim_instance *instance = &movers->instances[frame][index];
-        *instance = (struct lim_instance){.deforms = (flags & 6) == 6, .by_centre = flags & 8};
+        *instance = (struct lim_instance){.deforms = (flags & 6) == 6};
         lim_moved_at(&part->moved, 1, time_ms, instance);
+        instance->by_centre = flags & 8;
         if (flags & 16) {
             for (int i = 0; i < 3; i++)
                 instance->at_q8[i] = position_q8(bytes);
