@@ -112,11 +112,11 @@ static void stack_push(struct stack *stack, struct task task, const struct list 
 }
 
 /* Makes a leaf of the list, if the kind of tree has one here. */
-static bool end_in_leaf(struct bsp *bsp, enum tree_kind kind, const struct task *task, const uint32_t *list,
-                        size_t count)
+static bool end_in_leaf(struct build *build, const struct task *task, const uint32_t *list, size_t count)
 {
+    struct bsp *bsp = build->bsp;
     uint32_t *order = grow_zeroed(count, sizeof *order);
-    const bool ends = tree_ends(bsp, kind, list, count, order);
+    const bool ends = tree_ends(bsp, build->plan->kind, &build->rings, list, count, order);
     if (ends) {
         struct bsp_node *node = node_add(bsp, task, BSP_NONE);
         for (size_t i = 0; i < count; i++)
@@ -135,7 +135,7 @@ static void divide(struct build *build)
     const struct task task = stack->tasks[--stack->task_count];
     const uint32_t *list = stack->pieces + task.first;
     size_t count = stack->count - task.first;
-    if (end_in_leaf(bsp, build->plan->kind, &task, list, count)) {
+    if (end_in_leaf(build, &task, list, count)) {
         stack->count = task.first;
         return;
     }

@@ -31,20 +31,21 @@ static int sides_of_face(const struct bsp *bsp, const struct bsp_piece *piece, c
     return sides == BSP_FRONT ? BSP_BACK : BSP_FRONT;
 }
 
-bool cluster_hides(const struct bsp *bsp, uint32_t p, uint32_t q)
+struct cluster_pair cluster_pair(const struct bsp *bsp, uint32_t p, uint32_t q)
 {
-    return (sides_of_face(bsp, &bsp->pieces[p], &bsp->pieces[q]) & BSP_FRONT) &&
-           (sides_of_face(bsp, &bsp->pieces[q], &bsp->pieces[p]) & BSP_BACK);
+    const int p_from_q = sides_of_face(bsp, &bsp->pieces[p], &bsp->pieces[q]);
+    const int q_from_p = sides_of_face(bsp, &bsp->pieces[q], &bsp->pieces[p]);
+    return (struct cluster_pair){(p_from_q & BSP_FRONT) && (q_from_p & BSP_BACK),
+                                 (q_from_p & BSP_FRONT) && (p_from_q & BSP_BACK)};
 }
 
 static void relate(struct relation *relation, const struct bsp *bsp, const uint32_t *list, size_t p, size_t q)
 {
-    const int p_from_q = sides_of_face(bsp, &bsp->pieces[list[p]], &bsp->pieces[list[q]]);
-    const int q_from_p = sides_of_face(bsp, &bsp->pieces[list[q]], &bsp->pieces[list[p]]);
-    relation->hides[p * relation->count + q] = (p_from_q & BSP_FRONT) && (q_from_p & BSP_BACK);
-    relation->hides[q * relation->count + p] = (q_from_p & BSP_FRONT) && (p_from_q & BSP_BACK);
-    relation->hidden_by[q] += relation->hides[p * relation->count + q];
-    relation->hidden_by[p] += relation->hides[q * relation->count + p];
+    const struct cluster_pair pair = cluster_pair(bsp, list[p], list[q]);
+    relation->hides[p * relation->count + q] = pair.p_hides_q;
+    relation->hides[q * relation->count + p] = pair.q_hides_p;
+    relation->hidden_by[q] += pair.p_hides_q;
+    relation->hidden_by[p] += pair.q_hides_p;
 }
 
 /* The first in the list that none left can hide; `count`: there is none. */

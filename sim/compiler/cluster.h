@@ -7,8 +7,11 @@
 
 #include "compiler/bsp.h"
 
-/* Whether there are eyes from which piece p hides a part of piece q, as far as their planes tell. */
-bool cluster_hides(const struct bsp *bsp, uint32_t p, uint32_t q);
+/* Which of two pieces hides a part of the other from some eyes, as far as their planes tell. */
+struct cluster_pair {
+    bool p_hides_q, q_hides_p;
+};
+struct cluster_pair cluster_pair(const struct bsp *bsp, uint32_t p, uint32_t q);
 
 /* Puts the pieces list[0 .. count) in order, nearest first. Where nothing decides, they stay as they are in the
  * list. False: some hide one another in a ring, and there is no such order. */

@@ -27,51 +27,89 @@ static void make(struct rings *rings, size_t count)
                             grow_zeroed(count * words, sizeof *rings->hidden_by), words, count};
 }
 
+static void note(struct rings *rings, size_t p, size_t q)
+{
+    bit_set(rings->hides + p * rings->words, q);
+    bit_set(rings->hidden_by + q * rings->words, p);
+}
+
 void rings_find(struct rings *rings, const struct bsp *bsp)
 {
     const size_t count = bsp->piece_count;
     make(rings, count);
-    const size_t words = rings->words;
     for (uint32_t p = 0; p < count && !deadline_passed(); p++)
-        for (uint32_t q = 0; q < count; q++) {
-            if (p == q || !cluster_hides(bsp, p, q)) continue;
-            bit_set(rings->hides + p * words, q);
-            bit_set(rings->hidden_by + q * words, p);
+        for (uint32_t q = p + 1; q < count; q++) {
+            const struct cluster_pair pair = cluster_pair(bsp, p, q);
+            if (pair.p_hides_q) note(rings, p, q);
+            if (pair.q_hides_p) note(rings, q, p);
         }
 }
 
-static bool meets(const uint64_t *a, const uint64_t *b, size_t words)
+/* A set under way, and which of its words are not 0: most sets are small. */
+struct thinned {
+    uint64_t *set;
+    uint32_t *used;
+    size_t used_count;
+};
+
+static void keep_used(struct thinned *thinned)
 {
-    for (size_t i = 0; i < words; i++)
-        if (a[i] & b[i]) return true;
+    size_t kept = 0;
+    for (size_t i = 0; i < thinned->used_count; i++)
+        if (thinned->set[thinned->used[i]]) thinned->used[kept++] = thinned->used[i];
+    thinned->used_count = kept;
+}
+
+static bool meets(const uint64_t *row, const struct thinned *thinned)
+{
+    for (size_t i = 0; i < thinned->used_count; i++)
+        if (row[thinned->used[i]] & thinned->set[thinned->used[i]]) return true;
     return false;
 }
 
 /* One pass over the set; false: nothing went. */
-static bool thin_out(const struct rings *rings, uint64_t *set, size_t *left)
+static bool thin_out(const struct rings *rings, struct thinned *thinned, size_t *left)
 {
     bool went = false;
     *left = 0;
-    for (size_t i = 0; i < rings->words; i++)
-        for (uint64_t bits = set[i]; bits; bits &= bits - 1) {
-            const size_t p = i * WORD_BITS + (size_t)__builtin_ctzll(bits);
-            if (meets(rings->hides + p * rings->words, set, rings->words) &&
-                meets(rings->hidden_by + p * rings->words, set, rings->words)) {
+    for (size_t i = 0; i < thinned->used_count; i++) {
+        const size_t word = thinned->used[i];
+        for (uint64_t bits = thinned->set[word]; bits; bits &= bits - 1) {
+            const size_t p = word * WORD_BITS + (size_t)__builtin_ctzll(bits);
+            if (meets(rings->hides + p * rings->words, thinned) &&
+                meets(rings->hidden_by + p * rings->words, thinned)) {
                 ++*left;
                 continue;
             }
-            set[i] &= ~(bits & -bits);
+            thinned->set[word] &= ~(bits & -bits);
             went = true;
         }
+    }
+    keep_used(thinned);
     return went;
 }
 
 size_t rings_left(const struct rings *rings, uint64_t *set)
 {
     size_t left = 0;
-    while (thin_out(rings, set, &left))
+    struct thinned thinned = {set, grow_zeroed(rings->words, sizeof *thinned.used), rings->words};
+    for (size_t i = 0; i < rings->words; i++)
+        thinned.used[i] = (uint32_t)i;
+    keep_used(&thinned);
+    while (thin_out(rings, &thinned, &left))
         continue;
+    free(thinned.used);
     return left;
+}
+
+bool rings_hold(const struct rings *rings, const uint32_t *list, size_t count)
+{
+    uint64_t *whole = grow_zeroed(rings->words, sizeof *whole);
+    for (size_t i = 0; i < count; i++)
+        if (list[i] < rings->count) bit_set(whole, list[i]);
+    const bool hold = rings_left(rings, whole) > 0;
+    free(whole);
+    return hold;
 }
 
 void rings_free(struct rings *rings)

@@ -30,13 +30,15 @@ bool tree_kind_parse(const char *text, enum tree_kind *out, struct error *err)
     return error_set(err, "--tree %s: no such tree; there are %s", text, names);
 }
 
-bool tree_ends(const struct bsp *bsp, enum tree_kind kind, const uint32_t *list, size_t count, uint32_t *order)
+bool tree_ends(const struct bsp *bsp, enum tree_kind kind, const struct rings *rings, const uint32_t *list,
+               size_t count, uint32_t *order)
 {
     switch (kind) {
     case TREE_NONE:
         memcpy(order, list, count * sizeof *list);
         return true;
     case TREE_CLUSTERS:
+        if (rings->count && rings_hold(rings, list, count)) return false;
         return count <= CLUSTER_PIECES_MAX && cluster_order(bsp, list, count, order);
     case TREE_AXIS:
     case TREE_OCTREE:

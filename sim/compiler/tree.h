@@ -16,8 +16,10 @@ struct tree_plan {
     double tolerance_units;
 };
 
-/* Whether the pieces list[0 .. count) make a leaf; their order, nearest first, goes to `order`. */
-bool tree_ends(const struct bsp *bsp, enum tree_kind kind, const uint32_t *list, size_t count, uint32_t *order);
+/* Whether the pieces list[0 .. count) make a leaf; their order, nearest first, goes to `order`. `rings` spares time; it
+ * may be empty. */
+bool tree_ends(const struct bsp *bsp, enum tree_kind kind, const struct rings *rings, const uint32_t *list,
+               size_t count, uint32_t *order);
 
 /* Whether tree_divider() takes rings. */
 bool tree_wants_rings(const struct tree_plan *plan, size_t polygons);
