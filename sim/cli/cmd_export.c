@@ -46,15 +46,20 @@ static char *tell_command(int argc, char **argv)
     return command;
 }
 
-/* Names that another file, a header of C's or Arduino's library, or a target of CMake's has already. */
+/* Names that another file, a header of C's, a system's or Arduino's library, or a target of CMake's or the Pico SDK's
+ * has already. */
 static bool is_taken(const char *name)
 {
+    static const char *const starts[] = {"limner", "pico_", "hardware_", NULL};
     static const char *const taken[] = {
-        "all",    "arduino", "assert",   "clean",   "complex", "ctype",  "errno",  "fenv",   "float",
-        "help",   "install", "inttypes", "iso646",  "limits",  "locale", "main",   "math",   "package",
-        "setjmp", "signal",  "spi",      "stdarg",  "stdbool", "stddef", "stdint", "stdio",  "stdlib",
-        "string", "test",    "tgmath",   "threads", "time",    "uchar",  "wchar",  "wctype", "wire"};
-    if (strncasecmp(name, "limner", 6) == 0) return true;
+        "all",        "all_build",     "alloca",    "arduino", "assert", "clean",   "complex", "ctype",
+        "edit_cache", "errno",         "features",  "fenv",    "float",  "help",    "install", "inttypes",
+        "iso646",     "limits",        "locale",    "main",    "malloc", "math",    "package", "pico",
+        "preinstall", "rebuild_cache", "run_tests", "setjmp",  "signal", "spi",     "stdarg",  "stdbool",
+        "stddef",     "stdint",        "stdio",     "stdlib",  "string", "strings", "test",    "tgmath",
+        "threads",    "time",          "uchar",     "unistd",  "wchar",  "wctype",  "wire",    "zero_check"};
+    for (size_t i = 0; starts[i]; i++)
+        if (strncasecmp(name, starts[i], strlen(starts[i])) == 0) return true;
     for (size_t i = 0; i < sizeof taken / sizeof *taken; i++)
         if (strcasecmp(name, taken[i]) == 0) return true;
     return false;
@@ -86,7 +91,15 @@ static bool take_folder(struct export_request *out, const char *folder, struct e
     const char *last = strrchr(out->folder, '/') ? strrchr(out->folder, '/') + 1 : out->folder;
     if (!*last || strcmp(last, ".") == 0 || strcmp(last, "..") == 0)
         return error_set(err, "-o %s: gives the export no name; name the folder itself", folder);
+    if (strcmp(out->world->name, "idf") == 0 && strpbrk(last, " \t\"$;()"))
+        return error_set(err, "-o %s: ESP-IDF calls a component by its folder; no blanks, please", folder);
     return name_all(out, err);
+}
+
+static bool is_abbreviated(const char *item, const char *option)
+{
+    const size_t length = strcspn(item, "=");
+    return length > 3 && length < strlen(option) && strncmp(item, option, length) == 0;
 }
 
 /* A display that was described, or the commonest one of the world unless pixels are asked for by their size alone. */
@@ -96,6 +109,8 @@ static bool take_module(struct export_request *out, struct arguments *arguments,
     char usual[32];
     bool is_sized = false;
     for (int i = 1; i < arguments->count; i++) {
+        if (is_abbreviated(arguments->items[i], "--panel") || is_abbreviated(arguments->items[i], "--size"))
+            return error_set(err, "%s: write --panel and --size in full, please", arguments->items[i]);
         if (strncmp(arguments->items[i], "--panel", 7) == 0) out->has_module = true;
         if (strncmp(arguments->items[i], "--size", 6) == 0) is_sized = true;
     }
@@ -114,8 +129,9 @@ static bool fit_to_module(struct export_request *out, struct error *err)
 {
     struct display display;
     if (!out->has_module && (out->compile.compile.delta || out->compile.compile.fill))
-        return error_set(err, "%s: needs a display of Limner's: --panel NAME",
-                         out->compile.compile.delta ? "--delta" : "--fill");
+        fprintf(stderr,
+                "limner: %s: is for a struct lim_target of yours; the example, without --panel, has no use for it\n",
+                out->compile.compile.delta ? "--delta" : "--fill");
     if (!out->has_module) return true;
     if (!idle_display_setup(&display, &out->module, err)) return false;
     const struct panel *panel = display.panel;

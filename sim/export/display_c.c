@@ -81,6 +81,10 @@ bool display_c_write_header(const struct export_plan *plan, FILE *out, struct er
     fputs("/* Draws a frame, and returns when the display has it. time_ms places what moves. */\n", out);
     fprintf(out, "LIM_MUST_CHECK int %s_display_frame(const struct lim_camera *camera, uint32_t time_ms);\n\n", symbol);
     fprintf(out,
+            "/* While no frames are drawn, once a second at least: what some glass needs to last. */\n"
+            "LIM_MUST_CHECK int %s_display_keep(void);\n\n",
+            symbol);
+    fprintf(out,
             "/* The renderer, for lim_set_...(), once the display has begun. */\nstruct lim "
             "*%s_display_renderer(void);\n\n",
             symbol);
@@ -220,6 +224,7 @@ static bool write_calls(const struct export_plan *plan, FILE *out, struct error 
             plan->name->symbol);
     fputs(most_movers(plan) ? MOVING_FRAME : STILL_FRAME, out);
     fputs("    return err ? err : screen_end_frame(&screen);\n}\n", out);
+    fprintf(out, "\nint %s_display_keep(void)\n{\n    return panel_keep(screen.panel);\n}\n", plan->name->symbol);
     fprintf(out, "\nstruct lim *%s_display_renderer(void)\n{\n    return &lim;\n}\n", plan->name->symbol);
     return true;
 }
@@ -276,8 +281,8 @@ bool display_c_write_source(const struct export_plan *plan, struct amalgam *join
     const char *const aliases[] = {"panels.h", header_alias, NULL};
     char *texts[2] = {NULL, NULL};
     joined->aliases = aliases;
-    fprintf(out, "/* %s_display.h says what this is. */\n#include \"%s_display.h\"\n", plan->name->symbol,
-            plan->name->symbol);
+    fprintf(out, "/* %s_display.h says what this is. */\n#include \"%s_display.h\"\n%s", plan->name->symbol,
+            plan->name->symbol, EXPORT_UNUSED);
     if (plan->module->panel.format == PANEL_MONO_PAGES) {
         fputs("\n#define PIXELS_ONLY_PAGES 1\n", out);
         conditions_define(&joined->conditions, "PIXELS_ONLY_PAGES", "1");

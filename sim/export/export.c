@@ -93,6 +93,7 @@ static bool write_renderer(struct amalgam *joined, FILE *out, struct error *err)
           "MIT\n"
           " * licence: see LICENSE. */\n#include \"limner.h\"\n",
           out);
+    fputs(EXPORT_UNUSED, out);
     for (size_t i = 0; i < sizeof ROOMS / sizeof *ROOMS; i++)
         if (!add_room(ROOMS[i], joined, out, err)) return false;
     return true;

@@ -8,6 +8,9 @@
 #include "export/world.h"
 #include "scene/scene_files.h"
 
+/* What is inline in a header of the project has no use in every file that it is joined into. */
+#define EXPORT_UNUSED "#ifdef __clang__\n#pragma clang diagnostic ignored \"-Wunused-function\"\n#endif\n"
+
 struct export_plan {
     const struct world *world;
     const char *folder;               /* to be written */

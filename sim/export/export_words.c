@@ -115,6 +115,7 @@ static void add_conditions(const struct export_plan *plan, struct export_words *
     add_word(words, "has_panel", "%s", plan->module ? "1" : "");
     add_word(words, "in_colour", "%s", export_is_in_colour(plan) ? "1" : "");
     add_word(words, "moves", "%s", plan->scenes[0].moving ? "1" : "");
+    add_word(words, "shown", "%s", plan->scenes[0].moving ? "the scene that stands still" : "the scene");
     add_word(words, "smooth", "%s", needs.antialias ? "1" : "");
     add_word(words, "outlines", "%s", needs.wireframe ? "1" : "");
     add_word(words, "round", "%s", needs.round ? "1" : "");

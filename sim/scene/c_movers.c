@@ -14,13 +14,23 @@ static bool object_name(const struct named_scene *scene, size_t i, char name[C_P
     return c_path(name, scene->name, suffix, err);
 }
 
+/* A node may be called anything: what would end the comment, or its line, is left out. */
+static void write_in_comment(FILE *file, const char *text)
+{
+    for (; *text; text++)
+        if ((unsigned char)*text >= ' ' && *text != '*' && *text != '\\' && *text != 0x7F) fputc(*text, file);
+}
+
 void c_movers_declare(FILE *file, const struct named_scene *scene, const struct c_name *name)
 {
     const struct moving *moving = scene->moving;
     const struct lim_movers_limits *limits = &moving->limits;
     fprintf(file, "\n/* What moves in it, in this order:");
-    for (size_t i = 0; i < moving->count; i++)
-        fprintf(file, "%s '%s'", i ? "," : "", moving->objects[i].name);
+    for (size_t i = 0; i < moving->count; i++) {
+        fputs(i ? ", '" : " '", file);
+        write_in_comment(file, moving->objects[i].name);
+        fputc('\'', file);
+    }
     fprintf(file, ". Initialises struct lim_movers_limits; and bytes for lim_movers_init(). */\n");
     fprintf(file, "#define %s_MOVERS %zu\n", name->macro, moving->count);
     fprintf(file, "#define %s_MOVERS_LIMITS {%u, %u, %u}\n", name->macro, (unsigned)limits->instances,

@@ -71,10 +71,28 @@ names_are_mapped() {
         [ -f "$work/a house, 2nd/src/a_house__2nd.c" ] && grep -q 'add_library(a_house__2nd ' "$work/a house, 2nd/CMakeLists.txt" &&
         says 0 '7up: is called scene_7up in' "$model" --for arduino --panel ssd1306 -o "$work/7up" && grep -qx 'name=scene_7up' "$work/7up/library.properties" &&
         [ -f "$work/7up/examples/scene_7up/scene_7up.ino" ] || return 1
-    for name in main test String limner Limner_pico SPI; do
+    for name in main test String limner Limner_pico SPI pico hardware_spi edit_cache features; do
         says 0 "^limner: $name: is called scene_$name in" "$model" --for cmake --panel ssd1306 -o "$work/taken/$name" &&
             [ -f "$work/taken/$name/src/scene_$name.c" ] || return 1
     done
+}
+
+# ESP-IDF calls a component as its folder is called.
+idf_takes_no_blanks() {
+    refuses '^limner: -o .*/a house: ESP-IDF calls a component by its folder; no blanks, please$' "$model" --for idf -o "$work/a house"
+}
+
+# An option that only one of its readers would understand.
+options_in_full() {
+    refuses '^limner: --pan: write --panel and --size in full' "$model" --for pico --pan st7735 -o "$work/short" &&
+        refuses '^limner: --siz=64x64: write' "$model" --for idf --siz=64x64 -o "$work/short"
+}
+
+# What a model calls its nodes stays in a comment.
+nodes_say_nothing() {
+    awk '!done && sub(/"name": *"ball"/, "\"name\": \"x */ #error hi /* \\\\n#error ho\"") { done = 1 } { print }' sim/scenes/movers.gltf >"$work/evil.gltf" && ! cmp -s "$work/evil.gltf" sim/scenes/movers.gltf &&
+        exports "$work/evil.gltf" --for plain --size 32x32 -o "$work/evil" && grep -q "'x / #error hi / " "$work/evil/evil.h" &&
+        "$CC" -std=c11 $WARNINGS -I"$work/evil" -fsyntax-only "$work"/evil/*.c
 }
 
 # Scenes of one folder share a renderer, a display and memory.
@@ -130,8 +148,8 @@ needs_a_name() {
 # What would start nothing.
 needs_a_display() {
     says 1 "^limner: --fill: st7789 does not keep pictures so" "$model" --for plain --panel st7789 --fill -o "$work/none" &&
-        says 1 "^limner: --fill: needs a display of Limner's: --panel NAME" "$model" --for plain --fill -o "$work/none" &&
-        says 1 "^limner: --delta: needs a display of Limner's: --panel NAME" "$model" --for plain --delta -o "$work/none" && [ ! -e "$work/none" ] &&
+        [ ! -e "$work/none" ] && says 0 "^limner: --fill: is for a struct lim_target of yours" "$model" --for plain --fill -o "$work/filled" &&
+        says 0 "^limner: --delta: is for a struct lim_target of yours; the example" "$model" --for plain --delta -o "$work/delta" &&
         exports sim/scenes/rooms.obj --for plain --panel ssd0323 --fill -o "$work/kept"
 }
 
@@ -173,7 +191,7 @@ pages_are_whole() {
     for world in arduino idf pico cmake plain; do
         exports "$model" --for $world --panel st7789 -o "$work/pages/$world" && page_is_whole "$work/pages/$world" &&
             exports "$model" --for $world --size 64x64 -o "$work/pages/$world-sized" && page_is_whole "$work/pages/$world-sized" &&
-            exports "$model" --for $world --panel sh1106 -o "$work/pages/my $world" && page_is_whole "$work/pages/my $world" || { echo "$world" && return 1; }
+            exports "$model" --for $world --panel sh1106 -o "$work/pages/my-$world" && page_is_whole "$work/pages/my-$world" || { echo "$world" && return 1; }
     done
 }
 
@@ -202,12 +220,15 @@ tap_check "a file is no folder" is_a_file
 tap_check "of an export that failed nothing is left" nothing_is_left
 tap_check "a scene too large for the smallest board is told, with bytes" too_large
 tap_check "names that toolchains cannot have are mapped, and told" names_are_mapped
+tap_check "a component has no blank in its name" idf_takes_no_blanks
+tap_check "--panel and --size are not abbreviated" options_in_full
+tap_check "names of nodes do not leave their comment" nodes_say_nothing
 tap_check "several models share one folder" several_models
 tap_check "and so do many with long names" many_models
 tap_check "an example looks at a model that is far from the origin" example_looks_at_it
 tap_check "a list of files leads nowhere out of its folder" list_stays_inside
 tap_check "an export needs a name of its own" needs_a_name
-tap_check "what would draw on no display is refused" needs_a_display
+tap_check "what would draw on no display is refused, or told" needs_a_display
 tap_check "the page has the command, as it was typed" command_is_told
 tap_check "it tells the RAM of all lines where they are all there" ram_has_lines
 tap_check "a size alone leaves the display to another library" size_alone
