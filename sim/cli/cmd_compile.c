@@ -28,6 +28,7 @@ static bool write_files(const struct compile_result *result, const char *name, s
 static bool run(struct compile_request *request, struct error *err)
 {
     struct compile_result result;
+    request->has_lim = request->name != NULL;
     bool ok =
         compile_request_run(request, &result, err) && (!request->name || write_files(&result, request->name, err));
     if (ok) compile_result_report(request, &result);

@@ -281,7 +281,7 @@ static void print_reports(const struct compile_request *request, const struct co
         const struct compiled *scene = &result->scenes[i];
         compile_report_print(scene, request->name ? result->names[i] : request->models[i]);
         if (result->moving[i].count)
-            moving_report_print(&result->moving[i], scene, request->name ? result->names[i] : NULL);
+            moving_report_print(&result->moving[i], scene, request->has_lim ? result->names[i] : NULL);
     }
 }
 

@@ -23,6 +23,7 @@ struct compile_request {
     struct moving_options movers;
     struct idle_options idle; /* given ones, that may change nothing */
     bool report_only;
+    bool has_lim; /* NAME.lim is written as well */
 };
 
 /* What becomes of the models, one to one. */

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
  * The host program `limner`: hands its arguments to a subcommand. */
+#include "agree.h"
 #include "base/arguments.h"
 #include "base/deadline.h"
 #include "base/ending.h"
@@ -112,6 +113,10 @@ static int run(int argc, char **argv)
     }
     if (asks_for_help(argv[1]) && (argc == 2 || asks_for_help(argv[2]))) {
         usage_print(stdout);
+        return EXIT_SUCCESS;
+    }
+    if (strcmp(argv[1], "--version") == 0) {
+        printf("limner %d.%d.%d\n", LIM_VERSION_MAJOR, LIM_VERSION_MINOR, LIM_VERSION_PATCH);
         return EXIT_SUCCESS;
     }
     if (asks_for_help(argv[1])) return help_with(argv[2]);

@@ -118,7 +118,8 @@ static bool compile_object(struct moving *moving, size_t index, const struct gri
     memcpy(object->name, moving->model.movers[index].name, sizeof object->name);
     model_part(&moving->model, index + 1, &part, &numbers);
     bool ok = object_grid(scene_grid, &part, &grid, &instance->finer_bits) ||
-              error_set(err, "its mesh is larger than the scene that it moves in, or far from the node's origin");
+              error_set(err, "its mesh reaches farther from the node's origin than the scene that it moves in is "
+                             "large; a ground in the scene helps, or --movers off");
     ok = ok && compile_part(&part, &grid, &own, &object->scene, err);
     if (ok) number_faces(&object->scene, numbers);
     if (!ok) {

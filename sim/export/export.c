@@ -292,9 +292,10 @@ void export_report(const struct export_plan *plan)
            plan->folder, cost.data_b, cost.ram_b);
     if (!world->smallest || (cost.data_b + LEAST_CODE_B <= world->flash_b && export_has_room(plan, cost.least_ram_b)))
         return;
-    fprintf(stderr,
-            "limner: %s: too large for %s, which has %lu bytes of flash and %lu of RAM: the scene takes %zu with the "
-            "least code, and %zu with the least stack; larger boards have room\n",
-            plan->folder, world->smallest, (unsigned long)world->flash_b, (unsigned long)world->ram_b,
-            cost.data_b + LEAST_CODE_B, cost.least_ram_b + EXPORT_STACK_B);
+    fprintf(
+        stderr,
+        "limner: note: %s is too large for %s, which other boards are not: at least %zu of %lu bytes of flash, %zu of "
+        "%lu of RAM\n",
+        plan->folder, world->smallest, cost.data_b + LEAST_CODE_B, (unsigned long)world->flash_b,
+        cost.least_ram_b + EXPORT_STACK_B, (unsigned long)world->ram_b);
 }

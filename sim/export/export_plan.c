@@ -3,6 +3,7 @@
 
 #include "displays/idle_port.h"
 #include "limner.h"
+#include "pixels.h"
 #include "scene/mcu_mem.h"
 #include "scene/moving.h"
 #include "scene/needs.h"
@@ -41,8 +42,8 @@ static size_t lines_b(const struct export_plan *plan, const struct compiled *sce
         return (size_t)LIM_LINE_B(plan->w_px) * (all ? plan->h_px : 1u);
     const struct panel *panel = display.panel;
     const size_t count = export_is_filled(plan) ? 0u : all ? panel->h_px : plan->world->line_count;
-    const bool gathers = panel->step_x_px > 1 || panel->step_y_px > 1;
-    return gathers ? SCREEN_PAGES_MEM_B(panel->w_px, count) : SCREEN_WIDE_MEM_B(panel->w_px, count);
+    if (panel->step_x_px > 1 || panel->step_y_px > 1) return SCREEN_PAGES_MEM_B(panel->w_px, count);
+    return pixels_head_b(panel->format, 1) ? SCREEN_WIDE_MEM_B(panel->w_px, count) : SCREEN_MEM_B(panel->w_px, count);
 }
 
 /* What options ask for: changes alone, smooth edges, the whole picture. */

@@ -108,6 +108,21 @@ static void add_selects(const struct export_plan *plan, struct export_words *wor
     add_word(words, "select_17", "%s", selects ? "17" : "LIMNER_NO_PIN");
 }
 
+/* How another scene than the first is shown, if there are more. */
+static void add_several(const struct export_plan *plan, struct export_words *words)
+{
+    struct c_name second;
+    struct error ignored;
+    if (plan->count < 2 || !c_name_init(&second, plan->scenes[1].name, &ignored))
+        add_word(words, "several", "%s", "");
+    else if (plan->module)
+        add_word(words, "several", "`%s_display_show()` shows the second one, and so on.", second.symbol);
+    else
+        add_word(words, "several",
+                 "`%s_MEMORY()` has room for any of them: `%s_begin()` shows the second one in it, and so on.",
+                 plan->name->macro, second.symbol);
+}
+
 /* What lines of templates depend on. */
 static void add_conditions(const struct export_plan *plan, struct export_words *words)
 {
@@ -115,6 +130,7 @@ static void add_conditions(const struct export_plan *plan, struct export_words *
     add_word(words, "has_panel", "%s", plan->module ? "1" : "");
     add_word(words, "in_colour", "%s", export_is_in_colour(plan) ? "1" : "");
     add_word(words, "moves", "%s", plan->scenes[0].moving ? "1" : "");
+    add_several(plan, words);
     add_word(words, "shown", "%s", plan->scenes[0].moving ? "the scene that stands still" : "the scene");
     add_word(words, "smooth", "%s", needs.antialias ? "1" : "");
     add_word(words, "outlines", "%s", needs.wireframe ? "1" : "");

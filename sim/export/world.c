@@ -77,6 +77,6 @@ const struct world *world_find(const char *name, struct error *err)
 {
     for (size_t i = 0; i < COUNT(WORLDS); i++)
         if (strcmp(WORLDS[i].name, name) == 0) return &WORLDS[i];
-    error_set(err, "--for %s: no such world; there are: arduino, idf, pico, cmake, plain", name);
+    error_set(err, "--for %s: no such world; there are: arduino (PlatformIO as well), idf, pico, cmake, plain", name);
     return NULL;
 }

@@ -58,7 +58,9 @@ static void note_resized(struct mesh *mesh, const struct picture *picture, const
     struct note *note = note_add(mesh);
     snprintf(note->text, sizeof note->text, "texture %s: %lux%lu pixels, resized to %ux%u%s", picture->name,
              (unsigned long)picture->found_w_px, (unsigned long)picture->found_h_px, w_px, h_px,
-             crowded ? ": the scene's textures would be too large together" : "");
+             crowded && w_px * h_px < picture->found_w_px * picture->found_h_px
+                 ? ": the scene's textures would be too large together"
+                 : ", as sides are powers of two");
 }
 
 bool mesh_textures_make(const struct model *model, struct mesh *mesh, struct error *err)

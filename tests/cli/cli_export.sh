@@ -20,7 +20,7 @@ exports() { "$limner" export "$@" >"$work/out" 2>"$work/said" || { cat "$work/sa
 listing() { (cd "$1" && find . -type f -exec cksum {} + | sort -k 3); } # FOLDER
 
 unknown_world() {
-    refuses '^limner: --for esp8266: no such world; there are: arduino, idf, pico, cmake, plain$' "$model" --for esp8266 -o "$work/x" &&
+    refuses '^limner: --for esp8266: no such world; there are: arduino (PlatformIO as well), idf, pico, cmake, plain$' "$model" --for esp8266 -o "$work/x" &&
         refuses 'needs --for' "$model" -o "$work/x" && refuses 'needs -o' "$model" --for plain && refuses 'needs a model' --for plain -o "$work/x" &&
         refuses 'no such option' "$model" --for plain -o "$work/x" --report && [ ! -e "$work/x" ]
 }
@@ -60,7 +60,7 @@ nothing_is_left() {
 }
 
 too_large() {
-    says 0 'too large for an Arduino Leonardo, which has 28672 bytes of flash and 2304 of RAM: the scene takes [0-9]* with the least code, and [0-9]* with' \
+    says 0 'note: .* is too large for an Arduino Leonardo, which other boards are not: at least [0-9]* of 28672 bytes of flash, [0-9]* of 2304 of RAM$' \
         sim/scenes/rooms.obj --for arduino -o "$work/large" && exports "$model" --for arduino --panel ssd1306 -o "$work/small" && [ ! -s "$work/said" ]
 }
 
@@ -102,6 +102,13 @@ several_models() {
         "$CC" -std=c11 $WARNINGS -I"$work/set" -c -o "$work/limner.o" "$work/set/limner.c" &&
         nm "$work/set.o" | grep -q 'T set_movers_display_show' && nm "$work/set.o" | grep -q 'T set_icosahedron_display_show' &&
         "$CC" -std=c11 $WARNINGS -I"$work/set" -c -o "$work/main.o" "$work/set/main.c"
+}
+
+# The page says how the others are shown.
+others_are_told() {
+    exports "$model" sim/scenes/rooms.obj --for plain --size 64x64 -o "$work/two" && grep -q 'TWO_MEMORY()` has room .*`two_rooms_begin()` shows' "$work/two/README.md" &&
+        grep -q 'two_rooms_begin(' "$work/two/two.h" && exports "$model" sim/scenes/rooms.obj --for plain --panel st7735 -o "$work/two" &&
+        grep -q '`two_rooms_display_show()` shows the second' "$work/two/README.md" && ! grep -q 'of several, which' "$work/near/README.md"
 }
 
 # Their sources are more than a page of names.
@@ -226,6 +233,7 @@ tap_check "names of nodes do not leave their comment" nodes_say_nothing
 tap_check "several models share one folder" several_models
 tap_check "and so do many with long names" many_models
 tap_check "an example looks at a model that is far from the origin" example_looks_at_it
+tap_check "of several scenes the page says how others are shown" others_are_told
 tap_check "a list of files leads nowhere out of its folder" list_stays_inside
 tap_check "an export needs a name of its own" needs_a_name
 tap_check "what would draw on no display is refused, or told" needs_a_display

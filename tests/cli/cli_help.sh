@@ -110,6 +110,8 @@ whole_has_all() {
     ! grep -vxF -f "$work/whole" "$work/each"
 }
 
+tells_version() { "$BUILD/limner" --version | grep -Eqx 'limner [0-9]+\.[0-9]+\.[0-9]+'; }
+tap_check "--version tells the version" tells_version
 tap_check "make help begins with the six goals for newcomers" six_goals_come_first
 tap_check "every goal is told once" goals_are_told_once
 tap_check "a goal in no group is named" goal_without_group_is_named

@@ -249,7 +249,8 @@ static void assert_nearest(const char *text, int32_t value, int bits, int decima
     for (const char *at = text; *at; at++)
         if (*at != '.') *to++ = *at;
     *to = '\0';
-    const int64_t found = strtoll(digits, NULL, 10), exact = value * power, twice = 2 * ((found << bits) - exact);
+    const int64_t found = strtoll(digits, NULL, 10), exact = value * power,
+                  twice = 2 * (found * (INT64_C(1) << bits) - exact);
     assert_true(llabs(twice) <= INT64_C(1) << bits);
     if (llabs(twice) == INT64_C(1) << bits) assert_true(llabs(found) << bits > llabs(exact));
     const char *point = strchr(text, '.');
