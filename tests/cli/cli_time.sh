@@ -68,24 +68,20 @@ best_so_far() { # PATTERN COMMAND [OPTION...]
     ends 0 "$@" && ! grep -q '\.part$' left && grep -q "^limner: stopped after [0-9.]* s (.*--time-limit [0-9.]*): best so far: .*$pattern" said
 }
 every_frame_is_whole() {
-    i=0
-    while [ $i -lt 3000 ]; do
-        echo "$((i % 20)) 30 30 10 10 10"
-        i=$((i + 1))
-    done >long.cam
-    best_so_far 'of 3000 frames' render ../few.obj --camera ../long.cam --size 240x240 -o '%d.png' --write-hashes x.hashes --time-limit 3 || return 1
+    awk 'BEGIN { for (i = 0; i < 20000; i++) print i % 20, 30, 30, 10, 10, 10 }' >long.cam
+    best_so_far 'of 20000 frames' render ../few.obj --camera ../long.cam --size 240x240 -o '%d.png' --write-hashes x.hashes --time-limit 3 || return 1
     frames=$(grep -c '\.png$' left)
-    [ "$frames" -gt 0 ] && [ "$frames" -lt 3000 ] && [ "$(wc -l <here/x.hashes)" -eq "$frames" ] &&
-        grep -q "best so far: $frames of 3000 frames" said
+    [ "$frames" -gt 0 ] && [ "$frames" -lt 20000 ] && [ "$(wc -l <here/x.hashes)" -eq "$frames" ] &&
+        grep -q "best so far: $frames of 20000 frames" said
 }
 tap_check "render: the frames so far, and lists of them" every_frame_is_whole
 some_accuracy() {
-    best_so_far 'of 3000 frames' measure ../few.obj --camera ../long.cam --no-cost -o m --time-limit 3 &&
+    best_so_far 'of 20000 frames' measure ../few.obj --camera ../long.cam --no-cost -o m --time-limit 3 &&
         grep -q '^here/m/measure.csv$' left
 }
 tap_check "measure: the frames so far" some_accuracy
 some_choice() {
-    best_so_far 'of 3000 frames' compile ../few.obj --max-error 100 --camera ../long.cam -o x --time-limit 4 && grep -q '^here/x.lim$' left &&
+    best_so_far 'of 20000 frames' compile ../few.obj --max-error 100 --camera ../long.cam -o x --time-limit 4 && grep -q '^here/x.lim$' left &&
         grep -q ' chosen$' out
 }
 tap_check "compile --max-error: the precision that the frames so far ask for" some_choice
@@ -95,7 +91,7 @@ none_meets() {
 }
 tap_check "compile --max-error: if none meets the bound, that time ended, and the nearest" none_meets
 some_methods() {
-    best_so_far '' compare ../few.obj --camera ../long.cam --frames 3000 --size 480x480 --no-cost -o c --time-limit 4 && grep -q '^here/c/compare.csv$' left
+    best_so_far '' compare ../few.obj --camera ../long.cam --frames 20000 --size 480x480 --no-cost -o c --time-limit 4 && grep -q '^here/c/compare.csv$' left
 }
 tap_check "compare: the methods and frames so far" some_methods
 
