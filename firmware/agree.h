@@ -51,6 +51,8 @@
     LIM_AGREED(LIM_HAS_SCANLINE, ".scanline")                                                                          \
     LIM_AGREED(LIM_HAS_DEPTH, ".depth")                                                                                \
     LIM_AGREED(LIM_HAS_NEWELL, ".newell")                                                                              \
+    LIM_AGREED(LIM_HAS_MESH, ".mesh")                                                                                  \
+    LIM_AGREED(LIM_HAS_MESH_DEPTH, ".mesh_depth")                                                                      \
     LIM_AGREED(LIM_HAS_MOVERS, ".movers")                                                                              \
     LIM_AGREED(LIM_HAS_DEFORM, ".deform")                                                                              \
     LIM_AGREED(LIM_HAS_LIGHT, ".light")                                                                                \

@@ -128,6 +128,15 @@
 #define LIM_HAS_NEWELL 1
 #endif
 
+/* A mesh without a tree: triangles by distance. */
+#ifndef LIM_HAS_MESH
+#define LIM_HAS_MESH 1
+#endif
+/* The same with a line of depths. */
+#ifndef LIM_HAS_MESH_DEPTH
+#define LIM_HAS_MESH_DEPTH 1
+#endif
+
 /* Moving objects in the walk through a tree; hosts have them with every tree. */
 #ifndef LIM_HAS_MOVERS
 #define LIM_HAS_MOVERS LIM_EITHER(LIM_HAS_NEAREST, LIM_HAS_PAINTER)
@@ -249,6 +258,10 @@
 #define LIM_HAS_PIECES (LIM_HAS_NEWELL || LIM_HAS_MOVERS) /* polygons are compared, and split */
 #define LIM_HAS_SPANS LIM_EITHER(LIM_HAS_WALKED, LIM_HAS_SORTED)
 #define LIM_HAS_HIDDEN (LIM_HAS_TREE || LIM_HAS_SORTED)
+
+/* Meshes, by either order; and scenes that have planes, which all but meshes have. */
+#define LIM_HAS_MESHES LIM_EITHER(LIM_HAS_MESH, LIM_HAS_MESH_DEPTH)
+#define LIM_HAS_PLANES (LIM_HAS_HIDDEN || LIM_HAS_CONVEX)
 
 /* Whether there is nothing that flat.c cannot paint: then pieces of lines are of interest to targets alone that keep
  * the picture. */
@@ -455,8 +468,8 @@ static inline void lim_trap(void)
 #define LIM_DEBUG_ASSERT(condition) ((void)0)
 #endif
 
-#if !LIM_HAS_HIDDEN && !LIM_HAS_CONVEX
-#error "one of LIM_HAS_NEAREST, _PAINTER, _CONVEX, _SCANLINE, _DEPTH and _NEWELL must be 1"
+#if !LIM_HAS_PLANES && !LIM_HAS_MESHES
+#error "one of LIM_HAS_NEAREST, _PAINTER, _CONVEX, _SCANLINE, _DEPTH, _NEWELL, _MESH and _MESH_DEPTH must be 1"
 #endif
 #if LIM_HAS_MOVERS && !LIM_HAS_TREE
 #error "LIM_HAS_MOVERS needs LIM_HAS_NEAREST or LIM_HAS_PAINTER"
@@ -482,7 +495,7 @@ static inline void lim_trap(void)
 #if LIM_HAS_PORTALS && !(LIM_HAS_TREE && LIM_HAS_CULL)
 #error "LIM_HAS_PORTALS needs LIM_HAS_CULL and an order that walks the tree"
 #endif
-#if !LIM_HAS_LINES && (!LIM_HAS_FILL || LIM_HAS_HIDDEN || LIM_HAS_TEXTURE || LIM_HAS_DELTA)
+#if !LIM_HAS_LINES && (!LIM_HAS_FILL || LIM_HAS_HIDDEN || LIM_HAS_MESHES || LIM_HAS_TEXTURE || LIM_HAS_DELTA)
 #error "LIM_HAS_LINES may be 0 where LIM_HAS_FILL is 1, and nothing is linked that asks for lines"
 #endif
 #if LIM_VIEW_CACHE_ENTRIES < 8 || LIM_VIEW_CACHE_ENTRIES > 256 || LIM_VIEW_CACHE_ENTRIES & (LIM_VIEW_CACHE_ENTRIES - 1)

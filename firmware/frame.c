@@ -8,6 +8,7 @@
 #include "eye.h"
 #include "movers/mover.h"
 #include "orders/convex.h"
+#include "orders/mesh.h"
 #include "orders/nearest.h"
 #include "orders/painter.h"
 #include "pixels/delta.h"
@@ -20,11 +21,13 @@ static bool method_is_linked(enum lim_method method)
 {
     return (LIM_HAS_NEAREST && method == LIM_NEAREST_FIRST) || (LIM_HAS_PAINTER && method == LIM_PAINTER) ||
            (LIM_HAS_CONVEX && method == LIM_CONVEX) || (LIM_HAS_SCANLINE && method == LIM_SCANLINE) ||
-           (LIM_HAS_DEPTH && method == LIM_DEPTH) || (LIM_HAS_NEWELL && method == LIM_NEWELL);
+           (LIM_HAS_DEPTH && method == LIM_DEPTH) || (LIM_HAS_NEWELL && method == LIM_NEWELL) ||
+           (LIM_HAS_MESH && method == LIM_MESH) || (LIM_HAS_MESH_DEPTH && method == LIM_MESH_DEPTH);
 }
 
 static size_t asked_b(const struct lim_scene *scene, const struct lim_target *target, bool least)
 {
+    if (LIM_IS_MESH(target)) return lim_mesh_mem_b(scene, target, least);
     if (LIM_IS_CONVEX(target)) return lim_convex_mem_b(scene, target, least ? 0 : scene->limits.active);
     if (LIM_IS_PAINTER(target)) return lim_painter_mem_b(scene);
     return lim_nearest_mem_b(scene, target, least);
@@ -68,11 +71,13 @@ static inline bool ends_in_leaf(const struct lim_scene *scene)
 }
 
 /* A tree without forks has as many levels as nodes; a set has none, and is for methods that sort. A convex solid's
- * faces hide its background. */
+ * faces hide its background. A mesh has no nodes, and what draws one draws nothing else. */
 static bool scene_is_usable(const struct lim_scene *scene, const struct lim_target *target)
 {
-    return (LIM_IS_SORTED(target) || scene->limits.depth) && scene->limits.vertices <= LIM_MAX_VERTICES &&
-           (LIM_HAS_SLANTED || !scene->plane_count) && (LIM_HAS_LARGE || !scene->exact_count) &&
+    if (LIM_IS_MESH(target)) return !scene->node_count && scene->box_count;
+    return !lim_scene_is_mesh(scene) && (LIM_IS_SORTED(target) || scene->limits.depth) &&
+           scene->limits.vertices <= LIM_MAX_VERTICES && (LIM_HAS_SLANTED || !scene->plane_count) &&
+           (LIM_HAS_LARGE || !scene->exact_count) &&
            !(LIM_IS_CONVEX(target) && (scene->limits.depth != scene->node_count || ends_in_leaf(scene))) &&
            !(LIM_HAS_WIDE && LIM_IS_CONVEX(target) && scene->polygon_count >= LIM_NONE) &&
            !(LIM_HAS_WIDE && LIM_IS_SORTED(target) && scene->polygon_count > LIM_SORTED_MAX) &&
@@ -120,6 +125,7 @@ static void connect(struct lim *lim)
     if (LIM_HAS_PAINTED) connect_painter(lim);
     if (LIM_HAS_SPANS) connect_nearest(lim);
     if (LIM_HAS_CONVEX) lim->convex->pass = pass;
+    if (LIM_HAS_MESHES) lim->mesh->pass = pass;
     if (LIM_HAS_DELTA) *lim->delta = NULL;
     lim->ahead.stage = LIM_AHEAD_NONE;
 }
@@ -133,7 +139,9 @@ int lim_init(struct lim *lim, const struct lim_scene *scene, const struct lim_ta
     lim->pass.scene = scene;
     lim->pass.target = *target;
     connect(lim);
-    if (LIM_IS_CONVEX(target))
+    if (LIM_IS_MESH(target))
+        lim_mesh_init(lim->mesh, mem, mem_b);
+    else if (LIM_IS_CONVEX(target))
         lim_convex_init(lim->convex, mem, mem_b);
     else if (LIM_IS_PAINTER(target))
         lim_painter_init(lim->painter, mem);
@@ -144,6 +152,7 @@ int lim_init(struct lim *lim, const struct lim_scene *scene, const struct lim_ta
 
 static int draw_frame(struct lim *lim)
 {
+    if (LIM_IS_MESH(&lim->pass.target)) return lim_mesh_frame(lim->mesh);
     if (LIM_IS_CONVEX(&lim->pass.target)) return lim_convex_frame(lim->convex);
     if (LIM_IS_PAINTER(&lim->pass.target)) return lim_painter_frame(lim->painter);
     return lim_nearest_frame(lim->nearest, LIM_AHEAD_BEGUN);
@@ -159,7 +168,7 @@ static LIM_IN_EACH_CALLER int set_camera(struct lim *lim, const struct lim_camer
     if (!lim_view_begin(&pass->view, pass->scene, camera)) return LIM_ERR_CAMERA;
     if (LIM_HAS_TEXTURE && lim_texture_count(pass->scene))
         lim_texture_begin(pass->texturing, pass->scene, &pass->view, camera);
-    lim_eye_set(lim_eye_of(pass), pass->scene, camera->eye_q8);
+    if (LIM_HAS_PLANES) lim_eye_set(lim_eye_of(pass), pass->scene, camera->eye_q8);
     if (LIM_HAS_PORTALS) lim_walk_look_around(pass->walk, camera, pass->view.rows.far_units);
     if (LIM_HAS_MOVERS) lim_movers_pose(lim->movers, pass, camera);
     return LIM_OK;
@@ -203,7 +212,7 @@ int lim_frame_begin(struct lim *lim, const struct lim_camera *camera)
 
 static bool is_whole_at_once(const struct lim *lim)
 {
-    return LIM_IS_CONVEX(&lim->pass.target) || LIM_IS_PAINTER(&lim->pass.target);
+    return LIM_IS_CONVEX(&lim->pass.target) || LIM_IS_PAINTER(&lim->pass.target) || LIM_IS_MESH(&lim->pass.target);
 }
 
 bool lim_frame_work(struct lim *lim)

@@ -227,6 +227,7 @@ struct lim {
     LIM_OPTIONAL(struct lim_painter, painter, LIM_HAS_PAINTED);
     LIM_OPTIONAL(struct lim_nearest, nearest, LIM_HAS_SPANS);
     LIM_OPTIONAL(struct lim_convex, convex, LIM_HAS_CONVEX);
+    LIM_OPTIONAL(struct lim_mesh, mesh, LIM_HAS_MESHES);
     LIM_OPTIONAL(struct lim_delta *, delta, LIM_HAS_DELTA); /* NULL: every frame is sent whole */
     struct lim_ahead ahead;
 };

@@ -227,6 +227,47 @@ struct lim_convex {
     LIM_OPTIONAL(struct lim_piece_look, look, LIM_HAS_FILL); /* of the current line */
 };
 
+/* Where a triangle comes among those that cross a line: what is painted first is lower. Its distance in the upper bits,
+ * and its number, so that no two are equal and every pool makes the same picture. */
+#if LIM_HAS_WIDE
+typedef uint64_t lim_mesh_rank;
+#else
+typedef uint32_t lim_mesh_rank;
+#endif
+
+/* Nearness, 1 / z, on the current line: at x + y ... */
+struct lim_mesh_depth {
+    int32_t at_q14;       /* of the line's first pixel */
+    int32_t x_q14, y_q14; /* what a pixel to the right, and a line down, adds */
+};
+
+/* A triangle that crosses the current line. */
+struct lim_mesh_active {
+    struct lim_mesh_active *next;
+    struct lim_edge_pair pair;
+    lim_mesh_rank rank;
+    uint16_t turn;   /* the line on which an edge ends */
+    uint16_t bottom; /* the line below its last */
+    uint16_t colour; /* as it lies in memory */
+    uint8_t n;       /* corners; more than three: it was clipped */
+    uint8_t part;    /* of a fan, which stands for what clipping made non-monotone; 0: it is whole */
+    LIM_OPTIONAL(struct lim_mesh_depth, depth, LIM_HAS_MESH_DEPTH);
+};
+
+struct lim_mesh {
+    struct lim_pass *pass;
+    struct lim_point *points; /* of all vertices, on the screen */
+    uint16_t *nearness; /* of all vertices: 1 / z, at least 1; 0: before the near plane or beyond the guard band */
+    lim_index *links;   /* from a triangle to the next one that begins on the same line */
+    lim_index *tops;    /* for each line the first that begins there, or LIM_NO_INDEX */
+    struct lim_mesh_active *pool, *free, *first;
+    struct lim_mesh_active end; /* of all lists */
+    uint16_t pool_size, fresh;
+    bool inside; /* all of the mesh lies on the screen */
+    LIM_OPTIONAL(uint16_t *, depths,
+                 LIM_HAS_MESH_DEPTH); /* of the current line's pixels: the nearness that is painted */
+};
+
 /* Memory ---------------------------------------------------------------------------------------------------------- */
 
 /* Bytes that lim_init() cuts up, for each order: constant expressions when their arguments are. A scene's header has
@@ -257,6 +298,14 @@ struct lim_convex {
     ((LIM_MEM_ALIGNED_B(LIM_VIEW_CACHE_ENTRIES * sizeof(struct lim_view_cached) + (h_px) * sizeof(uint16_t)) +         \
       LIM_ALIGNOF(struct lim_crossing) - 1) &                                                                          \
      ~(LIM_ALIGNOF(struct lim_crossing) - 1))
+
+/* By distance; `active_count` as lim_limits.active. */
+#define LIM_MESH_MEM_B(h_px, vertex_count, triangle_count, active_count)                                               \
+    LIM_MEM_ALIGNED_B((active_count) * sizeof(struct lim_mesh_active) +                                                \
+                      (vertex_count) * (sizeof(struct lim_point) + sizeof(uint16_t)) +                                 \
+                      LIM_MEM_ALIGNED_B(((triangle_count) + (h_px)) * sizeof(lim_index)))
+/* Beside LIM_MESH_MEM_B(), with a line of depths. */
+#define LIM_MESH_DEPTH_MEM_B(w_px) LIM_MEM_ALIGNED_B((w_px) * sizeof(uint16_t))
 
 /* For lim_movers_init(): `depth` of the static scene, `object_depth` and the rest as struct lim_movers_limits. */
 #define LIM_MOVERS_MEM_B(depth, instance_count, object_depth, entry_count)                                             \

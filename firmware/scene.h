@@ -100,6 +100,11 @@ struct lim_plane_ref {
 #define LIM_POLYGON_LAST 0x8000u
 enum { LIM_POLYGON_HEAD_WORDS = 2, LIM_POLYGON_TEXTURE_WORDS = 2 };
 
+/* A scene of no nodes is a mesh: for LIM_MESH and LIM_MESH_DEPTH alone, as those draw no others. Its records are
+ * triangles of LIM_TRIANGLE_WORDS words: three vertex indices, counter-clockwise seen from the side that it faces, and
+ * its colour, RGB565 as a number. boxes[0] holds all of it, and there are no planes. */
+enum { LIM_TRIANGLE_WORDS = 4 };
+
 /* A leaf has no plane and no children; its front_run comes in an order that is right from everywhere, nearest
  * first (sets without a tree: in any order), and is never LIM_NO_INDEX. */
 struct lim_node {
@@ -196,6 +201,11 @@ struct lim_scene {
     uint16_t place_count, pvs_bytes;
 #endif
 };
+
+static inline bool lim_scene_is_mesh(const struct lim_scene *scene)
+{
+    return LIM_HAS_MESHES && (!LIM_HAS_PLANES || !scene->node_count);
+}
 
 static inline uint16_t lim_texture_count(const struct lim_scene *scene)
 {

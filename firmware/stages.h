@@ -298,7 +298,7 @@ struct lim_pass {
     struct lim_view view;
     LIM_OPTIONAL(struct lim_cull, cull, LIM_HAS_CULL);
     LIM_OPTIONAL(struct lim_walk, walk, LIM_HAS_TREE);
-    LIM_OPTIONAL(struct lim_eye, eye, !LIM_HAS_TREE);
+    LIM_OPTIONAL(struct lim_eye, eye, LIM_HAS_PLANES && !LIM_HAS_TREE);
     LIM_OPTIONAL(struct lim_texturing, texturing, LIM_HAS_TEXTURE);
     LIM_OPTIONAL(struct lim_wireframe, wireframe, LIM_HAS_WIREFRAME);
     LIM_OPTIONAL(const struct lim_overlay *, overlay, LIM_HAS_OVERLAY); /* the caller's, or NULL */

@@ -31,9 +31,11 @@ enum lim_method {
     LIM_NEAREST_FIRST, /* every pixel painted once, line by line; no framebuffer needed */
     LIM_PAINTER,       /* back to front; the target lends all its lines at any time */
     LIM_CONVEX,        /* a single convex solid, line by line; the same pixels as nearest first, for less */
-    LIM_SCANLINE, /* line by line, far to near; the same pixels as nearest first, for less where little is hidden */
-    LIM_DEPTH,    /* all polygons by their farthest points, whatever the tree says: wrong where that is wrong */
-    LIM_NEWELL    /* the same, then compared and split until nothing is wrong: newell.h */
+    LIM_SCANLINE,  /* line by line, far to near; the same pixels as nearest first, for less where little is hidden */
+    LIM_DEPTH,     /* all polygons by their farthest points, whatever the tree says: wrong where that is wrong */
+    LIM_NEWELL,    /* the same, then compared and split until nothing is wrong: newell.h */
+    LIM_MESH,      /* a mesh without a tree, line by line, triangles by their distance: mesh.h */
+    LIM_MESH_DEPTH /* the same with a line of depths: right where distance is not, within 16 bits of depth */
 };
 
 /* Hidden-line wireframe: polygons are filled with the background, and their edges drawn in their own colours or all in

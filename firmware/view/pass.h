@@ -49,18 +49,23 @@ static inline void *lim_mem_cut(uint8_t **mem, size_t size_b)
 
 /* Methods: constants where there is no choice ------------------------------------------------------ */
 
-#define LIM_IS_CONVEX(target) (LIM_HAS_CONVEX && (!LIM_HAS_HIDDEN || (target)->method == LIM_CONVEX))
-#define LIM_IS_PAINTER(target) (LIM_HAS_PAINTER && (!LIM_HAS_SPANS || (target)->method == LIM_PAINTER))
+#define LIM_IS_MESH(target) (LIM_HAS_MESHES && (!LIM_HAS_PLANES || (target)->method >= LIM_MESH))
+#define LIM_IS_MESH_DEPTH(target) (LIM_HAS_MESH_DEPTH && (!LIM_HAS_MESH || (target)->method == LIM_MESH_DEPTH))
+#define LIM_IS_CONVEX(target)                                                                                          \
+    (LIM_HAS_CONVEX && ((!LIM_HAS_HIDDEN && !LIM_HAS_MESHES) || (target)->method == LIM_CONVEX))
+#define LIM_IS_PAINTER(target)                                                                                         \
+    (LIM_HAS_PAINTER && ((!LIM_HAS_SPANS && !LIM_HAS_MESHES) || (target)->method == LIM_PAINTER))
 #define LIM_IS_SCANLINE(target)                                                                                        \
     (LIM_HAS_SCANLINE && ((!LIM_HAS_NEAREST && !LIM_HAS_SORTED) || (target)->method == LIM_SCANLINE))
 
 /* Polygons come from a sorted list instead of the tree. */
-#define LIM_IS_SORTED(target) (LIM_HAS_SORTED && (!LIM_HAS_TREE || (target)->method >= LIM_DEPTH))
+#define LIM_IS_SORTED(target)                                                                                          \
+    (LIM_HAS_SORTED && (!LIM_HAS_TREE || (target)->method >= LIM_DEPTH) && !LIM_IS_MESH(target))
 #define LIM_IS_NEWELL(target)                                                                                          \
     (LIM_HAS_NEWELL && ((!LIM_HAS_WALKED && !LIM_HAS_DEPTH) || (target)->method == LIM_NEWELL))
 
 /* Whether what is drawn nearest first is a line's samples: what antialiasing takes. */
 #define LIM_PAINTS_NEAREST_FIRST(target)                                                                               \
-    (LIM_HAS_SPANS && (target)->method != LIM_CONVEX && (target)->method != LIM_PAINTER)
+    (LIM_HAS_SPANS && (target)->method != LIM_CONVEX && (target)->method != LIM_PAINTER && !LIM_IS_MESH(target))
 
 #endif
