@@ -235,23 +235,37 @@ typedef uint64_t lim_mesh_rank;
 typedef uint32_t lim_mesh_rank;
 #endif
 
-/* Nearness, 1 / z, on the current line: at x + y ... */
+/* A triangle's nearness, 1 / z, as a plane over the screen; modulo 2^32, which matters nowhere within it. */
 struct lim_mesh_depth {
-    int32_t at_q14;       /* of the line's first pixel */
-    int32_t x_q14, y_q14; /* what a pixel to the right, and a line down, adds */
+    uint32_t at_q16;       /* of the current line's first pixel */
+    uint32_t x_q16, y_q16; /* what a pixel to the right, and a line down, adds */
+};
+
+/* Where a boundary is on the current line, and what a line adds. */
+struct lim_mesh_edge {
+    lim_edge_at at, step; /* as those of struct lim_edge */
 };
 
 /* A triangle that crosses the current line. */
 struct lim_mesh_active {
     struct lim_mesh_active *next;
-    struct lim_edge_pair pair;
+    struct lim_mesh_edge edges[2]; /* left, right */
+    struct lim_mesh_edge lower; /* if `goes_on`: what follows the upper one of two edges, on the line where it does */
     lim_mesh_rank rank;
     uint16_t turn;   /* the line on which an edge ends */
     uint16_t bottom; /* the line below its last */
     uint16_t colour; /* as it lies in memory */
-    uint8_t n;       /* corners; more than three: it was clipped */
-    uint8_t part;    /* of a fan, which stands for what clipping made non-monotone; 0: it is whole */
+    uint8_t goes_on; /* enum lim_mesh_turn */
+    uint8_t part;    /* of the fan of triangles that stands for what clipping made non-monotone; 0: there is none */
     LIM_OPTIONAL(struct lim_mesh_depth, depth, LIM_HAS_MESH_DEPTH);
+    LIM_OPTIONAL(bool, seen, LIM_HAS_STATS); /* it has painted a pixel */
+};
+
+/* How it goes on where an edge ends. */
+enum lim_mesh_turn {
+    LIM_MESH_LEFT,  /* `lower` takes the left edge's place */
+    LIM_MESH_RIGHT, /* or the right one's */
+    LIM_MESH_ANEW   /* edges are found anew: it was clipped, or is long */
 };
 
 struct lim_mesh {
@@ -260,12 +274,17 @@ struct lim_mesh {
     uint16_t *nearness; /* of all vertices: 1 / z, at least 1; 0: before the near plane or beyond the guard band */
     lim_index *links;   /* from a triangle to the next one that begins on the same line */
     lim_index *tops;    /* for each line the first that begins there, or LIM_NO_INDEX */
-    struct lim_mesh_active *pool, *free, *first;
-    struct lim_mesh_active end; /* of all lists */
-    uint16_t pool_size, fresh;
-    bool inside; /* all of the mesh lies on the screen */
-    LIM_OPTIONAL(uint16_t *, depths,
-                 LIM_HAS_MESH_DEPTH); /* of the current line's pixels: the nearness that is painted */
+    struct lim_mesh_active *pool, *free;
+    struct lim_mesh_active *first;  /* of those that cross the line, in their order */
+    struct lim_mesh_active *begins; /* of those that begin on it, likewise */
+    struct lim_mesh_active end;     /* of all lists */
+    lim_index alive;                /* of lines that the pool is too small for: triangles that may cross the next */
+    uint16_t alive_from;            /* tops[] from this line on are not among them */
+    uint16_t pool_size, unused;     /* unused: entries from here on */
+    uint8_t near_shift;             /* of lim_view_all() */
+    uint8_t extent;                 /* enum lim_view_extent */
+    bool is_complete;               /* `first` has all that cross the last line */
+    LIM_OPTIONAL(uint16_t *, depths, LIM_HAS_MESH_DEPTH); /* of the line's pixels: the nearness that is painted there */
 };
 
 /* Memory ---------------------------------------------------------------------------------------------------------- */

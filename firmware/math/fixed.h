@@ -27,6 +27,12 @@ static inline uint32_t fixed_dot_pairs(const int16_t *a, const int16_t *b, uint3
     return (uint32_t)__builtin_arm_smlad((int32_t) * (const fixed_pair *)a, (int32_t) * (const fixed_pair *)b,
                                          (int32_t)sum);
 }
+
+/* a[0] b[1] - a[1] b[0]. */
+static inline int32_t fixed_cross_of_pairs(uint32_t a, uint32_t b)
+{
+    return __builtin_arm_smusdx((int32_t)a, (int32_t)b);
+}
 #endif
 
 /* round(2^24 / (256 + i)), entry 0 clipped to 65535. */

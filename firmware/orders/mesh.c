@@ -1,27 +1,306 @@
-/* SPDX-License-Identifier: MIT */
+/* SPDX-License-Identifier: MIT
+ *
+ * Vertices, then triangles into their lines, then lines from the top down. A line for which the pool is too small is
+ * painted in parts, each of as many triangles as there is room for, in their order; the picture is the same. */
 #include "orders/mesh.h"
+
+#include "lines/mesh_active.h"
+#include "lines/mesh_line.h"
+#include "lines/overlaid.h"
+#include "math/fixed.h"
+#include "pixels/target_parts.h"
+#include "screen/edge.h"
+#include "view/packed.h"
+#include "view/pass.h"
+#include "view/view.h"
 
 #if LIM_HAS_MESHES
 
-enum { LEAST_ACTIVE = 8 };
+/* All parts of one clipped triangle find room. */
+enum { LEAST_ACTIVE = MESH_FAN + 1 };
+
+static uint16_t active_of(const struct lim_scene *scene, bool least)
+{
+    return least || scene->limits.active < LEAST_ACTIVE ? (uint16_t)LEAST_ACTIVE : scene->limits.active;
+}
+
+static size_t mem_b_of(const struct lim_scene *scene, const struct lim_target *target, uint16_t active)
+{
+    const size_t depth_b = LIM_IS_MESH_DEPTH(target) ? LIM_MESH_DEPTH_MEM_B(target->w_px) : 0;
+
+    return depth_b + LIM_MESH_MEM_B(target->h_px, scene->vertex_count, scene->polygon_count, active);
+}
 
 size_t lim_mesh_mem_b(const struct lim_scene *scene, const struct lim_target *target, bool least)
 {
-    const size_t depth_b = LIM_HAS_MESH_DEPTH ? LIM_MESH_DEPTH_MEM_B(target->w_px) : 0;
-
-    return depth_b + LIM_MESH_MEM_B(target->h_px, scene->vertex_count, scene->polygon_count,
-                                    least || scene->limits.active < LEAST_ACTIVE ? LEAST_ACTIVE : scene->limits.active);
+    return mem_b_of(scene, target, active_of(scene, least));
 }
 
+/* Widest alignment first; what is left of the pool's size is not used. */
 void lim_mesh_init(struct lim_mesh *mesh, void *mem, size_t mem_b)
 {
-    (void)mesh, (void)mem, (void)mem_b;
+    struct lim_pass *pass = mesh->pass;
+    const struct lim_scene *scene = pass->scene;
+    const size_t most = (mem_b - mem_b_of(scene, &pass->target, 0)) / sizeof(struct lim_mesh_active);
+    const uint16_t wanted = active_of(scene, false);
+    uint8_t *at = mem;
+
+    mesh->pool_size = most < wanted ? (uint16_t)most : wanted;
+    mesh->pool = lim_mem_cut(&at, mesh->pool_size * sizeof *mesh->pool);
+    mesh->points = lim_mem_cut(&at, scene->vertex_count * sizeof *mesh->points);
+    mesh->links = lim_mem_cut(&at, LIM_MEM_ALIGNED_B(scene->polygon_count * sizeof *mesh->links));
+    mesh->tops = lim_mem_cut(&at, LIM_MEM_ALIGNED_B(pass->target.h_px * sizeof *mesh->tops));
+    mesh->nearness = lim_mem_cut(&at, scene->vertex_count * sizeof *mesh->nearness);
+    if (LIM_HAS_MESH_DEPTH && lim_mesh_is_deep(mesh))
+        *mesh->depths = lim_mem_cut(&at, LIM_MESH_DEPTH_MEM_B(pass->target.w_px));
+    mesh->end = (struct lim_mesh_active){.rank = (lim_mesh_rank)-1};
+    lim_view_init(&pass->view, pass->target.w_px, pass->target.h_px, NULL);
+}
+
+/* Triangles into their lines -------------------------------------------------------------------------------------- */
+
+static inline int32_t least_of(int32_t a, int32_t b, int32_t c)
+{
+    const int32_t ab = a < b ? a : b;
+
+    return ab < c ? ab : c;
+}
+
+static inline int32_t most_of(int32_t a, int32_t b, int32_t c)
+{
+    const int32_t ab = a > b ? a : b;
+
+    return ab > c ? ab : c;
+}
+
+/* Lines that a triangle may have, on the screen or not. */
+static inline struct lim_span_extent lines_of(lim_packed a, lim_packed b, lim_packed c)
+{
+#if LIM_IS_PACKED
+    const int32_t top = least_of(a, b, c) >> 16, bottom = most_of(a, b, c) >> 16;
+#else
+    const int32_t top = least_of(a.y, b.y, c.y), bottom = most_of(a.y, b.y, c.y);
+#endif
+    const struct lim_span_extent lines = {(int16_t)(lim_edge_row(top) + LIM_ORIGIN_PX),
+                                          (int16_t)(lim_edge_row(bottom) + LIM_ORIGIN_PX)};
+    return lines;
+}
+
+/* Whether the corners run counter-clockwise as the eye sees them; y goes down. Products of 16-bit differences fit. */
+static LIM_INLINE bool faces_eye(lim_packed a, lim_packed b, lim_packed c, bool inside)
+{
+#if LIM_IS_PACKED && LIM_DUAL_MULTIPLY
+    if (inside)
+        return fixed_cross_of_pairs((uint32_t)__builtin_arm_ssub16(b, a), (uint32_t)__builtin_arm_ssub16(c, a)) < 0;
+#endif
+    const int32_t ux = lim_packed_x(b) - lim_packed_x(a), uy = lim_packed_y(b) - lim_packed_y(a),
+                  vx = lim_packed_x(c) - lim_packed_x(a), vy = lim_packed_y(c) - lim_packed_y(a);
+    if ((!inside || LIM_WIDE) && (uint32_t)((ux + 32768) | (uy + 32768) | (vx + 32768) | (vy + 32768)) >> 16)
+        return (int64_t)ux * vy < (int64_t)uy * vx;
+    return ux * vy < uy * vx;
+}
+
+static inline void link_at(struct lim_mesh *mesh, lim_index triangle, int32_t top)
+{
+    mesh->links[triangle] = mesh->tops[top];
+    mesh->tops[top] = triangle;
+    if (LIM_HAS_STATS) lim_stats_of(mesh->pass)->polygons++;
+}
+
+/* What has pixels between two lines; those above the screen begin on its first. */
+static inline void link_lines(struct lim_mesh *mesh, lim_index triangle, struct lim_span_extent lines)
+{
+    if (lines.top >= lines.bottom || lines.bottom <= 0 || lines.top >= (int16_t)mesh->pass->target.h_px) return;
+    link_at(mesh, triangle, lines.top > 0 ? lines.top : 0);
+}
+
+static LIM_RARE void link_clipped(struct lim_mesh *mesh, lim_index triangle)
+{
+    struct lim_mesh_clipped clipped;
+
+    if (!lim_mesh_clip(mesh, triangle, &clipped)) return;
+    if (LIM_HAS_STATS) {
+        lim_stats_of(mesh->pass)->clipped++;
+        lim_stats_of(mesh->pass)->non_monotone += clipped.shape.non_monotone;
+    }
+    link_lines(mesh, triangle, (struct lim_span_extent){clipped.shape.top, clipped.shape.bottom});
+}
+
+/* To the left or right of the screen. */
+static inline bool is_beside(const struct lim_mesh *mesh, lim_packed a, lim_packed b, lim_packed c)
+{
+    const int32_t left = lim_edge_row(least_of(lim_packed_x(a), lim_packed_x(b), lim_packed_x(c))) + LIM_ORIGIN_PX;
+    const int32_t right = lim_edge_row(most_of(lim_packed_x(a), lim_packed_x(b), lim_packed_x(c))) + LIM_ORIGIN_PX;
+
+    return right <= 0 || left >= mesh->pass->target.w_px;
+}
+
+static LIM_INLINE void link_triangle(struct lim_mesh *mesh, lim_index triangle, const LIM_FLASH lim_index *corners,
+                                     uint8_t extent)
+{
+    const lim_index i = corners[0], j = corners[1], k = corners[2];
+
+    if (extent == LIM_VIEW_CLIPPED && (!mesh->nearness[i] || !mesh->nearness[j] || !mesh->nearness[k])) {
+        link_clipped(mesh, triangle);
+        return;
+    }
+    const lim_packed a = lim_packed_load(&mesh->points[i]), b = lim_packed_load(&mesh->points[j]),
+                     c = lim_packed_load(&mesh->points[k]);
+    if (!faces_eye(a, b, c, extent == LIM_VIEW_INSIDE)) return;
+    const struct lim_span_extent lines = lines_of(a, b, c);
+    if (extent != LIM_VIEW_INSIDE) {
+        if (!is_beside(mesh, a, b, c)) link_lines(mesh, triangle, lines);
+    } else if (lines.top != lines.bottom) {
+        link_at(mesh, triangle, lines.top);
+    }
+}
+
+static LIM_INLINE void link_all(struct lim_mesh *mesh, uint8_t extent)
+{
+    const LIM_FLASH lim_index *corners = mesh->pass->scene->polygons;
+    const lim_index count = mesh->pass->scene->polygon_count;
+
+    for (lim_index triangle = 0; triangle < count; triangle++, corners += LIM_TRIANGLE_WORDS)
+        link_triangle(mesh, triangle, corners, extent);
+}
+
+static LIM_ALONE void link_inside(struct lim_mesh *mesh)
+{
+    link_all(mesh, LIM_VIEW_INSIDE);
+}
+
+static void link_triangles(struct lim_mesh *mesh)
+{
+    for (uint_fast16_t y = 0; y < mesh->pass->target.h_px; y++)
+        mesh->tops[y] = LIM_NO_INDEX;
+    if (mesh->extent == LIM_VIEW_INSIDE && !LIM_OPTIMISE_SIZE)
+        link_inside(mesh);
+    else
+        link_all(mesh, mesh->extent);
+}
+
+/* Lines in parts -------------------------------------------------------------------------------------------------- */
+
+/* Triangles that may have line y or one below it become one list. */
+static void keep_alive(struct lim_mesh *mesh, uint16_t y)
+{
+    for (; mesh->alive_from <= y; mesh->alive_from++) {
+        for (lim_index triangle = mesh->tops[mesh->alive_from]; triangle != LIM_NO_INDEX;) {
+            const lim_index next = mesh->links[triangle];
+            mesh->links[triangle] = mesh->alive;
+            mesh->alive = triangle;
+            triangle = next;
+        }
+    }
+}
+
+static int32_t bottom_of_triangle(const struct lim_mesh *mesh, lim_index triangle)
+{
+    const LIM_FLASH lim_index *corners = lim_mesh_triangle(mesh, triangle);
+    const lim_index i = corners[0], j = corners[1], k = corners[2];
+
+    if (!mesh->nearness[i] || !mesh->nearness[j] || !mesh->nearness[k]) {
+        struct lim_mesh_clipped clipped;
+        return lim_mesh_clip(mesh, triangle, &clipped) ? clipped.shape.bottom : INT16_MIN;
+    }
+    return lines_of(lim_packed_load(&mesh->points[i]), lim_packed_load(&mesh->points[j]),
+                    lim_packed_load(&mesh->points[k]))
+        .bottom;
+}
+
+/* Takes the last one out of the list, and all of its rank. Returns that. */
+static lim_mesh_rank drop_last(struct lim_mesh *mesh)
+{
+    struct lim_mesh_active **link = &mesh->begins;
+    lim_mesh_rank last = 0;
+
+    for (struct lim_mesh_active *active = mesh->begins; active != &mesh->end; active = active->next)
+        last = active->rank;
+    while (*link != &mesh->end)
+        if ((*link)->rank == last)
+            lim_mesh_give_back(mesh, link);
+        else
+            link = &(*link)->next;
+    return last;
+}
+
+/* Into mesh->begins, of all that have line y, those of rank `from` on, as many as there is room for. Returns the rank
+ * of the first for which there is none. */
+static lim_mesh_rank gather(struct lim_mesh *mesh, lim_mesh_rank from, uint16_t y)
+{
+    struct lim_mesh_range range = {from, mesh->end.rank};
+    lim_index *link = &mesh->alive;
+
+    lim_mesh_clear(mesh);
+    while (*link != LIM_NO_INDEX) {
+        const lim_index triangle = *link;
+        if (bottom_of_triangle(mesh, triangle) <= (int32_t)y) {
+            *link = mesh->links[triangle];
+            continue;
+        }
+        while (!lim_mesh_begin_within(mesh, triangle, y, &range))
+            range.below = drop_last(mesh);
+        link = &mesh->links[triangle];
+    }
+    return range.below;
+}
+
+static LIM_RARE void paint_parts(struct lim_mesh *mesh, const struct lim_mesh_line *line)
+{
+    lim_mesh_rank from = 0, below;
+
+    keep_alive(mesh, line->y);
+    do {
+        below = gather(mesh, from, line->y);
+        lim_mesh_paint(mesh, line);
+        mesh->is_complete = !from && below == mesh->end.rank;
+        if (LIM_HAS_STATS && !mesh->is_complete) lim_stats_of(mesh->pass)->bands++;
+        from = below;
+    } while (below != mesh->end.rank);
+}
+
+/* A frame --------------------------------------------------------------------------------------------------------- */
+
+/* Those that begin on the line join those that cross it. false: there is no room. */
+static bool begin_all(struct lim_mesh *mesh, uint16_t y)
+{
+    for (lim_index triangle = mesh->tops[y]; triangle != LIM_NO_INDEX; triangle = mesh->links[triangle])
+        if (!lim_mesh_begin(mesh, triangle, y)) return false;
+    return true;
+}
+
+static int draw_line(struct lim_mesh *mesh, uint16_t y)
+{
+    const struct lim_pass *pass = mesh->pass;
+    const struct lim_target *target = &pass->target;
+    struct lim_mesh_line line = {target->lend(target->ctx, y), 0, target->w_px, y};
+
+    if (!line.pixels) return LIM_ERR_TARGET;
+    if (LIM_HAS_ROUND && lim_target_is_round(target)) lim_target_visible(target, y, &line.x0, &line.x1);
+    lim_mesh_clean(mesh, &line);
+    if (mesh->is_complete && begin_all(mesh, y))
+        lim_mesh_paint(mesh, &line);
+    else
+        paint_parts(mesh, &line);
+    lim_overlay_line(pass, line.pixels, y, line.x0, line.x1);
+    return target->done(target->ctx, y, line.x0, (uint16_t)(line.x1 - line.x0));
 }
 
 int lim_mesh_frame(struct lim_mesh *mesh)
 {
-    (void)mesh;
-    return LIM_ERR_TARGET;
+    struct lim_pass *pass = mesh->pass;
+
+    mesh->extent = (uint8_t)lim_view_all(&pass->view, pass->scene, mesh->points, mesh->nearness, &mesh->near_shift);
+    link_triangles(mesh);
+    lim_mesh_clear(mesh);
+    mesh->alive = LIM_NO_INDEX;
+    mesh->alive_from = 0;
+    mesh->is_complete = true;
+    for (uint_fast16_t y = 0; y < pass->target.h_px; y++) {
+        const int err = draw_line(mesh, (uint16_t)y);
+        if (err) return err;
+    }
+    return LIM_OK;
 }
 
 #endif

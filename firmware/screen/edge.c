@@ -16,7 +16,7 @@
 #include "screen/edge.h"
 
 #include "math/divisor.h"
-#include "screen/small.h"
+#include "screen/edge_begin.h"
 
 #if LIM_EDGE_IS_SHORT
 #define EDGE_SHIFT(area) shift_s32(area, LIM_SUB_BITS)
@@ -116,13 +116,6 @@ static inline void begin_long(struct lim_edge *edge, const struct lim_point *at,
     edge_set(edge, at[from], at[edge->next], (int16_t)(y - LIM_ORIGIN_PX), (int16_t)(edge->end - y));
 }
 
-static inline bool begin_fast(struct lim_edge *edge, const struct lim_point *from, const struct lim_point *to,
-                              int32_t y, int32_t end)
-{
-    (void)edge, (void)from, (void)to, (void)y, (void)end;
-    return false;
-}
-
 #else
 
 /* rest / dy, 0 <= rest < dy, with LIM_EDGE_BITS. */
@@ -195,113 +188,12 @@ static LIM_RARE void set_line(struct lim_edge *edge, lim_sub_area m, int32_t dy)
     edge->at = (lim_edge_at)((lim_edge_wrap)(lim_edge_at)(whole + LIM_ORIGIN_PX) << LIM_EDGE_BITS);
 }
 
-/* The origin, and all but one unit of the next pixel: what makes a ceiling of the floor. */
-#define EDGE_BEFORE_NEXT (((lim_edge_wrap)(LIM_ORIGIN_PX + 1) << LIM_EDGE_BITS) - 1)
-
-/* Fractions of 16 bits, which do for most. With up to 9 sub-pixel bits dy is below SHORT_WIDTH then, and what is left
- * of a start below 2 SHORT_WIDTH. */
-enum { SHORT_BITS = 16, SHORT_WIDTH = DIVISOR_WIDTH / 2 };
-
-/* The last term of M above, where a short division does. */
-static inline int32_t part_of(int32_t ax, int32_t ay, int32_t dx, int32_t dy)
-{
-    const int32_t part_x = ax & (LIM_SUB - 1), part_y = ay & (LIM_SUB - 1);
-
-    return (part_x * dy - part_y * dx + (LIM_SUB - 1)) >> LIM_SUB_BITS;
-}
-
-/* From a corner's pixel, `ahead` of it on the current line. */
-static inline void set_ahead(struct lim_edge *edge, int32_t ax, lim_edge_wrap ahead, lim_edge_wrap step)
-{
-    edge->step = (lim_edge_at)step;
-    edge->at =
-        (lim_edge_at)(((lim_edge_wrap)(lim_edge_at)(ax >> LIM_SUB_BITS) << LIM_EDGE_BITS) + EDGE_BEFORE_NEXT + ahead);
-}
-
-static inline lim_edge_wrap widened(int32_t at_q16)
-{
-    return (lim_edge_wrap)(lim_edge_at)at_q16 << (LIM_EDGE_BITS - SHORT_BITS);
-}
-
-/* Sets the edge from one corner down to another, for line y and up to line `end`, both from the origin, where a short
- * division does for all lines of the edge. false: it does not. */
-static inline bool begin_short(struct lim_edge *edge, const struct lim_point *from, const struct lim_point *to,
-                               int32_t y, int32_t end)
-{
-    const int32_t ax = from->x, ay = from->y, dx = (int32_t)to->x - ax, dy = (int32_t)to->y - ay;
-    const int32_t top = ay >> LIM_SUB_BITS, lines = end - top;
-
-    if (LIM_OPTIMISE_SIZE) return false;
-    if ((uint32_t)(DIVISOR_ERROR * lines + 1) * (uint32_t)dy > 1u << SHORT_BITS) return false;
-    if ((uint32_t)(dx + SHORT_WIDTH) >= 2 * SHORT_WIDTH || (LIM_SUB_BITS > 9 && dy >= SHORT_WIDTH)) return false;
-    const int32_t part = part_of(ax, ay, dx, dy);
-    const struct divisor divisor = LIM_SUB_BITS <= 9 ? divisor_of_short(dy) : divisor_of(dy);
-    const int32_t step_q16 = divisor_q16(&divisor, dx);
-    const int32_t start_q16 = divisor_q16(&divisor, part);
-    set_ahead(edge, ax, widened(start_q16 + (y - top) * step_q16), widened(step_q16));
-    return true;
-}
-
-#if EDGE_HAS_SMALL
-
-/* By reciprocals (small.h): a start as much too low as what all of the edge's lines add may be too high. */
-static inline void set_by(struct lim_edge *edge, struct lim_point a, int32_t dx, int32_t dy, int32_t y, int32_t recip,
-                          uint8_t shift, lim_edge_wrap bias)
-{
-    const lim_edge_wrap step = (lim_edge_wrap)((dx * recip) >> shift);
-    const lim_edge_wrap start = (lim_edge_wrap)((part_of(a.x, a.y, dx, dy) * recip) >> shift);
-    const lim_edge_wrap from_top = (lim_edge_wrap)(y - (a.y >> LIM_SUB_BITS));
-
-    set_ahead(edge, a.x, start - bias + from_top * step, step);
-}
-
-/* begin_short() of an edge that is small, whatever its lines. false: it is not. */
-static inline bool begin_small(struct lim_edge *edge, const struct lim_point *from, const struct lim_point *to,
-                               int32_t y)
-{
-    const int32_t dx = (int32_t)to->x - from->x, dy = (int32_t)to->y - from->y;
-
-    if ((uint32_t)(dy - SMALL_LEAST_DY) >= SMALL_DY - SMALL_LEAST_DY) return false;
-    if ((uint32_t)(dx + SMALL_DX) >= 2 * SMALL_DX) return false;
-    set_by(edge, *from, dx, dy, y, small_recip(dy), SMALL_SHIFT, SMALL_BIAS);
-    return true;
-}
-
-static inline bool begin_medium(struct lim_edge *edge, const struct lim_point *from, const struct lim_point *to,
-                                int32_t y)
-{
-    const int32_t dx = (int32_t)to->x - from->x, dy = (int32_t)to->y - from->y;
-
-    if ((uint32_t)(dy - SMALL_DY) >= MEDIUM_DY - SMALL_DY) return false;
-    if ((uint32_t)(dx + SMALL_DX) >= 2 * SMALL_DX) return false;
-    set_by(edge, *from, dx, dy, y, medium_recip(dy), MEDIUM_SHIFT, MEDIUM_BIAS);
-    return true;
-}
-
-#else
-
-static inline bool begin_small(struct lim_edge *edge, const struct lim_point *from, const struct lim_point *to,
-                               int32_t y)
-{
-    (void)edge, (void)from, (void)to, (void)y;
-    return false;
-}
-
-static inline bool begin_medium(struct lim_edge *edge, const struct lim_point *from, const struct lim_point *to,
-                                int32_t y)
-{
-    (void)edge, (void)from, (void)to, (void)y;
-    return false;
-}
-
-#endif
-
 /* Sets the edge from a corner to edge->next for the lines from y on: for all of them, or it is begun anew. */
 static LIM_ALONE void begin_long(struct lim_edge *edge, const struct lim_point *at, uint_fast16_t from, int16_t y)
 {
     const struct lim_point a = at[from], b = at[edge->next];
 
-    if (EDGE_HAS_SMALL && begin_medium(edge, &a, &b, y - LIM_ORIGIN_PX)) return;
+    if (EDGE_HAS_SMALL && begin_medium(edge, a.x, a.y, b.x, b.y, y - LIM_ORIGIN_PX)) return;
     const int32_t dx = (int32_t)b.x - a.x, dy = (int32_t)b.y - a.y;
     const lim_sub_area m = meeting(a, dx, dy, (int16_t)(y - LIM_ORIGIN_PX));
     int32_t lines = edge->end - y;
@@ -323,13 +215,6 @@ static LIM_ALONE void begin_long(struct lim_edge *edge, const struct lim_point *
     edge->step = (lim_edge_at)quotient_of(dx, &divisor);
 }
 
-/* As most edges begin. false: this one does not. */
-static inline bool begin_fast(struct lim_edge *edge, const struct lim_point *from, const struct lim_point *to,
-                              int32_t y, int32_t end)
-{
-    return EDGE_HAS_SMALL ? begin_small(edge, from, to, y) : begin_short(edge, from, to, y, end);
-}
-
 #endif
 
 /* The next edge of a boundary that goes on below line y, or the next stretch of the same. */
@@ -348,7 +233,7 @@ void lim_edge_next(struct lim_edge *edge, const struct lim_point *at, uint8_t n,
     const struct lim_point a = at[from], b = at[to];
     edge->end = (int16_t)(end + LIM_ORIGIN_PX);
     edge->next = (uint8_t)to;
-    if (!begin_fast(edge, &a, &b, row, end)) begin_long(edge, at, from, y);
+    if (!lim_edge_begin_fast(edge, a.x, a.y, b.x, b.y, row, end)) begin_long(edge, at, from, y);
 }
 
 /* The boundary's edge from its first corner, a, to the one after it, or, if that is above, what follows. */
@@ -363,7 +248,7 @@ static inline void start(struct lim_edge *edge, const struct lim_point *at, uint
     edge->next = second;
     if (LIM_UNLIKELY(end <= row))
         lim_edge_next(edge, at, n, y);
-    else if (!begin_fast(edge, a, &b, row, end))
+    else if (!lim_edge_begin_fast(edge, a->x, a->y, b.x, b.y, row, end))
         begin_long(edge, at, first, y);
 }
 
@@ -395,64 +280,6 @@ void lim_edge_advance(struct lim_edge_pair *pair, const struct lim_point *at, ui
 {
     advance(&pair->left, at, n, y);
     advance(&pair->right, at, n, y);
-}
-
-/* A non-monotone polygon has more than one local extreme of either kind, a low one a line below a high one as a rule.
- * Where the extra ones lie near its top, a fan from the bottom sees every other corner, and the other way round. */
-static LIM_RARE uint8_t choose_apex(const struct lim_point *at, uint8_t n, uint8_t top_at, lim_edge_sub bottom)
-{
-    const lim_edge_sub top = lim_edge_row(at[top_at].y);
-    lim_edge_sub lowest_top = top, after = lim_edge_row(at[1].y), here = lim_edge_row(at[0].y);
-    uint8_t bottom_at = 0;
-
-    for (uint_fast8_t k = n; k-- > 0;) {
-        const lim_edge_sub before = lim_edge_row(at[k].y);
-        if (here <= before && here <= after && here > lowest_top) lowest_top = here;
-        if (before == bottom) bottom_at = (uint8_t)k;
-        after = here;
-        here = before;
-    }
-    return 2 * lowest_top + 1 < top + bottom ? bottom_at : top_at;
-}
-
-/* A plain polygon's boundary goes down from its top to its bottom once; what goes farther is non-monotone. */
-static LIM_RARE void find_turns(struct lim_edge_shape *shape, const struct lim_point *at, uint8_t n)
-{
-    const lim_edge_sub top = (lim_edge_sub)(shape->top - LIM_ORIGIN_PX);
-    const lim_edge_sub bottom = (lim_edge_sub)(shape->bottom - LIM_ORIGIN_PX);
-    lim_edge_sub before = lim_edge_row(at[n - 1].y), down = 0;
-    uint8_t top_at = n;
-
-    for (uint8_t k = 0; k < n; k++) {
-        const lim_edge_sub row = lim_edge_row(at[k].y);
-
-        if (row > before) down = (lim_edge_sub)(down + (row - before));
-        if (row == top && top_at == n) top_at = k;
-        before = row;
-    }
-    shape->first = top_at;
-    shape->non_monotone = down > bottom - top;
-    if (shape->non_monotone) shape->apex = choose_apex(at, n, top_at, bottom);
-}
-
-lim_edge_sub lim_edge_bounds_down(struct lim_edge_span *span, const struct lim_point *at, uint8_t n)
-{
-    lim_edge_sub before = lim_edge_level(at[n - 1].y), down = 0;
-
-    span->top = span->bottom = lim_edge_level(at[0].y);
-    span->first = 0;
-    for (uint8_t k = 0; k < n; k++) {
-        const lim_edge_sub y = lim_edge_level(at[k].y);
-        if (y > before) down = (lim_edge_sub)(down + (y - before));
-        lim_edge_span_add(span, y, k);
-        before = y;
-    }
-    return down;
-}
-
-void lim_edge_bounds(struct lim_edge_shape *shape, const struct lim_point *at, uint8_t n)
-{
-    if (!lim_edge_bounds_plain(shape, at, n)) find_turns(shape, at, n);
 }
 
 #if LIM_HAS_WIREFRAME

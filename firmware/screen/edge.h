@@ -72,6 +72,14 @@ static inline void lim_edge_put(struct lim_edge *edge, int16_t x)
     edge->x = x;
 }
 
+/* The same for all lines that come. */
+static inline void lim_edge_stand(struct lim_edge *edge, int16_t x)
+{
+    lim_edge_put(edge, x);
+    edge->step_x = 0;
+    edge->error = edge->step_error = 0;
+}
+
 /* What lim_edge_step() takes of an edge, for a copy that steps in its place, and back. */
 static inline void lim_edge_copy(struct lim_edge *to, const struct lim_edge *from)
 {
@@ -111,6 +119,13 @@ static inline void lim_edge_put(struct lim_edge *edge, int16_t x)
     edge->at = (lim_edge_at)x * ((lim_edge_at)1 << LIM_EDGE_BITS);
 }
 
+/* The same for all lines that come. */
+static inline void lim_edge_stand(struct lim_edge *edge, int16_t x)
+{
+    lim_edge_put(edge, x);
+    edge->step = 0;
+}
+
 /* What lim_edge_step() takes of an edge, for a copy that steps in its place, and back. */
 static inline void lim_edge_copy(struct lim_edge *to, const struct lim_edge *from)
 {
@@ -132,6 +147,13 @@ static inline void lim_edge_step(struct lim_edge *edge)
 }
 
 #endif
+
+/* After lim_edge_begin(), of a polygon that begins farther down: until then it has no pixels. */
+static inline void lim_edge_rest(struct lim_edge_pair *pair)
+{
+    lim_edge_stand(&pair->left, 0);
+    lim_edge_stand(&pair->right, 0);
+}
 
 /* Where the edge is on the current line; and on to the next. */
 static inline int16_t lim_edge_next_x(struct lim_edge *edge)

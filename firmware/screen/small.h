@@ -42,27 +42,18 @@ LIM_STATIC_ASSERT((uint64_t)(SMALL_DX + SMALL_LEAST_DY) * SMALL_RECIP(SMALL_LEAS
                   "their products fit");
 LIM_STATIC_ASSERT((uint64_t)(SMALL_DX + SMALL_DY) * SMALL_RECIP(SMALL_DY / 2) <= INT32_MAX, "and these");
 
-#define SMALL_RECIPS_4(dy) SMALL_RECIP(dy), SMALL_RECIP((dy) + 1), SMALL_RECIP((dy) + 2), SMALL_RECIP((dy) + 3)
-#define SMALL_RECIPS_16(dy)                                                                                            \
-    SMALL_RECIPS_4(dy), SMALL_RECIPS_4((dy) + 4), SMALL_RECIPS_4((dy) + 8), SMALL_RECIPS_4((dy) + 12)
-#define SMALL_RECIPS_64(dy)                                                                                            \
-    SMALL_RECIPS_16(dy), SMALL_RECIPS_16((dy) + 16), SMALL_RECIPS_16((dy) + 32), SMALL_RECIPS_16((dy) + 48)
-#define SMALL_RECIPS_256(dy)                                                                                           \
-    SMALL_RECIPS_64(dy), SMALL_RECIPS_64((dy) + 64), SMALL_RECIPS_64((dy) + 128), SMALL_RECIPS_64((dy) + 192)
-
-static const uint32_t small_recips[SMALL_DY + 1] = {SMALL_RECIPS_256(0), SMALL_RECIPS_256(256), SMALL_RECIPS_256(512),
-                                                    SMALL_RECIPS_256(768), SMALL_RECIP(SMALL_DY)};
+extern const uint32_t lim_small_recips[SMALL_DY + 1];
 
 static inline int32_t small_recip(int32_t dy)
 {
-    return (int32_t)(small_recips[dy] >> SMALL_DROPPED_BITS);
+    return (int32_t)(lim_small_recips[dy] >> SMALL_DROPPED_BITS);
 }
 
 static inline int32_t medium_recip(int32_t dy)
 {
     enum { ADDED = 2 * ((1 << SMALL_DROPPED_BITS) / 2) - 1 };
 
-    return (int32_t)((small_recips[dy >> 1] + small_recips[(dy + 1) >> 1] - ADDED) >> 1);
+    return (int32_t)((lim_small_recips[dy >> 1] + lim_small_recips[(dy + 1) >> 1] - ADDED) >> 1);
 }
 
 #endif

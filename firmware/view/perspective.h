@@ -182,6 +182,16 @@ static inline int32_t perspective_ratio(int32_t x_qv, struct lim_depth depth)
 
 #endif
 
+/* 1 / z, 1..32769, rounded down; `near_shift` is the shift of the nearest depth that there is. */
+static inline uint16_t perspective_nearness(struct lim_depth depth, uint32_t near_shift)
+{
+#if LIM_HAS_LIMBS
+    return (uint16_t)(((uint32_t)depth.recip_q31 >> 16 >> (near_shift - depth.shift)) + 1);
+#else
+    return (uint16_t)(((uint32_t)depth.recip_q15 >> (depth.shift - near_shift)) + 1);
+#endif
+}
+
 /* Within half a screen and a pixel of the screen. */
 /*@ requires \valid_read(side) && is_side(*side);
     requires is_in_band(x_qv, depth) && -PERSPECTIVE_MAX_QV <= x_qv <= PERSPECTIVE_MAX_QV;

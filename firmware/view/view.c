@@ -4,6 +4,7 @@
 #include "view/view.h"
 
 #include "camera.h"
+#include "view/packed.h"
 #include "view/perspective.h"
 #include "view/rows.h"
 #include "view/transform.h"
@@ -19,8 +20,9 @@ void lim_view_init(struct lim_view *view, uint16_t w_px, uint16_t h_px, struct l
 bool lim_view_begin(struct lim_view *view, const struct lim_scene *scene, const struct lim_camera *camera)
 {
     if (!lim_rows_set(&view->rows, scene, camera)) return false;
-    for (uint_fast16_t i = 0; i < LIM_VIEW_CACHE_ENTRIES; i++)
-        view->cache[i].vertex = LIM_NO_INDEX;
+    if (LIM_HAS_PLANES && (!LIM_HAS_MESHES || view->cache)) /* a mesh remembers all vertices */
+        for (uint_fast16_t i = 0; i < LIM_VIEW_CACHE_ENTRIES; i++)
+            view->cache[i].vertex = LIM_NO_INDEX;
     if (LIM_HAS_STATS) view->vertices = 0;
     return true;
 }
@@ -32,10 +34,18 @@ bool lim_view_begin(struct lim_view *view, const struct lim_scene *scene, const 
 #define VIEW_SHARED inline
 #endif
 
+/* A point of whole units, in RAM. */
+static inline void transform_units(const struct lim_view *view, const struct lim_vertex *at, struct lim_view_point *out)
+{
+    LIM_UNROLLED(3)
+    for (uint_fast8_t i = 0; i < 3; i++)
+        out->qv[i] = transform_row(&view->rows.row[i], at);
+    if (!LIM_HAS_LIMBS) out->z_qv >>= view->rows.tele_bits;
+}
+
 static VIEW_SHARED void transform(const struct lim_view *view, const struct lim_scene *scene,
                                   const LIM_FLASH struct lim_vertex *vertex, struct lim_view_point *out)
 {
-    const struct lim_row *row = view->rows.row;
 #if LIM_DUAL_MULTIPLY
     const struct lim_vertex *const at = vertex;
 #else
@@ -43,20 +53,17 @@ static VIEW_SHARED void transform(const struct lim_view *view, const struct lim_
     const struct lim_vertex copy = {vertex->x, vertex->y, vertex->z}, *const at = &copy;
 #endif
 
-    LIM_UNROLLED(3)
-    for (uint_fast8_t i = 0; i < 3; i++)
-        out->qv[i] = transform_row(&row[i], at);
+    transform_units(view, at, out);
 #if LIM_HAS_FRACTIONS
     if (scene->fractions) {
         const struct lim_fraction fraction = scene->fractions[vertex - scene->vertices];
         LIM_UNROLLED(3)
         for (uint_fast8_t i = 0; i < 3; i++)
-            out->qv[i] += transform_fraction(&row[i], &fraction);
+            out->qv[i] += transform_fraction(&view->rows.row[i], &fraction);
     }
 #else
     (void)scene;
 #endif
-    if (!LIM_HAS_LIMBS) out->z_qv >>= view->rows.tele_bits;
 }
 
 static VIEW_SHARED void project(const struct lim_view *view, const struct lim_view_point *point, struct lim_point *out)
@@ -113,6 +120,120 @@ void lim_view_remember(struct lim_view *view, const struct lim_scene *scene, lim
     if (!(codes & LIM_VIEW_GUARD)) project(view, &point, &entry->at);
     if (LIM_HAS_STATS) view->vertices++;
 }
+
+#if LIM_HAS_MESHES
+
+/* One end of a box along an axis; a half of 32768 reaches a unit too far. */
+static int16_t box_end(const LIM_FLASH struct lim_box *box, uint_fast8_t axis, bool upper)
+{
+    const int32_t end =
+        upper ? box->centre[axis] + (int32_t)box->half[axis] : box->centre[axis] - (int32_t)box->half[axis];
+
+    return (int16_t)(end > INT16_MAX ? INT16_MAX : end < INT16_MIN ? INT16_MIN : end);
+}
+
+/* Corners of the box that holds a mesh: their codes, OR'ed, and how near any comes. */
+static uint8_t box_codes(const struct lim_view *view, const struct lim_scene *scene, int32_t *least_z_qv)
+{
+    const LIM_FLASH struct lim_box *box = &scene->boxes[0];
+    uint8_t codes = 0;
+
+    *least_z_qv = PERSPECTIVE_MAX_QV;
+    for (uint_fast8_t k = 0; k < 8; k++) {
+        const struct lim_vertex corner = {box_end(box, 0, k & 1), box_end(box, 1, k & 2), box_end(box, 2, k & 4)};
+        struct lim_view_point point;
+        transform_units(view, &corner, &point);
+        codes |= codes_of(view, &point);
+        if (point.z_qv < *least_z_qv) *least_z_qv = point.z_qv;
+    }
+    return codes;
+}
+
+/* What the nearest vertex has; rounding may bring one a little nearer than the box. */
+static uint32_t near_shift_of(const struct lim_view *view, int32_t least_z_qv)
+{
+    const int32_t near_qv = least_z_qv - (least_z_qv >> 2);
+
+    return perspective_depth(near_qv > view->rows.near_qv ? near_qv : view->rows.near_qv).shift;
+}
+
+/* Bits whose sign, or one of whose two signs, is set where a point lies before the first corner or behind the last. */
+static inline uint32_t beyond(lim_packed at, lim_packed first, lim_packed last)
+{
+#if LIM_IS_PACKED && LIM_DUAL_MULTIPLY
+    return (uint32_t)__builtin_arm_ssub16(at, first) | (uint32_t)__builtin_arm_ssub16(last, at);
+#else
+    return (uint32_t)(lim_packed_x(at) - lim_packed_x(first)) | (uint32_t)(lim_packed_x(last) - lim_packed_x(at)) |
+           (uint32_t)(lim_packed_y(at) - lim_packed_y(first)) | (uint32_t)(lim_packed_y(last) - lim_packed_y(at));
+#endif
+}
+
+static inline bool is_beyond(uint32_t signs)
+{
+    return signs & (LIM_IS_PACKED && LIM_DUAL_MULTIPLY ? 0x80008000u : 0x80000000u);
+}
+
+/* Nothing of it needs to be clipped. Returns whether all of it lies on the screen: between its first and its last lines
+ * and columns of centres. */
+static LIM_ALONE bool project_all(const struct lim_view *view, const struct lim_scene *scene, uint32_t near_shift,
+                                  struct lim_point *points, uint16_t *nearness)
+{
+    const LIM_FLASH struct lim_vertex *vertex = scene->vertices, *const end = vertex + scene->vertex_count;
+    const int32_t from = -LIM_ORIGIN_PX * LIM_SUB;
+    const lim_packed first = lim_packed_of(from, from);
+    const lim_packed last =
+        lim_packed_of(from + (view->width.px - 1) * LIM_SUB, from + (view->height.px - 1) * LIM_SUB);
+    uint32_t signs = 0;
+
+    for (; vertex < end; vertex++) {
+        struct lim_view_point point;
+        transform(view, scene, vertex, &point);
+        const struct lim_depth depth = perspective_depth(point.z_qv);
+        const lim_packed at = lim_packed_of(perspective_at(point.x_qv, depth, &view->width),
+                                            perspective_at(point.y_qv, depth, &view->height));
+        signs |= beyond(at, first, last);
+        lim_packed_store(points++, at);
+        *nearness++ = perspective_nearness(depth, near_shift);
+    }
+    return !is_beyond(signs);
+}
+
+static void project_some(const struct lim_view *view, const struct lim_scene *scene, uint32_t near_shift,
+                         struct lim_point *points, uint16_t *nearness)
+{
+    for (lim_index i = 0; i < scene->vertex_count; i++) {
+        struct lim_view_point point;
+        transform(view, scene, &scene->vertices[i], &point);
+        nearness[i] = 0;
+        if (codes_of(view, &point) & LIM_VIEW_GUARD) continue;
+        const struct lim_depth depth = perspective_depth(point.z_qv);
+        points[i] = (struct lim_point){perspective_at(point.x_qv, depth, &view->width),
+                                       perspective_at(point.y_qv, depth, &view->height)};
+        nearness[i] = perspective_nearness(depth, near_shift);
+    }
+}
+
+uint16_t lim_view_nearness(const struct lim_view_point *point, uint8_t near_shift)
+{
+    return perspective_nearness(perspective_depth(point->z_qv), near_shift);
+}
+
+enum lim_view_extent lim_view_all(struct lim_view *view, const struct lim_scene *scene, struct lim_point *points,
+                                  uint16_t *nearness, uint8_t *shift)
+{
+    int32_t least_z_qv;
+    const uint8_t codes = box_codes(view, scene, &least_z_qv);
+    const uint32_t near_shift = near_shift_of(view, least_z_qv);
+
+    *shift = (uint8_t)near_shift;
+    if (LIM_HAS_STATS) view->vertices += scene->vertex_count;
+    if (!(codes & LIM_VIEW_GUARD) && !LIM_OPTIMISE_SIZE)
+        return project_all(view, scene, near_shift, points, nearness) ? LIM_VIEW_INSIDE : LIM_VIEW_WHOLE;
+    project_some(view, scene, near_shift, points, nearness);
+    return LIM_VIEW_CLIPPED;
+}
+
+#endif
 
 /* For those who want a part of it: clipped polygons, pieces. */
 void lim_view_transform(const struct lim_view *view, const struct lim_scene *scene,

@@ -87,6 +87,21 @@ void lim_view_project(const struct lim_view *view, const struct lim_view_point *
 void lim_view_remember(struct lim_view *view, const struct lim_scene *scene, lim_index vertex,
                        struct lim_view_cached *entry);
 
+/* How a mesh lies on the screen. */
+enum lim_view_extent {
+    LIM_VIEW_INSIDE, /* all of it on the screen */
+    LIM_VIEW_WHOLE,  /* none of it needs to be clipped */
+    LIM_VIEW_CLIPPED /* some of it may have to be */
+};
+
+/* All vertices of a mesh: where each is on the screen, and its nearness, 1 / z as perspective_nearness() has it; 0 for
+ * one before the near plane or beyond the guard band, whose point is not set. */
+enum lim_view_extent lim_view_all(struct lim_view *view, const struct lim_scene *scene, struct lim_point *points,
+                                  uint16_t *nearness, uint8_t *near_shift);
+
+/* The nearness of another point of it, which near <= z holds for; `near_shift` as lim_view_all() has set it. */
+uint16_t lim_view_nearness(const struct lim_view_point *point, uint8_t near_shift);
+
 /* A vertex on the screen, and where it lies outside: valid until another one is asked for. */
 static inline const struct lim_view_cached *lim_view_vertex(struct lim_view *view, const struct lim_scene *scene,
                                                             lim_index vertex)

@@ -1,0 +1,79 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * A mesh's triangles that cross the current line: their edges, their order, on their way down. */
+#ifndef LIM_MESH_ACTIVE_H
+#define LIM_MESH_ACTIVE_H
+
+#include "lines/mesh_clip.h"
+#include "orders.h"
+#include "screen/edge.h"
+#include "view/pass.h"
+#include "view/view.h"
+
+/* Among those that cross a line, far to near; with a line of depths in any order, so that is theirs in the scene. */
+static inline lim_mesh_rank lim_mesh_rank_of(uint32_t nearness, lim_index triangle)
+{
+#if LIM_HAS_WIDE
+    return (lim_mesh_rank)nearness << 32 | triangle;
+#else
+    return nearness << 16 | triangle;
+#endif
+}
+
+static inline lim_index lim_mesh_number(const struct lim_mesh_active *active)
+{
+    return (lim_index)active->rank;
+}
+
+static inline bool lim_mesh_is_deep(const struct lim_mesh *mesh)
+{
+    return LIM_IS_MESH_DEPTH(&mesh->pass->target);
+}
+
+/* NULL: there is no room. */
+static inline struct lim_mesh_active *lim_mesh_new(struct lim_mesh *mesh)
+{
+    struct lim_mesh_active *active = mesh->free;
+
+    if (active)
+        mesh->free = active->next;
+    else if (mesh->unused < mesh->pool_size)
+        active = &mesh->pool[mesh->unused++];
+    return active;
+}
+
+/* Unlinks the one that `link` leads to. */
+static inline void lim_mesh_give_back(struct lim_mesh *mesh, struct lim_mesh_active **link)
+{
+    struct lim_mesh_active *active = *link;
+
+    *link = active->next;
+    active->next = mesh->free;
+    mesh->free = active;
+}
+
+/* All of them. */
+void lim_mesh_clear(struct lim_mesh *mesh);
+
+/* A triangle on line y, which it has: into mesh->begins, in its order. false: the pool has no room. */
+bool lim_mesh_begin(struct lim_mesh *mesh, lim_index triangle, uint16_t y);
+
+/* Ranks from <= rank < below. */
+struct lim_mesh_range {
+    lim_mesh_rank from, below;
+};
+
+/* The same, if its rank is within a range; else it is left out. */
+bool lim_mesh_begin_within(struct lim_mesh *mesh, lim_index triangle, uint16_t y, const struct lim_mesh_range *range);
+
+/* Whether a triangle has to be clipped. */
+static inline bool lim_mesh_is_cut(const struct lim_mesh *mesh, const LIM_FLASH lim_index *corners)
+{
+    return mesh->extent == LIM_VIEW_CLIPPED &&
+           (!mesh->nearness[corners[0]] || !mesh->nearness[corners[1]] || !mesh->nearness[corners[2]]);
+}
+
+/* Finds the edges for line y anew: LIM_MESH_ANEW. */
+void lim_mesh_turn(const struct lim_mesh *mesh, struct lim_mesh_active *active, uint16_t y);
+
+#endif

@@ -1,0 +1,57 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * The vertices once more, in view space, through CLIP to the screen. */
+#include "lines/mesh_clip.h"
+
+#include "screen/edge.h"
+#include "view/clip.h"
+#include "view/view.h"
+
+#if LIM_HAS_MESHES
+
+/* Twice the area in sub-pixels, of corners at most two screens and a half apart: negative where it faces the eye, as y
+ * goes down. */
+static int64_t area_of(const struct lim_point *at, uint8_t n)
+{
+    int64_t area = 0;
+
+    for (uint_fast8_t k = 2; k < n; k++) {
+        const int32_t ux = (int32_t)at[k - 1].x - at[0].x, uy = (int32_t)at[k - 1].y - at[0].y;
+        const int32_t vx = (int32_t)at[k].x - at[0].x, vy = (int32_t)at[k].y - at[0].y;
+        area += (int64_t)ux * vy - (int64_t)uy * vx;
+    }
+    return area;
+}
+
+bool lim_mesh_clip(const struct lim_mesh *mesh, lim_index triangle, struct lim_mesh_clipped *out)
+{
+    const struct lim_pass *pass = mesh->pass;
+    const LIM_FLASH lim_index *corners = lim_mesh_triangle(mesh, triangle);
+    struct lim_clip_polygon polygons[2];
+
+    polygons[0].n = 3;
+    for (uint_fast8_t k = 0; k < 3; k++)
+        lim_view_transform(&pass->view, pass->scene, &pass->scene->vertices[corners[k]], &polygons[0].at[k]);
+    const struct lim_clip_polygon *clipped = lim_clip(polygons, pass->view.rows.near_qv);
+    out->n = clipped->n;
+    for (uint_fast8_t k = 0; k < clipped->n; k++) {
+        lim_view_project(&pass->view, &clipped->at[k], &out->at[k]);
+        out->nearness[k] = lim_view_nearness(&clipped->at[k], mesh->near_shift);
+    }
+    if (!out->n || area_of(out->at, out->n) >= 0) return false;
+    lim_edge_bounds(&out->shape, out->at, out->n);
+    return true;
+}
+
+void lim_mesh_fan(const struct lim_mesh_clipped *clipped, uint8_t part, struct lim_point at[3])
+{
+    uint_fast16_t corner = clipped->shape.apex;
+
+    for (uint_fast8_t i = 0; i < 3; i++) {
+        at[i] = clipped->at[corner];
+        corner += i ? 1u : part;
+        if (corner >= clipped->n) corner -= clipped->n;
+    }
+}
+
+#endif

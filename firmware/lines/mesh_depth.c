@@ -1,0 +1,109 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * With u and v from one corner to the others, in sub-pixels, and p, q what nearness gains on the way there, the plane's
+ * gradient is ((p vy - q uy) / A, (q ux - p vx) / A), A = ux vy - uy vx. All in 32 bits, the same on all processors:
+ * differences are halved until they have 15 bits, so a product has 30 and A as well; what is divided is cut to 15 bits,
+ * as A's reciprocal has 15. Both cuts are some 2^-14 of what nearness gains across the triangle. */
+#include "lines/mesh_depth.h"
+
+#include "math/fixed.h"
+#include "view/pass.h"
+
+#if LIM_HAS_MESH_DEPTH
+
+/* Gradients in 16.16 a pixel, of a numerator and the area's reciprocal r 2^(shift - 46). */
+static uint32_t gradient_q16(int32_t numerator, uint32_t recip_q15, uint8_t shift, uint8_t halved_bits)
+{
+    uint32_t size = abs_s32(numerator);
+    int32_t up = 16 + LIM_SUB_BITS + shift - 46 - halved_bits;
+
+    if (!size) return 0;
+    const uint8_t zeros = clz_u32(size);
+    if (zeros < 17) {
+        size >>= 17 - zeros;
+        up += 17 - zeros;
+    }
+    size *= recip_q15;
+    size = up >= 0 ? up > 31 ? 0 : size << up : up < -31 ? 0 : size >> -up;
+    return numerator < 0 ? 0 - size : size;
+}
+
+struct plane_of_three {
+    int32_t ux, uy, vx, vy; /* sub-pixels, halved */
+    uint8_t halved_bits;
+};
+
+/* Of |difference| < 2^18. */
+static void set_differences(struct plane_of_three *plane, const struct lim_point *a, const struct lim_point *b,
+                            const struct lim_point *c)
+{
+    plane->ux = (int32_t)b->x - a->x;
+    plane->uy = (int32_t)b->y - a->y;
+    plane->vx = (int32_t)c->x - a->x;
+    plane->vy = (int32_t)c->y - a->y;
+    plane->halved_bits = 0;
+    const uint32_t most = abs_s32(plane->ux) | abs_s32(plane->uy) | abs_s32(plane->vx) | abs_s32(plane->vy);
+    if (LIM_UNLIKELY(most >> 14)) {
+        plane->halved_bits = (uint8_t)(18 - clz_u32(most));
+        plane->ux >>= plane->halved_bits;
+        plane->uy >>= plane->halved_bits;
+        plane->vx >>= plane->halved_bits;
+        plane->vy >>= plane->halved_bits;
+    }
+}
+
+/* Nearness at a line's first pixel, from a corner where it is known. */
+static void set_plane(struct lim_mesh_depth *depth, const struct lim_point *a, uint16_t nearness, uint32_t x_q16,
+                      uint32_t y_q16, uint16_t y)
+{
+    const int32_t right_px = LIM_ORIGIN_PX + (a->x >> LIM_SUB_BITS), down_px = LIM_ORIGIN_PX + (a->y >> LIM_SUB_BITS);
+    const int32_t part_x = a->x & (LIM_SUB - 1), part_y = a->y & (LIM_SUB - 1);
+    uint32_t at_q16 = (uint32_t)nearness << 16;
+
+    at_q16 -= x_q16 * (uint32_t)right_px + (uint32_t)(((int32_t)x_q16 >> LIM_SUB_BITS) * part_x);
+    at_q16 += y_q16 * (uint32_t)((int32_t)y - down_px) - (uint32_t)(((int32_t)y_q16 >> LIM_SUB_BITS) * part_y);
+    *depth = (struct lim_mesh_depth){at_q16, x_q16, y_q16};
+}
+
+void lim_mesh_depth_set(struct lim_mesh_active *active, const struct lim_point at[3], const uint16_t nearness[3],
+                        uint16_t y)
+{
+    const int32_t p = nearness[1] - nearness[0], q = nearness[2] - nearness[0];
+    struct plane_of_three plane;
+    uint8_t shift;
+
+    set_differences(&plane, &at[0], &at[1], &at[2]);
+    const int32_t area = plane.uy * plane.vx - plane.ux * plane.vy;
+    if (area <= 0) { /* a sliver, once it is halved: nowhere wider than a pixel */
+        set_plane(active->depth, &at[0], nearness[0], 0, 0, y);
+        return;
+    }
+    const uint32_t recip_q15 = recip_q15_of((uint32_t)area, &shift);
+    const uint32_t x_q16 = gradient_q16(q * plane.uy - p * plane.vy, recip_q15, shift, plane.halved_bits);
+    const uint32_t y_q16 = gradient_q16(p * plane.vx - q * plane.ux, recip_q15, shift, plane.halved_bits);
+    set_plane(active->depth, &at[0], nearness[0], x_q16, y_q16, y);
+}
+
+/* Twice a triangle's size on the screen, halved until 32 bits hold it. */
+static int32_t size_of(const struct lim_mesh_clipped *clipped, uint_fast8_t k)
+{
+    struct plane_of_three plane;
+
+    set_differences(&plane, &clipped->at[0], &clipped->at[k], &clipped->at[k + 1]);
+    if (plane.halved_bits) return INT32_MAX - 1 + (plane.uy * plane.vx - plane.ux * plane.vy > 0);
+    return plane.uy * plane.vx - plane.ux * plane.vy;
+}
+
+/* By the largest triangle of a fan. */
+void lim_mesh_depth_clipped(struct lim_mesh_active *active, const struct lim_mesh_clipped *clipped, uint16_t y)
+{
+    uint_fast8_t largest = 1;
+
+    for (uint_fast8_t k = 2; k + 1u < clipped->n; k++)
+        if (size_of(clipped, k) > size_of(clipped, largest)) largest = k;
+    const struct lim_point at[3] = {clipped->at[0], clipped->at[largest], clipped->at[largest + 1]};
+    const uint16_t nearness[3] = {clipped->nearness[0], clipped->nearness[largest], clipped->nearness[largest + 1]};
+    lim_mesh_depth_set(active, at, nearness, y);
+}
+
+#endif

@@ -1,0 +1,118 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Those that begin on the line are merged into the list while it is painted: each is looked at once. */
+#include "lines/mesh_line.h"
+
+#include "lines/mesh_active.h"
+#include "lines/mesh_depth.h"
+#include "pixels/fill.h"
+#include "screen/edge.h"
+#include "view/pass.h"
+#include "view/view.h"
+
+#if LIM_HAS_MESHES
+
+void lim_mesh_clean(const struct lim_mesh *mesh, const struct lim_mesh_line *line)
+{
+    if (line->x0 >= line->x1) return;
+    lim_fill(line->pixels, line->x0, (uint16_t)(line->x1 - line->x0), lim_background_of(mesh->pass));
+    if (LIM_HAS_MESH_DEPTH && lim_mesh_is_deep(mesh)) lim_fill(*mesh->depths, 0, mesh->pass->target.w_px, 0);
+    if (LIM_HAS_STATS) lim_stats_of(mesh->pass)->pixels_background += (uint32_t)(line->x1 - line->x0);
+}
+
+static inline void note(struct lim_stats *stats, struct lim_mesh_active *active, int32_t n_px)
+{
+    stats->lines++;
+    if (n_px <= 0) return;
+    stats->pixels_painted += (uint32_t)n_px;
+    stats->polygons_seen += !*active->seen;
+    *active->seen = true;
+}
+
+/* The first pixel at or right of a boundary; and on to the next line. */
+static LIM_INLINE int32_t next_x(struct lim_mesh_edge *edge)
+{
+    const lim_edge_at at = edge->at;
+
+    edge->at = (lim_edge_at)((lim_edge_wrap)at + (lim_edge_wrap)edge->step);
+    return (int32_t)(at >> LIM_EDGE_BITS);
+}
+
+static LIM_INLINE void paint_triangle(const struct lim_mesh *mesh, const struct lim_mesh_line *line, uint16_t *pixels,
+                                      struct lim_mesh_active *active, bool inside)
+{
+    int32_t x0 = next_x(&active->edges[0]), x1 = next_x(&active->edges[1]);
+
+    if (!inside && x0 < line->x0) x0 = line->x0;
+    if (!inside && x1 > line->x1) x1 = line->x1;
+    if (LIM_HAS_STATS && active != &mesh->end) note(lim_stats_of(mesh->pass), active, x1 - x0);
+    if (x0 < x1) {
+        if (LIM_HAS_MESH_DEPTH && lim_mesh_is_deep(mesh))
+            lim_mesh_depth_fill(pixels, *mesh->depths, active, x0, x1);
+        else
+            lim_fill_inline(pixels, (int_fast16_t)x0, (int_fast16_t)x1, active->colour);
+    }
+    if (LIM_HAS_MESH_DEPTH && lim_mesh_is_deep(mesh)) active->depth->at_q16 += active->depth->y_q16;
+}
+
+/* Replaces the edges that end. */
+static LIM_INLINE void turn(const struct lim_mesh *mesh, struct lim_mesh_active *active, uint16_t y)
+{
+    if (LIM_UNLIKELY(active->goes_on == LIM_MESH_ANEW)) {
+        lim_mesh_turn(mesh, active, y);
+        return;
+    }
+    active->edges[active->goes_on] = active->lower;
+    active->turn = active->bottom;
+}
+
+/* The list's end has no pixels, and turns on each line: so nobody has to ask for it elsewhere. */
+static LIM_INLINE void paint_all(struct lim_mesh *mesh, const struct lim_mesh_line *line, bool inside)
+{
+    const uint16_t below = (uint16_t)(line->y + 1);
+    struct lim_mesh_active **link = &mesh->first, *begins = mesh->begins;
+    lim_mesh_rank begins_rank = begins->rank;
+    uint16_t *const pixels = line->pixels;
+    uint16_t count = 0;
+
+    mesh->end.turn = mesh->end.bottom = below;
+    for (;; count++) {
+        struct lim_mesh_active *active = *link;
+        if (LIM_UNLIKELY(begins_rank < active->rank)) {
+            struct lim_mesh_active *const next = begins->next;
+            begins->next = active;
+            *link = active = begins;
+            begins = next;
+            begins_rank = begins->rank;
+        }
+        paint_triangle(mesh, line, pixels, active, inside);
+        if (active->turn == below) {
+            if (active->bottom == below) {
+                if (active == &mesh->end) break;
+                lim_mesh_give_back(mesh, link);
+                continue;
+            }
+            turn(mesh, active, below);
+        }
+        link = &active->next;
+    }
+    mesh->begins = &mesh->end;
+    if (LIM_HAS_STATS && count > lim_stats_of(mesh->pass)->active_max) lim_stats_of(mesh->pass)->active_max = count;
+}
+
+/* Most frames: without a comparison with the line's ends. */
+static LIM_ALONE void paint_inside(struct lim_mesh *mesh, const struct lim_mesh_line *line)
+{
+    paint_all(mesh, line, true);
+}
+
+void lim_mesh_paint(struct lim_mesh *mesh, const struct lim_mesh_line *line)
+{
+    if (!LIM_OPTIMISE_SIZE && LIM_SUB_BITS && mesh->extent == LIM_VIEW_INSIDE &&
+        !lim_target_is_round(&mesh->pass->target))
+        paint_inside(mesh, line);
+    else
+        paint_all(mesh, line, false);
+}
+
+#endif
