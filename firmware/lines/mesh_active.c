@@ -165,20 +165,32 @@ static inline int32_t row_of(lim_packed at)
     return lim_edge_row(lim_packed_y(at));
 }
 
-/* An edge on line y, from the origin. false: it is long. */
-static LIM_INLINE bool begin_edge(struct lim_mesh_edge *edge, lim_packed from, lim_packed to, int32_t y, int32_t end)
+static LIM_ALONE bool begin_slow(struct lim_mesh_edge *edge, lim_packed from, lim_packed to, int32_t row, int32_t end)
 {
     struct lim_edge begun;
 
-    if (!lim_edge_begin_fast(&begun, lim_packed_x(from), lim_packed_y(from), lim_packed_x(to), lim_packed_y(to), y,
-                             end))
+    if (!lim_edge_begin_slow(&begun, lim_packed_point(from), lim_packed_point(to), (int16_t)(row + LIM_ORIGIN_PX),
+                             (int16_t)(end + LIM_ORIGIN_PX)))
         return false;
     edge->at = begun.at;
     edge->step = begun.step;
     return true;
 }
 
-/* What is not small, and where a processor does without: by EDGE. */
+/* An edge on a line, both from the origin. false: it is to be begun anew before it ends. */
+static LIM_INLINE bool begin_edge(struct lim_mesh_edge *edge, lim_packed from, lim_packed to, int32_t row, int32_t end)
+{
+    struct lim_edge begun;
+
+    if (!lim_edge_begin_fast(&begun, lim_packed_x(from), lim_packed_y(from), lim_packed_x(to), lim_packed_y(to), row,
+                             end))
+        return begin_slow(edge, from, to, row, end);
+    edge->at = begun.at;
+    edge->step = begun.step;
+    return true;
+}
+
+/* What has an edge that is begun anew on the way, and where small code is asked for: by EDGE. */
 static LIM_RARE void set_long(struct lim_mesh_active *active, const struct three *three, uint16_t y)
 {
     const struct lim_point at[3] = {lim_packed_point(three->top),

@@ -35,6 +35,11 @@ static inline void lim_edge_begin(struct lim_edge_pair *pair, uint8_t n, uint8_t
 /* Puts the boundary's edge on line y, above the polygon's bottom, in the place of one that ends there or above. */
 void lim_edge_next(struct lim_edge *edge, const struct lim_point *at, uint8_t n, int16_t y);
 
+/* A single edge for line y and up to line `end`, which it does not have. false: it is to be begun anew on a line
+ * before.
+ */
+bool lim_edge_begin_slow(struct lim_edge *edge, struct lim_point from, struct lim_point to, int16_t y, int16_t end);
+
 /* Replaces the edges that end on line y or above, top <= y < bottom. Returns the line on which it must be called
  * again. */
 static inline int16_t lim_edge_turn(struct lim_edge_pair *pair, const struct lim_point *at, uint8_t n, int16_t y)
