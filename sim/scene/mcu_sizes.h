@@ -32,6 +32,12 @@ enum {
     MCU_CROSSING_TEXTURE_B = 60,
     MCU_CROSSING_LONG_EDGES_B = 32, /* more of them in profile exact */
     MCU_CROSSING_B = 40,            /* and a point for each vertex */
+    MCU_MESH_ACTIVE_B = 40,
+    MCU_MESH_LONG_EDGES_B = 28,   /* more of them in profile exact */
+    MCU_MESH_ACTIVE_DEPTH_B = 12, /* with a line of depths */
+    MCU_MESH_ACTIVE_INDEX_B = 8,  /* in a wide scene */
+    MCU_MESH_NEARNESS_B = 2,      /* of a vertex, and of a pixel of that line */
+    MCU_MESH_LEAST_ACTIVE = 8,
     MCU_MOVER_B = 144,
     MCU_MOVER_FINE_B = 72,     /* more of them in the profiles fine and exact, at most: half on a Cortex-M0+ */
     MCU_MOVER_ANTIALIAS_B = 4, /* more of them if it can be drawn with antialiased edges */
