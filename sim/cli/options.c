@@ -467,6 +467,7 @@ static void note_idle(const struct options *options, const struct moving *moving
     idle_options_note_scene(&options->idle, &(struct idle_scene){.name = options->scene_path,
                                                                  .is_compiled = options_scene_is_compiled(options),
                                                                  .is_set = options->compile.tree == TREE_NONE,
+                                                                 .is_mesh = options->compile.tree == TREE_MESH,
                                                                  .is_still = is_still,
                                                                  .is_unlit = options->compile.unlit,
                                                                  .has_background = options->wireframe.one_colour,

@@ -93,9 +93,8 @@ static size_t convex_b(const struct compiled *scene, size_t active)
 
 static size_t mesh_active_b(const struct compiled *scene)
 {
-    return MCU_MESH_ACTIVE_B + (has_long_edges(&scene->report) ? (size_t)MCU_MESH_LONG_EDGES_B : 0) +
-           (scene->report.draws == LIM_MESH_DEPTH ? (size_t)MCU_MESH_ACTIVE_DEPTH_B : 0) +
-           (width_is_wide(&scene->scene) ? (size_t)MCU_MESH_ACTIVE_INDEX_B : 0);
+    return (size_t)MCU_MESH_ACTIVE_B(has_long_edges(&scene->report), width_is_wide(&scene->scene),
+                                     scene->report.draws == LIM_MESH_DEPTH);
 }
 
 static size_t mesh_b(const struct compiled *scene, size_t active)
