@@ -4,6 +4,7 @@
 #include "accuracy/edge_error.h"
 
 #include "colour.h"
+#include "scene/records.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -12,9 +13,10 @@
 static void make_opaque(struct edge_error *error)
 {
     for (size_t word = 0; word < error->scene.polygon_words;) {
-        const lim_index head = error->polygons[word];
-        if (head & LIM_POLYGON_ALPHA) error->polygons[word + lim_record_alpha_at(head)] = LIM_OPAQUE;
-        word += lim_record_words(head);
+        const struct record record = record_at(&error->scene, word);
+        if (record.flags & LIM_POLYGON_ALPHA)
+            error->polygons[word + lim_record_alpha_at(error->polygons[word])] = LIM_OPAQUE;
+        word += record.words;
     }
 }
 
@@ -24,8 +26,9 @@ static void set_colours(struct edge_error *error, const struct compiled *scene)
     for (size_t f = 0; f < error->face_count; f++)
         error->colour_of_face[f] = error->scene.background;
     for (size_t p = 0; p < error->scene.polygon_count; p++) {
-        error->colour_of_face[scene->faces[p]] = (uint16_t)error->polygons[word + 1];
-        word += lim_record_words(error->polygons[word]);
+        const struct record record = record_at(&error->scene, word);
+        error->colour_of_face[scene->faces[p]] = (uint16_t)error->polygons[word + record.colour_at];
+        word += record.words;
     }
 }
 

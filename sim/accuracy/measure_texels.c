@@ -6,6 +6,7 @@
 
 #include "core/core.h"
 #include "model/mapping.h"
+#include "scene/records.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -61,7 +62,8 @@ bool texel_errors_add(struct texel_errors *errors, const struct texel_frame *fra
     for (size_t i = 0; i < scene->polygon_count; i++) {
         struct taking taking = {errors, frame, i + 1};
         const lim_index word = (lim_index)frame->record_words[i];
-        if (scene->polygons[word] & LIM_POLYGON_TEXTURE) frame->core->texels(frame->painted->lim, word, take, &taking);
+        if (record_at(scene, word).flags & LIM_POLYGON_TEXTURE)
+            frame->core->texels(frame->painted->lim, word, take, &taking);
     }
     return true;
 }

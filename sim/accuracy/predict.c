@@ -14,14 +14,25 @@
 #include <math.h>
 
 static const double SHARE = 0.5; /* of the time that is left */
+enum { HELD_OUT_SEED = 77 };
+
+enum view_kind { VIEW_ANYWHERE, VIEW_NEAR, VIEW_PORTRAIT, VIEW_KINDS };
+
+/* A scene, and what it shows wrong. */
+struct candidate {
+    struct ids ids;
+    struct comparison sums[VIEW_KINDS];
+};
 
 struct predicting {
-    const struct compiled *scene;
-    struct ids ids;
+    const struct compiled *scene; /* the first one, whose free space is looked from */
+    struct candidate candidates[PREDICT_SCENES_MAX];
+    size_t count;
     struct reference *reference;
     const uint32_t *groups;
+    uint32_t seed; /* 0: those that the compiler tunes on */
     struct lens lens;
-    size_t done; /* cameras */
+    size_t done, all; /* cameras */
 };
 
 /* Frame by frame through all of the animation. */
@@ -35,55 +46,128 @@ static double pose_movers(struct predicting *predicting)
     return time_s;
 }
 
-static bool compare_views(struct predicting *predicting, bool near, int count, struct comparison *sum,
-                          struct error *err)
+/* false: there is none any more. */
+static bool next_view(struct sampler *sampler, enum view_kind kind, struct viewpoint *out)
 {
-    const struct grid *grid = &predicting->scene->grid;
+    switch (kind) {
+    case VIEW_NEAR:
+        return sampler_near(sampler, out);
+    case VIEW_PORTRAIT:
+        return sampler_portrait(sampler, out);
+    default:
+        return sampler_anywhere(sampler, out);
+    }
+}
+
+static bool compare_view(struct predicting *predicting, enum view_kind kind, const struct viewpoint *viewpoint,
+                         const struct lim_camera *camera, struct error *err)
+{
+    const double unit_m = 1.0 / predicting->scene->grid.units_per_m;
+    reference_draw(predicting->reference, viewpoint, &predicting->lens);
+    for (size_t i = 0; i < predicting->count; i++) {
+        struct candidate *candidate = &predicting->candidates[i];
+        if (!ids_frame(&candidate->ids, camera, err)) return false;
+        const struct compare_counts counts =
+            compare_picture(candidate->ids.faces, predicting->reference, predicting->groups, unit_m);
+        comparison_add(&candidate->sums[kind], &counts);
+    }
+    return true;
+}
+
+static bool compare_views(struct predicting *predicting, enum view_kind kind, int count, struct error *err)
+{
     struct sampler sampler;
     sampler_init(&sampler, predicting->scene);
+    if (predicting->seed) sampler_seed(&sampler, predicting->seed);
     sampler.near_m = predicting->lens.near_m;
     for (int i = 0; i < count && !deadline_passed(); i++) {
         struct viewpoint viewpoint;
         struct lim_camera camera;
         const struct camera_path path = {"sampled cameras", &viewpoint, 1};
-        progress_bar(predicting->done++, PREDICT_CAMERAS, "comparing with the reference");
+        progress_bar(predicting->done++, predicting->all, "comparing with the reference");
         sampler.time_s = pose_movers(predicting);
-        if (!(near ? sampler_near(&sampler, &viewpoint) : sampler_anywhere(&sampler, &viewpoint))) return true;
-        if (!camera_path_to_camera(&path, 0, &predicting->lens, grid, &camera, err)) continue;
-        if (!ids_frame(&predicting->ids, &camera, err)) return false;
-        reference_draw(predicting->reference, &viewpoint, &predicting->lens);
-        const struct compare_counts counts =
-            compare_picture(predicting->ids.faces, predicting->reference, predicting->groups, 1.0 / grid->units_per_m);
-        comparison_add(sum, &counts);
+        if (!next_view(&sampler, kind, &viewpoint)) {
+            if (kind == VIEW_PORTRAIT) continue; /* another way may be free */
+            return true;
+        }
+        if (!camera_path_to_camera(&path, 0, &predicting->lens, &predicting->scene->grid, &camera, err)) continue;
+        if (!compare_view(predicting, kind, &viewpoint, &camera, err)) return false;
     }
     return true;
+}
+
+static struct predicted predicted_of(const struct candidate *candidate)
+{
+    const struct comparison *sums = candidate->sums;
+    struct compare_counts all = {0};
+    struct predicted out = {.near_percent = compare_wrong_percent(&sums[VIEW_NEAR].total),
+                            .near_cameras = sums[VIEW_NEAR].frames,
+                            .portrait_percent = compare_wrong_percent(&sums[VIEW_PORTRAIT].total),
+                            .portrait_cameras = sums[VIEW_PORTRAIT].frames};
+    for (int kind = 0; kind < VIEW_KINDS; kind++) {
+        all.pixels += sums[kind].total.pixels;
+        all.wrong += sums[kind].total.wrong;
+        out.cameras += sums[kind].frames;
+    }
+    out.percent = deadline_passed() ? NAN : compare_wrong_percent(&all);
+    return out;
+}
+
+static bool begin(struct predicting *predicting, const struct compiled *const *scenes, size_t count,
+                  const struct core *core, struct error *err)
+{
+    const struct compiled *first = scenes[0];
+    if (!lens_for_grid(&predicting->lens, 60, first->report.near_m, &first->grid, PREDICT_SIDE_PX, PREDICT_SIDE_PX,
+                       err))
+        return false;
+    for (; predicting->count < count; predicting->count++) {
+        const struct compiled *scene = scenes[predicting->count];
+        const struct simulator_setup setup = {PREDICT_SIDE_PX, PREDICT_SIDE_PX, scene->report.draws, SIMULATOR_MEMORY,
+                                              core};
+        struct ids *ids = &predicting->candidates[predicting->count].ids;
+        if (!ids_init(ids, scene, &setup, err)) return false;
+        if (scene->moving && !ids_set_movers(ids, scene->moving, err)) {
+            ids_free(ids);
+            return false;
+        }
+    }
+    return true;
+}
+
+static bool predict(struct predicting *predicting, const struct compiled *const *scenes, size_t count,
+                    const int counts[VIEW_KINDS], const struct core *core, struct predicted *out, struct error *err)
+{
+    predicting->scene = scenes[0];
+    bool ok = begin(predicting, scenes, count, core, err);
+    for (int kind = 0; kind < VIEW_KINDS; kind++)
+        predicting->all += (size_t)counts[kind];
+    for (int kind = 0; ok && kind < VIEW_KINDS; kind++)
+        ok = compare_views(predicting, (enum view_kind)kind, counts[kind], err);
+    for (size_t i = 0; ok && i < count; i++)
+        out[i] = predicted_of(&predicting->candidates[i]);
+    for (size_t i = 0; i < predicting->count; i++)
+        ids_free(&predicting->candidates[i].ids);
+    return ok;
 }
 
 bool predict_wrong(const struct compiled *scene, const struct core *core, struct reference *reference,
                    const uint32_t *groups, struct predicted *out, struct error *err)
 {
-    const struct simulator_setup setup = {PREDICT_SIDE_PX, PREDICT_SIDE_PX, scene->report.draws, SIMULATOR_MEMORY,
-                                          core};
-    struct predicting predicting = {.scene = scene, .reference = reference, .groups = groups};
-    struct comparison anywhere = {0}, near = {0};
+    struct predicting predicting = {.reference = reference, .groups = groups};
     const int near_count = scene->original ? PREDICT_CAMERAS / 2 : 0;
-
-    if (!lens_for_grid(&predicting.lens, 60, scene->report.near_m, &scene->grid, PREDICT_SIDE_PX, PREDICT_SIDE_PX,
-                       err) ||
-        !ids_init(&predicting.ids, scene, &setup, err) ||
-        (scene->moving && !ids_set_movers(&predicting.ids, scene->moving, err)))
-        return false;
+    const int counts[VIEW_KINDS] = {PREDICT_CAMERAS - near_count, near_count, 0};
     const struct deadline_end whole = deadline_share(SHARE);
-    const bool ok = compare_views(&predicting, false, PREDICT_CAMERAS - near_count, &anywhere, err) &&
-                    compare_views(&predicting, true, near_count, &near, err);
-    const struct compare_counts all = {.pixels = anywhere.total.pixels + near.total.pixels,
-                                       .wrong = anywhere.total.wrong + near.total.wrong};
-    *out = (struct predicted){.percent = deadline_passed() ? NAN : compare_wrong_percent(&all),
-                              .near_percent = compare_wrong_percent(&near.total),
-                              .cameras = anywhere.frames + near.frames,
-                              .near_cameras = near.frames};
+    const bool ok = predict(&predicting, &scene, 1, counts, core, out, err);
     deadline_say("a report without predicted wrong pixels");
     deadline_restore(whole);
-    ids_free(&predicting.ids);
     return ok;
+}
+
+bool predict_held_out(const struct compiled *const *scenes, size_t count, const struct core *core,
+                      struct reference *reference, const uint32_t *groups, struct predicted *out, struct error *err)
+{
+    struct predicting predicting = {.reference = reference, .groups = groups, .seed = HELD_OUT_SEED};
+    const int near_count = scenes[0]->original ? PREDICT_CAMERAS / 2 : 0;
+    const int counts[VIEW_KINDS] = {PREDICT_CAMERAS - near_count, near_count, PREDICT_CAMERAS / 2};
+    return predict(&predicting, scenes, count, counts, core, out, err);
 }

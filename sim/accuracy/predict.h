@@ -10,7 +10,7 @@
 #include "scene/compiled.h"
 
 /* Half of the cameras look anywhere, half at faces of all sizes, from as near as these are small. */
-enum { PREDICT_SIDE_PX = 240, PREDICT_CAMERAS = 48 };
+enum { PREDICT_SIDE_PX = 240, PREDICT_CAMERAS = 48, PREDICT_SCENES_MAX = 4 };
 
 /* `reference` holds the source polygons for pictures of PREDICT_SIDE_PX; `groups` as in compare.h. A scene that does
  * not know its original has all cameras anywhere. What moves in it (scene->moving) is elsewhere in each frame, and half
@@ -18,5 +18,10 @@ enum { PREDICT_SIDE_PX = 240, PREDICT_CAMERAS = 48 };
  */
 bool predict_wrong(const struct compiled *scene, const struct core *core, struct reference *reference,
                    const uint32_t *groups, struct predicted *out, struct error *err);
+
+/* The same for several scenes of one model, up to PREDICT_SCENES_MAX, on the same cameras each, which nothing was tuned
+ * on; half as many again are portraits. The first scene says where free space is. Out of time: .percent is NaN. */
+bool predict_held_out(const struct compiled *const *scenes, size_t count, const struct core *core,
+                      struct reference *reference, const uint32_t *groups, struct predicted *out, struct error *err);
 
 #endif

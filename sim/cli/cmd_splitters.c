@@ -79,7 +79,8 @@ static bool parse(int argc, char **argv, struct compile_options *out, const char
     optind = 1;
     for (int code; (code = getopt_long(argc, argv, ":", OPTIONS, NULL)) != -1;)
         if (!parse_option(code, argv, out, err)) return false;
-    if (out->tree == TREE_NONE) return error_set(err, "splitters: a set has no planes to choose");
+    if (out->tree == TREE_NONE || out->tree == TREE_MESH)
+        return error_set(err, "splitters: a %s has no planes to choose", out->tree == TREE_NONE ? "set" : "mesh");
     if (optind >= argc) return error_set(err, "splitters: needs a model");
     if (optind + 1 < argc) return error_set(err, "splitters: one model at a time, what is '%s'?", argv[optind + 1]);
     *model = argv[optind];

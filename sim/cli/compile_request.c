@@ -270,6 +270,7 @@ static void note_idle(const struct compile_request *request, const struct compil
     idle_options_note_scene(&request->idle,
                             &(struct idle_scene){.name = result->count == 1 ? request->models[0] : "these models",
                                                  .is_set = request->compile.tree == TREE_NONE,
+                                                 .is_mesh = request->compile.tree == TREE_MESH,
                                                  .is_still = !moving,
                                                  .is_unlit = request->compile.unlit,
                                                  .was_still = !moving && !stopped});

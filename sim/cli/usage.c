@@ -88,11 +88,13 @@ static const struct usage_entry ENTRIES[] = {
      "  --method NAME       nearest, painter, convex for one convex solid, scanline for flat scenes of which\n"
      "                      little is hidden (compile, measure: chosen if cheaper); nearest first with a tree of\n"
      "                      that kind: bsp, clusters, axis, octree (nearest or convex);\n"
-     "                      without a tree: depth, by farthest points, and newell, which puts that right\n"
+     "                      without a tree: depth, by farthest points, and newell, which puts that right;\n"
+     "                      mesh, triangles by distance, and mesh-depth, with a line of depths: approximate\n"
      "                      portals: the same with --portals on\n"},
     {SCENES | MEASURE | SPLITTERS,
-     "  --tree NAME         auto, bsp, clusters, axis, octree or none: a set; auto: bsp, clusters or axis,\n"
-     "                      whichever draws sampled cameras cheapest (auto where bsp splits a quarter, else bsp)\n"},
+     "  --tree NAME         auto, bsp, clusters, axis, octree, none: a set, or mesh; auto: bsp, clusters\n"
+     "                      or axis, whichever draws sampled cameras cheapest (auto where bsp splits a quarter,\n"
+     "                      else bsp)\n"},
     {SCENES | MEASURE | COMPARE,
      "  --splitter NAME     which polygon's plane divides: first, fewest, balanced, weighted, sampled,\n"
      "                      or the best of fewest and all weights: auto (auto)\n"},

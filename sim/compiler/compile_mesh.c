@@ -7,6 +7,7 @@
 #include "base/progress.h"
 #include "compiler/bsp_build.h"
 #include "compiler/encode.h"
+#include "compiler/encode_mesh.h"
 #include "compiler/order_choice.h"
 #include "compiler/pool_sizes.h"
 #include "compiler/portal_choice.h"
@@ -64,30 +65,37 @@ static enum lim_method draws_with(const struct compile_options *options, bool co
 {
     if (options->method) return options->method->draws;
     if (options->tree == TREE_NONE) return LIM_NEWELL;
+    if (options->tree == TREE_MESH) return LIM_MESH_DEPTH;
     return convex && !options->antialias && !options->framebuffer ? LIM_CONVEX : LIM_NEAREST_FIRST;
 }
 
-static void report_set(struct compile_report *report, const struct bsp *bsp, const struct encoding *encoding,
-                       const struct lim_scene *scene, const struct tree_plan *plan)
+/* What any scene has. */
+static void report_set(struct compile_report *report, const struct mesh *mesh, const struct encoding *encoding,
+                       const struct lim_scene *scene, enum tree_kind tree)
 {
-    *report = (struct compile_report){.mesh = bsp->mesh->counts,
-                                      .polygons_in = bsp->mesh->polygon_count,
+    *report = (struct compile_report){.mesh = mesh->counts,
+                                      .polygons_in = mesh->polygon_count,
                                       .polygons_out = encoding->record_count,
-                                      .splits = bsp->splits,
                                       .collapsed = encoding->collapsed,
                                       .depth = encoding->depth,
-                                      .worst_violation_units = bsp_worst_violation(bsp),
                                       .convex = scene_is_convex(scene),
-                                      .tree = plan->kind,
+                                      .tree = tree,
                                       .wrong = {.percent = NAN},
                                       .instructions = NAN,
                                       .flash_b = flash_b(scene)};
+}
+
+static void report_tree(struct compile_report *report, const struct bsp *bsp, const struct lim_scene *scene,
+                        const struct splitter *splitter)
+{
+    report->splits = bsp->splits;
+    report->worst_violation_units = bsp_worst_violation(bsp);
     for (size_t i = 0; i < scene->node_count; i++)
         if (scene->nodes[i].split.plane == LIM_NO_INDEX)
             report->leaves++;
         else
             report->kinds[plane_kind_of(scene, &scene->nodes[i].split)]++;
-    snprintf(report->splitter, sizeof report->splitter, "%s", plan->splitter->name);
+    snprintf(report->splitter, sizeof report->splitter, "%s", splitter->name);
 }
 
 /* Profile exact draws vertices with fractions; for the others they would only take flash. */
@@ -124,12 +132,29 @@ static bool compile_with(struct compilation *work, enum tree_kind kind, const st
         if (kind == TREE_NONE) encoding.depth = 0; /* for methods that sort */
         encoding.background = work->options->background;
         image_make(&encoding, &work->mesh->grid, out);
-        report_set(&out->report, &bsp, &encoding, &out->scene, &plan);
+        report_set(&out->report, work->mesh, &encoding, &out->scene, kind);
+        report_tree(&out->report, &bsp, &out->scene, splitter);
         out->report.draws = draws_with(work->options, out->report.convex);
     }
     encoding_free(&encoding);
     bsp_free(&bsp);
     exact_truncate(&work->points, work->mesh->point_count);
+    return ok;
+}
+
+/* Without a tree. */
+static bool compile_triangles(struct compilation *work, struct compiled *out, struct error *err)
+{
+    struct encoding encoding = {0};
+    progress("compiling: %zu polygons as a mesh", work->mesh->polygon_count);
+    const bool ok = encode_mesh(work->mesh, &work->points, is_exact(work->options), &encoding, err);
+    if (ok) {
+        encoding.background = work->options->background;
+        lim_image_make(&encoding, &work->mesh->grid, out);
+        report_set(&out->report, work->mesh, &encoding, &out->scene, TREE_MESH);
+        out->report.draws = draws_with(work->options, false);
+    }
+    encoding_free(&encoding);
     return ok;
 }
 
@@ -249,6 +274,15 @@ static bool compile_measured(struct compiled *out, const struct compile_options 
     return ok;
 }
 
+static bool compile_arrays(struct compilation *work, struct compiled *out, struct error *err)
+{
+    const struct mesh *mesh = work->mesh;
+    if (work->options->tree == TREE_MESH) return compile_triangles(work, out, err);
+    coplanar_find(mesh, work->points.approx, work->options->tolerance_units, &work->coplanar);
+    return deadline_check(err, "planes of %zu polygons were still sought", mesh->polygon_count) &&
+           compile_best(work, out, err);
+}
+
 bool compile_mesh(const struct mesh *mesh, const struct compile_options *options, struct compiled *out,
                   struct error *err)
 {
@@ -258,9 +292,7 @@ bool compile_mesh(const struct mesh *mesh, const struct compile_options *options
         exact_add_m(&work.points, mesh->points[i], &mesh->grid);
     bool ok = check_grid(&work, err) && check_size(&work, err);
     if (ok) {
-        coplanar_find(mesh, work.points.approx, options->tolerance_units, &work.coplanar);
-        ok = deadline_check(err, "planes of %zu polygons were still sought", mesh->polygon_count) &&
-             compile_best(&work, out, err) && check_method(options, out, err);
+        ok = compile_arrays(&work, out, err) && check_method(options, out, err);
         out->report.mono = options->mono && !options->unlit;
         out->report.wireframe = options->wireframe;
         out->report.antialias = options->antialias;

@@ -10,8 +10,10 @@ bool compile_options_settle(struct compile_options *options, struct error *err)
     const struct method *method = options->method;
     if (!method) return true;
     if (options->tree == TREE_AUTO) options->tree = method->tree;
+    if (options->tree == TREE_MESH && !method_draws_meshes(method->draws))
+        return error_set(err, "--method %s --tree mesh: it draws no meshes; mesh and mesh-depth do", method->name);
     if (method_sorts(method->draws)) return true;
-    if (options->tree == TREE_NONE)
+    if (options->tree == TREE_NONE && !method_draws_meshes(method->draws))
         return error_set(err, "--method %s --tree none: a set has no order; depth and newell draw it", method->name);
     return method->tree == TREE_AUTO || method->tree == options->tree ||
            error_set(err, "--method %s --tree %s: that method has a tree of its own", method->name,

@@ -8,23 +8,22 @@
 #include "base/rgb565.h"
 #include "colour.h"
 #include "compiler/encode_texture.h"
+#include "compiler/encode_vertex.h"
 #include "compiler/outline.h"
 
 #include <assert.h>
-#include <math.h>
 #include <stdlib.h>
 
 /* What encoding needs to remember on the way. */
 struct encoder {
     const struct bsp *bsp;
     struct encoding *out;
-    bool with_fractions, with_edges;
+    bool with_edges;
     struct grid_point *snapped; /* the exact points, rounded */
-    struct map columns;         /* x and y -> number */
-    struct map vertices;        /* number and z -> index */
-    struct map planes;          /* group -> index */
-    struct outline outline;     /* the piece at hand */
-    uint16_t flags;             /* of its records */
+    struct vertex_encoder vertices;
+    struct map planes;      /* group -> index */
+    struct outline outline; /* the piece at hand */
+    uint16_t flags;         /* of its records */
     struct texture_encoder textures;
     struct lim_plane_ref own; /* with LIM_POLYGON_PLANE: their plane */
 };
@@ -35,34 +34,6 @@ static void word_add(struct encoding *out, size_t word)
 {
     out->words = grow(out->words, out->word_count, &out->word_capacity, sizeof *out->words);
     out->words[out->word_count++] = (lim_index)word;
-}
-
-/* Units to nearest, halves up, and what is left: -128..127. */
-static void vertex_add(struct encoder *work, struct grid_point point)
-{
-    struct encoding *out = work->out;
-    int units[3], rest_q8[3];
-    for (int k = 0; k < 3; k++) {
-        units[k] = (int)floor(point.q8[k] / 256.0 + 0.5);
-        rest_q8[k] = point.q8[k] - units[k] * 256;
-    }
-    if (work->with_fractions) {
-        out->fractions = grow(out->fractions, out->vertex_count, &out->fraction_capacity, sizeof *out->fractions);
-        out->fractions[out->vertex_count] =
-            (struct lim_fraction){(int8_t)rest_q8[0], (int8_t)rest_q8[1], (int8_t)rest_q8[2]};
-    }
-    out->vertices = grow(out->vertices, out->vertex_count, &out->vertex_capacity, sizeof *out->vertices);
-    out->vertices[out->vertex_count++] = (struct lim_vertex){(int16_t)units[0], (int16_t)units[1], (int16_t)units[2]};
-}
-
-static uint32_t vertex_index(struct encoder *work, struct grid_point point)
-{
-    const uint64_t mask = 0xFFFFFF; /* 24 bits a coordinate: too many for one key */
-    const uint64_t x = (uint64_t)point.q8[0] & mask, y = (uint64_t)point.q8[1] & mask, z = (uint64_t)point.q8[2] & mask;
-    const uint64_t column = *map_at(&work->columns, x << 24 | y, (uint32_t)work->columns.count);
-    const uint32_t index = *map_at(&work->vertices, column << 24 | z, (uint32_t)work->out->vertex_count);
-    if (index == work->out->vertex_count) vertex_add(work, point);
-    return index;
 }
 
 static bool outline_hides(const struct outline *outline)
@@ -95,7 +66,7 @@ static void record_add(struct encoder *work, const struct outline *outline, cons
                       (with_edges ? LIM_POLYGON_EDGES : 0u) | (is_textured ? LIM_POLYGON_TEXTURE : 0u));
     word_add(out, rgb565_nearest(polygon->mapping ? texture_flat_colour(work->bsp->mesh, polygon) : polygon->colour));
     for (size_t i = 0; i < outline->count; i++)
-        word_add(out, vertex_index(work, outline->corners[i]));
+        word_add(out, vertex_encode(&work->vertices, outline->corners[i]));
     if (work->flags & LIM_POLYGON_PLANE) {
         word_add(out, work->own.plane);
         word_add(out, (lim_index)work->own.offset);
@@ -120,7 +91,7 @@ static struct outline outline_part(const struct outline *whole, size_t from, siz
 }
 
 /* An outline with too many corners is halved; each level halves their number. */
-static void outline_add(struct encoder *work, const struct outline *outline, const struct mesh_polygon *polygon)
+static void outline_encode(struct encoder *work, const struct outline *outline, const struct mesh_polygon *polygon)
 {
     if (outline->count <= LIM_MAX_VERTICES) {
         record_add(work, outline, polygon);
@@ -130,7 +101,7 @@ static void outline_add(struct encoder *work, const struct outline *outline, con
     struct outline parts[2] = {outline_part(outline, from, half + 1),
                                outline_part(outline, from + half, outline->count - half + 1)};
     for (int i = 0; i < 2; i++) {
-        outline_add(work, &parts[i], polygon);
+        outline_encode(work, &parts[i], polygon);
         outline_free(&parts[i]);
     }
 }
@@ -157,7 +128,7 @@ static void piece_encode(struct encoder *work, uint32_t index, bool back_run)
     if (turned && !polygon->two_sided) return;
     outline_trace(work->bsp, piece, work->snapped, &work->outline);
     if (turned && work->outline.count) outline_turn(&work->outline);
-    if (work->outline.count) outline_add(work, &work->outline, polygon);
+    if (work->outline.count) outline_encode(work, &work->outline, polygon);
 }
 
 /* The records of a node's pieces that are seen from one side; their word offset or LIM_NO_INDEX. */
@@ -320,7 +291,8 @@ static size_t tree_depth(const struct encoding *out)
 bool encode_bsp(const struct bsp *bsp, bool with_fractions, bool with_edges, struct encoding *out, struct error *err)
 {
     const struct exact_points *points = bsp->edges.points;
-    struct encoder work = {.bsp = bsp, .out = out, .with_fractions = with_fractions, .with_edges = with_edges};
+    struct encoder work = {
+        .bsp = bsp, .out = out, .with_edges = with_edges, .vertices = {.out = out, .with_fractions = with_fractions}};
     *out = (struct encoding){0};
     texture_encoder_init(&work.textures, bsp->mesh, &out->textures);
     work.snapped = grow_zeroed(points->count, sizeof *work.snapped);
@@ -335,8 +307,7 @@ bool encode_bsp(const struct bsp *bsp, bool with_fractions, bool with_edges, str
     free(heirs);
     free(work.snapped);
     outline_free(&work.outline);
-    map_free(&work.columns);
-    map_free(&work.vertices);
+    vertex_encoder_free(&work.vertices);
     map_free(&work.planes);
     texture_encoder_free(&work.textures);
     return ok;

@@ -11,6 +11,7 @@
 #include "compiler/tree_choice.h"
 #include "core/core.h"
 #include "model/original.h"
+#include "scene/records.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -28,9 +29,10 @@ struct judging {
     const struct compiled *scene; /* or NULL */
     bool has_fractions;
     const struct lim_plane_ref *
-        *planes;   /* of each face number of the mesh, by which its records are seen; NULL: none */
-    double seen_m; /* what is smaller is not looked at */
-    double cut_m;  /* what is smaller is cut away where a camera comes as near; 0: it is not, or was asked for */
+        *planes;    /* of each face number of the mesh, by which its records are seen; NULL: none */
+    bool *is_drawn; /* of each: whether it has records. A mesh has records without planes */
+    double seen_m;  /* what is smaller is not looked at */
+    double cut_m;   /* what is smaller is cut away where a camera comes as near; 0: it is not, or was asked for */
     uint8_t *faults;
 };
 
@@ -67,6 +69,7 @@ static double plane_off(const struct judging *judging, const struct original_fac
 {
     int64_t n[3], d;
     double most = 0;
+    if (!ref) return 0; /* a mesh's faces are seen by the corners that are drawn */
     plane_exact(&judging->scene->scene, ref, n, &d);
     const double normal[3] = {(double)n[0], (double)n[1], (double)n[2]}, length = sqrt(vec3_dot(normal, normal));
     for (uint32_t k = face->first; k < face->first + face->count; k++) {
@@ -82,17 +85,21 @@ static const struct lim_plane_ref *plane_of(const struct judging *judging, size_
     return judging->planes[judging->mesh->merged_into[face + 1]];
 }
 
+static bool is_drawn(const struct judging *judging, size_t face)
+{
+    return judging->is_drawn[judging->mesh->merged_into[face + 1]];
+}
+
 /* Planes ------------------------------------------------------------------------------------- */
 
 static void note_run(struct judging *judging, const uint32_t *numbers, lim_index run, const struct lim_plane_ref *split)
 {
     const struct lim_scene *scene = &judging->scene->scene;
     if (run == LIM_NO_INDEX) return;
-    for (size_t word = run;; word += lim_record_words(scene->polygons[word])) {
-        const lim_index *record = &scene->polygons[word];
+    for (size_t word = run;; word += record_at(scene, word).words) {
         const uint32_t face = judging->scene->faces[numbers[word]];
-        if (!judging->planes[face]) judging->planes[face] = split ? split : lim_record_plane(record);
-        if (*record & LIM_POLYGON_LAST) return;
+        if (!judging->planes[face]) judging->planes[face] = split ? split : lim_record_plane(&scene->polygons[word]);
+        if (record_at(scene, word).flags & LIM_POLYGON_LAST) return;
     }
 }
 
@@ -100,8 +107,10 @@ static void note_planes(struct judging *judging)
 {
     const struct lim_scene *scene = &judging->scene->scene;
     uint32_t *numbers = grow_zeroed(scene->polygon_words, sizeof *numbers); /* of the record that begins there */
-    for (size_t word = 0, number = 0; word < scene->polygon_words; word += lim_record_words(scene->polygons[word]))
+    for (size_t word = 0, number = 0; word < scene->polygon_words; word += record_at(scene, word).words) {
+        judging->is_drawn[judging->scene->faces[number]] = true;
         numbers[word] = (uint32_t)number++;
+    }
     for (size_t i = 0; i < scene->node_count; i++) {
         const struct lim_node *node = &scene->nodes[i];
         const bool is_leaf = node->split.plane == LIM_NO_INDEX;
@@ -151,7 +160,7 @@ static bool is_covered(const struct judging *judging, const struct original_face
         bool any = false;
         for (size_t i = 0; i < original->face_count && !any; i++) {
             const struct original_face *face = &original->faces[i];
-            any = face->thing == sliver->thing && face->count && plane_of(judging, i) &&
+            any = face->thing == sliver->thing && face->count && is_drawn(judging, i) &&
                   is_near(original, face, p, near_m);
         }
         if (!any) return false;
@@ -167,10 +176,10 @@ static enum faithful_fault judge_place(const struct judging *judging, size_t ind
     const double size_units = face->size_m * judging->mesh->grid.units_per_m;
     const bool moved = corners_moved(judging, face, judging->has_fractions) > FAITHFUL_SHARE * size_units;
     if (!judging->scene) return moved ? FAITHFUL_MOVED : FAITHFUL_KEPT;
-    const struct lim_plane_ref *plane = plane_of(judging, index);
-    if (plane)
-        return moved || plane_off(judging, face, plane) > FAITHFUL_PLANE_SHARE * size_units ? FAITHFUL_MOVED
-                                                                                            : FAITHFUL_KEPT;
+    if (is_drawn(judging, index))
+        return moved || plane_off(judging, face, plane_of(judging, index)) > FAITHFUL_PLANE_SHARE * size_units
+                   ? FAITHFUL_MOVED
+                   : FAITHFUL_KEPT;
     if (moved) return FAITHFUL_VANISHED;
     return face->width_m < judging->seen_m || is_covered(judging, face) ? FAITHFUL_KEPT : FAITHFUL_VANISHED;
 }
@@ -201,6 +210,7 @@ static struct judging judging_of(const struct mesh *mesh, const struct compile_o
                               .cut_m = is_chosen || options->drop_small ? 0.0 : forced_m};
     if (!scene) return judging;
     judging.planes = grow_zeroed(mesh->counts.faces + 1, sizeof *judging.planes);
+    judging.is_drawn = grow_zeroed(mesh->counts.faces + 1, sizeof *judging.is_drawn);
     note_planes(&judging);
     return judging;
 }
@@ -212,6 +222,7 @@ uint8_t *faithful_judge(const struct mesh *mesh, const struct compile_options *o
     for (size_t i = 0; i < mesh->original->face_count; i++)
         faults[i] = (uint8_t)judge_face(&judging, i);
     free(judging.planes);
+    free(judging.is_drawn);
     return faults;
 }
 
@@ -229,12 +240,13 @@ static bool exact_helps(const struct mesh *mesh, const struct compile_options *o
         const double size_units = face->size_m * mesh->grid.units_per_m;
         helps = !face->count || face->size_m < judging.seen_m || face->size_m >= judging.cut_m;
         if (!faults[i] || !helps) continue;
-        const struct lim_plane_ref *plane = scene ? plane_of(&judging, i) : NULL;
-        const double off = plane ? plane_off(&judging, face, plane) : options->tolerance_units;
+        const bool is_known = scene && is_drawn(&judging, i);
+        const double off = is_known ? plane_off(&judging, face, plane_of(&judging, i)) : options->tolerance_units;
         helps = corners_moved(&judging, face, true) <= FAITHFUL_SHARE * size_units &&
                 off <= FAITHFUL_PLANE_SHARE * size_units;
     }
     free(judging.planes);
+    free(judging.is_drawn);
     return helps;
 }
 

@@ -16,7 +16,7 @@ static bool same(struct grid_point a, struct grid_point b)
 }
 
 /* Where an edge shrinks to nothing, the next one leads on. */
-static void outline_add(struct outline *outline, struct grid_point corner, bool hidden)
+void outline_add(struct outline *outline, struct grid_point corner, bool hidden)
 {
     if (!outline->count || !same(outline->corners[outline->count - 1], corner)) {
         outline->corners = grow(outline->corners, outline->count, &outline->capacity, sizeof *outline->corners);
@@ -34,6 +34,13 @@ static bool has_three_corners(const struct outline *outline)
     return false;
 }
 
+void outline_close(struct outline *outline)
+{
+    while (outline->count > 1 && same(outline->corners[outline->count - 1], outline->corners[0]))
+        outline->count--;
+    if (!has_three_corners(outline)) outline->count = 0;
+}
+
 void outline_trace(const struct bsp *bsp, const struct bsp_piece *piece, const struct grid_point *snapped,
                    struct outline *outline)
 {
@@ -47,9 +54,7 @@ void outline_trace(const struct bsp *bsp, const struct bsp_piece *piece, const s
         for (size_t k = 0, at = range.first; k < range.count; k++, at += (size_t)range.step)
             outline_add(outline, snapped[bsp->edges.cuts[at].point], hidden);
     }
-    while (outline->count > 1 && same(outline->corners[outline->count - 1], outline->corners[0]))
-        outline->count--;
-    if (!has_three_corners(outline)) outline->count = 0;
+    outline_close(outline);
 }
 
 void outline_free(struct outline *outline)

@@ -14,6 +14,12 @@ struct outline {
     size_t count, capacity; /* count 0: rounding left fewer than three different corners */
 };
 
+/* The next corner, and whether the edge from it to the one after it is none of the model's. */
+void outline_add(struct outline *outline, struct grid_point corner, bool hidden);
+
+/* When all corners are there. */
+void outline_close(struct outline *outline);
+
 /* Replaces what is in *outline. `snapped` are the exact points, rounded. */
 void outline_trace(const struct bsp *bsp, const struct bsp_piece *piece, const struct grid_point *snapped,
                    struct outline *outline);

@@ -237,8 +237,28 @@ bool pools_measure_moving(struct compiled *scene, struct moving *moving, const s
     return true;
 }
 
+/* Of a mesh's pools only that of the triangles that cross a line is measured. */
+static bool measure_mesh(struct compiled *scene, const struct core *core, struct error *err)
+{
+    struct lim_limits limits = {.vertices = scene->scene.limits.vertices};
+    const struct simulator_setup setup = {scene->report.w_px, scene->report.h_px, scene->report.draws, SIMULATOR_UNSEEN,
+                                          core};
+    struct compiled roomy = roomy_of(scene, scene->scene.polygon_count);
+    struct usage usage = {0};
+
+    if (!sample_method(&roomy, NULL, &setup, STYLE_PLAIN, &usage, err)) return false;
+    limits.active = with_margin(most(usage.active, usage.cameras), 1);
+    lim_image_set_limits(scene, &limits);
+    if (usage.cameras && frame_cost_knows(setup.method))
+        scene->report.instructions = usage.instructions / (double)usage.cameras;
+    return true;
+}
+
 bool pools_measure(struct compiled *scene, const struct core *core, unsigned w_px, unsigned h_px, struct error *err)
 {
+    scene->report.w_px = w_px;
+    scene->report.h_px = h_px;
+    if (lim_scene_is_mesh(&scene->scene)) return measure_mesh(scene, core, err);
     struct lim_limits limits = {.depth = scene->scene.limits.depth, .vertices = scene->scene.limits.vertices};
     const enum lim_method method = method_sorts(scene->report.draws) ? scene->report.draws : LIM_NEAREST_FIRST;
     const uint32_t cut = method == LIM_NEWELL ? PLENTY_OF_PIECES : 0; /* all others are active once at most */
@@ -255,8 +275,6 @@ bool pools_measure(struct compiled *scene, const struct core *core, unsigned w_p
     scene->report.instructions = is_known ? roomy.report.instructions : NAN;
     scene->report.delta_runs = roomy.report.delta_runs;
     scene->report.few_cameras = roomy.report.few_cameras;
-    scene->report.w_px = w_px;
-    scene->report.h_px = h_px;
     return scene->report.draws != LIM_SCANLINE || pools_measure_scanline(scene, core, 0.0, err);
 }
 

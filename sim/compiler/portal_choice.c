@@ -153,9 +153,11 @@ bool portals_add(struct compiled *scene, const struct compile_options *options, 
     struct pvs pvs;
     struct error reason;
     const bool wanted = options->portals == PORTALS_ON;
-    if (options->portals == PORTALS_OFF || (!wanted && scene->report.draws == LIM_CONVEX)) return true;
+    const bool is_mesh = lim_scene_is_mesh(&scene->scene), has_none = is_mesh || scene->report.draws == LIM_CONVEX;
+    if (options->portals == PORTALS_OFF || (!wanted && has_none)) return true;
     progress("portals");
-    if (scene->report.draws == LIM_CONVEX) return error_set(err, "portals: one convex solid has no cells to look from");
+    if (has_none)
+        return error_set(err, "portals: %s has no cells to look from", is_mesh ? "a mesh" : "one convex solid");
     if (!pvs_find(&scene->scene, angle_of(scene, options), &pvs, &reason)) {
         if (!wanted) deadline_say("a scene without portals");
         snprintf(report->refused, sizeof report->refused, "%.95s", reason.text);

@@ -89,7 +89,7 @@ static void print_tree(const struct compiled *scene)
                                         "upright",   "16-bit normal", "32-bit normal"};
     const struct compile_report *report = &scene->report;
     print_count("polygons before splitting", report->polygons_in);
-    print_count("splits", report->splits);
+    if (report->tree != TREE_MESH) print_count("splits", report->splits);
     if (report->left_out) print_count("left out, too small", report->left_out);
     if (report->collapsed) print_count("pieces rounded to nothing", report->collapsed);
     print_count("polygons in the scene", report->polygons_out);
@@ -97,17 +97,19 @@ static void print_tree(const struct compiled *scene)
     print_count("most vertices of a polygon", scene->scene.limits.vertices);
     printf("  %-28s %8s\n", "tree", tree_names[report->tree]);
     if (report->choice.kind) print_choice(report);
-    if (report->tree != TREE_NONE) printf("  %-28s %8s\n", "splitter", report->splitter);
-    print_count("depth of the tree", report->depth);
+    if (report->tree == TREE_MESH) printf("    %-26s its order is approximate\n", method_name(report->draws));
+    if (*report->splitter && report->tree != TREE_NONE) printf("  %-28s %8s\n", "splitter", report->splitter);
+    if (report->tree != TREE_MESH) print_count("depth of the tree", report->depth);
     if (report->mono) printf("  %-28s %8s\n", "light and tones", "for black and white pixels");
     if (report->wireframe) print_outlines(scene);
     if (report->convex) printf("  %-28s %8s\n", "one convex solid", "yes");
-    print_count("nodes", scene->scene.node_count);
+    if (report->tree != TREE_MESH) print_count("nodes", scene->scene.node_count);
     for (size_t i = 0; i < sizeof kinds / sizeof *kinds; i++)
         if (report->kinds[i]) printf("    %-26s %8zu\n", kinds[i], report->kinds[i]);
     if (report->leaves && report->tree != TREE_NONE) print_count("  leaves with an order", report->leaves);
     printf("  %-28s %8.1f\n", "units per metre", scene->grid.units_per_m);
-    printf("  %-28s %8.4f units\n", "worst wrong side, certified", report->worst_violation_units);
+    if (report->tree != TREE_MESH)
+        printf("  %-28s %8.4f units\n", "worst wrong side, certified", report->worst_violation_units);
     if (report->core) printf("  %-28s %8s\n", "precision", report->core->name);
     if (is_predicted(report))
         printf("  %-28s %8.0f on Cortex-M0+, predicted\n", "instructions a frame", report->instructions);
@@ -158,9 +160,11 @@ static void print_flash(const struct compiled *scene)
     size_t polygons = scene->report.polygons_in;
     printf("%-30s %8s %10s\n", "flash", "bytes", "a polygon");
     print_bytes("vertices", arrays->vertex_count * sizeof *arrays->vertices, polygons);
-    print_bytes("nodes", arrays->node_count * width_node_b(wide), polygons);
-    print_bytes("planes", arrays->plane_count * width_plane_b(wide), polygons);
-    print_bytes("exact planes", arrays->exact_count * sizeof *arrays->exact, polygons);
+    if (arrays->node_count) {
+        print_bytes("nodes", arrays->node_count * width_node_b(wide), polygons);
+        print_bytes("planes", arrays->plane_count * width_plane_b(wide), polygons);
+        print_bytes("exact planes", arrays->exact_count * sizeof *arrays->exact, polygons);
+    }
     print_bytes("boxes", arrays->box_count * sizeof *arrays->boxes, polygons);
     print_bytes("polygons", arrays->polygon_words * width_word_b(wide), polygons);
     if (arrays->texture_count) {

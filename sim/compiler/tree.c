@@ -14,7 +14,7 @@
 /* A cluster is compared pair by pair; small ones serve where the tree itself shall do the sorting. */
 enum { CLUSTER_PIECES_MAX = 4096, CELL_PIECES_MAX = 16 };
 
-const char *const tree_names[TREE_KINDS] = {"auto", "bsp", "clusters", "axis", "octree", "none"};
+const char *const tree_names[TREE_KINDS] = {"auto", "bsp", "clusters", "axis", "octree", "none", "mesh"};
 
 bool tree_kind_parse(const char *text, enum tree_kind *out, struct error *err)
 {

@@ -57,6 +57,11 @@ static bool is_unlit(const struct subject *subject)
     return subject->scene->is_unlit;
 }
 
+static bool is_mesh(const struct subject *subject)
+{
+    return subject->scene->is_mesh;
+}
+
 static bool has_background(const struct subject *subject)
 {
     return subject->scene->has_background;
@@ -76,7 +81,9 @@ static const struct idle_option {
     {"reset", OF_PANEL, is_memory_lcd, "", " has no reset pin"},
     {"splitter", OF_SCENE, is_compiled, "", " is compiled already"},
     {"splitter", OF_SCENE, is_set, "no plane divides the set of ", ""},
+    {"splitter", OF_SCENE, is_mesh, "no plane divides the mesh of ", ""},
     {"tolerance", OF_SCENE, is_compiled, "", " is compiled already"},
+    {"tolerance", OF_SCENE, is_mesh, "no plane divides the mesh of ", ""},
     {"tree", OF_SCENE, has_its_tree, "", " is compiled already"},
     {"unlit", OF_SCENE, is_compiled, "", " is compiled already"},
     {"drop-small", OF_SCENE, is_compiled, "", " is compiled already"},

@@ -27,6 +27,7 @@ struct idle_scene {
     const char *name;
     bool is_compiled;    /* before, into a .lim file */
     bool is_set;         /* without a tree */
+    bool is_mesh;        /* without a tree */
     bool is_still;       /* nothing is drawn moving */
     bool was_still;      /* nor has the file anything that could move */
     bool is_unlit;       /* without light */

@@ -24,7 +24,7 @@ bool export_is_filled(const struct export_plan *plan)
     const struct needs needs = c_header_needs(plan->scenes, plan->count);
     if (!plan->module || !idle_display_setup(&display, plan->module, &err)) return false;
     return display.panel->step_y_px > 1 && needs.convex && !needs.nearest && !needs.scanline && !needs.painter &&
-           !needs.depth && !needs.newell && !needs.textures && !needs.delta;
+           !needs.depth && !needs.newell && !needs.mesh && !needs.mesh_depth && !needs.textures && !needs.delta;
 }
 
 static size_t movers_ram_b(const struct named_scene *scene)

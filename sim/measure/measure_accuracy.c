@@ -13,6 +13,7 @@
 #include "render/ids.h"
 #include "scene/moving.h"
 #include "scene/plane.h"
+#include "scene/records.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -43,7 +44,7 @@ static bool measured_init(struct measured *measured, const struct measure_candid
     if (!measured->record_words || !measured->is_done) return error_set(err, "accuracy: out of memory");
     for (size_t p = 1; p < scene->polygon_count; p++) {
         const size_t before = measured->record_words[p - 1];
-        measured->record_words[p] = before + lim_record_words(scene->polygons[before]);
+        measured->record_words[p] = before + record_at(scene, before).words;
     }
     return true;
 }
@@ -92,12 +93,11 @@ static void measure_vertex(struct measured *measured, const struct measure_sourc
 static void measure_polygon(struct measured *measured, const struct measure_source *source, size_t polygon,
                             struct accuracy *out)
 {
-    const lim_index *record = &measured->candidate->scene->scene.polygons[measured->record_words[polygon]];
-    const lim_index *corners = record + LIM_POLYGON_HEAD_WORDS;
-    for (size_t k = 0; k < (record[0] & LIM_POLYGON_COUNT); k++) {
-        if (measured->is_done[corners[k]]) continue;
-        measured->is_done[corners[k]] = true;
-        measure_vertex(measured, source, corners[k], out);
+    const struct record record = record_at(&measured->candidate->scene->scene, measured->record_words[polygon]);
+    for (size_t k = 0; k < record.count; k++) {
+        if (measured->is_done[record.corners[k]]) continue;
+        measured->is_done[record.corners[k]] = true;
+        measure_vertex(measured, source, record.corners[k], out);
     }
 }
 

@@ -4,21 +4,22 @@
 #include "render/ids.h"
 
 #include "colour.h"
+#include "scene/records.h"
 
 #include <stdlib.h>
 #include <string.h>
 
 enum { COLOUR_BITS = 16 };
 
-/* Records follow each other without gaps: SCENE.md. What is transparent becomes opaque: a pixel has the number of the
- * nearest polygon, whatever shines through it. A colour has room for the number's bits from `shift` on. */
-static void number_records(lim_index *polygons, size_t words, size_t number, unsigned shift)
+/* Numbers the records of a scene in that copy of them. What is transparent becomes opaque: a pixel has the number of
+ * the nearest polygon, whatever shines through it. A colour has room for the number's bits from `shift` on. */
+static void number_records(const struct lim_scene *scene, lim_index *polygons, size_t number, unsigned shift)
 {
-    for (size_t word = 0; word < words; number++) {
-        const lim_index head = polygons[word];
-        polygons[word + 1] = (lim_index)(number >> shift & UINT16_MAX);
-        if (head & LIM_POLYGON_ALPHA) polygons[word + lim_record_alpha_at(head)] = LIM_OPAQUE;
-        word += lim_record_words(head);
+    for (size_t word = 0; word < scene->polygon_words; number++) {
+        const struct record record = record_at(scene, word);
+        polygons[word + record.colour_at] = (lim_index)(number >> shift & UINT16_MAX);
+        if (record.flags & LIM_POLYGON_ALPHA) polygons[word + lim_record_alpha_at(polygons[word])] = LIM_OPAQUE;
+        word += record.words;
     }
 }
 
@@ -30,7 +31,7 @@ static bool copy_scene(struct ids *ids, const struct compiled *scene)
     ids->face_of_colour = malloc((original->polygon_count + 1u) * sizeof ids->face_of_colour[0]);
     if (!ids->polygons || !ids->face_of_colour) return false;
     memcpy(ids->polygons, original->polygons, original->polygon_words * sizeof ids->polygons[0]);
-    number_records(ids->polygons, original->polygon_words, 1, 0);
+    number_records(original, ids->polygons, 1, 0);
     ids->colours = original->polygon_count;
     ids->face_of_colour[0] = 0;
     memcpy(ids->face_of_colour + 1, scene->faces, original->polygon_count * sizeof ids->face_of_colour[0]);
@@ -62,7 +63,7 @@ static bool copy_object(struct ids *ids, size_t index)
     lim_index *polygons = ids->object_polygons[index] = malloc(words_b);
     if (!polygons) return false;
     memcpy(polygons, original->polygons, words_b);
-    number_records(polygons, original->polygon_words, ids->colours + 1, 0);
+    number_records(original, polygons, ids->colours + 1, 0);
     memcpy(ids->face_of_colour + ids->colours + 1, scene->faces,
            original->polygon_count * sizeof ids->face_of_colour[0]);
     ids->colours += original->polygon_count;
@@ -114,9 +115,9 @@ static bool draw(struct ids *ids, const struct lim_camera *camera, unsigned shif
 /* More records than colours: the same frame once more, for the numbers' upper bits. */
 static bool draw_upper_bits(struct ids *ids, const struct lim_camera *camera, struct error *err)
 {
-    number_records(ids->polygons, ids->scene.polygon_words, 1, COLOUR_BITS);
+    number_records(&ids->scene, ids->polygons, 1, COLOUR_BITS);
     const bool ok = draw(ids, camera, COLOUR_BITS, err);
-    number_records(ids->polygons, ids->scene.polygon_words, 1, 0);
+    number_records(&ids->scene, ids->polygons, 1, 0);
     return ok;
 }
 

@@ -6,6 +6,7 @@
 
 #include "base/grow.h"
 #include "scene/encoding.h"
+#include "scene/records.h"
 
 #include <stdlib.h>
 
@@ -36,21 +37,26 @@ static void bounds_add_vertex(const struct lim_scene *scene, lim_index index, st
 static void bounds_add_run(const struct lim_scene *scene, lim_index run, struct bounds *bounds)
 {
     if (run == LIM_NO_INDEX) return;
-    for (const lim_index *at = &scene->polygons[run], *next;; at = next) {
-        const lim_index *corners = at + LIM_POLYGON_HEAD_WORDS;
-        next = at + lim_record_words(at[0]);
-        for (size_t k = 0; k < (at[0] & LIM_POLYGON_COUNT); k++)
-            bounds_add_vertex(scene, corners[k], bounds);
+    for (size_t at = run;;) {
+        const struct record record = record_at(scene, at);
+        for (size_t k = 0; k < record.count; k++)
+            bounds_add_vertex(scene, record.corners[k], bounds);
         bounds->polygons++;
-        if (at[0] & LIM_POLYGON_LAST) return;
+        if (record.flags & LIM_POLYGON_LAST) return;
+        at += record.words;
     }
+}
+
+static struct bounds no_bounds(void)
+{
+    return (struct bounds){.low = {INT16_MAX, INT16_MAX, INT16_MAX}, .high = {INT16_MIN, INT16_MIN, INT16_MIN}};
 }
 
 static struct bounds bounds_of(const struct lim_scene *scene, const struct bounds *all, size_t index)
 {
     const struct lim_node *node = &scene->nodes[index];
     const lim_index children[2] = {node->front, node->back};
-    struct bounds bounds = {.low = {INT16_MAX, INT16_MAX, INT16_MAX}, .high = {INT16_MIN, INT16_MIN, INT16_MIN}};
+    struct bounds bounds = no_bounds();
     bounds_add_run(scene, node->front_run, &bounds);
     bounds_add_run(scene, node->back_run, &bounds);
     for (int k = 0; k < 2; k++) {
@@ -66,6 +72,15 @@ void bounds_of_subtrees(const struct lim_scene *scene, struct bounds *all)
 {
     for (size_t i = scene->node_count; i-- > 0;)
         all[i] = bounds_of(scene, all, i);
+}
+
+struct bounds bounds_of_mesh(const struct lim_scene *scene)
+{
+    struct bounds bounds = no_bounds();
+    for (size_t i = 0; i < scene->vertex_count; i++)
+        bounds_add_vertex(scene, (lim_index)i, &bounds);
+    bounds.polygons = scene->polygon_count;
+    return bounds;
 }
 
 /* The centre is rounded down, so the upper half is the larger one: at most 32768. */
@@ -89,13 +104,25 @@ bool bounds_fit(const struct bounds *bounds, const struct lim_box *box)
     return true;
 }
 
+static void encode_mesh_box(struct encoding *encoding, const struct lim_scene *scene)
+{
+    const struct bounds bounds = bounds_of_mesh(scene);
+    encoding->boxes = grow_zeroed(1, sizeof *encoding->boxes);
+    encoding->boxes[encoding->box_count++] = bounds_box(&bounds);
+}
+
 void encode_boxes(struct encoding *encoding)
 {
     const struct lim_scene scene = {.vertices = encoding->vertices,
                                     .fractions = encoding->fractions,
                                     .nodes = encoding->nodes,
                                     .polygons = encoding->words,
+                                    .vertex_count = (lim_index)encoding->vertex_count,
                                     .node_count = (lim_index)encoding->node_count};
+    if (lim_scene_is_mesh(&scene)) {
+        encode_mesh_box(encoding, &scene);
+        return;
+    }
     struct bounds *all = grow_zeroed(encoding->node_count, sizeof *all);
     encoding->boxes = grow_zeroed(encoding->node_count, sizeof *encoding->boxes);
     bounds_of_subtrees(&scene, all);

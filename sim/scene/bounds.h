@@ -15,6 +15,9 @@ struct bounds {
 /* Fills a bounds for each of the scene's nodes, whose indices and runs must be sound. */
 void bounds_of_subtrees(const struct lim_scene *scene, struct bounds *all);
 
+/* Of all vertices of a mesh. */
+struct bounds bounds_of_mesh(const struct lim_scene *scene);
+
 /* The least box, and whether a box is large enough. */
 struct lim_box bounds_box(const struct bounds *bounds);
 bool bounds_fit(const struct bounds *bounds, const struct lim_box *box);

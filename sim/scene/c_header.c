@@ -25,6 +25,15 @@ static void write_spans_memory(FILE *file, const struct compiled *scene, const s
     if (limits->layers) fprintf(file, " + LIM_LAYERS_MEM_B(%u)", (unsigned)limits->layers);
 }
 
+/* How wide the target is, the macro is not told: a line of depths is as wide as the renderer draws. */
+static void write_mesh_memory(FILE *file, const struct compiled *scene, const struct lim_limits *limits,
+                              const struct needs *needs)
+{
+    fprintf(file, "LIM_MESH_MEM_B(h_px, %lu, %lu, %u)", (unsigned long)scene->scene.vertex_count,
+            (unsigned long)scene->scene.polygon_count, (unsigned)limits->active);
+    if (needs->mesh_depth) fputs(" + LIM_MESH_DEPTH_MEM_B(LIM_MAX_SIDE_PX)", file);
+}
+
 static void write_memory(FILE *file, const struct compiled *scene, const struct needs *needs, const char *macro)
 {
     const struct lim_limits limits = needs_limits(scene, needs);
@@ -36,6 +45,8 @@ static void write_memory(FILE *file, const struct compiled *scene, const struct 
         fprintf(file, "LIM_CONVEX_MEM_B(h_px, %u, %u)", (unsigned)scene->scene.polygon_count, (unsigned)limits.active);
     else if (scene->report.draws == LIM_PAINTER)
         fprintf(file, "LIM_PAINTER_MEM_B(%u)", (unsigned)limits.depth);
+    else if (method_draws_meshes(scene->report.draws))
+        write_mesh_memory(file, scene, &limits, needs);
     else
         write_spans_memory(file, scene, &limits);
     if (scene->scene.place_count)
@@ -119,13 +130,21 @@ static void write_begin(FILE *file, const struct named_scene *named, const struc
     fputs("    return err;\n}\n", file);
 }
 
+/* What is not exact says so. */
+static const char *kind_of(const struct compiled *scene)
+{
+    if (scene->report.draws == LIM_MESH) return ", a mesh drawn by distance: an approximate order";
+    if (scene->report.draws == LIM_MESH_DEPTH) return ", a mesh drawn by depths of 16 bits: an approximate order";
+    return scene->report.convex ? ", one convex solid" : "";
+}
+
 static void write_scene(FILE *file, const struct named_scene *named, const struct needs *needs,
                         const struct c_name *name)
 {
     const struct compiled *scene = named->scene;
     const char *macro = name->macro;
     fprintf(file, "\n/* %s: %u polygons%s. unit = (metre - origin) * units per metre */\n", name->file,
-            (unsigned)scene->scene.polygon_count, scene->report.convex ? ", one convex solid" : "");
+            (unsigned)scene->scene.polygon_count, kind_of(scene));
     write_metres(file, scene, macro);
     write_memory(file, scene, needs, macro);
     write_lines(file, scene, macro);

@@ -3,6 +3,7 @@
  * A scene as C: const arrays for flash in NAME.c. */
 #include "base/c_name.h"
 #include "colour.h"
+#include "scene/records.h"
 #include "scene/scene_files.h"
 
 #include <stdio.h>
@@ -140,11 +141,21 @@ static void write_record(FILE *file, const lim_index *record)
     }
 }
 
+static void write_triangle(FILE *file, const lim_index *words, bool begins_line)
+{
+    fputs(begins_line ? "\n   " : "", file);
+    for (size_t i = 0; i < LIM_TRIANGLE_WORDS; i++)
+        fprintf(file, " %lu,", (unsigned long)words[i]);
+}
+
 static void write_polygons(FILE *file, const struct lim_scene *scene, const struct c_name *prefix)
 {
     begin_array(file, prefix, "lim_index", "polygons", scene->polygon_words);
-    for (size_t i = 0; i < scene->polygon_words; i += lim_record_words(scene->polygons[i]))
-        write_record(file, &scene->polygons[i]);
+    for (size_t i = 0; i < scene->polygon_words; i += record_at(scene, i).words)
+        if (lim_scene_is_mesh(scene))
+            write_triangle(file, &scene->polygons[i], i % NUMBERS_A_LINE == 0);
+        else
+            write_record(file, &scene->polygons[i]);
     end_array(file);
 }
 
@@ -266,7 +277,7 @@ static void write_source(FILE *file, const struct compiled *scene, const struct 
     fputs("#define NONE LIM_NO_INDEX\n#define AT(plane) ((plane)*LIM_PLANE_WORDS)\n", file);
     write_vertices(file, arrays, prefix);
     if (arrays->fractions) write_fractions(file, arrays, prefix);
-    write_nodes(file, arrays, prefix);
+    if (arrays->node_count) write_nodes(file, arrays, prefix);
     if (arrays->plane_count) write_planes(file, arrays, prefix);
     if (arrays->exact_count) write_exact(file, arrays, prefix);
     if (arrays->box_count) write_boxes(file, arrays, prefix);

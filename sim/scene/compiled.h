@@ -38,11 +38,26 @@ struct order_choice {
     size_t nearest_mem_b;                       /* working memory on a 32-bit MCU */
 };
 
+/* What drawing as a mesh was weighed against, or it against that (mesh_choice.h). */
+struct mesh_choice {
+    bool tried;
+    double tree_instructions, tree_wrong_percent;
+    size_t tree_mem_b, tree_flash_b;
+    double bound_percent; /* of wrong pixels, of whichever cameras */
+    struct mesh_trial {
+        double instructions;  /* predicted */
+        double wrong_percent; /* the worse of all and of portraits; NaN: as it is not cheaper, nobody looked */
+        bool taken;
+    } by_distance, by_depth;
+    size_t cameras;
+};
+
 /* The share of pixels that show another face than the source does. */
 struct predicted {
-    double percent;               /* of all cameras */
-    double near_percent;          /* of those near faces of all sizes */
-    size_t cameras, near_cameras; /* how many of each */
+    double percent;                                 /* of all cameras */
+    double near_percent;                            /* of those near faces of all sizes */
+    double portrait_percent;                        /* of those that have all in view, where there are any */
+    size_t cameras, near_cameras, portrait_cameras; /* how many of each */
 };
 
 struct compile_report {
@@ -76,6 +91,7 @@ struct compile_report {
     double instructions; /* of a frame on a Cortex-M0+, predicted (frame_cost.h); NaN: neither nearest first nor by scan
                             lines, or not opaque and flat */
     struct order_choice order;
+    struct mesh_choice as_mesh;
     struct note *notes; /* on textures, for people; owned */
     size_t note_count;
     struct portal_report portals;

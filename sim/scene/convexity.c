@@ -36,7 +36,7 @@ static bool all_behind(const struct lim_scene *scene, lim_index i)
 /* Its method paints a solid's faces over its background: they must hide it. */
 bool scene_is_convex(const struct lim_scene *scene)
 {
-    if (records_with(scene, LIM_POLYGON_ALPHA)) return false;
+    if (lim_scene_is_mesh(scene) || records_with(scene, LIM_POLYGON_ALPHA)) return false;
     for (lim_index i = 0; i < scene->node_count; i++)
         if (!link_is_right(scene, i)) return false;
     for (lim_index i = 0; i < scene->node_count; i++)

@@ -37,7 +37,7 @@ struct encoding {
     uint16_t background;  /* RGB565 as a number */
 };
 
-/* Gives every subtree of SUBTREE_BOX_POLYGONS polygons or more its bounding box. */
+/* Gives every subtree of SUBTREE_BOX_POLYGONS polygons or more its bounding box; a mesh has one of all of it. */
 enum { SUBTREE_BOX_POLYGONS = 4 };
 void encode_boxes(struct encoding *encoding);
 

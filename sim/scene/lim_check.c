@@ -42,6 +42,7 @@ static bool check_boxes(const struct lim_scene *scene, struct error *err)
             if (scene->boxes[i].half[k] > HALF_MAX)
                 return error_set(err, "box %zu: half is %u, more than %d", i, (unsigned)scene->boxes[i].half[k],
                                  HALF_MAX);
+    if (lim_scene_is_mesh(scene)) return true;
     return scene->box_count <= scene->node_count ||
            error_set(err, "%lu boxes for %lu nodes", (unsigned long)scene->box_count, (unsigned long)scene->node_count);
 }
@@ -276,7 +277,6 @@ static bool check_totals(const struct checker *work)
 static bool check_nodes(struct checker *work)
 {
     const struct lim_scene *scene = work->scene;
-    if (scene->node_count == 0) return error_set(work->err, "no nodes");
     if (scene->limits.vertices > VERTICES_MAX)
         return error_set(work->err, "limit of %u vertices a polygon, %d are the most", (unsigned)scene->limits.vertices,
                          VERTICES_MAX);
@@ -357,6 +357,7 @@ bool lim_check(const struct lim_scene *scene, struct error *err)
     if (!check_vertices(scene, err) || !check_planes(scene, err) || !check_boxes(scene, err) ||
         !lim_check_textures(scene, err))
         return false;
+    if (lim_scene_is_mesh(scene)) return lim_check_mesh(scene, err);
     work.depths = grow_zeroed(scene->node_count, sizeof *work.depths);
     work.used_words = grow_zeroed(scene->polygon_words, sizeof *work.used_words);
     bool ok = check_nodes(&work) && check_bounds(&work) && check_places(scene, err);

@@ -12,6 +12,9 @@
  * and boxes out of bounds, boxes that do not hold their subtrees, and limits that the scene exceeds. */
 bool lim_check(const struct lim_scene *scene, struct error *err);
 
+/* The part of it for a scene without nodes, whose vertices, planes and boxes are within bounds. */
+bool lim_check_mesh(const struct lim_scene *scene, struct error *err);
+
 /* The part of it that is about textures and mappings. */
 bool lim_check_textures(const struct lim_scene *scene, struct error *err);
 

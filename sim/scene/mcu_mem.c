@@ -91,6 +91,22 @@ static size_t convex_b(const struct compiled *scene, size_t active)
                      scene->scene.polygon_count * face_b + active * crossing_b);
 }
 
+static size_t mesh_active_b(const struct compiled *scene)
+{
+    return (size_t)MCU_MESH_ACTIVE_B(has_long_edges(&scene->report), width_is_wide(&scene->scene),
+                                     scene->report.draws == LIM_MESH_DEPTH);
+}
+
+static size_t mesh_b(const struct compiled *scene, size_t active)
+{
+    const size_t point_b = is_wide(&scene->report) ? MCU_CELL_WIDE_B : MCU_CELL_B;
+    const size_t depth_b = scene->report.draws == LIM_MESH_DEPTH ? MCU_MESH_NEARNESS_B * scene->report.w_px : 0;
+    return aligned_b(active * mesh_active_b(scene) + scene->scene.vertex_count * (point_b + MCU_MESH_NEARNESS_B) +
+                     aligned_b((scene->scene.polygon_count + scene->report.h_px) *
+                               width_word_b(width_is_wide(&scene->scene)))) +
+           aligned_b(depth_b);
+}
+
 static size_t painter_b(const struct compiled *scene)
 {
     return aligned_b(MCU_CACHE_ENTRIES * cached_b(scene) + scene->scene.limits.depth * pending_b(scene)) +
@@ -103,6 +119,8 @@ size_t mcu_mem_b(const struct compiled *scene)
     const struct lim_limits limits = needs_limits(scene, &needs);
     if (scene->report.draws == LIM_CONVEX) return convex_b(scene, limits.active);
     if (scene->report.draws == LIM_PAINTER) return painter_b(scene);
+    if (method_draws_meshes(scene->report.draws))
+        return mesh_b(scene, limits.active < MCU_MESH_LEAST_ACTIVE ? MCU_MESH_LEAST_ACTIVE : limits.active);
     return nearest_b(scene, limits.retained_cells, limits.gaps, limits.active, limits.pieces) + layers_b(&limits);
 }
 
@@ -110,6 +128,7 @@ size_t mcu_mem_min_b(const struct compiled *scene)
 {
     if (scene->report.draws == LIM_CONVEX) return convex_b(scene, 0);
     if (scene->report.draws == LIM_PAINTER) return painter_b(scene);
+    if (method_draws_meshes(scene->report.draws)) return mesh_b(scene, MCU_MESH_LEAST_ACTIVE);
     return nearest_b(scene, needs_least_cells(&scene->scene.limits), 1, 1, 0);
 }
 

@@ -32,6 +32,8 @@ enum {
     MCU_CROSSING_TEXTURE_B = 60,
     MCU_CROSSING_LONG_EDGES_B = 32, /* more of them in profile exact */
     MCU_CROSSING_B = 40,            /* and a point for each vertex */
+    MCU_MESH_NEARNESS_B = 2,        /* of a vertex, and of a pixel of a line of depths */
+    MCU_MESH_LEAST_ACTIVE = 8,
     MCU_MOVER_B = 144,
     MCU_MOVER_FINE_B = 72,     /* more of them in the profiles fine and exact, at most: half on a Cortex-M0+ */
     MCU_MOVER_ANTIALIAS_B = 4, /* more of them if it can be drawn with antialiased edges */
@@ -44,5 +46,11 @@ enum {
     MCU_HEAD_CELLS = 2,
     MCU_CLIP_PLANES = 5
 };
+
+/* A triangle that crosses a line: with edges of 64 bits, as in profile exact; in a wide scene; with its depths. Numbers
+ * of 64 bits are aligned. */
+#define MCU_MESH_ACTIVE_B(is_long, is_wide, has_depth)                                                                 \
+    ((is_long) || (is_wide) ? (((is_long) ? 56 : 32) + ((is_wide) ? 8 : 4) + 8 + ((has_depth) ? 12 : 0) + 7) / 8 * 8   \
+                            : 40 + ((has_depth) ? 12 : 0))
 
 #endif

@@ -7,12 +7,19 @@
 #include <string.h>
 
 const struct method methods[] = {
-    {"nearest", LIM_NEAREST_FIRST, TREE_AUTO, false, true}, {"painter", LIM_PAINTER, TREE_AUTO, false, true},
-    {"convex", LIM_CONVEX, TREE_AUTO, false, true},         {"scanline", LIM_SCANLINE, TREE_AUTO, false, true},
-    {"bsp", LIM_NEAREST_FIRST, TREE_BSP, false, true},      {"clusters", LIM_NEAREST_FIRST, TREE_CLUSTERS, false, true},
-    {"axis", LIM_NEAREST_FIRST, TREE_AXIS, false, true},    {"octree", LIM_NEAREST_FIRST, TREE_OCTREE, false, true},
-    {"portals", LIM_NEAREST_FIRST, TREE_BSP, true, true},   {"depth", LIM_DEPTH, TREE_NONE, false, false},
+    {"nearest", LIM_NEAREST_FIRST, TREE_AUTO, false, true},
+    {"painter", LIM_PAINTER, TREE_AUTO, false, true},
+    {"convex", LIM_CONVEX, TREE_AUTO, false, true},
+    {"scanline", LIM_SCANLINE, TREE_AUTO, false, true},
+    {"bsp", LIM_NEAREST_FIRST, TREE_BSP, false, true},
+    {"clusters", LIM_NEAREST_FIRST, TREE_CLUSTERS, false, true},
+    {"axis", LIM_NEAREST_FIRST, TREE_AXIS, false, true},
+    {"octree", LIM_NEAREST_FIRST, TREE_OCTREE, false, true},
+    {"portals", LIM_NEAREST_FIRST, TREE_BSP, true, true},
+    {"depth", LIM_DEPTH, TREE_NONE, false, false},
     {"newell", LIM_NEWELL, TREE_NONE, false, true},
+    {"mesh", LIM_MESH, TREE_MESH, false, false},
+    {"mesh-depth", LIM_MESH_DEPTH, TREE_MESH, false, false},
 };
 const size_t method_count = sizeof methods / sizeof *methods;
 
@@ -42,15 +49,21 @@ const char *method_title(enum lim_method draws)
     static const char *const titles[] = {
         [LIM_NEAREST_FIRST] = "nearest first", [LIM_PAINTER] = "back to front",
         [LIM_CONVEX] = "as one convex solid",  [LIM_SCANLINE] = "by scan lines",
-        [LIM_DEPTH] = "by farthest points",    [LIM_NEWELL] = "by Newell's depth sort"};
+        [LIM_DEPTH] = "by farthest points",    [LIM_NEWELL] = "by Newell's depth sort",
+        [LIM_MESH] = "as a mesh, by distance", [LIM_MESH_DEPTH] = "as a mesh, by depth"};
     return titles[draws];
 }
 
 const char *method_symbol(enum lim_method draws)
 {
-    static const char *const symbols[] = {
-        [LIM_NEAREST_FIRST] = "LIM_NEAREST_FIRST", [LIM_PAINTER] = "LIM_PAINTER", [LIM_CONVEX] = "LIM_CONVEX",
-        [LIM_SCANLINE] = "LIM_SCANLINE",           [LIM_DEPTH] = "LIM_DEPTH",     [LIM_NEWELL] = "LIM_NEWELL"};
+    static const char *const symbols[] = {[LIM_NEAREST_FIRST] = "LIM_NEAREST_FIRST",
+                                          [LIM_PAINTER] = "LIM_PAINTER",
+                                          [LIM_CONVEX] = "LIM_CONVEX",
+                                          [LIM_SCANLINE] = "LIM_SCANLINE",
+                                          [LIM_DEPTH] = "LIM_DEPTH",
+                                          [LIM_NEWELL] = "LIM_NEWELL",
+                                          [LIM_MESH] = "LIM_MESH",
+                                          [LIM_MESH_DEPTH] = "LIM_MESH_DEPTH"};
     return symbols[draws];
 }
 
@@ -59,10 +72,15 @@ bool method_sorts(enum lim_method draws)
     return draws == LIM_DEPTH || draws == LIM_NEWELL;
 }
 
+bool method_draws_meshes(enum lim_method draws)
+{
+    return draws == LIM_MESH || draws == LIM_MESH_DEPTH;
+}
+
 bool method_scans(enum lim_method draws, const char *what, struct error *err)
 {
-    return draws != LIM_SCANLINE || !what ||
-           error_set(err, "--method scanline: %s drawn nearest first; take --method nearest", what);
+    return (draws != LIM_SCANLINE && !method_draws_meshes(draws)) || !what ||
+           error_set(err, "--method %s: %s drawn nearest first; take --method nearest", method_name(draws), what);
 }
 
 bool method_draws_wireframe(enum lim_method draws, struct error *err)

@@ -32,10 +32,13 @@ const char *method_title(enum lim_method draws);
 /* Whether it sorts all polygons, whatever the tree. */
 bool method_sorts(enum lim_method draws);
 
+/* Whether it draws scenes without a tree, of triangles, and those alone. */
+bool method_draws_meshes(enum lim_method draws);
+
 /* Refuses what has no antialiased edges. */
 bool method_antialiases(enum lim_method draws, bool wireframe, struct error *err);
 
-/* Refuses scan lines with what they cannot paint, which the firmware would draw nearest first: `what`: its name and
+/* Refuses scan lines and meshes with what they cannot paint, which is drawn nearest first: `what`: its name and
  * "is" or "are"; NULL: there is none. */
 bool method_scans(enum lim_method draws, const char *what, struct error *err);
 

@@ -29,6 +29,8 @@ static struct needs needs_of_scene(const struct compiled *scene)
                           .scanline = scene->report.draws == LIM_SCANLINE,
                           .depth = scene->report.draws == LIM_DEPTH,
                           .newell = scene->report.draws == LIM_NEWELL,
+                          .mesh = scene->report.draws == LIM_MESH,
+                          .mesh_depth = scene->report.draws == LIM_MESH_DEPTH,
                           .cull = scene->scene.box_count > 0 && walks_tree(scene->report.draws),
                           .wide = width_is_wide(&scene->scene),
                           .leaves = scene->report.leaves > 0,
@@ -79,6 +81,8 @@ struct needs needs_union(const struct needs *a, const struct needs *b)
                           .scanline = a->scanline || b->scanline,
                           .depth = a->depth || b->depth,
                           .newell = a->newell || b->newell,
+                          .mesh = a->mesh || b->mesh,
+                          .mesh_depth = a->mesh_depth || b->mesh_depth,
                           .cull = a->cull || b->cull,
                           .wide = a->wide || b->wide,
                           .leaves = a->leaves || b->leaves,
@@ -144,6 +148,8 @@ void needs_write(const struct needs *needs, FILE *file)
     write_macro(file, "HAS_SCANLINE", needs->scanline);
     write_macro(file, "HAS_DEPTH", needs->depth);
     write_macro(file, "HAS_NEWELL", needs->newell);
+    write_macro(file, "HAS_MESH", needs->mesh);
+    write_macro(file, "HAS_MESH_DEPTH", needs->mesh_depth);
     write_macro(file, "HAS_MOVERS", needs->movers);
     write_macro(file, "HAS_LIGHT", needs->light);
     write_macro(file, "HAS_DEFORM", 0);

@@ -13,7 +13,7 @@ struct moving;
 
 struct needs {
     bool nearest, scanline, convex, painter; /* methods */
-    bool depth, newell;                      /* more of them */
+    bool depth, newell, mesh, mesh_depth;    /* more of them */
     bool leaves;                             /* ordered clusters */
     bool textures;
     bool portals;              /* what can be seen from where */

@@ -6,7 +6,7 @@
 size_t records_with(const struct lim_scene *scene, lim_index flags)
 {
     size_t count = 0;
-    for (size_t at = 0; at < scene->polygon_words; at += lim_record_words(scene->polygons[at]))
-        count += (scene->polygons[at] & flags) != 0;
+    for (size_t at = 0; at < scene->polygon_words; at += record_at(scene, at).words)
+        count += (record_at(scene, at).flags & flags) != 0;
     return count;
 }

@@ -13,6 +13,7 @@ enum tree_kind {
     TREE_AXIS,     /* axis planes at coordinates of vertices, down to small clusters */
     TREE_OCTREE,   /* axis planes that halve cubes, down to small clusters */
     TREE_NONE,     /* a set: one leaf, in no order. For methods that sort */
+    TREE_MESH,     /* no nodes at all: triangles, for the methods of meshes */
     TREE_KINDS
 };
 

@@ -47,6 +47,13 @@ _Static_assert(IS_FINE ? MOVER_B >= sizeof(struct lim_mover) : MOVER_B == sizeof
 _Static_assert(MCU_ROUTE_B + INDEX_B / 2 == sizeof(struct lim_route_pending), "pending node on a mover's way");
 _Static_assert(MCU_MOVED_B == sizeof(struct lim_moved), "object and its motion");
 
+#if LIM_HAS_MESHES
+_Static_assert(MCU_MESH_ACTIVE_B(HAS_LONG_EDGES, LIM_HAS_WIDE, LIM_HAS_MESH_DEPTH) == sizeof(struct lim_mesh_active),
+               "triangle that crosses a line");
+_Static_assert((LIM_WIDE ? MCU_CELL_WIDE_B : MCU_CELL_B) == sizeof(struct lim_point), "point of a mesh");
+_Static_assert(MCU_MESH_NEARNESS_B == sizeof *((struct lim_mesh *)0)->nearness, "nearness of a vertex");
+#endif
+
 #if LIM_HAS_CONVEX
 _Static_assert(MCU_TOP_B == sizeof *((struct lim_convex *)0)->tops, "head of a line's faces");
 _Static_assert(MCU_FACE_B + INDEX_B / 2 == sizeof(struct lim_face), "face");

@@ -1,0 +1,42 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Points are found by two maps, as three coordinates are too many bits for one key. */
+#include "compiler/encode_vertex.h"
+
+#include "base/grow.h"
+
+#include <math.h>
+
+/* Units to nearest, halves up, and what is left: -128..127. */
+static void vertex_add(struct vertex_encoder *encoder, struct grid_point point)
+{
+    struct encoding *out = encoder->out;
+    int units[3], rest_q8[3];
+    for (int k = 0; k < 3; k++) {
+        units[k] = (int)floor(point.q8[k] / 256.0 + 0.5);
+        rest_q8[k] = point.q8[k] - units[k] * 256;
+    }
+    if (encoder->with_fractions) {
+        out->fractions = grow(out->fractions, out->vertex_count, &out->fraction_capacity, sizeof *out->fractions);
+        out->fractions[out->vertex_count] =
+            (struct lim_fraction){(int8_t)rest_q8[0], (int8_t)rest_q8[1], (int8_t)rest_q8[2]};
+    }
+    out->vertices = grow(out->vertices, out->vertex_count, &out->vertex_capacity, sizeof *out->vertices);
+    out->vertices[out->vertex_count++] = (struct lim_vertex){(int16_t)units[0], (int16_t)units[1], (int16_t)units[2]};
+}
+
+uint32_t vertex_encode(struct vertex_encoder *encoder, struct grid_point point)
+{
+    const uint64_t mask = 0xFFFFFF; /* 24 bits a coordinate */
+    const uint64_t x = (uint64_t)point.q8[0] & mask, y = (uint64_t)point.q8[1] & mask, z = (uint64_t)point.q8[2] & mask;
+    const uint64_t column = *map_at(&encoder->columns, x << 24 | y, (uint32_t)encoder->columns.count);
+    const uint32_t index = *map_at(&encoder->indices, column << 24 | z, (uint32_t)encoder->out->vertex_count);
+    if (index == encoder->out->vertex_count) vertex_add(encoder, point);
+    return index;
+}
+
+void vertex_encoder_free(struct vertex_encoder *encoder)
+{
+    map_free(&encoder->columns);
+    map_free(&encoder->indices);
+}

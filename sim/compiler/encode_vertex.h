@@ -1,0 +1,23 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * The vertex table of a scene: each point of the grid once, in the order in which records come to it. */
+#ifndef SIM_ENCODE_VERTEX_H
+#define SIM_ENCODE_VERTEX_H
+
+#include "base/map.h"
+#include "compiler/exact.h"
+#include "scene/encoding.h"
+
+struct vertex_encoder {
+    struct encoding *out;
+    bool with_fractions; /* of units; else points lie on the grid */
+    struct map columns;  /* x and y -> number */
+    struct map indices;  /* number and z -> index */
+};
+
+/* The index of a point, entered if new. */
+uint32_t vertex_encode(struct vertex_encoder *encoder, struct grid_point point);
+
+void vertex_encoder_free(struct vertex_encoder *encoder);
+
+#endif

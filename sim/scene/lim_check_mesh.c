@@ -1,0 +1,57 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * What the renderer relies on in a scene without nodes. */
+#include "scene/bounds.h"
+#include "scene/lim_check.h"
+#include "scene/records.h"
+
+/* What only scenes with nodes have. */
+static bool check_absent(const struct lim_scene *scene, struct error *err)
+{
+    const struct {
+        const char *what;
+        unsigned long count;
+    } absent[] = {{"planes", scene->plane_count},
+                  {"exact planes", scene->exact_count},
+                  {"places", scene->place_count},
+                  {"bytes of visible sets", scene->pvs_bytes},
+                  {"textures", scene->texture_count},
+                  {"mappings", scene->mapping_count},
+                  {"levels of a tree", scene->limits.depth},
+                  {"layers", scene->limits.layers}};
+    for (size_t i = 0; i < sizeof absent / sizeof *absent; i++)
+        if (absent[i].count) return error_set(err, "a mesh, and %lu %s beside it", absent[i].count, absent[i].what);
+    return true;
+}
+
+static bool check_triangle(const struct lim_scene *scene, size_t index, struct error *err)
+{
+    const lim_index *words = &scene->polygons[index * LIM_TRIANGLE_WORDS];
+    for (int k = 0; k < 3; k++) {
+        if (words[k] >= scene->vertex_count)
+            return error_set(err, "triangle %zu: vertex %lu of %lu", index, (unsigned long)words[k],
+                             (unsigned long)scene->vertex_count);
+        if (words[k] == words[(k + 1) % 3])
+            return error_set(err, "triangle %zu: vertex %lu is two of its corners", index, (unsigned long)words[k]);
+    }
+    return words[3] <= UINT16_MAX ||
+           error_set(err, "triangle %zu: its colour is 0x%lx", index, (unsigned long)words[3]);
+}
+
+bool lim_check_mesh(const struct lim_scene *scene, struct error *err)
+{
+    if (scene->polygon_count == 0) return error_set(err, "no nodes, and no triangles");
+    if (!check_absent(scene, err)) return false;
+    if (scene->polygon_words % LIM_TRIANGLE_WORDS || scene->polygon_words / LIM_TRIANGLE_WORDS != scene->polygon_count)
+        return error_set(err, "%lu triangles in %lu words; each takes %d", (unsigned long)scene->polygon_count,
+                         (unsigned long)scene->polygon_words, LIM_TRIANGLE_WORDS);
+    if (scene->limits.vertices != 3)
+        return error_set(err, "limit of %u vertices a polygon in a mesh of triangles",
+                         (unsigned)scene->limits.vertices);
+    for (size_t i = 0; i < scene->polygon_count; i++)
+        if (!check_triangle(scene, i, err)) return false;
+    const struct bounds bounds = bounds_of_mesh(scene);
+    if (scene->box_count != 1)
+        return error_set(err, "%lu boxes of a mesh, which has one", (unsigned long)scene->box_count);
+    return bounds_fit(&bounds, &scene->boxes[0]) || error_set(err, "the box does not hold all of the mesh");
+}
