@@ -239,6 +239,7 @@ typedef uint32_t lim_mesh_rank;
 struct lim_mesh_depth {
     uint32_t at_q16;       /* of the current line's first pixel */
     uint32_t x_q16, y_q16; /* what a pixel to the right, and a line down, adds */
+    uint16_t turn;         /* the line on which an edge ends: that of the entry is the next line, always */
 };
 
 /* Where a boundary is on the current line, and what a line adds. */
@@ -265,7 +266,15 @@ struct lim_mesh_active {
 enum lim_mesh_turn {
     LIM_MESH_LEFT,  /* `lower` takes the left edge's place */
     LIM_MESH_RIGHT, /* or the right one's */
-    LIM_MESH_ANEW   /* edges are found anew: it was clipped, or is long */
+    LIM_MESH_ANEW,  /* edges are found anew: it was clipped, or is long */
+    LIM_MESH_DEEP   /* it has depth: its edges have changed places, so that it has no pixels but by its depth */
+};
+
+/* A line of depths. */
+struct lim_mesh_depths {
+    uint16_t *line; /* the nearness that is painted, of what has depth */
+    uint16_t y;     /* whose line it is; LIM_NONE: of none */
+    lim_index from; /* triangles from this one on have depth */
 };
 
 struct lim_mesh {
@@ -284,7 +293,7 @@ struct lim_mesh {
     uint8_t near_shift;             /* of lim_view_all() */
     uint8_t extent;                 /* enum lim_view_extent */
     bool is_complete;               /* `first` has all that cross the last line */
-    LIM_OPTIONAL(uint16_t *, depths, LIM_HAS_MESH_DEPTH); /* of the line's pixels: the nearness that is painted there */
+    LIM_OPTIONAL(struct lim_mesh_depths, depths, LIM_HAS_MESH_DEPTH);
 };
 
 /* Memory ---------------------------------------------------------------------------------------------------------- */
@@ -322,7 +331,7 @@ struct lim_mesh {
 #define LIM_MESH_MEM_B(h_px, vertex_count, triangle_count, active_count)                                               \
     LIM_MEM_ALIGNED_B((active_count) * sizeof(struct lim_mesh_active) +                                                \
                       (vertex_count) * (sizeof(struct lim_point) + sizeof(uint16_t)) +                                 \
-                      LIM_MEM_ALIGNED_B(((triangle_count) + (h_px)) * sizeof(lim_index)))
+                      ((size_t)(triangle_count) + (h_px)) * sizeof(lim_index))
 /* Beside LIM_MESH_MEM_B(), with a line of depths. */
 #define LIM_MESH_DEPTH_MEM_B(w_px) LIM_MEM_ALIGNED_B((w_px) * sizeof(uint16_t))
 

@@ -186,7 +186,10 @@ struct lim_scene {
     lim_index vertex_count, node_count, plane_count, exact_count, box_count;
     lim_index polygon_words; /* length of `polygons` */
     lim_index polygon_count; /* records in it */
-    uint16_t background;     /* colour where no polygon is seen, RGB565 as a number */
+#if LIM_HAS_MESH_DEPTH
+    lim_index deep_from; /* of a mesh: for LIM_MESH_DEPTH triangles from this one on have depth at each pixel */
+#endif
+    uint16_t background; /* colour where no polygon is seen, RGB565 as a number */
     struct lim_limits limits;
 #if LIM_HAS_TEXTURE
     const LIM_FLASH struct lim_mapping *mappings;
@@ -205,6 +208,16 @@ struct lim_scene {
 static inline bool lim_scene_is_mesh(const struct lim_scene *scene)
 {
     return LIM_HAS_MESHES && (!LIM_HAS_PLANES || !scene->node_count);
+}
+
+/* The first triangle of a mesh that has depth. */
+static inline lim_index lim_mesh_deep_from(const struct lim_scene *scene)
+{
+#if LIM_HAS_MESH_DEPTH
+    return scene->deep_from;
+#else
+    return scene->polygon_count;
+#endif
 }
 
 static inline uint16_t lim_texture_count(const struct lim_scene *scene)

@@ -35,7 +35,7 @@ enum lim_method {
     LIM_DEPTH,     /* all polygons by their farthest points, whatever the tree says: wrong where that is wrong */
     LIM_NEWELL,    /* the same, then compared and split until nothing is wrong: newell.h */
     LIM_MESH,      /* a mesh without a tree, line by line, triangles by their distance: mesh.h */
-    LIM_MESH_DEPTH /* the same with a line of depths: right where distance is not, within 16 bits of depth */
+    LIM_MESH_DEPTH /* the same, and depths at pixels where the scene says that distance does not do */
 };
 
 /* Hidden-line wireframe: polygons are filled with the background, and their edges drawn in their own colours or all in

@@ -40,12 +40,6 @@ static inline uint16_t colour_of(const struct lim_mesh *mesh, lim_index triangle
     return lim_memory_colour((uint16_t)lim_mesh_triangle(mesh, triangle)[3]);
 }
 
-/* By the mean nearness of its corners, of which three halves are given; with a line of depths all orders are right. */
-static inline lim_mesh_rank rank_of(const struct lim_mesh *mesh, uint32_t nearness, lim_index triangle)
-{
-    return lim_mesh_rank_of(lim_mesh_is_deep(mesh) ? 0 : nearness, triangle);
-}
-
 static inline bool is_within(const struct lim_mesh_range *range, lim_mesh_rank rank)
 {
     return rank >= range->from && rank < range->below;
@@ -91,12 +85,12 @@ static bool begin_part(struct lim_mesh *mesh, const struct lim_mesh_clipped *cli
     active->part = part;
     if (LIM_HAS_STATS) *active->seen = false;
     set_any(active, shown->at, shown->n, &shown->shape, y);
-    if (LIM_HAS_MESH_DEPTH && lim_mesh_is_deep(mesh)) lim_mesh_depth_clipped(active, clipped, y);
+    if (lim_mesh_is_deep(mesh, triangle)) lim_mesh_depth_clipped(active, clipped, y);
     insert(mesh, active);
     return true;
 }
 
-/* Three halves of the mean. */
+/* By the mean of its corners' nearness, times 3/2: what three halves add up to. */
 static uint32_t nearness_of(const struct lim_mesh_clipped *clipped)
 {
     uint32_t sum = 0;
@@ -124,7 +118,7 @@ static LIM_RARE bool begin_clipped(struct lim_mesh *mesh, lim_index triangle, ui
     struct lim_mesh_clipped clipped;
 
     if (!lim_mesh_clip(mesh, triangle, &clipped)) return true;
-    const lim_mesh_rank rank = rank_of(mesh, nearness_of(&clipped), triangle);
+    const lim_mesh_rank rank = lim_mesh_rank_of(nearness_of(&clipped), triangle);
     if (range && !is_within(range, rank)) return true;
     if (!clipped.shape.non_monotone) return begin_part(mesh, &clipped, triangle, 0, rank, y);
     for (uint8_t part = 1; part + 1u < clipped.n; part++) {
@@ -236,7 +230,7 @@ static LIM_INLINE bool begin(struct lim_mesh *mesh, lim_index triangle, uint16_t
 
     if (mesh->extent == LIM_VIEW_CLIPPED && (!near[0] || !near[1] || !near[2]))
         return begin_clipped(mesh, triangle, y, range);
-    const lim_mesh_rank rank = rank_of(mesh, ((uint32_t)near[0] + near[1] + near[2]) / 2, triangle);
+    const lim_mesh_rank rank = lim_mesh_rank_of(((uint32_t)near[0] + near[1] + near[2]) / 2, triangle);
     if (range && !is_within(range, rank)) return true;
     struct lim_mesh_active *active = lim_mesh_new(mesh);
     if (!active) return false;
@@ -245,7 +239,7 @@ static LIM_INLINE bool begin(struct lim_mesh *mesh, lim_index triangle, uint16_t
     active->colour = colour_of(mesh, triangle);
     if (LIM_HAS_STATS) *active->seen = false;
     set_three(active, &three, y);
-    if (LIM_HAS_MESH_DEPTH && lim_mesh_is_deep(mesh)) {
+    if (lim_mesh_is_deep(mesh, triangle)) {
         const struct lim_point at[3] = {mesh->points[a], mesh->points[b], mesh->points[c]};
         lim_mesh_depth_set(active, at, near, y);
     }

@@ -10,7 +10,7 @@
 #include "view/pass.h"
 #include "view/view.h"
 
-/* Among those that cross a line, far to near; with a line of depths in any order, so that is theirs in the scene. */
+/* Among those that cross a line: far to near, and by their numbers where they are equally far. */
 static inline lim_mesh_rank lim_mesh_rank_of(uint32_t nearness, lim_index triangle)
 {
 #if LIM_HAS_WIDE
@@ -25,9 +25,10 @@ static inline lim_index lim_mesh_number(const struct lim_mesh_active *active)
     return (lim_index)active->rank;
 }
 
-static inline bool lim_mesh_is_deep(const struct lim_mesh *mesh)
+/* Whether a triangle has depth at each pixel. */
+static inline bool lim_mesh_is_deep(const struct lim_mesh *mesh, lim_index triangle)
 {
-    return LIM_IS_MESH_DEPTH(&mesh->pass->target);
+    return LIM_HAS_MESH_DEPTH && triangle >= mesh->depths->from;
 }
 
 /* NULL: there is no room. */

@@ -6,7 +6,9 @@
  * as A's reciprocal has 15. Both cuts are some 2^-14 of what nearness gains across the triangle. */
 #include "lines/mesh_depth.h"
 
+#include "lines/mesh_active.h"
 #include "math/fixed.h"
+#include "pixels/fill.h"
 #include "view/pass.h"
 
 #if LIM_HAS_MESH_DEPTH
@@ -52,8 +54,20 @@ static void set_differences(struct plane_of_three *plane, const struct lim_point
     }
 }
 
+/* Edges change places: what paints without depth finds no pixels, and what turns on the next line is asked there. */
+static void take_depth(struct lim_mesh_active *active, uint16_t y)
+{
+    const struct lim_mesh_edge left = active->edges[0];
+
+    active->edges[0] = active->edges[1];
+    active->edges[1] = left;
+    active->goes_on = LIM_MESH_DEEP;
+    active->depth->turn = active->turn;
+    active->turn = (uint16_t)(y + 1);
+}
+
 /* Nearness at a line's first pixel, from a corner where it is known. */
-static void set_plane(struct lim_mesh_depth *depth, const struct lim_point *a, uint16_t nearness, uint32_t x_q16,
+static void set_plane(struct lim_mesh_active *active, const struct lim_point *a, uint16_t nearness, uint32_t x_q16,
                       uint32_t y_q16, uint16_t y)
 {
     const int32_t right_px = LIM_ORIGIN_PX + (a->x >> LIM_SUB_BITS), down_px = LIM_ORIGIN_PX + (a->y >> LIM_SUB_BITS);
@@ -62,7 +76,8 @@ static void set_plane(struct lim_mesh_depth *depth, const struct lim_point *a, u
 
     at_q16 -= x_q16 * (uint32_t)right_px + (uint32_t)(((int32_t)x_q16 >> LIM_SUB_BITS) * part_x);
     at_q16 += y_q16 * (uint32_t)((int32_t)y - down_px) - (uint32_t)(((int32_t)y_q16 >> LIM_SUB_BITS) * part_y);
-    *depth = (struct lim_mesh_depth){at_q16, x_q16, y_q16};
+    *active->depth = (struct lim_mesh_depth){at_q16, x_q16, y_q16, 0};
+    take_depth(active, y);
 }
 
 void lim_mesh_depth_set(struct lim_mesh_active *active, const struct lim_point at[3], const uint16_t nearness[3],
@@ -75,13 +90,13 @@ void lim_mesh_depth_set(struct lim_mesh_active *active, const struct lim_point a
     set_differences(&plane, &at[0], &at[1], &at[2]);
     const int32_t area = plane.uy * plane.vx - plane.ux * plane.vy;
     if (area <= 0) { /* a sliver, once it is halved: nowhere wider than a pixel */
-        set_plane(active->depth, &at[0], nearness[0], 0, 0, y);
+        set_plane(active, &at[0], nearness[0], 0, 0, y);
         return;
     }
     const uint32_t recip_q15 = recip_q15_of((uint32_t)area, &shift);
     const uint32_t x_q16 = gradient_q16(q * plane.uy - p * plane.vy, recip_q15, shift, plane.halved_bits);
     const uint32_t y_q16 = gradient_q16(p * plane.vx - q * plane.ux, recip_q15, shift, plane.halved_bits);
-    set_plane(active->depth, &at[0], nearness[0], x_q16, y_q16, y);
+    set_plane(active, &at[0], nearness[0], x_q16, y_q16, y);
 }
 
 /* Twice a triangle's size on the screen, halved until 32 bits hold it. */
@@ -104,6 +119,51 @@ void lim_mesh_depth_clipped(struct lim_mesh_active *active, const struct lim_mes
     const struct lim_point at[3] = {clipped->at[0], clipped->at[largest], clipped->at[largest + 1]};
     const uint16_t nearness[3] = {clipped->nearness[0], clipped->nearness[largest], clipped->nearness[largest + 1]};
     lim_mesh_depth_set(active, at, nearness, y);
+}
+
+/* Pixels x0 <= x < x1. */
+static void fill(uint16_t *pixels, uint16_t *depths, const struct lim_mesh_active *active, int32_t x0, int32_t x1)
+{
+    const uint32_t step_q16 = active->depth->x_q16;
+    uint32_t at_q16 = active->depth->at_q16 + (uint32_t)x0 * step_q16;
+    const uint16_t colour = active->colour;
+
+    pixels += x0;
+    depths += x0;
+    for (const uint16_t *const end = pixels + (x1 - x0); pixels < end; pixels++, depths++, at_q16 += step_q16) {
+        const uint32_t nearness = at_q16 >> 16;
+        if (nearness <= *depths) continue;
+        *depths = (uint16_t)nearness;
+        *pixels = colour;
+    }
+}
+
+/* The line of depths is cleared where it is wanted first. */
+static uint16_t *depths_of(struct lim_mesh *mesh, uint16_t y)
+{
+    struct lim_mesh_depths *const depths = mesh->depths;
+
+    if (depths->y != y) lim_fill(depths->line, 0, mesh->pass->target.w_px, 0);
+    depths->y = y;
+    return depths->line;
+}
+
+bool lim_mesh_depth_paint(struct lim_mesh *mesh, const struct lim_mesh_line *line, struct lim_mesh_active *active,
+                          int32_t x0, int32_t x1)
+{
+    const uint16_t below = (uint16_t)(line->y + 1);
+
+    if (x0 < line->x0) x0 = line->x0;
+    if (x1 > line->x1) x1 = line->x1;
+    if (x0 < x1) fill(line->pixels, depths_of(mesh, line->y), active, x0, x1);
+    active->depth->at_q16 += active->depth->y_q16;
+    if (active->bottom == below) return false;
+    active->turn = (uint16_t)(below + 1);
+    if (active->depth->turn == below) {
+        lim_mesh_turn(mesh, active, below);
+        take_depth(active, below);
+    }
+    return true;
 }
 
 #endif

@@ -16,14 +16,13 @@ void lim_mesh_clean(const struct lim_mesh *mesh, const struct lim_mesh_line *lin
 {
     if (line->x0 >= line->x1) return;
     lim_fill(line->pixels, line->x0, (uint16_t)(line->x1 - line->x0), lim_background_of(mesh->pass));
-    if (LIM_HAS_MESH_DEPTH && lim_mesh_is_deep(mesh)) lim_fill(*mesh->depths, 0, mesh->pass->target.w_px, 0);
     if (LIM_HAS_STATS) lim_stats_of(mesh->pass)->pixels_background += (uint32_t)(line->x1 - line->x0);
 }
 
 static inline void note(struct lim_stats *stats, struct lim_mesh_active *active, int32_t n_px)
 {
-    stats->lines++;
     if (n_px <= 0) return;
+    stats->lines++;
     stats->pixels_painted += (uint32_t)n_px;
     stats->polygons_seen += !*active->seen;
     *active->seen = true;
@@ -38,24 +37,7 @@ static LIM_INLINE int32_t next_x(struct lim_mesh_edge *edge)
     return (int32_t)(at >> LIM_EDGE_BITS);
 }
 
-static LIM_INLINE void paint_triangle(const struct lim_mesh *mesh, const struct lim_mesh_line *line, uint16_t *pixels,
-                                      struct lim_mesh_active *active, bool inside)
-{
-    int32_t x0 = next_x(&active->edges[0]), x1 = next_x(&active->edges[1]);
-
-    if (!inside && x0 < line->x0) x0 = line->x0;
-    if (!inside && x1 > line->x1) x1 = line->x1;
-    if (LIM_HAS_STATS && active != &mesh->end) note(lim_stats_of(mesh->pass), active, x1 - x0);
-    if (x0 < x1) {
-        if (LIM_HAS_MESH_DEPTH && lim_mesh_is_deep(mesh))
-            lim_mesh_depth_fill(pixels, *mesh->depths, active, x0, x1);
-        else
-            lim_fill_inline(pixels, (int_fast16_t)x0, (int_fast16_t)x1, active->colour);
-    }
-    if (LIM_HAS_MESH_DEPTH && lim_mesh_is_deep(mesh)) active->depth->at_q16 += active->depth->y_q16;
-}
-
-/* Replaces the edges that end. */
+/* Replaces the edge that ends. */
 static LIM_INLINE void turn(const struct lim_mesh *mesh, struct lim_mesh_active *active, uint16_t y)
 {
     if (LIM_UNLIKELY(active->goes_on == LIM_MESH_ANEW)) {
@@ -64,6 +46,21 @@ static LIM_INLINE void turn(const struct lim_mesh *mesh, struct lim_mesh_active 
     }
     active->edges[active->goes_on] = active->lower;
     active->turn = active->bottom;
+}
+
+/* Where an edge ends, on the line below; or of what has depth. false: that line has none of it. */
+static LIM_INLINE bool go_on(struct lim_mesh *mesh, const struct lim_mesh_line *line, struct lim_mesh_active *active,
+                             int32_t x0, int32_t x1)
+{
+    const uint16_t below = (uint16_t)(line->y + 1);
+
+    if (LIM_HAS_MESH_DEPTH && active->goes_on == LIM_MESH_DEEP) {
+        if (LIM_HAS_STATS) note(lim_stats_of(mesh->pass), active, x0 - x1);
+        return lim_mesh_depth_paint(mesh, line, active, x1, x0);
+    }
+    if (active->bottom == below) return false;
+    turn(mesh, active, below);
+    return true;
 }
 
 /* The list's end has no pixels, and turns on each line: so nobody has to ask for it elsewhere. */
@@ -85,16 +82,17 @@ static LIM_INLINE void paint_all(struct lim_mesh *mesh, const struct lim_mesh_li
             begins = next;
             begins_rank = begins->rank;
         }
-        paint_triangle(mesh, line, pixels, active, inside);
-        if (active->turn == below) {
-            if (active->bottom == below) {
-                if (active == &mesh->end) break;
-                lim_mesh_give_back(mesh, link);
-                continue;
-            }
-            turn(mesh, active, below);
+        const int32_t left = next_x(&active->edges[0]), right = next_x(&active->edges[1]);
+        const int32_t x0 = inside || left > line->x0 ? left : line->x0,
+                      x1 = inside || right < line->x1 ? right : line->x1;
+        if (x0 < x1) lim_fill_inline(pixels, (int_fast16_t)x0, (int_fast16_t)x1, active->colour);
+        if (LIM_HAS_STATS && x0 < x1) note(lim_stats_of(mesh->pass), active, x1 - x0);
+        if (active->turn == below && !go_on(mesh, line, active, left, right)) {
+            if (active == &mesh->end) break;
+            lim_mesh_give_back(mesh, link);
+        } else {
+            link = &active->next;
         }
-        link = &active->next;
     }
     mesh->begins = &mesh->end;
     if (LIM_HAS_STATS && count > lim_stats_of(mesh->pass)->active_max) lim_stats_of(mesh->pass)->active_max = count;

@@ -36,6 +36,15 @@ size_t lim_mesh_mem_b(const struct lim_scene *scene, const struct lim_target *ta
     return mem_b_of(scene, target, active_of(scene, least));
 }
 
+static LIM_IF_CALLED void cut_depths(struct lim_mesh *mesh, uint8_t **at)
+{
+    const struct lim_pass *pass = mesh->pass;
+    const bool is_deep = LIM_IS_MESH_DEPTH(&pass->target);
+
+    mesh->depths->line = is_deep ? lim_mem_cut(at, LIM_MESH_DEPTH_MEM_B(pass->target.w_px)) : NULL;
+    mesh->depths->from = is_deep ? lim_mesh_deep_from(pass->scene) : LIM_NO_INDEX;
+}
+
 /* Widest alignment first; what is left of the pool's size is not used. */
 void lim_mesh_init(struct lim_mesh *mesh, void *mem, size_t mem_b)
 {
@@ -48,11 +57,10 @@ void lim_mesh_init(struct lim_mesh *mesh, void *mem, size_t mem_b)
     mesh->pool_size = most < wanted ? (uint16_t)most : wanted;
     mesh->pool = lim_mem_cut(&at, mesh->pool_size * sizeof *mesh->pool);
     mesh->points = lim_mem_cut(&at, scene->vertex_count * sizeof *mesh->points);
-    mesh->links = lim_mem_cut(&at, LIM_MEM_ALIGNED_B(scene->polygon_count * sizeof *mesh->links));
-    mesh->tops = lim_mem_cut(&at, LIM_MEM_ALIGNED_B(pass->target.h_px * sizeof *mesh->tops));
+    if (LIM_HAS_MESH_DEPTH) cut_depths(mesh, &at);
+    mesh->links = lim_mem_cut(&at, scene->polygon_count * sizeof *mesh->links);
+    mesh->tops = lim_mem_cut(&at, pass->target.h_px * sizeof *mesh->tops);
     mesh->nearness = lim_mem_cut(&at, scene->vertex_count * sizeof *mesh->nearness);
-    if (LIM_HAS_MESH_DEPTH && lim_mesh_is_deep(mesh))
-        *mesh->depths = lim_mem_cut(&at, LIM_MESH_DEPTH_MEM_B(pass->target.w_px));
     mesh->end = (struct lim_mesh_active){.rank = (lim_mesh_rank)-1};
     lim_view_init(&pass->view, pass->target.w_px, pass->target.h_px, NULL);
 }
@@ -296,6 +304,7 @@ int lim_mesh_frame(struct lim_mesh *mesh)
     mesh->alive = LIM_NO_INDEX;
     mesh->alive_from = 0;
     mesh->is_complete = true;
+    if (LIM_HAS_MESH_DEPTH) mesh->depths->y = LIM_NONE;
     for (uint_fast16_t y = 0; y < pass->target.h_px; y++) {
         const int err = draw_line(mesh, (uint16_t)y);
         if (err) return err;
