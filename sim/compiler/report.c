@@ -157,8 +157,9 @@ static void print_flash(const struct compiled *scene)
 {
     const struct lim_scene *arrays = &scene->scene;
     const bool wide = width_is_wide(arrays);
-    size_t polygons = scene->report.polygons_in;
-    printf("%-30s %8s %10s\n", "flash", "bytes", "a polygon");
+    const bool is_mesh = lim_scene_is_mesh(arrays);
+    const size_t polygons = is_mesh ? scene->report.polygons_out : scene->report.polygons_in;
+    printf("%-30s %8s %10s\n", "flash", "bytes", is_mesh ? "a triangle" : "a polygon");
     print_bytes("vertices", arrays->vertex_count * sizeof *arrays->vertices, polygons);
     if (arrays->node_count) {
         print_bytes("nodes", arrays->node_count * width_node_b(wide), polygons);
