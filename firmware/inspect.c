@@ -9,10 +9,15 @@
 #include "screen/edge.h"
 #include "screen/polygon.h"
 #include "screen/project.h"
+#include "view/pass.h"
 #include "view/view.h"
 
 bool lim_inspect_vertex(struct lim *lim, lim_index vertex, struct lim_point *at)
 {
+    if (LIM_IS_MESH(&lim->pass.target)) {
+        *at = lim->mesh->points[vertex];
+        return lim->mesh->nearness[vertex] > 0;
+    }
     const struct lim_view_cached *seen = lim_view_vertex(&lim->pass.view, lim->pass.scene, vertex);
 
     *at = seen->at;
