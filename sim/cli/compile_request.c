@@ -10,6 +10,7 @@
 #include "scene/moving.h"
 
 #include <getopt.h>
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -306,6 +307,7 @@ static bool choose(struct compile_request *request, struct error *err)
 {
     struct choice choice;
     if (!has_bound(request)) return true;
+    request->compile.wrong_percent = fmax(request->bound.wrong_percent, 0.0);
     const bool ok = choose_core(request->models[0], &request->compile, &request->bound, &choice, err);
     if (choice.frames) choice_print(&choice, &request->bound, stdout);
     fflush(stdout); /* the import forks */

@@ -6,6 +6,7 @@
 #include "accuracy/predict.h"
 #include "base/grow.h"
 #include "compiler/faithful.h"
+#include "compiler/mesh_choice.h"
 #include "core/core.h"
 #include "model/original.h"
 #include "readers/model_read.h"
@@ -43,19 +44,31 @@ static bool predict_reference(const struct model *model, const struct grid *grid
     return ok;
 }
 
+/* What the reference has a say in. */
+static bool compile_held_against(const struct model *model, const struct mesh *mesh,
+                                 const struct compile_options *options, struct compiled *out, struct error *err)
+{
+    struct reference reference = {0};
+    struct mesh_trials trials;
+    const bool may_be_mesh = mesh_choice_try(mesh, options, out, &trials);
+    bool ok = (!may_be_mesh && !options->predict) || predict_reference(model, &mesh->grid, &reference, err);
+    if (ok && may_be_mesh) ok = mesh_choice_settle(&trials, options, &reference, mesh->merged_into, out, err);
+    if (ok && options->predict)
+        ok = predict_wrong(out, options->core, &reference, mesh->merged_into, &out->report.wrong, err);
+    reference_free(&reference);
+    mesh_trials_free(&trials);
+    return ok;
+}
+
 static bool compile_cleaned(const struct model *model, struct mesh *mesh, const struct compile_options *options,
                             struct compiled *out, struct error *err)
 {
-    struct reference reference = {0};
     bool ok = (options->keep_faces || mesh_merge(mesh, err)) && mesh_insert_t_vertices(mesh, err) &&
               faithful_compile(mesh, options, out, err);
     out->report.near_m = options->near_m;
-    if (ok && options->predict)
-        ok = predict_reference(model, &mesh->grid, &reference, err) &&
-             predict_wrong(out, options->core, &reference, mesh->merged_into, &out->report.wrong, err);
+    ok = ok && compile_held_against(model, mesh, options, out, err);
     if (ok) report_notes(&out->report, mesh);
     out->report.core = options->core ? options->core : &core_fast;
-    reference_free(&reference);
     return ok;
 }
 

@@ -20,7 +20,8 @@ enum portals_wanted { PORTALS_OFF, PORTALS_AUTO, PORTALS_ON };
 struct compile_options {
     double tolerance_units;         /* a polygon this near to a plane lies on it; 0.5 by default, 0 = exact */
     const struct method *method;    /* how it is to be drawn; NULL: convex for one convex solid, else nearest first */
-    bool choose_order;              /* where that is NULL: or by scan lines, if that is predicted to be cheaper */
+    bool choose_order;              /* where that is NULL: or by scan lines, or as a mesh, if that is cheaper */
+    double wrong_percent;           /* most of pixels that a mesh without a tree may have wrong; 0: its profile's */
     enum tree_kind tree;            /* TREE_AUTO by default */
     enum tree_trial trial;          /* of other trees, where it is TREE_AUTO */
     const char *splitter;           /* heuristic of the tree builder: splitter.h's names */

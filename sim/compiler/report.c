@@ -83,6 +83,34 @@ static void print_order(const struct compiled *scene)
     printf("    %zu instead of %zu bytes of working memory\n", mcu_mem_b(scene), order->nearest_mem_b);
 }
 
+static void print_trial(const char *what, const struct mesh_trial *trial)
+{
+    if (isnan(trial->instructions)) return;
+    printf("    %-26s %8.0f instructions", what, trial->instructions);
+    if (!isnan(trial->wrong_percent)) printf(", %.4f %% of pixels wrong", trial->wrong_percent);
+    printf("%s\n", trial->taken ? ": taken" : "");
+}
+
+/* What the choice of a mesh was made by. */
+static void print_mesh_choice(const struct compiled *scene)
+{
+    const struct mesh_choice *choice = &scene->report.as_mesh;
+    if (!choice->tried) return;
+    printf("  %s, predicted\n",
+           lim_scene_is_mesh(&scene->scene) ? "drawn as a mesh instead of by a tree" : "not drawn as a mesh");
+    printf("    %-26s %8.0f instructions", "by the tree", choice->tree_instructions);
+    if (!isnan(choice->tree_wrong_percent)) printf(", %.4f %% of pixels wrong", choice->tree_wrong_percent);
+    printf("\n");
+    print_trial("by distance", &choice->by_distance);
+    print_trial("by depth", &choice->by_depth);
+    if (choice->cameras)
+        printf("    %-26s %8.4f %%, on %zu cameras that nothing was tuned on\n", "at most wrong", choice->bound_percent,
+               choice->cameras);
+    if (lim_scene_is_mesh(&scene->scene))
+        printf("    %-26s %8zu bytes of flash and %zu of working memory\n", "the tree took", choice->tree_flash_b,
+               choice->tree_mem_b);
+}
+
 static void print_tree(const struct compiled *scene)
 {
     static const char *const kinds[] = {"x = const", "y = const",     "z = const",
@@ -114,6 +142,7 @@ static void print_tree(const struct compiled *scene)
     if (is_predicted(report))
         printf("  %-28s %8.0f on Cortex-M0+, predicted\n", "instructions a frame", report->instructions);
     if (is_predicted(report)) print_order(scene);
+    print_mesh_choice(scene);
     if (!isnan(report->wrong.percent))
         printf("  %-28s %8.4f %%, %zu sampled cameras\n", "wrong pixels, predicted", report->wrong.percent,
                report->wrong.cameras);

@@ -5,11 +5,13 @@
 #include "measure/measurement.h"
 
 #include "accuracy/moving_reference.h"
+#include "accuracy/predict.h"
 #include "base/deadline.h"
 #include "base/grow.h"
 #include "base/vec3.h"
 #include "compiler/compile.h"
 #include "compiler/faithful.h"
+#include "compiler/mesh_choice.h"
 #include "compiler/moving_compile.h"
 #include "core/core.h"
 #include "model/baked_light.h"
@@ -174,10 +176,27 @@ void measure_source_free(struct measure_source *source)
     *source = (struct measure_source){0};
 }
 
+/* As compile.c does. */
+static bool choose_mesh(const struct measure_source *source, const struct compile_options *options,
+                        struct compiled *scene, struct error *err)
+{
+    struct reference reference = {0};
+    struct mesh_trials trials;
+    bool ok = true;
+    if (mesh_choice_try(&source->mesh, options, scene, &trials))
+        ok = reference_init(&reference, &source->fine, PREDICT_SIDE_PX, PREDICT_SIDE_PX, err) &&
+             mesh_choice_settle(&trials, options, &reference, source->mesh.merged_into, scene, err);
+    reference_free(&reference);
+    mesh_trials_free(&trials);
+    if (!ok) compiled_free(scene);
+    return ok;
+}
+
 bool measure_source_compile(const struct measure_source *source, const struct compile_options *options,
                             struct compiled *scene, struct error *err)
 {
-    if (!source->still.moving) return faithful_compile(&source->mesh, options, scene, err);
+    if (!source->still.moving)
+        return faithful_compile(&source->mesh, options, scene, err) && choose_mesh(source, options, scene, err);
     return moving_compile_own(source->path, options, MOVING_CLIPPED, scene, err);
 }
 
@@ -197,6 +216,7 @@ bool measure_scene_for(struct measure_scenes *scenes, const struct measure_sourc
     struct compile_options mine = *options;
     struct error *refused = is_exact ? &scenes->fractions_refused : &scenes->plain_refused;
     mine.core = is_exact ? core : NULL; /* what the others share is compiled for fast */
+    if (mine.wrong_percent <= 0) mine.wrong_percent = mesh_choice_promised_percent(core); /* the first one's promise */
     *out = scene;
     if (scene->image) return true;
     if (!*refused->text && measure_source_compile(source, &mine, scene, refused)) {
