@@ -8,6 +8,7 @@
 #include "compiler/bsp_build.h"
 #include "compiler/encode.h"
 #include "compiler/encode_mesh.h"
+#include "compiler/mesh_order.h"
 #include "compiler/order_choice.h"
 #include "compiler/pool_sizes.h"
 #include "compiler/portal_choice.h"
@@ -147,12 +148,16 @@ static bool compile_triangles(struct compilation *work, struct compiled *out, st
 {
     struct encoding encoding = {0};
     progress("compiling: %zu polygons as a mesh", work->mesh->polygon_count);
-    const bool ok = encode_mesh(work->mesh, &work->points, is_exact(work->options), &encoding, err);
+    bool ok = encode_mesh(work->mesh, &work->points, is_exact(work->options), &encoding, err);
     if (ok) {
         encoding.background = work->options->background;
         lim_image_make(&encoding, &work->mesh->grid, out);
         report_set(&out->report, work->mesh, &encoding, &out->scene, TREE_MESH);
         out->report.draws = draws_with(work->options, false);
+        if (out->report.draws == LIM_MESH_DEPTH)
+            ok = mesh_order_settle(out, work->options->core,
+                                   mesh_order_share(work->options->core, work->options->wrong_percent), err);
+        out->report.deep = out->scene.polygon_count - out->scene.deep_from;
     }
     encoding_free(&encoding);
     return ok;

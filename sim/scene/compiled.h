@@ -69,6 +69,7 @@ struct compile_report {
     size_t depth;
     size_t kinds[PLANE_KINDS]; /* nodes by enum plane_kind */
     size_t leaves;             /* nodes without a plane */
+    size_t deep;               /* of a mesh: triangles that have depth */
     enum tree_kind tree;       /* the kind that won */
     struct tree_choice choice;
     double worst_violation_units; /* certified: how far any vertex lies on the wrong side */

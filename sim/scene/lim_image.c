@@ -14,11 +14,12 @@
 /* No text, and damaged by whatever turns line ends: the idea of PNG's signature. */
 const unsigned char lim_file_magic[LIM_FILE_MAGIC_B] = {0x89, 'L', 'I', 'M', '\r', '\n', 0x1A, '\n'};
 
-static_assert(sizeof(struct lim_file_header) == 128, "header");
+static_assert(sizeof(struct lim_file_header) == 136, "header");
 static_assert(offsetof(struct lim_file_header, crc32) + 4 == LIM_FILE_CRC_FROM_B, "header");
 static_assert(offsetof(struct lim_file_header, units_per_m) == 24, "header");
 static_assert(offsetof(struct lim_file_header, counts) == 56, "header");
 static_assert(offsetof(struct lim_file_header, limits) == 114, "header");
+static_assert(offsetof(struct lim_file_header, deep_from) == 128, "header");
 static_assert(sizeof(struct lim_vertex) == 6, "vertex");
 static_assert(sizeof(struct lim_fraction) == 3, "fraction");
 static_assert(sizeof(struct lim_node) == 28, "node");
@@ -59,7 +60,8 @@ static const char HEADER_FIELDS[] = "11111111"
                                     "8888"
                                     "44444444444444"
                                     "2"
-                                    "2222222";
+                                    "2222222"
+                                    "44";
 
 static uint64_t align_b(uint64_t size_b)
 {
@@ -112,6 +114,7 @@ void lim_image_bind(void *image, struct compiled *scene)
         .polygon_words = header->counts[SECTION_POLYGONS],
         .polygon_count = header->counts[SECTION_FACES],
         .background = header->background,
+        .deep_from = header->deep_from,
     };
     memcpy(&scene->scene.limits, header->limits, sizeof scene->scene.limits);
     scene->scene.mappings = section_at(image, SECTION_MAPPINGS);
@@ -138,6 +141,7 @@ static struct lim_file_header header_of(const struct encoding *encoding, const s
     memcpy(header.magic, lim_file_magic, sizeof header.magic);
     header.units_per_m = grid->units_per_m;
     header.background = encoding->background;
+    header.deep_from = encoding->node_count ? 0 : (uint32_t)encoding->record_count;
     memcpy(header.origin_m, grid->origin_m, sizeof header.origin_m);
     for (int i = 0; i < SECTION_COUNT; i++)
         header.counts[i] = (uint32_t)counts[i];
@@ -161,6 +165,32 @@ void lim_image_make(const struct encoding *encoding, const struct grid *grid, st
             memcpy(image + lim_image_section_b(&header, (enum lim_section)i), sections[i],
                    header.counts[i] * SECTIONS[i].size_b);
     lim_image_bind(image, out);
+}
+
+void lim_image_set_deep(struct compiled *scene, const bool *is_deep)
+{
+    enum { TRIANGLE_B = LIM_TRIANGLE_WORDS * sizeof(lim_index) };
+    struct lim_file_header *const header = scene->image;
+    const size_t count = header->counts[SECTION_FACES];
+    unsigned char *const words = section_at(scene->image, SECTION_POLYGONS);
+    uint32_t *const faces = section_at(scene->image, SECTION_FACES);
+    unsigned char *const old_words = grow_zeroed(count, TRIANGLE_B);
+    uint32_t *const old_faces = grow_zeroed(count, sizeof *old_faces);
+    size_t to = 0;
+
+    memcpy(old_words, words, count * TRIANGLE_B);
+    memcpy(old_faces, faces, count * sizeof *old_faces);
+    for (int deep = 0; deep < 2; deep++) {
+        if (deep) header->deep_from = (uint32_t)to;
+        for (size_t i = 0; i < count; i++) {
+            if (is_deep[i] != (deep == 1)) continue;
+            memcpy(words + to * TRIANGLE_B, old_words + i * TRIANGLE_B, TRIANGLE_B);
+            faces[to++] = old_faces[i];
+        }
+    }
+    scene->scene.deep_from = header->deep_from;
+    free(old_words);
+    free(old_faces);
 }
 
 void lim_image_set_pvs(struct compiled *scene, const struct lim_place *places, size_t place_count, const uint8_t *pvs,

@@ -9,7 +9,7 @@
 #include "scene/compiled.h"
 #include "scene/encoding.h"
 
-enum { LIM_FILE_VERSION = 6, LIM_FILE_ALIGN_B = 8, LIM_FILE_MAGIC_B = 8 };
+enum { LIM_FILE_VERSION = 7, LIM_FILE_ALIGN_B = 8, LIM_FILE_MAGIC_B = 8 };
 
 extern const unsigned char lim_file_magic[LIM_FILE_MAGIC_B];
 
@@ -43,6 +43,8 @@ struct lim_file_header {
     uint32_t counts[SECTION_COUNT]; /* elements in each section */
     uint16_t background;            /* RGB565 as a number */
     uint16_t limits[7];             /* the fields of struct lim_limits in their order */
+    uint32_t deep_from;             /* of a mesh; else 0 */
+    uint32_t zero;
 };
 
 enum { LIM_FILE_CRC_FROM_B = 24 }; /* the first byte that crc32 covers */
@@ -66,6 +68,9 @@ void lim_image_set_pvs(struct compiled *scene, const struct lim_place *places, s
 
 /* Sets the limits of the scene and of its image. */
 void lim_image_set_limits(struct compiled *scene, const struct lim_limits *limits);
+
+/* Of a mesh: triangles with a flag set come last, in the order that they have, and are those with depth. */
+void lim_image_set_deep(struct compiled *scene, const bool *is_deep);
 
 /* Turns the header, or the sections that a header in this host's order describes, between this
  * host's byte order and the other one. */

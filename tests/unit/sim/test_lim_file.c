@@ -117,12 +117,12 @@ static void the_file_is_little_endian(void **state)
 {
     (void)state;
     unsigned char *bytes = written_bytes();
-    const unsigned char start[] = {0x89, 'L', 'I', 'M', '\r', '\n', 0x1A, '\n', 6, 0, 0, 0, 128, 0, 0, 0};
+    const unsigned char start[] = {0x89, 'L', 'I', 'M', '\r', '\n', 0x1A, '\n', 7, 0, 0, 0, 136, 0, 0, 0};
     assert_memory_equal(bytes, start, sizeof start);
     assert_int_equal(bytes[16] | bytes[17] << 8 | bytes[18] << 16, scene.image_b);
     assert_int_equal(bytes[30] | bytes[31] << 8, 0x40A7); /* 3000.0 = 2^11 * 1.46.. */
     assert_int_equal(bytes[56] | bytes[57] << 8, scene.scene.vertex_count);
-    assert_int_equal((int16_t)(bytes[128] | bytes[129] << 8), scene.scene.vertices[0].x);
+    assert_int_equal((int16_t)(bytes[136] | bytes[137] << 8), scene.scene.vertices[0].x);
     free(bytes);
 }
 
@@ -138,7 +138,7 @@ static void swapping_reverses_fields_and_undoes_itself(void **state)
     lim_image_swap_sections(bytes, &header);
     lim_image_swap_header(bytes);
     assert_memory_equal(bytes, scene.image, LIM_FILE_MAGIC_B);
-    assert_memory_equal(bytes + 8, ((unsigned char[]){0, 0, 0, 6, 0, 0, 0, 128}), 8);
+    assert_memory_equal(bytes + 8, ((unsigned char[]){0, 0, 0, 7, 0, 0, 0, 136}), 8);
     const unsigned char *plane = bytes + lim_image_section_b(&header, SECTION_PLANES);
     const struct lim_plane *first = &scene.scene.planes[0];
     assert_int_equal((int16_t)(plane[2] << 8 | plane[3]), lim_plane_x(first));
@@ -198,7 +198,7 @@ static void any_flipped_bit_is_noticed(void **state)
     (void)state;
     unsigned char *bytes = written_bytes();
     struct error err;
-    for (size_t bit = 0; bit < scene.image_b * 8; bit += bit < 128 * 8 ? 1 : 397) {
+    for (size_t bit = 0; bit < scene.image_b * 8; bit += bit < 136 * 8 ? 1 : 397) {
         bytes[bit / 8] ^= (unsigned char)(1 << bit % 8);
         write_bytes(bytes, scene.image_b);
         assert_false(reads(&err));

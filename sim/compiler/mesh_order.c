@@ -1,0 +1,269 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * The renderer draws the triangles' numbers from sampled cameras. A depth buffer in double precision, of the same
+ * triangles, says which is nearest at each pixel. Where another was painted that is farther there, the two are a
+ * conflict; pairs with many such pixels get depth first, until few enough pixels are left. Then all is drawn again, as
+ * what has depth meets what has none in other ways. Pixels near the nearest one's edges are not looked at: there
+ * rounding decides who paints. */
+#include "compiler/mesh_order.h"
+
+#include "base/deadline.h"
+#include "base/grow.h"
+#include "base/map.h"
+#include "base/progress.h"
+#include "cameras/sample.h"
+#include "render/ids.h"
+#include "scene/lim_image.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+enum { SIDE_PX = 240, FOV_DEG = 60, ROUNDS = 8 };
+enum { CAMERAS_MAX = 192, CAMERAS_MIN = 24, TRIANGLES_DRAWN = 1500000 }; /* of many triangles, fewer cameras */
+static const double MARGIN_PX = 0.1;                                     /* what rounding moves an edge by, and more */
+static const double TOLERANCE_UNITS = 1;   /* what is so little farther is no nearer either */
+static const double ENOUGH_OF_SHARE = 0.5; /* what a round leaves of it, of what it has seen */
+
+double mesh_order_share(const struct core *core, double wrong_percent)
+{
+    static const double percents[] = {
+        [LIM_PROFILE_DRAFT] = 0.1, [LIM_PROFILE_FAST] = 0.05, [LIM_PROFILE_FINE] = 0.03, [LIM_PROFILE_EXACT] = 0.01};
+    const double percent = wrong_percent > 0 ? wrong_percent : percents[core ? core->profile : LIM_PROFILE_FAST];
+    return percent / 100 / 5;
+}
+
+struct pair {
+    uint64_t key; /* both triangles, the lower number first */
+    uint32_t pixels;
+};
+
+struct ordering {
+    struct compiled *scene;
+    struct ids ids;
+    struct sampler sampler;
+    struct lens lens;
+    struct viewpoint viewpoint;
+    struct view_axes axes;
+    double (*at)[3];   /* vertices: pixels from the left, from the top, depth in units */
+    double *depths;    /* of the nearest triangle at each pixel, units */
+    uint32_t *nearest; /* and its number, from 1; 0: none */
+    struct map pairs;  /* to pixels that are painted in the wrong order */
+    double pixels;     /* of all pictures */
+    bool *is_deep;     /* of each triangle as the scene has them now */
+};
+
+/* The depth buffer ------------------------------------------------------------------------------------------------ */
+
+static void project(struct ordering *work)
+{
+    const struct lim_scene *scene = &work->scene->scene;
+    const struct grid *grid = &work->scene->grid;
+    double eye[3];
+    for (int i = 0; i < 3; i++)
+        eye[i] = (work->viewpoint.eye_m[i] - grid->origin_m[i]) * grid->units_per_m;
+    for (size_t v = 0; v < scene->vertex_count; v++) {
+        const double units[3] = {scene->vertices[v].x, scene->vertices[v].y, scene->vertices[v].z};
+        double right = 0, up = 0, ahead = 0;
+        for (int i = 0; i < 3; i++) {
+            const double from_eye = units[i] - eye[i];
+            right += work->axes.right[i] * from_eye;
+            up += work->axes.up[i] * from_eye;
+            ahead += work->axes.forward[i] * from_eye;
+        }
+        work->at[v][0] = (right / (ahead * work->lens.tan_x) + 1) * SIDE_PX / 2;
+        work->at[v][1] = (1 - up / (ahead * work->lens.tan_y)) * SIDE_PX / 2;
+        work->at[v][2] = ahead;
+    }
+}
+
+/* Twice the area that three points have on the screen, by their first two coordinates. */
+static double area_of(const double *a, const double *b, const double *c)
+{
+    return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
+}
+
+static const double *corner(const struct ordering *work, size_t triangle, int k)
+{
+    return work->at[work->scene->scene.polygons[triangle * LIM_TRIANGLE_WORDS + (size_t)k]];
+}
+
+/* A triangle's depth at a point of the screen, by its plane, and how far inside of it that is, in pixels: negative,
+ * outside. */
+static double depth_at(const struct ordering *work, size_t triangle, const double point[2], double *inside_px)
+{
+    const double *c[3] = {corner(work, triangle, 0), corner(work, triangle, 1), corner(work, triangle, 2)};
+    const double area = area_of(c[0], c[1], c[2]);
+    double inverse = 0;
+    *inside_px = INFINITY;
+    for (int k = 0; k < 3; k++) {
+        const double *from = c[(k + 1) % 3], *to = c[(k + 2) % 3];
+        const double part = area_of(point, from, to);
+        inverse += part / area / c[k][2];
+        *inside_px = fmin(*inside_px, part * (area < 0 ? -1 : 1) / hypot(to[0] - from[0], to[1] - from[1]));
+    }
+    return 1 / inverse;
+}
+
+static int first_px(double from)
+{
+    return from < 0.5 ? 0 : from > SIDE_PX ? SIDE_PX : (int)ceil(from - 0.5);
+}
+
+/* What reaches before the near plane is left out: what is clipped is not judged. */
+static void draw_triangle(struct ordering *work, size_t triangle)
+{
+    const double *a = corner(work, triangle, 0), *b = corner(work, triangle, 1), *c = corner(work, triangle, 2);
+    const double near = work->lens.near_m * work->scene->grid.units_per_m;
+    if (a[2] < near || b[2] < near || c[2] < near || area_of(a, b, c) >= 0) return;
+    const int x0 = first_px(fmin(a[0], fmin(b[0], c[0]))), x1 = first_px(fmax(a[0], fmax(b[0], c[0])));
+    const int y0 = first_px(fmin(a[1], fmin(b[1], c[1]))), y1 = first_px(fmax(a[1], fmax(b[1], c[1])));
+    for (int y = y0; y < y1; y++)
+        for (int x = x0; x < x1; x++) {
+            const size_t pixel = (size_t)y * SIDE_PX + (size_t)x;
+            double inside_px;
+            const double depth = depth_at(work, triangle, (double[2]){x + 0.5, y + 0.5}, &inside_px);
+            if (inside_px < 0 || depth >= work->depths[pixel]) continue;
+            work->depths[pixel] = depth;
+            work->nearest[pixel] = (uint32_t)triangle + 1;
+        }
+}
+
+static void draw_depths(struct ordering *work)
+{
+    for (size_t i = 0; i < (size_t)SIDE_PX * SIDE_PX; i++) {
+        work->depths[i] = INFINITY;
+        work->nearest[i] = 0;
+    }
+    project(work);
+    for (size_t i = 0; i < work->scene->scene.polygon_count; i++)
+        draw_triangle(work, i);
+}
+
+/* Conflicts ------------------------------------------------------------------------------------------------------- */
+
+/* What is painted there is farther than what should be, and it is not rounding that let it through. */
+static bool is_wrong(const struct ordering *work, size_t pixel)
+{
+    const uint32_t painted = work->ids.numbers[pixel], nearest = work->nearest[pixel];
+    const double point[2] = {(double)(pixel % SIDE_PX) + 0.5, (double)(pixel / SIDE_PX) + 0.5};
+    double inside_px;
+    if (!painted || !nearest || painted == nearest) return false;
+    (void)depth_at(work, nearest - 1, point, &inside_px);
+    if (inside_px < MARGIN_PX) return false;
+    return depth_at(work, painted - 1, point, &inside_px) > work->depths[pixel] + TOLERANCE_UNITS;
+}
+
+static bool look(struct ordering *work, const struct lim_camera *camera, struct error *err)
+{
+    if (!ids_frame(&work->ids, camera, err)) return false;
+    draw_depths(work);
+    for (size_t pixel = 0; pixel < (size_t)SIDE_PX * SIDE_PX; pixel++) {
+        if (!is_wrong(work, pixel)) continue;
+        const uint64_t a = work->ids.numbers[pixel] - 1, b = work->nearest[pixel] - 1;
+        ++*map_at(&work->pairs, a < b ? a << 32 | b : b << 32 | a, 0);
+    }
+    work->pixels += (double)SIDE_PX * SIDE_PX;
+    return true;
+}
+
+/* Portraits for the most part: from near by, distance orders little of what is seen. */
+static bool next_view(struct ordering *work, size_t i)
+{
+    if (i % 4 == 3) return sampler_anywhere(&work->sampler, &work->viewpoint);
+    return sampler_portrait(&work->sampler, &work->viewpoint);
+}
+
+static size_t cameras_for(size_t triangles)
+{
+    const size_t cameras = TRIANGLES_DRAWN / (triangles + 1);
+    return cameras > CAMERAS_MAX ? CAMERAS_MAX : cameras < CAMERAS_MIN ? CAMERAS_MIN : cameras;
+}
+
+static bool look_around(struct ordering *work, int round, struct error *err)
+{
+    const size_t cameras = cameras_for(work->scene->scene.polygon_count);
+    const struct camera_path path = {"sampled cameras", &work->viewpoint, 1};
+    map_free(&work->pairs);
+    work->pixels = 0;
+    sampler_init(&work->sampler, work->scene);
+    sampler_seed(&work->sampler, (uint32_t)round + 1); /* other views each time: what is left shows */
+    for (size_t i = 0; i < cameras && !deadline_passed(); i++) {
+        struct lim_camera camera;
+        struct error ignored;
+        progress_bar(i, cameras, "looking for triangles that distance cannot order");
+        if (!next_view(work, i) || !camera_path_to_camera(&path, 0, &work->lens, &work->scene->grid, &camera, &ignored))
+            continue;
+        viewpoint_axes(&work->viewpoint, &work->axes);
+        if (!look(work, &camera, err)) return false;
+    }
+    return true;
+}
+
+static int compare_pairs(const void *left, const void *right)
+{
+    const struct pair *a = left, *b = right;
+    if (a->pixels != b->pixels) return a->pixels < b->pixels ? 1 : -1;
+    return a->key < b->key ? -1 : a->key > b->key;
+}
+
+/* Flags pairs, those of many pixels first, until few enough pixels are left. False: they are. */
+static bool flag_worst(struct ordering *work, double share)
+{
+    struct pair *pairs = grow_zeroed(work->pairs.count, sizeof *pairs);
+    double left = 0;
+    size_t count = 0;
+    for (size_t i = 0; i < work->pairs.capacity; i++) {
+        if (!work->pairs.entries[i].used) continue;
+        pairs[count++] = (struct pair){work->pairs.entries[i].key, work->pairs.entries[i].value};
+        left += work->pairs.entries[i].value;
+    }
+    const bool is_enough = left <= share * work->pixels;
+    qsort(pairs, count, sizeof *pairs, compare_pairs);
+    for (size_t i = 0; !is_enough && i < count && left > ENOUGH_OF_SHARE * share * work->pixels; i++) {
+        work->is_deep[pairs[i].key >> 32] = work->is_deep[pairs[i].key & UINT32_MAX] = true;
+        left -= pairs[i].pixels;
+    }
+    free(pairs);
+    return !is_enough;
+}
+
+/* Triangles change places, and so do their flags; the renderer's numbers are those of the scene. */
+static bool take_flags(struct ordering *work, const struct simulator_setup *setup, struct error *err)
+{
+    const size_t count = work->scene->scene.polygon_count;
+    ids_free(&work->ids);
+    lim_image_set_deep(work->scene, work->is_deep);
+    for (size_t i = 0; i < count; i++)
+        work->is_deep[i] = i >= work->scene->scene.deep_from;
+    return ids_init(&work->ids, work->scene, setup, err);
+}
+
+static bool settle(struct ordering *work, const struct simulator_setup *setup, double share, struct error *err)
+{
+    for (int round = 0; round < ROUNDS && !deadline_passed(); round++) {
+        if (!look_around(work, round, err)) return false;
+        if (!flag_worst(work, share)) return true;
+        if (!take_flags(work, setup, err)) return false;
+    }
+    return true;
+}
+
+bool mesh_order_settle(struct compiled *scene, const struct core *core, double share, struct error *err)
+{
+    const struct simulator_setup setup = {SIDE_PX, SIDE_PX, LIM_MESH_DEPTH, SIMULATOR_MEMORY, core};
+    struct ordering work = {.scene = scene};
+    if (!lens_for_grid(&work.lens, FOV_DEG, scene->report.near_m, &scene->grid, SIDE_PX, SIDE_PX, err)) return false;
+    if (!ids_init(&work.ids, scene, &setup, err)) return false;
+    work.at = grow_zeroed(scene->scene.vertex_count, sizeof *work.at);
+    work.depths = grow_zeroed((size_t)SIDE_PX * SIDE_PX, sizeof *work.depths);
+    work.nearest = grow_zeroed((size_t)SIDE_PX * SIDE_PX, sizeof *work.nearest);
+    work.is_deep = grow_zeroed(scene->scene.polygon_count, sizeof *work.is_deep);
+    const bool ok = settle(&work, &setup, share, err);
+    ids_free(&work.ids);
+    map_free(&work.pairs);
+    free(work.at);
+    free(work.depths);
+    free(work.nearest);
+    free(work.is_deep);
+    return ok;
+}
