@@ -132,7 +132,7 @@ static LIM_RARE bool begin_clipped(struct lim_mesh *mesh, lim_index triangle, ui
 /* A triangle's corners from the top down, on the screen. */
 struct three {
     lim_packed top, middle, low;
-    bool left; /* the middle one is on the left boundary */
+    uint8_t side; /* of the middle one: LIM_MESH_LEFT or LIM_MESH_RIGHT */
 };
 
 /* Corners are counter-clockwise as the eye sees them: what follows the uppermost is on the left. */
@@ -150,8 +150,8 @@ static LIM_INLINE struct three three_of(lim_packed a, lim_packed b, lim_packed c
             b = first;
         }
     }
-    if (lim_packed_is_above(b, c)) return (struct three){a, b, c, true};
-    return (struct three){a, c, b, false};
+    if (lim_packed_is_above(b, c)) return (struct three){a, b, c, LIM_MESH_LEFT};
+    return (struct three){a, c, b, LIM_MESH_RIGHT};
 }
 
 static inline int32_t row_of(lim_packed at)
@@ -185,76 +185,146 @@ static LIM_INLINE bool begin_edge(struct lim_mesh_edge *edge, lim_packed from, l
 }
 
 /* What has an edge that is begun anew on the way, and where small code is asked for: by EDGE. */
-static LIM_RARE void set_long(struct lim_mesh_active *active, const struct three *three, uint16_t y)
+static LIM_RARE void set_long(struct lim_mesh_active *active, lim_packed top, lim_packed middle, lim_packed low,
+                              uint16_t y)
 {
-    const struct lim_point at[3] = {lim_packed_point(three->top),
-                                    lim_packed_point(three->left ? three->middle : three->low),
-                                    lim_packed_point(three->left ? three->low : three->middle)};
+    const bool is_left = active->goes_on == LIM_MESH_LEFT;
+    const struct lim_point at[3] = {lim_packed_point(top), lim_packed_point(is_left ? middle : low),
+                                    lim_packed_point(is_left ? low : middle)};
     struct lim_edge_shape shape;
 
     lim_edge_bounds(&shape, at, 3);
     set_any(active, at, 3, &shape, y);
 }
 
-/* Edges for line y, which the triangle has: one goes from top to bottom, the other turns at the middle corner. */
-static LIM_INLINE void set_three(struct lim_mesh_active *active, const struct three *three, uint16_t y)
+/* Edge by edge, on a line from the origin. false: one is long. */
+static LIM_INLINE bool set_each(struct lim_mesh_active *active, lim_packed top, lim_packed middle, lim_packed low,
+                                int32_t row, int32_t middle_row, int32_t bottom_row)
 {
-    const int32_t row = (int32_t)y - LIM_ORIGIN_PX, turn = row_of(three->middle), bottom = row_of(three->low);
-    struct lim_mesh_edge *const whole = &active->edges[three->left], *const other = &active->edges[!three->left];
-    const bool is_over = turn <= row;
+    struct lim_mesh_edge *const whole = &active->edges[active->goes_on ^ 1];
+    struct lim_mesh_edge *const other = &active->edges[active->goes_on];
 
-    active->part = 0;
-    if (LIM_OPTIMISE_SIZE || LIM_8_BIT || !begin_edge(whole, three->top, three->low, row, bottom) ||
-        !begin_edge(other, is_over ? three->middle : three->top, is_over ? three->low : three->middle, row,
-                    is_over ? bottom : turn) ||
-        (!is_over && turn < bottom && !begin_edge(&active->lower, three->middle, three->low, turn, bottom))) {
-        set_long(active, three, y);
+    if (LIM_OPTIMISE_SIZE || LIM_8_BIT || !begin_edge(whole, top, low, row, bottom_row)) return false;
+    if (middle_row <= row) return begin_edge(other, middle, low, row, bottom_row);
+    return begin_edge(other, top, middle, row, middle_row) &&
+           (middle_row == bottom_row || begin_edge(&active->lower, middle, low, middle_row, bottom_row));
+}
+
+/* Edges for line y, which the triangle has: one goes from top to bottom, the other turns at the middle corner, on the
+ * side that goes_on says. */
+static LIM_ALONE void set_one_by_one(struct lim_mesh_active *active, lim_packed top, lim_packed middle, lim_packed low)
+{
+    const uint16_t y = active->turn;
+    const int32_t row = (int32_t)y - LIM_ORIGIN_PX, middle_row = row_of(middle), bottom_row = row_of(low);
+
+    if (!set_each(active, top, middle, low, row, middle_row, bottom_row)) {
+        set_long(active, top, middle, low, y);
         return;
     }
-    active->goes_on = three->left ? LIM_MESH_LEFT : LIM_MESH_RIGHT;
-    active->bottom = (uint16_t)(bottom + LIM_ORIGIN_PX);
-    active->turn = (uint16_t)((is_over ? bottom : turn) + LIM_ORIGIN_PX);
+    active->bottom = (uint16_t)(bottom_row + LIM_ORIGIN_PX);
+    active->turn = middle_row > row ? (uint16_t)(middle_row + LIM_ORIGIN_PX) : active->bottom;
 }
 
-static LIM_INLINE struct three three_at(const struct lim_mesh *mesh, const LIM_FLASH lim_index *corners)
+#if LIM_DIVIDES && !LIM_8_BIT && !LIM_OPTIMISE_SIZE
+
+static LIM_INLINE void set_short_edge(struct lim_mesh_edge *edge, int32_t ax, int32_t ay, int32_t dx, int32_t dy,
+                                      int32_t row)
 {
-    return three_of(lim_packed_load(&mesh->points[corners[0]]), lim_packed_load(&mesh->points[corners[1]]),
-                    lim_packed_load(&mesh->points[corners[2]]));
+    struct lim_edge begun;
+
+    set_short(&begun, ax, ay, dx, dy, row);
+    edge->at = begun.at;
+    edge->step = begun.step;
 }
 
-static LIM_INLINE bool begin(struct lim_mesh *mesh, lim_index triangle, uint16_t y, const struct lim_mesh_range *range)
+/* The same for line active->turn; where all edges are short, which is asked once. A function of its own: it wants all
+ * registers. */
+static LIM_ALONE void set_three(struct lim_mesh_active *active, lim_packed top, lim_packed middle, lim_packed low)
 {
-    const LIM_FLASH lim_index *corners = lim_mesh_triangle(mesh, triangle);
+    const int32_t top_x = lim_packed_x(top), top_y = lim_packed_y(top), middle_x = lim_packed_x(middle);
+    const int32_t middle_y = lim_packed_y(middle), low_x = lim_packed_x(low), low_y = lim_packed_y(low);
+    const int32_t row = (int32_t)active->turn - LIM_ORIGIN_PX, middle_row = row_of(middle), bottom_row = row_of(low);
+    const int32_t upper_dx = middle_x - top_x, lower_dx = low_x - middle_x;
+
+    if (!edge_is_short(low_x - top_x, low_y - top_y, bottom_row - (top_y >> LIM_SUB_BITS)) ||
+        ((uint32_t)(upper_dx + SHORT_WIDTH) | (uint32_t)(lower_dx + SHORT_WIDTH)) >= 2 * SHORT_WIDTH) {
+        set_one_by_one(active, top, middle, low);
+        return;
+    }
+    set_short_edge(&active->edges[active->goes_on ^ 1], top_x, top_y, low_x - top_x, low_y - top_y, row);
+    struct lim_mesh_edge *lower = &active->edges[active->goes_on];
+    int32_t lower_row = row;
+    active->bottom = active->turn = (uint16_t)(bottom_row + LIM_ORIGIN_PX);
+    if (middle_row > row) {
+        set_short_edge(lower, top_x, top_y, upper_dx, middle_y - top_y, row);
+        if (middle_row == bottom_row) return;
+        active->turn = (uint16_t)(middle_row + LIM_ORIGIN_PX);
+        lower = &active->lower;
+        lower_row = middle_row;
+    }
+    set_short_edge(lower, middle_x, middle_y, lower_dx, low_y - middle_y, lower_row);
+}
+
+#else
+#define set_three set_one_by_one
+#endif
+
+static LIM_INLINE struct three three_at(const struct lim_point *points, const LIM_FLASH lim_index *corners)
+{
+    return three_of(lim_packed_load(&points[corners[0]]), lim_packed_load(&points[corners[1]]),
+                    lim_packed_load(&points[corners[2]]));
+}
+
+static LIM_RARE void add_depth(const struct lim_mesh *mesh, struct lim_mesh_active *active, uint16_t y)
+{
+    const LIM_FLASH lim_index *corners = lim_mesh_triangle(mesh, lim_mesh_number(active));
     const lim_index a = corners[0], b = corners[1], c = corners[2];
+    const struct lim_point at[3] = {mesh->points[a], mesh->points[b], mesh->points[c]};
     const uint16_t near[3] = {mesh->nearness[a], mesh->nearness[b], mesh->nearness[c]};
 
-    if (mesh->extent == LIM_VIEW_CLIPPED && (!near[0] || !near[1] || !near[2]))
+    lim_mesh_depth_set(active, at, near, y);
+}
+
+/* `range`: NULL, or those of other ranks are left out. */
+static LIM_INLINE bool begin(struct lim_mesh *mesh, const LIM_FLASH lim_index *triangles, lim_index triangle,
+                             uint16_t y, const struct lim_mesh_range *range)
+{
+    const LIM_FLASH lim_index *corners = triangles + (size_t)triangle * LIM_TRIANGLE_WORDS;
+    const uint16_t *const nearness = mesh->nearness;
+    const uint32_t a = nearness[corners[0]], b = nearness[corners[1]], c = nearness[corners[2]];
+
+    if (LIM_UNLIKELY(mesh->extent == LIM_VIEW_CLIPPED) && (!a || !b || !c))
         return begin_clipped(mesh, triangle, y, range);
-    const lim_mesh_rank rank = lim_mesh_rank_of(((uint32_t)near[0] + near[1] + near[2]) / 2, triangle);
+    const lim_mesh_rank rank = lim_mesh_rank_of((a + b + c) / 2, triangle);
     if (range && !is_within(range, rank)) return true;
     struct lim_mesh_active *active = lim_mesh_new(mesh);
-    if (!active) return false;
-    const struct three three = three_at(mesh, corners);
+    if (LIM_UNLIKELY(!active)) return false;
     active->rank = rank;
-    active->colour = colour_of(mesh, triangle);
+    active->colour = lim_memory_colour((uint16_t)corners[3]);
+    active->part = 0;
+    active->turn = y;
     if (LIM_HAS_STATS) *active->seen = false;
-    set_three(active, &three, y);
-    if (lim_mesh_is_deep(mesh, triangle)) {
-        const struct lim_point at[3] = {mesh->points[a], mesh->points[b], mesh->points[c]};
-        lim_mesh_depth_set(active, at, near, y);
-    }
     insert(mesh, active);
+    const struct three three = three_at(mesh->points, corners);
+    active->goes_on = three.side;
+    set_three(active, three.top, three.middle, three.low);
+    if (lim_mesh_is_deep(mesh, triangle)) add_depth(mesh, active, y);
     return true;
 }
 
-bool lim_mesh_begin(struct lim_mesh *mesh, lim_index triangle, uint16_t y)
+bool lim_mesh_begin_all(struct lim_mesh *mesh, uint16_t y)
 {
-    return begin(mesh, triangle, y, NULL);
+    const LIM_FLASH lim_index *const triangles = mesh->pass->scene->polygons;
+    const lim_index *const links = mesh->links;
+
+    for (lim_index triangle = mesh->tops[y]; triangle != LIM_NO_INDEX; triangle = links[triangle])
+        if (!begin(mesh, triangles, triangle, y, NULL)) return false;
+    return true;
 }
 
 bool lim_mesh_begin_within(struct lim_mesh *mesh, lim_index triangle, uint16_t y, const struct lim_mesh_range *range)
 {
-    return begin(mesh, triangle, y, range);
+    return begin(mesh, mesh->pass->scene->polygons, triangle, y, range);
 }
 
 static void turn_clipped(const struct lim_mesh *mesh, struct lim_mesh_active *active, uint16_t y)
@@ -275,8 +345,9 @@ void lim_mesh_turn(const struct lim_mesh *mesh, struct lim_mesh_active *active, 
         turn_clipped(mesh, active, y);
         return;
     }
-    const struct three three = three_at(mesh, corners);
-    set_long(active, &three, y);
+    const struct three three = three_at(mesh->points, corners);
+    active->goes_on = three.side;
+    set_long(active, three.top, three.middle, three.low, y);
 }
 
 #endif

@@ -56,15 +56,15 @@ static inline void lim_mesh_give_back(struct lim_mesh *mesh, struct lim_mesh_act
 /* All of them. */
 void lim_mesh_clear(struct lim_mesh *mesh);
 
-/* A triangle on line y, which it has: into mesh->begins, in its order. false: the pool has no room. */
-bool lim_mesh_begin(struct lim_mesh *mesh, lim_index triangle, uint16_t y);
+/* The triangles that begin on line y: into mesh->begins, in their order. false: the pool has no room. */
+bool lim_mesh_begin_all(struct lim_mesh *mesh, uint16_t y);
 
 /* Ranks from <= rank < below. */
 struct lim_mesh_range {
     lim_mesh_rank from, below;
 };
 
-/* The same, if its rank is within a range; else it is left out. */
+/* A triangle that has line y, likewise; if its rank is not within a range it is left out. */
 bool lim_mesh_begin_within(struct lim_mesh *mesh, lim_index triangle, uint16_t y, const struct lim_mesh_range *range);
 
 /* Whether a triangle has to be clipped. */

@@ -269,14 +269,6 @@ static LIM_RARE void paint_parts(struct lim_mesh *mesh, const struct lim_mesh_li
 
 /* A frame --------------------------------------------------------------------------------------------------------- */
 
-/* Those that begin on the line join those that cross it. false: there is no room. */
-static bool begin_all(struct lim_mesh *mesh, uint16_t y)
-{
-    for (lim_index triangle = mesh->tops[y]; triangle != LIM_NO_INDEX; triangle = mesh->links[triangle])
-        if (!lim_mesh_begin(mesh, triangle, y)) return false;
-    return true;
-}
-
 static int draw_line(struct lim_mesh *mesh, uint16_t y)
 {
     const struct lim_pass *pass = mesh->pass;
@@ -286,7 +278,7 @@ static int draw_line(struct lim_mesh *mesh, uint16_t y)
     if (!line.pixels) return LIM_ERR_TARGET;
     if (LIM_HAS_ROUND && lim_target_is_round(target)) lim_target_visible(target, y, &line.x0, &line.x1);
     lim_mesh_clean(mesh, &line);
-    if (mesh->is_complete && begin_all(mesh, y))
+    if (mesh->is_complete && lim_mesh_begin_all(mesh, y))
         lim_mesh_paint(mesh, &line);
     else
         paint_parts(mesh, &line);

@@ -48,22 +48,34 @@ static inline lim_edge_wrap widened(int32_t at_q16)
     return (lim_edge_wrap)(lim_edge_at)at_q16 << (LIM_EDGE_BITS - SHORT_BITS);
 }
 
-/* Sets the edge from one corner down to another, for line y and up to line `end`, both from the origin, where a short
- * division does for all lines of the edge. false: it does not. */
-static inline bool begin_short(struct lim_edge *edge, int32_t ax, int32_t ay, int32_t bx, int32_t by, int32_t y,
-                               int32_t end)
+/* Whether a short division does for all lines of an edge, as many as `lines`; then for those of any that is less high,
+ * if it is as narrow. */
+static inline bool edge_is_short(int32_t dx, int32_t dy, int32_t lines)
 {
-    const int32_t dx = bx - ax, dy = by - ay;
-    const int32_t top = ay >> LIM_SUB_BITS, lines = end - top;
+    if (LIM_OPTIMISE_SIZE || (uint32_t)(DIVISOR_ERROR * lines + 1) * (uint32_t)dy > 1u << SHORT_BITS) return false;
+    return (uint32_t)(dx + SHORT_WIDTH) < 2 * SHORT_WIDTH && (LIM_SUB_BITS <= 9 || dy < SHORT_WIDTH);
+}
 
-    if (LIM_OPTIMISE_SIZE) return false;
-    if ((uint32_t)(DIVISOR_ERROR * lines + 1) * (uint32_t)dy > 1u << SHORT_BITS) return false;
-    if ((uint32_t)(dx + SHORT_WIDTH) >= 2 * SHORT_WIDTH || (LIM_SUB_BITS > 9 && dy >= SHORT_WIDTH)) return false;
+/* Sets such an edge for line y, from the origin. */
+static inline void set_short(struct lim_edge *edge, int32_t ax, int32_t ay, int32_t dx, int32_t dy, int32_t y)
+{
     const int32_t part = part_of(ax, ay, dx, dy);
     const struct divisor divisor = LIM_SUB_BITS <= 9 ? divisor_of_short(dy) : divisor_of(dy);
     const int32_t step_q16 = divisor_q16(&divisor, dx);
     const int32_t start_q16 = divisor_q16(&divisor, part);
-    set_ahead(edge, ax, widened(start_q16 + (y - top) * step_q16), widened(step_q16));
+
+    set_ahead(edge, ax, widened(start_q16 + (y - (ay >> LIM_SUB_BITS)) * step_q16), widened(step_q16));
+}
+
+/* Sets the edge from one corner down to another, for line y and up to line `end`, both from the origin. false: it is
+ * not short. */
+static inline bool begin_short(struct lim_edge *edge, int32_t ax, int32_t ay, int32_t bx, int32_t by, int32_t y,
+                               int32_t end)
+{
+    const int32_t dx = bx - ax, dy = by - ay;
+
+    if (!edge_is_short(dx, dy, end - (ay >> LIM_SUB_BITS))) return false;
+    set_short(edge, ax, ay, dx, dy, y);
     return true;
 }
 
