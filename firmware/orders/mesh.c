@@ -181,6 +181,7 @@ static void link_triangles(struct lim_mesh *mesh)
 {
     for (uint_fast16_t y = 0; y < mesh->pass->target.h_px; y++)
         mesh->tops[y] = LIM_NO_INDEX;
+    if (LIM_HAS_STATS) lim_stats_of(mesh->pass)->records += mesh->pass->scene->polygon_count;
     if (mesh->extent == LIM_VIEW_INSIDE && !LIM_OPTIMISE_SIZE)
         link_inside(mesh);
     else

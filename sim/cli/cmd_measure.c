@@ -111,6 +111,8 @@ static bool measure_all(struct measurement *measurement, struct error *err)
     table->h_px = request->h_px;
     table->cpus = request->cpus;
     table->cpu_count = request->cpu_count;
+    const enum lim_method draws = measurement->candidates[0].scene->report.draws;
+    if (!method_is_exact(draws)) table->drawn = method_title(draws);
     if (!measure_accuracy(&measurement->source, &views, measurement->candidates, table->row_count,
                           measurement->accuracies, err))
         return false;

@@ -31,21 +31,23 @@ void measure_table_judge(struct measure_table *table)
 static void print_accuracy(const struct measure_row *row, FILE *out)
 {
     const struct accuracy *accuracy = &row->accuracy;
-    fprintf(out, "| %s | %u | %.4f | %.4f (%zu) | %.2f | %zu | %.3f | %.3f | %zu of %zu |\n", row->core->name,
+    fprintf(out, "| %s | %u | %.4f | %.4f (%zu) | %.2f | %zu | %zu | %.3f | %.3f | %zu of %zu |\n", row->core->name,
             (unsigned)row->core->sub_bits, compare_wrong_percent(&accuracy->pixels.total),
             compare_wrong_percent(&accuracy->pixels.worst), accuracy->pixels.worst_frame,
-            compare_beyond_ppm(&accuracy->pixels.total), accuracy->pixels.total.holes, accuracy_vertex_rms_px(accuracy),
-            accuracy->vertex_max_px, accuracy->sides_wrong, accuracy->sides);
+            compare_beyond_ppm(&accuracy->pixels.total), accuracy->pixels.total.holes, accuracy->pixels.total.order,
+            accuracy_vertex_rms_px(accuracy), accuracy->vertex_max_px, accuracy->sides_wrong, accuracy->sides);
 }
 
 static void print_accuracies(const struct measure_table *table, FILE *out)
 {
     fputs("| precision | sub-pixel bits | wrong, % | worst frame (its number) | beyond 1 px, ppm | holes "
-          "| vertex error rms, px | max | wrong sides of planes |\n|---|---|---|---|---|---|---|---|---|\n",
+          "| of these order errors | vertex error rms, px | max | wrong sides of planes |\n"
+          "|---|---|---|---|---|---|---|---|---|---|\n",
           out);
     for (size_t i = 0; i < table->row_count; i++)
         print_accuracy(&table->rows[i], out);
     const struct accuracy *first = &table->rows[0].accuracy;
+    if (table->drawn) fprintf(out, "\nDrawn %s: an approximate order.\n", table->drawn);
     fprintf(out, "\nVertices: those of polygons seen, where the renderer put them, against the model's own in double "
                  "precision; left out are clipped ones and those that splitting made.\n");
     fprintf(out, "%s: %zu were compared, %zu made by splitting.\n", table->rows[0].core->name, first->vertices,
@@ -194,8 +196,9 @@ static void csv_cost(const struct measure_row *row, size_t cpu, const char *name
     fprintf(out, ",%s,%.1f,%llu,%zu", name, cost->mean, (unsigned long long)cost->worst, cost->worst_frame);
     csv_number(cost->vertex, out);
     csv_number(cost->side, out);
-    fprintf(out, ",%zu,%zu,%zu,%zu,%zu,%zu,%d,%s\n", cost->state_b, cost->pools_b, cost->static_b, cost->code_b,
-            cost->library_b, cost->scene_b, better == NULL, better ? better->name : "");
+    fprintf(out, ",%zu,%zu,%zu,%zu,%zu,%zu,%d,%s,%zu\n", cost->state_b, cost->pools_b, cost->static_b, cost->code_b,
+            cost->library_b, cost->scene_b, better == NULL, better ? better->name : "",
+            row->accuracy.pixels.total.order);
 }
 
 void measure_table_csv(const struct measure_table *table, FILE *out)
@@ -203,7 +206,7 @@ void measure_table_csv(const struct measure_table *table, FILE *out)
     fputs("scene,w_px,h_px,frames,precision,sub_bits,wrong_percent,worst_frame_percent,worst_frame,beyond_ppm,holes,"
           "vertex_rms_px,vertex_max_px,vertices,vertices_without_source,sides,sides_wrong,"
           "core,instructions,worst_instructions,worst_instructions_frame,a_vertex,a_plane_test,"
-          "state_b,pools_b,static_b,code_b,library_b,scene_b,on_front,dominated_by\n",
+          "state_b,pools_b,static_b,code_b,library_b,scene_b,on_front,dominated_by,order_errors\n",
           out);
     for (size_t i = 0; i < table->row_count; i++) {
         for (size_t cpu = 0; cpu < table->cpu_count; cpu++) {
@@ -212,7 +215,7 @@ void measure_table_csv(const struct measure_table *table, FILE *out)
         }
         if (table->cpu_count) continue;
         csv_accuracy(table, &table->rows[i], out);
-        fputs(",,,,,,,,,,,,,,\n", out);
+        fprintf(out, ",,,,,,,,,,,,,,,%zu\n", table->rows[i].accuracy.pixels.total.order);
     }
 }
 

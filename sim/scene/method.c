@@ -35,13 +35,23 @@ const struct method *method_parse(const char *text, struct error *err)
     return NULL;
 }
 
-const char *method_name(enum lim_method draws)
+static const struct method *first_of(enum lim_method draws)
 {
     size_t i = 0;
 
     while (methods[i].draws != draws)
         i++;
-    return methods[i].name;
+    return &methods[i];
+}
+
+const char *method_name(enum lim_method draws)
+{
+    return first_of(draws)->name;
+}
+
+bool method_is_exact(enum lim_method draws)
+{
+    return first_of(draws)->exact;
 }
 
 const char *method_title(enum lim_method draws)

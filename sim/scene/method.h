@@ -29,6 +29,9 @@ bool method_moves(enum lim_method draws, struct error *err);
 const char *method_name(enum lim_method draws);
 const char *method_title(enum lim_method draws);
 
+/* Whether its pictures are right but for rounding. */
+bool method_is_exact(enum lim_method draws);
+
 /* Whether it sorts all polygons, whatever the tree. */
 bool method_sorts(enum lim_method draws);
 

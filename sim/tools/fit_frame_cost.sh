@@ -14,10 +14,10 @@ data=${FIT_DATA:-$work/data}
 # Stages whose work the same counters explain.
 group_of='
     function group_of(stage) {
-        if (stage ~ /^(walk|eye|orientation)$/) return "tree"
+        if (stage ~ /^(walk|eye|orientation|mesh)$/) return "tree"
         if (stage == "cull") return "box"
         if (stage ~ /^(view|rows|project|transform|angle)$/) return "front"
-        if (stage == "clip") return "clip"
+        if (stage ~ /^(mesh_)?clip$/) return "clip"
         return "lines"
     }'
 
@@ -51,6 +51,14 @@ count() { # METHOD SCENE SIZE TREE SPLITTER
     done
     count $method teapot 240x240 bsp first # twice as many nodes
 done >"$data"
+[ -s "$data.mesh" ] || for method in mesh mesh-depth; do
+    for scene in rooms rooms-tilted teapot knot; do
+        for size in 240x240 128x64 320x240; do
+            count $method $scene $size mesh auto
+        done
+    done
+done >"$data.mesh"
+cat "$data.mesh" >>"$data"
 
 # Least squares by descent along one factor at a time, which can be kept at 0 or above.
 fit() { # METHOD TITLE
@@ -103,3 +111,5 @@ fit() { # METHOD TITLE
 
 fit nearest NEAREST_FIRST
 fit scanline SCANLINE
+fit mesh MESH
+fit mesh-depth MESH_DEPTH

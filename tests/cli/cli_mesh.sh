@@ -1,0 +1,112 @@
+# SPDX-License-Identifier: MIT
+#
+# Meshes without a tree, from the command line: models are drawn as right as their method promises, whatever their
+# vertices; files keep the scene; what a mesh does not draw is refused; where the compiler takes one, it says why.
+. tests/tap.sh
+
+limner=$BUILD/limner
+
+says() { # PATTERN
+    cat "$work/said"
+    grep -qE "$1" "$work/said"
+}
+
+# wrong MODEL MOST OPTION...: percent of all pixels of an orbit that show another face than the reference
+wrong() {
+    model=$1 most=$2
+    shift 2
+    "$limner" render "$model" --size 160x120 --frames 8 --compare "$@" >"$work/said" 2>&1 || { cat "$work/said"; return 1; }
+    awk -v most="$most" '/^compared/ { print; seen = 1; sub(/.*wrong /, ""); if ($1 + 0 > most) exit 1 } END { exit !seen }' "$work/said"
+}
+
+refused() { # REASON COMMAND...
+    reason=$1
+    shift
+    "$limner" "$@" >/dev/null 2>"$work/said" && return 1
+    [ "$(wc -l <"$work/said")" -eq 1 ] && says "$reason"
+}
+
+# A ball of quads, with a texture of bumps, so that nothing is flat.
+ball() { # RINGS
+    awk -v n="$1" 'BEGIN {
+        pi = atan2(0, -1)
+        for (i = 0; i <= n; i++) for (j = 0; j < n; j++) {
+            a = pi * i / n; b = 2 * pi * j / n; r = 1 + 0.1 * sin(5 * a) * cos(4 * b)
+            printf "v %.6f %.6f %.6f\n", r * sin(a) * cos(b), r * cos(a), r * sin(a) * sin(b)
+        }
+        for (i = 0; i < n; i++) for (j = 0; j < n; j++)
+            printf "f %d %d %d %d\n", i * n + j + 1, i * n + (j + 1) % n + 1, (i + 1) * n + (j + 1) % n + 1, (i + 1) * n + j + 1
+    }'
+}
+ball 40 >"$work/ball.obj"
+
+# Two boxes through each other, which no order of whole triangles gets right.
+cross() {
+    awk 'BEGIN {
+        split("3 0.5 0.5 0.5 3 0.4", half)
+        for (b = 0; b < 2; b++) for (i = 0; i < 8; i++)
+            print "v", (i % 2 * 2 - 1) * half[3 * b + 1], (int(i / 2) % 2 * 2 - 1) * half[3 * b + 2], (int(i / 4) * 2 - 1) * half[3 * b + 3]
+        n = split("1 3 4 2 5 6 8 7 1 2 6 5 3 7 8 4 1 5 7 3 2 4 8 6", corner)
+        for (b = 0; b < 2; b++) for (i = 1; i <= n; i += 4)
+            print "f", 8 * b + corner[i], 8 * b + corner[i + 1], 8 * b + corner[i + 2], 8 * b + corner[i + 3]
+    }'
+}
+cross >"$work/cross.obj"
+
+same_frames() { # METHOD: from the model and from the file, one by one
+    "$limner" compile "$work/ball.obj" --method "$1" -o "$work/scene" >/dev/null &&
+        "$limner" render "$work/ball.obj" --method "$1" --size 96x96 --frames 4 --write-hashes "$work/model.hashes" &&
+        "$limner" render "$work/scene.lim" --method "$1" --size 96x96 --frames 4 --write-hashes "$work/file.hashes" &&
+        cmp "$work/model.hashes" "$work/file.hashes"
+}
+
+a_c_compiler_takes_it() { # METHOD
+    "$limner" compile "$work/ball.obj" --method "$1" -o "$work/scene" >/dev/null &&
+        (cd "$work" && ${CC:-gcc} -std=c11 -Wall -Wextra -Werror -DLIM_CONFIG='"scene.h"' -I. "-I$OLDPWD/firmware" -c scene.c -o scene.o) &&
+        grep -q 'an approximate order' "$work/scene.h" && ! grep -q exact "$work/scene.h"
+}
+
+few_bytes() {
+    "$limner" compile "$work/ball.obj" --method mesh --report >"$work/said" || return 1
+    cat "$work/said"
+    awk '/^  in all/ { exit !($NF <= 13) }' "$work/said"
+}
+
+quick() { # 100,000 triangles
+    ball 224 >"$work/large.obj"
+    timeout 60 "$limner" render "$work/large.obj" --method mesh-depth --size 96x96 --frames 1 -o "$work/large.png"
+}
+
+tap_check "a teapot by depth is right" wrong sim/scenes/teapot.obj 0.06 --method mesh-depth
+tap_check "a teapot by distance nearly is" wrong sim/scenes/teapot.obj 0.3 --method mesh
+tap_check "a ball by distance is right" wrong "$work/ball.obj" 0.08 --method mesh
+tap_check "so it is in fine" wrong "$work/ball.obj" 0.06 --method mesh-depth --precision fine
+tap_check "and in exact" wrong "$work/ball.obj" 0.06 --method mesh-depth --precision exact
+tap_check "boxes through each other are right by depth" wrong "$work/cross.obj" 0.05 --method mesh-depth
+tap_check "and wrong by distance: what is approximate may be" sh -c '! "$@"' sh wrong "$work/cross.obj" 0.05 --method mesh
+tap_check "rooms from within are right by depth" wrong sim/scenes/rooms.obj 0.06 --method mesh-depth --camera sim/scenes/rooms.cam
+for method in mesh mesh-depth; do
+    tap_check "a file draws what its model does, $method" same_frames $method
+    tap_check "its C is compiled, and not called exact, $method" a_c_compiler_takes_it $method
+done
+tap_check "13 bytes a triangle, or fewer" few_bytes
+tap_check "100,000 triangles take no minute" quick
+
+"$limner" compile "$work/ball.obj" --method mesh -o "$work/mesh" >/dev/null
+"$limner" compile "$work/ball.obj" --method nearest -o "$work/tree" >/dev/null
+printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nmtllib glass.mtl\nusemtl glass\nf 1 2 3\n' >"$work/glass.obj"
+printf 'newmtl glass\nKd 1 1 1\nd 0.5\n' >"$work/glass.mtl"
+cp tests/models/quarters.obj tests/models/quarters.mtl tests/models/quarters.png "$work/"
+for option in --wireframe --antialias --delta --fill; do
+    tap_check "$option is refused" refused "^limner: .*--method mesh: $option is drawn nearest first" compile "$work/ball.obj" --method mesh $option -o "$work/x"
+done
+tap_check "--framebuffer is refused" refused 'it draws line by line' compile "$work/ball.obj" --method mesh-depth --framebuffer -o "$work/x"
+tap_check "portals are refused" refused 'a mesh has no cells' compile "$work/ball.obj" --method mesh --portals on -o "$work/x"
+tap_check "a tree is refused" refused 'that method has a tree of its own' compile "$work/ball.obj" --method mesh --tree bsp -o "$work/x"
+tap_check "a mesh by a method of trees is refused" refused 'it draws no meshes' compile "$work/ball.obj" --method nearest --tree mesh -o "$work/x"
+tap_check "glass is refused, by its face" refused 'face 1: as a mesh, transparent faces are not drawn' render "$work/glass.obj" --method mesh
+tap_check "textures are refused, and not drawn flat" refused 'as a mesh, textures are not drawn' render "$work/quarters.obj" --method mesh
+tap_check "a file of a mesh names the methods that draw it" refused 'a mesh has no tree; draw it with --method mesh or mesh-depth' render "$work/mesh.lim"
+tap_check "a file with a tree is none" refused '--method mesh draws meshes' render "$work/tree.lim" --method mesh
+tap_check "nor is one for newell" refused 'a mesh has no tree' render "$work/mesh.lim" --method newell
+tap_done
