@@ -45,6 +45,13 @@ static inline void lim_gap_copy(struct lim_gap *to, const struct lim_gap *from)
     if (LIM_HAS_ANTIALIAS) *to->covered = *from->covered;
 }
 
+/* A line's only gap, of which nothing is left. */
+static inline void lim_gap_close_last(struct lim_spans *spans, struct lim_gap *gap)
+{
+    gap->x0 = gap->x1 = 0;
+    spans->open_lines--;
+}
+
 /* Unlinks a gap whose predecessor is `before` (NULL: it is the line's first). Returns the gap that follows, now
  * in its place, or NULL. */
 static inline struct lim_gap *lim_gap_unlink(struct lim_spans *spans, struct lim_gap *gap, struct lim_gap *before)
@@ -58,8 +65,7 @@ static inline struct lim_gap *lim_gap_unlink(struct lim_spans *spans, struct lim
         return lim_gap_after(spans, before);
     }
     if (next == LIM_NONE) {
-        gap->x0 = gap->x1 = 0;
-        spans->open_lines--;
+        lim_gap_close_last(spans, gap);
         return NULL;
     }
     lim_gap_copy(gap, &spans->pool[next]);

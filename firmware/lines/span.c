@@ -61,65 +61,96 @@ enum lim_span_result lim_span_close(struct lim_spans *spans, struct lim_line *li
     return result;
 }
 
-/* A line's piece [x0, x1) that is no more than its only gap. false: there is no room for another one. */
-static inline bool close_in_gap(struct lim_spans *spans, struct lim_gap *gap, int32_t x0, int32_t x1)
+/* lim_span_close() without a sink, for a line that is not closed; any values. Not where code is to be short. */
+static LIM_ALONE enum lim_span_result close_several(struct lim_spans *spans, struct lim_line *line, int32_t x0,
+                                                    int32_t x1)
 {
-    if (x0 != gap->x0) {
-        if (x1 != gap->x1) return lim_gap_split(spans, gap, (uint16_t)x0, (uint16_t)x1);
-        gap->x1 = (uint16_t)x0;
-    } else if (x1 != gap->x1) {
-        gap->x0 = (uint16_t)x1;
-    } else {
-        gap->x0 = gap->x1 = 0;
-        spans->open_lines--;
+    struct lim_gap *gap = &line->gap, *before = NULL;
+
+    while (gap->x1 <= x0) {
+        if (gap->next == LIM_NONE) return LIM_SPAN_NOTHING;
+        before = gap;
+        gap = &spans->pool[gap->next];
     }
-    return true;
+    if (gap->x0 >= x1 || x0 >= x1) return LIM_SPAN_NOTHING;
+    if (x0 > gap->x0) {
+        if (x1 < gap->x1)
+            return lim_gap_split(spans, gap, (uint16_t)x0, (uint16_t)x1) ? LIM_SPAN_SOME : LIM_SPAN_EXHAUSTED;
+        gap->x1 = (uint16_t)x0;
+        before = gap;
+        gap = lim_gap_after(spans, gap);
+    }
+    while (gap && gap->x1 <= x1)
+        gap = lim_gap_unlink(spans, gap, before);
+    if (gap && gap->x0 < x1) gap->x0 = (uint16_t)x1;
+    return LIM_SPAN_SOME;
 }
 
-/* Most lines have one gap, or none, which lies at 0. `seen` is for what is retained, `sink` for what is painted at
- * once: one of them is NULL. `many`: the sink of lines that have several. */
+/* Of what closing a line's pixels comes to where it has one gap, or none. [*x0, *x1) becomes the piece that was open:
+ * a caller that does not look at it pays nothing for it. A closed line's gap is anywhere. */
+static inline enum lim_span_result close_in_gap(struct lim_spans *spans, struct lim_gap *gap, int32_t *x0, int32_t *x1)
+{
+    const int32_t open0 = gap->x0, open1 = gap->x1;
+
+    if (*x0 <= open0) {
+        if (*x1 <= open0) return LIM_SPAN_NOTHING;
+        *x0 = open0;
+        if (*x1 < open1) {
+            gap->x0 = (uint16_t)*x1;
+            return LIM_SPAN_SOME;
+        }
+        if (open0 == open1) return LIM_SPAN_NOTHING;
+        *x1 = open1;
+        lim_gap_close_last(spans, gap);
+        return LIM_SPAN_SOME;
+    }
+    if (*x1 >= open1) {
+        if (*x0 >= open1) return LIM_SPAN_NOTHING;
+        *x1 = open1;
+        gap->x1 = (uint16_t)*x0;
+        return LIM_SPAN_SOME;
+    }
+    if (*x0 >= *x1) return LIM_SPAN_NOTHING;
+    return lim_gap_split(spans, gap, (uint16_t)*x0, (uint16_t)*x1) ? LIM_SPAN_SOME : LIM_SPAN_EXHAUSTED;
+}
+
+/* Most lines have one gap, or none. `seen` is for what is retained, `sink` for what is painted at once: one of them is
+ * NULL. `many`: the sink of lines that have several. */
 static inline bool close_between(struct lim_spans *spans, int16_t y, int16_t end, struct lim_edge_pair *pair,
                                  struct lim_span_extent *seen, lim_piece_fill *sink, lim_piece_fill *many,
                                  struct lim_piece_look *look)
 {
     struct lim_edge left, right;
     struct lim_line *line = &spans->lines[y], *const after = &spans->lines[end], *first = NULL, *last = NULL;
-    bool exhausted = false;
 
     lim_edge_copy(&left, &pair->left);
     lim_edge_copy(&right, &pair->right);
     do {
         int32_t x0 = lim_edge_x(&left), x1 = lim_edge_x(&right);
+        enum lim_span_result result;
         lim_edge_step(&left);
         lim_edge_step(&right);
-        if (line->gap.next != LIM_NONE) {
-            if (x0 >= x1) continue;
-            if (sink) look->y_px = (uint16_t)(line - spans->lines);
-            const enum lim_span_result result = lim_span_close(spans, line, (int16_t)x0, (int16_t)x1, many, look);
-            if (result == LIM_SPAN_NOTHING) continue;
-            if (result == LIM_SPAN_EXHAUSTED) exhausted = true;
+        if (sink) look->y_px = (uint16_t)(line - spans->lines);
+        if (line->gap.next == LIM_NONE) {
+            result = close_in_gap(spans, &line->gap, &x0, &x1);
+            if (sink && result == LIM_SPAN_SOME) sink(look, (uint16_t)x0, (uint16_t)x1);
+        } else if (sink || LIM_OPTIMISE_SIZE) {
+            result = x0 < x1 ? lim_span_close(spans, line, (int16_t)x0, (int16_t)x1, many, look) : LIM_SPAN_NOTHING;
         } else {
-            if (x0 < line->gap.x0) x0 = line->gap.x0;
-            if (x1 > line->gap.x1) x1 = line->gap.x1;
-            if (x0 >= x1) continue;
-            if (!close_in_gap(spans, &line->gap, x0, x1)) exhausted = true;
-            if (sink && !exhausted) {
-                look->y_px = (uint16_t)(line - spans->lines);
-                sink(look, (uint16_t)x0, (uint16_t)x1);
-            }
+            result = close_several(spans, line, x0, x1);
         }
-        if (sink) {
-            if (exhausted) return false;
-            continue;
-        }
+        if (result == LIM_SPAN_NOTHING) continue;
+        if (result == LIM_SPAN_EXHAUSTED) return false;
+        if (sink) continue;
         if (!first) first = line;
         last = line;
     } while (++line < after);
     lim_edge_follow(&pair->left, &left);
     lim_edge_follow(&pair->right, &right);
-    if (first && first < spans->lines + seen->top) seen->top = (int16_t)(first - spans->lines);
-    if (first) seen->bottom = (int16_t)(last - spans->lines + 1);
-    return !exhausted;
+    if (sink || !first) return true;
+    if (first < spans->lines + seen->top) seen->top = (int16_t)(first - spans->lines);
+    seen->bottom = (int16_t)(last - spans->lines + 1);
+    return true;
 }
 
 bool lim_spans_close(struct lim_spans *spans, int16_t y, int16_t end, struct lim_edge_pair *pair,

@@ -1,10 +1,12 @@
 # SPDX-License-Identifier: MIT
 #
-# What frames cost, on every processor, and what they take of memory: profile fast, flat colours.
-#   sh sim/tools/bench.sh                                  everything: build/bench.csv, the tables, and what changed since
-#                                                    the baseline (exit status 1: something grew)
+# What frames cost, on every processor, and what they take of memory: profile fast.
+#   sh sim/tools/bench.sh                                  everything: build/bench.csv, the tables, what changed since
+#                                                    the baseline, and what is lost to other renderers (exit status 1:
+#                                                    something grew, or is lost for no reason that the baseline has)
 #   sh sim/tools/bench.sh --baseline                       the same; writes the baseline, and the tables, anew
 #   sh sim/tools/bench.sh --rows CORES SCENE SIZE PATH     rows of these to standard output
+# SCENES, a list in the environment, has it count these scenes alone; --baseline keeps the rows of all others.
 # SIZE is 240x240, or 128x64-framebuffer: painted into all of the picture's pixels, instead of line by line.
 # PATH is `own`, the camera file that the scene comes with, or `random`, cameras on which nothing was tuned; both of 64
 # frames. Needs $BUILD/limner, $BUILD/scenes and $WARNINGS; progress goes to standard error.
@@ -21,13 +23,52 @@ baseline=sim/tools/bench.baseline.csv
 header=core,scene,size,path,stage,mean,worst
 frames=64
 scenes='mesh5000 demo teapot rooms' # what takes longest first
+all_cores=m0plus,m3,m4,m33,rv32
 sizes='240x240 128x64'
 small=128x64-framebuffer small_scenes='teapot rooms' # where there is RAM for that on any board
+more_scenes='solid3648tex wuson solid3648 spider map01tex map01 teapot-smooth rooms-smooth teapottex roomstex movers'
+more_cores=m0plus,m4 # on which others were counted, at 240x240
 paths='own random'
 seed=1
 
+# -- Scenes: model, cameras, and what `limner` takes beside them --------------------------------------------------------
+
+# NAME MODEL CAMERAS [OPTION...]: of scenes that are not sim/scenes/NAME.obj alone.
+elsewhere() {
+    made=$BUILD/scenes/bench
+    cat <<END
+demo $BUILD/scenes/demo.obj $BUILD/scenes/demo.cam
+mesh5000 $BUILD/scenes/mesh5000.obj $BUILD/scenes/mesh5000.cam
+spider $made/spider.obj $made/spider.cam
+wuson $made/wuson.obj $made/wuson.cam
+solid3648 $made/solid3648.obj $made/solid3648.cam
+solid3648tex $made/solid3648tex.obj $made/solid3648.cam
+map01 $made/map01.obj $made/map01.cam
+map01tex $made/map01tex.obj $made/map01.cam
+teapottex sim/scenes/mapped/teapottex.obj sim/scenes/teapot.cam
+roomstex sim/scenes/mapped/roomstex.obj sim/scenes/rooms.cam
+teapot-smooth sim/scenes/teapot.obj sim/scenes/teapot.cam --antialias
+rooms-smooth sim/scenes/rooms.obj sim/scenes/rooms.cam --antialias
+movers sim/scenes/movers.gltf sim/scenes/movers.cam
+END
+}
+
+word_of() { # SCENE FIRST-FIELD LAST-FIELD
+    {
+        elsewhere
+        echo "$1 sim/scenes/$1.obj sim/scenes/$1.cam"
+    } | awk -v name="$1" -v from="$2" -v to="$3" '$1 == name {
+            for (i = from; i <= to && i <= NF; i++) printf "%s%s", (i > from ? " " : ""), $i
+            exit
+        }'
+}
+
 model_of() { # SCENE
-    [ -e "sim/scenes/$1.obj" ] && echo "sim/scenes/$1.obj" || echo "$BUILD/scenes/$1.obj"
+    word_of "$1" 2 2
+}
+
+options_of() { # SCENE
+    word_of "$1" 4 9
 }
 
 # -- Sizes: in pixels, what `limner` takes beside them, and the bytes of pixels that the target keeps -----------------
@@ -53,12 +94,11 @@ target_b() { # SIZE
 # The cameras of a path, as a word for --camera. A file's are thinned out evenly.
 cameras_of() { # SCENE PATH FOLDER
     [ "$2" = own ] || { echo "random:$seed:$frames"; return; }
-    cameras=$(model_of "$1")
     awk -v frames=$frames '!/^ *(#|$)/ { line[count++] = $0 }
         END {
             if (frames > count) frames = count
             for (i = 0; i < frames; i++) print line[int(i * count / frames)]
-        }' "${cameras%.obj}.cam" >"$3/own.cam"
+        }' "$(word_of "$1" 3 3)" >"$3/own.cam"
     echo "$3/own.cam"
 }
 
@@ -82,10 +122,10 @@ measured_rows() { # FOLDER SCENE SIZE PATH
         }' "$1/measure.csv" "$1/stages.csv"
 }
 
-# shellcheck disable=SC2046 # no option, or one
+# shellcheck disable=SC2046 # options are words
 emulated() { # CORES SCENE SIZE PATH FOLDER
     "$BUILD/limner" measure "$(model_of "$2")" --camera "$(cameras_of "$2" "$4" "$5")" --size "$(pixels_of "$3")" \
-        $(framebuffer_of "$3") --precision fast --core "$1" -o "$5" >/dev/null
+        $(framebuffer_of "$3") $(options_of "$2") --precision fast --core "$1" -o "$5" >/dev/null
     measured_rows "$5" "$2" "$3" "$4"
 }
 
@@ -101,8 +141,8 @@ on_host() { # SCENE SIZE FOLDER
 # Bytes at -Os; a line of the panel, or all of them, is the target's. Flash a face of the model, merged or not.
 # shellcheck disable=SC2046
 memory() { # SCENE SIZE FOLDER
-    "$BUILD/limner" compile "$(model_of "$1")" --size "$(pixels_of "$2")" $(framebuffer_of "$2") -o "$3/model" \
-        >"$3/report"
+    "$BUILD/limner" compile "$(model_of "$1")" --size "$(pixels_of "$2")" $(framebuffer_of "$2") $(options_of "$1") \
+        -o "$3/model" >"$3/report"
     pixels=$(pixels_of "$2")
     faces=$(sed -n 's/^ *faces in the model *//p' "$3/report")
     data_b=$(footprint_data "$3")
@@ -128,6 +168,14 @@ frames_of() { # SCENE SIZE
 }
 
 jobs() {
+    all_jobs | awk -v wanted=" ${SCENES:-} " 'wanted ~ /^ +$/ || index(wanted, " " $2 " ")'
+}
+
+all_jobs() {
+    for scene in $more_scenes; do
+        for path in $paths; do echo "some $scene 240x240 $path"; done
+        echo "memory $scene 240x240 -"
+    done
     for scene in $scenes; do
         for size in $sizes; do frames_of "$scene" "$size"; done
         echo "memory $scene 240x240 -"
@@ -140,7 +188,8 @@ jobs() {
 
 job() { # KIND SCENE SIZE PATH FOLDER: its rows
     case $1 in
-    emulated) emulated m0plus,m3,m4,m33,rv32 "$2" "$3" "$4" "$5" ;;
+    emulated) emulated $all_cores "$2" "$3" "$4" "$5" ;;
+    some) emulated $more_cores "$2" "$3" "$4" "$5" ;;
     on_host) on_host "$2" "$3" "$5" ;;
     memory) memory "$2" "$3" "$5" ;;
     esac
@@ -162,11 +211,26 @@ one() { # KIND SCENE SIZE PATH
 everything() {
     rm -rf "$out"
     mkdir -p "$out"
-    jobs | xargs -L 1 -P "$(nproc)" sh sim/tools/bench.sh --one
+    jobs >"$out/jobs"
+    [ -s "$out/jobs" ] || { echo "bench: SCENES: there is none of these: $SCENES" >&2; return 1; }
+    xargs -L 1 -P "$(nproc)" sh sim/tools/bench.sh --one <"$out/jobs"
     echo "$header" >"$BUILD/bench.csv"
-    jobs | while read -r kind scene size path; do cat "$out/$kind-$scene-$size-$path.csv"; done |
+    while read -r kind scene size path; do cat "$out/$kind-$scene-$size-$path.csv"; done <"$out/jobs" |
         sort -t , -k 2,4 -k 1,1 -s >>"$BUILD/bench.csv"
-    BENCH_CSV=$BUILD/bench.csv sh sim/tools/tables.sh peers
+    [ "${SCENES:-}" ] || BENCH_CSV=$BUILD/bench.csv sh sim/tools/tables.sh peers
+}
+
+# Changes first, then lost rows: both are said, whatever the other's outcome.
+judge() {
+    status=0
+    sh sim/tools/bench_compare.sh "$baseline" "$BUILD/bench.csv" "$(wanted_rows)" || status=$?
+    sh sim/tools/bench_compare.sh --peers "$baseline" "$BUILD/bench.csv" || status=1
+    return $status
+}
+
+# What CORE,SCENE,SIZE,PATH of the rows that are counted matches.
+wanted_rows() {
+    [ "${SCENES:-}" ] && echo "^[^,]*,($(echo $SCENES | tr ' ' '|'))," || echo .
 }
 
 case ${1:-} in
@@ -183,13 +247,13 @@ case ${1:-} in
     ;;
 --baseline)
     everything
-    sh sim/tools/bench_compare.sh "$baseline" "$BUILD/bench.csv" || true
-    sh sim/tools/bench_compare.sh --baseline "$BUILD/bench.csv" >"$out/baseline"
+    judge || true
+    sh sim/tools/bench_compare.sh --baseline "$baseline" "$BUILD/bench.csv" "$(wanted_rows)" >"$out/baseline"
     cp "$out/baseline" "$baseline"
     sh sim/tools/tables.sh --write figures peers bench bench-stages bench-memory
     ;;
 '')
     everything
-    sh sim/tools/bench_compare.sh "$baseline" "$BUILD/bench.csv"
+    judge
     ;;
 esac

@@ -9,6 +9,7 @@ BEGIN {
     for (i = 1; i in words; i += 2) title[words[i]] = words[i + 1]
 }
 
+/^# lost / { lost[++losses] = substr($0, 8) }
 /^# host: / { title["host"] = "host, " $NF } # its processor
 /^#/ { next }
 
@@ -68,6 +69,10 @@ function against_peers(   i, p, own, path) {
         path = p[5] ~ /^(frame|wrong_percent)$/ ? "own" : "-"
         place = p[3] "," p[4] ","
         own = p[2] "," place path "," p[5]
+        if (p[3] == "-") {
+            printf "| %s | %s: %s | - | - | - | - | - | - |\n", p[1], p[7], both(p[8], p[9])
+            continue
+        }
         if (!(own in mean)) {
             print "no row " own >"/dev/stderr"
             exit 1
@@ -77,6 +82,8 @@ function against_peers(   i, p, own, path) {
             path == "own" ? pair(p[2] "," place "random," p[5], p[6]) : "-",
             p[5] == "frame" ? wrong(place "own") : "-", p[5] == "frame" ? wrong(place "random") : "-"
     }
+    if (losses) print "\nWhat is lost, and why:"
+    for (i = 1; i <= losses; i++) print "- " lost[i]
 }
 
 function both(first, second) {
