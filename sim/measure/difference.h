@@ -13,6 +13,10 @@
 gdImagePtr difference_picture(struct measure_source *source, const struct measure_candidate *candidate,
                               const struct measure_views *views, size_t frame, struct error *err);
 
+/* The frame as it is. Likewise. */
+gdImagePtr frame_picture(const struct measure_candidate *candidate, const struct measure_views *views, size_t frame,
+                         struct error *err);
+
 /* A cell of a sheet. */
 struct difference_cell {
     gdImagePtr picture; /* NULL: there is none */
