@@ -87,6 +87,9 @@ static void print_found(const struct worst *worst)
                                          "of such frames (--core counts them)",
              worst->found.cost.goals[0].score);
     print_search(&worst->found.cost, score);
+    if (worst->found.stats.bands)
+        printf("    pools are short there: %lu walks more than one; compile --worst makes them larger\n",
+               (unsigned long)worst->found.stats.bands);
     snprintf(score, sizeof score, "errs most: %.0f wrong pixels, %.4f %%", errors,
              100.0 * errors / ((double)request->w_px * request->h_px));
     print_search(&worst->found.error, score);
@@ -168,9 +171,9 @@ static bool write_files(struct worst *worst, struct error *err)
     const struct measure_candidate candidate = candidate_of(worst);
     if (!request->folder) return true;
     return write_cameras(worst, err) &&
-           write_picture(worst, frame_picture(&candidate, &views, 0, err), "-cost.png", err) &&
-           write_picture(worst, frame_picture(&candidate, &views, 1, err), "-error.png", err) &&
-           write_picture(worst, difference_picture(&worst->source, &candidate, &views, 1, err), "-difference.png",
+           write_picture(worst, frame_picture(&candidate, &views, 0, NULL, err), "-cost.png", err) &&
+           write_picture(worst, frame_picture(&candidate, &views, 1, NULL, err), "-error.png", err) &&
+           write_picture(worst, difference_picture(&worst->source, &candidate, &views, 1, NULL, err), "-difference.png",
                          err) &&
            outputs_keep(&worst->outputs, err);
 }

@@ -5,8 +5,8 @@
 #include "core/core.h"
 #include "scene/compiled.h"
 #include "scene/mcu_mem.h"
+#include "scene/mem_parts.h"
 #include "scene/records.h"
-#include "scene/width.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -83,6 +83,23 @@ static void print_order(const struct compiled *scene)
     printf("    %zu instead of %zu bytes of working memory\n", mcu_mem_b(scene), order->nearest_mem_b);
 }
 
+/* Searched, not proved. */
+static void print_worst(const struct compile_report *report)
+{
+    const struct worst_report *worst = &report->worst;
+    if (!worst->tried) return;
+    printf("  %-28s %8zu cameras searched, not proved\n", "worst view, of", worst->tried);
+    if (is_predicted(report)) printf("    %-26s %8.0f on Cortex-M0+, predicted\n", "instructions", worst->work);
+    printf("    %-26s %8.2f times the mean, %.2f times the worst\n", "of random cameras",
+           worst->work / worst->work_mean, worst->work / worst->work_random);
+    printf("    camera:");
+    for (int i = 0; i < 3; i++)
+        printf(" %.15g", worst->eye_m[i]);
+    for (int i = 0; i < 3; i++)
+        printf(" %.15g", worst->target_m[i]);
+    putchar('\n');
+}
+
 static void print_tree(const struct compiled *scene)
 {
     static const char *const kinds[] = {"x = const", "y = const",     "z = const",
@@ -112,6 +129,7 @@ static void print_tree(const struct compiled *scene)
     if (is_predicted(report))
         printf("  %-28s %8.0f on Cortex-M0+, predicted\n", "instructions a frame", report->instructions);
     if (is_predicted(report)) print_order(scene);
+    print_worst(report);
     if (!isnan(report->wrong.percent))
         printf("  %-28s %8.4f %%, %zu sampled cameras\n", "wrong pixels, predicted", report->wrong.percent,
                report->wrong.cameras);
@@ -153,23 +171,11 @@ static void print_bytes(const char *what, size_t size_b, size_t polygons)
 
 static void print_flash(const struct compiled *scene)
 {
-    const struct lim_scene *arrays = &scene->scene;
-    const bool wide = width_is_wide(arrays);
-    size_t polygons = scene->report.polygons_in;
+    struct mem_part parts[FLASH_PARTS_MAX];
+    const size_t count = flash_parts(scene, parts), polygons = scene->report.polygons_in;
     printf("%-30s %8s %10s\n", "flash", "bytes", "a polygon");
-    print_bytes("vertices", arrays->vertex_count * sizeof *arrays->vertices, polygons);
-    print_bytes("nodes", arrays->node_count * width_node_b(wide), polygons);
-    print_bytes("planes", arrays->plane_count * width_plane_b(wide), polygons);
-    print_bytes("exact planes", arrays->exact_count * sizeof *arrays->exact, polygons);
-    print_bytes("boxes", arrays->box_count * sizeof *arrays->boxes, polygons);
-    print_bytes("polygons", arrays->polygon_words * width_word_b(wide), polygons);
-    if (arrays->texture_count) {
-        print_bytes("texels", arrays->texel_blocks * (size_t)LIM_TEXEL_BLOCK, polygons);
-        print_bytes("palettes", arrays->palette_colours * sizeof *arrays->palettes, polygons);
-        print_bytes("mappings and textures",
-                    arrays->mapping_count * sizeof *arrays->mappings + arrays->texture_count * sizeof *arrays->textures,
-                    polygons);
-    }
+    for (size_t i = 0; i < count; i++)
+        print_bytes(parts[i].name, parts[i].size_b, polygons);
     print_bytes("in all", scene->report.flash_b, polygons);
 }
 

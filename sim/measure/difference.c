@@ -79,16 +79,19 @@ static void paint(const struct drawing *drawing, const struct measure_source *so
 }
 
 gdImagePtr difference_picture(struct measure_source *source, const struct measure_candidate *candidate,
-                              const struct measure_views *views, size_t frame, struct error *err)
+                              const struct measure_views *views, size_t frame, struct compare_counts *counts,
+                              struct error *err)
 {
+    const double unit_m = 1.0 / candidate->scene->grid.units_per_m;
     struct drawing drawing = {0};
     gdImagePtr image = NULL;
     if (draw_frame(&drawing, source, candidate, views, frame, err)) {
         image = gdImageCreateTrueColor((int)views->w_px, (int)views->h_px);
         if (image)
-            paint(&drawing, source, 1.0 / candidate->scene->grid.units_per_m, image);
+            paint(&drawing, source, unit_m, image);
         else
             error_set(err, "difference picture: out of memory");
+        if (counts) *counts = compare_picture(drawing.ids.faces, &source->reference, source->mesh.merged_into, unit_m);
     }
     simulator_free(&drawing.simulator);
     ids_free(&drawing.ids);
@@ -96,7 +99,7 @@ gdImagePtr difference_picture(struct measure_source *source, const struct measur
 }
 
 gdImagePtr frame_picture(const struct measure_candidate *candidate, const struct measure_views *views, size_t frame,
-                         struct error *err)
+                         struct lim_stats *stats, struct error *err)
 {
     const struct compiled *scene = candidate->scene;
     const struct simulator_setup setup = {views->w_px, views->h_px, scene->report.draws, measure_panel(scene),
@@ -113,6 +116,7 @@ gdImagePtr frame_picture(const struct measure_candidate *candidate, const struct
         const struct film film = simulator_film(&simulator);
         image = image_from_frame(&film, 0);
         if (!image) error_set(err, "picture of a frame: out of memory");
+        if (stats) *stats = *simulator_stats(&simulator);
     }
     simulator_free(&simulator);
     return image;

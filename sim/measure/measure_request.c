@@ -41,10 +41,11 @@ enum option_code {
     OPTION_COST_FRAMES,
     OPTION_SEED,
     OPTION_TRIES,
-    OPTION_SECONDS
+    OPTION_SECONDS,
+    OPTION_WORST
 };
 
-enum { COST_FRAMES = 4, FRAMES_MAX = 1000000, TRIES_MAX = 10000000 };
+enum { COST_FRAMES = 4, FRAMES_MAX = 1000000 };
 
 static const struct option OPTIONS[] = {
     {"out", required_argument, NULL, 'o'},
@@ -73,6 +74,7 @@ static const struct option OPTIONS[] = {
     {"seed", required_argument, NULL, OPTION_SEED},
     {"tries", required_argument, NULL, OPTION_TRIES},
     {"seconds", required_argument, NULL, OPTION_SECONDS},
+    {"worst", optional_argument, NULL, OPTION_WORST},
     {NULL, 0, NULL, 0},
 };
 
@@ -189,7 +191,7 @@ static bool parse_search(int code, const char *text, struct worst_options *out, 
         return parse_number("--seconds", text, &out->seconds, err) &&
                ((out->seconds >= 0.0 && isfinite(out->seconds)) ||
                 error_set(err, "--seconds %s: how long to search, or 0 for no bound but --tries", text));
-    if (!parse_whole("--tries", text, 1, TRIES_MAX, &tries, err)) return false;
+    if (!parse_whole("--tries", text, 1, WORST_TRIES_MAX, &tries, err)) return false;
     out->tries = tries;
     return true;
 }
@@ -200,6 +202,8 @@ static bool parse_option(int code, char **argv, struct measure_request *out, boo
     case 'o':
         out->folder = optarg;
         return *optarg || error_set(err, "-o: needs a %s", is_of_one(out->of) ? "name" : "folder");
+    case OPTION_WORST:
+        return worst_tries_parse(optarg, &out->compile.worst_tries, err);
     case OPTION_SEED:
     case OPTION_TRIES:
     case OPTION_SECONDS:

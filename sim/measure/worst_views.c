@@ -6,6 +6,7 @@
 
 #include "accuracy/moving_reference.h"
 #include "base/deadline.h"
+#include "base/parse.h"
 #include "core/core.h"
 #include "render/frame_cost.h"
 #include "render/ids.h"
@@ -113,10 +114,21 @@ bool worst_views_find(struct measure_source *source, const struct measure_candid
     struct viewing viewing = {
         .source = source, .candidate = candidate, .views = views, .is_predicted = is_predicted(candidate)};
     *out = (struct worst_views){.is_predicted = viewing.is_predicted};
-    const bool ok = prepare(&viewing, err) && search_both(&viewing, options, out, err);
+    double score;
+    const bool ok = prepare(&viewing, err) && search_both(&viewing, options, out, err) &&
+                    measure_cost_of(&viewing, &out->cost.goals[0].worst, &score, err);
+    if (ok) out->stats = *simulator_stats(&viewing.simulator);
     simulator_free(&viewing.simulator);
     ids_free(&viewing.ids);
     return ok;
+}
+
+bool worst_tries_parse(const char *text, size_t *out, struct error *err)
+{
+    uint32_t tries = WORST_TRIES;
+    if (text && !parse_whole("--worst", text, 1, WORST_TRIES_MAX, &tries, err)) return false;
+    *out = tries;
+    return true;
 }
 
 double worst_seconds_unsaid(void)

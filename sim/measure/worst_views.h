@@ -8,7 +8,7 @@
 #include "cameras/camera_search.h"
 #include "measure/measurement.h"
 
-enum { WORST_TRIES = 2000, WORST_SECONDS = 20, WORST_ERROR_SHARE = 10 };
+enum { WORST_TRIES = 2000, WORST_TRIES_MAX = 10000000, WORST_SECONDS = 20, WORST_ERROR_SHARE = 10 };
 
 struct worst_options {
     uint32_t seed;
@@ -19,12 +19,16 @@ struct worst_options {
 struct worst_views {
     bool is_predicted; /* the cost is in instructions (frame_cost.h); else in counted work, which only ranks frames */
     struct search_result cost, error; /* error: the score is wrong pixels */
+    struct lim_stats stats;           /* of the camera that costs most */
 };
 
 /* `views` has the lens and the size; its path is not used. */
 bool worst_views_find(struct measure_source *source, const struct measure_candidate *candidate,
                       const struct measure_views *views, const struct worst_options *options, struct worst_views *out,
                       struct error *err);
+
+/* --worst or --worst=CAMERAS, for compile_options.worst_tries. */
+bool worst_tries_parse(const char *text, size_t *out, struct error *err);
 
 /* Where nobody said how many: WORST_SECONDS; none where --time-limit is none, so that what is found does not hang on
  * how busy the machine is. */
