@@ -9,26 +9,25 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-static bool write_page(const struct page *page, struct error *err)
+/* What cannot be written is told before all the work. */
+static bool run(struct page *page, struct outputs *outputs, struct error *err)
 {
-    struct outputs outputs = {0};
     const char *path = page->request.folder;
-    FILE *file = outputs_spare(&outputs, page->request.model, err) ? outputs_open(&outputs, path, err) : NULL;
-    bool ok = file && page_write(page, file, err);
-    if (file) ok = outputs_close(file, path, ok ? err : &(struct error){0}) && ok;
-    ok = ok && outputs_keep(&outputs, err);
-    outputs_discard(&outputs);
-    return ok;
+    FILE *file = outputs_spare(outputs, page->request.model, err) ? outputs_open(outputs, path, err) : NULL;
+    if (!file) return false;
+    const bool ok = page_collect(page, err) && page_write(page, file, err);
+    return outputs_close(file, path, ok ? err : &(struct error){0}) && ok && outputs_keep(outputs, err);
 }
 
 int cmd_report(int argc, char **argv)
 {
     struct page *page = calloc(1, sizeof *page); /* rows with counts are large */
+    struct outputs outputs = {0};
     struct error err;
     bool ok = page || error_set(&err, "report: out of memory");
     ok = ok && measure_request_parse(argc, argv, MEASURE_PAGE, &page->request, &err) &&
-         (page->request.folder || error_set(&err, "report: needs -o FILE.html")) && page_collect(page, &err) &&
-         write_page(page, &err);
+         (page->request.folder || error_set(&err, "report: needs -o FILE.html")) && run(page, &outputs, &err);
+    outputs_discard(&outputs);
     if (page) page_free(page);
     free(page);
     if (!ok) fprintf(stderr, "limner: %s\n", err.text);

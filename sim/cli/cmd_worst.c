@@ -147,44 +147,57 @@ static bool write_picture(struct worst *worst, gdImagePtr image, const char *suf
     return file && outputs_close(file, path, ok ? err : &(struct error){0}) && ok;
 }
 
-static bool write_cameras(struct worst *worst, struct error *err)
+/* What cannot be written is told before all the work. */
+static bool open_cameras(struct worst *worst, FILE **file, char path[PATH_MAX_B], struct error *err)
+{
+    *file = NULL;
+    if (!worst->request.folder) return true;
+    if (!outputs_spare(&worst->outputs, worst->request.model, err)) return false;
+    *file = open_output(worst, ".cam", path, err);
+    return *file != NULL;
+}
+
+static void write_cameras(const struct worst *worst, FILE *file)
 {
     const struct search_result *const results[FOUND] = {&worst->found.cost, &worst->found.error};
     static const char *const whats[FOUND] = {"costs most", "errs most"};
-    char path[PATH_MAX_B];
-    FILE *file = open_output(worst, ".cam", path, err);
-    if (!file) return false;
     fputs("# limner worst: searched, not proved\n", file);
     for (int i = 0; i < FOUND; i++) {
         fprintf(file, "# %s, of %zu cameras\n", whats[i], results[i]->tried);
         viewpoint_write(&results[i]->goals[0].worst, file);
     }
-    return outputs_close(file, path, err);
 }
 
-static bool write_files(struct worst *worst, struct error *err)
+static bool write_pictures(struct worst *worst, struct error *err)
 {
     const struct measure_request *request = &worst->request;
     struct viewpoint found[FOUND] = {worst->found.cost.goals[0].worst, worst->found.error.goals[0].worst};
     const struct camera_path path = {"searched cameras", found, FOUND};
     const struct measure_views views = {&path, &worst->lens, request->w_px, request->h_px};
     const struct measure_candidate candidate = candidate_of(worst);
-    if (!request->folder) return true;
-    return write_cameras(worst, err) &&
-           write_picture(worst, frame_picture(&candidate, &views, 0, NULL, err), "-cost.png", err) &&
+    return write_picture(worst, frame_picture(&candidate, &views, 0, NULL, err), "-cost.png", err) &&
            write_picture(worst, frame_picture(&candidate, &views, 1, NULL, err), "-error.png", err) &&
            write_picture(worst, difference_picture(&worst->source, &candidate, &views, 1, NULL, err), "-difference.png",
-                         err) &&
-           outputs_keep(&worst->outputs, err);
+                         err);
+}
+
+static bool run(struct worst *worst, struct error *err)
+{
+    char path[PATH_MAX_B];
+    FILE *file;
+    if (!open_cameras(worst, &file, path, err)) return false;
+    bool ok = search(worst, err);
+    if (ok && file) write_cameras(worst, file);
+    if (file) ok = outputs_close(file, path, ok ? err : &(struct error){0}) && ok;
+    if (ok) print_found(worst);
+    return ok && count(worst, err) && (!file || write_pictures(worst, err)) && outputs_keep(&worst->outputs, err);
 }
 
 int cmd_worst(int argc, char **argv)
 {
     struct worst worst = {0};
     struct error err;
-    bool ok = measure_request_parse(argc, argv, MEASURE_WORST, &worst.request, &err) && search(&worst, &err);
-    if (ok) print_found(&worst);
-    ok = ok && count(&worst, &err) && write_files(&worst, &err);
+    const bool ok = measure_request_parse(argc, argv, MEASURE_WORST, &worst.request, &err) && run(&worst, &err);
     outputs_discard(&worst.outputs);
     work_folder_remove(&worst.folder);
     measure_source_free(&worst.source);

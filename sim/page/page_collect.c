@@ -20,7 +20,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { MANY_POLYGONS = 2500, PORTRAITS = 8 };
+enum { MANY_POLYGONS = 2500, WORST_TRIES_OF_MANY = 300, PORTRAITS = 8 };
 static const double ROWS_SHARE = 0.4; /* of the time, for other methods */
 
 /* Rows --------------------------------------------------------------------------------------- */
@@ -121,7 +121,7 @@ static void add_worst(struct page *page)
     struct compile_options options = page->request.compile;
     const enum lim_method draws = page->scene.report.draws;
     if (options.worst_tries || (draws != LIM_NEAREST_FIRST && draws != LIM_SCANLINE)) return;
-    options.worst_tries = WORST_TRIES;
+    options.worst_tries = page->source.mesh.polygon_count > MANY_POLYGONS ? WORST_TRIES_OF_MANY : WORST_TRIES;
     add_compiled(page, &options, "with pools for the worst views", "--worst");
 }
 
