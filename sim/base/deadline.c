@@ -48,6 +48,11 @@ bool deadline_parse(const char *text, double *limit, struct error *err)
     return (*limit >= 0.0 && isfinite(*limit)) || error_set(err, "%s %s: seconds, or 0 for no limit", name, text);
 }
 
+bool deadline_is_set(void)
+{
+    return !isinf(end_s);
+}
+
 bool deadline_passed(void)
 {
     return !isinf(end_s) && clock_now_s() >= end_s;
@@ -72,6 +77,13 @@ bool deadline_check(struct error *err, const char *doing, ...)
     va_end(arguments);
     char after[AFTER_B];
     return error_set(err, "%s: %s", after_what(after), text);
+}
+
+struct deadline_end deadline_within(double seconds)
+{
+    const struct deadline_end outer = {end_s};
+    if (seconds > 0.0) end_s = fmin(end_s, clock_now_s() + seconds);
+    return outer;
 }
 
 struct deadline_end deadline_end(void)

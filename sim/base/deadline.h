@@ -20,6 +20,9 @@ void deadline_begin(double limit_s);
 /* The option's value, or without one (NULL) that of LIMNER_TIME_LIMIT in the environment, or the default. */
 bool deadline_parse(const char *text, double *limit_s, struct error *err);
 
+/* Whether there is a limit. */
+bool deadline_is_set(void);
+
 /* Whether loops should end, because time is over. Some 30 ns. */
 bool deadline_passed(void);
 
@@ -32,7 +35,8 @@ struct deadline_end {
     double end_s;
 };
 struct deadline_end deadline_share(double share);
-struct deadline_end deadline_end(void); /* as it is now */
+struct deadline_end deadline_within(double seconds); /* so long at most, also without a limit; 0: as it is */
+struct deadline_end deadline_end(void);              /* as it is now */
 void deadline_restore(struct deadline_end outer);
 
 /* Notes, if time is over, what counts nonetheless. */

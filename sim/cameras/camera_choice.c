@@ -39,7 +39,8 @@ bool camera_choice_parse(const char *text, struct camera_choice *out, struct err
 
 bool camera_choice_read(const struct camera_choice *choice, struct camera_path *out, struct error *err)
 {
-    return !choice->text || choice->random_count > 0 || camera_path_read(choice->text, out, err);
+    if (!choice->text || choice->random_count > 0) return true;
+    return camera_path_read(choice->text, out, err) && (choice->takes_times || camera_path_is_timeless(out, err));
 }
 
 bool camera_choice_plan(const struct camera_choice *choice, const struct compiled *scene, const struct lens *lens,

@@ -12,6 +12,7 @@ struct camera_choice {
     const char *text;    /* as given; NULL: not given, so an orbit */
     size_t random_count; /* 0: the text is a file's name */
     bool is_near;        /* of the random ones: near the model's faces */
+    bool takes_times;    /* a file's cameras may have times of their own; else they are refused */
     uint32_t seed;       /* of the random ones */
 };
 

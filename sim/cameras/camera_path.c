@@ -18,6 +18,7 @@
 
 enum { NUMBERS_A_LINE = 6, LINE_MOST_B = 4096, FILE_MOST_B = 64 << 20, CAMERAS_MOST = 100000 };
 static const double COORDINATE_MAX_M = 1e9;   /* keeps differences and their squares far from overflow */
+static const double TIME_MAX_S = 4e6;         /* in milliseconds 32 bits hold it */
 static const double EYE_END_Q8 = 268435456.0; /* 2^28, exclusive */
 static const double NEAR_MAX_Q8 = 16777216.0; /* 2^24 */
 static const double DEFAULT_FOV_DEG = 60.0;
@@ -58,11 +59,22 @@ void viewpoint_axes(const struct viewpoint *viewpoint, struct view_axes *axes)
 
 /* Files -------------------------------------------------------------------------------------- */
 
-/* Parses one line without its comment into numbers; how many there are, or -1 for anything else. */
+/* Takes `@SECONDS` from the end of a line; false: it is no time. */
+static bool take_time(char *line, struct viewpoint *out)
+{
+    char *at = strchr(line, '@'), *end;
+    if (!at) return true;
+    if (at == line || !isspace((unsigned char)at[-1])) return false;
+    out->time_s = strtod(at + 1, &end);
+    if (end == at + 1 || end[strspn(end, " \t\r\n")]) return false;
+    *at = '\0';
+    out->has_time = true;
+    return out->time_s >= 0.0 && out->time_s <= TIME_MAX_S;
+}
+
+/* Parses a line of numbers; how many there are, or -1 for anything else. */
 static int line_numbers(char *line, double numbers[NUMBERS_A_LINE])
 {
-    char *comment = strchr(line, '#');
-    if (comment) *comment = '\0';
     int count = 0;
     for (char *at = line;; count++) {
         while (isspace((unsigned char)*at))
@@ -79,8 +91,11 @@ static int line_numbers(char *line, double numbers[NUMBERS_A_LINE])
 static bool line_viewpoint(char *line, struct viewpoint *out, bool *is_blank, const char **reason)
 {
     double numbers[NUMBERS_A_LINE];
+    line[strcspn(line, "#")] = '\0';
+    *reason = "not a time; one is @SECONDS at the end of a line";
+    if (!take_time(line, out)) return false;
     int count = line_numbers(line, numbers);
-    *is_blank = count == 0;
+    *is_blank = count == 0 && !out->has_time;
     if (*is_blank) return true;
     *reason = "not a number; a line is ex ey ez tx ty tz";
     if (count < 0) return false;
@@ -143,6 +158,24 @@ bool camera_path_read(const char *name, struct camera_path *out, struct error *e
     fclose(lines.file);
     if (!ok) camera_path_free(out);
     return ok;
+}
+
+bool camera_path_is_timeless(const struct camera_path *path, struct error *err)
+{
+    for (size_t i = 0; i < path->count; i++)
+        if (path->frames[i].has_time)
+            return error_set(err, "%s:%zu: a camera with a time, which render alone draws", path->name,
+                             path->frames[i].line);
+    return true;
+}
+
+void viewpoint_write(const struct viewpoint *viewpoint, FILE *out)
+{
+    const double *eye_m = viewpoint->eye_m, *target_m = viewpoint->target_m;
+    fprintf(out, "%.15g %.15g %.15g %.15g %.15g %.15g", eye_m[0], eye_m[1], eye_m[2], target_m[0], target_m[1],
+            target_m[2]);
+    if (viewpoint->has_time) fprintf(out, " @%.15g", viewpoint->time_s);
+    fputc('\n', out);
 }
 
 bool camera_path_few(const struct camera_path *path, size_t count, struct camera_path *out, struct error *err)

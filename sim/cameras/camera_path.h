@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT
  *
  * Where the camera is in each frame, in metres and double precision: read from a camera file (a
- * line a frame, `ex ey ez tx ty tz`, '#' starts a comment) or an orbit around a scene; and its
- * conversion to the renderer's fixed-point camera. */
+ * line a frame, `ex ey ez tx ty tz`, perhaps with `@SECONDS` of the animation behind, '#' starts a comment) or an orbit
+ * around a scene; and its conversion to the renderer's fixed-point camera. */
 #ifndef SIM_CAMERA_PATH_H
 #define SIM_CAMERA_PATH_H
 
@@ -11,10 +11,13 @@
 #include "scene/compiled.h"
 
 #include <stddef.h>
+#include <stdio.h>
 
 struct viewpoint {
     double eye_m[3], target_m[3];
     size_t line; /* in the file, from 1; an orbit counts its frames */
+    bool has_time;
+    double time_s; /* where in the animation that is; only if has_time */
 };
 
 struct camera_path {
@@ -37,6 +40,12 @@ struct view_axes {
 
 /* Refuses, by FILE:LINE: reason, what is not six finite numbers, and an eye on its target. */
 bool camera_path_read(const char *path, struct camera_path *out, struct error *err);
+
+/* Refuses a path in which a camera has a time of its own: for whoever draws all of an animation. */
+bool camera_path_is_timeless(const struct camera_path *path, struct error *err);
+
+/* A line of such a file, as camera_path_read() reads it back. */
+void viewpoint_write(const struct viewpoint *viewpoint, FILE *out);
 
 /* frame_count frames once around the scene's bounds, from where all of it is in view. Small pictures, of SMALL_SIDE_PX
  * at most, it fills from top to bottom; in others the middle of its bounds is the picture's. */

@@ -13,7 +13,7 @@
 
 enum { TRIES = 200, PATIENCE = 100000, APART_UNITS = 16 /* eye and target */ };
 
-static double random_unit(struct sampler *sampler)
+double sampler_unit(struct sampler *sampler)
 {
     sampler->state ^= sampler->state >> 12;
     sampler->state ^= sampler->state << 25;
@@ -46,19 +46,19 @@ void sampler_init(struct sampler *sampler, const struct compiled *scene)
 static void point_in_bounds(struct sampler *sampler, double out_m[3])
 {
     for (int i = 0; i < 3; i++)
-        out_m[i] = sampler->low_m[i] + random_unit(sampler) * (sampler->high_m[i] - sampler->low_m[i]);
+        out_m[i] = sampler->low_m[i] + sampler_unit(sampler) * (sampler->high_m[i] - sampler->low_m[i]);
 }
 
 /* Anywhere in the bounds, or in bounds four times as wide. */
 static void random_point(struct sampler *sampler, double out_m[3])
 {
-    const double spread = random_unit(sampler) < 0.5 ? 1.0 : 4.0;
+    const double spread = sampler_unit(sampler) < 0.5 ? 1.0 : 4.0;
     double longest_m = 0;
     for (int i = 0; i < 3; i++)
         longest_m = fmax(longest_m, sampler->high_m[i] - sampler->low_m[i]);
     for (int i = 0; i < 3; i++) {
         const double side_m = spread > 1 ? longest_m * spread : sampler->high_m[i] - sampler->low_m[i];
-        out_m[i] = (sampler->low_m[i] + sampler->high_m[i]) / 2 + (random_unit(sampler) - 0.5) * side_m;
+        out_m[i] = (sampler->low_m[i] + sampler->high_m[i]) / 2 + (sampler_unit(sampler) - 0.5) * side_m;
     }
 }
 
@@ -78,7 +78,7 @@ struct viewpoint sampler_next(struct sampler *sampler)
         if (free_space_holds(sampler->scene, viewpoint.eye_m)) break;
     }
     const double count = sampler->scene->scene.vertex_count;
-    vertex_m(sampler->scene, (size_t)(random_unit(sampler) * count), viewpoint.target_m);
+    vertex_m(sampler->scene, (size_t)(sampler_unit(sampler) * count), viewpoint.target_m);
     if (distance_m(&viewpoint) < apart_m) viewpoint.target_m[2] += 2 * apart_m;
     return viewpoint;
 }
@@ -89,7 +89,7 @@ static double random_way(struct sampler *sampler, double out[3])
     double length;
     do {
         for (int i = 0; i < 3; i++)
-            out[i] = 2.0 * random_unit(sampler) - 1.0;
+            out[i] = 2.0 * sampler_unit(sampler) - 1.0;
         length = hypot(hypot(out[0], out[1]), out[2]);
     } while (length > 1.0 || length < 0.125);
     return length;
@@ -99,7 +99,7 @@ bool sampler_portrait(struct sampler *sampler, struct viewpoint *out)
 {
     const double *low_m = sampler->low_m, *high_m = sampler->high_m;
     const double reach_m = hypot(hypot(high_m[0] - low_m[0], high_m[1] - low_m[1]), high_m[2] - low_m[2]) / 2.0;
-    const double away_m = reach_m * (1.0 + random_unit(sampler));
+    const double away_m = reach_m * (1.0 + sampler_unit(sampler));
     double way[3];
 
     const double length = random_way(sampler, way);
@@ -119,7 +119,7 @@ static const struct original_face *random_face(struct sampler *sampler, const st
     const size_t count = original->seen_count;
     const double least_m = original->faces[original->by_size[0]].size_m;
     const double most_m = original->faces[original->by_size[count - 1]].size_m;
-    const double wanted_m = least_m * pow(most_m / least_m, random_unit(sampler));
+    const double wanted_m = least_m * pow(most_m / least_m, sampler_unit(sampler));
     size_t low = 0, high = count - 1;
     while (low < high) { /* the first that is no smaller */
         const size_t middle = (low + high) / 2;
@@ -136,7 +136,7 @@ static const struct original_face *random_face(struct sampler *sampler, const st
         first--;
     while (end < count && original->faces[original->by_size[end]].size_m < size_m * alike)
         end++;
-    const size_t chosen = first + (size_t)(random_unit(sampler) * (double)(end - first));
+    const size_t chosen = first + (size_t)(sampler_unit(sampler) * (double)(end - first));
     return &original->faces[original->by_size[chosen < end ? chosen : first]];
 }
 
@@ -145,8 +145,8 @@ static const struct original *random_thing(struct sampler *sampler, struct model
 {
     const struct moving *moving = sampler->scene->moving;
     *pose = (struct model_pose){.turn = {0, 0, 0, 1}};
-    if (!moving || random_unit(sampler) < 0.5) return sampler->scene->original;
-    const size_t i = (size_t)(random_unit(sampler) * (double)moving->count);
+    if (!moving || sampler_unit(sampler) < 0.5) return sampler->scene->original;
+    const size_t i = (size_t)(sampler_unit(sampler) * (double)moving->count);
     *pose = pose_at(&moving->model, &moving->model.movers[i], sampler->time_s);
     return moving->objects[i].scene.original;
 }
@@ -160,7 +160,7 @@ bool sampler_near(struct sampler *sampler, struct viewpoint *out)
         const struct original *original = random_thing(sampler, &pose);
         if (!original || !original->seen_count) return false;
         const struct original_face *face = random_face(sampler, original);
-        const double away_m = fmax(face->size_m * (1.0 + 3.0 * random_unit(sampler)), least_m);
+        const double away_m = fmax(face->size_m * (1.0 + 3.0 * sampler_unit(sampler)), least_m);
         double way[3];
         const double length = random_way(sampler, way), side = vec3_dot(way, face->normal) < 0.0 ? -1.0 : 1.0;
         *out = (struct viewpoint){.line = 1};

@@ -38,6 +38,9 @@ bool sampler_near(struct sampler *sampler, struct viewpoint *out);
 /* Other random numbers than those that sampler_init() begins with, which the compiler tunes on. */
 void sampler_seed(struct sampler *sampler, uint32_t seed);
 
+/* The next random number, from 0 up to 1. */
+double sampler_unit(struct sampler *sampler);
+
 /* An eye in free space as above, looking anywhere in the bounds: no vertex is preferred. False: no free space found. */
 bool sampler_anywhere(struct sampler *sampler, struct viewpoint *out);
 

@@ -122,7 +122,7 @@ static gdImagePtr draw(struct comparing *comparing, const struct compare_row *ro
     const struct measure_views views = views_of(comparing, &comparing->path);
     const struct measure_candidate candidate = {comparing->table.core, &row->scene};
     progress("pictures, %s", row->method->name);
-    return difference_picture(&comparing->source, &candidate, &views, frame, err);
+    return difference_picture(&comparing->source, &candidate, &views, frame, NULL, err);
 }
 
 /* The frame in which some method is at its worst. */

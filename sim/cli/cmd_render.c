@@ -159,7 +159,9 @@ static bool write_frame(struct render *render, size_t frame, struct error *err)
 /* Firmware counts milliseconds. */
 static double frame_time_s(const struct render *render, size_t frame)
 {
-    return round(1000.0 * (double)frame / render->frames_per_s) / 1000.0;
+    const struct viewpoint *viewpoint = &render->path.frames[frame];
+    const double time_s = viewpoint->has_time ? viewpoint->time_s : (double)frame / render->frames_per_s;
+    return round(1000.0 * time_s) / 1000.0;
 }
 
 static bool identify_frame(struct render *render, size_t frame, const struct lim_camera *camera, struct error *err)

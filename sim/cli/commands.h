@@ -24,5 +24,7 @@ int cmd_boot2(int argc, char **argv);
 int cmd_report_bug(int argc, char **argv);
 int cmd_replay(int argc, char **argv);
 int cmd_export(int argc, char **argv);
+int cmd_worst(int argc, char **argv);
+int cmd_report(int argc, char **argv);
 
 #endif

@@ -7,6 +7,7 @@
 #include "compiler/portal_choice.h"
 #include "compiler/tree_choice.h"
 #include "core/core_parse.h"
+#include "measure/worst_views.h"
 #include "scene/moving.h"
 
 #include <getopt.h>
@@ -45,7 +46,8 @@ enum option_code {
     OPTION_MOVERS,
     OPTION_MOVER_LIGHT,
     OPTION_REPORT,
-    OPTION_OVERLAY
+    OPTION_OVERLAY,
+    OPTION_WORST
 };
 
 static const struct option OPTIONS[] = {
@@ -76,6 +78,7 @@ static const struct option OPTIONS[] = {
     {"near", required_argument, NULL, OPTION_NEAR},
     {"mover-light", required_argument, NULL, OPTION_MOVER_LIGHT},
     {"movers", required_argument, NULL, OPTION_MOVERS},
+    {"worst", optional_argument, NULL, OPTION_WORST},
     {"report", no_argument, NULL, OPTION_REPORT},
     {NULL, 0, NULL, 0},
 };
@@ -157,6 +160,8 @@ static bool parse_option(int code, char **argv, struct compile_request *out, str
         return camera_choice_parse(optarg, &out->bound.cameras, err);
     case OPTION_CORE:
         return measure_cpu_parse(optarg, &out->bound.cpu, err);
+    case OPTION_WORST:
+        return worst_tries_parse(optarg, &out->compile.worst_tries, err);
     case OPTION_MOVERS:
         return moving_mode_parse(optarg, &out->movers.mode, err);
     case OPTION_MOVER_LIGHT:

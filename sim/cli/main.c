@@ -39,7 +39,9 @@ static const struct command {
                 {"boot2", cmd_boot2, false},
                 {"report-bug", cmd_report_bug, true},
                 {"replay", cmd_replay, true},
-                {"export", cmd_export, true}};
+                {"export", cmd_export, true},
+                {"worst", cmd_worst, true},
+                {"report", cmd_report, true}};
 
 /* --trust-paths, which means the same to all commands that read models, is taken out. */
 static int take_trust(int argc, char **argv)

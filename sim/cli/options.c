@@ -397,6 +397,7 @@ bool options_parse(int argc, char **argv, enum options_set set, struct options *
     if (optind >= argc) return error_set(err, "%s: needs a model or a .lim file", argv[0]);
     if (optind + 1 < argc) return error_set(err, "%s: one scene at a time, what is '%s'?", argv[0], argv[optind + 1]);
     out->scene_path = argv[optind];
+    out->cameras.takes_times = is_render;
     if (is_render && !asks_for_output(out)) out->frame_pattern = "out/%03d.png";
     if (!compile_options_settle(&out->compile, err)) return false;
     if (!out->compile.method && out->compile.tree == TREE_NONE) out->setup.method = LIM_NEWELL;

@@ -30,8 +30,11 @@ enum {
     REPLAY = 1 << 16,
     ESPIMAGE = 1 << 17,
     EXPORT = 1 << 18,
+    WORST = 1 << 19,
+    PAGE = 1 << 20,
+    ONE = WORST | PAGE,
     SCENES = COMPILE | RENDER | VIEW | PLAY | REPORT_BUG | EXPORT,
-    MODELS = SCENES | MEASURE | COMPARE | SPLITTERS,
+    MODELS = SCENES | MEASURE | COMPARE | SPLITTERS | ONE,
     MODULES = PLAY | MODULE | CARD | DECODE | EXPORT,
     ALONE = 1 << 30 /* in a command's own help alone: the whole has said it in a heading */
 };
@@ -79,27 +82,32 @@ static const struct usage_command COMMANDS[] = {
      "Writes a folder for a toolchain: renderer, scene, display, example. Without --panel and --size: its commonest "
      "display.",
      "limner export house.obj --for pico --panel ili9341 -o house"},
+    {"worst", "MODEL", "Searches the camera that costs most and the one that errs most.",
+     "limner worst house.obj --seconds 60 -o out/worst"},
+    {"report", "MODEL -o FILE.html",
+     "Writes a page: views, wrong pixels, what each stage costs, memory, the tree, the worst frames, what to do next.",
+     "limner report house.obj -o house.html"},
 };
 
 static const struct usage_entry ENTRIES[] = {
     {0, "compile, render, view and measure, for a MODEL; compare and splitters take some of these, below:\n"},
-    {SCENES, "  --precision NAME    draft, fast, fine or exact (fast)\n"},
-    {SCENES | MEASURE,
+    {SCENES | ONE, "  --precision NAME    draft, fast, fine or exact (fast)\n"},
+    {SCENES | MEASURE | ONE,
      "  --method NAME       nearest, painter, convex for one convex solid, scanline for flat scenes of which\n"
      "                      little is hidden (compile, measure: chosen if cheaper); nearest first with a tree of\n"
      "                      that kind: bsp, clusters, axis, octree (nearest or convex);\n"
      "                      without a tree: depth, by farthest points, and newell, which puts that right;\n"
      "                      mesh, triangles by distance, and mesh-depth, with a line of depths: approximate\n"
      "                      portals: the same with --portals on\n"},
-    {SCENES | MEASURE | SPLITTERS,
+    {SCENES | MEASURE | SPLITTERS | ONE,
      "  --tree NAME         auto, bsp, clusters, axis, octree, none: a set, or mesh; auto: bsp, clusters\n"
      "                      or axis, whichever draws sampled cameras cheapest (auto where bsp splits a quarter,\n"
      "                      else bsp)\n"},
-    {SCENES | MEASURE | COMPARE,
+    {SCENES | MEASURE | COMPARE | ONE,
      "  --splitter NAME     which polygon's plane divides: first, fewest, balanced, weighted, sampled,\n"
      "                      or the best of fewest and all weights: auto (auto)\n"},
     {SCENES | SPLITTERS, "  --tolerance UNITS   how far a polygon may be off a plane that it lies on (0.5)\n"},
-    {COMPILE | RENDER | VIEW | REPORT_BUG | MEASURE | COMPARE | SPLITTERS,
+    {COMPILE | RENDER | VIEW | REPORT_BUG | MEASURE | COMPARE | SPLITTERS | ONE,
      "  --size WxH          of the panel, 1 to 1024 pixels each (240x240; compile, render, view: that of --panel)\n"},
     {MODELS, "  --near M            distance of the near plane, metres (0.1; more in scenes of more than 2 km)\n"},
     {MODELS, "  --drop-small        leave out what is too small for the scene's grid, instead of refusing the model\n"},
@@ -112,7 +120,7 @@ static const struct usage_entry ENTRIES[] = {
      "  --wireframe         for drawing outlines alone, hidden lines left out (render, view: drawn so;\n"
      "                      --wireframe=RRGGBB,RRGGBB: all lines and the background in these colours; on black\n"
      "                      and white panels white on black, on memory LCDs black on white)\n"},
-    {SCENES | MEASURE | COMPARE,
+    {SCENES | MEASURE | COMPARE | ONE,
      "  --antialias         for smooth edges, methods that draw nearest first (render, view: drawn so)\n"},
     {SCENES | MEASURE | COMPARE,
      "  --delta             for sending what changes alone (render, view: sent so; --delta=RUNS: with memory for\n"
@@ -121,13 +129,16 @@ static const struct usage_entry ENTRIES[] = {
      "  --trust-paths       files that a MODEL names (materials, textures, buffers) may lie outside of its folder:\n"
      "                      paths with `..`, absolute ones, links (all commands that read a MODEL)\n"},
     {0, "compile and measure, for a MODEL:\n"},
-    {COMPILE | EXPORT | MEASURE | COMPARE,
+    {COMPILE | EXPORT | MEASURE | COMPARE | ONE,
      "  --framebuffer       for boards with RAM for all pixels, 16 bits each: fewer instructions; for\n"
      "                      opaque scenes in whole colours, in which nothing moves\n"},
-    {COMPILE | EXPORT | MEASURE | COMPARE,
+    {COMPILE | EXPORT | MEASURE | COMPARE | ONE,
      "  --overlay           for text and figures over the frames (firmware/overlay.h; measure: the frame's number)\n"},
-    {COMPILE | EXPORT | MEASURE,
+    {COMPILE | EXPORT | MEASURE | ONE,
      "  --portals WHEN      store what can be seen from where: on, off, or auto, where it pays (measure: off)\n"},
+    {COMPILE | EXPORT | MEASURE | COMPARE | ONE,
+     "  --worst             pools for the views that take most of 2000 searched ones (--worst=CAMERAS: of so many),\n"
+     "                      beside those that are sampled: such frames take no second walk\n"},
     {0, "compile and render, of models with animations (measure and compare draw all of the animation):\n"},
     {COMPILE | EXPORT | RENDER | REPORT_BUG,
      "  --movers NAME       how what moves enters the scene: clipped down its tree, centre (faster, and wrong\n"
@@ -136,7 +147,7 @@ static const struct usage_entry ENTRIES[] = {
      "  --mover-light NAME  baked into its colours where the file has it, or turning: lit in each frame (baked)\n"},
     {0, "compile only:\n"},
     {COMPILE | ALONE, "  -o NAME             NAME.c, NAME.h and NAME.lim\n"},
-    {COMPILE | EXPORT | MEASURE | COMPARE | SPLITTERS,
+    {COMPILE | EXPORT | MEASURE | COMPARE | SPLITTERS | ONE,
      "  --keep-faces        do not merge coplanar neighbours of one colour\n"},
     {COMPILE,
      "  --panel NAME        a chip, as render's --panel: its size, and if it is black and white light and tones\n"
@@ -153,11 +164,12 @@ static const struct usage_entry ENTRIES[] = {
      "free space)\n"},
     {COMPILE | EXPORT, "  --core NAME         whose instructions count: m0plus, m3, m4, m33, rv32 (fewest bits)\n"},
     {0, "render and view:\n"},
-    {RENDER | VIEW | PLAY | REPORT_BUG | MEASURE | COMPARE,
+    {RENDER | VIEW | PLAY | REPORT_BUG | MEASURE | COMPARE | PAGE,
      "  --camera FILE       a line a frame: ex ey ez tx ty tz, metres (an orbit of 16 frames); or\n"
      "                      random:SEED[:FRAMES], at random in the scene's free space (64 frames); or near:...,\n"
      "                      the same near the model's faces, small ones as often as large ones\n"},
-    {RENDER | VIEW | PLAY | REPORT_BUG | MEASURE | COMPARE, "  --fov DEG           vertical field of view (60)\n"},
+    {RENDER | VIEW | PLAY | REPORT_BUG | MEASURE | COMPARE | ONE,
+     "  --fov DEG           vertical field of view (60)\n"},
     {RENDER | VIEW | REPORT_BUG,
      "  --panel NAME        of an emulated chip: gc9a01, ili9341, ili9488, ssd1351, st7735, st7789, st7796,\n"
      "                      perhaps with :rgb444 or :rgb666; 16 greys: ssd0323, ssd1327; black and white:\n"
@@ -200,6 +212,14 @@ static const struct usage_entry ENTRIES[] = {
     {COMPARE, "  --core LIST         processors (m0plus,m4); without their tools: dashes\n"},
     {COMPARE, "  --frames N          of the cameras, evenly chosen (all)\n"},
     {COMPARE, "  --cost-frames N     of these, for instructions (4)\n"},
+    {0, "worst and report take what compile takes of a scene, --camera (report) and --fov as above, and:\n"},
+    {WORST | ALONE,
+     "  -o PATH             PATH.cam, for render, PATH-cost.png, PATH-error.png and PATH-difference.png\n"},
+    {PAGE | ALONE, "  -o FILE.html        the page: one file, which loads nothing\n"},
+    {ONE, "  --seconds S         how long to search (20; with --tries or without --time-limit: as long as all tries)\n"
+          "  --tries N           cameras for what costs most, a tenth as many for what errs most (2000)\n"
+          "  --seed N            of the search (0)\n"},
+    {ONE | ALONE, "  --core LIST         processors to count instructions on: m0plus, m3, m4, m33, rv32 (none)\n"},
     {0, "splitters: --tree, --tolerance, --size, --near, --unlit, --keep-faces as above\n"},
     {0, "play: what view takes, but for a MODEL's own panel; loops until it is ended, unless there is --frames\n"},
     {MODULES, "  --panel NAME        the display's controller, as render's --panel, perhaps with a format\n"},

@@ -306,6 +306,7 @@ bool compile_mesh(const struct mesh *mesh, const struct compile_options *options
         out->report.fill = options->fill;
         out->report.framebuffer = options->framebuffer;
         out->report.delta_runs = options->delta;
+        out->report.worst.tries = options->worst_tries;
         ok = ok && compile_measured(out, options, err);
         progress_end();
         if (!ok) compiled_free(out);

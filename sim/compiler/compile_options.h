@@ -43,6 +43,7 @@ struct compile_options {
     double near_m;                  /* of the cameras that it is for; 0: lens_default_near_m() */
     double forced_near_m; /* of what moves: how near the scene's cameras may have their near plane, if no nearer */
     bool drop_small;      /* leave out what is too small for the grid, instead of refusing the model */
+    size_t worst_tries;   /* cameras to search the worst views among, for pools that hold them; 0: none */
     bool predict;         /* measure the wrong-pixel share for the report: takes a second or so */
 };
 

@@ -9,6 +9,7 @@
 #include "base/deadline.h"
 #include "base/progress.h"
 #include "cameras/sample.h"
+#include "compiler/pool_search.h"
 #include "limner.h"
 #include "render/frame_cost.h"
 #include "render/simulator.h"
@@ -37,12 +38,18 @@ struct usage {
     double instructions_most;         /* beyond that no more frames are drawn; 0: whatever it takes */
     uint32_t splits;                  /* of all frames */
     uint32_t splits_max, entries_max; /* strays included: without room for a piece the picture may be wrong */
+    struct search_result searched;    /* what options.worst asks for; else nothing was tried */
 };
 
 static uint16_t with_margin(uint16_t used, uint16_t least)
 {
     const unsigned wanted = used + used / 8u + 1;
     return (uint16_t)(wanted < least ? least : wanted > UINT16_MAX ? UINT16_MAX : wanted);
+}
+
+static uint16_t with_margin_of_one(double used)
+{
+    return (uint16_t)(used + 1.0 < UINT16_MAX ? used + 1.0 : UINT16_MAX);
 }
 
 static int compare_u16(const void *a, const void *b)
@@ -128,7 +135,8 @@ static bool sample_frames(const struct compiled *scene, struct moving *moving, s
         if (!simulator_frame(simulator, &camera, err)) return false;
         note(usage, simulator);
     }
-    return true;
+    return !scene->report.worst.tries || is_too_much(usage) || !usage->cameras ||
+           pool_search_run(scene, moving, simulator, &lens, scene->report.worst.tries, &usage->searched, err);
 }
 
 /* How frames are drawn. */
@@ -174,9 +182,20 @@ static uint16_t greater(uint16_t a, uint16_t b)
     return a > b ? a : b;
 }
 
+/* To what was found by search, with nothing on top. */
+static void raise_to_searched(const struct search_result *searched, struct lim_limits *limits)
+{
+    const struct search_goal *goals = searched->goals;
+    if (!searched->tried) return;
+    limits->retained_cells = greater(limits->retained_cells, with_margin_of_one(goals[POOL_SEARCH_CELLS].score));
+    limits->gaps = greater(limits->gaps, with_margin_of_one(goals[POOL_SEARCH_GAPS].score));
+    limits->active = greater(limits->active, with_margin_of_one(goals[POOL_SEARCH_ACTIVE].score));
+}
+
 /* Raises the limits to what the orders with spans used. */
 static void raise_limits(struct compiled *roomy, struct moving *moving, struct usage *usage, struct lim_limits *limits)
 {
+    raise_to_searched(&usage->searched, limits);
     const uint16_t cells = with_margin(most(usage->cells, usage->cameras), needs_least_cells(limits));
     limits->retained_cells = greater(limits->retained_cells, cells);
     limits->gaps = greater(limits->gaps, with_margin(most(usage->gaps, usage->cameras), 1));
@@ -197,6 +216,7 @@ static bool sample_spans(struct compiled *roomy, struct moving *moving, const st
     struct usage usage = {0};
     if (!sample_method(roomy, moving, setup, style, &usage, err)) return false;
     raise_limits(roomy, moving, &usage, limits);
+    if (style == STYLE_PLAIN) pool_search_report(&usage.searched, &roomy->grid, &roomy->report.worst);
     if (style == STYLE_PLAIN && !moving && usage.splits >= ENOUGH_SPLITS) roomy->report.few_cameras = usage.cameras;
     if (style == STYLE_PLAIN && usage.cameras && frame_cost_knows(setup->method) && frame_cost_is_known(&roomy->scene))
         roomy->report.instructions = usage.instructions / (double)usage.cameras;
@@ -233,6 +253,7 @@ bool pools_measure_moving(struct compiled *scene, struct moving *moving, const s
         return false;
     lim_image_set_limits(scene, &limits);
     scene->report.delta_runs = roomy.report.delta_runs;
+    scene->report.worst = roomy.report.worst;
     scene->report.instructions = NAN; /* what moves costs, too */
     return true;
 }
@@ -275,6 +296,7 @@ bool pools_measure(struct compiled *scene, const struct core *core, unsigned w_p
     scene->report.instructions = is_known ? roomy.report.instructions : NAN;
     scene->report.delta_runs = roomy.report.delta_runs;
     scene->report.few_cameras = roomy.report.few_cameras;
+    scene->report.worst = roomy.report.worst;
     return scene->report.draws != LIM_SCANLINE || pools_measure_scanline(scene, core, 0.0, err);
 }
 
@@ -292,6 +314,7 @@ bool pools_measure_scanline(struct compiled *scene, const struct core *core, dou
     if (instructions_most > 0.0 && deadline_passed()) return true; /* of other cameras than those before */
     if (instructions_most > 0.0 && !(instructions <= instructions_most)) return true;
     raise_limits(&roomy, NULL, &usage, &limits);
+    pool_search_report(&usage.searched, &scene->grid, &scene->report.worst);
     lim_image_set_limits(scene, &limits);
     scene->report.draws = LIM_SCANLINE;
     scene->report.instructions = frame_cost_is_known(&scene->scene) ? instructions : NAN;

@@ -5,8 +5,8 @@
 #include "core/core.h"
 #include "scene/compiled.h"
 #include "scene/mcu_mem.h"
+#include "scene/mem_parts.h"
 #include "scene/records.h"
-#include "scene/width.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -111,6 +111,23 @@ static void print_mesh_choice(const struct compiled *scene)
                choice->tree_mem_b);
 }
 
+/* Searched, not proved. */
+static void print_worst(const struct compile_report *report)
+{
+    const struct worst_report *worst = &report->worst;
+    if (!worst->tried) return;
+    printf("  %-28s %8zu cameras searched, not proved\n", "worst view, of", worst->tried);
+    if (is_predicted(report)) printf("    %-26s %8.0f on Cortex-M0+, predicted\n", "instructions", worst->work);
+    printf("    %-26s %8.2f times the mean, %.2f times the worst\n", "of random cameras",
+           worst->work / worst->work_mean, worst->work / worst->work_random);
+    printf("    camera:");
+    for (int i = 0; i < 3; i++)
+        printf(" %.15g", worst->eye_m[i]);
+    for (int i = 0; i < 3; i++)
+        printf(" %.15g", worst->target_m[i]);
+    putchar('\n');
+}
+
 static void print_tree(const struct compiled *scene)
 {
     static const char *const kinds[] = {"x = const", "y = const",     "z = const",
@@ -126,6 +143,8 @@ static void print_tree(const struct compiled *scene)
     printf("  %-28s %8s\n", "tree", tree_names[report->tree]);
     if (report->choice.kind) print_choice(report);
     if (report->tree == TREE_MESH) printf("    %-26s its order is approximate\n", method_name(report->draws));
+    if (report->tree == TREE_MESH && report->draws == LIM_MESH_DEPTH)
+        print_count("  triangles with depth", report->deep);
     if (*report->splitter && report->tree != TREE_NONE) printf("  %-28s %8s\n", "splitter", report->splitter);
     if (report->tree != TREE_MESH) print_count("depth of the tree", report->depth);
     if (report->mono) printf("  %-28s %8s\n", "light and tones", "for black and white pixels");
@@ -143,6 +162,7 @@ static void print_tree(const struct compiled *scene)
         printf("  %-28s %8.0f on Cortex-M0+, predicted\n", "instructions a frame", report->instructions);
     if (is_predicted(report)) print_order(scene);
     print_mesh_choice(scene);
+    print_worst(report);
     if (!isnan(report->wrong.percent))
         printf("  %-28s %8.4f %%, %zu sampled cameras\n", "wrong pixels, predicted", report->wrong.percent,
                report->wrong.cameras);
@@ -184,26 +204,13 @@ static void print_bytes(const char *what, size_t size_b, size_t polygons)
 
 static void print_flash(const struct compiled *scene)
 {
-    const struct lim_scene *arrays = &scene->scene;
-    const bool wide = width_is_wide(arrays);
-    const bool is_mesh = lim_scene_is_mesh(arrays);
+    struct mem_part parts[FLASH_PARTS_MAX];
+    const bool is_mesh = lim_scene_is_mesh(&scene->scene);
+    const size_t count = flash_parts(scene, parts);
     const size_t polygons = is_mesh ? scene->report.polygons_out : scene->report.polygons_in;
     printf("%-30s %8s %10s\n", "flash", "bytes", is_mesh ? "a triangle" : "a polygon");
-    print_bytes("vertices", arrays->vertex_count * sizeof *arrays->vertices, polygons);
-    if (arrays->node_count) {
-        print_bytes("nodes", arrays->node_count * width_node_b(wide), polygons);
-        print_bytes("planes", arrays->plane_count * width_plane_b(wide), polygons);
-        print_bytes("exact planes", arrays->exact_count * sizeof *arrays->exact, polygons);
-    }
-    print_bytes("boxes", arrays->box_count * sizeof *arrays->boxes, polygons);
-    print_bytes("polygons", arrays->polygon_words * width_word_b(wide), polygons);
-    if (arrays->texture_count) {
-        print_bytes("texels", arrays->texel_blocks * (size_t)LIM_TEXEL_BLOCK, polygons);
-        print_bytes("palettes", arrays->palette_colours * sizeof *arrays->palettes, polygons);
-        print_bytes("mappings and textures",
-                    arrays->mapping_count * sizeof *arrays->mappings + arrays->texture_count * sizeof *arrays->textures,
-                    polygons);
-    }
+    for (size_t i = 0; i < count; i++)
+        print_bytes(parts[i].name, parts[i].size_b, polygons);
     print_bytes("in all", scene->report.flash_b, polygons);
 }
 

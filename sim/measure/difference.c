@@ -21,12 +21,19 @@ struct drawing {
     struct ids ids;
 };
 
+/* A camera has a time of its own, or all of the animation is drawn. */
+static double frame_time_s(const struct compiled *scene, const struct measure_views *views, size_t frame)
+{
+    const struct viewpoint *viewpoint = &views->path->frames[frame];
+    return viewpoint->has_time ? viewpoint->time_s : moving_time_s(scene->moving, frame, views->path->count);
+}
+
 /* Where they are in that frame. */
 static bool place_movers(struct drawing *drawing, struct measure_source *source, const struct compiled *scene,
                          const struct measure_views *views, size_t frame, struct error *err)
 {
     if (!scene->moving) return true;
-    const double time_s = moving_time_s(scene->moving, frame, views->path->count);
+    const double time_s = frame_time_s(scene, views, frame);
     moving_pose(scene->moving, time_s);
     moving_pose_reference(source->still.moving, &source->reference, time_s);
     return simulator_add_movers(&drawing->simulator, scene, err) && ids_set_movers(&drawing->ids, scene->moving, err);
@@ -72,19 +79,46 @@ static void paint(const struct drawing *drawing, const struct measure_source *so
 }
 
 gdImagePtr difference_picture(struct measure_source *source, const struct measure_candidate *candidate,
-                              const struct measure_views *views, size_t frame, struct error *err)
+                              const struct measure_views *views, size_t frame, struct compare_counts *counts,
+                              struct error *err)
 {
+    const double unit_m = 1.0 / candidate->scene->grid.units_per_m;
     struct drawing drawing = {0};
     gdImagePtr image = NULL;
     if (draw_frame(&drawing, source, candidate, views, frame, err)) {
         image = gdImageCreateTrueColor((int)views->w_px, (int)views->h_px);
         if (image)
-            paint(&drawing, source, 1.0 / candidate->scene->grid.units_per_m, image);
+            paint(&drawing, source, unit_m, image);
         else
             error_set(err, "difference picture: out of memory");
+        if (counts) *counts = compare_picture(drawing.ids.faces, &source->reference, source->mesh.merged_into, unit_m);
     }
     simulator_free(&drawing.simulator);
     ids_free(&drawing.ids);
+    return image;
+}
+
+gdImagePtr frame_picture(const struct measure_candidate *candidate, const struct measure_views *views, size_t frame,
+                         struct lim_stats *stats, struct error *err)
+{
+    const struct compiled *scene = candidate->scene;
+    const struct simulator_setup setup = {views->w_px, views->h_px, scene->report.draws, measure_panel(scene),
+                                          candidate->core};
+    struct simulator simulator;
+    struct lim_camera camera;
+    gdImagePtr image = NULL;
+    if (!simulator_init(&simulator, &scene->scene, &setup, err)) return NULL;
+    if (scene->moving) moving_pose(scene->moving, frame_time_s(scene, views, frame));
+    if (simulator_add_movers(&simulator, scene, err) &&
+        simulator_set_antialias(&simulator, scene->report.antialias, err) &&
+        camera_path_to_camera(views->path, frame, views->lens, &scene->grid, &camera, err) &&
+        simulator_frame(&simulator, &camera, err)) {
+        const struct film film = simulator_film(&simulator);
+        image = image_from_frame(&film, 0);
+        if (!image) error_set(err, "picture of a frame: out of memory");
+        if (stats) *stats = *simulator_stats(&simulator);
+    }
+    simulator_free(&simulator);
     return image;
 }
 

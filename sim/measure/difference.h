@@ -9,9 +9,14 @@
 
 #include <gd.h>
 
-/* One frame; gdImageDestroy() it. NULL: see err. */
+/* One frame, and what was counted in it (NULL: not asked for); gdImageDestroy() it. NULL: see err. */
 gdImagePtr difference_picture(struct measure_source *source, const struct measure_candidate *candidate,
-                              const struct measure_views *views, size_t frame, struct error *err);
+                              const struct measure_views *views, size_t frame, struct compare_counts *counts,
+                              struct error *err);
+
+/* The frame as it is, and what it took (NULL: not asked for). Likewise. */
+gdImagePtr frame_picture(const struct measure_candidate *candidate, const struct measure_views *views, size_t frame,
+                         struct lim_stats *stats, struct error *err);
 
 /* A cell of a sheet. */
 struct difference_cell {

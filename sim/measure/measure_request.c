@@ -12,6 +12,7 @@
 #include "core/core.h"
 
 #include <getopt.h>
+#include <math.h>
 #include <stdio.h>
 #include <string.h>
 #include <strings.h>
@@ -37,7 +38,11 @@ enum option_code {
     OPTION_TREE,
     OPTION_SPLITTER,
     OPTION_FRAMES,
-    OPTION_COST_FRAMES
+    OPTION_COST_FRAMES,
+    OPTION_SEED,
+    OPTION_TRIES,
+    OPTION_SECONDS,
+    OPTION_WORST
 };
 
 enum { COST_FRAMES = 4, FRAMES_MAX = 1000000 };
@@ -66,16 +71,44 @@ static const struct option OPTIONS[] = {
     {"splitter", required_argument, NULL, OPTION_SPLITTER},
     {"frames", required_argument, NULL, OPTION_FRAMES},
     {"cost-frames", required_argument, NULL, OPTION_COST_FRAMES},
+    {"seed", required_argument, NULL, OPTION_SEED},
+    {"tries", required_argument, NULL, OPTION_TRIES},
+    {"seconds", required_argument, NULL, OPTION_SECONDS},
+    {"worst", optional_argument, NULL, OPTION_WORST},
     {NULL, 0, NULL, 0},
 };
 
-/* Some only make sense for one of the two. */
+/* Of one scene, not of several that are compared. */
+static bool is_of_one(enum measure_of of)
+{
+    return of == MEASURE_WORST || of == MEASURE_PAGE;
+}
+
+/* Some only make sense for some of them. */
 static bool has_option(enum measure_of of, int code)
 {
-    if (code == OPTION_METHOD || code == OPTION_TREE || code == OPTION_PORTALS || code == OPTION_SUB_BITS)
+    switch (code) {
+    case OPTION_METHOD:
+    case OPTION_TREE:
+    case OPTION_PORTALS:
+        return of != MEASURE_METHODS;
+    case OPTION_SUB_BITS:
         return of == MEASURE_PRECISIONS;
-    if (code == OPTION_FRAMES || code == OPTION_COST_FRAMES) return of == MEASURE_METHODS;
-    return true;
+    case OPTION_FRAMES:
+    case OPTION_COST_FRAMES:
+        return of == MEASURE_METHODS;
+    case OPTION_SEED:
+    case OPTION_TRIES:
+    case OPTION_SECONDS:
+        return is_of_one(of);
+    case OPTION_CAMERA:
+        return of != MEASURE_WORST;
+    case OPTION_NO_COST:
+    case OPTION_DELTA:
+        return !is_of_one(of);
+    default:
+        return true;
+    }
 }
 
 /* Calls `add` for each name of a list. */
@@ -150,12 +183,31 @@ static bool refuse_option(int code, struct error *err)
     return no_such_option(given, err);
 }
 
+static bool parse_search(int code, const char *text, struct worst_options *out, struct error *err)
+{
+    uint32_t tries;
+    if (code == OPTION_SEED) return parse_whole("--seed", text, 0, UINT32_MAX, &out->seed, err);
+    if (code == OPTION_SECONDS)
+        return parse_number("--seconds", text, &out->seconds, err) &&
+               ((out->seconds >= 0.0 && isfinite(out->seconds)) ||
+                error_set(err, "--seconds %s: how long to search, or 0 for no bound but --tries", text));
+    if (!parse_whole("--tries", text, 1, WORST_TRIES_MAX, &tries, err)) return false;
+    out->tries = tries;
+    return true;
+}
+
 static bool parse_option(int code, char **argv, struct measure_request *out, bool *no_cost, struct error *err)
 {
     switch (code) {
     case 'o':
         out->folder = optarg;
-        return *optarg || error_set(err, "-o: needs a folder");
+        return *optarg || error_set(err, "-o: needs a %s", is_of_one(out->of) ? "name" : "folder");
+    case OPTION_WORST:
+        return worst_tries_parse(optarg, &out->compile.worst_tries, err);
+    case OPTION_SEED:
+    case OPTION_TRIES:
+    case OPTION_SECONDS:
+        return parse_search(code, optarg, &out->worst, err);
     case OPTION_CAMERA:
         return camera_choice_parse(optarg, &out->cameras, err);
     case OPTION_SIZE:
@@ -241,31 +293,37 @@ static void add_usual_variants(struct measure_request *out)
 
 static void fill_in(enum measure_of of, bool no_cost, struct measure_request *out)
 {
-    const bool is_methods = of == MEASURE_METHODS;
-    if (is_methods && !out->core_count) out->cores[out->core_count++] = &core_fast;
+    const bool is_methods = of == MEASURE_METHODS, is_one = is_of_one(of);
+    if ((is_methods || is_one) && !out->core_count) out->cores[out->core_count++] = &core_fast;
     if (!out->core_count && !out->variant_count)
         for (size_t i = 0; cores[i] && i < MEASURE_CORES_MAX; i++)
             out->cores[out->core_count++] = cores[i];
     if (out->sub_bits) add_usual_variants(out);
-    if (!out->cpu_count && !no_cost)
+    if (!out->cpu_count && !no_cost && !is_one)
         for (size_t i = 0; i < measure_cpu_count; i++)
             if (!is_methods || strcmp(measure_cpus[i].name, "m0plus") == 0 || strcmp(measure_cpus[i].name, "m4") == 0)
                 out->cpus[out->cpu_count++] = &measure_cpus[i];
     out->compile.w_px = out->w_px;
     out->compile.h_px = out->h_px;
-    if (is_methods) out->compile.core = out->cores[0];
+    if (is_methods || is_one) out->compile.core = out->cores[0];
+    /* --tries alone is a bound that is the same on every machine. */
+    if (out->worst.seconds < 0.0) out->worst.seconds = out->worst.tries ? 0.0 : worst_seconds_unsaid();
+    if (!out->worst.tries) out->worst.tries = WORST_TRIES;
 }
 
 bool measure_request_parse(int argc, char **argv, enum measure_of of, struct measure_request *out, struct error *err)
 {
     bool no_cost = false;
     *out = (struct measure_request){
+        .of = of,
+        .worst = {.seconds = -1.0},
         .w_px = 240,
         .h_px = 240,
         .fov_deg = 60.0,
         .compile = {.tolerance_units = 0.5, .splitter = "auto", .trial = TRIAL_IF_SPLIT, .choose_order = true},
         .frames = FRAMES_MAX,
         .cost_frames = COST_FRAMES};
+    if (is_of_one(of)) out->compile.portals = PORTALS_AUTO;
     opterr = 0;
     optind = 1;
     for (int code; (code = getopt_long(argc, argv, ":o:", OPTIONS, NULL)) != -1;)
@@ -273,8 +331,9 @@ bool measure_request_parse(int argc, char **argv, enum measure_of of, struct mea
             return false;
     if (!take_model(argc, argv, out, err)) return false;
     if (no_cost && out->cpu_count) return error_set(err, "%s: --core and --no-cost exclude each other", argv[0]);
-    if (of == MEASURE_METHODS && out->core_count > 1) return error_set(err, "%s: one --precision at a time", argv[0]);
-    if (of == MEASURE_METHODS && out->variant_count)
+    if (of != MEASURE_PRECISIONS && out->core_count > 1)
+        return error_set(err, "%s: one --precision at a time", argv[0]);
+    if (of != MEASURE_PRECISIONS && out->variant_count)
         return error_set(err, "%s: --precision %s: no such profile", argv[0], out->variants[0]);
     fill_in(of, no_cost, out);
     return compile_options_settle(&out->compile, err);
@@ -307,7 +366,8 @@ bool measure_request_check(const struct measure_request *request, struct error *
     for (size_t i = 0; i < request->cpu_count; i++)
         if (!measure_cpu_check(request->cpus[i], err)) return false;
     if (request->variant_count && !sub_bits_check_tools(err)) return false;
-    if (!request->folder || !request->cpu_count || child_exists("gnuplot")) return true;
+    const bool plots = request->folder && request->cpu_count && !is_of_one(request->of);
+    if (!plots || child_exists("gnuplot")) return true;
     return error_set(err, "gnuplot: not found; the plot needs Debian's package gnuplot-nox (or leave out -o)");
 }
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * The command lines of `limner measure` and `limner compare`. */
+ * The command lines of `limner measure`, `compare`, `worst` and `report`. */
 #ifndef SIM_MEASURE_REQUEST_H
 #define SIM_MEASURE_REQUEST_H
 
@@ -9,17 +9,21 @@
 #include "core/core.h"
 #include "measure/measurement.h"
 #include "measure/sub_bits.h"
+#include "measure/worst_views.h"
 
 enum { MEASURE_CORES_MAX = 32, MEASURE_REQUEST_CPUS_MAX = 8, MEASURE_NAME_B = 128, MEASURE_ORBIT_FRAMES = 16 };
 
-/* Precisions of one method; or methods, in one precision. */
-enum measure_of { MEASURE_PRECISIONS, MEASURE_METHODS };
+/* Precisions of one method; or methods, in one precision; or of one scene the worst views, or all that is known. */
+enum measure_of { MEASURE_PRECISIONS, MEASURE_METHODS, MEASURE_WORST, MEASURE_PAGE };
 
 /* gnuplot's script. */
 #define MEASURE_PLOT LIM_SOURCE_FOLDER "/sim/tools/measure.gp"
 
 struct measure_request {
-    const char *model, *folder; /* folder: NULL, not given */
+    enum measure_of of;
+    const char *model;
+    const char *folder; /* -o; of `worst` the beginning of paths, of `report` a file. NULL: not given */
+    struct worst_options worst;
     struct camera_choice cameras;
     bool sub_bits;             /* with the usual variants */
     char name[MEASURE_NAME_B]; /* the model's, without folder and suffix */
@@ -34,8 +38,8 @@ struct measure_request {
     size_t frames, cost_frames; /* MEASURE_METHODS: how many of the cameras, and of these for instructions */
 };
 
-/* Fills in the defaults too: every profile on every processor; for methods, profile fast on m0plus and m4. The
- * strings stay argv's. */
+/* Fills in the defaults too: every profile on every processor; for methods, profile fast on m0plus and m4; for one
+ * scene profile fast, and no processor. The strings stay argv's. */
 bool measure_request_parse(int argc, char **argv, enum measure_of of, struct measure_request *out, struct error *err);
 
 /* Reads the camera file, if there is one, and the model. All three must be zero and are the caller's to free, also

@@ -6,6 +6,8 @@
  * with a stage explain it by least squares, in relative errors and with no factor below 0. */
 #include "render/frame_cost.h"
 
+#include <string.h>
+
 struct frame_cost {
     double node, record, box, vertex, polygon, clipped, seen, line, gap, screen_line, pixel;
     double crossing; /* a polygon that is seen, for each that crosses a line: it finds its place between these */
@@ -41,15 +43,47 @@ bool frame_cost_knows(enum lim_method method)
     return method == LIM_NEAREST_FIRST || method == LIM_SCANLINE;
 }
 
-double frame_cost_m0plus(const struct lim_stats *stats, const struct lim_target *target)
+void frame_cost_terms(const struct lim_stats *stats, const struct lim_target *target,
+                      struct frame_cost_term terms[FRAME_COST_TERMS])
 {
     const struct frame_cost *a = target->method == LIM_SCANLINE ? &SCANLINE : &NEAREST_FIRST;
+    const struct frame_cost_term all[FRAME_COST_TERMS] = {
+        {"nodes of the tree visited", stats->nodes, a->node},
+        {"records of leaves tested", stats->records, a->record},
+        {"bounds of subtrees tested", stats->boxes, a->box},
+        {"vertices transformed", stats->vertices, a->vertex},
+        {"polygons reached", stats->polygons, a->polygon},
+        {"polygons clipped", stats->clipped, a->clipped},
+        {"polygons seen", stats->polygons_seen, a->seen},
+        {"lines of polygons", stats->lines, a->line},
+        {"gaps, at most at a time", stats->gaps_max, a->gap},
+        {"lines of the screen", target->h_px, a->screen_line},
+        {"pixels written", (double)stats->pixels_painted + stats->pixels_background, a->pixel},
+        {"polygons on lines, in order", stats->polygons_seen * (double)stats->lines / target->h_px, a->crossing}};
 
-    return a->node * stats->nodes + a->record * stats->records + a->box * stats->boxes + a->vertex * stats->vertices +
-           a->polygon * stats->polygons + a->clipped * stats->clipped + a->seen * stats->polygons_seen +
-           a->line * stats->lines + a->gap * stats->gaps_max + a->screen_line * target->h_px +
-           a->pixel * ((double)stats->pixels_painted + stats->pixels_background) +
-           a->crossing * stats->polygons_seen * stats->lines / target->h_px;
+    memcpy(terms, all, sizeof all);
+}
+
+double frame_cost_m0plus(const struct lim_stats *stats, const struct lim_target *target)
+{
+    struct frame_cost_term terms[FRAME_COST_TERMS];
+    double sum = 0.0;
+
+    frame_cost_terms(stats, target, terms);
+    for (int i = 0; i < FRAME_COST_TERMS; i++)
+        sum += terms[i].count * terms[i].each;
+    return sum;
+}
+
+/* Of the order of what stages cost that no scene of the fit has: good for telling more from less, and for nothing else.
+ */
+double frame_cost_work(const struct lim_stats *stats, const struct lim_target *target)
+{
+    static const double division = 150.0, texel = 12.0, comparison = 60.0, split = 2000.0, mover_piece = 2500.0;
+    const double texels = stats->divisions ? stats->pixels_painted : 0.0;
+
+    return frame_cost_m0plus(stats, target) + division * stats->divisions + texel * texels +
+           comparison * stats->newell.comparisons + split * stats->newell.splits + mover_piece * stats->movers.pieces;
 }
 
 bool frame_cost_is_known(const struct lim_scene *scene)

@@ -16,6 +16,19 @@ bool frame_cost_knows(enum lim_method method);
  * for the scenes in sim/scenes with any tree; tests/arm/arm_splitters.sh compares. */
 double frame_cost_m0plus(const struct lim_stats *stats, const struct lim_target *target);
 
+/* What that is the sum of. */
+struct frame_cost_term {
+    const char *name;
+    double count, each; /* instructions */
+};
+enum { FRAME_COST_TERMS = 12 };
+void frame_cost_terms(const struct lim_stats *stats, const struct lim_target *target,
+                      struct frame_cost_term terms[FRAME_COST_TERMS]);
+
+/* The same for frames that nothing predicts, with a rough measure for what they have beside: no instructions, but of
+ * two frames of one scene the dearer one mostly has more of it. */
+double frame_cost_work(const struct lim_stats *stats, const struct lim_target *target);
+
 /* Whether the scene's polygons are. */
 bool frame_cost_is_known(const struct lim_scene *scene);
 

@@ -8,6 +8,7 @@
 #include "scene/needs.h"
 #include "scene/scene_files.h"
 
+#include <math.h>
 #include <string.h>
 
 /* What the three orders that leave gaps need. */
@@ -94,6 +95,27 @@ static void write_lines(FILE *file, const struct compiled *scene, const char *ma
     fprintf(file, "#define %s_SCENE_LINES(h_px) %s\n", macro, all ? "(h_px)" : "1");
 }
 
+/* What a program may draw to see its slowest frame. */
+static void write_worst(FILE *file, const struct compile_report *report, const char *macro)
+{
+    const struct worst_report *worst = &report->worst;
+    if (!worst->tried) return;
+    fprintf(
+        file,
+        "\n/* The view that costs most, of %zu: searched, not proved. Its camera; and what views take of the pools at "
+        "most. */\n",
+        worst->tried);
+    if (!isnan(report->instructions))
+        fprintf(file, "#define %s_WORST_M0PLUS_INSTRUCTIONS %.0f /* predicted; searched */\n", macro, worst->work);
+    fprintf(file, "#define %s_WORST_EYE_Q8 {%ld, %ld, %ld}\n", macro, (long)worst->eye_q8[0], (long)worst->eye_q8[1],
+            (long)worst->eye_q8[2]);
+    fprintf(file, "#define %s_WORST_YAW UINT32_C(%lu)\n#define %s_WORST_PITCH UINT32_C(%lu)\n", macro,
+            (unsigned long)worst->yaw, macro, (unsigned long)worst->pitch);
+    if (worst->time_s > 0.0) fprintf(file, "#define %s_WORST_TIME_MS %.0f\n", macro, 1000.0 * worst->time_s);
+    fprintf(file, "#define %s_WORST_CELLS %u\n#define %s_WORST_GAPS %u\n#define %s_WORST_ACTIVE %u\n", macro,
+            worst->cells, macro, worst->gaps, macro, worst->active);
+}
+
 /* For lim_begin(). */
 static void write_block(FILE *file, const struct c_name *name, bool moves)
 {
@@ -148,6 +170,7 @@ static void write_scene(FILE *file, const struct named_scene *named, const struc
     write_metres(file, scene, macro);
     write_memory(file, scene, needs, macro);
     write_lines(file, scene, macro);
+    write_worst(file, &scene->report, macro);
     fprintf(file, "\nextern const struct lim_scene %s_scene LIM_AGREES(%s_scene);\n", name->symbol, name->symbol);
     if (named->moving) c_movers_declare(file, named, name);
     write_block(file, name, named->moving != NULL);

@@ -60,6 +60,17 @@ struct predicted {
     size_t cameras, near_cameras, portrait_cameras; /* how many of each */
 };
 
+/* The view that costs most of those that were searched, with pools that do not run out: not proved to be the worst. */
+struct worst_report {
+    size_t tries, tried;                 /* how many cameras at most, and how many it were; 0: not asked for */
+    double work, work_mean, work_random; /* of it, of random cameras, of the worst of these: instructions where
+                                            report.instructions are known */
+    double eye_m[3], target_m[3], time_s;
+    int32_t eye_q8[3]; /* the same as the renderer has it */
+    uint32_t yaw, pitch;
+    unsigned cells, gaps, active; /* most that any view takes of these pools; not all of them this one */
+};
+
 struct compile_report {
     struct mesh_counts mesh;
     size_t polygons_in, polygons_out; /* before and after splitting */
@@ -93,6 +104,7 @@ struct compile_report {
                             lines, or not opaque and flat */
     struct order_choice order;
     struct mesh_choice as_mesh;
+    struct worst_report worst;
     struct note *notes; /* on textures, for people; owned */
     size_t note_count;
     struct portal_report portals;

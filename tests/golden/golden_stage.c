@@ -87,9 +87,9 @@ static void open_file(struct golden_stage *stage, const char *model, const char 
 /* A room with pictures on its walls, seen from inside. */
 static void open_textured(struct golden_stage *stage)
 {
-    static const struct viewpoint views[GOLDEN_FRAMES] = {{{0.3, 0.2, 0.1}, {1, -0.4, -0.6}, 1},
-                                                          {{-0.9, 0.1, 0.8}, {0.7, -0.8, -1}, 2},
-                                                          {{0, 0.95, 0}, {0.1, -1, 0.2}, 3}};
+    static const struct viewpoint views[GOLDEN_FRAMES] = {{{0.3, 0.2, 0.1}, {1, -0.4, -0.6}, 1, false, 0},
+                                                          {{-0.9, 0.1, 0.8}, {0.7, -0.8, -1}, 2, false, 0},
+                                                          {{0, 0.95, 0}, {0.1, -1, 0.2}, 3, false, 0}};
     struct random random = {5};
     struct error err;
 
@@ -104,8 +104,9 @@ static void open_textured(struct golden_stage *stage)
 /* A solid with pictures on its faces, seen from outside. */
 static void open_crate(struct golden_stage *stage)
 {
-    static const struct viewpoint views[GOLDEN_FRAMES] = {
-        {{2.1, 1.7, 3.4}, {0, 0, 0}, 1}, {{-1.4, 0.3, 1.2}, {0.1, 0, -0.2}, 2}, {{0, -3.2, -2.2}, {0.3, 0.1, 0}, 3}};
+    static const struct viewpoint views[GOLDEN_FRAMES] = {{{2.1, 1.7, 3.4}, {0, 0, 0}, 1, false, 0},
+                                                          {{-1.4, 0.3, 1.2}, {0.1, 0, -0.2}, 2, false, 0},
+                                                          {{0, -3.2, -2.2}, {0.3, 0.1, 0}, 3, false, 0}};
     static const double uvs[4][2] = {{0, 0}, {1.5, 0}, {1.5, 1}, {0, 1}};
     struct random random = {6};
     struct error err;
@@ -157,8 +158,9 @@ static void add_prism(struct mesh *mesh, int sides, double turn, double half_m)
 /* Polygons of many corners, some of whose edges are cuts, which wireframe does not draw. */
 static void open_prisms(struct golden_stage *stage, int count)
 {
-    static const struct viewpoint views[GOLDEN_FRAMES] = {
-        {{2.1, 1.2, 3.4}, {0, 0, 0}, 1}, {{-0.4, 0.3, 1.3}, {0.1, 0, -0.2}, 2}, {{0, -0.2, -2.2}, {0.3, 0.1, 0}, 3}};
+    static const struct viewpoint views[GOLDEN_FRAMES] = {{{2.1, 1.2, 3.4}, {0, 0, 0}, 1, false, 0},
+                                                          {{-0.4, 0.3, 1.3}, {0.1, 0, -0.2}, 2, false, 0},
+                                                          {{0, -0.2, -2.2}, {0.3, 0.1, 0}, 3, false, 0}};
     const struct compile_options options = {.tolerance_units = 0.5,
                                             .splitter = "fewest",
                                             .tree = TREE_BSP,
@@ -195,8 +197,9 @@ static void add_disc(struct mesh *mesh)
 /* Polygons in leaves: in one, in no order, or in some. */
 static void open_leaves(struct golden_stage *stage, bool is_disc, enum tree_kind tree)
 {
-    static const struct viewpoint views[GOLDEN_FRAMES] = {
-        {{2.1, 1.2, 3.4}, {0, 0, 0}, 1}, {{-0.4, 0.3, 2.3}, {0.1, 0, -0.2}, 2}, {{6, -9.2, -7.2}, {0.3, 0.1, 0}, 3}};
+    static const struct viewpoint views[GOLDEN_FRAMES] = {{{2.1, 1.2, 3.4}, {0, 0, 0}, 1, false, 0},
+                                                          {{-0.4, 0.3, 2.3}, {0.1, 0, -0.2}, 2, false, 0},
+                                                          {{6, -9.2, -7.2}, {0.3, 0.1, 0}, 3, false, 0}};
     const struct compile_options options = {.tolerance_units = 0.5,
                                             .method = method_parse("newell", NULL),
                                             .splitter = "fewest",

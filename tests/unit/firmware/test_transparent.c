@@ -116,7 +116,7 @@ static void panes_free(struct panes *panes)
 static uint16_t seen_from(const struct compiled *scene, double z, enum lim_method method)
 {
     const struct simulator_setup setup = {W_PX, H_PX, method, SIMULATOR_MEMORY, NULL};
-    struct viewpoint viewpoint = {{0.05, 0.04, z}, {0.05, 0.04, 0}, 1};
+    struct viewpoint viewpoint = {{0.05, 0.04, z}, {0.05, 0.04, 0}, 1, false, 0};
     const struct camera_path path = {"pane", &viewpoint, 1};
     struct simulator simulator;
     struct lim_camera camera;

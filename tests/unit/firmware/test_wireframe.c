@@ -131,7 +131,7 @@ static void a_pixel_is_stroked_where_a_neighbour_is_not_the_polygons(void **stat
         compile(&stage, "auto", true, NULL);
         for (int f = 0; f < 30; f++) {
             static struct drawing filled, wire;
-            struct viewpoint viewpoint = {{0}, {0}, 1};
+            struct viewpoint viewpoint = {{0}, {0}, 1, false, 0};
             for (int k = 0; k < 3; k++) {
                 viewpoint.eye_m[k] = 2 * random_unit(&random) - 1 + (k == 2 ? 2.5 : 0);
                 viewpoint.target_m[k] = 0.4 * random_unit(&random) - 0.2;
@@ -233,7 +233,7 @@ static struct astray astray_in(const struct stage *stage, const struct viewpoint
 /* Of the 12 edges of a cube 9 are seen from before a corner, here (1, 1, 1): all but those at (-1, -1, -1). */
 static void a_cube_has_nine_edges(void **state)
 {
-    const struct viewpoint viewpoint = {{3.1, 2.6, 3.9}, {0, 0, 0}, 1};
+    const struct viewpoint viewpoint = {{3.1, 2.6, 3.9}, {0, 0, 0}, 1, false, 0};
     const double centre[3] = {0, 0, 0}, half[3] = {1, 1, 1};
     struct stage stage = {.mesh = mesh_rig(3000.0)};
     double edges[12][2][3];
@@ -265,7 +265,7 @@ static void splits_are_not_drawn(void **state)
 {
     const double floor[4][3] = {{-2, 0, 2}, {2, 0, 2}, {2, 0, -2}, {-2, 0, -2}};
     const double wall[4][3] = {{-0.4, 0.1, 0.3}, {0.5, 0.1, -0.2}, {0.5, 0.6, -0.2}, {-0.4, 0.6, 0.3}};
-    const struct viewpoint viewpoint = {{-0.9, 5.5, 2.2}, {0, 0, 0}, 1};
+    const struct viewpoint viewpoint = {{-0.9, 5.5, 2.2}, {0, 0, 0}, 1, false, 0};
     double edges[8][2][3];
 
     (void)state;
@@ -294,7 +294,7 @@ static void diagonals_are_not_drawn(void **state)
 {
     static const double sheet[6][3] = {{0, 0, 0}, {2, 0, 0}, {2, 1, 0}, {1, 1, 0}, {1, 2, 0}, {0, 2, 0}};
     static const double fin[3][3] = {{0.5, 0.5, 0}, {0.9, 0.4, 0.3}, {0.4, 0.9, 0.3}};
-    const struct viewpoint viewpoint = {{0.9, 0.1, 3.4}, {0.9, 0.9, 0}, 1};
+    const struct viewpoint viewpoint = {{0.9, 0.1, 3.4}, {0.9, 0.9, 0}, 1, false, 0};
     struct model model = {0};
     struct error err;
     double edges[9][2][3];
@@ -327,7 +327,7 @@ static void diagonals_are_not_drawn(void **state)
 static void the_near_plane_makes_no_line(void **state)
 {
     const double floor[4][3] = {{-3, -0.05, 1}, {3, -0.05, 1}, {3, -0.05, -5}, {-3, -0.05, -5}};
-    const struct viewpoint viewpoint = {{0, 0, 0}, {0, 0, -1}, 1};
+    const struct viewpoint viewpoint = {{0, 0, 0}, {0, 0, -1}, 1, false, 0};
     struct stage stage = {.mesh = mesh_rig(3000.0)};
     static struct drawing filled, wire;
     struct error err;

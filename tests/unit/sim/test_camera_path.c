@@ -66,6 +66,25 @@ static void file_with_comments_and_blank_lines_is_read(void **state)
     camera_path_free(&path);
 }
 
+static void a_camera_may_have_a_time(void **state)
+{
+    (void)state;
+    static const char text[] = "1 2 3 4 5 6 @1.25\n1 2 3 4 5 6 # @3\n1 2 3 4 5 6\t@0 # the beginning\n";
+    struct camera_path path;
+    struct error err;
+    char name[32];
+    assert_true(read_text(text, strlen(text), &path, name, &err));
+    assert_int_equal(path.count, 3);
+    assert_true(path.frames[0].has_time && path.frames[0].time_s == 1.25);
+    assert_false(path.frames[1].has_time);
+    assert_true(path.frames[2].has_time && path.frames[2].time_s == 0.0);
+    assert_false(camera_path_is_timeless(&path, &err));
+    assert_non_null(strstr(err.text, ":1: "));
+    path.frames[0] = path.frames[2] = path.frames[1];
+    assert_true(camera_path_is_timeless(&path, &err));
+    camera_path_free(&path);
+}
+
 static void bad_line_is_named_with_its_number_and_reason(void **state)
 {
     (void)state;
@@ -83,6 +102,16 @@ static void bad_line_is_named_with_its_number_and_reason(void **state)
         {"1 2 3 4 5 2e9\n", ":1: a coordinate is not finite or beyond"},
         {"1 2 3 4 5 6\n1 2 3 1 2 3\n", ":2: eye and target are the same point"},
         {"0 0 0 0 0 1e-310\n", ":1: eye and target are the same point"},
+        {"1 2 3 4 5 6@1\n", ":1: not a time"},
+        {"1 2 3 4 5 6 @\n", ":1: not a time"},
+        {"1 2 3 4 5 6 @-1\n", ":1: not a time"},
+        {"1 2 3 4 5 6 @nan\n", ":1: not a time"},
+        {"1 2 3 4 5 6 @1 2\n", ":1: not a time"},
+        {"1 2 3 4 5 6 @1 @2\n", ":1: not a time"},
+        {"1 2 3 @1 4 5 6\n", ":1: not a time"},
+        {"1 2 3 4 5 @6\n", ":1: fewer than six numbers"},
+        {"1 2 3 4 5 6\n  @6\n", ":2: fewer than six numbers"},
+        {"@6\n", ":1: not a time"},
         {"", ": no camera in it"},
         {"# only a comment\n\n", ": no camera in it"},
     };
@@ -384,6 +413,7 @@ int main(void)
         cmocka_unit_test(small_pictures_are_filled_from_top_to_bottom),
         cmocka_unit_test(the_height_of_a_long_orbit_is_that_of_a_short_one),
         cmocka_unit_test(file_with_comments_and_blank_lines_is_read),
+        cmocka_unit_test(a_camera_may_have_a_time),
         cmocka_unit_test(bad_line_is_named_with_its_number_and_reason),
         cmocka_unit_test(nul_byte_in_a_line_is_refused),
         cmocka_unit_test(missing_file_and_folder_are_refused_by_name),

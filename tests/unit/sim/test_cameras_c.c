@@ -32,7 +32,7 @@ static char *header_of(const struct viewpoint *viewpoints, size_t count, struct 
 static void header_holds_size_count_and_fixed_point_cameras(void **state)
 {
     (void)state;
-    const struct viewpoint viewpoints[2] = {{{1, 2, 3}, {1, 2, 2}, 1}, {{-1, 0, 0}, {-2, 0, 0}, 2}};
+    const struct viewpoint viewpoints[2] = {{{1, 2, 3}, {1, 2, 2}, 1, false, 0}, {{-1, 0, 0}, {-2, 0, 0}, 2, false, 0}};
     struct error err;
     char *text = header_of(viewpoints, 2, &err);
     assert_non_null(text);
@@ -47,7 +47,7 @@ static void header_holds_size_count_and_fixed_point_cameras(void **state)
 static void an_eye_out_of_range_is_refused_by_its_line(void **state)
 {
     (void)state;
-    const struct viewpoint viewpoints[2] = {{{1, 2, 3}, {1, 2, 2}, 1}, {{1e9, 0, 0}, {0, 0, 0}, 7}};
+    const struct viewpoint viewpoints[2] = {{{1, 2, 3}, {1, 2, 2}, 1, false, 0}, {{1e9, 0, 0}, {0, 0, 0}, 7, false, 0}};
     struct error err;
     assert_null(header_of(viewpoints, 2, &err));
     assert_non_null(strstr(err.text, "test.cam:7: the eye is too far"));

@@ -77,7 +77,7 @@ static void red_is_what_was_counted(void **state)
     struct error err;
     size_t red = 0, amber = 0, grey = 0;
     for (size_t frame = 0; frame < FRAMES; frame++) {
-        gdImagePtr image = difference_picture(&rig->source, &rig->candidate, &rig->views, frame, &err);
+        gdImagePtr image = difference_picture(&rig->source, &rig->candidate, &rig->views, frame, NULL, &err);
         if (!image) fail_msg("%s", err.text);
         for (int pixel = 0; pixel < SIDE_PX * SIDE_PX; pixel++) {
             const int rgb = gdImageGetTrueColorPixel(image, pixel % SIDE_PX, pixel / SIDE_PX) & 0xFFFFFF;

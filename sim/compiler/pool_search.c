@@ -1,0 +1,75 @@
+/* SPDX-License-Identifier: MIT */
+#include "compiler/pool_search.h"
+
+#include "render/frame_cost.h"
+
+#include <string.h>
+
+struct looking {
+    const struct compiled *scene;
+    struct moving *moving;
+    struct simulator *simulator;
+    const struct lens *lens;
+};
+
+static bool measure(void *ctx, const struct viewpoint *viewpoint, double *scores, struct error *err)
+{
+    struct looking *looking = ctx;
+    struct viewpoint frame = *viewpoint;
+    const struct camera_path path = {"searched cameras", &frame, 1};
+    struct lim_camera camera;
+    struct error ignored;
+
+    for (int goal = 0; goal < POOL_SEARCH_GOALS; goal++)
+        scores[goal] = -1.0;
+    if (!camera_path_to_camera(&path, 0, looking->lens, &looking->scene->grid, &camera, &ignored)) return true;
+    if (looking->moving) moving_pose(looking->moving, viewpoint->time_s);
+    if (!simulator_frame(looking->simulator, &camera, err)) return false;
+    const struct lim_stats *stats = simulator_stats(looking->simulator);
+    scores[POOL_SEARCH_COST] = frame_cost_work(stats, &looking->simulator->target);
+    scores[POOL_SEARCH_CELLS] = stats->retained_cells_max;
+    scores[POOL_SEARCH_GAPS] = stats->gaps_max;
+    scores[POOL_SEARCH_ACTIVE] = stats->active_max;
+    return true;
+}
+
+bool pool_search_run(const struct compiled *scene, struct moving *moving, struct simulator *simulator,
+                     const struct lens *lens, size_t tries, struct search_result *out, struct error *err)
+{
+    struct looking looking = {scene, moving, simulator, lens};
+    const struct camera_search search = {.scene = scene,
+                                         .lens = *lens,
+                                         .length_s = moving ? moving_length_s(moving) : 0.0,
+                                         .tries = tries,
+                                         .goals = POOL_SEARCH_GOALS,
+                                         .doing = "worst views",
+                                         .measure = measure,
+                                         .ctx = &looking};
+    return camera_search_run(&search, out, err);
+}
+
+void pool_search_report(const struct search_result *result, const struct grid *grid, struct worst_report *out)
+{
+    const struct search_goal *cost = &result->goals[POOL_SEARCH_COST];
+    struct viewpoint viewpoint = cost->worst;
+    const struct camera_path path = {"the worst view", &viewpoint, 1};
+    const struct lens any = {.tan_x = 1.0, .tan_y = 1.0, .near_m = 1.0 / grid->units_per_m};
+    struct lim_camera camera;
+    struct error ignored;
+
+    if (!result->tried || !camera_path_to_camera(&path, 0, &any, grid, &camera, &ignored)) return;
+    *out = (struct worst_report){.tries = out->tries,
+                                 .tried = result->tried,
+                                 .work = cost->score,
+                                 .work_mean = cost->mean,
+                                 .work_random = cost->most,
+                                 .time_s = viewpoint.time_s,
+                                 .yaw = camera.yaw,
+                                 .pitch = camera.pitch,
+                                 .cells = (unsigned)result->goals[POOL_SEARCH_CELLS].score,
+                                 .gaps = (unsigned)result->goals[POOL_SEARCH_GAPS].score,
+                                 .active = (unsigned)result->goals[POOL_SEARCH_ACTIVE].score};
+    memcpy(out->eye_m, viewpoint.eye_m, sizeof out->eye_m);
+    memcpy(out->target_m, viewpoint.target_m, sizeof out->target_m);
+    memcpy(out->eye_q8, camera.eye_q8, sizeof out->eye_q8);
+}

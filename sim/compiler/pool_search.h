@@ -1,0 +1,24 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * The cameras that take most: found by search (camera_search.h), for pools that sampled cameras alone would make too
+ * small. */
+#ifndef SIM_POOL_SEARCH_H
+#define SIM_POOL_SEARCH_H
+
+#include "cameras/camera_search.h"
+#include "render/simulator.h"
+#include "scene/moving.h"
+
+/* Of what a frame takes: the predicted instructions, or work where nothing predicts them (frame_cost.h), and the
+ * renderer's three largest pools. */
+enum { POOL_SEARCH_COST, POOL_SEARCH_CELLS, POOL_SEARCH_GAPS, POOL_SEARCH_ACTIVE, POOL_SEARCH_GOALS };
+
+/* Searches on `simulator`, whose pools must not run out, with so many cameras at most. Result: what takes most of each
+ * goal. `moving`: NULL, nothing moves. */
+bool pool_search_run(const struct compiled *scene, struct moving *moving, struct simulator *simulator,
+                     const struct lens *lens, size_t tries, struct search_result *out, struct error *err);
+
+/* What the report and NAME.h say of it; nothing, if nothing was tried. */
+void pool_search_report(const struct search_result *result, const struct grid *grid, struct worst_report *out);
+
+#endif
