@@ -240,6 +240,7 @@ struct lim_mesh_depth {
     uint32_t at_q16;       /* of the current line's first pixel */
     uint32_t x_q16, y_q16; /* what a pixel to the right, and a line down, adds */
     uint16_t turn;         /* the line on which an edge ends: that of the entry is the next line, always */
+    uint8_t goes_on;       /* what the entry's was */
 };
 
 /* Where a boundary is on the current line, and what a line adds. */

@@ -347,7 +347,8 @@ void lim_mesh_turn(const struct lim_mesh *mesh, struct lim_mesh_active *active, 
     }
     const struct three three = three_at(mesh->points, corners);
     active->goes_on = three.side;
-    set_long(active, three.top, three.middle, three.low, y);
+    active->turn = y;
+    set_three(active, three.top, three.middle, three.low);
 }
 
 #endif

@@ -61,6 +61,7 @@ static void take_depth(struct lim_mesh_active *active, uint16_t y)
 
     active->edges[0] = active->edges[1];
     active->edges[1] = left;
+    active->depth->goes_on = active->goes_on;
     active->goes_on = LIM_MESH_DEEP;
     active->depth->turn = active->turn;
     active->turn = (uint16_t)(y + 1);
@@ -76,7 +77,9 @@ static void set_plane(struct lim_mesh_active *active, const struct lim_point *a,
 
     at_q16 -= x_q16 * (uint32_t)right_px + (uint32_t)(((int32_t)x_q16 >> LIM_SUB_BITS) * part_x);
     at_q16 += y_q16 * (uint32_t)((int32_t)y - down_px) - (uint32_t)(((int32_t)y_q16 >> LIM_SUB_BITS) * part_y);
-    *active->depth = (struct lim_mesh_depth){at_q16, x_q16, y_q16, 0};
+    active->depth->at_q16 = at_q16;
+    active->depth->x_q16 = x_q16;
+    active->depth->y_q16 = y_q16;
     take_depth(active, y);
 }
 
@@ -148,6 +151,20 @@ static uint16_t *depths_of(struct lim_mesh *mesh, uint16_t y)
     return depths->line;
 }
 
+/* Replaces the edge that ends; both have changed places. */
+static void turn(const struct lim_mesh *mesh, struct lim_mesh_active *active, uint16_t y)
+{
+    const uint8_t goes_on = active->depth->goes_on;
+
+    if (goes_on == LIM_MESH_ANEW) {
+        lim_mesh_turn(mesh, active, y);
+        take_depth(active, y);
+    } else {
+        active->edges[goes_on ^ 1] = active->lower;
+        active->depth->turn = active->bottom;
+    }
+}
+
 bool lim_mesh_depth_paint(struct lim_mesh *mesh, const struct lim_mesh_line *line, struct lim_mesh_active *active,
                           int32_t x0, int32_t x1)
 {
@@ -159,10 +176,7 @@ bool lim_mesh_depth_paint(struct lim_mesh *mesh, const struct lim_mesh_line *lin
     active->depth->at_q16 += active->depth->y_q16;
     if (active->bottom == below) return false;
     active->turn = (uint16_t)(below + 1);
-    if (active->depth->turn == below) {
-        lim_mesh_turn(mesh, active, below);
-        take_depth(active, below);
-    }
+    if (active->depth->turn == below) turn(mesh, active, below);
     return true;
 }
 

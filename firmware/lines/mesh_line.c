@@ -38,7 +38,7 @@ static LIM_INLINE int32_t next_x(struct lim_mesh_edge *edge)
 }
 
 /* Replaces the edge that ends. */
-static LIM_INLINE void turn(const struct lim_mesh *mesh, struct lim_mesh_active *active, uint16_t y)
+static LIM_INLINE void replace_edge(const struct lim_mesh *mesh, struct lim_mesh_active *active, uint16_t y)
 {
     if (LIM_UNLIKELY(active->goes_on == LIM_MESH_ANEW)) {
         lim_mesh_turn(mesh, active, y);
@@ -59,43 +59,76 @@ static LIM_INLINE bool go_on(struct lim_mesh *mesh, const struct lim_mesh_line *
         return lim_mesh_depth_paint(mesh, line, active, x1, x0);
     }
     if (active->bottom == below) return false;
-    turn(mesh, active, below);
+    replace_edge(mesh, active, below);
     return true;
+}
+
+/* Paints a triangle, and puts it on the next line. false: that has none of it. */
+static LIM_INLINE bool paint_one(struct lim_mesh *mesh, const struct lim_mesh_line *line, uint16_t *pixels,
+                                 uint16_t below, struct lim_mesh_active *active, bool inside)
+{
+    const int32_t left = next_x(&active->edges[0]), right = next_x(&active->edges[1]);
+    const int32_t x0 = inside || left > line->x0 ? left : line->x0, x1 = inside || right < line->x1 ? right : line->x1;
+
+    if (x0 < x1) lim_fill_inline(pixels, (int_fast16_t)x0, (int_fast16_t)x1, active->colour);
+    if (LIM_HAS_STATS && x0 < x1) note(lim_stats_of(mesh->pass), active, x1 - x0);
+    return active->turn != below || go_on(mesh, line, active, left, right);
+}
+
+/* Those that begin on the line, each before the first that is nearer, and what is farther than the last of them.
+ * Returns where what is left of the list begins. */
+static LIM_INLINE struct lim_mesh_active **paint_merged(struct lim_mesh *mesh, const struct lim_mesh_line *line,
+                                                        uint16_t *pixels, uint16_t below, bool inside)
+{
+    struct lim_mesh_active **link = &mesh->first, *begins = mesh->begins;
+
+    while (begins != &mesh->end) {
+        struct lim_mesh_active *active = *link;
+        if (begins->rank < active->rank) {
+            struct lim_mesh_active *const next = begins->next;
+            begins->next = active;
+            *link = active = begins;
+            begins = next;
+        }
+        if (paint_one(mesh, line, pixels, below, active, inside))
+            link = &active->next;
+        else
+            lim_mesh_give_back(mesh, link);
+    }
+    mesh->begins = &mesh->end;
+    return link;
+}
+
+static void note_active(struct lim_mesh *mesh)
+{
+    struct lim_stats *stats = lim_stats_of(mesh->pass);
+    uint16_t count = 0;
+
+    for (const struct lim_mesh_active *active = mesh->first; active != &mesh->end; active = active->next)
+        count++;
+    for (const struct lim_mesh_active *active = mesh->begins; active != &mesh->end; active = active->next)
+        count++;
+    if (count > stats->active_max) stats->active_max = count;
 }
 
 /* The list's end has no pixels, and turns on each line: so nobody has to ask for it elsewhere. */
 static LIM_INLINE void paint_all(struct lim_mesh *mesh, const struct lim_mesh_line *line, bool inside)
 {
     const uint16_t below = (uint16_t)(line->y + 1);
-    struct lim_mesh_active **link = &mesh->first, *begins = mesh->begins;
-    lim_mesh_rank begins_rank = begins->rank;
     uint16_t *const pixels = line->pixels;
-    uint16_t count = 0;
 
+    if (LIM_HAS_STATS) note_active(mesh);
+    struct lim_mesh_active **link = paint_merged(mesh, line, pixels, below, inside);
     mesh->end.turn = mesh->end.bottom = below;
-    for (;; count++) {
-        struct lim_mesh_active *active = *link;
-        if (LIM_UNLIKELY(begins_rank < active->rank)) {
-            struct lim_mesh_active *const next = begins->next;
-            begins->next = active;
-            *link = active = begins;
-            begins = next;
-            begins_rank = begins->rank;
-        }
-        const int32_t left = next_x(&active->edges[0]), right = next_x(&active->edges[1]);
-        const int32_t x0 = inside || left > line->x0 ? left : line->x0,
-                      x1 = inside || right < line->x1 ? right : line->x1;
-        if (x0 < x1) lim_fill_inline(pixels, (int_fast16_t)x0, (int_fast16_t)x1, active->colour);
-        if (LIM_HAS_STATS && x0 < x1) note(lim_stats_of(mesh->pass), active, x1 - x0);
-        if (active->turn == below && !go_on(mesh, line, active, left, right)) {
-            if (active == &mesh->end) break;
-            lim_mesh_give_back(mesh, link);
-        } else {
+    for (;;) {
+        struct lim_mesh_active *const active = *link;
+        if (paint_one(mesh, line, pixels, below, active, inside)) {
             link = &active->next;
+        } else {
+            if (active == &mesh->end) return;
+            lim_mesh_give_back(mesh, link);
         }
     }
-    mesh->begins = &mesh->end;
-    if (LIM_HAS_STATS && count > lim_stats_of(mesh->pass)->active_max) lim_stats_of(mesh->pass)->active_max = count;
 }
 
 /* Most frames: without a comparison with the line's ends. */
