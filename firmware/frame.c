@@ -8,7 +8,7 @@
 #include "eye.h"
 #include "movers/mover.h"
 #include "orders/convex.h"
-#include "orders/mesh.h"
+#include "orders/mesh_frame.h"
 #include "orders/nearest.h"
 #include "orders/painter.h"
 #include "pixels/delta.h"

@@ -271,6 +271,12 @@ enum lim_mesh_turn {
     LIM_MESH_DEEP   /* it has depth: its edges have changed places, so that it has no pixels but by its depth */
 };
 
+/* A line that is painted: pixels x0 <= x < x1, of memory that begins at x = 0. */
+struct lim_mesh_line {
+    uint16_t *pixels;
+    uint16_t x0, x1, y;
+};
+
 /* A line of depths. */
 struct lim_mesh_depths {
     uint16_t *line; /* the nearness that is painted, of what has depth */

@@ -34,7 +34,7 @@ enum lim_method {
     LIM_SCANLINE,  /* line by line, far to near; the same pixels as nearest first, for less where little is hidden */
     LIM_DEPTH,     /* all polygons by their farthest points, whatever the tree says: wrong where that is wrong */
     LIM_NEWELL,    /* the same, then compared and split until nothing is wrong: newell.h */
-    LIM_MESH,      /* a mesh without a tree, line by line, triangles by their distance: mesh.h */
+    LIM_MESH,      /* a mesh without a tree, line by line, triangles by their distance: mesh_frame.h */
     LIM_MESH_DEPTH /* the same, and depths at pixels where the scene says that distance does not do */
 };
 

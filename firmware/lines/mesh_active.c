@@ -266,7 +266,12 @@ static LIM_ALONE void set_three(struct lim_mesh_active *active, lim_packed top, 
 }
 
 #else
-#define set_three set_one_by_one
+
+static inline void set_three(struct lim_mesh_active *active, lim_packed top, lim_packed middle, lim_packed low)
+{
+    set_one_by_one(active, top, middle, low);
+}
+
 #endif
 
 static LIM_INLINE struct three three_at(const struct lim_point *points, const LIM_FLASH lim_index *corners)

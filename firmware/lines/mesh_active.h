@@ -13,11 +13,7 @@
 /* Among those that cross a line: far to near, and by their numbers where they are equally far. */
 static inline lim_mesh_rank lim_mesh_rank_of(uint32_t nearness, lim_index triangle)
 {
-#if LIM_HAS_WIDE
-    return (lim_mesh_rank)nearness << 32 | triangle;
-#else
-    return nearness << 16 | triangle;
-#endif
+    return (lim_mesh_rank)nearness << 8 * sizeof(lim_index) | triangle;
 }
 
 static inline lim_index lim_mesh_number(const struct lim_mesh_active *active)

@@ -6,7 +6,6 @@
  * as A's reciprocal has 15. Both cuts are some 2^-14 of what nearness gains across the triangle. */
 #include "lines/mesh_depth.h"
 
-#include "lines/mesh_active.h"
 #include "math/fixed.h"
 #include "pixels/fill.h"
 #include "view/pass.h"
@@ -151,18 +150,16 @@ static uint16_t *depths_of(struct lim_mesh *mesh, uint16_t y)
     return depths->line;
 }
 
-/* Replaces the edge that ends; both have changed places. */
-static void turn(const struct lim_mesh *mesh, struct lim_mesh_active *active, uint16_t y)
+void lim_mesh_depth_go_on(struct lim_mesh_active *active, uint16_t y)
 {
-    const uint8_t goes_on = active->depth->goes_on;
+    take_depth(active, y);
+}
 
-    if (goes_on == LIM_MESH_ANEW) {
-        lim_mesh_turn(mesh, active, y);
-        take_depth(active, y);
-    } else {
-        active->edges[goes_on ^ 1] = active->lower;
-        active->depth->turn = active->bottom;
-    }
+/* The edge that ends; both have changed places. */
+static void replace(struct lim_mesh_active *active)
+{
+    active->edges[active->depth->goes_on ^ 1] = active->lower;
+    active->depth->turn = active->bottom;
 }
 
 bool lim_mesh_depth_paint(struct lim_mesh *mesh, const struct lim_mesh_line *line, struct lim_mesh_active *active,
@@ -176,7 +173,7 @@ bool lim_mesh_depth_paint(struct lim_mesh *mesh, const struct lim_mesh_line *lin
     active->depth->at_q16 += active->depth->y_q16;
     if (active->bottom == below) return false;
     active->turn = (uint16_t)(below + 1);
-    if (active->depth->turn == below) turn(mesh, active, below);
+    if (active->depth->turn == below && active->depth->goes_on != LIM_MESH_ANEW) replace(active);
     return true;
 }
 

@@ -8,7 +8,6 @@
 #define LIM_MESH_DEPTH_H
 
 #include "lines/mesh_clip.h"
-#include "lines/mesh_line.h"
 #include "orders.h"
 
 #if LIM_HAS_MESH_DEPTH
@@ -24,6 +23,13 @@ void lim_mesh_depth_clipped(struct lim_mesh_active *active, const struct lim_mes
  * on to the next line. false: that has none of it. */
 bool lim_mesh_depth_paint(struct lim_mesh *mesh, const struct lim_mesh_line *line, struct lim_mesh_active *active,
                           int32_t x0, int32_t x1);
+
+/* Whether its edges are to be found anew for line y, and what is due when they are. */
+static inline bool lim_mesh_depth_turns(const struct lim_mesh_active *active, uint16_t y)
+{
+    return active->depth->turn == y;
+}
+void lim_mesh_depth_go_on(struct lim_mesh_active *active, uint16_t y);
 
 #else
 
@@ -44,6 +50,17 @@ static inline bool lim_mesh_depth_paint(struct lim_mesh *mesh, const struct lim_
 {
     (void)mesh, (void)line, (void)active, (void)x0, (void)x1;
     return false;
+}
+
+static inline bool lim_mesh_depth_turns(const struct lim_mesh_active *active, uint16_t y)
+{
+    (void)active, (void)y;
+    return false;
+}
+
+static inline void lim_mesh_depth_go_on(struct lim_mesh_active *active, uint16_t y)
+{
+    (void)active, (void)y;
 }
 
 #endif

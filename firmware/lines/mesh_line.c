@@ -56,7 +56,12 @@ static LIM_INLINE bool go_on(struct lim_mesh *mesh, const struct lim_mesh_line *
 
     if (LIM_HAS_MESH_DEPTH && active->goes_on == LIM_MESH_DEEP) {
         if (LIM_HAS_STATS) note(lim_stats_of(mesh->pass), active, x0 - x1);
-        return lim_mesh_depth_paint(mesh, line, active, x1, x0);
+        if (!lim_mesh_depth_paint(mesh, line, active, x1, x0)) return false;
+        if (lim_mesh_depth_turns(active, below)) {
+            lim_mesh_turn(mesh, active, below);
+            lim_mesh_depth_go_on(active, below);
+        }
+        return true;
     }
     if (active->bottom == below) return false;
     replace_edge(mesh, active, below);

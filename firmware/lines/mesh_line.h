@@ -6,13 +6,7 @@
 
 #include "orders.h"
 
-/* A line that is painted: pixels x0 <= x < x1, of memory that begins at x = 0. */
-struct lim_mesh_line {
-    uint16_t *pixels;
-    uint16_t x0, x1, y;
-};
-
-/* Background, and no depth. */
+/* The background. */
 void lim_mesh_clean(const struct lim_mesh *mesh, const struct lim_mesh_line *line);
 
 /* Paints the triangles of both lists in their order, and puts those that cross the next line, stepped to it, into the

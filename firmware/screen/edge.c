@@ -222,14 +222,12 @@ static LIM_ALONE void begin_long(struct lim_edge *edge, const struct lim_point *
 bool lim_edge_begin_slow(struct lim_edge *edge, struct lim_point from, struct lim_point to, int16_t y, int16_t end)
 {
     const struct lim_point at[2] = {from, to};
+    const int32_t row = y - LIM_ORIGIN_PX;
 
     edge->end = end;
     edge->next = 1;
-#if !LIM_8_BIT
-    const int32_t row = y - LIM_ORIGIN_PX;
     if (EDGE_HAS_SMALL && begin_medium(edge, from.x, from.y, to.x, to.y, row)) return true;
     if (EDGE_HAS_SMALL && begin_short(edge, from.x, from.y, to.x, to.y, row, end - LIM_ORIGIN_PX)) return true;
-#endif
     begin_long(edge, at, 0, y);
     return edge->end == end;
 }

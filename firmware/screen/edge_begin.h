@@ -6,10 +6,23 @@
 #define LIM_EDGE_BEGIN_H
 
 #include "math/divisor.h"
-#include "screen/edge.h"
 #include "screen/small.h"
+#include "stages.h"
 
 #if LIM_8_BIT
+
+static inline bool begin_medium(struct lim_edge *edge, int32_t ax, int32_t ay, int32_t bx, int32_t by, int32_t y)
+{
+    (void)edge, (void)ax, (void)ay, (void)bx, (void)by, (void)y;
+    return false;
+}
+
+static inline bool begin_short(struct lim_edge *edge, int32_t ax, int32_t ay, int32_t bx, int32_t by, int32_t y,
+                               int32_t end)
+{
+    (void)edge, (void)ax, (void)ay, (void)bx, (void)by, (void)y, (void)end;
+    return false;
+}
 
 static inline bool lim_edge_begin_fast(struct lim_edge *edge, int32_t ax, int32_t ay, int32_t bx, int32_t by, int32_t y,
                                        int32_t end)

@@ -46,6 +46,19 @@ static inline int32_t lim_packed_y(lim_packed at)
     return at >> 16;
 }
 
+/* The rows of the uppermost and the lowest of three. */
+static inline int32_t lim_packed_least_y(lim_packed a, lim_packed b, lim_packed c)
+{
+    const lim_packed ab = a < b ? a : b;
+    return (ab < c ? ab : c) >> 16;
+}
+
+static inline int32_t lim_packed_most_y(lim_packed a, lim_packed b, lim_packed c)
+{
+    const lim_packed ab = a > b ? a : b;
+    return (ab > c ? ab : c) >> 16;
+}
+
 /* Whether a is above b; on one level, it may or may not be. */
 static inline bool lim_packed_is_above(lim_packed a, lim_packed b)
 {
@@ -87,11 +100,76 @@ static inline int32_t lim_packed_y(lim_packed at)
     return at.y;
 }
 
+static inline int32_t lim_packed_least_y(lim_packed a, lim_packed b, lim_packed c)
+{
+    const lim_sub ab = a.y < b.y ? a.y : b.y;
+    return ab < c.y ? ab : c.y;
+}
+
+static inline int32_t lim_packed_most_y(lim_packed a, lim_packed b, lim_packed c)
+{
+    const lim_sub ab = a.y > b.y ? a.y : b.y;
+    return ab > c.y ? ab : c.y;
+}
+
 static inline bool lim_packed_is_above(lim_packed a, lim_packed b)
 {
     return a.y < b.y;
 }
 
 #endif
+
+/* Differences of 16 bits at once, where that is an instruction. */
+#if LIM_IS_PACKED && LIM_DUAL_MULTIPLY
+
+/* Whether b, then c, lie to the left of the way from a, as y goes down; of points less than 2^15 apart. */
+static inline bool lim_packed_turns(lim_packed a, lim_packed b, lim_packed c)
+{
+    return __builtin_arm_smusdx(__builtin_arm_ssub16(b, a), __builtin_arm_ssub16(c, a)) < 0;
+}
+
+/* Bits of which one is set by lim_packed_is_beyond() where a point lies before the first corner or behind the last. */
+static inline uint32_t lim_packed_beyond(lim_packed at, lim_packed first, lim_packed last)
+{
+    return (uint32_t)__builtin_arm_ssub16(at, first) | (uint32_t)__builtin_arm_ssub16(last, at);
+}
+
+static inline bool lim_packed_is_beyond(uint32_t signs)
+{
+    return signs & 0x80008000u;
+}
+
+#else
+
+static inline bool lim_packed_turns(lim_packed a, lim_packed b, lim_packed c)
+{
+    const int32_t ux = lim_packed_x(b) - lim_packed_x(a), uy = lim_packed_y(b) - lim_packed_y(a);
+    const int32_t vx = lim_packed_x(c) - lim_packed_x(a), vy = lim_packed_y(c) - lim_packed_y(a);
+    return ux * vy < uy * vx;
+}
+
+static inline uint32_t lim_packed_beyond(lim_packed at, lim_packed first, lim_packed last)
+{
+    return (uint32_t)(lim_packed_x(at) - lim_packed_x(first)) | (uint32_t)(lim_packed_x(last) - lim_packed_x(at)) |
+           (uint32_t)(lim_packed_y(at) - lim_packed_y(first)) | (uint32_t)(lim_packed_y(last) - lim_packed_y(at));
+}
+
+static inline bool lim_packed_is_beyond(uint32_t signs)
+{
+    return signs & 0x80000000u;
+}
+
+#endif
+
+/* The same of any points on the screen or around it. */
+static inline bool lim_packed_turns_far(lim_packed a, lim_packed b, lim_packed c)
+{
+    const int32_t ux = lim_packed_x(b) - lim_packed_x(a), uy = lim_packed_y(b) - lim_packed_y(a);
+    const int32_t vx = lim_packed_x(c) - lim_packed_x(a), vy = lim_packed_y(c) - lim_packed_y(a);
+
+    if ((uint32_t)((ux + 32768) | (uy + 32768) | (vx + 32768) | (vy + 32768)) >> 16)
+        return (int64_t)ux * vy < (int64_t)uy * vx;
+    return ux * vy < uy * vx;
+}
 
 #endif

@@ -85,6 +85,12 @@ static inline int32_t perspective_ratio(int32_t x_qv, struct lim_depth depth)
     return mul_high_s32(x_qv * ((int32_t)1 << depth.shift), depth.recip_q31);
 }
 
+/* 1 / z, 1..32769, rounded down; `near_shift` is the shift of the nearest depth that there is. */
+static inline uint16_t perspective_nearness(struct lim_depth depth, uint32_t near_shift)
+{
+    return (uint16_t)(((uint32_t)depth.recip_q31 >> 16 >> (near_shift - depth.shift)) + 1);
+}
+
 #elif LIM_HAS_LIMBS
 
 struct lim_depth {
@@ -138,6 +144,12 @@ static inline int32_t perspective_ratio(int32_t x_qv, struct lim_depth depth)
     return q_q28 + (q_q28 >> 20) * depth.short_by_q20;
 }
 
+/* 1 / z, 1..32769, rounded down; `near_shift` is the shift of the nearest depth that there is. */
+static inline uint16_t perspective_nearness(struct lim_depth depth, uint32_t near_shift)
+{
+    return (uint16_t)(((uint32_t)depth.recip_q31 >> 16 >> (near_shift - depth.shift)) + 1);
+}
+
 #else
 
 struct lim_depth {
@@ -180,17 +192,13 @@ static inline int32_t perspective_ratio(int32_t x_qv, struct lim_depth depth)
     return short_qv * depth.recip_q15;
 }
 
-#endif
-
 /* 1 / z, 1..32769, rounded down; `near_shift` is the shift of the nearest depth that there is. */
 static inline uint16_t perspective_nearness(struct lim_depth depth, uint32_t near_shift)
 {
-#if LIM_HAS_LIMBS
-    return (uint16_t)(((uint32_t)depth.recip_q31 >> 16 >> (near_shift - depth.shift)) + 1);
-#else
     return (uint16_t)(((uint32_t)depth.recip_q15 >> (depth.shift - near_shift)) + 1);
-#endif
 }
+
+#endif
 
 /* Within half a screen and a pixel of the screen. */
 /*@ requires \valid_read(side) && is_side(*side);

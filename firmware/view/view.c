@@ -157,22 +157,6 @@ static uint32_t near_shift_of(const struct lim_view *view, int32_t least_z_qv)
     return perspective_depth(near_qv > view->rows.near_qv ? near_qv : view->rows.near_qv).shift;
 }
 
-/* Bits whose sign, or one of whose two signs, is set where a point lies before the first corner or behind the last. */
-static inline uint32_t beyond(lim_packed at, lim_packed first, lim_packed last)
-{
-#if LIM_IS_PACKED && LIM_DUAL_MULTIPLY
-    return (uint32_t)__builtin_arm_ssub16(at, first) | (uint32_t)__builtin_arm_ssub16(last, at);
-#else
-    return (uint32_t)(lim_packed_x(at) - lim_packed_x(first)) | (uint32_t)(lim_packed_x(last) - lim_packed_x(at)) |
-           (uint32_t)(lim_packed_y(at) - lim_packed_y(first)) | (uint32_t)(lim_packed_y(last) - lim_packed_y(at));
-#endif
-}
-
-static inline bool is_beyond(uint32_t signs)
-{
-    return signs & (LIM_IS_PACKED && LIM_DUAL_MULTIPLY ? 0x80008000u : 0x80000000u);
-}
-
 /* Nothing of it needs to be clipped. Returns whether all of it lies on the screen: between its first and its last lines
  * and columns of centres. */
 static LIM_ALONE bool project_all(const struct lim_view *view, const struct lim_scene *scene, uint32_t near_shift,
@@ -191,11 +175,11 @@ static LIM_ALONE bool project_all(const struct lim_view *view, const struct lim_
         const struct lim_depth depth = perspective_depth(point.z_qv);
         const lim_packed at = lim_packed_of(perspective_at(point.x_qv, depth, &view->width),
                                             perspective_at(point.y_qv, depth, &view->height));
-        signs |= beyond(at, first, last);
+        signs |= lim_packed_beyond(at, first, last);
         lim_packed_store(points++, at);
         *nearness++ = perspective_nearness(depth, near_shift);
     }
-    return !is_beyond(signs);
+    return !lim_packed_is_beyond(signs);
 }
 
 static void project_some(const struct lim_view *view, const struct lim_scene *scene, uint32_t near_shift,

@@ -7,8 +7,8 @@
  *
  * By distance is wrong where a triangle reaches behind another whose middle is farther, as large ones do; depths are
  * wrong within what 16 bits of nearness tell apart. Neither is exact in order; edges are, as everywhere. */
-#ifndef LIM_MESH_H
-#define LIM_MESH_H
+#ifndef LIM_MESH_FRAME_H
+#define LIM_MESH_FRAME_H
 
 #include "orders.h"
 

@@ -2,7 +2,7 @@
  *
  * Vertices, then triangles into their lines, then lines from the top down. A line for which the pool is too small is
  * painted in parts, each of as many triangles as there is room for, in their order; the picture is the same. */
-#include "orders/mesh.h"
+#include "orders/mesh_frame.h"
 
 #include "lines/mesh_active.h"
 #include "lines/mesh_line.h"
@@ -84,28 +84,16 @@ static inline int32_t most_of(int32_t a, int32_t b, int32_t c)
 /* Lines that a triangle may have, on the screen or not. */
 static inline struct lim_span_extent lines_of(lim_packed a, lim_packed b, lim_packed c)
 {
-#if LIM_IS_PACKED
-    const int32_t top = least_of(a, b, c) >> 16, bottom = most_of(a, b, c) >> 16;
-#else
-    const int32_t top = least_of(a.y, b.y, c.y), bottom = most_of(a.y, b.y, c.y);
-#endif
-    const struct lim_span_extent lines = {(int16_t)(lim_edge_row(top) + LIM_ORIGIN_PX),
-                                          (int16_t)(lim_edge_row(bottom) + LIM_ORIGIN_PX)};
+    const struct lim_span_extent lines = {(int16_t)(lim_edge_row(lim_packed_least_y(a, b, c)) + LIM_ORIGIN_PX),
+                                          (int16_t)(lim_edge_row(lim_packed_most_y(a, b, c)) + LIM_ORIGIN_PX)};
     return lines;
 }
 
-/* Whether the corners run counter-clockwise as the eye sees them; y goes down. Products of 16-bit differences fit. */
+/* Whether the corners run counter-clockwise as the eye sees them. Within a screen of 16-bit coordinates they are near
+ * each other. */
 static LIM_INLINE bool faces_eye(lim_packed a, lim_packed b, lim_packed c, bool inside)
 {
-#if LIM_IS_PACKED && LIM_DUAL_MULTIPLY
-    if (inside)
-        return fixed_cross_of_pairs((uint32_t)__builtin_arm_ssub16(b, a), (uint32_t)__builtin_arm_ssub16(c, a)) < 0;
-#endif
-    const int32_t ux = lim_packed_x(b) - lim_packed_x(a), uy = lim_packed_y(b) - lim_packed_y(a),
-                  vx = lim_packed_x(c) - lim_packed_x(a), vy = lim_packed_y(c) - lim_packed_y(a);
-    if ((!inside || LIM_WIDE) && (uint32_t)((ux + 32768) | (uy + 32768) | (vx + 32768) | (vy + 32768)) >> 16)
-        return (int64_t)ux * vy < (int64_t)uy * vx;
-    return ux * vy < uy * vx;
+    return inside && !LIM_WIDE ? lim_packed_turns(a, b, c) : lim_packed_turns_far(a, b, c);
 }
 
 static inline void link_at(struct lim_mesh *mesh, lim_index triangle, int32_t top)
