@@ -175,6 +175,8 @@ struct lim_limits {
     uint16_t layers;         /* pieces of transparent polygons on one line; 0: there are no such polygons */
 };
 
+LIM_OPTIONAL_BEGIN
+
 struct lim_scene {
     const LIM_FLASH struct lim_vertex *vertices;
     const LIM_FLASH struct lim_node *nodes; /* the root is nodes[0]; children come after parents */
@@ -186,9 +188,8 @@ struct lim_scene {
     lim_index vertex_count, node_count, plane_count, exact_count, box_count;
     lim_index polygon_words; /* length of `polygons` */
     lim_index polygon_count; /* records in it */
-#if LIM_HAS_MESH_DEPTH
-    lim_index deep_from; /* of a mesh: for LIM_MESH_DEPTH triangles from this one on have depth at each pixel */
-#endif
+    /* Of a mesh: for LIM_MESH_DEPTH triangles from this one on have depth at each pixel. */
+    LIM_OPTIONAL(lim_index, deep_from, LIM_HAS_MESH_DEPTH);
     uint16_t background; /* colour where no polygon is seen, RGB565 as a number */
     struct lim_limits limits;
 #if LIM_HAS_TEXTURE
@@ -205,6 +206,8 @@ struct lim_scene {
 #endif
 };
 
+LIM_OPTIONAL_END
+
 static inline bool lim_scene_is_mesh(const struct lim_scene *scene)
 {
     return LIM_HAS_MESHES && (!LIM_HAS_PLANES || !scene->node_count);
@@ -213,11 +216,7 @@ static inline bool lim_scene_is_mesh(const struct lim_scene *scene)
 /* The first triangle of a mesh that has depth. */
 static inline lim_index lim_mesh_deep_from(const struct lim_scene *scene)
 {
-#if LIM_HAS_MESH_DEPTH
-    return scene->deep_from;
-#else
-    return scene->polygon_count;
-#endif
+    return LIM_HAS_MESH_DEPTH ? *scene->deep_from : scene->polygon_count;
 }
 
 static inline uint16_t lim_texture_count(const struct lim_scene *scene)

@@ -157,7 +157,7 @@ static bool compile_triangles(struct compilation *work, struct compiled *out, st
         if (out->report.draws == LIM_MESH_DEPTH)
             ok = mesh_order_settle(out, work->options->core,
                                    mesh_order_share(work->options->core, work->options->wrong_percent), err);
-        out->report.deep = out->scene.polygon_count - out->scene.deep_from;
+        out->report.deep = out->scene.polygon_count - *out->scene.deep_from;
     }
     encoding_free(&encoding);
     return ok;

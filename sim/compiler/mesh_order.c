@@ -234,7 +234,7 @@ static bool take_flags(struct ordering *work, const struct simulator_setup *setu
     ids_free(&work->ids);
     lim_image_set_deep(work->scene, work->is_deep);
     for (size_t i = 0; i < count; i++)
-        work->is_deep[i] = i >= work->scene->scene.deep_from;
+        work->is_deep[i] = i >= *work->scene->scene.deep_from;
     return ids_init(&work->ids, work->scene, setup, err);
 }
 

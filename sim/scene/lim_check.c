@@ -358,8 +358,8 @@ bool lim_check(const struct lim_scene *scene, struct error *err)
         !lim_check_textures(scene, err))
         return false;
     if (lim_scene_is_mesh(scene)) return lim_check_mesh(scene, err);
-    if (scene->deep_from)
-        return error_set(err, "depth from triangle %lu on, in a scene of polygons", (unsigned long)scene->deep_from);
+    if (*scene->deep_from)
+        return error_set(err, "depth from triangle %lu on, in a scene of polygons", (unsigned long)*scene->deep_from);
     work.depths = grow_zeroed(scene->node_count, sizeof *work.depths);
     work.used_words = grow_zeroed(scene->polygon_words, sizeof *work.used_words);
     bool ok = check_nodes(&work) && check_bounds(&work) && check_places(scene, err);

@@ -45,8 +45,8 @@ bool lim_check_mesh(const struct lim_scene *scene, struct error *err)
     if (scene->polygon_words % LIM_TRIANGLE_WORDS || scene->polygon_words / LIM_TRIANGLE_WORDS != scene->polygon_count)
         return error_set(err, "%lu triangles in %lu words; each takes %d", (unsigned long)scene->polygon_count,
                          (unsigned long)scene->polygon_words, LIM_TRIANGLE_WORDS);
-    if (scene->deep_from > scene->polygon_count)
-        return error_set(err, "depth from triangle %lu on, of %lu", (unsigned long)scene->deep_from,
+    if (*scene->deep_from > scene->polygon_count)
+        return error_set(err, "depth from triangle %lu on, of %lu", (unsigned long)*scene->deep_from,
                          (unsigned long)scene->polygon_count);
     if (scene->limits.vertices != 3)
         return error_set(err, "limit of %u vertices a polygon in a mesh of triangles",

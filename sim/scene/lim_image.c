@@ -114,7 +114,7 @@ void lim_image_bind(void *image, struct compiled *scene)
         .polygon_words = header->counts[SECTION_POLYGONS],
         .polygon_count = header->counts[SECTION_FACES],
         .background = header->background,
-        .deep_from = header->deep_from,
+        .deep_from = {header->deep_from},
     };
     memcpy(&scene->scene.limits, header->limits, sizeof scene->scene.limits);
     scene->scene.mappings = section_at(image, SECTION_MAPPINGS);
@@ -188,7 +188,7 @@ void lim_image_set_deep(struct compiled *scene, const bool *is_deep)
             faces[to++] = old_faces[i];
         }
     }
-    scene->scene.deep_from = header->deep_from;
+    *scene->scene.deep_from = header->deep_from;
     free(old_words);
     free(old_faces);
 }
