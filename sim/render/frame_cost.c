@@ -40,8 +40,19 @@ static const struct frame_cost SCANLINE = {.node = 77,
                                            .pixel = 0.00,
                                            .crossing = 0.70};
 
-static const struct frame_cost MESH = {0};
-static const struct frame_cost MESH_DEPTH = {0};
+static const struct frame_cost MESH = {.node = 0,
+                                       .record = 70,
+                                       .box = 0,
+                                       .vertex = 155,
+                                       .polygon = 357,
+                                       .clipped = 11936,
+                                       .seen = 0,
+                                       .line = 55,
+                                       .gap = 0,
+                                       .screen_line = 401,
+                                       .pixel = 0.00,
+                                       .crossing = 1.05,
+                                       .deep = 22.45};
 
 static const struct frame_cost *cost_of(enum lim_method method)
 {
@@ -51,9 +62,8 @@ static const struct frame_cost *cost_of(enum lim_method method)
     case LIM_SCANLINE:
         return &SCANLINE;
     case LIM_MESH:
-        return &MESH;
     case LIM_MESH_DEPTH:
-        return &MESH_DEPTH;
+        return &MESH;
     default:
         return NULL;
     }

@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
 #
-# Fits what sim/render/frame_cost.c predicts by to what the renderer costs now: BUILD=build sh sim/tools/fit_frame_cost.sh prints both
+# Fits what sim/render/frame_cost.c predicts by to what the renderer costs now: BUILD=build sh sim/tools/fit_frame_cost.sh prints all
 # of its tables, and by how much the prediction is off for each scene, size and tree. FIT_DATA=FILE keeps the counts,
 # and takes them from there the next time.
 set -eu
@@ -73,9 +73,9 @@ fit() { # METHOD TITLE
             split("node record box vertex polygon clipped seen line gap screen_line pixel crossing deep", name)
             split("1 2;3;4 5;6;5 7 8 9 10 11 12 13", counters_of, ";")
         }
-        $1 == method {
+        $1 ~ "^" method {
             rows++
-            label[rows] = $2
+            label[rows] = $1 " " $2
             for (g = 1; g <= 5; g++) { counted[rows, g] = $(2 + g); all[rows] += $(2 + g) }
             for (k = 1; k <= 13; k++) counter[rows, k] = $(7 + k)
         }
@@ -110,12 +110,11 @@ fit() { # METHOD TITLE
             for (r = 1; r <= rows; r++) {
                 sum = 0
                 for (k = 1; k <= 13; k++) sum += result[k] * counter[r, k]
-                printf "    %-33s counted %8d, off by %5.1f %%\n", label[r], all[r], (sum / all[r] - 1) * 100
+                printf "    %-42s counted %8d, off by %5.1f %%\n", label[r], all[r], (sum / all[r] - 1) * 100
             }
         }' "$data"
 }
 
 fit nearest NEAREST_FIRST
 fit scanline SCANLINE
-fit mesh MESH
-fit mesh-depth MESH_DEPTH
+fit mesh MESH # both orders: a mesh by depth is one by distance but for what is compared
