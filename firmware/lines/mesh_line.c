@@ -28,6 +28,14 @@ static inline void note(struct lim_stats *stats, struct lim_mesh_active *active,
     *active->seen = true;
 }
 
+static inline void note_deep(struct lim_stats *stats, struct lim_mesh_active *active, int32_t n_px)
+{
+#if LIM_HAS_MESH_DEPTH
+    stats->pixels_deep += n_px > 0 ? (uint32_t)n_px : 0;
+#endif
+    note(stats, active, n_px);
+}
+
 /* The first pixel at or right of a boundary; and on to the next line. */
 static LIM_INLINE int32_t next_x(struct lim_mesh_edge *edge)
 {
@@ -55,7 +63,7 @@ static LIM_INLINE bool go_on(struct lim_mesh *mesh, const struct lim_mesh_line *
     const uint16_t below = (uint16_t)(line->y + 1);
 
     if (LIM_HAS_MESH_DEPTH && active->goes_on == LIM_MESH_DEEP) {
-        if (LIM_HAS_STATS) note(lim_stats_of(mesh->pass), active, x0 - x1);
+        if (LIM_HAS_STATS) note_deep(lim_stats_of(mesh->pass), active, x0 - x1);
         if (!lim_mesh_depth_paint(mesh, line, active, x1, x0)) return false;
         if (lim_mesh_depth_turns(active, below)) {
             lim_mesh_turn(mesh, active, below);

@@ -27,6 +27,7 @@ STATS_VALUE(vertices)
 STATS_VALUE(clipped)
 STATS_VALUE(non_monotone)
 STATS_VALUE(lines)
+STATS_VALUE(pixels_deep)
 STATS_VALUE(bands)
 STATS_VALUE(retained_cells_max)
 STATS_VALUE(gaps_max)
@@ -75,6 +76,7 @@ static const struct column STATS_COLUMNS[] = {
     {"non-mono", 8, 0, stats_non_monotone},
     {"lines", 7, 0, stats_lines},
     {"overdraw", 8, 3, overdraw},
+    {"deep_px", 7, 0, stats_pixels_deep},
     {"bands", 5, 0, stats_bands},
     {"retained", 8, 0, stats_retained_cells_max},
     {"gaps", 6, 0, stats_gaps_max},

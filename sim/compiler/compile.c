@@ -52,7 +52,7 @@ static bool compile_held_against(const struct model *model, const struct mesh *m
     struct mesh_trials trials;
     const bool may_be_mesh = mesh_choice_try(mesh, options, out, &trials);
     bool ok = (!may_be_mesh && !options->predict) || predict_reference(model, &mesh->grid, &reference, err);
-    if (ok && may_be_mesh) ok = mesh_choice_settle(&trials, options, &reference, mesh->merged_into, out, err);
+    if (ok && may_be_mesh) ok = mesh_choice_settle(&trials, mesh, options, &reference, mesh->merged_into, out, err);
     if (ok && options->predict)
         ok = predict_wrong(out, options->core, &reference, mesh->merged_into, &out->report.wrong, err);
     reference_free(&reference);

@@ -16,6 +16,8 @@
 #include <math.h>
 
 static const double ENOUGH = 0.95; /* of the instructions of the tree */
+static const double DEEPER_SHARE = 0.2;
+enum { DEEPER = 2 }; /* times: wrong orders are looked for in fewer views than there are */
 
 /* Wrong pixels in percent that profiles promise: sim/README.md. Draft promises none: it is held against the tree. */
 double mesh_choice_promised_percent(const struct core *core)
@@ -41,6 +43,7 @@ static bool is_open(const struct compile_options *options, const struct compiled
     return !isnan(report->instructions) && !report->convex;
 }
 
+/* Out of time, or no cheaper than the tree: it is none. */
 static bool try_one(const struct mesh *mesh, const struct compile_options *options, const char *name,
                     const struct compiled *scene, struct mesh_trial *trial, struct compiled *out)
 {
@@ -54,11 +57,12 @@ static bool try_one(const struct mesh *mesh, const struct compile_options *optio
     out->original = mesh->original ? original_share(mesh->original) : NULL;
     out->report.near_m = scene->report.near_m;
     trial->instructions = out->report.instructions;
-    if (!deadline_passed() && trial->instructions <= ENOUGH * scene->report.instructions) return true;
+    if (!deadline_passed() && trial->instructions <= ENOUGH * scene->report.as_mesh.tree_instructions) return true;
     compiled_free(out);
     return false;
 }
 
+/* By depth is never cheaper than by distance. */
 bool mesh_choice_try(const struct mesh *mesh, const struct compile_options *options, struct compiled *scene,
                      struct mesh_trials *trials)
 {
@@ -70,9 +74,10 @@ bool mesh_choice_try(const struct mesh *mesh, const struct compile_options *opti
                                    .tree_wrong_percent = NAN,
                                    .tree_mem_b = mcu_mem_b(scene),
                                    .tree_flash_b = scene->report.flash_b};
-    const bool by_distance = try_one(mesh, options, "mesh", scene, &choice->by_distance, &trials->by_distance);
-    const bool by_depth = try_one(mesh, options, "mesh-depth", scene, &choice->by_depth, &trials->by_depth);
-    return by_distance || by_depth;
+    choice->by_depth.instructions = choice->by_depth.wrong_percent = NAN;
+    if (!try_one(mesh, options, "mesh", scene, &choice->by_distance, &trials->by_distance)) return false;
+    (void)try_one(mesh, options, "mesh-depth", scene, &choice->by_depth, &trials->by_depth);
+    return true;
 }
 
 /* The worse of all and of portraits. */
@@ -98,32 +103,67 @@ static double bound_percent(const struct compile_options *options, double tree_p
     return fmax(promised, tree_percent);
 }
 
-bool mesh_choice_settle(struct mesh_trials *trials, const struct compile_options *options, struct reference *reference,
-                        const uint32_t *groups, struct compiled *scene, struct error *err)
+struct settling {
+    const struct mesh *mesh;
+    const struct compile_options *options;
+    struct reference *reference;
+    const uint32_t *groups;
+    struct compiled *scene;
+};
+
+/* Holds the scene, and those trials that there are, against the reference. */
+static bool look(const struct settling *work, struct mesh_trials *trials, struct error *err)
 {
-    struct mesh_choice *choice = &scene->report.as_mesh;
-    struct compiled *const candidates[2] = {&trials->by_distance, &trials->by_depth};
+    struct mesh_choice *choice = &work->scene->report.as_mesh;
+    const struct compiled *const candidates[2] = {&trials->by_distance, &trials->by_depth};
     struct mesh_trial *const rows[2] = {&choice->by_distance, &choice->by_depth};
-    const struct compiled *scenes[3] = {scene};
+    const struct compiled *scenes[3] = {work->scene};
     struct predicted wrong[3];
     size_t count = 1;
     for (int i = 0; i < 2; i++)
         if (candidates[i]->scene.polygon_count) scenes[count++] = candidates[i];
-    if (!predict_held_out(scenes, count, options->core, reference, groups, wrong, err)) return false;
+    if (!predict_held_out(scenes, count, work->options->core, work->reference, work->groups, wrong, err)) return false;
     choice->cameras = wrong[0].cameras;
     choice->tree_wrong_percent = worst_percent(&wrong[0]);
-    choice->bound_percent = bound_percent(options, choice->tree_wrong_percent);
+    choice->bound_percent = bound_percent(work->options, choice->tree_wrong_percent);
     for (size_t i = 0, k = 1; i < 2; i++)
         if (candidates[i]->scene.polygon_count) rows[i]->wrong_percent = worst_percent(&wrong[k++]);
-    struct compiled *best = NULL;
-    struct mesh_trial *taken = NULL;
-    for (int i = 0; i < 2; i++) {
-        if (!(rows[i]->wrong_percent <= choice->bound_percent)) continue; /* NaN: not looked at, or out of time */
-        if (best && rows[i]->instructions >= taken->instructions) continue;
-        best = candidates[i];
-        taken = rows[i];
+    return true;
+}
+
+static bool is_right(const struct mesh_choice *choice, const struct mesh_trial *trial)
+{
+    return trial->wrong_percent <= choice->bound_percent; /* NaN: not looked at, or out of time */
+}
+
+/* What is too wrong by depth gets more triangles with depth, until it is too dear. */
+static bool deepen(const struct settling *work, struct mesh_trials *trials, struct error *err)
+{
+    struct mesh_choice *choice = &work->scene->report.as_mesh;
+    struct compile_options own = *work->options;
+    own.wrong_percent = choice->bound_percent;
+    for (int i = 0; i < DEEPER && trials->by_depth.scene.polygon_count && !is_right(choice, &choice->by_depth) &&
+                    !is_right(choice, &choice->by_distance) && !deadline_passed();
+         i++) {
+        own.wrong_percent *= DEEPER_SHARE;
+        compiled_free(&trials->by_depth);
+        if (try_one(work->mesh, &own, "mesh-depth", work->scene, &choice->by_depth, &trials->by_depth) &&
+            !look(work, trials, err))
+            return false;
     }
-    if (best) take(scene, best, taken);
+    return true;
+}
+
+bool mesh_choice_settle(struct mesh_trials *trials, const struct mesh *mesh, const struct compile_options *options,
+                        struct reference *reference, const uint32_t *groups, struct compiled *scene, struct error *err)
+{
+    const struct settling work = {mesh, options, reference, groups, scene};
+    struct mesh_choice *choice = &scene->report.as_mesh;
+    if (!look(&work, trials, err) || !deepen(&work, trials, err)) return false;
+    if (is_right(choice, &choice->by_distance))
+        take(scene, &trials->by_distance, &choice->by_distance);
+    else if (is_right(choice, &choice->by_depth))
+        take(scene, &trials->by_depth, &choice->by_depth);
     return true;
 }
 

@@ -27,8 +27,8 @@ bool mesh_choice_try(const struct mesh *mesh, const struct compile_options *opti
                      struct mesh_trials *trials);
 
 /* Draws them and the scene, and takes the cheapest that is right enough for the scene. `groups` as in compare.h. */
-bool mesh_choice_settle(struct mesh_trials *trials, const struct compile_options *options, struct reference *reference,
-                        const uint32_t *groups, struct compiled *scene, struct error *err);
+bool mesh_choice_settle(struct mesh_trials *trials, const struct mesh *mesh, const struct compile_options *options,
+                        struct reference *reference, const uint32_t *groups, struct compiled *scene, struct error *err);
 
 void mesh_trials_free(struct mesh_trials *trials);
 

@@ -185,7 +185,7 @@ static bool choose_mesh(const struct measure_source *source, const struct compil
     bool ok = true;
     if (mesh_choice_try(&source->mesh, options, scene, &trials))
         ok = reference_init(&reference, &source->fine, PREDICT_SIDE_PX, PREDICT_SIDE_PX, err) &&
-             mesh_choice_settle(&trials, options, &reference, source->mesh.merged_into, scene, err);
+             mesh_choice_settle(&trials, &source->mesh, options, &reference, source->mesh.merged_into, scene, err);
     reference_free(&reference);
     mesh_trials_free(&trials);
     if (!ok) compiled_free(scene);

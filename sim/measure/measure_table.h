@@ -21,13 +21,13 @@ struct measure_row {
 
 struct measure_table {
     const char *scene; /* its name */
-    const char *drawn; /* how, where the order is approximate; NULL: it is exact */
     unsigned w_px, h_px;
     const struct measure_cpu *const *cpus; /* cpu_count of them; 0: cost was not measured */
     size_t cpu_count;
     struct measure_row *rows;
     size_t row_count;
     struct measure_refusals refused; /* those that have no row */
+    const char *drawn; /* how, where the order is approximate; NULL: it is exact */
 };
 
 /* Sets dominated_by. */

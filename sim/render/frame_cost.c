@@ -3,7 +3,8 @@
  * Instructions by counter, fitted by `sh sim/tools/fit_frame_cost.sh`, which prints the rows below: `limner measure
  * --core m0plus --precision fast` counts stages on rooms, rooms-tilted, teapot and knot, each with four trees, and with
  * one on a small screen, and of a teapot cut to pieces, by both orders; the counters of the same frames that have to do
- * with a stage explain it by least squares, in relative errors and with no factor below 0. */
+ * with a stage explain it by least squares, in relative errors and with no factor below 0. Meshes are fitted on the
+ * teapot, the knot, meshes of generate_scale and, once, rooms. */
 #include "render/frame_cost.h"
 
 #include <string.h>
@@ -11,6 +12,7 @@
 struct frame_cost {
     double node, record, box, vertex, polygon, clipped, seen, line, gap, screen_line, pixel;
     double crossing; /* a polygon that is seen, for each that crosses a line: it finds its place between these */
+    double deep;     /* a pixel at which depths are compared */
 };
 
 static const struct frame_cost NEAREST_FIRST = {.node = 78,
@@ -38,15 +40,44 @@ static const struct frame_cost SCANLINE = {.node = 77,
                                            .pixel = 0.00,
                                            .crossing = 0.70};
 
+static const struct frame_cost MESH = {.node = 0,
+                                       .record = 70,
+                                       .box = 0,
+                                       .vertex = 155,
+                                       .polygon = 357,
+                                       .clipped = 11936,
+                                       .seen = 0,
+                                       .line = 55,
+                                       .gap = 0,
+                                       .screen_line = 401,
+                                       .pixel = 0.00,
+                                       .crossing = 1.05,
+                                       .deep = 22.45};
+
+static const struct frame_cost *cost_of(enum lim_method method)
+{
+    switch (method) {
+    case LIM_NEAREST_FIRST:
+        return &NEAREST_FIRST;
+    case LIM_SCANLINE:
+        return &SCANLINE;
+    case LIM_MESH:
+    case LIM_MESH_DEPTH:
+        return &MESH;
+    default:
+        return NULL;
+    }
+}
+
 bool frame_cost_knows(enum lim_method method)
 {
-    return method == LIM_NEAREST_FIRST || method == LIM_SCANLINE;
+    return cost_of(method) != NULL;
 }
 
 void frame_cost_terms(const struct lim_stats *stats, const struct lim_target *target,
                       struct frame_cost_term terms[FRAME_COST_TERMS])
 {
-    const struct frame_cost *a = target->method == LIM_SCANLINE ? &SCANLINE : &NEAREST_FIRST;
+    const struct frame_cost *known = cost_of(target->method), *a = known ? known : &NEAREST_FIRST;
     const struct frame_cost_term all[FRAME_COST_TERMS] = {
         {"nodes of the tree visited", stats->nodes, a->node},
         {"records of leaves tested", stats->records, a->record},
@@ -59,7 +90,8 @@ void frame_cost_terms(const struct lim_stats *stats, const struct lim_target *ta
         {"gaps, at most at a time", stats->gaps_max, a->gap},
         {"lines of the screen", target->h_px, a->screen_line},
         {"pixels written", (double)stats->pixels_painted + stats->pixels_background, a->pixel},
-        {"polygons on lines, in order", stats->polygons_seen * (double)stats->lines / target->h_px, a->crossing}};
+        {"polygons on lines, in order", stats->polygons_seen * (double)stats->lines / target->h_px, a->crossing},
+        {"pixels of which depths are compared", stats->pixels_deep, a->deep}};
 
     memcpy(terms, all, sizeof all);
 }

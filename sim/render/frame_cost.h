@@ -9,7 +9,7 @@
 #include "stages.h"
 #include "target.h"
 
-/* Whether frames drawn by a method can be predicted: nearest first, and by scan lines. */
+/* Whether frames drawn by a method can be predicted: nearest first, by scan lines, and as a mesh. */
 bool frame_cost_knows(enum lim_method method);
 
 /* Instructions of such a frame in profile fast, polygons opaque and of one colour each. Within 4 % of those counted,
@@ -21,7 +21,7 @@ struct frame_cost_term {
     const char *name;
     double count, each; /* instructions */
 };
-enum { FRAME_COST_TERMS = 12 };
+enum { FRAME_COST_TERMS = 13 };
 void frame_cost_terms(const struct lim_stats *stats, const struct lim_target *target,
                       struct frame_cost_term terms[FRAME_COST_TERMS]);
 

@@ -50,7 +50,7 @@ enum {
 /* A triangle that crosses a line: with edges of 64 bits, as in profile exact; in a wide scene; with its depths. Numbers
  * of 64 bits are aligned. */
 #define MCU_MESH_ACTIVE_B(is_long, is_wide, has_depth)                                                                 \
-    ((is_long) || (is_wide) ? (((is_long) ? 56 : 32) + ((is_wide) ? 8 : 4) + 8 + ((has_depth) ? 12 : 0) + 7) / 8 * 8   \
-                            : 40 + ((has_depth) ? 12 : 0))
+    ((is_long) || (is_wide) ? (((is_long) ? 56 : 32) + ((is_wide) ? 8 : 4) + 8 + ((has_depth) ? 16 : 0) + 7) / 8 * 8   \
+                            : 40 + ((has_depth) ? 16 : 0))
 
 #endif

@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
 #
-# Fits what sim/render/frame_cost.c predicts by to what the renderer costs now: BUILD=build sh sim/tools/fit_frame_cost.sh prints both
+# Fits what sim/render/frame_cost.c predicts by to what the renderer costs now: BUILD=build sh sim/tools/fit_frame_cost.sh prints all
 # of its tables, and by how much the prediction is off for each scene, size and tree. FIT_DATA=FILE keeps the counts,
 # and takes them from there the next time.
 set -eu
@@ -21,12 +21,14 @@ group_of='
         return "lines"
     }'
 
-# A line: METHOD SCENE-SIZE-TREE-SPLITTER, five groups of instructions, twelve counters.
+# A line: METHOD SCENE-SIZE-TREE-SPLITTER, five groups of instructions, thirteen counters.
 count() { # METHOD SCENE SIZE TREE SPLITTER
-    awk 'n++ % 8 == 0' "sim/scenes/$2.cam" >"$work/cam"
-    "$BUILD/limner" measure "sim/scenes/$2.obj" --camera "$work/cam" --size "$3" --tree "$4" --splitter "$5" --method "$1" \
-        --precision fast --core m0plus -o "$work/out" >/dev/null
-    "$BUILD/limner" render "sim/scenes/$2.obj" --camera "$work/cam" --size "$3" --tree "$4" --splitter "$5" --method "$1" \
+    folder=sim/scenes
+    [ -s "$folder/$2.obj" ] || folder=$work
+    awk 'n++ % 8 == 0' "$folder/$2.cam" >"$work/cam"
+    "$BUILD/limner" measure "$folder/$2.obj" --camera "$work/cam" --size "$3" --tree "$4" --splitter "$5" --method "$1" \
+        --precision fast --core m0plus -o "$work/out" >/dev/null 2>"$work/said" || { cat "$work/said" >&2; return 1; }
+    "$BUILD/limner" render "$folder/$2.obj" --camera "$work/cam" --size "$3" --tree "$4" --splitter "$5" --method "$1" \
         --stats >"$work/stats"
     awk -F , "$group_of"'
         NR > 1 { sum[group_of($4)] += $5 }
@@ -38,7 +40,7 @@ count() { # METHOD SCENE SIZE TREE SPLITTER
         $1 == "mean" {
             print $column["nodes"], $column["records"], $column["boxes"], $column["vertices"], $column["polygons"],
                 $column["clipped"], $column["seen"], $column["lines"], $column["gaps"], h_px,
-                $column["overdraw"] * w_px * h_px, crossing / frames
+                $column["overdraw"] * w_px * h_px, crossing / frames, $column["deep_px"]
         }' "$work/stats"
 }
 
@@ -51,27 +53,31 @@ count() { # METHOD SCENE SIZE TREE SPLITTER
     done
     count $method teapot 240x240 bsp first # twice as many nodes
 done >"$data"
-[ -s "$data.mesh" ] || for method in mesh mesh-depth; do
-    for scene in rooms rooms-tilted teapot knot; do
-        for size in 240x240 128x64 320x240; do
+# Meshes: what they are for, and little of what they are not for. The numbers of a splitter mean nothing.
+for triangles in 500 2000 4000; do
+    "$BUILD/generate_scale" mesh $triangles "$work"
+done
+grep -q '^mesh' "$data" || for method in mesh mesh-depth; do
+    for scene in teapot knot mesh500 mesh2000 mesh4000; do
+        for size in 240x240 128x64; do
             count $method $scene $size mesh auto
         done
     done
-done >"$data.mesh"
-cat "$data.mesh" >>"$data"
+    count $method rooms-tilted 240x240 mesh auto
+done >>"$data"
 
 # Least squares by descent along one factor at a time, which can be kept at 0 or above.
 fit() { # METHOD TITLE
     awk -v method="$1" -v title="$2" '
         BEGIN {
-            split("node record box vertex polygon clipped seen line gap screen_line pixel crossing", name)
-            split("1 2;3;4 5;6;5 7 8 9 10 11 12", counters_of, ";")
+            split("node record box vertex polygon clipped seen line gap screen_line pixel crossing deep", name)
+            split("1 2;3;4 5;6;5 7 8 9 10 11 12 13", counters_of, ";")
         }
-        $1 == method {
+        $1 ~ "^" method {
             rows++
-            label[rows] = $2
+            label[rows] = $1 " " $2
             for (g = 1; g <= 5; g++) { counted[rows, g] = $(2 + g); all[rows] += $(2 + g) }
-            for (k = 1; k <= 12; k++) counter[rows, k] = $(7 + k)
+            for (k = 1; k <= 13; k++) counter[rows, k] = $(7 + k)
         }
         function explain(g,   ks, n, a, b, i, j, r, pass, factor, weight) {
             n = split(counters_of[g], ks, " ")
@@ -96,20 +102,19 @@ fit() { # METHOD TITLE
         END {
             for (g = 1; g <= 5; g++) explain(g)
             printf "static const struct frame_cost %s = {", title
-            for (k = 1; k <= 12; k++) {
+            for (k = 1; k <= 13; k++) {
                 result[k] = sprintf(k >= 11 ? "%.2f" : "%.0f", result[k])
                 printf "%s.%s = %s", (k > 1 ? ", " : ""), name[k], result[k]
             }
             print "};"
             for (r = 1; r <= rows; r++) {
                 sum = 0
-                for (k = 1; k <= 12; k++) sum += result[k] * counter[r, k]
-                printf "    %-33s counted %8d, off by %5.1f %%\n", label[r], all[r], (sum / all[r] - 1) * 100
+                for (k = 1; k <= 13; k++) sum += result[k] * counter[r, k]
+                printf "    %-42s counted %8d, off by %5.1f %%\n", label[r], all[r], (sum / all[r] - 1) * 100
             }
         }' "$data"
 }
 
 fit nearest NEAREST_FIRST
 fit scanline SCANLINE
-fit mesh MESH
-fit mesh-depth MESH_DEPTH
+fit mesh MESH # both orders: a mesh by depth is one by distance but for what is compared

@@ -54,16 +54,16 @@ cross() {
 cross >"$work/cross.obj"
 
 same_frames() { # METHOD: from the model and from the file, one by one
-    "$limner" compile "$work/ball.obj" --method "$1" -o "$work/scene" >/dev/null &&
+    "$limner" compile "$work/ball.obj" --method "$1" -o "$work/bumps" >/dev/null &&
         "$limner" render "$work/ball.obj" --method "$1" --size 96x96 --frames 4 --write-hashes "$work/model.hashes" &&
-        "$limner" render "$work/scene.lim" --method "$1" --size 96x96 --frames 4 --write-hashes "$work/file.hashes" &&
+        "$limner" render "$work/bumps.lim" --method "$1" --size 96x96 --frames 4 --write-hashes "$work/file.hashes" &&
         cmp "$work/model.hashes" "$work/file.hashes"
 }
 
 a_c_compiler_takes_it() { # METHOD
-    "$limner" compile "$work/ball.obj" --method "$1" -o "$work/scene" >/dev/null &&
-        (cd "$work" && ${CC:-gcc} -std=c11 -Wall -Wextra -Werror -DLIM_CONFIG='"scene.h"' -I. "-I$OLDPWD/firmware" -c scene.c -o scene.o) &&
-        grep -q 'an approximate order' "$work/scene.h" && ! grep -q exact "$work/scene.h"
+    "$limner" compile "$work/ball.obj" --method "$1" -o "$work/bumps" >/dev/null &&
+        (cd "$work" && ${CC:-gcc} -std=c11 -Wall -Wextra -Werror -DLIM_CONFIG='"bumps.h"' -I. "-I$OLDPWD/firmware" -c bumps.c -o bumps.o) &&
+        grep -q 'an approximate order' "$work/bumps.h" && ! grep -q exact "$work/bumps.h"
 }
 
 few_bytes() {
@@ -107,6 +107,6 @@ tap_check "a mesh by a method of trees is refused" refused 'it draws no meshes' 
 tap_check "glass is refused, by its face" refused 'face 1: as a mesh, transparent faces are not drawn' render "$work/glass.obj" --method mesh
 tap_check "textures are refused, and not drawn flat" refused 'as a mesh, textures are not drawn' render "$work/quarters.obj" --method mesh
 tap_check "a file of a mesh names the methods that draw it" refused 'a mesh has no tree; draw it with --method mesh or mesh-depth' render "$work/mesh.lim"
-tap_check "a file with a tree is none" refused '--method mesh draws meshes' render "$work/tree.lim" --method mesh
+tap_check "a file with a tree is none" refused 'has a tree; --method mesh draws meshes, give the model$' render "$work/tree.lim" --method mesh
 tap_check "nor is one for newell" refused 'a mesh has no tree' render "$work/mesh.lim" --method newell
 tap_done

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * Trees with leaves know their free space as well as the BSP tree does, and so want as much memory. */
+ * Trees with leaves, and meshes, know their free space as well as the BSP tree does, and so want as much memory. */
 #include "cameras/free_space.h"
 #include "cameras/sample.h"
 #include "compiler/compile.h"
@@ -10,12 +10,15 @@
 
 enum { EYES = 1000, POINTS = 4000, FEW = POINTS / 500 };
 
-static const enum tree_kind kinds[] = {TREE_CLUSTERS, TREE_AXIS, TREE_OCTREE, TREE_NONE};
+static const enum tree_kind kinds[] = {TREE_CLUSTERS, TREE_AXIS, TREE_OCTREE, TREE_NONE, TREE_MESH};
 enum { KINDS = sizeof kinds / sizeof *kinds };
 
 static struct compiled compile(const char *path, enum tree_kind kind)
 {
-    const struct compile_options options = {.tolerance_units = 0.5, .splitter = "weighted-12", .tree = kind};
+    const struct compile_options options = {.tolerance_units = 0.5,
+                                            .splitter = "weighted-12",
+                                            .tree = kind,
+                                            .method = kind == TREE_MESH ? method_parse("mesh", NULL) : NULL};
     struct compiled scene;
     struct error err;
     const struct compile_options set = {.tolerance_units = 0.5, .splitter = "auto", .tree = kind};
@@ -97,7 +100,7 @@ static void pools_of_rooms_do_not_depend_on_the_tree(void **state)
 
     (void)state;
     for (int i = 0; i < KINDS; i++) {
-        if (kinds[i] == TREE_NONE) continue; /* methods that sort want memory for that */
+        if (kinds[i] == TREE_NONE || kinds[i] == TREE_MESH) continue; /* their methods want memory of other kinds */
         struct compiled tree = compile("sim/scenes/rooms.obj", kinds[i]);
         assert_true(mcu_mem_b(&tree) * 4 <= mcu_mem_b(&bsp) * 5);
         compiled_free(&tree);

@@ -392,6 +392,28 @@ static void pools_are_measured_for_the_panel(void **state)
     mesh_rig_free(&mesh);
 }
 
+/* 5 that cross a line, 7 being the least; 30 vertices of 4 and 2, 50 triangles and 100 lines of 2; with depths a line
+ * of 100, and 16 for each that crosses one. Wide screens take 8 a point; wide scenes 4 a link, and aligned ranks. */
+static void bytes_of_a_mesh_on_a_microcontroller_add_up(void **state)
+{
+    struct compiled scene = {.scene = {.limits = {.vertices = 3, .active = 5}, .vertex_count = 30, .polygon_count = 50},
+                             .report = {.w_px = 100, .h_px = 100, .draws = LIM_MESH}};
+
+    (void)state;
+    assert_int_equal(mcu_mem_b(&scene), 7 * 40 + 180 + 300);
+    assert_int_equal(mcu_mem_min_b(&scene), 7 * 40 + 180 + 300);
+    scene.scene.limits.active = 60;
+    assert_int_equal(mcu_mem_b(&scene), 60 * 40 + 180 + 300);
+    assert_int_equal(mcu_mem_min_b(&scene), 7 * 40 + 180 + 300);
+    scene.report.draws = LIM_MESH_DEPTH;
+    assert_int_equal(mcu_mem_b(&scene), 60 * 56 + 180 + 300 + 200);
+    scene.report.core = &core_exact;
+    assert_int_equal(mcu_mem_b(&scene), 60 * 88 + 300 + 300 + 200);
+    scene.report.core = &core_fast;
+    scene.scene.vertex_count = 70000;
+    assert_int_equal(mcu_mem_b(&scene), 60 * 64 + 420000 + 600 + 200);
+}
+
 /* Vertex cache 512, 100 lines of 8, 10 pending nodes of 4, 101 cells of 4, 21 gaps of 6, 5 active of
  * 36; the sum to the next multiple of 4. At the least: 2 + 4 + 5 cells, a gap, an active polygon. Wide
  * screen coordinates double the cells and take half as much again in the cache; profile exact has longer edges, and so
@@ -454,6 +476,7 @@ int main(void)
         cmocka_unit_test(limits_go_into_the_image),
         cmocka_unit_test(pools_are_measured_for_the_panel),
         cmocka_unit_test(bytes_on_a_microcontroller_add_up),
+        cmocka_unit_test(bytes_of_a_mesh_on_a_microcontroller_add_up),
         cmocka_unit_test(so_do_those_of_a_convex_solid),
     };
 
