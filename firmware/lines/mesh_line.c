@@ -30,9 +30,7 @@ static inline void note(struct lim_stats *stats, struct lim_mesh_active *active,
 
 static inline void note_deep(struct lim_stats *stats, struct lim_mesh_active *active, int32_t n_px)
 {
-#if LIM_HAS_MESH_DEPTH
     stats->pixels_deep += n_px > 0 ? (uint32_t)n_px : 0;
-#endif
     note(stats, active, n_px);
 }
 
