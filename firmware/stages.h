@@ -113,7 +113,7 @@ struct lim_stats {
     uint32_t non_monotone;     /* polygons that rounding made non-monotone, drawn as triangles */
     uint32_t lines;            /* lines of polygons that were stepped */
     uint32_t pixels_painted;   /* pixels written by polygons, as often as they are; not of pictures that targets keep */
-    uint32_t pixels_deep; /* of those, pixels at which depths were compared, whether they were written or not */
+    uint32_t pixels_deep;      /* of those, pixels at which depths were compared, whether they were written or not */
     uint32_t pixels_background; /* pixels filled with the background; convex: those that no face has painted, about */
 #if LIM_HAS_TEXTURE
     uint32_t divisions; /* for the perspective of textures */
