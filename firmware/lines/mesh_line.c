@@ -28,15 +28,6 @@ static inline void note(struct lim_stats *stats, struct lim_mesh_active *active,
     *active->seen = true;
 }
 
-/* The first pixel at or right of a boundary; and on to the next line. */
-static LIM_INLINE int32_t next_x(struct lim_mesh_edge *edge)
-{
-    const lim_edge_at at = edge->at;
-
-    edge->at = (lim_edge_at)((lim_edge_wrap)at + (lim_edge_wrap)edge->step);
-    return (int32_t)(at >> LIM_EDGE_BITS);
-}
-
 /* Replaces the edge that ends. */
 static LIM_INLINE void replace_edge(const struct lim_mesh *mesh, struct lim_mesh_active *active, uint16_t y)
 {
@@ -72,7 +63,7 @@ static LIM_INLINE bool go_on(struct lim_mesh *mesh, const struct lim_mesh_line *
 static LIM_INLINE bool paint_one(struct lim_mesh *mesh, const struct lim_mesh_line *line, uint16_t *pixels,
                                  uint16_t below, struct lim_mesh_active *active, bool inside)
 {
-    const int32_t left = next_x(&active->edges[0]), right = next_x(&active->edges[1]);
+    const int32_t left = lim_mesh_edge_next(&active->edges[0]), right = lim_mesh_edge_next(&active->edges[1]);
     const int32_t x0 = inside || left > line->x0 ? left : line->x0, x1 = inside || right < line->x1 ? right : line->x1;
 
     if (x0 < x1) lim_fill_inline(pixels, (int_fast16_t)x0, (int_fast16_t)x1, active->colour);
