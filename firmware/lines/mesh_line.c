@@ -19,8 +19,12 @@ void lim_mesh_clean(const struct lim_mesh *mesh, const struct lim_mesh_line *lin
     if (LIM_HAS_STATS) lim_stats_of(mesh->pass)->pixels_background += (uint32_t)(line->x1 - line->x0);
 }
 
-static inline void note(struct lim_stats *stats, struct lim_mesh_active *active, int32_t n_px)
+/* Pixels x0 <= x < x1, as far as they lie on the line: those of what has depth as often as they are compared. */
+static inline void note(struct lim_stats *stats, const struct lim_mesh_line *line, struct lim_mesh_active *active,
+                        int32_t x0, int32_t x1)
 {
+    const int32_t n_px = (x1 < line->x1 ? x1 : line->x1) - (x0 > line->x0 ? x0 : line->x0);
+
     if (n_px <= 0) return;
     stats->lines++;
     stats->pixels_painted += (uint32_t)n_px;
@@ -46,7 +50,7 @@ static LIM_INLINE bool go_on(struct lim_mesh *mesh, const struct lim_mesh_line *
     const uint16_t below = (uint16_t)(line->y + 1);
 
     if (LIM_HAS_MESH_DEPTH && active->goes_on == LIM_MESH_DEEP) {
-        if (LIM_HAS_STATS) note(lim_stats_of(mesh->pass), active, x0 - x1);
+        if (LIM_HAS_STATS) note(lim_stats_of(mesh->pass), line, active, x1, x0);
         if (!lim_mesh_depth_paint(mesh, line, active, x1, x0)) return false;
         if (lim_mesh_depth_turns(active, below)) {
             lim_mesh_turn(mesh, active, below);
@@ -67,7 +71,7 @@ static LIM_INLINE bool paint_one(struct lim_mesh *mesh, const struct lim_mesh_li
     const int32_t x0 = inside || left > line->x0 ? left : line->x0, x1 = inside || right < line->x1 ? right : line->x1;
 
     if (x0 < x1) lim_fill_inline(pixels, (int_fast16_t)x0, (int_fast16_t)x1, active->colour);
-    if (LIM_HAS_STATS && x0 < x1) note(lim_stats_of(mesh->pass), active, x1 - x0);
+    if (LIM_HAS_STATS && x0 < x1) note(lim_stats_of(mesh->pass), line, active, x0, x1);
     return active->turn != below || go_on(mesh, line, active, left, right);
 }
 
