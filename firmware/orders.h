@@ -243,9 +243,13 @@ struct lim_mesh_depth {
     uint8_t goes_on;       /* what the entry's was */
 };
 
-/* Where a boundary is on the current line, and what a line adds. */
+/* Where a boundary is on the current line, and what a line adds: what is stepped of a struct lim_edge. */
 struct lim_mesh_edge {
-    lim_edge_at at, step; /* as those of struct lim_edge */
+#if LIM_8_BIT
+    struct lim_edge whole;
+#else
+    lim_edge_at at, step;
+#endif
 };
 
 /* A triangle that crosses the current line. */

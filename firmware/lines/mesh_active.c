@@ -61,13 +61,13 @@ static void set_any(struct lim_mesh_active *active, const struct lim_point *at, 
 
     active->goes_on = LIM_MESH_ANEW;
     if (shape->top > (int16_t)y) {
-        active->edges[0] = active->edges[1] = (struct lim_mesh_edge){.at = 0};
+        active->edges[0] = active->edges[1] = (struct lim_mesh_edge){0};
         set_lines(active, shape->top, shape->bottom);
         return;
     }
     set_lines(active, lim_edge_start(&pair, at, n, shape->first, (int16_t)y), shape->bottom);
-    active->edges[0] = (struct lim_mesh_edge){pair.left.at, pair.left.step};
-    active->edges[1] = (struct lim_mesh_edge){pair.right.at, pair.right.step};
+    lim_mesh_edge_take(&active->edges[0], &pair.left);
+    lim_mesh_edge_take(&active->edges[1], &pair.right);
 }
 
 static bool begin_part(struct lim_mesh *mesh, const struct lim_mesh_clipped *clipped, lim_index triangle, uint8_t part,
@@ -166,8 +166,7 @@ static LIM_ALONE bool begin_slow(struct lim_mesh_edge *edge, lim_packed from, li
     if (!lim_edge_begin_slow(&begun, lim_packed_point(from), lim_packed_point(to), (int16_t)(row + LIM_ORIGIN_PX),
                              (int16_t)(end + LIM_ORIGIN_PX)))
         return false;
-    edge->at = begun.at;
-    edge->step = begun.step;
+    lim_mesh_edge_take(edge, &begun);
     return true;
 }
 
@@ -179,8 +178,7 @@ static LIM_INLINE bool begin_edge(struct lim_mesh_edge *edge, lim_packed from, l
     if (!lim_edge_begin_fast(&begun, lim_packed_x(from), lim_packed_y(from), lim_packed_x(to), lim_packed_y(to), row,
                              end))
         return begin_slow(edge, from, to, row, end);
-    edge->at = begun.at;
-    edge->step = begun.step;
+    lim_mesh_edge_take(edge, &begun);
     return true;
 }
 
@@ -233,8 +231,7 @@ static LIM_INLINE void set_short_edge(struct lim_mesh_edge *edge, int32_t ax, in
     struct lim_edge begun;
 
     set_short(&begun, ax, ay, dx, dy, row);
-    edge->at = begun.at;
-    edge->step = begun.step;
+    lim_mesh_edge_take(edge, &begun);
 }
 
 /* The same for line active->turn; where all edges are short, which is asked once. A function of its own: it wants all

@@ -49,6 +49,41 @@ static inline void lim_mesh_give_back(struct lim_mesh *mesh, struct lim_mesh_act
     mesh->free = active;
 }
 
+#if LIM_8_BIT
+
+static inline void lim_mesh_edge_take(struct lim_mesh_edge *edge, const struct lim_edge *begun)
+{
+    edge->whole = *begun;
+}
+
+static inline int32_t lim_mesh_edge_next(struct lim_mesh_edge *edge)
+{
+    const int16_t x = lim_edge_x(&edge->whole);
+
+    lim_edge_step(&edge->whole);
+    return x;
+}
+
+#else
+
+/* From an edge that is set for a line. */
+static inline void lim_mesh_edge_take(struct lim_mesh_edge *edge, const struct lim_edge *begun)
+{
+    edge->at = begun->at;
+    edge->step = begun->step;
+}
+
+/* The first pixel at or right of a boundary; and on to the next line. */
+static LIM_INLINE int32_t lim_mesh_edge_next(struct lim_mesh_edge *edge)
+{
+    const lim_edge_at at = edge->at;
+
+    edge->at = (lim_edge_at)((lim_edge_wrap)at + (lim_edge_wrap)edge->step);
+    return (int32_t)(at >> LIM_EDGE_BITS);
+}
+
+#endif
+
 /* All of them. */
 void lim_mesh_clear(struct lim_mesh *mesh);
 

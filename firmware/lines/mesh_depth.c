@@ -2,8 +2,8 @@
  *
  * With u and v from one corner to the others, in sub-pixels, and p, q what nearness gains on the way there, the plane's
  * gradient is ((p vy - q uy) / A, (q ux - p vx) / A), A = ux vy - uy vx. All in 32 bits, the same on all processors:
- * differences are halved until they have 15 bits, so a product has 30 and A as well; what is divided is cut to 15 bits,
- * as A's reciprocal has 15. Both cuts are some 2^-14 of what nearness gains across the triangle. */
+ * differences along an axis are halved until they have 15 bits, so a product has 30 and A as well; what is divided is
+ * cut to 15 bits, as A's reciprocal has 15. Both cuts are some 2^-14 of what nearness gains across the triangle. */
 #include "lines/mesh_depth.h"
 
 #include "math/fixed.h"
@@ -30,11 +30,23 @@ static uint32_t gradient_q16(int32_t numerator, uint32_t recip_q15, uint8_t shif
 }
 
 struct plane_of_three {
-    int32_t ux, uy, vx, vy; /* sub-pixels, halved */
-    uint8_t halved_bits;
+    int32_t ux, uy, vx, vy;     /* sub-pixels, halved */
+    uint8_t halved_x, halved_y; /* bits */
 };
 
-/* Of |difference| < 2^18. */
+/* Two differences along an axis, to 14 bits and a sign. Returns how often they are halved. */
+static inline uint8_t halve(int32_t *u, int32_t *v)
+{
+    const uint32_t most = abs_s32(*u) | abs_s32(*v);
+
+    if (!LIM_UNLIKELY(most >> 14)) return 0;
+    const uint8_t bits = (uint8_t)(18 - clz_u32(most));
+    *u >>= bits;
+    *v >>= bits;
+    return bits;
+}
+
+/* The axes apart: a triangle may be as narrow as a line is high. */
 static void set_differences(struct plane_of_three *plane, const struct lim_point *a, const struct lim_point *b,
                             const struct lim_point *c)
 {
@@ -42,15 +54,8 @@ static void set_differences(struct plane_of_three *plane, const struct lim_point
     plane->uy = (int32_t)b->y - a->y;
     plane->vx = (int32_t)c->x - a->x;
     plane->vy = (int32_t)c->y - a->y;
-    plane->halved_bits = 0;
-    const uint32_t most = abs_s32(plane->ux) | abs_s32(plane->uy) | abs_s32(plane->vx) | abs_s32(plane->vy);
-    if (LIM_UNLIKELY(most >> 14)) {
-        plane->halved_bits = (uint8_t)(18 - clz_u32(most));
-        plane->ux >>= plane->halved_bits;
-        plane->uy >>= plane->halved_bits;
-        plane->vx >>= plane->halved_bits;
-        plane->vy >>= plane->halved_bits;
-    }
+    plane->halved_x = halve(&plane->ux, &plane->vx);
+    plane->halved_y = halve(&plane->uy, &plane->vy);
 }
 
 /* Edges change places: what paints without depth finds no pixels, and what turns on the next line is asked there. */
@@ -66,13 +71,17 @@ static void take_depth(struct lim_mesh_active *active, uint16_t y)
     active->turn = (uint16_t)(y + 1);
 }
 
+/* What a line of depths has more than nearness: a plane that is not quite right stays above 0, which is nothing, and
+ * below 2^16, far away and near by. */
+enum { ABOVE_NOTHING = 1 << 14 };
+
 /* Nearness at a line's first pixel, from a corner where it is known. */
 static void set_plane(struct lim_mesh_active *active, const struct lim_point *a, uint16_t nearness, uint32_t x_q16,
                       uint32_t y_q16, uint16_t y)
 {
     const int32_t right_px = LIM_ORIGIN_PX + (a->x >> LIM_SUB_BITS), down_px = LIM_ORIGIN_PX + (a->y >> LIM_SUB_BITS);
     const int32_t part_x = a->x & (LIM_SUB - 1), part_y = a->y & (LIM_SUB - 1);
-    uint32_t at_q16 = (uint32_t)nearness << 16;
+    uint32_t at_q16 = (uint32_t)(nearness + ABOVE_NOTHING) << 16;
 
     at_q16 -= x_q16 * (uint32_t)right_px + (uint32_t)(((int32_t)x_q16 >> LIM_SUB_BITS) * part_x);
     at_q16 += y_q16 * (uint32_t)((int32_t)y - down_px) - (uint32_t)(((int32_t)y_q16 >> LIM_SUB_BITS) * part_y);
@@ -96,19 +105,18 @@ void lim_mesh_depth_set(struct lim_mesh_active *active, const struct lim_point a
         return;
     }
     const uint32_t recip_q15 = recip_q15_of((uint32_t)area, &shift);
-    const uint32_t x_q16 = gradient_q16(q * plane.uy - p * plane.vy, recip_q15, shift, plane.halved_bits);
-    const uint32_t y_q16 = gradient_q16(p * plane.vx - q * plane.ux, recip_q15, shift, plane.halved_bits);
+    const uint32_t x_q16 = gradient_q16(q * plane.uy - p * plane.vy, recip_q15, shift, plane.halved_x);
+    const uint32_t y_q16 = gradient_q16(p * plane.vx - q * plane.ux, recip_q15, shift, plane.halved_y);
     set_plane(active, &at[0], nearness[0], x_q16, y_q16, y);
 }
 
-/* Twice a triangle's size on the screen, halved until 32 bits hold it. */
-static int32_t size_of(const struct lim_mesh_clipped *clipped, uint_fast8_t k)
+/* Twice the size on the screen of a triangle of a fan. */
+static int64_t size_of(const struct lim_mesh_clipped *clipped, uint_fast8_t k)
 {
-    struct plane_of_three plane;
+    const struct lim_point *const a = &clipped->at[0], *const b = &clipped->at[k], *const c = &clipped->at[k + 1];
 
-    set_differences(&plane, &clipped->at[0], &clipped->at[k], &clipped->at[k + 1]);
-    if (plane.halved_bits) return INT32_MAX - 1 + (plane.uy * plane.vx - plane.ux * plane.vy > 0);
-    return plane.uy * plane.vx - plane.ux * plane.vy;
+    return (int64_t)((int32_t)b->y - a->y) * ((int32_t)c->x - a->x) -
+           (int64_t)((int32_t)b->x - a->x) * ((int32_t)c->y - a->y);
 }
 
 /* By the largest triangle of a fan. */

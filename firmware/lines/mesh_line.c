@@ -19,8 +19,12 @@ void lim_mesh_clean(const struct lim_mesh *mesh, const struct lim_mesh_line *lin
     if (LIM_HAS_STATS) lim_stats_of(mesh->pass)->pixels_background += (uint32_t)(line->x1 - line->x0);
 }
 
-static inline void note(struct lim_stats *stats, struct lim_mesh_active *active, int32_t n_px)
+/* Pixels x0 <= x < x1, as far as they lie on the line: those of what has depth as often as they are compared. */
+static inline void note(struct lim_stats *stats, const struct lim_mesh_line *line, struct lim_mesh_active *active,
+                        int32_t x0, int32_t x1)
 {
+    const int32_t n_px = (x1 < line->x1 ? x1 : line->x1) - (x0 > line->x0 ? x0 : line->x0);
+
     if (n_px <= 0) return;
     stats->lines++;
     stats->pixels_painted += (uint32_t)n_px;
@@ -28,19 +32,13 @@ static inline void note(struct lim_stats *stats, struct lim_mesh_active *active,
     *active->seen = true;
 }
 
-static inline void note_deep(struct lim_stats *stats, struct lim_mesh_active *active, int32_t n_px)
+static inline void note_deep(struct lim_stats *stats, const struct lim_mesh_line *line, struct lim_mesh_active *active,
+                             int32_t x0, int32_t x1)
 {
-    stats->pixels_deep += n_px > 0 ? (uint32_t)n_px : 0;
-    note(stats, active, n_px);
-}
+    const uint32_t before = stats->pixels_painted;
 
-/* The first pixel at or right of a boundary; and on to the next line. */
-static LIM_INLINE int32_t next_x(struct lim_mesh_edge *edge)
-{
-    const lim_edge_at at = edge->at;
-
-    edge->at = (lim_edge_at)((lim_edge_wrap)at + (lim_edge_wrap)edge->step);
-    return (int32_t)(at >> LIM_EDGE_BITS);
+    note(stats, line, active, x0, x1);
+    stats->pixels_deep += stats->pixels_painted - before;
 }
 
 /* Replaces the edge that ends. */
@@ -61,7 +59,7 @@ static LIM_INLINE bool go_on(struct lim_mesh *mesh, const struct lim_mesh_line *
     const uint16_t below = (uint16_t)(line->y + 1);
 
     if (LIM_HAS_MESH_DEPTH && active->goes_on == LIM_MESH_DEEP) {
-        if (LIM_HAS_STATS) note_deep(lim_stats_of(mesh->pass), active, x0 - x1);
+        if (LIM_HAS_STATS) note_deep(lim_stats_of(mesh->pass), line, active, x1, x0);
         if (!lim_mesh_depth_paint(mesh, line, active, x1, x0)) return false;
         if (lim_mesh_depth_turns(active, below)) {
             lim_mesh_turn(mesh, active, below);
@@ -78,11 +76,11 @@ static LIM_INLINE bool go_on(struct lim_mesh *mesh, const struct lim_mesh_line *
 static LIM_INLINE bool paint_one(struct lim_mesh *mesh, const struct lim_mesh_line *line, uint16_t *pixels,
                                  uint16_t below, struct lim_mesh_active *active, bool inside)
 {
-    const int32_t left = next_x(&active->edges[0]), right = next_x(&active->edges[1]);
+    const int32_t left = lim_mesh_edge_next(&active->edges[0]), right = lim_mesh_edge_next(&active->edges[1]);
     const int32_t x0 = inside || left > line->x0 ? left : line->x0, x1 = inside || right < line->x1 ? right : line->x1;
 
     if (x0 < x1) lim_fill_inline(pixels, (int_fast16_t)x0, (int_fast16_t)x1, active->colour);
-    if (LIM_HAS_STATS && x0 < x1) note(lim_stats_of(mesh->pass), active, x1 - x0);
+    if (LIM_HAS_STATS && x0 < x1) note(lim_stats_of(mesh->pass), line, active, x0, x1);
     return active->turn != below || go_on(mesh, line, active, left, right);
 }
 
