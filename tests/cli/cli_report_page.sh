@@ -102,6 +102,11 @@ for name in rooms teapot movers solid textured triangle; do
     tap_check "$name: bytes of flash by array add up" parts_make_the_whole $name.html 'flash, by array'
     tap_check "$name: bytes of RAM by pool add up" parts_make_the_whole $name.html 'RAM, by pool'
 done
+# A cell is a point on a small screen, two numbers of 16 bits (firmware/stages.h); a line's head two words.
+pools_have_their_sizes() {
+    text_of rooms.html | awk '/^cells of polygons/ { cells = $(NF - 1) * 4 == $NF } /^heads of the screen/ { heads = $(NF - 1) * 8 == $NF } END { exit !(cells && heads) }'
+}
+tap_check "pools take what their entries do" pools_have_their_sizes
 histogram_has_all_nodes() {
     bars=$(sed -n '/aria-label="nodes by depth"/,/<\/svg>/p' rooms.html | grep -c '<rect')
     has rooms.html "^depth $bars\$"
