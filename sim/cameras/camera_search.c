@@ -268,6 +268,18 @@ static bool refine(struct run *run, size_t goal, size_t tries, struct error *err
     return true;
 }
 
+/* What another search found may be worse than all that this one does. */
+static bool take_hint(struct run *run, struct error *err)
+{
+    double scores[SEARCH_GOALS_MAX];
+    if (!run->search->hint || is_over(run)) return true;
+    struct viewpoint viewpoint = *run->search->hint;
+    if (!measure(run, &viewpoint, scores, err)) return false;
+    for (size_t goal = 0; goal < run->search->goals; goal++)
+        keep(run->starts[goal], &viewpoint, scores[goal]);
+    return true;
+}
+
 static void begin(struct run *run, const struct camera_search *search, struct search_result *out)
 {
     *out = (struct search_result){0};
@@ -294,7 +306,7 @@ bool camera_search_run(const struct camera_search *search, struct search_result 
         run.clear_m = 0.0;
         ok = sow(&run, true, PLAIN_PART, err) && (out->plain || error_set(err, "the scene has no free space"));
     }
-    ok = ok && sow(&run, false, LOOKING_PART, err);
+    ok = ok && take_hint(&run, err) && sow(&run, false, LOOKING_PART, err);
     for (size_t goal = 0; ok && goal < search->goals; goal++) {
         const size_t goals_left = search->goals - goal;
         const struct deadline_end whole = deadline_share(1.0 / (double)goals_left);

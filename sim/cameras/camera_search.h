@@ -18,11 +18,12 @@ typedef bool search_measure(void *ctx, const struct viewpoint *viewpoint, double
 struct camera_search {
     const struct compiled *scene;
     struct lens lens;
-    double length_s;   /* of the animation; 0: nothing moves */
-    uint32_t seed;     /* the same seed, tries and scene find the same, where time does not end the search */
-    size_t tries;      /* at most; time ends it as well (deadline.h) */
-    size_t goals;      /* scores a camera has; SEARCH_GOALS_MAX at most */
-    const char *doing; /* for the line of progress */
+    double length_s;              /* of the animation; 0: nothing moves */
+    uint32_t seed;                /* the same seed, tries and scene find the same, where time does not end the search */
+    size_t tries;                 /* at most; time ends it as well (deadline.h) */
+    const struct viewpoint *hint; /* a camera to begin with; NULL: none */
+    size_t goals;                 /* scores a camera has; SEARCH_GOALS_MAX at most */
+    const char *doing;            /* for the line of progress */
     search_measure *measure;
     void *ctx;
 };

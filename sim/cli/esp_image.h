@@ -8,7 +8,7 @@
 #ifndef SIM_ESP_IMAGE_H
 #define SIM_ESP_IMAGE_H
 
-#include "cli/elf_segments.h"
+#include "base/elf_segments.h"
 
 /* RAM that the ROM leaves free, which code is fetched from at one address, and data at another. */
 struct esp_chip {

@@ -101,6 +101,7 @@ static bool search_both(struct viewing *viewing, const struct worst_options *opt
     deadline_restore(whole);
     search.tries = (options->tries + WORST_ERROR_SHARE - 1) / WORST_ERROR_SHARE;
     search.doing = "what errs most";
+    search.hint = &out->cost.goals[0].worst;
     search.measure = measure_errors_of;
     ok = ok && camera_search_run(&search, &out->error, err);
     deadline_restore(outer);

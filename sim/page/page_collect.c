@@ -116,11 +116,14 @@ static void add_methods(struct page *page)
     deadline_restore(whole);
 }
 
+/* The same tree, without looking for it once more. */
 static void add_worst(struct page *page)
 {
     struct compile_options options = page->request.compile;
     const enum lim_method draws = page->scene.report.draws;
     if (options.worst_tries || (draws != LIM_NEAREST_FIRST && draws != LIM_SCANLINE)) return;
+    if (!options.method) options.tree = page->scene.report.tree;
+    options.splitter = page->scene.report.splitter;
     options.worst_tries = page->source.mesh.polygon_count > MANY_POLYGONS ? WORST_TRIES_OF_MANY : WORST_TRIES;
     add_compiled(page, &options, "with pools for the worst views", "--worst");
 }

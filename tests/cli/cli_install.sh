@@ -68,7 +68,7 @@ EOF
 }
 : >"$work/files/house.obj"
 : >"$work/files/hut with a door.obj"
-tap_check "a command" completes 'render report-bug replay' limner re
+tap_check "a command" completes 'render report-bug replay report' limner re
 tap_check "its help" completes 'splitters' limner help sp
 tap_check "an option of a command" completes '--max-error --max-vertex-error' limner compile --max
 tap_check "which another command has not" completes '' limner hashes --max

@@ -80,6 +80,29 @@ static void a_share_is_of_what_is_left(void **state)
     assert_true(deadline_passed());
 }
 
+/* A stretch of its own length ends by itself, never later than what it is in, and without a limit, too. */
+static void a_stretch_of_seconds_ends_with_them(void **state)
+{
+    (void)state;
+    deadline_begin(0.0);
+    assert_false(deadline_is_set());
+    const struct deadline_end none = deadline_within(0.0);
+    assert_false(deadline_is_set());
+    const struct deadline_end whole = deadline_within(20.0);
+    assert_true(deadline_is_set());
+    now_s += 19.0;
+    assert_false(deadline_passed());
+    const struct deadline_end inner = deadline_within(5.0);
+    now_s += 1.5;
+    assert_true(deadline_passed());
+    deadline_restore(inner);
+    assert_true(deadline_passed());
+    deadline_restore(whole);
+    assert_false(deadline_passed());
+    deadline_restore(none);
+    assert_false(deadline_is_set());
+}
+
 static void a_share_of_a_share_ends_within_it(void **state)
 {
     (void)state;
@@ -210,6 +233,7 @@ int main(void)
         cmocka_unit_test_setup_teardown(time_is_over_at_the_limit, begin, end),
         cmocka_unit_test_setup_teardown(without_a_limit_time_is_never_over, begin, end),
         cmocka_unit_test_setup_teardown(a_share_is_of_what_is_left, begin, end),
+        cmocka_unit_test_setup_teardown(a_stretch_of_seconds_ends_with_them, begin, end),
         cmocka_unit_test_setup_teardown(a_share_of_a_share_ends_within_it, begin, end),
         cmocka_unit_test_setup_teardown(the_limit_is_the_option_or_the_environment_or_ten_minutes, begin, end),
         cmocka_unit_test_setup_teardown(a_limit_that_is_not_reached_changes_nothing, begin, end),

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "compiler/pool_search.h"
+#include "render/pool_search.h"
 
 #include "render/frame_cost.h"
 

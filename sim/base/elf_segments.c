@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "cli/elf_segments.h"
+#include "base/elf_segments.h"
 
 #include <string.h>
 
