@@ -31,24 +31,37 @@ static LIM_INLINE bool flat_activate(struct lim_actives *actives, const struct l
     return true;
 }
 
+/* How far polygons may reach beyond what is to be painted of a line: not at all, beyond the screen's sides, or
+ * anywhere, because its pixels do not begin at 0. */
+enum reach { WITHIN, OVERHANGING, ANYWHERE };
+
 /* Pixels of the line that may be painted. */
 struct extent {
     int32_t x0, x1;
 };
 
-/* With `within`, no polygon reaches beyond the extent. */
+/* By a call where that is rare. */
+static LIM_INLINE void flat_fill(uint16_t *line, int32_t x0, int32_t x1, uint16_t colour, bool rare)
+{
+    if (rare && !LIM_OPTIMISE_SIZE)
+        lim_fill(line, (uint16_t)x0, (uint16_t)(x1 - x0), colour);
+    else
+        lim_fill_inline(line, (int_fast16_t)x0, (int_fast16_t)x1, colour);
+}
+
 static LIM_INLINE void flat_paint_polygons(struct lim_actives *actives, const struct lim_retained *retained,
-                                           uint16_t *line, struct extent extent, bool within, uint16_t below,
+                                           uint16_t *line, struct extent extent, enum reach reach, uint16_t below,
                                            struct lim_stats *stats)
 {
     struct lim_active **link = &actives->first, *active;
 
     while ((active = *link) != NULL) {
         int32_t x0 = lim_edge_next_x(&active->pair.left), x1 = lim_edge_next_x(&active->pair.right);
-        if (!within && x0 < extent.x0) x0 = extent.x0;
-        if (!within && x1 > extent.x1) x1 = extent.x1;
+        if (reach == OVERHANGING && x0 < 0) x0 = 0;
+        if (reach == ANYWHERE && x0 < extent.x0) x0 = extent.x0;
+        if (reach != WITHIN && x1 > extent.x1) x1 = extent.x1;
         if (x0 < x1) {
-            lim_fill_inline(line, (int_fast16_t)x0, (int_fast16_t)x1, active->colour);
+            flat_fill(line, x0, x1, active->colour, reach == ANYWHERE);
             if (LIM_HAS_STATS) stats->pixels_painted += (uint32_t)(x1 - x0);
         }
         if (active->turn == below) {
@@ -63,77 +76,85 @@ static LIM_INLINE void flat_paint_polygons(struct lim_actives *actives, const st
 }
 
 static LIM_INLINE void flat_paint_background(const struct lim_spans *spans, const struct lim_gap *gap, uint16_t *line,
-                                             uint16_t colour, struct lim_stats *stats)
+                                             uint16_t colour, enum reach reach, struct lim_stats *stats)
 {
     for (;;) {
         const uint16_t n_px = (uint16_t)(gap->x1 - gap->x0);
-        if (n_px) lim_fill_inline(line, (int_fast16_t)gap->x0, (int_fast16_t)gap->x1, colour);
+        if (n_px) flat_fill(line, gap->x0, gap->x1, colour, reach == ANYWHERE);
         if (LIM_HAS_STATS) stats->pixels_background += n_px;
         if (gap->next == LIM_NONE) return;
         gap = &spans->pool[gap->next];
     }
 }
 
-static LIM_INLINE int flat_paint_line(struct lim_paint *paint, struct lim_spans *spans,
-                                      const struct lim_retained *retained, const struct lim_rect *band, bool within,
+static LIM_INLINE int flat_paint_line(struct lim_paint *paint, const struct lim_spans *spans, const struct lim_gap *gap,
+                                      const struct lim_retained *retained, struct extent extent, enum reach reach,
                                       uint16_t y, struct lim_stats *stats)
 {
     const uint16_t below = (uint16_t)(y + 1);
-    struct extent extent = {band->x0, band->x1};
-    uint16_t *const line = paint->pass->target.lend(paint->pass->target.ctx, y);
+    const struct lim_target *const target = &paint->pass->target;
+    uint16_t *const line = target->lend(target->ctx, y);
 
     if (!line) return LIM_ERR_TARGET;
-    if (LIM_HAS_ROUND) {
-        struct lim_line open;
-        lim_line_open(&open, &paint->pass->target, band, y);
-        extent = (struct extent){open.gap.x0, open.gap.x1};
-    }
     if (LIM_HAS_STATS && paint->actives.used > stats->active_max) stats->active_max = paint->actives.used;
-    flat_paint_background(spans, &spans->lines[y].gap, line, paint->background, stats);
-    flat_paint_polygons(&paint->actives, retained, line, extent, within, below, stats);
+    flat_paint_background(spans, gap, line, paint->background, reach, stats);
+    flat_paint_polygons(&paint->actives, retained, line, extent, reach, below, stats);
     lim_overlay_line(paint->pass, line, y, (uint16_t)extent.x0, (uint16_t)extent.x1);
-    return paint->pass->target.done(paint->pass->target.ctx, y, (uint16_t)extent.x0, (uint16_t)(extent.x1 - extent.x0));
-}
-
-/* Whether the band shows each line from side to side, and no polygon reaches beyond it. What lies within the screen is
- * rounded to its pixels, but for whole ones (perspective.h). */
-static bool flat_is_within(const struct lim_paint *paint, const struct lim_retained *retained,
-                           const struct lim_rect *band)
-{
-    const struct lim_target *target = &paint->pass->target;
-
-    return LIM_SUB_BITS && !lim_target_is_round(target) && !retained->overhangs && !band->x0 &&
-           band->x1 == target->w_px;
+    return target->done(target->ctx, y, (uint16_t)extent.x0, (uint16_t)(extent.x1 - extent.x0));
 }
 
 static LIM_INLINE int flat_paint_lines(struct lim_paint *paint, struct lim_spans *spans,
-                                       const struct lim_retained *retained, const struct lim_rect *band, bool within,
-                                       uint16_t *y, struct lim_stats *stats)
+                                       const struct lim_retained *retained, const struct lim_rect *band,
+                                       enum reach reach, uint16_t *y, struct lim_stats *stats)
 {
-    for (*y = band->y0; *y < band->y1; ++*y) {
-        if (!flat_activate(&paint->actives, retained, spans->lines[*y].retained, *y)) return LIM_PAINT_ACTIVE;
-        const int err = flat_paint_line(paint, spans, retained, band, within, *y, stats);
-        if (err) return err;
+    const struct lim_line *line = &spans->lines[band->y0], *const end = &spans->lines[band->y1];
+    struct extent extent = {reach == ANYWHERE ? band->x0 : 0, band->x1};
+    uint16_t at = band->y0;
+    int err = 0;
+
+    for (; line != end; line++, at++) {
+        if (LIM_HAS_ROUND && reach == ANYWHERE) {
+            struct lim_line open;
+            lim_line_open(&open, &paint->pass->target, band, at);
+            extent = (struct extent){open.gap.x0, open.gap.x1};
+        }
+        err = LIM_PAINT_ACTIVE;
+        if (!flat_activate(&paint->actives, retained, line->retained, at)) break;
+        err = flat_paint_line(paint, spans, &line->gap, retained, extent, reach, at, stats);
+        if (err) break;
     }
-    return 0;
+    *y = at;
+    return err;
 }
 
-/* Most frames: without a comparison with the extent, whose two registers the loop has for itself. */
+/* Most frames of an object: without a comparison with the extent, whose registers the loop has for itself. What lies
+ * within the screen is rounded to its pixels, but for whole ones (perspective.h). */
 static LIM_ALONE int paint_within(struct lim_paint *paint, struct lim_spans *spans, const struct lim_retained *retained,
                                   const struct lim_rect *band, uint16_t *y, struct lim_stats *stats)
 {
-    return flat_paint_lines(paint, spans, retained, band, true, y, stats);
+    return flat_paint_lines(paint, spans, retained, band, WITHIN, y, stats);
+}
+
+/* Most frames of rooms: the first pixel is compared with 0, which takes no register. */
+static LIM_ALONE int paint_overhanging(struct lim_paint *paint, struct lim_spans *spans,
+                                       const struct lim_retained *retained, const struct lim_rect *band, uint16_t *y,
+                                       struct lim_stats *stats)
+{
+    return flat_paint_lines(paint, spans, retained, band, OVERHANGING, y, stats);
 }
 
 int lim_flat_band(struct lim_paint *paint, struct lim_spans *spans, const struct lim_retained *retained,
                   const struct lim_rect *band, uint16_t *y)
 {
     struct lim_stats *stats = lim_stats_of(paint->pass);
+    const struct lim_target *target = &paint->pass->target;
+    const bool from_0 = !LIM_OPTIMISE_SIZE && !band->x0 && !lim_target_is_round(target);
 
     lim_actives_start(&paint->actives);
-    if (!LIM_OPTIMISE_SIZE && flat_is_within(paint, retained, band))
+    if (from_0 && LIM_SUB_BITS && !retained->overhangs && band->x1 == target->w_px)
         return paint_within(paint, spans, retained, band, y, stats);
-    return flat_paint_lines(paint, spans, retained, band, false, y, stats);
+    if (from_0) return paint_overhanging(paint, spans, retained, band, y, stats);
+    return flat_paint_lines(paint, spans, retained, band, ANYWHERE, y, stats);
 }
 
 #endif

@@ -187,8 +187,8 @@ bool lim_spans_shrink(struct lim_spans *spans)
         open.y0++;
     while (open.y0 < open.y1 && lim_line_is_closed(&spans->lines[open.y1 - 1]))
         open.y1--;
-    for (uint16_t y = open.y0; y < open.y1; y++) {
-        const struct lim_line *line = &spans->lines[y];
+    const struct lim_line *const after = &spans->lines[open.y1];
+    for (const struct lim_line *line = &spans->lines[open.y0]; line < after; line++) {
         if (lim_line_is_closed(line)) continue;
         const uint16_t end = last_open(spans, line);
         if (line->gap.x0 < x0) x0 = line->gap.x0;
