@@ -12,15 +12,15 @@
 
 #if LIM_HAS_SPANS
 
-/* Merges those that start on the line into the list. false: no room. */
-static LIM_INLINE bool flat_activate(struct lim_actives *actives, const struct lim_retained *retained, uint16_t polygon,
-                                     uint16_t y)
+/* Merges those that start on the line into the list. The first for which there is no room, or LIM_NONE. */
+static LIM_INLINE uint16_t flat_activate(struct lim_actives *actives, const struct lim_retained *retained,
+                                         uint16_t polygon, uint16_t y)
 {
     struct lim_active **link = &actives->first;
 
     for (; polygon != LIM_NONE; polygon = retained->cells[polygon].link.next) {
         struct lim_active *active = lim_active_new(actives);
-        if (!active) return false;
+        if (!active) return polygon;
         while (*link && (*link)->polygon > polygon)
             link = &(*link)->next;
         active->next = *link;
@@ -28,7 +28,7 @@ static LIM_INLINE bool flat_activate(struct lim_actives *actives, const struct l
         link = &active->next;
         lim_active_begin(active, retained, polygon, (int16_t)y);
     }
-    return true;
+    return LIM_NONE;
 }
 
 /* Pixels of the line that may be painted. */
@@ -111,7 +111,9 @@ static LIM_INLINE int flat_paint_lines(struct lim_paint *paint, struct lim_spans
                                        uint16_t *y, struct lim_stats *stats)
 {
     for (*y = band->y0; *y < band->y1; ++*y) {
-        if (!flat_activate(&paint->actives, retained, spans->lines[*y].retained, *y)) return LIM_PAINT_ACTIVE;
+        uint16_t waits = spans->lines[*y].retained;
+        while ((waits = flat_activate(&paint->actives, retained, waits, *y)) != LIM_NONE)
+            if (!lim_actives_add_spares(&paint->actives, retained)) return LIM_PAINT_ACTIVE;
         const int err = flat_paint_line(paint, spans, retained, band, within, *y, stats);
         if (err) return err;
     }
