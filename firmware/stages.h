@@ -438,6 +438,7 @@ enum { LIM_RETAINED_HEAD_CELLS = 2 };
 struct lim_retained {
     union lim_retained_cell *cells;
     uint16_t size, used;
+    uint16_t end;   /* of the pool: cells from `size` on are kept for pass two (active.h) */
     bool overhangs; /* a polygon may reach beyond the screen's left or right side */
     bool mixed;     /* one of the polygons is transparent or has a texture */
 };
@@ -460,6 +461,7 @@ struct lim_actives {
     uint16_t pool_size;
     uint16_t fresh;                  /* from here on were never used */
     uint16_t used;                   /* at this time, if LIM_HAS_STATS */
+    bool spares;                     /* what retained polygons leave free is in the lists, too */
     struct lim_active *first, *free; /* lists through `next`: what crosses the line, and what was given back */
 };
 

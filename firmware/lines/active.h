@@ -17,6 +17,25 @@ static inline void lim_actives_start(struct lim_actives *actives)
 {
     actives->first = actives->free = NULL;
     actives->fresh = actives->used = 0;
+    actives->spares = false;
+}
+
+/* Once the pool is used up, what is left of the cells serves, too: in pass two nothing is retained. false: nothing is.
+ */
+static LIM_RARE bool lim_actives_add_spares(struct lim_actives *actives, const struct lim_retained *retained)
+{
+    const uintptr_t mask = LIM_ALIGNOF(struct lim_active) - 1;
+    uint8_t *at = (uint8_t *)(((uintptr_t)&retained->cells[retained->used] + mask) & ~mask);
+    const uint8_t *end = (const uint8_t *)&retained->cells[retained->end];
+
+    if (actives->spares) return false;
+    actives->spares = true;
+    for (; at < end && (size_t)(end - at) >= sizeof(struct lim_active); at += sizeof(struct lim_active)) {
+        struct lim_active *spare = (void *)at;
+        spare->next = actives->free;
+        actives->free = spare;
+    }
+    return actives->free != NULL;
 }
 
 /* NULL: there is no room. */

@@ -12,15 +12,15 @@
 
 #if LIM_HAS_SPANS
 
-/* Merges those that start on the line into the list. false: no room. */
-static LIM_INLINE bool flat_activate(struct lim_actives *actives, const struct lim_retained *retained, uint16_t polygon,
-                                     uint16_t y)
+/* Merges those that start on the line into the list. The first for which there is no room, or LIM_NONE. */
+static LIM_INLINE uint16_t flat_activate(struct lim_actives *actives, const struct lim_retained *retained,
+                                         uint16_t polygon, uint16_t y)
 {
     struct lim_active **link = &actives->first;
 
     for (; polygon != LIM_NONE; polygon = retained->cells[polygon].link.next) {
         struct lim_active *active = lim_active_new(actives);
-        if (!active) return false;
+        if (!active) return polygon;
         while (*link && (*link)->polygon > polygon)
             link = &(*link)->next;
         active->next = *link;
@@ -28,7 +28,7 @@ static LIM_INLINE bool flat_activate(struct lim_actives *actives, const struct l
         link = &active->next;
         lim_active_begin(active, retained, polygon, (int16_t)y);
     }
-    return true;
+    return LIM_NONE;
 }
 
 /* How far polygons may reach beyond what is to be painted of a line: not at all, beyond the screen's sides, or
@@ -118,8 +118,10 @@ static LIM_INLINE int flat_paint_lines(struct lim_paint *paint, struct lim_spans
             lim_line_open(&open, &paint->pass->target, band, at);
             extent = (struct extent){open.gap.x0, open.gap.x1};
         }
-        err = LIM_PAINT_ACTIVE;
-        if (!flat_activate(&paint->actives, retained, line->retained, at)) break;
+        uint16_t waits = line->retained;
+        *y = at;
+        while ((waits = flat_activate(&paint->actives, retained, waits, at)) != LIM_NONE)
+            if (!lim_actives_add_spares(&paint->actives, retained)) return LIM_PAINT_ACTIVE;
         err = flat_paint_line(paint, spans, &line->gap, retained, extent, reach, at, stats);
         if (err) break;
     }

@@ -11,6 +11,7 @@
 #include "lines/paint.h"
 #include "lines/smooth_line.h"
 #include "movers/mover.h"
+#include "orders/room.h"
 #include "pieces/sorted.h"
 #include "view/view.h"
 
@@ -133,6 +134,13 @@ static void count_band(struct lim_nearest *nearest)
     if (LIM_HAS_STATS) lim_stats_of(nearest->pass)->bands = nearest->bands;
 }
 
+/* Pass one has left the band's lower lines to the next one. */
+static void shorten(struct lim_nearest *nearest, struct bands *bands)
+{
+    bands->band.y1 = nearest->bottom;
+    count_band(nearest);
+}
+
 static bool wants_fill(const struct lim_nearest *nearest)
 {
     const struct lim_target *target = &nearest->pass->target;
@@ -191,6 +199,7 @@ static int fill_frame(struct lim_nearest *nearest)
 static void begin_frame(struct lim_nearest *nearest)
 {
     nearest->paint.background = lim_background_of(nearest->pass);
+    nearest->retained.size = nearest->retained.end;
     if (LIM_HAS_ANTIALIAS) set_antialiased(nearest, lim_wants_antialias(nearest));
     if (LIM_IS_SORTED(&nearest->pass->target)) lim_sorted_order(lim_nearest_sorter(nearest));
 }
@@ -225,10 +234,17 @@ int lim_nearest_frame(struct lim_nearest *nearest, enum lim_ahead_stage stage)
     bands_begin(&bands, &nearest->pass->target);
     for (;;) {
         uint16_t y;
+        if (is_collected && bands.band.y1 > nearest->bottom) shorten(nearest, &bands);
         int err = paint_band(nearest, &bands.band, is_collected, &y);
         if (err > 0) {
             bands.band.y0 = y;
-            err = paint_less(nearest, &bands, err);
+            if (LIM_HAS_SCANLINE && nearest->retains_all && is_collected && err == LIM_PAINT_ACTIVE &&
+                lim_room_keep(nearest)) {
+                count_band(nearest);
+                err = 0;
+            } else {
+                err = paint_less(nearest, &bands, err);
+            }
         } else {
             follow(&bands, &nearest->pass->target);
         }

@@ -3,7 +3,7 @@
  * Nearest first, pass one: walks the tree, or the sorted list, closes gaps, and retains the polygons that closed some;
  * by scan lines all that are in view. All at once, or, where a frame is begun while another is still on its way,
  * polygon by polygon (lim_frame_work()). bands.c drives it. */
-#include "orders/nearest.h"
+#include "orders/room.h"
 
 #include "eye.h"
 #include "lines/framebuffer.h"
@@ -27,6 +27,16 @@
 
 enum { POLYGONS_PER_SHRINK = 20 }; /* the open view is drawn together this often */
 
+/* Draws the open view together, and CULL's planes with it. */
+static void shrink(struct lim_nearest *nearest)
+{
+    const bool smaller = lim_spans_shrink(&nearest->spans);
+
+    if (LIM_HAS_CULL && smaller)
+        lim_cull_set(lim_cull_of(nearest->pass), &nearest->pass->view, lim_eye_of(nearest->pass)->at_q8,
+                     &nearest->spans.open);
+}
+
 /* SPAN for one polygon that is not non-monotone, on the lines `shown`, which shrink to those of which something was
  * open. sink: for the pieces, with `look`, where they are painted at once, and nobody asks for lines; or NULL. false: a
  * pool is exhausted. */
@@ -46,6 +56,51 @@ static inline bool close_lines(struct lim_spans *spans, const struct lim_point *
         if (!closed) return false;
         y = end;
     }
+    return true;
+}
+
+/* Room in the pools, for a lower band. false: there is none to be had. */
+static bool make_room(struct lim_nearest *nearest)
+{
+    if (!lim_room_make(nearest)) return false;
+    if (nearest->spans.open_lines) shrink(nearest);
+    return true;
+}
+
+/* Goes on where close_lines() found no gap. What is closed stays closed, so it begins anew; `seen` grows by what it
+ * had seen before. Points that wait in the pool for retaining move with its end. */
+static LIM_RARE bool close_with_room(struct lim_nearest *nearest, const struct lim_point *at, uint8_t n, uint8_t first,
+                                     struct lim_span_extent shown, struct lim_span_extent *seen)
+{
+    struct lim_retained *retained = &nearest->retained;
+    struct lim_span_extent again;
+
+    do {
+        const bool waits = at == &retained->cells[retained->used].at + LIM_RETAINED_HEAD_CELLS;
+        if (!make_room(nearest)) return false;
+        struct lim_point *to = &retained->cells[retained->used].at + LIM_RETAINED_HEAD_CELLS;
+        for (uint8_t k = 0; waits && k < n; k++)
+            to[k] = at[k];
+        if (waits) at = to;
+        const int16_t bottom = (int16_t)nearest->bottom;
+        if (seen->bottom > bottom) seen->bottom = bottom;
+        if (shown.bottom > bottom) shown.bottom = bottom;
+        if (shown.top >= shown.bottom) return true;
+        again = shown;
+        const bool closed = close_lines(&nearest->spans, at, n, first, &again, NULL, NULL);
+        if (again.top < seen->top) seen->top = again.top;
+        if (again.bottom > seen->bottom) seen->bottom = again.bottom;
+        if (closed) return true;
+    } while (true);
+}
+
+/* Likewise where a polygon that is closed finds no cells. */
+static LIM_RARE bool retain_with_room(struct lim_nearest *nearest, const struct lim_retained_polygon *seen)
+{
+    do {
+        if (!make_room(nearest)) return false;
+        if (seen->top >= nearest->bottom) return true;
+    } while (!lim_retain(&nearest->retained, nearest->spans.lines, seen));
     return true;
 }
 
@@ -119,14 +174,16 @@ static bool collect_plain(struct lim_nearest *nearest, const struct lim_screen_p
     const uint8_t alpha = wireframe ? (uint8_t)LIM_OPAQUE : lim_alpha_of(polygon);
     if (LIM_HAS_TRANSPARENT && alpha != LIM_OPAQUE) {
         if (!lim_layers_see(&nearest->spans, polygon, shown.top, shown.bottom)) return true;
-    } else if (!retains_all(nearest) &&
-               !close_lines(&nearest->spans, polygon->at, polygon->n, polygon->shape.first, &shown, NULL, NULL)) {
-        return false;
+    } else if (!retains_all(nearest)) {
+        const struct lim_span_extent lines = shown;
+        if (!close_lines(&nearest->spans, polygon->at, polygon->n, polygon->shape.first, &shown, NULL, NULL) &&
+            !close_with_room(nearest, polygon->at, polygon->n, polygon->shape.first, lines, &shown))
+            return false;
     }
     if (shown.top >= shown.bottom) return true;
     if (LIM_HAS_STATS) lim_stats_of(nearest->pass)->polygons_seen++;
     const struct lim_retained_polygon seen = lim_retained_of(polygon, shown.top, shown.bottom, wireframe);
-    return lim_retain(&nearest->retained, nearest->spans.lines, &seen);
+    return lim_retain(&nearest->retained, nearest->spans.lines, &seen) || retain_with_room(nearest, &seen);
 }
 
 static bool collect(struct lim_nearest *nearest, const struct lim_screen_polygon *polygon)
@@ -147,16 +204,6 @@ static void note_pools(struct lim_nearest *nearest)
 
     if (nearest->retained.used > stats->retained_cells_max) stats->retained_cells_max = nearest->retained.used;
     if (nearest->spans.fresh > stats->gaps_max) stats->gaps_max = nearest->spans.fresh;
-}
-
-/* Draws the open view together, and CULL's planes with it. */
-static void shrink(struct lim_nearest *nearest)
-{
-    const bool smaller = lim_spans_shrink(&nearest->spans);
-
-    if (LIM_HAS_CULL && smaller)
-        lim_cull_set(lim_cull_of(nearest->pass), &nearest->pass->view, lim_eye_of(nearest->pass)->at_q8,
-                     &nearest->spans.open);
 }
 
 /* Of whatever kind it is. false: a pool is exhausted. */
@@ -206,7 +253,9 @@ static inline enum outcome collect_fast(struct lim_nearest *nearest, const LIM_F
     }
     if (!retains_all(nearest)) {
         struct lim_span_extent seen = shown;
-        if (!close_lines(&nearest->spans, at, n, shape.first, &seen, NULL, NULL)) return EXHAUSTED_POOL;
+        if (!close_lines(&nearest->spans, at, n, shape.first, &seen, NULL, NULL) &&
+            !close_with_room(nearest, at, n, shape.first, shown, &seen))
+            return EXHAUSTED_POOL;
         if (seen.top >= seen.bottom) return COLLECTED;
         shown = seen;
     }
@@ -347,6 +396,8 @@ static void open_band(struct lim_nearest *nearest, const struct lim_rect *band)
     lim_spans_open(&nearest->spans, &nearest->pass->target, band);
     lim_retained_clear(&nearest->retained);
     nearest->since_shrink = 0;
+    nearest->top = band->y0;
+    nearest->bottom = band->y1;
     if (LIM_HAS_SCANLINE) nearest->retains_all = can_retain_all(nearest, band);
 }
 

@@ -154,7 +154,7 @@ void lim_nearest_init(struct lim_nearest *nearest, void *mem, size_t mem_b)
     nearest->paint.actives.pool_size = shares.active;
     if (LIM_IS_SORTED(&pass->target)) cut_sorter(lim_nearest_sorter(nearest), &at, &shares);
     nearest->retained.cells = lim_mem_cut(&at, shares.retained_cells * sizeof(union lim_retained_cell));
-    nearest->retained.size = shares.retained_cells;
+    nearest->retained.size = nearest->retained.end = shares.retained_cells;
     struct lim_view_cached *cache = lim_mem_cut(&at, LIM_VIEW_CACHE_ENTRIES * sizeof(struct lim_view_cached));
     if (!is_sorted) stack = lim_mem_cut(&at, pass->scene->limits.depth * sizeof *stack);
     spans->lines = lim_mem_cut(&at, pass->target.h_px * sizeof(struct lim_line));

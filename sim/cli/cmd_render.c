@@ -127,6 +127,7 @@ static bool start(struct render *render, struct error *err)
     const unsigned w_px = options->setup.w_px, h_px = options->setup.h_px;
     if (!simulator_init_on(&render->simulator, &render->scene.scene, &options->setup, &options->panel, err))
         return false;
+    if (!simulator_set_ram(&render->simulator, &options->ram, err)) return false;
     render->simulator.core->newell(render->simulator.lim, &options->newell);
     simulator_set_wireframe(&render->simulator, &options->wireframe);
     struct moving *moving = &render->moving;

@@ -8,11 +8,11 @@
 #include "cli/commands.h"
 #include "compiler/compile.h"
 #include "compiler/faithful.h"
-#include "compiler/splitter.h"
 #include "model/baked_light.h"
 #include "model/model_part.h"
 #include "readers/model_read.h"
 #include "scene/compiled.h"
+#include "trees/splitter.h"
 
 #include <getopt.h>
 #include <math.h>

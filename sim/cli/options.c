@@ -58,13 +58,14 @@ enum option_code {
     OPTION_MOVERS,
     OPTION_MOVER_LIGHT,
     OPTION_FPS,
-    OPTION_FRAMES
+    OPTION_FRAMES,
+    OPTION_RAM
 };
 
 enum { MOST_RUNS = 60000, MOST_FRAMES = 100000, MOST_LOOP_FRAMES = 600 };
 
 /* Those that only `render` has come first. */
-enum { RENDER_ONLY_OPTIONS = 14 };
+enum { RENDER_ONLY_OPTIONS = 15 };
 static const struct option OPTIONS[] = {
     {"gif", required_argument, NULL, OPTION_GIF},
     {"sheet", required_argument, NULL, OPTION_SHEET},
@@ -80,6 +81,7 @@ static const struct option OPTIONS[] = {
     {"overlay", required_argument, NULL, OPTION_OVERLAY},
     {"fps", required_argument, NULL, OPTION_FPS},
     {"frames", required_argument, NULL, OPTION_FRAMES},
+    {"ram", required_argument, NULL, OPTION_RAM},
     {"camera", required_argument, NULL, OPTION_CAMERA},
     {"size", required_argument, NULL, OPTION_SIZE},
     {"fov", required_argument, NULL, OPTION_FOV},
@@ -152,6 +154,16 @@ static bool parse_fps(const char *text, struct options *out, struct error *err)
     out->has_rate = true;
     if (!parse_number("--fps", text, &out->frames_per_s, err)) return false;
     return (*rate > 0.0 && *rate <= 1000.0) || error_set(err, "--fps %s: above 0, and at most 1000", text);
+}
+
+/* Bytes, or a share of what the pools take beyond the least. */
+static bool parse_ram(const char *text, struct simulator_ram *out, struct error *err)
+{
+    uint32_t bytes;
+    if (strchr(text, '%')) return parse_bound("--ram", text, "%", &out->percent, err);
+    if (!parse_whole("--ram", text, 1, UINT32_MAX, &bytes, err)) return false;
+    out->bytes = bytes;
+    return true;
 }
 
 static bool parse_frames(const char *text, size_t *out, struct error *err)
@@ -243,6 +255,8 @@ static bool parse_option(int code, const char *text, struct options *out, struct
         return moving_light_parse(text, &out->movers.light, err);
     case OPTION_FPS:
         return parse_fps(text, out, err);
+    case OPTION_RAM:
+        return parse_ram(text, &out->ram, err);
     case OPTION_FRAMES:
         return parse_frames(text, &out->frames, err);
     case OPTION_PRECISION:

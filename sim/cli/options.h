@@ -16,7 +16,8 @@ struct options {
     const char *scene_path; /* a model, or a compiled scene in a .lim file */
     struct camera_choice cameras;
     size_t orbit_frames; /* without cameras; fewer or more where something moves, unless frames says how many */
-    size_t frames;       /* how many are drawn; 0: not said */
+    struct simulator_ram ram;
+    size_t frames; /* how many are drawn; 0: not said */
     struct simulator_setup setup;
     struct panel_choice panel; /* for SIMULATOR_PANEL */
     double fov_deg;

@@ -180,6 +180,8 @@ static const struct usage_entry ENTRIES[] = {
     {RENDER, "  -o PATTERN          a PNG file a frame ('out/%03d.png' if nothing else is asked for), or house.png: "
              "one frame\n"},
     {RENDER | REPORT_BUG,
+     "  --ram BYTES         the renderer's memory, or P% of what its pools would take: with less of it frames cost\n"
+     "                      more (--stats), and are the same\n"
      "  --frames N          so many: of an orbit, or the first ones of other cameras (all; of an orbit 16, or\n"
      "                      as many as all that moves takes)\n"},
     {RENDER | REPORT_BUG, "  --gif FILE          all frames, animated; without --camera its end meets its beginning\n"},

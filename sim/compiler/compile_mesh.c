@@ -5,7 +5,6 @@
 
 #include "base/deadline.h"
 #include "base/progress.h"
-#include "compiler/bsp_build.h"
 #include "compiler/encode.h"
 #include "compiler/encode_mesh.h"
 #include "compiler/mesh_order.h"
@@ -16,19 +15,12 @@
 #include "scene/convexity.h"
 #include "scene/lim_image.h"
 #include "scene/width.h"
+#include "trees/bsp_build.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-
-/* What every heuristic starts from. */
-struct compilation {
-    const struct mesh *mesh;
-    const struct compile_options *options;
-    struct exact_points points;
-    struct coplanar coplanar;
-};
 
 static const double GRID_END = 32767.5; /* halves round up: 32767.5 would be 32768 */
 
@@ -163,48 +155,79 @@ static bool compile_triangles(struct compilation *work, struct compiled *out, st
     return ok;
 }
 
-/* A set has no planes to choose. Of many polygons not every tree is built that might be the smallest. */
-static bool is_wanted(const struct compilation *work, enum tree_kind kind, const struct splitter *splitter)
+bool compilation_splits_much(const struct compile_report *report)
 {
-    const struct compile_options *options = work->options;
-    const bool kind_wanted = options->tree == TREE_AUTO ? kind == TREE_BSP : kind == options->tree;
-    if (!kind_wanted) return false;
-    if (kind == TREE_NONE) return splitter == &splitters[1];
-    if (work->mesh->polygon_count > SPLITTER_MANY && strcmp(options->splitter, "auto") == 0) return splitter->for_many;
-    return splitter_answers(splitter, options->splitter);
+    enum { MUCH = 4 }; /* a quarter of the polygons */
+    return MUCH * report->splits >= report->polygons_in;
+}
+
+/* The heuristics under way, and the best tree so far. */
+struct contest {
+    struct compilation *work;
+    enum tree_kind kind;
+    struct compiled *best;
+    const struct splitter *winner; /* NULL: none so far */
+    size_t tried;
+    bool dense; /* the first tree of several polygons splits much */
+};
+
+/* A set has no planes to choose. Of many polygons not every tree is built that might be the smallest, and where the
+ * first one splits much, only those of heuristics that are good at that. */
+static bool is_wanted(const struct contest *contest, const struct splitter *splitter)
+{
+    const struct compile_options *options = contest->work->options;
+    const size_t polygons = contest->work->mesh->polygon_count;
+    if (contest->kind == TREE_NONE) return splitter == &splitters[1];
+    if (!splitter_answers(splitter, options->splitter)) return false;
+    if (strcmp(options->splitter, "auto") != 0) return true;
+    return (polygons <= SPLITTER_MANY || splitter->for_many) && (!contest->dense || splitter->for_dense);
 }
 
 /* The first tree may take all of the time, the others half of what it leaves. */
 static const double OTHERS_SHARE = 0.5;
 static const double MEASURED_SHARE = 0.5;
 
-/* Keeps the best of all; an error is the last one, and counts only if none succeeds. */
-static bool compile_best(struct compilation *work, struct compiled *out, struct error *err)
+/* Of equals the first in the list of heuristics, whenever it was tried. */
+static bool beats(const struct contest *contest, const struct compiled *candidate, const struct splitter *splitter)
 {
-    bool ok = false;
-    size_t tried = 0;
+    if (!contest->winner) return true;
+    const size_t bad = badness(&candidate->report), best = badness(&contest->best->report);
+    return bad < best || (bad == best && splitter < contest->winner);
+}
+
+static void try_splitter(struct contest *contest, const struct splitter *splitter, struct error *err)
+{
+    struct compiled candidate = {0};
+    if (contest->winner && deadline_passed()) return;
+    progress("compiling: %zu polygons, %s, %s", contest->work->mesh->polygon_count, tree_names[contest->kind],
+             splitter->name);
+    if (!compile_with(contest->work, contest->kind, splitter, &candidate, err)) return;
+    if (beats(contest, &candidate, splitter)) {
+        const struct compiled worse = *contest->best;
+        *contest->best = candidate;
+        candidate = worse;
+        contest->winner = splitter;
+    }
+    compiled_free(&candidate);
+    if (contest->tried++) return;
+    deadline_share(OTHERS_SHARE);
+    contest->dense =
+        contest->best->report.polygons_in > SPLITTER_SEVERAL && compilation_splits_much(&contest->best->report);
+}
+
+/* Keeps the best of all; an error is the last one, and counts only if none succeeds. */
+static bool compile_best(struct compilation *work, enum tree_kind kind, struct compiled *out, struct error *err)
+{
+    struct contest contest = {.work = work, .kind = kind, .best = out};
     if (!splitter_check(work->options->splitter, err)) return false;
     const struct deadline_end whole = deadline_end();
-    for (size_t i = 0; i < splitter_count * TREE_KINDS; i++) {
-        const struct splitter *splitter = &splitters[i % splitter_count];
-        const enum tree_kind kind = (enum tree_kind)(i / splitter_count);
-        struct compiled candidate = {0};
-        if (!is_wanted(work, kind, splitter)) continue;
-        if (ok && deadline_passed()) continue;
-        progress("compiling: %zu polygons, %s, %s", work->mesh->polygon_count, tree_names[kind], splitter->name);
-        if (!compile_with(work, kind, splitter, &candidate, err)) continue;
-        if (!ok || badness(&candidate.report) < badness(&out->report)) {
-            struct compiled worse = *out;
-            *out = candidate;
-            candidate = worse;
-        }
-        compiled_free(&candidate);
-        ok = true;
-        if (!tried++) deadline_share(OTHERS_SHARE);
-    }
-    if (ok) deadline_say("the best of %zu trees", tried);
+    if (is_wanted(&contest, splitter_scout)) try_splitter(&contest, splitter_scout, err);
+    for (size_t i = 0; i < splitter_count; i++)
+        if (&splitters[i] != splitter_scout && is_wanted(&contest, &splitters[i]))
+            try_splitter(&contest, &splitters[i], err);
+    if (contest.winner) deadline_say("the best of %zu trees", contest.tried);
     deadline_restore(whole);
-    return ok;
+    return contest.winner;
 }
 
 /* Corners only: points that no polygon uses may lie anywhere. */
@@ -279,39 +302,52 @@ static bool compile_measured(struct compiled *out, const struct compile_options 
     return ok;
 }
 
-static bool compile_arrays(struct compilation *work, struct compiled *out, struct error *err)
+bool compilation_begin(struct compilation *work, const struct mesh *mesh, const struct compile_options *options,
+                       struct error *err)
 {
-    const struct mesh *mesh = work->mesh;
-    if (work->options->tree == TREE_MESH) return compile_triangles(work, out, err);
-    coplanar_find(mesh, work->points.approx, work->options->tolerance_units, &work->coplanar);
-    return deadline_check(err, "planes of %zu polygons were still sought", mesh->polygon_count) &&
-           compile_best(work, out, err);
+    *work = (struct compilation){.mesh = mesh, .options = options};
+    for (size_t i = 0; i < mesh->point_count; i++)
+        exact_add_m(&work->points, mesh->points[i], &mesh->grid);
+    if (!check_grid(work, err) || !check_size(work, err)) return false;
+    if (options->tree == TREE_MESH) return true; /* nothing is divided */
+    coplanar_find(mesh, work->points.approx, options->tolerance_units, &work->coplanar);
+    return deadline_check(err, "planes of %zu polygons were still sought", mesh->polygon_count);
+}
+
+bool compilation_tree(struct compilation *work, enum tree_kind kind, struct compiled *out, struct error *err)
+{
+    const struct compile_options *options = work->options;
+    *out = (struct compiled){0};
+    bool ok = kind == TREE_MESH ? compile_triangles(work, out, err)
+                                : compile_best(work, kind == TREE_AUTO ? TREE_BSP : kind, out, err);
+    ok = ok && check_method(options, out, err);
+    out->report.mono = options->mono && !options->unlit;
+    out->report.wireframe = options->wireframe;
+    out->report.antialias = options->antialias;
+    out->report.overlay = options->overlay;
+    out->report.round = options->round;
+    out->report.fill = options->fill;
+    out->report.framebuffer = options->framebuffer;
+    out->report.delta_runs = options->delta;
+    out->report.worst.tries = options->worst_tries;
+    ok = ok && compile_measured(out, options, err);
+    progress_end();
+    if (!ok) compiled_free(out);
+    return ok;
+}
+
+void compilation_end(struct compilation *work)
+{
+    coplanar_free(&work->coplanar);
+    exact_free(&work->points);
 }
 
 bool compile_mesh(const struct mesh *mesh, const struct compile_options *options, struct compiled *out,
                   struct error *err)
 {
-    struct compilation work = {.mesh = mesh, .options = options};
+    struct compilation work;
     *out = (struct compiled){0};
-    for (size_t i = 0; i < mesh->point_count; i++)
-        exact_add_m(&work.points, mesh->points[i], &mesh->grid);
-    bool ok = check_grid(&work, err) && check_size(&work, err);
-    if (ok) {
-        ok = compile_arrays(&work, out, err) && check_method(options, out, err);
-        out->report.mono = options->mono && !options->unlit;
-        out->report.wireframe = options->wireframe;
-        out->report.antialias = options->antialias;
-        out->report.overlay = options->overlay;
-        out->report.round = options->round;
-        out->report.fill = options->fill;
-        out->report.framebuffer = options->framebuffer;
-        out->report.delta_runs = options->delta;
-        out->report.worst.tries = options->worst_tries;
-        ok = ok && compile_measured(out, options, err);
-        progress_end();
-        if (!ok) compiled_free(out);
-    }
-    coplanar_free(&work.coplanar);
-    exact_free(&work.points);
+    const bool ok = compilation_begin(&work, mesh, options, err) && compilation_tree(&work, options->tree, out, err);
+    compilation_end(&work);
     return ok;
 }

@@ -4,8 +4,8 @@
 #ifndef SIM_ENCODE_H
 #define SIM_ENCODE_H
 
-#include "compiler/bsp.h"
 #include "scene/encoding.h"
+#include "trees/bsp.h"
 
 /* Encodes a tree, with the vertices' fractions or without, with what wireframe wants to know of the edges or without.
  * Refuses one that leaves nothing to draw, or too much, saying what there is too much of, and by how much.

@@ -4,7 +4,7 @@
 #ifndef SIM_ENCODE_MESH_H
 #define SIM_ENCODE_MESH_H
 
-#include "compiler/exact.h"
+#include "trees/exact.h"
 #include "scene/encoding.h"
 
 /* Encodes all polygons as triangles, two-sided ones twice; `points` are the mesh's. Refuses what such a scene does not

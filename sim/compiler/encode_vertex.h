@@ -5,7 +5,7 @@
 #define SIM_ENCODE_VERTEX_H
 
 #include "base/map.h"
-#include "compiler/exact.h"
+#include "trees/exact.h"
 #include "scene/encoding.h"
 
 struct vertex_encoder {

@@ -5,7 +5,7 @@
 #ifndef SIM_OUTLINE_H
 #define SIM_OUTLINE_H
 
-#include "compiler/bsp.h"
+#include "trees/bsp.h"
 
 struct outline {
     struct grid_point *corners;

@@ -13,8 +13,7 @@
 static const enum tree_kind OTHERS[] = {TREE_CLUSTERS, TREE_AXIS};
 static const double ENOUGH = 0.9, ALIKE = 0.01; /* of the BSP tree's instructions */
 static const double OTHERS_SHARE = 0.5;         /* of the time: what follows needs some */
-static const size_t SPLIT_MUCH = 4;             /* a quarter of the polygons */
-static const size_t MANY = 2000;                /* polygons: clusters of more take long to find */
+static const size_t MANY = 40000;               /* polygons: three trees of more take minutes */
 
 bool tree_choice_parse(const char *text, struct compile_options *out, struct error *err)
 {
@@ -32,7 +31,7 @@ static bool is_better(const struct compile_report *a, const struct compile_repor
 }
 
 /* Replaces *out where another tree is better. One that fails, being too large, is none. */
-static void try_others(const struct mesh *mesh, struct compile_options options, struct compiled *out)
+static void try_others(struct compilation *work, struct compiled *out)
 {
     const struct compile_report bsp = out->report;
     const struct compile_report *best = &bsp;
@@ -40,9 +39,8 @@ static void try_others(const struct mesh *mesh, struct compile_options options, 
     for (size_t i = 0; i < sizeof OTHERS / sizeof *OTHERS; i++) {
         struct compiled candidate;
         struct error ignored;
-        options.tree = OTHERS[i];
         if (deadline_passed()) break;
-        if (!compile_mesh(mesh, &options, &candidate, &ignored)) continue;
+        if (!compilation_tree(work, OTHERS[i], &candidate, &ignored)) continue;
         if (!deadline_passed() && is_better(&candidate.report, best, &bsp)) {
             const struct compiled worse = *out;
             *out = candidate;
@@ -56,27 +54,31 @@ static void try_others(const struct mesh *mesh, struct compile_options options, 
     out->report.choice = (struct tree_choice){CHOICE_MADE, bsp.instructions, bsp.flash_b};
 }
 
-static void choose_tree(const struct mesh *mesh, const struct compile_options *options, struct compiled *out)
+static void choose_tree(struct compilation *work, struct compiled *out)
 {
+    const struct compile_options *options = work->options;
     const bool is_open = options->trial != TRIAL_NEVER && options->tree == TREE_AUTO;
     if (!is_open || (out->report.draws != LIM_NEAREST_FIRST && out->report.draws != LIM_SCANLINE)) return;
     const struct compile_report *bsp = &out->report;
     const bool unasked = options->trial == TRIAL_IF_SPLIT;
     if (isnan(bsp->instructions))
         out->report.choice.kind = CHOICE_UNKNOWN;
-    else if (unasked && SPLIT_MUCH * bsp->splits < bsp->polygons_in)
+    else if (unasked && !compilation_splits_much(bsp))
         out->report.choice.kind = CHOICE_NEEDLESS;
     else if (unasked && bsp->polygons_in > MANY)
         out->report.choice.kind = CHOICE_LONG;
     else
-        try_others(mesh, *options, out);
+        try_others(work, out);
 }
 
 bool tree_choice_compile(const struct mesh *mesh, const struct compile_options *options, struct compiled *out,
                          struct error *err)
 {
-    if (!compile_mesh(mesh, options, out, err)) return false;
-    choose_tree(mesh, options, out);
-    if (options->framebuffer) order_settle_framebuffer(&out->report);
-    return true;
+    struct compilation work;
+    *out = (struct compiled){0};
+    const bool ok = compilation_begin(&work, mesh, options, err) && compilation_tree(&work, options->tree, out, err);
+    if (ok) choose_tree(&work, out);
+    compilation_end(&work);
+    if (ok && options->framebuffer) order_settle_framebuffer(&out->report);
+    return ok;
 }

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
- * The compiler builds a BSP tree; where that splits a quarter of up to 2000 polygons, or if `--tree auto` asks for it,
- * clusters and an axis tree, too. It takes what draws its sampled cameras with the fewest instructions. */
+ * The compiler builds a BSP tree; where that splits a quarter of up to 40,000 polygons, or if `--tree auto` asks for
+ * it, clusters and an axis tree, too. It takes what draws its sampled cameras with the fewest instructions. */
 #ifndef SIM_TREE_CHOICE_H
 #define SIM_TREE_CHOICE_H
 

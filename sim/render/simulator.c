@@ -9,6 +9,7 @@
 #include "scene/method.h"
 #include "scene/moving.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -135,6 +136,19 @@ static bool renderer_init(struct simulator *simulator, const struct lim_scene *s
     if (!simulator->pixels || !simulator->mem || !simulator->lim) return error_set(err, "simulator: out of memory");
     int code = simulator->core->init(simulator->lim, scene, &simulator->target, simulator->mem, simulator->mem_b);
     return code == 0 || error_set(err, "renderer: %s (%d)", reason_of(code), code);
+}
+
+bool simulator_set_ram(struct simulator *simulator, const struct simulator_ram *ram, struct error *err)
+{
+    const size_t all_b = simulator->core->mem_b(simulator->scene, &simulator->target);
+    const size_t least_b = simulator->core->mem_min_b(simulator->scene, &simulator->target);
+    size_t mem_b = all_b;
+    if (ram->percent > 0.0) mem_b = least_b + (size_t)((double)(all_b - least_b) * fmin(ram->percent, 100.0) / 100.0);
+    if (ram->bytes && ram->bytes < all_b) mem_b = ram->bytes;
+    simulator->mem_b = mem_b;
+    const int code = simulator->core->init(simulator->lim, simulator->scene, &simulator->target, simulator->mem, mem_b);
+    return code == 0 ||
+           error_set(err, "renderer with %zu bytes of memory: %s; %zu are the least", mem_b, reason_of(code), least_b);
 }
 
 static bool begin(struct simulator *simulator, const struct lim_scene *scene, const struct simulator_setup *setup,

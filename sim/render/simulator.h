@@ -27,6 +27,12 @@ struct simulator_setup {
     const struct core *core; /* the precision profile; NULL: fast */
 };
 
+/* The renderer's memory. */
+struct simulator_ram {
+    size_t bytes;   /* 0: as much as the scene's limits ask for */
+    double percent; /* or so much of what its pools take beyond the least; 0: all */
+};
+
 struct compiled;
 
 struct simulator {
@@ -62,6 +68,9 @@ bool simulator_init_on(struct simulator *simulator, const struct lim_scene *scen
 /* On a target of the caller's, which must outlive it: frames are drawn by simulator_draw(), and not read back. */
 bool simulator_init_to(struct simulator *simulator, const struct lim_scene *scene, const struct simulator_setup *setup,
                        const struct lim_target *target, struct error *err);
+
+/* Begins anew with other memory, no more than the scene's limits ask for, and before anything else is set. */
+bool simulator_set_ram(struct simulator *simulator, const struct simulator_ram *ram, struct error *err);
 
 /* How frames are drawn from now on. */
 void simulator_set_wireframe(struct simulator *simulator, const struct lim_wireframe *wireframe);

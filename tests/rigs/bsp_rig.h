@@ -4,7 +4,7 @@
 #ifndef TESTS_BSP_RIG_H
 #define TESTS_BSP_RIG_H
 
-#include "compiler/bsp_build.h"
+#include "trees/bsp_build.h"
 
 struct bsp_rig {
     struct exact_points points;

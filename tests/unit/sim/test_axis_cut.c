@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: MIT
  *
  * Axis planes that divide lists: which are tried, which is taken, and when none is. */
-#include "compiler/axis_cut.h"
 #include "rigs/bsp_rig.h"
 #include "rigs/cmocka_ready.h"
 #include "rigs/mesh_rig.h"
+#include "trees/axis_cut.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -2,9 +2,9 @@
  *
  * The tree: the worked examples of the literature, and what must hold for every tree, checked in
  * rationals on closed solids, needles and polygons through one another. */
-#include "compiler/bsp_build.h"
 #include "rigs/cmocka_ready.h"
 #include "rigs/mesh_rig.h"
+#include "trees/bsp_build.h"
 
 #include <stdlib.h>
 #include <string.h>

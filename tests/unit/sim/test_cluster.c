@@ -1,11 +1,13 @@
 /* SPDX-License-Identifier: MIT
  *
  * Orders that are right from everywhere: small examples, and rays through random sets. */
-#include "compiler/cluster.h"
 #include "compiler/compile.h"
 #include "rigs/bsp_rig.h"
 #include "rigs/cmocka_ready.h"
 #include "rigs/mesh_rig.h"
+#include "trees/cluster.h"
+#include "trees/rings.h"
+#include "trees/sides.h"
 
 #include <math.h>
 #include <string.h>
@@ -21,7 +23,7 @@ static const char *order_of(const struct mesh *mesh)
 
     bsp_rig_make(&rig, mesh, TREE_NONE);
     assert_in_range(rig.bsp.placed_count, 1, PIECES_MAX - 1);
-    const bool sorted = cluster_order(&rig.bsp, rig.all, rig.bsp.placed_count, order);
+    const bool sorted = cluster_order(&rig.bsp, NULL, rig.all, rig.bsp.placed_count, order);
     for (size_t i = 0; i < rig.bsp.placed_count && sorted; i++)
         names[i] = (char)mesh->polygons[rig.bsp.pieces[order[i]].polygon].face;
     names[rig.bsp.placed_count] = '\0';
@@ -99,12 +101,12 @@ static void a_ring_of_three_has_no_order(void **state)
 }
 
 /* A row of the polygons named in a text. */
-static size_t left_of(const struct rings *rings, const char *names)
+static size_t left_of(struct rings *rings, const char *names)
 {
-    uint64_t set[2] = {0};
-    assert_in_range(rings->words, 1, 2);
+    uint64_t set[1] = {0};
+    assert_int_equal(rings->hiding.words, 1);
     for (; *names; names++)
-        set[(*names - 'a') / 64] |= UINT64_C(1) << (*names - 'a') % 64;
+        hiding_add(&rings->hiding, set, (uint32_t)(*names - 'a'));
     return rings_left(rings, set);
 }
 
@@ -120,7 +122,7 @@ static void what_is_in_rings_is_found(void **state)
     for (int i = 0; i < 5; i++)
         mesh_rig_wall(&mesh, (uint32_t)('a' + i), walls[i][0], walls[i][1], walls[i][2], walls[i][3]);
     bsp_rig_make(&rig, &mesh, TREE_NONE);
-    rings_find(&rings, &rig.bsp);
+    rings_find(&rings, &rig.bsp, rig.all, rig.bsp.placed_count);
     assert_int_equal(left_of(&rings, "abc"), 3);
     assert_in_range(left_of(&rings, "abcde"), 3, 5);
     assert_int_equal(left_of(&rings, "ab"), 0);
@@ -130,6 +132,148 @@ static void what_is_in_rings_is_found(void **state)
     rings_free(&rings);
     bsp_rig_free(&rig);
     mesh_rig_free(&mesh);
+}
+
+/* Some boxes and walls in a heap, each turned another way. */
+static void heap_make(struct mesh *mesh, struct random *random, int boxes)
+{
+    *mesh = mesh_rig(2000.0);
+    for (int i = 0; i < boxes; i++) {
+        double centre_m[3], half_m[3];
+        for (int k = 0; k < 3; k++) {
+            centre_m[k] = 8 * random_unit(random) - 4;
+            half_m[k] = 0.1 + 0.4 * random_unit(random);
+        }
+        mesh_rig_box(mesh, centre_m, half_m, 6 * random_unit(random), 6 * random_unit(random));
+    }
+    for (size_t i = 0; i < mesh->polygon_count; i++)
+        mesh->polygons[i].two_sided = random_in(random, 0, 9) == 0;
+}
+
+/* What plane by plane gives, bit for bit, of blocks that are full and of some that are not. */
+static void hiding_is_what_each_pair_says(void **state)
+{
+    static const int heaps[] = {2, 11, 31, 32, 33};
+    struct random random = {5};
+
+    (void)state;
+    for (size_t heap = 0; heap < sizeof heaps / sizeof *heaps; heap++) {
+        struct mesh mesh;
+        struct bsp_rig rig;
+        struct hiding hiding;
+        heap_make(&mesh, &random, heaps[heap]);
+        bsp_rig_make(&rig, &mesh, TREE_NONE);
+        hiding_find(&hiding, &rig.bsp, rig.all, rig.bsp.placed_count);
+        assert_int_equal(hiding.count, mesh.polygon_count);
+        for (uint32_t p = 0; p < mesh.polygon_count; p++)
+            for (uint32_t q = 0; q < mesh.polygon_count; q++) {
+                const struct cluster_pair pair = cluster_pair(&rig.bsp, p, q);
+                const uint32_t bit = hiding.bit_of[p];
+                assert_int_equal(hiding_holds(&hiding, p, q), pair.p_hides_q);
+                assert_int_equal(hiding.hidden_by[hiding.bit_of[q] * hiding.words + bit / 64] >> bit % 64 & 1,
+                                 pair.p_hides_q);
+            }
+        hiding_free(&hiding);
+        bsp_rig_free(&rig);
+        mesh_rig_free(&mesh);
+    }
+}
+
+/* What can go goes, one after the other, until nothing can. */
+static size_t left_one_by_one(const struct bsp *bsp, bool *in, size_t count)
+{
+    size_t left = 0;
+    for (bool went = true; went;) {
+        went = false;
+        left = 0;
+        for (uint32_t p = 0; p < count; p++) {
+            bool hides = false, hidden = false;
+            if (!in[p]) continue;
+            for (uint32_t q = 0; q < count; q++) {
+                const struct cluster_pair pair = cluster_pair(bsp, p, q);
+                hides = hides || (in[q] && pair.p_hides_q);
+                hidden = hidden || (in[q] && pair.q_hides_p);
+            }
+            in[p] = hides && hidden;
+            went = went || !in[p];
+            left += in[p];
+        }
+    }
+    return left;
+}
+
+/* Also after a larger set was prepared for, whose witnesses are asked first. */
+static void rings_of_parts_are_those_found_one_by_one(void **state)
+{
+    struct random random = {17};
+    size_t left = 0, taken = 0;
+
+    (void)state;
+    for (int heap = 0; heap < 8; heap++) {
+        struct mesh mesh;
+        struct bsp_rig rig;
+        struct rings rings;
+        heap_make(&mesh, &random, (int)random_in(&random, 4, 24));
+        bsp_rig_make(&rig, &mesh, TREE_NONE);
+        rings_find(&rings, &rig.bsp, rig.all, rig.bsp.placed_count);
+        for (int part = 0; part < 6; part++) {
+            bool in[PIECES_MAX] = {false};
+            uint64_t set[PIECES_MAX / 64 + 1] = {0};
+            for (uint32_t p = 0; p < mesh.polygon_count; p++) {
+                in[p] = part == 0 || random_in(&random, 0, part) > 0;
+                if (in[p]) hiding_add(&rings.hiding, set, p);
+                taken += in[p];
+            }
+            const size_t found = part == 0 ? rings_prepare(&rings, set) : rings_left(&rings, set);
+            assert_int_equal(found, left_one_by_one(&rig.bsp, in, mesh.polygon_count));
+            for (uint32_t p = 0; p < mesh.polygon_count; p++)
+                assert_int_equal(hiding_has(&rings.hiding, set, p), in[p]);
+            left += found;
+        }
+        rings_free(&rings);
+        bsp_rig_free(&rig);
+        mesh_rig_free(&mesh);
+    }
+    assert_in_range(left, taken / 10, taken * 9 / 10);
+}
+
+/* Also what lies on a plane all over, and the pieces of a tree. */
+static void sides_are_those_by_which_pieces_are_filed(void **state)
+{
+    struct random random = {29};
+    size_t with[4] = {0};
+
+    (void)state;
+    for (int heap = 0; heap < 6; heap++) {
+        struct mesh mesh;
+        struct bsp_rig rig;
+        struct sides sides;
+        uint32_t all[4096];
+        uint8_t found[4096];
+        heap_make(&mesh, &random, 20);
+        bsp_rig_make(&rig, &mesh, TREE_AXIS);
+        assert_in_range(rig.bsp.piece_count, mesh.polygon_count, 4096);
+        for (uint32_t i = 0; i < rig.bsp.piece_count; i++)
+            all[i] = i;
+        sides_begin(&sides, &rig.bsp, all, rig.bsp.piece_count);
+        const uint32_t groups = (uint32_t)(rig.bsp.coplanar->count + rig.bsp.cut_count);
+        for (uint32_t group = 0; group < groups; group++) {
+            sides_find(&sides, group, found);
+            for (uint32_t i = 0; i < rig.bsp.piece_count; i++) {
+                const struct bsp_piece *piece = &rig.bsp.pieces[i];
+                const int filed = rig.bsp.coplanar->group[piece->polygon] == group
+                                      ? BSP_ON
+                                      : bsp_piece_filed(&rig.bsp, piece, bsp_plane(&rig.bsp, group));
+                assert_int_equal(found[i], filed);
+                with[filed]++;
+            }
+        }
+        sides_end(&sides);
+        bsp_rig_free(&rig);
+        mesh_rig_free(&mesh);
+    }
+    for (int side = 0; side < 4; side++)
+        assert_true(with[side] > 100);
 }
 
 static void a_box_keeps_its_order(void **state)
@@ -228,7 +372,7 @@ static void an_order_is_right_along_every_ray(void **state)
             mesh_rig_box(&mesh, centre_m, half_m, random_unit(&random), random_unit(&random));
         }
         bsp_rig_make(&rig, &mesh, TREE_NONE);
-        if (cluster_order(&rig.bsp, rig.all, rig.bsp.placed_count, order)) {
+        if (cluster_order(&rig.bsp, NULL, rig.all, rig.bsp.placed_count, order)) {
             assert_right_along_rays(&mesh, &rig.bsp, order, &random, &hits);
             sorted++;
         }
@@ -251,15 +395,20 @@ static void leaves_of_trees_are_sorted(void **state)
         size_t leaves = 0;
         mesh_rig_solids(&mesh, &random, 6);
         bsp_rig_make(&rig, &mesh, kind);
+        struct hiding hiding;
+        hiding_find(&hiding, &rig.bsp, rig.bsp.placed, rig.bsp.placed_count);
         for (size_t i = 0; i < rig.bsp.node_count; i++) {
             const struct bsp_node *node = &rig.bsp.nodes[i];
             uint32_t order[4096];
             if (node->group != BSP_NONE) continue;
             leaves++;
-            assert_true(cluster_order(&rig.bsp, &rig.bsp.placed[node->first], node->count, order));
+            assert_true(cluster_order(&rig.bsp, NULL, &rig.bsp.placed[node->first], node->count, order));
+            assert_memory_equal(order, &rig.bsp.placed[node->first], node->count * sizeof *order);
+            assert_true(cluster_order(&rig.bsp, &hiding, &rig.bsp.placed[node->first], node->count, order));
             assert_memory_equal(order, &rig.bsp.placed[node->first], node->count * sizeof *order);
         }
         assert_true(leaves > 1);
+        hiding_free(&hiding);
         bsp_rig_free(&rig);
         mesh_rig_free(&mesh);
     }
@@ -274,6 +423,9 @@ int main(void)
         cmocka_unit_test(walls_through_one_another_have_no_order),
         cmocka_unit_test(a_ring_of_three_has_no_order),
         cmocka_unit_test(what_is_in_rings_is_found),
+        cmocka_unit_test(hiding_is_what_each_pair_says),
+        cmocka_unit_test(rings_of_parts_are_those_found_one_by_one),
+        cmocka_unit_test(sides_are_those_by_which_pieces_are_filed),
         cmocka_unit_test(a_box_keeps_its_order),
         cmocka_unit_test(an_order_is_right_along_every_ray),
         cmocka_unit_test(leaves_of_trees_are_sorted),

@@ -5,7 +5,6 @@
 #include "base/rgb565.h"
 #include "compiler/compile.h"
 #include "compiler/compile_mesh.h"
-#include "compiler/splitter.h"
 #include "readers/model_import.h"
 #include "rigs/cmocka_ready.h"
 #include "rigs/effort.h"
@@ -14,6 +13,7 @@
 #include "scene/lim_check.h"
 #include "scene/needs.h"
 #include "scene/width.h"
+#include "trees/splitter.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT
  *
  * Rational points: exact where doubles cannot be, and stored planes that keep their promises. */
-#include "compiler/exact.h"
 #include "rigs/cmocka_ready.h"
 #include "rigs/random.h"
+#include "trees/exact.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -4,7 +4,7 @@
 #ifndef SIM_BSP_BUILD_H
 #define SIM_BSP_BUILD_H
 
-#include "compiler/tree.h"
+#include "trees/tree.h"
 
 /* Builds the tree. `points` holds exactly the mesh's points and receives those of the splits.
  * False if the pieces become too many. bsp_free() it either way. */

@@ -7,7 +7,7 @@
 #define SIM_EDGES_H
 
 #include "base/map.h"
-#include "compiler/exact.h"
+#include "trees/exact.h"
 
 /* A line between two points. Parts of a cut edge remain the same edge. */
 struct mesh_edge {

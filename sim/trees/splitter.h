@@ -16,14 +16,18 @@ struct splitter {
     double split_cost, imbalance_cost, coplanar_gain;
     double lopsided_cost; /* for each polygon of a list of which one side gets less than a tenth */
     bool for_many;        /* "auto" tries it on more than SPLITTER_MANY polygons, too */
+    bool for_dense;       /* and on more than SPLITTER_SEVERAL where the first tree splits much */
     size_t samples;       /* candidates, drawn at random from the list; 0: as many as time allows, evenly chosen */
 };
 
-enum { SPLITTER_MANY = 20000 };
+enum { SPLITTER_SEVERAL = 2000, SPLITTER_MANY = 20000 };
 
 /* All heuristics. The first takes the list's first polygon whatever it costs. */
 extern const struct splitter splitters[];
 extern const size_t splitter_count;
+
+/* Which is tried first, if it is wanted: never far from the best. */
+extern const struct splitter *const splitter_scout;
 
 /* Their names for people; "weighted" is all of those weights, "auto" all of them and "fewest". */
 extern const char *const splitter_names[];

@@ -3,7 +3,7 @@
  * The certificate of a tree: every corner of every piece against every plane above it. Distances
  * in doubles are off by less than SLACK, which is added; where that leaves the side in doubt GMP
  * says whether there is a violation at all. */
-#include "compiler/bsp.h"
+#include "trees/bsp.h"
 
 #include <math.h>
 

@@ -2,12 +2,12 @@
  *
  * Greedy choice: every candidate plane is tried on the list and the cheapest wins. Candidates are
  * the planes of the groups in the list, a regular sample of them when the list is long, or a few at random. */
-#include "compiler/splitter.h"
+#include "trees/splitter.h"
 
 #include "base/deadline.h"
 #include "base/grow.h"
 #include "base/map.h"
-#include "compiler/bsp.h"
+#include "trees/bsp.h"
 
 #include <float.h>
 #include <math.h>
@@ -19,13 +19,14 @@
 enum { TRIALS_A_NODE = 100000, LONG_LIST = 8192, SAMPLE = 2048 };
 
 const struct splitter splitters[] = {
-    {"first", 0.0, 0.0, 0.0, 0.0, false, 0},        {"fewest", 1000.0, 1.0, 1.0, 0.0, true, 0},
-    {"weighted-2", 2.0, 1.0, 1.0, 0.0, false, 0},   {"weighted-8", 8.0, 1.0, 1.0, 0.0, false, 0},
-    {"weighted-12", 12.0, 1.0, 1.0, 0.5, false, 0}, {"weighted-20", 20.0, 1.0, 1.0, 1.0, true, 0},
-    {"weighted-32", 32.0, 1.0, 1.0, 0.0, false, 0}, {"weighted-64", 64.0, 1.0, 1.0, 0.5, false, 0},
-    {"balanced", 0.0, 1.0, 0.0, 0.0, false, 0},     {"sampled", 12.0, 1.0, 1.0, 0.5, false, 5},
+    {"first", 0.0, 0.0, 0.0, 0.0, false, false, 0},        {"fewest", 1000.0, 1.0, 1.0, 0.0, true, false, 0},
+    {"weighted-2", 2.0, 1.0, 1.0, 0.0, false, false, 0},   {"weighted-8", 8.0, 1.0, 1.0, 0.0, false, true, 0},
+    {"weighted-12", 12.0, 1.0, 1.0, 0.5, false, true, 0},  {"weighted-20", 20.0, 1.0, 1.0, 1.0, true, true, 0},
+    {"weighted-32", 32.0, 1.0, 1.0, 0.0, false, false, 0}, {"weighted-64", 64.0, 1.0, 1.0, 0.5, false, false, 0},
+    {"balanced", 0.0, 1.0, 0.0, 0.0, false, false, 0},     {"sampled", 12.0, 1.0, 1.0, 0.5, false, false, 5},
 };
 const size_t splitter_count = sizeof splitters / sizeof *splitters;
+const struct splitter *const splitter_scout = &splitters[5];
 
 const char *const splitter_names[] = {"auto", "first", "fewest", "balanced", "weighted", "sampled"};
 const size_t splitter_name_count = sizeof splitter_names / sizeof *splitter_names;

@@ -2,17 +2,21 @@
  *
  * A cut that would leave one side as long as the list was gives way to the plane of a polygon, which takes
  * that polygon out of the list: so every tree ends. */
-#include "compiler/tree.h"
+#include "trees/tree.h"
 
-#include "compiler/axis_cut.h"
-#include "compiler/cluster.h"
-#include "compiler/cluster_cut.h"
+#include "trees/axis_cut.h"
+#include "trees/cluster.h"
+#include "trees/cluster_cut.h"
 
 #include <stdio.h>
 #include <string.h>
 
-/* A cluster is compared pair by pair; small ones serve where the tree itself shall do the sorting. */
+/* Without rings a cluster's planes are compared pair by pair; small ones serve where the tree itself shall do the
+ * sorting. */
 enum { CLUSTER_PIECES_MAX = 4096, CELL_PIECES_MAX = 16 };
+
+/* Of longer lists no relation is found: half a byte for each pair. */
+enum { RINGS_PIECES_MAX = 16384 };
 
 const char *const tree_names[TREE_KINDS] = {"auto", "bsp", "clusters", "axis", "octree", "none", "mesh"};
 
@@ -30,19 +34,20 @@ bool tree_kind_parse(const char *text, enum tree_kind *out, struct error *err)
     return error_set(err, "--tree %s: no such tree; there are %s", text, names);
 }
 
-bool tree_ends(const struct bsp *bsp, enum tree_kind kind, const struct rings *rings, const uint32_t *list,
-               size_t count, uint32_t *order)
+bool tree_ends(const struct bsp *bsp, enum tree_kind kind, struct rings *rings, const uint32_t *list, size_t count,
+               uint32_t *order)
 {
     switch (kind) {
     case TREE_NONE:
         memcpy(order, list, count * sizeof *list);
         return true;
     case TREE_CLUSTERS:
-        if (rings->count && rings_hold(rings, list, count)) return false;
-        return count <= CLUSTER_PIECES_MAX && cluster_order(bsp, list, count, order);
+        if (rings->hiding.count)
+            return !rings_hold(rings, bsp, list, count) && cluster_order(bsp, &rings->hiding, list, count, order);
+        return count <= CLUSTER_PIECES_MAX && cluster_order(bsp, NULL, list, count, order);
     case TREE_AXIS:
     case TREE_OCTREE:
-        return count <= CELL_PIECES_MAX && cluster_order(bsp, list, count, order);
+        return count <= CELL_PIECES_MAX && cluster_order(bsp, NULL, list, count, order);
     default:
         return false;
     }
@@ -58,17 +63,17 @@ static uint32_t cut_or_polygon(struct bsp *bsp, const struct splitter *splitter,
 }
 
 /* The first polygon and a few at random are heuristics for their own sake. */
-bool tree_wants_rings(const struct tree_plan *plan, size_t polygons)
+bool tree_wants_rings(const struct tree_plan *plan, size_t pieces)
 {
     return plan->kind == TREE_CLUSTERS && plan->splitter != &splitters[0] && !plan->splitter->samples &&
-           polygons <= CLUSTER_PIECES_MAX;
+           pieces <= RINGS_PIECES_MAX;
 }
 
-uint32_t tree_divider(struct bsp *bsp, const struct tree_plan *plan, const struct rings *rings, struct bsp_place place,
+uint32_t tree_divider(struct bsp *bsp, const struct tree_plan *plan, struct rings *rings, struct bsp_place place,
                       const uint32_t *list, size_t count)
 {
     double cost;
-    if (rings->count) return cluster_cut_best(bsp, plan->splitter, rings, list, count);
+    if (rings->hiding.count) return cluster_cut_best(bsp, plan->splitter, rings, list, count);
     if (plan->kind == TREE_AXIS) return cut_or_polygon(bsp, plan->splitter, list, count);
     if (plan->kind == TREE_OCTREE) {
         const uint32_t cut = axis_cut_halving(bsp, place, list, count);

@@ -3,7 +3,7 @@
  * Greedy grouping: polygons come largest first, and each joins the first group of its direction
  * whose plane holds all its corners, or starts a group. Directions are hashed into cells, so that
  * only planes of about the same direction are tried; the order is the same on every run. */
-#include "compiler/coplanar.h"
+#include "trees/coplanar.h"
 
 #include "base/deadline.h"
 #include "base/grow.h"

@@ -2,7 +2,7 @@
  *
  * Candidates are whole units: the polygons' coordinates are rounded to them in the end, and a plane through
  * vertices splits nothing at them. */
-#include "compiler/axis_cut.h"
+#include "trees/axis_cut.h"
 
 #include "base/deadline.h"
 #include "base/grow.h"

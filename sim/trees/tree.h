@@ -4,10 +4,10 @@
 #ifndef SIM_TREE_H
 #define SIM_TREE_H
 
-#include "compiler/bsp.h"
-#include "compiler/rings.h"
-#include "compiler/splitter.h"
 #include "scene/tree_kind.h"
+#include "trees/bsp.h"
+#include "trees/rings.h"
+#include "trees/splitter.h"
 
 /* How a tree is to be built. */
 struct tree_plan {
@@ -18,14 +18,14 @@ struct tree_plan {
 
 /* Whether the pieces list[0 .. count) make a leaf; their order, nearest first, goes to `order`. `rings` spares time; it
  * may be empty. */
-bool tree_ends(const struct bsp *bsp, enum tree_kind kind, const struct rings *rings, const uint32_t *list,
-               size_t count, uint32_t *order);
+bool tree_ends(const struct bsp *bsp, enum tree_kind kind, struct rings *rings, const uint32_t *list, size_t count,
+               uint32_t *order);
 
-/* Whether tree_divider() takes rings. */
-bool tree_wants_rings(const struct tree_plan *plan, size_t polygons);
+/* Whether both take rings for a list so long. */
+bool tree_wants_rings(const struct tree_plan *plan, size_t pieces);
 
 /* The group, or cut, whose plane divides the list; `rings` is empty if it does not take them. */
-uint32_t tree_divider(struct bsp *bsp, const struct tree_plan *plan, const struct rings *rings, struct bsp_place place,
+uint32_t tree_divider(struct bsp *bsp, const struct tree_plan *plan, struct rings *rings, struct bsp_place place,
                       const uint32_t *list, size_t count);
 
 #endif

@@ -2,7 +2,7 @@
  *
  * The table of edges and the order of the points along them. Points of one edge lie exactly on
  * its line, so their order along the line's longest axis is their order. */
-#include "compiler/edges.h"
+#include "trees/edges.h"
 
 #include "base/grow.h"
 

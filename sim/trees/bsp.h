@@ -7,8 +7,8 @@
 #ifndef SIM_BSP_H
 #define SIM_BSP_H
 
-#include "compiler/coplanar.h"
-#include "compiler/edges.h"
+#include "trees/coplanar.h"
+#include "trees/edges.h"
 
 #define BSP_NONE UINT32_MAX
 

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
  * Pieces are made of the mesh's polygons and of what planes cut; no corner of a piece is ever moved. */
-#include "compiler/bsp.h"
+#include "trees/bsp.h"
 
 #include "base/grow.h"
 #include "model/inner.h"

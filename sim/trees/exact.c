@@ -2,7 +2,7 @@
  *
  * Rational points and the exact tests on them. A double filter stands in front of each test; its
  * error bounds are derived where they are used. */
-#include "compiler/exact.h"
+#include "trees/exact.h"
 
 #include "base/grow.h"
 

@@ -3,7 +3,7 @@
  * Building the tree with a list of open tasks instead of recursion: trees may be as deep as the
  * scene has planes. Every node takes all polygons of its own group out of the list, whatever
  * rounding says about them, so the work ends. */
-#include "compiler/bsp_build.h"
+#include "trees/bsp_build.h"
 
 #include "base/deadline.h"
 #include "base/grow.h"
@@ -34,7 +34,8 @@ struct list {
 struct build {
     struct bsp *bsp;
     const struct tree_plan *plan;
-    struct rings rings; /* of clusters; empty: too many polygons */
+    struct rings rings;  /* of clusters: of the list that a subtree began with; empty: not found */
+    size_t tasks_beside; /* on the stack, of no part of that list */
     struct stack stack;
     struct list front, back; /* of the node at hand */
 };
@@ -111,6 +112,16 @@ static void stack_push(struct stack *stack, struct task task, const struct list 
     stack->tasks[stack->task_count++] = task;
 }
 
+/* Who hides whom, where a list gets short enough for that: it serves the list's whole subtree. */
+static void settle_rings(struct build *build, const uint32_t *list, size_t count)
+{
+    struct rings *rings = &build->rings;
+    if (rings->hiding.count && build->stack.task_count < build->tasks_beside) rings_free(rings);
+    if (rings->hiding.count || !tree_wants_rings(build->plan, count)) return;
+    rings_find(rings, build->bsp, list, count);
+    build->tasks_beside = build->stack.task_count;
+}
+
 /* Makes a leaf of the list, if the kind of tree has one here. */
 static bool end_in_leaf(struct build *build, const struct task *task, const uint32_t *list, size_t count)
 {
@@ -135,6 +146,7 @@ static void divide(struct build *build)
     const struct task task = stack->tasks[--stack->task_count];
     const uint32_t *list = stack->pieces + task.first;
     size_t count = stack->count - task.first;
+    settle_rings(build, list, count);
     if (end_in_leaf(build, &task, list, count)) {
         stack->count = task.first;
         return;
@@ -169,7 +181,6 @@ bool bsp_build(struct bsp *bsp, const struct mesh *mesh, const struct coplanar *
     for (size_t i = 0; i < mesh->polygon_count; i++)
         list_add(&build.front, bsp_piece_of(bsp, (uint32_t)i));
     stack_push(&build.stack, (struct task){.parent = BSP_NONE, .depth = 1}, &build.front);
-    if (tree_wants_rings(plan, bsp->piece_count)) rings_find(&build.rings, bsp);
     while (build.stack.task_count && bsp->piece_count <= BSP_PIECES_MAX && !deadline_passed()) {
         show_progress(bsp, plan);
         divide(&build);

@@ -4,8 +4,8 @@
 #ifndef SIM_AXIS_CUT_H
 #define SIM_AXIS_CUT_H
 
-#include "compiler/bsp.h"
-#include "compiler/splitter.h"
+#include "trees/bsp.h"
+#include "trees/splitter.h"
 
 /* Candidates: up to `most` whole coordinates along an axis at which a piece begins or ends, in order, evenly chosen.
  * Returns how many. */

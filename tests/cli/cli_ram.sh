@@ -1,0 +1,29 @@
+# SPDX-License-Identifier: MIT
+#
+# Less memory: the same pictures, and costs that grow gently.
+. tests/tap.sh
+
+limner="$BUILD/limner"
+
+# SCENE METHOD PERCENT MEAN WORST: pictures as with all memory; at most so many times the instructions.
+grows_gently() {
+    set -- "$1" "$2" "$3" "$4" "$5" "sim/scenes/$1.obj --camera sim/scenes/$1.cam --method $2 --size 240x240 --stats"
+    # shellcheck disable=SC2086 # options
+    "$limner" render $6 --write-hashes "$work/hashes" >"$work/all" && "$limner" render $6 --ram "$3%" --check "$work/hashes" >"$work/less" &&
+        awk -v mean="$4" -v worst="$5" '
+            /^predicted/ { n = $(NF - 3); if (FNR < NR) printf "%.2f", n / all; if (FNR < NR && n > mean * all) bad = 1; if (FNR == NR) all = n }
+            /in the worst:/ { n = $NF; if (FNR < NR) print " " n / most; if (FNR < NR && n > worst * most) bad = 1; if (FNR == NR) most = n; seen++ }
+            END { exit bad || seen != 2 }' "$work/all" "$work/less"
+}
+tap_check "rooms with 70 % of the pools" grows_gently rooms nearest 70 1.3 2
+tap_check "rooms with 50 % of the pools" grows_gently rooms nearest 50 2 9
+tap_check "teapot with 70 % of the pools" grows_gently teapot nearest 70 1.4 3
+tap_check "teapot with 50 % of the pools" grows_gently teapot nearest 50 2 5
+tap_check "teapot by scan lines with 70 % of the pools" grows_gently teapot scanline 70 1.3 3
+tap_check "teapot by scan lines with 50 % of the pools" grows_gently teapot scanline 50 2.2 5
+
+refuses() { ! "$limner" render sim/scenes/teapot.obj --frames 1 --stats --ram "$1" 2>"$work/error" && grep -q "$2" "$work/error"; }
+tap_check "too little is refused, with the least" refuses 1000 'too little memory; [0-9]* are the least'
+tap_check "no number is refused" refuses some '^limner: --ram'
+
+tap_done
