@@ -3,7 +3,7 @@
  * Nearest first, pass one: walks the tree, or the sorted list, closes gaps, and retains the polygons that closed some;
  * by scan lines all that are in view. All at once, or, where a frame is begun while another is still on its way,
  * polygon by polygon (lim_frame_work()). bands.c drives it. */
-#include "orders/room.h"
+#include "orders/nearest.h"
 
 #include "eye.h"
 #include "lines/framebuffer.h"
@@ -13,6 +13,7 @@
 #include "lines/smooth.h"
 #include "lines/smooth_line.h"
 #include "lines/span.h"
+#include "orders/room.h"
 #include "pieces/entry.h"
 #include "routes/mover_order.h"
 #include "routes/mover_route.h"

@@ -9,7 +9,7 @@
 #include "lines/gaps.h"
 #include "lines/retain.h"
 #include "lines/span.h"
-#include "movers/mover.h"
+#include "view/pass.h"
 #include "view/view.h"
 
 #if LIM_HAS_SPANS
@@ -23,7 +23,7 @@ static bool can_shorten(const struct lim_nearest *nearest)
 {
     return nearest->bottom - nearest->top >= LEAST_LINES && !LIM_IS_SORTED(&nearest->pass->target) && !nearest->fills &&
            !lim_wireframe_of(nearest->pass) && !lim_is_antialiased(&nearest->pass->view) &&
-           !(LIM_HAS_MOVERS && lim_moves(lim_nearest_sorter(nearest)));
+           !(LIM_HAS_MOVERS && lim_moves(*nearest->sorter));
 }
 
 static void close_lines_from(struct lim_spans *spans, uint16_t y, uint16_t bottom)

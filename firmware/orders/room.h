@@ -4,7 +4,7 @@
 #ifndef LIM_ROOM_H
 #define LIM_ROOM_H
 
-#include "orders/nearest.h"
+#include "orders.h"
 
 /* Takes lines away from the band's end, so that pass one can go on where it is. Polygons that are retained move, and
  * what starts on those lines is gone. false: nothing was done; the band is too low, or drawn in a way that keeps more

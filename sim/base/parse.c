@@ -70,3 +70,12 @@ bool parse_tolerance(const char *text, double *units, struct error *err)
     if (!parse_number("--tolerance", text, units, err)) return false;
     return (*units >= 0.0 && *units <= 1024.0) || error_set(err, "--tolerance %s: must be 0 to 1024 units", text);
 }
+
+bool parse_ram(const char *text, size_t *bytes, double *percent, struct error *err)
+{
+    uint32_t whole;
+    if (strchr(text, '%')) return parse_bound("--ram", text, "%", percent, err);
+    if (!parse_whole("--ram", text, 1, UINT32_MAX, &whole, err)) return false;
+    *bytes = whole;
+    return true;
+}

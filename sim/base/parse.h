@@ -7,6 +7,7 @@
 #include "base/error.h"
 
 #include <stdbool.h>
+#include <stddef.h>
 #include <stdint.h>
 
 enum { PARSE_SIDE_MAX_PX = 1024 };
@@ -21,6 +22,9 @@ bool parse_size(const char *text, unsigned *w_px, unsigned *h_px, struct error *
 
 /* A number above 0, with its unit or without: `0.03%`, `0.25px`. */
 bool parse_bound(const char *option, const char *text, const char *unit, double *out, struct error *err);
+
+/* --ram: bytes, or a share, as `70%`. */
+bool parse_ram(const char *text, size_t *bytes, double *percent, struct error *err);
 
 /* --near M */
 bool parse_near(const char *text, double *near_m, struct error *err);

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * Options are checked here for their form and range; what depends on the scene (lens, near plane,
- * camera) is checked where the scene is known. */
+ * Options are checked here for their form and range; what depends on the scene (lens, camera) where it is known. */
 #include "cli/options.h"
 
 #include "base/grow.h"
@@ -25,7 +24,7 @@
 #include <string.h>
 #include <strings.h>
 
-enum { ORBIT_FRAMES = 16, UNSAID_SIZE_PX = 240 };
+enum { ORBIT_FRAMES = 16, UNSAID_SIZE_PX = 240, MOST_RUNS = 60000, MOST_FRAMES = 100000, MOST_LOOP_FRAMES = 600 };
 
 enum option_code {
     OPTION_OUT = 'o',
@@ -61,8 +60,6 @@ enum option_code {
     OPTION_FRAMES,
     OPTION_RAM
 };
-
-enum { MOST_RUNS = 60000, MOST_FRAMES = 100000, MOST_LOOP_FRAMES = 600 };
 
 /* Those that only `render` has come first. */
 enum { RENDER_ONLY_OPTIONS = 15 };
@@ -156,16 +153,6 @@ static bool parse_fps(const char *text, struct options *out, struct error *err)
     return (*rate > 0.0 && *rate <= 1000.0) || error_set(err, "--fps %s: above 0, and at most 1000", text);
 }
 
-/* Bytes, or a share of what the pools take beyond the least. */
-static bool parse_ram(const char *text, struct simulator_ram *out, struct error *err)
-{
-    uint32_t bytes;
-    if (strchr(text, '%')) return parse_bound("--ram", text, "%", &out->percent, err);
-    if (!parse_whole("--ram", text, 1, UINT32_MAX, &bytes, err)) return false;
-    out->bytes = bytes;
-    return true;
-}
-
 static bool parse_frames(const char *text, size_t *out, struct error *err)
 {
     uint32_t frames = 0;
@@ -256,7 +243,7 @@ static bool parse_option(int code, const char *text, struct options *out, struct
     case OPTION_FPS:
         return parse_fps(text, out, err);
     case OPTION_RAM:
-        return parse_ram(text, &out->ram, err);
+        return parse_ram(text, &out->ram.bytes, &out->ram.percent, err);
     case OPTION_FRAMES:
         return parse_frames(text, &out->frames, err);
     case OPTION_PRECISION:
