@@ -39,7 +39,11 @@ bool method_sorts(enum lim_method draws);
 /* Whether it draws scenes without a tree, of triangles, and those alone. */
 bool method_draws_meshes(enum lim_method draws);
 
-/* Refuses a mesh by a method that walks a tree, and a scene with a tree by one of meshes; `name`: the scene's. */
+/* Whether it sorts, or draws meshes. */
+bool method_needs_no_tree(enum lim_method draws);
+
+/* Refuses a mesh or a set by a method that walks a tree, and a scene with a tree by one of meshes; `name`: the scene's.
+ */
 bool method_suits(enum lim_method draws, const char *name, const struct lim_scene *scene, struct error *err);
 
 /* Refuses what has no antialiased edges. */
