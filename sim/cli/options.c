@@ -401,8 +401,7 @@ bool options_parse(int argc, char **argv, enum options_set set, struct options *
     out->cameras.takes_times = is_render;
     if (is_render && !asks_for_output(out)) out->frame_pattern = "out/%03d.png";
     if (!compile_options_settle(&out->compile, err)) return false;
-    if (!out->compile.method && out->compile.tree == TREE_NONE) out->setup.method = LIM_NEWELL;
-    if (!out->compile.method && out->compile.tree == TREE_MESH) out->setup.method = LIM_MESH_DEPTH;
+    if (!out->compile.method) out->setup.method = compile_options_draws(&out->compile);
     if (out->setup.method != LIM_NEWELL && (out->newell.planes_first || out->newell.split_one || out->newell.most))
         return error_set(err, "--newell: goes with --method newell");
     if (out->wireframe.on && !method_draws_wireframe(out->setup.method, err)) return false;
@@ -425,28 +424,15 @@ bool options_scene_is_compiled(const struct options *options)
     return suffix && strcasecmp(suffix, ".lim") == 0;
 }
 
-/* Meshes, and what draws them, go with each other alone. */
-static bool check_mesh(const struct options *options, const struct compiled *scene, struct error *err)
-{
-    const bool is_mesh = lim_scene_is_mesh(&scene->scene);
-    if (is_mesh == method_draws_meshes(options->setup.method)) return true;
-    if (is_mesh)
-        return error_set(err, "%s: a mesh has no tree; draw it with --method mesh or mesh-depth", options->scene_path);
-    return error_set(err, "%s: has a tree; --method %s draws meshes, give the model", options->scene_path,
-                     method_name(options->setup.method));
-}
-
 static bool load_scene(const struct options *options, struct compiled *scene, struct moving *moving, struct error *err)
 {
     if (options_scene_is_compiled(options)) {
-        const bool any_tree_does = method_sorts(options->setup.method) || options->compile.portals == PORTALS_ON ||
-                                   method_draws_meshes(options->setup.method);
-        if (options->compile.tree != TREE_AUTO && !any_tree_does)
+        const bool any_does = method_needs_no_tree(options->setup.method) || options->compile.portals == PORTALS_ON;
+        if (options->compile.tree != TREE_AUTO && !any_does)
             return error_set(err, "%s: has its tree already; give the model for another one", options->scene_path);
-        return lim_file_read(options->scene_path, scene, err) && check_mesh(options, scene, err) &&
+        return lim_file_read(options->scene_path, scene, err) &&
+               method_suits(options->setup.method, options->scene_path, &scene->scene, err) &&
                method_scans(options->setup.method, order_needs_nearest(&options->compile, &scene->scene), err) &&
-               (method_sorts(options->setup.method) || scene->scene.limits.depth || lim_scene_is_mesh(&scene->scene) ||
-                error_set(err, "%s: a set has no order; draw it with --method newell or depth", options->scene_path)) &&
                (options->compile.portals != PORTALS_ON || scene->scene.place_count ||
                 error_set(err, "%s: --method portals needs a scene compiled with --portals on", options->scene_path));
     }

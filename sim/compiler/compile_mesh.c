@@ -57,9 +57,9 @@ static size_t badness(const struct compile_report *report)
 static enum lim_method draws_with(const struct compile_options *options, bool convex)
 {
     if (options->method) return options->method->draws;
-    if (options->tree == TREE_NONE) return LIM_NEWELL;
-    if (options->tree == TREE_MESH) return LIM_MESH_DEPTH;
-    return convex && !options->antialias && !options->framebuffer ? LIM_CONVEX : LIM_NEAREST_FIRST;
+    const enum lim_method draws = compile_options_draws(options);
+    const bool is_solid = convex && !options->antialias && !options->framebuffer;
+    return is_solid && draws == LIM_NEAREST_FIRST ? LIM_CONVEX : draws;
 }
 
 /* What any scene has. */

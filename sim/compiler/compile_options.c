@@ -28,6 +28,12 @@ bool compile_method_parse(const char *text, struct compile_options *out, struct 
     return true;
 }
 
+enum lim_method compile_options_draws(const struct compile_options *options)
+{
+    if (options->tree == TREE_NONE) return LIM_NEWELL;
+    return options->tree == TREE_MESH ? LIM_MESH_DEPTH : LIM_NEAREST_FIRST;
+}
+
 void compile_options_light(const struct compile_options *options, struct model *model)
 {
     if (options->unlit) return;

@@ -27,7 +27,7 @@ struct measure_table {
     struct measure_row *rows;
     size_t row_count;
     struct measure_refusals refused; /* those that have no row */
-    const char *drawn; /* how, where the order is approximate; NULL: it is exact */
+    const char *drawn;               /* how, where the order is approximate; NULL: it is exact */
 };
 
 /* Sets dominated_by. */

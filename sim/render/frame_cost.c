@@ -47,12 +47,12 @@ static const struct frame_cost MESH = {.node = 0,
                                        .polygon = 357,
                                        .clipped = 11936,
                                        .seen = 0,
-                                       .line = 55,
+                                       .line = 59,
                                        .gap = 0,
-                                       .screen_line = 401,
+                                       .screen_line = 350,
                                        .pixel = 0.00,
-                                       .crossing = 1.05,
-                                       .deep = 22.45};
+                                       .crossing = 1.22,
+                                       .deep = 21.30};
 
 static const struct frame_cost *cost_of(enum lim_method method)
 {

@@ -87,6 +87,21 @@ bool method_draws_meshes(enum lim_method draws)
     return draws == LIM_MESH || draws == LIM_MESH_DEPTH;
 }
 
+bool method_needs_no_tree(enum lim_method draws)
+{
+    return method_sorts(draws) || method_draws_meshes(draws);
+}
+
+bool method_suits(enum lim_method draws, const char *name, const struct lim_scene *scene, struct error *err)
+{
+    const bool is_mesh = lim_scene_is_mesh(scene);
+    if (is_mesh == method_draws_meshes(draws))
+        return method_needs_no_tree(draws) || scene->limits.depth ||
+               error_set(err, "%s: a set has no order; draw it with --method newell or depth", name);
+    if (is_mesh) return error_set(err, "%s: a mesh has no tree; draw it with --method mesh or mesh-depth", name);
+    return error_set(err, "%s: has a tree; --method %s draws meshes, give the model", name, method_name(draws));
+}
+
 bool method_scans(enum lim_method draws, const char *what, struct error *err)
 {
     return (draws != LIM_SCANLINE && !method_draws_meshes(draws)) || !what ||

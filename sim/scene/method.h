@@ -5,6 +5,7 @@
 #define SIM_METHOD_H
 
 #include "base/error.h"
+#include "scene.h"
 #include "scene/tree_kind.h"
 #include "target.h"
 
@@ -37,6 +38,13 @@ bool method_sorts(enum lim_method draws);
 
 /* Whether it draws scenes without a tree, of triangles, and those alone. */
 bool method_draws_meshes(enum lim_method draws);
+
+/* Whether it sorts, or draws meshes. */
+bool method_needs_no_tree(enum lim_method draws);
+
+/* Refuses a mesh or a set by a method that walks a tree, and a scene with a tree by one of meshes; `name`: the scene's.
+ */
+bool method_suits(enum lim_method draws, const char *name, const struct lim_scene *scene, struct error *err);
 
 /* Refuses what has no antialiased edges. */
 bool method_antialiases(enum lim_method draws, bool wireframe, struct error *err);

@@ -303,9 +303,9 @@ struct soup_counts soup_compare(const struct soup *soup, struct soup_view *view,
 {
     const struct eye eye = eye_of(soup, view, camera);
     const uint32_t count = (uint32_t)view->w_px * view->h_px;
-    const int ordered_by = method == LIM_MESH || soup->scene.deep_from >= soup->scene.polygon_count ? 0
-                           : soup->scene.deep_from                                                  ? 2
-                                                                                                    : 1;
+    const int ordered_by = method == LIM_MESH || *soup->scene.deep_from >= soup->scene.polygon_count ? 0
+                           : *soup->scene.deep_from                                                  ? 2
+                                                                                                     : 1;
     struct pixel *pixels = malloc(count * sizeof *pixels);
     struct soup_counts counts = {.pixels = count};
 
