@@ -139,7 +139,7 @@ static LIM_ALONE void paint_inside(struct lim_mesh *mesh, const struct lim_mesh_
 
 void lim_mesh_paint(struct lim_mesh *mesh, const struct lim_mesh_line *line)
 {
-    if (!LIM_OPTIMISE_SIZE && LIM_SUB_BITS && mesh->extent == LIM_VIEW_INSIDE &&
+    if (!LIM_OPTIMISE_SIZE && LIM_SUB_BITS > 0 && mesh->extent == LIM_VIEW_INSIDE &&
         !lim_target_is_round(&mesh->pass->target))
         paint_inside(mesh, line);
     else
