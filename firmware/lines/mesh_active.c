@@ -45,12 +45,14 @@ static inline bool is_within(const struct lim_mesh_range *range, lim_mesh_rank r
     return rank >= range->from && rank < range->below;
 }
 
-/* A part of a fan: shape and corners. */
-static void fan_part(const struct lim_mesh_clipped *clipped, uint8_t part, struct lim_mesh_clipped *out)
+/* A part of a fan: shape and corners. false: it has no pixels. */
+static bool fan_part(const struct lim_mesh_clipped *clipped, uint8_t part, struct lim_mesh_clipped *out)
 {
-    lim_mesh_fan(clipped, part, out->at);
+    const bool has_pixels = lim_mesh_fan(clipped, part, out->at);
+
     lim_edge_bounds(&out->shape, out->at, 3);
     out->n = 3;
+    return has_pixels;
 }
 
 /* Edges of any polygon for line y, by EDGE. Those of a part may begin farther down: until then it has no pixels. */
@@ -75,7 +77,7 @@ static bool begin_part(struct lim_mesh *mesh, const struct lim_mesh_clipped *cli
 {
     struct lim_mesh_clipped own;
 
-    if (part) fan_part(clipped, part, &own);
+    if (part && !fan_part(clipped, part, &own)) return true;
     const struct lim_mesh_clipped *const shown = part ? &own : clipped;
     if (shown->shape.bottom <= (int16_t)y || shown->shape.top >= shown->shape.bottom) return true;
     struct lim_mesh_active *active = lim_mesh_new(mesh);
@@ -334,7 +336,7 @@ static void turn_clipped(const struct lim_mesh *mesh, struct lim_mesh_active *ac
     struct lim_mesh_clipped clipped, part;
 
     (void)lim_mesh_clip(mesh, lim_mesh_number(active), &clipped);
-    if (active->part) fan_part(&clipped, active->part, &part);
+    if (active->part) (void)fan_part(&clipped, active->part, &part);
     const struct lim_mesh_clipped *const shown = active->part ? &part : &clipped;
     set_any(active, shown->at, shown->n, &shown->shape, y);
 }

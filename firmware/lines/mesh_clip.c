@@ -30,8 +30,10 @@ bool lim_mesh_clip(const struct lim_mesh *mesh, lim_index triangle, struct lim_m
     struct lim_clip_polygon polygons[2];
 
     polygons[0].n = 3;
-    for (uint_fast8_t k = 0; k < 3; k++)
+    for (uint_fast8_t k = 0; k < 3; k++) {
         lim_view_transform(&pass->view, pass->scene, &pass->scene->vertices[corners[k]], &polygons[0].at[k]);
+        if (LIM_HAS_WIREFRAME) lim_view_hide_edge(&polygons[0].at[k], false);
+    }
     const struct lim_clip_polygon *clipped = lim_clip(polygons, pass->view.rows.near_qv);
     out->n = clipped->n;
     for (uint_fast8_t k = 0; k < clipped->n; k++) {
@@ -43,7 +45,7 @@ bool lim_mesh_clip(const struct lim_mesh *mesh, lim_index triangle, struct lim_m
     return true;
 }
 
-void lim_mesh_fan(const struct lim_mesh_clipped *clipped, uint8_t part, struct lim_point at[3])
+bool lim_mesh_fan(const struct lim_mesh_clipped *clipped, uint8_t part, struct lim_point at[3])
 {
     uint_fast16_t corner = clipped->shape.apex;
 
@@ -52,6 +54,7 @@ void lim_mesh_fan(const struct lim_mesh_clipped *clipped, uint8_t part, struct l
         corner += i ? 1u : part;
         if (corner >= clipped->n) corner -= clipped->n;
     }
+    return area_of(at, 3) < 0;
 }
 
 #endif

@@ -27,7 +27,8 @@ static inline const LIM_FLASH lim_index *lim_mesh_triangle(const struct lim_mesh
 /* false: nothing of it is left, or it faces away. */
 bool lim_mesh_clip(const struct lim_mesh *mesh, lim_index triangle, struct lim_mesh_clipped *out);
 
-/* A triangle of the fan that stands for a non-monotone one, 1 <= part <= n - 2. */
-void lim_mesh_fan(const struct lim_mesh_clipped *clipped, uint8_t part, struct lim_point at[3]);
+/* A triangle of the fan that stands for a non-monotone one, 1 <= part <= n - 2. false: rounding turned it over, and it
+ * has no pixels. */
+bool lim_mesh_fan(const struct lim_mesh_clipped *clipped, uint8_t part, struct lim_point at[3]);
 
 #endif

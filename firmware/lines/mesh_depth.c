@@ -39,7 +39,7 @@ static inline uint8_t halve(int32_t *u, int32_t *v)
 {
     const uint32_t most = abs_s32(*u) | abs_s32(*v);
 
-    if (!LIM_UNLIKELY(most >> 14)) return 0;
+    if (most >> 14 == 0) return 0;
     const uint8_t bits = (uint8_t)(18 - clz_u32(most));
     *u >>= bits;
     *v >>= bits;

