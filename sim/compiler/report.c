@@ -48,7 +48,7 @@ static void print_outlines(const struct compiled *scene)
 static void print_choice(const struct compile_report *report)
 {
     if (report->choice.kind == CHOICE_UNKNOWN)
-        printf("    %-26s no cost is predicted where polygons are transparent or textured\n", "chosen:");
+        printf("    %-26s no cost is predicted where polygons are transparent\n", "chosen:");
     else if (report->choice.kind == CHOICE_LONG)
         printf("    %-26s others take long with so many polygons; --tree auto tries them\n", "chosen:");
     else if (report->choice.kind == CHOICE_NEEDLESS)
@@ -167,7 +167,7 @@ static void print_flash(const struct compiled *scene)
         print_bytes("texels", arrays->texel_blocks * (size_t)LIM_TEXEL_BLOCK, polygons);
         print_bytes("palettes", arrays->palette_colours * sizeof *arrays->palettes, polygons);
         print_bytes("mappings and textures",
-                    arrays->mapping_count * sizeof *arrays->mappings + arrays->texture_count * sizeof *arrays->textures,
+                    arrays->mapping_count * width_mapping_b(wide) + arrays->texture_count * sizeof *arrays->textures,
                     polygons);
     }
     print_bytes("in all", scene->report.flash_b, polygons);
