@@ -35,6 +35,14 @@ int8_t lim_inspect_side(const struct lim_scene *scene, const struct lim_plane_re
 
 #if LIM_HAS_TEXTURE
 
+/* v in the picture's own height. */
+static uint32_t own_place(const struct lim_gradients *gradients, uint32_t place)
+{
+    const uint8_t wider_bits = (uint8_t)(gradients->texture->w_bits - gradients->texture->h_bits);
+
+    return (place & 0xFFFF0000u) | (uint16_t)(place << wider_bits);
+}
+
 static void take_line(const struct lim_pass *pass, const struct lim_textured_span *span, lim_inspect_texel *take,
                       void *ctx)
 {
@@ -46,11 +54,11 @@ static void take_line(const struct lim_pass *pass, const struct lim_textured_spa
     lim_texture_line_begin(&line, span, first);
     for (int16_t x = first; x < end; x++) {
         if (x == line.end) lim_texture_line_next(&line);
-        const struct lim_inspected_texel texel = {.place = lim_texture_at(&line, x).at,
+        const struct lim_inspected_texel texel = {.place = own_place(span->gradients, lim_texture_place(&line, x)),
                                                   .x_px = (uint16_t)x,
                                                   .y_px = (uint16_t)span->y,
-                                                  .level = line.level,
-                                                  .divided = x == line.x};
+                                                  .level = span->gradients->level.number,
+                                                  .divided = !span->gradients->is_even && x == line.x};
         take(ctx, &texel);
     }
 }
@@ -64,7 +72,7 @@ static void take_polygon(const struct lim *lim, const struct lim_screen_polygon 
     struct lim_gradients gradients;
     struct lim_edge_pair pair;
 
-    lim_texture_set(lim->pass.texturing, lim_screen_texture(polygon), &gradients);
+    lim_texture_set(lim->pass.texturing, lim_screen_texture(polygon), polygon->at, polygon->n, &gradients);
     lim_edge_begin(&pair, polygon->n, polygon->shape.first);
     for (int16_t y = polygon->shape.top > 0 ? polygon->shape.top : 0; y < bottom; y++) {
         lim_edge_advance(&pair, polygon->at, polygon->n, y);

@@ -20,7 +20,7 @@ int8_t lim_inspect_side(const struct lim_scene *scene, const struct lim_plane_re
 
 /* The texel that a pixel shows. */
 struct lim_inspected_texel {
-    uint32_t place; /* v in the upper half, u in the lower one, either in 2^-16 of the texture's side */
+    uint32_t place; /* u in the upper half, v in the lower one, either in 2^-16 of the texture's side */
     uint16_t x_px, y_px;
     uint8_t level; /* of detail */
     bool divided;  /* by the perspective's division, not from between two pixels that are */

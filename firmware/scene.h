@@ -12,7 +12,7 @@
 
 /* The form of a scene's NAME.c and NAME.h, which say for which one they were written. It changes whenever files that
  * were written before would compile to something wrong. */
-#define LIM_SCENE_FORMAT 7
+#define LIM_SCENE_FORMAT 8
 
 /* An index into a scene's arrays, and a word of its polygons. Wide scenes have more than 16 bits can count. */
 #if LIM_HAS_WIDE
@@ -121,26 +121,40 @@ struct lim_box {
     uint16_t half[3];  /* units, 0..32768 */
 };
 
-/* Where a textured polygon shows which texel: texel i, i = 0 across and 1 down, is uv[i] . p / 2^bits[i] plus a
- * constant at p, units, on the plane n . p = d. The components of n and of either uv add up to 32767 at most, without
- * their signs. */
+/* Where a textured polygon shows which texel. The polygon lies in a plane, across that of two axes j and k, the two
+ * after its normal's longest component; i = 0 is u, to the right, i = 1 v, down: uv[i] . (p_j, p_k) / 2^bits, plus a
+ * constant, in widths of the picture. The components of either uv add up to 32767 at most, without their signs. */
 struct lim_mapping {
-    int16_t n[3];
-    int16_t uv[2][3];
-    int16_t level_q4; /* log2 of texels a unit, the mean of both directions, and half of log2 |n| */
-    uint8_t bits[2];  /* 0..40 */
+    int16_t uv[2][2] LIM_WORD_ALIGNED;
+    uint16_t at_zero_q16[2]; /* the place at p = 0, modulo the width */
+    lim_index plane;         /* as lim_plane_ref.plane; of an axis plane its offset, as of lim_plane_ref */
+    int8_t level_q3;         /* log2 of texels a unit, the mean of both directions, and half of log2(|n| / 2^14) */
+    uint8_t scale;           /* bits, 0..31; LIM_MAPPING_UPRIGHT: an axis plane; the axis of the longest component */
+#if LIM_HAS_WIDE
     uint16_t zero;
-    int32_t d;
-    int32_t at_zero_q16[2]; /* the texel at p = 0, modulo 2^16 */
+#endif
 };
+enum { LIM_MAPPING_BITS = 31, LIM_MAPPING_UPRIGHT = 32, LIM_MAPPING_AXIS_SHIFT = 6 };
+#if LIM_HAS_WIDE
+#define LIM_MAPPING(u_j, u_k, v_j, v_k, u, v, plane, level_q3, scale)                                                  \
+    {                                                                                                                  \
+        {{u_j, u_k}, {v_j, v_k}}, {u, v}, plane, level_q3, scale, 0                                                    \
+    }
+#else
+#define LIM_MAPPING(u_j, u_k, v_j, v_k, u, v, plane, level_q3, scale)                                                  \
+    {                                                                                                                  \
+        {{u_j, u_k}, {v_j, v_k}}, {u, v}, plane, level_q3, scale                                                       \
+    }
+#endif
+#define LIM_MAPPING_UPRIGHT_N 16384 /* how long the normal of an axis plane is taken to be */
 
 /* A picture of 2^w_bits x 2^h_bits texels, an index of the palette each, a row after the other from the top; then the
- * same in half the size, and so on. Sizes are 0..10 bits. */
+ * same in half the size, and so on. Sizes are 0..10 bits, and none is higher than wide. */
 struct lim_texture {
     uint16_t texels;  /* where it begins in lim_scene.texels, in blocks */
     uint16_t palette; /* where its colours begin in lim_scene.palettes */
     uint8_t w_bits, h_bits;
-    uint8_t levels; /* 1..min(w_bits, h_bits) + 1 */
+    uint8_t levels; /* 1..h_bits + 1 */
     uint8_t zero;
 };
 enum { LIM_TEXEL_BLOCK = 16 };

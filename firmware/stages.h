@@ -11,6 +11,7 @@
 #include "config.h"
 #include "scene.h"
 #include "target.h"
+#include "texturing.h"
 
 struct lim_delta;
 
@@ -254,43 +255,6 @@ struct lim_walk {
     LIM_OPTIONAL(struct lim_portals, portals, LIM_HAS_PORTALS);
 };
 
-/* Textures -------------------------------------------------------------------------------------------------------- */
-
-/* An axis of the camera, a unit vector: high / 2^15 + low / 2^30. */
-struct lim_texture_axis {
-    int32_t high_q15[3], low_q30[3]; /* |high| <= 2^15, |low| <= 2^14 */
-};
-
-/* What all textured polygons of a frame have in common. */
-struct lim_texturing {
-    const struct lim_scene *scene;
-    int32_t eye_q8[3];
-    struct lim_texture_axis axes[3]; /* right, down, ahead */
-    uint32_t tan_q28[2];             /* of the half-angles of view: x, y */
-    int32_t tan_a_px[2];             /* the same by the side in pixels, 2^30 .. 2^31 - 1: */
-    int8_t tan_a_px_bits[2];         /* times 2^-31 times 2^-bits */
-    int16_t w_px, h_px;
-    uint8_t far_bits; /* no vertex is 2^far_bits units away or more */
-    int16_t level_q4; /* what the lens adds to every level of detail, log2 */
-};
-
-/* at + x * X + y * Y for X = 2 x_px + 1 - w_px, and Y likewise: half-pixels from the middle of the screen. Below 2^30
- * for X within -2 w_px .. 2 w_px and every line of the screen. */
-struct lim_texture_plane {
-    int32_t at, x, y;
-};
-
-/* A polygon's mapping as this frame's camera sees it. */
-struct lim_gradients {
-    struct lim_texture_plane depth; /* n . D, positive where the polygon is: 1 / z but for a factor */
-    struct lim_texture_plane uv[2]; /* h (a . D), each with a factor of its own */
-    uint32_t eye_uv_q16[2];         /* texels at the eye, modulo 2^16 */
-    int32_t depth_min;              /* that of the scene's far end, at least 1 */
-    int16_t level_q4;               /* of detail, less 3/2 log2(depth) but for the constant */
-    int8_t shift[2];                /* makes up for the factors */
-    struct lim_texture texture;     /* a copy: it is looked at for each stretch */
-};
-
 /* What stages share ----------------------------------------------------------------------------------------------- */
 
 struct lim_pass {
@@ -438,9 +402,9 @@ enum { LIM_RETAINED_HEAD_CELLS = 2 };
 struct lim_retained {
     union lim_retained_cell *cells;
     uint16_t size, used;
-    uint16_t end;   /* of the pool: cells from `size` on are kept for pass two (active.h) */
-    bool overhangs; /* a polygon may reach beyond the screen's left or right side */
-    bool mixed;     /* one of the polygons is transparent or has a texture */
+    uint16_t end;               /* of the pool: cells from `size` on are kept for pass two (active.h) */
+    bool overhangs;             /* a polygon may reach beyond the screen's left or right side */
+    bool transparent, textured; /* one of the polygons is */
 };
 
 struct lim_active {

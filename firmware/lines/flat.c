@@ -7,15 +7,28 @@
 #include "lines/paint.h"
 #include "lines/span.h"
 #include "pixels/fill.h"
+#include "pixels/texture.h"
 #include "screen/edge.h"
 #include "view/pass.h"
 
 #if LIM_HAS_SPANS
 
-/* Merges those that start on the line into the list. The first for which there is no room, or LIM_NONE. */
-static LIM_INLINE uint16_t flat_activate(struct lim_actives *actives, const struct lim_retained *retained,
-                                         uint16_t polygon, uint16_t y)
+static LIM_IF_CALLED void flat_set_texture(const struct lim_pass *pass, const struct lim_retained *retained,
+                                           struct lim_active *active)
 {
+    const union lim_retained_cell *cells = &retained->cells[active->polygon];
+
+    active->gradients->texture = NULL;
+    if (lim_retained_has_texture(cells))
+        lim_texture_set(pass->texturing, cells[1].look.colour, lim_active_points(cells), cells[0].link.n,
+                        active->gradients);
+}
+
+/* Merges those that start on the line into the list. The first for which there is no room, or LIM_NONE. */
+static LIM_INLINE uint16_t flat_activate(struct lim_paint *paint, const struct lim_retained *retained, uint16_t polygon,
+                                         uint16_t y)
+{
+    struct lim_actives *const actives = &paint->actives;
     struct lim_active **link = &actives->first;
 
     for (; polygon != LIM_NONE; polygon = retained->cells[polygon].link.next) {
@@ -27,6 +40,7 @@ static LIM_INLINE uint16_t flat_activate(struct lim_actives *actives, const stru
         *link = active;
         link = &active->next;
         lim_active_begin(active, retained, polygon, (int16_t)y);
+        if (LIM_HAS_TEXTURE) flat_set_texture(paint->pass, retained, active);
     }
     return LIM_NONE;
 }
@@ -49,19 +63,34 @@ static LIM_INLINE void flat_fill(uint16_t *line, int32_t x0, int32_t x1, uint16_
         lim_fill_inline(line, (int_fast16_t)x0, (int_fast16_t)x1, colour);
 }
 
-static LIM_INLINE void flat_paint_polygons(struct lim_actives *actives, const struct lim_retained *retained,
-                                           uint16_t *line, struct extent extent, enum reach reach, uint16_t below,
+static LIM_IF_CALLED void flat_fill_textured(const struct lim_pass *pass, struct lim_gradients *gradients,
+                                             uint16_t *line, struct extent all, struct extent seen, uint16_t y,
+                                             struct lim_stats *stats)
+{
+    const struct lim_textured_span span = {pass->texturing, gradients, (int16_t)y, (int16_t)all.x0, (int16_t)all.x1};
+
+    lim_texture_fill(&span, line, (uint16_t)seen.x0, (uint16_t)seen.x1, stats);
+}
+
+static LIM_INLINE void flat_paint_polygons(struct lim_paint *paint, const struct lim_retained *retained, uint16_t *line,
+                                           struct extent extent, enum reach reach, uint16_t below,
                                            struct lim_stats *stats)
 {
+    struct lim_actives *const actives = &paint->actives;
     struct lim_active **link = &actives->first, *active;
 
     while ((active = *link) != NULL) {
         int32_t x0 = lim_edge_next_x(&active->pair.left), x1 = lim_edge_next_x(&active->pair.right);
+        const struct extent all = {x0, x1};
         if (reach == OVERHANGING && x0 < 0) x0 = 0;
         if (reach == ANYWHERE && x0 < extent.x0) x0 = extent.x0;
         if (reach != WITHIN && x1 > extent.x1) x1 = extent.x1;
         if (x0 < x1) {
-            flat_fill(line, x0, x1, active->colour, reach == ANYWHERE);
+            if (LIM_HAS_TEXTURE && active->gradients->texture)
+                flat_fill_textured(paint->pass, active->gradients, line, all, (struct extent){x0, x1},
+                                   (uint16_t)(below - 1), stats);
+            else
+                flat_fill(line, x0, x1, active->colour, reach == ANYWHERE);
             if (LIM_HAS_STATS) stats->pixels_painted += (uint32_t)(x1 - x0);
         }
         if (active->turn == below) {
@@ -98,7 +127,7 @@ static LIM_INLINE int flat_paint_line(struct lim_paint *paint, const struct lim_
     if (!line) return LIM_ERR_TARGET;
     if (LIM_HAS_STATS && paint->actives.used > stats->active_max) stats->active_max = paint->actives.used;
     flat_paint_background(spans, gap, line, paint->background, reach, stats);
-    flat_paint_polygons(&paint->actives, retained, line, extent, reach, below, stats);
+    flat_paint_polygons(paint, retained, line, extent, reach, below, stats);
     lim_overlay_line(paint->pass, line, y, (uint16_t)extent.x0, (uint16_t)extent.x1);
     return target->done(target->ctx, y, (uint16_t)extent.x0, (uint16_t)(extent.x1 - extent.x0));
 }
@@ -120,7 +149,7 @@ static LIM_INLINE int flat_paint_lines(struct lim_paint *paint, struct lim_spans
         }
         uint16_t waits = line->retained;
         *y = at;
-        while ((waits = flat_activate(&paint->actives, retained, waits, at)) != LIM_NONE)
+        while ((waits = flat_activate(paint, retained, waits, at)) != LIM_NONE)
             if (!lim_actives_add_spares(&paint->actives, retained)) return LIM_PAINT_ACTIVE;
         err = flat_paint_line(paint, spans, &line->gap, retained, extent, reach, at, stats);
         if (err) break;

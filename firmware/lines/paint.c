@@ -45,7 +45,8 @@ static bool activate(struct lim_paint *paint, const struct lim_retained *retaine
     active->next = *link;
     *link = active;
     if (LIM_HAS_TEXTURE && lim_retained_has_texture(cells))
-        lim_texture_set(paint->pass->texturing, cells[1].look.colour, active->gradients);
+        lim_texture_set(paint->pass->texturing, cells[1].look.colour, lim_active_points(cells), cells[0].link.n,
+                        active->gradients);
     if (LIM_HAS_ANTIALIAS && is_antialiased(paint)) {
         active->polygon = polygon;
         lim_strip_begin(active->samples, cells[0].link.n, cells[0].link.first);
@@ -103,7 +104,7 @@ static inline void set_wire(struct sink *sink, const struct lim_paint *paint, co
                                     .n = n};
 }
 
-static inline void set_span(struct sink *sink, const struct lim_active *active, const union lim_retained_cell *cells)
+static inline void set_span(struct sink *sink, struct lim_active *active, const union lim_retained_cell *cells)
 {
     sink->span->gradients = lim_retained_has_texture(cells) ? active->gradients : NULL;
     sink->span->left = lim_edge_x(&active->pair.left);
@@ -150,7 +151,7 @@ static LIM_IF_CALLED void push_layers(struct lim_paint *paint, const struct lim_
 }
 
 static LIM_IF_CALLED void mix_strip(struct lim_paint *paint, struct lim_spans *spans, struct lim_line *open,
-                                    const struct lim_strip *strip, const struct lim_active *active,
+                                    const struct lim_strip *strip, struct lim_active *active,
                                     const union lim_retained_cell *cells, struct sink *sink)
 {
     struct lim_smooth_sink smooth;
@@ -327,12 +328,14 @@ static int paint_line(struct lim_paint *paint, struct lim_spans *spans, const st
     return target->done(target->ctx, y, x0, (uint16_t)(x1 - x0));
 }
 
-/* Whether all that is retained is opaque and of one colour a polygon, and is only to be painted. */
+/* Whether all that is retained is opaque, and is only to be painted. A texture takes longer to paint twice than a
+ * colour does: so they come here where each polygon is painted all over, and no gaps are known. */
 static inline bool is_flat(const struct lim_paint *paint, const struct lim_retained *retained)
 {
     if (LIM_HAS_DELTA && *paint->delta) return false;
     if (lim_wireframe_of(paint->pass) || is_antialiased(paint)) return false;
-    return !((LIM_HAS_TRANSPARENT || LIM_HAS_TEXTURE) && retained->mixed);
+    if (LIM_HAS_TRANSPARENT && retained->transparent) return false;
+    return !LIM_HAS_TEXTURE || !retained->textured || LIM_IS_SCANLINE(&paint->pass->target);
 }
 
 int lim_paint_band(struct lim_paint *paint, struct lim_spans *spans, const struct lim_retained *retained,

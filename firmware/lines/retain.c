@@ -39,7 +39,8 @@ bool lim_retain(struct lim_retained *retained, struct lim_line *lines, const str
     }
     if (LIM_HAS_WIREFRAME && words)
         copy_words(cells[LIM_RETAINED_HEAD_CELLS + polygon->n].hidden, polygon->hidden, words);
-    retained->mixed |= transparent || (LIM_HAS_TEXTURE && polygon->bottom & LIM_RETAINED_TEXTURE);
+    if (transparent) retained->transparent = true;
+    if (LIM_HAS_TEXTURE && polygon->bottom & LIM_RETAINED_TEXTURE) retained->textured = true;
     return true;
 }
 

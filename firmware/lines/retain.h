@@ -12,7 +12,8 @@ static inline void lim_retained_clear(struct lim_retained *retained)
 {
     retained->used = 0;
     retained->overhangs = false;
-    retained->mixed = false;
+    if (LIM_HAS_TRANSPARENT) retained->transparent = false;
+    if (LIM_HAS_TEXTURE) retained->textured = false;
 }
 
 struct lim_retained_polygon {

@@ -56,7 +56,7 @@ void lim_smooth_add(struct lim_paint *paint, struct lim_spans *spans, const stru
         *sink.span =
             (struct lim_textured_span){paint->pass->texturing, NULL, (int16_t)spans->open.y0, strip->x0, strip->x1};
         if (lim_screen_texture(polygon) != LIM_NONE) {
-            lim_texture_set(paint->pass->texturing, lim_screen_texture(polygon), &gradients);
+            lim_texture_set(paint->pass->texturing, lim_screen_texture(polygon), polygon->at, polygon->n, &gradients);
             sink.span->gradients = &gradients;
         }
     }

@@ -88,11 +88,13 @@ static LIM_RARE void begin(struct lim_convex *convex, struct lim_crossing *cross
 {
     const uint16_t texture = lim_screen_texture(&crossing->polygon);
 
-    if (LIM_HAS_TEXTURE && texture != LIM_NONE) lim_texture_set(convex->pass->texturing, texture, crossing->gradients);
+    if (LIM_HAS_TEXTURE && texture != LIM_NONE)
+        lim_texture_set(convex->pass->texturing, texture, crossing->polygon.at, crossing->polygon.n,
+                        crossing->gradients);
     lim_edge_begin(&crossing->pair, crossing->polygon.n, crossing->polygon.shape.first);
 }
 
-static LIM_IF_CALLED void fill_textured(struct lim_convex *convex, uint16_t *line, const struct lim_crossing *crossing,
+static LIM_IF_CALLED void fill_textured(struct lim_convex *convex, uint16_t *line, struct lim_crossing *crossing,
                                         int16_t y, int16_t x0, int16_t x1)
 {
     const struct lim_textured_span span = {convex->pass->texturing, crossing->gradients, y,

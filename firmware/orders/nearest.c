@@ -138,7 +138,8 @@ static inline bool collect_samples(struct lim_nearest *nearest, const struct lim
  * any number of polygons lie behind one another at a pixel, and the least pools hold one. */
 static inline bool can_retain_all(const struct lim_nearest *nearest, const struct lim_rect *band)
 {
-    return LIM_IS_SCANLINE(&nearest->pass->target) && band->y1 - band->y0 > 1 && lim_nearest_can_fill(nearest);
+    return LIM_IS_SCANLINE(&nearest->pass->target) && band->y1 - band->y0 > 1 && lim_nearest_is_plain(nearest) &&
+           lim_is_opaque(lim_nearest_sorter(nearest), nearest->pass);
 }
 
 /* Constants where there is no choice. */
@@ -152,10 +153,10 @@ static inline bool fills(const struct lim_nearest *nearest)
     return LIM_HAS_FILLED && nearest->fills;
 }
 
-/* Whether a record is of one opaque colour, and drawn as such. */
+/* Whether a record is opaque, and drawn as such. */
 static inline bool is_for_fast_path(const struct lim_nearest *nearest, const LIM_FLASH lim_index *record)
 {
-    const unsigned slow = (LIM_HAS_TRANSPARENT ? LIM_POLYGON_ALPHA : 0u) | (LIM_HAS_TEXTURE ? LIM_POLYGON_TEXTURE : 0u);
+    const unsigned slow = LIM_HAS_TRANSPARENT ? LIM_POLYGON_ALPHA : 0u;
 
     return !(record[0] & slow) && !lim_wireframe_of(nearest->pass) && !lim_is_antialiased(&nearest->pass->view);
 }
@@ -224,7 +225,14 @@ enum outcome {
     SLOW_PATH /* nothing was done: collect_any() */
 };
 
-/* A polygon as most are: of one colour, neither clipped nor non-monotone, and with room for its points where they would
+/* Where a record with LIM_POLYGON_TEXTURE names it, or LIM_NONE of any record: textures may have been taken away. */
+static inline uint16_t texture_word(const struct lim_pass *pass, const LIM_FLASH lim_index *record)
+{
+    if (!LIM_HAS_TEXTURE || !(record[0] & LIM_POLYGON_TEXTURE) || !lim_texture_count(pass->scene)) return LIM_NONE;
+    return (uint16_t)(record - pass->scene->polygons + lim_record_words(record[0]) - LIM_POLYGON_TEXTURE_WORDS);
+}
+
+/* A polygon as most are: opaque, neither clipped nor non-monotone, and with room for its points where they would
  * be retained. They are projected to that place, so none of it is ever copied. */
 static inline enum outcome collect_fast(struct lim_nearest *nearest, const LIM_FLASH lim_index *record)
 {
@@ -261,8 +269,13 @@ static inline enum outcome collect_fast(struct lim_nearest *nearest, const LIM_F
         shown = seen;
     }
     if (LIM_HAS_STATS) lim_stats_of(pass)->polygons_seen++;
-    lim_retained_link(&nearest->retained, &nearest->spans.lines[shown.top], n, shape.first, (uint16_t)shown.bottom,
-                      lim_memory_colour((uint16_t)record[1]), (uint16_t)(LIM_RETAINED_HEAD_CELLS + n));
+    const uint16_t texture = texture_word(pass, record);
+    const bool textured = LIM_HAS_TEXTURE && texture != LIM_NONE;
+    if (textured) nearest->retained.textured = true;
+    lim_retained_link(&nearest->retained, &nearest->spans.lines[shown.top], n, shape.first,
+                      (uint16_t)((unsigned)shown.bottom | (textured ? LIM_RETAINED_TEXTURE : 0u)),
+                      textured ? texture : lim_memory_colour((uint16_t)record[1]),
+                      (uint16_t)(LIM_RETAINED_HEAD_CELLS + n));
     return COLLECTED;
 }
 

@@ -42,11 +42,16 @@ static inline bool lim_wants_antialias(const struct lim_nearest *nearest)
     return LIM_HAS_ANTIALIAS && nearest->paint.smooth->sums && !lim_wireframe_of(nearest->pass);
 }
 
-/* Whether frames, but for changes, are as lim_can_fill() says. */
+/* Whether frames are whole ones of pixels that are one polygon's each. */
+static inline bool lim_nearest_is_plain(const struct lim_nearest *nearest)
+{
+    return !(LIM_HAS_DELTA && *nearest->paint.delta) && !lim_wants_antialias(nearest);
+}
+
+/* Whether these are also as lim_can_fill() says. */
 static inline bool lim_nearest_can_fill(const struct lim_nearest *nearest)
 {
-    return !(LIM_HAS_DELTA && *nearest->paint.delta) && !lim_wants_antialias(nearest) &&
-           lim_can_fill(lim_nearest_sorter(nearest), nearest->pass);
+    return lim_nearest_is_plain(nearest) && lim_can_fill(lim_nearest_sorter(nearest), nearest->pass);
 }
 
 #endif

@@ -96,11 +96,12 @@ static int fill_clamped(struct lim_painter *painter, const struct lim_textured_s
     return fill_piece(painter, span, (uint16_t)x0, (uint16_t)x1, polygon);
 }
 
-static void begin_texture(struct lim_painter *painter, const struct lim_screen_polygon *polygon,
+/* n: its corners; none of a piece. */
+static void begin_texture(struct lim_painter *painter, const struct lim_screen_polygon *polygon, uint8_t n,
                           struct lim_gradients *gradients)
 {
     if (LIM_HAS_TEXTURE && lim_screen_texture(polygon) != LIM_NONE)
-        lim_texture_set(painter->pass->texturing, lim_screen_texture(polygon), gradients);
+        lim_texture_set(painter->pass->texturing, lim_screen_texture(polygon), polygon->at, n, gradients);
 }
 
 static int paint_plain(struct lim_painter *painter, const struct lim_screen_polygon *polygon,
@@ -114,7 +115,7 @@ static int paint_plain(struct lim_painter *painter, const struct lim_screen_poly
 
     if (y >= bottom) return 0;
     if (LIM_HAS_STATS) lim_stats_of(painter->pass)->lines += (uint32_t)(bottom - y);
-    begin_texture(painter, polygon, &gradients);
+    begin_texture(painter, polygon, polygon->n, &gradients);
     lim_edge_begin(&pair, polygon->n, polygon->shape.first);
     for (;;) {
         lim_edge_advance(&pair, polygon->at, polygon->n, y);
@@ -247,7 +248,7 @@ static LIM_IF_CALLED int paint_piece_line(struct lim_painter *painter, uint16_t 
         const struct lim_point line = lim_piece_line(lim_painter_sorter(painter), entry, polygon, (int16_t)y);
         const struct lim_textured_span span = {painter->pass->texturing, &gradients, (int16_t)y, (int16_t)line.x,
                                                (int16_t)line.y};
-        begin_texture(painter, polygon, &gradients);
+        begin_texture(painter, polygon, 0, &gradients);
         const int err = fill_clamped(painter, &span, polygon);
         if (err) return err;
     }

@@ -46,8 +46,7 @@ static uint16_t comfortable_pieces(const struct lim_scene *scene, const struct l
 /* What scan lines paint leaves no gaps. What they cannot paint makes do with one. */
 static uint16_t comfortable_gaps(const struct lim_scene *scene, const struct lim_target *target)
 {
-    if (!LIM_IS_SCANLINE(target) || (LIM_HAS_TRANSPARENT && scene->limits.layers)) return scene->limits.gaps;
-    return LIM_HAS_TEXTURE && lim_texture_count(scene) ? scene->limits.gaps : 1;
+    return LIM_IS_SCANLINE(target) && !(LIM_HAS_TRANSPARENT && scene->limits.layers) ? 1 : scene->limits.gaps;
 }
 
 /* Whether all frames are painted polygon by polygon, as far as there are gaps: then nothing waits for its line. */

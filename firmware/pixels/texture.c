@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT
  *
- * Setting up: per frame the camera's axes, per polygon three planes over the screen. Axes have 30 fraction bits in two
- * limbs and normals 15, so no sum of products leaves 32 bits. The planes are then scaled, each by a
- * power of two, until they fill 30 bits: what rounding a gradient adds up to over half a screen of 240 pixels is 2^-23
- * of the largest depth on the screen. */
+ * Setting up: per frame the camera's axes, per polygon three planes over the screen, or where they are as good as flat
+ * what a pixel adds. Axes have 30 fraction bits in two limbs and normals 15, so no sum of products leaves 32 bits. In
+ * profiles with limbs the planes are then scaled, each by a power of two, until they fill 30 bits: what rounding a
+ * gradient adds up to over half a screen of 240 pixels is 2^-23 of the largest depth on the screen. */
 #include "pixels/texture.h"
 
 #include "math/fixed.h"
@@ -11,17 +11,10 @@
 
 #if LIM_HAS_TEXTURE
 
-enum { PLANE_BITS = 30, MIDDLE_OF_LEVEL_Q4 = 8 };
-
-/* x times 2^bits, rounded. */
-static int32_t scaled(int32_t x, int_fast16_t bits)
-{
-    if (bits >= 0) return (int32_t)((uint32_t)x << bits);
-    return bits < -PLANE_BITS ? 0 : (int32_t)shift_round_s64(x, (uint8_t)-bits);
-}
+enum { PLANE_BITS = 30, MIDDLE_OF_LEVEL_Q4 = 8, TEXEL_BLOCK = LIM_TEXEL_BLOCK };
 
 /* log2(x) for x >= 1. */
-static int16_t log2_q4(uint32_t x)
+static inline int16_t log2_q4(uint32_t x)
 {
     uint8_t zeros;
     const uint32_t mantissa_q31 = normalise_u32(x, &zeros);
@@ -31,28 +24,57 @@ static int16_t log2_q4(uint32_t x)
 
 /* Once a frame ------------------------------------------------------------------------------------- */
 
-static void texture_set_axes(struct lim_texturing *texturing, const struct lim_camera *camera)
+static void set_axis(struct lim_texture_axis *axis, const int32_t way_q30[3])
 {
-    int32_t axes_q30[9];
-
-    lim_orientation_set(axes_q30, camera);
-    for (uint_fast8_t i = 0; i < 9; i++) {
-        struct lim_texture_axis *axis = &texturing->axes[i / 3];
-        const int32_t high_q15 = shift_round_s32(axes_q30[i], 15);
-        axis->high_q15[i % 3] = high_q15;
-        axis->low_q30[i % 3] = axes_q30[i] - high_q15 * 32768;
+    for (uint_fast8_t i = 0; i < LIM_TEXTURE_AXES; i++) {
+        const int32_t way = way_q30[i % 3];
+        axis->high_q14[i] = (int16_t)((way + 0x8000) >> 16);
+        axis->low_q30[i] = (int16_t)(way - axis->high_q14[i] * INT32_C(65536));
     }
 }
 
-/* tan / side. Both mantissas are cut, by 2^-21 at most: the texture is that much too narrow, a 4000th of a pixel. */
-static void set_tangent(struct lim_texturing *texturing, uint_fast8_t i, uint32_t tan_q28, int16_t side_px)
+/* tan / side = mantissa / 2^31 / 2^bits. Both mantissas are cut, by 2^-21 at most: the texture is that much too narrow,
+ * a 4000th of a pixel. */
+static int32_t mantissa_of(uint32_t tan_q28, int16_t side_px, int8_t *bits)
 {
     uint8_t zeros, more;
     const uint32_t quotient = normalise_u32(tan_q28, &zeros) / (uint16_t)side_px;
+    const uint32_t mantissa_q32 = normalise_u32(quotient, &more);
 
-    texturing->tan_q28[i] = tan_q28;
-    texturing->tan_a_px[i] = (int32_t)(normalise_u32(quotient, &more) >> 1);
-    texturing->tan_a_px_bits[i] = (int8_t)(zeros + more - 4);
+    *bits = (int8_t)(zeros + more - 4);
+    return (int32_t)(mantissa_q32 >> 1);
+}
+
+/* x / 2^bits, or what of it 32 bits hold. */
+static inline int32_t moved(int32_t x, int_fast16_t bits)
+{
+    return bits >= 0 ? x >> (bits < 31 ? bits : 31) : (int32_t)((uint32_t)x << -bits);
+}
+
+/* What a half-pixel adds to the way ahead. In profiles without limbs all three axes are of one length, such that no sum
+ * over twice the screen leaves 31 bits. */
+static void texture_set_axes(struct lim_texturing *texturing, const struct lim_camera *camera)
+{
+    const uint32_t tans_q28[2] = {camera->tan_x_q28, camera->tan_y_q28};
+    const int16_t sides_px[2] = {texturing->w_px, texturing->h_px};
+    /* 1 + 3 tan_x + tan_y: twice as much is 2^bits or less. */
+    const uint32_t most_q25 = (UINT32_C(1) << 25) + (tans_q28[0] >> 2) + (tans_q28[0] >> 3) + (tans_q28[1] >> 3) + 1;
+    const int8_t shorter = LIM_HAS_LIMBS ? 0 : (int8_t)(6 - clz_u32(most_q25));
+    int32_t axes_q30[9];
+
+    lim_orientation_set(axes_q30, camera);
+    for (uint_fast8_t i = 0; i < 2; i++) {
+        int8_t bits;
+        const int32_t mantissa_q31 = mantissa_of(tans_q28[i], sides_px[i], &bits);
+        texturing->axis_bits[i] = LIM_HAS_LIMBS ? bits : (int8_t)(-shorter);
+        for (uint_fast8_t k = (uint_fast8_t)(3 * i), end = (uint_fast8_t)(k + 3); k < end; k++)
+            axes_q30[k] = moved(mul_high_s32(axes_q30[k], mantissa_q31) * 2, LIM_HAS_LIMBS ? 0 : bits + shorter);
+    }
+    texturing->axis_bits[2] = (int8_t)(-shorter);
+    for (uint_fast8_t k = 6; k < 9; k++)
+        axes_q30[k] >>= shorter;
+    for (uint_fast8_t i = 0; i < 3; i++)
+        set_axis(&texturing->axes[i], &axes_q30[3 * i]);
 }
 
 void lim_texture_begin(struct lim_texturing *texturing, const struct lim_scene *scene, const struct lim_view *view,
@@ -62,11 +84,12 @@ void lim_texture_begin(struct lim_texturing *texturing, const struct lim_scene *
     texturing->w_px = (int16_t)view->width.px;
     texturing->h_px = (int16_t)view->height.px;
     texturing->far_bits = (uint8_t)(32 - clz_u32(view->rows.far_units));
-    for (uint_fast8_t i = 0; i < 3; i++)
-        texturing->eye_q8[i] = camera->eye_q8[i];
+    for (uint_fast8_t i = 0; i < LIM_TEXTURE_AXES; i++) {
+        const int32_t at_q8 = camera->eye_q8[i % 3];
+        texturing->eye_high[i] = (int16_t)((at_q8 + 0x8000) >> 16);
+        texturing->eye_low_q8[i] = (int16_t)(at_q8 - texturing->eye_high[i] * INT32_C(65536));
+    }
     texture_set_axes(texturing, camera);
-    set_tangent(texturing, 0, camera->tan_x_q28, texturing->w_px);
-    set_tangent(texturing, 1, camera->tan_y_q28, texturing->h_px);
     /* log2 of a pixel's side at depth 1, the mean of both: 2 tan / side. */
     const int16_t sum_q4 = (int16_t)(log2_q4(camera->tan_x_q28) + log2_q4(camera->tan_y_q28) -
                                      log2_q4((uint32_t)texturing->w_px) - log2_q4((uint32_t)texturing->h_px));
@@ -75,128 +98,398 @@ void lim_texture_begin(struct lim_texturing *texturing, const struct lim_scene *
 
 /* Once a polygon ----------------------------------------------------------------------------------- */
 
-/* |n[0]| + |n[1]| + |n[2]| <= 32767: below 2^30 with both limbs. */
-static int32_t dot_q15(const int16_t n[3], const struct lim_texture_axis *axis)
+static inline int32_t dot_2(const LIM_FLASH int16_t *a, const int16_t *b)
 {
-    int32_t high = 0, low = 0;
+#if LIM_DUAL_MULTIPLY
+    return (int32_t)fixed_dot_pairs(a, b, 0);
+#else
+    return a[0] * b[0] + a[1] * b[1];
+#endif
+}
 
-    for (uint_fast8_t i = 0; i < 3; i++) {
-        high += n[i] * axis->high_q15[i];
-        low += n[i] * axis->low_q30[i];
+static inline int32_t dot_3(const int16_t *a, const int16_t *b)
+{
+    return dot_2(a, b) + (int32_t)a[2] * b[2];
+}
+
+/* The components add up to 32767 at most: below 2^30 with both limbs. */
+static inline int32_t normal_q15(const int16_t n[3], const struct lim_texture_axis *axis)
+{
+    return dot_3(n, axis->high_q14) * 2 + (dot_3(n, axis->low_q30) >> 15);
+}
+
+static inline int32_t across_q15(const LIM_FLASH int16_t a[2], const struct lim_texture_axis *axis, uint_fast8_t j)
+{
+    return dot_2(a, &axis->high_q14[j]) * 2 + (dot_2(a, &axis->low_q30[j]) >> 15);
+}
+
+/* What a plane may be at most, in 2^12. X goes three times as far as the screen: a stretch's end may lie beyond. */
+static inline uint32_t most_of(const struct lim_texturing *texturing, const struct lim_texture_plane *plane)
+{
+    return (abs_s32(plane->at) >> 12) + 3 +
+           (uint32_t)moved((int32_t)(abs_s32(plane->x) >> 12) * 3 * texturing->w_px, texturing->axis_bits[0]) +
+           (uint32_t)moved((int32_t)(abs_s32(plane->y) >> 12) * texturing->h_px, texturing->axis_bits[1]);
+}
+
+/* Scales planes until the larger one fills PLANE_BITS, and says by how many bits. Without limbs they are left as they
+ * are. */
+static inline int8_t fill_bits(const struct lim_texturing *texturing, struct lim_texture_plane *planes,
+                               uint_fast8_t count)
+{
+    uint32_t most = 0;
+
+    if (!LIM_HAS_LIMBS) return texturing->axis_bits[2];
+    for (uint_fast8_t i = 0; i < count; i++)
+        most |= most_of(texturing, &planes[i]);
+    const int8_t bits = (int8_t)(clz_u32(most) - (32 - PLANE_BITS + 12));
+    for (uint_fast8_t i = 0; i < count; i++) {
+        planes[i].at = moved(planes[i].at, -bits);
+        planes[i].x = moved(planes[i].x, texturing->axis_bits[0] - bits);
+        planes[i].y = moved(planes[i].y, texturing->axis_bits[1] - bits);
     }
-    return high + (low >> 15);
-}
-
-static int64_t dot_eye_q8(const int16_t n[3], const int32_t eye_q8[3])
-{
-    return (int64_t)n[0] * eye_q8[0] + (int64_t)n[1] * eye_q8[1] + (int64_t)n[2] * eye_q8[2];
-}
-
-/* (a b) / 2^32 of numbers without a sign, b < 2^31, and at least that much. */
-static uint32_t bound_of(int32_t a, uint32_t b)
-{
-    return (uint32_t)mul_high_s32((int32_t)abs_s32(a), (int32_t)b) + 1;
-}
-
-/* n . D, times 2^15 and times what fills PLANE_BITS: returns how many bits that is. */
-static int8_t texture_set_plane(const struct lim_texturing *texturing, const int16_t n[3],
-                                struct lim_texture_plane *out)
-{
-    const int32_t right = dot_q15(n, &texturing->axes[0]), down = dot_q15(n, &texturing->axes[1]);
-    const int32_t ahead = dot_q15(n, &texturing->axes[2]);
-    /* A 16th of the largest value: X goes twice as far as the screen. Tangents have 28 bits, and 4 more make 32. */
-    const uint32_t most_q11 =
-        (abs_s32(ahead) >> 4) + 1 + bound_of(right, texturing->tan_q28[0]) * 2 + bound_of(down, texturing->tan_q28[1]);
-    const int8_t bits = (int8_t)(clz_u32(most_q11) - (32 - PLANE_BITS + 4));
-
-    out->at = scaled(ahead, bits);
-    out->x = scaled(mul_high_s32(right * 2, texturing->tan_a_px[0]), bits - texturing->tan_a_px_bits[0]);
-    out->y = scaled(mul_high_s32(down * 2, texturing->tan_a_px[1]), bits - texturing->tan_a_px_bits[1]);
     return bits;
 }
 
-/* The eye's distance from the mapping's plane, in the length of its normal: h = mantissa 2^bits, mantissa of 30 bits.
- */
+/* The eye's distance from the mapping's plane, in the length of its normal: h = mantissa 2^(bits - 8), mantissa of 31
+ * bits. */
 struct height {
     int32_t mantissa;
     int8_t bits;
+    bool behind;
 };
 
-static struct height height_of(int64_t h_q8)
+/* An eye in the plane itself sees nothing of it; with rounding perhaps a line of pixels, whose texels are as good as
+ * any. */
+static inline struct height height_of(const struct lim_texturing *texturing, const int16_t n[3], int32_t d)
 {
-    struct height height = {0, 0};
-
-    while (h_q8 > INT32_MAX) {
-        h_q8 >>= 1;
-        height.bits++;
+    /* h = upper * 2^16 + lower, lower not negative. */
+    const int32_t rest_q8 = (d & 255) * 256 - dot_3(n, texturing->eye_low_q8);
+    int32_t upper = (d >> 8) - dot_3(n, texturing->eye_high) + (rest_q8 >> 16), lower = rest_q8 & 0xFFFF;
+    const bool behind = upper < 0;
+    if (behind) {
+        upper = -upper - (lower > 0);
+        lower = -lower & 0xFFFF;
     }
+    const uint32_t high = (uint32_t)upper >> 16, low = (uint32_t)upper << 16 | (uint32_t)lower;
+    struct height height = {.behind = behind};
     uint8_t zeros;
-    height.mantissa = (int32_t)(normalise_u32((uint32_t)h_q8, &zeros) >> 1);
-    height.bits = (int8_t)(height.bits + 1 - zeros);
+
+    if (high) {
+        const uint32_t mantissa = normalise_u32(high, &zeros);
+        height.mantissa = (int32_t)((mantissa | low >> 1 >> (31 - zeros)) >> 1);
+        height.bits = (int8_t)(33 - zeros);
+    } else {
+        height.mantissa = (int32_t)(normalise_u32(low ? low : 1, &zeros) >> 1);
+        height.bits = (int8_t)(1 - zeros);
+    }
     return height;
 }
 
-static void times(struct lim_texture_plane *plane, int32_t by_q31)
+static inline void times(struct lim_texture_plane *plane, int32_t by_q31)
 {
     plane->at = mul_high_s32(plane->at * 2, by_q31);
     plane->x = mul_high_s32(plane->x * 2, by_q31);
     plane->y = mul_high_s32(plane->y * 2, by_q31);
 }
 
-static void negate(struct lim_texture_plane *plane)
+static inline void negate(struct lim_texture_plane *plane)
 {
     plane->at = -plane->at;
     plane->x = -plane->x;
     plane->y = -plane->y;
 }
 
+static inline int32_t plane_at(const struct lim_texture_plane *plane, int32_t x, int32_t y)
+{
+    return plane->at + plane->x * x + plane->y * y;
+}
+
 /* Depth at 2^far_bits units: h / 2^far_bits, in the format of `depth`. Rounding leaves some pixels outside of their
  * polygon, and there the depth may be anything; no smaller one is ever divided by. */
-static int32_t depth_min_of(struct height height, int8_t depth_bits, uint8_t far_bits)
+static inline int32_t depth_min_of(struct height height, int8_t depth_bits, uint8_t far_bits)
 {
-    const int_fast16_t bits = (int_fast16_t)(height.bits + 7 + depth_bits - far_bits);
-    const int32_t least = bits >= 0 ? INT32_C(1) << 29 : scaled(height.mantissa, bits);
+    const int_fast16_t bits = (int_fast16_t)(far_bits - height.bits - 7 - depth_bits);
+    const int32_t least = bits <= 1 ? INT32_C(1) << 29 : moved(height.mantissa, bits);
 
-    return least < 1 ? 1 : least > INT32_C(1) << 29 ? INT32_C(1) << 29 : least;
+    return least < 1 ? 1 : least;
 }
 
-static uint32_t eye_texel_q16(int64_t sum_q8, uint8_t bits, int32_t at_zero_q16)
+/* The place at the eye, of a coordinate that is across the axes j and k. */
+static inline uint32_t eye_place_q16(const struct lim_texturing *texturing, const LIM_FLASH int16_t a[2],
+                                     uint_fast8_t j, uint8_t bits, uint16_t at_zero_q16)
 {
-    const uint64_t sum = bits >= 8 ? (uint64_t)(sum_q8 >> (bits - 8)) : (uint64_t)sum_q8 << (8 - bits);
+    const int32_t high = dot_2(a, &texturing->eye_high[j]), low = dot_2(a, &texturing->eye_low_q8[j]);
+    const int_fast16_t down = (int_fast16_t)(bits - 8); /* of high * 2^16 + low, which has 8 + bits fraction bits */
 
-    return (uint32_t)sum + (uint32_t)at_zero_q16;
+    return at_zero_q16 + (down >= 16  ? lim_texture_shifted(high + (low >> 16), down - 16)
+                          : down >= 0 ? ((uint32_t)high << (16 - down)) + (uint32_t)(low >> down)
+                                      : ((uint32_t)high << 8 << (8 - down)) + ((uint32_t)low << -down));
 }
 
-/* An eye in the plane itself sees nothing of it; with rounding perhaps a line of pixels, whose texels are as good as
- * any. */
-static int64_t height_q8(const struct lim_texturing *texturing, const struct lim_mapping *mapping)
-{
-    const int64_t h_q8 = mapping->d * INT64_C(256) - dot_eye_q8(mapping->n, texturing->eye_q8);
+/* The pixels of the screen around a polygon: their middle, and how far they reach from there. */
+struct around {
+    int32_t x, y, w, h;
+};
 
-    return h_q8 ? h_q8 : 1;
+static inline void middle_of(int32_t least, int32_t most, int16_t side_px, int32_t *middle, int32_t *reach)
+{
+    int32_t from = (least >> LIM_SUB_BITS) + LIM_ORIGIN_PX, to = (most >> LIM_SUB_BITS) + LIM_ORIGIN_PX + 1;
+
+    if (from < 0) from = 0;
+    if (to > side_px) to = side_px;
+    *middle = (from + to) >> 1;
+    *reach = ((to - from) >> 1) + 1;
 }
 
-void lim_texture_set(const struct lim_texturing *texturing, uint16_t word, struct lim_gradients *out)
+static inline struct around around_points(const struct lim_texturing *texturing, const struct lim_point *at, uint8_t n)
+{
+    struct around around;
+
+    if (!n) {
+        const int32_t w = texturing->w_px >> 1, h = texturing->h_px >> 1;
+        return (struct around){w, h, w + 1, h + 1};
+    }
+    int32_t left = at->x, right = left, top = at->y, bottom = top;
+    while (--n) {
+        const int32_t x = (++at)->x, y = at->y;
+        if (x < left) left = x;
+        if (x > right) right = x;
+        if (y < top) top = y;
+        if (y > bottom) bottom = y;
+    }
+    middle_of(left, right, texturing->w_px, &around.x, &around.w);
+    middle_of(top, bottom, texturing->h_px, &around.y, &around.h);
+    return around;
+}
+
+/* What has to be known before it is decided how to draw. */
+struct seen {
+    struct lim_texture_plane depth, uv[2]; /* n . D, a . D */
+    struct height height;
+    uint32_t eye_uv_q16[2];
+    int16_t level_q4; /* as in struct lim_texture_planes */
+    int8_t shift, depth_bits;
+};
+
+static inline void see(const struct lim_texturing *texturing, const LIM_FLASH struct lim_mapping *mapping,
+                       struct seen *seen)
+{
+    const struct lim_texture_axis *axes = texturing->axes;
+    const uint8_t bits = mapping->scale & LIM_MAPPING_BITS;
+    const uint_fast8_t axis = mapping->scale >> LIM_MAPPING_AXIS_SHIFT, j = lim_axis_after(axis);
+    int16_t n[3] = {0, 0, 0};
+    int32_t d;
+
+    if (mapping->scale & LIM_MAPPING_UPRIGHT) {
+        n[axis] = LIM_MAPPING_UPRIGHT_N;
+        d = (lim_offset)mapping->plane * INT32_C(LIM_MAPPING_UPRIGHT_N);
+    } else {
+        const LIM_FLASH struct lim_plane *plane = lim_plane_at(texturing->scene->planes, mapping->plane);
+        n[0] = lim_plane_x(plane), n[1] = lim_plane_y(plane), n[2] = lim_plane_z(plane);
+        d = lim_plane_d(plane);
+    }
+
+    seen->height = height_of(texturing, n, d);
+    seen->depth = (struct lim_texture_plane){normal_q15(n, &axes[2]), normal_q15(n, &axes[0]), normal_q15(n, &axes[1])};
+    if (seen->height.behind) negate(&seen->depth);
+    seen->depth_bits = fill_bits(texturing, &seen->depth, 1);
+    for (uint_fast8_t i = 0; i < 2; i++) {
+        const LIM_FLASH int16_t *a = mapping->uv[i];
+        seen->uv[i] = (struct lim_texture_plane){across_q15(a, &axes[2], j), across_q15(a, &axes[0], j),
+                                                 across_q15(a, &axes[1], j)};
+        seen->eye_uv_q16[i] = eye_place_q16(texturing, a, j, bits, mapping->at_zero_q16[i]);
+    }
+    const int8_t uv_bits = fill_bits(texturing, seen->uv, 2);
+    seen->shift = (int8_t)(bits + uv_bits - seen->depth_bits - seen->height.bits - 9);
+    seen->level_q4 =
+        (int16_t)(mapping->level_q3 * 2 + 7 * 16 + texturing->level_q4 + log2_q4((uint32_t)seen->height.mantissa) +
+                  16 * seen->height.bits + (29 * 16 + 3 * 16 * seen->depth_bits) / 2 + MIDDLE_OF_LEVEL_Q4 -
+                  3 * LIM_TEXTURE_LOG2_Q4 / 2);
+}
+
+/* Even ------------------------------------------------------------------------------------------------------------ */
+
+/* How much of a coordinate a pixel is, of a plane's gradient for half of one: what is left of it when the depth's part,
+ * `ratio` times the depth's gradient, is gone, times h / depth. */
+static inline int32_t step_of(int32_t gradient, int32_t ratio, int32_t depth_gradient, int32_t h_recip,
+                              int_fast16_t down)
+{
+    const int32_t rest = gradient - mul_high_s32(ratio, depth_gradient) * 4;
+
+    return (int32_t)(lim_texture_shifted(lim_texture_times(rest, h_recip), down - 1) + 1) >> 1;
+}
+
+/* How far from that of the middle the depth of any pixel is. */
+static inline int32_t depth_range(const struct lim_texture_plane *depth, const struct around *around)
+{
+    return ((int32_t)abs_s32(depth->x) * around->w + (int32_t)abs_s32(depth->y) * around->h) * 2;
+}
+
+/* Whether the polygon may be drawn so, and how.
+ *
+ * Where depth is (1 + e) times that of the middle, texels are off by e / (1 + e) of their way from there along the
+ * gradients of the middle: u = (u0 + g . q) / (1 + e) if u0 + g . q are what the gradients alone would have. */
+static bool set_even(const struct lim_texturing *texturing, const struct seen *seen, const struct around *around,
+                     struct lim_gradients *out)
+{
+    const int32_t x = 2 * around->x + 1 - texturing->w_px, y = 2 * around->y + 1 - texturing->h_px;
+    const int32_t depth = plane_at(&seen->depth, x, y);
+    const uint32_t range = (uint32_t)depth_range(&seen->depth, around);
+    uint8_t zeros;
+
+    if (depth < 64 || range >= (uint32_t)depth >> 2) return false;
+    const int32_t recip_q31 = lim_texture_reciprocal((uint32_t)depth, &zeros);
+    const int_fast16_t down = (int_fast16_t)(seen->shift - zeros);
+    const int32_t h_recip = lim_texture_h_recip(seen->height.mantissa, recip_q31);
+    const int32_t depth_x = (int32_t)((uint32_t)seen->depth.x << zeros),
+                  depth_y = (int32_t)((uint32_t)seen->depth.y << zeros);
+    uint32_t place[2], farthest_q16 = 0;
+    int32_t step_x[2], step_y[2];
+
+    for (uint_fast8_t i = 0; i < 2; i++) {
+        const struct lim_texture_plane *uv = &seen->uv[i];
+        const int32_t ratio = lim_texture_times(plane_at(uv, x, y), recip_q31);
+        step_x[i] = step_of(uv->x, ratio, depth_x, h_recip, down - 1);
+        step_y[i] = step_of(uv->y, ratio, depth_y, h_recip, down - 1);
+        if (abs_s32(step_x[i]) >> 15 || abs_s32(step_y[i]) >> 15) return false;
+        const uint32_t way_q16 = abs_s32(step_x[i]) * (uint32_t)around->w + abs_s32(step_y[i]) * (uint32_t)around->h;
+        if (way_q16 > farthest_q16) farthest_q16 = way_q16;
+        place[i] = seen->eye_uv_q16[i] + lim_texture_shifted(mul_high_s32(ratio * 2, seen->height.mantissa), down);
+    }
+    const uint8_t w_bits = out->texture->w_bits;
+    const uint8_t level =
+        lim_texture_level_of(lim_texture_level_q4(seen->level_q4, (uint32_t)depth, zeros), out->texture->levels);
+    const uint32_t way_q8 = (farthest_q16 >> 6 << w_bits) >> (level + 2);
+    const uint32_t e_q14 = (range << zeros >> 16) * ((uint32_t)recip_q31 >> 16) >> 16;
+    if (way_q8 >> 16 || way_q8 * e_q14 > UINT32_C(1) << (23 - LIM_TEXTURE_OFF_BITS)) return false;
+    const int_fast8_t reach_bits = (int_fast8_t)(level + 15 - LIM_TEXTURE_OFF_BITS - w_bits);
+    if (reach_bits < 0 || (uint32_t)(around->w + around->h) >> reach_bits) return false;
+    out->even.x = lim_texture_packed((uint32_t)step_x[0], (uint32_t)step_x[1]);
+    out->even.y = lim_texture_packed((uint32_t)step_y[0], (uint32_t)step_y[1]);
+    out->even.place =
+        (place[0] << 16 | (uint16_t)place[1]) - out->even.x * (uint32_t)around->x - out->even.y * (uint32_t)around->y;
+    lim_texture_set_level(texturing->scene, out, level);
+    return true;
+}
+
+/* In perspective -------------------------------------------------------------------------------------------------- */
+
+/* How the place would change along a line, times depth^2 / h: the larger of what both coordinates have, of two lines.
+ */
+static inline uint32_t change_of(const struct lim_texture_planes *planes, int32_t x, const int32_t y[2])
+{
+    uint32_t most = 1;
+
+    for (uint_fast8_t k = 0; k < 2; k++) {
+        const int32_t depth = plane_at(&planes->depth, x, y[k]);
+        for (uint_fast8_t i = 0; i < 2; i++) {
+            const struct lim_texture_plane *uv = &planes->uv[i];
+            const uint32_t change =
+                abs_s32(mul_high_s32(uv->x, depth) - mul_high_s32(plane_at(uv, x, y[k]), planes->depth.x));
+            if (change > most) most = change;
+        }
+    }
+    return most;
+}
+
+/* Between the ends of n pixels, of which each is g texels farther than the one before and 2 X farther in depth, texels
+ * are off by n^2 g X / (2 depth) at most, where depth is what it is at the farther end. g follows from `change` and
+ * depth^2, and the level from depth^(3/2): so n^2 is a matter of the level, but for factors that are gathered here. */
+static int16_t even_q4_of(const struct seen *seen, uint32_t change, uint8_t w_bits)
+{
+    const int32_t slope_q4 = log2_q4(abs_s32(seen->depth.x) | 1);
+    const int32_t real_level_q4 = seen->level_q4 - MIDDLE_OF_LEVEL_Q4 + 3 * LIM_TEXTURE_LOG2_Q4 / 2;
+    const int32_t even_q4 = 16 * (seen->shift - w_bits - LIM_TEXTURE_OFF_BITS - 13) - (log2_q4(change) + 32 * 16) -
+                            slope_q4 + 2 * real_level_q4 + MIDDLE_OF_LEVEL_Q4;
+
+    return (int16_t)(even_q4 > INT16_MAX ? INT16_MAX : even_q4 < INT16_MIN ? INT16_MIN : even_q4);
+}
+
+static void set_planes(const struct lim_texturing *texturing, const struct seen *seen, const struct around *around,
+                       struct lim_gradients *out)
+{
+    const int32_t x = 2 * around->x + 1 - texturing->w_px, y = 2 * around->y + 1 - texturing->h_px;
+    const int32_t ys[2] = {y - 2 * around->h, y + 2 * around->h};
+    const int32_t depth = plane_at(&seen->depth, x, y), range = depth_range(&seen->depth, around);
+    struct lim_texture_planes *planes = &out->planes;
+
+    for (uint_fast8_t i = 0; i < 2; i++) {
+        planes->uv[i] = seen->uv[i];
+        times(&planes->uv[i], seen->height.mantissa);
+        planes->eye_uv_q16[i] = seen->eye_uv_q16[i];
+    }
+    planes->depth = seen->depth;
+    planes->depth_min = depth_min_of(seen->height, seen->depth_bits, texturing->far_bits);
+    planes->level_q4 = seen->level_q4;
+    out->shift = seen->shift;
+    for (; out->shift > 31; out->shift--)
+        for (uint_fast8_t i = 0; i < 2; i++)
+            planes->uv[i].at >>= 1, planes->uv[i].x >>= 1, planes->uv[i].y >>= 1;
+    planes->even_q4 = even_q4_of(seen, change_of(planes, x, ys), out->texture->w_bits);
+    out->slope_zeros = clz_u32(abs_s32(seen->depth.x) | 1);
+    const uint32_t near_bits = lim_texture_stretch_bits(out, depth + range),
+                   far_bits = lim_texture_stretch_bits(out, depth - range);
+    out->bits = near_bits == far_bits ? (uint8_t)far_bits : 0;
+    planes->level_depths = 0;
+}
+
+void lim_texture_set_level(const struct lim_scene *scene, struct lim_gradients *gradients, uint8_t number)
+{
+    const LIM_FLASH struct lim_texture *texture = gradients->texture;
+    struct lim_texture_level *level = &gradients->level;
+    const uint8_t w_bits = (uint8_t)(texture->w_bits - number), h_bits = (uint8_t)(texture->h_bits - number);
+    uint32_t size = UINT32_C(1) << (texture->w_bits + texture->h_bits);
+
+    level->number = number;
+    level->w_bits = w_bits;
+    level->rows_mask = ((UINT32_C(1) << h_bits) - 1) << w_bits;
+    level->palette = scene->palettes + texture->palette;
+    level->texels = scene->texels + (uint32_t)texture->texels * TEXEL_BLOCK;
+    for (; number; number--, size >>= 2)
+        level->texels += size;
+}
+
+/* The least depth whose log2 is that, as lim_texture_level_q4() has it. */
+static uint32_t depth_of(int32_t log2_q4)
+{
+    const int32_t zeros = (31 - log2_q4) >> 4;
+
+    if (zeros < 0) return UINT32_MAX;
+    return zeros > 31 ? 0 : (uint32_t)(log2_q4 + 16 * zeros) << 27 >> zeros;
+}
+
+/* x / 3, rounded up, for |x| < 2^14: 43691 / 2^17 is a third and 2^-18. */
+static inline int32_t third_up(int32_t x)
+{
+    return ((x + 2 + 3 * (1 << 13)) * 43691 >> 17) - (1 << 13);
+}
+
+/* Level n is shown where 16 n <= level_q4 - floor(3/2 log2) < 16 n + 16, but for the first one and the last one. */
+void lim_texture_suit_level(const struct lim_scene *scene, struct lim_gradients *gradients, uint32_t depth)
+{
+    struct lim_texture_planes *planes = &gradients->planes;
+    const uint8_t levels = gradients->texture->levels;
+    const uint8_t number = lim_texture_level_of(lim_texture_level_q4(planes->level_q4, depth, clz_u32(depth)), levels);
+    const int32_t from_q4 = third_up(2 * (planes->level_q4 - 16 * number - 15));
+    const int32_t to_q4 = third_up(2 * (planes->level_q4 - 16 * number + 1));
+    const uint32_t from = number == levels - 1 ? 0 : depth_of(from_q4);
+
+    planes->level_depth = from;
+    planes->level_depths = (number ? depth_of(to_q4) : UINT32_MAX) - from;
+    lim_texture_set_level(scene, gradients, number);
+}
+
+void lim_texture_set(const struct lim_texturing *texturing, uint16_t word, const struct lim_point *at, uint8_t n,
+                     struct lim_gradients *out)
 {
     const LIM_FLASH lim_index *words = &texturing->scene->polygons[word];
-    const struct lim_mapping mapping = texturing->scene->mappings[words[1]];
-    const int64_t h_q8 = height_q8(texturing, &mapping);
-    const struct height height = height_of(h_q8 < 0 ? -h_q8 : h_q8);
-    const int8_t depth_bits = texture_set_plane(texturing, mapping.n, &out->depth);
+    const struct around around = around_points(texturing, at, n);
+    struct seen seen;
 
-    out->texture = texturing->scene->textures[words[0]];
-    if (h_q8 < 0) negate(&out->depth);
-    for (uint_fast8_t i = 0; i < 2; i++) {
-        const int8_t bits = texture_set_plane(texturing, mapping.uv[i], &out->uv[i]);
-        times(&out->uv[i], height.mantissa);
-        out->shift[i] = (int8_t)(23 - 32 + bits + mapping.bits[i] - height.bits - depth_bits);
-        out->eye_uv_q16[i] =
-            eye_texel_q16(dot_eye_q8(mapping.uv[i], texturing->eye_q8), mapping.bits[i], mapping.at_zero_q16[i]);
-    }
-    out->depth_min = depth_min_of(height, depth_bits, texturing->far_bits);
-    out->level_q4 =
-        (int16_t)(mapping.level_q4 + texturing->level_q4 + log2_q4((uint32_t)height.mantissa) + 16 * height.bits +
-                  (29 * 16 + 3 * 16 * depth_bits) / 2 + MIDDLE_OF_LEVEL_Q4 - 3 * LIM_TEXTURE_LOG2_Q4 / 2);
+    out->texture = &texturing->scene->textures[words[0]];
+    see(texturing, &texturing->scene->mappings[words[1]], &seen);
+    out->is_even = set_even(texturing, &seen, &around, out);
+    if (!out->is_even) set_planes(texturing, &seen, &around, out);
 }
 
 #endif

@@ -1,207 +1,144 @@
 /* SPDX-License-Identifier: MIT
  *
- * Painting: a division every so many pixels of a line, texels along a straight line in between. */
+ * A line: stretches of 2^bits pixels, with a division at each end and texels along a straight line in between. How long
+ * they may be is decided where the line is farthest away, where texels are closest together. */
 #include "pixels/texture.h"
-
-#include "math/fixed.h"
 
 #if LIM_HAS_TEXTURE
 
-enum { STEP_PX = 1 << LIM_TEXTURE_STEP_BITS, TEXEL_BLOCK = LIM_TEXEL_BLOCK };
-
-/* x / 2^bits; what leaves 32 bits to the left are whole turns of the texture, or texels finer than any pixel. */
-static uint32_t shifted(int32_t x, int_fast16_t bits)
+/* The planes at a pixel of the line. */
+static LIM_IN_EACH_CALLER void go_to(struct lim_texture_line *line, const struct lim_texture_planes *planes,
+                                     int32_t x_px, int32_t y_px)
 {
-    if (bits >= 0) return (uint32_t)(x >> (bits < 31 ? bits : 31));
-    return bits > -32 ? (uint32_t)x << -bits : 0;
+    const int32_t x = 2 * x_px + 1 - line->texturing->w_px, y = 2 * y_px + 1 - line->texturing->h_px;
+
+    line->depth = planes->depth.at + planes->depth.x * x + planes->depth.y * y;
+    line->uv[0] = planes->uv[0].at + planes->uv[0].x * x + planes->uv[0].y * y;
+    line->uv[1] = planes->uv[1].at + planes->uv[1].x * x + planes->uv[1].y * y;
 }
 
-/* 1 / depth as r * 2^(zeros - 62). In draft and fast r has 15 bits, as good as x / z has: texels are off by 2^-15 of
- * their distance from where the eye looks, which is a screen's width of texels. */
-static inline int32_t reciprocal(uint32_t depth, uint8_t *zeros)
+/* Where the planes have come to. A place so far away that a shift would have to go left is finer than any pixel. */
+static LIM_IN_EACH_CALLER uint32_t sample(struct lim_texture_line *line, const struct lim_texture_planes *planes)
 {
-    if (LIM_HAS_LIMBS) return (int32_t)recip_q31_of(depth, zeros);
-    return (int32_t)((recip_q24(depth, zeros) >> 9) * 65536);
-}
-
-static inline int32_t times_reciprocal(int32_t x, int32_t recip_q31)
-{
-    return LIM_HAS_LIMBS ? mul_high_s32(x, recip_q31) : mul_s32_top(x, recip_q31);
-}
-
-/* log2(depth) is that of the mantissa and its shift: the reciprocal has found both already. */
-static inline uint8_t level_of(const struct lim_gradients *gradients, uint32_t depth, uint8_t zeros)
-{
-    const int32_t log2_q4 = (int32_t)(depth << zeros >> 27) - zeros * 16;
-    const int32_t level = (gradients->level_q4 - (3 * log2_q4 >> 1)) >> 4;
-    const int32_t last = gradients->texture.levels - 1;
-
-    return (uint8_t)(level < 0 ? 0 : level > last ? last : level);
-}
-
-static void sample(struct lim_texture_line *line, int16_t x_px, struct lim_texel *out)
-{
-    const struct lim_gradients *gradients = line->gradients;
-    const int32_t x = 2 * (int32_t)x_px + 1 - line->w_px;
-    const int32_t sum = line->depth + gradients->depth.x * x;
-    const uint32_t depth = (uint32_t)(sum < gradients->depth_min ? gradients->depth_min : sum);
+    const uint32_t depth = (uint32_t)(line->depth < planes->depth_min ? planes->depth_min : line->depth);
     uint8_t zeros;
-    const int32_t recip_q31 = reciprocal(depth, &zeros);
+    const int32_t recip_q31 = lim_texture_reciprocal(depth, &zeros);
+    const int32_t shift = line->gradients->shift - zeros, down = shift & ~(shift >> 31);
 
-    LIM_UNROLLED(2)
-    for (uint_fast8_t i = 0; i < 2; i++) {
-        const int32_t product = times_reciprocal(line->uv[i] + gradients->uv[i].x * x, recip_q31);
-        out->uv_q16[i] = gradients->eye_uv_q16[i] + shifted(product, (int_fast16_t)(gradients->shift[i] - zeros));
-    }
-    out->level = level_of(gradients, depth, zeros);
+    line->seen_depth = depth;
+    line->at_q16[0] = planes->eye_uv_q16[0] + (uint32_t)(lim_texture_times(line->uv[0], recip_q31) >> down);
+    line->at_q16[1] = planes->eye_uv_q16[1] + (uint32_t)(lim_texture_times(line->uv[1], recip_q31) >> down);
     if (LIM_HAS_STATS) line->divisions++;
+    /* (depth - depth before) / depth, doubled twice: what a stretch may have of it is a half at most. */
+    return (uint32_t)lim_texture_times(line->bend, recip_q31) << zeros;
 }
 
-#if LIM_TEXTURE_STEP_BITS <= 4
-/* 2^15 / n, rounded down. */
-static const LIM_FLASH uint16_t shares_q15[16] = {0,    0,    16384, 10922, 8192, 6553, 5461, 4681,
-                                                  4096, 3640, 3276,  2978,  2730, 2520, 2340, 2184};
-#endif
-
-/* way / n for 2 <= n, rounded down. */
-static inline int32_t share(int32_t way_q16, int_fast16_t n)
+static inline int32_t sum(int32_t a, int32_t b)
 {
-#if LIM_TEXTURE_STEP_BITS <= 4
-    return mul_s32_top(way_q16, (int32_t)shares_q15[n] * 65536) * 2;
-#else
-    uint8_t zeros;
-    const uint32_t recip_q31 = recip_q31_of((uint32_t)n, &zeros);
-
-    return mul_high_s32(way_q16, (int32_t)recip_q31) >> (30 - zeros);
-#endif
+    return (int32_t)((uint32_t)a + (uint32_t)b);
 }
 
-/* A whole stretch from `at` on, or what is left up to the line's last pixel. */
-static void stretch(struct lim_texture_line *line)
+/* A whole stretch from `end` on. */
+static LIM_IN_EACH_CALLER void stretch(struct lim_texture_line *line, struct lim_texture_planes *planes)
 {
-    const int_fast16_t left_px = line->right - line->x;
-    const bool is_whole = left_px > STEP_PX;
-    const int_fast16_t way_px = is_whole ? STEP_PX : left_px - 1;
+    const uint32_t u = line->at_q16[0], v = line->at_q16[1];
 
-    line->end = (int16_t)(line->x + (is_whole ? STEP_PX : left_px));
-    if (way_px)
-        sample(line, (int16_t)(line->x + way_px), &line->to);
-    else
-        line->to = line->at;
-    LIM_UNROLLED(2)
-    for (uint_fast8_t i = 0; i < 2; i++) {
-        const int32_t way_q16 = (int32_t)(line->to.uv_q16[i] - line->at.uv_q16[i]);
-        line->step_q16[i] = is_whole ? way_q16 >> LIM_TEXTURE_STEP_BITS : way_px > 1 ? share(way_q16, way_px) : way_q16;
+    if (line->seen_depth - planes->level_depth >= planes->level_depths)
+        lim_texture_suit_level(line->texturing->scene, line->gradients, line->seen_depth);
+    line->depth = sum(line->depth, line->depth_step);
+    line->uv[0] = sum(line->uv[0], line->uv_step[0]);
+    line->uv[1] = sum(line->uv[1], line->uv_step[1]);
+    const int32_t bend_q30 = (int32_t)sample(line, planes);
+    const int32_t half = line->n_px >> 1;
+    const int32_t u_way = (int32_t)(line->at_q16[0] - u), v_way = (int32_t)(line->at_q16[1] - v);
+    line->walk.place = lim_texture_packed(u + (uint32_t)(mul_high_s32(u_way, bend_q30) >> 1),
+                                          (uint16_t)(v + (uint32_t)(mul_high_s32(v_way, bend_q30) >> 1)));
+    line->walk.step =
+        lim_texture_packed((uint32_t)((u_way + half) >> line->bits), (uint32_t)((v_way + half) >> line->bits));
+    line->x = line->end;
+    line->end = lim_texture_lesser(line->x + line->n_px, line->right);
+}
+
+static LIM_IN_EACH_CALLER void begin_stretches(struct lim_texture_line *line, const struct lim_textured_span *span,
+                                               int32_t x)
+{
+    struct lim_texture_planes *planes = &span->gradients->planes;
+    const int32_t left = span->left < 0 ? 0 : span->left,
+                  right = lim_texture_lesser(span->right, span->texturing->w_px);
+
+    line->texturing = span->texturing;
+    line->gradients = span->gradients;
+    line->right = right;
+    go_to(line, planes, left, span->y);
+    uint32_t bits = span->gradients->bits;
+    if (!bits) {
+        const int32_t right_depth = line->depth + planes->depth.x * 2 * (right - 1 - left);
+        bits = lim_texture_stretch_bits(span->gradients, lim_texture_lesser(line->depth, right_depth));
     }
-    line->level = line->at.level < line->to.level ? line->at.level : line->to.level;
+    /* A stretch that goes on twice as far as the line is long enough. */
+    line->bits = (uint32_t)lim_texture_lesser((int32_t)bits, 32 - clz_u32((uint32_t)(right - left)));
+    line->n_px = (int32_t)1 << line->bits;
+    line->end = left + ((x - left) >> line->bits << line->bits);
+    if (line->end != left) go_to(line, planes, line->end, span->y);
+    line->depth_step = (int32_t)((uint32_t)planes->depth.x << line->bits << 1);
+    line->bend = line->bits ? line->depth_step : 0;
+    line->uv_step[0] = (int32_t)((uint32_t)planes->uv[0].x << line->bits << 1);
+    line->uv_step[1] = (int32_t)((uint32_t)planes->uv[1].x << line->bits << 1);
+    sample(line, planes);
+    stretch(line, planes);
+}
+
+static inline struct lim_texture_walk even_walk(const struct lim_texture_even *even, int32_t x, int32_t y)
+{
+    return (struct lim_texture_walk){even->place + even->x * (uint32_t)x + even->y * (uint32_t)y, even->x};
 }
 
 void lim_texture_line_begin(struct lim_texture_line *line, const struct lim_textured_span *span, int16_t x)
 {
-    const struct lim_gradients *gradients = span->gradients;
-    const int32_t y = 2 * (int32_t)span->y + 1 - span->texturing->h_px;
-
-    line->gradients = gradients;
-    line->w_px = span->texturing->w_px;
-    line->right = span->right;
     line->divisions = 0;
-    line->depth = gradients->depth.at + gradients->depth.y * y;
-    for (uint_fast8_t i = 0; i < 2; i++)
-        line->uv[i] = gradients->uv[i].at + gradients->uv[i].y * y;
-    line->x = (int16_t)(span->left + (x - span->left) / STEP_PX * STEP_PX);
-    sample(line, line->x, &line->at);
-    stretch(line);
+    if (!span->gradients->is_even) {
+        begin_stretches(line, span, x);
+        return;
+    }
+    line->x = span->left;
+    line->end = span->right;
+    line->walk = even_walk(&span->gradients->even, span->left, span->y);
 }
 
 void lim_texture_line_next(struct lim_texture_line *line)
 {
-    line->x = line->end;
-    line->at = line->to;
-    stretch(line);
+    stretch(line, &line->gradients->planes);
 }
 
-/* A 2^-16 of a side's way, rounded. */
-static inline int32_t part_of_side(int32_t texels_q16, uint8_t side_bits)
+static LIM_ALONE void fill_stretches(const struct lim_textured_span *span, uint16_t *pixels, int32_t x, int32_t x1,
+                                     struct lim_stats *stats)
 {
-    return ((texels_q16 >> side_bits) + 1) >> 1;
-}
+    struct lim_texture_line line;
 
-/* Steps of a picture and more wrap, as texels do. */
-static inline int32_t texture_line_twice(int32_t x)
-{
-    return (int32_t)((uint32_t)x * 2);
-}
-
-struct lim_texture_walk lim_texture_at(const struct lim_texture_line *line, int16_t x)
-{
-    const struct lim_texture *texture = &line->gradients->texture;
-    const uint8_t w_bits = texture->w_bits, h_bits = texture->h_bits;
-    const uint32_t at = (line->at.uv_q16[1] >> h_bits << 16) + (uint16_t)(line->at.uv_q16[0] >> w_bits);
-    const int32_t u_step = part_of_side(texture_line_twice(line->step_q16[0]), w_bits);
-    const int32_t v_step = part_of_side(texture_line_twice(line->step_q16[1]), h_bits);
-    const uint32_t step = ((uint32_t)v_step << 16) + (uint32_t)u_step;
-
-    return (struct lim_texture_walk){at + step * (uint32_t)(x - line->x), step};
-}
-
-/* How to find texels of one level. */
-struct level {
-    const LIM_FLASH uint8_t *texels;
-    const LIM_FLASH uint16_t *palette;
-    uint32_t v_down, w_bits, u_down; /* shifts from a 2^-16 of a side to rows, from rows to texels, and to columns */
-    uint8_t number;
-};
-
-static void set_level(struct level *level, const struct lim_scene *scene, const struct lim_texture *texture,
-                      uint8_t number)
-{
-    uint32_t size = UINT32_C(1) << (texture->w_bits + texture->h_bits);
-
-    level->number = number;
-    level->w_bits = (uint32_t)texture->w_bits - number;
-    level->u_down = 16 - level->w_bits;
-    level->v_down = 16u + number - texture->h_bits;
-    level->texels = scene->texels + (uint32_t)texture->texels * TEXEL_BLOCK;
-    for (; number; number--, size >>= 2)
-        level->texels += size;
-}
-
-/* A function of its own: small cores have registers for just this. What u carries over to v is a 2^-16 of a side. */
-static LIM_ALONE void fill_texels(uint16_t *to, uint16_t *const end, struct lim_texture_walk walk,
-                                  const struct level *level)
-{
-    const LIM_FLASH uint8_t *const texels = level->texels;
-    const LIM_FLASH uint16_t *const palette = level->palette;
-    const uint32_t v_down = level->v_down, w_bits = level->w_bits, u_down = level->u_down;
-
-    do {
-        *to++ = palette[texels[(walk.at >> 16 >> v_down << w_bits) + ((uint32_t)(uint16_t)walk.at >> u_down)]];
-        walk.at += walk.step;
-    } while (to != end);
+    line.divisions = 0;
+    begin_stretches(&line, span, x);
+    line.walk.place = lim_texture_place(&line, x);
+    for (;;) {
+        const int32_t end = lim_texture_lesser(line.end, x1);
+        lim_texels_paint(pixels + x, (uint_fast16_t)(end - x), line.walk.place, line.walk.step, &line.gradients->level);
+        if (end == x1) break;
+        x = end;
+        stretch(&line, &line.gradients->planes);
+    }
+    if (LIM_HAS_STATS) stats->divisions += line.divisions;
 }
 
 void lim_texture_fill(const struct lim_textured_span *span, uint16_t *pixels, uint16_t x0, uint16_t x1,
                       struct lim_stats *stats)
 {
-    const struct lim_scene *scene = span->texturing->scene;
-    const struct lim_texture *texture = &span->gradients->texture;
-    const int16_t end = (int16_t)x1;
-    int16_t x = (int16_t)x0;
-    struct lim_texture_line line;
-    struct level level;
+    struct lim_gradients *const gradients = span->gradients;
 
-    lim_texture_line_begin(&line, span, x);
-    level.palette = scene->palettes + texture->palette;
-    set_level(&level, scene, texture, line.level);
-    for (;;) {
-        const int16_t to = line.end < end ? line.end : end;
-        fill_texels(pixels + x, pixels + to, lim_texture_at(&line, x), &level);
-        if (to == end) break;
-        lim_texture_line_next(&line);
-        x = to;
-        if (line.level != level.number) set_level(&level, scene, texture, line.level);
+    if (!gradients->is_even) {
+        fill_stretches(span, pixels, x0, x1, stats);
+        return;
     }
-    if (LIM_HAS_STATS) stats->divisions += line.divisions;
+    const struct lim_texture_walk walk = even_walk(&gradients->even, x0, span->y);
+    lim_texels_paint(pixels + x0, (uint_fast16_t)(x1 - x0), walk.place, walk.step, &gradients->level);
 }
 
 #endif

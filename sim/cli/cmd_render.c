@@ -276,7 +276,7 @@ static bool is_predictable(const struct render *render)
     const struct options *options = &render->options;
     return frame_cost_knows(options->setup.method) && options->setup.core == &core_fast && !options->wireframe.on &&
            !options->compile.antialias && !options->overlay_text && !render->moving.count &&
-           frame_cost_is_known(&render->scene.scene);
+           frame_cost_is_known(&render->scene.scene) && !render->scene.scene.texture_count;
 }
 
 static void print_tables(const struct render *render)

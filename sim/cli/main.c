@@ -11,6 +11,7 @@
 #include "cli/man_page.h"
 #include "cli/usage.h"
 #include "readers/companion.h"
+#include "readers/picture.h"
 
 #include <stdbool.h>
 #include <stdio.h>
@@ -43,8 +44,8 @@ static const struct command {
                 {"worst", cmd_worst, true},
                 {"report", cmd_report, true}};
 
-/* --trust-paths, which means the same to all commands that read models, is taken out. */
-static int take_trust(int argc, char **argv)
+/* --trust-paths and --no-textures, which mean the same to all commands that read models, are taken out. */
+static int take_common(int argc, char **argv)
 {
     int kept = 0;
     bool is_option = true;
@@ -52,6 +53,8 @@ static int take_trust(int argc, char **argv)
         is_option = is_option && strcmp(argv[i], "--") != 0;
         if (is_option && strcmp(argv[i], "--trust-paths") == 0)
             companions_trust();
+        else if (is_option && strcmp(argv[i], "--no-textures") == 0)
+            pictures_leave_out();
         else
             argv[kept++] = argv[i];
     }
@@ -100,7 +103,7 @@ static bool begin_time(const struct command *command, struct arguments *argument
 
 static int run_command(const struct command *command, int argc, char **argv)
 {
-    struct arguments arguments = {argv, command->is_long ? take_trust(argc, argv) : argc};
+    struct arguments arguments = {argv, command->is_long ? take_common(argc, argv) : argc};
     struct error err;
     if (begin_time(command, &arguments, &err)) return command->run(arguments.count, arguments.items);
     fprintf(stderr, "limner: %s\n", err.text);

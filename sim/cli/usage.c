@@ -128,6 +128,9 @@ static const struct usage_entry ENTRIES[] = {
     {MODELS | REPLAY,
      "  --trust-paths       files that a MODEL names (materials, textures, buffers) may lie outside of its folder:\n"
      "                      paths with `..`, absolute ones, links (all commands that read a MODEL)\n"},
+    {MODELS | REPLAY,
+     "  --no-textures       faces have their materials' colours; without it a texture that cannot be read is an\n"
+     "                      error (all commands that read a MODEL)\n"},
     {0, "compile and measure, for a MODEL:\n"},
     {COMPILE | EXPORT | MEASURE | COMPARE | ONE,
      "  --framebuffer       for boards with RAM for all pixels, 16 bits each: fewer instructions; for\n"

@@ -25,11 +25,11 @@
 static const double GRID_END = 32767.5; /* halves round up: 32767.5 would be 32768 */
 
 /* Texture arrays and, in struct lim_scene, four pointers and counts; scenes without textures have neither. */
-static size_t texture_flash_b(const struct lim_scene *scene)
+static size_t texture_flash_b(const struct lim_scene *scene, bool wide)
 {
     enum { FIELDS_B = 4 * 4 + 4 * 2 };
     if (!scene->texture_count) return 0;
-    return FIELDS_B + scene->mapping_count * sizeof *scene->mappings + scene->texture_count * sizeof *scene->textures +
+    return FIELDS_B + scene->mapping_count * width_mapping_b(wide) + scene->texture_count * sizeof *scene->textures +
            scene->palette_colours * sizeof *scene->palettes + scene->texel_blocks * (size_t)LIM_TEXEL_BLOCK;
 }
 
@@ -42,7 +42,7 @@ static size_t flash_b(const struct lim_scene *scene)
            scene->node_count * width_node_b(wide) + scene->plane_count * width_plane_b(wide) +
            scene->exact_count * sizeof *scene->exact + scene->box_count * sizeof *scene->boxes +
            scene->polygon_words * width_word_b(wide) +
-           (scene->fractions ? scene->vertex_count * sizeof *scene->fractions : 0) + texture_flash_b(scene);
+           (scene->fractions ? scene->vertex_count * sizeof *scene->fractions : 0) + texture_flash_b(scene, wide);
 }
 
 /* The smaller the better: bytes of flash, with splits and depth as bytes on top. A split costs

@@ -25,7 +25,8 @@ struct encoder {
     struct outline outline; /* the piece at hand */
     uint16_t flags;         /* of its records */
     struct texture_encoder textures;
-    struct lim_plane_ref own; /* with LIM_POLYGON_PLANE: their plane */
+    struct lim_plane_ref own;   /* with LIM_POLYGON_PLANE: their plane */
+    struct texture_plane plane; /* of the records at hand */
 };
 
 /* Records ------------------------------------------------------------------------------------ */
@@ -61,7 +62,7 @@ static void record_add(struct encoder *work, const struct outline *outline, cons
     out->last_record = out->word_count;
     const bool with_edges = work->with_edges && outline_hides(outline);
     uint16_t texture[LIM_POLYGON_TEXTURE_WORDS];
-    const bool is_textured = !polygon->transparency && texture_encode(&work->textures, polygon, texture);
+    const bool is_textured = !polygon->transparency && texture_encode(&work->textures, polygon, &work->plane, texture);
     word_add(out, outline->count | work->flags | (polygon->transparency ? LIM_POLYGON_ALPHA : 0u) |
                       (with_edges ? LIM_POLYGON_EDGES : 0u) | (is_textured ? LIM_POLYGON_TEXTURE : 0u));
     word_add(out, rgb565_nearest(polygon->mapping ? texture_flat_colour(work->bsp->mesh, polygon) : polygon->colour));
@@ -187,6 +188,22 @@ static struct lim_plane_ref plane_ref(struct encoder *work, uint32_t group)
     return (struct lim_plane_ref){index * LIM_PLANE_WORDS, 0};
 }
 
+static struct texture_plane texture_plane_of(const struct encoder *work, struct lim_plane_ref ref)
+{
+    struct texture_plane out = {.ref = ref};
+    if (ref.plane >= LIM_PLANE_X) {
+        out.n[ref.plane - LIM_PLANE_X] = LIM_MAPPING_UPRIGHT_N;
+        out.d = LIM_MAPPING_UPRIGHT_N * (double)ref.offset;
+        return out;
+    }
+    const struct lim_plane *plane = lim_plane_at(work->out->planes, ref.plane);
+    out.n[0] = lim_plane_x(plane);
+    out.n[1] = lim_plane_y(plane);
+    out.n[2] = lim_plane_z(plane);
+    out.d = lim_plane_d(plane);
+    return out;
+}
+
 /* Nodes -------------------------------------------------------------------------------------- */
 
 /* For each node of the tree the node that takes its place: itself if it has something to draw or
@@ -223,6 +240,7 @@ static size_t leaf_encode(struct encoder *work, const struct bsp_node *node)
     for (size_t i = 0; i < node->count; i++) {
         const uint32_t index = work->bsp->placed[node->first + i];
         work->own = plane_ref(work, work->bsp->coplanar->group[work->bsp->pieces[index].polygon]);
+        work->plane = texture_plane_of(work, work->own);
         for (int back = 0; back < 2; back++) {
             work->flags = (uint16_t)(LIM_POLYGON_PLANE | (back ? LIM_POLYGON_BACK : 0));
             piece_encode(work, index, back);
@@ -241,6 +259,7 @@ static struct lim_node node_encode(struct encoder *work, const struct bsp_node *
         return out;
     }
     out.split = plane_ref(work, node->group);
+    work->plane = texture_plane_of(work, out.split);
     out.front_run = (lim_index)run_encode(work, node, false);
     out.back_run = (lim_index)run_encode(work, node, true);
     return out;

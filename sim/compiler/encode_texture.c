@@ -13,8 +13,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { COUNT_MAX = 0xFFFF, SUM_MAX = 32767, BITS_MAX = 40, LIGHT_BITS = 4 };
-static const double ANISOTROPY_MAX = 64; /* of a mapping, as far as its level of detail knows */
+enum { COUNT_MAX = 0xFFFF, SUM_MAX = 32767, LIGHT_BITS = 4 };
+static const double LEVEL_MIN = -16, LEVEL_MAX = 15.875; /* as far as 8 bits count eighths */
+static const double ANISOTROPY_MAX = 64;                 /* of a mapping, as far as its level of detail knows */
 
 /* Light -------------------------------------------------------------------------------------- */
 
@@ -114,71 +115,73 @@ static void look_add(struct texture_encoder *encoder, const struct mesh_polygon 
 /* Mappings ----------------------------------------------------------------------------------- */
 
 /* v times `by`, rounded; false: the components add up to too much. */
-static bool round_vector(const double v[3], double by, int16_t out[3])
+static bool round_vector(const double v[2], double by, int16_t out[2])
 {
-    double sum = 0, rounded[3];
-    for (int i = 0; i < 3; i++) {
+    double sum = 0, rounded[2];
+    for (int i = 0; i < 2; i++) {
         rounded[i] = floor(v[i] * by + 0.5);
         sum += fabs(rounded[i]);
     }
     if (sum > SUM_MAX) return false;
-    for (int i = 0; i < 3; i++)
+    for (int i = 0; i < 2; i++)
         out[i] = (int16_t)rounded[i];
     return true;
 }
 
-/* The normal's length is free: the one that rounds best. */
-static double set_normal(const double normal[3], int16_t out[3])
-{
-    double best = 0, least = INFINITY;
-    for (int length = SUM_MAX / 2; length <= SUM_MAX; length++) {
-        double off = 0;
-        int16_t rounded[3];
-        if (!round_vector(normal, length, rounded)) break;
-        for (int i = 0; i < 3; i++)
-            off = fmax(off, fabs(rounded[i] / (double)length - normal[i]));
-        if (off >= least) continue;
-        least = off;
-        best = length;
-    }
-    round_vector(normal, best, out);
-    return best;
-}
-
 /* log2 of texels a unit: the mean of both directions, or of the finer one and what it is held to be at least. */
-static int16_t level_of(double uv[2][3], double normal_length)
+static int8_t level_of(double uv[2][3], double normal_length)
 {
     double cross[3];
     for (int i = 0; i < 3; i++)
         cross[i] = uv[0][(i + 1) % 3] * uv[1][(i + 2) % 3] - uv[0][(i + 2) % 3] * uv[1][(i + 1) % 3];
     const double longest2 = fmax(vec3_dot(uv[0], uv[0]), vec3_dot(uv[1], uv[1]));
     const double area = fmax(sqrt(vec3_dot(cross, cross)), longest2 / ANISOTROPY_MAX);
-    const double level = area > 0 ? (log2(area) + log2(normal_length)) / 2 : -BITS_MAX;
-    return (int16_t)floor(16 * fmax(level, -BITS_MAX) + 0.5);
+    const double level = area > 0 ? (log2(area) + log2(normal_length / LIM_MAPPING_UPRIGHT_N)) / 2 : LEVEL_MIN;
+    return (int8_t)floor(8 * fmax(fmin(level, LEVEL_MAX), LEVEL_MIN) + 0.5);
 }
 
-static struct lim_mapping mapping_of(const struct mesh *mesh, const struct mapping *from)
+/* How far from a point the plane is, along an axis. */
+static double way_to_plane(const struct texture_plane *plane, const double point[3], int axis)
+{
+    return (plane->d - vec3_dot(plane->n, point)) / plane->n[axis];
+}
+
+static struct lim_mapping mapping_of(const struct mesh *mesh, const struct mapping *from,
+                                     const struct texture_plane *plane)
 {
     const struct texture *texture = &mesh->textures[from->texture];
     struct lim_mapping out = {0};
-    double centre[3], texels[2][3];
-    for (int axis = 0; axis < 3; axis++)
+    double centre[3], texels[2][3], across[2][2];
+    int i = 0;
+    for (int axis = 0; axis < 3; axis++) {
         centre[axis] = (from->centre_m[axis] - mesh->grid.origin_m[axis]) * mesh->grid.units_per_m;
-    const double normal_length = set_normal(from->normal, out.n);
-    out.d = (int32_t)floor(out.n[0] * centre[0] + out.n[1] * centre[1] + out.n[2] * centre[2] + 0.5);
-    for (int i = 0; i < 2; i++) {
-        const double side_px = (double)(1u << (i ? texture->h_bits : texture->w_bits));
-        for (int axis = 0; axis < 3; axis++)
-            texels[i][axis] = from->gradient[i][axis] * side_px / mesh->grid.units_per_m;
-        out.bits[i] = BITS_MAX;
-        while (!round_vector(texels[i], ldexp(1, out.bits[i]), out.uv[i]))
-            out.bits[i]--;
-        double at_zero = from->uv[i] * side_px; /* rounding turns the gradient: about the centre */
-        for (int axis = 0; axis < 3; axis++)
-            at_zero -= ldexp(out.uv[i][axis], -out.bits[i]) * centre[axis];
-        out.at_zero_q16[i] = (int32_t)(uint32_t)(int64_t)floor(fmod(at_zero, 65536) * 65536 + 0.5);
+        if (fabs(plane->n[axis]) > fabs(plane->n[i])) i = axis;
     }
-    out.level_q4 = level_of(texels, normal_length);
+    const int j = (i + 1) % 3, k = (i + 2) % 3;
+    for (int c = 0; c < 2; c++) {
+        for (int axis = 0; axis < 3; axis++)
+            texels[c][axis] =
+                ldexp(from->gradient[c][axis], c ? texture->h_bits : texture->w_bits) / mesh->grid.units_per_m;
+        across[c][0] = ldexp(texels[c][j] - texels[c][i] * plane->n[j] / plane->n[i], -texture->w_bits);
+        across[c][1] = ldexp(texels[c][k] - texels[c][i] * plane->n[k] / plane->n[i], -texture->w_bits);
+    }
+    int bits = LIM_MAPPING_BITS;
+    while (bits > 0 &&
+           (!round_vector(across[0], ldexp(1, bits), out.uv[0]) || !round_vector(across[1], ldexp(1, bits), out.uv[1])))
+        bits--;
+    round_vector(across[0], ldexp(1, bits), out.uv[0]);
+    round_vector(across[1], ldexp(1, bits), out.uv[1]);
+    for (int c = 0; c < 2; c++) {
+        const double beside = ldexp(texels[c][i], -texture->w_bits) * way_to_plane(plane, centre, i);
+        const double at_centre = ldexp(from->uv[c], c ? texture->h_bits - texture->w_bits : 0) + beside;
+        /* Rounding turns the gradient: about the centre. */
+        const double at_zero = at_centre - ldexp(out.uv[c][0] * centre[j] + out.uv[c][1] * centre[k], -bits);
+        out.at_zero_q16[c] = (uint16_t)(int64_t)floor((at_zero - floor(at_zero)) * 65536 + 0.5);
+    }
+    const bool upright = plane->ref.plane >= LIM_PLANE_X;
+    out.plane = upright ? (lim_index)plane->ref.offset : plane->ref.plane;
+    out.scale = (uint8_t)(bits | (upright ? LIM_MAPPING_UPRIGHT : 0) | i << LIM_MAPPING_AXIS_SHIFT);
+    out.level_q3 = level_of(texels, sqrt(vec3_dot(plane->n, plane->n)));
     return out;
 }
 
@@ -191,29 +194,26 @@ static uint64_t hash_of(const struct lim_mapping *mapping)
     return hash;
 }
 
-static uint32_t mapping_index(struct texture_encoder *encoder, uint32_t number)
+static uint32_t mapping_index(struct texture_encoder *encoder, uint32_t number, const struct texture_plane *plane)
 {
     struct texture_arrays *out = encoder->out;
-    const uint32_t *known = map_find(&encoder->mappings, number);
-    if (known) return *known;
-    const struct lim_mapping mapping = mapping_of(encoder->mesh, &encoder->mesh->mappings[number]);
-    uint32_t index = *map_at(&encoder->same, hash_of(&mapping), (uint32_t)out->mapping_count);
-    if (index == out->mapping_count || memcmp(&out->mappings[index], &mapping, sizeof mapping) != 0) {
-        index = (uint32_t)out->mapping_count;
-        out->mappings = grow(out->mappings, out->mapping_count, &out->mapping_capacity, sizeof *out->mappings);
-        out->mappings[out->mapping_count++] = mapping;
-    }
-    return *map_at(&encoder->mappings, number, index);
+    const struct lim_mapping mapping = mapping_of(encoder->mesh, &encoder->mesh->mappings[number], plane);
+    const uint32_t index = *map_at(&encoder->same, hash_of(&mapping), (uint32_t)out->mapping_count);
+    if (index < out->mapping_count && memcmp(&out->mappings[index], &mapping, sizeof mapping) == 0) return index;
+    out->mappings = grow(out->mappings, out->mapping_count, &out->mapping_capacity, sizeof *out->mappings);
+    out->mappings[out->mapping_count] = mapping;
+    return (uint32_t)out->mapping_count++;
 }
 
-bool texture_encode(struct texture_encoder *encoder, const struct mesh_polygon *polygon, uint16_t words[2])
+bool texture_encode(struct texture_encoder *encoder, const struct mesh_polygon *polygon,
+                    const struct texture_plane *plane, uint16_t words[2])
 {
     if (!polygon->mapping) return false;
     const uint32_t count = (uint32_t)encoder->out->texture_count;
     const uint32_t index = *map_at(&encoder->looks, look_key(encoder, polygon), count);
     if (index == count) look_add(encoder, polygon);
     words[0] = (uint16_t)index;
-    words[1] = (uint16_t)mapping_index(encoder, polygon->mapping);
+    words[1] = (uint16_t)mapping_index(encoder, polygon->mapping, plane);
     return true;
 }
 
@@ -239,7 +239,6 @@ bool texture_arrays_check(const struct texture_arrays *arrays, struct error *err
 
 void texture_encoder_free(struct texture_encoder *encoder)
 {
-    map_free(&encoder->mappings);
     map_free(&encoder->same);
     map_free(&encoder->looks);
     map_free(&encoder->texels);

@@ -12,18 +12,24 @@
 struct texture_encoder {
     const struct mesh *mesh;
     struct texture_arrays *out;
-    struct map mappings; /* of the mesh -> of the scene */
     struct map same;     /* hash -> first mapping of the scene with these bytes */
     struct map looks;    /* texture and light -> texture of the scene */
     struct map texels;   /* texture -> its first block */
     unsigned light_bits; /* levels of light are 2^light_bits a channel */
 };
 
+/* The plane of a polygon as the scene has it, and where. */
+struct texture_plane {
+    struct lim_plane_ref ref;
+    double n[3], d; /* n . p = d; of an axis plane, n is LIM_MAPPING_UPRIGHT_N long */
+};
+
 /* Levels of light as many as palettes have room for, 16 at most: each that a face needs takes a palette. */
 void texture_encoder_init(struct texture_encoder *encoder, const struct mesh *mesh, struct texture_arrays *out);
 
 /* The words that a record has on the polygon's texture; false: it has none. */
-bool texture_encode(struct texture_encoder *encoder, const struct mesh_polygon *polygon, uint16_t words[2]);
+bool texture_encode(struct texture_encoder *encoder, const struct mesh_polygon *polygon,
+                    const struct texture_plane *plane, uint16_t words[2]);
 
 /* Where the texture cannot be shown, as on what is transparent: its mean, lit. */
 uint32_t texture_flat_colour(const struct mesh *mesh, const struct mesh_polygon *polygon);

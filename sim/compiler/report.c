@@ -48,7 +48,7 @@ static void print_outlines(const struct compiled *scene)
 static void print_choice(const struct compile_report *report)
 {
     if (report->choice.kind == CHOICE_UNKNOWN)
-        printf("    %-26s no cost is predicted where polygons are transparent or textured\n", "chosen:");
+        printf("    %-26s no cost is predicted where polygons are transparent\n", "chosen:");
     else if (report->choice.kind == CHOICE_LONG)
         printf("    %-26s others take long with so many polygons; --tree auto tries them\n", "chosen:");
     else if (report->choice.kind == CHOICE_NEEDLESS)

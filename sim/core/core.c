@@ -111,7 +111,7 @@ static void take_texel(void *ctx, const struct lim_inspected_texel *texel)
     const struct asker *asker = ctx;
     const struct core_texel_at at = {texel->x_px,
                                      texel->y_px,
-                                     {(texel->place & 0xFFFF) / 65536.0, (texel->place >> 16) / 65536.0},
+                                     {(texel->place >> 16) / 65536.0, (texel->place & 0xFFFF) / 65536.0},
                                      texel->level,
                                      texel->divided};
     asker->take(asker->ctx, &at);

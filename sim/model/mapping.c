@@ -39,7 +39,7 @@ static const double *uv_of(const struct model *model, const struct model_face *f
 
 static bool set_corners(struct corner *corners, const struct model *model, const struct model_face *face,
                         const uint32_t *welded, const struct loop *loop, const struct loop_plane *plane,
-                        double axes[2][3])
+                        double axes[2][3], bool transposed)
 {
     for (size_t k = 0; k < loop->count; k++) {
         const double *uv = uv_of(model, face, welded, loop->corners[k]);
@@ -47,7 +47,7 @@ static bool set_corners(struct corner *corners, const struct model *model, const
         vec3_sub(from_centre, loop->points[loop->corners[k]], plane->centre);
         for (int i = 0; i < 2; i++) {
             corners[k].at[i] = vec3_dot(axes[i], from_centre);
-            corners[k].uv[i] = uv ? uv[i] : NAN;
+            corners[k].uv[i] = uv ? uv[transposed ? 1 - i : i] : NAN;
             if (!(fabs(corners[k].uv[i]) <= UV_MAX)) return false;
         }
     }
@@ -144,8 +144,10 @@ uint32_t mapping_add(struct mesh *mesh, const struct model *model, const struct 
     for (int i = 0; i < 3; i++)
         mapping.centre_m[i] = plane.centre[i], mapping.normal[i] = plane.normal[i];
     set_axes(plane.normal, axes);
-    const bool ok = model->uvs && set_corners(corners, model, face, welded, loop, &plane, axes) &&
-                    fit(corners, loop->count, axes, &mapping) && !is_too_fine(mesh, &mapping);
+    const bool ok =
+        model->uvs &&
+        set_corners(corners, model, face, welded, loop, &plane, axes, mesh->textures[mapping.texture].transposed) &&
+        fit(corners, loop->count, axes, &mapping) && !is_too_fine(mesh, &mapping);
     if (ok) *is_affine = worst_texels(mesh, &mapping, loop, corners) <= AFFINE_TEXELS;
     free(corners);
     mesh->counts.unmapped += !ok;

@@ -36,7 +36,7 @@ static struct note *note_add(struct mesh *mesh)
     return &mesh->notes[mesh->note_count++];
 }
 
-static void note_unreadable(struct mesh *mesh, const struct picture *picture)
+static void note_left_out(struct mesh *mesh, const struct picture *picture)
 {
     struct note *note = note_add(mesh);
     snprintf(note->text, sizeof note->text, "texture %s: %s; faces of a flat colour instead: %zu", picture->name,
@@ -53,7 +53,8 @@ static void note_opaque(struct mesh *mesh, const struct picture *picture)
 
 static void note_resized(struct mesh *mesh, const struct picture *picture, const struct texture *texture, bool crowded)
 {
-    const unsigned w_px = 1u << texture->w_bits, h_px = 1u << texture->h_bits;
+    const unsigned w_px = 1u << (texture->transposed ? texture->h_bits : texture->w_bits);
+    const unsigned h_px = 1u << (texture->transposed ? texture->w_bits : texture->h_bits);
     if (w_px == picture->found_w_px && h_px == picture->found_h_px) return;
     struct note *note = note_add(mesh);
     snprintf(note->text, sizeof note->text, "texture %s: %lux%lu pixels, resized to %ux%u%s", picture->name,
@@ -76,8 +77,10 @@ bool mesh_textures_make(const struct model *model, struct mesh *mesh, struct err
         const struct picture *picture = &model->pictures[i];
         note_opaque(mesh, picture);
         if (!picture->faces) continue;
+        if (!picture->w_px && !picture->left_out)
+            return error_set(err, "texture %s: %s; --no-textures does without", picture->name, picture->reason);
         if (!picture->w_px) {
-            note_unreadable(mesh, picture);
+            note_left_out(mesh, picture);
             continue;
         }
         if (!texture_make(picture, most_bits, &mesh->textures[i]))

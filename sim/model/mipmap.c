@@ -44,14 +44,21 @@ static int level_y(const struct atlas *atlas, int level)
     return y;
 }
 
-/* Linear interpolation where it grows, means of areas where it shrinks. */
-static gdImagePtr resized(const struct picture *picture, int w_px, int h_px)
+static uint32_t pixel_of(const struct picture *picture, bool transposed, int x, int y)
 {
-    const int from_w_px = (int)picture->w_px, from_h_px = (int)picture->h_px;
+    const size_t column = (size_t)(transposed ? y : x), row = (size_t)(transposed ? x : y);
+    return picture->pixels[row * picture->w_px + column];
+}
+
+/* Linear interpolation where it grows, means of areas where it shrinks. */
+static gdImagePtr resized(const struct picture *picture, bool transposed, int w_px, int h_px)
+{
+    const int from_w_px = (int)(transposed ? picture->h_px : picture->w_px);
+    const int from_h_px = (int)(transposed ? picture->w_px : picture->h_px);
     gdImagePtr from = gdImageCreateTrueColor(from_w_px, from_h_px), to = gdImageCreateTrueColor(w_px, h_px);
     for (int y = 0; from && y < from_h_px; y++)
         for (int x = 0; x < from_w_px; x++)
-            from->tpixels[y][x] = (int)(picture->pixels[(size_t)y * picture->w_px + (size_t)x] & 0xFFFFFF);
+            from->tpixels[y][x] = (int)(pixel_of(picture, transposed, x, y) & 0xFFFFFF);
     if (from && to) gdImageCopyResampled(to, from, 0, 0, 0, 0, w_px, h_px, from_w_px, from_h_px);
     if (from && to) return gdImageDestroy(from), to;
     if (from) gdImageDestroy(from);
@@ -80,9 +87,9 @@ static void halve(struct atlas *atlas, int level)
 
 /* What the smaller levels leave of their lines is filled with the lines of the level before: a palette weighs it
  * as often as it is there. */
-static bool atlas_make(struct atlas *atlas, const struct picture *picture)
+static bool atlas_make(struct atlas *atlas, const struct picture *picture, bool transposed)
 {
-    gdImagePtr first = resized(picture, atlas->w_px, atlas->h_px);
+    gdImagePtr first = resized(picture, transposed, atlas->w_px, atlas->h_px);
     atlas->image = first ? gdImageCreateTrueColor(atlas->w_px, level_y(atlas, atlas->levels)) : NULL;
     if (atlas->image)
         for (int y = 0; y < gdImageSY(atlas->image); y++)
@@ -120,13 +127,16 @@ static void copy_texels(const struct atlas *atlas, struct texture *out)
 
 bool texture_make(const struct picture *picture, uint8_t most_bits, struct texture *out)
 {
-    *out = (struct texture){.w_bits = texture_side_bits(picture->w_px, most_bits),
-                            .h_bits = texture_side_bits(picture->h_px, most_bits)};
+    const uint8_t w_bits = texture_side_bits(picture->w_px, most_bits);
+    const uint8_t h_bits = texture_side_bits(picture->h_px, most_bits);
+    *out = (struct texture){.w_bits = w_bits > h_bits ? w_bits : h_bits,
+                            .h_bits = w_bits > h_bits ? h_bits : w_bits,
+                            .transposed = h_bits > w_bits};
     out->levels = texture_levels(out->w_bits, out->h_bits);
     out->texel_count = texture_texels(out->w_bits, out->h_bits);
     struct atlas atlas = {NULL, 1 << out->w_bits, 1 << out->h_bits, out->levels};
     out->texels = calloc(out->texel_count, 1);
-    bool ok = out->texels && atlas_make(&atlas, picture);
+    bool ok = out->texels && atlas_make(&atlas, picture, out->transposed);
     if (ok) {
         out->mean = mean_colour(&atlas);
         ok = gdImageTrueColorToPalette(atlas.image, 0, TEXTURE_COLOURS) && !gdImageTrueColor(atlas.image);

@@ -18,6 +18,7 @@ struct picture {
     uint32_t found_w_px, found_h_px;
     uint32_t w_px, h_px; /* the same, or less: no side is longer than TEXTURE_SIDE_MAX_PX */
     uint32_t *pixels;    /* 0xRRGGBB, rows from the top; owned */
+    bool left_out;       /* by the user's wish: there are no pixels, and that is no error */
     bool has_alpha;      /* not all of it is opaque, as it was found */
     size_t faces;        /* that show it */
     size_t clear_faces;  /* whose transparency it has, by its alpha or as their mask, which is not drawn */
@@ -25,6 +26,7 @@ struct picture {
 
 struct texture {
     uint8_t w_bits, h_bits, levels; /* as in struct lim_texture */
+    bool transposed;                /* the picture's rows are columns: none is higher than wide */
     size_t texel_count;             /* of all levels */
     uint8_t *texels;                /* owned */
     uint32_t palette[TEXTURE_COLOURS], colours;

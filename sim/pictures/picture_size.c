@@ -108,6 +108,24 @@ static bool jpeg_size(const struct bytes *bytes, uint32_t *w_px, uint32_t *h_px)
     return false;
 }
 
+/* Truevision TGA 2.0, 4.3 to 4.5: it has no magic, so whatever else can be asked of its header is. */
+bool picture_is_tga(const void *picture, size_t size_b)
+{
+    const struct bytes bytes = {picture, size_b};
+    if (!has(&bytes, 0, 18)) return false;
+    const uint8_t *at = bytes.at, kind = at[2] & 0xF7, depth = at[16];
+    const bool is_depth = depth == 8 || depth == 15 || depth == 16 || depth == 24 || depth == 32;
+    return at[1] <= 1 && kind >= 1 && kind <= 3 && at[1] == (kind == 1) && is_depth && !(at[17] & 0xC0) &&
+           little(at + 12, 2) && little(at + 14, 2);
+}
+
+static bool tga_size(const struct bytes *bytes, uint32_t *w_px, uint32_t *h_px)
+{
+    *w_px = little(bytes->at + 12, 2);
+    *h_px = little(bytes->at + 14, 2);
+    return true;
+}
+
 bool picture_size(const void *picture, size_t size_b, uint32_t *w_px, uint32_t *h_px)
 {
     static const struct {
@@ -120,7 +138,7 @@ bool picture_size(const void *picture, size_t size_b, uint32_t *w_px, uint32_t *
         if (size_b >= magic_b && memcmp(picture, formats[i].magic, magic_b) == 0)
             return formats[i].size(&bytes, w_px, h_px);
     }
-    return false;
+    return picture_is_tga(picture, size_b) && tga_size(&bytes, w_px, h_px);
 }
 
 bool picture_size_check(const void *bytes, size_t size_b, char *reason, size_t reason_b)

@@ -12,6 +12,9 @@
 /* Of any picture that is decoded: 64 MB as its library holds it. */
 enum { PICTURE_MOST_PX = 1 << 24 };
 
+/* Whether it begins as a TGA does, which has no magic. */
+bool picture_is_tga(const void *picture, size_t size_b);
+
 /* false: there is no size where one must be. */
 bool picture_size(const void *bytes, size_t size_b, uint32_t *w_px, uint32_t *h_px);
 

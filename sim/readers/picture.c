@@ -20,6 +20,8 @@ enum { LARGEST_FILE_B = 64 << 20 };
 /* libgd's messages: of a truncated JPEG it makes a picture that is grey below, and says no more than that. */
 static bool is_truncated;
 
+static bool leaves_out; /* --no-textures */
+
 static void take_message(int priority, const char *format, va_list arguments)
 {
     char text[256];
@@ -37,13 +39,25 @@ static gdImagePtr read_jpeg(int size_b, void *bytes)
     return NULL;
 }
 
+typedef gdImagePtr read_picture(int size_b, void *bytes);
+
 static const struct {
     const char *magic;
-    gdImagePtr (*read)(int size_b, void *bytes);
+    read_picture *read;
 } FORMATS[] = {{"\x89PNG", gdImageCreateFromPngPtr},
                {"\xFF\xD8\xFF", read_jpeg},
                {"GIF8", gdImageCreateFromGifPtr},
                {"BM", gdImageCreateFromBmpPtr}};
+
+/* NULL: of no format that is known. */
+static read_picture *reader_of(const void *bytes, size_t size_b)
+{
+    for (size_t i = 0; i < sizeof FORMATS / sizeof *FORMATS; i++) {
+        const size_t magic_b = strlen(FORMATS[i].magic);
+        if (size_b >= magic_b && memcmp(bytes, FORMATS[i].magic, magic_b) == 0) return FORMATS[i].read;
+    }
+    return picture_is_tga(bytes, size_b) ? gdImageCreateFromTgaPtr : NULL;
+}
 
 static void refuse(struct picture *picture, const char *reason)
 {
@@ -102,24 +116,28 @@ static void take(struct picture *picture, gdImagePtr image)
 
 static void read_bytes(struct picture *picture, void *bytes, size_t size_b)
 {
-    for (size_t i = 0; i < sizeof FORMATS / sizeof *FORMATS; i++) {
-        const size_t magic_b = strlen(FORMATS[i].magic);
-        if (size_b < magic_b || memcmp(bytes, FORMATS[i].magic, magic_b) != 0) continue;
-        char reason[TEXTURE_NAME_B];
-        if (!picture_size_check(bytes, size_b, reason, sizeof reason)) {
-            (strstr(reason, "damaged") ? refuse : refuse_import)(picture, reason);
-            return;
-        }
-        gdSetErrorMethod(take_message);
-        gdImagePtr image = FORMATS[i].read((int)size_b, bytes);
-        gdClearErrorMethod();
-        if (image)
-            take(picture, image);
-        else
-            refuse(picture, "damaged, or too large to be read");
+    read_picture *const read = reader_of(bytes, size_b);
+    char reason[TEXTURE_NAME_B];
+    if (!read) {
+        refuse(picture, size_b ? "neither PNG nor JPEG, GIF, BMP or TGA" : "the file is empty");
         return;
     }
-    refuse(picture, size_b ? "neither PNG nor JPEG, GIF or BMP" : "the file is empty");
+    if (!picture_size_check(bytes, size_b, reason, sizeof reason)) {
+        (strstr(reason, "damaged") ? refuse : refuse_import)(picture, reason);
+        return;
+    }
+    const uint8_t *const header = bytes;
+    if (read == gdImageCreateFromTgaPtr && ((header[2] & 0xF7) != 2 || header[16] < 24)) {
+        refuse(picture, "a TGA of less than 24 bits a pixel; save it as PNG");
+        return;
+    }
+    gdSetErrorMethod(take_message);
+    gdImagePtr image = read((int)size_b, bytes);
+    gdClearErrorMethod();
+    if (image)
+        take(picture, image);
+    else
+        refuse(picture, "damaged, or too large to be read");
 }
 
 static void read_stream(struct picture *picture, FILE *file, size_t size_b)
@@ -135,7 +153,6 @@ static void read_stream(struct picture *picture, FILE *file, size_t size_b)
     free(bytes);
 }
 
-/* Models often come without their pictures: that is no reason to refuse them. */
 static void read_file(struct picture *picture, const char *name)
 {
     struct error err;
@@ -189,12 +206,20 @@ static const struct aiTexture *embedded(const struct aiScene *scene, const char 
     return NULL;
 }
 
+void pictures_leave_out(void)
+{
+    leaves_out = true;
+}
+
 void picture_read(const struct aiScene *scene, const char *name, struct picture *out)
 {
     const struct aiTexture *texture = embedded(scene, name);
     memset(out, 0, sizeof *out);
     snprintf(out->name, sizeof out->name, "%s", name);
-    if (texture && texture->mHeight)
+    out->left_out = leaves_out;
+    if (leaves_out)
+        refuse(out, "left out");
+    else if (texture && texture->mHeight)
         read_raw(out, texture);
     else if (texture)
         read_bytes(out, texture->pcData, texture->mWidth);

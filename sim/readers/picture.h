@@ -9,9 +9,13 @@
 
 #include <assimp/scene.h>
 
-/* PNG, JPEG, GIF or BMP, as the bytes themselves say. What cannot be read has a reason and no
+/* PNG, JPEG, GIF, BMP or TGA of 24 or 32 bits, as the bytes themselves say. What cannot be read has a reason and no
  * pixels; what may not be read ends the import (companion.h). */
 void picture_read(const struct aiScene *scene, const char *name, struct picture *out);
+
+/* --no-textures: none is read, for all of the process; faces have the colours of their materials. */
+void pictures_leave_out(void);
+
 void picture_free(struct picture *picture);
 
 /* The texture of a material's colour, and which set of coordinates goes with it. false: it has none. */

@@ -118,7 +118,15 @@ double frame_cost_work(const struct lim_stats *stats, const struct lim_target *t
            comparison * stats->newell.comparisons + split * stats->newell.splits + mover_piece * stats->movers.pieces;
 }
 
+double frame_cost_textures_m0plus(const struct lim_stats *stats)
+{
+    static const double PIXEL = 13, DIVISION = 170, LINE = 95, POLYGON = 1550;
+
+    return PIXEL * stats->pixels_painted + DIVISION * stats->divisions + LINE * stats->lines +
+           POLYGON * stats->polygons_seen;
+}
+
 bool frame_cost_is_known(const struct lim_scene *scene)
 {
-    return !scene->limits.layers && !scene->texture_count;
+    return !scene->limits.layers;
 }

@@ -164,9 +164,13 @@ static void write_mappings(FILE *file, const struct lim_scene *scene, const stru
     begin_array(file, prefix, "struct lim_mapping", "mappings", scene->mapping_count);
     for (size_t i = 0; i < scene->mapping_count; i++) {
         const struct lim_mapping *m = &scene->mappings[i];
-        fprintf(file, "\n    {{%d, %d, %d}, {{%d, %d, %d}, {%d, %d, %d}}, %d, {%u, %u}, 0, %ld, {%ld, %ld}},", m->n[0],
-                m->n[1], m->n[2], m->uv[0][0], m->uv[0][1], m->uv[0][2], m->uv[1][0], m->uv[1][1], m->uv[1][2],
-                m->level_q4, m->bits[0], m->bits[1], (long)m->d, (long)m->at_zero_q16[0], (long)m->at_zero_q16[1]);
+        fprintf(file, "%sLIM_MAPPING(%d, %d, %d, %d, %u, %u, ", i % 2 ? " " : "\n    ", m->uv[0][0], m->uv[0][1],
+                m->uv[1][0], m->uv[1][1], (unsigned)m->at_zero_q16[0], (unsigned)m->at_zero_q16[1]);
+        if (m->scale & LIM_MAPPING_UPRIGHT)
+            fprintf(file, "(lim_index)(%d), ", (int)(lim_offset)m->plane);
+        else
+            write_plane_index(file, m->plane);
+        fprintf(file, "%d, %u),", m->level_q3, m->scale);
     }
     end_array(file);
 }

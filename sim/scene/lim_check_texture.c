@@ -6,15 +6,15 @@
 
 #include <stdlib.h>
 
-enum { SIDE_BITS_MAX = 10, PALETTE_COLOURS = 256, SUM_MAX = 32767, SHIFT_MAX = 40, LEVEL_MAX_Q4 = 16 * 64 };
+enum { SIDE_BITS_MAX = 10, PALETTE_COLOURS = 256, SUM_MAX = 32767 };
 
 static bool check_texture(const struct lim_scene *scene, size_t index, struct error *err)
 {
     const struct lim_texture *texture = &scene->textures[index];
-    const unsigned least = texture->w_bits < texture->h_bits ? texture->w_bits : texture->h_bits;
-    if (texture->w_bits > SIDE_BITS_MAX || texture->h_bits > SIDE_BITS_MAX)
+    if (texture->w_bits > SIDE_BITS_MAX)
         return error_set(err, "texture %zu: a side of more than %u texels", index, 1u << SIDE_BITS_MAX);
-    if (texture->levels < 1 || texture->levels > least + 1)
+    if (texture->h_bits > texture->w_bits) return error_set(err, "texture %zu: higher than wide", index);
+    if (texture->levels < 1 || texture->levels > texture->h_bits + 1)
         return error_set(err, "texture %zu: %u levels", index, texture->levels);
     if (texture->zero) return error_set(err, "texture %zu: its spare byte is not zero", index);
     size_t texels = 0;
@@ -26,22 +26,27 @@ static bool check_texture(const struct lim_scene *scene, size_t index, struct er
            error_set(err, "texture %zu: its palette runs over the end", index);
 }
 
-static int sum_of(const int16_t v[3])
+static int sum_of(const int16_t v[2])
 {
-    return abs(v[0]) + abs(v[1]) + abs(v[2]);
+    return abs(v[0]) + abs(v[1]);
 }
 
 static bool check_mapping(const struct lim_scene *scene, size_t index, struct error *err)
 {
     const struct lim_mapping *mapping = &scene->mappings[index];
-    if (sum_of(mapping->n) == 0 || sum_of(mapping->n) > SUM_MAX || sum_of(mapping->uv[0]) > SUM_MAX ||
-        sum_of(mapping->uv[1]) > SUM_MAX)
-        return error_set(err, "mapping %zu: a vector is too long, or has no length", index);
-    if (mapping->bits[0] > SHIFT_MAX || mapping->bits[1] > SHIFT_MAX || abs(mapping->level_q4) > LEVEL_MAX_Q4)
-        return error_set(err, "mapping %zu: a scale is out of range", index);
+    const bool upright = mapping->scale & LIM_MAPPING_UPRIGHT;
+    if (sum_of(mapping->uv[0]) > SUM_MAX || sum_of(mapping->uv[1]) > SUM_MAX)
+        return error_set(err, "mapping %zu: a vector is too long", index);
+    if (mapping->scale >> LIM_MAPPING_AXIS_SHIFT > 2)
+        return error_set(err, "mapping %zu: there is no such axis", index);
     if (mapping->zero) return error_set(err, "mapping %zu: its spare field is not zero", index);
-    return (mapping->d >= -LIM_PLANE_D_MAX && mapping->d <= LIM_PLANE_D_MAX) ||
-           error_set(err, "mapping %zu: d is %ld, beyond %ld", index, (long)mapping->d, (long)LIM_PLANE_D_MAX);
+    const lim_offset offset = (lim_offset)mapping->plane;
+    if (upright && (offset < INT16_MIN || offset > INT16_MAX))
+        return error_set(err, "mapping %zu: an axis plane at %ld, outside of the grid", index, (long)offset);
+    return upright ||
+           (mapping->plane % LIM_PLANE_WORDS == 0 && mapping->plane / LIM_PLANE_WORDS < scene->plane_count) ||
+           error_set(err, "mapping %zu: plane at word %lu, where none of %lu begins", index,
+                     (unsigned long)mapping->plane, (unsigned long)scene->plane_count);
 }
 
 bool lim_check_textures(const struct lim_scene *scene, struct error *err)

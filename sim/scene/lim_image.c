@@ -29,8 +29,8 @@ static_assert(offsetof(struct lim_plane, exact) == 12, "plane");
 static_assert(sizeof(struct lim_plane_exact) == 20, "exact plane");
 static_assert(offsetof(struct lim_plane_exact, d_lo) == 16, "exact plane");
 static_assert(sizeof(struct lim_box) == 12, "box");
-static_assert(sizeof(struct lim_mapping) == 36, "mapping");
-static_assert(offsetof(struct lim_mapping, bits) == 20, "mapping");
+static_assert(sizeof(struct lim_mapping) == 20, "mapping");
+static_assert(offsetof(struct lim_mapping, level_q3) == 16, "mapping");
 static_assert(sizeof(struct lim_texture) == 8, "texture");
 static_assert(sizeof(struct lim_place) == 4, "place");
 static_assert(sizeof(struct lim_limits) == sizeof((struct lim_file_header *)0)->limits, "limits");
@@ -48,7 +48,7 @@ static const struct {
     [SECTION_POLYGONS] = {sizeof(lim_index), "4"},
     [SECTION_FACES] = {sizeof(uint32_t), "4"},
     [SECTION_FRACTIONS] = {sizeof(struct lim_fraction), "1"},
-    [SECTION_MAPPINGS] = {sizeof(struct lim_mapping), "2222222222112444"},
+    [SECTION_MAPPINGS] = {sizeof(struct lim_mapping), "2222224112"},
     [SECTION_TEXTURES] = {sizeof(struct lim_texture), "221111"},
     [SECTION_PALETTES] = {sizeof(uint16_t), "1"}, /* as in memory, the same on every host */
     [SECTION_TEXELS] = {LIM_TEXEL_BLOCK, "1"},

@@ -27,9 +27,9 @@ enum {
     MCU_SORTED_B = 8,
     MCU_NEWELL_B = 20,
     MCU_CUT_B = 4,
-    MCU_ACTIVE_TEXTURE_B = 60,        /* more of them if the scene has textures */
+    MCU_ACTIVE_TEXTURE_B = 84,        /* more of them if the scene has textures */
     MCU_ACTIVE_TEXTURE_PADDING_B = 4, /* and in profile exact: edges of 64 bits are aligned */
-    MCU_CROSSING_TEXTURE_B = 60,
+    MCU_CROSSING_TEXTURE_B = 84,
     MCU_CROSSING_LONG_EDGES_B = 32, /* more of them in profile exact */
     MCU_CROSSING_B = 40,            /* and a point for each vertex */
     MCU_MESH_NEARNESS_B = 2,        /* of a vertex, and of a pixel of a line of depths */

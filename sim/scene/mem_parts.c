@@ -27,7 +27,7 @@ size_t flash_parts(const struct compiled *scene, struct mem_part parts[FLASH_PAR
     add(parts, &count, "texels", arrays->texel_blocks * (size_t)LIM_TEXEL_BLOCK, 0);
     add(parts, &count, "palettes", arrays->palette_colours * sizeof *arrays->palettes, arrays->palette_colours);
     add(parts, &count, "mappings and textures",
-        arrays->mapping_count * sizeof *arrays->mappings + arrays->texture_count * sizeof *arrays->textures,
+        arrays->mapping_count * width_mapping_b(wide) + arrays->texture_count * sizeof *arrays->textures,
         arrays->mapping_count);
     return count;
 }

@@ -5,9 +5,17 @@
 
 #include <assert.h>
 
-enum { INDEX_B = 2, NODE_FIELDS = 7, NARROW_COUNT_MAX = 0xFFFF, NARROW_PLANE_B = 12, NARROW_PLANES_MAX = 0xFFFC / 3 };
+enum {
+    INDEX_B = 2,
+    NODE_FIELDS = 7,
+    NARROW_COUNT_MAX = 0xFFFF,
+    NARROW_PLANE_B = 12,
+    NARROW_PLANES_MAX = 0xFFFC / 3,
+    NARROW_MAPPING_B = 16
+};
 
 static_assert(sizeof(struct lim_node) == NODE_FIELDS * sizeof(lim_index), "node");
+static_assert(sizeof(struct lim_mapping) == NARROW_MAPPING_B + sizeof(lim_index), "mapping");
 static_assert(sizeof(struct lim_plane) == NARROW_PLANE_B + sizeof(lim_index), "plane");
 
 bool width_is_wide(const struct lim_scene *scene)
@@ -24,6 +32,11 @@ size_t width_node_b(bool wide)
 size_t width_plane_b(bool wide)
 {
     return wide ? sizeof(struct lim_plane) : (size_t)NARROW_PLANE_B;
+}
+
+size_t width_mapping_b(bool wide)
+{
+    return wide ? sizeof(struct lim_mapping) : (size_t)NARROW_MAPPING_B;
 }
 
 size_t width_word_b(bool wide)

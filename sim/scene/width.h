@@ -15,6 +15,7 @@ bool width_is_wide(const struct lim_scene *scene);
 /* Bytes in flash. */
 size_t width_node_b(bool wide);
 size_t width_plane_b(bool wide);
+size_t width_mapping_b(bool wide);
 size_t width_word_b(bool wide); /* of a polygon's record */
 
 #endif

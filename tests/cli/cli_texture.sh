@@ -62,15 +62,17 @@ file_agrees() {
         hashes file scene.lim demo/textured.cam && same_frames model file
 }
 
-notes() { # PATTERN MODEL: the report and the renderer say the same, and both go on
-    "$limner" compile "$2" --report >report || return 1
+notes() { # PATTERN MODEL OPTION...: the report and the renderer say the same, and both go on
+    pattern=$1 model=$2
+    shift 2
+    "$limner" compile "$model" "$@" --report >report || return 1
     grep 'note: ' report
-    hashes none "$2" front.cam && cat said && grep -q "note: $1" report && grep -q "^limner: note: $1" said
+    hashes none "$model" front.cam "$@" && cat said && grep -q "note: $pattern" report && grep -q "^limner: note: $pattern" said
 }
 
-is_flat() { # MODEL: of one colour
-    "$limner" render "$1" --camera front.cam --size 8x8 --fov 40 -o 'flat%d.png' 2>/dev/null &&
-        "$limner" compile "$1" -o bare >/dev/null && grep -q 'LIM_HAS_TEXTURE 0' bare.h
+is_flat() { # MODEL OPTION...: of one colour
+    "$limner" render "$@" --camera front.cam --size 8x8 --fov 40 -o 'flat%d.png' 2>/dev/null &&
+        "$limner" compile "$@" -o bare >/dev/null && grep -q 'LIM_HAS_TEXTURE 0' bare.h
 }
 
 # Red, and green that is half transparent.
@@ -112,12 +114,22 @@ tap_check 'the demo is what it was' "$limner" render demo/textured.obj --camera 
 tap_check 'what is resized is noted' notes 'texture bricks.png: 120x90 pixels, resized to 128x64' demo/textured.obj
 sed 's/quarters.png/none.png/' quarters.mtl >none.mtl
 sed 's/quarters.mtl/none.mtl/' quarters.obj >none.obj
-tap_check 'a missing picture is noted' notes 'texture none.png: there is no such file; faces of a flat colour instead: 1' none.obj
-tap_check 'and leaves a flat face, without a texture in the firmware' is_flat none.obj
+refuses_texture() { # REASON
+    for command in compile render measure; do
+        "$limner" $command none.obj -o never 2>said && return 1
+        cat said
+        grep -qx "limner: none.obj: texture none.png: $1.*; --no-textures does without" said || return 1
+        ! ls never* 2>/dev/null || return 1
+    done
+}
+tap_check 'a missing picture is an error' refuses_texture 'there is no such file'
+tap_check 'unless textures are not wanted' notes 'texture none.png: left out; faces of a flat colour instead: 1' none.obj --no-textures
+tap_check 'then there is a flat face, without a texture in the firmware' is_flat none.obj --no-textures
 head -c 40 quarters.png >none.png
-tap_check 'so is a damaged one' notes 'texture none.png: damaged' none.obj
+tap_check 'so is a damaged one' refuses_texture 'damaged'
 : >none.png
-tap_check 'and an empty one' notes 'texture none.png: the file is empty' none.obj
+tap_check 'and an empty one' refuses_texture 'the file is empty'
+tap_check 'one that could be read is left out, too' is_flat quarters.obj --no-textures
 half_clear >clear.png
 sed 's/quarters.png/clear.png/' quarters.mtl >clear.mtl
 sed 's/quarters.mtl/clear.mtl/' quarters.obj >clear.obj

@@ -204,7 +204,7 @@ tap_check "--method scanline --fill is refused" \
 for command in 'compile sim/scenes/glass.obj --report' 'render sim/scenes/glass.obj'; do
     # shellcheck disable=SC2086 # a command and its arguments
     tap_check "${command%% *}: --method scanline is refused for glass" \
-        refuses '.*--method scanline: textures and glass are drawn nearest first; take --method nearest' $command --method scanline
+        refuses '.*--method scanline: glass is drawn nearest first; take --method nearest' $command --method scanline
 done
 tap_check "--method scanline is refused where objects move" \
     refuses '--method scanline: it moves no objects; nearest and painter do, with any tree' \

@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { ALPHA_MAX = 254, SUM_MAX = 32767, BITS_MAX = 40, LEVEL_MAX_Q4 = 16 * 64, EDGES_ONE_WORD = 16 };
+enum { ALPHA_MAX = 254, SUM_MAX = 32767, EDGES_ONE_WORD = 16 };
 
 /* Textures ----------------------------------------------------------------------------------- */
 
@@ -18,11 +18,9 @@ static void make_textures(struct fuzz_scene *made, struct fuzz_bytes *bytes)
     for (uint16_t i = 0; i < scene->texture_count; i++) {
         struct lim_texture *texture = &made->textures[i];
         size_t texels = 0;
-        *texture = (struct lim_texture){.texels = blocks,
-                                        .w_bits = fuzz_below(bytes, FUZZ_TEXTURE_BITS + 1),
-                                        .h_bits = fuzz_below(bytes, FUZZ_TEXTURE_BITS + 1)};
-        const unsigned least = texture->w_bits < texture->h_bits ? texture->w_bits : texture->h_bits;
-        texture->levels = (uint8_t)(1 + fuzz_below(bytes, least + 1));
+        *texture = (struct lim_texture){.texels = blocks, .w_bits = fuzz_below(bytes, FUZZ_TEXTURE_BITS + 1)};
+        texture->h_bits = fuzz_below(bytes, texture->w_bits + 1u);
+        texture->levels = (uint8_t)(1 + fuzz_below(bytes, texture->h_bits + 1u));
         for (unsigned level = 0; level < texture->levels; level++)
             texels += (size_t)1 << (texture->w_bits + texture->h_bits - 2 * level);
         blocks = (uint16_t)(blocks + (texels + LIM_TEXEL_BLOCK - 1) / LIM_TEXEL_BLOCK);
@@ -36,29 +34,33 @@ static void make_textures(struct fuzz_scene *made, struct fuzz_bytes *bytes)
     scene->palette_colours = FUZZ_PALETTE_COLOURS;
 }
 
-static void make_vector(struct fuzz_bytes *bytes, int16_t v[3])
+static void make_vector(struct fuzz_bytes *bytes, int16_t v[2])
 {
-    for (int i = 0; i < 3; i++) {
+    for (int i = 0; i < 2; i++) {
         v[i] = (int16_t)fuzz_u16(bytes);
         if (v[i] == INT16_MIN) v[i] = INT16_MAX;
     }
-    while (abs(v[0]) + abs(v[1]) + abs(v[2]) > SUM_MAX)
-        for (int i = 0; i < 3; i++)
+    while (abs(v[0]) + abs(v[1]) > SUM_MAX)
+        for (int i = 0; i < 2; i++)
             v[i] /= 2;
 }
 
+/* Through a vertex, or in a plane of the tree, whether that has the polygon in it or not. */
 static void make_mapping(struct fuzz_scene *made, struct fuzz_bytes *bytes, struct lim_mapping *mapping)
 {
     const struct lim_vertex *through = &made->vertices[fuzz_below(bytes, made->scene.vertex_count)];
+    const int16_t at[3] = {through->x, through->y, through->z};
+    const uint8_t wanted = fuzz_u8(bytes), axis = (uint8_t)((wanted >> 5) % 3);
+    const bool upright = !made->scene.plane_count || wanted & 1;
 
-    make_vector(bytes, mapping->n);
-    if (!mapping->n[0] && !mapping->n[1] && !mapping->n[2]) mapping->n[1] = 1;
-    mapping->d = mapping->n[0] * through->x + mapping->n[1] * through->y + mapping->n[2] * through->z;
-    mapping->level_q4 = (int16_t)((int16_t)fuzz_u16(bytes) % (LEVEL_MAX_Q4 + 1));
+    mapping->plane =
+        upright ? (lim_index)(lim_offset)at[axis] : (lim_index)(wanted % made->scene.plane_count) * LIM_PLANE_WORDS;
+    mapping->scale = (uint8_t)(axis << LIM_MAPPING_AXIS_SHIFT | (upright ? LIM_MAPPING_UPRIGHT : 0) |
+                               fuzz_below(bytes, LIM_MAPPING_BITS + 1));
+    mapping->level_q3 = (int8_t)fuzz_u8(bytes);
     for (int i = 0; i < 2; i++) {
         make_vector(bytes, mapping->uv[i]);
-        mapping->bits[i] = fuzz_below(bytes, BITS_MAX + 1);
-        mapping->at_zero_q16[i] = (int32_t)fuzz_u32(bytes);
+        mapping->at_zero_q16[i] = fuzz_u16(bytes);
     }
 }
 

@@ -105,25 +105,38 @@ static uint32_t add_sorted(uint32_t hash, const struct lim_sorter *sorter, bool 
 
 /* Textures and edges ------------------------------------------------------------------------- */
 
+static uint32_t add_shorts(uint32_t hash, const int16_t *values)
+{
+    for (int i = 0; i < LIM_TEXTURE_AXES; i++)
+        hash = add(hash, values[i]);
+    return hash;
+}
+
 static uint32_t add_texturing(uint32_t hash, const struct lim_texturing *texturing)
 {
-    for (int i = 0; i < 3; i++)
-        hash = add_three(add_three(hash, texturing->axes[i].high_q15), texturing->axes[i].low_q30);
-    for (int i = 0; i < 2; i++) {
-        hash = add(add(hash, texturing->tan_q28[i]), texturing->tan_a_px[i]);
-        hash = add(hash, texturing->tan_a_px_bits[i]);
+    for (int i = 0; i < 3; i++) {
+        hash = add_shorts(add_shorts(hash, texturing->axes[i].high_q14), texturing->axes[i].low_q30);
+        hash = add(hash, texturing->axis_bits[i]);
     }
+    hash = add_shorts(add_shorts(hash, texturing->eye_high), texturing->eye_low_q8);
     return add(add(hash, texturing->far_bits), texturing->level_q4);
+}
+
+static uint32_t add_planes(uint32_t hash, const struct lim_texture_planes *planes)
+{
+    hash = golden_hash(hash, &planes->depth, sizeof planes->depth);
+    hash = golden_hash(hash, planes->uv, sizeof planes->uv);
+    hash = golden_hash(hash, planes->eye_uv_q16, sizeof planes->eye_uv_q16);
+    return add(add(add(hash, planes->depth_min), planes->level_q4), planes->even_q4);
 }
 
 static uint32_t add_gradients(uint32_t hash, const struct lim_gradients *gradients)
 {
-    hash = golden_hash(hash, &gradients->depth, sizeof gradients->depth);
-    for (int i = 0; i < 2; i++) {
-        hash = golden_hash(hash, &gradients->uv[i], sizeof gradients->uv[i]);
-        hash = add(add(hash, gradients->eye_uv_q16[i]), gradients->shift[i]);
-    }
-    return add(add(hash, gradients->depth_min), gradients->level_q4);
+    if (!gradients->texture) return hash;
+    hash = add(add(hash, gradients->level.number), gradients->is_even);
+    if (gradients->is_even) return golden_hash(hash, &gradients->even, sizeof gradients->even);
+    return add_planes(add(add(add(hash, gradients->shift), gradients->slope_zeros), gradients->bits),
+                      &gradients->planes);
 }
 
 static uint32_t add_edge(uint32_t hash, const struct lim_edge *edge)

@@ -552,7 +552,7 @@ static void spare_fields_of_textures_are_zero(void **state)
 {
     (void)state;
     struct lim_texture texture = {.levels = 1};
-    struct lim_mapping mapping = {.n = {1, 0, 0}};
+    struct lim_mapping mapping = {.scale = LIM_MAPPING_UPRIGHT};
     const struct lim_scene textured = {.textures = &texture,
                                        .mappings = &mapping,
                                        .texture_count = 1,
@@ -566,6 +566,35 @@ static void spare_fields_of_textures_are_zero(void **state)
     texture.zero = 0;
     mapping.zero = 1;
     assert_false(lim_check_textures(&textured, &err));
+}
+
+/* What the renderer relies on; each alone is refused, and names what it is. */
+static void mappings_out_of_range_are_refused(void **state)
+{
+    (void)state;
+    const struct {
+        struct lim_texture texture;
+        struct lim_mapping mapping;
+        const char *what;
+    } cases[] = {
+        {{.levels = 1}, {.scale = 0}, "plane at word 0"},
+        {{.levels = 1}, {.scale = LIM_MAPPING_UPRIGHT | 3 << LIM_MAPPING_AXIS_SHIFT}, "no such axis"},
+        {{.levels = 1}, {.scale = LIM_MAPPING_UPRIGHT, .plane = 40000}, "outside of the grid"},
+        {{.levels = 1}, {.scale = LIM_MAPPING_UPRIGHT, .uv = {{16384, -16384}, {0, 0}}}, "too long"},
+        {{.levels = 1, .h_bits = 1}, {.scale = LIM_MAPPING_UPRIGHT}, "higher than wide"},
+        {{.levels = 2, .w_bits = 1}, {.scale = LIM_MAPPING_UPRIGHT}, "2 levels"},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        const struct lim_scene textured = {.textures = &cases[i].texture,
+                                           .mappings = &cases[i].mapping,
+                                           .texture_count = 1,
+                                           .mapping_count = 1,
+                                           .palette_colours = 256,
+                                           .texel_blocks = 1};
+        struct error err = {""};
+        assert_false(lim_check_textures(&textured, &err));
+        if (!strstr(err.text, cases[i].what)) fail_msg("%s: %s", cases[i].what, err.text);
+    }
 }
 
 /* Random damage with a right checksum --------------------------------------------------------- */
@@ -668,6 +697,7 @@ int main(void)
         cmocka_unit_test(sets_hold_what_can_be_sorted),
         cmocka_unit_test(flags_of_edges_that_are_not_there_are_refused),
         cmocka_unit_test(spare_fields_of_textures_are_zero),
+        cmocka_unit_test(mappings_out_of_range_are_refused),
         cmocka_unit_test(damage_is_refused_or_harmless),
         cmocka_unit_test(damaged_leaves_are_too),
         cmocka_unit_test(what_cannot_be_written_leaves_nothing_behind),

@@ -165,6 +165,48 @@ static void what_may_not_be_read_ends_the_import(void **state)
     }
 }
 
+/* Red above, blue below, by hand, as the specification of Truevision has it: rows from the bottom up, unless bit 5 of
+ * byte 17 says otherwise, blue, green, red, and in bits 0 to 3 of that byte how many bits of alpha. */
+static size_t make_tga(uint8_t bytes[1024], bool packed, bool from_top, int pixel_b)
+{
+    enum { W_PX = 3, H_PX = 4 };
+    size_t at = 18;
+    memset(bytes, 0, 1024);
+    bytes[2] = packed ? 10 : 2;
+    bytes[12] = W_PX, bytes[14] = H_PX;
+    bytes[16] = (uint8_t)(8 * pixel_b);
+    bytes[17] = (uint8_t)((from_top ? 0x20 : 0) | (pixel_b == 4 ? 8 : 0));
+    for (int row = 0; row < H_PX; row++) {
+        const bool is_red = (from_top ? row : H_PX - 1 - row) < H_PX / 2;
+        if (packed) bytes[at++] = 0x80 | (W_PX - 1);
+        for (int x = 0; x < (packed ? 1 : W_PX); x++) {
+            bytes[at++] = is_red ? 0 : 255;
+            bytes[at++] = 0;
+            bytes[at++] = is_red ? 255 : 0;
+            if (pixel_b == 4) bytes[at++] = 255;
+        }
+    }
+    return at;
+}
+
+static void tga_is_read_whichever_way_it_runs(void **state)
+{
+    (void)state;
+    uint8_t bytes[1024];
+    for (int kind = 0; kind < 8; kind++) {
+        const size_t size_b = make_tga(bytes, kind & 1, kind & 2, kind & 4 ? 4 : 3);
+        put_bytes("hand.tga", bytes, size_b);
+        struct picture picture = from_file("hand.tga");
+        if (picture.reason[0]) fail_msg("kind %d: %s", kind, picture.reason);
+        assert_int_equal(picture.w_px, 3);
+        assert_int_equal(picture.h_px, 4);
+        assert_int_equal(picture.has_alpha, false);
+        for (int i = 0; i < 12; i++)
+            if (picture.pixels[i] != (i < 6 ? 0xFF0000u : 0x0000FFu)) fail_msg("kind %d: pixel %d", kind, i);
+        picture_free(&picture);
+    }
+}
+
 static void assert_refused(const char *name, const char *reason)
 {
     struct picture picture = from_file(name);
@@ -184,6 +226,13 @@ static void what_cannot_be_read_has_a_reason(void **state)
     assert_refused("text.png", "neither PNG nor JPEG");
     put_bytes("broken.png", bytes, sizeof bytes);
     assert_refused("broken.png", "damaged");
+    uint8_t tga[1024];
+    const size_t tga_b = make_tga(tga, false, false, 3);
+    put_bytes("short.tga", tga, tga_b - 9);
+    assert_refused("short.tga", "damaged");
+    tga[16] = 16;
+    put_bytes("high.tga", tga, tga_b);
+    assert_refused("high.tga", "less than 24 bits a pixel");
     assert_refused(".", "it is a folder");
     char name[5000];
     memset(name, 'x', sizeof name - 1);
@@ -306,8 +355,8 @@ static int make_folder(void **state)
 static int remove_folder(void **state)
 {
     (void)state;
-    static const char *const names[] = {"a.png",     "a.jpg",    "a.gif",      "a.bmp",  "large.png",
-                                        "empty.png", "text.png", "broken.png", "cut.jpg"};
+    static const char *const names[] = {"a.png",    "a.jpg",      "a.gif",    "a.bmp",     "large.png", "empty.png",
+                                        "text.png", "broken.png", "hand.tga", "short.tga", "high.tga",  "cut.jpg"};
     for (size_t i = 0; i < sizeof names / sizeof *names; i++)
         unlink(in_folder(names[i]));
     return rmdir(folder);
@@ -319,6 +368,7 @@ int main(void)
         cmocka_unit_test(every_format_is_read),
         cmocka_unit_test(a_large_picture_is_made_smaller),
         cmocka_unit_test(folders_may_be_written_as_on_windows),
+        cmocka_unit_test(tga_is_read_whichever_way_it_runs),
         cmocka_unit_test(what_cannot_be_read_has_a_reason),
         cmocka_unit_test(what_may_not_be_read_ends_the_import),
         cmocka_unit_test(a_truncated_jpeg_is_no_picture),

@@ -1,0 +1,60 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Texels of one level of detail into a line: pixels along which the place in the picture advances evenly. In: a place,
+ * what a pixel adds to it, the level. Out: pixels. Memory: the caller's. */
+#ifndef LIM_TEXELS_H
+#define LIM_TEXELS_H
+
+#include "stages.h"
+
+#if LIM_HAS_TEXTURE
+
+/* The texel at a place: columns from its upper half, rows from its lower one. A picture's rows are as long as it is
+ * wide at this level, 2^w_bits, a constant wherever time matters: two instructions then, on processors that shift what
+ * they add. The rows' mask leaves those that the picture has: it is at most as high as it is wide. */
+static LIM_INLINE uint_fast16_t lim_texel_at(uint32_t place, uint32_t rows_mask, unsigned w_bits)
+{
+    if (!w_bits) return 0;
+    const uint32_t rows = w_bits <= 8 ? place >> (16 - 2 * w_bits) : place << (2 * w_bits - 16);
+
+    return (uint_fast16_t)((rows & rows_mask) + (place >> (32 - w_bits)));
+}
+
+#define LIM_TEXEL_NEXT(k)                                                                                              \
+    to[k] = palette[texels[lim_texel_at(place, rows_mask, w_bits)]];                                                   \
+    place += step
+
+/* n pixels, one at least. Eight at a time, with a jump past those that are too many. */
+static LIM_INLINE void lim_texels_paint_sized(uint16_t *to, uint_fast16_t n, uint32_t place, uint32_t step,
+                                              const struct lim_texture_level *level, unsigned w_bits)
+{
+    const LIM_FLASH uint8_t *const texels = level->texels;
+    const LIM_FLASH uint16_t *const palette = level->palette;
+    const uint32_t rows_mask = level->rows_mask;
+    uint16_t *const end = to + n;
+
+    to -= (0u - n) & 7;
+    // clang-format off
+    switch (n & 7) {
+        do {
+    case 0: LIM_TEXEL_NEXT(0); /* fall through */
+    case 7: LIM_TEXEL_NEXT(1); /* fall through */
+    case 6: LIM_TEXEL_NEXT(2); /* fall through */
+    case 5: LIM_TEXEL_NEXT(3); /* fall through */
+    case 4: LIM_TEXEL_NEXT(4); /* fall through */
+    case 3: LIM_TEXEL_NEXT(5); /* fall through */
+    case 2: LIM_TEXEL_NEXT(6); /* fall through */
+    case 1: LIM_TEXEL_NEXT(7);
+            to += 8;
+        } while (to != end);
+    }
+    // clang-format on
+}
+
+/* The same for a level of any width. */
+void lim_texels_paint(uint16_t *to, uint_fast16_t n, uint32_t place, uint32_t step,
+                      const struct lim_texture_level *level);
+
+#endif
+
+#endif

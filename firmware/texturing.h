@@ -1,0 +1,78 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Private, and complete here as the structs of stages.h are: what texturing keeps of a frame and of a polygon. */
+#ifndef LIM_TEXTURING_H
+#define LIM_TEXTURING_H
+
+#include "config.h"
+
+struct lim_scene;
+struct lim_texture;
+
+/* A direction of the camera, high / 2^14 + low / 2^30, in x, y, z, and x again: each two that follow lie together. */
+enum { LIM_TEXTURE_AXES = 4 };
+struct lim_texture_axis {
+    int16_t high_q14[LIM_TEXTURE_AXES], low_q30[LIM_TEXTURE_AXES]; /* |high| <= 2^14 */
+};
+
+/* What all textured polygons of a frame have in common. */
+struct lim_texturing {
+    const struct lim_scene *scene;
+    struct lim_texture_axis axes[3]; /* what a half-pixel to the right and down adds to the way ahead, and that */
+    int16_t eye_high[LIM_TEXTURE_AXES], eye_low_q8[LIM_TEXTURE_AXES]; /* 256 high + low / 256 units */
+    int8_t axis_bits[3];                                              /* the axes are 2^these times too long */
+    uint8_t far_bits;                                                 /* no vertex is 2^far_bits units away or more */
+    int16_t w_px, h_px;
+    int16_t level_q4; /* what the lens adds to every level of detail, log2 */
+};
+
+/* at + x * X + y * Y for X = 2 x_px + 1 - w_px, and Y likewise: half-pixels from the middle of the screen. Within 31
+ * bits for X within -3 w_px .. 3 w_px and every line of the screen. */
+struct lim_texture_plane {
+    int32_t at, x, y;
+};
+
+/* How to find texels of one level. */
+struct lim_texture_level {
+    const LIM_FLASH uint8_t *texels;
+    const LIM_FLASH uint16_t *palette;
+    uint32_t rows_mask; /* of rows times what a row has, which is 2^w_bits */
+    uint8_t w_bits, number;
+};
+
+/* A place in a picture: u in the upper half, v in the lower one, either in 2^-16 of its width. So it wraps where the
+ * picture does, which is not higher than wide, and is the same at all levels of detail. */
+struct lim_texture_walk {
+    uint32_t place, step; /* from pixel to pixel */
+};
+
+/* Where a polygon is so flat to the eye that texels advance evenly all over it. */
+struct lim_texture_even {
+    uint32_t place, x, y; /* of pixel (0, 0), and what a pixel to the right and down adds */
+};
+
+struct lim_texture_planes {             /* where it is not */
+    struct lim_texture_plane depth;     /* n . D, positive where the polygon is: 1 / z but for a factor */
+    struct lim_texture_plane uv[2];     /* h (a . D), with one more factor */
+    uint32_t eye_uv_q16[2];             /* the place at the eye, in widths of the picture, modulo 2^16 */
+    int32_t depth_min;                  /* that of the scene's far end, at least 1 */
+    int16_t level_q4;                   /* of detail, less 3/2 log2(depth) but for the constant */
+    int16_t even_q4;                    /* log2 of the square of how many pixels are even, less what level_q4 tells */
+    uint32_t level_depth, level_depths; /* those that have the level shown last: from where on, how many */
+};
+
+/* A polygon's mapping as this frame's camera sees it. */
+struct lim_gradients {
+    const LIM_FLASH struct lim_texture *texture; /* NULL: of one colour */
+    struct lim_texture_level level;              /* the last one that was shown */
+    bool is_even;
+    int8_t shift;        /* of planes: makes up for the factors, 31 at most */
+    uint8_t slope_zeros; /* leading zeros of |depth.x| */
+    uint8_t bits;        /* a line's stretches have 2^bits pixels, whatever the line; 0: each line has its own */
+    union {
+        struct lim_texture_even even;
+        struct lim_texture_planes planes;
+    };
+};
+
+#endif
