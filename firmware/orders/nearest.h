@@ -42,11 +42,22 @@ static inline bool lim_wants_antialias(const struct lim_nearest *nearest)
     return LIM_HAS_ANTIALIAS && nearest->paint.smooth->sums && !lim_wireframe_of(nearest->pass);
 }
 
-/* Whether frames, but for changes, are as lim_can_fill() says. */
+/* Whether frames, but for changes, are as lim_is_flat() says. */
+static inline bool lim_nearest_is_flat(const struct lim_nearest *nearest)
+{
+    return !(LIM_HAS_DELTA && *nearest->paint.delta) && !lim_wants_antialias(nearest) && lim_is_flat(nearest->pass);
+}
+
+/* The same of lim_can_fill(). */
 static inline bool lim_nearest_can_fill(const struct lim_nearest *nearest)
 {
-    return !(LIM_HAS_DELTA && *nearest->paint.delta) && !lim_wants_antialias(nearest) &&
-           lim_can_fill(lim_nearest_sorter(nearest), nearest->pass);
+    return lim_nearest_is_flat(nearest) && lim_can_fill(lim_nearest_sorter(nearest), nearest->pass);
+}
+
+/* Scan lines: all that is in view is retained. A constant where there is no choice. */
+static inline bool lim_nearest_retains_all(const struct lim_nearest *nearest)
+{
+    return LIM_HAS_SCANLINE && nearest->retains_all;
 }
 
 #endif

@@ -32,7 +32,7 @@ enum {
     MCU_CROSSING_TEXTURE_B = 60,
     MCU_CROSSING_LONG_EDGES_B = 32, /* more of them in profile exact */
     MCU_CROSSING_B = 40,            /* and a point for each vertex */
-    MCU_MOVER_B = 144,
+    MCU_MOVER_B = 168,
     MCU_MOVER_FINE_B = 72,     /* more of them in the profiles fine and exact, at most: half on a Cortex-M0+ */
     MCU_MOVER_ANTIALIAS_B = 4, /* more of them if it can be drawn with antialiased edges */
     MCU_MOVER_LIGHT_B = 8,     /* more of them if light turns */
