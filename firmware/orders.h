@@ -18,10 +18,12 @@ LIM_OPTIONAL_BEGIN
 
 /* An instance as this frame has it. */
 struct lim_mover {
-    struct lim_view view;  /* in the object's coordinates; the cache is shared */
-    struct lim_eye eye;    /* likewise */
-    int32_t centre_q12[3]; /* of the object's box, units of the static scene, |centre| + radius < 2^28 */
-    int32_t radius_q12;    /* negative: it is left out */
+    struct lim_view view;    /* in the object's coordinates; the cache is shared */
+    struct lim_eye eye;      /* likewise */
+    int32_t centre_q12[3];   /* of the object's box, units of the static scene, |centre| + radius < 2^28 */
+    int32_t radius_q12;      /* negative: it is left out */
+    int32_t half_q12[3];     /* likewise: of a box along the scene's axes */
+    int32_t own_half_q12[3]; /* and of one along its own */
     LIM_OPTIONAL(int16_t, to_q14, 3 * LIM_HAS_LIGHT); /* towards the light, in its own axes */
 };
 
@@ -31,6 +33,14 @@ struct lim_route_pending {
     uint16_t list; /* for its far subtree, or LIM_NONE */
     int8_t side;   /* of the eye */
 };
+
+/* A corner of a mover in the static scene. */
+struct lim_placed {
+    uint16_t mover; /* or LIM_NONE */
+    lim_index vertex;
+    int32_t at_q12[3];
+};
+enum { LIM_PLACED_CORNERS = 32 };
 
 struct lim_movers {
     const struct lim_instance *instances; /* the caller's */
@@ -44,6 +54,7 @@ struct lim_movers {
     uint16_t object_depth;
     int32_t ahead_q28[3]; /* the camera's */
     int32_t eye_q8[3];
+    struct lim_placed placed[LIM_PLACED_CORNERS]; /* of this frame, lately */
     struct lim_view world; /* of the static scene at half its scale, so that it reaches to 2^16 units */
     LIM_OPTIONAL(struct lim_light, light, LIM_HAS_LIGHT);
     LIM_OPTIONAL(struct lim_cull, cull, LIM_HAS_CULL); /* of the object that is being drawn whole */
@@ -56,16 +67,29 @@ struct lim_newell_options {
     uint32_t most;     /* comparisons of a list, after which it is painted as it is; 0: LIM_NEWELL_EFFORT (config.h) */
 };
 
+/* Holds something that moves, along the scene's axes: in steps of two units, as it may be 2^16 of them away. */
+struct lim_extent {
+    int16_t low[3], high[3];
+};
+
 /* What LIM_NEWELL has to know of an entry of the sorted list beside its farthest point. */
 struct lim_newell_polygon {
-    int32_t near_qv;      /* view-space z of its nearest vertex */
-    struct lim_rect rect; /* holds every pixel of it */
-    lim_index node;       /* whose run it is in */
-    uint16_t cuts;        /* the last cut that made this piece, or LIM_NONE: it is whole */
-    bool eye_in_front;    /* of its plane */
-    bool swapped : 1;     /* it goes before a P already */
-    bool last : 1;        /* of its part of the list: what follows may be painted after all of that */
-    uint16_t owner;       /* the mover that it belongs to, or LIM_NONE */
+    __extension__ union { /* C++ wants names for both */
+        struct {
+            int32_t near_qv;      /* view-space z of its nearest vertex */
+            struct lim_rect rect; /* holds every pixel of it */
+        };
+        struct lim_extent extent; /* of a mover's, on its way down the tree */
+    };
+    lim_index node;      /* whose run it is in */
+    uint16_t cuts;       /* the last cut that made this piece, or LIM_NONE: it is whole */
+    bool eye_in_front;   /* of its plane */
+    bool swapped : 1;    /* it goes before a P already */
+    bool last : 1;       /* of its part of the list: what follows may be painted after all of that */
+    bool has_extent : 1; /* it is known */
+    bool in_front : 1;   /* it reaches there, of the plane of the node that it is at */
+    bool behind : 1;     /* likewise */
+    uint16_t owner;      /* the mover that it belongs to, or LIM_NONE */
 };
 
 /* A piece lies on one side of the plane of another entry. */

@@ -115,7 +115,7 @@ static uint16_t most_mover_corners(const struct lim *lim)
 {
     const uint16_t most = LIM_MAX_VERTICES, taken = LIM_RETAINED_HEAD_CELLS + CLIP_PLANES;
 
-    if (!LIM_HAS_NEAREST || lim->pass.target.method != LIM_NEAREST_FIRST) return most;
+    if (!LIM_HAS_WALKED || LIM_IS_PAINTER(&lim->pass.target)) return most;
     const uint16_t cells = lim->nearest->retained.size;
     return cells < most + taken ? (uint16_t)(cells - taken) : most;
 }
@@ -138,7 +138,7 @@ int lim_movers_init(struct lim *lim, void *mem, size_t mem_b, const struct lim_m
     movers->most = limits->instances;
     movers->object_depth = limits->depth;
     movers->most_corners = most_mover_corners(lim);
-    if (lim->pass.target.method != LIM_NEAREST_FIRST && lim->pass.target.method != LIM_PAINTER) movers->most = 0;
+    if (!LIM_HAS_TREE || LIM_IS_SORTED(&lim->pass.target) || LIM_IS_CONVEX(&lim->pass.target)) movers->most = 0;
     if (!movers->most) return LIM_OK;
     movers->movers = lim_mem_cut(&at, limits->instances * sizeof *movers->movers);
     sorter->size = limits->entries;

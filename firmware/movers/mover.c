@@ -29,16 +29,17 @@ static int64_t along_axis(const struct lim_instance *instance, uint_fast8_t j, c
 }
 
 #if LIM_LONG_MULTIPLY || LIM_HAS_FRACTIONS
-/* A point of the object, `bits` fraction bits to its own unit. |v| < 2^24, so sums stay below 2^56. */
-static void place_fine(const struct lim_instance *instance, const int32_t v[3], uint8_t bits, int32_t at_q12[3])
+/* A point of the object, `bits` fraction bits to its own unit. |v| < 2^16 units, so sums stay below 2^28 once they are
+ * in Q12. */
+static inline void place_fine(const struct lim_instance *instance, const int32_t v[3], uint8_t bits, int32_t at_q12[3])
 {
-    const uint8_t shift = (uint8_t)(30 - 12 + bits + instance->finer_bits);
+    const int64_t half = INT64_C(1) << (30 - 12 + bits + instance->finer_bits - 1);
 
     for (uint_fast8_t i = 0; i < 3; i++) {
-        int64_t sum = 0;
+        int64_t sum = half;
         for (uint_fast8_t j = 0; j < 3; j++)
             sum += (int64_t)instance->axes_q30[3 * j + i] * v[j];
-        at_q12[i] = instance->at_q8[i] * 16 + (int32_t)shift_round_s64(sum, shift);
+        at_q12[i] = instance->at_q8[i] * 16 + ((int32_t)(sum >> (30 - 12 + bits)) >> instance->finer_bits);
     }
 }
 #endif
@@ -69,7 +70,7 @@ static void movers_place(const struct lim_instance *instance, const int32_t v[3]
 }
 #endif
 
-void lim_mover_place(const struct lim_movers *movers, uint16_t mover, lim_index vertex, int32_t at_q12[3])
+static void place(const struct lim_movers *movers, uint16_t mover, lim_index vertex, int32_t at_q12[3])
 {
     const struct lim_instance *instance = &movers->instances[mover];
     const struct lim_vertex at = instance->object->vertices[vertex];
@@ -85,6 +86,25 @@ void lim_mover_place(const struct lim_movers *movers, uint16_t mover, lim_index 
 #endif
     const int32_t v[3] = {at.x, at.y, at.z};
     movers_place(instance, v, at_q12);
+}
+
+void lim_mover_forget_corners(struct lim_movers *movers)
+{
+    for (uint_fast8_t i = 0; i < LIM_PLACED_CORNERS; i++)
+        movers->placed[i].mover = LIM_NONE;
+}
+
+/* The same few corners are asked for again and again: for each plane that a polygon may meet. */
+const int32_t *lim_mover_corner(struct lim_movers *movers, uint16_t mover, lim_index vertex)
+{
+    struct lim_placed *placed = &movers->placed[(vertex + 8u * mover) % LIM_PLACED_CORNERS];
+
+    if (placed->mover != mover || placed->vertex != vertex) {
+        placed->mover = mover;
+        placed->vertex = vertex;
+        place(movers, mover, vertex, placed->at_q12);
+    }
+    return placed->at_q12;
 }
 
 /* The normal N = R n has as many bits as leave room, 29; its d follows from N . p = n . v for p = R v / 2^finer + at.
@@ -118,6 +138,93 @@ int32_t lim_mover_depth(const struct lim_movers *movers, const int32_t at_q12[3]
     for (uint_fast8_t i = 0; i < 3; i++)
         sum_q40 += movers->ahead_q28[i] * ((int64_t)at_q12[i] - (int64_t)movers->eye_q8[i] * 16);
     return (int32_t)(sum_q40 >> 31);
+}
+
+/* What bounds a mover: as a point, if it enters by its centre. */
+static int32_t radius_of(const struct lim_movers *movers, uint16_t mover)
+{
+    return movers->instances[mover].by_centre ? 0 : movers->movers[mover].radius_q12;
+}
+
+/* Nearer by all of its ball. */
+static bool is_nearer(const struct lim_movers *movers, uint16_t a, uint16_t b)
+{
+    const int32_t far = lim_mover_depth(movers, movers->movers[a].centre_q12) + (radius_of(movers, a) >> 3);
+    const int32_t near = lim_mover_depth(movers, movers->movers[b].centre_q12) - (radius_of(movers, b) >> 3);
+
+    return far <= near;
+}
+
+/* Whether a plane along two of the scene's axes has all of `b` on the side where the eye is not, and all of `a` on the
+ * eye's. */
+static bool is_before_along_axis(const struct lim_movers *movers, const struct lim_mover *a, const struct lim_mover *b)
+{
+    for (uint_fast8_t i = 0; i < 3; i++) {
+        const int32_t away_q12 = b->centre_q12[i] - a->centre_q12[i];
+        if ((int32_t)abs_s32(away_q12) < a->half_q12[i] + b->half_q12[i]) continue;
+        const int32_t end_q8 = (b->centre_q12[i] + (away_q12 > 0 ? -b->half_q12[i] : b->half_q12[i])) >> 4;
+        if (away_q12 > 0 ? movers->eye_q8[i] <= end_q8 : movers->eye_q8[i] > end_q8) return true;
+    }
+    return false;
+}
+
+/* The same of a plane that stands upright on the way from the one's centre to the other's, between their balls. */
+static bool is_before_along_way(const struct lim_movers *movers, const struct lim_mover *a, const struct lim_mover *b)
+{
+    int64_t square_q8 = 0, eye_q8 = 0;
+    uint32_t longest = 0, sum = 0;
+
+    for (uint_fast8_t i = 0; i < 3; i++) {
+        const int32_t way = (b->centre_q12[i] - a->centre_q12[i]) >> 12;
+        square_q8 += (int64_t)way * way * 256;
+        eye_q8 += (int64_t)way * (movers->eye_q8[i] - (a->centre_q12[i] >> 4));
+        sum += abs_s32(way);
+        if (abs_s32(way) > longest) longest = abs_s32(way);
+    }
+    const int64_t length = longest + (sum - longest) * 107 / 256 + 1;
+    const int64_t a_q8 = length * ((a->radius_q12 >> 4) + 512), b_q8 = length * ((b->radius_q12 >> 4) + 512);
+    return a_q8 + b_q8 <= square_q8 && eye_q8 <= square_q8 - b_q8;
+}
+
+/* How far along one of the object's own axes a point is from its centre, as the static scene counts. */
+static int32_t along_own_axis_q8(const struct lim_instance *instance, const struct lim_mover *mover, uint_fast8_t j,
+                                 const int32_t at_q8[3])
+{
+    int32_t away_q8[3];
+
+    for (uint_fast8_t i = 0; i < 3; i++)
+        away_q8[i] = at_q8[i] - (mover->centre_q12[i] >> 4);
+    return (int32_t)(along_axis(instance, j, away_q8) >> 30);
+}
+
+/* Whether a plane along two of a mover's own axes parts it from the ball of another one, and the eye is on the mover's
+ * side, or on the ball's. Two units are for all that is rounded. */
+static bool is_parted(const struct lim_movers *movers, uint16_t of, uint16_t ball, bool eye_beside_it)
+{
+    const struct lim_instance *instance = &movers->instances[of];
+    const struct lim_mover *mover = &movers->movers[of], *other = &movers->movers[ball];
+    const int32_t ball_q8[3] = {other->centre_q12[0] >> 4, other->centre_q12[1] >> 4, other->centre_q12[2] >> 4};
+
+    for (uint_fast8_t j = 0; j < 3; j++) {
+        const int32_t at_q8 = along_own_axis_q8(instance, mover, j, ball_q8);
+        const int32_t end_q8 = (int32_t)abs_s32(at_q8) - (other->radius_q12 >> 4) - 512;
+        const int32_t half_q8 = mover->own_half_q12[j] >> 4;
+        if (end_q8 < half_q8) continue;
+        const int32_t eye_q8 = along_own_axis_q8(instance, mover, j, movers->eye_q8);
+        const int32_t to_eye_q8 = at_q8 < 0 ? -eye_q8 : eye_q8;
+        if (eye_beside_it ? to_eye_q8 <= end_q8 : to_eye_q8 >= half_q8) return true;
+    }
+    return false;
+}
+
+bool lim_mover_precedes(const struct lim_movers *movers, uint16_t a, uint16_t b)
+{
+    const struct lim_mover *first = &movers->movers[a], *second = &movers->movers[b];
+
+    return is_nearer(movers, a, b) ||
+           (!movers->instances[a].by_centre && !movers->instances[b].by_centre &&
+            (is_before_along_axis(movers, first, second) || is_before_along_way(movers, first, second) ||
+             is_parted(movers, a, b, true) || is_parted(movers, b, a, false)));
 }
 
 struct lim_view *lim_mover_view(struct lim_movers *movers, uint16_t mover)
@@ -156,6 +263,17 @@ static struct lim_box movers_box_of(const struct lim_instance *instance)
     return box;
 }
 
+/* Of a box that is turned, along an axis of the scene; 2^-12 more for each rounding of a corner that it holds. */
+static int32_t half_along(const struct lim_instance *instance, const uint16_t half[3], uint_fast8_t i)
+{
+    int64_t sum_q30 = 0;
+
+    for (uint_fast8_t j = 0; j < 3; j++)
+        sum_q30 += (int64_t)abs_s32(instance->axes_q30[3 * j + i]) * half[j];
+    return (int32_t)(sum_q30 >> (30 - 12 + instance->finer_bits)) + 2 +
+           (LIM_HAS_FRACTIONS ? (int32_t)LIM_CORNER_ONE_Q12 >> instance->finer_bits : 0);
+}
+
 /* As in rows.c, a length is at most that of its longest component and 107/256 of the others. */
 static void set_ball(struct lim_mover *mover, const struct lim_instance *instance)
 {
@@ -169,6 +287,10 @@ static void set_ball(struct lim_mover *mover, const struct lim_instance *instanc
         if (box.half[i] > longest) longest = box.half[i];
     }
     movers_place(instance, centre, mover->centre_q12);
+    for (uint_fast8_t i = 0; i < 3; i++) {
+        mover->own_half_q12[i] = (int32_t)(((uint32_t)box.half[i] << 12 >> instance->finer_bits) + LIM_CORNER_ONE_Q12);
+        mover->half_q12[i] = half_along(instance, box.half, i);
+    }
     const uint32_t radius = longest + (sum - longest) * 107 / 256 + 1; /* below 2^16 */
     mover->radius_q12 = (int32_t)((radius << 12 >> instance->finer_bits) + LIM_CORNER_ONE_Q12);
 }
@@ -269,6 +391,7 @@ void lim_movers_pose(struct lim_movers *movers, struct lim_pass *pass, const str
     uint32_t drawn = 0;
 
     movers->cached = LIM_NONE;
+    lim_mover_forget_corners(movers);
     if (!movers->given) return;
     lim_orientation_set(axes_q30, camera);
     for (uint_fast8_t i = 0; i < 3; i++) {

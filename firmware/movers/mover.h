@@ -15,14 +15,21 @@ void lim_movers_pose(struct lim_movers *movers, struct lim_pass *pass, const str
 /* In all views of the frame. */
 void lim_movers_set_antialiased(struct lim_movers *movers, bool antialiased);
 
-/* An object's vertex in the static scene. */
-void lim_mover_place(const struct lim_movers *movers, uint16_t mover, lim_index vertex, int32_t at_q12[3]);
+/* An object's vertex in the static scene, Q12: valid until another one is asked for. */
+const int32_t *lim_mover_corner(struct lim_movers *movers, uint16_t mover, lim_index vertex);
+
+/* They have moved. */
+void lim_mover_forget_corners(struct lim_movers *movers);
 
 /* The mover's view, with the cache empty or its own. */
 struct lim_view *lim_mover_view(struct lim_movers *movers, uint16_t mover);
 
 /* How far ahead of the eye a point is, in 1/512 units. */
 int32_t lim_mover_depth(const struct lim_movers *movers, const int32_t at_q12[3]);
+
+/* Whether nothing of mover `b` can hide anything of `a`: a plane between them tells, or their depths. Of movers that
+ * enter by their centres these alone count. */
+bool lim_mover_precedes(const struct lim_movers *movers, uint16_t a, uint16_t b);
 
 /* A plane of an object, as it lies in the static scene. */
 void lim_mover_turn(const struct lim_movers *movers, uint16_t mover, struct lim_plane_unpacked *plane);

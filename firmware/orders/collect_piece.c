@@ -42,6 +42,7 @@ static LIM_IF_CALLED bool see_lines(const struct lim_spans *spans, const struct 
 static enum lim_span_result pass(struct lim_nearest *nearest, uint8_t alpha, const struct lim_point *last, int16_t top,
                                  int16_t bottom)
 {
+    if (lim_nearest_retains_all(nearest)) return top < bottom ? LIM_SPAN_SOME : LIM_SPAN_NOTHING;
     if (!LIM_HAS_TRANSPARENT || alpha == LIM_OPAQUE) return close_piece_lines(&nearest->spans, last, top, bottom);
     return see_lines(&nearest->spans, last, top, bottom) ? LIM_SPAN_SOME : LIM_SPAN_NOTHING;
 }

@@ -15,9 +15,9 @@
 #include "lines/span.h"
 #include "orders/room.h"
 #include "pieces/entry.h"
+#include "routes/mover_list.h"
 #include "routes/mover_order.h"
 #include "routes/mover_route.h"
-#include "routes/mover_split.h"
 #include "routes/route.h"
 #include "screen/project.h"
 #include "screen/samples.h"
@@ -138,16 +138,14 @@ static inline bool collect_samples(struct lim_nearest *nearest, const struct lim
  * any number of polygons lie behind one another at a pixel, and the least pools hold one. */
 static inline bool can_retain_all(const struct lim_nearest *nearest, const struct lim_rect *band)
 {
-    return LIM_IS_SCANLINE(&nearest->pass->target) && band->y1 - band->y0 > 1 && lim_nearest_is_plain(nearest) &&
-           lim_is_opaque(lim_nearest_sorter(nearest), nearest->pass);
+    const struct lim_pass *pass = nearest->pass;
+    const bool mixed = LIM_HAS_TEXTURE && lim_texture_count(pass->scene) && lim_moves(lim_nearest_sorter(nearest));
+
+    return LIM_IS_SCANLINE(&pass->target) && band->y1 - band->y0 > 1 && lim_nearest_is_plain(nearest) &&
+           lim_is_opaque(pass) && !mixed;
 }
 
-/* Constants where there is no choice. */
-static inline bool retains_all(const struct lim_nearest *nearest)
-{
-    return LIM_HAS_SCANLINE && nearest->retains_all;
-}
-
+/* A constant where there is no choice. */
 static inline bool fills(const struct lim_nearest *nearest)
 {
     return LIM_HAS_FILLED && nearest->fills;
@@ -176,7 +174,7 @@ static bool collect_plain(struct lim_nearest *nearest, const struct lim_screen_p
     const uint8_t alpha = wireframe ? (uint8_t)LIM_OPAQUE : lim_alpha_of(polygon);
     if (LIM_HAS_TRANSPARENT && alpha != LIM_OPAQUE) {
         if (!lim_layers_see(&nearest->spans, polygon, shown.top, shown.bottom)) return true;
-    } else if (!retains_all(nearest)) {
+    } else if (!lim_nearest_retains_all(nearest)) {
         const struct lim_span_extent lines = shown;
         if (!close_lines(&nearest->spans, polygon->at, polygon->n, polygon->shape.first, &shown, NULL, NULL) &&
             !close_with_room(nearest, polygon->at, polygon->n, polygon->shape.first, lines, &shown))
@@ -260,7 +258,7 @@ static inline enum outcome collect_fast(struct lim_nearest *nearest, const LIM_F
         const uint16_t colour = lim_memory_colour((uint16_t)record[1]);
         return fill_lines(nearest, at, n, shape.first, shown, colour) ? COLLECTED : EXHAUSTED_POOL;
     }
-    if (!retains_all(nearest)) {
+    if (!lim_nearest_retains_all(nearest)) {
         struct lim_span_extent seen = shown;
         if (!close_lines(&nearest->spans, at, n, shape.first, &seen, NULL, NULL) &&
             !close_with_room(nearest, at, n, shape.first, shown, &seen))
@@ -287,7 +285,7 @@ static LIM_ALONE bool collect_record(struct lim_nearest *nearest, const LIM_FLAS
 
     if (outcome == SLOW_PATH) outcome = collect_any(nearest, record) ? COLLECTED : EXHAUSTED_POOL;
     if (outcome == EXHAUSTED_POOL) return false;
-    if (retains_all(nearest) || !nearest->spans.open_lines) return true;
+    if (lim_nearest_retains_all(nearest) || !nearest->spans.open_lines) return true;
     if (outcome == COLLECTED) lim_spans_trim(&nearest->spans);
     if (++nearest->since_shrink == POLYGONS_PER_SHRINK) {
         nearest->since_shrink = 0;
@@ -337,7 +335,7 @@ static LIM_IF_CALLED bool collect_list(struct lim_nearest *nearest, uint16_t lis
     list = lim_movers_order(sorter, list, false);
     if (lim_movers_draw(sorter, list, &nearest->spans.open, false, draw_mover, nearest) == MOVER_EXHAUSTED)
         return false;
-    shrink(nearest);
+    if (!lim_nearest_retains_all(nearest)) shrink(nearest);
     return true;
 }
 

@@ -54,4 +54,10 @@ static inline bool lim_nearest_can_fill(const struct lim_nearest *nearest)
     return lim_nearest_is_plain(nearest) && lim_can_fill(lim_nearest_sorter(nearest), nearest->pass);
 }
 
+/* Scan lines: all that is in view is retained. A constant where there is no choice. */
+static inline bool lim_nearest_retains_all(const struct lim_nearest *nearest)
+{
+    return LIM_HAS_SCANLINE && nearest->retains_all;
+}
+
 #endif

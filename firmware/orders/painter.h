@@ -7,17 +7,17 @@
 #include "orders.h"
 #include "view/pass.h"
 
-/* Whether all of a frame is opaque, filled, and where the tree has it. */
-static inline bool lim_is_opaque(const struct lim_sorter *sorter, const struct lim_pass *pass)
+/* Whether all of a frame is opaque and filled. */
+static inline bool lim_is_opaque(const struct lim_pass *pass)
 {
-    return !(LIM_HAS_TRANSPARENT && pass->scene->limits.layers) && !lim_wireframe_of(pass) && !lim_moves(sorter);
+    return !(LIM_HAS_TRANSPARENT && pass->scene->limits.layers) && !lim_wireframe_of(pass);
 }
 
 /* Whether all of a frame is made of pieces in one opaque colour each, and of no others: a target that keeps the whole
  * picture can have them as they are found. */
 static inline bool lim_can_fill(const struct lim_sorter *sorter, const struct lim_pass *pass)
 {
-    return lim_is_opaque(sorter, pass) && !(LIM_HAS_TEXTURE && lim_texture_count(pass->scene));
+    return lim_is_opaque(pass) && !(LIM_HAS_TEXTURE && lim_texture_count(pass->scene)) && !lim_moves(sorter);
 }
 
 /* The lists of movers, or of a sorted method's polygons; NULL where neither is linked. */

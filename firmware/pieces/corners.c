@@ -36,7 +36,9 @@ void lim_entry_corner(const struct lim_sorter *sorter, uint16_t entry, lim_index
     const uint16_t owner = lim_entry_owner(sorter, entry);
 
     if (LIM_HAS_MOVERS && owner != LIM_NONE) {
-        lim_mover_place(sorter->movers, owner, vertex, at_q12);
+        const int32_t *placed_q12 = lim_mover_corner(sorter->movers, owner, vertex);
+        for (uint_fast8_t i = 0; i < 3; i++)
+            at_q12[i] = placed_q12[i];
         return;
     }
     const struct lim_vertex at = scene->vertices[vertex];
@@ -94,14 +96,22 @@ static bool clip_to(struct lim_corners *to, const struct lim_corners *from, cons
     return to->n >= 3;
 }
 
+const struct lim_corners *lim_corners_part(const struct lim_sorter *sorter, uint16_t entry,
+                                           const struct lim_corners *whole, const struct lim_plane_unpacked *plane,
+                                           bool front, struct lim_corners places[2])
+{
+    struct lim_corners *const part = whole == &places[0] ? &places[1] : &places[0];
+
+    return clip_to(part, whole, plane, front, most_corners(lim_entry_scene(sorter, entry))) ? part : NULL;
+}
+
 const struct lim_corners *lim_corners_cut(const struct lim_sorter *sorter, uint16_t entry,
                                           const struct lim_plane_unpacked *plane, bool front,
                                           struct lim_corners places[2])
 {
     const struct lim_corners *whole = lim_corners_of(sorter, entry, places);
-    struct lim_corners *const part = whole == &places[0] ? &places[1] : &places[0];
 
-    return whole && clip_to(part, whole, plane, front, most_corners(lim_entry_scene(sorter, entry))) ? part : NULL;
+    return whole ? lim_corners_part(sorter, entry, whole, plane, front, places) : NULL;
 }
 
 /* The corners of a piece, in one of two places. NULL: too many, or none. */
@@ -121,6 +131,42 @@ const struct lim_corners *lim_corners_of(const struct lim_sorter *sorter, uint16
         here = clipped;
     }
     return here;
+}
+
+struct lim_reach lim_corners_reach(const struct lim_corners *corners)
+{
+    struct lim_reach reach;
+
+    for (uint_fast8_t i = 0; i < 3; i++) {
+        int32_t low = corners->at_q12[0][i], high = low;
+        for (uint_fast8_t k = 1; k < corners->n; k++) {
+            const int32_t at = corners->at_q12[k][i];
+            if (at < low) low = at;
+            if (at > high) high = at;
+        }
+        reach.low_q12[i] = low;
+        reach.high_q12[i] = high;
+    }
+    return reach;
+}
+
+/* In steps of two units. */
+static int16_t halved(int32_t at_q12, int32_t more)
+{
+    const int32_t half = (at_q12 >> 13) + more;
+
+    return (int16_t)(half > INT16_MAX ? INT16_MAX : half < INT16_MIN ? INT16_MIN : half);
+}
+
+void lim_entry_set_extent(struct lim_sorter *sorter, uint16_t entry, struct lim_reach reach)
+{
+    struct lim_newell_polygon *polygon = &sorter->newell->polygons[entry];
+
+    for (uint_fast8_t i = 0; i < 3; i++) {
+        polygon->extent.low[i] = halved(reach.low_q12[i], 0);
+        polygon->extent.high[i] = halved(reach.high_q12[i], 1);
+    }
+    polygon->has_extent = true;
 }
 
 #endif

@@ -13,12 +13,28 @@ struct lim_corners {
     int32_t at_q12[LIM_PIECE_VERTICES][3]; /* |coordinate| <= 2^27, of movers 2^28 */
 };
 
+/* Holds something that moves, along the scene's axes. |coordinate| <= 2^28. */
+struct lim_reach {
+    int32_t low_q12[3], high_q12[3];
+};
+
+struct lim_reach lim_corners_reach(const struct lim_corners *corners);
+
+/* Keeps it with an entry, for as long as that is not cut. */
+void lim_entry_set_extent(struct lim_sorter *sorter, uint16_t entry, struct lim_reach reach);
+
 /* The corner of a record, in units of the scene. */
 void lim_entry_corner(const struct lim_sorter *sorter, uint16_t entry, lim_index vertex, int32_t at_q12[3]);
 
 /* The plane of an entry of the list, in its own scene. Entries without a record stand for the plane of a node. */
 const LIM_FLASH struct lim_plane_ref *lim_plane_of(const struct lim_sorter *sorter, uint16_t entry);
 void lim_plane_load(struct lim_plane_unpacked *plane, const struct lim_sorter *sorter, uint16_t entry);
+
+/* Of the corners of an entry, in one of two places, those of the part on one side of a plane, in the other. NULL: as
+ * below. */
+const struct lim_corners *lim_corners_part(const struct lim_sorter *sorter, uint16_t entry,
+                                           const struct lim_corners *whole, const struct lim_plane_unpacked *plane,
+                                           bool front, struct lim_corners places[2]);
 
 /* Those of the part of it on one side of a plane. */
 const struct lim_corners *lim_corners_cut(const struct lim_sorter *sorter, uint16_t entry,

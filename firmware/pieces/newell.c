@@ -15,6 +15,8 @@
  * comparisons are counted: when there are none left, the list is painted as it is. */
 #include "pieces/newell.h"
 
+#include "movers/deform.h"
+#include "pieces/entry.h"
 #include "pieces/piece.h"
 #include "pieces/sorter.h"
 #include "view/pass.h"
@@ -100,6 +102,17 @@ static bool passes(struct lim_sorter *sorter, struct couple *couple, enum lim_ne
     return !(couple->p_sides & LIM_SIDE_BACK);
 }
 
+/* Whether P comes later than Q in the order of the object that both are of, nearest first: its polygons became entries
+ * one after the other. */
+static bool is_later_of_object(const struct lim_sorter *sorter, uint16_t p, uint16_t q)
+{
+    const uint16_t owner = lim_entry_owner(sorter, p);
+
+    return LIM_HAS_MOVERS && owner != LIM_NONE && owner == lim_entry_owner(sorter, q) && p > q &&
+           !lim_entry_is_cut(sorter, p) && !lim_entry_is_cut(sorter, q) &&
+           !lim_deforms(&sorter->movers->instances[owner]);
+}
+
 /* Whether P may be painted before Q. */
 static bool may_precede(struct lim_sorter *sorter, struct couple *couple)
 {
@@ -109,6 +122,7 @@ static bool may_precede(struct lim_sorter *sorter, struct couple *couple)
     const LIM_FLASH uint8_t *order = orders[sorter->newell->options.planes_first];
 
     (void)spend(sorter);
+    if (is_later_of_object(sorter, couple->p, couple->q)) return true;
     for (uint_fast8_t i = 0; i < 6; i++) {
         const enum lim_newell_test test = (enum lim_newell_test)order[i];
         if (!passes(sorter, couple, test)) continue;

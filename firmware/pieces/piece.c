@@ -306,7 +306,22 @@ static struct lim_rect rect_of(const struct lim_sorter *sorter, const struct lim
     return both.x0 < both.x1 && both.y0 < both.y1 ? both : *whole;
 }
 
-/* What is known of an entry after a cut; of a piece's pixels if they are compared. false: it has too many corners. */
+/* How far the two pieces of an entry reach in the static scene. false: one would have too many corners. */
+static bool find_extents(struct lim_sorter *sorter, uint16_t entry, uint16_t other, uint16_t by)
+{
+    struct lim_corners places[2];
+    struct lim_plane_unpacked plane;
+    const struct lim_corners *whole = lim_corners_of(sorter, entry, places), *part;
+
+    lim_plane_load(&plane, sorter, by);
+    if (!whole || !(part = lim_corners_part(sorter, entry, whole, &plane, false, places))) return false;
+    lim_entry_set_extent(sorter, other, lim_corners_reach(part));
+    if (!(part = lim_corners_part(sorter, entry, whole, &plane, true, places))) return false;
+    lim_entry_set_extent(sorter, entry, lim_corners_reach(part));
+    return true;
+}
+
+/* What is known of an entry that is compared; of a piece's pixels, too. false: it has too many corners. */
 static bool find_bounds(struct lim_sorter *sorter, uint16_t entry, bool on_screen)
 {
     struct lim_newell_polygon *polygon = &sorter->newell->polygons[entry];
@@ -350,10 +365,11 @@ uint16_t lim_piece_split(struct lim_sorter *sorter, uint16_t entry, uint16_t by)
     const struct lim_newell_polygon polygon = newell->polygons[entry];
     sorter->list[other] = before;
     newell->polygons[other] = polygon;
+    const bool on_screen = !LIM_HAS_MOVERS || LIM_IS_NEWELL(&sorter->pass->target) || sorter->comparing;
+    const bool has_extents = on_screen || find_extents(sorter, entry, other, by);
     remember(sorter, entry, (uint16_t)(by | LIM_CUT_FRONT));
     remember(sorter, other, by);
-    const bool on_screen = !LIM_HAS_MOVERS || LIM_IS_NEWELL(&sorter->pass->target) || sorter->comparing;
-    if (!find_bounds(sorter, entry, on_screen) || !find_bounds(sorter, other, on_screen)) {
+    if (!has_extents || (on_screen && (!find_bounds(sorter, entry, true) || !find_bounds(sorter, other, true)))) {
         newell->cuts_used = (uint16_t)(newell->cuts_used - 2);
         sorter->list[entry] = before;
         newell->polygons[entry] = polygon;
@@ -378,6 +394,7 @@ bool lim_piece_rect(struct lim_sorter *sorter, uint16_t entry)
                      lim_entry_record(sorter, entry), &screen, NULL))
         return false;
     const struct lim_edge_shape *shape = &whole.shape;
+    sorter->newell->polygons[entry].has_extent = false;
     sorter->newell->polygons[entry].rect =
         (struct lim_rect){piece_within(shape->left, w_px), piece_within(shape->top, h_px),
                           piece_within(shape->right, w_px), piece_within(shape->bottom, h_px)};

@@ -81,20 +81,26 @@ static void find_chord(struct chord *chord, const struct lim_sorter *sorter, uin
     }
 }
 
+/* How many more bits than 30 a number has. */
+static uint8_t bits_above_s30(uint64_t bits)
+{
+    const uint32_t high = (uint32_t)(bits >> 32), low = (uint32_t)bits;
+
+    return (uint8_t)(high ? 34 - clz_u32(high) : low >> 30 ? 2 - clz_u32(low) : 0);
+}
+
 /* m above, turned so that it is >= 0 where the plane's front is. */
 static void find_line(int32_t out[3], const struct chord *chord)
 {
     int64_t m[3], dot = 0;
     uint64_t bits = 0;
-    uint8_t shift = 0;
 
     for (uint_fast8_t i = 0; i < 3; i++) {
         const uint_fast8_t j = lim_axis_after(i), k = lim_axis_after(j);
         m[i] = (int64_t)chord->out[j] * chord->back[k] - (int64_t)chord->out[k] * chord->back[j];
         bits |= m[i] < 0 ? 0 - (uint64_t)m[i] : (uint64_t)m[i];
     }
-    while (bits >> shift >> 30)
-        shift++;
+    const uint8_t shift = bits_above_s30(bits);
     for (uint_fast8_t i = 0; i < 3; i++) {
         out[i] = (int32_t)(m[i] >> shift);
         dot += (int64_t)out[i] * (chord->far[i] >> 1);
@@ -169,6 +175,78 @@ static void narrow(struct lim_point *line, const struct trace *trace, int16_t ro
         line->x = (lim_sub)(x + 1);
 }
 
+/* Where a trace crosses the rows of a lattice of pixels: at x + row * slope. Neither is exact, but both pieces get the
+ * same. */
+struct crossing {
+    int64_t x_q20, slope_q20;
+    bool front_is_low;
+};
+
+enum { CROSSING_ONE_Q20 = 1 << 20, CROSSING_SLACK_Q20 = 1 << 6, CROSSING_BITS_MAX = 20 };
+
+/* The number as 32 bits, the highest of which is set, times 2^*shift. */
+static uint32_t mantissa_of(int64_t number, int8_t *shift)
+{
+    const uint64_t size = number < 0 ? 0 - (uint64_t)number : (uint64_t)number;
+    const uint32_t high = (uint32_t)(size >> 32), low = (uint32_t)size;
+
+    if (high) {
+        const uint8_t zeros = clz_u32(high);
+        *shift = (int8_t)(32 - zeros);
+        return zeros ? high << zeros | low >> (32 - zeros) : high;
+    }
+    const uint8_t zeros = clz_u32(low);
+    *shift = (int8_t)-zeros;
+    return low << zeros;
+}
+
+/* -num / step. false: the quotient is too large. */
+static bool quotient_q20(int64_t num, int64_t step, uint32_t step_recip_q31, int8_t step_shift, int64_t *out_q20)
+{
+    int8_t shift;
+
+    *out_q20 = 0;
+    if (!num) return true;
+    const uint32_t high =
+        (uint32_t)(((uint64_t)mantissa_of(num, &shift) * step_recip_q31) >> 32); /* / 2^30, below 2^32 */
+    const int16_t places = (int16_t)(30 - 20 - shift + step_shift);              /* to the right */
+    if (places < -CROSSING_BITS_MAX) return false;
+    const int64_t size = places >= 32 ? 0 : places >= 0 ? high >> places : (int64_t)high * (INT64_C(1) << -places);
+    *out_q20 = (num < 0) == (step < 0) ? -size : size;
+    return true;
+}
+
+/* false: it is too level. */
+static bool set_crossing(struct crossing *crossing, const struct trace *trace)
+{
+    int8_t step_shift;
+    uint8_t zeros;
+
+    if (!trace->step || (LIM_HAS_ANTIALIAS && trace->shift)) return false;
+    const uint32_t recip_q31 = recip_q31_of(mantissa_of(trace->step, &step_shift), &zeros);
+    crossing->front_is_low = trace->step < 0;
+    return quotient_q20(trace->first, trace->step, recip_q31, step_shift, &crossing->x_q20) &&
+           quotient_q20(trace->down, trace->step, recip_q31, step_shift, &crossing->slope_q20);
+}
+
+/* Cuts all lines. What is as good as on the plane is in front. */
+static void narrow_all(struct lim_point *last, const struct crossing *crossing, int16_t top, int16_t bottom, bool front)
+{
+    const int32_t slack_q20 =
+        crossing->front_is_low ? CROSSING_ONE_Q20 + CROSSING_SLACK_Q20 : CROSSING_ONE_Q20 - 1 - CROSSING_SLACK_Q20;
+    int64_t x_q20 = crossing->x_q20 + crossing->slope_q20 * top + slack_q20;
+
+    for (int16_t y = top; y < bottom; y++, x_q20 += crossing->slope_q20) {
+        struct lim_point *line = &last[bottom - 1 - y];
+        const int64_t at = x_q20 >> 20;
+        if (front == crossing->front_is_low) {
+            if (at < line->y) line->y = at > line->x ? (lim_sub)at : line->x;
+        } else {
+            if (at > line->x) line->x = at < line->y ? (lim_sub)at : line->y;
+        }
+    }
+}
+
 /* The part of the screen that is drawn: no line leaves it. */
 void lim_trace_lines(struct lim_point *last, const struct lim_screen_polygon *whole, const struct lim_rect *open,
                      int16_t top, int16_t bottom)
@@ -192,11 +270,17 @@ void lim_trace_cut(const struct lim_sorter *sorter, uint16_t entry, struct lim_p
     for (uint16_t cut = newell->polygons[entry].cuts; cut != LIM_NONE; cut = newell->cuts[cut].next) {
         struct lim_plane_unpacked plane;
         struct trace trace;
+        struct crossing crossing;
         lim_plane_load(&plane, sorter, newell->cuts[cut].by & LIM_SORTED_MAX);
         set_trace(&trace, sorter, entry, &plane);
+        const bool front = newell->cuts[cut].by & LIM_CUT_FRONT;
+        if (set_crossing(&crossing, &trace)) {
+            narrow_all(last, &crossing, top, bottom, front);
+            continue;
+        }
         for (int16_t y = top; y < bottom; y++) {
             struct lim_point *line = &last[bottom - 1 - y];
-            if (line->x < line->y) narrow(line, &trace, y, newell->cuts[cut].by & LIM_CUT_FRONT);
+            if (line->x < line->y) narrow(line, &trace, y, front);
         }
     }
 }

@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: MIT
  *
  * A list of movers in empty space, from which nothing of the static scene divides them. One object's polygons
- * are in the order of its own tree. Objects whose extents in depth do not overlap follow each other; else all their
- * polygons are sorted as Newell, Newell and Sancha did (newell.c), which splits what passes through each other. */
+ * are in the order of its own tree. Objects follow each other where a plane between them tells which is nearer; of
+ * those between which none does, all polygons are sorted as Newell, Newell and Sancha did (newell.c), which splits what
+ * passes through each other. */
 #include "routes/mover_order.h"
 
 #include "eye.h"
@@ -12,7 +13,7 @@
 #include "pieces/newell.h"
 #include "pieces/piece.h"
 #include "pieces/sorter.h"
-#include "routes/mover_split.h"
+#include "routes/mover_list.h"
 #include "routes/route.h"
 #include "screen/project.h"
 
@@ -23,17 +24,6 @@ static bool deforms(const struct lim_sorter *sorter, uint16_t entry)
     const uint16_t owner = lim_entry_owner(sorter, entry);
 
     return owner != LIM_NONE && lim_deforms(&sorter->movers->instances[owner]);
-}
-
-/* One that has an order of its own. */
-static bool has_one_owner(const struct lim_sorter *sorter, uint16_t list)
-{
-    const uint16_t owner = lim_entry_owner(sorter, list);
-
-    if (deforms(sorter, list)) return false;
-    for (; list != LIM_NONE; list = sorter->list[list].next)
-        if (lim_entry_owner(sorter, list) != owner) return false;
-    return true;
 }
 
 static uint16_t reverse(struct lim_sorted *list, uint16_t first)
@@ -49,35 +39,10 @@ static uint16_t reverse(struct lim_sorted *list, uint16_t first)
     return reversed;
 }
 
-/* Along the camera's axis. An instance that enters by its centre is a point. */
-static void ball_bounds(struct lim_sorter *sorter, uint16_t entry)
+/* From the nearest on, or from the farthest. */
+static uint16_t order_to(struct lim_sorter *sorter, uint16_t list, bool back_to_front)
 {
-    const uint16_t owner = lim_entry_owner(sorter, entry);
-    const struct lim_mover *mover = &sorter->movers->movers[owner];
-    const int32_t depth = lim_mover_depth(sorter->movers, mover->centre_q12);
-    const int32_t reach = sorter->movers->instances[owner].by_centre ? 0 : (mover->radius_q12 >> 3) + 1;
-
-    sorter->list[entry].far_qv = depth + reach;
-    sorter->newell->polygons[entry].near_qv = depth - reach;
-}
-
-/* Whether the list is of whole instances, one behind the other or by their centres; it is sorted then, nearest first.
- */
-static bool is_row(struct lim_sorter *sorter, uint16_t *list)
-{
-    struct lim_sorted *entries = sorter->list;
-    int32_t end = INT32_MIN;
-
-    for (uint16_t at = *list; at != LIM_NONE; at = entries[at].next) {
-        if (!lim_mover_is_whole(sorter, at) || deforms(sorter, at)) return false;
-        ball_bounds(sorter, at);
-    }
-    *list = reverse(entries, lim_sorted_sort(entries, *list));
-    for (uint16_t at = *list; at != LIM_NONE; at = entries[at].next) {
-        if (sorter->newell->polygons[at].near_qv < end) return false;
-        end = entries[at].far_qv;
-    }
-    return true;
+    return back_to_front ? reverse(sorter->list, list) : list;
 }
 
 /* Every entry a polygon or a piece, with all that Newell's sort wants to know; what has no pixel is dropped. false: no
@@ -106,7 +71,8 @@ static uint16_t sort_roughly(struct lim_sorter *sorter, uint16_t list)
 {
     for (uint16_t at = list; at != LIM_NONE; at = sorter->list[at].next) {
         if (lim_mover_is_whole(sorter, at))
-            ball_bounds(sorter, at);
+            sorter->list[at].far_qv =
+                lim_mover_depth(sorter->movers, sorter->movers->movers[lim_entry_owner(sorter, at)].centre_q12);
         else
             (void)lim_piece_bounds(sorter, at);
     }
@@ -114,9 +80,9 @@ static uint16_t sort_roughly(struct lim_sorter *sorter, uint16_t list)
     return reverse(sorter->list, lim_sorted_sort(sorter->list, list));
 }
 
+/* What no order of whole objects is right for. */
 static uint16_t sort(struct lim_sorter *sorter, uint16_t list)
 {
-    if (is_row(sorter, &list)) return list;
     if (!bound_all(sorter, &list)) return sort_roughly(sorter, list);
     sorter->first = lim_sorted_sort(sorter->list, list);
     sorter->comparing = true;
@@ -126,10 +92,116 @@ static uint16_t sort(struct lim_sorter *sorter, uint16_t list)
     return sorter->first;
 }
 
+/* Objects ---------------------------------------------------------------------------------------------------------- */
+
+/* The entries of one object follow each other in a list. Returns the last of those that begin at `first`. */
+static uint16_t last_of(const struct lim_sorter *sorter, uint16_t first)
+{
+    const uint16_t owner = lim_entry_owner(sorter, first);
+
+    while (sorter->list[first].next != LIM_NONE && lim_entry_owner(sorter, sorter->list[first].next) == owner)
+        first = sorter->list[first].next;
+    return first;
+}
+
+static uint16_t next_object(const struct lim_sorter *sorter, uint16_t first)
+{
+    return sorter->list[last_of(sorter, first)].next;
+}
+
+/* Whether the object of one entry may be drawn before that of another, nearest first. */
+static bool may_precede(const struct lim_sorter *sorter, uint16_t a, uint16_t b)
+{
+    return lim_mover_precedes(sorter->movers, lim_entry_owner(sorter, a), lim_entry_owner(sorter, b));
+}
+
+static bool is_grouped(const struct lim_sorter *sorter, uint16_t first)
+{
+    return sorter->newell->polygons[first].in_front;
+}
+
+/* An object that has to come before one of the group, or all before each other; LIM_NONE: none. */
+static uint16_t find_blocker(const struct lim_sorter *sorter, uint16_t list)
+{
+    for (uint16_t a = list; a != LIM_NONE; a = next_object(sorter, a)) {
+        if (!is_grouped(sorter, a)) continue;
+        for (uint16_t b = list; b != LIM_NONE; b = next_object(sorter, b))
+            if (!is_grouped(sorter, b) && !may_precede(sorter, a, b)) return b;
+    }
+    return LIM_NONE;
+}
+
+static void set_group(struct lim_sorter *sorter, uint16_t list, uint16_t only)
+{
+    for (; list != LIM_NONE; list = next_object(sorter, list))
+        sorter->newell->polygons[list].in_front = list == only;
+}
+
+/* Groups objects that may be drawn before all others: one, if there is one. Where two come before each other, or some
+ * in a circle, they are one group. */
+static void find_group(struct lim_sorter *sorter, uint16_t list)
+{
+    uint16_t first = list, blocker, steps = sorter->movers->count;
+
+    set_group(sorter, list, first);
+    while ((blocker = find_blocker(sorter, list)) != LIM_NONE) {
+        if (steps && may_precede(sorter, blocker, first)) {
+            steps--;
+            first = blocker;
+            set_group(sorter, list, first);
+        } else {
+            steps = 0;
+            sorter->newell->polygons[blocker].in_front = true;
+        }
+    }
+}
+
+/* Takes the group out of a list. */
+static uint16_t take_group(struct lim_sorter *sorter, uint16_t *list)
+{
+    uint16_t group, *end = &group, *link = list;
+
+    while (*link != LIM_NONE) {
+        const uint16_t first = *link, last = last_of(sorter, first);
+        if (is_grouped(sorter, first)) {
+            *link = sorter->list[last].next;
+            *end = first;
+            end = &sorter->list[last].next;
+        } else {
+            link = &sorter->list[last].next;
+        }
+    }
+    *end = LIM_NONE;
+    return group;
+}
+
+/* Polygons of a leaf belong to no object, and have no place before or behind one. */
+static bool has_still(const struct lim_sorter *sorter, uint16_t list)
+{
+    for (; list != LIM_NONE; list = next_object(sorter, list))
+        if (lim_entry_owner(sorter, list) == LIM_NONE) return true;
+    return false;
+}
+
+static uint16_t order_group(struct lim_sorter *sorter, uint16_t group)
+{
+    const bool is_one = sorter->list[last_of(sorter, group)].next == LIM_NONE;
+
+    return is_one && !deforms(sorter, group) ? group : sort(sorter, group);
+}
+
 uint16_t lim_movers_order(struct lim_sorter *sorter, uint16_t list, bool back_to_front)
 {
-    if (!has_one_owner(sorter, list)) list = sort(sorter, list);
-    return back_to_front ? reverse(sorter->list, list) : list;
+    uint16_t ordered = LIM_NONE, *end = &ordered;
+
+    if (has_still(sorter, list)) return order_to(sorter, sort(sorter, list), back_to_front);
+    while (list != LIM_NONE) {
+        find_group(sorter, list);
+        *end = order_group(sorter, take_group(sorter, &list));
+        while (*end != LIM_NONE)
+            end = &sorter->list[*end].next;
+    }
+    return order_to(sorter, ordered, back_to_front);
 }
 
 /* Drawing ------------------------------------------------------------------------------------ */

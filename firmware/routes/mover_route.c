@@ -7,6 +7,7 @@
 #include "routes/mover_route.h"
 
 #include "eye.h"
+#include "routes/mover_list.h"
 #include "routes/mover_split.h"
 #include "routes/route.h"
 #include "view/pass.h"
@@ -38,7 +39,7 @@ static void route_enter(struct lim_route *route)
         return;
     }
     const int32_t side = lim_eye_side(route->eye, &node->split);
-    lim_movers_divide(route->sorter, route->next, side, route->list, &front, &back);
+    lim_movers_divide(route, side, route->list, &front, &back);
     lim_route_go_near(route, node, side, front, back);
 }
 

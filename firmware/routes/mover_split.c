@@ -2,8 +2,7 @@
  *
  * Lists of movers and the planes of the static tree. An entry is an instance as a whole, a polygon of one, or a piece
  * of such a polygon; and a plane that has cut something is an entry too, in no list, for the pieces to remember it.
- * Lists of one instance's polygons keep the order of its own tree, nearest first. Nothing is given back before the next
- * walk. */
+ * Lists of one instance's polygons keep the order of its own tree, nearest first. */
 #include "routes/mover_split.h"
 
 #include "eye.h"
@@ -11,183 +10,11 @@
 #include "pieces/corners.h"
 #include "pieces/entry.h"
 #include "pieces/piece.h"
+#include "routes/mover_list.h"
 #include "routes/route.h"
-#include "view/cull.h"
+#include "routes/shaft.h"
 
 #if LIM_HAS_MOVERS
-
-/* A list that grows at its end. */
-struct queue {
-    struct lim_sorted *list;
-    uint16_t *head;
-    uint16_t last;
-};
-
-static struct queue queue_begin(struct lim_sorter *sorter, uint16_t *head)
-{
-    *head = LIM_NONE;
-    return (struct queue){sorter->list, head, LIM_NONE};
-}
-
-static void queue_add(struct queue *queue, uint16_t entry)
-{
-    *(queue->last == LIM_NONE ? queue->head : &queue->list[queue->last].next) = entry;
-    queue->list[entry].next = LIM_NONE;
-    queue->last = entry;
-}
-
-void lim_movers_note_entries(struct lim_sorter *sorter)
-{
-    const uint16_t used = sorter->used > sorter->newell->cuts_used ? sorter->used : sorter->newell->cuts_used;
-
-    if (LIM_HAS_STATS && used > lim_stats_of(sorter->pass)->movers.entries)
-        lim_stats_of(sorter->pass)->movers.entries = used;
-}
-
-static uint16_t new_entry(struct lim_sorter *sorter, lim_index record, uint16_t owner, lim_index node)
-{
-
-    if (sorter->used == sorter->size) return LIM_NONE;
-    sorter->list[sorter->used] = (struct lim_sorted){.record = record, .next = LIM_NONE};
-    sorter->newell->polygons[sorter->used] =
-        (struct lim_newell_polygon){.node = node, .cuts = LIM_NONE, .owner = owner};
-    sorter->used++;
-    lim_movers_note_entries(sorter);
-    return (uint16_t)(sorter->used - 1);
-}
-
-/* Whether the box around the ball, as far as the grid reaches, is in view. */
-static bool is_in_view(const struct lim_mover *mover, const struct lim_cull *open)
-{
-    struct lim_box box;
-
-    if (!LIM_HAS_CULL) return true;
-    for (uint_fast8_t i = 0; i < 3; i++) {
-        const int32_t centre = mover->centre_q12[i] >> 12, half = (mover->radius_q12 >> 12) + 1;
-        if (centre < -32768 || centre > 32767 || half > 32768) return true;
-        box.centre[i] = (int16_t)centre;
-        box.half[i] = (uint16_t)half;
-    }
-    return lim_cull_sees(open, &box);
-}
-
-uint16_t lim_movers_list(struct lim_sorter *sorter, const struct lim_cull *open)
-{
-    struct lim_movers *movers = sorter->movers;
-    uint16_t head;
-    struct queue queue = queue_begin(sorter, &head);
-
-    sorter->used = 0;
-    sorter->newell->cuts_used = 0;
-    for (uint16_t i = 0; i < movers->count; i++) {
-        if (movers->movers[i].radius_q12 < 0) continue;
-        if (is_in_view(&movers->movers[i], open)) {
-            const uint16_t entry = new_entry(sorter, LIM_NO_INDEX, i, LIM_NO_INDEX);
-            LIM_DEBUG_ASSERT(entry != LIM_NONE); /* there are as many as instances */
-            if (entry != LIM_NONE) queue_add(&queue, entry);
-        } else if (LIM_HAS_STATS) {
-            lim_stats_of(sorter->pass)->movers.hidden++;
-        }
-    }
-    return head;
-}
-
-/* Polygons ----------------------------------------------------------------------------------- */
-
-/* false: no room. */
-static bool add_run(struct lim_sorter *sorter, struct queue *queue, const struct lim_route *route, uint16_t mover,
-                    lim_index at)
-{
-    for (;;) {
-        const LIM_FLASH lim_index *record = &route->scene->polygons[at];
-        const lim_index head = record[0];
-        if (lim_record_is_seen(route->eye, record)) {
-            const uint16_t entry = new_entry(sorter, at, mover, route->node);
-            if (entry == LIM_NONE) return false;
-            sorter->newell->polygons[entry].eye_in_front =
-                LIM_HAS_LEAVES && head & LIM_POLYGON_PLANE ? !(head & LIM_POLYGON_BACK) : route->side > 0;
-            queue_add(queue, entry);
-        }
-        if (head & LIM_POLYGON_LAST) return true;
-        at = (lim_index)(at + lim_record_words(head));
-    }
-}
-
-/* Every record, wherever in the tree it is: it knows its own plane. */
-static LIM_IF_CALLED bool add_deformed(struct lim_sorter *sorter, struct queue *queue, uint16_t mover)
-{
-    const struct lim_scene *object = sorter->movers->instances[mover].object;
-
-    for (lim_index at = 0; at < object->polygon_words;) {
-        const LIM_FLASH lim_index *record = &object->polygons[at];
-        if (lim_deform_is_seen(&sorter->movers->movers[mover].eye, record)) {
-            const uint16_t entry = new_entry(sorter, at, mover, 0);
-            if (entry == LIM_NONE) return false;
-            sorter->newell->polygons[entry].eye_in_front = true;
-            queue_add(queue, entry);
-        }
-        at = (lim_index)(at + lim_record_words(record[0]));
-    }
-    return true;
-}
-
-static bool add_by_tree(struct lim_sorter *sorter, struct queue *queue, uint16_t mover)
-{
-    const struct lim_rect screen = {0, 0, sorter->pass->target.w_px, sorter->pass->target.h_px};
-    struct lim_route route = lim_route_object(sorter, mover, &screen, false);
-    lim_index run;
-
-    while (lim_route_next_alone(&route, &run))
-        if (!add_run(sorter, queue, &route, mover, run)) return false;
-    return true;
-}
-
-bool lim_mover_burst(struct lim_sorter *sorter, uint16_t entry, uint16_t *list)
-{
-    const uint16_t used = sorter->used, rest = sorter->list[entry].next;
-    const uint16_t mover = lim_entry_owner(sorter, entry);
-    const bool deforms = lim_deforms(&sorter->movers->instances[mover]);
-    uint16_t head;
-    struct queue queue = queue_begin(sorter, &head);
-
-    const bool has_room =
-        LIM_HAS_DEFORM && deforms ? add_deformed(sorter, &queue, mover) : add_by_tree(sorter, &queue, mover);
-
-    if (!has_room) {
-        sorter->used = used;
-        return false;
-    }
-    *(queue.last == LIM_NONE ? &head : &sorter->list[queue.last].next) = rest;
-    *list = head;
-    if (LIM_HAS_STATS) lim_stats_of(sorter->pass)->movers.divided++;
-    return true;
-}
-
-static bool has_centres(const struct lim_sorter *sorter, uint16_t list)
-{
-    for (; list != LIM_NONE; list = sorter->list[list].next)
-        if (lim_mover_is_whole(sorter, list) && sorter->movers->instances[lim_entry_owner(sorter, list)].by_centre)
-            return true;
-    return false;
-}
-
-bool lim_movers_join(struct lim_sorter *sorter, lim_index run, uint16_t list)
-{
-    const struct lim_route leaf = {.scene = sorter->pass->scene, .eye = lim_eye_of(sorter->pass), .node = LIM_NO_INDEX};
-    const uint16_t used = sorter->used;
-    uint16_t head, last = list;
-    struct queue queue = queue_begin(sorter, &head);
-
-    if (has_centres(sorter, list)) return false;
-    if (!add_run(sorter, &queue, &leaf, LIM_NONE, run)) {
-        sorter->used = used;
-        return false;
-    }
-    while (sorter->list[last].next != LIM_NONE)
-        last = sorter->list[last].next;
-    sorter->list[last].next = head;
-    return true;
-}
 
 /* Planes ------------------------------------------------------------------------------------- */
 
@@ -252,21 +79,75 @@ static uint8_t certain_side(const struct lim_sorter *sorter, const struct divide
     return sides;
 }
 
-/* The ball of a whole instance against a plane. */
-static uint8_t sides_of_ball(const struct lim_sorter *sorter, uint16_t entry, const struct lim_plane_unpacked *plane)
+/* Where the eye is, or the side that is walked first. */
+static uint8_t near_side(const struct divider *divider)
+{
+    return divider->eye_side > 0 ? LIM_SIDE_FRONT : LIM_SIDE_BACK;
+}
+
+/* How far it reaches from its centre along a plane's normal. */
+static int64_t reach_to(const struct lim_mover *mover, const struct lim_plane_unpacked *plane)
+{
+    uint32_t longest = 0;
+    int64_t box = 0;
+
+    if (plane->axis != LIM_NO_AXIS) return mover->half_q12[plane->axis];
+    for (uint_fast8_t i = 0; i < 3; i++) {
+        if (abs_s32(plane->n[i]) > longest) longest = abs_s32(plane->n[i]);
+        box += (int64_t)abs_s32(plane->n[i]) * mover->half_q12[i];
+    }
+    /* As in mover.c, the normal's length. */
+    const int64_t length = longest + (plane->slack - longest) * 107 / 256 + 1;
+    const int64_t ball = length * mover->radius_q12;
+    return ball < box ? ball : box;
+}
+
+/* A whole instance against a plane: the ball around it, or the box, whichever reaches less. What is within the plane's
+ * slack lies in it, so on the eye's side: beyond is what lies behind that, too. */
+static uint8_t sides_of_whole(const struct lim_sorter *sorter, uint16_t entry, const struct divider *divider)
 {
     const uint16_t owner = lim_entry_owner(sorter, entry);
     const struct lim_mover *mover = &sorter->movers->movers[owner];
-    const int64_t value = lim_corner_value(plane, mover->centre_q12);
-    uint32_t longest = 0;
+    const int64_t value = lim_corner_value(&divider->plane, mover->centre_q12);
 
     if (sorter->movers->instances[owner].by_centre) return value > 0 ? LIM_SIDE_FRONT : value < 0 ? LIM_SIDE_BACK : 0;
-    for (uint_fast8_t i = 0; i < 3; i++)
-        if (abs_s32(plane->n[i]) > longest) longest = abs_s32(plane->n[i]);
-    /* As in movers.c, the normal's length. */
-    const int64_t length = longest + (plane->slack - longest) * 107 / 256 + 1;
-    const int64_t reach = length * mover->radius_q12;
-    return value > reach ? LIM_SIDE_FRONT : value < -reach ? LIM_SIDE_BACK : LIM_SIDE_BOTH;
+    const int64_t reach = reach_to(mover, &divider->plane);
+    const int64_t slack_q12 = divider->plane.slack * LIM_CORNER_ONE_Q12;
+    const int64_t near = divider->eye_side > 0 ? value : -value; /* how far on the near side */
+    if (near >= reach - slack_q12) return near_side(divider);
+    return near < -reach - slack_q12 ? LIM_SIDE_BOTH - near_side(divider) : LIM_SIDE_BOTH;
+}
+
+/* The same of an extent; 0: not certain. Sums of a plane that is not large stay below 2^30. */
+static uint8_t side_of_extent(const struct lim_extent *extent, const struct lim_plane_unpacked *plane)
+{
+    int32_t low = 0, high = 0;
+
+    if (!plane->narrow) return 0;
+    for (uint_fast8_t i = 0; i < 3; i++) {
+        const int32_t n = plane->n[i];
+        low += n * (n >= 0 ? extent->low[i] : extent->high[i]);
+        high += n * (n >= 0 ? extent->high[i] : extent->low[i]);
+    }
+    const int32_t half_d = (int32_t)(plane->d >> 1);
+    return low > half_d ? LIM_SIDE_FRONT : high < half_d ? LIM_SIDE_BACK : 0;
+}
+
+/* The sides that an entry reaches to. */
+static uint8_t sides_of(const struct lim_sorter *sorter, struct divider *divider, uint16_t entry)
+{
+    const uint16_t owner = lim_entry_owner(sorter, entry);
+
+    if (lim_mover_is_whole(sorter, entry)) return sides_of_whole(sorter, entry, divider);
+    const struct lim_newell_polygon *polygon = &sorter->newell->polygons[entry];
+    const uint8_t by_extent = polygon->has_extent ? side_of_extent(&polygon->extent, &divider->plane) : 0;
+    if (by_extent) return by_extent;
+    if (owner != LIM_NONE && !lim_entry_is_cut(sorter, entry)) {
+        if (owner != divider->owner) turn_to(sorter, divider, owner);
+        const uint8_t side = certain_side(sorter, divider, entry);
+        if (side) return side;
+    }
+    return lim_piece_sides_of(sorter, entry, &divider->plane);
 }
 
 /* What cannot be divided goes where it reaches farther. */
@@ -288,10 +169,163 @@ static uint8_t heavier_side(const struct lim_sorter *sorter, uint16_t entry, con
     return back > front ? LIM_SIDE_BACK : LIM_SIDE_FRONT;
 }
 
+static void set_sides(struct lim_sorter *sorter, uint16_t entry, uint8_t sides)
+{
+    sorter->newell->polygons[entry].in_front = sides & LIM_SIDE_FRONT;
+    sorter->newell->polygons[entry].behind = sides & LIM_SIDE_BACK;
+}
+
+static uint8_t sides_at(const struct lim_sorter *sorter, uint16_t entry)
+{
+    const struct lim_newell_polygon *polygon = &sorter->newell->polygons[entry];
+
+    return (uint8_t)((polygon->in_front ? LIM_SIDE_FRONT : 0) | (polygon->behind ? LIM_SIDE_BACK : 0));
+}
+
+/* Uncut ------------------------------------------------------------------------------------------------------------ */
+
+/* false: a piece has too many corners. */
+static bool reach_of(const struct lim_sorter *sorter, uint16_t entry, struct lim_reach *reach)
+{
+    const struct lim_mover *mover = &sorter->movers->movers[lim_entry_owner(sorter, entry)];
+    struct lim_corners places[2];
+
+    if (lim_mover_is_whole(sorter, entry)) {
+        for (uint_fast8_t i = 0; i < 3; i++) {
+            reach->low_q12[i] = mover->centre_q12[i] - mover->half_q12[i];
+            reach->high_q12[i] = mover->centre_q12[i] + mover->half_q12[i];
+        }
+        return true;
+    }
+    const struct lim_corners *corners = lim_corners_of(sorter, entry, places);
+    if (corners) *reach = lim_corners_reach(corners);
+    return corners;
+}
+
+/* Whether the shaft meets another entry; what it is not known of it does. */
+static bool meets_entry(struct lim_sorter *sorter, const struct lim_shaft *shaft, uint16_t entry)
+{
+    const struct lim_newell_polygon *polygon = &sorter->newell->polygons[entry];
+    struct lim_reach reach;
+
+    if (!polygon->has_extent) {
+        if (!reach_of(sorter, entry, &reach)) return true;
+        lim_entry_set_extent(sorter, entry, reach);
+    }
+    return lim_shaft_meets_extent(shaft, &polygon->extent);
+}
+
+/* Whether the object of an entry may be drawn before that of another, or after it. */
+static bool has_order_with(const struct lim_sorter *sorter, uint16_t entry, uint16_t other, bool after)
+{
+    const uint16_t owner = lim_entry_owner(sorter, entry), others = lim_entry_owner(sorter, other);
+
+    return owner != others && lim_mover_precedes(sorter->movers, after ? others : owner, after ? owner : others);
+}
+
+/* Whether anything else of the list that reaches to `side` is in the way. Of one object what comes later hides nothing
+ * of what comes before. */
+static bool meets_list(struct lim_sorter *sorter, const struct lim_shaft *shaft, uint16_t list, uint16_t entry,
+                       uint8_t side)
+{
+    const uint16_t owner = lim_entry_owner(sorter, entry);
+    const bool has_order = !lim_deforms(&sorter->movers->instances[owner]);
+    bool is_later = false;
+
+    for (; list != LIM_NONE; list = sorter->list[list].next) {
+        if (list == entry) is_later = true;
+        if (list == entry || !(sides_at(sorter, list) & side)) continue;
+        if (is_later != shaft->is_shadow && has_order && lim_entry_owner(sorter, list) == owner) continue;
+        if (meets_entry(sorter, shaft, list) && !has_order_with(sorter, entry, list, shaft->is_shadow)) return true;
+    }
+    return false;
+}
+
+/* Whether an entry that reaches through the plane may go to the near side as it is, or to the far one. */
+static bool stays(struct lim_sorter *sorter, const struct divider *divider, const struct lim_route *route,
+                  uint16_t list, uint16_t entry, const struct lim_reach *reach, bool goes_near)
+{
+    const bool front_is_near = divider->eye_side > 0;
+    const uint8_t near = near_side(divider), other = goes_near ? LIM_SIDE_BOTH - near : near;
+    struct lim_shaft shaft;
+
+    if (goes_near)
+        lim_shaft_set(&shaft, route->eye, reach, &divider->plane, front_is_near);
+    else if (!lim_shadow_set(&shaft, route->eye, reach, &divider->plane, front_is_near))
+        return false;
+    return !meets_list(sorter, &shaft, list, entry, other) &&
+           !lim_shaft_meets_scene(&shaft, route, divider->eye_side, reach);
+}
+
+/* Finds the sides of all entries up to `end`. */
+static void find_sides(struct lim_sorter *sorter, struct divider *divider, uint16_t list, uint16_t end)
+{
+    for (; list != end; list = sorter->list[list].next) {
+        const uint8_t sides = sides_of(sorter, divider, list);
+        set_sides(sorter, list, sides ? sides : near_side(divider));
+    }
+}
+
+/* Finds a side for what need not be cut; whether it has one. */
+static bool keep_uncut(struct lim_sorter *sorter, const struct divider *divider, const struct lim_route *route,
+                       uint16_t list, uint16_t entry)
+{
+    const uint8_t near = near_side(divider);
+    struct lim_reach reach;
+
+    if (!reach_of(sorter, entry, &reach)) return false;
+    if (stays(sorter, divider, route, list, entry, &reach, true))
+        set_sides(sorter, entry, near);
+    else if (stays(sorter, divider, route, list, entry, &reach, false))
+        set_sides(sorter, entry, (uint8_t)(LIM_SIDE_BOTH - near));
+    return sides_at(sorter, entry) != LIM_SIDE_BOTH;
+}
+
+/* Whole instances first: one that has found its side may let others find theirs. */
+static void keep_whole(struct lim_sorter *sorter, const struct divider *divider, const struct lim_route *route,
+                       uint16_t list)
+{
+    bool again = true;
+
+    while (again) {
+        again = false;
+        for (uint16_t at = list; at != LIM_NONE; at = sorter->list[at].next)
+            if (sides_at(sorter, at) == LIM_SIDE_BOTH && lim_mover_is_whole(sorter, at) &&
+                keep_uncut(sorter, divider, route, list, at))
+                again = true;
+    }
+}
+
+/* Bursts the first instance that has found none. false: there is none. */
+static bool burst_one(struct lim_sorter *sorter, struct divider *divider, uint16_t *list)
+{
+    for (uint16_t *link = list; *link != LIM_NONE; link = &sorter->list[*link].next) {
+        const uint16_t entry = *link, rest = sorter->list[entry].next;
+        if (sides_at(sorter, entry) != LIM_SIDE_BOTH || !lim_mover_is_whole(sorter, entry)) continue;
+        if (!lim_mover_burst(sorter, entry, link)) continue;
+        find_sides(sorter, divider, *link, rest);
+        return true;
+    }
+    return false;
+}
+
+/* Leaves on both sides what has to be cut. */
+static void decide(struct lim_sorter *sorter, struct divider *divider, const struct lim_route *route, uint16_t *list)
+{
+    do
+        keep_whole(sorter, divider, route, *list);
+    while (burst_one(sorter, divider, list));
+    for (uint16_t at = *list; at != LIM_NONE; at = sorter->list[at].next)
+        if (sides_at(sorter, at) == LIM_SIDE_BOTH && !lim_mover_is_whole(sorter, at))
+            (void)keep_uncut(sorter, divider, route, *list, at);
+}
+
+/* Cutting ---------------------------------------------------------------------------------------------------------- */
+
 /* The piece in front stays `entry`. Returns the other one, or LIM_NONE: no room. */
 static uint16_t mover_split_split(struct lim_sorter *sorter, struct divider *divider, uint16_t entry)
 {
-    if (divider->entry == LIM_NONE) divider->entry = new_entry(sorter, LIM_NO_INDEX, LIM_NONE, divider->node);
+    if (divider->entry == LIM_NONE) divider->entry = lim_entry_new(sorter, LIM_NO_INDEX, LIM_NONE, divider->node);
     if (divider->entry == LIM_NONE) return LIM_NONE;
     const uint16_t other = lim_piece_split(sorter, entry, divider->entry);
     if (other == LIM_NONE) return LIM_NONE;
@@ -300,52 +334,39 @@ static uint16_t mover_split_split(struct lim_sorter *sorter, struct divider *div
     return other;
 }
 
-static uint8_t sides_of(const struct lim_sorter *sorter, struct divider *divider, uint16_t entry)
+/* Adds an entry to the side that it reaches to, or its pieces to both. */
+static void mover_split_one(struct lim_sorter *sorter, struct divider *divider, uint16_t entry, struct lim_queue *front,
+                            struct lim_queue *back)
 {
-    const uint16_t owner = lim_entry_owner(sorter, entry);
+    uint8_t sides = sides_at(sorter, entry);
 
-    if (lim_mover_is_whole(sorter, entry)) return sides_of_ball(sorter, entry, &divider->plane);
-    if (owner != LIM_NONE) {
-        if (owner != divider->owner) turn_to(sorter, divider, owner);
-        const uint8_t side = certain_side(sorter, divider, entry);
-        if (side) return side;
-    }
-    return lim_piece_sides_of(sorter, entry, &divider->plane);
-}
-
-/* Adds an entry that reaches to neither, one, or both sides. */
-static void mover_split_one(struct lim_sorter *sorter, struct divider *divider, uint16_t entry, uint8_t sides,
-                            struct queue *front, struct queue *back)
-{
     if (sides == LIM_SIDE_BOTH) {
         const uint16_t other =
             lim_mover_is_whole(sorter, entry) ? (uint16_t)LIM_NONE : mover_split_split(sorter, divider, entry);
         if (other != LIM_NONE) {
-            queue_add(front, entry);
-            queue_add(back, other);
+            lim_queue_add(front, entry);
+            lim_queue_add(back, other);
             return;
         }
         if (LIM_HAS_STATS) lim_stats_of(sorter->pass)->movers.forced++;
         sides = heavier_side(sorter, entry, &divider->plane);
     }
-    if (!sides) sides = divider->eye_side > 0 ? LIM_SIDE_FRONT : LIM_SIDE_BACK;
-    queue_add(sides == LIM_SIDE_FRONT ? front : back, entry);
+    lim_queue_add(sides == LIM_SIDE_FRONT ? front : back, entry);
 }
 
-void lim_movers_divide(struct lim_sorter *sorter, lim_index node, int32_t eye_side, uint16_t list, uint16_t *front,
-                       uint16_t *back)
+void lim_movers_divide(const struct lim_route *route, int32_t eye_side, uint16_t list, uint16_t *front, uint16_t *back)
 {
-    struct divider divider = {.node = node, .entry = LIM_NONE, .eye_side = eye_side, .owner = LIM_NONE};
-    struct queue fronts = queue_begin(sorter, front), backs = queue_begin(sorter, back);
+    struct lim_sorter *const sorter = route->sorter;
+    struct divider divider = {.node = route->next, .entry = LIM_NONE, .eye_side = eye_side, .owner = LIM_NONE};
+    struct lim_queue fronts = lim_queue_begin(sorter, front), backs = lim_queue_begin(sorter, back);
 
-    lim_plane_unpack(&divider.plane, sorter->pass->scene, &sorter->pass->scene->nodes[node].split);
+    lim_plane_unpack(&divider.plane, route->scene, &route->scene->nodes[route->next].split);
+    find_sides(sorter, &divider, list, LIM_NONE);
+    decide(sorter, &divider, route, &list);
     while (list != LIM_NONE) {
         const uint16_t entry = list;
-        const uint8_t sides = sides_of(sorter, &divider, entry);
-        if (sides == LIM_SIDE_BOTH && lim_mover_is_whole(sorter, entry) && lim_mover_burst(sorter, entry, &list))
-            continue;
         list = sorter->list[entry].next;
-        mover_split_one(sorter, &divider, entry, sides, &fronts, &backs);
+        mover_split_one(sorter, &divider, entry, &fronts, &backs);
     }
 }
 

@@ -41,14 +41,12 @@ void lim_plane_unpack(struct lim_plane_unpacked *plane, const struct lim_scene *
 /* How far along from a value to one of the other sign 0 is. */
 static uint32_t zero_q31(int64_t from, int64_t to)
 {
-    uint64_t part = from < 0 ? 0 - (uint64_t)from : (uint64_t)from;
-    uint64_t sum = part + (to < 0 ? 0 - (uint64_t)to : (uint64_t)to);
+    const uint64_t part = from < 0 ? 0 - (uint64_t)from : (uint64_t)from;
+    const uint64_t sum = part + (to < 0 ? 0 - (uint64_t)to : (uint64_t)to);
+    const uint32_t above = (uint32_t)(sum >> 32);
+    const uint8_t shift = above ? (uint8_t)(32 - clz_u32(above)) : 0;
 
-    while (sum >> 32) {
-        part >>= 1;
-        sum >>= 1;
-    }
-    return ratio_q31((uint32_t)part, (uint32_t)sum);
+    return ratio_q31((uint32_t)(part >> shift), (uint32_t)(sum >> shift));
 }
 
 /* Always from the front, so that the pieces on either side get the same corner. */

@@ -68,8 +68,7 @@ static bool take_scene(struct play *play, struct arguments *arguments, struct er
     if (!options_parse(arguments->count, arguments->items, OPTIONS_VIEW, options, err)) return false;
     options_settle_panel(options, &play->module_choice.panel);
     options->orbit_frames = ORBIT_FRAMES;
-    const enum lim_method method = options->setup.method;
-    if (method != LIM_NEAREST_FIRST && method != LIM_PAINTER) options->movers.mode = MOVING_OFF;
+    if (!method_can_move(options->setup.method)) options->movers.mode = MOVING_OFF;
     module_choice_picture(&play->module_choice.module, &options->setup.w_px, &options->setup.h_px);
     options->compile.w_px = options->setup.w_px;
     options->compile.h_px = options->setup.h_px;

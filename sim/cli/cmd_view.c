@@ -27,8 +27,7 @@ struct viewing {
 static bool view_load(struct viewing *view, struct lens *lens, struct error *err)
 {
     struct options *options = &view->options;
-    const enum lim_method method = options->setup.method;
-    if (method != LIM_NEAREST_FIRST && method != LIM_PAINTER) options->movers.mode = MOVING_OFF;
+    if (!method_can_move(options->setup.method)) options->movers.mode = MOVING_OFF;
     if (!options_load(options, &view->scene, &view->moving, lens, &view->path, err)) return false;
     faithful_note(&view->scene);
     options_note_stopped(options, &view->moving);

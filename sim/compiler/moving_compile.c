@@ -8,11 +8,13 @@
 #include "base/grow.h"
 #include "cameras/camera_path.h"
 #include "compiler/compile.h"
+#include "compiler/order_choice.h"
 #include "compiler/pool_sizes.h"
 #include "model/baked_light.h"
 #include "model/model_part.h"
 #include "readers/model_read.h"
 #include "readers/source.h"
+#include "scene/method.h"
 #include "scene/moving.h"
 
 #include <math.h>
@@ -177,12 +179,6 @@ static void limits_set(struct moving *moving)
     limits->entries = (uint16_t)(entries < LIM_SORTED_MAX ? entries : LIM_SORTED_MAX);
 }
 
-/* They are refused where they are to be drawn. */
-static bool draws_no_movers(enum lim_method draws)
-{
-    return draws != LIM_NEAREST_FIRST && draws != LIM_PAINTER;
-}
-
 /* Face numbers of all parts together have 16 bits where something moves. */
 static bool has_numbers(const struct moving *moving, const struct compiled *scene)
 {
@@ -238,8 +234,9 @@ static bool compile_parts(struct moving *moving, const struct compile_options *o
     }
     if (!ok) return false;
     limits_set(moving);
-    return draws_no_movers(own.method->draws) ||
-           (pools_measure_moving(scene, moving, options->core, scene->report.w_px, scene->report.h_px, err) &&
+    return !method_can_move(own.method->draws) || /* refused where they are to be drawn */
+           (pools_measure_moving(scene, moving, options->core, err) &&
+            order_choose_moving(scene, moving, options, err) &&
             (!options->predict || predict_parts(moving, options->core, scene, err)));
 }
 

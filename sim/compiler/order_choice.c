@@ -7,6 +7,7 @@
 #include "compiler/pool_sizes.h"
 #include "scene/mcu_mem.h"
 #include "scene/method.h"
+#include "scene/moving.h"
 #include "scene/records.h"
 
 #include <math.h>
@@ -51,4 +52,20 @@ bool order_choose(struct compiled *scene, const struct compile_options *options,
     if (!pools_measure_scanline(scene, options->core, ENOUGH * nearest, err)) return false;
     report->order = (struct order_choice){true, nearest, ENOUGH * nearest, nearest_mem_b};
     return true;
+}
+
+/* What objects cost on their way down the tree, they cost by either. */
+bool order_choose_moving(struct compiled *scene, struct moving *moving, const struct compile_options *options,
+                         struct error *err)
+{
+    const uint16_t entries = moving->limits.entries;
+
+    if (!pools_measure_moving(scene, moving, options->core, err)) return false;
+    const double nearest = scene->report.instructions;
+    scene->report.instructions = NAN; /* what moves costs, too */
+    if (!options->choose_order || options->method || scene->report.draws != LIM_NEAREST_FIRST) return true;
+    if (isnan(nearest) || order_needs_nearest(options, &scene->scene)) return true;
+    for (size_t i = 0; i < moving->count; i++)
+        if (order_needs_nearest(options, &moving->objects[i].scene.scene)) return true;
+    return pools_scan_moving(scene, moving, options->core, entries, ENOUGH * nearest, err);
 }

@@ -20,6 +20,10 @@ bool order_can_fill(const struct compile_options *options, const struct compiled
  * options leave the choice. */
 bool order_choose(struct compiled *scene, const struct compile_options *options, struct error *err);
 
+/* The same of a scene with all that moves in it, whose pools it measures first. */
+bool order_choose_moving(struct compiled *scene, struct moving *moving, const struct compile_options *options,
+                         struct error *err);
+
 /* Once the tree is chosen, too: into a framebuffer what is best drawn by scan lines is painted back to front, which is
  * the same, but that nothing waits for its lines. What a frame costs there is not predicted. */
 void order_settle_framebuffer(struct compile_report *report);

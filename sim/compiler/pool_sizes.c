@@ -236,18 +236,26 @@ static struct compiled roomy_of(const struct compiled *scene, uint32_t active)
     return roomy;
 }
 
-bool pools_measure_moving(struct compiled *scene, struct moving *moving, const struct core *core, unsigned w_px,
-                          unsigned h_px, struct error *err)
+/* With layers for what is transparent of the objects. */
+static struct compiled roomy_of_moving(const struct compiled *scene, const struct moving *moving)
+{
+    struct compiled roomy = roomy_of(scene, MOST_RETAINED);
+
+    for (size_t i = 0; i < moving->count; i++)
+        if (records_with(&moving->objects[i].scene.scene, LIM_POLYGON_ALPHA)) roomy.scene.limits.layers = PLENTY;
+    return roomy;
+}
+
+bool pools_measure_moving(struct compiled *scene, struct moving *moving, const struct core *core, struct error *err)
 {
     struct lim_limits limits = scene->scene.limits;
-    struct compiled roomy = roomy_of(scene, MOST_RETAINED);
-    const struct simulator_setup setup = {w_px, h_px, LIM_NEAREST_FIRST, SIMULATOR_UNSEEN, core};
+    struct compiled roomy = roomy_of_moving(scene, moving);
+    const enum lim_method method = scene->report.draws == LIM_SCANLINE ? LIM_SCANLINE : LIM_NEAREST_FIRST;
+    const struct simulator_setup setup = {scene->report.w_px, scene->report.h_px, method, SIMULATOR_UNSEEN, core};
 
-    for (size_t i = 0; i < moving->count; i++) {
-        const struct lim_scene *object = &moving->objects[i].scene.scene;
-        if (records_with(object, LIM_POLYGON_ALPHA)) roomy.scene.limits.layers = PLENTY;
-        limits.retained_cells = greater(limits.retained_cells, needs_least_cells(&object->limits));
-    }
+    for (size_t i = 0; i < moving->count; i++)
+        limits.retained_cells =
+            greater(limits.retained_cells, needs_least_cells(&moving->objects[i].scene.scene.limits));
     if (!sample_spans(&roomy, moving, &setup, STYLE_PLAIN, &limits, err) ||
         (scene->report.wireframe && !sample_spans(&roomy, moving, &setup, STYLE_WIREFRAME, &limits, err)) ||
         (scene->report.antialias && !sample_spans(&roomy, moving, &setup, STYLE_ANTIALIAS, &limits, err)))
@@ -255,7 +263,28 @@ bool pools_measure_moving(struct compiled *scene, struct moving *moving, const s
     lim_image_set_limits(scene, &limits);
     scene->report.delta_runs = roomy.report.delta_runs;
     scene->report.worst = roomy.report.worst;
-    scene->report.instructions = NAN; /* what moves costs, too */
+    scene->report.instructions = roomy.report.instructions;
+    return true;
+}
+
+bool pools_scan_moving(struct compiled *scene, struct moving *moving, const struct core *core, uint16_t entries,
+                       double instructions_most, struct error *err)
+{
+    const uint16_t nearest_entries = moving->limits.entries;
+    struct lim_limits limits = scene->scene.limits;
+    struct compiled roomy = roomy_of_moving(scene, moving);
+    const struct simulator_setup setup = {scene->report.w_px, scene->report.h_px, LIM_SCANLINE, SIMULATOR_UNSEEN, core};
+    struct usage usage = {.instructions_most = instructions_most * CAMERAS};
+
+    moving->limits.entries = entries;
+    if (!sample_method(&roomy, moving, &setup, STYLE_PLAIN, &usage, err)) return false;
+    if (deadline_passed() || !(usage.instructions <= instructions_most * (double)usage.cameras)) {
+        moving->limits.entries = nearest_entries;
+        return true;
+    }
+    raise_limits(&roomy, moving, &usage, &limits);
+    lim_image_set_limits(scene, &limits);
+    scene->report.draws = LIM_SCANLINE;
     return true;
 }
 

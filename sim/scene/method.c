@@ -125,9 +125,14 @@ bool method_antialiases(enum lim_method draws, bool wireframe, struct error *err
                                                   "shines through edges; take --method nearest");
 }
 
+bool method_can_move(enum lim_method draws)
+{
+    return draws == LIM_NEAREST_FIRST || draws == LIM_SCANLINE || draws == LIM_PAINTER;
+}
+
 bool method_moves(enum lim_method draws, struct error *err)
 {
-    return draws == LIM_NEAREST_FIRST || draws == LIM_PAINTER ||
-           error_set(err, "--method %s: it moves no objects; nearest and painter do, with any tree",
+    return method_can_move(draws) ||
+           error_set(err, "--method %s: it moves no objects; nearest, scanline and painter do, with any tree",
                      method_name(draws));
 }

@@ -23,7 +23,8 @@ extern const size_t method_count;
 /* By its name, from --method; an unknown one is refused with the list of those there are. */
 const struct method *method_parse(const char *text, struct error *err);
 
-/* Whether it draws objects that move. */
+/* Whether it draws objects that move; an error says that it does not. */
+bool method_can_move(enum lim_method draws);
 bool method_moves(enum lim_method draws, struct error *err);
 
 /* The first name that chooses it; and what the tables and the report call it. */

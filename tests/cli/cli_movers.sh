@@ -30,7 +30,8 @@ centres_are_wrong() {
 }
 
 orders_agree() {
-    movers --write-hashes "$work/near" && movers --method painter --check "$work/near"
+    movers --method nearest --write-hashes "$work/near" && movers --method painter --check "$work/near" &&
+        movers --method scanline --check "$work/near"
 }
 
 differ() { # OPTION...
@@ -165,7 +166,7 @@ tap_check "the model is what its generator writes" is_what_the_generator_writes
 tap_check "as right as what stands still" wrong_at_most 0.02
 tap_check "in profile fine too" wrong_at_most 0.008 --precision fine
 tap_check "by their centres they are not, and it shows" centres_are_wrong
-tap_check "nearest first and back to front are the same pictures" orders_agree
+tap_check "nearest first, back to front and by scan lines are the same pictures" orders_agree
 tap_check "light that turns is another one" differ --mover-light turning
 tap_check "time is frames by frames a second" differ --fps 3
 tap_check "what is off stands still" differ --movers off
@@ -233,7 +234,7 @@ tap_check "a textured mover has one colour, and a line says so" textured_says_so
 no_firmware() { ! "$BUILD/limner" compile $model --method newell -o "$work/sorted" >/dev/null 2>"$work/said" && [ ! -e "$work/sorted.h" ] &&
     grep -q '^limner: --method newell: it moves no objects' "$work/said"; }
 tap_check "nor is firmware made for it" no_firmware
-tap_check "a method without a tree moves nothing" refused '^limner: .*--method newell: it moves no objects; nearest and painter do, with any tree$' $model --method newell
+tap_check "a method without a tree moves nothing" refused '^limner: .*--method newell: it moves no objects; nearest, scanline and painter do, with any tree$' $model --method newell
 tap_check "an unknown way in is refused" refused '^limner: --movers x: no such way; there are clipped, centre and off$' $model --movers x
 tap_check "an unknown light is refused" refused '^limner: --mover-light x: no such light; there are baked and turning$' \
     $model --mover-light x

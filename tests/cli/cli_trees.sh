@@ -206,9 +206,6 @@ for command in 'compile sim/scenes/glass.obj --report' 'render sim/scenes/glass.
     tap_check "${command%% *}: --method scanline is refused for glass" \
         refuses '.*--method scanline: glass is drawn nearest first; take --method nearest' $command --method scanline
 done
-tap_check "--method scanline is refused where objects move" \
-    refuses '--method scanline: it moves no objects; nearest and painter do, with any tree' \
-    compile sim/scenes/movers.gltf --method scanline --report
 
 unpredicted() {
     "$BUILD/limner" compile sim/scenes/glass.obj --report >"$work/report" &&

@@ -176,7 +176,8 @@ static void corners_are_rounded_to_nearest(void **state)
         vertex->y = (int16_t)random_in(&random, -32768, 32767);
         vertex->z = (int16_t)random_in(&random, -32768, 32767);
         const double v[3] = {vertex->x, vertex->y, vertex->z};
-        lim_mover_place(stage.lim.movers, 0, (lim_index)(round % 9), at_q12);
+        lim_mover_forget_corners(stage.lim.movers);
+        memcpy(at_q12, lim_mover_corner(stage.lim.movers, 0, (lim_index)(round % 9)), sizeof at_q12);
         turn(&stage.instance, v, place);
         for (int i = 0; i < 3; i++)
             assert_true(fabs(at_q12[i] - stage.instance.at_q8[i] * 16.0 -
@@ -638,6 +639,7 @@ static void sides_within_an_object_are_its_own(void **state)
             const double corner[3] = {corners[OF][k][0], corners[OF][k][1], corners[OF][k][2]};
             expected |= side_of(&planes[BY], corner);
         }
+        lim_mover_forget_corners(stage.lim.movers);
         assert_int_equal(lim_piece_sides(stage.lim.sorter, OF, BY), expected);
         whole[expected]++;
         const int of_piece = sides_of_front((const int16_t(*)[3])corners[OF], &planes[CUT], &planes[BY], &is_clear);
@@ -677,6 +679,7 @@ static void corners_are_added_where_the_plane_is_crossed(void **state)
                 stage.object.vertices[i].x = (int16_t)x[i];
                 expected += (front ? x[i] >= 0 : x[i] <= 0) + (x[i] * x[(i + 1) % 3] < 0);
             }
+            lim_mover_forget_corners(stage.lim.movers);
             const struct lim_corners *corners = lim_corners_cut(stage.lim.sorter, 0, &along_x, front, places);
             assert_int_equal(corners ? corners->n : 0, expected < 3 ? 0 : expected);
             for (int i = 0; corners && i < expected; i++)
@@ -710,6 +713,7 @@ static void sides_are_the_wholes_as_long_as_they_decide(void **state)
         }
         stage.lim.sorter->newell->cuts[0] = (struct lim_cut){LIM_NONE, CUT};
         stage.lim.sorter->newell->polygons[OF].cuts = 0;
+        lim_mover_forget_corners(stage.lim.movers);
         assert_int_equal(lim_piece_sides_of(stage.lim.sorter, OF, &along_x), sign > 0 ? LIM_SIDE_FRONT : LIM_SIDE_BACK);
     }
     stage_close(&stage);
@@ -736,6 +740,7 @@ static void polygons_have_as_many_corners_as_cuts_may_add(void **state)
                 stage.object.vertices[k] = (struct lim_vertex){7, (int16_t)(k * k), (int16_t)k};
                 stage.object.polygons[LIM_POLYGON_HEAD_WORDS + k] = (lim_index)k;
             }
+            lim_mover_forget_corners(stage.lim.movers);
             const struct lim_corners *corners = lim_corners_cut(stage.lim.sorter, 0, &along_x, true, places);
             assert_int_equal(corners != NULL, n < limit + LIM_CUT_VERTICES);
             if (corners) assert_int_equal(corners->n, n);

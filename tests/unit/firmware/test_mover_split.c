@@ -3,14 +3,20 @@
  * Movers against a plane of the static tree, at the limits: polygons whose corners are just within what counts as on
  * the plane, or just not, and balls that just reach it. What the filters say is what the corners themselves do. */
 #include "limner.h"
+
+#include "eye.h"
 #include "movers/mover.h"
 #include "pieces/corners.h"
 #include "rigs/cmocka_ready.h"
 #include "rigs/plain_lines.h"
 #include "rigs/random_camera.h"
 #include "rigs/set_rig.h"
+#include "routes/mover_list.h"
+#include "routes/mover_route.h"
 #include "routes/mover_split.h"
+#include "routes/route.h"
 #include "scene/plane.h"
+#include "view/pass.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -31,6 +37,15 @@ struct stage {
     int64_t n[3], d;
 };
 
+/* The polygon of the node, on either side. Boxes tell what it is in the way of: this one's holds the scene. */
+static void set_wall(struct stage *stage, const struct lim_vertex corners[3])
+{
+    static const lim_index record[] = {3 | LIM_POLYGON_LAST, 0, 0, 1, 2};
+
+    memcpy(stage->scene.polygons, record, sizeof record);
+    memcpy(stage->scene.vertices, corners, 3 * sizeof *corners);
+}
+
 static void stage_open(struct stage *stage)
 {
     static const int16_t triangle[3][3] = {{0, 0, 0}, {90, 0, 0}, {0, 90, 0}};
@@ -43,7 +58,8 @@ static void stage_open(struct stage *stage)
     stage->object.scene.boxes = &stage->box;
     stage->object.scene.box_count = 1;
     stage->object.leaf.box = 0;
-    stage->node = (struct lim_node){{0, 0}, LIM_NO_INDEX, LIM_NO_INDEX, LIM_NO_INDEX, LIM_NO_INDEX, LIM_NO_INDEX};
+    stage->node = (struct lim_node){{0, 0}, LIM_NO_INDEX, LIM_NO_INDEX, 0, 0, LIM_NO_INDEX};
+    set_wall(stage, (const struct lim_vertex[3]){{-32768, -32768, -32768}, {32767, 32767, 32767}, {0, 0, 0}});
     stage->scene.scene.nodes = &stage->node;
     stage->scene.scene.plane_count = stage->scene.scene.exact_count = 1;
     stage->lines.pixels = stage->line;
@@ -120,6 +136,27 @@ static void place_anyhow(struct stage *stage, struct random *random)
     assert_true(movers->movers[0].radius_q12 >= 0);
 }
 
+/* Near the plane x = 0, turned anyhow; looked at from anywhere. */
+static void place_at(struct stage *stage, const double eye[3], struct random *random)
+{
+    struct lim_camera camera = set_camera(false);
+    struct lim_movers *movers = stage->lim.movers;
+    const uint32_t yaw = random_angle(random), pitch = random_angle(random), roll = random_angle(random);
+
+    for (int i = 0; i < 3; i++)
+        camera.eye_q8[i] = (int32_t)(eye[i] * 256);
+    lim_eye_set(lim_eye_of(&stage->lim.pass), &stage->scene.scene, camera.eye_q8);
+    lim_instance_turn(&stage->instance, yaw, pitch, roll);
+    stage->instance.finer_bits = (uint8_t)random_in(random, 0, 2);
+    stage->instance.at_q8[0] = (int32_t)random_in(random, -400 * 256, 400 * 256);
+    for (int i = 1; i < 3; i++)
+        stage->instance.at_q8[i] = (int32_t)random_in(random, -3000 * 256, 3000 * 256);
+    movers->instances = &stage->instance;
+    movers->given = movers->count = 1;
+    lim_movers_pose(movers, &stage->lim.pass, &camera);
+    assert_true(movers->movers[0].radius_q12 >= 0);
+}
+
 /* One entry, a polygon of the object's or all of it, and on which sides of the plane it goes. */
 static int sides_after(struct stage *stage, bool is_whole, bool eye_in_front)
 {
@@ -130,12 +167,14 @@ static int sides_after(struct stage *stage, bool is_whole, bool eye_in_front)
     sorter->newell->polygons[0] = (struct lim_newell_polygon){.cuts = LIM_NONE, .owner = 0};
     sorter->used = 1;
     sorter->newell->cuts_used = 0;
-    lim_movers_divide(stage->lim.sorter, 0, eye_in_front ? 1 : -1, 0, &front, &back);
+    struct lim_route route = lim_route_static(sorter, false);
+    lim_route_begin(&route, 0);
+    lim_movers_divide(&route, eye_in_front ? 1 : -1, 0, &front, &back);
     return (front != LIM_NONE ? FRONT : 0) | (back != LIM_NONE ? BACK : 0);
 }
 
 /* What its corners say, where they are: 0, all are on it. */
-static int sides_of_corners(const struct stage *stage, bool *is_clear)
+static int sides_of_corners(struct stage *stage, bool *is_clear)
 {
     const int64_t *n = stage->n;
     const double slack = (double)(llabs(n[0]) + llabs(n[1]) + llabs(n[2]));
@@ -144,7 +183,7 @@ static int sides_of_corners(const struct stage *stage, bool *is_clear)
     *is_clear = true;
     for (lim_index k = 0; k < 3; k++) {
         int32_t at_q12[3];
-        lim_mover_place(stage->lim.movers, 0, k, at_q12);
+        memcpy(at_q12, lim_mover_corner(stage->lim.movers, 0, k), sizeof at_q12);
         const double value =
             ((double)n[0] * at_q12[0] + (double)n[1] * at_q12[1] + (double)n[2] * at_q12[2]) / 4096 - (double)stage->d;
         if (fabs(fabs(value) - slack) < slack * 1e-6) *is_clear = false;
@@ -167,6 +206,7 @@ static bool set_vertex(struct stage *stage, int k, const double at[3])
         own[j] = (int16_t)lround(sum);
     }
     stage->object.vertices[k] = (struct lim_vertex){own[0], own[1], own[2]};
+    lim_mover_forget_corners(stage->lim.movers);
     return true;
 }
 
@@ -253,8 +293,21 @@ static void centres_decide_for_those_that_enter_by_them(void **state)
     stage_close(&stage);
 }
 
-/* A ball that reaches the plane is taken apart; one that does not, by more than what its radius and the plane's length
- * are rounded up by, is not. */
+/* How far the box that is turned with the object reaches along the plane's normal, by its box along the scene's axes.
+ */
+static double box_reach(const struct stage *stage)
+{
+    double reach = 0;
+
+    for (int i = 0; i < 3; i++)
+        for (int j = 0; j < 3; j++)
+            reach += (double)llabs(stage->n[i]) * ldexp(fabs((double)stage->instance.axes_q30[3 * j + i]), -30) *
+                     ldexp(stage->box.half[j], -stage->instance.finer_bits);
+    return reach;
+}
+
+/* What reaches the plane by its ball and by its box, and by more than counts as on it, is taken apart where there is a
+ * wall in it; what does not, by more than what its radius and the plane's length are rounded up by, is not. */
 static void balls_are_taken_apart_where_they_reach_the_plane(void **state)
 {
     static struct stage stage;
@@ -273,15 +326,18 @@ static void balls_are_taken_apart_where_they_reach_the_plane(void **state)
         const double longest = (double)llabs(llabs(stage.n[0]) > llabs(stage.n[1]) ? stage.n[0] : stage.n[1]);
         const double most = fmax(longest, (double)llabs(stage.n[2]));
         const double sum = (double)(llabs(stage.n[0]) + llabs(stage.n[1]) + llabs(stage.n[2]));
-        const double least = radius * (most + (sum - most) * 107 / 256 + 1) / length; /* surely beyond */
+        const double box = box_reach(&stage), rounded = radius * (most + (sum - most) * 107 / 256 + 1);
         const bool reaches = random_in(&random, 0, 1), is_front = random_in(&random, 0, 1);
-        const double distance = reaches ? radius * (1 - 1e-5 * (double)random_in(&random, 1, 20))
-                                        : least * (1 + 1e-5 * (double)random_in(&random, 1, 20));
+        const double slack = is_front ? -sum : sum; /* what is on the plane is on the eye's side, in front */
+        const double surely = fmin(radius * length, box) + slack; /* it reaches so far, of normals */
+        const double beyond = fmin(rounded, box + sum * 0.002) + slack;
+        const double by = reaches ? surely - fabs(surely) * 1e-5 * (double)random_in(&random, 1, 20)
+                                  : beyond + fabs(beyond) * 1e-5 * (double)random_in(&random, 1, 20);
         double value = 0;
         for (int i = 0; i < 3; i++)
             value += (double)stage.n[i] * stage.lim.movers->movers[0].centre_q12[i] / 4096;
-        const int64_t d = (int64_t)(value - (is_front ? distance : -distance) * length);
-        if (fabs((double)d - value) / length > 1e5 || llabs(d) >= INT64_C(1) << 47) continue;
+        const int64_t d = (int64_t)(value - (is_front ? by : -by));
+        if (surely <= 0 || fabs((double)d - value) / length > 1e5 || llabs(d) >= INT64_C(1) << 47) continue;
         const int64_t n[3] = {stage.n[0], stage.n[1], stage.n[2]};
         /* Where a unit of d matters, the plane cannot be put there. */
         if (length * radius < 1e6) continue;
@@ -295,6 +351,83 @@ static void balls_are_taken_apart_where_they_reach_the_plane(void **state)
     stage_close(&stage);
     print_message("# %d beyond, %d reach it\n", found[0], found[1]);
     assert_true(found[0] > ROUNDS / 10 && found[1] > ROUNDS / 10);
+}
+
+/* Whether the way from `from` through `to` meets the wall, in the plane x = 0. */
+static bool meets_wall(const struct stage *stage, const double from[3], const double to[3])
+{
+    const struct lim_vertex *corner = stage->scene.vertices;
+    const double t = from[0] / (from[0] - to[0]);
+    const double y = from[1] + t * (to[1] - from[1]), z = from[2] + t * (to[2] - from[2]);
+    int left = 0;
+
+    for (int k = 0; k < 3; k++) {
+        const struct lim_vertex a = corner[k], b = corner[(k + 1) % 3];
+        left += (b.y - a.y) * (z - a.z) - (b.z - a.z) * (y - a.y) > 0;
+    }
+    return left == 0 || left == 3;
+}
+
+/* Of points anywhere in the object's box: whether the wall hides one beyond the plane, or one before it hides the
+ * wall. */
+static void look_through(const struct stage *stage, const double eye[3], struct random *random, bool *hidden,
+                         bool *hides)
+{
+    *hidden = *hides = false;
+    for (int point = 0; point < 200; point++) {
+        double at[3];
+        for (int i = 0; i < 3; i++)
+            at[i] = stage->instance.at_q8[i] / 256.0;
+        for (int j = 0; j < 3; j++) {
+            const double part =
+                random_in(random, 0, 3) ? 2 * random_unit(random) - 1 : (double)random_in(random, 0, 1) * 2 - 1;
+            const double own = ldexp(part * stage->box.half[j], -stage->instance.finer_bits);
+            for (int i = 0; i < 3; i++)
+                at[i] += own * ldexp(stage->instance.axes_q30[3 * j + i], -30);
+        }
+        if (fabs(at[0]) < 3 || fabs(at[0]) > fabs(eye[0])) continue; /* as good as on the plane */
+        if (!meets_wall(stage, eye, at)) continue;
+        *((at[0] < 0) == (eye[0] < 0) ? hides : hidden) = true;
+    }
+}
+
+/* All of it on the eye's side of a plane that it reaches through: then no wall in the plane hides any of what is
+ * beyond. All of it beyond: then it hides none. */
+static void what_stays_uncut_has_an_order(void **state)
+{
+    static struct stage stage;
+    struct random random = {554};
+    int uncut[2] = {0}, apart = 0, needless = 0;
+
+    (void)state;
+    stage_open(&stage);
+    stage.node.split = (struct lim_plane_ref){LIM_PLANE_X, 0};
+    for (int round = 0; round < ROUNDS; round++) {
+        struct lim_vertex corners[3];
+        const double eye[3] = {(random_in(&random, 0, 1) ? 1 : -1) * (double)random_in(&random, 10, 9000),
+                               (double)random_in(&random, -9000, 9000), (double)random_in(&random, -9000, 9000)};
+        bool hidden, hides;
+        for (int k = 0; k < 3; k++)
+            corners[k] = (struct lim_vertex){0, (int16_t)random_in(&random, -4000, 4000),
+                                             (int16_t)random_in(&random, -4000, 4000)};
+        set_wall(&stage, corners);
+        for (int i = 0; i < 3; i++)
+            stage.box.half[i] = (uint16_t)random_in(&random, 200, 2000);
+        place_at(&stage, eye, &random);
+        if (fabs(stage.instance.at_q8[0] / 256.0) > 300) continue;
+        stage.lim.pass.stats->movers.divided = 0;
+        const int sides = sides_after(&stage, true, eye[0] > 0);
+        look_through(&stage, eye, &random, &hidden, &hides);
+        const bool is_near = sides == (eye[0] > 0 ? FRONT : BACK), is_apart = stage.lim.pass.stats->movers.divided;
+        if (!is_apart) assert_false(is_near ? hidden : hides);
+        if (is_apart)
+            apart++, needless += !hidden || !hides;
+        else
+            uncut[is_near]++;
+    }
+    stage_close(&stage);
+    print_message("# %d near, %d far, %d taken apart, %d of these for nothing\n", uncut[1], uncut[0], apart, needless);
+    assert_true(uncut[0] > ROUNDS / 100 && uncut[1] > ROUNDS / 20 && apart > ROUNDS / 20);
 }
 
 /* Room for so many entries is room for as many cuts: the most of either that there was. */
@@ -326,6 +459,7 @@ int main(void)
         cmocka_unit_test(polygons_go_where_their_corners_are),
         cmocka_unit_test(centres_decide_for_those_that_enter_by_them),
         cmocka_unit_test(balls_are_taken_apart_where_they_reach_the_plane),
+        cmocka_unit_test(what_stays_uncut_has_an_order),
     };
 
     return cmocka_run_group_tests_name("divide", tests, NULL, NULL);

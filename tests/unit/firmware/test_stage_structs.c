@@ -15,7 +15,7 @@
 #include "rigs/convex_rig.h"
 #include "rigs/plain_lines.h"
 #include "rigs/set_rig.h"
-#include "routes/mover_split.h"
+#include "routes/mover_list.h"
 #include "view/cull.h"
 #include "view/pass.h"
 #include "view/view.h"
