@@ -274,6 +274,7 @@ bool pools_measure_scanline(struct compiled *scene, const struct core *core, dou
     if (instructions_most > 0.0 && deadline_passed()) return true; /* of other cameras than those before */
     if (instructions_most > 0.0 && !(instructions <= instructions_most)) return true;
     raise_limits(&roomy, NULL, &usage, &limits);
+    if (scene->report.antialias && !sample_spans(&roomy, NULL, &setup, STYLE_ANTIALIAS, &limits, err)) return false;
     lim_image_set_limits(scene, &limits);
     scene->report.draws = LIM_SCANLINE;
     scene->report.instructions = frame_cost_is_known(&scene->scene) ? instructions : NAN;
