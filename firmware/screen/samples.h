@@ -10,7 +10,7 @@
 #define LIM_SAMPLES_H
 
 #include "math/pair.h"
-#include "screen/edge.h"
+#include "stages.h"
 
 enum { LIM_SAMPLE_ROWS = 4, LIM_SAMPLES_A_ROW = 4, LIM_SAMPLE_COLUMNS = 16, LIM_SAMPLES = 16 };
 #define LIM_ALL_SAMPLES 0xFFFF /* of a pixel, a bit each; where int has 16 bits, no enumerator's value */
@@ -166,16 +166,6 @@ static inline uint8_t lim_sample_count(uint16_t mask)
     bits = (bits & 0x3333) + (bits >> 2 & 0x3333);
     bits = (bits + (bits >> 4)) & 0x0F0F;
     return (uint8_t)((bits + (bits >> 8)) & 0x1F);
-}
-
-/* By samples or by the centres of pixels. */
-static inline void lim_shape_bounds(struct lim_edge_shape *shape, const struct lim_point *at, uint8_t n,
-                                    bool by_samples)
-{
-    if (LIM_HAS_ANTIALIAS && by_samples)
-        lim_samples_bounds(shape, at, n);
-    else
-        lim_edge_bounds(shape, at, n);
 }
 
 #endif
