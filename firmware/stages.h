@@ -13,6 +13,7 @@
 #include "target.h"
 
 struct lim_delta;
+struct lim_open_strip;
 
 LIM_OPTIONAL_BEGIN
 
@@ -391,31 +392,14 @@ struct lim_gap {
     uint16_t next; /* in the pool, or LIM_NONE */
 };
 
-/* A boundary on a line, in samples (samples.h): of each row the first one at or right of it. Two rows a word, the upper
- * one in the lower half, below 2^15; from LIM_STRIP_BIAS_PX before the screen on. */
-struct lim_bound {
-    uint32_t rows[2];
-};
-
-/* Of each row of a line the samples left <= v < right; left >= right: none. */
-struct lim_strip {
-    struct lim_bound left, right;
-};
-
-/* A gap, antialiased: samples that are open, some at least, left <= right in all rows. In a line's list, for each row,
- * one ends before the next begins. */
-struct lim_open_strip {
-    struct lim_strip open;
-    uint16_t next; /* in the pool, or LIM_NONE */
-};
-
 /* Antialiased, the gap's pixels are all open where it has no next; else those of the list that begins there are. */
 struct lim_line {
     struct lim_gap gap; /* x0 == x1: the line is closed */
     uint16_t retained;  /* PAINT's list of polygons that start on this line, or LIM_NONE */
 };
 
-#define LIM_GAP_MEM_B (LIM_HAS_ANTIALIAS ? sizeof(struct lim_open_strip) : sizeof(struct lim_gap))
+/* Of the pool, bytes a gap: antialiased, a struct lim_open_strip (strips.h). */
+#define LIM_GAP_MEM_B (LIM_HAS_ANTIALIAS ? (size_t)20 : sizeof(struct lim_gap))
 
 struct lim_spans {
     struct lim_line *lines; /* one for each screen line */

@@ -8,6 +8,15 @@
 #include "lines/gaps.h"
 #include "screen/samples.h"
 
+/* A gap, antialiased: samples that are open, some at least, left <= right in all rows. In a line's list, for each row,
+ * one ends before the next begins. */
+struct lim_open_strip {
+    struct lim_strip open;
+    uint16_t next; /* in the pool, or LIM_NONE */
+};
+
+LIM_STATIC_ASSERT(!LIM_HAS_ANTIALIAS || sizeof(struct lim_open_strip) <= LIM_GAP_MEM_B, "a gap has its room");
+
 /* Receives samples of a line that were open: some in one row at least. */
 typedef void lim_strip_sink(void *ctx, const struct lim_strip *open);
 

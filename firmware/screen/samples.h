@@ -23,6 +23,17 @@ enum {
 
 LIM_STATIC_ASSERT((2 * LIM_MAX_SIDE_PX + 4) * LIM_SAMPLE_COLUMNS <= 0xFFFF, "a column fits half a word");
 
+/* A boundary on a line, in samples (samples.h): of each row the first one at or right of it. Two rows a word, the upper
+ * one in the lower half, below 2^15; from LIM_STRIP_BIAS_PX before the screen on. */
+struct lim_bound {
+    uint32_t rows[2];
+};
+
+/* Of each row of a line the samples left <= v < right; left >= right: none. */
+struct lim_strip {
+    struct lim_bound left, right;
+};
+
 /* Sample v of the screen as strips have it, in all rows. */
 static inline struct lim_bound lim_bound_at(int32_t v)
 {
