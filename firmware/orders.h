@@ -339,7 +339,7 @@ struct lim_mesh {
 #define LIM_MEM_B(h_px, depth, cell_count, gap_count, active_count)                                                    \
     LIM_MEM_ALIGNED_B(LIM_VIEW_CACHE_ENTRIES * sizeof(struct lim_view_cached) + (h_px) * sizeof(struct lim_line) +     \
                       (depth) * sizeof(struct lim_walk_pending) + (cell_count) * sizeof(union lim_retained_cell) +     \
-                      (gap_count) * sizeof(struct lim_gap) + (active_count) * sizeof(struct lim_active))
+                      (gap_count)*LIM_GAP_MEM_B + (active_count) * sizeof(struct lim_active))
 /* Beside LIM_MEM_B(), if the scene has transparent polygons. */
 #define LIM_LAYERS_MEM_B(layer_count) ((layer_count) * sizeof(struct lim_layer))
 /* `piece_count`: how often a frame's polygons can be split. */

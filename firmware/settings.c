@@ -56,6 +56,8 @@ int lim_set_antialias(struct lim *lim, void *mem, size_t mem_b)
     if (!mem) return LIM_OK;
     if (mem_b < LIM_ANTIALIAS_MEM_B(w_px)) return LIM_ERR_MEMORY;
     smooth->sums = mem;
+    for (uint16_t x = 0; x < w_px; x++)
+        smooth->sums[x] = 0;
     smooth->covered = (uint16_t *)(void *)(smooth->sums + w_px);
     return LIM_OK;
 }

@@ -14,6 +14,7 @@
 #include "texturing.h"
 
 struct lim_delta;
+struct lim_open_strip;
 
 LIM_OPTIONAL_BEGIN
 
@@ -322,14 +323,10 @@ struct lim_edge_shape {
     LIM_OPTIONAL(int16_t, end_row, LIM_HAS_ANTIALIAS); /* the row of samples (samples.h) after its last, antialiased */
 };
 
-/* A boundary, in rows of samples and sixteenths of a pixel: as quotient and remainder, for a row is crossed four times
- * a line by edges with four times the lines, which takes more bits than a fixed-point number has. */
+/* A boundary, in rows of samples and sixteenths of a pixel, from LIM_STRIP_BIAS_PX before the screen on (samples.h). */
 struct lim_sample_edge {
-    int32_t error;       /* M - x * denominator (samples.c), in -denominator+1 .. 0 */
-    int32_t step_error;  /* what a row adds to it, 0 .. denominator-1 */
-    int32_t denominator; /* rows from end to end, in their units */
-    int16_t x, step_x;
-    int16_t end; /* the row on which it hands over to the next edge */
+    uint32_t x_q16, step_q16; /* sums may wrap */
+    int16_t end;              /* the row on which it hands over to the next edge */
     uint8_t next, step_vertex;
 };
 
@@ -358,24 +355,28 @@ struct lim_screen_polygon {
 struct lim_gap {
     uint16_t x0, x1;
     uint16_t next; /* in the pool, or LIM_NONE */
-    /* Antialiased: the samples of its pixels that are closed (samples.h), not all of them. */
-    LIM_OPTIONAL(uint16_t, covered, LIM_HAS_ANTIALIAS);
 };
 
+/* Antialiased, the gap's pixels are all open where it has no next; else those of the list that begins there are. */
 struct lim_line {
     struct lim_gap gap; /* x0 == x1: the line is closed */
     uint16_t retained;  /* PAINT's list of polygons that start on this line, or LIM_NONE */
 };
 
+/* Of the pool, bytes a gap: antialiased, a struct lim_open_strip (strips.h). */
+#define LIM_GAP_MEM_B (LIM_HAS_ANTIALIAS ? (size_t)20 : sizeof(struct lim_gap))
+
 struct lim_spans {
     struct lim_line *lines; /* one for each screen line */
     struct lim_gap *pool;
+    LIM_OPTIONAL(struct lim_open_strip *, strips, LIM_HAS_ANTIALIAS); /* the same memory, antialiased */
     uint16_t pool_size;
     uint16_t free;  /* list of gaps that were given back */
     uint16_t fresh; /* gaps from here on were never used */
     uint16_t open_lines;
-    bool trimmed;         /* `open`, since it was drawn together */
-    struct lim_rect open; /* holds every open pixel */
+    bool trimmed;                                      /* `open`, since it was drawn together */
+    LIM_OPTIONAL(bool, has_strips, LIM_HAS_ANTIALIAS); /* gaps are of samples */
+    struct lim_rect open;                              /* holds every open pixel */
 };
 
 /* A retained polygon is two head cells and one cell a vertex; if it is transparent, one more with its alpha; in
@@ -413,10 +414,11 @@ struct lim_active {
         struct lim_edge_pair pair;
         LIM_OPTIONAL(struct lim_sample_edges, samples, LIM_HAS_ANTIALIAS);
     };
-    uint16_t polygon; /* its first cell: farther ones have greater ones */
-    uint16_t turn;    /* the line on which its edges change, or its bottom */
-    uint16_t bottom;
-    uint16_t colour;                                                /* as it lies in memory */
+    uint16_t polygon;                                 /* its first cell: farther ones have greater ones */
+    uint16_t turn;                                    /* the line on which its edges change, or its bottom */
+    uint16_t bottom;                                  /* antialiased, the row after its last */
+    uint16_t colour;                                  /* as it lies in memory */
+    LIM_OPTIONAL(uint32_t, share, LIM_HAS_ANTIALIAS); /* the colour of a sample: lim_smooth_share() */
     LIM_OPTIONAL(struct lim_gradients, gradients, LIM_HAS_TEXTURE); /* if it has a texture */
 };
 
@@ -443,7 +445,8 @@ struct lim_layers {
 };
 
 struct lim_smooth {
-    uint32_t *sums;    /* of the colours of a pixel's closed samples: red from bit 20 on, green 10, blue 0; NULL: off */
+    uint32_t *sums;    /* of a pixel's closed samples: their number from bit 28 on, red 19, green 9, blue 0; 0 between
+                        * lines. NULL: off */
     uint16_t *covered; /* the closed samples of a line that is drawn alone */
     uint16_t *line;    /* the memory of that line, or NULL */
     uint16_t open_px;  /* how many of its pixels are open */

@@ -44,7 +44,7 @@ types_are_needed() {
         name=${text##* } name=${name%;}
         names "$name" "$file" "${line}d" || return 1
     done <"$work/declared"
-    names push firmware/lines/smooth.c 's/^\(static lim_mask_sink pus\)h;/\1;/'
+    names push firmware/lines/smooth.c 's/^\(static lim_strip_sink pus\)h;/\1;/'
 }
 
 # Whatever is set to a member: by another name, it is missed.

@@ -22,21 +22,7 @@ static inline void lim_actives_start(struct lim_actives *actives)
 
 /* Once the pool is used up, what is left of the cells serves, too: in pass two nothing is retained. false: nothing is.
  */
-static LIM_RARE bool lim_actives_add_spares(struct lim_actives *actives, const struct lim_retained *retained)
-{
-    const uintptr_t mask = LIM_ALIGNOF(struct lim_active) - 1;
-    uint8_t *at = (uint8_t *)(((uintptr_t)&retained->cells[retained->used] + mask) & ~mask);
-    const uint8_t *end = (const uint8_t *)&retained->cells[retained->end];
-
-    if (actives->spares) return false;
-    actives->spares = true;
-    for (; at < end && (size_t)(end - at) >= sizeof(struct lim_active); at += sizeof(struct lim_active)) {
-        struct lim_active *spare = (void *)at;
-        spare->next = actives->free;
-        actives->free = spare;
-    }
-    return actives->free != NULL;
-}
+bool lim_actives_add_spares(struct lim_actives *actives, const struct lim_retained *retained);
 
 /* NULL: there is no room. */
 static inline struct lim_active *lim_active_new(struct lim_actives *actives)

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * The list of a line's gaps, and the pool that all but its first are from: what closing whole pixels (span.c) and
- * closing samples (mask.c) have in common. */
+ * The list of a line's gaps, and the pool that all but its first are from. */
 #ifndef LIM_GAPS_H
 #define LIM_GAPS_H
 
@@ -42,7 +41,6 @@ static inline void lim_gap_copy(struct lim_gap *to, const struct lim_gap *from)
     to->x0 = from->x0;
     to->x1 = from->x1;
     to->next = from->next;
-    if (LIM_HAS_ANTIALIAS) *to->covered = *from->covered;
 }
 
 /* A line's only gap, of which nothing is left. */
@@ -84,7 +82,6 @@ static inline bool lim_gap_split(struct lim_spans *spans, struct lim_gap *gap, u
     rest->x0 = x1;
     rest->x1 = gap->x1;
     rest->next = gap->next;
-    if (LIM_HAS_ANTIALIAS) *rest->covered = *gap->covered;
     gap->x1 = x0;
     gap->next = right;
     return true;

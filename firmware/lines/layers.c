@@ -54,12 +54,19 @@ void lim_layers_push(struct lim_layers *layers, const struct lim_spans *spans, c
     }
 }
 
-void lim_layers_blend(struct lim_layers *layers, uint16_t *line)
+bool lim_layers_finish(struct lim_layers *layers, uint16_t *line, struct lim_stats *stats)
 {
+    if (layers->exhausted) {
+        layers->exhausted = false;
+        layers->used = 0;
+        return false;
+    }
+    if (LIM_HAS_STATS && layers->used > stats->layers_max) stats->layers_max = layers->used;
     while (layers->used) {
         const struct lim_layer *layer = &layers->pool[--layers->used];
         lim_blend(line, layer->x0, (uint16_t)(layer->x1 - layer->x0), layer->colour, layer->alpha);
     }
+    return true;
 }
 
 #endif

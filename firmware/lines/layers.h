@@ -19,7 +19,7 @@ bool lim_layers_see(const struct lim_spans *spans, const struct lim_screen_polyg
 void lim_layers_push(struct lim_layers *layers, const struct lim_spans *spans, const struct lim_line *line,
                      const struct lim_layer *piece);
 
-/* Empties the stack into `line`. */
-void lim_layers_blend(struct lim_layers *layers, uint16_t *line);
+/* Empties the stack into `line`, or, if it was too small, only empties it. false: it was. */
+bool lim_layers_finish(struct lim_layers *layers, uint16_t *line, struct lim_stats *stats);
 
 #endif

@@ -6,17 +6,14 @@
 
 #include "lines/active.h"
 #include "lines/layers.h"
-#include "lines/mask.h"
 #include "lines/overlaid.h"
 #include "lines/retain.h"
-#include "lines/smooth.h"
 #include "lines/span.h"
 #include "lines/wireframe.h"
 #include "pixels/delta.h"
 #include "pixels/fill.h"
 #include "pixels/runs.h"
 #include "pixels/texture.h"
-#include "screen/samples.h"
 #include "view/pass.h"
 #include "view/view.h"
 
@@ -26,11 +23,6 @@ static const union lim_retained_cell *paint_cells_of(const struct lim_retained *
                                                      const struct lim_active *active)
 {
     return &retained->cells[active->polygon];
-}
-
-static inline bool is_antialiased(const struct lim_paint *paint)
-{
-    return lim_is_antialiased(&paint->pass->view);
 }
 
 /* Starts one polygon on line y. false: no room. */
@@ -47,11 +39,6 @@ static bool activate(struct lim_paint *paint, const struct lim_retained *retaine
     if (LIM_HAS_TEXTURE && lim_retained_has_texture(cells))
         lim_texture_set(paint->pass->texturing, cells[1].look.colour, lim_active_points(cells), cells[0].link.n,
                         active->gradients);
-    if (LIM_HAS_ANTIALIAS && is_antialiased(paint)) {
-        active->polygon = polygon;
-        lim_strip_begin(active->samples, cells[0].link.n, cells[0].link.first);
-        return true;
-    }
     lim_active_begin(active, retained, polygon, (int16_t)y);
     return true;
 }
@@ -150,48 +137,6 @@ static LIM_IF_CALLED void push_layers(struct lim_paint *paint, const struct lim_
     if (!paint->layers->exhausted) lim_layers_push(paint->layers, spans, open, &piece);
 }
 
-static LIM_IF_CALLED void mix_strip(struct lim_paint *paint, struct lim_spans *spans, struct lim_line *open,
-                                    const struct lim_strip *strip, struct lim_active *active,
-                                    const union lim_retained_cell *cells, struct sink *sink)
-{
-    struct lim_smooth_sink smooth;
-
-    smooth.line = sink->line;
-    smooth.sums = paint->smooth->sums;
-    smooth.colour = cells[1].look.colour;
-    smooth.painted_px = 0;
-    if (LIM_HAS_TEXTURE) {
-        set_span(sink, active, cells);
-        *smooth.span = *sink->span;
-        smooth.span->left = strip->x0;
-        smooth.span->right = strip->x1;
-        smooth.stats = *sink->stats;
-    }
-    (void)lim_mask_close(spans, open, strip, lim_smooth_mix, &smooth);
-    if (LIM_HAS_STATS) sink->painted_px = (uint16_t)(sink->painted_px + smooth.painted_px);
-}
-
-/* An active polygon's samples on line y; a transparent one's wait for what lies behind. false: it has ended. */
-static inline bool paint_samples(struct lim_paint *paint, struct lim_spans *spans, struct lim_line *open,
-                                 struct lim_active *active, const union lim_retained_cell *cells, uint16_t y,
-                                 struct sink *sink)
-{
-    const int16_t end_row = (int16_t)lim_retained_bottom(cells);
-    const uint8_t alpha = lim_retained_alpha(cells);
-    struct lim_strip strip;
-
-    if (LIM_HAS_PIECES && !cells[0].link.n)
-        lim_strip_of_rows(&strip, lim_active_points(cells), end_row, (int16_t)y);
-    else
-        lim_strip_next(&strip, active->samples, lim_active_points(cells), cells[0].link.n, cells[0].link.first,
-                       (int16_t)y, end_row);
-    if (LIM_HAS_TRANSPARENT && alpha != LIM_OPAQUE)
-        lim_smooth_push(paint->layers, spans, open, &strip, cells[1].look.colour, alpha);
-    else
-        mix_strip(paint, spans, open, &strip, active, cells, sink);
-    return ((int16_t)y + 1) * LIM_SAMPLE_ROWS < end_row;
-}
-
 /* What an active polygon has on line y. false: it has ended. */
 static inline bool paint_centres(struct lim_paint *paint, struct lim_spans *spans, struct lim_line *open,
                                  struct lim_active *active, const union lim_retained_cell *cells, uint16_t y,
@@ -219,10 +164,7 @@ static void paint_polygons(struct lim_paint *paint, struct lim_spans *spans, con
     while (*link) {
         struct lim_active *active = *link;
         const union lim_retained_cell *cells = paint_cells_of(retained, active);
-        const bool goes_on = LIM_HAS_ANTIALIAS && is_antialiased(paint)
-                                 ? paint_samples(paint, spans, open, active, cells, y, sink)
-                                 : paint_centres(paint, spans, open, active, cells, y, sink);
-        if (goes_on)
+        if (paint_centres(paint, spans, open, active, cells, y, sink))
             link = &active->next;
         else
             lim_active_give_back(&paint->actives, link);
@@ -235,12 +177,6 @@ static void paint_background(const struct lim_spans *spans, const struct lim_lin
     struct lim_stats *stats = lim_stats_of(paint->pass);
     const struct lim_gap *gap = &open->gap;
 
-    if (LIM_HAS_ANTIALIAS && is_antialiased(paint)) {
-        struct lim_smooth_sink smooth = {.line = sink->line, .sums = paint->smooth->sums};
-        lim_smooth_background(spans, open, paint->background, &smooth);
-        if (LIM_HAS_STATS) stats->pixels_background += smooth.painted_px;
-        return;
-    }
     for (;;) {
         if ((!LIM_HAS_DELTA || gap->x0 < gap->x1) && !note(sink, gap->x0, gap->x1, paint->background))
             lim_fill(sink->line, gap->x0, (uint16_t)(gap->x1 - gap->x0), paint->background);
@@ -250,22 +186,6 @@ static void paint_background(const struct lim_spans *spans, const struct lim_lin
     }
 }
 
-/* false: the stack was too small. */
-static LIM_IF_CALLED bool blend(struct lim_paint *paint, uint16_t *line)
-{
-    struct lim_stats *stats = lim_stats_of(paint->pass);
-    struct lim_layers *layers = paint->layers;
-
-    if (layers->exhausted) {
-        layers->exhausted = false;
-        layers->used = 0;
-        return false;
-    }
-    if (LIM_HAS_STATS && layers->used > stats->layers_max) stats->layers_max = layers->used;
-    lim_layers_blend(layers, line);
-    return true;
-}
-
 /* What becomes of a line's pieces: delta output wants to know what they are, and paints what it sends by itself. It
  * looks at what is mixed or drawn over when it is painted, and cannot paint textures. */
 enum line_use { PAINTED, NOTED, PAINTED_AND_NOTED };
@@ -273,7 +193,7 @@ enum line_use { PAINTED, NOTED, PAINTED_AND_NOTED };
 static enum line_use use_of_line(const struct lim_paint *paint, const struct lim_retained *retained,
                                  const struct lim_rect *band, uint16_t y)
 {
-    if (!LIM_HAS_DELTA || !*paint->delta || is_antialiased(paint) || lim_wireframe_of(paint->pass)) return PAINTED;
+    if (!LIM_HAS_DELTA || !*paint->delta || lim_wireframe_of(paint->pass)) return PAINTED;
     if (lim_is_overlaid(paint->pass, y)) return PAINTED;
     if (band->x1 - band->x0 < paint->pass->target.w_px) return PAINTED; /* pieces of lines are sent as they are */
     enum line_use use = lim_delta_wants_lines(*paint->delta) ? PAINTED_AND_NOTED : NOTED;
@@ -320,7 +240,7 @@ static int paint_line(struct lim_paint *paint, struct lim_spans *spans, const st
     paint_polygons(paint, spans, retained, &open, y, &sink);
     paint_background(spans, &open, paint, &sink);
     if (LIM_HAS_STATS) stats->pixels_painted += sink.painted_px;
-    if (LIM_HAS_TRANSPARENT && !blend(paint, sink.line)) {
+    if (LIM_HAS_TRANSPARENT && !lim_layers_finish(paint->layers, sink.line, stats)) {
         *paint->lent = sink.line;
         return LIM_PAINT_LAYERS;
     }
@@ -333,7 +253,7 @@ static int paint_line(struct lim_paint *paint, struct lim_spans *spans, const st
 static inline bool is_flat(const struct lim_paint *paint, const struct lim_retained *retained)
 {
     if (LIM_HAS_DELTA && *paint->delta) return false;
-    if (lim_wireframe_of(paint->pass) || is_antialiased(paint)) return false;
+    if (lim_wireframe_of(paint->pass)) return false;
     if (LIM_HAS_TRANSPARENT && retained->transparent) return false;
     return !LIM_HAS_TEXTURE || !retained->textured || LIM_IS_SCANLINE(&paint->pass->target);
 }
@@ -341,6 +261,8 @@ static inline bool is_flat(const struct lim_paint *paint, const struct lim_retai
 int lim_paint_band(struct lim_paint *paint, struct lim_spans *spans, const struct lim_retained *retained,
                    const struct lim_rect *band, uint16_t *y)
 {
+    if (LIM_HAS_ANTIALIAS && lim_is_antialiased(&paint->pass->view))
+        return lim_smooth_band(paint, spans, retained, band, y);
     if (is_flat(paint, retained)) return lim_flat_band(paint, spans, retained, band, y);
     lim_actives_start(&paint->actives);
     for (*y = band->y0; *y < band->y1; ++*y) {

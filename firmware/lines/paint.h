@@ -27,4 +27,8 @@ LIM_MUST_CHECK int lim_paint_band(struct lim_paint *paint, struct lim_spans *spa
 LIM_MUST_CHECK int lim_flat_band(struct lim_paint *paint, struct lim_spans *spans, const struct lim_retained *retained,
                                  const struct lim_rect *band, uint16_t *y);
 
+/* The same, antialiased (smooth_band.c): what is nearer closes samples first. */
+LIM_MUST_CHECK int lim_smooth_band(struct lim_paint *paint, struct lim_spans *spans,
+                                   const struct lim_retained *retained, const struct lim_rect *band, uint16_t *y);
+
 #endif

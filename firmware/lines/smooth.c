@@ -1,89 +1,203 @@
 /* SPDX-License-Identifier: MIT
  *
- * Sums are of 16 samples, so a channel needs four bits more than it has: all three fit 32 bits, and are added and
- * rounded together. Colours are mixed as they are blended (blend.h), in the panel's values. */
+ * What is narrow, textured or transparent is counted pixel by pixel. */
 #include "lines/smooth.h"
 
-#include "pixels/fill.h"
 #include "screen/polygon.h"
-#include "screen/samples.h"
 
 #if LIM_HAS_ANTIALIAS
 
-static const uint32_t HALVES = UINT32_C(8) << 20 | UINT32_C(8) << 10 | 8;
-
-static inline uint32_t spread(uint16_t colour)
+/* Whether all rows of a bound are in the same pixel. */
+static inline bool is_in_pixel(const struct lim_bound *bound)
 {
-    const uint32_t rgb565 = lim_memory_colour(colour);
+    const uint32_t apart = bound->rows[0] ^ bound->rows[1];
 
-    return (rgb565 & 0xF800) << 9 | (rgb565 & 0x07E0) << 5 | (rgb565 & 0x1F);
+    return !(((bound->rows[0] ^ bound->rows[0] >> 16) | apart | apart >> 16) & 0xFFFC);
 }
 
-/* A sixteenth of a sum, rounded. */
-static inline uint16_t smooth_colour_of(uint32_t sum)
+static inline uint32_t sum_of(const struct lim_bound *bound)
 {
-    const uint32_t sixteenfold = sum + HALVES;
-
-    return lim_memory_colour(
-        (uint16_t)((sixteenfold >> 13 & 0xF800) | (sixteenfold >> 9 & 0x07E0) | (sixteenfold >> 4 & 0x1F)));
+    return pair_sum(bound->rows[0] + bound->rows[1]);
 }
 
-/* false: it is of one colour. */
-static inline bool smooth_paint_textured(const struct lim_smooth_sink *sink, const struct lim_run *run)
+/* How many samples in all rows lie beyond a bound and before pixel x, which counts as they do. */
+static inline uint32_t count_beyond(const struct lim_bound *bound, uint32_t x)
 {
-    if (!LIM_HAS_TEXTURE || !sink->span->gradients) return false;
-    lim_texture_fill(sink->span, sink->line, (uint16_t)run->x0, (uint16_t)run->x1, sink->stats);
-    return true;
+    const uint32_t at = pair_of_both(x * LIM_SAMPLES_A_ROW);
+
+    return pair_sum(pair_beyond(at, bound->rows[0]) + pair_beyond(at, bound->rows[1]));
 }
 
-/* A texture's colours come by way of the line, whose pixels mean nothing yet while they are open. */
-static void mix_run(struct lim_smooth_sink *sink, const struct lim_run *run, uint16_t covered)
-{
-    const uint32_t count = lim_sample_count(run->mask);
-    const bool closes = (covered | run->mask) == LIM_ALL_SAMPLES, textured = smooth_paint_textured(sink, run);
-    uint32_t share = spread(sink->colour) * count;
+/* Pixels x0 <= x < x1 of a line, from LIM_STRIP_BIAS_PX before it on, of each of which a strip has as many samples. */
+typedef void run_sink(void *ctx, uint32_t x0, uint32_t x1, uint32_t n);
 
-    for (int16_t x = run->x0; x < run->x1; x++) {
-        if (LIM_HAS_TEXTURE && textured) share = spread(sink->line[x]) * count;
-        const uint32_t sum = covered ? sink->sums[x] + share : share;
-        if (closes)
-            sink->line[x] = smooth_colour_of(sum);
-        else
-            sink->sums[x] = sum;
+static LIM_INLINE void count_runs(const struct lim_strip *open, uint32_t x, uint32_t end, run_sink *sink, void *ctx)
+{
+    uint32_t before = lim_strip_count(open, x);
+
+    for (; x < end; x++) {
+        const uint32_t after = lim_strip_count(open, x + 1);
+        if (after != before) sink(ctx, x, x + 1, after - before);
+        before = after;
     }
-    if (LIM_HAS_STATS && closes) sink->painted_px = (uint16_t)(sink->painted_px + (uint16_t)(run->x1 - run->x0));
 }
 
-void lim_smooth_mix(void *ctx, const struct lim_run *run, uint16_t covered)
+/* Left to right: pixels at the left, those that it has all of, pixels at the right. */
+static LIM_INLINE void find_runs(const struct lim_strip *open, run_sink *sink, void *ctx)
+{
+    enum { UP = LIM_SAMPLES_A_ROW - 1 };
+    const uint32_t x0 = lim_bound_low(&open->left) / LIM_SAMPLES_A_ROW,
+                   inner0 = (lim_bound_high(&open->left) + UP) / LIM_SAMPLES_A_ROW,
+                   inner1 = lim_bound_low(&open->right) / LIM_SAMPLES_A_ROW,
+                   x1 = (lim_bound_high(&open->right) + UP) / LIM_SAMPLES_A_ROW;
+
+    if (inner0 >= inner1) {
+        count_runs(open, x0, x1, sink, ctx);
+        return;
+    }
+    count_runs(open, x0, inner0, sink, ctx);
+    sink(ctx, inner0, inner1, LIM_SAMPLES);
+    count_runs(open, inner1, x1, sink, ctx);
+}
+
+static run_sink mix_run;
+static inline void mix_run(void *ctx, uint32_t x0, uint32_t x1, uint32_t n)
 {
     struct lim_smooth_sink *sink = ctx;
 
-    if (run->mask != LIM_ALL_SAMPLES) {
-        mix_run(sink, run, covered);
-        return;
-    }
-    if (!smooth_paint_textured(sink, run))
-        lim_fill(sink->line, (uint16_t)run->x0, (uint16_t)(run->x1 - run->x0), sink->colour);
-    if (LIM_HAS_STATS) sink->painted_px = (uint16_t)(sink->painted_px + (uint16_t)(run->x1 - run->x0));
+    (void)x1;
+    lim_smooth_mix_pixel(sink, x0 - LIM_STRIP_BIAS_PX, n);
 }
 
-enum lim_span_result lim_smooth_close(struct lim_spans *spans, const struct lim_screen_polygon *polygon, int16_t top,
-                                      int16_t bottom)
+static LIM_ALONE void mix_narrow(struct lim_smooth_sink *sink, const struct lim_strip *open)
+{
+    if (is_in_pixel(&open->left) && is_in_pixel(&open->right)) { /* of one pixel */
+        lim_smooth_mix_pixel(sink, pair_low(open->left.rows[0]) / LIM_SAMPLES_A_ROW - LIM_STRIP_BIAS_PX,
+                             sum_of(&open->right) - sum_of(&open->left));
+        return;
+    }
+    count_runs(open, lim_bound_low(&open->left) / LIM_SAMPLES_A_ROW,
+               (lim_bound_high(&open->right) + LIM_SAMPLES_A_ROW - 1) / LIM_SAMPLES_A_ROW, mix_run, sink);
+}
+
+/* A texture's colours come by way of the line, whose pixels mean nothing yet while they are open. */
+static run_sink mix_textured_run;
+static inline void mix_textured_run(void *ctx, uint32_t x0, uint32_t x1, uint32_t n)
+{
+    struct lim_smooth_sink *sink = ctx;
+    const uint16_t from = (uint16_t)(x0 - LIM_STRIP_BIAS_PX), end = (uint16_t)(x1 - LIM_STRIP_BIAS_PX);
+    bool closes = true;
+
+    lim_texture_fill(sink->span, sink->line, from, end, *sink->stats);
+    if (n != LIM_SAMPLES) closes = lim_smooth_add_samples(sink, from, n, lim_smooth_share(sink->line[from]));
+    if (LIM_HAS_STATS && closes) sink->painted_px = (uint16_t)(sink->painted_px + (end - from));
+}
+
+static LIM_ALONE void mix_textured(struct lim_smooth_sink *sink, const struct lim_strip *open)
+{
+    if (LIM_HAS_TEXTURE) find_runs(open, mix_textured_run, sink);
+}
+
+static LIM_INLINE void fill(struct lim_smooth_sink *sink, uint32_t x0, uint32_t x1)
+{
+    if (x0 >= x1) return;
+    lim_fill_inline(sink->line, (int_fast16_t)x0, (int_fast16_t)x1, sink->colour);
+    if (LIM_HAS_STATS) sink->painted_px = (uint16_t)(sink->painted_px + (x1 - x0));
+}
+
+/* Pixels x <= .. < end that a bound crosses. Right of it: what a polygon has of them; left of it: all but that. */
+static LIM_INLINE void mix_side(struct lim_smooth_sink *sink, const struct lim_bound *bound, uint32_t x, uint32_t end,
+                                bool right_of_it)
+{
+    uint32_t before = 0;
+
+    do {
+        const uint32_t after = count_beyond(bound, x + 1), n = after - before;
+        const uint32_t own = right_of_it ? n : LIM_SAMPLES - n;
+        if (own) lim_smooth_mix_pixel(sink, x - LIM_STRIP_BIAS_PX, own);
+        before = after;
+    } while (++x < end);
+}
+
+/* Most edges are steep, and cross one pixel of a line: how much of it is the sum of where they are in its rows. */
+void lim_smooth_mix(void *ctx, const struct lim_strip *open)
+{
+    struct lim_smooth_sink *sink = ctx;
+
+    if (LIM_HAS_TEXTURE && sink->span->gradients) {
+        mix_textured(sink, open);
+        return;
+    }
+    const bool left_steep = is_in_pixel(&open->left), right_steep = is_in_pixel(&open->right);
+    uint32_t x0 = pair_low(open->left.rows[0]) / LIM_SAMPLES_A_ROW, inner0 = x0 + 1;
+    uint32_t inner1 = pair_low(open->right.rows[0]) / LIM_SAMPLES_A_ROW, x1 = inner1 + 1;
+    if (!left_steep) {
+        x0 = lim_bound_low(&open->left) / LIM_SAMPLES_A_ROW;
+        inner0 = (lim_bound_high(&open->left) + LIM_SAMPLES_A_ROW - 1) / LIM_SAMPLES_A_ROW;
+    }
+    if (!right_steep) {
+        inner1 = lim_bound_low(&open->right) / LIM_SAMPLES_A_ROW;
+        x1 = (lim_bound_high(&open->right) + LIM_SAMPLES_A_ROW - 1) / LIM_SAMPLES_A_ROW;
+    }
+    if (inner0 > inner1) {
+        mix_narrow(sink, open);
+        return;
+    }
+    if (left_steep) {
+        const uint32_t n = LIM_SAMPLES * inner0 - sum_of(&open->left);
+        if (n != LIM_SAMPLES)
+            lim_smooth_mix_pixel(sink, x0 - LIM_STRIP_BIAS_PX, n);
+        else
+            inner0 = x0;
+    } else {
+        mix_side(sink, &open->left, x0, inner0, true);
+    }
+    fill(sink, inner0 - LIM_STRIP_BIAS_PX, inner1 - LIM_STRIP_BIAS_PX);
+    if (right_steep) {
+        const uint32_t n = sum_of(&open->right) - LIM_SAMPLES * inner1;
+        if (n) lim_smooth_mix_pixel(sink, inner1 - LIM_STRIP_BIAS_PX, n);
+    } else {
+        mix_side(sink, &open->right, inner1, x1, false);
+    }
+}
+
+static LIM_INLINE enum lim_span_result close_line(struct lim_spans *spans, int16_t y, const struct lim_strip *strip)
+{
+    struct lim_line *line = &spans->lines[y];
+
+    if (line->gap.x0 == line->gap.x1) return LIM_SPAN_NOTHING;
+    if (line->gap.next == LIM_NONE && !lim_strips_begin(spans, line)) return LIM_SPAN_EXHAUSTED;
+    return lim_strips_close(spans, line, strip, NULL, NULL);
+}
+
+enum lim_span_result lim_smooth_close_line(struct lim_spans *spans, int16_t y, const struct lim_strip *strip)
+{
+    return close_line(spans, y, strip);
+}
+
+bool lim_smooth_close(struct lim_spans *spans, const struct lim_screen_polygon *polygon, struct lim_span_extent *shown)
 {
     const bool transparent = LIM_HAS_TRANSPARENT && lim_alpha_of(polygon) != LIM_OPAQUE;
+    const int16_t bottom = shown->bottom;
+    struct lim_span_extent seen = {bottom, bottom};
     struct lim_sample_edges edges;
-    struct lim_strip strip;
-    uint8_t result = LIM_SPAN_NOTHING;
 
     lim_strip_begin(&edges, polygon->n, polygon->shape.first);
-    for (int16_t y = top; y < bottom; y++) {
-        lim_strip_next(&strip, &edges, polygon->at, polygon->n, polygon->shape.first, y, *polygon->shape.end_row);
-        if (!transparent)
-            result |= (uint8_t)lim_mask_close(spans, &spans->lines[y], &strip, NULL, NULL);
-        else if (lim_mask_see(spans, &spans->lines[y], &strip, NULL, NULL))
-            return LIM_SPAN_SOME;
+    for (int16_t y = shown->top; y < bottom; y++) {
+        const struct lim_strip strip =
+            lim_strip_next(&edges, polygon->at, polygon->n, polygon->shape.first, y, *polygon->shape.end_row);
+        if (transparent) {
+            if (lim_strips_see(spans, &spans->lines[y], &strip, NULL, NULL)) return true;
+            continue;
+        }
+        const enum lim_span_result result = close_line(spans, y, &strip);
+        if (result == LIM_SPAN_EXHAUSTED) return false;
+        if (result == LIM_SPAN_NOTHING) continue;
+        if (seen.top == bottom) seen.top = y;
+        seen.bottom = (int16_t)(y + 1);
     }
-    return result & LIM_SPAN_EXHAUSTED ? LIM_SPAN_EXHAUSTED : (enum lim_span_result)result;
+    *shown = seen;
+    return true;
 }
 
 /* Transparent -------------------------------------------------------------------------------- */
@@ -94,18 +208,24 @@ struct pusher {
     uint8_t alpha;
 };
 
-static lim_mask_sink push;
-
-static void push(void *ctx, const struct lim_run *run, uint16_t covered)
+static run_sink push_run;
+static void push_run(void *ctx, uint32_t x0, uint32_t x1, uint32_t n)
 {
     const struct pusher *pusher = ctx;
     struct lim_layers *layers = pusher->layers;
-    const uint8_t alpha = (uint8_t)((pusher->alpha * lim_sample_count(run->mask) + 8) >> 4);
+    const uint8_t alpha = (uint8_t)((pusher->alpha * n + LIM_SAMPLES / 2) / LIM_SAMPLES);
 
-    (void)covered;
     layers->exhausted = layers->exhausted || layers->used == layers->size;
     if (layers->exhausted) return;
-    layers->pool[layers->used++] = (struct lim_layer){(uint16_t)run->x0, (uint16_t)run->x1, pusher->colour, alpha};
+    layers->pool[layers->used++] = (struct lim_layer){(uint16_t)(x0 - LIM_STRIP_BIAS_PX),
+                                                      (uint16_t)(x1 - LIM_STRIP_BIAS_PX), pusher->colour, alpha};
+}
+
+static lim_strip_sink push;
+
+static void push(void *ctx, const struct lim_strip *open)
+{
+    find_runs(open, push_run, ctx);
 }
 
 void lim_smooth_push(struct lim_layers *layers, const struct lim_spans *spans, const struct lim_line *line,
@@ -113,24 +233,7 @@ void lim_smooth_push(struct lim_layers *layers, const struct lim_spans *spans, c
 {
     struct pusher pusher = {layers, colour, alpha};
 
-    (void)lim_mask_see(spans, line, strip, push, &pusher);
-}
-
-/* Background --------------------------------------------------------------------------------- */
-
-void lim_smooth_background(const struct lim_spans *spans, const struct lim_line *line, uint16_t background,
-                           struct lim_smooth_sink *sink)
-{
-    const struct lim_gap *gap = &line->gap;
-
-    sink->colour = background;
-    if (LIM_HAS_TEXTURE) sink->span->gradients = NULL;
-    if (gap->x0 == gap->x1) return;
-    for (;; gap = &spans->pool[gap->next]) {
-        const struct lim_run run = {(int16_t)gap->x0, (int16_t)gap->x1, (uint16_t) ~*gap->covered};
-        lim_smooth_mix(sink, &run, *gap->covered);
-        if (gap->next == LIM_NONE) return;
-    }
+    (void)lim_strips_see(spans, line, strip, push, &pusher);
 }
 
 #endif

@@ -7,7 +7,6 @@
 #include "lines/smooth.h"
 #include "pixels/texture.h"
 #include "screen/polygon.h"
-#include "screen/samples.h"
 #include "view/pass.h"
 
 #if LIM_HAS_ANTIALIAS
@@ -27,46 +26,63 @@ int lim_smooth_begin_line(struct lim_paint *paint, uint16_t y)
 
 static struct lim_smooth_sink sink_of(const struct lim_paint *paint)
 {
-    return (struct lim_smooth_sink){
-        .line = paint->smooth->line, .sums = paint->smooth->sums, .stats = lim_stats_of(paint->pass)};
+    struct lim_smooth_sink sink = {.line = paint->smooth->line, .sums = paint->smooth->sums};
+
+    if (LIM_HAS_TEXTURE) *sink.stats = lim_stats_of(paint->pass);
+    return sink;
 }
 
-/* Pixel by pixel: there are no gaps. */
-static void add_samples(struct lim_smooth *smooth, struct lim_spans *spans, struct lim_smooth_sink *sink, int16_t x,
+/* A textured pixel's colour comes by way of the line, as in smooth.c. */
+static void add_samples(struct lim_smooth *smooth, struct lim_spans *spans, struct lim_smooth_sink *sink, uint16_t x,
                         uint16_t mask)
 {
-    const uint16_t covered = smooth->covered[x];
-    const struct lim_run run = {x, (int16_t)(x + 1), (uint16_t)(mask & ~covered)};
+    const uint16_t covered = smooth->covered[x], fresh = (uint16_t)(mask & ~covered);
 
-    if (!run.mask) return;
-    lim_smooth_mix(sink, &run, covered);
+    if (!fresh) return;
+    if (LIM_HAS_TEXTURE && sink->span->gradients) {
+        lim_texture_fill(sink->span, sink->line, x, (uint16_t)(x + 1), *sink->stats);
+        sink->share = lim_smooth_share(sink->line[x]);
+    }
+    lim_smooth_mix_pixel(sink, x, lim_sample_count(fresh));
     smooth->covered[x] = covered | mask;
     if (smooth->covered[x] == LIM_ALL_SAMPLES && !--smooth->open_px) spans->open_lines = 0;
+}
+
+/* A strip's samples of a pixel: bit 4 * row + sample. */
+static uint16_t mask_of(const struct lim_strip *strip, int16_t x)
+{
+    uint16_t mask = 0;
+
+    for (uint_fast8_t s = 0; s < LIM_SAMPLE_ROWS; s++) {
+        const int16_t left = lim_bound_sample(&strip->left, s), right = lim_bound_sample(&strip->right, s);
+        for (uint_fast8_t k = 0; k < LIM_SAMPLES_A_ROW; k++) {
+            const int16_t v = (int16_t)(LIM_SAMPLES_A_ROW * x + (int16_t)k);
+            if (v >= left && v < right) mask |= (uint16_t)(1u << (LIM_SAMPLES_A_ROW * s + k));
+        }
+    }
+    return mask;
 }
 
 void lim_smooth_add(struct lim_paint *paint, struct lim_spans *spans, const struct lim_strip *strip,
                     const struct lim_screen_polygon *polygon)
 {
-    const int16_t w_px = (int16_t)paint->pass->target.w_px, end = strip->x1 < w_px ? strip->x1 : w_px;
+    const int16_t w_px = (int16_t)paint->pass->target.w_px;
+    int16_t x = lim_strip_first_px(strip), end = lim_strip_end_px(strip);
     struct lim_smooth_sink sink = sink_of(paint);
     struct lim_gradients gradients;
 
-    sink.colour = polygon->colour;
+    sink.share = lim_smooth_share(polygon->colour);
     if (LIM_HAS_TEXTURE) {
-        *sink.span =
-            (struct lim_textured_span){paint->pass->texturing, NULL, (int16_t)spans->open.y0, strip->x0, strip->x1};
+        *sink.span = (struct lim_textured_span){paint->pass->texturing, NULL, (int16_t)spans->open.y0, x, end};
         if (lim_screen_texture(polygon) != LIM_NONE) {
             lim_texture_set(paint->pass->texturing, lim_screen_texture(polygon), polygon->at, polygon->n, &gradients);
             sink.span->gradients = &gradients;
         }
     }
-    for (int16_t x = strip->x0 > 0 ? strip->x0 : 0; x < end;) {
-        struct lim_run run;
-        lim_strip_run(strip, x, &run);
-        for (; x < run.x1 && x < end; x++)
-            add_samples(paint->smooth, spans, &sink, x, run.mask);
-    }
-    if (LIM_HAS_STATS) sink.stats->pixels_painted += sink.painted_px;
+    if (end > w_px) end = w_px;
+    for (x = x > 0 ? x : 0; x < end; x++)
+        add_samples(paint->smooth, spans, &sink, (uint16_t)x, mask_of(strip, x));
+    if (LIM_HAS_STATS) lim_stats_of(paint->pass)->pixels_painted += sink.painted_px;
 }
 
 void lim_smooth_add_polygon(struct lim_paint *paint, struct lim_spans *spans, const struct lim_screen_polygon *polygon)
@@ -75,8 +91,8 @@ void lim_smooth_add_polygon(struct lim_paint *paint, struct lim_spans *spans, co
     struct lim_strip strip;
 
     lim_strip_begin(&edges, polygon->n, polygon->shape.first);
-    lim_strip_next(&strip, &edges, polygon->at, polygon->n, polygon->shape.first, (int16_t)spans->open.y0,
-                   *polygon->shape.end_row);
+    lim_strip_any(&strip, &edges, polygon->at, polygon->n, polygon->shape.first, (int16_t)spans->open.y0,
+                  *polygon->shape.end_row);
     lim_smooth_add(paint, spans, &strip, polygon);
 }
 
@@ -85,10 +101,11 @@ int lim_smooth_end_line(struct lim_paint *paint, struct lim_spans *spans, uint16
     const struct lim_target *target = &paint->pass->target;
     struct lim_smooth_sink sink = sink_of(paint);
 
-    sink.colour = paint->background;
+    sink.share = lim_smooth_share(paint->background);
+    if (LIM_HAS_TEXTURE) sink.span->gradients = NULL;
     for (uint16_t x = 0; x < target->w_px; x++)
-        add_samples(paint->smooth, spans, &sink, (int16_t)x, LIM_ALL_SAMPLES);
-    if (LIM_HAS_STATS) sink.stats->pixels_background += sink.painted_px;
+        add_samples(paint->smooth, spans, &sink, x, LIM_ALL_SAMPLES);
+    if (LIM_HAS_STATS) lim_stats_of(paint->pass)->pixels_background += sink.painted_px;
     lim_overlay_line(paint->pass, paint->smooth->line, y, 0, target->w_px);
     paint->smooth->line = NULL;
     return target->done(target->ctx, y, 0, target->w_px);

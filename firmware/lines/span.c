@@ -6,6 +6,7 @@
 #include "lines/span.h"
 
 #include "lines/framebuffer.h"
+#include "lines/strips.h"
 #include "screen/edge.h"
 
 #if LIM_HAS_SPANS
@@ -173,6 +174,7 @@ static uint16_t last_open(const struct lim_spans *spans, const struct lim_line *
 {
     const struct lim_gap *gap = &line->gap;
 
+    if (lim_spans_have_strips(spans)) return gap->x1;
     while (gap->next != LIM_NONE)
         gap = &spans->pool[gap->next];
     return gap->x1;
@@ -187,9 +189,10 @@ bool lim_spans_shrink(struct lim_spans *spans)
         open.y0++;
     while (open.y0 < open.y1 && lim_line_is_closed(&spans->lines[open.y1 - 1]))
         open.y1--;
-    const struct lim_line *const after = &spans->lines[open.y1];
-    for (const struct lim_line *line = &spans->lines[open.y0]; line < after; line++) {
+    struct lim_line *const after = &spans->lines[open.y1];
+    for (struct lim_line *line = &spans->lines[open.y0]; line < after; line++) {
         if (lim_line_is_closed(line)) continue;
+        if (lim_spans_have_strips(spans)) lim_strips_bound(spans, line);
         const uint16_t end = last_open(spans, line);
         if (line->gap.x0 < x0) x0 = line->gap.x0;
         if (end > x1) x1 = end;

@@ -18,7 +18,6 @@ static inline void lim_line_open(struct lim_line *line, const struct lim_target 
     gap->x0 = band->x0;
     gap->x1 = band->x1;
     gap->next = LIM_NONE;
-    if (LIM_HAS_ANTIALIAS) *gap->covered = 0;
     line->retained = LIM_NONE;
     if (lim_target_is_round(target)) {
         uint16_t x0, x1;

@@ -3,10 +3,11 @@
  * SPAN and retaining for pieces of split polygons: of each line, or of each row of samples, what TRACE leaves. The
  * place where a piece would be retained holds its lines meanwhile. */
 #include "lines/layers.h"
-#include "lines/mask.h"
 #include "lines/retain.h"
+#include "lines/smooth.h"
 #include "lines/smooth_line.h"
 #include "lines/span.h"
+#include "lines/strips.h"
 #include "orders/nearest.h"
 #include "pieces/trace.h"
 #include "screen/polygon.h"
@@ -72,15 +73,16 @@ static LIM_IF_CALLED void fill_rows(struct lim_point *last, const struct lim_scr
 {
     const int16_t x0 = (int16_t)(open->x0 * LIM_SAMPLES_A_ROW), x1 = (int16_t)(open->x1 * LIM_SAMPLES_A_ROW);
     struct lim_sample_edges edges;
-    struct lim_strip strip;
 
     lim_strip_begin(&edges, whole->n, whole->shape.first);
     for (int16_t y = top; y < bottom; y++) {
-        lim_strip_next(&strip, &edges, whole->at, whole->n, whole->shape.first, y, *whole->shape.end_row);
+        const struct lim_strip strip =
+            lim_strip_next(&edges, whole->at, whole->n, whole->shape.first, y, *whole->shape.end_row);
         for (uint_fast8_t s = 0; s < LIM_SAMPLE_ROWS; s++) {
             struct lim_point *row = &last[(bottom - y) * LIM_SAMPLE_ROWS - 1 - (int16_t)s];
-            row->x = strip.left[s] > x0 ? strip.left[s] : x0;
-            row->y = strip.right[s] < x1 ? strip.right[s] : x1;
+            const int16_t left = lim_bound_sample(&strip.left, s), right = lim_bound_sample(&strip.right, s);
+            row->x = left > x0 ? left : x0;
+            row->y = right < x1 ? right : x1;
         }
     }
 }
@@ -98,8 +100,8 @@ static LIM_IF_CALLED enum lim_span_result pass_rows(struct lim_nearest *nearest,
         if (nearest->paint.smooth->line)
             lim_smooth_add(&nearest->paint, &nearest->spans, &strip, whole);
         else if (!LIM_HAS_TRANSPARENT || lim_alpha_of(whole) == LIM_OPAQUE)
-            result |= (uint8_t)lim_mask_close(&nearest->spans, &nearest->spans.lines[y], &strip, NULL, NULL);
-        else if (lim_mask_see(&nearest->spans, &nearest->spans.lines[y], &strip, NULL, NULL))
+            result |= (uint8_t)lim_smooth_close_line(&nearest->spans, y, &strip);
+        else if (lim_strips_see(&nearest->spans, &nearest->spans.lines[y], &strip, NULL, NULL))
             return LIM_SPAN_SOME;
     }
     return result & LIM_SPAN_EXHAUSTED ? LIM_SPAN_EXHAUSTED : (enum lim_span_result)result;

@@ -115,24 +115,6 @@ static inline bool fill_lines(struct lim_nearest *nearest, const struct lim_poin
     return close_lines(&nearest->spans, at, n, first, &shown, lim_fill_of(target), &look);
 }
 
-/* collect_plain() for a polygon that is drawn by its samples: it is retained up to a row of them. */
-static inline bool collect_samples(struct lim_nearest *nearest, const struct lim_screen_polygon *polygon, int16_t top,
-                                   int16_t bottom)
-{
-    const int16_t rows = (int16_t)(bottom * LIM_SAMPLE_ROWS);
-
-    if (nearest->paint.smooth->line) {
-        lim_smooth_add_polygon(&nearest->paint, &nearest->spans, polygon);
-        return true;
-    }
-    const enum lim_span_result result = lim_smooth_close(&nearest->spans, polygon, top, bottom);
-    if (result != LIM_SPAN_SOME) return result == LIM_SPAN_NOTHING;
-    if (LIM_HAS_STATS) lim_stats_of(nearest->pass)->polygons_seen++;
-    const struct lim_retained_polygon seen =
-        lim_retained_of(polygon, top, *polygon->shape.end_row < rows ? *polygon->shape.end_row : rows, false);
-    return lim_retain(&nearest->retained, nearest->spans.lines, &seen);
-}
-
 /* Scan lines: every polygon in view is retained, without a look at what is open, and painted from far to near. What
  * that cannot paint is drawn nearest first; so are bands of one line, of which there are only where memory is scarce:
  * any number of polygons lie behind one another at a pixel, and the least pools hold one. */
@@ -141,14 +123,32 @@ static inline bool can_retain_all(const struct lim_nearest *nearest, const struc
     const struct lim_pass *pass = nearest->pass;
     const bool mixed = LIM_HAS_TEXTURE && lim_texture_count(pass->scene) && lim_moves(lim_nearest_sorter(nearest));
 
-    return LIM_IS_SCANLINE(&pass->target) && band->y1 - band->y0 > 1 && lim_nearest_is_plain(nearest) &&
-           lim_is_opaque(pass) && !mixed;
+    if (!LIM_IS_SCANLINE(&pass->target) || band->y1 - band->y0 <= 1) return false;
+    if (lim_wants_antialias(nearest)) return lim_can_fill(lim_nearest_sorter(nearest), pass);
+    return lim_nearest_is_plain(nearest) && lim_is_opaque(pass) && !mixed;
 }
 
 /* A constant where there is no choice. */
 static inline bool fills(const struct lim_nearest *nearest)
 {
     return LIM_HAS_FILLED && nearest->fills;
+}
+
+/* collect_plain() for a polygon that is drawn by its samples: it is retained up to a row of them. */
+static inline bool collect_samples(struct lim_nearest *nearest, const struct lim_screen_polygon *polygon,
+                                   struct lim_span_extent shown)
+{
+    if (nearest->paint.smooth->line) {
+        lim_smooth_add_polygon(&nearest->paint, &nearest->spans, polygon);
+        return true;
+    }
+    if (!lim_nearest_retains_all(nearest) && !lim_smooth_close(&nearest->spans, polygon, &shown)) return false;
+    if (shown.top >= shown.bottom) return true;
+    if (LIM_HAS_STATS) lim_stats_of(nearest->pass)->polygons_seen++;
+    const int16_t rows = (int16_t)(shown.bottom * LIM_SAMPLE_ROWS), end_row = *polygon->shape.end_row;
+    const struct lim_retained_polygon seen =
+        lim_retained_of(polygon, shown.top, end_row < rows ? end_row : rows, false);
+    return lim_retain(&nearest->retained, nearest->spans.lines, &seen);
 }
 
 /* Whether a record is opaque, and drawn as such. */
@@ -168,8 +168,7 @@ static bool collect_plain(struct lim_nearest *nearest, const struct lim_screen_p
     if (LIM_HAS_STATS) lim_stats_of(nearest->pass)->lines += (uint32_t)(shown.bottom - shown.top);
     if (LIM_HAS_FILLED && fills(nearest))
         return fill_lines(nearest, polygon->at, polygon->n, polygon->shape.first, shown, polygon->colour);
-    if (LIM_HAS_ANTIALIAS && lim_is_antialiased(&nearest->pass->view))
-        return collect_samples(nearest, polygon, shown.top, shown.bottom);
+    if (LIM_HAS_ANTIALIAS && lim_is_antialiased(&nearest->pass->view)) return collect_samples(nearest, polygon, shown);
     const bool wireframe = lim_wireframe_of(nearest->pass);
     const uint8_t alpha = wireframe ? (uint8_t)LIM_OPAQUE : lim_alpha_of(polygon);
     if (LIM_HAS_TRANSPARENT && alpha != LIM_OPAQUE) {
@@ -410,6 +409,7 @@ static void open_band(struct lim_nearest *nearest, const struct lim_rect *band)
     nearest->since_shrink = 0;
     nearest->top = band->y0;
     nearest->bottom = band->y1;
+    if (LIM_HAS_ANTIALIAS) *nearest->spans.has_strips = lim_is_antialiased(&nearest->pass->view);
     if (LIM_HAS_SCANLINE) nearest->retains_all = can_retain_all(nearest, band);
 }
 

@@ -43,10 +43,12 @@ static uint16_t comfortable_pieces(const struct lim_scene *scene, const struct l
     return scene->limits.pieces < most ? scene->limits.pieces : most;
 }
 
-/* What scan lines paint leaves no gaps. What they cannot paint makes do with one. */
+/* What scan lines paint leaves no gaps, but those of a line, antialiased. What they cannot paint makes do with one. */
 static uint16_t comfortable_gaps(const struct lim_scene *scene, const struct lim_target *target)
 {
-    return LIM_IS_SCANLINE(target) && !(LIM_HAS_TRANSPARENT && scene->limits.layers) ? 1 : scene->limits.gaps;
+    if (!LIM_IS_SCANLINE(target) || (LIM_HAS_TRANSPARENT && scene->limits.layers)) return scene->limits.gaps;
+    if (LIM_HAS_ANTIALIAS && LIM_HAS_TEXTURE && lim_texture_count(scene)) return scene->limits.gaps;
+    return LIM_HAS_ANTIALIAS ? (uint16_t)(scene->limits.active + 1) : 1;
 }
 
 /* Whether all frames are painted polygon by polygon, as far as there are gaps: then nothing waits for its line. */
@@ -157,7 +159,9 @@ void lim_nearest_init(struct lim_nearest *nearest, void *mem, size_t mem_b)
     struct lim_view_cached *cache = lim_mem_cut(&at, LIM_VIEW_CACHE_ENTRIES * sizeof(struct lim_view_cached));
     if (!is_sorted) stack = lim_mem_cut(&at, pass->scene->limits.depth * sizeof *stack);
     spans->lines = lim_mem_cut(&at, pass->target.h_px * sizeof(struct lim_line));
-    spans->pool = lim_mem_cut(&at, shares.gaps * sizeof(struct lim_gap));
+    void *const gaps = lim_mem_cut(&at, shares.gaps * LIM_GAP_MEM_B);
+    spans->pool = gaps;
+    if (LIM_HAS_ANTIALIAS) *spans->strips = gaps;
     spans->pool_size = shares.gaps;
     if (LIM_HAS_TRANSPARENT)
         *nearest->paint.layers =

@@ -9,6 +9,15 @@
 #include "screen/samples.h"
 #include "view/clip.h"
 
+/* By samples or by the centres of pixels. */
+static void shape_bounds(struct lim_edge_shape *shape, const struct lim_point *at, uint8_t n, bool by_samples)
+{
+    if (LIM_HAS_ANTIALIAS && by_samples)
+        lim_samples_bounds(shape, at, n);
+    else
+        lim_edge_bounds(shape, at, n);
+}
+
 /* For wireframe: which edges are not drawn, as flags beside the polygon, and in its corners while it is clipped. */
 static void set_hidden(struct lim_screen_polygon *out, uint_fast8_t k, bool hidden)
 {
@@ -59,7 +68,7 @@ static LIM_RARE bool clip_and_project(struct lim_screen_polygon *out, const stru
     if (!out->n) return false;
     for (uint_fast8_t k = 0; k < clipped->n; k++)
         lim_view_project(view, &clipped->at[k], &out->at[k]);
-    lim_shape_bounds(&out->shape, out->at, out->n, lim_is_antialiased(view));
+    shape_bounds(&out->shape, out->at, out->n, lim_is_antialiased(view));
     return true;
 }
 
@@ -101,7 +110,7 @@ bool lim_project(struct lim_screen_polygon *out, struct lim_view *view, const st
         if (LIM_HAS_STATS && stats) stats->clipped++;
         if (!clip_and_project(out, view, scene, corners)) return false;
     } else {
-        lim_shape_bounds(&out->shape, out->at, out->n, lim_is_antialiased(view));
+        shape_bounds(&out->shape, out->at, out->n, lim_is_antialiased(view));
     }
     if (LIM_HAS_STATS && stats) stats->non_monotone += out->shape.non_monotone;
     if (!meets_lines(&out->shape, open)) return false;
@@ -144,5 +153,5 @@ void lim_project_fan(const struct lim_screen_polygon *non_monotone, uint8_t k, s
         if (corner >= non_monotone->n) corner -= non_monotone->n;
     }
     lim_set_antialiased(triangle, lim_is_polygon_antialiased(non_monotone));
-    lim_shape_bounds(&triangle->shape, triangle->at, 3, lim_is_polygon_antialiased(non_monotone));
+    shape_bounds(&triangle->shape, triangle->at, 3, lim_is_polygon_antialiased(non_monotone));
 }

@@ -6,10 +6,15 @@
  *
  *     M = wx dy + 4 dx (t - wy) + ceil((px dy - dx py) / u)
  *
- * Range: the intersection lies between the end points, so |M| <= 24 w * 2 h S, below 2^31 for pictures of up to
- * 349,525 / 2^(LIM_SUB_BITS - 7) pixels; 64 bits do beyond. The sum may wrap on the way. px < u, py < 4u and |dx|,
- * dy <= 2050 S: the last term's numerator stays below 2^31 up to 9 sub-pixel bits. */
+ * M / dy on the edge's first row, whichever that is asked for, and 4 dx / dy are rounded down to 16 fraction bits:
+ * neighbours, and bands, find the same columns, though in a thousand rows they may be a 64th of one off. Upright edges
+ * are not.
+ *
+ * Range: px < u, py < 4u and |dx|, dy <= 2050 S, so the last term's numerator stays below 2^31 up to 9 sub-pixel bits.
+ * The intersection lies between the end points, and a column fits 16 bits; all else may wrap. */
 #include "screen/samples.h"
+
+#include "math/divisor.h"
 
 #if LIM_HAS_ANTIALIAS
 
@@ -22,12 +27,10 @@
 /* From the centre of a pixel to its first column and row of samples. */
 enum { TO_COLUMN = 15 << (POINT_BITS - 5), TO_ROW = 3 << (POINT_BITS - 3) };
 
-#if LIM_SUB_BITS > 9 || LIM_MAX_SIDE_PX * LIM_MAX_SIDE_PX > 349525 >> (POINT_BITS - 7 > 0 ? POINT_BITS - 7 : 0)
+#if LIM_SUB_BITS > 9
 typedef int64_t sample_area;
-typedef int64_t sample_wrap;
 #else
 typedef int32_t sample_area;
-typedef uint32_t sample_wrap;
 #endif
 
 static inline int32_t x_of(struct lim_point p)
@@ -51,45 +54,48 @@ static inline int16_t screen_row(struct lim_point p)
     return (int16_t)(row_of(p) + LIM_ORIGIN_PX * LIM_SAMPLE_ROWS);
 }
 
-/* M above, for row t from the origin. */
-static sample_area samples_meeting(struct lim_point a, int32_t dx, int32_t dy, int32_t t)
+/* m / dy, never too high; what does not fit may wrap. */
+static LIM_RARE uint32_t any_quotient_q16(int32_t m, int32_t dy)
 {
-    const int32_t ax = x_of(a), ay = y_of(a);
-    const int32_t part_x = ax & ((1 << COLUMN_BITS) - 1), part_y = ay & ((1 << ROW_BITS) - 1);
-    const int32_t whole_x = ax >> COLUMN_BITS, whole_y = ay >> ROW_BITS;
-    const sample_area part = (sample_area)part_x * dy - (sample_area)part_y * dx;
-    const sample_wrap whole =
-        (sample_wrap)whole_x * (sample_wrap)dy + (sample_wrap)(t - whole_y) * (sample_wrap)(4 * dx);
+    int32_t whole = m / dy, rest = m - whole * dy;
 
-    return (sample_area)(whole + (sample_wrap)((part + ((1 << COLUMN_BITS) - 1)) >> COLUMN_BITS));
-}
-
-static void samples_edge_set(struct lim_sample_edge *edge, struct lim_point a, struct lim_point b, int16_t row,
-                             int16_t end)
-{
-    const int32_t dx = x_of(b) - x_of(a), dy = y_of(b) - y_of(a);
-    const sample_area m = samples_meeting(a, dx, dy, row - LIM_ORIGIN_PX * LIM_SAMPLE_ROWS);
-    int32_t x = (int32_t)(m / dy); /* rounds to zero: up, if negative */
-    int32_t error = (int32_t)(m - (sample_area)x * dy);
-
-    if (error > 0) {
-        x++;
-        error -= dy;
-    }
-    edge->x = (int16_t)(x + LIM_ORIGIN_PX * 16);
-    edge->error = error;
-    edge->denominator = dy;
-    edge->step_x = 0;
-    edge->step_error = 0;
-    if (end - row < 2) return; /* never stepped */
-    int32_t step_x = 4 * dx / dy;
-    int32_t rest = 4 * dx - step_x * dy;
     if (rest < 0) {
-        step_x--;
+        whole--;
         rest += dy;
     }
-    edge->step_x = (int16_t)step_x;
-    edge->step_error = rest;
+    while (dy > INT16_MAX) {
+        dy >>= 1;
+        rest >>= 1;
+    }
+    if (rest >= dy) rest = dy - 1;
+    return ((uint32_t)whole << 16) + (uint32_t)((rest << 16) / dy);
+}
+
+static inline bool fits_divisor(int32_t number)
+{
+    return (uint32_t)(number + DIVISOR_WIDTH) < 2 * (uint32_t)DIVISOR_WIDTH;
+}
+
+/* Beyond the bias, all but one unit of the next column: what makes a ceiling of the floor. */
+static inline void samples_edge_set(struct lim_sample_edge *edge, struct lim_point a, struct lim_point b, int32_t row)
+{
+    const int32_t ax = x_of(a), ay = y_of(a), dx = x_of(b) - ax, dy = y_of(b) - ay;
+    const int32_t part_x = ax & ((1 << COLUMN_BITS) - 1), part_y = ay & ((1 << ROW_BITS) - 1);
+    const int32_t first = row_of(a), slope = 4 * dx;
+    const sample_area part = (sample_area)part_x * dy - (sample_area)part_y * dx + ((1 << COLUMN_BITS) - 1);
+    const int32_t start = (int32_t)(part >> COLUMN_BITS) + (part_y ? slope : 0);
+    uint32_t start_q16;
+
+    if (dy < 1 << 12 && fits_divisor(start) && fits_divisor(slope)) {
+        const struct divisor divisor = divisor_of_short(dy);
+        start_q16 = (uint32_t)divisor_q16(&divisor, start);
+        edge->step_q16 = (uint32_t)divisor_q16(&divisor, slope);
+    } else {
+        start_q16 = any_quotient_q16(start, dy);
+        edge->step_q16 = any_quotient_q16(slope, dy);
+    }
+    edge->x_q16 = ((uint32_t)((ax >> COLUMN_BITS) + (LIM_ORIGIN_PX + LIM_STRIP_BIAS_PX) * LIM_SAMPLE_COLUMNS) << 16) +
+                  0xFFFF + start_q16 + (uint32_t)(row - first) * edge->step_q16;
 }
 
 /* The next edge of a boundary that goes on below a row. */
@@ -104,181 +110,66 @@ static LIM_ALONE void turn(struct lim_sample_edge *edge, const struct lim_point 
         if (to >= n) to -= n;
         end = screen_row(at[to]);
     } while (end <= row);
-    samples_edge_set(edge, at[from], at[to], row, end);
     edge->next = (uint8_t)to;
     edge->end = end;
-}
-
-static inline void samples_step(struct lim_sample_edge *edge)
-{
-    edge->x = (int16_t)(edge->x + edge->step_x);
-    edge->error += edge->step_error;
-    if (edge->error > 0) {
-        edge->error -= edge->denominator;
-        edge->x++;
-    }
-}
-
-static inline void samples_advance(struct lim_sample_edge *edge, const struct lim_point *at, uint8_t n, int16_t row)
-{
-    if (edge->end > row)
-        samples_step(edge);
-    else
-        turn(edge, at, n, row);
-}
-
-void lim_strip_bound(struct lim_strip *strip)
-{
-    int16_t low = INT16_MAX, high = INT16_MIN, inner_low = INT16_MIN, inner_high = INT16_MAX;
-
-    for (uint_fast8_t s = 0; s < LIM_SAMPLE_ROWS; s++) {
-        const int16_t left = strip->left[s], right = strip->right[s];
-        if (left >= right) {
-            inner_high = INT16_MIN;
-            continue;
-        }
-        if (left < low) low = left;
-        if (left > inner_low) inner_low = left;
-        if (right > high) high = right;
-        if (right < inner_high) inner_high = right;
-    }
-    strip->x0 = (int16_t)(low >> 2);
-    strip->x1 = (int16_t)((high + 3) >> 2);
-    strip->inner0 = (int16_t)((inner_low + 3) >> 2);
-    strip->inner1 = (int16_t)(inner_high >> 2);
+    samples_edge_set(edge, at[from], at[to], row - LIM_ORIGIN_PX * LIM_SAMPLE_ROWS);
 }
 
 void lim_strip_of_rows(struct lim_strip *strip, const struct lim_point *last, int16_t end_row, int16_t y)
 {
-    for (uint_fast8_t s = 0; s < LIM_SAMPLE_ROWS; s++) {
-        const struct lim_point *row = &last[end_row - 1 - (y * LIM_SAMPLE_ROWS + (int16_t)s)];
-        strip->left[s] = (int16_t)row->x;
-        strip->right[s] = (int16_t)row->y;
+    const struct lim_point *row = &last[end_row - 1 - y * LIM_SAMPLE_ROWS];
+
+    for (int16_t s = 0; s < LIM_SAMPLE_ROWS; s = (int16_t)(s + 2), row -= 2) {
+        strip->left.rows[s >> 1] =
+            pair_of((uint32_t)(row[0].x + LIM_STRIP_BIAS), (uint32_t)(row[-1].x + LIM_STRIP_BIAS));
+        strip->right.rows[s >> 1] = pair_max(strip->left.rows[s >> 1], pair_of((uint32_t)(row[0].y + LIM_STRIP_BIAS),
+                                                                               (uint32_t)(row[-1].y + LIM_STRIP_BIAS)));
     }
-    lim_strip_bound(strip);
 }
 
-/* The first sample of a row at or right of a column. */
-static inline int16_t sample_at(int32_t column, uint_fast8_t row)
+/* The rows from <= s < end of a line whose first row is given, of a boundary that goes on through them. */
+static inline struct lim_bound some_rows(struct lim_sample_edge *edge, const struct lim_point *at, uint8_t n,
+                                         int32_t row, int32_t from, int32_t end)
 {
-    return (int16_t)((column + (LIM_SAMPLES_A_ROW - 1 - lim_sample_shift((int_fast16_t)row))) >> 2);
+    uint32_t x_q16[LIM_SAMPLE_ROWS];
+    int32_t s = from;
+
+    if (end - from == LIM_SAMPLE_ROWS && edge->end >= row + LIM_SAMPLE_ROWS) return lim_bound_next(edge);
+    do {
+        if (edge->end > row + s)
+            edge->x_q16 += edge->step_q16;
+        else
+            turn(edge, at, n, (int16_t)(row + s));
+        x_q16[s] = edge->x_q16;
+    } while (++s < end);
+    for (; s < LIM_SAMPLE_ROWS; s++)
+        x_q16[s] = edge->x_q16;
+    for (s = from; s-- > 0;)
+        x_q16[s] = x_q16[from];
+    return (struct lim_bound){{lim_samples_at(x_q16[0], x_q16[1], 0), lim_samples_at(x_q16[2], x_q16[3], 2)}};
 }
 
-static LIM_ALONE void any_rows(struct lim_strip *strip, struct lim_sample_edges *edges, const struct lim_point *at,
-                               uint8_t n, uint8_t first, int16_t y, int16_t end_row)
+static inline uint32_t halves_from(uint32_t of_left, uint32_t of_right, bool low_is_right, bool high_is_right)
 {
-    const int16_t top_row = edges->left.end == INT16_MIN ? screen_row(at[first]) : INT16_MIN;
-
-    for (uint_fast8_t s = 0; s < LIM_SAMPLE_ROWS; s++) {
-        const int16_t row = (int16_t)(y * LIM_SAMPLE_ROWS + (int16_t)s);
-        strip->left[s] = strip->right[s] = 0;
-        if (row < top_row || row >= end_row) continue;
-        samples_advance(&edges->left, at, n, row);
-        samples_advance(&edges->right, at, n, row);
-        strip->left[s] = sample_at(edges->left.x, s);
-        strip->right[s] = sample_at(edges->right.x, s);
-    }
-    lim_strip_bound(strip);
+    return (low_is_right ? pair_low(of_right) : pair_low(of_left)) |
+           (high_is_right ? of_right & 0xFFFF0000 : of_left & 0xFFFF0000);
 }
 
-/* Columns on the first and the last row of a line. */
-struct reach {
-    int16_t low, high;
-};
-
-/* All rows of a line that an edge goes on through. */
-static inline struct reach all_rows(struct lim_sample_edge *edge, int16_t *samples)
+/* A row that the polygon does not have ends where it begins, beside the others. */
+void lim_strip_any(struct lim_strip *strip, struct lim_sample_edges *edges, const struct lim_point *at, uint8_t n,
+                   uint8_t first, int16_t y, int16_t end_row)
 {
-    const int32_t step_x = edge->step_x, step_error = edge->step_error, denominator = edge->denominator;
-    int32_t x = edge->x, error = edge->error, first = 0;
+    const int32_t row = y * LIM_SAMPLE_ROWS, top_row = edges->left.end == INT16_MIN ? screen_row(at[first]) : row;
+    const int32_t from = top_row > row ? top_row - row : 0;
+    const int32_t end = end_row - row < LIM_SAMPLE_ROWS ? end_row - row : LIM_SAMPLE_ROWS;
 
-    LIM_UNROLLED(4)
-    for (uint_fast8_t s = 0; s < LIM_SAMPLE_ROWS; s++) {
-        x += step_x;
-        error += step_error;
-        if (error > 0) {
-            error -= denominator;
-            x++;
-        }
-        if (!s) first = x;
-        samples[s] = sample_at(x, s);
-    }
-    edge->x = (int16_t)x;
-    edge->error = error;
-    return first < x ? (struct reach){(int16_t)first, (int16_t)x} : (struct reach){(int16_t)x, (int16_t)first};
-}
-
-/* From columns, pixels are easier told than from samples: a pixel more at an edge does no harm. */
-void lim_strip_next(struct lim_strip *strip, struct lim_sample_edges *edges, const struct lim_point *at, uint8_t n,
-                    uint8_t first, int16_t y, int16_t end_row)
-{
-    const int16_t last_row = (int16_t)(y * LIM_SAMPLE_ROWS + LIM_SAMPLE_ROWS - 1);
-
-    if (edges->left.end <= last_row || edges->right.end <= last_row) {
-        any_rows(strip, edges, at, n, first, y, end_row);
-        return;
-    }
-    const struct reach left = all_rows(&edges->left, strip->left), right = all_rows(&edges->right, strip->right);
-    strip->x0 = (int16_t)(left.low >> 4);
-    strip->inner0 = (int16_t)((left.high + 15) >> 4);
-    strip->inner1 = (int16_t)(right.low >> 4);
-    strip->x1 = (int16_t)((right.high + 15) >> 4);
-}
-
-/* Left of the inner pixels: what of a run the left boundary leaves. */
-static void left_run(const int16_t *left, struct lim_run *run)
-{
-    uint32_t mask = 0;
-
-    LIM_UNROLLED(4)
-    for (uint_fast8_t s = 0; s < LIM_SAMPLE_ROWS; s++) {
-        const int32_t ahead = left[s] - 4 * run->x0;
-        if (ahead >= 4) {
-            if (run->x0 + (ahead >> 2) < run->x1) run->x1 = (int16_t)(run->x0 + (ahead >> 2));
-        } else if (ahead > 0) {
-            mask |= (15u << ahead & 15u) << (4 * s);
-            run->x1 = (int16_t)(run->x0 + 1);
-        } else {
-            mask |= 15u << (4 * s);
-        }
-    }
-    run->mask &= (uint16_t)mask;
-}
-
-/* Right of them: the right one. */
-static void right_run(const int16_t *right, struct lim_run *run)
-{
-    uint32_t mask = 0;
-
-    LIM_UNROLLED(4)
-    for (uint_fast8_t s = 0; s < LIM_SAMPLE_ROWS; s++) {
-        const int32_t ahead = right[s] - 4 * run->x0;
-        if (ahead >= 4) {
-            mask |= 15u << (4 * s);
-            if (run->x0 + (ahead >> 2) < run->x1) run->x1 = (int16_t)(run->x0 + (ahead >> 2));
-        } else if (ahead > 0) {
-            mask |= 15u >> (4 - ahead) << (4 * s);
-            run->x1 = (int16_t)(run->x0 + 1);
-        }
-    }
-    run->mask &= (uint16_t)mask;
-}
-
-void lim_strip_run(const struct lim_strip *strip, int16_t x, struct lim_run *run)
-{
-    const bool has_inner = strip->inner0 < strip->inner1;
-
-    run->x0 = x;
-    run->mask = LIM_ALL_SAMPLES;
-    if (has_inner && x < strip->inner0) {
-        run->x1 = strip->inner0;
-        left_run(strip->left, run);
-    } else if (has_inner && x < strip->inner1) {
-        run->x1 = strip->inner1;
-    } else {
-        run->x1 = strip->x1;
-        if (!has_inner) left_run(strip->left, run);
-        right_run(strip->right, run);
+    strip->left = some_rows(&edges->left, at, n, row, from, end);
+    strip->right = some_rows(&edges->right, at, n, row, from, end);
+    if (from == 0 && end == LIM_SAMPLE_ROWS) return;
+    for (uint_fast8_t i = 0; i < 2; i++) {
+        const int32_t s = 2 * i;
+        strip->right.rows[i] =
+            halves_from(strip->left.rows[i], strip->right.rows[i], s >= from && s < end, s + 1 >= from && s + 1 < end);
     }
 }
 

@@ -17,7 +17,6 @@ static const double ENOUGH = 0.95; /* of the instructions of nearest first: less
 const char *order_needs_nearest(const struct compile_options *options, const struct lim_scene *scene)
 {
     if (options->wireframe) return "--wireframe is";
-    if (options->antialias) return "--antialias is";
     if (options->delta) return "--delta is";
     if (options->fill) return "--fill is";
     return records_with(scene, LIM_POLYGON_ALPHA) ? "glass is" : NULL;
@@ -26,7 +25,9 @@ const char *order_needs_nearest(const struct compile_options *options, const str
 bool order_can_fill(const struct compile_options *options, const struct compiled *scene, struct error *err)
 {
     const enum lim_method draws = scene->report.draws;
-    const char *by_lines = scene->scene.texture_count ? "textures are" : order_needs_nearest(options, &scene->scene);
+    const char *by_lines = options->antialias           ? "--antialias is"
+                           : scene->scene.texture_count ? "textures are"
+                                                        : order_needs_nearest(options, &scene->scene);
 
     if (options->fill) return error_set(err, "--framebuffer --fill: the picture is kept once; take one of the two");
     if (by_lines) return error_set(err, "--framebuffer: %s drawn line by line", by_lines);

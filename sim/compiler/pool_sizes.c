@@ -345,6 +345,7 @@ bool pools_measure_scanline(struct compiled *scene, const struct core *core, dou
     if (instructions_most > 0.0 && !(instructions <= instructions_most)) return true;
     raise_limits(&roomy, NULL, &usage, &limits);
     pool_search_report(&usage.searched, &scene->grid, &scene->report.worst);
+    if (scene->report.antialias && !sample_spans(&roomy, NULL, &setup, STYLE_ANTIALIAS, &limits, err)) return false;
     lim_image_set_limits(scene, &limits);
     scene->report.draws = LIM_SCANLINE;
     scene->report.instructions = frame_cost_is_known(&scene->scene) ? instructions : NAN;

@@ -25,9 +25,11 @@ static bool has_long_edges(const struct compile_report *report)
 static size_t active_b(const struct compiled *scene)
 {
     const bool is_long = has_long_edges(&scene->report), has_texture = scene->scene.texture_count;
-    const size_t samples_b = scene->report.antialias ? (size_t)MCU_ACTIVE_SAMPLES_B : 0;
 
-    return MCU_ACTIVE_B + (is_long ? (size_t)MCU_LONG_EDGES_B : samples_b) +
+    const size_t long_samples_b = has_texture ? 0 : (size_t)MCU_ACTIVE_LONG_SAMPLES_B;
+    const size_t samples_b = is_long ? long_samples_b : (size_t)MCU_ACTIVE_SAMPLES_B;
+
+    return MCU_ACTIVE_B + (is_long ? (size_t)MCU_LONG_EDGES_B : 0) + (scene->report.antialias ? samples_b : 0) +
            (has_texture ? (size_t)MCU_ACTIVE_TEXTURE_B : 0) +
            (has_texture && is_long ? (size_t)MCU_ACTIVE_TEXTURE_PADDING_B : 0);
 }
@@ -64,11 +66,11 @@ static size_t nearest_b(const struct compiled *scene, size_t cells, size_t gaps,
 {
     const bool wide = is_wide(&scene->report), sorts = method_sorts(scene->report.draws);
     const size_t cell_b = wide ? MCU_CELL_WIDE_B : MCU_CELL_B;
-    const size_t covered_b = scene->report.antialias ? (size_t)MCU_COVERED_B : 0;
-    const size_t fixed_b = MCU_CACHE_ENTRIES * cached_b(scene) + scene->report.h_px * (MCU_LINE_B + covered_b) +
+    const size_t gap_b = MCU_GAP_B + (scene->report.antialias ? (size_t)MCU_GAP_SAMPLES_B : 0);
+    const size_t fixed_b = MCU_CACHE_ENTRIES * cached_b(scene) + scene->report.h_px * MCU_LINE_B +
                            (sorts ? 0 : scene->scene.limits.depth * pending_b(scene));
     return (sorts ? sorted_b(scene, pieces) : 0) +
-           aligned_b(fixed_b + cells * cell_b + gaps * (MCU_GAP_B + covered_b) + active * active_b(scene)) +
+           aligned_b(fixed_b + cells * cell_b + gaps * gap_b + active * active_b(scene)) +
            (sorts ? 0 : lim_portals_mem_b(&scene->scene));
 }
 

@@ -16,10 +16,11 @@ enum {
     MCU_CELL_B = 4,
     MCU_CELL_WIDE_B = 8,
     MCU_GAP_B = 6,
-    MCU_COVERED_B = 2, /* antialiased, of a line and of a gap */
+    MCU_GAP_SAMPLES_B = 14, /* more of them if it can be drawn with antialiased edges */
     MCU_ACTIVE_B = 36,
-    MCU_ACTIVE_SAMPLES_B = 16, /* more of them if it can be drawn with antialiased edges, which are longer */
-    MCU_LONG_EDGES_B = 28,     /* more of them in profile exact, and none for samples: edges of 64 bits */
+    MCU_ACTIVE_SAMPLES_B = 4,      /* more of them if it can be drawn with antialiased edges */
+    MCU_ACTIVE_LONG_SAMPLES_B = 8, /* in profile exact, aligned; none if the scene has textures: that is aligned, too */
+    MCU_LONG_EDGES_B = 28,         /* more of them in profile exact: edges of 64 bits */
     MCU_LONG_EDGES_MIN_SUB_BITS = 10,
     MCU_LAYER_B = 8,
     MCU_TOP_B = 2,

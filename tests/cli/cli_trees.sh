@@ -190,7 +190,7 @@ stays_nearest() {
 tap_check "not so for what they cannot paint, nor rooms, nor where a method is asked for" stays_nearest
 obeys() { scans 'by scan lines' --method scanline --tree bsp && ! grep 'drawn by scan lines' "$work/report"; }
 tap_check "--method scanline is obeyed, with any tree" obeys
-for option in --wireframe --antialias --delta; do
+for option in --wireframe --delta; do
     tap_check "--method scanline $option is refused" \
         refuses ".*--method scanline: $option is drawn nearest first; take --method nearest" \
         compile sim/scenes/teapot.obj --method scanline $option --report

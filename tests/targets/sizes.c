@@ -12,17 +12,15 @@ _Static_assert((int)MCU_CACHE_ENTRIES == (int)LIM_VIEW_CACHE_ENTRIES, "cache ent
 enum { INDEX_B = LIM_HAS_WIDE ? MCU_INDEX_B : 0 };
 _Static_assert((LIM_WIDE ? MCU_CACHED_WIDE_B : MCU_CACHED_B) + INDEX_B == sizeof(struct lim_view_cached),
                "cache entry");
-enum { COVERED_B = LIM_HAS_ANTIALIAS ? MCU_COVERED_B : 0 };
-_Static_assert(MCU_LINE_B + COVERED_B == sizeof(struct lim_line), "line");
+_Static_assert(MCU_LINE_B == sizeof(struct lim_line), "line");
 _Static_assert(MCU_PENDING_B + INDEX_B == sizeof(struct lim_walk_pending), "pending node");
 _Static_assert((LIM_WIDE ? MCU_CELL_WIDE_B : MCU_CELL_B) == sizeof(union lim_retained_cell), "retained cell");
-_Static_assert(MCU_GAP_B + COVERED_B == sizeof(struct lim_gap), "gap");
+_Static_assert(MCU_GAP_B + (LIM_HAS_ANTIALIAS ? MCU_GAP_SAMPLES_B : 0) == LIM_GAP_MEM_B, "gap");
 enum {
     HAS_LONG_EDGES = LIM_SUB_BITS >= MCU_LONG_EDGES_MIN_SUB_BITS,
-    ACTIVE_B = MCU_ACTIVE_B +
-               (HAS_LONG_EDGES      ? MCU_LONG_EDGES_B
-                : LIM_HAS_ANTIALIAS ? MCU_ACTIVE_SAMPLES_B
-                                    : 0) +
+    LONG_SAMPLES_B = LIM_HAS_TEXTURE ? 0 : MCU_ACTIVE_LONG_SAMPLES_B,
+    SAMPLES_B = HAS_LONG_EDGES ? LONG_SAMPLES_B : MCU_ACTIVE_SAMPLES_B,
+    ACTIVE_B = MCU_ACTIVE_B + (HAS_LONG_EDGES ? MCU_LONG_EDGES_B : 0) + (LIM_HAS_ANTIALIAS ? SAMPLES_B : 0) +
                (LIM_HAS_TEXTURE ? MCU_ACTIVE_TEXTURE_B : 0) +
                (HAS_LONG_EDGES && LIM_HAS_TEXTURE ? MCU_ACTIVE_TEXTURE_PADDING_B : 0)
 };

@@ -6,7 +6,6 @@
 #include "limner.h"
 #include "lines/smooth.h"
 #include "lines/span.h"
-#include "pixels/fill.h"
 #include "rigs/cmocka_ready.h"
 #include "rigs/random.h"
 #include "screen/edge.h"
@@ -17,43 +16,80 @@
 
 enum { W = 60, H = 50, POINTS = 40, MESHES = 200, TRIANGLES = 3 * POINTS };
 
+/* Pairs -------------------------------------------------------------------------------------- */
+
+static void pairs_are_compared_half_by_half(void **state)
+{
+    enum { PAIRS = 100000, MOST = 0x7FFF };
+    struct random random = {70};
+
+    (void)state;
+    for (int i = 0; i < PAIRS; i++) {
+        const int64_t least = i % 2 ? 0 : MOST - 3, most = i % 3 ? MOST : 3; /* at both ends, and equal at times */
+        uint32_t half[4];
+        for (int k = 0; k < 4; k++)
+            half[k] = (uint32_t)random_in(&random, least < most ? least : 0, most);
+        const uint32_t a = pair_of(half[0], half[1]), b = pair_of(half[2], half[3]);
+        uint32_t max = 0, min = 0, beyond = 0;
+        for (int k = 0; k < 2; k++) {
+            const uint32_t x = half[k], y = half[k + 2];
+            max |= (x > y ? x : y) << 16 * k;
+            min |= (x < y ? x : y) << 16 * k;
+            beyond |= (x > y ? x - y : 0) << 16 * k;
+        }
+        assert_int_equal(pair_max(a, b), max);
+        assert_int_equal(pair_min(a, b), min);
+        assert_int_equal(pair_beyond(a, b), beyond);
+        assert_int_equal(pair_sum(a), half[0] + half[1]);
+        assert_int_equal(pair_of_highs(a, b), half[1] | half[3] << 16);
+    }
+}
+
 /* Strips ------------------------------------------------------------------------------------- */
 
+static void set_row(struct lim_strip *strip, int row, int left, int right)
+{
+    const int shift = row & 1 ? 16 : 0;
+    uint32_t *of_left = &strip->left.rows[row >> 1], *of_right = &strip->right.rows[row >> 1];
+
+    *of_left = (*of_left & ~(0xFFFFu << shift)) | (uint32_t)(left + LIM_STRIP_BIAS) << shift;
+    *of_right = (*of_right & ~(0xFFFFu << shift)) | (uint32_t)(right + LIM_STRIP_BIAS) << shift;
+}
+
+static uint16_t mask_of(const struct lim_strip *strip, int x)
+{
+    uint16_t mask = 0;
+
+    for (uint8_t s = 0; s < LIM_SAMPLE_ROWS; s++)
+        for (int k = 0; k < LIM_SAMPLES_A_ROW; k++)
+            if (4 * x + k >= lim_bound_sample(&strip->left, s) && 4 * x + k < lim_bound_sample(&strip->right, s))
+                mask |= (uint16_t)(1u << (4 * s + k));
+    return mask;
+}
+
 /* Rows of random samples, some of them without any, against each pixel's count of them. */
-static void a_strip_begins_and_ends_where_its_samples_do(void **state)
+static void a_strip_knows_where_its_samples_are(void **state)
 {
     enum { COLUMNS = 12, STRIPS = 100000 };
     struct random random = {71};
 
     (void)state;
     for (int i = 0; i < STRIPS; i++) {
-        struct lim_strip strip;
-        uint8_t count[COLUMNS] = {0};
-        int x0 = COLUMNS, x1 = 0, inner0 = COLUMNS, inner1 = 0;
+        struct lim_strip strip = {0};
+        int count[COLUMNS] = {0};
         for (int s = 0; s < LIM_SAMPLE_ROWS; s++) {
-            strip.left[s] = (int16_t)random_in(&random, 0, 4 * COLUMNS);
-            strip.right[s] = (int16_t)random_in(&random, 0, 4 * COLUMNS);
-            for (int v = strip.left[s]; v < strip.right[s]; v++)
+            const int left = (int)random_in(&random, 0, 4 * COLUMNS);
+            const int right = (int)random_in(&random, left, i % 2 ? 4 * COLUMNS : left + (4 * COLUMNS - left) / 4);
+            set_row(&strip, s, left, right);
+            assert_int_equal(lim_bound_sample(&strip.left, (uint_fast8_t)s), left);
+            assert_int_equal(lim_bound_sample(&strip.right, (uint_fast8_t)s), right);
+            for (int v = left; v < right; v++)
                 count[v / 4]++;
         }
-        for (int x = 0; x < COLUMNS; x++) {
-            if (count[x] && x0 == COLUMNS) x0 = x;
-            if (count[x]) x1 = x + 1;
-            if (count[x] == 16 && inner0 == COLUMNS) inner0 = x;
-            if (count[x] == 16) inner1 = x + 1;
-        }
-        lim_strip_bound(&strip);
-        if (x0 >= x1) {
-            assert_true(strip.x0 >= strip.x1);
-        } else {
-            assert_int_equal(strip.x0, x0);
-            assert_int_equal(strip.x1, x1);
-        }
-        if (inner0 >= inner1) {
-            assert_true(strip.inner0 >= strip.inner1);
-        } else {
-            assert_int_equal(strip.inner0, inner0);
-            assert_int_equal(strip.inner1, inner1);
+        for (int x = 0, before = 0; x < COLUMNS; x++) {
+            assert_int_equal(lim_strip_count(&strip, (uint32_t)(x + LIM_STRIP_BIAS_PX)), before);
+            before += count[x];
+            if (count[x]) assert_true(lim_strip_first_px(&strip) <= x && x < lim_strip_end_px(&strip));
         }
     }
 }
@@ -65,26 +101,22 @@ struct cover {
 
 static void add_strip(struct cover *cover, const struct lim_strip *strip, int16_t y)
 {
-    struct lim_run run;
+    const int first = lim_strip_first_px(strip), end = lim_strip_end_px(strip);
 
-    for (int16_t x = strip->x0 > 0 ? strip->x0 : 0; x < strip->x1 && x < W; x = run.x1) {
-        lim_strip_run(strip, x, &run);
-        assert_true(run.x0 == x && run.x1 > x);
-        for (int16_t at = x; at < run.x1 && at < W; at++) {
-            cover->twice += lim_sample_count(cover->mask[y][at] & run.mask);
-            cover->mask[y][at] |= run.mask;
-        }
+    for (int x = first > 0 ? first : 0; x < end && x < W; x++) {
+        const uint16_t mask = mask_of(strip, x);
+        cover->twice += lim_sample_count(cover->mask[y][x] & mask);
+        cover->mask[y][x] |= mask;
     }
 }
 
 static void add_plain(struct cover *cover, const struct lim_point *at, uint8_t n, const struct lim_edge_shape *shape)
 {
     struct lim_sample_edges edges;
-    struct lim_strip strip;
 
     lim_strip_begin(&edges, n, shape->first);
     for (int16_t y = shape->top > 0 ? shape->top : 0; y < shape->bottom && y < H; y++) {
-        lim_strip_next(&strip, &edges, at, n, shape->first, y, *shape->end_row);
+        const struct lim_strip strip = lim_strip_next(&edges, at, n, shape->first, y, *shape->end_row);
         add_strip(cover, &strip, y);
     }
 }
@@ -264,7 +296,7 @@ enum { POOL = 200, STRIPS = 60, LINES = 300 };
 
 struct fixture {
     struct lim_line line;
-    struct lim_gap pool[POOL];
+    struct lim_open_strip pool[POOL];
     struct lim_spans spans;
     uint16_t closed[W], fresh[W]; /* what is closed, and what the last call closed */
 };
@@ -277,57 +309,70 @@ static void open_line(struct fixture *f, uint16_t pool_size)
 
     memset(f, 0, sizeof *f);
     f->spans.lines = &f->line;
-    f->spans.pool = f->pool;
+    *f->spans.strips = f->pool;
+    *f->spans.has_strips = true;
     f->spans.pool_size = pool_size;
     lim_spans_open(&f->spans, &everything, &all);
 }
 
-static void note_run(void *ctx, const struct lim_run *run, uint16_t covered)
+static lim_strip_sink note_open;
+
+static void note_open(void *ctx, const struct lim_strip *open)
 {
     struct fixture *f = ctx;
+    bool any = false;
 
-    assert_true(run->x0 >= 0 && run->x0 < run->x1 && run->x1 <= W && run->mask);
-    for (int x = run->x0; x < run->x1; x++) {
-        assert_int_equal(covered, f->closed[x]);
-        assert_int_equal(run->mask & f->closed[x], 0);
-        assert_int_equal(f->fresh[x], 0);
-        f->fresh[x] = run->mask;
+    for (int x = -1; x <= W; x++) {
+        const uint16_t mask = mask_of(open, x);
+        any |= mask != 0;
+        if (!mask) continue;
+        assert_true(x >= 0 && x < W);
+        assert_int_equal(mask & f->closed[x], 0);
+        assert_int_equal(mask & f->fresh[x], 0);
+        f->fresh[x] |= mask;
     }
+    assert_true(any);
 }
 
+/* Some of them without some of their rows, which are anywhere. */
 static void random_strip(struct lim_strip *strip, struct random *random)
 {
-    const int16_t wide = (int16_t)random_in(random, 1, 120), left = (int16_t)random_in(random, -60, 4 * W + 20);
-    const int16_t lean = (int16_t)random_in(random, -40, 40);
+    const int wide = (int)random_in(random, 1, 120), left = (int)random_in(random, -60, 4 * W + 20);
+    const int lean = (int)random_in(random, -40, 40);
 
     for (int s = 0; s < LIM_SAMPLE_ROWS; s++) {
-        strip->left[s] = (int16_t)(left + lean * s / 4);
-        strip->right[s] = (int16_t)(strip->left[s] + wide - random_in(random, 0, 5));
+        const int at = left + lean * s / 4;
+        set_row(strip, s, at, at + wide - (int)random_in(random, 0, 5));
+        if (random_in(random, 0, 9) == 0) {
+            const int nowhere = (int)random_in(random, 0, 4 * W);
+            set_row(strip, s, nowhere, nowhere - (int)random_in(random, 0, 9));
+        }
     }
-    lim_strip_bound(strip);
 }
 
-static uint16_t mask_of(const struct lim_strip *strip, int x)
+static enum lim_span_result close_strip(struct fixture *f, const struct lim_strip *strip)
 {
-    uint16_t mask = 0;
-
-    for (int s = 0; s < LIM_SAMPLE_ROWS; s++)
-        for (int k = 0; k < LIM_SAMPLES_A_ROW; k++)
-            if (4 * x + k >= strip->left[s] && 4 * x + k < strip->right[s]) mask |= (uint16_t)(1u << (4 * s + k));
-    return mask;
+    if (lim_line_is_closed(&f->line)) return LIM_SPAN_NOTHING;
+    if (f->line.gap.next == LIM_NONE && !lim_strips_begin(&f->spans, &f->line)) return LIM_SPAN_EXHAUSTED;
+    return lim_strips_close(&f->spans, &f->line, strip, note_open, f);
 }
 
 /* false: the pool is exhausted; what was closed until then is. */
 static bool close_and_compare(struct fixture *f, const struct lim_strip *strip)
 {
+    uint16_t seen[W];
     bool any = false;
 
     memset(f->fresh, 0, sizeof f->fresh);
-    const bool sees = lim_mask_see(&f->spans, &f->line, strip, NULL, NULL);
-    const enum lim_span_result result = lim_mask_close(&f->spans, &f->line, strip, note_run, f);
+    const bool sees = lim_strips_see(&f->spans, &f->line, strip, note_open, f);
+    assert_int_equal(lim_strips_see(&f->spans, &f->line, strip, NULL, NULL), sees);
+    memcpy(seen, f->fresh, sizeof seen);
+    memset(f->fresh, 0, sizeof f->fresh);
+    const enum lim_span_result result = close_strip(f, strip);
     for (int x = 0; x < W; x++) {
         const uint16_t wanted = (uint16_t)(mask_of(strip, x) & ~f->closed[x]);
         any |= wanted != 0;
+        assert_int_equal(seen[x], wanted);
         if (result != LIM_SPAN_EXHAUSTED) assert_int_equal(f->fresh[x], wanted);
         assert_int_equal(f->fresh[x] & ~wanted, 0);
         f->closed[x] |= f->fresh[x];
@@ -335,6 +380,16 @@ static bool close_and_compare(struct fixture *f, const struct lim_strip *strip)
     assert_int_equal(sees, any);
     if (result != LIM_SPAN_EXHAUSTED) assert_int_equal(result, any ? LIM_SPAN_SOME : LIM_SPAN_NOTHING);
     return result != LIM_SPAN_EXHAUSTED;
+}
+
+/* The line's gap holds all that is open on it, and little more. */
+static void assert_bounded(struct fixture *f)
+{
+    if (lim_line_is_closed(&f->line)) return;
+    lim_strips_bound(&f->spans, &f->line);
+    for (int x = 0; x < W; x++)
+        if (f->closed[x] != LIM_ALL_SAMPLES) assert_true(x >= f->line.gap.x0 && x < f->line.gap.x1);
+    assert_true(f->line.gap.x0 < f->line.gap.x1 && f->line.gap.x1 <= W);
 }
 
 static bool is_all_closed(const struct fixture *f)
@@ -354,10 +409,11 @@ static void gaps_agree_with_a_picture_of_their_samples(void **state)
         struct fixture f;
         open_line(&f, (uint16_t)(i % 2 ? POOL : random_in(&random, 0, 12)));
         for (int s = 0; s < STRIPS; s++) {
-            struct lim_strip strip;
+            struct lim_strip strip = {0};
             random_strip(&strip, &random);
             exhausted += !close_and_compare(&f, &strip);
             assert_int_equal(f.spans.open_lines, !is_all_closed(&f));
+            assert_bounded(&f);
         }
         closed += is_all_closed(&f);
     }
@@ -368,57 +424,82 @@ static void gaps_agree_with_a_picture_of_their_samples(void **state)
 
 /* Colours ------------------------------------------------------------------------------------ */
 
-static void mix(uint16_t *line, uint32_t *sums, uint16_t rgb565, uint16_t mask, uint16_t covered)
-{
-    struct lim_smooth_sink sink = {.line = line, .sums = sums, .colour = lim_memory_colour(rgb565)};
-    const struct lim_run run = {1, 2, mask};
+enum { MIX_W = 40, MIX_STRIPS = 12 };
 
-    lim_smooth_mix(&sink, &run, covered);
+/* What all strips that were mixed should make of a line. */
+struct mixture {
+    uint32_t sum[MIX_W][3];
+    unsigned count[MIX_W];
+};
+
+static void add_to_mixture(struct mixture *mixture, const struct lim_strip *strip, uint16_t rgb565)
+{
+    for (int x = 0; x < MIX_W; x++) {
+        const unsigned n = (unsigned)__builtin_popcount(mask_of(strip, x));
+        assert_int_equal(lim_sample_count(mask_of(strip, x)), n);
+        mixture->count[x] += n;
+        mixture->sum[x][0] += n * (rgb565 >> 11);
+        mixture->sum[x][1] += n * (rgb565 >> 5 & 63);
+        mixture->sum[x][2] += n * (rgb565 & 31);
+    }
 }
 
-/* Three polygons that meet in a pixel: the sum of their shares, rounded once, in any order. */
-static void three_polygons_in_a_pixel_are_mixed_by_what_they_cover(void **state)
+/* Strips that lie beside each other, from edges as steep and as level as they come: each pixel is the sum of their
+ * shares, rounded once, in whatever order they come. */
+static void polygons_in_a_pixel_are_mixed_by_what_they_cover(void **state)
 {
     struct random random = {7};
 
     (void)state;
-    for (int i = 0; i < 2000; i++) {
-        uint16_t line[4] = {0x1234, 0, 0x1234, 0}, colour[3], mask[3];
-        uint32_t sums[4] = {0};
-        const uint16_t cut = (uint16_t)random_u64(&random), cut2 = (uint16_t)random_u64(&random);
-        mask[0] = cut | 1;
-        mask[1] = (uint16_t)((cut2 & ~mask[0]));
-        mask[2] = (uint16_t) ~(mask[0] | mask[1]);
-        for (int k = 0; k < 3; k++)
-            colour[k] = i ? (uint16_t)random_u64(&random) : 0xFFFF;
-        uint16_t covered = 0;
-        for (int k = 0; k < 3; k++) {
-            if (mask[k]) mix(line, sums, colour[k], mask[k], covered);
-            covered |= mask[k];
+    for (int i = 0; i < 4000; i++) {
+        struct lim_strip strips[MIX_STRIPS];
+        uint16_t line[MIX_W] LIM_WORD_ALIGNED;
+        uint32_t sums[MIX_W] = {0};
+        struct mixture mixture = {0};
+        struct lim_smooth_sink sink = {.line = line, .sums = sums};
+        int at[LIM_SAMPLE_ROWS] = {0};
+        memset(strips, 0, sizeof strips);
+        for (int k = 0; k < MIX_STRIPS; k++) {
+            const int far = (int)random_in(&random, 0, i % 3 ? 20 : 60), spread = (int)random_in(&random, 0, i % 5 * 9);
+            for (int s = 0; s < LIM_SAMPLE_ROWS; s++) {
+                int end = at[s] + far + (int)random_in(&random, 0, spread);
+                if (end > 4 * MIX_W || k + 1 == MIX_STRIPS) end = 4 * MIX_W;
+                set_row(&strips[k], s, at[s], end);
+                at[s] = end;
+            }
         }
-        unsigned sum[3] = {0};
-        for (int k = 0; k < 3; k++) {
-            const unsigned n = lim_sample_count(mask[k]);
-            assert_int_equal(n, __builtin_popcount(mask[k]));
-            sum[0] += n * (colour[k] >> 11), sum[1] += n * (colour[k] >> 5 & 63), sum[2] += n * (colour[k] & 31);
+        for (int k = 0; k < MIX_STRIPS; k++) {
+            const struct lim_strip *strip = &strips[(5 * k + i) % MIX_STRIPS];
+            const uint16_t colour = i ? (uint16_t)random_u64(&random) : 0xFFFF;
+            if (lim_bound_equals(&strip->left, &strip->right)) continue;
+            sink.colour = lim_memory_colour(colour);
+            sink.share = lim_smooth_share(sink.colour);
+            lim_smooth_mix(&sink, strip);
+            add_to_mixture(&mixture, strip, colour);
         }
-        const unsigned want = ((sum[0] + 8) / 16) << 11 | ((sum[1] + 8) / 16) << 5 | (sum[2] + 8) / 16;
-        assert_int_equal(lim_memory_colour(line[1]), want);
-        assert_true(line[0] == 0x1234 && line[2] == 0x1234);
+        for (int x = 0; x < MIX_W; x++) {
+            const uint32_t *sum = mixture.sum[x];
+            assert_int_equal(mixture.count[x], LIM_SAMPLES);
+            assert_int_equal(sums[x], 0);
+            assert_int_equal(lim_memory_colour(line[x]),
+                             ((sum[0] + 8) / 16) << 11 | ((sum[1] + 8) / 16) << 5 | (sum[2] + 8) / 16);
+        }
+        if (LIM_HAS_STATS) assert_int_equal(sink.painted_px, MIX_W);
     }
 }
 
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a_strip_begins_and_ends_where_its_samples_do),
+        cmocka_unit_test(pairs_are_compared_half_by_half),
+        cmocka_unit_test(a_strip_knows_where_its_samples_are),
         cmocka_unit_test(a_pixel_that_is_covered_by_half_has_eight_samples),
         cmocka_unit_test(an_upright_edge_knows_all_sixteenths_and_a_level_one_all_quarters),
         cmocka_unit_test(a_sliver_covers_what_it_covers),
         cmocka_unit_test(neighbours_cover_all_of_each_pixel_and_nothing_twice),
         cmocka_unit_test(non_monotone_polygons_leave_nothing_open),
         cmocka_unit_test(gaps_agree_with_a_picture_of_their_samples),
-        cmocka_unit_test(three_polygons_in_a_pixel_are_mixed_by_what_they_cover),
+        cmocka_unit_test(polygons_in_a_pixel_are_mixed_by_what_they_cover),
     };
     return cmocka_run_group_tests_name("samples", tests, NULL, NULL);
 }

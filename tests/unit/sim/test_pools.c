@@ -418,8 +418,9 @@ static void bytes_of_a_mesh_on_a_microcontroller_add_up(void **state)
 
 /* Vertex cache 512, 100 lines of 8, 10 pending nodes of 4, 101 cells of 4, 21 gaps of 6, 5 active of
  * 36; the sum to the next multiple of 4. At the least: 2 + 4 + 5 cells, a gap, an active polygon. Wide
- * screen coordinates double the cells and take half as much again in the cache; profile exact has longer edges, and so
- * have antialiased polygons; scan lines take no gap but the least. */
+ * screen coordinates double the cells and take half as much again in the cache; profile exact has longer edges;
+ * antialiased, a gap has 20 and an active polygon 4 more, or 8, aligned. Scan lines take no gap but the least,
+ * antialiased one more than are active. */
 static void bytes_on_a_microcontroller_add_up(void **state)
 {
     struct compiled scene = {.scene = {.limits = {10, 4, 101, 21, 5, 0}}, .report = {.w_px = 100, .h_px = 100}};
@@ -436,12 +437,13 @@ static void bytes_on_a_microcontroller_add_up(void **state)
     assert_int_equal(mcu_mem_b(&scene), 768 + 800 + 40 + 808 + 126 + 180 + 2);
     scene.report.core = &core_exact;
     assert_int_equal(mcu_mem_b(&scene), 768 + 800 + 40 + 808 + 126 + 5 * (36 + 28) + 2);
-    scene.report.antialias = true; /* 2 a line and a gap, and edges of samples */
-    assert_int_equal(mcu_mem_b(&scene), 768 + 1000 + 40 + 808 + 168 + 5 * (36 + 28));
+    scene.report.antialias = true;
+    assert_int_equal(mcu_mem_b(&scene), 768 + 800 + 40 + 808 + 420 + 5 * (36 + 28 + 8));
     scene.report.core = &core_fine;
-    assert_int_equal(mcu_mem_b(&scene), 768 + 1000 + 40 + 808 + 168 + 5 * (36 + 16));
-    scene.report.antialias = false;
+    assert_int_equal(mcu_mem_b(&scene), 768 + 800 + 40 + 808 + 420 + 5 * (36 + 4));
     scene.report.draws = LIM_SCANLINE;
+    assert_int_equal(mcu_mem_b(&scene), 768 + 800 + 40 + 808 + 6 * 20 + 5 * (36 + 4));
+    scene.report.antialias = false;
     assert_int_equal(mcu_mem_b(&scene), 768 + 800 + 40 + 808 + 6 + 180 + 2);
 }
 

@@ -1,0 +1,165 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * The polygons that cross a line are kept from near to far: what is nearer closes its samples first. Of retained lists,
+ * which run from far to near, each is turned around as its line comes. */
+#include "lines/active.h"
+#include "lines/layers.h"
+#include "lines/overlaid.h"
+#include "lines/paint.h"
+#include "lines/smooth.h"
+#include "lines/span.h"
+#include "view/pass.h"
+
+#if LIM_HAS_ANTIALIAS
+
+static uint16_t turned_around(const struct lim_retained *retained, uint16_t polygon)
+{
+    uint16_t nearer = LIM_NONE;
+
+    while (polygon != LIM_NONE) {
+        union lim_retained_cell *cells = &retained->cells[polygon];
+        const uint16_t next = cells[0].link.next;
+        cells[0].link.next = nearer;
+        nearer = polygon;
+        polygon = next;
+    }
+    return nearer;
+}
+
+/* Merges those that start on a line into the list. false: no room. */
+static bool smooth_activate(struct lim_paint *paint, const struct lim_retained *retained, uint16_t polygon)
+{
+    struct lim_active **link = &paint->actives.first;
+
+    for (polygon = turned_around(retained, polygon); polygon != LIM_NONE;) {
+        const union lim_retained_cell *cells = &retained->cells[polygon];
+        struct lim_active *active = lim_active_new(&paint->actives);
+        if (!active) return false;
+        while (*link && (*link)->polygon < polygon)
+            link = &(*link)->next;
+        active->next = *link;
+        *link = active;
+        link = &active->next;
+        active->polygon = polygon;
+        active->bottom = lim_retained_bottom(cells);
+        active->colour = cells[1].look.colour;
+        *active->share = lim_smooth_share(active->colour);
+        if (LIM_HAS_TEXTURE && lim_retained_has_texture(cells))
+            lim_texture_set(paint->pass->texturing, cells[1].look.colour, lim_active_points(cells), cells[0].link.n,
+                            active->gradients);
+        lim_strip_begin(active->samples, cells[0].link.n, cells[0].link.first);
+        polygon = cells[0].link.next;
+    }
+    return true;
+}
+
+/* What a polygon has on a line, and its edges go on to the next. */
+static LIM_INLINE struct lim_strip smooth_strip(struct lim_active *active, const union lim_retained_cell *cells,
+                                                int32_t y)
+{
+    const struct lim_point *at = lim_active_points(cells);
+
+    if (LIM_HAS_PIECES && !cells[0].link.n) {
+        struct lim_strip strip;
+        lim_strip_of_rows(&strip, at, (int16_t)active->bottom, (int16_t)y);
+        return strip;
+    }
+    return lim_strip_next(active->samples, at, cells[0].link.n, cells[0].link.first, y, (int16_t)active->bottom);
+}
+
+static inline void set_look(struct lim_smooth_sink *sink, struct lim_active *active,
+                            const union lim_retained_cell *cells, const struct lim_strip *strip)
+{
+    sink->colour = active->colour;
+    sink->share = *active->share;
+    if (!LIM_HAS_TEXTURE) return;
+    sink->span->gradients = lim_retained_has_texture(cells) ? active->gradients : NULL;
+    sink->span->left = lim_strip_first_px(strip);
+    sink->span->right = lim_strip_end_px(strip);
+}
+
+static void smooth_polygons(struct lim_paint *paint, struct lim_spans *spans, const struct lim_retained *retained,
+                            struct lim_line *open, int16_t y, struct lim_smooth_sink *sink)
+{
+    const int16_t below = (int16_t)((y + 1) * LIM_SAMPLE_ROWS);
+    struct lim_active **link = &paint->actives.first, *active;
+
+    while ((active = *link) != NULL) {
+        const union lim_retained_cell *cells = &retained->cells[active->polygon];
+        const struct lim_strip strip = smooth_strip(active, cells, y);
+        if (!lim_line_is_closed(open)) {
+            if (LIM_HAS_TRANSPARENT && lim_retained_alpha(cells) != LIM_OPAQUE) {
+                lim_smooth_push(paint->layers, spans, open, &strip, cells[1].look.colour, lim_retained_alpha(cells));
+            } else {
+                set_look(sink, active, cells, &strip);
+                (void)lim_strips_close(spans, open, &strip, lim_smooth_mix, sink);
+            }
+        }
+        if ((int16_t)active->bottom > below)
+            link = &active->next;
+        else
+            lim_active_give_back(&paint->actives, link);
+    }
+}
+
+/* What stays open. */
+static void smooth_background(const struct lim_paint *paint, const struct lim_spans *spans, const struct lim_line *open,
+                              struct lim_smooth_sink *sink)
+{
+    struct lim_stats *stats = lim_stats_of(paint->pass);
+
+    if (LIM_HAS_STATS) stats->pixels_painted += sink->painted_px;
+    sink->painted_px = 0;
+    sink->colour = paint->background;
+    sink->share = lim_smooth_share(paint->background);
+    if (LIM_HAS_TEXTURE) sink->span->gradients = NULL;
+    for (uint16_t at = open->gap.next; at != LIM_NONE; at = (*spans->strips)[at].next)
+        lim_smooth_mix(sink, &(*spans->strips)[at].open);
+    if (LIM_HAS_STATS) stats->pixels_background += sink->painted_px;
+}
+
+static int smooth_line(struct lim_paint *paint, struct lim_spans *spans, const struct lim_retained *retained,
+                       const struct lim_rect *band, uint16_t y)
+{
+    const struct lim_target *target = &paint->pass->target;
+    struct lim_stats *stats = lim_stats_of(paint->pass);
+    struct lim_smooth_sink sink = {.line = target->lend(target->ctx, y), .sums = paint->smooth->sums};
+    struct lim_line open;
+
+    if (!sink.line) return LIM_ERR_TARGET;
+    lim_line_open(&open, target, band, y);
+    const uint16_t x0 = open.gap.x0, x1 = open.gap.x1;
+    if (LIM_HAS_TEXTURE) {
+        sink.span->texturing = paint->pass->texturing;
+        sink.span->y = (int16_t)y;
+        *sink.stats = stats;
+    }
+    if (LIM_HAS_STATS && paint->actives.used > stats->active_max) stats->active_max = paint->actives.used;
+    lim_spans_reset_pool(spans);
+    if (x0 < x1) (void)lim_strips_begin(spans, &open);
+    smooth_polygons(paint, spans, retained, &open, (int16_t)y, &sink);
+    smooth_background(paint, spans, &open, &sink);
+    if (LIM_HAS_TRANSPARENT && !lim_layers_finish(paint->layers, sink.line, stats)) {
+        *paint->lent = sink.line;
+        return LIM_PAINT_LAYERS;
+    }
+    lim_overlay_line(paint->pass, sink.line, y, x0, x1);
+    return target->done(target->ctx, y, x0, (uint16_t)(x1 - x0));
+}
+
+int lim_smooth_band(struct lim_paint *paint, struct lim_spans *spans, const struct lim_retained *retained,
+                    const struct lim_rect *band, uint16_t *y)
+{
+    lim_actives_start(&paint->actives);
+    for (*y = band->y0; *y < band->y1; ++*y) {
+        if (!smooth_activate(paint, retained, spans->lines[*y].retained)) return LIM_PAINT_ACTIVE;
+        /* Each polygon divides a gap at most. What pass one has closed has had room for its gaps; but by scan lines it
+         * closes none. */
+        if (LIM_IS_SCANLINE(&paint->pass->target) && paint->actives.fresh >= spans->pool_size) return LIM_PAINT_ACTIVE;
+        const int err = smooth_line(paint, spans, retained, band, *y);
+        if (err) return err;
+    }
+    return 0;
+}
+
+#endif
