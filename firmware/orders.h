@@ -269,13 +269,15 @@ struct lim_mesh_depth {
 };
 
 /* Where a boundary is on the current line, and what a line adds: what is stepped of a struct lim_edge. */
-struct lim_mesh_edge {
 #if LIM_8_BIT
+struct lim_mesh_edge {
     struct lim_edge whole;
-#else
-    lim_edge_at at, step;
-#endif
 };
+#else
+struct lim_mesh_edge {
+    lim_edge_at at, step;
+};
+#endif
 
 /* A triangle that crosses the current line. */
 struct lim_mesh_active {

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT
  *
  * A line of depths: nearness, 1 / z, is linear on the screen, so a triangle's is a plane over it. In: points in
- * sub-pixels, nearness at each, 1..32769. Out: nearness in 16.16, right to some units of 2^-14 of what it spans. A
- * pixel goes to the nearest of those that have depth, or to the first among equals; what has none paints over it, as
- * its distance says, and is painted over. */
+ * sub-pixels, nearness at each, 1..32769. Out: nearness in 16.16, right to some units of 2^-14 of what it spans; less
+ * right where a triangle is thinner than a pixel. A pixel goes to the nearest of those that have depth, or to the first
+ * among equals; what has none paints over it, as its distance says, and is painted over. */
 #ifndef LIM_MESH_DEPTH_H
 #define LIM_MESH_DEPTH_H
 

@@ -8,7 +8,7 @@
 #include "rigs/effort.h"
 #include "rigs/profiles.h"
 #include "rigs/set_rig.h"
-#include "rigs/soup_rig.h"
+#include "unit/firmware/soup_rig.h"
 
 #include <stdlib.h>
 #include <string.h>

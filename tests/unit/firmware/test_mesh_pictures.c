@@ -5,7 +5,7 @@
 #include "rigs/cmocka_ready.h"
 #include "rigs/effort.h"
 #include "rigs/profiles.h"
-#include "rigs/soup_rig.h"
+#include "unit/firmware/soup_rig.h"
 
 #include <math.h>
 #include <stdio.h>

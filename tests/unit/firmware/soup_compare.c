@@ -3,7 +3,7 @@
  * A picture by brute force: each triangle, each pixel. Where the renderer does not clip, its corners on the screen are
  * taken as they are, and which pixels they cover is decided by 64-bit integers; what it clips is clipped in doubles,
  * and pixels within one of its outline may go either way. */
-#include "cmocka_ready.h"
+#include "rigs/cmocka_ready.h"
 #include "soup_rig.h"
 
 #include <math.h>

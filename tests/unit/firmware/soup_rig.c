@@ -3,8 +3,8 @@
  * Scenes without nodes, and renderers on them whose target looks at every call. */
 #include "soup_rig.h"
 
-#include "cmocka_ready.h"
 #include "colour.h"
+#include "rigs/cmocka_ready.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -7,7 +7,7 @@
 #define TESTS_SOUP_RIG_H
 
 #include "core/core.h"
-#include "random.h"
+#include "rigs/random.h"
 
 enum { SOUP_TRIANGLES = 600, SOUP_VERTICES = 3 * SOUP_TRIANGLES, SOUP_KINDS = 7, SOUP_CORNERS = 10 };
 
