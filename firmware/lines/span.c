@@ -141,17 +141,18 @@ static inline bool close_between(struct lim_spans *spans, int16_t y, int16_t end
             result = close_several(spans, line, x0, x1);
         }
         if (result == LIM_SPAN_NOTHING) continue;
-        if (result == LIM_SPAN_EXHAUSTED) return false;
+        if (sink && result == LIM_SPAN_EXHAUSTED) return false;
         if (sink) continue;
         if (!first) first = line;
         last = line;
+        if (result == LIM_SPAN_EXHAUSTED) break;
     } while (++line < after);
     lim_edge_follow(&pair->left, &left);
     lim_edge_follow(&pair->right, &right);
     if (sink || !first) return true;
     if (first < spans->lines + seen->top) seen->top = (int16_t)(first - spans->lines);
     seen->bottom = (int16_t)(last - spans->lines + 1);
-    return true;
+    return line == after; /* else there was no gap: what is closed above is seen all the same */
 }
 
 bool lim_spans_close(struct lim_spans *spans, int16_t y, int16_t end, struct lim_edge_pair *pair,
