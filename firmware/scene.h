@@ -202,8 +202,6 @@ struct lim_scene {
     lim_index vertex_count, node_count, plane_count, exact_count, box_count;
     lim_index polygon_words; /* length of `polygons` */
     lim_index polygon_count; /* records in it */
-    /* Of a mesh: for LIM_MESH_DEPTH triangles from this one on have depth at each pixel. */
-    LIM_OPTIONAL(lim_index, deep_from, LIM_HAS_MESH_DEPTH);
     uint16_t background; /* colour where no polygon is seen, RGB565 as a number */
     struct lim_limits limits;
 #if LIM_HAS_TEXTURE
@@ -218,13 +216,15 @@ struct lim_scene {
     const LIM_FLASH uint8_t *pvs;
     uint16_t place_count, pvs_bytes;
 #endif
+    /* Of a mesh: for LIM_MESH_DEPTH triangles from this one on have depth at each pixel. */
+    LIM_OPTIONAL(lim_index, deep_from, LIM_HAS_MESH_DEPTH);
 };
 
 LIM_OPTIONAL_END
 
 static inline bool lim_scene_is_mesh(const struct lim_scene *scene)
 {
-    return LIM_HAS_MESHES && (!LIM_HAS_PLANES || !scene->node_count);
+    return LIM_HAS_MESHES && (!LIM_HAS_PLANES || (!scene->node_count && scene->polygon_count));
 }
 
 /* The first triangle of a mesh that has depth. */

@@ -4,6 +4,7 @@
 #define LIM_PROFILE 3 /* exact */
 
 #include "screen/edge.c"
+#include "screen/edge_bounds.c"
 
 #include "rigs/cmocka_ready.h"
 #include "rigs/edge_rig.h"

@@ -6,6 +6,7 @@
 #define LIM_MAX_SIDE_PX 340
 
 #include "screen/edge.c"
+#include "screen/edge_bounds.c"
 
 #include "rigs/cmocka_ready.h"
 #include "rigs/edge_rig.h"

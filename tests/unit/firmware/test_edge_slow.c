@@ -5,6 +5,7 @@
 #define LIM_DIVIDES 0
 
 #include "screen/edge.c"
+#include "screen/edge_bounds.c"
 #include "screen/small.c"
 
 #include "rigs/cmocka_ready.h"

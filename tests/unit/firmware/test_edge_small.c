@@ -4,6 +4,8 @@
 #define LIM_MAX_SIDE_PX 240
 
 #include "screen/edge.c"
+#include "screen/edge_bounds.c"
+#include "screen/small.c"
 
 #include "rigs/cmocka_ready.h"
 #include "rigs/edge_rig.h"
