@@ -13,45 +13,30 @@
 #include "config.h"
 
 /* Settings that go together. */
-#if !LIM_HAS_PLANES && !LIM_HAS_MESHES
-#error "one of LIM_HAS_NEAREST, _PAINTER, _CONVEX, _SCANLINE, _DEPTH, _NEWELL, _MESH and _MESH_DEPTH must be 1"
-#endif
-#if LIM_HAS_MOVERS && !LIM_HAS_TREE
-#error "LIM_HAS_MOVERS needs LIM_HAS_NEAREST or LIM_HAS_PAINTER"
-#endif
-#if (LIM_HAS_LIGHT || LIM_HAS_DEFORM) && !LIM_HAS_MOVERS
-#error "LIM_HAS_LIGHT and LIM_HAS_DEFORM need LIM_HAS_MOVERS"
-#endif
-#if LIM_HAS_WIDE && SIZE_MAX <= 0xFFFF
-#error "LIM_HAS_WIDE: a processor whose sizes have 16 bits has no room for such a scene"
-#endif
-#if LIM_HAS_LARGE && !LIM_HAS_SLANTED
-#error "LIM_HAS_LARGE needs LIM_HAS_SLANTED"
-#endif
-#if LIM_HAS_ANTIALIAS && !LIM_HAS_SPANS
-#error "LIM_HAS_ANTIALIAS needs an order that paints nearest first"
-#endif
-#if LIM_HAS_FILL && !LIM_HAS_NEAREST && !LIM_HAS_CONVEX
-#error "LIM_HAS_FILL needs LIM_HAS_NEAREST or LIM_HAS_CONVEX"
-#endif
-#if LIM_HAS_FRAMEBUFFER && !LIM_HAS_NEAREST && !LIM_HAS_PAINTER
-#error "LIM_HAS_FRAMEBUFFER needs LIM_HAS_NEAREST or LIM_HAS_PAINTER"
-#endif
-#if LIM_HAS_PORTALS && !(LIM_HAS_TREE && LIM_HAS_CULL)
-#error "LIM_HAS_PORTALS needs LIM_HAS_CULL and an order that walks the tree"
-#endif
-#if !LIM_HAS_LINES && (!LIM_HAS_FILL || LIM_HAS_HIDDEN || LIM_HAS_MESHES || LIM_HAS_TEXTURE || LIM_HAS_DELTA)
-#error "LIM_HAS_LINES may be 0 where LIM_HAS_FILL is 1, and nothing is linked that asks for lines"
-#endif
-#if LIM_VIEW_CACHE_ENTRIES < 8 || LIM_VIEW_CACHE_ENTRIES > 256 || LIM_VIEW_CACHE_ENTRIES & (LIM_VIEW_CACHE_ENTRIES - 1)
-#error "LIM_VIEW_CACHE_ENTRIES must be a power of two, 8..256"
-#endif
-#if LIM_MAX_SIDE_PX < 8 || LIM_MAX_SIDE_PX > 1024
-#error "LIM_MAX_SIDE_PX must be 8..1024"
-#endif
-#if LIM_MAX_VERTICES < 3 || LIM_MAX_VERTICES > 250
-#error "LIM_MAX_VERTICES must be 3..250"
-#endif
+LIM_STATIC_ASSERT(LIM_HAS_PLANES || LIM_HAS_MESHES,
+                  "one order of drawing at least: LIM_HAS_NEAREST, _PAINTER, _CONVEX, "
+                  "_SCANLINE, _DEPTH, _NEWELL, _MESH or _MESH_DEPTH must be 1");
+LIM_STATIC_ASSERT(!LIM_HAS_MOVERS || LIM_HAS_TREE, "LIM_HAS_MOVERS needs LIM_HAS_NEAREST, _PAINTER or _SCANLINE");
+LIM_STATIC_ASSERT(!(LIM_HAS_LIGHT || LIM_HAS_DEFORM) || LIM_HAS_MOVERS,
+                  "LIM_HAS_LIGHT and LIM_HAS_DEFORM need LIM_HAS_MOVERS");
+LIM_STATIC_ASSERT(!LIM_HAS_WIDE || SIZE_MAX > 0xFFFF,
+                  "LIM_HAS_WIDE: a processor whose sizes have 16 bits has no room for such a scene");
+LIM_STATIC_ASSERT(!LIM_HAS_LARGE || LIM_HAS_SLANTED, "LIM_HAS_LARGE needs LIM_HAS_SLANTED");
+LIM_STATIC_ASSERT(!LIM_HAS_ANTIALIAS || LIM_HAS_SPANS, "LIM_HAS_ANTIALIAS needs an order that paints nearest first");
+LIM_STATIC_ASSERT(!LIM_HAS_FILL || LIM_HAS_NEAREST || LIM_HAS_CONVEX,
+                  "LIM_HAS_FILL needs LIM_HAS_NEAREST or LIM_HAS_CONVEX");
+LIM_STATIC_ASSERT(!LIM_HAS_FRAMEBUFFER || LIM_HAS_NEAREST || LIM_HAS_PAINTER,
+                  "LIM_HAS_FRAMEBUFFER needs LIM_HAS_NEAREST or LIM_HAS_PAINTER");
+LIM_STATIC_ASSERT(!LIM_HAS_PORTALS || (LIM_HAS_TREE && LIM_HAS_CULL),
+                  "LIM_HAS_PORTALS needs LIM_HAS_CULL and an order that walks the tree");
+LIM_STATIC_ASSERT(LIM_HAS_LINES ||
+                      (LIM_HAS_FILL && !LIM_HAS_HIDDEN && !LIM_HAS_MESHES && !LIM_HAS_TEXTURE && !LIM_HAS_DELTA),
+                  "LIM_HAS_LINES may be 0 where LIM_HAS_FILL is 1, and nothing is linked that asks for lines");
+LIM_STATIC_ASSERT(LIM_VIEW_CACHE_ENTRIES >= 8 && LIM_VIEW_CACHE_ENTRIES <= 256 &&
+                      !(LIM_VIEW_CACHE_ENTRIES & (LIM_VIEW_CACHE_ENTRIES - 1)),
+                  "LIM_VIEW_CACHE_ENTRIES must be a power of two, 8..256");
+LIM_STATIC_ASSERT(LIM_MAX_SIDE_PX >= 8 && LIM_MAX_SIDE_PX <= 1024, "LIM_MAX_SIDE_PX must be 8..1024");
+LIM_STATIC_ASSERT(LIM_MAX_VERTICES >= 3 && LIM_MAX_VERTICES <= 250, "LIM_MAX_VERTICES must be 3..250");
 
 /* What a version promises: DESIGN.md. */
 #define LIM_VERSION_MAJOR 0

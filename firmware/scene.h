@@ -202,7 +202,7 @@ struct lim_scene {
     lim_index vertex_count, node_count, plane_count, exact_count, box_count;
     lim_index polygon_words; /* length of `polygons` */
     lim_index polygon_count; /* records in it */
-    uint16_t background; /* colour where no polygon is seen, RGB565 as a number */
+    uint16_t background;     /* colour where no polygon is seen, RGB565 as a number */
     struct lim_limits limits;
 #if LIM_HAS_TEXTURE
     const LIM_FLASH struct lim_mapping *mappings;

@@ -115,17 +115,12 @@ static inline bool fill_lines(struct lim_nearest *nearest, const struct lim_poin
     return close_lines(&nearest->spans, at, n, first, &shown, lim_fill_of(target), &look);
 }
 
-/* Scan lines: every polygon in view is retained, without a look at what is open, and painted from far to near. What
- * that cannot paint is drawn nearest first; so are bands of one line, of which there are only where memory is scarce:
- * any number of polygons lie behind one another at a pixel, and the least pools hold one. */
+/* Scan lines retain every polygon in view, and paint from far to near; not bands of one line, of which there are only
+ * where memory is scarce: any number of polygons lie behind one another at a pixel, and the least pools hold one. */
 static inline bool can_retain_all(const struct lim_nearest *nearest, const struct lim_rect *band)
 {
-    const struct lim_pass *pass = nearest->pass;
-    const bool mixed = LIM_HAS_TEXTURE && lim_texture_count(pass->scene) && lim_moves(lim_nearest_sorter(nearest));
-
-    if (!LIM_IS_SCANLINE(&pass->target) || band->y1 - band->y0 <= 1) return false;
-    if (lim_wants_antialias(nearest)) return lim_can_fill(lim_nearest_sorter(nearest), pass);
-    return lim_nearest_is_plain(nearest) && lim_is_opaque(pass) && !mixed;
+    if (!LIM_IS_SCANLINE(&nearest->pass->target) || band->y1 - band->y0 <= 1) return false;
+    return lim_nearest_may_retain_all(nearest);
 }
 
 /* A constant where there is no choice. */

@@ -54,6 +54,17 @@ static inline bool lim_nearest_can_fill(const struct lim_nearest *nearest)
     return lim_nearest_is_plain(nearest) && lim_can_fill(lim_nearest_sorter(nearest), nearest->pass);
 }
 
+/* Whether lines can be painted of all that is in view: antialiased, in one colour a polygon; with textures, where
+ * nothing moves. */
+static inline bool lim_nearest_may_retain_all(const struct lim_nearest *nearest)
+{
+    const struct lim_pass *pass = nearest->pass;
+    const bool mixed = LIM_HAS_TEXTURE && lim_texture_count(pass->scene) && lim_moves(lim_nearest_sorter(nearest));
+
+    if (lim_wants_antialias(nearest)) return lim_can_fill(lim_nearest_sorter(nearest), pass);
+    return lim_nearest_is_plain(nearest) && lim_is_opaque(pass) && !mixed;
+}
+
 /* Scan lines: all that is in view is retained. A constant where there is no choice. */
 static inline bool lim_nearest_retains_all(const struct lim_nearest *nearest)
 {

@@ -490,8 +490,7 @@ bool options_load(const struct options *options, struct compiled *scene, struct 
                   struct camera_path *path, struct error *err)
 {
     if (!camera_choice_read(&options->cameras, path, err)) return false;
-    if (path->count && !take_frames(options, path, err)) return false;
-    if (!load_scene(options, scene, moving, err)) return false;
+    if ((path->count && !take_frames(options, path, err)) || !load_scene(options, scene, moving, err)) return false;
     note_idle(options, moving);
     if (!lens_for_grid(lens, options->fov_deg, options->compile.near_m, &scene->grid, options->setup.w_px,
                        options->setup.h_px, err))

@@ -4,8 +4,8 @@
 #ifndef SIM_ENCODE_MESH_H
 #define SIM_ENCODE_MESH_H
 
-#include "trees/exact.h"
 #include "scene/encoding.h"
+#include "trees/exact.h"
 
 /* Encodes all polygons as triangles, two-sided ones twice; `points` are the mesh's. Refuses what such a scene does not
  * draw, and a mesh of which rounding leaves nothing. The caller frees *out either way. */

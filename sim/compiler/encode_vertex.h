@@ -5,8 +5,8 @@
 #define SIM_ENCODE_VERTEX_H
 
 #include "base/map.h"
-#include "trees/exact.h"
 #include "scene/encoding.h"
+#include "trees/exact.h"
 
 struct vertex_encoder {
     struct encoding *out;
