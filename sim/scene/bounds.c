@@ -118,7 +118,8 @@ void encode_boxes(struct encoding *encoding)
                                     .nodes = encoding->nodes,
                                     .polygons = encoding->words,
                                     .vertex_count = (lim_index)encoding->vertex_count,
-                                    .node_count = (lim_index)encoding->node_count};
+                                    .node_count = (lim_index)encoding->node_count,
+                                    .polygon_count = (lim_index)encoding->record_count};
     if (lim_scene_is_mesh(&scene)) {
         encode_mesh_box(encoding, &scene);
         return;

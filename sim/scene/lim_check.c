@@ -357,7 +357,7 @@ bool lim_check(const struct lim_scene *scene, struct error *err)
     if (!check_vertices(scene, err) || !check_planes(scene, err) || !check_boxes(scene, err) ||
         !lim_check_textures(scene, err))
         return false;
-    if (lim_scene_is_mesh(scene)) return lim_check_mesh(scene, err);
+    if (!scene->node_count) return lim_check_mesh(scene, err);
     if (*scene->deep_from)
         return error_set(err, "depth from triangle %lu on, in a scene of polygons", (unsigned long)*scene->deep_from);
     work.depths = grow_zeroed(scene->node_count, sizeof *work.depths);
