@@ -42,7 +42,7 @@ static bool check_boxes(const struct lim_scene *scene, struct error *err)
             if (scene->boxes[i].half[k] > HALF_MAX)
                 return error_set(err, "box %zu: half is %u, more than %d", i, (unsigned)scene->boxes[i].half[k],
                                  HALF_MAX);
-    if (lim_scene_is_mesh(scene)) return true;
+    if (!scene->node_count) return true;
     return scene->box_count <= scene->node_count ||
            error_set(err, "%lu boxes for %lu nodes", (unsigned long)scene->box_count, (unsigned long)scene->node_count);
 }
