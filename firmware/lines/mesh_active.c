@@ -18,7 +18,7 @@ void lim_mesh_clear(struct lim_mesh *mesh)
     mesh->first = mesh->begins = &mesh->end;
 }
 
-static void insert(struct lim_mesh *mesh, struct lim_mesh_active *active)
+static void mesh_insert(struct lim_mesh *mesh, struct lim_mesh_active *active)
 {
     struct lim_mesh_active **link = &mesh->begins;
 
@@ -35,12 +35,12 @@ static inline void set_lines(struct lim_mesh_active *active, int16_t turn, int16
     active->turn = (uint16_t)(turn < bottom ? turn : bottom);
 }
 
-static inline uint16_t colour_of(const struct lim_mesh *mesh, lim_index triangle)
+static inline uint16_t mesh_colour_of(const struct lim_mesh *mesh, lim_index triangle)
 {
     return lim_memory_colour((uint16_t)lim_mesh_triangle(mesh, triangle)[3]);
 }
 
-static inline bool is_within(const struct lim_mesh_range *range, lim_mesh_rank rank)
+static inline bool mesh_is_within(const struct lim_mesh_range *range, lim_mesh_rank rank)
 {
     return rank >= range->from && rank < range->below;
 }
@@ -83,12 +83,12 @@ static bool begin_part(struct lim_mesh *mesh, const struct lim_mesh_clipped *cli
     struct lim_mesh_active *active = lim_mesh_new(mesh);
     if (!active) return false;
     active->rank = rank;
-    active->colour = colour_of(mesh, triangle);
+    active->colour = mesh_colour_of(mesh, triangle);
     active->part = part;
     if (LIM_HAS_STATS) *active->seen = false;
     set_any(active, shown->at, shown->n, &shown->shape, y);
     if (lim_mesh_is_deep(mesh, triangle)) lim_mesh_depth_clipped(active, clipped, y);
-    insert(mesh, active);
+    mesh_insert(mesh, active);
     return true;
 }
 
@@ -121,7 +121,7 @@ static LIM_RARE bool begin_clipped(struct lim_mesh *mesh, lim_index triangle, ui
 
     if (!lim_mesh_clip(mesh, triangle, &clipped)) return true;
     const lim_mesh_rank rank = lim_mesh_rank_of(nearness_of(&clipped), triangle);
-    if (range && !is_within(range, rank)) return true;
+    if (range && !mesh_is_within(range, rank)) return true;
     if (!clipped.shape.non_monotone) return begin_part(mesh, &clipped, triangle, 0, rank, y);
     for (uint8_t part = 1; part + 1u < clipped.n; part++) {
         if (begin_part(mesh, &clipped, triangle, part, rank, y)) continue;
@@ -156,7 +156,7 @@ static LIM_INLINE struct three three_of(lim_packed a, lim_packed b, lim_packed c
     return (struct three){a, c, b, LIM_MESH_RIGHT};
 }
 
-static inline int32_t row_of(lim_packed at)
+static inline int32_t mesh_row_of(lim_packed at)
 {
     return lim_edge_row(lim_packed_y(at));
 }
@@ -215,7 +215,7 @@ static LIM_INLINE bool set_each(struct lim_mesh_active *active, lim_packed top, 
 static LIM_ALONE void set_one_by_one(struct lim_mesh_active *active, lim_packed top, lim_packed middle, lim_packed low)
 {
     const uint16_t y = active->turn;
-    const int32_t row = (int32_t)y - LIM_ORIGIN_PX, middle_row = row_of(middle), bottom_row = row_of(low);
+    const int32_t row = (int32_t)y - LIM_ORIGIN_PX, middle_row = mesh_row_of(middle), bottom_row = mesh_row_of(low);
 
     if (!set_each(active, top, middle, low, row, middle_row, bottom_row)) {
         set_long(active, top, middle, low, y);
@@ -242,7 +242,8 @@ static LIM_ALONE void set_three(struct lim_mesh_active *active, lim_packed top, 
 {
     const int32_t top_x = lim_packed_x(top), top_y = lim_packed_y(top), middle_x = lim_packed_x(middle);
     const int32_t middle_y = lim_packed_y(middle), low_x = lim_packed_x(low), low_y = lim_packed_y(low);
-    const int32_t row = (int32_t)active->turn - LIM_ORIGIN_PX, middle_row = row_of(middle), bottom_row = row_of(low);
+    const int32_t row = (int32_t)active->turn - LIM_ORIGIN_PX, middle_row = mesh_row_of(middle),
+                  bottom_row = mesh_row_of(low);
     const int32_t upper_dx = middle_x - top_x, lower_dx = low_x - middle_x;
 
     if (!edge_is_short(low_x - top_x, low_y - top_y, bottom_row - (top_y >> LIM_SUB_BITS)) ||
@@ -290,8 +291,8 @@ static LIM_RARE void add_depth(const struct lim_mesh *mesh, struct lim_mesh_acti
 }
 
 /* `range`: NULL, or those of other ranks are left out. */
-static LIM_INLINE bool begin(struct lim_mesh *mesh, const LIM_FLASH lim_index *triangles, lim_index triangle,
-                             uint16_t y, const struct lim_mesh_range *range)
+static LIM_INLINE bool mesh_begin(struct lim_mesh *mesh, const LIM_FLASH lim_index *triangles, lim_index triangle,
+                                  uint16_t y, const struct lim_mesh_range *range)
 {
     const LIM_FLASH lim_index *corners = triangles + (size_t)triangle * LIM_TRIANGLE_WORDS;
     const uint16_t *const nearness = mesh->nearness;
@@ -300,7 +301,7 @@ static LIM_INLINE bool begin(struct lim_mesh *mesh, const LIM_FLASH lim_index *t
     if (LIM_UNLIKELY(mesh->extent == LIM_VIEW_CLIPPED) && (!a || !b || !c))
         return begin_clipped(mesh, triangle, y, range);
     const lim_mesh_rank rank = lim_mesh_rank_of((a + b + c) / 2, triangle);
-    if (range && !is_within(range, rank)) return true;
+    if (range && !mesh_is_within(range, rank)) return true;
     struct lim_mesh_active *active = lim_mesh_new(mesh);
     if (LIM_UNLIKELY(!active)) return false;
     active->rank = rank;
@@ -308,7 +309,7 @@ static LIM_INLINE bool begin(struct lim_mesh *mesh, const LIM_FLASH lim_index *t
     active->part = 0;
     active->turn = y;
     if (LIM_HAS_STATS) *active->seen = false;
-    insert(mesh, active);
+    mesh_insert(mesh, active);
     const struct three three = three_at(mesh->points, corners);
     active->goes_on = three.side;
     set_three(active, three.top, three.middle, three.low);
@@ -322,13 +323,13 @@ bool lim_mesh_begin_all(struct lim_mesh *mesh, uint16_t y)
     const lim_index *const links = mesh->links;
 
     for (lim_index triangle = mesh->tops[y]; triangle != LIM_NO_INDEX; triangle = links[triangle])
-        if (!begin(mesh, triangles, triangle, y, NULL)) return false;
+        if (!mesh_begin(mesh, triangles, triangle, y, NULL)) return false;
     return true;
 }
 
 bool lim_mesh_begin_within(struct lim_mesh *mesh, lim_index triangle, uint16_t y, const struct lim_mesh_range *range)
 {
-    return begin(mesh, mesh->pass->scene->polygons, triangle, y, range);
+    return mesh_begin(mesh, mesh->pass->scene->polygons, triangle, y, range);
 }
 
 static void turn_clipped(const struct lim_mesh *mesh, struct lim_mesh_active *active, uint16_t y)

@@ -35,7 +35,7 @@ struct plane_of_three {
 };
 
 /* Two differences along an axis, to 14 bits and a sign. Returns how often they are halved. */
-static inline uint8_t halve(int32_t *u, int32_t *v)
+static inline uint8_t mesh_halve(int32_t *u, int32_t *v)
 {
     const uint32_t most = abs_s32(*u) | abs_s32(*v);
 
@@ -54,8 +54,8 @@ static void set_differences(struct plane_of_three *plane, const struct lim_point
     plane->uy = (int32_t)b->y - a->y;
     plane->vx = (int32_t)c->x - a->x;
     plane->vy = (int32_t)c->y - a->y;
-    plane->halved_x = halve(&plane->ux, &plane->vx);
-    plane->halved_y = halve(&plane->uy, &plane->vy);
+    plane->halved_x = mesh_halve(&plane->ux, &plane->vx);
+    plane->halved_y = mesh_halve(&plane->uy, &plane->vy);
 }
 
 /* Edges change places: what paints without depth finds no pixels, and what turns on the next line is asked there. */
@@ -76,8 +76,8 @@ static void take_depth(struct lim_mesh_active *active, uint16_t y)
 enum { ABOVE_NOTHING = 1 << 14 };
 
 /* Nearness at a line's first pixel, from a corner where it is known. */
-static void set_plane(struct lim_mesh_active *active, const struct lim_point *a, uint16_t nearness, uint32_t x_q16,
-                      uint32_t y_q16, uint16_t y)
+static void mesh_set_plane(struct lim_mesh_active *active, const struct lim_point *a, uint16_t nearness, uint32_t x_q16,
+                           uint32_t y_q16, uint16_t y)
 {
     const int32_t right_px = LIM_ORIGIN_PX + (a->x >> LIM_SUB_BITS), down_px = LIM_ORIGIN_PX + (a->y >> LIM_SUB_BITS);
     const int32_t part_x = a->x & (LIM_SUB - 1), part_y = a->y & (LIM_SUB - 1);
@@ -101,13 +101,13 @@ void lim_mesh_depth_set(struct lim_mesh_active *active, const struct lim_point a
     set_differences(&plane, &at[0], &at[1], &at[2]);
     const int32_t area = plane.uy * plane.vx - plane.ux * plane.vy;
     if (area <= 0) { /* a sliver, once it is halved: nowhere wider than a pixel */
-        set_plane(active, &at[0], nearness[0], 0, 0, y);
+        mesh_set_plane(active, &at[0], nearness[0], 0, 0, y);
         return;
     }
     const uint32_t recip_q15 = recip_q15_of((uint32_t)area, &shift);
     const uint32_t x_q16 = gradient_q16(q * plane.uy - p * plane.vy, recip_q15, shift, plane.halved_x);
     const uint32_t y_q16 = gradient_q16(p * plane.vx - q * plane.ux, recip_q15, shift, plane.halved_y);
-    set_plane(active, &at[0], nearness[0], x_q16, y_q16, y);
+    mesh_set_plane(active, &at[0], nearness[0], x_q16, y_q16, y);
 }
 
 /* Twice the size on the screen of a triangle of a fan. */
@@ -132,7 +132,7 @@ void lim_mesh_depth_clipped(struct lim_mesh_active *active, const struct lim_mes
 }
 
 /* Pixels x0 <= x < x1. */
-static void fill(uint16_t *pixels, uint16_t *depths, const struct lim_mesh_active *active, int32_t x0, int32_t x1)
+static void mesh_fill(uint16_t *pixels, uint16_t *depths, const struct lim_mesh_active *active, int32_t x0, int32_t x1)
 {
     const uint32_t step_q16 = active->depth->x_q16;
     uint32_t at_q16 = active->depth->at_q16 + (uint32_t)x0 * step_q16;
@@ -177,7 +177,7 @@ bool lim_mesh_depth_paint(struct lim_mesh *mesh, const struct lim_mesh_line *lin
 
     if (x0 < line->x0) x0 = line->x0;
     if (x1 > line->x1) x1 = line->x1;
-    if (x0 < x1) fill(line->pixels, depths_of(mesh, line->y), active, x0, x1);
+    if (x0 < x1) mesh_fill(line->pixels, depths_of(mesh, line->y), active, x0, x1);
     active->depth->at_q16 += active->depth->y_q16;
     if (active->bottom == below) return false;
     active->turn = (uint16_t)(below + 1);

@@ -20,8 +20,8 @@ void lim_mesh_clean(const struct lim_mesh *mesh, const struct lim_mesh_line *lin
 }
 
 /* Pixels x0 <= x < x1, as far as they lie on the line: those of what has depth as often as they are compared. */
-static inline void note(struct lim_stats *stats, const struct lim_mesh_line *line, struct lim_mesh_active *active,
-                        int32_t x0, int32_t x1)
+static inline void mesh_note(struct lim_stats *stats, const struct lim_mesh_line *line, struct lim_mesh_active *active,
+                             int32_t x0, int32_t x1)
 {
     const int32_t n_px = (x1 < line->x1 ? x1 : line->x1) - (x0 > line->x0 ? x0 : line->x0);
 
@@ -37,7 +37,7 @@ static inline void note_deep(struct lim_stats *stats, const struct lim_mesh_line
 {
     const uint32_t before = stats->pixels_painted;
 
-    note(stats, line, active, x0, x1);
+    mesh_note(stats, line, active, x0, x1);
     stats->pixels_deep += stats->pixels_painted - before;
 }
 
@@ -80,7 +80,7 @@ static LIM_INLINE bool paint_one(struct lim_mesh *mesh, const struct lim_mesh_li
     const int32_t x0 = inside || left > line->x0 ? left : line->x0, x1 = inside || right < line->x1 ? right : line->x1;
 
     if (x0 < x1) lim_fill_inline(pixels, (int_fast16_t)x0, (int_fast16_t)x1, active->colour);
-    if (LIM_HAS_STATS && x0 < x1) note(lim_stats_of(mesh->pass), line, active, x0, x1);
+    if (LIM_HAS_STATS && x0 < x1) mesh_note(lim_stats_of(mesh->pass), line, active, x0, x1);
     return active->turn != below || go_on(mesh, line, active, left, right);
 }
 

@@ -70,7 +70,7 @@ static void movers_place(const struct lim_instance *instance, const int32_t v[3]
 }
 #endif
 
-static void place(const struct lim_movers *movers, uint16_t mover, lim_index vertex, int32_t at_q12[3])
+static void mover_place(const struct lim_movers *movers, uint16_t mover, lim_index vertex, int32_t at_q12[3])
 {
     const struct lim_instance *instance = &movers->instances[mover];
     const struct lim_vertex at = instance->object->vertices[vertex];
@@ -102,7 +102,7 @@ const int32_t *lim_mover_corner(struct lim_movers *movers, uint16_t mover, lim_i
     if (placed->mover != mover || placed->vertex != vertex) {
         placed->mover = mover;
         placed->vertex = vertex;
-        place(movers, mover, vertex, placed->at_q12);
+        mover_place(movers, mover, vertex, placed->at_q12);
     }
     return placed->at_q12;
 }

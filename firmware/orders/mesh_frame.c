@@ -67,14 +67,14 @@ void lim_mesh_init(struct lim_mesh *mesh, void *mem, size_t mem_b)
 
 /* Triangles into their lines -------------------------------------------------------------------------------------- */
 
-static inline int32_t least_of(int32_t a, int32_t b, int32_t c)
+static inline int32_t mesh_least_of(int32_t a, int32_t b, int32_t c)
 {
     const int32_t ab = a < b ? a : b;
 
     return ab < c ? ab : c;
 }
 
-static inline int32_t most_of(int32_t a, int32_t b, int32_t c)
+static inline int32_t mesh_most_of(int32_t a, int32_t b, int32_t c)
 {
     const int32_t ab = a > b ? a : b;
 
@@ -123,10 +123,10 @@ static LIM_RARE void link_clipped(struct lim_mesh *mesh, lim_index triangle)
 }
 
 /* To the left or right of the screen. */
-static inline bool is_beside(const struct lim_mesh *mesh, lim_packed a, lim_packed b, lim_packed c)
+static inline bool mesh_is_beside(const struct lim_mesh *mesh, lim_packed a, lim_packed b, lim_packed c)
 {
-    const int32_t left = lim_edge_row(least_of(lim_packed_x(a), lim_packed_x(b), lim_packed_x(c))) + LIM_ORIGIN_PX;
-    const int32_t right = lim_edge_row(most_of(lim_packed_x(a), lim_packed_x(b), lim_packed_x(c))) + LIM_ORIGIN_PX;
+    const int32_t left = lim_edge_row(mesh_least_of(lim_packed_x(a), lim_packed_x(b), lim_packed_x(c))) + LIM_ORIGIN_PX;
+    const int32_t right = lim_edge_row(mesh_most_of(lim_packed_x(a), lim_packed_x(b), lim_packed_x(c))) + LIM_ORIGIN_PX;
 
     return right <= 0 || left >= mesh->pass->target.w_px;
 }
@@ -145,7 +145,7 @@ static LIM_INLINE void link_triangle(struct lim_mesh *mesh, lim_index triangle, 
     if (!faces_eye(a, b, c, extent == LIM_VIEW_INSIDE)) return;
     const struct lim_span_extent lines = lines_of(a, b, c);
     if (extent != LIM_VIEW_INSIDE) {
-        if (!is_beside(mesh, a, b, c)) link_lines(mesh, triangle, lines);
+        if (!mesh_is_beside(mesh, a, b, c)) link_lines(mesh, triangle, lines);
     } else if (lines.top != lines.bottom) {
         link_at(mesh, triangle, lines.top);
     }
@@ -258,7 +258,7 @@ static LIM_RARE void paint_parts(struct lim_mesh *mesh, const struct lim_mesh_li
 
 /* A frame --------------------------------------------------------------------------------------------------------- */
 
-static int draw_line(struct lim_mesh *mesh, uint16_t y)
+static int mesh_draw_line(struct lim_mesh *mesh, uint16_t y)
 {
     const struct lim_pass *pass = mesh->pass;
     const struct lim_target *target = &pass->target;
@@ -287,7 +287,7 @@ int lim_mesh_frame(struct lim_mesh *mesh)
     mesh->is_complete = true;
     if (LIM_HAS_MESH_DEPTH) mesh->depths->y = LIM_NONE;
     for (uint_fast16_t y = 0; y < pass->target.h_px; y++) {
-        const int err = draw_line(mesh, (uint16_t)y);
+        const int err = mesh_draw_line(mesh, (uint16_t)y);
         if (err) return err;
     }
     return LIM_OK;

@@ -35,7 +35,7 @@ static void set_axis(struct lim_texture_axis *axis, const int32_t way_q30[3])
 
 /* tan / side = mantissa / 2^31 / 2^bits. Both mantissas are cut, by 2^-21 at most: the texture is that much too narrow,
  * a 4000th of a pixel. */
-static int32_t mantissa_of(uint32_t tan_q28, int16_t side_px, int8_t *bits)
+static int32_t texture_mantissa_of(uint32_t tan_q28, int16_t side_px, int8_t *bits)
 {
     uint8_t zeros, more;
     const uint32_t quotient = normalise_u32(tan_q28, &zeros) / (uint16_t)side_px;
@@ -65,7 +65,7 @@ static void texture_set_axes(struct lim_texturing *texturing, const struct lim_c
     lim_orientation_set(axes_q30, camera);
     for (uint_fast8_t i = 0; i < 2; i++) {
         int8_t bits;
-        const int32_t mantissa_q31 = mantissa_of(tans_q28[i], sides_px[i], &bits);
+        const int32_t mantissa_q31 = texture_mantissa_of(tans_q28[i], sides_px[i], &bits);
         texturing->axis_bits[i] = LIM_HAS_LIMBS ? bits : (int8_t)(-shorter);
         for (uint_fast8_t k = (uint_fast8_t)(3 * i), end = (uint_fast8_t)(k + 3); k < end; k++)
             axes_q30[k] = moved(mul_high_s32(axes_q30[k], mantissa_q31) * 2, LIM_HAS_LIMBS ? 0 : bits + shorter);
@@ -450,7 +450,7 @@ void lim_texture_set_level(const struct lim_scene *scene, struct lim_gradients *
 }
 
 /* The least depth whose log2 is that, as lim_texture_level_q4() has it. */
-static uint32_t depth_of(int32_t log2_q4)
+static uint32_t texture_depth_of(int32_t log2_q4)
 {
     const int32_t zeros = (31 - log2_q4) >> 4;
 
@@ -472,10 +472,10 @@ void lim_texture_suit_level(const struct lim_scene *scene, struct lim_gradients 
     const uint8_t number = lim_texture_level_of(lim_texture_level_q4(planes->level_q4, depth, clz_u32(depth)), levels);
     const int32_t from_q4 = third_up(2 * (planes->level_q4 - 16 * number - 15));
     const int32_t to_q4 = third_up(2 * (planes->level_q4 - 16 * number + 1));
-    const uint32_t from = number == levels - 1 ? 0 : depth_of(from_q4);
+    const uint32_t from = number == levels - 1 ? 0 : texture_depth_of(from_q4);
 
     planes->level_depth = from;
-    planes->level_depths = (number ? depth_of(to_q4) : UINT32_MAX) - from;
+    planes->level_depths = (number ? texture_depth_of(to_q4) : UINT32_MAX) - from;
     lim_texture_set_level(scene, gradients, number);
 }
 

@@ -110,7 +110,7 @@ static uint16_t next_object(const struct lim_sorter *sorter, uint16_t first)
 }
 
 /* Whether the object of one entry may be drawn before that of another, nearest first. */
-static bool may_precede(const struct lim_sorter *sorter, uint16_t a, uint16_t b)
+static bool mover_may_precede(const struct lim_sorter *sorter, uint16_t a, uint16_t b)
 {
     return lim_mover_precedes(sorter->movers, lim_entry_owner(sorter, a), lim_entry_owner(sorter, b));
 }
@@ -126,7 +126,7 @@ static uint16_t find_blocker(const struct lim_sorter *sorter, uint16_t list)
     for (uint16_t a = list; a != LIM_NONE; a = next_object(sorter, a)) {
         if (!is_grouped(sorter, a)) continue;
         for (uint16_t b = list; b != LIM_NONE; b = next_object(sorter, b))
-            if (!is_grouped(sorter, b) && !may_precede(sorter, a, b)) return b;
+            if (!is_grouped(sorter, b) && !mover_may_precede(sorter, a, b)) return b;
     }
     return LIM_NONE;
 }
@@ -145,7 +145,7 @@ static void find_group(struct lim_sorter *sorter, uint16_t list)
 
     set_group(sorter, list, first);
     while ((blocker = find_blocker(sorter, list)) != LIM_NONE) {
-        if (steps && may_precede(sorter, blocker, first)) {
+        if (steps && mover_may_precede(sorter, blocker, first)) {
             steps--;
             first = blocker;
             set_group(sorter, list, first);

@@ -104,7 +104,7 @@ static int64_t reach_to(const struct lim_mover *mover, const struct lim_plane_un
 
 /* A whole instance against a plane: the ball around it, or the box, whichever reaches less. What is within the plane's
  * slack lies in it, so on the eye's side: beyond is what lies behind that, too. */
-static uint8_t sides_of_whole(const struct lim_sorter *sorter, uint16_t entry, const struct divider *divider)
+static uint8_t split_sides_of_whole(const struct lim_sorter *sorter, uint16_t entry, const struct divider *divider)
 {
     const uint16_t owner = lim_entry_owner(sorter, entry);
     const struct lim_mover *mover = &sorter->movers->movers[owner];
@@ -138,7 +138,7 @@ static uint8_t sides_of(const struct lim_sorter *sorter, struct divider *divider
 {
     const uint16_t owner = lim_entry_owner(sorter, entry);
 
-    if (lim_mover_is_whole(sorter, entry)) return sides_of_whole(sorter, entry, divider);
+    if (lim_mover_is_whole(sorter, entry)) return split_sides_of_whole(sorter, entry, divider);
     const struct lim_newell_polygon *polygon = &sorter->newell->polygons[entry];
     const uint8_t by_extent = polygon->has_extent ? side_of_extent(&polygon->extent, &divider->plane) : 0;
     if (by_extent) return by_extent;
