@@ -118,6 +118,7 @@ bool method_draws_wireframe(enum lim_method draws, struct error *err)
 bool method_antialiases(enum lim_method draws, bool wireframe, struct error *err)
 {
     if (wireframe) return error_set(err, "--antialias --wireframe: outlines are not antialiased; take one of the two");
+    if (method_draws_meshes(draws) && !method_scans(draws, "--antialias is", err)) return false;
     if (draws == LIM_CONVEX)
         return error_set(err, "--antialias --method convex: faces are painted over one another; take --method nearest");
     return draws != LIM_PAINTER || error_set(err, "--antialias --method painter: back to front, what lies behind "

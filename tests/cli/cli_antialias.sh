@@ -34,7 +34,7 @@ others_do_not() {
 
 a_solid_is_drawn_from_its_tree() { # by its own method it could not be
     "$BUILD/limner" compile sim/scenes/icosahedron.obj --antialias -o "$work/solid" >/dev/null &&
-        grep -q 'LIM_HAS_NEAREST 1' "$work/solid.h" && grep -q 'LIM_HAS_CONVEX 0' "$work/solid.h"
+        grep -qE 'LIM_HAS_(NEAREST|SCANLINE) 1' "$work/solid.h" && grep -q 'LIM_HAS_CONVEX 0' "$work/solid.h"
 }
 
 error_is_printed() {
