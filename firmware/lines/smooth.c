@@ -98,7 +98,7 @@ static LIM_ALONE void mix_textured(struct lim_smooth_sink *sink, const struct li
     if (LIM_HAS_TEXTURE) find_runs(open, mix_textured_run, sink);
 }
 
-static LIM_INLINE void fill(struct lim_smooth_sink *sink, uint32_t x0, uint32_t x1)
+static LIM_INLINE void smooth_fill(struct lim_smooth_sink *sink, uint32_t x0, uint32_t x1)
 {
     if (x0 >= x1) return;
     lim_fill_inline(sink->line, (int_fast16_t)x0, (int_fast16_t)x1, sink->colour);
@@ -152,7 +152,7 @@ void lim_smooth_mix(void *ctx, const struct lim_strip *open)
     } else {
         mix_side(sink, &open->left, x0, inner0, true);
     }
-    fill(sink, inner0 - LIM_STRIP_BIAS_PX, inner1 - LIM_STRIP_BIAS_PX);
+    smooth_fill(sink, inner0 - LIM_STRIP_BIAS_PX, inner1 - LIM_STRIP_BIAS_PX);
     if (right_steep) {
         const uint32_t n = sum_of(&open->right) - LIM_SAMPLES * inner1;
         if (n) lim_smooth_mix_pixel(sink, inner1 - LIM_STRIP_BIAS_PX, n);

@@ -167,7 +167,7 @@ void lim_strip_any(struct lim_strip *strip, struct lim_sample_edges *edges, cons
     strip->right = some_rows(&edges->right, at, n, row, from, end);
     if (from == 0 && end == LIM_SAMPLE_ROWS) return;
     for (uint_fast8_t i = 0; i < 2; i++) {
-        const int32_t s = 2 * i;
+        const int32_t s = (int32_t)(2 * i);
         strip->right.rows[i] =
             halves_from(strip->left.rows[i], strip->right.rows[i], s >= from && s < end, s + 1 >= from && s + 1 < end);
     }
