@@ -4,7 +4,6 @@
  * (-sin yaw cos pitch, sin pitch, -cos yaw cos pitch). */
 #include "camera.h"
 
-#include "angle.h"
 #include "math/fixed.h"
 
 /* The longest part takes so many bits, so that what is near has as good an angle as what is far. */

@@ -2,7 +2,7 @@
  *
  * sin(pi/2 * t) on one quarter turn by its Taylor series up to t^15, whose remainder at t = 1 is
  * 6e-12 (2^-37); seven 64-bit multiplications, done a handful of times a frame. */
-#include "angle.h"
+#include "camera.h"
 
 #include "math/fixed.h"
 

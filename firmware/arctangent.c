@@ -4,7 +4,7 @@
  * and what is left of its angle is nearly its slope. A slope s in place of its arc tangent errs by s^3 / 3. The first
  * guess, a straight line over an eighth of a turn, errs by 0.071; so the second does by 1.2e-4, and the third by 6e-13
  * (2^-40). No table; eight terms of a series, four times. */
-#include "angle.h"
+#include "camera.h"
 
 #include "math/fixed.h"
 

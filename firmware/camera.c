@@ -3,7 +3,6 @@
  * The lens from an angle of view, in 64 bits: done once, not once a frame. */
 #include "camera.h"
 
-#include "angle.h"
 #include "target.h"
 
 static bool in_range(uint64_t tan_q28)

@@ -212,7 +212,7 @@ int lim_frame_begin(struct lim *lim, const struct lim_camera *camera)
 
 static bool is_whole_at_once(const struct lim *lim)
 {
-    return LIM_IS_CONVEX(&lim->pass.target) || LIM_IS_PAINTER(&lim->pass.target) || LIM_IS_MESH(&lim->pass.target);
+    return LIM_IS_MESH(&lim->pass.target) || LIM_IS_CONVEX(&lim->pass.target) || LIM_IS_PAINTER(&lim->pass.target);
 }
 
 bool lim_frame_work(struct lim *lim)

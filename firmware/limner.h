@@ -22,7 +22,6 @@
 #define LIM_LIMNER_H
 
 #include "agree.h"
-#include "angle.h"
 #include "camera.h"
 #include "config.h"
 #include "orders.h"

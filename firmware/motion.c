@@ -4,7 +4,7 @@
  * divisor, sin a, goes without saying, because what comes out is made a unit again. */
 #include "scene.h"
 
-#include "angle.h"
+#include "camera.h"
 #include "math/fixed.h"
 #include "math/isqrt.h"
 

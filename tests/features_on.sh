@@ -9,12 +9,12 @@
 #   features_pairs COMPILER OTHER [all]   a test for each pair of flags: an eighth of them, or all, both on and both off;
 #                                         by one compiler with both on, by the other with both off
 #
-# Which flags can be set is read from firmware/config.h, which of them a scene leaves open from its header. What config.h
-# refuses is not legal.
+# Which flags can be set is read from firmware/config.h, which of them a scene leaves open from its header. What
+# firmware/agree.h refuses is not legal.
 # shellcheck shell=sh
 
-features="$(sed -n 's/^#ifndef \(LIM_HAS_[A-Z]*\)$/\1/p' firmware/config.h | tr '\n' ' ')LIM_RECIP_TABLE"
-features_scenes='rooms icosahedron glass movers knot order quarters'
+features="$(sed -n 's/^#ifndef \(LIM_HAS_[A-Z_]*\)$/\1/p' firmware/config.h | tr '\n' ' ')LIM_RECIP_TABLE"
+features_scenes='rooms icosahedron glass movers knot order quarters mesh'
 features_frames=4
 
 # Another eighth with each commit; SEED=0 to SEED=7 are all pairs, SEED=8 to SEED=15 again the other way round.
@@ -27,6 +27,7 @@ features_model() { # NAME: its model, its cameras, options
     icosahedron) echo sim/scenes/icosahedron.obj sim/scenes/teapot.cam ;;
     movers) echo sim/scenes/movers.gltf sim/scenes/movers.cam ;;
     knot) echo sim/scenes/knot.obj sim/scenes/knot.cam --method newell ;;
+    mesh) echo sim/scenes/knot.obj sim/scenes/knot.cam --method mesh-depth ;;
     quarters | order) echo "tests/models/$1.obj" "$work/$1.cam" ;;
     *) echo "sim/scenes/$1.obj" "sim/scenes/$1.cam" ;;
     esac
@@ -61,7 +62,7 @@ features_prepare() { # NAME
     "$BUILD/limner" compile "$features_drawn" --size 96x64 "$@" -o "$features_dir/model" >/dev/null || return 1
     # What moves is no part of a .lim file.
     case $features_drawn in *.gltf) ;; *) features_drawn=$features_dir/model.lim ;; esac
-    for features_method in nearest painter convex scanline depth newell; do
+    for features_method in nearest painter convex scanline depth newell mesh mesh-depth; do
         features_expect $features_method 'plain fill framebuffer parts'
         for features_way in wireframe antialias delta; do
             features_expect $features_method $features_way --$features_way
@@ -96,7 +97,8 @@ features_all() { # NAME FLAG...
 
 features_are_legal() { # NAME FLAG...
     # shellcheck disable=SC2046 # flags are words
-    "$CC" -E -Ifirmware -I"$kept/$1" -DLIM_CONFIG='"model.h"' $(features_all "$@") firmware/config.h >/dev/null 2>&1
+    "$CC" -std=c11 -fsyntax-only -Ifirmware -I"$kept/$1" -DLIM_CONFIG='"model.h"' $(features_all "$@") \
+        -include agree.h -x c /dev/null >/dev/null 2>&1
 }
 
 # The renderer in one piece: no two of its files may use a name for two things.
@@ -111,6 +113,7 @@ features_compare() { # NAME ALL-FLAGS
     awk -v flags="$2" '
         function linked(method, way) {
             flag["fill"] = "FILL"; flag["framebuffer"] = "FRAMEBUFFER"; flag["parts"] = flag["plain"] = "LINES"
+            gsub(/-/, "_", method)
             return on["LIM_HAS_" toupper(method)] && on["LIM_HAS_" (way in flag ? flag[way] : toupper(way))]
         }
         BEGIN {
@@ -118,7 +121,7 @@ features_compare() { # NAME ALL-FLAGS
             for (i = 1; i <= count; i++) { split(substr(word[i], 3), part, "="); on[part[1]] = part[2] }
         }
         FNR == 1 { file++ }
-        /^[a-z]+ [a-z]+$/ { section = $0; known[section, file] = 1; if (file == 1) order[++sections] = section; next }
+        /^[a-z-]+ [a-z]+$/ { section = $0; known[section, file] = 1; if (file == 1) order[++sections] = section; next }
         { text[section, file] = text[section, file] $0 "\n" }
         END {
             for (i = 1; i <= sections; i++) {
@@ -174,7 +177,7 @@ features_pairs() { # COMPILER OTHER [all]
         esac
         tap_check "SEED=$SEED, $features_by: $features_what" features_pair "$features_by" "$work/tries"
     done
-    tap_check "config.h refuses a fifth of the pairs at most" features_are_mostly_legal
+    tap_check "agree.h refuses a fifth of the pairs at most" features_are_mostly_legal
 }
 
 # And none was forgotten: n flags have n (n - 1) / 2 pairs.

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "walker.h"
 
-#include "angle.h"
+#include "camera.h"
 #include "board.h"
 #include "eye.h"
 

@@ -4,7 +4,7 @@
  * their plane. */
 #include "math/orientation.h"
 
-#include "angle.h"
+#include "camera.h"
 #include "math/fixed.h"
 
 /* Turns a away from b, and b towards a. */

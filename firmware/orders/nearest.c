@@ -74,7 +74,6 @@ static LIM_RARE bool close_with_room(struct lim_nearest *nearest, const struct l
                                      struct lim_span_extent shown, struct lim_span_extent *seen)
 {
     struct lim_retained *retained = &nearest->retained;
-    struct lim_span_extent again;
 
     do {
         const bool waits = at == &retained->cells[retained->used].at + LIM_RETAINED_HEAD_CELLS;
@@ -87,7 +86,7 @@ static LIM_RARE bool close_with_room(struct lim_nearest *nearest, const struct l
         if (seen->bottom > bottom) seen->bottom = bottom;
         if (shown.bottom > bottom) shown.bottom = bottom;
         if (shown.top >= shown.bottom) return true;
-        again = shown;
+        struct lim_span_extent again = shown;
         const bool closed = close_lines(&nearest->spans, at, n, first, &again, NULL, NULL);
         if (again.top < seen->top) seen->top = again.top;
         if (again.bottom > seen->bottom) seen->bottom = again.bottom;

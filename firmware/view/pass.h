@@ -47,14 +47,12 @@ static inline void *lim_mem_cut(uint8_t **mem, size_t size_b)
     return piece;
 }
 
-/* Methods: constants where there is no choice ------------------------------------------------------ */
+/* Methods: constants where there is no choice. Who asks for a convex solid or the painter has asked for a mesh before. */
 
 #define LIM_IS_MESH(target) (LIM_HAS_MESHES && (!LIM_HAS_PLANES || (target)->method >= LIM_MESH))
 #define LIM_IS_MESH_DEPTH(target) (LIM_HAS_MESH_DEPTH && (!LIM_HAS_MESH || (target)->method == LIM_MESH_DEPTH))
-#define LIM_IS_CONVEX(target)                                                                                          \
-    (LIM_HAS_CONVEX && ((!LIM_HAS_HIDDEN && !LIM_HAS_MESHES) || (target)->method == LIM_CONVEX))
-#define LIM_IS_PAINTER(target)                                                                                         \
-    (LIM_HAS_PAINTER && ((!LIM_HAS_SPANS && !LIM_HAS_MESHES) || (target)->method == LIM_PAINTER))
+#define LIM_IS_CONVEX(target) (LIM_HAS_CONVEX && (!LIM_HAS_HIDDEN || (target)->method == LIM_CONVEX))
+#define LIM_IS_PAINTER(target) (LIM_HAS_PAINTER && (!LIM_HAS_SPANS || (target)->method == LIM_PAINTER))
 #define LIM_IS_SCANLINE(target)                                                                                        \
     (LIM_HAS_SCANLINE && ((!LIM_HAS_NEAREST && !LIM_HAS_SORTED) || (target)->method == LIM_SCANLINE))
 

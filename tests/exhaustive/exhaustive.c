@@ -4,7 +4,7 @@
  * the library's doubles for sine and cosine, 2^-20 of an ulp fine. */
 #include "exhaustive.h"
 
-#include "angle.h"
+#include "camera.h"
 #include "math/fixed.h"
 
 #include <math.h>

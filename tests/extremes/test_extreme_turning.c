@@ -3,7 +3,7 @@
  * A million frames of rotation. Angles are stored, as 32-bit fractions of a turn, and every frame's
  * matrix is made from them anew, so nothing can drift; what turning a stored matrix by a small step would
  * have come to instead is measured beside it. And the four quadrants of every angle. */
-#include "angle.h"
+#include "camera.h"
 #include "extreme.h"
 #include "rigs/boxes.h"
 #include "rigs/cmocka_ready.h"

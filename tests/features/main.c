@@ -33,7 +33,9 @@ static const struct {
               {"convex", LIM_CONVEX, LIM_HAS_CONVEX},
               {"scanline", LIM_SCANLINE, LIM_HAS_SCANLINE},
               {"depth", LIM_DEPTH, LIM_HAS_DEPTH},
-              {"newell", LIM_NEWELL, LIM_HAS_NEWELL}};
+              {"newell", LIM_NEWELL, LIM_HAS_NEWELL},
+              {"mesh", LIM_MESH, LIM_HAS_MESH},
+              {"mesh-depth", LIM_MESH_DEPTH, LIM_HAS_MESH_DEPTH}};
 
 static uint32_t frame[CAMERAS_H_PX * LINE_PX / 2];
 

@@ -7,7 +7,7 @@
 #
 # Reads the scenes' headers, whose names are .../SCENE/model.h. `features` are the flags, `seed` says which eighth of the
 # pairs (seed mod 8), whether bare or full, and which scene comes first; with `all`=1 it is all pairs, both ways. What a flag needs or is needed by follows it, as
-# far as that is a matter of one other; the rest is up to config.h. A flag that the scene needs stays as it is.
+# far as that is a matter of one other; the rest is up to agree.h. A flag that the scene needs stays as it is.
 
 function of_scene(path, part, count) {
     count = split(path, part, "/")

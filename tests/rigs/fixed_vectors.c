@@ -5,7 +5,6 @@
  * arithmetic in test_fixed.c and here only have to agree from one CPU to the next. */
 #include "fixed_vectors.h"
 
-#include "angle.h"
 #include "camera.h"
 #include "eye.h"
 #include "math/fixed.h"

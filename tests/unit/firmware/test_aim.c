@@ -2,7 +2,6 @@
  *
  * Angles of vectors against arc tangents in long double; cameras that look at a target against where a ray in long
  * double goes, and against the cameras that the simulator makes of camera files, in doubles. */
-#include "angle.h"
 #include "camera.h"
 #include "cameras/camera_path.h"
 #include "rigs/cmocka_ready.h"

@@ -4,7 +4,6 @@
  * truth is irrational. fixed_vectors.c has their limits; here are their bounds. */
 #include "rigs/cmocka_ready.h"
 
-#include "angle.h"
 #include "camera.h"
 #include "math/fixed.h"
 #include "rigs/fixed_vectors.h"

@@ -2,7 +2,7 @@
  *
  * The rows of the view matrix against their definition, in long doubles and 128-bit integers: which cameras are taken,
  * how far the scene reaches, which scale is best, and how far a vertex may be off. */
-#include "angle.h"
+#include "camera.h"
 #include "math/orientation.h"
 #include "rigs/cmocka_ready.h"
 #include "rigs/random.h"

@@ -148,11 +148,11 @@ static void headers_come_once(void **state)
     (void)state;
     assert_joined("#include <stdint.h>\n#include <stdint.h>\na\n", "#include <stdint.h>\na\n");
     struct error err;
-    char *out = joined("#include \"angle.h\"\n#include \"camera.h\"\n#include \"angle.h\"\na\n", &err);
+    char *out = joined("#include \"target.h\"\n#include \"camera.h\"\n#include \"target.h\"\na\n", &err);
     assert_non_null(out);
-    char *first = strstr(out, "/* -- firmware/angle.h -- */");
+    char *first = strstr(out, "/* -- firmware/target.h -- */");
     assert_non_null(first);
-    assert_null(strstr(first + 1, "/* -- firmware/angle.h -- */"));
+    assert_null(strstr(first + 1, "/* -- firmware/target.h -- */"));
     assert_non_null(strstr(out, "/* -- firmware/camera.h -- */"));
     assert_null(strstr(out, "#include \""));
     free(out);
@@ -175,7 +175,7 @@ static void what_cannot_be_joined_is_named(void **state)
     assert_refused("a\n#include HEADER\n", "t:2: an include that is not understood");
     assert_refused("#include \"open.h\n", "t:1: an include that is not understood");
     assert_joined("#if LIM_HAS_NONE\n#include HEADER\n#endif\na\n", "a\n");
-    assert_refused("#if __AVR__\n#include \"angle.h\"\n#endif\n",
+    assert_refused("#if __AVR__\n#include \"target.h\"\n#endif\n",
                    "t:2: a header under a condition that only a compiler can decide");
 }
 
