@@ -158,7 +158,7 @@ static LIM_INLINE struct three three_of(lim_packed a, lim_packed b, lim_packed c
 
 static inline int32_t mesh_row_of(lim_packed at)
 {
-    return lim_edge_row(lim_packed_y(at));
+    return lim_edge_row((lim_edge_sub)lim_packed_y(at));
 }
 
 static LIM_ALONE bool begin_slow(struct lim_mesh_edge *edge, lim_packed from, lim_packed to, int32_t row, int32_t end)

@@ -81,11 +81,17 @@ static inline int32_t mesh_most_of(int32_t a, int32_t b, int32_t c)
     return ab > c ? ab : c;
 }
 
+/* Of a coordinate: a line, or a column, of the screen or beside it. */
+static inline int32_t mesh_row_at(int32_t at)
+{
+    return lim_edge_row((lim_edge_sub)at) + LIM_ORIGIN_PX;
+}
+
 /* Lines that a triangle may have, on the screen or not. */
 static inline struct lim_span_extent lines_of(lim_packed a, lim_packed b, lim_packed c)
 {
-    const struct lim_span_extent lines = {(int16_t)(lim_edge_row(lim_packed_least_y(a, b, c)) + LIM_ORIGIN_PX),
-                                          (int16_t)(lim_edge_row(lim_packed_most_y(a, b, c)) + LIM_ORIGIN_PX)};
+    const struct lim_span_extent lines = {(int16_t)mesh_row_at(lim_packed_least_y(a, b, c)),
+                                          (int16_t)mesh_row_at(lim_packed_most_y(a, b, c))};
     return lines;
 }
 
@@ -125,8 +131,8 @@ static LIM_RARE void link_clipped(struct lim_mesh *mesh, lim_index triangle)
 /* To the left or right of the screen. */
 static inline bool mesh_is_beside(const struct lim_mesh *mesh, lim_packed a, lim_packed b, lim_packed c)
 {
-    const int32_t left = lim_edge_row(mesh_least_of(lim_packed_x(a), lim_packed_x(b), lim_packed_x(c))) + LIM_ORIGIN_PX;
-    const int32_t right = lim_edge_row(mesh_most_of(lim_packed_x(a), lim_packed_x(b), lim_packed_x(c))) + LIM_ORIGIN_PX;
+    const int32_t left = mesh_row_at(mesh_least_of(lim_packed_x(a), lim_packed_x(b), lim_packed_x(c)));
+    const int32_t right = mesh_row_at(mesh_most_of(lim_packed_x(a), lim_packed_x(b), lim_packed_x(c)));
 
     return right <= 0 || left >= mesh->pass->target.w_px;
 }

@@ -220,7 +220,7 @@ enum outcome {
 static inline uint16_t texture_word(const struct lim_pass *pass, const LIM_FLASH lim_index *record)
 {
     if (!LIM_HAS_TEXTURE || !(record[0] & LIM_POLYGON_TEXTURE) || !lim_texture_count(pass->scene)) return LIM_NONE;
-    return (uint16_t)(record - pass->scene->polygons + lim_record_words(record[0]) - LIM_POLYGON_TEXTURE_WORDS);
+    return (uint16_t)(record + lim_record_words(record[0]) - LIM_POLYGON_TEXTURE_WORDS - pass->scene->polygons);
 }
 
 /* A polygon as most are: opaque, neither clipped nor non-monotone, and with room for its points where they would

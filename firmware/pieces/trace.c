@@ -182,7 +182,8 @@ struct crossing {
     bool front_is_low;
 };
 
-enum { CROSSING_ONE_Q20 = 1 << 20, CROSSING_SLACK_Q20 = 1 << 6, CROSSING_BITS_MAX = 20 };
+#define CROSSING_ONE_Q20 (INT32_C(1) << 20)
+enum { CROSSING_SLACK_Q20 = 1 << 6, CROSSING_BITS_MAX = 20 };
 
 /* The number as 32 bits, the highest of which is set, times 2^*shift. */
 static uint32_t mantissa_of(int64_t number, int8_t *shift)

@@ -85,6 +85,11 @@ static uint8_t near_side(const struct divider *divider)
     return divider->eye_side > 0 ? LIM_SIDE_FRONT : LIM_SIDE_BACK;
 }
 
+static uint8_t far_side(const struct divider *divider)
+{
+    return divider->eye_side > 0 ? LIM_SIDE_BACK : LIM_SIDE_FRONT;
+}
+
 /* How far it reaches from its centre along a plane's normal. */
 static int64_t reach_to(const struct lim_mover *mover, const struct lim_plane_unpacked *plane)
 {
@@ -115,7 +120,7 @@ static uint8_t split_sides_of_whole(const struct lim_sorter *sorter, uint16_t en
     const int64_t slack_q12 = divider->plane.slack * LIM_CORNER_ONE_Q12;
     const int64_t near = divider->eye_side > 0 ? value : -value; /* how far on the near side */
     if (near >= reach - slack_q12) return near_side(divider);
-    return near < -reach - slack_q12 ? LIM_SIDE_BOTH - near_side(divider) : LIM_SIDE_BOTH;
+    return near < -reach - slack_q12 ? far_side(divider) : LIM_SIDE_BOTH;
 }
 
 /* The same of an extent; 0: not certain. Sums of a plane that is not large stay below 2^30. */
@@ -246,7 +251,7 @@ static bool stays(struct lim_sorter *sorter, const struct divider *divider, cons
                   uint16_t list, uint16_t entry, const struct lim_reach *reach, bool goes_near)
 {
     const bool front_is_near = divider->eye_side > 0;
-    const uint8_t near = near_side(divider), other = goes_near ? LIM_SIDE_BOTH - near : near;
+    const uint8_t other = goes_near ? far_side(divider) : near_side(divider);
     struct lim_shaft shaft;
 
     if (goes_near)
@@ -277,7 +282,7 @@ static bool keep_uncut(struct lim_sorter *sorter, const struct divider *divider,
     if (stays(sorter, divider, route, list, entry, &reach, true))
         set_sides(sorter, entry, near);
     else if (stays(sorter, divider, route, list, entry, &reach, false))
-        set_sides(sorter, entry, (uint8_t)(LIM_SIDE_BOTH - near));
+        set_sides(sorter, entry, far_side(divider));
     return sides_at(sorter, entry) != LIM_SIDE_BOTH;
 }
 

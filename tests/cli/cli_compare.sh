@@ -69,7 +69,7 @@ csv_parses() {
 
 writes_what_it_says() {
     diff "$work/table" "$work/knot/compare.md" &&
-        [ "$(ls "$work/knot")" = "$(printf '%s\n' compare.csv compare.md depth.png sheet.png)" ]
+        [ "$(ls "$work/knot")" = "$(printf '%s\n' compare.csv compare.md depth.png mesh-depth.png mesh.png sheet.png)" ]
 }
 
 # No order errors, no holes, no pair left open; wrong pixels within the profile's bound.
@@ -146,6 +146,7 @@ tap_check "knot, in profile exact: so they do" exact_agree knot 0.003 --precisio
 for scene in knot rooms teapot; do
     tap_check "$scene: depth is found out" is_found_out $scene depth
 done
+tap_check "knot: a mesh by distance is found out" is_found_out knot mesh
 tap_check "a convex solid's own method is as right as the tree" draws_a_convex_solid
 tap_check "without compilers and emulators there are dashes, and the reason" does_without_tools
 tap_check "what cannot be written leaves nothing behind" leaves_nothing_behind
