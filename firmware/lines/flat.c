@@ -54,10 +54,10 @@ struct extent {
     int32_t x0, x1;
 };
 
-/* By a call where that is rare. */
+/* By a call where that is rare, or code is to be short. */
 static LIM_INLINE void flat_fill(uint16_t *line, int32_t x0, int32_t x1, uint16_t colour, bool rare)
 {
-    if (rare && !LIM_OPTIMISE_SIZE)
+    if (rare || LIM_OPTIMISE_SIZE)
         lim_fill(line, (uint16_t)x0, (uint16_t)(x1 - x0), colour);
     else
         lim_fill_inline(line, (int_fast16_t)x0, (int_fast16_t)x1, colour);

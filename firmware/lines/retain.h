@@ -78,6 +78,23 @@ static inline struct lim_point *lim_retained_place(const struct lim_retained *re
     return &retained->cells[retained->used + LIM_RETAINED_HEAD_CELLS].at;
 }
 
+/* Where the points of the next polygon would come to lie. */
+static inline struct lim_point *lim_retained_end(const struct lim_retained *retained)
+{
+    return &retained->cells[retained->used].at + LIM_RETAINED_HEAD_CELLS;
+}
+
+/* Points that lie further on move there. */
+static inline const struct lim_point *lim_retained_move(const struct lim_retained *retained, const struct lim_point *at,
+                                                        uint8_t n)
+{
+    struct lim_point *const to = lim_retained_end(retained);
+
+    for (uint8_t k = 0; k < n; k++)
+        to[k] = at[k];
+    return to;
+}
+
 /* Links a polygon that takes so many cells, of which there are as many, into its top line. Points and flags are the
  * caller's to write. */
 static inline void lim_retained_link(struct lim_retained *retained, struct lim_line *line, uint8_t n, uint8_t first,

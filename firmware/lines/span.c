@@ -29,6 +29,31 @@ void lim_spans_open(struct lim_spans *spans, const struct lim_target *target, co
     lim_spans_reset_pool(spans);
 }
 
+/* lim_span_close() without a sink, for a line that is not closed; any values. Not where code is to be short. */
+static LIM_ALONE enum lim_span_result close_several(struct lim_spans *spans, struct lim_line *line, int32_t x0,
+                                                    int32_t x1)
+{
+    struct lim_gap *gap = &line->gap, *before = NULL;
+
+    while (gap->x1 <= x0) {
+        if (gap->next == LIM_NONE) return LIM_SPAN_NOTHING;
+        before = gap;
+        gap = &spans->pool[gap->next];
+    }
+    if (gap->x0 >= x1 || x0 >= x1) return LIM_SPAN_NOTHING;
+    if (x0 > gap->x0) {
+        if (x1 < gap->x1)
+            return lim_gap_split(spans, gap, (uint16_t)x0, (uint16_t)x1) ? LIM_SPAN_SOME : LIM_SPAN_EXHAUSTED;
+        gap->x1 = (uint16_t)x0;
+        before = gap;
+        gap = lim_gap_after(spans, gap);
+    }
+    while (gap && gap->x1 <= x1)
+        gap = lim_gap_unlink(spans, gap, before);
+    if (gap && gap->x0 < x1) gap->x0 = (uint16_t)x1;
+    return LIM_SPAN_SOME;
+}
+
 enum lim_span_result lim_span_close(struct lim_spans *spans, struct lim_line *line, int16_t x0, int16_t x1,
                                     lim_piece_fill *sink, void *ctx)
 {
@@ -36,6 +61,7 @@ enum lim_span_result lim_span_close(struct lim_spans *spans, struct lim_line *li
     struct lim_gap *gap = &line->gap, *before = NULL;
 
     if (lim_line_is_closed(line)) return LIM_SPAN_NOTHING;
+    if (!LIM_OPTIMISE_SIZE && !(LIM_HAS_SINKS && sink)) return close_several(spans, line, x0, x1);
     do {
         const int32_t open0 = gap->x0, open1 = gap->x1;
         if (open1 <= x0) {
@@ -60,31 +86,6 @@ enum lim_span_result lim_span_close(struct lim_spans *spans, struct lim_line *li
         }
     } while (gap);
     return result;
-}
-
-/* lim_span_close() without a sink, for a line that is not closed; any values. Not where code is to be short. */
-static LIM_ALONE enum lim_span_result close_several(struct lim_spans *spans, struct lim_line *line, int32_t x0,
-                                                    int32_t x1)
-{
-    struct lim_gap *gap = &line->gap, *before = NULL;
-
-    while (gap->x1 <= x0) {
-        if (gap->next == LIM_NONE) return LIM_SPAN_NOTHING;
-        before = gap;
-        gap = &spans->pool[gap->next];
-    }
-    if (gap->x0 >= x1 || x0 >= x1) return LIM_SPAN_NOTHING;
-    if (x0 > gap->x0) {
-        if (x1 < gap->x1)
-            return lim_gap_split(spans, gap, (uint16_t)x0, (uint16_t)x1) ? LIM_SPAN_SOME : LIM_SPAN_EXHAUSTED;
-        gap->x1 = (uint16_t)x0;
-        before = gap;
-        gap = lim_gap_after(spans, gap);
-    }
-    while (gap && gap->x1 <= x1)
-        gap = lim_gap_unlink(spans, gap, before);
-    if (gap && gap->x0 < x1) gap->x0 = (uint16_t)x1;
-    return LIM_SPAN_SOME;
 }
 
 /* Of what closing a line's pixels comes to where it has one gap, or none. [*x0, *x1) becomes the piece that was open:
@@ -132,7 +133,7 @@ static inline bool close_between(struct lim_spans *spans, int16_t y, int16_t end
         lim_edge_step(&left);
         lim_edge_step(&right);
         if (sink) look->y_px = (uint16_t)(line - spans->lines);
-        if (line->gap.next == LIM_NONE) {
+        if (!LIM_OPTIMISE_SIZE && line->gap.next == LIM_NONE) {
             result = close_in_gap(spans, &line->gap, &x0, &x1);
             if (sink && result == LIM_SPAN_SOME) sink(look, (uint16_t)x0, (uint16_t)x1);
         } else if (sink || LIM_OPTIMISE_SIZE) {

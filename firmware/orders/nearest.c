@@ -60,47 +60,34 @@ static inline bool close_lines(struct lim_spans *spans, const struct lim_point *
     return true;
 }
 
-/* Room in the pools, for a lower band. false: there is none to be had. */
-static bool make_room(struct lim_nearest *nearest)
+/* Closed on the lines `shown`, of those that the band keeps: where no gap is left the band gives lines away, and what is
+ * closed stays closed, so closing begins anew. `seen` grows by the lines of which something was open. Points that wait
+ * in the pool for retaining move with its end. false: a pool is exhausted. */
+static LIM_ALONE bool close_with_room(struct lim_nearest *nearest, const struct lim_point *at, uint8_t n, uint8_t first,
+                                      struct lim_span_extent shown, struct lim_span_extent *seen)
 {
-    if (!lim_room_make(nearest)) return false;
-    if (nearest->spans.open_lines) shrink(nearest);
-    return true;
-}
-
-/* Goes on where close_lines() found no gap. What is closed stays closed, so it begins anew; `seen` grows by what it
- * had seen before. Points that wait in the pool for retaining move with its end. */
-static LIM_RARE bool close_with_room(struct lim_nearest *nearest, const struct lim_point *at, uint8_t n, uint8_t first,
-                                     struct lim_span_extent shown, struct lim_span_extent *seen)
-{
-    struct lim_retained *retained = &nearest->retained;
-
-    do {
-        const bool waits = at == &retained->cells[retained->used].at + LIM_RETAINED_HEAD_CELLS;
-        if (!make_room(nearest)) return false;
-        struct lim_point *to = &retained->cells[retained->used].at + LIM_RETAINED_HEAD_CELLS;
-        for (uint8_t k = 0; waits && k < n; k++)
-            to[k] = at[k];
-        if (waits) at = to;
-        const int16_t bottom = (int16_t)nearest->bottom;
-        if (seen->bottom > bottom) seen->bottom = bottom;
-        if (shown.bottom > bottom) shown.bottom = bottom;
-        if (shown.top >= shown.bottom) return true;
+    for (;;) {
         struct lim_span_extent again = shown;
         const bool closed = close_lines(&nearest->spans, at, n, first, &again, NULL, NULL);
         if (again.top < seen->top) seen->top = again.top;
         if (again.bottom > seen->bottom) seen->bottom = again.bottom;
         if (closed) return true;
-    } while (true);
+        const struct lim_point *const place = lim_retained_end(&nearest->retained);
+        if (!lim_room_make(nearest)) return false;
+        if (!LIM_OPTIMISE_SIZE && at == place) at = lim_retained_move(&nearest->retained, at, n);
+        if (seen->bottom > nearest->bottom) seen->bottom = (int16_t)nearest->bottom;
+        if (shown.bottom > nearest->bottom) shown.bottom = (int16_t)nearest->bottom;
+        if (shown.top >= shown.bottom) return true;
+    }
 }
 
 /* Likewise where a polygon that is closed finds no cells. */
-static LIM_RARE bool retain_with_room(struct lim_nearest *nearest, const struct lim_retained_polygon *seen)
+static bool retain_with_room(struct lim_nearest *nearest, const struct lim_retained_polygon *seen)
 {
-    do {
-        if (!make_room(nearest)) return false;
+    while (!lim_retain(&nearest->retained, nearest->spans.lines, seen)) {
+        if (!lim_room_make(nearest)) return false;
         if (seen->top >= nearest->bottom) return true;
-    } while (!lim_retain(&nearest->retained, nearest->spans.lines, seen));
+    }
     return true;
 }
 
@@ -169,14 +156,13 @@ static bool collect_plain(struct lim_nearest *nearest, const struct lim_screen_p
         if (!lim_layers_see(&nearest->spans, polygon, shown.top, shown.bottom)) return true;
     } else if (!lim_nearest_retains_all(nearest)) {
         const struct lim_span_extent lines = shown;
-        if (!close_lines(&nearest->spans, polygon->at, polygon->n, polygon->shape.first, &shown, NULL, NULL) &&
-            !close_with_room(nearest, polygon->at, polygon->n, polygon->shape.first, lines, &shown))
-            return false;
+        shown = (struct lim_span_extent){lines.bottom, lines.top};
+        if (!close_with_room(nearest, polygon->at, polygon->n, polygon->shape.first, lines, &shown)) return false;
     }
     if (shown.top >= shown.bottom) return true;
     if (LIM_HAS_STATS) lim_stats_of(nearest->pass)->polygons_seen++;
     const struct lim_retained_polygon seen = lim_retained_of(polygon, shown.top, shown.bottom, wireframe);
-    return lim_retain(&nearest->retained, nearest->spans.lines, &seen) || retain_with_room(nearest, &seen);
+    return retain_with_room(nearest, &seen);
 }
 
 static bool collect(struct lim_nearest *nearest, const struct lim_screen_polygon *polygon)

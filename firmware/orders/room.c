@@ -6,7 +6,6 @@
  * that order, and linked into their lines as they were when they came. */
 #include "orders/room.h"
 
-#include "lines/gaps.h"
 #include "lines/retain.h"
 #include "lines/span.h"
 #include "view/pass.h"
@@ -26,18 +25,12 @@ static bool can_shorten(const struct lim_nearest *nearest)
            !(LIM_HAS_MOVERS && lim_moves(*nearest->sorter));
 }
 
-static void close_lines_from(struct lim_spans *spans, uint16_t y, uint16_t bottom)
+static void close_lines_from(struct lim_spans *spans, uint16_t bottom, uint16_t end)
 {
-    for (; y < bottom; y++) {
-        struct lim_line *line = &spans->lines[y];
-        for (uint16_t gap = line->gap.next, next; gap != LIM_NONE; gap = next) {
-            next = spans->pool[gap].next;
-            lim_gap_give_back(spans, gap);
-        }
-        if (!lim_line_is_closed(line)) spans->open_lines--;
-        line->gap.x0 = line->gap.x1 = 0;
-        line->gap.next = LIM_NONE;
-    }
+    for (uint16_t y = bottom; y < end; y++)
+        (void)lim_span_close(spans, &spans->lines[y], 0, INT16_MAX, NULL, NULL);
+    if (spans->open.y1 > bottom) spans->open.y1 = bottom;
+    spans->trimmed = true;
 }
 
 /* In the place of links, the lines that lists belong to. */
@@ -95,7 +88,6 @@ bool lim_room_make(struct lim_nearest *nearest)
     note_lines(nearest);
     keep_above(nearest, bottom);
     nearest->bottom = bottom;
-    if (spans->open.y1 > bottom) spans->open.y1 = bottom;
     return true;
 }
 
