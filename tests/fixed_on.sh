@@ -7,7 +7,8 @@
 
 # What the vectors reach of the renderer.
 fixed_sources='firmware/aim.c firmware/angle.c firmware/arctangent.c firmware/eye.c firmware/math/fixed.c
-    firmware/math/orientation.c firmware/screen/edge.c firmware/view/rows.c firmware/view/view.c'
+    firmware/math/orientation.c firmware/screen/edge.c
+    firmware/screen/edge_bounds.c firmware/screen/small.c firmware/view/rows.c firmware/view/view.c'
 
 fixed_link() { # CORE PROFILE
     # shellcheck disable=SC2086 # sources are words

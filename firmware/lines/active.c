@@ -5,20 +5,24 @@
 
 #if LIM_HAS_SPANS
 
-bool lim_actives_add_spares(struct lim_actives *actives, const struct lim_retained *retained)
-{
-    const uintptr_t mask = LIM_ALIGNOF(struct lim_active) - 1;
-    uint8_t *at = (uint8_t *)(((uintptr_t)&retained->cells[retained->used] + mask) & ~mask);
-    const uint8_t *end = (const uint8_t *)&retained->cells[retained->end];
+/* Of addresses that an active polygon cannot have. */
+enum { SPARE_MASK = LIM_ALIGNOF(struct lim_active) - 1 };
 
-    if (actives->spares) return false;
+struct lim_active *lim_active_spare(struct lim_actives *actives, const struct lim_retained *retained)
+{
+    uint8_t *at = (uint8_t *)(((uintptr_t)&retained->cells[retained->used] + SPARE_MASK) & ~(uintptr_t)SPARE_MASK);
+    const uint8_t *end = (const uint8_t *)&retained->cells[retained->end];
+    struct lim_active *first = NULL;
+
+    if (actives->spares) return NULL;
     actives->spares = true;
     for (; at < end && (size_t)(end - at) >= sizeof(struct lim_active); at += sizeof(struct lim_active)) {
         struct lim_active *spare = (void *)at;
-        spare->next = actives->free;
-        actives->free = spare;
+        spare->next = first;
+        first = spare;
     }
-    return actives->free != NULL;
+    if (first) actives->free = first->next;
+    return first;
 }
 
 #endif

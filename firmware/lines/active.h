@@ -20,12 +20,11 @@ static inline void lim_actives_start(struct lim_actives *actives)
     actives->spares = false;
 }
 
-/* Once the pool is used up, what is left of the cells serves, too: in pass two nothing is retained. false: nothing is.
- */
-bool lim_actives_add_spares(struct lim_actives *actives, const struct lim_retained *retained);
+/* Once the pool is used up, what is left of the cells serves, too: in pass two nothing is retained. NULL: nothing is. */
+struct lim_active *lim_active_spare(struct lim_actives *actives, const struct lim_retained *retained);
 
 /* NULL: there is no room. */
-static inline struct lim_active *lim_active_new(struct lim_actives *actives)
+static inline struct lim_active *lim_active_new(struct lim_actives *actives, const struct lim_retained *retained)
 {
     struct lim_active *active = actives->free;
 
@@ -33,6 +32,8 @@ static inline struct lim_active *lim_active_new(struct lim_actives *actives)
         actives->free = active->next;
     else if (actives->fresh < actives->pool_size)
         active = &actives->pool[actives->fresh++];
+    else
+        active = lim_active_spare(actives, retained);
     if (LIM_HAS_STATS && active) actives->used++;
     return active;
 }

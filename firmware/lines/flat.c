@@ -24,16 +24,16 @@ static LIM_IF_CALLED void flat_set_texture(const struct lim_pass *pass, const st
                         active->gradients);
 }
 
-/* Merges those that start on the line into the list. The first for which there is no room, or LIM_NONE. */
-static LIM_INLINE uint16_t flat_activate(struct lim_paint *paint, const struct lim_retained *retained, uint16_t polygon,
-                                         uint16_t y)
+/* Merges those that start on the line into the list. false: no room. */
+static LIM_INLINE bool flat_activate(struct lim_paint *paint, const struct lim_retained *retained, uint16_t polygon,
+                                     uint16_t y)
 {
     struct lim_actives *const actives = &paint->actives;
     struct lim_active **link = &actives->first;
 
     for (; polygon != LIM_NONE; polygon = retained->cells[polygon].link.next) {
-        struct lim_active *active = lim_active_new(actives);
-        if (!active) return polygon;
+        struct lim_active *active = lim_active_new(actives, retained);
+        if (!active) return false;
         while (*link && (*link)->polygon > polygon)
             link = &(*link)->next;
         active->next = *link;
@@ -42,7 +42,7 @@ static LIM_INLINE uint16_t flat_activate(struct lim_paint *paint, const struct l
         lim_active_begin(active, retained, polygon, (int16_t)y);
         if (LIM_HAS_TEXTURE) flat_set_texture(paint->pass, retained, active);
     }
-    return LIM_NONE;
+    return true;
 }
 
 /* How far polygons may reach beyond what is to be painted of a line: not at all, beyond the screen's sides, or
@@ -147,10 +147,8 @@ static LIM_INLINE int flat_paint_lines(struct lim_paint *paint, struct lim_spans
             lim_line_open(&open, &paint->pass->target, band, at);
             extent = (struct extent){open.gap.x0, open.gap.x1};
         }
-        uint16_t waits = line->retained;
         *y = at;
-        while ((waits = flat_activate(paint, retained, waits, at)) != LIM_NONE)
-            if (!lim_actives_add_spares(&paint->actives, retained)) return LIM_PAINT_ACTIVE;
+        if (!flat_activate(paint, retained, line->retained, at)) return LIM_PAINT_ACTIVE;
         err = flat_paint_line(paint, spans, &line->gap, retained, extent, reach, at, stats);
         if (err) break;
     }

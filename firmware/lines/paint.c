@@ -29,7 +29,7 @@ static const union lim_retained_cell *paint_cells_of(const struct lim_retained *
 static bool activate(struct lim_paint *paint, const struct lim_retained *retained, uint16_t polygon, uint16_t y)
 {
     const union lim_retained_cell *cells = &retained->cells[polygon];
-    struct lim_active **link = &paint->actives.first, *active = lim_active_new(&paint->actives);
+    struct lim_active **link = &paint->actives.first, *active = lim_active_new(&paint->actives, retained);
 
     if (!active) return false;
     while (*link && (*link)->polygon < polygon)
@@ -46,8 +46,7 @@ static bool activate(struct lim_paint *paint, const struct lim_retained *retaine
 static bool activate_line(struct lim_paint *paint, const struct lim_retained *retained, uint16_t polygon, uint16_t y)
 {
     for (; polygon != LIM_NONE; polygon = retained->cells[polygon].link.next) {
-        while (!activate(paint, retained, polygon, y))
-            if (!lim_actives_add_spares(&paint->actives, retained)) return false;
+        if (!activate(paint, retained, polygon, y)) return false;
     }
     return true;
 }

@@ -33,7 +33,7 @@ static bool smooth_activate(struct lim_paint *paint, const struct lim_retained *
 
     for (polygon = turned_around(retained, polygon); polygon != LIM_NONE;) {
         const union lim_retained_cell *cells = &retained->cells[polygon];
-        struct lim_active *active = lim_active_new(&paint->actives);
+        struct lim_active *active = lim_active_new(&paint->actives, retained);
         if (!active) return false;
         while (*link && (*link)->polygon < polygon)
             link = &(*link)->next;
