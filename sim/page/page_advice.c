@@ -64,15 +64,21 @@ static void say_of_pools(struct advice *advice)
             page->worst.cost.goals[0].score / 1000.0);
 }
 
-/* Of another row that spares something for the same pixels. */
+/* A mesh's order is approximate: it may spare much, and be wrong. */
+static bool is_as_right(const struct page_row *row, const struct page_row *mine)
+{
+    return wrong_of(row) <= wrong_of(mine) * (1.0 + TENTH);
+}
+
+/* Of another row that spares something, and is as right. */
 static void say_of_methods(struct advice *advice)
 {
     const struct page *page = advice->page;
     const struct page_row *mine = this_row(page), *best = NULL;
     for (size_t i = 0; i < page->row_count; i++) {
         const struct page_row *row = &page->rows[i];
-        if (row->core == mine->core && row->instructions < mine->instructions * (1.0 - TENTH) &&
-            (!best || row->instructions < best->instructions))
+        if (row->core == mine->core && is_as_right(row, mine) &&
+            row->instructions < mine->instructions * (1.0 - TENTH) && (!best || row->instructions < best->instructions))
             best = row;
     }
     if (best)
