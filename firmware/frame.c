@@ -263,6 +263,7 @@ int lim_movers_begin(struct lim *lim, const struct lim_camera *camera, const str
 
 uint32_t lim_bands(const struct lim *lim)
 {
+    if (LIM_IS_MESH(&lim->pass.target)) return lim->mesh->parts;
     return LIM_HAS_SPANS ? lim->nearest->bands : 0;
 }
 

@@ -79,7 +79,8 @@ void lim_refresh(struct lim *lim);
 LIM_MUST_CHECK int lim_frame(struct lim *lim, const struct lim_camera *camera);
 
 /* How often the last frame's pass one was made again because a pool was too small: 0 where memory was enough. Counted
- * even without LIM_HAS_STATS, so that firmware can tell. LIM_CONVEX and LIM_PAINTER have no such passes. */
+ * even without LIM_HAS_STATS, so that firmware can tell. Of a mesh, how many parts lines were painted in for which its
+ * pool was too small. LIM_CONVEX and LIM_PAINTER have neither. */
 uint32_t lim_bands(const struct lim *lim);
 
 /* A frame in parts: lim_frame() is lim_frame_begin() and lim_frame_paint(). Between the two, lim_frame_work() does pass

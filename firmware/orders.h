@@ -330,6 +330,7 @@ struct lim_mesh {
     uint16_t pool_size, unused;     /* unused: entries from here on */
     uint8_t near_shift;             /* of lim_view_all() */
     uint8_t extent;                 /* enum lim_view_extent */
+    uint32_t parts;                 /* lim_bands() */
     bool is_complete;               /* `first` has all that cross the last line */
     LIM_OPTIONAL(struct lim_mesh_depths, depths, LIM_HAS_MESH_DEPTH);
 };

@@ -257,9 +257,10 @@ static LIM_RARE void paint_parts(struct lim_mesh *mesh, const struct lim_mesh_li
         below = gather(mesh, from, line->y);
         lim_mesh_paint(mesh, line);
         mesh->is_complete = !from && below == mesh->end.rank;
-        if (LIM_HAS_STATS && !mesh->is_complete) lim_stats_of(mesh->pass)->bands++;
+        if (!mesh->is_complete) mesh->parts++;
         from = below;
     } while (below != mesh->end.rank);
+    if (LIM_HAS_STATS) lim_stats_of(mesh->pass)->bands = mesh->parts;
 }
 
 /* A frame --------------------------------------------------------------------------------------------------------- */
@@ -291,6 +292,7 @@ int lim_mesh_frame(struct lim_mesh *mesh)
     mesh->alive = LIM_NO_INDEX;
     mesh->alive_from = 0;
     mesh->is_complete = true;
+    mesh->parts = 0;
     if (LIM_HAS_MESH_DEPTH) mesh->depths->y = LIM_NONE;
     for (uint_fast16_t y = 0; y < pass->target.h_px; y++) {
         const int err = mesh_draw_line(mesh, (uint16_t)y);

@@ -60,6 +60,11 @@ static int paint(void *lim)
     return lim_frame_paint(lim);
 }
 
+static uint32_t bands(const void *lim)
+{
+    return lim_bands(lim);
+}
+
 static const struct lim_stats *stats(const void *lim)
 {
     return lim_stats(lim);
@@ -143,6 +148,7 @@ const struct core CORE = {.shared_b = CORE_SHARED_B,
                           .begin = begin,
                           .work = work,
                           .paint = paint,
+                          .bands = bands,
                           .stats = stats,
                           .set_wireframe = set_wireframe,
                           .set_antialias = set_antialias,

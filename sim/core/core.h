@@ -26,7 +26,7 @@ struct core {
     size_t lim_b;       /* of the state, struct lim in its own build */
     size_t (*mem_b)(const struct lim_scene *scene, const struct lim_target *target);
     size_t (*mem_min_b)(const struct lim_scene *scene, const struct lim_target *target);
-    /* lim_init(), lim_frame() and lim_stats(); `lim` is lim_b bytes of the caller's. */
+    /* lim_init(), lim_frame(), lim_bands() and lim_stats(); `lim` is lim_b bytes of the caller's. */
     int (*init)(void *lim, const struct lim_scene *scene, const struct lim_target *target, void *mem, size_t mem_b);
     void (*newell)(void *lim, const struct lim_newell_options *options); /* lim_newell_set() */
     int (*frame)(void *lim, const struct lim_camera *camera);
@@ -41,6 +41,7 @@ struct core {
     int (*begin)(void *lim, const struct lim_camera *camera, const struct lim_instance *instances, uint16_t count);
     bool (*work)(void *lim);
     int (*paint)(void *lim);
+    uint32_t (*bands)(const void *lim);
     const struct lim_stats *(*stats)(const void *lim);
     void (*set_wireframe)(void *lim, const struct lim_wireframe *wireframe);
     int (*set_antialias)(void *lim, void *mem, size_t mem_b);          /* lim_set_antialias() */

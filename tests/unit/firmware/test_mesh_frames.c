@@ -78,7 +78,8 @@ static void try_memory(const struct core *core, struct random *random, enum lim_
         for (int frame = 0; frame < 2; frame++) {
             assert_int_equal(soup_view_draw(&view, &camera), LIM_OK);
             assert_memory_equal(view.pixels, expected, PICTURE_B);
-            parts += core->stats(view.lim)->bands;
+            assert_int_equal(core->bands(view.lim), core->stats(view.lim)->bands);
+            parts += core->bands(view.lim);
         }
         soup_view_free(&view);
     }
