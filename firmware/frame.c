@@ -125,7 +125,10 @@ static void connect(struct lim *lim)
     if (LIM_HAS_PAINTED) connect_painter(lim);
     if (LIM_HAS_SPANS) connect_nearest(lim);
     if (LIM_HAS_CONVEX) lim->convex->pass = pass;
-    if (LIM_HAS_MESHES) lim->mesh->pass = pass;
+    if (LIM_HAS_MESHES) {
+        lim->mesh->pass = pass;
+        lim->mesh->parts = 0;
+    }
     if (LIM_HAS_DELTA) *lim->delta = NULL;
     lim->ahead.stage = LIM_AHEAD_NONE;
 }

@@ -75,6 +75,7 @@ static void try_memory(const struct core *core, struct random *random, enum lim_
     draw_alone(core, method, &camera, expected);
     for (size_t mem_b = least_b; mem_b <= most_b; mem_b += 1 + (most_b - least_b) / 23) {
         begin(&view, core, method, mem_b);
+        assert_int_equal(core->bands(view.lim), 0);
         for (int frame = 0; frame < 2; frame++) {
             assert_int_equal(soup_view_draw(&view, &camera), LIM_OK);
             assert_memory_equal(view.pixels, expected, PICTURE_B);
