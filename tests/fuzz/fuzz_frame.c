@@ -175,15 +175,23 @@ static size_t count_cores(void)
     return count;
 }
 
+static const struct way tree_ways[] = {{.method = LIM_PAINTER},
+                                       {.method = LIM_NEAREST_FIRST, .least_memory = true},
+                                       {.method = LIM_SCANLINE},
+                                       {.method = LIM_NEAREST_FIRST},
+                                       {.method = LIM_SCANLINE, .least_memory = true},
+                                       {.method = LIM_NEAREST_FIRST, .by_gaps = true}};
+static const struct way mesh_ways[] = {{.method = LIM_MESH},
+                                       {.method = LIM_MESH_DEPTH},
+                                       {.method = LIM_MESH, .least_memory = true},
+                                       {.method = LIM_MESH_DEPTH, .least_memory = true}};
+
 const char *fuzz_draw(const struct fuzz_frame *frame, uint8_t choice)
 {
-    static const struct way ways[] = {{.method = LIM_PAINTER},
-                                      {.method = LIM_NEAREST_FIRST, .least_memory = true},
-                                      {.method = LIM_SCANLINE},
-                                      {.method = LIM_NEAREST_FIRST},
-                                      {.method = LIM_SCANLINE, .least_memory = true},
-                                      {.method = LIM_NEAREST_FIRST, .by_gaps = true}};
-    const size_t core_count = count_cores(), way_count = sizeof ways / sizeof *ways;
+    const bool is_mesh = lim_scene_is_mesh(frame->scene);
+    const struct way *const ways = is_mesh ? mesh_ways : tree_ways;
+    const size_t way_count = is_mesh ? sizeof mesh_ways / sizeof *mesh_ways : sizeof tree_ways / sizeof *tree_ways;
+    const size_t core_count = count_cores();
     const struct core *core = cores[choice % core_count];
     struct canvas one, other;
 

@@ -227,7 +227,7 @@ static void make_boxes(struct fuzz_scene *made, struct fuzz_bytes *bytes)
     }
 }
 
-static void make(struct fuzz_scene *made, struct fuzz_bytes *bytes, bool is_chain)
+static void make_bare(struct fuzz_scene *made, struct fuzz_bytes *bytes)
 {
     memset(made, 0, sizeof *made);
     made->scene.vertices = made->vertices;
@@ -239,6 +239,11 @@ static void make(struct fuzz_scene *made, struct fuzz_bytes *bytes, bool is_chai
     made->scene.limits.vertices = 3;
     made->scene.background = fuzz_u8(bytes);
     make_vertices(made, bytes);
+}
+
+static void make(struct fuzz_scene *made, struct fuzz_bytes *bytes, bool is_chain)
+{
+    make_bare(made, bytes);
     make_nodes(made, bytes, is_chain);
     make_boxes(made, bytes);
     made->scene.limits.retained_cells = fuzz_u8(bytes);
@@ -255,4 +260,28 @@ void fuzz_scene_make(struct fuzz_scene *made, struct fuzz_bytes *bytes)
 void fuzz_scene_make_chain(struct fuzz_scene *made, struct fuzz_bytes *bytes)
 {
     make(made, bytes, true);
+}
+
+/* Three vertices of which no two are the same. */
+static void make_triangle(lim_index *words, lim_index vertex_count, struct fuzz_bytes *bytes)
+{
+    words[0] = fuzz_below(bytes, vertex_count);
+    words[1] = (lim_index)((words[0] + 1 + fuzz_below(bytes, vertex_count - 1u)) % vertex_count);
+    words[2] = fuzz_below(bytes, vertex_count);
+    while (words[2] == words[0] || words[2] == words[1])
+        words[2] = (lim_index)((words[2] + 1) % vertex_count);
+    words[3] = fuzz_u8(bytes);
+}
+
+void fuzz_scene_make_mesh(struct fuzz_scene *made, struct fuzz_bytes *bytes)
+{
+    make_bare(made, bytes);
+    made->scene.polygon_count = 1 + fuzz_below(bytes, FUZZ_TRIANGLES_MAX);
+    made->scene.polygon_words = (lim_index)(made->scene.polygon_count * LIM_TRIANGLE_WORDS);
+    for (lim_index i = 0; i < made->scene.polygon_count; i++)
+        make_triangle(&made->polygons[i * LIM_TRIANGLE_WORDS], made->scene.vertex_count, bytes);
+    const struct bounds bounds = bounds_of_mesh(&made->scene);
+    made->boxes[made->scene.box_count++] = bounds_box(&bounds);
+    made->scene.limits.active = fuzz_u8(bytes);
+    *made->scene.deep_from = fuzz_below(bytes, made->scene.polygon_count + 1u);
 }

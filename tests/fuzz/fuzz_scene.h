@@ -13,6 +13,7 @@ enum {
     FUZZ_NODES_MAX = 10,
     FUZZ_RUN_MAX = 3,
     FUZZ_CORNERS_MAX = 9,
+    FUZZ_TRIANGLES_MAX = 40,
     FUZZ_PLANE_WORDS = sizeof(struct lim_plane_ref) / sizeof(lim_index),
     FUZZ_EXTRA_WORDS = 1 + 1 + LIM_POLYGON_TEXTURE_WORDS, /* alpha, edges, texture */
     FUZZ_RECORD_WORDS = LIM_POLYGON_HEAD_WORDS + FUZZ_CORNERS_MAX + FUZZ_PLANE_WORDS + FUZZ_EXTRA_WORDS,
@@ -46,6 +47,9 @@ void fuzz_scene_make(struct fuzz_scene *made, struct fuzz_bytes *bytes);
 
 /* Without forks: what LIM_CONVEX takes. */
 void fuzz_scene_make_chain(struct fuzz_scene *made, struct fuzz_bytes *bytes);
+
+/* Triangles without a tree: what LIM_MESH and LIM_MESH_DEPTH take. */
+void fuzz_scene_make_mesh(struct fuzz_scene *made, struct fuzz_bytes *bytes);
 
 /* Adds what not every scene has, as the bytes want it: polygons that are transparent, textured or made by the compiler
  * at some of their edges; visible sets. */

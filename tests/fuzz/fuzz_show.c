@@ -99,6 +99,7 @@ static bool is_refused_rightly(const struct stage *stage)
 {
     const struct lim_scene *scene = &stage->scene;
     const enum lim_method method = stage->look->method;
+    if (lim_scene_is_mesh(scene)) return method != LIM_MESH && method != LIM_MESH_DEPTH;
     const bool has_leaf = scene->nodes[scene->node_count - 1].split.plane == LIM_NO_INDEX;
     const bool is_chain = scene->limits.depth == scene->node_count && !has_leaf && !scene->limits.layers;
 

@@ -98,6 +98,12 @@ static void any_valid_scene_looks_the_same_by_any_means(void **state)
     replay_corpus("features");
 }
 
+static void any_triangles_are_a_mesh_by_any_means(void **state)
+{
+    (void)state;
+    replay_corpus("mesh");
+}
+
 static void any_objects_move_in_any_valid_scene(void **state)
 {
     (void)state;
@@ -159,6 +165,7 @@ int main(void)
         cmocka_unit_test(any_bytes_are_a_scene_or_refused),
         cmocka_unit_test(any_valid_scene_is_drawn),
         cmocka_unit_test(any_valid_scene_looks_the_same_by_any_means),
+        cmocka_unit_test(any_triangles_are_a_mesh_by_any_means),
         cmocka_unit_test(any_objects_move_in_any_valid_scene),
         cmocka_unit_test(any_bytes_are_a_model_that_compiles_or_refused),
         cmocka_unit_test(models_as_they_should_be_are_read_as_they_are),

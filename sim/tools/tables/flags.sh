@@ -19,6 +19,8 @@ LIM_HAS_PAINTER rooms
 LIM_HAS_CONVEX rooms
 LIM_HAS_DEPTH rooms
 LIM_HAS_NEWELL rooms
+LIM_HAS_MESH rooms
+LIM_HAS_MESH_DEPTH distance
 LIM_HAS_MOVERS rooms
 LIM_HAS_DEFORM movers
 LIM_HAS_LIGHT movers
@@ -49,6 +51,7 @@ scene() { # NAME: its model, and options
     quarters) echo tests/models/quarters.obj --method nearest ;;
     opacity) echo tests/models/opacity.obj ;;
     changing) echo sim/scenes/rooms.obj --delta ;;
+    distance) echo sim/scenes/knot.obj --method mesh ;;
     *) echo "sim/scenes/$1.obj" ;;
     esac
 }
@@ -57,6 +60,7 @@ shown() { # NAME: in the table
     case $1 in
     opacity | quarters) scene "$1" ;;
     changing) echo 'rooms, `--delta`' ;;
+    distance) echo 'knot, `--method mesh`' ;;
     *) echo "$1" ;;
     esac
 }
@@ -108,7 +112,7 @@ row() { # FLAG SCENE[@CORE] [OTHER-FLAG...]
 
 # Each flag that can be set has a row.
 flags | cut -d ' ' -f 1 | sort >"$work/listed"
-{ sed -n 's/^#ifndef \(LIM_HAS_[A-Z]*\)$/\1/p' firmware/config.h && echo LIM_RECIP_TABLE; } | sort | diff - "$work/listed" >&2
+{ sed -n 's/^#ifndef \(LIM_HAS_[A-Z_]*\)$/\1/p' firmware/config.h && echo LIM_RECIP_TABLE; } | sort | diff - "$work/listed" >&2
 
 echo '| flag | scene that is without it | code and tables saved, bytes | % | RAM saved, bytes | % |'
 echo '|---|---|---|---|---|---|'
