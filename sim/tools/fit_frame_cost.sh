@@ -66,7 +66,8 @@ grep -q '^mesh' "$data" || for method in mesh mesh-depth; do
     count $method rooms-tilted 240x240 mesh auto
 done >>"$data"
 
-# Least squares by descent along one factor at a time, which can be kept at 0 or above.
+# Least squares by descent along one factor at a time, which can be kept at 0 or above; several times, what was far off
+# weighing more the next time: the worst of the errors is what counts.
 fit() { # METHOD TITLE
     awk -v method="$1" -v title="$2" '
         BEGIN {
@@ -85,12 +86,12 @@ fit() { # METHOD TITLE
                 b[i] = factor[i] = 0
                 for (j = 1; j <= n; j++) a[i, j] = 0
                 for (r = 1; r <= rows; r++) {
-                    weight = 1 / (all[r] * all[r])
+                    weight = weighs[r] / (all[r] * all[r])
                     b[i] += weight * counter[r, ks[i]] * counted[r, g]
                     for (j = 1; j <= n; j++) a[i, j] += weight * counter[r, ks[i]] * counter[r, ks[j]]
                 }
             }
-            for (pass = 0; pass < 200000; pass++)
+            for (pass = 0; pass < 20000; pass++)
                 for (i = 1; i <= n; i++) {
                     if (!a[i, i]) continue
                     r = b[i]
@@ -99,8 +100,26 @@ fit() { # METHOD TITLE
                 }
             for (i = 1; i <= n; i++) result[ks[i]] += factor[i]
         }
+        function predicted(r,   k, sum) {
+            for (k = 1; k <= 13; k++) sum += result[k] * counter[r, k]
+            return sum
+        }
+        function weigh(   r, off, most, sum) {
+            for (r = 1; r <= rows; r++) {
+                off[r] = predicted(r) / all[r] - 1
+                if (off[r] < 0) off[r] = -off[r]
+                if (off[r] > most) most = off[r]
+            }
+            for (r = 1; r <= rows; r++) sum += weighs[r] *= 0.2 + off[r] / most
+            for (r = 1; r <= rows; r++) weighs[r] *= rows / sum
+        }
         END {
-            for (g = 1; g <= 5; g++) explain(g)
+            for (r = 1; r <= rows; r++) weighs[r] = 1
+            for (times = 1; times <= 4; times++) {
+                if (times > 1) weigh()
+                for (k = 1; k <= 13; k++) result[k] = 0
+                for (g = 1; g <= 5; g++) explain(g)
+            }
             printf "static const struct frame_cost %s = {", title
             for (k = 1; k <= 13; k++) {
                 result[k] = sprintf(k >= 11 ? "%.2f" : "%.0f", result[k])
@@ -108,9 +127,7 @@ fit() { # METHOD TITLE
             }
             print "};"
             for (r = 1; r <= rows; r++) {
-                sum = 0
-                for (k = 1; k <= 13; k++) sum += result[k] * counter[r, k]
-                printf "    %-42s counted %8d, off by %5.1f %%\n", label[r], all[r], (sum / all[r] - 1) * 100
+                printf "    %-42s counted %8d, off by %5.1f %%\n", label[r], all[r], (predicted(r) / all[r] - 1) * 100
             }
         }' "$data"
 }
