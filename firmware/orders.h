@@ -210,6 +210,8 @@ struct lim_progress {
     uint16_t entry; /* of the sorted list, the next */
 };
 
+enum { LIM_POLYGONS_PER_SHRINK = 20 }; /* the open view is drawn together this often */
+
 struct lim_nearest {
     struct lim_pass *pass;
     LIM_OPTIONAL(struct lim_sorter *, sorter, LIM_HAS_LISTS);      /* of a sorted method's polygons, or of movers */

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "walker.h"
 
-#include "camera.h"
 #include "board.h"
+#include "camera.h"
 #include "eye.h"
 
 #define TURN_STEP (UINT32_C(1) << 24)

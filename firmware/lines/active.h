@@ -20,7 +20,8 @@ static inline void lim_actives_start(struct lim_actives *actives)
     actives->spares = false;
 }
 
-/* Once the pool is used up, what is left of the cells serves, too: in pass two nothing is retained. NULL: nothing is. */
+/* Once the pool is used up, what is left of the cells serves, too: in pass two nothing is retained. NULL: nothing is.
+ */
 struct lim_active *lim_active_spare(struct lim_actives *actives, const struct lim_retained *retained);
 
 /* NULL: there is no room. */

@@ -114,14 +114,14 @@ static void take_out(struct lim_mesh *mesh, lim_mesh_rank rank)
             link = &(*link)->next;
 }
 
-static LIM_RARE bool begin_clipped(struct lim_mesh *mesh, lim_index triangle, uint16_t y,
-                                   const struct lim_mesh_range *range)
+static LIM_RARE bool begin_clipped(struct lim_mesh *mesh, lim_index triangle, uint16_t y, struct lim_mesh_range *range)
 {
     struct lim_mesh_clipped clipped;
 
     if (!lim_mesh_clip(mesh, triangle, &clipped)) return true;
     const lim_mesh_rank rank = lim_mesh_rank_of(nearness_of(&clipped), triangle);
     if (range && !mesh_is_within(range, rank)) return true;
+    if (range) range->failed = rank;
     if (!clipped.shape.non_monotone) return begin_part(mesh, &clipped, triangle, 0, rank, y);
     for (uint8_t part = 1; part + 1u < clipped.n; part++) {
         if (begin_part(mesh, &clipped, triangle, part, rank, y)) continue;
@@ -292,7 +292,7 @@ static LIM_RARE void add_depth(const struct lim_mesh *mesh, struct lim_mesh_acti
 
 /* `range`: NULL, or those of other ranks are left out. */
 static LIM_INLINE bool mesh_begin(struct lim_mesh *mesh, const LIM_FLASH lim_index *triangles, lim_index triangle,
-                                  uint16_t y, const struct lim_mesh_range *range)
+                                  uint16_t y, struct lim_mesh_range *range)
 {
     const LIM_FLASH lim_index *corners = triangles + (size_t)triangle * LIM_TRIANGLE_WORDS;
     const uint16_t *const nearness = mesh->nearness;
@@ -302,6 +302,7 @@ static LIM_INLINE bool mesh_begin(struct lim_mesh *mesh, const LIM_FLASH lim_ind
         return begin_clipped(mesh, triangle, y, range);
     const lim_mesh_rank rank = lim_mesh_rank_of((a + b + c) / 2, triangle);
     if (range && !mesh_is_within(range, rank)) return true;
+    if (range) range->failed = rank;
     struct lim_mesh_active *active = lim_mesh_new(mesh);
     if (LIM_UNLIKELY(!active)) return false;
     active->rank = rank;
@@ -327,7 +328,7 @@ bool lim_mesh_begin_all(struct lim_mesh *mesh, uint16_t y)
     return true;
 }
 
-bool lim_mesh_begin_within(struct lim_mesh *mesh, lim_index triangle, uint16_t y, const struct lim_mesh_range *range)
+bool lim_mesh_begin_within(struct lim_mesh *mesh, lim_index triangle, uint16_t y, struct lim_mesh_range *range)
 {
     return mesh_begin(mesh, mesh->pass->scene->polygons, triangle, y, range);
 }

@@ -90,13 +90,13 @@ void lim_mesh_clear(struct lim_mesh *mesh);
 /* The triangles that begin on line y: into mesh->begins, in their order. false: the pool has no room. */
 bool lim_mesh_begin_all(struct lim_mesh *mesh, uint16_t y);
 
-/* Ranks from <= rank < below. */
+/* Ranks from <= rank < below; and that of the triangle for which there was no room last. */
 struct lim_mesh_range {
-    lim_mesh_rank from, below;
+    lim_mesh_rank from, below, failed;
 };
 
 /* A triangle that has line y, likewise; if its rank is not within a range it is left out. */
-bool lim_mesh_begin_within(struct lim_mesh *mesh, lim_index triangle, uint16_t y, const struct lim_mesh_range *range);
+bool lim_mesh_begin_within(struct lim_mesh *mesh, lim_index triangle, uint16_t y, struct lim_mesh_range *range);
 
 /* Whether a triangle has to be clipped. */
 static inline bool lim_mesh_is_cut(const struct lim_mesh *mesh, const LIM_FLASH lim_index *corners)

@@ -94,7 +94,7 @@ static void mesh_set_plane(struct lim_mesh_active *active, const struct lim_poin
 void lim_mesh_depth_set(struct lim_mesh_active *active, const struct lim_point at[3], const uint16_t nearness[3],
                         uint16_t y)
 {
-    const int32_t p = nearness[1] - nearness[0], q = nearness[2] - nearness[0];
+    const int32_t p = (int32_t)nearness[1] - nearness[0], q = (int32_t)nearness[2] - nearness[0];
     struct plane_of_three plane;
     uint8_t shift;
 

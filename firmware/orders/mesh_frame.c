@@ -227,11 +227,22 @@ static lim_mesh_rank drop_last(struct lim_mesh *mesh)
     return last;
 }
 
+/* What comes last waits for another part: of those that are there, and the one that found no room. So the first is
+ * always painted. */
+static void make_room(struct lim_mesh *mesh, struct lim_mesh_range *range)
+{
+    lim_mesh_rank last = 0;
+
+    for (const struct lim_mesh_active *active = mesh->begins; active != &mesh->end; active = active->next)
+        last = active->rank;
+    range->below = range->failed > last ? range->failed : drop_last(mesh);
+}
+
 /* Into mesh->begins, of all that have line y, those of rank `from` on, as many as there is room for. Returns the rank
  * of the first for which there is none. */
 static lim_mesh_rank gather(struct lim_mesh *mesh, lim_mesh_rank from, uint16_t y)
 {
-    struct lim_mesh_range range = {from, mesh->end.rank};
+    struct lim_mesh_range range = {from, mesh->end.rank, 0};
     lim_index *link = &mesh->alive;
 
     lim_mesh_clear(mesh);
@@ -242,7 +253,7 @@ static lim_mesh_rank gather(struct lim_mesh *mesh, lim_mesh_rank from, uint16_t 
             continue;
         }
         while (!lim_mesh_begin_within(mesh, triangle, y, &range))
-            range.below = drop_last(mesh);
+            make_room(mesh, &range);
         link = &mesh->links[triangle];
     }
     return range.below;

@@ -26,8 +26,6 @@
 
 #if LIM_HAS_SPANS
 
-enum { POLYGONS_PER_SHRINK = 20 }; /* the open view is drawn together this often */
-
 /* Draws the open view together, and CULL's planes with it. */
 static void shrink(struct lim_nearest *nearest)
 {
@@ -60,9 +58,9 @@ static inline bool close_lines(struct lim_spans *spans, const struct lim_point *
     return true;
 }
 
-/* Closed on the lines `shown`, of those that the band keeps: where no gap is left the band gives lines away, and what is
- * closed stays closed, so closing begins anew. `seen` grows by the lines of which something was open. Points that wait
- * in the pool for retaining move with its end. false: a pool is exhausted. */
+/* Closed on the lines `shown`, of those that the band keeps: where no gap is left the band gives lines away, and what
+ * is closed stays closed, so closing begins anew. `seen` grows by the lines of which something was open. Points that
+ * wait in the pool for retaining move with its end. false: a pool is exhausted. */
 static LIM_ALONE bool close_with_room(struct lim_nearest *nearest, const struct lim_point *at, uint8_t n, uint8_t first,
                                       struct lim_span_extent shown, struct lim_span_extent *seen)
 {
@@ -75,8 +73,9 @@ static LIM_ALONE bool close_with_room(struct lim_nearest *nearest, const struct 
         const struct lim_point *const place = lim_retained_end(&nearest->retained);
         if (!lim_room_make(nearest)) return false;
         if (!LIM_OPTIMISE_SIZE && at == place) at = lim_retained_move(&nearest->retained, at, n);
-        if (seen->bottom > nearest->bottom) seen->bottom = (int16_t)nearest->bottom;
-        if (shown.bottom > nearest->bottom) shown.bottom = (int16_t)nearest->bottom;
+        const int16_t bottom = (int16_t)nearest->bottom;
+        if (seen->bottom > bottom) seen->bottom = bottom;
+        if (shown.bottom > bottom) shown.bottom = bottom;
         if (shown.top >= shown.bottom) return true;
     }
 }
@@ -266,7 +265,7 @@ static LIM_ALONE bool collect_record(struct lim_nearest *nearest, const LIM_FLAS
     if (outcome == EXHAUSTED_POOL) return false;
     if (lim_nearest_retains_all(nearest) || !nearest->spans.open_lines) return true;
     if (outcome == COLLECTED) lim_spans_trim(&nearest->spans);
-    if (++nearest->since_shrink == POLYGONS_PER_SHRINK) {
+    if (++nearest->since_shrink == LIM_POLYGONS_PER_SHRINK) {
         nearest->since_shrink = 0;
         shrink(nearest);
     }
@@ -361,7 +360,7 @@ static bool collect_entry(struct lim_nearest *nearest, uint16_t at)
     const bool has_room = LIM_HAS_NEWELL && lim_entry_is_split(sorter, at) ? lim_collect_piece(nearest, at, &polygon)
                                                                            : collect(nearest, &polygon);
     if (!has_room) return false;
-    if (++nearest->since_shrink < POLYGONS_PER_SHRINK) return true;
+    if (++nearest->since_shrink < LIM_POLYGONS_PER_SHRINK) return true;
     nearest->since_shrink = 0;
     (void)lim_spans_shrink(&nearest->spans);
     return true;

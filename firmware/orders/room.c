@@ -88,6 +88,7 @@ bool lim_room_make(struct lim_nearest *nearest)
     note_lines(nearest);
     keep_above(nearest, bottom);
     nearest->bottom = bottom;
+    nearest->since_shrink = LIM_POLYGONS_PER_SHRINK - 1;
     return true;
 }
 

@@ -21,7 +21,8 @@ enum {
     LIM_STRIP_BIAS = LIM_STRIP_BIAS_PX * LIM_SAMPLES_A_ROW,
 };
 
-LIM_STATIC_ASSERT((INT32_C(2) * LIM_MAX_SIDE_PX + 4) * LIM_SAMPLE_COLUMNS <= INT32_C(0xFFFF), "a column fits half a word");
+LIM_STATIC_ASSERT((INT32_C(2) * LIM_MAX_SIDE_PX + 4) * LIM_SAMPLE_COLUMNS <= INT32_C(0xFFFF),
+                  "a column fits half a word");
 
 /* A boundary on a line, in samples (samples.h): of each row the first one at or right of it. Two rows a word, the upper
  * one in the lower half, below 2^15; from LIM_STRIP_BIAS_PX before the screen on. */

@@ -47,7 +47,8 @@ static inline void *lim_mem_cut(uint8_t **mem, size_t size_b)
     return piece;
 }
 
-/* Methods: constants where there is no choice. Who asks for a convex solid or the painter has asked for a mesh before. */
+/* Methods: constants where there is no choice. Who asks for a convex solid or the painter has asked for a mesh before.
+ */
 
 #define LIM_IS_MESH(target) (LIM_HAS_MESHES && (!LIM_HAS_PLANES || (target)->method >= LIM_MESH))
 #define LIM_IS_MESH_DEPTH(target) (LIM_HAS_MESH_DEPTH && (!LIM_HAS_MESH || (target)->method == LIM_MESH_DEPTH))

@@ -213,7 +213,8 @@ static inline lim_sub perspective_at(int32_t x_qv, struct lim_depth depth, const
                                        : shift_s32(ratio, PERSPECTIVE_RATIO_BITS - PERSPECTIVE_SCREEN_BITS) * side->px;
 
     /*@ assert from_middle_qs <= ((2 << PERSPECTIVE_SCREEN_BITS) + (1 << (PERSPECTIVE_SCREEN_BITS - 11))) * side->px; */
-    /*@ assert -((2 << PERSPECTIVE_SCREEN_BITS) + (1 << (PERSPECTIVE_SCREEN_BITS - 11))) * side->px <= from_middle_qs; */
+    /*@ assert -((2 << PERSPECTIVE_SCREEN_BITS) + (1 << (PERSPECTIVE_SCREEN_BITS - 11))) * side->px <= from_middle_qs;
+     */
     return (lim_sub)shift_s32(from_middle_qs + side->middle_qs, PERSPECTIVE_DROPPED_BITS);
 }
 

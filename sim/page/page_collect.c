@@ -95,12 +95,9 @@ static void add_methods(struct page *page)
 {
     static const struct {
         const char *name, *label;
-    } others[] = {{"bsp", "nearest first, BSP tree"},
-                  {"clusters", "nearest first, clusters"},
-                  {"axis", "nearest first, axis cuts"},
-                  {"scanline", "scan lines"},
-                  {"mesh", "a mesh, by distance"},
-                  {"mesh-depth", "a mesh, by depth"}};
+    } others[] = {{"bsp", "nearest first, BSP tree"},   {"clusters", "nearest first, clusters"},
+                  {"axis", "nearest first, axis cuts"}, {"scanline", "scan lines"},
+                  {"mesh", "a mesh, by distance"},      {"mesh-depth", "a mesh, by depth"}};
     const struct measure_request *request = &page->request;
     const struct deadline_end whole = deadline_share(ROWS_SHARE);
     const bool is_open = !request->compile.method && request->compile.tree == TREE_AUTO && !page->scene.moving;

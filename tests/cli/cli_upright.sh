@@ -9,7 +9,7 @@ folder=/usr/share/assimp/models
 hash_of() { # FILE ARGUMENT...
     file=$1
     shift
-    "$BUILD/limner" render "$@" --size 48x48 --frames 1 --tree bsp --splitter first --write-hashes "$work/$file" 2>"$work/$file.said" || { cat "$work/$file.said" && return 1; }
+    "$BUILD/limner" render "$@" --size 48x48 --frames 1 --tree bsp --splitter first --no-textures --write-hashes "$work/$file" 2>"$work/$file.said" || { cat "$work/$file.said" && return 1; }
 }
 
 # is_up AXIS NOTICE MODEL: as with --up AXIS, not as with the other axis.

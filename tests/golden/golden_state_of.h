@@ -169,20 +169,32 @@ static uint32_t add_crossings(uint32_t hash, const struct lim_convex *convex, bo
     return hash;
 }
 
-/* In wireframe each has a bit an edge behind its corners, and of the words of those only as many mean something. Up to
- * the first piece: how many lines that has is not noted. */
-static uint32_t add_wires(uint32_t hash, const struct lim_retained *retained)
+/* In wireframe each has a bit an edge behind its corners, and of the words of those only as many mean something. */
+static uint32_t add_hidden(uint32_t hash, const uint16_t *hidden, unsigned n)
+{
+    for (unsigned k = 0; k < n; k++)
+        hash = add(hash, hidden[k / 16] >> k % 16 & 1);
+    return hash;
+}
+
+/* What is written of the cells, which may be larger; the rest has what pass two left there. Up to the first piece: how
+ * many lines that has is not noted. */
+static uint32_t add_cells(uint32_t hash, const struct lim_retained *retained, bool wireframe)
 {
     const union lim_retained_cell *const cells = retained->cells;
     const unsigned cell_bits = 8 * sizeof *cells;
 
     for (uint16_t at = 0; at < retained->used && cells[at].link.n;) {
         const unsigned n = cells[at].link.n, corners = LIM_RETAINED_HEAD_CELLS + n;
-        const uint16_t *hidden = cells[at + corners].hidden;
-        hash = golden_hash(hash, &cells[at], corners * sizeof *cells);
-        for (unsigned k = 0; k < n; k++)
-            hash = add(hash, hidden[k / 16] >> k % 16 & 1);
-        at = (uint16_t)(at + corners + ((n + 15) / 16 * 16 + cell_bits - 1) / cell_bits);
+        const bool transparent = cells[at + 1].look.bottom & LIM_RETAINED_TRANSPARENT;
+        hash = add(add(add(hash, cells[at].link.next), n), cells[at].link.first);
+        hash = add(add(hash, cells[at + 1].look.bottom), cells[at + 1].look.colour);
+        for (unsigned k = LIM_RETAINED_HEAD_CELLS; k < corners; k++)
+            hash = add(add(hash, cells[at + k].at.x), cells[at + k].at.y);
+        if (transparent) hash = add(hash, cells[at + corners].alpha);
+        if (wireframe) hash = add_hidden(hash, cells[at + corners].hidden, n);
+        at = (uint16_t)(at + corners + transparent);
+        if (wireframe) at = (uint16_t)(at + ((n + 15) / 16 * 16 + cell_bits - 1) / cell_bits);
     }
     return hash;
 }
@@ -199,8 +211,7 @@ static uint32_t add_spans(uint32_t hash, const struct lim *lim)
     hash = golden_hash(hash, spans->pool, spans->fresh * sizeof *spans->pool);
     hash = golden_hash(hash, spans->lines, lim->pass.target.h_px * sizeof *spans->lines);
     hash = add(add(hash, retained->size), retained->used);
-    hash = lim->pass.wireframe->on ? add_wires(hash, retained)
-                                   : golden_hash(hash, retained->cells, retained->used * sizeof *retained->cells);
+    hash = add_cells(hash, retained, lim->pass.wireframe->on);
     hash = add_actives(hash, &lim->nearest->paint.actives, textured, lim_is_antialiased(&lim->pass.view));
     return add(add(hash, lim->nearest->paint.layers->size), lim->nearest->paint.layers->used);
 }
