@@ -98,18 +98,21 @@ void lim_texture_begin(struct lim_texturing *texturing, const struct lim_scene *
 
 /* Once a polygon ----------------------------------------------------------------------------------- */
 
+/* For either memory: an AVR reads flash otherwise. */
+#if LIM_DUAL_MULTIPLY
+#define DOT_OF_PAIRS(a, b) ((int32_t)fixed_dot_pairs(a, b, 0))
+#else
+#define DOT_OF_PAIRS(a, b) ((int32_t)(a)[0] * (b)[0] + (int32_t)(a)[1] * (b)[1])
+#endif
+
 static inline int32_t dot_2(const LIM_FLASH int16_t *a, const int16_t *b)
 {
-#if LIM_DUAL_MULTIPLY
-    return (int32_t)fixed_dot_pairs(a, b, 0);
-#else
-    return a[0] * b[0] + a[1] * b[1];
-#endif
+    return DOT_OF_PAIRS(a, b);
 }
 
 static inline int32_t dot_3(const int16_t *a, const int16_t *b)
 {
-    return dot_2(a, b) + (int32_t)a[2] * b[2];
+    return DOT_OF_PAIRS(a, b) + (int32_t)a[2] * b[2];
 }
 
 /* The components add up to 32767 at most: below 2^30 with both limbs. */
