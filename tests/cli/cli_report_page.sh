@@ -122,7 +122,7 @@ boards_are_theirs() {
 }
 tap_check "boards have what their board.mk says" boards_are_theirs
 precision_is_the_pages() { has triangle.html 'profile exact' && has triangle.html 'exact \(this page\)' && ! has triangle.html 'fast \(this page\)'; }
-meshes_are_rows() { has rooms.html '^[0-9]+ a mesh, by distance 0[.][0-9]' && has rooms.html '^[0-9]+ a mesh, by depth 0[.][0-9]'; }
+meshes_are_rows() { has rooms.html '^[0-9]+ a mesh, by distance [0-9]+[.][0-9]' && has rooms.html '^[0-9]+ a mesh, by depth [0-9]+[.][0-9]'; }
 tap_check "a mesh, by distance and by depth, is among the choices" meshes_are_rows
 tap_check "--precision is what the page is about" precision_is_the_pages
 
