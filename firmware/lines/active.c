@@ -5,7 +5,7 @@
 
 #if LIM_HAS_SPANS
 
-/* Of addresses that an active polygon cannot have. */
+/* Bits of an address that are 0 where an active polygon may lie. */
 enum { SPARE_MASK = LIM_ALIGNOF(struct lim_active) - 1 };
 
 struct lim_active *lim_active_spare(struct lim_actives *actives, const struct lim_retained *retained)

@@ -121,7 +121,7 @@ static LIM_RARE bool begin_clipped(struct lim_mesh *mesh, lim_index triangle, ui
     if (!lim_mesh_clip(mesh, triangle, &clipped)) return true;
     const lim_mesh_rank rank = lim_mesh_rank_of(nearness_of(&clipped), triangle);
     if (range && !mesh_is_within(range, rank)) return true;
-    if (range) range->failed = rank;
+    if (range) range->tried = rank;
     if (!clipped.shape.non_monotone) return begin_part(mesh, &clipped, triangle, 0, rank, y);
     for (uint8_t part = 1; part + 1u < clipped.n; part++) {
         if (begin_part(mesh, &clipped, triangle, part, rank, y)) continue;
@@ -302,7 +302,7 @@ static LIM_INLINE bool mesh_begin(struct lim_mesh *mesh, const LIM_FLASH lim_ind
         return begin_clipped(mesh, triangle, y, range);
     const lim_mesh_rank rank = lim_mesh_rank_of((a + b + c) / 2, triangle);
     if (range && !mesh_is_within(range, rank)) return true;
-    if (range) range->failed = rank;
+    if (range) range->tried = rank;
     struct lim_mesh_active *active = lim_mesh_new(mesh);
     if (LIM_UNLIKELY(!active)) return false;
     active->rank = rank;

@@ -90,9 +90,10 @@ void lim_mesh_clear(struct lim_mesh *mesh);
 /* The triangles that begin on line y: into mesh->begins, in their order. false: the pool has no room. */
 bool lim_mesh_begin_all(struct lim_mesh *mesh, uint16_t y);
 
-/* Ranks from <= rank < below; and that of the triangle for which there was no room last. */
+/* Ranks from <= rank < below. */
 struct lim_mesh_range {
-    lim_mesh_rank from, below, failed;
+    lim_mesh_rank from, below;
+    lim_mesh_rank tried; /* that of the triangle that was begun last, if there was room or not */
 };
 
 /* A triangle that has line y, likewise; if its rank is not within a range it is left out. */

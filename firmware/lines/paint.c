@@ -45,9 +45,8 @@ static bool activate(struct lim_paint *paint, const struct lim_retained *retaine
 
 static bool activate_line(struct lim_paint *paint, const struct lim_retained *retained, uint16_t polygon, uint16_t y)
 {
-    for (; polygon != LIM_NONE; polygon = retained->cells[polygon].link.next) {
+    for (; polygon != LIM_NONE; polygon = retained->cells[polygon].link.next)
         if (!activate(paint, retained, polygon, y)) return false;
-    }
     return true;
 }
 

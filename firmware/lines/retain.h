@@ -69,22 +69,22 @@ static inline uint8_t lim_retained_alpha(const union lim_retained_cell *cells)
 
 LIM_STATIC_ASSERT(sizeof(union lim_retained_cell) == sizeof(struct lim_point), "points lie one a cell");
 
+/* Where the points of the next polygon would come to lie. */
+static inline struct lim_point *lim_retained_end(const struct lim_retained *retained)
+{
+    return &retained->cells[retained->used + LIM_RETAINED_HEAD_CELLS].at;
+}
+
 /* Where the points of the next polygon of n corners would lie, or NULL: there is no room. */
 static inline struct lim_point *lim_retained_place(const struct lim_retained *retained, uint8_t n)
 {
     const uint16_t needed = (uint16_t)(LIM_RETAINED_HEAD_CELLS + n);
 
     if (needed > retained->size - retained->used) return NULL;
-    return &retained->cells[retained->used + LIM_RETAINED_HEAD_CELLS].at;
+    return lim_retained_end(retained);
 }
 
-/* Where the points of the next polygon would come to lie. */
-static inline struct lim_point *lim_retained_end(const struct lim_retained *retained)
-{
-    return &retained->cells[retained->used].at + LIM_RETAINED_HEAD_CELLS;
-}
-
-/* Points that lie further on move there. */
+/* Points that lie farther on move to the end. */
 static inline const struct lim_point *lim_retained_move(const struct lim_retained *retained, const struct lim_point *at,
                                                         uint8_t n)
 {

@@ -227,15 +227,15 @@ static lim_mesh_rank drop_last(struct lim_mesh *mesh)
     return last;
 }
 
-/* What comes last waits for another part: of those that are there, and the one that found no room. So the first is
- * always painted. */
+/* There is no room for the triangle that was tried. What is last in the order, of it and of those that are there, waits
+ * for another part. So the first is always painted, and each part has one at least. */
 static void make_room(struct lim_mesh *mesh, struct lim_mesh_range *range)
 {
     lim_mesh_rank last = 0;
 
     for (const struct lim_mesh_active *active = mesh->begins; active != &mesh->end; active = active->next)
         last = active->rank;
-    range->below = range->failed > last ? range->failed : drop_last(mesh);
+    range->below = range->tried > last ? range->tried : drop_last(mesh);
 }
 
 /* Into mesh->begins, of all that have line y, those of rank `from` on, as many as there is room for. Returns the rank

@@ -30,6 +30,9 @@ enum {
 /* What |x| <= 2z comes to: 2, and 2^-11 for the errors. */
 #define PERSPECTIVE_RATIO_MAX ((INT32_C(2) << PERSPECTIVE_RATIO_BITS) + (INT32_C(1) << (PERSPECTIVE_RATIO_BITS - 11)))
 
+/* The same of the ratio that the side is multiplied with. */
+#define PERSPECTIVE_SCREEN_MAX (PERSPECTIVE_RATIO_MAX >> (PERSPECTIVE_RATIO_BITS - PERSPECTIVE_SCREEN_BITS))
+
 /*@ predicate is_side(struct lim_side side) =
       1 <= side.px <= LIM_MAX_SIDE_PX &&
       side.middle_qs == (side.px - 1 - 2 * LIM_ORIGIN_PX) * (1 << PERSPECTIVE_SCREEN_BITS) +
@@ -212,9 +215,7 @@ static inline lim_sub perspective_at(int32_t x_qv, struct lim_depth depth, const
                                        ? mul_s32_top(ratio, side->px * 65536)
                                        : shift_s32(ratio, PERSPECTIVE_RATIO_BITS - PERSPECTIVE_SCREEN_BITS) * side->px;
 
-    /*@ assert from_middle_qs <= ((2 << PERSPECTIVE_SCREEN_BITS) + (1 << (PERSPECTIVE_SCREEN_BITS - 11))) * side->px; */
-    /*@ assert -((2 << PERSPECTIVE_SCREEN_BITS) + (1 << (PERSPECTIVE_SCREEN_BITS - 11))) * side->px <= from_middle_qs;
-     */
+    //@ assert -PERSPECTIVE_SCREEN_MAX * side->px <= from_middle_qs <= PERSPECTIVE_SCREEN_MAX * side->px;
     return (lim_sub)shift_s32(from_middle_qs + side->middle_qs, PERSPECTIVE_DROPPED_BITS);
 }
 

@@ -4,7 +4,9 @@
  * --core m0plus --precision fast` counts stages on rooms, rooms-tilted, teapot and knot, each with four trees, and with
  * one on a small screen, and of a teapot cut to pieces, by both orders; the counters of the same frames that have to do
  * with a stage explain it by least squares, in relative errors and with no factor below 0, the worst errors weighing
- * most. Meshes are fitted on the teapot, the knot, meshes of generate_scale and, once, rooms. */
+ * most. Meshes are fitted on the teapot, the knot, meshes of generate_scale and, once, rooms. NEAREST_FIRST is of
+ * the last fit; SCANLINE and MESH are of the one before. On the counts of the last one scan lines are off by 4.1 % at
+ * most (knot at 128x64: 6.7), meshes by 12 (knot by depth at 128x64: 32; rooms: 21). */
 #include "render/frame_cost.h"
 
 #include <string.h>

@@ -15,8 +15,7 @@ static const char *run(const uint8_t *input, size_t size_b)
     struct error err;
 
     const struct fuzz_look look = fuzz_look_from(&bytes);
-    for (int i = 0; i < 2; i++)
-        means[i] = fuzz_means_from(&bytes);
+    fuzz_means_both_from(&bytes, means);
     /* Which may show: it says how often polygons may be split, and whether glass has smooth edges. */
     if (look.method == LIM_NEWELL || look.antialias) means[1].memory = means[0].memory;
     fuzz_view_from(&bytes, &subject);

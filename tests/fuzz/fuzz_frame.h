@@ -25,9 +25,9 @@ bool fuzz_camera_is_legal(const struct lim_camera *camera);
 
 /* Draws in one of the precision profiles and one of six ways (nearest first, the same in the least memory or by gaps,
  * by scan lines in enough memory or the least, back to front), or as a mesh by one of four (by distance or depth, each
- * in the least memory, too); `choice` says which. A legal camera must be drawn, any
- * other one refused; every pixel painted, and done exactly once. An ordered scene, which is no mesh, is drawn in
- * another way too, and must look the same. The broken promise, or NULL. */
+ * in the least memory, too); `choice` says which. A legal camera must be drawn, any other one refused; every pixel
+ * painted, and done exactly once. An ordered scene, which is no mesh, is drawn in another way too, and must look the
+ * same. The broken promise, or NULL. */
 const char *fuzz_draw(const struct fuzz_frame *frame, uint8_t choice);
 
 #endif

@@ -7,7 +7,7 @@
 #include "fuzz_view.h"
 #include "scene/lim_check.h"
 
-/* What meshes are drawn without is left out. */
+/* Meshes are drawn without outlines and smooth edges; and whole. */
 static struct fuzz_look mesh_look_from(struct fuzz_bytes *bytes)
 {
     struct fuzz_look look = fuzz_look_from(bytes);
@@ -16,14 +16,6 @@ static struct fuzz_look mesh_look_from(struct fuzz_bytes *bytes)
     look.wireframe = (struct lim_wireframe){0};
     look.antialias = false;
     return look;
-}
-
-static struct fuzz_means mesh_means_from(struct fuzz_bytes *bytes)
-{
-    struct fuzz_means means = fuzz_means_from(bytes);
-
-    means.page_px = 0;
-    return means;
 }
 
 static const char *run(const uint8_t *input, size_t size_b)
@@ -35,8 +27,8 @@ static const char *run(const uint8_t *input, size_t size_b)
     struct error err;
 
     const struct fuzz_look look = mesh_look_from(&bytes);
-    for (int i = 0; i < 2; i++)
-        means[i] = mesh_means_from(&bytes);
+    fuzz_means_both_from(&bytes, means);
+    means[0].page_px = means[1].page_px = 0;
     fuzz_view_from(&bytes, &subject);
     fuzz_scene_make_mesh(&made, &bytes);
     subject.scene = &made.scene;

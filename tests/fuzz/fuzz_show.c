@@ -37,7 +37,7 @@ struct fuzz_look fuzz_look_from(struct fuzz_bytes *bytes)
     return look;
 }
 
-struct fuzz_means fuzz_means_from(struct fuzz_bytes *bytes)
+static struct fuzz_means fuzz_means_from(struct fuzz_bytes *bytes)
 {
     static const uint8_t pages_px[] = {0, 1, PAGE_PX};
     struct fuzz_means means = {.sink = fuzz_below(bytes, FUZZ_SINKS), .memory = fuzz_u8(bytes)};
@@ -48,6 +48,12 @@ struct fuzz_means fuzz_means_from(struct fuzz_bytes *bytes)
     means.fails_at = fuzz_u8(bytes);
     if (means.sink == FUZZ_SINK_RUNS) means.page_px = 0;
     return means;
+}
+
+void fuzz_means_both_from(struct fuzz_bytes *bytes, struct fuzz_means means[2])
+{
+    for (int i = 0; i < 2; i++)
+        means[i] = fuzz_means_from(bytes);
 }
 
 static bool sorts(enum lim_method method)

@@ -48,7 +48,7 @@ struct fuzz_pictures {
 
 /* From bytes. */
 struct fuzz_look fuzz_look_from(struct fuzz_bytes *bytes);
-struct fuzz_means fuzz_means_from(struct fuzz_bytes *bytes);
+void fuzz_means_both_from(struct fuzz_bytes *bytes, struct fuzz_means means[2]);
 
 /* The broken promise, or NULL. *is_refused: the scene is none for the method, rightly. */
 const char *fuzz_show(const struct fuzz_subject *subject, const struct fuzz_look *look, const struct fuzz_means *means,
