@@ -240,10 +240,28 @@
 #define LIM_HAS_STATS 1
 #endif
 
+/* What the code is for; the same pixels. LIM_SIZE: what does nothing but save time is left out. LIM_BALANCE: likewise,
+ * but for the loops that most of a frame's time goes into. LIM_SPEED: nothing is. By default what the compiler is asked
+ * for: -Os asks for size. For LIM_BALANCE say both, -Os -DLIM_OPTIMISE=LIM_BALANCE. Objects of all kinds link. */
+#define LIM_SPEED 0
+#define LIM_BALANCE 1
+#define LIM_SIZE 2
+#ifndef LIM_OPTIMISE
+#if defined(__OPTIMIZE_SIZE__)
+#define LIM_OPTIMISE LIM_SIZE
+#else
+#define LIM_OPTIMISE LIM_SPEED
+#endif
+#endif
+
+/* What is left out is asked by: of most code; of the hot loops, those that balanced code keeps. */
+#define LIM_OPTIMISE_SIZE (LIM_OPTIMISE != LIM_SPEED)
+#define LIM_HOT (LIM_OPTIMISE != LIM_SIZE)
+
 /* 1: reciprocals come from a table of 514 bytes. 0: from two divisions, with the same bits, which cost a vertex a few
- * instructions. By default the table is left out where a core divides in hardware and -Os asks for small code. */
+ * instructions. By default the table is left out where a core divides in hardware and code is to be short. */
 #ifndef LIM_RECIP_TABLE
-#if defined(__OPTIMIZE_SIZE__) && (defined(__ARM_FEATURE_IDIV) || defined(__riscv_div) || defined(__x86_64__))
+#if LIM_OPTIMISE_SIZE && (defined(__ARM_FEATURE_IDIV) || defined(__riscv_div) || defined(__x86_64__))
 #define LIM_RECIP_TABLE 0
 #else
 #define LIM_RECIP_TABLE 1
@@ -315,13 +333,6 @@
 #define LIM_DUAL_MULTIPLY 1
 #else
 #define LIM_DUAL_MULTIPLY 0
-#endif
-
-/* Whether short code is asked for: then what does nothing but save time is left out. The same pixels. */
-#if defined(__OPTIMIZE_SIZE__)
-#define LIM_OPTIMISE_SIZE 1
-#else
-#define LIM_OPTIMISE_SIZE 0
 #endif
 
 /* Planes off the axes are tried in 32 bits first. One convex solid has too few of them for that to pay elsewhere. */
@@ -421,19 +432,34 @@
 #define LIM_IF_CALLED
 #endif
 
-/* Inlined wherever it is called, unless small code is asked for. */
+/* Inlined wherever it is called, unless small code is asked for; the second, of hot loops, unless the smallest is. */
 #if defined(__GNUC__) && !LIM_OPTIMISE_SIZE
 #define LIM_INLINE inline __attribute__((always_inline))
 #else
 #define LIM_INLINE inline
 #endif
-
-/* Before a loop of n turns: written out n times, unless small code is asked for. */
-#if defined(__GNUC__) && __GNUC__ >= 8 && !defined(__clang__) && !defined(__OPTIMIZE_SIZE__)
-#define LIM_UNROLLED(n) LIM_PRAGMA(GCC unroll n)
-#define LIM_PRAGMA(words) _Pragma(#words)
+#if defined(__GNUC__) && LIM_HOT
+#define LIM_HOT_INLINE inline __attribute__((always_inline))
 #else
+#define LIM_HOT_INLINE inline
+#endif
+
+/* Before a loop of n turns: written out n times, likewise. */
+#if defined(__GNUC__) && __GNUC__ >= 8 && !defined(__clang__)
+#define LIM_PRAGMA(words) _Pragma(#words)
+#define LIM_UNROLLED_BY(n) LIM_PRAGMA(GCC unroll n)
+#else
+#define LIM_UNROLLED_BY(n)
+#endif
+#if LIM_OPTIMISE_SIZE
 #define LIM_UNROLLED(n)
+#else
+#define LIM_UNROLLED(n) LIM_UNROLLED_BY(n)
+#endif
+#if LIM_HOT
+#define LIM_HOT_UNROLLED(n) LIM_UNROLLED_BY(n)
+#else
+#define LIM_HOT_UNROLLED(n)
 #endif
 
 /* Stops the program where a debugger sees it: by the instruction that is made for this, without any library. Without a

@@ -25,8 +25,8 @@ static LIM_IF_CALLED void flat_set_texture(const struct lim_pass *pass, const st
 }
 
 /* Merges those that start on the line into the list. false: no room. */
-static LIM_INLINE bool flat_activate(struct lim_paint *paint, const struct lim_retained *retained, uint16_t polygon,
-                                     uint16_t y)
+static LIM_HOT_INLINE bool flat_activate(struct lim_paint *paint, const struct lim_retained *retained, uint16_t polygon,
+                                         uint16_t y)
 {
     struct lim_actives *const actives = &paint->actives;
     struct lim_active **link = &actives->first;
@@ -54,10 +54,10 @@ struct extent {
     int32_t x0, x1;
 };
 
-/* By a call where that is rare, or code is to be short. */
-static LIM_INLINE void flat_fill(uint16_t *line, int32_t x0, int32_t x1, uint16_t colour, bool rare)
+/* By a call where that is rare, or code is to be smallest. Balanced code has one loop for all, so none is rare. */
+static LIM_HOT_INLINE void flat_fill(uint16_t *line, int32_t x0, int32_t x1, uint16_t colour, bool rare)
 {
-    if (rare || LIM_OPTIMISE_SIZE)
+    if ((rare && !LIM_OPTIMISE_SIZE) || !LIM_HOT)
         lim_fill(line, (uint16_t)x0, (uint16_t)(x1 - x0), colour);
     else
         lim_fill_inline(line, (int_fast16_t)x0, (int_fast16_t)x1, colour);
@@ -72,14 +72,14 @@ static LIM_IF_CALLED void flat_fill_textured(const struct lim_pass *pass, struct
     lim_texture_fill(&span, line, (uint16_t)seen.x0, (uint16_t)seen.x1, stats);
 }
 
-static LIM_INLINE void flat_paint_polygons(struct lim_paint *paint, const struct lim_retained *retained, uint16_t *line,
-                                           struct extent extent, enum reach reach, uint16_t below,
-                                           struct lim_stats *stats)
+static LIM_HOT_INLINE void flat_paint_polygons(struct lim_paint *paint, const struct lim_retained *retained,
+                                               uint16_t *line, struct extent extent, enum reach reach, uint16_t below,
+                                               struct lim_stats *stats)
 {
     struct lim_actives *const actives = &paint->actives;
-    struct lim_active **link = &actives->first, *active;
+    struct lim_active **link = &actives->first, *active = *link;
 
-    while ((active = *link) != NULL) {
+    while (active) {
         int32_t x0 = lim_edge_next_x(&active->pair.left), x1 = lim_edge_next_x(&active->pair.right);
         const struct extent all = {x0, x1};
         if (reach == OVERHANGING && x0 < 0) x0 = 0;
@@ -96,16 +96,19 @@ static LIM_INLINE void flat_paint_polygons(struct lim_paint *paint, const struct
         if (active->turn == below) {
             if (active->bottom == below) {
                 lim_active_give_back(actives, link);
+                active = *link;
                 continue;
             }
             lim_active_turn(active, &retained->cells[active->polygon], (int16_t)below);
         }
         link = &active->next;
+        active = *link;
     }
 }
 
-static LIM_INLINE void flat_paint_background(const struct lim_spans *spans, const struct lim_gap *gap, uint16_t *line,
-                                             uint16_t colour, enum reach reach, struct lim_stats *stats)
+static LIM_HOT_INLINE void flat_paint_background(const struct lim_spans *spans, const struct lim_gap *gap,
+                                                 uint16_t *line, uint16_t colour, enum reach reach,
+                                                 struct lim_stats *stats)
 {
     for (;;) {
         const uint16_t n_px = (uint16_t)(gap->x1 - gap->x0);
@@ -116,9 +119,9 @@ static LIM_INLINE void flat_paint_background(const struct lim_spans *spans, cons
     }
 }
 
-static LIM_INLINE int flat_paint_line(struct lim_paint *paint, const struct lim_spans *spans, const struct lim_gap *gap,
-                                      const struct lim_retained *retained, struct extent extent, enum reach reach,
-                                      uint16_t y, struct lim_stats *stats)
+static LIM_HOT_INLINE int flat_paint_line(struct lim_paint *paint, const struct lim_spans *spans,
+                                          const struct lim_gap *gap, const struct lim_retained *retained,
+                                          struct extent extent, enum reach reach, uint16_t y, struct lim_stats *stats)
 {
     const uint16_t below = (uint16_t)(y + 1);
     const struct lim_target *const target = &paint->pass->target;
@@ -132,9 +135,9 @@ static LIM_INLINE int flat_paint_line(struct lim_paint *paint, const struct lim_
     return target->done(target->ctx, y, (uint16_t)extent.x0, (uint16_t)(extent.x1 - extent.x0));
 }
 
-static LIM_INLINE int flat_paint_lines(struct lim_paint *paint, struct lim_spans *spans,
-                                       const struct lim_retained *retained, const struct lim_rect *band,
-                                       enum reach reach, uint16_t *y, struct lim_stats *stats)
+static LIM_HOT_INLINE int flat_paint_lines(struct lim_paint *paint, struct lim_spans *spans,
+                                           const struct lim_retained *retained, const struct lim_rect *band,
+                                           enum reach reach, uint16_t *y, struct lim_stats *stats)
 {
     const struct lim_line *line = &spans->lines[band->y0], *const end = &spans->lines[band->y1];
     struct extent extent = {reach == ANYWHERE ? band->x0 : 0, band->x1};
@@ -177,6 +180,7 @@ int lim_flat_band(struct lim_paint *paint, struct lim_spans *spans, const struct
 {
     struct lim_stats *stats = lim_stats_of(paint->pass);
     const struct lim_target *target = &paint->pass->target;
+    /* Short code has one loop. */
     const bool from_0 = !LIM_OPTIMISE_SIZE && !band->x0 && !lim_target_is_round(target);
 
     lim_actives_start(&paint->actives);

@@ -19,17 +19,20 @@ void lim_spans_reset_pool(struct lim_spans *spans)
 
 void lim_spans_open(struct lim_spans *spans, const struct lim_target *target, const struct lim_rect *open)
 {
-    spans->open = *open;
+    const struct lim_rect band = *open;
+    struct lim_line *line = &spans->lines[band.y0];
+
+    spans->open = band;
     spans->trimmed = false;
-    spans->open_lines = (uint16_t)(open->y1 - open->y0);
-    for (uint16_t y = open->y0; y < open->y1; y++) {
-        lim_line_open(&spans->lines[y], target, open, y);
-        if (LIM_HAS_ROUND && lim_line_is_closed(&spans->lines[y])) spans->open_lines--;
+    spans->open_lines = (uint16_t)(band.y1 - band.y0);
+    for (uint16_t y = band.y0; y < band.y1; y++, line++) {
+        lim_line_open(line, target, &band, y);
+        if (LIM_HAS_ROUND && lim_line_is_closed(line)) spans->open_lines--;
     }
     lim_spans_reset_pool(spans);
 }
 
-/* lim_span_close() without a sink, for a line that is not closed; any values. Not where code is to be short. */
+/* lim_span_close() without a sink, for a line that is not closed; any values. Not where code is to be smallest. */
 static LIM_ALONE enum lim_span_result close_several(struct lim_spans *spans, struct lim_line *line, int32_t x0,
                                                     int32_t x1)
 {
@@ -61,7 +64,7 @@ enum lim_span_result lim_span_close(struct lim_spans *spans, struct lim_line *li
     struct lim_gap *gap = &line->gap, *before = NULL;
 
     if (lim_line_is_closed(line)) return LIM_SPAN_NOTHING;
-    if (!LIM_OPTIMISE_SIZE && !(LIM_HAS_SINKS && sink)) return close_several(spans, line, x0, x1);
+    if (LIM_HOT && !(LIM_HAS_SINKS && sink)) return close_several(spans, line, x0, x1);
     do {
         const int32_t open0 = gap->x0, open1 = gap->x1;
         if (open1 <= x0) {
@@ -90,7 +93,8 @@ enum lim_span_result lim_span_close(struct lim_spans *spans, struct lim_line *li
 
 /* Of what closing a line's pixels comes to where it has one gap, or none. [*x0, *x1) becomes the piece that was open:
  * a caller that does not look at it pays nothing for it. A closed line's gap is anywhere. */
-static inline enum lim_span_result close_in_gap(struct lim_spans *spans, struct lim_gap *gap, int32_t *x0, int32_t *x1)
+static LIM_HOT_INLINE enum lim_span_result close_in_gap(struct lim_spans *spans, struct lim_gap *gap, int32_t *x0,
+                                                        int32_t *x1)
 {
     const int32_t open0 = gap->x0, open1 = gap->x1;
 
@@ -116,27 +120,26 @@ static inline enum lim_span_result close_in_gap(struct lim_spans *spans, struct 
     return lim_gap_split(spans, gap, (uint16_t)*x0, (uint16_t)*x1) ? LIM_SPAN_SOME : LIM_SPAN_EXHAUSTED;
 }
 
-/* Most lines have one gap, or none. `seen` is for what is retained, `sink` for what is painted at once: one of them is
- * NULL. `many`: the sink of lines that have several. */
-static inline bool close_between(struct lim_spans *spans, int16_t y, int16_t end, struct lim_edge_pair *pair,
-                                 struct lim_span_extent *seen, lim_piece_fill *sink, lim_piece_fill *many,
-                                 struct lim_piece_look *look)
+/* Most lines have one gap, or none. `sink` is for what is painted at once; NULL: it is retained, and asks which lines
+ * were open. `many`: the sink of lines that have several. */
+static LIM_HOT_INLINE bool close_between(struct lim_spans *spans, int16_t y, int16_t end, struct lim_closing *closing,
+                                         lim_piece_fill *sink, lim_piece_fill *many, struct lim_piece_look *look)
 {
     struct lim_edge left, right;
-    struct lim_line *line = &spans->lines[y], *const after = &spans->lines[end], *first = NULL, *last = NULL;
+    struct lim_line *line = &spans->lines[y], *const after = &spans->lines[end];
 
-    lim_edge_copy(&left, &pair->left);
-    lim_edge_copy(&right, &pair->right);
+    lim_edge_copy(&left, &closing->pair.left);
+    lim_edge_copy(&right, &closing->pair.right);
     do {
         int32_t x0 = lim_edge_x(&left), x1 = lim_edge_x(&right);
         enum lim_span_result result;
         lim_edge_step(&left);
         lim_edge_step(&right);
         if (sink) look->y_px = (uint16_t)(line - spans->lines);
-        if (!LIM_OPTIMISE_SIZE && line->gap.next == LIM_NONE) {
+        if (LIM_HOT && line->gap.next == LIM_NONE) {
             result = close_in_gap(spans, &line->gap, &x0, &x1);
             if (sink && result == LIM_SPAN_SOME) sink(look, (uint16_t)x0, (uint16_t)x1);
-        } else if (sink || LIM_OPTIMISE_SIZE) {
+        } else if (sink || !LIM_HOT) {
             result = x0 < x1 ? lim_span_close(spans, line, (int16_t)x0, (int16_t)x1, many, look) : LIM_SPAN_NOTHING;
         } else {
             result = close_several(spans, line, x0, x1);
@@ -144,31 +147,27 @@ static inline bool close_between(struct lim_spans *spans, int16_t y, int16_t end
         if (result == LIM_SPAN_NOTHING) continue;
         if (sink && result == LIM_SPAN_EXHAUSTED) return false;
         if (sink) continue;
-        if (!first) first = line;
-        last = line;
+        if (!closing->top) closing->top = line;
+        closing->last = line;
         if (result == LIM_SPAN_EXHAUSTED) break;
     } while (++line < after);
-    lim_edge_follow(&pair->left, &left);
-    lim_edge_follow(&pair->right, &right);
-    if (sink || !first) return true;
-    if (first < spans->lines + seen->top) seen->top = (int16_t)(first - spans->lines);
-    seen->bottom = (int16_t)(last - spans->lines + 1);
+    lim_edge_follow(&closing->pair.left, &left);
+    lim_edge_follow(&closing->pair.right, &right);
     return line == after; /* else there was no gap: what is closed above is seen all the same */
 }
 
-bool lim_spans_close(struct lim_spans *spans, int16_t y, int16_t end, struct lim_edge_pair *pair,
-                     struct lim_span_extent *seen)
+bool lim_spans_close(struct lim_spans *spans, int16_t y, int16_t end, struct lim_closing *closing)
 {
-    return close_between(spans, y, end, pair, seen, NULL, NULL, NULL);
+    return close_between(spans, y, end, closing, NULL, NULL, NULL);
 }
 
 #if LIM_HAS_FILLED
-bool lim_spans_close_filling(struct lim_spans *spans, int16_t y, int16_t end, struct lim_edge_pair *pair,
+bool lim_spans_close_filling(struct lim_spans *spans, int16_t y, int16_t end, struct lim_closing *closing,
                              lim_piece_fill *sink, struct lim_piece_look *look)
 {
-    if (LIM_HAS_FRAMEBUFFER && !LIM_OPTIMISE_SIZE && (!LIM_HAS_FILL || sink == lim_framebuffer_fill))
-        return close_between(spans, y, end, pair, NULL, lim_framebuffer_fill_inline, sink, look);
-    return close_between(spans, y, end, pair, NULL, sink, sink, look);
+    if (LIM_HAS_FRAMEBUFFER && LIM_HOT && (!LIM_HAS_FILL || sink == lim_framebuffer_fill))
+        return close_between(spans, y, end, closing, lim_framebuffer_fill_inline, sink, look);
+    return close_between(spans, y, end, closing, sink, sink, look);
 }
 #endif
 

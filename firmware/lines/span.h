@@ -37,14 +37,20 @@ void lim_spans_reset_pool(struct lim_spans *spans);
 enum lim_span_result lim_span_close(struct lim_spans *spans, struct lim_line *line, int16_t x0, int16_t x1,
                                     lim_piece_fill *sink, void *ctx);
 
-/* Closes what lies between two boundaries on the lines y <= line < end, to the end of which both go on, and moves them
- * there. Widens `seen` downwards around the lines of which something was open. false: a pool is exhausted; some may be
- * closed. The second form gives the pieces that were open to `sink` instead, with `look` for a context, whose line it
- * sets. */
-LIM_MUST_CHECK bool lim_spans_close(struct lim_spans *spans, int16_t y, int16_t end, struct lim_edge_pair *pair,
-                                    struct lim_span_extent *seen);
-LIM_MUST_CHECK bool lim_spans_close_filling(struct lim_spans *spans, int16_t y, int16_t end, struct lim_edge_pair *pair,
-                                            lim_piece_fill *sink, struct lim_piece_look *look);
+/* A polygon that is being closed: its boundaries, and the first and the last line of which something was open; NULL:
+ * none so far. All that the loop over lines does not need lies behind one pointer, so its registers are its own. */
+struct lim_closing {
+    struct lim_edge_pair pair;
+    struct lim_line *top, *last;
+};
+
+/* Closes what lies between the boundaries on the lines y <= line < end, to the end of which both go on, and moves them
+ * there; no line above may follow. false: a pool is exhausted; some may be closed. The second form gives the pieces
+ * that were open to `sink` instead, with `look` for a context, whose line it sets. */
+LIM_MUST_CHECK bool lim_spans_close(struct lim_spans *spans, int16_t y, int16_t end, struct lim_closing *closing);
+LIM_MUST_CHECK bool lim_spans_close_filling(struct lim_spans *spans, int16_t y, int16_t end,
+                                            struct lim_closing *closing, lim_piece_fill *sink,
+                                            struct lim_piece_look *look);
 
 /* Draws `open` together around what is open. true: it became smaller than it was at the last call. */
 bool lim_spans_shrink(struct lim_spans *spans);

@@ -43,19 +43,23 @@ static inline bool close_lines(struct lim_spans *spans, const struct lim_point *
                                struct lim_span_extent *shown, lim_piece_fill *sink, struct lim_piece_look *look)
 {
     const int16_t top = shown->top, bottom = shown->bottom;
-    struct lim_edge_pair pair;
+    struct lim_closing closing;
+    bool closed = true;
 
-    *shown = (struct lim_span_extent){bottom, top};
-    lim_edge_begin(&pair, n, first);
-    for (int16_t y = top; y < bottom;) {
-        const int16_t turn = lim_edge_turn(&pair, at, n, y);
+    closing.top = NULL;
+    lim_edge_begin(&closing.pair, n, first);
+    for (int16_t y = top; closed && y < bottom;) {
+        const int16_t turn = lim_edge_turn(&closing.pair, at, n, y);
         const int16_t end = turn < bottom ? turn : bottom;
-        const bool closed = LIM_HAS_FILLED && sink ? lim_spans_close_filling(spans, y, end, &pair, sink, look)
-                                                   : lim_spans_close(spans, y, end, &pair, shown);
-        if (!closed) return false;
+        closed = LIM_HAS_FILLED && sink ? lim_spans_close_filling(spans, y, end, &closing, sink, look)
+                                        : lim_spans_close(spans, y, end, &closing);
         y = end;
     }
-    return true;
+    *shown = (struct lim_span_extent){bottom, top};
+    if (closing.top)
+        *shown =
+            (struct lim_span_extent){(int16_t)(closing.top - spans->lines), (int16_t)(closing.last - spans->lines + 1)};
+    return closed;
 }
 
 /* Closed on the lines `shown`, of those that the band keeps: where no gap is left the band gives lines away, and what

@@ -15,7 +15,7 @@ typedef uint32_t __attribute__((may_alias)) lim_pixel_pair; /* lines are arrays 
 void lim_fill_many(lim_pixel_pair *to, uint_fast16_t pairs, uint32_t pair);
 
 /* Writes so many by one jump, past the stores that are too many; more than 16 by a call. */
-static LIM_INLINE void lim_fill_pairs(lim_pixel_pair *to, uint_fast16_t pairs, uint32_t pair)
+static LIM_HOT_INLINE void lim_fill_pairs(lim_pixel_pair *to, uint_fast16_t pairs, uint32_t pair)
 {
     // clang-format off
     switch (pairs) {
@@ -42,7 +42,7 @@ static LIM_INLINE void lim_fill_pairs(lim_pixel_pair *to, uint_fast16_t pairs, u
 }
 
 /* lim_fill() of pixels x0 <= x < x1, one at least, where calls are many. */
-static LIM_INLINE void lim_fill_inline(uint16_t *line, int_fast16_t x0_px, int_fast16_t x1_px, uint16_t colour)
+static LIM_HOT_INLINE void lim_fill_inline(uint16_t *line, int_fast16_t x0_px, int_fast16_t x1_px, uint16_t colour)
 {
     const int_fast16_t from = (x0_px + 1) >> 1, to = x1_px >> 1, last_px = x1_px - 1;
 

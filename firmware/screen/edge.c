@@ -155,7 +155,7 @@ static inline int32_t floor_of(lim_sub_area m, const struct divisor *divisor, in
     requires LIM_EDGE_BITS == 32 || divisor->by < 1048576;
     requires -2147483647 <= m / divisor->by <= 2147483647;
     assigns \nothing; */
-static inline lim_edge_wrap quotient_of(lim_sub_area m, const struct divisor *divisor)
+static LIM_HOT_INLINE lim_edge_wrap quotient_of(lim_sub_area m, const struct divisor *divisor)
 {
     int32_t rest;
     const int32_t whole = floor_of(m, divisor, &rest);

@@ -61,11 +61,11 @@ enum { OUTSIDE = 0, ACROSS, INSIDE };
 /*@ requires \valid_read(plane) && \valid_read(box);
     assigns \nothing;
     ensures 0 <= \result <= 2; */
-static inline uint8_t side_of(const struct lim_cull_plane *plane, const LIM_FLASH struct lim_box *box)
+static LIM_HOT_INLINE uint8_t side_of(const struct lim_cull_plane *plane, const LIM_FLASH struct lim_box *box)
 {
     uint32_t middle = (uint32_t)plane->offset, reach = 0;
 
-    LIM_UNROLLED(3)
+    LIM_HOT_UNROLLED(3)
     //@ loop pragma UNROLL "completely", 4;
     for (uint_fast8_t i = 0; i < 3; i++) {
         const int32_t n = plane->n[i];

@@ -28,16 +28,16 @@ bool lim_view_begin(struct lim_view *view, const struct lim_scene *scene, const 
 }
 
 /* Inlined into the function that remembers vertices; where flash is short there is one of each. */
-#if LIM_8_BIT || LIM_OPTIMISE_SIZE
+#if LIM_8_BIT || !LIM_HOT
 #define VIEW_SHARED LIM_ALONE
 #else
-#define VIEW_SHARED inline
+#define VIEW_SHARED LIM_HOT_INLINE
 #endif
 
 /* A point of whole units, in RAM. */
 static inline void transform_units(const struct lim_view *view, const struct lim_vertex *at, struct lim_view_point *out)
 {
-    LIM_UNROLLED(3)
+    LIM_HOT_UNROLLED(3)
     for (uint_fast8_t i = 0; i < 3; i++)
         out->qv[i] = transform_row(&view->rows.row[i], at);
     if (!LIM_HAS_LIMBS) out->z_qv >>= view->rows.tele_bits;
