@@ -103,7 +103,7 @@ static bool prepare(struct comparing *comparing, struct error *err)
 
 static struct measure_views views_of(const struct comparing *comparing, const struct camera_path *path)
 {
-    return (struct measure_views){path, &comparing->lens, comparing->request.w_px, comparing->request.h_px};
+    return (struct measure_views){path, &comparing->lens, comparing->request.w_px, comparing->request.h_px, NULL};
 }
 
 static bool measure_all(struct comparing *comparing, struct error *err)

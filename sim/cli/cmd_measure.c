@@ -104,13 +104,15 @@ static bool measure_costs(struct measurement *measurement, const struct measure_
 static bool measure_all(struct measurement *measurement, struct error *err)
 {
     const struct measure_request *request = &measurement->request;
-    const struct measure_views views = {&measurement->path, &measurement->lens, request->w_px, request->h_px};
+    const struct measure_views views = {&measurement->path, &measurement->lens, request->w_px, request->h_px,
+                                        request->optimise};
     struct measure_table *table = &measurement->table;
     table->scene = request->name;
     table->w_px = request->w_px;
     table->h_px = request->h_px;
     table->cpus = request->cpus;
     table->cpu_count = request->cpu_count;
+    table->optimise = request->optimise;
     const enum lim_method draws = measurement->candidates[0].scene->report.draws;
     if (!method_is_exact(draws)) table->drawn = method_title(draws);
     if (!measure_accuracy(&measurement->source, &views, measurement->candidates, table->row_count,

@@ -46,7 +46,7 @@ static bool search(struct worst *worst, struct error *err)
     faithful_note(&worst->scene);
     if (request->compile.near_m <= 0.0) lens_note_near(request->model, &worst->scene.grid);
     const struct measure_candidate candidate = candidate_of(worst);
-    const struct measure_views views = {NULL, &worst->lens, request->w_px, request->h_px};
+    const struct measure_views views = {NULL, &worst->lens, request->w_px, request->h_px, NULL};
     return worst_views_find(&worst->source, &candidate, &views, &request->worst, &worst->found, err) ||
            error_prefix(err, request->model);
 }
@@ -100,7 +100,7 @@ static void print_found(const struct worst *worst)
 static bool count_path(struct worst *worst, const struct measure_cpu *cpu, struct camera_path *path, struct cost *cost,
                        struct error *err)
 {
-    const struct measure_views views = {path, &worst->lens, worst->request.w_px, worst->request.h_px};
+    const struct measure_views views = {path, &worst->lens, worst->request.w_px, worst->request.h_px, NULL};
     const struct measure_candidate candidate = candidate_of(worst);
     return measure_cost(&candidate, cpu, &views, worst->folder.path, cost, err);
 }
@@ -173,7 +173,7 @@ static bool write_pictures(struct worst *worst, struct error *err)
     const struct measure_request *request = &worst->request;
     struct viewpoint found[FOUND] = {worst->found.cost.goals[0].worst, worst->found.error.goals[0].worst};
     const struct camera_path path = {"searched cameras", found, FOUND};
-    const struct measure_views views = {&path, &worst->lens, request->w_px, request->h_px};
+    const struct measure_views views = {&path, &worst->lens, request->w_px, request->h_px, NULL};
     const struct measure_candidate candidate = candidate_of(worst);
     return write_picture(worst, frame_picture(&candidate, &views, 0, NULL, err), "-cost.png", err) &&
            write_picture(worst, frame_picture(&candidate, &views, 1, NULL, err), "-error.png", err) &&

@@ -123,6 +123,12 @@ static bool is_processor(const char *word)
     return measure_cpu_find(word) != NULL;
 }
 
+static bool is_purpose(const char *word)
+{
+    struct error ignored;
+    return measure_optimise_check(word, &ignored);
+}
+
 static bool is_profile(const char *word)
 {
     return core_find(word) != NULL;
@@ -163,6 +169,7 @@ static const struct {
     {"--precision", is_profile},  {"--core", is_processor},  {"--mover-light", is_light},
     {"--movers", is_way_to_move}, {"--portals", is_portals}, {"--up", is_up},
     {"--for", is_world},          {"--family", is_family},   {"--chip", is_chip},
+    {"--optimise", is_purpose},
 };
 
 /* Each once. */

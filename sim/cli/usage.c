@@ -209,6 +209,7 @@ static const struct usage_entry ENTRIES[] = {
      "  --precision LIST    names, divided by commas (the four profiles); fast_4: fast with 4 sub-pixel bits\n"},
     {MEASURE, "  --sub-bits          fast_4, fast_5, fast_8 and fine_6, too: each is compiled first\n"},
     {MEASURE, "  --core LIST         processors: m0plus, m3, m4, m33, rv32 (all)\n"},
+    {MEASURE, "  --optimise NAME     what the code is for: speed, balance or size (speed: -O2; the others: -Os)\n"},
     {MEASURE | COMPARE, "  --no-cost           accuracy only: takes neither compilers nor emulators\n"},
     {0, "compare:\n"},
     {0, "  --camera, --size, --fov, --near, --unlit, --keep-faces, --no-cost as above\n"},

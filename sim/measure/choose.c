@@ -164,7 +164,7 @@ bool choose_core(const char *model_path, const struct compile_options *options, 
     const struct deadline_end whole = deadline_share(CHOICE_SHARE);
     bool ok =
         (!bound->cpu || measure_cpu_check(bound->cpu, err)) && prepare(&trial, model_path, options, bound, out, err);
-    const struct measure_views views = {&trial.path, &trial.lens, options->w_px, options->h_px};
+    const struct measure_views views = {&trial.path, &trial.lens, options->w_px, options->h_px, NULL};
     ok = ok && measure_rows(&trial, &views, bound, out, err) &&
          (!bound->cpu || count_rows(&trial, &views, bound, out, err));
     progress_end();

@@ -69,6 +69,14 @@ bool measure_cpu_check(const struct measure_cpu *cpu, struct error *err)
            check_tool(cpu->emulator, cpu->emulator_package, err);
 }
 
+bool measure_optimise_check(const char *name, struct error *err)
+{
+    static const char *const names[] = {"speed", "balance", "size"};
+    for (size_t i = 0; i < sizeof names / sizeof *names; i++)
+        if (strcmp(names[i], name) == 0) return true;
+    return error_set(err, "--optimise %s: speed, balance or size", name);
+}
+
 /* Steps -------------------------------------------------------------------------------------- */
 
 /* One measurement under way. */
@@ -110,8 +118,15 @@ static bool write_cameras(const struct run *run, struct error *err)
 static bool run_step(const struct run *run, const char *step, struct error *err)
 {
     char log[PATH_MAX_B], task[128];
-    const char *const argv[] = {"sh",        "sim/targets/count.sh", step, run->cpu->name,
-                                run->folder, LIM_COUNT_PLUGIN,       NULL};
+    const char *const optimise = run->views->optimise;
+    const char *const argv[] = {"sh",
+                                "sim/targets/count.sh",
+                                step,
+                                run->cpu->name,
+                                run->folder,
+                                LIM_COUNT_PLUGIN,
+                                optimise ? optimise : "speed",
+                                NULL};
     const struct child child = {.argv = argv, .folder = LIM_SOURCE_FOLDER, .log_path = log};
     snprintf(task, sizeof task, "%s, %s, %s", run->cpu->title, run->candidate->core->name, step);
     return path_in(run, "log", log, err) && child_run(&child, task, err);

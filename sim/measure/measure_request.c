@@ -25,6 +25,7 @@ enum option_code {
     OPTION_PRECISION,
     OPTION_SUB_BITS,
     OPTION_CORE,
+    OPTION_OPTIMISE,
     OPTION_NO_COST,
     OPTION_KEEP_FACES,
     OPTION_UNLIT,
@@ -56,6 +57,7 @@ static const struct option OPTIONS[] = {
     {"precision", required_argument, NULL, OPTION_PRECISION},
     {"sub-bits", no_argument, NULL, OPTION_SUB_BITS},
     {"core", required_argument, NULL, OPTION_CORE},
+    {"optimise", required_argument, NULL, OPTION_OPTIMISE},
     {"no-cost", no_argument, NULL, OPTION_NO_COST},
     {"keep-faces", no_argument, NULL, OPTION_KEEP_FACES},
     {"unlit", no_argument, NULL, OPTION_UNLIT},
@@ -93,6 +95,7 @@ static bool has_option(enum measure_of of, int code)
     case OPTION_PORTALS:
         return of != MEASURE_METHODS;
     case OPTION_SUB_BITS:
+    case OPTION_OPTIMISE:
         return of == MEASURE_PRECISIONS;
     case OPTION_FRAMES:
     case OPTION_COST_FRAMES:
@@ -223,6 +226,9 @@ static bool parse_option(int code, char **argv, struct measure_request *out, boo
         return true;
     case OPTION_CORE:
         return parse_list("--core", optarg, out, add_cpu, err);
+    case OPTION_OPTIMISE:
+        out->optimise = optarg;
+        return measure_optimise_check(optarg, err);
     case OPTION_PORTALS:
         return portals_parse(optarg, &out->compile.portals, err);
     case OPTION_METHOD:
@@ -331,6 +337,7 @@ bool measure_request_parse(int argc, char **argv, enum measure_of of, struct mea
             return false;
     if (!take_model(argc, argv, out, err)) return false;
     if (no_cost && out->cpu_count) return error_set(err, "%s: --core and --no-cost exclude each other", argv[0]);
+    if (no_cost && out->optimise) return error_set(err, "%s: --optimise and --no-cost exclude each other", argv[0]);
     if (of != MEASURE_PRECISIONS && out->core_count > 1)
         return error_set(err, "%s: one --precision at a time", argv[0]);
     if (of != MEASURE_PRECISIONS && out->variant_count)

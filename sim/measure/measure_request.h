@@ -34,6 +34,7 @@ struct measure_request {
     char variants[MEASURE_CORES_MAX][SUB_BITS_NAME_B]; /* with other sub-pixel bits, to be loaded: they come behind */
     const struct measure_cpu *cpus[MEASURE_REQUEST_CPUS_MAX];
     size_t core_count, variant_count;
+    const char *optimise;       /* as measure_views has it */
     size_t cpu_count;           /* 0: accuracy only */
     size_t frames, cost_frames; /* MEASURE_METHODS: how many of the cameras, and of these for instructions */
 };

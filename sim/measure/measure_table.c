@@ -145,7 +145,8 @@ void measure_table_markdown(const struct measure_table *table, FILE *out)
     measure_refusals_print(&table->refused, "\n", out);
     print_texels(table, out);
     for (size_t cpu = 0; cpu < table->cpu_count; cpu++) {
-        fprintf(out, "\n## %s\n\n", table->cpus[cpu]->title);
+        fprintf(out, "\n## %s%s%s\n\n", table->cpus[cpu]->title, table->optimise ? ", code for " : "",
+                table->optimise ? table->optimise : "");
         fputs("| precision | wrong, % | instructions a frame | worst frame (its number) | a vertex | a plane test "
               "| RAM, bytes | state + pools + variables | flash: code | support library | scene | choice |\n"
               "|---|---|---|---|---|---|---|---|---|---|---|---|\n",

@@ -24,6 +24,7 @@ struct measure_table {
     unsigned w_px, h_px;
     const struct measure_cpu *const *cpus; /* cpu_count of them; 0: cost was not measured */
     size_t cpu_count;
+    const char *optimise; /* what the code is for; NULL: speed, as usual */
     struct measure_row *rows;
     size_t row_count;
     struct measure_refusals refused; /* those that have no row */

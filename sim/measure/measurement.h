@@ -74,6 +74,7 @@ struct measure_views {
     const struct camera_path *path;
     const struct lens *lens;
     unsigned w_px, h_px;
+    const char *optimise; /* what the code that is counted is for, as --optimise has it; NULL: speed */
 };
 
 /* A renderer and the scene compiled for it (profile exact wants vertices with fractions). */
@@ -131,6 +132,9 @@ bool measure_cpu_parse(const char *name, const struct measure_cpu **out, struct 
 
 /* Refuses, naming the Debian package, when a tool for the processor is not there. */
 bool measure_cpu_check(const struct measure_cpu *cpu, struct error *err);
+
+/* Of --optimise: sim/targets/count.sh has the flags. */
+bool measure_optimise_check(const char *name, struct error *err);
 
 /* One source file of firmware/, with what the compiler's support library does for it. */
 struct cost_stage {

@@ -202,7 +202,7 @@ static void forget_pictures(struct page_view *view)
 /* All are counted, the first ones or evenly chosen ones shown. */
 static bool draw_views(struct page *page, struct error *err)
 {
-    const struct measure_views views = {&page->path, &page->lens, page->request.w_px, page->request.h_px};
+    const struct measure_views views = {&page->path, &page->lens, page->request.w_px, page->request.h_px, NULL};
     const size_t count = page->path.count;
     for (size_t i = 0; i < count && !(i && deadline_passed()); i++, page->view_count++) {
         progress_bar(i, count, "view %zu of %zu", i + 1, count);
@@ -271,19 +271,19 @@ static bool search_worst(struct page *page, struct error *err)
 {
     const struct measure_request *request = &page->request;
     const struct measure_candidate candidate = {request->cores[0], &page->scene};
-    const struct measure_views lens = {NULL, &page->lens, request->w_px, request->h_px};
+    const struct measure_views lens = {NULL, &page->lens, request->w_px, request->h_px, NULL};
     if (!worst_views_find(&page->source, &candidate, &lens, &request->worst, &page->worst, err))
         return error_prefix(err, request->model);
     struct viewpoint found[2] = {page->worst.cost.goals[0].worst, page->worst.error.goals[0].worst};
     const struct camera_path path = {"searched cameras", found, 2};
-    const struct measure_views views = {&path, &page->lens, request->w_px, request->h_px};
+    const struct measure_views views = {&path, &page->lens, request->w_px, request->h_px, NULL};
     return draw_view(page, &views, 0, &page->worst_cost, err) && draw_view(page, &views, 1, &page->worst_error, err);
 }
 
 bool page_collect(struct page *page, struct error *err)
 {
     const struct measure_request *request = &page->request;
-    const struct measure_views views = {&page->path, &page->lens, request->w_px, request->h_px};
+    const struct measure_views views = {&page->path, &page->lens, request->w_px, request->h_px, NULL};
     if (!measure_request_check(request, err) ||
         !measure_request_load(request, &page->source, &page->lens, &page->path, err) || !add_precisions(page, err))
         return false;

@@ -79,6 +79,7 @@ tap_check "but not elsewhere" completes '' limner module --panel me
 tap_check "a method" completes 'painter portals' limner render --method p
 tap_check "a profile" completes 'draft fast fine exact' limner compile --precision ''
 tap_check "a processor" completes 'm0plus m3 m4 m33 rv32' limner compile --core ''
+tap_check "what code is for" completes 'speed balance size' limner measure --optimise ''
 tap_check "where to export to" completes 'arduino idf pico cmake plain' limner export --for ''
 tap_check "a boot drive's processor" completes 'rp2040 rp2350-arm-s' limner uf2 --family rp
 tap_check "a chip of Espressif's" completes 'esp32c3' limner espimage --chip ''

@@ -102,6 +102,8 @@ tap_check "a profile named twice is refused" refuses "named twice" measure --pre
 tap_check "an unknown processor is refused" refuses "there are m0plus, m3, m4, m33 and rv32" measure --core z80
 tap_check "an empty name is refused" refuses "divided by commas" measure --precision fast,
 tap_check "a processor without counting is refused" refuses "exclude each other" measure --core m4 --no-cost
+tap_check "code for what is unknown is refused" refuses "--optimise beauty: speed, balance or size" measure --optimise beauty
+tap_check "code that is not counted is refused" refuses "exclude each other" measure --optimise size --no-cost
 tap_check "a missing model is refused" refuses "none.obj" "$BUILD/limner" measure none.obj --no-cost
 tap_check "sim/MEASURED.md's accuracy of rooms is what is measured now" sh sim/tools/tables.sh --check tradeoff:rooms
 tap_done
