@@ -281,6 +281,28 @@ struct lim_mesh_edge {
 };
 #endif
 
+/* Of a triangle over which texels do not advance evenly. */
+union lim_mesh_gradients {
+    struct lim_gradients gradients;
+    union lim_mesh_gradients *next; /* of those that are free */
+};
+
+/* What a triangle shows, where the scene has textures: texels that advance evenly; or, without a palette, what the
+ * gradients say; or, without texels, one colour. */
+struct lim_mesh_look {
+    struct lim_texture_level level;
+    __extension__ union { /* C++ wants names for both */
+        struct lim_texture_even even;
+        union lim_mesh_gradients *gradients;
+    };
+};
+
+/* Room for gradients, at the end of the pool. */
+struct lim_mesh_looks {
+    union lim_mesh_gradients *free;
+    uint16_t whole_size; /* of the pool; what lim_mesh.pool_size is less has become theirs */
+};
+
 /* A triangle that crosses the current line. */
 struct lim_mesh_active {
     struct lim_mesh_active *next;
@@ -293,6 +315,7 @@ struct lim_mesh_active {
     uint8_t goes_on; /* enum lim_mesh_turn */
     uint8_t part;    /* of the fan of triangles that stands for what clipping made non-monotone; 0: there is none */
     LIM_OPTIONAL(struct lim_mesh_depth, depth, LIM_HAS_MESH_DEPTH);
+    LIM_OPTIONAL(struct lim_mesh_look, look, LIM_HAS_TEXTURE);
     LIM_OPTIONAL(bool, seen, LIM_HAS_STATS); /* it has painted a pixel */
 };
 
@@ -335,6 +358,7 @@ struct lim_mesh {
     uint32_t parts;                 /* lim_bands() */
     bool is_complete;               /* `first` has all that cross the last line */
     LIM_OPTIONAL(struct lim_mesh_depths, depths, LIM_HAS_MESH_DEPTH);
+    LIM_OPTIONAL(struct lim_mesh_looks, looks, LIM_HAS_TEXTURE);
 };
 
 /* Memory ---------------------------------------------------------------------------------------------------------- */

@@ -12,7 +12,7 @@
 
 /* The form of a scene's NAME.c and NAME.h, which say for which one they were written. It changes whenever files that
  * were written before would compile to something wrong. */
-#define LIM_SCENE_FORMAT 8
+#define LIM_SCENE_FORMAT 9
 
 /* An index into a scene's arrays, and a word of its polygons. Wide scenes have more than 16 bits can count. */
 #if LIM_HAS_WIDE
@@ -102,7 +102,8 @@ enum { LIM_POLYGON_HEAD_WORDS = 2, LIM_POLYGON_TEXTURE_WORDS = 2 };
 
 /* A scene of no nodes is a mesh: for LIM_MESH and LIM_MESH_DEPTH alone, as those draw no others. Its records are
  * triangles of LIM_TRIANGLE_WORDS words: three vertex indices, counter-clockwise seen from the side that it faces, and
- * its colour, RGB565 as a number. boxes[0] holds all of it, and there are no planes. */
+ * its colour, RGB565 as a number; or, where the scene has textures, the index of its texture: of one of a single texel
+ * where it is of one colour. boxes[0] holds all of it, and there are no planes and no mappings. */
 enum { LIM_TRIANGLE_WORDS = 4 };
 
 /* A leaf has no plane and no children; its front_run comes in an order that is right from everywhere, nearest
@@ -148,14 +149,21 @@ enum { LIM_MAPPING_BITS = 31, LIM_MAPPING_UPRIGHT = 32, LIM_MAPPING_AXIS_SHIFT =
 #endif
 #define LIM_MAPPING_UPRIGHT_N 16384 /* how long the normal of an axis plane is taken to be */
 
+/* Where a vertex of a mesh with textures lies in the picture, u to the right, v down, each in 2^-place_bits of the
+ * width of its triangles' texture, counted from any whole number of widths. */
+struct lim_uv {
+    int16_t u LIM_WORD_ALIGNED;
+    int16_t v;
+};
+
 /* A picture of 2^w_bits x 2^h_bits texels, an index of the palette each, a row after the other from the top; then the
  * same in half the size, and so on. Sizes are 0..10 bits, and none is higher than wide. */
 struct lim_texture {
     uint16_t texels;  /* where it begins in lim_scene.texels, in blocks */
     uint16_t palette; /* where its colours begin in lim_scene.palettes */
     uint8_t w_bits, h_bits;
-    uint8_t levels; /* 1..h_bits + 1 */
-    uint8_t zero;
+    uint8_t levels;     /* 1..h_bits + 1 */
+    uint8_t place_bits; /* of a mesh: of struct lim_uv, 0..15; else 0 */
 };
 enum { LIM_TEXEL_BLOCK = 16 };
 
@@ -210,6 +218,7 @@ struct lim_scene {
     const LIM_FLASH uint16_t *palettes; /* colours as they lie in memory: fill.h */
     const LIM_FLASH uint8_t *texels;    /* indices of colours */
     uint16_t mapping_count, texture_count, palette_colours, texel_blocks;
+    LIM_OPTIONAL(const LIM_FLASH struct lim_uv *, uvs, LIM_HAS_MESHES); /* of a mesh: vertex_count of them */
 #endif
 #if LIM_HAS_PORTALS
     const LIM_FLASH struct lim_place *places;

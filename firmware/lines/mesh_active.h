@@ -5,6 +5,7 @@
 #define LIM_MESH_ACTIVE_H
 
 #include "lines/mesh_clip.h"
+#include "lines/mesh_texture.h"
 #include "orders.h"
 #include "screen/edge.h"
 #include "view/pass.h"
@@ -44,6 +45,7 @@ static inline void lim_mesh_give_back(struct lim_mesh *mesh, struct lim_mesh_act
 {
     struct lim_mesh_active *active = *link;
 
+    if (LIM_HAS_TEXTURE) lim_mesh_texture_leave(mesh, active);
     *link = active->next;
     active->next = mesh->free;
     mesh->free = active;
@@ -90,7 +92,7 @@ void lim_mesh_clear(struct lim_mesh *mesh);
 /* The triangles that begin on line y: into mesh->begins, in their order. false: the pool has no room. */
 bool lim_mesh_begin_all(struct lim_mesh *mesh, uint16_t y);
 
-/* Ranks from <= rank < below. */
+/* Ranks from <= rank < below; and that of the triangle for which there was no room last. */
 struct lim_mesh_range {
     lim_mesh_rank from, below;
     lim_mesh_rank tried; /* that of the triangle that was begun last, if there was room or not */

@@ -6,6 +6,8 @@
  * cut to 15 bits, as A's reciprocal has 15. Both cuts are some 2^-14 of what nearness gains across the triangle. */
 #include "lines/mesh_depth.h"
 
+#include "lines/mesh_plane.h"
+#include "lines/mesh_texture.h"
 #include "math/fixed.h"
 #include "pixels/fill.h"
 #include "view/pass.h"
@@ -27,23 +29,6 @@ static uint32_t gradient_q16(int32_t numerator, uint32_t recip_q15, uint8_t shif
     size *= recip_q15;
     size = up >= 0 ? up > 31 ? 0 : size << up : up < -31 ? 0 : size >> -up;
     return numerator < 0 ? 0 - size : size;
-}
-
-struct plane_of_three {
-    int32_t ux, uy, vx, vy;     /* sub-pixels, halved */
-    uint8_t halved_x, halved_y; /* bits */
-};
-
-/* Two differences along an axis, to 14 bits and a sign. Returns how often they are halved. */
-static inline uint8_t mesh_halve(int32_t *u, int32_t *v)
-{
-    const uint32_t most = abs_s32(*u) | abs_s32(*v);
-
-    if (most >> 14 == 0) return 0;
-    const uint8_t bits = (uint8_t)(18 - clz_u32(most));
-    *u >>= bits;
-    *v >>= bits;
-    return bits;
 }
 
 /* The axes apart: a triangle may be as narrow as a line is high. */
@@ -174,10 +159,15 @@ bool lim_mesh_depth_paint(struct lim_mesh *mesh, const struct lim_mesh_line *lin
                           int32_t x0, int32_t x1)
 {
     const uint16_t below = (uint16_t)(line->y + 1);
+    const int32_t left = x0, right = x1;
 
     if (x0 < line->x0) x0 = line->x0;
     if (x1 > line->x1) x1 = line->x1;
-    if (x0 < x1) mesh_fill(line->pixels, depths_of(mesh, line->y), active, x0, x1);
+    if (LIM_HAS_TEXTURE && x0 < x1 && lim_mesh_is_textured(active))
+        lim_mesh_texture_paint_deep(mesh, line, active,
+                                    &(struct lim_mesh_depth_span){depths_of(mesh, line->y), left, right, x0, x1});
+    else if (x0 < x1)
+        mesh_fill(line->pixels, depths_of(mesh, line->y), active, x0, x1);
     active->depth->at_q16 += active->depth->y_q16;
     if (active->bottom == below) return false;
     active->turn = (uint16_t)(below + 1);

@@ -72,6 +72,18 @@ static LIM_INLINE bool go_on(struct lim_mesh *mesh, const struct lim_mesh_line *
     return true;
 }
 
+/* Texels that advance evenly are painted without delay. */
+static LIM_INLINE void paint_texels(struct lim_mesh *mesh, const struct lim_mesh_line *line, uint16_t *pixels,
+                                    struct lim_mesh_active *active, int32_t left, int32_t right, int32_t x0, int32_t x1)
+{
+    if (LIM_UNLIKELY(lim_mesh_is_in_perspective(active))) {
+        lim_mesh_texture_paint(mesh, line, active, left, right, x0, x1);
+        return;
+    }
+    const struct lim_texture_walk walk = lim_texture_even_walk(&active->look->even, x0, line->y);
+    lim_texels_paint(pixels + x0, (uint_fast16_t)(x1 - x0), walk.place, walk.step, &active->look->level);
+}
+
 /* Paints a triangle, and puts it on the next line. false: that has none of it. */
 static LIM_INLINE bool paint_one(struct lim_mesh *mesh, const struct lim_mesh_line *line, uint16_t *pixels,
                                  uint16_t below, struct lim_mesh_active *active, bool inside)
@@ -79,7 +91,10 @@ static LIM_INLINE bool paint_one(struct lim_mesh *mesh, const struct lim_mesh_li
     const int32_t left = lim_mesh_edge_next(&active->edges[0]), right = lim_mesh_edge_next(&active->edges[1]);
     const int32_t x0 = inside || left > line->x0 ? left : line->x0, x1 = inside || right < line->x1 ? right : line->x1;
 
-    if (x0 < x1) lim_fill_inline(pixels, (int_fast16_t)x0, (int_fast16_t)x1, active->colour);
+    if (LIM_HAS_TEXTURE && x0 < x1 && lim_mesh_is_textured(active))
+        paint_texels(mesh, line, pixels, active, left, right, x0, x1);
+    else if (x0 < x1)
+        lim_fill_inline(pixels, (int_fast16_t)x0, (int_fast16_t)x1, active->colour);
     if (LIM_HAS_STATS && x0 < x1) mesh_note(lim_stats_of(mesh->pass), line, active, x0, x1);
     return active->turn != below || go_on(mesh, line, active, left, right);
 }
@@ -113,6 +128,11 @@ static void note_active(struct lim_mesh *mesh)
     struct lim_stats *stats = lim_stats_of(mesh->pass);
     uint16_t count = 0;
 
+    if (lim_mesh_has_textures(mesh)) {
+        count = lim_mesh_texture_used(mesh);
+        if (count > stats->active_max) stats->active_max = count;
+        return;
+    }
     for (const struct lim_mesh_active *active = mesh->first; active != &mesh->end; active = active->next)
         count++;
     for (const struct lim_mesh_active *active = mesh->begins; active != &mesh->end; active = active->next)

@@ -17,11 +17,13 @@
 #if LIM_HAS_MESHES
 
 /* All parts of one clipped triangle find room. */
-enum { LEAST_ACTIVE = MESH_FAN + 1 };
+enum { LEAST_ACTIVE = MESH_FAN + 1, LEAST_TEXTURED = LEAST_ACTIVE + MESH_FAN * MESH_GRADIENT_ENTRIES };
 
 static uint16_t active_of(const struct lim_scene *scene, bool least)
 {
-    return least || scene->limits.active < LEAST_ACTIVE ? (uint16_t)LEAST_ACTIVE : scene->limits.active;
+    const uint16_t fewest = lim_texture_count(scene) ? LEAST_TEXTURED : LEAST_ACTIVE;
+
+    return least || scene->limits.active < fewest ? fewest : scene->limits.active;
 }
 
 static size_t mem_b_of(const struct lim_scene *scene, const struct lim_target *target, uint16_t active)
@@ -55,13 +57,14 @@ void lim_mesh_init(struct lim_mesh *mesh, void *mem, size_t mem_b)
     uint8_t *at = mem;
 
     mesh->pool_size = most < wanted ? (uint16_t)most : wanted;
+    if (LIM_HAS_TEXTURE) mesh->looks->whole_size = mesh->pool_size;
     mesh->pool = lim_mem_cut(&at, mesh->pool_size * sizeof *mesh->pool);
     mesh->points = lim_mem_cut(&at, scene->vertex_count * sizeof *mesh->points);
     if (LIM_HAS_MESH_DEPTH) cut_depths(mesh, &at);
     mesh->links = lim_mem_cut(&at, scene->polygon_count * sizeof *mesh->links);
     mesh->tops = lim_mem_cut(&at, pass->target.h_px * sizeof *mesh->tops);
     mesh->nearness = lim_mem_cut(&at, scene->vertex_count * sizeof *mesh->nearness);
-    mesh->end = (struct lim_mesh_active){.rank = (lim_mesh_rank)-1};
+    mesh->end = (struct lim_mesh_active){.rank = (lim_mesh_rank)-1}; /* and no texels */
     lim_view_init(&pass->view, pass->target.w_px, pass->target.h_px, NULL);
 }
 
@@ -228,11 +231,16 @@ static lim_mesh_rank drop_last(struct lim_mesh *mesh)
 }
 
 /* There is no room for the triangle that was tried. What is last in the order, of it and of those that are there, waits
- * for another part. So the first is always painted, and each part has one at least. */
+ * for another part. So the first is always painted, and each part has one at least: with nothing beside it there is
+ * room for any in cleared pools. */
 static void make_room(struct lim_mesh *mesh, struct lim_mesh_range *range)
 {
     lim_mesh_rank last = 0;
 
+    if (mesh->begins == &mesh->end) {
+        lim_mesh_clear(mesh);
+        return;
+    }
     for (const struct lim_mesh_active *active = mesh->begins; active != &mesh->end; active = active->next)
         last = active->rank;
     range->below = range->tried > last ? range->tried : drop_last(mesh);

@@ -7,8 +7,6 @@
 
 #include "stages.h"
 
-#if LIM_HAS_TEXTURE
-
 /* The texel at a place: columns from its upper half, rows from its lower one. A picture's rows are as long as it is
  * wide at this level, 2^w_bits, a constant wherever time matters: two instructions then, on processors that shift what
  * they add. The rows' mask leaves those that the picture has: it is at most as high as it is wide. */
@@ -19,6 +17,8 @@ static LIM_INLINE uint_fast16_t lim_texel_at(uint32_t place, uint32_t rows_mask,
 
     return (uint_fast16_t)((rows & rows_mask) + (place >> (32 - w_bits)));
 }
+
+#if LIM_HAS_TEXTURE
 
 #define LIM_TEXEL_NEXT(k)                                                                                              \
     to[k] = palette[texels[lim_texel_at(place, rows_mask, w_bits)]];                                                   \
@@ -51,10 +51,10 @@ static LIM_INLINE void lim_texels_paint_sized(uint16_t *to, uint_fast16_t n, uin
     // clang-format on
 }
 
-/* The same for a level of any width. */
+#endif
+
+/* The same for a level of any width. There if LIM_HAS_TEXTURE. */
 void lim_texels_paint(uint16_t *to, uint_fast16_t n, uint32_t place, uint32_t step,
                       const struct lim_texture_level *level);
-
-#endif
 
 #endif

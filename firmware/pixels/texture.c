@@ -8,19 +8,11 @@
 
 #include "math/fixed.h"
 #include "math/orientation.h"
+#include "pixels/texture_planes.h"
 
 #if LIM_HAS_TEXTURE
 
-enum { PLANE_BITS = 30, MIDDLE_OF_LEVEL_Q4 = 8, TEXEL_BLOCK = LIM_TEXEL_BLOCK };
-
-/* log2(x) for x >= 1. */
-static inline int16_t log2_q4(uint32_t x)
-{
-    uint8_t zeros;
-    const uint32_t mantissa_q31 = normalise_u32(x, &zeros);
-
-    return (int16_t)(LIM_TEXTURE_LOG2_Q4 + (int16_t)(mantissa_q31 >> 27) - zeros * 16);
-}
+enum { PLANE_BITS = 30 };
 
 /* Once a frame ------------------------------------------------------------------------------------- */
 
@@ -202,11 +194,6 @@ static inline void negate(struct lim_texture_plane *plane)
     plane->y = -plane->y;
 }
 
-static inline int32_t plane_at(const struct lim_texture_plane *plane, int32_t x, int32_t y)
-{
-    return plane->at + plane->x * x + plane->y * y;
-}
-
 /* Depth at 2^far_bits units: h / 2^far_bits, in the format of `depth`. Rounding leaves some pixels outside of their
  * polygon, and there the depth may be anything; no smaller one is ever divided by. */
 static inline int32_t depth_min_of(struct height height, int8_t depth_bits, uint8_t far_bits)
@@ -227,42 +214,6 @@ static inline uint32_t eye_place_q16(const struct lim_texturing *texturing, cons
     return at_zero_q16 + (down >= 16  ? lim_texture_shifted(high + (low >> 16), down - 16)
                           : down >= 0 ? ((uint32_t)high << (16 - down)) + (uint32_t)(low >> down)
                                       : ((uint32_t)high << 8 << (8 - down)) + ((uint32_t)low << -down));
-}
-
-/* The pixels of the screen around a polygon: their middle, and how far they reach from there. */
-struct around {
-    int32_t x, y, w, h;
-};
-
-static inline void middle_of(int32_t least, int32_t most, int16_t side_px, int32_t *middle, int32_t *reach)
-{
-    int32_t from = (least >> LIM_SUB_BITS) + LIM_ORIGIN_PX, to = (most >> LIM_SUB_BITS) + LIM_ORIGIN_PX + 1;
-
-    if (from < 0) from = 0;
-    if (to > side_px) to = side_px;
-    *middle = (from + to) >> 1;
-    *reach = ((to - from) >> 1) + 1;
-}
-
-static inline struct around around_points(const struct lim_texturing *texturing, const struct lim_point *at, uint8_t n)
-{
-    struct around around;
-
-    if (!n) {
-        const int32_t w = texturing->w_px >> 1, h = texturing->h_px >> 1;
-        return (struct around){w, h, w + 1, h + 1};
-    }
-    int32_t left = at->x, right = left, top = at->y, bottom = top;
-    while (--n) {
-        const int32_t x = (++at)->x, y = at->y;
-        if (x < left) left = x;
-        if (x > right) right = x;
-        if (y < top) top = y;
-        if (y > bottom) bottom = y;
-    }
-    middle_of(left, right, texturing->w_px, &around.x, &around.w);
-    middle_of(top, bottom, texturing->h_px, &around.y, &around.h);
-    return around;
 }
 
 /* What has to be known before it is decided how to draw. */
@@ -322,12 +273,6 @@ static inline int32_t step_of(int32_t gradient, int32_t ratio, int32_t depth_gra
     return (int32_t)(lim_texture_shifted(lim_texture_times(rest, h_recip), down - 1) + 1) >> 1;
 }
 
-/* How far from that of the middle the depth of any pixel is. */
-static inline int32_t depth_range(const struct lim_texture_plane *depth, const struct around *around)
-{
-    return ((int32_t)abs_s32(depth->x) * around->w + (int32_t)abs_s32(depth->y) * around->h) * 2;
-}
-
 /* Whether the polygon may be drawn so, and how.
  *
  * Where depth is (1 + e) times that of the middle, texels are off by e / (1 + e) of their way from there along the
@@ -371,49 +316,15 @@ static bool set_even(const struct lim_texturing *texturing, const struct seen *s
     out->even.y = lim_texture_packed((uint32_t)step_y[0], (uint32_t)step_y[1]);
     out->even.place =
         (place[0] << 16 | (uint16_t)place[1]) - out->even.x * (uint32_t)around->x - out->even.y * (uint32_t)around->y;
-    lim_texture_set_level(texturing->scene, out, level);
+    lim_texture_set_level(texturing->scene, out->texture, level, &out->level);
     return true;
 }
 
 /* In perspective -------------------------------------------------------------------------------------------------- */
 
-/* How the place would change along a line, times depth^2 / h: the larger of what both coordinates have, of two lines.
- */
-static inline uint32_t change_of(const struct lim_texture_planes *planes, int32_t x, const int32_t y[2])
-{
-    uint32_t most = 1;
-
-    for (uint_fast8_t k = 0; k < 2; k++) {
-        const int32_t depth = plane_at(&planes->depth, x, y[k]);
-        for (uint_fast8_t i = 0; i < 2; i++) {
-            const struct lim_texture_plane *uv = &planes->uv[i];
-            const uint32_t change =
-                abs_s32(mul_high_s32(uv->x, depth) - mul_high_s32(plane_at(uv, x, y[k]), planes->depth.x));
-            if (change > most) most = change;
-        }
-    }
-    return most;
-}
-
-/* Between the ends of n pixels, of which each is g texels farther than the one before and 2 X farther in depth, texels
- * are off by n^2 g X / (2 depth) at most, where depth is what it is at the farther end. g follows from `change` and
- * depth^2, and the level from depth^(3/2): so n^2 is a matter of the level, but for factors that are gathered here. */
-static int16_t even_q4_of(const struct seen *seen, uint32_t change, uint8_t w_bits)
-{
-    const int32_t slope_q4 = log2_q4(abs_s32(seen->depth.x) | 1);
-    const int32_t real_level_q4 = seen->level_q4 - MIDDLE_OF_LEVEL_Q4 + 3 * LIM_TEXTURE_LOG2_Q4 / 2;
-    const int32_t even_q4 = 16 * (seen->shift - w_bits - LIM_TEXTURE_OFF_BITS - 13) - (log2_q4(change) + 32 * 16) -
-                            slope_q4 + 2 * real_level_q4 + MIDDLE_OF_LEVEL_Q4;
-
-    return (int16_t)(even_q4 > INT16_MAX ? INT16_MAX : even_q4 < INT16_MIN ? INT16_MIN : even_q4);
-}
-
 static void set_planes(const struct lim_texturing *texturing, const struct seen *seen, const struct around *around,
                        struct lim_gradients *out)
 {
-    const int32_t x = 2 * around->x + 1 - texturing->w_px, y = 2 * around->y + 1 - texturing->h_px;
-    const int32_t ys[2] = {y - 2 * around->h, y + 2 * around->h};
-    const int32_t depth = plane_at(&seen->depth, x, y), range = depth_range(&seen->depth, around);
     struct lim_texture_planes *planes = &out->planes;
 
     for (uint_fast8_t i = 0; i < 2; i++) {
@@ -424,62 +335,7 @@ static void set_planes(const struct lim_texturing *texturing, const struct seen 
     planes->depth = seen->depth;
     planes->depth_min = depth_min_of(seen->height, seen->depth_bits, texturing->far_bits);
     planes->level_q4 = seen->level_q4;
-    out->shift = seen->shift;
-    for (; out->shift > 31; out->shift--)
-        for (uint_fast8_t i = 0; i < 2; i++)
-            planes->uv[i].at >>= 1, planes->uv[i].x >>= 1, planes->uv[i].y >>= 1;
-    planes->even_q4 = even_q4_of(seen, change_of(planes, x, ys), out->texture->w_bits);
-    out->slope_zeros = clz_u32(abs_s32(seen->depth.x) | 1);
-    const uint32_t near_bits = lim_texture_stretch_bits(out, depth + range),
-                   far_bits = lim_texture_stretch_bits(out, depth - range);
-    out->bits = near_bits == far_bits ? (uint8_t)far_bits : 0;
-    planes->level_depths = 0;
-}
-
-void lim_texture_set_level(const struct lim_scene *scene, struct lim_gradients *gradients, uint8_t number)
-{
-    const LIM_FLASH struct lim_texture *texture = gradients->texture;
-    struct lim_texture_level *level = &gradients->level;
-    const uint8_t w_bits = (uint8_t)(texture->w_bits - number), h_bits = (uint8_t)(texture->h_bits - number);
-    uint32_t size = UINT32_C(1) << (texture->w_bits + texture->h_bits);
-
-    level->number = number;
-    level->w_bits = w_bits;
-    level->rows_mask = ((UINT32_C(1) << h_bits) - 1) << w_bits;
-    level->palette = scene->palettes + texture->palette;
-    level->texels = scene->texels + (uint32_t)texture->texels * TEXEL_BLOCK;
-    for (; number; number--, size >>= 2)
-        level->texels += size;
-}
-
-/* The least depth whose log2 is that, as lim_texture_level_q4() has it. */
-static uint32_t texture_depth_of(int32_t log2_q4)
-{
-    const int32_t zeros = (31 - log2_q4) >> 4;
-
-    if (zeros < 0) return UINT32_MAX;
-    return zeros > 31 ? 0 : (uint32_t)(log2_q4 + 16 * zeros) << 27 >> zeros;
-}
-
-/* x / 3, rounded up, for |x| < 2^14: 43691 / 2^17 is a third and 2^-18. */
-static inline int32_t third_up(int32_t x)
-{
-    return ((x + 2 + 3 * (1 << 13)) * 43691 >> 17) - (1 << 13);
-}
-
-/* Level n is shown where 16 n <= level_q4 - floor(3/2 log2) < 16 n + 16, but for the first one and the last one. */
-void lim_texture_suit_level(const struct lim_scene *scene, struct lim_gradients *gradients, uint32_t depth)
-{
-    struct lim_texture_planes *planes = &gradients->planes;
-    const uint8_t levels = gradients->texture->levels;
-    const uint8_t number = lim_texture_level_of(lim_texture_level_q4(planes->level_q4, depth, clz_u32(depth)), levels);
-    const int32_t from_q4 = third_up(2 * (planes->level_q4 - 16 * number - 15));
-    const int32_t to_q4 = third_up(2 * (planes->level_q4 - 16 * number + 1));
-    const uint32_t from = number == levels - 1 ? 0 : texture_depth_of(from_q4);
-
-    planes->level_depth = from;
-    planes->level_depths = (number ? texture_depth_of(to_q4) : UINT32_MAX) - from;
-    lim_texture_set_level(scene, gradients, number);
+    lim_texture_settle(texturing, around, seen->shift, out);
 }
 
 void lim_texture_set(const struct lim_texturing *texturing, uint16_t word, const struct lim_point *at, uint8_t n,

@@ -60,8 +60,9 @@ void lim_texture_begin(struct lim_texturing *texturing, const struct lim_scene *
 void lim_texture_set(const struct lim_texturing *texturing, uint16_t word, const struct lim_point *at, uint8_t n,
                      struct lim_gradients *out);
 
-/* A level of the polygon's texture; and that of a depth, with all the depths that have it. */
-void lim_texture_set_level(const struct lim_scene *scene, struct lim_gradients *gradients, uint8_t number);
+/* A level of a texture; and of a polygon's that of a depth, with all the depths that have it. */
+void lim_texture_set_level(const struct lim_scene *scene, const LIM_FLASH struct lim_texture *texture, uint8_t number,
+                           struct lim_texture_level *level);
 void lim_texture_suit_level(const struct lim_scene *scene, struct lim_gradients *gradients, uint32_t depth);
 
 /* 1 / depth as r * 2^(zeros - 62). In draft and fast r has 15 bits, as good as x / z has: texels are off by 2^-15 of
@@ -155,6 +156,12 @@ void lim_texture_line_next(struct lim_texture_line *line);
 static inline uint32_t lim_texture_place(const struct lim_texture_line *line, int32_t x)
 {
     return line->walk.place + line->walk.step * (uint32_t)(x - line->x);
+}
+
+/* Of a polygon that is even all over. */
+static inline struct lim_texture_walk lim_texture_even_walk(const struct lim_texture_even *even, int32_t x, int32_t y)
+{
+    return (struct lim_texture_walk){even->place + even->x * (uint32_t)x + even->y * (uint32_t)y, even->x};
 }
 
 /* Paints pixels x0 <= x < x1 of it. */

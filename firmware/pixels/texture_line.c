@@ -88,11 +88,6 @@ static LIM_IN_EACH_CALLER void begin_stretches(struct lim_texture_line *line, co
     stretch(line, planes);
 }
 
-static inline struct lim_texture_walk even_walk(const struct lim_texture_even *even, int32_t x, int32_t y)
-{
-    return (struct lim_texture_walk){even->place + even->x * (uint32_t)x + even->y * (uint32_t)y, even->x};
-}
-
 void lim_texture_line_begin(struct lim_texture_line *line, const struct lim_textured_span *span, int16_t x)
 {
     line->divisions = 0;
@@ -102,7 +97,7 @@ void lim_texture_line_begin(struct lim_texture_line *line, const struct lim_text
     }
     line->x = span->left;
     line->end = span->right;
-    line->walk = even_walk(&span->gradients->even, span->left, span->y);
+    line->walk = lim_texture_even_walk(&span->gradients->even, span->left, span->y);
 }
 
 void lim_texture_line_next(struct lim_texture_line *line)
@@ -137,7 +132,7 @@ void lim_texture_fill(const struct lim_textured_span *span, uint16_t *pixels, ui
         fill_stretches(span, pixels, x0, x1, stats);
         return;
     }
-    const struct lim_texture_walk walk = even_walk(&gradients->even, x0, span->y);
+    const struct lim_texture_walk walk = lim_texture_even_walk(&gradients->even, x0, span->y);
     lim_texels_paint(pixels + x0, (uint_fast16_t)(x1 - x0), walk.place, walk.step, &gradients->level);
 }
 

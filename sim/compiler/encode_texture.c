@@ -17,6 +17,8 @@ enum { COUNT_MAX = 0xFFFF, SUM_MAX = 32767, LIGHT_BITS = 4 };
 static const double LEVEL_MIN = -16, LEVEL_MAX = 15.875; /* as far as 8 bits count eighths */
 static const double ANISOTROPY_MAX = 64;                 /* of a mapping, as far as its level of detail knows */
 
+static const uint64_t NO_PICTURE = UINT64_C(1) << 63; /* of a colour alone: no texture has that number */
+
 /* Light -------------------------------------------------------------------------------------- */
 
 /* To the nearest of 2^bits levels a channel; no light and full light are levels. */
@@ -109,7 +111,8 @@ static void look_add(struct texture_encoder *encoder, const struct mesh_polygon 
                              .palette = palette_add(out, texture, light_of(polygon->colour, encoder->light_bits)),
                              .w_bits = texture->w_bits,
                              .h_bits = texture->h_bits,
-                             .levels = texture->levels};
+                             .levels = texture->levels,
+                             .place_bits = encoder->place_bits ? encoder->place_bits[number] : 0};
 }
 
 /* Mappings ----------------------------------------------------------------------------------- */
@@ -205,14 +208,40 @@ static uint32_t mapping_index(struct texture_encoder *encoder, uint32_t number, 
     return (uint32_t)out->mapping_count++;
 }
 
+/* The texel that single ones share is a texture of its own. */
+static void colour_add(struct texture_encoder *encoder, uint16_t rgb565)
+{
+    uint8_t block[LIM_TEXEL_BLOCK] = {0};
+    const struct texture one = {.texels = block, .texel_count = sizeof block};
+    struct texture_arrays *out = encoder->out;
+    const uint32_t *known = map_find(&encoder->texels, NO_PICTURE);
+    const uint16_t texels = known ? (uint16_t)*known : texels_add(out, &one);
+    map_at(&encoder->texels, NO_PICTURE, texels);
+    out->textures = grow(out->textures, out->texture_count, &out->texture_capacity, sizeof *out->textures);
+    out->textures[out->texture_count++] =
+        (struct lim_texture){.texels = texels, .palette = (uint16_t)out->palette_colours, .levels = 1};
+    out->palettes = grow(out->palettes, out->palette_colours, &out->palette_capacity, sizeof *out->palettes);
+    out->palettes[out->palette_colours++] = lim_memory_colour(rgb565);
+}
+
+uint16_t texture_encode_look(struct texture_encoder *encoder, const struct mesh_polygon *polygon)
+{
+    const uint32_t count = (uint32_t)encoder->out->texture_count;
+    const uint16_t rgb565 = rgb565_nearest(polygon->colour);
+    const uint64_t key = polygon->mapping ? look_key(encoder, polygon) : NO_PICTURE | rgb565;
+    const uint32_t index = *map_at(&encoder->looks, key, count);
+    if (index == count && polygon->mapping)
+        look_add(encoder, polygon);
+    else if (index == count)
+        colour_add(encoder, rgb565);
+    return (uint16_t)index;
+}
+
 bool texture_encode(struct texture_encoder *encoder, const struct mesh_polygon *polygon,
                     const struct texture_plane *plane, uint16_t words[2])
 {
     if (!polygon->mapping) return false;
-    const uint32_t count = (uint32_t)encoder->out->texture_count;
-    const uint32_t index = *map_at(&encoder->looks, look_key(encoder, polygon), count);
-    if (index == count) look_add(encoder, polygon);
-    words[0] = (uint16_t)index;
+    words[0] = texture_encode_look(encoder, polygon);
     words[1] = (uint16_t)mapping_index(encoder, polygon->mapping, plane);
     return true;
 }

@@ -12,10 +12,11 @@
 struct texture_encoder {
     const struct mesh *mesh;
     struct texture_arrays *out;
-    struct map same;     /* hash -> first mapping of the scene with these bytes */
-    struct map looks;    /* texture and light -> texture of the scene */
-    struct map texels;   /* texture -> its first block */
-    unsigned light_bits; /* levels of light are 2^light_bits a channel */
+    struct map same;           /* hash -> first mapping of the scene with these bytes */
+    struct map looks;          /* texture and light -> texture of the scene */
+    struct map texels;         /* texture -> its first block */
+    unsigned light_bits;       /* levels of light are 2^light_bits a channel */
+    const uint8_t *place_bits; /* of a mesh: lim_texture.place_bits of each of its textures; else NULL */
 };
 
 /* The plane of a polygon as the scene has it, and where. */
@@ -30,6 +31,9 @@ void texture_encoder_init(struct texture_encoder *encoder, const struct mesh *me
 /* The words that a record has on the polygon's texture; false: it has none. */
 bool texture_encode(struct texture_encoder *encoder, const struct mesh_polygon *polygon,
                     const struct texture_plane *plane, uint16_t words[2]);
+
+/* Of a mesh: the texture of a polygon, and one of a single texel for one that has none. */
+uint16_t texture_encode_look(struct texture_encoder *encoder, const struct mesh_polygon *polygon);
 
 /* Where the texture cannot be shown, as on what is transparent: its mean, lit. */
 uint32_t texture_flat_colour(const struct mesh *mesh, const struct mesh_polygon *polygon);

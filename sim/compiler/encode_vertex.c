@@ -35,6 +35,12 @@ uint32_t vertex_encode(struct vertex_encoder *encoder, struct grid_point point)
     return index;
 }
 
+uint32_t vertex_encode_again(struct vertex_encoder *encoder, struct grid_point point)
+{
+    vertex_add(encoder, point);
+    return (uint32_t)encoder->out->vertex_count - 1;
+}
+
 void vertex_encoder_free(struct vertex_encoder *encoder)
 {
     map_free(&encoder->columns);

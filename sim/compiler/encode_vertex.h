@@ -18,6 +18,9 @@ struct vertex_encoder {
 /* The index of a point, entered if new. */
 uint32_t vertex_encode(struct vertex_encoder *encoder, struct grid_point point);
 
+/* The same point once more, for a record that has another place in its texture there. Nobody finds it by its point. */
+uint32_t vertex_encode_again(struct vertex_encoder *encoder, struct grid_point point);
+
 void vertex_encoder_free(struct vertex_encoder *encoder);
 
 #endif

@@ -38,6 +38,7 @@ static bool copy_scene(struct ids *ids, const struct compiled *scene)
     ids->scene.polygons = ids->polygons;
     ids->scene.background = 0;
     ids->scene.texture_count = 0; /* flat, so that a pixel is a number */
+    *ids->scene.uvs = NULL;
     return true;
 }
 

@@ -175,13 +175,21 @@ static void write_mappings(FILE *file, const struct lim_scene *scene, const stru
     end_array(file);
 }
 
+static void write_uvs(FILE *file, const struct lim_scene *scene, const struct c_name *prefix)
+{
+    begin_array(file, prefix, "struct lim_uv", "uvs", scene->vertex_count);
+    for (size_t i = 0; i < scene->vertex_count; i++)
+        fprintf(file, "%s{%d, %d},", i % 8 ? " " : "\n    ", (*scene->uvs)[i].u, (*scene->uvs)[i].v);
+    end_array(file);
+}
+
 static void write_looks(FILE *file, const struct lim_scene *scene, const struct c_name *prefix)
 {
     begin_array(file, prefix, "struct lim_texture", "textures", scene->texture_count);
     for (size_t i = 0; i < scene->texture_count; i++) {
         const struct lim_texture *texture = &scene->textures[i];
-        fprintf(file, "%s{%u, %u, %u, %u, %u, 0},", i % 4 ? " " : "\n    ", (unsigned)texture->texels,
-                (unsigned)texture->palette, texture->w_bits, texture->h_bits, texture->levels);
+        fprintf(file, "%s{%u, %u, %u, %u, %u, %u},", i % 4 ? " " : "\n    ", (unsigned)texture->texels,
+                (unsigned)texture->palette, texture->w_bits, texture->h_bits, texture->levels, texture->place_bits);
     }
     end_array(file);
 }
@@ -206,7 +214,8 @@ static void write_texels(FILE *file, const struct lim_scene *scene, const struct
 
 static void write_textures(FILE *file, const struct lim_scene *scene, const struct c_name *prefix)
 {
-    write_mappings(file, scene, prefix);
+    if (scene->mapping_count) write_mappings(file, scene, prefix);
+    if (*scene->uvs) write_uvs(file, scene, prefix);
     write_looks(file, scene, prefix);
     write_palettes(file, scene, prefix);
     write_texels(file, scene, prefix);
@@ -222,6 +231,7 @@ static void write_texture_fields(FILE *file, const struct lim_scene *scene, cons
 {
     if (!scene->texture_count) return;
     write_pointer(file, prefix, "mappings", scene->mapping_count);
+    if (*scene->uvs) fprintf(file, "    .uvs = {%s_uvs},\n", prefix->symbol);
     write_pointer(file, prefix, "textures", scene->texture_count);
     write_pointer(file, prefix, "palettes", scene->palette_colours);
     write_pointer(file, prefix, "texels", scene->texel_blocks);

@@ -19,6 +19,7 @@ void encoding_free(struct encoding *encoding)
 {
     free(encoding->vertices);
     free(encoding->fractions);
+    free(encoding->uvs);
     free(encoding->nodes);
     free(encoding->planes);
     free(encoding->exact);

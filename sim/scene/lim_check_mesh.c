@@ -11,13 +11,9 @@ static bool check_absent(const struct lim_scene *scene, struct error *err)
     const struct {
         const char *what;
         unsigned long count;
-    } absent[] = {{"planes", scene->plane_count},
-                  {"exact planes", scene->exact_count},
-                  {"places", scene->place_count},
-                  {"bytes of visible sets", scene->pvs_bytes},
-                  {"textures", scene->texture_count},
-                  {"mappings", scene->mapping_count},
-                  {"levels of a tree", scene->limits.depth},
+    } absent[] = {{"planes", scene->plane_count},     {"exact planes", scene->exact_count},
+                  {"places", scene->place_count},     {"bytes of visible sets", scene->pvs_bytes},
+                  {"mappings", scene->mapping_count}, {"levels of a tree", scene->limits.depth},
                   {"layers", scene->limits.layers}};
     for (size_t i = 0; i < sizeof absent / sizeof *absent; i++)
         if (absent[i].count) return error_set(err, "a mesh, and %lu %s beside it", absent[i].count, absent[i].what);
@@ -34,6 +30,9 @@ static bool check_triangle(const struct lim_scene *scene, size_t index, struct e
         if (words[k] == words[(k + 1) % 3])
             return error_set(err, "triangle %zu: vertex %lu is two of its corners", index, (unsigned long)words[k]);
     }
+    if (scene->texture_count)
+        return words[3] < scene->texture_count || error_set(err, "triangle %zu: texture %lu of %u", index,
+                                                            (unsigned long)words[3], (unsigned)scene->texture_count);
     return words[3] <= UINT16_MAX ||
            error_set(err, "triangle %zu: its colour is 0x%lx", index, (unsigned long)words[3]);
 }
@@ -48,6 +47,9 @@ bool lim_check_mesh(const struct lim_scene *scene, struct error *err)
     if (*scene->deep_from > scene->polygon_count)
         return error_set(err, "depth from triangle %lu on, of %lu", (unsigned long)*scene->deep_from,
                          (unsigned long)scene->polygon_count);
+    if (!*scene->uvs != !scene->texture_count)
+        return error_set(err, "a mesh of %u textures, and %s places of vertices in them",
+                         (unsigned)scene->texture_count, *scene->uvs ? "with" : "without");
     if (scene->limits.vertices != 3)
         return error_set(err, "limit of %u vertices a polygon in a mesh of triangles",
                          (unsigned)scene->limits.vertices);

@@ -6,7 +6,7 @@
 
 #include <stdlib.h>
 
-enum { SIDE_BITS_MAX = 10, PALETTE_COLOURS = 256, SUM_MAX = 32767 };
+enum { SIDE_BITS_MAX = 10, PALETTE_COLOURS = 256, SUM_MAX = 32767, PLACE_BITS_MAX = 15 };
 
 static bool check_texture(const struct lim_scene *scene, size_t index, struct error *err)
 {
@@ -16,7 +16,8 @@ static bool check_texture(const struct lim_scene *scene, size_t index, struct er
     if (texture->h_bits > texture->w_bits) return error_set(err, "texture %zu: higher than wide", index);
     if (texture->levels < 1 || texture->levels > texture->h_bits + 1)
         return error_set(err, "texture %zu: %u levels", index, texture->levels);
-    if (texture->zero) return error_set(err, "texture %zu: its spare byte is not zero", index);
+    if (texture->place_bits > (*scene->uvs ? PLACE_BITS_MAX : 0))
+        return error_set(err, "texture %zu: places of %u bits", index, texture->place_bits);
     size_t texels = 0;
     for (unsigned level = 0; level < texture->levels; level++)
         texels += (size_t)1 << (texture->w_bits + texture->h_bits - 2 * level);

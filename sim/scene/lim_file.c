@@ -69,10 +69,10 @@ static bool check_header(const struct lim_file_header *header, const char *path,
     if (header->version != LIM_FILE_VERSION)
         return error_set(err, "%s: version %lu; this program reads version %d, compile the model again", path,
                          (unsigned long)header->version, LIM_FILE_VERSION);
-    const uint32_t fractions = header->counts[SECTION_FRACTIONS];
-    if (header->zero) return error_set(err, "%s: damaged: byte 132 is not zero", path);
+    const uint32_t fractions = header->counts[SECTION_FRACTIONS], uvs = header->counts[SECTION_UVS];
     if (header->header_b != sizeof *header || header->file_b != lim_image_section_b(header, SECTION_COUNT) ||
-        (fractions && fractions != header->counts[SECTION_VERTICES]))
+        (fractions && fractions != header->counts[SECTION_VERTICES]) ||
+        (uvs && uvs != header->counts[SECTION_VERTICES]))
         return error_set(err, "%s: damaged: the header contradicts itself", path);
     for (enum lim_section i = SECTION_MAPPINGS; i < SECTION_COUNT; i++)
         if (header->counts[i] > UINT16_MAX)

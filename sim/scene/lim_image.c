@@ -18,10 +18,11 @@ static_assert(sizeof(struct lim_file_header) == 136, "header");
 static_assert(offsetof(struct lim_file_header, crc32) + 4 == LIM_FILE_CRC_FROM_B, "header");
 static_assert(offsetof(struct lim_file_header, units_per_m) == 24, "header");
 static_assert(offsetof(struct lim_file_header, counts) == 56, "header");
-static_assert(offsetof(struct lim_file_header, limits) == 114, "header");
-static_assert(offsetof(struct lim_file_header, deep_from) == 128, "header");
+static_assert(offsetof(struct lim_file_header, limits) == 118, "header");
+static_assert(offsetof(struct lim_file_header, deep_from) == 132, "header");
 static_assert(sizeof(struct lim_vertex) == 6, "vertex");
 static_assert(sizeof(struct lim_fraction) == 3, "fraction");
+static_assert(sizeof(struct lim_uv) == 4, "place of a vertex");
 static_assert(sizeof(struct lim_node) == 28, "node");
 static_assert(offsetof(struct lim_node, box) == 24, "node");
 static_assert(sizeof(struct lim_plane) == 16, "plane");
@@ -48,6 +49,7 @@ static const struct {
     [SECTION_POLYGONS] = {sizeof(lim_index), "4"},
     [SECTION_FACES] = {sizeof(uint32_t), "4"},
     [SECTION_FRACTIONS] = {sizeof(struct lim_fraction), "1"},
+    [SECTION_UVS] = {sizeof(struct lim_uv), "2"},
     [SECTION_MAPPINGS] = {sizeof(struct lim_mapping), "2222224112"},
     [SECTION_TEXTURES] = {sizeof(struct lim_texture), "221111"},
     [SECTION_PALETTES] = {sizeof(uint16_t), "1"}, /* as in memory, the same on every host */
@@ -58,10 +60,10 @@ static const struct {
 static const char HEADER_FIELDS[] = "11111111"
                                     "4444"
                                     "8888"
-                                    "44444444444444"
+                                    "444444444444444"
                                     "2"
                                     "2222222"
-                                    "44";
+                                    "4";
 
 static uint64_t align_b(uint64_t size_b)
 {
@@ -115,6 +117,7 @@ void lim_image_bind(void *image, struct compiled *scene)
         .polygon_count = header->counts[SECTION_FACES],
         .background = header->background,
         .deep_from = {header->deep_from},
+        .uvs = {header->counts[SECTION_UVS] ? section_at(image, SECTION_UVS) : NULL},
     };
     memcpy(&scene->scene.limits, header->limits, sizeof scene->scene.limits);
     scene->scene.mappings = section_at(image, SECTION_MAPPINGS);
@@ -130,12 +133,19 @@ void lim_image_bind(void *image, struct compiled *scene)
 static struct lim_file_header header_of(const struct encoding *encoding, const struct grid *grid)
 {
     const struct texture_arrays *textures = &encoding->textures;
-    const size_t counts[SECTION_COUNT] = {encoding->vertex_count,    encoding->node_count,
-                                          encoding->plane_count,     encoding->exact_count,
-                                          encoding->box_count,       encoding->word_count,
-                                          encoding->record_count,    encoding->fractions ? encoding->vertex_count : 0,
-                                          textures->mapping_count,   textures->texture_count,
-                                          textures->palette_colours, textures->texel_count / LIM_TEXEL_BLOCK};
+    const size_t counts[SECTION_COUNT] = {encoding->vertex_count,
+                                          encoding->node_count,
+                                          encoding->plane_count,
+                                          encoding->exact_count,
+                                          encoding->box_count,
+                                          encoding->word_count,
+                                          encoding->record_count,
+                                          encoding->fractions ? encoding->vertex_count : 0,
+                                          encoding->uvs ? encoding->vertex_count : 0,
+                                          textures->mapping_count,
+                                          textures->texture_count,
+                                          textures->palette_colours,
+                                          textures->texel_count / LIM_TEXEL_BLOCK};
     const struct lim_limits limits = {.depth = (uint16_t)encoding->depth, .vertices = (uint16_t)encoding->widest};
     struct lim_file_header header = {.version = LIM_FILE_VERSION, .header_b = sizeof header};
     memcpy(header.magic, lim_file_magic, sizeof header.magic);
@@ -154,10 +164,10 @@ void lim_image_make(const struct encoding *encoding, const struct grid *grid, st
 {
     const struct lim_file_header header = header_of(encoding, grid);
     const struct texture_arrays *textures = &encoding->textures;
-    const void *sections[SECTION_COUNT] = {encoding->vertices, encoding->nodes,     encoding->planes,
-                                           encoding->exact,    encoding->boxes,     encoding->words,
-                                           encoding->faces,    encoding->fractions, textures->mappings,
-                                           textures->textures, textures->palettes,  textures->texels};
+    const void *sections[SECTION_COUNT] = {
+        encoding->vertices, encoding->nodes,    encoding->planes,    encoding->exact, encoding->boxes,
+        encoding->words,    encoding->faces,    encoding->fractions, encoding->uvs,   textures->mappings,
+        textures->textures, textures->palettes, textures->texels};
     unsigned char *image = grow_zeroed(header.file_b, 1);
     memcpy(image, &header, sizeof header);
     for (int i = 0; i < SECTION_COUNT; i++)

@@ -9,7 +9,7 @@
 #include "scene/compiled.h"
 #include "scene/encoding.h"
 
-enum { LIM_FILE_VERSION = 7, LIM_FILE_ALIGN_B = 8, LIM_FILE_MAGIC_B = 8 };
+enum { LIM_FILE_VERSION = 8, LIM_FILE_ALIGN_B = 8, LIM_FILE_MAGIC_B = 8 };
 
 extern const unsigned char lim_file_magic[LIM_FILE_MAGIC_B];
 
@@ -23,6 +23,7 @@ enum lim_section {
     SECTION_POLYGONS,
     SECTION_FACES,
     SECTION_FRACTIONS,
+    SECTION_UVS,
     SECTION_MAPPINGS,
     SECTION_TEXTURES,
     SECTION_PALETTES,
@@ -44,7 +45,6 @@ struct lim_file_header {
     uint16_t background;            /* RGB565 as a number */
     uint16_t limits[7];             /* the fields of struct lim_limits in their order */
     uint32_t deep_from;             /* of a mesh; else 0 */
-    uint32_t zero;
 };
 
 enum { LIM_FILE_CRC_FROM_B = 24 }; /* the first byte that crc32 covers */

@@ -96,7 +96,12 @@ static size_t convex_b(const struct compiled *scene, size_t active)
 static size_t mesh_active_b(const struct compiled *scene)
 {
     return (size_t)MCU_MESH_ACTIVE_B(has_long_edges(&scene->report), width_is_wide(&scene->scene),
-                                     scene->report.draws == LIM_MESH_DEPTH);
+                                     scene->report.draws == LIM_MESH_DEPTH, scene->scene.texture_count > 0);
+}
+
+static size_t mesh_least(const struct compiled *scene)
+{
+    return scene->scene.texture_count ? (size_t)MCU_MESH_LEAST_TEXTURED : (size_t)MCU_MESH_LEAST_ACTIVE;
 }
 
 static size_t mesh_b(const struct compiled *scene, size_t active)
@@ -121,7 +126,7 @@ size_t mcu_mem_b(const struct compiled *scene)
     if (scene->report.draws == LIM_CONVEX) return convex_b(scene, limits.active);
     if (scene->report.draws == LIM_PAINTER) return painter_b(scene);
     if (method_draws_meshes(scene->report.draws))
-        return mesh_b(scene, limits.active < MCU_MESH_LEAST_ACTIVE ? MCU_MESH_LEAST_ACTIVE : limits.active);
+        return mesh_b(scene, limits.active < mesh_least(scene) ? mesh_least(scene) : limits.active);
     return nearest_b(scene, limits.retained_cells, limits.gaps, limits.active, limits.pieces) + layers_b(&limits);
 }
 
@@ -129,7 +134,7 @@ size_t mcu_mem_min_b(const struct compiled *scene)
 {
     if (scene->report.draws == LIM_CONVEX) return convex_b(scene, 0);
     if (scene->report.draws == LIM_PAINTER) return painter_b(scene);
-    if (method_draws_meshes(scene->report.draws)) return mesh_b(scene, MCU_MESH_LEAST_ACTIVE);
+    if (method_draws_meshes(scene->report.draws)) return mesh_b(scene, mesh_least(scene));
     return nearest_b(scene, needs_least_cells(&scene->scene.limits), 1, 1, 0);
 }
 

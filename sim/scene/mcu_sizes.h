@@ -35,6 +35,7 @@ enum {
     MCU_CROSSING_B = 40,            /* and a point for each vertex */
     MCU_MESH_NEARNESS_B = 2,        /* of a vertex, and of a pixel of a line of depths */
     MCU_MESH_LEAST_ACTIVE = 7,
+    MCU_MESH_LEAST_TEXTURED = 19, /* where the scene has textures */
     MCU_MOVER_B = 168,
     MCU_MOVER_FINE_B = 72,     /* more of them in the profiles fine and exact, at most: half on a Cortex-M0+ */
     MCU_MOVER_ANTIALIAS_B = 4, /* more of them if it can be drawn with antialiased edges */
@@ -48,10 +49,12 @@ enum {
     MCU_CLIP_PLANES = 5
 };
 
-/* A triangle that crosses a line: with edges of 64 bits, as in profile exact; in a wide scene; with its depths. Numbers
- * of 64 bits are aligned. */
-#define MCU_MESH_ACTIVE_B(is_long, is_wide, has_depth)                                                                 \
-    ((is_long) || (is_wide) ? (((is_long) ? 56 : 32) + ((is_wide) ? 8 : 4) + 8 + ((has_depth) ? 16 : 0) + 7) / 8 * 8   \
-                            : 40 + ((has_depth) ? 16 : 0))
+/* A triangle that crosses a line: with edges of 64 bits, as in profile exact; in a wide scene; with its depths; with
+ * what it shows of a texture. Numbers of 64 bits are aligned. */
+#define MCU_MESH_ACTIVE_B(is_long, is_wide, has_depth, has_texture)                                                    \
+    ((is_long) || (is_wide)                                                                                            \
+         ? (((is_long) ? 56 : 32) + ((is_wide) ? 8 : 4) + 8 + MCU_MESH_MORE_B(has_depth, has_texture) + 7) / 8 * 8     \
+         : 40 + MCU_MESH_MORE_B(has_depth, has_texture))
+#define MCU_MESH_MORE_B(has_depth, has_texture) (((has_depth) ? 16 : 0) + ((has_texture) ? 28 : 0))
 
 #endif

@@ -26,6 +26,8 @@ size_t flash_parts(const struct compiled *scene, struct mem_part parts[FLASH_PAR
     if (!arrays->texture_count) return count;
     add(parts, &count, "texels", arrays->texel_blocks * (size_t)LIM_TEXEL_BLOCK, 0);
     add(parts, &count, "palettes", arrays->palette_colours * sizeof *arrays->palettes, arrays->palette_colours);
+    if (*arrays->uvs)
+        add(parts, &count, "places in textures", arrays->vertex_count * sizeof **arrays->uvs, arrays->vertex_count);
     add(parts, &count, "mappings and textures",
         arrays->mapping_count * width_mapping_b(wide) + arrays->texture_count * sizeof *arrays->textures,
         arrays->mapping_count);

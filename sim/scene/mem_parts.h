@@ -13,7 +13,7 @@ struct mem_part {
     size_t size_b, count; /* count: of what it holds; 0: nothing that is counted */
 };
 
-enum { FLASH_PARTS_MAX = 9, RAM_PARTS_MAX = 9 };
+enum { FLASH_PARTS_MAX = 10, RAM_PARTS_MAX = 9 };
 
 /* The arrays, without the struct that names them. Returns how many there are. */
 size_t flash_parts(const struct compiled *scene, struct mem_part parts[FLASH_PARTS_MAX]);

@@ -47,11 +47,13 @@ _Static_assert(MCU_ROUTE_B + INDEX_B / 2 == sizeof(struct lim_route_pending), "p
 _Static_assert(MCU_MOVED_B == sizeof(struct lim_moved), "object and its motion");
 
 #if LIM_HAS_MESHES
-_Static_assert(MCU_MESH_ACTIVE_B(HAS_LONG_EDGES, LIM_HAS_WIDE, LIM_HAS_MESH_DEPTH) == sizeof(struct lim_mesh_active),
+_Static_assert(MCU_MESH_ACTIVE_B(HAS_LONG_EDGES, LIM_HAS_WIDE, LIM_HAS_MESH_DEPTH, LIM_HAS_TEXTURE) ==
+                   sizeof(struct lim_mesh_active),
                "triangle that crosses a line");
 _Static_assert((LIM_WIDE ? MCU_CELL_WIDE_B : MCU_CELL_B) == sizeof(struct lim_point), "point of a mesh");
 _Static_assert(MCU_MESH_NEARNESS_B == sizeof *((struct lim_mesh *)0)->nearness, "nearness of a vertex");
 _Static_assert((int)MCU_MESH_LEAST_ACTIVE == MESH_FAN + 1, "least pool of a mesh");
+_Static_assert((int)MCU_MESH_LEAST_TEXTURED == MESH_FAN + 1 + MESH_FAN * MESH_GRADIENT_ENTRIES, "and with textures");
 #endif
 
 #if LIM_HAS_CONVEX

@@ -1,0 +1,60 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Texels by depth: a place is looked up where its pixel is the nearest. */
+#include "lines/mesh_texture.h"
+
+#include "pixels/texels.h"
+
+#if LIM_HAS_TEXTURE && LIM_HAS_MESH_DEPTH
+
+/* Texels that advance evenly, pixels x0 <= x < x1. */
+static void mesh_fill_texels(uint16_t *pixels, uint16_t *depths, const struct lim_mesh_active *active,
+                             struct lim_texture_walk walk, const struct lim_texture_level *level, int32_t x0,
+                             int32_t x1)
+{
+    const uint32_t step_q16 = active->depth->x_q16;
+    uint32_t at_q16 = active->depth->at_q16 + (uint32_t)x0 * step_q16;
+
+    for (int32_t x = x0; x < x1; x++, at_q16 += step_q16, walk.place += walk.step) {
+        const uint32_t nearness = at_q16 >> 16;
+        if (nearness <= depths[x]) continue;
+        depths[x] = (uint16_t)nearness;
+        pixels[x] = level->palette[level->texels[lim_texel_at(walk.place, level->rows_mask, level->w_bits)]];
+    }
+}
+
+/* Of one in perspective, stretch by stretch. */
+static void fill_stretches_deep(struct lim_mesh *mesh, const struct lim_mesh_line *line, uint16_t *depths,
+                                const struct lim_mesh_active *active, const struct lim_textured_span *span, int32_t x0,
+                                int32_t x1)
+{
+    struct lim_texture_line stretches;
+
+    lim_texture_line_begin(&stretches, span, (int16_t)x0);
+    for (int32_t x = x0;;) {
+        const int32_t end = lim_texture_lesser(stretches.end, x1);
+        const struct lim_texture_walk walk = {lim_texture_place(&stretches, x), stretches.walk.step};
+        mesh_fill_texels(line->pixels, depths, active, walk, &span->gradients->level, x, end);
+        if (end == x1) break;
+        x = end;
+        lim_texture_line_next(&stretches);
+    }
+    if (LIM_HAS_STATS) lim_stats_of(mesh->pass)->divisions += stretches.divisions;
+}
+
+void lim_mesh_texture_paint_deep(struct lim_mesh *mesh, const struct lim_mesh_line *line,
+                                 const struct lim_mesh_active *active, const struct lim_mesh_depth_span *deep)
+{
+    const struct lim_mesh_look *const look = active->look;
+
+    if (!lim_mesh_is_in_perspective(active)) {
+        mesh_fill_texels(line->pixels, deep->depths, active, lim_texture_even_walk(&look->even, deep->x0, line->y),
+                         &look->level, deep->x0, deep->x1);
+        return;
+    }
+    const struct lim_textured_span span = {mesh->pass->texturing, &look->gradients->gradients, (int16_t)line->y,
+                                           (int16_t)deep->left, (int16_t)deep->right};
+    fill_stretches_deep(mesh, line, deep->depths, active, &span, deep->x0, deep->x1);
+}
+
+#endif

@@ -1,0 +1,106 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Levels of detail, and how long stretches may be. */
+#include "pixels/texture_planes.h"
+
+#if LIM_HAS_TEXTURE
+
+enum { TEXEL_BLOCK = LIM_TEXEL_BLOCK };
+
+/* How the place would change along a line, times depth^2 / h: the larger of what both coordinates have, of two lines.
+ */
+static inline uint32_t change_of(const struct lim_texture_planes *planes, int32_t x, const int32_t y[2])
+{
+    uint32_t most = 1;
+
+    for (uint_fast8_t k = 0; k < 2; k++) {
+        const int32_t depth = plane_at(&planes->depth, x, y[k]);
+        for (uint_fast8_t i = 0; i < 2; i++) {
+            const struct lim_texture_plane *uv = &planes->uv[i];
+            const uint32_t change =
+                abs_s32(mul_high_s32(uv->x, depth) - mul_high_s32(plane_at(uv, x, y[k]), planes->depth.x));
+            if (change > most) most = change;
+        }
+    }
+    return most;
+}
+
+/* Between the ends of n pixels, of which each is g texels farther than the one before and 2 X farther in depth, texels
+ * are off by n^2 g X / (2 depth) at most, where depth is what it is at the farther end. g follows from `change` and
+ * depth^2, and the level from depth^(3/2): so n^2 is a matter of the level, but for factors that are gathered here. */
+static int16_t even_q4_of(const struct lim_texture_planes *planes, int8_t shift, uint32_t change, uint8_t w_bits)
+{
+    const int32_t slope_q4 = log2_q4(abs_s32(planes->depth.x) | 1);
+    const int32_t real_level_q4 = planes->level_q4 - MIDDLE_OF_LEVEL_Q4 + 3 * LIM_TEXTURE_LOG2_Q4 / 2;
+    const int32_t even_q4 = 16 * (shift - w_bits - LIM_TEXTURE_OFF_BITS - 13) - (log2_q4(change) + 32 * 16) - slope_q4 +
+                            2 * real_level_q4 + MIDDLE_OF_LEVEL_Q4;
+
+    return (int16_t)(even_q4 > INT16_MAX ? INT16_MAX : even_q4 < INT16_MIN ? INT16_MIN : even_q4);
+}
+
+void lim_texture_settle(const struct lim_texturing *texturing, const struct around *around, int8_t shift,
+                        struct lim_gradients *out)
+{
+    const int32_t x = 2 * around->x + 1 - texturing->w_px, y = 2 * around->y + 1 - texturing->h_px;
+    const int32_t ys[2] = {y - 2 * around->h, y + 2 * around->h};
+    struct lim_texture_planes *planes = &out->planes;
+    const int32_t depth = plane_at(&planes->depth, x, y), range = depth_range(&planes->depth, around);
+
+    out->shift = shift;
+    for (; out->shift > 31; out->shift--)
+        for (uint_fast8_t i = 0; i < 2; i++)
+            planes->uv[i].at >>= 1, planes->uv[i].x >>= 1, planes->uv[i].y >>= 1;
+    planes->even_q4 = even_q4_of(planes, shift, change_of(planes, x, ys), out->texture->w_bits);
+    out->slope_zeros = clz_u32(abs_s32(planes->depth.x) | 1);
+    const uint32_t near_bits = lim_texture_stretch_bits(out, depth + range),
+                   far_bits = lim_texture_stretch_bits(out, depth - range);
+    out->bits = near_bits == far_bits ? (uint8_t)far_bits : 0;
+    planes->level_depths = 0;
+}
+
+void lim_texture_set_level(const struct lim_scene *scene, const LIM_FLASH struct lim_texture *texture, uint8_t number,
+                           struct lim_texture_level *level)
+{
+    const uint8_t w_bits = (uint8_t)(texture->w_bits - number), h_bits = (uint8_t)(texture->h_bits - number);
+    uint32_t size = UINT32_C(1) << (texture->w_bits + texture->h_bits);
+
+    level->number = number;
+    level->w_bits = w_bits;
+    level->rows_mask = ((UINT32_C(1) << h_bits) - 1) << w_bits;
+    level->palette = scene->palettes + texture->palette;
+    level->texels = scene->texels + (uint32_t)texture->texels * TEXEL_BLOCK;
+    for (; number; number--, size >>= 2)
+        level->texels += size;
+}
+
+/* The least depth whose log2 is that, as lim_texture_level_q4() has it. */
+static uint32_t texture_depth_of(int32_t log2_q4)
+{
+    const int32_t zeros = (31 - log2_q4) >> 4;
+
+    if (zeros < 0) return UINT32_MAX;
+    return zeros > 31 ? 0 : (uint32_t)(log2_q4 + 16 * zeros) << 27 >> zeros;
+}
+
+/* x / 3, rounded up, for |x| < 2^14: 43691 / 2^17 is a third and 2^-18. */
+static inline int32_t third_up(int32_t x)
+{
+    return ((x + 2 + 3 * (1 << 13)) * 43691 >> 17) - (1 << 13);
+}
+
+/* Level n is shown where 16 n <= level_q4 - floor(3/2 log2) < 16 n + 16, but for the first one and the last one. */
+void lim_texture_suit_level(const struct lim_scene *scene, struct lim_gradients *gradients, uint32_t depth)
+{
+    struct lim_texture_planes *planes = &gradients->planes;
+    const uint8_t levels = gradients->texture->levels;
+    const uint8_t number = lim_texture_level_of(lim_texture_level_q4(planes->level_q4, depth, clz_u32(depth)), levels);
+    const int32_t from_q4 = third_up(2 * (planes->level_q4 - 16 * number - 15));
+    const int32_t to_q4 = third_up(2 * (planes->level_q4 - 16 * number + 1));
+    const uint32_t from = number == levels - 1 ? 0 : texture_depth_of(from_q4);
+
+    planes->level_depth = from;
+    planes->level_depths = (number ? texture_depth_of(to_q4) : UINT32_MAX) - from;
+    lim_texture_set_level(scene, gradients->texture, number, &gradients->level);
+}
+
+#endif
