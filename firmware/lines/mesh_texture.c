@@ -6,49 +6,26 @@
  * too large, texels advance in perspective. */
 #include "lines/mesh_texture.h"
 
-#include "lines/mesh_plane.h"
+#include "lines/mesh_way.h"
 #include "math/fixed.h"
 #include "pixels/texture_planes.h"
 #include "pixels/texture_triangle.h"
-#include "view/packed.h"
 
 #if LIM_HAS_TEXTURE && LIM_HAS_MESHES
 
 LIM_STATIC_ASSERT(sizeof(union lim_mesh_gradients) <= MESH_GRADIENT_ENTRIES * sizeof(struct lim_mesh_active),
                   "gradients take the room of so many entries");
 
-/* How far three numbers, of which one is 0, are apart. */
-static inline uint32_t range_of(int32_t a, int32_t b)
-{
-    int32_t least = a < b ? a : b, most = a < b ? b : a;
-
-    if (least > 0) least = 0;
-    if (most < 0) most = 0;
-    return (uint32_t)(most - least);
-}
-
-/* A triangle: what the corners b and c have more than a has, of a place and of nearness. */
-struct places {
-    int32_t bu, bv, cu, cv;
-    uint32_t range, least_near, near_range;
+/* What the corners b and c are nearer than a. */
+struct nears {
+    int32_t a, b, c;
 };
 
-static LIM_INLINE void set_places(const struct lim_mesh *mesh, const LIM_FLASH lim_index *corners,
-                                  const LIM_FLASH struct lim_uv *a, struct places *places)
+static LIM_INLINE struct nears nears_of(const struct lim_mesh *mesh, const LIM_FLASH lim_index *corners)
 {
-    const LIM_FLASH struct lim_uv *const uvs = *mesh->pass->scene->uvs;
-    const LIM_FLASH struct lim_uv *const b = &uvs[corners[1]], *const c = &uvs[corners[2]];
-    const uint32_t i = mesh->nearness[corners[0]], j = mesh->nearness[corners[1]], k = mesh->nearness[corners[2]];
-    uint32_t least = i < j ? i : j, most = i < j ? j : i;
+    const int32_t a = mesh->nearness[corners[0]];
 
-    if (k < least) least = k;
-    if (k > most) most = k;
-    places->least_near = least;
-    places->near_range = most - least + 1; /* both are rounded */
-    places->bu = b->u - a->u, places->bv = b->v - a->v;
-    places->cu = c->u - a->u, places->cv = c->v - a->v;
-    const uint32_t u_range = range_of(places->bu, places->cu), v_range = range_of(places->bv, places->cv);
-    places->range = u_range > v_range ? u_range : v_range;
+    return (struct nears){a, mesh->nearness[corners[1]] - a, mesh->nearness[corners[2]] - a};
 }
 
 /* log2 of the mantissa and its shift, but for a constant. */
@@ -58,96 +35,140 @@ static inline int32_t short_log2_q4(uint32_t mantissa_q31, uint8_t zeros)
 }
 
 /* Texels to a pixel, by the areas of both. */
-static LIM_INLINE uint8_t level_of_places(const LIM_FLASH struct lim_texture *texture, const struct places *places,
-                                          uint32_t area, uint8_t zeros, int_fast16_t halved)
+static LIM_INLINE int32_t level_of_areas(const LIM_FLASH struct lim_texture *texture, int32_t of_places, uint32_t area,
+                                         uint8_t zeros, int_fast16_t halved)
 {
     uint8_t own_zeros;
-    const uint32_t own = normalise_u32(abs_s32(places->bu * places->cv - places->cu * places->bv) | 1, &own_zeros);
+    const uint32_t own = normalise_u32(abs_s32(of_places) | 1, &own_zeros);
     const int32_t twice_q4 = short_log2_q4(own, own_zeros) - short_log2_q4(area << zeros, zeros) +
                              32 * (texture->w_bits - texture->place_bits + LIM_SUB_BITS) - 16 * (int32_t)halved;
-    const int32_t level = (twice_q4 + 2 * MIDDLE_OF_LEVEL_Q4) >> 5;
+    const int32_t level = (twice_q4 + 2 * MIDDLE_OF_LEVEL_Q4) >> 5, last = texture->levels - 1;
 
-    return (uint8_t)(level < 0 ? 0 : level < texture->levels ? level : texture->levels - 1);
+    return level < 0 ? 0 : level < last ? level : last;
 }
 
-/* Whether even texels are right enough, and steps, which are rounded, lead no farther away. */
-static LIM_INLINE bool is_even(const LIM_FLASH struct lim_texture *texture, const struct places *places, uint8_t level,
-                               uint32_t reach_px)
+/* How far apart the errors of a coordinate are, of which those along the sides are products of what place and nearness
+ * gain there, over four times the nearness; and twice the middle between them. */
+static uint32_t spread_of(int32_t b, int32_t c, const struct nears *nears, int32_t *twice_middle)
 {
-    const int_fast16_t bits = (int_fast16_t)(2 - LIM_TEXTURE_OFF_BITS + texture->place_bits + level - texture->w_bits);
-    const int_fast16_t reach_bits = (int_fast16_t)(level + 15 - LIM_TEXTURE_OFF_BITS - texture->w_bits);
+    const int32_t sides[3] = {b * nears->b, c * nears->c, (c - b) * (nears->c - nears->b)};
+    int32_t least = 0, most = 0;
 
-    if (bits < 0 || reach_bits < 0 || places->range >> 15) return false;
-    return places->near_range * places->range <= places->least_near << (bits < 15 ? bits : 15) &&
-           reach_px >> reach_bits == 0;
+    for (uint_fast8_t i = 0; i < 3; i++) {
+        if (sides[i] < least) least = sides[i];
+        if (sides[i] > most) most = sides[i];
+    }
+    *twice_middle = least + most;
+    return (uint32_t)most - (uint32_t)least;
 }
 
-/* What a pixel adds to a place, in 2^-16 of the width. */
+/* Where an even way is not right enough between the corners it may be if it leaves them, by the middle of all errors:
+ * *moved is that, packed. false: not even so. `bits`: of is_even(). */
+static LIM_ALONE bool is_even_beside(const struct lim_mesh *mesh, const LIM_FLASH lim_index *corners, int_fast16_t bits,
+                                     uint32_t *moved)
+{
+    const LIM_FLASH struct lim_uv *const uvs = *mesh->pass->scene->uvs, *const a = &uvs[corners[0]];
+    const LIM_FLASH struct lim_uv *const b = &uvs[corners[1]], *const c = &uvs[corners[2]];
+    const struct nears nears = nears_of(mesh, corners);
+    const int32_t b_near = nears.b < 0 ? nears.b : 0, least = nears.a + (nears.c < b_near ? nears.c : b_near);
+    const uint32_t most = mesh_way_most(mesh_way_of_places(a, b), mesh_way_of_places(a, c));
+    int32_t middle[2];
+
+    if ((most | nearly_abs(nears.b) | nearly_abs(nears.c)) >> 14 || bits < 0) return false;
+    const uint32_t u = spread_of(b->u - a->u, c->u - a->u, &nears, &middle[0]),
+                   v = spread_of(b->v - a->v, c->v - a->v, &nears, &middle[1]);
+    if ((u > v ? u : v) + 2 * most > (uint32_t)least << (bits < 12 ? bits + 3 : 15)) return false;
+    const LIM_FLASH struct lim_texture *const texture = &mesh->pass->scene->textures[corners[3]];
+    const int32_t width = (int32_t)1 << (16 - texture->place_bits);
+    *moved =
+        lim_texture_packed((uint32_t)(middle[0] / (8 * least) * width), (uint32_t)(middle[1] / (8 * least) * width));
+    return true;
+}
+
+/* Whether even texels are right enough between the corners, whose places differ by `most`. Nearness is rounded, and
+ * ranges are below twice the corners' differences. */
+static LIM_INLINE bool is_even(const struct nears *nears, uint32_t most, int_fast16_t bits)
+{
+    const uint32_t near_most = nearly_abs(nears->b) | nearly_abs(nears->c);
+    const int32_t least = nears->a - (int32_t)near_most - 1;
+
+    return bits >= 0 && least > 0 && (near_most + 2) * (most + 1) <= (uint32_t)least << (bits < 14 ? bits : 14);
+}
+
+/* Of a numerator, in 2^-16 of the width. */
 static inline int32_t place_step(int32_t numerator, int32_t recip_q31, int_fast16_t down)
 {
-    return (int32_t)(lim_texture_shifted(lim_texture_times(numerator, recip_q31), down - 1) + 1) >> 1;
+    return ((lim_texture_times(numerator, recip_q31) >> (down - 1)) + 1) >> 1;
 }
 
 /* The place of a corner's pixel's centre. */
-static inline uint32_t place_at(int32_t corner_q16, int32_t step_x, int32_t step_y, lim_packed at)
+static inline uint32_t place_at(uint32_t corner_q16, int32_t step_x, int32_t step_y, lim_packed at)
 {
     const uint32_t part_x = (uint32_t)(lim_packed_x(at) & (LIM_SUB - 1)),
                    part_y = (uint32_t)(lim_packed_y(at) & (LIM_SUB - 1));
 
-    return (uint32_t)corner_q16 -
-           (uint32_t)((int32_t)((uint32_t)step_x * part_x + (uint32_t)step_y * part_y) >> LIM_SUB_BITS);
+    return corner_q16 - (uint32_t)((int32_t)((uint32_t)step_x * part_x + (uint32_t)step_y * part_y) >> LIM_SUB_BITS);
 }
 
 /* From the corner a, whose pixel is that of its sub-pixels. */
-static LIM_INLINE void set_steps(const struct lim_texture *texture, const struct lim_uv *corner, lim_packed a,
-                                 const struct plane_of_three *plane, const struct places *places, int32_t recip_q31,
-                                 uint8_t zeros, struct lim_texture_even *even)
+static LIM_INLINE void set_even(const LIM_FLASH struct lim_uv *corner, uint8_t up, lim_packed a,
+                                const struct mesh_numerators *steps, struct lim_texture_even *even)
 {
-    const int_fast16_t down = (int_fast16_t)(14 + texture->place_bits - LIM_SUB_BITS - zeros);
-    const int_fast16_t down_x = down + plane->halved_x, down_y = down + plane->halved_y;
-    const uint8_t up = (uint8_t)(16 - texture->place_bits);
-    const int32_t ux = place_step(places->cu * plane->uy - places->bu * plane->vy, recip_q31, down_x);
-    const int32_t uy = place_step(places->bu * plane->vx - places->cu * plane->ux, recip_q31, down_y);
-    const int32_t vx = place_step(places->cv * plane->uy - places->bv * plane->vy, recip_q31, down_x);
-    const int32_t vy = place_step(places->bv * plane->vx - places->cv * plane->ux, recip_q31, down_y);
     const int32_t x_px = LIM_ORIGIN_PX + (lim_packed_x(a) >> LIM_SUB_BITS),
                   y_px = LIM_ORIGIN_PX + (lim_packed_y(a) >> LIM_SUB_BITS);
 
-    even->x = lim_texture_packed((uint32_t)ux, (uint32_t)vx);
-    even->y = lim_texture_packed((uint32_t)uy, (uint32_t)vy);
-    even->place = lim_texture_packed(place_at(corner->u * (INT32_C(1) << up), ux, uy, a),
-                                     (uint16_t)place_at(corner->v * (INT32_C(1) << up), vx, vy, a)) -
+    even->x = lim_texture_packed((uint32_t)steps->ux, (uint32_t)steps->vx);
+    even->y = lim_texture_packed((uint32_t)steps->uy, (uint32_t)steps->vy);
+    even->place = lim_texture_packed(place_at((uint32_t)corner->u << up, steps->ux, steps->uy, a),
+                                     (uint16_t)place_at((uint32_t)corner->v << up, steps->vx, steps->vy, a)) -
                   even->x * (uint32_t)x_px - even->y * (uint32_t)y_px;
+}
+
+/* Steps are rounded: whether that leads less than half of what even texels may be off, over pixels that are not more
+ * than four times the longest way. */
+static LIM_INLINE bool is_within_reach(uint32_t most_half, int_fast16_t bits)
+{
+    return bits >= 0 && !((most_half + 1) * 8 >> LIM_SUB_BITS >> (bits < 31 ? bits : 31));
 }
 
 /* false: it is not even. */
 static LIM_INLINE bool set_even_look(const struct lim_mesh *mesh, struct lim_mesh_look *look,
                                      const LIM_FLASH lim_index *corners, const LIM_FLASH struct lim_texture *texture)
 {
+    const LIM_FLASH struct lim_uv *const uvs = *mesh->pass->scene->uvs, *const corner = &uvs[corners[0]];
     const lim_packed a = lim_packed_load(&mesh->points[corners[0]]), b = lim_packed_load(&mesh->points[corners[1]]),
                      c = lim_packed_load(&mesh->points[corners[2]]);
-    const struct lim_uv corner = (*mesh->pass->scene->uvs)[corners[0]];
-    struct plane_of_three plane = {lim_packed_x(b) - lim_packed_x(a),
-                                   lim_packed_y(b) - lim_packed_y(a),
-                                   lim_packed_x(c) - lim_packed_x(a),
-                                   lim_packed_y(c) - lim_packed_y(a),
-                                   0,
-                                   0};
-    const uint32_t reach_px = (range_of(plane.ux, plane.vx) + range_of(plane.uy, plane.vy)) >> LIM_SUB_BITS;
-    struct places places;
-    uint8_t zeros;
+    const mesh_way b_place = mesh_way_of_places(corner, &uvs[corners[1]]),
+                   c_place = mesh_way_of_places(corner, &uvs[corners[2]]);
+    const struct nears nears = nears_of(mesh, corners);
+    const uint32_t most_half = mesh_way_most_half(a, b, c);
+    struct mesh_numerators steps = {0, 0, 0, 0};
+    uint32_t moved = 0;
+    uint8_t zeros, halved[2];
 
-    set_places(mesh, corners, &(*mesh->pass->scene->uvs)[corners[0]], &places);
-    plane.halved_x = mesh_halve(&plane.ux, &plane.vx);
-    plane.halved_y = mesh_halve(&plane.uy, &plane.vy);
-    const int32_t wide = plane.uy * plane.vx - plane.ux * plane.vy;
-    const uint32_t area = wide > 0 ? (uint32_t)wide : 1; /* a sliver, once it is halved: nowhere wider than a pixel */
+    if (!LIM_HAS_LIMBS && most_half >> 13) return false;
+    mesh_way u = mesh_way_of_points(a, b), v = mesh_way_of_points(a, c);
+    mesh_way_halve(&u, &v, halved);
+    const int32_t wide = mesh_way_cross(v, u);
+    const uint32_t area = wide > 0 ? (uint32_t)wide : 1;
     const int32_t recip_q31 = lim_texture_reciprocal(area, &zeros);
-    const uint8_t level = level_of_places(texture, &places, area, zeros, plane.halved_x + plane.halved_y);
-    if (!is_even(texture, &places, level, reach_px)) return false;
-    lim_texture_set_level(mesh->pass->scene, texture, level, &look->level);
-    if (wide <= 0) plane.ux = plane.uy = plane.vx = plane.vy = 0;
-    set_steps(texture, &corner, a, &plane, &places, recip_q31, zeros, &look->even);
+    const int32_t level = level_of_areas(texture, mesh_way_cross(b_place, c_place), area, zeros, halved[0] + halved[1]);
+    const int_fast16_t finer_bits = (int_fast16_t)(level - texture->w_bits - LIM_TEXTURE_OFF_BITS);
+    if (!is_within_reach(most_half, finer_bits + 16)) return false;
+    if (!is_even(&nears, mesh_way_most(b_place, c_place), finer_bits + texture->place_bits) &&
+        !is_even_beside(mesh, corners, finer_bits + texture->place_bits, &moved))
+        return false;
+    const int_fast16_t down = (int_fast16_t)(14 + texture->place_bits - LIM_SUB_BITS - zeros);
+    if (down > 0 && wide > 0) { /* else it is nowhere wider than a pixel, and shows one texel */
+        mesh_way_numerators(u, v, b_place, c_place, &steps);
+        steps.ux = place_step(steps.ux, recip_q31, down + halved[0]);
+        steps.uy = place_step(steps.uy, recip_q31, down + halved[1]);
+        steps.vx = place_step(steps.vx, recip_q31, down + halved[0]);
+        steps.vy = place_step(steps.vy, recip_q31, down + halved[1]);
+    }
+    set_even(corner, (uint8_t)(16 - texture->place_bits), a, &steps, &look->even);
+    look->even.place += moved;
+    lim_texture_set_level(mesh->pass->scene, texture, (uint8_t)level, &look->level);
     return true;
 }
 

@@ -12,7 +12,7 @@
 
 enum { BITS_MAX = 15, FINE_BITS = 4 }; /* a 16th of a texel is fine enough */
 static const uint32_t NONE = UINT32_MAX;
-static const double PLACE_MAX = 32767;
+static const double PLACE_MAX = 32760; /* and what rounding adds */
 
 static const struct texture *texture_of(const struct uv_encoder *encoder, const struct mesh_polygon *polygon)
 {
@@ -76,15 +76,15 @@ static void scale_once(const struct texture *texture, struct uv_scale *scale)
     if (scale->by_polygon) scale->bits = BITS_MAX;
 }
 
-static bool scale_by_polygon(struct uv_encoder *encoder, const struct mesh_polygon *polygon, struct error *err)
+static bool scale_for_polygon(struct uv_encoder *encoder, const struct mesh_polygon *polygon, struct error *err)
 {
     struct uv_scale *scale = scale_of(encoder, polygon);
     const struct texture *texture = texture_of(encoder, polygon);
     double low[2] = {INFINITY, INFINITY}, high[2] = {-INFINITY, -INFINITY};
-    if (!scale->by_polygon) return true;
     range_of(encoder, polygon, low, high);
     for (int i = 0; i < 2; i++) {
-        const uint8_t bits = bits_for(reach_of(whole_near(texture, low[i], high[i], i), low[i], high[i]));
+        const double whole = scale->by_polygon ? whole_near(texture, low[i], high[i], i) : low[i];
+        const uint8_t bits = bits_for(fmax(reach_of(whole, low[i], high[i]), high[i] - low[i]));
         if (bits < scale->bits) scale->bits = bits;
     }
     return scale->bits > texture->w_bits ||
@@ -109,7 +109,7 @@ bool uv_encoder_init(struct uv_encoder *encoder, const struct mesh *mesh, struct
         if (encoder->scales[i].low[0] <= encoder->scales[i].high[0])
             scale_once(&mesh->textures[i], &encoder->scales[i]);
     for (size_t i = 0; i < mesh->polygon_count; i++)
-        if (mesh->polygons[i].mapping && !scale_by_polygon(encoder, &mesh->polygons[i], err)) return false;
+        if (mesh->polygons[i].mapping && !scale_for_polygon(encoder, &mesh->polygons[i], err)) return false;
     for (size_t i = 0; i < mesh->texture_count; i++)
         encoder->place_bits[i] = encoder->scales[i].bits;
     return true;

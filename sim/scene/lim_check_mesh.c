@@ -5,6 +5,8 @@
 #include "scene/lim_check.h"
 #include "scene/records.h"
 
+#include <stdlib.h>
+
 /* What only scenes with nodes have. */
 static bool check_absent(const struct lim_scene *scene, struct error *err)
 {
@@ -20,6 +22,19 @@ static bool check_absent(const struct lim_scene *scene, struct error *err)
     return true;
 }
 
+/* Differences of places have 15 bits and a sign. */
+static bool check_places_of(const struct lim_scene *scene, size_t index, struct error *err)
+{
+    const lim_index *words = &scene->polygons[index * LIM_TRIANGLE_WORDS];
+    for (int k = 0; k < 3; k++) {
+        const struct lim_uv *a = &(*scene->uvs)[words[k]], *b = &(*scene->uvs)[words[(k + 1) % 3]];
+        if (abs(a->u - b->u) > INT16_MAX || abs(a->v - b->v) > INT16_MAX)
+            return error_set(err, "triangle %zu: its places in the texture are too far apart", index);
+    }
+    return words[3] < scene->texture_count || error_set(err, "triangle %zu: texture %lu of %u", index,
+                                                        (unsigned long)words[3], (unsigned)scene->texture_count);
+}
+
 static bool check_triangle(const struct lim_scene *scene, size_t index, struct error *err)
 {
     const lim_index *words = &scene->polygons[index * LIM_TRIANGLE_WORDS];
@@ -30,9 +45,7 @@ static bool check_triangle(const struct lim_scene *scene, size_t index, struct e
         if (words[k] == words[(k + 1) % 3])
             return error_set(err, "triangle %zu: vertex %lu is two of its corners", index, (unsigned long)words[k]);
     }
-    if (scene->texture_count)
-        return words[3] < scene->texture_count || error_set(err, "triangle %zu: texture %lu of %u", index,
-                                                            (unsigned long)words[3], (unsigned)scene->texture_count);
+    if (scene->texture_count) return check_places_of(scene, index, err);
     return words[3] <= UINT16_MAX ||
            error_set(err, "triangle %zu: its colour is 0x%lx", index, (unsigned long)words[3]);
 }
