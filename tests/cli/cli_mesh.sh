@@ -92,6 +92,29 @@ done
 tap_check "13 bytes a triangle, or fewer" few_bytes
 tap_check "100,000 triangles take no minute" quick
 
+textured=sim/scenes/mapped/teapottex.obj
+few_bytes_textured() {
+    "$limner" compile "$textured" --method mesh --report >"$work/said" || return 1
+    cat "$work/said"
+    awk '/^  (texels|palettes)/ { less += $(NF - 1) } /^  in all/ { exit !(($(NF - 1) - less) / 992 <= 18) }' "$work/said"
+}
+same_textured() { # METHOD
+    "$limner" compile "$textured" --method "$1" -o "$work/bumps" >/dev/null &&
+        "$limner" render "$textured" --method "$1" --size 96x96 --frames 4 --write-hashes "$work/model.hashes" &&
+        "$limner" render "$work/bumps.lim" --method "$1" --size 96x96 --frames 4 --write-hashes "$work/file.hashes" &&
+        cmp "$work/model.hashes" "$work/file.hashes"
+}
+textured_c() {
+    "$limner" compile "$textured" --method "$1" -o "$work/bumps" >/dev/null &&
+        (cd "$work" && ${CC:-gcc} -std=c11 -Wall -Wextra -Werror -DLIM_CONFIG='"bumps.h"' -I. "-I$OLDPWD/firmware" -c bumps.c -o bumps.o)
+}
+tap_check "a textured teapot by depth is right" wrong $textured 0.06 --method mesh-depth
+for method in mesh mesh-depth; do
+    tap_check "a file draws what its textured model does, $method" same_textured $method
+    tap_check "its C is compiled, $method" textured_c $method
+done
+tap_check "18 bytes a textured triangle, or fewer, beside the pictures" few_bytes_textured
+
 "$limner" compile "$work/ball.obj" --method mesh -o "$work/mesh" >/dev/null
 "$limner" compile "$work/ball.obj" --method nearest -o "$work/tree" >/dev/null
 printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nmtllib glass.mtl\nusemtl glass\nf 1 2 3\n' >"$work/glass.obj"
@@ -105,7 +128,8 @@ tap_check "portals are refused" refused 'a mesh has no cells' compile "$work/bal
 tap_check "a tree is refused" refused 'that method has a tree of its own' compile "$work/ball.obj" --method mesh --tree bsp -o "$work/x"
 tap_check "a mesh by a method of trees is refused" refused 'it draws no meshes' compile "$work/ball.obj" --method nearest --tree mesh -o "$work/x"
 tap_check "glass is refused, by its face" refused 'face 1: as a mesh, transparent faces are not drawn' render "$work/glass.obj" --method mesh
-tap_check "textures are refused, and not drawn flat" refused 'as a mesh, textures are not drawn' render "$work/quarters.obj" --method mesh
+sed 's/^vt .*/vt 0 0/; 1,/^vt /s/^vt .*/vt 30000 0/' "$work/quarters.obj" >"$work/often.obj"
+tap_check "a texture that repeats too often is refused, by its face" refused 'face [0-9]*: as a mesh, its texture repeats too often' render "$work/often.obj" --method mesh
 tap_check "a file of a mesh names the methods that draw it" refused 'a mesh has no tree; draw it with --method mesh or mesh-depth' render "$work/mesh.lim"
 tap_check "a file with a tree is none" refused 'has a tree; --method mesh draws meshes, give the model$' render "$work/tree.lim" --method mesh
 tap_check "nor is one for newell" refused 'a mesh has no tree' render "$work/mesh.lim" --method newell

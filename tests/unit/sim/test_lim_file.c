@@ -117,7 +117,7 @@ static void the_file_is_little_endian(void **state)
 {
     (void)state;
     unsigned char *bytes = written_bytes();
-    const unsigned char start[] = {0x89, 'L', 'I', 'M', '\r', '\n', 0x1A, '\n', 7, 0, 0, 0, 136, 0, 0, 0};
+    const unsigned char start[] = {0x89, 'L', 'I', 'M', '\r', '\n', 0x1A, '\n', 8, 0, 0, 0, 136, 0, 0, 0};
     assert_memory_equal(bytes, start, sizeof start);
     assert_int_equal(bytes[16] | bytes[17] << 8 | bytes[18] << 16, scene.image_b);
     assert_int_equal(bytes[30] | bytes[31] << 8, 0x40A7); /* 3000.0 = 2^11 * 1.46.. */
@@ -138,7 +138,7 @@ static void swapping_reverses_fields_and_undoes_itself(void **state)
     lim_image_swap_sections(bytes, &header);
     lim_image_swap_header(bytes);
     assert_memory_equal(bytes, scene.image, LIM_FILE_MAGIC_B);
-    assert_memory_equal(bytes + 8, ((unsigned char[]){0, 0, 0, 7, 0, 0, 0, 136}), 8);
+    assert_memory_equal(bytes + 8, ((unsigned char[]){0, 0, 0, 8, 0, 0, 0, 136}), 8);
     const unsigned char *plane = bytes + lim_image_section_b(&header, SECTION_PLANES);
     const struct lim_plane *first = &scene.scene.planes[0];
     assert_int_equal((int16_t)(plane[2] << 8 | plane[3]), lim_plane_x(first));
@@ -188,7 +188,7 @@ static void other_versions_are_refused_by_number(void **state)
     unsigned char *bytes = written_bytes();
     bytes[8] = LIM_FILE_VERSION + 1;
     write_bytes(bytes, scene.image_b);
-    assert_unreadable("version 8; this program reads version 7");
+    assert_unreadable("version 9; this program reads version 8");
     free(bytes);
 }
 
@@ -436,10 +436,10 @@ static void limits_and_grids_that_lie_are_refused(void **state)
 {
     (void)state;
     const struct lim_limits *limits = &scene.scene.limits;
-    assert_field_refused(114, (uint16_t)(limits->depth - 1), "lies deeper than the limit");
-    assert_field_refused(116, (uint16_t)(limits->vertices - 1), "vertices");
-    assert_field_refused(116, 251, "limit of 251 vertices");
-    assert_field_refused(126, 1, "limit of 1 layers, and no polygon is transparent");
+    assert_field_refused(118, (uint16_t)(limits->depth - 1), "lies deeper than the limit");
+    assert_field_refused(120, (uint16_t)(limits->vertices - 1), "vertices");
+    assert_field_refused(120, 251, "limit of 251 vertices");
+    assert_field_refused(130, 1, "limit of 1 layers, and no polygon is transparent");
     assert_field_refused(30, 0x7FF8, "units per metre");
     assert_field_refused(38, 0x7FF0, "the origin is not finite");
 }
@@ -561,11 +561,51 @@ static void spare_fields_of_textures_are_zero(void **state)
                                        .texel_blocks = 1};
     struct error err = {""};
     if (!lim_check_textures(&textured, &err)) fail_msg("%s", err.text);
-    texture.zero = 1;
+    texture.place_bits = 1;
     assert_false(lim_check_textures(&textured, &err));
-    texture.zero = 0;
+    texture.place_bits = 0;
     mapping.zero = 1;
     assert_false(lim_check_textures(&textured, &err));
+}
+
+/* What the renderer relies on where a mesh has textures. */
+static void meshes_with_textures_are_checked(void **state)
+{
+    (void)state;
+    struct lim_vertex vertices[3] = {{0, 0, 0}, {9, 0, 0}, {0, 9, 0}};
+    struct lim_uv uvs[3] = {{0, 0}, {20000, 0}, {0, -20000}};
+    lim_index words[4] = {0, 1, 2, 0};
+    struct lim_texture texture = {.levels = 1, .place_bits = 15};
+    const struct lim_box box = {{4, 4, 0}, {5, 5, 0}};
+    struct lim_scene mesh = {.vertices = vertices,
+                             .boxes = &box,
+                             .polygons = words,
+                             .vertex_count = 3,
+                             .box_count = 1,
+                             .polygon_words = 4,
+                             .polygon_count = 1,
+                             .limits = {.vertices = 3},
+                             .textures = &texture,
+                             .texture_count = 1,
+                             .palette_colours = 256,
+                             .texel_blocks = 1,
+                             .uvs = {uvs}};
+    struct error err = {""};
+    if (!lim_check(&mesh, &err)) fail_msg("%s", err.text);
+    words[3] = 1;
+    assert_scene_refused(&mesh, "texture 1 of 1");
+    words[3] = 0;
+    uvs[2].v = 20000, uvs[1].v = -20000;
+    assert_scene_refused(&mesh, "too far apart");
+    uvs[1].v = 0;
+    texture.place_bits = 16;
+    assert_scene_refused(&mesh, "places of 16 bits");
+    texture.place_bits = 0;
+    *mesh.uvs = NULL;
+    assert_scene_refused(&mesh, "1 textures, and without places");
+    *mesh.uvs = uvs;
+    mesh.texture_count = 0;
+    assert_scene_refused(&mesh, "0 textures, and with places");
 }
 
 /* What the renderer relies on; each alone is refused, and names what it is. */
@@ -697,6 +737,7 @@ int main(void)
         cmocka_unit_test(sets_hold_what_can_be_sorted),
         cmocka_unit_test(flags_of_edges_that_are_not_there_are_refused),
         cmocka_unit_test(spare_fields_of_textures_are_zero),
+        cmocka_unit_test(meshes_with_textures_are_checked),
         cmocka_unit_test(mappings_out_of_range_are_refused),
         cmocka_unit_test(damage_is_refused_or_harmless),
         cmocka_unit_test(damaged_leaves_are_too),
