@@ -73,7 +73,8 @@ static void note(struct usage *usage, const struct simulator *simulator)
     usage->active[i] = stats->active_max;
     usage->runs[i] = stats->delta.runs_max;
     usage->instructions += frame_cost_m0plus(stats, &simulator->target);
-    if (lim_texture_count(simulator->scene)) usage->instructions += frame_cost_textures_m0plus(stats);
+    if (lim_texture_count(simulator->scene))
+        usage->instructions += frame_cost_textures_m0plus(stats, &simulator->target);
     usage->splits += stats->newell.splits;
     if (stats->newell.splits > usage->splits_max) usage->splits_max = stats->newell.splits;
     usage->layers[i] = stats->layers_max;

@@ -120,10 +120,14 @@ double frame_cost_work(const struct lim_stats *stats, const struct lim_target *t
            comparison * stats->newell.comparisons + split * stats->newell.splits + mover_piece * stats->movers.pieces;
 }
 
-double frame_cost_textures_m0plus(const struct lim_stats *stats)
+double frame_cost_textures_m0plus(const struct lim_stats *stats, const struct lim_target *target)
 {
     static const double PIXEL = 13, DIVISION = 170, LINE = 95, POLYGON = 1550;
+    static const double MESH_PIXEL = 11, MESH_LINE = 60, MESH_POLYGON = 600;
 
+    if (target->method == LIM_MESH || target->method == LIM_MESH_DEPTH)
+        return MESH_PIXEL * stats->pixels_painted + DIVISION * stats->divisions + MESH_LINE * stats->lines +
+               MESH_POLYGON * stats->polygons;
     return PIXEL * stats->pixels_painted + DIVISION * stats->divisions + LINE * stats->lines +
            POLYGON * stats->polygons_seen;
 }

@@ -19,7 +19,7 @@ double frame_cost_m0plus(const struct lim_stats *stats, const struct lim_target 
 
 /* What its textures add, if all of the scene's polygons have one: rounded from what `limner measure` counts of
  * stages texels, texture and texture_line, on rooms and a teapot; a tenth off, or more. */
-double frame_cost_textures_m0plus(const struct lim_stats *stats);
+double frame_cost_textures_m0plus(const struct lim_stats *stats, const struct lim_target *target);
 
 /* What that is the sum of. */
 struct frame_cost_term {
