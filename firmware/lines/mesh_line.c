@@ -6,6 +6,7 @@
 #include "lines/mesh_active.h"
 #include "lines/mesh_depth.h"
 #include "pixels/fill.h"
+#include "pixels/texture.h"
 #include "screen/edge.h"
 #include "view/pass.h"
 #include "view/view.h"

@@ -6,9 +6,9 @@
  * too large, texels advance in perspective. */
 #include "lines/mesh_texture.h"
 
+#include "lines/mesh_clip.h"
 #include "lines/mesh_way.h"
 #include "math/fixed.h"
-#include "pixels/texture_planes.h"
 #include "pixels/texture_triangle.h"
 
 #if LIM_HAS_TEXTURE && LIM_HAS_MESHES

@@ -6,10 +6,10 @@
 #ifndef LIM_MESH_TEXTURE_H
 #define LIM_MESH_TEXTURE_H
 
-#include "lines/mesh_clip.h"
 #include "orders.h"
-#include "pixels/texture.h"
 #include "view/pass.h"
+
+struct lim_mesh_clipped;
 
 /* Room for one triangle's gradients, in entries of the pool. */
 enum { MESH_GRADIENT_ENTRIES = 2 };

@@ -3,7 +3,7 @@
  * Texels by depth: a place is looked up where its pixel is the nearest. */
 #include "lines/mesh_texture.h"
 
-#include "pixels/texels.h"
+#include "pixels/texture.h"
 
 #if LIM_HAS_TEXTURE && LIM_HAS_MESH_DEPTH
 

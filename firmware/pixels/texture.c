@@ -6,9 +6,7 @@
  * gradient adds up to over half a screen of 240 pixels is 2^-23 of the largest depth on the screen. */
 #include "pixels/texture.h"
 
-#include "math/fixed.h"
 #include "math/orientation.h"
-#include "pixels/texture_planes.h"
 
 #if LIM_HAS_TEXTURE
 

@@ -11,8 +11,6 @@
  */
 #include "pixels/texture_triangle.h"
 
-#include "pixels/texture_planes.h"
-
 #if LIM_HAS_TEXTURE && LIM_HAS_MESHES
 
 enum { VECTOR_BITS = 30 };

@@ -30,7 +30,8 @@ struct encoding {
     struct lim_fraction *fractions; /* of each vertex; NULL: there are none */
     struct lim_uv *uvs;             /* of each vertex of a mesh with textures; else NULL */
     size_t vertex_count, node_count, plane_count, exact_count, box_count, word_count, record_count;
-    size_t vertex_capacity, fraction_capacity, uv_capacity, plane_capacity, exact_capacity, word_capacity, face_capacity;
+    size_t vertex_capacity, fraction_capacity, uv_capacity, plane_capacity, exact_capacity, word_capacity,
+        face_capacity;
     size_t last_record; /* the word with which the newest record begins */
     struct texture_arrays textures;
     size_t depth, widest; /* nodes on the longest path; most vertices of a record */

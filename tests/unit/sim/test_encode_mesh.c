@@ -286,9 +286,6 @@ static void what_meshes_do_not_draw_is_refused_by_its_face(void **state)
     mesh.polygons[3].transparency = 9;
     assert_mesh_refused(&mesh, "face 4: as a mesh, transparent faces are not drawn");
     mesh.polygons[3].transparency = 0;
-    mesh.polygons[2].mapping = 1;
-    assert_mesh_refused(&mesh, "face 3: as a mesh, textures are not drawn");
-    mesh.polygons[2].mapping = 0;
     mesh.grid.units_per_m = 1e-3;
     assert_mesh_refused(&mesh, "nothing is left");
     mesh_rig_free(&mesh);
