@@ -219,12 +219,14 @@ static void texels_are_those_that_rays_meet(void **state)
                 draw(&shown, found[k], orders[i / 2 % 2], &camera, 0);
                 draw_numbers(&numbers, found[k], orders[i / 2 % 2], &camera);
                 compare_texels(found[k], &camera, &shown, &numbers, &tally);
+                /* Two entries' room for gradients, beside its own, is given back with each. */
+                assert_true(found[k]->stats(shown.lim)->active_max <= 3 * found[k]->stats(numbers.lim)->active_max);
                 soup_view_free(&shown);
                 soup_view_free(&numbers);
             }
             assert_true(tally.pixels > 0);
-            assert_true(tally.wrong <= 0.001 * tally.pixels);
-            assert_true(tally.far <= 0.0005 * tally.pixels);
+            assert_true(tally.wrong <= (found[k]->profile == LIM_PROFILE_DRAFT ? 1e-3 : 5e-5) * tally.pixels);
+            assert_true(tally.far <= 5e-4 * tally.pixels);
         }
 }
 
