@@ -62,6 +62,13 @@ static uint32_t spread_of(int32_t b, int32_t c, const struct nears *nears, int32
     return (uint32_t)most - (uint32_t)least;
 }
 
+static inline int32_t least_of(const struct nears *nears)
+{
+    const int32_t b = nears->b < 0 ? nears->b : 0;
+
+    return nears->a + (nears->c < b ? nears->c : b);
+}
+
 /* Where an even way is not right enough between the corners it may be if it leaves them, by the middle of all errors:
  * *moved is that, packed. false: not even so. `bits`: of is_even(). */
 static LIM_ALONE bool is_even_beside(const struct lim_mesh *mesh, const LIM_FLASH lim_index *corners, int_fast16_t bits,
@@ -70,7 +77,7 @@ static LIM_ALONE bool is_even_beside(const struct lim_mesh *mesh, const LIM_FLAS
     const LIM_FLASH struct lim_uv *const uvs = *mesh->pass->scene->uvs, *const a = &uvs[corners[0]];
     const LIM_FLASH struct lim_uv *const b = &uvs[corners[1]], *const c = &uvs[corners[2]];
     const struct nears nears = nears_of(mesh, corners);
-    const int32_t b_near = nears.b < 0 ? nears.b : 0, least = nears.a + (nears.c < b_near ? nears.c : b_near);
+    const int32_t least = least_of(&nears);
     const uint32_t most = mesh_way_most(mesh_way_of_places(a, b), mesh_way_of_places(a, c));
     int32_t middle[2];
 
@@ -85,14 +92,19 @@ static LIM_ALONE bool is_even_beside(const struct lim_mesh *mesh, const LIM_FLAS
     return true;
 }
 
-/* Whether even texels are right enough between the corners, whose places differ by `most`. Nearness is rounded, and
- * ranges are below twice the corners' differences. */
-static LIM_INLINE bool is_even(const struct nears *nears, uint32_t most, int_fast16_t bits)
+/* What nearness and a coordinate gain along each side, multiplied: nearly_abs() of them, OR'ed. */
+static inline uint32_t sides_of(const struct nears *nears, int32_t b, int32_t c)
 {
-    const uint32_t near_most = nearly_abs(nears->b) | nearly_abs(nears->c);
-    const int32_t least = nears->a - (int32_t)near_most - 1;
+    return nearly_abs(nears->b * b) | nearly_abs(nears->c * c) | nearly_abs((nears->c - nears->b) * (c - b));
+}
 
-    return bits >= 0 && least > 0 && (near_most + 2) * (most + 1) <= (uint32_t)least << (bits < 14 ? bits : 14);
+/* Whether even texels are right enough between the corners. Nearness is rounded at both ends of a side. */
+static LIM_INLINE bool is_even(const struct nears *nears, mesh_way b, mesh_way c, int_fast16_t bits)
+{
+    const uint32_t sides =
+        sides_of(nears, mesh_way_x(b), mesh_way_x(c)) | sides_of(nears, mesh_way_y(b), mesh_way_y(c));
+
+    return bits >= 0 && sides + 2 * mesh_way_most(b, c) < (uint32_t)least_of(nears) << (bits < 13 ? bits + 2 : 15);
 }
 
 /* Of a numerator, in 2^-16 of the width. */
@@ -155,7 +167,7 @@ static LIM_INLINE bool set_even_look(const struct lim_mesh *mesh, struct lim_mes
     const int32_t level = level_of_areas(texture, mesh_way_cross(b_place, c_place), area, zeros, halved[0] + halved[1]);
     const int_fast16_t finer_bits = (int_fast16_t)(level - texture->w_bits - LIM_TEXTURE_OFF_BITS);
     if (!is_within_reach(most_half, finer_bits + 16)) return false;
-    if (!is_even(&nears, mesh_way_most(b_place, c_place), finer_bits + texture->place_bits) &&
+    if (!is_even(&nears, b_place, c_place, finer_bits + texture->place_bits) &&
         !is_even_beside(mesh, corners, finer_bits + texture->place_bits, &moved))
         return false;
     const int_fast16_t down = (int_fast16_t)(14 + texture->place_bits - LIM_SUB_BITS - zeros);

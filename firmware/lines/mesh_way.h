@@ -41,6 +41,16 @@ static inline int32_t mesh_way_cross(mesh_way a, mesh_way b)
     return __builtin_arm_smusdx((int32_t)a, (int32_t)b);
 }
 
+static inline int32_t mesh_way_x(mesh_way way)
+{
+    return (int16_t)way;
+}
+
+static inline int32_t mesh_way_y(mesh_way way)
+{
+    return (int32_t)way >> 16;
+}
+
 /* nearly_abs() of all, OR'ed. */
 static inline uint32_t mesh_way_most(mesh_way a, mesh_way b)
 {
@@ -94,6 +104,16 @@ static inline mesh_way mesh_way_of_places(const LIM_FLASH struct lim_uv *from, c
 static inline int32_t mesh_way_cross(mesh_way a, mesh_way b)
 {
     return a.x * b.y - a.y * b.x;
+}
+
+static inline int32_t mesh_way_x(mesh_way way)
+{
+    return way.x;
+}
+
+static inline int32_t mesh_way_y(mesh_way way)
+{
+    return way.y;
 }
 
 static inline uint32_t mesh_way_most(mesh_way a, mesh_way b)
