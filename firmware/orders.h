@@ -353,8 +353,9 @@ struct lim_mesh {
     lim_index alive;                /* of lines that the pool is too small for: triangles that may cross the next */
     uint16_t alive_from;            /* tops[] from this line on are not among them */
     uint16_t pool_size, unused;     /* unused: entries from here on */
-    uint8_t near_shift;             /* of lim_view_all() */
+    uint8_t near_shift;             /* of lim_view_all(), or lim_view_finer() */
     uint8_t extent;                 /* enum lim_view_extent */
+    uint16_t nearest;               /* where that is LIM_VIEW_CLIPPED: nearness of all that is linked, OR'ed */
     uint32_t parts;                 /* lim_bands() */
     bool is_complete;               /* `first` has all that cross the last line */
     LIM_OPTIONAL(struct lim_mesh_depths, depths, LIM_HAS_MESH_DEPTH);

@@ -16,6 +16,7 @@
 
 #if LIM_HAS_MESHES
 
+enum { NEARNESS_BITS = 15 };
 /* All parts of one clipped triangle find room. */
 enum { LEAST_ACTIVE = MESH_FAN + 1, LEAST_TEXTURED = LEAST_ACTIVE + MESH_FAN * MESH_GRADIENT_ENTRIES };
 
@@ -112,23 +113,29 @@ static inline void link_at(struct lim_mesh *mesh, lim_index triangle, int32_t to
     if (LIM_HAS_STATS) lim_stats_of(mesh->pass)->polygons++;
 }
 
-/* What has pixels between two lines; those above the screen begin on its first. */
-static inline void link_lines(struct lim_mesh *mesh, lim_index triangle, struct lim_span_extent lines)
+/* What has pixels between two lines; those above the screen begin on its first. `nearness` is that of its corners,
+ * OR'ed. */
+static inline void link_lines(struct lim_mesh *mesh, lim_index triangle, struct lim_span_extent lines,
+                              uint_fast16_t nearness)
 {
     if (lines.top >= lines.bottom || lines.bottom <= 0 || lines.top >= (int16_t)mesh->pass->target.h_px) return;
+    mesh->nearest |= (uint16_t)nearness;
     link_at(mesh, triangle, lines.top > 0 ? lines.top : 0);
 }
 
 static LIM_RARE void link_clipped(struct lim_mesh *mesh, lim_index triangle)
 {
     struct lim_mesh_clipped clipped;
+    uint_fast16_t nearness = 0;
 
     if (!lim_mesh_clip(mesh, triangle, &clipped)) return;
+    for (uint_fast8_t k = 0; k < clipped.n; k++)
+        nearness |= clipped.nearness[k];
     if (LIM_HAS_STATS) {
         lim_stats_of(mesh->pass)->clipped++;
         lim_stats_of(mesh->pass)->non_monotone += clipped.shape.non_monotone;
     }
-    link_lines(mesh, triangle, (struct lim_span_extent){clipped.shape.top, clipped.shape.bottom});
+    link_lines(mesh, triangle, (struct lim_span_extent){clipped.shape.top, clipped.shape.bottom}, nearness);
 }
 
 /* To the left or right of the screen. */
@@ -154,7 +161,8 @@ static LIM_INLINE void link_triangle(struct lim_mesh *mesh, lim_index triangle, 
     if (!faces_eye(a, b, c, extent == LIM_VIEW_INSIDE)) return;
     const struct lim_span_extent lines = lines_of(a, b, c);
     if (extent != LIM_VIEW_INSIDE) {
-        if (!mesh_is_beside(mesh, a, b, c)) link_lines(mesh, triangle, lines);
+        if (!mesh_is_beside(mesh, a, b, c))
+            link_lines(mesh, triangle, lines, mesh->nearness[i] | mesh->nearness[j] | mesh->nearness[k]);
     } else if (lines.top != lines.bottom) {
         link_at(mesh, triangle, lines.top);
     }
@@ -178,11 +186,23 @@ static void link_triangles(struct lim_mesh *mesh)
 {
     for (uint_fast16_t y = 0; y < mesh->pass->target.h_px; y++)
         mesh->tops[y] = LIM_NO_INDEX;
+    mesh->nearest = 0;
     if (LIM_HAS_STATS) lim_stats_of(mesh->pass)->records += mesh->pass->scene->polygon_count;
     if (mesh->extent == LIM_VIEW_INSIDE && !LIM_OPTIMISE_SIZE)
         link_inside(mesh);
     else
         link_all(mesh, mesh->extent);
+}
+
+/* The eye is within the mesh's box, or beside it, so it may be as near as the near plane; what is seen seldom is. Then
+ * nearness has bits that it does not use. */
+static LIM_RARE void refine(struct lim_mesh *mesh)
+{
+    const struct lim_pass *pass = mesh->pass;
+    const uint8_t zeros = mesh->nearest ? clz_u32(mesh->nearest) : 0;
+
+    if (zeros > 32 - NEARNESS_BITS)
+        lim_view_finer(&pass->view, pass->scene, zeros - (32 - NEARNESS_BITS), mesh->nearness, &mesh->near_shift);
 }
 
 /* Lines in parts -------------------------------------------------------------------------------------------------- */
@@ -307,6 +327,7 @@ int lim_mesh_frame(struct lim_mesh *mesh)
 
     mesh->extent = (uint8_t)lim_view_all(&pass->view, pass->scene, mesh->points, mesh->nearness, &mesh->near_shift);
     link_triangles(mesh);
+    if (mesh->extent == LIM_VIEW_CLIPPED) refine(mesh);
     lim_mesh_clear(mesh);
     mesh->alive = LIM_NO_INDEX;
     mesh->alive_from = 0;

@@ -94,6 +94,12 @@ static inline uint16_t perspective_nearness(struct lim_depth depth, uint32_t nea
     return (uint16_t)(((uint32_t)depth.recip_q31 >> 16 >> (near_shift - depth.shift)) + 1);
 }
 
+/* The shift with which nearness is 2^bits times as fine. */
+static inline uint32_t perspective_finer(uint32_t near_shift, uint8_t bits)
+{
+    return near_shift - bits;
+}
+
 #elif LIM_HAS_LIMBS
 
 struct lim_depth {
@@ -153,6 +159,12 @@ static inline uint16_t perspective_nearness(struct lim_depth depth, uint32_t nea
     return (uint16_t)(((uint32_t)depth.recip_q31 >> 16 >> (near_shift - depth.shift)) + 1);
 }
 
+/* The shift with which nearness is 2^bits times as fine. */
+static inline uint32_t perspective_finer(uint32_t near_shift, uint8_t bits)
+{
+    return near_shift - bits;
+}
+
 #else
 
 struct lim_depth {
@@ -199,6 +211,12 @@ static inline int32_t perspective_ratio(int32_t x_qv, struct lim_depth depth)
 static inline uint16_t perspective_nearness(struct lim_depth depth, uint32_t near_shift)
 {
     return (uint16_t)(((uint32_t)depth.recip_q15 >> (depth.shift - near_shift)) + 1);
+}
+
+/* The shift with which nearness is 2^bits times as fine. */
+static inline uint32_t perspective_finer(uint32_t near_shift, uint8_t bits)
+{
+    return near_shift + bits;
 }
 
 #endif

@@ -217,6 +217,20 @@ enum lim_view_extent lim_view_all(struct lim_view *view, const struct lim_scene 
     return LIM_VIEW_CLIPPED;
 }
 
+void lim_view_finer(const struct lim_view *view, const struct lim_scene *scene, uint8_t bits, uint16_t *nearness,
+                    uint8_t *near_shift)
+{
+    const uint32_t finer_shift = perspective_finer(*near_shift, bits);
+
+    *near_shift = (uint8_t)finer_shift;
+    for (lim_index i = 0; i < scene->vertex_count; i++) {
+        struct lim_view_point point;
+        if (!nearness[i] || nearness[i] >> (15 - bits)) continue;
+        transform(view, scene, &scene->vertices[i], &point);
+        nearness[i] = perspective_nearness(perspective_depth(point.z_qv), finer_shift);
+    }
+}
+
 #endif
 
 /* For those who want a part of it: clipped polygons, pieces. */

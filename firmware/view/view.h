@@ -99,7 +99,12 @@ enum lim_view_extent {
 enum lim_view_extent lim_view_all(struct lim_view *view, const struct lim_scene *scene, struct lim_point *points,
                                   uint16_t *nearness, uint8_t *near_shift);
 
-/* The nearness of another point of it, which near <= z holds for; `near_shift` as lim_view_all() has set it. */
+/* Nearness anew, 2^bits times as fine, where lim_view_all() has set less than 2^(15 - bits); what is nearer, or has
+ * none, keeps what it has. */
+void lim_view_finer(const struct lim_view *view, const struct lim_scene *scene, uint8_t bits, uint16_t *nearness,
+                    uint8_t *near_shift);
+
+/* The nearness of another point of it, which near <= z holds for; `near_shift` as those have set it. */
 uint16_t lim_view_nearness(const struct lim_view_point *point, uint8_t near_shift);
 
 /* A vertex on the screen, and where it lies outside: valid until another one is asked for. */

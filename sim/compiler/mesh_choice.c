@@ -16,6 +16,7 @@
 #include <math.h>
 
 static const double ENOUGH = 0.95; /* of the instructions of the tree */
+static const double NO_WRONGER = 1.1; /* times the wrong pixels of the tree: less of a difference is that of the views */
 static const double DEEPER_SHARE = 0.2;
 enum { DEEPER = 2 }; /* times: wrong orders are looked for in fewer views than there are */
 
@@ -100,7 +101,7 @@ static double bound_percent(const struct compile_options *options, double tree_p
 {
     const double promised =
         options->wrong_percent > 0 ? options->wrong_percent : mesh_choice_promised_percent(options->core);
-    return fmax(promised, tree_percent);
+    return fmax(promised, NO_WRONGER * tree_percent);
 }
 
 struct settling {
