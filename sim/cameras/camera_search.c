@@ -9,7 +9,6 @@
 
 #include "base/deadline.h"
 #include "base/progress.h"
-#include "cameras/free_space.h"
 #include "cameras/sample.h"
 
 #include <math.h>
@@ -72,7 +71,7 @@ static bool is_clear(const struct run *run, const double eye_m[3])
         double at_m[3];
         for (int i = 0; i < 3; i++)
             at_m[i] = eye_m[i] + (length > 0.0 ? to[i] / length * away_m : 0.0);
-        if (!free_space_holds(run->search->scene, at_m)) return false;
+        if (!sampler_may_be_at(&run->sampler, at_m)) return false;
     }
     return true;
 }

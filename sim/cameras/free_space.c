@@ -12,6 +12,7 @@
 
 #include <float.h>
 #include <math.h>
+#include <string.h>
 
 /* A ray in units, from the point: at + t * way. */
 struct ray {
@@ -24,37 +25,44 @@ static void corner_at(const struct lim_scene *scene, const struct record *record
     out[0] = vertex->x, out[1] = vertex->y, out[2] = vertex->z;
 }
 
-/* The plane of a record that has one of its own, the record in front of it; a triangle's is that of its corners. */
-static double own_plane(const struct lim_scene *scene, const struct record *record, double normal[3])
+/* n . x = d; n points to the front. */
+struct front_plane {
+    double n[3], d;
+};
+
+/* Through its corners as they are rounded: exact sums of whole numbers, so both records of a two-sided polygon have
+ * the same. */
+static struct front_plane plane_of_corners(const struct lim_scene *scene, const struct record *record)
 {
-    if (lim_scene_is_mesh(scene)) {
-        double a[3], b[3], c[3];
-        corner_at(scene, record, 0, a);
-        corner_at(scene, record, 1, b);
-        corner_at(scene, record, 2, c);
-        vec3_sub(b, b, a);
-        vec3_sub(c, c, a);
-        for (int i = 0; i < 3; i++)
-            normal[i] = b[(i + 1) % 3] * c[(i + 2) % 3] - b[(i + 2) % 3] * c[(i + 1) % 3];
-        return vec3_dot(normal, a);
+    struct front_plane plane = {{0.0, 0.0, 0.0}, 0.0};
+    double sum[3] = {0.0, 0.0, 0.0}, before[3], at[3];
+
+    corner_at(scene, record, record->count - 1u, before);
+    for (size_t k = 0; k < record->count; k++) {
+        corner_at(scene, record, k, at);
+        for (int i = 0; i < 3; i++) {
+            const int u = (i + 1) % 3, v = (i + 2) % 3;
+            plane.n[i] += before[u] * at[v] - before[v] * at[u];
+            sum[i] += at[i];
+        }
+        memcpy(before, at, sizeof before);
     }
+    plane.d = vec3_dot(plane.n, sum) / (double)record->count;
+    return plane;
+}
+
+/* The plane of a record that has one of its own; a triangle's is that of its corners. */
+static struct front_plane own_plane(const struct lim_scene *scene, const struct record *record)
+{
+    if (lim_scene_is_mesh(scene)) return plane_of_corners(scene, record);
     const double facing = record->flags & LIM_POLYGON_BACK ? -1.0 : 1.0;
+    struct front_plane plane;
     int64_t n[3], d;
     plane_exact(scene, lim_record_plane(record->corners - LIM_POLYGON_HEAD_WORDS), n, &d);
     for (int i = 0; i < 3; i++)
-        normal[i] = facing * (double)n[i];
-    return facing * (double)d;
-}
-
-/* n . at - d of the record's own plane, positive in front of the record; and n . way. */
-static double height_over(const struct lim_scene *scene, const struct record *record, const struct ray *ray,
-                          double *climb)
-{
-    double normal[3];
-    const double d = own_plane(scene, record, normal);
-
-    *climb = vec3_dot(normal, ray->way);
-    return vec3_dot(normal, ray->at) - d;
+        plane.n[i] = facing * (double)n[i];
+    plane.d = facing * (double)d;
+    return plane;
 }
 
 /* Whether the ray goes through the record at t: even-odd rule, on the corners carried along the ray to the crossing. */
@@ -105,22 +113,36 @@ static bool go_on(const struct lim_scene *scene, const struct record *record, si
     return !(record->flags & LIM_POLYGON_LAST) && *word < scene->polygon_words;
 }
 
+/* What a ray meets first, of the records so far. */
+struct meeting {
+    double t;
+    bool front; /* it faces the ray's beginning */
+};
+
+static const struct meeting MEETS_NOTHING = {DBL_MAX, false};
+
+static void meet(const struct lim_scene *scene, const struct record *record, const struct front_plane *plane,
+                 const struct ray *ray, struct meeting *meeting)
+{
+    const double height = vec3_dot(plane->n, ray->at) - plane->d, t = -height / vec3_dot(plane->n, ray->way);
+
+    if (!(t > 0.0 && t <= meeting->t) || !covers(scene, record, ray, t)) return;
+    const bool both = t == meeting->t && meeting->front; /* both records of a two-sided polygon are there */
+    *meeting = (struct meeting){t, height > 0.0 || both};
+}
+
 /* Whether the nearest polygon of the run on the ray faces its beginning. */
 static bool meets_a_front(const struct lim_scene *scene, size_t run, const struct ray *ray)
 {
-    double nearest = DBL_MAX;
-    bool front = false;
+    struct meeting meeting = MEETS_NOTHING;
     struct record record;
 
     do {
-        double climb;
         record = record_at(scene, run);
-        const double height = height_over(scene, &record, ray, &climb), t = -height / climb;
-        if (!(t > 0.0 && t <= nearest) || !covers(scene, &record, ray, t)) continue;
-        front = height > 0.0 || (t == nearest && front); /* both records of a two-sided polygon are there */
-        nearest = t;
+        const struct front_plane plane = own_plane(scene, &record);
+        meet(scene, &record, &plane, ray, &meeting);
     } while (go_on(scene, &record, &run));
-    return front;
+    return meeting.front;
 }
 
 /* Polygons that are edge-on, or rounded to a line, tell nothing. */
@@ -132,11 +154,46 @@ static bool is_free_in_run(const struct lim_scene *scene, size_t run, const doub
     do {
         record = record_at(scene, word);
         const struct ray ray = ray_to(scene, &record, at);
-        double climb;
-        const double height = height_over(scene, &record, &ray, &climb);
-        if (height != 0.0 && covers(scene, &record, &ray, -height / climb)) return meets_a_front(scene, run, &ray);
+        const struct front_plane plane = own_plane(scene, &record);
+        const double height = vec3_dot(plane.n, ray.at) - plane.d;
+        if (height != 0.0 && covers(scene, &record, &ray, -height / vec3_dot(plane.n, ray.way)))
+            return meets_a_front(scene, run, &ray);
     } while (go_on(scene, &record, &word));
     return false;
+}
+
+static void units_of(const struct grid *grid, const double at_m[3], double at[3])
+{
+    for (int i = 0; i < 3; i++)
+        at[i] = (at_m[i] - grid->origin_m[i]) * grid->units_per_m;
+}
+
+bool free_space_shows_fronts(const struct compiled *compiled, const double at_m[3], const double (*targets_m)[3],
+                             size_t count)
+{
+    const struct lim_scene *scene = &compiled->scene;
+    struct meeting meetings[FREE_SPACE_RAYS_MAX];
+    struct ray rays[FREE_SPACE_RAYS_MAX];
+    size_t fronts = 0, backs = 0;
+
+    for (size_t i = 0; i < count; i++) {
+        units_of(&compiled->grid, at_m, rays[i].at);
+        units_of(&compiled->grid, targets_m[i], rays[i].way);
+        vec3_sub(rays[i].way, rays[i].way, rays[i].at);
+        meetings[i] = MEETS_NOTHING;
+    }
+    for (size_t word = 0; word < scene->polygon_words;) {
+        const struct record record = record_at(scene, word);
+        const struct front_plane plane = plane_of_corners(scene, &record);
+        for (size_t i = 0; i < count; i++)
+            meet(scene, &record, &plane, &rays[i], &meetings[i]);
+        word += record.words;
+    }
+    for (size_t i = 0; i < count; i++) {
+        fronts += meetings[i].front;
+        backs += !meetings[i].front && meetings[i].t < DBL_MAX;
+    }
+    return fronts >= backs;
 }
 
 bool free_space_holds(const struct compiled *compiled, const double at_m[3])
@@ -147,10 +204,9 @@ bool free_space_holds(const struct compiled *compiled, const double at_m[3])
     int32_t at_q8[3];
     lim_index index = 0;
 
-    for (int i = 0; i < 3; i++) {
-        at[i] = (at_m[i] - compiled->grid.origin_m[i]) * compiled->grid.units_per_m;
+    units_of(&compiled->grid, at_m, at);
+    for (int i = 0; i < 3; i++)
         at_q8[i] = (int32_t)lround(at[i] * 256.0);
-    }
     if (lim_scene_is_mesh(scene)) return is_free_in_run(scene, 0, at);
     lim_eye_set(&eye, scene, at_q8);
     for (;;) {

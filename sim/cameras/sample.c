@@ -11,6 +11,7 @@
 
 #include <math.h>
 
+enum { ASKED = 32, ASKED_ALL = 20000 };
 enum { TRIES = 200, PATIENCE = 100000, APART_UNITS = 16 /* eye and target */ };
 
 double sampler_unit(struct sampler *sampler)
@@ -29,10 +30,8 @@ static void vertex_m(const struct compiled *scene, size_t index, double out_m[3]
         out_m[i] = scene->grid.origin_m[i] + units[i] / scene->grid.units_per_m;
 }
 
-void sampler_init(struct sampler *sampler, const struct compiled *scene)
+static void set_bounds(struct sampler *sampler, const struct compiled *scene)
 {
-    *sampler =
-        (struct sampler){.scene = scene, .state = 0x9E3779B97F4A7C15, .near_m = lens_default_near_m(&scene->grid)};
     for (size_t v = 0; v < scene->scene.vertex_count; v++) {
         double at_m[3];
         vertex_m(scene, v, at_m);
@@ -68,6 +67,33 @@ static double distance_m(const struct viewpoint *viewpoint)
     return hypot(hypot(e[0] - t[0], e[1] - t[1]), e[2] - t[2]);
 }
 
+/* The i-th number of the Halton sequence of a base: 0..1, evenly spread. */
+static double halton(unsigned i, unsigned base)
+{
+    double part = 1.0, sum = 0.0;
+
+    for (; i > 0; i /= base)
+        sum += (part /= base) * (i % base);
+    return sum;
+}
+
+/* By rays to points of the bounds, which hang on no order of polygons. */
+static bool shows_fronts(const struct sampler *sampler, const double eye_m[3])
+{
+    static const unsigned bases[3] = {2, 3, 5};
+    double targets_m[FREE_SPACE_RAYS_MAX][3];
+
+    for (unsigned k = 0; k < FREE_SPACE_RAYS_MAX; k++)
+        for (int i = 0; i < 3; i++)
+            targets_m[k][i] = sampler->low_m[i] + halton(k + 1, bases[i]) * (sampler->high_m[i] - sampler->low_m[i]);
+    return free_space_shows_fronts(sampler->scene, eye_m, (const double(*)[3])targets_m, FREE_SPACE_RAYS_MAX);
+}
+
+bool sampler_may_be_at(const struct sampler *sampler, const double eye_m[3])
+{
+    return free_space_holds(sampler->scene, eye_m) && (!sampler->fronts_only || shows_fronts(sampler, eye_m));
+}
+
 struct viewpoint sampler_next(struct sampler *sampler)
 {
     const double apart_m = APART_UNITS / sampler->scene->grid.units_per_m;
@@ -75,12 +101,35 @@ struct viewpoint sampler_next(struct sampler *sampler)
 
     for (int i = 0; i < TRIES; i++) {
         random_point(sampler, viewpoint.eye_m);
-        if (free_space_holds(sampler->scene, viewpoint.eye_m)) break;
+        if (sampler_may_be_at(sampler, viewpoint.eye_m)) break;
     }
     const double count = sampler->scene->scene.vertex_count;
     vertex_m(sampler->scene, (size_t)(sampler_unit(sampler) * count), viewpoint.target_m);
     if (distance_m(&viewpoint) < apart_m) viewpoint.target_m[2] += 2 * apart_m;
     return viewpoint;
+}
+
+/* Fewer are asked of many polygons, which take longer. */
+static bool wants_fronts(const struct sampler *sampler)
+{
+    struct sampler asked = *sampler;
+    const size_t polygons = sampler->scene->scene.polygon_count;
+    const int count = polygons > ASKED_ALL ? ASKED / 4 : ASKED;
+    int fronts = 0;
+
+    for (int i = 0; i < count; i++) {
+        const struct viewpoint viewpoint = sampler_next(&asked);
+        fronts += shows_fronts(sampler, viewpoint.eye_m);
+    }
+    return fronts > 0 && fronts < count * 3 / 4;
+}
+
+void sampler_init(struct sampler *sampler, const struct compiled *scene)
+{
+    *sampler =
+        (struct sampler){.scene = scene, .state = 0x9E3779B97F4A7C15, .near_m = lens_default_near_m(&scene->grid)};
+    set_bounds(sampler, scene);
+    sampler->fronts_only = wants_fronts(sampler);
 }
 
 /* In the unit ball, and not too close to its middle. Returns how far from it. */
@@ -108,8 +157,7 @@ bool sampler_portrait(struct sampler *sampler, struct viewpoint *out)
         out->target_m[i] = (low_m[i] + high_m[i]) / 2.0;
         out->eye_m[i] = out->target_m[i] + way[i] / length * away_m;
     }
-    return distance_m(out) * sampler->scene->grid.units_per_m >= APART_UNITS &&
-           free_space_holds(sampler->scene, out->eye_m);
+    return distance_m(out) * sampler->scene->grid.units_per_m >= APART_UNITS && sampler_may_be_at(sampler, out->eye_m);
 }
 
 /* A face whose patch is about as large as one of a random size; among those of one size any. */
@@ -169,7 +217,7 @@ bool sampler_near(struct sampler *sampler, struct viewpoint *out)
             eye_m[k] = face->centre_m[k] + side * way[k] / length * away_m;
         pose_leave(&pose, face->centre_m, out->target_m);
         pose_leave(&pose, eye_m, out->eye_m);
-        if (free_space_holds(sampler->scene, out->eye_m)) return true;
+        if (sampler_may_be_at(sampler, out->eye_m)) return true;
     }
     return false;
 }
@@ -186,7 +234,7 @@ bool sampler_anywhere(struct sampler *sampler, struct viewpoint *out)
     for (int i = 0; i < PATIENCE; i++) {
         random_point(sampler, out->eye_m);
         point_in_bounds(sampler, out->target_m);
-        if (distance_m(out) >= apart_m && free_space_holds(sampler->scene, out->eye_m)) return true;
+        if (distance_m(out) >= apart_m && sampler_may_be_at(sampler, out->eye_m)) return true;
     }
     return false;
 }

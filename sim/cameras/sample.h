@@ -13,11 +13,17 @@ struct sampler {
     uint64_t state;             /* of the random numbers */
     double low_m[3], high_m[3]; /* bounds of the scene */
     double near_m;              /* of the lens; the default by default */
+    bool fronts_only;           /* eyes that see backs rather than fronts are left out */
     double time_s;              /* at which scene->moving is where sampler_near() looks at it */
 };
 
-/* The scene must outlive the sampler and have polygons. */
+/* The scene must outlive the sampler and have polygons. If a quarter of the eyes in its free space or more see backs
+ * rather than fronts, these are left out: nobody is meant to be outside of a level that is made to be seen from within.
+ * A closed scene, or an object, has hardly any such places, and keeps them. */
 void sampler_init(struct sampler *sampler, const struct compiled *scene);
+
+/* Whether an eye may be there: in free space, and not where it is left out. */
+bool sampler_may_be_at(const struct sampler *sampler, const double eye_m[3]);
 
 /* An eye in front of whatever polygons face it (in a closed building: inside of it; around an
  * object: outside, up to one and a half times its size away), looking at some vertex. */

@@ -15,9 +15,8 @@
 
 #include <math.h>
 
-static const double ENOUGH = 0.95; /* of the instructions of the tree */
-static const double NO_WRONGER =
-    1.1; /* times the wrong pixels of the tree: less of a difference is that of the views */
+static const double ENOUGH = 0.95;    /* of the instructions of the tree */
+static const double NO_WRONGER = 1.1; /* times the tree's wrong pixels: other views differ by as much */
 static const double DEEPER_SHARE = 0.2;
 enum { DEEPER = 2 }; /* times: wrong orders are looked for in fewer views than there are */
 
