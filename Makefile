@@ -21,7 +21,8 @@ ifeq ($(origin CCACHE),undefined)
 CCACHE := $(shell sh sim/tools/compiler_cache.sh)
 endif
 
-ALL_SUITES := host arm cpus boards export cross compilers sanitize models prove format kernel foreign
+# All of them, but for programs that are slow and seldom find anything: those are the suite `slow`.
+ALL_SUITES := host arm cpus boards export cross compilers sanitize models format kernel foreign
 SUITES     := host arm
 suites     := $(if $(filter all,$(SUITES)),$(ALL_SUITES),$(SUITES))
 
@@ -41,7 +42,7 @@ all: $(BUILD)/limner ## [start] build the host program, build/limner (the defaul
 
 help: ## [care] list the goals
 	@awk -f sim/tools/help.awk Makefile boards/image.mk
-	@printf '\nSuites of make test: %s.\nOn demand: arm64 (a stock kernel), features (all pairs of LIM_HAS_ flags; SUITES=all has an eighth, SEED=0 to 7 say which), sanitize, models, boards and compilers with SEED=all (else a half), sub-bits (profiles with other ones), and cpus with EVERY_PROFILE=yes.\n' "$(ALL_SUITES)"
+	@printf '\nSuites of make test: %s.\nOn demand: slow (what is slow and seldom finds anything; proofs are among it), arm64 (a stock kernel), features (all pairs of LIM_HAS_ flags; SUITES=all has an eighth, SEED=0 to 7 say which), sanitize, models, boards and compilers with SEED=all (else a half), sub-bits (profiles with other ones), and cpus with EVERY_PROFILE=yes.\n' "$(ALL_SUITES)"
 
 # -- Debian packages: what every build needs, and what a goal or a suite needs beside ----------------------------------
 
@@ -68,6 +69,7 @@ packages-soak          := $(packages-host)
 packages-sub-bits      := $(packages-host) $(packages-arm) gcc-riscv64-unknown-elf qemu-system-misc
 packages-extremes      := $(packages-host)
 packages-prove         := frama-c-base why3 z3
+packages-slow          = $(foreach suite,arm cpus boards export cross sanitize prove,$(packages-$(suite)))
 packages-fuzz          := clang libclang-rt-dev
 packages-mutate        := $(packages-host)
 packages-fuzz-coverage := $(packages-fuzz)
@@ -352,6 +354,11 @@ suite-format    := tests/format.sh tests/rooms.sh tests/pointers.sh
 suite-kernel    := tests/kernel.sh
 suite-foreign   := tests/foreign.sh
 suite-arm64     := tests/arm64.sh
+suite-slow      := $(suite-prove) $(patsubst %,tests/%.sh,sanitize_scenes cross_cplusplus \
+	$(addprefix arm/arm_,footprint balance compare splitters) \
+	$(addprefix cpus/cpus_,rooms sorted wireframe begin m33 lx106 assert movers antialias glass cplusplus config) \
+	$(addprefix boards/boards_,frames card pico esp32c3 stm32) $(addprefix export/export_,plain size) \
+	$(addprefix cli/cli_,compare scale packages trees))
 suite-extremes  := tests/cli/cli_extremes.sh
 suite-soak      := $(filter $(BUILD)/tests/soak_%,$(test_programs))
 
@@ -387,8 +394,8 @@ tests/kernel.sh: tests-kernel $(kernel_programs)
 tests/arm64.sh: $(kernel_programs)
 tests/foreign.sh: tests-kernel $(kernel_programs) $(BUILD)/tests/foreign/card
 
-unknown := $(filter-out $(ALL_SUITES) arm64 fixed features sub-bits extremes soak,$(suites))
-$(if $(unknown),$(error there is no suite $(unknown); there are: all $(ALL_SUITES) arm64 features sub-bits extremes))
+unknown := $(filter-out $(ALL_SUITES) slow prove arm64 fixed features sub-bits extremes soak,$(suites))
+$(if $(unknown),$(error there is no suite $(unknown); there are: all $(ALL_SUITES) slow prove arm64 features sub-bits extremes))
 
 # By itself it draws all frames, in all suites a part of them.
 ifeq ($(suites),extremes)
@@ -399,6 +406,9 @@ endif
 longest  := tests/sanitize.sh tests/arm/arm_footprint.sh tests/boards/boards_frames.sh tests/models.sh tests/sanitize_scenes.sh \
 	tests/cross.sh tests/compilers.sh tests/prove.sh tests/cli/cli_extremes.sh
 asked    := $(sort $(foreach suite,$(suites),$(suite-$(suite))))
+ifneq ($(filter all,$(SUITES))$(filter file,$(origin SUITES)),)
+asked    := $(filter-out $(suite-slow),$(asked))
+endif
 programs := $(filter $(longest),$(asked)) $(filter-out $(longest),$(asked))
 
 test: $(BUILD)/limner $(demo) $(textured) $(programs) ## [start] run the host and Arm suites; SUITES=all: every suite
