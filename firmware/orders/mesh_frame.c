@@ -16,7 +16,7 @@
 
 #if LIM_HAS_MESHES
 
-enum { NEARNESS_BITS = 15 };
+enum { REFINED_BITS = 13 }; /* of nearness at most: a plane that is not quite right keeps within 16 */
 /* All parts of one clipped triangle find room. */
 enum { LEAST_ACTIVE = MESH_FAN + 1, LEAST_TEXTURED = LEAST_ACTIVE + MESH_FAN * MESH_GRADIENT_ENTRIES };
 
@@ -201,8 +201,8 @@ static LIM_RARE void refine(struct lim_mesh *mesh)
     const struct lim_pass *pass = mesh->pass;
     const uint8_t zeros = mesh->nearest ? clz_u32(mesh->nearest) : 0;
 
-    if (zeros > 32 - NEARNESS_BITS)
-        lim_view_finer(&pass->view, pass->scene, zeros - (32 - NEARNESS_BITS), mesh->nearness, &mesh->near_shift);
+    if (zeros > 32 - REFINED_BITS)
+        lim_view_finer(&pass->view, pass->scene, zeros - (32 - REFINED_BITS), mesh->nearness, &mesh->near_shift);
 }
 
 /* Lines in parts -------------------------------------------------------------------------------------------------- */
