@@ -7,27 +7,6 @@
 
 #if LIM_HAS_ANTIALIAS
 
-/* Whether all rows of a bound are in the same pixel. */
-static inline bool is_in_pixel(const struct lim_bound *bound)
-{
-    const uint32_t apart = bound->rows[0] ^ bound->rows[1];
-
-    return !(((bound->rows[0] ^ bound->rows[0] >> 16) | apart | apart >> 16) & 0xFFFC);
-}
-
-static inline uint32_t sum_of(const struct lim_bound *bound)
-{
-    return pair_sum(bound->rows[0] + bound->rows[1]);
-}
-
-/* How many samples in all rows lie beyond a bound and before pixel x, which counts as they do. */
-static inline uint32_t count_beyond(const struct lim_bound *bound, uint32_t x)
-{
-    const uint32_t at = pair_of_both(x * LIM_SAMPLES_A_ROW);
-
-    return pair_sum(pair_beyond(at, bound->rows[0]) + pair_beyond(at, bound->rows[1]));
-}
-
 /* Pixels x0 <= x < x1 of a line, from LIM_STRIP_BIAS_PX before it on, of each of which a strip has as many samples. */
 typedef void run_sink(void *ctx, uint32_t x0, uint32_t x1, uint32_t n);
 
@@ -71,9 +50,9 @@ static inline void mix_run(void *ctx, uint32_t x0, uint32_t x1, uint32_t n)
 
 static LIM_ALONE void mix_narrow(struct lim_smooth_sink *sink, const struct lim_strip *open)
 {
-    if (is_in_pixel(&open->left) && is_in_pixel(&open->right)) { /* of one pixel */
+    if (lim_bound_is_in_pixel(&open->left) && lim_bound_is_in_pixel(&open->right)) { /* of one pixel */
         lim_smooth_mix_pixel(sink, pair_low(open->left.rows[0]) / LIM_SAMPLES_A_ROW - LIM_STRIP_BIAS_PX,
-                             sum_of(&open->right) - sum_of(&open->left));
+                             lim_bound_sum(&open->right) - lim_bound_sum(&open->left));
         return;
     }
     count_runs(open, lim_bound_low(&open->left) / LIM_SAMPLES_A_ROW,
@@ -112,7 +91,7 @@ static LIM_INLINE void mix_side(struct lim_smooth_sink *sink, const struct lim_b
     uint32_t before = 0;
 
     do {
-        const uint32_t after = count_beyond(bound, x + 1), n = after - before;
+        const uint32_t after = lim_bound_beyond(bound, x + 1), n = after - before;
         const uint32_t own = right_of_it ? n : LIM_SAMPLES - n;
         if (own) lim_smooth_mix_pixel(sink, x - LIM_STRIP_BIAS_PX, own);
         before = after;
@@ -128,7 +107,7 @@ void lim_smooth_mix(void *ctx, const struct lim_strip *open)
         mix_textured(sink, open);
         return;
     }
-    const bool left_steep = is_in_pixel(&open->left), right_steep = is_in_pixel(&open->right);
+    const bool left_steep = lim_bound_is_in_pixel(&open->left), right_steep = lim_bound_is_in_pixel(&open->right);
     uint32_t x0 = pair_low(open->left.rows[0]) / LIM_SAMPLES_A_ROW, inner0 = x0 + 1;
     uint32_t inner1 = pair_low(open->right.rows[0]) / LIM_SAMPLES_A_ROW, x1 = inner1 + 1;
     if (!left_steep) {
@@ -144,7 +123,7 @@ void lim_smooth_mix(void *ctx, const struct lim_strip *open)
         return;
     }
     if (left_steep) {
-        const uint32_t n = LIM_SAMPLES * inner0 - sum_of(&open->left);
+        const uint32_t n = LIM_SAMPLES * inner0 - lim_bound_sum(&open->left);
         if (n != LIM_SAMPLES)
             lim_smooth_mix_pixel(sink, x0 - LIM_STRIP_BIAS_PX, n);
         else
@@ -154,7 +133,7 @@ void lim_smooth_mix(void *ctx, const struct lim_strip *open)
     }
     smooth_fill(sink, inner0 - LIM_STRIP_BIAS_PX, inner1 - LIM_STRIP_BIAS_PX);
     if (right_steep) {
-        const uint32_t n = sum_of(&open->right) - LIM_SAMPLES * inner1;
+        const uint32_t n = lim_bound_sum(&open->right) - LIM_SAMPLES * inner1;
         if (n) lim_smooth_mix_pixel(sink, inner1 - LIM_STRIP_BIAS_PX, n);
     } else {
         mix_side(sink, &open->right, inner1, x1, false);

@@ -7,6 +7,7 @@
 #include "lines/overlaid.h"
 #include "lines/paint.h"
 #include "lines/smooth.h"
+#include "lines/smooth_run.h"
 #include "lines/span.h"
 #include "view/pass.h"
 
@@ -151,13 +152,19 @@ int lim_smooth_band(struct lim_paint *paint, struct lim_spans *spans, const stru
                     const struct lim_rect *band, uint16_t *y)
 {
     lim_actives_start(&paint->actives);
-    for (*y = band->y0; *y < band->y1; ++*y) {
+    for (*y = band->y0; *y < band->y1;) {
+        int err = 0;
         if (!smooth_activate(paint, retained, spans->lines[*y].retained)) return LIM_PAINT_ACTIVE;
+        const uint16_t lines = lim_smooth_run(paint, spans, retained, band, *y, &err);
+        if (err) return err;
+        *y = (uint16_t)(*y + lines);
+        if (lines) continue;
         /* Each polygon divides a gap at most. What pass one has closed has had room for its gaps; but by scan lines it
          * closes none. */
         if (LIM_IS_SCANLINE(&paint->pass->target) && paint->actives.fresh >= spans->pool_size) return LIM_PAINT_ACTIVE;
-        const int err = smooth_line(paint, spans, retained, band, *y);
+        err = smooth_line(paint, spans, retained, band, *y);
         if (err) return err;
+        ++*y;
     }
     return 0;
 }

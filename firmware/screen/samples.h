@@ -72,6 +72,27 @@ static inline struct lim_strip lim_strip_common(const struct lim_strip *strip, c
     return common;
 }
 
+/* Whether all its rows are in the same pixel. */
+static inline bool lim_bound_is_in_pixel(const struct lim_bound *bound)
+{
+    const uint32_t apart = bound->rows[0] ^ bound->rows[1];
+
+    return !(((bound->rows[0] ^ bound->rows[0] >> 16) | apart | apart >> 16) & 0xFFFC);
+}
+
+static inline uint32_t lim_bound_sum(const struct lim_bound *bound)
+{
+    return pair_sum(bound->rows[0] + bound->rows[1]);
+}
+
+/* How many samples in all rows lie beyond a bound and before pixel x, which counts as they do. */
+static inline uint32_t lim_bound_beyond(const struct lim_bound *bound, uint32_t x)
+{
+    const uint32_t at = pair_of_both(x * LIM_SAMPLES_A_ROW);
+
+    return pair_sum(pair_beyond(at, bound->rows[0]) + pair_beyond(at, bound->rows[1]));
+}
+
 /* The least and the greatest of its rows. */
 static inline uint32_t lim_bound_low(const struct lim_bound *bound)
 {
@@ -137,15 +158,19 @@ static inline uint32_t lim_samples_at(uint32_t upper_q16, uint32_t lower_q16, in
     return (pair_of_highs(upper_q16, lower_q16) + ahead) >> 2 & 0x3FFF3FFF;
 }
 
-/* All rows of a line that an edge goes on through. */
-static inline struct lim_bound lim_bound_next(struct lim_sample_edge *edge)
+/* All rows of a line that an edge goes on through, and on to the last one. */
+static inline struct lim_bound lim_bound_step(uint32_t *x_q16, uint32_t step_q16)
 {
-    const uint32_t step_q16 = edge->step_q16;
-    const uint32_t a_q16 = edge->x_q16 + step_q16, b_q16 = a_q16 + step_q16, c_q16 = b_q16 + step_q16,
+    const uint32_t a_q16 = *x_q16 + step_q16, b_q16 = a_q16 + step_q16, c_q16 = b_q16 + step_q16,
                    d_q16 = c_q16 + step_q16;
 
-    edge->x_q16 = d_q16;
+    *x_q16 = d_q16;
     return (struct lim_bound){{lim_samples_at(a_q16, b_q16, 0), lim_samples_at(c_q16, d_q16, 2)}};
+}
+
+static inline struct lim_bound lim_bound_next(struct lim_sample_edge *edge)
+{
+    return lim_bound_step(&edge->x_q16, edge->step_q16);
 }
 
 /* lim_strip_next() where an edge begins or ends. */

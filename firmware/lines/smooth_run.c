@@ -1,0 +1,333 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * An edge is a straight line in whole numbers: its column on a row is a start and a step. So of two edges that are in
+ * the same order on the first row of a run and on its last, each row between has them in that order, and so have their
+ * samples, which are rounded alike. Nearest first, each polygon's two edges are compared with those of what is open, at
+ * both ends; where an edge crosses another on the way, the run is made shorter. */
+#include "lines/smooth_run.h"
+
+#include "lines/overlaid.h"
+#include "lines/smooth.h"
+#include "screen/samples.h"
+#include "view/pass.h"
+
+#if LIM_HAS_ANTIALIAS
+
+/* A piece of each line of a run, up to the next one's left side. */
+struct piece {
+    uint32_t x_q16, step_q16;     /* its left side on the row above the line: as struct lim_sample_edge */
+    uint32_t first_q16, last_q16; /* the same on the run's first row and on its last */
+    uint32_t share;               /* lim_smooth_share() of its colour */
+    uint16_t colour;              /* as it lies in memory */
+    bool open;                    /* background, so far */
+};
+
+/* The pieces of a run from left to right, and its right side as one more. */
+struct pieces {
+    struct piece *at;
+    uint_fast16_t count, size;
+    uint_fast16_t open;  /* how many are */
+    uint16_t lines;      /* of the run */
+    uint16_t lines_less; /* where edges cross: of a run that ends above, perhaps */
+};
+
+static inline void set_edge(struct piece *piece, const struct lim_sample_edge *edge, uint16_t lines)
+{
+    piece->x_q16 = edge->x_q16;
+    piece->step_q16 = edge->step_q16;
+    piece->first_q16 = edge->x_q16 + edge->step_q16;
+    piece->last_q16 = edge->x_q16 + (uint32_t)(lines * LIM_SAMPLE_ROWS) * edge->step_q16;
+}
+
+/* Column 4 v is that of sample v in every row, however it is shifted. */
+static inline void set_side(struct piece *piece, uint16_t x_px)
+{
+    const uint32_t column = (uint32_t)(x_px + LIM_STRIP_BIAS_PX) * LIM_SAMPLE_COLUMNS;
+
+    piece->x_q16 = piece->first_q16 = piece->last_q16 = column << 16;
+    piece->step_q16 = 0;
+}
+
+/* Compared at both ends. */
+enum order { LEFT, RIGHT, CROSSING }; /* LEFT, too, of what is at the same place */
+
+static inline enum order order_of(const struct piece *a, const struct piece *b)
+{
+    if (a->first_q16 <= b->first_q16 && a->last_q16 <= b->last_q16) return LEFT;
+    return a->first_q16 >= b->first_q16 && a->last_q16 >= b->last_q16 ? RIGHT : CROSSING;
+}
+
+static uint32_t distance_of(uint32_t a, uint32_t b)
+{
+    return (a > b ? a - b : b - a) >> 13; /* below 2^19: times rows below 2^32 */
+}
+
+/* A guess, which is looked at as the first one is: about the line where they cross. false, always. */
+static LIM_RARE bool shorten(struct pieces *pieces, const struct piece *a, const struct piece *b)
+{
+    const uint32_t first = distance_of(a->first_q16, b->first_q16), last = distance_of(a->last_q16, b->last_q16);
+    const uint32_t rows = (uint32_t)pieces->lines * LIM_SAMPLE_ROWS;
+    const uint32_t lines = first + last ? rows * first / (first + last) / LIM_SAMPLE_ROWS : 0;
+
+    pieces->lines_less = (uint16_t)(lines < pieces->lines ? lines : pieces->lines - 1u);
+    return false;
+}
+
+static inline void insert(struct pieces *pieces, uint_fast16_t i, const struct piece *side, const struct piece *look)
+{
+    for (uint_fast16_t k = ++pieces->count; k > i; k--)
+        pieces->at[k] = pieces->at[k - 1];
+    pieces->at[i] = *side;
+    pieces->at[i].share = look->share;
+    pieces->at[i].colour = look->colour;
+    pieces->at[i].open = true;
+    pieces->open++;
+}
+
+/* Closes what is open between two edges; `left` has the look. false: edges cross, or there is no room. */
+static bool close_between(struct pieces *pieces, const struct piece *left, const struct piece *right)
+{
+    struct piece *const at = pieces->at;
+
+    for (uint_fast16_t i = 0; i < pieces->count; i++) {
+        if (!at[i].open) continue;
+        const enum order beyond = order_of(&at[i + 1], left), before = order_of(right, &at[i]);
+        if (beyond == LEFT) continue;
+        if (beyond == CROSSING) return shorten(pieces, &at[i + 1], left);
+        if (before == LEFT) return true;
+        if (before == CROSSING) return shorten(pieces, right, &at[i]);
+        const enum order begins = order_of(left, &at[i]), ends = order_of(&at[i + 1], right);
+        if (begins == CROSSING) return shorten(pieces, left, &at[i]);
+        if (ends == CROSSING) return shorten(pieces, &at[i + 1], right);
+        if (pieces->count + 3 > pieces->size) return false;
+        if (begins == RIGHT) {
+            insert(pieces, i + 1, left, &at[i]);
+            i++;
+        }
+        if (ends == RIGHT) insert(pieces, i + 1, right, &at[i]);
+        at[i].open = false;
+        at[i].share = left->share;
+        at[i].colour = left->colour;
+        pieces->open--;
+        if (ends == RIGHT) return true;
+    }
+    return true;
+}
+
+/* Nearest first. */
+static bool close_all(struct pieces *pieces, const struct lim_active *active)
+{
+    for (; active && pieces->open; active = active->next) {
+        struct piece left, right;
+        set_edge(&left, &active->samples->left, pieces->lines);
+        set_edge(&right, &active->samples->right, pieces->lines);
+        const enum order sides = order_of(&left, &right);
+        if (sides == CROSSING) return shorten(pieces, &left, &right);
+        if (sides == RIGHT) continue;
+        left.share = *active->share;
+        left.colour = active->colour;
+        if (!close_between(pieces, &left, &right)) return false;
+    }
+    return true;
+}
+
+/* As many lines from y on as no polygon begins or ends on, nor one of its edges. A piece's edges have ended at once. */
+static uint16_t lines_of(const struct lim_paint *paint, const struct lim_spans *spans, const struct lim_rect *band,
+                         uint16_t y)
+{
+    const int32_t below = (y + 1) * LIM_SAMPLE_ROWS;
+    int32_t end_row = band->y1 * LIM_SAMPLE_ROWS;
+    uint16_t lines = 1;
+
+    for (const struct lim_active *active = paint->actives.first; active; active = active->next) {
+        if (active->samples->left.end < end_row) end_row = active->samples->left.end;
+        if (active->samples->right.end < end_row) end_row = active->samples->right.end;
+        if ((int16_t)active->bottom < end_row) end_row = (int16_t)active->bottom;
+        if (end_row < below) return 0;
+    }
+    while ((y + lines + 1) * LIM_SAMPLE_ROWS <= end_row && spans->lines[y + lines].retained == LIM_NONE)
+        lines++;
+    return lines;
+}
+
+/* false: line y begins no run. */
+static bool find_run(struct pieces *pieces, const struct lim_paint *paint, const struct lim_spans *spans,
+                     const struct lim_rect *band, uint16_t y)
+{
+    pieces->lines_less = lines_of(paint, spans, band, y);
+    pieces->size = (uint_fast16_t)(paint->pass->target.w_px * sizeof(uint16_t) / sizeof(struct piece));
+    pieces->at = (void *)paint->smooth->covered;
+    while (pieces->lines_less && pieces->size > 1) {
+        pieces->lines = pieces->lines_less;
+        pieces->lines_less = 0;
+        pieces->count = pieces->open = 1;
+        set_side(&pieces->at[0], band->x0);
+        set_side(&pieces->at[1], band->x1);
+        pieces->at[0].share = lim_smooth_share(paint->background);
+        pieces->at[0].colour = paint->background;
+        pieces->at[0].open = true;
+        if (close_all(pieces, paint->actives.first)) return true;
+    }
+    return false;
+}
+
+/* Of a line, if LIM_HAS_STATS. */
+struct counted {
+    uint32_t painted, background;
+};
+
+static inline void count_pixels(struct counted *counted, bool background, uint32_t n)
+{
+    if (!LIM_HAS_STATS) return;
+    if (background)
+        counted->background += n;
+    else
+        counted->painted += n;
+}
+
+/* Pixel x, of which a piece has n samples of 16, and the next one has the others. */
+static inline void mix_two(uint16_t *line, uint32_t x, uint32_t n, const struct piece *piece, struct counted *counted)
+{
+    const uint32_t rest = piece[1].share;
+
+    line[x - LIM_STRIP_BIAS_PX] = lim_smooth_colour(LIM_SAMPLES * rest + n * (piece->share - rest));
+    count_pixels(counted, (n && piece->open) || (n < LIM_SAMPLES && piece[1].open), 1);
+}
+
+static LIM_INLINE void fill_piece(uint16_t *line, uint32_t x0, uint32_t x1, const struct piece *piece,
+                                  struct counted *counted)
+{
+    if (x0 >= x1) return;
+    lim_fill_inline(line, (int_fast16_t)(x0 - LIM_STRIP_BIAS_PX), (int_fast16_t)(x1 - LIM_STRIP_BIAS_PX),
+                    piece->colour);
+    count_pixels(counted, piece->open, x1 - x0);
+}
+
+/* Pixels x <= .. < end, which an edge that is not steep crosses. */
+static inline void mix_slope(uint16_t *line, const struct lim_bound *bound, uint32_t x, uint32_t end,
+                             const struct piece *piece, struct counted *counted)
+{
+    uint32_t before = 0;
+
+    do {
+        const uint32_t after = lim_bound_beyond(bound, x + 1);
+        mix_two(line, x, LIM_SAMPLES - (after - before), piece, counted);
+        before = after;
+    } while (++x < end);
+}
+
+/* A line of a run, on which each edge has pixels of its own. Returns the piece up to which that is so: all are drawn if
+ * it is the last one. */
+static LIM_ALONE struct piece *draw_line(uint16_t *line, const struct pieces *pieces, struct counted *counted)
+{
+    struct piece *piece = pieces->at, *const last = piece + pieces->count - 1;
+    uint32_t from = (piece->x_q16 >> 16) / LIM_SAMPLE_COLUMNS;
+
+    for (; piece < last; piece++) {
+        const struct lim_bound bound = lim_bound_step(&piece[1].x_q16, piece[1].step_q16);
+        const uint32_t first = pair_low(bound.rows[0]) / LIM_SAMPLES_A_ROW;
+        if (lim_bound_is_in_pixel(&bound)) {
+            const uint32_t n = lim_bound_sum(&bound) - LIM_SAMPLES * first;
+            if (first < from) return piece;
+            fill_piece(line, from, first, piece, counted);
+            from = first;
+            if (n) mix_two(line, from++, n, piece, counted);
+        } else {
+            const uint32_t x0 = lim_bound_low(&bound) / LIM_SAMPLES_A_ROW;
+            if (x0 < from) return piece;
+            fill_piece(line, from, x0, piece, counted);
+            from = (lim_bound_high(&bound) + LIM_SAMPLES_A_ROW - 1) / LIM_SAMPLES_A_ROW;
+            mix_slope(line, &bound, x0, from, piece, counted);
+        }
+    }
+    fill_piece(line, from, (piece[1].x_q16 >> 16) / LIM_SAMPLE_COLUMNS, piece, counted);
+    return piece;
+}
+
+/* The same where more than two pieces have to do with a pixel: each adds its samples to sums. */
+static LIM_RARE void mix_line(struct lim_smooth_sink *sink, const struct pieces *pieces, bool background)
+{
+    struct lim_strip strip;
+
+    strip.left = lim_bound_at(((int32_t)(pieces->at[0].x_q16 >> 18)) - LIM_STRIP_BIAS);
+    for (uint_fast16_t i = 0; i < pieces->count; i++) {
+        const struct piece *piece = &pieces->at[i];
+        uint32_t x_q16 = piece[1].x_q16;
+        strip.right = lim_bound_step(&x_q16, piece[1].step_q16);
+        sink->colour = piece->colour;
+        sink->share = piece->share;
+        if (piece->open == background && !lim_bound_equals(&strip.left, &strip.right)) lim_smooth_mix(sink, &strip);
+        strip.left = strip.right;
+    }
+}
+
+static void draw_slow(uint16_t *line, const struct lim_paint *paint, const struct pieces *pieces)
+{
+    struct lim_smooth_sink sink = {.line = line, .sums = paint->smooth->sums};
+    struct lim_stats *stats = lim_stats_of(paint->pass);
+
+    mix_line(&sink, pieces, false);
+    if (LIM_HAS_STATS) stats->pixels_painted += sink.painted_px;
+    sink.painted_px = 0;
+    mix_line(&sink, pieces, true);
+    if (LIM_HAS_STATS) stats->pixels_background += sink.painted_px;
+    for (uint_fast16_t i = 1; i < pieces->count; i++)
+        pieces->at[i].x_q16 += LIM_SAMPLE_ROWS * pieces->at[i].step_q16;
+}
+
+static int draw_run_line(const struct lim_paint *paint, struct pieces *pieces, const struct lim_rect *band, uint16_t y)
+{
+    const struct lim_target *target = &paint->pass->target;
+    struct lim_stats *stats = lim_stats_of(paint->pass);
+    struct counted counted = {0, 0};
+    uint16_t *line = target->lend(target->ctx, y);
+
+    if (!line) return LIM_ERR_TARGET;
+    struct piece *piece = draw_line(line, pieces, &counted);
+    if (piece + 1 < pieces->at + pieces->count) {
+        counted = (struct counted){0, 0};
+        for (; piece >= pieces->at; piece--)
+            piece[1].x_q16 -= LIM_SAMPLE_ROWS * piece[1].step_q16;
+        draw_slow(line, paint, pieces);
+    }
+    if (LIM_HAS_STATS) {
+        stats->pixels_painted += counted.painted;
+        stats->pixels_background += counted.background;
+    }
+    lim_overlay_line(paint->pass, line, y, band->x0, band->x1);
+    return target->done(target->ctx, y, band->x0, (uint16_t)(band->x1 - band->x0));
+}
+
+/* Over the lines of a run; those that end with it are given back. */
+static void follow(struct lim_actives *actives, uint16_t lines, uint16_t below)
+{
+    struct lim_active **link = &actives->first, *active;
+
+    while ((active = *link) != NULL) {
+        active->samples->left.x_q16 += (uint32_t)(lines * LIM_SAMPLE_ROWS) * active->samples->left.step_q16;
+        active->samples->right.x_q16 += (uint32_t)(lines * LIM_SAMPLE_ROWS) * active->samples->right.step_q16;
+        if ((int16_t)active->bottom > below * LIM_SAMPLE_ROWS)
+            link = &active->next;
+        else
+            lim_active_give_back(actives, link);
+    }
+}
+
+uint16_t lim_smooth_run(struct lim_paint *paint, const struct lim_spans *spans, const struct lim_retained *retained,
+                        const struct lim_rect *band, uint16_t y, int *err)
+{
+    struct lim_stats *stats = lim_stats_of(paint->pass);
+    struct pieces pieces;
+
+    if (lim_target_is_round(&paint->pass->target)) return 0;
+    if (LIM_HAS_TRANSPARENT && retained->transparent) return 0;
+    if (LIM_HAS_TEXTURE && retained->textured) return 0;
+    if (!find_run(&pieces, paint, spans, band, y)) return 0;
+    if (LIM_HAS_STATS && paint->actives.used > stats->active_max) stats->active_max = paint->actives.used;
+    for (uint16_t line = 0; line < pieces.lines && !*err; line++)
+        *err = draw_run_line(paint, &pieces, band, (uint16_t)(y + line));
+    follow(&paint->actives, pieces.lines, (uint16_t)(y + pieces.lines));
+    return pieces.lines;
+}
+
+#endif
