@@ -99,83 +99,141 @@ static LIM_INLINE void mix_side(struct lim_smooth_sink *sink, const struct lim_b
 }
 
 /* Most edges are steep, and cross one pixel of a line: how much of it is the sum of where they are in its rows. */
-void lim_smooth_mix(void *ctx, const struct lim_strip *open)
+void lim_smooth_mix(void *ctx, const struct lim_bound *left, const struct lim_bound *right)
 {
     struct lim_smooth_sink *sink = ctx;
 
     if (LIM_HAS_TEXTURE && sink->span->gradients) {
-        mix_textured(sink, open);
+        mix_textured(sink, &(struct lim_strip){*left, *right});
         return;
     }
-    const bool left_steep = lim_bound_is_in_pixel(&open->left), right_steep = lim_bound_is_in_pixel(&open->right);
-    uint32_t x0 = pair_low(open->left.rows[0]) / LIM_SAMPLES_A_ROW, inner0 = x0 + 1;
-    uint32_t inner1 = pair_low(open->right.rows[0]) / LIM_SAMPLES_A_ROW, x1 = inner1 + 1;
+    const bool left_steep = lim_bound_is_in_pixel(left), right_steep = lim_bound_is_in_pixel(right);
+    uint32_t x0 = pair_low(left->rows[0]) / LIM_SAMPLES_A_ROW, inner0 = x0 + 1;
+    uint32_t inner1 = pair_low(right->rows[0]) / LIM_SAMPLES_A_ROW, x1 = inner1 + 1;
     if (!left_steep) {
-        x0 = lim_bound_low(&open->left) / LIM_SAMPLES_A_ROW;
-        inner0 = (lim_bound_high(&open->left) + LIM_SAMPLES_A_ROW - 1) / LIM_SAMPLES_A_ROW;
+        x0 = lim_bound_low(left) / LIM_SAMPLES_A_ROW;
+        inner0 = (lim_bound_high(left) + LIM_SAMPLES_A_ROW - 1) / LIM_SAMPLES_A_ROW;
     }
     if (!right_steep) {
-        inner1 = lim_bound_low(&open->right) / LIM_SAMPLES_A_ROW;
-        x1 = (lim_bound_high(&open->right) + LIM_SAMPLES_A_ROW - 1) / LIM_SAMPLES_A_ROW;
+        inner1 = lim_bound_low(right) / LIM_SAMPLES_A_ROW;
+        x1 = (lim_bound_high(right) + LIM_SAMPLES_A_ROW - 1) / LIM_SAMPLES_A_ROW;
     }
     if (inner0 > inner1) {
-        mix_narrow(sink, open);
+        mix_narrow(sink, &(struct lim_strip){*left, *right});
         return;
     }
     if (left_steep) {
-        const uint32_t n = LIM_SAMPLES * inner0 - lim_bound_sum(&open->left);
+        const uint32_t n = LIM_SAMPLES * inner0 - lim_bound_sum(left);
         if (n != LIM_SAMPLES)
             lim_smooth_mix_pixel(sink, x0 - LIM_STRIP_BIAS_PX, n);
         else
             inner0 = x0;
     } else {
-        mix_side(sink, &open->left, x0, inner0, true);
+        mix_side(sink, left, x0, inner0, true);
     }
     smooth_fill(sink, inner0 - LIM_STRIP_BIAS_PX, inner1 - LIM_STRIP_BIAS_PX);
     if (right_steep) {
-        const uint32_t n = lim_bound_sum(&open->right) - LIM_SAMPLES * inner1;
+        const uint32_t n = lim_bound_sum(right) - LIM_SAMPLES * inner1;
         if (n) lim_smooth_mix_pixel(sink, inner1 - LIM_STRIP_BIAS_PX, n);
     } else {
-        mix_side(sink, &open->right, inner1, x1, false);
+        mix_side(sink, right, inner1, x1, false);
     }
 }
 
-static LIM_INLINE enum lim_span_result close_line(struct lim_spans *spans, int16_t y, const struct lim_strip *strip)
+static LIM_INLINE enum lim_span_result close_line(struct lim_spans *spans, struct lim_line *line, struct lim_bound left,
+                                                  struct lim_bound right)
 {
-    struct lim_line *line = &spans->lines[y];
-
     if (line->gap.x0 == line->gap.x1) return LIM_SPAN_NOTHING;
     if (line->gap.next == LIM_NONE && !lim_strips_begin(spans, line)) return LIM_SPAN_EXHAUSTED;
-    return lim_strips_close(spans, line, strip, NULL, NULL);
+    return lim_strips_close(spans, line, left, right, NULL, NULL);
 }
 
-enum lim_span_result lim_smooth_close_line(struct lim_spans *spans, int16_t y, const struct lim_strip *strip)
+LIM_ALONE enum lim_span_result lim_smooth_close_line(struct lim_spans *spans, int16_t y, const struct lim_strip *strip)
 {
-    return close_line(spans, y, strip);
+    return close_line(spans, &spans->lines[y], strip->left, strip->right);
+}
+
+/* The first and the last line of which something was open; NULL: none so far. */
+struct seen_lines {
+    struct lim_line *top, *last;
+};
+
+static inline bool see_line(struct seen_lines *seen, struct lim_line *line, enum lim_span_result result)
+{
+    if (result == LIM_SPAN_NOTHING) return true;
+    if (result == LIM_SPAN_EXHAUSTED) return false;
+    if (!seen->top) seen->top = line;
+    seen->last = line;
+    return true;
+}
+
+/* Most lines: both edges go on through all of them. false: a pool is exhausted. */
+static LIM_ALONE bool close_through(struct lim_spans *spans, struct lim_sample_edges *edges, int16_t y, int16_t end,
+                                    struct seen_lines *seen)
+{
+    struct lim_line *line = &spans->lines[y], *const after = &spans->lines[end];
+    uint32_t left_q16 = edges->left.x_q16, right_q16 = edges->right.x_q16;
+
+    do {
+        const struct lim_bound left = lim_bound_step(&left_q16, edges->left.step_q16),
+                               right = lim_bound_step(&right_q16, edges->right.step_q16);
+        if (!see_line(seen, line, close_line(spans, line, left, right))) return false;
+    } while (++line < after);
+    edges->left.x_q16 = left_q16;
+    edges->right.x_q16 = right_q16;
+    return true;
+}
+
+/* Any line of a polygon. */
+static bool close_any(struct lim_spans *spans, const struct lim_screen_polygon *polygon, struct lim_sample_edges *edges,
+                      int16_t y, struct seen_lines *seen)
+{
+    struct lim_strip strip;
+
+    lim_strip_any(&strip, edges, polygon->at, polygon->n, polygon->shape.first, y, *polygon->shape.end_row);
+    return see_line(seen, &spans->lines[y], lim_smooth_close_line(spans, y, &strip));
+}
+
+static LIM_IF_CALLED bool see_transparent(const struct lim_spans *spans, const struct lim_screen_polygon *polygon,
+                                          const struct lim_span_extent *shown)
+{
+    struct lim_sample_edges edges;
+
+    lim_strip_begin(&edges, polygon->n, polygon->shape.first);
+    for (int16_t y = shown->top; y < shown->bottom; y++) {
+        const struct lim_strip strip =
+            lim_strip_next(&edges, polygon->at, polygon->n, polygon->shape.first, y, *polygon->shape.end_row);
+        if (lim_strips_see(spans, &spans->lines[y], &strip, NULL, NULL)) return true;
+    }
+    return false;
 }
 
 bool lim_smooth_close(struct lim_spans *spans, const struct lim_screen_polygon *polygon, struct lim_span_extent *shown)
 {
-    const bool transparent = LIM_HAS_TRANSPARENT && lim_alpha_of(polygon) != LIM_OPAQUE;
     const int16_t bottom = shown->bottom;
-    struct lim_span_extent seen = {bottom, bottom};
+    struct seen_lines seen = {NULL, NULL};
     struct lim_sample_edges edges;
 
-    lim_strip_begin(&edges, polygon->n, polygon->shape.first);
-    for (int16_t y = shown->top; y < bottom; y++) {
-        const struct lim_strip strip =
-            lim_strip_next(&edges, polygon->at, polygon->n, polygon->shape.first, y, *polygon->shape.end_row);
-        if (transparent) {
-            if (lim_strips_see(spans, &spans->lines[y], &strip, NULL, NULL)) return true;
-            continue;
-        }
-        const enum lim_span_result result = close_line(spans, y, &strip);
-        if (result == LIM_SPAN_EXHAUSTED) return false;
-        if (result == LIM_SPAN_NOTHING) continue;
-        if (seen.top == bottom) seen.top = y;
-        seen.bottom = (int16_t)(y + 1);
+    if (LIM_HAS_TRANSPARENT && lim_alpha_of(polygon) != LIM_OPAQUE) {
+        if (!see_transparent(spans, polygon, shown)) shown->top = bottom;
+        return true;
     }
-    *shown = seen;
+    lim_strip_begin(&edges, polygon->n, polygon->shape.first);
+    for (int16_t y = shown->top; y < bottom;) {
+        const int16_t end_row = edges.left.end < edges.right.end ? edges.left.end : edges.right.end;
+        int16_t end = (int16_t)(end_row >> 2);
+        if (end > bottom) end = bottom;
+        if (end <= y) {
+            end = (int16_t)(y + 1);
+            if (!close_any(spans, polygon, &edges, y, &seen)) return false;
+        } else if (!close_through(spans, &edges, y, end, &seen)) {
+            return false;
+        }
+        y = end;
+    }
+    *shown = (struct lim_span_extent){bottom, bottom};
+    if (seen.top)
+        *shown = (struct lim_span_extent){(int16_t)(seen.top - spans->lines), (int16_t)(seen.last - spans->lines + 1)};
     return true;
 }
 
@@ -202,9 +260,9 @@ static void push_run(void *ctx, uint32_t x0, uint32_t x1, uint32_t n)
 
 static lim_strip_sink push;
 
-static void push(void *ctx, const struct lim_strip *open)
+static void push(void *ctx, const struct lim_bound *left, const struct lim_bound *right)
 {
-    find_runs(open, push_run, ctx);
+    find_runs(&(struct lim_strip){*left, *right}, push_run, ctx);
 }
 
 void lim_smooth_push(struct lim_layers *layers, const struct lim_spans *spans, const struct lim_line *line,

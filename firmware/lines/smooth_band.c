@@ -93,7 +93,7 @@ static void smooth_polygons(struct lim_paint *paint, struct lim_spans *spans, co
                 lim_smooth_push(paint->layers, spans, open, &strip, cells[1].look.colour, lim_retained_alpha(cells));
             } else {
                 set_look(sink, active, cells, &strip);
-                (void)lim_strips_close(spans, open, &strip, lim_smooth_mix, sink);
+                (void)lim_strips_close(spans, open, strip.left, strip.right, lim_smooth_mix, sink);
             }
         }
         if ((int16_t)active->bottom > below)
@@ -115,7 +115,7 @@ static void smooth_background(const struct lim_paint *paint, const struct lim_sp
     sink->share = lim_smooth_share(paint->background);
     if (LIM_HAS_TEXTURE) sink->span->gradients = NULL;
     for (uint16_t at = open->gap.next; at != LIM_NONE; at = (*spans->strips)[at].next)
-        lim_smooth_mix(sink, &(*spans->strips)[at].open);
+        lim_smooth_mix(sink, &(*spans->strips)[at].open.left, &(*spans->strips)[at].open.right);
     if (LIM_HAS_STATS) stats->pixels_background += sink->painted_px;
 }
 

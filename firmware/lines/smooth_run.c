@@ -256,7 +256,8 @@ static LIM_RARE void mix_line(struct lim_smooth_sink *sink, const struct pieces 
         strip.right = lim_bound_step(&x_q16, piece[1].step_q16);
         sink->colour = piece->colour;
         sink->share = piece->share;
-        if (piece->open == background && !lim_bound_equals(&strip.left, &strip.right)) lim_smooth_mix(sink, &strip);
+        if (piece->open == background && !lim_bound_equals(&strip.left, &strip.right))
+            lim_smooth_mix(sink, &strip.left, &strip.right);
         strip.left = strip.right;
     }
 }

@@ -5,6 +5,36 @@
 
 #if LIM_HAS_ANTIALIAS
 
+LIM_ALONE uint16_t *lim_strips_close_crossing(struct lim_bound left, struct lim_bound right, struct lim_spans *spans,
+                                              uint16_t *link, lim_strip_sink *sink, void *ctx,
+                                              enum lim_span_result *result)
+{
+    struct lim_open_strip *gap = &(*spans->strips)[*link];
+    const struct lim_strip common = lim_strip_common(&(struct lim_strip){left, right}, &gap->open);
+
+    *result = LIM_SPAN_NOTHING;
+    if (lim_bound_equals(&common.left, &common.right)) return &gap->next;
+    const bool leaves_left = !lim_bound_equals(&common.left, &gap->open.left);
+    if (lim_bound_equals(&common.right, &gap->open.right)) {
+        if (leaves_left) {
+            gap->open.right = common.left;
+            link = &gap->next;
+        } else {
+            lim_strip_give_back(spans, link);
+        }
+    } else if (leaves_left) {
+        if (!lim_strip_split(spans, gap, &common.right)) return NULL;
+        gap->open.right = common.left;
+        link = &(*spans->strips)[gap->next].next;
+    } else {
+        gap->open.left = common.right;
+        link = &gap->next;
+    }
+    *result = LIM_SPAN_SOME;
+    if (sink) sink(ctx, &common.left, &common.right);
+    return link;
+}
+
 bool lim_strips_begin(struct lim_spans *spans, struct lim_line *line)
 {
     const uint16_t self = lim_strip_new(spans);
@@ -36,7 +66,7 @@ static bool see_in(const struct lim_strip *open, const struct lim_strip *strip, 
     const struct lim_strip common = lim_strip_common(strip, open);
 
     if (lim_bound_equals(&common.left, &common.right)) return false;
-    if (sink) sink(ctx, &common);
+    if (sink) sink(ctx, &common.left, &common.right);
     return true;
 }
 

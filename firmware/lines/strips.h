@@ -18,7 +18,7 @@ struct lim_open_strip {
 LIM_STATIC_ASSERT(!LIM_HAS_ANTIALIAS || sizeof(struct lim_open_strip) <= LIM_GAP_MEM_B, "a gap has its room");
 
 /* Receives samples of a line that were open: some in one row at least. */
-typedef void lim_strip_sink(void *ctx, const struct lim_strip *open);
+typedef void lim_strip_sink(void *ctx, const struct lim_bound *left, const struct lim_bound *right);
 
 static inline bool lim_spans_have_strips(const struct lim_spans *spans)
 {
@@ -46,54 +46,89 @@ void lim_strips_bound(const struct lim_spans *spans, struct lim_line *line);
 bool lim_strips_see(const struct lim_spans *spans, const struct lim_line *line, const struct lim_strip *strip,
                     lim_strip_sink *sink, void *ctx);
 
-/* Closes the samples that a strip has on a line that is a list. Those that were open go to `sink`, if any. */
-static LIM_INLINE enum lim_span_result lim_strips_close(struct lim_spans *spans, struct lim_line *line,
-                                                        const struct lim_strip *strip, lim_strip_sink *sink, void *ctx)
+/* Where edges cross within the line: lim_strips_close() of the one gap which `link` leads to. Returns the link from
+ * which to go on, or NULL: there is no room. */
+uint16_t *lim_strips_close_crossing(struct lim_bound left, struct lim_bound right, struct lim_spans *spans,
+                                    uint16_t *link, lim_strip_sink *sink, void *ctx, enum lim_span_result *result);
+
+/* Unlinks a gap. */
+static inline void lim_strip_give_back(struct lim_spans *spans, uint16_t *link)
 {
-    struct lim_open_strip *const pool = *spans->strips;
+    const uint16_t self = *link;
+    struct lim_open_strip *gap = &(*spans->strips)[self];
+
+    *link = gap->next;
+    gap->next = spans->free;
+    spans->free = self;
+}
+
+/* Puts a new gap behind one, from a bound up to where that ends. false: there is no room. */
+static inline bool lim_strip_split(struct lim_spans *spans, struct lim_open_strip *gap, const struct lim_bound *from)
+{
+    const uint16_t right = lim_strip_new(spans);
+
+    if (right == LIM_NONE) return false;
+    struct lim_open_strip *rest = &(*spans->strips)[right];
+    rest->open.left = *from;
+    rest->open.right = gap->open.right;
+    rest->next = gap->next;
+    gap->next = right;
+    return true;
+}
+
+/* Closes the samples that a strip has on a line that is a list. Those that were open go to `sink`, if any. Most edges
+ * are in the same order in all rows. */
+static LIM_INLINE enum lim_span_result lim_strips_close(struct lim_spans *spans, struct lim_line *line,
+                                                        struct lim_bound left, struct lim_bound right,
+                                                        lim_strip_sink *sink, void *ctx)
+{
     enum lim_span_result result = LIM_SPAN_NOTHING;
     uint16_t *link = &line->gap.next;
 
     while (*link != LIM_NONE) {
-        const uint16_t self = *link;
-        struct lim_open_strip *gap = &pool[self];
-        if (lim_bound_is_before(&gap->open.right, &strip->left)) {
+        struct lim_open_strip *gap = &(*spans->strips)[*link];
+        const struct lim_bound open_left = gap->open.left, open_right = gap->open.right;
+        if (lim_bound_is_before(&open_right, &left)) {
             link = &gap->next;
             continue;
         }
-        const struct lim_strip common = lim_strip_common(strip, &gap->open);
-        const bool ends_here = lim_bound_equals(&common.right, &strip->right);
-        if (lim_bound_equals(&common.left, &common.right)) {
-            if (ends_here || lim_bound_is_before(&strip->right, &gap->open.left)) break;
-            link = &gap->next;
-            continue;
-        }
-        const bool leaves_left = !lim_bound_equals(&common.left, &gap->open.left);
-        if (lim_bound_equals(&common.right, &gap->open.right)) {
-            if (leaves_left) {
-                gap->open.right = common.left;
-                link = &gap->next;
-            } else {
-                *link = gap->next;
-                gap->next = spans->free;
-                spans->free = self;
+        if (lim_bound_is_before(&right, &open_left)) break;
+        const bool to_end = lim_bound_is_before(&open_right, &right);
+        if (lim_bound_is_before(&left, &open_left)) {
+            if (to_end) {
+                if (sink) sink(ctx, &open_left, &open_right);
+                lim_strip_give_back(spans, link);
+                result = LIM_SPAN_SOME;
+                continue;
             }
-        } else {
-            if (leaves_left) {
-                const uint16_t right = lim_strip_new(spans);
-                if (right == LIM_NONE) return LIM_SPAN_EXHAUSTED;
-                pool[right].open.right = gap->open.right;
-                pool[right].next = gap->next;
-                gap->open.right = common.left;
-                gap->next = right;
-                gap = &pool[right];
+            if (lim_bound_is_before(&open_left, &right) && lim_bound_is_before(&right, &open_right)) {
+                if (sink) sink(ctx, &open_left, &right);
+                gap->open.left = right;
+                result = LIM_SPAN_SOME;
+                break;
             }
-            gap->open.left = common.right;
-            link = &gap->next;
+        } else if (lim_bound_is_before(&open_left, &left)) {
+            if (to_end) {
+                if (lim_bound_is_before(&left, &open_right)) {
+                    if (sink) sink(ctx, &left, &open_right);
+                    gap->open.right = left;
+                    result = LIM_SPAN_SOME;
+                    link = &gap->next;
+                    continue;
+                }
+            } else if (lim_bound_is_before(&left, &right) && lim_bound_is_before(&right, &open_right)) {
+                if (lim_bound_equals(&left, &right)) break;
+                if (!lim_strip_split(spans, gap, &right)) return LIM_SPAN_EXHAUSTED;
+                gap->open.right = left;
+                if (sink) sink(ctx, &left, &right);
+                result = LIM_SPAN_SOME;
+                break;
+            }
         }
-        result = LIM_SPAN_SOME;
-        if (sink) sink(ctx, &common);
-        if (ends_here) break;
+        enum lim_span_result crossed;
+        link = lim_strips_close_crossing(left, right, spans, link, sink, ctx, &crossed);
+        if (!link) return LIM_SPAN_EXHAUSTED;
+        if (crossed == LIM_SPAN_SOME) result = crossed;
     }
     if (line->gap.next == LIM_NONE) {
         line->gap.x0 = line->gap.x1 = 0;

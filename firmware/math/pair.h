@@ -34,6 +34,12 @@ static inline uint32_t pair_beyond(uint32_t a, uint32_t b)
     return beyond;
 }
 
+/* Whether a is at most b and c at most d, in both halves. */
+static inline bool pair_are_most(uint32_t a, uint32_t b, uint32_t c, uint32_t d)
+{
+    return !(pair_beyond(a, b) | pair_beyond(c, d));
+}
+
 /* The high halves of two words. */
 static inline uint32_t pair_of_highs(uint32_t low, uint32_t high)
 {
@@ -67,6 +73,14 @@ static inline uint32_t pair_min(uint32_t a, uint32_t b)
 static inline uint32_t pair_beyond(uint32_t a, uint32_t b)
 {
     return pair_max(a, b) - b;
+}
+
+/* Whether a is at most b and c at most d, in both halves. */
+static inline bool pair_are_most(uint32_t a, uint32_t b, uint32_t c, uint32_t d)
+{
+    const uint32_t flags = 0x80008000u;
+
+    return (((b | flags) - a) & ((d | flags) - c) & flags) == flags;
 }
 
 /* The high halves of two words. */

@@ -57,7 +57,7 @@ static inline bool lim_bound_equals(const struct lim_bound *a, const struct lim_
 /* In all rows, or at the same sample. */
 static inline bool lim_bound_is_before(const struct lim_bound *a, const struct lim_bound *b)
 {
-    return pair_max(a->rows[0], b->rows[0]) == b->rows[0] && pair_max(a->rows[1], b->rows[1]) == b->rows[1];
+    return pair_are_most(a->rows[0], b->rows[0], a->rows[1], b->rows[1]);
 }
 
 /* What two strips have in common; `strip` may have rows that end before they begin. */

@@ -317,13 +317,14 @@ static void open_line(struct fixture *f, uint16_t pool_size)
 
 static lim_strip_sink note_open;
 
-static void note_open(void *ctx, const struct lim_strip *open)
+static void note_open(void *ctx, const struct lim_bound *left, const struct lim_bound *right)
 {
+    const struct lim_strip open = {*left, *right};
     struct fixture *f = ctx;
     bool any = false;
 
     for (int x = -1; x <= W; x++) {
-        const uint16_t mask = mask_of(open, x);
+        const uint16_t mask = mask_of(&open, x);
         any |= mask != 0;
         if (!mask) continue;
         assert_true(x >= 0 && x < W);
@@ -354,7 +355,7 @@ static enum lim_span_result close_strip(struct fixture *f, const struct lim_stri
 {
     if (lim_line_is_closed(&f->line)) return LIM_SPAN_NOTHING;
     if (f->line.gap.next == LIM_NONE && !lim_strips_begin(&f->spans, &f->line)) return LIM_SPAN_EXHAUSTED;
-    return lim_strips_close(&f->spans, &f->line, strip, note_open, f);
+    return lim_strips_close(&f->spans, &f->line, strip->left, strip->right, note_open, f);
 }
 
 /* false: the pool is exhausted; what was closed until then is. */
@@ -474,7 +475,7 @@ static void polygons_in_a_pixel_are_mixed_by_what_they_cover(void **state)
             if (lim_bound_equals(&strip->left, &strip->right)) continue;
             sink.colour = lim_memory_colour(colour);
             sink.share = lim_smooth_share(sink.colour);
-            lim_smooth_mix(&sink, strip);
+            lim_smooth_mix(&sink, &strip->left, &strip->right);
             add_to_mixture(&mixture, strip, colour);
         }
         for (int x = 0; x < MIX_W; x++) {
