@@ -99,44 +99,45 @@ static LIM_INLINE void mix_side(struct lim_smooth_sink *sink, const struct lim_b
 }
 
 /* Most edges are steep, and cross one pixel of a line: how much of it is the sum of where they are in its rows. */
-void lim_smooth_mix(void *ctx, const struct lim_bound *left, const struct lim_bound *right)
+void lim_smooth_mix(void *ctx, uint32_t left0, uint32_t left1, uint32_t right0, uint32_t right1)
 {
+    const struct lim_bound left = {{left0, left1}}, right = {{right0, right1}};
     struct lim_smooth_sink *sink = ctx;
 
     if (LIM_HAS_TEXTURE && sink->span->gradients) {
-        mix_textured(sink, &(struct lim_strip){*left, *right});
+        mix_textured(sink, &(struct lim_strip){left, right});
         return;
     }
-    const bool left_steep = lim_bound_is_in_pixel(left), right_steep = lim_bound_is_in_pixel(right);
-    uint32_t x0 = pair_low(left->rows[0]) / LIM_SAMPLES_A_ROW, inner0 = x0 + 1;
-    uint32_t inner1 = pair_low(right->rows[0]) / LIM_SAMPLES_A_ROW, x1 = inner1 + 1;
+    const bool left_steep = lim_bound_is_in_pixel(&left), right_steep = lim_bound_is_in_pixel(&right);
+    uint32_t x0 = pair_low(left.rows[0]) / LIM_SAMPLES_A_ROW, inner0 = x0 + 1;
+    uint32_t inner1 = pair_low(right.rows[0]) / LIM_SAMPLES_A_ROW, x1 = inner1 + 1;
     if (!left_steep) {
-        x0 = lim_bound_low(left) / LIM_SAMPLES_A_ROW;
-        inner0 = (lim_bound_high(left) + LIM_SAMPLES_A_ROW - 1) / LIM_SAMPLES_A_ROW;
+        x0 = lim_bound_low(&left) / LIM_SAMPLES_A_ROW;
+        inner0 = (lim_bound_high(&left) + LIM_SAMPLES_A_ROW - 1) / LIM_SAMPLES_A_ROW;
     }
     if (!right_steep) {
-        inner1 = lim_bound_low(right) / LIM_SAMPLES_A_ROW;
-        x1 = (lim_bound_high(right) + LIM_SAMPLES_A_ROW - 1) / LIM_SAMPLES_A_ROW;
+        inner1 = lim_bound_low(&right) / LIM_SAMPLES_A_ROW;
+        x1 = (lim_bound_high(&right) + LIM_SAMPLES_A_ROW - 1) / LIM_SAMPLES_A_ROW;
     }
     if (inner0 > inner1) {
-        mix_narrow(sink, &(struct lim_strip){*left, *right});
+        mix_narrow(sink, &(struct lim_strip){left, right});
         return;
     }
     if (left_steep) {
-        const uint32_t n = LIM_SAMPLES * inner0 - lim_bound_sum(left);
+        const uint32_t n = LIM_SAMPLES * inner0 - lim_bound_sum(&left);
         if (n != LIM_SAMPLES)
             lim_smooth_mix_pixel(sink, x0 - LIM_STRIP_BIAS_PX, n);
         else
             inner0 = x0;
     } else {
-        mix_side(sink, left, x0, inner0, true);
+        mix_side(sink, &left, x0, inner0, true);
     }
     smooth_fill(sink, inner0 - LIM_STRIP_BIAS_PX, inner1 - LIM_STRIP_BIAS_PX);
     if (right_steep) {
-        const uint32_t n = lim_bound_sum(right) - LIM_SAMPLES * inner1;
+        const uint32_t n = lim_bound_sum(&right) - LIM_SAMPLES * inner1;
         if (n) lim_smooth_mix_pixel(sink, inner1 - LIM_STRIP_BIAS_PX, n);
     } else {
-        mix_side(sink, right, inner1, x1, false);
+        mix_side(sink, &right, inner1, x1, false);
     }
 }
 
@@ -260,9 +261,9 @@ static void push_run(void *ctx, uint32_t x0, uint32_t x1, uint32_t n)
 
 static lim_strip_sink push;
 
-static void push(void *ctx, const struct lim_bound *left, const struct lim_bound *right)
+static void push(void *ctx, uint32_t left0, uint32_t left1, uint32_t right0, uint32_t right1)
 {
-    find_runs(&(struct lim_strip){*left, *right}, push_run, ctx);
+    find_runs(&(struct lim_strip){{{left0, left1}}, {{right0, right1}}}, push_run, ctx);
 }
 
 void lim_smooth_push(struct lim_layers *layers, const struct lim_spans *spans, const struct lim_line *line,

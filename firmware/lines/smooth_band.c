@@ -115,7 +115,7 @@ static void smooth_background(const struct lim_paint *paint, const struct lim_sp
     sink->share = lim_smooth_share(paint->background);
     if (LIM_HAS_TEXTURE) sink->span->gradients = NULL;
     for (uint16_t at = open->gap.next; at != LIM_NONE; at = (*spans->strips)[at].next)
-        lim_smooth_mix(sink, &(*spans->strips)[at].open.left, &(*spans->strips)[at].open.right);
+        lim_strip_to_sink(lim_smooth_mix, sink, &(*spans->strips)[at].open.left, &(*spans->strips)[at].open.right);
     if (LIM_HAS_STATS) stats->pixels_background += sink->painted_px;
 }
 

@@ -257,7 +257,7 @@ static LIM_RARE void mix_line(struct lim_smooth_sink *sink, const struct pieces 
         sink->colour = piece->colour;
         sink->share = piece->share;
         if (piece->open == background && !lim_bound_equals(&strip.left, &strip.right))
-            lim_smooth_mix(sink, &strip.left, &strip.right);
+            lim_strip_to_sink(lim_smooth_mix, sink, &strip.left, &strip.right);
         strip.left = strip.right;
     }
 }

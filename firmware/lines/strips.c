@@ -5,12 +5,11 @@
 
 #if LIM_HAS_ANTIALIAS
 
-LIM_ALONE uint16_t *lim_strips_close_crossing(struct lim_bound left, struct lim_bound right, struct lim_spans *spans,
-                                              uint16_t *link, lim_strip_sink *sink, void *ctx,
-                                              enum lim_span_result *result)
+LIM_ALONE uint16_t *lim_strips_close_crossing(const struct lim_strip *strip, struct lim_spans *spans, uint16_t *link,
+                                              lim_strip_sink *sink, void *ctx, enum lim_span_result *result)
 {
     struct lim_open_strip *gap = &(*spans->strips)[*link];
-    const struct lim_strip common = lim_strip_common(&(struct lim_strip){left, right}, &gap->open);
+    const struct lim_strip common = lim_strip_common(strip, &gap->open);
 
     *result = LIM_SPAN_NOTHING;
     if (lim_bound_equals(&common.left, &common.right)) return &gap->next;
@@ -31,7 +30,7 @@ LIM_ALONE uint16_t *lim_strips_close_crossing(struct lim_bound left, struct lim_
         link = &gap->next;
     }
     *result = LIM_SPAN_SOME;
-    if (sink) sink(ctx, &common.left, &common.right);
+    lim_strip_to_sink(sink, ctx, &common.left, &common.right);
     return link;
 }
 
@@ -66,7 +65,7 @@ static bool see_in(const struct lim_strip *open, const struct lim_strip *strip, 
     const struct lim_strip common = lim_strip_common(strip, open);
 
     if (lim_bound_equals(&common.left, &common.right)) return false;
-    if (sink) sink(ctx, &common.left, &common.right);
+    lim_strip_to_sink(sink, ctx, &common.left, &common.right);
     return true;
 }
 

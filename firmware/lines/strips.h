@@ -17,8 +17,15 @@ struct lim_open_strip {
 
 LIM_STATIC_ASSERT(!LIM_HAS_ANTIALIAS || sizeof(struct lim_open_strip) <= LIM_GAP_MEM_B, "a gap has its room");
 
-/* Receives samples of a line that were open: some in one row at least. */
-typedef void lim_strip_sink(void *ctx, const struct lim_bound *left, const struct lim_bound *right);
+/* Receives samples of a line that were open, some in one row at least: the rows of a left and of a right bound. Words,
+ * because compilers keep them in registers. */
+typedef void lim_strip_sink(void *ctx, uint32_t left0, uint32_t left1, uint32_t right0, uint32_t right1);
+
+static LIM_INLINE void lim_strip_to_sink(lim_strip_sink *sink, void *ctx, const struct lim_bound *left,
+                                         const struct lim_bound *right)
+{
+    if (sink) sink(ctx, left->rows[0], left->rows[1], right->rows[0], right->rows[1]);
+}
 
 static inline bool lim_spans_have_strips(const struct lim_spans *spans)
 {
@@ -48,8 +55,8 @@ bool lim_strips_see(const struct lim_spans *spans, const struct lim_line *line, 
 
 /* Where edges cross within the line: lim_strips_close() of the one gap which `link` leads to. Returns the link from
  * which to go on, or NULL: there is no room. */
-uint16_t *lim_strips_close_crossing(struct lim_bound left, struct lim_bound right, struct lim_spans *spans,
-                                    uint16_t *link, lim_strip_sink *sink, void *ctx, enum lim_span_result *result);
+uint16_t *lim_strips_close_crossing(const struct lim_strip *strip, struct lim_spans *spans, uint16_t *link,
+                                    lim_strip_sink *sink, void *ctx, enum lim_span_result *result);
 
 /* Unlinks a gap. */
 static inline void lim_strip_give_back(struct lim_spans *spans, uint16_t *link)
@@ -96,13 +103,13 @@ static LIM_INLINE enum lim_span_result lim_strips_close(struct lim_spans *spans,
         const bool to_end = lim_bound_is_before(&open_right, &right);
         if (lim_bound_is_before(&left, &open_left)) {
             if (to_end) {
-                if (sink) sink(ctx, &open_left, &open_right);
+                lim_strip_to_sink(sink, ctx, &open_left, &open_right);
                 lim_strip_give_back(spans, link);
                 result = LIM_SPAN_SOME;
                 continue;
             }
             if (lim_bound_is_before(&open_left, &right) && lim_bound_is_before(&right, &open_right)) {
-                if (sink) sink(ctx, &open_left, &right);
+                lim_strip_to_sink(sink, ctx, &open_left, &right);
                 gap->open.left = right;
                 result = LIM_SPAN_SOME;
                 break;
@@ -110,7 +117,7 @@ static LIM_INLINE enum lim_span_result lim_strips_close(struct lim_spans *spans,
         } else if (lim_bound_is_before(&open_left, &left)) {
             if (to_end) {
                 if (lim_bound_is_before(&left, &open_right)) {
-                    if (sink) sink(ctx, &left, &open_right);
+                    lim_strip_to_sink(sink, ctx, &left, &open_right);
                     gap->open.right = left;
                     result = LIM_SPAN_SOME;
                     link = &gap->next;
@@ -120,13 +127,13 @@ static LIM_INLINE enum lim_span_result lim_strips_close(struct lim_spans *spans,
                 if (lim_bound_equals(&left, &right)) break;
                 if (!lim_strip_split(spans, gap, &right)) return LIM_SPAN_EXHAUSTED;
                 gap->open.right = left;
-                if (sink) sink(ctx, &left, &right);
+                lim_strip_to_sink(sink, ctx, &left, &right);
                 result = LIM_SPAN_SOME;
                 break;
             }
         }
         enum lim_span_result crossed;
-        link = lim_strips_close_crossing(left, right, spans, link, sink, ctx, &crossed);
+        link = lim_strips_close_crossing(&(struct lim_strip){left, right}, spans, link, sink, ctx, &crossed);
         if (!link) return LIM_SPAN_EXHAUSTED;
         if (crossed == LIM_SPAN_SOME) result = crossed;
     }

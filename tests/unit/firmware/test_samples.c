@@ -317,9 +317,9 @@ static void open_line(struct fixture *f, uint16_t pool_size)
 
 static lim_strip_sink note_open;
 
-static void note_open(void *ctx, const struct lim_bound *left, const struct lim_bound *right)
+static void note_open(void *ctx, uint32_t left0, uint32_t left1, uint32_t right0, uint32_t right1)
 {
-    const struct lim_strip open = {*left, *right};
+    const struct lim_strip open = {{{left0, left1}}, {{right0, right1}}};
     struct fixture *f = ctx;
     bool any = false;
 
@@ -475,7 +475,7 @@ static void polygons_in_a_pixel_are_mixed_by_what_they_cover(void **state)
             if (lim_bound_equals(&strip->left, &strip->right)) continue;
             sink.colour = lim_memory_colour(colour);
             sink.share = lim_smooth_share(sink.colour);
-            lim_smooth_mix(&sink, &strip->left, &strip->right);
+            lim_strip_to_sink(lim_smooth_mix, &sink, &strip->left, &strip->right);
             add_to_mixture(&mixture, strip, colour);
         }
         for (int x = 0; x < MIX_W; x++) {
