@@ -39,24 +39,45 @@ static LIM_INLINE void find_runs(const struct lim_strip *open, run_sink *sink, v
     count_runs(open, inner1, x1, sink, ctx);
 }
 
-static run_sink mix_run;
-static inline void mix_run(void *ctx, uint32_t x0, uint32_t x1, uint32_t n)
-{
-    struct lim_smooth_sink *sink = ctx;
+/* A pixel at a time, from the left: how many of its samples are before its right end, and were before its left one.
+ * What of a sink is asked for at each is kept apart from what is written to. */
+struct mixing {
+    uint16_t *line;
+    uint32_t *sums, share, at, before;
+    uint16_t painted_px;
+};
 
-    (void)x1;
-    lim_smooth_mix_pixel(sink, x0 - LIM_STRIP_BIAS_PX, n);
+static inline struct mixing mixing_from(const struct lim_smooth_sink *sink, uint32_t x)
+{
+    return (struct mixing){
+        .line = sink->line, .sums = sink->sums, .share = sink->share, .at = pair_of_both(x * LIM_SAMPLES_A_ROW)};
 }
 
-static LIM_ALONE void mix_narrow(struct lim_smooth_sink *sink, const struct lim_strip *open)
+static inline uint32_t mixing_beyond(const struct mixing *mixing, const struct lim_bound *bound)
 {
-    if (lim_bound_is_in_pixel(&open->left) && lim_bound_is_in_pixel(&open->right)) { /* of one pixel */
-        lim_smooth_mix_pixel(sink, pair_low(open->left.rows[0]) / LIM_SAMPLES_A_ROW - LIM_STRIP_BIAS_PX,
-                             lim_bound_sum(&open->right) - lim_bound_sum(&open->left));
-        return;
+    return pair_beyond(mixing->at, bound->rows[0]) + pair_beyond(mixing->at, bound->rows[1]);
+}
+
+static LIM_INLINE void mix_next(struct mixing *mixing, uint32_t x, uint32_t n)
+{
+    if (!n) return;
+    const bool closes = lim_smooth_add_to(mixing->line, mixing->sums, x - LIM_STRIP_BIAS_PX, n, mixing->share);
+    if (LIM_HAS_STATS) mixing->painted_px = (uint16_t)(mixing->painted_px + closes);
+}
+
+static LIM_ALONE void mix_narrow(struct lim_smooth_sink *sink, struct lim_strip open)
+{
+    const uint32_t end = (lim_bound_high(&open.right) + LIM_SAMPLES_A_ROW - 1) / LIM_SAMPLES_A_ROW;
+    uint32_t x = lim_bound_low(&open.left) / LIM_SAMPLES_A_ROW;
+    struct mixing mixing = mixing_from(sink, x);
+
+    for (; x < end; x++) {
+        mixing.at += pair_of_both(LIM_SAMPLES_A_ROW);
+        const uint32_t after = pair_sum(mixing_beyond(&mixing, &open.left) - mixing_beyond(&mixing, &open.right));
+        mix_next(&mixing, x, after - mixing.before);
+        mixing.before = after;
     }
-    count_runs(open, lim_bound_low(&open->left) / LIM_SAMPLES_A_ROW,
-               (lim_bound_high(&open->right) + LIM_SAMPLES_A_ROW - 1) / LIM_SAMPLES_A_ROW, mix_run, sink);
+    if (LIM_HAS_STATS) sink->painted_px = (uint16_t)(sink->painted_px + mixing.painted_px);
 }
 
 /* A texture's colours come by way of the line, whose pixels mean nothing yet while they are open. */
@@ -88,14 +109,15 @@ static LIM_INLINE void smooth_fill(struct lim_smooth_sink *sink, uint32_t x0, ui
 static LIM_INLINE void mix_side(struct lim_smooth_sink *sink, const struct lim_bound *bound, uint32_t x, uint32_t end,
                                 bool right_of_it)
 {
-    uint32_t before = 0;
+    struct mixing mixing = mixing_from(sink, x);
 
     do {
-        const uint32_t after = lim_bound_beyond(bound, x + 1), n = after - before;
-        const uint32_t own = right_of_it ? n : LIM_SAMPLES - n;
-        if (own) lim_smooth_mix_pixel(sink, x - LIM_STRIP_BIAS_PX, own);
-        before = after;
+        mixing.at += pair_of_both(LIM_SAMPLES_A_ROW);
+        const uint32_t after = pair_sum(mixing_beyond(&mixing, bound)), n = after - mixing.before;
+        mix_next(&mixing, x, right_of_it ? n : LIM_SAMPLES - n);
+        mixing.before = after;
     } while (++x < end);
+    if (LIM_HAS_STATS) sink->painted_px = (uint16_t)(sink->painted_px + mixing.painted_px);
 }
 
 /* Most edges are steep, and cross one pixel of a line: how much of it is the sum of where they are in its rows. */
@@ -120,7 +142,7 @@ void lim_smooth_mix(void *ctx, uint32_t left0, uint32_t left1, uint32_t right0, 
         x1 = (lim_bound_high(&right) + LIM_SAMPLES_A_ROW - 1) / LIM_SAMPLES_A_ROW;
     }
     if (inner0 > inner1) {
-        mix_narrow(sink, &(struct lim_strip){left, right});
+        mix_narrow(sink, (struct lim_strip){left, right});
         return;
     }
     if (left_steep) {

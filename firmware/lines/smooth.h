@@ -41,17 +41,22 @@ static inline uint16_t lim_smooth_colour(uint32_t sum)
 }
 
 /* n samples of a pixel, 1 to 16. The last ones of it write it, and leave a sum of 0. true: these were. */
-static inline bool lim_smooth_add_samples(const struct lim_smooth_sink *sink, uint32_t x, uint32_t n, uint32_t share)
+static inline bool lim_smooth_add_to(uint16_t *line, uint32_t *sums, uint32_t x, uint32_t n, uint32_t share)
 {
-    const uint32_t sum = sink->sums[x] + n * share;
+    const uint32_t sum = sums[x] + n * share;
 
     if (sum >> 28) {
-        sink->sums[x] = sum;
+        sums[x] = sum;
         return false;
     }
-    sink->sums[x] = 0;
-    sink->line[x] = lim_smooth_colour(sum);
+    sums[x] = 0;
+    line[x] = lim_smooth_colour(sum);
     return true;
+}
+
+static inline bool lim_smooth_add_samples(const struct lim_smooth_sink *sink, uint32_t x, uint32_t n, uint32_t share)
+{
+    return lim_smooth_add_to(sink->line, sink->sums, x, n, share);
 }
 
 static LIM_INLINE void lim_smooth_mix_pixel(struct lim_smooth_sink *sink, uint32_t x, uint32_t n)

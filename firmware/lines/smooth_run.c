@@ -73,41 +73,43 @@ static LIM_RARE bool shorten(struct pieces *pieces, const struct piece *a, const
     return false;
 }
 
-static inline void insert(struct pieces *pieces, uint_fast16_t i, const struct piece *side, const struct piece *look)
+/* Divides the piece before `at`. */
+static inline void insert(struct pieces *pieces, struct piece *at, const struct piece *side)
 {
-    for (uint_fast16_t k = ++pieces->count; k > i; k--)
-        pieces->at[k] = pieces->at[k - 1];
-    pieces->at[i] = *side;
-    pieces->at[i].share = look->share;
-    pieces->at[i].colour = look->colour;
-    pieces->at[i].open = true;
+    for (struct piece *piece = pieces->at + ++pieces->count; piece > at; piece--)
+        *piece = piece[-1];
+    at->x_q16 = side->x_q16;
+    at->step_q16 = side->step_q16;
+    at->first_q16 = side->first_q16;
+    at->last_q16 = side->last_q16;
+    at->share = at[-1].share;
+    at->colour = at[-1].colour;
+    at->open = true;
     pieces->open++;
 }
 
 /* Closes what is open between two edges; `left` has the look. false: edges cross, or there is no room. */
-static bool close_between(struct pieces *pieces, const struct piece *left, const struct piece *right)
+static inline bool close_between(struct pieces *pieces, const struct piece *left, const struct piece *right)
 {
-    struct piece *const at = pieces->at;
+    struct piece *gap = pieces->at;
 
-    for (uint_fast16_t i = 0; i < pieces->count; i++) {
-        if (!at[i].open) continue;
-        const enum order beyond = order_of(&at[i + 1], left), before = order_of(right, &at[i]);
+    for (uint_fast16_t open = pieces->open; open; gap++) {
+        if (!gap->open) continue;
+        open--;
+        const enum order beyond = order_of(&gap[1], left), before = order_of(right, gap);
         if (beyond == LEFT) continue;
-        if (beyond == CROSSING) return shorten(pieces, &at[i + 1], left);
+        if (beyond == CROSSING) return shorten(pieces, &gap[1], left);
         if (before == LEFT) return true;
-        if (before == CROSSING) return shorten(pieces, right, &at[i]);
-        const enum order begins = order_of(left, &at[i]), ends = order_of(&at[i + 1], right);
-        if (begins == CROSSING) return shorten(pieces, left, &at[i]);
-        if (ends == CROSSING) return shorten(pieces, &at[i + 1], right);
+        if (before == CROSSING) return shorten(pieces, right, gap);
+        const enum order begins = order_of(left, gap), ends = order_of(&gap[1], right);
+        if (begins == CROSSING) return shorten(pieces, left, gap);
+        if (ends == CROSSING) return shorten(pieces, &gap[1], right);
         if (pieces->count + 3 > pieces->size) return false;
-        if (begins == RIGHT) {
-            insert(pieces, i + 1, left, &at[i]);
-            i++;
-        }
-        if (ends == RIGHT) insert(pieces, i + 1, right, &at[i]);
-        at[i].open = false;
-        at[i].share = left->share;
-        at[i].colour = left->colour;
+        if (begins == RIGHT) insert(pieces, ++gap, left);
+        if (ends == RIGHT) insert(pieces, gap + 1, right);
+        gap->open = false;
+        gap->share = left->share;
+        gap->colour = left->colour;
         pieces->open--;
         if (ends == RIGHT) return true;
     }
