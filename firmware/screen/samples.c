@@ -127,32 +127,31 @@ void lim_strip_of_rows(struct lim_strip *strip, const struct lim_point *last, in
     }
 }
 
-/* The rows from <= s < end of a line whose first row is given, of a boundary that goes on through them. */
-static inline struct lim_bound some_rows(struct lim_sample_edge *edge, const struct lim_point *at, uint8_t n,
-                                         int32_t row, int32_t from, int32_t end)
+/* The rows from <= s < end of a line whose first row is given, one at least, of a boundary that goes on through them.
+ */
+static inline void some_rows(uint32_t x_q16[LIM_SAMPLE_ROWS], struct lim_sample_edge *edge, const struct lim_point *at,
+                             uint8_t n, int32_t row, int32_t from, int32_t end)
 {
-    uint32_t x_q16[LIM_SAMPLE_ROWS];
-    int32_t s = from;
+    uint32_t to_q16 = edge->x_q16, step_q16 = edge->step_q16;
+    int32_t edge_end = edge->end - row, s = from;
 
-    if (end - from == LIM_SAMPLE_ROWS && edge->end >= row + LIM_SAMPLE_ROWS) return lim_bound_next(edge);
     do {
-        if (edge->end > row + s)
-            edge->x_q16 += edge->step_q16;
-        else
+        if (edge_end > s) {
+            to_q16 += step_q16;
+        } else {
             turn(edge, at, n, (int16_t)(row + s));
-        x_q16[s] = edge->x_q16;
+            to_q16 = edge->x_q16;
+            step_q16 = edge->step_q16;
+            edge_end = edge->end - row;
+        }
+        x_q16[s] = to_q16;
     } while (++s < end);
-    for (; s < LIM_SAMPLE_ROWS; s++)
-        x_q16[s] = edge->x_q16;
-    for (s = from; s-- > 0;)
-        x_q16[s] = x_q16[from];
-    return (struct lim_bound){{lim_samples_at(x_q16[0], x_q16[1], 0), lim_samples_at(x_q16[2], x_q16[3], 2)}};
+    edge->x_q16 = to_q16;
 }
 
-static inline uint32_t halves_from(uint32_t of_left, uint32_t of_right, bool low_is_right, bool high_is_right)
+static inline struct lim_bound bound_of_rows(const uint32_t x_q16[LIM_SAMPLE_ROWS])
 {
-    return (low_is_right ? pair_low(of_right) : pair_low(of_left)) |
-           (high_is_right ? of_right & 0xFFFF0000 : of_left & 0xFFFF0000);
+    return (struct lim_bound){{lim_samples_at(x_q16[0], x_q16[1], 0), lim_samples_at(x_q16[2], x_q16[3], 2)}};
 }
 
 /* A row that the polygon does not have ends where it begins, beside the others. */
@@ -162,15 +161,16 @@ void lim_strip_any(struct lim_strip *strip, struct lim_sample_edges *edges, cons
     const int32_t row = y * LIM_SAMPLE_ROWS, top_row = edges->left.end == INT16_MIN ? screen_row(at[first]) : row;
     const int32_t from = top_row > row ? top_row - row : 0;
     const int32_t end = end_row - row < LIM_SAMPLE_ROWS ? end_row - row : LIM_SAMPLE_ROWS;
+    uint32_t left_q16[LIM_SAMPLE_ROWS], right_q16[LIM_SAMPLE_ROWS];
 
-    strip->left = some_rows(&edges->left, at, n, row, from, end);
-    strip->right = some_rows(&edges->right, at, n, row, from, end);
-    if (from == 0 && end == LIM_SAMPLE_ROWS) return;
-    for (uint_fast8_t i = 0; i < 2; i++) {
-        const int32_t s = (int32_t)(2 * i);
-        strip->right.rows[i] =
-            halves_from(strip->left.rows[i], strip->right.rows[i], s >= from && s < end, s + 1 >= from && s + 1 < end);
-    }
+    some_rows(left_q16, &edges->left, at, n, row, from, end);
+    some_rows(right_q16, &edges->right, at, n, row, from, end);
+    for (int32_t s = from; s-- > 0;)
+        left_q16[s] = right_q16[s] = left_q16[from];
+    for (int32_t s = end; s < LIM_SAMPLE_ROWS; s++)
+        left_q16[s] = right_q16[s] = left_q16[s > from ? s - 1 : from];
+    strip->left = bound_of_rows(left_q16);
+    strip->right = bound_of_rows(right_q16);
 }
 
 /* As in edge.c: where the extra extremes of a non-monotone polygon lie near its top, a fan from the bottom sees every
