@@ -18,6 +18,14 @@ static void shape_bounds(struct lim_edge_shape *shape, const struct lim_point *a
         lim_edge_bounds(shape, at, n);
 }
 
+static void shape_sides(struct lim_edge_shape *shape, const struct lim_point *at, uint8_t n, bool by_samples)
+{
+    if (LIM_HAS_ANTIALIAS && by_samples)
+        lim_samples_sides(shape, at, n);
+    else
+        lim_edge_bounds_sides(shape, at, n);
+}
+
 /* For wireframe: which edges are not drawn, as flags beside the polygon, and in its corners while it is clipped. */
 static void set_hidden(struct lim_screen_polygon *out, uint_fast8_t k, bool hidden)
 {
@@ -115,7 +123,7 @@ bool lim_project(struct lim_screen_polygon *out, struct lim_view *view, const st
     if (LIM_HAS_STATS && stats) stats->non_monotone += out->shape.non_monotone;
     if (!meets_lines(&out->shape, open)) return false;
     if (LIM_HAS_PIECES || lim_project_is_narrow(view, open)) { /* or they are compared */
-        if (!lim_is_polygon_antialiased(out)) lim_edge_bounds_sides(&out->shape, out->at, out->n);
+        shape_sides(&out->shape, out->at, out->n, lim_is_polygon_antialiased(out));
         if (!lim_shape_meets_sides(&out->shape, open)) return false;
     }
     out->colour = lim_memory_colour((uint16_t)record[1]);

@@ -191,29 +191,39 @@ static LIM_RARE uint8_t samples_choose_apex(const struct lim_point *at, uint8_t 
     return 2 * lowest_top + 1 < top + bottom ? bottom_at : top_at;
 }
 
-void lim_samples_bounds(struct lim_edge_shape *shape, const struct lim_point *at, uint8_t n)
+void lim_samples_sides(struct lim_edge_shape *shape, const struct lim_point *at, uint8_t n)
 {
-    int32_t before = row_of(at[n - 1]), top = INT32_MAX, bottom = INT32_MIN, left = INT32_MAX, right = INT32_MIN,
-            way = 0;
+    int32_t left = INT32_MAX, right = INT32_MIN;
 
     for (uint8_t k = 0; k < n; k++) {
-        const int32_t x = x_of(at[k]), row = row_of(at[k]);
-
-        way += row > before ? row - before : before - row;
-        if (row < top) top = row, shape->first = k;
-        if (row > bottom) bottom = row;
+        const int32_t x = x_of(at[k]);
         if (x < left) left = x;
         if (x > right) right = x;
+    }
+    shape->left = (int16_t)((left >> POINT_BITS) + LIM_ORIGIN_PX);
+    shape->right = (int16_t)((right >> POINT_BITS) + 1 + LIM_ORIGIN_PX);
+}
+
+void lim_samples_bounds(struct lim_edge_shape *shape, const struct lim_point *at, uint8_t n)
+{
+    int32_t before = row_of(at[n - 1]), top = INT32_MAX, bottom = INT32_MIN, way = 0;
+    uint8_t first = 0;
+
+    for (uint8_t k = 0; k < n; k++) {
+        const int32_t row = row_of(at[k]);
+
+        way += row > before ? row - before : before - row;
+        if (row < top) top = row, first = k;
+        if (row > bottom) bottom = row;
         before = row;
     }
+    shape->first = first;
     shape->non_monotone = way > 2 * (bottom - top);
-    if (shape->non_monotone) shape->apex = samples_choose_apex(at, n, shape->first, bottom);
+    if (shape->non_monotone) shape->apex = samples_choose_apex(at, n, first, bottom);
     *shape->end_row = (int16_t)(bottom + LIM_ORIGIN_PX * LIM_SAMPLE_ROWS);
     /* A polygon between two rows has none. */
     shape->top = (int16_t)((top >> 2) + LIM_ORIGIN_PX);
     shape->bottom = (int16_t)(top < bottom ? ((bottom + 3) >> 2) + LIM_ORIGIN_PX : shape->top);
-    shape->left = (int16_t)((left >> POINT_BITS) + LIM_ORIGIN_PX);
-    shape->right = (int16_t)((right >> POINT_BITS) + 1 + LIM_ORIGIN_PX);
 }
 
 #endif

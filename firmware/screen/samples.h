@@ -139,8 +139,9 @@ static inline void lim_strip_begin(struct lim_sample_edges *edges, uint8_t n, ui
     edges->right.step_vertex = (uint8_t)(n - 1);
 }
 
-/* lim_edge_bounds() for lines and pixels of which the polygon may have a sample; `non_monotone` as rows of samples are.
- */
+/* lim_edge_bounds() and lim_edge_bounds_sides() for lines and pixels of which the polygon may have a sample;
+ * `non_monotone` as rows of samples are. */
+void lim_samples_sides(struct lim_edge_shape *shape, const struct lim_point *at, uint8_t n);
 void lim_samples_bounds(struct lim_edge_shape *shape, const struct lim_point *at, uint8_t n);
 
 /* By how many sixteenths of a pixel a row's samples are shifted: 1, 3, 0, 2. */

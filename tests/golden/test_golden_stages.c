@@ -77,6 +77,7 @@ static void samples_of_small_polygons(void **state)
             for (int k = 0; k < n; k++) /* on rows of samples and between them */
                 at[k].y = (lim_sub)(at[k].y + random_in(&random, -LIM_SUB / 4, LIM_SUB / 4));
             lim_samples_bounds(&shape, at, n);
+            lim_samples_sides(&shape, at, n);
             hash = add(add(add(add(hash, shape.top), shape.bottom), shape.left), shape.right);
             hash = add(add(add(hash, shape.first), *shape.end_row), shape.non_monotone ? shape.apex : -1);
             non_monotone += shape.non_monotone;
