@@ -137,6 +137,7 @@ static bool close_all(struct pieces *pieces, const struct lim_active *active)
 static uint16_t lines_of(const struct lim_paint *paint, const struct lim_spans *spans, const struct lim_rect *band,
                          uint16_t y)
 {
+    if (spans->lines[y].retained != LIM_NONE) return 0; /* these begin on it */
     const int32_t below = (y + 1) * LIM_SAMPLE_ROWS;
     int32_t end_row = band->y1 * LIM_SAMPLE_ROWS;
     uint16_t lines = 1;
@@ -157,8 +158,8 @@ static bool find_run(struct pieces *pieces, const struct lim_paint *paint, const
                      const struct lim_rect *band, uint16_t y)
 {
     pieces->lines_less = lines_of(paint, spans, band, y);
-    pieces->size = (uint_fast16_t)(paint->pass->target.w_px * sizeof(uint16_t) / sizeof(struct piece));
-    pieces->at = (void *)paint->smooth->covered;
+    pieces->size = (uint_fast16_t)(spans->pool_size * LIM_GAP_MEM_B / sizeof(struct piece));
+    pieces->at = (void *)spans->pool;
     while (pieces->lines_less && pieces->size > 1) {
         pieces->lines = pieces->lines_less;
         pieces->lines_less = 0;

@@ -90,10 +90,11 @@ static LIM_INLINE enum lim_span_result lim_strips_close(struct lim_spans *spans,
                                                         lim_strip_sink *sink, void *ctx)
 {
     enum lim_span_result result = LIM_SPAN_NOTHING;
+    struct lim_open_strip *const pool = *spans->strips;
     uint16_t *link = &line->gap.next;
 
     while (*link != LIM_NONE) {
-        struct lim_open_strip *gap = &(*spans->strips)[*link];
+        struct lim_open_strip *gap = &pool[*link];
         const struct lim_bound open_left = gap->open.left, open_right = gap->open.right;
         if (lim_bound_is_before(&open_right, &left)) {
             link = &gap->next;
