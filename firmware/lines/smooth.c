@@ -166,8 +166,10 @@ void lim_smooth_mix(void *ctx, uint32_t left0, uint32_t left1, uint32_t right0, 
 static LIM_INLINE enum lim_span_result close_line(struct lim_spans *spans, struct lim_line *line, struct lim_bound left,
                                                   struct lim_bound right)
 {
-    if (line->gap.x0 == line->gap.x1) return LIM_SPAN_NOTHING;
-    if (line->gap.next == LIM_NONE && !lim_strips_begin(spans, line)) return LIM_SPAN_EXHAUSTED;
+    if (line->gap.next == LIM_NONE) { /* all of it is open, or nothing */
+        if (line->gap.x0 == line->gap.x1) return LIM_SPAN_NOTHING;
+        if (!lim_strips_begin(spans, line)) return LIM_SPAN_EXHAUSTED;
+    }
     return lim_strips_close(spans, line, left, right, NULL, NULL);
 }
 
@@ -196,12 +198,18 @@ static LIM_ALONE bool close_through(struct lim_spans *spans, struct lim_sample_e
 {
     struct lim_line *line = &spans->lines[y], *const after = &spans->lines[end];
     uint32_t left_q16 = edges->left.x_q16, right_q16 = edges->right.x_q16;
+    struct lim_line *top = seen->top, *last = seen->last;
 
     do {
         const struct lim_bound left = lim_bound_step(&left_q16, edges->left.step_q16),
                                right = lim_bound_step(&right_q16, edges->right.step_q16);
-        if (!see_line(seen, line, close_line(spans, line, left, right))) return false;
+        const enum lim_span_result result = close_line(spans, line, left, right);
+        if (result == LIM_SPAN_NOTHING) continue;
+        if (result == LIM_SPAN_EXHAUSTED) return false;
+        if (!top) top = line;
+        last = line;
     } while (++line < after);
+    *seen = (struct seen_lines){top, last};
     edges->left.x_q16 = left_q16;
     edges->right.x_q16 = right_q16;
     return true;
