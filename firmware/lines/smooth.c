@@ -65,10 +65,9 @@ static LIM_INLINE void mix_next(struct mixing *mixing, uint32_t x, uint32_t n)
     if (LIM_HAS_STATS) mixing->painted_px = (uint16_t)(mixing->painted_px + closes);
 }
 
-static LIM_ALONE void mix_narrow(struct lim_smooth_sink *sink, struct lim_strip open)
+/* Pixels x <= .. < end, from the one with the first sample. */
+static LIM_ALONE void mix_narrow(struct lim_smooth_sink *sink, struct lim_strip open, uint32_t x, uint32_t end)
 {
-    const uint32_t end = (lim_bound_high(&open.right) + LIM_SAMPLES_A_ROW - 1) / LIM_SAMPLES_A_ROW;
-    uint32_t x = lim_bound_low(&open.left) / LIM_SAMPLES_A_ROW;
     struct mixing mixing = mixing_from(sink, x);
 
     for (; x < end; x++) {
@@ -142,7 +141,7 @@ void lim_smooth_mix(void *ctx, uint32_t left0, uint32_t left1, uint32_t right0, 
         x1 = (lim_bound_high(&right) + LIM_SAMPLES_A_ROW - 1) / LIM_SAMPLES_A_ROW;
     }
     if (inner0 > inner1) {
-        mix_narrow(sink, (struct lim_strip){left, right});
+        mix_narrow(sink, (struct lim_strip){left, right}, x0, x1);
         return;
     }
     if (left_steep) {

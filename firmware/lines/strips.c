@@ -34,6 +34,22 @@ LIM_ALONE uint16_t *lim_strips_close_crossing(const struct lim_strip *strip, str
     return link;
 }
 
+LIM_ALONE uint16_t *lim_strips_divide(const struct lim_strip *strip, struct lim_spans *spans, uint16_t *link,
+                                      lim_strip_sink *sink, void *ctx, enum lim_span_result *result)
+{
+    struct lim_open_strip *gap = &(*spans->strips)[*link];
+
+    if (!lim_bound_is_before(&strip->left, &strip->right))
+        return lim_strips_close_crossing(strip, spans, link, sink, ctx, result);
+    *result = LIM_SPAN_NOTHING;
+    if (lim_bound_equals(&strip->left, &strip->right)) return &gap->next;
+    if (!lim_strip_split(spans, gap, &strip->right)) return NULL;
+    *result = LIM_SPAN_SOME;
+    gap->open.right = strip->left;
+    lim_strip_to_sink(sink, ctx, &strip->left, &strip->right);
+    return &gap->next;
+}
+
 bool lim_strips_begin(struct lim_spans *spans, struct lim_line *line)
 {
     const uint16_t self = lim_strip_new(spans);

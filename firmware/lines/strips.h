@@ -83,14 +83,25 @@ static inline bool lim_strip_split(struct lim_spans *spans, struct lim_open_stri
     return true;
 }
 
+/* The same where both bounds of a strip are within the gap. */
+uint16_t *lim_strips_divide(const struct lim_strip *strip, struct lim_spans *spans, uint16_t *link,
+                            lim_strip_sink *sink, void *ctx, enum lim_span_result *result);
+
+static inline void lim_strips_note_closed(struct lim_spans *spans, struct lim_line *line)
+{
+    if (line->gap.next != LIM_NONE) return;
+    line->gap.x0 = line->gap.x1 = 0;
+    spans->open_lines--;
+}
+
 /* Closes the samples that a strip has on a line that is a list. Those that were open go to `sink`, if any. Most edges
  * are in the same order in all rows. */
 static LIM_INLINE enum lim_span_result lim_strips_close(struct lim_spans *spans, struct lim_line *line,
                                                         struct lim_bound left, struct lim_bound right,
                                                         lim_strip_sink *sink, void *ctx)
 {
-    enum lim_span_result result = LIM_SPAN_NOTHING;
     struct lim_open_strip *const pool = *spans->strips;
+    enum lim_span_result result = LIM_SPAN_NOTHING;
     uint16_t *link = &line->gap.next;
 
     while (*link != LIM_NONE) {
@@ -102,45 +113,36 @@ static LIM_INLINE enum lim_span_result lim_strips_close(struct lim_spans *spans,
         }
         if (lim_bound_is_before(&right, &open_left)) break;
         const bool to_end = lim_bound_is_before(&open_right, &right);
+        enum lim_span_result some;
         if (lim_bound_is_before(&left, &open_left)) {
             if (to_end) {
                 lim_strip_to_sink(sink, ctx, &open_left, &open_right);
                 lim_strip_give_back(spans, link);
+                lim_strips_note_closed(spans, line);
                 result = LIM_SPAN_SOME;
                 continue;
             }
             if (lim_bound_is_before(&open_left, &right) && lim_bound_is_before(&right, &open_right)) {
                 lim_strip_to_sink(sink, ctx, &open_left, &right);
                 gap->open.left = right;
-                result = LIM_SPAN_SOME;
-                break;
+                return LIM_SPAN_SOME;
             }
-        } else if (lim_bound_is_before(&open_left, &left)) {
-            if (to_end) {
-                if (lim_bound_is_before(&left, &open_right)) {
-                    lim_strip_to_sink(sink, ctx, &left, &open_right);
-                    gap->open.right = left;
-                    result = LIM_SPAN_SOME;
-                    link = &gap->next;
-                    continue;
-                }
-            } else if (lim_bound_is_before(&left, &right) && lim_bound_is_before(&right, &open_right)) {
-                if (lim_bound_equals(&left, &right)) break;
-                if (!lim_strip_split(spans, gap, &right)) return LIM_SPAN_EXHAUSTED;
-                gap->open.right = left;
-                lim_strip_to_sink(sink, ctx, &left, &right);
-                result = LIM_SPAN_SOME;
-                break;
-            }
+        } else if (to_end && lim_bound_is_before(&open_left, &left) && lim_bound_is_before(&left, &open_right)) {
+            lim_strip_to_sink(sink, ctx, &left, &open_right);
+            gap->open.right = left;
+            result = LIM_SPAN_SOME;
+            link = &gap->next;
+            continue;
+        } else if (!to_end && lim_bound_is_before(&open_left, &left) && lim_bound_is_before(&right, &open_right)) {
+            if (!lim_strips_divide(&(struct lim_strip){left, right}, spans, link, sink, ctx, &some))
+                return LIM_SPAN_EXHAUSTED;
+            lim_strips_note_closed(spans, line);
+            return some == LIM_SPAN_SOME ? some : result;
         }
-        enum lim_span_result crossed;
-        link = lim_strips_close_crossing(&(struct lim_strip){left, right}, spans, link, sink, ctx, &crossed);
+        link = lim_strips_close_crossing(&(struct lim_strip){left, right}, spans, link, sink, ctx, &some);
         if (!link) return LIM_SPAN_EXHAUSTED;
-        if (crossed == LIM_SPAN_SOME) result = crossed;
-    }
-    if (line->gap.next == LIM_NONE) {
-        line->gap.x0 = line->gap.x1 = 0;
-        spans->open_lines--;
+        if (some == LIM_SPAN_SOME) result = some;
+        lim_strips_note_closed(spans, line);
     }
     return result;
 }
