@@ -51,11 +51,13 @@ static struct lim_target target_on(struct canvas *canvas, enum lim_method method
 }
 
 /* With mem_b bytes, 0: with what the scene asks for. */
-static void draw(const struct compiled *scene, enum lim_method method, size_t mem_b, bool antialias,
-                 const struct lim_camera *camera, struct canvas *canvas, struct lim_stats *stats)
+static void draw_seen(const struct compiled *scene, enum lim_method method, size_t mem_b, bool antialias,
+                      const struct lim_camera *camera, lim_visible *visible, struct canvas *canvas,
+                      struct lim_stats *stats)
 {
     static uint32_t smooth_mem[LIM_ANTIALIAS_MEM_B(W_PX) / 4];
-    const struct lim_target target = target_on(canvas, method);
+    struct lim_target target = target_on(canvas, method);
+    target.visible = visible;
     const size_t size_b = mem_b ? mem_b : lim_mem_b(&scene->scene, &target);
     void *mem = malloc(size_b);
     struct lim lim;
@@ -71,6 +73,12 @@ static void draw(const struct compiled *scene, enum lim_method method, size_t me
             assert_int_equal(canvas->done[y][x], 1);
     *stats = *lim_stats(&lim);
     free(mem);
+}
+
+static void draw(const struct compiled *scene, enum lim_method method, size_t mem_b, bool antialias,
+                 const struct lim_camera *camera, struct canvas *canvas, struct lim_stats *stats)
+{
+    draw_seen(scene, method, mem_b, antialias, camera, NULL, canvas, stats);
 }
 
 /* glass: every other face of the solids is transparent. */
@@ -211,6 +219,83 @@ static void nothing_shines_through_seams(void **state)
     }
 }
 
+/* Runs of lines ------------------------------------------------------------------------------ */
+
+static lim_visible all_of_it;
+
+static void all_of_it(void *ctx, uint16_t y_px, uint16_t *x0_px, uint16_t *x1_px)
+{
+    (void)ctx;
+    (void)y_px;
+    *x0_px = 0;
+    *x1_px = W_PX;
+}
+
+/* A round panel's lines are drawn one by one, those of others in runs if they can be. Here both have the same pixels.
+ */
+static void compare_runs(const struct compiled *scene, const struct lim_camera *camera)
+{
+    static const enum lim_method draws[] = {LIM_NEAREST_FIRST, LIM_SCANLINE};
+    static struct canvas runs, lines;
+
+    for (int m = 0; m < 2; m++)
+        for (int memory = 0; memory < 2; memory++) {
+            const struct lim_target target = {.w_px = W_PX, .h_px = H_PX, .method = draws[m]};
+            const size_t least_b = lim_mem_min_b(&scene->scene, &target), most_b = lim_mem_b(&scene->scene, &target);
+            const size_t mem_b = memory ? least_b + (most_b - least_b) / 3 : most_b;
+            struct lim_stats of_runs, of_lines;
+            draw_seen(scene, draws[m], mem_b, true, camera, NULL, &runs, &of_runs);
+            draw_seen(scene, draws[m], mem_b, true, camera, all_of_it, &lines, &of_lines);
+            assert_memory_equal(runs.pixels, lines.pixels, sizeof runs.pixels);
+            assert_int_equal(of_runs.pixels_painted, of_lines.pixels_painted);
+            assert_int_equal(of_runs.pixels_background, of_lines.pixels_background);
+            assert_int_equal(of_runs.bands, of_lines.bands);
+        }
+}
+
+static void runs_paint_what_lines_do_in(const char *name)
+{
+    const struct compile_options options = {
+        .tolerance_units = 0.5, .splitter = "fewest", .antialias = true, .w_px = W_PX, .h_px = H_PX};
+    char model[256], cameras[256];
+    struct camera_path path = {0};
+    struct compiled scene = {0};
+    struct lens lens;
+    struct error err;
+
+    snprintf(model, sizeof model, "sim/scenes/%s.obj", name);
+    snprintf(cameras, sizeof cameras, "sim/scenes/%s.cam", name);
+    if (!compile_model(model, &options, &scene, &err) || !camera_path_read(cameras, &path, &err) ||
+        !lens_init(&lens, 60, lens_default_near_m(&scene.grid), W_PX, H_PX, &err))
+        fail_msg("%s", err.text);
+    for (size_t f = 0; f < path.count; f += path.count / (size_t)effort(16) + 1) {
+        struct lim_camera camera;
+        assert_true(camera_path_to_camera(&path, f, &lens, &scene.grid, &camera, &err));
+        compare_runs(&scene, &camera);
+    }
+    camera_path_free(&path);
+    compiled_free(&scene);
+}
+
+static void runs_paint_what_lines_do(void **state)
+{
+    static const char *const models[] = {"rooms", "teapot", "knot"};
+    struct random random = {921};
+
+    (void)state;
+    for (int m = 0; m < 3; m++)
+        runs_paint_what_lines_do_in(models[m]);
+    for (int s = 0; s < effort(SCENES); s++) {
+        struct closed_stage stage;
+        stage_open(&stage, &random, false, true);
+        for (int f = 0; f < FRAMES; f++) {
+            const struct lim_camera camera = closed_stage_camera(&stage, &random);
+            compare_runs(&stage.scene, &camera);
+        }
+        closed_stage_close(&stage);
+    }
+}
+
 /* Error -------------------------------------------------------------------------------------- */
 
 static void open_model(const char *name, const struct core *core, struct compiled *scene, struct reference *reference,
@@ -339,6 +424,7 @@ int main(void)
         cmocka_unit_test(scarce_memory_takes_edges_from_glass_by_whole_lines),
         cmocka_unit_test(newell_paints_what_the_tree_paints),
         cmocka_unit_test(nothing_shines_through_seams),
+        cmocka_unit_test(runs_paint_what_lines_do),
         cmocka_unit_test(edges_are_a_quarter_as_wrong_at_most),
         cmocka_unit_test(it_is_off_until_asked_for_and_can_be_turned_off),
         cmocka_unit_test(orders_that_do_not_paint_nearest_first_refuse),
