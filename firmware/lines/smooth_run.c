@@ -6,6 +6,7 @@
  * both ends; where an edge crosses another on the way, the run is made shorter. */
 #include "lines/smooth_run.h"
 
+#include "lines/active.h"
 #include "lines/overlaid.h"
 #include "lines/smooth.h"
 #include "screen/samples.h"
@@ -63,7 +64,7 @@ static uint32_t distance_of(uint32_t a, uint32_t b)
 }
 
 /* A guess, which is looked at as the first one is: about the line where they cross. false, always. */
-static LIM_RARE bool shorten(struct pieces *pieces, const struct piece *a, const struct piece *b)
+static LIM_RARE bool shorten_run(struct pieces *pieces, const struct piece *a, const struct piece *b)
 {
     const uint32_t first = distance_of(a->first_q16, b->first_q16), last = distance_of(a->last_q16, b->last_q16);
     const uint32_t rows = (uint32_t)pieces->lines * LIM_SAMPLE_ROWS;
@@ -74,7 +75,7 @@ static LIM_RARE bool shorten(struct pieces *pieces, const struct piece *a, const
 }
 
 /* Divides the piece before `at`. */
-static inline void insert(struct pieces *pieces, struct piece *at, const struct piece *side)
+static inline void divide_piece(struct pieces *pieces, struct piece *at, const struct piece *side)
 {
     for (struct piece *piece = pieces->at + ++pieces->count; piece > at; piece--)
         *piece = piece[-1];
@@ -89,7 +90,7 @@ static inline void insert(struct pieces *pieces, struct piece *at, const struct 
 }
 
 /* Closes what is open between two edges; `left` has the look. false: edges cross, or there is no room. */
-static inline bool close_between(struct pieces *pieces, const struct piece *left, const struct piece *right)
+static inline bool close_piece(struct pieces *pieces, const struct piece *left, const struct piece *right)
 {
     struct piece *gap = pieces->at;
 
@@ -98,15 +99,15 @@ static inline bool close_between(struct pieces *pieces, const struct piece *left
         open--;
         const enum order beyond = order_of(&gap[1], left), before = order_of(right, gap);
         if (beyond == LEFT) continue;
-        if (beyond == CROSSING) return shorten(pieces, &gap[1], left);
+        if (beyond == CROSSING) return shorten_run(pieces, &gap[1], left);
         if (before == LEFT) return true;
-        if (before == CROSSING) return shorten(pieces, right, gap);
+        if (before == CROSSING) return shorten_run(pieces, right, gap);
         const enum order begins = order_of(left, gap), ends = order_of(&gap[1], right);
-        if (begins == CROSSING) return shorten(pieces, left, gap);
-        if (ends == CROSSING) return shorten(pieces, &gap[1], right);
+        if (begins == CROSSING) return shorten_run(pieces, left, gap);
+        if (ends == CROSSING) return shorten_run(pieces, &gap[1], right);
         if (pieces->count + 3 > pieces->size) return false;
-        if (begins == RIGHT) insert(pieces, ++gap, left);
-        if (ends == RIGHT) insert(pieces, gap + 1, right);
+        if (begins == RIGHT) divide_piece(pieces, ++gap, left);
+        if (ends == RIGHT) divide_piece(pieces, gap + 1, right);
         gap->open = false;
         gap->share = left->share;
         gap->colour = left->colour;
@@ -124,18 +125,18 @@ static bool close_all(struct pieces *pieces, const struct lim_active *active)
         set_edge(&left, &active->samples->left, pieces->lines);
         set_edge(&right, &active->samples->right, pieces->lines);
         const enum order sides = order_of(&left, &right);
-        if (sides == CROSSING) return shorten(pieces, &left, &right);
+        if (sides == CROSSING) return shorten_run(pieces, &left, &right);
         if (sides == RIGHT) continue;
         left.share = *active->share;
         left.colour = active->colour;
-        if (!close_between(pieces, &left, &right)) return false;
+        if (!close_piece(pieces, &left, &right)) return false;
     }
     return true;
 }
 
 /* As many lines from y on as no polygon begins or ends on, nor one of its edges. A piece's edges have ended at once. */
-static uint16_t lines_of(const struct lim_paint *paint, const struct lim_spans *spans, const struct lim_rect *band,
-                         uint16_t y)
+static uint16_t run_lines(const struct lim_paint *paint, const struct lim_spans *spans, const struct lim_rect *band,
+                          uint16_t y)
 {
     if (spans->lines[y].retained != LIM_NONE) return 0; /* these begin on it */
     const int32_t below = (y + 1) * LIM_SAMPLE_ROWS;
@@ -157,7 +158,7 @@ static uint16_t lines_of(const struct lim_paint *paint, const struct lim_spans *
 static bool find_run(struct pieces *pieces, const struct lim_paint *paint, const struct lim_spans *spans,
                      const struct lim_rect *band, uint16_t y)
 {
-    pieces->lines_less = lines_of(paint, spans, band, y);
+    pieces->lines_less = run_lines(paint, spans, band, y);
     pieces->size = (uint_fast16_t)(spans->pool_size * LIM_GAP_MEM_B / sizeof(struct piece));
     pieces->at = (void *)spans->pool;
     while (pieces->lines_less && pieces->size > 1) {
@@ -197,8 +198,8 @@ static inline void mix_two(uint16_t *line, uint32_t x, uint32_t n, const struct 
     count_pixels(counted, (n && piece->open) || (n < LIM_SAMPLES && piece[1].open), 1);
 }
 
-static LIM_INLINE void fill_piece(uint16_t *line, uint32_t x0, uint32_t x1, const struct piece *piece,
-                                  struct counted *counted)
+static LIM_INLINE void fill_to(uint16_t *line, uint32_t x0, uint32_t x1, const struct piece *piece,
+                               struct counted *counted)
 {
     if (x0 >= x1) return;
     lim_fill_inline(line, (int_fast16_t)(x0 - LIM_STRIP_BIAS_PX), (int_fast16_t)(x1 - LIM_STRIP_BIAS_PX),
@@ -221,7 +222,7 @@ static inline void mix_slope(uint16_t *line, const struct lim_bound *bound, uint
 
 /* A line of a run, on which each edge has pixels of its own. Returns the piece up to which that is so: all are drawn if
  * it is the last one. */
-static LIM_ALONE struct piece *draw_line(uint16_t *line, const struct pieces *pieces, struct counted *counted)
+static LIM_ALONE struct piece *draw_pieces(uint16_t *line, const struct pieces *pieces, struct counted *counted)
 {
     struct piece *piece = pieces->at, *const last = piece + pieces->count - 1;
     uint32_t from = (piece->x_q16 >> 16) / LIM_SAMPLE_COLUMNS;
@@ -232,18 +233,18 @@ static LIM_ALONE struct piece *draw_line(uint16_t *line, const struct pieces *pi
         if (lim_bound_is_in_pixel(&bound)) {
             const uint32_t n = lim_bound_sum(&bound) - LIM_SAMPLES * first;
             if (first < from) return piece;
-            fill_piece(line, from, first, piece, counted);
+            fill_to(line, from, first, piece, counted);
             from = first;
             if (n) mix_two(line, from++, n, piece, counted);
         } else {
             const uint32_t x0 = lim_bound_low(&bound) / LIM_SAMPLES_A_ROW;
             if (x0 < from) return piece;
-            fill_piece(line, from, x0, piece, counted);
+            fill_to(line, from, x0, piece, counted);
             from = (lim_bound_high(&bound) + LIM_SAMPLES_A_ROW - 1) / LIM_SAMPLES_A_ROW;
             mix_slope(line, &bound, x0, from, piece, counted);
         }
     }
-    fill_piece(line, from, (piece[1].x_q16 >> 16) / LIM_SAMPLE_COLUMNS, piece, counted);
+    fill_to(line, from, (piece[1].x_q16 >> 16) / LIM_SAMPLE_COLUMNS, piece, counted);
     return piece;
 }
 
@@ -287,7 +288,7 @@ static int draw_run_line(const struct lim_paint *paint, struct pieces *pieces, c
     uint16_t *line = target->lend(target->ctx, y);
 
     if (!line) return LIM_ERR_TARGET;
-    struct piece *piece = draw_line(line, pieces, &counted);
+    struct piece *piece = draw_pieces(line, pieces, &counted);
     if (piece + 1 < pieces->at + pieces->count) {
         counted = (struct counted){0, 0};
         for (; piece >= pieces->at; piece--)
@@ -303,7 +304,7 @@ static int draw_run_line(const struct lim_paint *paint, struct pieces *pieces, c
 }
 
 /* Over the lines of a run; those that end with it are given back. */
-static void follow(struct lim_actives *actives, uint16_t lines, uint16_t below)
+static void step_actives(struct lim_actives *actives, uint16_t lines, uint16_t below)
 {
     struct lim_active **link = &actives->first, *active;
 
@@ -330,7 +331,7 @@ uint16_t lim_smooth_run(struct lim_paint *paint, const struct lim_spans *spans, 
     if (LIM_HAS_STATS && paint->actives.used > stats->active_max) stats->active_max = paint->actives.used;
     for (uint16_t line = 0; line < pieces.lines && !*err; line++)
         *err = draw_run_line(paint, &pieces, band, (uint16_t)(y + line));
-    follow(&paint->actives, pieces.lines, (uint16_t)(y + pieces.lines));
+    step_actives(&paint->actives, pieces.lines, (uint16_t)(y + pieces.lines));
     return pieces.lines;
 }
 

@@ -7,7 +7,6 @@
 #ifndef LIM_SMOOTH_RUN_H
 #define LIM_SMOOTH_RUN_H
 
-#include "lines/active.h"
 #include "stages.h"
 
 /* Draws lines from y on, whose polygons are active, up to another. *err: an enum lim_error, or the target's. Returns
