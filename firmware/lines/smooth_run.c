@@ -20,7 +20,7 @@ struct piece {
     uint32_t first_q16, last_q16; /* the same on the run's first row and on its last */
     uint32_t share;               /* lim_smooth_share() of its colour */
     uint16_t colour;              /* as it lies in memory */
-    bool open;                    /* background, so far */
+    uint16_t open;                /* background, so far: not 0. No byte is left over */
 };
 
 /* The pieces of a run from left to right, and its right side as one more. */
