@@ -288,11 +288,11 @@ static int draw_run_line(const struct lim_paint *paint, struct pieces *pieces, c
     uint16_t *line = target->lend(target->ctx, y);
 
     if (!line) return LIM_ERR_TARGET;
-    struct piece *piece = draw_pieces(line, pieces, &counted);
+    struct piece *const piece = draw_pieces(line, pieces, &counted);
     if (piece + 1 < pieces->at + pieces->count) {
         counted = (struct counted){0, 0};
-        for (; piece >= pieces->at; piece--)
-            piece[1].x_q16 -= LIM_SAMPLE_ROWS * piece[1].step_q16;
+        for (struct piece *side = piece + 1; side > pieces->at; side--)
+            side->x_q16 -= LIM_SAMPLE_ROWS * side->step_q16;
         draw_slow(line, paint, pieces);
     }
     if (LIM_HAS_STATS) {
