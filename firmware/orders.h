@@ -287,20 +287,28 @@ union lim_mesh_gradients {
     union lim_mesh_gradients *next; /* of those that are free */
 };
 
-/* What a triangle shows, where the scene has textures: texels that advance evenly; or, without a palette, what the
- * gradients say; or, without texels, one colour. */
+/* What a triangle shows, where the scene has textures: texels that advance evenly; or what level.w_bits says instead of
+ * a level. */
 struct lim_mesh_look {
     struct lim_texture_level level;
     __extension__ union { /* C++ wants names for both */
         struct lim_texture_even even;
-        union lim_mesh_gradients *gradients;
+        union lim_mesh_gradients *gradients; /* NULL: there was no room, they are made for each line */
     };
+};
+
+enum lim_mesh_shown {
+    LIM_MESH_LEVELS = 11, /* below: the width of a level */
+    LIM_MESH_COLOUR = LIM_MESH_LEVELS,
+    LIM_MESH_PERSPECTIVE,
+    LIM_MESH_UNSET /* it has shown no pixel so far */
 };
 
 /* Room for gradients, at the end of the pool. */
 struct lim_mesh_looks {
     union lim_mesh_gradients *free;
     uint16_t whole_size; /* of the pool; what lim_mesh.pool_size is less has become theirs */
+    uint8_t first;       /* what triangles show at first: LIM_MESH_UNSET, or LIM_MESH_COLOUR in scenes of colours */
 };
 
 /* A triangle that crosses the current line. */

@@ -32,11 +32,12 @@ struct lim_texture_plane {
     int32_t at, x, y;
 };
 
-/* How to find texels of one level. */
+/* How to find texels of one level, and how they advance. */
 struct lim_texture_level {
     const LIM_FLASH uint8_t *texels;
     const LIM_FLASH uint16_t *palette;
     uint32_t rows_mask; /* of rows times what a row has, which is 2^w_bits */
+    uint32_t step;      /* what a pixel to the right adds to a place */
     uint8_t w_bits, number;
 };
 
@@ -46,9 +47,9 @@ struct lim_texture_walk {
     uint32_t place, step; /* from pixel to pixel */
 };
 
-/* Where a polygon is so flat to the eye that texels advance evenly all over it. */
+/* Where a polygon is so flat to the eye that texels advance evenly all over it, by its level's step to the right. */
 struct lim_texture_even {
-    uint32_t place, x, y; /* of pixel (0, 0), and what a pixel to the right and down adds */
+    uint32_t place, y; /* of pixel (0, 0), and what a pixel down adds */
 };
 
 struct lim_texture_planes {             /* where it is not */

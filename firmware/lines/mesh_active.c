@@ -56,22 +56,6 @@ static bool fan_part(const struct lim_mesh_clipped *clipped, uint8_t part, struc
     return has_pixels;
 }
 
-static LIM_IF_CALLED bool begin_look_clipped(struct lim_mesh *mesh, struct lim_mesh_active *active,
-                                             const struct lim_mesh_clipped *clipped, lim_index triangle)
-{
-    if (lim_mesh_has_textures(mesh)) return lim_mesh_texture_clipped(mesh, active, clipped, triangle);
-    active->look->level.texels = NULL;
-    return true;
-}
-
-static LIM_INLINE bool begin_look(struct lim_mesh *mesh, struct lim_mesh_active *active,
-                                  const LIM_FLASH lim_index *corners)
-{
-    if (lim_mesh_has_textures(mesh)) return lim_mesh_texture_set(mesh, active, corners);
-    active->look->level.texels = NULL;
-    return true;
-}
-
 /* Edges of any polygon for line y, by EDGE. Those of a part may begin farther down: until then it has no pixels. */
 static void set_any(struct lim_mesh_active *active, const struct lim_point *at, uint8_t n,
                     const struct lim_edge_shape *shape, uint16_t y)
@@ -89,14 +73,6 @@ static void set_any(struct lim_mesh_active *active, const struct lim_point *at, 
     lim_mesh_edge_take(&active->edges[1], &pair.right);
 }
 
-/* Gives an entry back that is in no list. */
-static LIM_RARE bool has_no_room(struct lim_mesh *mesh, struct lim_mesh_active *active)
-{
-    active->next = mesh->free;
-    mesh->free = active;
-    return false;
-}
-
 static bool begin_part(struct lim_mesh *mesh, const struct lim_mesh_clipped *clipped, lim_index triangle, uint8_t part,
                        lim_mesh_rank rank, uint16_t y)
 {
@@ -109,7 +85,7 @@ static bool begin_part(struct lim_mesh *mesh, const struct lim_mesh_clipped *cli
     if (!active) return false;
     active->rank = rank;
     active->colour = mesh_colour_of(mesh, triangle);
-    if (LIM_HAS_TEXTURE && !begin_look_clipped(mesh, active, clipped, triangle)) return has_no_room(mesh, active);
+    if (LIM_HAS_TEXTURE) lim_mesh_texture_begin(mesh, active);
     active->part = part;
     if (LIM_HAS_STATS) *active->seen = false;
     set_any(active, shown->at, shown->n, &shown->shape, y);
@@ -333,7 +309,7 @@ static LIM_INLINE bool mesh_begin(struct lim_mesh *mesh, const LIM_FLASH lim_ind
     if (LIM_UNLIKELY(!active)) return false;
     active->rank = rank;
     active->colour = lim_memory_colour((uint16_t)corners[3]);
-    if (LIM_HAS_TEXTURE && LIM_UNLIKELY(!begin_look(mesh, active, corners))) return has_no_room(mesh, active);
+    if (LIM_HAS_TEXTURE) lim_mesh_texture_begin(mesh, active);
     active->part = 0;
     active->turn = y;
     if (LIM_HAS_STATS) *active->seen = false;

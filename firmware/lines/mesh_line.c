@@ -74,15 +74,24 @@ static LIM_INLINE bool go_on(struct lim_mesh *mesh, const struct lim_mesh_line *
 }
 
 /* Texels that advance evenly are painted without delay. */
-static LIM_INLINE void paint_texels(struct lim_mesh *mesh, const struct lim_mesh_line *line, uint16_t *pixels,
-                                    struct lim_mesh_active *active, int32_t left, int32_t right, int32_t x0, int32_t x1)
+static LIM_INLINE void paint_look(struct lim_mesh *mesh, const struct lim_mesh_line *line, uint16_t *pixels,
+                                  struct lim_mesh_active *active, int32_t left, int32_t right, int32_t x0, int32_t x1)
 {
-    if (LIM_UNLIKELY(lim_mesh_is_in_perspective(active))) {
-        lim_mesh_texture_paint(mesh, line, active, left, right, x0, x1);
-        return;
+    const struct lim_texture_level *const level = &active->look->level;
+
+    if (level->w_bits >= LIM_MESH_LEVELS) {
+        if (level->w_bits == LIM_MESH_UNSET) lim_mesh_texture_set(mesh, active);
+        if (level->w_bits == LIM_MESH_COLOUR) {
+            lim_fill_inline(pixels, (int_fast16_t)x0, (int_fast16_t)x1, active->colour);
+            return;
+        }
+        if (level->w_bits >= LIM_MESH_LEVELS) {
+            lim_mesh_texture_paint(mesh, line, active, left, right, x0, x1);
+            return;
+        }
     }
-    const struct lim_texture_walk walk = lim_texture_even_walk(&active->look->even, x0, line->y);
-    lim_texels_paint(pixels + x0, (uint_fast16_t)(x1 - x0), walk.place, walk.step, &active->look->level);
+    lim_texels_paint(pixels + x0, (uint_fast16_t)(x1 - x0),
+                     lim_texture_even_place(&active->look->even, level->step, x0, line->y), level);
 }
 
 /* Paints a triangle, and puts it on the next line. false: that has none of it. */
@@ -92,8 +101,8 @@ static LIM_INLINE bool paint_one(struct lim_mesh *mesh, const struct lim_mesh_li
     const int32_t left = lim_mesh_edge_next(&active->edges[0]), right = lim_mesh_edge_next(&active->edges[1]);
     const int32_t x0 = inside || left > line->x0 ? left : line->x0, x1 = inside || right < line->x1 ? right : line->x1;
 
-    if (LIM_HAS_TEXTURE && x0 < x1 && lim_mesh_is_textured(active))
-        paint_texels(mesh, line, pixels, active, left, right, x0, x1);
+    if (LIM_HAS_TEXTURE && x0 < x1)
+        paint_look(mesh, line, pixels, active, left, right, x0, x1);
     else if (x0 < x1)
         lim_fill_inline(pixels, (int_fast16_t)x0, (int_fast16_t)x1, active->colour);
     if (LIM_HAS_STATS && x0 < x1) mesh_note(lim_stats_of(mesh->pass), line, active, x0, x1);
@@ -129,15 +138,19 @@ static void note_active(struct lim_mesh *mesh)
     struct lim_stats *stats = lim_stats_of(mesh->pass);
     uint16_t count = 0;
 
-    if (lim_mesh_has_textures(mesh)) {
-        count = lim_mesh_texture_used(mesh);
-        if (count > stats->active_max) stats->active_max = count;
-        return;
-    }
     for (const struct lim_mesh_active *active = mesh->first; active != &mesh->end; active = active->next)
         count++;
     for (const struct lim_mesh_active *active = mesh->begins; active != &mesh->end; active = active->next)
         count++;
+    if (count > stats->active_max) stats->active_max = count;
+}
+
+/* With room for gradients. */
+static void note_used(struct lim_mesh *mesh)
+{
+    struct lim_stats *stats = lim_stats_of(mesh->pass);
+    const uint16_t count = lim_mesh_texture_used(mesh);
+
     if (count > stats->active_max) stats->active_max = count;
 }
 
@@ -174,6 +187,7 @@ void lim_mesh_paint(struct lim_mesh *mesh, const struct lim_mesh_line *line)
         paint_inside(mesh, line);
     else
         paint_all(mesh, line, false);
+    if (LIM_HAS_STATS && lim_mesh_has_textures(mesh)) note_used(mesh);
 }
 
 #endif

@@ -6,7 +6,7 @@
  * too large, texels advance in perspective. */
 #include "lines/mesh_texture.h"
 
-#include "lines/mesh_clip.h"
+#include "lines/mesh_active.h"
 #include "lines/mesh_way.h"
 #include "math/fixed.h"
 #include "pixels/texture_triangle.h"
@@ -28,23 +28,23 @@ static LIM_INLINE struct nears nears_of(const struct lim_mesh *mesh, const LIM_F
     return (struct nears){a, mesh->nearness[corners[1]] - a, mesh->nearness[corners[2]] - a};
 }
 
-/* log2 of the mantissa and its shift, but for a constant. */
-static inline int32_t short_log2_q4(uint32_t mantissa_q31, uint8_t zeros)
+/* The level whose texels are as large as pixels, by the areas of both: the first of which a texel is less than twice a
+ * pixel, within a half of a level. `area` is that on the screen, halved so often. */
+static LIM_INLINE uint8_t level_of_areas(const LIM_FLASH struct lim_texture *texture, int32_t of_places, uint32_t area,
+                                         int_fast16_t halved)
 {
-    return (int32_t)(mantissa_q31 >> 27) - zeros * 16;
-}
+    const int_fast16_t down = 2 * (int_fast16_t)(texture->place_bits - texture->w_bits - LIM_SUB_BITS) + 1 + halved;
+    const uint_fast8_t last = (uint_fast8_t)(texture->levels - 1);
+    uint32_t own = abs_s32(of_places);
+    uint_fast8_t level = 0;
 
-/* Texels to a pixel, by the areas of both. */
-static LIM_INLINE int32_t level_of_areas(const LIM_FLASH struct lim_texture *texture, int32_t of_places, uint32_t area,
-                                         uint8_t zeros, int_fast16_t halved)
-{
-    uint8_t own_zeros;
-    const uint32_t own = normalise_u32(abs_s32(of_places) | 1, &own_zeros);
-    const int32_t twice_q4 = short_log2_q4(own, own_zeros) - short_log2_q4(area << zeros, zeros) +
-                             32 * (texture->w_bits - texture->place_bits + LIM_SUB_BITS) - 16 * (int32_t)halved;
-    const int32_t level = (twice_q4 + 2 * MIDDLE_OF_LEVEL_Q4) >> 5, last = texture->levels - 1;
-
-    return level < 0 ? 0 : level < last ? level : last;
+    if (down >= 0)
+        own >>= LIM_HAS_LIMBS && down > 31 ? 31 : down;
+    else
+        area >>= -down;
+    for (; level < last && own >= area; own >>= 2)
+        level++;
+    return (uint8_t)level;
 }
 
 /* How far apart the errors of a coordinate are, of which those along the sides are products of what place and nearness
@@ -107,40 +107,59 @@ static LIM_INLINE bool is_even(const struct nears *nears, mesh_way b, mesh_way c
     return bits >= 0 && sides + 2 * mesh_way_most(b, c) < (uint32_t)least_of(nears) << (bits < 13 ? bits + 2 : 15);
 }
 
-/* Of a numerator, in 2^-16 of the width. */
-static inline int32_t place_step(int32_t numerator, int32_t recip_q31, int_fast16_t down)
-{
-    return ((lim_texture_times(numerator, recip_q31) >> (down - 1)) + 1) >> 1;
-}
-
-/* The place of a corner's pixel's centre. */
-static inline uint32_t place_at(uint32_t corner_q16, int32_t step_x, int32_t step_y, lim_packed at)
-{
-    const uint32_t part_x = (uint32_t)(lim_packed_x(at) & (LIM_SUB - 1)),
-                   part_y = (uint32_t)(lim_packed_y(at) & (LIM_SUB - 1));
-
-    return corner_q16 - (uint32_t)((int32_t)((uint32_t)step_x * part_x + (uint32_t)step_y * part_y) >> LIM_SUB_BITS);
-}
-
-/* From the corner a, whose pixel is that of its sub-pixels. */
-static LIM_INLINE void set_even(const LIM_FLASH struct lim_uv *corner, uint8_t up, lim_packed a,
-                                const struct mesh_numerators *steps, struct lim_texture_even *even)
-{
-    const int32_t x_px = LIM_ORIGIN_PX + (lim_packed_x(a) >> LIM_SUB_BITS),
-                  y_px = LIM_ORIGIN_PX + (lim_packed_y(a) >> LIM_SUB_BITS);
-
-    even->x = lim_texture_packed((uint32_t)steps->ux, (uint32_t)steps->vx);
-    even->y = lim_texture_packed((uint32_t)steps->uy, (uint32_t)steps->vy);
-    even->place = lim_texture_packed(place_at((uint32_t)corner->u << up, steps->ux, steps->uy, a),
-                                     (uint16_t)place_at((uint32_t)corner->v << up, steps->vx, steps->vy, a)) -
-                  even->x * (uint32_t)x_px - even->y * (uint32_t)y_px;
-}
-
 /* Steps are rounded: whether that leads less than half of what even texels may be off, over pixels that are not more
  * than four times the longest way. */
 static LIM_INLINE bool is_within_reach(uint32_t most_half, int_fast16_t bits)
 {
     return bits >= 0 && !((most_half + 1) * 8 >> LIM_SUB_BITS >> (bits < 31 ? bits : 31));
+}
+
+static LIM_INLINE uint32_t most_half_of(const struct lim_mesh *mesh, const LIM_FLASH lim_index *corners)
+{
+    return mesh_way_most_half(lim_packed_load(&mesh->points[corners[0]]), lim_packed_load(&mesh->points[corners[1]]),
+                              lim_packed_load(&mesh->points[corners[2]]));
+}
+
+/* By what both coordinates and nearness gain along the sides. *moved as of is_even_beside(). */
+static LIM_ALONE bool is_even_at_level(const struct lim_mesh *mesh, const LIM_FLASH lim_index *corners, uint8_t level,
+                                       uint32_t *moved)
+{
+    const LIM_FLASH struct lim_texture *const texture = &mesh->pass->scene->textures[corners[3]];
+    const LIM_FLASH struct lim_uv *const uvs = *mesh->pass->scene->uvs, *const corner = &uvs[corners[0]];
+    const int_fast16_t finer_bits = (int_fast16_t)(level - texture->w_bits - LIM_TEXTURE_OFF_BITS);
+    const struct nears nears = nears_of(mesh, corners);
+
+    if (!is_within_reach(most_half_of(mesh, corners), finer_bits + 16)) return false;
+    return is_even(&nears, mesh_way_of_places(corner, &uvs[corners[1]]), mesh_way_of_places(corner, &uvs[corners[2]]),
+                   finer_bits + texture->place_bits) ||
+           is_even_beside(mesh, corners, finer_bits + texture->place_bits, moved);
+}
+
+/* Of a numerator, in 2^-16 of the width. */
+static inline int32_t place_step(int32_t numerator, int32_t recip_q31, int_fast16_t down)
+{
+    return (lim_texture_times(numerator, recip_q31) + ((int32_t)1 << (down - 1))) >> down;
+}
+
+/* The place of pixel (0, 0), of which the upper bits may be wrong. */
+static inline uint32_t place_at_zero(uint32_t corner_q16, int32_t step_x, int32_t step_y, int32_t x, int32_t y)
+{
+    if (LIM_HAS_LIMBS) return corner_q16 - (uint32_t)(((int64_t)step_x * x + (int64_t)step_y * y) >> LIM_SUB_BITS);
+    return corner_q16 -
+           (uint32_t)((int32_t)((uint32_t)step_x * (uint32_t)x + (uint32_t)step_y * (uint32_t)y) >> LIM_SUB_BITS);
+}
+
+/* From the corner a. Below the place's width v does not wrap: it would carry over to u. */
+static LIM_INLINE void set_even(const LIM_FLASH struct lim_uv *corner, uint8_t up, lim_packed a,
+                                const struct mesh_numerators *steps, struct lim_mesh_look *look)
+{
+    const int32_t x = lim_packed_x(a) + LIM_ORIGIN_PX * LIM_SUB, y = lim_packed_y(a) + LIM_ORIGIN_PX * LIM_SUB;
+
+    look->level.step = lim_texture_packed((uint32_t)steps->ux, (uint32_t)steps->vx);
+    look->even.y = lim_texture_packed((uint32_t)steps->uy, (uint32_t)steps->vy);
+    look->even.place +=
+        lim_texture_packed(place_at_zero((uint32_t)corner->u << up, steps->ux, steps->uy, x, y),
+                           place_at_zero((uint16_t)((uint32_t)corner->v << up), steps->vx, steps->vy, x, y));
 }
 
 /* false: it is not even. */
@@ -152,40 +171,33 @@ static LIM_INLINE bool set_even_look(const struct lim_mesh *mesh, struct lim_mes
                      c = lim_packed_load(&mesh->points[corners[2]]);
     const mesh_way b_place = mesh_way_of_places(corner, &uvs[corners[1]]),
                    c_place = mesh_way_of_places(corner, &uvs[corners[2]]);
-    const struct nears nears = nears_of(mesh, corners);
-    const uint32_t most_half = mesh_way_most_half(a, b, c);
     struct mesh_numerators steps = {0, 0, 0, 0};
-    uint32_t moved = 0;
     uint8_t zeros, halved[2];
 
-    if (!LIM_HAS_LIMBS && most_half >> 13) return false;
+    if (!LIM_HAS_LIMBS && mesh_way_most_half(a, b, c) >> 13) return false;
     mesh_way u = mesh_way_of_points(a, b), v = mesh_way_of_points(a, c);
     mesh_way_halve(&u, &v, halved);
     const int32_t wide = mesh_way_cross(v, u);
     const uint32_t area = wide > 0 ? (uint32_t)wide : 1;
+    const uint8_t level = level_of_areas(texture, mesh_way_cross(b_place, c_place), area, halved[0] + halved[1]);
+    look->even.place = 0;
+    if (!is_even_at_level(mesh, corners, level, &look->even.place)) return false;
     const int32_t recip_q31 = lim_texture_reciprocal(area, &zeros);
-    const int32_t level = level_of_areas(texture, mesh_way_cross(b_place, c_place), area, zeros, halved[0] + halved[1]);
-    const int_fast16_t finer_bits = (int_fast16_t)(level - texture->w_bits - LIM_TEXTURE_OFF_BITS);
-    if (!is_within_reach(most_half, finer_bits + 16)) return false;
-    if (!is_even(&nears, b_place, c_place, finer_bits + texture->place_bits) &&
-        !is_even_beside(mesh, corners, finer_bits + texture->place_bits, &moved))
-        return false;
-    const int_fast16_t down = (int_fast16_t)(14 + texture->place_bits - LIM_SUB_BITS - zeros);
-    if (down > 0 && wide > 0) { /* else it is nowhere wider than a pixel, and shows one texel */
+    const int_fast16_t down = (int_fast16_t)(15 + texture->place_bits - LIM_SUB_BITS - zeros);
+    if (down > 1 && wide > 0) { /* else it is nowhere wider than a pixel, and shows one texel */
         mesh_way_numerators(u, v, b_place, c_place, &steps);
-        steps.ux = place_step(steps.ux, recip_q31, down + halved[0]);
-        steps.uy = place_step(steps.uy, recip_q31, down + halved[1]);
-        steps.vx = place_step(steps.vx, recip_q31, down + halved[0]);
-        steps.vy = place_step(steps.vy, recip_q31, down + halved[1]);
+        steps.ux = place_step(steps.ux, recip_q31, down - 1 + halved[0]);
+        steps.uy = place_step(steps.uy, recip_q31, down - 1 + halved[1]);
+        steps.vx = place_step(steps.vx, recip_q31, down - 1 + halved[0]);
+        steps.vy = place_step(steps.vy, recip_q31, down - 1 + halved[1]);
     }
-    set_even(corner, (uint8_t)(16 - texture->place_bits), a, &steps, &look->even);
-    look->even.place += moved;
-    lim_texture_set_level(mesh->pass->scene, texture, (uint8_t)level, &look->level);
+    set_even(corner, (uint8_t)(16 - texture->place_bits), a, &steps, look);
+    lim_texture_take_level(mesh->pass->scene, texture, level, &look->level);
     return true;
 }
 
 /* NULL: no room. */
-static struct lim_gradients *new_gradients(struct lim_mesh *mesh, struct lim_mesh_look *look)
+static union lim_mesh_gradients *new_gradients(struct lim_mesh *mesh)
 {
     union lim_mesh_gradients *own = mesh->looks->free;
 
@@ -196,68 +208,87 @@ static struct lim_gradients *new_gradients(struct lim_mesh *mesh, struct lim_mes
         mesh->pool_size = (uint16_t)(mesh->pool_size - MESH_GRADIENT_ENTRIES);
         own = (union lim_mesh_gradients *)(void *)&mesh->pool[mesh->pool_size];
     }
-    look->gradients = own;
-    return &own->gradients;
+    return own;
 }
 
 /* `at`: what is seen of it. */
-static LIM_RARE bool set_perspective(struct lim_mesh *mesh, struct lim_mesh_look *look,
-                                     const LIM_FLASH lim_index *triangle, const struct lim_point *at, uint8_t n)
+static void set_gradients(const struct lim_mesh *mesh, const LIM_FLASH lim_index *triangle, const struct lim_point *at,
+                          uint8_t n, struct lim_gradients *gradients)
 {
     const struct lim_pass *const pass = mesh->pass;
-    const LIM_FLASH struct lim_texture *const texture = &pass->scene->textures[triangle[3]];
-    struct lim_gradients *const gradients = new_gradients(mesh, look);
     struct lim_texture_corner corners[3];
 
-    if (!gradients) return false;
     for (uint_fast8_t k = 0; k < 3; k++) {
         const LIM_FLASH struct lim_uv *const place = &(*pass->scene->uvs)[triangle[k]];
         lim_view_transform(&pass->view, pass->scene, &pass->scene->vertices[triangle[k]], &corners[k].at);
         corners[k].place[0] = place->u;
         corners[k].place[1] = place->v;
     }
-    lim_texture_set_triangle(pass->texturing, texture, corners, at, n, gradients);
-    look->level.texels = pass->scene->texels;
-    look->level.palette = NULL;
-    return true;
+    lim_texture_set_triangle(pass->texturing, &pass->scene->textures[triangle[3]], corners, at, n, gradients);
+}
+
+static LIM_RARE void make_gradients(const struct lim_mesh *mesh, const struct lim_mesh_active *active,
+                                    struct lim_gradients *gradients)
+{
+    const lim_index triangle = lim_mesh_number(active);
+    const LIM_FLASH lim_index *const corners = lim_mesh_triangle(mesh, triangle);
+    struct lim_mesh_clipped clipped;
+
+    if (lim_mesh_is_cut(mesh, corners)) {
+        (void)lim_mesh_clip(mesh, triangle, &clipped);
+        set_gradients(mesh, corners, clipped.at, clipped.n, gradients);
+        return;
+    }
+    const struct lim_point at[3] = {mesh->points[corners[0]], mesh->points[corners[1]], mesh->points[corners[2]]};
+    set_gradients(mesh, corners, at, 3, gradients);
+}
+
+static LIM_RARE void set_perspective(struct lim_mesh *mesh, struct lim_mesh_active *active)
+{
+    union lim_mesh_gradients *const own = new_gradients(mesh);
+
+    active->look->level.w_bits = LIM_MESH_PERSPECTIVE;
+    active->look->gradients = own;
+    if (own) make_gradients(mesh, active, &own->gradients);
 }
 
 /* One texel is a colour. */
-static LIM_INLINE bool set_plain(const struct lim_mesh *mesh, struct lim_mesh_active *active,
-                                 const LIM_FLASH struct lim_texture *texture)
+static LIM_RARE void set_plain(const struct lim_mesh *mesh, struct lim_mesh_active *active,
+                               const LIM_FLASH struct lim_texture *texture)
 {
     const struct lim_scene *const scene = mesh->pass->scene;
 
-    if (texture->w_bits) return false;
-    active->look->level.texels = NULL;
+    active->look->level.w_bits = LIM_MESH_COLOUR;
     active->colour = scene->palettes[texture->palette + scene->texels[(uint32_t)texture->texels * LIM_TEXEL_BLOCK]];
-    return true;
 }
 
-LIM_ALONE bool lim_mesh_texture_set(struct lim_mesh *mesh, struct lim_mesh_active *active,
-                                    const LIM_FLASH lim_index *corners)
+LIM_ALONE void lim_mesh_texture_set(struct lim_mesh *mesh, struct lim_mesh_active *active)
 {
+    const LIM_FLASH lim_index *const corners = lim_mesh_triangle(mesh, lim_mesh_number(active));
     const LIM_FLASH struct lim_texture *const texture = &mesh->pass->scene->textures[corners[3]];
 
-    if (set_plain(mesh, active, texture) || set_even_look(mesh, active->look, corners, texture)) return true;
-    const struct lim_point at[3] = {mesh->points[corners[0]], mesh->points[corners[1]], mesh->points[corners[2]]};
-    return set_perspective(mesh, active->look, corners, at, 3);
+    if (!texture->w_bits) {
+        set_plain(mesh, active, texture);
+        return;
+    }
+    if (!lim_mesh_is_cut(mesh, corners) && set_even_look(mesh, active->look, corners, texture)) return;
+    set_perspective(mesh, active);
 }
 
-bool lim_mesh_texture_clipped(struct lim_mesh *mesh, struct lim_mesh_active *active,
-                              const struct lim_mesh_clipped *clipped, lim_index triangle)
+struct lim_gradients *lim_mesh_texture_gradients(struct lim_mesh *mesh, struct lim_mesh_active *active,
+                                                 struct lim_gradients *made)
 {
-    const LIM_FLASH lim_index *const corners = lim_mesh_triangle(mesh, triangle);
-
-    return set_plain(mesh, active, &mesh->pass->scene->textures[corners[3]]) ||
-           set_perspective(mesh, active->look, corners, clipped->at, clipped->n);
+    if (active->look->gradients) return &active->look->gradients->gradients;
+    make_gradients(mesh, active, made);
+    return made;
 }
 
 void lim_mesh_texture_paint(struct lim_mesh *mesh, const struct lim_mesh_line *line, struct lim_mesh_active *active,
                             int32_t left, int32_t right, int32_t x0, int32_t x1)
 {
-    const struct lim_textured_span span = {mesh->pass->texturing, &active->look->gradients->gradients, (int16_t)line->y,
-                                           (int16_t)left, (int16_t)right};
+    struct lim_gradients made;
+    const struct lim_textured_span span = {mesh->pass->texturing, lim_mesh_texture_gradients(mesh, active, &made),
+                                           (int16_t)line->y, (int16_t)left, (int16_t)right};
 
     lim_texture_fill(&span, line->pixels, (uint16_t)x0, (uint16_t)x1, lim_stats_of(mesh->pass));
 }

@@ -43,17 +43,19 @@ static void fill_stretches_deep(struct lim_mesh *mesh, const struct lim_mesh_lin
 }
 
 void lim_mesh_texture_paint_deep(struct lim_mesh *mesh, const struct lim_mesh_line *line,
-                                 const struct lim_mesh_active *active, const struct lim_mesh_depth_span *deep)
+                                 struct lim_mesh_active *active, const struct lim_mesh_depth_span *deep)
 {
     const struct lim_mesh_look *const look = active->look;
+    struct lim_gradients made;
 
-    if (!lim_mesh_is_in_perspective(active)) {
-        mesh_fill_texels(line->pixels, deep->depths, active, lim_texture_even_walk(&look->even, deep->x0, line->y),
-                         &look->level, deep->x0, deep->x1);
+    if (look->level.w_bits < LIM_MESH_LEVELS) {
+        const struct lim_texture_walk walk = {lim_texture_even_place(&look->even, look->level.step, deep->x0, line->y),
+                                              look->level.step};
+        mesh_fill_texels(line->pixels, deep->depths, active, walk, &look->level, deep->x0, deep->x1);
         return;
     }
-    const struct lim_textured_span span = {mesh->pass->texturing, &look->gradients->gradients, (int16_t)line->y,
-                                           (int16_t)deep->left, (int16_t)deep->right};
+    const struct lim_textured_span span = {mesh->pass->texturing, lim_mesh_texture_gradients(mesh, active, &made),
+                                           (int16_t)line->y, (int16_t)deep->left, (int16_t)deep->right};
     fill_stretches_deep(mesh, line, deep->depths, active, &span, deep->x0, deep->x1);
 }
 

@@ -18,13 +18,11 @@
 
 enum { REFINED_BITS = 13 }; /* of nearness at most: a plane that is not quite right keeps within 16 */
 /* All parts of one clipped triangle find room. */
-enum { LEAST_ACTIVE = MESH_FAN + 1, LEAST_TEXTURED = LEAST_ACTIVE + MESH_FAN * MESH_GRADIENT_ENTRIES };
+enum { LEAST_ACTIVE = MESH_FAN + 1 };
 
 static uint16_t active_of(const struct lim_scene *scene, bool least)
 {
-    const uint16_t fewest = lim_texture_count(scene) ? LEAST_TEXTURED : LEAST_ACTIVE;
-
-    return least || scene->limits.active < fewest ? fewest : scene->limits.active;
+    return least || scene->limits.active < LEAST_ACTIVE ? LEAST_ACTIVE : scene->limits.active;
 }
 
 static size_t mem_b_of(const struct lim_scene *scene, const struct lim_target *target, uint16_t active)

@@ -8,8 +8,7 @@
 
 #if LIM_OPTIMISE_SIZE
 
-void lim_texels_paint(uint16_t *to, uint_fast16_t n, uint32_t place, uint32_t step,
-                      const struct lim_texture_level *level)
+void lim_texels_paint(uint16_t *to, uint_fast16_t n, uint32_t place, const struct lim_texture_level *level)
 {
     const LIM_FLASH uint8_t *const texels = level->texels;
     const LIM_FLASH uint16_t *const palette = level->palette;
@@ -19,17 +18,17 @@ void lim_texels_paint(uint16_t *to, uint_fast16_t n, uint32_t place, uint32_t st
     do {
         const uint32_t row = (uint32_t)(uint16_t)place >> columns & rows_mask;
         *to++ = palette[texels[(row << w_bits) + (place >> 16 >> columns)]];
-        place += step;
+        place += level->step;
     } while (to != end);
 }
 
 #else
 
 #define SIZED(w_bits)                                                                                                  \
-    static LIM_ALONE void paint_##w_bits(uint16_t *to, uint_fast16_t n, uint32_t place, uint32_t step,                 \
+    static LIM_ALONE void paint_##w_bits(uint16_t *to, uint_fast16_t n, uint32_t place,                                \
                                          const struct lim_texture_level *level)                                        \
     {                                                                                                                  \
-        lim_texels_paint_sized(to, n, place, step, level, w_bits);                                                     \
+        lim_texels_paint_sized(to, n, place, level, w_bits);                                                           \
     }
 
 SIZED(0)
@@ -44,42 +43,41 @@ SIZED(8)
 SIZED(9)
 SIZED(10)
 
-void lim_texels_paint(uint16_t *to, uint_fast16_t n, uint32_t place, uint32_t step,
-                      const struct lim_texture_level *level)
+void lim_texels_paint(uint16_t *to, uint_fast16_t n, uint32_t place, const struct lim_texture_level *level)
 {
     switch (level->w_bits) {
     case 0:
-        paint_0(to, n, place, step, level);
+        paint_0(to, n, place, level);
         return;
     case 1:
-        paint_1(to, n, place, step, level);
+        paint_1(to, n, place, level);
         return;
     case 2:
-        paint_2(to, n, place, step, level);
+        paint_2(to, n, place, level);
         return;
     case 3:
-        paint_3(to, n, place, step, level);
+        paint_3(to, n, place, level);
         return;
     case 4:
-        paint_4(to, n, place, step, level);
+        paint_4(to, n, place, level);
         return;
     case 5:
-        paint_5(to, n, place, step, level);
+        paint_5(to, n, place, level);
         return;
     case 6:
-        paint_6(to, n, place, step, level);
+        paint_6(to, n, place, level);
         return;
     case 7:
-        paint_7(to, n, place, step, level);
+        paint_7(to, n, place, level);
         return;
     case 8:
-        paint_8(to, n, place, step, level);
+        paint_8(to, n, place, level);
         return;
     case 9:
-        paint_9(to, n, place, step, level);
+        paint_9(to, n, place, level);
         return;
     default:
-        paint_10(to, n, place, step, level);
+        paint_10(to, n, place, level);
     }
 }
 

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
- * Texels of one level of detail into a line: pixels along which the place in the picture advances evenly. In: a place,
- * what a pixel adds to it, the level. Out: pixels. Memory: the caller's. */
+ * Texels of one level of detail into a line: pixels along which the place in the picture advances evenly. In: a place
+ * and the level, with what a pixel adds to a place. Out: pixels. Memory: the caller's. */
 #ifndef LIM_TEXELS_H
 #define LIM_TEXELS_H
 
@@ -24,15 +24,24 @@ static LIM_INLINE uint_fast16_t lim_texel_at(uint32_t place, uint32_t rows_mask,
     to[k] = palette[texels[lim_texel_at(place, rows_mask, w_bits)]];                                                   \
     place += step
 
+/* Up to so many pixels a jump past those that are too many would take longer than to count them. */
+enum { LIM_TEXELS_FEW = 8 };
+
 /* n pixels, one at least. Eight at a time, with a jump past those that are too many. */
-static LIM_INLINE void lim_texels_paint_sized(uint16_t *to, uint_fast16_t n, uint32_t place, uint32_t step,
+static LIM_INLINE void lim_texels_paint_sized(uint16_t *to, uint_fast16_t n, uint32_t place,
                                               const struct lim_texture_level *level, unsigned w_bits)
 {
     const LIM_FLASH uint8_t *const texels = level->texels;
     const LIM_FLASH uint16_t *const palette = level->palette;
-    const uint32_t rows_mask = level->rows_mask;
+    const uint32_t rows_mask = level->rows_mask, step = level->step;
     uint16_t *const end = to + n;
 
+    if (n <= LIM_TEXELS_FEW) {
+        do {
+            LIM_TEXEL_NEXT(0);
+        } while (++to != end);
+        return;
+    }
     to -= (0u - n) & 7;
     // clang-format off
     switch (n & 7) {
@@ -54,7 +63,6 @@ static LIM_INLINE void lim_texels_paint_sized(uint16_t *to, uint_fast16_t n, uin
 #endif
 
 /* The same for a level of any width. There if LIM_HAS_TEXTURE. */
-void lim_texels_paint(uint16_t *to, uint_fast16_t n, uint32_t place, uint32_t step,
-                      const struct lim_texture_level *level);
+void lim_texels_paint(uint16_t *to, uint_fast16_t n, uint32_t place, const struct lim_texture_level *level);
 
 #endif

@@ -310,10 +310,10 @@ static bool set_even(const struct lim_texturing *texturing, const struct seen *s
     if (way_q8 >> 16 || way_q8 * e_q14 > UINT32_C(1) << (23 - LIM_TEXTURE_OFF_BITS)) return false;
     const int_fast8_t reach_bits = (int_fast8_t)(level + 15 - LIM_TEXTURE_OFF_BITS - w_bits);
     if (reach_bits < 0 || (uint32_t)(around->w + around->h) >> reach_bits) return false;
-    out->even.x = lim_texture_packed((uint32_t)step_x[0], (uint32_t)step_x[1]);
+    out->level.step = lim_texture_packed((uint32_t)step_x[0], (uint32_t)step_x[1]);
     out->even.y = lim_texture_packed((uint32_t)step_y[0], (uint32_t)step_y[1]);
-    out->even.place =
-        (place[0] << 16 | (uint16_t)place[1]) - out->even.x * (uint32_t)around->x - out->even.y * (uint32_t)around->y;
+    out->even.place = (place[0] << 16 | (uint16_t)place[1]) - out->level.step * (uint32_t)around->x -
+                      out->even.y * (uint32_t)around->y;
     lim_texture_set_level(texturing->scene, out->texture, level, &out->level);
     return true;
 }

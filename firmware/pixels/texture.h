@@ -62,9 +62,9 @@ static inline uint32_t lim_texture_place(const struct lim_texture_line *line, in
 }
 
 /* Of a polygon that is even all over. */
-static inline struct lim_texture_walk lim_texture_even_walk(const struct lim_texture_even *even, int32_t x, int32_t y)
+static inline uint32_t lim_texture_even_place(const struct lim_texture_even *even, uint32_t step, int32_t x, int32_t y)
 {
-    return (struct lim_texture_walk){even->place + even->x * (uint32_t)x + even->y * (uint32_t)y, even->x};
+    return even->place + step * (uint32_t)x + even->y * (uint32_t)y;
 }
 
 /* Paints pixels x0 <= x < x1 of it. */

@@ -97,7 +97,8 @@ void lim_texture_line_begin(struct lim_texture_line *line, const struct lim_text
     }
     line->x = span->left;
     line->end = span->right;
-    line->walk = lim_texture_even_walk(&span->gradients->even, span->left, span->y);
+    line->walk.step = span->gradients->level.step;
+    line->walk.place = lim_texture_even_place(&span->gradients->even, line->walk.step, span->left, span->y);
 }
 
 void lim_texture_line_next(struct lim_texture_line *line)
@@ -115,7 +116,8 @@ static LIM_ALONE void fill_stretches(const struct lim_textured_span *span, uint1
     line.walk.place = lim_texture_place(&line, x);
     for (;;) {
         const int32_t end = lim_texture_lesser(line.end, x1);
-        lim_texels_paint(pixels + x, (uint_fast16_t)(end - x), line.walk.place, line.walk.step, &line.gradients->level);
+        line.gradients->level.step = line.walk.step;
+        lim_texels_paint(pixels + x, (uint_fast16_t)(end - x), line.walk.place, &line.gradients->level);
         if (end == x1) break;
         x = end;
         stretch(&line, &line.gradients->planes);
@@ -132,8 +134,8 @@ void lim_texture_fill(const struct lim_textured_span *span, uint16_t *pixels, ui
         fill_stretches(span, pixels, x0, x1, stats);
         return;
     }
-    const struct lim_texture_walk walk = lim_texture_even_walk(&gradients->even, x0, span->y);
-    lim_texels_paint(pixels + x0, (uint_fast16_t)(x1 - x0), walk.place, walk.step, &gradients->level);
+    lim_texels_paint(pixels + x0, (uint_fast16_t)(x1 - x0),
+                     lim_texture_even_place(&gradients->even, gradients->level.step, x0, span->y), &gradients->level);
 }
 
 #endif

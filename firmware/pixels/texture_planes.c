@@ -5,8 +5,6 @@
 
 #if LIM_HAS_TEXTURE
 
-enum { TEXEL_BLOCK = LIM_TEXEL_BLOCK };
-
 /* How the place would change along a line, times depth^2 / h: the larger of what both coordinates have, of two lines.
  */
 static inline uint32_t change_of(const struct lim_texture_planes *planes, int32_t x, const int32_t y[2])
@@ -61,16 +59,7 @@ void lim_texture_settle(const struct lim_texturing *texturing, const struct arou
 void lim_texture_set_level(const struct lim_scene *scene, const LIM_FLASH struct lim_texture *texture, uint8_t number,
                            struct lim_texture_level *level)
 {
-    const uint8_t w_bits = (uint8_t)(texture->w_bits - number), h_bits = (uint8_t)(texture->h_bits - number);
-    uint32_t size = UINT32_C(1) << (texture->w_bits + texture->h_bits);
-
-    level->number = number;
-    level->w_bits = w_bits;
-    level->rows_mask = ((UINT32_C(1) << h_bits) - 1) << w_bits;
-    level->palette = scene->palettes + texture->palette;
-    level->texels = scene->texels + (uint32_t)texture->texels * TEXEL_BLOCK;
-    for (; number; number--, size >>= 2)
-        level->texels += size;
+    lim_texture_take_level(scene, texture, number, level);
 }
 
 /* The least depth whose log2 is that, as lim_texture_level_q4() has it. */

@@ -99,7 +99,25 @@ static LIM_IN_EACH_CALLER uint32_t lim_texture_stretch_bits(const struct lim_gra
     return (uint32_t)(bits < 0 ? 0 : bits);
 }
 
-/* A level of a texture; and of a polygon's that of a depth, with all the depths that have it. */
+/* A level of a texture, but for its step. */
+static LIM_INLINE void lim_texture_take_level(const struct lim_scene *scene,
+                                              const LIM_FLASH struct lim_texture *texture, uint8_t number,
+                                              struct lim_texture_level *level)
+{
+    const uint8_t w_bits = (uint8_t)(texture->w_bits - number), h_bits = (uint8_t)(texture->h_bits - number);
+    const LIM_FLASH uint8_t *texels = scene->texels + (uint32_t)texture->texels * LIM_TEXEL_BLOCK;
+    uint32_t size = UINT32_C(1) << (texture->w_bits + texture->h_bits);
+
+    level->number = number;
+    level->w_bits = w_bits;
+    level->rows_mask = ((UINT32_C(1) << h_bits) - 1) << w_bits;
+    level->palette = scene->palettes + texture->palette;
+    for (; number; number--, size >>= 2)
+        texels += size;
+    level->texels = texels;
+}
+
+/* The same in a function of its own; and of a polygon's that of a depth, with all the depths that have it. */
 void lim_texture_set_level(const struct lim_scene *scene, const LIM_FLASH struct lim_texture *texture, uint8_t number,
                            struct lim_texture_level *level);
 void lim_texture_suit_level(const struct lim_scene *scene, struct lim_gradients *gradients, uint32_t depth);

@@ -99,11 +99,6 @@ static size_t mesh_active_b(const struct compiled *scene)
                                      scene->report.draws == LIM_MESH_DEPTH, scene->scene.texture_count > 0);
 }
 
-static size_t mesh_least(const struct compiled *scene)
-{
-    return scene->scene.texture_count ? (size_t)MCU_MESH_LEAST_TEXTURED : (size_t)MCU_MESH_LEAST_ACTIVE;
-}
-
 static size_t mesh_b(const struct compiled *scene, size_t active)
 {
     const size_t point_b = is_wide(&scene->report) ? MCU_CELL_WIDE_B : MCU_CELL_B;
@@ -126,7 +121,7 @@ size_t mcu_mem_b(const struct compiled *scene)
     if (scene->report.draws == LIM_CONVEX) return convex_b(scene, limits.active);
     if (scene->report.draws == LIM_PAINTER) return painter_b(scene);
     if (method_draws_meshes(scene->report.draws))
-        return mesh_b(scene, limits.active < mesh_least(scene) ? mesh_least(scene) : limits.active);
+        return mesh_b(scene, limits.active < MCU_MESH_LEAST_ACTIVE ? MCU_MESH_LEAST_ACTIVE : limits.active);
     return nearest_b(scene, limits.retained_cells, limits.gaps, limits.active, limits.pieces) + layers_b(&limits);
 }
 
@@ -134,7 +129,7 @@ size_t mcu_mem_min_b(const struct compiled *scene)
 {
     if (scene->report.draws == LIM_CONVEX) return convex_b(scene, 0);
     if (scene->report.draws == LIM_PAINTER) return painter_b(scene);
-    if (method_draws_meshes(scene->report.draws)) return mesh_b(scene, mesh_least(scene));
+    if (method_draws_meshes(scene->report.draws)) return mesh_b(scene, MCU_MESH_LEAST_ACTIVE);
     return nearest_b(scene, needs_least_cells(&scene->scene.limits), 1, 1, 0);
 }
 

@@ -53,7 +53,6 @@ _Static_assert(MCU_MESH_ACTIVE_B(HAS_LONG_EDGES, LIM_HAS_WIDE, LIM_HAS_MESH_DEPT
 _Static_assert((LIM_WIDE ? MCU_CELL_WIDE_B : MCU_CELL_B) == sizeof(struct lim_point), "point of a mesh");
 _Static_assert(MCU_MESH_NEARNESS_B == sizeof *((struct lim_mesh *)0)->nearness, "nearness of a vertex");
 _Static_assert((int)MCU_MESH_LEAST_ACTIVE == MESH_FAN + 1, "least pool of a mesh");
-_Static_assert((int)MCU_MESH_LEAST_TEXTURED == MESH_FAN + 1 + MESH_FAN * MESH_GRADIENT_ENTRIES, "and with textures");
 #endif
 
 #if LIM_HAS_CONVEX
