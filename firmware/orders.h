@@ -309,6 +309,8 @@ struct lim_mesh_looks {
     union lim_mesh_gradients *free;
     uint16_t whole_size; /* of the pool; what lim_mesh.pool_size is less has become theirs */
     uint8_t first;       /* what triangles show at first: LIM_MESH_UNSET, or LIM_MESH_COLOUR in scenes of colours */
+    lim_index mask;      /* lim_triangle_texture_mask() */
+    uint32_t even;       /* nearness at a quarter of a unit, times 3/2: as lim_mesh_rank_of() has it */
 };
 
 /* A triangle that crosses the current line. */

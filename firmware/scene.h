@@ -103,8 +103,11 @@ enum { LIM_POLYGON_HEAD_WORDS = 2, LIM_POLYGON_TEXTURE_WORDS = 2 };
 /* A scene of no nodes is a mesh: for LIM_MESH and LIM_MESH_DEPTH alone, as those draw no others. Its records are
  * triangles of LIM_TRIANGLE_WORDS words: three vertex indices, counter-clockwise seen from the side that it faces, and
  * its colour, RGB565 as a number; or, where the scene has textures, the index of its texture: of one of a single texel
- * where it is of one colour. boxes[0] holds all of it, and there are no planes and no mappings. */
-enum { LIM_TRIANGLE_WORDS = 4 };
+ * where it is of one colour. boxes[0] holds all of it, and there are no planes and no mappings.
+ *
+ * Where there are LIM_TRIANGLE_TEXTURES or fewer, the next 7 bits tell from how far away on texels advance evenly over
+ * the triangle (mesh_texture.h): 4 e + m of them, from (7 - m) 2^(29 - e) units on. 0: nobody has found out. */
+enum { LIM_TRIANGLE_WORDS = 4, LIM_TRIANGLE_TEXTURES = 512, LIM_TRIANGLE_TEXTURE_BITS = 9 };
 
 /* A leaf has no plane and no children; its front_run comes in an order that is right from everywhere, nearest
  * first (sets without a tree: in any order), and is never LIM_NO_INDEX. */
@@ -234,6 +237,12 @@ LIM_OPTIONAL_END
 static inline bool lim_scene_is_mesh(const struct lim_scene *scene)
 {
     return LIM_HAS_MESHES && (!LIM_HAS_PLANES || (!scene->node_count && scene->polygon_count));
+}
+
+/* Of a mesh with textures: which bits of a triangle's last word are its texture's. */
+static inline lim_index lim_triangle_texture_mask(uint16_t texture_count)
+{
+    return (lim_index)(texture_count > LIM_TRIANGLE_TEXTURES ? UINT16_MAX : LIM_TRIANGLE_TEXTURES - 1);
 }
 
 /* The first triangle of a mesh that has depth. */

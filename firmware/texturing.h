@@ -32,8 +32,14 @@ struct lim_texture_plane {
     int32_t at, x, y;
 };
 
+struct lim_texture_level;
+
+/* n pixels of a line, from a place in the picture on. */
+typedef void lim_texels_painter(uint16_t *to, uint_fast16_t n, uint32_t place, const struct lim_texture_level *level);
+
 /* How to find texels of one level, and how they advance. */
 struct lim_texture_level {
+    lim_texels_painter *paint;
     const LIM_FLASH uint8_t *texels;
     const LIM_FLASH uint16_t *palette;
     uint32_t rows_mask; /* of rows times what a row has, which is 2^w_bits */

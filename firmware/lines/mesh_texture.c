@@ -10,11 +10,82 @@
 #include "lines/mesh_way.h"
 #include "math/fixed.h"
 #include "pixels/texture_triangle.h"
+#include "view/perspective.h"
 
 #if LIM_HAS_TEXTURE && LIM_HAS_MESHES
 
 LIM_STATIC_ASSERT(sizeof(union lim_mesh_gradients) <= MESH_GRADIENT_ENTRIES * sizeof(struct lim_mesh_active),
                   "gradients take the room of so many entries");
+
+/* A frame --------------------------------------------------------------------------------------------------------- */
+
+/* Of a row, or a twelfth more: the longest part, and sqrt(2) - 1 of the others. */
+static uint32_t length_of(const struct lim_row *row)
+{
+    uint32_t longest = 0, sum = 0;
+
+    for (uint_fast8_t i = 0; i < 3; i++) {
+        const uint32_t part = abs_s32((int32_t)row->n_qv[i]);
+        sum += part;
+        if (part > longest) longest = part;
+    }
+    return longest + ((sum - longest) * 107 >> 8) + 1;
+}
+
+/* A triangle may be so many pixels of a lens long: mesh_texture.h. */
+static uint32_t reach_of(const struct lim_row *row, int32_t side_px)
+{
+    return length_of(row) * (uint32_t)side_px / (2 * MESH_EVEN_LENS_PX);
+}
+
+/* Units in view space, those across as far as the lens makes steps' rounding matter. */
+static uint32_t unit_of(const struct lim_view *view)
+{
+    const uint32_t z = length_of(&view->rows.row[2]) >> view->rows.tele_bits;
+    const uint32_t x = reach_of(&view->rows.row[0], view->width.px), y = reach_of(&view->rows.row[1], view->height.px);
+    const uint32_t across = x > y ? x : y;
+
+    return (z > across ? z : across) + 1;
+}
+
+/* x 2^bits of 24 bits, or what fits. */
+static uint32_t scaled(uint32_t x, int_fast16_t bits)
+{
+    if (bits > 7) return UINT32_MAX;
+    return bits >= 0 ? x << bits : bits > -32 ? x >> -bits : 0;
+}
+
+void lim_mesh_texture_frame(struct lim_mesh *mesh)
+{
+    const uint16_t count = lim_texture_count(mesh->pass->scene);
+    uint8_t shift;
+
+    mesh->looks->first = count ? LIM_MESH_UNSET : LIM_MESH_COLOUR;
+    if (!count) return;
+    const uint32_t unit_q24 = recip_q24(unit_of(&mesh->pass->view), &shift);
+    const int_fast16_t bits = (int_fast16_t)perspective_nearness_bits(mesh->near_shift) + 2 + 2 - LIM_TEXTURE_OFF_BITS;
+
+    mesh->looks->mask = lim_triangle_texture_mask(count);
+    mesh->looks->even = count > LIM_TRIANGLE_TEXTURES ? 0 : scaled(unit_q24 / 2 * 3 / 2, bits + shift - 54);
+}
+
+/* A triangle ------------------------------------------------------------------------------------------------------ */
+
+static inline const LIM_FLASH struct lim_texture *texture_of(const struct lim_mesh *mesh,
+                                                             const LIM_FLASH lim_index *corners)
+{
+    return &mesh->pass->scene->textures[corners[3] & mesh->looks->mask];
+}
+
+/* Whether a triangle that is not clipped is as far away as the compiler wants it. */
+static LIM_INLINE bool is_far(const struct lim_mesh *mesh, const struct lim_mesh_active *active,
+                              const LIM_FLASH lim_index *corners)
+{
+    const uint32_t nearness = (uint32_t)(active->rank >> 8 * sizeof(lim_index));
+    const uint32_t from = (uint32_t)corners[3] >> LIM_TRIANGLE_TEXTURE_BITS;
+
+    return nearness * (7 - (from & 3)) <= mesh->looks->even >> (31 - (from >> 2));
+}
 
 /* What the corners b and c are nearer than a. */
 struct nears {
@@ -28,23 +99,50 @@ static LIM_INLINE struct nears nears_of(const struct lim_mesh *mesh, const LIM_F
     return (struct nears){a, mesh->nearness[corners[1]] - a, mesh->nearness[corners[2]] - a};
 }
 
-/* The level whose texels are as large as pixels, by the areas of both: the first of which a texel is less than twice a
- * pixel, within a half of a level. `area` is that on the screen, halved so often. */
-static LIM_INLINE uint8_t level_of_areas(const LIM_FLASH struct lim_texture *texture, int32_t of_places, uint32_t area,
-                                         int_fast16_t halved)
+/* A triangle's ways from its corner a, on the screen and in its texture. */
+struct shape {
+    lim_packed a;
+    mesh_way u, v, a_place, b_place, c_place; /* a_place: from where places are counted */
+    uint8_t halved[2];                        /* across, down: of the ways on the screen */
+    int32_t wide; /* twice its size on the screen, of halved ways; not above 0: nowhere wider than a pixel */
+};
+
+static LIM_INLINE void set_shape(const struct lim_mesh *mesh, const LIM_FLASH lim_index *corners, struct shape *shape)
 {
-    const int_fast16_t down = 2 * (int_fast16_t)(texture->place_bits - texture->w_bits - LIM_SUB_BITS) + 1 + halved;
+    const LIM_FLASH struct lim_uv *const uvs = *mesh->pass->scene->uvs;
+
+    shape->a = lim_packed_load(&mesh->points[corners[0]]);
+    shape->u = mesh_way_of_points(shape->a, lim_packed_load(&mesh->points[corners[1]]));
+    shape->v = mesh_way_of_points(shape->a, lim_packed_load(&mesh->points[corners[2]]));
+    shape->a_place = mesh_way_to_place(&uvs[corners[0]]);
+    shape->b_place = mesh_way_between(shape->a_place, mesh_way_to_place(&uvs[corners[1]]));
+    shape->c_place = mesh_way_between(shape->a_place, mesh_way_to_place(&uvs[corners[2]]));
+    mesh_way_halve(&shape->u, &shape->v, shape->halved);
+    shape->wide = mesh_way_cross(shape->v, shape->u);
+}
+
+static inline uint32_t area_of(const struct shape *shape)
+{
+    return shape->wide > 0 ? (uint32_t)shape->wide : 1;
+}
+
+/* The level whose texels are as large as pixels, by the areas of both: of each level four times as many go on a pixel
+ * as of the one before, and half as much is nearer to the one before. */
+static LIM_INLINE uint_fast8_t level_of(const LIM_FLASH struct lim_texture *texture, const struct shape *shape)
+{
+    const int_fast16_t down = 2 * (int_fast16_t)(texture->place_bits - texture->w_bits - LIM_SUB_BITS) + 1 +
+                              shape->halved[0] + shape->halved[1];
     const uint_fast8_t last = (uint_fast8_t)(texture->levels - 1);
-    uint32_t own = abs_s32(of_places);
+    uint32_t own = abs_s32(mesh_way_cross(shape->b_place, shape->c_place)), area = area_of(shape);
     uint_fast8_t level = 0;
 
     if (down >= 0)
         own >>= LIM_HAS_LIMBS && down > 31 ? 31 : down;
     else
         area >>= -down;
-    for (; level < last && own >= area; own >>= 2)
+    for (; own >= area && level < last; own >>= 2)
         level++;
-    return (uint8_t)level;
+    return level;
 }
 
 /* How far apart the errors of a coordinate are, of which those along the sides are products of what place and nearness
@@ -78,14 +176,16 @@ static LIM_ALONE bool is_even_beside(const struct lim_mesh *mesh, const LIM_FLAS
     const LIM_FLASH struct lim_uv *const b = &uvs[corners[1]], *const c = &uvs[corners[2]];
     const struct nears nears = nears_of(mesh, corners);
     const int32_t least = least_of(&nears);
-    const uint32_t most = mesh_way_most(mesh_way_of_places(a, b), mesh_way_of_places(a, c));
+    const mesh_way place = mesh_way_to_place(a);
+    const uint32_t most =
+        mesh_way_most(mesh_way_between(place, mesh_way_to_place(b)), mesh_way_between(place, mesh_way_to_place(c)));
     int32_t middle[2];
 
     if ((most | nearly_abs(nears.b) | nearly_abs(nears.c)) >> 14 || bits < 0) return false;
     const uint32_t u = spread_of(b->u - a->u, c->u - a->u, &nears, &middle[0]),
                    v = spread_of(b->v - a->v, c->v - a->v, &nears, &middle[1]);
     if ((u > v ? u : v) + 2 * most > (uint32_t)least << (bits < 12 ? bits + 3 : 15)) return false;
-    const LIM_FLASH struct lim_texture *const texture = &mesh->pass->scene->textures[corners[3]];
+    const LIM_FLASH struct lim_texture *const texture = texture_of(mesh, corners);
     const int32_t width = (int32_t)1 << (16 - texture->place_bits);
     *moved =
         lim_texture_packed((uint32_t)(middle[0] / (8 * least) * width), (uint32_t)(middle[1] / (8 * least) * width));
@@ -121,24 +221,49 @@ static LIM_INLINE uint32_t most_half_of(const struct lim_mesh *mesh, const LIM_F
 }
 
 /* By what both coordinates and nearness gain along the sides. *moved as of is_even_beside(). */
-static LIM_ALONE bool is_even_at_level(const struct lim_mesh *mesh, const LIM_FLASH lim_index *corners, uint8_t level,
-                                       uint32_t *moved)
+static LIM_ALONE bool is_even_as_seen(const struct lim_mesh *mesh, const LIM_FLASH lim_index *corners, uint32_t *moved)
 {
-    const LIM_FLASH struct lim_texture *const texture = &mesh->pass->scene->textures[corners[3]];
-    const LIM_FLASH struct lim_uv *const uvs = *mesh->pass->scene->uvs, *const corner = &uvs[corners[0]];
-    const int_fast16_t finer_bits = (int_fast16_t)(level - texture->w_bits - LIM_TEXTURE_OFF_BITS);
+    const LIM_FLASH struct lim_texture *const texture = texture_of(mesh, corners);
     const struct nears nears = nears_of(mesh, corners);
+    const uint32_t most_half = most_half_of(mesh, corners);
+    struct shape shape;
 
-    if (!is_within_reach(most_half_of(mesh, corners), finer_bits + 16)) return false;
-    return is_even(&nears, mesh_way_of_places(corner, &uvs[corners[1]]), mesh_way_of_places(corner, &uvs[corners[2]]),
-                   finer_bits + texture->place_bits) ||
+    if (!LIM_HAS_LIMBS && most_half >> 13) return false;
+    set_shape(mesh, corners, &shape);
+    const int_fast16_t finer_bits = (int_fast16_t)level_of(texture, &shape) - texture->w_bits - LIM_TEXTURE_OFF_BITS;
+    if (!is_within_reach(most_half, finer_bits + 16)) return false;
+    return is_even(&nears, shape.b_place, shape.c_place, finer_bits + texture->place_bits) ||
            is_even_beside(mesh, corners, finer_bits + texture->place_bits, moved);
 }
 
-/* Of a numerator, in 2^-16 of the width. */
-static inline int32_t place_step(int32_t numerator, int32_t recip_q31, int_fast16_t down)
+/* What places are in 2^-16 of the width, rounded to nearest, of numerators over the area. A reciprocal of 15 bits is
+ * made shorter by `down`. */
+static LIM_INLINE int32_t place_step(int32_t numerator, int32_t recip_q31, int_fast16_t down)
 {
-    return (lim_texture_times(numerator, recip_q31) + ((int32_t)1 << (down - 1))) >> down;
+    if (LIM_HAS_LIMBS) return (mul_high_s32(numerator, recip_q31) + ((int32_t)1 << (down - 1))) >> down;
+    const int32_t shorter_q31 = recip_q31 >> down;
+    if (!LIM_LONG_MULTIPLY)
+        return (mul_s32_top(numerator, (int32_t)((uint32_t)shorter_q31 << down)) + ((int32_t)1 << (down - 1))) >> down;
+    const int64_t product = (int64_t)numerator * shorter_q31;
+    return (int32_t)(product >> 32) + (int32_t)((uint32_t)product >> 31);
+}
+
+static LIM_INLINE void set_steps(const LIM_FLASH struct lim_texture *texture, const struct shape *shape,
+                                 struct mesh_numerators *steps)
+{
+    uint8_t zeros;
+    int32_t recip_q31 = lim_texture_reciprocal(area_of(shape), &zeros);
+    int_fast16_t down = (int_fast16_t)(14 + texture->place_bits - LIM_SUB_BITS - zeros);
+
+    if (down <= 0 || shape->wide <= 0) { /* nowhere wider than a pixel: one texel */
+        recip_q31 = 0;
+        down = 1;
+    }
+    mesh_way_numerators(shape->u, shape->v, shape->b_place, shape->c_place, steps);
+    steps->ux = place_step(steps->ux, recip_q31, down + shape->halved[0]);
+    steps->uy = place_step(steps->uy, recip_q31, down + shape->halved[1]);
+    steps->vx = place_step(steps->vx, recip_q31, down + shape->halved[0]);
+    steps->vy = place_step(steps->vy, recip_q31, down + shape->halved[1]);
 }
 
 /* The place of pixel (0, 0), of which the upper bits may be wrong. */
@@ -149,51 +274,24 @@ static inline uint32_t place_at_zero(uint32_t corner_q16, int32_t step_x, int32_
            (uint32_t)((int32_t)((uint32_t)step_x * (uint32_t)x + (uint32_t)step_y * (uint32_t)y) >> LIM_SUB_BITS);
 }
 
-/* From the corner a. Below the place's width v does not wrap: it would carry over to u. */
-static LIM_INLINE void set_even(const LIM_FLASH struct lim_uv *corner, uint8_t up, lim_packed a,
-                                const struct mesh_numerators *steps, struct lim_mesh_look *look)
+/* Below the place's width v does not wrap: it would carry over to u. */
+static LIM_INLINE void set_even(const struct lim_mesh *mesh, const LIM_FLASH lim_index *corners,
+                                const LIM_FLASH struct lim_texture *texture, struct lim_mesh_look *look)
 {
-    const int32_t x = lim_packed_x(a) + LIM_ORIGIN_PX * LIM_SUB, y = lim_packed_y(a) + LIM_ORIGIN_PX * LIM_SUB;
+    const uint_fast8_t up = (uint_fast8_t)(16 - texture->place_bits);
+    struct mesh_numerators steps;
+    struct shape shape;
 
-    look->level.step = lim_texture_packed((uint32_t)steps->ux, (uint32_t)steps->vx);
-    look->even.y = lim_texture_packed((uint32_t)steps->uy, (uint32_t)steps->vy);
-    look->even.place +=
-        lim_texture_packed(place_at_zero((uint32_t)corner->u << up, steps->ux, steps->uy, x, y),
-                           place_at_zero((uint16_t)((uint32_t)corner->v << up), steps->vx, steps->vy, x, y));
-}
-
-/* false: it is not even. */
-static LIM_INLINE bool set_even_look(const struct lim_mesh *mesh, struct lim_mesh_look *look,
-                                     const LIM_FLASH lim_index *corners, const LIM_FLASH struct lim_texture *texture)
-{
-    const LIM_FLASH struct lim_uv *const uvs = *mesh->pass->scene->uvs, *const corner = &uvs[corners[0]];
-    const lim_packed a = lim_packed_load(&mesh->points[corners[0]]), b = lim_packed_load(&mesh->points[corners[1]]),
-                     c = lim_packed_load(&mesh->points[corners[2]]);
-    const mesh_way b_place = mesh_way_of_places(corner, &uvs[corners[1]]),
-                   c_place = mesh_way_of_places(corner, &uvs[corners[2]]);
-    struct mesh_numerators steps = {0, 0, 0, 0};
-    uint8_t zeros, halved[2];
-
-    if (!LIM_HAS_LIMBS && mesh_way_most_half(a, b, c) >> 13) return false;
-    mesh_way u = mesh_way_of_points(a, b), v = mesh_way_of_points(a, c);
-    mesh_way_halve(&u, &v, halved);
-    const int32_t wide = mesh_way_cross(v, u);
-    const uint32_t area = wide > 0 ? (uint32_t)wide : 1;
-    const uint8_t level = level_of_areas(texture, mesh_way_cross(b_place, c_place), area, halved[0] + halved[1]);
-    look->even.place = 0;
-    if (!is_even_at_level(mesh, corners, level, &look->even.place)) return false;
-    const int32_t recip_q31 = lim_texture_reciprocal(area, &zeros);
-    const int_fast16_t down = (int_fast16_t)(15 + texture->place_bits - LIM_SUB_BITS - zeros);
-    if (down > 1 && wide > 0) { /* else it is nowhere wider than a pixel, and shows one texel */
-        mesh_way_numerators(u, v, b_place, c_place, &steps);
-        steps.ux = place_step(steps.ux, recip_q31, down - 1 + halved[0]);
-        steps.uy = place_step(steps.uy, recip_q31, down - 1 + halved[1]);
-        steps.vx = place_step(steps.vx, recip_q31, down - 1 + halved[0]);
-        steps.vy = place_step(steps.vy, recip_q31, down - 1 + halved[1]);
-    }
-    set_even(corner, (uint8_t)(16 - texture->place_bits), a, &steps, look);
-    lim_texture_take_level(mesh->pass->scene, texture, level, &look->level);
-    return true;
+    set_shape(mesh, corners, &shape);
+    lim_texture_take_level(mesh->pass->scene, texture, level_of(texture, &shape), &look->level);
+    set_steps(texture, &shape, &steps);
+    const int32_t x = lim_packed_x(shape.a) + LIM_ORIGIN_PX * LIM_SUB,
+                  y = lim_packed_y(shape.a) + LIM_ORIGIN_PX * LIM_SUB;
+    look->level.step = lim_texture_packed((uint32_t)steps.ux, (uint32_t)steps.vx);
+    look->even.y = lim_texture_packed((uint32_t)steps.uy, (uint32_t)steps.vy);
+    look->even.place += lim_texture_packed(
+        place_at_zero((uint32_t)mesh_way_x(shape.a_place) << up, steps.ux, steps.uy, x, y),
+        place_at_zero((uint16_t)((uint32_t)mesh_way_y(shape.a_place) << up), steps.vx, steps.vy, x, y));
 }
 
 /* NULL: no room. */
@@ -224,7 +322,7 @@ static void set_gradients(const struct lim_mesh *mesh, const LIM_FLASH lim_index
         corners[k].place[0] = place->u;
         corners[k].place[1] = place->v;
     }
-    lim_texture_set_triangle(pass->texturing, &pass->scene->textures[triangle[3]], corners, at, n, gradients);
+    lim_texture_set_triangle(pass->texturing, texture_of(mesh, triangle), corners, at, n, gradients);
 }
 
 static LIM_RARE void make_gradients(const struct lim_mesh *mesh, const struct lim_mesh_active *active,
@@ -265,14 +363,19 @@ static LIM_RARE void set_plain(const struct lim_mesh *mesh, struct lim_mesh_acti
 LIM_ALONE void lim_mesh_texture_set(struct lim_mesh *mesh, struct lim_mesh_active *active)
 {
     const LIM_FLASH lim_index *const corners = lim_mesh_triangle(mesh, lim_mesh_number(active));
-    const LIM_FLASH struct lim_texture *const texture = &mesh->pass->scene->textures[corners[3]];
+    const LIM_FLASH struct lim_texture *const texture = texture_of(mesh, corners);
 
     if (!texture->w_bits) {
         set_plain(mesh, active, texture);
         return;
     }
-    if (!lim_mesh_is_cut(mesh, corners) && set_even_look(mesh, active->look, corners, texture)) return;
-    set_perspective(mesh, active);
+    active->look->even.place = 0;
+    if (lim_mesh_is_cut(mesh, corners) ||
+        (!is_far(mesh, active, corners) && !is_even_as_seen(mesh, corners, &active->look->even.place))) {
+        set_perspective(mesh, active);
+        return;
+    }
+    set_even(mesh, corners, texture, active->look);
 }
 
 struct lim_gradients *lim_mesh_texture_gradients(struct lim_mesh *mesh, struct lim_mesh_active *active,

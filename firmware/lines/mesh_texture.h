@@ -12,6 +12,10 @@
 /* Room for one triangle's gradients, in entries of the pool. */
 enum { MESH_GRADIENT_ENTRIES = 2 };
 
+/* How far away a triangle has to be for texels to advance evenly, as the compiler sees it (sim/compiler/encode_even.c),
+ * in profile fast and up to a lens in which what is as wide as it is far away has so many pixels; else farther. */
+enum { MESH_EVEN_LENS_PX = LIM_HAS_LIMBS || LIM_SUB_BITS < 8 ? 350 : 3 << (14 - LIM_SUB_BITS) };
+
 /* Whether triangles name textures instead of colours. */
 static inline bool lim_mesh_has_textures(const struct lim_mesh *mesh)
 {
@@ -23,7 +27,6 @@ static inline void lim_mesh_texture_clear(struct lim_mesh *mesh)
 {
     mesh->looks->free = NULL;
     mesh->pool_size = mesh->looks->whole_size;
-    mesh->looks->first = lim_mesh_has_textures(mesh) ? LIM_MESH_UNSET : LIM_MESH_COLOUR;
 }
 
 /* Entries of the pool that this frame has used, free again or not. */
@@ -47,6 +50,9 @@ static inline void lim_mesh_texture_leave(struct lim_mesh *mesh, const struct li
 }
 
 /* Functions that are there if LIM_HAS_TEXTURE. */
+
+/* Once a frame, after lim_view_all(). */
+void lim_mesh_texture_frame(struct lim_mesh *mesh);
 
 /* What an entry that is unset shows, before its first pixels. */
 void lim_mesh_texture_set(struct lim_mesh *mesh, struct lim_mesh_active *active);

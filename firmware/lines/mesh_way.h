@@ -30,10 +30,14 @@ static inline mesh_way mesh_way_of_points(lim_packed from, lim_packed to)
     return (uint32_t)__builtin_arm_ssub16(to, from);
 }
 
-static inline mesh_way mesh_way_of_places(const struct lim_uv *from, const struct lim_uv *to)
+static inline mesh_way mesh_way_to_place(const struct lim_uv *to)
 {
-    return (uint32_t)__builtin_arm_ssub16((int32_t) * (const mesh_way_word *)to,
-                                          (int32_t) * (const mesh_way_word *)from);
+    return *(const mesh_way_word *)to;
+}
+
+static inline mesh_way mesh_way_between(mesh_way from, mesh_way to)
+{
+    return (uint32_t)__builtin_arm_ssub16((int32_t)to, (int32_t)from);
 }
 
 static inline int32_t mesh_way_cross(mesh_way a, mesh_way b)
@@ -74,13 +78,13 @@ static inline void mesh_way_halve(mesh_way *u, mesh_way *v, uint8_t halved[2])
 /* Of places that gain b and c on the ways u and v. */
 static inline void mesh_way_numerators(mesh_way u, mesh_way v, mesh_way b, mesh_way c, struct mesh_numerators *out)
 {
-    const int32_t right = (int32_t)((v & 0xFFFF) | u << 16), down = (int32_t)(v >> 16 | (u & 0xFFFF0000u));
-    const int32_t of_u = (int32_t)((b & 0xFFFF) | c << 16), of_v = (int32_t)(b >> 16 | (c & 0xFFFF0000u));
+    const mesh_way across = (u & 0xFFFF) | v << 16, down = u >> 16 | (v & 0xFFFF0000u);
+    const mesh_way of_u = (b & 0xFFFF) | c << 16, of_v = b >> 16 | (c & 0xFFFF0000u);
 
-    out->ux = -__builtin_arm_smusd(of_u, down);
-    out->uy = __builtin_arm_smusd(of_u, right);
-    out->vx = -__builtin_arm_smusd(of_v, down);
-    out->vy = __builtin_arm_smusd(of_v, right);
+    out->ux = mesh_way_cross(down, of_u);
+    out->uy = mesh_way_cross(of_u, across);
+    out->vx = mesh_way_cross(down, of_v);
+    out->vy = mesh_way_cross(of_v, across);
 }
 
 #else
@@ -95,9 +99,15 @@ static inline mesh_way mesh_way_of_points(lim_packed from, lim_packed to)
     return way;
 }
 
-static inline mesh_way mesh_way_of_places(const LIM_FLASH struct lim_uv *from, const LIM_FLASH struct lim_uv *to)
+static inline mesh_way mesh_way_to_place(const LIM_FLASH struct lim_uv *to)
 {
-    const mesh_way way = {to->u - from->u, to->v - from->v};
+    const mesh_way way = {to->u, to->v};
+    return way;
+}
+
+static inline mesh_way mesh_way_between(mesh_way from, mesh_way to)
+{
+    const mesh_way way = {to.x - from.x, to.y - from.y};
     return way;
 }
 

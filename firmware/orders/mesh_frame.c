@@ -324,6 +324,7 @@ int lim_mesh_frame(struct lim_mesh *mesh)
     struct lim_pass *pass = mesh->pass;
 
     mesh->extent = (uint8_t)lim_view_all(&pass->view, pass->scene, mesh->points, mesh->nearness, &mesh->near_shift);
+    if (LIM_HAS_TEXTURE) lim_mesh_texture_frame(mesh);
     link_triangles(mesh);
     if (mesh->extent == LIM_VIEW_CLIPPED) refine(mesh);
     lim_mesh_clear(mesh);

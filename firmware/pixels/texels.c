@@ -25,8 +25,7 @@ void lim_texels_paint(uint16_t *to, uint_fast16_t n, uint32_t place, const struc
 #else
 
 #define SIZED(w_bits)                                                                                                  \
-    static LIM_ALONE void paint_##w_bits(uint16_t *to, uint_fast16_t n, uint32_t place,                                \
-                                         const struct lim_texture_level *level)                                        \
+    static void paint_##w_bits(uint16_t *to, uint_fast16_t n, uint32_t place, const struct lim_texture_level *level)   \
     {                                                                                                                  \
         lim_texels_paint_sized(to, n, place, level, w_bits);                                                           \
     }
@@ -43,43 +42,8 @@ SIZED(8)
 SIZED(9)
 SIZED(10)
 
-void lim_texels_paint(uint16_t *to, uint_fast16_t n, uint32_t place, const struct lim_texture_level *level)
-{
-    switch (level->w_bits) {
-    case 0:
-        paint_0(to, n, place, level);
-        return;
-    case 1:
-        paint_1(to, n, place, level);
-        return;
-    case 2:
-        paint_2(to, n, place, level);
-        return;
-    case 3:
-        paint_3(to, n, place, level);
-        return;
-    case 4:
-        paint_4(to, n, place, level);
-        return;
-    case 5:
-        paint_5(to, n, place, level);
-        return;
-    case 6:
-        paint_6(to, n, place, level);
-        return;
-    case 7:
-        paint_7(to, n, place, level);
-        return;
-    case 8:
-        paint_8(to, n, place, level);
-        return;
-    case 9:
-        paint_9(to, n, place, level);
-        return;
-    default:
-        paint_10(to, n, place, level);
-    }
-}
+lim_texels_painter *const LIM_FLASH lim_texels_painters[11] = {paint_0, paint_1, paint_2, paint_3, paint_4, paint_5,
+                                                               paint_6, paint_7, paint_8, paint_9, paint_10};
 
 #endif
 

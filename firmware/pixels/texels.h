@@ -62,7 +62,33 @@ static LIM_INLINE void lim_texels_paint_sized(uint16_t *to, uint_fast16_t n, uin
 
 #endif
 
-/* The same for a level of any width. There if LIM_HAS_TEXTURE. */
+/* The same for a level of any width, there if LIM_HAS_TEXTURE: looked up once a level, or, where small code is asked
+ * for, one function for all. */
+#if LIM_OPTIMISE_SIZE
+
 void lim_texels_paint(uint16_t *to, uint_fast16_t n, uint32_t place, const struct lim_texture_level *level);
+
+static inline void lim_texels_choose(struct lim_texture_level *level, uint_fast8_t w_bits)
+{
+    (void)w_bits;
+    level->paint = lim_texels_paint;
+}
+
+#else
+
+extern lim_texels_painter *const LIM_FLASH lim_texels_painters[11];
+
+static inline void lim_texels_choose(struct lim_texture_level *level, uint_fast8_t w_bits)
+{
+    level->paint = lim_texels_painters[w_bits];
+}
+
+static inline void lim_texels_paint(uint16_t *to, uint_fast16_t n, uint32_t place,
+                                    const struct lim_texture_level *level)
+{
+    level->paint(to, n, place, level);
+}
+
+#endif
 
 #endif

@@ -60,6 +60,7 @@ void lim_texture_set_level(const struct lim_scene *scene, const LIM_FLASH struct
                            struct lim_texture_level *level)
 {
     lim_texture_take_level(scene, texture, number, level);
+    level->number = number;
 }
 
 /* The least depth whose log2 is that, as lim_texture_level_q4() has it. */

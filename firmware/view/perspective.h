@@ -221,6 +221,12 @@ static inline uint32_t perspective_finer(uint32_t near_shift, uint8_t bits)
 
 #endif
 
+/* log2 of nearness times z, but for rounding. */
+static inline uint32_t perspective_nearness_bits(uint32_t near_shift)
+{
+    return LIM_HAS_LIMBS ? 44 - near_shift : 29 + near_shift;
+}
+
 /* Within half a screen and a pixel of the screen. */
 /*@ requires \valid_read(side) && is_side(*side);
     requires is_in_band(x_qv, depth) && -PERSPECTIVE_MAX_QV <= x_qv <= PERSPECTIVE_MAX_QV;

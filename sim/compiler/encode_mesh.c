@@ -6,6 +6,7 @@
 
 #include "base/grow.h"
 #include "base/rgb565.h"
+#include "compiler/encode_even.h"
 #include "compiler/encode_texture.h"
 #include "compiler/encode_uv.h"
 #include "compiler/encode_vertex.h"
@@ -133,6 +134,7 @@ static bool encode(struct mesh_encoder *work, const struct exact_points *points,
     for (size_t i = 0; i < work->mesh->polygon_count; i++)
         polygon_encode(work, &work->mesh->polygons[i]);
     if (!finish_textures(work, err)) return false;
+    encode_even(work->out);
     if (!work->out->record_count) return error_set(err, "nothing is left of the scene on its grid");
     work->out->widest = 3;
     encode_boxes(work->out);

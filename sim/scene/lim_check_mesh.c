@@ -7,6 +7,8 @@
 
 #include <stdlib.h>
 
+enum { EVEN_MOST = 127 };
+
 /* What only scenes with nodes have. */
 static bool check_absent(const struct lim_scene *scene, struct error *err)
 {
@@ -31,8 +33,12 @@ static bool check_places_of(const struct lim_scene *scene, size_t index, struct 
         if (abs(a->u - b->u) > INT16_MAX || abs(a->v - b->v) > INT16_MAX)
             return error_set(err, "triangle %zu: its places in the texture are too far apart", index);
     }
-    return words[3] < scene->texture_count || error_set(err, "triangle %zu: texture %lu of %u", index,
-                                                        (unsigned long)words[3], (unsigned)scene->texture_count);
+    const unsigned long texture = words[3] & lim_triangle_texture_mask(scene->texture_count);
+    const lim_index above = words[3] >> (scene->texture_count > LIM_TRIANGLE_TEXTURES ? 0 : LIM_TRIANGLE_TEXTURE_BITS);
+    if (above > (scene->texture_count > LIM_TRIANGLE_TEXTURES ? UINT16_MAX : EVEN_MOST))
+        return error_set(err, "triangle %zu: texture 0x%lx", index, (unsigned long)words[3]);
+    return texture < scene->texture_count ||
+           error_set(err, "triangle %zu: texture %lu of %u", index, texture, (unsigned)scene->texture_count);
 }
 
 static bool check_triangle(const struct lim_scene *scene, size_t index, struct error *err)
