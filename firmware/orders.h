@@ -291,8 +291,8 @@ union lim_mesh_gradients {
  * a level. */
 struct lim_mesh_look {
     struct lim_texture_level level;
-    __extension__ union { /* C++ wants names for both */
-        struct lim_texture_even even;
+    __extension__ union {                    /* C++ wants names for both */
+        struct lim_texture_even even;        /* of pixel (0, -1): a line knows the number of the one below */
         union lim_mesh_gradients *gradients; /* NULL: there was no room, they are made for each line */
     };
 };

@@ -75,7 +75,8 @@ static LIM_INLINE bool go_on(struct lim_mesh *mesh, const struct lim_mesh_line *
 
 /* Texels that advance evenly are painted without delay. */
 static LIM_INLINE void paint_look(struct lim_mesh *mesh, const struct lim_mesh_line *line, uint16_t *pixels,
-                                  struct lim_mesh_active *active, int32_t left, int32_t right, int32_t x0, int32_t x1)
+                                  uint16_t below, struct lim_mesh_active *active, int32_t left, int32_t right,
+                                  int32_t x0, int32_t x1)
 {
     const struct lim_texture_level *const level = &active->look->level;
 
@@ -91,7 +92,7 @@ static LIM_INLINE void paint_look(struct lim_mesh *mesh, const struct lim_mesh_l
         }
     }
     lim_texels_paint(pixels + x0, (uint_fast16_t)(x1 - x0),
-                     lim_texture_even_place(&active->look->even, level->step, x0, line->y), level);
+                     lim_texture_even_place(&active->look->even, level->step, x0, below), level);
 }
 
 /* Paints a triangle, and puts it on the next line. false: that has none of it. */
@@ -102,7 +103,7 @@ static LIM_INLINE bool paint_one(struct lim_mesh *mesh, const struct lim_mesh_li
     const int32_t x0 = inside || left > line->x0 ? left : line->x0, x1 = inside || right < line->x1 ? right : line->x1;
 
     if (LIM_HAS_TEXTURE && x0 < x1)
-        paint_look(mesh, line, pixels, active, left, right, x0, x1);
+        paint_look(mesh, line, pixels, below, active, left, right, x0, x1);
     else if (x0 < x1)
         lim_fill_inline(pixels, (int_fast16_t)x0, (int_fast16_t)x1, active->colour);
     if (LIM_HAS_STATS && x0 < x1) mesh_note(lim_stats_of(mesh->pass), line, active, x0, x1);

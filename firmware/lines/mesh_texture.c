@@ -252,12 +252,12 @@ static LIM_INLINE void set_steps(const LIM_FLASH struct lim_texture *texture, co
                                  struct mesh_numerators *steps)
 {
     uint8_t zeros;
-    int32_t recip_q31 = lim_texture_reciprocal(area_of(shape), &zeros);
-    int_fast16_t down = (int_fast16_t)(14 + texture->place_bits - LIM_SUB_BITS - zeros);
+    const int32_t recip_q31 = lim_texture_reciprocal(area_of(shape), &zeros);
+    const int_fast16_t down = (int_fast16_t)(14 + texture->place_bits - LIM_SUB_BITS - zeros);
 
-    if (down <= 0 || shape->wide <= 0) { /* nowhere wider than a pixel: one texel */
-        recip_q31 = 0;
-        down = 1;
+    if (down <= 0) { /* nowhere wider than a pixel: one texel */
+        *steps = (struct mesh_numerators){0, 0, 0, 0};
+        return;
     }
     mesh_way_numerators(shape->u, shape->v, shape->b_place, shape->c_place, steps);
     steps->ux = place_step(steps->ux, recip_q31, down + shape->halved[0]);
@@ -286,7 +286,7 @@ static LIM_INLINE void set_even(const struct lim_mesh *mesh, const LIM_FLASH lim
     lim_texture_take_level(mesh->pass->scene, texture, level_of(texture, &shape), &look->level);
     set_steps(texture, &shape, &steps);
     const int32_t x = lim_packed_x(shape.a) + LIM_ORIGIN_PX * LIM_SUB,
-                  y = lim_packed_y(shape.a) + LIM_ORIGIN_PX * LIM_SUB;
+                  y = lim_packed_y(shape.a) + (LIM_ORIGIN_PX + 1) * LIM_SUB;
     look->level.step = lim_texture_packed((uint32_t)steps.ux, (uint32_t)steps.vx);
     look->even.y = lim_texture_packed((uint32_t)steps.uy, (uint32_t)steps.vy);
     look->even.place += lim_texture_packed(

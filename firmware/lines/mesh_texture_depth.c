@@ -49,8 +49,8 @@ void lim_mesh_texture_paint_deep(struct lim_mesh *mesh, const struct lim_mesh_li
     struct lim_gradients made;
 
     if (look->level.w_bits < LIM_MESH_LEVELS) {
-        const struct lim_texture_walk walk = {lim_texture_even_place(&look->even, look->level.step, deep->x0, line->y),
-                                              look->level.step};
+        const struct lim_texture_walk walk = {
+            lim_texture_even_place(&look->even, look->level.step, deep->x0, line->y + 1), look->level.step};
         mesh_fill_texels(line->pixels, deep->depths, active, walk, &look->level, deep->x0, deep->x1);
         return;
     }
