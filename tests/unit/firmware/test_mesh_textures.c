@@ -42,10 +42,31 @@ static void make_textures(void)
     textures[2] = (struct lim_texture){.palette = 77, .levels = 1};
 }
 
+/* The least distance of those that a triangle's words can tell from which on a side's texels are off by a quarter of
+ * one at most: its length times what it gains, and twice its length as the nearest corner is nearer than the mean; five
+ * times its length in any case. */
+static lim_index far_code(size_t triangle, uint8_t w_bits)
+{
+    const lim_index *words = &soup.words[triangle * LIM_TRIANGLE_WORDS];
+    double least = 1;
+
+    for (int k = 0; k < 3; k++) {
+        const size_t a = words[k], b = words[(k + 1) % 3];
+        const struct lim_vertex *from = &soup.vertices[a], *to = &soup.vertices[b];
+        const double x = to->x - from->x, y = to->y - from->y, z = to->z - from->z, side = sqrt(x * x + y * y + z * z);
+        const double gain = fmax(abs(uvs[a].u - uvs[b].u), abs(uvs[a].v - uvs[b].v)) / 8192 * (1 << w_bits);
+        least = fmax(least, (side + 1) * fmax(gain + 2, 5));
+    }
+    for (int code = 127; code > 0; code--)
+        if ((7 - code % 4) * pow(2, 29 - code / 4) >= least) return (lim_index)(code << LIM_TRIANGLE_TEXTURE_BITS);
+    return 0;
+}
+
 /* Places that differ by `most` at most, in 2^-13 of the width. */
 static struct lim_camera make(struct random *random, unsigned kind, lim_index texture, int most)
 {
     const int u = (int)random_in(random, -16000, 16000 - most), v = (int)random_in(random, -16000, 16000 - most);
+    const bool knows = random_u64(random) & 1;
 
     soup_random(&soup, random, kind, 3000);
     make_textures();
@@ -53,6 +74,8 @@ static struct lim_camera make(struct random *random, unsigned kind, lim_index te
         uvs[i] = (struct lim_uv){(int16_t)(u + random_in(random, 0, most)), (int16_t)(v + random_in(random, 0, most))};
     for (size_t i = 0; i < soup.scene.polygon_count; i++)
         soup.words[i * LIM_TRIANGLE_WORDS + 3] = texture;
+    for (size_t i = 0; knows && i < soup.scene.polygon_count; i++)
+        soup.words[i * LIM_TRIANGLE_WORDS + 3] |= far_code(i, textures[texture].w_bits);
     *soup.scene.uvs = uvs;
     soup.scene.textures = textures;
     soup.scene.palettes = palettes;
@@ -230,6 +253,71 @@ static void texels_are_those_that_rays_meet(void **state)
         }
 }
 
+/* One triangle round the origin, and a camera that looks there from hardly farther than its words say, or from nearer.
+ * They say it for profile fast: farther where texels may be off by less. */
+static struct lim_camera make_far(struct random *random, const struct core *core)
+{
+    const double size = 200 + random_unit(random) * 3000, gain = random_unit(random) * 8000;
+    int32_t eye_q8[3], origin_q8[3] = {0, 0, 0};
+    double eye[3], length = 0;
+
+    soup_init(&soup);
+    make_textures();
+    for (int k = 0; k < 3; k++) {
+        double at[3];
+        for (int i = 0; i < 3; i++)
+            at[i] = (2 * random_unit(random) - 1) * size;
+        soup_vertex(&soup, at[0], at[1], at[2]);
+        uvs[k] = (struct lim_uv){(int16_t)(random_unit(random) * gain), (int16_t)(random_unit(random) * gain)};
+    }
+    soup_triangle(&soup, 0, 1, 2);
+    soup_done(&soup, (lim_index)(random_u64(random) & 1));
+    const lim_index code = far_code(0, SIDE_BITS);
+    assert_true(code > 0);
+    soup.words[3] = code;
+    *soup.scene.uvs = uvs;
+    soup.scene.textures = textures;
+    soup.scene.palettes = palettes;
+    soup.scene.texels = texels;
+    soup.scene.texture_count = 3;
+    const unsigned from = code >> LIM_TRIANGLE_TEXTURE_BITS;
+    const double whole = (7 - from % 4) * ldexp(1, 29 - (int)(from / 4)) / (4 * off_texels(core)),
+                 distance = fmin(fmax(whole * (0.2 + 0.9 * random_unit(random)), 2 * size), 500000);
+    for (int i = 0; i < 3; i++) {
+        eye[i] = 2 * random_unit(random) - 1;
+        length += eye[i] * eye[i];
+    }
+    for (int i = 0; i < 3; i++)
+        eye_q8[i] = (int32_t)lrint(eye[i] / sqrt(length) * distance * 256);
+    const uint32_t tan_q28 = (uint32_t)ldexp(fmax(size / distance, 0.15), 28);
+    struct lim_camera camera = {.tan_x_q28 = tan_q28, .tan_y_q28 = tan_q28, .near_q8 = 256};
+    lim_look_at(&camera, eye_q8, origin_q8);
+    return camera;
+}
+
+static void from_as_far_away_as_words_say_texels_are_even(void **state)
+{
+    const struct core *found[PROFILES_MAX];
+    const size_t count = profiles_find(found);
+
+    (void)state;
+    for (size_t k = 0; k < count; k++) {
+        struct random random = {351 + k};
+        struct tally tally = {0};
+        for (int i = 0; i < effort(600); i++) {
+            const struct lim_camera camera = make_far(&random, found[k]);
+            struct soup_view shown, numbers;
+            draw(&shown, found[k], orders[i % 2], &camera, 0);
+            draw_numbers(&numbers, found[k], orders[i % 2], &camera);
+            compare_texels(found[k], &camera, &shown, &numbers, &tally);
+            soup_view_free(&shown);
+            soup_view_free(&numbers);
+        }
+        assert_true(tally.pixels > 0);
+        assert_true(tally.wrong <= 5e-5 * tally.pixels);
+    }
+}
+
 /* Levels ------------------------------------------------------------------------------------------------------------
  */
 
@@ -345,6 +433,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(texels_are_those_that_rays_meet),
+        cmocka_unit_test(from_as_far_away_as_words_say_texels_are_even),
         cmocka_unit_test(levels_are_as_fine_as_pixels),
         cmocka_unit_test(any_memory_gives_the_same_picture),
         cmocka_unit_test(a_single_texel_is_a_colour),
