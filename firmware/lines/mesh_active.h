@@ -17,11 +17,6 @@ static inline lim_mesh_rank lim_mesh_rank_of(uint32_t nearness, lim_index triang
     return (lim_mesh_rank)nearness << 8 * sizeof(lim_index) | triangle;
 }
 
-static inline lim_index lim_mesh_number(const struct lim_mesh_active *active)
-{
-    return (lim_index)active->rank;
-}
-
 /* Whether a triangle has depth at each pixel. */
 static inline bool lim_mesh_is_deep(const struct lim_mesh *mesh, lim_index triangle)
 {
@@ -100,13 +95,6 @@ struct lim_mesh_range {
 
 /* A triangle that has line y, likewise; if its rank is not within a range it is left out. */
 bool lim_mesh_begin_within(struct lim_mesh *mesh, lim_index triangle, uint16_t y, struct lim_mesh_range *range);
-
-/* Whether a triangle has to be clipped. */
-static inline bool lim_mesh_is_cut(const struct lim_mesh *mesh, const LIM_FLASH lim_index *corners)
-{
-    return mesh->extent == LIM_VIEW_CLIPPED &&
-           (!mesh->nearness[corners[0]] || !mesh->nearness[corners[1]] || !mesh->nearness[corners[2]]);
-}
 
 /* Finds the edges for line y anew: LIM_MESH_ANEW. */
 void lim_mesh_turn(const struct lim_mesh *mesh, struct lim_mesh_active *active, uint16_t y);

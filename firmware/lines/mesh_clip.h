@@ -6,6 +6,7 @@
 #define LIM_MESH_CLIP_H
 
 #include "orders.h"
+#include "view/view.h"
 
 /* Most corners of what is left of a triangle; and most triangles of a fan of them. */
 enum { MESH_CORNERS = 3 + CLIP_PLANES, MESH_FAN = MESH_CORNERS - 2 };
@@ -22,6 +23,19 @@ struct lim_mesh_clipped {
 static inline const LIM_FLASH lim_index *lim_mesh_triangle(const struct lim_mesh *mesh, lim_index triangle)
 {
     return mesh->pass->scene->polygons + (size_t)triangle * LIM_TRIANGLE_WORDS;
+}
+
+/* Of an entry, whose rank has it below its nearness. */
+static inline lim_index lim_mesh_number(const struct lim_mesh_active *active)
+{
+    return (lim_index)active->rank;
+}
+
+/* Whether a triangle has to be clipped. */
+static inline bool lim_mesh_is_cut(const struct lim_mesh *mesh, const LIM_FLASH lim_index *corners)
+{
+    return mesh->extent == LIM_VIEW_CLIPPED &&
+           (!mesh->nearness[corners[0]] || !mesh->nearness[corners[1]] || !mesh->nearness[corners[2]]);
 }
 
 /* false: nothing of it is left, or it faces away. */

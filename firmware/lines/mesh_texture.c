@@ -6,7 +6,7 @@
  * too large, texels advance in perspective. */
 #include "lines/mesh_texture.h"
 
-#include "lines/mesh_active.h"
+#include "lines/mesh_clip.h"
 #include "lines/mesh_way.h"
 #include "math/fixed.h"
 #include "pixels/texture_triangle.h"
@@ -283,7 +283,7 @@ static LIM_INLINE void set_even(const struct lim_mesh *mesh, const LIM_FLASH lim
     struct shape shape;
 
     set_shape(mesh, corners, &shape);
-    lim_texture_take_level(mesh->pass->scene, texture, level_of(texture, &shape), &look->level);
+    lim_texels_take_level(mesh->pass->scene, texture, level_of(texture, &shape), &look->level);
     set_steps(texture, &shape, &steps);
     const int32_t x = lim_packed_x(shape.a) + LIM_ORIGIN_PX * LIM_SUB,
                   y = lim_packed_y(shape.a) + (LIM_ORIGIN_PX + 1) * LIM_SUB;

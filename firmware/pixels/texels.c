@@ -8,7 +8,7 @@
 
 #if LIM_OPTIMISE_SIZE
 
-void lim_texels_paint(uint16_t *to, uint_fast16_t n, uint32_t place, const struct lim_texture_level *level)
+void lim_texels_paint_any(uint16_t *to, uint_fast16_t n, uint32_t place, const struct lim_texture_level *level)
 {
     const LIM_FLASH uint8_t *const texels = level->texels;
     const LIM_FLASH uint16_t *const palette = level->palette;

@@ -5,7 +5,8 @@
 #ifndef LIM_TEXELS_H
 #define LIM_TEXELS_H
 
-#include "stages.h"
+#include "scene.h"
+#include "texturing.h"
 
 /* The texel at a place: columns from its upper half, rows from its lower one. A picture's rows are as long as it is
  * wide at this level, 2^w_bits, a constant wherever time matters: two instructions then, on processors that shift what
@@ -60,35 +61,34 @@ static LIM_INLINE void lim_texels_paint_sized(uint16_t *to, uint_fast16_t n, uin
     // clang-format on
 }
 
+/* What paints a level: a function for each width, or, where small code is asked for, one for all. */
+extern lim_texels_painter *const LIM_FLASH lim_texels_painters[11];
+void lim_texels_paint_any(uint16_t *to, uint_fast16_t n, uint32_t place, const struct lim_texture_level *level);
+
+/* A level of a texture, but for its step and number. */
+static LIM_INLINE void lim_texels_take_level(const struct lim_scene *scene, const LIM_FLASH struct lim_texture *texture,
+                                             uint_fast8_t number, struct lim_texture_level *level)
+{
+    const uint_fast8_t w_bits = (uint_fast8_t)(texture->w_bits - number);
+    const LIM_FLASH uint8_t *texels = scene->texels + (uint32_t)texture->texels * LIM_TEXEL_BLOCK;
+    uint32_t size = UINT32_C(1) << (texture->w_bits + texture->h_bits);
+
+    level->palette = scene->palettes + texture->palette;
+    for (uint_fast8_t i = number; i; i--, size >>= 2)
+        texels += size;
+    level->texels = texels;
+    level->w_bits = (uint8_t)w_bits;
+    level->rows_mask = size - (UINT32_C(1) << w_bits);
+    level->paint = LIM_OPTIMISE_SIZE ? lim_texels_paint_any : lim_texels_painters[w_bits];
+}
+
 #endif
 
-/* The same for a level of any width, there if LIM_HAS_TEXTURE: looked up once a level, or, where small code is asked
- * for, one function for all. */
-#if LIM_OPTIMISE_SIZE
-
-void lim_texels_paint(uint16_t *to, uint_fast16_t n, uint32_t place, const struct lim_texture_level *level);
-
-static inline void lim_texels_choose(struct lim_texture_level *level, uint_fast8_t w_bits)
-{
-    (void)w_bits;
-    level->paint = lim_texels_paint;
-}
-
-#else
-
-extern lim_texels_painter *const LIM_FLASH lim_texels_painters[11];
-
-static inline void lim_texels_choose(struct lim_texture_level *level, uint_fast8_t w_bits)
-{
-    level->paint = lim_texels_painters[w_bits];
-}
-
+/* n pixels of it. */
 static inline void lim_texels_paint(uint16_t *to, uint_fast16_t n, uint32_t place,
                                     const struct lim_texture_level *level)
 {
     level->paint(to, n, place, level);
 }
-
-#endif
 
 #endif

@@ -3,6 +3,8 @@
  * Levels of detail, and how long stretches may be. */
 #include "pixels/texture_planes.h"
 
+#include "pixels/texels.h"
+
 #if LIM_HAS_TEXTURE
 
 /* How the place would change along a line, times depth^2 / h: the larger of what both coordinates have, of two lines.
@@ -59,7 +61,7 @@ void lim_texture_settle(const struct lim_texturing *texturing, const struct arou
 void lim_texture_set_level(const struct lim_scene *scene, const LIM_FLASH struct lim_texture *texture, uint8_t number,
                            struct lim_texture_level *level)
 {
-    lim_texture_take_level(scene, texture, number, level);
+    lim_texels_take_level(scene, texture, number, level);
     level->number = number;
 }
 

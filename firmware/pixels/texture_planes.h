@@ -6,7 +6,6 @@
 #define LIM_TEXTURE_PLANES_H
 
 #include "math/fixed.h"
-#include "pixels/texels.h"
 #include "stages.h"
 
 /* By how much straight lines may leave the curve of texels, in 2^-LIM_TEXTURE_OFF_BITS of a texel of the level shown.
@@ -100,29 +99,7 @@ static LIM_IN_EACH_CALLER uint32_t lim_texture_stretch_bits(const struct lim_gra
     return (uint32_t)(bits < 0 ? 0 : bits);
 }
 
-#if LIM_HAS_TEXTURE
-
-/* A level of a texture, but for its step and number. */
-static LIM_INLINE void lim_texture_take_level(const struct lim_scene *scene,
-                                              const LIM_FLASH struct lim_texture *texture, uint_fast8_t number,
-                                              struct lim_texture_level *level)
-{
-    const uint_fast8_t w_bits = (uint_fast8_t)(texture->w_bits - number);
-    const LIM_FLASH uint8_t *texels = scene->texels + (uint32_t)texture->texels * LIM_TEXEL_BLOCK;
-    uint32_t size = UINT32_C(1) << (texture->w_bits + texture->h_bits);
-
-    level->palette = scene->palettes + texture->palette;
-    for (uint_fast8_t i = number; i; i--, size >>= 2)
-        texels += size;
-    level->texels = texels;
-    level->w_bits = (uint8_t)w_bits;
-    level->rows_mask = size - (UINT32_C(1) << w_bits);
-    lim_texels_choose(level, w_bits);
-}
-
-#endif
-
-/* The same in a function of its own; and of a polygon's that of a depth, with all the depths that have it. */
+/* lim_texels_take_level() in a function of its own; and of a polygon's that of a depth, with all that have it. */
 void lim_texture_set_level(const struct lim_scene *scene, const LIM_FLASH struct lim_texture *texture, uint8_t number,
                            struct lim_texture_level *level);
 void lim_texture_suit_level(const struct lim_scene *scene, struct lim_gradients *gradients, uint32_t depth);
