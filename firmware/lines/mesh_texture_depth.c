@@ -12,14 +12,19 @@ static void mesh_fill_texels(uint16_t *pixels, uint16_t *depths, const struct li
                              struct lim_texture_walk walk, const struct lim_texture_level *level, int32_t x0,
                              int32_t x1)
 {
-    const uint32_t step_q16 = active->depth->x_q16;
+    const uint32_t step_q16 = active->depth->x_q16, rows_mask = level->rows_mask, w_bits = level->w_bits;
+    const uint32_t columns = 31 - w_bits;
+    const LIM_FLASH uint8_t *const texels = level->texels;
+    const LIM_FLASH uint16_t *const palette = level->palette;
     uint32_t at_q16 = active->depth->at_q16 + (uint32_t)x0 * step_q16;
+    const uint16_t *const end = pixels + x1;
 
-    for (int32_t x = x0; x < x1; x++, at_q16 += step_q16, walk.place += walk.step) {
+    depths += x0;
+    for (pixels += x0; pixels < end; pixels++, depths++, at_q16 += step_q16, walk.place += walk.step) {
         const uint32_t nearness = at_q16 >> 16;
-        if (nearness <= depths[x]) continue;
-        depths[x] = (uint16_t)nearness;
-        pixels[x] = level->palette[level->texels[lim_texel_at(walk.place, level->rows_mask, level->w_bits)]];
+        if (nearness <= *depths) continue;
+        *depths = (uint16_t)nearness;
+        *pixels = palette[texels[(walk.place << 15 >> columns << w_bits & rows_mask) + (walk.place >> 1 >> columns)]];
     }
 }
 
