@@ -301,7 +301,8 @@ enum lim_mesh_shown {
     LIM_MESH_LEVELS = 11, /* below: the width of a level */
     LIM_MESH_COLOUR = LIM_MESH_LEVELS,
     LIM_MESH_PERSPECTIVE,
-    LIM_MESH_UNSET /* it has shown no pixel so far */
+    LIM_MESH_UNSET_CLIPPED, /* it has shown no pixel so far */
+    LIM_MESH_UNSET          /* the same of one that is not clipped */
 };
 
 /* Room for gradients, at the end of the pool. */

@@ -85,7 +85,7 @@ static bool begin_part(struct lim_mesh *mesh, const struct lim_mesh_clipped *cli
     if (!active) return false;
     active->rank = rank;
     active->colour = mesh_colour_of(mesh, triangle);
-    if (LIM_HAS_TEXTURE) lim_mesh_texture_begin(mesh, active);
+    if (LIM_HAS_TEXTURE) lim_mesh_texture_begin_clipped(mesh, active);
     active->part = part;
     if (LIM_HAS_STATS) *active->seen = false;
     set_any(active, shown->at, shown->n, &shown->shape, y);

@@ -164,6 +164,8 @@ bool lim_mesh_depth_paint(struct lim_mesh *mesh, const struct lim_mesh_line *lin
     if (x0 < line->x0) x0 = line->x0;
     if (x1 > line->x1) x1 = line->x1;
     if (LIM_HAS_TEXTURE && x0 < x1 && active->look->level.w_bits == LIM_MESH_UNSET) lim_mesh_texture_set(mesh, active);
+    if (LIM_HAS_TEXTURE && x0 < x1 && active->look->level.w_bits == LIM_MESH_UNSET_CLIPPED)
+        lim_mesh_texture_set_clipped(mesh, active);
     if (LIM_HAS_TEXTURE && x0 < x1 && active->look->level.w_bits != LIM_MESH_COLOUR)
         lim_mesh_texture_paint_deep(mesh, line, active,
                                     &(struct lim_mesh_depth_span){depths_of(mesh, line->y), left, right, x0, x1});

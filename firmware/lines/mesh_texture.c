@@ -9,6 +9,7 @@
 #include "lines/mesh_clip.h"
 #include "lines/mesh_way.h"
 #include "math/fixed.h"
+#include "pixels/fill.h"
 #include "pixels/texture_triangle.h"
 #include "view/perspective.h"
 
@@ -121,9 +122,10 @@ static LIM_INLINE void set_shape(const struct lim_mesh *mesh, const LIM_FLASH li
     shape->wide = mesh_way_cross(shape->v, shape->u);
 }
 
+/* What is not clipped faces the eye, so it has some, but for halving. */
 static inline uint32_t area_of(const struct shape *shape)
 {
-    return shape->wide > 0 ? (uint32_t)shape->wide : 1;
+    return LIM_HAS_LIMBS && shape->wide <= 0 ? 1 : (uint32_t)shape->wide | 1;
 }
 
 /* The level whose texels are as large as pixels, by the areas of both: of each level four times as many go on a pixel
@@ -133,7 +135,7 @@ static LIM_INLINE uint_fast8_t level_of(const LIM_FLASH struct lim_texture *text
     const int_fast16_t down = 2 * (int_fast16_t)(texture->place_bits - texture->w_bits - LIM_SUB_BITS) + 1 +
                               shape->halved[0] + shape->halved[1];
     const uint_fast8_t last = (uint_fast8_t)(texture->levels - 1);
-    uint32_t own = abs_s32(mesh_way_cross(shape->b_place, shape->c_place)), area = area_of(shape);
+    uint32_t own = nearly_abs(mesh_way_cross(shape->b_place, shape->c_place)), area = area_of(shape);
     uint_fast8_t level = 0;
 
     if (down >= 0)
@@ -365,17 +367,29 @@ LIM_ALONE void lim_mesh_texture_set(struct lim_mesh *mesh, struct lim_mesh_activ
     const LIM_FLASH lim_index *const corners = lim_mesh_triangle(mesh, lim_mesh_number(active));
     const LIM_FLASH struct lim_texture *const texture = texture_of(mesh, corners);
 
-    if (!texture->w_bits) {
-        set_plain(mesh, active, texture);
-        return;
-    }
     active->look->even.place = 0;
-    if (lim_mesh_is_cut(mesh, corners) ||
-        (!is_far(mesh, active, corners) && !is_even_as_seen(mesh, corners, &active->look->even.place))) {
-        set_perspective(mesh, active);
-        return;
+    if (LIM_UNLIKELY(!is_far(mesh, active, corners))) {
+        if (!texture->w_bits) {
+            set_plain(mesh, active, texture);
+            return;
+        }
+        if (!is_even_as_seen(mesh, corners, &active->look->even.place)) {
+            set_perspective(mesh, active);
+            return;
+        }
     }
     set_even(mesh, corners, texture, active->look);
+}
+
+LIM_RARE void lim_mesh_texture_set_clipped(struct lim_mesh *mesh, struct lim_mesh_active *active)
+{
+    const LIM_FLASH struct lim_texture *const texture =
+        texture_of(mesh, lim_mesh_triangle(mesh, lim_mesh_number(active)));
+
+    if (texture->w_bits)
+        set_perspective(mesh, active);
+    else
+        set_plain(mesh, active, texture);
 }
 
 struct lim_gradients *lim_mesh_texture_gradients(struct lim_mesh *mesh, struct lim_mesh_active *active,
@@ -390,6 +404,12 @@ void lim_mesh_texture_paint(struct lim_mesh *mesh, const struct lim_mesh_line *l
                             int32_t left, int32_t right, int32_t x0, int32_t x1)
 {
     struct lim_gradients made;
+
+    if (active->look->level.w_bits == LIM_MESH_UNSET_CLIPPED) lim_mesh_texture_set_clipped(mesh, active);
+    if (active->look->level.w_bits == LIM_MESH_COLOUR) {
+        lim_fill(line->pixels, (uint16_t)x0, (uint16_t)(x1 - x0), active->colour);
+        return;
+    }
     const struct lim_textured_span span = {mesh->pass->texturing, lim_mesh_texture_gradients(mesh, active, &made),
                                            (int16_t)line->y, (int16_t)left, (int16_t)right};
 

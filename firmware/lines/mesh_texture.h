@@ -41,6 +41,11 @@ static inline void lim_mesh_texture_begin(const struct lim_mesh *mesh, struct li
     active->look->level.w_bits = mesh->looks->first;
 }
 
+static inline void lim_mesh_texture_begin_clipped(const struct lim_mesh *mesh, struct lim_mesh_active *active)
+{
+    active->look->level.w_bits = mesh->looks->first == LIM_MESH_UNSET ? LIM_MESH_UNSET_CLIPPED : LIM_MESH_COLOUR;
+}
+
 /* Of an entry that is given back. */
 static inline void lim_mesh_texture_leave(struct lim_mesh *mesh, const struct lim_mesh_active *active)
 {
@@ -56,8 +61,9 @@ void lim_mesh_texture_frame(struct lim_mesh *mesh);
 
 /* What an entry that is unset shows, before its first pixels. */
 void lim_mesh_texture_set(struct lim_mesh *mesh, struct lim_mesh_active *active);
+void lim_mesh_texture_set_clipped(struct lim_mesh *mesh, struct lim_mesh_active *active);
 
-/* Pixels x0 <= x < x1 of one in perspective, which reaches from left to right. */
+/* Pixels x0 <= x < x1 of one in perspective, or clipped, which reaches from left to right. */
 void lim_mesh_texture_paint(struct lim_mesh *mesh, const struct lim_mesh_line *line, struct lim_mesh_active *active,
                             int32_t left, int32_t right, int32_t x0, int32_t x1);
 
