@@ -28,9 +28,9 @@ enum {
     MCU_SORTED_B = 8,
     MCU_NEWELL_B = 20,
     MCU_CUT_B = 4,
-    MCU_ACTIVE_TEXTURE_B = 84,        /* more of them if the scene has textures */
+    MCU_ACTIVE_TEXTURE_B = 92,        /* more of them if the scene has textures */
     MCU_ACTIVE_TEXTURE_PADDING_B = 4, /* and in profile exact: edges of 64 bits are aligned */
-    MCU_CROSSING_TEXTURE_B = 84,
+    MCU_CROSSING_TEXTURE_B = 92,
     MCU_CROSSING_LONG_EDGES_B = 32, /* more of them in profile exact */
     MCU_CROSSING_B = 40,            /* and a point for each vertex */
     MCU_MESH_NEARNESS_B = 2,        /* of a vertex, and of a pixel of a line of depths */
@@ -54,6 +54,6 @@ enum {
     ((is_long) || (is_wide)                                                                                            \
          ? (((is_long) ? 56 : 32) + ((is_wide) ? 8 : 4) + 8 + MCU_MESH_MORE_B(has_depth, has_texture) + 7) / 8 * 8     \
          : 40 + MCU_MESH_MORE_B(has_depth, has_texture))
-#define MCU_MESH_MORE_B(has_depth, has_texture) (((has_depth) ? 16 : 0) + ((has_texture) ? 28 : 0))
+#define MCU_MESH_MORE_B(has_depth, has_texture) (((has_depth) ? 16 : 0) + ((has_texture) ? 32 : 0))
 
 #endif
