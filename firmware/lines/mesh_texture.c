@@ -34,7 +34,7 @@ static uint32_t length_of(const struct lim_row *row)
 }
 
 /* A triangle may be so many pixels of a lens long: mesh_texture.h. */
-static uint32_t reach_of(const struct lim_row *row, int32_t side_px)
+static uint32_t mesh_reach_of(const struct lim_row *row, int32_t side_px)
 {
     return length_of(row) * (uint32_t)side_px / (2 * MESH_EVEN_LENS_PX);
 }
@@ -43,7 +43,8 @@ static uint32_t reach_of(const struct lim_row *row, int32_t side_px)
 static uint32_t unit_of(const struct lim_view *view)
 {
     const uint32_t z = length_of(&view->rows.row[2]) >> view->rows.tele_bits;
-    const uint32_t x = reach_of(&view->rows.row[0], view->width.px), y = reach_of(&view->rows.row[1], view->height.px);
+    const uint32_t x = mesh_reach_of(&view->rows.row[0], view->width.px),
+                   y = mesh_reach_of(&view->rows.row[1], view->height.px);
     const uint32_t across = x > y ? x : y;
 
     return (z > across ? z : across) + 1;
@@ -123,7 +124,7 @@ static LIM_INLINE void set_shape(const struct lim_mesh *mesh, const LIM_FLASH li
 }
 
 /* What is not clipped faces the eye, so it has some, but for halving. */
-static inline uint32_t area_of(const struct shape *shape)
+static inline uint32_t mesh_area_of(const struct shape *shape)
 {
     return LIM_HAS_LIMBS && shape->wide <= 0 ? 1 : (uint32_t)shape->wide | 1;
 }
@@ -135,7 +136,7 @@ static LIM_INLINE uint_fast8_t level_of(const LIM_FLASH struct lim_texture *text
     const int_fast16_t down = 2 * (int_fast16_t)(texture->place_bits - texture->w_bits - LIM_SUB_BITS) + 1 +
                               shape->halved[0] + shape->halved[1];
     const uint_fast8_t last = (uint_fast8_t)(texture->levels - 1);
-    uint32_t own = nearly_abs(mesh_way_cross(shape->b_place, shape->c_place)), area = area_of(shape);
+    uint32_t own = nearly_abs(mesh_way_cross(shape->b_place, shape->c_place)), area = mesh_area_of(shape);
     uint_fast8_t level = 0;
 
     if (down >= 0)
@@ -195,7 +196,7 @@ static LIM_ALONE bool is_even_beside(const struct lim_mesh *mesh, const LIM_FLAS
 }
 
 /* What nearness and a coordinate gain along each side, multiplied: nearly_abs() of them, OR'ed. */
-static inline uint32_t sides_of(const struct nears *nears, int32_t b, int32_t c)
+static inline uint32_t mesh_sides_of(const struct nears *nears, int32_t b, int32_t c)
 {
     return nearly_abs(nears->b * b) | nearly_abs(nears->c * c) | nearly_abs((nears->c - nears->b) * (c - b));
 }
@@ -204,7 +205,7 @@ static inline uint32_t sides_of(const struct nears *nears, int32_t b, int32_t c)
 static LIM_INLINE bool is_even(const struct nears *nears, mesh_way b, mesh_way c, int_fast16_t bits)
 {
     const uint32_t sides =
-        sides_of(nears, mesh_way_x(b), mesh_way_x(c)) | sides_of(nears, mesh_way_y(b), mesh_way_y(c));
+        mesh_sides_of(nears, mesh_way_x(b), mesh_way_x(c)) | mesh_sides_of(nears, mesh_way_y(b), mesh_way_y(c));
 
     return bits >= 0 && sides + 2 * mesh_way_most(b, c) < (uint32_t)least_of(nears) << (bits < 13 ? bits + 2 : 15);
 }
@@ -254,7 +255,7 @@ static LIM_INLINE void set_steps(const LIM_FLASH struct lim_texture *texture, co
                                  struct mesh_numerators *steps)
 {
     uint8_t zeros;
-    const int32_t recip_q31 = lim_texture_reciprocal(area_of(shape), &zeros);
+    const int32_t recip_q31 = lim_texture_reciprocal(mesh_area_of(shape), &zeros);
     const int_fast16_t down = (int_fast16_t)(14 + texture->place_bits - LIM_SUB_BITS - zeros);
 
     if (down <= 0) { /* nowhere wider than a pixel: one texel */
@@ -277,8 +278,8 @@ static inline uint32_t place_at_zero(uint32_t corner_q16, int32_t step_x, int32_
 }
 
 /* Below the place's width v does not wrap: it would carry over to u. */
-static LIM_INLINE void set_even(const struct lim_mesh *mesh, const LIM_FLASH lim_index *corners,
-                                const LIM_FLASH struct lim_texture *texture, struct lim_mesh_look *look)
+static LIM_INLINE void mesh_set_even(const struct lim_mesh *mesh, const LIM_FLASH lim_index *corners,
+                                     const LIM_FLASH struct lim_texture *texture, struct lim_mesh_look *look)
 {
     const uint_fast8_t up = (uint_fast8_t)(16 - texture->place_bits);
     struct mesh_numerators steps;
@@ -378,7 +379,7 @@ LIM_ALONE void lim_mesh_texture_set(struct lim_mesh *mesh, struct lim_mesh_activ
             return;
         }
     }
-    set_even(mesh, corners, texture, active->look);
+    mesh_set_even(mesh, corners, texture, active->look);
 }
 
 LIM_RARE void lim_mesh_texture_set_clipped(struct lim_mesh *mesh, struct lim_mesh_active *active)

@@ -89,7 +89,7 @@ struct sides {
     int32_t p[2], q[2];
 };
 
-static void set_sides(const struct lim_texture_corner corners[3], struct sides *sides)
+static void set_corner_sides(const struct lim_texture_corner corners[3], struct sides *sides)
 {
     struct long_vector e, f, way;
 
@@ -172,7 +172,7 @@ void lim_texture_set_triangle(const struct lim_texturing *texturing, const LIM_F
 
     out->texture = texture;
     out->is_even = false;
-    set_sides(corners, &sides);
+    set_corner_sides(corners, &sides);
     const int_fast16_t depth_bits = take_planes(texturing, &sides.normal, 1, &planes->depth);
     int64_t height = height_in(texturing, &planes->depth, &sides.corner);
     if (height < 0) {
