@@ -50,7 +50,7 @@ static int tear_down(void **state)
 
 static struct accuracy accuracy_of(struct rig *rig, const struct core *core)
 {
-    const struct measure_views views = {&rig->path, &rig->lens, SIDE_PX, SIDE_PX};
+    const struct measure_views views = {.path = &rig->path, .lens = &rig->lens, .w_px = SIDE_PX, .h_px = SIDE_PX};
     const struct measure_candidate candidate = {core, &rig->scene};
     struct accuracy accuracy;
     struct error err;
@@ -164,7 +164,7 @@ static void the_table_names_what_is_dominated(void **state)
 {
     struct measure_row rows[] = {row(&core_draft, 9, 100), row(&core_fast, 4, 120), row(&core_fine, 4, 130)};
     const struct measure_cpu *cpus[] = {measure_cpu_find("m4")};
-    struct measure_table table = {"rooms", 8, 8, cpus, 1, rows, 3, {.count = 0}, NULL};
+    struct measure_table table = {"rooms", 8, 8, cpus, 1, NULL, rows, 3, {.count = 0}, NULL};
     char text[8192];
 
     (void)state;
@@ -181,7 +181,7 @@ static void csv_has_as_many_fields_in_every_line(void **state)
 {
     struct measure_row rows[] = {row(&core_draft, 9, 100), row(&core_fast, 4, 120)};
     const struct measure_cpu *cpus[] = {measure_cpu_find("m4")};
-    struct measure_table table = {"a \"big\", blue room", 8, 8, cpus, 1, rows, 2, {.count = 0}, NULL};
+    struct measure_table table = {"a \"big\", blue room", 8, 8, cpus, 1, NULL, rows, 2, {.count = 0}, NULL};
     char text[4096];
 
     (void)state;
