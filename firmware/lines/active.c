@@ -20,8 +20,9 @@ static uint8_t *aligned(uint8_t *at)
 static uint8_t *take_what_is_left(struct lim_spans *spans)
 {
     spans->lowest = spans->fresh;
-    if (LIM_HAS_ANTIALIAS) {
-        const uint16_t unkept = (uint16_t)(lim_share_gaps_end(spans) - *spans->kept);
+    if (LIM_HAS_ANTIALIAS && lim_spans_have_strips(spans)) {
+        const uint16_t kept = *spans->kept ? *spans->kept : 1; /* a line of strips takes one before anything is closed */
+        const uint16_t unkept = (uint16_t)(lim_share_gaps_end(spans) - kept);
         if (unkept < spans->lowest) spans->lowest = unkept;
     }
     const size_t gap_b = lim_spans_have_strips(spans) ? LIM_GAP_MEM_B : sizeof(struct lim_gap);
