@@ -13,6 +13,9 @@ LIM_C_BEGIN
 struct lim;
 
 /* Where the camera of the last frame puts a vertex of the scene. false: that is left to clipping. */
+/* lim_nearest_count_as(), of the methods that draw nearest first or by scan lines. */
+void lim_inspect_count_as(struct lim *lim, const struct lim_counted *counted, size_t counted_b);
+
 bool lim_inspect_vertex(struct lim *lim, lim_index vertex, struct lim_point *at);
 
 /* The side of a plane that an eye is on, as WALK decides it: 1 in front, -1 behind, 0 on it. */

@@ -221,9 +221,10 @@ struct lim_nearest {
     struct lim_paint paint;
     uint32_t bands;       /* lim_bands() */
     uint16_t top, bottom; /* lines of the band; its bottom rises where a pool is too small (room.c) */
-    uint8_t since_shrink; /* polygons since the open view was drawn together */
-    bool retains_all;     /* by scan lines, in this band */
-    bool fills;           /* polygons are painted as they come */
+    LIM_OPTIONAL(uint16_t, line_gaps, LIM_HAS_ANTIALIAS); /* for a line that scan lines paint, antialiased */
+    uint8_t since_shrink;                                 /* polygons since the open view was drawn together */
+    bool retains_all;                                     /* by scan lines, in this band */
+    bool fills;                                           /* polygons are painted as they come */
     struct lim_progress progress;
 };
 

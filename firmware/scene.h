@@ -193,9 +193,10 @@ struct lim_place {
 struct lim_limits {
     uint16_t depth;          /* nodes on the longest path from the root: least stack of the walk */
     uint16_t vertices;       /* most vertices of any polygon */
+    /* What the next three take together is one memory, which they share; LIM_CONVEX and meshes take the last alone. */
     uint16_t retained_cells; /* points and heads of the polygons retained between SPAN and PAINT */
     uint16_t gaps;           /* gaps beyond the first of each line, all lines together */
-    uint16_t active;         /* polygons that cross one line */
+    uint16_t active;         /* polygons that cross one line, beyond those that find room elsewhere */
     uint16_t pieces;         /* LIM_NEWELL: how often polygons are split */
     uint16_t layers;         /* pieces of transparent polygons on one line; 0: there are no such polygons */
 };

@@ -118,7 +118,7 @@ static uint16_t most_mover_corners(const struct lim *lim)
     const uint16_t most = LIM_MAX_VERTICES, taken = LIM_RETAINED_HEAD_CELLS + CLIP_PLANES;
 
     if (!LIM_HAS_WALKED || LIM_IS_PAINTER(&lim->pass.target)) return most;
-    const uint16_t cells = lim->nearest->retained.size;
+    const uint16_t cells = lim->nearest->retained.whole;
     return cells < most + taken ? (uint16_t)(cells - taken) : most;
 }
 

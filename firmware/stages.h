@@ -134,7 +134,8 @@ struct lim_stats {
     struct lim_delta_stats delta;
 #endif
     uint16_t retained_cells_max, gaps_max, active_max; /* most used of each pool in one walk; convex: faces on a line */
-    uint16_t layers_max;                               /* most transparent pieces of one line, nearest first */
+    uint32_t active_max_b; /* what those take beside the memory that pass two does not need, at most */
+    uint16_t layers_max;   /* most transparent pieces of one line, nearest first */
 };
 
 /* View ------------------------------------------------------------------------------------------------------------ */
@@ -366,13 +367,26 @@ struct lim_line {
 /* Of the pool, bytes a gap: antialiased, a struct lim_open_strip (strips.h). */
 #define LIM_GAP_MEM_B (LIM_HAS_ANTIALIAS ? (size_t)20 : sizeof(struct lim_gap))
 
+/* By which sizes memory is counted, with LIM_HAS_STATS: this processor's, or those of another that a host simulates. In
+ * bytes: an element each (a gap, 0: its own); the cache and the stack, in which polygons that cross a line lie, too. */
+struct lim_counted {
+    uint32_t cell_b, gap_b, active_b, idle_b;
+    uint16_t line_gaps; /* of a line that scan lines paint, antialiased */
+    bool is_apart;      /* what is counted as one memory is three: the host's elements are larger */
+};
+
 struct lim_spans {
+    LIM_OPTIONAL(struct lim_counted, counted, LIM_HAS_STATS);
     struct lim_line *lines; /* one for each screen line */
-    struct lim_gap *pool;
-    LIM_OPTIONAL(struct lim_open_strip *, strips, LIM_HAS_ANTIALIAS); /* the same memory, antialiased */
-    uint16_t pool_size;
-    uint16_t free;  /* list of gaps that were given back */
-    uint16_t fresh; /* gaps from here on were never used */
+    struct lim_gap *pool;   /* shares its memory with cells, and is used from its end down */
+    LIM_OPTIONAL(struct lim_open_strip *, strips, LIM_HAS_ANTIALIAS); /* likewise, antialiased */
+    uint16_t pool_size;                                               /* what all of that memory holds */
+    LIM_OPTIONAL(uint16_t, strips_size, LIM_HAS_ANTIALIAS);
+    uint16_t free;   /* list of gaps that were given back */
+    uint16_t fresh;  /* gaps below this one were never used */
+    uint16_t lowest; /* gaps below this one are cells, or polygons that cross a line: share.h */
+    LIM_OPTIONAL(uint16_t, kept, LIM_HAS_ANTIALIAS); /* gaps that cells may not take */
+    struct lim_retained *retained;                   /* whose cells they are */
     uint16_t open_lines;
     bool trimmed;                                      /* `open`, since it was drawn together */
     LIM_OPTIONAL(bool, has_strips, LIM_HAS_ANTIALIAS); /* gaps are of samples */
@@ -402,8 +416,11 @@ enum { LIM_RETAINED_HEAD_CELLS = 2 };
 
 struct lim_retained {
     union lim_retained_cell *cells;
-    uint16_t size, used;
-    uint16_t end;               /* of the pool: cells from `size` on are kept for pass two (active.h) */
+    uint16_t used;
+    uint16_t size;              /* in this band: cells from here on are for others */
+    uint16_t end;               /* likewise in this frame */
+    uint16_t whole;             /* all cells of the memory that gaps share */
+    uint16_t pending;           /* cells that are written before they are used, and that gaps may not take */
     bool overhangs;             /* a polygon may reach beyond the screen's left or right side */
     bool transparent, textured; /* one of the polygons is */
 };
@@ -423,11 +440,12 @@ struct lim_active {
 };
 
 struct lim_actives {
-    struct lim_active *pool;
-    uint16_t pool_size;
-    uint16_t fresh;                  /* from here on were never used */
-    uint16_t used;                   /* at this time, if LIM_HAS_STATS */
-    bool spares;                     /* what retained polygons leave free is in the lists, too */
+    uint8_t *pool;     /* memory for these alone; the cache of vertices and the lines follow it */
+    uint8_t *at, *end; /* what was never used, here or between cells and gaps */
+    LIM_OPTIONAL(uint32_t, between_b, LIM_HAS_STATS); /* there in all, as it is counted */
+    uint16_t fresh;                                   /* taken from there, if LIM_HAS_ANTIALIAS */
+    uint16_t used;                                    /* at this time, if LIM_HAS_STATS */
+    bool in_pool;                                     /* `at` is in the pool, or behind it */
     struct lim_active *first, *free; /* lists through `next`: what crosses the line, and what was given back */
 };
 

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
  * The retained polygons that cross the current line, on their way down: what both ways of painting (paint.c, flat.c)
- * have in common. Memory: a pool, lent by the caller. */
+ * have in common. Memory: what nobody else needs in pass two, and a pool that is lent by the caller. */
 #ifndef LIM_ACTIVE_H
 #define LIM_ACTIVE_H
 
@@ -13,30 +13,35 @@ static inline const struct lim_point *lim_active_points(const union lim_retained
     return &cells[LIM_RETAINED_HEAD_CELLS].at;
 }
 
-static inline void lim_actives_start(struct lim_actives *actives)
-{
-    actives->first = actives->free = NULL;
-    actives->fresh = actives->used = 0;
-    actives->spares = false;
-}
+/* Before the band's first line: pass one is done. */
+void lim_actives_start(struct lim_actives *actives, struct lim_spans *spans);
 
-/* Once the pool is used up, what is left of the cells serves, too: in pass two nothing is retained. NULL: nothing is.
- */
-struct lim_active *lim_active_spare(struct lim_actives *actives, const struct lim_retained *retained);
+/* One that was not used in this band, on line y. NULL: there is no room. */
+struct lim_active *lim_active_fresh(struct lim_actives *actives, const struct lim_spans *spans, uint16_t y);
 
-/* NULL: there is no room. */
-static inline struct lim_active *lim_active_new(struct lim_actives *actives, const struct lim_retained *retained)
+/* On line y. NULL: there is no room. */
+static inline struct lim_active *lim_active_new(struct lim_actives *actives, const struct lim_spans *spans, uint16_t y)
 {
     struct lim_active *active = actives->free;
 
     if (active)
         actives->free = active->next;
-    else if (actives->fresh < actives->pool_size)
-        active = &actives->pool[actives->fresh++];
     else
-        active = lim_active_spare(actives, retained);
+        active = lim_active_fresh(actives, spans, y);
     if (LIM_HAS_STATS && active) actives->used++;
     return active;
+}
+
+/* What crosses line y. */
+static inline void lim_actives_count(const struct lim_actives *actives, const struct lim_spans *spans,
+                                     struct lim_stats *stats, uint16_t y)
+{
+    if (!LIM_HAS_STATS) return;
+    const uint32_t idle_b = spans->counted->idle_b + y * (uint32_t)sizeof(struct lim_line);
+    const uint32_t used_b = actives->used * spans->counted->active_b;
+
+    if (actives->used > stats->active_max) stats->active_max = actives->used;
+    if (used_b > idle_b && used_b - idle_b > stats->active_max_b) stats->active_max_b = used_b - idle_b;
 }
 
 /* Unlinks the one that `link` leads to; what follows it takes its place there. */

@@ -25,14 +25,14 @@ static LIM_IF_CALLED void flat_set_texture(const struct lim_pass *pass, const st
 }
 
 /* Merges those that start on the line into the list. false: no room. */
-static LIM_HOT_INLINE bool flat_activate(struct lim_paint *paint, const struct lim_retained *retained, uint16_t polygon,
-                                         uint16_t y)
+static LIM_HOT_INLINE bool flat_activate(struct lim_paint *paint, const struct lim_spans *spans,
+                                         const struct lim_retained *retained, uint16_t polygon, uint16_t y)
 {
     struct lim_actives *const actives = &paint->actives;
     struct lim_active **link = &actives->first;
 
     for (; polygon != LIM_NONE; polygon = retained->cells[polygon].link.next) {
-        struct lim_active *active = lim_active_new(actives, retained);
+        struct lim_active *active = lim_active_new(actives, spans, y);
         if (!active) return false;
         while (*link && (*link)->polygon > polygon)
             link = &(*link)->next;
@@ -128,7 +128,7 @@ static LIM_HOT_INLINE int flat_paint_line(struct lim_paint *paint, const struct 
     uint16_t *const line = target->lend(target->ctx, y);
 
     if (!line) return LIM_ERR_TARGET;
-    if (LIM_HAS_STATS && paint->actives.used > stats->active_max) stats->active_max = paint->actives.used;
+    lim_actives_count(&paint->actives, spans, stats, y);
     flat_paint_background(spans, gap, line, paint->background, reach, stats);
     flat_paint_polygons(paint, retained, line, extent, reach, below, stats);
     lim_overlay_line(paint->pass, line, y, (uint16_t)extent.x0, (uint16_t)extent.x1);
@@ -151,7 +151,7 @@ static LIM_HOT_INLINE int flat_paint_lines(struct lim_paint *paint, struct lim_s
             extent = (struct extent){open.gap.x0, open.gap.x1};
         }
         *y = at;
-        if (!flat_activate(paint, retained, line->retained, at)) return LIM_PAINT_ACTIVE;
+        if (!flat_activate(paint, spans, retained, line->retained, at)) return LIM_PAINT_ACTIVE;
         err = flat_paint_line(paint, spans, &line->gap, retained, extent, reach, at, stats);
         if (err) break;
     }
@@ -183,7 +183,7 @@ int lim_flat_band(struct lim_paint *paint, struct lim_spans *spans, const struct
     /* Short code has one loop. */
     const bool from_0 = !LIM_OPTIMISE_SIZE && !band->x0 && !lim_target_is_round(target);
 
-    lim_actives_start(&paint->actives);
+    lim_actives_start(&paint->actives, spans);
     if (from_0 && LIM_SUB_BITS && !retained->overhangs && band->x1 == target->w_px)
         return paint_within(paint, spans, retained, band, y, stats);
     if (from_0) return paint_overhanging(paint, spans, retained, band, y, stats);

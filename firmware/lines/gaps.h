@@ -4,7 +4,7 @@
 #ifndef LIM_GAPS_H
 #define LIM_GAPS_H
 
-#include "stages.h"
+#include "lines/share.h"
 
 /* What became of pixels, or samples, that were to be closed. */
 enum lim_span_result {
@@ -20,11 +20,16 @@ static inline struct lim_gap *lim_gap_after(const struct lim_spans *spans, const
 }
 
 /* LIM_NONE: there is none left. */
-static inline uint16_t lim_gap_new(struct lim_spans *spans)
+static inline uint_fast16_t lim_gap_new(struct lim_spans *spans)
 {
-    const uint16_t taken = spans->free;
+    const uint_fast16_t taken = spans->free;
 
-    if (taken == LIM_NONE) return spans->fresh < spans->pool_size ? spans->fresh++ : LIM_NONE;
+    if (taken == LIM_NONE) {
+        const uint_fast16_t fresh = spans->fresh;
+        if (fresh <= spans->lowest) return LIM_NONE;
+        spans->fresh = (uint16_t)(fresh - 1);
+        return fresh - 1;
+    }
     spans->free = spans->pool[taken].next;
     return taken;
 }
@@ -75,7 +80,7 @@ static inline struct lim_gap *lim_gap_unlink(struct lim_spans *spans, struct lim
  * room. */
 static inline bool lim_gap_split(struct lim_spans *spans, struct lim_gap *gap, uint16_t x0, uint16_t x1)
 {
-    const uint16_t right = lim_gap_new(spans);
+    const uint_fast16_t right = lim_gap_new(spans);
 
     if (right == LIM_NONE) return false;
     struct lim_gap *rest = &spans->pool[right];
@@ -83,7 +88,7 @@ static inline bool lim_gap_split(struct lim_spans *spans, struct lim_gap *gap, u
     rest->x1 = gap->x1;
     rest->next = gap->next;
     gap->x1 = x0;
-    gap->next = right;
+    gap->next = (uint16_t)right;
     return true;
 }
 

@@ -26,10 +26,11 @@ static const union lim_retained_cell *paint_cells_of(const struct lim_retained *
 }
 
 /* Starts one polygon on line y. false: no room. */
-static bool activate(struct lim_paint *paint, const struct lim_retained *retained, uint16_t polygon, uint16_t y)
+static bool activate(struct lim_paint *paint, const struct lim_spans *spans, const struct lim_retained *retained,
+                     uint16_t polygon, uint16_t y)
 {
     const union lim_retained_cell *cells = &retained->cells[polygon];
-    struct lim_active **link = &paint->actives.first, *active = lim_active_new(&paint->actives, retained);
+    struct lim_active **link = &paint->actives.first, *active = lim_active_new(&paint->actives, spans, y);
 
     if (!active) return false;
     while (*link && (*link)->polygon < polygon)
@@ -43,10 +44,11 @@ static bool activate(struct lim_paint *paint, const struct lim_retained *retaine
     return true;
 }
 
-static bool activate_line(struct lim_paint *paint, const struct lim_retained *retained, uint16_t polygon, uint16_t y)
+static bool activate_line(struct lim_paint *paint, const struct lim_spans *spans, const struct lim_retained *retained,
+                          uint16_t polygon, uint16_t y)
 {
     for (; polygon != LIM_NONE; polygon = retained->cells[polygon].link.next)
-        if (!activate(paint, retained, polygon, y)) return false;
+        if (!activate(paint, spans, retained, polygon, y)) return false;
     return true;
 }
 
@@ -233,7 +235,7 @@ static int paint_line(struct lim_paint *paint, struct lim_spans *spans, const st
     sink.line = use == NOTED ? NULL : target->lend(target->ctx, y);
     if (use != NOTED && !sink.line) return LIM_ERR_TARGET;
     begin_sink(&sink, paint, y, use);
-    if (LIM_HAS_STATS && paint->actives.used > stats->active_max) stats->active_max = paint->actives.used;
+    lim_actives_count(&paint->actives, spans, stats, y);
     lim_spans_reset_pool(spans);
     paint_polygons(paint, spans, retained, &open, y, &sink);
     paint_background(spans, &open, paint, &sink);
@@ -262,9 +264,9 @@ int lim_paint_band(struct lim_paint *paint, struct lim_spans *spans, const struc
     if (LIM_HAS_ANTIALIAS && lim_is_antialiased(&paint->pass->view))
         return lim_smooth_band(paint, spans, retained, band, y);
     if (is_flat(paint, retained)) return lim_flat_band(paint, spans, retained, band, y);
-    lim_actives_start(&paint->actives);
+    lim_actives_start(&paint->actives, spans);
     for (*y = band->y0; *y < band->y1; ++*y) {
-        if (!activate_line(paint, retained, spans->lines[*y].retained, *y)) return LIM_PAINT_ACTIVE;
+        if (!activate_line(paint, spans, retained, spans->lines[*y].retained, *y)) return LIM_PAINT_ACTIVE;
         const int err = paint_line(paint, spans, retained, band, *y);
         if (err) return err;
     }

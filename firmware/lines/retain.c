@@ -15,18 +15,19 @@ static inline void copy_words(uint16_t *to, const uint16_t *from, uint8_t count)
         *to++ = *from++;
 }
 
-bool lim_retain(struct lim_retained *retained, struct lim_line *lines, const struct lim_retained_polygon *polygon)
+bool lim_retain(struct lim_spans *spans, const struct lim_retained_polygon *polygon)
 {
+    struct lim_retained *const retained = spans->retained;
     const bool transparent = LIM_HAS_TRANSPARENT && polygon->alpha != LIM_OPAQUE;
     const bool is_piece = LIM_HAS_NEWELL && !polygon->n;
     const uint8_t words = (uint8_t)(LIM_HAS_WIREFRAME && polygon->hidden ? (polygon->n + 15) / 16 : 0);
     const uint16_t needed = (uint16_t)(LIM_RETAINED_HEAD_CELLS + polygon->n + (transparent && !is_piece) +
                                        (words + CELL_WORDS - 1) / CELL_WORDS);
 
-    if (needed > retained->size - retained->used) return false;
+    if (!lim_share_has_cells(spans, retained, needed)) return false;
     union lim_retained_cell *cells = &retained->cells[retained->used];
-    lim_retained_link(retained, &lines[polygon->top], polygon->n, polygon->first, polygon->bottom, polygon->colour,
-                      needed);
+    lim_retained_link(spans, retained, &spans->lines[polygon->top], polygon->n, polygon->first, polygon->bottom,
+                      polygon->colour, needed);
     retained->overhangs = true; /* not known here */
     for (uint8_t k = 0; k < polygon->n; k++)
         cells[LIM_RETAINED_HEAD_CELLS + k].at = polygon->at[k];

@@ -6,6 +6,7 @@
 #ifndef LIM_RETAIN_H
 #define LIM_RETAIN_H
 
+#include "lines/share.h"
 #include "screen/polygon.h"
 
 static inline void lim_retained_clear(struct lim_retained *retained)
@@ -76,12 +77,10 @@ static inline struct lim_point *lim_retained_end(const struct lim_retained *reta
 }
 
 /* Where the points of the next polygon of n corners would lie, or NULL: there is no room. */
-static inline struct lim_point *lim_retained_place(const struct lim_retained *retained, uint8_t n)
+static inline struct lim_point *lim_retained_place(const struct lim_spans *spans, const struct lim_retained *retained,
+                                                   uint8_t n)
 {
-    const uint16_t needed = (uint16_t)(LIM_RETAINED_HEAD_CELLS + n);
-
-    if (needed > retained->size - retained->used) return NULL;
-    return lim_retained_end(retained);
+    return lim_share_has_cells(spans, retained, LIM_RETAINED_HEAD_CELLS + n) ? lim_retained_end(retained) : NULL;
 }
 
 /* Points that lie farther on move to the end. */
@@ -97,8 +96,8 @@ static inline const struct lim_point *lim_retained_move(const struct lim_retaine
 
 /* Links a polygon that takes so many cells, of which there are as many, into its top line. Points and flags are the
  * caller's to write. */
-static inline void lim_retained_link(struct lim_retained *retained, struct lim_line *line, uint8_t n, uint8_t first,
-                                     uint16_t bottom, uint16_t colour, uint16_t cell_count)
+static inline void lim_retained_link(struct lim_spans *spans, struct lim_retained *retained, struct lim_line *line,
+                                     uint8_t n, uint8_t first, uint16_t bottom, uint16_t colour, uint16_t cell_count)
 {
     const uint16_t self = retained->used;
     union lim_retained_cell *cells = &retained->cells[self];
@@ -110,9 +109,10 @@ static inline void lim_retained_link(struct lim_retained *retained, struct lim_l
     cells[1].look.colour = colour;
     line->retained = self;
     retained->used = (uint16_t)(self + cell_count);
+    if (!LIM_HAS_FENCE) lim_share_set_lowest(spans);
 }
 
 /* Links the polygon into its top line. false: the pool is exhausted. */
-bool lim_retain(struct lim_retained *retained, struct lim_line *lines, const struct lim_retained_polygon *polygon);
+bool lim_retain(struct lim_spans *spans, const struct lim_retained_polygon *polygon);
 
 #endif

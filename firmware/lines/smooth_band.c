@@ -28,13 +28,14 @@ static uint16_t turned_around(const struct lim_retained *retained, uint16_t poly
 }
 
 /* Merges those that start on a line into the list. false: no room. */
-static bool smooth_activate(struct lim_paint *paint, const struct lim_retained *retained, uint16_t polygon)
+static bool smooth_activate(struct lim_paint *paint, const struct lim_spans *spans, const struct lim_retained *retained,
+                            uint16_t polygon, uint16_t y)
 {
     struct lim_active **link = &paint->actives.first;
 
     for (polygon = turned_around(retained, polygon); polygon != LIM_NONE;) {
         const union lim_retained_cell *cells = &retained->cells[polygon];
-        struct lim_active *active = lim_active_new(&paint->actives, retained);
+        struct lim_active *active = lim_active_new(&paint->actives, spans, y);
         if (!active) return false;
         while (*link && (*link)->polygon < polygon)
             link = &(*link)->next;
@@ -135,7 +136,7 @@ static int smooth_line(struct lim_paint *paint, struct lim_spans *spans, const s
         sink.span->y = (int16_t)y;
         *sink.stats = stats;
     }
-    if (LIM_HAS_STATS && paint->actives.used > stats->active_max) stats->active_max = paint->actives.used;
+    lim_actives_count(&paint->actives, spans, stats, y);
     lim_spans_reset_pool(spans);
     if (x0 < x1) (void)lim_strips_begin(spans, &open);
     smooth_polygons(paint, spans, retained, &open, (int16_t)y, &sink);
@@ -151,17 +152,17 @@ static int smooth_line(struct lim_paint *paint, struct lim_spans *spans, const s
 int lim_smooth_band(struct lim_paint *paint, struct lim_spans *spans, const struct lim_retained *retained,
                     const struct lim_rect *band, uint16_t *y)
 {
-    lim_actives_start(&paint->actives);
+    lim_actives_start(&paint->actives, spans);
     for (*y = band->y0; *y < band->y1;) {
         int err = 0;
-        if (!smooth_activate(paint, retained, spans->lines[*y].retained)) return LIM_PAINT_ACTIVE;
+        if (!smooth_activate(paint, spans, retained, spans->lines[*y].retained, *y)) return LIM_PAINT_ACTIVE;
         const uint16_t lines = lim_smooth_run(paint, spans, retained, band, *y, &err);
         if (err) return err;
         *y = (uint16_t)(*y + lines);
         if (lines) continue;
         /* Each polygon divides a gap at most. What pass one has closed has had room for its gaps; but by scan lines it
          * closes none. */
-        if (LIM_IS_SCANLINE(&paint->pass->target) && paint->actives.fresh >= spans->pool_size) return LIM_PAINT_ACTIVE;
+        if (LIM_IS_SCANLINE(&paint->pass->target) && paint->actives.fresh >= *spans->kept) return LIM_PAINT_ACTIVE;
         err = smooth_line(paint, spans, retained, band, *y);
         if (err) return err;
         ++*y;

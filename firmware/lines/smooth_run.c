@@ -154,13 +154,23 @@ static uint16_t run_lines(const struct lim_paint *paint, const struct lim_spans 
     return lines;
 }
 
+/* Where gaps would lie, and what polygons on the line have left before them: none begins while a run is drawn. */
+static void lend_pieces(struct pieces *pieces, const struct lim_actives *actives, const struct lim_spans *spans)
+{
+    uint8_t *const pool = (uint8_t *)spans->pool, *const gaps = pool + spans->lowest * LIM_GAP_MEM_B;
+    uint8_t *const end = pool + lim_share_gaps_end(spans) * LIM_GAP_MEM_B;
+    uint8_t *const at = actives->end == gaps && actives->at < gaps ? actives->at : gaps;
+
+    pieces->at = (void *)at;
+    pieces->size = (uint_fast16_t)((size_t)(end - at) / sizeof(struct piece));
+}
+
 /* false: line y begins no run. */
 static bool find_run(struct pieces *pieces, const struct lim_paint *paint, const struct lim_spans *spans,
                      const struct lim_rect *band, uint16_t y)
 {
     pieces->lines_less = run_lines(paint, spans, band, y);
-    pieces->size = (uint_fast16_t)(spans->pool_size * LIM_GAP_MEM_B / sizeof(struct piece));
-    pieces->at = (void *)spans->pool;
+    lend_pieces(pieces, &paint->actives, spans);
     while (pieces->lines_less && pieces->size > 1) {
         pieces->lines = pieces->lines_less;
         pieces->lines_less = 0;

@@ -6,6 +6,7 @@
 #include "lines/span.h"
 
 #include "lines/framebuffer.h"
+#include "lines/share.h"
 #include "lines/strips.h"
 #include "screen/edge.h"
 
@@ -14,7 +15,7 @@
 void lim_spans_reset_pool(struct lim_spans *spans)
 {
     spans->free = LIM_NONE;
-    spans->fresh = 0;
+    spans->fresh = lim_share_gaps_end(spans);
 }
 
 void lim_spans_open(struct lim_spans *spans, const struct lim_target *target, const struct lim_rect *open)

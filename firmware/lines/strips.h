@@ -6,6 +6,7 @@
 #define LIM_STRIPS_H
 
 #include "lines/gaps.h"
+#include "lines/share.h"
 #include "screen/samples.h"
 
 /* A gap, antialiased: samples that are open, some at least, left <= right in all rows. In a line's list, for each row,
@@ -27,17 +28,12 @@ static LIM_INLINE void lim_strip_to_sink(lim_strip_sink *sink, void *ctx, const 
     if (sink) sink(ctx, left->rows[0], left->rows[1], right->rows[0], right->rows[1]);
 }
 
-static inline bool lim_spans_have_strips(const struct lim_spans *spans)
-{
-    return LIM_HAS_ANTIALIAS && *spans->has_strips;
-}
-
 /* LIM_NONE: there is none left. */
 static inline uint16_t lim_strip_new(struct lim_spans *spans)
 {
     const uint16_t taken = spans->free;
 
-    if (taken == LIM_NONE) return spans->fresh < spans->pool_size ? spans->fresh++ : LIM_NONE;
+    if (taken == LIM_NONE) return spans->fresh > spans->lowest ? --spans->fresh : LIM_NONE;
     spans->free = (*spans->strips)[taken].next;
     return taken;
 }

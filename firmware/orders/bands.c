@@ -75,7 +75,9 @@ static int paint_band(struct lim_nearest *nearest, const struct lim_rect *band, 
 {
     *y = band->y0;
     if (!is_collected) return LIM_PAINT_ACTIVE;
-    return lim_paint_band(&nearest->paint, &nearest->spans, &nearest->retained, band, y);
+    const int err = lim_paint_band(&nearest->paint, &nearest->spans, &nearest->retained, band, y);
+    if (nearest->paint.actives.in_pool) lim_view_forget(&nearest->pass->view);
+    return err;
 }
 
 /* How far the stack must reach, and how many polygons wait at one pixel, is not bounded where some are transparent; and
@@ -196,11 +198,24 @@ static int fill_frame(struct lim_nearest *nearest)
     return show(nearest);
 }
 
+/* By scan lines a line's gaps are not known before it is painted. */
+static LIM_IF_CALLED uint16_t cells_before_kept(const struct lim_spans *spans)
+{
+    const uint32_t gaps = (uint32_t)(*spans->strips_size - *spans->kept);
+
+    return (uint16_t)(gaps * lim_share_gap_b(spans, true) / lim_share_cell_b(spans));
+}
+
 static void begin_frame(struct lim_nearest *nearest)
 {
     nearest->paint.background = lim_background_of(nearest->pass);
-    nearest->retained.size = nearest->retained.end;
-    if (LIM_HAS_ANTIALIAS) set_antialiased(nearest, lim_wants_antialias(nearest));
+    nearest->retained.end = nearest->retained.whole;
+    if (LIM_HAS_ANTIALIAS) {
+        const bool antialiased = lim_wants_antialias(nearest);
+        set_antialiased(nearest, antialiased);
+        *nearest->spans.kept = antialiased && LIM_IS_SCANLINE(&nearest->pass->target) ? *nearest->line_gaps : 0;
+        if (*nearest->spans.kept) nearest->retained.end = cells_before_kept(&nearest->spans);
+    }
     if (LIM_IS_SORTED(&nearest->pass->target)) lim_sorted_order(lim_nearest_sorter(nearest));
 }
 

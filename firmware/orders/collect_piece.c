@@ -145,18 +145,24 @@ static bool collect_plain_piece(struct lim_nearest *nearest, uint16_t entry, con
     struct lim_point *last = &retained->cells[retained->used].at + LIM_RETAINED_HEAD_CELLS;
 
     if (top >= bottom) return true;
-    if (LIM_RETAINED_HEAD_CELLS + piece_cells(nearest, top, bottom) > (uint32_t)(retained->size - retained->used))
-        return false;
+    const uint32_t needed = LIM_RETAINED_HEAD_CELLS + piece_cells(nearest, top, bottom);
+    if (!lim_share_has_cells(&nearest->spans, retained, needed)) return false;
     if (LIM_HAS_STATS) lim_stats_of(nearest->pass)->lines += (uint32_t)(bottom - top);
+    const uint16_t pending = retained->pending;
+    retained->pending = (uint16_t)needed;
+    lim_share_set_lowest(&nearest->spans);
     const enum lim_span_result result = see_piece(nearest, entry, whole, last, &top, &bottom);
+    retained->pending = pending;
+    lim_share_set_lowest(&nearest->spans);
     if (result != LIM_SPAN_SOME) return result == LIM_SPAN_NOTHING;
     if (LIM_HAS_STATS) lim_stats_of(nearest->pass)->polygons_seen++;
     struct lim_retained_polygon seen =
         lim_retained_of(whole, top, (int16_t)(bottom * rows_of(nearest)), lim_wireframe_of(nearest->pass));
     seen.at = last;
     seen.n = seen.first = 0;
-    if (!lim_retain(retained, nearest->spans.lines, &seen)) return false;
+    if (!lim_retain(&nearest->spans, &seen)) return false;
     retained->used = (uint16_t)(retained->used + piece_cells(nearest, top, bottom)); /* what is left of them */
+    lim_share_set_lowest(&nearest->spans);
     return true;
 }
 

@@ -10,6 +10,7 @@
 #include "lines/gaps.h"
 #include "lines/layers.h"
 #include "lines/retain.h"
+#include "lines/share.h"
 #include "lines/smooth.h"
 #include "lines/smooth_line.h"
 #include "lines/span.h"
@@ -87,7 +88,7 @@ static LIM_ALONE bool close_with_room(struct lim_nearest *nearest, const struct 
 /* Likewise where a polygon that is closed finds no cells. */
 static bool retain_with_room(struct lim_nearest *nearest, const struct lim_retained_polygon *seen)
 {
-    while (!lim_retain(&nearest->retained, nearest->spans.lines, seen)) {
+    while (!lim_retain(&nearest->spans, seen)) {
         if (!lim_room_make(nearest)) return false;
         if (seen->top >= nearest->bottom) return true;
     }
@@ -132,7 +133,7 @@ static inline bool collect_samples(struct lim_nearest *nearest, const struct lim
     const int16_t rows = (int16_t)(shown.bottom * LIM_SAMPLE_ROWS), end_row = *polygon->shape.end_row;
     const struct lim_retained_polygon seen =
         lim_retained_of(polygon, shown.top, end_row < rows ? end_row : rows, false);
-    return lim_retain(&nearest->retained, nearest->spans.lines, &seen);
+    return lim_retain(&nearest->spans, &seen);
 }
 
 /* Whether a record is opaque, and drawn as such. */
@@ -183,9 +184,10 @@ static bool collect(struct lim_nearest *nearest, const struct lim_screen_polygon
 static void note_pools(struct lim_nearest *nearest)
 {
     struct lim_stats *stats = lim_stats_of(nearest->pass);
+    const uint16_t gaps = (uint16_t)(lim_share_gaps_end(&nearest->spans) - nearest->spans.fresh);
 
     if (nearest->retained.used > stats->retained_cells_max) stats->retained_cells_max = nearest->retained.used;
-    if (nearest->spans.fresh > stats->gaps_max) stats->gaps_max = nearest->spans.fresh;
+    if (gaps > stats->gaps_max) stats->gaps_max = gaps;
 }
 
 /* Of whatever kind it is. false: a pool is exhausted. */
@@ -218,7 +220,7 @@ static inline enum outcome collect_fast(struct lim_nearest *nearest, const LIM_F
 {
     struct lim_pass *const pass = nearest->pass;
     const uint8_t n = (uint8_t)(record[0] & LIM_POLYGON_COUNT);
-    struct lim_point *at = lim_retained_place(&nearest->retained, n);
+    struct lim_point *at = lim_retained_place(&nearest->spans, &nearest->retained, n);
     struct lim_edge_shape shape;
     uint_fast16_t codes;
 
@@ -252,7 +254,7 @@ static inline enum outcome collect_fast(struct lim_nearest *nearest, const LIM_F
     const uint16_t texture = texture_word(pass, record);
     const bool textured = LIM_HAS_TEXTURE && texture != LIM_NONE;
     if (textured) nearest->retained.textured = true;
-    lim_retained_link(&nearest->retained, &nearest->spans.lines[shown.top], n, shape.first,
+    lim_retained_link(&nearest->spans, &nearest->retained, &nearest->spans.lines[shown.top], n, shape.first,
                       (uint16_t)((unsigned)shown.bottom | (textured ? LIM_RETAINED_TEXTURE : 0u)),
                       textured ? texture : lim_memory_colour((uint16_t)record[1]),
                       (uint16_t)(LIM_RETAINED_HEAD_CELLS + n));
@@ -387,13 +389,17 @@ static bool collect_from_source(struct lim_nearest *nearest, const struct lim_re
 
 static void open_band(struct lim_nearest *nearest, const struct lim_rect *band)
 {
-    lim_spans_open(&nearest->spans, &nearest->pass->target, band);
+    if (LIM_HAS_ANTIALIAS) *nearest->spans.has_strips = lim_is_antialiased(&nearest->pass->view);
     lim_retained_clear(&nearest->retained);
+    lim_spans_open(&nearest->spans, &nearest->pass->target, band);
     nearest->since_shrink = 0;
     nearest->top = band->y0;
     nearest->bottom = band->y1;
-    if (LIM_HAS_ANTIALIAS) *nearest->spans.has_strips = lim_is_antialiased(&nearest->pass->view);
     if (LIM_HAS_SCANLINE) nearest->retains_all = can_retain_all(nearest, band);
+    nearest->retained.size = nearest->retained.end;
+    if (LIM_HAS_FENCE && !lim_nearest_retains_all(nearest))
+        nearest->retained.size = lim_share_cells_before_fence(&nearest->retained);
+    lim_share_set_lowest(&nearest->spans);
 }
 
 bool lim_collect(struct lim_nearest *nearest, const struct lim_rect *band)

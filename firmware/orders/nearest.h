@@ -18,6 +18,10 @@ static inline struct lim_sorter *lim_nearest_sorter(const struct lim_nearest *ne
 size_t lim_nearest_mem_b(const struct lim_scene *scene, const struct lim_target *target, bool least);
 void lim_nearest_init(struct lim_nearest *nearest, void *mem, size_t mem_b);
 
+/* For measurements: as if cells, gaps and polygons on a line had counted_b bytes to share, by other sizes than this
+ * processor's. Each of them has memory of its own; there must be enough. */
+void lim_nearest_count_as(struct lim_nearest *nearest, const struct lim_counted *counted, size_t counted_b);
+
 /* A frame, of a camera that is taken in. 0, an enum lim_error, or the target's error. stage: LIM_AHEAD_BEGUN,
  * pass one is still to be made; else how it has ended. */
 LIM_MUST_CHECK int lim_nearest_frame(struct lim_nearest *nearest, enum lim_ahead_stage stage);

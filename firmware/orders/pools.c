@@ -10,17 +10,27 @@
 
 #if LIM_HAS_SPANS
 
+/* Cells, gaps and polygons that cross a line share their memory. */
 struct shares {
-    uint16_t active, retained_cells, gaps, pieces;
+    size_t shared_b;
+    uint16_t gaps, pieces; /* gaps: of these; only what is antialiased by scan lines asks how many */
     LIM_OPTIONAL(uint16_t, layers, LIM_HAS_TRANSPARENT);
 };
+
+static size_t shared_b(size_t cells, size_t gaps, size_t active)
+{
+    return LIM_MEM_B(0, 0, cells, gaps, active) - LIM_MEM_B(0, 0, 0, 0, 0);
+}
+
+static uint16_t least_cells(const struct lim_scene *scene)
+{
+    return (uint16_t)(LIM_RETAINED_HEAD_CELLS + scene->limits.vertices + CLIP_PLANES);
+}
 
 /* One polygon, one gap: what a band of one pixel needs. Lines that are transparent need nothing (bands.c). */
 static struct shares least_shares(const struct lim_scene *scene)
 {
-    return (struct shares){.active = 1,
-                           .retained_cells = (uint16_t)(LIM_RETAINED_HEAD_CELLS + scene->limits.vertices + CLIP_PLANES),
-                           .gaps = 1};
+    return (struct shares){.shared_b = shared_b(least_cells(scene), 1, 1), .gaps = 1};
 }
 
 static uint16_t greater(uint16_t a, uint16_t b)
@@ -46,9 +56,9 @@ static uint16_t comfortable_pieces(const struct lim_scene *scene, const struct l
 /* What scan lines paint leaves no gaps, but those of a line, antialiased. What they cannot paint makes do with one. */
 static uint16_t comfortable_gaps(const struct lim_scene *scene, const struct lim_target *target)
 {
-    if (!LIM_IS_SCANLINE(target) || (LIM_HAS_TRANSPARENT && scene->limits.layers)) return scene->limits.gaps;
-    if (LIM_HAS_ANTIALIAS && LIM_HAS_TEXTURE && lim_texture_count(scene)) return scene->limits.gaps;
-    return LIM_HAS_ANTIALIAS ? (uint16_t)(scene->limits.active + 1) : 1;
+    const bool leaves_none = LIM_IS_SCANLINE(target) && !(LIM_HAS_TRANSPARENT && scene->limits.layers);
+
+    return leaves_none && !LIM_HAS_ANTIALIAS ? 1 : scene->limits.gaps;
 }
 
 /* Whether all frames are painted polygon by polygon, as far as there are gaps: then nothing waits for its line. */
@@ -60,32 +70,27 @@ static bool retains_nothing(const struct lim_target *target)
 
 static struct shares comfortable_shares(const struct lim_scene *scene, const struct lim_target *target)
 {
-    const struct shares least = least_shares(scene);
     const struct lim_limits *limits = &scene->limits;
-
-    struct shares wanted = {.active = greater(limits->active, least.active),
-                            .retained_cells = greater(limits->retained_cells, least.retained_cells),
-                            .gaps = greater(comfortable_gaps(scene, target), least.gaps),
+    const bool none = retains_nothing(target);
+    struct shares wanted = {.gaps = greater(comfortable_gaps(scene, target), 1),
                             .pieces = comfortable_pieces(scene, target)};
+
+    wanted.shared_b = shared_b(none ? least_cells(scene) : greater(limits->retained_cells, least_cells(scene)),
+                               wanted.gaps, none ? 1 : greater(limits->active, 1));
     if (LIM_HAS_TRANSPARENT) *wanted.layers = limits->layers;
-    if (retains_nothing(target)) {
-        wanted.active = least.active;
-        wanted.retained_cells = least.retained_cells;
-    }
     return wanted;
 }
 
 static size_t total_b(const struct lim_scene *scene, const struct lim_target *target, struct shares shares)
 {
-    const uint16_t cells = shares.retained_cells, gaps = shares.gaps;
-    size_t sum_b = LIM_HAS_TRANSPARENT ? LIM_LAYERS_MEM_B(*shares.layers) : 0;
+    size_t sum_b = shares.shared_b + (LIM_HAS_TRANSPARENT ? LIM_LAYERS_MEM_B(*shares.layers) : 0);
 
     if (LIM_IS_NEWELL(target))
-        sum_b += LIM_NEWELL_MEM_B(target->h_px, scene->polygon_count, shares.pieces, cells, gaps, shares.active);
+        sum_b += LIM_NEWELL_MEM_B(target->h_px, scene->polygon_count, shares.pieces, 0, 0, 0);
     else if (LIM_IS_SORTED(target))
-        sum_b += LIM_DEPTH_MEM_B(target->h_px, scene->polygon_count, cells, gaps, shares.active);
+        sum_b += LIM_DEPTH_MEM_B(target->h_px, scene->polygon_count, 0, 0, 0);
     else
-        sum_b += LIM_MEM_B(target->h_px, scene->limits.depth, cells, gaps, shares.active);
+        sum_b += LIM_MEM_B(target->h_px, scene->limits.depth, 0, 0, 0);
     return sum_b + (LIM_IS_SORTED(target) ? 0 : lim_portals_mem_b(scene));
 }
 
@@ -110,20 +115,29 @@ static struct shares with_surplus(struct shares wanted, const struct lim_scene *
     return wanted;
 }
 
-/* Scales the comfortable shares down to what there is; never below the least. The pools together are
- * below 2^24 bytes. */
+/* Scales what is comfortable down to what there is; never below the least. The pools together are below 2^24 bytes. */
+static void scale(struct shares *shares, const struct lim_scene *scene, const struct lim_target *target, size_t mem_b)
+{
+    const struct shares least = least_shares(scene);
+    const size_t least_b = total_b(scene, target, least), wanted_b = total_b(scene, target, *shares);
+
+    if (mem_b >= wanted_b) {
+        if (LIM_IS_NEWELL(target)) *shares = with_surplus(*shares, scene, mem_b - wanted_b);
+        return;
+    }
+    const uint16_t part_q8 = (uint16_t)(((uint32_t)(mem_b - least_b) << 8) / (uint32_t)(wanted_b - least_b));
+    shares->gaps = between(1, shares->gaps, part_q8);
+    shares->pieces = between(0, shares->pieces, part_q8);
+    if (LIM_HAS_TRANSPARENT) *shares->layers = between(0, *shares->layers, part_q8);
+}
+
 static struct shares pools_divide(const struct lim_scene *scene, const struct lim_target *target, size_t mem_b)
 {
-    const struct shares least = least_shares(scene), wanted = comfortable_shares(scene, target);
-    const size_t least_b = total_b(scene, target, least), wanted_b = total_b(scene, target, wanted);
+    struct shares shares = comfortable_shares(scene, target);
 
-    if (mem_b >= wanted_b) return LIM_IS_NEWELL(target) ? with_surplus(wanted, scene, mem_b - wanted_b) : wanted;
-    const uint16_t part_q8 = (uint16_t)(((uint32_t)(mem_b - least_b) << 8) / (uint32_t)(wanted_b - least_b));
-    struct shares shares = {.active = between(least.active, wanted.active, part_q8),
-                            .retained_cells = between(least.retained_cells, wanted.retained_cells, part_q8),
-                            .gaps = between(least.gaps, wanted.gaps, part_q8),
-                            .pieces = between(0, wanted.pieces, part_q8)};
-    if (LIM_HAS_TRANSPARENT) *shares.layers = between(0, *wanted.layers, part_q8);
+    if (LIM_HAS_NEWELL || LIM_HAS_TRANSPARENT || LIM_HAS_ANTIALIAS) scale(&shares, scene, target, mem_b);
+    shares.shared_b = 0;
+    shares.shared_b = (mem_b - total_b(scene, target, shares)) & ~(size_t)(LIM_ALIGNOF(union lim_retained_cell) - 1);
     return shares;
 }
 
@@ -141,6 +155,27 @@ static void cut_sorter(struct lim_sorter *sorter, uint8_t **at, const struct sha
     newell->options = (struct lim_newell_options){.most = 0};
 }
 
+/* As many elements as have a number. */
+static uint16_t numbered(size_t count)
+{
+    return (uint16_t)(count < LIM_NONE ? count : LIM_NONE - 1u);
+}
+
+/* Cells, and gaps that come down from the end (share.h). */
+static void set_shared(struct lim_nearest *nearest, size_t size_b)
+{
+    struct lim_retained *retained = &nearest->retained;
+    struct lim_spans *spans = &nearest->spans;
+
+    spans->retained = retained;
+    retained->whole = numbered(size_b / sizeof(union lim_retained_cell));
+    spans->pool = (void *)retained->cells;
+    spans->pool_size = numbered(size_b / sizeof(struct lim_gap));
+    if (!LIM_HAS_ANTIALIAS) return;
+    *spans->strips = (void *)retained->cells;
+    *spans->strips_size = numbered(size_b / LIM_GAP_MEM_B);
+}
+
 /* Widest alignment first. */
 void lim_nearest_init(struct lim_nearest *nearest, void *mem, size_t mem_b)
 {
@@ -151,23 +186,44 @@ void lim_nearest_init(struct lim_nearest *nearest, void *mem, size_t mem_b)
     struct lim_walk_pending *stack = NULL;
     uint8_t *at = mem;
 
-    nearest->paint.actives.pool = lim_mem_cut(&at, shares.active * sizeof(struct lim_active));
-    nearest->paint.actives.pool_size = shares.active;
     if (LIM_IS_SORTED(&pass->target)) cut_sorter(lim_nearest_sorter(nearest), &at, &shares);
-    nearest->retained.cells = lim_mem_cut(&at, shares.retained_cells * sizeof(union lim_retained_cell));
-    nearest->retained.size = nearest->retained.end = shares.retained_cells;
+    nearest->retained.cells = lim_mem_cut(&at, shares.shared_b);
+    nearest->retained.pending = (uint16_t)(LIM_RETAINED_HEAD_CELLS + pass->scene->limits.vertices);
+    set_shared(nearest, shares.shared_b);
+    nearest->paint.actives.pool = at;
+    if (LIM_HAS_ANTIALIAS) {
+        *spans->kept = 0;
+        *nearest->line_gaps = shares.gaps;
+    }
     struct lim_view_cached *cache = lim_mem_cut(&at, LIM_VIEW_CACHE_ENTRIES * sizeof(struct lim_view_cached));
     if (!is_sorted) stack = lim_mem_cut(&at, pass->scene->limits.depth * sizeof *stack);
     spans->lines = lim_mem_cut(&at, pass->target.h_px * sizeof(struct lim_line));
-    void *const gaps = lim_mem_cut(&at, shares.gaps * LIM_GAP_MEM_B);
-    spans->pool = gaps;
-    if (LIM_HAS_ANTIALIAS) *spans->strips = gaps;
-    spans->pool_size = shares.gaps;
     if (LIM_HAS_TRANSPARENT)
         *nearest->paint.layers =
             (struct lim_layers){lim_mem_cut(&at, LIM_LAYERS_MEM_B(*shares.layers)), *shares.layers, 0, false};
     if (LIM_HAS_WALKED && !is_sorted) lim_walk_lend(pass->walk, pass->scene, stack, at);
     lim_view_init(&pass->view, pass->target.w_px, pass->target.h_px, cache);
+    if (LIM_HAS_STATS)
+        *spans->counted = (struct lim_counted){.cell_b = sizeof(union lim_retained_cell),
+                                               .active_b = sizeof(struct lim_active),
+                                               .idle_b = (uint32_t)((uint8_t *)spans->lines - (uint8_t *)cache)};
+}
+
+void lim_nearest_count_as(struct lim_nearest *nearest, const struct lim_counted *counted, size_t counted_b)
+{
+    struct lim_retained *retained = &nearest->retained;
+    struct lim_spans *spans = &nearest->spans;
+
+    if (!LIM_HAS_STATS) return;
+    *spans->counted = *counted;
+    retained->whole = numbered(counted_b / counted->cell_b);
+    spans->pool = (void *)(retained->cells + retained->whole);
+    spans->pool_size = numbered(counted_b / counted->gap_b);
+    nearest->paint.actives.pool = (uint8_t *)spans->pool + spans->pool_size * LIM_GAP_MEM_B;
+    if (!LIM_HAS_ANTIALIAS) return;
+    *spans->strips = (void *)spans->pool;
+    *spans->strips_size = spans->pool_size;
+    *nearest->line_gaps = counted->line_gaps;
 }
 
 #endif

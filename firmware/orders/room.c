@@ -76,6 +76,7 @@ static void keep_above(struct lim_nearest *nearest, uint16_t bottom)
         line->retained = self;
     }
     retained->used = to;
+    lim_share_set_lowest(&nearest->spans);
 }
 
 bool lim_room_make(struct lim_nearest *nearest)
@@ -96,10 +97,10 @@ bool lim_room_keep(struct lim_nearest *nearest)
 {
     struct lim_retained *retained = &nearest->retained;
     const uint16_t least = (uint16_t)(LIM_RETAINED_HEAD_CELLS + nearest->pass->scene->limits.vertices + CLIP_PLANES);
-    const uint16_t part = (uint16_t)(retained->end / KEPT_PART);
+    const uint16_t part = (uint16_t)(retained->whole / KEPT_PART);
 
-    if (!part || retained->size < LEAST_PARTS * part || retained->size - part < least) return false;
-    retained->size = (uint16_t)(retained->size - part);
+    if (!part || retained->end < LEAST_PARTS * part || retained->end - part < least) return false;
+    retained->end = (uint16_t)(retained->end - part);
     return true;
 }
 

@@ -17,12 +17,16 @@ void lim_view_init(struct lim_view *view, uint16_t w_px, uint16_t h_px, struct l
     lim_view_set_antialiased(view, false);
 }
 
+void lim_view_forget(struct lim_view *view)
+{
+    for (uint_fast16_t i = 0; i < LIM_VIEW_CACHE_ENTRIES; i++)
+        view->cache[i].vertex = LIM_NO_INDEX;
+}
+
 bool lim_view_begin(struct lim_view *view, const struct lim_scene *scene, const struct lim_camera *camera)
 {
     if (!lim_rows_set(&view->rows, scene, camera)) return false;
-    if (LIM_HAS_PLANES && (!LIM_HAS_MESHES || view->cache)) /* a mesh remembers all vertices */
-        for (uint_fast16_t i = 0; i < LIM_VIEW_CACHE_ENTRIES; i++)
-            view->cache[i].vertex = LIM_NO_INDEX;
+    if (LIM_HAS_PLANES && (!LIM_HAS_MESHES || view->cache)) lim_view_forget(view); /* a mesh remembers all vertices */
     if (LIM_HAS_STATS) view->vertices = 0;
     return true;
 }

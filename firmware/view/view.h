@@ -76,6 +76,9 @@ void lim_view_init(struct lim_view *view, uint16_t w_px, uint16_t h_px, struct l
 /* Once per frame. false: the camera is out of range (limner.h). */
 bool lim_view_begin(struct lim_view *view, const struct lim_scene *scene, const struct lim_camera *camera);
 
+/* What is remembered: its memory has served for something else. */
+void lim_view_forget(struct lim_view *view);
+
 /* `vertex` is one of the scene's. */
 void lim_view_transform(const struct lim_view *view, const struct lim_scene *scene,
                         const LIM_FLASH struct lim_vertex *vertex, struct lim_view_point *out);

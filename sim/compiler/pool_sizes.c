@@ -10,6 +10,7 @@
 #include "base/progress.h"
 #include "cameras/sample.h"
 #include "limner.h"
+#include "render/counted_memory.h"
 #include "render/frame_cost.h"
 #include "render/pool_search.h"
 #include "render/simulator.h"
@@ -30,10 +31,19 @@ enum { CAMERAS_AT_LEAST = STRAYS + 2 }; /* whatever time it takes */
 /* What is active is retained, and takes more cells than its head's. */
 enum { MOST_RETAINED = PLENTY / MCU_HEAD_CELLS };
 
+/* Memory that polygons, gaps and what crosses a line share is made larger than the greediest camera but strays wants,
+ * by as much as it wants more than the greediest FEW_GREEDY-th part of them, and a 32nd at least: where few cameras are
+ * far beyond the others, more may be. A frame that wants more loses its lowest lines to a second walk. */
+enum { SHARED_UNIT_B = 4, SHARED_MARGIN = 32, FEW_GREEDY = 50 };
+
 /* What each camera used of each pool. */
 struct usage {
     size_t cameras;
     uint16_t cells[CAMERAS], gaps[CAMERAS], active[CAMERAS], layers[CAMERAS], runs[CAMERAS];
+    uint16_t shared[CAMERAS];         /* of the memory that the first three share, in SHARED_UNIT_B */
+    uint32_t searched_shared_b;       /* likewise in bytes, of what was found by search */
+    struct counted_memory memory;     /* what it is counted by */
+    bool closes_none;                 /* by scan lines, not antialiased: no gaps but one */
     double instructions;              /* predicted, of all frames */
     double instructions_most;         /* beyond that no more frames are drawn; 0: whatever it takes */
     uint32_t splits;                  /* of all frames */
@@ -50,6 +60,11 @@ static uint16_t with_margin(uint16_t used, uint16_t least)
 static uint16_t with_margin_of_one(double used)
 {
     return (uint16_t)(used + 1.0 < UINT16_MAX ? used + 1.0 : UINT16_MAX);
+}
+
+static uint16_t within(uint32_t count)
+{
+    return (uint16_t)(count < UINT16_MAX ? count : UINT16_MAX);
 }
 
 static int compare_u16(const void *a, const void *b)
@@ -71,6 +86,7 @@ static void note(struct usage *usage, const struct simulator *simulator)
     usage->cells[i] = stats->retained_cells_max;
     usage->gaps[i] = stats->gaps_max;
     usage->active[i] = stats->active_max;
+    usage->shared[i] = within(pool_search_shared_b(simulator, &usage->memory) / SHARED_UNIT_B + 1);
     usage->runs[i] = stats->delta.runs_max;
     usage->instructions += frame_cost_m0plus(stats, &simulator->target);
     if (lim_texture_count(simulator->scene))
@@ -138,11 +154,19 @@ static bool sample_frames(const struct compiled *scene, struct moving *moving, s
         note(usage, simulator);
     }
     return !scene->report.worst.tries || is_too_much(usage) || !usage->cameras ||
-           pool_search_run(scene, moving, simulator, &lens, scene->report.worst.tries, &usage->searched, err);
+           pool_search_run(scene, moving, simulator, &lens, scene->report.worst.tries, &usage->searched,
+                           &usage->searched_shared_b, err);
 }
 
 /* How frames are drawn. */
 enum style { STYLE_PLAIN, STYLE_WIREFRAME, STYLE_ANTIALIAS };
+
+static bool set_memory(struct usage *usage, const struct simulator *simulator, bool antialias)
+{
+    usage->memory = counted_memory_of(simulator->core, simulator->scene, &simulator->target, antialias);
+    usage->closes_none = simulator->target.method == LIM_SCANLINE && !antialias && !simulator->scene->limits.layers;
+    return true;
+}
 
 static bool sample_method(const struct compiled *scene, struct moving *moving, const struct simulator_setup *setup,
                           enum style style, struct usage *usage, struct error *err)
@@ -154,7 +178,7 @@ static bool sample_method(const struct compiled *scene, struct moving *moving, c
         simulator_set_antialias(&simulator, style == STYLE_ANTIALIAS, err) &&
         simulator_set_delta(&simulator, scene->report.delta_runs ? PLENTY : 0, err) &&
         (!moving || simulator_set_movers(&simulator, moving->instances, moving->count, &moving->limits, err)) &&
-        sample_frames(scene, moving, &simulator, usage, err);
+        set_memory(usage, &simulator, style == STYLE_ANTIALIAS) && sample_frames(scene, moving, &simulator, usage, err);
     simulator_free(&simulator);
     return ok;
 }
@@ -184,6 +208,16 @@ static uint16_t greater(uint16_t a, uint16_t b)
     return a > b ? a : b;
 }
 
+static uint32_t most_shared_b(struct usage *usage)
+{
+    const uint32_t greatest = most(usage->shared, usage->cameras);
+    const size_t few = usage->cameras / FEW_GREEDY + STRAYS;
+    const uint32_t spread = few < usage->cameras ? greatest - usage->shared[usage->cameras - 1 - few] : 0;
+    const uint32_t least = greatest / SHARED_MARGIN + 1;
+
+    return (greatest + (spread > least ? spread : least)) * SHARED_UNIT_B;
+}
+
 /* To what was found by search, with nothing on top. */
 static void raise_to_searched(const struct search_result *searched, struct lim_limits *limits)
 {
@@ -194,14 +228,42 @@ static void raise_to_searched(const struct search_result *searched, struct lim_l
     limits->active = greater(limits->active, with_margin_of_one(goals[POOL_SEARCH_ACTIVE].score));
 }
 
-/* Raises the limits to what the orders with spans used. */
-static void raise_limits(struct compiled *roomy, struct moving *moving, struct usage *usage, struct lim_limits *limits)
+/* Each has a pool of its own, or is counted so. */
+static void raise_one_by_one(struct usage *usage, struct lim_limits *limits)
 {
     raise_to_searched(&usage->searched, limits);
     const uint16_t cells = with_margin(most(usage->cells, usage->cameras), needs_least_cells(limits));
     limits->retained_cells = greater(limits->retained_cells, cells);
     limits->gaps = greater(limits->gaps, with_margin(most(usage->gaps, usage->cameras), 1));
     limits->active = greater(limits->active, with_margin(most(usage->active, usage->cameras), 1));
+}
+
+/* Of the memory that they share the limits say how much it is in all. Pictures that are filled as polygons come take
+ * gaps alone, and antialiased lines that are painted at once as many as polygons cross them: so those have their
+ * number, and all else is cells. */
+static void raise_shared(struct usage *usage, struct lim_limits *limits)
+{
+    const struct lim_counted *counted = &usage->memory.counted;
+    const uint32_t sampled_b = most_shared_b(usage);
+    const uint32_t searched_b = usage->searched_shared_b;
+    const uint32_t all_b = sampled_b > searched_b ? sampled_b : searched_b;
+    const uint16_t at_once = (uint16_t)(usage->memory.of_a_line ? most(usage->active, usage->cameras) + 1 : 0);
+    const uint16_t gaps = greater(most(usage->gaps, usage->cameras), at_once);
+
+    limits->gaps = greater(limits->gaps, greater((uint16_t)(gaps + gaps / SHARED_MARGIN), 1));
+    limits->active = greater(limits->active, 1);
+    const uint32_t rest_b = (usage->closes_none ? 1 : limits->gaps) * counted->gap_b + counted->active_b;
+    const uint32_t cells = all_b > rest_b ? (all_b - rest_b + counted->cell_b - 1) / counted->cell_b : 0;
+    limits->retained_cells = greater(limits->retained_cells, greater(within(cells), needs_least_cells(limits)));
+}
+
+/* Raises the limits to what the orders with spans used. */
+static void raise_limits(struct compiled *roomy, struct moving *moving, struct usage *usage, struct lim_limits *limits)
+{
+    if (usage->memory.counted.cell_b)
+        raise_shared(usage, limits);
+    else
+        raise_one_by_one(usage, limits);
     limits->pieces = greater(limits->pieces, pieces_for(usage));
     if (roomy->report.delta_runs)
         roomy->report.delta_runs = greater(roomy->report.delta_runs, with_margin(most(usage->runs, usage->cameras), 1));
@@ -346,6 +408,7 @@ bool pools_measure_scanline(struct compiled *scene, const struct core *core, dou
     if (instructions_most > 0.0 && !(instructions <= instructions_most)) return true;
     raise_limits(&roomy, NULL, &usage, &limits);
     pool_search_report(&usage.searched, &scene->grid, &scene->report.worst);
+    if (scene->report.antialias) limits.gaps = 1; /* nearest first left more */
     if (scene->report.antialias && !sample_spans(&roomy, NULL, &setup, STYLE_ANTIALIAS, &limits, err)) return false;
     lim_image_set_limits(scene, &limits);
     scene->report.draws = LIM_SCANLINE;

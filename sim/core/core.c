@@ -105,6 +105,11 @@ static bool project(void *lim, lim_index vertex, double at_px[2])
     return true;
 }
 
+static void count_as(void *lim, const struct lim_counted *counted, size_t counted_b)
+{
+    lim_inspect_count_as(lim, counted, counted_b);
+}
+
 /* Who asked for texels. */
 struct asker {
     core_texel *take;
@@ -157,4 +162,5 @@ const struct core CORE = {.shared_b = CORE_SHARED_B,
                           .refresh = refresh,
                           .project = project,
                           .eye_side = lim_inspect_side,
+                          .count_as = count_as,
                           .texels = texels};

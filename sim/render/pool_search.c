@@ -10,7 +10,19 @@ struct looking {
     struct moving *moving;
     struct simulator *simulator;
     const struct lens *lens;
+    struct counted_memory memory;
+    uint32_t shared_b; /* most of all frames */
 };
+
+uint32_t pool_search_shared_b(const struct simulator *simulator, const struct counted_memory *memory)
+{
+    const struct lim_counted *counted = &memory->counted;
+    const struct lim_stats *stats = simulator_stats(simulator);
+    const bool at_once = memory->of_a_line && !stats->gaps_max;
+    const uint32_t gaps = at_once ? stats->active_max + 1u : stats->gaps_max;
+
+    return stats->retained_cells_max * counted->cell_b + gaps * counted->gap_b + stats->active_max_b;
+}
 
 static bool measure(void *ctx, const struct viewpoint *viewpoint, double *scores, struct error *err)
 {
@@ -30,13 +42,20 @@ static bool measure(void *ctx, const struct viewpoint *viewpoint, double *scores
     scores[POOL_SEARCH_CELLS] = stats->retained_cells_max;
     scores[POOL_SEARCH_GAPS] = stats->gaps_max;
     scores[POOL_SEARCH_ACTIVE] = stats->active_max;
+    const uint32_t shared_b = pool_search_shared_b(looking->simulator, &looking->memory);
+    if (shared_b > looking->shared_b) looking->shared_b = shared_b;
     return true;
 }
 
 bool pool_search_run(const struct compiled *scene, struct moving *moving, struct simulator *simulator,
-                     const struct lens *lens, size_t tries, struct search_result *out, struct error *err)
+                     const struct lens *lens, size_t tries, struct search_result *out, uint32_t *shared_b,
+                     struct error *err)
 {
-    struct looking looking = {scene, moving, simulator, lens};
+    struct looking looking = {.scene = scene,
+                              .moving = moving,
+                              .simulator = simulator,
+                              .lens = lens,
+                              .memory = counted_memory_of(simulator->core, &scene->scene, &simulator->target, false)};
     const struct camera_search search = {.scene = scene,
                                          .lens = *lens,
                                          .length_s = moving ? moving_length_s(moving) : 0.0,
@@ -45,7 +64,9 @@ bool pool_search_run(const struct compiled *scene, struct moving *moving, struct
                                          .doing = "worst views",
                                          .measure = measure,
                                          .ctx = &looking};
-    return camera_search_run(&search, out, err);
+    const bool ok = camera_search_run(&search, out, err);
+    *shared_b = looking.shared_b;
+    return ok;
 }
 
 void pool_search_report(const struct search_result *result, const struct grid *grid, struct worst_report *out)

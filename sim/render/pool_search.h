@@ -6,6 +6,7 @@
 #define SIM_POOL_SEARCH_H
 
 #include "cameras/camera_search.h"
+#include "render/counted_memory.h"
 #include "render/simulator.h"
 #include "scene/moving.h"
 
@@ -13,10 +14,14 @@
  * renderer's three largest pools. */
 enum { POOL_SEARCH_COST, POOL_SEARCH_CELLS, POOL_SEARCH_GAPS, POOL_SEARCH_ACTIVE, POOL_SEARCH_GOALS };
 
+/* Bytes that the last frame took of the memory which the three pools share, as they are counted. */
+uint32_t pool_search_shared_b(const struct simulator *simulator, const struct counted_memory *memory);
+
 /* Searches on `simulator`, whose pools must not run out, with so many cameras at most. Result: what takes most of each
- * goal. `moving`: NULL, nothing moves. */
+ * goal, and the most that any camera took of what they share. `moving`: NULL, nothing moves. */
 bool pool_search_run(const struct compiled *scene, struct moving *moving, struct simulator *simulator,
-                     const struct lens *lens, size_t tries, struct search_result *out, struct error *err);
+                     const struct lens *lens, size_t tries, struct search_result *out, uint32_t *shared_b,
+                     struct error *err);
 
 /* What the report and NAME.h say of it; nothing, if nothing was tried. */
 void pool_search_report(const struct search_result *result, const struct grid *grid, struct worst_report *out);

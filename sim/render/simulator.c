@@ -5,6 +5,7 @@
 #include "render/simulator.h"
 
 #include "core/core.h"
+#include "render/counted_memory.h"
 #include "scene/convexity.h"
 #include "scene/method.h"
 #include "scene/moving.h"
@@ -125,30 +126,63 @@ static const char *reason_of(int code)
     }
 }
 
+/* Pools run out where they do on a board. */
+static void count(struct simulator *simulator, bool antialias)
+{
+    struct counted_memory memory = counted_memory_of(simulator->core, simulator->scene, &simulator->target, antialias);
+    const double more_b = (double)(memory.all_b - memory.least_b) * simulator->part;
+    if (!memory.counted.cell_b || simulator->mem_b < simulator->core->mem_b(simulator->roomy, &simulator->target))
+        return;
+    memory.counted.line_gaps = (uint16_t)(1.0 + simulator->part * (simulator->scene->limits.gaps - 1.0));
+    simulator->core->count_as(simulator->lim, &memory.counted, memory.least_b + (size_t)more_b);
+}
+
+static bool make_roomy(struct simulator *simulator, const struct lim_scene *scene)
+{
+    const struct counted_memory memory = counted_memory_of(simulator->core, scene, &simulator->target, true);
+    simulator->scene = scene;
+    simulator->part = 1.0;
+    simulator->roomy = malloc(sizeof *simulator->roomy);
+    if (!simulator->roomy) return false;
+    *simulator->roomy = *scene;
+    simulator->roomy->limits = counted_memory_limits(&memory, scene, &simulator->target);
+    return true;
+}
+
 static bool renderer_init(struct simulator *simulator, const struct lim_scene *scene, struct error *err)
 {
+    const struct core *core = simulator->core;
     size_t pixel_count = (size_t)simulator->target.w_px * simulator->target.h_px;
+    if (!make_roomy(simulator, scene)) return error_set(err, "simulator: out of memory");
     simulator->pixels = calloc(pixel_count, sizeof simulator->pixels[0]);
-    simulator->mem_b = simulator->core->mem_b(scene, &simulator->target);
+    simulator->mem_b = core->mem_b(simulator->roomy, &simulator->target);
     simulator->mem = malloc(simulator->mem_b);
-    simulator->scene = scene;
-    simulator->lim = calloc(1, simulator->core->lim_b);
+    simulator->lim = calloc(1, core->lim_b);
     if (!simulator->pixels || !simulator->mem || !simulator->lim) return error_set(err, "simulator: out of memory");
-    int code = simulator->core->init(simulator->lim, scene, &simulator->target, simulator->mem, simulator->mem_b);
-    return code == 0 || error_set(err, "renderer: %s (%d)", reason_of(code), code);
+    int code = core->init(simulator->lim, simulator->roomy, &simulator->target, simulator->mem, simulator->mem_b);
+    if (code) return error_set(err, "renderer: %s (%d)", reason_of(code), code);
+    count(simulator, false);
+    return true;
 }
 
 bool simulator_set_ram(struct simulator *simulator, const struct simulator_ram *ram, struct error *err)
 {
-    const size_t all_b = simulator->core->mem_b(simulator->scene, &simulator->target);
-    const size_t least_b = simulator->core->mem_min_b(simulator->scene, &simulator->target);
+    const struct core *core = simulator->core;
+    const struct lim_target *target = &simulator->target;
+    const size_t all_b = core->mem_b(simulator->scene, target), least_b = core->mem_min_b(simulator->scene, target);
+    const size_t roomy_b = core->mem_b(simulator->roomy, target);
     size_t mem_b = all_b;
     if (ram->percent > 0.0) mem_b = least_b + (size_t)((double)(all_b - least_b) * fmin(ram->percent, 100.0) / 100.0);
     if (ram->bytes && ram->bytes < all_b) mem_b = ram->bytes;
-    simulator->mem_b = mem_b;
-    const int code = simulator->core->init(simulator->lim, simulator->scene, &simulator->target, simulator->mem, mem_b);
-    return code == 0 ||
-           error_set(err, "renderer with %zu bytes of memory: %s; %zu are the least", mem_b, reason_of(code), least_b);
+    if (mem_b < least_b)
+        return error_set(err, "renderer with %zu bytes of memory: %s; %zu are the least", mem_b,
+                         reason_of(LIM_ERR_MEMORY), least_b);
+    simulator->part = all_b > least_b ? (double)(mem_b - least_b) / (double)(all_b - least_b) : 1.0;
+    simulator->mem_b = counted_memory_of(core, simulator->scene, target, false).counted.cell_b ? roomy_b : mem_b;
+    const int code = core->init(simulator->lim, simulator->roomy, target, simulator->mem, simulator->mem_b);
+    if (code) return error_set(err, "renderer: %s (%d)", reason_of(code), code);
+    count(simulator, false);
+    return true;
 }
 
 static bool begin(struct simulator *simulator, const struct lim_scene *scene, const struct simulator_setup *setup,
@@ -201,6 +235,7 @@ bool simulator_set_antialias(struct simulator *simulator, bool on, struct error 
     if (on && !simulator->smooth_mem) simulator->smooth_mem = malloc(mem_b);
     if (on && !simulator->smooth_mem) return error_set(err, "simulator: out of memory");
     const int code = simulator->core->set_antialias(simulator->lim, on ? simulator->smooth_mem : NULL, mem_b);
+    if (!code) count(simulator, on);
     return !code || error_set(err, "--antialias: takes a method that draws nearest first");
 }
 
@@ -288,6 +323,7 @@ void simulator_free(struct simulator *simulator)
     free(simulator->smooth_mem);
     free(simulator->delta_mem);
     free(simulator->lim);
+    free(simulator->roomy);
     memset(simulator, 0, sizeof *simulator);
 }
 

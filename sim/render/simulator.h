@@ -40,7 +40,9 @@ struct simulator {
     void *lim; /* the core's state */
     struct lim_target target;
     const struct lim_scene *scene;
-    void *mem; /* lim's, mem_b of it */
+    struct lim_scene *roomy; /* the same, with limits for this host's larger structs */
+    double part;             /* of what the pools take beyond the least */
+    void *mem;               /* lim's, mem_b of it */
     size_t mem_b;
     void *mover_mem;                      /* lim's for movers; NULL: there are none */
     const struct lim_instance *instances; /* of the frames to come, the caller's */

@@ -8,12 +8,16 @@
 
 #include <stddef.h>
 
+struct core;
 struct moving;
 
 /* Bytes that lim_init() wants on a 32-bit MCU for the panel, the precision and the method of scene->report,
  * and the least that it takes. */
 size_t mcu_mem_b(const struct compiled *scene);
 size_t mcu_mem_min_b(const struct compiled *scene);
+
+/* A polygon that crosses a line, nearest first or by scan lines. */
+size_t mcu_active_b(const struct core *core, bool has_texture, bool antialias);
 
 /* Likewise for lim_movers_init(): NAME_MOVERS_MEM_B of the generated header, or a little more. */
 size_t mcu_movers_mem_b(const struct compiled *scene, const struct moving *moving);

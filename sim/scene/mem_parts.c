@@ -49,12 +49,12 @@ size_t ram_parts(const struct compiled *scene, struct mem_part parts[RAM_PARTS_M
     const struct lim_limits all = scene->scene.limits;
     struct lim_limits less = all;
     size_t count = 0, sum_b = 0;
-    less.retained_cells = 0;
-    add_pool(parts, &count, "cells of polygons that wait for their lines", scene, &less, all.retained_cells);
-    less = all, less.gaps = 0;
-    add_pool(parts, &count, "gaps, where nothing is painted yet", scene, &less, all.gaps);
-    less = all, less.active = 0;
-    add_pool(parts, &count, "polygons that cross a line", scene, &less, all.active);
+    const bool shares = scene->report.draws != LIM_CONVEX && !method_draws_meshes(scene->report.draws);
+    less.retained_cells = less.gaps = less.active = 0;
+    add_pool(parts, &count,
+             shares ? "gaps, polygons that wait for their lines, and those that cross one"
+                    : "polygons that cross a line",
+             scene, &less, shares ? 0 : all.active);
     less = all, less.pieces = 0;
     add_pool(parts, &count, "pieces that sorting cuts", scene, &less, all.pieces);
     less = all, less.layers = 0;

@@ -119,7 +119,7 @@ uint16_t needs_least_cells(const struct lim_limits *limits)
 struct lim_limits needs_limits(const struct compiled *scene, const struct needs *needs)
 {
     struct lim_limits limits = scene->scene.limits;
-    if (scene->report.draws == LIM_SCANLINE) limits.gaps = needs->antialias ? (uint16_t)(limits.active + 1) : 1;
+    if (scene->report.draws == LIM_SCANLINE) limits.gaps = needs->antialias || limits.layers ? limits.gaps : 1;
     const bool keeps = scene->report.fill || scene->report.framebuffer;
     if (scene->report.draws != LIM_NEAREST_FIRST || !keeps || !needs_retain_nothing(needs)) return limits;
     limits.retained_cells = needs_least_cells(&limits);

@@ -6,6 +6,7 @@
 
 #include "golden_state.h"
 #include "limner.h"
+#include "lines/retain.h"
 #include "screen/polygon.h"
 #include "view/view.h"
 
@@ -144,13 +145,13 @@ static uint32_t add_edge(uint32_t hash, const struct lim_edge *edge)
     return add(add(add(add(add(hash, edge->at), edge->step), edge->end), edge->next), edge->step_vertex);
 }
 
-static uint32_t add_actives(uint32_t hash, const struct lim_actives *actives, bool textured, bool antialiased)
+/* Of a frame in one band, if their memory was used for nothing else since. */
+static uint32_t add_actives(uint32_t hash, const struct lim_actives *actives, const struct lim_retained *retained,
+                            bool antialiased)
 {
-    hash = add(add(hash, actives->pool_size), actives->fresh);
-    for (uint16_t i = 0; i < actives->fresh; i++) {
-        const struct lim_active *active = &actives->pool[i];
+    for (const struct lim_active *active = actives->free; active; active = active->next) {
         hash = add(add(add(hash, active->polygon), active->turn), active->bottom);
-        if (textured) hash = add_gradients(hash, active->gradients);
+        if (lim_retained_has_texture(&retained->cells[active->polygon])) hash = add_gradients(hash, active->gradients);
         if (!antialiased) hash = add_edge(add_edge(hash, &active->pair.left), &active->pair.right);
     }
     return hash;
@@ -205,14 +206,17 @@ static uint32_t add_spans(uint32_t hash, const struct lim *lim)
 {
     const struct lim_spans *spans = &lim->nearest->spans;
     const struct lim_retained *retained = &lim->nearest->retained;
-    const bool textured = lim->pass.scene->textures && lim->pass.scene->texture_count;
+    const uint16_t gaps = lim_is_antialiased(&lim->pass.view) ? *spans->strips_size : spans->pool_size;
 
-    hash = add(add(add(hash, spans->pool_size), spans->fresh), spans->open_lines);
-    hash = golden_hash(hash, spans->pool, spans->fresh * sizeof *spans->pool);
-    hash = golden_hash(hash, spans->lines, lim->pass.target.h_px * sizeof *spans->lines);
-    hash = add(add(hash, retained->size), retained->used);
+    hash = add(add(add(hash, gaps), gaps - spans->fresh), spans->open_lines);
+    if (!lim_is_antialiased(&lim->pass.view))
+        hash = golden_hash(hash, &spans->pool[spans->fresh], (gaps - spans->fresh) * sizeof *spans->pool);
+    if (!lim->nearest->paint.actives.in_pool) /* else they may lie in painted lines */
+        hash = golden_hash(hash, spans->lines, lim->pass.target.h_px * sizeof *spans->lines);
+    hash = add(add(hash, retained->whole), retained->used);
     hash = add_cells(hash, retained, lim->pass.wireframe->on);
-    hash = add_actives(hash, &lim->nearest->paint.actives, textured, lim_is_antialiased(&lim->pass.view));
+    if (!lim->nearest->bands && !lim->nearest->paint.actives.in_pool)
+        hash = add_actives(hash, &lim->nearest->paint.actives, retained, lim_is_antialiased(&lim->pass.view));
     return add(add(hash, lim->nearest->paint.layers->size), lim->nearest->paint.layers->used);
 }
 

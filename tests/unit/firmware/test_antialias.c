@@ -148,7 +148,7 @@ static void scarce_memory_takes_edges_from_glass_by_whole_lines(void **state)
                      most_b = lim_mem_b(&stage.scene.scene, &target);
         draw(&stage.scene, LIM_NEAREST_FIRST, 4 * most_b, true, &camera, &smooth, &stats);
         draw(&stage.scene, LIM_NEAREST_FIRST, 0, false, &camera, &aliased, &stats);
-        draw(&stage.scene, LIM_NEAREST_FIRST, least_b + (most_b - least_b) / 4, true, &camera, &part, &stats);
+        draw(&stage.scene, LIM_NEAREST_FIRST, least_b + (most_b - least_b) / 32, true, &camera, &part, &stats);
         for (int y = 0; y < H_PX; y++) {
             const bool is_smooth = memcmp(part.pixels[y], smooth.pixels[y], sizeof part.pixels[y]) == 0;
             const bool is_aliased = memcmp(part.pixels[y], aliased.pixels[y], sizeof part.pixels[y]) == 0;

@@ -372,10 +372,10 @@ static void objects_that_cannot_be_drawn_are_left_out(void **state)
     object->limits.vertices = LIM_MAX_VERTICES + 1;
     assert_false(pose(&stage, &camera));
     object->limits.vertices = 4;
-    stage.lim.nearest->retained.size = LIM_RETAINED_HEAD_CELLS + 4 + 5; /* clipping adds one a plane */
+    stage.lim.nearest->retained.whole = LIM_RETAINED_HEAD_CELLS + 4 + 5; /* clipping adds one a plane */
     stage_lend(&stage);
     assert_true(pose(&stage, &camera));
-    stage.lim.nearest->retained.size--;
+    stage.lim.nearest->retained.whole--;
     stage_lend(&stage);
     assert_false(pose(&stage, &camera));
     stage.lim.pass.target.method = LIM_PAINTER; /* which retains nothing */

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT
  *
- * How memory is shared out among the nearest-first order's pools: what is asked for is what they take; at the least and
- * at the scene's limits they are these, in between in proportion; what is left over goes to pieces; and pools lie side
- * by side within the memory that was lent. */
+ * How memory is shared out among the nearest-first order's pools: what is asked for is what they take; pieces and
+ * layers are in proportion between the least and the scene's limits; what is left over goes to pieces, and else to what
+ * cells, gaps and polygons on a line share; and pools lie side by side within the memory that was lent. */
 #include "limner.h"
 #include "rigs/cmocka_ready.h"
 #include "rigs/set_rig.h"
@@ -13,8 +13,16 @@
 enum { H_PX = 40, LEAST_CELLS = LIM_RETAINED_HEAD_CELLS + 4 + 5, ALIGNED = 64 };
 
 struct sizes {
-    size_t active, cells, gaps, pieces, layers;
+    size_t shared_b, pieces, layers;
 };
+
+static size_t shared_b(size_t active, size_t cells, size_t gaps)
+{
+    const size_t sum_b =
+        active * sizeof(struct lim_active) + cells * sizeof(union lim_retained_cell) + gaps * LIM_GAP_MEM_B;
+
+    return (sum_b + 3) & ~(size_t)3;
+}
 
 static void *lend(void *ctx, uint16_t y_px)
 {
@@ -50,8 +58,7 @@ static size_t sum_b(enum lim_method method, const struct sizes *sizes)
     const bool sorts = method == LIM_DEPTH || method == LIM_NEWELL;
     const size_t entries = 2 + sizes->pieces;
     size_t b = LIM_VIEW_CACHE_ENTRIES * sizeof(struct lim_view_cached) + H_PX * sizeof(struct lim_line) +
-               sizes->active * sizeof(struct lim_active) + sizes->cells * sizeof(union lim_retained_cell) +
-               sizes->gaps * LIM_GAP_MEM_B + sizes->layers * sizeof(struct lim_layer);
+               sizes->shared_b + sizes->layers * sizeof(struct lim_layer);
 
     if (!sorts) b += 7 * sizeof(struct lim_walk_pending);
     if (sorts) b += entries * sizeof(struct lim_sorted);
@@ -60,10 +67,24 @@ static size_t sum_b(enum lim_method method, const struct sizes *sizes)
     return b;
 }
 
+/* Elements have numbers of 16 bits, the last of which means none. */
+static size_t numbered(size_t count)
+{
+    return count < 65535 ? count : 65534;
+}
+
 static struct sizes sizes_of(const struct lim *lim, enum lim_method method)
 {
-    struct sizes sizes = {lim->nearest->paint.actives.pool_size, lim->nearest->retained.size,
-                          lim->nearest->spans.pool_size, 0, lim->nearest->paint.layers->size};
+    const struct lim_retained *retained = &lim->nearest->retained;
+    struct sizes sizes = {(size_t)((uint8_t *)lim->pass.view.cache - (uint8_t *)retained->cells), 0,
+                          lim->nearest->paint.layers->size};
+
+    assert_int_equal(retained->whole, numbered(sizes.shared_b / sizeof(union lim_retained_cell)));
+    assert_int_equal(lim->nearest->spans.pool_size, numbered(sizes.shared_b / sizeof(struct lim_gap)));
+    assert_int_equal(*lim->nearest->spans.strips_size, numbered(sizes.shared_b / LIM_GAP_MEM_B));
+    assert_ptr_equal(lim->nearest->spans.pool, retained->cells);
+    assert_ptr_equal(*lim->nearest->spans.strips, retained->cells);
+    assert_ptr_equal(lim->nearest->paint.actives.pool, lim->pass.view.cache);
 
     if (method == LIM_NEWELL) {
         sizes.pieces = lim->sorter->size - 2u;
@@ -89,10 +110,8 @@ static void check_places(struct lim *lim, enum lim_method method, uint8_t *mem, 
     const struct lim_sorter *sorter = lim->sorter;
 
     memset(mem, 0, mem_b);
-    mark(mem, mem_b, lim->nearest->paint.actives.pool, sizes.active * sizeof(struct lim_active));
-    mark(mem, mem_b, lim->nearest->retained.cells, sizes.cells * sizeof(union lim_retained_cell));
+    mark(mem, mem_b, lim->nearest->retained.cells, sizes.shared_b);
     mark(mem, mem_b, lim->nearest->spans.lines, H_PX * sizeof(struct lim_line));
-    mark(mem, mem_b, lim->nearest->spans.pool, sizes.gaps * LIM_GAP_MEM_B);
     mark(mem, mem_b, lim->nearest->paint.layers->pool, sizes.layers * sizeof(struct lim_layer));
     mark(mem, mem_b, lim->pass.view.cache, LIM_VIEW_CACHE_ENTRIES * sizeof(struct lim_view_cached));
     if (method == LIM_NEAREST_FIRST) mark(mem, mem_b, lim->pass.walk->stack, 7 * sizeof *lim->pass.walk->stack);
@@ -117,9 +136,7 @@ static struct sizes share(const struct set *set, enum lim_method method, size_t 
 
 static void assert_sizes(struct sizes found, struct sizes expected)
 {
-    assert_int_equal(found.active, expected.active);
-    assert_int_equal(found.cells, expected.cells);
-    assert_int_equal(found.gaps, expected.gaps);
+    assert_in_range(found.shared_b, expected.shared_b, expected.shared_b + 15); /* aligned */
     assert_int_equal(found.pieces, expected.pieces);
     assert_int_equal(found.layers, expected.layers);
 }
@@ -134,12 +151,12 @@ enum { ORDERS = sizeof orders / sizeof *orders };
 
 static struct sizes least_of(void)
 {
-    return (struct sizes){1, LEAST_CELLS, 1, 0, 0};
+    return (struct sizes){shared_b(1, LEAST_CELLS, 1), 0, 0};
 }
 
 static struct sizes wanted_of(enum lim_method method)
 {
-    return (struct sizes){9, 101, 33, method == LIM_NEWELL ? 20 : 0, 6};
+    return (struct sizes){shared_b(9, 101, 33), method == LIM_NEWELL ? 20 : 0, 6};
 }
 
 static void pools_are_the_least_and_those_wanted(void **state)
@@ -177,11 +194,10 @@ static void pools_in_between_are_in_proportion(void **state)
         const size_t least_b = lim_mem_min_b(&set.scene, &target), wanted_b = lim_mem_b(&set.scene, &target);
         for (size_t mem_b = least_b; mem_b < wanted_b; mem_b++) {
             const size_t part = (mem_b - least_b) * 256 / (wanted_b - least_b);
-            assert_sizes(share(&set, orders[i], mem_b), (struct sizes){proportion(least.active, wanted.active, part),
-                                                                       proportion(least.cells, wanted.cells, part),
-                                                                       proportion(least.gaps, wanted.gaps, part),
-                                                                       proportion(least.pieces, wanted.pieces, part),
-                                                                       proportion(least.layers, wanted.layers, part)});
+            struct sizes expected = {0, proportion(least.pieces, wanted.pieces, part),
+                                     proportion(least.layers, wanted.layers, part)};
+            expected.shared_b = (mem_b - sum_b(orders[i], &expected)) / 8 * 8;
+            assert_sizes(share(&set, orders[i], mem_b), expected);
         }
     }
 }
@@ -202,6 +218,8 @@ static void what_is_left_over_goes_to_pieces(void **state)
                 struct sizes wanted = wanted_of(orders[i]);
                 const size_t mem_b = lim_mem_b(&set.scene, &target) + more[k] * piece_b + odd_b;
                 if (orders[i] == LIM_NEWELL) wanted.pieces += more[k] < 32767 - 22 ? more[k] : 32767 - 22;
+                wanted.shared_b = 0;
+                wanted.shared_b = (mem_b - sum_b(orders[i], &wanted)) / 8 * 8;
                 assert_sizes(share(&set, orders[i], mem_b), wanted);
             }
 }
@@ -242,8 +260,21 @@ static void lists_that_would_be_too_long_have_no_pieces(void **state)
     }
 }
 
-/* What scan lines paint leaves no gaps but where something is transparent, and those of one line, antialiased: each
- * polygon on it divides one at most. */
+/* What is left over is shared, too. */
+static void what_is_left_over_is_shared(void **state)
+{
+    static struct set set;
+    const struct lim_target target = target_of(LIM_NEAREST_FIRST);
+
+    (void)state;
+    make_set(&set);
+    const size_t wanted_b = lim_mem_b(&set.scene, &target);
+    struct sizes wanted = wanted_of(LIM_NEAREST_FIRST);
+    wanted.shared_b += 1000;
+    assert_sizes(share(&set, LIM_NEAREST_FIRST, wanted_b + 1000), wanted);
+}
+
+/* Where scan lines may be antialiased they have the gaps that the scene's limits say. */
 static void lines_painted_at_once_have_the_gaps_of_one(void **state)
 {
     const struct lim_target target = target_of(LIM_SCANLINE);
@@ -252,11 +283,8 @@ static void lines_painted_at_once_have_the_gaps_of_one(void **state)
 
     (void)state;
     make_set(&set);
-    const size_t glass_b = sum_b(LIM_SCANLINE, &wanted);
-    assert_in_range(lim_mem_b(&set.scene, &target), glass_b, glass_b + 15);
     set.scene.limits.layers = 0;
     wanted.layers = 0;
-    wanted.gaps = wanted.active + 1;
     const size_t opaque_b = sum_b(LIM_SCANLINE, &wanted);
     assert_in_range(lim_mem_b(&set.scene, &target), opaque_b, opaque_b + 15);
 }
@@ -291,6 +319,7 @@ int main(void)
         cmocka_unit_test(what_is_left_over_goes_to_pieces),
         cmocka_unit_test(pieces_end_where_a_list_does),
         cmocka_unit_test(lists_that_would_be_too_long_have_no_pieces),
+        cmocka_unit_test(what_is_left_over_is_shared),
         cmocka_unit_test(lines_painted_at_once_have_the_gaps_of_one),
         cmocka_unit_test(as_many_are_active_as_cross_a_line),
     };

@@ -297,6 +297,7 @@ enum { POOL = 200, STRIPS = 60, LINES = 300 };
 struct fixture {
     struct lim_line line;
     struct lim_open_strip pool[POOL];
+    struct lim_retained retained; /* nothing, in the same memory */
     struct lim_spans spans;
     uint16_t closed[W], fresh[W]; /* what is closed, and what the last call closed */
 };
@@ -311,7 +312,9 @@ static void open_line(struct fixture *f, uint16_t pool_size)
     f->spans.lines = &f->line;
     *f->spans.strips = f->pool;
     *f->spans.has_strips = true;
-    f->spans.pool_size = pool_size;
+    *f->spans.strips_size = pool_size;
+    f->spans.retained = &f->retained;
+    f->retained.cells = (void *)f->pool;
     lim_spans_open(&f->spans, &everything, &all);
 }
 

@@ -11,7 +11,8 @@ enum { W = 200, POOL = 100 };
 
 struct fixture {
     struct lim_line line;
-    struct lim_gap pool[POOL];
+    LIM_ALIGNAS(4) struct lim_gap pool[POOL];
+    struct lim_retained retained; /* nothing, in the same memory */
     struct lim_spans spans;
     bool open[W];
     bool fresh[W]; /* what the pieces of the last call covered */
@@ -28,6 +29,8 @@ static void open_line(struct fixture *f, uint16_t pool_size)
     f->spans.lines = &f->line;
     f->spans.pool = f->pool;
     f->spans.pool_size = pool_size;
+    f->spans.retained = &f->retained;
+    f->retained.cells = (void *)f->pool;
     lim_spans_open(&f->spans, &everything, &all);
     for (int x = 0; x < W; x++)
         f->open[x] = true;
@@ -143,8 +146,9 @@ static void an_empty_pool_still_cuts_ends(void **state)
 static void the_open_rectangle_shrinks_to_what_is_open(void **state)
 {
     struct lim_line lines[10];
-    struct lim_gap pool[POOL];
-    struct lim_spans spans = {.lines = lines, .pool = pool, .pool_size = POOL};
+    LIM_ALIGNAS(4) struct lim_gap pool[POOL];
+    struct lim_retained retained = {.cells = (void *)pool};
+    struct lim_spans spans = {.lines = lines, .pool = pool, .pool_size = POOL, .retained = &retained};
     const struct lim_rect all = {0, 0, W, 10};
 
     (void)state;
