@@ -232,7 +232,8 @@ static void texels_are_those_that_rays_meet(void **state)
     const size_t count = profiles_find(found);
 
     (void)state;
-    for (size_t k = 0; k < count; k++)
+    for (size_t k = 0; k < count; k++) {
+        double pixels = 0;
         for (unsigned kind = 0; kind < SOUP_KINDS; kind++) {
             struct random random = {301 + k};
             struct tally tally = {0};
@@ -247,10 +248,12 @@ static void texels_are_those_that_rays_meet(void **state)
                 soup_view_free(&shown);
                 soup_view_free(&numbers);
             }
-            assert_true(tally.pixels > 0);
+            pixels += tally.pixels;
             assert_true(tally.wrong <= (found[k]->profile == LIM_PROFILE_DRAFT ? 1e-3 : 5e-5) * tally.pixels);
             assert_true(tally.far <= 5e-4 * tally.pixels);
         }
+        assert_true(pixels > 0); /* of one kind alone there may be none, of a few frames */
+    }
 }
 
 /* One triangle round the origin, and a camera that looks there from hardly farther than its words say, or from nearer.
