@@ -16,7 +16,7 @@ grows_gently() {
             END { exit bad || seen != 2 }' "$work/all" "$work/less"
 }
 tap_check "rooms with 70 % of the pools" grows_gently rooms nearest 70 1.3 2
-tap_check "rooms with 50 % of the pools" grows_gently rooms nearest 50 2.2 9
+tap_check "rooms with 50 % of the pools" grows_gently rooms nearest 50 2.3 9.2
 tap_check "teapot with 70 % of the pools" grows_gently teapot nearest 70 1.4 3
 tap_check "teapot with 50 % of the pools" grows_gently teapot nearest 50 2 5
 tap_check "teapot by scan lines with 70 % of the pools" grows_gently teapot scanline 70 1.3 3
