@@ -88,7 +88,6 @@ packages-compare       := gcc-arm-none-eabi qemu-system-arm
 packages-bench         := $(packages-tradeoff) $(packages-models) freedoom valgrind
 packages-bench-baseline := $(packages-bench)
 packages-boards        := sigrok-cli $(shell sed -n 's/^\(EMULATE_\|RULES_\)\{0,1\}PACKAGES *:= *//p' boards/*/board.mk)
-packages-methods       := $(packages-bench)
 packages-delta-cost    := gcc-arm-none-eabi qemu-system-arm
 packages-overlay-cost  := gcc-arm-none-eabi qemu-system-arm
 packages-tables        := $(foreach table,$(TABLES),$(packages-$(table)))
@@ -489,7 +488,7 @@ predictions: ## [measure] hold predicted wrong pixels against measured ones, of 
 compare: ## [measure] measure every visibility method; everything into out/compare/
 
 tables: $(if $(filter foreign,$(TABLES)),tests/foreign.sh)
-tables footprint tradeoff scale predictions compare: $(BUILD)/limner $(BUILD)/generate_scale $(BUILD)/generate_bench $(demo) packages
+tables footprint tradeoff scale predictions compare: $(BUILD)/limner $(BUILD)/generate_scale $(demo) packages
 	$(LIVE)sh sim/tools/tables.sh --write $(if $(filter tables,$@),$(TABLES),$@)
 
 bench: $(BUILD)/limner $(demo) $(dense) $(bench_scenes) packages ## [measure] count instructions and bytes; what changed, and what is lost to others; SCENES="rooms spider": of these

@@ -321,7 +321,7 @@ static void step_actives(struct lim_actives *actives, uint16_t lines, uint16_t b
     while ((active = *link) != NULL) {
         active->samples->left.x_q16 += (uint32_t)(lines * LIM_SAMPLE_ROWS) * active->samples->left.step_q16;
         active->samples->right.x_q16 += (uint32_t)(lines * LIM_SAMPLE_ROWS) * active->samples->right.step_q16;
-        if ((int16_t)active->bottom > below * LIM_SAMPLE_ROWS)
+        if ((int16_t)active->bottom > (int16_t)(below * LIM_SAMPLE_ROWS))
             link = &active->next;
         else
             lim_active_give_back(actives, link);

@@ -200,7 +200,8 @@ static LIM_RARE void refine(struct lim_mesh *mesh)
     const uint8_t zeros = mesh->nearest ? clz_u32(mesh->nearest) : 0;
 
     if (zeros > 32 - REFINED_BITS)
-        lim_view_finer(&pass->view, pass->scene, zeros - (32 - REFINED_BITS), mesh->nearness, &mesh->near_shift);
+        lim_view_finer(&pass->view, pass->scene, (uint8_t)(zeros - (32 - REFINED_BITS)), mesh->nearness,
+                       &mesh->near_shift);
 }
 
 /* Lines in parts -------------------------------------------------------------------------------------------------- */

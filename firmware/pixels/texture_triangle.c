@@ -39,7 +39,7 @@ static void vector_shorten(struct long_vector *vector)
     if (bits <= VECTOR_BITS) return;
     for (uint_fast8_t i = 0; i < 3; i++)
         vector->at[i] >>= bits - VECTOR_BITS;
-    vector->bits += bits - VECTOR_BITS;
+    vector->bits = (int_fast16_t)(vector->bits + (int_fast16_t)bits - VECTOR_BITS);
 }
 
 /* Of shortened ones. */

@@ -34,7 +34,6 @@ footprint slow footprint footprint /limner /scenes/demo.obj arm-none-eabi-gcc
 tradeoff slow tradeoff tradeoff /limner /scenes/demo.obj gnuplot
 compare slow compare compare /limner
 scale slow scale scale /limner /generate_scale arm-none-eabi-gcc qemu-system-arm gnuplot
-methods slow tables-methods methods /limner /generate_bench arm-none-eabi-gcc qemu-system-arm
 predictions slow predictions predictions /limner /generate_scale /scenes/demo.obj
 delta-cost slow tables-delta-cost delta /limner arm-none-eabi-gcc qemu-system-arm
 overlay-cost slow tables-overlay-cost overlay /limner arm-none-eabi-gcc qemu-system-arm

@@ -85,7 +85,7 @@ settings() {
 }
 
 # These decide how something is computed, and no struct.
-free_settings='LIM_ASSERT LIM_DEBUG_ASSERT LIM_NEWELL_EFFORT LIM_RECIP_TABLE LIM_DIVIDES'
+free_settings='LIM_ASSERT LIM_DEBUG_ASSERT LIM_NEWELL_EFFORT LIM_OPTIMISE LIM_RECIP_TABLE LIM_DIVIDES'
 
 # What is put behind a name; nothing where the configuration is refused.
 symbol_of() { # FLAG...

@@ -270,6 +270,7 @@ static void a_target_that_fails_ends_the_frame_and_the_next_is_whole(void **stat
 
 /* Renderers of one scene by both orders, for what is asked for at run time. */
 struct pair {
+    struct lim_scene scene; /* with pools for scan lines, too */
     struct canvas canvas[2];
     struct lim lim[2];
     void *mem[2];
@@ -280,10 +281,13 @@ static struct pair *pair_new(const struct lim_scene *scene)
     static const enum lim_method orders[2] = {LIM_NEAREST_FIRST, LIM_SCANLINE};
     struct pair *pair = calloc(1, sizeof *pair);
 
+    pair->scene = *scene;
+    pair->scene.limits.active = (uint16_t)(2 * scene->limits.active);
     for (int i = 0; i < 2; i++) {
         const struct lim_target target = target_of(&pair->canvas[i], orders[i]);
-        pair->mem[i] = malloc(lim_mem_b(scene, &target));
-        assert_int_equal(lim_init(&pair->lim[i], scene, &target, pair->mem[i], lim_mem_b(scene, &target)), LIM_OK);
+        const size_t mem_b = lim_mem_b(&pair->scene, &target);
+        pair->mem[i] = malloc(mem_b);
+        assert_int_equal(lim_init(&pair->lim[i], &pair->scene, &target, pair->mem[i], mem_b), LIM_OK);
     }
     return pair;
 }
