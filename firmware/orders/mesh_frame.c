@@ -325,9 +325,9 @@ int lim_mesh_frame(struct lim_mesh *mesh)
     struct lim_pass *pass = mesh->pass;
 
     mesh->extent = (uint8_t)lim_view_all(&pass->view, pass->scene, mesh->points, mesh->nearness, &mesh->near_shift);
-    if (LIM_HAS_TEXTURE) lim_mesh_texture_frame(mesh);
     link_triangles(mesh);
     if (mesh->extent == LIM_VIEW_CLIPPED) refine(mesh);
+    if (LIM_HAS_TEXTURE) lim_mesh_texture_frame(mesh);
     lim_mesh_clear(mesh);
     mesh->alive = LIM_NO_INDEX;
     mesh->alive_from = 0;

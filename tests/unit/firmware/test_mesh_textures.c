@@ -228,35 +228,48 @@ static void compare_texels(const struct core *core, const struct lim_camera *cam
 
 enum { FEWEST = 8 }; /* frames: shares of fewer say little */
 
+static int some_frames(void)
+{
+    const int frames = effort(16);
+    return frames < FEWEST ? FEWEST : frames;
+}
+
+/* Frame i of a soup: what it shows, and which triangle that is at each pixel. The caller frees both views. */
+static struct lim_camera draw_both(const struct core *core, struct random *random, unsigned kind, lim_index texture,
+                                   int i, struct soup_view *shown, struct soup_view *numbers)
+{
+    const struct lim_camera camera = make(random, kind, texture, i % 2 ? 600 : 16000);
+    const enum lim_method method = orders[i / 2 % 2];
+
+    draw(shown, core, method, &camera, 0);
+    draw_numbers(numbers, core, method, &camera);
+    return camera;
+}
+
 static void texels_are_those_that_rays_meet(void **state)
 {
     const struct core *found[PROFILES_MAX];
     const size_t count = profiles_find(found);
-    const int frames = effort(16) < FEWEST ? FEWEST : effort(16);
+    const int frames = some_frames();
 
     (void)state;
-    for (size_t k = 0; k < count; k++) {
-        double pixels = 0;
+    for (size_t k = 0; k < count; k++)
         for (unsigned kind = 0; kind < SOUP_KINDS; kind++) {
             struct random random = {301 + k};
             struct tally tally = {0};
             for (int i = 0; i < frames; i++) {
-                const struct lim_camera camera = make(&random, kind, 0, i % 2 ? 600 : 16000);
                 struct soup_view shown, numbers;
-                draw(&shown, found[k], orders[i / 2 % 2], &camera, 0);
-                draw_numbers(&numbers, found[k], orders[i / 2 % 2], &camera);
+                const struct lim_camera camera = draw_both(found[k], &random, kind, 0, i, &shown, &numbers);
                 compare_texels(found[k], &camera, &shown, &numbers, &tally);
                 /* Two entries' room for gradients, beside its own, is given back with each. */
                 assert_true(found[k]->stats(shown.lim)->active_max <= 3 * found[k]->stats(numbers.lim)->active_max);
                 soup_view_free(&shown);
                 soup_view_free(&numbers);
             }
-            pixels += tally.pixels;
+            assert_true(tally.pixels > 0);
             assert_true(tally.wrong <= (found[k]->profile == LIM_PROFILE_DRAFT ? 1e-3 : 5e-5) * tally.pixels);
             assert_true(tally.far <= 5e-4 * tally.pixels);
         }
-        assert_true(pixels > 0); /* of one kind alone there may be none, of a few frames */
-    }
 }
 
 /* One triangle round the origin, and a camera that looks there from hardly farther than its words say, or from nearer.
@@ -349,30 +362,25 @@ static void levels_are_as_fine_as_pixels(void **state)
 {
     const struct core *found[PROFILES_MAX];
     const size_t count = profiles_find(found);
-    const int frames = effort(16) < FEWEST ? FEWEST : effort(16);
+    const int frames = some_frames();
 
     (void)state;
-    for (size_t k = 0; k < count; k++) {
-        double pixels = 0;
+    for (size_t k = 0; k < count; k++)
         for (unsigned kind = 0; kind < SOUP_KINDS; kind++) {
             struct random random = {401 + k};
             struct tally tally = {0};
             if (found[k]->profile == LIM_PROFILE_DRAFT && kind == 5) continue; /* triangles of a pixel have any area */
             for (int i = 0; i < frames; i++) {
-                const struct lim_camera camera = make(&random, kind, 1, i % 2 ? 600 : 16000);
                 struct soup_view shown, numbers;
-                draw(&shown, found[k], orders[i / 2 % 2], &camera, 0);
-                draw_numbers(&numbers, found[k], orders[i / 2 % 2], &camera);
+                const struct lim_camera camera = draw_both(found[k], &random, kind, 1, i, &shown, &numbers);
                 compare_levels(&camera, &shown, &numbers, &tally);
                 soup_view_free(&shown);
                 soup_view_free(&numbers);
             }
-            pixels += tally.pixels;
+            assert_true(tally.pixels > 0);
             assert_true(tally.wrong <= 0.01 * tally.pixels);
             assert_true(tally.far <= 0.005 * tally.pixels);
         }
-        assert_true(pixels > 0); /* as above */
-    }
 }
 
 /* Memory, colours ---------------------------------------------------------------------------------------------------
