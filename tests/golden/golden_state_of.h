@@ -145,14 +145,13 @@ static uint32_t add_edge(uint32_t hash, const struct lim_edge *edge)
     return add(add(add(add(add(hash, edge->at), edge->step), edge->end), edge->next), edge->step_vertex);
 }
 
-/* Of a frame in one band, if their memory was used for nothing else since. */
-static uint32_t add_actives(uint32_t hash, const struct lim_actives *actives, const struct lim_retained *retained,
-                            bool antialiased)
+/* Of a frame in one band, if their memory was used for nothing else since. Edges need not be whole: one of a single
+ * line has no step. */
+static uint32_t add_actives(uint32_t hash, const struct lim_actives *actives, const struct lim_retained *retained)
 {
     for (const struct lim_active *active = actives->free; active; active = active->next) {
-        hash = add(add(add(hash, active->polygon), active->turn), active->bottom);
+        hash = add(add(hash, active->polygon), active->bottom);
         if (lim_retained_has_texture(&retained->cells[active->polygon])) hash = add_gradients(hash, active->gradients);
-        if (!antialiased) hash = add_edge(add_edge(hash, &active->pair.left), &active->pair.right);
     }
     return hash;
 }
@@ -211,12 +210,12 @@ static uint32_t add_spans(uint32_t hash, const struct lim *lim)
     hash = add(add(add(hash, gaps), gaps - spans->fresh), spans->open_lines);
     if (!lim_is_antialiased(&lim->pass.view))
         hash = golden_hash(hash, &spans->pool[spans->fresh], (gaps - spans->fresh) * sizeof *spans->pool);
-    if (!lim->nearest->paint.actives.in_pool) /* else they may lie in painted lines */
+    if (!lim->nearest->bands && !lim->nearest->paint.actives.in_pool) /* else polygons may have lain there */
         hash = golden_hash(hash, spans->lines, lim->pass.target.h_px * sizeof *spans->lines);
     hash = add(add(hash, retained->whole), retained->used);
     hash = add_cells(hash, retained, lim->pass.wireframe->on);
     if (!lim->nearest->bands && !lim->nearest->paint.actives.in_pool)
-        hash = add_actives(hash, &lim->nearest->paint.actives, retained, lim_is_antialiased(&lim->pass.view));
+        hash = add_actives(hash, &lim->nearest->paint.actives, retained);
     return add(add(hash, lim->nearest->paint.layers->size), lim->nearest->paint.layers->used);
 }
 
@@ -224,8 +223,11 @@ static uint32_t state_of(const void *state, uint16_t movers)
 {
     const struct lim *lim = state;
     const enum lim_method method = lim->pass.target.method;
-    uint32_t hash = add_vertices(add_rows(GOLDEN_HASH, &lim->pass.view.rows), lim->pass.view.cache);
+    const bool spans = method != LIM_CONVEX && method != LIM_PAINTER;
+    uint32_t hash = add_rows(GOLDEN_HASH, &lim->pass.view.rows);
 
+    if (!spans || !lim->nearest->paint.actives.in_pool) /* else they lie where vertices were */
+        hash = add_vertices(hash, lim->pass.view.cache);
     hash = add_eye(add_cull(add(hash, lim->pass.view.vertices), lim->pass.cull), &lim->pass.walk->eye);
     if (lim->pass.scene->textures) hash = add_texturing(hash, lim->pass.texturing);
     if (method == LIM_CONVEX) return add_crossings(hash, lim->convex, lim->pass.scene->textures);
