@@ -19,9 +19,10 @@ void lim_mesh_clear(struct lim_mesh *mesh)
     mesh->first = mesh->begins = &mesh->end;
 }
 
-static void mesh_insert(struct lim_mesh *mesh, struct lim_mesh_active *active)
+/* `last`: mesh->end, or the one that was inserted before: neighbours are much as near as each other. */
+static LIM_INLINE void mesh_insert(struct lim_mesh *mesh, struct lim_mesh_active *active, struct lim_mesh_active *last)
 {
-    struct lim_mesh_active **link = &mesh->begins;
+    struct lim_mesh_active **link = last->rank < active->rank ? &last->next : &mesh->begins;
 
     while ((*link)->rank < active->rank)
         link = &(*link)->next;
@@ -90,7 +91,7 @@ static bool begin_part(struct lim_mesh *mesh, const struct lim_mesh_clipped *cli
     if (LIM_HAS_STATS) *active->seen = false;
     set_any(active, shown->at, shown->n, &shown->shape, y);
     if (lim_mesh_is_deep(mesh, triangle)) lim_mesh_depth_clipped(active, clipped, y);
-    mesh_insert(mesh, active);
+    mesh_insert(mesh, active, &mesh->end);
     return true;
 }
 
@@ -246,23 +247,25 @@ static LIM_ALONE void set_three(struct lim_mesh_active *active, lim_packed top, 
     const int32_t middle_y = lim_packed_y(middle), low_x = lim_packed_x(low), low_y = lim_packed_y(low);
     const int32_t row = (int32_t)active->turn - LIM_ORIGIN_PX, middle_row = mesh_row_of(middle),
                   bottom_row = mesh_row_of(low);
-    const int32_t upper_dx = middle_x - top_x, lower_dx = low_x - middle_x;
+    const int32_t dx = low_x - top_x, upper_dx = middle_x - top_x, lower_dx = low_x - middle_x;
 
-    if (!edge_is_short(low_x - top_x, low_y - top_y, bottom_row - (top_y >> LIM_SUB_BITS)) ||
-        ((uint32_t)(upper_dx + SHORT_WIDTH) | (uint32_t)(lower_dx + SHORT_WIDTH)) >= 2 * SHORT_WIDTH) {
+    if (!edge_is_low(low_y - top_y, bottom_row - (top_y >> LIM_SUB_BITS)) ||
+        !edge_are_narrow(edge_width(dx) | edge_width(upper_dx) | edge_width(lower_dx))) {
         set_one_by_one(active, top, middle, low);
         return;
     }
-    set_short_edge(&active->edges[active->goes_on ^ 1], top_x, top_y, low_x - top_x, low_y - top_y, row);
+    set_short_edge(&active->edges[active->goes_on ^ 1], top_x, top_y, dx, low_y - top_y, row);
     struct lim_mesh_edge *lower = &active->edges[active->goes_on];
     int32_t lower_row = row;
-    active->bottom = active->turn = (uint16_t)(bottom_row + LIM_ORIGIN_PX);
+    active->bottom = (uint16_t)(bottom_row + LIM_ORIGIN_PX);
     if (middle_row > row) {
         set_short_edge(lower, top_x, top_y, upper_dx, middle_y - top_y, row);
-        if (middle_row == bottom_row) return;
         active->turn = (uint16_t)(middle_row + LIM_ORIGIN_PX);
+        if (middle_row == bottom_row) return;
         lower = &active->lower;
         lower_row = middle_row;
+    } else {
+        active->turn = active->bottom;
     }
     set_short_edge(lower, middle_x, middle_y, lower_dx, low_y - middle_y, lower_row);
 }
@@ -276,10 +279,9 @@ static inline void set_three(struct lim_mesh_active *active, lim_packed top, lim
 
 #endif
 
-static LIM_INLINE struct three three_at(const struct lim_point *points, const LIM_FLASH lim_index *corners)
+static LIM_INLINE struct three three_at(const struct lim_point *points, lim_index a, lim_index b, lim_index c)
 {
-    return three_of(lim_packed_load(&points[corners[0]]), lim_packed_load(&points[corners[1]]),
-                    lim_packed_load(&points[corners[2]]));
+    return three_of(lim_packed_load(&points[a]), lim_packed_load(&points[b]), lim_packed_load(&points[c]));
 }
 
 static LIM_RARE void add_depth(const struct lim_mesh *mesh, struct lim_mesh_active *active, uint16_t y)
@@ -292,17 +294,17 @@ static LIM_RARE void add_depth(const struct lim_mesh *mesh, struct lim_mesh_acti
     lim_mesh_depth_set(active, at, near, y);
 }
 
-/* `range`: NULL, or those of other ranks are left out. */
+/* `range`: NULL, or those of other ranks are left out. *last: as in mesh_insert(). */
 static LIM_INLINE bool mesh_begin(struct lim_mesh *mesh, const LIM_FLASH lim_index *triangles, lim_index triangle,
-                                  uint16_t y, struct lim_mesh_range *range)
+                                  uint16_t y, struct lim_mesh_range *range, struct lim_mesh_active **last)
 {
     const LIM_FLASH lim_index *corners = triangles + (size_t)triangle * LIM_TRIANGLE_WORDS;
-    const uint16_t *const nearness = mesh->nearness;
-    const uint32_t a = nearness[corners[0]], b = nearness[corners[1]], c = nearness[corners[2]];
+    const lim_index a = corners[0], b = corners[1], c = corners[2];
+    const uint32_t near_a = mesh->nearness[a], near_b = mesh->nearness[b], near_c = mesh->nearness[c];
 
-    if (LIM_UNLIKELY(mesh->extent == LIM_VIEW_CLIPPED) && (!a || !b || !c))
+    if (LIM_UNLIKELY(mesh->extent == LIM_VIEW_CLIPPED) && (!near_a || !near_b || !near_c))
         return begin_clipped(mesh, triangle, y, range);
-    const lim_mesh_rank rank = lim_mesh_rank_of((a + b + c) / 2, triangle);
+    const lim_mesh_rank rank = lim_mesh_rank_of((near_a + near_b + near_c) / 2, triangle);
     if (range && !mesh_is_within(range, rank)) return true;
     if (range) range->tried = rank;
     struct lim_mesh_active *active = lim_mesh_new(mesh);
@@ -313,8 +315,9 @@ static LIM_INLINE bool mesh_begin(struct lim_mesh *mesh, const LIM_FLASH lim_ind
     active->part = 0;
     active->turn = y;
     if (LIM_HAS_STATS) *active->seen = false;
-    mesh_insert(mesh, active);
-    const struct three three = three_at(mesh->points, corners);
+    mesh_insert(mesh, active, *last);
+    *last = active;
+    const struct three three = three_at(mesh->points, a, b, c);
     active->goes_on = three.side;
     set_three(active, three.top, three.middle, three.low);
     if (lim_mesh_is_deep(mesh, triangle)) add_depth(mesh, active, y);
@@ -325,15 +328,18 @@ bool lim_mesh_begin_all(struct lim_mesh *mesh, uint16_t y)
 {
     const LIM_FLASH lim_index *const triangles = mesh->pass->scene->polygons;
     const lim_index *const links = mesh->links;
+    struct lim_mesh_active *last = &mesh->end;
 
     for (lim_index triangle = mesh->tops[y]; triangle != LIM_NO_INDEX; triangle = links[triangle])
-        if (!mesh_begin(mesh, triangles, triangle, y, NULL)) return false;
+        if (!mesh_begin(mesh, triangles, triangle, y, NULL, &last)) return false;
     return true;
 }
 
 bool lim_mesh_begin_within(struct lim_mesh *mesh, lim_index triangle, uint16_t y, struct lim_mesh_range *range)
 {
-    return mesh_begin(mesh, mesh->pass->scene->polygons, triangle, y, range);
+    struct lim_mesh_active *last = &mesh->end;
+
+    return mesh_begin(mesh, mesh->pass->scene->polygons, triangle, y, range, &last);
 }
 
 static void turn_clipped(const struct lim_mesh *mesh, struct lim_mesh_active *active, uint16_t y)
@@ -354,7 +360,7 @@ void lim_mesh_turn(const struct lim_mesh *mesh, struct lim_mesh_active *active, 
         turn_clipped(mesh, active, y);
         return;
     }
-    const struct three three = three_at(mesh->points, corners);
+    const struct three three = three_at(mesh->points, corners[0], corners[1], corners[2]);
     active->goes_on = three.side;
     active->turn = y;
     set_three(active, three.top, three.middle, three.low);

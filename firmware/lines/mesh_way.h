@@ -6,6 +6,7 @@
 #define LIM_MESH_WAY_H
 
 #include "lines/mesh_plane.h"
+#include "math/pair.h"
 #include "scene.h"
 #include "view/packed.h"
 
@@ -78,8 +79,8 @@ static inline void mesh_way_halve(mesh_way *u, mesh_way *v, uint8_t halved[2])
 /* Of places that gain b and c on the ways u and v. */
 static inline void mesh_way_numerators(mesh_way u, mesh_way v, mesh_way b, mesh_way c, struct mesh_numerators *out)
 {
-    const mesh_way across = (u & 0xFFFF) | v << 16, down = u >> 16 | (v & 0xFFFF0000u);
-    const mesh_way of_u = (b & 0xFFFF) | c << 16, of_v = b >> 16 | (c & 0xFFFF0000u);
+    const mesh_way across = pair_of_lows(u, v), down = pair_of_highs(u, v);
+    const mesh_way of_u = pair_of_lows(b, c), of_v = pair_of_highs(b, c);
 
     out->ux = mesh_way_cross(down, of_u);
     out->uy = mesh_way_cross(of_u, across);

@@ -49,6 +49,15 @@ static inline uint32_t pair_of_highs(uint32_t low, uint32_t high)
     return pair;
 }
 
+/* The low halves of two words. */
+static inline uint32_t pair_of_lows(uint32_t low, uint32_t high)
+{
+    uint32_t pair;
+
+    __asm__("pkhbt %0, %1, %2, lsl #16" : "=r"(pair) : "r"(low), "r"(high));
+    return pair;
+}
+
 #else
 
 /* All bits of the halves in which a is at least b. */
@@ -81,6 +90,12 @@ static inline bool pair_are_most(uint32_t a, uint32_t b, uint32_t c, uint32_t d)
     const uint32_t flags = 0x80008000u;
 
     return (((b | flags) - a) & ((d | flags) - c) & flags) == flags;
+}
+
+/* The low halves of two words. */
+static inline uint32_t pair_of_lows(uint32_t low, uint32_t high)
+{
+    return (low & 0xFFFF) | high << 16;
 }
 
 /* The high halves of two words. */

@@ -20,12 +20,13 @@
 #include "pixels/texels.h"
 #include "pixels/texture_planes.h"
 
-/* A line of a polygon, stretch by stretch: from pixel x to the one before `end` texels advance evenly. */
+/* A line of a polygon, stretch by stretch: from pixel x to the one before `end`, which may lie behind the line's own,
+ * texels advance evenly. */
 struct lim_texture_line {
     const struct lim_texturing *texturing;
     struct lim_gradients *gradients;      /* their level is that of the stretch */
     struct lim_texture_walk walk;         /* from pixel x on */
-    int32_t x, end, right;                /* right: the pixel behind the line's last */
+    int32_t x, end;
     int32_t depth, uv[2];                 /* the planes where the next stretch begins, or the first one */
     int32_t depth_step, uv_step[2], bend; /* what a stretch adds to them; the first again, or 0 of a single pixel */
     uint32_t seen_depth, at_q16[2];       /* there; no less than depth_min */
@@ -67,8 +68,23 @@ static inline uint32_t lim_texture_even_place(const struct lim_texture_even *eve
     return even->place + step * (uint32_t)x + even->y * (uint32_t)y;
 }
 
-/* Paints pixels x0 <= x < x1 of it. */
-void lim_texture_fill(const struct lim_textured_span *span, uint16_t *pixels, uint16_t x0, uint16_t x1,
-                      struct lim_stats *stats);
+/* Paints pixels x0 <= x < x1 of a line that is not even. Returns how often it divided, if LIM_HAS_STATS. */
+uint16_t lim_texture_fill_stretches(const struct lim_textured_span *span, uint16_t *pixels, int32_t x0, int32_t x1);
+
+/* Of any line. */
+static inline void lim_texture_fill(const struct lim_textured_span *span, uint16_t *pixels, uint16_t x0, uint16_t x1,
+                                    struct lim_stats *stats)
+{
+    const struct lim_gradients *const gradients = span->gradients;
+
+    if (gradients->is_even) {
+        lim_texels_paint(pixels + x0, (uint_fast16_t)(x1 - x0),
+                         lim_texture_even_place(&gradients->even, gradients->level.step, x0, span->y),
+                         &gradients->level);
+        return;
+    }
+    const uint16_t divisions = lim_texture_fill_stretches(span, pixels, x0, x1);
+    if (LIM_HAS_STATS) stats->divisions += divisions;
+}
 
 #endif

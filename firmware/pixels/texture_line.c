@@ -30,7 +30,9 @@ static LIM_IN_EACH_CALLER uint32_t sample(struct lim_texture_line *line, const s
     line->at_q16[1] = planes->eye_uv_q16[1] + (uint32_t)(lim_texture_times(line->uv[1], recip_q31) >> down);
     if (LIM_HAS_STATS) line->divisions++;
     /* (depth - depth before) / depth, doubled twice: what a stretch may have of it is a half at most. */
-    return (uint32_t)lim_texture_times(line->bend, recip_q31) << zeros;
+    int32_t bend = line->bend;
+    __asm__("" : "+r"(bend)); /* else it is widened before the loop, and all 64 bits of the product are found */
+    return (uint32_t)lim_texture_times(bend, recip_q31) << zeros;
 }
 
 static inline int32_t sum(int32_t a, int32_t b)
@@ -56,7 +58,7 @@ static LIM_IN_EACH_CALLER void stretch(struct lim_texture_line *line, struct lim
     line->walk.step =
         lim_texture_packed((uint32_t)((u_way + half) >> line->bits), (uint32_t)((v_way + half) >> line->bits));
     line->x = line->end;
-    line->end = lim_texture_lesser(line->x + line->n_px, line->right);
+    line->end = line->x + line->n_px;
 }
 
 static LIM_IN_EACH_CALLER void begin_stretches(struct lim_texture_line *line, const struct lim_textured_span *span,
@@ -68,7 +70,6 @@ static LIM_IN_EACH_CALLER void begin_stretches(struct lim_texture_line *line, co
 
     line->texturing = span->texturing;
     line->gradients = span->gradients;
-    line->right = right;
     go_to(line, planes, left, span->y);
     uint32_t bits = span->gradients->bits;
     if (!bits) {
@@ -106,8 +107,7 @@ void lim_texture_line_next(struct lim_texture_line *line)
     stretch(line, &line->gradients->planes);
 }
 
-static LIM_ALONE void fill_stretches(const struct lim_textured_span *span, uint16_t *pixels, int32_t x, int32_t x1,
-                                     struct lim_stats *stats)
+uint16_t lim_texture_fill_stretches(const struct lim_textured_span *span, uint16_t *pixels, int32_t x, int32_t x1)
 {
     struct lim_texture_line line;
 
@@ -118,24 +118,10 @@ static LIM_ALONE void fill_stretches(const struct lim_textured_span *span, uint1
         const int32_t end = lim_texture_lesser(line.end, x1);
         line.gradients->level.step = line.walk.step;
         lim_texels_paint(pixels + x, (uint_fast16_t)(end - x), line.walk.place, &line.gradients->level);
-        if (end == x1) break;
+        if (end == x1) return line.divisions;
         x = end;
         stretch(&line, &line.gradients->planes);
     }
-    if (LIM_HAS_STATS) stats->divisions += line.divisions;
-}
-
-void lim_texture_fill(const struct lim_textured_span *span, uint16_t *pixels, uint16_t x0, uint16_t x1,
-                      struct lim_stats *stats)
-{
-    struct lim_gradients *const gradients = span->gradients;
-
-    if (!gradients->is_even) {
-        fill_stretches(span, pixels, x0, x1, stats);
-        return;
-    }
-    lim_texels_paint(pixels + x0, (uint_fast16_t)(x1 - x0),
-                     lim_texture_even_place(&gradients->even, gradients->level.step, x0, span->y), &gradients->level);
 }
 
 #endif

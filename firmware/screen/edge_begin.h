@@ -61,12 +61,23 @@ static inline lim_edge_wrap widened(int32_t at_q16)
     return (lim_edge_wrap)(lim_edge_at)at_q16 << (LIM_EDGE_BITS - SHORT_BITS);
 }
 
-/* Whether a short division does for all lines of an edge, as many as `lines`; then for those of any that is less high,
- * if it is as narrow. */
-static inline bool edge_is_short(int32_t dx, int32_t dy, int32_t lines)
+/* Whether a short division does for all lines of an edge, as many as `lines`, if it is narrow; then for those of any
+ * that is less high, too. */
+static inline bool edge_is_low(int32_t dy, int32_t lines)
 {
     if (LIM_OPTIMISE_SIZE || (uint32_t)(DIVISOR_ERROR * lines + 1) * (uint32_t)dy > 1u << SHORT_BITS) return false;
-    return (uint32_t)(dx + SHORT_WIDTH) < 2 * SHORT_WIDTH && (LIM_SUB_BITS <= 9 || dy < SHORT_WIDTH);
+    return LIM_SUB_BITS <= 9 || dy < SHORT_WIDTH;
+}
+
+/* Edges are narrow if edge_are_narrow() of what edge_width() says of each, OR'ed: 2 SHORT_WIDTH is a power of two. */
+static inline uint32_t edge_width(int32_t dx)
+{
+    return (uint32_t)(dx + SHORT_WIDTH);
+}
+
+static inline bool edge_are_narrow(uint32_t widths)
+{
+    return widths < 2 * SHORT_WIDTH;
 }
 
 /* Sets such an edge for line y, from the origin. */
@@ -87,7 +98,7 @@ static inline bool begin_short(struct lim_edge *edge, int32_t ax, int32_t ay, in
 {
     const int32_t dx = bx - ax, dy = by - ay;
 
-    if (!edge_is_short(dx, dy, end - (ay >> LIM_SUB_BITS))) return false;
+    if (!edge_is_low(dy, end - (ay >> LIM_SUB_BITS)) || !edge_are_narrow(edge_width(dx))) return false;
     set_short(edge, ax, ay, dx, dy, y);
     return true;
 }
