@@ -27,7 +27,7 @@ bool lim_inspect_vertex(struct lim *lim, lim_index vertex, struct lim_point *at)
 
 void lim_inspect_count_as(struct lim *lim, const struct lim_counted *counted, size_t counted_b)
 {
-    lim_nearest_count_as(lim->nearest, counted, counted_b);
+    if (LIM_HAS_SPANS) lim_nearest_count_as(lim->nearest, counted, counted_b);
 }
 
 int8_t lim_inspect_side(const struct lim_scene *scene, const struct lim_plane_ref *ref, const int32_t eye_q8[3])

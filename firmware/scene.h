@@ -191,8 +191,8 @@ struct lim_place {
 /* What memory a frame needs; the compiler measures all but the first two on sampled cameras. A frame that needs more
  * falls back to bands; without room for pieces, polygons go by their farthest points (LIM_NEWELL). */
 struct lim_limits {
-    uint16_t depth;          /* nodes on the longest path from the root: least stack of the walk */
-    uint16_t vertices;       /* most vertices of any polygon */
+    uint16_t depth;    /* nodes on the longest path from the root: least stack of the walk */
+    uint16_t vertices; /* most vertices of any polygon */
     /* What the next three take together is one memory, which they share; LIM_CONVEX and meshes take the last alone. */
     uint16_t retained_cells; /* points and heads of the polygons retained between SPAN and PAINT */
     uint16_t gaps;           /* gaps beyond the first of each line, all lines together */

@@ -117,8 +117,8 @@ struct lim_stats {
     uint32_t pixels_painted;   /* pixels written by polygons, as often as they are; not of pictures that targets keep */
     uint32_t pixels_deep;      /* of those, pixels at which depths were compared, whether they were written or not */
     uint32_t pixels_background; /* pixels filled with the background; convex: those that no face has painted, about */
-    uint32_t divisions;        /* for the perspective of textures */
-    uint32_t bands;            /* extra walks because a pool was exhausted; convex: faces' lines without room */
+    uint32_t divisions;         /* for the perspective of textures */
+    uint32_t bands;             /* extra walks because a pool was exhausted; convex: faces' lines without room */
 #if LIM_HAS_SORTED
     uint32_t sorted; /* entries of the sorted list, pieces included */
 #endif

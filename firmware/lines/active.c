@@ -21,7 +21,8 @@ static uint8_t *take_what_is_left(struct lim_spans *spans)
 {
     spans->lowest = spans->fresh;
     if (LIM_HAS_ANTIALIAS && lim_spans_have_strips(spans)) {
-        const uint16_t kept = *spans->kept ? *spans->kept : 1; /* a line of strips takes one before anything is closed */
+        const uint16_t kept =
+            *spans->kept ? *spans->kept : 1; /* a line of strips takes one before anything is closed */
         const uint16_t unkept = (uint16_t)(lim_share_gaps_end(spans) - kept);
         if (unkept < spans->lowest) spans->lowest = unkept;
     }

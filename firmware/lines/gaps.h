@@ -4,7 +4,7 @@
 #ifndef LIM_GAPS_H
 #define LIM_GAPS_H
 
-#include "lines/share.h"
+#include "stages.h"
 
 /* What became of pixels, or samples, that were to be closed. */
 enum lim_span_result {

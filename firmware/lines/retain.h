@@ -80,7 +80,8 @@ static inline struct lim_point *lim_retained_end(const struct lim_retained *reta
 static inline struct lim_point *lim_retained_place(const struct lim_spans *spans, const struct lim_retained *retained,
                                                    uint8_t n)
 {
-    return lim_share_has_cells(spans, retained, LIM_RETAINED_HEAD_CELLS + n) ? lim_retained_end(retained) : NULL;
+    return lim_share_has_cells(spans, retained, LIM_RETAINED_HEAD_CELLS + (uint32_t)n) ? lim_retained_end(retained)
+                                                                                       : NULL;
 }
 
 /* Points that lie farther on move to the end. */

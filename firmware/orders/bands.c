@@ -9,6 +9,7 @@
 #include "lines/gaps.h"
 #include "lines/overlaid.h"
 #include "lines/paint.h"
+#include "lines/share.h"
 #include "lines/smooth_line.h"
 #include "movers/mover.h"
 #include "orders/room.h"

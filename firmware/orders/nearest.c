@@ -27,6 +27,9 @@
 
 #if LIM_HAS_SPANS
 
+/* Polygons come from the sorted list: a constant where nothing is walked, for meshes do not come here. */
+#define IS_LISTED(nearest) (!LIM_HAS_WALKED || LIM_IS_SORTED(&(nearest)->pass->target))
+
 /* Draws the open view together, and CULL's planes with it. */
 static void shrink(struct lim_nearest *nearest)
 {
@@ -383,7 +386,7 @@ static bool collect_from_list(struct lim_nearest *nearest)
 
 static bool collect_from_source(struct lim_nearest *nearest, const struct lim_rect *band)
 {
-    if (LIM_IS_SORTED(&nearest->pass->target)) return collect_from_list(nearest);
+    if (IS_LISTED(nearest)) return collect_from_list(nearest);
     return collect_from_tree(nearest, band);
 }
 
@@ -477,7 +480,7 @@ static LIM_IF_CALLED enum lim_ahead_stage collect_some_of_list(struct lim_neares
 void lim_collect_begin(struct lim_nearest *nearest, const struct lim_rect *frame)
 {
     open_band(nearest, frame);
-    if (LIM_IS_SORTED(&nearest->pass->target))
+    if (IS_LISTED(nearest))
         nearest->progress.entry = lim_nearest_sorter(nearest)->first;
     else
         begin_tree(nearest, frame);
@@ -486,7 +489,7 @@ void lim_collect_begin(struct lim_nearest *nearest, const struct lim_rect *frame
 enum lim_ahead_stage lim_collect_some(struct lim_nearest *nearest)
 {
     const enum lim_ahead_stage stage =
-        LIM_IS_SORTED(&nearest->pass->target) ? collect_some_of_list(nearest) : collect_some_of_tree(nearest);
+        IS_LISTED(nearest) ? collect_some_of_list(nearest) : collect_some_of_tree(nearest);
 
     if (LIM_HAS_STATS && stage == LIM_AHEAD_DONE) note_pools(nearest);
     return stage;

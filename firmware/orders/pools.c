@@ -216,9 +216,9 @@ void lim_nearest_count_as(struct lim_nearest *nearest, const struct lim_counted 
 
     if (!LIM_HAS_STATS) return;
     *spans->counted = *counted;
-    retained->whole = numbered(counted_b / counted->cell_b);
+    retained->whole = numbered(counted_b / (size_t)counted->cell_b);
     spans->pool = (void *)(retained->cells + retained->whole);
-    spans->pool_size = numbered(counted_b / counted->gap_b);
+    spans->pool_size = numbered(counted_b / (size_t)counted->gap_b);
     nearest->paint.actives.pool = (uint8_t *)spans->pool + spans->pool_size * LIM_GAP_MEM_B;
     if (!LIM_HAS_ANTIALIAS) return;
     *spans->strips = (void *)spans->pool;

@@ -24,8 +24,8 @@
  * texels advance evenly. */
 struct lim_texture_line {
     const struct lim_texturing *texturing;
-    struct lim_gradients *gradients;      /* their level is that of the stretch */
-    struct lim_texture_walk walk;         /* from pixel x on */
+    struct lim_gradients *gradients; /* their level is that of the stretch */
+    struct lim_texture_walk walk;    /* from pixel x on */
     int32_t x, end;
     int32_t depth, uv[2];                 /* the planes where the next stretch begins, or the first one */
     int32_t depth_step, uv_step[2], bend; /* what a stretch adds to them; the first again, or 0 of a single pixel */

@@ -40,15 +40,14 @@ enum { SHARED_UNIT_B = 4, SHARED_MARGIN = 32, FEW_GREEDY = 50 };
 struct usage {
     size_t cameras;
     uint16_t cells[CAMERAS], gaps[CAMERAS], active[CAMERAS], layers[CAMERAS], runs[CAMERAS];
-    uint16_t shared[CAMERAS];         /* of the memory that the first three share, in SHARED_UNIT_B */
-    uint32_t searched_shared_b;       /* likewise in bytes, of what was found by search */
-    struct counted_memory memory;     /* what it is counted by */
-    bool closes_none;                 /* by scan lines, not antialiased: no gaps but one */
-    double instructions;              /* predicted, of all frames */
-    double instructions_most;         /* beyond that no more frames are drawn; 0: whatever it takes */
-    uint32_t splits;                  /* of all frames */
-    uint32_t splits_max, entries_max; /* strays included: without room for a piece the picture may be wrong */
-    struct search_result searched;    /* what options.worst asks for; else nothing was tried */
+    uint16_t shared[CAMERAS];           /* of the memory that the first three share, in SHARED_UNIT_B */
+    struct counted_memory memory;       /* what it is counted by */
+    bool closes_none;                   /* by scan lines, not antialiased: no gaps but one */
+    double instructions;                /* predicted, of all frames */
+    double instructions_most;           /* beyond that no more frames are drawn; 0: whatever it takes */
+    uint32_t splits;                    /* of all frames */
+    uint32_t splits_max, entries_max;   /* strays included: without room for a piece the picture may be wrong */
+    struct pool_search_result searched; /* what options.worst asks for; else nothing was tried */
 };
 
 static uint16_t with_margin(uint16_t used, uint16_t least)
@@ -154,8 +153,7 @@ static bool sample_frames(const struct compiled *scene, struct moving *moving, s
         note(usage, simulator);
     }
     return !scene->report.worst.tries || is_too_much(usage) || !usage->cameras ||
-           pool_search_run(scene, moving, simulator, &lens, scene->report.worst.tries, &usage->searched,
-                           &usage->searched_shared_b, err);
+           pool_search_run(scene, moving, simulator, &lens, scene->report.worst.tries, &usage->searched, err);
 }
 
 /* How frames are drawn. */
@@ -219,13 +217,12 @@ static uint32_t most_shared_b(struct usage *usage)
 }
 
 /* To what was found by search, with nothing on top. */
-static void raise_to_searched(const struct search_result *searched, struct lim_limits *limits)
+static void raise_to_searched(const struct pool_search_result *searched, struct lim_limits *limits)
 {
-    const struct search_goal *goals = searched->goals;
-    if (!searched->tried) return;
-    limits->retained_cells = greater(limits->retained_cells, with_margin_of_one(goals[POOL_SEARCH_CELLS].score));
-    limits->gaps = greater(limits->gaps, with_margin_of_one(goals[POOL_SEARCH_GAPS].score));
-    limits->active = greater(limits->active, with_margin_of_one(goals[POOL_SEARCH_ACTIVE].score));
+    if (!searched->views.tried) return;
+    limits->retained_cells = greater(limits->retained_cells, with_margin_of_one(searched->cells));
+    limits->gaps = greater(limits->gaps, with_margin_of_one(searched->gaps));
+    limits->active = greater(limits->active, with_margin_of_one(searched->active));
 }
 
 /* Each has a pool of its own, or is counted so. */
@@ -238,6 +235,12 @@ static void raise_one_by_one(struct usage *usage, struct lim_limits *limits)
     limits->active = greater(limits->active, with_margin(most(usage->active, usage->cameras), 1));
 }
 
+/* What lies between cells and gaps is whole entries of neither. */
+static uint32_t one_of_each_b(const struct lim_counted *counted)
+{
+    return counted->cell_b + counted->gap_b + counted->active_b;
+}
+
 /* Of the memory that they share the limits say how much it is in all. Pictures that are filled as polygons come take
  * gaps alone, and antialiased lines that are painted at once as many as polygons cross them: so those have their
  * number, and all else is cells. */
@@ -245,7 +248,7 @@ static void raise_shared(struct usage *usage, struct lim_limits *limits)
 {
     const struct lim_counted *counted = &usage->memory.counted;
     const uint32_t sampled_b = most_shared_b(usage);
-    const uint32_t searched_b = usage->searched_shared_b;
+    const uint32_t searched_b = usage->searched.shared_b + one_of_each_b(counted);
     const uint32_t all_b = sampled_b > searched_b ? sampled_b : searched_b;
     const uint16_t at_once = (uint16_t)(usage->memory.of_a_line ? most(usage->active, usage->cameras) + 1 : 0);
     const uint16_t gaps = greater(most(usage->gaps, usage->cameras), at_once);

@@ -2,6 +2,7 @@
 #include "render/pool_search.h"
 
 #include "render/frame_cost.h"
+#include "scene/mcu_sizes.h"
 
 #include <string.h>
 
@@ -11,7 +12,7 @@ struct looking {
     struct simulator *simulator;
     const struct lens *lens;
     struct counted_memory memory;
-    uint32_t shared_b; /* most of all frames */
+    struct pool_search_result *out;
 };
 
 uint32_t pool_search_shared_b(const struct simulator *simulator, const struct counted_memory *memory)
@@ -22,6 +23,29 @@ uint32_t pool_search_shared_b(const struct simulator *simulator, const struct co
     const uint32_t gaps = at_once ? stats->active_max + 1u : stats->gaps_max;
 
     return stats->retained_cells_max * counted->cell_b + gaps * counted->gap_b + stats->active_max_b;
+}
+
+static uint16_t search_greater(uint16_t a, uint16_t b)
+{
+    return a > b ? a : b;
+}
+
+static void note_most(struct pool_search_result *out, const struct lim_stats *stats, uint32_t shared_b)
+{
+    if (shared_b > out->shared_b) out->shared_b = shared_b;
+    out->cells = search_greater(out->cells, (uint16_t)stats->retained_cells_max);
+    out->gaps = search_greater(out->gaps, (uint16_t)stats->gaps_max);
+    out->active = search_greater(out->active, (uint16_t)stats->active_max);
+}
+
+/* Where each has a pool of its own, they are weighed as what they take on a small screen. */
+static double memory_of(uint32_t shared_b, const struct lim_stats *stats)
+{
+    enum { ACTIVE_B = 36 };
+
+    if (shared_b) return shared_b;
+    return stats->retained_cells_max * (double)MCU_CELL_B + stats->gaps_max * (double)MCU_GAP_B +
+           stats->active_max * (double)ACTIVE_B;
 }
 
 static bool measure(void *ctx, const struct viewpoint *viewpoint, double *scores, struct error *err)
@@ -39,23 +63,21 @@ static bool measure(void *ctx, const struct viewpoint *viewpoint, double *scores
     if (!simulator_frame(looking->simulator, &camera, err)) return false;
     const struct lim_stats *stats = simulator_stats(looking->simulator);
     scores[POOL_SEARCH_COST] = frame_cost_work(stats, &looking->simulator->target);
-    scores[POOL_SEARCH_CELLS] = stats->retained_cells_max;
-    scores[POOL_SEARCH_GAPS] = stats->gaps_max;
-    scores[POOL_SEARCH_ACTIVE] = stats->active_max;
     const uint32_t shared_b = pool_search_shared_b(looking->simulator, &looking->memory);
-    if (shared_b > looking->shared_b) looking->shared_b = shared_b;
+    scores[POOL_SEARCH_MEMORY] = memory_of(shared_b, stats);
+    note_most(looking->out, stats, shared_b);
     return true;
 }
 
 bool pool_search_run(const struct compiled *scene, struct moving *moving, struct simulator *simulator,
-                     const struct lens *lens, size_t tries, struct search_result *out, uint32_t *shared_b,
-                     struct error *err)
+                     const struct lens *lens, size_t tries, struct pool_search_result *out, struct error *err)
 {
     struct looking looking = {.scene = scene,
                               .moving = moving,
                               .simulator = simulator,
                               .lens = lens,
-                              .memory = counted_memory_of(simulator->core, &scene->scene, &simulator->target, false)};
+                              .memory = counted_memory_of(simulator->core, &scene->scene, &simulator->target, false),
+                              .out = out};
     const struct camera_search search = {.scene = scene,
                                          .lens = *lens,
                                          .length_s = moving ? moving_length_s(moving) : 0.0,
@@ -64,32 +86,30 @@ bool pool_search_run(const struct compiled *scene, struct moving *moving, struct
                                          .doing = "worst views",
                                          .measure = measure,
                                          .ctx = &looking};
-    const bool ok = camera_search_run(&search, out, err);
-    *shared_b = looking.shared_b;
-    return ok;
+    return camera_search_run(&search, &out->views, err);
 }
 
-void pool_search_report(const struct search_result *result, const struct grid *grid, struct worst_report *out)
+void pool_search_report(const struct pool_search_result *result, const struct grid *grid, struct worst_report *out)
 {
-    const struct search_goal *cost = &result->goals[POOL_SEARCH_COST];
+    const struct search_goal *cost = &result->views.goals[POOL_SEARCH_COST];
     struct viewpoint viewpoint = cost->worst;
     const struct camera_path path = {"the worst view", &viewpoint, 1};
     const struct lens any = {.tan_x = 1.0, .tan_y = 1.0, .near_m = 1.0 / grid->units_per_m};
     struct lim_camera camera;
     struct error ignored;
 
-    if (!result->tried || !camera_path_to_camera(&path, 0, &any, grid, &camera, &ignored)) return;
+    if (!result->views.tried || !camera_path_to_camera(&path, 0, &any, grid, &camera, &ignored)) return;
     *out = (struct worst_report){.tries = out->tries,
-                                 .tried = result->tried,
+                                 .tried = result->views.tried,
                                  .work = cost->score,
                                  .work_mean = cost->mean,
                                  .work_random = cost->most,
                                  .time_s = viewpoint.time_s,
                                  .yaw = camera.yaw,
                                  .pitch = camera.pitch,
-                                 .cells = (unsigned)result->goals[POOL_SEARCH_CELLS].score,
-                                 .gaps = (unsigned)result->goals[POOL_SEARCH_GAPS].score,
-                                 .active = (unsigned)result->goals[POOL_SEARCH_ACTIVE].score};
+                                 .cells = result->cells,
+                                 .gaps = result->gaps,
+                                 .active = result->active};
     memcpy(out->eye_m, viewpoint.eye_m, sizeof out->eye_m);
     memcpy(out->target_m, viewpoint.target_m, sizeof out->target_m);
     memcpy(out->eye_q8, camera.eye_q8, sizeof out->eye_q8);

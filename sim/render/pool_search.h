@@ -10,20 +10,25 @@
 #include "render/simulator.h"
 #include "scene/moving.h"
 
-/* Of what a frame takes: the predicted instructions, or work where nothing predicts them (frame_cost.h), and the
- * renderer's three largest pools. */
-enum { POOL_SEARCH_COST, POOL_SEARCH_CELLS, POOL_SEARCH_GAPS, POOL_SEARCH_ACTIVE, POOL_SEARCH_GOALS };
+/* What is searched: the most of the predicted instructions, or of work where nothing predicts them (frame_cost.h), and
+ * of what the renderer's three largest pools take together. */
+enum { POOL_SEARCH_COST, POOL_SEARCH_MEMORY, POOL_SEARCH_GOALS };
+
+struct pool_search_result {
+    struct search_result views;   /* nothing tried: nothing was asked for */
+    uint32_t shared_b;            /* the most that any camera took of the memory which the three pools share */
+    uint16_t cells, gaps, active; /* the most that any took of each */
+};
 
 /* Bytes that the last frame took of the memory which the three pools share, as they are counted. */
 uint32_t pool_search_shared_b(const struct simulator *simulator, const struct counted_memory *memory);
 
 /* Searches on `simulator`, whose pools must not run out, with so many cameras at most. Result: what takes most of each
- * goal, and the most that any camera took of what they share. `moving`: NULL, nothing moves. */
+ * goal. `moving`: NULL, nothing moves. */
 bool pool_search_run(const struct compiled *scene, struct moving *moving, struct simulator *simulator,
-                     const struct lens *lens, size_t tries, struct search_result *out, uint32_t *shared_b,
-                     struct error *err);
+                     const struct lens *lens, size_t tries, struct pool_search_result *out, struct error *err);
 
 /* What the report and NAME.h say of it; nothing, if nothing was tried. */
-void pool_search_report(const struct search_result *result, const struct grid *grid, struct worst_report *out);
+void pool_search_report(const struct pool_search_result *result, const struct grid *grid, struct worst_report *out);
 
 #endif

@@ -74,7 +74,7 @@ tap_check "one without a path of its own does" builds BOARD=bluepill SCENE=icosa
 tap_check "a turned picture does" builds BOARD=bluepill PANEL=ssd1306 MODULE='--rotate 90' SCENE=icosahedron
 tap_check "its cameras see what the viewer does" turned_cameras 64 128
 tap_check "what changes alone does" builds BOARD=stm32f405 COMPILE=--delta
-tap_check "with less RAM than the scene asks for it draws in bands" builds_in_less BOARD=bluepill RAM_B=8192
+tap_check "with less RAM than the scene asks for it draws in bands" builds_in_less BOARD=bluepill RAM_B=7168
 sleep 0.01
 touch "$work/began"
 tap_check "too little RAM is refused" refused 'RAM is short by [0-9]* of 3000 bytes' BOARD=bluepill RAM_B=3000

@@ -102,9 +102,15 @@ for name in rooms teapot movers solid textured triangle; do
     tap_check "$name: bytes of flash by array add up" parts_make_the_whole $name.html 'flash, by array'
     tap_check "$name: bytes of RAM by pool add up" parts_make_the_whole $name.html 'RAM, by pool'
 done
-# A cell is a point on a small screen, two numbers of 16 bits (firmware/stages.h); a line's head two words.
+# What is shared holds so many cells, gaps and active polygons as NAME.c's limits say, of 4, 6 and 36 bytes on a small
+# screen (firmware/stages.h); a line's head is two words.
 pools_have_their_sizes() {
-    text_of rooms.html | awk '/^cells of polygons/ { cells = $(NF - 1) * 4 == $NF } /^heads of the screen/ { heads = $(NF - 1) * 8 == $NF } END { exit !(cells && heads) }'
+    "$limner" compile "$scenes/rooms.obj" --size 120x120 -o "$work/limits" >/dev/null || return 1
+    sum=$(sed -n 's/.*\.retained_cells = \([0-9]*\), \.gaps = \([0-9]*\), \.active = \([0-9]*\).*/4 * \1 + 6 * \2 + 36 * \3/p' "$work/limits.c")
+    text_of rooms.html | awk -v shared_b="$(($sum))" '
+        /^gaps, polygons that wait/ { shared = $NF - shared_b; print $NF, shared_b }
+        /^heads of the screen/ { heads = $(NF - 1) * 8 == $NF }
+        END { exit !(heads && shared >= 0 && shared < 4) }'
 }
 tap_check "pools take what their entries do" pools_have_their_sizes
 histogram_has_all_nodes() {

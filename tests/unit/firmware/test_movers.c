@@ -504,7 +504,7 @@ static void in_bands_the_picture_is_the_same(void **state)
         add_crossing(&rigs[i]);
         mover_rig_compile(&rigs[i], MOVING_CLIPPED, LIM_NEAREST_FIRST, NULL);
         struct simulator *simulator = &rigs[i].ids.simulator;
-        const size_t least_b = 9000;
+        const size_t least_b = simulator->core->mem_min_b(&rigs[i].ids.scene, &simulator->target);
         if (i) {
             assert_true(least_b < simulator->mem_b);
             assert_int_equal(

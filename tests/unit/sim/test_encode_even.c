@@ -148,7 +148,7 @@ static void it_is_not_farther_than_that(void **state)
         count++;
         tight += most > 0.25;
     }
-    assert_true(count > 50);
+    assert_true(count > effort(1000) / 20);
     assert_true(tight > count * 3 / 4);
 }
 
